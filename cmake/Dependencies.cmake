@@ -1,0 +1,12 @@
+# Every library comes from a Debian package; scripts/setup installs them.
+find_package(fmt REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(glm REQUIRED)
+find_package(GTest REQUIRED)
+find_package(OpenImageIO REQUIRED)
+find_package(assimp REQUIRED)
+find_package(TBB REQUIRED)
+find_package(LLVM 19.1 REQUIRED CONFIG)
+find_package(verilator HINTS $ENV{VERILATOR_ROOT} /usr/share/verilator REQUIRED)
+find_program(DYNRT_YOSYS yosys REQUIRED)
