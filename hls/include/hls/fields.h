@@ -1,0 +1,128 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Structs as tokens. A struct that travels through a channel or lies in a RAM names its fields
+// once,
+//     struct ListEntry { uint<6> packet; uint<17> matrix; HLS_FIELDS(packet, matrix) };
+// and from that come its width, its packing (first field in the lowest bits), its comparison and
+// the names that a mismatch report prints. A leaf is a uint, a sint, a bool, an enum with an
+// `enum_width`, or a type with `kLeafWidth`, `leaf_bits()` and `from_leaf_bits()` (a Float);
+// leaves have at most 64 bits. Fields may be structs and std::arrays of all of these.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "hls/int.h"
+
+/// Names the fields of a token, all of them, in packing order.
+#define HLS_FIELDS(...)                                               \
+  constexpr auto hls_fields() { return std::tie(__VA_ARGS__); }       \
+  constexpr auto hls_fields() const { return std::tie(__VA_ARGS__); } \
+  static constexpr std::string_view hls_field_names() { return #__VA_ARGS__; }
+
+namespace hls {
+
+/// Width of an enum in a token; specialise it beside the enum.
+template <class E>
+inline constexpr unsigned enum_width = 0;
+
+namespace detail {
+template <class T>
+struct is_uint : std::false_type {};
+template <unsigned W>
+struct is_uint<uint<W>> : std::true_type {};
+template <class T>
+struct is_sint : std::false_type {};
+template <unsigned W>
+struct is_sint<sint<W>> : std::true_type {};
+template <class T>
+struct is_array : std::false_type {};
+template <class T, std::size_t N>
+struct is_array<std::array<T, N>> : std::true_type {};
+}  // namespace detail
+
+template <class T>
+concept Struct = requires(T& t) { t.hls_fields(); };
+template <class T>
+concept CustomLeaf = requires { T::kLeafWidth; };
+
+/// Bits that a token of type T takes.
+template <class T>
+constexpr unsigned bit_width_of() {
+  if constexpr (std::is_same_v<T, bool>) {
+    return 1;
+  } else if constexpr (std::is_enum_v<T>) {
+    static_assert(enum_width<T> > 0, "specialise hls::enum_width for this enum");
+    return enum_width<T>;
+  } else if constexpr (detail::is_uint<T>::value || detail::is_sint<T>::value) {
+    return T::kWidth;
+  } else if constexpr (detail::is_array<T>::value) {
+    return static_cast<unsigned>(std::tuple_size_v<T>) * bit_width_of<typename T::value_type>();
+  } else if constexpr (CustomLeaf<T>) {
+    return T::kLeafWidth;
+  } else {
+    static_assert(Struct<T>, "a token's struct names its fields with HLS_FIELDS");
+    return []<class... F>(std::type_identity<std::tuple<F&...>>) {
+      return (0u + ... + bit_width_of<std::remove_const_t<F>>());
+    }(std::type_identity<decltype(std::declval<T&>().hls_fields())>{});
+  }
+}
+
+/// Calls visit(leaf, offset) for every leaf of a token, offset being its lowest bit's position.
+template <class T, class Visit>
+constexpr void for_each_leaf(T& token, Visit&& visit, unsigned offset = 0) {
+  using Plain = std::remove_const_t<T>;
+  if constexpr (detail::is_array<Plain>::value) {
+    for (unsigned i = 0; i < std::tuple_size_v<Plain>; ++i) {
+      for_each_leaf(token[i], visit, offset + i * bit_width_of<typename Plain::value_type>());
+    }
+  } else if constexpr (Struct<Plain>) {
+    std::apply(
+        [&](auto&... field) {
+          ((for_each_leaf(field, visit, offset),
+            offset += bit_width_of<std::remove_cvref_t<decltype(field)>>()),
+           ...);
+        },
+        token.hls_fields());
+  } else {
+    static_assert(bit_width_of<Plain>() <= 64, "a leaf has at most 64 bits");
+    visit(token, offset);
+  }
+}
+
+/// The bits of one leaf, and the leaf of some bits.
+template <class L>
+constexpr uint<bit_width_of<L>()> leaf_to_bits(const L& leaf) {
+  using Bits = uint<bit_width_of<L>()>;
+  if constexpr (std::is_same_v<L, bool>) {
+    return Bits::from(leaf);
+  } else if constexpr (std::is_enum_v<L>) {
+    return Bits::from(static_cast<unsigned>(leaf));
+  } else if constexpr (detail::is_uint<L>::value) {
+    return leaf;
+  } else if constexpr (detail::is_sint<L>::value) {
+    return leaf.as_unsigned();
+  } else {
+    return leaf.leaf_bits();
+  }
+}
+template <class L>
+constexpr L leaf_from_bits(uint<bit_width_of<L>()> bits) {
+  if constexpr (std::is_same_v<L, bool>) {
+    return bits.raw() != 0;
+  } else if constexpr (std::is_enum_v<L>) {
+    return static_cast<L>(static_cast<unsigned>(bits.raw()));
+  } else if constexpr (detail::is_uint<L>::value) {
+    return bits;
+  } else if constexpr (detail::is_sint<L>::value) {
+    return bits.as_signed();
+  } else {
+    return L::from_leaf_bits(bits);
+  }
+}
+
+}  // namespace hls

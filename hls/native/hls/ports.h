@@ -1,0 +1,151 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The members that a unit is made of, as the native model has them: channels are queues, RAMs are
+// arrays. hls/lowered/hls/ports.h has the same names for hlsc; which of the two a translation unit
+// sees is decided by the include path alone. A unit lists its ports once with HLS_PORTS.
+#pragma once
+
+#include <array>
+#include <cassert>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "hls/fields.h"
+
+/// Names the ports of a unit (channels, RAM ports, configuration), all of them.
+#define HLS_PORTS(...) HLS_FIELDS(__VA_ARGS__)
+
+namespace hls {
+
+/// An unbounded first-in first-out queue of tokens; the join bounds it in hardware.
+template <class T>
+class Fifo {
+ public:
+  bool empty() const { return head_ == tail_; }
+  std::size_t size() const { return tail_ - head_; }
+  void push(const T& token) {
+    if (size() == ring_.size()) grow();
+    ring_[tail_++ & (ring_.size() - 1)] = token;
+  }
+  T pop() {
+    assert(!empty());
+    return ring_[head_++ & (ring_.size() - 1)];
+  }
+
+ private:
+  void grow() {
+    std::vector<T> wider(ring_.size() * 2);
+    const std::size_t count = size();
+    for (std::size_t i = 0; i < count; ++i) wider[i] = ring_[(head_ + i) & (ring_.size() - 1)];
+    ring_.swap(wider);
+    head_ = 0;
+    tail_ = count;
+  }
+  std::vector<T> ring_ = std::vector<T>(16);
+  std::size_t head_ = 0;
+  std::size_t tail_ = 0;
+};
+
+/// A channel's reading end. A transaction reads one token from every In of its unit.
+template <class T>
+class In {
+ public:
+  using Token = T;
+  T read() { return queue_->pop(); }
+  bool ready() const { return queue_ && !queue_->empty(); }
+  void bind(std::shared_ptr<Fifo<T>> queue) { queue_ = std::move(queue); }
+  const std::shared_ptr<Fifo<T>>& queue() const { return queue_; }
+
+ private:
+  std::shared_ptr<Fifo<T>> queue_;
+};
+
+/// A channel's writing end; bound to several queues it is a fork, and several Outs that share a
+/// queue meet in an arbiter. A transaction writes at most one token, under any condition.
+template <class T>
+class Out {
+ public:
+  using Token = T;
+  void write(const T& token) {
+    for (auto& queue : queues_) queue->push(token);
+  }
+  void bind(std::shared_ptr<Fifo<T>> queue) { queues_.push_back(std::move(queue)); }
+  bool bound() const { return !queues_.empty(); }
+
+ private:
+  std::vector<std::shared_ptr<Fifo<T>>> queues_;
+};
+
+/// What may happen between a row's read and the landing of the write that follows it.
+enum class Hazard : std::uint8_t {
+  kExclusive,  ///< Nothing touches the row: one packet owns it. hlsc emits an assertion.
+  kStale,      ///< A later transaction may still read the old row; the unit is right either way.
+};
+
+/// A synchronous RAM of N rows with one read and one write port: a read and a write per
+/// transaction.
+template <class T, unsigned N, Hazard H = Hazard::kExclusive>
+class Ram1R1W {
+ public:
+  using Address = uint<index_width(N)>;
+  T read(Address address) const { return rows_[address.to_u64()]; }
+  void write(Address address, const T& row) { rows_[address.to_u64()] = row; }
+  void clear() { rows_.assign(N, T{}); }
+
+ private:
+  std::vector<T> rows_ = std::vector<T>(N);
+};
+
+/// A RAM small enough for LUTs, read and written in one stage, so that consecutive transactions on
+/// one row see each other.
+template <class T, unsigned N>
+class RegisterFile : public Ram1R1W<T, N> {};
+
+/// The two ends of a RAM that one unit writes and others read. The join gives every reader its own
+/// copy. Latency is the clocks from address to data: 1 for a RAM on the chip, more for a bank off
+/// it.
+template <class T, unsigned N>
+class RamWrite {
+ public:
+  using Row = T;
+  static constexpr unsigned kRows = N;
+  using Address = uint<index_width(N)>;
+  void write(Address address, const T& row) {
+    for (auto& copy : copies_) (*copy)[address.to_u64()] = row;
+  }
+  void bind(std::shared_ptr<std::vector<T>> rows) { copies_.push_back(std::move(rows)); }
+
+ private:
+  std::vector<std::shared_ptr<std::vector<T>>> copies_;
+};
+template <class T, unsigned N, unsigned Latency = 1>
+class RamRead {
+ public:
+  using Row = T;
+  static constexpr unsigned kRows = N;
+  using Address = uint<index_width(N)>;
+  T read(Address address) const { return (*rows_)[address.to_u64()]; }
+  void bind(std::shared_ptr<std::vector<T>> rows) { rows_ = std::move(rows); }
+
+ private:
+  std::shared_ptr<std::vector<T>> rows_;
+};
+
+/// A value that the host sets between frames and that stands still during one.
+template <class T>
+class Config {
+ public:
+  using Value = T;
+  T get() const { return *value_; }
+  void bind(std::shared_ptr<T> value) { value_ = std::move(value); }
+
+ private:
+  std::shared_ptr<T> value_;
+};
+
+}  // namespace hls
