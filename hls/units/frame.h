@@ -1,0 +1,28 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the host tells the core about a frame. Every field is one 32-bit register of the board, in
+// this order; the registers stand still while a frame is being rendered.
+#pragma once
+
+#include "hls/fields.h"
+
+namespace dynrt {
+
+struct FrameConfig {
+  hls::uint<32> packets;        ///< packets in flight, 1 to the configuration's number
+  hls::uint<32> line_mask;      ///< cache lines - 1: 2^0 to 2^9 lines
+  hls::uint<32> width;          ///< pixels
+  hls::uint<32> height;         ///< pixels
+  hls::uint<32> scanline;       ///< 0: Morton order of packets, 1: line by line
+  hls::uint<32> morton_bits;    ///< bits of the packet counter: 2 ceil(log2(larger side / 2))
+  hls::uint<32> start_node;     ///< node of the top-level tree where every ray starts
+  hls::uint<32> camera_matrix;  ///< index of the matrix from pixel coordinates to the world
+  hls::uint<32> background;     ///< colour where nothing is hit, 0x00BBGGRR
+  hls::uint<32> frame_base;     ///< first word of the framebuffer in bank 3
+  hls::uint<32> write_hits;     ///< 1: hit records are written to banks 4 and 5
+  HLS_FIELDS(packets, line_mask, width, height, scanline, morton_bits, start_node, camera_matrix,
+             background, frame_base, write_hits)
+};
+
+}  // namespace dynrt

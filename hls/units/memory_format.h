@@ -1,0 +1,85 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What lies in the board's memory: the one description that the core reads by and the host packs by.
+//
+// Six banks of 32-bit words, 2^20 words each. Banks 0 to 2 hold the scene. In their lower half node n
+// is {bank 1 [n], bank 0 [n]} and list entry n is bank 2 [n]; in the upper half matrix column a is
+// row r of column a in bank r [2^19 + a], where a = 4 * matrix + column (columns 0 to 2 are the
+// linear part, column 3 the translation). Bank 3 holds the framebuffer, banks 4 and 5 the hit records.
+#pragma once
+
+#include <array>
+
+#include "hls/fields.h"
+#include "hls/float.h"
+
+namespace dynrt {
+
+using hls::sint;
+using hls::uint;
+
+inline constexpr unsigned kBanks = 6;
+inline constexpr unsigned kSceneBanks = 3;
+inline constexpr unsigned kFrameBank = 3;
+inline constexpr unsigned kHitBank = 4;  ///< and the one after it
+inline constexpr unsigned kBankWords = 1u << 20;
+inline constexpr unsigned kAddressBits = 19;
+inline constexpr unsigned kMaxNodes = 1u << kAddressBits;  ///< of which number 0 is the null address
+inline constexpr unsigned kMaxListEntries = 1u << kAddressBits;
+inline constexpr unsigned kMatrixBits = 17;
+inline constexpr unsigned kMaxMatrices = 1u << kMatrixBits;
+inline constexpr unsigned kColumnBase = 1u << kAddressBits;  ///< first word of the matrix columns
+inline constexpr unsigned kMaxStackDepth = 31;
+
+/// A node, list or column address; a node's null address is an empty child, never fetched.
+using Address = uint<kAddressBits>;
+using MatrixIndex = uint<kMatrixBits>;
+using Word = uint<32>;
+
+/// The format of the shipped core: 17-bit significand, magnitudes 2^-63 to (2 - 2^-16) 2^64.
+using Real = hls::Float<7, 16>;
+
+/// What a k-D tree node splits on; a leaf's `left` is the address of its list.
+enum class NodeKind : unsigned char { kSplitX, kSplitY, kSplitZ, kLeaf };
+
+/// A node of the k-D tree, 64 bits.
+struct Node {
+  NodeKind kind = NodeKind::kLeaf;
+  Real split;
+  Address left;
+  Address right;
+  HLS_FIELDS(kind, split, left, right)
+};
+
+/// An entry of a leaf's list, 32 bits: the matrix of an object instance or of a triangle.
+struct ListEntry {
+  MatrixIndex matrix;
+  uint<14> reserved;
+  bool last = false;
+  HLS_FIELDS(matrix, reserved, last)
+};
+
+/// A word of a matrix column: a coefficient and a spare byte.
+struct MatrixWord {
+  Real value;
+  uint<8> spare;
+  HLS_FIELDS(value, spare)
+};
+
+/// One column of a 3x4 affine matrix, 96 bits. The spare bytes of column 0, row 0 lowest, hold the
+/// root node of an object instance, or the colour of a triangle (red lowest).
+struct MatrixColumn {
+  std::array<MatrixWord, 3> row;
+  HLS_FIELDS(row)
+};
+
+/// A finished ray's hit as the core writes it into banks 4 and 5: six words, two a clock. A miss has
+/// `hit` zero and the rest as it was initialised.
+inline constexpr unsigned kHitWords = 3;  ///< words per pixel in each of the two banks
+inline constexpr unsigned kMaxPixels = kBankWords / kHitWords;
+
+}  // namespace dynrt
+
+template <>
+inline constexpr unsigned hls::enum_width<dynrt::NodeKind> = 2;
