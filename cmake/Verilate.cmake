@@ -12,7 +12,8 @@
 #   FAST   for the whole core: -O3, unknown values are 0. Without it: compiles quickly, and unknown
 #          values are random when the bench asks for it (VerilatedContext::randReset(2)), so that a
 #          unit which relies on a value it never wrote is found out.
-#   TRACE  with FST waveforms; costs speed even while none is written, so it is a library of its own.
+#   TRACE  with FST waveforms; costs about a quarter of the speed even while none is written, so it is
+#          a library of its own.
 # Modules that SOURCES do not hold are looked for in rtl/lib.
 
 add_library(verilated_runtime STATIC EXCLUDE_FROM_ALL
