@@ -8,5 +8,8 @@ find_package(OpenImageIO REQUIRED)
 find_package(assimp REQUIRED)
 find_package(TBB REQUIRED)
 find_package(LLVM 19.1 REQUIRED CONFIG)
+# Verilator's package tries 20 compiler flags aloud.
+set(CMAKE_REQUIRED_QUIET ON)
 find_package(verilator HINTS $ENV{VERILATOR_ROOT} /usr/share/verilator REQUIRED)
+unset(CMAKE_REQUIRED_QUIET)
 find_program(DYNRT_YOSYS yosys REQUIRED)
