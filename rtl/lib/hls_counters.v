@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A bank of 32-bit event counters, read one at a time: data_o is the counter of the address that
+// A bank of up to 256 32-bit event counters, read one at a time: data_o is the counter of the address that
 // stood a clock before. Counters wrap; clear_i sets all to zero.
 `default_nettype none
 
@@ -16,21 +16,25 @@ module hls_counters #(
     input  wire [COUNTERS-1:0] event_i
 );
 
-  wire [31:0] count[0:COUNTERS-1];
+  wire [31:0] count[0:255];
 
   genvar i;
   generate
-    for (i = 0; i < COUNTERS; i = i + 1) begin : counter
-      reg [31:0] count_q;
-      assign count[i] = count_q;
-      always @(posedge clk_i) begin
-        if (!rst_ni || clear_i) count_q <= 32'd0;
-        else if (event_i[i]) count_q <= count_q + 32'd1;
+    for (i = 0; i < 256; i = i + 1) begin : counter
+      if (i < COUNTERS) begin : counted
+        reg [31:0] count_q;
+        assign count[i] = count_q;
+        always @(posedge clk_i) begin
+          if (!rst_ni || clear_i) count_q <= 32'd0;
+          else if (event_i[i]) count_q <= count_q + 32'd1;
+        end
+      end else begin : absent
+        assign count[i] = 32'd0;
       end
     end
   endgenerate
 
-  always @(posedge clk_i) data_o <= {24'd0, addr_i} < COUNTERS ? count[addr_i] : 32'd0;
+  always @(posedge clk_i) data_o <= count[addr_i];
 
 endmodule
 
