@@ -1,24 +1,25 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 #
-# add_hls_unit(NAME mailbox SOURCE hls/units/mailbox.h TYPE "Mailbox<thesis>" CONFIG thesis
-#              [CLOCK_NS n] [DELAY file] [FAST] [TRACE] [SHARDS n])
+# add_hls_unit(NAME mailbox SOURCE units/mailbox.h TYPE "dynrt::Mailbox<dynrt::config::thesis>"
+#              CONFIG thesis [CLOCK_NS n] [DELAY file] [FAST] [TRACE] [SHARDS n])
 #
-# Everything that belongs to one unit:
+# Everything that belongs to one unit (SOURCE is its header as it is included, DELAY is relative to
+# the project's folder):
 #   <NAME>_model   interface library: what a program needs to include the C++ (header only)
 #   <NAME>.v       build/<preset>/generated/<CONFIG>/<NAME>.v, made by hlsc, module <NAME>, with its
-#                  schedule report <NAME>.txt and the header <NAME>_binding.h for the test bench
+#                  schedule report <NAME>.txt and the header <NAME>_ports.h for the test bench
 #   <NAME>_rtl     library with the Verilated class V<NAME> (FAST, TRACE, SHARDS: Verilate.cmake)
-#   test           generated.<CONFIG>.<NAME>, label lint: fails when rtl/generated/<CONFIG>/<NAME>.v
-#                  is not what hlsc writes now (the target update-generated renews it)
+#   test           generated.<NAME>, label lint, for CONFIG thesis: fails when rtl/generated/thesis/
+#                  <NAME>.v is not what hlsc writes now (the target update-generated renews it)
 # CLOCK_NS and DELAY default to the cache variables DYNRT_CLOCK_NS and DYNRT_DELAY_MODEL.
 # For a CONFIG other than thesis the target names begin with "<CONFIG>_".
 # With DYNRT_RTL off (preset asan) only the model is made.
 
 option(DYNRT_RTL "lower the units to Verilog and Verilate them" ON)
 set(DYNRT_CLOCK_NS 10 CACHE STRING "clock period that hlsc schedules for, in ns")
-set(DYNRT_DELAY_MODEL ${PROJECT_SOURCE_DIR}/hls/compiler/delay/lut4.json CACHE FILEPATH
-    "delay model that hlsc schedules with")
+set(DYNRT_DELAY_MODEL hls/compiler/delay/ecp5.json CACHE STRING
+    "delay model that hlsc schedules with, relative to the project's folder")
 add_custom_target(verilog ALL)
 add_custom_target(update-generated)
 
@@ -48,31 +49,31 @@ function(add_hls_unit)
   endif()
   set(delay ${DYNRT_DELAY_MODEL})
   if(arg_DELAY)
-    get_filename_component(delay ${arg_DELAY} ABSOLUTE BASE_DIR ${PROJECT_SOURCE_DIR})
+    set(delay ${arg_DELAY})
   endif()
-  get_filename_component(header ${arg_SOURCE} ABSOLUTE BASE_DIR ${PROJECT_SOURCE_DIR})
+  set(header ${PROJECT_SOURCE_DIR}/hls/${arg_SOURCE})
   set(dir ${PROJECT_BINARY_DIR}/generated/${arg_CONFIG})
   set(stem ${dir}/${arg_NAME})
   set(fresh ${dir}/fresh/${arg_NAME})
   file(MAKE_DIRECTORY ${dir}/fresh)
-  set(include_flags)
-  foreach(folder hls/include hls/lowered hls)
-    list(APPEND include_flags -I ${PROJECT_SOURCE_DIR}/${folder})
-  endforeach()
+  set(relative_includes -I hls/lowered -I hls/include -I hls)
+  string(REPLACE "hls" "${PROJECT_SOURCE_DIR}/hls" absolute_includes "-Ihls/lowered;-Ihls/include;-Ihls")
 
   # The compiler lists the headers that the unit includes; hlsc runs again when one of them changes,
-  # and what follows only when hlsc then writes something else.
+  # and what follows only when hlsc then writes something else. All paths that may end up in the
+  # Verilog are relative to the project's folder, so that it is the same wherever that lies.
   add_custom_command(
     OUTPUT ${stem}.v
-    BYPRODUCTS ${stem}.txt ${stem}_binding.h
-    COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -x c++ ${include_flags} -MM -MT ${stem}.v
+    BYPRODUCTS ${stem}.txt ${stem}_ports.h
+    COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -x c++ ${absolute_includes} -MM -MT ${stem}.v
             -MF ${stem}.d ${header}
-    COMMAND hlsc --unit ${arg_TYPE} --name ${arg_NAME} --header ${header} ${include_flags}
-            --clock-ns ${clock} --delay ${delay} -o ${fresh}.v --report ${fresh}.txt
-            --binding ${fresh}_binding.h
-    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${fresh}.v ${fresh}.txt ${fresh}_binding.h ${dir}
-    DEPENDS hlsc ${header} ${delay}
+    COMMAND hlsc --unit ${arg_TYPE} --module ${arg_NAME} --header ${arg_SOURCE}
+            ${relative_includes} --clock-ns ${clock} --delay ${delay} -o ${fresh}.v --report ${fresh}.txt
+            --binding ${fresh}_ports.h
+    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${fresh}.v ${fresh}.txt ${fresh}_ports.h ${dir}
+    DEPENDS hlsc ${header} ${PROJECT_SOURCE_DIR}/${delay}
     DEPFILE ${stem}.d
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     COMMENT "Lowering ${arg_TYPE} to ${arg_CONFIG}/${arg_NAME}.v"
     VERBATIM)
   add_custom_target(${id}_verilog DEPENDS ${stem}.v)
@@ -92,18 +93,17 @@ function(add_hls_unit)
   add_dependencies(${id}_rtl ${id}_verilog)
   target_link_libraries(${id}_rtl PUBLIC ${id}_model)
 
-  set(checked_in ${PROJECT_SOURCE_DIR}/rtl/generated/${arg_CONFIG}/${arg_NAME}.v)
-  add_custom_target(${id}_update
-    COMMAND ${CMAKE_COMMAND} -E make_directory ${PROJECT_SOURCE_DIR}/rtl/generated/${arg_CONFIG}
-    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${stem}.v ${checked_in}
-    DEPENDS ${stem}.v)
-  add_dependencies(${id}_update ${id}_verilog)
-  add_dependencies(update-generated ${id}_update)
   # Only the configuration thesis is checked in.
   if(arg_CONFIG STREQUAL "thesis")
-    add_test(NAME generated.${arg_CONFIG}.${arg_NAME}
-      COMMAND ${CMAKE_COMMAND} -DNEW=${stem}.v -DOLD=${checked_in}
+    set(checked_in_dir ${PROJECT_SOURCE_DIR}/rtl/generated/thesis)
+    add_custom_target(${id}_update
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${checked_in_dir}
+      COMMAND ${CMAKE_COMMAND} -E copy_if_different ${stem}.v ${checked_in_dir})
+    add_dependencies(${id}_update ${id}_verilog)
+    add_dependencies(update-generated ${id}_update)
+    add_test(NAME generated.${arg_NAME}
+      COMMAND ${CMAKE_COMMAND} -DNEW=${stem}.v -DOLD=${checked_in_dir}/${arg_NAME}.v
               -P ${PROJECT_SOURCE_DIR}/cmake/CompareGenerated.cmake)
-    set_tests_properties(generated.${arg_CONFIG}.${arg_NAME} PROPERTIES LABELS lint)
+    set_tests_properties(generated.${arg_NAME} PROPERTIES LABELS lint)
   endif()
 endfunction()

@@ -9,10 +9,12 @@
 # exist yet; this one runs it during the build. The names of the C++ files that Verilator writes are
 # not known beforehand, so they are gathered into files whose names are: one for what runs seldom,
 # n (default 1) for what runs every clock.
-#   FAST   for the whole core: -O3, unknown values are 0. Without it: compiles quickly, and unknown
-#          values are random when the bench asks for it (VerilatedContext::randReset(2)), so that a
-#          unit which relies on a value it never wrote is found out.
-#   TRACE  with FST waveforms; costs speed even while none is written, so it is a library of its own.
+#   FAST   for the whole core: -O3, unknown values are 0, no assertions. Without it: compiles quickly,
+#          checks hlsc's assertions (HLS_ASSERT), and unknown values are random when the bench asks
+#          for it (VerilatedContext::randReset(2)), so that a unit which relies on a value it never
+#          wrote is found out.
+#   TRACE  with FST waveforms; costs about a quarter of the speed even while none is written, so it is
+#          a library of its own.
 # Modules that SOURCES do not hold are looked for in rtl/lib.
 
 add_library(verilated_runtime STATIC EXCLUDE_FROM_ALL
@@ -46,7 +48,7 @@ function(dynrt_verilate target)
     list(APPEND flags -O3 --x-assign fast --x-initial fast)
     set(optimise -O3)
   else()
-    list(APPEND flags -O3 --x-assign unique --x-initial unique)
+    list(APPEND flags -O3 --x-assign unique --x-initial unique +define+HLS_ASSERT)
     set(optimise -O1)
   endif()
   if(arg_SHARDS GREATER 1)

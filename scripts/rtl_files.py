@@ -12,10 +12,8 @@ def fail(message):
     sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {message}")
 
 
-def configurations(root):
-    """Names of the configurations whose generated Verilog is checked in."""
-    generated = root / "rtl" / "generated"
-    return sorted(p.name for p in generated.iterdir() if p.is_dir()) if generated.is_dir() else []
+# The one configuration whose generated Verilog is checked in.
+CHECKED_IN = "thesis"
 
 
 def hand_written(root):
@@ -23,11 +21,11 @@ def hand_written(root):
 
 
 def generated(root, config):
-    """The checked-in Verilog of a configuration, or else what the last build made of it."""
-    folders = [root / "rtl" / "generated" / config]
+    """The Verilog that hlsc made of a configuration: checked in, or else from the last build."""
+    folders = [root / "rtl" / "generated" / CHECKED_IN] if config == CHECKED_IN else []
     folders += [root / "build" / preset / "generated" / config for preset in ("release", "dev")]
-    for folder in folders:
-        files = sorted(folder.glob("*.v"))
-        if files:
-            return files
-    return []
+    return next((files for f in folders if (files := sorted(f.glob("*.v")))), [])
+
+
+def include_folders(files):
+    return sorted({f.parent for f in files})

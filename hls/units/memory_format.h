@@ -1,12 +1,14 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What lies in the board's memory: the one description that the core reads by and the host packs by.
+// What lies in the board's memory: the one description that the core reads by and the host packs
+// by.
 //
-// Six banks of 32-bit words, 2^20 words each. Banks 0 to 2 hold the scene. In their lower half node n
-// is {bank 1 [n], bank 0 [n]} and list entry n is bank 2 [n]; in the upper half matrix column a is
-// row r of column a in bank r [2^19 + a], where a = 4 * matrix + column (columns 0 to 2 are the
-// linear part, column 3 the translation). Bank 3 holds the framebuffer, banks 4 and 5 the hit records.
+// Six banks of 32-bit words, 2^20 words each. Banks 0 to 2 hold the scene. In their lower half node
+// n is {bank 1 [n], bank 0 [n]} and list entry n is bank 2 [n]; in the upper half matrix column a
+// is row r of column a in bank r [2^19 + a], where a = 4 * matrix + column (columns 0 to 2 are the
+// linear part, column 3 the translation). Bank 3 holds the framebuffer, banks 4 and 5 the hit
+// records.
 #pragma once
 
 #include <array>
@@ -25,7 +27,8 @@ inline constexpr unsigned kFrameBank = 3;
 inline constexpr unsigned kHitBank = 4;  ///< and the one after it
 inline constexpr unsigned kBankWords = 1u << 20;
 inline constexpr unsigned kAddressBits = 19;
-inline constexpr unsigned kMaxNodes = 1u << kAddressBits;  ///< of which number 0 is the null address
+inline constexpr unsigned kMaxNodes = 1u
+                                      << kAddressBits;  ///< of which number 0 is the null address
 inline constexpr unsigned kMaxListEntries = 1u << kAddressBits;
 inline constexpr unsigned kMatrixBits = 17;
 inline constexpr unsigned kMaxMatrices = 1u << kMatrixBits;
@@ -74,8 +77,8 @@ struct MatrixColumn {
   HLS_FIELDS(row)
 };
 
-/// A finished ray's hit as the core writes it into banks 4 and 5: six words, two a clock. A miss has
-/// `hit` zero and the rest as it was initialised.
+/// A finished ray's hit as the core writes it into banks 4 and 5: six words, two a clock. A miss
+/// has `hit` zero and the rest as it was initialised.
 inline constexpr unsigned kHitWords = 3;  ///< words per pixel in each of the two banks
 inline constexpr unsigned kMaxPixels = kBankWords / kHitWords;
 

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "board/board.h"
+#include "host/board/board.h"
 
 namespace dynrt::host {
 

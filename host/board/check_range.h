@@ -6,8 +6,8 @@
 
 #include <stdexcept>
 
-#include "board/messages.h"
-#include "board/sram.h"
+#include "host/board/messages.h"
+#include "host/board/sram.h"
 
 namespace dynrt::host {
 

@@ -8,8 +8,8 @@
 #include <map>
 #include <memory>
 
-#include "board/board.h"
-#include "board/bus.h"
+#include "host/board/board.h"
+#include "host/board/bus.h"
 
 namespace dynrt::host {
 

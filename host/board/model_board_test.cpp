@@ -1,11 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "board/model_board.h"
+#include "host/board/model_board.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "board/frame_words.h"
+#include "host/board/frame_words.h"
 
 namespace dynrt::host {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "board/rtl_board.h"
+#include "host/board/rtl_board.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <chrono>
 
-#include "board/check_range.h"
-#include "board/frame_words.h"
-#include "board/messages.h"
-#include "board/registers.h"
-#include "error.h"
+#include "host/board/check_range.h"
+#include "host/board/frame_words.h"
+#include "host/board/messages.h"
+#include "host/board/registers.h"
+#include "host/error.h"
 
 namespace dynrt::host {
 

@@ -7,9 +7,9 @@
 
 #include <memory>
 
-#include "board/board.h"
-#include "board/bus.h"
-#include "board/clocked_board.h"
+#include "host/board/board.h"
+#include "host/board/bus.h"
+#include "host/board/clocked_board.h"
 
 namespace dynrt::host {
 

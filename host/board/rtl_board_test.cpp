@@ -3,7 +3,7 @@
 //
 // The board's Verilog around the stand-in core of test/dynrt_core.v: its registers, the window into
 // the SRAM, the interrupt and the time-out.
-#include "board/rtl_board.h"
+#include "host/board/rtl_board.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,10 +11,10 @@
 #include <filesystem>
 #include <random>
 
-#include "board/frame_words.h"
-#include "board/registers.h"
-#include "board/sram.h"
-#include "error.h"
+#include "host/board/frame_words.h"
+#include "host/board/registers.h"
+#include "host/board/sram.h"
+#include "host/error.h"
 
 namespace dynrt::host {
 

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "board/sram.h"
+#include "host/board/sram.h"
 
 #include <gtest/gtest.h>
 

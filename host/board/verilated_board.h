@@ -16,9 +16,9 @@
 #include <memory>
 #include <string>
 
-#include "board/clocked_board.h"
-#include "board/sram.h"
-#include "error.h"
+#include "host/board/clocked_board.h"
+#include "host/board/sram.h"
+#include "host/error.h"
 
 namespace dynrt::host {
 

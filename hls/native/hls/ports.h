@@ -28,9 +28,12 @@ class Fifo {
  public:
   bool empty() const { return head_ == tail_; }
   std::size_t size() const { return tail_ - head_; }
+  /// Tokens ever pushed.
+  std::uint64_t pushed() const { return pushed_; }
   void push(const T& token) {
     if (size() == ring_.size()) grow();
     ring_[tail_++ & (ring_.size() - 1)] = token;
+    ++pushed_;
   }
   T pop() {
     assert(!empty());
@@ -49,6 +52,7 @@ class Fifo {
   std::vector<T> ring_ = std::vector<T>(16);
   std::size_t head_ = 0;
   std::size_t tail_ = 0;
+  std::uint64_t pushed_ = 0;
 };
 
 /// A channel's reading end. A transaction reads one token from every In of its unit.

@@ -1,0 +1,257 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// How units are joined, written once: a join connects the ports of native units so that they run as
+// the model, and records what it connected, from which the Verilog top and the block diagram are
+// made (hls/compiler/join). Several writers of a channel meet in an arbiter, several readers are
+// fed by a fork, a job channel is repeated, a RAM with several readers has a copy for each.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hls/join_record.h"
+#include "hls/ports.h"
+
+namespace hls {
+
+class Join {
+ public:
+  /// Makes a unit known; its Verilog module has the name `module`.
+  template <class U>
+  void unit(const std::string& name, const std::string& module, U& unit) {
+    UnitRecord record{name, module, {}};
+    const std::vector<std::string> names = split_names(U::hls_field_names());
+    std::size_t index = 0;
+    std::apply([&](auto&... port) { (add_port(record, names[index++], port), ...); },
+               unit.hls_fields());
+    record_.units.push_back(std::move(record));
+    processes_.push_back({name, 0, [&unit](std::uint64_t& transactions) {
+                            bool progress = false;
+                            while (inputs_ready(unit)) {
+                              unit.step();
+                              ++transactions;
+                              progress = true;
+                            }
+                            return progress;
+                          }});
+  }
+
+  /// One channel from any of `from` to all of `to`. `depth` places at least are kept for tokens.
+  template <class T>
+  void channel(const std::string& name, std::vector<Out<T>*> from, std::vector<In<T>*> to,
+               unsigned depth = 0) {
+    ChannelRecord record{name, {}, {}, bit_width_of<T>(), depth, ChannelKind::kChannel};
+    for (In<T>* in : to) {
+      record.to.push_back(port_name(in));
+      in->bind(std::make_shared<Fifo<T>>());
+      for (Out<T>* out : from) out->bind(in->queue());
+    }
+    for (Out<T>* out : from) record.from.push_back(port_name(out));
+    count(record, [queues = to] {
+      return queues.empty() ? std::uint64_t{0} : queues.front()->queue()->pushed();
+    });
+  }
+  template <class T>
+  void channel(const std::string& name, Out<T>& from, In<T>& to, unsigned depth = 0) {
+    channel<T>(name, {&from}, {&to}, depth);
+  }
+
+  /// Sends every job `job.repeat` + 1 times, numbered from 0.
+  template <class Job, class Numbered>
+  void repeat(const std::string& name, std::vector<Out<Job>*> from, In<Numbered>& to,
+              unsigned depth = 0) {
+    auto jobs = std::make_shared<Fifo<Job>>();
+    to.bind(std::make_shared<Fifo<Numbered>>());
+    ChannelRecord record{
+        name, {}, {port_name(&to)}, bit_width_of<Job>(), depth, ChannelKind::kRepeat};
+    record.repeat_width = bit_width_of<decltype(Job::repeat)>();
+    for (Out<Job>* out : from) {
+      record.from.push_back(port_name(out));
+      out->bind(jobs);
+    }
+    processes_.push_back({"", 0, [jobs, out = to.queue()](std::uint64_t&) {
+                            bool progress = false;
+                            for (; !jobs->empty(); progress = true) {
+                              Numbered numbered;
+                              numbered.job = jobs->pop();
+                              const std::uint64_t last = numbered.job.repeat.to_u64();
+                              for (std::uint64_t i = 0; i <= last; ++i) {
+                                numbered.index = decltype(numbered.index)::from(i);
+                                numbered.last = i == last;
+                                out->push(numbered);
+                              }
+                            }
+                            return progress;
+                          }});
+    count(record, [jobs] { return jobs->pushed(); });
+  }
+
+  /// A channel that the outside writes.
+  template <class T>
+  std::shared_ptr<Fifo<T>> input(const std::string& name, In<T>& to) {
+    to.bind(std::make_shared<Fifo<T>>());
+    record_.channels.push_back(
+        {name, {}, {port_name(&to)}, bit_width_of<T>(), 0, ChannelKind::kInput});
+    return to.queue();
+  }
+  /// A channel that the outside reads.
+  template <class T>
+  std::shared_ptr<Fifo<T>> output(const std::string& name, Out<T>& from) {
+    auto queue = std::make_shared<Fifo<T>>();
+    from.bind(queue);
+    record_.channels.push_back(
+        {name, {port_name(&from)}, {}, bit_width_of<T>(), 0, ChannelKind::kOutput});
+    return queue;
+  }
+  /// A channel whose tokens are counted and dropped.
+  template <class T>
+  void sink(const std::string& name, Out<T>& from) {
+    auto queue = std::make_shared<Fifo<T>>();
+    from.bind(queue);
+    processes_.push_back({"", 0, [queue](std::uint64_t&) {
+                            while (!queue->empty()) queue->pop();
+                            return false;
+                          }});
+    ChannelRecord record{name, {port_name(&from)}, {}, bit_width_of<T>(), 0, ChannelKind::kSink};
+    count(record, [queue] { return queue->pushed(); });
+  }
+
+  /// A RAM between units: one writer, a copy for each reader.
+  template <class T, unsigned N, unsigned L>
+  void ram(const std::string& name, RamWrite<T, N>& writer, std::vector<RamRead<T, N, L>*> readers,
+           Hazard hazard = Hazard::kExclusive) {
+    RamRecord record{name, port_name(&writer), {}, bit_width_of<T>(), N, hazard};
+    auto rows = std::make_shared<std::vector<T>>(N);
+    writer.bind(rows);
+    for (auto* reader : readers) {
+      record.readers.push_back(port_name(reader));
+      reader->bind(rows);
+    }
+    record_.rams.push_back(std::move(record));
+  }
+  /// A reading or writing port that leaves the chip, on a bank that the outside owns.
+  template <class T, unsigned N, unsigned L>
+  void bank(const std::string& name, RamRead<T, N, L>& reader,
+            std::shared_ptr<std::vector<T>> rows) {
+    reader.bind(std::move(rows));
+    record_.banks.push_back({name, port_name(&reader), bit_width_of<T>(), N, false});
+  }
+  template <class T, unsigned N>
+  void bank(const std::string& name, RamWrite<T, N>& writer, std::shared_ptr<std::vector<T>> rows) {
+    writer.bind(std::move(rows));
+    record_.banks.push_back({name, port_name(&writer), bit_width_of<T>(), N, true});
+  }
+
+  /// A value set from outside, seen by all of `ports`.
+  template <class T>
+  void config(const std::string& name, std::shared_ptr<T> value, std::vector<Config<T>*> ports) {
+    ConfigRecord record{name, {}, bit_width_of<T>(), false, 0};
+    for (Config<T>* port : ports) {
+      record.to.push_back(port_name(port));
+      port->bind(value);
+    }
+    record_.configs.push_back(std::move(record));
+  }
+  /// A value fixed for one port.
+  template <class T>
+  void constant(Config<T>& port, T value) {
+    port.bind(std::make_shared<T>(value));
+    record_.configs.push_back(
+        {"", {port_name(&port)}, bit_width_of<T>(), true, leaf_to_bits(value).to_u64()});
+  }
+
+  /// Runs every unit until none has work left.
+  void run() {
+    bool progress = true;
+    while (progress) {
+      progress = false;
+      for (Process& process : processes_) progress |= process.run(process.transactions);
+    }
+  }
+
+  /// Transactions of every unit ("unit.transactions") and tokens of every channel
+  /// ("channel.tokens").
+  std::map<std::string, std::uint64_t> counters() const {
+    std::map<std::string, std::uint64_t> values;
+    for (const Process& process : processes_) {
+      if (!process.name.empty()) values[process.name + ".transactions"] = process.transactions;
+    }
+    for (const auto& [name, tokens] : tokens_) values[name + ".tokens"] = tokens();
+    return values;
+  }
+
+  const JoinRecord& record() const { return record_; }
+
+ private:
+  struct Process {
+    std::string name;
+    std::uint64_t transactions;
+    std::function<bool(std::uint64_t&)> run;
+  };
+
+  template <class U>
+  static bool inputs_ready(U& unit) {
+    return std::apply([](auto&... port) { return (port_ready(port) && ...); }, unit.hls_fields());
+  }
+  template <class P>
+  static bool port_ready(P& port) {
+    if constexpr (requires { port.ready(); }) {
+      return port.ready();
+    } else {
+      return true;
+    }
+  }
+
+  template <class P>
+  void add_port(UnitRecord& record, const std::string& name, P& port) {
+    names_[&port] = record.name + "." + name;
+    record.ports.push_back(describe(name, port));
+  }
+  template <class T>
+  static PortRecord describe(const std::string& name, const In<T>&) {
+    return {name, "in", bit_width_of<T>(), 1, 0};
+  }
+  template <class T>
+  static PortRecord describe(const std::string& name, const Out<T>&) {
+    return {name, "out", bit_width_of<T>(), 1, 0};
+  }
+  template <class T, unsigned N>
+  static PortRecord describe(const std::string& name, const RamWrite<T, N>&) {
+    return {name, "ram_write", bit_width_of<T>(), N, 0};
+  }
+  template <class T, unsigned N, unsigned L>
+  static PortRecord describe(const std::string& name, const RamRead<T, N, L>&) {
+    return {name, "ram_read", bit_width_of<T>(), N, L};
+  }
+  template <class T>
+  static PortRecord describe(const std::string& name, const Config<T>&) {
+    return {name, "config", bit_width_of<T>(), 1, 0};
+  }
+
+  const std::string& port_name(const void* port) const {
+    const auto found = names_.find(port);
+    if (found == names_.end()) {
+      throw std::logic_error(
+          "a port is connected whose unit is not part of the join, or which the "
+          "unit does not name in HLS_PORTS");
+    }
+    return found->second;
+  }
+  void count(const ChannelRecord& record, std::function<std::uint64_t()> tokens) {
+    record_.channels.push_back(record);
+    tokens_.emplace_back(record.name, std::move(tokens));
+  }
+
+  JoinRecord record_;
+  std::vector<Process> processes_;
+  std::vector<std::pair<std::string, std::function<std::uint64_t()>>> tokens_;
+  std::map<const void*, std::string> names_;
+};
+
+}  // namespace hls

@@ -1,0 +1,83 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a join connected, as data: names, widths and ends. A port is named "unit.port".
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hls/ports.h"
+
+namespace hls {
+
+struct PortRecord {
+  std::string name;
+  std::string kind;  ///< in, out, ram_write, ram_read or config
+  unsigned width;
+  unsigned rows;
+  unsigned latency;
+};
+struct UnitRecord {
+  std::string name;
+  std::string module;
+  std::vector<PortRecord> ports;
+};
+enum class ChannelKind : std::uint8_t { kChannel, kRepeat, kInput, kOutput, kSink };
+struct ChannelRecord {
+  std::string name;
+  std::vector<std::string> from;
+  std::vector<std::string> to;
+  unsigned width;
+  unsigned depth;  ///< places that the join asks for; 0 leaves it to the unit
+  ChannelKind kind;
+  unsigned repeat_width = 0;  ///< of a repeated job's count
+};
+struct RamRecord {
+  std::string name;
+  std::string writer;
+  std::vector<std::string> readers;
+  unsigned width;
+  unsigned rows;
+  Hazard hazard;
+};
+struct BankRecord {
+  std::string name;
+  std::string port;
+  unsigned width;
+  unsigned rows;
+  bool write;
+};
+struct ConfigRecord {
+  std::string name;
+  std::vector<std::string> to;
+  unsigned width;
+  bool constant;
+  std::uint64_t value;
+};
+struct JoinRecord {
+  std::vector<UnitRecord> units;
+  std::vector<ChannelRecord> channels;
+  std::vector<RamRecord> rams;
+  std::vector<BankRecord> banks;
+  std::vector<ConfigRecord> configs;
+};
+
+/// "entry, slot[0], slot[1]" as {"entry", "slot_0", "slot_1"}: the names that hlsc gives the ports.
+inline std::vector<std::string> split_names(std::string_view list) {
+  std::vector<std::string> names(1);
+  for (const char c : list) {
+    if (c == ',') {
+      names.emplace_back();
+    } else if (c == '[') {
+      names.back() += '_';
+    } else if (c != ' ' && c != '\n' && c != ']') {
+      names.back() += c;
+    }
+  }
+  return names;
+}
+
+}  // namespace hls

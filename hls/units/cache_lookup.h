@@ -1,0 +1,81 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Direct-mapped cache, the looking half (thesis chapter 7): 2^0 to C::kLines lines, tagged with the
+// whole address so that the number of lines may change between frames. A hit is answered at once; a
+// miss goes to the memory and its context is put by, so nothing behind it waits. CacheFill is the
+// other half and owns the writing port of the lines. A line may be replaced while it is being
+// looked up: either row is right, since data and tag lie in one row.
+#pragma once
+
+#include "units/frame.h"
+#include "units/tokens.h"
+
+namespace dynrt {
+
+/// The three caches: what a line holds, what travels with a request, and its key in the memory.
+template <class C>
+struct NodeCache {
+  using Context = StepContext<C>;
+  using Line = Node;
+  using Reply = Step<C>;
+  static constexpr MemoryKind kKind = MemoryKind::kNode;
+  static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) { return c.packet; }
+  static constexpr Reply reply(const Context& c, Address, const Line& line) { return {c, line}; }
+};
+template <class C>
+struct ListCache {
+  using Context = ListContext<C>;
+  using Line = ListEntry;
+  using Reply = MailboxEntry<C>;
+  static constexpr MemoryKind kKind = MemoryKind::kList;
+  static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) { return c.packet; }
+  static constexpr Reply reply(const Context& c, Address, const Line& line) {
+    return {c.packet, c.level, c.active, false, line};
+  }
+};
+template <class C>
+struct MatrixCache {
+  using Context = ColumnContext<C>;
+  using Line = MatrixColumn;
+  using Reply = CacheReply<Context, Line>;
+  static constexpr MemoryKind kKind = MemoryKind::kColumn;
+  static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) {
+    return hls::concat(c.column, c.packet);
+  }
+  static constexpr Reply reply(const Context& c, Address address, const Line& line) {
+    return {c, address, line};
+  }
+};
+
+template <class Kind>
+inline constexpr unsigned kCacheKeys = 1u << decltype(Kind::key({}))::kWidth;
+
+template <class C, class Kind>
+struct CacheLookup {
+  using Context = typename Kind::Context;
+  using Line = typename Kind::Line;
+
+  hls::In<CacheRequest<Context>> request;
+  hls::Config<FrameConfig> frame;
+  hls::Out<typename Kind::Reply> reply;
+  hls::Out<MemoryRequest<C>> miss;
+  hls::RamRead<CacheRow<Line>, C::kLines> lines;
+  hls::RamWrite<Context, kCacheKeys<Kind>> waiting;
+  HLS_PORTS(request, frame, reply, miss, lines, waiting)
+
+  void step() {
+    const CacheRequest<Context> r = request.read();
+    using Index = uint<hls::index_width(C::kLines)>;
+    const Index line = Index::from((r.address.raw() & frame.get().line_mask.raw()));
+    const CacheRow<Line> row = lines.read(line);
+    if (row.valid && row.tag == r.address) {
+      reply.write(Kind::reply(r.context, r.address, row.line));
+    } else {
+      waiting.write(Kind::key(r.context), r.context);
+      miss.write(MemoryRequest<C>{Kind::kKind, Kind::key(r.context), r.address});
+    }
+  }
+};
+
+}  // namespace dynrt

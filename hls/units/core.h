@@ -1,0 +1,203 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The core: every unit once, and how they are joined (thesis figures 6.1 and 7.3). The native
+// model, the Verilog top and the block diagram all come from this constructor. A packet has at most
+// one token on the way, so a channel that holds all packets can never be the end of a deadlock.
+#pragma once
+
+#include <memory>
+
+#include "hls/join.h"
+#include "units/cache_fill.h"
+#include "units/cache_lookup.h"
+#include "units/collect_hits.h"
+#include "units/intersection.h"
+#include "units/list.h"
+#include "units/mailbox.h"
+#include "units/matrix_fetch.h"
+#include "units/matrix_store.h"
+#include "units/memory_interface.h"
+#include "units/node_fetch.h"
+#include "units/packet_decision.h"
+#include "units/packet_decoder.h"
+#include "units/ray_generation.h"
+#include "units/send_packet.h"
+#include "units/shading.h"
+#include "units/startup.h"
+#include "units/transformation.h"
+#include "units/traversal_slice.h"
+
+namespace dynrt {
+
+/// The board's six memory banks, as the core sees them.
+using Bank = std::shared_ptr<std::vector<Word>>;
+
+template <class C>
+struct Core {
+  Startup<C> startup;
+  RayGeneration<C> ray_generation;
+  NodeFetch<C> node_fetch;
+  CacheLookup<C, NodeCache<C>> node_lookup;
+  CacheFillUnit<C, NodeCache<C>> node_fill;
+  TraversalSlice<C> slice[kRays];
+  PacketDecision<C> packet_decision;
+  List<C> list;
+  CacheLookup<C, ListCache<C>> list_lookup;
+  CacheFillUnit<C, ListCache<C>> list_fill;
+  Mailbox<C> mailbox;
+  MatrixFetch<C> matrix_fetch;
+  CacheLookup<C, MatrixCache<C>> matrix_lookup;
+  CacheFillUnit<C, MatrixCache<C>> matrix_fill;
+  MatrixStore<C> matrix_store;
+  SendPacket<C> send_packet;
+  Transformation<C> transformation;
+  PacketDecoder<C> packet_decoder;
+  Intersection<C> intersection;
+  CollectHits<C> collect_hits;
+  Shading<C> shading;
+  MemoryInterface<C> memory_interface;
+
+  std::shared_ptr<hls::Fifo<uint<10>>> start;
+  std::shared_ptr<hls::Fifo<uint<1>>> done;
+  std::shared_ptr<FrameConfig> frame = std::make_shared<FrameConfig>();
+
+  Core(hls::Join& join, const std::array<Bank, kBanks>& banks) {
+    name_units(join);
+    join_frame(join);
+    join_traversal(join);
+    join_lists(join);
+    join_transformation(join);
+    join_memory(join, banks);
+  }
+
+ private:
+  static constexpr unsigned kAll = C::kPackets;  ///< places on a loop of packets
+
+  void name_units(hls::Join& join) {
+    join.unit("startup", "startup", startup);
+    join.unit("ray_generation", "ray_generation", ray_generation);
+    join.unit("node_fetch", "node_fetch", node_fetch);
+    join.unit("node_lookup", "node_lookup", node_lookup);
+    join.unit("node_fill", "node_fill", node_fill);
+    for (unsigned i = 0; i < kRays; ++i) {
+      join.unit("slice_" + std::to_string(i), "traversal_slice", slice[i]);
+    }
+    join.unit("packet_decision", "packet_decision", packet_decision);
+    join.unit("list", "list", list);
+    join.unit("list_lookup", "list_lookup", list_lookup);
+    join.unit("list_fill", "list_fill", list_fill);
+    join.unit("mailbox", "mailbox", mailbox);
+    join.unit("matrix_fetch", "matrix_fetch", matrix_fetch);
+    join.unit("matrix_lookup", "matrix_lookup", matrix_lookup);
+    join.unit("matrix_fill", "matrix_fill", matrix_fill);
+    join.unit("matrix_store", "matrix_store", matrix_store);
+    join.unit("send_packet", "send_packet", send_packet);
+    join.unit("transformation", "transformation", transformation);
+    join.unit("packet_decoder", "packet_decoder", packet_decoder);
+    join.unit("intersection", "intersection", intersection);
+    join.unit("collect_hits", "collect_hits", collect_hits);
+    join.unit("shading", "shading", shading);
+    join.unit("memory_interface", "memory_interface", memory_interface);
+  }
+
+  void join_frame(hls::Join& join) {
+    join.config<FrameConfig>(
+        "frame", frame,
+        {&startup.frame, &ray_generation.frame, &node_lookup.frame, &node_fill.frame,
+         &list_lookup.frame, &list_fill.frame, &matrix_lookup.frame, &matrix_fill.frame,
+         &mailbox.frame, &shading.frame});
+    start = join.input("start", startup.number);
+    done = join.output("done", ray_generation.done);
+    join.channel<FreePacket<C>>("free_packet",
+                                {&startup.free, &ray_generation.skipped, &shading.free},
+                                {&ray_generation.free}, kAll);
+    join.ram("pixel_position", ray_generation.position,
+             std::vector{&send_packet.position, &shading.position});
+    join.repeat("shade_job", std::vector{&node_fetch.top_done}, shading.job, kAll);
+    join.ram("hit_record", collect_hits.hit, std::vector{&shading.hit});
+  }
+
+  void join_traversal(hls::Join& join) {
+    join.channel<TraversalEvent<C>>("traversal_event",
+                                    {&packet_decision.event, &node_fetch.again, &list.finished,
+                                     &mailbox.start, &packet_decoder.enter_object},
+                                    {&node_fetch.event}, kAll);
+    join.channel("node_request", node_fetch.request, node_lookup.request, kAll);
+    join.channel<Step<C>>("step", {&node_lookup.reply, &node_fill.reply},
+                          {&slice[0].step_in, &slice[1].step_in, &slice[2].step_in,
+                           &slice[3].step_in, &packet_decision.step_in},
+                          kAll);
+    for (unsigned i = 0; i < kRays; ++i) {
+      join.constant(slice[i].lane, RayIndex::from(i));
+      join.channel("decision_" + std::to_string(i), slice[i].decision, packet_decision.slice[i],
+                   kAll);
+      join.ram("ray_" + std::to_string(i), packet_decoder.ray[i], std::vector{&slice[i].ray});
+      join.ram("distance_" + std::to_string(i), collect_hits.distance[i],
+               std::vector{&slice[i].hit_distance});
+    }
+    join.sink("stack_full", node_fetch.dropped);
+  }
+
+  void join_lists(hls::Join& join) {
+    join.channel<ListJob<C>>(
+        "list_job",
+        {&packet_decision.leaf, &node_fetch.object_done, &mailbox.seen, &collect_hits.go_on},
+        {&list.job}, kAll);
+    join.channel("list_request", list.request, list_lookup.request, kAll);
+    join.channel<MailboxEntry<C>>("list_entry",
+                                  {&list_lookup.reply, &list_fill.reply, &collect_hits.start},
+                                  {&mailbox.entry}, kAll);
+    join.ram("last_entry", mailbox.last, std::vector{&list.last});
+  }
+
+  void join_transformation(hls::Join& join) {
+    join.repeat("transform_job", std::vector{&mailbox.fresh, &ray_generation.job}, matrix_fetch.job,
+                kAll);
+    join.channel("column_request", matrix_fetch.request, matrix_lookup.request, kAll);
+    join.channel<typename MatrixCache<C>::Reply>(
+        "matrix_column", {&matrix_lookup.reply, &matrix_fill.reply}, {&matrix_store.reply}, kAll);
+    for (unsigned c = 0; c < 4; ++c) {
+      join.ram("column_" + std::to_string(c), matrix_store.column[c],
+               std::vector{&transformation.column[c]});
+    }
+    join.ram("job_record", matrix_store.record,
+             std::vector{&packet_decoder.record, &collect_hits.record});
+    join.ram("object", matrix_store.object, std::vector{&collect_hits.object});
+    join.repeat("send_job", std::vector{&matrix_store.ready}, send_packet.job, kAll);
+    join.ram("ray_vectors", packet_decoder.vectors, std::vector{&send_packet.vectors});
+    join.channel("packet_vector", send_packet.vector, transformation.vector);
+    join.channel("transformed", transformation.transformed, packet_decoder.vector);
+    join.channel("unit_ray", packet_decoder.unit_ray, intersection.unit_ray);
+    join.channel("candidate", intersection.candidate, collect_hits.candidate);
+  }
+
+  void join_memory(hls::Join& join, const std::array<Bank, kBanks>& banks) {
+    join.channel<MemoryRequest<C>>("memory_request",
+                                   {&node_lookup.miss, &list_lookup.miss, &matrix_lookup.miss},
+                                   {&memory_interface.request}, kAll);
+    join.channel<CacheFill<C, Node>>("node_line", {&memory_interface.node, &startup.node},
+                                     {&node_fill.fill}, kAll);
+    join.channel<CacheFill<C, ListEntry>>("list_line", {&memory_interface.list, &startup.list},
+                                          {&list_fill.fill}, kAll);
+    join.channel<CacheFill<C, MatrixColumn>>(
+        "column_line", {&memory_interface.column, &startup.column}, {&matrix_fill.fill}, kAll);
+    join_cache(join, "node", node_lookup, node_fill);
+    join_cache(join, "list", list_lookup, list_fill);
+    join_cache(join, "matrix", matrix_lookup, matrix_fill);
+    for (unsigned i = 0; i < kSceneBanks; ++i) {
+      join.bank("bank" + std::to_string(i), memory_interface.bank[i], banks[i]);
+    }
+    for (unsigned i = 0; i < 3; ++i) {
+      join.bank("bank" + std::to_string(kFrameBank + i), shading.bank[i], banks[kFrameBank + i]);
+    }
+  }
+
+  template <class Lookup, class Fill>
+  static void join_cache(hls::Join& join, const std::string& name, Lookup& lookup, Fill& fill) {
+    join.ram(name + "_lines", fill.lines, std::vector{&lookup.lines}, hls::Hazard::kStale);
+    join.ram(name + "_waiting", lookup.waiting, std::vector{&fill.waiting});
+  }
+};
+
+}  // namespace dynrt

@@ -1,0 +1,48 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The core as a program: frames rendered by the native units, from and into the six memory banks.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "units/core.h"
+
+namespace dynrt {
+
+template <class C>
+class CoreModel {
+ public:
+  CoreModel() {
+    for (Bank& bank : banks_) bank = std::make_shared<std::vector<Word>>(kBankWords);
+  }
+  std::vector<Word>& bank(unsigned number) { return *banks_.at(number); }
+
+  /// Renders one frame. As on the board, every frame starts with registers reset and caches empty.
+  void render(const FrameConfig& config) {
+    hls::Join join;
+    const auto core = std::make_unique<Core<C>>(join, banks_);
+    *core->frame = config;
+    const std::uint64_t numbers = std::max(config.packets.to_u64(), config.line_mask.to_u64() + 1);
+    for (std::uint64_t i = 0; i < numbers; ++i) core->start->push(uint<10>::from(i));
+    join.run();
+    counters_ = join.counters();
+    if (core->done->size() != 1) {
+      throw std::logic_error("the core came to rest before the frame was complete");
+    }
+  }
+
+  /// Of the last frame: transactions of every unit, tokens of every channel.
+  const std::map<std::string, std::uint64_t>& counters() const { return counters_; }
+
+ private:
+  std::array<Bank, kBanks> banks_;
+  std::map<std::string, std::uint64_t> counters_;
+};
+
+}  // namespace dynrt

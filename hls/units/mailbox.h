@@ -1,0 +1,92 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Mailbox: lets every object and every triangle through once per packet and level (thesis 4.3.2,
+// 6.1.2). Slots fill in order and are never replaced: a full mailbox lets everything new through.
+// The objects of a packet are forgotten when a new ray starts, the triangles when an object is
+// entered.
+#pragma once
+
+#include "units/frame.h"
+#include "units/tokens.h"
+
+namespace dynrt {
+
+template <class C>
+struct Mailbox {
+  using Count = uint<hls::index_width(C::kMailboxSlots + 1)>;
+  struct Slots {
+    Count used;
+    std::array<MatrixIndex, C::kMailboxSlots> slot;
+    HLS_FIELDS(used, slot)
+
+    bool holds(MatrixIndex matrix) const {
+      bool found = false;
+      for (unsigned i = 0; i < C::kMailboxSlots; ++i) {
+        found = found || (used > Count::from(i) && slot[i] == matrix);
+      }
+      return found;
+    }
+    void insert(MatrixIndex matrix) {
+      for (unsigned i = 0; i < C::kMailboxSlots; ++i) {
+        if (used == Count::from(i)) slot[i] = matrix;
+      }
+      if (used != Count::from(C::kMailboxSlots)) used = hls::next(used);
+    }
+  };
+  static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
+
+  hls::In<MailboxEntry<C>> entry;
+  hls::Config<FrameConfig> frame;
+  hls::Out<TransformJob<C>> fresh;
+  hls::Out<ListJob<C>> seen;
+  hls::Out<TraversalEvent<C>> start;
+  hls::RamWrite<bool, kLevelRows<C>> last;
+  hls::Ram1R1W<Slots, kPackets> objects;
+  hls::Ram1R1W<Slots, kPackets> triangles;
+  HLS_PORTS(entry, frame, fresh, seen, start, last)
+
+  void step() {
+    const MailboxEntry<C> e = entry.read();
+    Slots object_slots = objects.read(e.packet);
+    Slots triangle_slots = triangles.read(e.packet);
+    const bool top = e.level == Level{};
+    const bool known =
+        top ? object_slots.holds(e.entry.matrix) : triangle_slots.holds(e.entry.matrix);
+
+    if (e.clear) {
+      object_slots.used = 0;
+      TraversalEvent<C> enter;
+      enter.packet = e.packet;
+      enter.kind = TraversalKind::kEnter;
+      enter.next = Address::from(frame.get().start_node.raw());
+      enter.active = e.active;
+      start.write(enter);
+    } else {
+      last.write(level_row<C>(e.level, e.packet), e.entry.last);
+      if (known) {
+        ListJob<C> go_on;
+        go_on.packet = e.packet;
+        go_on.level = e.level;
+        seen.write(go_on);
+      } else {
+        TransformJob<C> job;
+        job.packet = e.packet;
+        job.kind = top ? TransformKind::kObject : TransformKind::kTriangle;
+        job.active = e.active;
+        job.matrix = e.entry.matrix;
+        fresh.write(job);
+        if (top) {
+          object_slots.insert(e.entry.matrix);
+          triangle_slots.used = 0;
+        } else {
+          triangle_slots.insert(e.entry.matrix);
+        }
+      }
+    }
+    objects.write(e.packet, object_slots);
+    triangles.write(e.packet, triangle_slots);
+  }
+};
+
+}  // namespace dynrt

@@ -1,0 +1,84 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Packet decision: joins the four rays' decisions into the packet's (thesis 3.1.3). A child is
+// entered if one active ray enters it and it is not empty; the order is that of the first ray that
+// enters both children, or of the first active one. Rays with a common origin never disagree.
+#pragma once
+
+#include "units/tokens.h"
+
+namespace dynrt {
+
+template <class C>
+struct PacketDecision {
+  hls::In<Step<C>> step_in;
+  hls::In<SliceDecision> slice[kRays];
+  hls::Out<TraversalEvent<C>> event;
+  hls::Out<ListJob<C>> leaf;
+  HLS_PORTS(step_in, slice[0], slice[1], slice[2], slice[3], event, leaf)
+
+  void step() {
+    const Step<C> s = step_in.read();
+    RayMask terminated, go_left, go_right, left_first;
+    for (unsigned i = 0; i < kRays; ++i) {
+      const SliceDecision d = slice[i].read();
+      set(terminated, i, d.terminated);
+      set(go_left, i, d.go_left);
+      set(go_right, i, d.go_right);
+      set(left_first, i, d.left_first);
+    }
+    const RayMask active = s.context.active & ~terminated;
+    const RayMask left = active & go_left;
+    const RayMask right = active & go_right;
+    const RayMask both = left & right;
+
+    const bool left_is_near = first(both == RayMask{} ? active : both, left_first);
+    const RayMask near = left_is_near ? left : right;
+    const RayMask far = left_is_near ? right : left;
+    const Address near_node = left_is_near ? s.node.left : s.node.right;
+    const Address far_node = left_is_near ? s.node.right : s.node.left;
+    const bool enter_near = near != RayMask{} && near_node != Address{};
+    const bool enter_far = far != RayMask{} && far_node != Address{};
+
+    const bool is_leaf = s.node.kind == NodeKind::kLeaf;
+    if (is_leaf && active != RayMask{}) {
+      ListJob<C> job;
+      job.packet = s.context.packet;
+      job.level = s.context.level;
+      job.first = true;
+      job.address = s.node.left;
+      job.active = active;
+      leaf.write(job);
+    } else {
+      TraversalEvent<C> e;
+      e.packet = s.context.packet;
+      e.level = s.context.level;
+      e.kind = is_leaf || !(enter_near || enter_far) ? TraversalKind::kPop
+               : enter_near && enter_far             ? TraversalKind::kPush
+                                                     : TraversalKind::kGo;
+      e.next = enter_near ? near_node : far_node;
+      e.active = enter_near ? near : far;
+      e.clip_near = !enter_near;
+      e.pushed = far_node;
+      e.pushed_active = far;
+      e.both = both;
+      e.terminated = s.context.active & terminated;
+      event.write(e);
+    }
+  }
+
+ private:
+  static void set(RayMask& mask, unsigned i, bool value) {
+    if (value) mask = mask | RayMask::from(1u << i);
+  }
+  /// The bit of `values` at the lowest set bit of `mask`.
+  static bool first(RayMask mask, RayMask values) {
+    return mask.bit<0>()   ? values.bit<0>()
+           : mask.bit<1>() ? values.bit<1>()
+           : mask.bit<2>() ? values.bit<2>()
+                           : values.bit<3>();
+  }
+};
+
+}  // namespace dynrt

@@ -1,0 +1,62 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Packet decoder: puts a packet's transformed vectors together again (thesis 6.1.3). World and
+// object rays are saved for the traversal and for later transformations; rays in unit triangle
+// space go to the intersection. A camera's rays are new: the intersection passes a reset for each.
+#pragma once
+
+#include "units/send_packet.h"
+#include "units/tokens.h"
+
+namespace dynrt {
+
+template <class C>
+struct PacketDecoder {
+  using Real = typename C::Real;
+  static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
+
+  hls::In<PacketVector<C>> vector;
+  hls::RamRead<JobRecord<C>, kPackets> record;
+  hls::Out<UnitRay<C>> unit_ray;
+  hls::Out<TraversalEvent<C>> enter_object;
+  hls::RamWrite<Ray<Real>, kLevelRows<C>> ray[kRays];
+  hls::RamWrite<Vector<Real>, kVectorRows<C>> vectors;
+  HLS_PORTS(vector, record, unit_ray, enter_object, ray[0], ray[1], ray[2], ray[3], vectors)
+
+  void step() {
+    const PacketVector<C> in = vector.read();
+    const JobRecord<C> job = record.read(in.packet);
+    if (in.point) origin_ = in.vector;
+    const Ray<Real> r{origin_, in.vector};
+
+    const bool triangle = job.kind == TransformKind::kTriangle;
+    const Level level = uint<1>(job.kind == TransformKind::kObject);
+    const LevelRow<C> row = level_row<C>(level, in.packet);
+    if (!triangle) {
+      const RayIndex of_origin = in.point ? RayIndex{} : in.ray;
+      vectors.write(hls::concat(row, hls::concat(of_origin, uint<1>(!in.point))), in.vector);
+    }
+    if (!in.point) {
+      for (unsigned i = 0; i < kRays; ++i) {
+        if (!triangle && in.ray == RayIndex::from(i)) ray[i].write(row, r);
+      }
+      if (job.kind != TransformKind::kObject) {
+        unit_ray.write(UnitRay<C>{in.packet, in.ray, job.kind == TransformKind::kCamera, r});
+      } else if (in.ray == RayIndex(3)) {
+        TraversalEvent<C> enter;
+        enter.packet = in.packet;
+        enter.level = 1;
+        enter.kind = TraversalKind::kEnter;
+        enter.next = job.extra.template trunc<kAddressBits>();
+        enter.active = job.active;
+        enter_object.write(enter);
+      }
+    }
+  }
+
+ private:
+  Vector<Real> origin_;  ///< of the packet, whose vectors come one after the other
+};
+
+}  // namespace dynrt

@@ -1,0 +1,99 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Ray generation: gives a free packet the next 2x2 pixels of the image, in Morton order (thesis
+// chapter 7: counter bits ... y1 x1 y0 x0) or line by line, and has the camera's matrix applied to
+// it. Morton positions outside the image are passed over. When the image is used up the unit keeps
+// the packets that come back; with the last of them the frame is complete.
+#pragma once
+
+#include "units/frame.h"
+#include "units/tokens.h"
+
+namespace dynrt {
+
+template <class C>
+struct FreePacket {
+  PacketId<C> packet;
+  HLS_FIELDS(packet)
+};
+
+template <class C>
+struct RayGeneration {
+  static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
+  static constexpr unsigned kSideBits = 9;  ///< of a packet position: images up to 1024 x 1024
+
+  hls::In<FreePacket<C>> free;
+  hls::Config<FrameConfig> frame;
+  hls::Out<TransformJob<C>> job;
+  hls::Out<FreePacket<C>> skipped;
+  hls::Out<uint<1>> done;
+  hls::RamWrite<PixelPosition, kPackets> position;
+  HLS_PORTS(free, frame, job, skipped, done, position)
+
+  void step() {
+    const FreePacket<C> f = free.read();
+    const FrameConfig config = frame.get();
+    const uint<10> columns = halved(config.width);
+    const uint<10> rows = halved(config.height);
+
+    const bool scanline = config.scanline.template bit<0>();
+    const uint<kSideBits> x = scanline ? scan_x_ : morton(0);
+    const uint<kSideBits> y = scanline ? scan_y_ : morton(1);
+    const bool over = scanline ? scan_y_.template zext<10>() == rows
+                               : counter_.bit(static_cast<unsigned>(config.morton_bits.raw() & 31));
+    const bool inside = x.template zext<10>() < columns && y.template zext<10>() < rows;
+
+    if (over) {
+      returned_ = hls::next(returned_);
+      if (returned_ == config.packets.template trunc<8>()) done.write(1);
+    } else {
+      counter_ = hls::next(counter_);
+      const bool line_end = hls::next(scan_x_).template zext<10>() == columns;
+      if (line_end) scan_y_ = hls::next(scan_y_);
+      scan_x_ = line_end ? uint<kSideBits>{} : hls::next(scan_x_);
+
+      if (inside) {
+        const PixelPosition p{hls::concat(x, uint<1>(0)), hls::concat(y, uint<1>(0))};
+        position.write(f.packet, p);
+        TransformJob<C> camera;
+        camera.packet = f.packet;
+        camera.kind = TransformKind::kCamera;
+        camera.active = mask(p, config);
+        camera.matrix = config.camera_matrix.template trunc<kMatrixBits>();
+        job.write(camera);
+      } else {
+        skipped.write(f);
+      }
+    }
+  }
+
+ private:
+  static uint<10> halved(Word side) {
+    return hls::next(side.template trunc<11>()).template bits<10, 1>();
+  }
+  /// Every second bit of the counter, from bit `first`.
+  uint<kSideBits> morton(unsigned first) const {
+    uint<kSideBits> side;
+    for (unsigned i = 0; i < kSideBits; ++i) {
+      if (counter_.bit(2 * i + first)) side = side | uint<kSideBits>::from(1u << i);
+    }
+    return side;
+  }
+  /// The rays of a packet whose pixels lie in the image.
+  static RayMask mask(PixelPosition p, const FrameConfig& config) {
+    const uint<11> last_x = config.width.template trunc<11>();
+    const uint<11> last_y = config.height.template trunc<11>();
+    const bool x1 = (p.x | uint<10>(1)).template zext<11>() < last_x;
+    const bool y1 = (p.y | uint<10>(1)).template zext<11>() < last_y;
+    return hls::concat(hls::concat(uint<1>(x1 && y1), uint<1>(y1)),
+                       hls::concat(uint<1>(x1), uint<1>(1)));
+  }
+
+  uint<2 * kSideBits + 1> counter_;  ///< Morton: packets handed out or passed over
+  uint<kSideBits> scan_x_;
+  uint<kSideBits> scan_y_;
+  uint<8> returned_;
+};
+
+}  // namespace dynrt

@@ -1,0 +1,316 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The tokens that travel between the units of the core. C is a configuration (hls/configs).
+// A packet is 2x2 rays; masks have one bit per ray, ray 0 lowest. Level 0 is the top-level tree
+// over object instances, level 1 the tree of one object (thesis chapter 4).
+#pragma once
+
+#include <array>
+
+#include "hls/ports.h"
+#include "units/memory_format.h"
+
+namespace dynrt {
+
+inline constexpr unsigned kRays = 4;  ///< rays per packet
+
+template <class C>
+using PacketId = uint<hls::index_width(C::kPackets)>;
+using Level = uint<1>;
+using RayMask = uint<kRays>;
+using RayIndex = uint<2>;
+
+/// Row of a RAM that is duplicated for the two levels.
+template <class C>
+using LevelRow = uint<1 + PacketId<C>::kWidth>;
+template <class C>
+constexpr LevelRow<C> level_row(Level level, PacketId<C> packet) {
+  return hls::concat(level, packet);
+}
+template <class C>
+inline constexpr unsigned kLevelRows = 2 * (1u << PacketId<C>::kWidth);
+
+template <class C>
+using StackPointer = uint<hls::index_width(C::kStackDepth + 1)>;
+
+template <class R>
+struct Vector {
+  R x, y, z;
+  HLS_FIELDS(x, y, z)
+};
+
+template <class R>
+struct Ray {
+  Vector<R> origin;
+  Vector<R> direction;
+  HLS_FIELDS(origin, direction)
+};
+
+// ---- Traversal (thesis 6.1.1) ----
+
+/// What the node fetch unit is to do next with a packet.
+enum class TraversalKind : unsigned char {
+  kEnter,  ///< start at node `next` with the rays `active`
+  kGo,     ///< go on at node `next`
+  kPush,   ///< go on at node `next` and remember node `pushed`
+  kPop,    ///< go on at the node remembered last
+};
+
+/// What a slice does to a ray's interval [near, far] before the step.
+enum class IntervalUpdate : unsigned char {
+  kInit,         ///< near = smallest, far = largest (top) or the hit distance (bottom)
+  kClipFar,      ///< far = d where both children are entered
+  kClipFarPush,  ///< the same, after pushing far
+  kClipNear,     ///< near = d where both are entered and the near child is empty
+  kPop,          ///< near = far and far = popped where both were entered
+};
+
+template <class C>
+struct TraversalEvent {
+  PacketId<C> packet;
+  Level level;
+  TraversalKind kind = TraversalKind::kPop;
+  Address next;
+  RayMask active;          ///< rays that go to `next`
+  bool clip_near = false;  ///< kGo: the near child was empty, so near = d rather than far = d
+  Address pushed;
+  RayMask pushed_active;
+  RayMask both;        ///< rays that enter both children
+  RayMask terminated;  ///< rays found to have ended in this level
+  HLS_FIELDS(packet, level, kind, next, active, clip_near, pushed, pushed_active, both, terminated)
+};
+
+/// Everything about a step but the node itself; travels with the node's address and data.
+template <class C>
+struct StepContext {
+  PacketId<C> packet;
+  Level level;
+  IntervalUpdate update = IntervalUpdate::kInit;
+  RayMask both;
+  RayMask active;
+  StackPointer<C> stack;  ///< the far stack's row to push to or to pop from
+  HLS_FIELDS(packet, level, update, both, active, stack)
+};
+
+template <class C>
+struct Step {
+  StepContext<C> context;
+  Node node;
+  HLS_FIELDS(context, node)
+};
+
+/// One ray's traversal decision (thesis 3.1.2).
+struct SliceDecision {
+  bool left_first = false;
+  bool go_left = false;
+  bool go_right = false;
+  bool terminated = false;  ///< its hit lies before the node's interval
+  HLS_FIELDS(left_first, go_left, go_right, terminated)
+};
+
+/// A packet has finished the traversal of a level.
+template <class C>
+struct LevelDone {
+  PacketId<C> packet;
+  HLS_FIELDS(packet)
+};
+
+// ---- List and mailbox (thesis 6.1.2) ----
+
+template <class C>
+struct ListJob {
+  PacketId<C> packet;
+  Level level;
+  bool first = false;  ///< start at `address`; otherwise go on after the last entry read
+  Address address;
+  RayMask active;
+  HLS_FIELDS(packet, level, first, address, active)
+};
+
+template <class C>
+struct ListContext {
+  PacketId<C> packet;
+  Level level;
+  RayMask active;
+  HLS_FIELDS(packet, level, active)
+};
+
+template <class C>
+struct MailboxEntry {
+  PacketId<C> packet;
+  Level level;
+  RayMask active;
+  bool clear = false;  ///< a new ray: forget the packet's objects and start the traversal
+  ListEntry entry;
+  HLS_FIELDS(packet, level, active, clear, entry)
+};
+
+// ---- Transformation (thesis 6.1.3) ----
+
+enum class TransformKind : unsigned char { kCamera, kObject, kTriangle };
+
+/// A repeated job carries how often, less one, in its lowest field.
+using RepeatCount = uint<4>;
+
+template <class C>
+struct TransformJob {
+  RepeatCount repeat = 3;  ///< the four columns of the matrix
+  PacketId<C> packet;
+  TransformKind kind = TransformKind::kCamera;
+  RayMask active;
+  MatrixIndex matrix;
+  HLS_FIELDS(repeat, packet, kind, active, matrix)
+};
+
+/// Job number `index` of a job that is repeated; the last one says so.
+template <class Job>
+struct Repeated {
+  RepeatCount index;
+  bool last = false;
+  Job job;
+  HLS_FIELDS(index, last, job)
+};
+
+template <class C>
+struct ColumnContext {
+  PacketId<C> packet;
+  TransformKind kind = TransformKind::kCamera;
+  RayMask active;
+  uint<2> column;
+  HLS_FIELDS(packet, kind, active, column)
+};
+
+/// What is kept per packet about the transformation in progress.
+template <class C>
+struct JobRecord {
+  TransformKind kind = TransformKind::kCamera;
+  RayMask active;
+  MatrixIndex matrix;
+  uint<24> extra;  ///< root node of an object, colour of a triangle
+  HLS_FIELDS(kind, active, matrix, extra)
+};
+
+template <class C>
+struct SendJob {
+  RepeatCount repeat;  ///< vectors of the packet less one: 4 compressed, 7 not
+  PacketId<C> packet;
+  TransformKind kind = TransformKind::kCamera;
+  HLS_FIELDS(repeat, packet, kind)
+};
+
+/// One vector on its way through the transformation. Compressed packets send the common origin and
+/// four directions, others four pairs of origin and direction.
+template <class C>
+struct PacketVector {
+  PacketId<C> packet;
+  bool point = false;  ///< a point is translated, a direction is not (thesis 4.4)
+  RayIndex ray;        ///< of a direction
+  Vector<typename C::Real> vector;
+  HLS_FIELDS(packet, point, ray, vector)
+};
+
+// ---- Intersection and hits (thesis 6.1.4, 5.2) ----
+
+template <class C>
+struct UnitRay {
+  PacketId<C> packet;
+  RayIndex ray;
+  bool reset = false;  ///< not a test: the ray is new and has no hit yet
+  Ray<typename C::Real> unit;
+  HLS_FIELDS(packet, ray, reset, unit)
+};
+
+template <class C>
+struct HitCandidate {
+  PacketId<C> packet;
+  RayIndex ray;
+  bool reset = false;
+  bool hit = false;
+  typename C::Real t, u, v, cosine;
+  HLS_FIELDS(packet, ray, reset, hit, t, u, v, cosine)
+};
+
+template <class C>
+struct HitRecord {
+  bool hit = false;
+  typename C::Real t, u, v, cosine;
+  MatrixIndex object;
+  MatrixIndex triangle;
+  uint<24> colour;
+  HLS_FIELDS(hit, t, u, v, cosine, object, triangle, colour)
+};
+
+// ---- Ray generation and shading (thesis 6.2) ----
+
+/// A packet's place in the image: the pixel of ray 0; ray r is at (x + (r & 1), y + (r >> 1)).
+struct PixelPosition {
+  uint<10> x;
+  uint<10> y;
+  HLS_FIELDS(x, y)
+};
+
+template <class C>
+struct ShadeJob {
+  RepeatCount repeat = 15;  ///< four clocks for each of four rays
+  PacketId<C> packet;
+  HLS_FIELDS(repeat, packet)
+};
+
+// ---- Caches and memory (thesis 7) ----
+
+template <class Context>
+struct CacheRequest {
+  Context context;
+  Address address;
+  HLS_FIELDS(context, address)
+};
+
+/// Data is Line, the bits of a node, a list entry or a matrix column.
+template <class Context, class Line>
+struct CacheReply {
+  Context context;
+  Address address;
+  Line line;
+  HLS_FIELDS(context, address, line)
+};
+
+template <class Line>
+struct CacheRow {
+  bool valid = false;
+  Address tag;
+  Line line;
+  HLS_FIELDS(valid, tag, line)
+};
+
+enum class MemoryKind : unsigned char { kNode, kList, kColumn };
+
+/// `key` names the request within its cache: the packet, or packet and column.
+template <class C>
+struct MemoryRequest {
+  MemoryKind kind = MemoryKind::kNode;
+  uint<2 + PacketId<C>::kWidth> key;
+  Address address;
+  HLS_FIELDS(kind, key, address)
+};
+
+/// A line for a cache: the answer to a request, or the order to invalidate a line.
+template <class C, class Line>
+struct CacheFill {
+  bool invalidate = false;
+  uint<2 + PacketId<C>::kWidth> key;
+  Address address;
+  Line line;
+  HLS_FIELDS(invalidate, key, address, line)
+};
+
+}  // namespace dynrt
+
+template <>
+inline constexpr unsigned hls::enum_width<dynrt::TraversalKind> = 2;
+template <>
+inline constexpr unsigned hls::enum_width<dynrt::IntervalUpdate> = 3;
+template <>
+inline constexpr unsigned hls::enum_width<dynrt::TransformKind> = 2;
+template <>
+inline constexpr unsigned hls::enum_width<dynrt::MemoryKind> = 2;

@@ -1,0 +1,91 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Traversal slice: one ray's half of a traversal step (thesis 6.1.1, figure 3.5 and section 3.1.2).
+// It holds the ray's interval [near, far] and far stack for both levels, applies what was decided
+// in the step before, and finds the distance d of the node's plane and which children the ray
+// enters. Four slices work side by side on the four rays of a packet.
+#pragma once
+
+#include "units/tokens.h"
+
+namespace dynrt {
+
+template <class C>
+struct TraversalSlice {
+  using Real = typename C::Real;
+  /// A ray's interval within the node entered last, and the distance of that node's plane.
+  struct Interval {
+    Real near, far, plane;
+    HLS_FIELDS(near, far, plane)
+  };
+  static constexpr unsigned kStackRows = kLevelRows<C> * (1u << StackPointer<C>::kWidth);
+
+  hls::In<Step<C>> step_in;
+  hls::Config<RayIndex> lane;  ///< which ray of the packet this slice serves
+  hls::Out<SliceDecision> decision;
+  hls::RamRead<Ray<Real>, kLevelRows<C>> ray;
+  hls::RamRead<Real, (1u << PacketId<C>::kWidth)> hit_distance;
+  hls::Ram1R1W<Interval, kLevelRows<C>> interval;
+  hls::Ram1R1W<Real, kStackRows> far_stack;
+  HLS_PORTS(step_in, lane, decision, ray, hit_distance)
+
+  void step() {
+    const Step<C> s = step_in.read();
+    const StepContext<C>& c = s.context;
+    const LevelRow<C> row = level_row<C>(c.level, c.packet);
+    const bool both = c.both.bit(static_cast<unsigned>(lane.get().raw()));
+
+    const Interval before = interval.read(row);
+    const Real hit = hit_distance.read(c.packet);
+    const auto stack_row = hls::concat(row, c.stack);
+    const Real popped = far_stack.read(stack_row);
+    if (c.update == IntervalUpdate::kClipFarPush) far_stack.write(stack_row, before.far);
+
+    Real near = before.near;
+    Real far = before.far;
+    if (c.update == IntervalUpdate::kInit) {
+      near = Real{};
+      far = c.level == Level{} ? Real::largest() : hit;
+    } else if (both) {
+      switch (c.update) {
+        case IntervalUpdate::kClipNear:
+          near = before.plane;
+          break;
+        case IntervalUpdate::kPop:
+          near = before.far;
+          far = popped;
+          break;
+        default:
+          far = before.plane;
+          break;
+      }
+    }
+
+    const Ray<Real> r = ray.read(row);
+    const Real origin = select_axis(s.node.kind, r.origin);
+    const Real direction = select_axis(s.node.kind, r.direction);
+    const Real offset = Real(s.node.split) - origin;
+    const Real d = offset / direction;
+
+    const bool left_first = !offset.sign();
+    const bool behind = d.sign();
+    const bool go_near = behind || !(d < near);
+    const bool go_far = !behind && !(far < d);
+
+    SliceDecision out;
+    out.left_first = left_first;
+    out.go_left = left_first ? go_near : go_far;
+    out.go_right = left_first ? go_far : go_near;
+    out.terminated = c.update != IntervalUpdate::kInit && hit < near;
+    decision.write(out);
+    interval.write(row, Interval{near, far, d});
+  }
+
+ private:
+  static Real select_axis(NodeKind kind, const Vector<Real>& v) {
+    return kind == NodeKind::kSplitX ? v.x : kind == NodeKind::kSplitY ? v.y : v.z;
+  }
+};
+
+}  // namespace dynrt
