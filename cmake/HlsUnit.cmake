@@ -24,17 +24,21 @@ set(DYNRT_DELAY_MODEL hls/compiler/delay/ecp5.json CACHE STRING
 add_custom_target(verilog ALL)
 add_custom_target(update-generated)
 
-# dynrt_checked_in(FILE): FILE, made by a custom command of the calling folder, is also checked in
-# under rtl/generated/thesis. The target update-generated renews it, the test generated.<stem> (label
-# lint) fails when it is stale.
-function(dynrt_checked_in file)
+# dynrt_checked_in(FILE TARGET): FILE, which TARGET makes, is also checked in under
+# rtl/generated/thesis. The target update-generated renews it, the test generated.<stem> (label lint)
+# fails when it is stale.
+function(dynrt_checked_in file target)
+  if(NOT DYNRT_RTL)
+    return()
+  endif()
+  add_dependencies(verilog ${target})
   get_filename_component(name ${file} NAME)
   get_filename_component(stem ${file} NAME_WE)
   set(folder ${PROJECT_SOURCE_DIR}/rtl/generated/thesis)
   add_custom_target(update_${stem}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${file} ${folder}
-    DEPENDS ${file})
+    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${file} ${folder})
+  add_dependencies(update_${stem} ${target})
   add_dependencies(update-generated update_${stem})
   add_test(NAME generated.${stem}
     COMMAND ${CMAKE_COMMAND} -DNEW=${file} -DOLD=${folder}/${name}
@@ -125,6 +129,6 @@ function(add_hls_unit)
   target_link_libraries(${id}_rtl PUBLIC ${id}_model)
 
   if(arg_CONFIG STREQUAL "thesis")
-    dynrt_checked_in(${stem}.v)
+    dynrt_checked_in(${stem}.v ${id}_verilog)
   endif()
 endfunction()
