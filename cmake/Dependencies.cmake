@@ -5,6 +5,11 @@ find_package(CLI11 REQUIRED)
 find_package(glm REQUIRED)
 find_package(GTest REQUIRED)
 find_package(OpenImageIO REQUIRED)
+# Debian's target names the headers of OpenCV, which nothing here uses and CMake insists on finding.
+get_target_property(dynrt_oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+list(FILTER dynrt_oiio_includes EXCLUDE REGEX opencv)
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
+                      INTERFACE_INCLUDE_DIRECTORIES "${dynrt_oiio_includes}")
 find_package(assimp REQUIRED)
 find_package(TBB REQUIRED)
 find_package(LLVM 19.1 REQUIRED CONFIG)

@@ -1,0 +1,23 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The one way into a scene: a built-in name (scenes/NAME.json) or the path of an OBJ, PLY, glTF or
+// GLB file or of a description like those in scenes/. Throws UserError for anything wrong with it.
+#ifndef DYNRT_HOST_SCENE_LOAD_H_
+#define DYNRT_HOST_SCENE_LOAD_H_
+
+#include <string>
+#include <vector>
+
+#include "host/scene/scene.h"
+
+namespace dynrt::host {
+
+Scene load_scene(const std::string& name_or_path);
+
+// The built-in names, sorted.
+std::vector<std::string> built_in_scenes();
+
+}  // namespace dynrt::host
+
+#endif  // DYNRT_HOST_SCENE_LOAD_H_
