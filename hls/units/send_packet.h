@@ -46,8 +46,8 @@ struct SendPacket {
     const uint<10> x = p.x | ray.template bits<0, 0>().template zext<10>();
     const uint<10> y = p.y | ray.template bits<1, 1>().template zext<10>();
     const Vector<Real> pre_primary =
-        point ? Vector<Real>{Real::smallest(), Real::smallest(), Real::smallest()}
-              : Vector<Real>{Real::from_uint(x), Real::from_uint(y), Real::one()};
+        point ? Vector<Real>{Real{}, Real{}, Real{}}
+              : Vector<Real>{Real::from_uint(x), Real::from_uint(y), Real::from_double(1.0)};
 
     const bool camera = j.job.kind == TransformKind::kCamera;
     vector.write(PacketVector<C>{j.job.packet, point, ray, camera ? pre_primary : stored});

@@ -72,7 +72,7 @@ struct Shading {
   static uint<9> in_256ths(Real value) {
     constexpr unsigned kMantissa = Real::kMantissaBits;
     const auto exponent = value.exponent();
-    constexpr auto kOne = Real::one().exponent();
+    constexpr auto kOne = Real::from_double(1.0).exponent();
     if (!(exponent < kOne)) return 256;
     const auto significand = hls::concat(uint<1>(1), value.mantissa());
     const auto eighths = significand.template bits<kMantissa, kMantissa - 8>();

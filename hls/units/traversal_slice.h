@@ -45,7 +45,7 @@ struct TraversalSlice {
     Real near = before.near;
     Real far = before.far;
     if (c.update == IntervalUpdate::kInit) {
-      near = Real::smallest();
+      near = Real{};
       far = c.level == Level{} ? Real::largest() : hit;
     } else if (both) {
       switch (c.update) {

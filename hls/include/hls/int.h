@@ -262,6 +262,12 @@ constexpr uint<A + B> concat(uint<A> high, uint<B> low) {
                                               static_cast<Raw>(low.raw())));
 }
 
+/// c ? yes : no, as a value: both sides are computed, nothing branches.
+template <unsigned W>
+constexpr uint<W> select(bool c, uint<W> yes, uint<W> no) {
+  return uint<W>::of_raw(c ? yes.raw() : no.raw());
+}
+
 /// Wrapping increment, for counters and addresses.
 template <unsigned W>
 constexpr uint<W> next(uint<W> value) {

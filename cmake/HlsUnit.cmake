@@ -1,0 +1,109 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+#
+# add_hls_unit(NAME mailbox SOURCE units/mailbox.h TYPE "dynrt::Mailbox<dynrt::config::thesis>"
+#              CONFIG thesis [CLOCK_NS n] [DELAY file] [FAST] [TRACE] [SHARDS n])
+#
+# Everything that belongs to one unit (SOURCE is its header as it is included, DELAY is relative to
+# the project's folder):
+#   <NAME>_model   interface library: what a program needs to include the C++ (header only)
+#   <NAME>.v       build/<preset>/generated/<CONFIG>/<NAME>.v, made by hlsc, module <NAME>, with its
+#                  schedule report <NAME>.txt and the header <NAME>_ports.h for the test bench
+#   <NAME>_rtl     library with the Verilated class V<NAME> (FAST, TRACE, SHARDS: Verilate.cmake)
+#   test           generated.<NAME>, label lint, for CONFIG thesis: fails when rtl/generated/thesis/
+#                  <NAME>.v is not what hlsc writes now (the target update-generated renews it)
+# CLOCK_NS and DELAY default to the cache variables DYNRT_CLOCK_NS and DYNRT_DELAY_MODEL.
+# For a CONFIG other than thesis the target names begin with "<CONFIG>_".
+# With DYNRT_RTL off (preset asan) only the model is made.
+
+option(DYNRT_RTL "lower the units to Verilog and Verilate them" ON)
+set(DYNRT_CLOCK_NS 10 CACHE STRING "clock period that hlsc schedules for, in ns")
+set(DYNRT_DELAY_MODEL hls/compiler/delay/ecp5.json CACHE STRING
+    "delay model that hlsc schedules with, relative to the project's folder")
+add_custom_target(verilog ALL)
+add_custom_target(update-generated)
+
+function(add_hls_unit)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "FAST;TRACE"
+                        "NAME;SOURCE;TYPE;CONFIG;CLOCK_NS;DELAY;SHARDS" "")
+  foreach(needed NAME SOURCE TYPE CONFIG)
+    if(NOT arg_${needed})
+      message(FATAL_ERROR "add_hls_unit(${arg_NAME}): ${needed} is missing")
+    endif()
+  endforeach()
+  set(id ${arg_NAME})
+  if(NOT arg_CONFIG STREQUAL "thesis")
+    set(id ${arg_CONFIG}_${arg_NAME})
+  endif()
+
+  add_library(${id}_model INTERFACE)
+  target_include_directories(${id}_model INTERFACE ${PROJECT_SOURCE_DIR}/hls)
+  target_link_libraries(${id}_model INTERFACE hls)
+  if(NOT DYNRT_RTL)
+    return()
+  endif()
+
+  set(clock ${DYNRT_CLOCK_NS})
+  if(arg_CLOCK_NS)
+    set(clock ${arg_CLOCK_NS})
+  endif()
+  set(delay ${DYNRT_DELAY_MODEL})
+  if(arg_DELAY)
+    set(delay ${arg_DELAY})
+  endif()
+  set(header ${PROJECT_SOURCE_DIR}/hls/${arg_SOURCE})
+  set(dir ${PROJECT_BINARY_DIR}/generated/${arg_CONFIG})
+  set(stem ${dir}/${arg_NAME})
+  set(fresh ${dir}/fresh/${arg_NAME})
+  file(MAKE_DIRECTORY ${dir}/fresh)
+  set(relative_includes -I hls/lowered -I hls/include -I hls)
+  string(REPLACE "hls" "${PROJECT_SOURCE_DIR}/hls" absolute_includes "-Ihls/lowered;-Ihls/include;-Ihls")
+
+  # The compiler lists the headers that the unit includes; hlsc runs again when one of them changes,
+  # and what follows only when hlsc then writes something else. All paths that may end up in the
+  # Verilog are relative to the project's folder, so that it is the same wherever that lies.
+  add_custom_command(
+    OUTPUT ${stem}.v
+    BYPRODUCTS ${stem}.txt ${stem}_ports.h
+    COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -x c++ ${absolute_includes} -MM -MT ${stem}.v
+            -MF ${stem}.d ${header}
+    COMMAND hlsc --unit ${arg_TYPE} --module ${arg_NAME} --header ${arg_SOURCE}
+            ${relative_includes} --clock-ns ${clock} --delay ${delay} -o ${fresh}.v --report ${fresh}.txt
+            --binding ${fresh}_ports.h
+    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${fresh}.v ${fresh}.txt ${fresh}_ports.h ${dir}
+    DEPENDS hlsc ${header} ${PROJECT_SOURCE_DIR}/${delay}
+    DEPFILE ${stem}.d
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+    COMMENT "Lowering ${arg_TYPE} to ${arg_CONFIG}/${arg_NAME}.v"
+    VERBATIM)
+  add_custom_target(${id}_verilog DEPENDS ${stem}.v)
+  add_dependencies(verilog ${id}_verilog)
+
+  set(speed)
+  foreach(flag FAST TRACE)
+    if(arg_${flag})
+      list(APPEND speed ${flag})
+    endif()
+  endforeach()
+  if(arg_SHARDS)
+    list(APPEND speed SHARDS ${arg_SHARDS})
+  endif()
+  dynrt_verilate(${id}_rtl TOP ${arg_NAME} PREFIX V${id} SOURCES ${stem}.v ${speed})
+  target_include_directories(${id}_rtl PUBLIC ${dir})
+  add_dependencies(${id}_rtl ${id}_verilog)
+  target_link_libraries(${id}_rtl PUBLIC ${id}_model)
+
+  # Only the configuration thesis is checked in.
+  if(arg_CONFIG STREQUAL "thesis")
+    set(checked_in_dir ${PROJECT_SOURCE_DIR}/rtl/generated/thesis)
+    add_custom_target(${id}_update
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${checked_in_dir}
+      COMMAND ${CMAKE_COMMAND} -E copy_if_different ${stem}.v ${checked_in_dir})
+    add_dependencies(${id}_update ${id}_verilog)
+    add_dependencies(update-generated ${id}_update)
+    add_test(NAME generated.${arg_NAME}
+      COMMAND ${CMAKE_COMMAND} -DNEW=${stem}.v -DOLD=${checked_in_dir}/${arg_NAME}.v
+              -P ${PROJECT_SOURCE_DIR}/cmake/CompareGenerated.cmake)
+    set_tests_properties(generated.${arg_NAME} PROPERTIES LABELS lint)
+  endif()
+endfunction()

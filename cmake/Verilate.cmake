@@ -1,0 +1,90 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+#
+# dynrt_verilate(TARGET TOP module PREFIX class SOURCES file.v...
+#                [FAST] [TRACE] [SHARDS n] [ARGS verilator-argument...])
+#
+# Makes the static library TARGET with the Verilated class PREFIX (header PREFIX.h) of a module.
+# Verilator's own verilate() runs Verilator while CMake configures, when generated Verilog does not
+# exist yet; this one runs it during the build. The names of the C++ files that Verilator writes are
+# not known beforehand, so they are gathered into files whose names are: one for what runs seldom,
+# n (default 1) for what runs every clock.
+#   FAST   for the whole core: -O3, unknown values are 0, no assertions. Without it: compiles quickly,
+#          checks hlsc's assertions (HLS_ASSERT), and unknown values are random when the bench asks
+#          for it (VerilatedContext::randReset(2)), so that a unit which relies on a value it never
+#          wrote is found out.
+#   TRACE  with FST waveforms; costs about a quarter of the speed even while none is written, so it is
+#          a library of its own.
+# Modules that SOURCES do not hold are looked for in rtl/lib.
+
+add_library(verilated_runtime STATIC EXCLUDE_FROM_ALL
+  ${VERILATOR_ROOT}/include/verilated.cpp
+  ${VERILATOR_ROOT}/include/verilated_fst_c.cpp
+  ${VERILATOR_ROOT}/include/verilated_threads.cpp)
+find_package(Threads REQUIRED)
+find_package(ZLIB REQUIRED)
+target_include_directories(verilated_runtime SYSTEM PUBLIC
+  ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
+# Time belongs to a VerilatedContext; there is no global sc_time_stamp().
+target_compile_definitions(verilated_runtime PUBLIC VL_TIME_CONTEXT)
+target_compile_options(verilated_runtime PRIVATE -O2 -w)
+target_link_libraries(verilated_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
+
+function(dynrt_verilate target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FAST;TRACE" "TOP;PREFIX;SHARDS" "SOURCES;ARGS")
+  foreach(needed TOP PREFIX SOURCES)
+    if(NOT arg_${needed})
+      message(FATAL_ERROR "dynrt_verilate(${target}): ${needed} is missing")
+    endif()
+  endforeach()
+  if(NOT arg_SHARDS)
+    set(arg_SHARDS 1)
+  endif()
+
+  set(dir ${CMAKE_CURRENT_BINARY_DIR}/${target}.verilated)
+  set(flags --cc --compiler clang --make cmake --prefix ${arg_PREFIX} --top-module ${arg_TOP}
+      --Mdir ${dir} -y ${PROJECT_SOURCE_DIR}/rtl/lib -Wno-fatal -Wno-lint -Wno-style)
+  if(arg_FAST)
+    list(APPEND flags -O3 --x-assign fast --x-initial fast)
+    set(optimise -O3)
+  else()
+    list(APPEND flags -O3 --x-assign unique --x-initial unique +define+HLS_ASSERT)
+    set(optimise -O1)
+  endif()
+  if(arg_SHARDS GREATER 1)
+    list(APPEND flags --output-split 20000)
+  else()
+    list(APPEND flags --output-split 0)
+  endif()
+  if(arg_TRACE)
+    list(APPEND flags --trace-fst)
+  endif()
+
+  set(fast_files)
+  math(EXPR last "${arg_SHARDS} - 1")
+  foreach(shard RANGE ${last})
+    list(APPEND fast_files ${dir}/shard_fast_${shard}.cpp)
+  endforeach()
+  set(slow_file ${dir}/shard_slow.cpp)
+  file(GLOB primitives CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/lib/*.v)
+  add_custom_command(
+    OUTPUT ${fast_files} ${slow_file}
+    BYPRODUCTS ${dir}/${arg_PREFIX}.h
+    COMMAND ${CMAKE_COMMAND} -E env VERILATOR_ROOT=${VERILATOR_ROOT}
+            ${VERILATOR_BIN} ${flags} ${arg_ARGS} ${arg_SOURCES}
+    COMMAND ${CMAKE_COMMAND} -DDIR=${dir} -DPREFIX=${arg_PREFIX} -DSHARDS=${arg_SHARDS}
+            -P ${PROJECT_SOURCE_DIR}/cmake/GatherVerilated.cmake
+    DEPENDS ${arg_SOURCES} ${primitives} ${PROJECT_SOURCE_DIR}/cmake/GatherVerilated.cmake
+    COMMENT "Verilating ${arg_TOP}"
+    VERBATIM COMMAND_EXPAND_LISTS)
+
+  add_library(${target} STATIC EXCLUDE_FROM_ALL ${fast_files} ${slow_file})
+  set_source_files_properties(${fast_files} PROPERTIES COMPILE_OPTIONS ${optimise})
+  set_source_files_properties(${slow_file} PROPERTIES COMPILE_OPTIONS -O0)
+  # Generated code: its own warnings are nobody's to mend. RelWithDebInfo's -g would double its size.
+  target_compile_options(${target} PRIVATE -w -g0 ${VERILATOR_CFLAGS})
+  target_compile_definitions(${target} PRIVATE VM_COVERAGE=0 VM_SC=0 VM_TRACE=$<BOOL:${arg_TRACE}>
+                             VM_TRACE_FST=$<BOOL:${arg_TRACE}> VM_TRACE_VCD=0)
+  target_include_directories(${target} SYSTEM PUBLIC ${dir})
+  target_link_libraries(${target} PUBLIC verilated_runtime)
+endfunction()

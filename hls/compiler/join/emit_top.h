@@ -1,0 +1,28 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// From the record of a join to its Verilog top, its description as JSON and its block diagram.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hls/join_record.h"
+
+namespace hlsc {
+
+/// The counters of a top, in the order of their addresses: tokens of every channel inside, then
+/// transactions and stalls of every unit.
+std::vector<std::string> counter_names(const hls::JoinRecord& join);
+
+/// A Verilog-2005 module `name` that instantiates every unit and connects them through rtl/lib.
+/// Throws std::invalid_argument naming a port that nothing is connected to.
+std::string emit_top(const hls::JoinRecord& join, const std::string& name);
+
+/// Units, channels, RAMs and counters, for the host and for people's scripts.
+std::string emit_json(const hls::JoinRecord& join, const std::string& name);
+
+/// The units and channels as a Graphviz digraph.
+std::string emit_diagram(const hls::JoinRecord& join);
+
+}  // namespace hlsc

@@ -1,0 +1,71 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The board as the host sees it. RtlBoard runs the Verilog, ModelBoard the native C++ of the same
+// units; nothing outside this folder can tell them apart, except that the model has no clock.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "units/frame.h"
+
+namespace dynrt::host {
+
+struct BoardInfo {
+  std::string name;           ///< "rtl" or "model"
+  std::string configuration;  ///< name of the core's configuration, e.g. "thesis"
+  unsigned packets = 0;       ///< packets that can be in flight, at most
+  unsigned cache_lines = 0;   ///< lines of each cache, at most
+};
+
+/// One of the core's counters, named unit.what, e.g. "traversal.transactions".
+struct Counter {
+  std::string name;
+  std::uint64_t value = 0;
+  bool order_independent = false;  ///< the same whatever the order in which packets are served
+};
+
+/// What went over the bus, and what it would have taken on 33 MHz, 32-bit PCI.
+struct BusTraffic {
+  std::uint64_t transactions = 0;
+  std::uint64_t bytes_written = 0;
+  std::uint64_t bytes_read = 0;
+  std::uint64_t bus_clocks = 0;
+  friend bool operator==(const BusTraffic&, const BusTraffic&) = default;
+};
+
+struct FrameRun {
+  std::optional<std::uint64_t> cycles;  ///< of the core's clock; the model has none
+  double seconds = 0;                   ///< of this computer's time, between start and interrupt
+};
+
+/// Told now and then how many pixels of the frame are written.
+using PixelProgress = std::function<void(std::uint64_t pixels)>;
+
+class Board {
+ public:
+  virtual ~Board() = default;
+  virtual const BoardInfo& info() const = 0;
+
+  /// Moves consecutive words of a bank; they must lie inside it. Not while a frame is rendered.
+  virtual void write(unsigned bank, std::uint32_t address,
+                     std::span<const std::uint32_t> words) = 0;
+  virtual void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) = 0;
+
+  virtual void configure(const FrameConfig& frame) = 0;
+  virtual void start() = 0;
+  /// Waits for the interrupt; after `timeout` clocks without one throws a UserError that tells
+  /// where the units stand, and resets the board.
+  virtual FrameRun wait(std::uint64_t timeout, const PixelProgress& progress) = 0;
+
+  /// Of the last frame.
+  virtual std::vector<Counter> counters() = 0;
+  virtual BusTraffic traffic() const = 0;
+};
+
+}  // namespace dynrt::host

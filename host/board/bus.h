@@ -1,0 +1,41 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// How long a 33 MHz, 32-bit PCI bus takes for what the host moves: bursts of at most kMaxBurst
+// words, each an address phase, for a read a turnaround and the target's first-word wait, one clock
+// per word, and an idle clock. Register accesses are bursts of one.
+#pragma once
+
+#include <cstdint>
+
+#include "host/board/board.h"
+
+namespace dynrt::host {
+
+class BusMeter {
+ public:
+  static constexpr double kClockHz = 33e6;
+  static constexpr std::uint64_t kMaxBurst = 256;     ///< words; bounded by the bus's latency timer
+  static constexpr std::uint64_t kWriteOverhead = 2;  ///< address phase, idle
+  static constexpr std::uint64_t kReadOverhead = 5;   ///< and turnaround, two clocks to first word
+
+  void write(std::uint64_t words) {
+    count(words, kWriteOverhead);
+    traffic_.bytes_written += 4 * words;
+  }
+  void read(std::uint64_t words) {
+    count(words, kReadOverhead);
+    traffic_.bytes_read += 4 * words;
+  }
+  const BusTraffic& traffic() const { return traffic_; }
+
+ private:
+  void count(std::uint64_t words, std::uint64_t overhead) {
+    const std::uint64_t bursts = (words + kMaxBurst - 1) / kMaxBurst;
+    traffic_.transactions += bursts;
+    traffic_.bus_clocks += words + bursts * overhead;
+  }
+  BusTraffic traffic_;
+};
+
+}  // namespace dynrt::host

@@ -1,0 +1,46 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/board/model_board.h"
+
+#include <chrono>
+
+#include "host/board/check_range.h"
+#include "host/board/frame_words.h"
+
+namespace dynrt::host {
+
+ModelBoard::ModelBoard(std::string configuration, std::unique_ptr<NativeCore> core)
+    : core_(std::move(core)) {
+  info_.configuration = std::move(configuration);
+  info_.packets = core_->packets();
+  info_.cache_lines = core_->cache_lines();
+}
+
+void ModelBoard::write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) {
+  check_range(info_.name, bank, address, words.size());
+  meter_.write(words.size());
+  core_->write(bank, address, words);
+}
+
+void ModelBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) {
+  check_range(info_.name, bank, address, words.size());
+  meter_.read(words.size());
+  core_->read(bank, address, words);
+}
+
+void ModelBoard::configure(const FrameConfig& frame) {
+  meter_.write(kFrameWords);
+  frame_ = frame;
+}
+
+void ModelBoard::start() { meter_.write(1); }
+
+FrameRun ModelBoard::wait(std::uint64_t /*timeout*/, const PixelProgress& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  core_->render(frame_);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  if (progress) progress(frame_.width.to_u64() * frame_.height.to_u64());
+  return {.cycles = std::nullopt, .seconds = seconds.count()};
+}
+
+}  // namespace dynrt::host

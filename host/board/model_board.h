@@ -1,0 +1,51 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The board whose core is the native C++ of the units. It has no clock, so a frame takes no cycles,
+// and no bus; what the host moves is metered as if it went over one.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "host/board/board.h"
+#include "host/board/bus.h"
+
+namespace dynrt::host {
+
+/// What ModelBoard needs of the native core of one configuration.
+class NativeCore {
+ public:
+  virtual ~NativeCore() = default;
+  virtual unsigned packets() const = 0;
+  virtual unsigned cache_lines() const = 0;
+  virtual void write(unsigned bank, std::uint32_t address,
+                     std::span<const std::uint32_t> words) = 0;
+  virtual void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) = 0;
+  virtual void render(const FrameConfig& frame) = 0;
+  virtual std::vector<Counter> counters() = 0;
+};
+using MakeNativeCore = std::unique_ptr<NativeCore> (*)();
+
+class ModelBoard final : public Board {
+ public:
+  ModelBoard(std::string configuration, std::unique_ptr<NativeCore> core);
+
+  const BoardInfo& info() const override { return info_; }
+  void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override;
+  void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override;
+  void configure(const FrameConfig& frame) override;
+  void start() override;
+  /// Renders; there is no clock to run out of, so `timeout` plays no part.
+  FrameRun wait(std::uint64_t timeout, const PixelProgress& progress) override;
+  std::vector<Counter> counters() override { return core_->counters(); }
+  BusTraffic traffic() const override { return meter_.traffic(); }
+
+ private:
+  BoardInfo info_{"model", "", 0, 0};
+  std::unique_ptr<NativeCore> core_;
+  FrameConfig frame_;
+  BusMeter meter_;
+};
+
+}  // namespace dynrt::host

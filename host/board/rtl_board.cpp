@@ -1,0 +1,142 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/board/rtl_board.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "host/board/check_range.h"
+#include "host/board/frame_words.h"
+#include "host/board/messages.h"
+#include "host/board/registers.h"
+#include "host/error.h"
+
+namespace dynrt::host {
+
+namespace reg = registers;
+
+namespace {
+
+constexpr std::uint64_t kClocksPerReport = 10'000;
+constexpr int kResetReads = 100;  ///< reads of STATUS that outlast the core's reset by far
+
+std::uint32_t window(unsigned bank, std::uint32_t word) {
+  return 1u << reg::kWindowBit | bank << reg::kWindowBankLow | word << reg::kWindowWordLow;
+}
+
+}  // namespace
+
+RtlBoard::RtlBoard(std::string configuration, std::unique_ptr<ClockedBoard> clocked,
+                   std::vector<Counter> counters)
+    : clocked_(std::move(clocked)), counters_(std::move(counters)) {
+  info_.configuration = std::move(configuration);
+  clocked_->reset();
+  const std::uint32_t id = read_register(reg::kRegId);
+  const std::uint32_t version = read_register(reg::kRegVersion);
+  if (id != reg::kIdValue || version != reg::kVersionValue) {
+    throw UserError(fmt::format(messages::kWrongId, info_.name, id, version, reg::kIdValue,
+                                reg::kVersionValue));
+  }
+  const std::uint32_t limits = read_register(reg::kRegLimits);
+  info_.packets = limits & 0xffff;
+  info_.cache_lines = limits >> 16;
+  settle();
+  write_register(reg::kRegIrqEnable, 1);
+}
+
+void RtlBoard::settle() {
+  for (int i = 0; i < kResetReads; ++i) {
+    if (!(read_register(reg::kRegStatus) >> reg::kStatusBusy & 1)) return;
+  }
+  throw UserError(fmt::format(messages::kBusHangs, info_.name, reg::kRegStatus));
+}
+
+void RtlBoard::write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) {
+  check_range(info_.name, bank, address, words.size());
+  burst_write(window(bank, address), words);
+}
+
+void RtlBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) {
+  check_range(info_.name, bank, address, words.size());
+  burst_read(window(bank, address), words);
+}
+
+void RtlBoard::configure(const FrameConfig& frame) {
+  burst_write(reg::kRegFrame, frame_words(frame));
+}
+
+void RtlBoard::start() {
+  frame_writes_at_start_ = clocked_->frame_writes();
+  write_register(reg::kRegControl, 1u << reg::kControlStart);
+}
+
+FrameRun RtlBoard::wait(std::uint64_t timeout, const PixelProgress& progress) {
+  const auto begin = std::chrono::steady_clock::now();
+  std::uint64_t left = timeout;
+  while (!clocked_->interrupt() && left > 0) {
+    const std::uint64_t step = std::min(left, kClocksPerReport);
+    clocked_->run_until_interrupt(step);
+    left -= step;
+    if (progress) progress(clocked_->frame_writes() - frame_writes_at_start_);
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  if (!clocked_->interrupt()) give_up(timeout);
+  write_register(reg::kRegIrqPending, 1);
+  if (read_register(reg::kRegStatus) >> reg::kStatusRefused & 1) {
+    throw std::logic_error(fmt::format(messages::kRefused, info_.name));
+  }
+  std::array<std::uint32_t, 2> cycles{};
+  burst_read(reg::kRegCyclesLow, cycles);
+  return {.cycles = cycles[0] | std::uint64_t{cycles[1]} << 32, .seconds = seconds.count()};
+}
+
+void RtlBoard::give_up(std::uint64_t timeout) {
+  const std::uint32_t status = read_register(reg::kRegStatus);
+  std::vector<std::string> state;
+  for (const Counter& counter : counters()) {
+    state.push_back(fmt::format("{} {}", counter.name, counter.value));
+  }
+  write_register(reg::kRegControl, 1u << reg::kControlReset);
+  settle();
+  throw UserError(fmt::format(messages::kTimeout, info_.name, timeout,
+                              clocked_->frame_writes() - frame_writes_at_start_, status,
+                              fmt::join(state, ", ")));
+}
+
+std::vector<Counter> RtlBoard::counters() {
+  std::vector<Counter> counters = counters_;
+  for (std::uint32_t i = 0; i < counters.size(); ++i) {
+    write_register(reg::kRegCounterAddress, i);
+    counters[i].value = read_register(reg::kRegCounterData);
+  }
+  return counters;
+}
+
+std::uint32_t RtlBoard::read_register(std::uint32_t address) {
+  std::uint32_t value = 0;
+  burst_read(address, {&value, 1});
+  return value;
+}
+
+void RtlBoard::write_register(std::uint32_t address, std::uint32_t value) {
+  burst_write(address, {&value, 1});
+}
+
+void RtlBoard::burst_write(std::uint32_t address, std::span<const std::uint32_t> words) {
+  meter_.write(words.size());
+  if (!clocked_->write(address, words)) {
+    throw UserError(fmt::format(messages::kBusHangs, info_.name, address));
+  }
+}
+
+void RtlBoard::burst_read(std::uint32_t address, std::span<std::uint32_t> words) {
+  meter_.read(words.size());
+  if (!clocked_->read(address, words)) {
+    throw UserError(fmt::format(messages::kBusHangs, info_.name, address));
+  }
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,49 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The board whose core is the Verilog, run by Verilator. Everything goes through its registers and
+// its SRAM window, as over a real bus (rtl/board/dynrt_registers.vh).
+#pragma once
+
+#include <memory>
+
+#include "host/board/board.h"
+#include "host/board/bus.h"
+#include "host/board/clocked_board.h"
+
+namespace dynrt::host {
+
+class RtlBoard final : public Board {
+ public:
+  /// `counters` in the order of their addresses; their values are ignored.
+  RtlBoard(std::string configuration, std::unique_ptr<ClockedBoard> clocked,
+           std::vector<Counter> counters);
+
+  const BoardInfo& info() const override { return info_; }
+  void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override;
+  void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override;
+  void configure(const FrameConfig& frame) override;
+  void start() override;
+  FrameRun wait(std::uint64_t timeout, const PixelProgress& progress) override;
+  std::vector<Counter> counters() override;
+  BusTraffic traffic() const override { return meter_.traffic(); }
+
+  /// Registers, for tests of the board itself.
+  std::uint32_t read_register(std::uint32_t address);
+  void write_register(std::uint32_t address, std::uint32_t value);
+
+ private:
+  void burst_write(std::uint32_t address, std::span<const std::uint32_t> words);
+  void burst_read(std::uint32_t address, std::span<std::uint32_t> words);
+  /// Waits for the end of the core's reset, a few clocks.
+  void settle();
+  [[noreturn]] void give_up(std::uint64_t timeout);
+
+  BoardInfo info_{"rtl", "", 0, 0};
+  std::unique_ptr<ClockedBoard> clocked_;
+  std::vector<Counter> counters_;
+  BusMeter meter_;
+  std::uint64_t frame_writes_at_start_ = 0;
+};
+
+}  // namespace dynrt::host

@@ -1,0 +1,231 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The board's Verilog around the stand-in core of test/dynrt_core.v: its registers, the window into
+// the SRAM, the interrupt and the time-out.
+#include "host/board/rtl_board.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <random>
+
+#include "host/board/frame_words.h"
+#include "host/board/registers.h"
+#include "host/board/sram.h"
+#include "host/error.h"
+
+namespace dynrt::host {
+
+std::unique_ptr<ClockedBoard> make_stand_in_board();
+std::unique_ptr<ClockedBoard> make_stand_in_board_traced(const std::string& trace);
+
+namespace {
+
+namespace reg = registers;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr std::uint32_t kWidth = 24;
+constexpr std::uint32_t kHeight = 10;
+constexpr std::uint32_t kPixels = kWidth * kHeight;
+constexpr std::uint32_t kFrameBase = 1000;
+constexpr std::uint32_t kTokens = 16;
+constexpr std::uint32_t kHang = 0xdeadbeef;
+
+std::vector<Counter> stand_in_counters() {
+  return {{"stand_in.words", 0, true}, {"stand_in.tokens", 0, true}};
+}
+
+std::vector<std::uint32_t> random_words(std::size_t count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<std::uint32_t> words(count);
+  for (auto& word : words) word = static_cast<std::uint32_t>(random());
+  return words;
+}
+
+FrameConfig frame_config(std::uint32_t background = 0) {
+  FrameConfig frame;
+  frame.width = to_word(kWidth);
+  frame.height = to_word(kHeight);
+  frame.frame_base = to_word(kFrameBase);
+  frame.background = to_word(background);
+  return frame;
+}
+
+class RtlBoardTest : public testing::Test {
+ protected:
+  RtlBoard board_{"stand_in", make_stand_in_board(), stand_in_counters()};
+
+  std::vector<std::uint32_t> read(unsigned bank, std::uint32_t address, std::size_t count) {
+    std::vector<std::uint32_t> words(count);
+    board_.read(bank, address, words);
+    return words;
+  }
+};
+
+TEST_F(RtlBoardTest, SaysWhatItIs) {
+  EXPECT_EQ(board_.info().name, "rtl");
+  EXPECT_EQ(board_.info().configuration, "stand_in");
+  EXPECT_EQ(board_.info().packets, 4u);
+  EXPECT_EQ(board_.info().cache_lines, 16u);
+  EXPECT_EQ(board_.read_register(reg::kRegId), reg::kIdValue);
+  EXPECT_EQ(board_.read_register(reg::kRegVersion), reg::kVersionValue);
+  EXPECT_EQ(board_.read_register(reg::kRegStatus), 0u);
+}
+
+TEST_F(RtlBoardTest, FrameRegistersKeepWhatIsWritten) {
+  const auto words = random_words(kFrameWords, 1);
+  for (std::uint32_t i = 0; i < kFrameWords; ++i) {
+    board_.write_register(reg::kRegFrame + 4 * i, words[i]);
+  }
+  for (std::uint32_t i = 0; i < kFrameWords; ++i) {
+    EXPECT_EQ(board_.read_register(reg::kRegFrame + 4 * i), words[i]) << i;
+  }
+  EXPECT_EQ(board_.read_register(reg::kRegFrame + 4 * kFrameWords), 0u);
+}
+
+TEST_F(RtlBoardTest, SramWindowRoundTrip) {
+  // Both ends and a burst in the middle of every bank, each with words of its own.
+  for (unsigned bank = 0; bank < Sram::kBanks; ++bank) {
+    board_.write(bank, 0, random_words(3, bank));
+    board_.write(bank, 4000, random_words(1500, 10 + bank));
+    board_.write(bank, Sram::kWords - 2, random_words(2, 20 + bank));
+  }
+  for (unsigned bank = 0; bank < Sram::kBanks; ++bank) {
+    EXPECT_EQ(read(bank, 0, 3), random_words(3, bank));
+    EXPECT_EQ(read(bank, 4000, 1500), random_words(1500, 10 + bank));
+    EXPECT_EQ(read(bank, Sram::kWords - 2, 2), random_words(2, 20 + bank));
+  }
+}
+
+TEST_F(RtlBoardTest, RegistersAndWindowAnswerInOrder) {
+  board_.write(1, 7, std::vector<std::uint32_t>{77});
+  EXPECT_EQ(read(1, 7, 1).front(), 77u);
+  EXPECT_EQ(board_.read_register(reg::kRegId), reg::kIdValue);
+  EXPECT_EQ(read(1, 7, 1).front(), 77u);
+}
+
+TEST_F(RtlBoardTest, RendersAndInterrupts) {
+  const auto words0 = random_words(kPixels, 1);
+  const auto words1 = random_words(kPixels, 2);
+  const auto words2 = random_words(kPixels, 3);
+  board_.write(0, 0, words0);
+  board_.write(1, 0, words1);
+  board_.write(2, 0, words2);
+  for (int frame = 0; frame < 2; ++frame) {
+    board_.configure(frame_config());
+    board_.start();
+    EXPECT_EQ(board_.read_register(reg::kRegStatus), 1u << reg::kStatusBusy);
+    std::uint64_t pixels = 0;
+    const FrameRun run = board_.wait(100'000, [&](std::uint64_t done) { pixels = done; });
+    EXPECT_EQ(pixels, kPixels);
+    // Tokens and pixels go by at one a clock.
+    ASSERT_TRUE(run.cycles.has_value());
+    EXPECT_GE(*run.cycles, kTokens + kPixels);
+    EXPECT_LE(*run.cycles, kTokens + kPixels + 10);
+    EXPECT_EQ(board_.read_register(reg::kRegStatus), 1u << reg::kStatusDone);
+    EXPECT_EQ(board_.read_register(reg::kRegIrqPending), 0u);
+
+    const auto image = read(3, kFrameBase, kPixels);
+    const auto copy = read(4, 0, kPixels);
+    const auto inverse = read(5, 0, kPixels);
+    for (std::uint32_t p = 0; p < kPixels; ++p) {
+      ASSERT_EQ(image[p], words0[p] ^ words1[p]) << p;
+      ASSERT_EQ(copy[p], words2[p]) << p;
+      ASSERT_EQ(inverse[p], ~words0[p]) << p;
+    }
+    const auto counters = board_.counters();
+    EXPECT_EQ(counters.at(0).value, kPixels);  // the first frame's are cleared
+    EXPECT_EQ(counters.at(1).value, kTokens);
+  }
+}
+
+TEST_F(RtlBoardTest, InterruptIsPendingUntilAcknowledgedAndCanBeMasked) {
+  const auto clocked = make_stand_in_board();
+  clocked->reset();
+  clocked->run_until_interrupt(20);  // the core's reset
+  const auto put = [&](std::uint32_t address, std::uint32_t value) {
+    ASSERT_TRUE(clocked->write(address, {&value, 1}));
+  };
+  const auto get = [&](std::uint32_t address) {
+    std::uint32_t value = 0;
+    EXPECT_TRUE(clocked->read(address, {&value, 1}));
+    return value;
+  };
+  put(reg::kRegFrame + 8, 1);
+  put(reg::kRegFrame + 12, 1);
+  put(reg::kRegControl, 1u << reg::kControlStart);
+  EXPECT_FALSE(clocked->run_until_interrupt(1000));  // masked
+  EXPECT_EQ(get(reg::kRegIrqPending), 1u);
+  put(reg::kRegIrqEnable, 1);
+  EXPECT_TRUE(clocked->interrupt());
+  put(reg::kRegIrqPending, 0);  // writing a zero acknowledges nothing
+  EXPECT_TRUE(clocked->interrupt());
+  put(reg::kRegIrqPending, 1);
+  EXPECT_FALSE(clocked->interrupt());
+  EXPECT_EQ(get(reg::kRegStatus), 1u << reg::kStatusDone);
+}
+
+TEST_F(RtlBoardTest, RefusesTheHostWhileBusy) {
+  board_.write(0, 5, std::vector<std::uint32_t>{123});
+  board_.configure(frame_config(kHang));
+  board_.start();
+  board_.write(0, 5, std::vector<std::uint32_t>{456});
+  EXPECT_EQ(read(0, 5, 1).front(), 0u);
+  board_.write_register(reg::kRegFrame, 99);
+  EXPECT_EQ(board_.read_register(reg::kRegFrame), 0u);
+  EXPECT_EQ(board_.read_register(reg::kRegStatus),
+            1u << reg::kStatusBusy | 1u << reg::kStatusRefused);
+  board_.write_register(reg::kRegControl, 1u << reg::kControlReset);
+  for (int i = 0; i < 20; ++i) board_.read_register(reg::kRegId);
+  EXPECT_EQ(board_.read_register(reg::kRegStatus), 0u);
+  EXPECT_EQ(read(0, 5, 1).front(), 123u);
+}
+
+TEST_F(RtlBoardTest, TimeOutTellsWhereTheUnitsStandAndTheBoardRecovers) {
+  board_.configure(frame_config(kHang));
+  board_.start();
+  EXPECT_THAT([&] { board_.wait(5000, {}); },
+              ThrowsMessage<UserError>(
+                  "board rtl: no interrupt within 5000 clocks of the frame's start (a higher "
+                  "--timeout allows more); 240 pixels are written, status 0x1, the units stand at "
+                  "stand_in.words 240, stand_in.tokens 16"));
+  board_.configure(frame_config());
+  board_.start();
+  EXPECT_NO_THROW(board_.wait(5000, {}));
+}
+
+TEST_F(RtlBoardTest, CountsWhatGoesOverTheBus) {
+  const BusTraffic before = board_.traffic();
+  board_.write(0, 0, random_words(300, 1));  // bursts of 256 and 44
+  read(0, 0, 10);
+  const BusTraffic after = board_.traffic();
+  EXPECT_EQ(after.transactions - before.transactions, 3u);
+  EXPECT_EQ(after.bytes_written - before.bytes_written, 1200u);
+  EXPECT_EQ(after.bytes_read - before.bytes_read, 40u);
+  EXPECT_EQ(after.bus_clocks - before.bus_clocks, 300u + 2 * 2 + 10 + 5);
+}
+
+TEST(RtlBoardTrace, WritesWaveforms) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "board_test.fst";
+  std::filesystem::remove(file);
+  {
+    RtlBoard board("stand_in", make_stand_in_board_traced(file), stand_in_counters());
+    board.configure(frame_config());
+    board.start();
+    board.wait(5000, {});
+  }
+  EXPECT_GT(std::filesystem::file_size(file), 1000u);
+  std::filesystem::remove(file);
+}
+
+TEST(RtlBoardTrace, AFileThatCannotBeWrittenIsAnError) {
+  EXPECT_THAT([] { make_stand_in_board_traced("/nowhere/at/all.fst"); },
+              ThrowsMessage<UserError>(
+                  "/nowhere/at/all.fst: cannot be written; name a file in a folder that can"));
+}
+
+}  // namespace
+}  // namespace dynrt::host

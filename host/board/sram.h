@@ -1,0 +1,57 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The six SRAM banks at the board's pins: synchronous, 2^20 words of 32 bits each, data `latency`
+// clocks after enable and address. Contents are zero at power-up.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace dynrt::host {
+
+class Sram {
+ public:
+  static constexpr unsigned kBanks = 6;
+  static constexpr unsigned kWords = 1u << 20;
+  static constexpr unsigned kFrameBank = 3;
+  using Data = std::array<std::uint32_t, kBanks>;
+
+  explicit Sram(unsigned latency) : pipe_(latency) {
+    for (auto& bank : banks_) bank.assign(kWords, 0);
+  }
+
+  /// What a bank does at a clock edge with one bit of `enable` set.
+  void access(unsigned bank, bool write, std::uint32_t address, std::uint32_t data) {
+    std::uint32_t& word = banks_[bank][address & (kWords - 1)];
+    if (write) {
+      word = data;
+      frame_writes_ += bank == kFrameBank;
+    } else {
+      pipe_[newest_][bank] = word;
+    }
+  }
+
+  /// Ends a clock: the data at the pins after its edge. A bank that is not read keeps its data.
+  const Data& advance() {
+    if (pipe_.size() == 1) return pipe_[0];
+    const Data& latest = pipe_[newest_];
+    newest_ = newest_ + 1 == pipe_.size() ? 0 : newest_ + 1;
+    out_ = pipe_[newest_];
+    pipe_[newest_] = latest;
+    return out_;
+  }
+
+  /// Words written into the framebuffer's bank since power-up.
+  std::uint64_t frame_writes() const { return frame_writes_; }
+
+ private:
+  std::array<std::vector<std::uint32_t>, kBanks> banks_;
+  std::vector<Data> pipe_;  ///< what was read in the last `latency` clocks, a ring
+  Data out_{};
+  std::size_t newest_ = 0;
+  std::uint64_t frame_writes_ = 0;
+};
+
+}  // namespace dynrt::host

@@ -1,0 +1,109 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Top of the board: the core (dynrt_core, generated) between a register slave with an interrupt and
+// six synchronous SRAM banks of 2^20 words of 32 bits.
+//
+// core_clk_i is clk_i or, to save power between frames, clk_i behind a clock gate that
+// core_clk_en_o opens. The gate must not skew the two clocks.
+module dynrt_board #(
+  parameter PACKETS = 64,      // packets in flight of the core below
+  parameter CACHE_LINES = 512, // lines of each of its caches
+  parameter SRAM_LATENCY = 3   // clocks from the core's address to its data; the banks' own plus 2
+) (
+  input  wire             clk_i,
+  input  wire             core_clk_i,
+  output wire             core_clk_en_o,
+  input  wire             rst_ni,
+  // bus, see board_registers.v
+  input  wire             bus_valid_i,
+  input  wire             bus_write_i,
+  input  wire [25:0]      bus_addr_i,
+  input  wire [31:0]      bus_wdata_i,
+  output wire             bus_ready_o,
+  output wire             bus_rvalid_o,
+  output wire [31:0]      bus_rdata_o,
+  output wire             irq_o,
+  // SRAM, bank b in bits 20b+19:20b and 32b+31:32b
+  output wire [5:0]       sram_en_o,
+  output wire [5:0]       sram_we_o,
+  output wire [6*20-1:0]  sram_addr_o,
+  output wire [6*32-1:0]  sram_wdata_o,
+  input  wire [6*32-1:0]  sram_rdata_i
+);
+
+  localparam FRAME_WORDS = 11;
+  localparam TOKENS = CACHE_LINES > PACKETS ? CACHE_LINES : PACKETS;
+
+  wire        start, reset, busy, done;
+  wire [63:0] cycles;
+
+  wire [32*FRAME_WORDS-1:0] frame;
+  wire [7:0]  counter_addr;
+  wire [31:0] counter_data;
+  wire        counter_settling;
+  wire        counter_clear;
+  wire        core_rst_n;
+  wire        start_valid, start_ready;
+  wire [9:0]  start_data;
+  wire        done_valid, done_ready;
+
+  wire [5:0]      window_en;
+  wire            window_we;
+  wire [19:0]     window_addr;
+  wire [31:0]     window_wdata;
+  wire [6*32-1:0] rdata;
+  wire [5:0]      core_en;
+  wire [6*20-1:0] core_addr;
+  wire [3*32-1:0] core_wdata;
+
+  assign core_clk_en_o = !rst_ni || busy || counter_settling;
+
+  board_registers #(
+    .PACKETS(PACKETS), .CACHE_LINES(CACHE_LINES), .FRAME_WORDS(FRAME_WORDS),
+    .SRAM_LATENCY(SRAM_LATENCY)
+  ) registers (
+    .clk_i(clk_i), .rst_ni(rst_ni),
+    .bus_valid_i(bus_valid_i), .bus_write_i(bus_write_i), .bus_addr_i(bus_addr_i),
+    .bus_wdata_i(bus_wdata_i), .bus_ready_o(bus_ready_o), .bus_rvalid_o(bus_rvalid_o),
+    .bus_rdata_o(bus_rdata_o), .irq_o(irq_o),
+    .start_o(start), .reset_o(reset), .busy_i(busy), .done_i(done), .cycles_i(cycles),
+    .frame_o(frame), .counter_addr_o(counter_addr), .counter_data_i(counter_data),
+    .counter_settling_o(counter_settling),
+    .window_en_o(window_en), .window_we_o(window_we), .window_addr_o(window_addr),
+    .window_wdata_o(window_wdata), .window_rdata_i(rdata)
+  );
+
+  board_sequencer #(.TOKENS(TOKENS)) sequencer (
+    .clk_i(clk_i), .rst_ni(rst_ni),
+    .start_i(start), .reset_i(reset), .busy_o(busy), .done_o(done), .cycles_o(cycles),
+    .core_rst_no(core_rst_n), .counter_clear_o(counter_clear),
+    .start_valid_o(start_valid), .start_ready_i(start_ready), .start_data_o(start_data),
+    .done_valid_i(done_valid), .done_ready_o(done_ready)
+  );
+
+  board_sram sram (
+    .clk_i(clk_i), .rst_ni(rst_ni), .core_owns_i(busy),
+    .core_en_i(core_en), .core_addr_i(core_addr), .core_wdata_i(core_wdata),
+    .window_en_i(window_en), .window_we_i(window_we), .window_addr_i(window_addr),
+    .window_wdata_i(window_wdata), .rdata_o(rdata),
+    .sram_en_o(sram_en_o), .sram_we_o(sram_we_o), .sram_addr_o(sram_addr_o),
+    .sram_wdata_o(sram_wdata_o), .sram_rdata_i(sram_rdata_i)
+  );
+
+  // What the done token carries says nothing; its arrival does.
+  dynrt_core core (
+    .clk_i(core_clk_i), .rst_ni(core_rst_n),
+    .start_valid_i(start_valid), .start_ready_o(start_ready), .start_data_i(start_data),
+    .done_valid_o(done_valid), .done_ready_i(done_ready), .done_data_o(),
+    .frame_i(frame),
+    .bank0_en_o(core_en[0]), .bank0_addr_o(core_addr[19:0]), .bank0_data_i(rdata[31:0]),
+    .bank1_en_o(core_en[1]), .bank1_addr_o(core_addr[39:20]), .bank1_data_i(rdata[63:32]),
+    .bank2_en_o(core_en[2]), .bank2_addr_o(core_addr[59:40]), .bank2_data_i(rdata[95:64]),
+    .bank3_en_o(core_en[3]), .bank3_addr_o(core_addr[79:60]), .bank3_data_o(core_wdata[31:0]),
+    .bank4_en_o(core_en[4]), .bank4_addr_o(core_addr[99:80]), .bank4_data_o(core_wdata[63:32]),
+    .bank5_en_o(core_en[5]), .bank5_addr_o(core_addr[119:100]), .bank5_data_o(core_wdata[95:64]),
+    .counter_addr_i(counter_addr), .counter_data_o(counter_data), .counter_clear_i(counter_clear)
+  );
+
+endmodule

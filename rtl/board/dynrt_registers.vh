@@ -1,0 +1,35 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The register map of the board, the one source of it: board_registers.v includes this file and
+// cmake/RegisterMap.cmake makes the host's registers.h from it. Byte addresses of 32-bit registers;
+// R read, W write. A write to a FRAME register or to the SRAM window while a frame is being rendered
+// is refused: it has no effect and sets STATUS.refused. A refused read of the window gives zero.
+
+localparam [31:0] ID_VALUE = 32'h44595254;      // "DYRT"
+localparam [31:0] VERSION_VALUE = 32'h00010000; // map 1.0: major in the upper half, minor below
+
+localparam [25:0] REG_ID = 26'h000;              // R  ID_VALUE
+localparam [25:0] REG_VERSION = 26'h004;         // R  VERSION_VALUE
+localparam [25:0] REG_LIMITS = 26'h008;          // R  packets in bits 15:0, cache lines in 31:16
+localparam [25:0] REG_CONTROL = 26'h00c;         // W  a one starts what its bit stands for
+localparam [25:0] REG_STATUS = 26'h010;          // R  see the STATUS bits
+localparam [25:0] REG_IRQ_ENABLE = 26'h014;      // RW bit 0: the interrupt line follows IRQ_PENDING
+localparam [25:0] REG_IRQ_PENDING = 26'h018;     // RW bit 0: a frame is done; writing a one clears it
+localparam [25:0] REG_CYCLES_LOW = 26'h01c;      // R  clocks of the frame, from first start token to done
+localparam [25:0] REG_CYCLES_HIGH = 26'h020;     // R
+localparam [25:0] REG_COUNTER_ADDRESS = 26'h024; // W  which of the core's counters COUNTER_DATA shows
+localparam [25:0] REG_COUNTER_DATA = 26'h028;    // R
+localparam [25:0] REG_FRAME = 26'h040;           // RW first of the FRAME registers (hls/units/frame.h), 16 words aligned
+
+localparam CONTROL_START = 0; // reset the core, clear its counters, render a frame
+localparam CONTROL_RESET = 1; // reset the core and give up the frame; no interrupt follows
+
+localparam STATUS_BUSY = 0;    // a frame is being rendered or the core is being reset
+localparam STATUS_DONE = 1;    // the last frame that was started is complete
+localparam STATUS_REFUSED = 2; // an access was refused since the last start or reset
+
+// Byte address of a word of the SRAM: {1, bank [24:22], word [21:2], 00}.
+localparam WINDOW_BIT = 25;
+localparam WINDOW_BANK_LOW = 22;
+localparam WINDOW_WORD_LOW = 2;

@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Plants includes that point the wrong way in a small tree and expects scripts/check-layers to
+name each of them."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SCRIPT = pathlib.Path(__file__).resolve().parent / "check-layers"
+RIGHT = {
+    "hls/include/hls/int.h": "#include <cstdint>\n",
+    "hls/include/hls/float.h": '#include "hls/int.h"\n#include "hls/ports.h"\n',
+    "hls/native/hls/ports.h": '#include "hls/int.h"\n',
+    "hls/units/memory_format.h": '#include "hls/float.h"\n',
+    "hls/units/core_model.h": '#include "units/memory_format.h"\n',
+    "hls/units/mailbox.h": '#include "memory_format.h"\n#include "hls/ports.h"\n',
+    "hls/compiler/emit/emit.h": "#include <string>\n",
+    "hls/compiler/emit/emit.cpp": '#include "emit/emit.h"\n#include "hls/int.h"\n',
+    "host/board/model_board.h": '#include "units/core_model.h"\n',
+    "host/image/pack.h": '#include "units/memory_format.h"\n#include "fmt/format.h"\n',
+    "verif/unit/mailbox_cosim.cpp": '#include "units/mailbox.h"\n#include "host/image/pack.h"\n',
+}
+
+
+class CheckLayers(unittest.TestCase):
+    def run_on(self, extra):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in {**RIGHT, **extra}.items():
+                path = pathlib.Path(folder, name)
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text, encoding="utf-8")
+            return subprocess.run([sys.executable, SCRIPT, folder], capture_output=True, text=True,
+                                  check=False)
+
+    def assert_refused(self, source, text, message):
+        result = self.run_on({source: text})
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        self.assertIn(message, result.stderr)
+
+    def test_right_tree_passes(self):
+        result = self.run_on({})
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("13 includes, all pointing the right way", result.stdout)
+
+    def test_language_knows_no_unit(self):
+        self.assert_refused("hls/include/hls/bad.h", '\n#include "units/mailbox.h"\n',
+                            "hls/include/hls/bad.h:2: includes hls/units/mailbox.h, but "
+                            "hls/include may include only hls/include, hls/lowered, hls/native")
+
+    def test_unit_knows_no_host(self):
+        self.assert_refused("hls/units/bad.h", '#include "../../host/image/pack.h"\n',
+                            "hls/units/bad.h:1: includes host/image/pack.h")
+
+    def test_compiler_knows_no_unit(self):
+        self.assert_refused("hls/compiler/bad.cpp", '#  include <units/mailbox.h>\n',
+                            "hls/compiler/bad.cpp:1: includes hls/units/mailbox.h")
+
+    def test_host_knows_only_what_is_published(self):
+        self.assert_refused("host/app/bad.cpp", '#include "units/mailbox.h"\n',
+                            "includes hls/units/mailbox.h, but host may include only")
+
+    def test_only_the_board_runs_the_model(self):
+        self.assert_refused("host/app/bad.cpp", '#include "units/core_model.h"\n',
+                            "host/app/bad.cpp:1: includes hls/units/core_model.h")
+
+    def test_nothing_includes_verification(self):
+        self.assert_refused("host/app/bad.cpp", '#include "verif/unit/mailbox_cosim.cpp"\n',
+                            "host/app/bad.cpp:1: includes verif/unit/mailbox_cosim.cpp")
+
+    def test_wrong_folder_is_not_a_pass(self):
+        with tempfile.TemporaryDirectory() as folder:
+            result = subprocess.run([sys.executable, SCRIPT, folder], capture_output=True,
+                                    text=True, check=False)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("is this the project's folder?", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Plants mistakes in a small tree and expects scripts/lint to find each, and scripts/synth to count
+what a known design takes."""
+
+import json
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+SCRIPTS = pathlib.Path(__file__).resolve().parent
+RAM = """\
+module ram (
+    input             clk_i,
+    input             we_i,
+    input      [ 7:0] addr_i,
+    input      [31:0] data_i,
+    output reg [31:0] data_o
+);
+  reg [31:0] rows[0:255];
+  always @(posedge clk_i) begin
+    if (we_i) rows[addr_i] <= data_i;
+    data_o <= rows[addr_i];
+  end
+endmodule
+"""
+UNIT = """\
+module unit (
+    input             clk_i,
+    input             we_i,
+    input      [ 7:0] addr_i,
+    input      [16:0] a_i,
+    output reg [31:0] product_o
+);
+  wire [31:0] row;
+  ram u_ram (.clk_i(clk_i), .we_i(we_i), .addr_i(addr_i), .data_i(product_o), .data_o(row));
+  reg [33:0] product;
+  always @(posedge clk_i) begin
+    product   <= row[16:0] * a_i;
+    product_o <= product[31:0] ^ {30'd0, product[33:32]} ^ {17'd0, row[31:17]};
+  end
+endmodule
+"""
+TREE = {"rtl/lib/ram.v": RAM, "rtl/generated/thesis/unit.v": UNIT,
+        "rtl/lint/lib.vlt": "`verilator_config\n"}
+
+
+class Planted(unittest.TestCase):
+    def run_script(self, extra, *command):
+        with tempfile.TemporaryDirectory() as name:
+            root = pathlib.Path(name)
+            (root / "scripts").mkdir()
+            for script in ("lint", "synth", "rtl_files.py"):
+                shutil.copy(SCRIPTS / script, root / "scripts")
+            for path, text in {**TREE, **extra}.items():
+                (root / path).parent.mkdir(parents=True, exist_ok=True)
+                (root / path).write_text(text, encoding="utf-8")
+            result = subprocess.run([root / "scripts" / command[0], *command[1:]], cwd=root,
+                                    capture_output=True, text=True, check=False)
+            figures = root / "figures.json"
+            return result, json.loads(figures.read_text()) if figures.exists() else None
+
+    def assert_lint(self, extra, message):
+        result, _ = self.run_script(extra, "lint")
+        self.assertEqual(result.returncode, 1, result.stdout)
+        self.assertIn(message, result.stderr)
+
+
+class Lint(Planted):
+    def test_clean_tree_passes(self):
+        result, _ = self.run_script({}, "lint")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stdout, "2 Verilog files are clean\n")
+
+    def test_unused_signal(self):
+        self.assert_lint({"rtl/lib/ram.v": RAM.replace("  reg [31:0] rows", "  wire x;\n  reg [31:0] rows")},
+                         "Signal is not driven, nor used: 'x'")
+
+    def test_waiver_with_reason(self):
+        bad = RAM.replace("  reg [31:0] rows", "  wire x;\n  reg [31:0] rows")
+        waiver = ('`verilator_config\n// Kept for a later port.\n'
+                  'lint_off -rule UNUSEDSIGNAL -file "*/rtl/lib/ram.v" -match "*\'x\'*"\n')
+        result, _ = self.run_script({"rtl/lib/ram.v": bad, "rtl/lint/lib.vlt": waiver}, "lint")
+        self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_waiver_without_reason(self):
+        self.assert_lint({"rtl/lint/lib.vlt": '`verilator_config\nlint_off -rule WIDTH -file "*/ram.v"\n'},
+                         "rtl/lint/lib.vlt:2: the waiver has no reason")
+
+    def test_waiver_by_line(self):
+        self.assert_lint({"rtl/lint/lib.vlt": '`verilator_config\n// Why.\n'
+                          'lint_off -rule WIDTH -file "*/ram.v" -lines 3\n'},
+                         "rtl/lint/lib.vlt:3: a waiver is written")
+
+    def test_waiver_of_a_file_that_is_gone(self):
+        self.assert_lint({"rtl/lint/lib.vlt": '`verilator_config\n// Why.\n'
+                          'lint_off -rule WIDTH -file "*/gone.v"\n'},
+                         "rtl/lint/lib.vlt:3: no Verilog file matches */gone.v")
+
+    def test_two_drivers_are_refused_by_yosys(self):
+        bad = UNIT.replace("endmodule", "  always @(posedge clk_i) product <= 34'd0;\nendmodule")
+        self.assert_lint({"rtl/generated/thesis/unit.v": bad}, "yosys\n")
+
+    def test_missing_module(self):
+        self.assert_lint({"rtl/generated/thesis/unit.v": UNIT.replace("  ram u_ram", "  rom u_ram")},
+                         "Module `\\rom' referenced in module `\\unit'")
+
+    def test_no_verilog_is_not_a_pass(self):
+        with tempfile.TemporaryDirectory() as name:
+            shutil.copytree(SCRIPTS, pathlib.Path(name, "scripts"))
+            result = subprocess.run([pathlib.Path(name, "scripts", "lint")], capture_output=True,
+                                    text=True, check=False)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("holds no Verilog", result.stderr)
+
+
+class Synth(Planted):
+    def test_counts(self):
+        result, figures = self.run_script({}, "synth", "unit", "--json", "figures.json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for device in ("ecp5", "xc2v"):
+            row = figures["devices"][device]["unit"]
+            self.assertEqual((row["mult"], row["BRAM"]), (1, 1), device)
+            self.assertGreaterEqual(row["LUT"], 15)
+            self.assertGreaterEqual(row["FF"], 32)
+        self.assertIn("Lattice ECP5 (synth_ecp5 -nowidelut)", result.stdout)
+
+    def test_unknown_unit(self):
+        result, _ = self.run_script({}, "synth", "mailbox")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr,
+                         "synth: there is no unit 'mailbox'; the modules are: ram, unit\n")
+
+    def test_unknown_configuration(self):
+        result, _ = self.run_script({}, "synth", "--config", "huge")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("no generated Verilog of configuration 'huge'; 'thesis' is checked in",
+                      result.stderr)
+
+    def test_what_cannot_be_synthesized_is_a_failure(self):
+        bad = UNIT.replace("  ram u_ram", "  rom u_ram")
+        result, _ = self.run_script({"rtl/generated/thesis/unit.v": bad}, "synth", "unit",
+                                    "--device", "ecp5")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("synth: unit on ecp5: ERROR: Module `\\rom'", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Runs scripts/setup, demo and test against stand-ins for apt-get and dpkg-query, and their
+command lines against mistakes. Nothing is installed."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+SCRIPTS = pathlib.Path(__file__).resolve().parent
+# The machine of the stand-ins: the file `installed` holds dpkg's answer, `calls` what apt-get got.
+DPKG_QUERY = '#!/bin/sh\ncat "$MACHINE/installed"\n'
+APT_GET = '''#!/bin/sh
+echo "$@" >>"$MACHINE/calls"
+case "$*" in
+  *update*) [ "$BROKEN" = update ] && { echo "E: Could not resolve host"; exit 100; } ;;
+  *install*)
+    [ "$BROKEN" = install ] && { echo "E: No space left on device"; exit 100; }
+    for argument; do echo "ii $argument"; done >>"$MACHINE/installed" ;;
+esac
+exit 0
+'''
+APT_CACHE = '#!/bin/sh\n[ "$BROKEN" = unknown ] && [ "$3" = yosys ] && exit 100\nexit 0\n'
+ID = '#!/bin/sh\necho "${USER_ID:-0}"\n'
+
+
+class Scripts(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.machine = pathlib.Path(folder.name)
+        for name, text in (("dpkg-query", DPKG_QUERY), ("apt-get", APT_GET),
+                           ("apt-cache", APT_CACHE), ("id", ID)):
+            (self.machine / name).write_text(text)
+            (self.machine / name).chmod(0o755)
+        shutil.copytree(SCRIPTS, self.machine / "scripts")
+        listed = (line.split("#")[0].strip()
+                  for line in (SCRIPTS / "packages.txt").read_text().splitlines())
+        self.packages = [name for name in listed if name]
+        self.install(self.packages)
+
+    def install(self, packages):
+        text = "".join(f"ii {name}\n" for name in packages)
+        (self.machine / "installed").write_text(text)
+
+    def run_script(self, *command, **environment):
+        path = f"{self.machine}:{os.environ['PATH']}"
+        return subprocess.run([self.machine / "scripts" / command[0], *command[1:]],
+                              env={**os.environ, "PATH": path, "MACHINE": str(self.machine),
+                                   **environment},
+                              capture_output=True, text=True, check=False)
+
+    def calls(self):
+        path = self.machine / "calls"
+        return path.read_text().splitlines() if path.exists() else []
+
+    def test_complete_machine_is_left_alone(self):
+        result = self.run_script("setup")
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        self.assertEqual(self.calls(), [])
+
+    def test_only_what_is_missing_is_installed(self):
+        self.install(p for p in self.packages if p not in ("yosys", "verilator"))
+        result = self.run_script("setup")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("installing 2 Debian packages: verilator yosys", result.stdout)
+        self.assertEqual(len(self.calls()), 2)
+        self.assertTrue(self.calls()[1].endswith("install --no-install-recommends verilator yosys"))
+        self.assertEqual(self.run_script("setup").stdout, "")
+        self.assertEqual(len(self.calls()), 2)
+
+    def test_removed_package_counts_as_missing(self):
+        self.install(self.packages)
+        text = (self.machine / "installed").read_text().replace("ii yosys", "rc yosys")
+        (self.machine / "installed").write_text(text)
+        result = self.run_script("setup", "--check")
+        self.assertEqual((result.returncode, result.stdout), (1, "yosys\n"))
+        self.assertEqual(self.calls(), [])
+
+    def assert_setup_fails(self, message, **environment):
+        self.install(p for p in self.packages if p != "yosys")
+        result = self.run_script("setup", **environment)
+        self.assertEqual(result.returncode, 1)
+        self.assertIn(message, result.stderr)
+
+    def test_failed_update(self):
+        self.assert_setup_fails("E: Could not resolve host\nsetup: apt-get update failed",
+                                BROKEN="update")
+
+    def test_unknown_package(self):
+        self.assert_setup_fails("setup: no package source has: yosys; this is", BROKEN="unknown")
+
+    def test_failed_install(self):
+        self.assert_setup_fails("E: No space left on device\n"
+                                "setup: apt-get could not install: yosys", BROKEN="install")
+
+    def test_neither_root_nor_sudo(self):
+        for tool in ("bash", "dirname", "basename", "sed", "sort", "comm", "cat", "mktemp", "rm"):
+            (self.machine / tool).symlink_to(shutil.which(tool))
+        self.assert_setup_fails("not root and sudo is not installed; as root run: "
+                                "apt-get install yosys", USER_ID="1000", PATH=str(self.machine))
+
+    def test_help_says_what_will_be_installed(self):
+        for script in ("setup", "demo", "test"):
+            result = self.run_script(script, "--help")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            for package in self.packages:
+                self.assertIn(f" {package}", result.stdout.replace("\n", " "), script)
+
+    def test_mistakes_on_the_command_line(self):
+        for command, message in (
+                (("setup", "--now"), "setup: unknown argument '--now'"),
+                (("demo", "office"), "demo: unknown argument 'office'"),
+                (("demo", "--size"), "demo: --size needs WxH, for example 512x384"),
+                (("test", "--label", "units"), "test: unknown label 'units'; the labels are unit,"),
+                (("test", "--preset", "debug"), "test: unknown preset 'debug'; the presets are")):
+            result = self.run_script(*command)
+            self.assertEqual(result.returncode, 1, command)
+            self.assertTrue(result.stderr.startswith(message), result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
