@@ -16,11 +16,11 @@ RIGHT = {
     "hls/include/hls/float.h": '#include "hls/int.h"\n#include "hls/ports.h"\n',
     "hls/native/hls/ports.h": '#include "hls/int.h"\n',
     "hls/units/memory_format.h": '#include "hls/float.h"\n',
-    "hls/units/core.h": '#include "units/memory_format.h"\n',
+    "hls/units/core_model.h": '#include "units/memory_format.h"\n',
     "hls/units/mailbox.h": '#include "memory_format.h"\n#include "hls/ports.h"\n',
     "hls/compiler/emit/emit.h": "#include <string>\n",
     "hls/compiler/emit/emit.cpp": '#include "emit/emit.h"\n#include "hls/int.h"\n',
-    "host/board/model_board.h": '#include "units/core.h"\n',
+    "host/board/model_board.h": '#include "units/core_model.h"\n',
     "host/image/pack.h": '#include "units/memory_format.h"\n#include "fmt/format.h"\n',
     "verif/unit/mailbox_cosim.cpp": '#include "units/mailbox.h"\n#include "host/image/pack.h"\n',
 }
@@ -65,8 +65,8 @@ class CheckLayers(unittest.TestCase):
                             "includes hls/units/mailbox.h, but host may include only")
 
     def test_only_the_board_runs_the_model(self):
-        self.assert_refused("host/app/bad.cpp", '#include "units/core.h"\n',
-                            "host/app/bad.cpp:1: includes hls/units/core.h")
+        self.assert_refused("host/app/bad.cpp", '#include "units/core_model.h"\n',
+                            "host/app/bad.cpp:1: includes hls/units/core_model.h")
 
     def test_nothing_includes_verification(self):
         self.assert_refused("host/app/bad.cpp", '#include "verif/unit/mailbox_cosim.cpp"\n',
