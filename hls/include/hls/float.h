@@ -44,6 +44,10 @@ class Float {
     f.bits_ = bits;
     return f;
   }
+  static constexpr Float smallest() { return Float{}; }
+  static constexpr Float one() {
+    return assemble(false, concat(uint<E>::of_raw(kBias), uint<M>(0)));
+  }
   /// The largest positive number.
   static constexpr Float largest() { return assemble(false, uint<E + M>::ones()); }
 
@@ -207,11 +211,11 @@ class Float {
     }
   }
 
-  /// Rounds and saturates (carry + fraction / 2^F) * 2^(exponent - bias), whose one before the
-  /// point is left out of `carry` if it counts: carry is 0 for 1.fraction. `sticky` says whether
-  /// the exact number goes on behind the fraction. Rounding, carry and exponent are one addition.
+  /// Rounds and saturates 1.fraction * 2^(exponent + late - bias). `late` is what becomes known of
+  /// the exponent together with the fraction: it joins in the addition that rounds. `sticky` says
+  /// whether the exact number goes on behind the fraction.
   template <unsigned X, unsigned F>
-  static constexpr Float pack(bool sign, sint<X> exponent, uint<2> carry, uint<F> fraction,
+  static constexpr Float pack(bool sign, sint<X> exponent, uint<2> late, uint<F> fraction,
                               bool sticky, bool zero) {
     uint<M> kept;
     uint<1> up(0);
@@ -231,7 +235,7 @@ class Float {
       }
     }
     const auto base = concat(concat(exponent.as_unsigned(), uint<M - 1>(0)), up);
-    const auto total = (base + concat(carry, kept)).template trunc<X + M>();
+    const auto total = (base + concat(late, kept)).template trunc<X + M>();
     const bool negative = total.template bit<X + M - 1>();
     const bool under = negative || zero;
     const bool over = total.template bits<X + M - 2, E + M>() != uint<X - 1 - E>(0);

@@ -1,0 +1,109 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The judge of the floats: what an operation on the patterns of a Float<E, M> must give, by MPFR
+// and by nothing of float.h. MPFR rounds to M + 1 bits with an unbounded exponent; the judge takes
+// the pattern apart and puts it together, saturating. For tests only.
+#pragma once
+
+#include <mpfr.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+namespace hls::testing {
+
+class FloatJudge {
+ public:
+  FloatJudge(unsigned exponent_bits, unsigned mantissa_bits, bool nearest)
+      : e_(exponent_bits),
+        m_(mantissa_bits),
+        bias_((1L << (exponent_bits - 1)) - 1),
+        rounding_(nearest ? MPFR_RNDN : MPFR_RNDZ) {
+    mpfr_inits2(static_cast<mpfr_prec_t>(m_ + 1), a_, b_, result_, nullptr);
+  }
+  ~FloatJudge() { mpfr_clears(a_, b_, result_, nullptr); }
+  FloatJudge(const FloatJudge&) = delete;
+  FloatJudge& operator=(const FloatJudge&) = delete;
+
+  std::uint64_t add(std::uint64_t a, std::uint64_t b) { return binary(mpfr_add, a, b); }
+  std::uint64_t sub(std::uint64_t a, std::uint64_t b) { return binary(mpfr_sub, a, b); }
+  std::uint64_t mul(std::uint64_t a, std::uint64_t b) { return binary(mpfr_mul, a, b); }
+  std::uint64_t div(std::uint64_t a, std::uint64_t b) { return binary(mpfr_div, a, b); }
+  /// Less than, equal to or greater than 0 as a is to b.
+  int compare(std::uint64_t a, std::uint64_t b) {
+    decode(a, a_);
+    decode(b, b_);
+    return mpfr_cmp(a_, b_);
+  }
+  /// Not for infinities and NaNs.
+  std::uint64_t from_double(double value) {
+    mpfr_set_d(result_, value, rounding_);
+    return encode();
+  }
+  std::uint64_t from_uint(std::uint64_t value) {
+    mpfr_set_uj(result_, value, rounding_);
+    return encode();
+  }
+  /// From a pattern of another format.
+  std::uint64_t convert(FloatJudge& other, std::uint64_t bits) {
+    other.decode(bits, other.a_);
+    mpfr_set(result_, other.a_, rounding_);
+    return encode();
+  }
+  double to_double(std::uint64_t bits) {
+    decode(bits, a_);
+    return mpfr_get_d(a_, MPFR_RNDN);
+  }
+
+ private:
+  using Function = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t);
+  std::uint64_t binary(Function f, std::uint64_t a, std::uint64_t b) {
+    decode(a, a_);
+    decode(b, b_);
+    f(result_, a_, b_, rounding_);
+    return encode();
+  }
+  void decode(std::uint64_t bits, mpfr_ptr value) const {
+    const std::uint64_t significand = (bits % (1ull << m_)) + (1ull << m_);
+    const long exponent = static_cast<long>((bits >> m_) % (1ull << e_)) - bias_;
+    mpfr_set_uj_2exp(value, significand, exponent - static_cast<long>(m_), MPFR_RNDN);
+    if ((bits >> (e_ + m_)) & 1) mpfr_neg(value, value, MPFR_RNDN);
+  }
+  std::uint64_t encode() {
+    if (mpfr_zero_p(result_)) return 0;
+    const std::uint64_t sign = mpfr_signbit(result_) ? 1ull << (e_ + m_) : 0;
+    const long exponent = mpfr_get_exp(result_) - 1 + bias_;  // MPFR's significand is below one
+    if (exponent < 0) return sign;
+    if (exponent >= 1L << e_) return sign + (1ull << (e_ + m_)) - 1;
+    mpfr_abs(result_, result_, MPFR_RNDN);
+    mpfr_set_exp(result_, static_cast<mpfr_exp_t>(m_ + 1));
+    const std::uint64_t significand = mpfr_get_uj(result_, MPFR_RNDN);
+    return sign + (static_cast<std::uint64_t>(exponent) << m_) + (significand - (1ull << m_));
+  }
+
+  unsigned e_, m_;
+  long bias_;
+  mpfr_rnd_t rounding_;
+  mpfr_t a_, b_, result_;
+};
+
+/// splitmix64: a stream of 64-bit numbers from a seed.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+  std::uint64_t next() {
+    state_ += 0x9e3779b97f4a7c15u;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+  std::uint64_t below(std::uint64_t limit) { return next() % limit; }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace hls::testing

@@ -1,0 +1,279 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Float against MPFR: every pair of every operation for formats of up to 10 bits, ten million
+// random and extreme pairs for <7, 16>, conversions and comparisons, both roundings.
+#include "hls/float.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "hls/float_judge.h"
+
+namespace {
+
+using hls::Float;
+using hls::Rounding;
+using hls::testing::FloatJudge;
+using hls::testing::Random;
+
+template <class F>
+FloatJudge judge_of() {
+  return FloatJudge(F::kExponentBits, F::kMantissaBits, F::kRounding == Rounding::kNearestEven);
+}
+template <class F>
+F from_pattern(std::uint64_t bits) {
+  return F::from_bits(F::Bits::from(bits));
+}
+template <class F>
+std::uint64_t pattern(F f) {
+  return f.bits().to_u64();
+}
+
+/// All operations and comparisons of one pair; false after the first difference, which it reports.
+template <class F>
+bool agree(FloatJudge& judge, std::uint64_t a, std::uint64_t b) {
+  const F x = from_pattern<F>(a);
+  const F y = from_pattern<F>(b);
+  const int order = judge.compare(a, b);
+  struct {
+    const char* name;
+    std::uint64_t got, want;
+  } const checks[] = {
+      {"+", pattern(x + y), judge.add(a, b)},
+      {"-", pattern(x - y), judge.sub(a, b)},
+      {"*", pattern(x * y), judge.mul(a, b)},
+      {"/", pattern(x / y), judge.div(a, b)},
+      {"==", x == y, order == 0},
+      {"!=", x != y, order != 0},
+      {"<", x < y, order < 0},
+      {"<=", x <= y, order <= 0},
+      {">", x > y, order > 0},
+      {">=", x >= y, order >= 0},
+  };
+  for (const auto& check : checks) {
+    if (check.got != check.want) {
+      ADD_FAILURE() << std::hex << "0x" << a << ' ' << check.name << " 0x" << b << " is 0x"
+                    << check.got << ", MPFR says 0x" << check.want << std::dec << " ("
+                    << judge.to_double(a) << ", " << judge.to_double(b) << ')';
+      return false;
+    }
+  }
+  return true;
+}
+
+template <class F>
+class AllPairs : public ::testing::Test {};
+
+using Formats =
+    ::testing::Types<Float<2, 7>, Float<3, 6>, Float<4, 5>, Float<5, 4>, Float<6, 3>, Float<7, 2>,
+                     Float<2, 2>, Float<3, 3>, Float<4, 4>, Float<2, 7, Rounding::kTruncate>,
+                     Float<3, 6, Rounding::kTruncate>, Float<4, 5, Rounding::kTruncate>,
+                     Float<5, 4, Rounding::kTruncate>, Float<6, 3, Rounding::kTruncate>,
+                     Float<7, 2, Rounding::kTruncate>, Float<2, 2, Rounding::kTruncate>,
+                     Float<3, 3, Rounding::kTruncate>, Float<4, 4, Rounding::kTruncate>>;
+TYPED_TEST_SUITE(AllPairs, Formats);
+
+TYPED_TEST(AllPairs, EveryOperation) {
+  FloatJudge judge = judge_of<TypeParam>();
+  constexpr std::uint64_t kPatterns = 1u << TypeParam::kLeafWidth;
+  std::uint64_t pairs = 0;
+  for (std::uint64_t a = 0; a < kPatterns; ++a) {
+    for (std::uint64_t b = 0; b < kPatterns; ++b) {
+      ASSERT_TRUE(agree<TypeParam>(judge, a, b));
+      ++pairs;
+    }
+  }
+  EXPECT_EQ(pairs, kPatterns * kPatterns);
+}
+
+TYPED_TEST(AllPairs, EveryPatternToDoubleAndBack) {
+  FloatJudge judge = judge_of<TypeParam>();
+  for (std::uint64_t a = 0; a < 1u << TypeParam::kLeafWidth; ++a) {
+    const TypeParam x = from_pattern<TypeParam>(a);
+    ASSERT_EQ(x.to_double(), judge.to_double(a)) << std::hex << a;
+    ASSERT_EQ(pattern(TypeParam::from_double(x.to_double())), a);
+    ASSERT_EQ(pattern(TypeParam::from_float(static_cast<float>(x.to_double()))), a);
+    ASSERT_EQ((-x).to_double(), -x.to_double());
+    ASSERT_EQ(abs(x).to_double(), std::fabs(x.to_double()));
+    ASSERT_EQ(x.sign(), std::signbit(x.to_double()));
+  }
+}
+
+TYPED_TEST(AllPairs, EveryPatternOfOtherFormats) {
+  FloatJudge judge = judge_of<TypeParam>();
+  const auto convert_all = [&]<class From>(std::type_identity<From>) {
+    FloatJudge other = judge_of<From>();
+    for (std::uint64_t a = 0; a < 1u << From::kLeafWidth; ++a) {
+      ASSERT_EQ(pattern(TypeParam(from_pattern<From>(a))), judge.convert(other, a))
+          << std::hex << a;
+    }
+  };
+  convert_all(std::type_identity<Float<2, 8>>{});
+  convert_all(std::type_identity<Float<3, 3>>{});
+  convert_all(std::type_identity<Float<5, 8>>{});
+  convert_all(std::type_identity<Float<8, 5, Rounding::kTruncate>>{});
+}
+
+TYPED_TEST(AllPairs, EveryIntegerOfSixteenBits) {
+  FloatJudge judge = judge_of<TypeParam>();
+  for (unsigned i = 0; i < 1u << 16; ++i) {
+    ASSERT_EQ(pattern(TypeParam::from_uint(hls::uint<16>::from(i))), judge.from_uint(i)) << i;
+  }
+  for (unsigned i = 0; i < 2; ++i) {
+    ASSERT_EQ(pattern(TypeParam::from_uint(hls::uint<1>::from(i))), judge.from_uint(i)) << i;
+  }
+}
+
+/// Patterns of <7, 16>: random ones, and such that meet the corners of rounding, cancelling and
+/// saturating.
+struct Pair {
+  std::uint64_t a, b;
+};
+Pair random_pair(Random& random) {
+  constexpr std::uint64_t kMantissas[] = {0,      1,      2,      3,      0x7fff, 0x8000,
+                                          0x8001, 0x5555, 0xaaaa, 0xfffe, 0xffff};
+  constexpr std::uint64_t kExponents[] = {0, 1, 2, 62, 63, 64, 125, 126, 127};
+  const auto join = [](std::uint64_t sign, std::uint64_t exponent, std::uint64_t mantissa) {
+    return (sign & 1) << 23 | (exponent & 0x7f) << 16 | (mantissa & 0xffff);
+  };
+  const auto mantissa = [&] {
+    return random.below(2) ? random.next() : kMantissas[random.below(std::size(kMantissas))];
+  };
+  const std::uint64_t a = random.next() & 0xffffff;
+  switch (random.below(6)) {
+    case 0:  // exponents so near that the mantissas meet
+      return {a, join(random.next(), (a >> 16) + random.below(41) - 20, mantissa())};
+    case 1:  // cancelling
+      return {a, (a ^ 0x800000) + random.below(9) - 4};
+    case 2:  // extreme in every part
+      return {join(random.next(), kExponents[random.below(std::size(kExponents))], mantissa()),
+              join(random.next(), kExponents[random.below(std::size(kExponents))], mantissa())};
+    case 3:  // product or quotient about one, the smallest and the largest number
+      return {
+          join(random.next(), random.below(128), mantissa()),
+          join(random.next(), 63 * random.below(4) - (a >> 16) + random.below(5) - 2, mantissa())};
+    case 4:  // short mantissas: exact results and ties
+      return {a & ~0xffull, random.next() & 0xffffff & ~0xffull};
+    default:
+      return {a, random.next() & 0xffffff};
+  }
+}
+
+constexpr unsigned kShards = 10;
+constexpr std::uint64_t kPairsPerShard = 1'000'000;
+
+class Pairs : public ::testing::TestWithParam<unsigned> {};
+
+template <class F>
+void run_pairs(unsigned shard) {
+  FloatJudge judge = judge_of<F>();
+  Random random(0xd1a0'0000u + shard);
+  std::uint64_t pairs = 0;
+  for (; pairs < kPairsPerShard; ++pairs) {
+    const Pair p = random_pair(random);
+    ASSERT_TRUE(agree<F>(judge, p.a & 0xffffff, p.b & 0xffffff));
+  }
+  EXPECT_EQ(pairs, kPairsPerShard);
+}
+TEST_P(Pairs, NearestEven) { run_pairs<Float<7, 16>>(GetParam()); }
+TEST_P(Pairs, Truncate) { run_pairs<Float<7, 16, Rounding::kTruncate>>(kShards + GetParam()); }
+INSTANTIATE_TEST_SUITE_P(Shard, Pairs, ::testing::Range(0u, kShards));
+
+/// Formats at the edges of what the template takes.
+template <class F>
+class OtherFormats : public ::testing::Test {};
+using LargeFormats = ::testing::Types<Float<8, 23>, Float<10, 52>, Float<2, 52>, Float<10, 2>,
+                                      Float<5, 10, Rounding::kTruncate>, Float<10, 30>,
+                                      Float<8, 23, Rounding::kTruncate>>;
+TYPED_TEST_SUITE(OtherFormats, LargeFormats);
+
+TYPED_TEST(OtherFormats, RandomPairs) {
+  FloatJudge judge = judge_of<TypeParam>();
+  Random random(TypeParam::kLeafWidth);
+  constexpr std::uint64_t kMask = ~0ull >> (64 - TypeParam::kLeafWidth);
+  for (int i = 0; i < 100'000; ++i) {
+    const std::uint64_t a = random.next() & kMask;
+    const std::uint64_t b =
+        random.below(2) ? a + (random.next() >> random.below(64)) : random.next();
+    ASSERT_TRUE(agree<TypeParam>(judge, a, b & kMask));
+  }
+}
+
+template <class F>
+void check_doubles() {
+  FloatJudge judge = judge_of<F>();
+  Random random(1);
+  const auto check = [&](double d) {
+    ASSERT_EQ(pattern(F::from_double(d)), judge.from_double(d)) << std::hexfloat << d;
+  };
+  for (double d :
+       {0.0, -0.0, 1.0, -1.0, 0.5, 1e-300, -1e-300, 1e300, -1e300, 0x1p-63, 0x1.fffffp64,
+        std::numeric_limits<double>::denorm_min(), -std::numeric_limits<double>::max()}) {
+    check(d);
+  }
+  for (int i = 0; i < 500'000; ++i) {
+    const double any = std::bit_cast<double>(random.next());
+    if (std::isfinite(any)) check(any);
+    // Within the format's range, half of them at most two bits longer than its mantissa: ties.
+    const double long_one = 1 + static_cast<double>(random.next() >> 12) * 0x1p-52;
+    const double short_one = 1 + static_cast<double>(random.below(4u << F::kMantissaBits)) /
+                                     static_cast<double>(4u << F::kMantissaBits);
+    const int exponent = static_cast<int>(random.below(4 + 2 * F::kBias)) - F::kBias - 2;
+    check(std::ldexp(long_one, exponent));
+    check(-std::ldexp(short_one, exponent));
+    const float single = static_cast<float>(std::ldexp(long_one, exponent));
+    ASSERT_EQ(pattern(F::from_float(single)), judge.from_double(single));
+  }
+}
+TEST(Conversion, DoublesToNearestEven) { check_doubles<Float<7, 16>>(); }
+TEST(Conversion, DoublesTruncated) { check_doubles<Float<7, 16, Rounding::kTruncate>>(); }
+TEST(Conversion, DoublesToAShortFormat) { check_doubles<Float<4, 5>>(); }
+
+TEST(Conversion, InfinitiesAndNansSaturate) {
+  using F = Float<7, 16>;
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(F::from_double(infinity), F::largest());
+  EXPECT_EQ(F::from_double(-infinity), -F::largest());
+  EXPECT_EQ(abs(F::from_double(std::nan(""))), F::largest());
+}
+
+TEST(Conversion, Integers) {
+  using F = Float<7, 16>;
+  FloatJudge judge = judge_of<F>();
+  Random random(2);
+  for (int i = 0; i < 500'000; ++i) {
+    const std::uint64_t value = random.next() >> random.below(64);
+    ASSERT_EQ(pattern(F::from_uint(hls::uint<64>::from(value))), judge.from_uint(value)) << value;
+    const std::uint64_t low = value & 0x1ffff;
+    ASSERT_EQ(pattern(F::from_uint(hls::uint<17>::from(low))), judge.from_uint(low)) << low;
+  }
+  EXPECT_EQ(F::from_uint(hls::uint<64>(0)), F::smallest());
+}
+
+TEST(Conversion, BetweenTheCoresFormats) {
+  using Wide = Float<8, 23>;
+  using F = Float<7, 16>;
+  FloatJudge wide = judge_of<Wide>();
+  FloatJudge judge = judge_of<F>();
+  Random random(3);
+  for (int i = 0; i < 500'000; ++i) {
+    const std::uint64_t bits = random.next() >> 32;
+    ASSERT_EQ(pattern(F(from_pattern<Wide>(bits))), judge.convert(wide, bits)) << std::hex << bits;
+    const F f = from_pattern<F>(bits & 0xffffff);
+    ASSERT_EQ(Wide(f).to_double(), f.to_double());
+    ASSERT_EQ(F(Wide(f)), f);
+  }
+}
+
+TEST(Constants, AreWhatTheyAreCalled) {
+  using F = Float<7, 16>;
+  EXPECT_EQ(F::one().to_double(), 1.0);
+  EXPECT_EQ(F::smallest().to_double(), 0x1p-63);
+  EXPECT_EQ(F::largest().to_double(), 0x1.ffffp64);
+  EXPECT_EQ(F(), F::smallest());
+}
+
+}  // namespace

@@ -1,0 +1,37 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Repeats a job: a token whose lowest COUNT_WIDTH bits hold n leaves n + 1 times, with its number
+// (lowest) and a last flag put below it.
+`default_nettype none
+
+module hls_repeat #(
+    parameter WIDTH = 8,
+    parameter COUNT_WIDTH = 2
+) (
+    input  wire                         clk_i,
+    input  wire                         rst_ni,
+    input  wire                         valid_i,
+    output wire                         ready_o,
+    input  wire [WIDTH-1:0]             data_i,
+    output wire                         valid_o,
+    input  wire                         ready_i,
+    output wire [WIDTH+COUNT_WIDTH:0]   data_o
+);
+
+  reg [COUNT_WIDTH-1:0] number_q;
+
+  wire last = number_q == data_i[COUNT_WIDTH-1:0];
+
+  assign valid_o = valid_i;
+  assign ready_o = ready_i && last;
+  assign data_o  = {data_i, last, number_q};
+
+  always @(posedge clk_i) begin
+    if (!rst_ni) number_q <= {COUNT_WIDTH{1'b0}};
+    else if (valid_i && ready_i) number_q <= last ? {COUNT_WIDTH{1'b0}} : number_q + 1'b1;
+  end
+
+endmodule
+
+`default_nettype wire
