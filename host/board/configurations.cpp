@@ -51,7 +51,7 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
   return std::make_unique<RtlBoard>(
       request.configuration,
       request.trace.empty() ? configuration.rtl() : configuration.traced(request.trace),
-      counters_of(configuration.core_json));
+      counters_of(configuration.core_json()));
 }
 
 std::vector<Counter> counters_of(std::string_view core_json) {

@@ -19,9 +19,9 @@ namespace dynrt::host {
 struct Configuration {
   std::string_view name;
   MakeNativeCore native = nullptr;
-  MakeBoard rtl = nullptr;  ///< null: built without the Verilog
+  MakeBoard rtl = nullptr;  ///< null, and so is what follows: built without the Verilog
   MakeTracedBoard traced = nullptr;
-  std::string_view core_json;  ///< what the join says about the core: dynrt_core.json
+  std::string_view (*core_json)() = nullptr;  ///< the core as its join describes it: dynrt_core.json
 };
 
 struct BoardRequest {
