@@ -27,8 +27,9 @@ inline constexpr char kLines[] =
     "--lines {}: configuration {} has caches of 1, 2, 4 up to {} lines";
 inline constexpr char kNoConfiguration[] = "--config {}: unknown; this build has {}";
 inline constexpr char kNoBoard[] = "--board {}: unknown; the boards are rtl and model";
-inline constexpr char kNotBuilt[] =
-    "--board {}: not part of this build for configuration {}; this build has {}";
+inline constexpr char kNoRtl[] =
+    "--board rtl: the Verilog of configuration {} is not part of this build; configure with "
+    "-DDYNRT_RTL=ON or take --board model";
 inline constexpr char kNoTrace[] =
     "--trace: only --board rtl has signals to record; leave the flag out or choose that board";
 
