@@ -29,6 +29,8 @@ struct Frame {
   BoardInfo board;
   unsigned width = 0;
   unsigned height = 0;
+  unsigned packets = 0;               ///< that were allowed in flight
+  unsigned lines = 0;                 ///< of each cache
   std::vector<std::uint32_t> pixels;  ///< 0x00BBGGRR, row by row from the top
   std::vector<HitRecord> hits;        ///< one per pixel
   std::vector<Counter> counters;

@@ -83,6 +83,8 @@ Frame render(Board& board, const FrameOptions& options, const SceneAddresses& sc
   frame.board = board.info();
   frame.width = options.width;
   frame.height = options.height;
+  frame.packets = static_cast<unsigned>(config.packets.to_u64());
+  frame.lines = static_cast<unsigned>(config.line_mask.to_u64()) + 1;
   frame.run = board.wait(options.timeout, progress);
   const std::size_t pixels = std::size_t{options.width} * options.height;
   frame.pixels = read(board, kFrameBank, kFrameBase, pixels);
