@@ -21,7 +21,8 @@ struct Configuration {
   MakeNativeCore native = nullptr;
   MakeBoard rtl = nullptr;  ///< null, and so is what follows: built without the Verilog
   MakeTracedBoard traced = nullptr;
-  std::string_view (*core_json)() = nullptr;  ///< the core as its join describes it: dynrt_core.json
+  std::string_view (*core_json)() =
+      nullptr;  ///< the core as its join describes it: dynrt_core.json
 };
 
 struct BoardRequest {

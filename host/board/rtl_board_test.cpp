@@ -203,9 +203,9 @@ TEST_F(RtlBoardTest, TimeOutTellsWhereTheUnitsStandAndTheBoardRecovers) {
   board_.configure(frame_config(kHang));
   board_.start();
   EXPECT_THAT([&] { board_.wait(5000, {}); },
-              ThrowsMessage<UserError>(
-                  "board rtl: no interrupt within 5000 clocks of the frame's start (a higher "
-                  "--timeout allows more); 240 pixels are written, status 0x1, the units stand at "
+              ThrowsMessage<TimeoutError>(
+                  "board rtl: no interrupt and no pixel for 5000 clocks (--timeout allows more); "
+                  "240 pixels are written, status 0x1, the units stand at "
                   "stand_in.words 240, stand_in.tokens 16"));
   board_.configure(frame_config());
   board_.start();
