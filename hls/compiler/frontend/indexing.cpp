@@ -118,8 +118,8 @@ class Expansion {
       if (llvm::isa<llvm::ConstantInt>(gep->getOperand(operand))) continue;
       result.index = gep->getOperand(operand);
       const std::uint64_t stride = type.getSequentialElementStride(layout_).getFixedValue();
-      const std::uint64_t count = std::min(element_count(*gep, operand, size, stride),
-                                           largest_index(*result.index) + 1);
+      const std::uint64_t count =
+          std::min(element_count(*gep, operand, size, stride), largest_index(*result.index) + 1);
       for (std::uint64_t i = 0; i < count; ++i) {
         auto* fixed = llvm::cast<llvm::GetElementPtrInst>(gep->clone());
         fixed->setOperand(operand, llvm::ConstantInt::get(result.index->getType(), i));
