@@ -31,4 +31,10 @@ struct Aabb {
   }
 };
 
+/// Half the surface.
+inline double half_area(const Aabb& box) {
+  const glm::dvec3 d = box.extent();
+  return d.x * d.y + d.y * d.z + d.z * d.x;
+}
+
 }  // namespace dynrt::host

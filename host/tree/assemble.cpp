@@ -24,7 +24,9 @@ uint32_t RawTree::add_leaf(std::span<const ItemRef> leaf_items) {
 uint32_t RawTree::append(const RawTree& other, uint32_t root) {
   const auto node_base = static_cast<uint32_t>(nodes.size() - 1);
   const auto item_base = static_cast<uint32_t>(items.size());
-  const auto moved = [&](uint32_t child) { return child == kNullNode ? kNullNode : child + node_base; };
+  const auto moved = [&](uint32_t child) {
+    return child == kNullNode ? kNullNode : child + node_base;
+  };
   for (std::size_t i = 1; i < other.nodes.size(); ++i) {
     Node node = other.nodes[i];
     node.left = node.axis == kLeafAxis ? node.left + item_base : moved(node.left);
@@ -36,11 +38,6 @@ uint32_t RawTree::append(const RawTree& other, uint32_t root) {
 }
 
 namespace {
-
-double half_area(const Aabb& box) {
-  const glm::dvec3 d = box.extent();
-  return d.x * d.y + d.y * d.z + d.z * d.x;
-}
 
 class Assembler {
  public:

@@ -24,6 +24,16 @@ struct RawTree {
   std::vector<Node> nodes = std::vector<Node>(1);
   std::vector<uint32_t> items;
 
+  struct Size {
+    std::size_t nodes, items;
+  };
+  Size size() const { return {nodes.size(), items.size()}; }
+  /// Forgets what was added since.
+  void cut_back(const Size& to) {
+    nodes.resize(to.nodes);
+    items.resize(to.items);
+  }
+
   uint32_t add_inner(int axis, Code split);
   uint32_t add_leaf(std::span<const ItemRef> leaf_items);
   /// Takes over another tree's nodes; returns where its node `root` now is.

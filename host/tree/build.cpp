@@ -16,50 +16,62 @@ namespace {
 /// Subtrees over more items than these are built as tasks of their own.
 constexpr std::size_t kTaskItems = 2048;
 
+double area_share(const GridBox& part, const GridBox& whole) {
+  return half_area(real_box(part)) / half_area(real_box(whole));
+}
+
 class Builder {
  public:
   Builder(const TreeOptions& options, const CutItem& cut) : options_(options), cut_(cut) {}
 
-  /// Appends the subtree over the items to `out` and returns its root; kNullNode without items.
-  uint32_t build(std::vector<ItemRef> items, const GridBox& cell, int depth, PlaneSearch& search,
-                 RawTree& out) const {
-    if (items.empty()) return kNullNode;
+  struct Subtree {
+    uint32_t root = kNullNode;
+    double cost = 0;  ///< expected, for a ray that meets its cell
+  };
+
+  /// Appends the subtree over the items to a tree; nothing without items. `depth` and `patience`
+  /// are how many levels are left, and how many of them may promise no gain by themselves.
+  Subtree build(std::vector<ItemRef> items, const GridBox& cell, int depth, int patience,
+                PlaneSearch& search, RawTree& out) const {
+    if (items.empty()) return {};
     const Plane plane = depth > 0 ? search.best(items, cell) : Plane{};
-    const double as_leaf =
+    const double leaf_cost =
         options_.costs.leaf + static_cast<double>(items.size()) * options_.costs.item;
-    if (plane.axis < 0 || plane.cost >= as_leaf) return out.add_leaf(items);
+    if (plane.cost >= leaf_cost) --patience;
+    if (plane.axis < 0 || patience < 0) return {out.add_leaf(items), leaf_cost};
 
     GridBox left_cell = cell;
     GridBox right_cell = cell;
     left_cell.high[plane.axis] = right_cell.low[plane.axis] = plane.split;
     std::vector<ItemRef> left, right;
     divide(items, plane, left_cell, right_cell, left, right);
-    const bool tasks = items.size() > kTaskItems;
-    std::vector<ItemRef>().swap(items);
 
+    const RawTree::Size before = out.size();
     const uint32_t node = out.add_inner(plane.axis, plane.split);
-    uint32_t left_root, right_root;
-    if (tasks) {
+    Subtree l, r;
+    if (items.size() > kTaskItems) {
       RawTree left_tree, right_tree;
-      uint32_t l = 0, r = 0;
-      tbb::parallel_invoke(
-          [&] {
-            PlaneSearch own(options_.costs);
-            l = build(std::move(left), left_cell, depth - 1, own, left_tree);
-          },
-          [&] {
-            PlaneSearch own(options_.costs);
-            r = build(std::move(right), right_cell, depth - 1, own, right_tree);
-          });
-      left_root = out.append(left_tree, l);
-      right_root = out.append(right_tree, r);
+      const auto apart = [&](std::vector<ItemRef>& side, const GridBox& side_cell, RawTree& tree) {
+        PlaneSearch own(options_.costs);
+        return build(std::move(side), side_cell, depth - 1, patience, own, tree);
+      };
+      tbb::parallel_invoke([&] { l = apart(left, left_cell, left_tree); },
+                           [&] { r = apart(right, right_cell, right_tree); });
+      l.root = out.append(left_tree, l.root);
+      r.root = out.append(right_tree, r.root);
     } else {
-      left_root = build(std::move(left), left_cell, depth - 1, search, out);
-      right_root = build(std::move(right), right_cell, depth - 1, search, out);
+      l = build(std::move(left), left_cell, depth - 1, patience, search, out);
+      r = build(std::move(right), right_cell, depth - 1, patience, search, out);
     }
-    out.nodes[node].left = left_root;
-    out.nodes[node].right = right_root;
-    return node;
+    const double cost = options_.costs.step + area_share(left_cell, cell) * l.cost +
+                        area_share(right_cell, cell) * r.cost;
+    if (cost >= leaf_cost) {
+      out.cut_back(before);
+      return {out.add_leaf(items), leaf_cost};
+    }
+    out.nodes[node].left = l.root;
+    out.nodes[node].right = r.root;
+    return {node, cost};
   }
 
  private:
@@ -130,13 +142,14 @@ Aabb real_box(const GridBox& box) {
 
 Tree build_tree(std::vector<ItemRef> items, const GridBox& cell, const TreeOptions& options,
                 const CutItem& cut) {
-  const double levels = options.depth_factor * std::log2(static_cast<double>(items.size())) +
-                        options.depth_extra;
+  const double levels =
+      options.depth_factor * std::log2(static_cast<double>(items.size())) + options.depth_extra;
   const int depth = std::clamp(static_cast<int>(std::lround(levels)), 0, kMaxTreeDepth);
   RawTree raw;
   PlaneSearch search(options.costs);
-  const uint32_t root = Builder(options, cut).build(std::move(items), cell, depth, search, raw);
-  return assemble(raw, root, cell);
+  const Builder builder(options, cut);
+  const auto whole = builder.build(std::move(items), cell, depth, options.patience, search, raw);
+  return assemble(raw, whole.root, cell);
 }
 
 }  // namespace dynrt::host

@@ -22,6 +22,9 @@ struct TreeOptions {
   /// The tree's depth is at most depth_factor * log2(items) + depth_extra, and kMaxTreeDepth.
   double depth_factor = 1;
   double depth_extra = 5;
+  /// Levels on a path that may be split although no single plane is worth its step; what turns out
+  /// not to be worth it with the levels below becomes a leaf again.
+  int patience = 4;
 };
 
 /// The box of the item's part within `cell`, which lies within `item.box`; called from several

@@ -30,9 +30,7 @@ struct Ray {
 double not_zero(double x) {
   return std::abs(x) < grid_smallest() ? std::copysign(grid_smallest(), x) : x;
 }
-glm::dvec3 not_zero(const glm::dvec3& v) {
-  return {not_zero(v.x), not_zero(v.y), not_zero(v.z)};
-}
+glm::dvec3 not_zero(const glm::dvec3& v) { return {not_zero(v.x), not_zero(v.y), not_zero(v.z)}; }
 
 /// Slots fill in order and are never replaced.
 class Mailbox {
@@ -66,8 +64,7 @@ class Tracer {
       const glm::dmat4 inverse = glm::inverse(instance.transform);
       to_object_.push_back(inverse);
       const Tree& tree = trees.objects[instance.object];
-      object_start_.push_back(
-          start(tree, glm::dvec3(inverse * glm::dvec4(camera.position, 1.0))));
+      object_start_.push_back(start(tree, glm::dvec3(inverse * glm::dvec4(camera.position, 1.0))));
     }
     top_start_ = start(trees.instances, camera.position);
   }
@@ -103,20 +100,22 @@ class Tracer {
     distance_.fill(grid_largest());
     objects_seen_.clear();
     ++frame_.work.packets;
-    traverse(trees_.instances, top_start_, rays, 15, true, [&](uint32_t item, Mask active) {
+    traverse(trees_.instances, top_start_, rays, true, [&](uint32_t item) {
       if (objects_seen_.seen(item, options_.mailbox_slots)) return;
       ++frame_.work.objects;
-      object(item, rays, active);
+      object(item, rays);
     });
     for (int i = 0; i < kRays; ++i) {
-      const std::size_t pixel = std::size_t{y + static_cast<unsigned>(i >> 1)} * width + x +
-                                static_cast<unsigned>(i & 1);
+      const std::size_t pixel =
+          std::size_t{y + static_cast<unsigned>(i >> 1)} * width + x + static_cast<unsigned>(i & 1);
       frame_.hits[pixel] = hit_[i];
       frame_.work.hits += hit_[i].hit;
     }
   }
 
-  void object(uint32_t instance, const std::array<Ray, kRays>& world, Mask active) {
+  /// All rays of the packet enter: one that reaches the instance in another leaf finds it in the
+  /// mailbox there.
+  void object(uint32_t instance, const std::array<Ray, kRays>& world) {
     const glm::dmat4& m = to_object_[instance];
     const uint32_t object = scene_.instances[instance].object;
     std::array<Ray, kRays> rays;
@@ -125,18 +124,16 @@ class Tracer {
                  not_zero(glm::dmat3(m) * world[i].direction)};
     }
     triangles_seen_.clear();
-    traverse(trees_.objects[object], object_start_[instance], rays, active, false,
-             [&](uint32_t item, Mask leaf_active) {
-               if (triangles_seen_.seen(item, options_.mailbox_slots)) return;
-               ++frame_.work.triangles;
-               intersect(instance, item, triangles_[object][item], rays, leaf_active);
-             });
+    traverse(trees_.objects[object], object_start_[instance], rays, false, [&](uint32_t item) {
+      if (triangles_seen_.seen(item, options_.mailbox_slots)) return;
+      ++frame_.work.triangles;
+      intersect(instance, item, triangles_[object][item], rays);
+    });
   }
 
   void intersect(uint32_t instance, uint32_t triangle, const glm::dmat4x3& m,
-                 const std::array<Ray, kRays>& rays, Mask active) {
+                 const std::array<Ray, kRays>& rays) {
     for (int i = 0; i < kRays; ++i) {
-      if (!(active >> i & 1)) continue;
       const glm::dvec3 o = m * glm::dvec4(rays[i].origin, 1.0);
       const glm::dvec3 d = m * glm::dvec4(rays[i].direction, 0.0);
       const double t = -o.z / d.z;
@@ -150,12 +147,13 @@ class Tracer {
   }
 
   template <class Visit>
-  void traverse(const Tree& tree, uint32_t start, const std::array<Ray, kRays>& rays, Mask active,
-                bool top, Visit&& visit) {
+  void traverse(const Tree& tree, uint32_t start, const std::array<Ray, kRays>& rays, bool top,
+                Visit&& visit) {
     std::array<double, kRays> near, far, plane;
     near.fill(grid_smallest());
     for (int i = 0; i < kRays; ++i) far[i] = top ? grid_largest() : distance_[i];
     std::vector<Entry> stack;
+    Mask active = 15;
     Mask alive = active;
     uint32_t index = start;
     int real_entries = 0;
@@ -174,7 +172,7 @@ class Tracer {
         ++frame_.work.leaf_fetches;
         if (active != 0) {
           frame_.work.list_entries += node.right;
-          for (uint32_t i = 0; i < node.right; ++i) visit(tree.items[node.left + i], active);
+          for (uint32_t i = 0; i < node.right; ++i) visit(tree.items[node.left + i]);
         }
       } else {
         const bool clipping = index < tree.root;

@@ -16,14 +16,14 @@ namespace dynrt::host {
 
 struct WorkCounts {
   uint64_t packets = 0;
-  uint64_t top_steps = 0;      ///< inner nodes fetched, of the instances' tree
-  uint64_t object_steps = 0;   ///< inner nodes fetched, of objects' trees
-  uint64_t leaf_fetches = 0;   ///< leaves fetched, which are never empty
-  uint64_t empty_leaves = 0;   ///< empty children that were not fetched
+  uint64_t top_steps = 0;     ///< inner nodes fetched, of the instances' tree
+  uint64_t object_steps = 0;  ///< inner nodes fetched, of objects' trees
+  uint64_t leaf_fetches = 0;  ///< leaves fetched, which are never empty
+  uint64_t empty_leaves = 0;  ///< empty children that were not fetched
   uint64_t list_entries = 0;
-  uint64_t triangles = 0;      ///< packets transformed to a triangle, after the mailbox
-  uint64_t objects = 0;        ///< packets transformed to an object, after the mailbox
-  uint64_t hits = 0;           ///< rays
+  uint64_t triangles = 0;       ///< packets transformed to a triangle, after the mailbox
+  uint64_t objects = 0;         ///< packets transformed to an object, after the mailbox
+  uint64_t hits = 0;            ///< rays
   uint64_t dropped_pushes = 0;  ///< for want of stack
   int deepest_stack = 0;
 
@@ -42,7 +42,7 @@ struct TracedHit {
 struct TraceOptions {
   int stack_depth = 31;
   unsigned mailbox_slots = 8;
-  bool always_clip = false;  ///< start at the clipping nodes wherever the camera is
+  bool always_clip = false;       ///< start at the clipping nodes wherever the camera is
   bool object_clip_free = false;  ///< count the clipping nodes of objects as no steps
 };
 

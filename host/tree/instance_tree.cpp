@@ -33,8 +33,8 @@ Tree build_instance_tree(const Scene& scene, std::span<const Aabb> object_boxes,
     for (int axis = 0; axis < 3; ++axis) {
       for (const double x : {box.low[axis], box.high[axis]}) {
         if (!(std::abs(x) <= limit)) {
-          throw UserError(tree_messages::instance_box(
-              instance.name, static_cast<char>('x' + axis), x, limit));
+          throw UserError(
+              tree_messages::instance_box(instance.name, static_cast<char>('x' + axis), x, limit));
         }
       }
     }

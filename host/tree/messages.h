@@ -12,7 +12,8 @@ namespace dynrt::host::tree_messages {
 
 inline std::string no_triangles(const std::string& object) {
   return fmt::format(
-      "object '{}' has no triangles to build a tree over; an object must have at least one", object);
+      "object '{}' has no triangles to build a tree over; an object must have at least one",
+      object);
 }
 inline std::string coordinate(const std::string& object, std::size_t triangle, unsigned vertex,
                               char axis, double value, double limit) {

@@ -59,7 +59,11 @@ void PlaneSearch::consider(const GridBox& cell, int axis, Code split, std::size_
   };
   const auto take = [&](double cost, bool flat_left) {
     if (cost < best.cost) {
-      best = {cost, axis, split, flat_left, left + (flat_left ? flat : 0),
+      best = {cost,
+              axis,
+              split,
+              flat_left,
+              left + (flat_left ? flat : 0),
               right + (flat_left ? 0 : flat)};
     }
   };
@@ -76,16 +80,16 @@ void PlaneSearch::sweep(const GridBox& cell, int axis, Code from, Code to, Plane
   const Code before = std::min(floor_code(grid_value(high) - hair), high - costs_.hair_codes);
   const bool haired = after <= before;
 
-  std::size_t begun = below_;                        // items with low < split
-  std::size_t not_ended = highs_.size() + above_;    // items with high > split
+  std::size_t begun = below_;                      // items with low < split
+  std::size_t not_ended = highs_.size() + above_;  // items with high > split
   std::size_t l = 0, h = 0, f = 0;
   constexpr Code kNone = std::numeric_limits<Code>::max();
   bool try_after = haired && after > from && after < to;
   bool try_before = haired && before != after && before > from && before < to;
   while (true) {
-    const Code split = std::min({l < lows_.size() ? lows_[l] : kNone,
-                                 h < highs_.size() ? highs_[h] : kNone,
-                                 try_after ? after : kNone, try_before ? before : kNone});
+    const Code split =
+        std::min({l < lows_.size() ? lows_[l] : kNone, h < highs_.size() ? highs_[h] : kNone,
+                  try_after ? after : kNone, try_before ? before : kNone});
     if (split == kNone) return;
     if (split == after) try_after = false;
     if (split == before) try_before = false;

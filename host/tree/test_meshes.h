@@ -42,8 +42,8 @@ inline void add_sphere(Mesh& mesh, const glm::dvec3& centre, double radius, int 
   const auto point = [&](int i, int j) {
     const double a = std::numbers::pi * i / rows;
     const double b = std::numbers::pi * j / rows;
-    return centre + radius * glm::dvec3(std::sin(a) * std::cos(b), std::cos(a),
-                                        std::sin(a) * std::sin(b));
+    return centre +
+           radius * glm::dvec3(std::sin(a) * std::cos(b), std::cos(a), std::sin(a) * std::sin(b));
   };
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < 2 * rows; ++j) {

@@ -30,19 +30,20 @@ struct TreeNode {
 
 struct TreeStats {
   std::size_t inner_nodes = 0;
-  std::size_t leaves = 0;         ///< leaf nodes, those with the same list counted once
-  std::size_t leaf_links = 0;     ///< children that are leaves
+  std::size_t leaves = 0;      ///< leaf nodes, those with the same list counted once
+  std::size_t leaf_links = 0;  ///< children that are leaves
   std::size_t empty_children = 0;
-  std::size_t items = 0;          ///< list entries
+  std::size_t items = 0;  ///< list entries
   std::size_t longest_list = 0;
-  int depth = 0;                  ///< of the real root's subtree, a leaf alone being 0
-  double expected_steps = 0;      ///< by the surface area, for a ray that meets the box
+  int depth = 0;              ///< of the real root's subtree, a leaf alone being 0
+  double expected_steps = 0;  ///< by the surface area, for a ray that meets the box
   double expected_leaves = 0;
   double expected_items = 0;
 };
 
 struct Tree {
-  std::vector<TreeNode> nodes;   ///< node 0 is the null node, then the clipping nodes, then depth first
+  std::vector<TreeNode>
+      nodes;  ///< node 0 is the null node, then the clipping nodes, then depth first
   std::vector<uint32_t> items;
   uint32_t root = kNullNode;          ///< where a ray starts inside the box
   uint32_t clipped_root = kNullNode;  ///< where any ray starts

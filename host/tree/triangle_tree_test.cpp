@@ -50,7 +50,8 @@ void expect_complete(const Mesh& mesh, const Tree& tree, int points) {
   }
 }
 
-/// What every tree must be: splits on the grid and within their cell, leaves not empty, counts true.
+/// What every tree must be: splits on the grid and within their cell, leaves not empty, counts
+/// true.
 void expect_sound(const Tree& tree) {
   struct Visit {
     uint32_t index;
@@ -164,8 +165,15 @@ TEST(TriangleTree, SmallerThanTheGrid) {
 }
 
 TEST(TriangleTree, WallsOnTheFacesOfACellAreCutFromTheEmptyRoom) {
-  Mesh mesh;
-  add_box(mesh, {0, 0, 0}, {4, 3, 5});
+  Mesh mesh;  // a cube whose faces are 4 x 4 quads
+  for (int i = 0; i < 16; ++i) {
+    const double a = i % 4, b = i / 4;
+    for (const double c : {0.0, 4.0}) {
+      add_quad(mesh, {a, b, c}, {1, 0, 0}, {0, 1, 0});
+      add_quad(mesh, {c, a, b}, {0, 1, 0}, {0, 0, 1});
+      add_quad(mesh, {b, c, a}, {0, 0, 1}, {1, 0, 0});
+    }
+  }
   const Tree tree = build_triangle_tree(mesh);
   uint32_t index = tree.root;
   const glm::dvec3 inside{2.2, 1.7, 2.6};
