@@ -50,7 +50,8 @@ void FrameArguments::add_to(CLI::App& command, const std::string& default_out) {
       ->option_text(fmt::format("FILE [{}]", default_out));
   command.add_option("--packets", packets, "packets of 2x2 rays in flight; default: all there are")
       ->option_text("N");
-  command.add_option("--lines", lines, "lines of each cache, a power of two; default: all there are")
+  command
+      .add_option("--lines", lines, "lines of each cache, a power of two; default: all there are")
       ->option_text("N");
   command.add_option("--order", order, "order of the packets: morton or scanline")
       ->option_text("ORDER [morton]");

@@ -10,6 +10,7 @@
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
 #include "host/app/report.h"
+#include "host/render/write_image.h"
 
 namespace dynrt::host {
 

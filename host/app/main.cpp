@@ -15,8 +15,10 @@ namespace dynrt::host {
 namespace {
 
 constexpr char kAbout[] =
-    "Renders scenes on dynrt, a ray tracing core for dynamic scenes, whose units are C++ lowered to\n"
-    "Verilog. --board rtl runs the Verilog behind an emulated PCI board, --board model the same C++\n"
+    "Renders scenes on dynrt, a ray tracing core for dynamic scenes, whose units are C++ lowered "
+    "to\n"
+    "Verilog. --board rtl runs the Verilog behind an emulated PCI board, --board model the same "
+    "C++\n"
     "natively; both give the same bits.";
 constexpr char kFooter[] =
     "Exit codes: 0 done; 1 compare found a difference; 2 a mistake in the input or the flags; "

@@ -1,7 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// From a scene's name to the words that are uploaded: load, place the camera, build the trees, pack.
+// From a scene's name to the words that are uploaded: load, place the camera, build the trees,
+// pack.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -18,7 +19,8 @@ struct Prepared {
   Scene scene;
   Camera camera;
   SceneTrees trees;
-  Image image;
+  ObjectImage objects;
+  FrameImage frame;
   double load_seconds = 0;
   double tree_seconds = 0;
 

@@ -9,8 +9,9 @@
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
-#include "host/app/output.h"
 #include "host/app/report.h"
+#include "host/app/trace_file.h"
+#include "host/render/write_image.h"
 
 namespace dynrt::host {
 
@@ -23,15 +24,26 @@ struct Arguments {
   std::string trace;
 };
 
+/// Waveforms of a frame that never ended are kept: they show why.
+template <class Render>
+Frame traced(TraceFile& trace, Render&& render) {
+  try {
+    Frame frame = render();
+    trace.keep();
+    return frame;
+  } catch (const TimeoutError&) {
+    trace.keep();
+    throw;
+  }
+}
+
 int run(const Arguments& arguments) {
   const FrameOptions options = arguments.frame.options(arguments.scene.size);
   TraceFile trace(arguments.trace);
-  const auto board = open_board(
-      {arguments.board, arguments.frame.configuration, arguments.trace}, options);
+  const auto board =
+      open_board({arguments.board, arguments.frame.configuration, arguments.trace}, options);
   const Prepared prepared = prepare(arguments.scene, options.width, options.height);
-  trace.started();
-  const Frame frame = render_on(*board, options, prepared);
-  trace.keep();
+  const Frame frame = traced(trace, [&] { return render_on(*board, options, prepared); });
 
   const std::string out = image_name(arguments.frame.out, arguments.scene.scene);
   write_image(out, frame);
@@ -54,8 +66,9 @@ Command add_render_command(CLI::App& program) {
   arguments->scene.add_to(*command, true);
   command->add_option("--board", arguments->board, "rtl: the Verilog; model: the C++ natively")
       ->option_text("BOARD [rtl]");
-  command->add_option("--trace", arguments->trace,
-                      "write the waveforms of the Verilog; large: choose a small --size")
+  command
+      ->add_option("--trace", arguments->trace,
+                   "write the waveforms of the Verilog; large: choose a small --size")
       ->option_text("FILE.fst");
   arguments->frame.add_to(*command, "SCENE.png");
   return {command, [arguments] { return run(*arguments); }};

@@ -24,8 +24,8 @@ double bus_seconds(const Frame& frame) {
 }
 
 std::string units_text(const FrameFigures& figures) {
-  std::string text = fmt::format("  {:<18}{:>14}{:>9}{:>9}\n", "unit", "transactions", "busy",
-                                 "stalled");
+  std::string text =
+      fmt::format("  {:<18}{:>14}{:>9}{:>9}\n", "unit", "transactions", "busy", "stalled");
   const auto percent = [](const std::optional<double>& share) {
     return share ? fmt::format("{:.1f} %", 100 * *share) : std::string("-");
   };

@@ -17,5 +17,7 @@ std::pair<unsigned, unsigned> parse_size(const std::string& text);
 glm::dvec3 parse_vector(const std::string& flag, const std::string& text);
 /// 1234567 as "1,234,567".
 std::string grouped(std::uint64_t number);
+/// "1 object", "2 objects".
+std::string counted(std::uint64_t number, const std::string& what);
 
 }  // namespace dynrt::host

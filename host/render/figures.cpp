@@ -35,7 +35,9 @@ std::vector<UnitFigures> units_of(const Frame& frame) {
     }
     units.push_back(std::move(unit));
   }
-  std::ranges::stable_sort(units, std::greater{}, &UnitFigures::transactions);
+  std::ranges::sort(units, [](const UnitFigures& a, const UnitFigures& b) {
+    return a.transactions != b.transactions ? a.transactions > b.transactions : a.name < b.name;
+  });
   return units;
 }
 

@@ -14,9 +14,12 @@ Frame a_frame() {
   frame.lines = 16;
   frame.pixels.resize(100);
   frame.run = {.cycles = 1000, .seconds = 0.5};
-  frame.counters = {{"list.transactions", 250},        {"traversal.transactions", 900},
-                    {"step.tokens", 900},              {"list.stalls", 10},
-                    {"node_lookup.transactions", 400}, {"node_fill.transactions", 116}};
+  frame.counters = {{"list.transactions", 250},
+                    {"traversal.transactions", 900},
+                    {"step.tokens", 900},
+                    {"list.stalls", 10},
+                    {"node_lookup.transactions", 400},
+                    {"node_fill.transactions", 116}};
   return frame;
 }
 
