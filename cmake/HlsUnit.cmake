@@ -4,8 +4,9 @@
 # add_hls_unit(NAME mailbox SOURCE units/mailbox.h TYPE "dynrt::Mailbox<dynrt::config::thesis>"
 #              CONFIG thesis [CLOCK_NS n] [DELAY file] [FAST] [TRACE] [SHARDS n])
 #
-# Everything that belongs to one unit (SOURCE is its header as it is included, DELAY is relative to
-# the project's folder):
+# Everything that belongs to one unit. SOURCE is its header as it is included, DELAY is relative to
+# the project's folder; the configuration comes from configs/<CONFIG>.h, which a custom command of
+# the calling folder writes to build/<preset>/generated/include:
 #   <NAME>_model   interface library: what a program needs to include the C++ (header only)
 #   <NAME>.v       build/<preset>/generated/<CONFIG>/<NAME>.v, made by hlsc, module <NAME>, with its
 #                  schedule report <NAME>.txt and the header <NAME>_ports.h for the test bench
@@ -23,6 +24,28 @@ set(DYNRT_DELAY_MODEL hls/compiler/delay/ecp5.json CACHE STRING
 add_custom_target(verilog ALL)
 add_custom_target(update-generated)
 
+# dynrt_checked_in(FILE TARGET): FILE, which TARGET makes, is also checked in under
+# rtl/generated/thesis. The target update-generated renews it, the test generated.<stem> (label lint)
+# fails when it is stale.
+function(dynrt_checked_in file target)
+  if(NOT DYNRT_RTL)
+    return()
+  endif()
+  add_dependencies(verilog ${target})
+  get_filename_component(name ${file} NAME)
+  get_filename_component(stem ${file} NAME_WE)
+  set(folder ${PROJECT_SOURCE_DIR}/rtl/generated/thesis)
+  add_custom_target(update_${stem}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
+    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${file} ${folder})
+  add_dependencies(update_${stem} ${target})
+  add_dependencies(update-generated update_${stem})
+  add_test(NAME generated.${stem}
+    COMMAND ${CMAKE_COMMAND} -DNEW=${file} -DOLD=${folder}/${name}
+            -P ${PROJECT_SOURCE_DIR}/cmake/CompareGenerated.cmake)
+  set_tests_properties(generated.${stem} PROPERTIES LABELS lint)
+endfunction()
+
 function(add_hls_unit)
   cmake_parse_arguments(PARSE_ARGV 0 arg "FAST;TRACE"
                         "NAME;SOURCE;TYPE;CONFIG;CLOCK_NS;DELAY;SHARDS" "")
@@ -37,7 +60,8 @@ function(add_hls_unit)
   endif()
 
   add_library(${id}_model INTERFACE)
-  target_include_directories(${id}_model INTERFACE ${PROJECT_SOURCE_DIR}/hls)
+  target_include_directories(${id}_model INTERFACE ${PROJECT_SOURCE_DIR}/hls
+                             ${PROJECT_BINARY_DIR}/generated/include)
   target_link_libraries(${id}_model INTERFACE hls)
   if(NOT DYNRT_RTL)
     return()
@@ -51,13 +75,24 @@ function(add_hls_unit)
   if(arg_DELAY)
     set(delay ${arg_DELAY})
   endif()
-  set(header ${PROJECT_SOURCE_DIR}/hls/${arg_SOURCE})
+  # hlsc takes one header: the unit's after the configuration's.
+  set(config_header ${PROJECT_BINARY_DIR}/generated/include/configs/${arg_CONFIG}.h)
+  set(header ${PROJECT_BINARY_DIR}/generated/include/${arg_CONFIG}/${arg_NAME}.h)
+  file(CONFIGURE OUTPUT ${header}
+       CONTENT "#include \"configs/@arg_CONFIG@.h\"\n#include \"@arg_SOURCE@\"\n" @ONLY)
   set(dir ${PROJECT_BINARY_DIR}/generated/${arg_CONFIG})
   set(stem ${dir}/${arg_NAME})
   set(fresh ${dir}/fresh/${arg_NAME})
   file(MAKE_DIRECTORY ${dir}/fresh)
-  set(relative_includes -I hls/lowered -I hls/include -I hls)
-  string(REPLACE "hls" "${PROJECT_SOURCE_DIR}/hls" absolute_includes "-Ihls/lowered;-Ihls/include;-Ihls")
+  set(relative_includes)
+  set(absolute_includes)
+  foreach(folder hls/lowered hls/include hls)
+    list(APPEND relative_includes -I ${folder})
+    list(APPEND absolute_includes -I ${PROJECT_SOURCE_DIR}/${folder})
+  endforeach()
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated/include)
+  list(APPEND relative_includes -I ${folder})
+  list(APPEND absolute_includes -I ${PROJECT_BINARY_DIR}/generated/include)
 
   # The compiler lists the headers that the unit includes; hlsc runs again when one of them changes,
   # and what follows only when hlsc then writes something else. All paths that may end up in the
@@ -67,11 +102,11 @@ function(add_hls_unit)
     BYPRODUCTS ${stem}.txt ${stem}_ports.h
     COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -x c++ ${absolute_includes} -MM -MT ${stem}.v
             -MF ${stem}.d ${header}
-    COMMAND hlsc --unit ${arg_TYPE} --module ${arg_NAME} --header ${arg_SOURCE}
-            ${relative_includes} --clock-ns ${clock} --delay ${delay} -o ${fresh}.v --report ${fresh}.txt
-            --binding ${fresh}_ports.h
+    COMMAND hlsc --unit ${arg_TYPE} --module ${arg_NAME} --header ${arg_CONFIG}/${arg_NAME}.h
+            ${relative_includes} --clock-ns ${clock} --delay ${delay} -o ${fresh}.v
+            --report ${fresh}.txt --binding ${fresh}_ports.h
     COMMAND ${CMAKE_COMMAND} -E copy_if_different ${fresh}.v ${fresh}.txt ${fresh}_ports.h ${dir}
-    DEPENDS hlsc ${header} ${PROJECT_SOURCE_DIR}/${delay}
+    DEPENDS hlsc ${header} ${config_header} ${PROJECT_SOURCE_DIR}/${delay}
     DEPFILE ${stem}.d
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
     COMMENT "Lowering ${arg_TYPE} to ${arg_CONFIG}/${arg_NAME}.v"
@@ -93,17 +128,7 @@ function(add_hls_unit)
   add_dependencies(${id}_rtl ${id}_verilog)
   target_link_libraries(${id}_rtl PUBLIC ${id}_model)
 
-  # Only the configuration thesis is checked in.
   if(arg_CONFIG STREQUAL "thesis")
-    set(checked_in_dir ${PROJECT_SOURCE_DIR}/rtl/generated/thesis)
-    add_custom_target(${id}_update
-      COMMAND ${CMAKE_COMMAND} -E make_directory ${checked_in_dir}
-      COMMAND ${CMAKE_COMMAND} -E copy_if_different ${stem}.v ${checked_in_dir})
-    add_dependencies(${id}_update ${id}_verilog)
-    add_dependencies(update-generated ${id}_update)
-    add_test(NAME generated.${arg_NAME}
-      COMMAND ${CMAKE_COMMAND} -DNEW=${stem}.v -DOLD=${checked_in_dir}/${arg_NAME}.v
-              -P ${PROJECT_SOURCE_DIR}/cmake/CompareGenerated.cmake)
-    set_tests_properties(generated.${arg_NAME} PROPERTIES LABELS lint)
+    dynrt_checked_in(${stem}.v ${id}_verilog)
   endif()
 endfunction()

@@ -81,6 +81,7 @@ struct MatrixColumn {
 /// has `hit` zero and the rest as it was initialised.
 inline constexpr unsigned kHitWords = 3;  ///< words per pixel in each of the two banks
 inline constexpr unsigned kMaxPixels = kBankWords / kHitWords;
+inline constexpr unsigned kMaxSide = 1024;  ///< pixels a side, by ray generation
 
 }  // namespace dynrt
 

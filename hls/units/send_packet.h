@@ -34,8 +34,9 @@ struct SendPacket {
     const Repeated<SendJob<C>> j = job.read();
     const bool compressed = j.job.repeat == RepeatCount(4);
     const bool point = compressed ? j.index == RepeatCount{} : !j.index.template bit<0>();
-    const RayIndex after_origin = RayIndex::from(point ? 0 : j.index.raw() - 1);
-    const RayIndex ray = compressed ? after_origin : j.index.template bits<2, 1>();
+    const RayIndex ray = !compressed ? j.index.template bits<2, 1>()
+                         : point     ? RayIndex{}
+                                     : RayIndex::from(j.index.raw() - 1);
 
     const Level level = uint<1>(j.job.kind == TransformKind::kTriangle);
     const uint<3> number = hls::concat(ray, uint<1>(!point));

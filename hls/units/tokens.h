@@ -205,7 +205,7 @@ template <class C>
 struct PacketVector {
   PacketId<C> packet;
   bool point = false;  ///< a point is translated, a direction is not (thesis 4.4)
-  RayIndex ray;        ///< a common origin is ray 0's
+  RayIndex ray;        ///< 0 for a common origin
   Vector<typename C::Real> vector;
   HLS_FIELDS(packet, point, ray, vector)
 };

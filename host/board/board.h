@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "host/error.h"
 #include "units/frame.h"
 
 namespace dynrt::host {
@@ -47,6 +48,11 @@ struct FrameRun {
 /// Told now and then how many pixels of the frame are written.
 using PixelProgress = std::function<void(std::uint64_t pixels)>;
 
+/// The board never raised its interrupt.
+struct TimeoutError : UserError {
+  using UserError::UserError;
+};
+
 class Board {
  public:
   virtual ~Board() = default;
@@ -59,8 +65,8 @@ class Board {
 
   virtual void configure(const FrameConfig& frame) = 0;
   virtual void start() = 0;
-  /// Waits for the interrupt; after `timeout` clocks without one throws a UserError that tells
-  /// where the units stand, and resets the board.
+  /// Waits for the interrupt; after `timeout` clocks without it or another pixel throws a
+  /// TimeoutError that tells where the units stand, and resets the board.
   virtual FrameRun wait(std::uint64_t timeout, const PixelProgress& progress) = 0;
 
   /// Of the last frame.

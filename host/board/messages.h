@@ -7,28 +7,23 @@
 namespace dynrt::host::messages {
 
 inline constexpr char kTimeout[] =
-    "board {}: no interrupt within {} clocks of the frame's start (a higher --timeout allows "
-    "more); "
-    "{} pixels are written, status {:#x}, the units stand at {}";
+    "board {}: no interrupt and no pixel for {} clocks (--timeout allows more); {} pixels are "
+    "written, status {:#x}, the units stand at {}";
 inline constexpr char kBusHangs[] =
     "board {}: the bus waits for ever at address {:#x}; the Verilog below it is broken";
 inline constexpr char kWrongId[] =
-    "board {}: reads {:#x} as its id and {:#x} as its version, expected {:#x} and {:#x}; rebuild "
-    "the "
-    "Verilog and the host together";
+    "board {}: reads {:#x} as its id and {:#x} as its version, expected {:#x} and {:#x}; "
+    "rebuild the Verilog and the host together";
 inline constexpr char kRefused[] =
-    "board {}: refused an access during the frame; the SRAM and the frame's registers belong to "
-    "the "
-    "core until the interrupt";
+    "board {}: refused an access during the frame; the SRAM and the frame's registers "
+    "belong to the core until the interrupt";
 inline constexpr char kOutsideBank[] =
     "board {}: words {} to {} of bank {} are asked for; there are {} banks of {} words";
-inline constexpr char kPackets[] = "--packets {}: configuration {} holds 1 to {} packets";
-inline constexpr char kLines[] =
-    "--lines {}: configuration {} has caches of 1, 2, 4 up to {} lines";
 inline constexpr char kNoConfiguration[] = "--config {}: unknown; this build has {}";
 inline constexpr char kNoBoard[] = "--board {}: unknown; the boards are rtl and model";
-inline constexpr char kNotBuilt[] =
-    "--board {}: not part of this build for configuration {}; this build has {}";
+inline constexpr char kNoRtl[] =
+    "--board rtl: the Verilog of configuration {} is not part of this build; configure with "
+    "-DDYNRT_RTL=ON or take --board model";
 inline constexpr char kNoTrace[] =
     "--trace: only --board rtl has signals to record; leave the flag out or choose that board";
 

@@ -65,6 +65,7 @@ void RtlBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint32_
 }
 
 void RtlBoard::configure(const FrameConfig& frame) {
+  pixels_ = frame.width.to_u64() * frame.height.to_u64();
   burst_write(reg::kRegFrame, frame_words(frame));
 }
 
@@ -75,12 +76,16 @@ void RtlBoard::start() {
 
 FrameRun RtlBoard::wait(std::uint64_t timeout, const PixelProgress& progress) {
   const auto begin = std::chrono::steady_clock::now();
+  std::uint64_t written = 0;
   std::uint64_t left = timeout;
   while (!clocked_->interrupt() && left > 0) {
     const std::uint64_t step = std::min(left, kClocksPerReport);
     clocked_->run_until_interrupt(step);
-    left -= step;
-    if (progress) progress(clocked_->frame_writes() - frame_writes_at_start_);
+    // A core that writes pixels for ever is stuck as well.
+    const std::uint64_t now = std::min(clocked_->frame_writes() - frame_writes_at_start_, pixels_);
+    left = now > written ? timeout : left - step;
+    written = now;
+    if (progress) progress(written);
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (!clocked_->interrupt()) give_up(timeout);
@@ -101,9 +106,9 @@ void RtlBoard::give_up(std::uint64_t timeout) {
   }
   write_register(reg::kRegControl, 1u << reg::kControlReset);
   settle();
-  throw UserError(fmt::format(messages::kTimeout, info_.name, timeout,
-                              clocked_->frame_writes() - frame_writes_at_start_, status,
-                              fmt::join(state, ", ")));
+  throw TimeoutError(fmt::format(messages::kTimeout, info_.name, timeout,
+                                 clocked_->frame_writes() - frame_writes_at_start_, status,
+                                 fmt::join(state, ", ")));
 }
 
 std::vector<Counter> RtlBoard::counters() {

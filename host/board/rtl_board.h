@@ -43,6 +43,7 @@ class RtlBoard final : public Board {
   std::unique_ptr<ClockedBoard> clocked_;
   std::vector<Counter> counters_;
   BusMeter meter_;
+  std::uint64_t pixels_ = 0;  ///< of the frame
   std::uint64_t frame_writes_at_start_ = 0;
 };
 

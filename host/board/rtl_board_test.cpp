@@ -47,6 +47,8 @@ std::vector<std::uint32_t> random_words(std::size_t count, unsigned seed) {
 
 FrameConfig frame_config(std::uint32_t background = 0) {
   FrameConfig frame;
+  frame.packets = to_word(4);
+  frame.line_mask = to_word(kTokens - 1);
   frame.width = to_word(kWidth);
   frame.height = to_word(kHeight);
   frame.frame_base = to_word(kFrameBase);
@@ -142,6 +144,18 @@ TEST_F(RtlBoardTest, RendersAndInterrupts) {
   }
 }
 
+TEST_F(RtlBoardTest, FeedsATokenForEveryPacketAndCacheLineInUse) {
+  FrameConfig frame = frame_config();
+  for (const auto& [packets, lines] : {std::pair{4u, 1u}, {1u, 8u}, {3u, 4u}}) {
+    frame.packets = to_word(packets);
+    frame.line_mask = to_word(lines - 1);
+    board_.configure(frame);
+    board_.start();
+    board_.wait(5000, {});
+    EXPECT_EQ(board_.counters().at(1).value, std::max(packets, lines));
+  }
+}
+
 TEST_F(RtlBoardTest, InterruptIsPendingUntilAcknowledgedAndCanBeMasked) {
   const auto clocked = make_stand_in_board();
   clocked->reset();
@@ -154,6 +168,7 @@ TEST_F(RtlBoardTest, InterruptIsPendingUntilAcknowledgedAndCanBeMasked) {
     EXPECT_TRUE(clocked->read(address, {&value, 1}));
     return value;
   };
+  put(reg::kRegFrame, 1);
   put(reg::kRegFrame + 8, 1);
   put(reg::kRegFrame + 12, 1);
   put(reg::kRegControl, 1u << reg::kControlStart);
@@ -175,7 +190,7 @@ TEST_F(RtlBoardTest, RefusesTheHostWhileBusy) {
   board_.write(0, 5, std::vector<std::uint32_t>{456});
   EXPECT_EQ(read(0, 5, 1).front(), 0u);
   board_.write_register(reg::kRegFrame, 99);
-  EXPECT_EQ(board_.read_register(reg::kRegFrame), 0u);
+  EXPECT_EQ(board_.read_register(reg::kRegFrame), 4u);
   EXPECT_EQ(board_.read_register(reg::kRegStatus),
             1u << reg::kStatusBusy | 1u << reg::kStatusRefused);
   board_.write_register(reg::kRegControl, 1u << reg::kControlReset);
@@ -188,9 +203,9 @@ TEST_F(RtlBoardTest, TimeOutTellsWhereTheUnitsStandAndTheBoardRecovers) {
   board_.configure(frame_config(kHang));
   board_.start();
   EXPECT_THAT([&] { board_.wait(5000, {}); },
-              ThrowsMessage<UserError>(
-                  "board rtl: no interrupt within 5000 clocks of the frame's start (a higher "
-                  "--timeout allows more); 240 pixels are written, status 0x1, the units stand at "
+              ThrowsMessage<TimeoutError>(
+                  "board rtl: no interrupt and no pixel for 5000 clocks (--timeout allows more); "
+                  "240 pixels are written, status 0x1, the units stand at "
                   "stand_in.words 240, stand_in.tokens 16"));
   board_.configure(frame_config());
   board_.start();

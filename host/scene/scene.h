@@ -60,6 +60,7 @@ struct Scene {
   std::vector<Instance> instances;
   std::optional<Camera> camera;  // of the file, for a square image: camera.h fits it to another
   ImportCounts dropped;
+  std::vector<std::string> notes;  // sentences for the user: what was taken otherwise than asked
 };
 
 }  // namespace dynrt::host

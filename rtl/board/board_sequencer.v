@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Runs one frame: resets the core for RESET_CLOCKS, clears its counters, feeds the start tokens
-// 0 .. TOKENS - 1 (each frees a packet and empties a line of every cache), and waits for the token
+// 0 .. last_token_i (each frees a packet and empties a line of every cache), and waits for the token
 // that says the frame is complete. Between frames the core needs no clock.
 module board_sequencer #(
-  parameter TOKENS = 512,
   parameter RESET_CLOCKS = 16
 ) (
   input  wire        clk_i,
   input  wire        rst_ni,
   input  wire        start_i,  // ignored while busy
   input  wire        reset_i,  // give up whatever is under way
+  input  wire [9:0]  last_token_i,
   output wire        busy_o,
   output wire        done_o,   // the clock in which the frame becomes complete
   output reg  [63:0] cycles_o, // clocks since the core left its reset, until done
@@ -26,7 +26,6 @@ module board_sequencer #(
 );
 
   localparam [1:0] IDLE = 2'd0, RESET = 2'd1, FEED = 2'd2, RUN = 2'd3;
-  localparam [9:0] LAST_TOKEN = TOKENS[9:0] - 10'd1;
   localparam [9:0] LAST_RESET = RESET_CLOCKS[9:0] - 10'd1;
 
   reg [1:0] state_q;
@@ -62,7 +61,7 @@ module board_sequencer #(
         cycles_o <= cycles_o + 64'd1;
         if (start_valid_o && start_ready_i) begin
           count_q <= count_q + 10'd1;
-          if (count_q == LAST_TOKEN) state_q <= RUN;
+          if (count_q == last_token_i) state_q <= RUN;
         end
         if (done_o) state_q <= IDLE;
       end

@@ -32,8 +32,7 @@ module dynrt_board #(
   input  wire [6*32-1:0]  sram_rdata_i
 );
 
-  localparam FRAME_WORDS = 11;
-  localparam TOKENS = CACHE_LINES > PACKETS ? CACHE_LINES : PACKETS;
+  localparam FRAME_WORDS = 12;
 
   wire        start, reset, busy, done;
   wire [63:0] cycles;
@@ -57,6 +56,11 @@ module dynrt_board #(
   wire [6*20-1:0] core_addr;
   wire [3*32-1:0] core_wdata;
 
+  // FRAME registers 0 and 1 are the packets and the cache lines less one that the frame uses.
+  wire [9:0] last_packet = frame[9:0] - 10'd1;
+  wire [9:0] last_line = frame[41:32];
+  wire [9:0] last_token = last_packet > last_line ? last_packet : last_line;
+
   assign core_clk_en_o = !rst_ni || busy || counter_settling;
 
   board_registers #(
@@ -74,9 +78,9 @@ module dynrt_board #(
     .window_wdata_o(window_wdata), .window_rdata_i(rdata)
   );
 
-  board_sequencer #(.TOKENS(TOKENS)) sequencer (
+  board_sequencer sequencer (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .start_i(start), .reset_i(reset), .busy_o(busy), .done_o(done), .cycles_o(cycles),
+    .start_i(start), .reset_i(reset), .last_token_i(last_token), .busy_o(busy), .done_o(done), .cycles_o(cycles),
     .core_rst_no(core_rst_n), .counter_clear_o(counter_clear),
     .start_valid_o(start_valid), .start_ready_i(start_ready), .start_data_o(start_data),
     .done_valid_i(done_valid), .done_ready_o(done_ready)

@@ -7,9 +7,7 @@
 //   bank 3 [frame_base + p] = bank 0 ^ bank 1, bank 4 [p] = bank 2, bank 5 [p] = ~bank 0
 // one word a clock. Counters: 0 the words written, 1 the start tokens. A background of 32'hdeadbeef
 // makes it hang after the last write.
-module dynrt_core #(
-  parameter TOKENS = 16
-) (
+module dynrt_core (
   input  wire          clk_i,
   input  wire          rst_ni,
   input  wire          start_valid_i,
@@ -44,6 +42,8 @@ module dynrt_core #(
 
   localparam LATENCY = 3;
 
+  wire [31:0] packets = frame_i[32*0 +: 32];
+  wire [31:0] lines = frame_i[32*1 +: 32] + 32'd1;
   wire [31:0] width = frame_i[32*2 +: 32];
   wire [31:0] height = frame_i[32*3 +: 32];
   wire [31:0] background = frame_i[32*8 +: 32];
@@ -57,7 +57,7 @@ module dynrt_core #(
   reg  [LATENCY-1:0]    valid_q;
   reg  [20*LATENCY-1:0] word_q;
 
-  wire fed = tokens_q == TOKENS;
+  wire fed = tokens_q == (packets > lines ? packets : lines);
   wire issue = fed && {44'd0, next_q} < words;
   wire write = valid_q[LATENCY-1];
   wire [19:0] word = word_q[20*(LATENCY-1) +: 20];

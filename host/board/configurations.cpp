@@ -1,0 +1,71 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/board/configurations.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "host/board/messages.h"
+#include "host/board/rtl_board.h"
+#include "host/error.h"
+
+namespace dynrt::host {
+
+namespace {
+
+constexpr std::string_view kDependent[] = {"memory_", "_fill.", "_line.", ".stalls"};
+
+std::string names_of(std::span<const Configuration> table) {
+  std::vector<std::string_view> names;
+  for (const Configuration& configuration : table) names.push_back(configuration.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+const Configuration& find(std::span<const Configuration> table, const std::string& name) {
+  const auto found = std::ranges::find(table, name, &Configuration::name);
+  if (found == table.end()) {
+    throw UserError(fmt::format(messages::kNoConfiguration, name, names_of(table)));
+  }
+  return *found;
+}
+
+}  // namespace
+
+std::unique_ptr<Board> make_board(std::span<const Configuration> table,
+                                  const BoardRequest& request) {
+  const bool rtl = request.board == "rtl";
+  if (!rtl && request.board != "model") {
+    throw UserError(fmt::format(messages::kNoBoard, request.board));
+  }
+  const Configuration& configuration = find(table, request.configuration);
+  if (!rtl) {
+    if (!request.trace.empty()) throw UserError(messages::kNoTrace);
+    return std::make_unique<ModelBoard>(request.configuration, configuration.native());
+  }
+  if (!configuration.rtl) {
+    throw UserError(fmt::format(messages::kNoRtl, configuration.name));
+  }
+  return std::make_unique<RtlBoard>(
+      request.configuration,
+      request.trace.empty() ? configuration.rtl() : configuration.traced(request.trace),
+      counters_of(configuration.core_json()));
+}
+
+std::vector<Counter> counters_of(std::string_view core_json) {
+  std::vector<Counter> counters;
+  const auto core = nlohmann::json::parse(core_json);
+  for (const auto& name : core.at("counters")) {
+    counters.push_back({.name = name, .order_independent = order_independent(std::string(name))});
+  }
+  return counters;
+}
+
+bool order_independent(std::string_view counter) {
+  return std::ranges::none_of(
+      kDependent, [&](std::string_view part) { return counter.find(part) != counter.npos; });
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,48 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The boards that this build has: for every configuration of hls/configs/configs.json the native
+// core, and, where the Verilog was built, the Verilated board. The table is made by CMake.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "host/board/board.h"
+#include "host/board/clocked_board.h"
+#include "host/board/model_board.h"
+
+namespace dynrt::host {
+
+struct Configuration {
+  std::string_view name;
+  MakeNativeCore native = nullptr;
+  MakeBoard rtl = nullptr;  ///< null, and so is what follows: built without the Verilog
+  MakeTracedBoard traced = nullptr;
+  std::string_view (*core_json)() =
+      nullptr;  ///< the core as its join describes it: dynrt_core.json
+};
+
+struct BoardRequest {
+  std::string board = "rtl";
+  std::string configuration = "thesis";
+  std::string trace;  ///< an FST file, or empty
+};
+
+/// The table of this build.
+std::span<const Configuration> configurations();
+
+/// Throws UserError for an unknown board or configuration, and for waveforms of the model.
+std::unique_ptr<Board> make_board(std::span<const Configuration> table,
+                                  const BoardRequest& request);
+
+/// Counters of a core in the order of their addresses, from its dynrt_core.json.
+std::vector<Counter> counters_of(std::string_view core_json);
+
+/// Whether a counter depends on the frame alone, not on the order in which packets are served.
+/// What the caches miss does depend on it, and so does how often a unit has to wait.
+bool order_independent(std::string_view counter);
+
+}  // namespace dynrt::host

@@ -1,0 +1,71 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/board/configurations.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/error.h"
+
+namespace dynrt::host {
+namespace {
+
+using testing::ThrowsMessage;
+
+class EmptyCore final : public NativeCore {
+ public:
+  unsigned packets() const override { return 2; }
+  unsigned cache_lines() const override { return 4; }
+  void write(unsigned, std::uint32_t, std::span<const std::uint32_t>) override {}
+  void read(unsigned, std::uint32_t, std::span<std::uint32_t>) override {}
+  void render(const FrameConfig&) override {}
+  std::vector<Counter> counters() override { return {}; }
+};
+
+constexpr Configuration kTable[] = {
+    {.name = "small",
+     .native = []() -> std::unique_ptr<NativeCore> { return std::make_unique<EmptyCore>(); }},
+    {.name = "large",
+     .native = []() -> std::unique_ptr<NativeCore> { return std::make_unique<EmptyCore>(); }}};
+
+auto making(const BoardRequest& request) {
+  return [request] { make_board(kTable, request); };
+}
+
+TEST(Configurations, MakesTheModelOfTheNamedConfiguration) {
+  const auto board = make_board(kTable, {.board = "model", .configuration = "large", .trace = ""});
+  EXPECT_EQ(board->info().name, "model");
+  EXPECT_EQ(board->info().configuration, "large");
+  EXPECT_EQ(board->info().packets, 2u);
+}
+
+TEST(Configurations, WhatIsUnknownIsNamed) {
+  EXPECT_THAT(making({.board = "fpga", .configuration = "small", .trace = ""}),
+              ThrowsMessage<UserError>("--board fpga: unknown; the boards are rtl and model"));
+  EXPECT_THAT(making({.board = "model", .configuration = "huge", .trace = ""}),
+              ThrowsMessage<UserError>("--config huge: unknown; this build has small, large"));
+  EXPECT_THAT(making({.board = "model", .configuration = "small", .trace = "a.fst"}),
+              ThrowsMessage<UserError>("--trace: only --board rtl has signals to record; leave the "
+                                       "flag out or choose that board"));
+  EXPECT_THAT(making({.board = "rtl", .configuration = "small", .trace = ""}),
+              ThrowsMessage<UserError>(
+                  "--board rtl: the Verilog of configuration small is not part of this build; "
+                  "configure with -DDYNRT_RTL=ON or take --board model"));
+}
+
+TEST(Configurations, CountersComeFromTheJoin) {
+  const auto counters = counters_of(
+      R"({"counters": ["step.tokens", "memory_request.tokens", "node_line.tokens",
+                       "list.transactions", "node_fill.transactions", "list.stalls"]})");
+  ASSERT_EQ(counters.size(), 6u);
+  EXPECT_EQ(counters[0].name, "step.tokens");
+  EXPECT_TRUE(counters[0].order_independent);
+  EXPECT_FALSE(counters[1].order_independent);
+  EXPECT_FALSE(counters[2].order_independent);
+  EXPECT_TRUE(counters[3].order_independent);
+  EXPECT_FALSE(counters[4].order_independent);
+  EXPECT_FALSE(counters[5].order_independent);
+}
+
+}  // namespace
+}  // namespace dynrt::host

@@ -1,0 +1,42 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The native core of configuration C behind the interface that ModelBoard needs.
+#pragma once
+
+#include "host/board/configurations.h"
+#include "host/board/model_board.h"
+#include "units/core_model.h"
+
+namespace dynrt::host {
+
+template <class C>
+class NativeCoreOf final : public NativeCore {
+ public:
+  unsigned packets() const override { return C::kPackets; }
+  unsigned cache_lines() const override { return C::kLines; }
+
+  void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      core_.bank(bank)[address + i] = Word::from(words[i]);
+    }
+  }
+  void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      words[i] = static_cast<std::uint32_t>(core_.bank(bank)[address + i].to_u64());
+    }
+  }
+  void render(const FrameConfig& frame) override { core_.render(frame); }
+  std::vector<Counter> counters() override {
+    std::vector<Counter> counters;
+    for (const auto& [name, value] : core_.counters()) {
+      counters.push_back({name, value, order_independent(name)});
+    }
+    return counters;
+  }
+
+ private:
+  CoreModel<C> core_;
+};
+
+}  // namespace dynrt::host

@@ -1,0 +1,106 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/render/compare.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "units/memory_format.h"
+
+namespace dynrt::host {
+
+namespace {
+
+std::string number(std::uint32_t value) { return fmt::format("{}", value); }
+std::string flag(std::uint32_t value) { return value ? "yes" : "no"; }
+std::string colour(std::uint32_t value) { return fmt::format("{:#08x}", value); }
+
+/// The bits of a float and what they mean in the shipped format.
+std::string real(std::uint32_t bits) {
+  return fmt::format("{} ({:#08x})", Real::from_bits(Real::Bits::from(bits)).to_double(), bits);
+}
+
+struct Field {
+  const char* name;
+  std::uint32_t (*value)(const HitRecord&);
+  std::string (*text)(std::uint32_t);
+};
+
+constexpr Field kFields[] = {
+    {"hit", [](const HitRecord& r) -> std::uint32_t { return r.hit; }, flag},
+    {"object", [](const HitRecord& r) { return r.object; }, number},
+    {"triangle", [](const HitRecord& r) { return r.triangle; }, number},
+    {"t", [](const HitRecord& r) { return r.t; }, real},
+    {"u", [](const HitRecord& r) { return r.u; }, real},
+    {"v", [](const HitRecord& r) { return r.v; }, real},
+    {"cosine", [](const HitRecord& r) { return r.cosine; }, real},
+};
+
+Difference first_field(const HitRecord& left, const HitRecord& right) {
+  for (const Field& field : kFields) {
+    const std::uint32_t a = field.value(left);
+    const std::uint32_t b = field.value(right);
+    if (a != b) return {{}, {}, field.name, field.text(a), field.text(b)};
+  }
+  return {};
+}
+
+void note(Comparison& comparison, Difference difference) {
+  if (!comparison.first) comparison.first = std::move(difference);
+}
+
+void compare_pixels(Comparison& comparison, const Frame& left, const Frame& right) {
+  for (std::size_t p = 0; p < left.pixels.size(); ++p) {
+    const auto at = [&](Difference difference) {
+      difference.x = static_cast<unsigned>(p % left.width);
+      difference.y = static_cast<unsigned>(p / left.width);
+      return difference;
+    };
+    ++comparison.pixels;
+    comparison.hits += left.hits[p].hit;
+    if (left.hits[p] != right.hits[p]) {
+      ++comparison.different_hits;
+      note(comparison, at(first_field(left.hits[p], right.hits[p])));
+    }
+    if (left.pixels[p] != right.pixels[p]) {
+      ++comparison.different_pixels;
+      note(comparison, at({{}, {}, "colour", colour(left.pixels[p]), colour(right.pixels[p])}));
+    }
+  }
+}
+
+/// Counters that both boards have; the model counts no stalls.
+void compare_counters(Comparison& comparison, const Frame& left, const Frame& right) {
+  for (const Counter& counter : left.counters) {
+    if (!counter.order_independent) continue;
+    const auto other = std::ranges::find(right.counters, counter.name, &Counter::name);
+    if (other == right.counters.end()) continue;
+    ++comparison.counters;
+    if (counter.value == other->value) continue;
+    ++comparison.different_counters;
+    note(comparison,
+         {{}, {}, counter.name, fmt::format("{}", counter.value), fmt::format("{}", other->value)});
+  }
+}
+
+}  // namespace
+
+std::string Difference::text(const std::string& left_board, const std::string& right_board) const {
+  const std::string where = x ? fmt::format("pixel ({}, {}), {}", *x, *y, field) : field;
+  return fmt::format("{}: {} has {}, {} has {}", where, left_board, left, right_board, right);
+}
+
+Comparison compare(const Frame& left, const Frame& right) {
+  Comparison comparison;
+  if (left.width != right.width || left.height != right.height) {
+    const auto size = [](const Frame& f) { return fmt::format("{}x{}", f.width, f.height); };
+    note(comparison, {{}, {}, "size", size(left), size(right)});
+    return comparison;
+  }
+  compare_pixels(comparison, left, right);
+  compare_counters(comparison, left, right);
+  return comparison;
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,40 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Whether two boards did the same: every hit record, every pixel, every counter that does not
+// depend on the order in which packets are served. To the last bit.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host/render/frame.h"
+
+namespace dynrt::host {
+
+/// The first difference in reading order: pixels row by row, hits before colours, then counters.
+struct Difference {
+  std::optional<unsigned> x, y;  ///< of a pixel; none for a counter
+  std::string field;             ///< "hit", "t", .. "colour", or a counter's name
+  std::string left, right;       ///< both values, as text
+
+  /// One sentence, the boards named by the frames' boards.
+  std::string text(const std::string& left_board, const std::string& right_board) const;
+};
+
+struct Comparison {
+  std::uint64_t hits = 0;      ///< pixels hit on the left board
+  std::uint64_t pixels = 0;    ///< compared
+  std::uint64_t counters = 0;  ///< compared
+  std::uint64_t different_hits = 0;
+  std::uint64_t different_pixels = 0;
+  std::uint64_t different_counters = 0;
+  std::optional<Difference> first;
+
+  bool identical() const { return !first; }
+};
+
+/// Frames of the same size; otherwise the size is the difference.
+Comparison compare(const Frame& left, const Frame& right);
+
+}  // namespace dynrt::host

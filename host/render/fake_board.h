@@ -1,0 +1,47 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// A board for the renderer's tests: plain memory, and a frame made by the test.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "host/board/board.h"
+
+namespace dynrt::host {
+
+class FakeBoard final : public Board {
+ public:
+  using Memory = std::map<unsigned, std::vector<std::uint32_t>>;
+  std::function<void(const FrameConfig&, Memory&)> on_start = [](const FrameConfig&, Memory&) {};
+  std::vector<Counter> counter_values;
+  Memory memory;
+  FrameConfig frame;
+  std::uint64_t timeout = 0;
+
+  FakeBoard() {
+    for (unsigned bank = 0; bank < 6; ++bank) memory[bank].resize(1u << 20);
+  }
+  const BoardInfo& info() const override { return info_; }
+  void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override {
+    std::ranges::copy(words, memory.at(bank).begin() + address);
+  }
+  void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override {
+    std::copy_n(memory.at(bank).begin() + address, words.size(), words.begin());
+  }
+  void configure(const FrameConfig& config) override { frame = config; }
+  void start() override { on_start(frame, memory); }
+  FrameRun wait(std::uint64_t limit, const PixelProgress&) override {
+    timeout = limit;
+    return {.cycles = 1000, .seconds = 0.5};
+  }
+  std::vector<Counter> counters() override { return counter_values; }
+  BusTraffic traffic() const override { return {1, 2, 3, 4}; }
+
+ private:
+  BoardInfo info_{"rtl", "small", 8, 16};
+};
+
+}  // namespace dynrt::host

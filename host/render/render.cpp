@@ -1,0 +1,97 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/render/render.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "host/board/frame_words.h"
+#include "host/error.h"
+#include "host/render/hit_layout.h"
+#include "host/render/messages.h"
+
+namespace dynrt::host {
+
+namespace {
+
+constexpr std::uint32_t kFrameBase = 0;
+
+std::vector<std::uint32_t> read(Board& board, unsigned bank, std::uint32_t address,
+                                std::size_t count) {
+  std::vector<std::uint32_t> words(count);
+  board.read(bank, address, words);
+  return words;
+}
+
+std::vector<HitRecord> read_hits(Board& board, std::size_t pixels) {
+  const auto first = read(board, kHitBank, 0, pixels * kHitWords);
+  const auto second = read(board, kHitBank + 1, 0, pixels * kHitWords);
+  std::vector<HitRecord> hits(pixels);
+  for (std::size_t p = 0; p < pixels; ++p) {
+    hits[p] =
+        unpack_hit(std::span<const std::uint32_t, kHitWords>(&first[p * kHitWords], kHitWords),
+                   std::span<const std::uint32_t, kHitWords>(&second[p * kHitWords], kHitWords));
+  }
+  return hits;
+}
+
+}  // namespace
+
+void check_size(unsigned width, unsigned height) {
+  const std::uint64_t pixels = std::uint64_t{width} * height;
+  if (width == 0 || height == 0 || width > kMaxSide || height > kMaxSide || pixels > kMaxPixels) {
+    throw UserError(fmt::format(messages::kSize, width, height, kMaxSide, kMaxPixels));
+  }
+}
+
+FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
+                         const SceneAddresses& scene) {
+  check_size(options.width, options.height);
+  const unsigned packets = options.packets.value_or(board.packets);
+  const unsigned lines = options.lines.value_or(board.cache_lines);
+  if (packets == 0 || packets > board.packets) {
+    throw UserError(fmt::format(messages::kPackets, packets, board.configuration, board.packets));
+  }
+  if (!std::has_single_bit(lines) || lines > board.cache_lines) {
+    throw UserError(fmt::format(messages::kLines, lines, board.configuration, board.cache_lines));
+  }
+  const unsigned packet_side = (std::max(options.width, options.height) + 1) / 2;
+  FrameConfig frame;
+  frame.packets = to_word(packets);
+  frame.line_mask = to_word(lines - 1);
+  frame.width = to_word(options.width);
+  frame.height = to_word(options.height);
+  frame.scanline = to_word(options.order == RayOrder::kScanline);
+  frame.morton_bits = to_word(2 * static_cast<unsigned>(std::bit_width(packet_side - 1)));
+  frame.start_node = to_word(scene.start_node);
+  frame.camera_matrix = to_word(scene.camera_matrix);
+  frame.background = to_word(options.background);
+  frame.frame_base = to_word(kFrameBase);
+  frame.write_hits = to_word(1);
+  return frame;
+}
+
+Frame render(Board& board, const FrameOptions& options, const SceneAddresses& scene,
+             std::span<const BankWords> memory, const PixelProgress& progress) {
+  const FrameConfig config = frame_config(board.info(), options, scene);
+  for (const BankWords& part : memory) board.write(part.bank, part.address, part.words);
+  board.configure(config);
+  board.start();
+  Frame frame;
+  frame.board = board.info();
+  frame.width = options.width;
+  frame.height = options.height;
+  frame.packets = static_cast<unsigned>(config.packets.to_u64());
+  frame.lines = static_cast<unsigned>(config.line_mask.to_u64()) + 1;
+  frame.run = board.wait(options.timeout, progress);
+  const std::size_t pixels = std::size_t{options.width} * options.height;
+  frame.pixels = read(board, kFrameBank, kFrameBase, pixels);
+  frame.hits = read_hits(board, pixels);
+  frame.counters = board.counters();
+  frame.traffic = board.traffic();
+  return frame;
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,108 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/render/render.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/error.h"
+#include "host/render/fake_board.h"
+#include "units/memory_format.h"
+
+namespace dynrt::host {
+namespace {
+
+using testing::ThrowsMessage;
+
+const BoardInfo kBoard{"rtl", "small", 8, 16};
+
+auto configuring(const FrameOptions& options) {
+  return [options] { frame_config(kBoard, options, {}); };
+}
+
+TEST(FrameConfig, TakesAllThatTheConfigurationHas) {
+  const FrameConfig frame = frame_config(kBoard, {.width = 512, .height = 384}, {77, 99});
+  EXPECT_EQ(frame.packets.to_u64(), 8u);
+  EXPECT_EQ(frame.line_mask.to_u64(), 15u);
+  EXPECT_EQ(frame.width.to_u64(), 512u);
+  EXPECT_EQ(frame.height.to_u64(), 384u);
+  EXPECT_EQ(frame.scanline.to_u64(), 0u);
+  EXPECT_EQ(frame.start_node.to_u64(), 77u);
+  EXPECT_EQ(frame.camera_matrix.to_u64(), 99u);
+  EXPECT_EQ(frame.write_hits.to_u64(), 1u);
+}
+
+TEST(FrameConfig, MortonBitsCoverTheLargerSide) {
+  const auto bits = [](unsigned width, unsigned height) {
+    return frame_config(kBoard, {.width = width, .height = height}, {}).morton_bits.to_u64();
+  };
+  EXPECT_EQ(bits(1, 1), 0u);
+  EXPECT_EQ(bits(2, 2), 0u);
+  EXPECT_EQ(bits(3, 2), 2u);
+  EXPECT_EQ(bits(4, 4), 2u);
+  EXPECT_EQ(bits(5, 4), 4u);
+  EXPECT_EQ(bits(512, 384), 16u);
+  EXPECT_EQ(bits(300, 514), 18u);
+  EXPECT_EQ(bits(1024, 100), 18u);
+}
+
+TEST(FrameConfig, RefusesSizesThatTheBoardCannotHold) {
+  for (const auto& [width, height] :
+       {std::pair{0u, 10u}, {10u, 0u}, {1025u, 1u}, {1u, 1025u}, {1024u, 1024u}}) {
+    EXPECT_THAT(configuring({.width = width, .height = height}),
+                ThrowsMessage<UserError>(
+                    "--size " + std::to_string(width) + "x" + std::to_string(height) +
+                    ": an image has 1 to 1024 pixels a side and at most 349525 in all, which is "
+                    "what the board's framebuffer and hit records hold"));
+  }
+  EXPECT_NO_THROW(check_size(1024, 341));
+}
+
+TEST(FrameConfig, RefusesWhatTheConfigurationLacks) {
+  EXPECT_THAT(configuring({.packets = 0}),
+              ThrowsMessage<UserError>("--packets 0: configuration small holds 1 to 8 packets"));
+  EXPECT_THAT(configuring({.packets = 9}),
+              ThrowsMessage<UserError>("--packets 9: configuration small holds 1 to 8 packets"));
+  EXPECT_THAT(configuring({.lines = 32}),
+              ThrowsMessage<UserError>(
+                  "--lines 32: the caches of configuration small have 1, 2, 4 up to 16 lines"));
+  EXPECT_THAT(configuring({.lines = 3}),
+              ThrowsMessage<UserError>(
+                  "--lines 3: the caches of configuration small have 1, 2, 4 up to 16 lines"));
+  EXPECT_NO_THROW(configuring({.packets = 1, .lines = 1})());
+}
+
+TEST(Render, UploadsRendersAndReadsBack) {
+  FakeBoard board;
+  board.counter_values = {{"step.tokens", 5, true}};
+  board.on_start = [](const FrameConfig&, FakeBoard::Memory& memory) {
+    EXPECT_EQ(memory[1][20], 1u);
+    EXPECT_EQ(memory[1][21], 2u);
+    EXPECT_EQ(memory[2][0], 3u);
+    for (std::uint32_t p = 0; p < 6; ++p) memory[3][p] = 0x10 + p;
+    // Pixel 4 is hit: object 7, triangle 9.
+    memory[4][12] = 0x111;
+    memory[4][13] = 0x333;
+    memory[4][14] = 0x80000007;
+    memory[5][12] = 0x222;
+    memory[5][13] = 0x444;
+    memory[5][14] = 9;
+  };
+  const std::vector<std::uint32_t> nodes = {1, 2};
+  const std::vector<std::uint32_t> list = {3};
+  const std::vector<BankWords> memory = {{1, 20, nodes}, {2, 0, list}};
+  const Frame frame = render(board, {.width = 3, .height = 2, .timeout = 123}, {}, memory, {});
+  EXPECT_EQ(board.timeout, 123u);
+  EXPECT_EQ(board.frame.width.to_u64(), 3u);
+  EXPECT_EQ(frame.pixels, (std::vector<std::uint32_t>{0x10, 0x11, 0x12, 0x13, 0x14, 0x15}));
+  ASSERT_EQ(frame.hits.size(), 6u);
+  EXPECT_EQ(frame.hits[4], (HitRecord{true, 7, 9, 0x111, 0x222, 0x333, 0x444}));
+  EXPECT_EQ(frame.hits[3], HitRecord{});
+  EXPECT_EQ(frame.hit_count(), 1u);
+  EXPECT_EQ(frame.counters.at(0).value, 5u);
+  EXPECT_EQ(frame.run.cycles, 1000u);
+  EXPECT_EQ(frame.traffic.bus_clocks, 4u);
+}
+
+}  // namespace
+}  // namespace dynrt::host

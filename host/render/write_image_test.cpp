@@ -1,0 +1,111 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/render/write_image.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "host/error.h"
+
+namespace dynrt::host {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ThrowsMessage;
+
+class WriteImage : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("write_image_") +
+               testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::size_t files() const {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+
+  fs::path folder_;
+  Frame frame_ = [] {
+    Frame frame;
+    frame.width = 3;
+    frame.height = 2;
+    frame.pixels = {0x0000ff, 0x00ff00, 0xff0000, 0x000000, 0xffffff, 0x804020};
+    return frame;
+  }();
+};
+
+std::vector<float> read_back(const std::string& path) {
+  const auto input = OIIO::ImageInput::open(path);
+  EXPECT_TRUE(input) << OIIO::geterror();
+  if (!input) return {};
+  EXPECT_EQ(input->spec().width, 3);
+  EXPECT_EQ(input->spec().height, 2);
+  std::vector<float> values(18);
+  EXPECT_EQ(input->spec().nchannels, 3);
+  EXPECT_TRUE(input->read_image(0, 0, 0, 3, OIIO::TypeDesc::FLOAT, values.data()));
+  return values;
+}
+
+TEST_F(WriteImage, PngAndExrHoldThePixels) {
+  const std::vector<float> expected = {1, 0, 0, 0, 1, 0, 0,          0,          1,  //
+                                       0, 0, 0, 1, 1, 1, 32 / 255.f, 64 / 255.f, 128 / 255.f};
+  for (const char* name : {"image.png", "image.exr"}) {
+    write_image(path(name), frame_);
+    EXPECT_THAT(read_back(path(name)), testing::Pointwise(testing::FloatNear(1e-3f), expected))
+        << name;
+  }
+  EXPECT_EQ(files(), 2u);
+}
+
+TEST_F(WriteImage, ReplacesAnOlderFile) {
+  write_text(path("image.png"), "not an image");
+  write_image(path("image.png"), frame_);
+  EXPECT_EQ(read_back(path("image.png")).size(), 18u);
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(WriteImage, AnUnknownExtensionIsAnError) {
+  EXPECT_THAT([&] { write_image("image.jpg", frame_); },
+              ThrowsMessage<UserError>("image.jpg: the image format '.jpg' is not one of dynrt's; "
+                                       "the name must end in .png or .exr"));
+  EXPECT_THAT([&] { check_image_path("image"); },
+              ThrowsMessage<UserError>("image: the image format '' is not one of dynrt's; the name "
+                                       "must end in .png or .exr"));
+}
+
+TEST_F(WriteImage, AFolderThatIsMissingIsAnError) {
+  EXPECT_THAT([&] { check_image_path(path("missing/image.png")); },
+              ThrowsMessage<UserError>(path("missing/image.png") + ": there is no folder '" +
+                                       path("missing") + "'; create it or name a file elsewhere"));
+}
+
+TEST_F(WriteImage, AFileThatCannotBeWrittenIsAnErrorAndNothingIsLeft) {
+  fs::create_directory(path("image.png"));
+  EXPECT_THAT([&] { write_image(path("image.png"), frame_); },
+              ThrowsMessage<UserError>(path("image.png") +
+                                       ": cannot be written (Is a directory); name a file in a "
+                                       "folder that can"));
+  EXPECT_THAT([] { check_output_path("/proc/image.json"); },
+              ThrowsMessage<UserError>(testing::StartsWith("/proc/image.json: cannot be written")));
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(WriteImage, TextIsWrittenWhole) {
+  write_text(path("figures.json"), "{}\n");
+  std::ifstream file(path("figures.json"));
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "{}\n");
+  EXPECT_EQ(files(), 1u);
+}
+
+}  // namespace
+}  // namespace dynrt::host

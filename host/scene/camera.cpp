@@ -1,0 +1,100 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/scene/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <limits>
+
+#include "host/scene/wording.h"
+
+namespace dynrt::host {
+
+namespace {
+
+constexpr glm::dvec3 kFramedFrom{0.5, 0.4, 1.0};  // right, above and in front of the centre
+
+void require_finite(const glm::dvec3& v, const char* what) {
+  if (!std::isfinite(v.x + v.y + v.z)) {
+    wording::fail(wording::kCameraNotFinite, what, v.x, v.y, v.z);
+  }
+}
+
+double field_of_view_of(const Camera& camera) {
+  return glm::degrees(2.0 *
+                      std::atan(glm::length(camera.up) / (2.0 * glm::length(camera.forward))));
+}
+
+Camera widen(Camera camera, double aspect) {
+  camera.right = glm::normalize(camera.right) * glm::length(camera.up) * aspect;
+  return camera;
+}
+
+}  // namespace
+
+Box bounds(const Scene& scene) {
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  Box box{glm::dvec3(kInf), glm::dvec3(-kInf)};
+  for (const Instance& instance : scene.instances) {
+    for (const glm::dvec3& v : scene.objects[instance.object].vertices) {
+      const glm::dvec3 world(instance.transform * glm::dvec4(v, 1.0));
+      box.low = glm::min(box.low, world);
+      box.high = glm::max(box.high, world);
+    }
+  }
+  return box;
+}
+
+Camera look_at(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec3& up,
+               double field_of_view, double aspect) {
+  require_finite(position, "position");
+  require_finite(target, "look-at point");
+  require_finite(up, "up");
+  if (!(field_of_view > 0.0 && field_of_view < 180.0)) {
+    wording::fail(wording::kFieldOfView, field_of_view);
+  }
+  const double distance = glm::length(target - position);
+  if (!(distance > 0.0)) wording::fail(wording::kCameraPoint, target.x, target.y, target.z);
+  const glm::dvec3 forward = (target - position) / distance;
+  const glm::dvec3 sideways = glm::cross(forward, up);
+  if (!(glm::length(sideways) > 1e-9 * glm::length(up))) {
+    wording::fail(wording::kCameraUp, up.x, up.y, up.z);
+  }
+  const double height = 2.0 * std::tan(glm::radians(field_of_view) / 2.0);
+  const glm::dvec3 right = glm::normalize(sideways);
+  return {position, right * height * aspect, glm::cross(right, forward) * height, forward};
+}
+
+Camera frame(const Box& box, const glm::dvec3& up, double field_of_view, double aspect) {
+  const glm::dvec3 centre = (box.low + box.high) / 2.0;
+  const double radius = glm::length(box.high - box.low) / 2.0;
+  const double half_height = glm::radians(std::clamp(field_of_view, 1e-3, 179.0)) / 2.0;
+  const double half_width = std::atan(std::tan(half_height) * aspect);
+  const double distance = radius / std::sin(std::min(half_height, half_width));
+  return look_at(centre + glm::normalize(kFramedFrom) * distance, centre, up, field_of_view,
+                 aspect);
+}
+
+Camera choose_camera(const Scene& scene, const CameraFlags& flags, int width, int height) {
+  if (width < 1 || height < 1) wording::fail(wording::kImageSize, width, height);
+  const double aspect = static_cast<double>(width) / height;
+  const bool flagged = flags.position || flags.look_at || flags.up || flags.field_of_view;
+  if (scene.camera && !flagged) return widen(*scene.camera, aspect);
+
+  const glm::dvec3 up = flags.up.value_or(scene.camera ? scene.camera->up : glm::dvec3(0, 1, 0));
+  const double field_of_view = flags.field_of_view.value_or(
+      scene.camera ? field_of_view_of(*scene.camera) : kDefaultFieldOfView);
+  const Box box = bounds(scene);
+  const Camera start =
+      scene.camera ? *scene.camera : frame(box, glm::dvec3(0, 1, 0), field_of_view, aspect);
+  const glm::dvec3 position = flags.position.value_or(start.position);
+  // A camera that is only moved keeps looking the way the scene's looks, or at the scene's centre.
+  const glm::dvec3 target = flags.look_at.value_or(scene.camera ? position + scene.camera->forward
+                                                                : (box.low + box.high) / 2.0);
+  return look_at(position, target, up, field_of_view, aspect);
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,28 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/scene/check_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "host/scene/wording.h"
+
+namespace dynrt::host {
+
+std::string read_file(const std::string& path) {
+  if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
+    wording::fail(wording::kNotAFile, path);
+  }
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) wording::fail(wording::kUnreadable, path, std::strerror(errno));
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) wording::fail(wording::kUnreadable, path, std::strerror(errno));
+  if (text.empty()) wording::fail(wording::kEmptyFile, path);
+  return text;
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,29 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Closed surfaces made by formula, centred on the origin unless said otherwise, y up, triangles
+// counterclockwise seen from outside.
+#ifndef DYNRT_HOST_SCENE_GENERATE_H_
+#define DYNRT_HOST_SCENE_GENERATE_H_
+
+#include <glm/vec3.hpp>
+
+#include "host/scene/scene.h"
+
+namespace dynrt::host {
+
+// An icosahedron whose faces are split in four `subdivisions` times: 20 * 4^subdivisions triangles,
+// all vertices on the sphere.
+Mesh make_sphere(double radius, int subdivisions, uint32_t material);
+
+// 12 triangles between two corners.
+Mesh make_box(const glm::dvec3& low, const glm::dvec3& high, uint32_t material);
+
+// A tube of `minor_radius` around a circle of `major_radius` in the plane y = 0: `segments` along
+// the circle, `sides` around the tube, 2 * segments * sides triangles.
+Mesh make_torus(double major_radius, double minor_radius, int segments, int sides,
+                uint32_t material);
+
+}  // namespace dynrt::host
+
+#endif  // DYNRT_HOST_SCENE_GENERATE_H_

@@ -1,0 +1,137 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/scene/json_reader.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/scene/check_file.h"
+#include "host/scene/wording.h"
+
+namespace dynrt::host {
+
+namespace {
+
+constexpr char kTop[] = "the file";
+
+std::string what_is_wrong(
+    const std::string& message) {  // without nlohmann's "[...] parse error at"
+  const auto colon = message.find(": ");
+  return colon == std::string::npos ? message : message.substr(colon + 2);
+}
+
+}  // namespace
+
+JsonReader JsonReader::from_file(const std::string& path) {
+  const std::string text = read_file(path);
+  try {
+    nlohmann::json json = nlohmann::json::parse(text);
+    if (!json.is_object()) wording::fail(wording::kJson, path, 1, "it must be an object, {...}");
+    return {path, kTop, std::move(json)};
+  } catch (const nlohmann::json::parse_error& error) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
+    const auto line = 1 + std::count(text.begin(), end, '\n');
+    wording::fail(wording::kJson, path, line, what_is_wrong(error.what()));
+  }
+}
+
+void JsonReader::only(std::initializer_list<const char*> keys) const {
+  for (const auto& [key, value] : json_.items()) {
+    if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+      wording::fail(wording::kKeyUnknown, file_, where_, key,
+                    fmt::format("{}", fmt::join(keys, ", ")));
+    }
+  }
+}
+
+const nlohmann::json& JsonReader::at(const std::string& key) const {
+  const auto found = json_.find(key);
+  if (found == json_.end()) wording::fail(wording::kKeyMissing, file_, where_, key);
+  return *found;
+}
+
+void JsonReader::wrong_type(const std::string& key, const std::string& right) const {
+  wording::fail(wording::kKeyType, file_, where_, key, right);
+}
+
+std::string JsonReader::below(const std::string& key) const {
+  return where_ == kTop ? key : where_ + "." + key;
+}
+
+std::string JsonReader::text(const std::string& key) const {
+  const nlohmann::json& value = at(key);
+  if (!value.is_string()) wrong_type(key, "a text");
+  return value.get<std::string>();
+}
+
+double JsonReader::number(const std::string& key) const {
+  const nlohmann::json& value = at(key);
+  if (!value.is_number()) wrong_type(key, "a number");
+  return value.get<double>();
+}
+
+double JsonReader::positive(const std::string& key) const {
+  const double value = number(key);
+  if (!(value > 0.0)) wrong_type(key, "a number above zero");
+  return value;
+}
+
+int JsonReader::integer(const std::string& key, int low, int high) const {
+  const nlohmann::json& value = at(key);
+  if (!value.is_number_integer() || value.get<double>() < low || value.get<double>() > high) {
+    wrong_type(key, fmt::format("a whole number from {} to {}", low, high));
+  }
+  return value.get<int>();
+}
+
+std::vector<double> JsonReader::numbers(const std::string& key, std::size_t count) const {
+  const nlohmann::json& value = at(key);
+  const bool good = value.is_array() && value.size() == count &&
+                    std::all_of(value.begin(), value.end(),
+                                [](const nlohmann::json& number) { return number.is_number(); });
+  if (!good) wrong_type(key, fmt::format("a list of {} numbers", count));
+  return value.get<std::vector<double>>();
+}
+
+glm::dvec3 JsonReader::vector(const std::string& key) const {
+  const std::vector<double> v = numbers(key, 3);
+  return {v[0], v[1], v[2]};
+}
+
+JsonReader JsonReader::object(const std::string& key) const {
+  if (!at(key).is_object()) wrong_type(key, "an object, {...}");
+  return {file_, below(key), at(key)};
+}
+
+std::vector<JsonReader> JsonReader::objects(const std::string& key) const {
+  const nlohmann::json& list = at(key);
+  std::vector<JsonReader> readers;
+  if (!list.is_array()) wrong_type(key, "a list of objects, [{...}, ...]");
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (!list[i].is_object()) wrong_type(key, "a list of objects, [{...}, ...]");
+    readers.push_back({file_, fmt::format("{}[{}]", below(key), i), list[i]});
+  }
+  return readers;
+}
+
+std::vector<std::string> JsonReader::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : json_.items()) keys.push_back(key);
+  return keys;
+}
+
+std::string JsonReader::text(const std::string& key, const std::string& otherwise) const {
+  return has(key) ? text(key) : otherwise;
+}
+
+double JsonReader::number(const std::string& key, double otherwise) const {
+  return has(key) ? number(key) : otherwise;
+}
+
+glm::dvec3 JsonReader::vector(const std::string& key, const glm::dvec3& otherwise) const {
+  return has(key) ? vector(key) : otherwise;
+}
+
+}  // namespace dynrt::host

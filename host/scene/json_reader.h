@@ -1,0 +1,60 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Reads the keys of one JSON object and says exactly where something is missing, misspelt or of
+// another type: "office.json: objects[0].parts[3]: 'position' must be three numbers".
+#ifndef DYNRT_HOST_SCENE_JSON_READER_H_
+#define DYNRT_HOST_SCENE_JSON_READER_H_
+
+#include <glm/vec3.hpp>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dynrt::host {
+
+class JsonReader {
+ public:
+  // The whole file. Throws UserError with the line when it is not valid JSON or no object.
+  static JsonReader from_file(const std::string& path);
+
+  // Throws UserError when there is another key than these.
+  void only(std::initializer_list<const char*> keys) const;
+
+  bool has(const std::string& key) const { return json_.contains(key); }
+  std::string text(const std::string& key) const;
+  double number(const std::string& key) const;
+  double positive(const std::string& key) const;
+  int integer(const std::string& key, int low, int high) const;
+  std::vector<double> numbers(const std::string& key, std::size_t count) const;
+  glm::dvec3 vector(const std::string& key) const;
+  JsonReader object(const std::string& key) const;
+  std::vector<JsonReader> objects(const std::string& key) const;  // of an array
+  std::vector<std::string> keys() const;
+
+  // The same, or what is given when the key is absent.
+  std::string text(const std::string& key, const std::string& otherwise) const;
+  double number(const std::string& key, double otherwise) const;
+  glm::dvec3 vector(const std::string& key, const glm::dvec3& otherwise) const;
+
+  const std::string& file() const { return file_; }
+  const std::string& where() const { return where_; }
+  bool is_text(const std::string& key) const { return json_.at(key).is_string(); }
+
+ private:
+  JsonReader(std::string file, std::string where, nlohmann::json json)
+      : file_(std::move(file)), where_(std::move(where)), json_(std::move(json)) {}
+
+  const nlohmann::json& at(const std::string& key) const;
+  [[noreturn]] void wrong_type(const std::string& key, const std::string& right) const;
+  std::string below(const std::string& key) const;
+
+  std::string file_, where_;
+  nlohmann::json json_;
+};
+
+}  // namespace dynrt::host
+
+#endif  // DYNRT_HOST_SCENE_JSON_READER_H_

@@ -1,0 +1,119 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Every sentence that a user can get from a scene that is not as it should be: each names the file
+// (and the line, mesh or node), says what is wrong and what would be right.
+#ifndef DYNRT_HOST_SCENE_WORDING_H_
+#define DYNRT_HOST_SCENE_WORDING_H_
+
+#include <fmt/format.h>
+
+#include "host/error.h"
+
+namespace dynrt::host::wording {
+
+using Text = const char[];
+
+// Which file
+inline constexpr Text kUnknownScene =
+    "there is no scene '{}': give a built-in name ({}) or the path of a file";
+inline constexpr Text kUnreadable = "{}: cannot be read ({})";
+inline constexpr Text kNotAFile = "{}: is not a file; give an OBJ, PLY, glTF or GLB file";
+inline constexpr Text kEmptyFile = "{}: the file is empty";
+inline constexpr Text kExtension =
+    "{}: the extension '{}' is not known; scenes are .obj, .ply, .gltf, .glb or .json files";
+inline constexpr Text kRejected = "{}: is not a valid {} file: {}";
+
+// What an import gives
+inline constexpr Text kVertexNotFinite =
+    "{}: mesh '{}', vertex {}: the position ({}, {}, {}) is not finite";
+inline constexpr Text kFaceIndex =
+    "{}: mesh '{}', face {}: uses vertex {}, but the mesh has {} vertices";
+inline constexpr Text kNoInverse =
+    "{}: node '{}': its transform has no inverse; no axis may be scaled to zero and the three must "
+    "not lie in one plane";
+inline constexpr Text kTransformNotAffine =
+    "{}: node '{}': its transform is not affine; the last row must be 0 0 0 1 and all numbers "
+    "finite";
+inline constexpr Text kNoTriangles =
+    "{}: the scene has no triangles ({} of zero area, {} points and lines left out)";
+
+// Notes, which stop nothing
+inline constexpr Text kCameraNotPerspective =
+    "{}: camera '{}' is not a perspective camera and was left out";
+inline constexpr Text kNoMaterialFile =
+    "{}: the material file '{}' is not there, so its materials are grey";
+
+// OBJ, by line
+inline constexpr Text kObjKeyword = "{}:{}: '{}' is not a statement of an OBJ file";
+inline constexpr Text kObjVertex = "{}:{}: a vertex needs three numbers, not '{}'";
+inline constexpr Text kObjVertexNotFinite =
+    "{}:{}: vertex {} is not finite: '{}' is outside the range of single precision";
+inline constexpr Text kObjFaceShort =
+    "{}:{}: a face needs at least three vertices, this one has {}";
+inline constexpr Text kObjFaceIndex = "{}:{}: '{}' is not a vertex of a face";
+inline constexpr Text kObjFaceRange =
+    "{}:{}: the face uses vertex {}, but the file has {} vertices";
+
+// PLY
+inline constexpr Text kPlyMagic = "{}: is not a valid PLY file: it must begin with 'ply'";
+inline constexpr Text kPlyHeader = "{}:{}: '{}' is not a line of a PLY header";
+inline constexpr Text kPlyHeaderEnds =
+    "{}: the PLY header has no 'end_header'; the file seems cut off";
+inline constexpr Text kPlyNoFormat = "{}: the PLY header has no 'format' line";
+inline constexpr Text kPlyNoProperty =
+    "{}: the PLY header gives element '{}' no property; it needs at least one";
+inline constexpr Text kPlyCutOff =
+    "{}: the PLY header announces {} of element '{}', but the file ends after {}; it seems cut off";
+inline constexpr Text kPlyNumber = "{}:{}: '{}' is not a number of element '{}'";
+inline constexpr Text kPlyIndex = "{}: face {} uses vertex {}, but the file has {} vertices";
+
+// Scene descriptions
+inline constexpr Text kJson = "{}:{}: is not valid JSON: {}";
+inline constexpr Text kDescription = "{}: {}: {}";
+inline constexpr Text kNoColour = "'{}' is not one of the file's colours";
+inline constexpr Text kColourRange = "'{}' must be three numbers from 0 to 1";
+inline constexpr Text kTwice = "there are two objects named '{}'";
+inline constexpr Text kNoParts = "the object '{}' has no parts";
+inline constexpr Text kSize = "'size' must be three numbers above zero";
+inline constexpr Text kNoMaterial = "the model has no material '{}'; it has {}";
+inline constexpr Text kPartKind = "a part needs either the key 'model' or the key 'generate'";
+inline constexpr Text kBoxCorners = "'from' must be below 'to' on every axis";
+inline constexpr Text kShape = "'{}' cannot be generated; sphere, box and torus can";
+inline constexpr Text kNoObject = "there is no object '{}'";
+inline constexpr Text kAxis = "'axis' must not be zero";
+inline constexpr Text kUnusedObject = "no instance uses the object '{}'";
+inline constexpr Text kKeyMissing = "{}: {}: the key '{}' is missing";
+inline constexpr Text kKeyUnknown = "{}: {}: the key '{}' is not known; it takes {}";
+inline constexpr Text kKeyType = "{}: {}: '{}' must be {}";
+
+// The furniture package
+inline constexpr Text kNoPackage =
+    "the models of this scene come from the Debian package sweethome3d-furniture, which is not "
+    "installed ({} has no .sh3f file); install it with: apt-get install sweethome3d-furniture";
+inline constexpr Text kNoModel =
+    "{}: {}: the package sweethome3d-furniture has no model with the catalogue id '{}'";
+inline constexpr Text kCatalogueKey =
+    "{}: the catalogue's entry '{}' has no usable '{}'; reinstall the package "
+    "sweethome3d-furniture";
+inline constexpr Text kBadLibrary =
+    "{}: is not a readable zip library ({}); reinstall the package sweethome3d-furniture";
+
+// Cameras
+inline constexpr Text kFieldOfView =
+    "the camera's field of view is {} degrees; it must lie between 0 and 180";
+inline constexpr Text kCameraNotFinite = "the camera's {} ({}, {}, {}) is not finite";
+inline constexpr Text kCameraPoint =
+    "the camera stands at the point that it looks at ({}, {}, {}); move one of the two";
+inline constexpr Text kCameraUp =
+    "the camera's up ({}, {}, {}) is parallel to its view; give another one";
+inline constexpr Text kImageSize = "the image is {}x{} pixels; both sides must be at least 1";
+
+template <typename... Args>
+[[noreturn]] void fail(fmt::format_string<const Args&...> text, const Args&... args) {
+  throw UserError(fmt::format(text, args...));
+}
+
+}  // namespace dynrt::host::wording
+
+#endif  // DYNRT_HOST_SCENE_WORDING_H_

@@ -1,0 +1,75 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/scene/zip_library.h"
+
+#include <assimp/MemoryIOWrapper.h>
+
+#include <filesystem>
+
+#include "host/scene/wording.h"
+
+namespace dynrt::host {
+
+namespace {
+
+constexpr zip_uint64_t kLargest = 1u << 30;  // a model beyond a gigabyte is none of ours
+
+// Owns what it gives out.
+class TextStream : public Assimp::MemoryIOStream {
+ public:
+  explicit TextStream(std::string text)
+      : TextStream(std::make_unique<std::string>(std::move(text))) {}
+
+ private:
+  explicit TextStream(std::unique_ptr<std::string> text)
+      : MemoryIOStream(reinterpret_cast<const uint8_t*>(text->data()), text->size()),
+        text_(std::move(text)) {}
+
+  std::unique_ptr<std::string> text_;
+};
+
+// Assimp asks for files of the folder "a/b" as "a/b/c" or "a/b/./c".
+std::string normal(const std::string& name) {
+  return std::filesystem::path(name).lexically_normal().generic_string();
+}
+
+}  // namespace
+
+ZipLibrary::ZipLibrary(const std::string& path) : path_(path) {
+  int code = 0;
+  archive_.reset(zip_open(path.c_str(), ZIP_RDONLY, &code));
+  if (archive_) return;
+  zip_error_t error;
+  zip_error_init_with_code(&error, code);
+  const std::string reason = zip_error_strerror(&error);
+  zip_error_fini(&error);
+  wording::fail(wording::kBadLibrary, path, reason);
+}
+
+std::optional<std::string> ZipLibrary::read(const std::string& name) const {
+  zip_stat_t stat;
+  if (zip_stat(archive_.get(), normal(name).c_str(), 0, &stat) != 0) return std::nullopt;
+  if (stat.size > kLargest) wording::fail(wording::kBadLibrary, path_, name + " is too large");
+  const auto close = [](zip_file_t* file) { zip_fclose(file); };
+  const std::unique_ptr<zip_file_t, decltype(close)> file(
+      zip_fopen_index(archive_.get(), stat.index, 0), close);
+  std::string text(stat.size, '\0');
+  if (!file ||
+      zip_fread(file.get(), text.data(), stat.size) != static_cast<zip_int64_t>(stat.size)) {
+    wording::fail(wording::kBadLibrary, path_, name + " cannot be unpacked");
+  }
+  return text;
+}
+
+bool ZipLibrary::Exists(const char* name) const {
+  return zip_name_locate(archive_.get(), normal(name).c_str(), 0) >= 0;
+}
+
+Assimp::IOStream* ZipLibrary::Open(const char* name, const char* /*mode*/) {
+  std::optional<std::string> text = read(name);
+  return text ? new TextStream(std::move(*text)) : nullptr;
+}
+
+void ZipLibrary::Close(Assimp::IOStream* stream) { delete stream; }
+
+}  // namespace dynrt::host

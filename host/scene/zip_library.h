@@ -1,0 +1,42 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// A zip file as Assimp's file system, so that a model inside finds the material file beside it.
+#ifndef DYNRT_HOST_SCENE_ZIP_LIBRARY_H_
+#define DYNRT_HOST_SCENE_ZIP_LIBRARY_H_
+
+#include <zip.h>
+
+#include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace dynrt::host {
+
+class ZipLibrary : public Assimp::IOSystem {
+ public:
+  // Throws UserError when it is no zip file that can be read.
+  explicit ZipLibrary(const std::string& path);
+
+  // Nothing when there is no such file inside; throws UserError when it cannot be unpacked.
+  std::optional<std::string> read(const std::string& name) const;
+
+  bool Exists(const char* name) const override;
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* name, const char* mode) override;
+  void Close(Assimp::IOStream* stream) override;
+
+ private:
+  struct Discard {
+    void operator()(zip_t* archive) const { zip_discard(archive); }
+  };
+
+  std::string path_;
+  std::unique_ptr<zip_t, Discard> archive_;
+};
+
+}  // namespace dynrt::host
+
+#endif  // DYNRT_HOST_SCENE_ZIP_LIBRARY_H_

@@ -1,0 +1,46 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// From the nodes as the recursion leaves them to a Tree: clipping nodes on top, nodes numbered
+// depth first, leaves with the same items made one, figures counted.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "host/tree/sweep.h"
+#include "host/tree/tree.h"
+
+namespace dynrt::host {
+
+/// Nodes in any order, splits as codes; node 0 is the null node.
+struct RawTree {
+  struct Node {
+    int axis = kLeafAxis;
+    Code split = 0;
+    uint32_t left = 0;   ///< leaf: its first item
+    uint32_t right = 0;  ///< leaf: how many items
+  };
+  std::vector<Node> nodes = std::vector<Node>(1);
+  std::vector<uint32_t> items;
+
+  struct Size {
+    std::size_t nodes, items;
+  };
+  Size size() const { return {nodes.size(), items.size()}; }
+  /// Forgets what was added since.
+  void cut_back(const Size& to) {
+    nodes.resize(to.nodes);
+    items.resize(to.items);
+  }
+
+  uint32_t add_inner(int axis, Code split);
+  uint32_t add_leaf(std::span<const ItemRef> leaf_items);
+  /// Takes over another tree's nodes; returns where its node `root` now is.
+  uint32_t append(const RawTree& other, uint32_t root);
+};
+
+/// `cell` is what the clipping nodes cut out.
+Tree assemble(const RawTree& raw, uint32_t root, const GridBox& cell);
+
+}  // namespace dynrt::host

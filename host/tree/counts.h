@@ -1,0 +1,58 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Counts the work that a scene's trees make: a tracer in doubles that walks packets of 2x2 primary
+// rays through both levels as the core does (thesis 3.1.3, packet decision, termination, mailbox),
+// only without rounding. It judges the quality of trees, and its hits judge the trees themselves.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "host/tree/scene_trees.h"
+
+namespace dynrt::host {
+
+struct WorkCounts {
+  uint64_t packets = 0;
+  uint64_t top_steps = 0;     ///< inner nodes fetched, of the instances' tree
+  uint64_t object_steps = 0;  ///< inner nodes fetched, of objects' trees
+  uint64_t leaf_fetches = 0;  ///< leaves fetched, which are never empty
+  uint64_t empty_leaves = 0;  ///< empty children that were not fetched
+  uint64_t list_entries = 0;
+  uint64_t triangles = 0;       ///< packets transformed to a triangle, after the mailbox
+  uint64_t objects = 0;         ///< packets transformed to an object, after the mailbox
+  uint64_t hits = 0;            ///< rays
+  uint64_t dropped_pushes = 0;  ///< for want of stack
+  int deepest_stack = 0;
+
+  uint64_t steps() const { return top_steps + object_steps; }
+  /// Clocks of the busiest unit alone, with one step, one list entry and a fifth of a transformed
+  /// packet a clock.
+  uint64_t bound() const;
+};
+
+struct TracedHit {
+  bool hit = false;
+  double t = 0, u = 0, v = 0;
+  uint32_t instance = 0, triangle = 0;
+};
+
+struct TraceOptions {
+  int stack_depth = 31;
+  unsigned mailbox_slots = 8;
+  bool always_clip = false;       ///< start at the clipping nodes wherever the camera is
+  bool object_clip_free = false;  ///< count the clipping nodes of objects as no steps
+};
+
+struct TracedFrame {
+  WorkCounts work;
+  std::vector<TracedHit> hits;  ///< row by row, as pixels are numbered
+};
+
+/// Traces width x height primary rays (even numbers), pixel centres at x + 1/2.
+TracedFrame trace_frame(const Scene& scene, const SceneTrees& trees, const Camera& camera,
+                        unsigned width, unsigned height, const TraceOptions& options = {});
+
+}  // namespace dynrt::host

@@ -1,0 +1,139 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The tracer through the trees finds what brute force finds.
+#include "host/tree/counts.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+
+#include "host/tree/test_meshes.h"
+#include "host/tree/triangle_matrix.h"
+
+namespace dynrt::host {
+namespace {
+
+constexpr unsigned kSide = 32;
+
+/// The closest hit of every pixel, without trees or packets.
+std::vector<TracedHit> brute_force(const Scene& scene, const Camera& camera) {
+  std::vector<TracedHit> hits(kSide * kSide);
+  for (uint32_t n = 0; n < scene.instances.size(); ++n) {
+    const Instance& instance = scene.instances[n];
+    const Mesh& mesh = scene.objects[instance.object];
+    const glm::dmat4 to_object = glm::inverse(instance.transform);
+    const glm::dvec3 origin(to_object * glm::dvec4(camera.position, 1));
+    for (uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+      const glm::uvec3& t = mesh.triangles[i];
+      const glm::dvec3& c = mesh.vertices[t.z];
+      const glm::dvec3 a = mesh.vertices[t.x] - c;
+      const glm::dvec3 b = mesh.vertices[t.y] - c;
+      for (unsigned y = 0; y < kSide; ++y) {
+        for (unsigned x = 0; x < kSide; ++x) {
+          const glm::dvec3 d(to_object *
+                             glm::dvec4(((x + 0.5) / kSide - 0.5) * camera.right +
+                                            (0.5 - (y + 0.5) / kSide) * camera.up + camera.forward,
+                                        0));
+          const glm::dvec3 p = glm::cross(d, b);
+          const double det = glm::dot(a, p);
+          const double u = glm::dot(origin - c, p) / det;
+          const glm::dvec3 q = glm::cross(origin - c, a);
+          const double v = glm::dot(d, q) / det;
+          const double distance = glm::dot(b, q) / det;
+          TracedHit& hit = hits[y * kSide + x];
+          if (u >= 0 && v >= 0 && u + v <= 1 && distance > 0 && (!hit.hit || distance < hit.t)) {
+            hit = {true, distance, u, v, n, i};
+          }
+        }
+      }
+    }
+  }
+  return hits;
+}
+
+/// Compares all pixels; returns how many were hit.
+int expect_same_hits(const Scene& scene, const Camera& camera) {
+  const SceneTrees trees = build_scene_trees(scene);
+  const std::vector<TracedHit> expected = brute_force(scene, camera);
+  int hits = 0;
+  for (const bool always_clip : {false, true}) {
+    TraceOptions options;
+    options.always_clip = always_clip;
+    const TracedFrame frame = trace_frame(scene, trees, camera, kSide, kSide, options);
+    EXPECT_EQ(frame.work.packets, kSide * kSide / 4);
+    EXPECT_EQ(frame.work.dropped_pushes, 0u);
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const TracedHit& got = frame.hits[i];
+      EXPECT_EQ(got.hit, expected[i].hit) << "pixel " << i;
+      if (!got.hit || !expected[i].hit) continue;
+      ++hits;
+      EXPECT_NEAR(got.t, expected[i].t, 1e-9 * expected[i].t) << "pixel " << i;
+      if (std::abs(got.t - expected[i].t) == 0) continue;
+      EXPECT_TRUE(got.triangle == expected[i].triangle || got.t <= expected[i].t * (1 + 1e-9));
+    }
+  }
+  return hits;
+}
+
+TEST(Counts, HitsAreThoseOfBruteForce) {
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    const Scene scene = testing::scene_of(testing::soup(seed, 1000, 0.15));
+    EXPECT_GT(expect_same_hits(scene, testing::camera_at({0.05, 0.02, 3.1}, {0.1, 0, -1})), 100);
+    EXPECT_GT(expect_same_hits(scene, testing::camera_at({0.05, 0.02, 0.1}, {0.3, 0.2, 1})), 100);
+  }
+}
+
+TEST(Counts, RoomsAreTight) {
+  const Scene scene = testing::scene_of(testing::room(1, 8, 8));
+  EXPECT_EQ(expect_same_hits(scene, testing::camera_at({2.013, 1.71, 4.02}, {-0.1, -0.2, -1})),
+            2 * static_cast<int>(kSide * kSide));
+}
+
+TEST(Counts, InstancesAreHitThroughBothLevels) {
+  Scene scene = testing::scene_of(testing::soup(5, 300, 0.3));
+  scene.objects.push_back({});
+  testing::add_sphere(scene.objects.back(), {0, 0, 0}, 1, 8);
+  scene.instances.clear();
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> at(-4, 4), size(-1.5, 1.5);
+  for (int i = 0; i < 40; ++i) {
+    glm::dmat4 m = glm::translate(glm::dmat4(1), glm::dvec3(at(random), at(random), at(random)));
+    m = glm::rotate(m, at(random), glm::dvec3(0.3, 1, 0.2));
+    m = glm::scale(m, glm::dvec3(size(random), size(random), size(random)));
+    scene.instances.push_back({"i", static_cast<uint32_t>(i % 2), m});
+  }
+  EXPECT_GT(expect_same_hits(scene, testing::camera_at({0.1, 0.2, 8.1}, {0, 0, -1})), 500);
+  EXPECT_GT(expect_same_hits(scene, testing::camera_at({0.1, 0.2, 0.3}, {0, 0.1, -1})), 400);
+}
+
+TEST(Counts, AMailboxSavesTransformations) {
+  const Scene scene = testing::scene_of(testing::soup(7, 200, 1.0));
+  const SceneTrees trees = build_scene_trees(scene);
+  const Camera camera = testing::camera_at({0.05, 0.02, 3.1}, {0, 0, -1});
+  TraceOptions none;
+  none.mailbox_slots = 0;
+  const WorkCounts with = trace_frame(scene, trees, camera, kSide, kSide).work;
+  const WorkCounts without = trace_frame(scene, trees, camera, kSide, kSide, none).work;
+  EXPECT_LT(with.triangles, without.triangles);
+  EXPECT_EQ(without.triangles + without.objects, without.list_entries);
+  EXPECT_EQ(with.hits, without.hits);
+}
+
+TEST(Counts, StartingInsideTheBoxSavesTheClippingNodes) {
+  const Scene scene = testing::scene_of(testing::room(1, 8, 8));
+  const SceneTrees trees = build_scene_trees(scene);
+  const Camera camera = testing::camera_at({2.013, 1.71, 4.02}, {-0.1, -0.2, -1});
+  TraceOptions always;
+  always.always_clip = true;
+  const WorkCounts inside = trace_frame(scene, trees, camera, kSide, kSide).work;
+  const WorkCounts clipped = trace_frame(scene, trees, camera, kSide, kSide, always).work;
+  EXPECT_EQ(inside.top_steps, 0u);
+  EXPECT_EQ(clipped.top_steps, 6 * clipped.packets);
+  EXPECT_GT(clipped.object_steps, inside.object_steps + 5 * clipped.packets);
+  EXPECT_EQ(clipped.triangles, inside.triangles);
+}
+
+}  // namespace
+}  // namespace dynrt::host

@@ -1,0 +1,48 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/tree/instance_tree.h"
+
+#include <cmath>
+
+#include "host/error.h"
+#include "host/tree/messages.h"
+
+namespace dynrt::host {
+
+Aabb transformed_box(const Aabb& box, const glm::dmat4& transform) {
+  // Each coordinate is a sum whose terms are smallest and largest on their own.
+  Aabb out{glm::dvec3(transform[3]), glm::dvec3(transform[3])};
+  for (int column = 0; column < 3; ++column) {
+    const glm::dvec3 a = glm::dvec3(transform[column]) * box.low[column];
+    const glm::dvec3 b = glm::dvec3(transform[column]) * box.high[column];
+    out.low += glm::min(a, b);
+    out.high += glm::max(a, b);
+  }
+  return out;
+}
+
+Tree build_instance_tree(const Scene& scene, std::span<const Aabb> object_boxes,
+                         const TreeOptions& options) {
+  if (scene.instances.empty()) throw UserError(tree_messages::no_instances(scene.name));
+  const double limit = grid_largest() / 2;
+  std::vector<ItemRef> items(scene.instances.size());
+  Aabb whole;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const Aabb box = transformed_box(object_boxes[instance.object], instance.transform);
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const double x : {box.low[axis], box.high[axis]}) {
+        if (!(std::abs(x) <= limit)) {
+          throw UserError(
+              tree_messages::instance_box(instance.name, static_cast<char>('x' + axis), x, limit));
+        }
+      }
+    }
+    whole.include(box);
+    items[i] = {grid_box(box), static_cast<uint32_t>(i)};
+  }
+  const CutItem cut = [](const ItemRef& item, const GridBox&) { return item.box; };
+  return build_tree(std::move(items), grid_box(whole, kBoxGrowth), options, cut);
+}
+
+}  // namespace dynrt::host

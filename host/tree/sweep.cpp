@@ -1,0 +1,155 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/tree/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dynrt::host {
+
+namespace {
+
+double extent(const GridBox& box, int axis) {
+  return grid_value(box.high[axis]) - grid_value(box.low[axis]);
+}
+
+}  // namespace
+
+/// Sorts the faces strictly between `from` and `to`; counts the items that begin at or before
+/// `from` and those that end at or beyond `to`.
+void PlaneSearch::gather(std::span<const ItemRef> items, int axis, Code from, Code to) {
+  lows_.clear();
+  highs_.clear();
+  flats_.clear();
+  below_ = above_ = 0;
+  for (const ItemRef& item : items) {
+    const Code low = item.box.low[axis];
+    const Code high = item.box.high[axis];
+    if (low <= from) ++below_;
+    if (low > from && low < to) lows_.push_back(low);
+    if (high >= to) ++above_;
+    if (high > from && high < to) highs_.push_back(high);
+    if (low == high && low > from && low < to) flats_.push_back(low);
+  }
+  std::sort(lows_.begin(), lows_.end());
+  std::sort(highs_.begin(), highs_.end());
+  std::sort(flats_.begin(), flats_.end());
+}
+
+void PlaneSearch::consider(const GridBox& cell, int axis, Code split, std::size_t left,
+                           std::size_t right, std::size_t flat, Plane& best) const {
+  const int j = (axis + 1) % 3;
+  const int k = (axis + 2) % 3;
+  const double dj = extent(cell, j);
+  const double dk = extent(cell, k);
+  const double di = extent(cell, axis);
+  const double cap = dj * dk;
+  const double rim = dj + dk;
+  const double at = grid_value(split) - grid_value(cell.low[axis]);
+  const double area = cap + di * rim;
+  const double p_left = (cap + at * rim) / area;
+  const double p_right = (cap + (di - at) * rim) / area;
+
+  const auto side = [&](double p, std::size_t n) {
+    return n == 0 ? 0.0 : p * (costs_.leaf + static_cast<double>(n) * costs_.item);
+  };
+  const auto whole = [&](std::size_t n_left, std::size_t n_right) {
+    const double cost = costs_.step + side(p_left, n_left) + side(p_right, n_right);
+    return n_left == 0 || n_right == 0 ? cost * (1 - costs_.empty_bonus) : cost;
+  };
+  const auto take = [&](double cost, bool flat_left) {
+    if (cost < best.cost) {
+      best = {cost,
+              axis,
+              split,
+              flat_left,
+              left + (flat_left ? flat : 0),
+              right + (flat_left ? 0 : flat)};
+    }
+  };
+  take(whole(left + flat, right), true);
+  if (flat > 0) take(whole(left, right + flat), false);
+}
+
+/// Tries every gathered face and the two hair planes, in ascending order.
+void PlaneSearch::sweep(const GridBox& cell, int axis, Code from, Code to, Plane& best) {
+  const Code low = cell.low[axis];
+  const Code high = cell.high[axis];
+  const double hair = extent(cell, axis) * costs_.hair;
+  const Code after = std::max(ceil_code(grid_value(low) + hair), low + costs_.hair_codes);
+  const Code before = std::min(floor_code(grid_value(high) - hair), high - costs_.hair_codes);
+  const bool haired = after <= before;
+
+  std::size_t begun = below_;                      // items with low < split
+  std::size_t not_ended = highs_.size() + above_;  // items with high > split
+  std::size_t l = 0, h = 0, f = 0;
+  constexpr Code kNone = std::numeric_limits<Code>::max();
+  bool try_after = haired && after > from && after < to;
+  bool try_before = haired && before != after && before > from && before < to;
+  while (true) {
+    const Code split =
+        std::min({l < lows_.size() ? lows_[l] : kNone, h < highs_.size() ? highs_[h] : kNone,
+                  try_after ? after : kNone, try_before ? before : kNone});
+    if (split == kNone) return;
+    if (split == after) try_after = false;
+    if (split == before) try_before = false;
+    const std::size_t h0 = h;
+    while (h < highs_.size() && highs_[h] == split) ++h;
+    not_ended -= h - h0;
+    const std::size_t f0 = f;
+    while (f < flats_.size() && flats_[f] == split) ++f;
+    if (!haired || (split >= after && split <= before)) {
+      consider(cell, axis, split, begun, not_ended, f - f0, best);
+    }
+    const std::size_t l0 = l;
+    while (l < lows_.size() && lows_[l] == split) ++l;
+    begun += l - l0;
+  }
+}
+
+/// Finds the two of kBins equal slices of the cell around the best of the planes between slices.
+void PlaneSearch::narrow(std::span<const ItemRef> items, const GridBox& cell, int axis, Code& from,
+                         Code& to) {
+  std::vector<Code> planes;
+  const double low = grid_value(cell.low[axis]);
+  const double step = extent(cell, axis) / kBins;
+  for (int i = 1; i < kBins; ++i) {
+    const Code plane = floor_code(low + i * step);
+    if (plane > cell.low[axis] && plane < cell.high[axis] &&
+        (planes.empty() || plane > planes.back())) {
+      planes.push_back(plane);
+    }
+  }
+  std::vector<std::size_t> begin(planes.size() + 1), end(planes.size() + 1);
+  for (const ItemRef& item : items) {
+    ++begin[std::upper_bound(planes.begin(), planes.end(), item.box.low[axis]) - planes.begin()];
+    ++end[std::lower_bound(planes.begin(), planes.end(), item.box.high[axis]) - planes.begin()];
+  }
+  Plane best;
+  std::size_t best_index = 0;
+  std::size_t begun = 0, ended = 0;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    begun += begin[i];
+    ended += end[i];
+    const double before = best.cost;
+    consider(cell, axis, planes[i], begun, items.size() - ended, 0, best);
+    if (best.cost < before) best_index = i;
+  }
+  from = best_index > 0 ? planes[best_index - 1] : cell.low[axis];
+  to = best_index + 1 < planes.size() ? planes[best_index + 1] : cell.high[axis];
+}
+
+Plane PlaneSearch::best(std::span<const ItemRef> items, const GridBox& cell) {
+  Plane best;
+  for (int axis = 0; axis < 3; ++axis) {
+    Code from = cell.low[axis];
+    Code to = cell.high[axis];
+    if (to - from < 2) continue;
+    if (items.size() > kSweepLimit) narrow(items, cell, axis, from, to);
+    gather(items, axis, from, to);
+    sweep(cell, axis, from, to, best);
+  }
+  return best;
+}
+
+}  // namespace dynrt::host

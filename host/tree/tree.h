@@ -1,0 +1,57 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// A k-D tree (thesis 3.1.1) as both builders make it and the memory image packs it. Its splits lie
+// on the core's number grid (grid.h). A leaf is a list of items (triangles of an object, or
+// instances of a scene); leaves with the same items are one node, so the tree is a graph without
+// cycles. Six clipping nodes (4.2) with one empty child each stand above the real root.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "host/tree/aabb.h"
+
+namespace dynrt::host {
+
+inline constexpr uint32_t kNullNode = 0;  ///< an empty child; node 0 of a tree is not used
+inline constexpr uint8_t kLeafAxis = 3;
+inline constexpr int kMaxTreeDepth = 31;  ///< the core's stack: no deeper tree overflows it
+
+struct TreeNode {
+  uint8_t axis = kLeafAxis;  ///< 0, 1, 2 or kLeafAxis
+  double split = 0;          ///< exactly a Float<7, 16>
+  uint32_t left = 0;         ///< child; leaf: its first item
+  uint32_t right = 0;        ///< child; leaf: how many items, at least one
+  bool is_leaf() const { return axis == kLeafAxis; }
+};
+
+struct TreeStats {
+  std::size_t inner_nodes = 0;
+  std::size_t leaves = 0;      ///< leaf nodes, those with the same list counted once
+  std::size_t leaf_links = 0;  ///< children that are leaves
+  std::size_t empty_children = 0;
+  std::size_t items = 0;  ///< list entries
+  std::size_t longest_list = 0;
+  int depth = 0;              ///< of the real root's subtree, a leaf alone being 0
+  double expected_steps = 0;  ///< by the surface area, for a ray that meets the box
+  double expected_leaves = 0;
+  double expected_items = 0;
+};
+
+struct Tree {
+  std::vector<TreeNode>
+      nodes;  ///< node 0 is the null node, then the clipping nodes, then depth first
+  std::vector<uint32_t> items;
+  uint32_t root = kNullNode;          ///< where a ray starts inside the box
+  uint32_t clipped_root = kNullNode;  ///< where any ray starts
+  Aabb box;                           ///< what the clipping nodes cut out, rounded outward
+  TreeStats stats;
+
+  /// Where rays from this point start.
+  uint32_t entry(const glm::dvec3& origin) const { return box.holds(origin) ? root : clipped_root; }
+};
+
+}  // namespace dynrt::host

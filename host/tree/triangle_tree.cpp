@@ -1,0 +1,56 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/tree/triangle_tree.h"
+
+#include <array>
+#include <cmath>
+
+#include "host/error.h"
+#include "host/tree/clip.h"
+#include "host/tree/messages.h"
+
+namespace dynrt::host {
+
+namespace {
+
+using Corners = std::array<glm::dvec3, 3>;
+
+Corners corners(const Mesh& object, std::size_t triangle) {
+  const glm::uvec3& t = object.triangles[triangle];
+  return {object.vertices[t.x], object.vertices[t.y], object.vertices[t.z]};
+}
+
+void check(const Mesh& object, std::size_t triangle, const Corners& c) {
+  const double limit = grid_largest() / 2;
+  for (unsigned vertex = 0; vertex < 3; ++vertex) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const double x = c[vertex][axis];
+      if (!(std::abs(x) <= limit)) {
+        throw UserError(tree_messages::coordinate(object.name, triangle, vertex,
+                                                  static_cast<char>('x' + axis), x, limit));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Tree build_triangle_tree(const Mesh& object, const TreeOptions& options) {
+  if (object.triangles.empty()) throw UserError(tree_messages::no_triangles(object.name));
+  std::vector<ItemRef> items(object.triangles.size());
+  Aabb whole;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const Corners c = corners(object, i);
+    check(object, i, c);
+    Aabb box;
+    for (const glm::dvec3& p : c) box.include(p);
+    whole.include(box);
+    items[i] = {grid_box(box), static_cast<uint32_t>(i)};
+  }
+  const CutItem cut = [&](const ItemRef& item, const GridBox& cell) {
+    return grid_box(clipped_box(corners(object, item.item), real_box(cell)));
+  };
+  return build_tree(std::move(items), grid_box(whole, kBoxGrowth), options, cut);
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,235 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/tree/triangle_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include "host/error.h"
+#include "host/tree/grid.h"
+#include "host/tree/test_meshes.h"
+
+namespace dynrt::host {
+namespace {
+
+using testing::add_box;
+using testing::add_quad;
+using testing::add_triangle;
+
+/// Whether a leaf whose closed cell holds the point lists the item.
+bool found(const Tree& tree, uint32_t index, const glm::dvec3& p, uint32_t item) {
+  if (index == kNullNode) return false;
+  const TreeNode& node = tree.nodes[index];
+  if (node.is_leaf()) {
+    const auto first = tree.items.begin() + node.left;
+    return std::find(first, first + node.right, item) != first + node.right;
+  }
+  return (p[node.axis] <= node.split && found(tree, node.left, p, item)) ||
+         (p[node.axis] >= node.split && found(tree, node.right, p, item));
+}
+
+/// Random points of every triangle lie in leaves that list it, clipping nodes included.
+void expect_complete(const Mesh& mesh, const Tree& tree, int points) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    const glm::uvec3& t = mesh.triangles[i];
+    for (int k = 0; k < points; ++k) {
+      const double r = std::sqrt(unit(random));
+      const double s = unit(random);
+      const double u = k < 3 ? k == 0 : 1 - r;
+      const double v = k < 3 ? k == 1 : r * (1 - s);
+      const glm::dvec3 p =
+          u * mesh.vertices[t.x] + v * mesh.vertices[t.y] + (1 - u - v) * mesh.vertices[t.z];
+      ASSERT_TRUE(found(tree, tree.clipped_root, p, i))
+          << "triangle " << i << " at " << p.x << " " << p.y << " " << p.z;
+    }
+  }
+}
+
+/// What every tree must be: splits on the grid and within their cell, leaves not empty, counts
+/// true.
+void expect_sound(const Tree& tree) {
+  struct Visit {
+    uint32_t index;
+    Aabb cell;
+    int depth;
+  };
+  std::vector<Visit> open{{tree.root, tree.box, 0}};
+  int depth = 0;
+  std::size_t inner = 0, links = 0, empty = 0;
+  std::set<uint32_t> leaves;
+  while (!open.empty()) {
+    const Visit v = open.back();
+    open.pop_back();
+    if (v.index == kNullNode) {
+      ++empty;
+      continue;
+    }
+    ASSERT_LT(v.index, tree.nodes.size());
+    const TreeNode& node = tree.nodes[v.index];
+    depth = std::max(depth, v.depth);
+    if (node.is_leaf()) {
+      ASSERT_GE(node.right, 1u);
+      ASSERT_LE(node.left + node.right, tree.items.size());
+      leaves.insert(v.index);
+      ++links;
+      continue;
+    }
+    ++inner;
+    ASSERT_EQ(grid_value(floor_code(node.split)), node.split);
+    ASSERT_GT(node.split, v.cell.low[node.axis]);
+    ASSERT_LT(node.split, v.cell.high[node.axis]);
+    Visit left{node.left, v.cell, v.depth + 1};
+    Visit right{node.right, v.cell, v.depth + 1};
+    left.cell.high[node.axis] = right.cell.low[node.axis] = node.split;
+    open.push_back(left);
+    open.push_back(right);
+  }
+  EXPECT_EQ(tree.stats.depth, depth);
+  EXPECT_LE(depth, kMaxTreeDepth);
+  EXPECT_EQ(tree.stats.inner_nodes, inner);
+  EXPECT_EQ(tree.stats.leaf_links, links);
+  EXPECT_EQ(tree.stats.leaves, leaves.size());
+  EXPECT_EQ(tree.stats.empty_children, empty);
+  EXPECT_EQ(tree.stats.items, tree.items.size());
+  EXPECT_EQ(tree.nodes.size(), 1 + 6 + inner + leaves.size());
+}
+
+void expect_good(const Mesh& mesh, int points = 20) {
+  const Tree tree = build_triangle_tree(mesh);
+  expect_sound(tree);
+  expect_complete(mesh, tree, points);
+}
+
+TEST(TriangleTree, EveryTriangleIsInEveryLeafThatItTouches) {
+  expect_good(testing::soup(1, 3000, 0.1), 50);
+  expect_good(testing::soup(2, 300, 2.0), 200);
+  expect_good(testing::room(3, 12, 10), 50);
+}
+
+TEST(TriangleTree, OneTriangle) {
+  Mesh mesh;
+  add_triangle(mesh, {0.1, 0.2, 0.3}, {1.1, 0.2, 0.4}, {0.3, 0.9, 0.7});
+  expect_good(mesh, 1000);
+}
+
+TEST(TriangleTree, ManyTrianglesInOnePlane) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Mesh mesh = testing::soup(4, 500, 0.2);
+    for (glm::dvec3& p : mesh.vertices) p[axis] = 0.1;
+    expect_good(mesh);
+    for (glm::dvec3& p : mesh.vertices) p[axis] = 0.0;
+    expect_good(mesh);
+  }
+}
+
+TEST(TriangleTree, TheSameTriangleManyTimes) {
+  Mesh mesh;
+  for (int i = 0; i < 300; ++i) add_triangle(mesh, {0, 0, 0}, {1, 0.5, 0}, {0, 1, 0.25});
+  expect_good(mesh);
+}
+
+TEST(TriangleTree, FlatBoxesAndWallsOnTheBox) {
+  Mesh mesh;
+  add_box(mesh, {0, 0, 0}, {1, 1, 0});
+  add_box(mesh, {0, 0.5, 0}, {1, 0.5, 1});
+  add_box(mesh, {0.3, 0, 0}, {0.3, 1, 1});
+  for (int i = 0; i < 10; ++i) add_quad(mesh, {0, 0, 0.1 * i}, {1, 0, 0}, {0, 1, 0});
+  expect_good(mesh, 200);
+}
+
+TEST(TriangleTree, TinyHugeAndFarAway) {
+  for (const double scale : {1e-15, 1e-6, 1e6, 1e18}) {
+    Mesh mesh = testing::soup(5, 400, 0.3);
+    for (glm::dvec3& p : mesh.vertices) p *= scale;
+    expect_good(mesh);
+  }
+  Mesh mesh = testing::soup(6, 400, 0.3);
+  for (glm::dvec3& p : mesh.vertices) p += 4096.0;
+  expect_good(mesh);
+  Mesh mixed = testing::soup(7, 400, 0.3);
+  for (std::size_t i = 0; i < mixed.vertices.size(); i += 3) {
+    mixed.vertices[i] *= std::pow(10.0, static_cast<double>(i % 17));
+  }
+  expect_good(mixed);
+}
+
+TEST(TriangleTree, SmallerThanTheGrid) {
+  Mesh mesh = testing::soup(8, 100, 1e-7);
+  for (glm::dvec3& p : mesh.vertices) p = 1000.0 + p * 1e-6;
+  expect_good(mesh);
+}
+
+TEST(TriangleTree, WallsOnTheFacesOfACellAreCutFromTheEmptyRoom) {
+  Mesh mesh;  // a cube whose faces are 4 x 4 quads
+  for (int i = 0; i < 16; ++i) {
+    const double a = i % 4, b = i / 4;
+    for (const double c : {0.0, 4.0}) {
+      add_quad(mesh, {a, b, c}, {1, 0, 0}, {0, 1, 0});
+      add_quad(mesh, {c, a, b}, {0, 1, 0}, {0, 0, 1});
+      add_quad(mesh, {b, c, a}, {0, 0, 1}, {1, 0, 0});
+    }
+  }
+  const Tree tree = build_triangle_tree(mesh);
+  uint32_t index = tree.root;
+  const glm::dvec3 inside{2.2, 1.7, 2.6};
+  while (index != kNullNode && !tree.nodes[index].is_leaf()) {
+    const TreeNode& node = tree.nodes[index];
+    index = inside[node.axis] < node.split ? node.left : node.right;
+  }
+  EXPECT_EQ(index, kNullNode);
+}
+
+TEST(TriangleTree, IsTheSameTwice) {
+  const Mesh mesh = testing::soup(9, 20000, 0.05);
+  const Tree a = build_triangle_tree(mesh);
+  const Tree b = build_triangle_tree(mesh);
+  ASSERT_EQ(a.nodes.size(), b.nodes.size());
+  EXPECT_EQ(a.items, b.items);
+  for (std::size_t i = 0; i < a.nodes.size(); ++i) {
+    ASSERT_EQ(a.nodes[i].axis, b.nodes[i].axis);
+    ASSERT_EQ(a.nodes[i].split, b.nodes[i].split);
+    ASSERT_EQ(a.nodes[i].left, b.nodes[i].left);
+    ASSERT_EQ(a.nodes[i].right, b.nodes[i].right);
+  }
+}
+
+TEST(TriangleTree, MoreTrianglesThanOneSweepTakes) {
+  expect_good(testing::soup(10, 70000, 0.02), 4);
+}
+
+std::string error_of(const Mesh& mesh) {
+  try {
+    build_triangle_tree(mesh);
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(TriangleTree, RefusesAnObjectWithoutTriangles) {
+  Mesh mesh;
+  mesh.name = "nothing";
+  EXPECT_EQ(error_of(mesh),
+            "object 'nothing' has no triangles to build a tree over; an object must have at least "
+            "one");
+}
+
+TEST(TriangleTree, RefusesCoordinatesBeyondTheCoresNumbers) {
+  Mesh mesh = testing::soup(11, 3, 0.3);
+  mesh.vertices[4].y = 4e19;
+  EXPECT_EQ(error_of(mesh),
+            "object 'soup', triangle 1, vertex 1: y = 4e+19 is outside the core's numbers; "
+            "coordinates must lie within -1.8447e+19 and 1.8447e+19");
+  mesh.vertices[4].y = std::nan("");
+  EXPECT_EQ(error_of(mesh),
+            "object 'soup', triangle 1, vertex 1: y = nan is outside the core's numbers; "
+            "coordinates must lie within -1.8447e+19 and 1.8447e+19");
+}
+
+}  // namespace
+}  // namespace dynrt::host
