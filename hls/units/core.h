@@ -106,7 +106,7 @@ struct Core {
         "frame", frame,
         {&startup.frame, &ray_generation.frame, &node_lookup.frame, &node_fill.frame,
          &list_lookup.frame, &list_fill.frame, &matrix_lookup.frame, &matrix_fill.frame,
-         &mailbox.frame, &shading.frame});
+         &matrix_store.frame, &mailbox.frame, &shading.frame});
     start = join.input("start", startup.number);
     done = join.output("done", ray_generation.done);
     join.channel<FreePacket<C>>("free_packet",

@@ -1,0 +1,163 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "frontend/compile_unit.h"
+
+#include <fmt/format.h>
+#include <llvm/IRReader/IRReader.h>
+#include <llvm/Support/Program.h>
+#include <llvm/Support/SourceMgr.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "error.h"
+#include "frontend/messages.h"
+
+namespace hlsc {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kWrapperName[] = "hlsc_unit.cpp";
+
+/// A folder of its own under the system's temporary one, removed with everything in it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::random_device random;
+    path_ = fs::temp_directory_path() / fmt::format("hlsc-{:08x}{:08x}", random(), random());
+    std::error_code error;
+    fs::create_directories(path_, error);
+    if (error) {
+      throw Error({}, fmt::format(messages::kTemporary, path_.string(), error.message()));
+    }
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+std::string read_text(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+bool header_exists(const UnitSource& source) {
+  if (fs::exists(source.header)) return true;
+  return std::any_of(source.folders.begin(), source.folders.end(), [&](const auto& folder) {
+    return fs::exists(fs::path(folder) / source.header);
+  });
+}
+
+std::string wrapper(const UnitSource& source) {
+  return fmt::format(
+      "#include \"{1}\"\n"
+      "using HlscUnit = {0};\n"
+      "static_assert(requires(HlscUnit& unit) {{ unit.step(); }}, \"hlsc: no step\");\n"
+      "constinit HlscUnit {2}{{}};\n"
+      "extern \"C\" void {3}(HlscUnit& unit) {{ unit.step(); }}\n",
+      source.unit, source.header, kInitialUnit, kStepFunction);
+}
+
+/// The first diagnostic of clang's that points into the small source file, without its place.
+std::string wrapper_diagnostic(const std::string& diagnostics) {
+  std::istringstream lines(diagnostics);
+  for (std::string line; std::getline(lines, line);) {
+    const auto name = line.find(kWrapperName);
+    const auto error = line.find("error: ");
+    if (name != std::string::npos && error != std::string::npos && name < error) {
+      return line.substr(error + 7);
+    }
+  }
+  return {};
+}
+
+[[noreturn]] void report(const UnitSource& source, const std::string& diagnostics) {
+  if (diagnostics.find("hlsc: no step") != std::string::npos) {
+    throw Error({source.header, 0}, fmt::format(messages::kNoStep, source.unit));
+  }
+  const std::string own = wrapper_diagnostic(diagnostics);
+  if (!own.empty()) {
+    throw Error({source.header, 0},
+                fmt::format(messages::kUnitMissing, source.unit, source.header, own));
+  }
+  throw Error({}, fmt::format(messages::kClangFailed, diagnostics));
+}
+
+/// The files of a make rule "target: file \ file ...", in which blanks of a name are escaped.
+std::vector<std::string> read_dependencies(const std::string& path) {
+  const std::string rule = read_text(path);
+  std::vector<std::string> files;
+  std::string name;
+  for (std::size_t i = rule.find(": ") + 2; i <= rule.size(); ++i) {
+    const char c = i < rule.size() ? rule[i] : ' ';
+    if (c == '\\' && i + 1 < rule.size() && rule[i + 1] != '\n') {
+      name += rule[++i];
+    } else if (c == ' ' || c == '\n' || c == '\\') {
+      if (!name.empty() && fs::path(name).filename() != kWrapperName) files.push_back(name);
+      name.clear();
+    } else {
+      name += c;
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+}  // namespace
+
+CompiledUnit compile_unit(const UnitSource& source, llvm::LLVMContext& context) {
+  const auto clang = llvm::sys::findProgramByName(source.clang);
+  if (!clang) throw Error({}, fmt::format(messages::kClangMissing, source.clang));
+  if (!header_exists(source)) {
+    throw Error({}, fmt::format(messages::kHeaderMissing, source.header));
+  }
+
+  const TemporaryFolder folder;
+  const std::string input = folder.file(kWrapperName);
+  const std::string output = folder.file("unit.bc");
+  const std::string diagnostics = folder.file("diagnostics");
+  const std::string dependencies = folder.file("dependencies");
+  std::ofstream(input) << wrapper(source);
+
+  std::vector<std::string> args = {*clang};
+  for (const char* flag :
+       {"-std=c++20", "-O2", "-Xclang", "-disable-llvm-passes", "-fno-exceptions", "-fno-rtti",
+        "-ffreestanding", "-fno-threadsafe-statics", "-g", "-fstandalone-debug",
+        "-fno-caret-diagnostics", "-fno-color-diagnostics", "-DNDEBUG", "-Wno-bit-int-extension",
+        "-w", "-emit-llvm", "-c"}) {
+    args.emplace_back(flag);
+  }
+  for (const std::string& include : source.folders) args.push_back("-I" + include);
+  args.insert(args.end(), source.clang_args.begin(), source.clang_args.end());
+  for (const std::string& arg :
+       {std::string("-MD"), std::string("-MF"), dependencies, std::string("-o"), output, input}) {
+    args.push_back(arg);
+  }
+
+  const std::vector<llvm::StringRef> views(args.begin(), args.end());
+  const std::optional<llvm::StringRef> redirects[] = {std::nullopt, std::nullopt,
+                                                      llvm::StringRef(diagnostics)};
+  if (llvm::sys::ExecuteAndWait(*clang, views, std::nullopt, redirects) != 0) {
+    report(source, read_text(diagnostics));
+  }
+  llvm::SMDiagnostic parse;
+  CompiledUnit compiled;
+  compiled.module = llvm::parseIRFile(output, parse, context);
+  if (!compiled.module) throw Error({}, parse.getMessage().str());
+  compiled.includes = read_dependencies(dependencies);
+  return compiled;
+}
+
+}  // namespace hlsc

@@ -1,0 +1,41 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The first step of the lowering: a unit's C++ becomes LLVM IR. A small source file that includes
+// the unit's header, names its type and calls its step() goes through clang++-19 as a process; the
+// folder hls/lowered stands first on the include path, so that ports are calls of undefined
+// functions.
+#pragma once
+
+#include <llvm/IR/LLVMContext.h>
+#include <llvm/IR/Module.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hlsc {
+
+/// What is to be lowered, and how clang finds it.
+struct UnitSource {
+  std::string unit;                     ///< C++ type, with namespace and template arguments
+  std::string header;                   ///< as it would be included
+  std::vector<std::string> folders;     ///< include path, in order
+  std::vector<std::string> clang_args;  ///< passed on, e.g. -DNAME=1
+  std::string clang = "clang++-19";
+  std::string module;  ///< name of the Verilog module
+};
+
+/// Names of what the small source file defines: the initial unit and the call of its step().
+inline constexpr char kInitialUnit[] = "hls_initial";
+inline constexpr char kStepFunction[] = "hls_step";
+
+struct CompiledUnit {
+  std::unique_ptr<llvm::Module> module;
+  std::vector<std::string> includes;  ///< every file that clang read, sorted, for a dependency file
+};
+
+/// Throws Error with clang's own diagnostics where clang rejects the unit.
+CompiledUnit compile_unit(const UnitSource& source, llvm::LLVMContext& context);
+
+}  // namespace hlsc

@@ -1,0 +1,17 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Rebuilds a netlist with every node only as wide as somebody looks at it, leaving out what nobody
+// looks at. LLVM keeps widths of the source (an i17 sum may be an i32 one); additions, products,
+// logic and muxes whose high result bits are never used do not need them.
+#pragma once
+
+#include "netlist/netlist.h"
+
+namespace hlsc {
+
+/// Also makes registers narrower whose high bits are always zero (an `unsigned` counter to 10, an
+/// enum), and drops row reads whose rows are never used.
+Netlist narrow(const Netlist& netlist);
+
+}  // namespace hlsc

@@ -1,0 +1,31 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Runs LLVM's own passes by their names, as opt -passes=... does, and hands out analyses.
+#pragma once
+
+#include <llvm/Passes/PassBuilder.h>
+
+namespace hlsc {
+
+class Passes {
+ public:
+  Passes();
+  /// A pipeline of module passes in LLVM's syntax.
+  void run(llvm::Module& module, llvm::StringRef pipeline);
+  /// A pipeline of function passes in LLVM's syntax.
+  void run(llvm::Function& function, llvm::StringRef pipeline);
+
+  /// Analyses of a function as it is now: whoever changes it calls forget().
+  llvm::FunctionAnalysisManager& analyses() { return functions_; }
+  void forget(llvm::Function& function);
+
+ private:
+  llvm::LoopAnalysisManager loops_;
+  llvm::FunctionAnalysisManager functions_;
+  llvm::CGSCCAnalysisManager components_;
+  llvm::ModuleAnalysisManager modules_;
+  llvm::PassBuilder builder_;
+};
+
+}  // namespace hlsc

@@ -1,0 +1,71 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "frontend/read_unit.h"
+
+#include "frontend/channels.h"
+#include "frontend/flatten.h"
+#include "frontend/indexing.h"
+#include "frontend/narrow.h"
+#include "frontend/passes.h"
+#include "frontend/prepare.h"
+#include "frontend/transaction.h"
+#include "frontend/translate.h"
+#include "frontend/unroll.h"
+#include "frontend/value_names.h"
+
+namespace hlsc {
+namespace {
+
+// LLVM's passes between hlsc's own. What is left out matters as much: no -O2 (SLP vectors,
+// duplicated tails, serial select chains), no jump threading, no lookup tables.
+constexpr char kInline[] =
+    "always-inline,function(sroa,early-cse,simplifycfg<no-sink-common-insts>,"
+    "instcombine<no-verify-fixpoint>,early-cse)";
+constexpr char kPromote[] = "sroa,early-cse";
+constexpr char kSimplify[] =
+    "sroa,early-cse,"
+    "simplifycfg<speculate-unpredictables;hoist-common-insts;sink-common-insts;"
+    "switch-range-to-icmp>,"
+    "instcombine<no-verify-fixpoint>,gvn,instcombine<no-verify-fixpoint>,"
+    "simplifycfg<speculate-unpredictables;hoist-common-insts;sink-common-insts;"
+    "switch-range-to-icmp>,bdce,adce";
+constexpr char kFlat[] =
+    "instcombine<no-verify-fixpoint>,gvn,instcombine<no-verify-fixpoint>,bdce,early-cse,adce";
+
+}  // namespace
+
+UnitNetlist read_unit(const UnitSource& source) {
+  Transaction t;
+  t.context = std::make_unique<llvm::LLVMContext>();
+  CompiledUnit compiled = compile_unit(source, *t.context);
+  t.module = std::move(compiled.module);
+  const SourceLines lines(source.folders);
+  Passes passes;
+
+  t.layout = read_layout(*t.module, lines);
+  refuse_before_inlining(*t.module, lines);
+  detach_from_target(*t.module);
+  build_transaction(t);
+  const auto resets = read_reset_values(t);
+  passes.run(*t.module, kInline);
+  unroll_loops(t, passes, lines);
+  refuse_after_inlining(t, lines);
+  lower_channels(t, lines);
+  passes.run(*t.function, kPromote);
+  while (expand_indexing(t, lines)) passes.run(*t.function, kPromote);
+  passes.run(*t.function, kSimplify);
+  name_values(*t.function, lines);
+  hide_divisions(*t.function);
+  flatten(*t.function);
+  passes.run(*t.function, kFlat);
+  require_checks(t);
+
+  UnitNetlist made{narrow(translate(t, resets, lines)), std::move(compiled.includes)};
+  made.netlist.module = source.module;
+  made.netlist.unit = source.unit;
+  made.netlist.source = t.layout.source;
+  check(made.netlist);
+  return made;
+}
+
+}  // namespace hlsc
