@@ -87,7 +87,7 @@ struct Core {
     join.unit("list", "list", list);
     join.unit("list_lookup", "list_lookup", list_lookup);
     join.unit("list_fill", "list_fill", list_fill);
-    join.unit("mailbox", "mailbox", mailbox);
+    join.unit("mailbox", "packet_mailbox", mailbox);
     join.unit("matrix_fetch", "matrix_fetch", matrix_fetch);
     join.unit("matrix_lookup", "matrix_lookup", matrix_lookup);
     join.unit("matrix_fill", "matrix_fill", matrix_fill);
@@ -106,7 +106,7 @@ struct Core {
         "frame", frame,
         {&startup.frame, &ray_generation.frame, &node_lookup.frame, &node_fill.frame,
          &list_lookup.frame, &list_fill.frame, &matrix_lookup.frame, &matrix_fill.frame,
-         &mailbox.frame, &shading.frame});
+         &matrix_store.frame, &mailbox.frame, &shading.frame});
     start = join.input("start", startup.number);
     done = join.output("done", ray_generation.done);
     join.channel<FreePacket<C>>("free_packet",

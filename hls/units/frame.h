@@ -21,8 +21,9 @@ struct FrameConfig {
   hls::uint<32> background;     ///< colour where nothing is hit, 0x00BBGGRR
   hls::uint<32> frame_base;     ///< first word of the framebuffer in bank 3
   hls::uint<32> write_hits;     ///< 1: hit records are written to banks 4 and 5
+  hls::uint<32> uncompressed;   ///< 1: every ray's origin is transformed, not one for the packet
   HLS_FIELDS(packets, line_mask, width, height, scanline, morton_bits, start_node, camera_matrix,
-             background, frame_base, write_hits)
+             background, frame_base, write_hits, uncompressed)
 };
 
 }  // namespace dynrt

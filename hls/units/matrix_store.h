@@ -6,6 +6,7 @@
 // the thesis's load matrix unit, 6.1.3).
 #pragma once
 
+#include "units/frame.h"
 #include "units/tokens.h"
 
 namespace dynrt {
@@ -22,12 +23,13 @@ struct MatrixStore {
   };
 
   hls::In<CacheReply<ColumnContext<C>, MatrixColumn>> reply;
+  hls::Config<FrameConfig> frame;
   hls::Out<SendJob<C>> ready;
   hls::RamWrite<Vector<Real>, kPackets> column[4];
   hls::RamWrite<JobRecord<C>, kPackets> record;
   hls::RamWrite<MatrixIndex, kPackets> object;
   hls::RegisterFile<Progress, kPackets> progress;
-  HLS_PORTS(reply, ready, column[0], column[1], column[2], column[3], record, object)
+  HLS_PORTS(reply, frame, ready, column[0], column[1], column[2], column[3], record, object)
 
   void step() {
     const auto r = reply.read();
@@ -52,7 +54,7 @@ struct MatrixStore {
       record.write(packet, JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra});
       if (r.context.kind == TransformKind::kObject) object.write(packet, matrix);
       SendJob<C> send;
-      send.repeat = 4;
+      send.repeat = frame.get().uncompressed.template bit<0>() ? RepeatCount(7) : RepeatCount(4);
       send.packet = packet;
       send.kind = r.context.kind;
       ready.write(send);

@@ -34,8 +34,7 @@ struct PacketDecoder {
     const Level level = uint<1>(job.kind == TransformKind::kObject);
     const LevelRow<C> row = level_row<C>(level, in.packet);
     if (!triangle) {
-      const RayIndex of_origin = in.point ? RayIndex{} : in.ray;
-      vectors.write(hls::concat(row, hls::concat(of_origin, uint<1>(!in.point))), in.vector);
+      vectors.write(hls::concat(row, hls::concat(in.ray, uint<1>(!in.point))), in.vector);
     }
     if (!in.point) {
       for (unsigned i = 0; i < kRays; ++i) {

@@ -34,11 +34,12 @@ struct SendPacket {
     const Repeated<SendJob<C>> j = job.read();
     const bool compressed = j.job.repeat == RepeatCount(4);
     const bool point = compressed ? j.index == RepeatCount{} : !j.index.template bit<0>();
-    const RayIndex ray =
-        compressed ? RayIndex::from(j.index.raw() - 1) : j.index.template bits<2, 1>();
+    const RayIndex ray = !compressed ? j.index.template bits<2, 1>()
+                         : point     ? RayIndex{}
+                                     : RayIndex::from(j.index.raw() - 1);
 
     const Level level = uint<1>(j.job.kind == TransformKind::kTriangle);
-    const uint<3> number = hls::concat(compressed && point ? RayIndex{} : ray, uint<1>(!point));
+    const uint<3> number = hls::concat(ray, uint<1>(!point));
     const Vector<Real> stored =
         vectors.read(hls::concat(level_row<C>(level, j.job.packet), number));
 

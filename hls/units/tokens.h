@@ -205,7 +205,7 @@ template <class C>
 struct PacketVector {
   PacketId<C> packet;
   bool point = false;  ///< a point is translated, a direction is not (thesis 4.4)
-  RayIndex ray;        ///< of a direction
+  RayIndex ray;        ///< 0 for a common origin
   Vector<typename C::Real> vector;
   HLS_FIELDS(packet, point, ray, vector)
 };

@@ -9,7 +9,7 @@
 namespace dynrt::host {
 
 namespace {
-constexpr double kFlat = 1e-12;
+constexpr double kFlat = 1e-7;
 }
 
 bool has_zero_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {

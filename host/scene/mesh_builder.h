@@ -17,8 +17,9 @@
 
 namespace dynrt::host {
 
-// Whether the height over the longest edge is less than 1e-12 of that edge: what double precision
-// cannot tell from a line, far below the slivers that single precision can describe.
+// Whether the height over the longest edge is at most 1e-7 of that edge: three points on a line
+// come out of a file's decimals about that far from it in single precision, and what such a
+// triangle's normal would be is chance. Slivers of an aspect of a million stay.
 bool has_zero_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
 class MeshBuilder {

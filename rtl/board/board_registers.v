@@ -9,7 +9,7 @@
 module board_registers #(
   parameter PACKETS = 64,
   parameter CACHE_LINES = 512,
-  parameter FRAME_WORDS = 11,
+  parameter FRAME_WORDS = 12,
   parameter SRAM_LATENCY = 3
 ) (
   input  wire        clk_i,

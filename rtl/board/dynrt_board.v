@@ -32,7 +32,7 @@ module dynrt_board #(
   input  wire [6*32-1:0]  sram_rdata_i
 );
 
-  localparam FRAME_WORDS = 11;
+  localparam FRAME_WORDS = 12;
 
   wire        start, reset, busy, done;
   wire [63:0] cycles;

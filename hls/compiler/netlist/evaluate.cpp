@@ -1,10 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/netlist/evaluate.h"
+#include "netlist/evaluate.h"
 
 #include <stdexcept>
 
-#include "compiler/netlist/op.h"
+#include "netlist/op.h"
 
 namespace hlsc {
 namespace {
@@ -34,8 +34,7 @@ Bits multiply(const Bits& a, const Bits& b, unsigned width) {
   for (unsigned i = 0; i < a.words(); ++i) {
     Word carry = 0;
     for (unsigned j = 0; i + j < result.words(); ++j) {
-      const DoubleWord sum =
-          DoubleWord{a.word(i)} * b.word(j) + result.word(i + j) + carry;
+      const DoubleWord sum = DoubleWord{a.word(i)} * b.word(j) + result.word(i + j) + carry;
       result.set_word(i + j, static_cast<Word>(sum));
       carry = static_cast<Word>(sum >> 64);
     }

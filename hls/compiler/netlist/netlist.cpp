@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/netlist/netlist.h"
+#include "netlist/netlist.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "compiler/netlist/op.h"
+#include "netlist/op.h"
 
 namespace hlsc {
 
@@ -68,15 +68,13 @@ class Checker {
       need_width(p.name + ": data", w.data, p.width);
     }
     for (const RowRead& r : n_.row_reads) {
-      const Port& p =
-          port(r.port, {PortKind::kRam, PortKind::kRegisterFile, PortKind::kRamRead});
+      const Port& p = port(r.port, {PortKind::kRam, PortKind::kRegisterFile, PortKind::kRamRead});
       need_text(used.emplace(1, r.port).second, "{}: read twice", p.name);
       need_width(p.name + ": read enable", r.enable, 1);
       need_width(p.name + ": read address", r.address, address_width(p.rows));
     }
     for (const RowWrite& w : n_.row_writes) {
-      const Port& p =
-          port(w.port, {PortKind::kRam, PortKind::kRegisterFile, PortKind::kRamWrite});
+      const Port& p = port(w.port, {PortKind::kRam, PortKind::kRegisterFile, PortKind::kRamWrite});
       need_text(used.emplace(2, w.port).second, "{}: row written twice", p.name);
       need_width(p.name + ": write enable", w.enable, 1);
       need_width(p.name + ": write address", w.address, address_width(p.rows));

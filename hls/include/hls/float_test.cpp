@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "hls/float_judge.h"
+#include "hls/random.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "hls/float_judge.h"
+#include "hls/random.h"
 
 namespace {
 

@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "hls/fields.h"
@@ -119,13 +120,19 @@ class RamWrite {
   using Row = T;
   static constexpr unsigned kRows = N;
   using Address = uint<index_width(N)>;
+  /// A row's number and what was written there.
+  using Log = std::vector<std::pair<std::uint64_t, T>>;
   void write(Address address, const T& row) {
     for (auto& copy : copies_) (*copy)[address.to_u64()] = row;
+    if (log_) log_->emplace_back(address.to_u64(), row);
   }
   void bind(std::shared_ptr<std::vector<T>> rows) { copies_.push_back(std::move(rows)); }
+  /// From now on appends every write to `log`, for who compares them one by one.
+  void record(Log* log) { log_ = log; }
 
  private:
   std::vector<std::shared_ptr<std::vector<T>>> copies_;
+  Log* log_ = nullptr;
 };
 template <class T, unsigned N, unsigned Latency = 1>
 class RamRead {

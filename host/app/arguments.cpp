@@ -1,0 +1,90 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/app/arguments.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "host/app/messages.h"
+#include "host/app/text.h"
+#include "host/error.h"
+#include "host/render/write_image.h"
+#include "host/scene/load.h"
+
+namespace dynrt::host {
+
+void SceneArguments::add_to(CLI::App& command, bool scene_required) {
+  command
+      .add_option("SCENE", scene,
+                  fmt::format("a built-in scene ({}) or the path of an OBJ, PLY, glTF or GLB file",
+                              fmt::join(built_in_scenes(), ", ")))
+      ->required(scene_required)
+      ->option_text(" ");
+  command.add_option("--size", size, "pixels of the image, at most 1024 a side and 349,525 in all")
+      ->option_text("WxH [512x384]");
+  command.add_option("--position", position, "where the camera stands; default: the scene's own")
+      ->option_text("X,Y,Z");
+  command.add_option("--look-at", look_at, "the point in the middle of the image")
+      ->option_text("X,Y,Z");
+  command.add_option("--up", up, "the direction that is up in the image")->option_text("X,Y,Z");
+  command.add_option("--fov", field_of_view, "vertical field of view")->option_text("DEGREES");
+}
+
+CameraFlags SceneArguments::camera() const {
+  CameraFlags flags;
+  if (position) flags.position = parse_vector("--position", *position);
+  if (look_at) flags.look_at = parse_vector("--look-at", *look_at);
+  if (up) flags.up = parse_vector("--up", *up);
+  flags.field_of_view = field_of_view;
+  return flags;
+}
+
+void FrameArguments::add_to(CLI::App& command, const std::string& default_out) {
+  std::vector<std::string_view> names;
+  for (const Configuration& c : configurations()) names.push_back(c.name);
+  command
+      .add_option("--config", configuration,
+                  fmt::format("configuration of the core: {}", fmt::join(names, ", ")))
+      ->option_text("NAME [thesis]");
+  command.add_option("--out", out, "image to write, .png or .exr")
+      ->option_text(fmt::format("FILE [{}]", default_out));
+  command.add_option("--packets", packets, "packets of 2x2 rays in flight; default: all there are")
+      ->option_text("N");
+  command
+      .add_option("--lines", lines, "lines of each cache, a power of two; default: all there are")
+      ->option_text("N");
+  command.add_option("--order", order, "order of the packets: morton or scanline")
+      ->option_text("ORDER [morton]");
+  command.add_option("--clock", clock_mhz, "clock that frames per second are stated for")
+      ->option_text("MHZ [85]");
+  command
+      .add_option("--timeout", timeout,
+                  "give up after so many clocks without a pixel or an interrupt")
+      ->option_text("CLOCKS [10000000]");
+  add_json_flag(command, json);
+}
+
+FrameOptions FrameArguments::options(const std::string& size) const {
+  FrameOptions options;
+  std::tie(options.width, options.height) = parse_size(size);
+  check_size(options.width, options.height);
+  options.packets = packets;
+  options.lines = lines;
+  if (order == "scanline") {
+    options.order = RayOrder::kScanline;
+  } else if (order != "morton") {
+    throw UserError(fmt::format(messages::kOrder, order));
+  }
+  if (!(clock_mhz > 0)) throw UserError(fmt::format(messages::kClock, clock_mhz));
+  if (timeout == 0) throw UserError(messages::kTimeoutZero);
+  options.timeout = timeout;
+  if (!out.empty()) check_image_path(out);
+  if (!json.empty()) check_output_path(json);
+  return options;
+}
+
+void add_json_flag(CLI::App& command, std::string& json) {
+  command.add_option("--json", json, "write the same figures as data")->option_text("FILE");
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,46 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Flags that several commands share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "host/board/configurations.h"
+#include "host/render/render.h"
+#include "host/scene/camera.h"
+
+namespace dynrt::host {
+
+/// Which scene, and from where.
+struct SceneArguments {
+  std::string scene;
+  std::optional<std::string> position, look_at, up;
+  std::optional<double> field_of_view;
+  std::string size = "512x384";
+
+  void add_to(CLI::App& command, bool scene_required);
+  CameraFlags camera() const;
+};
+
+/// How it is rendered and what is written.
+struct FrameArguments {
+  std::string configuration = "thesis";
+  std::optional<unsigned> packets, lines;
+  std::string order = "morton";
+  double clock_mhz = 85;
+  std::uint64_t timeout = 10'000'000;
+  std::string out;
+  std::string json;
+
+  void add_to(CLI::App& command, const std::string& default_out);
+  /// Checks everything that can be checked before there is a board.
+  FrameOptions options(const std::string& size) const;
+};
+
+/// Adds --json to a command.
+void add_json_flag(CLI::App& command, std::string& json);
+
+}  // namespace dynrt::host

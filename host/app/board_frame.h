@@ -1,0 +1,22 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// A prepared scene on a board of this build, with progress on the terminal.
+#pragma once
+
+#include <memory>
+
+#include "host/app/prepare.h"
+#include "host/render/render.h"
+
+namespace dynrt::host {
+
+/// Throws UserError for what this build or the board's configuration lacks.
+std::unique_ptr<Board> open_board(const BoardRequest& request, const FrameOptions& options);
+
+Frame render_on(Board& board, const FrameOptions& options, const Prepared& prepared);
+
+/// The image's file: what the user asked for, or the scene's name with .png in this folder.
+std::string image_name(const std::string& out, const std::string& scene);
+
+}  // namespace dynrt::host

@@ -1,0 +1,27 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// A command of the program: its flags, and what it does. One file per command.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace dynrt::host {
+
+/// Exit codes, as cmp and diff have them.
+inline constexpr int kDone = 0;
+inline constexpr int kDifferent = 1;  ///< compare: the boards differ
+inline constexpr int kMistake = 2;    ///< the user's, told in one sentence on stderr
+inline constexpr int kDefect = 3;     ///< dynrt's own
+
+struct Command {
+  CLI::App* app = nullptr;
+  std::function<int()> run;  ///< returns the exit code
+};
+
+Command add_render_command(CLI::App& program);
+Command add_compare_command(CLI::App& program);
+Command add_info_command(CLI::App& program);
+
+}  // namespace dynrt::host

@@ -1,0 +1,69 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// dynrt compare: the same frame on both boards, equal to the last bit or not.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "host/app/arguments.h"
+#include "host/app/board_frame.h"
+#include "host/app/command.h"
+#include "host/app/report.h"
+#include "host/render/write_image.h"
+
+namespace dynrt::host {
+
+namespace {
+
+struct Arguments {
+  SceneArguments scene;
+  FrameArguments frame;
+};
+
+Frame frame_of(const char* name, const Arguments& arguments, const FrameOptions& options,
+               const Prepared& prepared) {
+  const auto board = open_board({name, arguments.frame.configuration, ""}, options);
+  return render_on(*board, options, prepared);
+}
+
+int run(const Arguments& arguments) {
+  const FrameOptions options = arguments.frame.options(arguments.scene.size);
+  // Unknown configurations and the like come before the work.
+  open_board({"rtl", arguments.frame.configuration, ""}, options);
+  const Prepared prepared = prepare(arguments.scene, options.width, options.height);
+  const Frame model = frame_of("model", arguments, options, prepared);
+  const Frame rtl = frame_of("rtl", arguments, options, prepared);
+  const Comparison comparison = compare(rtl, model);
+
+  const std::string& out = arguments.frame.out;
+  if (!out.empty()) write_image(out, rtl);
+  const double clock_mhz = arguments.frame.clock_mhz;
+  const FrameFigures rtl_figures = figures_of(rtl, clock_mhz * 1e6);
+  const FrameFigures model_figures = figures_of(model, clock_mhz * 1e6);
+  if (!arguments.frame.json.empty()) {
+    nlohmann::ordered_json json = {{"image", out}, {"scene", prepared.json()}};
+    json["rtl"] = report_json(rtl, rtl_figures, clock_mhz);
+    json["model"] = report_json(model, model_figures, clock_mhz);
+    json["comparison"] = comparison_json(comparison);
+    write_text(arguments.frame.json, json.dump(2) + "\n");
+  }
+  if (!out.empty()) fmt::print("image       {}, {}x{}\n", out, rtl.width, rtl.height);
+  fmt::print("{}{}model       {:.2f} s, {:.0f} rays per second\n{}", prepared.text(),
+             report_text(rtl, rtl_figures, clock_mhz), model.run.seconds,
+             model_figures.rays_per_second, comparison_text(comparison, "rtl", "model"));
+  return comparison.identical() ? kDone : kDifferent;
+}
+
+}  // namespace
+
+Command add_compare_command(CLI::App& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand(
+      "compare", "render on both boards and compare every hit record, pixel and counter");
+  arguments->scene.add_to(*command, true);
+  arguments->frame.add_to(*command, "none");
+  return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace dynrt::host

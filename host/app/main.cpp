@@ -1,0 +1,78 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <vector>
+
+#include "host/app/command.h"
+#include "host/app/messages.h"
+#include "host/error.h"
+
+namespace dynrt::host {
+
+namespace {
+
+constexpr char kAbout[] =
+    "Renders scenes on dynrt, a ray tracing core for dynamic scenes, whose units are C++ lowered "
+    "to\n"
+    "Verilog. --board rtl runs the Verilog behind an emulated PCI board, --board model the same "
+    "C++\n"
+    "natively; both give the same bits.";
+constexpr char kFooter[] =
+    "Exit codes: 0 done; 1 compare found a difference; 2 a mistake in the input or the flags; "
+    "3 a defect of dynrt.\n"
+    "Example: dynrt render office --size 256x192 --out office.png";
+
+int complain(const std::string& sentence, int code) {
+  fmt::print(stderr, "dynrt: {}\n", sentence);
+  return code;
+}
+
+/// CLI11's own sentences end with or without a full stop and may have several lines.
+std::string one_sentence(std::string text) {
+  for (char& c : text) {
+    if (c == '\n') c = ' ';
+  }
+  while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
+  return text;
+}
+
+int run(int argc, char** argv) {
+  CLI::App program(kAbout, "dynrt");
+  program.footer(kFooter);
+  program.require_subcommand(1);
+  const std::vector<Command> commands = {add_render_command(program), add_compare_command(program),
+                                         add_info_command(program)};
+  std::string parsed;
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return program.exit(help);
+  } catch (const CLI::ParseError& error) {
+    for (const Command& command : commands) {
+      if (command.app->parsed()) parsed = command.app->get_name() + " ";
+    }
+    return complain(fmt::format(messages::kUsage, one_sentence(error.what()), parsed), kMistake);
+  }
+  for (const Command& command : commands) {
+    if (command.app->parsed()) return command.run();
+  }
+  return kMistake;
+}
+
+}  // namespace
+
+}  // namespace dynrt::host
+
+int main(int argc, char** argv) {
+  using namespace dynrt::host;
+  try {
+    return run(argc, argv);
+  } catch (const UserError& error) {
+    return complain(error.what(), kMistake);
+  } catch (const std::exception& error) {
+    return complain(fmt::format(messages::kDefect, error.what()), kDefect);
+  }
+}

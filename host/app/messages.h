@@ -1,0 +1,18 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the program itself says when something is wrong: fmt's format strings.
+#pragma once
+
+namespace dynrt::host::messages {
+
+inline constexpr char kSizeText[] = "--size {}: write WIDTHxHEIGHT in pixels, for example 512x384";
+inline constexpr char kVectorText[] =
+    "{} {}: write three numbers separated by commas, for example 1,2.5,-3";
+inline constexpr char kOrder[] = "--order {}: unknown; the orders are morton and scanline";
+inline constexpr char kClock[] = "--clock {}: the clock is a number of MHz above zero";
+inline constexpr char kTimeoutZero[] = "--timeout 0: the board needs at least one clock";
+inline constexpr char kUsage[] = "{}; dynrt {}--help lists what there is";
+inline constexpr char kDefect[] = "defect in dynrt: {}";
+
+}  // namespace dynrt::host::messages

@@ -1,0 +1,123 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/app/prepare.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "host/app/progress.h"
+#include "host/app/text.h"
+#include "host/scene/load.h"
+
+namespace dynrt::host {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Seconds = std::chrono::duration<double>;
+
+Json json_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+Json json_of(const std::string& name, const Tree& tree) {
+  return {{"name", name},
+          {"inner_nodes", tree.stats.inner_nodes},
+          {"leaves", tree.stats.leaves},
+          {"empty_children", tree.stats.empty_children},
+          {"list_entries", tree.stats.items},
+          {"longest_list", tree.stats.longest_list},
+          {"depth", tree.stats.depth},
+          {"expected_steps", tree.stats.expected_steps},
+          {"expected_leaves", tree.stats.expected_leaves},
+          {"expected_items", tree.stats.expected_items}};
+}
+
+int deepest(const SceneTrees& trees) {
+  int depth = 0;
+  for (const Tree& tree : trees.objects) depth = std::max(depth, tree.stats.depth);
+  return depth;
+}
+
+}  // namespace
+
+Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height) {
+  Prepared prepared;
+  const CameraFlags flags = arguments.camera();
+  const auto begin = std::chrono::steady_clock::now();
+  {
+    const Progress progress("loading " + arguments.scene);
+    prepared.scene = load_scene(arguments.scene);
+    prepared.camera =
+        choose_camera(prepared.scene, flags, static_cast<int>(width), static_cast<int>(height));
+  }
+  const auto loaded = std::chrono::steady_clock::now();
+  {
+    const Progress progress("building the trees");
+    prepared.trees = build_scene_trees(prepared.scene);
+  }
+  const auto built = std::chrono::steady_clock::now();
+  prepared.load_seconds = Seconds(loaded - begin).count();
+  prepared.tree_seconds = Seconds(built - loaded).count();
+  prepared.objects = ObjectImage(prepared.scene, prepared.trees.objects);
+  prepared.frame = FrameImage(prepared.scene, prepared.objects, prepared.trees.instances,
+                              prepared.camera, width, height);
+  return prepared;
+}
+
+std::size_t Prepared::triangles() const {
+  std::size_t count = 0;
+  for (const Mesh& object : scene.objects) count += object.triangles.size();
+  return count;
+}
+
+Json Prepared::json() const {
+  Json objects_json = Json::array();
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    Json object = json_of(scene.objects[i].name, trees.objects[i]);
+    object["triangles"] = scene.objects[i].triangles.size();
+    objects_json.push_back(std::move(object));
+  }
+  const Box box = bounds(scene);
+  const MemoryUse use = memory_use(frame);
+  return {{"name", scene.name},
+          {"triangles", triangles()},
+          {"instances", scene.instances.size()},
+          {"materials", scene.materials.size()},
+          {"dropped_zero_area_triangles", scene.dropped.zero_area_triangles},
+          {"dropped_points_and_lines", scene.dropped.points_and_lines},
+          {"low", json_of(box.low)},
+          {"high", json_of(box.high)},
+          {"camera",
+           {{"position", json_of(camera.position)},
+            {"right", json_of(camera.right)},
+            {"up", json_of(camera.up)},
+            {"forward", json_of(camera.forward)}}},
+          {"objects", objects_json},
+          {"instance_tree", json_of("instances", trees.instances)},
+          {"memory",
+           {{"nodes", use.nodes},
+            {"node_limit", kMaxNodes},
+            {"list_entries", use.list_entries},
+            {"list_entry_limit", kMaxListEntries},
+            {"matrices", use.matrices},
+            {"matrix_limit", kMaxMatrices}}},
+          {"load_seconds", load_seconds},
+          {"tree_seconds", tree_seconds}};
+}
+
+std::string Prepared::text() const {
+  const MemoryUse use = memory_use(frame);
+  std::string text = fmt::format("scene       {}: {} triangles in {}, {}", scene.name,
+                                 grouped(triangles()), counted(scene.objects.size(), "object"),
+                                 counted(scene.instances.size(), "instance"));
+  if (const std::size_t dropped = scene.dropped.zero_area_triangles) {
+    text += fmt::format(" ({} of zero area left out)", counted(dropped, "triangle"));
+  }
+  text += fmt::format("\ntrees       {} nodes, {} list entries, depth {}, built in {:.2f} s\n",
+                      grouped(use.nodes), grouped(use.list_entries), deepest(trees), tree_seconds);
+  text += fmt::format("memory      {:.2f} MB of nodes and lists, {:.2f} MB of matrices\n",
+                      use.tree_megabytes(), use.matrix_megabytes());
+  return text;
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,35 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// From a scene's name to the words that are uploaded: load, place the camera, build the trees,
+// pack.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "host/app/arguments.h"
+#include "host/image/image.h"
+#include "host/scene/scene.h"
+#include "host/tree/scene_trees.h"
+
+namespace dynrt::host {
+
+struct Prepared {
+  Scene scene;
+  Camera camera;
+  SceneTrees trees;
+  ObjectImage objects;
+  FrameImage frame;
+  double load_seconds = 0;
+  double tree_seconds = 0;
+
+  std::size_t triangles() const;  ///< of all objects, each counted once
+  /// The scene, its trees and the memory they take, as data and as lines of text.
+  nlohmann::ordered_json json() const;
+  std::string text() const;
+};
+
+Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height);
+
+}  // namespace dynrt::host

@@ -1,0 +1,77 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// dynrt render: one board, one image.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "host/app/arguments.h"
+#include "host/app/board_frame.h"
+#include "host/app/command.h"
+#include "host/app/report.h"
+#include "host/app/trace_file.h"
+#include "host/render/write_image.h"
+
+namespace dynrt::host {
+
+namespace {
+
+struct Arguments {
+  SceneArguments scene;
+  FrameArguments frame;
+  std::string board = "rtl";
+  std::string trace;
+};
+
+/// Waveforms of a frame that never ended are kept: they show why.
+template <class Render>
+Frame traced(TraceFile& trace, Render&& render) {
+  try {
+    Frame frame = render();
+    trace.keep();
+    return frame;
+  } catch (const TimeoutError&) {
+    trace.keep();
+    throw;
+  }
+}
+
+int run(const Arguments& arguments) {
+  const FrameOptions options = arguments.frame.options(arguments.scene.size);
+  TraceFile trace(arguments.trace);
+  const auto board =
+      open_board({arguments.board, arguments.frame.configuration, arguments.trace}, options);
+  const Prepared prepared = prepare(arguments.scene, options.width, options.height);
+  const Frame frame = traced(trace, [&] { return render_on(*board, options, prepared); });
+
+  const std::string out = image_name(arguments.frame.out, arguments.scene.scene);
+  write_image(out, frame);
+  const FrameFigures figures = figures_of(frame, arguments.frame.clock_mhz * 1e6);
+  if (!arguments.frame.json.empty()) {
+    nlohmann::ordered_json json = {{"image", out}, {"scene", prepared.json()}};
+    json["frame"] = report_json(frame, figures, arguments.frame.clock_mhz);
+    write_text(arguments.frame.json, json.dump(2) + "\n");
+  }
+  fmt::print("image       {}, {}x{}\n{}{}", out, frame.width, frame.height, prepared.text(),
+             report_text(frame, figures, arguments.frame.clock_mhz));
+  return kDone;
+}
+
+}  // namespace
+
+Command add_render_command(CLI::App& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand("render", "render a scene and write the image");
+  arguments->scene.add_to(*command, true);
+  command->add_option("--board", arguments->board, "rtl: the Verilog; model: the C++ natively")
+      ->option_text("BOARD [rtl]");
+  command
+      ->add_option("--trace", arguments->trace,
+                   "write the waveforms of the Verilog; large: choose a small --size")
+      ->option_text("FILE.fst");
+  arguments->frame.add_to(*command, "SCENE.png");
+  return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,148 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/app/report.h"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "host/app/text.h"
+#include "host/board/bus.h"
+
+namespace dynrt::host {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kMega = 1e6;
+
+Json value_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
+
+double bus_seconds(const Frame& frame) {
+  return static_cast<double>(frame.traffic.bus_clocks) / BusMeter::kClockHz;
+}
+
+std::string units_text(const FrameFigures& figures) {
+  std::string text =
+      fmt::format("  {:<18}{:>14}{:>9}{:>9}\n", "unit", "transactions", "busy", "stalled");
+  const auto percent = [](const std::optional<double>& share) {
+    return share ? fmt::format("{:.1f} %", 100 * *share) : std::string("-");
+  };
+  for (const UnitFigures& unit : figures.units) {
+    fmt::format_to(std::back_inserter(text), "  {:<18}{:>14}{:>9}{:>9}\n", unit.name,
+                   grouped(unit.transactions), percent(unit.utilisation), percent(unit.stalled));
+  }
+  return text;
+}
+
+std::string caches_text(const FrameFigures& figures) {
+  std::string text;
+  for (const CacheFigures& cache : figures.caches) {
+    fmt::format_to(std::back_inserter(text), "  {:<18}{:>14}{:>9}\n", cache.name + " cache",
+                   grouped(cache.lookups), fmt::format("{:.2f} %", 100 * cache.hit_rate));
+  }
+  return text.empty() ? text
+                      : fmt::format("  {:<18}{:>14}{:>9}\n", "cache", "lookups", "hits") + text;
+}
+
+}  // namespace
+
+std::string report_text(const Frame& frame, const FrameFigures& figures, double clock_mhz) {
+  std::string text;
+  const auto line = [&text]<class... A>(fmt::format_string<A...> format, A&&... args) {
+    fmt::format_to(std::back_inserter(text), format, std::forward<A>(args)...);
+    text += '\n';
+  };
+  line("board       {}, configuration {}, {} packets, {} lines in each cache", frame.board.name,
+       frame.board.configuration, frame.packets, frame.lines);
+  line("pixels      {}, of which {} hit something", grouped(frame.pixels.size()),
+       grouped(frame.hit_count()));
+  if (frame.run.cycles) {
+    line("frame       {} cycles, {:.2f} frames per second at {:g} MHz, {:.4f} rays per clock",
+         grouped(*frame.run.cycles), figures.frames_per_second.value_or(0), clock_mhz,
+         figures.rays_per_clock.value_or(0));
+    line("simulation  {:.2f} s, {} clocks per second", frame.run.seconds,
+         grouped(static_cast<std::uint64_t>(figures.clocks_per_second.value_or(0))));
+  } else {
+    line("simulation  {:.2f} s, {} rays per second", frame.run.seconds,
+         grouped(static_cast<std::uint64_t>(figures.rays_per_second)));
+  }
+  line("bus         {} bytes written, {} read, {} transactions, {:.3f} s on 33 MHz PCI",
+       grouped(frame.traffic.bytes_written), grouped(frame.traffic.bytes_read),
+       grouped(frame.traffic.transactions), bus_seconds(frame));
+  return text + units_text(figures) + caches_text(figures);
+}
+
+Json report_json(const Frame& frame, const FrameFigures& figures, double clock_mhz) {
+  Json units = Json::object();
+  for (const UnitFigures& unit : figures.units) {
+    units[unit.name] = {{"transactions", unit.transactions},
+                        {"utilisation", value_or_null(unit.utilisation)},
+                        {"stalled", value_or_null(unit.stalled)}};
+  }
+  Json caches = Json::object();
+  for (const CacheFigures& cache : figures.caches) {
+    caches[cache.name] = {
+        {"lookups", cache.lookups}, {"misses", cache.misses}, {"hit_rate", cache.hit_rate}};
+  }
+  Json counters = Json::object();
+  for (const Counter& counter : frame.counters) counters[counter.name] = counter.value;
+  return {{"board", frame.board.name},
+          {"configuration", frame.board.configuration},
+          {"packets", frame.packets},
+          {"cache_lines", frame.lines},
+          {"width", frame.width},
+          {"height", frame.height},
+          {"hits", frame.hit_count()},
+          {"cycles", frame.run.cycles ? Json(*frame.run.cycles) : Json()},
+          {"clock_hz", clock_mhz * kMega},
+          {"frames_per_second", value_or_null(figures.frames_per_second)},
+          {"rays_per_clock", value_or_null(figures.rays_per_clock)},
+          {"simulation",
+           {{"seconds", frame.run.seconds},
+            {"clocks_per_second", value_or_null(figures.clocks_per_second)},
+            {"rays_per_second", figures.rays_per_second}}},
+          {"bus",
+           {{"transactions", frame.traffic.transactions},
+            {"bytes_written", frame.traffic.bytes_written},
+            {"bytes_read", frame.traffic.bytes_read},
+            {"bus_clocks", frame.traffic.bus_clocks},
+            {"seconds", bus_seconds(frame)}}},
+          {"units", units},
+          {"caches", caches},
+          {"counters", counters}};
+}
+
+std::string comparison_text(const Comparison& comparison, const std::string& left,
+                            const std::string& right) {
+  std::string text = fmt::format(
+      "compared    {} hit records, {} pixels, {} counters of {} and {}: {} + {} + {} differ\n",
+      grouped(comparison.pixels), grouped(comparison.pixels), comparison.counters, left, right,
+      comparison.different_hits, comparison.different_pixels, comparison.different_counters);
+  if (comparison.first) {
+    text += fmt::format("first difference: {}\n", comparison.first->text(left, right));
+  }
+  return text;
+}
+
+Json comparison_json(const Comparison& comparison) {
+  Json json = {{"identical", comparison.identical()},
+               {"pixels", comparison.pixels},
+               {"hits", comparison.hits},
+               {"counters", comparison.counters},
+               {"different_hits", comparison.different_hits},
+               {"different_pixels", comparison.different_pixels},
+               {"different_counters", comparison.different_counters},
+               {"first", Json()}};
+  if (const auto& first = comparison.first) {
+    json["first"] = {{"field", first->field}, {"left", first->left}, {"right", first->right}};
+    if (first->x) {
+      json["first"]["x"] = *first->x;
+      json["first"]["y"] = *first->y;
+    }
+  }
+  return json;
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,23 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is printed about a frame, as lines of text and as data.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "host/render/compare.h"
+#include "host/render/figures.h"
+
+namespace dynrt::host {
+
+std::string report_text(const Frame& frame, const FrameFigures& figures, double clock_mhz);
+nlohmann::ordered_json report_json(const Frame& frame, const FrameFigures& figures,
+                                   double clock_mhz);
+
+std::string comparison_text(const Comparison& comparison, const std::string& left,
+                            const std::string& right);
+nlohmann::ordered_json comparison_json(const Comparison& comparison);
+
+}  // namespace dynrt::host

@@ -1,0 +1,171 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/image/image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <optional>
+
+#include "host/error.h"
+#include "host/image/messages.h"
+#include "host/tree/triangle_matrix.h"
+
+namespace dynrt::host {
+
+namespace {
+
+void check_limit(const Scene& scene, const char* what, std::size_t needed, std::size_t limit) {
+  if (needed > limit) throw UserError(image_messages::too_many(scene.name, what, needed, limit));
+}
+
+void check_limits(const Scene& scene, const MemoryPart& part) {
+  check_limit(scene, "tree nodes", part.end_node() - 1, kMaxNodes - 1);
+  check_limit(scene, "list entries", part.end_entry(), kMaxListEntries);
+}
+
+/// The first element beyond the core's numbers; small ones round to the smallest magnitude.
+std::optional<double> out_of_range(const glm::dmat4x3& matrix) {
+  for (int c = 0; c < 4; ++c) {
+    for (int r = 0; r < 3; ++r) {
+      if (!(std::abs(matrix[c][r]) <= Real::largest().to_double())) return matrix[c][r];
+    }
+  }
+  return std::nullopt;
+}
+
+uint32_t colour(const Scene& scene, const Mesh& object, std::size_t triangle) {
+  const glm::dvec3& diffuse = scene.materials.at(object.material.at(triangle)).diffuse;
+  uint32_t bits = 0;
+  for (int channel = 0; channel < 3; ++channel) {
+    const double level = std::clamp(diffuse[channel], 0.0, 1.0) * 255.0;
+    bits |= static_cast<uint32_t>(std::lround(level)) << (8 * channel);
+  }
+  return bits;
+}
+
+Address to_address(std::size_t address) { return Address::from(static_cast<uint32_t>(address)); }
+
+/// Appends a tree; its items become the matrices from first_matrix on. Returns the address of the
+/// tree's node 0, which has no place itself: node i lies at that address + i.
+uint32_t add_tree(MemoryPart& part, const Tree& tree, uint32_t first_matrix) {
+  const uint32_t base = part.end_node() - 1;
+  const uint32_t list_base = part.end_entry();
+  const auto child = [&](uint32_t index) {
+    return to_address(index == kNullNode ? 0 : base + index);
+  };
+  for (std::size_t i = 1; i < tree.nodes.size(); ++i) {
+    const TreeNode& from = tree.nodes[i];
+    Node node;
+    node.kind = static_cast<NodeKind>(from.axis);
+    if (from.is_leaf()) {
+      node.left = to_address(list_base + from.left);
+    } else {
+      node.split = Real::from_double(from.split);
+      node.left = child(from.left);
+      node.right = child(from.right);
+    }
+    part.nodes.push_back(node);
+  }
+  const std::size_t first = part.entries.size();
+  for (const uint32_t item : tree.items) {
+    ListEntry entry;
+    entry.matrix = MatrixIndex::from(first_matrix + item);
+    part.entries.push_back(entry);
+  }
+  for (const TreeNode& node : tree.nodes) {
+    if (node.is_leaf() && node.right > 0) {
+      part.entries[first + node.left + node.right - 1].last = true;
+    }
+  }
+  return base;
+}
+
+}  // namespace
+
+ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees) {
+  std::size_t matrices = scene.instances.size() + 1;
+  for (const Mesh& object : scene.objects) matrices += object.triangles.size();
+  check_limit(scene, "matrices (triangles, instances and the camera)", matrices, kMaxMatrices);
+
+  memory.first_node = 1;
+  for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+    const Mesh& mesh = scene.objects[k];
+    const Tree& tree = trees[k];
+    const uint32_t first_matrix = memory.end_matrix();
+    const uint32_t base = add_tree(memory, tree, first_matrix);
+    objects.push_back({base + tree.root, base + tree.clipped_root, first_matrix, tree.box});
+    check_limits(scene, memory);
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      const glm::uvec3& t = mesh.triangles[i];
+      const auto matrix =
+          triangle_matrix({mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]});
+      if (!matrix) throw UserError(image_messages::flat_triangle(mesh.name, i));
+      if (const auto element = out_of_range(*matrix)) {
+        throw UserError(
+            image_messages::triangle_range(mesh.name, i, *element, Real::largest().to_double()));
+      }
+      memory.matrices.push_back(to_columns(*matrix, colour(scene, mesh, i)));
+    }
+  }
+}
+
+std::vector<Aabb> ObjectImage::boxes() const {
+  std::vector<Aabb> boxes;
+  for (const Object& object : objects) boxes.push_back(object.box);
+  return boxes;
+}
+
+FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tree& instances,
+                       const Camera& camera, unsigned width, unsigned height) {
+  const double largest = Real::largest().to_double();
+  memory.first_node = objects.memory.end_node();
+  memory.first_entry = objects.memory.end_entry();
+  memory.first_matrix = first_instance = objects.memory.end_matrix();
+  const uint32_t base = add_tree(memory, instances, first_instance);
+  start_node = base + instances.entry(camera.position);
+  check_limits(scene, memory);
+  check_limit(scene, "matrices (triangles, instances and the camera)",
+              first_instance + scene.instances.size() + 1, kMaxMatrices);
+
+  memory.matrices.reserve(scene.instances.size() + 1);
+  for (const Instance& instance : scene.instances) {
+    const glm::dmat4 inverse = glm::inverse(instance.transform);
+    const ObjectImage::Object& object = objects.objects.at(instance.object);
+    const glm::dmat4x3 matrix(inverse);
+    if (!std::isfinite(inverse[3][3]) || glm::determinant(instance.transform) == 0) {
+      throw UserError(image_messages::no_inverse(instance.name));
+    }
+    if (const auto element = out_of_range(matrix)) {
+      throw UserError(image_messages::instance_range(instance.name, *element, largest));
+    }
+    const glm::dvec3 eye = matrix * glm::dvec4(camera.position, 1.0);
+    memory.matrices.push_back(
+        to_columns(matrix, object.box.holds(eye) ? object.root : object.clipped_root));
+  }
+  const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
+  if (const auto element = out_of_range(from_pixels)) {
+    throw UserError(image_messages::camera_range(*element, largest));
+  }
+  camera_matrix = memory.end_matrix();
+  memory.matrices.push_back(to_columns(from_pixels, 0));
+}
+
+double MemoryUse::tree_megabytes() const {
+  return (8.0 * static_cast<double>(nodes) + 4.0 * static_cast<double>(list_entries)) / 1e6;
+}
+
+double MemoryUse::matrix_megabytes() const { return 48.0 * static_cast<double>(matrices) / 1e6; }
+
+MemoryUse memory_use(const FrameImage& frame) {
+  return {frame.memory.end_node(), frame.memory.end_entry(), frame.memory.end_matrix()};
+}
+
+glm::dmat4x3 camera_matrix(const Camera& camera, unsigned width, unsigned height) {
+  const glm::dvec3 across = camera.right / static_cast<double>(width);
+  const glm::dvec3 down = -camera.up / static_cast<double>(height);
+  const glm::dvec3 corner = camera.forward - 0.5 * camera.right + 0.5 * camera.up;
+  return {across, down, corner + 0.5 * across + 0.5 * down, camera.position};
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,67 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// A scene as it lies in the board's memory. What stands still is laid out once, from the bottom:
+// the objects' trees, lists and triangle matrices (ObjectImage). What may move follows it and is
+// made anew for every frame: the top-level tree, the instances' matrices and the camera's
+// (FrameImage).
+#pragma once
+
+#include <glm/mat4x3.hpp>
+#include <span>
+#include <vector>
+
+#include "host/image/memory.h"
+#include "host/scene/scene.h"
+#include "host/tree/tree.h"
+
+namespace dynrt::host {
+
+/// The static part. Throws UserError where a limit of the memory is passed or a triangle's matrix
+/// is beyond the core's numbers.
+struct ObjectImage {
+  /// Where an object lies.
+  struct Object {
+    uint32_t root = 0;          ///< for rays that start inside its box
+    uint32_t clipped_root = 0;  ///< for all others
+    uint32_t first_matrix = 0;  ///< of triangle 0
+    Aabb box;
+  };
+  std::vector<Object> objects;
+  MemoryPart memory;
+
+  ObjectImage() = default;
+  ObjectImage(const Scene& scene, std::span<const Tree> trees);
+
+  std::vector<Aabb> boxes() const;
+};
+
+/// The part that belongs to one frame. Throws UserError where a limit of the memory is passed, an
+/// instance has no inverse or the core's numbers cannot hold it, or the camera is beyond them.
+struct FrameImage {
+  MemoryPart memory;
+  uint32_t start_node = 0;
+  uint32_t first_instance = 0;  ///< matrix of instance 0
+  uint32_t camera_matrix = 0;
+
+  FrameImage() = default;
+  FrameImage(const Scene& scene, const ObjectImage& objects, const Tree& instances,
+             const Camera& camera, unsigned width, unsigned height);
+};
+
+/// What a frame and the objects below it take of the memory.
+struct MemoryUse {
+  std::size_t nodes = 0;  ///< with the null node
+  std::size_t list_entries = 0;
+  std::size_t matrices = 0;
+  double tree_megabytes() const;    ///< nodes and lists, 10^6 bytes
+  double matrix_megabytes() const;  ///< 10^6 bytes
+};
+MemoryUse memory_use(const FrameImage& frame);
+
+/// From pixel coordinates to the primary ray: the pre-primary ray (0, 0, 0), (x, y, 1) of pixel
+/// (x, y), x from the left and y from the top, becomes the camera's ray through the pixel's centre
+/// (thesis 6.2.1).
+glm::dmat4x3 camera_matrix(const Camera& camera, unsigned width, unsigned height);
+
+}  // namespace dynrt::host

@@ -1,0 +1,66 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Nodes, list entries and matrices as the words of the three scene banks (units/memory_format.h),
+// and back.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/mat4x3.hpp>
+#include <vector>
+
+#include "units/memory_format.h"
+
+namespace dynrt::host {
+
+/// Consecutive words of one bank.
+struct MemoryRun {
+  unsigned bank = 0;
+  uint32_t address = 0;
+  std::vector<uint32_t> words;
+};
+
+using MatrixColumns = std::array<MatrixColumn, 4>;
+
+/// Rounds a matrix once to the core's format; `extra` are the 24 spare bits of column 0.
+MatrixColumns to_columns(const glm::dmat4x3& matrix, uint32_t extra);
+glm::dmat4x3 from_columns(const MatrixColumns& columns);
+uint32_t extra_bits(const MatrixColumns& columns);
+
+/// Nodes, list entries and matrices at consecutive places of the memory.
+struct MemoryPart {
+  uint32_t first_node = 0;
+  uint32_t first_entry = 0;
+  uint32_t first_matrix = 0;
+  std::vector<Node> nodes;
+  std::vector<ListEntry> entries;
+  std::vector<MatrixColumns> matrices;
+
+  uint32_t end_node() const { return first_node + static_cast<uint32_t>(nodes.size()); }
+  uint32_t end_entry() const { return first_entry + static_cast<uint32_t>(entries.size()); }
+  uint32_t end_matrix() const { return first_matrix + static_cast<uint32_t>(matrices.size()); }
+
+  /// At most one run for nodes in banks 0 and 1, for entries in bank 2, for columns in each bank.
+  std::vector<MemoryRun> runs() const;
+};
+
+/// What must be written to turn the memory that holds `before` into one that holds `after`. Equal
+/// words between two different ones are written too where that makes fewer, hardly longer runs.
+std::vector<MemoryRun> changed_runs(const std::vector<MemoryRun>& before,
+                                    const std::vector<MemoryRun>& after);
+
+/// The scene banks as the core reads them.
+class SceneMemory {
+ public:
+  SceneMemory();
+  void write(const std::vector<MemoryRun>& runs);
+  Node node(uint32_t address) const;
+  ListEntry entry(uint32_t address) const;
+  MatrixColumns matrix(uint32_t index) const;
+
+ private:
+  std::array<std::vector<uint32_t>, kSceneBanks> banks_;
+};
+
+}  // namespace dynrt::host

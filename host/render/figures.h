@@ -1,0 +1,41 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a frame's counters say: how busy every unit was, how often every cache hit.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/render/frame.h"
+
+namespace dynrt::host {
+
+struct UnitFigures {
+  std::string name;
+  std::uint64_t transactions = 0;
+  std::optional<double> utilisation;  ///< transactions per cycle; a unit starts one a clock at most
+  std::optional<double> stalled;      ///< share of cycles in which an output had no room
+};
+
+struct CacheFigures {
+  std::string name;  ///< "node", "list" or "matrix"
+  std::uint64_t lookups = 0;
+  std::uint64_t misses = 0;
+  double hit_rate = 1;
+};
+
+struct FrameFigures {
+  std::vector<UnitFigures> units;  ///< the busiest first
+  std::vector<CacheFigures> caches;
+  std::optional<double> frames_per_second;  ///< at the stated clock
+  std::optional<double> rays_per_clock;
+  std::optional<double> clocks_per_second;  ///< of the simulation
+  double rays_per_second = 0;               ///< of the simulation
+};
+
+/// `clock_hz`: the core's clock for frames per second.
+FrameFigures figures_of(const Frame& frame, double clock_hz);
+
+}  // namespace dynrt::host

@@ -1,0 +1,64 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/render/figures.h"
+
+#include <gtest/gtest.h>
+
+namespace dynrt::host {
+namespace {
+
+Frame a_frame() {
+  Frame frame;
+  frame.width = 10;
+  frame.height = 10;
+  frame.lines = 16;
+  frame.pixels.resize(100);
+  frame.run = {.cycles = 1000, .seconds = 0.5};
+  frame.counters = {{"list.transactions", 250},
+                    {"traversal.transactions", 900},
+                    {"step.tokens", 900},
+                    {"list.stalls", 10},
+                    {"node_lookup.transactions", 400},
+                    {"node_fill.transactions", 116}};
+  return frame;
+}
+
+TEST(Figures, UnitsAreSharesOfTheCycles) {
+  const FrameFigures figures = figures_of(a_frame(), 85e6);
+  ASSERT_EQ(figures.units.size(), 4u);
+  EXPECT_EQ(figures.units[0].name, "traversal");
+  EXPECT_EQ(figures.units[0].transactions, 900u);
+  EXPECT_DOUBLE_EQ(*figures.units[0].utilisation, 0.9);
+  EXPECT_FALSE(figures.units[0].stalled.has_value());
+  EXPECT_EQ(figures.units[2].name, "list");
+  EXPECT_DOUBLE_EQ(*figures.units[2].stalled, 0.01);
+}
+
+TEST(Figures, EmptyingTheLinesIsNoMiss) {
+  const FrameFigures figures = figures_of(a_frame(), 85e6);
+  ASSERT_EQ(figures.caches.size(), 1u);
+  EXPECT_EQ(figures.caches[0].name, "node");
+  EXPECT_EQ(figures.caches[0].lookups, 400u);
+  EXPECT_EQ(figures.caches[0].misses, 100u);
+  EXPECT_DOUBLE_EQ(figures.caches[0].hit_rate, 0.75);
+}
+
+TEST(Figures, Speeds) {
+  const FrameFigures figures = figures_of(a_frame(), 85e6);
+  EXPECT_DOUBLE_EQ(*figures.frames_per_second, 85e3);
+  EXPECT_DOUBLE_EQ(*figures.rays_per_clock, 0.1);
+  EXPECT_DOUBLE_EQ(*figures.clocks_per_second, 2000);
+  EXPECT_DOUBLE_EQ(figures.rays_per_second, 200);
+}
+
+TEST(Figures, WithoutAClockThereIsNoUtilisation) {
+  Frame frame = a_frame();
+  frame.run.cycles.reset();
+  const FrameFigures figures = figures_of(frame, 85e6);
+  EXPECT_FALSE(figures.units[0].utilisation.has_value());
+  EXPECT_FALSE(figures.frames_per_second.has_value());
+  EXPECT_DOUBLE_EQ(figures.rays_per_second, 200);
+}
+
+}  // namespace
+}  // namespace dynrt::host

@@ -1,0 +1,285 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Co-simulation of one unit: the same random and extreme tokens go to the native unit and to the
+// Verilated one, both ends of every channel stall at random, and every token and every row written
+// outside is compared, in order, to the last bit.
+//
+//     Vmailbox dut;
+//     cosim::Bench<dynrt::Mailbox<C>> bench("mailbox", dut, [](auto& v, auto& f) {
+//       visit_ports_mailbox(v, f);               // from mailbox_ports.h, which hlsc wrote
+//     });
+//     bench.packet<Entry>("entry", [](const Entry& e) { return e.packet.to_u64(); });
+//     const cosim::Report report = bench.run({.transactions = 20'000});
+//     EXPECT_TRUE(report.ok) << report.text;
+//
+// The packet rule: with `packet` set, a packet has at most one transaction in the unit at a time.
+// The seed is printed; the environment's HLS_SEED overrides it.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cosim/ledger.h"
+#include "cosim/pins.h"
+#include "cosim/port_model.h"
+
+namespace dynrt::cosim {
+
+struct Settings {
+  std::uint64_t seed = 1;
+  std::uint64_t transactions = 10'000;
+  bool stalls = true;          ///< false: both ends always ready, to measure the throughput
+  unsigned patience = 5'000;   ///< clocks without any progress that count as a deadlock
+  unsigned drain = 200;        ///< more clocks than the unit has stages
+  unsigned return_clocks = 2;  ///< least clocks from a packet's leaving to its coming back
+  /// For waveforms: called after every eval.
+  std::function<void(std::uint64_t half_clock)> dump = {};
+};
+
+struct Report {
+  bool ok = false;
+  std::string text;  ///< what was run, or the first thing that went wrong
+  std::uint64_t transactions = 0;
+  std::uint64_t compared = 0;  ///< tokens and rows
+  std::uint64_t clocks = 0;    ///< from the first transaction to the last comparison
+};
+
+template <class Unit>
+class Bench {
+ public:
+  template <class Dut, class Visit>
+  Bench(std::string name, Dut& dut, Visit visit) : name_(std::move(name)) {
+    visit(dut, pins_);
+    eval_ = [&dut] { dut.eval(); };
+    std::string_view names = Unit::hls_field_names();
+    std::apply([&](auto&... port) { (add(port_name(names), port), ...); }, unit_->hls_fields());
+    for (const auto& [port, pins] : pins_.ports) {
+      throw std::logic_error(
+          fmt::format("{}: the Verilog has a port {}, the unit has none", name_, port));
+    }
+  }
+
+  /// Changes every token (row, value) drawn for a port, after it was drawn.
+  template <class T>
+  void shape(const std::string& port, std::function<void(T&, Random&)> function) {
+    find<Drawn<T>>(port).shape = std::move(function);
+  }
+  /// Which packet an In's token belongs to.
+  template <class T>
+  void packet(const std::string& port, std::function<std::uint64_t(const T&)> function) {
+    find<InPort<T>>(port).packet_of = std::move(function);
+  }
+  /// An output that random tokens need not reach; every other one must give something.
+  void may_be_silent(const std::string& port) { silent_.insert(port); }
+
+  /// Once per bench: the unit keeps its state.
+  Report run(Settings settings) {
+    if (const char* seed = std::getenv("HLS_SEED")) settings.seed = std::strtoull(seed, nullptr, 0);
+    Report report;
+    Random random(settings.seed);
+    Ledger ledger(settings.drain, settings.return_clocks);
+    std::uint64_t clock = 0;
+    try {
+      reset(random, settings);
+      clock = simulate(random, ledger, settings);
+      report.ok = true;
+    } catch (const Mismatch& mismatch) {
+      report.text = mismatch.what();
+      for (const auto& port : ports_) {
+        if (!mismatch.transaction) break;
+        const std::string token = port->describe(*mismatch.transaction);
+        if (!token.empty()) {
+          report.text += fmt::format("\n  transaction {} read {}", *mismatch.transaction, token);
+        }
+      }
+    }
+    report.transactions = ledger.begun();
+    for (const auto& port : ports_) report.compared += port->compared();
+    report.clocks = clock;
+    const std::string run =
+        fmt::format("{}: seed {}, {} transactions, {} tokens and rows compared, {} clocks", name_,
+                    settings.seed, report.transactions, report.compared, half_clocks_ / 2);
+    fmt::print("{}\n", run);
+    report.text = report.ok ? run : fmt::format("{}\n{}", run, report.text);
+    return report;
+  }
+
+ private:
+  /// The next of the names in HLS_PORTS; the Verilog's name of slice[1] is slice_1.
+  static std::string port_name(std::string_view& names) {
+    std::string name(hls::detail::next_name(names));
+    std::erase(name, ']');
+    for (char& c : name) {
+      if (c == '[') c = '_';
+    }
+    return name;
+  }
+  template <class T>
+  void add(std::string name, hls::In<T>& port) {
+    ports_.push_back(std::make_unique<InPort<T>>(name, take<T>(name, PortKind::kIn, 1, 0), port));
+    ++inputs_;
+  }
+  template <class T>
+  void add(std::string name, hls::Out<T>& port) {
+    ports_.push_back(std::make_unique<OutPort<T>>(name, take<T>(name, PortKind::kOut, 1, 0), port));
+  }
+  template <class T, unsigned N, unsigned L>
+  void add(std::string name, hls::RamRead<T, N, L>& port) {
+    ports_.push_back(std::make_unique<RamReadPort<T, N, L>>(
+        name, take<T>(name, PortKind::kRamRead, N, L), port));
+  }
+  template <class T, unsigned N>
+  void add(std::string name, hls::RamWrite<T, N>& port) {
+    ports_.push_back(
+        std::make_unique<RamWritePort<T, N>>(name, take<T>(name, PortKind::kRamWrite, N, 0), port));
+  }
+  template <class T>
+  void add(std::string name, hls::Config<T>& port) {
+    ports_.push_back(
+        std::make_unique<ConfigPort<T>>(name, take<T>(name, PortKind::kConfig, 1, 0), port));
+  }
+  /// The pins of a port, which must be as the C++ has it.
+  template <class T>
+  PortPins take(const std::string& name, PortKind kind, unsigned rows, unsigned latency) {
+    const auto found = pins_.ports.find(name);
+    if (found == pins_.ports.end()) {
+      throw std::logic_error(fmt::format("{}: the Verilog has no port {}", name_, name));
+    }
+    const PortPins pins = found->second;
+    const unsigned width = hls::bit_width_of<T>();
+    if (pins.kind != kind || pins.width != width || pins.rows != rows || pins.latency != latency) {
+      throw std::logic_error(fmt::format(
+          "{}: port {} is {} bits, {} rows, latency {} in Verilog, {} bits, {} rows, latency {} in "
+          "C++",
+          name_, name, pins.width, pins.rows, pins.latency, width, rows, latency));
+    }
+    pins_.ports.erase(found);
+    return pins;
+  }
+  template <class Port>
+  Port& find(const std::string& name) {
+    for (const auto& port : ports_) {
+      if (port->name() != name) continue;
+      if (auto* typed = dynamic_cast<Port*>(port.get())) return *typed;
+      throw std::logic_error(fmt::format("{}: port {} has another token", name_, name));
+    }
+    throw std::logic_error(fmt::format("{}: there is no port {}", name_, name));
+  }
+
+  void half_clock(bool high, const Settings& settings) {
+    pins_.clk.set(high);
+    eval_();
+    if (settings.dump) settings.dump(half_clocks_);
+    ++half_clocks_;
+  }
+  void reset(Random& random, const Settings& settings) {
+    for (const auto& port : ports_) port->prepare(random);
+    for (const auto& port : ports_) port->drive(random, true);
+    pins_.rst_n.set(0);
+    for (int i = 0; i < 4; ++i) {
+      half_clock(false, settings);
+      half_clock(true, settings);
+    }
+    pins_.rst_n.set(1);
+  }
+
+  /// Draws tokens until their packet is not under way, runs the native unit on them and hands them
+  /// to the bench's ports.
+  bool begin_transaction(Random& random, Ledger& ledger) {
+    for (int attempt = 0; attempt < 8; ++attempt) {
+      std::optional<std::uint64_t> packet;
+      for (const auto& port : ports_) {
+        port->draw(random);
+        if (const auto held = port->packet()) packet = held;
+      }
+      if (packet && ledger.holds(*packet)) continue;
+      const std::uint64_t transaction = ledger.begin(inputs_, packet);
+      for (const auto& port : ports_) port->commit(transaction);
+      unit_->step();
+      for (const auto& port : ports_) port->collect(transaction, ledger);
+      return true;
+    }
+    return false;
+  }
+
+  /// Runs all transactions; returns the clocks until the last comparison.
+  std::uint64_t simulate(Random& random, Ledger& ledger, const Settings& settings) {
+    constexpr double kStalls[] = {0, 0, 0.1, 0.5, 0.9};
+    constexpr std::size_t kBacklog = 4;
+    std::vector<double> stall(ports_.size(), 0.0);
+    std::uint64_t last_progress = 0;
+    std::uint64_t after_last = 0;
+    std::uint64_t clock = 0;
+    for (; after_last < settings.drain; ++clock) {
+      if (settings.stalls && clock % 256 == 0) {
+        for (double& s : stall) s = kStalls[random.below(std::size(kStalls))];
+      }
+      bool progress = false;
+      bool room = ledger.begun() < settings.transactions;
+      for (const auto& port : ports_) room = room && port->backlog() < kBacklog;
+      if (room) progress = begin_transaction(random, ledger);
+
+      for (std::size_t i = 0; i < ports_.size(); ++i) {
+        ports_[i]->drive(random, random.chance(stall[i]));
+      }
+      half_clock(false, settings);
+      bool free = true;
+      for (const auto& port : ports_) {
+        port->observe(ledger);
+        progress = progress || port->moved();
+        free = free && !port->held_up();
+      }
+      half_clock(true, settings);
+      for (const auto& port : ports_) port->edge(ledger);
+      ledger.tick(free);
+
+      if (progress) last_progress = clock;
+      const bool finished = ledger.begun() == settings.transactions && ledger.idle();
+      after_last = finished ? after_last + 1 : 0;
+      if (!finished && clock - last_progress >= settings.patience) throw Mismatch(stuck(settings));
+    }
+    check_coverage(settings);
+    return last_progress + 1;
+  }
+  std::string stuck(const Settings& settings) const {
+    std::string text = fmt::format("nothing moved for {} clocks", settings.patience);
+    for (const auto& port : ports_) {
+      if (const std::string waits = port->waiting(); !waits.empty()) text += "; port " + waits;
+    }
+    return text;
+  }
+  void check_coverage(const Settings& settings) const {
+    std::uint64_t compared = 0;
+    for (const auto& port : ports_) {
+      compared += port->compared();
+      const bool writes = port->kind() == PortKind::kOut || port->kind() == PortKind::kRamWrite;
+      if (writes && port->compared() == 0 && !silent_.contains(port->name())) {
+        throw Mismatch(
+            fmt::format("port {} gave nothing in {} transactions: the tokens do not "
+                        "reach it",
+                        port->name(), settings.transactions));
+      }
+    }
+    if (compared == 0) throw Mismatch("no token was compared");
+  }
+
+  std::string name_;
+  UnitPins pins_;
+  std::function<void()> eval_;
+  std::unique_ptr<Unit> unit_ = std::make_unique<Unit>();
+  std::vector<std::unique_ptr<PortModel>> ports_;
+  unsigned inputs_ = 0;
+  std::set<std::string> silent_;
+  std::uint64_t half_clocks_ = 0;
+};
+
+}  // namespace dynrt::cosim
