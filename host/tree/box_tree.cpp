@@ -8,8 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "host/tree/build.h"
-#include "host/tree/grid.h"
+#include "host/tree/grid_box.h"
 
 namespace dynrt::host {
 
