@@ -4,8 +4,8 @@
 // The board as its bus sees it: registers and the window into the SRAM (dynrt_registers.vh).
 //
 // A word is transferred in every clock in which bus_valid_i and bus_ready_o are high. Reads are
-// pipelined and answered in order, each SRAM_LATENCY + 1 clocks after it was accepted, so a burst of
-// reads moves a word a clock as well. bus_ready_o is low only for a counter that is settling.
+// pipelined and answered in order, each SRAM_LATENCY + 1 clocks after it was accepted, so a burst
+// of reads moves a word a clock as well. bus_ready_o is low only for a counter that is settling.
 module board_registers #(
   parameter PACKETS = 64,
   parameter CACHE_LINES = 512,
@@ -55,7 +55,8 @@ module board_registers #(
   wire [2:0]  bank = bus_addr_i[WINDOW_BANK_LOW +: 3];
   wire        bank_exists = bank < BANKS[2:0];
   wire [3:0]  frame_word = bus_addr_i[5:2];
-  wire        in_frame = bus_addr_i[25:6] == REG_FRAME[25:6] && frame_word < FRAME_WORDS[3:0];
+  wire        in_frame =
+      bus_addr_i[25:6] == REG_FRAME[25:6] && {1'b0, frame_word} < FRAME_WORDS[4:0];
   wire        is_control = write && bus_addr_i == REG_CONTROL;
   wire        is_counter = bus_addr_i == REG_COUNTER_DATA;
 
@@ -118,8 +119,8 @@ module board_registers #(
     end
   end
 
-  // A read waits beside the SRAM, so that registers and SRAM answer in order: stage s holds the read
-  // that was accepted s + 1 clocks ago.
+  // A read waits beside the SRAM, so that registers and SRAM answer in order: stage s holds the
+  // read that was accepted s + 1 clocks ago.
   reg [SRAM_LATENCY-1:0]    wait_valid_q;
   reg [SRAM_LATENCY-1:0]    wait_window_q; // of the window and not refused
   reg [26*SRAM_LATENCY-1:0] wait_addr_q;
@@ -129,7 +130,7 @@ module board_registers #(
   wire [2:0]  answer_bank = answer_addr[WINDOW_BANK_LOW +: 3];
   wire [3:0]  answer_frame_word = answer_addr[5:2];
   wire        answer_frame =
-      answer_addr[25:6] == REG_FRAME[25:6] && answer_frame_word < FRAME_WORDS[3:0];
+      answer_addr[25:6] == REG_FRAME[25:6] && {1'b0, answer_frame_word} < FRAME_WORDS[4:0];
 
   reg [31:0] status;
   reg [31:0] value;
@@ -155,6 +156,7 @@ module board_registers #(
         REG_CYCLES_LOW: value = cycles_i[31:0];
         REG_CYCLES_HIGH: value = cycles_i[63:32];
         REG_COUNTER_DATA: value = counter_data_i;
+        REG_FRAME_WORDS: value = FRAME_WORDS;
         default: value = 32'd0;
       endcase
     end

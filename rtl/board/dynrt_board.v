@@ -9,6 +9,7 @@
 module dynrt_board #(
   parameter PACKETS = 64,      // packets in flight of the core below
   parameter CACHE_LINES = 512, // lines of each of its caches
+  parameter FRAME_WORDS = 12,  // registers that describe a frame (hls/units/frame.h), at most 16
   parameter SRAM_LATENCY = 3   // clocks from the core's address to its data; the banks' own plus 2
 ) (
   input  wire             clk_i,
@@ -31,8 +32,6 @@ module dynrt_board #(
   output wire [6*32-1:0]  sram_wdata_o,
   input  wire [6*32-1:0]  sram_rdata_i
 );
-
-  localparam FRAME_WORDS = 12;
 
   wire        start, reset, busy, done;
   wire [63:0] cycles;
@@ -80,7 +79,8 @@ module dynrt_board #(
 
   board_sequencer sequencer (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .start_i(start), .reset_i(reset), .last_token_i(last_token), .busy_o(busy), .done_o(done), .cycles_o(cycles),
+    .start_i(start), .reset_i(reset), .last_token_i(last_token),
+    .busy_o(busy), .done_o(done), .cycles_o(cycles),
     .core_rst_no(core_rst_n), .counter_clear_o(counter_clear),
     .start_valid_o(start_valid), .start_ready_i(start_ready), .start_data_o(start_data),
     .done_valid_i(done_valid), .done_ready_o(done_ready)
