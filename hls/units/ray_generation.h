@@ -39,8 +39,8 @@ struct RayGeneration {
 
     const bool scanline = config.scanline.template bit<0>();
     const uint<kSideBits> x = scanline ? scan_x_ : morton(0);
-    const uint<kSideBits> y = scanline ? scan_y_ : morton(1);
-    const bool over = scanline ? scan_y_.template zext<10>() == rows
+    const uint<kSideBits> y = scanline ? scan_y_.template trunc<kSideBits>() : morton(1);
+    const bool over = scanline ? scan_y_ == rows
                                : counter_.bit(static_cast<unsigned>(config.morton_bits.raw() & 31));
     const bool inside = x.template zext<10>() < columns && y.template zext<10>() < rows;
 
@@ -49,7 +49,7 @@ struct RayGeneration {
       if (returned_ == config.packets.template trunc<8>()) done.write(1);
     } else {
       counter_ = hls::next(counter_);
-      const bool line_end = hls::next(scan_x_).template zext<10>() == columns;
+      const bool line_end = scan_x_ + uint<1>(1) == columns;
       if (line_end) scan_y_ = hls::next(scan_y_);
       scan_x_ = line_end ? uint<kSideBits>{} : hls::next(scan_x_);
 
@@ -92,7 +92,7 @@ struct RayGeneration {
 
   uint<2 * kSideBits + 1> counter_;  ///< Morton: packets handed out or passed over
   uint<kSideBits> scan_x_;
-  uint<kSideBits> scan_y_;
+  uint<kSideBits + 1> scan_y_;  ///< reaches the number of rows
   uint<8> returned_;
 };
 

@@ -36,8 +36,7 @@ struct Transformation {
  private:
   static Real component(const PacketVector<C>& in, Real m0, Real m1, Real m2, Real n) {
     const Real last = m2 * in.vector.z;
-    const Real shifted = last + n;
-    return (m0 * in.vector.x + m1 * in.vector.y) + (in.point ? shifted : last);
+    return (m0 * in.vector.x + m1 * in.vector.y) + (in.point ? last + n : last);
   }
 };
 

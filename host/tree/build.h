@@ -21,7 +21,7 @@ struct TreeOptions {
   TreeCosts costs;
   /// The tree's depth is at most depth_factor * log2(items) + depth_extra, and kMaxTreeDepth.
   double depth_factor = 1;
-  double depth_extra = 5;
+  double depth_extra = 10;
   /// Levels on a path that may be split although no single plane is worth its step; what turns out
   /// not to be worth it with the levels below becomes a leaf again.
   int patience = 4;

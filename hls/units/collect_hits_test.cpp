@@ -1,0 +1,120 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "units/collect_hits.h"
+
+#include "units/test_bench.h"
+
+namespace dynrt {
+namespace {
+
+using C = test::Config<8>;
+using Bench = test::Bench<CollectHits<C>>;
+
+void feed(Bench& bench, const HitCandidate<C>& in) {
+  bench.feed(bench.unit.candidate, in);
+  bench.run();
+}
+HitCandidate<C> reset(unsigned packet, unsigned ray) {
+  HitCandidate<C> in;
+  in.packet = PacketId<C>::from(packet);
+  in.ray = RayIndex::from(ray);
+  in.reset = true;
+  in.t = Real::one();
+  return in;
+}
+HitCandidate<C> candidate(unsigned packet, unsigned ray, double t, bool hit = true) {
+  HitCandidate<C> in;
+  in.packet = PacketId<C>::from(packet);
+  in.ray = RayIndex::from(ray);
+  in.hit = hit;
+  in.t = Real::from_double(t);
+  in.u = Real::from_double(t / 4);
+  return in;
+}
+HitRecord<C> stored(Bench& bench, unsigned packet, unsigned ray) {
+  return bench.rows(bench.unit.hit)[packet * 4 + ray];
+}
+
+TEST(CollectHits, ANewRayHasNoHitAndThenStarts) {
+  Bench bench;
+  bench.rows(bench.unit.record)[6].active = 0b0011;
+  for (unsigned ray = 0; ray < kRays; ++ray) {
+    EXPECT_TRUE(bench.take(bench.unit.start).empty());
+    feed(bench, reset(6, ray));
+    HitRecord<C> none;
+    none.t = Real::largest();
+    EXPECT_TRUE(test::same(stored(bench, 6, ray), none));
+    EXPECT_EQ(bench.rows(bench.unit.distance[ray])[6], Real::largest());
+  }
+  MailboxEntry<C> begin;
+  begin.packet = 6;
+  begin.active = 0b0011;
+  begin.clear = true;
+  EXPECT_TRUE(test::same(bench.take_one(bench.unit.start), begin));
+  EXPECT_TRUE(bench.take(bench.unit.go_on).empty());
+}
+
+TEST(CollectHits, AfterTheLastRayTheListGoesOn) {
+  Bench bench;
+  for (unsigned ray = 0; ray < kRays; ++ray) {
+    EXPECT_TRUE(bench.take(bench.unit.go_on).empty());
+    feed(bench, candidate(2, ray, 1, ray % 2 == 0));
+  }
+  EXPECT_TRUE(test::same(bench.take_one(bench.unit.go_on), ListJob<C>{2, 1, false, {}, {}}));
+  EXPECT_TRUE(bench.take(bench.unit.start).empty());
+}
+
+TEST(CollectHits, OfEqualDistancesTheFirstStays) {
+  Bench bench;
+  feed(bench, reset(1, 0));
+  bench.rows(bench.unit.record)[1].matrix = 100;
+  feed(bench, candidate(1, 0, 5));
+  bench.rows(bench.unit.record)[1].matrix = 200;
+  feed(bench, candidate(1, 0, 5));
+  EXPECT_EQ(stored(bench, 1, 0).triangle, MatrixIndex(100));
+  feed(bench, candidate(1, 0, 4.5));
+  EXPECT_EQ(stored(bench, 1, 0).triangle, MatrixIndex(200));
+}
+
+TEST(CollectHits, KeepsTheClosestHitOfEveryRay) {
+  Bench bench;
+  test::Random random(61);
+  HitRecord<C> best[C::kPackets][kRays];
+  for (unsigned i = 0; i < C::kPackets * kRays; ++i) {
+    feed(bench, reset(i / 4, i % 4));
+    best[i / 4][i % 4].t = Real::largest();
+  }
+  unsigned closer = 0, farther = 0, equal = 0, resets = 0;
+  for (unsigned n = 0; n < 100'000; ++n) {
+    const unsigned packet = test::below(random, C::kPackets);
+    const unsigned ray = test::below(random, kRays);
+    auto in = test::random_token<HitCandidate<C>>(random);
+    in.packet = PacketId<C>::from(packet);
+    in.ray = RayIndex::from(ray);
+    in.reset = test::chance(random, 5);
+    in.hit = !in.reset && test::chance(random, 70);
+    in.t = Real::from_double(test::below(random, 50));
+    JobRecord<C>& job = bench.rows(bench.unit.record)[packet];
+    job = test::random_token<JobRecord<C>>(random);
+    MatrixIndex& object = bench.rows(bench.unit.object)[packet];
+    object = test::random_token<MatrixIndex>(random);
+    HitRecord<C>& record = best[packet][ray];
+    if (in.reset) {
+      record = HitRecord<C>{};
+      record.t = Real::largest();
+      ++resets;
+    } else if (in.hit && in.t < record.t) {
+      record = {true, in.t, in.u, in.v, in.cosine, object, job.matrix, job.extra};
+      ++closer;
+    } else if (in.hit) {
+      (in.t == record.t ? equal : farther) += 1;
+    }
+    feed(bench, in);
+    ASSERT_TRUE(test::same(stored(bench, packet, ray), record)) << n;
+    ASSERT_EQ(bench.rows(bench.unit.distance[ray])[packet], record.t);
+  }
+  EXPECT_GT(std::min({closer, farther, equal, resets}), 1000u);
+}
+
+}  // namespace
+}  // namespace dynrt

@@ -1,0 +1,92 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "units/list.h"
+
+#include "units/test_bench.h"
+
+namespace dynrt {
+namespace {
+
+using C = test::Config<8>;
+using Bench = test::Bench<List<C>>;
+
+void first(Bench& bench, unsigned packet, unsigned level, unsigned address, unsigned active) {
+  bench.feed(bench.unit.job, ListJob<C>{PacketId<C>::from(packet), Level::from(level), true,
+                                        Address::from(address), RayMask::from(active)});
+  bench.run();
+}
+void go_on(Bench& bench, unsigned packet, unsigned level) {
+  bench.feed(bench.unit.job,
+             ListJob<C>{PacketId<C>::from(packet), Level::from(level), false, {}, {}});
+  bench.run();
+}
+/// The entry read last was, or was not, the list's last: what the mailbox notes.
+void note_last(Bench& bench, unsigned packet, unsigned level, bool last) {
+  bench.rows(bench.unit.last)[level * 8 + packet] = last;
+}
+CacheRequest<ListContext<C>> request(unsigned packet, unsigned level, unsigned address,
+                                     unsigned active) {
+  return {{PacketId<C>::from(packet), Level::from(level), RayMask::from(active)},
+          Address::from(address)};
+}
+
+TEST(List, ReadsAListUpToItsLastEntry) {
+  Bench bench;
+  note_last(bench, 2, 1, true);  // of the list before
+  first(bench, 2, 1, 700, 0b0101);
+  EXPECT_TRUE(test::same(bench.take_one(bench.unit.request), request(2, 1, 700, 0b0101)));
+  for (unsigned i = 1; i < 5; ++i) {
+    note_last(bench, 2, 1, false);
+    go_on(bench, 2, 1);
+    EXPECT_TRUE(test::same(bench.take_one(bench.unit.request), request(2, 1, 700 + i, 0b0101)));
+    EXPECT_TRUE(bench.take(bench.unit.finished).empty());
+  }
+  note_last(bench, 2, 1, true);
+  go_on(bench, 2, 1);
+  EXPECT_TRUE(bench.take(bench.unit.request).empty());
+  TraversalEvent<C> pop;
+  pop.packet = 2;
+  pop.level = 1;
+  pop.kind = TraversalKind::kPop;
+  EXPECT_TRUE(test::same(bench.take_one(bench.unit.finished), pop));
+}
+
+TEST(List, PacketsAndLevelsDoNotMeet) {
+  struct Walk {
+    unsigned address = 0, left = 0, active = 0;
+  };
+  Walk walks[2][C::kPackets];
+  Bench bench;
+  test::Random random(12);
+  unsigned finished = 0;
+  for (unsigned n = 0; n < 100'000; ++n) {
+    const unsigned packet = test::below(random, C::kPackets);
+    const unsigned level = test::below(random, 2);
+    Walk& walk = walks[level][packet];
+    if (walk.left == 0) {
+      walk = {test::below(random, 1u << kAddressBits), 1 + test::below(random, 6),
+              test::below(random, 16)};
+      first(bench, packet, level, walk.address, walk.active);
+    } else {
+      note_last(bench, packet, level, --walk.left == 0);
+      go_on(bench, packet, level);
+      walk.address = (walk.address + 1) % (1u << kAddressBits);
+    }
+    if (walk.left == 0) {
+      ASSERT_TRUE(bench.take(bench.unit.request).empty());
+      const TraversalEvent<C> pop = bench.take_one(bench.unit.finished);
+      ASSERT_EQ(pop.packet, PacketId<C>::from(packet));
+      ASSERT_EQ(pop.level, Level::from(level));
+      ASSERT_EQ(pop.kind, TraversalKind::kPop);
+      ++finished;
+    } else {
+      ASSERT_TRUE(bench.take(bench.unit.finished).empty());
+      ASSERT_TRUE(test::same(bench.take_one(bench.unit.request),
+                             request(packet, level, walk.address, walk.active)));
+    }
+  }
+  EXPECT_GT(finished, 10'000u);
+}
+
+}  // namespace
+}  // namespace dynrt

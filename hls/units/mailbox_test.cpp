@@ -1,0 +1,149 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "units/mailbox.h"
+
+#include <set>
+
+#include "units/test_bench.h"
+
+namespace dynrt {
+namespace {
+
+using C = test::Config<8>;
+using Bench = test::Bench<Mailbox<C>>;
+
+MailboxEntry<C> entry(unsigned packet, unsigned level, unsigned matrix, bool last = false) {
+  MailboxEntry<C> e;
+  e.packet = PacketId<C>::from(packet);
+  e.level = Level::from(level);
+  e.active = 0b1101;
+  e.entry.matrix = MatrixIndex::from(matrix);
+  e.entry.last = last;
+  return e;
+}
+MailboxEntry<C> new_ray(unsigned packet) {
+  MailboxEntry<C> e;
+  e.packet = PacketId<C>::from(packet);
+  e.active = 0b0111;
+  e.clear = true;
+  return e;
+}
+/// Whether the mailbox lets the entry through; if not, it sends the packet back to the list.
+bool fresh(Bench& bench, const MailboxEntry<C>& e) {
+  bench.feed(bench.unit.entry, e);
+  bench.run();
+  const auto jobs = bench.take(bench.unit.fresh);
+  const auto seen = bench.take(bench.unit.seen);
+  EXPECT_EQ(jobs.size() + seen.size(), 1u);
+  EXPECT_TRUE(bench.take(bench.unit.start).empty());
+  for (const TransformJob<C>& job : jobs) {
+    const TransformKind kind = e.level == Level{} ? TransformKind::kObject  //
+                                                  : TransformKind::kTriangle;
+    EXPECT_TRUE(test::same(job, TransformJob<C>{3, e.packet, kind, e.active, e.entry.matrix}));
+  }
+  for (const ListJob<C>& job : seen) {
+    EXPECT_TRUE(test::same(job, ListJob<C>{e.packet, e.level, false, {}, {}}));
+  }
+  EXPECT_EQ(bench.rows(bench.unit.last)[level_row<C>(e.level, e.packet).to_u64()], e.entry.last);
+  return !jobs.empty();
+}
+void clear(Bench& bench, unsigned packet) {
+  bench.feed(bench.unit.entry, new_ray(packet));
+  bench.run();
+  EXPECT_TRUE(bench.take(bench.unit.fresh).empty());
+  EXPECT_TRUE(bench.take(bench.unit.seen).empty());
+  bench.take_one(bench.unit.start);
+}
+
+TEST(Mailbox, LetsEachMatrixThroughOnce) {
+  for (const unsigned level : {0, 1}) {
+    Bench bench;
+    for (unsigned round = 0; round < 3; ++round) {
+      for (unsigned i = 0; i < C::kMailboxSlots; ++i) {
+        EXPECT_EQ(fresh(bench, entry(4, level, 100 + i, i % 2 == 1)), round == 0) << i;
+      }
+    }
+  }
+}
+
+TEST(Mailbox, MatrixZeroIsNotInAnEmptyMailbox) {
+  Bench bench;
+  EXPECT_TRUE(fresh(bench, entry(0, 1, 0)));
+  EXPECT_FALSE(fresh(bench, entry(0, 1, 0)));
+}
+
+TEST(Mailbox, AFullOneLetsEverythingNewThrough) {
+  for (const unsigned level : {0, 1}) {
+    Bench bench;
+    for (unsigned i = 0; i < C::kMailboxSlots; ++i) fresh(bench, entry(1, level, 100 + i));
+    EXPECT_TRUE(fresh(bench, entry(1, level, 300)));
+    EXPECT_TRUE(fresh(bench, entry(1, level, 300))) << "again and again";
+    for (unsigned i = 0; i < C::kMailboxSlots; ++i) {
+      EXPECT_FALSE(fresh(bench, entry(1, level, 100 + i))) << "slots are never replaced";
+    }
+  }
+}
+
+TEST(Mailbox, ANewRayForgetsTheObjectsAndStartsTheTraversal) {
+  Bench bench;
+  bench.value(bench.unit.frame).start_node = 4242;
+  EXPECT_TRUE(fresh(bench, entry(5, 0, 1)));
+  EXPECT_TRUE(fresh(bench, entry(6, 0, 1)));
+  bench.feed(bench.unit.entry, new_ray(5));
+  bench.run();
+  TraversalEvent<C> start;
+  start.packet = 5;
+  start.level = 0;
+  start.kind = TraversalKind::kEnter;
+  start.next = 4242;
+  start.active = 0b0111;
+  EXPECT_TRUE(test::same(bench.take_one(bench.unit.start), start));
+  EXPECT_TRUE(bench.take(bench.unit.fresh).empty());
+  EXPECT_TRUE(bench.take(bench.unit.seen).empty());
+  EXPECT_TRUE(fresh(bench, entry(5, 0, 1)));
+  EXPECT_FALSE(fresh(bench, entry(6, 0, 1))) << "of this packet alone";
+}
+
+TEST(Mailbox, ANewObjectForgetsTheTriangles) {
+  Bench bench;
+  EXPECT_TRUE(fresh(bench, entry(2, 0, 1)));
+  EXPECT_TRUE(fresh(bench, entry(2, 1, 50)));
+  EXPECT_FALSE(fresh(bench, entry(2, 0, 1))) << "an object seen before is not entered";
+  EXPECT_FALSE(fresh(bench, entry(2, 1, 50)));
+  EXPECT_TRUE(fresh(bench, entry(2, 0, 2)));
+  EXPECT_TRUE(fresh(bench, entry(2, 1, 50)));
+}
+
+TEST(Mailbox, AgreesWithSetsOnRandomEntries) {
+  struct Seen {
+    std::set<unsigned> objects, triangles;
+  };
+  Seen seen[C::kPackets];
+  Bench bench;
+  test::Random random(612);
+  unsigned known = 0, full = 0;
+  for (unsigned n = 0; n < 100'000; ++n) {
+    const unsigned packet = test::below(random, C::kPackets);
+    if (n < C::kPackets || test::chance(random, 2)) {
+      clear(bench, n < C::kPackets ? n : packet);
+      seen[n < C::kPackets ? n : packet].objects.clear();
+      continue;
+    }
+    const unsigned level = test::chance(random, 90);
+    const unsigned matrix = test::below(random, 16);
+    Seen& s = seen[packet];
+    if (level == 1 && s.objects.empty()) continue;  // triangles come after their object
+    std::set<unsigned>& of_level = level == 0 ? s.objects : s.triangles;
+    const bool expected = !of_level.contains(matrix);
+    ASSERT_EQ(fresh(bench, entry(packet, level, matrix, test::chance(random, 30))), expected) << n;
+    known += !expected;
+    full += expected && of_level.size() == C::kMailboxSlots;
+    if (expected && of_level.size() < C::kMailboxSlots) of_level.insert(matrix);
+    if (expected && level == 0) s.triangles.clear();
+  }
+  EXPECT_GT(known, 10'000u);
+  EXPECT_GT(full, 1'000u);
+}
+
+}  // namespace
+}  // namespace dynrt

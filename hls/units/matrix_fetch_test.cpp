@@ -1,0 +1,32 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "units/matrix_fetch.h"
+
+#include "units/test_bench.h"
+
+namespace dynrt {
+namespace {
+
+using C = test::Config<>;
+
+TEST(MatrixFetch, AsksForTheFourColumnsOfTheMatrix) {
+  test::Bench<MatrixFetch<C>> bench;
+  test::Random random(613);
+  for (unsigned n = 0; n < 1000; ++n) {
+    auto job = test::random_token<TransformJob<C>>(random);
+    job.repeat = 3;
+    for (unsigned i = 0; i < 4; ++i) {
+      bench.feed(bench.unit.job, Repeated<TransformJob<C>>{RepeatCount::from(i), i == 3, job});
+    }
+    bench.run();
+    std::vector<CacheRequest<ColumnContext<C>>> expected;
+    for (unsigned i = 0; i < 4; ++i) {
+      expected.push_back({{job.packet, job.kind, job.active, uint<2>::from(i)},
+                          Address::from(4 * job.matrix.to_u64() + i)});
+    }
+    ASSERT_TRUE(test::same(bench.take(bench.unit.request), expected));
+  }
+}
+
+}  // namespace
+}  // namespace dynrt

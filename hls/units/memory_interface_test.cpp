@@ -1,0 +1,81 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "units/memory_interface.h"
+
+#include "units/test_bench.h"
+
+namespace dynrt {
+namespace {
+
+using C = test::Config<8>;
+using Bench = test::Bench<MemoryInterface<C>>;
+
+void fill_banks(Bench& bench) {
+  test::Random random(6);
+  for (unsigned i = 0; i < kSceneBanks; ++i) {
+    for (Word& word : bench.rows(bench.unit.bank[i])) word = Word::from(random());
+  }
+}
+/// The words of a token, as the host packs them.
+template <class T>
+std::vector<std::uint64_t> words(const T& token) {
+  const auto packed = hls::pack(token);
+  return {packed.begin(), packed.end()};
+}
+
+TEST(MemoryInterface, ReadsEveryKindFromItsBanks) {
+  Bench bench;
+  fill_banks(bench);
+  test::Random random(7);
+  unsigned counts[3] = {};
+  for (unsigned n = 0; n < 20'000; ++n) {
+    auto r = test::random_token<MemoryRequest<C>>(random);
+    r.kind = static_cast<MemoryKind>(test::below(random, 3));
+    if (n < 6) r.address = n % 2 == 0 ? Address(0) : Address::ones();
+    if (n < 6) r.kind = static_cast<MemoryKind>(n / 2);
+    bench.feed(bench.unit.request, r);
+    bench.run();
+    const std::uint64_t a = r.address.to_u64();
+    const auto bank = [&](unsigned i, std::uint64_t word) {
+      return bench.rows(bench.unit.bank[i])[word].to_u64();
+    };
+    const auto check = [&](auto& port, const std::vector<std::uint64_t>& expected) {
+      const auto fill = bench.take_one(port);
+      ASSERT_FALSE(fill.invalidate);
+      ASSERT_EQ(fill.key, r.key);
+      ASSERT_EQ(fill.address, r.address);
+      ASSERT_EQ(words(fill.line), expected);
+    };
+    ++counts[static_cast<unsigned>(r.kind)];
+    switch (r.kind) {
+      case MemoryKind::kNode:
+        check(bench.unit.node, {bank(0, a), bank(1, a)});
+        break;
+      case MemoryKind::kList:
+        check(bench.unit.list, {bank(2, a)});
+        break;
+      case MemoryKind::kColumn:
+        check(bench.unit.column,
+              {bank(0, kColumnBase + a), bank(1, kColumnBase + a), bank(2, kColumnBase + a)});
+        break;
+    }
+    ASSERT_TRUE(bench.take(bench.unit.node).empty());
+    ASSERT_TRUE(bench.take(bench.unit.list).empty());
+    ASSERT_TRUE(bench.take(bench.unit.column).empty());
+  }
+  for (const unsigned count : counts) EXPECT_GT(count, 1000u);
+}
+
+TEST(MemoryInterface, ANodeIsItsFields) {
+  Bench bench;
+  const Node node{NodeKind::kSplitZ, Real::from_double(-2.5), 345678, 98765};
+  const auto packed = hls::pack(node);
+  bench.rows(bench.unit.bank[0])[11] = Word::from(packed[0]);
+  bench.rows(bench.unit.bank[1])[11] = Word::from(packed[1]);
+  bench.feed(bench.unit.request, MemoryRequest<C>{MemoryKind::kNode, 3, 11});
+  bench.run();
+  EXPECT_TRUE(test::same(bench.take_one(bench.unit.node), CacheFill<C, Node>{false, 3, 11, node}));
+}
+
+}  // namespace
+}  // namespace dynrt

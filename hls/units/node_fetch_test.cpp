@@ -1,0 +1,249 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "units/node_fetch.h"
+
+#include "units/test_bench.h"
+
+namespace dynrt {
+namespace {
+
+using C = test::Config<8>;
+using Bench = test::Bench<NodeFetch<C>>;
+using Request = CacheRequest<StepContext<C>>;
+
+TraversalEvent<C> event(TraversalKind kind, unsigned packet, unsigned level) {
+  TraversalEvent<C> e;
+  e.packet = PacketId<C>::from(packet);
+  e.level = Level::from(level);
+  e.kind = kind;
+  return e;
+}
+TraversalEvent<C> enter(unsigned packet, unsigned level, unsigned node, unsigned active = 15) {
+  TraversalEvent<C> e = event(TraversalKind::kEnter, packet, level);
+  e.next = Address::from(node);
+  e.active = RayMask::from(active);
+  return e;
+}
+TraversalEvent<C> push(unsigned packet, unsigned level, unsigned next, unsigned pushed,
+                       unsigned pushed_active = 15, unsigned both = 15) {
+  TraversalEvent<C> e = event(TraversalKind::kPush, packet, level);
+  e.next = Address::from(next);
+  e.active = 15;
+  e.pushed = Address::from(pushed);
+  e.pushed_active = RayMask::from(pushed_active);
+  e.both = RayMask::from(both);
+  return e;
+}
+TraversalEvent<C> pop(unsigned packet, unsigned level, unsigned terminated = 0) {
+  TraversalEvent<C> e = event(TraversalKind::kPop, packet, level);
+  e.terminated = RayMask::from(terminated);
+  return e;
+}
+
+Request step(Bench& bench, const TraversalEvent<C>& e) {
+  bench.feed(bench.unit.event, e);
+  bench.run();
+  return bench.take_one(bench.unit.request);
+}
+void expect_quiet(Bench& bench) {
+  EXPECT_TRUE(bench.take(bench.unit.request).empty());
+  EXPECT_TRUE(bench.take(bench.unit.again).empty());
+  EXPECT_TRUE(bench.take(bench.unit.top_done).empty());
+  EXPECT_TRUE(bench.take(bench.unit.object_done).empty());
+  EXPECT_TRUE(bench.take(bench.unit.dropped).empty());
+}
+
+TEST(NodeFetch, EntersAtTheNodeGivenWithFreshIntervals) {
+  Bench bench;
+  const Request r = step(bench, enter(3, 1, 4711, 0b0110));
+  EXPECT_EQ(r.address, Address(4711));
+  EXPECT_EQ(r.context.packet, PacketId<C>(3));
+  EXPECT_EQ(r.context.level, Level(1));
+  EXPECT_EQ(r.context.active, RayMask(0b0110));
+  EXPECT_EQ(r.context.update, IntervalUpdate::kInit);
+  expect_quiet(bench);
+}
+
+TEST(NodeFetch, GoesOnInOneChildAndClipsTheEndThatWasPassed) {
+  Bench bench;
+  step(bench, enter(0, 0, 1));
+  TraversalEvent<C> go = event(TraversalKind::kGo, 0, 0);
+  go.next = 5;
+  go.active = 3;
+  go.both = 2;
+  Request r = step(bench, go);
+  EXPECT_EQ(r.address, Address(5));
+  EXPECT_EQ(r.context.active, RayMask(3));
+  EXPECT_EQ(r.context.both, RayMask(2));
+  EXPECT_EQ(r.context.update, IntervalUpdate::kClipFar);
+  go.clip_near = true;
+  r = step(bench, go);
+  EXPECT_EQ(r.context.update, IntervalUpdate::kClipNear);
+  expect_quiet(bench);
+}
+
+TEST(NodeFetch, PopsWhatWasPushedLastFirst) {
+  Bench bench;
+  step(bench, enter(2, 0, 1));
+  for (unsigned i = 0; i < C::kStackDepth; ++i) {
+    const Request r = step(bench, push(2, 0, 100 + i, 200 + i, 1 + i % 15, i % 16));
+    EXPECT_EQ(r.address, Address::from(100 + i));
+    EXPECT_EQ(r.context.update, IntervalUpdate::kClipFarPush);
+    EXPECT_EQ(r.context.stack, StackPointer<C>::from(i)) << "the far stack's row to push to";
+    EXPECT_EQ(r.context.both, RayMask::from(i % 16));
+  }
+  for (unsigned i = C::kStackDepth; i-- > 0;) {
+    const Request r = step(bench, pop(2, 0));
+    EXPECT_EQ(r.address, Address::from(200 + i));
+    EXPECT_EQ(r.context.update, IntervalUpdate::kPop);
+    EXPECT_EQ(r.context.stack, StackPointer<C>::from(i)) << "the far stack's row to pop from";
+    EXPECT_EQ(r.context.active, RayMask::from(1 + i % 15));
+    EXPECT_EQ(r.context.both, RayMask::from(i % 16));
+  }
+  expect_quiet(bench);
+  bench.feed(bench.unit.event, pop(2, 0));
+  bench.run();
+  EXPECT_EQ(bench.take_one(bench.unit.top_done).packet, PacketId<C>(2));
+  expect_quiet(bench);
+}
+
+TEST(NodeFetch, AFullStackDropsThePushAndCountsIt) {
+  Bench bench;
+  step(bench, enter(1, 1, 1));
+  for (unsigned i = 0; i < C::kStackDepth; ++i) step(bench, push(1, 1, 100, 200 + i));
+  const Request r = step(bench, push(1, 1, 300, 400));
+  EXPECT_EQ(r.address, Address(300)) << "the traversal goes on in the near child";
+  EXPECT_EQ(r.context.update, IntervalUpdate::kClipFar) << "without pushing the far end";
+  EXPECT_EQ(bench.take_one(bench.unit.dropped).packet, PacketId<C>(1));
+  EXPECT_EQ(step(bench, pop(1, 1)).address, Address(200 + C::kStackDepth - 1));
+  expect_quiet(bench);
+}
+
+TEST(NodeFetch, ALevelEndsWhenNoRayIsAlive) {
+  Bench bench;
+  step(bench, enter(4, 1, 1, 0b1011));
+  step(bench, push(4, 1, 2, 3));
+  step(bench, push(4, 1, 2, 4));
+  EXPECT_EQ(step(bench, pop(4, 1, 0b0011)).context.active, RayMask(0b1000))
+      << "only living rays enter a popped node, and only those that entered the level";
+  bench.feed(bench.unit.event, pop(4, 1, 0b1000));
+  bench.run();
+  const ListJob<C> job = bench.take_one(bench.unit.object_done);
+  EXPECT_EQ(job.packet, PacketId<C>(4));
+  EXPECT_EQ(job.level, Level{}) << "the list of the top level goes on";
+  EXPECT_FALSE(job.first);
+  expect_quiet(bench);
+}
+
+TEST(NodeFetch, APoppedNodeThatNoLivingRayEntersIsPassedOver) {
+  Bench bench;
+  step(bench, enter(5, 0, 1));
+  step(bench, push(5, 0, 2, 3, 0b0100));
+  step(bench, push(5, 0, 2, 4, 0b0011));
+  bench.feed(bench.unit.event, pop(5, 0, 0b0011));
+  bench.run();
+  const TraversalEvent<C> again = bench.take_one(bench.unit.again);
+  EXPECT_TRUE(test::same(again, pop(5, 0)));
+  expect_quiet(bench);
+  EXPECT_EQ(step(bench, again).address, Address(3));
+}
+
+/// What the unit is to do, said once more in the plainest way.
+class Reference {
+ public:
+  struct Answer {
+    std::vector<Request> request;
+    std::vector<TraversalEvent<C>> again;
+    std::vector<ShadeJob<C>> top_done;
+    std::vector<ListJob<C>> object_done;
+    std::vector<LevelDone<C>> dropped;
+  };
+  bool busy(unsigned packet, unsigned level) const { return states_[packet][level].busy; }
+
+  Answer answer(const TraversalEvent<C>& e) {
+    State& s = states_[e.packet.to_u64()][e.level.to_u64()];
+    Answer a;
+    if (e.kind == TraversalKind::kEnter) s = {true, e.active, {}};
+    s.alive = s.alive & ~e.terminated;
+    Request r{{e.packet, e.level, IntervalUpdate::kInit, e.both, e.active, {}}, e.next};
+    r.context.stack = StackPointer<C>::from(s.stack.size());
+    if (e.kind == TraversalKind::kPop) {
+      s.busy = !s.stack.empty() && s.alive != RayMask{};
+      if (!s.busy && e.level == Level{}) a.top_done.push_back({15, e.packet});
+      if (!s.busy && e.level != Level{}) a.object_done.push_back({e.packet, 0, false, {}, {}});
+      if (!s.busy) return a;
+      const TraversalEvent<C> entry = s.stack.back();
+      s.stack.pop_back();
+      const RayMask active = entry.pushed_active & s.alive;
+      if (active == RayMask{}) {
+        a.again.push_back(event(TraversalKind::kPop, 0, 0));
+        a.again[0].packet = e.packet;
+        a.again[0].level = e.level;
+        return a;
+      }
+      r.context.update = IntervalUpdate::kPop;
+      r.context.stack = StackPointer<C>::from(s.stack.size());
+      r.context.active = active;
+      r.context.both = entry.both;
+      r.address = entry.pushed;
+    } else if (e.kind == TraversalKind::kPush && s.stack.size() < C::kStackDepth) {
+      r.context.update = IntervalUpdate::kClipFarPush;
+      s.stack.push_back(e);
+    } else if (e.kind == TraversalKind::kPush) {
+      r.context.update = IntervalUpdate::kClipFar;
+      a.dropped.push_back({e.packet});
+    } else if (e.kind == TraversalKind::kGo) {
+      r.context.update = e.clip_near ? IntervalUpdate::kClipNear : IntervalUpdate::kClipFar;
+    }
+    a.request.push_back(r);
+    return a;
+  }
+
+ private:
+  struct State {
+    bool busy = false;
+    RayMask alive;
+    std::vector<TraversalEvent<C>> stack;
+  };
+  State states_[C::kPackets][2];
+};
+
+TEST(NodeFetch, AgreesWithAPlainReferenceOnRandomTraversals) {
+  Bench bench;
+  Reference reference;
+  test::Random random(20041);
+  unsigned counts[5] = {};
+  for (unsigned i = 0; i < 200'000; ++i) {
+    const unsigned packet = test::below(random, C::kPackets);
+    const unsigned level = test::below(random, 2);
+    auto e = test::random_token<TraversalEvent<C>>(random);
+    e.packet = PacketId<C>::from(packet);
+    e.level = Level::from(level);
+    const bool deep = packet < 2;  // packets that fill their stacks
+    e.kind = test::chance(random, deep ? 80 : 50)   ? TraversalKind::kPush
+             : test::chance(random, deep ? 20 : 70) ? TraversalKind::kPop
+                                                    : TraversalKind::kGo;
+    if (deep || test::chance(random, 80)) e.terminated = 0;
+    if (!reference.busy(packet, level)) {
+      e.kind = TraversalKind::kEnter;
+      e.terminated = 0;
+    }
+    const Reference::Answer answer = reference.answer(e);
+    bench.feed(bench.unit.event, e);
+    bench.run();
+    counts[0] += answer.request.size();
+    counts[1] += answer.again.size();
+    counts[2] += answer.top_done.size();
+    counts[3] += answer.object_done.size();
+    counts[4] += answer.dropped.size();
+    ASSERT_TRUE(test::same(bench.take(bench.unit.request), answer.request)) << i;
+    ASSERT_TRUE(test::same(bench.take(bench.unit.again), answer.again)) << i;
+    ASSERT_TRUE(test::same(bench.take(bench.unit.top_done), answer.top_done)) << i;
+    ASSERT_TRUE(test::same(bench.take(bench.unit.object_done), answer.object_done)) << i;
+    ASSERT_TRUE(test::same(bench.take(bench.unit.dropped), answer.dropped)) << i;
+  }
+  for (const unsigned count : counts) EXPECT_GT(count, 100u) << "every answer is met often";
+}
+
+}  // namespace
+}  // namespace dynrt

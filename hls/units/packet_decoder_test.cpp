@@ -1,0 +1,121 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "units/packet_decoder.h"
+
+#include "units/test_bench.h"
+
+namespace dynrt {
+namespace {
+
+using C = test::Config<8>;
+using Bench = test::Bench<PacketDecoder<C>>;
+using Vec = Vector<Real>;
+
+struct Packet {
+  std::array<Vec, kRays> origin, direction;
+};
+Packet random_packet(test::Random& random, bool common_origin) {
+  Packet p{test::random_token<std::array<Vec, kRays>>(random),
+           test::random_token<std::array<Vec, kRays>>(random)};
+  if (common_origin) p.origin.fill(p.origin[0]);
+  return p;
+}
+
+/// Sends a packet's vectors in the order of SendPacket.
+void feed(Bench& bench, PacketId<C> id, const Packet& packet, bool compressed) {
+  for (unsigned ray = 0; ray < kRays; ++ray) {
+    const RayIndex index = RayIndex::from(ray);
+    if (!compressed || ray == 0) {
+      bench.feed(bench.unit.vector, PacketVector<C>{id, true, index, packet.origin[ray]});
+    }
+    bench.feed(bench.unit.vector, PacketVector<C>{id, false, index, packet.direction[ray]});
+  }
+  bench.run();
+}
+std::vector<UnitRay<C>> unit_rays(PacketId<C> id, const Packet& packet, bool reset) {
+  std::vector<UnitRay<C>> rays;
+  for (unsigned ray = 0; ray < kRays; ++ray) {
+    rays.push_back({id, RayIndex::from(ray), reset, {packet.origin[ray], packet.direction[ray]}});
+  }
+  return rays;
+}
+void expect_saved(Bench& bench, unsigned level, PacketId<C> id, const Packet& packet,
+                  bool compressed) {
+  const std::uint64_t row = level * 8 + id.to_u64();
+  for (unsigned ray = 0; ray < kRays; ++ray) {
+    const Ray<Real> expected{packet.origin[ray], packet.direction[ray]};
+    EXPECT_TRUE(test::same(bench.rows(bench.unit.ray[ray])[row], expected)) << ray;
+    const auto& vectors = bench.rows(bench.unit.vectors);
+    EXPECT_TRUE(test::same(vectors[row * 8 + 2 * ray + 1], packet.direction[ray])) << ray;
+    if (!compressed || ray == 0) {
+      EXPECT_TRUE(test::same(vectors[row * 8 + 2 * ray], packet.origin[ray])) << ray;
+    }
+  }
+}
+
+class Decoder : public testing::TestWithParam<bool> {
+ protected:
+  void record(PacketId<C> id, TransformKind kind) {
+    JobRecord<C>& r = bench_.rows(bench_.unit.record)[id.to_u64()];
+    r = {kind, 0b0111, 1234, uint<24>::from(0xfa0000u | 54321u)};
+  }
+  bool compressed() const { return GetParam(); }
+  Bench bench_;
+  test::Random random_{614};
+};
+
+TEST_P(Decoder, ACamerasRaysAreSavedForTheTopLevelAndResetTheirHits) {
+  const Packet packet = random_packet(random_, compressed());
+  record(6, TransformKind::kCamera);
+  feed(bench_, 6, packet, compressed());
+  EXPECT_TRUE(test::same(bench_.take(bench_.unit.unit_ray), unit_rays(6, packet, true)));
+  EXPECT_TRUE(bench_.take(bench_.unit.enter_object).empty());
+  expect_saved(bench_, 0, 6, packet, compressed());
+}
+
+TEST_P(Decoder, AnObjectsRaysAreSavedForTheBottomLevelWhichIsEntered) {
+  const Packet packet = random_packet(random_, compressed());
+  record(1, TransformKind::kObject);
+  feed(bench_, 1, packet, compressed());
+  EXPECT_TRUE(bench_.take(bench_.unit.unit_ray).empty());
+  TraversalEvent<C> enter;
+  enter.packet = 1;
+  enter.level = 1;
+  enter.kind = TraversalKind::kEnter;
+  enter.next = Address::from(0xfa0000u | 54321u);
+  enter.active = 0b0111;
+  EXPECT_TRUE(test::same(bench_.take_one(bench_.unit.enter_object), enter));
+  expect_saved(bench_, 1, 1, packet, compressed());
+}
+
+TEST_P(Decoder, ATrianglesRaysAreTestedAndNotSaved) {
+  const Packet packet = random_packet(random_, compressed());
+  record(7, TransformKind::kTriangle);
+  feed(bench_, 7, packet, compressed());
+  EXPECT_TRUE(test::same(bench_.take(bench_.unit.unit_ray), unit_rays(7, packet, false)));
+  EXPECT_TRUE(bench_.take(bench_.unit.enter_object).empty());
+  for (auto& port : bench_.unit.ray) {
+    for (const Ray<Real>& ray : bench_.rows(port)) EXPECT_TRUE(test::same(ray, {}));
+  }
+  for (const Vec& vector : bench_.rows(bench_.unit.vectors)) EXPECT_TRUE(test::same(vector, {}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Packet, Decoder, testing::Bool(), [](const auto& info) {
+  return info.param ? "OfFiveVectors" : "OfEightVectors";
+});
+
+TEST(PacketDecoder, APacketAfterAnotherHasItsOwnOrigin) {
+  Bench bench;
+  test::Random random(3);
+  for (unsigned n = 0; n < 200; ++n) {
+    const PacketId<C> id = PacketId<C>::from(test::below(random, C::kPackets));
+    bench.rows(bench.unit.record)[id.to_u64()].kind = TransformKind::kTriangle;
+    const bool compressed = test::chance(random, 50);
+    const Packet packet = random_packet(random, compressed);
+    feed(bench, id, packet, compressed);
+    ASSERT_TRUE(test::same(bench.take(bench.unit.unit_ray), unit_rays(id, packet, false)));
+  }
+}
+
+}  // namespace
+}  // namespace dynrt

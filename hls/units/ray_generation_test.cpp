@@ -1,0 +1,178 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "units/ray_generation.h"
+
+#include <algorithm>
+#include <deque>
+
+#include "units/test_bench.h"
+
+namespace dynrt {
+namespace {
+
+using C = test::Config<64>;
+
+struct Image {
+  unsigned width, height;
+  bool scanline;
+  unsigned packets;
+};
+
+struct Packet {
+  unsigned x, y;
+  RayMask active;
+};
+
+/// 2 ceil(log2(larger side / 2)), sides counted in whole packets.
+unsigned morton_bits(unsigned width, unsigned height) {
+  unsigned bits = 0;
+  while ((2u << bits) < std::max(width, height)) ++bits;
+  return 2 * bits;
+}
+
+class Generator {
+ public:
+  explicit Generator(const Image& image) {
+    FrameConfig& frame = bench_.value(bench_.unit.frame);
+    frame.packets = Word::from(image.packets);
+    frame.width = Word::from(image.width);
+    frame.height = Word::from(image.height);
+    frame.scanline = Word::from(image.scanline);
+    frame.morton_bits = Word::from(morton_bits(image.width, image.height));
+    frame.camera_matrix = 77;
+    for (unsigned p = 0; p < image.packets; ++p) give_back(PacketId<C>::from(p));
+  }
+  void give_back(PacketId<C> packet) { bench_.feed(bench_.unit.free, FreePacket<C>{packet}); }
+  /// Lets the unit work; returns the packets that are now under way.
+  std::vector<TransformJob<C>> run() {
+    bench_.run();
+    for (;;) {
+      const auto skipped = bench_.take(bench_.unit.skipped);
+      if (skipped.empty()) break;
+      for (const FreePacket<C>& free : skipped) give_back(free.packet);
+      bench_.run();
+    }
+    dones_ += bench_.take(bench_.unit.done).size();
+    return bench_.take(bench_.unit.job);
+  }
+  Packet packet_of(const TransformJob<C>& job) {
+    const PixelPosition p = bench_.rows(bench_.unit.position)[job.packet.to_u64()];
+    return {static_cast<unsigned>(p.x.to_u64()), static_cast<unsigned>(p.y.to_u64()), job.active};
+  }
+  std::size_t dones() const { return dones_; }
+
+ private:
+  test::Bench<RayGeneration<C>> bench_;
+  std::size_t dones_ = 0;
+};
+
+/// The packets of a frame in the order in which they are made; they come back in random order.
+std::vector<Packet> frame(const Image& image) {
+  Generator generator(image);
+  test::Random random(image.width * 4099 + image.height);
+  std::vector<Packet> packets;
+  std::vector<TransformJob<C>> under_way;
+  const std::size_t all = std::size_t{(image.width + 1) / 2} * ((image.height + 1) / 2);
+  while (packets.size() <= all) {
+    for (const auto& job : generator.run()) {
+      EXPECT_EQ(job.kind, TransformKind::kCamera);
+      EXPECT_EQ(job.repeat, RepeatCount(3));
+      EXPECT_EQ(job.matrix, MatrixIndex(77));
+      packets.push_back(generator.packet_of(job));
+      under_way.push_back(job);
+    }
+    if (under_way.empty()) break;
+    EXPECT_EQ(generator.dones(), 0u) << "a packet is still under way";
+    const std::size_t i = test::below(random, static_cast<unsigned>(under_way.size()));
+    generator.give_back(under_way[i].packet);
+    under_way.erase(under_way.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  EXPECT_EQ(generator.dones(), 1u);
+  return packets;
+}
+
+void expect_every_pixel_once(const Image& image) {
+  SCOPED_TRACE(testing::Message() << image.width << "x" << image.height << " "
+                                  << (image.scanline ? "scanline" : "Morton") << ", "
+                                  << image.packets << " packets");
+  std::vector<unsigned char> seen(std::size_t{image.width} * image.height);
+  std::size_t outside = 0;
+  for (const Packet& packet : frame(image)) {
+    for (unsigned ray = 0; ray < kRays; ++ray) {
+      if (!packet.active.bit(ray)) continue;
+      const unsigned x = packet.x + (ray & 1);
+      const unsigned y = packet.y + (ray >> 1);
+      if (x < image.width && y < image.height) {
+        ++seen[std::size_t{y} * image.width + x];
+      } else {
+        ++outside;
+      }
+    }
+  }
+  EXPECT_EQ(outside, 0u);
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<std::ptrdiff_t>(seen.size()));
+}
+
+TEST(RayGeneration, MakesEveryPixelOnce) {
+  for (const bool scanline : {false, true}) {
+    for (const unsigned packets : {1, 5, 64}) {
+      for (unsigned width = 1; width <= 9; ++width) {
+        for (unsigned height = 1; height <= 9; ++height) {
+          expect_every_pixel_once({width, height, scanline, packets});
+        }
+      }
+    }
+    for (const auto& [width, height] :
+         {std::pair{640u, 3u}, {511u, 4u}, {512u, 384u}, {1u, 300u}, {257u, 129u}}) {
+      expect_every_pixel_once({width, height, scanline, 32});
+    }
+  }
+}
+
+TEST(RayGeneration, MakesEveryPixelOfTheLargestImages) {
+  for (const auto& [width, height] :
+       {std::pair{1024u, 1024u}, {1023u, 2u}, {1024u, 1u}, {1u, 1024u}, {2u, 1023u}, {1022u, 5u}}) {
+    for (const bool scanline : {false, true}) {
+      expect_every_pixel_once({width, height, scanline, 32});
+    }
+  }
+}
+
+/// Bits of x at the even, of y at the odd places.
+std::uint64_t interleaved(const Packet& packet) {
+  std::uint64_t key = 0;
+  for (unsigned bit = 0; bit < 9; ++bit) {
+    key |= std::uint64_t{packet.x >> 1 >> bit & 1} << (2 * bit);
+    key |= std::uint64_t{packet.y >> 1 >> bit & 1} << (2 * bit + 1);
+  }
+  return key;
+}
+
+TEST(RayGeneration, MortonOrderInterleavesTheBitsWithXLowest) {
+  for (const auto& [width, height] : {std::pair{64u, 64u}, {37u, 90u}, {512u, 10u}}) {
+    const std::vector<Packet> packets = frame({width, height, false, 1});
+    ASSERT_EQ(packets.size(), std::size_t{(width + 1) / 2} * ((height + 1) / 2));
+    EXPECT_TRUE(std::is_sorted(
+        packets.begin(), packets.end(),
+        [](const Packet& a, const Packet& b) { return interleaved(a) < interleaved(b); }));
+  }
+  // The first eight packets of figure 7.4: two Zs side by side.
+  const std::vector<Packet> start = frame({64, 64, false, 1});
+  const unsigned expected[8][2] = {{0, 0}, {2, 0}, {0, 2}, {2, 2}, {4, 0}, {6, 0}, {4, 2}, {6, 2}};
+  for (unsigned i = 0; i < 8; ++i) {
+    EXPECT_EQ(start[i].x, expected[i][0]) << i;
+    EXPECT_EQ(start[i].y, expected[i][1]) << i;
+  }
+}
+
+TEST(RayGeneration, ScanlineOrderGoesLineByLine) {
+  const std::vector<Packet> packets = frame({7, 5, true, 1});
+  ASSERT_EQ(packets.size(), 12u);
+  for (unsigned i = 0; i < 12; ++i) {
+    EXPECT_EQ(packets[i].x, 2 * (i % 4)) << i;
+    EXPECT_EQ(packets[i].y, 2 * (i / 4)) << i;
+  }
+}
+
+}  // namespace
+}  // namespace dynrt

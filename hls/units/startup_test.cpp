@@ -1,0 +1,44 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "units/startup.h"
+
+#include "units/test_bench.h"
+
+namespace dynrt {
+namespace {
+
+using C = test::Config<64, 512>;
+
+void check(unsigned packets, unsigned lines) {
+  SCOPED_TRACE(testing::Message() << packets << " packets, " << lines << " lines");
+  test::Bench<Startup<C>> bench;
+  bench.value(bench.unit.frame).packets = Word::from(packets);
+  bench.value(bench.unit.frame).line_mask = Word::from(lines - 1);
+  for (unsigned n = 0; n < 512; ++n) bench.feed(bench.unit.number, uint<10>::from(n));
+  bench.run();
+  EXPECT_EQ(bench.transactions(), 512u);
+
+  std::vector<FreePacket<C>> free;
+  for (unsigned n = 0; n < packets; ++n) free.push_back({PacketId<C>::from(n)});
+  std::vector<CacheFill<C, Node>> nodes;
+  std::vector<CacheFill<C, ListEntry>> entries;
+  std::vector<CacheFill<C, MatrixColumn>> columns;
+  for (unsigned n = 0; n < lines; ++n) {
+    nodes.push_back({true, {}, Address::from(n), {}});
+    entries.push_back({true, {}, Address::from(n), {}});
+    columns.push_back({true, {}, Address::from(n), {}});
+  }
+  EXPECT_TRUE(test::same(bench.take(bench.unit.free), free));
+  EXPECT_TRUE(test::same(bench.take(bench.unit.node), nodes));
+  EXPECT_TRUE(test::same(bench.take(bench.unit.list), entries));
+  EXPECT_TRUE(test::same(bench.take(bench.unit.column), columns));
+}
+
+TEST(Startup, FreesThePacketsAndInvalidatesTheLinesOfTheFrame) {
+  for (const unsigned packets : {1, 3, 32, 64}) {
+    for (unsigned lines = 1; lines <= 512; lines *= 2) check(packets, lines);
+  }
+}
+
+}  // namespace
+}  // namespace dynrt

@@ -1,0 +1,150 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the units' tests share: a bench that binds every port of one unit to something the test can
+// fill and read, configurations of any size, random tokens, and a comparison that names the field.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "hls/bits.h"
+#include "hls/join.h"
+#include "units/memory_format.h"
+
+namespace dynrt::test {
+
+/// A configuration as hls/configs makes them.
+template <unsigned Packets = 32, unsigned Lines = 512, unsigned StackDepth = 31, unsigned Slots = 8,
+          class R = dynrt::Real>
+struct Config {
+  using Real = R;
+  static constexpr unsigned kPackets = Packets;
+  static constexpr unsigned kLines = Lines;
+  static constexpr unsigned kStackDepth = StackDepth;
+  static constexpr unsigned kMailboxSlots = Slots;
+  static constexpr double kEpsilon = 0.0;
+  static constexpr unsigned kSramLatency = 3;
+};
+
+/// A unit alone, run as the join runs it.
+template <class Unit>
+class Bench {
+ public:
+  Bench() {
+    join_.unit("unit", "unit", unit);
+    std::apply([this](auto&... port) { (this->bind(port), ...); }, unit.hls_fields());
+  }
+
+  Unit unit;
+
+  template <class T>
+  void feed(hls::In<T>& port, const T& token) {
+    port.queue()->push(token);
+  }
+  void run() { join_.run(); }
+  /// Transactions since the beginning.
+  std::uint64_t transactions() const { return join_.counters().at("unit.transactions"); }
+  /// The tokens written since the last call.
+  template <class T>
+  std::vector<T> take(hls::Out<T>& port) {
+    auto& queue = *std::static_pointer_cast<hls::Fifo<T>>(bound_.at(&port));
+    std::vector<T> tokens;
+    while (!queue.empty()) tokens.push_back(queue.pop());
+    return tokens;
+  }
+  /// The only token written since the last call.
+  template <class T>
+  T take_one(hls::Out<T>& port) {
+    const std::vector<T> tokens = take(port);
+    EXPECT_EQ(tokens.size(), 1u);
+    return tokens.empty() ? T{} : tokens.front();
+  }
+  template <class T, unsigned N>
+  std::vector<T>& rows(hls::RamWrite<T, N>& port) {
+    return *std::static_pointer_cast<std::vector<T>>(bound_.at(&port));
+  }
+  template <class T, unsigned N, unsigned L>
+  std::vector<T>& rows(hls::RamRead<T, N, L>& port) {
+    return *std::static_pointer_cast<std::vector<T>>(bound_.at(&port));
+  }
+  template <class T>
+  T& value(hls::Config<T>& port) {
+    return *std::static_pointer_cast<T>(bound_.at(&port));
+  }
+
+ private:
+  template <class T>
+  void bind(hls::In<T>& port) {
+    join_.input("in", port);
+  }
+  template <class T>
+  void bind(hls::Out<T>& port) {
+    bound_[&port] = join_.output("out", port);
+  }
+  template <class T, unsigned N>
+  void bind(hls::RamWrite<T, N>& port) {
+    bind_rows<T, N>(port);
+  }
+  template <class T, unsigned N, unsigned L>
+  void bind(hls::RamRead<T, N, L>& port) {
+    bind_rows<T, N>(port);
+  }
+  template <class T, unsigned N, class Port>
+  void bind_rows(Port& port) {
+    auto rows = std::make_shared<std::vector<T>>(N);
+    join_.bank("ram", port, rows);
+    bound_[&port] = rows;
+  }
+  template <class T>
+  void bind(hls::Config<T>& port) {
+    auto value = std::make_shared<T>();
+    join_.config<T>("config", value, {&port});
+    bound_[&port] = value;
+  }
+
+  hls::Join join_;
+  std::map<const void*, std::shared_ptr<void>> bound_;
+};
+
+using Random = std::mt19937_64;
+
+inline unsigned below(Random& random, unsigned limit) {
+  return static_cast<unsigned>(random() % limit);
+}
+inline bool chance(Random& random, unsigned percent) { return below(random, 100) < percent; }
+
+/// Every bit random; an enum may become a value that has no name.
+template <class T>
+T random_token(Random& random) {
+  T token{};
+  hls::for_each_leaf(token, [&random]<class L>(L& leaf, unsigned) {
+    leaf = hls::leaf_from_bits<L>(uint<hls::bit_width_of<L>()>::from(random()));
+  });
+  return token;
+}
+
+/// Succeeds if two tokens are equal, otherwise names the first field in which they differ.
+template <class T>
+testing::AssertionResult same(const T& actual, const T& expected) {
+  const auto difference = hls::first_difference(actual, expected);
+  if (!difference) return testing::AssertionSuccess();
+  return testing::AssertionFailure() << difference->text() << "\n  actual:   " << describe(actual)
+                                     << "\n  expected: " << describe(expected);
+}
+template <class T>
+testing::AssertionResult same(const std::vector<T>& actual, const std::vector<T>& expected) {
+  for (std::size_t i = 0; i < actual.size() && i < expected.size(); ++i) {
+    const testing::AssertionResult equal = same(actual[i], expected[i]);
+    if (!equal) return testing::AssertionFailure() << "token " << i << ": " << equal.message();
+  }
+  if (actual.size() == expected.size()) return testing::AssertionSuccess();
+  return testing::AssertionFailure()
+         << actual.size() << " tokens where " << expected.size() << " are expected";
+}
+
+}  // namespace dynrt::test
