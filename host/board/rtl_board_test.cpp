@@ -210,19 +210,23 @@ TEST_F(RtlBoardTest, InterruptIsPendingUntilAcknowledgedAndCanBeMasked) {
 }
 
 TEST_F(RtlBoardTest, RefusesTheHostWhileBusy) {
-  board_.write(0, 5, std::vector<std::uint32_t>{123});
+  constexpr std::uint32_t kBusy = 1u << reg::kStatusBusy;
+  board_.write(0, 0, std::vector<std::uint32_t>(kPixels, 123));
   board_.configure(frame_config(kHang));
   board_.start();
-  board_.write(0, 5, std::vector<std::uint32_t>{456});
+  EXPECT_EQ(board_.read_register(reg::kRegStatus), kBusy);
   EXPECT_EQ(read(0, 5, 1).front(), 0u);
-  board_.write_register(reg::kRegFrame, 99);
-  EXPECT_EQ(board_.read_register(reg::kRegFrame), 4u);
-  EXPECT_EQ(board_.read_register(reg::kRegStatus),
-            1u << reg::kStatusBusy | 1u << reg::kStatusRefused);
+  EXPECT_EQ(board_.read_register(reg::kRegStatus), kBusy | 1u << reg::kStatusRefused);
+  board_.write(0, 5, std::vector<std::uint32_t>{456});
   board_.write_register(reg::kRegControl, 1u << reg::kControlReset);
   for (int i = 0; i < 20; ++i) board_.read_register(reg::kRegId);
   EXPECT_EQ(board_.read_register(reg::kRegStatus), 0u);
   EXPECT_EQ(read(0, 5, 1).front(), 123u);
+
+  board_.start();
+  board_.write_register(reg::kRegFrame, 99);
+  EXPECT_EQ(board_.read_register(reg::kRegFrame), 4u);
+  EXPECT_EQ(board_.read_register(reg::kRegStatus), kBusy | 1u << reg::kStatusRefused);
 }
 
 TEST_F(RtlBoardTest, TimeOutTellsWhereTheUnitsStandAndTheBoardRecovers) {

@@ -39,7 +39,7 @@ module dynrt_board #(
   wire [32*FRAME_WORDS-1:0] frame;
   wire [7:0]  counter_addr;
   wire [31:0] counter_data;
-  wire        counter_settling;
+  wire        counter_fetch;
   wire        counter_clear;
   wire        core_rst_n;
   wire        start_valid, start_ready;
@@ -60,7 +60,7 @@ module dynrt_board #(
   wire [9:0] last_line = frame[41:32];
   wire [9:0] last_token = last_packet > last_line ? last_packet : last_line;
 
-  assign core_clk_en_o = !rst_ni || busy || counter_settling;
+  assign core_clk_en_o = !rst_ni || busy || counter_fetch;
 
   board_registers #(
     .PACKETS(PACKETS), .CACHE_LINES(CACHE_LINES), .FRAME_WORDS(FRAME_WORDS),
@@ -72,7 +72,7 @@ module dynrt_board #(
     .bus_rdata_o(bus_rdata_o), .irq_o(irq_o),
     .start_o(start), .reset_o(reset), .busy_i(busy), .done_i(done), .cycles_i(cycles),
     .frame_o(frame), .counter_addr_o(counter_addr), .counter_data_i(counter_data),
-    .counter_settling_o(counter_settling),
+    .counter_fetch_o(counter_fetch),
     .window_en_o(window_en), .window_we_o(window_we), .window_addr_o(window_addr),
     .window_wdata_o(window_wdata), .window_rdata_i(rdata)
   );
