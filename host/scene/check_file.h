@@ -24,6 +24,10 @@ std::vector<std::string> check_obj(std::string_view text, const std::string& pat
 // numbers; binary: that many bytes) and each face's vertices exist.
 void check_ply(std::string_view text, const std::string& path);
 
+// The JSON of a .gltf or inside a .glb can be parsed, its nodes are not nested so deeply that
+// Assimp's recursion would overflow the stack, and a .glb is as long as it says.
+void check_gltf(std::string_view text, const std::string& path);
+
 }  // namespace dynrt::host
 
 #endif  // DYNRT_HOST_SCENE_CHECK_FILE_H_

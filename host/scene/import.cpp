@@ -54,6 +54,7 @@ void check_mesh(const aiMesh& mesh, const std::string& label) {
   }
   for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
     const aiFace& face = mesh.mFaces[f];
+    if (face.mNumIndices == 0) wording::fail(wording::kFaceEmpty, label, name, f);
     for (unsigned k = 0; k < face.mNumIndices; ++k) {
       if (face.mIndices[k] >= mesh.mNumVertices) {
         wording::fail(wording::kFaceIndex, label, name, f, face.mIndices[k], mesh.mNumVertices);
@@ -132,7 +133,7 @@ class Conversion {
       require_inverse(instance, label_);
       const auto known = object_of_.find(meshes);
       if (known == object_of_.end()) {
-        MeshBuilder builder(from_.mMeshes[meshes[0]]->mName.C_Str());
+        MeshBuilder builder(object_name(meshes));
         for (const unsigned m : meshes) add(*from_.mMeshes[m], builder);
         const bool kept = keep(std::move(builder), std::move(instance));
         object_of_[meshes] = kept ? static_cast<int>(scene_.objects.size()) - 1 : kNothingLeft;
@@ -145,6 +146,13 @@ class Conversion {
       if (from_.mCameras[c]->mName == node.mName) camera(*from_.mCameras[c], transform);
     }
     for (unsigned c = 0; c < node.mNumChildren; ++c) instances(*node.mChildren[c], transform);
+  }
+
+  // Assimp makes meshes NAME-0, NAME-1, ... of the primitives of one glTF mesh.
+  std::string object_name(const std::vector<unsigned>& meshes) const {
+    std::string name = from_.mMeshes[meshes[0]]->mName.C_Str();
+    if (meshes.size() > 1 && name.ends_with("-0")) name.resize(name.size() - 2);
+    return name;
   }
 
   void camera(const aiCamera& from, const glm::dmat4& transform) {
@@ -262,6 +270,7 @@ Scene import_file(const std::string& path) {
     return convert(importer, path, path, true, "PLY");
   }
   if (extension == ".gltf" || extension == ".glb") {
+    check_gltf(text, path);
     return convert(importer, path, path, false, "glTF");
   }
   wording::fail(wording::kExtension, path, extension);

@@ -15,6 +15,7 @@ namespace dynrt::host {
 namespace {
 
 constexpr char kTop[] = "the file";
+constexpr int kDeepest = 64;
 
 std::string what_is_wrong(
     const std::string& message) {  // without nlohmann's "[...] parse error at"
@@ -24,17 +25,25 @@ std::string what_is_wrong(
 
 }  // namespace
 
-JsonReader JsonReader::from_file(const std::string& path) {
-  const std::string text = read_file(path);
+nlohmann::json parse_json(std::string_view text, const std::string& path) {
+  const auto limit_depth = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    if (depth > kDeepest) wording::fail(wording::kJsonDeep, path, kDeepest);
+    return true;
+  };
   try {
-    nlohmann::json json = nlohmann::json::parse(text);
+    nlohmann::json json = nlohmann::json::parse(text, limit_depth);
     if (!json.is_object()) wording::fail(wording::kJson, path, 1, "it must be an object, {...}");
-    return {path, kTop, std::move(json)};
-  } catch (const nlohmann::json::parse_error& error) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    const auto line = 1 + std::count(text.begin(), end, '\n');
+    return json;
+  } catch (const nlohmann::json::exception& error) {
+    const auto* parse_error = dynamic_cast<const nlohmann::json::parse_error*>(&error);
+    const std::size_t byte = parse_error == nullptr ? 0 : std::min(parse_error->byte, text.size());
+    const auto line = 1 + std::count(text.begin(), text.begin() + byte, '\n');
     wording::fail(wording::kJson, path, line, what_is_wrong(error.what()));
   }
+}
+
+JsonReader JsonReader::from_file(const std::string& path) {
+  return {path, kTop, parse_json(read_file(path), path)};
 }
 
 void JsonReader::only(std::initializer_list<const char*> keys) const {

@@ -11,13 +11,17 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dynrt::host {
 
+// Throws UserError with the line when the text of the file is not valid JSON, is no object or is
+// nested deeper than any scene is.
+nlohmann::json parse_json(std::string_view text, const std::string& path);
+
 class JsonReader {
  public:
-  // The whole file. Throws UserError with the line when it is not valid JSON or no object.
   static JsonReader from_file(const std::string& path);
 
   // Throws UserError when there is another key than these.

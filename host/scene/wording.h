@@ -29,6 +29,7 @@ inline constexpr Text kVertexNotFinite =
     "{}: mesh '{}', vertex {}: the position ({}, {}, {}) is not finite";
 inline constexpr Text kFaceIndex =
     "{}: mesh '{}', face {}: uses vertex {}, but the mesh has {} vertices";
+inline constexpr Text kFaceEmpty = "{}: mesh '{}', face {}: has no vertices; it needs three";
 inline constexpr Text kNoInverse =
     "{}: node '{}': its transform has no inverse; no axis may be scaled to zero and the three must "
     "not lie in one plane";
@@ -68,7 +69,17 @@ inline constexpr Text kPlyCutOff =
 inline constexpr Text kPlyNumber = "{}:{}: '{}' is not a number of element '{}'";
 inline constexpr Text kPlyIndex = "{}: face {} uses vertex {}, but the file has {} vertices";
 
+// glTF
+inline constexpr Text kGlbMagic =
+    "{}: is not a valid GLB file: it must begin with 'glTF', version 2 and a JSON chunk";
+inline constexpr Text kGlbCutOff =
+    "{}: the GLB header announces {} bytes, but the file has {}; it seems cut off";
+inline constexpr Text kNodesDeep =
+    "{}: node '{}' lies more than {} levels deep or inside itself; flatten the node graph";
+
 // Scene descriptions
+inline constexpr Text kJsonDeep =
+    "{}: is not a valid file: its JSON is nested deeper than {} levels";
 inline constexpr Text kJson = "{}:{}: is not valid JSON: {}";
 inline constexpr Text kDescription = "{}: {}: {}";
 inline constexpr Text kNoColour = "'{}' is not one of the file's colours";

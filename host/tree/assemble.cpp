@@ -44,15 +44,7 @@ class Assembler {
   Assembler(const RawTree& raw, const GridBox& cell) : raw_(raw), whole_(real_box(cell)) {}
 
   Tree run(uint32_t root) {
-    tree_.nodes.resize(1);
-    tree_.box = whole_;
-    tree_.clipped_root = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto next = static_cast<uint32_t>(tree_.nodes.size());
-      const auto along = static_cast<uint8_t>(axis);
-      tree_.nodes.push_back({along, whole_.low[axis], kNullNode, next + 1});
-      tree_.nodes.push_back({along, whole_.high[axis], next + 2, kNullNode});
-    }
+    add_clipping_nodes(tree_, whole_);
     tree_.root = add(root, whole_, 0);
     return std::move(tree_);
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host/error.h"
+#include "host/tree/grid.h"
 #include "host/tree/messages.h"
 
 namespace dynrt::host {
@@ -22,14 +23,13 @@ Aabb transformed_box(const Aabb& box, const glm::dmat4& transform) {
 }
 
 Tree build_instance_tree(const Scene& scene, std::span<const Aabb> object_boxes,
-                         const TreeOptions& options) {
+                         const BoxTreeOptions& options) {
   if (scene.instances.empty()) throw UserError(tree_messages::no_instances(scene.name));
   const double limit = grid_largest() / 2;
-  std::vector<ItemRef> items(scene.instances.size());
-  Aabb whole;
-  for (std::size_t i = 0; i < items.size(); ++i) {
+  std::vector<Aabb> boxes(scene.instances.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Instance& instance = scene.instances[i];
-    const Aabb box = transformed_box(object_boxes[instance.object], instance.transform);
+    const Aabb& box = boxes[i] = transformed_box(object_boxes[instance.object], instance.transform);
     for (int axis = 0; axis < 3; ++axis) {
       for (const double x : {box.low[axis], box.high[axis]}) {
         if (!(std::abs(x) <= limit)) {
@@ -38,11 +38,8 @@ Tree build_instance_tree(const Scene& scene, std::span<const Aabb> object_boxes,
         }
       }
     }
-    whole.include(box);
-    items[i] = {grid_box(box), static_cast<uint32_t>(i)};
   }
-  const CutItem cut = [](const ItemRef& item, const GridBox&) { return item.box; };
-  return build_tree(std::move(items), grid_box(whole, kBoxGrowth), options, cut);
+  return build_box_tree(boxes, options);
 }
 
 }  // namespace dynrt::host

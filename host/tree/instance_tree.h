@@ -8,7 +8,7 @@
 #include <span>
 
 #include "host/scene/scene.h"
-#include "host/tree/build.h"
+#include "host/tree/box_tree.h"
 
 namespace dynrt::host {
 
@@ -19,6 +19,6 @@ Aabb transformed_box(const Aabb& box, const glm::dmat4& transform);
 /// Throws UserError for a scene without instances, or with one that reaches beyond the core's
 /// numbers.
 Tree build_instance_tree(const Scene& scene, std::span<const Aabb> object_boxes,
-                         const TreeOptions& options = {});
+                         const BoxTreeOptions& options = {});
 
 }  // namespace dynrt::host

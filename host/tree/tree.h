@@ -54,4 +54,17 @@ struct Tree {
   uint32_t entry(const glm::dvec3& origin) const { return box.holds(origin) ? root : clipped_root; }
 };
 
+/// Starts a tree: the null node, then the six clipping nodes around the box, the last of which goes
+/// on at the node that is added next.
+inline void add_clipping_nodes(Tree& tree, const Aabb& box) {
+  tree.nodes.resize(1);
+  tree.box = box;
+  tree.clipped_root = 1;
+  for (uint8_t axis = 0; axis < 3; ++axis) {
+    const auto next = static_cast<uint32_t>(tree.nodes.size()) + 1;
+    tree.nodes.push_back({axis, box.low[axis], kNullNode, next});
+    tree.nodes.push_back({axis, box.high[axis], next + 1, kNullNode});
+  }
+}
+
 }  // namespace dynrt::host

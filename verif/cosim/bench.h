@@ -41,8 +41,8 @@ struct Settings {
   unsigned patience = 5'000;   ///< clocks without any progress that count as a deadlock
   unsigned drain = 200;        ///< more clocks than the unit has stages
   unsigned return_clocks = 2;  ///< least clocks from a packet's leaving to its coming back
-  std::function<void(std::uint64_t half_clock)> dump =
-      {};  ///< for waveforms: called after every eval
+  /// For waveforms: called after every eval.
+  std::function<void(std::uint64_t half_clock)> dump = {};
 };
 
 struct Report {

@@ -91,7 +91,9 @@ class ChannelLowering {
     const bool is_flag = endpoint.kind == EndpointKind::kReadEnable ||
                          endpoint.kind == EndpointKind::kWriteEnable ||
                          endpoint.kind == EndpointKind::kCheck;
-    if (is_flag) at_entry.CreateStore(at_entry.getFalse(), known);
+    llvm::Constant* initial = llvm::PoisonValue::get(type);
+    if (is_flag) initial = at_entry.getFalse();
+    at_entry.CreateStore(initial, known);
     llvm::IRBuilder<> at_exit(exit_);
     at_exit.CreateCall(t_.sink(endpoint, width), {at_exit.CreateLoad(type, known)});
     return known;

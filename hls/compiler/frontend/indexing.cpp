@@ -113,13 +113,13 @@ class Expansion {
     auto* gep = llvm::cast<llvm::GetElementPtrInst>(step.instruction);
     const std::uint64_t size = object_size(gep->getPointerOperand());
     if (size == 0) throw Error(lines_.of(*gep), messages::kPointer);
-    for (auto type = llvm::gep_type_begin(*gep); type != llvm::gep_type_end(*gep); ++type) {
-      if (llvm::isa<llvm::ConstantInt>(type.getOperand())) continue;
-      result.index = type.getOperand();
+    auto type = llvm::gep_type_begin(*gep);
+    for (unsigned operand = 1; operand < gep->getNumOperands(); ++operand, ++type) {
+      if (llvm::isa<llvm::ConstantInt>(gep->getOperand(operand))) continue;
+      result.index = gep->getOperand(operand);
       const std::uint64_t stride = type.getSequentialElementStride(layout_).getFixedValue();
       const std::uint64_t count =
-          std::min(element_count(*gep, type, size, stride), largest_index(*result.index) + 1);
-      const unsigned operand = static_cast<unsigned>(&type.getOperand() - gep->op_begin());
+          std::min(element_count(*gep, operand, size, stride), largest_index(*result.index) + 1);
       for (std::uint64_t i = 0; i < count; ++i) {
         auto* fixed = llvm::cast<llvm::GetElementPtrInst>(gep->clone());
         fixed->setOperand(operand, llvm::ConstantInt::get(result.index->getType(), i));
@@ -132,11 +132,14 @@ class Expansion {
   }
 
   /// An index into an array has the array's bound; one of a bare pointer the object's.
-  static std::uint64_t element_count(const llvm::GetElementPtrInst&,
-                                     const llvm::generic_gep_type_iterator<>& type,
+  static std::uint64_t element_count(const llvm::GetElementPtrInst& gep, unsigned operand,
                                      std::uint64_t size, std::uint64_t stride) {
     const std::uint64_t whole = stride == 0 ? 1 : (size + stride - 1) / stride;
-    return type.isBoundedSequential() ? std::min(type.getSequentialNumElements(), whole) : whole;
+    if (operand == 1) return whole;
+    const llvm::SmallVector<llvm::Value*, 4> before(gep.idx_begin(), gep.idx_begin() + operand - 1);
+    const auto* array = llvm::dyn_cast<llvm::ArrayType>(
+        llvm::GetElementPtrInst::getIndexedType(gep.getSourceElementType(), before));
+    return array ? std::min(array->getNumElements(), whole) : whole;
   }
 
   std::uint64_t largest_index(const llvm::Value& index) const {

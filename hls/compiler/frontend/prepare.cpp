@@ -44,6 +44,31 @@ void declare_port_access(llvm::Function& function) {
   function.addParamAttr(0, llvm::Attribute::ReadNone);
 }
 
+/// An integer whose width is not that of its place in memory (i96 in 16 bytes) is stored and loaded
+/// as the whole place: SROA does not promote places of which only a part is ever written.
+void fill_storage(llvm::Instruction& instruction, const llvm::DataLayout& layout) {
+  auto* local = llvm::dyn_cast<llvm::AllocaInst>(&instruction);
+  llvm::Type* type = local ? local->getAllocatedType() : llvm::getLoadStoreType(&instruction);
+  if (!type->isIntegerTy()) return;
+  const auto bits = static_cast<unsigned>(layout.getTypeAllocSizeInBits(type).getFixedValue());
+  if (bits == type->getIntegerBitWidth()) return;
+  llvm::IRBuilder<> builder(&instruction);
+  llvm::Type* whole = builder.getIntNTy(bits);
+  if (local) {
+    local->setAllocatedType(whole);
+    return;
+  }
+  if (auto* store = llvm::dyn_cast<llvm::StoreInst>(&instruction)) {
+    store->setOperand(0, builder.CreateZExt(store->getValueOperand(), whole));
+    return;
+  }
+  auto* load = llvm::cast<llvm::LoadInst>(&instruction);
+  llvm::Value* place =
+      builder.CreateAlignedLoad(whole, load->getPointerOperand(), load->getAlign());
+  load->replaceAllUsesWith(builder.CreateTrunc(place, type));
+  load->eraseFromParent();
+}
+
 /// The initial value of a register, out of the constant unit.
 llvm::Constant* initial_value(const Transaction& transaction, const RegisterMember& member) {
   auto* initial = transaction.module->getGlobalVariable(kInitialUnit);
@@ -89,6 +114,8 @@ void detach_from_target(llvm::Module& module) {
          llvm::make_early_inc_range(llvm::instructions(function))) {
       if (llvm::isa<llvm::LifetimeIntrinsic>(instruction)) {
         instruction.eraseFromParent();
+      } else if (llvm::isa<llvm::AllocaInst, llvm::LoadInst, llvm::StoreInst>(instruction)) {
+        fill_storage(instruction, module.getDataLayout());
       } else if (auto* call = llvm::dyn_cast<llvm::CallBase>(&instruction)) {
         strip_call_attributes(*call);
         const llvm::Function* callee = call->getCalledFunction();

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "frontend/source_lines.h"
 
-#include <llvm/IR/Function.h>
-
 #include <filesystem>
 
 namespace hlsc {
@@ -45,23 +43,14 @@ SourceLine SourceLines::at(const llvm::DIFile* f, unsigned line) const {
 }
 
 SourceLine SourceLines::of(const llvm::DILocation* location) const {
-  const llvm::DILocation* best = location;
   for (const llvm::DILocation* l = location; l; l = l->getInlinedAt()) {
-    if (l->getLine() != 0 && !is_library(l->getFile())) {
-      best = l;
-      break;
-    }
+    if (l->getLine() != 0 && !is_library(l->getFile())) return at(l->getFile(), l->getLine());
   }
-  return best ? at(best->getFile(), best->getLine()) : SourceLine{};
+  return {};
 }
 
 SourceLine SourceLines::of(const llvm::Instruction& instruction) const {
-  if (const llvm::DILocation* location = instruction.getDebugLoc()) return of(location);
-  return of(instruction.getFunction()->getSubprogram());
-}
-
-SourceLine SourceLines::of(const llvm::DISubprogram* function) const {
-  return function ? at(function->getFile(), function->getLine()) : SourceLine{};
+  return of(instruction.getDebugLoc().get());
 }
 
 }  // namespace hlsc

@@ -21,9 +21,9 @@ class SourceLines {
  public:
   explicit SourceLines(const std::vector<std::string>& include_folders);
 
+  /// The innermost line that is not a library's; none where there is no such line.
   SourceLine of(const llvm::DILocation* location) const;
   SourceLine of(const llvm::Instruction& instruction) const;
-  SourceLine of(const llvm::DISubprogram* function) const;
   SourceLine at(const llvm::DIFile* file, unsigned line) const;
   /// True for the language's and the system's headers, whose variables and lines are not shown.
   bool is_library(const llvm::DIFile* file) const;

@@ -100,6 +100,9 @@ std::optional<NodeId> translate_operation(const llvm::Instruction& instruction, 
     case llvm::Instruction::Freeze:
       return arg(0);
     case llvm::Instruction::Select:
+      // An undefined value may be any, so the other one too.
+      if (llvm::isa<llvm::UndefValue>(instruction.getOperand(1))) return arg(2);
+      if (llvm::isa<llvm::UndefValue>(instruction.getOperand(2))) return arg(1);
       return builder.mux(arg(0), arg(1), arg(2));
     case llvm::Instruction::ICmp: {
       const auto& icmp = llvm::cast<llvm::ICmpInst>(instruction);

@@ -61,7 +61,7 @@ void name_values(llvm::Function& function, const SourceLines& lines) {
         auto* value = llvm::dyn_cast<llvm::Instruction>(record.getVariableLocationOp(0));
         if (!value || !value->getType()->isIntegerTy()) continue;
         const std::string name = variable_name(record);
-        if (!name.empty() && value_name(*value).empty()) value->setName(kNamePrefix + name);
+        if (!name.empty() && value_name(*value).empty()) value->setName(kNamePrefix + name + "$");
       }
     }
   }
@@ -73,7 +73,7 @@ void name_values(llvm::Function& function, const SourceLines& lines) {
 std::string value_name(const llvm::Value& value) {
   llvm::StringRef name = value.getName();
   if (!name.consume_front(kNamePrefix)) return {};
-  return name.split('.').first.str();
+  return name.split('$').first.str();
 }
 
 }  // namespace hlsc

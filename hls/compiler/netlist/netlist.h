@@ -24,11 +24,16 @@ class Bits {
   Bits() = default;
   Bits(unsigned width, std::uint64_t low);
   unsigned width() const { return width_; }
-  bool bit(unsigned i) const { return (words_[i / 64] >> (i % 64)) & 1; }
+  bool bit(unsigned i) const { return ((words_[i / 64] >> (i % 64)) & 1) != 0; }
   void set(unsigned i, bool value);
   bool is_zero() const;
   bool is_ones() const;
-  std::uint64_t low64() const { return words_.empty() ? 0 : words_[0]; }
+  std::uint64_t low64() const { return word(0); }
+  /// Bits [64 i +: 64]; zero above the width.
+  std::uint64_t word(unsigned i) const { return i < words_.size() ? words_[i] : 0; }
+  /// What does not fit is dropped.
+  void set_word(unsigned i, std::uint64_t value);
+  unsigned words() const { return static_cast<unsigned>(words_.size()); }
   bool operator==(const Bits&) const = default;
 
  private:

@@ -75,9 +75,9 @@ class Float {
     constexpr unsigned kW = max_width(W, 2);
     constexpr unsigned kX = max_width(E, index_width(kW + 1)) + 2;
     const uint<kW> wide = integer.template zext<kW>();
-    const auto zeros = count_leading_zeros(wide);
+    const auto zeros = leading_zeros(wide);
     const auto exponent = sint<kX>::of_raw(kBias + static_cast<int>(kW) - 1) - zeros.to_signed();
-    const uint<kW> normal = wide << zeros;
+    const uint<kW> normal = normalise(wide, zeros);
     return pack(false, exponent.template trunc<kX>(), uint<2>(0), normal.template trunc<kW - 1>(),
                 false, !normal.template bit<kW - 1>());
   }
@@ -116,16 +116,18 @@ class Float {
 
     bool lost = false;
     const uint<kN> aligned = align(concat(with_hidden(smaller), uint<kGuard>(0)), distance, lost);
-    const uint<kN + 1> x = concat(with_hidden(larger.mantissa()), uint<kGuard + 1>(0));
-    const uint<kN + 1> y = concat(aligned, uint<1>(lost));
+    // One addition with carry in, the smaller one's bits inverted to subtract it.
+    const uint<kN + 2> x = concat(with_hidden(larger.mantissa()), uint<kGuard + 1>(0));
+    const uint<kN + 2> y = concat(aligned, uint<1>(lost));
+    const uint<kN + 2> added = y ^ select(subtract, uint<kN + 2>::ones(), uint<kN + 2>(0));
     const uint<kN + 2> sum =
-        select(subtract, (x - y).as_unsigned().template trunc<kN + 2>(), x + y);
+        (concat(x, uint<1>(1)) + concat(added, uint<1>(subtract))).template bits<kN + 2, 1>();
 
     // The last bit, `lost`, is zero wherever more than two places are cancelled: it need not be
-    // shifted. A one behind the counted bits saves the model a branch.
+    // shifted.
     const uint<kN + 1> upper = sum.template bits<kN + 1, 1>();
-    const auto zeros = count_leading_zeros(concat(upper, uint<1>(1)));
-    const uint<kN + 1> normal = upper << zeros;
+    const auto zeros = leading_zeros(upper);
+    const uint<kN + 1> normal = normalise(upper, zeros);
     const bool nonzero = normal.template bit<kN>();
     const auto exponent = sint<kX>(larger.exponent().to_signed()) - sint<kX>(zeros.to_signed());
     return pack(larger.sign(), exponent.template trunc<kX>(), uint<2>(uint<1>(nonzero)),
@@ -137,11 +139,9 @@ class Float {
     constexpr unsigned kX = E + 2;
     const auto product = with_hidden(a.mantissa()) * with_hidden(b.mantissa());
     const bool top = product.template bit<2 * M + 1>();
-    const uint<M + 1> fraction =
-        select(top, product.template bits<2 * M, M>(), product.template bits<2 * M - 1, M - 1>());
-    const bool last = product.template bit<M - 1>();
-    const bool rest = product.template trunc<M - 1>() != uint<M - 1>(0);
-    const bool sticky = rest || (top && last);
+    // The leading one drops out at the top, in whichever of two places it is.
+    const uint<M + 2> fraction = product.template bits<2 * M, M - 1>() << uint<1>(!top);
+    const bool sticky = product.template trunc<M - 1>() != uint<M - 1>(0);
     // The exponent is a + b - bias + top; the bias's 1 comes in with `top`.
     const auto exponent = (a.exponent() + b.exponent()).to_signed() - sint<kX>(1 << (E - 1));
     return pack(a.sign() != b.sign(), exponent.template trunc<kX>(),
@@ -181,6 +181,17 @@ class Float {
   }
   static constexpr uint<M + 1> with_hidden(uint<M> mantissa) {
     return concat(uint<1>(1), mantissa);
+  }
+
+  /// Leading zeros, and the value without them. The one counted behind the value says to LLVM that
+  /// neither the count nor the shift can exceed the width: nothing is computed for that case.
+  template <unsigned N>
+  static constexpr auto leading_zeros(uint<N> value) {
+    return count_leading_zeros(concat(value, uint<1>(1)));
+  }
+  template <unsigned N, unsigned Z>
+  static constexpr uint<N> normalise(uint<N> value, uint<Z> zeros) {
+    return (concat(value, uint<1>(0)) << zeros).template bits<N, 1>();
   }
 
   /// value >> distance; `lost` if a one was shifted out. The value is not zero.

@@ -1,0 +1,25 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+#
+# The back end: passes, schedule, Verilog. Nothing of it knows LLVM.
+find_package(lemon REQUIRED)
+
+add_library(hlsc_backend STATIC
+  pipeline.cpp
+  emit/binding.cpp
+  emit/expression.cpp
+  emit/names.cpp
+  emit/pipeline_bits.cpp
+  emit/report.cpp
+  emit/verilog.cpp
+  schedule/asap.cpp
+  schedule/circuit.cpp
+  schedule/delay_model.cpp
+  schedule/registers.cpp
+  schedule/timing.cpp)
+target_include_directories(hlsc_backend SYSTEM PRIVATE ${LEMON_INCLUDE_DIRS})
+target_link_libraries(hlsc_backend PUBLIC hlsc_netlist
+                      PRIVATE ${LEMON_LIBRARIES} fmt::fmt nlohmann_json::nlohmann_json
+                              dynrt_warnings)
+
+add_subdirectory(cosim)

@@ -1,0 +1,32 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// hlsc's back end: netlist in, Verilog module with its schedule report and test-bench header out.
+// Free of LLVM. Throws Error (error.h) where a unit cannot be lowered for the asked clock.
+#pragma once
+
+#include <string>
+
+#include "compiler/netlist/netlist.h"
+#include "compiler/schedule/delay_model.h"
+
+namespace hlsc {
+
+struct Options {
+  double clock_ns = 10;
+  DelayModel delay;
+};
+
+struct Lowered {
+  std::string verilog;
+  std::string report;    ///< stages, operations and register bits per stage
+  std::string binding;   ///< C++ header: visit_ports_<module>()
+  unsigned latency = 0;  ///< clocks from a transaction's start to its tokens leaving
+};
+
+Lowered lower(const Netlist& netlist, const Options& options);
+
+/// The netlist after the passes, as it is scheduled: for tests and --dump-netlist.
+Netlist optimise(const Netlist& netlist, const Options& options);
+
+}  // namespace hlsc

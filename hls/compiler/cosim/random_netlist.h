@@ -1,0 +1,22 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// A netlist of random operations over random widths with every kind of port: what the lowering is
+// tested on. Rows of RAMs are addressed by the token's lowest bits, which the bench counts up, so
+// that no transaction meets another one's row; register files and registers by anything.
+#pragma once
+
+#include <cstdint>
+
+#include "compiler/backend.h"
+
+namespace hlsc {
+
+inline constexpr unsigned kIdWidth = 7;  ///< bits of the number in tokens of the first In
+
+Netlist random_netlist(std::uint32_t seed);
+
+/// Clock and device change with the seed.
+Options random_options(std::uint32_t seed, const char* delay_folder);
+
+}  // namespace hlsc

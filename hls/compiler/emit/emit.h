@@ -1,0 +1,24 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The files that hlsc writes about a scheduled unit.
+#pragma once
+
+#include <string>
+
+#include "compiler/backend.h"
+#include "compiler/schedule/schedule.h"
+
+namespace hlsc {
+
+/// One Verilog-2005 module: ports, handshake, stage by stage its wires and registers, then the
+/// instances of rtl/lib.
+std::string emit_verilog(const Circuit& circuit, const Schedule& schedule, const Options& options);
+
+/// Stages with their operations, register bits and longest path.
+std::string emit_report(const Circuit& circuit, const Schedule& schedule, const Options& options);
+
+/// C++ header with visit_ports_<module>(), through which a test bench reaches all ports.
+std::string emit_binding(const Netlist& netlist);
+
+}  // namespace hlsc

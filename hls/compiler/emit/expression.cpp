@@ -1,0 +1,192 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/emit/expression.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "compiler/netlist/evaluate.h"
+#include "compiler/netlist/op.h"
+
+namespace hlsc {
+namespace {
+
+std::string select(const Signal& s, unsigned low, unsigned high) {
+  if (s.scalar || (low == s.declared_low && high == s.declared_high)) return s.name;
+  if (low == high) return fmt::format("{}[{}]", s.name, low);
+  return fmt::format("{}[{}:{}]", s.name, high, low);
+}
+
+bool is_all(const std::vector<BitRef>& operand, unsigned bit) {
+  for (const BitRef& b : operand) {
+    if (!b.is_constant() || b.bit != bit) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string bit_range(unsigned width) {
+  return width == 1 ? "" : fmt::format("[{}:0] ", width - 1);
+}
+
+std::string literal(const Bits& value) {
+  if (active_bits(value) <= 10) return fmt::format("{}'d{}", value.width(), value.low64());
+  return fmt::format("{}'h{}", value.width(), to_hex(value));
+}
+
+Expressions::Expressions(const Circuit& circuit) : c_(circuit) {}
+
+void Expressions::declare(CellId cell, int stage, Signal s) {
+  s.used.assign(s.declared_high - s.declared_low + 1, false);
+  index_[{cell, stage}] = signals_.size();
+  signals_.push_back(std::move(s));
+}
+
+Signal& Expressions::signal(CellId cell, int stage) {
+  if (c_.cells[cell].kind == CellKind::kConfig) stage = -1;
+  const auto found = index_.find({cell, stage});
+  if (found == index_.end()) {
+    throw std::logic_error(
+        fmt::format("emit: {} does not exist in stage {}", c_.describe(cell), stage));
+  }
+  return signals_[found->second];
+}
+
+std::string Expressions::range(CellId cell, int stage, unsigned low, unsigned high) {
+  Signal& s = signal(cell, stage);
+  for (unsigned i = low; i <= high; ++i) s.used.at(i + s.offset - s.declared_low) = true;
+  return select(s, low + s.offset, high + s.offset);
+}
+
+std::string Expressions::bits(const std::vector<BitRef>& operand, int stage) {
+  const BitRef first = operand.front();
+  if (!first.is_constant()) {
+    const auto whole = inlined_.find(first.cell);
+    if (whole != inlined_.end()) return "(" + whole->second + ")";
+  }
+  std::vector<std::string> parts;  // lowest first
+  for (std::size_t i = 0; i < operand.size();) {
+    const BitRef b = operand[i];
+    std::size_t end = i + 1;
+    if (b.is_constant()) {
+      while (end < operand.size() && operand[end].is_constant()) ++end;
+      Bits value(static_cast<unsigned>(end - i), 0);
+      for (std::size_t k = i; k < end; ++k) {
+        value.set(static_cast<unsigned>(k - i), operand[k].bit == 1);
+      }
+      parts.push_back(literal(value));
+    } else if (end < operand.size() && operand[end] == b) {
+      while (end < operand.size() && operand[end] == b) ++end;
+      parts.push_back(fmt::format("{{{}{{{}}}}}", end - i, range(b.cell, stage, b.bit, b.bit)));
+    } else {
+      while (end < operand.size() && operand[end].cell == b.cell &&
+             operand[end].bit == b.bit + (end - i)) {
+        ++end;
+      }
+      const auto high = static_cast<unsigned>(b.bit + (end - i) - 1);
+      parts.push_back(range(b.cell, stage, b.bit, high));
+    }
+    i = end;
+  }
+  if (parts.size() == 1) return parts.front();
+  std::string text;
+  for (auto it = parts.rbegin(); it != parts.rend(); ++it)
+    text += (text.empty() ? "{" : ", ") + *it;
+  return text + "}";
+}
+
+/// Only the significant bits of the operands, so that synthesis finds the hard multiplier.
+std::string Expressions::multiply(const Cell& cell, int stage) {
+  struct Factor {
+    std::vector<BitRef> bits;
+    bool is_signed;
+  };
+  std::vector<Factor> factors;
+  for (std::vector<BitRef> operand : cell.operands) {
+    const bool whole = operand.size() == cell.width;
+    bool is_signed = false;
+    if (operand.back() == BitRef{BitRef::kConstant, 0} || !whole) {
+      while (operand.size() > 1 && operand.back() == BitRef{BitRef::kConstant, 0}) {
+        operand.pop_back();
+      }
+    } else {
+      while (operand.size() > 1 && operand[operand.size() - 2] == operand.back()) {
+        operand.pop_back();
+        is_signed = true;
+      }
+    }
+    factors.push_back({operand, is_signed});
+  }
+  if (!factors[0].is_signed && !factors[1].is_signed) {
+    return bits(factors[0].bits, stage) + " * " + bits(factors[1].bits, stage);
+  }
+  std::string text;
+  for (Factor& f : factors) {
+    if (!f.is_signed && f.bits.size() < cell.width) f.bits.push_back({BitRef::kConstant, 0});
+    text += (text.empty() ? "$signed(" : " * $signed(") + bits(f.bits, stage) + ")";
+  }
+  return text;
+}
+
+std::string Expressions::operation(CellId id, int stage) {
+  const Cell& cell = c_.cells[id];
+  const auto operand = [&](std::size_t i) { return bits(cell.operands[i], stage); };
+  const auto infix = [&](const char* op) { return operand(0) + op + operand(1); };
+  switch (c_.op(id)) {
+    case Op::kAdd:
+      return infix(" + ");
+    case Op::kSub:
+      return infix(" - ");
+    case Op::kMul:
+      return multiply(cell, stage);
+    case Op::kAnd:
+      return infix(" & ");
+    case Op::kOr:
+      return infix(" | ");
+    case Op::kXor:
+      return infix(" ^ ");
+    case Op::kNot:
+      return "~" + operand(0);
+    case Op::kEq:
+      return infix(" == ");
+    case Op::kULt:
+      return infix(" < ");
+    case Op::kSLt:
+      return "$signed(" + operand(0) + ") < $signed(" + operand(1) + ")";
+    case Op::kMux: {
+      const std::string s = operand(0);
+      // As a mask, or else synthesis makes it a register's reset, of which there are few.
+      if (is_all(cell.operands[2], 0))
+        return fmt::format("{{{}{{{}}}}} & {}", cell.width, s, operand(1));
+      if (is_all(cell.operands[1], 0))
+        return fmt::format("{{{}{{~{}}}}} & {}", cell.width, s, operand(2));
+      if (is_all(cell.operands[1], 1))
+        return fmt::format("{{{}{{{}}}}} | {}", cell.width, s, operand(2));
+      if (is_all(cell.operands[2], 1))
+        return fmt::format("{{{}{{~{}}}}} | {}", cell.width, s, operand(1));
+      return s + " ? " + operand(1) + " : " + operand(2);
+    }
+    default:
+      throw std::logic_error(std::string("emit: ") + op_name(c_.op(id)) + " was not expanded");
+  }
+}
+
+std::vector<std::string> Expressions::unused() const {
+  std::vector<std::string> all;
+  for (const Signal& s : signals_) {
+    for (std::size_t i = 0; i < s.used.size();) {
+      std::size_t end = i + 1;
+      while (end < s.used.size() && s.used[end] == s.used[i]) ++end;
+      if (!s.used[i]) {
+        all.push_back(select(s, s.declared_low + static_cast<unsigned>(i),
+                             s.declared_low + static_cast<unsigned>(end) - 1));
+      }
+      i = end;
+    }
+  }
+  return all;
+}
+
+}  // namespace hlsc

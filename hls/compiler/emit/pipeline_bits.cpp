@@ -1,0 +1,54 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/emit/pipeline_bits.h"
+
+#include <algorithm>
+#include <set>
+
+namespace hlsc {
+
+std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule) {
+  const std::vector<int>& stage = schedule.stage;
+  std::vector<int> last_use(circuit.bits, -1);
+  std::vector<std::set<int>> looked_at(circuit.cells.size());
+  for (CellId id = 0; id < circuit.cells.size(); ++id) {
+    for (const auto& operand : circuit.cells[id].operands) {
+      for (const BitRef& b : operand) {
+        if (b.is_constant()) continue;
+        int& last = last_use[circuit.cells[b.cell].first_bit + b.bit];
+        last = std::max(last, stage[id]);
+        if (stage[id] > stage[b.cell]) looked_at[b.cell].insert(stage[id]);
+      }
+    }
+  }
+  std::vector<Carry> all;
+  for (CellId id = 0; id < circuit.cells.size(); ++id) {
+    const Cell& cell = circuit.cells[id];
+    if (cell.kind == CellKind::kConfig) continue;
+    int from = stage[id];
+    for (const int to : looked_at[id]) {
+      Carry carry{id, from, to, cell.width, 0, 0};
+      for (unsigned i = 0; i < cell.width; ++i) {
+        if (last_use[cell.first_bit + i] < to) continue;
+        carry.low = std::min(carry.low, i);
+        carry.high = i;
+        ++carry.bits;
+      }
+      if (to - from > kLongestShift) {
+        all.push_back(carry);
+      } else {
+        for (int s = from; s < to; ++s) {
+          carry.from = s;
+          carry.to = s + 1;
+          all.push_back(carry);
+        }
+      }
+      from = to;
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Carry& a, const Carry& b) { return a.to < b.to; });
+  return all;
+}
+
+}  // namespace hlsc

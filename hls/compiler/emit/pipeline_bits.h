@@ -1,0 +1,31 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which bits of a cell exist in which stage, and how they get there: by registers, one a stage, or,
+// where they are not looked at for long, by a delay (rtl/lib/hls_delay.v), which a device can hold
+// in LUT RAM.
+#pragma once
+
+#include <vector>
+
+#include "compiler/schedule/schedule.h"
+
+namespace hlsc {
+
+/// A step on a value's way: bits [low, high] of a cell, from one stage to another.
+struct Carry {
+  CellId cell;
+  int from;
+  int to;  ///< from + 1: a register; more: a delay
+  unsigned low;
+  unsigned high;
+  unsigned bits;  ///< of them in use
+};
+
+/// A value that stands still for more stages than this goes through a delay.
+inline constexpr int kLongestShift = 5;
+
+/// Ordered by stage of arrival, then by cell.
+std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule);
+
+}  // namespace hlsc

@@ -1,0 +1,40 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Runs a netlist, transaction by transaction: what its Verilog must agree with to the last bit.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "compiler/netlist/netlist.h"
+
+namespace hlsc {
+
+class Interpreter {
+ public:
+  /// The netlist must outlive the interpreter.
+  explicit Interpreter(const Netlist& netlist);
+
+  /// Of a Config port.
+  void set_config(unsigned port, const Bits& value) { config_[port] = value; }
+  /// Contents of a RAM, register file or RAM end, by row; all zero at first.
+  std::vector<Bits>& rows(unsigned port) { return rows_.at(port); }
+  const Bits& register_value(unsigned index) const { return registers_.at(index); }
+
+  /// One transaction. `tokens` and the result are indexed by port; an Out that is not written has
+  /// no value.
+  std::vector<std::optional<Bits>> step(const std::vector<Bits>& tokens);
+
+ private:
+  Bits value_of(NodeId id, const std::vector<Bits>& tokens) const;
+
+  const Netlist& netlist_;
+  std::map<unsigned, Bits> config_;
+  std::map<unsigned, std::vector<Bits>> rows_;
+  std::vector<Bits> registers_;
+  std::vector<Bits> values_;
+};
+
+}  // namespace hlsc

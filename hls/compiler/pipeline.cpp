@@ -1,0 +1,28 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The order of the lowering.
+#include "compiler/backend.h"
+#include "compiler/emit/emit.h"
+#include "compiler/schedule/schedule.h"
+
+namespace hlsc {
+
+Netlist optimise(const Netlist& netlist, const Options&) { return netlist; }
+
+Lowered lower(const Netlist& netlist, const Options& options) {
+  check(netlist);
+  const Netlist optimised = optimise(netlist, options);
+  check(optimised);
+  const Circuit circuit(optimised);
+  const Schedule asap = schedule_asap(circuit, options.delay, options.clock_ns);
+  const Schedule schedule = minimise_registers(circuit, options.delay, options.clock_ns, asap);
+  Lowered lowered;
+  lowered.verilog = emit_verilog(circuit, schedule, options);
+  lowered.report = emit_report(circuit, schedule, options);
+  lowered.binding = emit_binding(netlist);
+  lowered.latency = static_cast<unsigned>(schedule.stages);
+  return lowered;
+}
+
+}  // namespace hlsc

@@ -1,0 +1,207 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/error.h"
+#include "compiler/schedule/messages.h"
+#include "compiler/schedule/schedule.h"
+
+namespace hlsc {
+namespace {
+
+/// A read and a write of state that must be in one stage.
+struct Loop {
+  CellId read;
+  CellId write;
+};
+
+std::vector<Loop> state_loops(const Circuit& c) {
+  std::vector<Loop> loops;
+  for (unsigned i = 0; i < c.register_read.size(); ++i) {
+    if (c.register_write[i] != BitRef::kConstant) {
+      loops.push_back({c.register_read[i], c.register_write[i]});
+    }
+  }
+  for (CellId id = 0; id < c.cells.size(); ++id) {
+    if (c.cells[id].kind != CellKind::kRowWrite) continue;
+    const unsigned port = c.netlist.row_writes[c.cells[id].index].port;
+    if (c.netlist.ports[port].kind != PortKind::kRegisterFile) continue;
+    for (unsigned r = 0; r < c.row_read.size(); ++r) {
+      if (c.netlist.row_reads[r].port == port && c.row_read[r] != BitRef::kConstant) {
+        loops.push_back({c.row_read[r], id});
+      }
+    }
+  }
+  return loops;
+}
+
+class Asap {
+ public:
+  Asap(const Circuit& circuit, const DelayModel& delay, double clock_ns)
+      : c_(circuit),
+        delay_(delay),
+        available_(clock_ns - delay.clock_overhead),
+        timing_(circuit, delay),
+        before_(circuit.cells.size()),
+        least_(circuit.cells.size(), 0),
+        stage_(circuit.cells.size(), 0) {}
+
+  Schedule run() {
+    for (const Precedence& p : precedences(c_, timing_)) {
+      if (p.of < p.user) before_[p.user].push_back(p);
+    }
+    const std::vector<Loop> loops = state_loops(c_);
+    for (const Loop& loop : loops) check_feedback(loop);
+    for (bool settled = false; !settled;) {
+      place();
+      settled = true;
+      for (const Loop& loop : loops) {
+        if (stage_[loop.write] <= stage_[loop.read]) continue;
+        least_[loop.read] = stage_[loop.write];
+        settled = false;
+      }
+    }
+    for (const Loop& loop : loops) stage_[loop.write] = stage_[loop.read];
+    return finish();
+  }
+
+ private:
+  void place() {
+    for (CellId id = 0; id < c_.cells.size(); ++id) {
+      const Cell& cell = c_.cells[id];
+      if (cell.kind == CellKind::kConfig) {
+        stage_[id] = -1;
+        timing_.evaluate(id, stage_);
+        continue;
+      }
+      int stage = least_[id];
+      for (const Precedence& p : before_[id]) stage = std::max(stage, stage_[p.of] + p.distance);
+      stage_[id] = stage;
+      double late = timing_.evaluate(id, stage_);
+      if (late <= available_) continue;
+      if (cell.kind == CellKind::kOperation || !c_.is_source(id)) {
+        ++stage_[id];
+        late = timing_.evaluate(id, stage_);
+      }
+      if (late > available_) {
+        throw Error(c_.where(id), fmt::format(messages::kTooSlow, c_.describe(id), late, available_,
+                                              late + delay_.clock_overhead));
+      }
+    }
+  }
+
+  /// The time from a state's value to its next one must fit, whatever else comes out of registers.
+  void check_feedback(const Loop& loop) {
+    std::vector<int> stage(c_.cells.size(), 0);
+    double late = 0;
+    timing_.evaluate(loop.read, stage);
+    stage[loop.read] = 1;
+    timing_.evaluate(loop.read, stage);
+    for (CellId id = loop.read + 1; id <= loop.write; ++id) {
+      const Cell& cell = c_.cells[id];
+      bool depends = cell.kind == CellKind::kRow && c_.row_read[cell.index] == loop.read;
+      for (const auto& operand : cell.operands) {
+        for (const BitRef& b : operand)
+          depends = depends || (!b.is_constant() && stage[b.cell] == 1);
+      }
+      if (!depends || (id != loop.write && !reaches(id, loop.write))) continue;
+      stage[id] = 1;
+      late = timing_.evaluate(id, stage);
+    }
+    if (stage[loop.write] != 1 || late <= available_) return;
+    const bool is_register = c_.cells[loop.write].kind == CellKind::kRegisterWrite;
+    const std::string& name = is_register ? c_.netlist.registers[c_.cells[loop.write].index].name
+                                          : c_.port_of(loop.write).name;
+    const double clock = late + delay_.clock_overhead;
+    throw Error(c_.where(loop.write),
+                is_register
+                    ? fmt::format(messages::kRegisterFeedback, name, late, available_, clock)
+                    : fmt::format(messages::kFileFeedback, name, late, available_, clock));
+  }
+
+  bool reaches(CellId from, CellId to) const {
+    std::vector<CellId> open{from};
+    std::vector<bool> seen(c_.cells.size(), false);
+    while (!open.empty()) {
+      const CellId id = open.back();
+      open.pop_back();
+      if (id == to) return true;
+      for (const CellId user : c_.users[id]) {
+        if (user <= to && !seen[user]) {
+          seen[user] = true;
+          open.push_back(user);
+        }
+      }
+    }
+    return false;
+  }
+
+  Schedule finish() {
+    Schedule schedule;
+    int last = 0;
+    bool any = false;
+    for (CellId id = 0; id < c_.cells.size(); ++id) {
+      last = std::max(last, stage_[id]);
+      any = any || !c_.is_source(id);
+    }
+    if (!any) throw Error({c_.netlist.source, 0}, messages::kNoWrite);
+    for (CellId id = 0; id < c_.cells.size(); ++id) {
+      if (c_.cells[id].kind == CellKind::kTokenWrite) stage_[id] = last;
+    }
+    schedule.stages = last + 1;
+    schedule.stage = std::move(stage_);
+    return schedule;
+  }
+
+  const Circuit& c_;
+  const DelayModel& delay_;
+  double available_;
+  Timing timing_;
+  std::vector<std::vector<Precedence>> before_;
+  std::vector<int> least_;
+  std::vector<int> stage_;
+};
+
+}  // namespace
+
+std::vector<Precedence> precedences(const Circuit& c, const Timing& timing) {
+  std::vector<Precedence> all;
+  for (CellId of = 0; of < c.cells.size(); ++of) {
+    if (c.cells[of].kind == CellKind::kConfig) continue;
+    for (const CellId user : c.users[of]) all.push_back({of, user, timing.separation(of, user)});
+  }
+  for (CellId id = 0; id < c.cells.size(); ++id) {
+    const Cell& cell = c.cells[id];
+    if (cell.kind == CellKind::kRow) {
+      // Exactly `latency` after the address.
+      const int latency = static_cast<int>(c.port_of(id).latency);
+      all.push_back({c.row_read[cell.index], id, latency});
+      all.push_back({id, c.row_read[cell.index], -latency});
+    }
+    if (cell.kind != CellKind::kRowWrite) continue;
+    const unsigned port = c.netlist.row_writes[cell.index].port;
+    const Port& p = c.netlist.ports[port];
+    for (unsigned r = 0; r < c.row_read.size(); ++r) {
+      if (c.netlist.row_reads[r].port != port || c.row_read[r] == BitRef::kConstant) continue;
+      // A transaction reads what was there before its own write. A row that is written in the same
+      // clock is undefined in an exclusive RAM and the old one in the others.
+      const bool exclusive = p.kind == PortKind::kRam && p.hazard == Hazard::kExclusive;
+      all.push_back({c.row_read[r], id, exclusive ? 1 : 0});
+      if (p.kind == PortKind::kRegisterFile) all.push_back({id, c.row_read[r], 0});
+    }
+  }
+  for (unsigned i = 0; i < c.register_read.size(); ++i) {
+    if (c.register_write[i] == BitRef::kConstant) continue;
+    all.push_back({c.register_read[i], c.register_write[i], 0});
+    all.push_back({c.register_write[i], c.register_read[i], 0});
+  }
+  return all;
+}
+
+Schedule schedule_asap(const Circuit& circuit, const DelayModel& delay, double clock_ns) {
+  return Asap(circuit, delay, clock_ns).run();
+}
+
+}  // namespace hlsc

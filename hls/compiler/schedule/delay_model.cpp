@@ -1,0 +1,49 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "compiler/schedule/delay_model.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace hlsc {
+
+DelayModel load_delay_model(const std::string& path) {
+  std::ifstream file(path);
+  if (!file) {
+    throw std::runtime_error(fmt::format(
+        "{}: cannot be read; name a delay model such as hls/compiler/delay/ecp5.json", path));
+  }
+  const auto data = nlohmann::json::parse(file, nullptr, false);
+  if (!data.is_object()) throw std::runtime_error(fmt::format("{}: is not a JSON object", path));
+  const auto number = [&](const char* key, double least) {
+    const auto found = data.find(key);
+    if (found == data.end() || !found->is_number() || found->get<double>() < least) {
+      throw std::runtime_error(
+          fmt::format("{}: \"{}\" is missing; give a number of at least {}", path, key, least));
+    }
+    return found->get<double>();
+  };
+  DelayModel m;
+  m.name = data.value("name", path);
+  m.clock_overhead = number("clock_overhead", 0);
+  m.lut = number("lut", 0);
+  m.lut_inputs = static_cast<unsigned>(number("lut_inputs", 3));
+  m.fanout = number("fanout", 0);
+  m.carry_start = number("carry_start", 0);
+  m.carry_bit = number("carry_bit", 0);
+  m.compare_out = number("compare_out", 0);
+  m.free_add_sub = number("free_add_sub", 0) != 0;
+  m.multiply = number("multiply", 0);
+  m.multiplier_width = static_cast<unsigned>(number("multiplier_width", 2));
+  m.ram_out = number("ram_out", 0);
+  m.ram_in = number("ram_in", 0);
+  m.lut_ram = number("lut_ram", 0);
+  m.token_in = number("token_in", 0);
+  m.token_out = number("token_out", 0);
+  return m;
+}
+
+}  // namespace hlsc

@@ -1,0 +1,34 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// How long things take on a device family, in ns, routing included: the data that the scheduler
+// works with. The files are in hls/compiler/delay; each names its sources.
+#pragma once
+
+#include <string>
+
+namespace hlsc {
+
+struct DelayModel {
+  std::string name;
+  double clock_overhead = 0;  ///< from the clock to a register's output, set-up, skew
+  double lut = 0;             ///< a LUT and the way to it
+  unsigned lut_inputs = 4;
+  double fanout = 0;          ///< more for each doubling of a signal's loads beyond 8
+  double carry_start = 0;     ///< an adder's operand to its carry chain and from there to a sum
+  double carry_bit = 0;       ///< the chain, per bit
+  double compare_out = 0;     ///< a carry chain's last carry to a signal
+  bool free_add_sub = false;  ///< add or subtract by a signal costs no LUT before the chain
+  double multiply = 0;        ///< a hard multiplier, from register to register
+  unsigned multiplier_width = 18;  ///< of its signed operands
+  double ram_out = 0;              ///< a synchronous RAM's data after the clock
+  double ram_in = 0;               ///< set-up of its address, data and enables
+  double lut_ram = 0;              ///< address to data of a LUT RAM
+  double token_in = 0;             ///< a token's arrival at an In: what comes between FIFO and unit
+  double token_out = 0;            ///< set-up of an Out's FIFO
+};
+
+/// Throws std::runtime_error naming the file and what is wrong with it.
+DelayModel load_delay_model(const std::string& path);
+
+}  // namespace hlsc

@@ -1,0 +1,22 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The wordings of what the scheduler refuses; {} are filled in by fmt. Tests assert the texts.
+#pragma once
+
+namespace hlsc::messages {
+
+inline constexpr char kTooSlow[] =
+    "{} needs {:.2f} ns in one stage, the clock leaves {:.2f}; ask for a clock of at least {:.2f} "
+    "ns or use a narrower operation";
+inline constexpr char kRegisterFeedback[] =
+    "register {} takes {:.2f} ns from its value to its next value, which are one stage; the clock "
+    "leaves {:.2f}: ask for a clock of at least {:.2f} ns or compute less between them";
+inline constexpr char kFileFeedback[] =
+    "register file {} takes {:.2f} ns from the row read to the row written, which are one stage; "
+    "the clock leaves {:.2f}: ask for a clock of at least {:.2f} ns, compute less between them or "
+    "use a Ram1R1W";
+inline constexpr char kNoWrite[] =
+    "the unit writes no token, row or register; a unit without effect cannot be lowered";
+
+}  // namespace hlsc::messages

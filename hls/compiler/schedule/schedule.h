@@ -1,0 +1,41 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Gives every cell of a circuit a pipeline stage: as few stages as the clock allows, and at that
+// latency as few register bits as a linear program finds.
+#pragma once
+
+#include <vector>
+
+#include "compiler/schedule/circuit.h"
+#include "compiler/schedule/delay_model.h"
+#include "compiler/schedule/timing.h"
+
+namespace hlsc {
+
+struct Schedule {
+  int stages = 1;          ///< clocks from the start of a transaction to its tokens in the FIFOs
+  std::vector<int> stage;  ///< of each cell; of a configuration value -1: it stands in all
+};
+
+/// Every cell in the first stage that it fits, in ns of the clock period. Throws Error where an
+/// operation or a register's feedback does not fit a stage.
+Schedule schedule_asap(const Circuit& circuit, const DelayModel& delay, double clock_ns);
+
+/// Moves cells between the stages of a schedule so that fewer bits are carried from stage to stage.
+Schedule minimise_registers(const Circuit& circuit, const DelayModel& delay, double clock_ns,
+                            const Schedule& asap);
+
+/// Cells that must share a stage (distance 0) or lie apart: stage[user] >= stage[of] + distance.
+struct Precedence {
+  CellId of;
+  CellId user;
+  int distance;
+};
+/// All that the circuit itself demands, whatever the clock.
+std::vector<Precedence> precedences(const Circuit& circuit, const Timing& timing);
+
+/// Bits that live in registers between stages, without valid bits, state and delays as RAM.
+unsigned long register_bits(const Circuit& circuit, const Schedule& schedule);
+
+}  // namespace hlsc

@@ -1,0 +1,68 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// When each bit of a cell arrives after its stage's clock, by the delay model. Chained logic is
+// packed into LUTs as a mapper would do it: a bit remembers the inputs of the LUT that makes it,
+// and a user that can swallow that LUT pays for one level only. Carry chains pass bits on as they
+// come.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "compiler/schedule/circuit.h"
+#include "compiler/schedule/delay_model.h"
+
+namespace hlsc {
+
+class Timing {
+ public:
+  Timing(const Circuit& circuit, const DelayModel& delay);
+
+  /// Computes the arrival of a cell's bits, given the stages of what it reads; what is in an
+  /// earlier stage comes out of registers. Returns when the stage may be clocked on account of this
+  /// cell: the latest bit, or the latest input and the set-up of what is written.
+  double evaluate(CellId id, const std::vector<int>& stage);
+  /// The bit that decided the last evaluate() of this cell, or a constant if it came from a
+  /// register.
+  BitRef critical_input(CellId id) const { return critical_[id]; }
+  /// The same for one bit.
+  BitRef critical_input(BitRef bit) const {
+    return bits_[c_.cells[bit.cell].first_bit + bit.bit].source;
+  }
+
+  /// Stages that must lie between the two: hard multipliers have registers on both sides.
+  int separation(CellId producer, CellId user) const;
+
+ private:
+  static constexpr unsigned kMaxLeaves = 6;
+  /// How a bit is made: when, and by a LUT of which inputs (none: not by a LUT alone).
+  struct Arrival {
+    double at = 0;
+    unsigned leaves = 0;
+    std::array<std::uint32_t, kMaxLeaves> leaf{};
+    BitRef source;  ///< the input that came last, if it is of the same stage
+  };
+  struct Input {
+    double at = 0;
+    const Arrival* made = nullptr;  ///< null: out of a register
+    BitRef bit;
+  };
+
+  Input input(BitRef bit, int stage, const std::vector<int>& stages) const;
+  void set_all(const Cell& cell, double at, BitRef source);
+  Arrival logic(const Input* inputs, unsigned count) const;
+  void time_logic(const Cell& cell, int stage, const std::vector<int>& stages);
+  void time_sum(const Cell& cell, Op op, int stage, const std::vector<int>& stages);
+  Arrival compare(const Cell& cell, int stage, const std::vector<int>& stages) const;
+  Arrival equal(const Cell& cell, int stage, const std::vector<int>& stages) const;
+  Input latest(const Cell& cell, int stage, const std::vector<int>& stages) const;
+  double load(const Cell& cell) const;
+
+  const Circuit& c_;
+  const DelayModel& d_;
+  std::vector<Arrival> bits_;  ///< by the number of the bit
+  std::vector<BitRef> critical_;
+};
+
+}  // namespace hlsc

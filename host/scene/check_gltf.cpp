@@ -1,0 +1,72 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "host/scene/check_file.h"
+#include "host/scene/json_reader.h"
+#include "host/scene/wording.h"
+
+namespace dynrt::host {
+
+namespace {
+
+constexpr std::size_t kDeepestNode = 256;
+
+uint32_t little_endian(std::string_view text, std::size_t at) {
+  uint32_t value = 0;
+  for (std::size_t b = 0; b < 4; ++b) {
+    value |= static_cast<uint32_t>(static_cast<unsigned char>(text[at + b])) << (8 * b);
+  }
+  return value;
+}
+
+// The JSON chunk of a GLB file: 12 bytes of header (magic, version, length), then the chunk's
+// length, its type and its text.
+std::string_view json_chunk(std::string_view text, const std::string& path) {
+  constexpr std::size_t kHeader = 20;
+  if (text.size() < kHeader || little_endian(text, 4) != 2 || text.substr(16, 4) != "JSON") {
+    wording::fail(wording::kGlbMagic, path);
+  }
+  const uint32_t length = little_endian(text, 8), json = little_endian(text, 12);
+  if (length > text.size() || json > text.size() - kHeader) {
+    wording::fail(wording::kGlbCutOff, path, std::max<uint64_t>(length, kHeader + uint64_t{json}),
+                  text.size());
+  }
+  return text.substr(kHeader, json);
+}
+
+// Follows each node up to its root.
+void check_depth(const nlohmann::json& nodes, const std::string& path) {
+  constexpr std::size_t kNone = SIZE_MAX;
+  std::vector<std::size_t> parent(nodes.size(), kNone);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    if (!nodes[n].is_object() || !nodes[n].contains("children")) continue;
+    for (const nlohmann::json& child : nodes[n]["children"]) {
+      if (child.is_number_unsigned() && child.get<std::size_t>() < nodes.size()) {
+        parent[child.get<std::size_t>()] = n;
+      }
+    }
+  }
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    std::size_t depth = 0;
+    for (std::size_t at = n; at != kNone; at = parent[at]) {
+      if (++depth <= kDeepestNode) continue;
+      const bool named = nodes[n].contains("name") && nodes[n]["name"].is_string();
+      wording::fail(wording::kNodesDeep, path,
+                    named ? nodes[n]["name"].get<std::string>() : std::to_string(n), kDeepestNode);
+    }
+  }
+}
+
+}  // namespace
+
+void check_gltf(std::string_view text, const std::string& path) {
+  if (text.starts_with("glTF")) text = json_chunk(text, path);
+  const nlohmann::json json = parse_json(text, path);
+  const auto nodes = json.find("nodes");
+  if (nodes != json.end() && nodes->is_array()) check_depth(*nodes, path);
+}
+
+}  // namespace dynrt::host

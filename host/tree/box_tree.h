@@ -1,0 +1,27 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// A k-D tree over boxes, built fast rather than perfectly: the tree over a scene's instances is
+// made anew for every frame. The surface-area heuristic counts the boxes of large sets in 16 bins
+// an axis and tries every face of small ones.
+#pragma once
+
+#include <span>
+
+#include "host/tree/tree.h"
+
+namespace dynrt::host {
+
+/// What entering a box is worth: a ray that enters an instance is transformed and meets at least
+/// the clipping nodes of its object.
+struct BoxTreeOptions {
+  double item = 8;            ///< in traversal steps
+  double empty_bonus = 0.2;   ///< part of a plane's cost forgiven where one side is empty
+  double depth_factor = 0.6;  ///< depth at most depth_factor * log2(boxes) + depth_extra
+  double depth_extra = 10;
+};
+
+/// Item i is boxes[i]; there is at least one, all within the core's numbers.
+Tree build_box_tree(std::span<const Aabb> boxes, const BoxTreeOptions& options = {});
+
+}  // namespace dynrt::host

@@ -1,0 +1,57 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/tree/instance_tree.h"
+
+#include <gtest/gtest.h>
+
+#include "host/error.h"
+#include "host/tree/test_meshes.h"
+
+namespace dynrt::host {
+namespace {
+
+TEST(InstanceTree, ATransformedBoxHoldsTheTransformedCorners) {
+  const Aabb box{{-1, 2, 3}, {4, 5, 7}};
+  glm::dmat4 m = glm::translate(glm::dmat4(1), glm::dvec3(1, 2, 3));
+  m = glm::rotate(m, 1.1, glm::dvec3(1, 2, -0.5));
+  m = glm::scale(m, glm::dvec3(2, -0.5, 1.5));
+  Aabb expected;
+  for (unsigned k = 0; k < 8; ++k) {
+    const glm::dvec3 corner{k & 1 ? box.high.x : box.low.x, k & 2 ? box.high.y : box.low.y,
+                            k & 4 ? box.high.z : box.low.z};
+    expected.include(glm::dvec3(m * glm::dvec4(corner, 1)));
+  }
+  const Aabb got = transformed_box(box, m);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(got.low[axis], expected.low[axis], 1e-12);
+    EXPECT_NEAR(got.high[axis], expected.high[axis], 1e-12);
+  }
+}
+
+std::string error_of(const Scene& scene) {
+  try {
+    const std::vector<Aabb> boxes{{{0, 0, 0}, {1, 1, 1}}};
+    build_instance_tree(scene, boxes);
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(InstanceTree, RefusesASceneWithoutInstances) {
+  Scene scene = testing::scene_of(testing::soup(1, 3, 0.1));
+  scene.instances.clear();
+  EXPECT_EQ(error_of(scene),
+            "scene 'soup' has no instances to build a tree over; a scene must have at least one");
+}
+
+TEST(InstanceTree, RefusesAnInstanceBeyondTheCoresNumbers) {
+  Scene scene = testing::scene_of(testing::soup(1, 3, 0.1));
+  scene.instances[0].transform = glm::scale(glm::dmat4(1), glm::dvec3(1, 1e20, 1));
+  EXPECT_EQ(error_of(scene),
+            "instance 'one': its box reaches y = 1e+20, outside the core's numbers; coordinates "
+            "must lie within -1.8447e+19 and 1.8447e+19");
+}
+
+}  // namespace
+}  // namespace dynrt::host

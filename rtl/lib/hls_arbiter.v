@@ -1,0 +1,47 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Merges INPUTS streams into one, round robin: after input i has sent a token, the inputs after it
+// come first. Input 0 is the lowest bits of valid_i, ready_o and data_i.
+`default_nettype none
+
+module hls_arbiter #(
+    parameter INPUTS = 2,
+    parameter WIDTH  = 8
+) (
+    input  wire                    clk_i,
+    input  wire                    rst_ni,
+    input  wire [      INPUTS-1:0] valid_i,
+    output wire [      INPUTS-1:0] ready_o,
+    input  wire [INPUTS*WIDTH-1:0] data_i,
+    output wire                    valid_o,
+    input  wire                    ready_i,
+    output reg  [       WIDTH-1:0] data_o
+);
+
+  localparam [INPUTS-1:0] ONE = {{(INPUTS - 1) {1'b0}}, 1'b1};
+
+  reg     [INPUTS-1:0] after_q;  // the inputs after the one that sent last
+  wire    [INPUTS-1:0] first = valid_i & after_q;
+  wire    [INPUTS-1:0] pick = (|first) ? first : valid_i;
+  wire    [INPUTS-1:0] grant = pick & (~pick + ONE);
+  integer              i;
+
+  assign valid_o = |valid_i;
+  assign ready_o = grant & {INPUTS{ready_i}};
+
+  always @* begin
+    data_o = {WIDTH{1'b0}};
+    for (i = 0; i < INPUTS; i = i + 1) begin
+      data_o = data_o | (data_i[i*WIDTH+:WIDTH] & {WIDTH{grant[i]}});
+    end
+  end
+
+  always @(posedge clk_i) begin
+    if (!rst_ni) after_q <= {INPUTS{1'b0}};
+    else if (valid_o && ready_i) after_q <= ~(grant | (grant - ONE));
+  end
+
+endmodule
+
+`default_nettype wire

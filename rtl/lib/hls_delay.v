@@ -1,0 +1,35 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Delay of CLOCKS clocks (at least 3): a ring of CLOCKS - 1 rows in LUT RAM and an output register.
+`default_nettype none
+
+module hls_delay #(
+    parameter WIDTH  = 8,
+    parameter CLOCKS = 8
+) (
+    input  wire             clk_i,
+    input  wire             rst_ni,
+    input  wire [WIDTH-1:0] data_i,
+    output reg  [WIDTH-1:0] data_o
+);
+
+  localparam ADDR_WIDTH = $clog2(CLOCKS - 1);
+  localparam [31:0] LAST = CLOCKS - 2;
+
+  reg [WIDTH-1:0] rows[0:CLOCKS-2];
+  reg [ADDR_WIDTH-1:0] row_q;
+
+  always @(posedge clk_i) begin
+    rows[row_q] <= data_i;
+    data_o <= rows[row_q];
+  end
+
+  always @(posedge clk_i) begin
+    if (!rst_ni || row_q == LAST[ADDR_WIDTH-1:0]) row_q <= {ADDR_WIDTH{1'b0}};
+    else row_q <= row_q + 1'b1;
+  end
+
+endmodule
+
+`default_nettype wire

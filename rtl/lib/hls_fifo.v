@@ -1,0 +1,82 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// FIFO of up to DEPTH tokens with its first one in a register: a token can leave the clock after it
+// came. ready_o comes from a register and says that more than MARGIN places are free. With a MARGIN
+// a token is taken whenever it comes: the sender has promised to send no more than MARGIN once
+// ready_o is low.
+`default_nettype none
+
+module hls_fifo #(
+    parameter WIDTH  = 8,
+    parameter DEPTH  = 16,  // more than MARGIN
+    parameter MARGIN = 0
+) (
+    input  wire             clk_i,
+    input  wire             rst_ni,
+    input  wire             valid_i,
+    output wire             ready_o,
+    input  wire [WIDTH-1:0] data_i,
+    output wire             valid_o,
+    input  wire             ready_i,
+    output wire [WIDTH-1:0] data_o
+);
+
+  localparam ADDR_WIDTH = DEPTH > 1 ? $clog2(DEPTH) : 1;
+  localparam [31:0] LAST = DEPTH - 1;
+  localparam [31:0] SPACE = DEPTH - MARGIN - 1;
+
+  reg  [     WIDTH-1:0] rows     [0:DEPTH-1];
+  reg  [ADDR_WIDTH-1:0] write_q;
+  reg  [ADDR_WIDTH-1:0] read_q;
+  reg  [  ADDR_WIDTH:0] rows_q;  // tokens in rows
+  reg  [ADDR_WIDTH+1:0] space_q;  // free places less MARGIN + 1; negative: not ready
+  reg                   valid_q;
+  reg  [     WIDTH-1:0] data_q;
+
+  wire                  push = valid_i && (MARGIN > 0 || ready_o);
+  wire                  pop = valid_q && ready_i;
+  wire                  refill = !valid_q || ready_i;
+  wire                  empty = rows_q == {(ADDR_WIDTH + 1) {1'b0}};
+  wire                  take = refill && !empty;
+  wire                  store = push && !(refill && empty);
+
+  assign ready_o = !space_q[ADDR_WIDTH+1];
+  assign valid_o = valid_q;
+  assign data_o  = data_q;
+
+  always @(posedge clk_i) begin
+    if (store) rows[write_q] <= data_i;
+    if (refill) data_q <= empty ? data_i : rows[read_q];
+  end
+
+  always @(posedge clk_i) begin
+    if (!rst_ni) begin
+      write_q <= {ADDR_WIDTH{1'b0}};
+      read_q  <= {ADDR_WIDTH{1'b0}};
+      rows_q  <= {(ADDR_WIDTH + 1) {1'b0}};
+      space_q <= SPACE[ADDR_WIDTH+1:0];
+      valid_q <= 1'b0;
+    end else begin
+      if (store) write_q <= write_q == LAST[ADDR_WIDTH-1:0] ? {ADDR_WIDTH{1'b0}} : write_q + 1'b1;
+      if (take) read_q <= read_q == LAST[ADDR_WIDTH-1:0] ? {ADDR_WIDTH{1'b0}} : read_q + 1'b1;
+      if (store && !take) rows_q <= rows_q + 1'b1;
+      if (take && !store) rows_q <= rows_q - 1'b1;
+      if (pop && !push) space_q <= space_q + 1'b1;
+      if (push && !pop) space_q <= space_q - 1'b1;
+      if (refill) valid_q <= push || !empty;
+    end
+  end
+
+`ifdef HLS_ASSERT
+  always @(posedge clk_i) begin
+    if (rst_ni && push && !pop && space_q == SPACE[ADDR_WIDTH+1:0] - DEPTH[ADDR_WIDTH+1:0]) begin
+      $display("%m: a token came to a full FIFO of depth %0d", DEPTH);
+      $stop;
+    end
+  end
+`endif
+
+endmodule
+
+`default_nettype wire

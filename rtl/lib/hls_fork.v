@@ -1,0 +1,34 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Gives every token to all of OUTPUTS readers, in the clock in which all of them are ready. No
+// reader's ready may depend on its own valid.
+`default_nettype none
+
+module hls_fork #(
+    parameter OUTPUTS = 2,
+    parameter WIDTH   = 8
+) (
+    input  wire               valid_i,
+    output wire               ready_o,
+    input  wire [  WIDTH-1:0] data_i,
+    output wire [OUTPUTS-1:0] valid_o,
+    input  wire [OUTPUTS-1:0] ready_i,
+    output wire [  WIDTH-1:0] data_o
+);
+
+  assign ready_o = &ready_i;
+  assign data_o  = data_i;
+
+  genvar i;
+  generate
+    for (i = 0; i < OUTPUTS; i = i + 1) begin : reader
+      // Its own ready is left out, so that it may depend on other things that look at valid.
+      localparam [OUTPUTS-1:0] SELF = {{(OUTPUTS - 1) {1'b0}}, 1'b1} << i;
+      assign valid_o[i] = valid_i && (&(ready_i | SELF));
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,43 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// RAM with a write port and a synchronous read port: data comes the clock after the address. A row
+// that is written while it is read gives its old data; EXCLUSIVE promises that this never happens,
+// which saves the logic that would see to it in block RAM.
+`default_nettype none
+
+module hls_ram_1r1w #(
+    parameter WIDTH = 8,
+    parameter ROWS = 16,
+    parameter EXCLUSIVE = 0,
+    parameter ADDR_WIDTH = ROWS > 1 ? $clog2(ROWS) : 1
+) (
+    input  wire                  clk_i,
+    input  wire                  write_en_i,
+    input  wire [ADDR_WIDTH-1:0] write_addr_i,
+    input  wire [     WIDTH-1:0] write_data_i,
+    input  wire                  read_en_i,
+    input  wire [ADDR_WIDTH-1:0] read_addr_i,
+    output reg  [     WIDTH-1:0] read_data_o
+);
+
+  generate
+    if (EXCLUSIVE != 0) begin : exclusive
+      (* no_rw_check *)
+      reg [WIDTH-1:0] rows[0:ROWS-1];
+      always @(posedge clk_i) begin
+        if (write_en_i) rows[write_addr_i] <= write_data_i;
+        if (read_en_i) read_data_o <= rows[read_addr_i];
+      end
+    end else begin : any
+      reg [WIDTH-1:0] rows[0:ROWS-1];
+      always @(posedge clk_i) begin
+        if (write_en_i) rows[write_addr_i] <= write_data_i;
+        if (read_en_i) read_data_o <= rows[read_addr_i];
+      end
+    end
+  endgenerate
+
+endmodule
+
+`default_nettype wire
