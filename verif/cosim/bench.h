@@ -78,6 +78,11 @@ class Bench {
   void packet(const std::string& port, std::function<std::uint64_t(const T&)> function) {
     find<InPort<T>>(port).packet_of = std::move(function);
   }
+  /// Is told every token that a transaction begins with; one that was only drawn may be drawn anew.
+  template <class T>
+  void begun(const std::string& port, std::function<void(const T&)> function) {
+    find<InPort<T>>(port).begun = std::move(function);
+  }
   /// An output that random tokens need not reach; every other one must give something.
   void may_be_silent(const std::string& port) { silent_.insert(port); }
 
