@@ -161,7 +161,10 @@ class Generator {
     const unsigned w = n_.nodes[a].width > 40 ? 1 + below(40) : n_.nodes[a].width;
     const NodeId x = sized(a, w);
     const NodeId y = below(5) == 0 ? constant(w) : sized(pick(), w);
-    switch (static_cast<Op>(static_cast<unsigned>(Op::kAdd) + below(20))) {
+    Op op = static_cast<Op>(static_cast<unsigned>(Op::kAdd) + below(20));
+    if (op == Op::kMul || op == Op::kUDiv || (op >= Op::kShl && op <= Op::kAShr) || op == Op::kClz)
+      op = Op::kAdd;
+    switch (op) {
       case Op::kAdd:
         return node(Op::kAdd, w, {x, y});
       case Op::kSub:

@@ -164,10 +164,10 @@ class Writer {
     for (CellId id = 0; id < c_.cells.size(); ++id) {
       const Cell& cell = c_.cells[id];
       if (cell.kind != CellKind::kConfig) continue;
-      const Port& p = c_.port_of(id);
-      expressions_.declare(
-          id, -1, {p.name + "_i", cell.low, cell.low + cell.width - 1, cell.low, p.width == 1});
-      whole_.insert(id);
+      const std::string name = stems_[id] + "_config";
+      out("  wire {}{} = {};\n", bit_range(cell.width), name,
+          part_of(id, c_.port_of(id).name + "_i"));
+      expressions_.declare(id, -1, {name, 0, cell.width - 1, 0, cell.width == 1});
     }
   }
 
@@ -465,12 +465,6 @@ class Writer {
 
   /// Names what nothing reads, so that the linter can tell it from a mistake.
   void mark_unused() {
-    for (const CellId id : whole_) {
-      const Cell& cell = c_.cells[id];
-      auto& covered = covered_[c_.port_of(id).name + "_i"];
-      covered.resize(c_.port_of(id).width);
-      for (unsigned i = 0; i < cell.width; ++i) covered[cell.low + i] = true;
-    }
     for (const auto& [vector, covered] : covered_) {
       for (std::size_t i = 0; i < covered.size();) {
         std::size_t end = i + 1;
@@ -504,7 +498,6 @@ class Writer {
   Expressions expressions_;
   std::vector<Carry> carries_;
   std::vector<bool> inlined_;
-  std::set<CellId> whole_;  ///< configuration values
   std::set<const Port*> rows_declared_;
   std::map<std::string, std::vector<bool>> covered_;  ///< bits of inputs and rows that are read
   std::vector<std::string> unused_;
