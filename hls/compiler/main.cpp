@@ -26,6 +26,7 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_option("-I", a.source.folders, "folder to look for headers in; the language's too")
       ->allow_extra_args(false);
   app.add_option("--clang", a.source.clang, "clang to use")->capture_default_str();
+  app.add_flag("--dump-ir", a.source.dump_ir, "print LLVM's IR as it is before if-conversion");
   app.add_flag("--dump-netlist", a.dump_netlist, "print the netlist and stop");
 }
 

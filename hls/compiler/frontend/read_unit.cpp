@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "frontend/read_unit.h"
 
+#include <llvm/Support/raw_ostream.h>
+
 #include "frontend/channels.h"
 #include "frontend/flatten.h"
 #include "frontend/indexing.h"
@@ -56,6 +58,7 @@ UnitNetlist read_unit(const UnitSource& source) {
   passes.run(*t.function, kSimplify);
   name_values(*t.function, lines);
   hide_divisions(*t.function);
+  if (source.dump_ir) t.function->print(llvm::outs());
   flatten(*t.function);
   passes.run(*t.function, kFlat);
   require_checks(t);
