@@ -234,11 +234,15 @@ class RamReadPort : public PortModel, public Drawn<T> {
     native.bind(rows_);
   }
   void prepare(Random& random) override {
-    for (T& row : *rows_) this->draw_value(row, random);
+    for (auto&& row : *rows_) {  // a vector<bool> has no references
+      T value = row;
+      this->draw_value(value, random);
+      row = value;
+    }
   }
   void drive(Random& random, bool) override {
     if (due_.size() == Latency && due_.front()) {
-      put((*rows_)[*due_.front()]);
+      put<T>((*rows_)[*due_.front()]);
     } else {
       put_garbage<T>(random);
     }
