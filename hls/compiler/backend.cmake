@@ -12,13 +12,18 @@ add_library(hlsc_backend STATIC
   emit/pipeline_bits.cpp
   emit/report.cpp
   emit/verilog.cpp
+  passes/expand_divisions.cpp
+  passes/expand_shifts.cpp
+  passes/merge_add_sub.cpp
+  passes/rewrite.cpp
+  passes/split_products.cpp
   schedule/asap.cpp
   schedule/circuit.cpp
   schedule/delay_model.cpp
   schedule/registers.cpp
   schedule/timing.cpp)
 target_include_directories(hlsc_backend SYSTEM PRIVATE ${LEMON_INCLUDE_DIRS})
-target_link_libraries(hlsc_backend PUBLIC hlsc_netlist
+target_link_libraries(hlsc_backend PUBLIC hlsc_netlist hlsc_frontend
                       PRIVATE ${LEMON_LIBRARIES} fmt::fmt nlohmann_json::nlohmann_json
                               dynrt_warnings)
 

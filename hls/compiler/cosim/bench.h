@@ -17,8 +17,8 @@
 #include <string>
 #include <type_traits>
 
-#include "compiler/netlist/interpret.h"
-#include "compiler/netlist/op.h"
+#include "netlist/interpret.h"
+#include "netlist/op.h"
 
 namespace hlsc {
 

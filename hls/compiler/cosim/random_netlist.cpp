@@ -1,11 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/cosim/random_netlist.h"
+#include "cosim/random_netlist.h"
 
 #include <random>
 #include <string>
 
-#include "compiler/netlist/op.h"
+#include "netlist/op.h"
 
 namespace hlsc {
 namespace {
@@ -161,10 +161,7 @@ class Generator {
     const unsigned w = n_.nodes[a].width > 40 ? 1 + below(40) : n_.nodes[a].width;
     const NodeId x = sized(a, w);
     const NodeId y = below(5) == 0 ? constant(w) : sized(pick(), w);
-    Op op = static_cast<Op>(static_cast<unsigned>(Op::kAdd) + below(20));
-    if (op == Op::kMul || op == Op::kUDiv || (op >= Op::kShl && op <= Op::kAShr) || op == Op::kClz)
-      op = Op::kAdd;
-    switch (op) {
+    switch (static_cast<Op>(static_cast<unsigned>(Op::kAdd) + below(20))) {
       case Op::kAdd:
         return node(Op::kAdd, w, {x, y});
       case Op::kSub:

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // One random netlist, lowered and Verilated, against its interpreter. Compiled once per SEED.
-#include "compiler/cosim/bench.h"
-#include "compiler/cosim/random_netlist.h"
+#include "cosim/bench.h"
+#include "cosim/random_netlist.h"
 
 #define JOIN_(a, b) a##b
 #define JOIN(a, b) JOIN_(a, b)

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/emit/pipeline_bits.h"
+#include "emit/pipeline_bits.h"
 
 #include <algorithm>
 #include <set>

@@ -6,11 +6,11 @@
 #include <iterator>
 #include <set>
 
-#include "compiler/emit/emit.h"
-#include "compiler/emit/expression.h"
-#include "compiler/emit/names.h"
-#include "compiler/emit/pipeline_bits.h"
-#include "compiler/netlist/op.h"
+#include "emit/emit.h"
+#include "emit/expression.h"
+#include "emit/names.h"
+#include "emit/pipeline_bits.h"
+#include "netlist/op.h"
 
 namespace hlsc {
 namespace {
@@ -382,6 +382,7 @@ class Writer {
       out("  assign {0}_valid_o = 1'b0;\n  assign {0}_data_o = {1};\n", p.name,
           literal(Bits(p.width, 0)));
       unused_.push_back(p.name + "_ready_i");
+      unused_.push_back(fmt::format("{}_DEPTH[0]", upper(p.name)));
       return;
     }
     out("  hls_fifo #(.WIDTH({0}), .DEPTH({1}_DEPTH), .MARGIN({2})) {3}_fifo (\n"

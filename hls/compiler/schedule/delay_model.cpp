@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/schedule/delay_model.h"
+#include "schedule/delay_model.h"
 
 #include <fmt/format.h>
 

@@ -15,7 +15,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "compiler/schedule/schedule.h"
+#include "schedule/schedule.h"
 
 namespace hlsc {
 namespace {

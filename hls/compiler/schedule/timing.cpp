@@ -1,13 +1,13 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/schedule/timing.h"
+#include "schedule/timing.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <tuple>
 
-#include "compiler/netlist/op.h"
+#include "netlist/op.h"
 
 namespace hlsc {
 
