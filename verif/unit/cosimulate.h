@@ -24,7 +24,7 @@ struct Amount {
   unsigned runs;
   std::uint64_t transactions;  ///< in each run
 };
-inline constexpr Amount kQuick{10, 8'000};
+inline constexpr Amount kQuick{10, 20'000};
 inline constexpr Amount kSlow{20, 150'000};
 
 /// What one run is to do.
