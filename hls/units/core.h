@@ -87,7 +87,7 @@ struct Core {
     join.unit("list", "list", list);
     join.unit("list_lookup", "list_lookup", list_lookup);
     join.unit("list_fill", "list_fill", list_fill);
-    join.unit("mailbox", "mailbox", mailbox);
+    join.unit("mailbox", "packet_mailbox", mailbox);
     join.unit("matrix_fetch", "matrix_fetch", matrix_fetch);
     join.unit("matrix_lookup", "matrix_lookup", matrix_lookup);
     join.unit("matrix_fill", "matrix_fill", matrix_fill);

@@ -72,6 +72,9 @@ inline constexpr char kRowWrittenTwice[] =
 inline constexpr char kReadAfterWrite[] =
     "RAM {} can be read after it was written in the same transaction; read the row before the "
     "write and keep it in a local variable";
+inline constexpr char kRowAddress[] =
+    "RAM {} is read at an address that depends on the row that is read; read it once, with an "
+    "address that is known before";
 inline constexpr char kOperation[] = "the operation {} cannot be lowered; rewrite this expression";
 
 }  // namespace hlsc::messages

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "frontend/narrow.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
+#include <set>
 
+#include "error.h"
 #include "frontend/builder.h"
+#include "frontend/messages.h"
 
 namespace hlsc {
 namespace {
@@ -114,11 +119,7 @@ class Rebuild {
   Netlist run() {
     number_row_reads();
     for (NodeId id = 0; id < from_.nodes.size(); ++id) {
-      if (demand_.of(id) == 0) continue;
-      const Node& node = from_.nodes[id];
-      builder_.set_line(node.where);
-      made_[id] = rebuild(node, demand_.of(id));
-      if (!node.name.empty()) builder_.name(made_[id], node.name);
+      if (demand_.of(id) > 0) visit(id);
     }
     for (const TokenWrite& w : from_.token_writes) {
       if (is_never(w.enable)) continue;
@@ -152,6 +153,27 @@ class Rebuild {
     unsigned number = 0;
     for (auto& entry : read_number_) entry.second = number++;
     to_.row_reads.resize(number);
+  }
+
+  /// Makes a node after all that it needs; a row needs its address and its enable.
+  void visit(NodeId id) {
+    if (made_[id] != kNoNode) return;
+    const Node& node = from_.nodes[id];
+    if (node.op == Op::kRow) {
+      const RowRead& read = from_.row_reads[node.port];
+      if (!rows_begun_.insert(id).second) {
+        const Port& port = from_.ports[read.port];
+        throw Error(node.where, fmt::format(messages::kRowAddress, port.name));
+      }
+      visit(read.enable);
+      visit(read.address);
+    }
+    for (NodeId operand : node.operands) {
+      if (demand_.of(operand) > 0) visit(operand);
+    }
+    builder_.set_line(node.where);
+    made_[id] = rebuild(node, demand_.of(id));
+    if (!node.name.empty()) builder_.name(made_[id], node.name);
   }
 
   NodeId register_node(unsigned index) {
@@ -248,6 +270,7 @@ class Rebuild {
   Builder builder_;
   std::vector<NodeId> made_;
   std::map<unsigned, unsigned> read_number_;
+  std::set<NodeId> rows_begun_;
 };
 
 /// Bits that each register's value is ever seen to need: assumed to be those of its reset value,

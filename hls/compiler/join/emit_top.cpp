@@ -309,7 +309,7 @@ class Top {
       }
     }
     write(
-        "\n  {0} {1} (\n    .clk_i(clk_i), .rst_ni(rst_ni){2},\n"
+        "\n  {0} u_{1} (\n    .clk_i(clk_i), .rst_ni(rst_ni){2},\n"
         "    .fire_o({1}_fire), .stall_o({1}_stall));\n",
         unit.module, unit.name, pins);
   }
