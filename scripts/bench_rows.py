@@ -130,7 +130,7 @@ class Bench:
         else:
             planned.reached = schedule.clocks
             stages = ", ".join(f"{unit} {n}" for unit, n in schedule.stages.items())
-            planned.note = f"at {schedule.clock_ns:g} ns: {stages}, a clock for each FIFO"
+            planned.note = f"at {schedule.clock_ns:g} ns: {stages}"
         taken = Row("traversal round trip, measured", "clocks", 32, "<=", digits=1)
         if have_rtl:
             self.progress("rtl, one packet in flight")
