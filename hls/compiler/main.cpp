@@ -16,15 +16,19 @@
 
 namespace {
 
+constexpr char kNoDelay[] =
+    "--delay is missing; name a delay model such as hls/compiler/delay/ecp5.json";
+
 struct Arguments {
   hlsc::UnitSource source;
   double clock_ns = 10;
   std::string delay;
-  std::string verilog;
+  std::string verilog = "-";
   std::string report;
   std::string binding;
   std::string depfile;
   bool dump_netlist = false;
+  bool dump_optimised = false;
 };
 
 void describe(CLI::App& app, Arguments& a) {
@@ -39,7 +43,7 @@ void describe(CLI::App& app, Arguments& a) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--delay", a.delay, "delay model of the device family (JSON)");
-  app.add_option("-o", a.verilog, "Verilog to write");
+  app.add_option("-o", a.verilog, "Verilog to write, - for the terminal")->capture_default_str();
   app.add_option("--report", a.report, "schedule report to write");
   app.add_option("--binding", a.binding, "C++ header for the test bench to write");
   app.add_option("--depfile", a.depfile,
@@ -48,6 +52,7 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_option("--clang-arg", a.source.clang_args, "argument for clang, such as -DNAME=1")
       ->allow_extra_args(false);
   app.add_flag("--dump-netlist", a.dump_netlist, "print the netlist instead of lowering it");
+  app.add_flag("--dump-optimised", a.dump_optimised, "print the netlist as it is scheduled instead");
   app.add_flag("--dump-ir", a.source.dump_ir, "print LLVM's IR as it is before if-conversion");
 }
 
@@ -63,21 +68,23 @@ std::string make_rule(const std::string& target, const std::vector<std::string>&
 }
 
 void run(const Arguments& a) {
-  if (!a.dump_netlist && (a.verilog.empty() || a.delay.empty())) {
-    throw hlsc::Error({}, "-o and --delay are missing; give both, or --dump-netlist");
-  }
+  if (!a.dump_netlist && a.delay.empty()) throw hlsc::Error({}, kNoDelay);
   const hlsc::UnitNetlist unit = hlsc::read_unit(a.source);
   if (a.dump_netlist) {
     fmt::print("{}", hlsc::to_text(unit.netlist));
     return;
   }
-  const hlsc::Lowered lowered =
-      hlsc::lower(unit.netlist, {a.clock_ns, hlsc::load_delay_model(a.delay)});
+  const hlsc::Options options{a.clock_ns, hlsc::load_delay_model(a.delay)};
+  if (a.dump_optimised) {
+    fmt::print("{}", hlsc::to_text(hlsc::optimise(unit.netlist, options)));
+    return;
+  }
+  const hlsc::Lowered lowered = hlsc::lower(unit.netlist, options);
   hlsc::OutputFiles files;
   files.add(a.verilog, lowered.verilog);
-  if (!a.report.empty()) files.add(a.report, lowered.report);
-  if (!a.binding.empty()) files.add(a.binding, lowered.binding);
-  if (!a.depfile.empty()) files.add(a.depfile, make_rule(a.verilog, unit.includes));
+  files.add(a.report, lowered.report);
+  files.add(a.binding, lowered.binding);
+  files.add(a.depfile, make_rule(a.verilog, unit.includes));
   files.commit();
 }
 

@@ -26,6 +26,11 @@ OutputFiles::~OutputFiles() {
 }
 
 void OutputFiles::add(const std::string& path, const std::string& text) {
+  if (path.empty()) return;
+  if (path == "-") {
+    terminal_ += text;
+    return;
+  }
   if (std::filesystem::is_directory(path)) {
     throw Error({}, fmt::format(kCannotWrite, path, std::strerror(EISDIR)));
   }
@@ -43,6 +48,7 @@ void OutputFiles::commit() {
     if (error) throw Error({}, fmt::format(kCannotWrite, path, error.message()));
   }
   paths_.clear();
+  fmt::print("{}", terminal_);
 }
 
 }  // namespace hlsc

@@ -17,12 +17,14 @@ class OutputFiles {
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
 
-  /// Throws Error where the file cannot be written.
+  /// The path "-" is the terminal, an empty one nowhere. Throws Error where the file cannot be
+  /// written.
   void add(const std::string& path, const std::string& text);
   void commit();
 
  private:
   std::vector<std::string> paths_;
+  std::string terminal_;
 };
 
 }  // namespace hlsc
