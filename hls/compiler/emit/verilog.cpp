@@ -414,8 +414,9 @@ class Writer {
     }
     covered_[p.name + "_row"].resize(p.width);
     if (p.kind == PortKind::kRegisterFile) {
-      out("  hls_register_file #(.WIDTH({}), .ROWS({})) {}_file (\n    .clk_i(clk_i),\n    {},\n"
-          "    .read_addr_i({}), .read_data_o({}_row));\n",
+      out("  hls_register_file #(.WIDTH({}), .ROWS({})) {}_file (\n"
+          "    .clk_i(clk_i), .rst_ni(rst_ni),\n    {},\n    .read_addr_i({}), "
+          ".read_data_o({}_row));\n",
           p.width, p.rows, p.name, write_pins, read_address, p.name);
       return;
     }
