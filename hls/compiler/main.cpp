@@ -52,7 +52,8 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_option("--clang-arg", a.source.clang_args, "argument for clang, such as -DNAME=1")
       ->allow_extra_args(false);
   app.add_flag("--dump-netlist", a.dump_netlist, "print the netlist instead of lowering it");
-  app.add_flag("--dump-optimised", a.dump_optimised, "print the netlist as it is scheduled instead");
+  app.add_flag("--dump-optimised", a.dump_optimised,
+               "print the netlist as it is scheduled instead");
   app.add_flag("--dump-ir", a.source.dump_ir, "print LLVM's IR as it is before if-conversion");
 }
 
