@@ -8,8 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "host/tree/build.h"
-#include "host/tree/grid.h"
+#include "host/tree/grid_box.h"
 
 namespace dynrt::host {
 
@@ -47,6 +46,11 @@ BoxRef make_ref(const GridBox& box, uint32_t item) {
   return out;
 }
 uint32_t item_of(const BoxRef& ref) { return std::bit_cast<uint32_t>(float{ref.low[3]}) & ~kOne; }
+
+double half_area(const FloatBox& box) {
+  const auto side = [&](int axis) { return double{box.high[axis]} - double{box.low[axis]}; };
+  return side(0) * side(1) + side(1) * side(2) + side(2) * side(0);
+}
 
 /// The grid numbers next to x towards zero.
 Lanes to_grid(Lanes x) {
@@ -127,7 +131,9 @@ class Builder {
     const double levels =
         options.depth_factor * std::log2(static_cast<double>(boxes.size())) + options.depth_extra;
     depth_ = std::clamp(static_cast<int>(std::lround(levels)), 0, kMaxTreeDepth);
-    tree_.root = build(0, boxes.size(), make_ref(cell, 0), 0);
+    const FloatBox root_cell = make_ref(cell, 0);
+    whole_area_ = half_area(root_cell);
+    tree_.root = build(0, boxes.size(), root_cell, 0);
     return std::move(tree_);
   }
 
@@ -140,6 +146,7 @@ class Builder {
     }
     const std::size_t count = end - begin;
     stats.depth = std::max(stats.depth, depth);
+    const double p = half_area(cell) / whole_area_;
     const auto index = static_cast<uint32_t>(tree_.nodes.size());
     Choice choice;
     if (depth < depth_ && count > 1) {
@@ -151,11 +158,14 @@ class Builder {
       for (std::size_t i = begin; i < end; ++i) tree_.items.push_back(item_of(refs_[i]));
       ++stats.leaves;
       ++stats.leaf_links;
+      stats.expected_leaves += p;
+      stats.expected_items += p * static_cast<double>(count);
       stats.items += count;
       stats.longest_list = std::max(stats.longest_list, count);
       return index;
     }
     ++stats.inner_nodes;
+    stats.expected_steps += p;
     tree_.nodes.push_back({static_cast<uint8_t>(choice.axis), choice.split, kNullNode, kNullNode});
     const std::size_t left_begin = refs_.size();
     const std::size_t right_begin = divide(begin, end, choice);
@@ -250,6 +260,7 @@ class Builder {
 
   const float item_, forgiven_;
   int depth_ = 0;
+  double whole_area_ = 0;
   std::vector<BoxRef> refs_;   ///< a stack: the boxes of the open nodes
   std::vector<BoxRef> right_;  ///< room for divide()
   Tree tree_;

@@ -16,9 +16,8 @@ namespace {
 /// Subtrees over more items than these are built as tasks of their own.
 constexpr std::size_t kTaskItems = 2048;
 
-double area_share(const GridBox& part, const GridBox& whole) {
-  return half_area(real_box(part)) / half_area(real_box(whole));
-}
+/// Fewer rays than these tell less than the surface does; they are forgotten.
+constexpr std::size_t kFewRays = 8;
 
 class Builder {
  public:
@@ -31,40 +30,43 @@ class Builder {
 
   /// Appends the subtree over the items to a tree; nothing without items. `depth` and `patience`
   /// are how many levels are left, and how many of them may promise no gain by themselves.
-  Subtree build(std::vector<ItemRef> items, const GridBox& cell, int depth, int patience,
-                PlaneSearch& search, RawTree& out) const {
+  Subtree build(CellContent content, int depth, int patience, PlaneSearch& search,
+                RawTree& out) const {
+    const std::vector<ItemRef>& items = content.items;
     if (items.empty()) return {};
-    const Plane plane = depth > 0 ? search.best(items, cell) : Plane{};
-    const double leaf_cost =
-        options_.costs.leaf + static_cast<double>(items.size()) * options_.costs.item;
+    const Plane plane = depth > 0 ? search.best(content) : Plane{};
+    const double leaf_cost = static_cast<double>(items.size()) * options_.costs.item;
     if (plane.cost >= leaf_cost) --patience;
     if (plane.axis < 0 || patience < 0) return {out.add_leaf(items), leaf_cost};
 
-    GridBox left_cell = cell;
-    GridBox right_cell = cell;
-    left_cell.high[plane.axis] = right_cell.low[plane.axis] = plane.split;
-    std::vector<ItemRef> left, right;
-    divide(items, plane, left_cell, right_cell, left, right);
+    CellContent left{content.cell, {}, {}};
+    CellContent right{content.cell, {}, {}};
+    left.cell.high[plane.axis] = right.cell.low[plane.axis] = plane.split;
+    divide_items(items, plane, left, right);
+    divide_rays(content.rays, plane, left, right);
+    const double p_left = visit_likelihood(left, content, options_.costs);
+    const double p_right = visit_likelihood(right, content, options_.costs);
+    if (left.rays.size() < kFewRays) left.rays.clear();
+    if (right.rays.size() < kFewRays) right.rays.clear();
 
     const RawTree::Size before = out.size();
     const uint32_t node = out.add_inner(plane.axis, plane.split);
     Subtree l, r;
     if (items.size() > kTaskItems) {
       RawTree left_tree, right_tree;
-      const auto apart = [&](std::vector<ItemRef>& side, const GridBox& side_cell, RawTree& tree) {
+      const auto apart = [&](CellContent& side, RawTree& tree) {
         PlaneSearch own(options_.costs);
-        return build(std::move(side), side_cell, depth - 1, patience, own, tree);
+        return build(std::move(side), depth - 1, patience, own, tree);
       };
-      tbb::parallel_invoke([&] { l = apart(left, left_cell, left_tree); },
-                           [&] { r = apart(right, right_cell, right_tree); });
+      tbb::parallel_invoke([&] { l = apart(left, left_tree); },
+                           [&] { r = apart(right, right_tree); });
       l.root = out.append(left_tree, l.root);
       r.root = out.append(right_tree, r.root);
     } else {
-      l = build(std::move(left), left_cell, depth - 1, patience, search, out);
-      r = build(std::move(right), right_cell, depth - 1, patience, search, out);
+      l = build(std::move(left), depth - 1, patience, search, out);
+      r = build(std::move(right), depth - 1, patience, search, out);
     }
-    const double cost = options_.costs.step + area_share(left_cell, cell) * l.cost +
-                        area_share(right_cell, cell) * r.cost;
+    const double cost = options_.costs.step + p_left * l.cost + p_right * r.cost;
     if (cost >= leaf_cost) {
       out.cut_back(before);
       return {out.add_leaf(items), leaf_cost};
@@ -75,11 +77,10 @@ class Builder {
   }
 
  private:
-  void divide(const std::vector<ItemRef>& items, const Plane& plane, const GridBox& left_cell,
-              const GridBox& right_cell, std::vector<ItemRef>& left,
-              std::vector<ItemRef>& right) const {
-    left.reserve(plane.left);
-    right.reserve(plane.right);
+  void divide_items(const std::vector<ItemRef>& items, const Plane& plane, CellContent& left,
+                    CellContent& right) const {
+    left.items.reserve(plane.left);
+    right.items.reserve(plane.right);
     const int axis = plane.axis;
     for (const ItemRef& item : items) {
       const Code low = item.box.low[axis];
@@ -88,10 +89,30 @@ class Builder {
       const bool to_left = low < plane.split || (flat && plane.flat_left);
       const bool to_right = high > plane.split || (flat && !plane.flat_left);
       if (to_left && to_right) {
-        left.push_back({cut(item, left_cell, axis), item.item});
-        right.push_back({cut(item, right_cell, axis), item.item});
+        left.items.push_back({cut(item, left.cell, axis), item.item});
+        right.items.push_back({cut(item, right.cell, axis), item.item});
       } else {
-        (to_left ? left : right).push_back(item);
+        (to_left ? left : right).items.push_back(item);
+      }
+    }
+  }
+
+  static void divide_rays(const std::vector<RaySpan>& rays, const Plane& plane, CellContent& left,
+                          CellContent& right) {
+    const int axis = plane.axis;
+    const double split = grid_value(plane.split);
+    for (const RaySpan& ray : rays) {
+      const double from = ray.from[axis];
+      const double to = ray.to[axis];
+      if (from <= split && to <= split) {
+        left.rays.push_back(ray);
+      } else if (from >= split && to >= split) {
+        right.rays.push_back(ray);
+      } else {
+        glm::dvec3 at = ray.from + (ray.to - ray.from) * ((split - from) / (to - from));
+        at[axis] = split;
+        (from < split ? left : right).rays.push_back({ray.from, at});
+        (from < split ? right : left).rays.push_back({at, ray.to});
       }
     }
   }
@@ -122,33 +143,16 @@ class Builder {
 
 }  // namespace
 
-GridBox grid_box(const Aabb& box, int codes) {
-  GridBox grid;
-  for (int axis = 0; axis < 3; ++axis) {
-    grid.low[axis] = std::max(floor_code(box.low[axis]) - codes, kMinCode);
-    grid.high[axis] = std::min(ceil_code(box.high[axis]) + codes, kMaxCode);
-  }
-  return grid;
-}
-
-Aabb real_box(const GridBox& box) {
-  Aabb real;
-  for (int axis = 0; axis < 3; ++axis) {
-    real.low[axis] = grid_value(box.low[axis]);
-    real.high[axis] = grid_value(box.high[axis]);
-  }
-  return real;
-}
-
-Tree build_tree(std::vector<ItemRef> items, const GridBox& cell, const TreeOptions& options,
-                const CutItem& cut) {
+Tree build_tree(CellContent content, const TreeOptions& options, const CutItem& cut) {
   const double levels =
-      options.depth_factor * std::log2(static_cast<double>(items.size())) + options.depth_extra;
+      options.depth_factor * std::log2(static_cast<double>(content.items.size())) +
+      options.depth_extra;
   const int depth = std::clamp(static_cast<int>(std::lround(levels)), 0, kMaxTreeDepth);
   RawTree raw;
   PlaneSearch search(options.costs);
+  const GridBox cell = content.cell;
   const Builder builder(options, cut);
-  const auto whole = builder.build(std::move(items), cell, depth, options.patience, search, raw);
+  const auto whole = builder.build(std::move(content), depth, options.patience, search, raw);
   return assemble(raw, whole.root, cell);
 }
 

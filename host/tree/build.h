@@ -13,10 +13,6 @@
 
 namespace dynrt::host {
 
-/// A tree's box is grown by so many numbers of the grid, so that rounding in the traversal loses no
-/// ray at its faces.
-inline constexpr int kBoxGrowth = 2;
-
 struct TreeOptions {
   TreeCosts costs;
   /// The tree's depth is at most depth_factor * log2(items) + depth_extra, and kMaxTreeDepth.
@@ -25,19 +21,16 @@ struct TreeOptions {
   /// Levels on a path that may be split although no single plane is worth its step; what turns out
   /// not to be worth it with the levels below becomes a leaf again.
   int patience = 4;
+  /// Sample rays, at most; there are no more than triangles. None: the surface area alone guides.
+  unsigned sample_rays = 16384;
 };
 
 /// The box of the item's part within `cell`, which lies within `item.box`; called from several
 /// threads.
 using CutItem = std::function<GridBox(const ItemRef& item, const GridBox& cell)>;
 
-/// Builds the tree over items within a cell that holds them all; `items` is not empty. The cell is
-/// what the clipping nodes cut out. The result does not depend on the number of threads.
-Tree build_tree(std::vector<ItemRef> items, const GridBox& cell, const TreeOptions& options,
-                const CutItem& cut);
-
-/// A box rounded outward to the grid and grown by `codes` more.
-GridBox grid_box(const Aabb& box, int codes = 0);
-Aabb real_box(const GridBox& box);
+/// Builds the tree over the content's items, of which there is at least one; its cell holds them
+/// all and is what the clipping nodes cut out. The result does not depend on the number of threads.
+Tree build_tree(CellContent content, const TreeOptions& options, const CutItem& cut);
 
 }  // namespace dynrt::host

@@ -13,6 +13,13 @@ double extent(const GridBox& box, int axis) {
   return grid_value(box.high[axis]) - grid_value(box.low[axis]);
 }
 
+/// A likelihood from the part of the surface and the part of the rays.
+double mixed(double by_surface, std::size_t some, std::size_t all, const TreeCosts& costs) {
+  const auto rays = static_cast<double>(all);
+  const double weight = costs.surface_rays + costs.surface_share * rays;
+  return (by_surface * weight + static_cast<double>(some)) / (weight + rays);
+}
+
 }  // namespace
 
 /// Sorts the faces strictly between `from` and `to`; counts the items that begin at or before
@@ -36,39 +43,50 @@ void PlaneSearch::gather(std::span<const ItemRef> items, int axis, Code from, Co
   std::sort(flats_.begin(), flats_.end());
 }
 
-void PlaneSearch::consider(const GridBox& cell, int axis, Code split, std::size_t left,
-                           std::size_t right, std::size_t flat, Plane& best) const {
-  const int j = (axis + 1) % 3;
-  const int k = (axis + 2) % 3;
-  const double dj = extent(cell, j);
-  const double dk = extent(cell, k);
-  const double di = extent(cell, axis);
-  const double cap = dj * dk;
-  const double rim = dj + dk;
-  const double at = grid_value(split) - grid_value(cell.low[axis]);
-  const double area = cap + di * rim;
-  const double p_left = (cap + at * rim) / area;
-  const double p_right = (cap + (di - at) * rim) / area;
+/// Sorts the rays' ends along the axis;
+void PlaneSearch::gather(std::span<const RaySpan> rays, int axis) {
+  ray_lows_.clear();
+  ray_highs_.clear();
+  for (const RaySpan& ray : rays) {
+    ray_lows_.push_back(std::min(ray.from[axis], ray.to[axis]));
+    ray_highs_.push_back(std::max(ray.from[axis], ray.to[axis]));
+  }
+  std::sort(ray_lows_.begin(), ray_lows_.end());
+  std::sort(ray_highs_.begin(), ray_highs_.end());
+}
 
-  const auto side = [&](double p, std::size_t n) {
-    return n == 0 ? 0.0 : p * (costs_.leaf + static_cast<double>(n) * costs_.item);
+/// Planes are then considered in ascending order.
+void PlaneSearch::start_planes(const GridBox& cell, int axis) {
+  const double dj = extent(cell, (axis + 1) % 3);
+  const double dk = extent(cell, (axis + 2) % 3);
+  low_ = grid_value(cell.low[axis]);
+  extent_ = extent(cell, axis);
+  const double area = dj * dk + extent_ * (dj + dk);
+  cap_ = dj * dk / area;
+  rim_ = (dj + dk) / area;
+  rays_begun_ = rays_ended_ = 0;
+}
+
+PlaneSearch::Likelihood PlaneSearch::likelihood(double position) {
+  while (rays_begun_ < ray_lows_.size() && ray_lows_[rays_begun_] < position) ++rays_begun_;
+  while (rays_ended_ < ray_highs_.size() && ray_highs_[rays_ended_] <= position) ++rays_ended_;
+  const double at = position - low_;
+  const std::size_t rays = ray_lows_.size();
+  return {mixed(cap_ + at * rim_, rays_begun_, rays, costs_),
+          mixed(cap_ + (extent_ - at) * rim_, rays - rays_ended_, rays, costs_)};
+}
+
+void PlaneSearch::consider(int axis, Code split, std::size_t left, std::size_t right,
+                           std::size_t flat, Plane& best) {
+  const Likelihood p = likelihood(grid_value(split));
+  const auto take = [&](std::size_t n_left, std::size_t n_right, bool flat_left) {
+    double cost = costs_.step + costs_.item * (p.left * static_cast<double>(n_left) +
+                                               p.right * static_cast<double>(n_right));
+    if (n_left == 0 || n_right == 0) cost *= 1 - costs_.empty_bonus;
+    if (cost < best.cost) best = {cost, axis, split, flat_left, n_left, n_right};
   };
-  const auto whole = [&](std::size_t n_left, std::size_t n_right) {
-    const double cost = costs_.step + side(p_left, n_left) + side(p_right, n_right);
-    return n_left == 0 || n_right == 0 ? cost * (1 - costs_.empty_bonus) : cost;
-  };
-  const auto take = [&](double cost, bool flat_left) {
-    if (cost < best.cost) {
-      best = {cost,
-              axis,
-              split,
-              flat_left,
-              left + (flat_left ? flat : 0),
-              right + (flat_left ? 0 : flat)};
-    }
-  };
-  take(whole(left + flat, right), true);
-  if (flat > 0) take(whole(left, right + flat), false);
+  take(left + flat, right, true);
+  if (flat > 0) take(left, right + flat, false);
 }
 
 /// Tries every gathered face and the two hair planes, in ascending order.
@@ -80,6 +98,7 @@ void PlaneSearch::sweep(const GridBox& cell, int axis, Code from, Code to, Plane
   const Code before = std::min(floor_code(grid_value(high) - hair), high - costs_.hair_codes);
   const bool haired = after <= before;
 
+  start_planes(cell, axis);
   std::size_t begun = below_;                      // items with low < split
   std::size_t not_ended = highs_.size() + above_;  // items with high > split
   std::size_t l = 0, h = 0, f = 0;
@@ -99,7 +118,7 @@ void PlaneSearch::sweep(const GridBox& cell, int axis, Code from, Code to, Plane
     const std::size_t f0 = f;
     while (f < flats_.size() && flats_[f] == split) ++f;
     if (!haired || (split >= after && split <= before)) {
-      consider(cell, axis, split, begun, not_ended, f - f0, best);
+      consider(axis, split, begun, not_ended, f - f0, best);
     }
     const std::size_t l0 = l;
     while (l < lows_.size() && lows_[l] == split) ++l;
@@ -125,6 +144,7 @@ void PlaneSearch::narrow(std::span<const ItemRef> items, const GridBox& cell, in
     ++begin[std::upper_bound(planes.begin(), planes.end(), item.box.low[axis]) - planes.begin()];
     ++end[std::lower_bound(planes.begin(), planes.end(), item.box.high[axis]) - planes.begin()];
   }
+  start_planes(cell, axis);
   Plane best;
   std::size_t best_index = 0;
   std::size_t begun = 0, ended = 0;
@@ -132,24 +152,31 @@ void PlaneSearch::narrow(std::span<const ItemRef> items, const GridBox& cell, in
     begun += begin[i];
     ended += end[i];
     const double before = best.cost;
-    consider(cell, axis, planes[i], begun, items.size() - ended, 0, best);
+    consider(axis, planes[i], begun, items.size() - ended, 0, best);
     if (best.cost < before) best_index = i;
   }
   from = best_index > 0 ? planes[best_index - 1] : cell.low[axis];
   to = best_index + 1 < planes.size() ? planes[best_index + 1] : cell.high[axis];
 }
 
-Plane PlaneSearch::best(std::span<const ItemRef> items, const GridBox& cell) {
+Plane PlaneSearch::best(const CellContent& content) {
+  const GridBox& cell = content.cell;
   Plane best;
   for (int axis = 0; axis < 3; ++axis) {
     Code from = cell.low[axis];
     Code to = cell.high[axis];
     if (to - from < 2) continue;
-    if (items.size() > kSweepLimit) narrow(items, cell, axis, from, to);
-    gather(items, axis, from, to);
+    gather(content.rays, axis);
+    if (content.items.size() > kSweepLimit) narrow(content.items, cell, axis, from, to);
+    gather(content.items, axis, from, to);
     sweep(cell, axis, from, to, best);
   }
   return best;
+}
+
+double visit_likelihood(const CellContent& part, const CellContent& whole, const TreeCosts& costs) {
+  const double by_surface = half_area(real_box(part.cell)) / half_area(real_box(whole.cell));
+  return mixed(by_surface, part.rays.size(), whole.rays.size(), costs);
 }
 
 }  // namespace dynrt::host

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -15,7 +16,7 @@
 
 namespace dynrt::host::testing {
 
-/// Whether a leaf whose closed cell holds the point lists the item.
+/// Whether a leaf whose closed cell holds the point, as far as doubles can tell, lists the item.
 inline bool found(const Tree& tree, uint32_t index, const glm::dvec3& p, uint32_t item) {
   if (index == kNullNode) return false;
   const TreeNode& node = tree.nodes[index];
@@ -23,8 +24,9 @@ inline bool found(const Tree& tree, uint32_t index, const glm::dvec3& p, uint32_
     const auto first = tree.items.begin() + node.left;
     return std::find(first, first + node.right, item) != first + node.right;
   }
-  return (p[node.axis] <= node.split && found(tree, node.left, p, item)) ||
-         (p[node.axis] >= node.split && found(tree, node.right, p, item));
+  const double slack = 1e-14 * std::abs(node.split);
+  return (p[node.axis] <= node.split + slack && found(tree, node.left, p, item)) ||
+         (p[node.axis] >= node.split - slack && found(tree, node.right, p, item));
 }
 
 /// Splits on the grid and within their cell, leaves not empty, figures true.

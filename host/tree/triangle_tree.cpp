@@ -8,6 +8,7 @@
 #include "host/error.h"
 #include "host/tree/clip.h"
 #include "host/tree/messages.h"
+#include "host/tree/sample_rays.h"
 
 namespace dynrt::host {
 
@@ -50,7 +51,17 @@ Tree build_triangle_tree(const Mesh& object, const TreeOptions& options) {
   const CutItem cut = [&](const ItemRef& item, const GridBox& cell) {
     return grid_box(clipped_box(corners(object, item.item), real_box(cell)));
   };
-  return build_tree(std::move(items), grid_box(whole, kBoxGrowth), options, cut);
+  const CellContent content{grid_box(whole, kBoxGrowth), std::move(items), {}};
+  const auto rays = std::min<std::size_t>(options.sample_rays, content.items.size());
+  if (rays == 0) return build_tree(content, options, cut);
+
+  // The rays are found with a tree that is quickly made.
+  TreeOptions rough = options;
+  rough.depth_extra = 0;
+  rough.patience = 0;
+  CellContent guided = content;
+  guided.rays = sample_rays(object, build_tree(content, rough, cut), rays);
+  return build_tree(std::move(guided), options, cut);
 }
 
 }  // namespace dynrt::host

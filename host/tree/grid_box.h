@@ -1,0 +1,44 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Boxes whose faces are numbers of the grid.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "host/tree/aabb.h"
+#include "host/tree/grid.h"
+
+namespace dynrt::host {
+
+/// Closed: an item's box, or a cell.
+struct GridBox {
+  std::array<Code, 3> low;
+  std::array<Code, 3> high;
+};
+
+/// A tree's box is grown by so many numbers of the grid, so that rounding in the traversal loses no
+/// ray at its faces.
+inline constexpr int kBoxGrowth = 2;
+
+/// A box rounded outward to the grid and grown by `codes` more.
+inline GridBox grid_box(const Aabb& box, int codes = 0) {
+  GridBox grid;
+  for (int axis = 0; axis < 3; ++axis) {
+    grid.low[axis] = std::max(floor_code(box.low[axis]) - codes, kMinCode);
+    grid.high[axis] = std::min(ceil_code(box.high[axis]) + codes, kMaxCode);
+  }
+  return grid;
+}
+
+inline Aabb real_box(const GridBox& box) {
+  Aabb real;
+  for (int axis = 0; axis < 3; ++axis) {
+    real.low[axis] = grid_value(box.low[axis]);
+    real.high[axis] = grid_value(box.high[axis]);
+  }
+  return real;
+}
+
+}  // namespace dynrt::host
