@@ -34,7 +34,8 @@ void Builder::name(NodeId id, const std::string& name) {
 
 Builder::Facts Builder::facts_from(KnownBits known, unsigned sign_copies) const {
   sign_copies = std::max({sign_copies, known.countMinSignBits(), 1u});
-  return {std::move(known), std::min(sign_copies, known.getBitWidth())};
+  sign_copies = std::min(sign_copies, known.getBitWidth());
+  return {std::move(known), sign_copies};
 }
 
 NodeId Builder::make(Op op, unsigned width, llvm::ArrayRef<NodeId> operands, Facts facts,
