@@ -12,14 +12,32 @@ add_library(hlsc_backend STATIC
   emit/pipeline_bits.cpp
   emit/report.cpp
   emit/verilog.cpp
+  passes/expand_divisions.cpp
+  passes/expand_shifts.cpp
+  passes/merge_add_sub.cpp
+  passes/rewrite.cpp
+  passes/split_products.cpp
   schedule/asap.cpp
   schedule/circuit.cpp
   schedule/delay_model.cpp
   schedule/registers.cpp
   schedule/timing.cpp)
 target_include_directories(hlsc_backend SYSTEM PRIVATE ${LEMON_INCLUDE_DIRS})
-target_link_libraries(hlsc_backend PUBLIC hlsc_netlist
+target_link_libraries(hlsc_backend PUBLIC hlsc_netlist hlsc_frontend
                       PRIVATE ${LEMON_LIBRARIES} fmt::fmt nlohmann_json::nlohmann_json
                               dynrt_warnings)
 
 add_subdirectory(cosim)
+
+add_executable(hlsc_passes_test passes/passes_test.cpp)
+target_compile_definitions(hlsc_passes_test
+                           PRIVATE DELAY_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/delay")
+target_link_libraries(hlsc_passes_test PRIVATE hlsc_random dynrt_warnings GTest::gtest_main)
+gtest_discover_tests(hlsc_passes_test PROPERTIES LABELS lower)
+
+add_executable(hlsc_schedule_test schedule/schedule_test.cpp)
+target_compile_definitions(hlsc_schedule_test
+                           PRIVATE DELAY_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/delay")
+target_link_libraries(hlsc_schedule_test PRIVATE hlsc_random dynrt_warnings GTest::gmock
+                                                 GTest::gtest_main)
+gtest_discover_tests(hlsc_schedule_test PROPERTIES LABELS lower)

@@ -7,8 +7,8 @@
 
 #include <string>
 
-#include "compiler/netlist/netlist.h"
-#include "compiler/schedule/delay_model.h"
+#include "netlist/netlist.h"
+#include "schedule/delay_model.h"
 
 namespace hlsc {
 

@@ -1,8 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What every part of hlsc throws when a unit cannot be lowered: one sentence that says what is wrong
-// and what would be right, at a line of the unit's source. The program prints it and exits with 1.
+// What every part of hlsc throws when a unit cannot be lowered: one sentence that says what is
+// wrong and what would be right, at a line of the unit's source. The program prints it and exits
+// with 1.
 #pragma once
 
 #include <stdexcept>

@@ -2,13 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The order of the lowering.
-#include "compiler/backend.h"
-#include "compiler/emit/emit.h"
-#include "compiler/schedule/schedule.h"
+#include "backend.h"
+#include "emit/emit.h"
+#include "frontend/narrow.h"
+#include "passes/passes.h"
+#include "schedule/schedule.h"
 
 namespace hlsc {
 
-Netlist optimise(const Netlist& netlist, const Options&) { return netlist; }
+Netlist optimise(const Netlist& netlist, const Options& options) {
+  Netlist n = narrow(netlist);
+  n = expand_divisions(n, options.delay);
+  n = split_products(n, options.delay);
+  n = expand_shifts(n);
+  n = narrow(n);
+  n = merge_add_sub(n);
+  return n;
+}
 
 Lowered lower(const Netlist& netlist, const Options& options) {
   check(netlist);

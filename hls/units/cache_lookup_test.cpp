@@ -69,7 +69,7 @@ Line memory(std::uint64_t address) {
   Line line{};
   hls::for_each_leaf(line, [&]<class L>(L& leaf, unsigned) {
     leaf = hls::leaf_from_bits<L>(
-        uint<hls::bit_width_of<L>()>::from(random() << kAddressBits ^ address));
+        uint<hls::bit_width_of<L>()>::from(random.next() << kAddressBits ^ address));
   });
   return line;
 }

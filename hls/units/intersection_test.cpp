@@ -97,7 +97,7 @@ TEST(Intersection, AgreesWithDoubleArithmetic) {
   test::Random random(52);
   test::Bench<Intersection<C>> bench;
   const auto real = [&random](double range) {
-    return Real::from_double((static_cast<double>(random() >> 11) * 0x1p-52 - 1) * range);
+    return Real::from_double((static_cast<double>(random.next() >> 11) * 0x1p-52 - 1) * range);
   };
   unsigned hits = 0, decided = 0;
   constexpr double kUlp = 0x1p-17;  // half a unit in the last place

@@ -13,7 +13,7 @@ using Bench = test::Bench<MemoryInterface<C>>;
 void fill_banks(Bench& bench) {
   test::Random random(6);
   for (unsigned i = 0; i < kSceneBanks; ++i) {
-    for (Word& word : bench.rows(bench.unit.bank[i])) word = Word::from(random());
+    for (Word& word : bench.rows(bench.unit.bank[i])) word = Word::from(random.next());
   }
 }
 /// The words of a token, as the host packs them.

@@ -63,8 +63,8 @@ TEST_F(ShadingTest, ColourTimesCosineAtMostOne) {
   test::Random random(7);
   std::vector<double> cosines = {1, -1, 2, -1000, 0.5, -0.5, 0x1p-8, 0x1p-9, 0x1p-30, 0.999999, 0};
   while (cosines.size() < 400) {
-    cosines.push_back(
-        std::ldexp(static_cast<double>(random() % 0x20000), -17 + static_cast<int>(random() % 2)));
+    cosines.push_back(std::ldexp(static_cast<double>(random.next() % 0x20000),
+                                 -17 + static_cast<int>(random.next() % 2)));
   }
   for (std::size_t i = 0; i < cosines.size(); i += 4) {
     for (unsigned ray = 0; ray < kRays && i + ray < cosines.size(); ++ray) {

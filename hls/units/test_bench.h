@@ -9,11 +9,11 @@
 
 #include <map>
 #include <memory>
-#include <random>
 #include <vector>
 
 #include "hls/bits.h"
 #include "hls/join.h"
+#include "hls/random.h"
 #include "units/memory_format.h"
 
 namespace dynrt::test {
@@ -111,19 +111,19 @@ class Bench {
   std::map<const void*, std::shared_ptr<void>> bound_;
 };
 
-using Random = std::mt19937_64;
+using hls::testing::Random;
 
 inline unsigned below(Random& random, unsigned limit) {
-  return static_cast<unsigned>(random() % limit);
+  return static_cast<unsigned>(random.below(limit));
 }
 inline bool chance(Random& random, unsigned percent) { return below(random, 100) < percent; }
 
-/// Every bit random; an enum may become a value that has no name.
+/// Random and extreme fields; an enum may become a value that has no name.
 template <class T>
 T random_token(Random& random) {
   T token{};
   hls::for_each_leaf(token, [&random]<class L>(L& leaf, unsigned) {
-    leaf = hls::leaf_from_bits<L>(uint<hls::bit_width_of<L>()>::from(random()));
+    leaf = hls::testing::random_leaf<L>(random);
   });
   return token;
 }

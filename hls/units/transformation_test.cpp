@@ -47,7 +47,7 @@ TEST(Transformation, APointIsTranslatedADirectionIsNot) {
 
 Real moderate(test::Random& random) {
   const auto bits = test::random_token<Real>(random).bits().to_u64() & 0x80ffff;
-  return Real::from_bits(Real::Bits::from(bits | (53 + random() % 21) << 16));
+  return Real::from_bits(Real::Bits::from(bits | (53 + random.next() % 21) << 16));
 }
 
 TEST(Transformation, IsTheMatrixProductUpToRounding) {

@@ -136,7 +136,7 @@ TEST(TraversalSlice, TheAxisIsTheNodes) {
 /// Magnitudes over 2^-20 to 2^20, either sign.
 Real random_real(test::Random& random) {
   auto bits = test::random_token<Real>(random).bits().to_u64() & 0x80ffff;
-  return Real::from_bits(Real::Bits::from(bits | (43 + random() % 41) << 16));
+  return Real::from_bits(Real::Bits::from(bits | (43 + random.next() % 41) << 16));
 }
 Vec random_vector(test::Random& random) {
   return {random_real(random), random_real(random), random_real(random)};

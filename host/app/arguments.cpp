@@ -55,6 +55,8 @@ void FrameArguments::add_to(CLI::App& command, const std::string& default_out) {
       ->option_text("N");
   command.add_option("--order", order, "order of the packets: morton or scanline")
       ->option_text("ORDER [morton]");
+  command.add_flag("--uncompressed", uncompressed,
+                   "transform every ray's origin, eight vectors a packet instead of five");
   command.add_option("--clock", clock_mhz, "clock that frames per second are stated for")
       ->option_text("MHZ [85]");
   command
@@ -70,6 +72,7 @@ FrameOptions FrameArguments::options(const std::string& size) const {
   check_size(options.width, options.height);
   options.packets = packets;
   options.lines = lines;
+  options.uncompressed = uncompressed;
   if (order == "scanline") {
     options.order = RayOrder::kScanline;
   } else if (order != "morton") {

@@ -30,6 +30,7 @@ struct FrameArguments {
   std::string configuration = "thesis";
   std::optional<unsigned> packets, lines;
   std::string order = "morton";
+  bool uncompressed = false;
   double clock_mhz = 85;
   std::uint64_t timeout = 10'000'000;
   std::string out;

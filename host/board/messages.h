@@ -14,6 +14,9 @@ inline constexpr char kBusHangs[] =
 inline constexpr char kWrongId[] =
     "board {}: reads {:#x} as its id and {:#x} as its version, expected {:#x} and {:#x}; "
     "rebuild the Verilog and the host together";
+inline constexpr char kFrameWords[] =
+    "board {}: has {} frame registers, the host writes {}; rebuild the Verilog and the host "
+    "together";
 inline constexpr char kRefused[] =
     "board {}: refused an access during the frame; the SRAM and the frame's registers "
     "belong to the core until the interrupt";

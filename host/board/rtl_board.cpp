@@ -40,6 +40,10 @@ RtlBoard::RtlBoard(std::string configuration, std::unique_ptr<ClockedBoard> cloc
     throw UserError(fmt::format(messages::kWrongId, info_.name, id, version, reg::kIdValue,
                                 reg::kVersionValue));
   }
+  const std::uint32_t words = read_register(reg::kRegFrameWords);
+  if (words != kFrameWords) {
+    throw UserError(fmt::format(messages::kFrameWords, info_.name, words, kFrameWords));
+  }
   const std::uint32_t limits = read_register(reg::kRegLimits);
   info_.packets = limits & 0xffff;
   info_.cache_lines = limits >> 16;
@@ -88,7 +92,7 @@ FrameRun RtlBoard::wait(std::uint64_t timeout, const PixelProgress& progress) {
     if (progress) progress(written);
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  if (!clocked_->interrupt()) give_up(timeout);
+  if (!clocked_->interrupt()) give_up(timeout, written);
   write_register(reg::kRegIrqPending, 1);
   if (read_register(reg::kRegStatus) >> reg::kStatusRefused & 1) {
     throw std::logic_error(fmt::format(messages::kRefused, info_.name));
@@ -98,7 +102,7 @@ FrameRun RtlBoard::wait(std::uint64_t timeout, const PixelProgress& progress) {
   return {.cycles = cycles[0] | std::uint64_t{cycles[1]} << 32, .seconds = seconds.count()};
 }
 
-void RtlBoard::give_up(std::uint64_t timeout) {
+void RtlBoard::give_up(std::uint64_t timeout, std::uint64_t pixels) {
   const std::uint32_t status = read_register(reg::kRegStatus);
   std::vector<std::string> state;
   for (const Counter& counter : counters()) {
@@ -106,9 +110,8 @@ void RtlBoard::give_up(std::uint64_t timeout) {
   }
   write_register(reg::kRegControl, 1u << reg::kControlReset);
   settle();
-  throw TimeoutError(fmt::format(messages::kTimeout, info_.name, timeout,
-                                 clocked_->frame_writes() - frame_writes_at_start_, status,
-                                 fmt::join(state, ", ")));
+  throw TimeoutError(
+      fmt::format(messages::kTimeout, info_.name, timeout, pixels, status, fmt::join(state, ", ")));
 }
 
 std::vector<Counter> RtlBoard::counters() {

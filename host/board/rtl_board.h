@@ -37,7 +37,7 @@ class RtlBoard final : public Board {
   void burst_read(std::uint32_t address, std::span<std::uint32_t> words);
   /// Waits for the end of the core's reset, a few clocks.
   void settle();
-  [[noreturn]] void give_up(std::uint64_t timeout);
+  [[noreturn]] void give_up(std::uint64_t timeout, std::uint64_t pixels);
 
   BoardInfo info_{"rtl", "", 0, 0};
   std::unique_ptr<ClockedBoard> clocked_;

@@ -77,6 +77,32 @@ TEST_F(RtlBoardTest, SaysWhatItIs) {
   EXPECT_EQ(board_.read_register(reg::kRegStatus), 0u);
 }
 
+/// A board that answers every read with zero, or not at all.
+class DeadBoard final : public ClockedBoard {
+ public:
+  explicit DeadBoard(bool hangs) : hangs_(hangs) {}
+  void reset() override {}
+  bool write(std::uint32_t, std::span<const std::uint32_t>) override { return !hangs_; }
+  bool read(std::uint32_t, std::span<std::uint32_t>) override { return !hangs_; }
+  bool run_until_interrupt(std::uint64_t) override { return false; }
+  bool interrupt() const override { return false; }
+  std::uint64_t clocks() const override { return 0; }
+  std::uint64_t frame_writes() const override { return 0; }
+
+ private:
+  bool hangs_;
+};
+
+TEST(RtlBoardErrors, ABoardThatIsNoneIsRefused) {
+  EXPECT_THAT([] { RtlBoard("thesis", std::make_unique<DeadBoard>(false), {}); },
+              ThrowsMessage<UserError>(
+                  "board rtl: reads 0x0 as its id and 0x0 as its version, expected 0x44595254 and "
+                  "0x10000; rebuild the Verilog and the host together"));
+  EXPECT_THAT([] { RtlBoard("thesis", std::make_unique<DeadBoard>(true), {}); },
+              ThrowsMessage<UserError>("board rtl: the bus waits for ever at address 0x0; the "
+                                       "Verilog below it is broken"));
+}
+
 TEST_F(RtlBoardTest, FrameRegistersKeepWhatIsWritten) {
   const auto words = random_words(kFrameWords, 1);
   for (std::uint32_t i = 0; i < kFrameWords; ++i) {
@@ -184,19 +210,23 @@ TEST_F(RtlBoardTest, InterruptIsPendingUntilAcknowledgedAndCanBeMasked) {
 }
 
 TEST_F(RtlBoardTest, RefusesTheHostWhileBusy) {
-  board_.write(0, 5, std::vector<std::uint32_t>{123});
+  constexpr std::uint32_t kBusy = 1u << reg::kStatusBusy;
+  board_.write(0, 0, std::vector<std::uint32_t>(kPixels, 123));
   board_.configure(frame_config(kHang));
   board_.start();
-  board_.write(0, 5, std::vector<std::uint32_t>{456});
+  EXPECT_EQ(board_.read_register(reg::kRegStatus), kBusy);
   EXPECT_EQ(read(0, 5, 1).front(), 0u);
-  board_.write_register(reg::kRegFrame, 99);
-  EXPECT_EQ(board_.read_register(reg::kRegFrame), 4u);
-  EXPECT_EQ(board_.read_register(reg::kRegStatus),
-            1u << reg::kStatusBusy | 1u << reg::kStatusRefused);
+  EXPECT_EQ(board_.read_register(reg::kRegStatus), kBusy | 1u << reg::kStatusRefused);
+  board_.write(0, 5, std::vector<std::uint32_t>{456});
   board_.write_register(reg::kRegControl, 1u << reg::kControlReset);
   for (int i = 0; i < 20; ++i) board_.read_register(reg::kRegId);
   EXPECT_EQ(board_.read_register(reg::kRegStatus), 0u);
   EXPECT_EQ(read(0, 5, 1).front(), 123u);
+
+  board_.start();
+  board_.write_register(reg::kRegFrame, 99);
+  EXPECT_EQ(board_.read_register(reg::kRegFrame), 4u);
+  EXPECT_EQ(board_.read_register(reg::kRegStatus), kBusy | 1u << reg::kStatusRefused);
 }
 
 TEST_F(RtlBoardTest, TimeOutTellsWhereTheUnitsStandAndTheBoardRecovers) {

@@ -70,6 +70,7 @@ FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
   frame.background = to_word(options.background);
   frame.frame_base = to_word(kFrameBase);
   frame.write_hits = to_word(1);
+  frame.uncompressed = to_word(options.uncompressed);
   return frame;
 }
 

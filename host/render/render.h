@@ -27,6 +27,7 @@ struct FrameOptions {
   std::optional<unsigned> packets{};  ///< in flight; all that the configuration has
   std::optional<unsigned> lines{};    ///< of each cache; all that the configuration has
   RayOrder order = RayOrder::kMorton;
+  bool uncompressed = false;     ///< transform every ray's origin, not one for the packet
   std::uint32_t background = 0;  ///< 0x00BBGGRR
   std::uint64_t timeout = 0;     ///< clocks
 };

@@ -23,6 +23,10 @@ void require_finite(const glm::dvec3& v, const char* what) {
   }
 }
 
+void require_field_of_view(double degrees) {
+  if (!(degrees > 0.0 && degrees < 180.0)) wording::fail(wording::kFieldOfView, degrees);
+}
+
 double field_of_view_of(const Camera& camera) {
   return glm::degrees(2.0 *
                       std::atan(glm::length(camera.up) / (2.0 * glm::length(camera.forward))));
@@ -53,9 +57,7 @@ Camera look_at(const glm::dvec3& position, const glm::dvec3& target, const glm::
   require_finite(position, "position");
   require_finite(target, "look-at point");
   require_finite(up, "up");
-  if (!(field_of_view > 0.0 && field_of_view < 180.0)) {
-    wording::fail(wording::kFieldOfView, field_of_view);
-  }
+  require_field_of_view(field_of_view);
   const double distance = glm::length(target - position);
   if (!(distance > 0.0)) wording::fail(wording::kCameraPoint, target.x, target.y, target.z);
   const glm::dvec3 forward = (target - position) / distance;
@@ -69,9 +71,10 @@ Camera look_at(const glm::dvec3& position, const glm::dvec3& target, const glm::
 }
 
 Camera frame(const Box& box, const glm::dvec3& up, double field_of_view, double aspect) {
+  require_field_of_view(field_of_view);
   const glm::dvec3 centre = (box.low + box.high) / 2.0;
   const double radius = glm::length(box.high - box.low) / 2.0;
-  const double half_height = glm::radians(std::clamp(field_of_view, 1e-3, 179.0)) / 2.0;
+  const double half_height = glm::radians(field_of_view) / 2.0;
   const double half_width = std::atan(std::tan(half_height) * aspect);
   const double distance = radius / std::sin(std::min(half_height, half_width));
   return look_at(centre + glm::normalize(kFramedFrom) * distance, centre, up, field_of_view,

@@ -37,20 +37,20 @@ class ObjCheck {
   }
 
  private:
-  // A line with what it goes on with after a backslash at its end.
+  // A line, with those that it goes on in after a backslash at its end.
   std::string_view next_line() {
-    line_ = next_line_;
-    const char* begin = text_.data();
-    std::string_view line;
-    do {
+    line_ = next_line_++;
+    std::string_view line = trim(take_until(text_, '\n'));
+    if (!line.ends_with('\\')) return line;
+    joined_.clear();
+    for (; line.ends_with('\\'); ++next_line_) {
+      joined_ += std::string(line.substr(0, line.size() - 1)) + ' ';
       line = trim(take_until(text_, '\n'));
-      ++next_line_;
-    } while (line.ends_with('\\') && !text_.empty());
-    return {begin, static_cast<std::size_t>(text_.data() - begin)};
+    }
+    return joined_ += line;
   }
 
   void statement(std::string_view line) {
-    line = trim(line);
     const std::string_view keyword = take_word(line);
     if (keyword.empty() || keyword.starts_with('#')) return;
     if (keyword == "v") {
@@ -80,7 +80,6 @@ class ObjCheck {
   void face(std::string_view line) {
     int corners = 0;
     for (auto word = take_word(line); !word.empty() && word[0] != '#'; word = take_word(line)) {
-      if (word == "\\") continue;
       corner(word);
       ++corners;
     }
@@ -109,6 +108,7 @@ class ObjCheck {
 
   std::string_view text_;
   const std::string& path_;
+  std::string joined_;
   long line_ = 0, next_line_ = 1, largest_line_ = 0;
   long long vertices_ = 0, largest_index_ = 0;
   std::vector<std::string> material_files_;

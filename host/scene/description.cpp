@@ -202,8 +202,14 @@ class Description {
 
   void add_camera(const JsonReader& at) {
     at.only({"position", "look_at", "up", "field_of_view"});
-    scene_.camera = look_at(at.vector("position"), at.vector("look_at"), at.vector("up", kUp),
-                            at.number("field_of_view", kDefaultFieldOfView), 1.0);
+    try {
+      scene_.camera = look_at(at.vector("position"), at.vector("look_at"), at.vector("up", kUp),
+                              at.number("field_of_view", kDefaultFieldOfView), 1.0);
+    } catch (const UserError& error) {
+      const std::string text = error.what();
+      if (text.starts_with(at.file())) throw;
+      fail(at, text);
+    }
   }
 
   const JsonReader& file_;

@@ -27,8 +27,8 @@ inline constexpr Text kRejected = "{}: is not a valid {} file: {}";
 // What an import gives
 inline constexpr Text kVertexNotFinite =
     "{}: mesh '{}', vertex {}: the position ({}, {}, {}) is not finite";
-inline constexpr Text kFaceIndex =
-    "{}: mesh '{}', face {}: uses vertex {}, but the mesh has {} vertices";
+inline constexpr Text kFacesDropped =
+    "{}: has faces that use vertices which their mesh does not have";
 inline constexpr Text kFaceEmpty = "{}: mesh '{}', face {}: has no vertices; it needs three";
 inline constexpr Text kNoInverse =
     "{}: node '{}': its transform has no inverse; no axis may be scaled to zero and the three must "
@@ -36,6 +36,7 @@ inline constexpr Text kNoInverse =
 inline constexpr Text kTransformNotAffine =
     "{}: node '{}': its transform is not affine; the last row must be 0 0 0 1 and all numbers "
     "finite";
+inline constexpr Text kCameraNode = "{}: node '{}': {}";
 inline constexpr Text kNoTriangles =
     "{}: the scene has no triangles ({} of zero area, {} points and lines left out)";
 

@@ -4,8 +4,8 @@
 // The board as its bus sees it: registers and the window into the SRAM (dynrt_registers.vh).
 //
 // A word is transferred in every clock in which bus_valid_i and bus_ready_o are high. Reads are
-// pipelined and answered in order, each SRAM_LATENCY + 1 clocks after it was accepted, so a burst of
-// reads moves a word a clock as well. bus_ready_o is low only for a counter that is settling.
+// pipelined and answered in order, each SRAM_LATENCY + 1 clocks after it was accepted, so a burst
+// of reads moves a word a clock as well. The board never makes the bus wait.
 module board_registers #(
   parameter PACKETS = 64,
   parameter CACHE_LINES = 512,
@@ -33,7 +33,7 @@ module board_registers #(
   output wire [32*FRAME_WORDS-1:0] frame_o,
   output reg  [7:0]  counter_addr_o,
   input  wire [31:0] counter_data_i,
-  output wire        counter_settling_o, // the core needs its clock to fetch a counter
+  output wire        counter_fetch_o, // the core needs its clock to fetch a counter
   // SRAM window; rdata_i belongs to the read SRAM_LATENCY clocks earlier
   output wire [5:0]  window_en_o,
   output wire        window_we_o,
@@ -44,7 +44,8 @@ module board_registers #(
 
 `include "dynrt_registers.vh"
 
-  localparam [3:0] COUNTER_CLOCKS = 4'd8; // from a counter's address to its value, at most
+  // Clocks that the core gets to fetch a counter, less than a read takes to be answered.
+  localparam [1:0] COUNTER_CLOCKS = 2'd2;
   localparam BANKS = 6;
 
   // Decode.
@@ -55,9 +56,9 @@ module board_registers #(
   wire [2:0]  bank = bus_addr_i[WINDOW_BANK_LOW +: 3];
   wire        bank_exists = bank < BANKS[2:0];
   wire [3:0]  frame_word = bus_addr_i[5:2];
-  wire        in_frame = bus_addr_i[25:6] == REG_FRAME[25:6] && frame_word < FRAME_WORDS[3:0];
+  wire        in_frame =
+      bus_addr_i[25:6] == REG_FRAME[25:6] && {1'b0, frame_word} < FRAME_WORDS[4:0];
   wire        is_control = write && bus_addr_i == REG_CONTROL;
-  wire        is_counter = bus_addr_i == REG_COUNTER_DATA;
 
   assign start_o = is_control && bus_wdata_i[CONTROL_START] && !busy_i;
   assign reset_o = is_control && bus_wdata_i[CONTROL_RESET];
@@ -75,12 +76,12 @@ module board_registers #(
   reg                      done_q;
   reg                      refused_q;
   reg [32*FRAME_WORDS-1:0] frame_q;
-  reg [3:0]                settle_q;
+  reg [1:0]                fetch_q;
 
   assign irq_o = irq_enable_q && irq_pending_q;
   assign frame_o = frame_q;
-  assign counter_settling_o = settle_q != 4'd0;
-  assign bus_ready_o = !(is_counter && counter_settling_o);
+  assign counter_fetch_o = fetch_q != 2'd0;
+  assign bus_ready_o = 1'b1;
 
   integer i;
   always @(posedge clk_i) begin
@@ -94,9 +95,9 @@ module board_registers #(
     if (write && bus_addr_i == REG_IRQ_ENABLE) irq_enable_q <= bus_wdata_i[0];
     if (write && bus_addr_i == REG_COUNTER_ADDRESS) begin
       counter_addr_o <= bus_wdata_i[7:0];
-      settle_q <= COUNTER_CLOCKS;
-    end else if (settle_q != 4'd0) begin
-      settle_q <= settle_q - 4'd1;
+      fetch_q <= COUNTER_CLOCKS;
+    end else if (fetch_q != 2'd0) begin
+      fetch_q <= fetch_q - 2'd1;
     end
     if (write && in_frame && !busy_i) begin
       for (i = 0; i < FRAME_WORDS; i = i + 1)
@@ -114,12 +115,12 @@ module board_registers #(
       refused_q <= 1'b0;
       frame_q <= {32*FRAME_WORDS{1'b0}};
       counter_addr_o <= 8'd0;
-      settle_q <= 4'd0;
+      fetch_q <= 2'd0;
     end
   end
 
-  // A read waits beside the SRAM, so that registers and SRAM answer in order: stage s holds the read
-  // that was accepted s + 1 clocks ago.
+  // A read waits beside the SRAM, so that registers and SRAM answer in order: stage s holds the
+  // read that was accepted s + 1 clocks ago.
   reg [SRAM_LATENCY-1:0]    wait_valid_q;
   reg [SRAM_LATENCY-1:0]    wait_window_q; // of the window and not refused
   reg [26*SRAM_LATENCY-1:0] wait_addr_q;
@@ -129,7 +130,7 @@ module board_registers #(
   wire [2:0]  answer_bank = answer_addr[WINDOW_BANK_LOW +: 3];
   wire [3:0]  answer_frame_word = answer_addr[5:2];
   wire        answer_frame =
-      answer_addr[25:6] == REG_FRAME[25:6] && answer_frame_word < FRAME_WORDS[3:0];
+      answer_addr[25:6] == REG_FRAME[25:6] && {1'b0, answer_frame_word} < FRAME_WORDS[4:0];
 
   reg [31:0] status;
   reg [31:0] value;
@@ -155,6 +156,7 @@ module board_registers #(
         REG_CYCLES_LOW: value = cycles_i[31:0];
         REG_CYCLES_HIGH: value = cycles_i[63:32];
         REG_COUNTER_DATA: value = counter_data_i;
+        REG_FRAME_WORDS: value = FRAME_WORDS;
         default: value = 32'd0;
       endcase
     end

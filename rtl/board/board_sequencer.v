@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Runs one frame: resets the core for RESET_CLOCKS, clears its counters, feeds the start tokens
-// 0 .. last_token_i (each frees a packet and empties a line of every cache), and waits for the token
-// that says the frame is complete. Between frames the core needs no clock.
+// 0 .. last_token_i (each frees a packet and empties a line of every cache), and waits for the
+// token that says the frame is complete. Between frames the core needs no clock.
 module board_sequencer #(
-  parameter RESET_CLOCKS = 16
+  parameter RESET_CLOCKS = 64  // the core's register files have up to 64 rows to clear
 ) (
   input  wire        clk_i,
   input  wire        rst_ni,

@@ -1,10 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shares the six SRAM banks between the core, while a frame is being rendered, and the host's window
-// at all other times. The core reads banks 0 to 2 and writes banks 3 to 5. Every pin has a register:
-// an access is at the pins one clock after it was asked for, and the data read is handed on one
-// clock after it came back, so a bank itself may take SRAM_LATENCY - 2 clocks (synchronous SRAM: 1).
+// Shares the six SRAM banks between the core, while a frame is being rendered, and the host's
+// window at all other times. The core reads banks 0 to 2 and writes banks 3 to 5. Every pin has a
+// register: an access is at the pins one clock after it was asked for, and the data read is handed
+// on one clock after it came back, so a bank itself may take SRAM_LATENCY - 2 clocks (synchronous
+// SRAM: 1).
 module board_sram (
   input  wire             clk_i,
   input  wire             rst_ni,

@@ -9,6 +9,7 @@
 module dynrt_board #(
   parameter PACKETS = 64,      // packets in flight of the core below
   parameter CACHE_LINES = 512, // lines of each of its caches
+  parameter FRAME_WORDS = 12,  // registers that describe a frame (hls/units/frame.h), at most 16
   parameter SRAM_LATENCY = 3   // clocks from the core's address to its data; the banks' own plus 2
 ) (
   input  wire             clk_i,
@@ -32,15 +33,13 @@ module dynrt_board #(
   input  wire [6*32-1:0]  sram_rdata_i
 );
 
-  localparam FRAME_WORDS = 12;
-
   wire        start, reset, busy, done;
   wire [63:0] cycles;
 
   wire [32*FRAME_WORDS-1:0] frame;
   wire [7:0]  counter_addr;
   wire [31:0] counter_data;
-  wire        counter_settling;
+  wire        counter_fetch;
   wire        counter_clear;
   wire        core_rst_n;
   wire        start_valid, start_ready;
@@ -61,7 +60,7 @@ module dynrt_board #(
   wire [9:0] last_line = frame[41:32];
   wire [9:0] last_token = last_packet > last_line ? last_packet : last_line;
 
-  assign core_clk_en_o = !rst_ni || busy || counter_settling;
+  assign core_clk_en_o = !rst_ni || busy || counter_fetch;
 
   board_registers #(
     .PACKETS(PACKETS), .CACHE_LINES(CACHE_LINES), .FRAME_WORDS(FRAME_WORDS),
@@ -73,14 +72,15 @@ module dynrt_board #(
     .bus_rdata_o(bus_rdata_o), .irq_o(irq_o),
     .start_o(start), .reset_o(reset), .busy_i(busy), .done_i(done), .cycles_i(cycles),
     .frame_o(frame), .counter_addr_o(counter_addr), .counter_data_i(counter_data),
-    .counter_settling_o(counter_settling),
+    .counter_fetch_o(counter_fetch),
     .window_en_o(window_en), .window_we_o(window_we), .window_addr_o(window_addr),
     .window_wdata_o(window_wdata), .window_rdata_i(rdata)
   );
 
   board_sequencer sequencer (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .start_i(start), .reset_i(reset), .last_token_i(last_token), .busy_o(busy), .done_o(done), .cycles_o(cycles),
+    .start_i(start), .reset_i(reset), .last_token_i(last_token),
+    .busy_o(busy), .done_o(done), .cycles_o(cycles),
     .core_rst_no(core_rst_n), .counter_clear_o(counter_clear),
     .start_valid_o(start_valid), .start_ready_i(start_ready), .start_data_o(start_data),
     .done_valid_i(done_valid), .done_ready_o(done_ready)

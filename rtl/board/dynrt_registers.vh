@@ -20,6 +20,7 @@ localparam [25:0] REG_CYCLES_LOW = 26'h01c;      // R  clocks of the frame, from
 localparam [25:0] REG_CYCLES_HIGH = 26'h020;     // R
 localparam [25:0] REG_COUNTER_ADDRESS = 26'h024; // W  which of the core's counters COUNTER_DATA shows
 localparam [25:0] REG_COUNTER_DATA = 26'h028;    // R
+localparam [25:0] REG_FRAME_WORDS = 26'h02c;     // R  how many FRAME registers there are
 localparam [25:0] REG_FRAME = 26'h040;           // RW first of the FRAME registers (hls/units/frame.h), 16 words aligned
 
 localparam CONTROL_START = 0; // reset the core, clear its counters, render a frame

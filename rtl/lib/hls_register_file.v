@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Register file: read in the clock of the address, written at its end. LUT RAM where there is any.
+// Its rows start as zeros: the reset, which lasts 2^ADDR_WIDTH clocks or more, clears one a clock.
 `default_nettype none
 
 module hls_register_file #(
@@ -10,6 +11,7 @@ module hls_register_file #(
     parameter ADDR_WIDTH = ROWS > 1 ? $clog2(ROWS) : 1
 ) (
     input  wire                  clk_i,
+    input  wire                  rst_ni,
     input  wire                  write_en_i,
     input  wire [ADDR_WIDTH-1:0] write_addr_i,
     input  wire [     WIDTH-1:0] write_data_i,
@@ -18,10 +20,18 @@ module hls_register_file #(
 );
 
   reg [WIDTH-1:0] rows[0:ROWS-1];
+  reg [ADDR_WIDTH-1:0] clear_q;
 
+  wire write_en = write_en_i || !rst_ni;
+  wire [ADDR_WIDTH-1:0] write_addr = rst_ni ? write_addr_i : clear_q;
+
+  initial clear_q = {ADDR_WIDTH{1'b0}};
   assign read_data_o = rows[read_addr_i];
 
-  always @(posedge clk_i) if (write_en_i) rows[write_addr_i] <= write_data_i;
+  always @(posedge clk_i) begin
+    if (write_en) rows[write_addr] <= write_data_i & {WIDTH{rst_ni}};
+    if (!rst_ni) clear_q <= clear_q + 1'b1;
+  end
 
 endmodule
 

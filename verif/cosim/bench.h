@@ -39,6 +39,7 @@ struct Settings {
   std::uint64_t transactions = 10'000;
   bool stalls = true;          ///< false: both ends always ready, to measure the throughput
   unsigned patience = 5'000;   ///< clocks without any progress that count as a deadlock
+  unsigned reset_clocks = 64;  ///< rows of the largest register file, which the reset clears
   unsigned drain = 200;        ///< more clocks than the unit has stages
   unsigned return_clocks = 2;  ///< least clocks from a packet's leaving to its coming back
   /// For waveforms: called after every eval.
@@ -77,6 +78,11 @@ class Bench {
   template <class T>
   void packet(const std::string& port, std::function<std::uint64_t(const T&)> function) {
     find<InPort<T>>(port).packet_of = std::move(function);
+  }
+  /// Is told every token that a transaction begins with; one that was only drawn may be drawn anew.
+  template <class T>
+  void begun(const std::string& port, std::function<void(const T&)> function) {
+    find<InPort<T>>(port).begun = std::move(function);
   }
   /// An output that random tokens need not reach; every other one must give something.
   void may_be_silent(const std::string& port) { silent_.insert(port); }
@@ -185,7 +191,7 @@ class Bench {
     for (const auto& port : ports_) port->prepare(random);
     for (const auto& port : ports_) port->drive(random, true);
     pins_.rst_n.set(0);
-    for (int i = 0; i < 4; ++i) {
+    for (unsigned i = 0; i < settings.reset_clocks; ++i) {
       half_clock(false, settings);
       half_clock(true, settings);
     }

@@ -119,6 +119,7 @@ template <class T>
 class InPort : public PortModel, public Drawn<T> {
  public:
   std::function<std::uint64_t(const T&)> packet_of;
+  std::function<void(const T&)> begun;
 
   InPort(std::string name, PortPins pins, hls::In<T>& native)
       : PortModel(std::move(name), pins), native_(std::make_shared<hls::Fifo<T>>()) {
@@ -132,6 +133,7 @@ class InPort : public PortModel, public Drawn<T> {
     native_->push(next_);
     pending_.emplace_back(transaction, next_);
     history_.emplace_back(transaction, next_);
+    if (begun) begun(next_);
     if (history_.size() > kHistory) history_.pop_front();
   }
   std::size_t backlog() const override { return pending_.size(); }
@@ -232,11 +234,15 @@ class RamReadPort : public PortModel, public Drawn<T> {
     native.bind(rows_);
   }
   void prepare(Random& random) override {
-    for (T& row : *rows_) this->draw_value(row, random);
+    for (auto&& row : *rows_) {  // a vector<bool> has no references
+      T value = row;
+      this->draw_value(value, random);
+      row = value;
+    }
   }
   void drive(Random& random, bool) override {
     if (due_.size() == Latency && due_.front()) {
-      put((*rows_)[*due_.front()]);
+      put<T>((*rows_)[*due_.front()]);
     } else {
       put_garbage<T>(random);
     }

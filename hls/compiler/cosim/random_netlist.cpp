@@ -1,11 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/cosim/random_netlist.h"
+#include "cosim/random_netlist.h"
 
 #include <random>
 #include <string>
 
-#include "compiler/netlist/op.h"
+#include "netlist/op.h"
 
 namespace hlsc {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "compiler/backend.h"
+#include "backend.h"
 
 namespace hlsc {
 

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "compiler/cosim/random_netlist.h"
-#include "compiler/error.h"
+#include "cosim/random_netlist.h"
+#include "error.h"
 
 int main(int argc, char** argv) {
   if (argc != 4) {

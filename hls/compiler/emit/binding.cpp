@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "compiler/emit/emit.h"
+#include "emit/emit.h"
 
 namespace hlsc {
 

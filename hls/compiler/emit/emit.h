@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "compiler/backend.h"
-#include "compiler/schedule/schedule.h"
+#include "backend.h"
+#include "schedule/schedule.h"
 
 namespace hlsc {
 

@@ -1,13 +1,13 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/emit/expression.h"
+#include "emit/expression.h"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 
-#include "compiler/netlist/evaluate.h"
-#include "compiler/netlist/op.h"
+#include "netlist/evaluate.h"
+#include "netlist/op.h"
 
 namespace hlsc {
 namespace {

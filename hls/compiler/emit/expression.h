@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "compiler/schedule/schedule.h"
+#include "schedule/schedule.h"
 
 namespace hlsc {
 

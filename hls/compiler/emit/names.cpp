@@ -1,11 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/emit/names.h"
+#include "emit/names.h"
 
 #include <cctype>
 #include <map>
 
-#include "compiler/netlist/op.h"
+#include "netlist/op.h"
 
 namespace hlsc {
 namespace {

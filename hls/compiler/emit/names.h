@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/schedule/circuit.h"
+#include "schedule/circuit.h"
 
 namespace hlsc {
 

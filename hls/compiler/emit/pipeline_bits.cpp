@@ -1,9 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/emit/pipeline_bits.h"
+#include "emit/pipeline_bits.h"
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 namespace hlsc {
 
@@ -46,8 +47,9 @@ std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule) {
       from = to;
     }
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Carry& a, const Carry& b) { return a.to < b.to; });
+  std::sort(all.begin(), all.end(), [](const Carry& a, const Carry& b) {
+    return std::tie(a.to, a.cell, a.from) < std::tie(b.to, b.cell, b.from);
+  });
   return all;
 }
 

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "compiler/schedule/schedule.h"
+#include "schedule/schedule.h"
 
 namespace hlsc {
 

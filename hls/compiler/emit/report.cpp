@@ -6,9 +6,9 @@
 #include <iterator>
 #include <map>
 
-#include "compiler/emit/emit.h"
-#include "compiler/emit/pipeline_bits.h"
-#include "compiler/netlist/op.h"
+#include "emit/emit.h"
+#include "emit/pipeline_bits.h"
+#include "netlist/op.h"
 
 namespace hlsc {
 namespace {

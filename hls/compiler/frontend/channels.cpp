@@ -28,6 +28,19 @@ AccessKind access_kind(const llvm::Function& callee) {
   return name.contains("12token_commit") ? AccessKind::kTokenCommit : AccessKind::kRowCommit;
 }
 
+/// The width among the template arguments of leaf_get<W>, row_get<W, A>, row_commit<A>, as its name
+/// is mangled: the ABI passes an integer of 34 bits as one of 64, so the types do not tell.
+unsigned template_width(const llvm::CallInst& call, unsigned index) {
+  llvm::StringRef name = call.getCalledFunction()->getName();
+  unsigned width = 0;
+  for (unsigned i = 0; i <= index; ++i) {
+    name = name.substr(name.find("Lj") + 2);
+    width = 0;
+    name.consumeInteger(10, width);
+  }
+  return width;
+}
+
 class ChannelLowering {
  public:
   ChannelLowering(Transaction& transaction, const SourceLines& lines)
@@ -117,10 +130,8 @@ class ChannelLowering {
       case AccessKind::kGet:
         return get(call, port);
       case AccessKind::kPut: {
-        llvm::Value* value = call.getArgOperand(2);
-        const unsigned width = value->getType()->getIntegerBitWidth();
         const Endpoint bits{EndpointKind::kWriteBits, port, constant_argument(call, 1)};
-        builder.CreateStore(value, variable(bits, width));
+        set(bits, call.getArgOperand(2), template_width(call, 0));
         return;
       }
       case AccessKind::kRowGet:
@@ -135,14 +146,22 @@ class ChannelLowering {
     }
   }
 
+  void set(Endpoint endpoint, llvm::Value* value, unsigned width) {
+    value = builder_->CreateTrunc(value, builder_->getIntNTy(width));
+    builder_->CreateStore(value, variable(endpoint, width));
+  }
+  /// Replaces a call by the source that it reads.
+  void replace(llvm::CallInst& call, Endpoint source) {
+    llvm::Value* value = builder_->CreateCall(t_.source(source, template_width(call, 0)));
+    call.replaceAllUsesWith(builder_->CreateZExt(value, call.getType()));
+  }
+
   const std::string& name(unsigned port) const { return t_.layout.ports[port].port.name; }
 
   void get(llvm::CallInst& call, unsigned port) {
     const bool token = t_.layout.ports[port].port.kind == PortKind::kIn;
     const Endpoint source{token ? EndpointKind::kToken : EndpointKind::kConfig, port,
                           constant_argument(call, 1)};
-    llvm::Value* value =
-        builder_->CreateCall(t_.source(source, call.getType()->getIntegerBitWidth()));
     if (token) {
       // One variable per leaf: a second read fetches the same leaf again.
       llvm::AllocaInst*& read = leaf_read_[{port, source.low}];
@@ -151,7 +170,7 @@ class ChannelLowering {
       builder_->CreateStore(builder_->getTrue(), read);
       first_read_.emplace(port, std::make_pair(read, lines_.of(call)));
     }
-    call.replaceAllUsesWith(value);
+    replace(call, source);
   }
 
   /// A flag that is not handed to any sink.
@@ -174,11 +193,9 @@ class ChannelLowering {
                       name(port));
       }
       builder_->CreateStore(builder_->getTrue(), enable);
-      builder_->CreateStore(address, variable({EndpointKind::kReadAddress, port},
-                                              address->getType()->getIntegerBitWidth()));
+      set({EndpointKind::kReadAddress, port}, address, template_width(call, 1));
     }
-    call.replaceAllUsesWith(builder_->CreateCall(
-        t_.source({EndpointKind::kRow, port, low}, call.getType()->getIntegerBitWidth())));
+    replace(call, {EndpointKind::kRow, port, low});
   }
 
   /// The leaves of one read() follow each other in one block, with one address; a leaf that comes a
@@ -199,8 +216,7 @@ class ChannelLowering {
     auto* enable = flag(EndpointKind::kWriteEnable, port);
     refuse_if_set(enable, call, messages::kRowWrittenTwice, name(port));
     builder_->CreateStore(builder_->getTrue(), enable);
-    builder_->CreateStore(address, variable({EndpointKind::kWriteAddress, port},
-                                            address->getType()->getIntegerBitWidth()));
+    set({EndpointKind::kWriteAddress, port}, address, template_width(call, 0));
   }
 
   /// Every In is read, and on every path.

@@ -45,11 +45,12 @@ void declare_port_access(llvm::Function& function) {
 }
 
 /// An integer whose width is not that of its place in memory (i96 in 16 bytes) is stored and loaded
-/// as the whole place: SROA does not promote places of which only a part is ever written.
+/// as the whole place: SROA does not promote places of which only a part is ever written. Up to 64
+/// bits clang does so itself, and an odd integer (i48) is a struct of that size, passed as one.
 void fill_storage(llvm::Instruction& instruction, const llvm::DataLayout& layout) {
   auto* local = llvm::dyn_cast<llvm::AllocaInst>(&instruction);
   llvm::Type* type = local ? local->getAllocatedType() : llvm::getLoadStoreType(&instruction);
-  if (!type->isIntegerTy()) return;
+  if (!type->isIntegerTy() || type->getIntegerBitWidth() <= 64) return;
   const auto bits = static_cast<unsigned>(layout.getTypeAllocSizeInBits(type).getFixedValue());
   if (bits == type->getIntegerBitWidth()) return;
   llvm::IRBuilder<> builder(&instruction);

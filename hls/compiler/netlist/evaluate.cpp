@@ -1,10 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/netlist/evaluate.h"
+#include "netlist/evaluate.h"
 
 #include <stdexcept>
 
-#include "compiler/netlist/op.h"
+#include "netlist/op.h"
 
 namespace hlsc {
 namespace {

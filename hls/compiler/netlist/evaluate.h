@@ -7,7 +7,7 @@
 
 #include <span>
 
-#include "compiler/netlist/netlist.h"
+#include "netlist/netlist.h"
 
 namespace hlsc {
 

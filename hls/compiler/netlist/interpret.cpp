@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/netlist/interpret.h"
+#include "netlist/interpret.h"
 
-#include "compiler/netlist/evaluate.h"
-#include "compiler/netlist/op.h"
+#include "netlist/evaluate.h"
+#include "netlist/op.h"
 
 namespace hlsc {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "compiler/netlist/netlist.h"
+#include "netlist/netlist.h"
 
 namespace hlsc {
 

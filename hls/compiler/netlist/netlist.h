@@ -49,24 +49,24 @@ enum class Op : std::uint8_t {
   kRow,       ///< bits [low +: width] of the row fetched by row_reads[`port`]
   kAdd,       ///< a + b, all widths equal (wraps)
   kSub,       ///< a - b
-  kAddSub,    ///< operands a, b, s (1 bit): s ? a - b : a + b; made by a pass, never by the front end
-  kMul,       ///< a * b mod 2^width; operands may be narrower than the result (zero-extended)
-  kUDiv,      ///< a / b; operand widths may differ, the result is as wide as a
+  kAddSub,  ///< operands a, b, s (1 bit): s ? a - b : a + b; made by a pass, never by the front end
+  kMul,     ///< a * b mod 2^width; operands may be narrower than the result (zero-extended)
+  kUDiv,    ///< a / b; operand widths may differ, the result is as wide as a
   kAnd,
   kOr,
   kXor,
   kNot,
-  kShl,       ///< a << b, zero when b >= width
+  kShl,  ///< a << b, zero when b >= width
   kLShr,
   kAShr,
-  kEq,        ///< 1 bit
-  kULt,       ///< 1 bit, unsigned a < b
-  kSLt,       ///< 1 bit, signed a < b
-  kMux,       ///< operands s (1 bit), a, b: s ? a : b
-  kSlice,     ///< bits [low +: width] of the operand
-  kConcat,    ///< operands from the highest to the lowest
-  kSExt,      ///< sign extension to width
-  kClz,       ///< leading zeros of the operand (its width if it is zero)
+  kEq,      ///< 1 bit
+  kULt,     ///< 1 bit, unsigned a < b
+  kSLt,     ///< 1 bit, signed a < b
+  kMux,     ///< operands s (1 bit), a, b: s ? a : b
+  kSlice,   ///< bits [low +: width] of the operand
+  kConcat,  ///< operands from the highest to the lowest
+  kSExt,    ///< sign extension to width
+  kClz,     ///< leading zeros of the operand (its width if it is zero)
 };
 
 /// Where in the unit's source an operation came from.
@@ -128,9 +128,9 @@ struct RowWrite {
 };
 
 struct Netlist {
-  std::string module;       ///< Verilog module name
-  std::string unit;         ///< the C++ type it came from
-  std::string source;       ///< the header that defines it
+  std::string module;  ///< Verilog module name
+  std::string unit;    ///< the C++ type it came from
+  std::string source;  ///< the header that defines it
   std::vector<Node> nodes;
   std::vector<Port> ports;  ///< in member order
   std::vector<Register> registers;

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/netlist/op.h"
+#include "netlist/op.h"
 
 #include <array>
 

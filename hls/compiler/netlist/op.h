@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "compiler/netlist/netlist.h"
+#include "netlist/netlist.h"
 
 namespace hlsc {
 

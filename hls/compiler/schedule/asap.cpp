@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "compiler/error.h"
-#include "compiler/schedule/messages.h"
-#include "compiler/schedule/schedule.h"
+#include "error.h"
+#include "schedule/messages.h"
+#include "schedule/schedule.h"
 
 namespace hlsc {
 namespace {

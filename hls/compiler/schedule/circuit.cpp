@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/schedule/circuit.h"
+#include "schedule/circuit.h"
 
 #include <algorithm>
 #include <map>
@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "compiler/netlist/op.h"
+#include "netlist/op.h"
 
 namespace hlsc {
 namespace {

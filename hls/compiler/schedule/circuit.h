@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "compiler/netlist/netlist.h"
+#include "netlist/netlist.h"
 
 namespace hlsc {
 

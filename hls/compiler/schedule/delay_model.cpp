@@ -1,28 +1,31 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/schedule/delay_model.h"
+#include "schedule/delay_model.h"
 
 #include <fmt/format.h>
 
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+
+#include "error.h"
 
 namespace hlsc {
 
 DelayModel load_delay_model(const std::string& path) {
   std::ifstream file(path);
   if (!file) {
-    throw std::runtime_error(fmt::format(
-        "{}: cannot be read; name a delay model such as hls/compiler/delay/ecp5.json", path));
+    throw Error(
+        {},
+        fmt::format("{}: cannot be read; name a delay model such as hls/compiler/delay/ecp5.json",
+                    path));
   }
   const auto data = nlohmann::json::parse(file, nullptr, false);
-  if (!data.is_object()) throw std::runtime_error(fmt::format("{}: is not a JSON object", path));
+  if (!data.is_object()) throw Error({}, fmt::format("{}: is not a JSON object", path));
   const auto number = [&](const char* key, double least) {
     const auto found = data.find(key);
     if (found == data.end() || !found->is_number() || found->get<double>() < least) {
-      throw std::runtime_error(
-          fmt::format("{}: \"{}\" is missing; give a number of at least {}", path, key, least));
+      throw Error(
+          {}, fmt::format("{}: \"{}\" is missing; give a number of at least {}", path, key, least));
     }
     return found->get<double>();
   };

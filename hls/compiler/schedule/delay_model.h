@@ -28,7 +28,7 @@ struct DelayModel {
   double token_out = 0;            ///< set-up of an Out's FIFO
 };
 
-/// Throws std::runtime_error naming the file and what is wrong with it.
+/// Throws Error naming the file and what is wrong with it.
 DelayModel load_delay_model(const std::string& path);
 
 }  // namespace hlsc

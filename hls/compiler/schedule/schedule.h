@@ -7,9 +7,9 @@
 
 #include <vector>
 
-#include "compiler/schedule/circuit.h"
-#include "compiler/schedule/delay_model.h"
-#include "compiler/schedule/timing.h"
+#include "schedule/circuit.h"
+#include "schedule/delay_model.h"
+#include "schedule/timing.h"
 
 namespace hlsc {
 

@@ -1,12 +1,13 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "compiler/schedule/timing.h"
+#include "schedule/timing.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
-#include "compiler/netlist/op.h"
+#include "netlist/op.h"
 
 namespace hlsc {
 
@@ -228,9 +229,12 @@ Timing::Arrival Timing::equal(const Cell& cell, int stage, const std::vector<int
   if (inputs.size() <= d_.lut_inputs) {
     return logic(inputs.data(), static_cast<unsigned>(inputs.size()));
   }
-  const auto earlier = [](const Part& a, const Part& b) { return a.at < b.at; };
+  const auto earlier = [](const Part& a, const Part& b) {
+    return std::tie(a.at, a.inputs, a.source.cell, a.source.bit) <
+           std::tie(b.at, b.inputs, b.source.cell, b.source.bit);
+  };
   while (parts.size() > 1 || parts.front().inputs > 1) {
-    std::stable_sort(parts.begin(), parts.end(), earlier);
+    std::sort(parts.begin(), parts.end(), earlier);
     Part merged{0, 0, {}};
     std::size_t taken = 0;
     while (taken < parts.size() && merged.inputs + parts[taken].inputs <= d_.lut_inputs) {

@@ -10,8 +10,8 @@
 #include <array>
 #include <vector>
 
-#include "compiler/schedule/circuit.h"
-#include "compiler/schedule/delay_model.h"
+#include "schedule/circuit.h"
+#include "schedule/delay_model.h"
 
 namespace hlsc {
 

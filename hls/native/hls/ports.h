@@ -107,7 +107,7 @@ class Ram1R1W {
 };
 
 /// A RAM small enough for LUTs, read and written in one stage, so that consecutive transactions on
-/// one row see each other.
+/// one row see each other. Its rows start as zeros; those of other RAMs as whatever lies there.
 template <class T, unsigned N>
 class RegisterFile : public Ram1R1W<T, N> {};
 

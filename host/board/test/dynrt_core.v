@@ -16,7 +16,7 @@ module dynrt_core (
   output wire          done_valid_o,
   input  wire          done_ready_i,
   output wire          done_data_o,
-  input  wire [351:0]  frame_i,
+  input  wire [383:0]  frame_i,
   output wire          bank0_en_o,
   output wire [19:0]   bank0_addr_o,
   input  wire [31:0]   bank0_data_i,

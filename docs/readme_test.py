@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Holds the README against the project: configurations, files and folders that it names."""
+
+import json
+import pathlib
+import re
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+ROUNDINGS = {"nearest_even": "nearest even", "truncate": "truncate"}
+
+
+class Readme(unittest.TestCase):
+    def test_configurations_are_those_of_the_data_file(self):
+        configs = json.loads((ROOT / "hls/configs/configs.json").read_text(encoding="utf-8"))
+        rows = [f"| `{name}` | {c['packets']} | {c['lines']} | {c['stack_depth']} | "
+                f"{c['mailbox_slots']} | <{c['exponent_bits']},{c['mantissa_bits']}> | "
+                f"{ROUNDINGS[c['rounding']]} | {c['epsilon']:g} | {c['sram_latency']} |"
+                for name, c in configs.items()]
+        self.assertEqual(re.findall(r"^\| `.*$", README, re.MULTILINE), rows)
+
+    def test_folders_are_those_of_the_project(self):
+        listed = re.findall(r"^    ([\w/]+)  +\S", README.partition("## Where things are")[2]
+                            .partition("\n## ")[0], re.MULTILINE)
+        for folder in listed:
+            self.assertTrue((ROOT / folder).is_dir(), folder)
+        tops = {folder.partition("/")[0] for folder in listed}
+        there = {p.name for p in ROOT.iterdir() if p.is_dir() and p.name[0] not in "._"} - {"build"}
+        self.assertEqual(tops, there)
+
+    def test_files_that_it_names_are_there(self):
+        names = re.findall(r"\]\(([\w./]+)\)", README)
+        names += re.findall(r"`((?:hls|docs|scripts)/[\w./-]+)`", README)
+        names += re.findall(r"^    (scripts/[\w-]+)", README, re.MULTILINE)
+        names = [name for name in names if "NAME" not in name]
+        self.assertGreater(len(names), 8)
+        for name in names:
+            self.assertTrue((ROOT / name).exists(), name)
+
+
+if __name__ == "__main__":
+    unittest.main()

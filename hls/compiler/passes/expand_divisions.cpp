@@ -1,0 +1,76 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
+#include "passes/passes.h"
+#include "passes/rewrite.h"
+
+namespace hlsc {
+namespace {
+
+class ExpandDivisions : public Rewrite {
+ public:
+  ExpandDivisions(const Netlist& from, bool restoring) : Rewrite(from), restoring_(restoring) {}
+
+ private:
+  NodeId make(const Node& n, const std::vector<NodeId>& v) override {
+    if (n.op != Op::kUDiv) return Rewrite::make(n, v);
+    return builder_.zext(divide(v[0], v[1]), n.width);
+  }
+
+  NodeId divide(NodeId a, NodeId b) {
+    b = builder_.trunc(b, std::max(1u, builder_.active_bits(b)));
+    const unsigned width = std::max(1u, builder_.active_bits(a));
+    a = builder_.trunc(a, width);
+    const unsigned divisor_width = builder_.width(b);
+    // The dividend's highest bits are below the divisor's least value: no digits come of them.
+    const unsigned least = builder_.known(b).getMinValue().getActiveBits();
+    const unsigned skipped = std::min(width, least == 0 ? 0 : least - 1);
+    const NodeId head =
+        skipped == 0 ? builder_.constant(1, 0) : builder_.slice(a, width - skipped, skipped);
+    // One bit for the sign of the difference, one for the next bit of the dividend.
+    const unsigned work = divisor_width + 1;
+    return restoring_ ? restoring(a, b, head, width - skipped, work)
+                      : non_restoring(a, b, head, width - skipped, work);
+  }
+
+  /// The remainder is below the divisor, so remainder and next bit less divisor fit `work` bits.
+  NodeId restoring(NodeId a, NodeId b, NodeId rest, unsigned digits, unsigned work) {
+    std::vector<NodeId> quotient;
+    for (unsigned i = digits; i-- > 0;) {
+      const NodeId next = builder_.zext(builder_.concat({rest, builder_.slice(a, i, 1)}), work);
+      const NodeId difference = builder_.sub(next, builder_.zext(b, work));
+      const NodeId too_small = builder_.slice(difference, work - 1, 1);
+      quotient.push_back(builder_.invert(too_small));
+      const NodeId kept = builder_.mux(too_small, next, difference);
+      rest = builder_.trunc(kept, std::max(1u, work - 1));
+    }
+    return quotient.empty() ? builder_.constant(1, 0) : builder_.concat(quotient);
+  }
+
+  /// The remainder is signed, from -divisor to divisor; a negative one has the divisor added.
+  NodeId non_restoring(NodeId a, NodeId b, NodeId head, unsigned digits, unsigned work) {
+    std::vector<NodeId> quotient;
+    NodeId rest = builder_.zext(head, work);
+    NodeId negative = builder_.constant(1, 0);
+    const NodeId divisor = builder_.zext(b, work);
+    for (unsigned i = digits; i-- > 0;) {
+      const NodeId next =
+          builder_.concat({builder_.trunc(rest, work - 1), builder_.slice(a, i, 1)});
+      rest = builder_.mux(negative, builder_.add(next, divisor), builder_.sub(next, divisor));
+      negative = builder_.slice(rest, work - 1, 1);
+      quotient.push_back(builder_.invert(negative));
+    }
+    return quotient.empty() ? builder_.constant(1, 0) : builder_.concat(quotient);
+  }
+
+  bool restoring_;
+};
+
+}  // namespace
+
+Netlist expand_divisions(const Netlist& netlist, const DelayModel& delay) {
+  return ExpandDivisions(netlist, !delay.free_add_sub).run();
+}
+
+}  // namespace hlsc

@@ -1,0 +1,29 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The passes of the back end: each takes a netlist and returns one that computes the same. Their
+// order is in pipeline.cpp.
+#pragma once
+
+#include "netlist/netlist.h"
+#include "schedule/delay_model.h"
+
+namespace hlsc {
+
+/// Divisions become digit recurrences, one subtraction a digit, without the digits that are known
+/// to be zero: restoring, or non-restoring where the device adds and subtracts in one carry chain.
+Netlist expand_divisions(const Netlist& netlist, const DelayModel& delay);
+
+/// Products that fit no hard multiplier become sums of smaller ones or of shifted rows; products by
+/// constants of few digits become additions.
+Netlist split_products(const Netlist& netlist, const DelayModel& delay);
+
+/// Shifts by a variable and leading-zero counts become layers of muxes, so that a stage can end
+/// between two layers. A value shifted by its own leading zeros shares the layers of the count.
+Netlist expand_shifts(const Netlist& netlist);
+
+/// An addition of a selected negation, which is what optimisers make of `s ? a - b : a + b`,
+/// becomes kAddSub: one carry chain instead of two. Last, as the builder knows no kAddSub.
+Netlist merge_add_sub(const Netlist& netlist);
+
+}  // namespace hlsc

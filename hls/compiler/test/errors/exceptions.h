@@ -1,0 +1,14 @@
+// error: hlsc: error: clang rejects the unit:
+// errors/exceptions.h:10:31: error: cannot use 'throw' with exceptions disabled
+#include "hls/ports.h"
+namespace errors {
+struct Unit {
+  hls::In<hls::uint<8>> in;
+  hls::Out<hls::uint<8>> out;
+  void step() {
+    const auto x = in.read();
+    if (x == hls::uint<8>(0)) throw 1;
+    out.write(x);
+  }
+};
+}  // namespace errors

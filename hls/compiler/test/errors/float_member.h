@@ -1,0 +1,10 @@
+// error: errors/float_member.h:7: error: member gain has type double, which is neither a port, an integer, an enum, a bool nor a struct or array of these; hlsc cannot make it a register
+#include "hls/ports.h"
+namespace errors {
+struct Unit {
+  hls::In<hls::uint<8>> in;
+  hls::Out<hls::uint<8>> out;
+  double gain = 1;
+  void step() { out.write(in.read()); }
+};
+}  // namespace errors

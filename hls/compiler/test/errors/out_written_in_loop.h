@@ -1,0 +1,14 @@
+// error: errors/out_written_in_loop.h:10: error: Out out can be written twice in one transaction; make the writes exclude each other or add a second Out
+#include "hls/ports.h"
+namespace errors {
+struct Unit {
+  hls::In<hls::uint<4>> in;
+  hls::Out<hls::uint<4>> out;
+  void step() {
+    const hls::uint<4> n = in.read();
+    for (unsigned i = 0; i < 4; ++i) {
+      if (n.bit(i)) out.write(hls::uint<4>::from(i));
+    }
+  }
+};
+}  // namespace errors

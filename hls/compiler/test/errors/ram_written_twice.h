@@ -1,0 +1,13 @@
+// error: errors/ram_written_twice.h:10: error: RAM table can be written twice in one transaction; collect the row and write it once
+#include "hls/ports.h"
+namespace errors {
+struct Unit {
+  hls::In<hls::uint<4>> in;
+  hls::RamWrite<hls::uint<8>, 16> table;
+  void step() {
+    const hls::uint<4> i = in.read();
+    table.write(0, hls::uint<8>(i));
+    if (i.bit<0>()) table.write(i, 7);
+  }
+};
+}  // namespace errors

@@ -1,0 +1,10 @@
+// error: hlsc: error: clang rejects the unit:
+// errors/syntax.h:8:37: error: expected ';' after expression
+#include "hls/ports.h"
+namespace errors {
+struct Unit {
+  hls::In<hls::uint<8>> in;
+  hls::Out<hls::uint<8>> out;
+  void step() { out.write(in.read()) }
+};
+}  // namespace errors

@@ -1,0 +1,43 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The front end alone: sample units, natively and as interpreted netlists, on random tokens.
+#include "test/compare.h"
+#include "test/units/accumulator.h"
+#include "test/units/arithmetic.h"
+#include "test/units/arrays.h"
+#include "test/units/floats.h"
+#include "test/units/loops.h"
+#include "test/units/mailbox.h"
+#include "test/units/rams.h"
+#include "test/units/routing.h"
+#include "test/units/switches.h"
+
+namespace hlsc::test {
+namespace {
+
+template <class Unit>
+void compare_sample(const std::string& type, const std::string& name, unsigned transactions) {
+  UnitSource source;
+  source.unit = "samples::" + type;
+  source.header = "test/units/" + name + ".h";
+  source.module = name;
+  const std::string hls = HLSC_TEST_HLS;
+  source.folders = {hls + "/lowered", hls + "/include", hls + "/compiler"};
+  for (const std::uint64_t seed : {1, 2}) compare_unit<Unit>(source, transactions, seed);
+}
+
+TEST(Native, Mailbox) { compare_sample<samples::Mailbox>("Mailbox", "mailbox", 5000); }
+TEST(Native, Accumulator) {
+  compare_sample<samples::Accumulator>("Accumulator", "accumulator", 5000);
+}
+TEST(Native, Arithmetic) { compare_sample<samples::Arithmetic>("Arithmetic", "arithmetic", 5000); }
+TEST(Native, Arrays) { compare_sample<samples::Arrays>("Arrays", "arrays", 5000); }
+TEST(Native, Switches) { compare_sample<samples::Switches>("Switches", "switches", 5000); }
+TEST(Native, Routing) { compare_sample<samples::Routing>("Routing", "routing", 5000); }
+TEST(Native, Loops) { compare_sample<samples::Loops>("Loops", "loops", 5000); }
+TEST(Native, Rams) { compare_sample<samples::Rams>("Rams", "rams", 5000); }
+TEST(Native, Floats) { compare_sample<samples::Floats>("Floats", "floats", 20000); }
+
+}  // namespace
+}  // namespace hlsc::test

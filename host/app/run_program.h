@@ -1,0 +1,52 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Runs a program in a folder of its own and keeps what it said.
+#pragma once
+
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace dynrt::host {
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+  std::vector<std::string> files;  ///< left in the folder, sorted
+};
+
+inline std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// `folder` keeps its files between runs; stdout and stderr are files, so no terminal.
+inline Outcome run_program(const std::string& program, const std::string& arguments,
+                           const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  fs::create_directories(folder);
+  const fs::path out = folder.string() + ".out";
+  const fs::path err = folder.string() + ".err";
+  const std::string command = "cd '" + folder.string() + "' && '" + program + "' " + arguments +
+                              " > '" + out.string() + "' 2> '" + err.string() + "' < /dev/null";
+  const int status = std::system(command.c_str());
+  Outcome outcome;
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  outcome.out = text_of(out);
+  outcome.err = text_of(err);
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    outcome.files.push_back(entry.path().filename().string());
+  }
+  std::ranges::sort(outcome.files);
+  fs::remove(out);
+  fs::remove(err);
+  return outcome;
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,39 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The boards of the program that the tests run. Configuration stand_in has the board's real Verilog
+// around the stand-in core of host/board/test, which traces no rays, so its frames differ from the
+// model's; model_only has no Verilog.
+#include "host/board/configurations.h"
+
+#include "configs/thesis.h"
+#include "host/board/native_core.h"
+
+namespace dynrt::host {
+
+std::unique_ptr<ClockedBoard> make_stand_in_board();
+std::unique_ptr<ClockedBoard> make_stand_in_board_traced(const std::string& trace);
+
+namespace {
+
+std::unique_ptr<NativeCore> make_core() { return std::make_unique<NativeCoreOf<config::thesis>>(); }
+
+std::string_view stand_in_json() {
+  return R"({"counters": ["stand_in.transactions", "start.tokens"]})";
+}
+
+}  // namespace
+
+std::span<const Configuration> configurations() {
+  static constexpr Configuration kTable[] = {
+      {.name = "model_only", .native = make_core},
+      {.name = "stand_in",
+       .native = make_core,
+       .rtl = make_stand_in_board,
+       .traced = make_stand_in_board_traced,
+       .core_json = stand_in_json},
+  };
+  return kTable;
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,243 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/scene/description.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "host/scene/camera.h"
+#include "host/scene/load.h"
+#include "host/scene/test_files.h"
+
+namespace dynrt::host {
+namespace {
+
+TEST(Description, OfficeIsOneObjectOf34312Triangles) {
+  const Scene office = load_scene("office");
+  EXPECT_EQ(office.name, "office");
+  ASSERT_EQ(office.objects.size(), 1u);
+  ASSERT_EQ(office.instances.size(), 1u);
+  EXPECT_EQ(office.instances[0].transform, glm::dmat4(1.0));
+  EXPECT_EQ(office.objects[0].triangles.size() + office.dropped.zero_area_triangles, 34312u);
+  EXPECT_EQ(office.dropped.zero_area_triangles, 110u);
+  EXPECT_TRUE(office.notes.empty());
+  ASSERT_TRUE(office.camera);
+  const Box room = bounds(office);
+  for (int axis = 0; axis < 3; ++axis) {
+    EXPECT_GT(office.camera->position[axis], room.low[axis] + 0.1);
+    EXPECT_LT(office.camera->position[axis], room.high[axis] - 0.1);
+  }
+}
+
+TEST(Description, OfficeModelsStayInsideTheRoom) {
+  const Scene office = load_scene("office");
+  const Mesh& mesh = office.objects[0];
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::string& name = office.materials[mesh.material[t]].name;
+    if (name.find('#') == std::string::npos) continue;  // a box
+    const bool in_wall = name.find("#door/") != name.npos || name.find("#window") != name.npos;
+    const double slack = in_wall ? 0.1 : 0.0;
+    for (int k = 0; k < 3; ++k) {
+      const glm::dvec3& v = mesh.vertices[mesh.triangles[t][k]];
+      EXPECT_TRUE(std::abs(v.x) <= 2.6 && v.y >= -1e-9 && v.y <= 2.6 && v.z >= -2.1 - slack &&
+                  v.z <= 2.1)
+          << name << ": " << v.x << " " << v.y << " " << v.z;
+    }
+  }
+}
+
+TEST(Description, BlocksHasTwoLevels) {
+  const Scene blocks = load_scene("blocks");
+  EXPECT_EQ(blocks.objects.size(), 3u);  // two and the ground
+  EXPECT_EQ(blocks.instances.size(), 10u);
+  int mirrored = 0;
+  for (const Instance& instance : blocks.instances) {
+    mirrored += glm::determinant(glm::dmat3(instance.transform)) < 0.0;
+  }
+  EXPECT_EQ(mirrored, 2);
+  EXPECT_TRUE(blocks.camera);
+}
+
+constexpr char kSmall[] = R"({
+  "colours": {"green": [0, 1, 0]},
+  "objects": [
+    {"name": "b", "parts": [{"generate": "box", "from": [0, 0, 0], "to": [1, 1, 1], "colour": "green", "position": [5, 0, 0], "turn": 90}]}
+  ],
+  "instances": [
+    {"object": "b", "position": [0, 10, 0], "rotate": {"axis": [0, 0, 2], "degrees": 90}, "scale": [2, 1, 1]},
+    {"object": "b", "name": "given", "matrix": [1, 0.5, 0, 7, 0, 1, 0, 8, 0, 0, 1, 9]}
+  ],
+  "camera": {"position": [0, 0, 9], "look_at": [0, 0, 0]}
+})";
+
+TEST(Description, PlacesPartsAndInstances) {
+  const TestFolder folder;
+  const Scene scene = load_scene(folder.write("small.json", kSmall));
+  EXPECT_EQ(scene.name, "small");
+  EXPECT_EQ(scene.materials[0].name, "box");
+  EXPECT_EQ(scene.materials[0].diffuse, glm::dvec3(0, 1, 0));
+  // A quarter turn brings +z to +x and +x to -z.
+  glm::dvec3 low(9), high(-9);
+  for (const glm::dvec3& v : scene.objects[0].vertices) {
+    low = glm::min(low, v);
+    high = glm::max(high, v);
+  }
+  EXPECT_LT(glm::length(low - glm::dvec3(5, 0, -1)), 1e-12);
+  EXPECT_LT(glm::length(high - glm::dvec3(6, 1, 0)), 1e-12);
+  EXPECT_EQ(scene.instances[0].name, "b#0");
+  const glm::dvec3 p(scene.instances[0].transform * glm::dvec4(1, 1, 1, 1));
+  EXPECT_LT(glm::length(p - glm::dvec3(-1, 12, 1)), 1e-12);
+  EXPECT_EQ(scene.instances[1].name, "given");
+  EXPECT_EQ(scene.instances[1].transform * glm::dvec4(0, 2, 0, 1), glm::dvec4(8, 10, 9, 1));
+}
+
+TEST(Description, OneInstanceOfEachObjectUnlessSaidOtherwise) {
+  const TestFolder folder;
+  const Scene scene = load_scene(folder.write("a.json", R"({"objects": [
+    {"name": "s", "parts": [{"generate": "sphere", "radius": 1, "subdivisions": 1, "colour": [1, 1, 1]}]},
+    {"name": "t", "parts": [{"generate": "torus", "major_radius": 2, "minor_radius": 1,
+                             "segments": 8, "sides": 4, "colour": [1, 1, 1]}]}]})"));
+  ASSERT_EQ(scene.instances.size(), 2u);
+  EXPECT_EQ(scene.objects[scene.instances[0].object].triangles.size(), 80u);
+  EXPECT_EQ(scene.objects[scene.instances[1].object].triangles.size(), 64u);
+}
+
+struct Mistake {
+  const char* what;
+  const char* with;
+  const char* sentence;  // behind the path
+};
+
+class DescriptionMistake : public testing::TestWithParam<Mistake> {};
+
+TEST_P(DescriptionMistake, IsNamed) {
+  const TestFolder folder;
+  const Mistake& mistake = GetParam();
+  const std::string path = folder.write("m.json", replaced(kSmall, mistake.what, mistake.with));
+  EXPECT_EQ(user_error([&] { load_scene(path); }), path + mistake.sentence);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, DescriptionMistake,
+    testing::Values(
+        Mistake{"[0, 1, 0]}", "[0, 1, 0]},,",
+                ":2: is not valid JSON: syntax error while parsing object key - unexpected ','; "
+                "expected string literal"},
+        Mistake{"\"camera\"", "\"kamera\"",
+                ": the file: the key 'kamera' is not known; it takes about, colours, objects, "
+                "instances, camera"},
+        Mistake{"\"objects\"", "\"about\"", ": the file: the key 'objects' is missing"},
+        Mistake{"\"name\": \"b\"", "\"name\": 5", ": objects[0]: 'name' must be a text"},
+        Mistake{"[{\"generate\"", "[5, {\"generate\"",
+                ": objects[0]: 'parts' must be a list of objects, [{...}, ...]"},
+        Mistake{"\"position\": [5, 0, 0]", "\"position\": [5, 0]",
+                ": objects[0].parts[0]: 'position' must be a list of 3 numbers"},
+        Mistake{"\"turn\": 90", "\"turn\": \"left\"",
+                ": objects[0].parts[0]: 'turn' must be a number"},
+        Mistake{"\"generate\": \"box\"", "\"form\": \"box\"",
+                ": objects[0].parts[0]: a part needs either the key 'model' or the key "
+                "'generate'"},
+        Mistake{"\"generate\": \"box\"", "\"generate\": \"cone\"",
+                ": objects[0].parts[0]: 'cone' cannot be generated; sphere, box and torus can"},
+        Mistake{"\"generate\": \"box\"",
+                "\"generate\": \"sphere\", \"radius\": 1, \"subdivisions\": 99",
+                ": objects[0].parts[0]: the key 'from' is not known; it takes generate, name, "
+                "colour, radius, subdivisions, position, turn"},
+        Mistake{"\"to\": [1, 1, 1]", "\"to\": [1, 0, 1]",
+                ": objects[0].parts[0]: 'from' must be below 'to' on every axis"},
+        Mistake{"\"colour\": \"green\"", "\"colour\": \"grene\"",
+                ": objects[0].parts[0]: 'grene' is not one of the file's colours"},
+        Mistake{"\"colour\": \"green\"", "\"colour\": [0, 2, 0]",
+                ": objects[0].parts[0]: 'colour' must be three numbers from 0 to 1"},
+        Mistake{"{\"object\": \"b\", \"name\"", "{\"object\": \"c\", \"name\"",
+                ": instances[1]: there is no object 'c'"},
+        Mistake{"\"look_at\": [0, 0, 0]", "\"look_at\": [0, 0, 9]",
+                ": camera: the camera stands at the point that it looks at (0, 0, 9); move one of "
+                "the two"},
+        Mistake{"\"look_at\": [0, 0, 0]", "\"up\": [0, 1, 0]",
+                ": camera: the key 'look_at' is missing"},
+        Mistake{"\"axis\": [0, 0, 2]", "\"axis\": [0, 0, 0]",
+                ": instances[0].rotate: 'axis' must not be zero"},
+        Mistake{"\"scale\": [2, 1, 1]", "\"scale\": [2, 0, 1]",
+                ": node 'b#0': its transform has no inverse; no axis may be scaled to zero and "
+                "the three must not lie in one plane"},
+        Mistake{"[1, 0.5, 0, 7,", "[0, 0, 1, 7,",
+                ": node 'given': its transform has no inverse; no axis may be scaled to zero and "
+                "the three must not lie in one plane"},
+        Mistake{"\"parts\": [{", "\"parts\": []}, {\"name\": \"c\", \"parts\": [{",
+                ": objects[0]: the object 'b' has no parts"},
+        Mistake{"  \"instances\"", "  \"instances\": [], \"about\"",
+                ": the scene has no triangles (0 of zero area, 0 points and lines left out)"}));
+
+TEST(Description, NamesModelsAndMaterialsThatAreNotThere) {
+  const TestFolder folder;
+  const auto error = [&](const std::string& part) {
+    const std::string path =
+        folder.write("m.json", R"({"objects": [{"name": "o", "parts": [{)" + part + R"(}]}]})");
+    return user_error([&] { load_scene(path); }).substr(path.size());
+  };
+  EXPECT_EQ(error(R"("model": "Scopia#officechair")"),
+            ": objects[0].parts[0]: the package sweethome3d-furniture has no model with the "
+            "catalogue id 'Scopia#officechair'");
+  EXPECT_EQ(error(R"("model": "Scopia#bandeja", "colours": {"glass": [1, 1, 1]})"),
+            ": objects[0].parts[0].colours: the model has no material 'glass'; it has "
+            "DefaultMaterial, transparent");
+  EXPECT_EQ(error(R"("model": "Scopia#bandeja", "size": [1, 0, 1])"),
+            ": objects[0].parts[0]: 'size' must be three numbers above zero");
+}
+
+TEST(Description, NamesWhatIsWrongWithAShape) {
+  const TestFolder folder;
+  const auto error = [&](const std::string& part) {
+    const std::string path =
+        folder.write("m.json", R"({"objects": [{"name": "o", "parts": [{"colour": [1, 1, 1], )" +
+                                   part + R"(}]}]})");
+    return user_error([&] { load_scene(path); }).substr(path.size());
+  };
+  EXPECT_EQ(error(R"("generate": "sphere", "radius": 0, "subdivisions": 1)"),
+            ": objects[0].parts[0]: 'radius' must be a number above zero");
+  EXPECT_EQ(error(R"("generate": "sphere", "radius": 1, "subdivisions": 7)"),
+            ": objects[0].parts[0]: 'subdivisions' must be a whole number from 0 to 6");
+  EXPECT_EQ(error(R"("generate": "torus", "major_radius": 1, "minor_radius": 1, "segments": 3.5)"),
+            ": objects[0].parts[0]: 'segments' must be a whole number from 3 to 512");
+}
+
+TEST(Description, NamesObjectsThatAreDoubledOrUnused) {
+  const TestFolder folder;
+  const std::string box =
+      R"(, "parts": [{"generate": "box", "from": [0, 0, 0], "to": [1, 1, 1], "colour": [1, 1, 1]}]})";
+  const auto error = [&](const std::string& text) {
+    const std::string path = folder.write("m.json", text);
+    return user_error([&] { load_scene(path); }).substr(path.size());
+  };
+  EXPECT_EQ(error(R"({"objects": [{"name": "o")" + box + R"(, {"name": "o")" + box + "]}"),
+            ": objects[1]: there are two objects named 'o'");
+  EXPECT_EQ(error(R"({"objects": [{"name": "o")" + box + R"(, {"name": "p")" + box +
+                  R"(], "instances": [{"object": "p"}]})"),
+            ": the file: no instance uses the object 'o'");
+}
+
+TEST(Description, NamesThePackageThatIsMissing) {
+  const TestFolder folder;
+  const std::string error = user_error(
+      [&] { load_description(DYNRT_SCENES_FOLDER "/office.json", folder.path("nowhere")); });
+  EXPECT_EQ(error,
+            "the models of this scene come from the Debian package sweethome3d-furniture, which is "
+            "not installed (" +
+                folder.path("nowhere") +
+                " has no .sh3f file); install it with: apt-get install sweethome3d-furniture");
+}
+
+TEST(Description, EveryBuiltInSceneLoads) {
+  for (const std::string& name : built_in_scenes()) {
+    const Scene scene = load_scene(name);
+    EXPECT_FALSE(scene.instances.empty()) << name;
+    EXPECT_TRUE(scene.camera) << name;
+  }
+  EXPECT_GE(built_in_scenes().size(), 2u);
+}
+
+}  // namespace
+}  // namespace dynrt::host

@@ -1,0 +1,166 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The rows of scripts/bench: what is asked of dynrt, what was reached, and why where it falls short."""
+
+import dataclasses
+import operator
+
+import bench_latency
+from bench_run import Run, RunFailed, Speed, Work, busiest, rays
+
+CONFIG = "full"  # 64 packets and 512 lines, which --packets and --lines make smaller
+CLOCK_MHZ = 85   # that frames per second are stated for
+
+# Work per packet of a tracer that is not ours, on the same models but with other cameras and six
+# clipping nodes at the root, which cost a step each.
+YARDSTICK = {"office": {"steps": 36.1, "leaf_fetches": 7.3, "list_entries": 4.2, "triangles": 4.0}}
+YARDSTICK_NOTE = {
+    "steps": "yardstick with six clipping nodes at the root, 30.1 without",
+    "leaf_fetches": "5.9 of the yardstick's are of empty leaves, which are never fetched here",
+    "list_entries": "both levels; the yardstick has no instances' tree",
+    "triangles": "after the mailbox",
+}
+
+
+@dataclasses.dataclass
+class Row:
+    name: str
+    unit: str = ""
+    asked: float | None = None
+    relation: str = ""  # at least: ">=", at most: "<=", no demand: ""
+    reached: float | None = None
+    digits: int = 0
+    note: str = ""
+
+    @property
+    def met(self):
+        """True, False, or None where nothing is asked or could be measured."""
+        if not self.relation or self.reached is None:
+            return None
+        return {">=": operator.ge, "<=": operator.le}[self.relation](self.reached, self.asked)
+
+    def asked_text(self):
+        return "" if self.asked is None else f"{self.relation} {self._number(self.asked)}".strip()
+
+    def reached_text(self):
+        return "-" if self.reached is None else self._number(self.reached)
+
+    def _number(self, value):
+        return f"{value:,.{self.digits}f}" + (f" {self.unit}" if self.unit else "")
+
+    def data(self):
+        return {**dataclasses.asdict(self), "met": self.met}
+
+
+@dataclasses.dataclass
+class Options:
+    scene: str
+    size: str
+    runs: int
+    reports: object  # folder of hlsc's schedule reports of CONFIG
+
+
+class Bench:
+    """Measures all rows; what was run is kept for the reader of the data."""
+
+    def __init__(self, dynrt, options, progress):
+        self.dynrt, self.options, self.progress = dynrt, options, progress
+        self.frames = {}
+        self.missing = ""  # why there are no figures of the RTL
+
+    def rows(self):
+        model = self._speed("model", rays)
+        try:
+            rtl = self._speed("rtl", lambda frame: frame["cycles"])
+        except RunFailed as failure:
+            rtl, self.missing = None, str(failure)
+        return [*self._core_rows(rtl), *self._work_rows(model.last.frame),
+                *self._latency_rows(rtl is not None), *self._host_rows(rtl, model)]
+
+    def _speed(self, board, amount):
+        speed = Speed.measure(self.dynrt, board, self.options.scene, CONFIG, self.options.size,
+                              self.options.runs, amount, self.progress)
+        self.frames[board] = speed.last.frame
+        return speed
+
+    def _core_rows(self, rtl):
+        """How busy the core is, and what it gives."""
+        rows = [Row("busiest unit works, 64 packets", "%", 90, ">=", digits=1),
+                Row("busiest unit works, 32 packets", "%", 75, ">=", digits=1),
+                Row("rays per clock", "", 0.085, ">=", digits=4),
+                Row(f"frames per second at {CLOCK_MHZ} MHz", "", 37, ">=", digits=1)]
+        if rtl is None:
+            return rows
+        frame = rtl.last.frame
+        self.progress("rtl, 32 packets")
+        half = self.dynrt.render(self.options.scene, "rtl", CONFIG, self.options.size,
+                                 "--packets", "32").frame
+        self.frames["rtl, 32 packets"] = half
+        for row, which in zip(rows, (frame, half)):
+            name, transactions = busiest(which)
+            row.reached = 100 * transactions / which["cycles"]
+            row.note = f"{name}, {which['cycles']:,} clocks a frame"
+        bound = Work.of(frame).bound()
+        rows[2].reached = rays(frame) / frame["cycles"]
+        rows[2].note = (f"bound {rays(frame) / bound:.4f} by the work counted below, "
+                        f"{rays(frame) / busiest(frame)[1]:.4f} by the busiest unit's transactions")
+        rows[3].reached = CLOCK_MHZ * 1e6 / frame["cycles"]
+        rows[3].note = f"bound {CLOCK_MHZ * 1e6 / bound:.1f}"
+        return rows
+
+    def _work_rows(self, frame):
+        """The work of a packet; the same on both boards."""
+        work, yardstick = Work.of(frame), YARDSTICK.get(self.options.scene, {})
+        rows = []
+        for name in ("steps", "leaf_fetches", "list_entries", "triangles", "objects"):
+            asked = yardstick.get(name)
+            rows.append(Row(f"{name.replace('_', ' ')} per packet", "", asked, "<=" if asked else "",
+                            work.per_packet(name), 2, YARDSTICK_NOTE.get(name, "") if asked else ""))
+        caches = ", ".join(f"{name} {100 * cache['hit_rate']:.1f} %"
+                           for name, cache in frame["caches"].items())
+        rows.append(Row("clocks of the busiest unit alone, per packet", "", None, "",
+                        work.bound() / work.packets, 2, f"cache hits: {caches}"))
+        return rows
+
+    def _latency_rows(self, have_rtl):
+        planned = Row("traversal round trip, scheduled", "clocks", 32, "<=")
+        schedule = bench_latency.scheduled(self.options.reports)
+        if schedule is None:
+            planned.note = f"{self.options.reports} has no schedule reports"
+        else:
+            planned.reached = schedule.clocks
+            stages = ", ".join(f"{unit} {n}" for unit, n in schedule.stages.items())
+            planned.note = f"at {schedule.clock_ns:g} ns: {stages}"
+        taken = Row("traversal round trip, measured", "clocks", 32, "<=", digits=1)
+        if have_rtl:
+            self.progress("rtl, one packet in flight")
+            taken.reached = bench_latency.measured(self.dynrt, CONFIG)
+            taken.note = "RTL with one packet in flight, nodes in the cache"
+        return [planned, taken]
+
+    def _host_rows(self, rtl, model):
+        simulation = Row("RTL simulation, clocks per second", "", 100_000, ">=")
+        memory = Row("peak memory of a render", "MB", 1000, "<=")
+        if rtl is not None:
+            simulation.reached, simulation.note = rtl.median, _spread(rtl, self.options.runs)
+        peak: Run = (rtl or model).last
+        memory.reached, memory.note = peak.peak_bytes / 1e6, f"board {peak.frame['board']}"
+        native = Row("native model, rays per second", "", 300_000, ">=", reached=model.median,
+                     note=_spread(model, self.options.runs))
+        return [simulation, native, self._tree_row(), memory]
+
+    def _tree_row(self):
+        seconds = []
+        for number in range(self.options.runs):
+            self.progress(f"tree: run {number + 1} of {self.options.runs}")
+            report = self.dynrt.info(self.options.scene)
+            seconds.append(report["tree_seconds"])
+        seconds.sort()
+        return Row(f"tree of {report['triangles']:,} triangles", "s", 2, "<=",
+                   seconds[len(seconds) // 2], 2,
+                   f"{self.options.runs} runs, {seconds[0]:.2f} to {seconds[-1]:.2f}, by the clock "
+                   "on the wall")
+
+
+def _spread(speed, runs):
+    return f"one core, {runs} runs, {speed.low:,.0f} to {speed.high:,.0f}"

@@ -1,0 +1,149 @@
+#!/usr/bin/env python3
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Runs scripts/bench on a stand-in for dynrt whose figures are known."""
+
+import csv
+import json
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+from bench_run import Work
+
+BENCH = pathlib.Path(__file__).resolve().parent / "bench"
+
+# A frame of 100 packets: 10 objects and 40 triangles are transformed, 5 entries were seen before,
+# 30 leaves and 3,000 inner nodes are fetched.
+STAND_IN = '''#!/usr/bin/env python3
+import argparse, json, pathlib, sys
+parser = argparse.ArgumentParser()
+parser.add_argument("command")
+parser.add_argument("scene")
+for flag in ("board", "config", "size", "out", "json", "position", "look-at", "up", "fov"):
+    parser.add_argument("--" + flag)
+parser.add_argument("--packets", type=int, default=64)
+parser.add_argument("--lines", type=int, default=512)
+a = parser.parse_args()
+if a.command == "info":
+    pathlib.Path(a.json).write_text(json.dumps({"tree_seconds": 1.25, "triangles": 34202}))
+    sys.exit()
+if a.board == "rtl" and not HAS_RTL:
+    sys.exit("dynrt: there is no RTL in this build")
+width, height = map(int, a.size.split("x"))
+steps = 3000
+if pathlib.Path(a.scene).suffix == ".obj":
+    steps += 10 * pathlib.Path(a.scene).read_text().count("f ")
+nodes = steps + 30
+counters = {"shade_job.tokens": 100, "list_lookup.transactions": 55,
+            "collect_hits.transactions": 560, "transform_job.tokens": 150,
+            "list_job.tokens": 85, "node_lookup.transactions": nodes}
+cycles = nodes * (30 if a.packets == 1 else 2 if a.packets == 32 else 1.25)
+units = {name: {"transactions": count, "utilisation": count / cycles} for name, count in
+         {"node_lookup": nodes, "list_lookup": 55, "transformation": 750,
+          "intersection": 560}.items()}
+caches = {name: {"hit_rate": a.lines / 1024} for name in ("node", "list", "matrix")}
+report = {"frame": {"board": a.board, "width": width, "height": height, "counters": counters,
+                    "units": units, "caches": caches,
+                    "cycles": cycles if a.board == "rtl" else None}}
+pathlib.Path(a.json).write_text(json.dumps(report))
+'''
+REPORT = "unit       dynrt::Unit\nclock      10.00 ns (ECP5)\nstages     {}\n"
+
+
+class Bench(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def bench(self, *flags, rtl=True):
+        program = self.folder / "dynrt"
+        program.write_text(STAND_IN.replace("HAS_RTL", str(rtl)), encoding="utf-8")
+        program.chmod(0o755)
+        return subprocess.run([BENCH, "--program", program, *flags], cwd=self.folder,
+                              capture_output=True, text=True, check=False)
+
+    def rows(self, *flags, rtl=True):
+        result = self.bench("--runs", "2", "--json", "bench.json", *flags, rtl=rtl)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(result.stderr, "")
+        rows = json.loads((self.folder / "bench.json").read_text())["rows"]
+        return {row["name"]: row for row in rows}, result.stdout
+
+    def test_work_of_a_frame(self):
+        work = Work.of({"counters": {
+            "shade_job.tokens": 49152, "list_lookup.transactions": 311024,
+            "collect_hits.transactions": 1135952, "transform_job.tokens": 333140,
+            "list_job.tokens": 435918, "node_lookup.transactions": 1681545}})
+        self.assertEqual(work, Work(49152, 1556651, 124894, 311024, 234836, 49152))
+        self.assertEqual(work.bound(), 1681545)
+
+    def test_figures_of_the_rtl(self):
+        rows, text = self.rows()
+        self.assertEqual(rows["busiest unit works, 64 packets"]["reached"], 80)
+        self.assertIs(rows["busiest unit works, 64 packets"]["met"], False)
+        self.assertEqual(rows["busiest unit works, 32 packets"]["reached"], 50)
+        self.assertAlmostEqual(rows["rays per clock"]["reached"], 512 * 384 / (1.25 * 3030))
+        self.assertEqual(rows["steps per packet"]["reached"], 30)
+        self.assertIs(rows["steps per packet"]["met"], True)
+        self.assertEqual(rows["objects per packet"]["reached"], 0.1)
+        self.assertIsNone(rows["objects per packet"]["met"])
+        self.assertEqual(rows["tree of 34,202 triangles"]["reached"], 1.25)
+        self.assertLess(rows["peak memory of a render"]["reached"], 1000)
+        self.assertRegex(text, r"busiest unit works, 64 packets +>= 90\.0 % +80\.0 % +short +node_l")
+
+    def test_round_trip(self):
+        rows, _ = self.rows()
+        self.assertEqual(rows["traversal round trip, measured"]["reached"], 30)
+        self.assertIsNone(rows["traversal round trip, scheduled"]["reached"])
+        reports = self.folder / "generated" / "full"
+        reports.mkdir(parents=True)
+        for number, unit in enumerate(("node_fetch", "node_lookup", "traversal_slice",
+                                       "packet_decision")):
+            (reports / f"{unit}.txt").write_text(REPORT.format(number + 5))
+        rows, text = self.rows()
+        self.assertEqual(rows["traversal round trip, scheduled"]["reached"], 5 + 6 + 7 + 8)
+        self.assertIn("traversal_slice 7", text)
+
+    def test_without_rtl_the_rest_is_measured(self):
+        rows, text = self.rows(rtl=False)
+        self.assertIsNone(rows["rays per clock"]["reached"])
+        self.assertIsNone(rows["rays per clock"]["met"])
+        self.assertEqual(rows["triangles per packet"]["reached"], 0.4)
+        self.assertIn("Nothing of the RTL was measured: dynrt: there is no RTL in this build", text)
+
+    def test_sweep(self):
+        result = self.bench("--sweep", "plots", "--quick")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with open(self.folder / "plots" / "packets.csv", encoding="utf-8") as file:
+            packets = {row["packets"]: row for row in csv.DictReader(file)}
+        self.assertEqual(list(packets), ["1", "2", "4", "8", "16", "24", "32", "48", "64"])
+        self.assertEqual(packets["32"]["traversal usage"], "0.5")
+        with open(self.folder / "plots" / "lines.csv", encoding="utf-8") as file:
+            self.assertEqual([float(row["node cache hits"]) for row in csv.DictReader(file)],
+                             [2**n / 1024 for n in range(10)])
+        for plot in ("usage.svg", "frame_rate.svg", "hit_rate.svg"):
+            self.assertIn("<svg", (self.folder / "plots" / plot).read_text())
+
+    def test_sweep_needs_the_rtl(self):
+        result = self.bench("--sweep", "plots", rtl=False)
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr, "bench: dynrt: there is no RTL in this build\n")
+
+    def test_a_program_that_is_none(self):
+        result = subprocess.run([BENCH, "--program", "nothing"], capture_output=True, text=True,
+                                check=False)
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr,
+                         "bench: nothing is no program; build it or leave out --program\n")
+
+    def test_a_folder_that_is_not_there(self):
+        result = self.bench("--json", "gone/bench.json")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--json gone/bench.json: there is no folder 'gone'", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,43 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "units/cache_lookup.h"
+
+#include "Vlist_lookup.h"
+#include "Vmatrix_lookup.h"
+#include "Vnode_lookup.h"
+#include "list_lookup_ports.h"
+#include "matrix_lookup_ports.h"
+#include "node_lookup_ports.h"
+#include "unit/cosimulate.h"
+
+namespace dynrt::cosim {
+namespace {
+
+template <class Kind>
+using CacheLookupOf = CacheLookup<C, Kind>;
+
+/// The lines hold addresses that are asked for, here and there one that belongs elsewhere.
+template <class Kind>
+void setup(Bench<CacheLookupOf<Kind>>& bench, const Run& run) {
+  using Request = CacheRequest<typename Kind::Context>;
+  using Row = CacheRow<typename Kind::Line>;
+  const unsigned lines = 1u << (run.number == 0 ? 9 : run.number % 10);
+  bench.template shape<FrameConfig>(
+      "frame", [lines](FrameConfig& frame, Random&) { frame.line_mask = Word::from(lines - 1); });
+  bench.template shape<Request>("request", [lines](Request& r, Random& random) {
+    if (random.below(8) != 0) r.address = number_below<kAddressBits>(random, 3 * lines);
+  });
+  bench.template shape<Row>("lines", [lines, number = 0u](Row& row, Random& random) mutable {
+    const unsigned row_number = number++;
+    row.valid = row_number == 0 || random.below(8) != 0;  // a cache may have one line
+    row.tag = Address::from(row_number % lines + lines * random.below(3));
+    if (random.below(8) == 0) row.tag = number_below<kAddressBits>(random, 3 * lines);
+  });
+}
+
+DYNRT_COSIM(NodeLookup, CacheLookupOf<NodeCache<C>>, node_lookup, setup<NodeCache<C>>)
+DYNRT_COSIM(ListLookup, CacheLookupOf<ListCache<C>>, list_lookup, setup<ListCache<C>>)
+DYNRT_COSIM(MatrixLookup, CacheLookupOf<MatrixCache<C>>, matrix_lookup, setup<MatrixCache<C>>)
+
+}  // namespace
+}  // namespace dynrt::cosim

@@ -1,0 +1,52 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "units/mailbox.h"
+
+#include <memory>
+
+#include "Vpacket_mailbox.h"
+#include "packet_mailbox_ports.h"
+#include "unit/cosimulate.h"
+
+namespace dynrt::cosim {
+namespace {
+
+using Entry = MailboxEntry<C>;
+
+/// A packet is new, then has objects, and after the first of them triangles.
+class Stimulus {
+ public:
+  explicit Stimulus(const Run& run) : packets_(run) {}
+  void draw(Entry& e, Random& random) {
+    e.packet = packets_.next(random);
+    const Known known = known_[e.packet.to_u64()];
+    e.clear = known == Known::kNothing || random.below(40) == 0;
+    e.level = Level::from(known == Known::kTriangles && !e.clear && random.below(8) != 0);
+    e.entry.matrix = number_below<kMatrixBits>(random, 12);
+  }
+  void begun(const Entry& e) {
+    Known& known = known_[e.packet.to_u64()];
+    if (e.clear && known == Known::kNothing) {
+      known = Known::kObjects;
+    } else if (!e.clear) {
+      known = Known::kTriangles;
+    }
+  }
+
+ private:
+  enum class Known : unsigned char { kNothing, kObjects, kTriangles };
+  Packets packets_;
+  Known known_[C::kPackets] = {};
+};
+
+void setup(Bench<Mailbox<C>>& bench, const Run& run) {
+  auto stimulus = std::make_shared<Stimulus>(run);
+  bench.packet<Entry>("entry", [](const Entry& e) { return e.packet.to_u64(); });
+  bench.shape<Entry>("entry", [stimulus](Entry& e, Random& random) { stimulus->draw(e, random); });
+  bench.begun<Entry>("entry", [stimulus](const Entry& e) { stimulus->begun(e); });
+}
+
+DYNRT_COSIM(Mailbox, Mailbox<C>, packet_mailbox, setup)
+
+}  // namespace
+}  // namespace dynrt::cosim

@@ -1,0 +1,24 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "units/packet_decoder.h"
+
+#include "Vpacket_decoder.h"
+#include "packet_decoder_ports.h"
+#include "unit/cosimulate.h"
+
+namespace dynrt::cosim {
+namespace {
+
+/// The first vector of all is an origin.
+void setup(Bench<PacketDecoder<C>>& bench, const Run&) {
+  bench.shape<PacketVector<C>>(
+      "vector", [](PacketVector<C>& v, Random& random) { v.point = random.below(5) == 0; });
+  bench.shape<JobRecord<C>>("record", [](JobRecord<C>& record, Random& random) {
+    record.kind = any_of<TransformKind>(random, 3);
+  });
+}
+
+DYNRT_COSIM(PacketDecoder, PacketDecoder<C>, packet_decoder, setup)
+
+}  // namespace
+}  // namespace dynrt::cosim

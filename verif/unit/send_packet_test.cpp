@@ -1,0 +1,25 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "units/send_packet.h"
+
+#include "Vsend_packet.h"
+#include "send_packet_ports.h"
+#include "unit/cosimulate.h"
+
+namespace dynrt::cosim {
+namespace {
+
+void setup(Bench<SendPacket<C>>& bench, const Run&) {
+  using Job = Repeated<SendJob<C>>;
+  bench.shape<Job>("job", [](Job& j, Random& random) {
+    j.job.kind = any_of<TransformKind>(random, 3);
+    j.job.repeat = random.below(2) == 0 ? RepeatCount(4) : RepeatCount(7);
+    j.index = number_below<4>(random, j.job.repeat.to_u64() + 1);
+    j.last = j.index == j.job.repeat;
+  });
+}
+
+DYNRT_COSIM(SendPacket, SendPacket<C>, send_packet, setup)
+
+}  // namespace
+}  // namespace dynrt::cosim
