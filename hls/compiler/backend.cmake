@@ -28,3 +28,16 @@ target_link_libraries(hlsc_backend PUBLIC hlsc_netlist hlsc_frontend
                               dynrt_warnings)
 
 add_subdirectory(cosim)
+
+add_executable(hlsc_passes_test passes/passes_test.cpp)
+target_compile_definitions(hlsc_passes_test
+                           PRIVATE DELAY_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/delay")
+target_link_libraries(hlsc_passes_test PRIVATE hlsc_random dynrt_warnings GTest::gtest_main)
+gtest_discover_tests(hlsc_passes_test PROPERTIES LABELS lower)
+
+add_executable(hlsc_schedule_test schedule/schedule_test.cpp)
+target_compile_definitions(hlsc_schedule_test
+                           PRIVATE DELAY_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/delay")
+target_link_libraries(hlsc_schedule_test PRIVATE hlsc_random dynrt_warnings GTest::gmock
+                                                 GTest::gtest_main)
+gtest_discover_tests(hlsc_schedule_test PROPERTIES LABELS lower)

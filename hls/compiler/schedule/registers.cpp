@@ -165,8 +165,10 @@ class Minimiser {
       if (c_.cells[id].kind == CellKind::kConfig) continue;
       if (timing_.evaluate(id, schedule_.stage) <= available_) continue;
       const std::vector<CellId> path = critical_path(id);
-      if (!keep_apart(path.front(), id)) pin(path);
       found = true;
+      if (keep_apart(path.front(), id)) continue;
+      pin(path);
+      return true;
     }
     return found;
   }
@@ -185,8 +187,11 @@ class Minimiser {
   void pin(const std::vector<CellId>& path) {
     bool any = false;
     for (const CellId id : path) any = pinned_.insert(id).second || any;
-    for (CellId id = 0; !any && id < c_.cells.size(); ++id) {
-      if (asap_[id] == asap_[path.back()]) any = pinned_.insert(id).second || any;
+    if (any) return;
+    const int stage = asap_[path.back()];
+    for (CellId id = 0; id < c_.cells.size(); ++id) {
+      if (asap_[id] != stage && schedule_.stage[id] != stage) continue;
+      any = pinned_.insert(id).second || any;
     }
     if (!any) throw std::logic_error("schedule: the first schedule misses the clock");
   }

@@ -1,0 +1,315 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "schedule/schedule.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <random>
+
+#include "backend.h"
+#include "cosim/random_netlist.h"
+#include "error.h"
+#include "frontend/builder.h"
+
+namespace hlsc {
+namespace {
+
+using testing::HasSubstr;
+
+/// Round numbers: a LUT takes 1 ns, a carry chain 1 and 0.1 for each bit, tokens come at once.
+DelayModel round_numbers() {
+  DelayModel d;
+  d.name = "round numbers";
+  d.lut = 1;
+  d.carry_start = 1;
+  d.carry_bit = 0.1;
+  d.compare_out = 1;
+  d.multiply = 3;
+  d.ram_out = 2;
+  d.lut_ram = 1;
+  return d;
+}
+
+struct Unit {
+  Netlist n;
+  Builder b{n};
+
+  explicit Unit(unsigned width) { port(PortKind::kIn, "in", width); }
+  unsigned port(PortKind kind, const char* name, unsigned width, unsigned rows = 1,
+                unsigned latency = 0, Hazard hazard = Hazard::kExclusive) {
+    n.ports.push_back({kind, name, width, rows, latency, hazard, {"unit.h", 7}});
+    return static_cast<unsigned>(n.ports.size() - 1);
+  }
+  NodeId in(unsigned low, unsigned width) { return b.source(Op::kToken, 0, low, width); }
+  void out(NodeId data, const char* name = "out") {
+    n.token_writes.push_back({port(PortKind::kOut, name, b.width(data)), b.constant(1, 1), data});
+  }
+  NodeId read(unsigned port, NodeId address) {
+    n.row_reads.push_back({port, b.constant(1, 1), address});
+    return b.source(Op::kRow, static_cast<unsigned>(n.row_reads.size() - 1), 0,
+                    n.ports[port].width);
+  }
+  void write(unsigned port, NodeId address, NodeId data) {
+    n.row_writes.push_back({port, b.constant(1, 1), address, data});
+  }
+};
+
+/// Arrival of what the only token write writes, all in one stage.
+double arrival(const Netlist& n) {
+  const Circuit c(n);
+  Timing timing(c, round_numbers());
+  const std::vector<int> stage(c.cells.size(), 0);
+  double last = 0;
+  for (CellId id = 0; id < c.cells.size(); ++id) last = timing.evaluate(id, stage);
+  return last;
+}
+
+TEST(Timing, ChainedLogicCostsALevelForFourInputs) {
+  for (const auto& [inputs, levels] : {std::pair{4u, 1.0}, {5u, 2.0}, {7u, 2.0}, {8u, 3.0}}) {
+    Unit u(inputs);
+    NodeId chain = u.in(0, 1);
+    for (unsigned i = 1; i < inputs; ++i) chain = u.b.logic(Op::kXor, chain, u.in(i, 1));
+    u.out(chain);
+    EXPECT_DOUBLE_EQ(arrival(u.n), levels) << inputs << " inputs";
+  }
+}
+
+TEST(Timing, AMuxOfMuxedInputsIsOneLevelWhereOneLutHoldsIt) {
+  Unit u(20);
+  const NodeId inner = u.b.mux(u.in(0, 1), u.in(2, 8), u.in(10, 8));
+  u.out(u.b.logic(Op::kAnd, inner, u.b.sext(u.in(1, 1), 8)));
+  EXPECT_DOUBLE_EQ(arrival(u.n), 1.0);
+}
+
+TEST(Timing, CarryChainsPassBitsOnAsTheyCome) {
+  Unit u(48);
+  const NodeId sum = u.b.add(u.in(0, 16), u.in(16, 16));
+  u.out(sum);
+  const double one = arrival(u.n);
+  EXPECT_NEAR(one, 1 + 15 * 0.1, 1e-9);
+  Unit v(48);
+  v.out(v.b.add(v.b.add(v.in(0, 16), v.in(16, 16)), v.in(32, 16)));
+  EXPECT_NEAR(arrival(v.n), one + 1, 1e-9);
+}
+
+TEST(Timing, EqualityIsATree) {
+  Unit u(64);
+  u.out(u.b.equal(u.in(0, 32), u.in(32, 32)));
+  EXPECT_DOUBLE_EQ(arrival(u.n), 3.0);  // 2 pairs a LUT, then 4 to 1, 4 to 1
+}
+
+/// Nothing that the circuit demands is violated, and every stage fits the clock.
+void expect_valid(const Circuit& c, const DelayModel& delay, double clock_ns, const Schedule& s) {
+  Timing timing(c, delay);
+  for (const Precedence& p : precedences(c, timing)) {
+    EXPECT_GE(s.stage[p.user], s.stage[p.of] + p.distance)
+        << c.describe(p.of) << " to " << c.describe(p.user);
+  }
+  for (CellId id = 0; id < c.cells.size(); ++id) {
+    EXPECT_LE(timing.evaluate(id, s.stage), clock_ns - delay.clock_overhead + 1e-9)
+        << c.describe(id);
+    EXPECT_LT(s.stage[id], s.stages);
+    if (c.cells[id].kind == CellKind::kToken) EXPECT_EQ(s.stage[id], 0);
+    if (c.cells[id].kind == CellKind::kTokenWrite) EXPECT_EQ(s.stage[id], s.stages - 1);
+  }
+}
+
+TEST(Schedule, IsValidAndNeedsFewerRegistersThanTheFirstOne) {
+  unsigned long first = 0;
+  unsigned long least = 0;
+  for (std::uint32_t seed = 2000; seed < 2100; ++seed) {
+    const Options options = random_options(seed, DELAY_FOLDER);
+    const Netlist n = optimise(random_netlist(seed), options);
+    const Circuit c(n);
+    const Schedule asap = schedule_asap(c, options.delay, options.clock_ns);
+    SCOPED_TRACE(seed);
+    expect_valid(c, options.delay, options.clock_ns, asap);
+    if (testing::Test::HasFailure()) return;
+    const Schedule s = minimise_registers(c, options.delay, options.clock_ns, asap);
+    expect_valid(c, options.delay, options.clock_ns, s);
+    EXPECT_LE(register_bits(c, s), register_bits(c, asap));
+    first += register_bits(c, asap);
+    least += register_bits(c, s);
+    if (testing::Test::HasFailure()) return;
+  }
+  EXPECT_LT(least, first * 9 / 10);
+}
+
+/// Tries all stages of all cells.
+class Exhaustive {
+ public:
+  Exhaustive(const Circuit& c, const DelayModel& delay, double clock_ns, const Schedule& asap)
+      : c_(c),
+        timing_(c, delay),
+        available_(clock_ns - delay.clock_overhead),
+        pairs_(precedences(c, timing_)),
+        schedule_(asap) {}
+
+  unsigned long least() {
+    place(0);
+    return least_;
+  }
+
+ private:
+  void place(CellId id) {
+    if (id == c_.cells.size()) {
+      least_ = std::min(least_, register_bits(c_, schedule_));
+      return;
+    }
+    const CellKind kind = c_.cells[id].kind;
+    const int last = schedule_.stages - 1;
+    const int from = kind == CellKind::kTokenWrite ? last : 0;
+    const int to = kind == CellKind::kToken ? 0 : last;
+    for (int s = from; s <= to; ++s) {
+      schedule_.stage[id] = s;
+      bool fits = true;
+      for (const Precedence& p : pairs_) {
+        if (p.user == id && p.of < id) fits = fits && s >= schedule_.stage[p.of] + p.distance;
+      }
+      if (fits && timing_.evaluate(id, schedule_.stage) <= available_) place(id + 1);
+    }
+  }
+
+  const Circuit& c_;
+  Timing timing_;
+  double available_;
+  std::vector<Precedence> pairs_;
+  Schedule schedule_;
+  unsigned long least_ = ~0ul;
+};
+
+TEST(Schedule, FindsTheLeastRegistersOfSmallCircuits) {
+  std::mt19937 random(7);
+  unsigned several = 0;
+  for (int round = 0; round < 150; ++round) {
+    Unit u(60);
+    std::vector<NodeId> pool;
+    for (int i = 0; i < 4; ++i) pool.push_back(u.in(random() % 40, 1 + random() % 20));
+    for (int i = 0; i < 7; ++i) {
+      const unsigned w = 8 + random() % 13;
+      const auto pick = [&] {
+        const NodeId id = pool[pool.size() - 1 - random() % 4];
+        return u.b.width(id) >= w ? u.b.trunc(id, w) : u.b.sext(id, w);
+      };
+      const NodeId a = pick();
+      const NodeId b = pick();
+      pool.push_back(random() % 4 != 0 ? u.b.add(a, b) : u.b.logic(Op::kXor, a, b));
+    }
+    u.out(u.b.concat({pool[pool.size() - 1], pool[pool.size() - 2], pool[pool.size() - 3]}));
+    const Circuit c(u.n);
+    const DelayModel delay = round_numbers();
+    const double clock = 3.2;
+    const Schedule asap = schedule_asap(c, delay, clock);
+    const Schedule s = minimise_registers(c, delay, clock, asap);
+    expect_valid(c, delay, clock, s);
+    ASSERT_EQ(register_bits(c, s), Exhaustive(c, delay, clock, asap).least()) << to_text(u.n);
+    several += asap.stages > 2 ? 1 : 0;
+  }
+  EXPECT_GT(several, 50u);
+}
+
+int distance(Hazard hazard) {
+  Unit u(12);
+  const unsigned ram = u.port(PortKind::kRam, "slots", 8, 16, 1, hazard);
+  const NodeId row = u.read(ram, u.in(0, 4));
+  u.write(ram, u.in(0, 4), u.in(4, 8));
+  u.out(row);
+  const Circuit c(u.n);
+  const Schedule s =
+      minimise_registers(c, round_numbers(), 10, schedule_asap(c, round_numbers(), 10));
+  int read = 0;
+  int write = 0;
+  for (CellId id = 0; id < c.cells.size(); ++id) {
+    if (c.cells[id].kind == CellKind::kRowRead) read = s.stage[id];
+    if (c.cells[id].kind == CellKind::kRowWrite) write = s.stage[id];
+  }
+  return write - read;
+}
+
+TEST(Schedule, WritesAnExclusiveRowAfterItsReadAndAStaleOneWithIt) {
+  EXPECT_EQ(distance(Hazard::kExclusive), 1);
+  EXPECT_EQ(distance(Hazard::kStale), 0);
+}
+
+TEST(Schedule, PutsRegistersAroundAMultiplier) {
+  Unit u(48);
+  const NodeId sum = u.b.add(u.in(0, 16), u.in(16, 16));
+  const NodeId product = u.b.mul(u.b.zext(sum, 32), u.b.zext(u.in(32, 16), 32));
+  u.out(u.b.invert(product));
+  const Circuit c(u.n);
+  const Schedule s = schedule_asap(c, round_numbers(), 100);
+  EXPECT_EQ(s.stages, 3);
+}
+
+std::string refusal(const Netlist& n, double clock_ns) {
+  try {
+    const Circuit c(n);
+    schedule_asap(c, round_numbers(), clock_ns);
+  } catch (const Error& error) {
+    return error.text();
+  }
+  return "";
+}
+
+Netlist accumulator(unsigned width) {
+  Unit u(width);
+  u.n.registers.push_back({"total", width, Bits(width, 0), kNoNode, {"unit.h", 12}});
+  const NodeId total = u.b.source(Op::kRegister, 0, 0, width);
+  u.n.registers[0].next = u.b.add(total, u.in(0, width));
+  u.out(total);
+  return u.n;
+}
+
+TEST(Schedule, RefusesARegisterWhoseFeedbackMissesTheClock) {
+  EXPECT_EQ(refusal(accumulator(16), 3), "");
+  EXPECT_EQ(
+      refusal(accumulator(64), 3),
+      "unit.h:12: error: register total takes 7.30 ns from its value to its next value, which "
+      "are one stage; the clock leaves 3.00: ask for a clock of at least 7.30 ns or compute "
+      "less between them");
+}
+
+TEST(Schedule, RefusesARegisterFileWhoseUpdateMissesTheClock) {
+  Unit u(68);
+  const unsigned file = u.port(PortKind::kRegisterFile, "totals", 64, 16);
+  const NodeId row = u.read(file, u.in(0, 4));
+  u.write(file, u.in(0, 4), u.b.add(row, u.in(4, 64)));
+  u.out(row);
+  EXPECT_EQ(refusal(u.n, 9), "");
+  EXPECT_EQ(refusal(u.n, 8),
+            "unit.h:7: error: register file totals takes 8.30 ns from the row read to the row "
+            "written, which are one stage; the clock leaves 8.00: ask for a clock of at least 8.30 "
+            "ns, compute less between them or use a Ram1R1W");
+}
+
+TEST(Schedule, RefusesAnOperationThatFitsNoStage) {
+  Unit u(128);
+  u.b.set_line({"unit.h", 20});
+  u.out(u.b.add(u.in(0, 64), u.in(64, 64)));
+  EXPECT_EQ(refusal(u.n, 5),
+            "unit.h:20: error: add of 64 bits needs 7.30 ns in one stage, the clock leaves 5.00; "
+            "ask for a clock of at least 7.30 ns or use a narrower operation");
+}
+
+TEST(Schedule, RefusesAUnitWithoutEffect) {
+  Unit u(8);
+  u.n.source = "unit.h";
+  EXPECT_THAT(refusal(u.n, 5),
+              HasSubstr("unit.h: error: the unit writes no token, row or register"));
+}
+
+TEST(DelayModel, RefusesWhatIsMissing) {
+  try {
+    load_delay_model("no_such_file.json");
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.text(),
+              "hlsc: error: no_such_file.json: cannot be read; name a delay model such as "
+              "hls/compiler/delay/ecp5.json");
+  }
+}
+
+}  // namespace
+}  // namespace hlsc
