@@ -1,22 +1,23 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// hlsc: lowers a unit written in C++ to Verilog. `hlsc --help` lists what it takes.
+// hlsc: lowers a unit written in C++ to Verilog. `hlsc --help` lists what it takes; README.md
+// beside this file says what a unit may contain.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
-#include <utility>
-#include <vector>
+#include <exception>
 
 #include "backend.h"
 #include "error.h"
 #include "frontend/read_unit.h"
+#include "output_files.h"
 
 namespace {
+
+constexpr char kNoDelay[] =
+    "--delay is missing; name a delay model such as hls/compiler/delay/ecp5.json";
 
 struct Arguments {
   hlsc::UnitSource source;
@@ -35,43 +36,44 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_option("--header", a.source.header, "header that defines it, as it is included")
       ->required();
   app.add_option("--module", a.source.module, "name of the Verilog module")->required();
-  app.add_option("-I", a.source.folders, "folder to look for headers in; the language's too")
+  app.add_option("-I", a.source.folders,
+                 "folder to look for headers in; the language's lowered folder first")
       ->allow_extra_args(false);
-  app.add_option("--clang", a.source.clang, "clang to use")->capture_default_str();
-  app.add_option("--clock-ns", a.clock_ns, "clock period to schedule for")
+  app.add_option("--clock-ns", a.clock_ns, "clock period to schedule for, in ns")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--delay", a.delay, "delay model of the device, such as delay/ecp5.json");
-  app.add_option("-o", a.verilog, "Verilog file to write, - for the terminal")
-      ->capture_default_str();
-  app.add_option("--report", a.report, "file for stages, operations and registers");
-  app.add_option("--binding", a.binding, "file for the test bench's header");
-  app.add_option("--depfile", a.depfile, "file for the list of headers that were read");
+  app.add_option("--delay", a.delay, "delay model of the device family (JSON)");
+  app.add_option("-o", a.verilog, "Verilog to write, - for the terminal")->capture_default_str();
+  app.add_option("--report", a.report, "schedule report to write");
+  app.add_option("--binding", a.binding, "C++ header for the test bench to write");
+  app.add_option("--depfile", a.depfile,
+                 "make rule to write: the Verilog and all it was made from");
+  app.add_option("--clang", a.source.clang, "clang to use")->capture_default_str();
+  app.add_option("--clang-arg", a.source.clang_args, "argument for clang, such as -DNAME=1")
+      ->allow_extra_args(false);
+  app.add_flag("--dump-netlist", a.dump_netlist, "print the netlist instead of lowering it");
+  app.add_flag("--dump-optimised", a.dump_optimised,
+               "print the netlist as it is scheduled instead");
   app.add_flag("--dump-ir", a.source.dump_ir, "print LLVM's IR as it is before if-conversion");
-  app.add_flag("--dump-netlist", a.dump_netlist, "print the netlist and stop");
-  app.add_flag("--dump-optimised", a.dump_optimised, "print the netlist as scheduled and stop");
 }
 
-/// Writes a file beside its place and moves it there, so that no half of one is left behind.
-void write_file(const std::string& path, const std::string& text) {
-  const std::string part = path + ".part";
-  std::ofstream file(part);
-  file << text;
-  file.close();
-  if (!file || std::rename(part.c_str(), path.c_str()) != 0) {
-    const std::string why = std::strerror(errno);
-    std::remove(part.c_str());
-    throw hlsc::Error({}, fmt::format("{} cannot be written: {}; name a file in a folder that "
-                                      "exists and may be written",
-                                      path, why));
+std::string make_rule(const std::string& target, const std::vector<std::string>& files) {
+  std::string rule = target + ":";
+  for (std::string file : files) {
+    for (std::size_t i = 0; (i = file.find(' ', i)) != std::string::npos; i += 2) {
+      file.insert(i, "\\");
+    }
+    rule += " \\\n  " + file;
   }
+  return rule + "\n";
 }
 
-void lower(const Arguments& a, const hlsc::UnitNetlist& unit) {
-  if (a.delay.empty()) {
-    throw hlsc::Error({},
-                      "--delay is missing; name a delay model such as "
-                      "hls/compiler/delay/ecp5.json");
+void run(const Arguments& a) {
+  if (!a.dump_netlist && a.delay.empty()) throw hlsc::Error({}, kNoDelay);
+  const hlsc::UnitNetlist unit = hlsc::read_unit(a.source);
+  if (a.dump_netlist) {
+    fmt::print("{}", hlsc::to_text(unit.netlist));
+    return;
   }
   const hlsc::Options options{a.clock_ns, hlsc::load_delay_model(a.delay)};
   if (a.dump_optimised) {
@@ -79,21 +81,12 @@ void lower(const Arguments& a, const hlsc::UnitNetlist& unit) {
     return;
   }
   const hlsc::Lowered lowered = hlsc::lower(unit.netlist, options);
-  std::string dependencies = a.verilog + ":";
-  for (const std::string& file : unit.includes) dependencies += " \\\n  " + file;
-  const std::vector<std::pair<std::string, std::string>> files{
-      {a.verilog, lowered.verilog},
-      {a.report, lowered.report},
-      {a.binding, lowered.binding},
-      {a.depfile, dependencies + "\n"},
-  };
-  for (const auto& [path, text] : files) {
-    if (path == "-") {
-      fmt::print("{}", text);
-    } else if (!path.empty()) {
-      write_file(path, text);
-    }
-  }
+  hlsc::OutputFiles files;
+  files.add(a.verilog, lowered.verilog);
+  files.add(a.report, lowered.report);
+  files.add(a.binding, lowered.binding);
+  files.add(a.depfile, make_rule(a.verilog, unit.includes));
+  files.commit();
 }
 
 }  // namespace
@@ -104,15 +97,12 @@ int main(int argc, char** argv) {
   describe(app, arguments);
   CLI11_PARSE(app, argc, argv);
   try {
-    const hlsc::UnitNetlist unit = hlsc::read_unit(arguments.source);
-    if (arguments.dump_netlist) {
-      fmt::print("{}", hlsc::to_text(unit.netlist));
-    } else {
-      lower(arguments, unit);
-    }
+    run(arguments);
     return 0;
   } catch (const hlsc::Error& error) {
     fmt::print(stderr, "{}\n", error.text());
-    return 1;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "hlsc: error: {}\n", error.what());
   }
+  return 1;
 }

@@ -195,6 +195,8 @@ NodeId Builder::shift(Op op, NodeId a, NodeId amount) {
   if (op == Op::kAShr && known(a).isNonNegative()) op = Op::kLShr;
   if (known(a).isZero()) return a;
   amount = trunc(amount, std::max(1u, active_bits(amount)));
+  const NodeId two_ways = two_way_shift(op, a, amount);
+  if (two_ways != kNoNode) return two_ways;
   if (op == Op::kLShr && active_bits(a) < w) {
     return zext(shift(op, trunc(a, active_bits(a)), amount), w);
   }
@@ -215,6 +217,19 @@ NodeId Builder::shift(Op op, NodeId a, NodeId amount) {
     if (facts_[a].sign_copies > lost) copies = facts_[a].sign_copies - static_cast<unsigned>(lost);
   }
   return make(op, w, {a, amount}, facts_from(result, copies));
+}
+
+/// A shift by one of two distances is a mux of wirings; LLVM makes the shift of it.
+NodeId Builder::two_way_shift(Op op, NodeId a, NodeId amount) {
+  const KnownBits& distance = known(amount);
+  const APInt unknown = ~(distance.Zero | distance.One);
+  if (unknown.popcount() != 1 || width(amount) == 1) return kNoNode;
+  const unsigned w = width(a);
+  const auto near = static_cast<unsigned>(distance.getMinValue().getLimitedValue(w));
+  const auto far = static_cast<unsigned>(distance.getMaxValue().getLimitedValue(w));
+  const NodeId is_far = slice(amount, unknown.logBase2(), 1);
+  const NodeId far_value = constant_shift(op, a, far);
+  return mux(is_far, far_value, constant_shift(op, a, near));
 }
 
 NodeId Builder::constant_shift(Op op, NodeId a, unsigned amount) {

@@ -77,6 +77,7 @@ class Builder {
   Facts facts_from(llvm::KnownBits known, unsigned sign_copies = 1) const;
   NodeId arithmetic(Op op, NodeId a, NodeId b);
   NodeId wired_logic(Op op, NodeId a, NodeId b);
+  NodeId two_way_shift(Op op, NodeId a, NodeId amount);
   NodeId constant_shift(Op op, NodeId a, unsigned amount);
   NodeId join(NodeId high, NodeId low);
 

@@ -60,11 +60,23 @@ bool header_exists(const UnitSource& source) {
   });
 }
 
+/// Whether hls/ports.h is the one for lowering: the native one comes under the same name.
+bool sees_lowered_language(const UnitSource& source) {
+  for (const std::string& folder : source.folders) {
+    const fs::path ports = fs::path(folder) / "hls" / "ports.h";
+    if (fs::exists(ports)) {
+      return read_text(ports.string()).find("namespace lowered") != std::string::npos;
+    }
+  }
+  return false;
+}
+
 std::string wrapper(const UnitSource& source) {
   return fmt::format(
       "#include \"{1}\"\n"
       "using HlscUnit = {0};\n"
-      "static_assert(requires(HlscUnit& unit) {{ unit.step(); }}, \"hlsc: no step\");\n"
+      "template <class T> concept HlscHasStep = requires(T& unit) {{ unit.step(); }};\n"
+      "static_assert(HlscHasStep<HlscUnit>, \"hlsc: no step\");\n"
       "constinit HlscUnit {2}{{}};\n"
       "extern \"C\" void {3}(HlscUnit& unit) {{ unit.step(); }}\n",
       source.unit, source.header, kInitialUnit, kStepFunction);
@@ -83,6 +95,22 @@ std::string wrapper_diagnostic(const std::string& diagnostics) {
   return {};
 }
 
+/// clang's diagnostics without the small source file and without the folders of this machine.
+std::string readable(const UnitSource& source, const std::string& diagnostics) {
+  std::istringstream lines(diagnostics);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line.find(kWrapperName) != std::string::npos) continue;
+    for (const std::string& folder : source.folders) {
+      const std::string prefix = (fs::path(folder) / "").string();
+      const auto at = line.find(prefix);
+      if (at != std::string::npos) line.erase(at, prefix.size());
+    }
+    text += "\n" + line;
+  }
+  return text;
+}
+
 [[noreturn]] void report(const UnitSource& source, const std::string& diagnostics) {
   if (diagnostics.find("hlsc: no step") != std::string::npos) {
     throw Error({source.header, 0}, fmt::format(messages::kNoStep, source.unit));
@@ -92,7 +120,7 @@ std::string wrapper_diagnostic(const std::string& diagnostics) {
     throw Error({source.header, 0},
                 fmt::format(messages::kUnitMissing, source.unit, source.header, own));
   }
-  throw Error({}, fmt::format(messages::kClangFailed, diagnostics));
+  throw Error({}, fmt::format(messages::kClangFailed, readable(source, diagnostics)));
 }
 
 /// The files of a make rule "target: file \ file ...", in which blanks of a name are escaped.
@@ -123,6 +151,7 @@ CompiledUnit compile_unit(const UnitSource& source, llvm::LLVMContext& context) 
   if (!header_exists(source)) {
     throw Error({}, fmt::format(messages::kHeaderMissing, source.header));
   }
+  if (!sees_lowered_language(source)) throw Error({}, messages::kLanguageMissing);
 
   const TemporaryFolder folder;
   const std::string input = folder.file(kWrapperName);

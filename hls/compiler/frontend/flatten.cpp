@@ -4,6 +4,7 @@
 
 #include <llvm/ADT/DenseMap.h>
 #include <llvm/ADT/PostOrderIterator.h>
+#include <llvm/Analysis/ValueTracking.h>
 #include <llvm/IR/Dominators.h>
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/InstIterator.h>
@@ -15,10 +16,13 @@
 namespace hlsc {
 namespace {
 
+constexpr unsigned kMaxDenseBits = 6;  ///< of a selector whose values are all enumerated
+
 /// Builds the value that a phi has, as selects over the branches from its dominator on.
 class PhiSelects {
  public:
-  PhiSelects(llvm::PHINode& phi, llvm::IRBuilder<>& builder) : phi_(phi), builder_(builder) {}
+  PhiSelects(llvm::PHINode& phi, llvm::IRBuilder<>& builder)
+      : phi_(phi), builder_(builder), layout_(phi.getModule()->getDataLayout()) {}
 
   llvm::Value* from(llvm::BasicBlock* dominator) {
     llvm::Value* value = leaving(dominator);
@@ -67,27 +71,44 @@ class PhiSelects {
     }
     std::sort(cases.begin(), cases.end(),
               [](const Case& a, const Case& b) { return a.first.ult(b.first); });
-    return switch_tree(*choice.getCondition(), otherwise, cases);
+    llvm::Value& condition = *choice.getCondition();
+    const unsigned bits =
+        std::max(1u, llvm::computeKnownBits(&condition, layout_).countMaxActiveBits());
+    const bool dense = bits <= kMaxDenseBits && cases.size() * 2 >= (std::size_t{1} << bits);
+    return dense ? dense_tree(condition, otherwise, cases, bits)
+                 : sparse_tree(condition, otherwise, cases);
+  }
+
+  /// Muxes on the selector's bits, the lowest at the leaves, over all of its values.
+  llvm::Value* dense_tree(llvm::Value& value, llvm::Value* otherwise, llvm::ArrayRef<Case> cases,
+                          unsigned bits) {
+    std::vector<llvm::Value*> values(std::size_t{1} << bits, otherwise);
+    for (const Case& c : cases) {
+      if (c.first.ult(values.size())) values[c.first.getZExtValue()] = c.second;
+    }
+    for (unsigned bit = 0; bit < bits; ++bit) {
+      llvm::Value* chosen = builder_.CreateTrunc(builder_.CreateLShr(&value, bit),
+                                                 llvm::Type::getInt1Ty(phi_.getContext()));
+      for (std::size_t i = 0; i < values.size() / 2; ++i) {
+        values[i] = select(chosen, values[2 * i + 1], values[2 * i]);
+      }
+      values.resize(values.size() / 2);
+    }
+    return values.front();
   }
 
   /// Halves the sorted cases by comparisons until one is left, which is compared for equality.
-  llvm::Value* switch_tree(llvm::Value& value, llvm::Value* otherwise, llvm::ArrayRef<Case> cases) {
-    const bool uniform = std::all_of(cases.begin(), cases.end(), [&](const Case& c) {
-      return c.second == cases.front().second;
-    });
-    if (cases.empty() || (uniform && (!otherwise || cases.front().second == otherwise))) {
-      return cases.empty() ? otherwise : cases.front().second;
-    }
+  llvm::Value* sparse_tree(llvm::Value& value, llvm::Value* otherwise, llvm::ArrayRef<Case> cases) {
     if (cases.size() == 1) {
-      if (!cases.front().second) return otherwise;
-      if (!otherwise) return cases.front().second;
+      if (!otherwise || !cases.front().second)
+        return select(nullptr, cases.front().second, otherwise);
       return select(builder_.CreateICmpEQ(&value, constant(value, cases.front().first)),
                     cases.front().second, otherwise);
     }
     const std::size_t half = cases.size() / 2;
-    llvm::Value* low = switch_tree(value, otherwise, cases.take_front(half));
-    llvm::Value* high = switch_tree(value, otherwise, cases.drop_front(half));
-    if (!low || !high || low == high) return low ? low : high;
+    llvm::Value* low = sparse_tree(value, otherwise, cases.take_front(half));
+    llvm::Value* high = sparse_tree(value, otherwise, cases.drop_front(half));
+    if (!low || !high || low == high) return select(nullptr, low, high);
     return select(builder_.CreateICmpULT(&value, constant(value, cases[half].first)), low, high);
   }
 
@@ -97,6 +118,7 @@ class PhiSelects {
 
   llvm::PHINode& phi_;
   llvm::IRBuilder<>& builder_;
+  const llvm::DataLayout& layout_;
   llvm::DenseMap<llvm::BasicBlock*, llvm::Value*> values_;
 };
 

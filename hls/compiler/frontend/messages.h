@@ -16,7 +16,7 @@ inline constexpr char kUnitMissing[] =
     "defines. clang says: {}";
 inline constexpr char kNoStep[] =
     "the unit {} has no member function void step(); a unit's step() is one transaction";
-inline constexpr char kClangFailed[] = "clang rejects the unit:\n{}";
+inline constexpr char kClangFailed[] = "clang rejects the unit:{}";
 inline constexpr char kTemporary[] = "the temporary file {} cannot be written: {}";
 
 inline constexpr char kNotAPort[] =
@@ -72,6 +72,14 @@ inline constexpr char kRowWrittenTwice[] =
 inline constexpr char kReadAfterWrite[] =
     "RAM {} can be read after it was written in the same transaction; read the row before the "
     "write and keep it in a local variable";
+inline constexpr char kUninitialised[] =
+    "this condition depends on a variable that was never set; give it an initial value";
+inline constexpr char kNoEffect[] =
+    "the unit writes no token and no row and changes no register; write an Out, or look for "
+    "undefined behaviour with a build under -fsanitize=undefined";
+inline constexpr char kLanguageMissing[] =
+    "hls/ports.h for lowering is in none of the folders given with -I; put the folder hls/lowered "
+    "of the language first";
 inline constexpr char kRowAddress[] =
     "RAM {} is read at an address that depends on the row that is read; read it once, with an "
     "address that is known before";

@@ -24,6 +24,9 @@ void build_transaction(Transaction& transaction);
 /// The registers' values out of the constant unit `hls_initial`, in layout order.
 std::vector<llvm::APInt> read_reset_values(const Transaction& transaction);
 
+/// Refuses conditions of variables that were never set, once locals are values.
+void refuse_uninitialised(const Transaction& transaction, const SourceLines& lines);
+
 /// Refuses what is left after inlining that is neither dataflow nor a port access: calls without a
 /// body, calls through pointers, floating point, global variables.
 void refuse_after_inlining(const Transaction& transaction, const SourceLines& lines);

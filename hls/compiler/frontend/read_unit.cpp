@@ -4,9 +4,11 @@
 
 #include <llvm/Support/raw_ostream.h>
 
+#include "error.h"
 #include "frontend/channels.h"
 #include "frontend/flatten.h"
 #include "frontend/indexing.h"
+#include "frontend/messages.h"
 #include "frontend/narrow.h"
 #include "frontend/passes.h"
 #include "frontend/prepare.h"
@@ -20,9 +22,9 @@ namespace {
 
 // LLVM's passes between hlsc's own. What is left out matters as much: no -O2 (SLP vectors,
 // duplicated tails, serial select chains), no jump threading, no lookup tables.
-constexpr char kInline[] =
-    "always-inline,function(sroa,early-cse,simplifycfg<no-sink-common-insts>,"
-    "instcombine<no-verify-fixpoint>,early-cse)";
+constexpr char kInline[] = "always-inline,function(sroa,early-cse)";
+constexpr char kFold[] =
+    "simplifycfg<no-sink-common-insts>,instcombine<no-verify-fixpoint>,early-cse";
 constexpr char kPromote[] = "sroa,early-cse";
 constexpr char kSimplify[] =
     "sroa,early-cse,"
@@ -33,6 +35,12 @@ constexpr char kSimplify[] =
     "switch-range-to-icmp>,bdce,adce";
 constexpr char kFlat[] =
     "instcombine<no-verify-fixpoint>,gvn,instcombine<no-verify-fixpoint>,bdce,early-cse,adce";
+
+void refuse_no_effect(const Netlist& netlist) {
+  bool effect = !netlist.token_writes.empty() || !netlist.row_writes.empty();
+  for (const Register& state : netlist.registers) effect = effect || state.next != kNoNode;
+  if (!effect) throw Error({netlist.source, 0}, messages::kNoEffect);
+}
 
 }  // namespace
 
@@ -50,6 +58,8 @@ UnitNetlist read_unit(const UnitSource& source) {
   build_transaction(t);
   const auto resets = read_reset_values(t);
   passes.run(*t.module, kInline);
+  refuse_uninitialised(t, lines);
+  passes.run(*t.function, kFold);
   unroll_loops(t, passes, lines);
   refuse_after_inlining(t, lines);
   lower_channels(t, lines);
@@ -68,6 +78,7 @@ UnitNetlist read_unit(const UnitSource& source) {
   made.netlist.unit = source.unit;
   made.netlist.source = t.layout.source;
   check(made.netlist);
+  refuse_no_effect(made.netlist);
   return made;
 }
 

@@ -96,6 +96,20 @@ void refuse_before_inlining(const llvm::Module& module, const SourceLines& lines
   CallWalk(lines).visit(*module.getFunction(kStepFunction));
 }
 
+void refuse_uninitialised(const Transaction& transaction, const SourceLines& lines) {
+  for (const llvm::Instruction& instruction : llvm::instructions(*transaction.function)) {
+    const llvm::Value* condition = nullptr;
+    if (const auto* branch = llvm::dyn_cast<llvm::BranchInst>(&instruction)) {
+      if (branch->isConditional()) condition = branch->getCondition();
+    } else if (const auto* choice = llvm::dyn_cast<llvm::SwitchInst>(&instruction)) {
+      condition = choice->getCondition();
+    }
+    if (condition && llvm::isa<llvm::UndefValue>(condition)) {
+      throw Error(lines.of(instruction), messages::kUninitialised);
+    }
+  }
+}
+
 void refuse_after_inlining(const Transaction& transaction, const SourceLines& lines) {
   for (const llvm::Instruction& instruction : llvm::instructions(*transaction.function)) {
     const char* name = float_name(instruction.getType());

@@ -61,7 +61,8 @@ const DICompositeType* port_base(const DICompositeType* type) {
 
 class Reader {
  public:
-  Reader(const SourceLines& lines, UnitLayout& layout) : lines_(lines), layout_(layout) {}
+  Reader(const SourceLines& lines, UnitLayout& layout, SourceLine unit)
+      : lines_(lines), layout_(layout), where_(std::move(unit)) {}
 
   void members(const DICompositeType* type, std::uint64_t offset, const std::string& prefix) {
     for (const llvm::DINode* element : type->getElements()) {
@@ -74,7 +75,8 @@ class Reader {
       } else if (member->getTag() == llvm::dwarf::DW_TAG_member) {
         const SourceLine where = lines_.at(member->getFile(), member->getLine());
         const SourceLine outer = where_;
-        if (!lines_.is_library(member->getFile())) where_ = where;
+        const bool written = member->getFile() && !lines_.is_library(member->getFile());
+        if (written && !member->isArtificial()) where_ = where;
         if (member->getName().starts_with("_vptr$")) throw Error(where_, messages::kVirtual);
         const std::string name = member->getName().str();
         value(member->getBaseType(), place, prefix.empty() ? name : prefix + "_" + name);
@@ -214,8 +216,9 @@ UnitLayout read_layout(const llvm::Module& module, const SourceLines& lines) {
   const auto* unit =
       dyn_cast<DICompositeType>(without_qualifiers(debug.front()->getVariable()->getType()));
   if (!unit) throw Error({}, "the unit is not a class");
-  layout.source = lines.at(unit->getFile(), unit->getLine()).file;
-  Reader(lines, layout).members(unit, 0, "");
+  const SourceLine where = lines.at(unit->getFile(), unit->getLine());
+  layout.source = where.file;
+  Reader(lines, layout, where).members(unit, 0, "");
   return layout;
 }
 

@@ -13,8 +13,8 @@
 
 namespace hlsc {
 
-/// Marks names that come from variables; they end with "$", after which LLVM puts numbers of its own
-/// to keep them apart.
+/// Marks names that come from variables; they end with "$", after which LLVM puts numbers of its
+/// own to keep them apart.
 inline constexpr char kNamePrefix[] = "hls$";
 
 /// Gives every value the name of the first variable of the unit's own source that held it, and

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <map>
 #include <set>
@@ -290,6 +292,11 @@ class Top {
     };
     std::string parameters;
     for (const PortRecord& port : unit.ports) {
+      if (port.kind == "out")
+        parameters += depth_parameters(unit.name + "." + port.name, port.name);
+    }
+    if (!parameters.empty()) parameters = fmt::format(" #({})", parameters.substr(2));
+    for (const PortRecord& port : unit.ports) {
       const std::string full = unit.name + "." + port.name;
       const std::string stem = wire(full);
       if (port.kind == "in") {
@@ -309,9 +316,22 @@ class Top {
       }
     }
     write(
-        "\n  {0} u_{1} (\n    .clk_i(clk_i), .rst_ni(rst_ni){2},\n"
+        "\n  {0}{3} u_{1} (\n    .clk_i(clk_i), .rst_ni(rst_ni){2},\n"
         "    .fire_o({1}_fire), .stall_o({1}_stall));\n",
-        unit.module, unit.name, pins);
+        unit.module, unit.name, pins, parameters);
+  }
+
+  /// A channel that says how many tokens it can ever hold gets FIFOs that hold them all.
+  std::string depth_parameters(const std::string& port, const std::string& name) const {
+    for (const ChannelRecord& c : join_.channels) {
+      if (c.depth == 0 || std::find(c.from.begin(), c.from.end(), port) == c.from.end()) continue;
+      std::string upper = name;
+      for (char& letter : upper) {
+        letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+      }
+      return fmt::format(", .{0}_DEPTH({1}), .{0}_BOUNDED(1)", upper, c.depth);
+    }
+    return "";
   }
 
   void count() {

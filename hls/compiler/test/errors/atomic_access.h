@@ -1,4 +1,4 @@
-// error: errors/atomic_access.h:9: atomic operations cannot be lowered; a transaction is atomic by itself, use a plain member
+// error: errors/atomic_access.h:9: error: atomic operations cannot be lowered; a transaction is atomic by itself, use a plain member
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

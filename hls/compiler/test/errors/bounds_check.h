@@ -1,4 +1,4 @@
-// error: errors/bounds_check.h:9: std::__throw_out_of_range_fmt() is called, whose body hlsc cannot see; define it in a header or do without it
+// error: errors/bounds_check.h:9: error: __throw_out_of_range_fmt() is called, whose body hlsc cannot see; define it in a header or do without it
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

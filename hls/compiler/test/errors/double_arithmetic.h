@@ -1,4 +1,4 @@
-// error: errors/double_arithmetic.h:8: double arithmetic cannot be lowered; use hls::Float<E, M> or integers
+// error: errors/double_arithmetic.h:8: error: double arithmetic cannot be lowered; use hls::Float<E, M> or integers
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,4 @@
-// error: errors/dynamic_memory.h:9: memory is allocated dynamically; use a local array or a RAM member
+// error: errors/dynamic_memory.h:9: error: memory is allocated dynamically; use a local array or a RAM member
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

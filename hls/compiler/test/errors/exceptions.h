@@ -1,5 +1,5 @@
-// error: clang rejects the unit:
-// errors/exceptions.h:10:25: error: cannot use 'throw' with exceptions disabled
+// error: hlsc: error: clang rejects the unit:
+// errors/exceptions.h:10:31: error: cannot use 'throw' with exceptions disabled
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

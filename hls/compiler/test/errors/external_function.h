@@ -1,4 +1,4 @@
-// error: errors/external_function.h:8: elsewhere() is called, whose body hlsc cannot see; define it in a header or do without it
+// error: errors/external_function.h:8: error: elsewhere() is called, whose body hlsc cannot see; define it in a header or do without it
 #include "hls/ports.h"
 namespace errors {
 unsigned elsewhere(unsigned x);

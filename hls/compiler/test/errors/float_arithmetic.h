@@ -1,4 +1,4 @@
-// error: errors/float_arithmetic.h:8: float arithmetic cannot be lowered; use hls::Float<E, M> or integers
+// error: errors/float_arithmetic.h:8: error: float arithmetic cannot be lowered; use hls::Float<E, M> or integers
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,4 @@
-// error: errors/float_member.h:7: member gain has type double, which is neither a port, an integer, an enum, a bool nor a struct or array of these; hlsc cannot make it a register
+// error: errors/float_member.h:7: error: member gain has type double, which is neither a port, an integer, an enum, a bool nor a struct or array of these; hlsc cannot make it a register
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

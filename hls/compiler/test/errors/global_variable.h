@@ -1,4 +1,4 @@
-// error: errors/global_variable.h:9: the global variable calls is not constant; make it constexpr or a member of the unit
+// error: errors/global_variable.h:9: error: the global variable calls is not constant; make it constexpr or a member of the unit
 #include "hls/ports.h"
 namespace errors {
 inline unsigned calls = 0;

@@ -1,4 +1,4 @@
-// error: errors/in_never_read.h:6: In right is never read; a transaction reads one token from every In: read it or remove the member
+// error: errors/in_never_read.h:6: error: In right is never read; a transaction reads one token from every In: read it or remove the member
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

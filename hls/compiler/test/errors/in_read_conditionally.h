@@ -1,4 +1,4 @@
-// error: errors/in_read_conditionally.h:10: In right is read under a condition; a transaction reads one token from every In: read it first and use the token under the condition
+// error: errors/in_read_conditionally.h:10: error: In right is read under a condition; a transaction reads one token from every In: read it first and use the token under the condition
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,4 @@
-// error: errors/in_read_twice.h:7: In in is read twice in one transaction; read it once into a local variable
+// error: errors/in_read_twice.h:7: error: In in is read twice in one transaction; read it once into a local variable
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

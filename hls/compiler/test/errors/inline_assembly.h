@@ -1,4 +1,4 @@
-// error: errors/inline_assembly.h:9: inline assembly cannot be lowered; write it in C++
+// error: errors/inline_assembly.h:9: error: inline assembly cannot be lowered; write it in C++
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

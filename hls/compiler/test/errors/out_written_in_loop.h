@@ -1,4 +1,4 @@
-// error: errors/out_written_in_loop.h:10: Out out can be written twice in one transaction; make the writes exclude each other or add a second Out
+// error: errors/out_written_in_loop.h:10: error: Out out can be written twice in one transaction; make the writes exclude each other or add a second Out
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,4 @@
-// error: errors/pointer_from_integer.h:9: this access goes through a pointer that hlsc cannot follow to one local variable or member; use an array and an index
+// error: errors/pointer_from_integer.h:8: error: this access goes through a pointer that hlsc cannot follow to one local variable or member; use an array and an index
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,4 @@
-// error: errors/ram_read_after_write.h:11: RAM table can be read after it was written in the same transaction; read the row before the write and keep it in a local variable
+// error: errors/ram_read_after_write.h:11: error: RAM table can be read after it was written in the same transaction; read the row before the write and keep it in a local variable
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,4 @@
-// error: errors/ram_read_twice.h:10: RAM table can be read twice in one transaction; read the row once, or split the RAM
+// error: errors/ram_read_twice.h:10: error: RAM table can be read twice in one transaction; read the row once, or split the RAM
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

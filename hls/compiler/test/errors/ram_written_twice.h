@@ -1,4 +1,4 @@
-// error: errors/ram_written_twice.h:10: RAM table can be written twice in one transaction; collect the row and write it once
+// error: errors/ram_written_twice.h:10: error: RAM table can be written twice in one transaction; collect the row and write it once
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,4 @@
-// error: errors/recursion.h:13: sum() calls itself; write it as a loop with a constant bound or as a template that ends
+// error: errors/recursion.h:13: error: sum() calls itself; write it as a loop with a constant bound or as a template that ends
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,5 +1,5 @@
-// error: clang rejects the unit:
-// errors/syntax.h:8:40: error: expected ';' after expression
+// error: hlsc: error: clang rejects the unit:
+// errors/syntax.h:8:37: error: expected ';' after expression
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,4 @@
-// error: errors/unbounded_loop.h:10: this loop has no bound that is known at compile time; give it a constant number of iterations (at most 1024) and leave it with break
+// error: errors/unbounded_loop.h:10: error: this loop has no bound that is known at compile time; give it a constant number of iterations (at most 1024) and leave it with break
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,4 @@
-// error: errors/uninitialised.h:10: this condition depends on a variable that was never set; give it an initial value
+// error: errors/uninitialised.h:10: error: this condition depends on a variable that was never set; give it an initial value
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

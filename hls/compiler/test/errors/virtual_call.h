@@ -1,4 +1,4 @@
-// error: errors/virtual_call.h:18: this call goes through a pointer or a virtual function; call the function by its name or make it a template parameter
+// error: errors/virtual_call.h:18: error: this call goes through a pointer or a virtual function; call the function by its name or make it a template parameter
 #include "hls/ports.h"
 namespace errors {
 struct Shape {

@@ -1,4 +1,4 @@
-// error: errors/virtual_unit.h:4: the unit has virtual functions; a unit is a plain class, use templates instead
+// error: errors/virtual_unit.h:4: error: the unit has virtual functions; a unit is a plain class, use templates instead
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,4 @@
-// error: errors/volatile_access.h:8: volatile accesses cannot be lowered; make the variable a plain local or a member
+// error: errors/volatile_access.h:8: error: volatile accesses cannot be lowered; make the variable a plain local or a member
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

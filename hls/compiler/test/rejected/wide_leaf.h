@@ -1,5 +1,6 @@
-// error: clang rejects the unit:
-// hls/fields.h:*: error: static assertion failed due to requirement 'bit_width_of() <= 64': a leaf has at most 64 bits
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
 #include "hls/ports.h"
 namespace errors {
 struct Unit {
