@@ -72,7 +72,7 @@ struct Core {
   }
 
  private:
-  static constexpr unsigned kAll = C::kPackets;  ///< places on a loop of packets
+  static constexpr unsigned kAll = C::kPackets;  ///< tokens that a channel of packets can hold
 
   void name_units(hls::Join& join) {
     join.unit("startup", "startup", startup);
@@ -154,9 +154,9 @@ struct Core {
   void join_transformation(hls::Join& join) {
     join.repeat("transform_job", std::vector{&mailbox.fresh, &ray_generation.job}, matrix_fetch.job,
                 kAll);
-    join.channel("column_request", matrix_fetch.request, matrix_lookup.request, kAll);
+    join.channel("column_request", matrix_fetch.request, matrix_lookup.request);
     join.channel<typename MatrixCache<C>::Reply>(
-        "matrix_column", {&matrix_lookup.reply, &matrix_fill.reply}, {&matrix_store.reply}, kAll);
+        "matrix_column", {&matrix_lookup.reply, &matrix_fill.reply}, {&matrix_store.reply});
     for (unsigned c = 0; c < 4; ++c) {
       join.ram("column_" + std::to_string(c), matrix_store.column[c],
                std::vector{&transformation.column[c]});
@@ -175,13 +175,13 @@ struct Core {
   void join_memory(hls::Join& join, const std::array<Bank, kBanks>& banks) {
     join.channel<MemoryRequest<C>>("memory_request",
                                    {&node_lookup.miss, &list_lookup.miss, &matrix_lookup.miss},
-                                   {&memory_interface.request}, kAll);
+                                   {&memory_interface.request});
     join.channel<CacheFill<C, Node>>("node_line", {&memory_interface.node, &startup.node},
-                                     {&node_fill.fill}, kAll);
+                                     {&node_fill.fill});
     join.channel<CacheFill<C, ListEntry>>("list_line", {&memory_interface.list, &startup.list},
-                                          {&list_fill.fill}, kAll);
+                                          {&list_fill.fill});
     join.channel<CacheFill<C, MatrixColumn>>(
-        "column_line", {&memory_interface.column, &startup.column}, {&matrix_fill.fill}, kAll);
+        "column_line", {&memory_interface.column, &startup.column}, {&matrix_fill.fill});
     join_cache(join, "node", node_lookup, node_fill);
     join_cache(join, "list", list_lookup, list_fill);
     join_cache(join, "matrix", matrix_lookup, matrix_fill);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Merges INPUTS streams into one, round robin: after input i has sent a token, the inputs after it
-// come first. Input 0 is the lowest bits of valid_i, ready_o and data_i.
+// come first. A token that is offered stays offered until it is taken, whatever else comes. Input 0
+// is the lowest bits of valid_i, ready_o and data_i.
 `default_nettype none
 
 module hls_arbiter #(
@@ -22,9 +23,10 @@ module hls_arbiter #(
   localparam [INPUTS-1:0] ONE = {{(INPUTS - 1) {1'b0}}, 1'b1};
 
   reg     [INPUTS-1:0] after_q;  // the inputs after the one that sent last
+  reg     [INPUTS-1:0] offered_q;  // the input whose token is waiting to be taken
   wire    [INPUTS-1:0] first = valid_i & after_q;
   wire    [INPUTS-1:0] pick = (|first) ? first : valid_i;
-  wire    [INPUTS-1:0] grant = pick & (~pick + ONE);
+  wire    [INPUTS-1:0] grant = (|offered_q) ? offered_q : pick & (~pick + ONE);
   integer              i;
 
   assign valid_o = |valid_i;
@@ -40,6 +42,11 @@ module hls_arbiter #(
   always @(posedge clk_i) begin
     if (!rst_ni) after_q <= {INPUTS{1'b0}};
     else if (valid_o && ready_i) after_q <= ~(grant | (grant - ONE));
+  end
+
+  always @(posedge clk_i) begin
+    if (!rst_ni) offered_q <= {INPUTS{1'b0}};
+    else offered_q <= ready_i ? {INPUTS{1'b0}} : grant;
   end
 
 endmodule

@@ -5,12 +5,14 @@
 // came. ready_o comes from a register and says that more than MARGIN places are free. With a MARGIN
 // a token is taken whenever it comes: the sender has promised to send no more than MARGIN once
 // ready_o is low.
+// BOUNDED promises that there are never more than DEPTH tokens in all: the FIFO is always ready.
 `default_nettype none
 
 module hls_fifo #(
     parameter WIDTH  = 8,
     parameter DEPTH  = 16,  // more than MARGIN
-    parameter MARGIN = 0
+    parameter MARGIN = 0,
+    parameter BOUNDED = 0
 ) (
     input  wire             clk_i,
     input  wire             rst_ni,
@@ -26,6 +28,8 @@ module hls_fifo #(
   localparam [31:0] LAST = DEPTH - 1;
   localparam [31:0] SPACE = DEPTH - MARGIN - 1;
 
+  // LUT RAM, or else synthesis takes data_q for the late output register of a block RAM.
+  (* ram_style = "distributed" *)
   reg  [     WIDTH-1:0] rows     [0:DEPTH-1];
   reg  [ADDR_WIDTH-1:0] write_q;
   reg  [ADDR_WIDTH-1:0] read_q;
@@ -41,7 +45,7 @@ module hls_fifo #(
   wire                  take = refill && !empty;
   wire                  store = push && !(refill && empty);
 
-  assign ready_o = !space_q[ADDR_WIDTH+1];
+  assign ready_o = BOUNDED != 0 || !space_q[ADDR_WIDTH+1];
   assign valid_o = valid_q;
   assign data_o  = data_q;
 

@@ -28,8 +28,9 @@ void setup(Bench<CacheLookupOf<Kind>>& bench, const Run& run) {
     if (random.below(8) != 0) r.address = number_below<kAddressBits>(random, 3 * lines);
   });
   bench.template shape<Row>("lines", [lines, number = 0u](Row& row, Random& random) mutable {
-    row.valid = random.below(8) != 0;
-    row.tag = Address::from(number++ % lines + lines * random.below(3));
+    const unsigned row_number = number++;
+    row.valid = row_number == 0 || random.below(8) != 0;  // a cache may have one line
+    row.tag = Address::from(row_number % lines + lines * random.below(3));
     if (random.below(8) == 0) row.tag = number_below<kAddressBits>(random, 3 * lines);
   });
 }

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "Vmailbox.h"
-#include "mailbox_ports.h"
+#include "Vpacket_mailbox.h"
+#include "packet_mailbox_ports.h"
 #include "unit/cosimulate.h"
 
 namespace dynrt::cosim {
@@ -46,7 +46,7 @@ void setup(Bench<Mailbox<C>>& bench, const Run& run) {
   bench.begun<Entry>("entry", [stimulus](const Entry& e) { stimulus->begun(e); });
 }
 
-DYNRT_COSIM(Mailbox, Mailbox<C>, mailbox, setup)
+DYNRT_COSIM(Mailbox, Mailbox<C>, packet_mailbox, setup)
 
 }  // namespace
 }  // namespace dynrt::cosim

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <map>
 #include <set>
@@ -206,6 +208,12 @@ class Top {
     for (std::size_t i = 0; i < c.to.size(); ++i) {
       const std::string to = wire(c.to[i]);
       if (waits_for_others(c.to[i])) {
+        if (c.depth == 0) {
+          throw std::invalid_argument(fmt::format(
+              "channel '{}' forks to '{}', which waits for other tokens too; say how many tokens "
+              "the channel can hold",
+              c.name, c.to[i]));
+        }
         write(
             "  hls_fifo #(.WIDTH({0}), .DEPTH({1}), .MARGIN(0)) {2}_queue (\n"
             "    .clk_i(clk_i), .rst_ni(rst_ni),\n"
@@ -290,6 +298,11 @@ class Top {
     };
     std::string parameters;
     for (const PortRecord& port : unit.ports) {
+      if (port.kind == "out")
+        parameters += depth_parameters(unit.name + "." + port.name, port.name);
+    }
+    if (!parameters.empty()) parameters = fmt::format(" #({})", parameters.substr(2));
+    for (const PortRecord& port : unit.ports) {
       const std::string full = unit.name + "." + port.name;
       const std::string stem = wire(full);
       if (port.kind == "in") {
@@ -309,9 +322,22 @@ class Top {
       }
     }
     write(
-        "\n  {0} u_{1} (\n    .clk_i(clk_i), .rst_ni(rst_ni){2},\n"
+        "\n  {0}{3} u_{1} (\n    .clk_i(clk_i), .rst_ni(rst_ni){2},\n"
         "    .fire_o({1}_fire), .stall_o({1}_stall));\n",
-        unit.module, unit.name, pins);
+        unit.module, unit.name, pins, parameters);
+  }
+
+  /// A channel that says how many tokens it can ever hold gets FIFOs that hold them all.
+  std::string depth_parameters(const std::string& port, const std::string& name) const {
+    for (const ChannelRecord& c : join_.channels) {
+      if (c.depth == 0 || std::find(c.from.begin(), c.from.end(), port) == c.from.end()) continue;
+      std::string upper = name;
+      for (char& letter : upper) {
+        letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
+      }
+      return fmt::format(", .{0}_DEPTH({1}), .{0}_BOUNDED(1)", upper, c.depth);
+    }
+    return "";
   }
 
   void count() {

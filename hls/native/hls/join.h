@@ -42,7 +42,8 @@ class Join {
                           }});
   }
 
-  /// One channel from any of `from` to all of `to`. `depth` places at least are kept for tokens.
+  /// One channel from any of `from` to all of `to`. `depth`, if not 0, promises that there are
+  /// never more tokens on the way in it: its FIFOs hold them all and never refuse one.
   template <class T>
   void channel(const std::string& name, std::vector<Out<T>*> from, std::vector<In<T>*> to,
                unsigned depth = 0) {

@@ -31,7 +31,7 @@ struct ChannelRecord {
   std::vector<std::string> from;
   std::vector<std::string> to;
   unsigned width;
-  unsigned depth;  ///< places that the join asks for; 0 leaves it to the unit
+  unsigned depth;  ///< the most tokens there can be; 0 if there is no such bound
   ChannelKind kind;
   unsigned repeat_width = 0;  ///< of a repeated job's count
 };
