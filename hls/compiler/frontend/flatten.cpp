@@ -8,6 +8,7 @@
 #include <llvm/IR/Dominators.h>
 #include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/InstIterator.h>
+#include <llvm/IR/IntrinsicInst.h>
 #include <llvm/IR/Module.h>
 
 #include <algorithm>
@@ -158,6 +159,23 @@ void hide_divisions(llvm::Function& function) {
   }
 }
 
+void drop_hints(llvm::Function& function) {
+  for (llvm::Instruction& instruction : llvm::make_early_inc_range(llvm::instructions(function))) {
+    const auto* call = llvm::dyn_cast<llvm::IntrinsicInst>(&instruction);
+    if (!call) continue;
+    switch (call->getIntrinsicID()) {
+      case llvm::Intrinsic::assume:
+      case llvm::Intrinsic::sideeffect:
+      case llvm::Intrinsic::donothing:
+      case llvm::Intrinsic::experimental_noalias_scope_decl:
+        instruction.eraseFromParent();
+        break;
+      default:
+        break;
+    }
+  }
+}
+
 void flatten(llvm::Function& function) {
   const llvm::ReversePostOrderTraversal<llvm::Function*> traversal(&function);
   const std::vector<llvm::BasicBlock*> order(traversal.begin(), traversal.end());
@@ -165,6 +183,7 @@ void flatten(llvm::Function& function) {
   auto* flat = llvm::BasicBlock::Create(function.getContext(), "", &function);
 
   for (llvm::BasicBlock* block : order) {
+    if (llvm::isa<llvm::UnreachableInst>(block->getTerminator())) continue;
     llvm::IRBuilder<> builder(flat);
     while (auto* phi = llvm::dyn_cast<llvm::PHINode>(&block->front())) {
       if (phi->getDebugLoc()) builder.SetCurrentDebugLocation(phi->getDebugLoc());

@@ -18,6 +18,10 @@ namespace hlsc {
 /// hls.udiv.iN...
 void hide_divisions(llvm::Function& function);
 
+/// Removes what only told LLVM something: assumptions, which would hold on every path once there is
+/// one.
+void drop_hints(llvm::Function& function);
+
 void flatten(llvm::Function& function);
 
 }  // namespace hlsc

@@ -22,6 +22,8 @@ inline constexpr char kTemporary[] = "the temporary file {} cannot be written: {
 inline constexpr char kNotAPort[] =
     "member {} has type {}, which is neither a port, an integer, an enum, a bool nor a struct or "
     "array of these; hlsc cannot make it a register";
+inline constexpr char kBitField[] =
+    "member {} is a bit-field, which hlsc cannot make a register; give it the type hls::uint<{}>";
 inline constexpr char kVirtual[] =
     "the unit has virtual functions; a unit is a plain class, use templates instead";
 

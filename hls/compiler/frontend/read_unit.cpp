@@ -68,6 +68,7 @@ UnitNetlist read_unit(const UnitSource& source) {
   passes.run(*t.function, kSimplify);
   name_values(*t.function, lines);
   hide_divisions(*t.function);
+  drop_hints(*t.function);
   if (source.dump_ir) t.function->print(llvm::outs());
   flatten(*t.function);
   passes.run(*t.function, kFlat);

@@ -168,9 +168,11 @@ class Translation {
     if (use.read_enable != kNoNode) {
       net_.row_reads[read_number_.at(port)] = {port, use.read_enable, use.read_address};
     }
-    if (use.write_enable == kNoNode) return;
+    // A RAM that is only read has an enable too: the check for a read after a write asks for it.
+    const bool is_out = net_.ports[port].kind == PortKind::kOut;
+    if (use.write_enable == kNoNode || (!is_out && use.write_address == kNoNode)) return;
     const NodeId written = data(use, net_.ports[port].width);
-    if (net_.ports[port].kind == PortKind::kOut) {
+    if (is_out) {
       net_.token_writes.push_back({port, use.write_enable, written});
     } else {
       net_.row_writes.push_back({port, use.write_enable, use.write_address, written});

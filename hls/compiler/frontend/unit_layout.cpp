@@ -79,6 +79,9 @@ class Reader {
         if (written && !member->isArtificial()) where_ = where;
         if (member->getName().starts_with("_vptr$")) throw Error(where_, messages::kVirtual);
         const std::string name = member->getName().str();
+        if (member->isBitField()) {
+          throw Error(where_, fmt::format(messages::kBitField, name, member->getSizeInBits()));
+        }
         value(member->getBaseType(), place, prefix.empty() ? name : prefix + "_" + name);
         where_ = outer;
       }

@@ -20,7 +20,8 @@ struct Chosen {
   uint<16> dense;
   uint<16> sparse;
   uint<16> through;
-  HLS_FIELDS(dense, sparse, through)
+  uint<16> closed;
+  HLS_FIELDS(dense, sparse, through, closed)
 };
 
 struct Switches {
@@ -84,9 +85,33 @@ struct Switches {
     return value;
   }
 
+  /// A switch whose default cannot be reached, and an assumption.
+  static uint<16> closed(uint<2> kind, uint<16> value) {
+    const unsigned long long which = kind.to_u64();
+    switch (which) {
+      case 0:
+        __builtin_assume(which < 1);
+        return value;
+      case 1:
+        return 1;
+      case 2:
+        return (value + value).trunc<16>();
+      case 3:
+        return ~value;
+      default:
+        __builtin_unreachable();
+    }
+  }
+  static uint<16> trapped(uint<2> kind, uint<16> value) {
+    if (kind.to_u64() > 3) __builtin_trap();
+    return value;
+  }
+
   void step() {
     const Choice c = choice.read();
-    chosen.write({dense(c.dense, c.value), sparse(c.sparse, c.value), through(c.dense, c.value)});
+    const uint<2> low = c.dense.trunc<2>();
+    chosen.write({dense(c.dense, c.value), sparse(c.sparse, c.value), through(c.dense, c.value),
+                  closed(low, trapped(low, c.value))});
   }
 };
 
