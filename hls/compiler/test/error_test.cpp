@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every unit in test/errors is refused with the text that its first comment gives. A last line
+// Every unit in test/errors is refused with the text that its comment gives. A last line
 // "..." stands for whatever clang adds.
 #include "error.h"
 
@@ -41,17 +41,18 @@ std::string error_text(const UnitSource& source) {
 std::string expected_text(const fs::path& file) {
   constexpr char kMark[] = "// error: ";
   std::ifstream lines(file);
-  std::string text;
-  for (std::string line; std::getline(lines, line) && line.starts_with("//");) {
-    text += line.starts_with(kMark) ? line.substr(sizeof kMark - 1) : "\n" + line.substr(3);
+  std::string line;
+  while (std::getline(lines, line) && !line.starts_with(kMark)) {
   }
+  std::string text = line.substr(std::min(line.size(), sizeof kMark - 1));
+  while (std::getline(lines, line) && line.starts_with("//")) text += "\n" + line.substr(3);
   return text;
 }
 
 std::vector<std::string> error_units() {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(kHls + "/compiler/test/errors")) {
-    names.push_back(entry.path().stem().string());
+    if (entry.path().extension() == ".h") names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
   return names;

@@ -1,4 +1,6 @@
-// error: errors/atomic_access.h:9: error: atomic operations cannot be lowered; a transaction is atomic by itself, use a plain member
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/atomic_access.h:11: error: atomic operations cannot be lowered; a transaction is atomic by itself, use a plain member
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,6 @@
-// error: errors/bit_field.h:7: error: member count is a bit-field, which hlsc cannot make a register; give it the type hls::uint<3>
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/bit_field.h:9: error: member count is a bit-field, which hlsc cannot make a register; give it the type hls::uint<3>
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,6 @@
-// error: errors/bounds_check.h:9: error: __throw_out_of_range_fmt() is called, whose body hlsc cannot see; define it in a header or do without it
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/bounds_check.h:11: error: __throw_out_of_range_fmt() is called, whose body hlsc cannot see; define it in a header or do without it
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,6 @@
-// error: errors/double_arithmetic.h:8: error: double arithmetic cannot be lowered; use hls::Float<E, M> or integers
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/double_arithmetic.h:10: error: double arithmetic cannot be lowered; use hls::Float<E, M> or integers
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

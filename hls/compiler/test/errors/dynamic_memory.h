@@ -1,4 +1,6 @@
-// error: errors/dynamic_memory.h:9: error: memory is allocated dynamically; use a local array or a RAM member
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/dynamic_memory.h:11: error: memory is allocated dynamically; use a local array or a RAM member
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

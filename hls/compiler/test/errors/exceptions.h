@@ -1,5 +1,7 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
 // error: hlsc: error: clang rejects the unit:
-// errors/exceptions.h:10:31: error: cannot use 'throw' with exceptions disabled
+// errors/exceptions.h:12:31: error: cannot use 'throw' with exceptions disabled
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

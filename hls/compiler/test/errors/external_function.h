@@ -1,10 +1,14 @@
-// error: errors/external_function.h:8: error: elsewhere() is called, whose body hlsc cannot see; define it in a header or do without it
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/external_function.h:11: error: elsewhere() is called, whose body hlsc cannot see; define it in a header or do without it
 #include "hls/ports.h"
 namespace errors {
 unsigned elsewhere(unsigned x);
 struct Unit {
   hls::In<hls::uint<8>> in;
   hls::Out<hls::uint<8>> out;
-  void step() { out.write(hls::uint<8>::from(elsewhere(static_cast<unsigned>(in.read().to_u64())))); }
+  void step() {
+    out.write(hls::uint<8>::from(elsewhere(static_cast<unsigned>(in.read().to_u64()))));
+  }
 };
 }  // namespace errors

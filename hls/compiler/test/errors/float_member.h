@@ -1,4 +1,6 @@
-// error: errors/float_member.h:7: error: member gain has type double, which is neither a port, an integer, an enum, a bool nor a struct or array of these; hlsc cannot make it a register
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/float_member.h:9: error: member gain has type double, which is neither a port, an integer, an enum, a bool nor a struct or array of these; hlsc cannot make it a register
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,6 @@
-// error: errors/function_pointer.h:12: error: this call goes through a pointer or a virtual function; call the function by its name or make it a template parameter
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/function_pointer.h:14: error: this call goes through a pointer or a virtual function; call the function by its name or make it a template parameter
 #include "hls/ports.h"
 namespace errors {
 inline unsigned twice(unsigned x) { return 2 * x; }

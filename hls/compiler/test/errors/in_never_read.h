@@ -1,4 +1,6 @@
-// error: errors/in_never_read.h:6: error: In right is never read; a transaction reads one token from every In: read it or remove the member
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/in_never_read.h:8: error: In right is never read; a transaction reads one token from every In: read it or remove the member
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

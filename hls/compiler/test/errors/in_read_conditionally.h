@@ -1,4 +1,6 @@
-// error: errors/in_read_conditionally.h:10: error: In right is read under a condition; a transaction reads one token from every In: read it first and use the token under the condition
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/in_read_conditionally.h:12: error: In right is read under a condition; a transaction reads one token from every In: read it first and use the token under the condition
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,6 @@
-// error: errors/inline_assembly.h:9: error: inline assembly cannot be lowered; write it in C++
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/inline_assembly.h:11: error: inline assembly cannot be lowered; write it in C++
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

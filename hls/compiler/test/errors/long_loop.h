@@ -1,4 +1,6 @@
-// error: errors/long_loop.h:9: error: this loop has no bound that is known at compile time; give it a constant number of iterations (at most 1024) and leave it with break
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/long_loop.h:11: error: this loop has no bound that is known at compile time; give it a constant number of iterations (at most 1024) and leave it with break
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,3 +1,5 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
 // error: errors/not_constant.h: error: the type errors::Unit cannot be used as a unit; give --unit the full name of a complete type that errors/not_constant.h defines. clang says: variable does not have a constant initializer
 #include "hls/ports.h"
 namespace errors {

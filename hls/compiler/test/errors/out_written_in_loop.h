@@ -1,4 +1,6 @@
-// error: errors/out_written_in_loop.h:10: error: Out out can be written twice in one transaction; make the writes exclude each other or add a second Out
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/out_written_in_loop.h:12: error: Out out can be written twice in one transaction; make the writes exclude each other or add a second Out
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,6 @@
-// error: errors/pointer_from_integer.h:8: error: this access goes through a pointer that hlsc cannot follow to one local variable or member; use an array and an index
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/pointer_from_integer.h:10: error: this access goes through a pointer that hlsc cannot follow to one local variable or member; use an array and an index
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,6 @@
-// error: errors/ram_read_after_write.h:11: error: RAM table can be read after it was written in the same transaction; read the row before the write and keep it in a local variable
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/ram_read_after_write.h:13: error: RAM table can be read after it was written in the same transaction; read the row before the write and keep it in a local variable
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

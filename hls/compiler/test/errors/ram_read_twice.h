@@ -1,4 +1,6 @@
-// error: errors/ram_read_twice.h:10: error: RAM table can be read twice in one transaction; read the row once, or split the RAM
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/ram_read_twice.h:12: error: RAM table can be read twice in one transaction; read the row once, or split the RAM
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

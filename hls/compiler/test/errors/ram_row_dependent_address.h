@@ -1,4 +1,6 @@
-// error: errors/ram_row_dependent_address.h:11: error: RAM table can be read twice in one transaction; read the row once, or split the RAM
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/ram_row_dependent_address.h:13: error: RAM table can be read twice in one transaction; read the row once, or split the RAM
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,6 @@
-// error: errors/recursion.h:13: error: sum() calls itself; write it as a loop with a constant bound or as a template that ends
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/recursion.h:15: error: sum() calls itself; write it as a loop with a constant bound or as a template that ends
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,6 @@
-// error: errors/static_local.h:9: error: the global variable calls is not constant; make it constexpr or a member of the unit
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/static_local.h:11: error: the global variable calls is not constant; make it constexpr or a member of the unit
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,5 +1,7 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
 // error: hlsc: error: clang rejects the unit:
-// errors/syntax.h:8:37: error: expected ';' after expression
+// errors/syntax.h:10:37: error: expected ';' after expression
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

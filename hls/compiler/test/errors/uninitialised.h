@@ -1,4 +1,6 @@
-// error: errors/uninitialised.h:10: error: this condition depends on a variable that was never set; give it an initial value
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/uninitialised.h:12: error: this condition depends on a variable that was never set; give it an initial value
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

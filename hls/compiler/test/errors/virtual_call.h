@@ -1,4 +1,6 @@
-// error: errors/virtual_call.h:18: error: this call goes through a pointer or a virtual function; call the function by its name or make it a template parameter
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/virtual_call.h:20: error: this call goes through a pointer or a virtual function; call the function by its name or make it a template parameter
 #include "hls/ports.h"
 namespace errors {
 struct Shape {

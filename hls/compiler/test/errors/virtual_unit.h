@@ -1,4 +1,6 @@
-// error: errors/virtual_unit.h:4: error: the unit has virtual functions; a unit is a plain class, use templates instead
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/virtual_unit.h:6: error: the unit has virtual functions; a unit is a plain class, use templates instead
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,4 +1,6 @@
-// error: errors/volatile_access.h:8: error: volatile accesses cannot be lowered; make the variable a plain local or a member
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+// error: errors/volatile_access.h:10: error: volatile accesses cannot be lowered; make the variable a plain local or a member
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

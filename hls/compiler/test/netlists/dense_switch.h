@@ -1,3 +1,6 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
 // A switch over all values of its selector is a tree on the selector's bits: three levels of muxes.
 // CHECK-NOT: = eq
 // CHECK-NOT: = ult

@@ -1,3 +1,6 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
 // A read at a variable place of eight elements takes seven muxes on the index's bits, no compare.
 // CHECK-NOT: = eq
 // CHECK-COUNT-7: = mux

@@ -1,3 +1,6 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
 // Of a product of which only 8 bits are used only 8 bits are computed.
 // CHECK: :8 = mul
 // CHECK-NOT: :16 = mul

@@ -1,3 +1,6 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
 // Two branches that write one Out become one write; a value that no branch sets needs no mux.
 // CHECK-NOT: = mux
 // CHECK: write out if %[[ENABLE:[0-9]+]]: %[[DATA:[0-9]+]]

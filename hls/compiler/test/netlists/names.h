@@ -1,3 +1,6 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
 // Nodes carry the names of the C++ variables; a struct's member is variable_member.
 // CHECK: token job[0]{{ +}}; j_count{{$}}
 // CHECK: = add {{.*}}; doubled{{$}}

@@ -1,3 +1,6 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
 // An `unsigned` sum of two 17-bit numbers is 18 bits wide, and its low half 9: nothing is 32.
 // CHECK-NOT: :32
 // CHECK: %[[SUM:[0-9]+]]:18 = add

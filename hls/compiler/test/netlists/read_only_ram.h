@@ -1,3 +1,6 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
 // A RAM that is never written has a read and no write.
 // CHECK-NOT: write table
 // CHECK: read table if

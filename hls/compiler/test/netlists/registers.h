@@ -1,3 +1,6 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
 // Registers have the width that their values need (an enum of three values: two bits), and one that
 // never changes has no next value.
 // CHECK-DAG: :3 = register state_count{{$}}
