@@ -185,7 +185,7 @@ TEST_F(RtlBoardTest, FeedsATokenForEveryPacketAndCacheLineInUse) {
 TEST_F(RtlBoardTest, InterruptIsPendingUntilAcknowledgedAndCanBeMasked) {
   const auto clocked = make_stand_in_board();
   clocked->reset();
-  clocked->run_until_interrupt(20);  // the core's reset
+  clocked->run_until_interrupt(100);  // the core's reset
   const auto put = [&](std::uint32_t address, std::uint32_t value) {
     ASSERT_TRUE(clocked->write(address, {&value, 1}));
   };
