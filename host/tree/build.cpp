@@ -5,6 +5,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "host/tree/assemble.h"
@@ -34,10 +35,14 @@ class Builder {
                 RawTree& out) const {
     const std::vector<ItemRef>& items = content.items;
     if (items.empty()) return {};
-    const Plane plane = depth > 0 ? search.best(content) : Plane{};
+    const bool split = depth > 0 && items_made_ <= options_.most_items;
+    const Plane plane = split ? search.best(content) : Plane{};
     const double leaf_cost = static_cast<double>(items.size()) * options_.costs.item;
     if (plane.cost >= leaf_cost) --patience;
-    if (plane.axis < 0 || patience < 0) return {out.add_leaf(items), leaf_cost};
+    if (plane.axis < 0 || patience < 0) {
+      items_made_ += items.size();
+      return {out.add_leaf(items), leaf_cost};
+    }
 
     CellContent left{content.cell, {}, {}};
     CellContent right{content.cell, {}, {}};
@@ -75,6 +80,8 @@ class Builder {
     out.nodes[node].right = r.root;
     return {node, cost};
   }
+
+  bool cut_short() const { return items_made_ > options_.most_items; }
 
  private:
   void divide_items(const std::vector<ItemRef>& items, const Plane& plane, CellContent& left,
@@ -139,6 +146,8 @@ class Builder {
 
   const TreeOptions& options_;
   const CutItem& cut_;
+  /// In all leaves ever made, so that whether it passes the limit does not depend on threads.
+  mutable std::atomic<std::size_t> items_made_ = 0;
 };
 
 }  // namespace
@@ -153,7 +162,9 @@ Tree build_tree(CellContent content, const TreeOptions& options, const CutItem& 
   const GridBox cell = content.cell;
   const Builder builder(options, cut);
   const auto whole = builder.build(std::move(content), depth, options.patience, search, raw);
-  return assemble(raw, whole.root, cell);
+  Tree tree = assemble(raw, whole.root, cell);
+  tree.cut_short = builder.cut_short();
+  return tree;
 }
 
 }  // namespace dynrt::host

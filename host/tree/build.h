@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "host/tree/sweep.h"
@@ -23,6 +24,8 @@ struct TreeOptions {
   int patience = 4;
   /// Sample rays, at most; there are no more than triangles. None: the surface area alone guides.
   unsigned sample_rays = 16384;
+  /// Once the leaves made list more items than these, nothing more is split (Tree::cut_short).
+  std::size_t most_items = std::numeric_limits<std::size_t>::max();
 };
 
 /// The box of the item's part within `cell`, which lies within `item.box`; called from several

@@ -7,6 +7,7 @@
 #include "test/units/arithmetic.h"
 #include "test/units/arrays.h"
 #include "test/units/floats.h"
+#include "test/units/intrinsics.h"
 #include "test/units/loops.h"
 #include "test/units/mailbox.h"
 #include "test/units/rams.h"
@@ -33,6 +34,7 @@ TEST(Native, Accumulator) {
 }
 TEST(Native, Arithmetic) { compare_sample<samples::Arithmetic>("Arithmetic", "arithmetic", 5000); }
 TEST(Native, Arrays) { compare_sample<samples::Arrays>("Arrays", "arrays", 5000); }
+TEST(Native, Intrinsics) { compare_sample<samples::Intrinsics>("Intrinsics", "intrinsics", 20000); }
 TEST(Native, Switches) { compare_sample<samples::Switches>("Switches", "switches", 5000); }
 TEST(Native, Routing) { compare_sample<samples::Routing>("Routing", "routing", 5000); }
 TEST(Native, Loops) { compare_sample<samples::Loops>("Loops", "loops", 5000); }
