@@ -12,6 +12,7 @@ add_library(hlsc_backend STATIC
   emit/pipeline_bits.cpp
   emit/report.cpp
   emit/verilog.cpp
+  passes/balance_chains.cpp
   passes/expand_divisions.cpp
   passes/expand_shifts.cpp
   passes/merge_add_sub.cpp
