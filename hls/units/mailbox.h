@@ -73,7 +73,9 @@ struct Mailbox {
         TransformJob<C> job;
         job.packet = e.packet;
         job.kind = top ? TransformKind::kObject : TransformKind::kTriangle;
-        job.active = e.active;
+        // All rays enter an object: one that comes to it in a later leaf would find it in the
+        // mailbox.
+        job.active = RayMask::ones();
         job.matrix = e.entry.matrix;
         fresh.write(job);
         if (top) {

@@ -39,7 +39,8 @@ bool fresh(Bench& bench, const MailboxEntry<C>& e) {
   for (const TransformJob<C>& job : jobs) {
     const TransformKind kind = e.level == Level{} ? TransformKind::kObject  //
                                                   : TransformKind::kTriangle;
-    EXPECT_TRUE(test::same(job, TransformJob<C>{3, e.packet, kind, e.active, e.entry.matrix}));
+    EXPECT_TRUE(
+        test::same(job, TransformJob<C>{3, e.packet, kind, RayMask::ones(), e.entry.matrix}));
   }
   for (const ListJob<C>& job : seen) {
     EXPECT_TRUE(test::same(job, ListJob<C>{e.packet, e.level, false, {}, {}}));

@@ -10,7 +10,7 @@
 
 namespace hlsc {
 
-std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule) {
+std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule, int longest_shift) {
   const std::vector<int>& stage = schedule.stage;
   std::vector<int> last_use(circuit.bits, -1);
   std::vector<std::set<int>> looked_at(circuit.cells.size());
@@ -49,7 +49,7 @@ std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule) {
   for (Carry carry : all) {
     const int from = carry.from;
     const int to = carry.to;
-    if (to - from > kLongestShift && width[{from, to}] >= kNarrowestDelay) {
+    if (to - from > longest_shift && width[{from, to}] >= kNarrowestDelay) {
       steps.push_back(carry);
       continue;
     }

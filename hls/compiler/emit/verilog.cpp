@@ -31,7 +31,7 @@ class Writer {
         options_(options),
         stems_(signal_stems(circuit)),
         expressions_(circuit),
-        carries_(carries(circuit, schedule)) {}
+        carries_(carries(circuit, schedule, options.delay.longest_shift)) {}
 
   std::string text() {
     find_inlined();
