@@ -31,7 +31,7 @@ class Builder {
 
   /// Appends the subtree over the items to a tree; nothing without items. `depth` and `patience`
   /// are how many levels are left, and how many of them may promise no gain by themselves.
-  Subtree build(CellContent content, int depth, int patience, PlaneSearch& search,
+  Subtree build(const CellContent& content, int depth, int patience, PlaneSearch& search,
                 RawTree& out) const {
     const std::vector<ItemRef>& items = content.items;
     if (items.empty()) return {};
@@ -59,17 +59,17 @@ class Builder {
     Subtree l, r;
     if (items.size() > kTaskItems) {
       RawTree left_tree, right_tree;
-      const auto apart = [&](CellContent& side, RawTree& tree) {
+      const auto apart = [&](const CellContent& side, RawTree& tree) {
         PlaneSearch own(options_.costs);
-        return build(std::move(side), depth - 1, patience, own, tree);
+        return build(side, depth - 1, patience, own, tree);
       };
       tbb::parallel_invoke([&] { l = apart(left, left_tree); },
                            [&] { r = apart(right, right_tree); });
       l.root = out.append(left_tree, l.root);
       r.root = out.append(right_tree, r.root);
     } else {
-      l = build(std::move(left), depth - 1, patience, search, out);
-      r = build(std::move(right), depth - 1, patience, search, out);
+      l = build(left, depth - 1, patience, search, out);
+      r = build(right, depth - 1, patience, search, out);
     }
     const double cost = options_.costs.step + p_left * l.cost + p_right * r.cost;
     if (cost >= leaf_cost) {
@@ -152,17 +152,16 @@ class Builder {
 
 }  // namespace
 
-Tree build_tree(CellContent content, const TreeOptions& options, const CutItem& cut) {
+Tree build_tree(const CellContent& content, const TreeOptions& options, const CutItem& cut) {
   const double levels =
       options.depth_factor * std::log2(static_cast<double>(content.items.size())) +
       options.depth_extra;
   const int depth = std::clamp(static_cast<int>(std::lround(levels)), 0, kMaxTreeDepth);
   RawTree raw;
   PlaneSearch search(options.costs);
-  const GridBox cell = content.cell;
   const Builder builder(options, cut);
-  const auto whole = builder.build(std::move(content), depth, options.patience, search, raw);
-  Tree tree = assemble(raw, whole.root, cell);
+  const auto whole = builder.build(content, depth, options.patience, search, raw);
+  Tree tree = assemble(raw, whole.root, content.cell);
   tree.cut_short = builder.cut_short();
   return tree;
 }

@@ -34,6 +34,6 @@ using CutItem = std::function<GridBox(const ItemRef& item, const GridBox& cell)>
 
 /// Builds the tree over the content's items, of which there is at least one; its cell holds them
 /// all and is what the clipping nodes cut out. The result does not depend on the number of threads.
-Tree build_tree(CellContent content, const TreeOptions& options, const CutItem& cut);
+Tree build_tree(const CellContent& content, const TreeOptions& options, const CutItem& cut);
 
 }  // namespace dynrt::host
