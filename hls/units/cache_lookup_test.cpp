@@ -183,6 +183,7 @@ TEST(CacheLookup, AnInvalidatedLineIsFetchedAgain) {
   cache.filled();
   cache.fill({true, {}, 0, {}});
   EXPECT_TRUE(cache.filled().empty()) << "nobody waited for it";
+  EXPECT_EQ(ask(0), 0u) << "the line holds nothing, not even what invalidated it";
   EXPECT_EQ(ask(16), 0u);
   EXPECT_EQ(ask(17), 1u) << "its neighbour stays";
 }
