@@ -12,6 +12,7 @@ add_library(hlsc_backend STATIC
   emit/pipeline_bits.cpp
   emit/report.cpp
   emit/verilog.cpp
+  passes/balance_chains.cpp
   passes/expand_divisions.cpp
   passes/expand_shifts.cpp
   passes/merge_add_sub.cpp
@@ -41,3 +42,11 @@ target_compile_definitions(hlsc_schedule_test
 target_link_libraries(hlsc_schedule_test PRIVATE hlsc_random dynrt_warnings GTest::gmock
                                                  GTest::gtest_main)
 gtest_discover_tests(hlsc_schedule_test PROPERTIES LABELS lower)
+
+add_executable(hlsc_emit_test emit/emit_test.cpp)
+target_compile_definitions(hlsc_emit_test
+                           PRIVATE DELAY_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/delay"
+                                   GOLDEN_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/emit/golden")
+target_link_libraries(hlsc_emit_test PRIVATE hlsc_random dynrt_warnings GTest::gmock
+                                             GTest::gtest_main)
+gtest_discover_tests(hlsc_emit_test PROPERTIES LABELS lower)

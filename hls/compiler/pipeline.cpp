@@ -12,6 +12,7 @@ namespace hlsc {
 
 Netlist optimise(const Netlist& netlist, const Options& options) {
   Netlist n = narrow(netlist);
+  n = balance_chains(n);
   n = expand_divisions(n, options.delay);
   n = split_products(n, options.delay);
   n = expand_shifts(n);

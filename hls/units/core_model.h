@@ -28,8 +28,9 @@ class CoreModel {
     hls::Join join;
     const auto core = std::make_unique<Core<C>>(join, banks_);
     *core->frame = config;
-    const std::uint64_t numbers = std::max(config.packets.to_u64(), config.line_mask.to_u64() + 1);
-    for (std::uint64_t i = 0; i < numbers; ++i) core->start->push(uint<10>::from(i));
+    const auto send = [&](std::uint64_t number) { core->start->push(uint<10>::from(number)); };
+    for (std::uint64_t line = 0; line <= config.line_mask.to_u64(); ++line) send(line);
+    for (std::uint64_t p = 0; p < config.packets.to_u64(); ++p) send(kFirstPacket + p);
     join.run();
     counters_ = join.counters();
     if (core->done->size() != 1) {

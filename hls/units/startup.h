@@ -1,32 +1,32 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Start-up: before a frame the board sends the numbers 0 to N - 1; each frees the packet and
-// invalidates the cache lines of that number, as far as the frame uses them.
+// Start-up: what the board sends before a frame. A number below kFirstPacket invalidates that line
+// of every cache; from kFirstPacket on the numbers free packets. The board leaves the caches the
+// time to empty themselves in between, so that no packet meets a line of an earlier frame.
 #pragma once
 
-#include "units/frame.h"
 #include "units/ray_generation.h"
 #include "units/tokens.h"
 
 namespace dynrt {
 
+inline constexpr unsigned kFirstPacket = 1u << 9;
+
 template <class C>
 struct Startup {
   hls::In<uint<10>> number;
-  hls::Config<FrameConfig> frame;
   hls::Out<FreePacket<C>> free;
   hls::Out<CacheFill<C, Node>> node;
   hls::Out<CacheFill<C, ListEntry>> list;
   hls::Out<CacheFill<C, MatrixColumn>> column;
-  HLS_PORTS(number, frame, free, node, list, column)
+  HLS_PORTS(number, free, node, list, column)
 
   void step() {
     const uint<10> n = number.read();
-    const FrameConfig config = frame.get();
-    const Word wide = n;
-    if (wide < config.packets) free.write({PacketId<C>::from(n.raw())});
-    if (wide <= config.line_mask) {
+    if (n.template bit<9>()) {
+      free.write({PacketId<C>::from(n.raw())});
+    } else {
       node.write({true, {}, n, {}});
       list.write({true, {}, n, {}});
       column.write({true, {}, n, {}});

@@ -12,11 +12,12 @@ using C = test::Config<64, 512>;
 void check(unsigned packets, unsigned lines) {
   SCOPED_TRACE(testing::Message() << packets << " packets, " << lines << " lines");
   test::Bench<Startup<C>> bench;
-  bench.value(bench.unit.frame).packets = Word::from(packets);
-  bench.value(bench.unit.frame).line_mask = Word::from(lines - 1);
-  for (unsigned n = 0; n < 512; ++n) bench.feed(bench.unit.number, uint<10>::from(n));
+  for (unsigned n = 0; n < lines; ++n) bench.feed(bench.unit.number, uint<10>::from(n));
+  for (unsigned n = 0; n < packets; ++n) {
+    bench.feed(bench.unit.number, uint<10>::from(kFirstPacket + n));
+  }
   bench.run();
-  EXPECT_EQ(bench.transactions(), 512u);
+  EXPECT_EQ(bench.transactions(), lines + packets);
 
   std::vector<FreePacket<C>> free;
   for (unsigned n = 0; n < packets; ++n) free.push_back({PacketId<C>::from(n)});
@@ -34,7 +35,7 @@ void check(unsigned packets, unsigned lines) {
   EXPECT_TRUE(test::same(bench.take(bench.unit.column), columns));
 }
 
-TEST(Startup, FreesThePacketsAndInvalidatesTheLinesOfTheFrame) {
+TEST(Startup, InvalidatesLinesAndFreesPackets) {
   for (const unsigned packets : {1, 3, 32, 64}) {
     for (unsigned lines = 1; lines <= 512; lines *= 2) check(packets, lines);
   }

@@ -104,7 +104,7 @@ TEST_F(App, RendersOnTheVerilogWithWaveforms) {
   const auto json = nlohmann::json::parse(text_of(folder_ / "f.json"));
   // One word a clock, so all but the start-up does work.
   EXPECT_EQ(json["frame"]["units"]["stand_in"]["transactions"], 768);
-  EXPECT_GT(json["frame"]["units"]["stand_in"]["utilisation"], 0.9);
+  EXPECT_GT(json["frame"]["units"]["stand_in"]["utilisation"], 0.8);
 }
 
 TEST_F(App, CompareFindsTheStandInsDifferences) {
@@ -134,8 +134,8 @@ TEST_F(App, InfoShowsTheScene) {
 
 TEST_F(App, ABoardThatNeverInterruptsIsATimeOut) {
   expect_mistake(
-      std::string("render blocks") + kRtl + "--timeout 5",
-      "dynrt: board rtl: no interrupt and no pixel for 5 clocks (--timeout allows more); "
+      std::string("render blocks") + kRtl + "--timeout 100",
+      "dynrt: board rtl: no interrupt and no pixel for 100 clocks (--timeout allows more); "
       "0 pixels are written, status 0x1, the units stand at stand_in.transactions 0, "
       "start.tokens 16\n");
 }
@@ -226,7 +226,7 @@ TEST_F(App, OutputsThatCannotBeWrittenAreRefused) {
 
 TEST_F(App, WaveformsOfATimeOutAreKept) {
   const Outcome outcome =
-      run(std::string("render blocks") + kRtl + "--timeout 5 --trace waves.fst");
+      run(std::string("render blocks") + kRtl + "--timeout 100 --trace waves.fst");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.files, ElementsAre("waves.fst"));
 }

@@ -31,7 +31,10 @@ constexpr std::uint32_t kWidth = 24;
 constexpr std::uint32_t kHeight = 10;
 constexpr std::uint32_t kPixels = kWidth * kHeight;
 constexpr std::uint32_t kFrameBase = 1000;
-constexpr std::uint32_t kTokens = 16;
+constexpr std::uint32_t kLines = 16;
+constexpr std::uint32_t kPackets = 4;
+constexpr std::uint32_t kTokens = kLines + kPackets;
+constexpr std::uint32_t kPause = 64;  ///< clocks between the two kinds of tokens
 constexpr std::uint32_t kHang = 0xdeadbeef;
 
 std::vector<Counter> stand_in_counters() {
@@ -47,8 +50,8 @@ std::vector<std::uint32_t> random_words(std::size_t count, unsigned seed) {
 
 FrameConfig frame_config(std::uint32_t background = 0) {
   FrameConfig frame;
-  frame.packets = to_word(4);
-  frame.line_mask = to_word(kTokens - 1);
+  frame.packets = to_word(kPackets);
+  frame.line_mask = to_word(kLines - 1);
   frame.width = to_word(kWidth);
   frame.height = to_word(kHeight);
   frame.frame_base = to_word(kFrameBase);
@@ -151,8 +154,8 @@ TEST_F(RtlBoardTest, RendersAndInterrupts) {
     EXPECT_EQ(pixels, kPixels);
     // Tokens and pixels go by at one a clock.
     ASSERT_TRUE(run.cycles.has_value());
-    EXPECT_GE(*run.cycles, kTokens + kPixels);
-    EXPECT_LE(*run.cycles, kTokens + kPixels + 10);
+    EXPECT_GE(*run.cycles, kTokens + kPause + kPixels);
+    EXPECT_LE(*run.cycles, kTokens + kPause + kPixels + 10);
     EXPECT_EQ(board_.read_register(reg::kRegStatus), 1u << reg::kStatusDone);
     EXPECT_EQ(board_.read_register(reg::kRegIrqPending), 0u);
 
@@ -172,20 +175,20 @@ TEST_F(RtlBoardTest, RendersAndInterrupts) {
 
 TEST_F(RtlBoardTest, FeedsATokenForEveryPacketAndCacheLineInUse) {
   FrameConfig frame = frame_config();
-  for (const auto& [packets, lines] : {std::pair{4u, 1u}, {1u, 8u}, {3u, 4u}}) {
+  for (const auto& [packets, lines] : {std::pair{4u, 1u}, {1u, 8u}, {3u, 4u}, {64u, 512u}}) {
     frame.packets = to_word(packets);
     frame.line_mask = to_word(lines - 1);
     board_.configure(frame);
     board_.start();
     board_.wait(5000, {});
-    EXPECT_EQ(board_.counters().at(1).value, std::max(packets, lines));
+    EXPECT_EQ(board_.counters().at(1).value, packets + lines);
   }
 }
 
 TEST_F(RtlBoardTest, InterruptIsPendingUntilAcknowledgedAndCanBeMasked) {
   const auto clocked = make_stand_in_board();
   clocked->reset();
-  clocked->run_until_interrupt(20);  // the core's reset
+  clocked->run_until_interrupt(100);  // the core's reset
   const auto put = [&](std::uint32_t address, std::uint32_t value) {
     ASSERT_TRUE(clocked->write(address, {&value, 1}));
   };
@@ -236,7 +239,7 @@ TEST_F(RtlBoardTest, TimeOutTellsWhereTheUnitsStandAndTheBoardRecovers) {
               ThrowsMessage<TimeoutError>(
                   "board rtl: no interrupt and no pixel for 5000 clocks (--timeout allows more); "
                   "240 pixels are written, status 0x1, the units stand at "
-                  "stand_in.words 240, stand_in.tokens 16"));
+                  "stand_in.words 240, stand_in.tokens 20"));
   board_.configure(frame_config());
   board_.start();
   EXPECT_NO_THROW(board_.wait(5000, {}));

@@ -54,6 +54,7 @@ uint32_t add_tree(MemoryPart& part, const Tree& tree, uint32_t first_matrix) {
   const auto child = [&](uint32_t index) {
     return to_address(index == kNullNode ? 0 : base + index);
   };
+  part.nodes.reserve(part.nodes.size() + tree.nodes.size());
   for (std::size_t i = 1; i < tree.nodes.size(); ++i) {
     const TreeNode& from = tree.nodes[i];
     Node node;
@@ -112,6 +113,7 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees) {
 
 std::vector<Aabb> ObjectImage::boxes() const {
   std::vector<Aabb> boxes;
+  boxes.reserve(objects.size());
   for (const Object& object : objects) boxes.push_back(object.box);
   return boxes;
 }

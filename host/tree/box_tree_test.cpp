@@ -64,7 +64,8 @@ TEST(BoxTree, TheSameBoxManyTimes) {
 TEST(BoxTree, BoxesApartAreApart) {
   std::vector<Aabb> boxes;
   for (int i = 0; i < 64; ++i) {
-    const glm::dvec3 low{3.0 * (i % 8), 3.0 * (i / 8), 0};
+    const int row = i / 8;
+    const glm::dvec3 low{3.0 * (i % 8), 3.0 * row, 0};
     boxes.push_back({low, low + 1.0});
   }
   const Tree tree = build_box_tree(boxes);

@@ -5,6 +5,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "host/tree/assemble.h"
@@ -30,14 +31,18 @@ class Builder {
 
   /// Appends the subtree over the items to a tree; nothing without items. `depth` and `patience`
   /// are how many levels are left, and how many of them may promise no gain by themselves.
-  Subtree build(CellContent content, int depth, int patience, PlaneSearch& search,
+  Subtree build(const CellContent& content, int depth, int patience, PlaneSearch& search,
                 RawTree& out) const {
     const std::vector<ItemRef>& items = content.items;
     if (items.empty()) return {};
-    const Plane plane = depth > 0 ? search.best(content) : Plane{};
+    const bool split = depth > 0 && items_made_ <= options_.most_items;
+    const Plane plane = split ? search.best(content) : Plane{};
     const double leaf_cost = static_cast<double>(items.size()) * options_.costs.item;
     if (plane.cost >= leaf_cost) --patience;
-    if (plane.axis < 0 || patience < 0) return {out.add_leaf(items), leaf_cost};
+    if (plane.axis < 0 || patience < 0) {
+      items_made_ += items.size();
+      return {out.add_leaf(items), leaf_cost};
+    }
 
     CellContent left{content.cell, {}, {}};
     CellContent right{content.cell, {}, {}};
@@ -54,17 +59,17 @@ class Builder {
     Subtree l, r;
     if (items.size() > kTaskItems) {
       RawTree left_tree, right_tree;
-      const auto apart = [&](CellContent& side, RawTree& tree) {
+      const auto apart = [&](const CellContent& side, RawTree& tree) {
         PlaneSearch own(options_.costs);
-        return build(std::move(side), depth - 1, patience, own, tree);
+        return build(side, depth - 1, patience, own, tree);
       };
       tbb::parallel_invoke([&] { l = apart(left, left_tree); },
                            [&] { r = apart(right, right_tree); });
       l.root = out.append(left_tree, l.root);
       r.root = out.append(right_tree, r.root);
     } else {
-      l = build(std::move(left), depth - 1, patience, search, out);
-      r = build(std::move(right), depth - 1, patience, search, out);
+      l = build(left, depth - 1, patience, search, out);
+      r = build(right, depth - 1, patience, search, out);
     }
     const double cost = options_.costs.step + p_left * l.cost + p_right * r.cost;
     if (cost >= leaf_cost) {
@@ -75,6 +80,8 @@ class Builder {
     out.nodes[node].right = r.root;
     return {node, cost};
   }
+
+  bool cut_short() const { return items_made_ > options_.most_items; }
 
  private:
   void divide_items(const std::vector<ItemRef>& items, const Plane& plane, CellContent& left,
@@ -139,21 +146,24 @@ class Builder {
 
   const TreeOptions& options_;
   const CutItem& cut_;
+  /// In all leaves ever made, so that whether it passes the limit does not depend on threads.
+  mutable std::atomic<std::size_t> items_made_ = 0;
 };
 
 }  // namespace
 
-Tree build_tree(CellContent content, const TreeOptions& options, const CutItem& cut) {
+Tree build_tree(const CellContent& content, const TreeOptions& options, const CutItem& cut) {
   const double levels =
       options.depth_factor * std::log2(static_cast<double>(content.items.size())) +
       options.depth_extra;
   const int depth = std::clamp(static_cast<int>(std::lround(levels)), 0, kMaxTreeDepth);
   RawTree raw;
   PlaneSearch search(options.costs);
-  const GridBox cell = content.cell;
   const Builder builder(options, cut);
-  const auto whole = builder.build(std::move(content), depth, options.patience, search, raw);
-  return assemble(raw, whole.root, cell);
+  const auto whole = builder.build(content, depth, options.patience, search, raw);
+  Tree tree = assemble(raw, whole.root, content.cell);
+  tree.cut_short = builder.cut_short();
+  return tree;
 }
 
 }  // namespace dynrt::host

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "host/tree/sweep.h"
@@ -23,6 +24,8 @@ struct TreeOptions {
   int patience = 4;
   /// Sample rays, at most; there are no more than triangles. None: the surface area alone guides.
   unsigned sample_rays = 16384;
+  /// Once the leaves made list more items than these, nothing more is split (Tree::cut_short).
+  std::size_t most_items = std::numeric_limits<std::size_t>::max();
 };
 
 /// The box of the item's part within `cell`, which lies within `item.box`; called from several
@@ -31,6 +34,6 @@ using CutItem = std::function<GridBox(const ItemRef& item, const GridBox& cell)>
 
 /// Builds the tree over the content's items, of which there is at least one; its cell holds them
 /// all and is what the clipping nodes cut out. The result does not depend on the number of threads.
-Tree build_tree(CellContent content, const TreeOptions& options, const CutItem& cut);
+Tree build_tree(const CellContent& content, const TreeOptions& options, const CutItem& cut);
 
 }  // namespace dynrt::host

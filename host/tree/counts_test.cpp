@@ -19,7 +19,7 @@ constexpr unsigned kSide = 32;
 
 /// The closest hit of every pixel, without trees or packets.
 std::vector<TracedHit> brute_force(const Scene& scene, const Camera& camera) {
-  std::vector<TracedHit> hits(kSide * kSide);
+  std::vector<TracedHit> hits(std::size_t{kSide} * kSide);
   for (uint32_t n = 0; n < scene.instances.size(); ++n) {
     const Instance& instance = scene.instances[n];
     const Mesh& mesh = scene.objects[instance.object];

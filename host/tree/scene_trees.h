@@ -23,8 +23,8 @@ struct TreeLimits {
   std::size_t items = kMaxListEntries;
 };
 
-/// Trees that are too large are made again with less depth, as often as that helps; what is too
-/// large even then is left to the memory image to refuse.
+/// Where the trees are too large they are made with the greatest depth at which they fit; what is
+/// too large without any depth is left to the memory image to refuse.
 SceneTrees build_scene_trees(const Scene& scene, const TreeOptions& options = {},
                              const TreeLimits& limits = {});
 

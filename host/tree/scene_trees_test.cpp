@@ -22,10 +22,26 @@ TEST(SceneTrees, AreMadeShallowerUntilTheyFit) {
   EXPECT_LE(nodes_of(few_nodes), limits.nodes);
   EXPECT_GT(nodes_of(few_nodes), limits.nodes / 8);
 
+  EXPECT_FALSE(few_nodes.objects[0].cut_short);
+
   limits = {};
   limits.items = full.objects[0].items.size() / 2;
   const SceneTrees few_items = build_scene_trees(scene, {}, limits);
   EXPECT_LE(few_items.objects[0].items.size() + few_items.instances.items.size(), limits.items);
+}
+
+TEST(SceneTrees, AreGivenUpBeforeTheyAreFarTooLarge) {
+  const Scene scene = testing::scene_of(testing::soup(1, 1000, 2.0));
+  TreeOptions options;
+  options.most_items = 5000;
+  const Tree tree = build_triangle_tree(scene.objects[0], options);
+  EXPECT_TRUE(tree.cut_short);
+  EXPECT_LT(tree.items.size(), 50000u);
+  TreeLimits limits;
+  limits.items = 3000;
+  const SceneTrees trees = build_scene_trees(scene, {}, limits);
+  EXPECT_FALSE(trees.objects[0].cut_short);
+  EXPECT_LE(trees.objects[0].items.size(), limits.items);
 }
 
 TEST(SceneTrees, EndWithTheShallowestWhereNothingFits) {

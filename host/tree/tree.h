@@ -48,6 +48,7 @@ struct Tree {
   uint32_t root = kNullNode;          ///< where a ray starts inside the box
   uint32_t clipped_root = kNullNode;  ///< where any ray starts
   Aabb box;                           ///< what the clipping nodes cut out, rounded outward
+  bool cut_short = false;             ///< not finished: it grew beyond TreeOptions::most_items
   TreeStats stats;
 
   /// Where rays from this point start.

@@ -51,7 +51,7 @@ Tree build_triangle_tree(const Mesh& object, const TreeOptions& options) {
   const CutItem cut = [&](const ItemRef& item, const GridBox& cell) {
     return grid_box(clipped_box(corners(object, item.item), real_box(cell)));
   };
-  const CellContent content{grid_box(whole, kBoxGrowth), std::move(items), {}};
+  CellContent content{grid_box(whole, kBoxGrowth), std::move(items), {}};
   const auto rays = std::min<std::size_t>(options.sample_rays, content.items.size());
   if (rays == 0) return build_tree(content, options, cut);
 
@@ -59,9 +59,8 @@ Tree build_triangle_tree(const Mesh& object, const TreeOptions& options) {
   TreeOptions rough = options;
   rough.depth_extra = 0;
   rough.patience = 0;
-  CellContent guided = content;
-  guided.rays = sample_rays(object, build_tree(content, rough, cut), rays);
-  return build_tree(std::move(guided), options, cut);
+  content.rays = sample_rays(object, build_tree(content, rough, cut), rays);
+  return build_tree(content, options, cut);
 }
 
 }  // namespace dynrt::host

@@ -1,17 +1,20 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Runs one frame: resets the core for RESET_CLOCKS, clears its counters, feeds the start tokens
-// 0 .. last_token_i (each frees a packet and empties a line of every cache), and waits for the
-// token that says the frame is complete. Between frames the core needs no clock.
+// Runs one frame: resets the core for RESET_CLOCKS and clears its counters; has it empty the lines
+// 0 .. last_line_i of every cache, waits PAUSE_CLOCKS until that has surely happened, frees the
+// packets 0 .. last_packet_i (start tokens 512 and up); and waits for the token that says that the
+// frame is complete. Between frames the core needs no clock.
 module board_sequencer #(
-  parameter RESET_CLOCKS = 64  // the core's register files have up to 64 rows to clear
+  parameter RESET_CLOCKS = 64, // the core's register files have up to 64 rows to clear
+  parameter PAUSE_CLOCKS = 64
 ) (
   input  wire        clk_i,
   input  wire        rst_ni,
   input  wire        start_i,  // ignored while busy
   input  wire        reset_i,  // give up whatever is under way
-  input  wire [9:0]  last_token_i,
+  input  wire [8:0]  last_line_i,
+  input  wire [8:0]  last_packet_i,
   output wire        busy_o,
   output wire        done_o,   // the clock in which the frame becomes complete
   output reg  [63:0] cycles_o, // clocks since the core left its reset, until done
@@ -25,51 +28,67 @@ module board_sequencer #(
   output wire        done_ready_o
 );
 
-  localparam [1:0] IDLE = 2'd0, RESET = 2'd1, FEED = 2'd2, RUN = 2'd3;
-  localparam [9:0] LAST_RESET = RESET_CLOCKS[9:0] - 10'd1;
+  localparam [2:0] IDLE = 3'd0, RESET = 3'd1, LINES = 3'd2, PAUSE = 3'd3, PACKETS = 3'd4,
+                   RUN = 3'd5;
+  localparam [8:0] LAST_RESET = RESET_CLOCKS[8:0] - 9'd1;
+  localparam [8:0] LAST_PAUSE = PAUSE_CLOCKS[8:0] - 9'd1;
 
-  reg [1:0] state_q;
-  reg [9:0] count_q;  // clocks of reset, then tokens
+  reg [2:0] state_q;
+  reg [8:0] count_q;  // clocks or tokens of this state
   reg       render_q; // a frame follows the reset
 
   assign busy_o = state_q != IDLE;
   assign core_rst_no = rst_ni && state_q != RESET;
   assign counter_clear_o = state_q == RESET;
-  assign start_valid_o = state_q == FEED;
-  assign start_data_o = count_q;
-  assign done_ready_o = state_q == FEED || state_q == RUN;
+  assign start_valid_o = state_q == LINES || state_q == PACKETS;
+  assign start_data_o = {state_q == PACKETS, count_q};
+  assign done_ready_o = state_q == PACKETS || state_q == RUN;
   assign done_o = done_ready_o && done_valid_i && !reset_i;
 
-  always @(posedge clk_i) begin
+  // Whether the state goes on with its count, which was its last, and what follows.
+  reg       step, last;
+  reg [2:0] next;
+  always @* begin
+    step = 1'b1;
+    last = 1'b0;
+    next = RUN;
     case (state_q)
-      IDLE: begin
-        count_q <= 10'd0;
-        if (start_i) begin
-          state_q <= RESET;
-          render_q <= 1'b1;
-        end
-      end
       RESET: begin
-        cycles_o <= 64'd0;
-        count_q <= count_q + 10'd1;
-        if (count_q == LAST_RESET) begin
-          count_q <= 10'd0;
-          state_q <= render_q ? FEED : IDLE;
-        end
+        last = count_q == LAST_RESET;
+        next = render_q ? LINES : IDLE;
       end
-      default: begin // FEED, RUN
-        cycles_o <= cycles_o + 64'd1;
-        if (start_valid_o && start_ready_i) begin
-          count_q <= count_q + 10'd1;
-          if (count_q == last_token_i) state_q <= RUN;
-        end
-        if (done_o) state_q <= IDLE;
+      LINES: begin
+        step = start_ready_i;
+        last = count_q == last_line_i;
+        next = PAUSE;
       end
+      PAUSE: begin
+        last = count_q == LAST_PAUSE;
+        next = PACKETS;
+      end
+      PACKETS: begin
+        step = start_ready_i;
+        last = count_q == last_packet_i;
+      end
+      default: step = 1'b0; // IDLE, RUN
     endcase
+  end
+
+  always @(posedge clk_i) begin
+    if (step) count_q <= last ? 9'd0 : count_q + 9'd1;
+    if (step && last) state_q <= next;
+    if (done_o) state_q <= IDLE;
+    if (state_q == RESET) cycles_o <= 64'd0;
+    else if (state_q != IDLE) cycles_o <= cycles_o + 64'd1;
+    if (state_q == IDLE && start_i) begin
+      state_q <= RESET;
+      count_q <= 9'd0;
+      render_q <= 1'b1;
+    end
     if (reset_i || !rst_ni) begin
       state_q <= RESET;
+      count_q <= 9'd0;
       render_q <= 1'b0;
-      count_q <= 10'd0;
     end
     if (!rst_ni) cycles_o <= 64'd0;
   end

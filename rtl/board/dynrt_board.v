@@ -56,9 +56,8 @@ module dynrt_board #(
   wire [3*32-1:0] core_wdata;
 
   // FRAME registers 0 and 1 are the packets and the cache lines less one that the frame uses.
-  wire [9:0] last_packet = frame[9:0] - 10'd1;
-  wire [9:0] last_line = frame[41:32];
-  wire [9:0] last_token = last_packet > last_line ? last_packet : last_line;
+  wire [8:0] last_packet = frame[8:0] - 9'd1;
+  wire [8:0] last_line = frame[40:32];
 
   assign core_clk_en_o = !rst_ni || busy || counter_fetch;
 
@@ -79,8 +78,8 @@ module dynrt_board #(
 
   board_sequencer sequencer (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .start_i(start), .reset_i(reset), .last_token_i(last_token),
-    .busy_o(busy), .done_o(done), .cycles_o(cycles),
+    .start_i(start), .reset_i(reset), .last_line_i(last_line),
+    .last_packet_i(last_packet), .busy_o(busy), .done_o(done), .cycles_o(cycles),
     .core_rst_no(core_rst_n), .counter_clear_o(counter_clear),
     .start_valid_o(start_valid), .start_ready_i(start_ready), .start_data_o(start_data),
     .done_valid_i(done_valid), .done_ready_o(done_ready)

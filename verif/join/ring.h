@@ -89,16 +89,18 @@ struct Side {
   }
 };
 
-/// Takes an item from both sides.
+/// Takes an item from both sides, and as it was before.
 struct Pair {
   hls::In<Item> side[2];
+  hls::In<Item> before;
   hls::RamRead<Value, 16> note;
   hls::Out<Item> out;
-  HLS_PORTS(side[0], side[1], note, out)
+  HLS_PORTS(side[0], side[1], before, note, out)
   void step() {
     Item i = side[0].read();
     const Item other = side[1].read();
-    i.value = ((i.value ^ other.value.shl<3>()) + note.read(other.id)).trunc<16>();
+    const Value sum = (before.read().value + note.read(other.id)).trunc<16>();
+    i.value = ((i.value ^ other.value.shl<3>()) + sum).trunc<16>();
     out.write(i);
   }
 };

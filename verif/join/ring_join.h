@@ -41,11 +41,12 @@ struct Ring {
     job[1] = join.input("job_1", enter[1].job);
     join.channel<Job>("entered", {&enter[0].out, &enter[1].out}, {&store.job});
     join.repeat("numbered", std::vector{&store.out}, number.job, 16);
-    join.channel<Item>("item", {&number.item}, {&side[0].item, &side[1].item}, 8);
+    join.channel<Item>("item", {&number.item}, {&side[0].item, &side[1].item, &pair.before},
+                       kItems);
     join.config("add", add, std::vector{&side[0].add});
     join.constant(side[1].add, uint<8>(77));
-    join.channel("left", side[0].out, pair.side[0], 8);
-    join.channel("right", side[1].out, pair.side[1], 8);
+    join.channel("left", side[0].out, pair.side[0]);
+    join.channel("right", side[1].out, pair.side[1]);
     join.sink("odd_left", side[0].odd);
     join.sink("odd_right", side[1].odd);
     join.channel<Item>("round", {&pair.out, &round.again}, {&round.item}, kItems);

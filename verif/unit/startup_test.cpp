@@ -11,11 +11,7 @@ namespace {
 
 void setup(Bench<Startup<C>>& bench, const Run&) {
   bench.shape<uint<10>>("number", [](uint<10>& n, Random& random) {
-    n = number_below<10>(random, random.below(2) == 0 ? 64 : 1024);
-  });
-  bench.shape<FrameConfig>("frame", [](FrameConfig& frame, Random& random) {
-    frame.packets = Word::from(1 + random.below(C::kPackets));
-    frame.line_mask = Word::from((1u << random.below(10)) - 1);
+    n = number_below<10>(random, 1024);
   });
 }
 

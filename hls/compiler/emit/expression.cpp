@@ -12,17 +12,12 @@
 namespace hlsc {
 namespace {
 
+constexpr std::size_t kMostMuxParts = 4;
+
 std::string select(const Signal& s, unsigned low, unsigned high) {
   if (s.scalar || (low == s.declared_low && high == s.declared_high)) return s.name;
   if (low == high) return fmt::format("{}[{}]", s.name, low);
   return fmt::format("{}[{}:{}]", s.name, high, low);
-}
-
-bool is_all(const std::vector<BitRef>& operand, unsigned bit) {
-  for (const BitRef& b : operand) {
-    if (!b.is_constant() || b.bit != bit) return false;
-  }
-  return true;
 }
 
 }  // namespace
@@ -130,6 +125,64 @@ std::string Expressions::multiply(const Cell& cell, int stage) {
   return text;
 }
 
+/// Where one side is constant as a mask, or else synthesis makes it a register's reset, of which
+/// there are few.
+std::string Expressions::mux(const Cell& cell, int stage) {
+  enum class Kind : std::uint8_t { kBoth, kNoZero, kNoOne, kYesZero, kYesOne };
+  const auto& yes = cell.operands[1];
+  const auto& no = cell.operands[2];
+  const auto kind = [&](std::size_t i) {
+    if (no[i].is_constant()) return no[i].bit == 0 ? Kind::kNoZero : Kind::kNoOne;
+    if (yes[i].is_constant()) return yes[i].bit == 0 ? Kind::kYesZero : Kind::kYesOne;
+    return Kind::kBoth;
+  };
+  struct Part {
+    Kind kind;
+    std::size_t low;
+    std::size_t high;
+  };
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < yes.size(); ++i) {
+    const bool both_constant = yes[i].is_constant() && no[i].is_constant();
+    const Kind k = both_constant ? Kind::kBoth : kind(i);
+    if (parts.empty() || parts.back().kind != k) parts.push_back({k, i, i});
+    parts.back().high = i;
+  }
+  const std::string s = bits(cell.operands[0], stage);
+  if (parts.size() > kMostMuxParts) parts = {{Kind::kBoth, 0, yes.size() - 1}};
+  std::string text;
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part) {
+    const auto side = [&](const std::vector<BitRef>& operand) {
+      return bits({operand.begin() + static_cast<std::ptrdiff_t>(part->low),
+                   operand.begin() + static_cast<std::ptrdiff_t>(part->high) + 1},
+                  stage);
+    };
+    const std::size_t width = part->high - part->low + 1;
+    const std::string mask = width == 1 ? s : fmt::format("{{{}{{{}}}}}", width, s);
+    std::string value;
+    switch (part->kind) {
+      case Kind::kNoZero:
+        value = mask + " & " + side(yes);
+        break;
+      case Kind::kNoOne:
+        value = "~" + mask + " | " + side(yes);
+        break;
+      case Kind::kYesZero:
+        value = "~" + mask + " & " + side(no);
+        break;
+      case Kind::kYesOne:
+        value = mask + " | " + side(no);
+        break;
+      case Kind::kBoth:
+        value = s + " ? " + side(yes) + " : " + side(no);
+        break;
+    }
+    if (parts.size() == 1) return value;
+    text += (text.empty() ? "{" : ", ") + value;
+  }
+  return text + "}";
+}
+
 std::string Expressions::operation(CellId id, int stage) {
   const Cell& cell = c_.cells[id];
   const auto operand = [&](std::size_t i) { return bits(cell.operands[i], stage); };
@@ -155,19 +208,8 @@ std::string Expressions::operation(CellId id, int stage) {
       return infix(" < ");
     case Op::kSLt:
       return "$signed(" + operand(0) + ") < $signed(" + operand(1) + ")";
-    case Op::kMux: {
-      const std::string s = operand(0);
-      // As a mask, or else synthesis makes it a register's reset, of which there are few.
-      if (is_all(cell.operands[2], 0))
-        return fmt::format("{{{}{{{}}}}} & {}", cell.width, s, operand(1));
-      if (is_all(cell.operands[1], 0))
-        return fmt::format("{{{}{{~{}}}}} & {}", cell.width, s, operand(2));
-      if (is_all(cell.operands[1], 1))
-        return fmt::format("{{{}{{{}}}}} | {}", cell.width, s, operand(2));
-      if (is_all(cell.operands[2], 1))
-        return fmt::format("{{{}{{~{}}}}} | {}", cell.width, s, operand(1));
-      return s + " ? " + operand(1) + " : " + operand(2);
-    }
+    case Op::kMux:
+      return mux(cell, stage);
     default:
       throw std::logic_error(std::string("emit: ") + op_name(c_.op(id)) + " was not expanded");
   }

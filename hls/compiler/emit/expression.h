@@ -47,6 +47,7 @@ class Expressions {
 
  private:
   Signal& signal(CellId cell, int stage);
+  std::string mux(const Cell& cell, int stage);
   std::string multiply(const Cell& cell, int stage);
 
   const Circuit& c_;

@@ -3,12 +3,14 @@
 #include "emit/pipeline_bits.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace hlsc {
 
-std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule) {
+std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule, int longest_shift) {
   const std::vector<int>& stage = schedule.stage;
   std::vector<int> last_use(circuit.bits, -1);
   std::vector<std::set<int>> looked_at(circuit.cells.size());
@@ -23,6 +25,7 @@ std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule) {
     }
   }
   std::vector<Carry> all;
+  std::map<std::pair<int, int>, unsigned> width;  // of all that goes from one stage to another
   for (CellId id = 0; id < circuit.cells.size(); ++id) {
     const Cell& cell = circuit.cells[id];
     if (cell.kind == CellKind::kConfig) continue;
@@ -35,22 +38,31 @@ std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule) {
         carry.high = i;
         ++carry.bits;
       }
-      if (to - from > kLongestShift) {
-        all.push_back(carry);
-      } else {
-        for (int s = from; s < to; ++s) {
-          carry.from = s;
-          carry.to = s + 1;
-          all.push_back(carry);
-        }
-      }
+      carry.from = from;
+      carry.to = to;
+      all.push_back(carry);
+      width[{from, to}] += carry.bits;
       from = to;
     }
   }
-  std::sort(all.begin(), all.end(), [](const Carry& a, const Carry& b) {
+  std::vector<Carry> steps;
+  for (Carry carry : all) {
+    const int from = carry.from;
+    const int to = carry.to;
+    if (to - from > longest_shift && width[{from, to}] >= kNarrowestDelay) {
+      steps.push_back(carry);
+      continue;
+    }
+    for (int s = from; s < to; ++s) {
+      carry.from = s;
+      carry.to = s + 1;
+      steps.push_back(carry);
+    }
+  }
+  std::sort(steps.begin(), steps.end(), [](const Carry& a, const Carry& b) {
     return std::tie(a.to, a.cell, a.from) < std::tie(b.to, b.cell, b.from);
   });
-  return all;
+  return steps;
 }
 
 }  // namespace hlsc

@@ -22,10 +22,11 @@ struct Carry {
   unsigned bits;  ///< of them in use
 };
 
-/// A value that stands still for more stages than this goes through a delay.
-inline constexpr int kLongestShift = 5;
+/// A delay, with its counter, is worth it from so many bits that go the same way.
+inline constexpr unsigned kNarrowestDelay = 8;
 
 /// Ordered by stage of arrival, then by cell.
-std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule);
+/// What nobody looks at for more than `longest_shift` stages goes through a delay.
+std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule, int longest_shift);
 
 }  // namespace hlsc

@@ -38,7 +38,7 @@ std::string emit_report(const Circuit& c, const Schedule& schedule, const Option
   unsigned long registers = 0;
   unsigned long delayed = 0;
   unsigned long delay_rows = 0;
-  for (const Carry& carry : carries(c, schedule)) {
+  for (const Carry& carry : carries(c, schedule, options.delay.longest_shift)) {
     if (carry.to - carry.from > 1) {
       delayed += carry.bits;
       delay_rows += carry.bits * static_cast<unsigned long>(carry.to - carry.from);

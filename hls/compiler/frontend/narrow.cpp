@@ -306,6 +306,37 @@ void cut_registers(Netlist& netlist, const std::map<unsigned, unsigned>& active)
   }
 }
 
+/// Leaves out the nodes that nobody looks at: rebuilding makes some on its way.
+Netlist without_unused(const Netlist& netlist) {
+  const Demand demand(netlist);
+  Netlist kept = netlist;
+  kept.nodes.clear();
+  kept.row_reads.clear();
+  std::vector<NodeId> place(netlist.nodes.size(), kNoNode);
+  std::map<unsigned, unsigned> read_number;
+  for (NodeId id = 0; id < netlist.nodes.size(); ++id) {
+    const Node& node = netlist.nodes[id];
+    if (demand.of(id) == 0 || node.op != Op::kRow || read_number.contains(node.port)) continue;
+    read_number.emplace(node.port, static_cast<unsigned>(kept.row_reads.size()));
+    kept.row_reads.push_back(netlist.row_reads[node.port]);
+  }
+  for (NodeId id = 0; id < netlist.nodes.size(); ++id) {
+    if (demand.of(id) == 0) continue;
+    Node node = netlist.nodes[id];
+    for (NodeId& operand : node.operands) operand = place[operand];
+    if (node.op == Op::kRow) node.port = read_number.at(node.port);
+    place[id] = kept.add(std::move(node));
+  }
+  const auto follow = [&](NodeId& id) { id = place[id]; };
+  for (TokenWrite& w : kept.token_writes) follow(w.enable), follow(w.data);
+  for (RowRead& r : kept.row_reads) follow(r.enable), follow(r.address);
+  for (RowWrite& w : kept.row_writes) follow(w.enable), follow(w.address), follow(w.data);
+  for (Register& r : kept.registers) {
+    if (r.next != kNoNode) follow(r.next);
+  }
+  return kept;
+}
+
 }  // namespace
 
 Netlist narrow(const Netlist& netlist) {
@@ -313,7 +344,7 @@ Netlist narrow(const Netlist& netlist) {
   Netlist narrowed = Rebuild(netlist, active).run();
   cut_registers(narrowed, active);
   for (unsigned round = 0; round < 2; ++round) narrowed = Rebuild(narrowed, {}).run();
-  return narrowed;
+  return without_unused(narrowed);
 }
 
 }  // namespace hlsc

@@ -208,6 +208,12 @@ class Top {
     for (std::size_t i = 0; i < c.to.size(); ++i) {
       const std::string to = wire(c.to[i]);
       if (waits_for_others(c.to[i])) {
+        if (c.depth == 0) {
+          throw std::invalid_argument(fmt::format(
+              "channel '{}' forks to '{}', which waits for other tokens too; say how many tokens "
+              "the channel can hold",
+              c.name, c.to[i]));
+        }
         write(
             "  hls_fifo #(.WIDTH({0}), .DEPTH({1}), .MARGIN(0)) {2}_queue (\n"
             "    .clk_i(clk_i), .rst_ni(rst_ni),\n"

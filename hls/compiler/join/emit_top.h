@@ -16,7 +16,8 @@ namespace hlsc {
 std::vector<std::string> counter_names(const hls::JoinRecord& join);
 
 /// A Verilog-2005 module `name` that instantiates every unit and connects them through rtl/lib.
-/// Throws std::invalid_argument naming a port that nothing is connected to.
+/// Throws std::invalid_argument naming a port that nothing is connected to, or a fork without a
+/// bound to a unit that needs other tokens as well.
 std::string emit_top(const hls::JoinRecord& join, const std::string& name);
 
 /// Units, channels, RAMs and counters, for the host and for people's scripts.

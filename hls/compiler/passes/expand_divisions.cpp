@@ -36,21 +36,21 @@ class ExpandDivisions : public Rewrite {
 
   /// The remainder is below the divisor, so remainder and next bit less divisor fit `work` bits.
   NodeId restoring(NodeId a, NodeId b, NodeId rest, unsigned digits, unsigned work) {
-    std::vector<NodeId> quotient;
+    std::vector<NodeId> missing;  // digits, inverted
     for (unsigned i = digits; i-- > 0;) {
       const NodeId next = builder_.zext(builder_.concat({rest, builder_.slice(a, i, 1)}), work);
       const NodeId difference = builder_.sub(next, builder_.zext(b, work));
       const NodeId too_small = builder_.slice(difference, work - 1, 1);
-      quotient.push_back(builder_.invert(too_small));
+      missing.push_back(too_small);
       const NodeId kept = builder_.mux(too_small, next, difference);
       rest = builder_.trunc(kept, std::max(1u, work - 1));
     }
-    return quotient.empty() ? builder_.constant(1, 0) : builder_.concat(quotient);
+    return quotient(missing);
   }
 
   /// The remainder is signed, from -divisor to divisor; a negative one has the divisor added.
   NodeId non_restoring(NodeId a, NodeId b, NodeId head, unsigned digits, unsigned work) {
-    std::vector<NodeId> quotient;
+    std::vector<NodeId> missing;  // digits, inverted
     NodeId rest = builder_.zext(head, work);
     NodeId negative = builder_.constant(1, 0);
     const NodeId divisor = builder_.zext(b, work);
@@ -59,9 +59,14 @@ class ExpandDivisions : public Rewrite {
           builder_.concat({builder_.trunc(rest, work - 1), builder_.slice(a, i, 1)});
       rest = builder_.mux(negative, builder_.add(next, divisor), builder_.sub(next, divisor));
       negative = builder_.slice(rest, work - 1, 1);
-      quotient.push_back(builder_.invert(negative));
+      missing.push_back(negative);
     }
-    return quotient.empty() ? builder_.constant(1, 0) : builder_.concat(quotient);
+    return quotient(missing);
+  }
+
+  NodeId quotient(const std::vector<NodeId>& missing) {
+    if (missing.empty()) return builder_.constant(1, 0);
+    return builder_.invert(builder_.concat(missing));
   }
 
   bool restoring_;

@@ -10,6 +10,10 @@
 
 namespace hlsc {
 
+/// Chains of and, or, xor, and of muxes of which the first condition that holds decides, become trees
+/// in which what is known first is combined first. A loop with `break` makes such chains.
+Netlist balance_chains(const Netlist& netlist);
+
 /// Divisions become digit recurrences, one subtraction a digit, without the digits that are known
 /// to be zero: restoring, or non-restoring where the device adds and subtracts in one carry chain.
 Netlist expand_divisions(const Netlist& netlist, const DelayModel& delay);

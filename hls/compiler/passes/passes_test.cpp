@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <random>
 
@@ -100,6 +101,7 @@ TEST(Passes, SplitProductsComputesTheSame) {
         [width](const Netlist& n) { return split_products(n, device(width)); });
   }
 }
+TEST(Passes, BalanceChainsComputesTheSame) { expect_equal_on_random_netlists(balance_chains); }
 TEST(Passes, ExpandShiftsComputesTheSame) { expect_equal_on_random_netlists(expand_shifts); }
 TEST(Passes, MergeAddSubComputesTheSame) { expect_equal_on_random_netlists(merge_add_sub); }
 TEST(Passes, AllOfThemComputeTheSame) {
@@ -138,6 +140,68 @@ Netlist selected_negation() {
   const NodeId b = u.in(16, 16);
   const NodeId negated = u.b.sub(u.b.constant(16, 0), b);
   return u.out(u.b.add(a, u.b.mux(u.in(32, 1), negated, b)));
+}
+
+/// The longest way through nodes of one operation.
+unsigned depth(const Netlist& n, Op op) {
+  std::vector<unsigned> depths;
+  unsigned deepest = 0;
+  for (const Node& node : n.nodes) {
+    unsigned d = 0;
+    for (const NodeId operand : node.operands) d = std::max(d, depths[operand]);
+    depths.push_back(d + (node.op == op ? 1 : 0));
+    deepest = std::max(deepest, depths.back());
+  }
+  return deepest;
+}
+
+TEST(BalanceChains, MakesATreeOfAChainOfLogic) {
+  Unit u(64);
+  NodeId all = u.in(0, 4);
+  for (unsigned i = 1; i < 16; ++i) all = u.b.logic(Op::kXor, all, u.in(4 * i, 4));
+  const Netlist before = u.out(all);
+  const Netlist after = narrow(balance_chains(before));
+  EXPECT_EQ(depth(before, Op::kXor), 15u);
+  EXPECT_EQ(depth(after, Op::kXor), 4u);
+  EXPECT_EQ(count(after, Op::kXor), 15u);
+  expect_equal(before, after, 1, 500);
+}
+
+/// The place of the lowest of 16 bits that is set: what a loop with break makes.
+Netlist priority(bool late_first) {
+  Unit u(32);
+  NodeId first = u.in(0, 1);
+  if (late_first) first = u.b.equal(u.b.mul(u.in(16, 16), u.in(16, 16)), u.b.constant(16, 9));
+  NodeId place = u.b.constant(5, 16);
+  for (unsigned i = 16; i-- > 1;) place = u.b.mux(u.in(i, 1), u.b.constant(5, i), place);
+  return u.out(u.b.mux(first, u.b.constant(5, 0), place));
+}
+
+TEST(BalanceChains, MakesATreeOfAChainOfMuxes) {
+  const Netlist before = priority(false);
+  const Netlist after = narrow(balance_chains(before));
+  EXPECT_GE(depth(before, Op::kMux), 12u);
+  EXPECT_LE(depth(after, Op::kMux), 5u);
+  expect_equal(before, after, 1, 2000);
+}
+
+TEST(BalanceChains, LeavesALateConditionToTheLastMux) {
+  const Netlist before = priority(true);
+  const Netlist after = narrow(balance_chains(before));
+  expect_equal(before, after, 1, 2000);
+  // Nothing but the last muxes and their selection waits for the product.
+  const Node* product = nullptr;
+  unsigned behind = 0;
+  std::vector<bool> waits;
+  for (const Node& node : after.nodes) {
+    bool w = node.op == Op::kMul;
+    if (w) product = &node;
+    for (const NodeId operand : node.operands) w = w || waits[operand];
+    waits.push_back(w);
+    behind += w && node.op == Op::kMux ? 1 : 0;
+  }
+  ASSERT_NE(product, nullptr);
+  EXPECT_LE(behind, 2u);
 }
 
 TEST(ExpandDivisions, SkipsDigitsThatAreKnownToBeZero) {

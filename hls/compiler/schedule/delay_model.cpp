@@ -45,6 +45,7 @@ DelayModel load_delay_model(const std::string& path) {
   m.ram_in = number("ram_in", 0);
   m.lut_ram = number("lut_ram", 0);
   m.token_in = number("token_in", 0);
+  m.longest_shift = static_cast<int>(number("longest_shift", 3));
   m.token_out = number("token_out", 0);
   return m;
 }

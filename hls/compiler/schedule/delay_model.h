@@ -25,6 +25,7 @@ struct DelayModel {
   double ram_in = 0;               ///< set-up of its address, data and enables
   double lut_ram = 0;              ///< address to data of a LUT RAM
   double token_in = 0;             ///< a token's arrival at an In: what comes between FIFO and unit
+  int longest_shift = 5;           ///< a value that only waits for longer goes through a RAM
   double token_out = 0;            ///< set-up of an Out's FIFO
 };
 

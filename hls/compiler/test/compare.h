@@ -13,7 +13,6 @@
 #include <string>
 #include <vector>
 
-#include "frontend/read_unit.h"
 #include "hls/ports.h"
 #include "netlist/interpret.h"
 
@@ -206,10 +205,9 @@ class Comparison {
   std::map<unsigned, std::shared_ptr<void>> rows_;
 };
 
-/// Lowers the unit and compares `transactions` of them; the seed is printed where it matters.
+/// Compares `transactions` of the unit and a netlist of it; the seed is printed where it matters.
 template <class Unit>
-void compare_unit(const UnitSource& source, unsigned transactions, std::uint64_t seed) {
-  const Netlist netlist = read_unit(source).netlist;
+void compare_unit(const Netlist& netlist, unsigned transactions, std::uint64_t seed) {
   SCOPED_TRACE("seed " + std::to_string(seed));
   Random random(seed);
   Comparison<Unit> comparison(netlist, random);

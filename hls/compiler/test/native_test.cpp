@@ -1,12 +1,16 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The front end alone: sample units, natively and as interpreted netlists, on random tokens.
+// The front end alone, and with the passes behind it: sample units, natively and as interpreted
+// netlists, on random tokens.
+#include "backend.h"
+#include "frontend/read_unit.h"
 #include "test/compare.h"
 #include "test/units/accumulator.h"
 #include "test/units/arithmetic.h"
 #include "test/units/arrays.h"
 #include "test/units/floats.h"
+#include "test/units/intrinsics.h"
 #include "test/units/loops.h"
 #include "test/units/mailbox.h"
 #include "test/units/rams.h"
@@ -24,7 +28,11 @@ void compare_sample(const std::string& type, const std::string& name, unsigned t
   source.module = name;
   const std::string hls = HLSC_TEST_HLS;
   source.folders = {hls + "/lowered", hls + "/include", hls + "/compiler"};
-  for (const std::uint64_t seed : {1, 2}) compare_unit<Unit>(source, transactions, seed);
+  const Netlist netlist = read_unit(source).netlist;
+  compare_unit<Unit>(netlist, transactions, 1);
+  Options options;
+  options.delay = load_delay_model(hls + "/compiler/delay/ecp5.json");
+  compare_unit<Unit>(optimise(netlist, options), transactions, 2);
 }
 
 TEST(Native, Mailbox) { compare_sample<samples::Mailbox>("Mailbox", "mailbox", 5000); }
@@ -33,6 +41,7 @@ TEST(Native, Accumulator) {
 }
 TEST(Native, Arithmetic) { compare_sample<samples::Arithmetic>("Arithmetic", "arithmetic", 5000); }
 TEST(Native, Arrays) { compare_sample<samples::Arrays>("Arrays", "arrays", 5000); }
+TEST(Native, Intrinsics) { compare_sample<samples::Intrinsics>("Intrinsics", "intrinsics", 20000); }
 TEST(Native, Switches) { compare_sample<samples::Switches>("Switches", "switches", 5000); }
 TEST(Native, Routing) { compare_sample<samples::Routing>("Routing", "routing", 5000); }
 TEST(Native, Loops) { compare_sample<samples::Loops>("Loops", "loops", 5000); }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A stand-in for the core with the core's ports, for tests of the board alone; it traces no rays.
-// It waits for all start tokens in order, then for word p of frame words width * height it reads
+// It waits for all start tokens in order (lines, packets), then for word p of frame words width * height it reads
 // banks 0 to 2 at p and writes
 //   bank 3 [frame_base + p] = bank 0 ^ bank 1, bank 4 [p] = bank 2, bank 5 [p] = ~bank 0
 // one word a clock. Counters: 0 the words written, 1 the start tokens. A background of 32'hdeadbeef
@@ -57,7 +57,8 @@ module dynrt_core (
   reg  [LATENCY-1:0]    valid_q;
   reg  [20*LATENCY-1:0] word_q;
 
-  wire fed = tokens_q == (packets > lines ? packets : lines);
+  wire fed = tokens_q == lines + packets;
+  wire [31:0] token = tokens_q < lines ? tokens_q : 32'd512 + tokens_q - lines;
   wire issue = fed && {44'd0, next_q} < words;
   wire write = valid_q[LATENCY-1];
   wire [19:0] word = word_q[20*(LATENCY-1) +: 20];
@@ -83,7 +84,7 @@ module dynrt_core (
 
   always @(posedge clk_i) begin
     // A token out of order is never counted, so the board's test sees a hang.
-    if (start_valid_i && {22'd0, start_data_i} == tokens_q) tokens_q <= tokens_q + 32'd1;
+    if (start_valid_i && {22'd0, start_data_i} == token) tokens_q <= tokens_q + 32'd1;
     if (issue) next_q <= next_q + 20'd1;
     if (write) written_q <= written_q + 32'd1;
     if (done_valid_o && done_ready_i) done_q <= 1'b1;

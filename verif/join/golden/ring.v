@@ -52,8 +52,11 @@ module ring (
   wire [23:0] side_0__item_data;
   wire side_1__item_valid, side_1__item_ready;
   wire [23:0] side_1__item_data;
+  wire pair__before_valid, pair__before_ready;
+  wire [23:0] pair__before_data;
   wire side_0__item_branch_valid, side_0__item_branch_ready;
   wire side_1__item_branch_valid, side_1__item_branch_ready;
+  wire pair__before_branch_valid, pair__before_branch_ready;
   wire [23:0] item_branch_data;
   wire left_all_valid, left_all_ready;
   wire [23:0] left_all_data;
@@ -149,10 +152,10 @@ module ring (
   assign item_all_valid = number__item_valid;
   assign number__item_ready = item_all_ready;
   assign item_all_data = number__item_data;
-  hls_fork #(.OUTPUTS(2), .WIDTH(24)) item_fork (
+  hls_fork #(.OUTPUTS(3), .WIDTH(24)) item_fork (
     .valid_i(item_all_valid), .ready_o(item_all_ready), .data_i(item_all_data),
-    .valid_o({side_1__item_branch_valid, side_0__item_branch_valid}),
-    .ready_i({side_1__item_branch_ready, side_0__item_branch_ready}),
+    .valid_o({pair__before_branch_valid, side_1__item_branch_valid, side_0__item_branch_valid}),
+    .ready_i({pair__before_branch_ready, side_1__item_branch_ready, side_0__item_branch_ready}),
     .data_o(item_branch_data));
   assign side_0__item_valid = side_0__item_branch_valid;
   assign side_0__item_branch_ready = side_0__item_ready;
@@ -160,6 +163,10 @@ module ring (
   assign side_1__item_valid = side_1__item_branch_valid;
   assign side_1__item_branch_ready = side_1__item_ready;
   assign side_1__item_data = item_branch_data;
+  hls_fifo #(.WIDTH(24), .DEPTH(128), .MARGIN(0)) pair__before_queue (
+    .clk_i(clk_i), .rst_ni(rst_ni),
+    .valid_i(pair__before_branch_valid), .ready_o(pair__before_branch_ready), .data_i(item_branch_data),
+    .valid_o(pair__before_valid), .ready_i(pair__before_ready), .data_o(pair__before_data));
 
   // channel left
   assign left_all_valid = side_0__out_valid;
@@ -248,7 +255,7 @@ module ring (
     .out_data_o(enter_1__out_data),
     .fire_o(enter_1_fire), .stall_o(enter_1_stall));
 
-  ring_store u_store (
+  ring_store #(.OUT_DEPTH(16), .OUT_BOUNDED(1)) u_store (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .job_valid_i(store__job_valid),
     .job_ready_o(store__job_ready),
@@ -261,7 +268,7 @@ module ring (
     .note_data_o(store__note_data),
     .fire_o(store_fire), .stall_o(store_stall));
 
-  ring_number u_number (
+  ring_number #(.ITEM_DEPTH(128), .ITEM_BOUNDED(1)) u_number (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .job_valid_i(number__job_valid),
     .job_ready_o(number__job_ready),
@@ -305,7 +312,7 @@ module ring (
     .odd_data_o(side_1__odd_data),
     .fire_o(side_1_fire), .stall_o(side_1_stall));
 
-  ring_pair u_pair (
+  ring_pair #(.OUT_DEPTH(128), .OUT_BOUNDED(1)) u_pair (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .side_0_valid_i(pair__side_0_valid),
     .side_0_ready_o(pair__side_0_ready),
@@ -313,6 +320,9 @@ module ring (
     .side_1_valid_i(pair__side_1_valid),
     .side_1_ready_o(pair__side_1_ready),
     .side_1_data_i(pair__side_1_data),
+    .before_valid_i(pair__before_valid),
+    .before_ready_o(pair__before_ready),
+    .before_data_i(pair__before_data),
     .note_en_o(pair__note_en),
     .note_addr_o(pair__note_addr),
     .note_data_i(pair__note_data),
@@ -321,7 +331,7 @@ module ring (
     .out_data_o(pair__out_data),
     .fire_o(pair_fire), .stall_o(pair_stall));
 
-  ring_round u_round (
+  ring_round #(.AGAIN_DEPTH(128), .AGAIN_BOUNDED(1)) u_round (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .item_valid_i(round__item_valid),
     .item_ready_o(round__item_ready),

@@ -36,7 +36,8 @@ struct Picked {
   std::array<Point, 3> points;
   uint<16> cell;
   uint<9> sum;
-  HLS_FIELDS(values, value, entry, point, points, cell, sum)
+  uint<7> best;
+  HLS_FIELDS(values, value, entry, point, points, cell, sum, best)
 };
 
 struct Arrays {
@@ -80,6 +81,12 @@ struct Arrays {
     uint<9>& sum = p.second ? sums[1] : sums[0];
     sum = (sum + p.values[2]).trunc<9>();
     out.sum = (sums[0] + sums[1]).trunc<9>();
+
+    const uint<7>* best = &values[0];
+    for (const uint<7>& value : values) {
+      if (value > *best) best = &value;
+    }
+    out.best = *best;
     picked.write(out);
   }
 };

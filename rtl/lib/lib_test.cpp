@@ -1,0 +1,232 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The primitives of rtl/lib under random traffic, against what they stand for in C++.
+#include <gtest/gtest.h>
+#include <verilated.h>
+
+#include <algorithm>
+#include <deque>
+#include <random>
+#include <vector>
+
+#include "Vhls_arbiter.h"
+#include "Vhls_delay.h"
+#include "Vhls_fifo.h"
+#include "Vhls_fifo_margin.h"
+#include "Vhls_fork.h"
+#include "Vhls_ram_1r1w.h"
+#include "Vhls_register_file.h"
+
+namespace {
+
+constexpr unsigned kClocks = 20000;
+
+template <class V>
+void settle(V& v) {
+  v.clk_i = 0;
+  v.eval();
+}
+template <class V>
+void clock(V& v) {
+  v.clk_i = 1;
+  v.eval();
+}
+template <class V>
+void reset(V& v) {
+  v.rst_ni = 0;
+  for (int i = 0; i < 3; ++i) settle(v), clock(v);
+  v.rst_ni = 1;
+}
+
+/// 1 in `n`, changing between often and seldom, so that queues run full and empty.
+bool chance(std::mt19937& random, unsigned t, unsigned phase) {
+  return random() % ((t / 500 + phase) % 2 == 0 ? 4u : 1u) == 0;
+}
+
+TEST(HlsFifo, KeepsOrderAndCountsItsPlaces) {
+  VerilatedContext context;
+  Vhls_fifo v(&context);  // 13 bits, 6 places
+  std::mt19937 random(1);
+  std::deque<unsigned> held;
+  v.valid_i = v.ready_i = 0;
+  reset(v);
+  unsigned full = 0;
+  unsigned left = 0;
+  for (unsigned t = 0; t < kClocks; ++t) {
+    v.valid_i = chance(random, t, 0);
+    v.ready_i = chance(random, t, 1);
+    v.data_i = random() % 8192;
+    settle(v);
+    ASSERT_EQ(v.valid_o != 0, !held.empty()) << t;
+    ASSERT_EQ(v.ready_o != 0, held.size() < 6) << t;
+    full += held.size() == 6 ? 1 : 0;
+    const bool push = v.valid_i && v.ready_o;
+    if (v.valid_o && v.ready_i) {
+      ASSERT_EQ(v.data_o, held.front()) << t;
+      held.pop_front();
+      ++left;
+    }
+    if (push) held.push_back(v.data_i);
+    clock(v);
+  }
+  EXPECT_GT(full, 100u);
+  EXPECT_GT(left, kClocks / 8);
+}
+
+TEST(HlsFifo, WithAMarginTakesWhatWasOnTheWay) {
+  VerilatedContext context;
+  Vhls_fifo_margin v(&context);  // 13 bits, 16 places, margin 5
+  std::mt19937 random(2);
+  std::deque<unsigned> held;
+  std::deque<bool> way(5, false);  // what was started 5 clocks ago arrives now
+  v.valid_i = v.ready_i = 0;
+  reset(v);
+  std::size_t most = 0;
+  for (unsigned t = 0; t < kClocks; ++t) {
+    v.valid_i = way.front();
+    way.pop_front();
+    v.ready_i = chance(random, t, 1);
+    v.data_i = random() % 8192;
+    settle(v);
+    ASSERT_EQ(v.ready_o != 0, held.size() + 5 < 16) << t;
+    if (v.valid_o && v.ready_i) {
+      ASSERT_EQ(v.data_o, held.front()) << t;
+      held.pop_front();
+    }
+    if (v.valid_i) held.push_back(v.data_i);
+    ASSERT_LE(held.size(), 16u);
+    most = std::max(most, held.size());
+    way.push_back(v.ready_o && chance(random, t, 0));
+    clock(v);
+  }
+  EXPECT_EQ(most, 16u);
+}
+
+TEST(HlsArbiter, GivesEveryInputItsTurn) {
+  VerilatedContext context;
+  Vhls_arbiter v(&context);  // 3 inputs of 8 bits
+  std::mt19937 random(3);
+  v.valid_i = 0;
+  v.ready_i = 0;
+  reset(v);
+  std::vector<unsigned> waited(3, 0);
+  std::vector<unsigned> sent(3, 0);
+  for (unsigned t = 0; t < kClocks; ++t) {
+    v.valid_i = t < 1000 ? 7 : (v.valid_i | random()) % 8;
+    v.ready_i = random() % 3 != 0;
+    v.data_i = 0x332211 + (random() % 2) * 0x444444;
+    settle(v);
+    ASSERT_EQ(v.valid_o != 0, v.valid_i != 0);
+    ASSERT_EQ(v.ready_o & (v.ready_o - 1), 0) << "two inputs at once";
+    ASSERT_EQ(v.ready_o & ~v.valid_i, 0) << "an input that has nothing";
+    ASSERT_EQ(v.ready_o != 0, v.valid_o && v.ready_i);
+    for (unsigned i = 0; i < 3; ++i) {
+      if ((v.ready_o >> i & 1) != 0) {
+        ASSERT_EQ(v.data_o, v.data_i >> (8 * i) & 0xff);
+        waited[i] = 0;
+        ++sent[i];
+      } else if ((v.valid_i >> i & 1) != 0 && v.ready_o != 0) {
+        ASSERT_LE(++waited[i], 2u) << "input " << i << " waited for more than the others";
+      }
+    }
+    const unsigned left = v.valid_i & ~v.ready_o;
+    clock(v);
+    v.valid_i = static_cast<unsigned char>(left);
+  }
+  for (unsigned i = 0; i < 3; ++i) EXPECT_GT(sent[i], kClocks / 10);
+}
+
+TEST(HlsFork, DeliversToAllAtOnce) {
+  VerilatedContext context;
+  Vhls_fork v(&context);  // 3 outputs of 8 bits
+  for (unsigned ready = 0; ready < 8; ++ready) {
+    for (const unsigned valid : {0u, 1u}) {
+      v.valid_i = static_cast<unsigned char>(valid);
+      v.ready_i = static_cast<unsigned char>(ready);
+      v.data_i = 0x5a;
+      v.eval();
+      EXPECT_EQ(v.ready_o != 0, ready == 7);
+      EXPECT_EQ(v.data_o, 0x5a);
+      // A transfer happens at every output or at none.
+      const unsigned transfers = v.valid_o & ready;
+      EXPECT_EQ(transfers, valid && ready == 7 ? 7u : 0u) << "ready " << ready;
+    }
+  }
+}
+
+TEST(HlsDelay, DelaysByItsClocks) {
+  VerilatedContext context;
+  Vhls_delay v(&context);  // 20 bits, 9 clocks
+  std::mt19937 random(4);
+  reset(v);
+  std::deque<unsigned> line;
+  for (unsigned t = 0; t < 2000; ++t) {
+    v.data_i = random() % (1u << 20);
+    settle(v);
+    if (line.size() == 9) {
+      ASSERT_EQ(v.data_o, line.front()) << t;
+      line.pop_front();
+    }
+    line.push_back(v.data_i);
+    clock(v);
+  }
+}
+
+TEST(HlsRam, ReadsTheOldRowOneClockLater) {
+  VerilatedContext context;
+  Vhls_ram_1r1w v(&context);  // 12 bits, 10 rows
+  std::mt19937 random(5);
+  std::vector<unsigned> rows(10, 0);
+  v.read_en_i = 0;
+  for (unsigned i = 0; i < 10; ++i) {
+    v.write_en_i = 1;
+    v.write_addr_i = static_cast<unsigned char>(i);
+    v.write_data_i = 0;
+    settle(v), clock(v);
+  }
+  unsigned expected = 0;
+  bool known = false;
+  unsigned together = 0;
+  for (unsigned t = 0; t < kClocks; ++t) {
+    v.write_en_i = random() % 2;
+    v.write_addr_i = random() % 10;
+    v.write_data_i = random() % 4096;
+    v.read_en_i = random() % 4 != 0;
+    v.read_addr_i = random() % 10;
+    settle(v);
+    if (known) ASSERT_EQ(v.read_data_o, expected) << t;
+    together += v.write_en_i && v.read_en_i && v.write_addr_i == v.read_addr_i ? 1 : 0;
+    if (v.read_en_i) {
+      expected = rows[v.read_addr_i];
+      known = true;
+    }
+    if (v.write_en_i) rows[v.write_addr_i] = v.write_data_i;
+    clock(v);
+  }
+  EXPECT_GT(together, 100u);
+}
+
+TEST(HlsRegisterFile, ReadsInTheSameClockAndStartsWithZeros) {
+  VerilatedContext context;
+  context.randReset(2);
+  Vhls_register_file v(&context);  // 12 bits, 10 rows
+  std::mt19937 random(6);
+  std::vector<unsigned> rows(10, 0);
+  v.rst_ni = 0;
+  v.write_en_i = 0;
+  for (int i = 0; i < 16; ++i) settle(v), clock(v);
+  v.rst_ni = 1;
+  for (unsigned t = 0; t < kClocks; ++t) {
+    v.write_en_i = random() % 2;
+    v.write_addr_i = random() % 10;
+    v.write_data_i = random() % 4096;
+    v.read_addr_i = random() % 10;
+    settle(v);
+    ASSERT_EQ(v.read_data_o, rows[v.read_addr_i]) << t;
+    if (v.write_en_i) rows[v.write_addr_i] = v.write_data_i;
+    clock(v);
+  }
+}
+
+}  // namespace
