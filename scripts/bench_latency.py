@@ -11,8 +11,8 @@ import tempfile
 
 from bench_run import Work
 
-# The units of the loop in their order. A report's stages are the clocks from a transaction's start to
-# its token at the head of the unit's FIFO; the arbiter and the fork behind it are combinational.
+# The units of the loop in their order. A report's stages are the clocks from a transaction's start
+# to its token at the head of the unit's FIFO; the arbiter and the fork behind it are combinational.
 LOOP = ("node_fetch", "node_lookup", "traversal_slice", "packet_decision")
 STAGES = re.compile(r"^stages\s+(\d+)", re.MULTILINE)
 CLOCK = re.compile(r"^clock\s+([\d.]+) ns", re.MULTILINE)
@@ -65,8 +65,8 @@ def write_avenue(path, clusters):
 
 
 def measured(dynrt, config):
-    """Clocks per node fetch with one packet in flight: two frames that differ in the number of nodes
-    alone, so that what else a packet does takes itself away."""
+    """Clocks per node fetch with one packet in flight: two frames that differ in the number of
+    nodes alone, so that what else a packet does takes itself away."""
     frames = []
     with tempfile.TemporaryDirectory() as folder:
         for clusters in (4, 16):

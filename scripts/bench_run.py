@@ -52,7 +52,7 @@ class Dynrt:
         return Run(report, usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024)
 
     def info(self, scene):
-        return self._run(["info", scene]).report
+        return self._run(["info", scene])
 
     def render(self, scene, board, config, size, *flags):
         return self._run(["render", scene, "--board", board, "--config", config, "--size", size,

@@ -1,8 +1,8 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """The thesis's figures 7.8 to 7.10 from our RTL: how busy the units are with more and more packets,
-the frame rate that follows, and how often the caches hit with more and more lines. Each as a CSV and
-as an SVG."""
+the frame rate that follows, and how often the caches hit with more and more lines. Each as a CSV
+and as an SVG."""
 
 import concurrent.futures
 import csv
@@ -32,7 +32,8 @@ def columns(frame):
 
 
 def measure(dynrt, scene, size, flag, values, progress):
-    """One frame for each value, as many at a time as there are cores: clocks do not depend on it."""
+    """One frame for each value, as many at a time as there are cores, which the clocks of the core
+    do not depend on."""
     def row(value):
         return {flag: value,
                 **columns(dynrt.render(scene, "rtl", CONFIG, size, f"--{flag}", str(value)).frame)}

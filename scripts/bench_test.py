@@ -44,7 +44,8 @@ units = {name: {"transactions": count, "utilisation": count / cycles} for name, 
          {"node_lookup": nodes, "list_lookup": 55, "transformation": 750,
           "intersection": 560}.items()}
 caches = {name: {"hit_rate": a.lines / 1024} for name in ("node", "list", "matrix")}
-report = {"frame": {"board": a.board, "width": width, "height": height, "counters": counters,
+report = {"scene": {"instances": 1},
+          "frame": {"board": a.board, "width": width, "height": height, "counters": counters,
                     "units": units, "caches": caches,
                     "cycles": cycles if a.board == "rtl" else None}}
 pathlib.Path(a.json).write_text(json.dumps(report))
@@ -89,10 +90,13 @@ class Bench(unittest.TestCase):
         self.assertEqual(rows["steps per packet"]["reached"], 30)
         self.assertIs(rows["steps per packet"]["met"], True)
         self.assertEqual(rows["objects per packet"]["reached"], 0.1)
+        self.assertAlmostEqual(rows["list entries per packet"]["reached"], 0.55 - 1)
         self.assertIsNone(rows["objects per packet"]["met"])
         self.assertEqual(rows["tree of 34,202 triangles"]["reached"], 1.25)
         self.assertLess(rows["peak memory of a render"]["reached"], 1000)
-        self.assertRegex(text, r"busiest unit works, 64 packets +>= 90\.0 % +80\.0 % +short +node_l")
+        self.assertRegex(text, r"works, 64 packets +>= 90\.0 % +80\.0 % +short +node_lookup")
+        self.assertIn("Short: busiest unit works, 64 packets, busiest unit works, 32 packets: the "
+                      "rest of the clocks", text)
 
     def test_round_trip(self):
         rows, _ = self.rows()
