@@ -28,8 +28,6 @@ module hls_fifo #(
   localparam [31:0] LAST = DEPTH - 1;
   localparam [31:0] SPACE = DEPTH - MARGIN - 1;
 
-  // LUT RAM, or else synthesis takes data_q for the late output register of a block RAM.
-  (* ram_style = "distributed" *)
   reg  [     WIDTH-1:0] rows     [0:DEPTH-1];
   reg  [ADDR_WIDTH-1:0] write_q;
   reg  [ADDR_WIDTH-1:0] read_q;

@@ -305,6 +305,20 @@ class Writer {
     return fmt::format("  // {}:{}", where.file, where.line);
   }
 
+  /// Whether an operation's operands are written in parts, or wider than they are.
+  bool needs_names(CellId id) const {
+    if (c_.cells[id].kind != CellKind::kOperation) return false;
+    const Op op = c_.op(id);
+    if (op == Op::kMul || op == Op::kAddSub) return true;
+    if (op != Op::kMux) return false;
+    unsigned constants = 0;
+    const auto& sides = c_.cells[id].operands;
+    for (unsigned i = 0; i < c_.cells[id].width; ++i) {
+      constants += sides[1][i].is_constant() || sides[2][i].is_constant() ? 1 : 0;
+    }
+    return constants > 0 && c_.cells[id].width > 1;
+  }
+
   /// An unnamed operation with one use, all of it and in its own stage, needs no name.
   void find_inlined() {
     std::vector<unsigned> uses(c_.cells.size(), 0);
@@ -321,9 +335,7 @@ class Writer {
           for (std::size_t i = 0; i < operand.size(); ++i) {
             all = all && operand[i] == BitRef{of, static_cast<std::uint32_t>(i)};
           }
-          // The operands of a product, and what is written twice into an expression, need names.
-          const bool operation = c_.cells[id].kind == CellKind::kOperation;
-          if (operation && (c_.op(id) == Op::kMul || c_.op(id) == Op::kAddSub)) all = false;
+          if (needs_names(id)) all = false;
           whole[of] = whole[of] && all;
         }
       }

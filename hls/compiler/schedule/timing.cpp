@@ -23,9 +23,9 @@ int Timing::separation(CellId producer, CellId user) const {
 
 Timing::Input Timing::input(BitRef bit, int stage, const std::vector<int>& stages) const {
   const Cell& cell = c_.cells[bit.cell];
-  if (cell.kind == CellKind::kConfig || stages[bit.cell] < stage) return {0, nullptr, bit};
+  if (cell.kind == CellKind::kConfig || stages[bit.cell] < stage) return {0, nullptr, 0, bit};
   const Arrival& made = bits_[cell.first_bit + bit.bit];
-  return {made.at, &made, bit};
+  return {made.at, &made, 0, bit};
 }
 
 Timing::Input Timing::latest(const Cell& cell, int stage, const std::vector<int>& stages) const {
@@ -74,14 +74,15 @@ Timing::Arrival Timing::logic(const Input* inputs, unsigned count) const {
     for (unsigned i = 0; i < count && fits; ++i) {
       const Input& in = inputs[i];
       if ((choice >> i & 1) == 0) {
-        take(c_.cells[in.bit.cell].first_bit + in.bit.bit, in.at, in.made ? in.bit : BitRef{});
+        take(c_.cells[in.bit.cell].first_bit + in.bit.bit, in.at + in.load,
+             in.made ? in.bit : BitRef{});
         continue;
       }
       fits = in.made != nullptr && in.made->leaves > 0;
       if (!fits) break;
       // When the swallowed LUT's inputs came is known from its own arrival.
       for (unsigned k = 0; k < in.made->leaves && fits; ++k) {
-        take(in.made->leaf[k], in.made->at - d_.lut, in.bit);
+        take(in.made->leaf[k], in.made->at - d_.lut + in.load, in.bit);
       }
     }
     if (!fits) continue;
@@ -96,29 +97,30 @@ Timing::Arrival Timing::logic(const Input* inputs, unsigned count) const {
 }
 
 /// A signal that many LUTs take comes later.
-double Timing::load(const Cell& cell) const {
-  return cell.width > 8 ? d_.fanout * std::log2(cell.width / 8.0) : 0.0;
+double Timing::load(std::size_t loads) const {
+  return loads > 8 ? d_.fanout * std::log2(static_cast<double>(loads) / 8.0) : 0.0;
 }
 
 void Timing::time_logic(const Cell& cell, int stage, const std::vector<int>& stages) {
+  // Bits that an operand repeats, and what selects a word.
+  std::vector<double> repeated;
+  for (const auto& operand : cell.operands) {
+    const bool scalar = operand.size() == 1;
+    const auto same = std::count(operand.begin(), operand.end(), operand.back());
+    repeated.push_back(load(scalar ? cell.width : static_cast<std::size_t>(same)));
+  }
   for (unsigned i = 0; i < cell.width; ++i) {
     std::array<Input, 3> inputs;
     unsigned count = 0;
-    bool loaded = false;
-    for (const auto& operand : cell.operands) {
-      const bool scalar = operand.size() == 1 && cell.width > 1;
-      const BitRef bit = operand[scalar ? 0 : i];
+    for (std::size_t k = 0; k < cell.operands.size(); ++k) {
+      const auto& operand = cell.operands[k];
+      const BitRef bit = operand[operand.size() == 1 ? 0 : i];
       if (bit.is_constant()) continue;
-      Input in = input(bit, stage, stages);
-      if (scalar) {
-        in.at += load(cell);
-        loaded = d_.fanout > 0;
-      }
-      inputs[count++] = in;
+      inputs[count] = input(bit, stage, stages);
+      if (bit == operand.back()) inputs[count].load = repeated[k];
+      ++count;
     }
-    Arrival a = logic(inputs.data(), count);
-    if (loaded && a.leaves > count) a.leaves = 0;
-    bits_[cell.first_bit + i] = a;
+    bits_[cell.first_bit + i] = logic(inputs.data(), count);
   }
 }
 
@@ -131,7 +133,7 @@ void Timing::time_sum(const Cell& cell, Op op, int stage, const std::vector<int>
   BitRef select_bit;
   if (variable && !cell.operands[2][0].is_constant()) {
     const Input s = input(cell.operands[2][0], stage, stages);
-    select = s.at + load(cell);
+    select = s.at + load(cell.width);
     if (s.made != nullptr) select_bit = s.bit;
     carry = select + d_.carry_start;
     carry_source = select_bit;

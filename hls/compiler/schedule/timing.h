@@ -46,6 +46,7 @@ class Timing {
   struct Input {
     double at = 0;
     const Arrival* made = nullptr;  ///< null: out of a register
+    double load = 0;                ///< how much later it is for having many loads
     BitRef bit;
   };
 
@@ -57,7 +58,7 @@ class Timing {
   Arrival compare(const Cell& cell, int stage, const std::vector<int>& stages) const;
   Arrival equal(const Cell& cell, int stage, const std::vector<int>& stages) const;
   Input latest(const Cell& cell, int stage, const std::vector<int>& stages) const;
-  double load(const Cell& cell) const;
+  double load(std::size_t loads) const;
 
   const Circuit& c_;
   const DelayModel& d_;
