@@ -104,9 +104,9 @@ struct Core {
   void join_frame(hls::Join& join) {
     join.config<FrameConfig>(
         "frame", frame,
-        {&ray_generation.frame, &node_lookup.frame, &node_fill.frame,
-         &list_lookup.frame, &list_fill.frame, &matrix_lookup.frame, &matrix_fill.frame,
-         &matrix_store.frame, &mailbox.frame, &shading.frame});
+        {&ray_generation.frame, &node_lookup.frame, &node_fill.frame, &list_lookup.frame,
+         &list_fill.frame, &matrix_lookup.frame, &matrix_fill.frame, &matrix_store.frame,
+         &mailbox.frame, &shading.frame});
     start = join.input("start", startup.number);
     done = join.output("done", ray_generation.done);
     join.channel<FreePacket<C>>("free_packet",

@@ -10,9 +10,8 @@ namespace dynrt::cosim {
 namespace {
 
 void setup(Bench<Startup<C>>& bench, const Run&) {
-  bench.shape<uint<10>>("number", [](uint<10>& n, Random& random) {
-    n = number_below<10>(random, 1024);
-  });
+  bench.shape<uint<10>>("number",
+                        [](uint<10>& n, Random& random) { n = number_below<10>(random, 1024); });
 }
 
 DYNRT_COSIM(Startup, Startup<C>, startup, setup)

@@ -136,7 +136,7 @@ class Top {
             c.name, source);
         return;
       case ChannelKind::kSink:
-        write("  assign {}_ready = 1'b1;\n", source);
+        write("  assign {0}_ready = 1'b1;\n  wire {0}_unused = &{{1'b0, {0}_data}};\n", source);
         break;
       default:
         deliver(c, source);

@@ -561,6 +561,7 @@ module dynrt_core (
   assign node_fetch__dropped_ready = stack_full_all_ready;
   assign stack_full_all_data = node_fetch__dropped_data;
   assign stack_full_all_ready = 1'b1;
+  wire stack_full_all_unused = &{1'b0, stack_full_all_data};
 
   // channel list_job
   hls_arbiter #(.INPUTS(4), .WIDTH(30)) list_job_arbiter (

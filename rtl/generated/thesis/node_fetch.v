@@ -142,14 +142,18 @@ module node_fetch #(
   wire not_7_s2 = ~event_6_s2;
   wire and_4_s2 = event_6_s2 & event_7_s2;
   wire [4:0] mux_4_s2 = event_6_s2 ? (finished_s2 ? add_1_s2 : mux_1_s2) : ({5{full_s2}} | state_stack_s2);
-  wire [4:0] mux_6_s2 = ~{5{enter_s2}} & (event_7_s2 ? mux_4_s2 : mux_1_s2);
+  wire [4:0] mux_5_s2 = event_7_s2 ? mux_4_s2 : mux_1_s2;
+  wire [4:0] mux_6_s2 = ~{5{enter_s2}} & mux_5_s2;
   wire [1:0] mux_7_s2 = {~full_s2 | and_1_s2, full_s2 ? 1'd1 : 1'd0};
   wire not_9_s2 = ~event_7_s2;
+  wire or_4_s2 = enter_s2 | (event_6_s2 | not_9_s2);
   wire [2:0] mux_8_s2 = {event_7_s2 ? 1'd1 : 1'd0, ~event_7_s2 & and_1_s2, event_7_s2 ? 1'd0 : 1'd1};
-  wire [2:0] mux_10_s2 = {(enter_s2 | (event_6_s2 | not_9_s2)) & (~{3{enter_s2}} & mux_8_s2), (enter_s2 | (event_6_s2 | not_9_s2)) ? (~{3{enter_s2}} & mux_8_s2) : mux_7_s2};
+  wire [2:0] mux_9_s2 = ~{3{enter_s2}} & mux_8_s2;
+  wire [2:0] mux_10_s2 = {or_4_s2 & mux_9_s2[2], or_4_s2 ? mux_9_s2[1:0] : mux_7_s2};
   wire [3:0] mux_12_s2 = enter_s2 ? e_both_s2 : (and_4_s2 ? context_both_s2 : e_both_s2);
   wire [3:0] mux_14_s2 = enter_s2 ? e_active_s2 : (and_4_s2 ? active_s2 : e_active_s2);
-  wire [4:0] mux_16_s2 = ~{5{enter_s2}} & (and_4_s2 ? add_1_s2 : mux_1_s2);
+  wire [4:0] mux_15_s2 = and_4_s2 ? add_1_s2 : mux_1_s2;
+  wire [4:0] mux_16_s2 = ~{5{enter_s2}} & mux_15_s2;
   wire [18:0] mux_18_s2 = enter_s2 ? e_next_s2 : (and_4_s2 ? address_s2 : e_next_s2);
 
   // ---- state, rows and tokens written ----

@@ -124,10 +124,13 @@ module packet_decision #(
   wire [18:0] mux_17_s1 = left_is_near_s1 ? step_in_67_s1 : step_in_48_s1;  // units/packet_decision.h:40
   wire enter_far_s1 = (~(mux_16_s1 == 4'd0)) & (~(mux_17_s1 == 19'd0));  // units/packet_decision.h:42
   wire enter_near_s1 = (~(mux_14_s1 == 4'd0)) & (~(mux_15_s1 == 19'd0));  // units/packet_decision.h:41
+  wire and_3_s1 = is_leaf_s1 & (enter_far_s1 | enter_near_s1);  // units/packet_decision.h:57
+  wire and_4_s1 = enter_far_s1 & enter_near_s1;  // units/packet_decision.h:57
   wire [18:0] mux_18_s1 = enter_near_s1 ? mux_15_s1 : mux_17_s1;  // units/packet_decision.h:60
   wire [3:0] mux_19_s1 = enter_near_s1 ? mux_14_s1 : mux_16_s1;  // units/packet_decision.h:61
   wire e_clip_near_s1 = ~enter_near_s1;  // units/packet_decision.h:62
-  wire [1:0] mux_21_s1 = ~{2{(is_leaf_s1 & (enter_far_s1 | enter_near_s1))}} | ((enter_far_s1 & enter_near_s1) ? 2'd2 : 2'd1);  // units/packet_decision.h:67
+  wire [1:0] mux_20_s1 = and_4_s1 ? 2'd2 : 2'd1;  // units/packet_decision.h:67
+  wire [1:0] mux_21_s1 = ~{2{and_3_s1}} | mux_20_s1;  // units/packet_decision.h:67
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(63), .DEPTH(EVENT_DEPTH), .MARGIN(EVENT_BOUNDED ? 0 : 1),

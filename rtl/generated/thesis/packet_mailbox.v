@@ -212,6 +212,7 @@ module packet_mailbox #(
   wire eq_25_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd7;  // units/mailbox.h:32
   wire eq_26_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd8;  // units/mailbox.h:34
   wire [3:0] add_2_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} + 4'd1;
+  wire [3:0] mux_11_s2 = {eq_26_s2 | add_2_s2[3], ~{3{eq_26_s2}} & add_2_s2[2:0]};  // units/mailbox.h:34
   wire not_7_s2 = ~entry_10_s2;
   wire or_15_s2 = entry_10_s2 | known_s2;
   wire [3:0] mux_12_s2 = (top_s2 | or_14_s2) ? {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} : ({eq_18_s2 | add_1_s2[3], ~{3{eq_18_s2}} & add_1_s2[2:0]});
@@ -225,8 +226,7 @@ module packet_mailbox #(
   wire [16:0] mux_18_s2 = or_18_s2 ? object_slots_slot_5_s2 : (eq_15_s2 ? matrix_s2 : object_slots_slot_5_s2);
   wire [16:0] mux_19_s2 = or_18_s2 ? object_slots_slot_6_s2 : (eq_16_s2 ? matrix_s2 : object_slots_slot_6_s2);
   wire [16:0] mux_20_s2 = or_18_s2 ? object_slots_slot_7_s2 : (eq_17_s2 ? matrix_s2 : object_slots_slot_7_s2);
-  wire [3:0] mux_21_s2 = {4{top_s2}} & ({eq_26_s2 | add_2_s2[3], ~{3{eq_26_s2}} & add_2_s2[2:0]});
-  wire [3:0] triangle_slots_used_s2 = or_15_s2 ? {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} : mux_21_s2;
+  wire [3:0] triangle_slots_used_s2 = or_15_s2 ? {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} : ({4{top_s2}} & mux_11_s2);
   wire [16:0] mux_23_s2 = or_15_s2 ? triangle_slots_slot_0_s2 : ((top_s2 & eq_6_s2) ? matrix_s2 : triangle_slots_slot_0_s2);
   wire [16:0] mux_25_s2 = or_15_s2 ? triangle_slots_slot_1_s2 : ((top_s2 & eq_19_s2) ? matrix_s2 : triangle_slots_slot_1_s2);
   wire [16:0] mux_27_s2 = or_15_s2 ? triangle_slots_slot_2_s2 : ((top_s2 & eq_20_s2) ? matrix_s2 : triangle_slots_slot_2_s2);

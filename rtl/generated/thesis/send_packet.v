@@ -42,7 +42,8 @@ module send_packet #(
   wire compressed_s0 = j_job_repeat_s0 == 4'd4;  // units/send_packet.h:35
   wire [3:0] mux_1_s0 = {{3{compressed_s0}} & {job_3_s0, job_2_s0, job_1_s0}, compressed_s0 ? job_0_s0 : job_0_s0};  // units/send_packet.h:36
   wire point_s0 = mux_1_s0 == 4'd0;  // units/send_packet.h:36
-  wire [1:0] mux_3_s0 = compressed_s0 ? (~{2{point_s0}} & ({job_1_s0, job_0_s0} + 2'd3)) : {job_2_s0, job_1_s0};
+  wire [1:0] add_1_s0 = {job_1_s0, job_0_s0} + 2'd3;  // units/send_packet.h:38
+  wire [1:0] mux_3_s0 = compressed_s0 ? (~{2{point_s0}} & add_1_s0) : {job_2_s0, job_1_s0};
   wire [4:0] j_job_packet_s0 = job_data_i[13:9];
   wire [1:0] j_job_kind_s0 = job_data_i[15:14];
 
@@ -134,8 +135,10 @@ module send_packet #(
   wire [9:0] mux_15_s2 = {and_5_s2 ? mux_11_s2[5:0] : mux_11_s2[9:4], ~{4{and_5_s2}} & mux_11_s2[3:0]};  // units/send_packet.h:51
   wire [9:0] mux_16_s2 = {eq_10_s2 ? mux_15_s2[7:0] : mux_15_s2[9:2], ~{2{eq_10_s2}} & mux_15_s2[1:0]};  // units/send_packet.h:51
   wire [9:0] mux_17_s2 = {and_6_s2 ? mux_16_s2[8:0] : mux_16_s2[9:1], ~and_6_s2 & mux_16_s2[0]};  // units/send_packet.h:51
-  wire [15:0] mux_18_s2 = ~{16{(point_s2 | (~mux_10_s2[9]))}} & {sub_1_s2, mux_10_s2[8:0]};
-  wire [15:0] mux_19_s2 = ~{16{(point_s2 | (~mux_17_s2[9]))}} & {sub_2_s2, mux_17_s2[8:0]};
+  wire or_3_s2 = point_s2 | (~mux_10_s2[9]);
+  wire [15:0] mux_18_s2 = ~{16{or_3_s2}} & {sub_1_s2, mux_10_s2[8:0]};
+  wire or_4_s2 = point_s2 | (~mux_17_s2[9]);
+  wire [15:0] mux_19_s2 = ~{16{or_4_s2}} & {sub_2_s2, mux_17_s2[8:0]};
   wire [23:0] stored_z_s2 = vectors_data_i[71:48];
   wire [23:0] vectors_24_s2 = vectors_data_i[47:24];
   wire [23:0] vectors_0_s2 = vectors_data_i[23:0];
