@@ -189,12 +189,14 @@ module ring (
   assign side_0__odd_ready = odd_left_all_ready;
   assign odd_left_all_data = side_0__odd_data;
   assign odd_left_all_ready = 1'b1;
+  wire odd_left_all_unused = &{1'b0, odd_left_all_data};
 
   // channel odd_right
   assign odd_right_all_valid = side_1__odd_valid;
   assign side_1__odd_ready = odd_right_all_ready;
   assign odd_right_all_data = side_1__odd_data;
   assign odd_right_all_ready = 1'b1;
+  wire odd_right_all_unused = &{1'b0, odd_right_all_data};
 
   // channel round
   hls_arbiter #(.INPUTS(2), .WIDTH(24)) round_arbiter (
