@@ -86,7 +86,7 @@ class Bench:
             rtl = self._speed("rtl", lambda frame: frame["cycles"])
         except RunFailed as failure:
             rtl, self.missing = None, str(failure)
-        return [*self._core_rows(rtl), *self._work_rows(model.last),
+        return [*self._core_rows(rtl), *self._work_rows((rtl or model).last),
                 *self._latency_rows(rtl is not None), *self._host_rows(rtl, model)]
 
     def _speed(self, board, amount):
