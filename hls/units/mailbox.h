@@ -44,6 +44,7 @@ struct Mailbox {
   hls::RamWrite<bool, kLevelRows<C>> last;
   hls::Ram1R1W<Slots, kPackets> objects;
   hls::Ram1R1W<Slots, kPackets> triangles;
+  hls::Ram1R1W<RayMask, kPackets> traced;  ///< the packet's rays that are traced
   HLS_PORTS(entry, frame, fresh, seen, start, last)
 
   void step() {
@@ -54,8 +55,11 @@ struct Mailbox {
     const bool known =
         top ? object_slots.holds(e.entry.matrix) : triangle_slots.holds(e.entry.matrix);
 
+    const RayMask rays = traced.read(e.packet);
+
     if (e.clear) {
       object_slots.used = 0;
+      traced.write(e.packet, e.active);
       TraversalEvent<C> enter;
       enter.packet = e.packet;
       enter.kind = TraversalKind::kEnter;
@@ -73,9 +77,9 @@ struct Mailbox {
         TransformJob<C> job;
         job.packet = e.packet;
         job.kind = top ? TransformKind::kObject : TransformKind::kTriangle;
-        // All rays enter an object: one that comes to it in a later leaf would find it in the
-        // mailbox.
-        job.active = RayMask::ones();
+        // All traced rays enter an object, not only those in this leaf: one that comes to it in a
+        // later leaf would find it in the mailbox.
+        job.active = rays;
         job.matrix = e.entry.matrix;
         fresh.write(job);
         if (top) {

@@ -78,6 +78,7 @@ class Bench {
   }
 
  private:
+  void bind(hls::Absent&) {}
   template <class T>
   void bind(hls::In<T>& port) {
     join_.input("in", port);

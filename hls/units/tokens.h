@@ -59,7 +59,7 @@ enum class TraversalKind : unsigned char {
 
 /// What a slice does to a ray's interval [near, far] before the step.
 enum class IntervalUpdate : unsigned char {
-  kInit,         ///< near = smallest, far = largest (top) or the hit distance (bottom)
+  kInit,         ///< near = smallest, far = the hit distance so far
   kClipFar,      ///< far = d where both children are entered
   kClipFarPush,  ///< the same, after pushing far
   kClipNear,     ///< near = d where both are entered and the near child is empty
@@ -124,26 +124,24 @@ struct ListJob {
   Level level;
   bool first = false;  ///< start at `address`; otherwise go on after the last entry read
   Address address;
-  RayMask active;
-  HLS_FIELDS(packet, level, first, address, active)
+  HLS_FIELDS(packet, level, first, address)
 };
 
 template <class C>
 struct ListContext {
   PacketId<C> packet;
   Level level;
-  RayMask active;
-  HLS_FIELDS(packet, level, active)
+  HLS_FIELDS(packet, level)
 };
 
 template <class C>
 struct MailboxEntry {
   PacketId<C> packet;
   Level level;
-  RayMask active;
-  bool clear = false;  ///< a new ray: forget the packet's objects and start the traversal
+  bool clear = false;  ///< new rays: forget the packet's objects and start the traversal
+  RayMask active;      ///< of new rays: those that are to be traced
   ListEntry entry;
-  HLS_FIELDS(packet, level, active, clear, entry)
+  HLS_FIELDS(packet, level, clear, active, entry)
 };
 
 // ---- Transformation (thesis 6.1.3) ----

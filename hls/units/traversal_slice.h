@@ -46,7 +46,7 @@ struct TraversalSlice {
     Real far = before.far;
     if (c.update == IntervalUpdate::kInit) {
       near = Real{};
-      far = c.level == Level{} ? Real::largest() : hit;
+      far = hit;
     } else if (both) {
       switch (c.update) {
         case IntervalUpdate::kClipNear:

@@ -30,6 +30,26 @@ namespace hls {
 template <class E>
 inline constexpr unsigned enum_width = 0;
 
+/// A field that only some configurations have: absent it takes no bits, reads as T{} and drops what
+/// is written to it.
+template <bool Present, class T>
+struct FieldIf {
+  T value{};
+  constexpr FieldIf() = default;
+  constexpr FieldIf(const T& t) : value(t) {}
+  constexpr const T& get() const { return value; }
+  HLS_FIELDS(value)
+};
+template <class T>
+struct FieldIf<false, T> {
+  constexpr FieldIf() = default;
+  constexpr FieldIf(const T&) {}
+  constexpr T get() const { return T{}; }
+  constexpr auto hls_fields() { return std::tuple<>{}; }
+  constexpr auto hls_fields() const { return std::tuple<>{}; }
+  static constexpr std::string_view hls_field_names() { return {}; }
+};
+
 namespace detail {
 template <class T>
 struct is_uint : std::false_type {};

@@ -78,6 +78,26 @@ TEST(Fields, BitsAreTheLeafsOwn) {
   EXPECT_EQ(hls::leaf_from_bits<hls::sint<6>>(hls::uint<6>(32)).to_s64(), -32);
   EXPECT_EQ((hls::leaf_to_bits(hls::Float<3, 4>::one()).to_u64()), 3u << 4);
 }
+/// With and without a field.
+template <bool Present>
+struct Optional {
+  hls::uint<3> first;
+  hls::FieldIf<Present, hls::uint<5>> maybe;
+  hls::uint<2> last;
+  HLS_FIELDS(first, maybe, last)
+};
+static_assert(hls::bit_width_of<Optional<true>>() == 10);
+static_assert(hls::bit_width_of<Optional<false>>() == 5);
+TEST(Fields, AnAbsentFieldTakesNoBitsAndDropsWhatIsWritten) {
+  const Optional<true> with{1, hls::uint<5>(17), 2};
+  const Optional<false> without{1, hls::uint<5>(17), 2};
+  EXPECT_EQ(with.maybe.get().to_u64(), 17u);
+  EXPECT_EQ(without.maybe.get().to_u64(), 0u);
+  std::vector<unsigned> offsets;
+  hls::for_each_leaf(without, [&](const auto&, unsigned offset) { offsets.push_back(offset); });
+  EXPECT_EQ(offsets, (std::vector<unsigned>{0, 3}));
+}
+
 TEST(Fields, LeavesCanBeWritten) {
   Token token;
   unsigned leaves = 0;

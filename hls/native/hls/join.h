@@ -209,6 +209,7 @@ class Join {
     }
   }
 
+  void add_port(UnitRecord&, const std::string&, Absent&) {}
   template <class P>
   void add_port(UnitRecord& record, const std::string& name, P& port) {
     names_[&port] = record.name + "." + name;

@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -158,5 +159,10 @@ class Config {
  private:
   std::shared_ptr<T> value_;
 };
+
+/// Stands where a configuration leaves a port out.
+struct Absent {};
+template <bool Present, class Port>
+using PortIf = std::conditional_t<Present, Port, Absent>;
 
 }  // namespace hls
