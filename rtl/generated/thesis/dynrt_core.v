@@ -128,23 +128,23 @@ module dynrt_core (
   wire node_fetch__dropped_valid, node_fetch__dropped_ready;
   wire [4:0] node_fetch__dropped_data;
   wire list_job_all_valid, list_job_all_ready;
-  wire [29:0] list_job_all_data;
+  wire [25:0] list_job_all_data;
   wire packet_decision__leaf_valid, packet_decision__leaf_ready;
-  wire [29:0] packet_decision__leaf_data;
+  wire [25:0] packet_decision__leaf_data;
   wire node_fetch__object_done_valid, node_fetch__object_done_ready;
-  wire [29:0] node_fetch__object_done_data;
+  wire [25:0] node_fetch__object_done_data;
   wire mailbox__seen_valid, mailbox__seen_ready;
-  wire [29:0] mailbox__seen_data;
+  wire [25:0] mailbox__seen_data;
   wire collect_hits__go_on_valid, collect_hits__go_on_ready;
-  wire [29:0] collect_hits__go_on_data;
+  wire [25:0] collect_hits__go_on_data;
   wire list__job_valid, list__job_ready;
-  wire [29:0] list__job_data;
+  wire [25:0] list__job_data;
   wire list_request_all_valid, list_request_all_ready;
-  wire [28:0] list_request_all_data;
+  wire [24:0] list_request_all_data;
   wire list__request_valid, list__request_ready;
-  wire [28:0] list__request_data;
+  wire [24:0] list__request_data;
   wire list_lookup__request_valid, list_lookup__request_ready;
-  wire [28:0] list_lookup__request_data;
+  wire [24:0] list_lookup__request_data;
   wire list_entry_all_valid, list_entry_all_ready;
   wire [42:0] list_entry_all_data;
   wire list_lookup__reply_valid, list_lookup__reply_ready;
@@ -379,10 +379,10 @@ module dynrt_core (
   wire [51:0] list_lookup__lines_data;
   wire list_lookup__waiting_en;
   wire [6:0] list_lookup__waiting_addr;
-  wire [9:0] list_lookup__waiting_data;
+  wire [5:0] list_lookup__waiting_data;
   wire list_fill__waiting_en;
   wire [6:0] list_fill__waiting_addr;
-  wire [9:0] list_fill__waiting_data;
+  wire [5:0] list_fill__waiting_data;
   wire matrix_fill__lines_en;
   wire [8:0] matrix_fill__lines_addr;
   wire [115:0] matrix_fill__lines_data;
@@ -564,7 +564,7 @@ module dynrt_core (
   wire stack_full_all_unused = &{1'b0, stack_full_all_data};
 
   // channel list_job
-  hls_arbiter #(.INPUTS(4), .WIDTH(30)) list_job_arbiter (
+  hls_arbiter #(.INPUTS(4), .WIDTH(26)) list_job_arbiter (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i({collect_hits__go_on_valid, mailbox__seen_valid, node_fetch__object_done_valid, packet_decision__leaf_valid}),
     .ready_o({collect_hits__go_on_ready, mailbox__seen_ready, node_fetch__object_done_ready, packet_decision__leaf_ready}),
@@ -850,7 +850,7 @@ module dynrt_core (
     .read_en_i(list_lookup__lines_en), .read_addr_i(list_lookup__lines_addr), .read_data_o(list_lookup__lines_data));
 
   // RAM list_waiting
-  hls_ram_1r1w #(.WIDTH(10), .ROWS(128), .EXCLUSIVE(1)) list_waiting_ram_0 (
+  hls_ram_1r1w #(.WIDTH(6), .ROWS(128), .EXCLUSIVE(1)) list_waiting_ram_0 (
     .clk_i(clk_i),
     .write_en_i(list_lookup__waiting_en), .write_addr_i(list_lookup__waiting_addr), .write_data_i(list_lookup__waiting_data),
     .read_en_i(list_fill__waiting_en), .read_addr_i(list_fill__waiting_addr), .read_data_o(list_fill__waiting_data));
