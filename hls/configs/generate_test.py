@@ -60,7 +60,8 @@ class Generate(unittest.TestCase):
                      "Primitives kPrimitives = Primitives{.triangle = true, .sphere = false, "
                      ".rectangle = false};"):
             self.assertIn(f"  static constexpr {line}\n", text)
-        config = json.loads((self.out / "configs.json").read_text(encoding="utf-8"))["tiny"]
+        config = json.loads((self.out / "configs.json").read_text(encoding="utf-8"))[0]
+        self.assertEqual(config["name"], "tiny")
         self.assertEqual(config["rtl"], True)
         self.assertEqual(config["lights"], 0)
         self.assertEqual(config["packets"], 4)
