@@ -235,13 +235,13 @@ TEST(Top, DoesWhatTheNativeJoinDoes) {
     ASSERT_FALSE(HasFatalFailure());
     EXPECT_GT(outside.items(), 8000u);
     const auto native = outside.ring().join.counters();
-    const auto names = hlsc::counter_names(outside.ring().join.record());
+    const auto counters = hls::counters_of(outside.ring().join.record());
     unsigned compared = 0;
-    for (unsigned i = 0; i < names.size(); ++i) {
-      const auto found = native.find(names[i]);
+    for (unsigned i = 0; i < counters.size(); ++i) {
+      const auto found = native.find(counters[i].name);
       if (found == native.end()) continue;  // stalls are the RTL's own
       ++compared;
-      EXPECT_EQ(outside.counter(i), found->second) << names[i];
+      EXPECT_EQ(outside.counter(i), found->second) << counters[i].name;
     }
     EXPECT_EQ(compared, native.size());
   }

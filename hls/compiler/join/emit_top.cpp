@@ -377,7 +377,7 @@ class Top {
 }  // namespace
 
 std::string emit_top(const JoinRecord& join, const std::string& name) {
-  const std::size_t counters = counter_names(join).size();
+  const std::size_t counters = hls::counters_of(join).size();
   if (counters > kMaxCounters) {
     throw std::invalid_argument(fmt::format(
         "the join has {} counters where the board can read {}; join fewer channels and units, or "
@@ -385,18 +385,6 @@ std::string emit_top(const JoinRecord& join, const std::string& name) {
         counters, kMaxCounters));
   }
   return Top(join, name).text();
-}
-
-std::vector<std::string> counter_names(const JoinRecord& join) {
-  std::vector<std::string> names;
-  for (const ChannelRecord& c : join.channels) {
-    if (c.kind != ChannelKind::kInput && c.kind != ChannelKind::kOutput) {
-      names.push_back(c.name + ".tokens");
-    }
-  }
-  for (const UnitRecord& unit : join.units) names.push_back(unit.name + ".transactions");
-  for (const UnitRecord& unit : join.units) names.push_back(unit.name + ".stalls");
-  return names;
 }
 
 }  // namespace hlsc
