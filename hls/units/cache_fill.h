@@ -10,11 +10,11 @@
 namespace dynrt {
 
 template <class C, class Kind>
-struct CacheFillUnit {
+struct CacheFill {
   using Context = typename Kind::Context;
   using Line = typename Kind::Line;
 
-  hls::In<CacheFill<C, Line>> fill;
+  hls::In<CacheLine<C, Line>> fill;
   hls::Config<FrameConfig> frame;
   hls::Out<typename Kind::Reply> reply;
   hls::RamWrite<CacheRow<Line>, C::kLines> lines;
@@ -22,7 +22,7 @@ struct CacheFillUnit {
   HLS_PORTS(fill, frame, reply, lines, waiting)
 
   void step() {
-    const CacheFill<C, Line> f = fill.read();
+    const CacheLine<C, Line> f = fill.read();
     using Index = uint<hls::index_width(C::kLines)>;
     const Index line = Index::from((f.address.raw() & frame.get().line_mask.raw()));
     const Context context = waiting.read(f.key);

@@ -39,7 +39,7 @@ class Cache {
     lookup_.request.queue()->push(r);
     join_.run();
   }
-  void fill(const CacheFill<C, Line>& f) {
+  void fill(const CacheLine<C, Line>& f) {
     fill_.fill.queue()->push(f);
     join_.run();
   }
@@ -55,7 +55,7 @@ class Cache {
     return tokens;
   }
   CacheLookup<C, Kind> lookup_;
-  CacheFillUnit<C, Kind> fill_;
+  CacheFill<C, Kind> fill_;
   std::shared_ptr<FrameConfig> frame_ = std::make_shared<FrameConfig>();
   hls::Join join_;
   std::shared_ptr<hls::Fifo<Reply>> hit_, filled_;

@@ -39,16 +39,16 @@ struct Core {
   RayGeneration<C> ray_generation;
   NodeFetch<C> node_fetch;
   CacheLookup<C, NodeCache<C>> node_lookup;
-  CacheFillUnit<C, NodeCache<C>> node_fill;
+  CacheFill<C, NodeCache<C>> node_fill;
   TraversalSlice<C> slice[kRays];
   PacketDecision<C> packet_decision;
   List<C> list;
   CacheLookup<C, ListCache<C>> list_lookup;
-  CacheFillUnit<C, ListCache<C>> list_fill;
+  CacheFill<C, ListCache<C>> list_fill;
   Mailbox<C> mailbox;
   MatrixFetch<C> matrix_fetch;
   CacheLookup<C, MatrixCache<C>> matrix_lookup;
-  CacheFillUnit<C, MatrixCache<C>> matrix_fill;
+  CacheFill<C, MatrixCache<C>> matrix_fill;
   MatrixStore<C> matrix_store;
   SendPacket<C> send_packet;
   Transformation<C> transformation;
@@ -74,8 +74,8 @@ struct Core {
   /// Nothing joined yet: for who only wants to know which units there are.
   Core() = default;
 
-  /// Tells join.unit(name, module, unit) every unit that configuration C has. This is the one list
-  /// of them: what it leaves out is neither joined nor lowered.
+  /// Tells join.unit(name, module, unit) every unit that configuration C has, group by group. This
+  /// is the one list of them: what it leaves out is neither joined nor lowered.
   template <class J>
   void name_units(J& join) {
     join.unit("startup", "startup", startup);
@@ -182,11 +182,11 @@ struct Core {
     join.channel<MemoryRequest<C>>("memory_request",
                                    {&node_lookup.miss, &list_lookup.miss, &matrix_lookup.miss},
                                    {&memory_interface.request});
-    join.channel<CacheFill<C, Node>>("node_line", {&memory_interface.node, &startup.node},
+    join.channel<CacheLine<C, Node>>("node_line", {&memory_interface.node, &startup.node},
                                      {&node_fill.fill});
-    join.channel<CacheFill<C, ListEntry>>("list_line", {&memory_interface.list, &startup.list},
+    join.channel<CacheLine<C, ListEntry>>("list_line", {&memory_interface.list, &startup.list},
                                           {&list_fill.fill});
-    join.channel<CacheFill<C, MatrixColumn>>(
+    join.channel<CacheLine<C, MatrixColumn>>(
         "column_line", {&memory_interface.column, &startup.column}, {&matrix_fill.fill});
     join_cache(join, "node", node_lookup, node_fill);
     join_cache(join, "list", list_lookup, list_fill);

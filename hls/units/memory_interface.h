@@ -14,9 +14,9 @@ namespace dynrt {
 template <class C>
 struct MemoryInterface {
   hls::In<MemoryRequest<C>> request;
-  hls::Out<CacheFill<C, Node>> node;
-  hls::Out<CacheFill<C, ListEntry>> list;
-  hls::Out<CacheFill<C, MatrixColumn>> column;
+  hls::Out<CacheLine<C, Node>> node;
+  hls::Out<CacheLine<C, ListEntry>> list;
+  hls::Out<CacheLine<C, MatrixColumn>> column;
   hls::RamRead<Word, kBankWords, C::kSramLatency> bank[kSceneBanks];
   HLS_PORTS(request, node, list, column, bank[0], bank[1], bank[2])
 

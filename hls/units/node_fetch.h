@@ -33,7 +33,7 @@ struct NodeFetch {
   hls::Out<TraversalEvent<C>> again;  ///< a popped node that no living ray enters: pop once more
   hls::Out<ShadeJob<C>> top_done;
   hls::Out<ListJob<C>> object_done;
-  hls::Out<LevelDone<C>> dropped;
+  hls::Out<DroppedPush<C>> dropped;
   hls::Ram1R1W<State, kLevelRows<C>> states;
   hls::Ram1R1W<Entry, kStackRows> stack;
   HLS_PORTS(event, request, again, top_done, object_done, dropped)
@@ -69,7 +69,7 @@ struct NodeFetch {
     } else if (e.kind == TraversalKind::kPush) {
       const bool full = state.stack == Stack::from(C::kStackDepth);
       if (full) {
-        dropped.write(LevelDone<C>{e.packet});
+        dropped.write(DroppedPush<C>{e.packet});
       } else {
         stack.write(hls::concat(row, state.stack), Entry{e.pushed, e.pushed_active, e.both});
         context.update = IntervalUpdate::kClipFarPush;

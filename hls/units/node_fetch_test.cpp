@@ -156,7 +156,7 @@ class Reference {
     std::vector<TraversalEvent<C>> again;
     std::vector<ShadeJob<C>> top_done;
     std::vector<ListJob<C>> object_done;
-    std::vector<LevelDone<C>> dropped;
+    std::vector<DroppedPush<C>> dropped;
   };
   bool busy(unsigned packet, unsigned level) const { return states_[packet][level].busy; }
 

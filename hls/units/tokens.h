@@ -109,9 +109,9 @@ struct SliceDecision {
   HLS_FIELDS(left_first, go_left, go_right, terminated)
 };
 
-/// A packet has finished the traversal of a level.
+/// A packet's stack is full: what it pushed is dropped (thesis 7).
 template <class C>
-struct LevelDone {
+struct DroppedPush {
   PacketId<C> packet;
   HLS_FIELDS(packet)
 };
@@ -294,7 +294,7 @@ struct MemoryRequest {
 
 /// A line for a cache: the answer to a request, or the order to invalidate a line.
 template <class C, class Line>
-struct CacheFill {
+struct CacheLine {
   bool invalidate = false;
   uint<2 + PacketId<C>::kWidth> key;
   Address address;

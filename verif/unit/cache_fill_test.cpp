@@ -14,7 +14,7 @@ namespace dynrt::cosim {
 namespace {
 
 template <class Kind>
-using CacheFillOf = CacheFillUnit<C, Kind>;
+using CacheFillOf = CacheFill<C, Kind>;
 
 template <class Kind>
 void setup(Bench<CacheFillOf<Kind>>& bench, const Run& run) {
