@@ -78,8 +78,10 @@ struct Core {
   /// is the one list of them: what it leaves out is neither joined nor lowered.
   template <class J>
   void name_units(J& join) {
+    join.group("Ray generation and shading");
     join.unit("startup", "startup", startup);
     join.unit("ray_generation", "ray_generation", ray_generation);
+    join.group("Traversal");
     join.unit("node_fetch", "node_fetch", node_fetch);
     join.unit("node_lookup", "node_lookup", node_lookup);
     join.unit("node_fill", "node_fill", node_fill);
@@ -87,10 +89,12 @@ struct Core {
       join.unit("slice_" + std::to_string(i), "traversal_slice", slice[i]);
     }
     join.unit("packet_decision", "packet_decision", packet_decision);
+    join.group("Lists");
     join.unit("list", "list", list);
     join.unit("list_lookup", "list_lookup", list_lookup);
     join.unit("list_fill", "list_fill", list_fill);
     join.unit("mailbox", "packet_mailbox", mailbox);
+    join.group("Transformation");
     join.unit("matrix_fetch", "matrix_fetch", matrix_fetch);
     join.unit("matrix_lookup", "matrix_lookup", matrix_lookup);
     join.unit("matrix_fill", "matrix_fill", matrix_fill);
@@ -98,9 +102,12 @@ struct Core {
     join.unit("send_packet", "send_packet", send_packet);
     join.unit("transformation", "transformation", transformation);
     join.unit("packet_decoder", "packet_decoder", packet_decoder);
+    join.group("Intersection");
     join.unit("intersection", "intersection", intersection);
     join.unit("collect_hits", "collect_hits", collect_hits);
+    join.group("Ray generation and shading");
     join.unit("shading", "shading", shading);
+    join.group("Memory");
     join.unit("memory_interface", "memory_interface", memory_interface);
   }
 

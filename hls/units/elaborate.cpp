@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Writes what the join of the core says, for one configuration: the Verilog top, the header with
-// the positions of the frame's registers, its description as JSON and the block diagram. UNITS is
-// the list that CMake goes by (list_units.h): it says so if the join has come to have others since.
+// Writes what the join of the core says, for one configuration: the Verilog top, the header with the
+// positions of the frame's registers, and a description as JSON. UNITS is the list that CMake goes by
+// (list_units.h): it is an error if the join has come to have others since.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -54,7 +54,6 @@ int main(int argc, char** argv) {
     write(top + ".v", hlsc::emit_top(join.record(), "dynrt_core"));
     write(top + ".vh", hlsc::emit_header(join.record(), "dynrt_core"));
     write(top + ".json", hlsc::emit_json(join.record(), "dynrt_core"));
-    write(top + ".dot", hlsc::emit_diagram(join.record()));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "elaborate: %s\n", error.what());
     return 1;

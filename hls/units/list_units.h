@@ -18,6 +18,7 @@ namespace dynrt {
 class UnitLines {
  public:
   explicit UnitLines(std::string config) : config_(std::move(config)) {}
+  void group(const std::string& /*name*/) {}
   template <class U>
   void unit(const std::string& /*name*/, const std::string& module, U& /*unit*/) {
     if (!modules_.insert(module).second) return;

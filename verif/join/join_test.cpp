@@ -39,7 +39,6 @@ TEST(Top, IsTheGoldenOne) {
   expect_golden("ring.v", hlsc::emit_top(ring.join.record(), "ring"));
   expect_golden("ring.vh", hlsc::emit_header(ring.join.record(), "ring"));
   expect_golden("ring.json", hlsc::emit_json(ring.join.record(), "ring"));
-  expect_golden("ring.dot", hlsc::emit_diagram(ring.join.record()));
 }
 
 std::string refusal(const hls::Join& join) {

@@ -11,8 +11,6 @@
 namespace hlsc {
 namespace {
 
-std::string unit_of(const std::string& port) { return port.substr(0, port.find('.')); }
-
 std::string upper(std::string name) {
   for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return name;
@@ -24,7 +22,7 @@ std::string emit_json(const hls::JoinRecord& join, const std::string& name) {
   using Json = nlohmann::ordered_json;
   Json units = Json::array();
   for (const auto& unit : join.units) {
-    units.push_back({{"name", unit.name}, {"module", unit.module}});
+    units.push_back({{"name", unit.name}, {"module", unit.module}, {"group", unit.group}});
   }
   Json channels = Json::array();
   for (const auto& c : join.channels) {
@@ -38,15 +36,16 @@ std::string emit_json(const hls::JoinRecord& join, const std::string& name) {
                     {"width", ram.width},
                     {"rows", ram.rows}});
   }
+  Json banks = Json::array();
+  for (const auto& bank : join.banks) {
+    banks.push_back({{"name", bank.name}, {"port", bank.port}, {"write", bank.write}});
+  }
   Json counters = Json::array();
   for (const auto& c : hls::counters_of(join)) {
     counters.push_back({{"name", c.name}, {"order_independent", c.order_independent}});
   }
-  const Json top = {{"module", name},
-                    {"units", units},
-                    {"channels", channels},
-                    {"rams", rams},
-                    {"counters", counters}};
+  const Json top = {{"module", name}, {"units", units}, {"channels", channels},
+                    {"rams", rams},   {"banks", banks}, {"counters", counters}};
   return top.dump(2) + "\n";
 }
 
@@ -65,36 +64,6 @@ std::string emit_header(const hls::JoinRecord& join, const std::string& name) {
     }
   }
   return text;
-}
-
-std::string emit_diagram(const hls::JoinRecord& join) {
-  std::string dot = "digraph core {\n  rankdir=LR;\n  node [shape=box, fontname=\"sans-serif\"];\n";
-  const auto edge = [&dot](const std::string& from, const std::string& to, const std::string& label,
-                           const char* style) {
-    fmt::format_to(std::back_inserter(dot), "  \"{}\" -> \"{}\" [label=\"{}\", style={}];\n", from,
-                   to, label, style);
-  };
-  for (const auto& unit : join.units) {
-    fmt::format_to(std::back_inserter(dot), "  \"{}\";\n", unit.name);
-  }
-  for (const auto& c : join.channels) {
-    for (const std::string& from : c.from) {
-      for (const std::string& to : c.to) edge(unit_of(from), unit_of(to), c.name, "solid");
-    }
-  }
-  for (const auto& ram : join.rams) {
-    for (const std::string& to : ram.readers) {
-      edge(unit_of(ram.writer), unit_of(to), ram.name, "dashed");
-    }
-  }
-  for (const auto& bank : join.banks) {
-    if (bank.write) {
-      edge(unit_of(bank.port), bank.name, "", "bold");
-    } else {
-      edge(bank.name, unit_of(bank.port), "", "bold");
-    }
-  }
-  return dot + "}\n";
 }
 
 }  // namespace hlsc

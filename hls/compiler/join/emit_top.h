@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// From the record of a join to its Verilog top, its description as JSON and its block diagram.
+// From the record of a join to its Verilog top, the top's header and a description as JSON.
 #pragma once
 
 #include <string>
@@ -20,10 +20,7 @@ std::string emit_top(const hls::JoinRecord& join, const std::string& name);
 /// bit.
 std::string emit_header(const hls::JoinRecord& join, const std::string& name);
 
-/// Units, channels, RAMs and counters, for the host and for people's scripts.
+/// Units, channels, RAMs, banks and counters, for the host, the block diagram and people's scripts.
 std::string emit_json(const hls::JoinRecord& join, const std::string& name);
-
-/// The units and channels as a Graphviz digraph.
-std::string emit_diagram(const hls::JoinRecord& join);
 
 }  // namespace hlsc

@@ -22,10 +22,13 @@ namespace hls {
 
 class Join {
  public:
+  /// Block diagrams show the units that follow under this name.
+  void group(const std::string& name) { group_ = name; }
+
   /// Makes a unit known; its Verilog module has the name `module`.
   template <class U>
   void unit(const std::string& name, const std::string& module, U& unit) {
-    UnitRecord record{name, module, {}};
+    UnitRecord record{name, module, {}, group_};
     const std::vector<std::string> names = split_names(U::hls_field_names());
     std::size_t index = 0;
     std::apply([&](auto&... port) { (add_port(record, names[index++], port), ...); },
@@ -284,6 +287,7 @@ class Join {
   }
 
   JoinRecord record_;
+  std::string group_;
   std::vector<Process> processes_;
   std::vector<std::pair<std::string, std::function<std::uint64_t()>>> tokens_;
   std::map<const void*, std::string> names_;

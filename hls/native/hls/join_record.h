@@ -24,6 +24,7 @@ struct UnitRecord {
   std::string name;
   std::string module;
   std::vector<PortRecord> ports;
+  std::string group = {};        ///< under which a block diagram shows it
   bool order_dependent = false;  ///< how often it works depends on what is served first
 };
 enum class ChannelKind : std::uint8_t { kChannel, kRepeat, kInput, kOutput, kSink };
