@@ -29,6 +29,8 @@ struct Config {
   static constexpr unsigned kMailboxSlots = Slots;
   static constexpr double kEpsilon = 0.0;
   static constexpr unsigned kSramLatency = 3;
+  static constexpr unsigned kLights = 0;
+  static constexpr unsigned kReflections = 0;
 };
 
 /// A unit alone, run as the join runs it.

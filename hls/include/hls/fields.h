@@ -37,7 +37,7 @@ struct FieldIf {
   T value{};
   constexpr FieldIf() = default;
   constexpr FieldIf(const T& t) : value(t) {}
-  constexpr const T& get() const { return value; }
+  constexpr T get() const { return value; }
   HLS_FIELDS(value)
 };
 template <class T>
