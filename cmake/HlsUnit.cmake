@@ -10,7 +10,8 @@
 #   <NAME>_model   interface library: what a program needs to include the C++ (header only)
 #   <NAME>.v       build/<preset>/generated/<CONFIG>/<NAME>.v, made by hlsc, module <NAME>, with its
 #                  schedule report <NAME>.txt and the header <NAME>_ports.h for the test bench
-#   <NAME>_rtl     library with the Verilated class V<NAME> (FAST, TRACE, SHARDS: Verilate.cmake)
+#   <NAME>_rtl     library with the Verilated class V<NAME> (FAST, TRACE, SHARDS: Verilate.cmake),
+#                  whose name is the same for every configuration, so link only one of them
 #   test           generated.<NAME>, label lint, for CONFIG thesis: fails when rtl/generated/thesis/
 #                  <NAME>.v is not what hlsc writes now (the target update-generated renews it)
 # CLOCK_NS and DELAY default to the cache variables DYNRT_CLOCK_NS and DYNRT_DELAY_MODEL.
@@ -123,7 +124,7 @@ function(add_hls_unit)
   if(arg_SHARDS)
     list(APPEND speed SHARDS ${arg_SHARDS})
   endif()
-  dynrt_verilate(${id}_rtl TOP ${arg_NAME} PREFIX V${id} SOURCES ${stem}.v ${speed})
+  dynrt_verilate(${id}_rtl TOP ${arg_NAME} PREFIX V${arg_NAME} SOURCES ${stem}.v ${speed})
   target_include_directories(${id}_rtl PUBLIC ${dir})
   add_dependencies(${id}_rtl ${id}_verilog)
   target_link_libraries(${id}_rtl PUBLIC ${id}_model)

@@ -78,10 +78,13 @@ struct Core {
     join_memory(join, banks);
   }
 
- private:
-  static constexpr unsigned kAll = C::kPackets;  ///< tokens that a channel of packets can hold
+  /// Nothing joined yet: for who only wants to know which units there are.
+  Core() = default;
 
-  void name_units(hls::Join& join) {
+  /// Tells join.unit(name, module, unit) every unit that configuration C has. This is the one list
+  /// of them: what it leaves out is neither joined nor lowered.
+  template <class J>
+  void name_units(J& join) {
     join.unit("startup", "startup", startup);
     join.unit("ray_generation", "ray_generation", ray_generation);
     join.unit("node_fetch", "node_fetch", node_fetch);
@@ -112,6 +115,9 @@ struct Core {
     }
     if constexpr (kHasLights<C>) join.unit("light_columns", "light_columns", light_columns);
   }
+
+ private:
+  static constexpr unsigned kAll = C::kPackets;  ///< tokens that a channel of packets can hold
 
   void join_frame(hls::Join& join) {
     std::vector<hls::Config<FrameConfig>*> readers = {

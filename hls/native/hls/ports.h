@@ -19,8 +19,11 @@
 
 #include "hls/fields.h"
 
-/// Names the ports of a unit (channels, RAM ports, configuration), all of them.
-#define HLS_PORTS(...) HLS_FIELDS(__VA_ARGS__)
+/// Names the ports of a unit (channels, RAM ports, configuration), all of them; and tells, for
+/// who lowers it, the file that the unit is in.
+#define HLS_PORTS(...)    \
+  HLS_FIELDS(__VA_ARGS__) \
+  static constexpr std::string_view hls_file() { return __FILE__; }
 
 namespace hls {
 
