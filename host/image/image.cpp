@@ -34,24 +34,26 @@ std::optional<double> out_of_range(const glm::dmat4x3& matrix) {
   return std::nullopt;
 }
 
-uint32_t colour(const Scene& scene, const Mesh& object, std::size_t triangle) {
+std::uint32_t colour(const Scene& scene, const Mesh& object, std::size_t triangle) {
   const glm::dvec3& diffuse = scene.materials.at(object.material.at(triangle)).diffuse;
-  uint32_t bits = 0;
+  std::uint32_t bits = 0;
   for (int channel = 0; channel < 3; ++channel) {
     const double level = std::clamp(diffuse[channel], 0.0, 1.0) * 255.0;
-    bits |= static_cast<uint32_t>(std::lround(level)) << (8 * channel);
+    bits |= static_cast<std::uint32_t>(std::lround(level)) << (8 * channel);
   }
   return bits;
 }
 
-Address to_address(std::size_t address) { return Address::from(static_cast<uint32_t>(address)); }
+Address to_address(std::size_t address) {
+  return Address::from(static_cast<std::uint32_t>(address));
+}
 
 /// Appends a tree; its items become the matrices from first_matrix on. Returns the address of the
 /// tree's node 0, which has no place itself: node i lies at that address + i.
-uint32_t add_tree(MemoryPart& part, const Tree& tree, uint32_t first_matrix) {
-  const uint32_t base = part.end_node() - 1;
-  const uint32_t list_base = part.end_entry();
-  const auto child = [&](uint32_t index) {
+std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::uint32_t first_matrix) {
+  const std::uint32_t base = part.end_node() - 1;
+  const std::uint32_t list_base = part.end_entry();
+  const auto child = [&](std::uint32_t index) {
     return to_address(index == kNullNode ? 0 : base + index);
   };
   part.nodes.reserve(part.nodes.size() + tree.nodes.size());
@@ -69,7 +71,7 @@ uint32_t add_tree(MemoryPart& part, const Tree& tree, uint32_t first_matrix) {
     part.nodes.push_back(node);
   }
   const std::size_t first = part.entries.size();
-  for (const uint32_t item : tree.items) {
+  for (const std::uint32_t item : tree.items) {
     ListEntry entry;
     entry.matrix = MatrixIndex::from(first_matrix + item);
     part.entries.push_back(entry);
@@ -93,8 +95,8 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees) {
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
     const Mesh& mesh = scene.objects[k];
     const Tree& tree = trees[k];
-    const uint32_t first_matrix = memory.end_matrix();
-    const uint32_t base = add_tree(memory, tree, first_matrix);
+    const std::uint32_t first_matrix = memory.end_matrix();
+    const std::uint32_t base = add_tree(memory, tree, first_matrix);
     objects.push_back({base + tree.root, base + tree.clipped_root, first_matrix, tree.box});
     check_limits(scene, memory);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -124,7 +126,7 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   memory.first_node = objects.memory.end_node();
   memory.first_entry = objects.memory.end_entry();
   memory.first_matrix = first_instance = objects.memory.end_matrix();
-  const uint32_t base = add_tree(memory, instances, first_instance);
+  const std::uint32_t base = add_tree(memory, instances, first_instance);
   start_node = base + instances.entry(camera.position);
   check_limits(scene, memory);
   check_limit(scene, "matrices (triangles, instances and the camera)",

@@ -46,7 +46,7 @@ Tree build_triangle_tree(const Mesh& object, const TreeOptions& options) {
     Aabb box;
     for (const glm::dvec3& p : c) box.include(p);
     whole.include(box);
-    items[i] = {grid_box(box), static_cast<uint32_t>(i)};
+    items[i] = {grid_box(box), static_cast<std::uint32_t>(i)};
   }
   const CutItem cut = [&](const ItemRef& item, const GridBox& cell) {
     return grid_box(clipped_box(corners(object, item.item), real_box(cell)));
