@@ -16,7 +16,7 @@ namespace dynrt::host {
 namespace {
 
 void check_limit(const Scene& scene, const char* what, std::size_t needed, std::size_t limit) {
-  if (needed > limit) throw UserError(image_messages::too_many(scene.name, what, needed, limit));
+  if (needed > limit) refuse(messages::kTooMany, scene.name, needed, what, needed - limit, limit);
 }
 
 void check_limits(const Scene& scene, const MemoryPart& part) {
@@ -87,6 +87,7 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::uint32_t first_m
 }  // namespace
 
 ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees) {
+  const double largest = Real::largest().to_double();
   std::size_t matrices = scene.instances.size() + 1;
   for (const Mesh& object : scene.objects) matrices += object.triangles.size();
   check_limit(scene, "matrices (triangles, instances and the camera)", matrices, kMaxMatrices);
@@ -103,10 +104,9 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees) {
       const glm::uvec3& t = mesh.triangles[i];
       const auto matrix =
           triangle_matrix({mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]});
-      if (!matrix) throw UserError(image_messages::flat_triangle(mesh.name, i));
+      if (!matrix) refuse(messages::kFlatTriangle, mesh.name, i);
       if (const auto element = out_of_range(*matrix)) {
-        throw UserError(
-            image_messages::triangle_range(mesh.name, i, *element, Real::largest().to_double()));
+        refuse(messages::kTriangleRange, mesh.name, i, *element, largest, largest);
       }
       memory.matrices.push_back(to_columns(*matrix, colour(scene, mesh, i)));
     }
@@ -138,10 +138,10 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
     const ObjectImage::Object& object = objects.objects.at(instance.object);
     const glm::dmat4x3 matrix(inverse);
     if (!std::isfinite(inverse[3][3]) || glm::determinant(instance.transform) == 0) {
-      throw UserError(image_messages::no_inverse(instance.name));
+      refuse(messages::kFlatInstance, instance.name);
     }
     if (const auto element = out_of_range(matrix)) {
-      throw UserError(image_messages::instance_range(instance.name, *element, largest));
+      refuse(messages::kInstanceRange, instance.name, *element, largest, largest);
     }
     const glm::dvec3 eye = matrix * glm::dvec4(camera.position, 1.0);
     memory.matrices.push_back(
@@ -149,7 +149,7 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   }
   const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
   if (const auto element = out_of_range(from_pixels)) {
-    throw UserError(image_messages::camera_range(*element, largest));
+    refuse(messages::kCameraRange, *element, largest, largest);
   }
   camera_matrix = memory.end_matrix();
   memory.matrices.push_back(to_columns(from_pixels, 0));

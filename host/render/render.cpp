@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/render/render.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 
@@ -42,7 +40,7 @@ std::vector<HitRecord> read_hits(Board& board, std::size_t pixels) {
 void check_size(unsigned width, unsigned height) {
   const std::uint64_t pixels = std::uint64_t{width} * height;
   if (width == 0 || height == 0 || width > kMaxSide || height > kMaxSide || pixels > kMaxPixels) {
-    throw UserError(fmt::format(messages::kSize, width, height, kMaxSide, kMaxPixels));
+    refuse(messages::kSize, width, height, kMaxSide, kMaxPixels);
   }
 }
 
@@ -52,10 +50,10 @@ FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
   const unsigned packets = options.packets.value_or(board.packets);
   const unsigned lines = options.lines.value_or(board.cache_lines);
   if (packets == 0 || packets > board.packets) {
-    throw UserError(fmt::format(messages::kPackets, packets, board.configuration, board.packets));
+    refuse(messages::kPackets, packets, board.configuration, board.packets);
   }
   if (!std::has_single_bit(lines) || lines > board.cache_lines) {
-    throw UserError(fmt::format(messages::kLines, lines, board.configuration, board.cache_lines));
+    refuse(messages::kLines, lines, board.configuration, board.cache_lines);
   }
   const unsigned packet_side = (std::max(options.width, options.height) + 1) / 2;
   FrameConfig frame;
