@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <bit>
 
+#include "hls/bits.h"
 #include "host/board/frame_words.h"
 #include "host/error.h"
-#include "host/render/hit_layout.h"
 #include "host/render/messages.h"
+#include "units/memory_format.h"
 
 namespace dynrt::host {
 
@@ -23,14 +24,25 @@ std::vector<std::uint32_t> read(Board& board, unsigned bank, std::uint32_t addre
   return words;
 }
 
+template <unsigned W>
+std::uint32_t number(hls::uint<W> bits) {
+  return static_cast<std::uint32_t>(bits.to_u64());
+}
+
 std::vector<HitRecord> read_hits(Board& board, std::size_t pixels) {
   const auto first = read(board, kHitBank, 0, pixels * kHitWords);
   const auto second = read(board, kHitBank + 1, 0, pixels * kHitWords);
   std::vector<HitRecord> hits(pixels);
   for (std::size_t p = 0; p < pixels; ++p) {
-    hits[p] =
-        unpack_hit(std::span<const std::uint32_t, kHitWords>(&first[p * kHitWords], kHitWords),
-                   std::span<const std::uint32_t, kHitWords>(&second[p * kHitWords], kHitWords));
+    const auto place = hls::unpack<HitPlace>(&first[p * kHitWords]);
+    const auto surface = hls::unpack<HitSurface>(&second[p * kHitWords]);
+    hits[p] = {.hit = place.hit,
+               .object = number(place.object),
+               .triangle = number(surface.triangle),
+               .t = number(place.t),
+               .u = number(surface.u),
+               .v = number(place.v),
+               .cosine = number(surface.cosine)};
   }
   return hits;
 }
