@@ -87,10 +87,12 @@ FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
 Frame render(Board& board, const FrameOptions& options, const SceneAddresses& scene,
              std::span<const BankWords> memory, const PixelProgress& progress) {
   const FrameConfig config = frame_config(board.info(), options, scene);
+  const BusTraffic before = board.traffic();
   for (const BankWords& part : memory) board.write(part.bank, part.address, part.words);
+  Frame frame;
+  frame.upload = board.traffic() - before;
   board.configure(config);
   board.start();
-  Frame frame;
   frame.board = board.info();
   frame.width = options.width;
   frame.height = options.height;
@@ -101,7 +103,7 @@ Frame render(Board& board, const FrameOptions& options, const SceneAddresses& sc
   frame.pixels = read(board, kFrameBank, kFrameBase, pixels);
   frame.hits = read_hits(board, pixels);
   frame.counters = board.counters();
-  frame.traffic = board.traffic();
+  frame.traffic = board.traffic() - before;
   return frame;
 }
 
