@@ -56,15 +56,18 @@ struct Shading {
     }
     if (inside && word != uint<2>(3) && config.write_hits.template bit<0>()) {
       const BankAddress at = BankAddress::from((pixel + pixel.template shl<1>() + word).raw());
-      bank[1].write(at, word == uint<2>(0) ? Word(h.t.bits())
-                        : word == uint<2>(1)
-                            ? Word(h.v.bits())
-                            : hls::concat(uint<1>(h.hit), h.object.template zext<31>()));
-      bank[2].write(at, word == uint<2>(0)   ? Word(h.u.bits())
-                        : word == uint<2>(1) ? Word(h.cosine.bits())
-                                             : Word(h.triangle));
+      bank[1].write(at, hit_word(HitPlace{h.t.bits(), h.v.bits(), h.object, 0, h.hit}, word));
+      bank[2].write(at, hit_word(HitSurface{h.u.bits(), h.cosine.bits(), h.triangle, 0}, word));
     }
     if (j.last) free.write({j.job.packet});
+  }
+
+ private:
+  template <class Words>
+  static Word hit_word(const Words& words, uint<2> index) {
+    return index == uint<2>(0)   ? hls::word_of<0>(words)
+           : index == uint<2>(1) ? hls::word_of<1>(words)
+                                 : hls::word_of<2>(words);
   }
 };
 

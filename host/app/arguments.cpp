@@ -76,10 +76,10 @@ FrameOptions FrameArguments::options(const std::string& size) const {
   if (order == "scanline") {
     options.order = RayOrder::kScanline;
   } else if (order != "morton") {
-    throw UserError(fmt::format(messages::kOrder, order));
+    refuse(messages::kOrder, order);
   }
-  if (!(clock_mhz > 0)) throw UserError(fmt::format(messages::kClock, clock_mhz));
-  if (timeout == 0) throw UserError(messages::kTimeoutZero);
+  if (!(clock_mhz > 0)) refuse(messages::kClock, clock_mhz);
+  if (timeout == 0) refuse(messages::kTimeoutZero);
   options.timeout = timeout;
   if (!out.empty()) check_image_path(out);
   if (!json.empty()) check_output_path(json);

@@ -17,6 +17,7 @@
 #include <string>
 
 #include "host/board/clocked_board.h"
+#include "host/board/messages.h"
 #include "host/board/sram.h"
 #include "host/error.h"
 
@@ -32,10 +33,7 @@ class VerilatedBoard final : public ClockedBoard {
       waves_ = std::make_unique<VerilatedFstC>();
       top_->trace(waves_.get(), 99);
       waves_->open(trace.c_str());
-      if (!waves_->isOpen())
-        throw UserError(trace +
-                        ": cannot be written; name a file in a folder "
-                        "that can");
+      if (!waves_->isOpen()) refuse(messages::kTrace, trace);
     }
     top_->rst_ni = 0;
     idle();

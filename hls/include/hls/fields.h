@@ -145,4 +145,15 @@ constexpr L leaf_from_bits(uint<bit_width_of<L>()> bits) {
   }
 }
 
+/// Word K of a token that lies in 32-bit words of memory and whose leaves cross no such words.
+template <unsigned K, class T>
+constexpr uint<32> word_of(const T& token) {
+  uint<32> word;
+  for_each_leaf(token, [&word]<class L>(const L& leaf, unsigned offset) {
+    const uint<32> bits = leaf_to_bits(leaf).template zext<32>();
+    if (offset / 32 == K) word = word | bits << uint<5>::from(offset % 32);
+  });
+  return word;
+}
+
 }  // namespace hls

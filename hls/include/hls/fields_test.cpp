@@ -98,6 +98,20 @@ TEST(Fields, AnAbsentFieldTakesNoBitsAndDropsWhatIsWritten) {
   EXPECT_EQ(offsets, (std::vector<unsigned>{0, 3}));
 }
 
+struct InWords {
+  hls::uint<32> all;
+  hls::uint<17> low;
+  hls::uint<14> between;
+  bool top = false;
+  HLS_FIELDS(all, low, between, top)
+};
+TEST(Fields, WordsHoldTheLeavesFromTheLowestBitOn) {
+  constexpr InWords kToken{hls::uint<32>::from(0xfedcba98u), 0x1abcd, 0, true};
+  static_assert(hls::word_of<0>(kToken) == hls::uint<32>::from(0xfedcba98u));
+  EXPECT_EQ(hls::word_of<1>(kToken).to_u64(), 0x8001abcdu);
+  EXPECT_EQ(hls::word_of<2>(kToken).to_u64(), 0u);
+}
+
 TEST(Fields, LeavesCanBeWritten) {
   Token token;
   unsigned leaves = 0;
