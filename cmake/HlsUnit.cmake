@@ -26,15 +26,15 @@ add_custom_target(verilog ALL)
 add_custom_target(update-generated)
 
 # dynrt_checked_in(FILE TARGET): FILE, which TARGET makes, is also checked in under
-# rtl/generated/thesis. The target update-generated renews it, the test generated.<stem> (label lint)
-# fails when it is stale.
+# rtl/generated/thesis. The target update-generated renews it, the test generated.<stem> (label lint;
+# with its extension if that is not .v) fails when it is stale.
 function(dynrt_checked_in file target)
   if(NOT DYNRT_RTL)
     return()
   endif()
   add_dependencies(verilog ${target})
   get_filename_component(name ${file} NAME)
-  get_filename_component(stem ${file} NAME_WE)
+  string(REGEX REPLACE "[.]v$" "" stem ${name})
   set(folder ${PROJECT_SOURCE_DIR}/rtl/generated/thesis)
   add_custom_target(update_${stem}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Writes what the join of the core says, for one configuration: the Verilog top, its description as
-// JSON and the block diagram. UNITS is the list that CMake goes by (list_units.h): it says so if
-// the join has come to have others since.
+// Writes what the join of the core says, for one configuration: the Verilog top, the header with
+// the positions of the frame's registers, its description as JSON and the block diagram. UNITS is
+// the list that CMake goes by (list_units.h): it says so if the join has come to have others since.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -41,8 +41,8 @@ void check_units(const std::string& path, dynrt::Core<C>& core) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 5) {
-    std::fprintf(stderr, "usage: elaborate UNITS TOP.v TOP.json TOP.dot\n");
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: elaborate UNITS TOP\n");
     return 2;
   }
   try {
@@ -50,9 +50,11 @@ int main(int argc, char** argv) {
     const auto core =
         std::make_unique<dynrt::Core<C>>(join, std::array<dynrt::Bank, dynrt::kBanks>{});
     check_units(argv[1], *core);
-    write(argv[2], hlsc::emit_top(join.record(), "dynrt_core"));
-    write(argv[3], hlsc::emit_json(join.record(), "dynrt_core"));
-    write(argv[4], hlsc::emit_diagram(join.record()));
+    const std::string top = argv[2];
+    write(top + ".v", hlsc::emit_top(join.record(), "dynrt_core"));
+    write(top + ".vh", hlsc::emit_header(join.record(), "dynrt_core"));
+    write(top + ".json", hlsc::emit_json(join.record(), "dynrt_core"));
+    write(top + ".dot", hlsc::emit_diagram(join.record()));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "elaborate: %s\n", error.what());
     return 1;

@@ -20,6 +20,9 @@ namespace reg = registers;
 
 namespace {
 
+static_assert(kFrameWords <= 1u << reg::kFrameWordBits,
+              "FrameConfig has more fields than the board has room for FRAME registers");
+
 constexpr std::uint64_t kClocksPerReport = 10'000;
 constexpr int kResetReads = 100;  ///< reads of STATUS that outlast the core's reset by far
 

@@ -20,6 +20,8 @@ using hls::JoinRecord;
 using hls::PortRecord;
 using hls::UnitRecord;
 
+constexpr std::size_t kMaxCounters = 256;  ///< that hls_counters.v has and an address reaches
+
 /// "unit.port" as the stem of a wire's name.
 std::string wire(const std::string& port) {
   std::string name = port;
@@ -375,6 +377,13 @@ class Top {
 }  // namespace
 
 std::string emit_top(const JoinRecord& join, const std::string& name) {
+  const std::size_t counters = counter_names(join).size();
+  if (counters > kMaxCounters) {
+    throw std::invalid_argument(fmt::format(
+        "the join has {} counters where the board can read {}; join fewer channels and units, or "
+        "widen hls_counters.v and the board's counter address",
+        counters, kMaxCounters));
+  }
   return Top(join, name).text();
 }
 

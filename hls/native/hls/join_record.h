@@ -50,12 +50,18 @@ struct BankRecord {
   unsigned rows;
   bool write;
 };
+struct FieldRecord {
+  std::string name;
+  unsigned offset;  ///< of the lowest bit
+  unsigned width;
+};
 struct ConfigRecord {
   std::string name;
   std::vector<std::string> to;
   unsigned width;
   bool constant;
   std::uint64_t value;
+  std::vector<FieldRecord> fields = {};  ///< of a struct
 };
 struct JoinRecord {
   std::vector<UnitRecord> units;
