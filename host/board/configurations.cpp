@@ -16,6 +16,7 @@ namespace dynrt::host {
 
 namespace {
 
+constexpr int kTraceSeed = 1;  ///< waveforms are the same every time
 constexpr std::string_view kDependent[] = {"memory_", "_fill.", "_line.", ".stalls"};
 
 std::string names_of(std::span<const Configuration> table) {
@@ -50,7 +51,7 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
   }
   return std::make_unique<RtlBoard>(
       request.configuration,
-      request.trace.empty() ? configuration.rtl() : configuration.traced(request.trace),
+      request.trace.empty() ? configuration.rtl() : configuration.traced(request.trace, kTraceSeed),
       counters_of(configuration.core_json()));
 }
 

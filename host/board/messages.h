@@ -9,6 +9,8 @@ namespace dynrt::host::messages {
 inline constexpr char kTimeout[] =
     "board {}: no interrupt and no pixel for {} clocks (--timeout allows more); {} pixels are "
     "written, status {:#x}, the units stand at {}";
+inline constexpr char kAssertion[] =
+    "the Verilog's assertion that is printed above fails in clock {} of the board";
 inline constexpr char kBusHangs[] =
     "board {}: the bus waits for ever at address {:#x}; the Verilog below it is broken";
 inline constexpr char kWrongId[] =

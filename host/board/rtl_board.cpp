@@ -3,7 +3,6 @@
 #include "host/board/rtl_board.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,6 +11,7 @@
 #include "host/board/frame_words.h"
 #include "host/board/messages.h"
 #include "host/board/registers.h"
+#include "host/board/standstill.h"
 #include "host/error.h"
 
 namespace dynrt::host {
@@ -106,14 +106,11 @@ FrameRun RtlBoard::wait(std::uint64_t timeout, const PixelProgress& progress) {
 
 void RtlBoard::give_up(std::uint64_t timeout, std::uint64_t pixels) {
   const std::uint32_t status = read_register(reg::kRegStatus);
-  std::vector<std::string> state;
-  for (const Counter& counter : counters()) {
-    state.push_back(fmt::format("{} {}", counter.name, counter.value));
-  }
+  const std::vector<Counter> before = counters();  // reading them takes some hundred clocks
+  const std::string state = where_units_stand(before, counters());
   write_register(reg::kRegControl, 1u << reg::kControlReset);
   settle();
-  throw TimeoutError(
-      fmt::format(messages::kTimeout, info_.name, timeout, pixels, status, fmt::join(state, ", ")));
+  throw TimeoutError(fmt::format(messages::kTimeout, info_.name, timeout, pixels, status, state));
 }
 
 std::vector<Counter> RtlBoard::counters() {
