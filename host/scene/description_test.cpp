@@ -9,7 +9,9 @@
 
 #include "host/scene/camera.h"
 #include "host/scene/load.h"
+#include "host/scene/test_bsp.h"
 #include "host/scene/test_files.h"
+#include "host/scene/test_zip.h"
 
 namespace dynrt::host {
 namespace {
@@ -46,6 +48,45 @@ TEST(Description, OfficeModelsStayInsideTheRoom) {
           << name << ": " << v.x << " " << v.y << " " << v.z;
     }
   }
+}
+
+TEST(Description, CisternIsOneObjectOf68438Triangles) {
+  const Scene cistern = load_scene("cistern");
+  ASSERT_EQ(cistern.objects.size(), 1u);
+  ASSERT_EQ(cistern.instances.size(), 1u);
+  EXPECT_EQ(cistern.objects[0].triangles.size() + cistern.dropped.zero_area_triangles, 68438u);
+  EXPECT_TRUE(cistern.notes.empty());
+  ASSERT_TRUE(cistern.camera);
+  EXPECT_EQ(cistern.camera->position * 32.0, glm::dvec3(1096, 216 + 26, 432));
+}
+
+TEST(Description, NamesMapsAndTexturesThatAreNotThere) {
+  const TestFolder folder;
+  const std::string pk3 = folder.path("own.pk3");
+  write_zip(pk3, {{"maps/a.bsp", small_map().bytes()}});
+  const auto load = [&](const std::string& part) {
+    const std::string path =
+        folder.write("m.json", R"({"objects": [{"name": "o", "parts": [{)" + part + R"(}]}]})");
+    return load_description(path, {.maps = pk3});
+  };
+  const auto error = [&](const std::string& part) {
+    return user_error([&] { load(part); }).substr(folder.path("m.json").size());
+  };
+  const Scene scene = load(
+      R"("map": "a", "scale": 0.5, "baked_light": false, "tessellation": 2, "position": [0, 1, 0],
+         "colours": {"textures/moss": [0, 0.8, 0]})");
+  EXPECT_EQ(bounds(scene).low, glm::dvec3(0, 1, -4));
+  EXPECT_EQ(scene.objects[0].triangles.size(), 2u + 8 + 1 + 1);
+  EXPECT_EQ(scene.materials.back().name, "a/textures/moss");
+  EXPECT_EQ(scene.materials.back().diffuse, glm::dvec3(0, 0.8, 0));
+  EXPECT_EQ(user_error([&] { load(R"("map": "b")"); }), pk3 + ": has no map 'b'; it has a");
+  EXPECT_EQ(error(R"("map": "a", "colours": {"textures/mos": [0, 1, 0]})"),
+            ": objects[0].parts[0].colours: the map has no texture 'textures/mos'; it has "
+            "textures/moss, textures/stone");
+  EXPECT_EQ(error(R"("map": "a", "baked_light": 1)"),
+            ": objects[0].parts[0]: 'baked_light' must be true or false");
+  EXPECT_EQ(error(R"("map": "a", "tessellation": 33)"),
+            ": objects[0].parts[0]: 'tessellation' must be a whole number from 1 to 32");
 }
 
 TEST(Description, BlocksHasTwoLevels) {
@@ -137,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"\"turn\": 90", "\"turn\": \"left\"",
                 ": objects[0].parts[0]: 'turn' must be a number"},
         Mistake{"\"generate\": \"box\"", "\"form\": \"box\"",
-                ": objects[0].parts[0]: a part needs either the key 'model' or the key "
+                ": objects[0].parts[0]: a part needs one of the keys 'model', 'map' and "
                 "'generate'"},
         Mistake{"\"generate\": \"box\"", "\"generate\": \"cone\"",
                 ": objects[0].parts[0]: 'cone' cannot be generated; sphere, box and torus can"},
@@ -221,8 +262,9 @@ TEST(Description, NamesObjectsThatAreDoubledOrUnused) {
 
 TEST(Description, NamesThePackageThatIsMissing) {
   const TestFolder folder;
-  const std::string error = user_error(
-      [&] { load_description(DYNRT_SCENES_FOLDER "/office.json", folder.path("nowhere")); });
+  const std::string error = user_error([&] {
+    load_description(DYNRT_SCENES_FOLDER "/office.json", {.furniture = folder.path("nowhere")});
+  });
   EXPECT_EQ(error,
             "the models of this scene come from the Debian package sweethome3d-furniture, which is "
             "not installed (" +

@@ -81,6 +81,13 @@ double JsonReader::number(const std::string& key) const {
   return value.get<double>();
 }
 
+bool JsonReader::flag(const std::string& key, bool otherwise) const {
+  if (!has(key)) return otherwise;
+  const nlohmann::json& value = at(key);
+  if (!value.is_boolean()) wrong_type(key, "true or false");
+  return value.get<bool>();
+}
+
 double JsonReader::positive(const std::string& key) const {
   const double value = number(key);
   if (!(value > 0.0)) wrong_type(key, "a number above zero");

@@ -30,6 +30,7 @@ class JsonReader {
   bool has(const std::string& key) const { return json_.contains(key); }
   std::string text(const std::string& key) const;
   double number(const std::string& key) const;
+  bool flag(const std::string& key, bool otherwise) const;
   double positive(const std::string& key) const;
   int integer(const std::string& key, int low, int high) const;
   std::vector<double> numbers(const std::string& key, std::size_t count) const;
