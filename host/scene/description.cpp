@@ -74,7 +74,7 @@ class Description {
   }
 
   void add_instance(const JsonReader& at) {
-    at.only({"object", "name", "position", "rotate", "scale", "matrix"});
+    at.only({"object", "name", "position", "turn", "rotate", "scale", "matrix"});
     const std::string object = at.text("object");
     const auto found = object_of_.find(object);
     if (found == object_of_.end()) fail(at, fmt::format(wording::kNoObject, object));
@@ -86,7 +86,7 @@ class Description {
     scene_.instances.push_back(std::move(instance));
   }
 
-  // Scaled, then rotated, then moved; or the rows of a 3x4 matrix.
+  // Scaled, then turned, then rotated, then moved; or the rows of a 3x4 matrix.
   static glm::dmat4 transform(const JsonReader& at) {
     glm::dmat4 m(1.0);
     if (at.has("matrix")) {
@@ -102,6 +102,7 @@ class Description {
       if (!(glm::length(axis) > 0.0)) fail(rotate, wording::kAxis);
       m = glm::rotate(m, glm::radians(rotate.number("degrees")), glm::normalize(axis));
     }
+    m = glm::rotate(m, glm::radians(at.number("turn", 0.0)), kUp);
     return glm::scale(m, at.vector("scale", glm::dvec3(1.0)));
   }
 

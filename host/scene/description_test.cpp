@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 
 #include "host/scene/camera.h"
 #include "host/scene/load.h"
@@ -60,6 +61,31 @@ TEST(Description, CisternIsOneObjectOf68438Triangles) {
   EXPECT_EQ(cistern.camera->position * 32.0, glm::dvec3(1096, 216 + 26, 432));
 }
 
+TEST(Description, ConferenceIs54InstancesOf282804Triangles) {
+  const Scene conference = load_scene("conference");
+  EXPECT_EQ(conference.objects.size(), 13u);
+  ASSERT_EQ(conference.instances.size(), 54u);
+  EXPECT_TRUE(conference.notes.empty());
+  EXPECT_EQ(conference.dropped.zero_area_triangles,
+            30u);  // of the white board, which is there once
+  std::size_t triangles = conference.dropped.zero_area_triangles;
+  std::map<std::string, int> instances;
+  for (const Instance& instance : conference.instances) {
+    const Mesh& object = conference.objects[instance.object];
+    triangles += object.triangles.size();
+    ++instances[object.name];
+    if (object.name == "room") continue;
+    for (const glm::dvec3& v : object.vertices) {
+      const glm::dvec3 p(instance.transform * glm::dvec4(v, 1.0));
+      EXPECT_TRUE(std::abs(p.x) < 5.8 && std::abs(p.z) < 3.8 && p.y > -1e-9 && p.y < 2.9)
+          << instance.name << ": " << p.x << " " << p.y << " " << p.z;
+    }
+  }
+  EXPECT_EQ(triangles, 282804u);
+  EXPECT_EQ(instances["office chair"], 20);
+  EXPECT_EQ(instances["table"], 6);
+}
+
 TEST(Description, NamesMapsAndTexturesThatAreNotThere) {
   const TestFolder folder;
   const std::string pk3 = folder.path("own.pk3");
@@ -108,6 +134,7 @@ constexpr char kSmall[] = R"({
   ],
   "instances": [
     {"object": "b", "position": [0, 10, 0], "rotate": {"axis": [0, 0, 2], "degrees": 90}, "scale": [2, 1, 1]},
+    {"object": "b", "name": "turned", "position": [0, 1, 0], "turn": 90},
     {"object": "b", "name": "given", "matrix": [1, 0.5, 0, 7, 0, 1, 0, 8, 0, 0, 1, 9]}
   ],
   "camera": {"position": [0, 0, 9], "look_at": [0, 0, 0]}
@@ -130,8 +157,10 @@ TEST(Description, PlacesPartsAndInstances) {
   EXPECT_EQ(scene.instances[0].name, "b#0");
   const glm::dvec3 p(scene.instances[0].transform * glm::dvec4(1, 1, 1, 1));
   EXPECT_LT(glm::length(p - glm::dvec3(-1, 12, 1)), 1e-12);
-  EXPECT_EQ(scene.instances[1].name, "given");
-  EXPECT_EQ(scene.instances[1].transform * glm::dvec4(0, 2, 0, 1), glm::dvec4(8, 10, 9, 1));
+  const glm::dvec3 q(scene.instances[1].transform * glm::dvec4(0, 0, 1, 1));
+  EXPECT_LT(glm::length(q - glm::dvec3(1, 1, 0)), 1e-12);
+  EXPECT_EQ(scene.instances[2].name, "given");
+  EXPECT_EQ(scene.instances[2].transform * glm::dvec4(0, 2, 0, 1), glm::dvec4(8, 10, 9, 1));
 }
 
 TEST(Description, OneInstanceOfEachObjectUnlessSaidOtherwise) {
@@ -192,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(
                 ": objects[0].parts[0]: 'grene' is not one of the file's colours"},
         Mistake{"\"colour\": \"green\"", "\"colour\": [0, 2, 0]",
                 ": objects[0].parts[0]: 'colour' must be three numbers from 0 to 1"},
-        Mistake{"{\"object\": \"b\", \"name\"", "{\"object\": \"c\", \"name\"",
+        Mistake{"{\"object\": \"b\", \"name\": \"turned\"", "{\"object\": \"c\"",
                 ": instances[1]: there is no object 'c'"},
         Mistake{"\"look_at\": [0, 0, 0]", "\"look_at\": [0, 0, 9]",
                 ": camera: the camera stands at the point that it looks at (0, 0, 9); move one of "
