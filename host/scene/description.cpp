@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/vector_relational.hpp>
+#include <limits>
 #include <map>
 
 #include "host/scene/camera.h"
@@ -15,12 +17,14 @@
 #include "host/scene/import.h"
 #include "host/scene/json_reader.h"
 #include "host/scene/mesh_builder.h"
+#include "host/scene/scatter.h"
 #include "host/scene/wording.h"
 
 namespace dynrt::host {
 
 namespace {
 
+constexpr int kMostScattered = 1 << 17;  // as many matrices as the board holds
 constexpr glm::dvec3 kUp{0.0, 1.0, 0.0};
 
 class Description {
@@ -29,15 +33,18 @@ class Description {
       : file_(file), parts_(file, packages, scene_) {}
 
   Scene run() {
-    file_.only({"about", "colours", "objects", "instances", "camera"});
+    file_.only({"about", "colours", "objects", "instances", "scatter", "camera"});
     scene_.name = std::filesystem::path(file_.file()).stem().string();
     for (const JsonReader& object : file_.objects("objects")) add_object(object);
     if (file_.has("instances")) {
       for (const JsonReader& instance : file_.objects("instances")) add_instance(instance);
-    } else {
+    } else if (!file_.has("scatter")) {
       for (const auto& [name, index] : object_of_) {
         scene_.instances.push_back({name, index, glm::dmat4(1.0)});
       }
+    }
+    if (file_.has("scatter")) {
+      for (const JsonReader& at : file_.objects("scatter")) add_scattered(at);
     }
     if (scene_.instances.empty()) {
       wording::fail(wording::kNoTriangles, file_.file(), scene_.dropped.zero_area_triangles,
@@ -73,17 +80,51 @@ class Description {
     scene_.objects.push_back(std::move(mesh));
   }
 
+  uint32_t object(const JsonReader& at, const char* key) const {
+    const std::string name = at.text(key);
+    const auto found = object_of_.find(name);
+    if (found == object_of_.end()) fail(at, fmt::format(wording::kNoObject, name));
+    return found->second;
+  }
+
   void add_instance(const JsonReader& at) {
     at.only({"object", "name", "position", "turn", "rotate", "scale", "matrix"});
-    const std::string object = at.text("object");
-    const auto found = object_of_.find(object);
-    if (found == object_of_.end()) fail(at, fmt::format(wording::kNoObject, object));
     Instance instance;
-    instance.name = at.text("name", object + "#" + std::to_string(scene_.instances.size()));
-    instance.object = found->second;
+    instance.object = object(at, "object");
+    instance.name =
+        at.text("name", at.text("object") + "#" + std::to_string(scene_.instances.size()));
     instance.transform = transform(at);
     require_inverse(instance, at.file());
     scene_.instances.push_back(std::move(instance));
+  }
+
+  void add_scattered(const JsonReader& at) {
+    at.only({"object", "name", "count", "seed", "from", "to", "scale", "apart", "clear", "ground"});
+    Scatter wanted;
+    wanted.count = static_cast<std::size_t>(at.integer("count", 1, kMostScattered));
+    wanted.seed = static_cast<uint32_t>(at.integer("seed", 0, std::numeric_limits<int>::max()));
+    wanted.from = at.pair("from");
+    wanted.to = at.pair("to");
+    if (at.has("scale")) wanted.scale = at.pair("scale");
+    if (at.has("apart")) wanted.apart = at.positive("apart");
+    if (at.has("clear")) wanted.clear = at.vectors("clear");
+    const auto above = [](const glm::dvec2& a, const glm::dvec2& b) {
+      return glm::all(glm::greaterThan(a, b));
+    };
+    if (!above(wanted.to, wanted.from)) fail(at, wording::kScatterCorners);
+    if (!(wanted.scale.x > 0.0 && wanted.scale.y >= wanted.scale.x)) {
+      fail(at, wording::kScatterScale);
+    }
+    if (at.has("ground")) wanted.ground = &scene_.objects[object(at, "ground")];
+    const uint32_t scattered = object(at, "object");
+    const std::string name = at.text("name", at.text("object"));
+    const std::vector<glm::dmat4> placed = scatter(wanted);
+    if (placed.size() < wanted.count) {
+      fail(at, fmt::format(wording::kScatterFull, placed.size(), wanted.count, name));
+    }
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+      scene_.instances.push_back({name + " " + std::to_string(i + 1), scattered, placed[i]});
+    }
   }
 
   // Scaled, then turned, then rotated, then moved; or the rows of a 3x4 matrix.

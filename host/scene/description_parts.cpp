@@ -142,6 +142,11 @@ Mesh PartReader::generated(const JsonReader& part) {
     return make_torus(part.positive("major_radius"), part.positive("minor_radius"),
                       part.integer("segments", 3, 512), part.integer("sides", 3, 512), material);
   }
+  if (shape == "hills") {
+    part.only({"generate", "name", "colour", "side", "height", "cells", "position", "turn"});
+    return make_hills(part.positive("side"), part.number("height"), part.integer("cells", 1, 250),
+                      material);
+  }
   fail(part, fmt::format(wording::kShape, shape));
 }
 

@@ -86,6 +86,58 @@ TEST(Description, ConferenceIs54InstancesOf282804Triangles) {
   EXPECT_EQ(instances["table"], 6);
 }
 
+TEST(Description, Trees4000Is4000InstancesOf20MillionTriangles) {
+  const Scene trees = load_scene("trees4000");
+  EXPECT_EQ(trees.instances.size(), 4000u);
+  std::size_t triangles = 0, matrices = trees.instances.size();
+  for (const Instance& i : trees.instances) triangles += trees.objects[i.object].triangles.size();
+  for (const Mesh& object : trees.objects) matrices += object.triangles.size();
+  EXPECT_EQ(triangles, 19999928u);
+  EXPECT_LT(matrices, 1u << 17);
+  EXPECT_EQ(trees.instances.back().name, "shrub 2409");
+}
+
+constexpr char kScattered[] = R"({"objects": [
+    {"name": "o", "parts": [{"generate": "box", "from": [-1, 0, -1], "to": [1, 2, 1], "colour": [1, 1, 1]}]},
+    {"name": "g", "parts": [{"generate": "hills", "side": 100, "height": 0, "cells": 2, "colour": [1, 1, 1], "position": [0, 3, 0]}]}],
+    "instances": [{"object": "g"}],
+    "scatter": [{"object": "o", "count": 30, "seed": 1, "from": [-40, -40], "to": [40, 40], "apart": 3, "scale": [1, 2], "clear": [[0, 0, 10]], "ground": "g"}]})";
+
+TEST(Description, Scatters) {
+  const TestFolder folder;
+  const Scene scene = load_scene(folder.write("s.json", kScattered));
+  ASSERT_EQ(scene.instances.size(), 31u);
+  EXPECT_EQ(scene.instances[1].name, "o 1");
+  for (std::size_t i = 1; i < 31; ++i) {
+    const glm::dvec3 at(scene.instances[i].transform[3]);
+    EXPECT_EQ(at.y, 3.0);
+    EXPECT_GE(glm::length(at - glm::dvec3(0, 3, 0)), 10.0);
+  }
+}
+
+TEST(Description, NamesMistakesInAScatter) {
+  const TestFolder folder;
+  const auto error = [&](const char* what, const char* with) {
+    const std::string path = folder.write("s.json", replaced(kScattered, what, with));
+    return user_error([&] { load_scene(path); }).substr(path.size());
+  };
+  EXPECT_EQ(error("\"apart\": 3", "\"apart\": 50"),
+            ": scatter[0]: only 3 of 30 instances of 'o' find room; scatter fewer, less far apart "
+            "or more widely");
+  EXPECT_EQ(error("\"to\": [40, 40]", "\"to\": [40, -40]"),
+            ": scatter[0]: 'from' must be below 'to' on both axes");
+  EXPECT_EQ(error("[1, 2], \"clear\"", "[0, 2], \"clear\""),
+            ": scatter[0]: 'scale' must be two numbers above zero, the lower one first");
+  EXPECT_EQ(error("[[0, 0, 10]]", "[[0, 0]]"),
+            ": scatter[0]: 'clear' must be a list of lists of 3 numbers");
+  EXPECT_EQ(error("\"ground\": \"g\"", "\"ground\": \"h\""),
+            ": scatter[0]: there is no object 'h'");
+  EXPECT_EQ(error("\"count\": 30", "\"count\": 0"),
+            ": scatter[0]: 'count' must be a whole number from 1 to 131072");
+  EXPECT_EQ(error("\"cells\": 2", "\"cells\": 251"),
+            ": objects[1].parts[0]: 'cells' must be a whole number from 1 to 250");
+}
+
 TEST(Description, NamesMapsAndTexturesThatAreNotThere) {
   const TestFolder folder;
   const std::string pk3 = folder.path("own.pk3");
@@ -197,7 +249,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "expected string literal"},
         Mistake{"\"camera\"", "\"kamera\"",
                 ": the file: the key 'kamera' is not known; it takes about, colours, objects, "
-                "instances, camera"},
+                "instances, scatter, camera"},
         Mistake{"\"objects\"", "\"about\"", ": the file: the key 'objects' is missing"},
         Mistake{"\"name\": \"b\"", "\"name\": 5", ": objects[0]: 'name' must be a text"},
         Mistake{"[{\"generate\"", "[5, {\"generate\"",
@@ -210,7 +262,8 @@ INSTANTIATE_TEST_SUITE_P(
                 ": objects[0].parts[0]: a part needs one of the keys 'model', 'map' and "
                 "'generate'"},
         Mistake{"\"generate\": \"box\"", "\"generate\": \"cone\"",
-                ": objects[0].parts[0]: 'cone' cannot be generated; sphere, box and torus can"},
+                ": objects[0].parts[0]: 'cone' cannot be generated; sphere, box, torus and "
+                "hills can"},
         Mistake{"\"generate\": \"box\"",
                 "\"generate\": \"sphere\", \"radius\": 1, \"subdivisions\": 99",
                 ": objects[0].parts[0]: the key 'from' is not known; it takes generate, name, "

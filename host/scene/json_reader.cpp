@@ -116,6 +116,25 @@ glm::dvec3 JsonReader::vector(const std::string& key) const {
   return {v[0], v[1], v[2]};
 }
 
+glm::dvec2 JsonReader::pair(const std::string& key) const {
+  const std::vector<double> v = numbers(key, 2);
+  return {v[0], v[1]};
+}
+
+std::vector<glm::dvec3> JsonReader::vectors(const std::string& key) const {
+  const nlohmann::json& list = at(key);
+  std::vector<glm::dvec3> vectors;
+  const auto is_number = [](const nlohmann::json& number) { return number.is_number(); };
+  const auto is_vector = [&](const nlohmann::json& v) {
+    return v.is_array() && v.size() == 3 && std::all_of(v.begin(), v.end(), is_number);
+  };
+  if (!list.is_array() || !std::all_of(list.begin(), list.end(), is_vector)) {
+    wrong_type(key, "a list of lists of 3 numbers");
+  }
+  for (const nlohmann::json& v : list) vectors.emplace_back(v[0], v[1], v[2]);
+  return vectors;
+}
+
 JsonReader JsonReader::object(const std::string& key) const {
   if (!at(key).is_object()) wrong_type(key, "an object, {...}");
   return {file_, below(key), at(key)};

@@ -93,9 +93,13 @@ inline constexpr Text kNoMaterial = "the model has no material '{}'; it has {}";
 inline constexpr Text kNoTexture = "the map has no texture '{}'; it has {}";
 inline constexpr Text kPartKind = "a part needs one of the keys 'model', 'map' and 'generate'";
 inline constexpr Text kBoxCorners = "'from' must be below 'to' on every axis";
-inline constexpr Text kShape = "'{}' cannot be generated; sphere, box and torus can";
+inline constexpr Text kShape = "'{}' cannot be generated; sphere, box, torus and hills can";
 inline constexpr Text kNoObject = "there is no object '{}'";
 inline constexpr Text kAxis = "'axis' must not be zero";
+inline constexpr Text kScatterCorners = "'from' must be below 'to' on both axes";
+inline constexpr Text kScatterScale = "'scale' must be two numbers above zero, the lower one first";
+inline constexpr Text kScatterFull =
+    "only {} of {} instances of '{}' find room; scatter fewer, less far apart or more widely";
 inline constexpr Text kUnusedObject = "no instance uses the object '{}'";
 inline constexpr Text kKeyMissing = "{}: {}: the key '{}' is missing";
 inline constexpr Text kKeyUnknown = "{}: {}: the key '{}' is not known; it takes {}";
