@@ -16,7 +16,8 @@ namespace dynrt::host {
 void SceneArguments::add_to(CLI::App& command, bool scene_required) {
   command
       .add_option("SCENE", scene,
-                  fmt::format("a built-in scene ({}) or the path of an OBJ, PLY, glTF or GLB file",
+                  fmt::format("a built-in scene ({}) or the path of an OBJ, PLY, glTF, GLB, BSP "
+                              "or PK3 file",
                               fmt::join(built_in_scenes(), ", ")))
       ->required(scene_required)
       ->option_text(" ");
