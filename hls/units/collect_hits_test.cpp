@@ -60,7 +60,7 @@ TEST(CollectHits, AfterTheLastRayTheListGoesOn) {
     EXPECT_TRUE(bench.take(bench.unit.go_on).empty());
     feed(bench, candidate(2, ray, 1, ray % 2 == 0));
   }
-  EXPECT_TRUE(test::same(bench.take_one(bench.unit.go_on), ListJob<C>{2, 1, false, {}, {}}));
+  EXPECT_TRUE(test::same(bench.take_one(bench.unit.go_on), ListJob<C>{2, 1, false, {}}));
   EXPECT_TRUE(bench.take(bench.unit.start).empty());
 }
 

@@ -11,30 +11,20 @@ namespace dynrt {
 
 template <class C>
 struct List {
-  struct State {
-    Address next;
-    RayMask active;
-    HLS_FIELDS(next, active)
-  };
-
   hls::In<ListJob<C>> job;
   hls::Out<CacheRequest<ListContext<C>>> request;
   hls::Out<TraversalEvent<C>> finished;
   hls::RamRead<bool, kLevelRows<C>> last;  ///< whether the entry read last was the list's last
-  hls::Ram1R1W<State, kLevelRows<C>> states;
+  hls::Ram1R1W<Address, kLevelRows<C>> next;
   HLS_PORTS(job, request, finished, last)
 
   void step() {
     const ListJob<C> j = job.read();
     const LevelRow<C> row = level_row<C>(j.level, j.packet);
-    State state = states.read(row);
+    const Address following = next.read(row);
     const bool at_end = !j.first && last.read(row);
-
-    const Address address = j.first ? j.address : state.next;
-    const RayMask active = j.first ? j.active : state.active;
-    state.next = hls::next(address);
-    state.active = active;
-    states.write(row, state);
+    const Address address = j.first ? j.address : following;
+    next.write(row, hls::next(address));
 
     if (at_end) {
       TraversalEvent<C> pop;
@@ -42,8 +32,7 @@ struct List {
       pop.level = j.level;
       finished.write(pop);
     } else {
-      request.write(
-          CacheRequest<ListContext<C>>{ListContext<C>{j.packet, j.level, active}, address});
+      request.write(CacheRequest<ListContext<C>>{ListContext<C>{j.packet, j.level}, address});
     }
   }
 };

@@ -10,35 +10,32 @@ namespace {
 using C = test::Config<8>;
 using Bench = test::Bench<List<C>>;
 
-void first(Bench& bench, unsigned packet, unsigned level, unsigned address, unsigned active) {
+void first(Bench& bench, unsigned packet, unsigned level, unsigned address) {
   bench.feed(bench.unit.job, ListJob<C>{PacketId<C>::from(packet), Level::from(level), true,
-                                        Address::from(address), RayMask::from(active)});
+                                        Address::from(address)});
   bench.run();
 }
 void go_on(Bench& bench, unsigned packet, unsigned level) {
-  bench.feed(bench.unit.job,
-             ListJob<C>{PacketId<C>::from(packet), Level::from(level), false, {}, {}});
+  bench.feed(bench.unit.job, ListJob<C>{PacketId<C>::from(packet), Level::from(level), false, {}});
   bench.run();
 }
 /// The entry read last was, or was not, the list's last: what the mailbox notes.
 void note_last(Bench& bench, unsigned packet, unsigned level, bool last) {
   bench.rows(bench.unit.last)[level * 8 + packet] = last;
 }
-CacheRequest<ListContext<C>> request(unsigned packet, unsigned level, unsigned address,
-                                     unsigned active) {
-  return {{PacketId<C>::from(packet), Level::from(level), RayMask::from(active)},
-          Address::from(address)};
+CacheRequest<ListContext<C>> request(unsigned packet, unsigned level, unsigned address) {
+  return {{PacketId<C>::from(packet), Level::from(level)}, Address::from(address)};
 }
 
 TEST(List, ReadsAListUpToItsLastEntry) {
   Bench bench;
   note_last(bench, 2, 1, true);  // of the list before
-  first(bench, 2, 1, 700, 0b0101);
-  EXPECT_TRUE(test::same(bench.take_one(bench.unit.request), request(2, 1, 700, 0b0101)));
+  first(bench, 2, 1, 700);
+  EXPECT_TRUE(test::same(bench.take_one(bench.unit.request), request(2, 1, 700)));
   for (unsigned i = 1; i < 5; ++i) {
     note_last(bench, 2, 1, false);
     go_on(bench, 2, 1);
-    EXPECT_TRUE(test::same(bench.take_one(bench.unit.request), request(2, 1, 700 + i, 0b0101)));
+    EXPECT_TRUE(test::same(bench.take_one(bench.unit.request), request(2, 1, 700 + i)));
     EXPECT_TRUE(bench.take(bench.unit.finished).empty());
   }
   note_last(bench, 2, 1, true);
@@ -53,7 +50,7 @@ TEST(List, ReadsAListUpToItsLastEntry) {
 
 TEST(List, PacketsAndLevelsDoNotMeet) {
   struct Walk {
-    unsigned address = 0, left = 0, active = 0;
+    unsigned address = 0, left = 0;
   };
   Walk walks[2][C::kPackets];
   Bench bench;
@@ -64,9 +61,8 @@ TEST(List, PacketsAndLevelsDoNotMeet) {
     const unsigned level = test::below(random, 2);
     Walk& walk = walks[level][packet];
     if (walk.left == 0) {
-      walk = {test::below(random, 1u << kAddressBits), 1 + test::below(random, 6),
-              test::below(random, 16)};
-      first(bench, packet, level, walk.address, walk.active);
+      walk = {test::below(random, 1u << kAddressBits), 1 + test::below(random, 6)};
+      first(bench, packet, level, walk.address);
     } else {
       note_last(bench, packet, level, --walk.left == 0);
       go_on(bench, packet, level);
@@ -81,8 +77,8 @@ TEST(List, PacketsAndLevelsDoNotMeet) {
       ++finished;
     } else {
       ASSERT_TRUE(bench.take(bench.unit.finished).empty());
-      ASSERT_TRUE(test::same(bench.take_one(bench.unit.request),
-                             request(packet, level, walk.address, walk.active)));
+      ASSERT_TRUE(
+          test::same(bench.take_one(bench.unit.request), request(packet, level, walk.address)));
     }
   }
   EXPECT_GT(finished, 10'000u);

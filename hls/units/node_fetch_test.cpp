@@ -170,7 +170,7 @@ class Reference {
     if (e.kind == TraversalKind::kPop) {
       s.busy = !s.stack.empty() && s.alive != RayMask{};
       if (!s.busy && e.level == Level{}) a.top_done.push_back({15, e.packet});
-      if (!s.busy && e.level != Level{}) a.object_done.push_back({e.packet, 0, false, {}, {}});
+      if (!s.busy && e.level != Level{}) a.object_done.push_back({e.packet, 0, false, {}});
       if (!s.busy) return a;
       const TraversalEvent<C> entry = s.stack.back();
       s.stack.pop_back();

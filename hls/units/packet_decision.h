@@ -48,7 +48,6 @@ struct PacketDecision {
       job.level = s.context.level;
       job.first = true;
       job.address = s.node.left;
-      job.active = active;
       leaf.write(job);
     } else {
       TraversalEvent<C> e;

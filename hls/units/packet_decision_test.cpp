@@ -113,7 +113,7 @@ TEST(PacketDecision, ALeafGoesToTheListUnlessAllItsRaysHaveTerminated) {
   Bench bench;
   feed(bench, s, decisions);
   EXPECT_TRUE(bench.take(bench.unit.event).empty());
-  const ListJob<C> expected{9, 1, true, 1001, 0b0100};
+  const ListJob<C> expected{9, 1, true, 1001};
   EXPECT_TRUE(test::same(bench.take_one(bench.unit.leaf), expected));
   decisions[2].terminated = true;
   const TraversalEvent<C> e = decide(s, decisions);

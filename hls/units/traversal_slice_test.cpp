@@ -59,12 +59,15 @@ class AlongX : public testing::Test {
   Bench bench_;
 };
 
-TEST_F(AlongX, StartsWithTheWholeRayOrUpToTheHit) {
-  hit(real(40));
-  decide(bench_, step(IntervalUpdate::kInit, 10, true, 0, 0));
-  expect(0, kSmallest, kLargest, 10);
-  decide(bench_, step(IntervalUpdate::kInit, 10, true, 0, 1));
-  expect(1, kSmallest, 40, 10);
+TEST_F(AlongX, StartsWithTheRayUpToItsHit) {
+  for (const unsigned level : {0, 1}) {
+    hit(Real::largest());
+    decide(bench_, step(IntervalUpdate::kInit, 10, true, 0, level));
+    expect(level, kSmallest, kLargest, 10);
+    hit(real(40));
+    decide(bench_, step(IntervalUpdate::kInit, 10, true, 0, level));
+    expect(level, kSmallest, 40, 10);
+  }
 }
 
 TEST_F(AlongX, ClipsPushesAndPops) {
@@ -243,7 +246,7 @@ TEST(TraversalSlice, KeepsPacketsAndLevelsApart) {
     const Real far = state.far;
     if (s.context.update == IntervalUpdate::kInit) {
       state.near = Real::smallest();
-      state.far = level == 0 ? Real::largest() : hit;
+      state.far = hit;
     } else if (s.context.update == IntervalUpdate::kPop && both) {
       state.near = state.far;
       state.far = state.stack[top];

@@ -70,6 +70,14 @@ std::size_t Prepared::triangles() const {
   return count;
 }
 
+std::size_t Prepared::instanced_triangles() const {
+  std::size_t count = 0;
+  for (const Instance& instance : scene.instances) {
+    count += scene.objects[instance.object].triangles.size();
+  }
+  return count;
+}
+
 Json Prepared::json() const {
   Json objects_json = Json::array();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -81,6 +89,7 @@ Json Prepared::json() const {
   const MemoryUse use = memory_use(frame);
   return {{"name", scene.name},
           {"triangles", triangles()},
+          {"instanced_triangles", instanced_triangles()},
           {"instances", scene.instances.size()},
           {"materials", scene.materials.size()},
           {"dropped_zero_area_triangles", scene.dropped.zero_area_triangles},
@@ -110,6 +119,9 @@ std::string Prepared::text() const {
   std::string text = fmt::format("scene       {}: {} triangles in {}, {}", scene.name,
                                  grouped(triangles()), counted(scene.objects.size(), "object"),
                                  counted(scene.instances.size(), "instance"));
+  if (instanced_triangles() != triangles()) {
+    text += fmt::format(", {} triangles in all", grouped(instanced_triangles()));
+  }
   if (const std::size_t dropped = scene.dropped.zero_area_triangles) {
     text += fmt::format(" ({} of zero area left out)", counted(dropped, "triangle"));
   }

@@ -24,7 +24,8 @@ struct Prepared {
   double load_seconds = 0;
   double tree_seconds = 0;
 
-  std::size_t triangles() const;  ///< of all objects, each counted once
+  std::size_t triangles() const;            ///< of all objects, each counted once
+  std::size_t instanced_triangles() const;  ///< of all instances
   /// The scene, its trees and the memory they take, as data and as lines of text.
   nlohmann::ordered_json json() const;
   std::string text() const;

@@ -25,7 +25,7 @@ class Builder {
   Builder(const TreeOptions& options, const CutItem& cut) : options_(options), cut_(cut) {}
 
   struct Subtree {
-    uint32_t root = kNullNode;
+    std::uint32_t root = kNullNode;
     double cost = 0;  ///< expected, for a ray that meets its cell
   };
 
@@ -55,7 +55,7 @@ class Builder {
     if (right.rays.size() < kFewRays) right.rays.clear();
 
     const RawTree::Size before = out.size();
-    const uint32_t node = out.add_inner(plane.axis, plane.split);
+    const std::uint32_t node = out.add_inner(plane.axis, plane.split);
     Subtree l, r;
     if (items.size() > kTaskItems) {
       RawTree left_tree, right_tree;

@@ -129,6 +129,7 @@ class Bench {
     }
     return name;
   }
+  void add(const std::string&, hls::Absent&) {}
   template <class T>
   void add(std::string name, hls::In<T>& port) {
     ports_.push_back(std::make_unique<InPort<T>>(name, take<T>(name, PortKind::kIn, 1, 0), port));

@@ -139,16 +139,23 @@ class Comparison {
   template <class Visit>
   void for_each_port(Visit&& visit) {
     std::string names(Unit::hls_field_names());
-    std::apply([&](auto&... port) { (visit(port, port_index(names)), ...); }, unit_.hls_fields());
+    const auto visit_present = [&]<class P>(P& port) {
+      const std::string name = take_name(names);
+      if constexpr (!std::is_same_v<P, hls::Absent>) visit(port, port_index(name));
+    };
+    std::apply([&](auto&... port) { (visit_present(port), ...); }, unit_.hls_fields());
   }
 
  private:
   /// Takes the first name off the list.
-  unsigned port_index(std::string& names) const {
+  static std::string take_name(std::string& names) {
     const auto comma = names.find(',');
     const std::string name = netlist_name(names.substr(0, comma));
     names =
         comma == std::string::npos ? "" : names.substr(names.find_first_not_of(" \n", comma + 1));
+    return name;
+  }
+  unsigned port_index(const std::string& name) const {
     for (unsigned i = 0; i < netlist_.ports.size(); ++i) {
       if (netlist_.ports[i].name == name) return i;
     }

@@ -13,6 +13,7 @@
 #include "test/units/intrinsics.h"
 #include "test/units/loops.h"
 #include "test/units/mailbox.h"
+#include "test/units/optional.h"
 #include "test/units/rams.h"
 #include "test/units/routing.h"
 #include "test/units/switches.h"
@@ -36,6 +37,10 @@ void compare_sample(const std::string& type, const std::string& name, unsigned t
 }
 
 TEST(Native, Mailbox) { compare_sample<samples::Mailbox>("Mailbox", "mailbox", 5000); }
+TEST(Native, Optional) {
+  compare_sample<samples::Optional<true>>("Optional<true>", "optional", 5000);
+  compare_sample<samples::Optional<false>>("Optional<false>", "optional", 5000);
+}
 TEST(Native, Accumulator) {
   compare_sample<samples::Accumulator>("Accumulator", "accumulator", 5000);
 }

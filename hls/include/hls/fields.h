@@ -30,6 +30,26 @@ namespace hls {
 template <class E>
 inline constexpr unsigned enum_width = 0;
 
+/// A field that only some configurations have: absent it takes no bits, reads as T{} and drops what
+/// is written to it.
+template <bool Present, class T>
+struct FieldIf {
+  T value{};
+  constexpr FieldIf() = default;
+  constexpr FieldIf(const T& t) : value(t) {}
+  constexpr T get() const { return value; }
+  HLS_FIELDS(value)
+};
+template <class T>
+struct FieldIf<false, T> {
+  constexpr FieldIf() = default;
+  constexpr FieldIf(const T&) {}
+  constexpr T get() const { return T{}; }
+  constexpr auto hls_fields() { return std::tuple<>{}; }
+  constexpr auto hls_fields() const { return std::tuple<>{}; }
+  static constexpr std::string_view hls_field_names() { return {}; }
+};
+
 namespace detail {
 template <class T>
 struct is_uint : std::false_type {};
@@ -123,6 +143,17 @@ constexpr L leaf_from_bits(uint<bit_width_of<L>()> bits) {
   } else {
     return L::from_leaf_bits(bits);
   }
+}
+
+/// Word K of a token that lies in 32-bit words of memory and whose leaves cross no such words.
+template <unsigned K, class T>
+constexpr uint<32> word_of(const T& token) {
+  uint<32> word;
+  for_each_leaf(token, [&word]<class L>(const L& leaf, unsigned offset) {
+    const uint<32> bits = leaf_to_bits(leaf).template zext<32>();
+    if (offset / 32 == K) word = word | bits << uint<5>::from(offset % 32);
+  });
+  return word;
 }
 
 }  // namespace hls

@@ -78,6 +78,40 @@ TEST(Fields, BitsAreTheLeafsOwn) {
   EXPECT_EQ(hls::leaf_from_bits<hls::sint<6>>(hls::uint<6>(32)).to_s64(), -32);
   EXPECT_EQ((hls::leaf_to_bits(hls::Float<3, 4>::one()).to_u64()), 3u << 4);
 }
+/// With and without a field.
+template <bool Present>
+struct Optional {
+  hls::uint<3> first;
+  hls::FieldIf<Present, hls::uint<5>> maybe;
+  hls::uint<2> last;
+  HLS_FIELDS(first, maybe, last)
+};
+static_assert(hls::bit_width_of<Optional<true>>() == 10);
+static_assert(hls::bit_width_of<Optional<false>>() == 5);
+TEST(Fields, AnAbsentFieldTakesNoBitsAndDropsWhatIsWritten) {
+  const Optional<true> with{1, hls::uint<5>(17), 2};
+  const Optional<false> without{1, hls::uint<5>(17), 2};
+  EXPECT_EQ(with.maybe.get().to_u64(), 17u);
+  EXPECT_EQ(without.maybe.get().to_u64(), 0u);
+  std::vector<unsigned> offsets;
+  hls::for_each_leaf(without, [&](const auto&, unsigned offset) { offsets.push_back(offset); });
+  EXPECT_EQ(offsets, (std::vector<unsigned>{0, 3}));
+}
+
+struct InWords {
+  hls::uint<32> all;
+  hls::uint<17> low;
+  hls::uint<14> between;
+  bool top = false;
+  HLS_FIELDS(all, low, between, top)
+};
+TEST(Fields, WordsHoldTheLeavesFromTheLowestBitOn) {
+  constexpr InWords kToken{hls::uint<32>::from(0xfedcba98u), 0x1abcd, 0, true};
+  static_assert(hls::word_of<0>(kToken) == hls::uint<32>::from(0xfedcba98u));
+  EXPECT_EQ(hls::word_of<1>(kToken).to_u64(), 0x8001abcdu);
+  EXPECT_EQ(hls::word_of<2>(kToken).to_u64(), 0u);
+}
+
 TEST(Fields, LeavesCanBeWritten) {
   Token token;
   unsigned leaves = 0;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 
 #include "hls/fields.h"
 
@@ -127,5 +128,10 @@ class Config : lowered::Port<lowered::PortKind::kConfig, bit_width_of<T>(), 1, 0
   using Value = T;
   T get() const { return lowered::get_token<T>(this); }
 };
+
+/// Stands where a configuration leaves a port out.
+struct Absent {};
+template <bool Present, class Port>
+using PortIf = std::conditional_t<Present, Port, Absent>;
 
 }  // namespace hls

@@ -147,7 +147,7 @@ class Join {
   /// A value set from outside, seen by all of `ports`.
   template <class T>
   void config(const std::string& name, std::shared_ptr<T> value, std::vector<Config<T>*> ports) {
-    ConfigRecord record{name, {}, bit_width_of<T>(), false, 0};
+    ConfigRecord record{name, {}, bit_width_of<T>(), false, 0, fields_of<T>()};
     for (Config<T>* port : ports) {
       record.to.push_back(port_name(port));
       port->bind(value);
@@ -218,6 +218,24 @@ class Join {
     }
   }
 
+  template <class T>
+  static std::vector<FieldRecord> fields_of() {
+    std::vector<FieldRecord> fields;
+    if constexpr (Struct<T>) {
+      const std::vector<std::string> names = split_names(T::hls_field_names());
+      unsigned offset = 0;
+      const auto add = [&](unsigned width) {
+        fields.push_back({names[fields.size()], offset, width});
+        offset += width;
+      };
+      T value{};
+      std::apply([&](auto&... field) { (add(bit_width_of<std::decay_t<decltype(field)>>()), ...); },
+                 value.hls_fields());
+    }
+    return fields;
+  }
+
+  void add_port(UnitRecord&, const std::string&, Absent&) {}
   template <class P>
   void add_port(UnitRecord& record, const std::string& name, P& port) {
     names_[&port] = record.name + "." + name;

@@ -50,12 +50,18 @@ struct BankRecord {
   unsigned rows;
   bool write;
 };
+struct FieldRecord {
+  std::string name;
+  unsigned offset;  ///< of the lowest bit
+  unsigned width;
+};
 struct ConfigRecord {
   std::string name;
   std::vector<std::string> to;
   unsigned width;
   bool constant;
   std::uint64_t value;
+  std::vector<FieldRecord> fields = {};  ///< of a struct
 };
 struct JoinRecord {
   std::vector<UnitRecord> units;
@@ -64,6 +70,14 @@ struct JoinRecord {
   std::vector<BankRecord> banks;
   std::vector<ConfigRecord> configs;
 };
+
+/// A type with its namespaces: "dynrt::List<dynrt::config::thesis>".
+template <class T>
+std::string type_name() {
+  const std::string_view name = __PRETTY_FUNCTION__;  // ... type_name() [T = dynrt::List<...>]
+  const std::size_t begin = name.find("T = ") + 4;
+  return std::string(name.substr(begin, name.size() - 1 - begin));
+}
 
 /// "entry, slot[0], slot[1]" as {"entry", "slot_0", "slot_1"}: the names that hlsc gives the ports.
 inline std::vector<std::string> split_names(std::string_view list) {

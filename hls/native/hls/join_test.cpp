@@ -237,6 +237,40 @@ TEST(Join, RecordsWhatItConnected) {
   EXPECT_EQ(record.configs[0].value, 9u);
 }
 
+struct View {
+  Byte near;
+  std::array<uint<3>, 2> pair;
+  uint<1> flag;
+  HLS_FIELDS(near, pair, flag)
+};
+struct Viewer {
+  hls::In<Byte> in;
+  hls::Config<View> view;
+  HLS_PORTS(in, view)
+  void step() { in.read(); }
+};
+
+TEST(Join, RecordsTheFieldsOfAValue) {
+  Viewer viewer;
+  hls::Join join;
+  join.unit("viewer", "viewer", viewer);
+  join.config<View>("view", std::make_shared<View>(), {&viewer.view});
+  const hls::ConfigRecord& view = join.record().configs.at(0);
+  EXPECT_EQ(view.width, 15u);
+  ASSERT_EQ(view.fields.size(), 3u);
+  EXPECT_EQ(view.fields[0].name, "near");
+  EXPECT_EQ(view.fields[1].name, "pair");
+  EXPECT_EQ(view.fields[1].offset, 8u);
+  EXPECT_EQ(view.fields[1].width, 6u);
+  EXPECT_EQ(view.fields[2].offset, 14u);
+}
+
+TEST(Join, KnowsAUnitsTypeAndFile) {
+  EXPECT_EQ(hls::type_name<Viewer>(), "(anonymous namespace)::Viewer");
+  EXPECT_EQ(hls::type_name<std::vector<uint<3>>>(), "std::vector<hls::uint<3>>");
+  EXPECT_TRUE(Viewer::hls_file().ends_with("native/hls/join_test.cpp")) << Viewer::hls_file();
+}
+
 TEST(Join, APortOfAStrangerIsAnError) {
   Add known, stranger;
   hls::Join join;

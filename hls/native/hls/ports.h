@@ -14,13 +14,17 @@
 #include <stdexcept>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "hls/fields.h"
 
-/// Names the ports of a unit (channels, RAM ports, configuration), all of them.
-#define HLS_PORTS(...) HLS_FIELDS(__VA_ARGS__)
+/// Names the ports of a unit (channels, RAM ports, configuration), all of them; and tells, for
+/// who lowers it, the file that the unit is in.
+#define HLS_PORTS(...)    \
+  HLS_FIELDS(__VA_ARGS__) \
+  static constexpr std::string_view hls_file() { return __FILE__; }
 
 namespace hls {
 
@@ -169,5 +173,10 @@ class Config {
  private:
   std::shared_ptr<T> value_;
 };
+
+/// Stands where a configuration leaves a port out.
+struct Absent {};
+template <bool Present, class Port>
+using PortIf = std::conditional_t<Present, Port, Absent>;
 
 }  // namespace hls

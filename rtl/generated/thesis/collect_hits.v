@@ -23,7 +23,7 @@ module collect_hits #(
   input  wire [16:0] object_data_i,
   output wire go_on_valid_o,
   input  wire go_on_ready_i,
-  output wire [29:0] go_on_data_o,
+  output wire [25:0] go_on_data_o,
   output wire start_valid_o,
   input  wire start_ready_i,
   output wire [42:0] start_data_o,
@@ -143,17 +143,17 @@ module collect_hits #(
   assign record_addr_o = in_packet_s1;
   assign object_en_o = valid_s1;
   assign object_addr_o = in_packet_s1;
-  hls_fifo #(.WIDTH(30), .DEPTH(GO_ON_DEPTH), .MARGIN(GO_ON_BOUNDED ? 0 : 2),
+  hls_fifo #(.WIDTH(26), .DEPTH(GO_ON_DEPTH), .MARGIN(GO_ON_BOUNDED ? 0 : 2),
     .BOUNDED(GO_ON_BOUNDED)) go_on_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && (or_2_s2 ? (and_4_s2 & and_6_s2) : and_6_s2)), .ready_o(go_on_room),
-    .data_i({25'd1, in_packet_s2}),
+    .data_i({21'd1, in_packet_s2}),
     .valid_o(go_on_valid_o), .ready_i(go_on_ready_i), .data_o(go_on_data_o));
   hls_fifo #(.WIDTH(43), .DEPTH(START_DEPTH), .MARGIN(START_BOUNDED ? 0 : 2),
     .BOUNDED(START_BOUNDED)) start_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && (or_2_s2 ? (and_3_s2 & and_4_s2) : and_3_s2)), .ready_o(start_room),
-    .data_i({33'd1, record_2_s2, 1'd0, in_packet_s2}),
+    .data_i({32'd0, record_2_s2, 2'd2, in_packet_s2}),
     .valid_o(start_valid_o), .ready_i(start_ready_i), .data_o(start_data_o));
   assign distance_0_en_o = valid_s2 && (or_2_s2 & (not_1_s2 & not_2_s2));
   assign distance_0_addr_o = in_packet_s2;
@@ -175,7 +175,7 @@ module collect_hits #(
   wire closest_read = valid_s0 && in_hit_s0;
   wire [6:0] closest_read_addr = {in_packet_s0, candidate_6_s0, candidate_5_s0};
   hls_ram_1r1w #(.WIDTH(24), .ROWS(128), .EXCLUSIVE(1)) closest_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(closest_write), .write_addr_i(closest_write_addr),
     .write_data_i(mux_1_s2),
     .read_en_i(closest_read), .read_addr_i(closest_read_addr), .read_data_o(closest_row));

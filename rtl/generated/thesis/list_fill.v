@@ -22,7 +22,7 @@ module list_fill #(
   output wire [51:0] lines_data_o,
   output wire waiting_en_o,
   output wire [6:0] waiting_addr_o,
-  input  wire [9:0] waiting_data_i,
+  input  wire [5:0] waiting_data_i,
   output wire fire_o,
   output wire stall_o
 );
@@ -53,14 +53,14 @@ module list_fill #(
     not_1_s1 <= not_1_s0;
     fill_27_s1 <= fill_27_s0;
   end
-  wire [9:0] waiting_s1 = waiting_data_i;
+  wire [5:0] waiting_s1 = waiting_data_i;
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(43), .DEPTH(REPLY_DEPTH), .MARGIN(REPLY_BOUNDED ? 0 : 1),
     .BOUNDED(REPLY_BOUNDED)) reply_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s1 && not_1_s1), .ready_o(reply_room),
-    .data_i({fill_27_s1, 1'd0, waiting_s1}),
+    .data_i({fill_27_s1, 5'd0, waiting_s1}),
     .valid_o(reply_valid_o), .ready_i(reply_ready_i), .data_o(reply_data_o));
   assign lines_en_o = valid_s0;
   assign lines_addr_o = line_s0;

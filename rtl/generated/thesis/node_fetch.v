@@ -32,7 +32,7 @@ module node_fetch #(
   output wire [8:0] top_done_data_o,
   output wire object_done_valid_o,
   input  wire object_done_ready_i,
-  output wire [29:0] object_done_data_o,
+  output wire [25:0] object_done_data_o,
   output wire dropped_valid_o,
   input  wire dropped_ready_i,
   output wire [4:0] dropped_data_o,
@@ -175,11 +175,11 @@ module node_fetch #(
     .valid_i(valid_s2 && ((~(e_level_s2 | finished_s2)) & and_4_s2)), .ready_o(top_done_room),
     .data_i({e_packet_s2, 4'd15}),
     .valid_o(top_done_valid_o), .ready_i(top_done_ready_i), .data_o(top_done_data_o));
-  hls_fifo #(.WIDTH(30), .DEPTH(OBJECT_DONE_DEPTH), .MARGIN(OBJECT_DONE_BOUNDED ? 0 : 2),
+  hls_fifo #(.WIDTH(26), .DEPTH(OBJECT_DONE_DEPTH), .MARGIN(OBJECT_DONE_BOUNDED ? 0 : 2),
     .BOUNDED(OBJECT_DONE_BOUNDED)) object_done_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && ((~finished_s2) & (e_level_s2 & and_4_s2))), .ready_o(object_done_room),
-    .data_i({25'd0, e_packet_s2}),
+    .data_i({21'd0, e_packet_s2}),
     .valid_o(object_done_valid_o), .ready_i(object_done_ready_i), .data_o(object_done_data_o));
   hls_fifo #(.WIDTH(5), .DEPTH(DROPPED_DEPTH), .MARGIN(DROPPED_BOUNDED ? 0 : 2),
     .BOUNDED(DROPPED_BOUNDED)) dropped_fifo (
@@ -192,7 +192,7 @@ module node_fetch #(
   wire states_read = valid_s0;
   wire [5:0] states_read_addr = {e_level_s0, e_packet_s0};
   hls_ram_1r1w #(.WIDTH(9), .ROWS(64), .EXCLUSIVE(1)) states_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(states_write), .write_addr_i(states_write_addr),
     .write_data_i({state_alive_3_s2, mux_6_s2}),
     .read_en_i(states_read), .read_addr_i(states_read_addr), .read_data_o(states_row));
@@ -219,7 +219,7 @@ module node_fetch #(
   wire stack_read = valid_s1;
   wire [10:0] stack_read_addr = {e_level_s1, e_packet_s1, add_1_s1};
   hls_ram_1r1w #(.WIDTH(27), .ROWS(2048), .EXCLUSIVE(1)) stack_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(stack_write), .write_addr_i(stack_write_addr),
     .write_data_i({e_both_s2, event_32_s2}),
     .read_en_i(stack_read), .read_addr_i(stack_read_addr), .read_data_o(stack_row));

@@ -23,7 +23,7 @@ module packet_mailbox #(
   output wire [31:0] fresh_data_o,
   output wire seen_valid_o,
   input  wire seen_ready_i,
-  output wire [29:0] seen_data_o,
+  output wire [25:0] seen_data_o,
   output wire start_valid_o,
   input  wire start_ready_i,
   output wire [62:0] start_data_o,
@@ -47,27 +47,27 @@ module packet_mailbox #(
   // ---- stage 0 ----
   wire [4:0] enter_packet_s0 = entry_data_i[4:0];
   wire top_s0 = entry_data_i[5];
-  wire entry_10_s0 = entry_data_i[10];
+  wire entry_6_s0 = entry_data_i[6];
   wire [16:0] matrix_s0 = entry_data_i[27:11];
   wire entry_42_s0 = entry_data_i[42];
-  wire [3:0] entry_6_s0 = entry_data_i[9:6];
+  wire [3:0] entry_7_s0 = entry_data_i[10:7];
 
   // ---- stage 1 ----
   reg valid_s1;
   reg  [4:0] enter_packet_s1;
   reg  top_s1;
-  reg  entry_10_s1;
+  reg  entry_6_s1;
   reg  [16:0] matrix_s1;
   reg  entry_42_s1;
-  reg  [3:0] entry_6_s1;
+  reg  [3:0] entry_7_s1;
   always @(posedge clk_i) begin
     valid_s1 <= rst_ni && valid_s0;
     enter_packet_s1 <= enter_packet_s0;
     top_s1 <= top_s0;
-    entry_10_s1 <= entry_10_s0;
+    entry_6_s1 <= entry_6_s0;
     matrix_s1 <= matrix_s0;
     entry_42_s1 <= entry_42_s0;
-    entry_6_s1 <= entry_6_s0;
+    entry_7_s1 <= entry_7_s0;
   end
   wire [139:0] objects_row;
   wire objects_0_s1 = objects_row[0];
@@ -100,7 +100,7 @@ module packet_mailbox #(
   reg valid_s2;
   reg  [4:0] enter_packet_s2;
   reg  top_s2;
-  reg  entry_10_s2;
+  reg  entry_6_s2;
   reg  [16:0] matrix_s2;
   reg  objects_0_s2;
   reg  objects_1_s2;
@@ -127,12 +127,12 @@ module packet_mailbox #(
   reg  [16:0] triangle_slots_slot_6_s2;
   reg  [16:0] triangle_slots_slot_7_s2;
   reg  entry_42_s2;
-  reg  [3:0] entry_6_s2;
+  reg  [3:0] entry_7_s2;
   always @(posedge clk_i) begin
     valid_s2 <= rst_ni && valid_s1;
     enter_packet_s2 <= enter_packet_s1;
     top_s2 <= top_s1;
-    entry_10_s2 <= entry_10_s1;
+    entry_6_s2 <= entry_6_s1;
     matrix_s2 <= matrix_s1;
     objects_0_s2 <= objects_0_s1;
     objects_1_s2 <= objects_1_s1;
@@ -159,7 +159,7 @@ module packet_mailbox #(
     triangle_slots_slot_6_s2 <= triangle_slots_slot_6_s1;
     triangle_slots_slot_7_s2 <= triangle_slots_slot_7_s1;
     entry_42_s2 <= entry_42_s1;
-    entry_6_s2 <= entry_6_s1;
+    entry_7_s2 <= entry_7_s1;
   end
   wire eq_1_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd0;  // units/mailbox.h:26
   wire found_s2 = (~eq_1_s2) & (matrix_s2 == object_slots_slot_0_s2);  // units/mailbox.h:26
@@ -187,13 +187,13 @@ module packet_mailbox #(
   wire found_13_s2 = matrix_s2 == triangle_slots_slot_5_s2;
   wire lt_8_s2 = 4'd6 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:26
   wire found_14_s2 = matrix_s2 == triangle_slots_slot_6_s2;
-  wire or_2_s2 = ((~({triangles_3_s2, triangles_2_s2} == 2'd0)) & found_11_s2) | (triangles_3_s2 & (matrix_s2 == triangle_slots_slot_7_s2));  // units/mailbox.h:55
-  wire or_6_s2 = ((lt_5_s2 & found_10_s2) | (lt_6_s2 & found_12_s2)) | ((lt_7_s2 & found_13_s2) | (lt_8_s2 & found_14_s2));  // units/mailbox.h:55
-  wire or_9_s2 = ((~({objects_3_s2, objects_2_s2} == 2'd0)) & found_4_s2) | (objects_3_s2 & (matrix_s2 == object_slots_slot_7_s2));  // units/mailbox.h:55
-  wire or_13_s2 = ((lt_1_s2 & found_3_s2) | (lt_2_s2 & found_5_s2)) | ((lt_3_s2 & found_6_s2) | (lt_4_s2 & found_7_s2));  // units/mailbox.h:55
-  wire or_14_s2 = ((found_s2 | and_1_s2) | or_9_s2) | or_13_s2;  // units/mailbox.h:55
-  wire known_s2 = top_s2 ? (((found_8_s2 | and_8_s2) | or_2_s2) | or_6_s2) : or_14_s2;  // units/mailbox.h:55
-  wire [1:0] mux_1_s2 = top_s2 ? 2'd2 : 2'd1;  // units/mailbox.h:80
+  wire or_2_s2 = ((~({triangles_3_s2, triangles_2_s2} == 2'd0)) & found_11_s2) | (triangles_3_s2 & (matrix_s2 == triangle_slots_slot_7_s2));  // units/mailbox.h:56
+  wire or_6_s2 = ((lt_5_s2 & found_10_s2) | (lt_6_s2 & found_12_s2)) | ((lt_7_s2 & found_13_s2) | (lt_8_s2 & found_14_s2));  // units/mailbox.h:56
+  wire or_9_s2 = ((~({objects_3_s2, objects_2_s2} == 2'd0)) & found_4_s2) | (objects_3_s2 & (matrix_s2 == object_slots_slot_7_s2));  // units/mailbox.h:56
+  wire or_13_s2 = ((lt_1_s2 & found_3_s2) | (lt_2_s2 & found_5_s2)) | ((lt_3_s2 & found_6_s2) | (lt_4_s2 & found_7_s2));  // units/mailbox.h:56
+  wire or_14_s2 = ((found_s2 | and_1_s2) | or_9_s2) | or_13_s2;  // units/mailbox.h:56
+  wire known_s2 = top_s2 ? (((found_8_s2 | and_8_s2) | or_2_s2) | or_6_s2) : or_14_s2;  // units/mailbox.h:56
+  wire [1:0] mux_1_s2 = top_s2 ? 2'd2 : 2'd1;  // units/mailbox.h:84
   wire eq_11_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd1;  // units/mailbox.h:32
   wire eq_12_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd2;  // units/mailbox.h:32
   wire eq_13_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd3;  // units/mailbox.h:32
@@ -213,11 +213,11 @@ module packet_mailbox #(
   wire eq_26_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd8;  // units/mailbox.h:34
   wire [3:0] add_2_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} + 4'd1;
   wire [3:0] mux_11_s2 = {eq_26_s2 | add_2_s2[3], ~{3{eq_26_s2}} & add_2_s2[2:0]};  // units/mailbox.h:34
-  wire not_7_s2 = ~entry_10_s2;
-  wire or_15_s2 = entry_10_s2 | known_s2;
+  wire not_7_s2 = ~entry_6_s2;
+  wire or_15_s2 = entry_6_s2 | known_s2;
   wire [3:0] mux_12_s2 = (top_s2 | or_14_s2) ? {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} : ({eq_18_s2 | add_1_s2[3], ~{3{eq_18_s2}} & add_1_s2[2:0]});
-  wire [3:0] object_slots_used_s2 = ~{4{entry_10_s2}} & mux_12_s2;
-  wire or_18_s2 = or_14_s2 | (top_s2 | entry_10_s2);
+  wire [3:0] object_slots_used_s2 = ~{4{entry_6_s2}} & mux_12_s2;
+  wire or_18_s2 = or_14_s2 | (top_s2 | entry_6_s2);
   wire [16:0] mux_13_s2 = or_18_s2 ? object_slots_slot_0_s2 : (eq_1_s2 ? matrix_s2 : object_slots_slot_0_s2);
   wire [16:0] mux_14_s2 = or_18_s2 ? object_slots_slot_1_s2 : (eq_11_s2 ? matrix_s2 : object_slots_slot_1_s2);
   wire [16:0] mux_15_s2 = or_18_s2 ? object_slots_slot_2_s2 : (eq_12_s2 ? matrix_s2 : object_slots_slot_2_s2);
@@ -235,25 +235,27 @@ module packet_mailbox #(
   wire [16:0] mux_33_s2 = or_15_s2 ? triangle_slots_slot_5_s2 : ((top_s2 & eq_23_s2) ? matrix_s2 : triangle_slots_slot_5_s2);
   wire [16:0] mux_35_s2 = or_15_s2 ? triangle_slots_slot_6_s2 : ((top_s2 & eq_24_s2) ? matrix_s2 : triangle_slots_slot_6_s2);
   wire [16:0] mux_37_s2 = or_15_s2 ? triangle_slots_slot_7_s2 : ((top_s2 & eq_25_s2) ? matrix_s2 : triangle_slots_slot_7_s2);
+  wire [3:0] traced_row;
+  wire [3:0] rays_s2 = traced_row;
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(32), .DEPTH(FRESH_DEPTH), .MARGIN(FRESH_BOUNDED ? 0 : 2),
     .BOUNDED(FRESH_BOUNDED)) fresh_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && (~or_15_s2)), .ready_o(fresh_room),
-    .data_i({matrix_s2, 4'd15, mux_1_s2, enter_packet_s2, 4'd3}),
+    .data_i({matrix_s2, rays_s2, mux_1_s2, enter_packet_s2, 4'd3}),
     .valid_o(fresh_valid_o), .ready_i(fresh_ready_i), .data_o(fresh_data_o));
-  hls_fifo #(.WIDTH(30), .DEPTH(SEEN_DEPTH), .MARGIN(SEEN_BOUNDED ? 0 : 2),
+  hls_fifo #(.WIDTH(26), .DEPTH(SEEN_DEPTH), .MARGIN(SEEN_BOUNDED ? 0 : 2),
     .BOUNDED(SEEN_BOUNDED)) seen_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && (known_s2 & not_7_s2)), .ready_o(seen_room),
-    .data_i({24'd0, top_s2, enter_packet_s2}),
+    .data_i({20'd0, top_s2, enter_packet_s2}),
     .valid_o(seen_valid_o), .ready_i(seen_ready_i), .data_o(seen_data_o));
   hls_fifo #(.WIDTH(63), .DEPTH(START_DEPTH), .MARGIN(START_BOUNDED ? 0 : 2),
     .BOUNDED(START_BOUNDED)) start_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(valid_s2 && entry_10_s2), .ready_o(start_room),
-    .data_i({32'd0, entry_6_s2, enter_next_config, 3'd0, enter_packet_s2}),
+    .valid_i(valid_s2 && entry_6_s2), .ready_o(start_room),
+    .data_i({32'd0, entry_7_s2, enter_next_config, 3'd0, enter_packet_s2}),
     .valid_o(start_valid_o), .ready_i(start_ready_i), .data_o(start_data_o));
   assign last_en_o = valid_s2 && not_7_s2;
   assign last_addr_o = {top_s2, enter_packet_s2};
@@ -263,7 +265,7 @@ module packet_mailbox #(
   wire objects_read = valid_s0;
   wire [4:0] objects_read_addr = enter_packet_s0;
   hls_ram_1r1w #(.WIDTH(140), .ROWS(32), .EXCLUSIVE(1)) objects_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(objects_write), .write_addr_i(objects_write_addr),
     .write_data_i({mux_20_s2, mux_19_s2, mux_18_s2, mux_17_s2, mux_16_s2, mux_15_s2, mux_14_s2, mux_13_s2, object_slots_used_s2}),
     .read_en_i(objects_read), .read_addr_i(objects_read_addr), .read_data_o(objects_row));
@@ -290,7 +292,7 @@ module packet_mailbox #(
   wire triangles_read = valid_s0;
   wire [4:0] triangles_read_addr = enter_packet_s0;
   hls_ram_1r1w #(.WIDTH(140), .ROWS(32), .EXCLUSIVE(1)) triangles_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(triangles_write), .write_addr_i(triangles_write_addr),
     .write_data_i({mux_37_s2, mux_35_s2, mux_33_s2, mux_31_s2, mux_29_s2, mux_27_s2, mux_25_s2, mux_23_s2, triangle_slots_used_s2}),
     .read_en_i(triangles_read), .read_addr_i(triangles_read_addr), .read_data_o(triangles_row));
@@ -307,6 +309,33 @@ module packet_mailbox #(
           (triangles_i == 0 ? {triangles_read, triangles_read_addr} : triangles_reads[triangles_i])) begin
         $display("%m: row %0d of triangles is read again before it is written",
                  triangles_write_addr);
+        $stop;
+      end
+    end
+  end
+`endif
+  wire traced_write = valid_s2 && entry_6_s2;
+  wire [4:0] traced_write_addr = enter_packet_s2;
+  wire traced_read = valid_s1;
+  wire [4:0] traced_read_addr = enter_packet_s1;
+  hls_ram_1r1w #(.WIDTH(4), .ROWS(32), .EXCLUSIVE(1)) traced_ram (
+    .clk_i(clk_i), .rst_ni(rst_ni),
+    .write_en_i(traced_write), .write_addr_i(traced_write_addr),
+    .write_data_i(entry_7_s2),
+    .read_en_i(traced_read), .read_addr_i(traced_read_addr), .read_data_o(traced_row));
+`ifdef HLS_ASSERT
+  reg [5:0] traced_reads [1:1];  // enables and addresses of the clocks before
+  integer traced_i;
+  always @(posedge clk_i) begin
+    traced_reads[1] <= {traced_read, traced_read_addr};
+    for (traced_i = 2; traced_i <= 1; traced_i = traced_i + 1) begin
+      traced_reads[traced_i] <= traced_reads[traced_i-1];
+    end
+    for (traced_i = 0; traced_i < 1; traced_i = traced_i + 1) begin
+      if (rst_ni && traced_write && {1'b1, traced_write_addr} ==
+          (traced_i == 0 ? {traced_read, traced_read_addr} : traced_reads[traced_i])) begin
+        $display("%m: row %0d of traced is read again before it is written",
+                 traced_write_addr);
         $stop;
       end
     end

@@ -37,20 +37,19 @@ module traversal_slice #(
   wire lane_0_config = lane_i[0];
 
   // ---- stage 0 ----
-  wire s_context_level_s0 = step_in_data_i[5];
   wire [1:0] step_in_6_s0 = step_in_data_i[7:6];
   wire step_in_8_s0 = step_in_data_i[8];
+  wire [3:0] s_context_both_s0 = step_in_data_i[12:9];
   wire [1:0] s_node_kind_s0 = step_in_data_i[23:22];
   wire [15:0] step_in_24_s0 = step_in_data_i[39:24];
   wire [6:0] step_in_40_s0 = step_in_data_i[46:40];
   wire step_in_47_s0 = step_in_data_i[47];
-  wire [4:0] s_context_packet_s0 = step_in_data_i[4:0];
-  wire [4:0] s_context_stack_s0 = step_in_data_i[21:17];
-  wire [3:0] s_context_both_s0 = step_in_data_i[12:9];
   wire [2:0] mux_1_s0 = lane_1_config ? 3'd4 : 3'd1;  // units/traversal_slice.h:37
   wire [3:0] mux_2_s0 = {lane_0_config & mux_1_s0[2], lane_0_config ? mux_1_s0[1:0] : mux_1_s0[2:1], ~lane_0_config & mux_1_s0[0]};  // units/traversal_slice.h:37
-  wire [3:0] both_s0 = s_context_both_s0 & mux_2_s0;  // units/traversal_slice.h:37
-  wire both_2_s0 = both_s0 == 4'd0;  // units/traversal_slice.h:37
+  wire both_s0 = (s_context_both_s0 & mux_2_s0) == 4'd0;  // units/traversal_slice.h:37
+  wire [4:0] s_context_packet_s0 = step_in_data_i[4:0];
+  wire step_in_5_s0 = step_in_data_i[5];
+  wire [4:0] s_context_stack_s0 = step_in_data_i[21:17];
 
   // ---- stage 1 ----
   reg valid_s1;
@@ -60,7 +59,7 @@ module traversal_slice #(
   reg  [15:0] step_in_24_s1;
   reg  [6:0] step_in_40_s1;
   reg  step_in_47_s1;
-  reg  both_2_s1;
+  reg  both_s1;
   always @(posedge clk_i) begin
     valid_s1 <= rst_ni && valid_s0;
     step_in_6_s1 <= step_in_6_s0;
@@ -69,7 +68,7 @@ module traversal_slice #(
     step_in_24_s1 <= step_in_24_s0;
     step_in_40_s1 <= step_in_40_s0;
     step_in_47_s1 <= step_in_47_s0;
-    both_2_s1 <= both_2_s0;
+    both_s1 <= both_s0;
   end
   wire [23:0] r_origin_x_s1 = ray_data_i[23:0];
   wire [23:0] r_origin_y_s1 = ray_data_i[47:24];
@@ -89,7 +88,7 @@ module traversal_slice #(
   reg  [15:0] step_in_24_s2;
   reg  [6:0] step_in_40_s2;
   reg  step_in_47_s2;
-  reg  both_2_s2;
+  reg  both_s2;
   reg  [23:0] mux_14_s2;
   reg  [23:0] mux_16_s2;
   always @(posedge clk_i) begin
@@ -99,7 +98,7 @@ module traversal_slice #(
     step_in_24_s2 <= step_in_24_s1;
     step_in_40_s2 <= step_in_40_s1;
     step_in_47_s2 <= step_in_47_s1;
-    both_2_s2 <= both_2_s1;
+    both_s2 <= both_s1;
     mux_14_s2 <= mux_14_s1;
     mux_16_s2 <= mux_16_s1;
   end
@@ -119,7 +118,7 @@ module traversal_slice #(
   reg valid_s3;
   reg  [1:0] step_in_6_s3;
   reg  step_in_8_s3;
-  reg  both_2_s3;
+  reg  both_s3;
   reg  [23:0] mux_16_s3;
   reg  [4:0] mux_17_s3;
   reg  [23:0] mux_18_s3;
@@ -132,7 +131,7 @@ module traversal_slice #(
     valid_s3 <= rst_ni && valid_s2;
     step_in_6_s3 <= step_in_6_s2;
     step_in_8_s3 <= step_in_8_s2;
-    both_2_s3 <= both_2_s2;
+    both_s3 <= both_s2;
     mux_16_s3 <= mux_16_s2;
     mux_17_s3 <= mux_17_s2[4:0];
     mux_18_s3 <= mux_18_s2;
@@ -160,7 +159,7 @@ module traversal_slice #(
   reg valid_s4;
   reg  [1:0] step_in_6_s4;
   reg  step_in_8_s4;
-  reg  both_2_s4;
+  reg  both_s4;
   reg  [23:0] mux_16_s4;
   reg  [23:16] mux_18_s4;
   reg  [21:1] add_1_s4;
@@ -172,7 +171,7 @@ module traversal_slice #(
     valid_s4 <= rst_ni && valid_s3;
     step_in_6_s4 <= step_in_6_s3;
     step_in_8_s4 <= step_in_8_s3;
-    both_2_s4 <= both_2_s3;
+    both_s4 <= both_s3;
     mux_16_s4 <= mux_16_s3;
     mux_18_s4 <= mux_18_s3[23:16];
     add_1_s4 <= add_1_s3[21:1];
@@ -183,30 +182,30 @@ module traversal_slice #(
   end
   wire not_8_s4 = ~(add_1_s4[21:2] == 20'd0);  // units/traversal_slice.h:68
   wire eq_16_s4 = add_1_s4[5:2] == 4'd0;  // units/traversal_slice.h:68
-  wire and_6_s4 = eq_12_s4 & eq_13_s4;  // units/traversal_slice.h:68
-  wire and_8_s4 = and_6_s4 & (eq_14_s4 & eq_15_s4);  // units/traversal_slice.h:68
-  wire [19:0] mux_26_s4 = {and_8_s4 ? add_1_s4[5:2] : add_1_s4[21:18], ~{16{and_8_s4}} & add_1_s4[17:2]};  // units/traversal_slice.h:68
-  wire mux_28_s4 = and_8_s4 ? eq_16_s4 : and_6_s4;  // units/traversal_slice.h:68
+  wire and_7_s4 = eq_12_s4 & eq_13_s4;  // units/traversal_slice.h:68
+  wire and_9_s4 = and_7_s4 & (eq_14_s4 & eq_15_s4);  // units/traversal_slice.h:68
+  wire [19:0] mux_26_s4 = {and_9_s4 ? add_1_s4[5:2] : add_1_s4[21:18], ~{16{and_9_s4}} & add_1_s4[17:2]};  // units/traversal_slice.h:68
+  wire mux_28_s4 = and_9_s4 ? eq_16_s4 : and_7_s4;  // units/traversal_slice.h:68
   wire [19:0] mux_29_s4 = {mux_28_s4 ? mux_26_s4[11:0] : mux_26_s4[19:8], ~{8{mux_28_s4}} & mux_26_s4[7:0]};  // units/traversal_slice.h:68
-  wire mux_30_s4 = mux_28_s4 ? (eq_14_s4 | and_8_s4) : (and_8_s4 ? eq_16_s4 : eq_12_s4);  // units/traversal_slice.h:68
-  wire and_9_s4 = not_8_s4 & mux_28_s4;  // units/traversal_slice.h:68
+  wire mux_30_s4 = mux_28_s4 ? (eq_14_s4 | and_9_s4) : (and_9_s4 ? eq_16_s4 : eq_12_s4);  // units/traversal_slice.h:68
+  wire and_10_s4 = not_8_s4 & mux_28_s4;  // units/traversal_slice.h:68
   wire [19:0] mux_31_s4 = {mux_30_s4 ? mux_29_s4[15:0] : mux_29_s4[19:4], ~{4{mux_30_s4}} & mux_29_s4[3:0]};  // units/traversal_slice.h:68
   wire eq_17_s4 = mux_31_s4[19:18] == 2'd0;  // units/traversal_slice.h:68
   wire [19:0] mux_32_s4 = {eq_17_s4 ? mux_31_s4[17:0] : mux_31_s4[19:2], ~{2{eq_17_s4}} & mux_31_s4[1:0]};  // units/traversal_slice.h:68
-  wire and_10_s4 = not_8_s4 & eq_17_s4;  // units/traversal_slice.h:68
-  wire and_11_s4 = not_8_s4 & (~mux_32_s4[19]);  // units/traversal_slice.h:68
-  wire [19:0] mux_33_s4 = {and_9_s4 ? mux_26_s4[11:0] : mux_26_s4[19:8], ~{8{and_9_s4}} & mux_26_s4[7:0]};  // units/traversal_slice.h:68
+  wire and_11_s4 = not_8_s4 & eq_17_s4;  // units/traversal_slice.h:68
+  wire and_12_s4 = not_8_s4 & (~mux_32_s4[19]);  // units/traversal_slice.h:68
+  wire [19:0] mux_33_s4 = {and_10_s4 ? mux_26_s4[11:0] : mux_26_s4[19:8], ~{8{and_10_s4}} & mux_26_s4[7:0]};  // units/traversal_slice.h:68
   wire [19:0] mux_34_s4 = {mux_30_s4 ? mux_33_s4[15:0] : mux_33_s4[19:4], ~{4{mux_30_s4}} & mux_33_s4[3:0]};  // units/traversal_slice.h:68
-  wire [19:0] mux_35_s4 = {and_10_s4 ? mux_34_s4[17:0] : mux_34_s4[19:2], ~{2{and_10_s4}} & mux_34_s4[1:0]};  // units/traversal_slice.h:68
-  wire [19:0] mux_36_s4 = {and_11_s4 ? mux_35_s4[18:0] : mux_35_s4[19:1], ~and_11_s4 & mux_35_s4[0]};  // units/traversal_slice.h:68
-  wire [8:0] sub_3_s4 = {2'd0, mux_18_s4[22:16]} - {4'd0, and_8_s4, and_9_s4, mux_30_s4, and_10_s4, and_11_s4};  // units/traversal_slice.h:68
+  wire [19:0] mux_35_s4 = {and_11_s4 ? mux_34_s4[17:0] : mux_34_s4[19:2], ~{2{and_11_s4}} & mux_34_s4[1:0]};  // units/traversal_slice.h:68
+  wire [19:0] mux_36_s4 = {and_12_s4 ? mux_35_s4[18:0] : mux_35_s4[19:1], ~and_12_s4 & mux_35_s4[0]};  // units/traversal_slice.h:68
+  wire [8:0] sub_3_s4 = {2'd0, mux_18_s4[22:16]} - {4'd0, and_9_s4, and_10_s4, mux_30_s4, and_11_s4, and_12_s4};  // units/traversal_slice.h:68
   wire eq_18_s4 = mux_36_s4[1:0] == 2'd0;  // units/traversal_slice.h:68
 
   // ---- stage 5 ----
   reg valid_s5;
   reg  [1:0] step_in_6_s5;
   reg  step_in_8_s5;
-  reg  both_2_s5;
+  reg  both_s5;
   reg  [23:0] mux_16_s5;
   reg  [23:23] mux_18_s5;
   reg  [1:1] add_1_s5;
@@ -217,7 +216,7 @@ module traversal_slice #(
     valid_s5 <= rst_ni && valid_s4;
     step_in_6_s5 <= step_in_6_s4;
     step_in_8_s5 <= step_in_8_s4;
-    both_2_s5 <= both_2_s4;
+    both_s5 <= both_s4;
     mux_16_s5 <= mux_16_s4;
     mux_18_s5 <= mux_18_s4[23];
     add_1_s5 <= add_1_s4[1];
@@ -225,12 +224,12 @@ module traversal_slice #(
     sub_3_s5 <= sub_3_s4;
     eq_18_s5 <= eq_18_s4;
   end
-  wire and_12_s5 = mux_36_s5[2] & ((~eq_18_s5) | (add_1_s5 | mux_36_s5[3]));  // units/traversal_slice.h:68
-  wire [24:0] add_2_s5 = {sub_3_s5, 15'd0, and_12_s5} + {8'd0, mux_36_s5[19:3]};  // units/traversal_slice.h:68
-  wire and_13_s5 = mux_36_s5[19] & (~add_2_s5[24]);  // units/traversal_slice.h:68
+  wire and_13_s5 = mux_36_s5[2] & ((~eq_18_s5) | (add_1_s5 | mux_36_s5[3]));  // units/traversal_slice.h:68
+  wire [24:0] add_2_s5 = {sub_3_s5, 15'd0, and_13_s5} + {8'd0, mux_36_s5[19:3]};  // units/traversal_slice.h:68
+  wire and_14_s5 = mux_36_s5[19] & (~add_2_s5[24]);  // units/traversal_slice.h:68
   wire left_first_s5 = mux_36_s5[19] & mux_18_s5;  // units/traversal_slice.h:68
   wire [22:0] mux_37_s5 = {23{add_2_s5[23]}} | add_2_s5[22:0];  // units/traversal_slice.h:68
-  wire [22:0] mux_38_s5 = {23{and_13_s5}} & mux_37_s5;  // units/traversal_slice.h:68
+  wire [22:0] mux_38_s5 = {23{and_14_s5}} & mux_37_s5;  // units/traversal_slice.h:68
   wire [17:0] sub_4_s5 = {2'd1, mux_38_s5[15:0]} - {2'd1, mux_16_s5[15:0]};  // units/traversal_slice.h:69
   wire [16:0] mux_39_s5 = {sub_4_s5[17] | sub_4_s5[16], sub_4_s5[17] ? mux_38_s5[15:0] : sub_4_s5[15:0]};  // units/traversal_slice.h:69
   wire [7:0] sub_23_s5 = {1'd0, mux_38_s5[22:16]} - {1'd0, mux_16_s5[22:16]};  // units/traversal_slice.h:69
@@ -239,7 +238,7 @@ module traversal_slice #(
   reg valid_s6;
   reg  [1:0] step_in_6_s6;
   reg  step_in_8_s6;
-  reg  both_2_s6;
+  reg  both_s6;
   reg  [23:0] mux_16_s6;
   reg  left_first_s6;
   reg  [16:0] mux_39_s6;
@@ -247,7 +246,7 @@ module traversal_slice #(
     valid_s6 <= rst_ni && valid_s5;
     step_in_6_s6 <= step_in_6_s5;
     step_in_8_s6 <= step_in_8_s5;
-    both_2_s6 <= both_2_s5;
+    both_s6 <= both_s5;
     mux_16_s6 <= mux_16_s5;
     left_first_s6 <= left_first_s5;
     mux_39_s6 <= mux_39_s5;
@@ -261,7 +260,7 @@ module traversal_slice #(
   reg valid_s7;
   reg  [1:0] step_in_6_s7;
   reg  step_in_8_s7;
-  reg  both_2_s7;
+  reg  both_s7;
   reg  [23:0] mux_16_s7;
   reg  left_first_s7;
   reg  [17:17] sub_5_s7;
@@ -271,7 +270,7 @@ module traversal_slice #(
     valid_s7 <= rst_ni && valid_s6;
     step_in_6_s7 <= step_in_6_s6;
     step_in_8_s7 <= step_in_8_s6;
-    both_2_s7 <= both_2_s6;
+    both_s7 <= both_s6;
     mux_16_s7 <= mux_16_s6;
     left_first_s7 <= left_first_s6;
     sub_5_s7 <= sub_5_s6[17];
@@ -287,7 +286,7 @@ module traversal_slice #(
   reg valid_s8;
   reg  [1:0] step_in_6_s8;
   reg  step_in_8_s8;
-  reg  both_2_s8;
+  reg  both_s8;
   reg  [23:0] mux_16_s8;
   reg  left_first_s8;
   reg  [17:17] sub_5_s8;
@@ -299,7 +298,7 @@ module traversal_slice #(
     valid_s8 <= rst_ni && valid_s7;
     step_in_6_s8 <= step_in_6_s7;
     step_in_8_s8 <= step_in_8_s7;
-    both_2_s8 <= both_2_s7;
+    both_s8 <= both_s7;
     mux_16_s8 <= mux_16_s7;
     left_first_s8 <= left_first_s7;
     sub_5_s8 <= sub_5_s7;
@@ -317,7 +316,7 @@ module traversal_slice #(
   reg valid_s9;
   reg  [1:0] step_in_6_s9;
   reg  step_in_8_s9;
-  reg  both_2_s9;
+  reg  both_s9;
   reg  [23:0] mux_16_s9;
   reg  left_first_s9;
   reg  [17:17] sub_5_s9;
@@ -331,7 +330,7 @@ module traversal_slice #(
     valid_s9 <= rst_ni && valid_s8;
     step_in_6_s9 <= step_in_6_s8;
     step_in_8_s9 <= step_in_8_s8;
-    both_2_s9 <= both_2_s8;
+    both_s9 <= both_s8;
     mux_16_s9 <= mux_16_s8;
     left_first_s9 <= left_first_s8;
     sub_5_s9 <= sub_5_s8;
@@ -351,7 +350,7 @@ module traversal_slice #(
   reg valid_s10;
   reg  [1:0] step_in_6_s10;
   reg  step_in_8_s10;
-  reg  both_2_s10;
+  reg  both_s10;
   reg  [23:0] mux_16_s10;
   reg  left_first_s10;
   reg  [17:17] sub_5_s10;
@@ -367,7 +366,7 @@ module traversal_slice #(
     valid_s10 <= rst_ni && valid_s9;
     step_in_6_s10 <= step_in_6_s9;
     step_in_8_s10 <= step_in_8_s9;
-    both_2_s10 <= both_2_s9;
+    both_s10 <= both_s9;
     mux_16_s10 <= mux_16_s9;
     left_first_s10 <= left_first_s9;
     sub_5_s10 <= sub_5_s9;
@@ -389,7 +388,7 @@ module traversal_slice #(
   reg valid_s11;
   reg  [1:0] step_in_6_s11;
   reg  step_in_8_s11;
-  reg  both_2_s11;
+  reg  both_s11;
   reg  [23:0] mux_16_s11;
   reg  left_first_s11;
   reg  [17:17] sub_5_s11;
@@ -407,7 +406,7 @@ module traversal_slice #(
     valid_s11 <= rst_ni && valid_s10;
     step_in_6_s11 <= step_in_6_s10;
     step_in_8_s11 <= step_in_8_s10;
-    both_2_s11 <= both_2_s10;
+    both_s11 <= both_s10;
     mux_16_s11 <= mux_16_s10;
     left_first_s11 <= left_first_s10;
     sub_5_s11 <= sub_5_s10;
@@ -431,7 +430,7 @@ module traversal_slice #(
   reg valid_s12;
   reg  [1:0] step_in_6_s12;
   reg  step_in_8_s12;
-  reg  both_2_s12;
+  reg  both_s12;
   reg  [23:0] mux_16_s12;
   reg  left_first_s12;
   reg  [17:17] sub_5_s12;
@@ -451,7 +450,7 @@ module traversal_slice #(
     valid_s12 <= rst_ni && valid_s11;
     step_in_6_s12 <= step_in_6_s11;
     step_in_8_s12 <= step_in_8_s11;
-    both_2_s12 <= both_2_s11;
+    both_s12 <= both_s11;
     mux_16_s12 <= mux_16_s11;
     left_first_s12 <= left_first_s11;
     sub_5_s12 <= sub_5_s11;
@@ -475,12 +474,12 @@ module traversal_slice #(
 
   // ---- stage 13 ----
   reg valid_s13;
-  wire s_context_level_s13;
   reg  [1:0] step_in_6_s13;
   reg  step_in_8_s13;
+  reg  both_s13;
   wire [4:0] s_context_packet_s13;
+  wire step_in_5_s13;
   wire [4:0] s_context_stack_s13;
-  reg  both_2_s13;
   reg  [23:0] mux_16_s13;
   reg  left_first_s13;
   reg  [17:17] sub_5_s13;
@@ -502,7 +501,7 @@ module traversal_slice #(
     valid_s13 <= rst_ni && valid_s12;
     step_in_6_s13 <= step_in_6_s12;
     step_in_8_s13 <= step_in_8_s12;
-    both_2_s13 <= both_2_s12;
+    both_s13 <= both_s12;
     mux_16_s13 <= mux_16_s12;
     left_first_s13 <= left_first_s12;
     sub_5_s13 <= sub_5_s12;
@@ -523,8 +522,8 @@ module traversal_slice #(
   end
   hls_delay #(.WIDTH(11), .CLOCKS(13)) delay_s0_s13 (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .data_i({s_context_level_s0, s_context_packet_s0, s_context_stack_s0}),
-    .data_o({s_context_level_s13, s_context_packet_s13, s_context_stack_s13}));
+    .data_i({s_context_packet_s0, step_in_5_s0, s_context_stack_s0}),
+    .data_o({s_context_packet_s13, step_in_5_s13, s_context_stack_s13}));
   wire [17:0] sub_19_s13 = {mux_53_s13, 1'd0} - {2'd1, mux_16_s13[15:0]};  // units/traversal_slice.h:69
   wire [16:0] mux_54_s13 = {sub_19_s13[17] ? mux_53_s13[15:0] : sub_19_s13[16:1], ~sub_19_s13[17] & sub_19_s13[0]};  // units/traversal_slice.h:69
   wire [17:0] sub_20_s13 = {mux_54_s13, 1'd0} - {2'd1, mux_16_s13[15:0]};  // units/traversal_slice.h:69
@@ -532,12 +531,12 @@ module traversal_slice #(
 
   // ---- stage 14 ----
   reg valid_s14;
-  reg  s_context_level_s14;
   reg  [1:0] step_in_6_s14;
   reg  step_in_8_s14;
+  reg  both_s14;
   reg  [4:0] s_context_packet_s14;
+  reg  step_in_5_s14;
   reg  [4:0] s_context_stack_s14;
-  reg  both_2_s14;
   reg  [23:0] mux_16_s14;
   reg  left_first_s14;
   wire [17:17] sub_4_s14;
@@ -561,12 +560,12 @@ module traversal_slice #(
   wire [7:0] sub_23_s14;
   always @(posedge clk_i) begin
     valid_s14 <= rst_ni && valid_s13;
-    s_context_level_s14 <= s_context_level_s13;
     step_in_6_s14 <= step_in_6_s13;
     step_in_8_s14 <= step_in_8_s13;
+    both_s14 <= both_s13;
     s_context_packet_s14 <= s_context_packet_s13;
+    step_in_5_s14 <= step_in_5_s13;
     s_context_stack_s14 <= s_context_stack_s13;
-    both_2_s14 <= both_2_s13;
     mux_16_s14 <= mux_16_s13;
     left_first_s14 <= left_first_s13;
     sub_5_s14 <= sub_5_s13;
@@ -601,10 +600,10 @@ module traversal_slice #(
   wire eq_1_s14 = {step_in_8_s14, step_in_6_s14} == 3'd0;  // units/traversal_slice.h:47
   wire eq_2_s14 = {step_in_8_s14, step_in_6_s14} == 3'd3;
   wire eq_3_s14 = {step_in_8_s14, step_in_6_s14} == 3'd4;
-  wire [23:0] mux_6_s14 = step_in_8_s14 ? (eq_3_s14 ? popped_s14 : before_plane_s14) : (eq_2_s14 ? far_s14 : before_plane_s14);
-  wire [23:0] mux_7_s14 = both_2_s14 ? far_s14 : mux_6_s14;
-  wire [23:0] mux_11_s14 = step_in_8_s14 ? (eq_3_s14 ? far_s14 : near_s14) : (eq_2_s14 ? before_plane_s14 : near_s14);
-  wire [23:0] mux_12_s14 = both_2_s14 ? near_s14 : mux_11_s14;
+  wire [23:0] mux_5_s14 = step_in_8_s14 ? (eq_3_s14 ? popped_s14 : before_plane_s14) : (eq_2_s14 ? far_s14 : before_plane_s14);
+  wire [23:0] mux_6_s14 = both_s14 ? far_s14 : mux_5_s14;
+  wire [23:0] mux_10_s14 = step_in_8_s14 ? (eq_3_s14 ? far_s14 : near_s14) : (eq_2_s14 ? before_plane_s14 : near_s14);
+  wire [23:0] mux_11_s14 = both_s14 ? near_s14 : mux_10_s14;
   wire [17:0] sub_21_s14 = {mux_55_s14, 1'd0} - {2'd1, mux_16_s14[15:0]};  // units/traversal_slice.h:69
   wire [16:0] mux_56_s14 = {sub_21_s14[17] ? mux_55_s14[15:0] : sub_21_s14[16:1], ~sub_21_s14[17] & sub_21_s14[0]};  // units/traversal_slice.h:69
   wire [17:0] sub_22_s14 = {mux_56_s14, 1'd0} - {2'd1, mux_16_s14[15:0]};  // units/traversal_slice.h:69
@@ -614,12 +613,12 @@ module traversal_slice #(
 
   // ---- stage 15 ----
   reg valid_s15;
-  reg  s_context_level_s15;
   reg  [4:0] s_context_packet_s15;
+  reg  step_in_5_s15;
   reg  [23:0] hit_s15;
   reg  eq_1_s15;
-  reg  [23:0] mux_7_s15;
-  reg  [23:0] mux_12_s15;
+  reg  [23:0] mux_6_s15;
+  reg  [23:0] mux_11_s15;
   reg  [23:23] mux_16_s15;
   reg  left_first_s15;
   reg  [18:18] not_12_s15;
@@ -628,12 +627,12 @@ module traversal_slice #(
   reg  [7:0] add_3_s15;
   always @(posedge clk_i) begin
     valid_s15 <= rst_ni && valid_s14;
-    s_context_level_s15 <= s_context_level_s14;
     s_context_packet_s15 <= s_context_packet_s14;
+    step_in_5_s15 <= step_in_5_s14;
     hit_s15 <= hit_s14;
     eq_1_s15 <= eq_1_s14;
-    mux_7_s15 <= mux_7_s14;
-    mux_12_s15 <= mux_12_s14;
+    mux_6_s15 <= mux_6_s14;
+    mux_11_s15 <= mux_11_s14;
     mux_16_s15 <= mux_16_s14[23];
     left_first_s15 <= left_first_s14;
     not_12_s15 <= not_12_s14[18];
@@ -641,19 +640,18 @@ module traversal_slice #(
     sub_23_s15 <= sub_23_s14[0];
     add_3_s15 <= add_3_s14;
   end
-  wire [23:0] mux_3_s15 = {s_context_level_s15 & hit_s15[23], ~{23{s_context_level_s15}} | hit_s15[22:0]};  // units/traversal_slice.h:50
-  wire [23:0] mux_8_s15 = eq_1_s15 ? mux_3_s15 : mux_7_s15;
-  wire [23:0] near_2_s15 = ~{24{eq_1_s15}} & mux_12_s15;
+  wire [23:0] mux_7_s15 = eq_1_s15 ? hit_s15 : mux_6_s15;
+  wire [23:0] mux_12_s15 = ~{24{eq_1_s15}} & mux_11_s15;
   wire behind_s15 = left_first_s15 ^ mux_16_s15;  // units/traversal_slice.h:69
   wire [24:0] add_4_s15 = {add_3_s15, sub_23_s15, 15'd0, mux_57_s15[0]} + {8'd0, not_12_s15, mux_57_s15[16:1]};  // units/traversal_slice.h:69
   wire [22:0] mux_58_s15 = {23{add_4_s15[23]}} | add_4_s15[22:0];  // units/traversal_slice.h:69
   wire [22:0] mux_59_s15 = ~{23{add_4_s15[24]}} & mux_58_s15;  // units/traversal_slice.h:69
-  wire lt_2_s15 = {behind_s15, mux_59_s15, 1'd0} < {near_2_s15, near_2_s15[23]};  // units/traversal_slice.h:73
-  wire go_near_s15 = behind_s15 | (near_2_s15[23] ^ (~lt_2_s15));
-  wire not_14_s15 = ~({mux_8_s15, 1'd0} < {behind_s15, mux_59_s15, mux_8_s15[23]});  // units/traversal_slice.h:74
-  wire go_far_s15 = (mux_8_s15[23] ^ not_14_s15) & (~behind_s15);
-  wire [23:0] or_9_s15 = hit_s15 | near_2_s15;  // units/traversal_slice.h:80
-  wire xor_5_s15 = or_9_s15[23] ^ ({hit_s15, 1'd0} < {near_2_s15, or_9_s15[23]});  // units/traversal_slice.h:80
+  wire lt_2_s15 = {behind_s15, mux_59_s15, 1'd0} < {mux_12_s15, mux_12_s15[23]};  // units/traversal_slice.h:73
+  wire go_near_s15 = behind_s15 | (mux_12_s15[23] ^ (~lt_2_s15));
+  wire not_14_s15 = ~({mux_7_s15, 1'd0} < {behind_s15, mux_59_s15, mux_7_s15[23]});  // units/traversal_slice.h:74
+  wire go_far_s15 = (mux_7_s15[23] ^ not_14_s15) & (~behind_s15);
+  wire [23:0] or_9_s15 = hit_s15 | mux_12_s15;  // units/traversal_slice.h:80
+  wire xor_5_s15 = or_9_s15[23] ^ ({hit_s15, 1'd0} < {mux_12_s15, or_9_s15[23]});  // units/traversal_slice.h:80
   wire out_terminated_s15 = (~eq_1_s15) & xor_5_s15;
 
   // ---- stage 16 ----
@@ -681,17 +679,17 @@ module traversal_slice #(
     .data_i({out_terminated_s16, out_go_right_s16, out_go_left_s16, left_first_2_s16}),
     .valid_o(decision_valid_o), .ready_i(decision_ready_i), .data_o(decision_data_o));
   assign ray_en_o = valid_s0;
-  assign ray_addr_o = {s_context_level_s0, s_context_packet_s0};
+  assign ray_addr_o = {step_in_5_s0, s_context_packet_s0};
   assign hit_distance_en_o = valid_s13;
   assign hit_distance_addr_o = s_context_packet_s13;
   wire interval_write = valid_s15;
-  wire [5:0] interval_write_addr = {s_context_level_s15, s_context_packet_s15};
+  wire [5:0] interval_write_addr = {step_in_5_s15, s_context_packet_s15};
   wire interval_read = valid_s13;
-  wire [5:0] interval_read_addr = {s_context_level_s13, s_context_packet_s13};
+  wire [5:0] interval_read_addr = {step_in_5_s13, s_context_packet_s13};
   hls_ram_1r1w #(.WIDTH(72), .ROWS(64), .EXCLUSIVE(1)) interval_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(interval_write), .write_addr_i(interval_write_addr),
-    .write_data_i({behind_s15, mux_59_s15, mux_8_s15, near_2_s15}),
+    .write_data_i({behind_s15, mux_59_s15, mux_7_s15, mux_12_s15}),
     .read_en_i(interval_read), .read_addr_i(interval_read_addr), .read_data_o(interval_row));
 `ifdef HLS_ASSERT
   reg [6:0] interval_reads [1:2];  // enables and addresses of the clocks before
@@ -712,11 +710,11 @@ module traversal_slice #(
   end
 `endif
   wire far_stack_write = valid_s14 && ({step_in_8_s14, step_in_6_s14} == 3'd2);
-  wire [10:0] far_stack_write_addr = {s_context_level_s14, s_context_packet_s14, s_context_stack_s14};
+  wire [10:0] far_stack_write_addr = {step_in_5_s14, s_context_packet_s14, s_context_stack_s14};
   wire far_stack_read = valid_s13;
-  wire [10:0] far_stack_read_addr = {s_context_level_s13, s_context_packet_s13, s_context_stack_s13};
+  wire [10:0] far_stack_read_addr = {step_in_5_s13, s_context_packet_s13, s_context_stack_s13};
   hls_ram_1r1w #(.WIDTH(24), .ROWS(2048), .EXCLUSIVE(1)) far_stack_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(far_stack_write), .write_addr_i(far_stack_write_addr),
     .write_data_i(far_s14),
     .read_en_i(far_stack_read), .read_addr_i(far_stack_read_addr), .read_data_o(far_stack_row));
