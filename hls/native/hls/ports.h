@@ -39,7 +39,7 @@ class Fifo {
   std::uint64_t pushed() const { return moved_ + static_cast<std::uint64_t>(tail_ - row_.get()); }
   void push(const T& token) {
     if (tail_ == end_) make_room();
-    *tail_++ = token;
+    copy_leaves(*tail_++, token);
   }
   T pop() {
     assert(!empty());
