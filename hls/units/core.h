@@ -259,6 +259,9 @@ struct Core {
     for (unsigned i = 0; i < 3; ++i) {
       join.bank("bank" + std::to_string(kFrameBank + i), shading.bank[i], banks[kFrameBank + i]);
     }
+    // What a cache misses depends on which packet comes first, and so does what follows from it.
+    join.depends_on_order({"memory_request", "memory_interface", "node_line", "node_fill",
+                           "list_line", "list_fill", "column_line", "matrix_fill"});
   }
 
   template <class Lookup, class Fill>

@@ -62,7 +62,7 @@ struct Shader {
     bool mirrors = false;
     const Brightness weight = primary ? Brightness(256) : pixel.mirror.get();
 
-    if (primary) pixel.sum = {};
+    if (primary) pixel = Pixel{};
     if (light_ray) {
       if constexpr (kHasLights<C>) {
         const LightPower<C> power = light.read(packet);

@@ -17,7 +17,6 @@ namespace dynrt::host {
 namespace {
 
 constexpr int kTraceSeed = 1;  ///< waveforms are the same every time
-constexpr std::string_view kDependent[] = {"memory_", "_fill.", "_line.", ".stalls"};
 
 std::string names_of(std::span<const Configuration> table) {
   std::vector<std::string_view> names;
@@ -58,15 +57,11 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
 std::vector<Counter> counters_of(std::string_view core_json) {
   std::vector<Counter> counters;
   const auto core = nlohmann::json::parse(core_json);
-  for (const auto& name : core.at("counters")) {
-    counters.push_back({.name = name, .order_independent = order_independent(std::string(name))});
+  for (const auto& counter : core.at("counters")) {
+    counters.push_back(
+        {.name = counter.at("name"), .order_independent = counter.at("order_independent")});
   }
   return counters;
-}
-
-bool order_independent(std::string_view counter) {
-  return std::ranges::none_of(
-      kDependent, [&](std::string_view part) { return counter.find(part) != counter.npos; });
 }
 
 }  // namespace dynrt::host

@@ -118,7 +118,7 @@ struct Chain {
 
 TEST(Top, CountsNoMoreThanItsCountersHold) {
   const Chain most(2);
-  EXPECT_EQ(hlsc::counter_names(most.join.record()).size(), 256u);
+  EXPECT_EQ(hls::counters_of(most.join.record()).size(), 256u);
   EXPECT_EQ(refusal(most.join), "none");
   EXPECT_EQ(refusal(Chain(3).join),
             "the join has 257 counters, one for every channel inside and two for every unit; a top "
@@ -251,13 +251,13 @@ TEST(Top, DoesWhatTheNativeJoinDoes) {
     ASSERT_FALSE(HasFatalFailure());
     EXPECT_GT(outside.items(), 8000u);
     const auto native = outside.ring().join.counters();
-    const auto names = hlsc::counter_names(outside.ring().join.record());
+    const auto counters = hls::counters_of(outside.ring().join.record());
     unsigned compared = 0;
-    for (unsigned i = 0; i < names.size(); ++i) {
-      const auto found = native.find(names[i]);
+    for (unsigned i = 0; i < counters.size(); ++i) {
+      const auto found = native.find(counters[i].name);
       if (found == native.end()) continue;  // stalls are the RTL's own
       ++compared;
-      EXPECT_EQ(outside.counter(i), found->second) << names[i];
+      EXPECT_EQ(outside.counter(i), found->second) << counters[i].name;
     }
     EXPECT_EQ(compared, native.size());
   }

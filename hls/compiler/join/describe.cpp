@@ -38,11 +38,15 @@ std::string emit_json(const hls::JoinRecord& join, const std::string& name) {
                     {"width", ram.width},
                     {"rows", ram.rows}});
   }
+  Json counters = Json::array();
+  for (const auto& c : hls::counters_of(join)) {
+    counters.push_back({{"name", c.name}, {"order_independent", c.order_independent}});
+  }
   const Json top = {{"module", name},
                     {"units", units},
                     {"channels", channels},
                     {"rams", rams},
-                    {"counters", counter_names(join)}};
+                    {"counters", counters}};
   return top.dump(2) + "\n";
 }
 

@@ -20,8 +20,6 @@ using hls::JoinRecord;
 using hls::PortRecord;
 using hls::UnitRecord;
 
-constexpr std::size_t kMaxCounters = 256;  ///< that hls_counters.v has and an address reaches
-
 /// "unit.port" as the stem of a wire's name.
 std::string wire(const std::string& port) {
   std::string name = port;
@@ -384,18 +382,6 @@ class Top {
 
 std::string emit_top(const JoinRecord& join, const std::string& name) {
   return Top(join, name).text();
-}
-
-std::vector<std::string> counter_names(const JoinRecord& join) {
-  std::vector<std::string> names;
-  for (const ChannelRecord& c : join.channels) {
-    if (c.kind != ChannelKind::kInput && c.kind != ChannelKind::kOutput) {
-      names.push_back(c.name + ".tokens");
-    }
-  }
-  for (const UnitRecord& unit : join.units) names.push_back(unit.name + ".transactions");
-  for (const UnitRecord& unit : join.units) names.push_back(unit.name + ".stalls");
-  return names;
 }
 
 }  // namespace hlsc

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "hls/join_record.h"
 
@@ -13,10 +12,6 @@ namespace hlsc {
 
 inline constexpr unsigned kMaxCounters =
     256;  ///< of rtl/lib/hls_counters.v, whose address has 8 bits
-
-/// The counters of a top, in the order of their addresses: tokens of every channel inside, then
-/// transactions and stalls of every unit.
-std::vector<std::string> counter_names(const hls::JoinRecord& join);
 
 /// A Verilog-2005 module `name` that instantiates every unit and connects them through rtl/lib.
 /// Throws std::invalid_argument naming a port that nothing is connected to, or a fork without a

@@ -162,6 +162,22 @@ class Join {
         {"", {port_name(&port)}, bit_width_of<T>(), true, leaf_to_bits(value).to_u64()});
   }
 
+  /// Says of channels and units, by name, that how much they do depends on the order in which
+  /// tokens are served: two runs of the same work may count differently there.
+  void depends_on_order(const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      bool known = false;
+      const auto mark = [&](auto& records) {
+        for (auto& record : records) {
+          if (record.name == name) known = record.order_dependent = true;
+        }
+      };
+      mark(record_.channels);
+      mark(record_.units);
+      if (!known) throw std::logic_error("no channel and no unit has the name " + name);
+    }
+  }
+
   /// Runs every unit until none has work left.
   void run() {
     bool progress = true;

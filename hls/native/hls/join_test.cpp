@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 namespace {
@@ -235,6 +236,27 @@ TEST(Join, RecordsWhatItConnected) {
   ASSERT_EQ(record.configs.size(), 1u);
   EXPECT_TRUE(record.configs[0].constant);
   EXPECT_EQ(record.configs[0].value, 9u);
+}
+
+TEST(Join, SaysWhichCountersDependOnTheOrder) {
+  Add add;
+  Pair pair;
+  hls::Join join;
+  join.unit("add", "add", add);
+  join.unit("pair", "pair", pair);
+  join.input("left", pair.in[0]);
+  join.channel("sums", add.out, pair.in[1]);
+  join.depends_on_order({"sums", "pair"});
+  std::map<std::string, bool> independent;
+  for (const auto& counter : hls::counters_of(join.record())) {
+    independent[counter.name] = counter.order_independent;
+  }
+  const std::map<std::string, bool> expected = {
+      {"sums.tokens", false}, {"add.transactions", true}, {"pair.transactions", false},
+      {"add.stalls", false},  {"pair.stalls", false},
+  };
+  EXPECT_EQ(independent, expected);
+  EXPECT_THROW(join.depends_on_order({"sum"}), std::logic_error);
 }
 
 struct View {
