@@ -15,6 +15,8 @@ namespace dynrt::host {
 
 namespace {
 
+constexpr char kMatrices[] = "matrices (triangles, instances and the camera)";
+
 void check_limit(const Scene& scene, const char* what, std::size_t needed, std::size_t limit) {
   if (needed > limit) refuse(messages::kTooMany, scene.name, needed, what, needed - limit, limit);
 }
@@ -86,12 +88,15 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::uint32_t first_m
 
 }  // namespace
 
-ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees) {
-  const double largest = Real::largest().to_double();
+void check_matrices(const Scene& scene) {
   std::size_t matrices = scene.instances.size() + 1;
   for (const Mesh& object : scene.objects) matrices += object.triangles.size();
-  check_limit(scene, "matrices (triangles, instances and the camera)", matrices, kMaxMatrices);
+  check_limit(scene, kMatrices, matrices, kMaxMatrices);
+}
 
+ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees) {
+  const double largest = Real::largest().to_double();
+  check_matrices(scene);
   memory.first_node = 1;
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
     const Mesh& mesh = scene.objects[k];
@@ -129,8 +134,7 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   const std::uint32_t base = add_tree(memory, instances, first_instance);
   start_node = base + instances.entry(camera.position);
   check_limits(scene, memory);
-  check_limit(scene, "matrices (triangles, instances and the camera)",
-              first_instance + scene.instances.size() + 1, kMaxMatrices);
+  check_limit(scene, kMatrices, first_instance + scene.instances.size() + 1, kMaxMatrices);
 
   memory.matrices.reserve(scene.instances.size() + 1);
   for (const Instance& instance : scene.instances) {

@@ -17,6 +17,10 @@
 
 namespace dynrt::host {
 
+/// Throws UserError for a scene that the memory cannot hold whatever its trees are: with more
+/// triangles, instances and camera than it has matrices.
+void check_matrices(const Scene& scene);
+
 /// The static part. Throws UserError where a limit of the memory is passed or a triangle's matrix
 /// is beyond the core's numbers.
 struct ObjectImage {

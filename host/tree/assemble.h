@@ -24,13 +24,10 @@ struct RawTree {
   std::vector<Node> nodes = std::vector<Node>(1);
   std::vector<std::uint32_t> items;
 
-  struct Size {
-    std::size_t nodes, items;
-  };
-  Size size() const { return {nodes.size(), items.size()}; }
+  TreeSize size() const { return {nodes.size() - 1, items.size()}; }
   /// Forgets what was added since.
-  void cut_back(const Size& to) {
-    nodes.resize(to.nodes);
+  void cut_back(const TreeSize& to) {
+    nodes.resize(to.nodes + 1);
     items.resize(to.items);
   }
 

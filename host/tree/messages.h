@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tree builders refuse.
+// What the tree builders refuse, and what they tell of trees that had to be cut.
 #pragma once
 
 namespace dynrt::host::messages {
@@ -16,5 +16,14 @@ inline constexpr char kNoInstances[] =
 inline constexpr char kInstanceBox[] =
     "instance '{}': its box reaches {} = {:g}, outside the core's numbers; coordinates must lie "
     "within -{:.5g} and {:.5g}";
+
+// Notes, which stop nothing
+inline constexpr char kCut[] =
+    "object '{}': its tree was cut to depth {} to fit the board's {} tree nodes and {} list "
+    "entries; {}; fewer or smaller triangles would leave it whole";
+inline constexpr char kCutWork[] =
+    "a ray across the object is expected to make {:.1f} times the work of the whole tree";
+inline constexpr char kCutTriangles[] =
+    "a ray across the object is expected to meet {:.0f} nodes and {:.0f} triangles";
 
 }  // namespace dynrt::host::messages

@@ -18,6 +18,7 @@ namespace dynrt::host {
 
 inline constexpr std::uint32_t kNullNode = 0;  ///< an empty child; node 0 of a tree is not used
 inline constexpr std::uint8_t kLeafAxis = 3;
+inline constexpr int kClippingNodes = 6;
 inline constexpr int kMaxTreeDepth = 31;  ///< the core's stack: no deeper tree overflows it
 
 struct TreeNode {
@@ -26,6 +27,12 @@ struct TreeNode {
   std::uint32_t left = 0;         ///< child; leaf: its first item
   std::uint32_t right = 0;        ///< child; leaf: how many items, at least one
   bool is_leaf() const { return axis == kLeafAxis; }
+};
+
+/// What trees take of the board's memory; the null node is not counted.
+struct TreeSize {
+  std::size_t nodes = 0;
+  std::size_t items = 0;
 };
 
 struct TreeStats {
@@ -48,9 +55,11 @@ struct Tree {
   std::uint32_t root = kNullNode;          ///< where a ray starts inside the box
   std::uint32_t clipped_root = kNullNode;  ///< where any ray starts
   Aabb box;                                ///< what the clipping nodes cut out, rounded outward
-  bool cut_short = false;                  ///< not finished: it grew beyond TreeOptions::most_items
+  bool cut = false;       ///< somewhere not split for want of room (TreeOptions::room)
+  bool given_up = false;  ///< no nodes: it grew beyond TreeOptions::give_up_items
   TreeStats stats;
 
+  TreeSize size() const { return {nodes.empty() ? 0 : nodes.size() - 1, items.size()}; }
   /// Where rays from this point start.
   std::uint32_t entry(const glm::dvec3& origin) const {
     return box.holds(origin) ? root : clipped_root;

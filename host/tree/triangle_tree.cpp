@@ -59,7 +59,9 @@ Tree build_triangle_tree(const Mesh& object, const TreeOptions& options) {
   TreeOptions rough = options;
   rough.depth_extra = 0;
   rough.patience = 0;
-  content.rays = sample_rays(object, build_tree(content, rough, cut), rays);
+  Tree quick = build_tree(content, rough, cut);
+  if (quick.given_up) return quick;
+  content.rays = sample_rays(object, quick, rays);
   return build_tree(content, options, cut);
 }
 
