@@ -249,7 +249,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "expected string literal"},
         Mistake{"\"camera\"", "\"kamera\"",
                 ": the file: the key 'kamera' is not known; it takes about, colours, objects, "
-                "instances, scatter, camera"},
+                "instances, scatter, camera, path"},
         Mistake{"\"objects\"", "\"about\"", ": the file: the key 'objects' is missing"},
         Mistake{"\"name\": \"b\"", "\"name\": 5", ": objects[0]: 'name' must be a text"},
         Mistake{"[{\"generate\"", "[5, {\"generate\"",
