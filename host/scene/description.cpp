@@ -12,11 +12,13 @@
 #include <limits>
 #include <map>
 
+#include "host/scene/animation.h"
 #include "host/scene/camera.h"
 #include "host/scene/description_parts.h"
 #include "host/scene/import.h"
 #include "host/scene/json_reader.h"
 #include "host/scene/mesh_builder.h"
+#include "host/scene/placement.h"
 #include "host/scene/scatter.h"
 #include "host/scene/wording.h"
 
@@ -33,7 +35,7 @@ class Description {
       : file_(file), parts_(file, packages, scene_) {}
 
   Scene run() {
-    file_.only({"about", "colours", "objects", "instances", "scatter", "camera"});
+    file_.only({"about", "colours", "objects", "instances", "scatter", "camera", "path"});
     scene_.name = std::filesystem::path(file_.file()).stem().string();
     for (const JsonReader& object : file_.objects("objects")) add_object(object);
     if (file_.has("instances")) {
@@ -52,6 +54,8 @@ class Description {
     }
     require_every_object_used();
     if (file_.has("camera")) add_camera(file_.object("camera"));
+    if (file_.has("path")) add_path();
+    move_to(scene_, 0.0);
     return std::move(scene_);
   }
 
@@ -88,13 +92,20 @@ class Description {
   }
 
   void add_instance(const JsonReader& at) {
-    at.only({"object", "name", "position", "turn", "rotate", "scale", "matrix"});
+    at.only({"object", "name", "position", "turn", "rotate", "scale", "matrix", "motion"});
     Instance instance;
     instance.object = object(at, "object");
     instance.name =
         at.text("name", at.text("object") + "#" + std::to_string(scene_.instances.size()));
-    instance.transform = transform(at);
+    const Placement placement = read_placement(at);
+    instance.transform = at.has("matrix") ? matrix(at) : placement.matrix();
     require_inverse(instance, at.file());
+    if (at.has("motion")) {
+      if (at.has("matrix")) fail(at, wording::kMatrixMotion);
+      instance.motion = static_cast<uint32_t>(scene_.motion.size());
+      scene_.motion.push_back(read_motion(at.object("motion"), placement));
+      scene_.motion.back().name = instance.name;
+    }
     scene_.instances.push_back(std::move(instance));
   }
 
@@ -127,24 +138,12 @@ class Description {
     }
   }
 
-  // Scaled, then turned, then rotated, then moved; or the rows of a 3x4 matrix.
-  static glm::dmat4 transform(const JsonReader& at) {
+  // By the rows of a 3x4 matrix.
+  static glm::dmat4 matrix(const JsonReader& at) {
     glm::dmat4 m(1.0);
-    if (at.has("matrix")) {
-      const std::vector<double> rows = at.numbers("matrix", 12);
-      for (int i = 0; i < 12; ++i) m[i % 4][i / 4] = rows[static_cast<std::size_t>(i)];
-      return m;
-    }
-    m = glm::translate(m, at.vector("position", glm::dvec3(0.0)));
-    if (at.has("rotate")) {
-      const JsonReader rotate = at.object("rotate");
-      rotate.only({"axis", "degrees"});
-      const glm::dvec3 axis = rotate.vector("axis");
-      if (!(glm::length(axis) > 0.0)) fail(rotate, wording::kAxis);
-      m = glm::rotate(m, glm::radians(rotate.number("degrees")), glm::normalize(axis));
-    }
-    m = glm::rotate(m, glm::radians(at.number("turn", 0.0)), kUp);
-    return glm::scale(m, at.vector("scale", glm::dvec3(1.0)));
+    const std::vector<double> rows = at.numbers("matrix", 12);
+    for (int i = 0; i < 12; ++i) m[i % 4][i / 4] = rows[static_cast<std::size_t>(i)];
+    return m;
   }
 
   void require_every_object_used() const {
@@ -166,6 +165,12 @@ class Description {
       if (text.starts_with(at.file())) throw;
       fail(at, text);
     }
+  }
+
+  void add_path() {
+    if (!scene_.camera) fail(file_, wording::kPathCamera);
+    scene_.path = read_path(file_);
+    scene_.path_up = file_.object("camera").vector("up", kUp);
   }
 
   const JsonReader& file_;

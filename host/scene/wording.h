@@ -151,6 +151,21 @@ inline constexpr Text kNoMapPackage =
     "the map of this scene comes from the Debian package openarena-081-maps, which is not "
     "installed ({} is missing); install it with: apt-get install openarena-081-maps";
 
+// Motion
+inline constexpr Text kNoKeys = "'{}' has no keys; it needs at least one";
+inline constexpr Text kKeyTime = "'time' must be at least 0 and above that of the key before";
+inline constexpr Text kKeyScale =
+    "'scale' must not be zero and on no axis change its sign from the instance's";
+inline constexpr Text kKeyTurn = "'turn' may change by at most {} degrees from the key before";
+inline constexpr Text kRepeat = "'repeat' needs a key later than at time 0";
+inline constexpr Text kMatrixMotion =
+    "an instance with a 'motion' cannot be placed by a 'matrix'; give position, turn, rotate, "
+    "scale";
+inline constexpr Text kPathCamera =
+    "a 'path' needs a 'camera', which has its field of view and what is up";
+inline constexpr Text kCameraTime = "{}, after {} seconds: {}";
+inline constexpr Text kAtTime = "{}, after {} seconds";
+
 // Cameras
 inline constexpr Text kFieldOfView =
     "the camera's field of view is {} degrees; it must lie between 0 and 180";
