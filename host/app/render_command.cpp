@@ -24,7 +24,7 @@ struct Arguments {
   std::string trace;
 };
 
-/// Waveforms of a frame that never ended are kept: they show why.
+/// Waveforms of a frame that never ended, or in which an assertion failed, are kept: they show why.
 template <class Render>
 Frame traced(TraceFile& trace, Render&& render) {
   try {
@@ -32,6 +32,9 @@ Frame traced(TraceFile& trace, Render&& render) {
     trace.keep();
     return frame;
   } catch (const TimeoutError&) {
+    trace.keep();
+    throw;
+  } catch (const std::logic_error&) {
     trace.keep();
     throw;
   }
@@ -68,7 +71,8 @@ Command add_render_command(CLI::App& program) {
       ->option_text("BOARD [rtl]");
   command
       ->add_option("--trace", arguments->trace,
-                   "write the waveforms of the Verilog; large: choose a small --size")
+                   "write the waveforms of the Verilog, and check its assertions; large: choose a "
+                   "small --size")
       ->option_text("FILE.fst");
   arguments->frame.add_to(*command, "SCENE.png");
   return {command, [arguments] { return run(*arguments); }};

@@ -29,8 +29,10 @@ class ClockedBoard {
   virtual std::uint64_t frame_writes() const = 0;  ///< words written to bank 3 since power-up
 };
 
-/// Makes one; that of the second kind writes its waveforms to the FST file `trace`.
+/// Makes one. That of the second kind is slower and shows more: it writes its waveforms to the FST
+/// file `trace` if one is named, it checks the Verilog's assertions (std::logic_error when one
+/// fails), and whatever the Verilog has not written is random from `seed`.
 using MakeBoard = std::unique_ptr<ClockedBoard> (*)();
-using MakeTracedBoard = std::unique_ptr<ClockedBoard> (*)(const std::string& trace);
+using MakeTracedBoard = std::unique_ptr<ClockedBoard> (*)(const std::string& trace, int seed);
 
 }  // namespace dynrt::host

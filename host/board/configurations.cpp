@@ -16,6 +16,8 @@ namespace dynrt::host {
 
 namespace {
 
+constexpr int kTraceSeed = 1;  ///< waveforms are the same every time
+
 std::string names_of(std::span<const Configuration> table) {
   std::vector<std::string_view> names;
   for (const Configuration& configuration : table) names.push_back(configuration.name);
@@ -25,7 +27,7 @@ std::string names_of(std::span<const Configuration> table) {
 const Configuration& find(std::span<const Configuration> table, const std::string& name) {
   const auto found = std::ranges::find(table, name, &Configuration::name);
   if (found == table.end()) {
-    throw UserError(fmt::format(messages::kNoConfiguration, name, names_of(table)));
+    refuse(messages::kNoConfiguration, name, names_of(table));
   }
   return *found;
 }
@@ -36,19 +38,19 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
                                   const BoardRequest& request) {
   const bool rtl = request.board == "rtl";
   if (!rtl && request.board != "model") {
-    throw UserError(fmt::format(messages::kNoBoard, request.board));
+    refuse(messages::kNoBoard, request.board);
   }
   const Configuration& configuration = find(table, request.configuration);
   if (!rtl) {
-    if (!request.trace.empty()) throw UserError(messages::kNoTrace);
+    if (!request.trace.empty()) refuse(messages::kNoTrace);
     return std::make_unique<ModelBoard>(request.configuration, configuration.native());
   }
   if (!configuration.rtl) {
-    throw UserError(fmt::format(messages::kNoRtl, configuration.name));
+    refuse(messages::kNoRtl, configuration.name);
   }
   return std::make_unique<RtlBoard>(
       request.configuration,
-      request.trace.empty() ? configuration.rtl() : configuration.traced(request.trace),
+      request.trace.empty() ? configuration.rtl() : configuration.traced(request.trace, kTraceSeed),
       counters_of(configuration.core_json()));
 }
 

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the boards say when something is wrong: one wording each, fmt's format strings.
+// What the boards say when something is wrong.
 #pragma once
 
 namespace dynrt::host::messages {
@@ -9,6 +9,8 @@ namespace dynrt::host::messages {
 inline constexpr char kTimeout[] =
     "board {}: no interrupt and no pixel for {} clocks (--timeout allows more); {} pixels are "
     "written, status {:#x}, the units stand at {}";
+inline constexpr char kAssertion[] =
+    "the Verilog's assertion that is printed above fails in clock {} of the board";
 inline constexpr char kBusHangs[] =
     "board {}: the bus waits for ever at address {:#x}; the Verilog below it is broken";
 inline constexpr char kWrongId[] =
@@ -29,5 +31,6 @@ inline constexpr char kNoRtl[] =
     "-DDYNRT_RTL=ON or take --board model";
 inline constexpr char kNoTrace[] =
     "--trace: only --board rtl has signals to record; leave the flag out or choose that board";
+inline constexpr char kTrace[] = "{}: cannot be written; name a file in a folder that can";
 
 }  // namespace dynrt::host::messages

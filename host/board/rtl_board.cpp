@@ -3,7 +3,6 @@
 #include "host/board/rtl_board.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,6 +11,7 @@
 #include "host/board/frame_words.h"
 #include "host/board/messages.h"
 #include "host/board/registers.h"
+#include "host/board/standstill.h"
 #include "host/error.h"
 
 namespace dynrt::host {
@@ -40,12 +40,11 @@ RtlBoard::RtlBoard(std::string configuration, std::unique_ptr<ClockedBoard> cloc
   const std::uint32_t id = read_register(reg::kRegId);
   const std::uint32_t version = read_register(reg::kRegVersion);
   if (id != reg::kIdValue || version != reg::kVersionValue) {
-    throw UserError(fmt::format(messages::kWrongId, info_.name, id, version, reg::kIdValue,
-                                reg::kVersionValue));
+    refuse(messages::kWrongId, info_.name, id, version, reg::kIdValue, reg::kVersionValue);
   }
   const std::uint32_t words = read_register(reg::kRegFrameWords);
   if (words != kFrameWords) {
-    throw UserError(fmt::format(messages::kFrameWords, info_.name, words, kFrameWords));
+    refuse(messages::kFrameWords, info_.name, words, kFrameWords);
   }
   const std::uint32_t limits = read_register(reg::kRegLimits);
   info_.packets = limits & 0xffff;
@@ -58,7 +57,7 @@ void RtlBoard::settle() {
   for (int i = 0; i < kResetReads; ++i) {
     if (!(read_register(reg::kRegStatus) >> reg::kStatusBusy & 1)) return;
   }
-  throw UserError(fmt::format(messages::kBusHangs, info_.name, reg::kRegStatus));
+  refuse(messages::kBusHangs, info_.name, reg::kRegStatus);
 }
 
 void RtlBoard::write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) {
@@ -107,14 +106,11 @@ FrameRun RtlBoard::wait(std::uint64_t timeout, const PixelProgress& progress) {
 
 void RtlBoard::give_up(std::uint64_t timeout, std::uint64_t pixels) {
   const std::uint32_t status = read_register(reg::kRegStatus);
-  std::vector<std::string> state;
-  for (const Counter& counter : counters()) {
-    state.push_back(fmt::format("{} {}", counter.name, counter.value));
-  }
+  const std::vector<Counter> before = counters();  // reading them takes some hundred clocks
+  const std::string state = where_units_stand(before, counters());
   write_register(reg::kRegControl, 1u << reg::kControlReset);
   settle();
-  throw TimeoutError(
-      fmt::format(messages::kTimeout, info_.name, timeout, pixels, status, fmt::join(state, ", ")));
+  throw TimeoutError(fmt::format(messages::kTimeout, info_.name, timeout, pixels, status, state));
 }
 
 std::vector<Counter> RtlBoard::counters() {
@@ -139,14 +135,14 @@ void RtlBoard::write_register(std::uint32_t address, std::uint32_t value) {
 void RtlBoard::burst_write(std::uint32_t address, std::span<const std::uint32_t> words) {
   meter_.write(words.size());
   if (!clocked_->write(address, words)) {
-    throw UserError(fmt::format(messages::kBusHangs, info_.name, address));
+    refuse(messages::kBusHangs, info_.name, address);
   }
 }
 
 void RtlBoard::burst_read(std::uint32_t address, std::span<std::uint32_t> words) {
   meter_.read(words.size());
   if (!clocked_->read(address, words)) {
-    throw UserError(fmt::format(messages::kBusHangs, info_.name, address));
+    refuse(messages::kBusHangs, info_.name, address);
   }
 }
 

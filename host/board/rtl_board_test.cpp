@@ -19,7 +19,7 @@
 namespace dynrt::host {
 
 std::unique_ptr<ClockedBoard> make_stand_in_board();
-std::unique_ptr<ClockedBoard> make_stand_in_board_traced(const std::string& trace);
+std::unique_ptr<ClockedBoard> make_stand_in_board_traced(const std::string& trace, int seed);
 
 namespace {
 
@@ -36,9 +36,10 @@ constexpr std::uint32_t kPackets = 4;
 constexpr std::uint32_t kTokens = kLines + kPackets;
 constexpr std::uint32_t kPause = 64;  ///< clocks between the two kinds of tokens
 constexpr std::uint32_t kHang = 0xdeadbeef;
+constexpr std::uint32_t kViolation = 0x00badbad;  ///< of an assertion
 
 std::vector<Counter> stand_in_counters() {
-  return {{"stand_in.words", 0, true}, {"stand_in.tokens", 0, true}};
+  return {{"stand_in.transactions", 0, true}, {"start.tokens", 0, true}};
 }
 
 std::vector<std::uint32_t> random_words(std::size_t count, unsigned seed) {
@@ -245,7 +246,7 @@ TEST_F(RtlBoardTest, TimeOutTellsWhereTheUnitsStandAndTheBoardRecovers) {
               ThrowsMessage<TimeoutError>(
                   "board rtl: no interrupt and no pixel for 5000 clocks (--timeout allows more); "
                   "240 pixels are written, status 0x1, the units stand at "
-                  "stand_in.words 240, stand_in.tokens 20"));
+                  "without input: stand_in 240"));
   board_.configure(frame_config());
   board_.start();
   EXPECT_NO_THROW(board_.wait(5000, {}));
@@ -266,7 +267,7 @@ TEST(RtlBoardTrace, WritesWaveforms) {
   const auto file = std::filesystem::path(testing::TempDir()) / "board_test.fst";
   std::filesystem::remove(file);
   {
-    RtlBoard board("stand_in", make_stand_in_board_traced(file), stand_in_counters());
+    RtlBoard board("stand_in", make_stand_in_board_traced(file, 1), stand_in_counters());
     board.configure(frame_config());
     board.start();
     board.wait(5000, {});
@@ -275,8 +276,22 @@ TEST(RtlBoardTrace, WritesWaveforms) {
   std::filesystem::remove(file);
 }
 
+TEST(RtlBoardTrace, AnAssertionThatFailsIsADefect) {
+  const auto render = [](std::unique_ptr<ClockedBoard> clocked) {
+    RtlBoard board("stand_in", std::move(clocked), stand_in_counters());
+    board.configure(frame_config(kViolation));
+    board.start();
+    board.wait(5000, {});
+  };
+  EXPECT_NO_THROW(render(make_stand_in_board())) << "made for speed";
+  EXPECT_THAT([&] { render(make_stand_in_board_traced("", 1)); },
+              ThrowsMessage<std::logic_error>(testing::MatchesRegex(
+                  "the Verilog's assertion that is printed above fails in clock [0-9]+ of the "
+                  "board")));
+}
+
 TEST(RtlBoardTrace, AFileThatCannotBeWrittenIsAnError) {
-  EXPECT_THAT([] { make_stand_in_board_traced("/nowhere/at/all.fst"); },
+  EXPECT_THAT([] { make_stand_in_board_traced("/nowhere/at/all.fst", 1); },
               ThrowsMessage<UserError>(
                   "/nowhere/at/all.fst: cannot be written; name a file in a folder that can"));
 }

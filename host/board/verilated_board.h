@@ -2,40 +2,43 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A Verilated dynrt_board with its SRAM banks, its bus master and its clock gate. V is the
-// Verilated class, kTrace says whether it was made with FST waveforms, kPinLatency is the banks'
-// own latency (the core's SRAM latency less the two pin registers of board_sram.v).
+// Verilated class, kTraced says whether it was made with FST waveforms and with assertions,
+// kPinLatency is the banks' own latency (the core's SRAM latency less the two pin registers of
+// board_sram.v).
 //
 // A clock is two evaluations: inputs settle while it is low, then the rising edge. The core's clock
 // rises with it only while the board asks for it, so a transfer to an idle board costs next to
 // nothing.
 #pragma once
 
+#include <fmt/format.h>
 #include <verilated.h>
 #include <verilated_fst_c.h>
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 
 #include "host/board/clocked_board.h"
+#include "host/board/messages.h"
 #include "host/board/sram.h"
 #include "host/error.h"
 
 namespace dynrt::host {
 
-template <class V, unsigned kPinLatency, bool kTrace>
+template <class V, unsigned kPinLatency, bool kTraced>
 class VerilatedBoard final : public ClockedBoard {
  public:
-  explicit VerilatedBoard(const std::string& trace) : sram_(kPinLatency) {
-    context_->traceEverOn(kTrace);
+  explicit VerilatedBoard(const std::string& trace = "", int seed = 0) : sram_(kPinLatency) {
+    context_->traceEverOn(!trace.empty());
+    if constexpr (kTraced) {
+      context_->randReset(2);
+      context_->randSeed(seed);
+      context_->fatalOnError(false);  // what $stop does is told by an exception
+    }
     top_ = std::make_unique<V>(context_.get());
-    if constexpr (kTrace) {
-      waves_ = std::make_unique<VerilatedFstC>();
-      top_->trace(waves_.get(), 99);
-      waves_->open(trace.c_str());
-      if (!waves_->isOpen())
-        throw UserError(trace +
-                        ": cannot be written; name a file in a folder "
-                        "that can");
+    if constexpr (kTraced) {
+      if (!trace.empty()) open(trace);
     }
     top_->rst_ni = 0;
     idle();
@@ -98,6 +101,13 @@ class VerilatedBoard final : public ClockedBoard {
   static constexpr int kResetClocks = 4;
   static constexpr int kPatience = 1000;  ///< clocks that a transfer may wait
 
+  void open(const std::string& trace) {
+    waves_ = std::make_unique<VerilatedFstC>();
+    top_->trace(waves_.get(), 99);
+    waves_->open(trace.c_str());
+    if (!waves_->isOpen()) refuse(messages::kTrace, trace);
+  }
+
   void idle() {
     top_->bus_valid_i = 0;
     top_->bus_write_i = 0;
@@ -121,14 +131,12 @@ class VerilatedBoard final : public ClockedBoard {
     V& top = *top_;
     top.clk_i = 0;
     top.core_clk_i = 0;
-    top.eval();
-    dump(0);
+    eval(0);
     const bool ready = top.bus_ready_o;
     const Sram::Data& data = access_sram(top);
     top.clk_i = 1;
     top.core_clk_i = top.core_clk_en_o;
-    top.eval();
-    dump(1);
+    eval(1);
     for (unsigned b = 0; b < Sram::kBanks; ++b) top.sram_rdata_i[b] = data[b];
     ++clocks_;
     return ready;
@@ -146,8 +154,13 @@ class VerilatedBoard final : public ClockedBoard {
     return sram_.advance();
   }
 
-  void dump(unsigned half) {
-    if constexpr (kTrace) waves_->dump(2 * clocks_ + half);
+  void eval(unsigned half) {
+    if constexpr (kTraced) Verilated::threadContextp(context_.get());  // which $stop speaks to
+    top_->eval();
+    if constexpr (kTraced) {
+      if (waves_) waves_->dump(2 * clocks_ + half);
+      if (context_->gotError()) throw std::logic_error(fmt::format(messages::kAssertion, clocks_));
+    }
   }
 
   std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();

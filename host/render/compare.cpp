@@ -70,18 +70,37 @@ void compare_pixels(Comparison& comparison, const Frame& left, const Frame& righ
   }
 }
 
-/// Counters that both boards have; the model counts no stalls.
+constexpr char kNone[] = "none";
+
+/// The value of an order-independent counter, if the board has it.
+std::optional<std::uint64_t> value_of(const Frame& frame, const std::string& name) {
+  const auto found = std::ranges::find(frame.counters, name, &Counter::name);
+  if (found == frame.counters.end() || !found->order_independent) return std::nullopt;
+  return found->value;
+}
+
+/// Every order-independent counter of either board; one that the other board lacks is a difference.
 void compare_counters(Comparison& comparison, const Frame& left, const Frame& right) {
-  for (const Counter& counter : left.counters) {
-    if (!counter.order_independent) continue;
-    const auto other = std::ranges::find(right.counters, counter.name, &Counter::name);
-    if (other == right.counters.end()) continue;
-    ++comparison.counters;
-    if (counter.value == other->value) continue;
+  const auto text = [](std::optional<std::uint64_t> value) {
+    return value ? fmt::format("{}", *value) : kNone;
+  };
+  const auto check = [&](const std::string& name) {
+    const auto a = value_of(left, name);
+    const auto b = value_of(right, name);
+    if (a && b) ++comparison.counters;
+    if (a == b) return;
     ++comparison.different_counters;
-    note(comparison,
-         {{}, {}, counter.name, fmt::format("{}", counter.value), fmt::format("{}", other->value)});
+    note(comparison, {{}, {}, name, text(a), text(b)});
+  };
+  for (const Counter& counter : left.counters) check(counter.name);
+  for (const Counter& counter : right.counters) {
+    if (!value_of(left, counter.name)) check(counter.name);
   }
+}
+
+/// Nothing compared is nothing proved.
+void require(Comparison& comparison, std::uint64_t compared, const char* what) {
+  if (compared == 0) note(comparison, {{}, {}, what, kNone, kNone});
 }
 
 }  // namespace
@@ -100,6 +119,8 @@ Comparison compare(const Frame& left, const Frame& right) {
   }
   compare_pixels(comparison, left, right);
   compare_counters(comparison, left, right);
+  require(comparison, comparison.pixels, "pixels to compare");
+  require(comparison, comparison.counters, "counters to compare");
   return comparison;
 }
 

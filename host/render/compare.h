@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Whether two boards did the same: every hit record, every pixel, every counter that does not
-// depend on the order in which packets are served. To the last bit.
+// depend on the order in which packets are served. To the last bit. A counter that one board lacks
+// is a difference, and so is a frame without pixels or without such counters.
 #pragma once
 
 #include <optional>
@@ -15,7 +16,7 @@ namespace dynrt::host {
 /// The first difference in reading order: pixels row by row, hits before colours, then counters.
 struct Difference {
   std::optional<unsigned> x, y;  ///< of a pixel; none for a counter
-  std::string field;             ///< "hit", "t", .. "colour", or a counter's name
+  std::string field;             ///< "hit", "t", .. "colour", a counter's name, or what is lacking
   std::string left, right;       ///< both values, as text
 
   /// One sentence, the boards named by the frames' boards.
@@ -25,10 +26,10 @@ struct Difference {
 struct Comparison {
   std::uint64_t hits = 0;      ///< pixels hit on the left board
   std::uint64_t pixels = 0;    ///< compared
-  std::uint64_t counters = 0;  ///< compared
+  std::uint64_t counters = 0;  ///< that both boards have
   std::uint64_t different_hits = 0;
   std::uint64_t different_pixels = 0;
-  std::uint64_t different_counters = 0;
+  std::uint64_t different_counters = 0;  ///< or on one board only
   std::optional<Difference> first;
 
   bool identical() const { return !first; }

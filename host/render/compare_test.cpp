@@ -22,7 +22,7 @@ Frame a_frame() {
   frame.counters = {{"step.tokens", 100, true},
                     {"node_fill.transactions", 7, false},
                     {"list.stalls", 3, false},
-                    {"only_here.tokens", 1, true}};
+                    {"list.tokens", 1, true}};
   return frame;
 }
 
@@ -81,12 +81,43 @@ TEST(Compare, TheFirstDifferenceIsTheFirstPixelsAndAllAreCounted) {
   EXPECT_EQ(comparison.different_counters, 1u);
 }
 
-TEST(Compare, CountersThatDependOnTheOrderMayDiffer) {
+TEST(Compare, CountersThatDependOnTheOrderMayDifferOrBeAbsent) {
   Frame other = a_frame();
-  other.counters = {{"node_fill.transactions", 8, false}, {"step.tokens", 100, true}};
+  other.counters = {
+      {"node_fill.transactions", 8, false}, {"list.tokens", 1, true}, {"step.tokens", 100, true}};
   const Comparison comparison = compare(a_frame(), other);
   EXPECT_TRUE(comparison.identical());
+  EXPECT_EQ(comparison.counters, 2u);
+}
+
+TEST(Compare, ACounterThatOneBoardLacksIsADifference) {
+  EXPECT_EQ(difference_after([](Frame& f) { f.counters.pop_back(); }),
+            "list.tokens: rtl has 1, model has none");
+  EXPECT_EQ(difference_after([](Frame& f) { f.counters.push_back({"leaf.tokens", 0, true}); }),
+            "leaf.tokens: rtl has none, model has 0");
+  EXPECT_EQ(difference_after([](Frame& f) { f.counters[0].order_independent = false; }),
+            "step.tokens: rtl has 100, model has none");
+  Frame renamed = a_frame();
+  renamed.counters[3].name = "list.words";
+  const Comparison comparison = compare(a_frame(), renamed);
   EXPECT_EQ(comparison.counters, 1u);
+  EXPECT_EQ(comparison.different_counters, 2u);
+}
+
+TEST(Compare, NothingComparedIsNotIdentical) {
+  const auto difference = [](const Frame& frame) {
+    const Comparison comparison = compare(frame, frame);
+    EXPECT_FALSE(comparison.identical());
+    return comparison.first ? comparison.first->text("rtl", "model") : "none";
+  };
+  Frame no_counters = a_frame();
+  no_counters.counters = {{"node_fill.transactions", 7, false}};
+  EXPECT_EQ(difference(no_counters), "counters to compare: rtl has none, model has none");
+  Frame no_pixels = a_frame();
+  no_pixels.width = 0;
+  no_pixels.pixels.clear();
+  no_pixels.hits.clear();
+  EXPECT_EQ(difference(no_pixels), "pixels to compare: rtl has none, model has none");
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 //
 // RAM with a write port and a synchronous read port: data comes the clock after the address. A row
 // that is written while it is read gives its old data; EXCLUSIVE promises that this never happens,
-// which saves the logic that would see to it in block RAM.
+// which saves the logic that would see to it in block RAM: an FPGA may then give anything. The reset
+// is for the assertion of that promise alone.
 `default_nettype none
 
 module hls_ram_1r1w #(
@@ -13,6 +14,7 @@ module hls_ram_1r1w #(
     parameter ADDR_WIDTH = ROWS > 1 ? $clog2(ROWS) : 1
 ) (
     input  wire                  clk_i,
+    input  wire                  rst_ni,
     input  wire                  write_en_i,
     input  wire [ADDR_WIDTH-1:0] write_addr_i,
     input  wire [     WIDTH-1:0] write_data_i,
@@ -37,6 +39,17 @@ module hls_ram_1r1w #(
       end
     end
   endgenerate
+
+`ifdef HLS_ASSERT
+  always @(posedge clk_i) begin
+    if (EXCLUSIVE != 0 && rst_ni && write_en_i && read_en_i && write_addr_i == read_addr_i) begin
+      $display("%m: row %0d is written while it is read", write_addr_i);
+      $stop;
+    end
+  end
+`else
+  wire unused = &{1'b0, rst_ni};
+`endif
 
 endmodule
 

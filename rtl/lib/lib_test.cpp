@@ -11,12 +11,16 @@
 #include <vector>
 
 #include "Vhls_arbiter.h"
+#include "Vhls_counters.h"
 #include "Vhls_delay.h"
 #include "Vhls_fifo.h"
+#include "Vhls_fifo_bounded.h"
 #include "Vhls_fifo_margin.h"
 #include "Vhls_fork.h"
 #include "Vhls_ram_1r1w.h"
+#include "Vhls_ram_exclusive.h"
 #include "Vhls_register_file.h"
+#include "Vhls_repeat.h"
 
 namespace {
 
@@ -103,6 +107,49 @@ TEST(HlsFifo, WithAMarginTakesWhatWasOnTheWay) {
   EXPECT_EQ(most, 16u);
 }
 
+TEST(HlsFifo, BoundedIsAlwaysReadyAndHoldsItsDepth) {
+  VerilatedContext context;
+  Vhls_fifo_bounded v(&context);  // 13 bits, 6 places
+  std::mt19937 random(7);
+  std::deque<unsigned> held;
+  v.valid_i = v.ready_i = 0;
+  reset(v);
+  unsigned full = 0;
+  unsigned passed_full = 0;
+  for (unsigned t = 0; t < kClocks; ++t) {
+    v.ready_i = chance(random, t, 1);
+    // The promise: a token comes to a full FIFO only in the clock in which another one leaves.
+    v.valid_i = chance(random, t, 0) && (held.size() < 6 || v.ready_i);
+    v.data_i = random() % 8192;
+    settle(v);
+    ASSERT_TRUE(v.ready_o) << t;
+    ASSERT_EQ(v.valid_o != 0, !held.empty()) << t;
+    full += held.size() == 6 ? 1 : 0;
+    passed_full += held.size() == 6 && v.valid_i ? 1 : 0;
+    if (v.valid_o && v.ready_i) {
+      ASSERT_EQ(v.data_o, held.front()) << t;
+      held.pop_front();
+    }
+    if (v.valid_i) held.push_back(v.data_i);
+    clock(v);
+  }
+  EXPECT_GT(full, 100u);
+  EXPECT_GT(passed_full, 100u);
+}
+
+TEST(HlsFifo, ATokenTooManyStopsTheSimulation) {
+  VerilatedContext context;
+  context.fatalOnError(false);
+  Vhls_fifo_bounded v(&context);  // 6 places
+  v.valid_i = v.ready_i = 0;
+  reset(v);
+  v.valid_i = 1;
+  for (unsigned token = 1; token <= 7; ++token) {
+    settle(v), clock(v);
+    EXPECT_EQ(context.gotError(), token == 7) << "token " << token;
+  }
+}
+
 TEST(HlsArbiter, GivesEveryInputItsTurn) {
   VerilatedContext context;
   Vhls_arbiter v(&context);  // 3 inputs of 8 bits
@@ -155,6 +202,63 @@ TEST(HlsFork, DeliversToAllAtOnce) {
   }
 }
 
+TEST(HlsRepeat, SendsAJobAsOftenAsItSays) {
+  VerilatedContext context;
+  context.randReset(2);
+  Vhls_repeat v(&context);  // 8 bits, the lowest 2 of which are the repetitions
+  std::mt19937 random(8);
+  v.valid_i = v.ready_i = 0;
+  v.data_i = 0;
+  reset(v);
+  unsigned number = 0;
+  unsigned jobs = 0;
+  bool waits = false;
+  for (unsigned t = 0; t < kClocks; ++t) {
+    if (!waits) {
+      v.valid_i = chance(random, t, 0);
+      v.data_i = random() & 0xff;
+    }
+    v.ready_i = chance(random, t, 1);
+    settle(v);
+    const bool last = number == v.data_i % 4u;
+    ASSERT_EQ(v.valid_o, v.valid_i) << t;
+    if (v.valid_o) {
+      ASSERT_EQ(v.data_o, unsigned{v.data_i} << 3 | (last ? 4u : 0u) | number) << t;
+      ASSERT_EQ(v.ready_o != 0, v.ready_i && last) << t;
+      if (v.ready_i) number = last ? 0 : number + 1;
+    }
+    jobs += v.valid_i && v.ready_o ? 1 : 0;
+    waits = v.valid_i && !v.ready_o;
+    clock(v);
+  }
+  EXPECT_GT(jobs, kClocks / 10);
+}
+
+TEST(HlsCounters, CountTheirEventsAndAreReadAClockLater) {
+  VerilatedContext context;
+  context.randReset(2);
+  Vhls_counters v(&context);  // 5 counters
+  std::mt19937 random(9);
+  v.clear_i = v.event_i = v.addr_i = 0;
+  reset(v);
+  std::vector<unsigned> counts(256, 0);
+  unsigned expected = 0;
+  unsigned most = 0;
+  for (unsigned t = 0; t < kClocks; ++t) {
+    v.clear_i = random() % 2000 == 0;
+    v.event_i = random() % 32;
+    v.addr_i = static_cast<unsigned char>(random() % 4 ? random() % 5 : random() % 256);
+    settle(v);
+    if (t > 0) ASSERT_EQ(v.data_o, expected) << t;
+    expected = counts[v.addr_i];
+    most = std::max(most, expected);
+    for (unsigned i = 0; i < 5; ++i) counts[i] += v.event_i >> i & 1;
+    if (v.clear_i) counts.assign(256, 0);
+    clock(v);
+  }
+  EXPECT_GT(most, 500u);
+}
+
 TEST(HlsDelay, DelaysByItsClocks) {
   VerilatedContext context;
   Vhls_delay v(&context);  // 20 bits, 9 clocks
@@ -178,6 +282,7 @@ TEST(HlsRam, ReadsTheOldRowOneClockLater) {
   Vhls_ram_1r1w v(&context);  // 12 bits, 10 rows
   std::mt19937 random(5);
   std::vector<unsigned> rows(10, 0);
+  v.rst_ni = 1;
   v.read_en_i = 0;
   for (unsigned i = 0; i < 10; ++i) {
     v.write_en_i = 1;
@@ -205,6 +310,33 @@ TEST(HlsRam, ReadsTheOldRowOneClockLater) {
     clock(v);
   }
   EXPECT_GT(together, 100u);
+}
+
+TEST(HlsRam, AnExclusiveRowReadWhileItIsWrittenStopsTheSimulation) {
+  VerilatedContext context;
+  context.fatalOnError(false);
+  Vhls_ram_exclusive v(&context);  // 12 bits, 10 rows
+  std::mt19937 random(10);
+  v.rst_ni = 1;
+  const auto stops = [&](bool write, unsigned written, bool read, unsigned looked_at) {
+    v.write_en_i = write;
+    v.write_addr_i = static_cast<unsigned char>(written);
+    v.write_data_i = random() % 4096;
+    v.read_en_i = read;
+    v.read_addr_i = static_cast<unsigned char>(looked_at);
+    settle(v), clock(v);
+    return context.gotError();
+  };
+  for (unsigned t = 0; t < 1000; ++t) {
+    const unsigned row = random() % 10;
+    ASSERT_FALSE(stops(true, row, true, (row + 1 + random() % 9) % 10)) << "other rows";
+    ASSERT_FALSE(stops(true, row, false, row)) << "written only";
+    ASSERT_FALSE(stops(false, row, true, row)) << "read only";
+  }
+  v.rst_ni = 0;
+  EXPECT_FALSE(stops(true, 3, true, 3)) << "in reset, where the enables mean nothing";
+  v.rst_ni = 1;
+  EXPECT_TRUE(stops(true, 3, true, 3));
 }
 
 TEST(HlsRegisterFile, ReadsInTheSameClockAndStartsWithZeros) {

@@ -439,9 +439,9 @@ class Writer {
     const bool exclusive = p.hazard == Hazard::kExclusive;
     out("  wire {0}_read = {1};\n  wire {2}{0}_read_addr = {3};\n", p.name, read_enable,
         bit_range(address), read_address);
-    out("  hls_ram_1r1w #(.WIDTH({0}), .ROWS({1}), .EXCLUSIVE({2})) {3}_ram (\n    .clk_i(clk_i),\n"
-        "    {4},\n    .read_en_i({3}_read), .read_addr_i({3}_read_addr), "
-        ".read_data_o({3}_row));\n",
+    out("  hls_ram_1r1w #(.WIDTH({0}), .ROWS({1}), .EXCLUSIVE({2})) {3}_ram (\n"
+        "    .clk_i(clk_i), .rst_ni(rst_ni),\n    {4},\n"
+        "    .read_en_i({3}_read), .read_addr_i({3}_read_addr), .read_data_o({3}_row));\n",
         p.width, p.rows, exclusive ? 1 : 0, p.name, write_pins);
     if (exclusive && written) assert_exclusive(p, address, stage(write) - stage(read));
   }

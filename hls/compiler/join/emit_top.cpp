@@ -20,8 +20,6 @@ using hls::JoinRecord;
 using hls::PortRecord;
 using hls::UnitRecord;
 
-constexpr std::size_t kMaxCounters = 256;  ///< that hls_counters.v has and an address reaches
-
 /// "unit.port" as the stem of a wire's name.
 std::string wire(const std::string& port) {
   std::string name = port;
@@ -257,7 +255,7 @@ class Top {
               range(ram.width));
       write(
           "  hls_ram_1r1w #(.WIDTH({0}), .ROWS({1}), .EXCLUSIVE({2})) {3}_ram_{4} (\n"
-          "    .clk_i(clk_i),\n"
+          "    .clk_i(clk_i), .rst_ni(rst_ni),\n"
           "    .write_en_i({5}_en), .write_addr_i({5}_addr), .write_data_i({5}_data),\n"
           "    .read_en_i({6}_en), .read_addr_i({6}_addr), .read_data_o({6}_data));\n",
           ram.width, ram.rows, ram.hazard == hls::Hazard::kExclusive ? 1 : 0, ram.name, i, w, r);
@@ -345,6 +343,12 @@ class Top {
   void count() {
     for (const UnitRecord& unit : join_.units) counted_.push_back(unit.name + "_fire");
     for (const UnitRecord& unit : join_.units) counted_.push_back(unit.name + "_stall");
+    if (counted_.size() > kMaxCounters) {
+      throw std::invalid_argument(fmt::format(
+          "the join has {} counters, one for every channel inside and two for every unit; a top "
+          "counts at most {}: join fewer units, or widen the address of hls_counters",
+          counted_.size(), kMaxCounters));
+    }
     ports_.push_back("  input  wire counter_clear_i");
     ports_.push_back("  input  wire [7:0] counter_addr_i");
     ports_.push_back("  output wire [31:0] counter_data_o");
@@ -377,13 +381,6 @@ class Top {
 }  // namespace
 
 std::string emit_top(const JoinRecord& join, const std::string& name) {
-  const std::size_t counters = hls::counters_of(join).size();
-  if (counters > kMaxCounters) {
-    throw std::invalid_argument(fmt::format(
-        "the join has {} counters where the board can read {}; join fewer channels and units, or "
-        "widen hls_counters.v and the board's counter address",
-        counters, kMaxCounters));
-  }
   return Top(join, name).text();
 }
 

@@ -10,9 +10,12 @@
 
 namespace hlsc {
 
+inline constexpr unsigned kMaxCounters =
+    256;  ///< of rtl/lib/hls_counters.v, whose address has 8 bits
+
 /// A Verilog-2005 module `name` that instantiates every unit and connects them through rtl/lib.
 /// Throws std::invalid_argument naming a port that nothing is connected to, or a fork without a
-/// bound to a unit that needs other tokens as well; and for more counters than can be read.
+/// bound to a unit that needs other tokens as well, or if there are more than kMaxCounters.
 std::string emit_top(const hls::JoinRecord& join, const std::string& name);
 
 /// What the values set from outside are made of, for hand-written Verilog around the top to

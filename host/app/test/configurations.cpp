@@ -12,7 +12,7 @@
 namespace dynrt::host {
 
 std::unique_ptr<ClockedBoard> make_stand_in_board();
-std::unique_ptr<ClockedBoard> make_stand_in_board_traced(const std::string& trace);
+std::unique_ptr<ClockedBoard> make_stand_in_board_traced(const std::string& trace, int seed);
 
 namespace {
 

@@ -6,7 +6,7 @@
 // banks 0 to 2 at p and writes
 //   bank 3 [frame_base + p] = bank 0 ^ bank 1, bank 4 [p] = bank 2, bank 5 [p] = ~bank 0
 // one word a clock. Counters: 0 the words written, 1 the start tokens. A background of 32'hdeadbeef
-// makes it hang after the last write.
+// makes it hang after the last write, one of 32'h00badbad violates an assertion.
 `include "dynrt_core.vh"
 
 module dynrt_core (
@@ -105,5 +105,14 @@ module dynrt_core (
       valid_q <= {LATENCY{1'b0}};
     end
   end
+
+`ifdef HLS_ASSERT
+  always @(posedge clk_i) begin
+    if (rst_ni && fed && background == 32'h00badbad) begin
+      $display("%m: a violation was asked for");
+      $stop;
+    end
+  end
+`endif
 
 endmodule

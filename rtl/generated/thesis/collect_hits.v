@@ -175,7 +175,7 @@ module collect_hits #(
   wire closest_read = valid_s0 && in_hit_s0;
   wire [6:0] closest_read_addr = {in_packet_s0, candidate_6_s0, candidate_5_s0};
   hls_ram_1r1w #(.WIDTH(24), .ROWS(128), .EXCLUSIVE(1)) closest_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(closest_write), .write_addr_i(closest_write_addr),
     .write_data_i(mux_1_s2),
     .read_en_i(closest_read), .read_addr_i(closest_read_addr), .read_data_o(closest_row));

@@ -717,153 +717,153 @@ module dynrt_core (
 
   // RAM pixel_position
   hls_ram_1r1w #(.WIDTH(20), .ROWS(32), .EXCLUSIVE(1)) pixel_position_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(ray_generation__position_en), .write_addr_i(ray_generation__position_addr), .write_data_i(ray_generation__position_data),
     .read_en_i(send_packet__position_en), .read_addr_i(send_packet__position_addr), .read_data_o(send_packet__position_data));
   hls_ram_1r1w #(.WIDTH(20), .ROWS(32), .EXCLUSIVE(1)) pixel_position_ram_1 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(ray_generation__position_en), .write_addr_i(ray_generation__position_addr), .write_data_i(ray_generation__position_data),
     .read_en_i(shading__position_en), .read_addr_i(shading__position_addr), .read_data_o(shading__position_data));
 
   // RAM hit_record
   hls_ram_1r1w #(.WIDTH(155), .ROWS(128), .EXCLUSIVE(1)) hit_record_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(collect_hits__hit_en), .write_addr_i(collect_hits__hit_addr), .write_data_i(collect_hits__hit_data),
     .read_en_i(shading__hit_en), .read_addr_i(shading__hit_addr), .read_data_o(shading__hit_data));
 
   // RAM ray_0
   hls_ram_1r1w #(.WIDTH(144), .ROWS(64), .EXCLUSIVE(1)) ray_0_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(packet_decoder__ray_0_en), .write_addr_i(packet_decoder__ray_0_addr), .write_data_i(packet_decoder__ray_0_data),
     .read_en_i(slice_0__ray_en), .read_addr_i(slice_0__ray_addr), .read_data_o(slice_0__ray_data));
 
   // RAM distance_0
   hls_ram_1r1w #(.WIDTH(24), .ROWS(32), .EXCLUSIVE(1)) distance_0_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(collect_hits__distance_0_en), .write_addr_i(collect_hits__distance_0_addr), .write_data_i(collect_hits__distance_0_data),
     .read_en_i(slice_0__hit_distance_en), .read_addr_i(slice_0__hit_distance_addr), .read_data_o(slice_0__hit_distance_data));
 
   // RAM ray_1
   hls_ram_1r1w #(.WIDTH(144), .ROWS(64), .EXCLUSIVE(1)) ray_1_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(packet_decoder__ray_1_en), .write_addr_i(packet_decoder__ray_1_addr), .write_data_i(packet_decoder__ray_1_data),
     .read_en_i(slice_1__ray_en), .read_addr_i(slice_1__ray_addr), .read_data_o(slice_1__ray_data));
 
   // RAM distance_1
   hls_ram_1r1w #(.WIDTH(24), .ROWS(32), .EXCLUSIVE(1)) distance_1_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(collect_hits__distance_1_en), .write_addr_i(collect_hits__distance_1_addr), .write_data_i(collect_hits__distance_1_data),
     .read_en_i(slice_1__hit_distance_en), .read_addr_i(slice_1__hit_distance_addr), .read_data_o(slice_1__hit_distance_data));
 
   // RAM ray_2
   hls_ram_1r1w #(.WIDTH(144), .ROWS(64), .EXCLUSIVE(1)) ray_2_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(packet_decoder__ray_2_en), .write_addr_i(packet_decoder__ray_2_addr), .write_data_i(packet_decoder__ray_2_data),
     .read_en_i(slice_2__ray_en), .read_addr_i(slice_2__ray_addr), .read_data_o(slice_2__ray_data));
 
   // RAM distance_2
   hls_ram_1r1w #(.WIDTH(24), .ROWS(32), .EXCLUSIVE(1)) distance_2_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(collect_hits__distance_2_en), .write_addr_i(collect_hits__distance_2_addr), .write_data_i(collect_hits__distance_2_data),
     .read_en_i(slice_2__hit_distance_en), .read_addr_i(slice_2__hit_distance_addr), .read_data_o(slice_2__hit_distance_data));
 
   // RAM ray_3
   hls_ram_1r1w #(.WIDTH(144), .ROWS(64), .EXCLUSIVE(1)) ray_3_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(packet_decoder__ray_3_en), .write_addr_i(packet_decoder__ray_3_addr), .write_data_i(packet_decoder__ray_3_data),
     .read_en_i(slice_3__ray_en), .read_addr_i(slice_3__ray_addr), .read_data_o(slice_3__ray_data));
 
   // RAM distance_3
   hls_ram_1r1w #(.WIDTH(24), .ROWS(32), .EXCLUSIVE(1)) distance_3_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(collect_hits__distance_3_en), .write_addr_i(collect_hits__distance_3_addr), .write_data_i(collect_hits__distance_3_data),
     .read_en_i(slice_3__hit_distance_en), .read_addr_i(slice_3__hit_distance_addr), .read_data_o(slice_3__hit_distance_data));
 
   // RAM last_entry
   hls_ram_1r1w #(.WIDTH(1), .ROWS(64), .EXCLUSIVE(1)) last_entry_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(mailbox__last_en), .write_addr_i(mailbox__last_addr), .write_data_i(mailbox__last_data),
     .read_en_i(list__last_en), .read_addr_i(list__last_addr), .read_data_o(list__last_data));
 
   // RAM column_0
   hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .EXCLUSIVE(1)) column_0_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(matrix_store__column_0_en), .write_addr_i(matrix_store__column_0_addr), .write_data_i(matrix_store__column_0_data),
     .read_en_i(transformation__column_0_en), .read_addr_i(transformation__column_0_addr), .read_data_o(transformation__column_0_data));
 
   // RAM column_1
   hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .EXCLUSIVE(1)) column_1_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(matrix_store__column_1_en), .write_addr_i(matrix_store__column_1_addr), .write_data_i(matrix_store__column_1_data),
     .read_en_i(transformation__column_1_en), .read_addr_i(transformation__column_1_addr), .read_data_o(transformation__column_1_data));
 
   // RAM column_2
   hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .EXCLUSIVE(1)) column_2_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(matrix_store__column_2_en), .write_addr_i(matrix_store__column_2_addr), .write_data_i(matrix_store__column_2_data),
     .read_en_i(transformation__column_2_en), .read_addr_i(transformation__column_2_addr), .read_data_o(transformation__column_2_data));
 
   // RAM column_3
   hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .EXCLUSIVE(1)) column_3_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(matrix_store__column_3_en), .write_addr_i(matrix_store__column_3_addr), .write_data_i(matrix_store__column_3_data),
     .read_en_i(transformation__column_3_en), .read_addr_i(transformation__column_3_addr), .read_data_o(transformation__column_3_data));
 
   // RAM job_record
   hls_ram_1r1w #(.WIDTH(47), .ROWS(32), .EXCLUSIVE(1)) job_record_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(matrix_store__record_en), .write_addr_i(matrix_store__record_addr), .write_data_i(matrix_store__record_data),
     .read_en_i(packet_decoder__record_en), .read_addr_i(packet_decoder__record_addr), .read_data_o(packet_decoder__record_data));
   hls_ram_1r1w #(.WIDTH(47), .ROWS(32), .EXCLUSIVE(1)) job_record_ram_1 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(matrix_store__record_en), .write_addr_i(matrix_store__record_addr), .write_data_i(matrix_store__record_data),
     .read_en_i(collect_hits__record_en), .read_addr_i(collect_hits__record_addr), .read_data_o(collect_hits__record_data));
 
   // RAM object
   hls_ram_1r1w #(.WIDTH(17), .ROWS(32), .EXCLUSIVE(1)) object_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(matrix_store__object_en), .write_addr_i(matrix_store__object_addr), .write_data_i(matrix_store__object_data),
     .read_en_i(collect_hits__object_en), .read_addr_i(collect_hits__object_addr), .read_data_o(collect_hits__object_data));
 
   // RAM ray_vectors
   hls_ram_1r1w #(.WIDTH(72), .ROWS(512), .EXCLUSIVE(1)) ray_vectors_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(packet_decoder__vectors_en), .write_addr_i(packet_decoder__vectors_addr), .write_data_i(packet_decoder__vectors_data),
     .read_en_i(send_packet__vectors_en), .read_addr_i(send_packet__vectors_addr), .read_data_o(send_packet__vectors_data));
 
   // RAM node_lines
   hls_ram_1r1w #(.WIDTH(84), .ROWS(512), .EXCLUSIVE(0)) node_lines_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(node_fill__lines_en), .write_addr_i(node_fill__lines_addr), .write_data_i(node_fill__lines_data),
     .read_en_i(node_lookup__lines_en), .read_addr_i(node_lookup__lines_addr), .read_data_o(node_lookup__lines_data));
 
   // RAM node_waiting
   hls_ram_1r1w #(.WIDTH(22), .ROWS(128), .EXCLUSIVE(1)) node_waiting_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(node_lookup__waiting_en), .write_addr_i(node_lookup__waiting_addr), .write_data_i(node_lookup__waiting_data),
     .read_en_i(node_fill__waiting_en), .read_addr_i(node_fill__waiting_addr), .read_data_o(node_fill__waiting_data));
 
   // RAM list_lines
   hls_ram_1r1w #(.WIDTH(52), .ROWS(512), .EXCLUSIVE(0)) list_lines_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(list_fill__lines_en), .write_addr_i(list_fill__lines_addr), .write_data_i(list_fill__lines_data),
     .read_en_i(list_lookup__lines_en), .read_addr_i(list_lookup__lines_addr), .read_data_o(list_lookup__lines_data));
 
   // RAM list_waiting
   hls_ram_1r1w #(.WIDTH(6), .ROWS(128), .EXCLUSIVE(1)) list_waiting_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(list_lookup__waiting_en), .write_addr_i(list_lookup__waiting_addr), .write_data_i(list_lookup__waiting_data),
     .read_en_i(list_fill__waiting_en), .read_addr_i(list_fill__waiting_addr), .read_data_o(list_fill__waiting_data));
 
   // RAM matrix_lines
   hls_ram_1r1w #(.WIDTH(116), .ROWS(512), .EXCLUSIVE(0)) matrix_lines_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(matrix_fill__lines_en), .write_addr_i(matrix_fill__lines_addr), .write_data_i(matrix_fill__lines_data),
     .read_en_i(matrix_lookup__lines_en), .read_addr_i(matrix_lookup__lines_addr), .read_data_o(matrix_lookup__lines_data));
 
   // RAM matrix_waiting
   hls_ram_1r1w #(.WIDTH(13), .ROWS(128), .EXCLUSIVE(1)) matrix_waiting_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(matrix_lookup__waiting_en), .write_addr_i(matrix_lookup__waiting_addr), .write_data_i(matrix_lookup__waiting_data),
     .read_en_i(matrix_fill__waiting_en), .read_addr_i(matrix_fill__waiting_addr), .read_data_o(matrix_fill__waiting_data));
 

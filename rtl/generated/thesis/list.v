@@ -81,7 +81,7 @@ module list #(
   wire next_read = valid_s0;
   wire [5:0] next_read_addr = row_s0;
   hls_ram_1r1w #(.WIDTH(19), .ROWS(64), .EXCLUSIVE(1)) next_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(next_write), .write_addr_i(next_write_addr),
     .write_data_i((address_s1 + 19'd1)),
     .read_en_i(next_read), .read_addr_i(next_read_addr), .read_data_o(next_row));

@@ -192,7 +192,7 @@ module node_fetch #(
   wire states_read = valid_s0;
   wire [5:0] states_read_addr = {e_level_s0, e_packet_s0};
   hls_ram_1r1w #(.WIDTH(9), .ROWS(64), .EXCLUSIVE(1)) states_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(states_write), .write_addr_i(states_write_addr),
     .write_data_i({state_alive_3_s2, mux_6_s2}),
     .read_en_i(states_read), .read_addr_i(states_read_addr), .read_data_o(states_row));
@@ -219,7 +219,7 @@ module node_fetch #(
   wire stack_read = valid_s1;
   wire [10:0] stack_read_addr = {e_level_s1, e_packet_s1, add_1_s1};
   hls_ram_1r1w #(.WIDTH(27), .ROWS(2048), .EXCLUSIVE(1)) stack_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(stack_write), .write_addr_i(stack_write_addr),
     .write_data_i({e_both_s2, event_32_s2}),
     .read_en_i(stack_read), .read_addr_i(stack_read_addr), .read_data_o(stack_row));

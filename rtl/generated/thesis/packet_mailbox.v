@@ -265,7 +265,7 @@ module packet_mailbox #(
   wire objects_read = valid_s0;
   wire [4:0] objects_read_addr = enter_packet_s0;
   hls_ram_1r1w #(.WIDTH(140), .ROWS(32), .EXCLUSIVE(1)) objects_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(objects_write), .write_addr_i(objects_write_addr),
     .write_data_i({mux_20_s2, mux_19_s2, mux_18_s2, mux_17_s2, mux_16_s2, mux_15_s2, mux_14_s2, mux_13_s2, object_slots_used_s2}),
     .read_en_i(objects_read), .read_addr_i(objects_read_addr), .read_data_o(objects_row));
@@ -292,7 +292,7 @@ module packet_mailbox #(
   wire triangles_read = valid_s0;
   wire [4:0] triangles_read_addr = enter_packet_s0;
   hls_ram_1r1w #(.WIDTH(140), .ROWS(32), .EXCLUSIVE(1)) triangles_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(triangles_write), .write_addr_i(triangles_write_addr),
     .write_data_i({mux_37_s2, mux_35_s2, mux_33_s2, mux_31_s2, mux_29_s2, mux_27_s2, mux_25_s2, mux_23_s2, triangle_slots_used_s2}),
     .read_en_i(triangles_read), .read_addr_i(triangles_read_addr), .read_data_o(triangles_row));
@@ -319,7 +319,7 @@ module packet_mailbox #(
   wire traced_read = valid_s1;
   wire [4:0] traced_read_addr = enter_packet_s1;
   hls_ram_1r1w #(.WIDTH(4), .ROWS(32), .EXCLUSIVE(1)) traced_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(traced_write), .write_addr_i(traced_write_addr),
     .write_data_i(entry_7_s2),
     .read_en_i(traced_read), .read_addr_i(traced_read_addr), .read_data_o(traced_row));

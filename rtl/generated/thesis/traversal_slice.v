@@ -687,7 +687,7 @@ module traversal_slice #(
   wire interval_read = valid_s13;
   wire [5:0] interval_read_addr = {step_in_5_s13, s_context_packet_s13};
   hls_ram_1r1w #(.WIDTH(72), .ROWS(64), .EXCLUSIVE(1)) interval_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(interval_write), .write_addr_i(interval_write_addr),
     .write_data_i({behind_s15, mux_59_s15, mux_7_s15, mux_12_s15}),
     .read_en_i(interval_read), .read_addr_i(interval_read_addr), .read_data_o(interval_row));
@@ -714,7 +714,7 @@ module traversal_slice #(
   wire far_stack_read = valid_s13;
   wire [10:0] far_stack_read_addr = {step_in_5_s13, s_context_packet_s13, s_context_stack_s13};
   hls_ram_1r1w #(.WIDTH(24), .ROWS(2048), .EXCLUSIVE(1)) far_stack_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(far_stack_write), .write_addr_i(far_stack_write_addr),
     .write_data_i(far_s14),
     .read_en_i(far_stack_read), .read_addr_i(far_stack_read_addr), .read_data_o(far_stack_row));

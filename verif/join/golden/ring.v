@@ -219,11 +219,11 @@ module ring (
 
   // RAM note
   hls_ram_1r1w #(.WIDTH(16), .ROWS(16), .EXCLUSIVE(1)) note_ram_0 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(store__note_en), .write_addr_i(store__note_addr), .write_data_i(store__note_data),
     .read_en_i(number__note_en), .read_addr_i(number__note_addr), .read_data_o(number__note_data));
   hls_ram_1r1w #(.WIDTH(16), .ROWS(16), .EXCLUSIVE(1)) note_ram_1 (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(store__note_en), .write_addr_i(store__note_addr), .write_data_i(store__note_data),
     .read_en_i(pair__note_en), .read_addr_i(pair__note_addr), .read_data_o(pair__note_data));
 

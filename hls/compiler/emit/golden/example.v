@@ -96,7 +96,7 @@ module example #(
   wire totals_read = valid_s0;
   wire [3:0] totals_read_addr = sample_0_s0;
   hls_ram_1r1w #(.WIDTH(16), .ROWS(16), .EXCLUSIVE(1)) totals_ram (
-    .clk_i(clk_i),
+    .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(totals_write), .write_addr_i(totals_write_addr),
     .write_data_i(after_s1),
     .read_en_i(totals_read), .read_addr_i(totals_read_addr), .read_data_o(totals_row));

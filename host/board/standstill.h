@@ -1,0 +1,19 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where the units of a core stand that gives nothing any more, from its counters read twice.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "host/board/board.h"
+
+namespace dynrt::host {
+
+/// "stalled: list 12; at work: shading 9; without input: startup 544, ..": every unit with its
+/// transactions. A unit is stalled if tokens waited for room in its outputs between the two
+/// readings, which have the same counters in the same order; else it worked, or had nothing to do.
+std::string where_units_stand(std::span<const Counter> before, std::span<const Counter> after);
+
+}  // namespace dynrt::host

@@ -1,0 +1,112 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The joined core, RTL against model, to the last bit: every configuration of this build that has
+// its Verilog, with every choice that a frame offers. Each is rendered twice, on the board that the
+// program uses and on the one that checks the Verilog's assertions and starts with random values.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "host/app/board_frame.h"
+#include "host/board/rtl_board.h"
+#include "host/render/compare.h"
+
+namespace dynrt::host {
+namespace {
+
+constexpr unsigned kAll = 0;  ///< as many as the configuration has
+
+std::vector<std::string> names_with_rtl() {
+  std::vector<std::string> names;
+  for (const Configuration& c : configurations()) {
+    if (c.rtl != nullptr) names.emplace_back(c.name);
+  }
+  return names;
+}
+
+std::unique_ptr<Board> make_checked_board(const std::string& name, int seed) {
+  const auto c = std::ranges::find(configurations(), name, &Configuration::name);
+  return std::make_unique<RtlBoard>(name, c->traced("", seed), counters_of(c->core_json()));
+}
+
+Prepared blocks(unsigned width, unsigned height) {
+  SceneArguments arguments;
+  arguments.scene = "blocks";
+  return prepare(arguments, width, height);
+}
+
+void expect_identical(const Frame& rtl, const Frame& model) {
+  const Comparison comparison = compare(rtl, model);
+  EXPECT_EQ(comparison.pixels, std::uint64_t{rtl.width} * rtl.height);
+  EXPECT_GT(comparison.hits, 0u);
+  EXPECT_GT(comparison.counters, 30u);
+  EXPECT_TRUE(comparison.identical()) << comparison.first->text("rtl", "model");
+}
+
+using Choice = std::tuple<std::string, RayOrder, bool, unsigned, unsigned>;
+class Frames : public testing::TestWithParam<Choice> {};
+
+TEST_P(Frames, RtlIsTheModel) {
+  const auto& [name, order, uncompressed, packets, lines] = GetParam();
+  const auto rtl = make_board(configurations(), {"rtl", name, ""});
+  const auto checked = make_checked_board(name, 1);
+  const auto model = make_board(configurations(), {"model", name, ""});
+  FrameOptions options;
+  options.width = 20;
+  options.height = 14;
+  options.order = order;
+  options.uncompressed = uncompressed;
+  if (packets != kAll) options.packets = std::min(packets, rtl->info().packets);
+  if (lines != kAll) options.lines = std::min(lines, rtl->info().cache_lines);
+  options.timeout = 1'000'000;
+  const Prepared scene = blocks(options.width, options.height);
+  const Frame expected = render_on(*model, options, scene);
+  const Frame frame = render_on(*rtl, options, scene);
+  expect_identical(frame, expected);
+  const Frame frame_checked = render_on(*checked, options, scene);
+  expect_identical(frame_checked, expected);
+  EXPECT_EQ(frame.run.cycles, frame_checked.run.cycles) << "what was never written has an effect";
+}
+
+std::string name_of(const testing::TestParamInfo<Choice>& info) {
+  const auto& [name, order, uncompressed, packets, lines] = info.param;
+  const auto number = [](unsigned n) { return n == kAll ? "all" : fmt::format("{}", n); };
+  return fmt::format("{}_{}_{}_{}_packets_{}_lines", name,
+                     order == RayOrder::kMorton ? "morton" : "scanline",
+                     uncompressed ? "uncompressed" : "compressed", number(packets), number(lines));
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Frames,
+                         testing::Combine(testing::ValuesIn(names_with_rtl()),
+                                          testing::Values(RayOrder::kMorton, RayOrder::kScanline),
+                                          testing::Bool(), testing::Values(1, 5, kAll),
+                                          testing::Values(1, 2, kAll)),
+                         name_of);
+
+class Assertions : public testing::TestWithParam<std::string> {};
+
+TEST_P(Assertions, HoldWhateverTheCoreStartsWith) {
+  const auto model = make_board(configurations(), {"model", GetParam(), ""});
+  FrameOptions options;
+  options.width = 32;
+  options.height = 24;
+  options.timeout = 1'000'000;
+  const Prepared scene = blocks(options.width, options.height);
+  const Frame expected = render_on(*model, options, scene);
+  for (const int seed : {2, 3, 4}) {
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    const auto checked = make_checked_board(GetParam(), seed);
+    expect_identical(render_on(*checked, options, scene), expected);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Assertions, testing::ValuesIn(names_with_rtl()),
+                         [](const auto& info) { return info.param; });
+
+}  // namespace
+}  // namespace dynrt::host
