@@ -116,6 +116,7 @@ struct Core {
     join.unit("shading", "shading", shading);
     join.group("Memory");
     join.unit("memory_interface", "memory_interface", memory_interface);
+    join.group("Light and reflection rays");
     if constexpr (kHasSecondary<C>) {
       join.unit("shader", "shader", shader);
       join.unit("secondary_rays", "secondary_rays", secondary_rays);
