@@ -10,7 +10,8 @@
 #   <NAME>_model   interface library: what a program needs to include the C++ (header only)
 #   <NAME>.v       build/<preset>/generated/<CONFIG>/<NAME>.v, made by hlsc, module <NAME>, with its
 #                  schedule report <NAME>.txt and the header <NAME>_ports.h for the test bench
-#   <NAME>_rtl     library with the Verilated class V<NAME> (FAST, TRACE, SHARDS: Verilate.cmake)
+#   <NAME>_rtl     library with the Verilated class V<NAME> (FAST, TRACE, SHARDS: Verilate.cmake),
+#                  whose name is the same for every configuration, so link only one of them
 #   test           generated.<NAME>, label lint, for CONFIG thesis: fails when rtl/generated/thesis/
 #                  <NAME>.v is not what hlsc writes now (the target update-generated renews it)
 # CLOCK_NS and DELAY default to the cache variables DYNRT_CLOCK_NS and DYNRT_DELAY_MODEL.
@@ -25,15 +26,15 @@ add_custom_target(verilog ALL)
 add_custom_target(update-generated)
 
 # dynrt_checked_in(FILE TARGET): FILE, which TARGET makes, is also checked in under
-# rtl/generated/thesis. The target update-generated renews it, the test generated.<stem> (label lint)
-# fails when it is stale.
+# rtl/generated/thesis. The target update-generated renews it, the test generated.<stem> (label lint;
+# with its extension if that is not .v) fails when it is stale.
 function(dynrt_checked_in file target)
   if(NOT DYNRT_RTL)
     return()
   endif()
   add_dependencies(verilog ${target})
   get_filename_component(name ${file} NAME)
-  get_filename_component(stem ${file} NAME_WE)
+  string(REGEX REPLACE "[.]v$" "" stem ${name})
   set(folder ${PROJECT_SOURCE_DIR}/rtl/generated/thesis)
   add_custom_target(update_${stem}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
@@ -123,7 +124,7 @@ function(add_hls_unit)
   if(arg_SHARDS)
     list(APPEND speed SHARDS ${arg_SHARDS})
   endif()
-  dynrt_verilate(${id}_rtl TOP ${arg_NAME} PREFIX V${id} SOURCES ${stem}.v ${speed})
+  dynrt_verilate(${id}_rtl TOP ${arg_NAME} PREFIX V${arg_NAME} SOURCES ${stem}.v ${speed})
   target_include_directories(${id}_rtl PUBLIC ${dir})
   add_dependencies(${id}_rtl ${id}_verilog)
   target_link_libraries(${id}_rtl PUBLIC ${id}_model)

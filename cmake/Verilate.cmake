@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # dynrt_verilate(TARGET TOP module PREFIX class SOURCES file.v...
-#                [FAST] [TRACE] [SHARDS n] [ARGS verilator-argument...])
+#                [HEADERS file.vh...] [FAST] [TRACE] [SHARDS n] [ARGS verilator-argument...])
 #
 # Makes the static library TARGET with the Verilated class PREFIX (header PREFIX.h) of a module.
 # Verilator's own verilate() runs Verilator while CMake configures, when generated Verilog does not
@@ -15,7 +15,7 @@
 #          wrote is found out.
 #   TRACE  with FST waveforms; costs about a quarter of the speed even while none is written, so it is
 #          a library of its own.
-# Modules that SOURCES do not hold are looked for in rtl/lib.
+# Modules that SOURCES do not hold are looked for in rtl/lib. HEADERS are what they include.
 
 add_library(verilated_runtime STATIC EXCLUDE_FROM_ALL
   ${VERILATOR_ROOT}/include/verilated.cpp
@@ -31,7 +31,7 @@ target_compile_options(verilated_runtime PRIVATE -O2 -w)
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
 
 function(dynrt_verilate target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "FAST;TRACE" "TOP;PREFIX;SHARDS" "SOURCES;ARGS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FAST;TRACE" "TOP;PREFIX;SHARDS" "SOURCES;HEADERS;ARGS")
   foreach(needed TOP PREFIX SOURCES)
     if(NOT arg_${needed})
       message(FATAL_ERROR "dynrt_verilate(${target}): ${needed} is missing")
@@ -44,6 +44,10 @@ function(dynrt_verilate target)
   set(dir ${CMAKE_CURRENT_BINARY_DIR}/${target}.verilated)
   set(flags --cc --compiler clang --make cmake --prefix ${arg_PREFIX} --top-module ${arg_TOP}
       --Mdir ${dir} -y ${PROJECT_SOURCE_DIR}/rtl/lib -Wno-fatal -Wno-lint -Wno-style)
+  foreach(header IN LISTS arg_HEADERS)
+    get_filename_component(folder ${header} DIRECTORY)
+    list(APPEND flags +incdir+${folder})
+  endforeach()
   if(arg_FAST)
     list(APPEND flags -O3 --x-assign fast --x-initial fast)
     set(optimise -O3)
@@ -74,7 +78,7 @@ function(dynrt_verilate target)
             ${VERILATOR_BIN} ${flags} ${arg_ARGS} ${arg_SOURCES}
     COMMAND ${CMAKE_COMMAND} -DDIR=${dir} -DPREFIX=${arg_PREFIX} -DSHARDS=${arg_SHARDS}
             -P ${PROJECT_SOURCE_DIR}/cmake/GatherVerilated.cmake
-    DEPENDS ${arg_SOURCES} ${primitives} ${PROJECT_SOURCE_DIR}/cmake/GatherVerilated.cmake
+    DEPENDS ${arg_SOURCES} ${arg_HEADERS} ${primitives} ${PROJECT_SOURCE_DIR}/cmake/GatherVerilated.cmake
     COMMENT "Verilating ${arg_TOP}"
     VERBATIM COMMAND_EXPAND_LISTS)
 

@@ -3,9 +3,11 @@
 //
 // The one exception for mistakes of the user: a bad file, flag or folder. The program prints its
 // message, one sentence naming the file, line or node, and exits with a non-zero code. Everything
-// else that is thrown is a defect of dynrt itself.
-#ifndef DYNRT_HOST_ERROR_H_
-#define DYNRT_HOST_ERROR_H_
+// else that is thrown is a defect of dynrt itself. What a folder's code can say stands in its
+// messages.h, as fmt's format strings.
+#pragma once
+
+#include <fmt/format.h>
 
 #include <stdexcept>
 
@@ -15,6 +17,9 @@ struct UserError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace dynrt::host
+template <class... Args>
+[[noreturn]] void refuse(fmt::format_string<const Args&...> message, const Args&... args) {
+  throw UserError(fmt::format(message, args...));
+}
 
-#endif  // DYNRT_HOST_ERROR_H_
+}  // namespace dynrt::host

@@ -5,6 +5,12 @@
 // coordinates, scalar product with the normal, object, triangle and colour. Of equal distances the
 // first stays. After a packet's last ray the list goes on, or, where the rays were new, the
 // traversal may start.
+//
+// A light ray comes from the light and ends at the surface, t = 1: what it hits before is a shadow,
+// and the surface's own triangle gives the cosine of the light. A reflected ray begins where it is
+// reflected, at the hit distance of the arriving ray (thesis 6.2.3). Neither sees the triangle that
+// it belongs to; margins relative to t keep rounding from casting a shadow or a reflection of the
+// neighbouring one.
 #pragma once
 
 #include "units/tokens.h"
@@ -12,13 +18,19 @@
 namespace dynrt {
 
 template <class C>
-using HitRow = uint<PacketId<C>::kWidth + 2>;
-
-template <class C>
 struct CollectHits {
   using Real = typename C::Real;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
-  static constexpr unsigned kHitRows = 4 * kPackets;
+  static constexpr unsigned kMarginBits = 9;  ///< a margin is 2^-9 of t
+  /// What is known of a ray so far.
+  struct Closest {
+    Real t;
+    hls::FieldIf<kHasSecondary<C>, RayKind> kind;
+    hls::FieldIf<kHasMirrors<C>, Real> start;  ///< of a reflected ray
+    hls::FieldIf<kHasLights<C>, bool> shadow;  ///< of a light ray
+    hls::FieldIf<kHasLights<C>, Real> cosine;  ///< of a light ray with the surface's normal
+    HLS_FIELDS(t, kind, start, shadow, cosine)
+  };
 
   hls::In<HitCandidate<C>> candidate;
   hls::RamRead<JobRecord<C>, kPackets> record;
@@ -26,43 +38,92 @@ struct CollectHits {
   hls::Out<ListJob<C>> go_on;
   hls::Out<MailboxEntry<C>> start;
   hls::RamWrite<Real, kPackets> distance[kRays];
-  hls::RamWrite<HitRecord<C>, kHitRows> hit;
-  hls::Ram1R1W<Real, kHitRows> closest;
+  hls::RamWrite<HitRecord<C>, kRayRows<C>> hit;  ///< of primary rays
+  hls::PortIf<kHasSecondary<C>, hls::Out<Derive<C>>> derived;
+  hls::PortIf<kHasSecondary<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
+  hls::PortIf<kHasSecondary<C>, hls::RamWrite<Found<C>, kRayRows<C>>> found;
+  hls::PortIf<kHasMirrors<C>, hls::RamWrite<Real, kPackets>> start_distance[kRays];
+  hls::Ram1R1W<Closest, kRayRows<C>> closest;
   HLS_PORTS(candidate, record, object, go_on, start, distance[0], distance[1], distance[2],
-            distance[3], hit)
+            distance[3], hit, derived, surface, found, start_distance[0], start_distance[1],
+            start_distance[2], start_distance[3])
 
   void step() {
     const HitCandidate<C> in = candidate.read();
     const JobRecord<C> job = record.read(in.packet);
     const MatrixIndex instance = object.read(in.packet);
-    const HitRow<C> row = hls::concat(in.packet, in.ray);
-    const bool closer = in.hit && in.t < closest.read(row);
+    const RayRow<C> row = ray_row<C>(in.packet, in.ray);
+    const bool alone = kHasSecondary<C> && job.kind == TransformKind::kDerive;
+    SurfacePoint<C> from;
+    if constexpr (kHasSecondary<C>) from = surface.read(row);
 
+    const Closest before = closest.read(row);
+    const Closest begun = begin(job, from);
+    const RayKind kind = before.kind.get();
+    const bool own =
+        kind != RayKind::kPrimary && instance == from.object && job.matrix == from.triangle;
+    const bool closer = in.hit && !own && in.t < before.t &&
+                        (kind != RayKind::kReflection || before.start.get() < in.t);
+    const bool lit = kind == RayKind::kLight && own;
+
+    Closest now = in.reset ? begun : before;
+    if (!in.reset && closer) {
+      now.t = in.t;
+      now.shadow = true;
+    }
+    if (!in.reset && lit) now.cosine = in.cosine;
+
+    HitRecord<C> best;
+    best.hit = !in.reset;
+    best.t = in.reset ? Real::largest() : in.t;
+    if (!in.reset) {
+      best.u = in.u;
+      best.v = in.v;
+      best.cosine = in.cosine;
+      best.object = instance;
+      best.triangle = job.matrix;
+      best.colour = job.extra;
+    }
+    if (in.reset || closer || lit) closest.write(row, now);
     if (in.reset || closer) {
-      HitRecord<C> best;
-      best.hit = !in.reset;
-      best.t = in.reset ? Real::largest() : in.t;
-      if (!in.reset) {
-        best.u = in.u;
-        best.v = in.v;
-        best.cosine = in.cosine;
-        best.object = instance;
-        best.triangle = job.matrix;
-        best.colour = job.extra;
-      }
-      closest.write(row, best.t);
-      hit.write(row, best);
+      const Real reach = in.reset && alone && is_light(job) ? kReach : now.t;
       for (unsigned i = 0; i < kRays; ++i) {
-        if (in.ray == RayIndex::from(i)) distance[i].write(in.packet, best.t);
+        if (in.ray == RayIndex::from(i)) distance[i].write(in.packet, reach);
       }
     }
-    if (in.ray == RayIndex(3)) {
+    if ((in.reset && !alone) || (closer && kind == RayKind::kPrimary)) hit.write(row, best);
+    if constexpr (kHasSecondary<C>) {
+      const bool light = kind == RayKind::kLight && !in.reset;
+      Found<C> f{light ? now.shadow.get() : best.hit,
+                 light ? now.cosine.get() : best.cosine,
+                 best.t,
+                 best.object,
+                 best.triangle,
+                 best.colour,
+                 job.mirror};
+      if (in.reset || closer || lit) found.write(row, f);
+    }
+    if constexpr (kHasMirrors<C>) {
+      for (unsigned i = 0; i < kRays; ++i) {
+        if (in.reset && in.ray == RayIndex::from(i)) {
+          start_distance[i].write(in.packet, begun.start.get());
+        }
+      }
+    }
+
+    if (in.reset && alone) {
+      if constexpr (kHasSecondary<C>) {
+        Derive<C> go_on_deriving;
+        go_on_deriving.packet = in.packet;
+        derived.write(go_on_deriving);
+      }
+    } else if (in.ray == RayIndex(3)) {
       if (in.reset) {
-        MailboxEntry<C> begin;
-        begin.packet = in.packet;
-        begin.active = job.active;
-        begin.clear = true;
-        start.write(begin);
+        MailboxEntry<C> begin_packet;
+        begin_packet.packet = in.packet;
+        begin_packet.active = job.active;
+        begin_packet.clear = true;
+        start.write(begin_packet);
       } else {
         ListJob<C> next;
         next.packet = in.packet;
@@ -70,6 +131,31 @@ struct CollectHits {
         go_on.write(next);
       }
     }
+  }
+
+ private:
+  /// Where a light ray's shadows end, and how far it is followed to reach the surface's triangle.
+  static constexpr Real kShadowEnd = Real::from_double(1.0 - 1.0 / (1u << kMarginBits));
+  static constexpr Real kReach = Real::from_double(1.0 + 1.0 / (1u << kMarginBits));
+
+  static bool is_light(const JobRecord<C>& job) {
+    return kHasLights<C> && job.derived.get().pass == Derivation::kLight;
+  }
+  /// t and the margin behind it, in steps of the mantissa.
+  static Real behind(Real t) {
+    static_assert(Real::kMantissaBits > kMarginBits, "a margin is a step of the mantissa at least");
+    constexpr unsigned kMargin = 1u << (Real::kMantissaBits - kMarginBits);
+    const auto sum = t.magnitude() + decltype(t.magnitude())::from(kMargin);
+    return Real::from_bits(hls::concat(uint<1>(0), sum.template trunc<Real::kLeafWidth - 1>()));
+  }
+  static Closest begin(const JobRecord<C>& job, const SurfacePoint<C>& from) {
+    const bool alone = kHasSecondary<C> && job.kind == TransformKind::kDerive;
+    const bool light = alone && is_light(job);
+    Closest c;
+    c.t = light ? kShadowEnd : Real::largest();
+    c.kind = !alone ? RayKind::kPrimary : light ? RayKind::kLight : RayKind::kReflection;
+    c.start = alone ? behind(from.t) : Real{};
+    return c;
   }
 };
 

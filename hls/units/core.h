@@ -13,6 +13,7 @@
 #include "units/cache_lookup.h"
 #include "units/collect_hits.h"
 #include "units/intersection.h"
+#include "units/light_columns.h"
 #include "units/list.h"
 #include "units/mailbox.h"
 #include "units/matrix_fetch.h"
@@ -22,7 +23,9 @@
 #include "units/packet_decision.h"
 #include "units/packet_decoder.h"
 #include "units/ray_generation.h"
+#include "units/secondary_rays.h"
 #include "units/send_packet.h"
+#include "units/shader.h"
 #include "units/shading.h"
 #include "units/startup.h"
 #include "units/transformation.h"
@@ -56,6 +59,9 @@ struct Core {
   Intersection<C> intersection;
   CollectHits<C> collect_hits;
   Shading<C> shading;
+  hls::PortIf<kHasSecondary<C>, Shader<C>> shader;
+  hls::PortIf<kHasSecondary<C>, SecondaryRays<C>> secondary_rays;
+  hls::PortIf<kHasLights<C>, LightColumns<C>> light_columns;
   MemoryInterface<C> memory_interface;
 
   std::shared_ptr<hls::Fifo<uint<10>>> start;
@@ -68,13 +74,17 @@ struct Core {
     join_traversal(join);
     join_lists(join);
     join_transformation(join);
+    if constexpr (kHasSecondary<C>) join_secondary(join);
     join_memory(join, banks);
   }
 
- private:
-  static constexpr unsigned kAll = C::kPackets;  ///< tokens that a channel of packets can hold
+  /// Nothing joined yet: for who only wants to know which units there are.
+  Core() = default;
 
-  void name_units(hls::Join& join) {
+  /// Tells join.unit(name, module, unit) every unit that configuration C has. This is the one list
+  /// of them: what it leaves out is neither joined nor lowered.
+  template <class J>
+  void name_units(J& join) {
     join.unit("startup", "startup", startup);
     join.unit("ray_generation", "ray_generation", ray_generation);
     join.unit("node_fetch", "node_fetch", node_fetch);
@@ -99,14 +109,25 @@ struct Core {
     join.unit("collect_hits", "collect_hits", collect_hits);
     join.unit("shading", "shading", shading);
     join.unit("memory_interface", "memory_interface", memory_interface);
+    if constexpr (kHasSecondary<C>) {
+      join.unit("shader", "shader", shader);
+      join.unit("secondary_rays", "secondary_rays", secondary_rays);
+    }
+    if constexpr (kHasLights<C>) join.unit("light_columns", "light_columns", light_columns);
   }
 
+ private:
+  static constexpr unsigned kAll = C::kPackets;  ///< tokens that a channel of packets can hold
+
   void join_frame(hls::Join& join) {
-    join.config<FrameConfig>(
-        "frame", frame,
-        {&ray_generation.frame, &node_lookup.frame, &node_fill.frame, &list_lookup.frame,
-         &list_fill.frame, &matrix_lookup.frame, &matrix_fill.frame, &matrix_store.frame,
-         &mailbox.frame, &shading.frame});
+    std::vector<hls::Config<FrameConfig>*> readers = {
+        &ray_generation.frame, &node_lookup.frame,   &node_fill.frame,   &list_lookup.frame,
+        &list_fill.frame,      &matrix_lookup.frame, &matrix_fill.frame, &matrix_store.frame,
+        &mailbox.frame,        &shading.frame};
+    if constexpr (kHasSecondary<C>) {
+      readers.insert(readers.end(), {&shader.frame, &secondary_rays.frame});
+    }
+    join.config<FrameConfig>("frame", frame, readers);
     start = join.input("start", startup.number);
     done = join.output("done", ray_generation.done);
     join.channel<FreePacket<C>>("free_packet",
@@ -114,7 +135,12 @@ struct Core {
                                 {&ray_generation.free}, kAll);
     join.ram("pixel_position", ray_generation.position,
              std::vector{&send_packet.position, &shading.position});
-    join.repeat("shade_job", std::vector{&node_fetch.top_done}, shading.job, kAll);
+    if constexpr (kHasSecondary<C>) {
+      join.repeat("shade_job", std::vector{&node_fetch.top_done}, shader.job, kAll);
+      join.repeat("write_job", std::vector{&secondary_rays.finished}, shading.job, kAll);
+    } else {
+      join.repeat("shade_job", std::vector{&node_fetch.top_done}, shading.job, kAll);
+    }
     join.ram("hit_record", collect_hits.hit, std::vector{&shading.hit});
   }
 
@@ -145,18 +171,24 @@ struct Core {
         {&packet_decision.leaf, &node_fetch.object_done, &mailbox.seen, &collect_hits.go_on},
         {&list.job}, kAll);
     join.channel("list_request", list.request, list_lookup.request, kAll);
-    join.channel<MailboxEntry<C>>("list_entry",
-                                  {&list_lookup.reply, &list_fill.reply, &collect_hits.start},
-                                  {&mailbox.entry}, kAll);
+    join.channel<MailboxEntry<C>>("list_entry", list_entries(), {&mailbox.entry}, kAll);
     join.ram("last_entry", mailbox.last, std::vector{&list.last});
   }
 
   void join_transformation(hls::Join& join) {
-    join.repeat("transform_job", std::vector{&mailbox.fresh, &ray_generation.job}, matrix_fetch.job,
-                kAll);
+    std::vector<hls::Out<TransformJob<C>>*> jobs = {&mailbox.fresh, &ray_generation.job};
+    if constexpr (kHasSecondary<C>) jobs.push_back(&secondary_rays.job);
+    join.repeat("transform_job", jobs, matrix_fetch.job, kAll);
     join.channel("column_request", matrix_fetch.request, matrix_lookup.request);
-    join.channel<typename MatrixCache<C>::Reply>(
-        "matrix_column", {&matrix_lookup.reply, &matrix_fill.reply}, {&matrix_store.reply});
+    using Column = typename MatrixCache<C>::Reply;
+    if constexpr (kHasLights<C>) {
+      join.channel<Column>("matrix_column", {&matrix_lookup.reply, &matrix_fill.reply},
+                           {&light_columns.fetched});
+      join.channel("stored_column", light_columns.column, matrix_store.reply);
+    } else {
+      join.channel<Column>("matrix_column", {&matrix_lookup.reply, &matrix_fill.reply},
+                           {&matrix_store.reply});
+    }
     for (unsigned c = 0; c < 4; ++c) {
       join.ram("column_" + std::to_string(c), matrix_store.column[c],
                std::vector{&transformation.column[c]});
@@ -165,11 +197,47 @@ struct Core {
              std::vector{&packet_decoder.record, &collect_hits.record});
     join.ram("object", matrix_store.object, std::vector{&collect_hits.object});
     join.repeat("send_job", std::vector{&matrix_store.ready}, send_packet.job, kAll);
-    join.ram("ray_vectors", packet_decoder.vectors, std::vector{&send_packet.vectors});
+    std::vector vectors = {&send_packet.vectors};
+    if constexpr (kHasLights<C>) vectors.push_back(&shader.vectors);
+    join.ram("ray_vectors", packet_decoder.vectors, vectors);
     join.channel("packet_vector", send_packet.vector, transformation.vector);
     join.channel("transformed", transformation.transformed, packet_decoder.vector);
     join.channel("unit_ray", packet_decoder.unit_ray, intersection.unit_ray);
     join.channel("candidate", intersection.candidate, collect_hits.candidate);
+  }
+
+  /// Light and reflection rays (thesis 6.2).
+  void join_secondary(hls::Join& join) {
+    std::vector<hls::Out<Derive<C>>*> derive = {&shader.derive, &collect_hits.derived};
+    std::vector surface = {&secondary_rays.surface, &collect_hits.surface};
+    std::vector<hls::RamRead<Ray<typename C::Real>, kRayRows<C>>*> arriving;
+    if constexpr (kHasLights<C>) {
+      arriving.push_back(&light_columns.arriving);
+      surface.push_back(&send_packet.surface);
+      join.ram("light", light_columns.light, std::vector{&shader.light});
+    }
+    if constexpr (kHasMirrors<C>) {
+      derive.push_back(&packet_decoder.derived);
+      arriving.push_back(&send_packet.arriving);
+      for (unsigned i = 0; i < kRays; ++i) {
+        join.ram("start_distance_" + std::to_string(i), collect_hits.start_distance[i],
+                 std::vector{&slice[i].start_distance});
+      }
+    }
+    join.channel<Derive<C>>("derive", derive, {&secondary_rays.derive}, kAll);
+    join.ram("arriving_ray", packet_decoder.arriving, arriving);
+    join.ram("surface_point", shader.surface, surface);
+    join.ram("traced", secondary_rays.traced, std::vector{&shader.traced});
+    join.ram("found", collect_hits.found, std::vector{&shader.found});
+    join.ram("pixel_colour", shader.pixel_colour, std::vector{&shading.pixel_colour});
+  }
+
+  /// What comes to the mailbox.
+  std::vector<hls::Out<MailboxEntry<C>>*> list_entries() {
+    std::vector<hls::Out<MailboxEntry<C>>*> entries = {&list_lookup.reply, &list_fill.reply,
+                                                       &collect_hits.start};
+    if constexpr (kHasSecondary<C>) entries.push_back(&secondary_rays.start);
+    return entries;
   }
 
   void join_memory(hls::Join& join, const std::array<Bank, kBanks>& banks) {
@@ -191,6 +259,9 @@ struct Core {
     for (unsigned i = 0; i < 3; ++i) {
       join.bank("bank" + std::to_string(kFrameBank + i), shading.bank[i], banks[kFrameBank + i]);
     }
+    // What a cache misses depends on which packet comes first, and so does what follows from it.
+    join.depends_on_order({"memory_request", "memory_interface", "node_line", "node_fill",
+                           "list_line", "list_fill", "column_line", "matrix_fill"});
   }
 
   template <class Lookup, class Fill>

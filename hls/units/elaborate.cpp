@@ -1,20 +1,24 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Writes what the join of the core says, for one configuration: the Verilog top, its description as
-// JSON and the block diagram.
+// Writes what the join of the core says, for one configuration: the Verilog top, the header with
+// the positions of the frame's registers, its description as JSON and the block diagram. UNITS is
+// the list that CMake goes by (list_units.h): it says so if the join has come to have others since.
 #include <cstdio>
 #include <exception>
 #include <fstream>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
 #include DYNRT_CONFIG_HEADER
 #include "join/emit_top.h"
-#include "units/core.h"
+#include "units/list_units.h"
 
 namespace {
+
+using C = dynrt::config::DYNRT_CONFIG;
 
 void write(const std::string& path, const std::string& text) {
   std::ofstream file(path);
@@ -22,20 +26,35 @@ void write(const std::string& path, const std::string& text) {
   if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
 }
 
+void check_units(const std::string& path, dynrt::Core<C>& core) {
+  std::ifstream file(path);
+  const std::string listed(std::istreambuf_iterator<char>(file), {});
+  dynrt::UnitLines lines(DYNRT_CONFIG_NAME);
+  core.name_units(lines);
+  if (listed.find(lines.text()) == std::string::npos) {
+    throw std::runtime_error(path +
+                             ": the core has come to have other units; run cmake again, so that "
+                             "what is lowered is what is joined");
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    std::fprintf(stderr, "usage: elaborate TOP.v TOP.json TOP.dot\n");
+  if (argc != 3) {
+    std::fprintf(stderr, "usage: elaborate UNITS TOP\n");
     return 2;
   }
   try {
     hls::Join join;
-    const auto core = std::make_unique<dynrt::Core<dynrt::config::DYNRT_CONFIG>>(
-        join, std::array<dynrt::Bank, dynrt::kBanks>{});
-    write(argv[1], hlsc::emit_top(join.record(), "dynrt_core"));
-    write(argv[2], hlsc::emit_json(join.record(), "dynrt_core"));
-    write(argv[3], hlsc::emit_diagram(join.record()));
+    const auto core =
+        std::make_unique<dynrt::Core<C>>(join, std::array<dynrt::Bank, dynrt::kBanks>{});
+    check_units(argv[1], *core);
+    const std::string top = argv[2];
+    write(top + ".v", hlsc::emit_top(join.record(), "dynrt_core"));
+    write(top + ".vh", hlsc::emit_header(join.record(), "dynrt_core"));
+    write(top + ".json", hlsc::emit_json(join.record(), "dynrt_core"));
+    write(top + ".dot", hlsc::emit_diagram(join.record()));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "elaborate: %s\n", error.what());
     return 1;

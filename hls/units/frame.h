@@ -22,8 +22,13 @@ struct FrameConfig {
   hls::uint<32> frame_base;     ///< first word of the framebuffer in bank 3
   hls::uint<32> write_hits;     ///< 1: hit records are written to banks 4 and 5
   hls::uint<32> uncompressed;   ///< 1: every ray's origin is transformed, not one for the packet
+  hls::uint<32> ambient;        ///< light that reaches every surface, 0 to 256 (all of it)
+  hls::uint<32> lights;         ///< point lights, at most the configuration's number
+  hls::uint<32> light_matrix;   ///< index of the first light's matrix
+  hls::uint<32> reflections;    ///< bounces, at most the configuration's number
   HLS_FIELDS(packets, line_mask, width, height, scanline, morton_bits, start_node, camera_matrix,
-             background, frame_base, write_hits, uncompressed)
+             background, frame_base, write_hits, uncompressed, ambient, lights, light_matrix,
+             reflections)
 };
 
 }  // namespace dynrt

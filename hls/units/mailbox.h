@@ -34,6 +34,12 @@ struct Mailbox {
       if (used != Count::from(C::kMailboxSlots)) used = hls::next(used);
     }
   };
+  /// The packet's rays that are traced.
+  struct Traced {
+    RayMask rays;
+    hls::FieldIf<kHasMirrors<C>, bool> apart;
+    HLS_FIELDS(rays, apart)
+  };
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
 
   hls::In<MailboxEntry<C>> entry;
@@ -44,7 +50,7 @@ struct Mailbox {
   hls::RamWrite<bool, kLevelRows<C>> last;
   hls::Ram1R1W<Slots, kPackets> objects;
   hls::Ram1R1W<Slots, kPackets> triangles;
-  hls::Ram1R1W<RayMask, kPackets> traced;  ///< the packet's rays that are traced
+  hls::Ram1R1W<Traced, kPackets> traced;
   HLS_PORTS(entry, frame, fresh, seen, start, last)
 
   void step() {
@@ -55,16 +61,17 @@ struct Mailbox {
     const bool known =
         top ? object_slots.holds(e.entry.matrix) : triangle_slots.holds(e.entry.matrix);
 
-    const RayMask rays = traced.read(e.packet);
+    const Traced packet = traced.read(e.packet);
 
     if (e.clear) {
       object_slots.used = 0;
-      traced.write(e.packet, e.active);
+      traced.write(e.packet, Traced{e.active, e.kind.get() == RayKind::kReflection});
       TraversalEvent<C> enter;
       enter.packet = e.packet;
       enter.kind = TraversalKind::kEnter;
       enter.next = Address::from(frame.get().start_node.raw());
       enter.active = e.active;
+      enter.rays = e.kind;
       start.write(enter);
     } else {
       last.write(level_row<C>(e.level, e.packet), e.entry.last);
@@ -79,7 +86,8 @@ struct Mailbox {
         job.kind = top ? TransformKind::kObject : TransformKind::kTriangle;
         // All traced rays enter an object, not only those in this leaf: one that comes to it in a
         // later leaf would find it in the mailbox.
-        job.active = rays;
+        job.active = packet.rays;
+        job.extras.apart = packet.apart;
         job.matrix = e.entry.matrix;
         fresh.write(job);
         if (top) {

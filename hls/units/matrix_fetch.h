@@ -18,7 +18,7 @@ struct MatrixFetch {
   void step() {
     const Repeated<TransformJob<C>> j = job.read();
     const uint<2> column = j.index.template trunc<2>();
-    const ColumnContext<C> context{j.job.packet, j.job.kind, j.job.active, column};
+    const ColumnContext<C> context{j.job.packet, j.job.kind, j.job.active, column, j.job.extras};
     request.write(CacheRequest<ColumnContext<C>>{context, hls::concat(j.job.matrix, column)});
   }
 };

@@ -17,9 +17,10 @@ struct MatrixStore {
   using Real = typename C::Real;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
   struct Progress {
-    uint<2> columns;  ///< of this job that have arrived
-    uint<24> extra;   ///< spare bytes of column 0
-    HLS_FIELDS(columns, extra)
+    uint<2> columns;                               ///< of this job that have arrived
+    uint<24> extra;                                ///< spare bytes of column 0
+    hls::FieldIf<kHasMirrors<C>, uint<8>> mirror;  ///< spare byte of column 1, row 0
+    HLS_FIELDS(columns, extra, mirror)
   };
 
   hls::In<CacheReply<ColumnContext<C>, MatrixColumn>> reply;
@@ -46,17 +47,23 @@ struct MatrixStore {
       p.extra =
           hls::concat(r.line.row[2].spare, hls::concat(r.line.row[1].spare, r.line.row[0].spare));
     }
+    if (r.context.column == uint<2>(1)) p.mirror = r.line.row[0].spare;
     p.columns = hls::next(p.columns);
     progress.write(packet, p);
 
     if (complete) {
       const MatrixIndex matrix = r.address.template bits<kAddressBits - 1, 2>();
-      record.write(packet, JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra});
+      const auto& derived = r.context.extras.derived;
+      record.write(packet, JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra, derived,
+                                        p.mirror});
       if (r.context.kind == TransformKind::kObject) object.write(packet, matrix);
       SendJob<C> send;
-      send.repeat = frame.get().uncompressed.template bit<0>() ? RepeatCount(7) : RepeatCount(4);
+      const bool apart = frame.get().uncompressed.template bit<0>() || r.context.extras.apart.get();
+      const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kDerive;
+      send.repeat = one_ray ? RepeatCount(1) : apart ? RepeatCount(7) : RepeatCount(4);
       send.packet = packet;
       send.kind = r.context.kind;
+      send.derived = derived;
       ready.write(send);
     }
   }

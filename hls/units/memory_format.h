@@ -77,9 +77,26 @@ struct MatrixColumn {
   HLS_FIELDS(row)
 };
 
-/// A finished ray's hit as the core writes it into banks 4 and 5: six words, two a clock. A miss
+/// A finished ray's hit as the core writes it, word by word into bank 4 and at the same place into
+/// bank 5: pixel p's words begin at kHitWords * p. Numbers are the bits of the core's float; a miss
 /// has `hit` zero and the rest as it was initialised.
-inline constexpr unsigned kHitWords = 3;  ///< words per pixel in each of the two banks
+struct HitPlace {
+  Word t;
+  Word v;
+  MatrixIndex object;
+  uint<14> reserved;
+  bool hit = false;
+  HLS_FIELDS(t, v, object, reserved, hit)
+};
+struct HitSurface {
+  Word u;
+  Word cosine;
+  MatrixIndex triangle;
+  uint<15> reserved;
+  HLS_FIELDS(u, cosine, triangle, reserved)
+};
+inline constexpr unsigned kHitWords = hls::bit_width_of<HitPlace>() / 32;
+static_assert(hls::bit_width_of<HitSurface>() == hls::bit_width_of<HitPlace>());
 inline constexpr unsigned kMaxPixels = kBankWords / kHitWords;
 inline constexpr unsigned kMaxSide = 1024;  ///< pixels a side, by ray generation
 

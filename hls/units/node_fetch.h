@@ -18,7 +18,8 @@ struct NodeFetch {
   struct State {
     Stack stack;    ///< entries in use
     RayMask alive;  ///< rays that entered the level and have not ended in it
-    HLS_FIELDS(stack, alive)
+    hls::FieldIf<kHasSecondary<C>, RayKind> rays{};  ///< level 0: what they are
+    HLS_FIELDS(stack, alive, rays)
   };
   struct Entry {
     Address node;
@@ -47,6 +48,7 @@ struct NodeFetch {
     if (enter) {
       state.stack = 0;
       state.alive = e.active;
+      state.rays = e.rays;
     }
     state.alive = state.alive & ~e.terminated;
 
@@ -82,7 +84,9 @@ struct NodeFetch {
       if (finished) {
         if (e.level == Level{}) {
           ShadeJob<C> shade;
+          shade.repeat = kHasSecondary<C> ? RepeatCount(3) : RepeatCount(15);
           shade.packet = e.packet;
+          shade.kind = state.rays;
           top_done.write(shade);
         } else {
           ListJob<C> go_on;

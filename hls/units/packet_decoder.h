@@ -3,7 +3,8 @@
 //
 // Packet decoder: puts a packet's transformed vectors together again (thesis 6.1.3). World and
 // object rays are saved for the traversal and for later transformations; rays in unit triangle
-// space go to the intersection. A camera's rays are new: the intersection passes a reset for each.
+// space go to the intersection. A camera's rays are new: the intersection passes a reset for each,
+// as for every light and reflected ray when it is ready.
 #pragma once
 
 #include "units/send_packet.h"
@@ -22,7 +23,11 @@ struct PacketDecoder {
   hls::Out<TraversalEvent<C>> enter_object;
   hls::RamWrite<Ray<Real>, kLevelRows<C>> ray[kRays];
   hls::RamWrite<Vector<Real>, kVectorRows<C>> vectors;
-  HLS_PORTS(vector, record, unit_ray, enter_object, ray[0], ray[1], ray[2], ray[3], vectors)
+  /// The world rays, each with its origin; light rays, which nothing is derived from, left out.
+  hls::PortIf<kHasSecondary<C>, hls::RamWrite<Ray<Real>, kRayRows<C>>> arriving;
+  hls::PortIf<kHasMirrors<C>, hls::Out<Derive<C>>> derived;  ///< a pass that is not a ray's last
+  HLS_PORTS(vector, record, unit_ray, enter_object, ray[0], ray[1], ray[2], ray[3], vectors,
+            arriving, derived)
 
   void step() {
     const PacketVector<C> in = vector.read();
@@ -31,18 +36,36 @@ struct PacketDecoder {
     const Ray<Real> r{origin_, in.vector};
 
     const bool triangle = job.kind == TransformKind::kTriangle;
-    const Level level = uint<1>(job.kind == TransformKind::kObject);
+    const bool alone = kHasSecondary<C> && job.kind == TransformKind::kDerive;
+    const Derivation pass = job.derived.get().pass;
+    const bool light = kHasLights<C> && alone && pass == Derivation::kLight;
+    const bool between =
+        kHasMirrors<C> && alone && (pass == Derivation::kIntoObject || pass == Derivation::kMirror);
+    const bool is_new = job.kind == TransformKind::kCamera || (alone && !between);
+    const Level level = uint<1>(job.kind == TransformKind::kObject || between);
     const LevelRow<C> row = level_row<C>(level, in.packet);
+    // All light rays of a packet have one origin, the light, and lie like a compressed packet.
+    const RayIndex slot = light && in.point ? RayIndex{} : in.ray;
     if (!triangle) {
-      vectors.write(hls::concat(row, hls::concat(in.ray, uint<1>(!in.point))), in.vector);
+      vectors.write(hls::concat(row, hls::concat(slot, uint<1>(!in.point))), in.vector);
+    }
+    if constexpr (kHasSecondary<C>) {
+      if (!in.point && is_new && !light) arriving.write(ray_row<C>(in.packet, in.ray), r);
+    }
+    if constexpr (kHasMirrors<C>) {
+      if (!in.point && between) {
+        Derive<C> go_on;
+        go_on.packet = in.packet;
+        derived.write(go_on);
+      }
     }
     if (!in.point) {
       for (unsigned i = 0; i < kRays; ++i) {
         if (!triangle && in.ray == RayIndex::from(i)) ray[i].write(row, r);
       }
-      if (job.kind != TransformKind::kObject) {
-        unit_ray.write(UnitRay<C>{in.packet, in.ray, job.kind == TransformKind::kCamera, r});
-      } else if (in.ray == RayIndex(3)) {
+      if (triangle || is_new) {
+        unit_ray.write(UnitRay<C>{in.packet, in.ray, is_new, r});
+      } else if (job.kind == TransformKind::kObject && in.ray == RayIndex(3)) {
         TraversalEvent<C> enter;
         enter.packet = in.packet;
         enter.level = 1;

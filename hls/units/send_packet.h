@@ -5,7 +5,8 @@
 // (thesis 6.1.3). A compressed packet is its common origin and four directions, five vectors; any
 // other is four pairs of origin and direction, eight. The camera transforms the pre-primary rays
 // (0, 0, 0) and (x, y, 1) of section 6.2.1, an object the packet's world rays, a triangle its rays
-// in the object.
+// in the object. A ray with a matrix of its own is sent alone: a light's transforms the ray (0, 0,
+// 0), (1, t, -1) of section 6.2.2, a reflection's the ray that is reflected (6.2.3).
 #pragma once
 
 #include "units/tokens.h"
@@ -28,17 +29,23 @@ struct SendPacket {
   hls::Out<PacketVector<C>> vector;
   hls::RamRead<Vector<Real>, kVectorRows<C>> vectors;
   hls::RamRead<PixelPosition, kPackets> position;
-  HLS_PORTS(job, vector, vectors, position)
+  hls::PortIf<kHasLights<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
+  hls::PortIf<kHasMirrors<C>, hls::RamRead<Ray<Real>, kRayRows<C>>> arriving;
+  HLS_PORTS(job, vector, vectors, position, surface, arriving)
 
   void step() {
     const Repeated<SendJob<C>> j = job.read();
     const bool compressed = j.job.repeat == RepeatCount(4);
+    const bool alone = kHasSecondary<C> && j.job.kind == TransformKind::kDerive;
+    const DerivedRay derived = j.job.derived.get();
     const bool point = compressed ? j.index == RepeatCount{} : !j.index.template bit<0>();
-    const RayIndex ray = !compressed ? j.index.template bits<2, 1>()
-                         : point     ? RayIndex{}
-                                     : RayIndex::from(j.index.raw() - 1);
+    const RayIndex ray = alone         ? derived.ray
+                         : !compressed ? j.index.template bits<2, 1>()
+                         : point       ? RayIndex{}
+                                       : RayIndex::from(j.index.raw() - 1);
 
-    const Level level = uint<1>(j.job.kind == TransformKind::kTriangle);
+    // Of a ray alone the passes after the first find it in the object.
+    const Level level = uint<1>(j.job.kind == TransformKind::kTriangle || alone);
     const uint<3> number = hls::concat(ray, uint<1>(!point));
     const Vector<Real> stored =
         vectors.read(hls::concat(level_row<C>(level, j.job.packet), number));
@@ -50,8 +57,18 @@ struct SendPacket {
         point ? Vector<Real>{Real{}, Real{}, Real{}}
               : Vector<Real>{Real::from_uint(x), Real::from_uint(y), Real::from_double(1.0)};
 
-    const bool camera = j.job.kind == TransformKind::kCamera;
-    vector.write(PacketVector<C>{j.job.packet, point, ray, camera ? pre_primary : stored});
+    Vector<Real> out = j.job.kind == TransformKind::kCamera ? pre_primary : stored;
+    if constexpr (kHasLights<C>) {
+      const Real t = surface.read(ray_row<C>(j.job.packet, ray)).t;
+      const Vector<Real> pre_light =
+          point ? Vector<Real>{Real{}, Real{}, Real{}} : Vector<Real>{Real::one(), t, -Real::one()};
+      if (alone && derived.pass == Derivation::kLight) out = pre_light;
+    }
+    if constexpr (kHasMirrors<C>) {
+      const Ray<Real> r = arriving.read(ray_row<C>(j.job.packet, ray));
+      if (alone && derived.pass == Derivation::kIntoObject) out = point ? r.origin : r.direction;
+    }
+    vector.write(PacketVector<C>{j.job.packet, point, ray, out});
   }
 };
 

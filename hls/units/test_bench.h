@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "configs/thesis.h"
 #include "hls/bits.h"
 #include "hls/join.h"
 #include "hls/random.h"
@@ -18,17 +19,16 @@
 
 namespace dynrt::test {
 
-/// A configuration as hls/configs makes them.
+/// The configuration `thesis` in another size. What is not a parameter here can be changed in the
+/// same way: struct Lit : test::Config<> { static constexpr unsigned kLights = 2; };
 template <unsigned Packets = 32, unsigned Lines = 512, unsigned StackDepth = 31, unsigned Slots = 8,
           class R = dynrt::Real>
-struct Config {
+struct Config : config::thesis {
   using Real = R;
   static constexpr unsigned kPackets = Packets;
   static constexpr unsigned kLines = Lines;
   static constexpr unsigned kStackDepth = StackDepth;
   static constexpr unsigned kMailboxSlots = Slots;
-  static constexpr double kEpsilon = 0.0;
-  static constexpr unsigned kSramLatency = 3;
 };
 
 /// A unit alone, run as the join runs it.

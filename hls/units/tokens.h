@@ -15,11 +15,29 @@ namespace dynrt {
 
 inline constexpr unsigned kRays = 4;  ///< rays per packet
 
+/// Whether a configuration traces rays beyond the primary ones (thesis 6.2.2, 6.2.3).
+template <class C>
+inline constexpr bool kHasLights = C::kLights > 0;
+template <class C>
+inline constexpr bool kHasMirrors = C::kReflections > 0;
+template <class C>
+inline constexpr bool kHasSecondary = kHasLights<C> || kHasMirrors<C>;
+
 template <class C>
 using PacketId = uint<hls::index_width(C::kPackets)>;
 using Level = uint<1>;
 using RayMask = uint<kRays>;
 using RayIndex = uint<2>;
+
+/// Row of a RAM with one row for every ray.
+template <class C>
+using RayRow = uint<PacketId<C>::kWidth + 2>;
+template <class C>
+constexpr RayRow<C> ray_row(PacketId<C> packet, RayIndex ray) {
+  return hls::concat(packet, ray);
+}
+template <class C>
+inline constexpr unsigned kRayRows = 1u << RayRow<C>::kWidth;
 
 /// Row of a RAM that is duplicated for the two levels.
 template <class C>
@@ -47,6 +65,57 @@ struct Ray {
   HLS_FIELDS(origin, direction)
 };
 
+// ---- Rays beyond the primary ones (thesis 6.2) ----
+
+/// What the rays of a packet are, each time that they are traced.
+enum class RayKind : unsigned char { kPrimary, kLight, kReflection };
+
+/// The passes of the transformation that make one light or reflection ray. A light ray takes one, a
+/// reflected ray three: into the object that was hit, through the triangle's mirror, and back.
+enum class Derivation : unsigned char { kLight, kIntoObject, kMirror, kOutOfObject };
+
+/// Which ray a matrix of its own is for.
+struct DerivedRay {
+  Derivation pass = Derivation::kLight;
+  RayIndex ray;
+  HLS_FIELDS(pass, ray)
+};
+
+/// To the unit that makes such rays: a packet is shaded, or one ray's pass is done.
+template <class C>
+struct Derive {
+  PacketId<C> packet;
+  bool shaded = false;
+  RayKind kind = RayKind::kPrimary;  ///< of the shaded rays
+  RayMask surfaces;                  ///< of the shaded rays, those that have hit something
+  RayMask mirrors;                   ///< of them, those that are reflected
+  HLS_FIELDS(packet, shaded, kind, surfaces, mirrors)
+};
+
+/// Where a ray has hit a surface: where its light rays end and its reflection begins.
+template <class C>
+struct SurfacePoint {
+  typename C::Real t;
+  MatrixIndex object;
+  MatrixIndex triangle;
+  HLS_FIELDS(t, object, triangle)
+};
+
+/// What a ray has found. A light ray has `hit` if something lies before the surface that it is to
+/// reach, and the cosine at that surface.
+template <class C>
+struct Found {
+  bool hit = false;
+  typename C::Real cosine;
+  typename C::Real t;
+  MatrixIndex object;
+  MatrixIndex triangle;
+  uint<24> colour;
+  hls::FieldIf<kHasMirrors<C>, uint<8>>
+      mirror{};  ///< part of the light that is reflected, in 256ths
+  HLS_FIELDS(hit, cosine, t, object, triangle, colour, mirror)
+};
+
 // ---- Traversal (thesis 6.1.1) ----
 
 /// What the node fetch unit is to do next with a packet.
@@ -59,7 +128,7 @@ enum class TraversalKind : unsigned char {
 
 /// What a slice does to a ray's interval [near, far] before the step.
 enum class IntervalUpdate : unsigned char {
-  kInit,         ///< near = smallest, far = the hit distance so far
+  kInit,         ///< near = where the ray starts, far = its hit distance so far
   kClipFar,      ///< far = d where both children are entered
   kClipFarPush,  ///< the same, after pushing far
   kClipNear,     ///< near = d where both are entered and the near child is empty
@@ -76,9 +145,11 @@ struct TraversalEvent {
   bool clip_near = false;  ///< kGo: the near child was empty, so near = d rather than far = d
   Address pushed;
   RayMask pushed_active;
-  RayMask both;        ///< rays that enter both children
-  RayMask terminated;  ///< rays found to have ended in this level
-  HLS_FIELDS(packet, level, kind, next, active, clip_near, pushed, pushed_active, both, terminated)
+  RayMask both;                                    ///< rays that enter both children
+  RayMask terminated;                              ///< rays found to have ended in this level
+  hls::FieldIf<kHasSecondary<C>, RayKind> rays{};  ///< kEnter, level 0: what they are
+  HLS_FIELDS(packet, level, kind, next, active, clip_near, pushed, pushed_active, both, terminated,
+             rays)
 };
 
 /// Everything about a step but the node itself; travels with the node's address and data.
@@ -140,13 +211,22 @@ struct MailboxEntry {
   Level level;
   bool clear = false;  ///< new rays: forget the packet's objects and start the traversal
   RayMask active;      ///< of new rays: those that are to be traced
+  hls::FieldIf<kHasSecondary<C>, RayKind> kind{};  ///< of new rays
   ListEntry entry;
-  HLS_FIELDS(packet, level, clear, active, entry)
+  HLS_FIELDS(packet, level, clear, active, kind, entry)
 };
 
 // ---- Transformation (thesis 6.1.3) ----
 
-enum class TransformKind : unsigned char { kCamera, kObject, kTriangle };
+enum class TransformKind : unsigned char { kCamera, kObject, kTriangle, kDerive };
+
+/// What belongs to a transformation in configurations with rays beyond the primary ones.
+template <class C>
+struct TransformExtras {
+  hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};  ///< of kDerive
+  hls::FieldIf<kHasMirrors<C>, bool> apart{};  ///< the packet's rays have no common origin
+  HLS_FIELDS(derived, apart)
+};
 
 /// A repeated job carries how often, less one, in its lowest field.
 using RepeatCount = uint<4>;
@@ -158,7 +238,8 @@ struct TransformJob {
   TransformKind kind = TransformKind::kCamera;
   RayMask active;
   MatrixIndex matrix;
-  HLS_FIELDS(repeat, packet, kind, active, matrix)
+  TransformExtras<C> extras{};
+  HLS_FIELDS(repeat, packet, kind, active, matrix, extras)
 };
 
 /// Job number `index` of a job that is repeated; the last one says so.
@@ -176,7 +257,8 @@ struct ColumnContext {
   TransformKind kind = TransformKind::kCamera;
   RayMask active;
   uint<2> column;
-  HLS_FIELDS(packet, kind, active, column)
+  TransformExtras<C> extras{};
+  HLS_FIELDS(packet, kind, active, column, extras)
 };
 
 /// What is kept per packet about the transformation in progress.
@@ -186,15 +268,18 @@ struct JobRecord {
   RayMask active;
   MatrixIndex matrix;
   uint<24> extra;  ///< root node of an object, colour of a triangle
-  HLS_FIELDS(kind, active, matrix, extra)
+  hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
+  hls::FieldIf<kHasMirrors<C>, uint<8>> mirror{};  ///< of a triangle
+  HLS_FIELDS(kind, active, matrix, extra, derived, mirror)
 };
 
 template <class C>
 struct SendJob {
-  RepeatCount repeat;  ///< vectors of the packet less one: 4 compressed, 7 not
+  RepeatCount repeat;  ///< vectors less one: 4 of a compressed packet, 7 of another, 1 of one ray
   PacketId<C> packet;
   TransformKind kind = TransformKind::kCamera;
-  HLS_FIELDS(repeat, packet, kind)
+  hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
+  HLS_FIELDS(repeat, packet, kind, derived)
 };
 
 /// One vector on its way through the transformation. Compressed packets send the common origin and
@@ -250,9 +335,10 @@ struct PixelPosition {
 
 template <class C>
 struct ShadeJob {
-  RepeatCount repeat = 15;  ///< four clocks for each of four rays
+  RepeatCount repeat;  ///< steps less one: 3 to shade four rays, 15 to write their pixels and hits
   PacketId<C> packet;
-  HLS_FIELDS(repeat, packet)
+  hls::FieldIf<kHasSecondary<C>, RayKind> kind{};
+  HLS_FIELDS(repeat, packet, kind)
 };
 
 // ---- Caches and memory (thesis 7) ----
@@ -308,6 +394,10 @@ template <>
 inline constexpr unsigned hls::enum_width<dynrt::TraversalKind> = 2;
 template <>
 inline constexpr unsigned hls::enum_width<dynrt::IntervalUpdate> = 3;
+template <>
+inline constexpr unsigned hls::enum_width<dynrt::RayKind> = 2;
+template <>
+inline constexpr unsigned hls::enum_width<dynrt::Derivation> = 2;
 template <>
 inline constexpr unsigned hls::enum_width<dynrt::TransformKind> = 2;
 template <>

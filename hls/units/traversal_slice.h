@@ -26,9 +26,10 @@ struct TraversalSlice {
   hls::Out<SliceDecision> decision;
   hls::RamRead<Ray<Real>, kLevelRows<C>> ray;
   hls::RamRead<Real, (1u << PacketId<C>::kWidth)> hit_distance;
+  hls::PortIf<kHasMirrors<C>, hls::RamRead<Real, (1u << PacketId<C>::kWidth)>> start_distance;
   hls::Ram1R1W<Interval, kLevelRows<C>> interval;
   hls::Ram1R1W<Real, kStackRows> far_stack;
-  HLS_PORTS(step_in, lane, decision, ray, hit_distance)
+  HLS_PORTS(step_in, lane, decision, ray, hit_distance, start_distance)
 
   void step() {
     const Step<C> s = step_in.read();
@@ -45,7 +46,11 @@ struct TraversalSlice {
     Real near = before.near;
     Real far = before.far;
     if (c.update == IntervalUpdate::kInit) {
-      near = Real{};
+      if constexpr (kHasMirrors<C>) {
+        near = start_distance.read(c.packet);
+      } else {
+        near = Real{};
+      }
       far = hit;
     } else if (both) {
       switch (c.update) {

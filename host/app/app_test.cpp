@@ -126,10 +126,33 @@ TEST_F(App, InfoShowsTheScene) {
   const Outcome outcome = run("info blocks --json info.json");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.files, ElementsAre("info.json"));
-  EXPECT_THAT(outcome.out, ContainsRegex("trees       [0-9,]+ nodes, [0-9,]+ list entries, depth"));
+  EXPECT_THAT(outcome.out, ContainsRegex("trees       [0-9,]+ nodes, [0-9,]+ list entries, [0-9]+ "
+                                         "levels of instances and [0-9]+ of triangles, built in"));
   const auto json = nlohmann::json::parse(text_of(folder_ / "info.json"));
   EXPECT_EQ(json["objects"].size(), 3u);
   EXPECT_EQ(json["memory"]["matrix_limit"], 131072);
+}
+
+TEST_F(App, WhatTheUserShouldKnowIsNoted) {
+  fs::create_directories(folder_);
+  std::ofstream(folder_ / "m.obj")
+      << "mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n";
+  const std::string note =
+      "m.obj: the material file 'gone.mtl' is not there, so its materials are grey";
+  for (const std::string command : {"info m.obj",
+                                    "render m.obj --config model_only --board model "
+                                    "--size 8x8",
+                                    "compare m.obj --config stand_in "
+                                    "--size 8x8"}) {
+    const Outcome outcome = run(command + " --json f.json");
+    EXPECT_THAT(outcome.out, HasSubstr("\nnote        " + note + "\n")) << command;
+    EXPECT_THAT(
+        outcome.out,
+        HasSubstr("scene       m: 1 triangle in 1 object, 1 instance (1 point or line left out)\n"))
+        << command;
+    const auto json = nlohmann::json::parse(text_of(folder_ / "f.json"));
+    EXPECT_EQ((command[0] == 'i' ? json : json["scene"])["notes"], nlohmann::json({note}));
+  }
 }
 
 TEST_F(App, ABoardThatNeverInterruptsIsATimeOut) {

@@ -16,7 +16,8 @@ namespace dynrt::host {
 void SceneArguments::add_to(CLI::App& command, bool scene_required) {
   command
       .add_option("SCENE", scene,
-                  fmt::format("a built-in scene ({}) or the path of an OBJ, PLY, glTF or GLB file",
+                  fmt::format("a built-in scene ({}) or the path of an OBJ, PLY, glTF, GLB, BSP "
+                              "or PK3 file",
                               fmt::join(built_in_scenes(), ", ")))
       ->required(scene_required)
       ->option_text(" ");
@@ -76,10 +77,10 @@ FrameOptions FrameArguments::options(const std::string& size) const {
   if (order == "scanline") {
     options.order = RayOrder::kScanline;
   } else if (order != "morton") {
-    throw UserError(fmt::format(messages::kOrder, order));
+    refuse(messages::kOrder, order);
   }
-  if (!(clock_mhz > 0)) throw UserError(fmt::format(messages::kClock, clock_mhz));
-  if (timeout == 0) throw UserError(messages::kTimeoutZero);
+  if (!(clock_mhz > 0)) refuse(messages::kClock, clock_mhz);
+  if (timeout == 0) refuse(messages::kTimeoutZero);
   options.timeout = timeout;
   if (!out.empty()) check_image_path(out);
   if (!json.empty()) check_output_path(json);

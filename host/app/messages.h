@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the program itself says when something is wrong: fmt's format strings.
+// What the program itself says when something is wrong.
 #pragma once
 
 namespace dynrt::host::messages {

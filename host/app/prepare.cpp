@@ -3,6 +3,7 @@
 #include "host/app/prepare.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <chrono>
 
@@ -27,6 +28,7 @@ Json json_of(const std::string& name, const Tree& tree) {
           {"list_entries", tree.stats.items},
           {"longest_list", tree.stats.longest_list},
           {"depth", tree.stats.depth},
+          {"cut", tree.cut},
           {"expected_steps", tree.stats.expected_steps},
           {"expected_leaves", tree.stats.expected_leaves},
           {"expected_items", tree.stats.expected_items}};
@@ -36,6 +38,19 @@ int deepest(const SceneTrees& trees) {
   int depth = 0;
   for (const Tree& tree : trees.objects) depth = std::max(depth, tree.stats.depth);
   return depth;
+}
+
+/// " (110 triangles of zero area, 3 points and lines left out)", or nothing.
+std::string left_out(const ImportCounts& dropped) {
+  std::vector<std::string> parts;
+  if (dropped.zero_area_triangles > 0) {
+    parts.push_back(counted(dropped.zero_area_triangles, "triangle") + " of zero area");
+  }
+  if (dropped.points_and_lines > 0) {
+    const std::size_t count = dropped.points_and_lines;
+    parts.push_back(grouped(count) + (count == 1 ? " point or line" : " points and lines"));
+  }
+  return parts.empty() ? "" : fmt::format(" ({} left out)", fmt::join(parts, ", "));
 }
 
 }  // namespace
@@ -52,6 +67,7 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
   }
   const auto loaded = std::chrono::steady_clock::now();
   {
+    check_matrices(prepared.scene);
     const Progress progress("building the trees");
     prepared.trees = build_scene_trees(prepared.scene);
   }
@@ -70,6 +86,14 @@ std::size_t Prepared::triangles() const {
   return count;
 }
 
+std::size_t Prepared::instanced_triangles() const {
+  std::size_t count = 0;
+  for (const Instance& instance : scene.instances) {
+    count += scene.objects[instance.object].triangles.size();
+  }
+  return count;
+}
+
 Json Prepared::json() const {
   Json objects_json = Json::array();
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -81,10 +105,12 @@ Json Prepared::json() const {
   const MemoryUse use = memory_use(frame);
   return {{"name", scene.name},
           {"triangles", triangles()},
+          {"instanced_triangles", instanced_triangles()},
           {"instances", scene.instances.size()},
           {"materials", scene.materials.size()},
           {"dropped_zero_area_triangles", scene.dropped.zero_area_triangles},
           {"dropped_points_and_lines", scene.dropped.points_and_lines},
+          {"notes", notes()},
           {"low", json_of(box.low)},
           {"high", json_of(box.high)},
           {"camera",
@@ -107,17 +133,29 @@ Json Prepared::json() const {
 
 std::string Prepared::text() const {
   const MemoryUse use = memory_use(frame);
-  std::string text = fmt::format("scene       {}: {} triangles in {}, {}", scene.name,
-                                 grouped(triangles()), counted(scene.objects.size(), "object"),
-                                 counted(scene.instances.size(), "instance"));
-  if (const std::size_t dropped = scene.dropped.zero_area_triangles) {
-    text += fmt::format(" ({} of zero area left out)", counted(dropped, "triangle"));
+  std::string text = fmt::format(
+      "scene       {}: {} in {}, {}", scene.name, counted(triangles(), "triangle"),
+      counted(scene.objects.size(), "object"), counted(scene.instances.size(), "instance"));
+  if (instanced_triangles() != triangles()) {
+    text += fmt::format(", {} in all", counted(instanced_triangles(), "triangle"));
   }
-  text += fmt::format("\ntrees       {} nodes, {} list entries, depth {}, built in {:.2f} s\n",
-                      grouped(use.nodes), grouped(use.list_entries), deepest(trees), tree_seconds);
+  text += left_out(scene.dropped);
+  text += fmt::format(
+      "\ntrees       {} nodes, {} list entries, {} levels of instances and {} of triangles, built "
+      "in "
+      "{:.2f} s\n",
+      grouped(use.nodes), grouped(use.list_entries), trees.instances.stats.depth, deepest(trees),
+      tree_seconds);
   text += fmt::format("memory      {:.2f} MB of nodes and lists, {:.2f} MB of matrices\n",
                       use.tree_megabytes(), use.matrix_megabytes());
+  for (const std::string& note : notes()) text += fmt::format("note        {}\n", note);
   return text;
+}
+
+std::vector<std::string> Prepared::notes() const {
+  std::vector<std::string> all = scene.notes;
+  all.insert(all.end(), trees.notes.begin(), trees.notes.end());
+  return all;
 }
 
 }  // namespace dynrt::host

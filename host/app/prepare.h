@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "host/app/arguments.h"
 #include "host/image/image.h"
@@ -24,7 +25,10 @@ struct Prepared {
   double load_seconds = 0;
   double tree_seconds = 0;
 
-  std::size_t triangles() const;  ///< of all objects, each counted once
+  std::size_t triangles() const;            ///< of all objects, each counted once
+  std::size_t instanced_triangles() const;  ///< of all instances
+  /// What the user should know: what the import took otherwise, which trees were cut.
+  std::vector<std::string> notes() const;
   /// The scene, its trees and the memory they take, as data and as lines of text.
   nlohmann::ordered_json json() const;
   std::string text() const;

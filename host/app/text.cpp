@@ -39,7 +39,7 @@ std::pair<unsigned, unsigned> parse_size(const std::string& text) {
   const auto parts = split(text, 'x');
   std::pair<unsigned, unsigned> size;
   if (parts.size() != 2 || !parse(parts[0], size.first) || !parse(parts[1], size.second)) {
-    throw UserError(fmt::format(messages::kSizeText, text));
+    refuse(messages::kSizeText, text);
   }
   return size;
 }
@@ -49,7 +49,7 @@ glm::dvec3 parse_vector(const std::string& flag, const std::string& text) {
   glm::dvec3 vector;
   if (parts.size() != 3 || !parse(parts[0], vector.x) || !parse(parts[1], vector.y) ||
       !parse(parts[2], vector.z)) {
-    throw UserError(fmt::format(messages::kVectorText, flag, text));
+    refuse(messages::kVectorText, flag, text);
   }
   return vector;
 }

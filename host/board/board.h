@@ -38,6 +38,11 @@ struct BusTraffic {
   std::uint64_t bytes_read = 0;
   std::uint64_t bus_clocks = 0;
   friend bool operator==(const BusTraffic&, const BusTraffic&) = default;
+  /// What came since `before`.
+  friend BusTraffic operator-(const BusTraffic& now, const BusTraffic& before) {
+    return {now.transactions - before.transactions, now.bytes_written - before.bytes_written,
+            now.bytes_read - before.bytes_read, now.bus_clocks - before.bus_clocks};
+  }
 };
 
 struct FrameRun {
@@ -71,6 +76,7 @@ class Board {
 
   /// Of the last frame.
   virtual std::vector<Counter> counters() = 0;
+  /// Since power-up.
   virtual BusTraffic traffic() const = 0;
 };
 

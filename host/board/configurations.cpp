@@ -17,7 +17,6 @@ namespace dynrt::host {
 namespace {
 
 constexpr int kTraceSeed = 1;  ///< waveforms are the same every time
-constexpr std::string_view kDependent[] = {"memory_", "_fill.", "_line.", ".stalls"};
 
 std::string names_of(std::span<const Configuration> table) {
   std::vector<std::string_view> names;
@@ -28,7 +27,7 @@ std::string names_of(std::span<const Configuration> table) {
 const Configuration& find(std::span<const Configuration> table, const std::string& name) {
   const auto found = std::ranges::find(table, name, &Configuration::name);
   if (found == table.end()) {
-    throw UserError(fmt::format(messages::kNoConfiguration, name, names_of(table)));
+    refuse(messages::kNoConfiguration, name, names_of(table));
   }
   return *found;
 }
@@ -39,15 +38,15 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
                                   const BoardRequest& request) {
   const bool rtl = request.board == "rtl";
   if (!rtl && request.board != "model") {
-    throw UserError(fmt::format(messages::kNoBoard, request.board));
+    refuse(messages::kNoBoard, request.board);
   }
   const Configuration& configuration = find(table, request.configuration);
   if (!rtl) {
-    if (!request.trace.empty()) throw UserError(messages::kNoTrace);
+    if (!request.trace.empty()) refuse(messages::kNoTrace);
     return std::make_unique<ModelBoard>(request.configuration, configuration.native());
   }
   if (!configuration.rtl) {
-    throw UserError(fmt::format(messages::kNoRtl, configuration.name));
+    refuse(messages::kNoRtl, configuration.name);
   }
   return std::make_unique<RtlBoard>(
       request.configuration,
@@ -58,15 +57,11 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
 std::vector<Counter> counters_of(std::string_view core_json) {
   std::vector<Counter> counters;
   const auto core = nlohmann::json::parse(core_json);
-  for (const auto& name : core.at("counters")) {
-    counters.push_back({.name = name, .order_independent = order_independent(std::string(name))});
+  for (const auto& counter : core.at("counters")) {
+    counters.push_back(
+        {.name = counter.at("name"), .order_independent = counter.at("order_independent")});
   }
   return counters;
-}
-
-bool order_independent(std::string_view counter) {
-  return std::ranges::none_of(
-      kDependent, [&](std::string_view part) { return counter.find(part) != counter.npos; });
 }
 
 }  // namespace dynrt::host

@@ -41,8 +41,4 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
 /// Counters of a core in the order of their addresses, from its dynrt_core.json.
 std::vector<Counter> counters_of(std::string_view core_json);
 
-/// Whether a counter depends on the frame alone, not on the order in which packets are served.
-/// What the caches miss does depend on it, and so does how often a unit has to wait.
-bool order_independent(std::string_view counter);
-
 }  // namespace dynrt::host

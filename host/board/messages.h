@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the boards say when something is wrong: one wording each, fmt's format strings.
+// What the boards say when something is wrong.
 #pragma once
 
 namespace dynrt::host::messages {
@@ -31,5 +31,6 @@ inline constexpr char kNoRtl[] =
     "-DDYNRT_RTL=ON or take --board model";
 inline constexpr char kNoTrace[] =
     "--trace: only --board rtl has signals to record; leave the flag out or choose that board";
+inline constexpr char kTrace[] = "{}: cannot be written; name a file in a folder that can";
 
 }  // namespace dynrt::host::messages

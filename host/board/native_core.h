@@ -4,7 +4,6 @@
 // The native core of configuration C behind the interface that ModelBoard needs.
 #pragma once
 
-#include "host/board/configurations.h"
 #include "host/board/model_board.h"
 #include "units/core_model.h"
 
@@ -29,8 +28,8 @@ class NativeCoreOf final : public NativeCore {
   void render(const FrameConfig& frame) override { core_.render(frame); }
   std::vector<Counter> counters() override {
     std::vector<Counter> counters;
-    for (const auto& [name, value] : core_.counters()) {
-      counters.push_back({name, value, order_independent(name)});
+    for (const auto& [name, value, order_independent] : core_.counters()) {
+      counters.push_back({name, value, order_independent});
     }
     return counters;
   }

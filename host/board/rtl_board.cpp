@@ -20,6 +20,9 @@ namespace reg = registers;
 
 namespace {
 
+static_assert(kFrameWords <= 1u << reg::kFrameWordBits,
+              "FrameConfig has more fields than the board has room for FRAME registers");
+
 constexpr std::uint64_t kClocksPerReport = 10'000;
 constexpr int kResetReads = 100;  ///< reads of STATUS that outlast the core's reset by far
 
@@ -37,12 +40,11 @@ RtlBoard::RtlBoard(std::string configuration, std::unique_ptr<ClockedBoard> cloc
   const std::uint32_t id = read_register(reg::kRegId);
   const std::uint32_t version = read_register(reg::kRegVersion);
   if (id != reg::kIdValue || version != reg::kVersionValue) {
-    throw UserError(fmt::format(messages::kWrongId, info_.name, id, version, reg::kIdValue,
-                                reg::kVersionValue));
+    refuse(messages::kWrongId, info_.name, id, version, reg::kIdValue, reg::kVersionValue);
   }
   const std::uint32_t words = read_register(reg::kRegFrameWords);
   if (words != kFrameWords) {
-    throw UserError(fmt::format(messages::kFrameWords, info_.name, words, kFrameWords));
+    refuse(messages::kFrameWords, info_.name, words, kFrameWords);
   }
   const std::uint32_t limits = read_register(reg::kRegLimits);
   info_.packets = limits & 0xffff;
@@ -55,7 +57,7 @@ void RtlBoard::settle() {
   for (int i = 0; i < kResetReads; ++i) {
     if (!(read_register(reg::kRegStatus) >> reg::kStatusBusy & 1)) return;
   }
-  throw UserError(fmt::format(messages::kBusHangs, info_.name, reg::kRegStatus));
+  refuse(messages::kBusHangs, info_.name, reg::kRegStatus);
 }
 
 void RtlBoard::write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) {
@@ -133,14 +135,14 @@ void RtlBoard::write_register(std::uint32_t address, std::uint32_t value) {
 void RtlBoard::burst_write(std::uint32_t address, std::span<const std::uint32_t> words) {
   meter_.write(words.size());
   if (!clocked_->write(address, words)) {
-    throw UserError(fmt::format(messages::kBusHangs, info_.name, address));
+    refuse(messages::kBusHangs, info_.name, address);
   }
 }
 
 void RtlBoard::burst_read(std::uint32_t address, std::span<std::uint32_t> words) {
   meter_.read(words.size());
   if (!clocked_->read(address, words)) {
-    throw UserError(fmt::format(messages::kBusHangs, info_.name, address));
+    refuse(messages::kBusHangs, info_.name, address);
   }
 }
 

@@ -101,7 +101,7 @@ TEST(RtlBoardErrors, ABoardThatIsNoneIsRefused) {
   EXPECT_THAT([] { RtlBoard("thesis", std::make_unique<DeadBoard>(false), {}); },
               ThrowsMessage<UserError>(
                   "board rtl: reads 0x0 as its id and 0x0 as its version, expected 0x44595254 and "
-                  "0x10000; rebuild the Verilog and the host together"));
+                  "0x20000; rebuild the Verilog and the host together"));
   EXPECT_THAT([] { RtlBoard("thesis", std::make_unique<DeadBoard>(true), {}); },
               ThrowsMessage<UserError>("board rtl: the bus waits for ever at address 0x0; the "
                                        "Verilog below it is broken"));
@@ -115,7 +115,13 @@ TEST_F(RtlBoardTest, FrameRegistersKeepWhatIsWritten) {
   for (std::uint32_t i = 0; i < kFrameWords; ++i) {
     EXPECT_EQ(board_.read_register(reg::kRegFrame + 4 * i), words[i]) << i;
   }
-  EXPECT_EQ(board_.read_register(reg::kRegFrame + 4 * kFrameWords), 0u);
+  // The room above holds nothing, and does not lead back to the first of them.
+  constexpr std::uint32_t kRoom = 1u << reg::kFrameWordBits;
+  for (std::uint32_t i = kFrameWords; i < kRoom; ++i) {
+    board_.write_register(reg::kRegFrame + 4 * i, 1);
+    EXPECT_EQ(board_.read_register(reg::kRegFrame + 4 * i), 0u) << i;
+  }
+  EXPECT_EQ(board_.read_register(reg::kRegFrame), words[0]);
 }
 
 TEST_F(RtlBoardTest, SramWindowRoundTrip) {

@@ -105,10 +105,7 @@ class VerilatedBoard final : public ClockedBoard {
     waves_ = std::make_unique<VerilatedFstC>();
     top_->trace(waves_.get(), 99);
     waves_->open(trace.c_str());
-    if (!waves_->isOpen())
-      throw UserError(trace +
-                      ": cannot be written; name a file in a folder "
-                      "that can");
+    if (!waves_->isOpen()) refuse(messages::kTrace, trace);
   }
 
   void idle() {

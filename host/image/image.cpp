@@ -15,8 +15,10 @@ namespace dynrt::host {
 
 namespace {
 
+constexpr char kMatrices[] = "matrices (triangles, instances and the camera)";
+
 void check_limit(const Scene& scene, const char* what, std::size_t needed, std::size_t limit) {
-  if (needed > limit) throw UserError(image_messages::too_many(scene.name, what, needed, limit));
+  if (needed > limit) refuse(messages::kTooMany, scene.name, needed, what, needed - limit, limit);
 }
 
 void check_limits(const Scene& scene, const MemoryPart& part) {
@@ -34,24 +36,26 @@ std::optional<double> out_of_range(const glm::dmat4x3& matrix) {
   return std::nullopt;
 }
 
-uint32_t colour(const Scene& scene, const Mesh& object, std::size_t triangle) {
+std::uint32_t colour(const Scene& scene, const Mesh& object, std::size_t triangle) {
   const glm::dvec3& diffuse = scene.materials.at(object.material.at(triangle)).diffuse;
-  uint32_t bits = 0;
+  std::uint32_t bits = 0;
   for (int channel = 0; channel < 3; ++channel) {
     const double level = std::clamp(diffuse[channel], 0.0, 1.0) * 255.0;
-    bits |= static_cast<uint32_t>(std::lround(level)) << (8 * channel);
+    bits |= static_cast<std::uint32_t>(std::lround(level)) << (8 * channel);
   }
   return bits;
 }
 
-Address to_address(std::size_t address) { return Address::from(static_cast<uint32_t>(address)); }
+Address to_address(std::size_t address) {
+  return Address::from(static_cast<std::uint32_t>(address));
+}
 
 /// Appends a tree; its items become the matrices from first_matrix on. Returns the address of the
 /// tree's node 0, which has no place itself: node i lies at that address + i.
-uint32_t add_tree(MemoryPart& part, const Tree& tree, uint32_t first_matrix) {
-  const uint32_t base = part.end_node() - 1;
-  const uint32_t list_base = part.end_entry();
-  const auto child = [&](uint32_t index) {
+std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::uint32_t first_matrix) {
+  const std::uint32_t base = part.end_node() - 1;
+  const std::uint32_t list_base = part.end_entry();
+  const auto child = [&](std::uint32_t index) {
     return to_address(index == kNullNode ? 0 : base + index);
   };
   part.nodes.reserve(part.nodes.size() + tree.nodes.size());
@@ -69,7 +73,7 @@ uint32_t add_tree(MemoryPart& part, const Tree& tree, uint32_t first_matrix) {
     part.nodes.push_back(node);
   }
   const std::size_t first = part.entries.size();
-  for (const uint32_t item : tree.items) {
+  for (const std::uint32_t item : tree.items) {
     ListEntry entry;
     entry.matrix = MatrixIndex::from(first_matrix + item);
     part.entries.push_back(entry);
@@ -84,27 +88,30 @@ uint32_t add_tree(MemoryPart& part, const Tree& tree, uint32_t first_matrix) {
 
 }  // namespace
 
-ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees) {
+void check_matrices(const Scene& scene) {
   std::size_t matrices = scene.instances.size() + 1;
   for (const Mesh& object : scene.objects) matrices += object.triangles.size();
-  check_limit(scene, "matrices (triangles, instances and the camera)", matrices, kMaxMatrices);
+  check_limit(scene, kMatrices, matrices, kMaxMatrices);
+}
 
+ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees) {
+  const double largest = Real::largest().to_double();
+  check_matrices(scene);
   memory.first_node = 1;
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
     const Mesh& mesh = scene.objects[k];
     const Tree& tree = trees[k];
-    const uint32_t first_matrix = memory.end_matrix();
-    const uint32_t base = add_tree(memory, tree, first_matrix);
+    const std::uint32_t first_matrix = memory.end_matrix();
+    const std::uint32_t base = add_tree(memory, tree, first_matrix);
     objects.push_back({base + tree.root, base + tree.clipped_root, first_matrix, tree.box});
     check_limits(scene, memory);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
       const glm::uvec3& t = mesh.triangles[i];
       const auto matrix =
           triangle_matrix({mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]});
-      if (!matrix) throw UserError(image_messages::flat_triangle(mesh.name, i));
+      if (!matrix) refuse(messages::kFlatTriangle, mesh.name, i);
       if (const auto element = out_of_range(*matrix)) {
-        throw UserError(
-            image_messages::triangle_range(mesh.name, i, *element, Real::largest().to_double()));
+        refuse(messages::kTriangleRange, mesh.name, i, *element, largest, largest);
       }
       memory.matrices.push_back(to_columns(*matrix, colour(scene, mesh, i)));
     }
@@ -124,11 +131,10 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   memory.first_node = objects.memory.end_node();
   memory.first_entry = objects.memory.end_entry();
   memory.first_matrix = first_instance = objects.memory.end_matrix();
-  const uint32_t base = add_tree(memory, instances, first_instance);
+  const std::uint32_t base = add_tree(memory, instances, first_instance);
   start_node = base + instances.entry(camera.position);
   check_limits(scene, memory);
-  check_limit(scene, "matrices (triangles, instances and the camera)",
-              first_instance + scene.instances.size() + 1, kMaxMatrices);
+  check_limit(scene, kMatrices, first_instance + scene.instances.size() + 1, kMaxMatrices);
 
   memory.matrices.reserve(scene.instances.size() + 1);
   for (const Instance& instance : scene.instances) {
@@ -136,10 +142,10 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
     const ObjectImage::Object& object = objects.objects.at(instance.object);
     const glm::dmat4x3 matrix(inverse);
     if (!std::isfinite(inverse[3][3]) || glm::determinant(instance.transform) == 0) {
-      throw UserError(image_messages::no_inverse(instance.name));
+      refuse(messages::kFlatInstance, instance.name);
     }
     if (const auto element = out_of_range(matrix)) {
-      throw UserError(image_messages::instance_range(instance.name, *element, largest));
+      refuse(messages::kInstanceRange, instance.name, *element, largest, largest);
     }
     const glm::dvec3 eye = matrix * glm::dvec4(camera.position, 1.0);
     memory.matrices.push_back(
@@ -147,7 +153,7 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   }
   const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
   if (const auto element = out_of_range(from_pixels)) {
-    throw UserError(image_messages::camera_range(*element, largest));
+    refuse(messages::kCameraRange, *element, largest, largest);
   }
   camera_matrix = memory.end_matrix();
   memory.matrices.push_back(to_columns(from_pixels, 0));

@@ -17,14 +17,18 @@
 
 namespace dynrt::host {
 
+/// Throws UserError for a scene that the memory cannot hold whatever its trees are: with more
+/// triangles, instances and camera than it has matrices.
+void check_matrices(const Scene& scene);
+
 /// The static part. Throws UserError where a limit of the memory is passed or a triangle's matrix
 /// is beyond the core's numbers.
 struct ObjectImage {
   /// Where an object lies.
   struct Object {
-    uint32_t root = 0;          ///< for rays that start inside its box
-    uint32_t clipped_root = 0;  ///< for all others
-    uint32_t first_matrix = 0;  ///< of triangle 0
+    std::uint32_t root = 0;          ///< for rays that start inside its box
+    std::uint32_t clipped_root = 0;  ///< for all others
+    std::uint32_t first_matrix = 0;  ///< of triangle 0
     Aabb box;
   };
   std::vector<Object> objects;
@@ -40,9 +44,9 @@ struct ObjectImage {
 /// instance has no inverse or the core's numbers cannot hold it, or the camera is beyond them.
 struct FrameImage {
   MemoryPart memory;
-  uint32_t start_node = 0;
-  uint32_t first_instance = 0;  ///< matrix of instance 0
-  uint32_t camera_matrix = 0;
+  std::uint32_t start_node = 0;
+  std::uint32_t first_instance = 0;  ///< matrix of instance 0
+  std::uint32_t camera_matrix = 0;
 
   FrameImage() = default;
   FrameImage(const Scene& scene, const ObjectImage& objects, const Tree& instances,

@@ -27,7 +27,7 @@ Scene two_objects() {
   std::fill(ball.material.begin(), ball.material.end(), 1);
   scene.objects.push_back(ball);
   scene.instances.clear();
-  for (uint32_t i = 0; i < 5; ++i) {
+  for (std::uint32_t i = 0; i < 5; ++i) {
     glm::dmat4 m = glm::translate(glm::dmat4(1), glm::dvec3(3.0 * i, 0.1, 0.2));
     m = glm::rotate(m, 0.3 * i, glm::dvec3(0.3, 1, 0.2));
     scene.instances.push_back({"i", i % 2, glm::scale(m, glm::dvec3(1, 0.7, -1.3))});
@@ -53,19 +53,19 @@ struct Laid {
 };
 
 /// Compares a tree with what lies at an address, node by node and entry by entry.
-void expect_tree(const SceneMemory& memory, const Tree& tree, uint32_t index, uint32_t address,
-                 uint32_t first_matrix) {
+void expect_tree(const SceneMemory& memory, const Tree& tree, std::uint32_t index,
+                 std::uint32_t address, std::uint32_t first_matrix) {
   if (index == kNullNode) {
     EXPECT_EQ(address, 0u);
     return;
   }
   const TreeNode& expected = tree.nodes[index];
   const Node node = memory.node(address);
-  ASSERT_EQ(static_cast<uint8_t>(node.kind), expected.axis);
-  const auto left = static_cast<uint32_t>(node.left.to_u64());
-  const auto right = static_cast<uint32_t>(node.right.to_u64());
+  ASSERT_EQ(static_cast<std::uint8_t>(node.kind), expected.axis);
+  const auto left = static_cast<std::uint32_t>(node.left.to_u64());
+  const auto right = static_cast<std::uint32_t>(node.right.to_u64());
   if (expected.is_leaf()) {
-    for (uint32_t i = 0; i < expected.right; ++i) {
+    for (std::uint32_t i = 0; i < expected.right; ++i) {
       const ListEntry entry = memory.entry(left + i);
       ASSERT_EQ(entry.matrix.to_u64(), first_matrix + tree.items[expected.left + i]);
       ASSERT_EQ(entry.last, i + 1 == expected.right);
@@ -88,7 +88,7 @@ void expect_near(const glm::dmat4x3& got, const glm::dmat4x3& expected) {
 
 TEST(Image, TreesAndMatricesComeBackFromTheBanks) {
   const Laid laid(two_objects(), testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}));
-  uint32_t first_matrix = 0;
+  std::uint32_t first_matrix = 0;
   for (std::size_t k = 0; k < 2; ++k) {
     const Tree& tree = laid.trees.objects[k];
     const ObjectImage::Object& object = laid.objects.objects[k];
@@ -96,7 +96,7 @@ TEST(Image, TreesAndMatricesComeBackFromTheBanks) {
     expect_tree(laid.memory, tree, tree.clipped_root, object.clipped_root, first_matrix);
     expect_tree(laid.memory, tree, tree.root, object.root, first_matrix);
     const Mesh& mesh = laid.scene.objects[k];
-    for (uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
       const MatrixColumns columns = laid.memory.matrix(first_matrix + i);
       ASSERT_EQ(extra_bits(columns), k == 0 ? 0x808080u : 0x0080ffu);
       // The corners go to the unit triangle's, the normal to (0, 0, 1).
@@ -112,12 +112,12 @@ TEST(Image, TreesAndMatricesComeBackFromTheBanks) {
       ASSERT_LT(glm::length(m * glm::dvec4(c, 1)), tolerance);
       ASSERT_NEAR((m * glm::dvec4(normal, 0)).z, 1.0, 1e-4);
     }
-    first_matrix += static_cast<uint32_t>(mesh.triangles.size());
+    first_matrix += static_cast<std::uint32_t>(mesh.triangles.size());
   }
   EXPECT_EQ(laid.frame.first_instance, first_matrix);
   expect_tree(laid.memory, laid.trees.instances, laid.trees.instances.clipped_root,
               laid.frame.start_node, first_matrix);
-  for (uint32_t i = 0; i < laid.scene.instances.size(); ++i) {
+  for (std::uint32_t i = 0; i < laid.scene.instances.size(); ++i) {
     const MatrixColumns columns = laid.memory.matrix(first_matrix + i);
     expect_near(from_columns(columns),
                 glm::dmat4x3(glm::inverse(laid.scene.instances[i].transform)));
@@ -205,7 +205,7 @@ TEST(Image, RefusesMoreMatricesThanThereArePlaces) {
 /// A tree of one leaf with so many items.
 Tree long_leaf(std::size_t items) {
   Tree tree;
-  tree.nodes = {{}, {kLeafAxis, 0, 0, static_cast<uint32_t>(items)}};
+  tree.nodes = {{}, {kLeafAxis, 0, 0, static_cast<std::uint32_t>(items)}};
   tree.items.resize(items);
   tree.root = tree.clipped_root = 1;
   return tree;

@@ -10,7 +10,7 @@
 
 namespace dynrt::host {
 
-MatrixColumns to_columns(const glm::dmat4x3& matrix, uint32_t extra) {
+MatrixColumns to_columns(const glm::dmat4x3& matrix, std::uint32_t extra) {
   MatrixColumns columns;
   for (int c = 0; c < 4; ++c) {
     for (int r = 0; r < 3; ++r) columns[c].row[r].value = Real::from_double(matrix[c][r]);
@@ -27,10 +27,10 @@ glm::dmat4x3 from_columns(const MatrixColumns& columns) {
   return matrix;
 }
 
-uint32_t extra_bits(const MatrixColumns& columns) {
-  uint32_t extra = 0;
+std::uint32_t extra_bits(const MatrixColumns& columns) {
+  std::uint32_t extra = 0;
   for (unsigned r = 0; r < 3; ++r) {
-    extra |= static_cast<uint32_t>(columns[0].row[r].spare.to_u64()) << (8 * r);
+    extra |= static_cast<std::uint32_t>(columns[0].row[r].spare.to_u64()) << (8 * r);
   }
   return extra;
 }
@@ -69,7 +69,7 @@ std::vector<MemoryRun> MemoryPart::runs() const {
 std::vector<MemoryRun> changed_runs(const std::vector<MemoryRun>& before,
                                     const std::vector<MemoryRun>& after) {
   constexpr std::size_t kGap = 4;  // a run's own cost on the bus, in words
-  std::map<std::pair<unsigned, uint32_t>, const MemoryRun*> known;
+  std::map<std::pair<unsigned, std::uint32_t>, const MemoryRun*> known;
   for (const MemoryRun& run : before) known[{run.bank, run.address}] = &run;
   std::vector<MemoryRun> changed;
   for (const MemoryRun& run : after) {
@@ -79,7 +79,7 @@ std::vector<MemoryRun> changed_runs(const std::vector<MemoryRun>& before,
     const auto close = [&] {
       if (begin == end) return;
       changed.push_back({run.bank,
-                         run.address + static_cast<uint32_t>(begin),
+                         run.address + static_cast<std::uint32_t>(begin),
                          {run.words.begin() + static_cast<std::ptrdiff_t>(begin),
                           run.words.begin() + static_cast<std::ptrdiff_t>(end)}});
       begin = end = 0;
@@ -96,7 +96,7 @@ std::vector<MemoryRun> changed_runs(const std::vector<MemoryRun>& before,
 }
 
 SceneMemory::SceneMemory() {
-  for (std::vector<uint32_t>& bank : banks_) bank.resize(kBankWords);
+  for (std::vector<std::uint32_t>& bank : banks_) bank.resize(kBankWords);
 }
 
 void SceneMemory::write(const std::vector<MemoryRun>& runs) {
@@ -105,17 +105,17 @@ void SceneMemory::write(const std::vector<MemoryRun>& runs) {
   }
 }
 
-Node SceneMemory::node(uint32_t address) const {
+Node SceneMemory::node(std::uint32_t address) const {
   return hls::unpack<Node>(hls::Words<Node>{banks_[0].at(address), banks_[1].at(address)});
 }
 
-ListEntry SceneMemory::entry(uint32_t address) const {
+ListEntry SceneMemory::entry(std::uint32_t address) const {
   return hls::unpack<ListEntry>(&banks_[2].at(address));
 }
 
-MatrixColumns SceneMemory::matrix(uint32_t index) const {
+MatrixColumns SceneMemory::matrix(std::uint32_t index) const {
   MatrixColumns columns;
-  for (uint32_t c = 0; c < 4; ++c) {
+  for (std::uint32_t c = 0; c < 4; ++c) {
     for (unsigned row = 0; row < kSceneBanks; ++row) {
       columns[c].row[row] = hls::unpack<MatrixWord>(&banks_[row].at(kColumnBase + 4 * index + c));
     }

@@ -17,29 +17,33 @@ namespace dynrt::host {
 /// Consecutive words of one bank.
 struct MemoryRun {
   unsigned bank = 0;
-  uint32_t address = 0;
-  std::vector<uint32_t> words;
+  std::uint32_t address = 0;
+  std::vector<std::uint32_t> words;
 };
 
 using MatrixColumns = std::array<MatrixColumn, 4>;
 
 /// Rounds a matrix once to the core's format; `extra` are the 24 spare bits of column 0.
-MatrixColumns to_columns(const glm::dmat4x3& matrix, uint32_t extra);
+MatrixColumns to_columns(const glm::dmat4x3& matrix, std::uint32_t extra);
 glm::dmat4x3 from_columns(const MatrixColumns& columns);
-uint32_t extra_bits(const MatrixColumns& columns);
+std::uint32_t extra_bits(const MatrixColumns& columns);
 
 /// Nodes, list entries and matrices at consecutive places of the memory.
 struct MemoryPart {
-  uint32_t first_node = 0;
-  uint32_t first_entry = 0;
-  uint32_t first_matrix = 0;
+  std::uint32_t first_node = 0;
+  std::uint32_t first_entry = 0;
+  std::uint32_t first_matrix = 0;
   std::vector<Node> nodes;
   std::vector<ListEntry> entries;
   std::vector<MatrixColumns> matrices;
 
-  uint32_t end_node() const { return first_node + static_cast<uint32_t>(nodes.size()); }
-  uint32_t end_entry() const { return first_entry + static_cast<uint32_t>(entries.size()); }
-  uint32_t end_matrix() const { return first_matrix + static_cast<uint32_t>(matrices.size()); }
+  std::uint32_t end_node() const { return first_node + static_cast<std::uint32_t>(nodes.size()); }
+  std::uint32_t end_entry() const {
+    return first_entry + static_cast<std::uint32_t>(entries.size());
+  }
+  std::uint32_t end_matrix() const {
+    return first_matrix + static_cast<std::uint32_t>(matrices.size());
+  }
 
   /// At most one run for nodes in banks 0 and 1, for entries in bank 2, for columns in each bank.
   std::vector<MemoryRun> runs() const;
@@ -55,12 +59,12 @@ class SceneMemory {
  public:
   SceneMemory();
   void write(const std::vector<MemoryRun>& runs);
-  Node node(uint32_t address) const;
-  ListEntry entry(uint32_t address) const;
-  MatrixColumns matrix(uint32_t index) const;
+  Node node(std::uint32_t address) const;
+  ListEntry entry(std::uint32_t address) const;
+  MatrixColumns matrix(std::uint32_t index) const;
 
  private:
-  std::array<std::vector<uint32_t>, kSceneBanks> banks_;
+  std::array<std::vector<std::uint32_t>, kSceneBanks> banks_;
 };
 
 }  // namespace dynrt::host

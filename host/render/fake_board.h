@@ -9,6 +9,7 @@
 #include <map>
 
 #include "host/board/board.h"
+#include "host/board/bus.h"
 
 namespace dynrt::host {
 
@@ -26,9 +27,11 @@ class FakeBoard final : public Board {
   }
   const BoardInfo& info() const override { return info_; }
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override {
+    meter_.write(words.size());
     std::ranges::copy(words, memory.at(bank).begin() + address);
   }
   void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override {
+    meter_.read(words.size());
     std::copy_n(memory.at(bank).begin() + address, words.size(), words.begin());
   }
   void configure(const FrameConfig& config) override { frame = config; }
@@ -38,10 +41,11 @@ class FakeBoard final : public Board {
     return {.cycles = 1000, .seconds = 0.5};
   }
   std::vector<Counter> counters() override { return counter_values; }
-  BusTraffic traffic() const override { return {1, 2, 3, 4}; }
+  BusTraffic traffic() const override { return meter_.traffic(); }
 
  private:
   BoardInfo info_{"rtl", "small", 8, 16};
+  BusMeter meter_;
 };
 
 }  // namespace dynrt::host

@@ -35,6 +35,7 @@ struct Frame {
   std::vector<HitRecord> hits;        ///< one per pixel
   std::vector<Counter> counters;
   FrameRun run;
+  BusTraffic upload;   ///< of the scene, or of what changed in it
   BusTraffic traffic;  ///< upload, frame and read-back
 
   std::uint64_t hit_count() const {

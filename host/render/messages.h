@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the renderer and the image writer say when something is wrong: fmt's format strings.
+// What the renderer and the image writer say when something is wrong.
 #pragma once
 
 namespace dynrt::host::messages {

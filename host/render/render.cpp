@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/render/render.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 
+#include "hls/bits.h"
 #include "host/board/frame_words.h"
 #include "host/error.h"
-#include "host/render/hit_layout.h"
 #include "host/render/messages.h"
+#include "units/memory_format.h"
 
 namespace dynrt::host {
 
@@ -25,14 +24,25 @@ std::vector<std::uint32_t> read(Board& board, unsigned bank, std::uint32_t addre
   return words;
 }
 
+template <unsigned W>
+std::uint32_t number(hls::uint<W> bits) {
+  return static_cast<std::uint32_t>(bits.to_u64());
+}
+
 std::vector<HitRecord> read_hits(Board& board, std::size_t pixels) {
   const auto first = read(board, kHitBank, 0, pixels * kHitWords);
   const auto second = read(board, kHitBank + 1, 0, pixels * kHitWords);
   std::vector<HitRecord> hits(pixels);
   for (std::size_t p = 0; p < pixels; ++p) {
-    hits[p] =
-        unpack_hit(std::span<const std::uint32_t, kHitWords>(&first[p * kHitWords], kHitWords),
-                   std::span<const std::uint32_t, kHitWords>(&second[p * kHitWords], kHitWords));
+    const auto place = hls::unpack<HitPlace>(&first[p * kHitWords]);
+    const auto surface = hls::unpack<HitSurface>(&second[p * kHitWords]);
+    hits[p] = {.hit = place.hit,
+               .object = number(place.object),
+               .triangle = number(surface.triangle),
+               .t = number(place.t),
+               .u = number(surface.u),
+               .v = number(place.v),
+               .cosine = number(surface.cosine)};
   }
   return hits;
 }
@@ -42,7 +52,7 @@ std::vector<HitRecord> read_hits(Board& board, std::size_t pixels) {
 void check_size(unsigned width, unsigned height) {
   const std::uint64_t pixels = std::uint64_t{width} * height;
   if (width == 0 || height == 0 || width > kMaxSide || height > kMaxSide || pixels > kMaxPixels) {
-    throw UserError(fmt::format(messages::kSize, width, height, kMaxSide, kMaxPixels));
+    refuse(messages::kSize, width, height, kMaxSide, kMaxPixels);
   }
 }
 
@@ -52,10 +62,10 @@ FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
   const unsigned packets = options.packets.value_or(board.packets);
   const unsigned lines = options.lines.value_or(board.cache_lines);
   if (packets == 0 || packets > board.packets) {
-    throw UserError(fmt::format(messages::kPackets, packets, board.configuration, board.packets));
+    refuse(messages::kPackets, packets, board.configuration, board.packets);
   }
   if (!std::has_single_bit(lines) || lines > board.cache_lines) {
-    throw UserError(fmt::format(messages::kLines, lines, board.configuration, board.cache_lines));
+    refuse(messages::kLines, lines, board.configuration, board.cache_lines);
   }
   const unsigned packet_side = (std::max(options.width, options.height) + 1) / 2;
   FrameConfig frame;
@@ -77,10 +87,12 @@ FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
 Frame render(Board& board, const FrameOptions& options, const SceneAddresses& scene,
              std::span<const BankWords> memory, const PixelProgress& progress) {
   const FrameConfig config = frame_config(board.info(), options, scene);
+  const BusTraffic before = board.traffic();
   for (const BankWords& part : memory) board.write(part.bank, part.address, part.words);
+  Frame frame;
+  frame.upload = board.traffic() - before;
   board.configure(config);
   board.start();
-  Frame frame;
   frame.board = board.info();
   frame.width = options.width;
   frame.height = options.height;
@@ -91,7 +103,7 @@ Frame render(Board& board, const FrameOptions& options, const SceneAddresses& sc
   frame.pixels = read(board, kFrameBank, kFrameBase, pixels);
   frame.hits = read_hits(board, pixels);
   frame.counters = board.counters();
-  frame.traffic = board.traffic();
+  frame.traffic = board.traffic() - before;
   return frame;
 }
 

@@ -101,7 +101,24 @@ TEST(Render, UploadsRendersAndReadsBack) {
   EXPECT_EQ(frame.hit_count(), 1u);
   EXPECT_EQ(frame.counters.at(0).value, 5u);
   EXPECT_EQ(frame.run.cycles, 1000u);
-  EXPECT_EQ(frame.traffic.bus_clocks, 4u);
+}
+
+TEST(Render, MetersTheBusOfEachFrameByItself) {
+  FakeBoard board;
+  const std::vector<std::uint32_t> nodes(100);
+  const std::vector<BankWords> all = {{0, 1, nodes}, {1, 1, nodes}};
+  const Frame first = render(board, {.width = 4, .height = 2}, {}, all, {});
+  EXPECT_EQ(first.upload.bytes_written, 800u);
+  EXPECT_EQ(first.upload.bytes_read, 0u);
+  EXPECT_EQ(first.traffic.bytes_written, 800u);
+  // A word of colour and six of the hit record for each of 8 pixels.
+  EXPECT_EQ(first.traffic.bytes_read, 4u * 8 * 7);
+
+  const std::vector<BankWords> changed = {{0, 5, std::span(nodes).first(10)}};
+  const Frame second = render(board, {.width = 4, .height = 2}, {}, changed, {});
+  EXPECT_EQ(second.upload, (BusTraffic{1, 40, 0, 12}));
+  EXPECT_EQ(second.traffic.bytes_written, 40u);
+  EXPECT_EQ(second.traffic.bytes_read, first.traffic.bytes_read);
 }
 
 }  // namespace

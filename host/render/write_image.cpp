@@ -34,7 +34,7 @@ fs::path temporary_for(const fs::path& path) {
 }
 
 [[noreturn]] void cannot_write(const fs::path& path, const std::string& reason) {
-  throw UserError(fmt::format(messages::kCannotWrite, path.string(), reason));
+  refuse(messages::kCannotWrite, path.string(), reason);
 }
 
 /// Calls `write` with a name beside `path` and renames what it wrote; removes it on an error.
@@ -69,7 +69,7 @@ std::vector<std::uint8_t> bytes_of(const Frame& frame) {
 void check_output_path(const std::string& path) {
   const fs::path folder = folder_of(path);
   if (!fs::is_directory(folder)) {
-    throw UserError(fmt::format(messages::kNoFolder, path, folder.string()));
+    refuse(messages::kNoFolder, path, folder.string());
   }
   if (fs::is_directory(path)) cannot_write(path, std::strerror(EISDIR));
   // Only trying tells: a folder may be read-only for reasons that its permissions do not show.
@@ -81,7 +81,7 @@ void check_output_path(const std::string& path) {
 void check_image_path(const std::string& path) {
   const std::string extension = fs::path(path).extension().string();
   if (extension != ".png" && extension != ".exr") {
-    throw UserError(fmt::format(messages::kExtension, path, extension));
+    refuse(messages::kExtension, path, extension);
   }
   check_output_path(path);
 }

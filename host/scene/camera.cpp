@@ -27,11 +27,6 @@ void require_field_of_view(double degrees) {
   if (!(degrees > 0.0 && degrees < 180.0)) wording::fail(wording::kFieldOfView, degrees);
 }
 
-double field_of_view_of(const Camera& camera) {
-  return glm::degrees(2.0 *
-                      std::atan(glm::length(camera.up) / (2.0 * glm::length(camera.forward))));
-}
-
 Camera widen(Camera camera, double aspect) {
   camera.right = glm::normalize(camera.right) * glm::length(camera.up) * aspect;
   return camera;
@@ -50,6 +45,11 @@ Box bounds(const Scene& scene) {
     }
   }
   return box;
+}
+
+double field_of_view_of(const Camera& camera) {
+  return glm::degrees(2.0 *
+                      std::atan(glm::length(camera.up) / (2.0 * glm::length(camera.forward))));
 }
 
 Camera look_at(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec3& up,

@@ -37,6 +37,9 @@ Box bounds(const Scene& scene);
 Camera look_at(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec3& up,
                double field_of_view, double aspect);
 
+// Of a camera for any image.
+double field_of_view_of(const Camera& camera);
+
 // Sees the whole scene, from the front, right and above (direction (0.5, 0.4, 1) from its centre).
 Camera frame(const Box& box, const glm::dvec3& up, double field_of_view, double aspect);
 

@@ -9,13 +9,18 @@
 #include <string>
 
 #include "host/scene/furniture.h"
+#include "host/scene/map.h"
 #include "host/scene/scene.h"
 
 namespace dynrt::host {
 
-// The furniture folder is opened only when a part asks for a model.
-Scene load_description(const std::string& path,
-                       const std::string& furniture_folder = kFurnitureFolder);
+// Where the Debian packages put their models and maps; opened only when a part asks for one.
+struct Packages {
+  std::string furniture = kFurnitureFolder;
+  std::string maps = kMapPackage;
+};
+
+Scene load_description(const std::string& path, const Packages& packages = {});
 
 }  // namespace dynrt::host
 

@@ -6,10 +6,14 @@
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 
+#include "host/scene/animation.h"
 #include "host/scene/camera.h"
 #include "host/scene/load.h"
+#include "host/scene/test_bsp.h"
 #include "host/scene/test_files.h"
+#include "host/scene/test_zip.h"
 
 namespace dynrt::host {
 namespace {
@@ -48,6 +52,143 @@ TEST(Description, OfficeModelsStayInsideTheRoom) {
   }
 }
 
+TEST(Description, CisternIsOneObjectOf68438Triangles) {
+  const Scene cistern = load_scene("cistern");
+  ASSERT_EQ(cistern.objects.size(), 1u);
+  ASSERT_EQ(cistern.instances.size(), 1u);
+  EXPECT_EQ(cistern.objects[0].triangles.size() + cistern.dropped.zero_area_triangles, 68438u);
+  EXPECT_TRUE(cistern.notes.empty());
+  ASSERT_TRUE(cistern.camera);
+  EXPECT_LT(glm::length(cistern.camera->position * 32.0 - glm::dvec3(1096, 216 + 26, 432)), 1e-9);
+}
+
+TEST(Description, ConferenceIs54InstancesOf282804Triangles) {
+  const Scene conference = load_scene("conference");
+  EXPECT_EQ(conference.objects.size(), 13u);
+  ASSERT_EQ(conference.instances.size(), 54u);
+  EXPECT_TRUE(conference.notes.empty());
+  EXPECT_EQ(conference.dropped.zero_area_triangles,
+            30u);  // of the white board, which is there once
+  std::size_t triangles = conference.dropped.zero_area_triangles;
+  std::map<std::string, int> instances;
+  for (const Instance& instance : conference.instances) {
+    const Mesh& object = conference.objects[instance.object];
+    triangles += object.triangles.size();
+    ++instances[object.name];
+    if (object.name == "room") continue;
+    for (const glm::dvec3& v : object.vertices) {
+      const glm::dvec3 p(instance.transform * glm::dvec4(v, 1.0));
+      EXPECT_TRUE(std::abs(p.x) < 5.8 && std::abs(p.z) < 3.8 && p.y > -1e-9 && p.y < 2.9)
+          << instance.name << ": " << p.x << " " << p.y << " " << p.z;
+    }
+  }
+  EXPECT_EQ(triangles, 282804u);
+  EXPECT_EQ(instances["office chair"], 20);
+  EXPECT_EQ(instances["table"], 6);
+}
+
+TEST(Description, Trees4000Is4000InstancesOf20MillionTriangles) {
+  const Scene trees = load_scene("trees4000");
+  EXPECT_EQ(trees.instances.size(), 4000u);
+  std::size_t triangles = 0, matrices = trees.instances.size();
+  for (const Instance& i : trees.instances) triangles += trees.objects[i.object].triangles.size();
+  for (const Mesh& object : trees.objects) matrices += object.triangles.size();
+  EXPECT_EQ(triangles, 19999928u);
+  EXPECT_LT(matrices, 1u << 17);
+  EXPECT_EQ(trees.instances.back().name, "shrub 2405");
+}
+
+TEST(Description, BuiltInWalksStayInTheirScenes) {
+  for (const char* name : {"cistern", "conference", "trees4000"}) {
+    Scene scene = load_scene(name);
+    const Box box = bounds(scene);
+    const glm::dvec3 start = scene.camera->position;
+    EXPECT_GE(duration(scene), 9.0);
+    for (double time = 0.0; time <= duration(scene); time += 0.25) {
+      move_to(scene, time);
+      const glm::dvec3& eye = scene.camera->position;
+      for (int k = 0; k < 3; ++k) EXPECT_TRUE(eye[k] > box.low[k] && eye[k] < box.high[k]) << time;
+    }
+    EXPECT_GT(glm::length(scene.camera->position - start), 3.0) << name;
+  }
+  const Scene conference = load_scene("conference");
+  const auto late = transforms_at(conference, 4.5);
+  int moved = 0;
+  for (std::size_t i = 0; i < late.size(); ++i)
+    moved += late[i] != conference.instances[i].transform;
+  EXPECT_EQ(moved, 4);
+}
+
+constexpr char kScattered[] = R"({"objects": [
+    {"name": "o", "parts": [{"generate": "box", "from": [-1, 0, -1], "to": [1, 2, 1], "colour": [1, 1, 1]}]},
+    {"name": "g", "parts": [{"generate": "hills", "side": 100, "height": 0, "cells": 2, "colour": [1, 1, 1], "position": [0, 3, 0]}]}],
+    "instances": [{"object": "g"}],
+    "scatter": [{"object": "o", "count": 30, "seed": 1, "from": [-40, -40], "to": [40, 40], "apart": 3, "scale": [1, 2], "clear": [[0, 0, 10]], "ground": "g"}]})";
+
+TEST(Description, Scatters) {
+  const TestFolder folder;
+  const Scene scene = load_scene(folder.write("s.json", kScattered));
+  ASSERT_EQ(scene.instances.size(), 31u);
+  EXPECT_EQ(scene.instances[1].name, "o 1");
+  for (std::size_t i = 1; i < 31; ++i) {
+    const glm::dvec3 at(scene.instances[i].transform[3]);
+    EXPECT_EQ(at.y, 3.0);
+    EXPECT_GE(glm::length(at - glm::dvec3(0, 3, 0)), 10.0);
+  }
+}
+
+TEST(Description, NamesMistakesInAScatter) {
+  const TestFolder folder;
+  const auto error = [&](const char* what, const char* with) {
+    const std::string path = folder.write("s.json", replaced(kScattered, what, with));
+    return user_error([&] { load_scene(path); }).substr(path.size());
+  };
+  EXPECT_EQ(error("\"apart\": 3", "\"apart\": 50"),
+            ": scatter[0]: only 3 of 30 instances of 'o' find room; scatter fewer, less far apart "
+            "or more widely");
+  EXPECT_EQ(error("\"to\": [40, 40]", "\"to\": [40, -40]"),
+            ": scatter[0]: 'from' must be below 'to' on both axes");
+  EXPECT_EQ(error("[1, 2], \"clear\"", "[0, 2], \"clear\""),
+            ": scatter[0]: 'scale' must be two numbers above zero, the lower one first");
+  EXPECT_EQ(error("[[0, 0, 10]]", "[[0, 0]]"),
+            ": scatter[0]: 'clear' must be a list of lists of 3 numbers");
+  EXPECT_EQ(error("\"ground\": \"g\"", "\"ground\": \"h\""),
+            ": scatter[0]: there is no object 'h'");
+  EXPECT_EQ(error("\"count\": 30", "\"count\": 0"),
+            ": scatter[0]: 'count' must be a whole number from 1 to 131072");
+  EXPECT_EQ(error("\"cells\": 2", "\"cells\": 251"),
+            ": objects[1].parts[0]: 'cells' must be a whole number from 1 to 250");
+}
+
+TEST(Description, NamesMapsAndTexturesThatAreNotThere) {
+  const TestFolder folder;
+  const std::string pk3 = folder.path("own.pk3");
+  write_zip(pk3, {{"maps/a.bsp", small_map().bytes()}});
+  const auto load = [&](const std::string& part) {
+    const std::string path =
+        folder.write("m.json", R"({"objects": [{"name": "o", "parts": [{)" + part + R"(}]}]})");
+    return load_description(path, {.maps = pk3});
+  };
+  const auto error = [&](const std::string& part) {
+    return user_error([&] { load(part); }).substr(folder.path("m.json").size());
+  };
+  const Scene scene = load(
+      R"("map": "a", "scale": 0.5, "baked_light": false, "tessellation": 2, "position": [0, 1, 0],
+         "colours": {"textures/moss": [0, 0.8, 0]})");
+  EXPECT_EQ(bounds(scene).low, glm::dvec3(0, 1, -4));
+  EXPECT_EQ(scene.objects[0].triangles.size(), 2u + 8 + 1 + 1);
+  EXPECT_EQ(scene.materials.back().name, "a/textures/moss");
+  EXPECT_EQ(scene.materials.back().diffuse, glm::dvec3(0, 0.8, 0));
+  EXPECT_EQ(user_error([&] { load(R"("map": "b")"); }), pk3 + ": has no map 'b'; it has a");
+  EXPECT_EQ(error(R"("map": "a", "colours": {"textures/mos": [0, 1, 0]})"),
+            ": objects[0].parts[0].colours: the map has no texture 'textures/mos'; it has "
+            "textures/moss, textures/stone");
+  EXPECT_EQ(error(R"("map": "a", "baked_light": 1)"),
+            ": objects[0].parts[0]: 'baked_light' must be true or false");
+  EXPECT_EQ(error(R"("map": "a", "tessellation": 33)"),
+            ": objects[0].parts[0]: 'tessellation' must be a whole number from 1 to 32");
+}
+
 TEST(Description, BlocksHasTwoLevels) {
   const Scene blocks = load_scene("blocks");
   EXPECT_EQ(blocks.objects.size(), 3u);  // two and the ground
@@ -67,6 +208,7 @@ constexpr char kSmall[] = R"({
   ],
   "instances": [
     {"object": "b", "position": [0, 10, 0], "rotate": {"axis": [0, 0, 2], "degrees": 90}, "scale": [2, 1, 1]},
+    {"object": "b", "name": "turned", "position": [0, 1, 0], "turn": 90},
     {"object": "b", "name": "given", "matrix": [1, 0.5, 0, 7, 0, 1, 0, 8, 0, 0, 1, 9]}
   ],
   "camera": {"position": [0, 0, 9], "look_at": [0, 0, 0]}
@@ -89,8 +231,10 @@ TEST(Description, PlacesPartsAndInstances) {
   EXPECT_EQ(scene.instances[0].name, "b#0");
   const glm::dvec3 p(scene.instances[0].transform * glm::dvec4(1, 1, 1, 1));
   EXPECT_LT(glm::length(p - glm::dvec3(-1, 12, 1)), 1e-12);
-  EXPECT_EQ(scene.instances[1].name, "given");
-  EXPECT_EQ(scene.instances[1].transform * glm::dvec4(0, 2, 0, 1), glm::dvec4(8, 10, 9, 1));
+  const glm::dvec3 q(scene.instances[1].transform * glm::dvec4(0, 0, 1, 1));
+  EXPECT_LT(glm::length(q - glm::dvec3(1, 1, 0)), 1e-12);
+  EXPECT_EQ(scene.instances[2].name, "given");
+  EXPECT_EQ(scene.instances[2].transform * glm::dvec4(0, 2, 0, 1), glm::dvec4(8, 10, 9, 1));
 }
 
 TEST(Description, OneInstanceOfEachObjectUnlessSaidOtherwise) {
@@ -127,7 +271,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "expected string literal"},
         Mistake{"\"camera\"", "\"kamera\"",
                 ": the file: the key 'kamera' is not known; it takes about, colours, objects, "
-                "instances, camera"},
+                "instances, scatter, camera, path"},
         Mistake{"\"objects\"", "\"about\"", ": the file: the key 'objects' is missing"},
         Mistake{"\"name\": \"b\"", "\"name\": 5", ": objects[0]: 'name' must be a text"},
         Mistake{"[{\"generate\"", "[5, {\"generate\"",
@@ -137,10 +281,11 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"\"turn\": 90", "\"turn\": \"left\"",
                 ": objects[0].parts[0]: 'turn' must be a number"},
         Mistake{"\"generate\": \"box\"", "\"form\": \"box\"",
-                ": objects[0].parts[0]: a part needs either the key 'model' or the key "
+                ": objects[0].parts[0]: a part needs one of the keys 'model', 'map' and "
                 "'generate'"},
         Mistake{"\"generate\": \"box\"", "\"generate\": \"cone\"",
-                ": objects[0].parts[0]: 'cone' cannot be generated; sphere, box and torus can"},
+                ": objects[0].parts[0]: 'cone' cannot be generated; sphere, box, torus and "
+                "hills can"},
         Mistake{"\"generate\": \"box\"",
                 "\"generate\": \"sphere\", \"radius\": 1, \"subdivisions\": 99",
                 ": objects[0].parts[0]: the key 'from' is not known; it takes generate, name, "
@@ -151,7 +296,7 @@ INSTANTIATE_TEST_SUITE_P(
                 ": objects[0].parts[0]: 'grene' is not one of the file's colours"},
         Mistake{"\"colour\": \"green\"", "\"colour\": [0, 2, 0]",
                 ": objects[0].parts[0]: 'colour' must be three numbers from 0 to 1"},
-        Mistake{"{\"object\": \"b\", \"name\"", "{\"object\": \"c\", \"name\"",
+        Mistake{"{\"object\": \"b\", \"name\": \"turned\"", "{\"object\": \"c\"",
                 ": instances[1]: there is no object 'c'"},
         Mistake{"\"look_at\": [0, 0, 0]", "\"look_at\": [0, 0, 9]",
                 ": camera: the camera stands at the point that it looks at (0, 0, 9); move one of "
@@ -221,8 +366,9 @@ TEST(Description, NamesObjectsThatAreDoubledOrUnused) {
 
 TEST(Description, NamesThePackageThatIsMissing) {
   const TestFolder folder;
-  const std::string error = user_error(
-      [&] { load_description(DYNRT_SCENES_FOLDER "/office.json", folder.path("nowhere")); });
+  const std::string error = user_error([&] {
+    load_description(DYNRT_SCENES_FOLDER "/office.json", {.furniture = folder.path("nowhere")});
+  });
   EXPECT_EQ(error,
             "the models of this scene come from the Debian package sweethome3d-furniture, which is "
             "not installed (" +

@@ -19,6 +19,7 @@ namespace dynrt::host {
 namespace {
 
 constexpr char kCatalogue[] = "PluginFurnitureCatalog.properties";
+constexpr char kRemedy[] = "reinstall the package sweethome3d-furniture";
 constexpr double kMetres = 0.01;
 
 // The nine numbers of modelRotation are the rows of the matrix.
@@ -47,8 +48,9 @@ Furniture::Furniture(const std::string& folder) {
 }
 
 void Furniture::read_catalogue(const std::string& library) {
-  const auto text = ZipLibrary(library).read(kCatalogue);
-  if (!text) wording::fail(wording::kBadLibrary, library, std::string("it has no ") + kCatalogue);
+  const auto text = ZipLibrary(library, kRemedy).read(kCatalogue);
+  if (!text)
+    wording::fail(wording::kBadLibrary, library, std::string("it has no ") + kCatalogue, kRemedy);
   std::map<std::string, Keys> models;  // by the number behind '#'
   for (std::string_view rest = *text; !rest.empty();) {
     std::string_view line = trim(take_until(rest, '\n'));
@@ -96,10 +98,11 @@ std::optional<FurnitureEntry> Furniture::find(const std::string& id) const {
 }
 
 Scene Furniture::load(const FurnitureEntry& entry, std::optional<glm::dvec3> size) const {
-  ZipLibrary library(entry.library);
+  ZipLibrary library(entry.library, kRemedy);
   const std::string label = entry.library + ":" + entry.model;
   const auto text = library.read(entry.model);
-  if (!text) wording::fail(wording::kBadLibrary, entry.library, entry.model + " is missing");
+  if (!text)
+    wording::fail(wording::kBadLibrary, entry.library, entry.model + " is missing", kRemedy);
   Scene scene = import_obj(library, entry.model, *text, label);
 
   scene.instances[0].transform = glm::dmat4(entry.rotation);

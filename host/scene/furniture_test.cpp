@@ -3,7 +3,6 @@
 #include "host/scene/furniture.h"
 
 #include <gtest/gtest.h>
-#include <zip.h>
 
 #include <glm/geometric.hpp>
 #include <map>
@@ -11,6 +10,7 @@
 
 #include "host/scene/camera.h"
 #include "host/scene/test_files.h"
+#include "host/scene/test_zip.h"
 
 namespace dynrt::host {
 namespace {
@@ -105,17 +105,6 @@ TEST(Furniture, NamesThePackageThatIsMissing) {
                   path +
                   " has no .sh3f file); install it with: apt-get install sweethome3d-furniture");
   }
-}
-
-// A library of one's own.
-void write_zip(const std::string& path, const std::map<std::string, std::string>& files) {
-  zip_t* archive = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
-  ASSERT_NE(archive, nullptr);
-  for (const auto& [name, text] : files) {
-    zip_source_t* source = zip_source_buffer(archive, text.data(), text.size(), 0);
-    ASSERT_GE(zip_file_add(archive, name.c_str(), source, 0), 0);
-  }
-  ASSERT_EQ(zip_close(archive), 0);
 }
 
 TEST(Furniture, NamesWhatIsWrongInALibrary) {

@@ -98,4 +98,29 @@ Mesh make_torus(double major_radius, double minor_radius, int segments, int side
   return mesh;
 }
 
+Mesh make_hills(double side, double height, int cells, uint32_t material) {
+  const auto at = [&](int row, int column) {
+    return static_cast<uint32_t>(row * (cells + 1) + column);
+  };
+  Mesh mesh;
+  for (int row = 0; row <= cells; ++row) {
+    for (int column = 0; column <= cells; ++column) {
+      const double u = static_cast<double>(column) / cells, v = static_cast<double>(row) / cells;
+      // Wave numbers that share no period over the square.
+      const double wave =
+          0.6 * std::sin(9.0 * u + 1.0) * std::cos(7.0 * v) + 0.4 * std::sin(17.0 * v + 5.0 * u);
+      mesh.vertices.emplace_back((u - 0.5) * side, height * wave, (v - 0.5) * side);
+    }
+  }
+  for (int row = 0; row < cells; ++row) {
+    for (int column = 0; column < cells; ++column) {
+      const uint32_t a = at(row, column), b = at(row, column + 1), c = at(row + 1, column),
+                     d = at(row + 1, column + 1);
+      mesh.triangles.insert(mesh.triangles.end(), {{a, c, b}, {b, c, d}});
+    }
+  }
+  mesh.material.assign(mesh.triangles.size(), material);
+  return mesh;
+}
+
 }  // namespace dynrt::host

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Closed surfaces made by formula, centred on the origin unless said otherwise, y up, triangles
-// counterclockwise seen from outside.
+// Surfaces made by formula, closed but for the hills, centred on the origin unless said otherwise,
+// y up, triangles counterclockwise seen from outside.
 #ifndef DYNRT_HOST_SCENE_GENERATE_H_
 #define DYNRT_HOST_SCENE_GENERATE_H_
 
@@ -23,6 +23,10 @@ Mesh make_box(const glm::dvec3& low, const glm::dvec3& high, uint32_t material);
 // the circle, `sides` around the tube, 2 * segments * sides triangles.
 Mesh make_torus(double major_radius, double minor_radius, int segments, int sides,
                 uint32_t material);
+
+// A ground without an underside, `side` metres long both ways: `cells` x `cells` squares of two
+// triangles, waves of up to `height` above and below y = 0.
+Mesh make_hills(double side, double height, int cells, uint32_t material);
 
 }  // namespace dynrt::host
 

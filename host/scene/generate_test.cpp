@@ -64,5 +64,25 @@ TEST(Generate, Torus) {
   EXPECT_NEAR(volume(torus), 2.0 * std::numbers::pi * std::numbers::pi * 2.0 * 0.25, 0.1);
 }
 
+TEST(Generate, HillsAreASquareThatFacesUp) {
+  const Mesh hills = make_hills(50, 2, 20, 3);
+  ASSERT_EQ(hills.triangles.size(), 800u);
+  ASSERT_EQ(hills.vertices.size(), 21u * 21);
+  double area = 0, lowest = 9, highest = -9;
+  for (const glm::uvec3& t : hills.triangles) {
+    const glm::dvec3& a = hills.vertices[t.x];
+    const double up = glm::cross(hills.vertices[t.y] - a, hills.vertices[t.z] - a).y / 2.0;
+    EXPECT_GT(up, 0.0);
+    area += up;
+  }
+  for (const glm::dvec3& v : hills.vertices) {
+    lowest = std::min(lowest, v.y);
+    highest = std::max(highest, v.y);
+  }
+  EXPECT_NEAR(area, 2500.0, 1e-9);
+  EXPECT_TRUE(lowest >= -2 && lowest < -1 && highest <= 2 && highest > 1) << lowest << highest;
+  EXPECT_EQ(hills.material, std::vector<uint32_t>(800, 3));
+}
+
 }  // namespace
 }  // namespace dynrt::host

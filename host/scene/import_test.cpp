@@ -118,7 +118,8 @@ TEST(Import, RefusesWhatIsNoSceneFile) {
   const TestFolder folder;
   EXPECT_EQ(load_error(folder.path("gone.obj")),
             "there is no scene '" + folder.path("gone.obj") +
-                "': give a built-in name (blocks, office) or the path of a file");
+                "': give a built-in name (blocks, cistern, conference, office, trees4000) or the "
+                "path of a file");
   for (const char* name : {"e.obj", "e.ply", "e.gltf", "e.glb", "e.json"}) {
     const std::string path = folder.write(name, "");
     EXPECT_EQ(load_error(path), path + ": the file is empty");
@@ -126,10 +127,10 @@ TEST(Import, RefusesWhatIsNoSceneFile) {
   const std::string stl = folder.write("a.stl", "solid a\n");
   EXPECT_EQ(load_error(stl), stl +
                                  ": the extension '.stl' is not known; scenes are .obj, .ply, "
-                                 ".gltf, .glb or .json files");
+                                 ".gltf, .glb, .bsp, .pk3 or .json files");
   std::filesystem::create_directory(folder.path("d.obj"));
   EXPECT_EQ(load_error(folder.path("d.obj")),
-            folder.path("d.obj") + ": is not a file; give an OBJ, PLY, glTF or GLB file");
+            folder.path("d.obj") + ": is not a file; give an OBJ, PLY, glTF, GLB, BSP or PK3 file");
   const std::string short_obj = folder.write("s.obj", "v 1 2 3\n");
   EXPECT_EQ(load_error(short_obj), short_obj + ": is not a valid OBJ file: OBJ-file is too small");
 }

@@ -81,6 +81,13 @@ double JsonReader::number(const std::string& key) const {
   return value.get<double>();
 }
 
+bool JsonReader::flag(const std::string& key, bool otherwise) const {
+  if (!has(key)) return otherwise;
+  const nlohmann::json& value = at(key);
+  if (!value.is_boolean()) wrong_type(key, "true or false");
+  return value.get<bool>();
+}
+
 double JsonReader::positive(const std::string& key) const {
   const double value = number(key);
   if (!(value > 0.0)) wrong_type(key, "a number above zero");
@@ -107,6 +114,25 @@ std::vector<double> JsonReader::numbers(const std::string& key, std::size_t coun
 glm::dvec3 JsonReader::vector(const std::string& key) const {
   const std::vector<double> v = numbers(key, 3);
   return {v[0], v[1], v[2]};
+}
+
+glm::dvec2 JsonReader::pair(const std::string& key) const {
+  const std::vector<double> v = numbers(key, 2);
+  return {v[0], v[1]};
+}
+
+std::vector<glm::dvec3> JsonReader::vectors(const std::string& key) const {
+  const nlohmann::json& list = at(key);
+  std::vector<glm::dvec3> vectors;
+  const auto is_number = [](const nlohmann::json& number) { return number.is_number(); };
+  const auto is_vector = [&](const nlohmann::json& v) {
+    return v.is_array() && v.size() == 3 && std::all_of(v.begin(), v.end(), is_number);
+  };
+  if (!list.is_array() || !std::all_of(list.begin(), list.end(), is_vector)) {
+    wrong_type(key, "a list of lists of 3 numbers");
+  }
+  for (const nlohmann::json& v : list) vectors.emplace_back(v[0], v[1], v[2]);
+  return vectors;
 }
 
 JsonReader JsonReader::object(const std::string& key) const {

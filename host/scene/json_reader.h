@@ -6,6 +6,7 @@
 #ifndef DYNRT_HOST_SCENE_JSON_READER_H_
 #define DYNRT_HOST_SCENE_JSON_READER_H_
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
@@ -30,10 +31,13 @@ class JsonReader {
   bool has(const std::string& key) const { return json_.contains(key); }
   std::string text(const std::string& key) const;
   double number(const std::string& key) const;
+  bool flag(const std::string& key, bool otherwise) const;
   double positive(const std::string& key) const;
   int integer(const std::string& key, int low, int high) const;
   std::vector<double> numbers(const std::string& key, std::size_t count) const;
   glm::dvec3 vector(const std::string& key) const;
+  glm::dvec2 pair(const std::string& key) const;                  // [a, b]
+  std::vector<glm::dvec3> vectors(const std::string& key) const;  // [[a, b, c], ...]
   JsonReader object(const std::string& key) const;
   std::vector<JsonReader> objects(const std::string& key) const;  // of an array
   std::vector<std::string> keys() const;

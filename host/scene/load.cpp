@@ -6,15 +6,22 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string_view>
 #include <system_error>
 
+#include "host/scene/check_file.h"
 #include "host/scene/description.h"
 #include "host/scene/import.h"
+#include "host/scene/map.h"
 #include "host/scene/wording.h"
 
 namespace dynrt::host {
 
 namespace fs = std::filesystem;
+
+namespace {
+constexpr std::string_view kMapInPackage = ".pk3:";
+}
 
 std::vector<std::string> built_in_scenes() {
   std::vector<std::string> names;
@@ -31,11 +38,18 @@ Scene load_scene(const std::string& name_or_path) {
   if (std::find(names.begin(), names.end(), name_or_path) != names.end()) {
     return load_description((fs::path(DYNRT_SCENES_FOLDER) / (name_or_path + ".json")).string());
   }
+  if (const auto colon = name_or_path.rfind(kMapInPackage); colon != name_or_path.npos) {
+    const auto name = colon + kMapInPackage.size();
+    return load_map(name_or_path.substr(0, name - 1), name_or_path.substr(name));
+  }
   std::error_code unreachable;
   if (!fs::exists(name_or_path, unreachable)) {
     wording::fail(wording::kUnknownScene, name_or_path, fmt::format("{}", fmt::join(names, ", ")));
   }
-  if (fs::path(name_or_path).extension() == ".json") return load_description(name_or_path);
+  const std::string extension = fs::path(name_or_path).extension().string();
+  if (extension == ".json") return load_description(name_or_path);
+  if (extension == ".bsp") return map_scene(read_file(name_or_path), name_or_path);
+  if (extension == ".pk3") return load_map(name_or_path, "");
   return import_file(name_or_path);
 }
 

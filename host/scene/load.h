@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The one way into a scene: a built-in name (scenes/NAME.json) or the path of an OBJ, PLY, glTF or
-// GLB file or of a description like those in scenes/. Throws UserError for anything wrong with it.
+// GLB file, of a Quake 3 map (FILE.bsp, or FILE.pk3:NAME for one of a package) or of a description
+// like those in scenes/. Throws UserError for anything wrong with it.
 #ifndef DYNRT_HOST_SCENE_LOAD_H_
 #define DYNRT_HOST_SCENE_LOAD_H_
 

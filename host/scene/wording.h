@@ -18,10 +18,11 @@ using Text = const char[];
 inline constexpr Text kUnknownScene =
     "there is no scene '{}': give a built-in name ({}) or the path of a file";
 inline constexpr Text kUnreadable = "{}: cannot be read ({})";
-inline constexpr Text kNotAFile = "{}: is not a file; give an OBJ, PLY, glTF or GLB file";
+inline constexpr Text kNotAFile = "{}: is not a file; give an OBJ, PLY, glTF, GLB, BSP or PK3 file";
 inline constexpr Text kEmptyFile = "{}: the file is empty";
 inline constexpr Text kExtension =
-    "{}: the extension '{}' is not known; scenes are .obj, .ply, .gltf, .glb or .json files";
+    "{}: the extension '{}' is not known; scenes are .obj, .ply, .gltf, .glb, .bsp, .pk3 or "
+    ".json files";
 inline constexpr Text kRejected = "{}: is not a valid {} file: {}";
 
 // What an import gives
@@ -89,11 +90,16 @@ inline constexpr Text kTwice = "there are two objects named '{}'";
 inline constexpr Text kNoParts = "the object '{}' has no parts";
 inline constexpr Text kSize = "'size' must be three numbers above zero";
 inline constexpr Text kNoMaterial = "the model has no material '{}'; it has {}";
-inline constexpr Text kPartKind = "a part needs either the key 'model' or the key 'generate'";
+inline constexpr Text kNoTexture = "the map has no texture '{}'; it has {}";
+inline constexpr Text kPartKind = "a part needs one of the keys 'model', 'map' and 'generate'";
 inline constexpr Text kBoxCorners = "'from' must be below 'to' on every axis";
-inline constexpr Text kShape = "'{}' cannot be generated; sphere, box and torus can";
+inline constexpr Text kShape = "'{}' cannot be generated; sphere, box, torus and hills can";
 inline constexpr Text kNoObject = "there is no object '{}'";
 inline constexpr Text kAxis = "'axis' must not be zero";
+inline constexpr Text kScatterCorners = "'from' must be below 'to' on both axes";
+inline constexpr Text kScatterScale = "'scale' must be two numbers above zero, the lower one first";
+inline constexpr Text kScatterFull =
+    "only {} of {} instances of '{}' find room; scatter fewer, less far apart or more widely";
 inline constexpr Text kUnusedObject = "no instance uses the object '{}'";
 inline constexpr Text kKeyMissing = "{}: {}: the key '{}' is missing";
 inline constexpr Text kKeyUnknown = "{}: {}: the key '{}' is not known; it takes {}";
@@ -108,8 +114,57 @@ inline constexpr Text kNoModel =
 inline constexpr Text kCatalogueKey =
     "{}: the catalogue's entry '{}' has no usable '{}'; reinstall the package "
     "sweethome3d-furniture";
-inline constexpr Text kBadLibrary =
-    "{}: is not a readable zip library ({}); reinstall the package sweethome3d-furniture";
+inline constexpr Text kBadLibrary = "{}: is not a readable zip library ({}); {}";
+
+// Maps
+inline constexpr Text kBspMagic =
+    "{}: is not a Quake 3 map: it must begin with 'IBSP' and the version 46";
+inline constexpr Text kBspVersion =
+    "{}: is a map of version {}; only version {}, Quake 3's, is read";
+inline constexpr Text kBspHeader =
+    "{}: the map has {} bytes, but its header alone has {}; it seems cut off";
+inline constexpr Text kBspLump =
+    "{}: the map's {} lie in bytes {} to {}, but it has {} bytes; it seems cut off";
+inline constexpr Text kBspLumpSize =
+    "{}: the map's {} take {} bytes, which is not a multiple of {}; the file is damaged";
+inline constexpr Text kBspVertex = "{}: vertex {} is not finite; the file is damaged";
+inline constexpr Text kBspFaceRange =
+    "{}: face {} uses {} {} to {}, but there are {}; the file is damaged";
+inline constexpr Text kBspFaceType =
+    "{}: face {} is of type {}; types are 1 (polygon), 2 (patch), 3 (mesh) and 4 (billboard)";
+inline constexpr Text kBspPatch =
+    "{}: face {} is a patch of {} by {} control points and has {}; both sides must be odd and at "
+    "least 3 and their product be that number";
+inline constexpr Text kBspCorners =
+    "{}: face {} has {} corners, which is not a multiple of 3; the file is damaged";
+inline constexpr Text kBspModel =
+    "{}: model {} uses faces {} to {}, but there are {}; the file is damaged";
+inline constexpr Text kBspEntities =
+    "{}: the list of entities ends within one; the file is damaged";
+inline constexpr Text kBspEntity =
+    "{}: an entity places the model '{}' at '{}'; it must be one of {} models, '*' and its number, "
+    "at three numbers";
+inline constexpr Text kNoMaps = "{}: holds no map (maps/NAME.bsp)";
+inline constexpr Text kWhichMap = "{}: holds {} maps; name one, such as {}:{} (there are {})";
+inline constexpr Text kNoMap = "{}: has no map '{}'; it has {}";
+inline constexpr Text kNoMapPackage =
+    "the map of this scene comes from the Debian package openarena-081-maps, which is not "
+    "installed ({} is missing); install it with: apt-get install openarena-081-maps";
+
+// Motion
+inline constexpr Text kNoKeys = "'{}' has no keys; it needs at least one";
+inline constexpr Text kKeyTime = "'time' must be at least 0 and above that of the key before";
+inline constexpr Text kKeyScale =
+    "'scale' must not be zero and on no axis change its sign from the instance's";
+inline constexpr Text kKeyTurn = "'turn' may change by at most {} degrees from the key before";
+inline constexpr Text kRepeat = "'repeat' needs a key later than at time 0";
+inline constexpr Text kMatrixMotion =
+    "an instance with a 'motion' cannot be placed by a 'matrix'; give position, turn, rotate, "
+    "scale";
+inline constexpr Text kPathCamera =
+    "a 'path' needs a 'camera', which has its field of view and what is up";
+inline constexpr Text kCameraTime = "{}, after {} seconds: {}";
+inline constexpr Text kAtTime = "{}, after {} seconds";
 
 // Cameras
 inline constexpr Text kFieldOfView =

@@ -12,13 +12,16 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace dynrt::host {
 
 class ZipLibrary : public Assimp::IOSystem {
  public:
-  // Throws UserError when it is no zip file that can be read.
-  explicit ZipLibrary(const std::string& path);
+  // Throws UserError when it is no zip file that can be read; `remedy` ends its sentence.
+  ZipLibrary(const std::string& path, std::string remedy);
+
+  std::vector<std::string> names() const;  // of all files
 
   // Nothing when there is no such file inside; throws UserError when it cannot be unpacked.
   std::optional<std::string> read(const std::string& name) const;
@@ -33,7 +36,7 @@ class ZipLibrary : public Assimp::IOSystem {
     void operator()(zip_t* archive) const { zip_discard(archive); }
   };
 
-  std::string path_;
+  std::string path_, remedy_;
   std::unique_ptr<zip_t, Discard> archive_;
 };
 

@@ -9,22 +9,22 @@
 
 namespace dynrt::host {
 
-uint32_t RawTree::add_inner(int axis, Code split) {
+std::uint32_t RawTree::add_inner(int axis, Code split) {
   nodes.push_back({axis, split, kNullNode, kNullNode});
-  return static_cast<uint32_t>(nodes.size() - 1);
+  return static_cast<std::uint32_t>(nodes.size() - 1);
 }
 
-uint32_t RawTree::add_leaf(std::span<const ItemRef> leaf_items) {
-  const auto first = static_cast<uint32_t>(items.size());
+std::uint32_t RawTree::add_leaf(std::span<const ItemRef> leaf_items) {
+  const auto first = static_cast<std::uint32_t>(items.size());
   for (const ItemRef& item : leaf_items) items.push_back(item.item);
-  nodes.push_back({kLeafAxis, 0, first, static_cast<uint32_t>(leaf_items.size())});
-  return static_cast<uint32_t>(nodes.size() - 1);
+  nodes.push_back({kLeafAxis, 0, first, static_cast<std::uint32_t>(leaf_items.size())});
+  return static_cast<std::uint32_t>(nodes.size() - 1);
 }
 
-uint32_t RawTree::append(const RawTree& other, uint32_t root) {
-  const auto node_base = static_cast<uint32_t>(nodes.size() - 1);
-  const auto item_base = static_cast<uint32_t>(items.size());
-  const auto moved = [&](uint32_t child) {
+std::uint32_t RawTree::append(const RawTree& other, std::uint32_t root) {
+  const auto node_base = static_cast<std::uint32_t>(nodes.size() - 1);
+  const auto item_base = static_cast<std::uint32_t>(items.size());
+  const auto moved = [&](std::uint32_t child) {
     return child == kNullNode ? kNullNode : child + node_base;
   };
   for (std::size_t i = 1; i < other.nodes.size(); ++i) {
@@ -43,14 +43,14 @@ class Assembler {
  public:
   Assembler(const RawTree& raw, const GridBox& cell) : raw_(raw), whole_(real_box(cell)) {}
 
-  Tree run(uint32_t root) {
+  Tree run(std::uint32_t root) {
     add_clipping_nodes(tree_, whole_);
     tree_.root = add(root, whole_, 0);
     return std::move(tree_);
   }
 
  private:
-  uint32_t add(uint32_t raw_index, const Aabb& cell, int depth) {
+  std::uint32_t add(std::uint32_t raw_index, const Aabb& cell, int depth) {
     if (raw_index == kNullNode) {
       ++tree_.stats.empty_children;
       return kNullNode;
@@ -67,29 +67,29 @@ class Assembler {
     }
     ++stats.inner_nodes;
     stats.expected_steps += p;
-    const auto index = static_cast<uint32_t>(tree_.nodes.size());
+    const auto index = static_cast<std::uint32_t>(tree_.nodes.size());
     const double split = grid_value(raw.split);
-    tree_.nodes.push_back({static_cast<uint8_t>(raw.axis), split, kNullNode, kNullNode});
+    tree_.nodes.push_back({static_cast<std::uint8_t>(raw.axis), split, kNullNode, kNullNode});
     Aabb left_cell = cell;
     Aabb right_cell = cell;
     left_cell.high[raw.axis] = right_cell.low[raw.axis] = split;
-    const uint32_t left = add(raw.left, left_cell, depth + 1);
-    const uint32_t right = add(raw.right, right_cell, depth + 1);
+    const std::uint32_t left = add(raw.left, left_cell, depth + 1);
+    const std::uint32_t right = add(raw.right, right_cell, depth + 1);
     tree_.nodes[index].left = left;
     tree_.nodes[index].right = right;
     return index;
   }
 
-  uint32_t leaf(const RawTree::Node& raw) {
-    std::vector<uint32_t> list(raw_.items.begin() + raw.left,
-                               raw_.items.begin() + raw.left + raw.right);
+  std::uint32_t leaf(const RawTree::Node& raw) {
+    std::vector<std::uint32_t> list(raw_.items.begin() + raw.left,
+                                    raw_.items.begin() + raw.left + raw.right);
     std::sort(list.begin(), list.end());
     const auto [known, is_new] = leaves_.try_emplace(std::move(list), 0);
     if (!is_new) return known->second;
-    const std::vector<uint32_t>& items = known->first;
-    known->second = static_cast<uint32_t>(tree_.nodes.size());
-    tree_.nodes.push_back({kLeafAxis, 0, static_cast<uint32_t>(tree_.items.size()),
-                           static_cast<uint32_t>(items.size())});
+    const std::vector<std::uint32_t>& items = known->first;
+    known->second = static_cast<std::uint32_t>(tree_.nodes.size());
+    tree_.nodes.push_back({kLeafAxis, 0, static_cast<std::uint32_t>(tree_.items.size()),
+                           static_cast<std::uint32_t>(items.size())});
     tree_.items.insert(tree_.items.end(), items.begin(), items.end());
     ++tree_.stats.leaves;
     tree_.stats.items += items.size();
@@ -100,12 +100,12 @@ class Assembler {
   const RawTree& raw_;
   const Aabb whole_;
   Tree tree_;
-  std::map<std::vector<uint32_t>, uint32_t> leaves_;
+  std::map<std::vector<std::uint32_t>, std::uint32_t> leaves_;
 };
 
 }  // namespace
 
-Tree assemble(const RawTree& raw, uint32_t root, const GridBox& cell) {
+Tree assemble(const RawTree& raw, std::uint32_t root, const GridBox& cell) {
   return Assembler(raw, cell).run(root);
 }
 

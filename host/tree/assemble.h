@@ -18,29 +18,26 @@ struct RawTree {
   struct Node {
     int axis = kLeafAxis;
     Code split = 0;
-    uint32_t left = 0;   ///< leaf: its first item
-    uint32_t right = 0;  ///< leaf: how many items
+    std::uint32_t left = 0;   ///< leaf: its first item
+    std::uint32_t right = 0;  ///< leaf: how many items
   };
   std::vector<Node> nodes = std::vector<Node>(1);
-  std::vector<uint32_t> items;
+  std::vector<std::uint32_t> items;
 
-  struct Size {
-    std::size_t nodes, items;
-  };
-  Size size() const { return {nodes.size(), items.size()}; }
+  TreeSize size() const { return {nodes.size() - 1, items.size()}; }
   /// Forgets what was added since.
-  void cut_back(const Size& to) {
-    nodes.resize(to.nodes);
+  void cut_back(const TreeSize& to) {
+    nodes.resize(to.nodes + 1);
     items.resize(to.items);
   }
 
-  uint32_t add_inner(int axis, Code split);
-  uint32_t add_leaf(std::span<const ItemRef> leaf_items);
+  std::uint32_t add_inner(int axis, Code split);
+  std::uint32_t add_leaf(std::span<const ItemRef> leaf_items);
   /// Takes over another tree's nodes; returns where its node `root` now is.
-  uint32_t append(const RawTree& other, uint32_t root);
+  std::uint32_t append(const RawTree& other, std::uint32_t root);
 };
 
 /// `cell` is what the clipping nodes cut out.
-Tree assemble(const RawTree& raw, uint32_t root, const GridBox& cell);
+Tree assemble(const RawTree& raw, std::uint32_t root, const GridBox& cell);
 
 }  // namespace dynrt::host

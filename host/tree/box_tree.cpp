@@ -20,7 +20,7 @@ constexpr std::size_t kSweepItems = 8;  ///< up to so many boxes every face is t
 /// x, y, z and a fourth lane that is not a coordinate: the three axes are one operation. Grid
 /// numbers are exact in a float.
 using Lanes = float __attribute__((vector_size(16)));
-using IntLanes = int32_t __attribute__((vector_size(16)));
+using IntLanes = std::int32_t __attribute__((vector_size(16)));
 
 constexpr IntLanes kAxes{-1, -1, -1, 0};
 
@@ -35,9 +35,9 @@ struct FloatBox {
 /// A box, with its item's number in the mantissa of low's fourth lane, which so is a plain number
 /// between 1 and 2.
 using BoxRef = FloatBox;
-constexpr uint32_t kOne = 0x3f800000;
+constexpr std::uint32_t kOne = 0x3f800000;
 
-BoxRef make_ref(const GridBox& box, uint32_t item) {
+BoxRef make_ref(const GridBox& box, std::uint32_t item) {
   BoxRef out{{0, 0, 0, std::bit_cast<float>(kOne | item)}, {0, 0, 0, 2}};
   for (int axis = 0; axis < 3; ++axis) {
     out.low[axis] = static_cast<float>(grid_value(box.low[axis]));
@@ -45,7 +45,9 @@ BoxRef make_ref(const GridBox& box, uint32_t item) {
   }
   return out;
 }
-uint32_t item_of(const BoxRef& ref) { return std::bit_cast<uint32_t>(float{ref.low[3]}) & ~kOne; }
+std::uint32_t item_of(const BoxRef& ref) {
+  return std::bit_cast<std::uint32_t>(float{ref.low[3]}) & ~kOne;
+}
 
 double half_area(const FloatBox& box) {
   const auto side = [&](int axis) { return double{box.high[axis]} - double{box.low[axis]}; };
@@ -54,7 +56,7 @@ double half_area(const FloatBox& box) {
 
 /// The grid numbers next to x towards zero.
 Lanes to_grid(Lanes x) {
-  constexpr int32_t kBelowGrid = (1 << (23 - kGridMantissaBits)) - 1;
+  constexpr std::int32_t kBelowGrid = (1 << (23 - kGridMantissaBits)) - 1;
   const Lanes cut = std::bit_cast<Lanes>(std::bit_cast<IntLanes>(x) & ~kBelowGrid);
   const Lanes smallest = all(static_cast<float>(grid_smallest()));
   const Lanes near_zero = x < Lanes{} ? -smallest : smallest;
@@ -123,7 +125,7 @@ class Builder {
     Aabb whole;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       whole.include(boxes[i]);
-      refs_.push_back(make_ref(grid_box(boxes[i]), static_cast<uint32_t>(i)));
+      refs_.push_back(make_ref(grid_box(boxes[i]), static_cast<std::uint32_t>(i)));
     }
     const GridBox cell = grid_box(whole, kBoxGrowth);
     tree_.nodes.reserve(2 * boxes.size());
@@ -138,7 +140,7 @@ class Builder {
   }
 
  private:
-  uint32_t build(std::size_t begin, std::size_t end, const FloatBox& cell, int depth) {
+  std::uint32_t build(std::size_t begin, std::size_t end, const FloatBox& cell, int depth) {
     TreeStats& stats = tree_.stats;
     if (begin == end) {
       ++stats.empty_children;
@@ -147,14 +149,14 @@ class Builder {
     const std::size_t count = end - begin;
     stats.depth = std::max(stats.depth, depth);
     const double p = half_area(cell) / whole_area_;
-    const auto index = static_cast<uint32_t>(tree_.nodes.size());
+    const auto index = static_cast<std::uint32_t>(tree_.nodes.size());
     Choice choice;
     if (depth < depth_ && count > 1) {
       choice = (count <= kSweepItems ? sweep(begin, end, cell) : bins(begin, end, cell)).best();
     }
     if (!(choice.cost < static_cast<float>(count) * item_)) {
-      tree_.nodes.push_back(
-          {kLeafAxis, 0, static_cast<uint32_t>(tree_.items.size()), static_cast<uint32_t>(count)});
+      tree_.nodes.push_back({kLeafAxis, 0, static_cast<std::uint32_t>(tree_.items.size()),
+                             static_cast<std::uint32_t>(count)});
       for (std::size_t i = begin; i < end; ++i) tree_.items.push_back(item_of(refs_[i]));
       ++stats.leaves;
       ++stats.leaf_links;
@@ -166,17 +168,18 @@ class Builder {
     }
     ++stats.inner_nodes;
     stats.expected_steps += p;
-    tree_.nodes.push_back({static_cast<uint8_t>(choice.axis), choice.split, kNullNode, kNullNode});
+    tree_.nodes.push_back(
+        {static_cast<std::uint8_t>(choice.axis), choice.split, kNullNode, kNullNode});
     const std::size_t left_begin = refs_.size();
     const std::size_t right_begin = divide(begin, end, choice);
     const std::size_t right_end = refs_.size();
     FloatBox part = cell;
     part.high[choice.axis] = choice.split;
-    const uint32_t left = build(left_begin, right_begin, part, depth + 1);
+    const std::uint32_t left = build(left_begin, right_begin, part, depth + 1);
     refs_.resize(right_end);
     part = cell;
     part.low[choice.axis] = choice.split;
-    const uint32_t right = build(right_begin, right_end, part, depth + 1);
+    const std::uint32_t right = build(right_begin, right_end, part, depth + 1);
     refs_.resize(left_begin);
     tree_.nodes[index].left = left;
     tree_.nodes[index].right = right;
@@ -207,7 +210,7 @@ class Builder {
 
   /// Counts where boxes begin and end; a plane lies between any two bins.
   Choices bins(std::size_t begin, std::size_t end, const FloatBox& cell) const {
-    std::array<std::array<uint32_t, 4>, kBins> begins{}, ends{};
+    std::array<std::array<std::uint32_t, 4>, kBins> begins{}, ends{};
     const Lanes step = (cell.high - cell.low) / kBins;
     const Lanes scale = 1 / step;
     const auto bins_of = [&](Lanes x) {
@@ -224,7 +227,7 @@ class Builder {
         ++ends[high[axis]][axis];
       }
     }
-    const auto lanes = [](const std::array<uint32_t, 4>& counts) {
+    const auto lanes = [](const std::array<std::uint32_t, 4>& counts) {
       return __builtin_convertvector(std::bit_cast<IntLanes>(counts), Lanes);
     };
     const PlaneCost cost(cell, item_, forgiven_);

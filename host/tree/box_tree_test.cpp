@@ -29,7 +29,7 @@ void expect_good(const std::vector<Aabb>& boxes) {
   testing::expect_sound(tree);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
-  for (uint32_t i = 0; i < boxes.size(); ++i) {
+  for (std::uint32_t i = 0; i < boxes.size(); ++i) {
     for (unsigned k = 0; k < 24; ++k) {
       glm::dvec3 f{unit(random), unit(random), unit(random)};
       if (k < 8) f = {k & 1, k >> 1 & 1, k >> 2};

@@ -22,21 +22,30 @@ constexpr std::size_t kFewRays = 8;
 
 class Builder {
  public:
-  Builder(const TreeOptions& options, const CutItem& cut) : options_(options), cut_(cut) {}
+  Builder(const TreeOptions& options, const CutItem& cut_item)
+      : options_(options), cut_item_(cut_item) {}
 
   struct Subtree {
-    uint32_t root = kNullNode;
+    std::uint32_t root = kNullNode;
     double cost = 0;  ///< expected, for a ray that meets its cell
+  };
+
+  /// Nodes and items that a subtree may take.
+  struct Room {
+    double nodes, items;
   };
 
   /// Appends the subtree over the items to a tree; nothing without items. `depth` and `patience`
   /// are how many levels are left, and how many of them may promise no gain by themselves.
-  Subtree build(const CellContent& content, int depth, int patience, PlaneSearch& search,
+  Subtree build(const CellContent& content, int depth, int patience, Room room, PlaneSearch& search,
                 RawTree& out) const {
     const std::vector<ItemRef>& items = content.items;
-    if (items.empty()) return {};
-    const bool split = depth > 0 && items_made_ <= options_.most_items;
-    const Plane plane = split ? search.best(content) : Plane{};
+    if (items.empty() || given_up()) return {};
+    Plane plane = depth > 0 ? search.best(content) : Plane{};
+    if (plane.axis >= 0 && !holds_split(room, plane)) {
+      cut_ = true;
+      plane = {};
+    }
     const double leaf_cost = static_cast<double>(items.size()) * options_.costs.item;
     if (plane.cost >= leaf_cost) --patience;
     if (plane.axis < 0 || patience < 0) {
@@ -54,22 +63,30 @@ class Builder {
     if (left.rays.size() < kFewRays) left.rays.clear();
     if (right.rays.size() < kFewRays) right.rays.clear();
 
-    const RawTree::Size before = out.size();
-    const uint32_t node = out.add_inner(plane.axis, plane.split);
+    const TreeSize before = out.size();
+    const std::uint32_t node = out.add_inner(plane.axis, plane.split);
+    const auto [left_room, right_room] = divide(room, left, right, p_left, p_right);
     Subtree l, r;
     if (items.size() > kTaskItems) {
       RawTree left_tree, right_tree;
-      const auto apart = [&](const CellContent& side, RawTree& tree) {
+      const auto apart = [&](const CellContent& side, const Room& its, RawTree& tree) {
         PlaneSearch own(options_.costs);
-        return build(side, depth - 1, patience, own, tree);
+        return build(side, depth - 1, patience, its, own, tree);
       };
-      tbb::parallel_invoke([&] { l = apart(left, left_tree); },
-                           [&] { r = apart(right, right_tree); });
+      tbb::parallel_invoke([&] { l = apart(left, left_room, left_tree); },
+                           [&] { r = apart(right, right_room, right_tree); });
       l.root = out.append(left_tree, l.root);
       r.root = out.append(right_tree, r.root);
     } else {
-      l = build(left, depth - 1, patience, search, out);
-      r = build(right, depth - 1, patience, search, out);
+      l = build(left, depth - 1, patience, left_room, search, out);
+      // What the left side has not needed is the right side's.
+      const TreeSize now = out.size();
+      const auto used = [](std::size_t to, std::size_t from) {
+        return static_cast<double>(to - from);
+      };
+      const Room rest{room.nodes - used(now.nodes, before.nodes),
+                      room.items - used(now.items, before.items)};
+      r = build(right, depth - 1, patience, rest, search, out);
     }
     const double cost = options_.costs.step + p_left * l.cost + p_right * r.cost;
     if (cost >= leaf_cost) {
@@ -81,9 +98,28 @@ class Builder {
     return {node, cost};
   }
 
-  bool cut_short() const { return items_made_ > options_.most_items; }
+  bool given_up() const { return items_made_ > options_.give_up_items; }
+  bool cut() const { return cut_; }
 
  private:
+  static bool holds_split(const Room& room, const Plane& plane) {
+    return room.nodes >= 3 && room.items >= static_cast<double>(plane.left + plane.right);
+  }
+
+  /// Each side gets what it needs as a leaf, and of the rest a part that grows faster than the work
+  /// that it is expected to make: halving a long list takes more splits.
+  static std::pair<Room, Room> divide(const Room& room, const CellContent& left,
+                                      const CellContent& right, double p_left, double p_right) {
+    const auto n_left = static_cast<double>(left.items.size());
+    const auto n_right = static_cast<double>(right.items.size());
+    const double left_work = p_left * n_left * n_left;
+    const double part = left_work / (left_work + p_right * n_right * n_right);
+    const double nodes = room.nodes - 3;
+    const double items = room.items - n_left - n_right;
+    return {{1 + nodes * part, n_left + items * part},
+            {1 + nodes * (1 - part), n_right + items * (1 - part)}};
+  }
+
   void divide_items(const std::vector<ItemRef>& items, const Plane& plane, CellContent& left,
                     CellContent& right) const {
     left.items.reserve(plane.left);
@@ -96,8 +132,8 @@ class Builder {
       const bool to_left = low < plane.split || (flat && plane.flat_left);
       const bool to_right = high > plane.split || (flat && !plane.flat_left);
       if (to_left && to_right) {
-        left.items.push_back({cut(item, left.cell, axis), item.item});
-        right.items.push_back({cut(item, right.cell, axis), item.item});
+        left.items.push_back({cut_to(item, left.cell, axis), item.item});
+        right.items.push_back({cut_to(item, right.cell, axis), item.item});
       } else {
         (to_left ? left : right).items.push_back(item);
       }
@@ -126,11 +162,11 @@ class Builder {
 
   /// Part of an item on one side. Where rounding leaves nothing of a part that is there, the
   /// item's box is cut instead: no item is lost.
-  GridBox cut(const ItemRef& item, const GridBox& cell, int axis) const {
+  GridBox cut_to(const ItemRef& item, const GridBox& cell, int axis) const {
     ItemRef part = item;
     part.box.low[axis] = std::max(part.box.low[axis], cell.low[axis]);
     part.box.high[axis] = std::min(part.box.high[axis], cell.high[axis]);
-    const GridBox exact = cut_(part, cell);
+    const GridBox exact = cut_item_(part, cell);
     for (int k = 0; k < 3; ++k) {
       const Code low = std::max(part.box.low[k], exact.low[k]);
       const Code high = std::min(part.box.high[k], exact.high[k]);
@@ -145,9 +181,10 @@ class Builder {
   }
 
   const TreeOptions& options_;
-  const CutItem& cut_;
+  const CutItem& cut_item_;
   /// In all leaves ever made, so that whether it passes the limit does not depend on threads.
   mutable std::atomic<std::size_t> items_made_ = 0;
+  mutable std::atomic<bool> cut_ = false;
 };
 
 }  // namespace
@@ -160,9 +197,17 @@ Tree build_tree(const CellContent& content, const TreeOptions& options, const Cu
   RawTree raw;
   PlaneSearch search(options.costs);
   const Builder builder(options, cut);
-  const auto whole = builder.build(content, depth, options.patience, search, raw);
+  const Builder::Room room{static_cast<double>(options.room.nodes) - kClippingNodes,
+                           static_cast<double>(options.room.items)};
+  const auto whole = builder.build(content, depth, options.patience, room, search, raw);
+  if (builder.given_up()) {
+    Tree tree;
+    tree.box = real_box(content.cell);
+    tree.given_up = true;
+    return tree;
+  }
   Tree tree = assemble(raw, whole.root, content.cell);
-  tree.cut_short = builder.cut_short();
+  tree.cut = builder.cut();
   return tree;
 }
 

@@ -24,8 +24,11 @@ struct TreeOptions {
   int patience = 4;
   /// Sample rays, at most; there are no more than triangles. None: the surface area alone guides.
   unsigned sample_rays = 16384;
-  /// Once the leaves made list more items than these, nothing more is split (Tree::cut_short).
-  std::size_t most_items = std::numeric_limits<std::size_t>::max();
+  /// Once the leaves made list more items than these, the tree is given up.
+  std::size_t give_up_items = std::numeric_limits<std::size_t>::max();
+  /// What the tree may take, counted before leaves with the same items are made one. Each split
+  /// divides what is free between its sides by the work that they are expected to make.
+  TreeSize room{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
 };
 
 /// The box of the item's part within `cell`, which lies within `item.box`; called from several

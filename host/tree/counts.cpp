@@ -13,7 +13,7 @@
 
 namespace dynrt::host {
 
-uint64_t WorkCounts::bound() const {
+std::uint64_t WorkCounts::bound() const {
   return std::max({steps() + leaf_fetches, 5 * (triangles + objects + packets), list_entries});
 }
 
@@ -36,14 +36,14 @@ glm::dvec3 not_zero(const glm::dvec3& v) { return {not_zero(v.x), not_zero(v.y),
 class Mailbox {
  public:
   void clear() { slots_.clear(); }
-  bool seen(uint32_t item, unsigned slots) {
+  bool seen(std::uint32_t item, unsigned slots) {
     if (std::find(slots_.begin(), slots_.end(), item) != slots_.end()) return true;
     if (slots_.size() < slots) slots_.push_back(item);
     return false;
   }
 
  private:
-  std::vector<uint32_t> slots_;
+  std::vector<std::uint32_t> slots_;
 };
 
 class Tracer {
@@ -79,12 +79,12 @@ class Tracer {
 
  private:
   struct Entry {
-    uint32_t node;
+    std::uint32_t node;
     Mask active, both;
     std::array<double, kRays> far;
   };
 
-  uint32_t start(const Tree& tree, const glm::dvec3& origin) const {
+  std::uint32_t start(const Tree& tree, const glm::dvec3& origin) const {
     return options_.always_clip ? tree.clipped_root : tree.entry(origin);
   }
 
@@ -100,7 +100,7 @@ class Tracer {
     distance_.fill(grid_largest());
     objects_seen_.clear();
     ++frame_.work.packets;
-    traverse(trees_.instances, top_start_, rays, true, [&](uint32_t item) {
+    traverse(trees_.instances, top_start_, rays, true, [&](std::uint32_t item) {
       if (objects_seen_.seen(item, options_.mailbox_slots)) return;
       ++frame_.work.objects;
       object(item, rays);
@@ -115,23 +115,23 @@ class Tracer {
 
   /// All rays of the packet enter: one that reaches the instance in another leaf finds it in the
   /// mailbox there.
-  void object(uint32_t instance, const std::array<Ray, kRays>& world) {
+  void object(std::uint32_t instance, const std::array<Ray, kRays>& world) {
     const glm::dmat4& m = to_object_[instance];
-    const uint32_t object = scene_.instances[instance].object;
+    const std::uint32_t object = scene_.instances[instance].object;
     std::array<Ray, kRays> rays;
     for (int i = 0; i < kRays; ++i) {
       rays[i] = {not_zero(glm::dvec3(m * glm::dvec4(world[i].origin, 1.0))),
                  not_zero(glm::dmat3(m) * world[i].direction)};
     }
     triangles_seen_.clear();
-    traverse(trees_.objects[object], object_start_[instance], rays, false, [&](uint32_t item) {
+    traverse(trees_.objects[object], object_start_[instance], rays, false, [&](std::uint32_t item) {
       if (triangles_seen_.seen(item, options_.mailbox_slots)) return;
       ++frame_.work.triangles;
       intersect(instance, item, triangles_[object][item], rays);
     });
   }
 
-  void intersect(uint32_t instance, uint32_t triangle, const glm::dmat4x3& m,
+  void intersect(std::uint32_t instance, std::uint32_t triangle, const glm::dmat4x3& m,
                  const std::array<Ray, kRays>& rays) {
     for (int i = 0; i < kRays; ++i) {
       const glm::dvec3 o = m * glm::dvec4(rays[i].origin, 1.0);
@@ -147,7 +147,7 @@ class Tracer {
   }
 
   template <class Visit>
-  void traverse(const Tree& tree, uint32_t start, const std::array<Ray, kRays>& rays, bool top,
+  void traverse(const Tree& tree, std::uint32_t start, const std::array<Ray, kRays>& rays, bool top,
                 Visit&& visit) {
     std::array<double, kRays> near, far, plane;
     near.fill(grid_smallest());
@@ -155,7 +155,7 @@ class Tracer {
     std::vector<Entry> stack;
     Mask active = 15;
     Mask alive = active;
-    uint32_t index = start;
+    std::uint32_t index = start;
     int real_entries = 0;
     bool first = true;
     while (true) {
@@ -172,7 +172,7 @@ class Tracer {
         ++frame_.work.leaf_fetches;
         if (active != 0) {
           frame_.work.list_entries += node.right;
-          for (uint32_t i = 0; i < node.right; ++i) visit(tree.items[node.left + i]);
+          for (std::uint32_t i = 0; i < node.right; ++i) visit(tree.items[node.left + i]);
         }
       } else {
         const bool clipping = index < tree.root;
@@ -195,8 +195,8 @@ class Tracer {
         const Mask both = left & right;
         const Mask deciding = both != 0 ? both : active;
         const bool left_is_near = (left_first & deciding & (~deciding + 1)) != 0;
-        const uint32_t near_node = left_is_near ? node.left : node.right;
-        const uint32_t far_node = left_is_near ? node.right : node.left;
+        const std::uint32_t near_node = left_is_near ? node.left : node.right;
+        const std::uint32_t far_node = left_is_near ? node.right : node.left;
         const Mask near_mask = left_is_near ? left : right;
         const Mask far_mask = left_is_near ? right : left;
         const bool enter_near = near_mask != 0 && near_node != kNullNode;
@@ -264,8 +264,8 @@ class Tracer {
   const TraceOptions options_;
   std::vector<std::vector<glm::dmat4x3>> triangles_;
   std::vector<glm::dmat4> to_object_;
-  std::vector<uint32_t> object_start_;
-  uint32_t top_start_ = kNullNode;
+  std::vector<std::uint32_t> object_start_;
+  std::uint32_t top_start_ = kNullNode;
   std::array<TracedHit, kRays> hit_;
   std::array<double, kRays> distance_;
   Mailbox objects_seen_, triangles_seen_;

@@ -15,28 +15,28 @@
 namespace dynrt::host {
 
 struct WorkCounts {
-  uint64_t packets = 0;
-  uint64_t top_steps = 0;     ///< inner nodes fetched, of the instances' tree
-  uint64_t object_steps = 0;  ///< inner nodes fetched, of objects' trees
-  uint64_t leaf_fetches = 0;  ///< leaves fetched, which are never empty
-  uint64_t empty_leaves = 0;  ///< empty children that were not fetched
-  uint64_t list_entries = 0;
-  uint64_t triangles = 0;       ///< packets transformed to a triangle, after the mailbox
-  uint64_t objects = 0;         ///< packets transformed to an object, after the mailbox
-  uint64_t hits = 0;            ///< rays
-  uint64_t dropped_pushes = 0;  ///< for want of stack
+  std::uint64_t packets = 0;
+  std::uint64_t top_steps = 0;     ///< inner nodes fetched, of the instances' tree
+  std::uint64_t object_steps = 0;  ///< inner nodes fetched, of objects' trees
+  std::uint64_t leaf_fetches = 0;  ///< leaves fetched, which are never empty
+  std::uint64_t empty_leaves = 0;  ///< empty children that were not fetched
+  std::uint64_t list_entries = 0;
+  std::uint64_t triangles = 0;       ///< packets transformed to a triangle, after the mailbox
+  std::uint64_t objects = 0;         ///< packets transformed to an object, after the mailbox
+  std::uint64_t hits = 0;            ///< rays
+  std::uint64_t dropped_pushes = 0;  ///< for want of stack
   int deepest_stack = 0;
 
-  uint64_t steps() const { return top_steps + object_steps; }
+  std::uint64_t steps() const { return top_steps + object_steps; }
   /// Clocks of the busiest unit alone, with one step, one list entry and a fifth of a transformed
   /// packet a clock.
-  uint64_t bound() const;
+  std::uint64_t bound() const;
 };
 
 struct TracedHit {
   bool hit = false;
   double t = 0, u = 0, v = 0;
-  uint32_t instance = 0, triangle = 0;
+  std::uint32_t instance = 0, triangle = 0;
 };
 
 struct TraceOptions {

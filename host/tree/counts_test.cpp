@@ -20,12 +20,12 @@ constexpr unsigned kSide = 32;
 /// The closest hit of every pixel, without trees or packets.
 std::vector<TracedHit> brute_force(const Scene& scene, const Camera& camera) {
   std::vector<TracedHit> hits(std::size_t{kSide} * kSide);
-  for (uint32_t n = 0; n < scene.instances.size(); ++n) {
+  for (std::uint32_t n = 0; n < scene.instances.size(); ++n) {
     const Instance& instance = scene.instances[n];
     const Mesh& mesh = scene.objects[instance.object];
     const glm::dmat4 to_object = glm::inverse(instance.transform);
     const glm::dvec3 origin(to_object * glm::dvec4(camera.position, 1));
-    for (uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
       const glm::uvec3& t = mesh.triangles[i];
       const glm::dvec3& c = mesh.vertices[t.z];
       const glm::dvec3 a = mesh.vertices[t.x] - c;
@@ -102,7 +102,7 @@ TEST(Counts, InstancesAreHitThroughBothLevels) {
     glm::dmat4 m = glm::translate(glm::dmat4(1), glm::dvec3(at(random), at(random), at(random)));
     m = glm::rotate(m, at(random), glm::dvec3(0.3, 1, 0.2));
     m = glm::scale(m, glm::dvec3(size(random), size(random), size(random)));
-    scene.instances.push_back({"i", static_cast<uint32_t>(i % 2), m});
+    scene.instances.push_back({"i", static_cast<std::uint32_t>(i % 2), m});
   }
   EXPECT_GT(expect_same_hits(scene, testing::camera_at({0.1, 0.2, 8.1}, {0, 0, -1})), 500);
   EXPECT_GT(expect_same_hits(scene, testing::camera_at({0.1, 0.2, 0.3}, {0, 0.1, -1})), 400);

@@ -13,7 +13,7 @@
 
 namespace dynrt::host {
 
-using Code = int32_t;
+using Code = std::int32_t;
 
 inline constexpr int kGridMantissaBits = 16;
 inline constexpr int kGridBias = 63;
@@ -22,10 +22,10 @@ inline constexpr Code kMinCode = -1 - kMaxCode;
 
 /// The number of a code, exactly.
 inline double grid_value(Code code) {
-  const auto magnitude = static_cast<uint64_t>(code >= 0 ? code : -1 - code);
-  const uint64_t bits = (magnitude << (52 - kGridMantissaBits)) +
-                        (static_cast<uint64_t>(1023 - kGridBias) << 52) +
-                        (code >= 0 ? uint64_t{0} : uint64_t{1} << 63);
+  const auto magnitude = static_cast<std::uint64_t>(code >= 0 ? code : -1 - code);
+  const std::uint64_t bits = (magnitude << (52 - kGridMantissaBits)) +
+                             (static_cast<std::uint64_t>(1023 - kGridBias) << 52) +
+                             (code >= 0 ? std::uint64_t{0} : std::uint64_t{1} << 63);
   return std::bit_cast<double>(bits);
 }
 
@@ -35,12 +35,12 @@ inline double grid_largest() { return grid_value(kMaxCode); }
 
 namespace detail {
 /// Magnitude bits of a positive number, rounded up if asked; -1 below the smallest one.
-inline int64_t grid_magnitude(double positive, bool up) {
-  const auto bits = static_cast<int64_t>(std::bit_cast<uint64_t>(positive));
-  const int64_t based = bits - (static_cast<int64_t>(1023 - kGridBias) << 52);
+inline std::int64_t grid_magnitude(double positive, bool up) {
+  const auto bits = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(positive));
+  const std::int64_t based = bits - (static_cast<std::int64_t>(1023 - kGridBias) << 52);
   const int shift = 52 - kGridMantissaBits;
-  const int64_t floor = based >> shift;
-  const int64_t rounded = up && based != (floor << shift) ? floor + 1 : floor;
+  const std::int64_t floor = based >> shift;
+  const std::int64_t rounded = up && based != (floor << shift) ? floor + 1 : floor;
   return rounded < -1 ? -1 : rounded > kMaxCode ? kMaxCode : rounded;
 }
 }  // namespace detail
@@ -50,7 +50,7 @@ inline int64_t grid_magnitude(double positive, bool up) {
 inline Code floor_code(double x) {
   if (x > 0) return static_cast<Code>(detail::grid_magnitude(x, false));
   if (x == 0) return -1;
-  return -1 - static_cast<Code>(std::max<int64_t>(detail::grid_magnitude(-x, true), 0));
+  return -1 - static_cast<Code>(std::max<std::int64_t>(detail::grid_magnitude(-x, true), 0));
 }
 inline Code ceil_code(double x) { return -1 - floor_code(-x); }
 

@@ -24,7 +24,7 @@ Aabb transformed_box(const Aabb& box, const glm::dmat4& transform) {
 
 Tree build_instance_tree(const Scene& scene, std::span<const Aabb> object_boxes,
                          const BoxTreeOptions& options) {
-  if (scene.instances.empty()) throw UserError(tree_messages::no_instances(scene.name));
+  if (scene.instances.empty()) refuse(messages::kNoInstances, scene.name);
   const double limit = grid_largest() / 2;
   std::vector<Aabb> boxes(scene.instances.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
@@ -33,8 +33,8 @@ Tree build_instance_tree(const Scene& scene, std::span<const Aabb> object_boxes,
     for (int axis = 0; axis < 3; ++axis) {
       for (const double x : {box.low[axis], box.high[axis]}) {
         if (!(std::abs(x) <= limit)) {
-          throw UserError(
-              tree_messages::instance_box(instance.name, static_cast<char>('x' + axis), x, limit));
+          refuse(messages::kInstanceBox, instance.name, static_cast<char>('x' + axis), x, limit,
+                 limit);
         }
       }
     }

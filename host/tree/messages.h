@@ -1,37 +1,29 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The wordings of what the tree builders refuse.
+// What the tree builders refuse, and what they tell of trees that had to be cut.
 #pragma once
 
-#include <fmt/format.h>
+namespace dynrt::host::messages {
 
-#include <string>
+inline constexpr char kNoTriangles[] =
+    "object '{}' has no triangles to build a tree over; an object must have at least one";
+inline constexpr char kCoordinate[] =
+    "object '{}', triangle {}, vertex {}: {} = {:g} is outside the core's numbers; coordinates "
+    "must lie within -{:.5g} and {:.5g}";
+inline constexpr char kNoInstances[] =
+    "scene '{}' has no instances to build a tree over; a scene must have at least one";
+inline constexpr char kInstanceBox[] =
+    "instance '{}': its box reaches {} = {:g}, outside the core's numbers; coordinates must lie "
+    "within -{:.5g} and {:.5g}";
 
-namespace dynrt::host::tree_messages {
+// Notes, which stop nothing
+inline constexpr char kCut[] =
+    "object '{}': its tree was cut to depth {} to fit the board's {} tree nodes and {} list "
+    "entries; {}; fewer or smaller triangles would leave it whole";
+inline constexpr char kCutWork[] =
+    "a ray across the object is expected to make {:.1f} times the work of the whole tree";
+inline constexpr char kCutTriangles[] =
+    "a ray across the object is expected to meet {:.0f} nodes and {:.0f} triangles";
 
-inline std::string no_triangles(const std::string& object) {
-  return fmt::format(
-      "object '{}' has no triangles to build a tree over; an object must have at least one",
-      object);
-}
-inline std::string coordinate(const std::string& object, std::size_t triangle, unsigned vertex,
-                              char axis, double value, double limit) {
-  return fmt::format(
-      "object '{}', triangle {}, vertex {}: {} = {:g} is outside the core's numbers; coordinates "
-      "must lie within -{:.5g} and {:.5g}",
-      object, triangle, vertex, axis, value, limit, limit);
-}
-inline std::string no_instances(const std::string& scene) {
-  return fmt::format(
-      "scene '{}' has no instances to build a tree over; a scene must have at least one", scene);
-}
-inline std::string instance_box(const std::string& instance, char axis, double value,
-                                double limit) {
-  return fmt::format(
-      "instance '{}': its box reaches {} = {:g}, outside the core's numbers; coordinates must lie "
-      "within -{:.5g} and {:.5g}",
-      instance, axis, value, limit, limit);
-}
-
-}  // namespace dynrt::host::tree_messages
+}  // namespace dynrt::host::messages

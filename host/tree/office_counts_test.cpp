@@ -22,10 +22,10 @@ TEST(OfficeCounts, AreWithinTheYardstick) {
   options.always_clip = true;
   const TracedFrame frame = trace_frame(scene, trees, camera, kWidth, kHeight, options);
   const WorkCounts& work = frame.work;
-  const auto per_packet = [&](uint64_t count) {
+  const auto per_packet = [&](std::uint64_t count) {
     return static_cast<double>(count) / static_cast<double>(work.packets);
   };
-  EXPECT_EQ(work.hits, uint64_t{kWidth} * kHeight);  // a closed room
+  EXPECT_EQ(work.hits, std::uint64_t{kWidth} * kHeight);  // a closed room
   EXPECT_EQ(per_packet(work.objects), 1.0);
   EXPECT_LT(per_packet(work.object_steps), 36.1);
   // The top level adds one leaf of one entry.

@@ -49,20 +49,20 @@ class Caster {
   }
 
  private:
-  void visit(uint32_t index, const glm::dvec3& origin, const glm::dvec3& along, double near,
+  void visit(std::uint32_t index, const glm::dvec3& origin, const glm::dvec3& along, double near,
              double far) {
     while (index != kNullNode && near <= closest_) {
       const TreeNode& node = tree_.nodes[index];
       if (node.is_leaf()) {
-        for (uint32_t i = 0; i < node.right; ++i) {
+        for (std::uint32_t i = 0; i < node.right; ++i) {
           intersect(object_.triangles[tree_.items[node.left + i]], origin, along);
         }
         return;
       }
       const double d = (node.split - origin[node.axis]) / along[node.axis];
       const bool left_first = origin[node.axis] <= node.split;
-      const uint32_t first = left_first ? node.left : node.right;
-      const uint32_t second = left_first ? node.right : node.left;
+      const std::uint32_t first = left_first ? node.left : node.right;
+      const std::uint32_t second = left_first ? node.right : node.left;
       if (d < 0 || d > far) {
         index = first;
       } else if (d < near) {

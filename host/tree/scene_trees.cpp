@@ -2,58 +2,175 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/tree/scene_trees.h"
 
-#include <cmath>
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "host/tree/messages.h"
 
 namespace dynrt::host {
 
 namespace {
 
+/// Leaves with the same list are one in the end, so that more may be made than there is room for.
 constexpr std::size_t kMadePerKept = 4;
-constexpr double kShallowest = -17;  // no tree at all, for as many triangles as there are matrices
+/// Of the top-level tree now, the room that it keeps for later frames.
+constexpr double kTopLevelRoom = 1.5;
+/// A cut tree that takes less than this part of its room is worth a second attempt with more,
+constexpr double kWellUsed = 0.75;
+/// of which so much is asked for.
+constexpr double kAskedAgain = 0.95;
 
-SceneTrees build(const Scene& scene, const TreeOptions& options) {
-  SceneTrees trees;
-  std::vector<Aabb> boxes;
-  for (const Mesh& object : scene.objects) {
-    trees.objects.push_back(build_triangle_tree(object, options));
-    boxes.push_back(trees.objects.back().box);
-  }
-  trees.instances = build_instance_tree(scene, boxes);
-  return trees;
+std::size_t part_of(std::size_t whole, double part) {
+  return static_cast<std::size_t>(static_cast<double>(whole) * part);
 }
 
-bool fits(const SceneTrees& trees, const TreeLimits& limits) {
-  std::size_t nodes = trees.instances.nodes.size() - 1;
-  std::size_t items = trees.instances.items.size();
-  for (const Tree& tree : trees.objects) {
-    if (tree.cut_short) return false;
-    nodes += tree.nodes.size() - 1;
-    items += tree.items.size();
+std::size_t less(std::size_t from, std::size_t what) { return from - std::min(from, what); }
+
+TreeSize sum_of_sizes(const std::vector<Tree>& trees) {
+  TreeSize sum;
+  for (const Tree& tree : trees) {
+    sum.nodes += tree.size().nodes;
+    sum.items += tree.size().items;
   }
-  return nodes <= limits.nodes && items <= limits.items;
+  return sum;
 }
+
+bool fits(const TreeSize& size, const TreeSize& limits) {
+  return size.nodes <= limits.nodes && size.items <= limits.items;
+}
+
+/// Divides what there is: those that want little get it, the others equal parts by their weight.
+std::vector<std::size_t> shares(std::size_t whole, std::span<const std::size_t> wanted,
+                                std::span<const std::size_t> weights) {
+  std::vector<std::pair<double, std::size_t>> order;  // what is wanted per weight, and whose it is
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    order.emplace_back(static_cast<double>(wanted[k]) / static_cast<double>(weights[k]), k);
+  }
+  std::ranges::sort(order);
+  std::size_t weight_left = std::reduce(weights.begin(), weights.end());
+  std::vector<std::size_t> share(wanted.size());
+  for (const auto& [ratio, k] : order) {
+    const double part = static_cast<double>(weights[k]) / static_cast<double>(weight_left);
+    share[k] = std::min(wanted[k], part_of(whole, part));
+    whole -= share[k];
+    weight_left -= weights[k];
+  }
+  return share;
+}
+
+class ObjectTrees {
+ public:
+  ObjectTrees(const Scene& scene, const TreeOptions& options, const TreeSize& limits)
+      : scene_(scene), options_(options) {
+    options_.give_up_items = kMadePerKept * limits.items;
+    trees_.resize(scene.objects.size());
+    tbb::parallel_for(std::size_t{0}, trees_.size(), [&](std::size_t k) {
+      trees_[k] = build_triangle_tree(scene.objects[k], options_);
+    });
+    options_.give_up_items = options.give_up_items;
+    for (const Tree& tree : trees_) {
+      whole_.push_back({tree.given_up ? kTooLarge : tree.size(), tree.stats});
+    }
+  }
+
+  const std::vector<Tree>& trees() const { return trees_; }
+
+  bool fit(const TreeSize& limits) const {
+    return std::ranges::none_of(trees_, &Tree::given_up) && fits(sum_of_sizes(trees_), limits);
+  }
+
+  void cut_to(const TreeSize& limits) {
+    std::vector<std::size_t> nodes, items, weights;
+    for (std::size_t k = 0; k < trees_.size(); ++k) {
+      nodes.push_back(whole_[k].size.nodes);
+      items.push_back(whole_[k].size.items);
+      weights.push_back(scene_.objects[k].triangles.size());
+    }
+    nodes = shares(limits.nodes, nodes, weights);
+    items = shares(limits.items, items, weights);
+    tbb::parallel_for(std::size_t{0}, trees_.size(), [&](std::size_t k) {
+      const TreeSize room{nodes[k], items[k]};
+      if (!fits(whole_[k].size, room)) trees_[k] = cut(k, room);
+    });
+  }
+
+  /// Sentences about the trees that are cut.
+  std::vector<std::string> notes(const TreeSize& limits) const {
+    std::vector<std::string> notes;
+    for (std::size_t k = 0; k < trees_.size(); ++k) {
+      if (!trees_[k].cut) continue;
+      notes.push_back(fmt::format(messages::kCut, scene_.objects[k].name, trees_[k].stats.depth,
+                                  limits.nodes, limits.items, cost_of_cut(k)));
+    }
+    return notes;
+  }
+
+ private:
+  Tree cut(std::size_t object, const TreeSize& room) const {
+    TreeOptions options = options_;
+    options.room = room;
+    Tree tree = build_triangle_tree(scene_.objects[object], options);
+    const auto used = [](std::size_t size, std::size_t of) {
+      return static_cast<double>(size) / static_cast<double>(of);
+    };
+    const double most_used =
+        std::max(used(tree.size().nodes, room.nodes), used(tree.size().items, room.items));
+    if (!tree.cut || most_used > kWellUsed) return tree;
+    options.room = {part_of(room.nodes, kAskedAgain / most_used),
+                    part_of(room.items, kAskedAgain / most_used)};
+    Tree larger = build_triangle_tree(scene_.objects[object], options);
+    return fits(larger.size(), room) ? larger : tree;
+  }
+
+  std::string cost_of_cut(std::size_t object) const {
+    const auto work = [&](const TreeStats& stats) {
+      return options_.costs.step * stats.expected_steps +
+             options_.costs.item * stats.expected_items;
+    };
+    const TreeStats& now = trees_[object].stats;
+    const Whole& whole = whole_[object];
+    if (whole.size.items == kTooLarge.items) {
+      return fmt::format(messages::kCutTriangles, now.expected_steps, now.expected_items);
+    }
+    return fmt::format(messages::kCutWork, work(now) / work(whole.stats));
+  }
+
+  static constexpr TreeSize kTooLarge{std::numeric_limits<std::size_t>::max(),
+                                      std::numeric_limits<std::size_t>::max()};
+  /// A tree that is not cut; of one that was given up it is not known what it would be.
+  struct Whole {
+    TreeSize size;
+    TreeStats stats;
+  };
+
+  const Scene& scene_;
+  TreeOptions options_;
+  std::vector<Whole> whole_;
+  std::vector<Tree> trees_;
+};
 
 }  // namespace
 
 SceneTrees build_scene_trees(const Scene& scene, const TreeOptions& options,
-                             const TreeLimits& limits) {
-  TreeOptions tried = options;
-  // Leaves with the same list are one in the end, so that more may be made than there is room for.
-  tried.most_items = kMadePerKept * limits.items;
-  SceneTrees trees = build(scene, tried);
-  if (fits(trees, limits)) return trees;
-
-  double fitting = kShallowest;
-  double too_deep = options.depth_extra;
-  while (too_deep - fitting > 1) {
-    tried.depth_extra = std::floor((fitting + too_deep) / 2);
-    trees = build(scene, tried);
-    (fits(trees, limits) ? fitting : too_deep) = tried.depth_extra;
+                             const TreeSize& limits) {
+  ObjectTrees objects(scene, options, limits);
+  std::vector<Aabb> boxes;
+  for (const Tree& tree : objects.trees()) boxes.push_back(tree.box);
+  SceneTrees trees;
+  trees.instances = build_instance_tree(scene, boxes);
+  const TreeSize top = trees.instances.size();
+  if (!objects.fit({less(limits.nodes, top.nodes), less(limits.items, top.items)})) {
+    objects.cut_to({less(limits.nodes, part_of(top.nodes, kTopLevelRoom)),
+                    less(limits.items, part_of(top.items, kTopLevelRoom))});
+    trees.notes = objects.notes(limits);
   }
-  if (tried.depth_extra != fitting) {
-    tried.depth_extra = fitting;
-    trees = build(scene, tried);
-  }
+  trees.objects = objects.trees();
   return trees;
 }
 

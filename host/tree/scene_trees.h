@@ -4,6 +4,7 @@
 // Both levels of a scene's trees, made to fit the board's memory.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "host/tree/instance_tree.h"
@@ -15,17 +16,17 @@ namespace dynrt::host {
 struct SceneTrees {
   std::vector<Tree> objects;
   Tree instances;
+  std::vector<std::string> notes;  ///< sentences for the user: which trees were cut, and the cost
 };
 
 /// What the trees of both levels may take together.
-struct TreeLimits {
-  std::size_t nodes = kMaxNodes - 1;
-  std::size_t items = kMaxListEntries;
-};
+inline constexpr TreeSize kMemoryForTrees{kMaxNodes - 1, kMaxListEntries};
 
-/// Where the trees are too large they are made with the greatest depth at which they fit; what is
-/// too large without any depth is left to the memory image to refuse.
+/// Where the trees are too large together, those of the largest objects are built again with less
+/// room and so cut; the top level keeps room to grow in the frames to come. No tree is built more
+/// than three times. What is too large even as one leaf per object is left to the memory image to
+/// refuse. Throws UserError as the builders do.
 SceneTrees build_scene_trees(const Scene& scene, const TreeOptions& options = {},
-                             const TreeLimits& limits = {});
+                             const TreeSize& limits = kMemoryForTrees);
 
 }  // namespace dynrt::host

@@ -34,7 +34,7 @@ struct TreeCosts {
 /// An item and its part within a cell.
 struct ItemRef {
   GridBox box;
-  uint32_t item = 0;
+  std::uint32_t item = 0;
 };
 
 /// The part of a sample ray within a cell, from where it starts to what it hits. How likely a child

@@ -15,7 +15,7 @@ namespace dynrt::host::testing {
 
 inline void add_triangle(Mesh& mesh, const glm::dvec3& a, const glm::dvec3& b,
                          const glm::dvec3& c) {
-  const auto first = static_cast<uint32_t>(mesh.vertices.size());
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), {a, b, c});
   mesh.triangles.push_back({first, first + 1, first + 2});
   mesh.material.push_back(0);

@@ -17,7 +17,7 @@
 namespace dynrt::host::testing {
 
 /// Whether a leaf whose closed cell holds the point, as far as doubles can tell, lists the item.
-inline bool found(const Tree& tree, uint32_t index, const glm::dvec3& p, uint32_t item) {
+inline bool found(const Tree& tree, std::uint32_t index, const glm::dvec3& p, std::uint32_t item) {
   if (index == kNullNode) return false;
   const TreeNode& node = tree.nodes[index];
   if (node.is_leaf()) {
@@ -32,14 +32,14 @@ inline bool found(const Tree& tree, uint32_t index, const glm::dvec3& p, uint32_
 /// Splits on the grid and within their cell, leaves not empty, figures true.
 inline void expect_sound(const Tree& tree) {
   struct Visit {
-    uint32_t index;
+    std::uint32_t index;
     Aabb cell;
     int depth;
   };
   std::vector<Visit> open{{tree.root, tree.box, 0}};
   int depth = 0;
   std::size_t inner = 0, links = 0, empty = 0;
-  std::set<uint32_t> leaves;
+  std::set<std::uint32_t> leaves;
   while (!open.empty()) {
     const Visit v = open.back();
     open.pop_back();

@@ -16,16 +16,23 @@
 
 namespace dynrt::host {
 
-inline constexpr uint32_t kNullNode = 0;  ///< an empty child; node 0 of a tree is not used
-inline constexpr uint8_t kLeafAxis = 3;
+inline constexpr std::uint32_t kNullNode = 0;  ///< an empty child; node 0 of a tree is not used
+inline constexpr std::uint8_t kLeafAxis = 3;
+inline constexpr int kClippingNodes = 6;
 inline constexpr int kMaxTreeDepth = 31;  ///< the core's stack: no deeper tree overflows it
 
 struct TreeNode {
-  uint8_t axis = kLeafAxis;  ///< 0, 1, 2 or kLeafAxis
-  double split = 0;          ///< exactly a Float<7, 16>
-  uint32_t left = 0;         ///< child; leaf: its first item
-  uint32_t right = 0;        ///< child; leaf: how many items, at least one
+  std::uint8_t axis = kLeafAxis;  ///< 0, 1, 2 or kLeafAxis
+  double split = 0;               ///< exactly a Float<7, 16>
+  std::uint32_t left = 0;         ///< child; leaf: its first item
+  std::uint32_t right = 0;        ///< child; leaf: how many items, at least one
   bool is_leaf() const { return axis == kLeafAxis; }
+};
+
+/// What trees take of the board's memory; the null node is not counted.
+struct TreeSize {
+  std::size_t nodes = 0;
+  std::size_t items = 0;
 };
 
 struct TreeStats {
@@ -44,15 +51,19 @@ struct TreeStats {
 struct Tree {
   std::vector<TreeNode>
       nodes;  ///< node 0 is the null node, then the clipping nodes, then depth first
-  std::vector<uint32_t> items;
-  uint32_t root = kNullNode;          ///< where a ray starts inside the box
-  uint32_t clipped_root = kNullNode;  ///< where any ray starts
-  Aabb box;                           ///< what the clipping nodes cut out, rounded outward
-  bool cut_short = false;             ///< not finished: it grew beyond TreeOptions::most_items
+  std::vector<std::uint32_t> items;
+  std::uint32_t root = kNullNode;          ///< where a ray starts inside the box
+  std::uint32_t clipped_root = kNullNode;  ///< where any ray starts
+  Aabb box;                                ///< what the clipping nodes cut out, rounded outward
+  bool cut = false;       ///< somewhere not split for want of room (TreeOptions::room)
+  bool given_up = false;  ///< no nodes: it grew beyond TreeOptions::give_up_items
   TreeStats stats;
 
+  TreeSize size() const { return {nodes.empty() ? 0 : nodes.size() - 1, items.size()}; }
   /// Where rays from this point start.
-  uint32_t entry(const glm::dvec3& origin) const { return box.holds(origin) ? root : clipped_root; }
+  std::uint32_t entry(const glm::dvec3& origin) const {
+    return box.holds(origin) ? root : clipped_root;
+  }
 };
 
 /// Starts a tree: the null node, then the six clipping nodes around the box, the last of which goes
@@ -61,8 +72,8 @@ inline void add_clipping_nodes(Tree& tree, const Aabb& box) {
   tree.nodes.resize(1);
   tree.box = box;
   tree.clipped_root = 1;
-  for (uint8_t axis = 0; axis < 3; ++axis) {
-    const auto next = static_cast<uint32_t>(tree.nodes.size()) + 1;
+  for (std::uint8_t axis = 0; axis < 3; ++axis) {
+    const auto next = static_cast<std::uint32_t>(tree.nodes.size()) + 1;
     tree.nodes.push_back({axis, box.low[axis], kNullNode, next});
     tree.nodes.push_back({axis, box.high[axis], next + 1, kNullNode});
   }

@@ -27,8 +27,8 @@ void check(const Mesh& object, std::size_t triangle, const Corners& c) {
     for (int axis = 0; axis < 3; ++axis) {
       const double x = c[vertex][axis];
       if (!(std::abs(x) <= limit)) {
-        throw UserError(tree_messages::coordinate(object.name, triangle, vertex,
-                                                  static_cast<char>('x' + axis), x, limit));
+        refuse(messages::kCoordinate, object.name, triangle, vertex, static_cast<char>('x' + axis),
+               x, limit, limit);
       }
     }
   }
@@ -37,7 +37,7 @@ void check(const Mesh& object, std::size_t triangle, const Corners& c) {
 }  // namespace
 
 Tree build_triangle_tree(const Mesh& object, const TreeOptions& options) {
-  if (object.triangles.empty()) throw UserError(tree_messages::no_triangles(object.name));
+  if (object.triangles.empty()) refuse(messages::kNoTriangles, object.name);
   std::vector<ItemRef> items(object.triangles.size());
   Aabb whole;
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -46,7 +46,7 @@ Tree build_triangle_tree(const Mesh& object, const TreeOptions& options) {
     Aabb box;
     for (const glm::dvec3& p : c) box.include(p);
     whole.include(box);
-    items[i] = {grid_box(box), static_cast<uint32_t>(i)};
+    items[i] = {grid_box(box), static_cast<std::uint32_t>(i)};
   }
   const CutItem cut = [&](const ItemRef& item, const GridBox& cell) {
     return grid_box(clipped_box(corners(object, item.item), real_box(cell)));
@@ -59,7 +59,9 @@ Tree build_triangle_tree(const Mesh& object, const TreeOptions& options) {
   TreeOptions rough = options;
   rough.depth_extra = 0;
   rough.patience = 0;
-  content.rays = sample_rays(object, build_tree(content, rough, cut), rays);
+  Tree quick = build_tree(content, rough, cut);
+  if (quick.given_up) return quick;
+  content.rays = sample_rays(object, quick, rays);
   return build_tree(content, options, cut);
 }
 

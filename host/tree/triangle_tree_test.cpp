@@ -23,7 +23,7 @@ using testing::found;
 void expect_complete(const Mesh& mesh, const Tree& tree, int points) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(0, 1);
-  for (uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+  for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
     const glm::uvec3& t = mesh.triangles[i];
     for (int k = 0; k < points; ++k) {
       const double r = std::sqrt(unit(random));
@@ -114,7 +114,7 @@ TEST(TriangleTree, WallsOnTheFacesOfACellAreCutFromTheEmptyRoom) {
     }
   }
   const Tree tree = build_triangle_tree(mesh);
-  uint32_t index = tree.root;
+  std::uint32_t index = tree.root;
   const glm::dvec3 inside{2.2, 1.7, 2.6};
   while (index != kNullNode && !tree.nodes[index].is_leaf()) {
     const TreeNode& node = tree.nodes[index];

@@ -9,7 +9,7 @@
 module board_registers #(
   parameter PACKETS = 64,
   parameter CACHE_LINES = 512,
-  parameter FRAME_WORDS = 12,
+  parameter FRAME_WORDS = 12, // at most 2^FRAME_WORD_BITS of the register map
   parameter SRAM_LATENCY = 3
 ) (
   input  wire        clk_i,
@@ -55,9 +55,9 @@ module board_registers #(
   wire        in_window = bus_addr_i[WINDOW_BIT];
   wire [2:0]  bank = bus_addr_i[WINDOW_BANK_LOW +: 3];
   wire        bank_exists = bank < BANKS[2:0];
-  wire [3:0]  frame_word = bus_addr_i[5:2];
-  wire        in_frame =
-      bus_addr_i[25:6] == REG_FRAME[25:6] && {1'b0, frame_word} < FRAME_WORDS[4:0];
+  wire [FRAME_WORD_BITS-1:0] frame_word = bus_addr_i[2 +: FRAME_WORD_BITS];
+  wire        in_frame = bus_addr_i[25:FRAME_WORD_BITS+2] == REG_FRAME[25:FRAME_WORD_BITS+2] &&
+                         {1'b0, frame_word} < FRAME_WORDS[FRAME_WORD_BITS:0];
   wire        is_control = write && bus_addr_i == REG_CONTROL;
 
   assign start_o = is_control && bus_wdata_i[CONTROL_START] && !busy_i;
@@ -101,7 +101,7 @@ module board_registers #(
     end
     if (write && in_frame && !busy_i) begin
       for (i = 0; i < FRAME_WORDS; i = i + 1)
-        if (frame_word == i[3:0]) frame_q[32*i +: 32] <= bus_wdata_i;
+        if (frame_word == i[FRAME_WORD_BITS-1:0]) frame_q[32*i +: 32] <= bus_wdata_i;
     end
     if (start_o || reset_o) begin
       irq_pending_q <= 1'b0;
@@ -128,12 +128,12 @@ module board_registers #(
   wire        answer_window = wait_window_q[SRAM_LATENCY-1];
   wire [25:0] answer_addr = wait_addr_q[26*(SRAM_LATENCY-1) +: 26];
   wire [2:0]  answer_bank = answer_addr[WINDOW_BANK_LOW +: 3];
-  wire [3:0]  answer_frame_word = answer_addr[5:2];
   wire        answer_frame =
-      answer_addr[25:6] == REG_FRAME[25:6] && {1'b0, answer_frame_word} < FRAME_WORDS[4:0];
+      answer_addr[25:FRAME_WORD_BITS+2] == REG_FRAME[25:FRAME_WORD_BITS+2];
 
   reg [31:0] status;
   reg [31:0] value;
+  integer w;
   always @* begin
     status = 32'd0;
     status[STATUS_BUSY] = busy_i;
@@ -144,7 +144,9 @@ module board_registers #(
     if (answer_addr[WINDOW_BIT]) begin
       if (answer_window) value = window_rdata_i[{5'd0, answer_bank} * 8'd32 +: 32];
     end else if (answer_frame) begin
-      value = frame_q[{5'd0, answer_frame_word} * 9'd32 +: 32];
+      for (w = 0; w < FRAME_WORDS; w = w + 1)
+        if (answer_addr[2 +: FRAME_WORD_BITS] == w[FRAME_WORD_BITS-1:0])
+          value = frame_q[32*w +: 32];
     end else begin
       case (answer_addr)
         REG_ID: value = ID_VALUE;

@@ -6,10 +6,11 @@
 //
 // core_clk_i is clk_i or, to save power between frames, clk_i behind a clock gate that
 // core_clk_en_o opens. The gate must not skew the two clocks.
+`include "dynrt_core.vh"
+
 module dynrt_board #(
   parameter PACKETS = 64,      // packets in flight of the core below
   parameter CACHE_LINES = 512, // lines of each of its caches
-  parameter FRAME_WORDS = 12,  // registers that describe a frame (hls/units/frame.h), at most 16
   parameter SRAM_LATENCY = 3   // clocks from the core's address to its data; the banks' own plus 2
 ) (
   input  wire             clk_i,
@@ -33,6 +34,9 @@ module dynrt_board #(
   input  wire [6*32-1:0]  sram_rdata_i
 );
 
+  // Registers that describe a frame (hls/units/frame.h).
+  localparam FRAME_WORDS = `DYNRT_CORE_FRAME_BITS / 32;
+
   wire        start, reset, busy, done;
   wire [63:0] cycles;
 
@@ -55,9 +59,9 @@ module dynrt_board #(
   wire [6*20-1:0] core_addr;
   wire [3*32-1:0] core_wdata;
 
-  // FRAME registers 0 and 1 are the packets and the cache lines less one that the frame uses.
-  wire [8:0] last_packet = frame[8:0] - 9'd1;
-  wire [8:0] last_line = frame[40:32];
+  // The packets and the cache lines, less one, that the frame uses.
+  wire [8:0] last_packet = frame[`DYNRT_CORE_FRAME_PACKETS +: 9] - 9'd1;
+  wire [8:0] last_line = frame[`DYNRT_CORE_FRAME_LINE_MASK +: 9];
 
   assign core_clk_en_o = !rst_ni || busy || counter_fetch;
 

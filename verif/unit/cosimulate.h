@@ -11,13 +11,14 @@
 
 #include <cstdint>
 
-#include "configs/thesis.h"
+#include DYNRT_CONFIG_HEADER
 #include "cosim/bench.h"
 #include "units/tokens.h"
 
 namespace dynrt::cosim {
 
-using C = dynrt::config::thesis;
+/// The configuration whose Verilog is tested.
+using C = dynrt::config::DYNRT_CONFIG;
 
 /// How much is run.
 struct Amount {

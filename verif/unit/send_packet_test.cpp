@@ -12,8 +12,10 @@ namespace {
 void setup(Bench<SendPacket<C>>& bench, const Run&) {
   using Job = Repeated<SendJob<C>>;
   bench.shape<Job>("job", [](Job& j, Random& random) {
-    j.job.kind = any_of<TransformKind>(random, 3);
-    j.job.repeat = random.below(2) == 0 ? RepeatCount(4) : RepeatCount(7);
+    j.job.kind = any_of<TransformKind>(random, kHasSecondary<C> ? 4 : 3);
+    j.job.repeat = j.job.kind == TransformKind::kDerive ? RepeatCount(1)
+                   : random.below(2) == 0               ? RepeatCount(4)
+                                                        : RepeatCount(7);
     j.index = number_below<4>(random, j.job.repeat.to_u64() + 1);
     j.last = j.index == j.job.repeat;
   });

@@ -12,6 +12,7 @@
 #include "frontend/narrow.h"
 #include "frontend/passes.h"
 #include "frontend/prepare.h"
+#include "frontend/retype_locals.h"
 #include "frontend/transaction.h"
 #include "frontend/translate.h"
 #include "frontend/unroll.h"
@@ -66,6 +67,11 @@ UnitNetlist read_unit(const UnitSource& source) {
   passes.run(*t.function, kPromote);
   while (expand_indexing(t, lines)) passes.run(*t.function, kPromote);
   passes.run(*t.function, kSimplify);
+  // SROA would make bytes of them again before it promotes them.
+  if (retype_locals(*t.function)) {
+    passes.run(*t.function, "mem2reg");
+    passes.run(*t.function, kSimplify);
+  }
   name_values(*t.function, lines);
   hide_divisions(*t.function);
   drop_hints(*t.function);

@@ -384,16 +384,4 @@ std::string emit_top(const JoinRecord& join, const std::string& name) {
   return Top(join, name).text();
 }
 
-std::vector<std::string> counter_names(const JoinRecord& join) {
-  std::vector<std::string> names;
-  for (const ChannelRecord& c : join.channels) {
-    if (c.kind != ChannelKind::kInput && c.kind != ChannelKind::kOutput) {
-      names.push_back(c.name + ".tokens");
-    }
-  }
-  for (const UnitRecord& unit : join.units) names.push_back(unit.name + ".transactions");
-  for (const UnitRecord& unit : join.units) names.push_back(unit.name + ".stalls");
-  return names;
-}
-
 }  // namespace hlsc

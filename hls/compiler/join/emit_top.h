@@ -5,7 +5,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "hls/join_record.h"
 
@@ -14,14 +13,15 @@ namespace hlsc {
 inline constexpr unsigned kMaxCounters =
     256;  ///< of rtl/lib/hls_counters.v, whose address has 8 bits
 
-/// The counters of a top, in the order of their addresses: tokens of every channel inside, then
-/// transactions and stalls of every unit.
-std::vector<std::string> counter_names(const hls::JoinRecord& join);
-
 /// A Verilog-2005 module `name` that instantiates every unit and connects them through rtl/lib.
 /// Throws std::invalid_argument naming a port that nothing is connected to, or a fork without a
 /// bound to a unit that needs other tokens as well, or if there are more than kMaxCounters.
 std::string emit_top(const hls::JoinRecord& join, const std::string& name);
+
+/// What the values set from outside are made of, for hand-written Verilog around the top to
+/// include: `NAME_VALUE_BITS, the width of each, and `NAME_VALUE_FIELD, of each field the lowest
+/// bit.
+std::string emit_header(const hls::JoinRecord& join, const std::string& name);
 
 /// Units, channels, RAMs and counters, for the host and for people's scripts.
 std::string emit_json(const hls::JoinRecord& join, const std::string& name);

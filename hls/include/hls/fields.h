@@ -37,7 +37,7 @@ struct FieldIf {
   T value{};
   constexpr FieldIf() = default;
   constexpr FieldIf(const T& t) : value(t) {}
-  constexpr const T& get() const { return value; }
+  constexpr T get() const { return value; }
   HLS_FIELDS(value)
 };
 template <class T>
@@ -114,6 +114,22 @@ constexpr void for_each_leaf(T& token, Visit&& visit, unsigned offset = 0) {
   }
 }
 
+/// to = from, leaf by leaf: the copy of a struct is one of bytes, padding and all, behind which the
+/// optimiser loses sight of the fields.
+template <class T>
+constexpr void copy_leaves(T& to, const T& from) {
+  if constexpr (detail::is_array<T>::value) {
+    for (unsigned i = 0; i < std::tuple_size_v<T>; ++i) copy_leaves(to[i], from[i]);
+  } else if constexpr (Struct<T>) {
+    [target = to.hls_fields(),
+     source = from.hls_fields()]<std::size_t... I>(std::index_sequence<I...>) {
+      (copy_leaves(std::get<I>(target), std::get<I>(source)), ...);
+    }(std::make_index_sequence<std::tuple_size_v<decltype(to.hls_fields())>>());
+  } else {
+    to = from;
+  }
+}
+
 /// The bits of one leaf, and the leaf of some bits.
 template <class L>
 constexpr uint<bit_width_of<L>()> leaf_to_bits(const L& leaf) {
@@ -143,6 +159,17 @@ constexpr L leaf_from_bits(uint<bit_width_of<L>()> bits) {
   } else {
     return L::from_leaf_bits(bits);
   }
+}
+
+/// Word K of a token that lies in 32-bit words of memory and whose leaves cross no such words.
+template <unsigned K, class T>
+constexpr uint<32> word_of(const T& token) {
+  uint<32> word;
+  for_each_leaf(token, [&word]<class L>(const L& leaf, unsigned offset) {
+    const uint<32> bits = leaf_to_bits(leaf).template zext<32>();
+    if (offset / 32 == K) word = word | bits << uint<5>::from(offset % 32);
+  });
+  return word;
 }
 
 }  // namespace hls

@@ -45,6 +45,23 @@ static_assert(hls::bit_width_of<std::array<Inner, 3>>() == 24);
 static_assert(hls::bit_width_of<Token>() == 1 + 2 + 16 + 8 + 64);
 static_assert(Token::hls_field_names() == "flag, colour, inner, real, wide");
 
+TEST(Fields, EveryLeafIsCopied) {
+  Token from;
+  hls::for_each_leaf(from, []<class L>(L& leaf, unsigned offset) {
+    leaf = hls::leaf_from_bits<L>(hls::uint<hls::bit_width_of<L>()>::from(offset + 1));
+  });
+  Token to;
+  hls::copy_leaves(to, from);
+  std::vector<std::uint64_t> expected, got;
+  hls::for_each_leaf(from, [&](const auto& leaf, unsigned) {
+    expected.push_back(hls::leaf_to_bits(leaf).to_u64());
+  });
+  hls::for_each_leaf(
+      to, [&](const auto& leaf, unsigned) { got.push_back(hls::leaf_to_bits(leaf).to_u64()); });
+  EXPECT_EQ(got, expected);
+  EXPECT_EQ(got.size(), 8u);
+}
+
 TEST(Fields, LeavesLieInOrderFromTheLowestBit) {
   std::vector<std::pair<unsigned, unsigned>> places;
   const Token token;
@@ -96,6 +113,20 @@ TEST(Fields, AnAbsentFieldTakesNoBitsAndDropsWhatIsWritten) {
   std::vector<unsigned> offsets;
   hls::for_each_leaf(without, [&](const auto&, unsigned offset) { offsets.push_back(offset); });
   EXPECT_EQ(offsets, (std::vector<unsigned>{0, 3}));
+}
+
+struct InWords {
+  hls::uint<32> all;
+  hls::uint<17> low;
+  hls::uint<14> between;
+  bool top = false;
+  HLS_FIELDS(all, low, between, top)
+};
+TEST(Fields, WordsHoldTheLeavesFromTheLowestBitOn) {
+  constexpr InWords kToken{hls::uint<32>::from(0xfedcba98u), 0x1abcd, 0, true};
+  static_assert(hls::word_of<0>(kToken) == hls::uint<32>::from(0xfedcba98u));
+  EXPECT_EQ(hls::word_of<1>(kToken).to_u64(), 0x8001abcdu);
+  EXPECT_EQ(hls::word_of<2>(kToken).to_u64(), 0u);
 }
 
 TEST(Fields, LeavesCanBeWritten) {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Float against MPFR: every pair of every operation for formats of up to 10 bits, ten million
-// random and extreme pairs for <7, 16>, conversions and comparisons, both roundings.
+// random and extreme pairs for <7, 16>, conversions and comparisons, both roundings. What is judged
+// is both the operators as the native model computes them and FloatCircuit, the hardware's.
 #include "hls/float.h"
 
 #include <gtest/gtest.h>
@@ -33,20 +34,36 @@ std::uint64_t pattern(F f) {
   return f.bits().to_u64();
 }
 
-/// All operations and comparisons of one pair; false after the first difference, which it reports.
+template <class F, unsigned E, unsigned M, Rounding R>
+std::uint64_t circuit_convert(Float<E, M, R> from) {
+  return F::Circuit::template convert<E, M, R>(from.bits()).to_u64();
+}
+
+/// All operations and comparisons of one pair, natively and by the circuit; false after the first
+/// difference, which it reports.
 template <class F>
 bool agree(FloatJudge& judge, std::uint64_t a, std::uint64_t b) {
   const F x = from_pattern<F>(a);
   const F y = from_pattern<F>(b);
+  using Circuit = typename F::Circuit;
+  const auto xb = F::Bits::from(a);
+  const auto yb = F::Bits::from(b);
   const int order = judge.compare(a, b);
+  const std::uint64_t sum = judge.add(a, b);
+  const std::uint64_t product = judge.mul(a, b);
+  const std::uint64_t quotient = judge.div(a, b);
   struct {
     const char* name;
     std::uint64_t got, want;
   } const checks[] = {
-      {"+", pattern(x + y), judge.add(a, b)},
+      {"+", pattern(x + y), sum},
       {"-", pattern(x - y), judge.sub(a, b)},
-      {"*", pattern(x * y), judge.mul(a, b)},
-      {"/", pattern(x / y), judge.div(a, b)},
+      {"*", pattern(x * y), product},
+      {"/", pattern(x / y), quotient},
+      {"+ (circuit)", Circuit::sum(xb, yb).to_u64(), sum},
+      {"* (circuit)", Circuit::product(xb, yb).to_u64(), product},
+      {"/ (circuit)", Circuit::quotient(xb, yb).to_u64(), quotient},
+      {"< (circuit)", Circuit::less(xb, yb), order < 0},
       {"==", x == y, order == 0},
       {"!=", x != y, order != 0},
       {"<", x < y, order < 0},
@@ -100,6 +117,7 @@ TYPED_TEST(AllPairs, EveryPatternToDoubleAndBack) {
     ASSERT_EQ((-x).to_double(), -x.to_double());
     ASSERT_EQ(abs(x).to_double(), std::fabs(x.to_double()));
     ASSERT_EQ(x.sign(), std::signbit(x.to_double()));
+    ASSERT_EQ(pattern(x), a);
   }
 }
 
@@ -108,8 +126,9 @@ TYPED_TEST(AllPairs, EveryPatternOfOtherFormats) {
   const auto convert_all = [&]<class From>(std::type_identity<From>) {
     FloatJudge other = judge_of<From>();
     for (std::uint64_t a = 0; a < 1u << From::kLeafWidth; ++a) {
-      ASSERT_EQ(pattern(TypeParam(from_pattern<From>(a))), judge.convert(other, a))
-          << std::hex << a;
+      const std::uint64_t want = judge.convert(other, a);
+      ASSERT_EQ(pattern(TypeParam(from_pattern<From>(a))), want) << std::hex << a;
+      ASSERT_EQ(circuit_convert<TypeParam>(from_pattern<From>(a)), want) << std::hex << a;
     }
   };
   convert_all(std::type_identity<Float<2, 8>>{});
@@ -121,7 +140,9 @@ TYPED_TEST(AllPairs, EveryPatternOfOtherFormats) {
 TYPED_TEST(AllPairs, EveryIntegerOfSixteenBits) {
   FloatJudge judge = judge_of<TypeParam>();
   for (unsigned i = 0; i < 1u << 16; ++i) {
-    ASSERT_EQ(pattern(TypeParam::from_uint(hls::uint<16>::from(i))), judge.from_uint(i)) << i;
+    const auto integer = hls::uint<16>::from(i);
+    ASSERT_EQ(pattern(TypeParam::from_uint(integer)), judge.from_uint(i)) << i;
+    ASSERT_EQ(TypeParam::Circuit::from_uint(integer).to_u64(), judge.from_uint(i)) << i;
   }
   for (unsigned i = 0; i < 2; ++i) {
     ASSERT_EQ(pattern(TypeParam::from_uint(hls::uint<1>::from(i))), judge.from_uint(i)) << i;
@@ -186,9 +207,9 @@ INSTANTIATE_TEST_SUITE_P(Shard, Pairs, ::testing::Range(0u, kShards));
 /// Formats at the edges of what the template takes.
 template <class F>
 class OtherFormats : public ::testing::Test {};
-using LargeFormats = ::testing::Types<Float<8, 23>, Float<10, 52>, Float<2, 52>, Float<10, 2>,
-                                      Float<5, 10, Rounding::kTruncate>, Float<10, 30>,
-                                      Float<8, 23, Rounding::kTruncate>>;
+using LargeFormats = ::testing::Types<Float<8, 23>, Float<10, 24>, Float<8, 25>, Float<10, 52>,
+                                      Float<2, 52>, Float<10, 2>, Float<5, 10, Rounding::kTruncate>,
+                                      Float<10, 30>, Float<8, 23, Rounding::kTruncate>>;
 TYPED_TEST_SUITE(OtherFormats, LargeFormats);
 
 TYPED_TEST(OtherFormats, RandomPairs) {
@@ -250,6 +271,8 @@ TEST(Conversion, Integers) {
     ASSERT_EQ(pattern(F::from_uint(hls::uint<64>::from(value))), judge.from_uint(value)) << value;
     const std::uint64_t low = value & 0x1ffff;
     ASSERT_EQ(pattern(F::from_uint(hls::uint<17>::from(low))), judge.from_uint(low)) << low;
+    ASSERT_EQ(F::Circuit::from_uint(hls::uint<17>::from(low)).to_u64(), judge.from_uint(low))
+        << low;
   }
   EXPECT_EQ(F::from_uint(hls::uint<64>(0)), F::smallest());
 }
@@ -263,6 +286,7 @@ TEST(Conversion, BetweenTheCoresFormats) {
   for (int i = 0; i < 500'000; ++i) {
     const std::uint64_t bits = random.next() >> 32;
     ASSERT_EQ(pattern(F(from_pattern<Wide>(bits))), judge.convert(wide, bits)) << std::hex << bits;
+    ASSERT_EQ(circuit_convert<F>(from_pattern<Wide>(bits)), judge.convert(wide, bits)) << bits;
     const F f = from_pattern<F>(bits & 0xffffff);
     ASSERT_EQ(Wide(f).to_double(), f.to_double());
     ASSERT_EQ(F(Wide(f)), f);

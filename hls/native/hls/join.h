@@ -7,8 +7,10 @@
 // fed by a fork, a job channel is repeated, a RAM with several readers has a copy for each.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -31,15 +33,8 @@ class Join {
     std::apply([&](auto&... port) { (add_port(record, names[index++], port), ...); },
                unit.hls_fields());
     record_.units.push_back(std::move(record));
-    processes_.push_back({name, 0, [&unit](std::uint64_t& transactions) {
-                            bool progress = false;
-                            while (inputs_ready(unit)) {
-                              unit.step();
-                              ++transactions;
-                              progress = true;
-                            }
-                            return progress;
-                          }});
+    processes_.push_back(
+        {name, 0, [&unit](std::uint64_t& transactions) { return run_unit(unit, transactions); }});
   }
 
   /// One channel from any of `from` to all of `to`. `depth`, if not 0, promises that there are
@@ -152,7 +147,7 @@ class Join {
   /// A value set from outside, seen by all of `ports`.
   template <class T>
   void config(const std::string& name, std::shared_ptr<T> value, std::vector<Config<T>*> ports) {
-    ConfigRecord record{name, {}, bit_width_of<T>(), false, 0};
+    ConfigRecord record{name, {}, bit_width_of<T>(), false, 0, fields_of<T>()};
     for (Config<T>* port : ports) {
       record.to.push_back(port_name(port));
       port->bind(value);
@@ -165,6 +160,22 @@ class Join {
     port.bind(std::make_shared<T>(value));
     record_.configs.push_back(
         {"", {port_name(&port)}, bit_width_of<T>(), true, leaf_to_bits(value).to_u64()});
+  }
+
+  /// Says of channels and units, by name, that how much they do depends on the order in which
+  /// tokens are served: two runs of the same work may count differently there.
+  void depends_on_order(const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      bool known = false;
+      const auto mark = [&](auto& records) {
+        for (auto& record : records) {
+          if (record.name == name) known = record.order_dependent = true;
+        }
+      };
+      mark(record_.channels);
+      mark(record_.units);
+      if (!known) throw std::logic_error("no channel and no unit has the name " + name);
+    }
   }
 
   /// Runs every unit until none has work left.
@@ -196,17 +207,48 @@ class Join {
     std::function<bool(std::uint64_t&)> run;
   };
 
+  /// Runs a unit until an input is empty; false if one was. Flattened, so that what `step` calls
+  /// is compiled into the loop: half of a unit's time would be calls otherwise.
   template <class U>
-  static bool inputs_ready(U& unit) {
-    return std::apply([](auto&... port) { return (port_ready(port) && ...); }, unit.hls_fields());
+  [[gnu::flatten]] static bool run_unit(U& unit, std::uint64_t& transactions) {
+    bool progress = false;
+    while (const std::size_t ready = transactions_ready(unit)) {
+      for (std::size_t i = 0; i < ready; ++i) unit.step();
+      transactions += ready;
+      progress = true;
+    }
+    return progress;
+  }
+  /// How often a unit can step before it must look at its inputs again.
+  template <class U>
+  static std::size_t transactions_ready(U& unit) {
+    return std::apply([](auto&... port) { return std::min({tokens_ready(port)...}); },
+                      unit.hls_fields());
   }
   template <class P>
-  static bool port_ready(P& port) {
+  static std::size_t tokens_ready(P& port) {
     if constexpr (requires { port.ready(); }) {
       return port.ready();
     } else {
-      return true;
+      return std::numeric_limits<std::size_t>::max();
     }
+  }
+
+  template <class T>
+  static std::vector<FieldRecord> fields_of() {
+    std::vector<FieldRecord> fields;
+    if constexpr (Struct<T>) {
+      const std::vector<std::string> names = split_names(T::hls_field_names());
+      unsigned offset = 0;
+      const auto add = [&](unsigned width) {
+        fields.push_back({names[fields.size()], offset, width});
+        offset += width;
+      };
+      T value{};
+      std::apply([&](auto&... field) { (add(bit_width_of<std::decay_t<decltype(field)>>()), ...); },
+                 value.hls_fields());
+    }
+    return fields;
   }
 
   void add_port(UnitRecord&, const std::string&, Absent&) {}

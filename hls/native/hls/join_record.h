@@ -24,6 +24,7 @@ struct UnitRecord {
   std::string name;
   std::string module;
   std::vector<PortRecord> ports;
+  bool order_dependent = false;  ///< how often it works depends on what is served first
 };
 enum class ChannelKind : std::uint8_t { kChannel, kRepeat, kInput, kOutput, kSink };
 struct ChannelRecord {
@@ -33,7 +34,8 @@ struct ChannelRecord {
   unsigned width;
   unsigned depth;  ///< the most tokens there can be; 0 if there is no such bound
   ChannelKind kind;
-  unsigned repeat_width = 0;  ///< of a repeated job's count
+  unsigned repeat_width = 0;     ///< of a repeated job's count
+  bool order_dependent = false;  ///< how many tokens go by depends on what is served first
 };
 struct RamRecord {
   std::string name;
@@ -50,12 +52,18 @@ struct BankRecord {
   unsigned rows;
   bool write;
 };
+struct FieldRecord {
+  std::string name;
+  unsigned offset;  ///< of the lowest bit
+  unsigned width;
+};
 struct ConfigRecord {
   std::string name;
   std::vector<std::string> to;
   unsigned width;
   bool constant;
   std::uint64_t value;
+  std::vector<FieldRecord> fields = {};  ///< of a struct
 };
 struct JoinRecord {
   std::vector<UnitRecord> units;
@@ -64,6 +72,34 @@ struct JoinRecord {
   std::vector<BankRecord> banks;
   std::vector<ConfigRecord> configs;
 };
+
+struct CounterRecord {
+  std::string name;
+  bool order_independent;  ///< the same whatever the order in which packets are served
+};
+/// What a top counts, in the order of the addresses: tokens of every channel inside, then
+/// transactions and stalls of every unit. How often a unit has to wait always depends on the order.
+inline std::vector<CounterRecord> counters_of(const JoinRecord& join) {
+  std::vector<CounterRecord> counters;
+  for (const ChannelRecord& c : join.channels) {
+    if (c.kind != ChannelKind::kInput && c.kind != ChannelKind::kOutput) {
+      counters.push_back({c.name + ".tokens", !c.order_dependent});
+    }
+  }
+  for (const UnitRecord& unit : join.units) {
+    counters.push_back({unit.name + ".transactions", !unit.order_dependent});
+  }
+  for (const UnitRecord& unit : join.units) counters.push_back({unit.name + ".stalls", false});
+  return counters;
+}
+
+/// A type with its namespaces: "dynrt::List<dynrt::config::thesis>".
+template <class T>
+std::string type_name() {
+  const std::string_view name = __PRETTY_FUNCTION__;  // ... type_name() [T = dynrt::List<...>]
+  const std::size_t begin = name.find("T = ") + 4;
+  return std::string(name.substr(begin, name.size() - 1 - begin));
+}
 
 /// "entry, slot[0], slot[1]" as {"entry", "slot_0", "slot_1"}: the names that hlsc gives the ports.
 inline std::vector<std::string> split_names(std::string_view list) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 namespace {
@@ -235,6 +236,61 @@ TEST(Join, RecordsWhatItConnected) {
   ASSERT_EQ(record.configs.size(), 1u);
   EXPECT_TRUE(record.configs[0].constant);
   EXPECT_EQ(record.configs[0].value, 9u);
+}
+
+TEST(Join, SaysWhichCountersDependOnTheOrder) {
+  Add add;
+  Pair pair;
+  hls::Join join;
+  join.unit("add", "add", add);
+  join.unit("pair", "pair", pair);
+  join.input("left", pair.in[0]);
+  join.channel("sums", add.out, pair.in[1]);
+  join.depends_on_order({"sums", "pair"});
+  std::map<std::string, bool> independent;
+  for (const auto& counter : hls::counters_of(join.record())) {
+    independent[counter.name] = counter.order_independent;
+  }
+  const std::map<std::string, bool> expected = {
+      {"sums.tokens", false}, {"add.transactions", true}, {"pair.transactions", false},
+      {"add.stalls", false},  {"pair.stalls", false},
+  };
+  EXPECT_EQ(independent, expected);
+  EXPECT_THROW(join.depends_on_order({"sum"}), std::logic_error);
+}
+
+struct View {
+  Byte near;
+  std::array<uint<3>, 2> pair;
+  uint<1> flag;
+  HLS_FIELDS(near, pair, flag)
+};
+struct Viewer {
+  hls::In<Byte> in;
+  hls::Config<View> view;
+  HLS_PORTS(in, view)
+  void step() { in.read(); }
+};
+
+TEST(Join, RecordsTheFieldsOfAValue) {
+  Viewer viewer;
+  hls::Join join;
+  join.unit("viewer", "viewer", viewer);
+  join.config<View>("view", std::make_shared<View>(), {&viewer.view});
+  const hls::ConfigRecord& view = join.record().configs.at(0);
+  EXPECT_EQ(view.width, 15u);
+  ASSERT_EQ(view.fields.size(), 3u);
+  EXPECT_EQ(view.fields[0].name, "near");
+  EXPECT_EQ(view.fields[1].name, "pair");
+  EXPECT_EQ(view.fields[1].offset, 8u);
+  EXPECT_EQ(view.fields[1].width, 6u);
+  EXPECT_EQ(view.fields[2].offset, 14u);
+}
+
+TEST(Join, KnowsAUnitsTypeAndFile) {
+  EXPECT_EQ(hls::type_name<Viewer>(), "(anonymous namespace)::Viewer");
+  EXPECT_EQ(hls::type_name<std::vector<uint<3>>>(), "std::vector<hls::uint<3>>");
+  EXPECT_TRUE(Viewer::hls_file().ends_with("native/hls/join_test.cpp")) << Viewer::hls_file();
 }
 
 TEST(Join, APortOfAStrangerIsAnError) {

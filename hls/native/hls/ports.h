@@ -6,6 +6,7 @@
 // sees is decided by the include path alone. A unit lists its ports once with HLS_PORTS.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstdint>
@@ -19,42 +20,54 @@
 
 #include "hls/fields.h"
 
-/// Names the ports of a unit (channels, RAM ports, configuration), all of them.
-#define HLS_PORTS(...) HLS_FIELDS(__VA_ARGS__)
+/// Names the ports of a unit (channels, RAM ports, configuration), all of them; and tells, for
+/// who lowers it, the file that the unit is in.
+#define HLS_PORTS(...)    \
+  HLS_FIELDS(__VA_ARGS__) \
+  static constexpr std::string_view hls_file() { return __FILE__; }
 
 namespace hls {
 
-/// An unbounded first-in first-out queue of tokens; the join bounds it in hardware.
+/// An unbounded first-in first-out queue of tokens; the join bounds it in hardware. A unit mostly
+/// drains it, so the tokens lie in one row and move to its beginning when they come to its end.
 template <class T>
 class Fifo {
  public:
   bool empty() const { return head_ == tail_; }
-  std::size_t size() const { return tail_ - head_; }
+  std::size_t size() const { return static_cast<std::size_t>(tail_ - head_); }
   /// Tokens ever pushed.
-  std::uint64_t pushed() const { return pushed_; }
+  std::uint64_t pushed() const { return moved_ + static_cast<std::uint64_t>(tail_ - row_.get()); }
   void push(const T& token) {
-    if (size() == ring_.size()) grow();
-    ring_[tail_++ & (ring_.size() - 1)] = token;
-    ++pushed_;
+    if (tail_ == end_) make_room();
+    copy_leaves(*tail_++, token);
   }
   T pop() {
     assert(!empty());
-    return ring_[head_++ & (ring_.size() - 1)];
+    return *head_++;
   }
 
  private:
-  void grow() {
-    std::vector<T> wider(ring_.size() * 2);
-    const std::size_t count = size();
-    for (std::size_t i = 0; i < count; ++i) wider[i] = ring_[(head_ + i) & (ring_.size() - 1)];
-    ring_.swap(wider);
-    head_ = 0;
-    tail_ = count;
+  [[gnu::noinline]] void make_room() {
+    const std::size_t waiting = size();
+    moved_ = pushed() - waiting;
+    if (2 * waiting <= room_) {
+      std::move(head_, tail_, row_.get());
+    } else {
+      room_ *= 2;
+      auto wider = std::make_unique<T[]>(room_);
+      std::move(head_, tail_, wider.get());
+      row_ = std::move(wider);
+    }
+    head_ = row_.get();
+    tail_ = head_ + waiting;
+    end_ = head_ + room_;
   }
-  std::vector<T> ring_ = std::vector<T>(16);
-  std::size_t head_ = 0;
-  std::size_t tail_ = 0;
-  std::uint64_t pushed_ = 0;
+  std::size_t room_ = 64;
+  std::unique_ptr<T[]> row_ = std::make_unique<T[]>(room_);
+  T* head_ = row_.get();  ///< the token to pop next
+  T* tail_ = head_;       ///< where to push the next
+  T* end_ = head_ + room_;
+  std::uint64_t moved_ = 0;  ///< tokens pushed and popped before the row's first
 };
 
 /// A channel's reading end. A transaction reads one token from every In of its unit.
@@ -63,7 +76,8 @@ class In {
  public:
   using Token = T;
   T read() { return queue_->pop(); }
-  bool ready() const { return queue_ && !queue_->empty(); }
+  /// Tokens that wait to be read.
+  std::size_t ready() const { return queue_ ? queue_->size() : 0; }
   void bind(std::shared_ptr<Fifo<T>> queue) { queue_ = std::move(queue); }
   const std::shared_ptr<Fifo<T>>& queue() const { return queue_; }
 
@@ -124,15 +138,15 @@ class RamWrite {
   /// A row's number and what was written there.
   using Log = std::vector<std::pair<std::uint64_t, T>>;
   void write(Address address, const T& row) {
-    for (auto& copy : copies_) (*copy)[address.to_u64()] = row;
+    if (rows_) (*rows_)[address.to_u64()] = row;
     if (log_) log_->emplace_back(address.to_u64(), row);
   }
-  void bind(std::shared_ptr<std::vector<T>> rows) { copies_.push_back(std::move(rows)); }
+  void bind(std::shared_ptr<std::vector<T>> rows) { rows_ = std::move(rows); }
   /// From now on appends every write to `log`, for who compares them one by one.
   void record(Log* log) { log_ = log; }
 
  private:
-  std::vector<std::shared_ptr<std::vector<T>>> copies_;
+  std::shared_ptr<std::vector<T>> rows_;
   Log* log_ = nullptr;
 };
 template <class T, unsigned N, unsigned Latency = 1>

@@ -19,7 +19,8 @@ namespace {
 std::unique_ptr<NativeCore> make_core() { return std::make_unique<NativeCoreOf<config::thesis>>(); }
 
 std::string_view stand_in_json() {
-  return R"({"counters": ["stand_in.transactions", "start.tokens"]})";
+  return R"({"counters": [{"name": "stand_in.transactions", "order_independent": true},
+                          {"name": "start.tokens", "order_independent": true}]})";
 }
 
 }  // namespace

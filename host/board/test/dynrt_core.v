@@ -7,6 +7,8 @@
 //   bank 3 [frame_base + p] = bank 0 ^ bank 1, bank 4 [p] = bank 2, bank 5 [p] = ~bank 0
 // one word a clock. Counters: 0 the words written, 1 the start tokens. A background of 32'hdeadbeef
 // makes it hang after the last write, one of 32'h00badbad violates an assertion.
+`include "dynrt_core.vh"
+
 module dynrt_core (
   input  wire          clk_i,
   input  wire          rst_ni,
@@ -16,7 +18,7 @@ module dynrt_core (
   output wire          done_valid_o,
   input  wire          done_ready_i,
   output wire          done_data_o,
-  input  wire [383:0]  frame_i,
+  input  wire [`DYNRT_CORE_FRAME_BITS-1:0] frame_i,
   output wire          bank0_en_o,
   output wire [19:0]   bank0_addr_o,
   input  wire [31:0]   bank0_data_i,
@@ -42,12 +44,12 @@ module dynrt_core (
 
   localparam LATENCY = 3;
 
-  wire [31:0] packets = frame_i[32*0 +: 32];
-  wire [31:0] lines = frame_i[32*1 +: 32] + 32'd1;
-  wire [31:0] width = frame_i[32*2 +: 32];
-  wire [31:0] height = frame_i[32*3 +: 32];
-  wire [31:0] background = frame_i[32*8 +: 32];
-  wire [19:0] frame_base = frame_i[32*9 +: 20];
+  wire [31:0] packets = frame_i[`DYNRT_CORE_FRAME_PACKETS +: 32];
+  wire [31:0] lines = frame_i[`DYNRT_CORE_FRAME_LINE_MASK +: 32] + 32'd1;
+  wire [31:0] width = frame_i[`DYNRT_CORE_FRAME_WIDTH +: 32];
+  wire [31:0] height = frame_i[`DYNRT_CORE_FRAME_HEIGHT +: 32];
+  wire [31:0] background = frame_i[`DYNRT_CORE_FRAME_BACKGROUND +: 32];
+  wire [19:0] frame_base = frame_i[`DYNRT_CORE_FRAME_FRAME_BASE +: 20];
   wire [63:0] words = {32'd0, width} * {32'd0, height};
 
   reg  [31:0] tokens_q;

@@ -79,7 +79,7 @@ module shading #(
   wire [5:0] hit_89_s1 = hit_data_i[94:89];
   wire hit_95_s1 = hit_data_i[95];
   wire hit_96_s1 = hit_data_i[96];
-  wire [16:0] h_object_s1 = hit_data_i[113:97];
+  wire [16:0] hit_97_s1 = hit_data_i[113:97];
   wire [16:0] hit_114_s1 = hit_data_i[130:114];
   wire position_0_s1 = position_data_i[0];
   wire or_1_s1 = job_2_s1 | position_0_s1;  // units/shading.h:39
@@ -88,22 +88,22 @@ module shading #(
   wire or_2_s1 = job_3_s1 | position_10_s1;  // units/shading.h:40
   wire [8:0] position_11_s1 = position_data_i[19:11];
   wire eq_1_s1 = word_s1 == 2'd0;
-  wire lt_3_s1 = {hit_95_s1, hit_89_s1} < 7'd63;  // units/shading.h:76
-  wire [5:0] not_1_s1 = ~hit_89_s1;  // units/shading.h:79
-  wire lt_4_s1 = hit_89_s1 < 6'd55;  // units/shading.h:79
-  wire [8:0] mux_1_s1 = {not_1_s1[5] ? 1'd0 : 1'd1, ~{8{not_1_s1[5]}} & hit_81_s1};  // units/shading.h:79
-  wire [8:0] mux_2_s1 = ~{9{not_1_s1[4]}} & mux_1_s1;  // units/shading.h:79
-  wire [8:0] mux_3_s1 = {~{8{not_1_s1[3]}} & mux_2_s1[8:1], not_1_s1[3] ? mux_2_s1[8] : mux_2_s1[0]};  // units/shading.h:79
-  wire [8:0] mux_4_s1 = {~{4{not_1_s1[2]}} & mux_3_s1[8:5], not_1_s1[2] ? mux_3_s1[8:4] : mux_3_s1[4:0]};  // units/shading.h:79
-  wire [8:0] mux_5_s1 = {~{2{not_1_s1[1]}} & mux_4_s1[8:7], not_1_s1[1] ? mux_4_s1[8:2] : mux_4_s1[6:0]};  // units/shading.h:79
+  wire lt_3_s1 = {hit_95_s1, hit_89_s1} < 7'd63;  // units/shading.h:77
+  wire [5:0] not_1_s1 = ~hit_89_s1;  // units/shading.h:80
+  wire lt_4_s1 = hit_89_s1 < 6'd55;  // units/shading.h:80
+  wire [8:0] mux_1_s1 = {not_1_s1[5] ? 1'd0 : 1'd1, ~{8{not_1_s1[5]}} & hit_81_s1};  // units/shading.h:80
+  wire [8:0] mux_2_s1 = ~{9{not_1_s1[4]}} & mux_1_s1;  // units/shading.h:80
+  wire [8:0] mux_3_s1 = {~{8{not_1_s1[3]}} & mux_2_s1[8:1], not_1_s1[3] ? mux_2_s1[8] : mux_2_s1[0]};  // units/shading.h:80
+  wire [8:0] mux_4_s1 = {~{4{not_1_s1[2]}} & mux_3_s1[8:5], not_1_s1[2] ? mux_3_s1[8:4] : mux_3_s1[4:0]};  // units/shading.h:80
+  wire [8:0] mux_5_s1 = {~{2{not_1_s1[1]}} & mux_4_s1[8:7], not_1_s1[1] ? mux_4_s1[8:2] : mux_4_s1[6:0]};  // units/shading.h:80
   wire [7:0] hit_147_s1 = hit_data_i[154:147];
   wire [7:0] hit_139_s1 = hit_data_i[146:139];
   wire [7:0] hit_131_s1 = hit_data_i[138:131];
-  wire eq_3_s1 = word_s1 == 2'd1;  // units/shading.h:52
-  wire [31:0] mux_10_s1 = {~eq_3_s1 & h_hit_s1, eq_3_s1 ? 7'd0 : 7'd0, {7{eq_3_s1}} & hit_49_s1[23:17], eq_3_s1 ? hit_49_s1[16:0] : h_object_s1};
-  wire [31:0] mux_11_s1 = {~{8{eq_1_s1}} & mux_10_s1[31:24], eq_1_s1 ? hit_1_s1 : mux_10_s1[23:0]};
-  wire [23:0] mux_12_s1 = {{7{eq_3_s1}} & {hit_96_s1, hit_95_s1, hit_89_s1[5:1]}, eq_3_s1 ? {hit_89_s1[0], hit_81_s1, hit_73_s1} : hit_114_s1};  // units/shading.h:55
-  wire [23:0] mux_13_s1 = eq_1_s1 ? hit_25_s1 : mux_12_s1;  // units/shading.h:55
+  wire eq_3_s1 = word_s1 == 2'd1;  // units/shading.h:61
+  wire [31:0] mux_10_s1 = {~eq_3_s1 & h_hit_s1, eq_3_s1 ? 7'd0 : 7'd0, {7{eq_3_s1}} & hit_49_s1[23:17], eq_3_s1 ? hit_49_s1[16:0] : hit_97_s1};  // units/shading.h:51
+  wire [31:0] mux_11_s1 = {~{8{eq_1_s1}} & mux_10_s1[31:24], eq_1_s1 ? hit_1_s1 : mux_10_s1[23:0]};  // units/shading.h:51
+  wire [23:0] mux_12_s1 = {{7{eq_3_s1}} & {hit_96_s1, hit_95_s1, hit_89_s1[5:1]}, eq_3_s1 ? {hit_89_s1[0], hit_81_s1, hit_73_s1} : hit_114_s1};  // units/shading.h:60
+  wire [23:0] mux_13_s1 = eq_1_s1 ? hit_25_s1 : mux_12_s1;  // units/shading.h:60
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -148,9 +148,9 @@ module shading #(
   end
   wire lt_2_s2 = {1'd0, position_11_s2, or_2_s2} < frame_96_config;  // units/shading.h:41
   wire [19:0] mul_1_s2 = {position_11_s2, or_2_s2} * frame_64_config;  // units/shading.h:43
-  wire [8:0] mux_6_s2 = {~not_1_s2 & mux_5_s2[8], not_1_s2 ? mux_5_s2[8:1] : mux_5_s2[7:0]};  // units/shading.h:79
-  wire [8:0] mux_7_s2 = ~{9{lt_4_s2}} & mux_6_s2;  // units/shading.h:82
-  wire [8:0] mux_8_s2 = {~lt_3_s2 | mux_7_s2[8], {8{lt_3_s2}} & mux_7_s2[7:0]};  // units/shading.h:82
+  wire [8:0] mux_6_s2 = {~not_1_s2 & mux_5_s2[8], not_1_s2 ? mux_5_s2[8:1] : mux_5_s2[7:0]};  // units/shading.h:80
+  wire [8:0] mux_7_s2 = ~{9{lt_4_s2}} & mux_6_s2;  // units/shading.h:83
+  wire [8:0] mux_8_s2 = {~lt_3_s2 | mux_7_s2[8], {8{lt_3_s2}} & mux_7_s2[7:0]};  // units/shading.h:83
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -191,9 +191,9 @@ module shading #(
   wire [19:0] pixel_s3 = mul_1_s3 + {10'd0, position_1_s3, or_1_s3};  // units/shading.h:43
   wire and_1_s3 = inside_s3 & eq_1_s3;  // units/shading.h:45
   wire [19:0] add_1_s3 = pixel_s3 + frame_288_config;  // units/shading.h:46
-  wire [15:0] blue_s3 = hit_147_s3 * mux_8_s3;  // units/shading.h:82
-  wire [15:0] green_s3 = mux_8_s3 * hit_139_s3;  // units/shading.h:82
-  wire [15:0] red_s3 = mux_8_s3 * hit_131_s3;  // units/shading.h:82
+  wire [15:0] blue_s3 = hit_147_s3 * mux_8_s3;  // units/shading.h:83
+  wire [15:0] green_s3 = mux_8_s3 * hit_139_s3;  // units/shading.h:83
+  wire [15:0] red_s3 = mux_8_s3 * hit_131_s3;  // units/shading.h:83
   wire and_3_s3 = inside_s3 & ((~(word_s3 == 2'd3)) & frame_320_config);  // units/shading.h:49
   wire [19:0] at_s3 = ({pixel_s3[17:0], 2'd0} - pixel_s3) + {18'd0, word_s3};  // units/shading.h:50
 

@@ -1,0 +1,210 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// FloatCircuit<E, M, R>: the operations of Float<E, M, R> as the hardware has them, from bits to
+// bits. Plain integer arithmetic, no tables, no branches, in widths that are the least that round
+// correctly. Float<7, 16>'s significand fits a signed 18x18 multiplier.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "hls/int.h"
+
+namespace hls {
+
+enum class Rounding : std::uint8_t {
+  kNearestEven,
+  kTruncate,  ///< towards zero
+};
+
+template <unsigned E, unsigned M, Rounding R>
+struct FloatCircuit {
+  static constexpr int kBias = (1 << (E - 1)) - 1;
+  using Bits = uint<1 + E + M>;
+
+  static constexpr bool sign(Bits f) { return f.template bit<E + M>(); }
+  static constexpr uint<E> exponent(Bits f) { return f.template bits<E + M - 1, M>(); }
+  static constexpr uint<M> mantissa(Bits f) { return f.template trunc<M>(); }
+  /// Exponent and mantissa; magnitudes order as these integers do.
+  static constexpr uint<E + M> magnitude(Bits f) { return f.template trunc<E + M>(); }
+  static constexpr Bits assemble(bool sign, uint<E + M> magnitude) {
+    return concat(uint<1>(sign), magnitude);
+  }
+
+  static constexpr Bits sum(Bits a, Bits b) {
+    // The significands are 1.M with kGuard bits behind them; `lost` says whether the smaller one
+    // had more. The sum has one bit before them for the carry.
+    constexpr unsigned kGuard = R == Rounding::kNearestEven ? 2 : 1;
+    constexpr unsigned kN = M + 1 + kGuard;
+    constexpr unsigned kX = max_width(E, index_width(kN + 2)) + 2;
+    const bool swap = magnitude(a) < magnitude(b);
+    const uint<E> ab = (exponent(a) - exponent(b)).as_unsigned().template trunc<E>();
+    const uint<E> ba = (exponent(b) - exponent(a)).as_unsigned().template trunc<E>();
+    const uint<E> distance = select(swap, ba, ab);
+    const Bits larger = select(swap, b, a);
+    const uint<M> smaller = select(swap, mantissa(a), mantissa(b));
+    const bool subtract = sign(a) != sign(b);
+
+    bool lost = false;
+    const uint<kN> aligned = align(concat(with_hidden(smaller), uint<kGuard>(0)), distance, lost);
+    // One addition with carry in, the smaller one's bits inverted to subtract it.
+    const uint<kN + 2> x = concat(with_hidden(mantissa(larger)), uint<kGuard + 1>(0));
+    const uint<kN + 2> y = concat(aligned, uint<1>(lost));
+    const uint<kN + 2> added = y ^ select(subtract, uint<kN + 2>::ones(), uint<kN + 2>(0));
+    const uint<kN + 2> sum =
+        (concat(x, uint<1>(1)) + concat(added, uint<1>(subtract))).template bits<kN + 2, 1>();
+
+    // The last bit, `lost`, is zero wherever more than two places are cancelled: it need not be
+    // shifted.
+    const uint<kN + 1> upper = sum.template bits<kN + 1, 1>();
+    const auto zeros = leading_zeros(upper);
+    const uint<kN + 1> normal = normalise(upper, zeros);
+    const bool nonzero = normal.template bit<kN>();
+    const auto result = sint<kX>(exponent(larger).to_signed()) - sint<kX>(zeros.to_signed());
+    return pack(sign(larger), result.template trunc<kX>(), uint<2>(uint<1>(nonzero)),
+                normal.template trunc<kN>(), sum.template bit<0>(), !nonzero);
+  }
+
+  static constexpr Bits product(Bits a, Bits b) {
+    constexpr unsigned kX = E + 2;
+    const auto product = with_hidden(mantissa(a)) * with_hidden(mantissa(b));
+    const bool top = product.template bit<2 * M + 1>();
+    // The leading one drops out at the top, in whichever of two places it is.
+    const uint<M + 2> fraction = product.template bits<2 * M, M - 1>() << uint<1>(!top);
+    const bool sticky = product.template trunc<M - 1>() != uint<M - 1>(0);
+    // The exponent is a + b - bias + top; the bias's 1 comes in with `top`.
+    const auto result = (exponent(a) + exponent(b)).to_signed() - sint<kX>(1 << (E - 1));
+    return pack(sign(a) != sign(b), result.template trunc<kX>(),
+                concat(uint<1>(top), uint<1>(!top)), fraction, sticky, false);
+  }
+
+  static constexpr Bits quotient(Bits a, Bits b) {
+    // Nearest-even needs one quotient bit behind the mantissa and no remainder: M + 1 bits over
+    // M + 1 bits never lie half way between two numbers.
+    constexpr unsigned kX = E + 2;
+    constexpr unsigned kK = R == Rounding::kNearestEven ? M + 2 : M + 1;
+    const auto quotient = concat(with_hidden(mantissa(a)), uint<kK>(0)) / with_hidden(mantissa(b));
+    const bool top = quotient.template bit<kK>();
+    const uint<kK - 1> fraction =
+        select(top, quotient.template bits<kK - 1, 1>(), quotient.template bits<kK - 2, 0>());
+    const auto result = (exponent(a) - exponent(b)) + sint<kX>(kBias - 1);
+    return pack(sign(a) != sign(b), result.template trunc<kX>(), uint<2>(uint<1>(top)), fraction,
+                true, false);
+  }
+
+  static constexpr bool less(Bits a, Bits b) {
+    // As unsigned integers the patterns order rightly if both are positive, in reverse if any is
+    // negative; a last bit turns the reversed >= into >.
+    const uint<1> reverse = uint<1>(sign(a)) | uint<1>(sign(b));
+    return (concat(a, uint<1>(0)) < concat(b, reverse)) != bool(reverse);
+  }
+
+  /// From the bits of another format.
+  template <unsigned E2, unsigned M2, Rounding R2>
+  static constexpr Bits convert(uint<1 + E2 + M2> bits) {
+    using Other = FloatCircuit<E2, M2, R2>;
+    constexpr unsigned kX = max_width(E, E2) + 2;
+    const auto rebias = sint<kX>::of_raw(kBias - Other::kBias);
+    const auto result = (Other::exponent(bits).to_signed() + rebias).template trunc<kX>();
+    return pack(Other::sign(bits), result, uint<2>(0), Other::mantissa(bits), false, false);
+  }
+  /// Both zeros give the smallest positive number, infinities and NaNs the largest magnitude.
+  static constexpr Bits from_double(double value) {
+    const auto bits = uint<64>::of_raw(std::bit_cast<std::uint64_t>(value));
+    const uint<11> exponent = bits.bits<62, 52>();
+    const uint<52> mantissa = bits.bits<51, 0>();
+    const auto rebias = sint<12>::of_raw(kBias - 1023);
+    const bool zero = bits.trunc<63>() == uint<63>(0);
+    return pack(bits.bit<63>(), exponent.to_signed() + rebias, uint<2>(0), mantissa, false, zero);
+  }
+  template <unsigned W>
+  static constexpr Bits from_uint(uint<W> integer) {
+    constexpr unsigned kW = max_width(W, 2);
+    constexpr unsigned kX = max_width(E, index_width(kW + 1)) + 2;
+    const uint<kW> wide = integer.template zext<kW>();
+    const auto zeros = leading_zeros(wide);
+    const auto result = sint<kX>::of_raw(kBias + static_cast<int>(kW) - 1) - zeros.to_signed();
+    const uint<kW> normal = normalise(wide, zeros);
+    return pack(false, result.template trunc<kX>(), uint<2>(0), normal.template trunc<kW - 1>(),
+                false, !normal.template bit<kW - 1>());
+  }
+
+ private:
+  static constexpr uint<M + 1> with_hidden(uint<M> mantissa) {
+    return concat(uint<1>(1), mantissa);
+  }
+
+  /// Leading zeros, and the value without them. The one counted behind the value says to LLVM that
+  /// neither the count nor the shift can exceed the width: nothing is computed for that case.
+  template <unsigned N>
+  static constexpr auto leading_zeros(uint<N> value) {
+    return count_leading_zeros(concat(value, uint<1>(1)));
+  }
+  template <unsigned N, unsigned Z>
+  static constexpr uint<N> normalise(uint<N> value, uint<Z> zeros) {
+    return (concat(value, uint<1>(0)) << zeros).template bits<N, 1>();
+  }
+
+  /// value >> distance; `lost` if a one was shifted out. The value is not zero.
+  template <unsigned N>
+  static constexpr uint<N> align(uint<N> value, uint<E> distance, bool& lost) {
+    return align_stage<N, index_width(N)>(value, distance, lost);
+  }
+  /// The stages of weight 2^(S-1) and less, S = 0 being the clearing of everything beyond them.
+  template <unsigned N, unsigned S>
+  static constexpr uint<N> align_stage(uint<N> value, uint<E> distance, bool& lost) {
+    if constexpr (S == 0) {
+      if constexpr (index_width(N) < E) {
+        const bool far =
+            distance.template bits<E - 1, index_width(N)>() != uint<E - index_width(N)>(0);
+        lost = lost || far;
+        value = select(far, uint<N>(0), value);
+      }
+      return value;
+    } else if constexpr (S > E) {
+      return align_stage<N, S - 1>(value, distance, lost);
+    } else {
+      constexpr unsigned kBy = 1u << (S - 1);
+      const bool shift = distance.template bit<S - 1>();
+      const bool ones = value.template trunc<kBy>() != uint<kBy>(0);
+      lost = lost || (shift && ones);
+      value = select(shift, value.template shr<kBy>(), value);
+      return align_stage<N, S - 1>(value, distance, lost);
+    }
+  }
+
+  /// Rounds and saturates 1.fraction * 2^(exponent + late - bias). `late` is what becomes known of
+  /// the exponent together with the fraction: it joins in the addition that rounds. `sticky` says
+  /// whether the exact number goes on behind the fraction.
+  template <unsigned X, unsigned F>
+  static constexpr Bits pack(bool sign, sint<X> exponent, uint<2> late, uint<F> fraction,
+                             bool sticky, bool zero) {
+    uint<M> kept;
+    uint<1> up(0);
+    if constexpr (F <= M) {
+      kept = uint<M>::of_raw(
+          static_cast<typename uint<M>::Raw>(fraction.template zext<M>().raw() << (M - F)));
+    } else {
+      kept = fraction.template bits<F - 1, F - M>();
+      if constexpr (R == Rounding::kNearestEven) {
+        bool beyond = sticky;
+        if constexpr (F >= M + 2) {
+          const bool ones = fraction.template trunc<F - M - 1>() != uint<F - M - 1>(0);
+          beyond = beyond || ones;
+        }
+        const uint<1> half(fraction.template bit<F - M - 1>());
+        up = half & (uint<1>(beyond) | kept.template trunc<1>());
+      }
+    }
+    const auto base = concat(concat(exponent.as_unsigned(), uint<M - 1>(0)), up);
+    const auto total = (base + concat(late, kept)).template trunc<X + M>();
+    const bool negative = total.template bit<X + M - 1>();
+    const bool under = negative || zero;
+    const bool over = total.template bits<X + M - 2, E + M>() != uint<X - 1 - E>(0);
+    const uint<E + M> clamped = select(over, uint<E + M>::ones(), total.template trunc<E + M>());
+    return assemble(sign && !zero, select(under, uint<E + M>(0), clamped));
+  }
+};
+
+}  // namespace hls

@@ -1,0 +1,58 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Light columns: makes the matrix of a light ray (thesis 6.2.2), on the way from the matrix cache
+// to the matrix store. In the memory a light is a matrix: columns 2 and 3 hold its position, row 0
+// of column 0 its intensity, the spare bytes of column 0 its colour. Columns 0 and 1 of the matrix
+// that makes the ray are origin and direction of the ray that hit the surface.
+#pragma once
+
+#include "units/tokens.h"
+
+namespace dynrt {
+
+/// The light that a packet's light rays come from.
+template <class C>
+struct LightPower {
+  typename C::Real intensity;
+  uint<24> colour;  ///< red lowest
+  HLS_FIELDS(intensity, colour)
+};
+
+template <class C>
+struct LightColumns {
+  using Real = typename C::Real;
+  using Column = CacheReply<ColumnContext<C>, MatrixColumn>;
+  static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
+
+  hls::In<Column> fetched;
+  hls::Out<Column> column;
+  hls::RamRead<Ray<Real>, kRayRows<C>> arriving;
+  hls::RamWrite<LightPower<C>, kPackets> light;
+  HLS_PORTS(fetched, column, arriving, light)
+
+  void step() {
+    Column c = fetched.read();
+    const DerivedRay derived = c.context.extras.derived.get();
+    const bool is_light =
+        c.context.kind == TransformKind::kDerive && derived.pass == Derivation::kLight;
+    const bool first = c.context.column == uint<2>(0);
+    const Ray<Real> ray = arriving.read(ray_row<C>(c.context.packet, derived.ray));
+    if (is_light && first) {
+      const auto& row = c.line.row;
+      light.write(
+          c.context.packet,
+          LightPower<C>{Real(row[0].value),
+                        hls::concat(row[2].spare, hls::concat(row[1].spare, row[0].spare))});
+    }
+    if (is_light && !c.context.column.template bit<1>()) {
+      const Vector<Real> v = first ? ray.origin : ray.direction;
+      c.line.row[0].value = dynrt::Real(v.x);
+      c.line.row[1].value = dynrt::Real(v.y);
+      c.line.row[2].value = dynrt::Real(v.z);
+    }
+    column.write(c);
+  }
+};
+
+}  // namespace dynrt

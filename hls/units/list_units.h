@@ -1,0 +1,44 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The units of a configuration, one line for each module:
+//   thesis|list|units/list.h|dynrt::List<dynrt::config::thesis>
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <set>
+#include <string>
+
+#include "units/core.h"
+
+namespace dynrt {
+
+/// Collects the lines of configuration `config`.
+class UnitLines {
+ public:
+  explicit UnitLines(std::string config) : config_(std::move(config)) {}
+  template <class U>
+  void unit(const std::string& /*name*/, const std::string& module, U& /*unit*/) {
+    if (!modules_.insert(module).second) return;
+    // However the compiler was told the path, its end is what a header is included by.
+    const std::string file(U::hls_file());
+    text_ += config_ + "|" + module + "|" + file.substr(file.rfind("units/")) + "|" +
+             hls::type_name<U>() + "\n";
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string config_;
+  std::set<std::string> modules_;
+  std::string text_;
+};
+
+template <class C>
+void list_units(const char* config) {
+  UnitLines lines(config);
+  std::make_unique<Core<C>>()->name_units(lines);
+  std::fputs(lines.text().c_str(), stdout);
+}
+
+}  // namespace dynrt

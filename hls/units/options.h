@@ -1,0 +1,32 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a configuration chooses between, where that is neither a number nor a yes or no
+// (hls/configs/generate).
+#pragma once
+
+#include <cstdint>
+
+namespace dynrt {
+
+/// What happens to a packet whose rays do not agree on which child comes first (thesis 3.1.3).
+enum class Crossing : std::uint8_t {
+  kNone,      ///< the first ray's order is taken: right for rays of one origin
+  kSplit,     ///< packets are split by the signs of their rays' directions
+  kRemember,  ///< the child that is left out for now is remembered
+};
+
+/// What is stored of a triangle (thesis 5.1).
+enum class TriangleMatrix : std::uint8_t {
+  kNormalConsistent,  ///< 12 numbers: the plane's normal is a row
+  kMemoryEfficient,   ///< 9 numbers, and two bits that say which column is (1, 1, 1)
+};
+
+/// The unit objects that are intersected (thesis 5.2).
+struct Primitives {
+  bool triangle = false;
+  bool sphere = false;  ///< hence every ellipsoid
+  bool rectangle = false;
+};
+
+}  // namespace dynrt
