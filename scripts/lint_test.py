@@ -108,6 +108,21 @@ class Lint(Planted):
         self.assert_lint({"rtl/generated/thesis/unit.v": UNIT.replace("  ram u_ram", "  rom u_ram")},
                          "Module `\\rom' referenced in module `\\unit'")
 
+    def test_another_configuration_is_linted_instead(self):
+        bad = UNIT.replace("  wire [31:0] row;", "  wire x;\n  wire [31:0] row;")
+        built = {"build/release/generated/huge/unit.v": bad}
+        result, _ = self.run_script(built, "lint")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for flags in (("--config", "huge"), ("--config", "huge", "--build", "build/release")):
+            result, _ = self.run_script(built, "lint", *flags)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn("verilator: build/release/generated/huge/unit.v\n", result.stderr)
+            self.assertIn("Signal is not driven, nor used: 'x'", result.stderr)
+        result, _ = self.run_script(built, "lint", "--config", "huge", "--build", "elsewhere")
+        self.assertEqual(result.stderr,
+                         "lint: no generated Verilog of configuration 'huge'; 'thesis' is checked "
+                         "in, the others are in elsewhere once it is built\n")
+
     def test_no_verilog_is_not_a_pass(self):
         with tempfile.TemporaryDirectory() as name:
             shutil.copytree(SCRIPTS, pathlib.Path(name, "scripts"))
@@ -137,8 +152,17 @@ class Synth(Planted):
     def test_unknown_configuration(self):
         result, _ = self.run_script({}, "synth", "--config", "huge")
         self.assertEqual(result.returncode, 1)
-        self.assertIn("no generated Verilog of configuration 'huge'; 'thesis' is checked in",
+        self.assertIn("synth: no generated Verilog of configuration 'huge'; 'thesis' is checked in",
                       result.stderr)
+
+    def test_output_is_checked_before_the_work(self):
+        result, _ = self.run_script({}, "synth", "no_such_unit", "--json", "no/where/x.json")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr, "synth: --json no/where/x.json: there is no folder "
+                         "'no/where'; create it or name a file elsewhere\n")
+        result, _ = self.run_script({}, "synth", "no_such_unit", "--json", "rtl")
+        self.assertEqual(result.stderr,
+                         "synth: --json rtl: cannot be written; name a file that can\n")
 
     def test_what_cannot_be_synthesized_is_a_failure(self):
         bad = UNIT.replace("  ram u_ram", "  rom u_ram")

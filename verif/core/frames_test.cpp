@@ -34,10 +34,10 @@ std::unique_ptr<Board> make_checked_board(const std::string& name, int seed) {
   return std::make_unique<RtlBoard>(name, c->traced("", seed), counters_of(c->core_json()));
 }
 
-Prepared blocks(unsigned width, unsigned height) {
+Prepared prepare_scene(const char* name, const FrameOptions& options) {
   SceneArguments arguments;
-  arguments.scene = "blocks";
-  return prepare(arguments, width, height);
+  arguments.scene = name;
+  return prepare(arguments, options.width, options.height);
 }
 
 void expect_identical(const Frame& rtl, const Frame& model) {
@@ -64,7 +64,7 @@ TEST_P(Frames, RtlIsTheModel) {
   if (packets != kAll) options.packets = std::min(packets, rtl->info().packets);
   if (lines != kAll) options.lines = std::min(lines, rtl->info().cache_lines);
   options.timeout = 1'000'000;
-  const Prepared scene = blocks(options.width, options.height);
+  const Prepared scene = prepare_scene("blocks", options);
   const Frame expected = render_on(*model, options, scene);
   const Frame frame = render_on(*rtl, options, scene);
   expect_identical(frame, expected);
@@ -90,19 +90,29 @@ INSTANTIATE_TEST_SUITE_P(Every, Frames,
 
 class Assertions : public testing::TestWithParam<std::string> {};
 
-TEST_P(Assertions, HoldWhateverTheCoreStartsWith) {
-  const auto model = make_board(configurations(), {"model", GetParam(), ""});
+/// Renders on the checked board, once for each seed.
+void expect_assertions_hold(const std::string& configuration, const char* scene_name,
+                            unsigned width, unsigned height, std::initializer_list<int> seeds) {
+  const auto model = make_board(configurations(), {"model", configuration, ""});
   FrameOptions options;
-  options.width = 32;
-  options.height = 24;
+  options.width = width;
+  options.height = height;
   options.timeout = 1'000'000;
-  const Prepared scene = blocks(options.width, options.height);
+  const Prepared scene = prepare_scene(scene_name, options);
   const Frame expected = render_on(*model, options, scene);
-  for (const int seed : {2, 3, 4}) {
+  for (const int seed : seeds) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
-    const auto checked = make_checked_board(GetParam(), seed);
+    const auto checked = make_checked_board(configuration, seed);
     expect_identical(render_on(*checked, options, scene), expected);
   }
+}
+
+TEST_P(Assertions, HoldWhateverTheCoreStartsWith) {
+  expect_assertions_hold(GetParam(), "blocks", 32, 24, {2, 3, 4});
+}
+
+TEST_P(Assertions, SlowHoldInTheOffice) {
+  expect_assertions_hold(GetParam(), "office", 256, 192, {5});
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, Assertions, testing::ValuesIn(names_with_rtl()),

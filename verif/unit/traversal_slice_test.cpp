@@ -12,6 +12,8 @@
 namespace dynrt::cosim {
 namespace {
 
+constexpr unsigned kStackRows = 1u << StackPointer<C>::kWidth;  ///< of a packet and level
+
 /// An interval is initialised before it is used, and a far end is pushed before it is popped.
 class Stimulus {
  public:
@@ -19,7 +21,8 @@ class Stimulus {
   void draw(Step<C>& s, Random& random) {
     StepContext<C>& c = s.context;
     c.packet = packets_.next(random);
-    c.stack = number_below<StackPointer<C>::kWidth>(random, 4);
+    // Often one of a few rows, so that they are pushed to and popped from in quick succession.
+    c.stack = number_below<StackPointer<C>::kWidth>(random, random.below(2) ? 4 : kStackRows);
     c.update = any_of<IntervalUpdate>(random, 5);
     const State& state = at(c);
     if (!state.initialised || random.below(64) == 0) c.update = IntervalUpdate::kInit;
@@ -38,7 +41,7 @@ class Stimulus {
  private:
   struct State {
     bool initialised = false;
-    std::bitset<1u << StackPointer<C>::kWidth> pushed;
+    std::bitset<kStackRows> pushed;
   };
   State& at(const StepContext<C>& c) { return states_[c.level.to_u64()][c.packet.to_u64()]; }
   Packets packets_;
