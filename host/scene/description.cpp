@@ -35,7 +35,7 @@ class Description {
       : file_(file), parts_(file, packages, scene_) {}
 
   Scene run() {
-    file_.only({"about", "colours", "objects", "instances", "scatter", "camera", "path"});
+    file_.only({"about", "colours", "objects", "instances", "scatter", "camera", "path", "lights"});
     scene_.name = std::filesystem::path(file_.file()).stem().string();
     for (const JsonReader& object : file_.objects("objects")) add_object(object);
     if (file_.has("instances")) {
@@ -55,6 +55,9 @@ class Description {
     require_every_object_used();
     if (file_.has("camera")) add_camera(file_.object("camera"));
     if (file_.has("path")) add_path();
+    if (file_.has("lights")) {
+      for (const JsonReader& light : file_.objects("lights")) add_light(light);
+    }
     move_to(scene_, 0.0);
     return std::move(scene_);
   }
@@ -165,6 +168,16 @@ class Description {
       if (text.starts_with(at.file())) throw;
       fail(at, text);
     }
+  }
+
+  void add_light(const JsonReader& at) {
+    at.only({"name", "position", "colour", "intensity"});
+    PointLight light;
+    light.name = at.text("name", "light#" + std::to_string(scene_.lights.size()));
+    light.position = at.vector("position");
+    if (at.has("colour")) light.colour = parts_.colour(at, "colour");
+    if (at.has("intensity")) light.colour *= at.positive("intensity");
+    scene_.lights.push_back(std::move(light));
   }
 
   void add_path() {

@@ -31,7 +31,6 @@ Mesh PartReader::read(const JsonReader& part) {
   fail(part, wording::kPartKind);
 }
 
-// A name of the file's "colours" or three numbers in [0, 1].
 glm::dvec3 PartReader::colour(const JsonReader& at, const std::string& key) const {
   if (at.has(key) && at.is_text(key)) {
     const std::string name = at.text(key);
@@ -62,6 +61,19 @@ void PartReader::repaint(const JsonReader& colours, Scene& model) const {
   }
 }
 
+// What "mirror" names: materials of a model, textures of a map. A map has many materials of a name.
+void PartReader::polish(const JsonReader& part, Scene& model) const {
+  if (!part.has("mirror")) return;
+  std::set<std::string> names;
+  for (const Material& material : model.materials) names.insert(material.name);
+  for (const std::string& name : part.texts("mirror")) {
+    if (!names.contains(name)) {
+      fail(part, fmt::format(wording::kNoMaterial, name, fmt::join(names, ", ")));
+    }
+    for (Material& material : model.materials) material.mirror |= material.name == name;
+  }
+}
+
 // The one object of a scene, whose materials become the whole's.
 Mesh PartReader::take(Scene&& part, const std::string& prefix) {
   const auto first = static_cast<uint32_t>(scene_.materials.size());
@@ -77,7 +89,7 @@ Mesh PartReader::take(Scene&& part, const std::string& prefix) {
 }
 
 Mesh PartReader::model(const JsonReader& part) {
-  part.only({"model", "position", "turn", "size", "colours"});
+  part.only({"model", "position", "turn", "size", "colours", "mirror"});
   if (!furniture_) furniture_.emplace(packages_.furniture);
   const std::string id = part.text("model");
   const auto entry = furniture_->find(id);
@@ -89,11 +101,13 @@ Mesh PartReader::model(const JsonReader& part) {
   }
   Scene model = furniture_->load(*entry, size);
   if (part.has("colours")) repaint(part.object("colours"), model);
+  polish(part, model);
   return take(std::move(model), id);
 }
 
 Mesh PartReader::map(const JsonReader& part) {
-  part.only({"map", "tessellation", "scale", "baked_light", "colours", "position", "turn"});
+  part.only(
+      {"map", "tessellation", "scale", "baked_light", "colours", "mirror", "position", "turn"});
   std::map<std::string, glm::dvec3> colours;
   if (part.has("colours")) {
     const JsonReader list = part.object("colours");
@@ -119,31 +133,35 @@ Mesh PartReader::map(const JsonReader& part) {
   }
   const double scale = part.has("scale") ? part.positive("scale") : 1.0;
   for (glm::dvec3& vertex : map.objects[0].vertices) vertex *= scale;
+  polish(part, map);
   return take(std::move(map), name);
 }
 
 Mesh PartReader::generated(const JsonReader& part) {
   const std::string shape = part.text("generate");
-  scene_.materials.push_back({part.text("name", shape), colour(part, "colour")});
+  scene_.materials.push_back(
+      {part.text("name", shape), colour(part, "colour"), part.flag("mirror", false)});
   const auto material = static_cast<uint32_t>(scene_.materials.size() - 1);
   if (shape == "box") {
-    part.only({"generate", "name", "colour", "from", "to", "position", "turn"});
+    part.only({"generate", "name", "colour", "mirror", "from", "to", "position", "turn"});
     const glm::dvec3 low = part.vector("from"), high = part.vector("to");
     if (!glm::all(glm::lessThan(low, high))) fail(part, wording::kBoxCorners);
     return make_box(low, high, material);
   }
   if (shape == "sphere") {
-    part.only({"generate", "name", "colour", "radius", "subdivisions", "position", "turn"});
+    part.only(
+        {"generate", "name", "colour", "mirror", "radius", "subdivisions", "position", "turn"});
     return make_sphere(part.positive("radius"), part.integer("subdivisions", 0, 6), material);
   }
   if (shape == "torus") {
-    part.only({"generate", "name", "colour", "major_radius", "minor_radius", "segments", "sides",
-               "position", "turn"});
+    part.only({"generate", "name", "colour", "mirror", "major_radius", "minor_radius", "segments",
+               "sides", "position", "turn"});
     return make_torus(part.positive("major_radius"), part.positive("minor_radius"),
                       part.integer("segments", 3, 512), part.integer("sides", 3, 512), material);
   }
   if (shape == "hills") {
-    part.only({"generate", "name", "colour", "side", "height", "cells", "position", "turn"});
+    part.only(
+        {"generate", "name", "colour", "mirror", "side", "height", "cells", "position", "turn"});
     return make_hills(part.positive("side"), part.number("height"), part.integer("cells", 1, 250),
                       material);
   }

@@ -26,12 +26,15 @@ class PartReader {
   // Throws UserError when the part is not as it should be.
   Mesh read(const JsonReader& part);
 
+  // A name of the file's "colours" or three numbers in [0, 1].
+  glm::dvec3 colour(const JsonReader& at, const std::string& key) const;
+
  private:
   Mesh model(const JsonReader& part);
   Mesh map(const JsonReader& part);
   Mesh generated(const JsonReader& part);
 
-  glm::dvec3 colour(const JsonReader& at, const std::string& key) const;
+  void polish(const JsonReader& part, Scene& model) const;
   void repaint(const JsonReader& colours, Scene& model) const;
   Mesh take(Scene&& part, const std::string& prefix);
 

@@ -271,7 +271,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "expected string literal"},
         Mistake{"\"camera\"", "\"kamera\"",
                 ": the file: the key 'kamera' is not known; it takes about, colours, objects, "
-                "instances, scatter, camera, path"},
+                "instances, scatter, camera, path, lights"},
         Mistake{"\"objects\"", "\"about\"", ": the file: the key 'objects' is missing"},
         Mistake{"\"name\": \"b\"", "\"name\": 5", ": objects[0]: 'name' must be a text"},
         Mistake{"[{\"generate\"", "[5, {\"generate\"",
@@ -289,7 +289,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"\"generate\": \"box\"",
                 "\"generate\": \"sphere\", \"radius\": 1, \"subdivisions\": 99",
                 ": objects[0].parts[0]: the key 'from' is not known; it takes generate, name, "
-                "colour, radius, subdivisions, position, turn"},
+                "colour, mirror, radius, subdivisions, position, turn"},
         Mistake{"\"to\": [1, 1, 1]", "\"to\": [1, 0, 1]",
                 ": objects[0].parts[0]: 'from' must be below 'to' on every axis"},
         Mistake{"\"colour\": \"green\"", "\"colour\": \"grene\"",
@@ -347,6 +347,55 @@ TEST(Description, NamesWhatIsWrongWithAShape) {
             ": objects[0].parts[0]: 'subdivisions' must be a whole number from 0 to 6");
   EXPECT_EQ(error(R"("generate": "torus", "major_radius": 1, "minor_radius": 1, "segments": 3.5)"),
             ": objects[0].parts[0]: 'segments' must be a whole number from 3 to 512");
+}
+
+constexpr char kLit[] = R"({
+  "colours": {"warm": [1, 0.8, 0.5]},
+  "objects": [{"name": "o", "parts": [
+    {"model": "Scopia#bandeja", "mirror": ["transparent"]},
+    {"generate": "box", "name": "plate", "from": [0, 0, 0], "to": [1, 1, 1], "colour": [1, 1, 1], "mirror": true},
+    {"generate": "box", "name": "dull", "from": [0, 2, 0], "to": [1, 3, 1], "colour": [1, 1, 1]}]}],
+  "lights": [{"name": "lamp", "position": [1, 2, 3], "colour": "warm", "intensity": 10},
+             {"position": [4, 5, 6]}]
+})";
+
+TEST(Description, KeepsLightsAndMirrors) {
+  const TestFolder folder;
+  const Scene scene = load_scene(folder.write("l.json", kLit));
+  ASSERT_EQ(scene.lights.size(), 2u);
+  EXPECT_EQ(scene.lights[0].name, "lamp");
+  EXPECT_EQ(scene.lights[0].position, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(scene.lights[0].colour, glm::dvec3(10, 8, 5));
+  EXPECT_EQ(scene.lights[1].name, "light#1");
+  EXPECT_EQ(scene.lights[1].colour, glm::dvec3(1));
+  int mirrors = 0;
+  for (const Material& material : scene.materials) {
+    const bool expected = material.name == "Scopia#bandeja/transparent" || material.name == "plate";
+    EXPECT_EQ(material.mirror, expected) << material.name;
+    mirrors += material.mirror;
+  }
+  EXPECT_EQ(mirrors, 2);
+}
+
+TEST(Description, NamesMistakesInLightsAndMirrors) {
+  const TestFolder folder;
+  const auto error = [&](const char* what, const char* with) {
+    const std::string path = folder.write("l.json", replaced(kLit, what, with));
+    return user_error([&] { load_scene(path); }).substr(path.size());
+  };
+  EXPECT_EQ(error("[\"transparent\"]", "[\"glass\"]"),
+            ": objects[0].parts[0]: the model has no material 'glass'; it has DefaultMaterial, "
+            "transparent");
+  EXPECT_EQ(error("[\"transparent\"]", "true"),
+            ": objects[0].parts[0]: 'mirror' must be a list of texts");
+  EXPECT_EQ(error("\"mirror\": true", "\"mirror\": [\"plate\"]"),
+            ": objects[0].parts[1]: 'mirror' must be true or false");
+  EXPECT_EQ(error("\"warm\",", "\"cold\","),
+            ": lights[0]: 'cold' is not one of the file's colours");
+  EXPECT_EQ(error("\"intensity\": 10", "\"intensity\": 0"),
+            ": lights[0]: 'intensity' must be a number above zero");
+  EXPECT_EQ(error("{\"position\": [4, 5, 6]}", "{\"at\": [4, 5, 6]}"),
+            ": lights[1]: the key 'at' is not known; it takes name, position, colour, intensity");
 }
 
 TEST(Description, NamesObjectsThatAreDoubledOrUnused) {

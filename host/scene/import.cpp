@@ -11,16 +11,12 @@
 #include <assimp/LogStream.hpp>
 #include <cmath>
 #include <filesystem>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <glm/trigonometric.hpp>
-#include <map>
 #include <string_view>
 
-#include "host/scene/camera.h"
+#include "host/scene/assimp_scene.h"
 #include "host/scene/check_file.h"
-#include "host/scene/mesh_builder.h"
 #include "host/scene/text_lines.h"
 #include "host/scene/wording.h"
 
@@ -34,13 +30,6 @@ namespace dynrt::host {
 namespace {
 
 constexpr double kSingular = 1e-12;  // the volume that three unit axes must exceed
-
-glm::dvec3 to_glm(const aiVector3D& v) { return {v.x, v.y, v.z}; }
-
-glm::dmat4 to_glm(const aiMatrix4x4& m) {  // Assimp's rows to GLM's columns
-  return {m.a1, m.b1, m.c1, m.d1, m.a2, m.b2, m.c2, m.d2,
-          m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4};
-}
 
 std::string one_sentence(std::string text) {
   for (char& c : text) {
@@ -94,125 +83,6 @@ void check_mesh(const aiMesh& mesh, const std::string& label) {
   }
 }
 
-class Conversion {
- public:
-  Conversion(const aiScene& from, const std::string& label, bool flat)
-      : from_(from), label_(label), flat_(flat) {}
-
-  Scene run() {
-    scene_.name = std::filesystem::path(label_).stem().string();
-    for (unsigned i = 0; i < from_.mNumMaterials; ++i) material(*from_.mMaterials[i]);
-    if (flat_) {
-      MeshBuilder builder(scene_.name);
-      flatten(*from_.mRootNode, builder);
-      keep(std::move(builder), {scene_.name, 0, glm::dmat4(1.0)});
-    } else {
-      instances(*from_.mRootNode, glm::dmat4(1.0));
-    }
-    return std::move(scene_);
-  }
-
- private:
-  void material(const aiMaterial& from) {
-    Material material;
-    aiColor3D diffuse;
-    if (from.Get(AI_MATKEY_COLOR_DIFFUSE, diffuse) == aiReturn_SUCCESS) {
-      const glm::dvec3 colour(diffuse.r, diffuse.g, diffuse.b);
-      if (std::isfinite(colour.x + colour.y + colour.z)) {
-        material.diffuse = glm::clamp(colour, 0.0, 1.0);
-      }
-    }
-    material.name = from.GetName().C_Str();
-    scene_.materials.push_back(std::move(material));
-  }
-
-  void add(const aiMesh& mesh, MeshBuilder& builder) {
-    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
-      const aiFace& face = mesh.mFaces[f];
-      if (face.mNumIndices != 3) {
-        ++scene_.dropped.points_and_lines;
-        continue;
-      }
-      const unsigned* i = face.mIndices;
-      builder.add(to_glm(mesh.mVertices[i[0]]), to_glm(mesh.mVertices[i[1]]),
-                  to_glm(mesh.mVertices[i[2]]), mesh.mMaterialIndex);
-    }
-  }
-
-  void flatten(const aiNode& node, MeshBuilder& builder) {
-    for (unsigned m = 0; m < node.mNumMeshes; ++m) add(*from_.mMeshes[node.mMeshes[m]], builder);
-    for (unsigned c = 0; c < node.mNumChildren; ++c) flatten(*node.mChildren[c], builder);
-  }
-
-  // Takes over what was built, unless nothing is left of it.
-  bool keep(MeshBuilder&& builder, Instance instance) {
-    scene_.dropped.zero_area_triangles += builder.zero_area_triangles();
-    Mesh mesh = builder.take();
-    if (mesh.triangles.empty()) return false;
-    instance.object = static_cast<uint32_t>(scene_.objects.size());
-    scene_.objects.push_back(std::move(mesh));
-    scene_.instances.push_back(std::move(instance));
-    return true;
-  }
-
-  void instances(const aiNode& node, const glm::dmat4& parent) {
-    const glm::dmat4 transform = parent * to_glm(node.mTransformation);
-    const std::string name = node.mName.C_Str();
-    if (node.mNumMeshes > 0) {
-      const std::vector<unsigned> meshes(node.mMeshes, node.mMeshes + node.mNumMeshes);
-      Instance instance{name, 0, transform};
-      require_inverse(instance, label_);
-      const auto known = object_of_.find(meshes);
-      if (known == object_of_.end()) {
-        MeshBuilder builder(object_name(meshes));
-        for (const unsigned m : meshes) add(*from_.mMeshes[m], builder);
-        const bool kept = keep(std::move(builder), std::move(instance));
-        object_of_[meshes] = kept ? static_cast<int>(scene_.objects.size()) - 1 : kNothingLeft;
-      } else if (known->second != kNothingLeft) {
-        instance.object = static_cast<uint32_t>(known->second);
-        scene_.instances.push_back(std::move(instance));
-      }
-    }
-    for (unsigned c = 0; !scene_.camera && c < from_.mNumCameras; ++c) {
-      if (from_.mCameras[c]->mName == node.mName) camera(*from_.mCameras[c], transform);
-    }
-    for (unsigned c = 0; c < node.mNumChildren; ++c) instances(*node.mChildren[c], transform);
-  }
-
-  // Assimp makes meshes NAME-0, NAME-1, ... of the primitives of one glTF mesh.
-  std::string object_name(const std::vector<unsigned>& meshes) const {
-    std::string name = from_.mMeshes[meshes[0]]->mName.C_Str();
-    if (meshes.size() > 1 && name.ends_with("-0")) name.resize(name.size() - 2);
-    return name;
-  }
-
-  void camera(const aiCamera& from, const glm::dmat4& transform) {
-    // A glTF camera looks along -z of its node, y up; Assimp 5.2 repeats the node's translation in
-    // mPosition, and its "horizontal" angle is the file's vertical one times the aspect.
-    const double aspect = from.mAspect > 0.0f ? from.mAspect : 1.0;
-    const double field_of_view = glm::degrees(from.mHorizontalFOV / aspect);
-    if (!(field_of_view > 0.0)) {
-      scene_.notes.push_back(
-          fmt::format(wording::kCameraNotPerspective, label_, from.mName.C_Str()));
-      return;
-    }
-    const glm::dvec3 position(transform[3]), back(transform[2]), up(transform[1]);
-    try {
-      scene_.camera = look_at(position, position - back, up, field_of_view, 1.0);
-    } catch (const UserError& error) {
-      wording::fail(wording::kCameraNode, label_, from.mName.C_Str(), error.what());
-    }
-  }
-
-  static constexpr int kNothingLeft = -1;
-
-  const aiScene& from_;
-  const std::string& label_;
-  const bool flat_;
-  Scene scene_;
-  std::map<std::vector<unsigned>, int> object_of_;
-};
-
 Scene convert(Assimp::Importer& importer, const std::string& path, const std::string& label,
               bool flat, const char* format) {
   const aiScene* scene = nullptr;
@@ -232,7 +102,7 @@ Scene convert(Assimp::Importer& importer, const std::string& path, const std::st
   if (scene == nullptr || scene->mRootNode == nullptr) {
     wording::fail(wording::kRejected, label, format, one_sentence(importer.GetErrorString()));
   }
-  Scene result = Conversion(*scene, label, flat).run();
+  Scene result = convert_assimp(*scene, label, flat);
   if (result.instances.empty()) {
     wording::fail(wording::kNoTriangles, label, result.dropped.zero_area_triangles,
                   result.dropped.points_and_lines);

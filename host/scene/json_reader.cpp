@@ -135,6 +135,15 @@ std::vector<glm::dvec3> JsonReader::vectors(const std::string& key) const {
   return vectors;
 }
 
+std::vector<std::string> JsonReader::texts(const std::string& key) const {
+  const nlohmann::json& list = at(key);
+  const auto is_text = [](const nlohmann::json& text) { return text.is_string(); };
+  if (!list.is_array() || !std::all_of(list.begin(), list.end(), is_text)) {
+    wrong_type(key, "a list of texts");
+  }
+  return list.get<std::vector<std::string>>();
+}
+
 JsonReader JsonReader::object(const std::string& key) const {
   if (!at(key).is_object()) wrong_type(key, "an object, {...}");
   return {file_, below(key), at(key)};

@@ -38,6 +38,7 @@ class JsonReader {
   glm::dvec3 vector(const std::string& key) const;
   glm::dvec2 pair(const std::string& key) const;                  // [a, b]
   std::vector<glm::dvec3> vectors(const std::string& key) const;  // [[a, b, c], ...]
+  std::vector<std::string> texts(const std::string& key) const;
   JsonReader object(const std::string& key) const;
   std::vector<JsonReader> objects(const std::string& key) const;  // of an array
   std::vector<std::string> keys() const;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What a scene is before it is packed for the board: objects made of triangles, instances of them
-// placed in the world, a camera, and how these move. All in doubles: rounding to the core's format
-// happens once, when the memory image is written. Lengths are in the file's unit (metres in
+// placed in the world, lights, a camera, and how these move. All in doubles: rounding to the core's
+// format happens once, when the memory image is written. Lengths are in the file's unit (metres in
 // scenes/*.json), times in seconds, colours in [0, 1], angles nowhere. A loaded scene has at least
 // one triangle, finite vertices, no triangle of zero area and only instances whose transform has an
 // inverse.
@@ -24,6 +24,7 @@ namespace dynrt::host {
 struct Material {
   std::string name;
   glm::dvec3 diffuse{0.8};
+  bool mirror = false;  // reflects
 };
 
 // An object: what a bottom-level tree is built over.
@@ -78,6 +79,14 @@ struct PathKey {
   glm::dvec3 look_at{0.0};
 };
 
+// Shines from a point in all directions. The colour, times the light's intensity, is not negative
+// and may be above 1; its unit is the file's (candela in glTF).
+struct PointLight {
+  std::string name;
+  glm::dvec3 position{0.0};
+  glm::dvec3 colour{1.0};
+};
+
 // What the import left out, for the report.
 struct ImportCounts {
   std::size_t zero_area_triangles = 0;
@@ -90,6 +99,7 @@ struct Scene {
   std::vector<Mesh> objects;
   std::vector<Instance> instances;
   std::optional<Camera> camera;  // of the file, for a square image: camera.h fits it to another
+  std::vector<PointLight> lights;
   std::vector<MotionNode> motion;
   std::optional<uint32_t> camera_motion = std::nullopt;  // what moves the camera, in its place
   std::vector<PathKey> path;                             // the same, in order of time

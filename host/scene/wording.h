@@ -41,7 +41,17 @@ inline constexpr Text kCameraNode = "{}: node '{}': {}";
 inline constexpr Text kNoTriangles =
     "{}: the scene has no triangles ({} of zero area, {} points and lines left out)";
 
+inline constexpr Text kNoKeyframes =
+    "{}: the animation '{}' moves no node; give it a channel of translation, rotation or scale";
+inline constexpr Text kKeyframe =
+    "{}: node '{}': keyframe {} of its animation, at {} seconds, cannot be used; times must rise "
+    "from at least 0, values be finite, rotations not zero";
+inline constexpr Text kLight =
+    "{}: light '{}': its position and its colour must be finite and the colour not negative";
+
 // Notes, which stop nothing
+inline constexpr Text kAnimations = "{}: has {} animations, of which only the first, '{}', is used";
+inline constexpr Text kLightNotPoint = "{}: light '{}' is not a point light and was left out";
 inline constexpr Text kCameraNotPerspective =
     "{}: camera '{}' is not a perspective camera and was left out";
 inline constexpr Text kNoMaterialFile =

@@ -1,0 +1,192 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// glTF files that move, shine and reflect; import_test.cpp has the rest of what Assimp gives.
+#include "host/scene/assimp_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "host/scene/animation.h"
+#include "host/scene/load.h"
+#include "host/scene/test_files.h"
+
+namespace dynrt::host {
+namespace {
+
+// A base at x = 10 carries an arm that turns about y by 90 degrees in 2 seconds, which carries a
+// hand (a triangle), the camera and a lamp; beside it a sled slides to x = 4 within a second.
+constexpr char kFile[] = R"({
+  "asset": {"version": "2.0"},
+  "extensionsUsed": ["KHR_lights_punctual"],
+  "extensions": {"KHR_lights_punctual": {"lights": [
+    {"name": "lamp", "type": "point", "color": [1, 0.5, 0.25], "intensity": 8}]}},
+  "scene": 0,
+  "scenes": [{"nodes": [0, 3]}],
+  "nodes": [
+    {"name": "base", "translation": [10, 0, 0], "children": [1]},
+    {"name": "arm", "children": [2, 4, 5]},
+    {"name": "hand", "mesh": 0, "translation": [0, 0, 3]},
+    {"name": "sled", "mesh": 0, "scale": [2, 2, 2]},
+    {"name": "eye", "camera": 0, "translation": [0, 1, 0]},
+    {"name": "lamp", "translation": [0, 5, 0],
+     "extensions": {"KHR_lights_punctual": {"light": 0}}}],
+  "cameras": [{"name": "eye", "type": "perspective",
+               "perspective": {"yfov": 1, "znear": 0.1, "aspectRatio": 1}}],
+  "meshes": [{"primitives": [
+    {"attributes": {"POSITION": 0}, "material": 0}, {"attributes": {"POSITION": 0}, "material": 1},
+    {"attributes": {"POSITION": 0}, "material": 2}, {"attributes": {"POSITION": 0}, "material": 3}]}],
+  "materials": [
+    {"name": "chrome", "pbrMetallicRoughness": {"metallicFactor": 1, "roughnessFactor": 0.1}},
+    {"name": "iron", "pbrMetallicRoughness": {"metallicFactor": 1, "roughnessFactor": 0.9}},
+    {"name": "glaze", "pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": 0.1}},
+    {"name": "plain", "pbrMetallicRoughness": {}}],
+  "animations": [{"name": "work",
+    "samplers": [{"input": 1, "output": 2}, {"input": 3, "output": 4}],
+    "channels": [{"sampler": 0, "target": {"node": 1, "path": "rotation"}},
+                 {"sampler": 1, "target": {"node": 3, "path": "translation"}}]}],
+  "buffers": [{"uri": "a.bin", "byteLength": 108}],
+  "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36},
+                  {"buffer": 0, "byteOffset": 36, "byteLength": 8},
+                  {"buffer": 0, "byteOffset": 44, "byteLength": 32},
+                  {"buffer": 0, "byteOffset": 76, "byteLength": 8},
+                  {"buffer": 0, "byteOffset": 84, "byteLength": 24}],
+  "accessors": [
+    {"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+    {"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR"},
+    {"bufferView": 2, "componentType": 5126, "count": 2, "type": "VEC4"},
+    {"bufferView": 3, "componentType": 5126, "count": 2, "type": "SCALAR"},
+    {"bufferView": 4, "componentType": 5126, "count": 2, "type": "VEC3"}]
+})";
+
+class MovingGltf : public testing::Test {
+ protected:
+  enum Offset : std::size_t { kTurnTimes = 9, kTurns = 11, kSlideTimes = 19, kSlides = 21 };
+
+  Scene load(const std::string& text = kFile) {
+    folder_.write("a.bin", {reinterpret_cast<const char*>(numbers_.data()), 4 * numbers_.size()});
+    return load_scene(folder_.write("a.gltf", text));
+  }
+  std::string error(const std::string& text = kFile) {
+    return user_error([&] { load(text); }).substr(folder_.path("a.gltf").size());
+  }
+
+  const TestFolder folder_;
+  std::vector<float> numbers_ = {0, 0,
+                                 0, 1,
+                                 0, 0,
+                                 0, 1,
+                                 0,     // a triangle
+                                 0, 2,  // seconds
+                                 0, 0,
+                                 0, 1,
+                                 0, std::numbers::sqrt2_v<float> / 2,
+                                 0, std::numbers::sqrt2_v<float> / 2,  // x y z w
+                                 0, 1,                                 // seconds
+                                 0, 0,
+                                 0, 4,
+                                 0, 0};
+};
+
+TEST_F(MovingGltf, MovesInstancesAndCameraWithTheirNodes) {
+  Scene scene = load();
+  EXPECT_NEAR(duration(scene), 2.0, 1e-6);
+  ASSERT_EQ(scene.instances.size(), 2u);
+  EXPECT_EQ(scene.instances[0].name, "hand");
+  const auto hand = [&](double time) { return glm::dvec3(transforms_at(scene, time)[0][3]); };
+  const auto sled = [&](double time) { return transforms_at(scene, time)[1]; };
+  EXPECT_LT(glm::length(hand(0) - glm::dvec3(10, 0, 3)), 1e-6);
+  EXPECT_LT(glm::length(hand(1) - glm::dvec3(10 + 3 * std::sqrt(0.5), 0, 3 * std::sqrt(0.5))),
+            1e-6);
+  EXPECT_LT(glm::length(hand(2) - glm::dvec3(13, 0, 0)), 1e-6);
+  EXPECT_LT(glm::length(glm::dvec3(sled(0.25)[3]) - glm::dvec3(1, 0, 0)), 1e-6);
+  EXPECT_LT(glm::length(glm::dvec3(sled(0.25)[0]) - glm::dvec3(2, 0, 0)), 1e-6);
+  EXPECT_LT(glm::length(glm::dvec3(sled(2)[3]) - glm::dvec3(4, 0, 0)), 1e-6);
+  ASSERT_TRUE(scene.camera);
+  EXPECT_LT(glm::length(scene.camera->forward - glm::dvec3(0, 0, -1)), 1e-6);
+  EXPECT_LT(glm::length(camera_at(scene, 2)->forward - glm::dvec3(-1, 0, 0)), 1e-6);
+  EXPECT_LT(glm::length(camera_at(scene, 2)->position - glm::dvec3(10, 1, 0)), 1e-6);
+  EXPECT_NEAR(glm::length(camera_at(scene, 2)->up), 2 * std::tan(0.5), 1e-6);
+}
+
+TEST_F(MovingGltf, KeepsPointLights) {
+  const Scene scene = load();
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_EQ(scene.lights[0].name, "lamp");
+  EXPECT_LT(glm::length(scene.lights[0].position - glm::dvec3(10, 5, 0)), 1e-6);
+  EXPECT_LT(glm::length(scene.lights[0].colour - glm::dvec3(8, 4, 2)), 1e-6);
+  EXPECT_TRUE(scene.notes.empty());
+}
+
+TEST_F(MovingGltf, NotesOtherLights) {
+  const Scene scene = load(replaced(kFile, "\"point\"", "\"directional\""));
+  EXPECT_TRUE(scene.lights.empty());
+  ASSERT_EQ(scene.notes.size(), 1u);
+  EXPECT_EQ(scene.notes[0],
+            folder_.path("a.gltf") + ": light 'lamp' is not a point light and was left out");
+}
+
+TEST_F(MovingGltf, PolishedMetalIsAMirror) {
+  const Scene scene = load();
+  ASSERT_GE(scene.materials.size(), 4u);
+  for (const Material& material : scene.materials) {
+    EXPECT_EQ(material.mirror, material.name == "chrome") << material.name;
+  }
+}
+
+TEST_F(MovingGltf, NamesLightsThatCannotShine) {
+  const std::string sentence =
+      ": light 'lamp': its position and its colour must be finite and the colour not negative";
+  EXPECT_EQ(error(replaced(kFile, "[1, 0.5, 0.25]", "[1, -0.5, 0.25]")), sentence);
+  EXPECT_EQ(error(replaced(kFile, "\"intensity\": 8", "\"intensity\": 1e200")), sentence);
+  EXPECT_EQ(error(replaced(kFile, "\"translation\": [0, 5, 0]", "\"translation\": [0, 1e200, 0]")),
+            sentence);
+}
+
+TEST_F(MovingGltf, NamesKeyframesThatCannotBeUsed) {
+  const auto sentence = [](const char* node, int key, const char* time) {
+    return std::string(": node '") + node + "': keyframe " + std::to_string(key) +
+           " of its animation, at " + time +
+           " seconds, cannot be used; times must rise from at least 0, values be finite, rotations "
+           "not zero";
+  };
+  const std::vector<float> good = numbers_;
+  numbers_[kSlideTimes + 1] = 0;
+  EXPECT_EQ(error(), sentence("sled", 1, "0"));
+  numbers_ = good;
+  numbers_[kTurnTimes] = -0.5f;
+  EXPECT_EQ(error(), sentence("arm", 0, "-0.5"));
+  numbers_ = good;
+  numbers_[kSlides + 4] = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(error(), sentence("sled", 1, "1"));
+  numbers_ = good;
+  for (std::size_t i = 0; i < 4; ++i) numbers_[kTurns + 4 + i] = 0;
+  EXPECT_EQ(error(), sentence("arm", 1, "2"));
+}
+
+TEST_F(MovingGltf, NamesAnAnimationThatMovesNothing) {
+  std::string text = kFile;
+  const auto begin = text.find("[{\"sampler\": 0"), end = text.find("}],\n  \"buffers\"");
+  text.replace(begin, end - begin, "[]");
+  EXPECT_EQ(error(text),
+            ": the animation 'work' moves no node; give it a channel of translation, rotation or "
+            "scale");
+}
+
+TEST_F(MovingGltf, NotesMoreThanOneAnimation) {
+  const std::string second = R"("animations": [{"name": "work",
+    "samplers": [{"input": 1, "output": 2}],
+    "channels": [{"sampler": 0, "target": {"node": 1, "path": "rotation"}}]}, {"name": "work")";
+  const Scene scene = load(replaced(kFile, "\"animations\": [{\"name\": \"work\"", second));
+  ASSERT_EQ(scene.notes.size(), 1u);
+  EXPECT_EQ(scene.notes[0], folder_.path("a.gltf") +
+                                ": has 2 animations, of which only the first, 'work', is used");
+}
+
+}  // namespace
+}  // namespace dynrt::host
