@@ -126,15 +126,15 @@ TEST_F(RtlBoardTest, FrameRegistersKeepWhatIsWritten) {
 
 TEST_F(RtlBoardTest, SramWindowRoundTrip) {
   // Both ends and a burst in the middle of every bank, each with words of its own.
-  for (unsigned bank = 0; bank < Sram::kBanks; ++bank) {
+  for (unsigned bank = 0; bank < kBanks; ++bank) {
     board_.write(bank, 0, random_words(3, bank));
     board_.write(bank, 4000, random_words(1500, 10 + bank));
-    board_.write(bank, Sram::kWords - 2, random_words(2, 20 + bank));
+    board_.write(bank, kBankWords - 2, random_words(2, 20 + bank));
   }
-  for (unsigned bank = 0; bank < Sram::kBanks; ++bank) {
+  for (unsigned bank = 0; bank < kBanks; ++bank) {
     EXPECT_EQ(read(bank, 0, 3), random_words(3, bank));
     EXPECT_EQ(read(bank, 4000, 1500), random_words(1500, 10 + bank));
-    EXPECT_EQ(read(bank, Sram::kWords - 2, 2), random_words(2, 20 + bank));
+    EXPECT_EQ(read(bank, kBankWords - 2, 2), random_words(2, 20 + bank));
   }
 }
 
