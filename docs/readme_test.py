@@ -18,7 +18,8 @@ class Readme(unittest.TestCase):
         configs = json.loads((ROOT / "hls/configs/configs.json").read_text(encoding="utf-8"))
         rows = [f"| `{name}` | {c['packets']} | {c['lines']} | {c['stack_depth']} | "
                 f"{c['mailbox_slots']} | <{c['exponent_bits']},{c['mantissa_bits']}> | "
-                f"{ROUNDINGS[c['rounding']]} | {c['epsilon']:g} | {c['sram_latency']} |"
+                f"{ROUNDINGS[c['rounding']]} | {c['epsilon']:g} | {c['sram_latency']} | "
+                f"{c.get('lights', 0)} | {c.get('reflections', 0)} |"
                 for name, c in configs.items()]
         self.assertEqual(re.findall(r"^\| `.*$", README, re.MULTILINE), rows)
 

@@ -32,8 +32,8 @@ class App : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  Outcome run(const std::string& arguments) const {
-    return run_program(DYNRT_PROGRAM, arguments, folder_);
+  Outcome run(const std::string& arguments, const std::string& stdout_to = {}) const {
+    return run_program(DYNRT_PROGRAM, arguments, folder_, stdout_to);
   }
   /// The user's mistake: one sentence, exit code 2, nothing left behind.
   void expect_mistake(const std::string& arguments, const testing::Matcher<std::string>& sentence) {
@@ -207,6 +207,15 @@ TEST_F(App, WhatTheConfigurationLacksIsRefused) {
       "dynrt: --lines 3: the caches of configuration stand_in have 1, 2, 4 up to 16 lines\n");
   expect_mistake("render blocks --config stand_in --clock 0",
                  "dynrt: --clock 0: the clock is a number of MHz above zero\n");
+  expect_mistake("render blocks --config stand_in --clock inf",
+                 "dynrt: --clock: inf is not a finite number; dynrt render --help lists what there "
+                 "is\n");
+  for (const std::string flag : {"--packets", "--lines", "--timeout"}) {
+    expect_mistake("render blocks --config stand_in " + flag + "=-1",
+                   "dynrt: " + flag +
+                       ": -1 is not a whole number from 0 to 4294967295; dynrt "
+                       "render --help lists what there is\n");
+  }
   expect_mistake("render blocks --config stand_in --timeout 0",
                  "dynrt: --timeout 0: the board needs at least one clock\n");
 }
@@ -219,6 +228,14 @@ TEST_F(App, BadCamerasAreRefused) {
                  "dynrt: --look-at a,b,c: write three numbers separated by commas, for example "
                  "1,2.5,-3\n");
   expect_mistake("info blocks --fov 180", HasSubstr("field of view"));
+  expect_mistake("info blocks --fov wide",
+                 "dynrt: --fov: wide is not a finite number; dynrt info --help lists what there "
+                 "is\n");
+  for (const std::string numbers : {"1e300,0,0", "0,inf,0", "0,0,nan"}) {
+    expect_mistake(
+        "info blocks --position " + numbers,
+        "dynrt: --position " + numbers + ": the numbers must lie within -6.07e+09 and 6.07e+09\n");
+  }
 }
 
 TEST_F(App, OutputsThatCannotBeWrittenAreRefused) {
@@ -231,8 +248,8 @@ TEST_F(App, OutputsThatCannotBeWrittenAreRefused) {
       "dynrt: no/where/image.png: there is no folder 'no/where'; create it or name a file "
       "elsewhere\n");
   expect_mistake("render blocks --config stand_in --out /proc/image.png",
-                 testing::AllOf(StartsWith("dynrt: /proc/image.png: cannot be written ("),
-                                HasSubstr("name a file in a folder that can\n")));
+                 "dynrt: /proc/image.png: cannot be written (its folder takes no files); name a "
+                 "file in a folder that can\n");
   expect_mistake("render blocks --config stand_in --json no/where/f.json",
                  HasSubstr("no/where/f.json: there is no folder 'no/where'"));
   expect_mistake("info blocks --json no/where/f.json",
@@ -244,6 +261,36 @@ TEST_F(App, OutputsThatCannotBeWrittenAreRefused) {
                  "choose that board\n");
   expect_mistake("render no_such_scene --config stand_in --trace f.fst",
                  HasSubstr("no_such_scene"));
+}
+
+TEST_F(App, OutputsAreCheckedBeforeTheSceneIsLoaded) {
+  // The default name too: a folder named like it is in its way.
+  fs::create_directories(folder_ / "gone.png");
+  const Outcome outcome = run("render gone --config stand_in");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.err,
+            "dynrt: gone.png: cannot be written (Is a directory); name a file in a folder that "
+            "can\n");
+}
+
+TEST_F(App, OutputsOfOneNameAreRefused) {
+  expect_mistake("render blocks --config stand_in --out a.png --json ./a.png",
+                 "dynrt: --json ./a.png: --out writes the same file; name another one\n");
+  expect_mistake("render blocks --config stand_in --json blocks.png",
+                 "dynrt: --json blocks.png: --out writes the same file; name another one\n");
+  expect_mistake("render blocks --config stand_in --out a.png --trace a.png",
+                 "dynrt: --trace a.png: --out writes the same file; name another one\n");
+}
+
+TEST_F(App, AReportThatCannotBePrintedIsAnError) {
+  for (const char* arguments : {"info blocks", "--help"}) {
+    // The last redirection is the one that counts.
+    const Outcome outcome = run(arguments, "/dev/full");
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(outcome.err,
+              "dynrt: the report cannot be printed (No space left on device); free some space or "
+              "send it elsewhere\n");
+  }
 }
 
 TEST_F(App, WaveformsOfATimeOutAreKept) {

@@ -5,11 +5,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+#include <limits>
+
 #include "host/app/messages.h"
 #include "host/app/text.h"
 #include "host/error.h"
-#include "host/render/write_image.h"
 #include "host/scene/load.h"
+#include "units/memory_format.h"
 
 namespace dynrt::host {
 
@@ -21,14 +24,19 @@ void SceneArguments::add_to(CLI::App& command, bool scene_required) {
                               fmt::join(built_in_scenes(), ", ")))
       ->required(scene_required)
       ->option_text(" ");
-  command.add_option("--size", size, "pixels of the image, at most 1024 a side and 349,525 in all")
+  command
+      .add_option("--size", size,
+                  fmt::format("pixels of the image, at most {} a side and {} in all", kMaxSide,
+                              grouped(kMaxPixels)))
       ->option_text("WxH [512x384]");
   command.add_option("--position", position, "where the camera stands; default: the scene's own")
       ->option_text("X,Y,Z");
   command.add_option("--look-at", look_at, "the point in the middle of the image")
       ->option_text("X,Y,Z");
   command.add_option("--up", up, "the direction that is up in the image")->option_text("X,Y,Z");
-  command.add_option("--fov", field_of_view, "vertical field of view")->option_text("DEGREES");
+  command.add_option("--fov", field_of_view, "vertical field of view")
+      ->option_text("DEGREES")
+      ->check(not_a_number);
 }
 
 CameraFlags SceneArguments::camera() const {
@@ -50,20 +58,24 @@ void FrameArguments::add_to(CLI::App& command, const std::string& default_out) {
   command.add_option("--out", out, "image to write, .png or .exr")
       ->option_text(fmt::format("FILE [{}]", default_out));
   command.add_option("--packets", packets, "packets of 2x2 rays in flight; default: all there are")
-      ->option_text("N");
+      ->option_text("N")
+      ->check(not_a_count);
   command
       .add_option("--lines", lines, "lines of each cache, a power of two; default: all there are")
-      ->option_text("N");
+      ->option_text("N")
+      ->check(not_a_count);
   command.add_option("--order", order, "order of the packets: morton or scanline")
       ->option_text("ORDER [morton]");
   command.add_flag("--uncompressed", uncompressed,
                    "transform every ray's origin, eight vectors a packet instead of five");
   command.add_option("--clock", clock_mhz, "clock that frames per second are stated for")
-      ->option_text("MHZ [85]");
+      ->option_text("MHZ [85]")
+      ->check(not_a_number);
   command
       .add_option("--timeout", timeout,
                   "give up after so many clocks without a pixel or an interrupt")
-      ->option_text("CLOCKS [10000000]");
+      ->option_text("CLOCKS [10000000]")
+      ->check(not_a_count);
   add_json_flag(command, json);
 }
 
@@ -82,13 +94,24 @@ FrameOptions FrameArguments::options(const std::string& size) const {
   if (!(clock_mhz > 0)) refuse(messages::kClock, clock_mhz);
   if (timeout == 0) refuse(messages::kTimeoutZero);
   options.timeout = timeout;
-  if (!out.empty()) check_image_path(out);
-  if (!json.empty()) check_output_path(json);
   return options;
 }
 
 void add_json_flag(CLI::App& command, std::string& json) {
   command.add_option("--json", json, "write the same figures as data")->option_text("FILE");
+}
+
+std::string not_a_count(const std::string& text) {
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+  std::uint64_t count = 0;
+  if (parse(text, count) && count <= kMost) return {};
+  return fmt::format(messages::kCount, text, kMost);
+}
+
+std::string not_a_number(const std::string& text) {
+  double number = 0;
+  if (parse(text, number) && std::isfinite(number)) return {};
+  return fmt::format(messages::kNumber, text);
 }
 
 }  // namespace dynrt::host

@@ -37,11 +37,15 @@ struct FrameArguments {
   std::string json;
 
   void add_to(CLI::App& command, const std::string& default_out);
-  /// Checks everything that can be checked before there is a board.
+  /// Checks everything that can be checked before there is a board, but the outputs.
   FrameOptions options(const std::string& size) const;
 };
 
 /// Adds --json to a command.
 void add_json_flag(CLI::App& command, std::string& json);
+
+/// For flags that take a number: what is wrong with the text, or nothing.
+std::string not_a_count(const std::string& text);
+std::string not_a_number(const std::string& text);
 
 }  // namespace dynrt::host

@@ -10,6 +10,8 @@
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
 #include "host/app/report.h"
+#include "host/app/text.h"
+#include "host/render/output_file.h"
 #include "host/render/write_image.h"
 
 namespace dynrt::host {
@@ -29,6 +31,10 @@ Frame frame_of(const char* name, const Arguments& arguments, const FrameOptions&
 
 int run(const Arguments& arguments) {
   const FrameOptions options = arguments.frame.options(arguments.scene.size);
+  const std::string& out = arguments.frame.out;
+  if (!out.empty()) check_image_path(out);
+  const Output outputs[] = {{"--out", out}, {"--json", arguments.frame.json}};
+  check_outputs(outputs);
   // Unknown configurations and the like come before the work.
   open_board({"rtl", arguments.frame.configuration, ""}, options);
   const Prepared prepared = prepare(arguments.scene, options.width, options.height);
@@ -36,7 +42,6 @@ int run(const Arguments& arguments) {
   const Frame rtl = frame_of("rtl", arguments, options, prepared);
   const Comparison comparison = compare(rtl, model);
 
-  const std::string& out = arguments.frame.out;
   if (!out.empty()) write_image(out, rtl);
   const double clock_mhz = arguments.frame.clock_mhz;
   const FrameFigures rtl_figures = figures_of(rtl, clock_mhz * 1e6);
@@ -48,10 +53,11 @@ int run(const Arguments& arguments) {
     json["comparison"] = comparison_json(comparison);
     write_text(arguments.frame.json, json.dump(2) + "\n");
   }
-  if (!out.empty()) fmt::print("image       {}, {}x{}\n", out, rtl.width, rtl.height);
-  fmt::print("{}{}model       {:.2f} s, {:.0f} rays per second\n{}", prepared.text(),
-             report_text(rtl, rtl_figures, clock_mhz), model.run.seconds,
-             model_figures.rays_per_second, comparison_text(comparison, "rtl", "model"));
+  const std::string image =
+      out.empty() ? "" : fmt::format("image       {}, {}x{}\n", out, rtl.width, rtl.height);
+  say(fmt::format("{}{}{}model       {:.2f} s, {:.0f} rays per second\n{}", image, prepared.text(),
+                  report_text(rtl, rtl_figures, clock_mhz), model.run.seconds,
+                  model_figures.rays_per_second, comparison_text(comparison, "rtl", "model")));
   return comparison.identical() ? kDone : kDifferent;
 }
 

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // dynrt info: a scene, its trees and the memory they take; nothing is rendered.
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "host/app/arguments.h"
 #include "host/app/command.h"
 #include "host/app/prepare.h"
 #include "host/app/text.h"
-#include "host/render/write_image.h"
+#include "host/render/output_file.h"
+#include "host/render/render.h"
 
 namespace dynrt::host {
 
@@ -27,7 +26,7 @@ int run(const Arguments& arguments) {
   if (!arguments.json.empty()) check_output_path(arguments.json);
   const Prepared prepared = prepare(arguments.scene, width, height);
   if (!arguments.json.empty()) write_text(arguments.json, prepared.json().dump(2) + "\n");
-  fmt::print("{}", prepared.text());
+  say(prepared.text());
   return kDone;
 }
 

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <sstream>
 #include <vector>
 
 #include "host/app/command.h"
 #include "host/app/messages.h"
+#include "host/app/text.h"
 #include "host/error.h"
 
 namespace dynrt::host {
@@ -54,7 +56,10 @@ int run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& help) {
-    return program.exit(help);
+    std::ostringstream text;
+    program.exit(help, text);
+    say(text.str());
+    return kDone;
   } catch (const CLI::ParseError& error) {
     for (const Command& command : commands) {
       if (command.app->parsed()) parsed = command.app->get_name() + " ";

@@ -9,6 +9,11 @@ namespace dynrt::host::messages {
 inline constexpr char kSizeText[] = "--size {}: write WIDTHxHEIGHT in pixels, for example 512x384";
 inline constexpr char kVectorText[] =
     "{} {}: write three numbers separated by commas, for example 1,2.5,-3";
+inline constexpr char kVectorRange[] = "{} {}: the numbers must lie within -{:.3g} and {:.3g}";
+inline constexpr char kCount[] = "{} is not a whole number from 0 to {}";
+inline constexpr char kNumber[] = "{} is not a finite number";
+inline constexpr char kStdout[] =
+    "the report cannot be printed ({}); free some space or send it elsewhere";
 inline constexpr char kOrder[] = "--order {}: unknown; the orders are morton and scanline";
 inline constexpr char kClock[] = "--clock {}: the clock is a number of MHz above zero";
 inline constexpr char kTimeoutZero[] = "--timeout 0: the board needs at least one clock";

@@ -10,7 +10,9 @@
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
 #include "host/app/report.h"
+#include "host/app/text.h"
 #include "host/app/trace_file.h"
+#include "host/render/output_file.h"
 #include "host/render/write_image.h"
 
 namespace dynrt::host {
@@ -42,13 +44,17 @@ Frame traced(TraceFile& trace, Render&& render) {
 
 int run(const Arguments& arguments) {
   const FrameOptions options = arguments.frame.options(arguments.scene.size);
+  const std::string out = image_name(arguments.frame.out, arguments.scene.scene);
+  check_image_path(out);
+  const Output outputs[] = {
+      {"--out", out}, {"--json", arguments.frame.json}, {"--trace", arguments.trace}};
+  check_outputs(outputs);
   TraceFile trace(arguments.trace);
   const auto board =
       open_board({arguments.board, arguments.frame.configuration, arguments.trace}, options);
   const Prepared prepared = prepare(arguments.scene, options.width, options.height);
   const Frame frame = traced(trace, [&] { return render_on(*board, options, prepared); });
 
-  const std::string out = image_name(arguments.frame.out, arguments.scene.scene);
   write_image(out, frame);
   const FrameFigures figures = figures_of(frame, arguments.frame.clock_mhz * 1e6);
   if (!arguments.frame.json.empty()) {
@@ -56,8 +62,8 @@ int run(const Arguments& arguments) {
     json["frame"] = report_json(frame, figures, arguments.frame.clock_mhz);
     write_text(arguments.frame.json, json.dump(2) + "\n");
   }
-  fmt::print("image       {}, {}x{}\n{}{}", out, frame.width, frame.height, prepared.text(),
-             report_text(frame, figures, arguments.frame.clock_mhz));
+  say(fmt::format("image       {}, {}x{}\n{}{}", out, frame.width, frame.height, prepared.text(),
+                  report_text(frame, figures, arguments.frame.clock_mhz)));
   return kDone;
 }
 

@@ -26,25 +26,26 @@ inline std::string text_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// `folder` keeps its files between runs; stdout and stderr are files, so no terminal.
+/// `folder` keeps its files between runs; stdout and stderr are files, so no terminal. `stdout_to`
+/// takes what would go to Outcome::out.
 inline Outcome run_program(const std::string& program, const std::string& arguments,
-                           const std::filesystem::path& folder) {
+                           const std::filesystem::path& folder, const std::string& stdout_to = {}) {
   namespace fs = std::filesystem;
   fs::create_directories(folder);
-  const fs::path out = folder.string() + ".out";
+  const fs::path out = stdout_to.empty() ? folder.string() + ".out" : stdout_to;
   const fs::path err = folder.string() + ".err";
   const std::string command = "cd '" + folder.string() + "' && '" + program + "' " + arguments +
                               " > '" + out.string() + "' 2> '" + err.string() + "' < /dev/null";
   const int status = std::system(command.c_str());
   Outcome outcome;
   outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  outcome.out = text_of(out);
+  if (stdout_to.empty()) outcome.out = text_of(out);
   outcome.err = text_of(err);
   for (const auto& entry : fs::directory_iterator(folder)) {
     outcome.files.push_back(entry.path().filename().string());
   }
   std::ranges::sort(outcome.files);
-  fs::remove(out);
+  if (stdout_to.empty()) fs::remove(out);
   fs::remove(err);
   return outcome;
 }

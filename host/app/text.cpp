@@ -4,24 +4,23 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
 #include <string_view>
 #include <vector>
 
 #include "host/app/messages.h"
 #include "host/error.h"
+#include "units/memory_format.h"
 
 namespace dynrt::host {
 
 namespace {
 
-/// The whole of `text` as a number, or false.
-template <class N>
-bool parse(std::string_view text, N& number) {
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc{} && rest == end;
-}
+/// Far enough within the core's numbers for what is made of a flag's.
+const double kLargest = std::sqrt(Real::largest().to_double());
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -34,6 +33,13 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 }
 
 }  // namespace
+
+void say(const std::string& text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    refuse(messages::kStdout, std::strerror(errno));
+  }
+}
 
 std::pair<unsigned, unsigned> parse_size(const std::string& text) {
   const auto parts = split(text, 'x');
@@ -50,6 +56,10 @@ glm::dvec3 parse_vector(const std::string& flag, const std::string& text) {
   if (parts.size() != 3 || !parse(parts[0], vector.x) || !parse(parts[1], vector.y) ||
       !parse(parts[2], vector.z)) {
     refuse(messages::kVectorText, flag, text);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(std::abs(vector[axis]) <= kLargest))
+      refuse(messages::kVectorRange, flag, text, kLargest, kLargest);
   }
   return vector;
 }

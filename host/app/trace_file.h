@@ -5,31 +5,27 @@
 // never finished, which is what one wants to look at. Without --trace it does nothing.
 #pragma once
 
-#include <filesystem>
+#include <optional>
 #include <string>
 
-#include "host/render/write_image.h"
+#include "host/render/output_file.h"
 
 namespace dynrt::host {
 
 class TraceFile {
  public:
-  /// Throws UserError if the file cannot be written.
-  explicit TraceFile(std::string path) : path_(std::move(path)) {
-    if (!path_.empty()) check_output_path(path_);
+  explicit TraceFile(const std::string& path) {
+    if (path.empty()) return;
+    waves_.emplace(path);
+    hierarchy_.emplace(path + ".hier");
   }
-  ~TraceFile() {
-    std::error_code ignored;
-    if (!keep_ && !path_.empty()) std::filesystem::remove(path_, ignored);
+  void keep() {
+    if (waves_) waves_->keep();
   }
-  TraceFile(const TraceFile&) = delete;
-  TraceFile& operator=(const TraceFile&) = delete;
-
-  void keep() { keep_ = true; }
 
  private:
-  std::string path_;
-  bool keep_ = false;
+  std::optional<UnfinishedFile> waves_;
+  std::optional<UnfinishedFile> hierarchy_;  ///< lies beside the waveforms until they are complete
 };
 
 }  // namespace dynrt::host

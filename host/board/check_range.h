@@ -7,16 +7,16 @@
 #include <stdexcept>
 
 #include "host/board/messages.h"
-#include "host/board/sram.h"
+#include "units/memory_format.h"
 
 namespace dynrt::host {
 
 /// A transfer outside a bank is a defect of the host, not of the user's input.
 inline void check_range(const std::string& board, unsigned bank, std::uint32_t address,
                         std::size_t words) {
-  if (bank < Sram::kBanks && address <= Sram::kWords && words <= Sram::kWords - address) return;
+  if (bank < kBanks && address <= kBankWords && words <= kBankWords - address) return;
   throw std::out_of_range(fmt::format(messages::kOutsideBank, board, address, address + words, bank,
-                                      Sram::kBanks, Sram::kWords));
+                                      kBanks, kBankWords));
 }
 
 }  // namespace dynrt::host

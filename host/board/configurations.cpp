@@ -41,15 +41,17 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
     refuse(messages::kNoBoard, request.board);
   }
   const Configuration& configuration = find(table, request.configuration);
+  BoardInfo info = configuration.info();
+  info.configuration = configuration.name;
   if (!rtl) {
     if (!request.trace.empty()) refuse(messages::kNoTrace);
-    return std::make_unique<ModelBoard>(request.configuration, configuration.native());
+    return std::make_unique<ModelBoard>(std::move(info), configuration.native());
   }
   if (!configuration.rtl) {
     refuse(messages::kNoRtl, configuration.name);
   }
   return std::make_unique<RtlBoard>(
-      request.configuration,
+      std::move(info),
       request.trace.empty() ? configuration.rtl() : configuration.traced(request.trace, kTraceSeed),
       counters_of(configuration.core_json()));
 }

@@ -18,6 +18,7 @@ namespace dynrt::host {
 
 struct Configuration {
   std::string_view name;
+  BoardInfo (*info)() = nullptr;  ///< its limits
   MakeNativeCore native = nullptr;
   MakeBoard rtl = nullptr;  ///< null, and so is what follows: built without the Verilog
   MakeTracedBoard traced = nullptr;

@@ -14,19 +14,29 @@ using testing::ThrowsMessage;
 
 class EmptyCore final : public NativeCore {
  public:
-  unsigned packets() const override { return 2; }
-  unsigned cache_lines() const override { return 4; }
   void write(unsigned, std::uint32_t, std::span<const std::uint32_t>) override {}
   void read(unsigned, std::uint32_t, std::span<std::uint32_t>) override {}
   void render(const FrameConfig&) override {}
   std::vector<Counter> counters() override { return {}; }
 };
 
+BoardInfo limits() {
+  BoardInfo info;
+  info.packets = 2;
+  info.cache_lines = 4;
+  info.stack_depth = 5;
+  info.lights = 6;
+  info.reflections = 7;
+  return info;
+}
+
 constexpr Configuration kTable[] = {
     {.name = "small",
+     .info = limits,
      .native = []() -> std::unique_ptr<NativeCore> { return std::make_unique<EmptyCore>(); }},
-    {.name = "large",
-     .native = []() -> std::unique_ptr<NativeCore> { return std::make_unique<EmptyCore>(); }}};
+    {.name = "large", .info = limits, .native = []() -> std::unique_ptr<NativeCore> {
+       return std::make_unique<EmptyCore>();
+     }}};
 
 auto making(const BoardRequest& request) {
   return [request] { make_board(kTable, request); };
@@ -37,6 +47,10 @@ TEST(Configurations, MakesTheModelOfTheNamedConfiguration) {
   EXPECT_EQ(board->info().name, "model");
   EXPECT_EQ(board->info().configuration, "large");
   EXPECT_EQ(board->info().packets, 2u);
+  EXPECT_EQ(board->info().cache_lines, 4u);
+  EXPECT_EQ(board->info().stack_depth, 5u);
+  EXPECT_EQ(board->info().lights, 6u);
+  EXPECT_EQ(board->info().reflections, 7u);
 }
 
 TEST(Configurations, WhatIsUnknownIsNamed) {

@@ -9,11 +9,9 @@
 
 namespace dynrt::host {
 
-ModelBoard::ModelBoard(std::string configuration, std::unique_ptr<NativeCore> core)
-    : core_(std::move(core)) {
-  info_.configuration = std::move(configuration);
-  info_.packets = core_->packets();
-  info_.cache_lines = core_->cache_lines();
+ModelBoard::ModelBoard(BoardInfo info, std::unique_ptr<NativeCore> core)
+    : info_(std::move(info)), core_(std::move(core)) {
+  info_.name = "model";
 }
 
 void ModelBoard::write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) {

@@ -17,8 +17,6 @@ namespace dynrt::host {
 class NativeCore {
  public:
   virtual ~NativeCore() = default;
-  virtual unsigned packets() const = 0;
-  virtual unsigned cache_lines() const = 0;
   virtual void write(unsigned bank, std::uint32_t address,
                      std::span<const std::uint32_t> words) = 0;
   virtual void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) = 0;
@@ -29,7 +27,8 @@ using MakeNativeCore = std::unique_ptr<NativeCore> (*)();
 
 class ModelBoard final : public Board {
  public:
-  ModelBoard(std::string configuration, std::unique_ptr<NativeCore> core);
+  /// `info` of the configuration; the board's name is its own.
+  ModelBoard(BoardInfo info, std::unique_ptr<NativeCore> core);
 
   const BoardInfo& info() const override { return info_; }
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override;
@@ -42,7 +41,7 @@ class ModelBoard final : public Board {
   BusTraffic traffic() const override { return meter_.traffic(); }
 
  private:
-  BoardInfo info_{"model", "", 0, 0};
+  BoardInfo info_;
   std::unique_ptr<NativeCore> core_;
   FrameConfig frame_;
   BusMeter meter_;

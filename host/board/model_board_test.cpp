@@ -13,8 +13,6 @@ namespace {
 /// A core that copies word i of bank 0 to bank 3 for every pixel.
 class CopyingCore final : public NativeCore {
  public:
-  unsigned packets() const override { return 8; }
-  unsigned cache_lines() const override { return 32; }
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override {
     std::copy(words.begin(), words.end(), banks_[bank].begin() + address);
   }
@@ -35,7 +33,7 @@ class CopyingCore final : public NativeCore {
 };
 
 TEST(ModelBoard, RendersWhatTheCoreRenders) {
-  ModelBoard board("thesis", std::make_unique<CopyingCore>());
+  ModelBoard board({"", "thesis", 8, 32}, std::make_unique<CopyingCore>());
   EXPECT_EQ(board.info().name, "model");
   EXPECT_EQ(board.info().configuration, "thesis");
   EXPECT_EQ(board.info().packets, 8u);
@@ -60,7 +58,7 @@ TEST(ModelBoard, RendersWhatTheCoreRenders) {
 }
 
 TEST(ModelBoard, RefusesWordsOutsideABank) {
-  ModelBoard board("thesis", std::make_unique<CopyingCore>());
+  ModelBoard board({"", "thesis", 8, 32}, std::make_unique<CopyingCore>());
   std::vector<std::uint32_t> words(2);
   EXPECT_THAT(
       [&] { board.read(1, (1u << 20) - 1, words); },

@@ -9,12 +9,21 @@
 
 namespace dynrt::host {
 
+/// What the host has to know of a configuration; its name is the table's to give.
+template <class C>
+BoardInfo board_info_of() {
+  BoardInfo info;
+  info.packets = C::kPackets;
+  info.cache_lines = C::kLines;
+  info.stack_depth = C::kStackDepth;
+  info.lights = C::kLights;
+  info.reflections = C::kReflections;
+  return info;
+}
+
 template <class C>
 class NativeCoreOf final : public NativeCore {
  public:
-  unsigned packets() const override { return C::kPackets; }
-  unsigned cache_lines() const override { return C::kLines; }
-
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override {
     for (std::size_t i = 0; i < words.size(); ++i) {
       core_.bank(bank)[address + i] = Word::from(words[i]);

@@ -32,10 +32,10 @@ std::uint32_t window(unsigned bank, std::uint32_t word) {
 
 }  // namespace
 
-RtlBoard::RtlBoard(std::string configuration, std::unique_ptr<ClockedBoard> clocked,
+RtlBoard::RtlBoard(BoardInfo info, std::unique_ptr<ClockedBoard> clocked,
                    std::vector<Counter> counters)
-    : clocked_(std::move(clocked)), counters_(std::move(counters)) {
-  info_.configuration = std::move(configuration);
+    : info_(std::move(info)), clocked_(std::move(clocked)), counters_(std::move(counters)) {
+  info_.name = "rtl";
   clocked_->reset();
   const std::uint32_t id = read_register(reg::kRegId);
   const std::uint32_t version = read_register(reg::kRegVersion);

@@ -15,9 +15,9 @@ namespace dynrt::host {
 
 class RtlBoard final : public Board {
  public:
+  /// `info` of the configuration, except for the board's name and what its registers say.
   /// `counters` in the order of their addresses; their values are ignored.
-  RtlBoard(std::string configuration, std::unique_ptr<ClockedBoard> clocked,
-           std::vector<Counter> counters);
+  RtlBoard(BoardInfo info, std::unique_ptr<ClockedBoard> clocked, std::vector<Counter> counters);
 
   const BoardInfo& info() const override { return info_; }
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override;
@@ -39,7 +39,7 @@ class RtlBoard final : public Board {
   void settle();
   [[noreturn]] void give_up(std::uint64_t timeout, std::uint64_t pixels);
 
-  BoardInfo info_{"rtl", "", 0, 0};
+  BoardInfo info_;
   std::unique_ptr<ClockedBoard> clocked_;
   std::vector<Counter> counters_;
   BusMeter meter_;

@@ -62,7 +62,7 @@ FrameConfig frame_config(std::uint32_t background = 0) {
 
 class RtlBoardTest : public testing::Test {
  protected:
-  RtlBoard board_{"stand_in", make_stand_in_board(), stand_in_counters()};
+  RtlBoard board_{{"", "stand_in"}, make_stand_in_board(), stand_in_counters()};
 
   std::vector<std::uint32_t> read(unsigned bank, std::uint32_t address, std::size_t count) {
     std::vector<std::uint32_t> words(count);
@@ -98,11 +98,11 @@ class DeadBoard final : public ClockedBoard {
 };
 
 TEST(RtlBoardErrors, ABoardThatIsNoneIsRefused) {
-  EXPECT_THAT([] { RtlBoard("thesis", std::make_unique<DeadBoard>(false), {}); },
+  EXPECT_THAT([] { RtlBoard({"", "thesis"}, std::make_unique<DeadBoard>(false), {}); },
               ThrowsMessage<UserError>(
                   "board rtl: reads 0x0 as its id and 0x0 as its version, expected 0x44595254 and "
                   "0x20000; rebuild the Verilog and the host together"));
-  EXPECT_THAT([] { RtlBoard("thesis", std::make_unique<DeadBoard>(true), {}); },
+  EXPECT_THAT([] { RtlBoard({"", "thesis"}, std::make_unique<DeadBoard>(true), {}); },
               ThrowsMessage<UserError>("board rtl: the bus waits for ever at address 0x0; the "
                                        "Verilog below it is broken"));
 }
@@ -126,15 +126,15 @@ TEST_F(RtlBoardTest, FrameRegistersKeepWhatIsWritten) {
 
 TEST_F(RtlBoardTest, SramWindowRoundTrip) {
   // Both ends and a burst in the middle of every bank, each with words of its own.
-  for (unsigned bank = 0; bank < Sram::kBanks; ++bank) {
+  for (unsigned bank = 0; bank < kBanks; ++bank) {
     board_.write(bank, 0, random_words(3, bank));
     board_.write(bank, 4000, random_words(1500, 10 + bank));
-    board_.write(bank, Sram::kWords - 2, random_words(2, 20 + bank));
+    board_.write(bank, kBankWords - 2, random_words(2, 20 + bank));
   }
-  for (unsigned bank = 0; bank < Sram::kBanks; ++bank) {
+  for (unsigned bank = 0; bank < kBanks; ++bank) {
     EXPECT_EQ(read(bank, 0, 3), random_words(3, bank));
     EXPECT_EQ(read(bank, 4000, 1500), random_words(1500, 10 + bank));
-    EXPECT_EQ(read(bank, Sram::kWords - 2, 2), random_words(2, 20 + bank));
+    EXPECT_EQ(read(bank, kBankWords - 2, 2), random_words(2, 20 + bank));
   }
 }
 
@@ -267,7 +267,7 @@ TEST(RtlBoardTrace, WritesWaveforms) {
   const auto file = std::filesystem::path(testing::TempDir()) / "board_test.fst";
   std::filesystem::remove(file);
   {
-    RtlBoard board("stand_in", make_stand_in_board_traced(file, 1), stand_in_counters());
+    RtlBoard board({"", "stand_in"}, make_stand_in_board_traced(file, 1), stand_in_counters());
     board.configure(frame_config());
     board.start();
     board.wait(5000, {});
@@ -278,7 +278,7 @@ TEST(RtlBoardTrace, WritesWaveforms) {
 
 TEST(RtlBoardTrace, AnAssertionThatFailsIsADefect) {
   const auto render = [](std::unique_ptr<ClockedBoard> clocked) {
-    RtlBoard board("stand_in", std::move(clocked), stand_in_counters());
+    RtlBoard board({"", "stand_in"}, std::move(clocked), stand_in_counters());
     board.configure(frame_config(kViolation));
     board.start();
     board.wait(5000, {});

@@ -1,30 +1,29 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The six SRAM banks at the board's pins: synchronous, 2^20 words of 32 bits each, data `latency`
-// clocks after enable and address. Contents are zero at power-up.
+// The SRAM banks at the board's pins (units/memory_format.h): synchronous, data `latency` clocks
+// after enable and address. Contents are zero at power-up.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "units/memory_format.h"
+
 namespace dynrt::host {
 
 class Sram {
  public:
-  static constexpr unsigned kBanks = 6;
-  static constexpr unsigned kWords = 1u << 20;
-  static constexpr unsigned kFrameBank = 3;
   using Data = std::array<std::uint32_t, kBanks>;
 
   explicit Sram(unsigned latency) : pipe_(latency) {
-    for (auto& bank : banks_) bank.assign(kWords, 0);
+    for (auto& bank : banks_) bank.assign(kBankWords, 0);
   }
 
   /// What a bank does at a clock edge with one bit of `enable` set.
   void access(unsigned bank, bool write, std::uint32_t address, std::uint32_t data) {
-    std::uint32_t& word = banks_[bank][address & (kWords - 1)];
+    std::uint32_t& word = banks_[bank][address & (kBankWords - 1)];
     if (write) {
       word = data;
       frame_writes_ += bank == kFrameBank;

@@ -34,8 +34,8 @@ TEST(Sram, ABankThatIsNotReadKeepsItsData) {
 
 TEST(Sram, CountsWritesToTheFramebuffer) {
   Sram sram(1);
-  sram.access(Sram::kFrameBank, true, 0, 1);
-  sram.access(Sram::kFrameBank, false, 0, 1);
+  sram.access(kFrameBank, true, 0, 1);
+  sram.access(kFrameBank, false, 0, 1);
   sram.access(4, true, 0, 1);
   EXPECT_EQ(sram.frame_writes(), 1u);
 }

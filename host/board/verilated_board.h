@@ -137,7 +137,7 @@ class VerilatedBoard final : public ClockedBoard {
     top.clk_i = 1;
     top.core_clk_i = top.core_clk_en_o;
     eval(1);
-    for (unsigned b = 0; b < Sram::kBanks; ++b) top.sram_rdata_i[b] = data[b];
+    for (unsigned b = 0; b < kBanks; ++b) top.sram_rdata_i[b] = data[b];
     ++clocks_;
     return ready;
   }

@@ -14,6 +14,7 @@ inline constexpr char kLines[] =
     "--lines {}: the caches of configuration {} have 1, 2, 4 up to {} lines";
 inline constexpr char kExtension[] =
     "{}: the image format '{}' is not one of dynrt's; the name must end in .png or .exr";
+inline constexpr char kSameFile[] = "{} {}: {} writes the same file; name another one";
 inline constexpr char kNoFolder[] =
     "{}: there is no folder '{}'; create it or name a file elsewhere";
 inline constexpr char kCannotWrite[] =

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Frames as image files. PNG holds the core's bytes as they are; EXR holds the same colours as
-// numbers 0 to 1. A file is written under a temporary name beside its own and renamed when it is
-// complete, so nothing partial is left behind.
+// numbers 0 to 1.
 #pragma once
 
 #include <string>
@@ -15,12 +14,7 @@ namespace dynrt::host {
 /// Throws UserError, before any work is done, for an unknown extension or a folder that does not
 /// exist or cannot be written.
 void check_image_path(const std::string& path);
-/// The same for any other file that is to be written.
-void check_output_path(const std::string& path);
 
 void write_image(const std::string& path, const Frame& frame);
-
-/// Writes a text file in the same way.
-void write_text(const std::string& path, const std::string& text);
 
 }  // namespace dynrt::host

@@ -15,7 +15,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <cfloat>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 #include "hls/float_circuit.h"
@@ -28,6 +30,8 @@ template <unsigned E, unsigned M, Rounding R = Rounding::kNearestEven>
 class Float {
   static_assert(E >= 2 && E <= 10, "a Float has 2 to 10 exponent bits, so that a double holds it");
   static_assert(M >= 2 && M <= 52, "a Float has 2 to 52 mantissa bits, so that a double holds it");
+  static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0,
+                "the native model computes in IEEE doubles, each operation rounded to 53 bits");
 
  public:
   using Circuit = FloatCircuit<E, M, R>;

@@ -210,8 +210,8 @@ class Join {
     std::function<bool(std::uint64_t&)> run;
   };
 
-  /// Runs a unit until an input is empty; false if one was. Flattened, so that what `step` calls
-  /// is compiled into the loop: half of a unit's time would be calls otherwise.
+  /// Runs a unit until an input is empty; false if one was. Flattened: `step` and all that it calls
+  /// is compiled into the loop.
   template <class U>
   [[gnu::flatten]] static bool run_unit(U& unit, std::uint64_t& transactions) {
     bool progress = false;

@@ -27,8 +27,9 @@ std::string_view stand_in_json() {
 
 std::span<const Configuration> configurations() {
   static constexpr Configuration kTable[] = {
-      {.name = "model_only", .native = make_core},
+      {.name = "model_only", .info = board_info_of<config::thesis>, .native = make_core},
       {.name = "stand_in",
+       .info = board_info_of<config::thesis>,
        .native = make_core,
        .rtl = make_stand_in_board,
        .traced = make_stand_in_board_traced,

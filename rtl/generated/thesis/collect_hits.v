@@ -59,7 +59,7 @@ module collect_hits #(
   wire candidate_6_s0 = candidate_data_i[6];
   wire in_reset_s0 = candidate_data_i[7];
   wire in_hit_s0 = candidate_data_i[8];
-  wire [23:0] in_t_s0 = candidate_data_i[32:9];
+  wire [23:0] candidate_9_s0 = candidate_data_i[32:9];
   wire [23:0] in_u_s0 = candidate_data_i[56:33];
   wire [23:0] in_v_s0 = candidate_data_i[80:57];
   wire [23:0] in_cosine_s0 = candidate_data_i[104:81];
@@ -71,7 +71,7 @@ module collect_hits #(
   reg  candidate_6_s1;
   reg  in_reset_s1;
   reg  in_hit_s1;
-  reg  [23:0] in_t_s1;
+  reg  [23:0] candidate_9_s1;
   reg  [23:0] in_u_s1;
   reg  [23:0] in_v_s1;
   reg  [23:0] in_cosine_s1;
@@ -82,7 +82,7 @@ module collect_hits #(
     candidate_6_s1 <= candidate_6_s0;
     in_reset_s1 <= in_reset_s0;
     in_hit_s1 <= in_hit_s0;
-    in_t_s1 <= in_t_s0;
+    candidate_9_s1 <= candidate_9_s0;
     in_u_s1 <= in_u_s0;
     in_v_s1 <= in_v_s0;
     in_cosine_s1 <= in_cosine_s0;
@@ -97,7 +97,7 @@ module collect_hits #(
   reg  candidate_6_s2;
   reg  in_reset_s2;
   reg  in_hit_s2;
-  reg  [23:0] in_t_s2;
+  reg  [23:0] candidate_9_s2;
   reg  [23:0] in_u_s2;
   reg  [23:0] in_v_s2;
   reg  [23:0] in_cosine_s2;
@@ -109,7 +109,7 @@ module collect_hits #(
     candidate_6_s2 <= candidate_6_s1;
     in_reset_s2 <= in_reset_s1;
     in_hit_s2 <= in_hit_s1;
-    in_t_s2 <= in_t_s1;
+    candidate_9_s2 <= candidate_9_s1;
     in_u_s2 <= in_u_s1;
     in_v_s2 <= in_v_s1;
     in_cosine_s2 <= in_cosine_s1;
@@ -119,23 +119,24 @@ module collect_hits #(
   wire [16:0] best_triangle_s2 = record_data_i[22:6];
   wire [23:0] job_extra_s2 = record_data_i[46:23];
   wire [16:0] instance_s2 = object_data_i;
-  wire [23:0] or_1_s2 = in_t_s2 | closest_s2;  // units/collect_hits.h:39
-  wire closer_s2 = in_hit_s2 & (or_1_s2[23] ^ ({in_t_s2, 1'd0} < {closest_s2, or_1_s2[23]}));
-  wire or_2_s2 = in_reset_s2 | closer_s2;  // units/collect_hits.h:41
-  wire best_hit_s2 = ~in_reset_s2;  // units/collect_hits.h:43
-  wire [23:0] mux_1_s2 = {~in_reset_s2 & in_t_s2[23], {23{in_reset_s2}} | in_t_s2[22:0]};
-  wire [23:0] mux_2_s2 = ~{24{in_reset_s2}} & in_u_s2;
-  wire [23:0] mux_3_s2 = ~{24{in_reset_s2}} & in_v_s2;
-  wire [23:0] mux_4_s2 = ~{24{in_reset_s2}} & in_cosine_s2;
-  wire [23:0] mux_5_s2 = ~{24{in_reset_s2}} & job_extra_s2;
-  wire eq_1_s2 = {candidate_6_s2, candidate_5_s2} == 2'd3;  // units/collect_hits.h:59
-  wire [16:0] mux_6_s2 = ~{17{in_reset_s2}} & best_triangle_s2;
-  wire [16:0] mux_7_s2 = ~{17{in_reset_s2}} & instance_s2;
+  wire [23:0] or_1_s2 = candidate_9_s2 | closest_s2;  // units/collect_hits.h:65
+  wire xor_1_s2 = or_1_s2[23] ^ ({candidate_9_s2, 1'd0} < {closest_s2, or_1_s2[23]});  // units/collect_hits.h:65
+  wire closer_s2 = in_hit_s2 & xor_1_s2;
+  wire [23:0] mux_1_s2 = {~in_reset_s2 & closest_s2[23], {23{in_reset_s2}} | closest_s2[22:0]};  // units/collect_hits.h:69
+  wire [23:0] mux_2_s2 = closer_s2 ? candidate_9_s2 : mux_1_s2;  // units/collect_hits.h:70
+  wire [23:0] mux_3_s2 = ~{24{in_reset_s2}} & in_u_s2;
+  wire [23:0] mux_4_s2 = ~{24{in_reset_s2}} & in_v_s2;
+  wire [23:0] mux_5_s2 = ~{24{in_reset_s2}} & in_cosine_s2;
+  wire [16:0] mux_6_s2 = ~{17{in_reset_s2}} & instance_s2;
+  wire [16:0] mux_7_s2 = ~{17{in_reset_s2}} & best_triangle_s2;
+  wire [23:0] mux_8_s2 = ~{24{in_reset_s2}} & job_extra_s2;
+  wire or_2_s2 = in_reset_s2 | closer_s2;  // units/collect_hits.h:87
+  wire [23:0] mux_9_s2 = {~in_reset_s2 & mux_2_s2[23], {23{in_reset_s2}} | mux_2_s2[22:0]};  // units/collect_hits.h:87
   wire not_1_s2 = ~candidate_5_s2;
-  wire and_3_s2 = in_reset_s2 & eq_1_s2;
-  wire and_4_s2 = candidate_5_s2 & candidate_6_s2;
-  wire and_6_s2 = best_hit_s2 & eq_1_s2;
-  wire not_2_s2 = ~candidate_6_s2;  // units/collect_hits.h:54
+  wire not_2_s2 = ~candidate_6_s2;
+  wire [23:0] mux_10_s2 = {~in_reset_s2 & candidate_9_s2[23], {23{in_reset_s2}} | candidate_9_s2[22:0]};  // units/collect_hits.h:94
+  wire eq_1_s2 = {candidate_6_s2, candidate_5_s2} == 2'd3;  // units/collect_hits.h:120
+  wire not_3_s2 = ~in_reset_s2;
   wire [3:0] record_2_s2 = record_data_i[5:2];
 
   // ---- state, rows and tokens written ----
@@ -146,38 +147,38 @@ module collect_hits #(
   hls_fifo #(.WIDTH(26), .DEPTH(GO_ON_DEPTH), .MARGIN(GO_ON_BOUNDED ? 0 : 2),
     .BOUNDED(GO_ON_BOUNDED)) go_on_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(valid_s2 && (or_2_s2 ? (and_4_s2 & and_6_s2) : and_6_s2)), .ready_o(go_on_room),
+    .valid_i(valid_s2 && (eq_1_s2 & not_3_s2)), .ready_o(go_on_room),
     .data_i({21'd1, in_packet_s2}),
     .valid_o(go_on_valid_o), .ready_i(go_on_ready_i), .data_o(go_on_data_o));
   hls_fifo #(.WIDTH(43), .DEPTH(START_DEPTH), .MARGIN(START_BOUNDED ? 0 : 2),
     .BOUNDED(START_BOUNDED)) start_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(valid_s2 && (or_2_s2 ? (and_3_s2 & and_4_s2) : and_3_s2)), .ready_o(start_room),
+    .valid_i(valid_s2 && (in_reset_s2 & eq_1_s2)), .ready_o(start_room),
     .data_i({32'd0, record_2_s2, 2'd2, in_packet_s2}),
     .valid_o(start_valid_o), .ready_i(start_ready_i), .data_o(start_data_o));
   assign distance_0_en_o = valid_s2 && (or_2_s2 & (not_1_s2 & not_2_s2));
   assign distance_0_addr_o = in_packet_s2;
-  assign distance_0_data_o = mux_1_s2;
+  assign distance_0_data_o = mux_9_s2;
   assign distance_1_en_o = valid_s2 && (or_2_s2 & (candidate_5_s2 & not_2_s2));
   assign distance_1_addr_o = in_packet_s2;
-  assign distance_1_data_o = mux_1_s2;
+  assign distance_1_data_o = mux_9_s2;
   assign distance_2_en_o = valid_s2 && (or_2_s2 & (not_1_s2 & candidate_6_s2));
   assign distance_2_addr_o = in_packet_s2;
-  assign distance_2_data_o = mux_1_s2;
-  assign distance_3_en_o = valid_s2 && (or_2_s2 & and_4_s2);
+  assign distance_2_data_o = mux_9_s2;
+  assign distance_3_en_o = valid_s2 && (or_2_s2 & (candidate_5_s2 & candidate_6_s2));
   assign distance_3_addr_o = in_packet_s2;
-  assign distance_3_data_o = mux_1_s2;
+  assign distance_3_data_o = mux_9_s2;
   assign hit_en_o = valid_s2 && or_2_s2;
   assign hit_addr_o = {in_packet_s2, candidate_6_s2, candidate_5_s2};
-  assign hit_data_o = {mux_5_s2, mux_6_s2, mux_7_s2, mux_4_s2, mux_3_s2, mux_2_s2, mux_1_s2, best_hit_s2};
+  assign hit_data_o = {mux_8_s2, mux_7_s2, mux_6_s2, mux_5_s2, mux_4_s2, mux_3_s2, mux_10_s2, not_3_s2};
   wire closest_write = valid_s2 && or_2_s2;
   wire [6:0] closest_write_addr = {in_packet_s2, candidate_6_s2, candidate_5_s2};
-  wire closest_read = valid_s0 && in_hit_s0;
+  wire closest_read = valid_s0;
   wire [6:0] closest_read_addr = {in_packet_s0, candidate_6_s0, candidate_5_s0};
   hls_ram_1r1w #(.WIDTH(24), .ROWS(128), .EXCLUSIVE(1)) closest_ram (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(closest_write), .write_addr_i(closest_write_addr),
-    .write_data_i(mux_1_s2),
+    .write_data_i(mux_9_s2),
     .read_en_i(closest_read), .read_addr_i(closest_read_addr), .read_data_o(closest_row));
 `ifdef HLS_ASSERT
   reg [7:0] closest_reads [1:2];  // enables and addresses of the clocks before

@@ -28,7 +28,7 @@ module dynrt_core (
   output wire bank5_en_o,
   output wire [19:0] bank5_addr_o,
   output wire [31:0] bank5_data_o,
-  input  wire [383:0] frame_i,
+  input  wire [511:0] frame_i,
   input  wire counter_clear_i,
   input  wire [7:0] counter_addr_i,
   output wire [31:0] counter_data_o

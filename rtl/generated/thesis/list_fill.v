@@ -13,7 +13,7 @@ module list_fill #(
   input  wire fill_valid_i,
   output wire fill_ready_o,
   input  wire [58:0] fill_data_i,
-  input  wire [383:0] frame_i,
+  input  wire [511:0] frame_i,
   output wire reply_valid_o,
   input  wire reply_ready_i,
   output wire [42:0] reply_data_o,
@@ -70,7 +70,7 @@ module list_fill #(
 
   wire unused = &{1'b0,
     frame_i[31:0],
-    frame_i[383:41]};
+    frame_i[511:41]};
 
 endmodule
 

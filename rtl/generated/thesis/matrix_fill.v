@@ -13,7 +13,7 @@ module matrix_fill #(
   input  wire fill_valid_i,
   output wire fill_ready_o,
   input  wire [122:0] fill_data_i,
-  input  wire [383:0] frame_i,
+  input  wire [511:0] frame_i,
   output wire reply_valid_o,
   input  wire reply_ready_i,
   output wire [127:0] reply_data_o,
@@ -71,7 +71,7 @@ module matrix_fill #(
 
   wire unused = &{1'b0,
     frame_i[31:0],
-    frame_i[383:41]};
+    frame_i[511:41]};
 
 endmodule
 

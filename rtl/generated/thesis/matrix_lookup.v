@@ -15,7 +15,7 @@ module matrix_lookup #(
   input  wire request_valid_i,
   output wire request_ready_o,
   input  wire [31:0] request_data_i,
-  input  wire [383:0] frame_i,
+  input  wire [511:0] frame_i,
   output wire reply_valid_o,
   input  wire reply_ready_i,
   output wire [127:0] reply_data_o,
@@ -42,8 +42,8 @@ module matrix_lookup #(
   wire [8:0] frame_32_config = frame_i[40:32];
 
   // ---- stage 0 ----
-  wire [4:0] r_context_packet_s0 = request_data_i[4:0];
-  wire [1:0] r_context_column_s0 = request_data_i[12:11];
+  wire [4:0] request_0_s0 = request_data_i[4:0];
+  wire [1:0] request_11_s0 = request_data_i[12:11];
   wire [8:0] request_13_s0 = request_data_i[21:13];
   wire [9:0] request_22_s0 = request_data_i[31:22];
   wire [8:0] line_s0 = frame_32_config & request_13_s0;  // units/cache_lookup.h:70
@@ -51,15 +51,15 @@ module matrix_lookup #(
 
   // ---- stage 1 ----
   reg valid_s1;
-  reg  [4:0] r_context_packet_s1;
-  reg  [1:0] r_context_column_s1;
+  reg  [4:0] request_0_s1;
+  reg  [1:0] request_11_s1;
   reg  [8:0] request_13_s1;
   reg  [9:0] request_22_s1;
   reg  [5:0] request_5_s1;
   always @(posedge clk_i) begin
     valid_s1 <= rst_ni && valid_s0;
-    r_context_packet_s1 <= r_context_packet_s0;
-    r_context_column_s1 <= r_context_column_s0;
+    request_0_s1 <= request_0_s0;
+    request_11_s1 <= request_11_s0;
     request_13_s1 <= request_13_s0;
     request_22_s1 <= request_22_s0;
     request_5_s1 <= request_5_s0;
@@ -71,8 +71,8 @@ module matrix_lookup #(
 
   // ---- stage 2 ----
   reg valid_s2;
-  reg  [4:0] r_context_packet_s2;
-  reg  [1:0] r_context_column_s2;
+  reg  [4:0] request_0_s2;
+  reg  [1:0] request_11_s2;
   reg  [8:0] request_13_s2;
   reg  [9:0] request_22_s2;
   reg  row_valid_s2;
@@ -81,8 +81,8 @@ module matrix_lookup #(
   reg  [5:0] request_5_s2;
   always @(posedge clk_i) begin
     valid_s2 <= rst_ni && valid_s1;
-    r_context_packet_s2 <= r_context_packet_s1;
-    r_context_column_s2 <= r_context_column_s1;
+    request_0_s2 <= request_0_s1;
+    request_11_s2 <= request_11_s1;
     request_13_s2 <= request_13_s1;
     request_22_s2 <= request_22_s1;
     row_valid_s2 <= row_valid_s1;
@@ -98,23 +98,23 @@ module matrix_lookup #(
     .BOUNDED(REPLY_BOUNDED)) reply_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && and_1_s2), .ready_o(reply_room),
-    .data_i({lines_20_s2, request_22_s2, request_13_s2, r_context_column_s2, request_5_s2, r_context_packet_s2}),
+    .data_i({lines_20_s2, request_22_s2, request_13_s2, request_11_s2, request_5_s2, request_0_s2}),
     .valid_o(reply_valid_o), .ready_i(reply_ready_i), .data_o(reply_data_o));
   hls_fifo #(.WIDTH(28), .DEPTH(MISS_DEPTH), .MARGIN(MISS_BOUNDED ? 0 : 2),
     .BOUNDED(MISS_BOUNDED)) miss_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && not_1_s2), .ready_o(miss_room),
-    .data_i({request_22_s2, request_13_s2, r_context_column_s2, r_context_packet_s2, 2'd2}),
+    .data_i({request_22_s2, request_13_s2, request_11_s2, request_0_s2, 2'd2}),
     .valid_o(miss_valid_o), .ready_i(miss_ready_i), .data_o(miss_data_o));
   assign lines_en_o = valid_s0;
   assign lines_addr_o = line_s0;
   assign waiting_en_o = valid_s2 && not_1_s2;
-  assign waiting_addr_o = {r_context_column_s2, r_context_packet_s2};
-  assign waiting_data_o = {r_context_column_s2, request_5_s2, r_context_packet_s2};
+  assign waiting_addr_o = {request_11_s2, request_0_s2};
+  assign waiting_data_o = {request_11_s2, request_5_s2, request_0_s2};
 
   wire unused = &{1'b0,
     frame_i[31:0],
-    frame_i[383:41]};
+    frame_i[511:41]};
 
 endmodule
 

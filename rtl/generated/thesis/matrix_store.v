@@ -13,7 +13,7 @@ module matrix_store #(
   input  wire reply_valid_i,
   output wire reply_ready_o,
   input  wire [127:0] reply_data_i,
-  input  wire [383:0] frame_i,
+  input  wire [511:0] frame_i,
   output wire ready_valid_o,
   input  wire ready_ready_i,
   output wire [10:0] ready_data_o,
@@ -54,15 +54,15 @@ module matrix_store #(
   wire [7:0] r_line_row_0_spare_s0 = reply_data_i[63:56];
   wire [7:0] r_line_row_1_spare_s0 = reply_data_i[95:88];
   wire [7:0] r_line_row_2_spare_s0 = reply_data_i[127:120];
-  wire eq_1_s0 = {reply_12_s0, reply_11_s0} == 2'd0;  // units/matrix_store.h:40
+  wire eq_1_s0 = {reply_12_s0, reply_11_s0} == 2'd0;  // units/matrix_store.h:41
   wire [4:0] r_context_packet_s0 = reply_data_i[4:0];
   wire [25:0] progress_row;
-  wire [1:0] p_columns_s0 = progress_row[1:0];
-  wire [23:0] p_extra_s0 = progress_row[25:2];
-  wire complete_s0 = p_columns_s0 == 2'd3;  // units/matrix_store.h:44
-  wire [23:0] mux_1_s0 = eq_1_s0 ? {r_line_row_2_spare_s0, r_line_row_1_spare_s0, r_line_row_0_spare_s0} : p_extra_s0;
+  wire [1:0] progress_0_s0 = progress_row[1:0];
+  wire [23:0] progress_2_s0 = progress_row[25:2];
+  wire complete_s0 = progress_0_s0 == 2'd3;  // units/matrix_store.h:45
+  wire [23:0] mux_1_s0 = eq_1_s0 ? {r_line_row_2_spare_s0, r_line_row_1_spare_s0, r_line_row_0_spare_s0} : progress_2_s0;
   wire [16:0] matrix_s0 = reply_data_i[31:15];
-  wire [1:0] p_columns_2_s0 = p_columns_s0 + 2'd1;  // units/matrix_store.h:49
+  wire [1:0] add_1_s0 = progress_0_s0 + 2'd1;  // units/matrix_store.h:51
   wire [23:0] r_line_row_2_value_s0 = reply_data_i[119:96];
   wire [23:0] r_line_row_1_value_s0 = reply_data_i[87:64];
   wire [23:0] r_line_row_0_value_s0 = reply_data_i[55:32];
@@ -98,12 +98,12 @@ module matrix_store #(
   hls_register_file #(.WIDTH(26), .ROWS(32)) progress_file (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(progress_write), .write_addr_i(progress_write_addr),
-    .write_data_i({mux_1_s0, p_columns_2_s0}),
+    .write_data_i({mux_1_s0, add_1_s0}),
     .read_addr_i(r_context_packet_s0), .read_data_o(progress_row));
 
   wire unused = &{1'b0,
     frame_i[351:0],
-    frame_i[383:353],
+    frame_i[511:353],
     reply_data_i[14:13]};
 
 endmodule

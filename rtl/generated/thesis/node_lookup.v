@@ -15,7 +15,7 @@ module node_lookup #(
   input  wire request_valid_i,
   output wire request_ready_o,
   input  wire [40:0] request_data_i,
-  input  wire [383:0] frame_i,
+  input  wire [511:0] frame_i,
   output wire reply_valid_o,
   input  wire reply_ready_i,
   output wire [85:0] reply_data_o,
@@ -109,7 +109,7 @@ module node_lookup #(
 
   wire unused = &{1'b0,
     frame_i[31:0],
-    frame_i[383:41]};
+    frame_i[511:41]};
 
 endmodule
 

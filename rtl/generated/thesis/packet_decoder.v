@@ -79,17 +79,18 @@ module packet_decoder #(
   reg  [23:0] origin_x_q;
   reg  [23:0] origin_y_q;
   reg  [23:0] origin_z_q;
-  wire [1:0] record_0_s1 = record_data_i[1:0];
-  wire [23:0] mux_1_s1 = in_point_s1 ? vector_56_s1 : origin_z_q;  // units/packet_decoder.h:30
-  wire [23:0] mux_2_s1 = in_point_s1 ? vector_32_s1 : origin_y_q;  // units/packet_decoder.h:30
-  wire [23:0] mux_3_s1 = in_point_s1 ? in_vector_x_s1 : origin_x_q;  // units/packet_decoder.h:30
-  wire triangle_s1 = ~(record_0_s1 == 2'd2);  // units/packet_decoder.h:33
-  wire level_s1 = record_0_s1 == 2'd1;  // units/packet_decoder.h:34
-  wire not_1_s1 = ~in_point_s1;  // units/packet_decoder.h:37
+  wire record_0_s1 = record_data_i[0];
+  wire record_1_s1 = record_data_i[1];
+  wire [23:0] mux_1_s1 = in_point_s1 ? vector_56_s1 : origin_z_q;  // units/packet_decoder.h:35
+  wire [23:0] mux_2_s1 = in_point_s1 ? vector_32_s1 : origin_y_q;  // units/packet_decoder.h:35
+  wire [23:0] mux_3_s1 = in_point_s1 ? in_vector_x_s1 : origin_x_q;  // units/packet_decoder.h:35
+  wire triangle_s1 = ~({record_1_s1, record_0_s1} == 2'd2);  // units/packet_decoder.h:38
+  wire level_s1 = {record_1_s1, record_0_s1} == 2'd1;  // units/packet_decoder.h:45
+  wire not_1_s1 = ~in_point_s1;  // units/packet_decoder.h:50
   wire eq_5_s1 = in_ray_s1 == 2'd3;
-  wire eq_6_s1 = record_0_s1 == 2'd0;  // units/packet_decoder.h:44
   wire [18:0] record_23_s1 = record_data_i[41:23];
   wire and_1_s1 = triangle_s1 & not_1_s1;
+  wire is_new_s1 = {record_1_s1, record_0_s1} == 2'd0;  // units/packet_decoder.h:44
   wire [3:0] record_2_s1 = record_data_i[5:2];
 
   // ---- state, rows and tokens written ----
@@ -110,13 +111,13 @@ module packet_decoder #(
   hls_fifo #(.WIDTH(152), .DEPTH(UNIT_RAY_DEPTH), .MARGIN(UNIT_RAY_BOUNDED ? 0 : 1),
     .BOUNDED(UNIT_RAY_BOUNDED)) unit_ray_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(valid_s1 && (~(in_point_s1 | level_s1))), .ready_o(unit_ray_room),
-    .data_i({vector_56_s1, vector_32_s1, in_vector_x_s1, mux_1_s1, mux_2_s1, mux_3_s1, eq_6_s1, in_ray_s1, in_packet_s1}),
+    .valid_i(valid_s1 && (~(in_point_s1 | record_0_s1))), .ready_o(unit_ray_room),
+    .data_i({vector_56_s1, vector_32_s1, in_vector_x_s1, mux_1_s1, mux_2_s1, mux_3_s1, is_new_s1, in_ray_s1, in_packet_s1}),
     .valid_o(unit_ray_valid_o), .ready_i(unit_ray_ready_i), .data_o(unit_ray_data_o));
   hls_fifo #(.WIDTH(63), .DEPTH(ENTER_OBJECT_DEPTH), .MARGIN(ENTER_OBJECT_BOUNDED ? 0 : 1),
     .BOUNDED(ENTER_OBJECT_BOUNDED)) enter_object_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(valid_s1 && (level_s1 & (not_1_s1 & eq_5_s1))), .ready_o(enter_object_room),
+    .valid_i(valid_s1 && (level_s1 & (record_0_s1 & (not_1_s1 & eq_5_s1)))), .ready_o(enter_object_room),
     .data_i({32'd0, record_2_s1, record_23_s1, 3'd1, in_packet_s1}),
     .valid_o(enter_object_valid_o), .ready_i(enter_object_ready_i), .data_o(enter_object_data_o));
   assign ray_0_en_o = valid_s1 && ((in_ray_s1 == 2'd0) & and_1_s1);

@@ -17,7 +17,7 @@ module packet_mailbox #(
   input  wire entry_valid_i,
   output wire entry_ready_o,
   input  wire [42:0] entry_data_i,
-  input  wire [383:0] frame_i,
+  input  wire [511:0] frame_i,
   output wire fresh_valid_o,
   input  wire fresh_ready_i,
   output wire [31:0] fresh_data_o,
@@ -187,13 +187,13 @@ module packet_mailbox #(
   wire found_13_s2 = matrix_s2 == triangle_slots_slot_5_s2;
   wire lt_8_s2 = 4'd6 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:26
   wire found_14_s2 = matrix_s2 == triangle_slots_slot_6_s2;
-  wire or_2_s2 = ((~({triangles_3_s2, triangles_2_s2} == 2'd0)) & found_11_s2) | (triangles_3_s2 & (matrix_s2 == triangle_slots_slot_7_s2));  // units/mailbox.h:56
-  wire or_6_s2 = ((lt_5_s2 & found_10_s2) | (lt_6_s2 & found_12_s2)) | ((lt_7_s2 & found_13_s2) | (lt_8_s2 & found_14_s2));  // units/mailbox.h:56
-  wire or_9_s2 = ((~({objects_3_s2, objects_2_s2} == 2'd0)) & found_4_s2) | (objects_3_s2 & (matrix_s2 == object_slots_slot_7_s2));  // units/mailbox.h:56
-  wire or_13_s2 = ((lt_1_s2 & found_3_s2) | (lt_2_s2 & found_5_s2)) | ((lt_3_s2 & found_6_s2) | (lt_4_s2 & found_7_s2));  // units/mailbox.h:56
-  wire or_14_s2 = ((found_s2 | and_1_s2) | or_9_s2) | or_13_s2;  // units/mailbox.h:56
-  wire known_s2 = top_s2 ? (((found_8_s2 | and_8_s2) | or_2_s2) | or_6_s2) : or_14_s2;  // units/mailbox.h:56
-  wire [1:0] mux_1_s2 = top_s2 ? 2'd2 : 2'd1;  // units/mailbox.h:84
+  wire or_2_s2 = ((~({triangles_3_s2, triangles_2_s2} == 2'd0)) & found_11_s2) | (triangles_3_s2 & (matrix_s2 == triangle_slots_slot_7_s2));  // units/mailbox.h:62
+  wire or_6_s2 = ((lt_5_s2 & found_10_s2) | (lt_6_s2 & found_12_s2)) | ((lt_7_s2 & found_13_s2) | (lt_8_s2 & found_14_s2));  // units/mailbox.h:62
+  wire or_9_s2 = ((~({objects_3_s2, objects_2_s2} == 2'd0)) & found_4_s2) | (objects_3_s2 & (matrix_s2 == object_slots_slot_7_s2));  // units/mailbox.h:62
+  wire or_13_s2 = ((lt_1_s2 & found_3_s2) | (lt_2_s2 & found_5_s2)) | ((lt_3_s2 & found_6_s2) | (lt_4_s2 & found_7_s2));  // units/mailbox.h:62
+  wire or_14_s2 = ((found_s2 | and_1_s2) | or_9_s2) | or_13_s2;  // units/mailbox.h:62
+  wire known_s2 = top_s2 ? (((found_8_s2 | and_8_s2) | or_2_s2) | or_6_s2) : or_14_s2;  // units/mailbox.h:62
+  wire [1:0] mux_1_s2 = top_s2 ? 2'd2 : 2'd1;  // units/mailbox.h:92
   wire eq_11_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd1;  // units/mailbox.h:32
   wire eq_12_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd2;  // units/mailbox.h:32
   wire eq_13_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd3;  // units/mailbox.h:32
@@ -236,14 +236,14 @@ module packet_mailbox #(
   wire [16:0] mux_35_s2 = or_15_s2 ? triangle_slots_slot_6_s2 : ((top_s2 & eq_24_s2) ? matrix_s2 : triangle_slots_slot_6_s2);
   wire [16:0] mux_37_s2 = or_15_s2 ? triangle_slots_slot_7_s2 : ((top_s2 & eq_25_s2) ? matrix_s2 : triangle_slots_slot_7_s2);
   wire [3:0] traced_row;
-  wire [3:0] rays_s2 = traced_row;
+  wire [3:0] packet_rays_s2 = traced_row;
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(32), .DEPTH(FRESH_DEPTH), .MARGIN(FRESH_BOUNDED ? 0 : 2),
     .BOUNDED(FRESH_BOUNDED)) fresh_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && (~or_15_s2)), .ready_o(fresh_room),
-    .data_i({matrix_s2, rays_s2, mux_1_s2, enter_packet_s2, 4'd3}),
+    .data_i({matrix_s2, packet_rays_s2, mux_1_s2, enter_packet_s2, 4'd3}),
     .valid_o(fresh_valid_o), .ready_i(fresh_ready_i), .data_o(fresh_data_o));
   hls_fifo #(.WIDTH(26), .DEPTH(SEEN_DEPTH), .MARGIN(SEEN_BOUNDED ? 0 : 2),
     .BOUNDED(SEEN_BOUNDED)) seen_fifo (
@@ -345,7 +345,7 @@ module packet_mailbox #(
   wire unused = &{1'b0,
     entry_data_i[41:28],
     frame_i[191:0],
-    frame_i[383:211]};
+    frame_i[511:211]};
 
 endmodule
 

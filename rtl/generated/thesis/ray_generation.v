@@ -17,7 +17,7 @@ module ray_generation #(
   input  wire free_valid_i,
   output wire free_ready_o,
   input  wire [4:0] free_data_i,
-  input  wire [383:0] frame_i,
+  input  wire [511:0] frame_i,
   output wire job_valid_o,
   input  wire job_ready_i,
   output wire [31:0] job_data_o,
@@ -135,7 +135,7 @@ module ray_generation #(
     frame_i[127:107],
     frame_i[159:129],
     frame_i[223:165],
-    frame_i[383:241],
+    frame_i[511:241],
     add_1_s1[0],
     add_2_s1[0]};
 

@@ -13,7 +13,7 @@ module shading #(
   input  wire job_valid_i,
   output wire job_ready_o,
   input  wire [13:0] job_data_i,
-  input  wire [383:0] frame_i,
+  input  wire [511:0] frame_i,
   output wire free_valid_o,
   input  wire free_ready_i,
   output wire [4:0] free_data_o,
@@ -82,28 +82,28 @@ module shading #(
   wire [16:0] hit_97_s1 = hit_data_i[113:97];
   wire [16:0] hit_114_s1 = hit_data_i[130:114];
   wire position_0_s1 = position_data_i[0];
-  wire or_1_s1 = job_2_s1 | position_0_s1;  // units/shading.h:39
+  wire or_1_s1 = job_2_s1 | position_0_s1;  // units/shading.h:41
   wire [8:0] position_1_s1 = position_data_i[9:1];
   wire position_10_s1 = position_data_i[10];
-  wire or_2_s1 = job_3_s1 | position_10_s1;  // units/shading.h:40
+  wire or_2_s1 = job_3_s1 | position_10_s1;  // units/shading.h:42
   wire [8:0] position_11_s1 = position_data_i[19:11];
-  wire eq_1_s1 = word_s1 == 2'd0;
-  wire lt_3_s1 = {hit_95_s1, hit_89_s1} < 7'd63;  // units/shading.h:77
-  wire [5:0] not_1_s1 = ~hit_89_s1;  // units/shading.h:80
-  wire lt_4_s1 = hit_89_s1 < 6'd55;  // units/shading.h:80
-  wire [8:0] mux_1_s1 = {not_1_s1[5] ? 1'd0 : 1'd1, ~{8{not_1_s1[5]}} & hit_81_s1};  // units/shading.h:80
-  wire [8:0] mux_2_s1 = ~{9{not_1_s1[4]}} & mux_1_s1;  // units/shading.h:80
-  wire [8:0] mux_3_s1 = {~{8{not_1_s1[3]}} & mux_2_s1[8:1], not_1_s1[3] ? mux_2_s1[8] : mux_2_s1[0]};  // units/shading.h:80
-  wire [8:0] mux_4_s1 = {~{4{not_1_s1[2]}} & mux_3_s1[8:5], not_1_s1[2] ? mux_3_s1[8:4] : mux_3_s1[4:0]};  // units/shading.h:80
-  wire [8:0] mux_5_s1 = {~{2{not_1_s1[1]}} & mux_4_s1[8:7], not_1_s1[1] ? mux_4_s1[8:2] : mux_4_s1[6:0]};  // units/shading.h:80
+  wire lt_3_s1 = {hit_95_s1, hit_89_s1} < 7'd63;  // units/colour.h:20
+  wire [5:0] not_1_s1 = ~hit_89_s1;  // units/colour.h:23
+  wire lt_4_s1 = hit_89_s1 < 6'd55;  // units/colour.h:23
+  wire [8:0] mux_1_s1 = {not_1_s1[5] ? 1'd0 : 1'd1, ~{8{not_1_s1[5]}} & hit_81_s1};  // units/colour.h:23
+  wire [8:0] mux_2_s1 = ~{9{not_1_s1[4]}} & mux_1_s1;  // units/colour.h:23
+  wire [8:0] mux_3_s1 = {~{8{not_1_s1[3]}} & mux_2_s1[8:1], not_1_s1[3] ? mux_2_s1[8] : mux_2_s1[0]};  // units/colour.h:23
+  wire [8:0] mux_4_s1 = {~{4{not_1_s1[2]}} & mux_3_s1[8:5], not_1_s1[2] ? mux_3_s1[8:4] : mux_3_s1[4:0]};  // units/colour.h:23
+  wire [8:0] mux_5_s1 = {~{2{not_1_s1[1]}} & mux_4_s1[8:7], not_1_s1[1] ? mux_4_s1[8:2] : mux_4_s1[6:0]};  // units/colour.h:23
   wire [7:0] hit_147_s1 = hit_data_i[154:147];
   wire [7:0] hit_139_s1 = hit_data_i[146:139];
   wire [7:0] hit_131_s1 = hit_data_i[138:131];
-  wire eq_3_s1 = word_s1 == 2'd1;  // units/shading.h:61
-  wire [31:0] mux_10_s1 = {~eq_3_s1 & h_hit_s1, eq_3_s1 ? 7'd0 : 7'd0, {7{eq_3_s1}} & hit_49_s1[23:17], eq_3_s1 ? hit_49_s1[16:0] : hit_97_s1};  // units/shading.h:51
-  wire [31:0] mux_11_s1 = {~{8{eq_1_s1}} & mux_10_s1[31:24], eq_1_s1 ? hit_1_s1 : mux_10_s1[23:0]};  // units/shading.h:51
-  wire [23:0] mux_12_s1 = {{7{eq_3_s1}} & {hit_96_s1, hit_95_s1, hit_89_s1[5:1]}, eq_3_s1 ? {hit_89_s1[0], hit_81_s1, hit_73_s1} : hit_114_s1};  // units/shading.h:60
-  wire [23:0] mux_13_s1 = eq_1_s1 ? hit_25_s1 : mux_12_s1;  // units/shading.h:60
+  wire eq_1_s1 = word_s1 == 2'd0;
+  wire eq_3_s1 = word_s1 == 2'd1;  // units/shading.h:69
+  wire [31:0] mux_9_s1 = {~eq_3_s1 & h_hit_s1, eq_3_s1 ? 7'd0 : 7'd0, {7{eq_3_s1}} & hit_49_s1[23:17], eq_3_s1 ? hit_49_s1[16:0] : hit_97_s1};  // units/shading.h:59
+  wire [31:0] mux_10_s1 = {~{8{eq_1_s1}} & mux_9_s1[31:24], eq_1_s1 ? hit_1_s1 : mux_9_s1[23:0]};  // units/shading.h:59
+  wire [23:0] mux_11_s1 = {{7{eq_3_s1}} & {hit_96_s1, hit_95_s1, hit_89_s1[5:1]}, eq_3_s1 ? {hit_89_s1[0], hit_81_s1, hit_73_s1} : hit_114_s1};  // units/shading.h:68
+  wire [23:0] mux_12_s1 = eq_1_s1 ? hit_25_s1 : mux_11_s1;  // units/shading.h:68
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -114,7 +114,6 @@ module shading #(
   reg  [8:0] position_1_s2;
   reg  or_2_s2;
   reg  [8:0] position_11_s2;
-  reg  eq_1_s2;
   reg  lt_3_s2;
   reg  [0:0] not_1_s2;
   reg  lt_4_s2;
@@ -122,8 +121,9 @@ module shading #(
   reg  [7:0] hit_147_s2;
   reg  [7:0] hit_139_s2;
   reg  [7:0] hit_131_s2;
-  reg  [31:0] mux_11_s2;
-  reg  [23:0] mux_13_s2;
+  reg  eq_1_s2;
+  reg  [31:0] mux_10_s2;
+  reg  [23:0] mux_12_s2;
   reg  j_last_s2;
   always @(posedge clk_i) begin
     valid_s2 <= rst_ni && valid_s1;
@@ -134,7 +134,6 @@ module shading #(
     position_1_s2 <= position_1_s1;
     or_2_s2 <= or_2_s1;
     position_11_s2 <= position_11_s1;
-    eq_1_s2 <= eq_1_s1;
     lt_3_s2 <= lt_3_s1;
     not_1_s2 <= not_1_s1[0];
     lt_4_s2 <= lt_4_s1;
@@ -142,15 +141,16 @@ module shading #(
     hit_147_s2 <= hit_147_s1;
     hit_139_s2 <= hit_139_s1;
     hit_131_s2 <= hit_131_s1;
-    mux_11_s2 <= mux_11_s1;
-    mux_13_s2 <= mux_13_s1;
+    eq_1_s2 <= eq_1_s1;
+    mux_10_s2 <= mux_10_s1;
+    mux_12_s2 <= mux_12_s1;
     j_last_s2 <= j_last_s1;
   end
-  wire lt_2_s2 = {1'd0, position_11_s2, or_2_s2} < frame_96_config;  // units/shading.h:41
-  wire [19:0] mul_1_s2 = {position_11_s2, or_2_s2} * frame_64_config;  // units/shading.h:43
-  wire [8:0] mux_6_s2 = {~not_1_s2 & mux_5_s2[8], not_1_s2 ? mux_5_s2[8:1] : mux_5_s2[7:0]};  // units/shading.h:80
-  wire [8:0] mux_7_s2 = ~{9{lt_4_s2}} & mux_6_s2;  // units/shading.h:83
-  wire [8:0] mux_8_s2 = {~lt_3_s2 | mux_7_s2[8], {8{lt_3_s2}} & mux_7_s2[7:0]};  // units/shading.h:83
+  wire lt_2_s2 = {1'd0, position_11_s2, or_2_s2} < frame_96_config;  // units/shading.h:43
+  wire [19:0] mul_1_s2 = {position_11_s2, or_2_s2} * frame_64_config;  // units/shading.h:45
+  wire [8:0] mux_6_s2 = {~not_1_s2 & mux_5_s2[8], not_1_s2 ? mux_5_s2[8:1] : mux_5_s2[7:0]};  // units/colour.h:23
+  wire [8:0] mux_7_s2 = ~{9{lt_4_s2}} & mux_6_s2;  // units/colour.h:32
+  wire [8:0] mux_8_s2 = {~lt_3_s2 | mux_7_s2[8], {8{lt_3_s2}} & mux_7_s2[7:0]};  // units/colour.h:32
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -161,13 +161,13 @@ module shading #(
   reg  [8:0] position_1_s3;
   reg  lt_2_s3;
   reg  [19:0] mul_1_s3;
-  reg  eq_1_s3;
   reg  [7:0] hit_147_s3;
   reg  [8:0] mux_8_s3;
   reg  [7:0] hit_139_s3;
   reg  [7:0] hit_131_s3;
-  reg  [31:0] mux_11_s3;
-  reg  [23:0] mux_13_s3;
+  reg  eq_1_s3;
+  reg  [31:0] mux_10_s3;
+  reg  [23:0] mux_12_s3;
   reg  j_last_s3;
   always @(posedge clk_i) begin
     valid_s3 <= rst_ni && valid_s2;
@@ -178,47 +178,47 @@ module shading #(
     position_1_s3 <= position_1_s2;
     lt_2_s3 <= lt_2_s2;
     mul_1_s3 <= mul_1_s2;
-    eq_1_s3 <= eq_1_s2;
     hit_147_s3 <= hit_147_s2;
     mux_8_s3 <= mux_8_s2;
     hit_139_s3 <= hit_139_s2;
     hit_131_s3 <= hit_131_s2;
-    mux_11_s3 <= mux_11_s2;
-    mux_13_s3 <= mux_13_s2;
+    eq_1_s3 <= eq_1_s2;
+    mux_10_s3 <= mux_10_s2;
+    mux_12_s3 <= mux_12_s2;
     j_last_s3 <= j_last_s2;
   end
-  wire inside_s3 = ({1'd0, position_1_s3, or_1_s3} < frame_64_config) & lt_2_s3;  // units/shading.h:41
-  wire [19:0] pixel_s3 = mul_1_s3 + {10'd0, position_1_s3, or_1_s3};  // units/shading.h:43
-  wire and_1_s3 = inside_s3 & eq_1_s3;  // units/shading.h:45
-  wire [19:0] add_1_s3 = pixel_s3 + frame_288_config;  // units/shading.h:46
-  wire [15:0] blue_s3 = hit_147_s3 * mux_8_s3;  // units/shading.h:83
-  wire [15:0] green_s3 = mux_8_s3 * hit_139_s3;  // units/shading.h:83
-  wire [15:0] red_s3 = mux_8_s3 * hit_131_s3;  // units/shading.h:83
-  wire and_3_s3 = inside_s3 & ((~(word_s3 == 2'd3)) & frame_320_config);  // units/shading.h:49
-  wire [19:0] at_s3 = ({pixel_s3[17:0], 2'd0} - pixel_s3) + {18'd0, word_s3};  // units/shading.h:50
+  wire inside_s3 = ({1'd0, position_1_s3, or_1_s3} < frame_64_config) & lt_2_s3;  // units/shading.h:43
+  wire [19:0] pixel_s3 = mul_1_s3 + {10'd0, position_1_s3, or_1_s3};  // units/shading.h:45
+  wire [15:0] mul_2_s3 = hit_147_s3 * mux_8_s3;  // units/colour.h:32
+  wire [15:0] mul_3_s3 = mux_8_s3 * hit_139_s3;  // units/colour.h:32
+  wire [15:0] mul_4_s3 = mux_8_s3 * hit_131_s3;  // units/colour.h:32
+  wire and_1_s3 = inside_s3 & eq_1_s3;  // units/shading.h:53
+  wire [19:0] add_1_s3 = pixel_s3 + frame_288_config;  // units/shading.h:53
+  wire and_3_s3 = inside_s3 & ((~(word_s3 == 2'd3)) & frame_320_config);  // units/shading.h:57
+  wire [19:0] at_s3 = ({pixel_s3[17:0], 2'd0} - pixel_s3) + {18'd0, word_s3};  // units/shading.h:58
 
   // ---- stage 4 ----
   reg valid_s4;
   reg  [4:0] j_job_packet_s4;
   reg  h_hit_s4;
+  reg  [15:8] mul_2_s4;
+  reg  [15:8] mul_3_s4;
+  reg  [15:8] mul_4_s4;
   reg  and_1_s4;
   reg  [19:0] add_1_s4;
-  reg  [15:8] blue_s4;
-  reg  [15:8] green_s4;
-  reg  [15:8] red_s4;
   reg  j_last_s4;
   always @(posedge clk_i) begin
     valid_s4 <= rst_ni && valid_s3;
     j_job_packet_s4 <= j_job_packet_s3;
     h_hit_s4 <= h_hit_s3;
+    mul_2_s4 <= mul_2_s3[15:8];
+    mul_3_s4 <= mul_3_s3[15:8];
+    mul_4_s4 <= mul_4_s3[15:8];
     and_1_s4 <= and_1_s3;
     add_1_s4 <= add_1_s3;
-    blue_s4 <= blue_s3[15:8];
-    green_s4 <= green_s3[15:8];
-    red_s4 <= red_s3[15:8];
     j_last_s4 <= j_last_s3;
   end
-  wire [31:0] mux_9_s4 = {~{8{h_hit_s4}} & config_background_config[31:24], h_hit_s4 ? {blue_s4, green_s4, red_s4} : config_background_config[23:0]};
+  wire [31:0] colour_s4 = {~{8{h_hit_s4}} & config_background_config[31:24], h_hit_s4 ? {mul_2_s4, mul_3_s4, mul_4_s4} : config_background_config[23:0]};  // units/shading.h:51
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(5), .DEPTH(FREE_DEPTH), .MARGIN(FREE_BOUNDED ? 0 : 4),
@@ -233,24 +233,24 @@ module shading #(
   assign position_addr_o = j_job_packet_s0;
   assign bank_0_en_o = valid_s4 && and_1_s4;
   assign bank_0_addr_o = add_1_s4;
-  assign bank_0_data_o = mux_9_s4;
+  assign bank_0_data_o = colour_s4;
   assign bank_1_en_o = valid_s3 && and_3_s3;
   assign bank_1_addr_o = at_s3;
-  assign bank_1_data_o = mux_11_s3;
+  assign bank_1_data_o = mux_10_s3;
   assign bank_2_en_o = valid_s3 && and_3_s3;
   assign bank_2_addr_o = at_s3;
-  assign bank_2_data_o = {8'd0, mux_13_s3};
+  assign bank_2_data_o = {8'd0, mux_12_s3};
 
   wire unused = &{1'b0,
     frame_i[63:0],
     frame_i[95:75],
     frame_i[255:107],
     frame_i[319:308],
-    frame_i[383:321],
+    frame_i[511:321],
     job_data_i[8:5],
-    blue_s3[7:0],
-    green_s3[7:0],
-    red_s3[7:0]};
+    mul_2_s3[7:0],
+    mul_3_s3[7:0],
+    mul_4_s3[7:0]};
 
 endmodule
 

@@ -1,0 +1,124 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/render/output_file.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+
+#include "host/error.h"
+#include "host/render/messages.h"
+
+namespace dynrt::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Names of the unfinished files, for the signal handler.
+std::array<std::atomic<const char*>, 16> unfinished;
+
+void remove_unfinished(int signal) {
+  for (const auto& name : unfinished) {
+    if (const char* path = name.load()) unlink(path);
+  }
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+/// A signal that is ignored, as by nohup, stays so.
+void catch_signals() {
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+    if (std::signal(signal, remove_unfinished) == SIG_IGN) std::signal(signal, SIG_IGN);
+  }
+}
+
+fs::path folder_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+/// The same for all names of a file, whether it is there or not.
+fs::path place_of(const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); }
+
+/// A hidden name beside `path`, of this process, with the same extension.
+std::string temporary_for(const fs::path& path) {
+  return folder_of(path) /
+         fmt::format(".{}.{}{}", path.stem().string(), getpid(), path.extension().string());
+}
+
+}  // namespace
+
+UnfinishedFile::UnfinishedFile(std::string path) : path_(std::move(path)), slot_(0) {
+  static const bool caught = (catch_signals(), true);
+  static_cast<void>(caught);
+  for (const char* none = nullptr; slot_ < unfinished.size(); ++slot_, none = nullptr) {
+    if (unfinished[slot_].compare_exchange_strong(none, path_.c_str())) break;
+  }
+}
+
+UnfinishedFile::~UnfinishedFile() {
+  if (!kept_) unlink(path_.c_str());
+  keep();
+}
+
+void UnfinishedFile::keep() {
+  if (!kept_ && slot_ < unfinished.size()) unfinished[slot_] = nullptr;
+  kept_ = true;
+}
+
+void cannot_write(const std::string& path, const std::string& reason) {
+  refuse(messages::kCannotWrite, path, reason);
+}
+
+void check_outputs(std::span<const Output> outputs) {
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    if (outputs[i].path.empty()) continue;
+    for (const Output& other : outputs.first(i)) {
+      if (!other.path.empty() && place_of(outputs[i].path) == place_of(other.path)) {
+        refuse(messages::kSameFile, outputs[i].flag, outputs[i].path, other.flag);
+      }
+    }
+    check_output_path(outputs[i].path);
+  }
+}
+
+void check_output_path(const std::string& path) {
+  const fs::path folder = folder_of(path);
+  std::error_code unreachable;
+  if (!fs::is_directory(folder, unreachable)) refuse(messages::kNoFolder, path, folder.string());
+  if (fs::is_directory(path, unreachable)) cannot_write(path, std::strerror(EISDIR));
+  // Only trying tells: a folder may be read-only for reasons that its permissions do not show.
+  const UnfinishedFile probe(temporary_for(path));
+  errno = 0;
+  if (std::ofstream(probe.path())) return;
+  // The folder is there: this is how one that holds no files of ours, such as /proc, says so.
+  cannot_write(path, errno == ENOENT ? "its folder takes no files" : std::strerror(errno));
+}
+
+void write_whole(const std::string& path,
+                 const std::function<void(const std::string& temporary)>& write) {
+  UnfinishedFile file(temporary_for(path));
+  write(file.path());
+  std::error_code error;
+  fs::rename(file.path(), path, error);
+  if (error) cannot_write(path, error.message());
+  file.keep();
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  check_output_path(path);
+  write_whole(path, [&](const std::string& temporary) {
+    std::ofstream file(temporary);
+    file << text;
+    file.close();
+    if (!file) cannot_write(path, std::strerror(errno));
+  });
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,107 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/render/output_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "host/error.h"
+
+namespace dynrt::host {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ThrowsMessage;
+
+class OutputFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = fs::path(testing::TempDir()) /
+              (std::string("output_file_") +
+               testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& file : fs::directory_iterator(folder_)) {
+      names.push_back(file.path().filename().string());
+    }
+    return names;
+  }
+  static std::string text_of(const std::string& path) {
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(OutputFile, TextIsWrittenWhole) {
+  write_text(path("figures.json"), "{}\n");
+  EXPECT_EQ(text_of(path("figures.json")), "{}\n");
+  EXPECT_THAT(files(), testing::ElementsAre("figures.json"));
+}
+
+TEST_F(OutputFile, NothingIsLeftOfWhatFailed) {
+  write_text(path("figures.json"), "old");
+  const auto fail = [&] {
+    write_whole(path("figures.json"), [](const std::string& temporary) {
+      std::ofstream(temporary) << "half";
+      throw UserError("no more");
+    });
+  };
+  EXPECT_THAT(fail, ThrowsMessage<UserError>("no more"));
+  EXPECT_EQ(text_of(path("figures.json")), "old");
+  EXPECT_THAT(files(), testing::ElementsAre("figures.json"));
+}
+
+TEST_F(OutputFile, WhatIsUnfinishedIsRemovedWhenTheProgramIsInterrupted) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
+    const auto interrupted = [&] {
+      UnfinishedFile kept(path("kept"));
+      const UnfinishedFile waves(path("waves"));
+      std::ofstream(path("kept")) << "whole";
+      std::ofstream(path("waves")) << "half";
+      kept.keep();
+      std::raise(signal);
+    };
+    EXPECT_EXIT(interrupted(), testing::KilledBySignal(signal), "");
+    EXPECT_THAT(files(), testing::ElementsAre("kept"));
+  }
+}
+
+TEST_F(OutputFile, PlacesThatCannotBeWrittenAreRefused) {
+  EXPECT_THAT([] { check_output_path("/proc/image.json"); },
+              ThrowsMessage<UserError>("/proc/image.json: cannot be written (its folder takes no "
+                                       "files); name a file in a folder that can"));
+  EXPECT_THAT([&] { check_output_path(path("missing/f.json")); },
+              ThrowsMessage<UserError>(path("missing/f.json") + ": there is no folder '" +
+                                       path("missing") + "'; create it or name a file elsewhere"));
+  check_output_path(path("f.json"));
+  EXPECT_TRUE(files().empty());
+}
+
+TEST_F(OutputFile, TwoOutputsOfOneNameAreRefused) {
+  fs::create_directory(path("folder"));
+  const Output outputs[] = {{"--out", path("a.png")}, {"--json", path("folder/../a.png")}};
+  EXPECT_THAT([&] { check_outputs(outputs); },
+              ThrowsMessage<UserError>("--json " + outputs[1].path +
+                                       ": --out writes the same file; name another one"));
+  const Output relative[] = {{"--out", "a.png"}, {"--trace", "./a.png"}};
+  EXPECT_THAT([&] { check_outputs(relative); },
+              ThrowsMessage<UserError>("--trace ./a.png: --out writes the same file; name another "
+                                       "one"));
+  const Output others[] = {{"--out", path("a.png")}, {"--json", ""}, {"--trace", ""}};
+  EXPECT_NO_THROW(check_outputs(others));
+}
+
+}  // namespace
+}  // namespace dynrt::host
