@@ -24,7 +24,11 @@ Frame render_on(Board& board, const FrameOptions& options, const Prepared& prepa
 
   Progress progress(fmt::format("rendering on board {}", board.info().name),
                     std::uint64_t{options.width} * options.height);
-  return render(board, options, {prepared.frame.start_node, prepared.frame.camera_matrix}, memory,
+  const SceneAddresses scene{.start_node = prepared.frame.start_node,
+                             .camera_matrix = prepared.frame.camera_matrix,
+                             .light_matrix = prepared.frame.light_matrix,
+                             .lights = static_cast<unsigned>(prepared.scene.lights.size())};
+  return render(board, options, scene, memory,
                 [&](std::uint64_t pixels) { progress.update(pixels); });
 }
 

@@ -15,7 +15,8 @@ namespace dynrt::host {
 
 namespace {
 
-constexpr char kMatrices[] = "matrices (triangles, instances and the camera)";
+constexpr char kMatrices[] = "matrices (triangles, instances, lights and the camera)";
+constexpr std::uint32_t kMirrorPart = 205;  ///< of the light that a mirror reflects, in 256ths: 0.8
 
 void check_limit(const Scene& scene, const char* what, std::size_t needed, std::size_t limit) {
   if (needed > limit) refuse(messages::kTooMany, scene.name, needed, what, needed - limit, limit);
@@ -36,23 +37,56 @@ std::optional<double> out_of_range(const glm::dmat4x3& matrix) {
   return std::nullopt;
 }
 
-std::uint32_t colour(const Scene& scene, const Mesh& object, std::size_t triangle) {
-  const glm::dvec3& diffuse = scene.materials.at(object.material.at(triangle)).diffuse;
+std::uint32_t colour_bits(const glm::dvec3& colour) {
   std::uint32_t bits = 0;
   for (int channel = 0; channel < 3; ++channel) {
-    const double level = std::clamp(diffuse[channel], 0.0, 1.0) * 255.0;
+    const double level = std::clamp(colour[channel], 0.0, 1.0) * 255.0;
     bits |= static_cast<std::uint32_t>(std::lround(level)) << (8 * channel);
   }
   return bits;
+}
+
+bool is_mirror(const Scene& scene, const Mesh& object, std::size_t triangle) {
+  return scene.materials.at(object.material.at(triangle)).mirror;
+}
+
+std::size_t mirrors_of(const Scene& scene, const Mesh& object) {
+  std::size_t mirrors = 0;
+  for (const std::uint32_t material : object.material) mirrors += scene.materials.at(material).mirror;
+  return mirrors;
+}
+
+/// Takes a ray to the ray that the triangle's plane reflects: x - 2 n (n . x - n . c).
+glm::dmat4x3 reflection_matrix(const std::array<glm::dvec3, 3>& triangle) {
+  const glm::dvec3 n =
+      glm::normalize(glm::cross(triangle[0] - triangle[2], triangle[1] - triangle[2]));
+  glm::dmat4x3 matrix;
+  for (int c = 0; c < 3; ++c) {
+    matrix[c] = -2.0 * n[c] * n;
+    matrix[c][c] += 1.0;
+  }
+  matrix[3] = 2.0 * glm::dot(n, triangle[2]) * n;
+  return matrix;
+}
+
+/// A light as units/light_columns.h reads it: position in columns 2 and 3, intensity in column 0,
+/// the colour in its spare bytes.
+MatrixColumns light_columns(const PointLight& light) {
+  const double intensity = std::max({light.colour.x, light.colour.y, light.colour.z, 0.0});
+  glm::dmat4x3 matrix(0.0);
+  matrix[0][0] = intensity;
+  matrix[2] = matrix[3] = light.position;
+  return to_columns(matrix, intensity > 0 ? colour_bits(light.colour / intensity) : 0);
 }
 
 Address to_address(std::size_t address) {
   return Address::from(static_cast<std::uint32_t>(address));
 }
 
-/// Appends a tree; its items become the matrices from first_matrix on. Returns the address of the
+/// Appends a tree; item i becomes the matrix matrix_of[i]. Returns the address of the
 /// tree's node 0, which has no place itself: node i lies at that address + i.
-std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::uint32_t first_matrix) {
+std::uint32_t add_tree(MemoryPart& part, const Tree& tree,
+                       std::span<const std::uint32_t> matrix_of) {
   const std::uint32_t base = part.end_node() - 1;
   const std::uint32_t list_base = part.end_entry();
   const auto child = [&](std::uint32_t index) {
@@ -75,7 +109,7 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::uint32_t first_m
   const std::size_t first = part.entries.size();
   for (const std::uint32_t item : tree.items) {
     ListEntry entry;
-    entry.matrix = MatrixIndex::from(first_matrix + item);
+    entry.matrix = MatrixIndex::from(matrix_of[item]);
     part.entries.push_back(entry);
   }
   for (const TreeNode& node : tree.nodes) {
@@ -89,8 +123,11 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::uint32_t first_m
 }  // namespace
 
 void check_matrices(const Scene& scene) {
-  std::size_t matrices = scene.instances.size() + 1;
-  for (const Mesh& object : scene.objects) matrices += object.triangles.size();
+  std::size_t matrices =
+      scene.instances.size() * (has_mirrors(scene) ? 2 : 1) + 1 + scene.lights.size();
+  for (const Mesh& object : scene.objects) {
+    matrices += object.triangles.size() + mirrors_of(scene, object);
+  }
   check_limit(scene, kMatrices, matrices, kMaxMatrices);
 }
 
@@ -102,18 +139,28 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees) {
     const Mesh& mesh = scene.objects[k];
     const Tree& tree = trees[k];
     const std::uint32_t first_matrix = memory.end_matrix();
-    const std::uint32_t base = add_tree(memory, tree, first_matrix);
+    std::vector<std::uint32_t> matrix_of;
+    std::uint32_t next = first_matrix;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      matrix_of.push_back(next);
+      next += is_mirror(scene, mesh, i) ? 2 : 1;
+    }
+    const std::uint32_t base = add_tree(memory, tree, matrix_of);
     objects.push_back({base + tree.root, base + tree.clipped_root, first_matrix, tree.box});
     check_limits(scene, memory);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
       const glm::uvec3& t = mesh.triangles[i];
-      const auto matrix =
-          triangle_matrix({mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]});
+      const std::array corners = {mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]};
+      const auto matrix = triangle_matrix(corners);
       if (!matrix) refuse(messages::kFlatTriangle, mesh.name, i);
       if (const auto element = out_of_range(*matrix)) {
         refuse(messages::kTriangleRange, mesh.name, i, *element, largest, largest);
       }
-      memory.matrices.push_back(to_columns(*matrix, colour(scene, mesh, i)));
+      const bool mirror = is_mirror(scene, mesh, i);
+      const glm::dvec3& diffuse = scene.materials.at(mesh.material.at(i)).diffuse;
+      memory.matrices.push_back(
+          to_columns(*matrix, colour_bits(diffuse), mirror ? kMirrorPart : 0));
+      if (mirror) memory.matrices.push_back(to_columns(reflection_matrix(corners), 0));
     }
   }
 }
@@ -131,12 +178,17 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   memory.first_node = objects.memory.end_node();
   memory.first_entry = objects.memory.end_entry();
   memory.first_matrix = first_instance = objects.memory.end_matrix();
-  const std::uint32_t base = add_tree(memory, instances, first_instance);
+  const std::uint32_t stride = has_mirrors(scene) ? 2 : 1;
+  std::vector<std::uint32_t> matrix_of(scene.instances.size());
+  for (std::uint32_t i = 0; i < matrix_of.size(); ++i) matrix_of[i] = first_instance + stride * i;
+  const std::uint32_t base = add_tree(memory, instances, matrix_of);
   start_node = base + instances.entry(camera.position);
   check_limits(scene, memory);
-  check_limit(scene, kMatrices, first_instance + scene.instances.size() + 1, kMaxMatrices);
+  check_limit(scene, kMatrices,
+              first_instance + stride * scene.instances.size() + 1 + scene.lights.size(),
+              kMaxMatrices);
 
-  memory.matrices.reserve(scene.instances.size() + 1);
+  memory.matrices.reserve(stride * scene.instances.size() + 1 + scene.lights.size());
   for (const Instance& instance : scene.instances) {
     const glm::dmat4 inverse = glm::inverse(instance.transform);
     const ObjectImage::Object& object = objects.objects.at(instance.object);
@@ -150,6 +202,7 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
     const glm::dvec3 eye = matrix * glm::dvec4(camera.position, 1.0);
     memory.matrices.push_back(
         to_columns(matrix, object.box.holds(eye) ? object.root : object.clipped_root));
+    if (stride == 2) memory.matrices.push_back(to_columns(glm::dmat4x3(instance.transform), 0));
   }
   const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
   if (const auto element = out_of_range(from_pixels)) {
@@ -157,6 +210,13 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   }
   camera_matrix = memory.end_matrix();
   memory.matrices.push_back(to_columns(from_pixels, 0));
+  light_matrix = memory.end_matrix();
+  for (const PointLight& light : scene.lights) memory.matrices.push_back(light_columns(light));
+}
+
+bool has_mirrors(const Scene& scene) {
+  return std::ranges::any_of(scene.objects,
+                             [&](const Mesh& object) { return mirrors_of(scene, object) > 0; });
 }
 
 double MemoryUse::tree_megabytes() const {

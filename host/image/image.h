@@ -47,11 +47,16 @@ struct FrameImage {
   std::uint32_t start_node = 0;
   std::uint32_t first_instance = 0;  ///< matrix of instance 0
   std::uint32_t camera_matrix = 0;
+  std::uint32_t light_matrix = 0;  ///< of light 0
 
   FrameImage() = default;
   FrameImage(const Scene& scene, const ObjectImage& objects, const Tree& instances,
              const Camera& camera, unsigned width, unsigned height);
 };
+
+/// Whether some triangle of the scene reflects. Then the matrix of every instance is followed by the
+/// one back to the world, and a mirror's by its reflection (thesis 6.2.3).
+bool has_mirrors(const Scene& scene);
 
 /// What a frame and the objects below it take of the memory.
 struct MemoryUse {

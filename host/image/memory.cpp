@@ -10,12 +10,13 @@
 
 namespace dynrt::host {
 
-MatrixColumns to_columns(const glm::dmat4x3& matrix, std::uint32_t extra) {
+MatrixColumns to_columns(const glm::dmat4x3& matrix, std::uint32_t extra, std::uint32_t mirror) {
   MatrixColumns columns;
   for (int c = 0; c < 4; ++c) {
     for (int r = 0; r < 3; ++r) columns[c].row[r].value = Real::from_double(matrix[c][r]);
   }
   for (unsigned r = 0; r < 3; ++r) columns[0].row[r].spare = uint<8>::from(extra >> (8 * r) & 255);
+  columns[1].row[0].spare = uint<8>::from(mirror & 255);
   return columns;
 }
 

@@ -15,6 +15,8 @@ namespace dynrt::host {
 
 namespace {
 
+constexpr unsigned kFullAmbient = 256;
+constexpr unsigned kAmbient = 64;  ///< where there are lights: a quarter
 constexpr std::uint32_t kFrameBase = 0;
 
 std::vector<std::uint32_t> read(Board& board, unsigned bank, std::uint32_t address,
@@ -81,6 +83,12 @@ FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
   frame.frame_base = to_word(kFrameBase);
   frame.write_hits = to_word(1);
   frame.uncompressed = to_word(options.uncompressed);
+  // A core without light rays has the eye light alone.
+  const unsigned lights = std::min(scene.lights, board.lights);
+  frame.lights = to_word(lights);
+  frame.light_matrix = to_word(scene.light_matrix);
+  frame.ambient = to_word(lights > 0 ? kAmbient : kFullAmbient);
+  frame.reflections = to_word(options.reflections.value_or(board.reflections));
   return frame;
 }
 

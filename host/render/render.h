@@ -27,6 +27,7 @@ struct FrameOptions {
   std::optional<unsigned> packets{};  ///< in flight; all that the configuration has
   std::optional<unsigned> lines{};    ///< of each cache; all that the configuration has
   RayOrder order = RayOrder::kMorton;
+  std::optional<unsigned> reflections{};  ///< bounces; all that the configuration has
   bool uncompressed = false;     ///< transform every ray's origin, not one for the packet
   std::uint32_t background = 0;  ///< 0x00BBGGRR
   std::uint64_t timeout = 0;     ///< clocks
@@ -36,6 +37,8 @@ struct FrameOptions {
 struct SceneAddresses {
   std::uint32_t start_node = 0;
   std::uint32_t camera_matrix = 0;
+  std::uint32_t light_matrix = 0;  ///< of light 0
+  unsigned lights = 0;
 };
 
 /// Throws UserError for a size of zero or beyond the framebuffer.
