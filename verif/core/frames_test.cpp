@@ -31,7 +31,10 @@ std::vector<std::string> names_with_rtl() {
 
 std::unique_ptr<Board> make_checked_board(const std::string& name, int seed) {
   const auto c = std::ranges::find(configurations(), name, &Configuration::name);
-  return std::make_unique<RtlBoard>(name, c->traced("", seed), counters_of(c->core_json()));
+  BoardInfo info = c->info();
+  info.configuration = name;
+  return std::make_unique<RtlBoard>(std::move(info), c->traced("", seed),
+                                    counters_of(c->core_json()));
 }
 
 Prepared prepare_scene(const char* name, const FrameOptions& options) {
