@@ -154,7 +154,7 @@ struct CollectHits {
     Closest c;
     c.t = light ? kShadowEnd : Real::largest();
     c.kind = !alone ? RayKind::kPrimary : light ? RayKind::kLight : RayKind::kReflection;
-    c.start = alone ? behind(from.t) : Real{};
+    c.start = alone && !light ? behind(from.t) : Real{};
     return c;
   }
 };

@@ -52,7 +52,8 @@ bool is_mirror(const Scene& scene, const Mesh& object, std::size_t triangle) {
 
 std::size_t mirrors_of(const Scene& scene, const Mesh& object) {
   std::size_t mirrors = 0;
-  for (const std::uint32_t material : object.material) mirrors += scene.materials.at(material).mirror;
+  for (const std::uint32_t material : object.material)
+    mirrors += scene.materials.at(material).mirror;
   return mirrors;
 }
 

@@ -54,8 +54,8 @@ struct FrameImage {
              const Camera& camera, unsigned width, unsigned height);
 };
 
-/// Whether some triangle of the scene reflects. Then the matrix of every instance is followed by the
-/// one back to the world, and a mirror's by its reflection (thesis 6.2.3).
+/// Whether some triangle of the scene reflects. Then the matrix of every instance is followed by
+/// the one back to the world, and a mirror's by its reflection (thesis 6.2.3).
 bool has_mirrors(const Scene& scene);
 
 /// What a frame and the objects below it take of the memory.

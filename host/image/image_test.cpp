@@ -131,6 +131,45 @@ TEST(Image, TreesAndMatricesComeBackFromTheBanks) {
   EXPECT_DOUBLE_EQ(use.matrix_megabytes(), 48e-6 * static_cast<double>(use.matrices));
 }
 
+TEST(Image, MirrorsAndLightsHaveMatricesOfTheirOwn) {
+  Scene scene = two_objects();
+  scene.materials[1].mirror = true;
+  scene.lights.push_back({"lamp", {1, 2, 3}, {2, 4, 1}});
+  const Laid laid(scene, testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}));
+  const std::uint32_t plain = laid.objects.objects[1].first_matrix;
+  const Mesh& ball = laid.scene.objects[1];
+  ASSERT_EQ(laid.frame.first_instance, plain + 2 * ball.triangles.size());
+  ASSERT_FALSE(ball.triangles.empty());
+  for (std::uint32_t i = 0; i < ball.triangles.size(); ++i) {
+    const MatrixColumns matrix = laid.memory.matrix(plain + 2 * i);
+    EXPECT_NE(matrix[1].row[0].spare.to_u64(), 0u) << "it reflects";
+    // A reflection leaves its plane where it is, and what is before it comes to lie behind it.
+    const glm::dmat4x3 mirror = from_columns(laid.memory.matrix(plain + 2 * i + 1));
+    const glm::dmat4x3 triangle = from_columns(matrix);
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+      const glm::dvec3 v = ball.vertices[ball.triangles[i][static_cast<int>(corner)]];
+      EXPECT_NEAR(glm::length(mirror * glm::dvec4(v, 1) - v), 0, 1e-3);
+    }
+    const glm::dvec3 point(0.3, -2.1, 1.7);
+    const glm::dvec3 image = mirror * glm::dvec4(point, 1);
+    EXPECT_NEAR((triangle * glm::dvec4(image, 1)).z, -(triangle * glm::dvec4(point, 1)).z, 1e-3);
+  }
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    const std::uint32_t into = laid.frame.first_instance + 2 * i;
+    const glm::dmat4 there(from_columns(laid.memory.matrix(into)));
+    const glm::dmat4 back(from_columns(laid.memory.matrix(into + 1)));
+    const glm::dvec4 point(0.4, 1.1, -0.7, 1);
+    EXPECT_NEAR(glm::length(back * (there * point) - point), 0, 1e-2);
+  }
+  EXPECT_EQ(laid.frame.camera_matrix, laid.frame.first_instance + 10);
+  EXPECT_EQ(laid.frame.light_matrix, laid.frame.camera_matrix + 1);
+  const MatrixColumns light = laid.memory.matrix(laid.frame.light_matrix);
+  EXPECT_EQ(from_columns(light)[2], glm::dvec3(1, 2, 3));
+  EXPECT_EQ(from_columns(light)[3], glm::dvec3(1, 2, 3));
+  EXPECT_EQ(from_columns(light)[0].x, 4);
+  EXPECT_EQ(extra_bits(light), 128u | 255u << 8 | 64u << 16);
+}
+
 TEST(Image, NodeZeroIsNeverUsed) {
   const Laid laid(two_objects(), testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}));
   EXPECT_EQ(laid.objects.memory.first_node, 1u);
@@ -197,9 +236,10 @@ std::string error_of(const Scene& scene) {
 TEST(Image, RefusesMoreMatricesThanThereArePlaces) {
   Scene scene = scene_of(testing::soup(2, 10, 0.1));
   scene.instances.resize(kMaxMatrices, scene.instances[0]);
-  EXPECT_EQ(error_of([&] { ObjectImage(scene, {}); }),
-            "scene 'soup' needs 131083 matrices (triangles, instances and the camera), 11 more "
-            "than the 131072 that the board's memory holds; use fewer or smaller objects");
+  EXPECT_EQ(
+      error_of([&] { ObjectImage(scene, {}); }),
+      "scene 'soup' needs 131083 matrices (triangles, instances, lights and the camera), 11 more "
+      "than the 131072 that the board's memory holds; use fewer or smaller objects");
 }
 
 /// A tree of one leaf with so many items.

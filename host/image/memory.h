@@ -23,8 +23,8 @@ struct MemoryRun {
 
 using MatrixColumns = std::array<MatrixColumn, 4>;
 
-/// Rounds a matrix once to the core's format; `extra` are the 24 spare bits of column 0, `mirror` the
-/// spare byte of column 1, row 0.
+/// Rounds a matrix once to the core's format; `extra` are the 24 spare bits of column 0, `mirror`
+/// the spare byte of column 1, row 0.
 MatrixColumns to_columns(const glm::dmat4x3& matrix, std::uint32_t extra, std::uint32_t mirror = 0);
 glm::dmat4x3 from_columns(const MatrixColumns& columns);
 std::uint32_t extra_bits(const MatrixColumns& columns);

@@ -28,9 +28,9 @@ struct FrameOptions {
   std::optional<unsigned> lines{};    ///< of each cache; all that the configuration has
   RayOrder order = RayOrder::kMorton;
   std::optional<unsigned> reflections{};  ///< bounces; all that the configuration has
-  bool uncompressed = false;     ///< transform every ray's origin, not one for the packet
-  std::uint32_t background = 0;  ///< 0x00BBGGRR
-  std::uint64_t timeout = 0;     ///< clocks
+  bool uncompressed = false;              ///< transform every ray's origin, not one for the packet
+  std::uint32_t background = 0;           ///< 0x00BBGGRR
+  std::uint64_t timeout = 0;              ///< clocks
 };
 
 /// Where the scene lies in the board's memory.
