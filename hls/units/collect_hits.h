@@ -62,9 +62,11 @@ struct CollectHits {
     const RayKind kind = before.kind.get();
     const bool own =
         kind != RayKind::kPrimary && instance == from.object && job.matrix == from.triangle;
-    const bool closer = in.hit && !own && in.t < before.t &&
+    // A ray that is not traced now keeps what it found when it was.
+    const bool traced = !kHasSecondary<C> || job.active.bit(static_cast<unsigned>(in.ray.to_u64()));
+    const bool closer = in.hit && traced && !own && in.t < before.t &&
                         (kind != RayKind::kReflection || before.start.get() < in.t);
-    const bool lit = kind == RayKind::kLight && own;
+    const bool lit = kind == RayKind::kLight && own && traced;
 
     Closest now = in.reset ? begun : before;
     if (!in.reset && closer) {
