@@ -118,7 +118,7 @@ TEST(Import, RefusesWhatIsNoSceneFile) {
   const TestFolder folder;
   EXPECT_EQ(load_error(folder.path("gone.obj")),
             "there is no scene '" + folder.path("gone.obj") +
-                "': give a built-in name (blocks, cistern, conference, office, trees4000) or the "
+                "': give a built-in name (blocks, cistern, conference, lamps, office, trees4000) or the "
                 "path of a file");
   for (const char* name : {"e.obj", "e.ply", "e.gltf", "e.glb", "e.json"}) {
     const std::string path = folder.write(name, "");
