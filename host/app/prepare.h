@@ -34,6 +34,9 @@ struct Prepared {
   std::string text() const;
 };
 
-Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height);
+/// `board`: whose configuration is to trace the scene's lights and mirrors; none: neither is
+/// judged.
+Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
+                 const BoardInfo* board = nullptr);
 
 }  // namespace dynrt::host
