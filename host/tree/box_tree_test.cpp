@@ -80,7 +80,7 @@ TEST(BoxTree, HugeBoxesAreToldApartAsWell) {
 }
 
 TEST(BoxTree, KeepsToItsRoom) {
-  const std::vector<Aabb> boxes = random_boxes(500, 0.3, 1);
+  const std::vector<Aabb> boxes = random_boxes(500, 0.6, 1);
   const TreeSize whole = build_box_tree(boxes).size();
   ASSERT_GT(whole.items, 2000u);
   EXPECT_FALSE(build_box_tree(boxes, {.room = whole}).cut);
