@@ -236,8 +236,8 @@ TEST_F(App, WalksIntoAFolder) {
   const Outcome outcome = run(walk + "--json f.json");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.files, ElementsAre("f.json", "w"));
-  EXPECT_THAT(outcome.out, HasSubstr("note        the scene has neither an animation nor a camera "
-                                     "path: the camera goes round its centre once\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("note        nothing moves in the scene, nor does its camera: "
+                                     "it goes round the scene's centre once\n"));
   EXPECT_THAT(outcome.out, ContainsRegex("walk        3 frames\n"));
   EXPECT_THAT(outcome.out, HasSubstr("images      w, 32x24\n"));
   const auto json = nlohmann::json::parse(text_of(folder_ / "f.json"));

@@ -54,7 +54,7 @@ inline constexpr char kNotOurFrames[] =
 inline constexpr char kBadManifest[] =
     "{}: is not what a walk leaves ({}); name another --out, or give --again to begin anew";
 inline constexpr char kOrbit[] =
-    "the scene has neither an animation nor a camera path: the camera goes round its centre once";
+    "nothing moves in the scene, nor does its camera: it goes round the scene's centre once";
 
 inline constexpr char kDefect[] = "defect in dynrt: {}";
 

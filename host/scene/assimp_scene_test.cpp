@@ -179,6 +179,15 @@ TEST_F(MovingGltf, NamesAnAnimationThatMovesNothing) {
             "scale");
 }
 
+TEST_F(MovingGltf, NamesTheNodeWhoseAnimationHasNoFrames) {
+  std::string text = kFile;
+  for (auto at = text.find("\"count\": 2,"); at != text.npos; at = text.find("\"count\": 2,", at)) {
+    text.replace(at, 11, "\"count\": 0");
+  }
+  EXPECT_EQ(error(text),
+            ": node 'arm': its animation has no keyframes; give it at least one or take it out");
+}
+
 TEST_F(MovingGltf, NotesMoreThanOneAnimation) {
   const std::string second = R"("animations": [{"name": "work",
     "samplers": [{"input": 1, "output": 2}],

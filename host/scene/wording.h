@@ -43,6 +43,8 @@ inline constexpr Text kNoTriangles =
 
 inline constexpr Text kNoKeyframes =
     "{}: the animation '{}' moves no node; give it a channel of translation, rotation or scale";
+inline constexpr Text kChannelEmpty =
+    "{}: node '{}': its animation has no keyframes; give it at least one or take it out";
 inline constexpr Text kKeyframe =
     "{}: node '{}': keyframe {} of its animation, at {} seconds, cannot be used; times must rise "
     "from at least 0, values be finite, rotations not zero";
