@@ -169,6 +169,10 @@ struct Core {
       join.ram("ray_" + std::to_string(i), packet_decoder.ray[i], std::vector{&slice[i].ray});
       join.ram("distance_" + std::to_string(i), collect_hits.distance[i],
                std::vector{&slice[i].hit_distance});
+      if constexpr (kSplitsPackets<C>) {
+        join.ram("signs_" + std::to_string(i), packet_decoder.signs[i],
+                 std::vector{&node_fetch.signs[i]});
+      }
     }
     join.sink("stack_full", node_fetch.dropped);
   }

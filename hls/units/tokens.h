@@ -10,6 +10,7 @@
 
 #include "hls/ports.h"
 #include "units/memory_format.h"
+#include "units/options.h"
 
 namespace dynrt {
 
@@ -22,6 +23,12 @@ template <class C>
 inline constexpr bool kHasMirrors = C::kReflections > 0;
 template <class C>
 inline constexpr bool kHasSecondary = kHasLights<C> || kHasMirrors<C>;
+
+/// What a configuration does about reflected rays that cross (thesis 3.1.3). No others do.
+template <class C>
+inline constexpr bool kSplitsPackets = kHasMirrors<C> && C::kCrossing == Crossing::kSplit;
+template <class C>
+inline constexpr bool kRemembersChild = kHasMirrors<C> && C::kCrossing == Crossing::kRemember;
 
 template <class C>
 using PacketId = uint<hls::index_width(C::kPackets)>;
@@ -148,8 +155,11 @@ struct TraversalEvent {
   RayMask both;                                    ///< rays that enter both children
   RayMask terminated;                              ///< rays found to have ended in this level
   hls::FieldIf<kHasSecondary<C>, RayKind> rays{};  ///< kEnter, level 0: what they are
+  hls::FieldIf<kSplitsPackets<C>, bool> apart{};   ///< kEnter: the rays have no common origin
+  /// Rays that enter both children in the other order; they are not in `both`.
+  hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
   HLS_FIELDS(packet, level, kind, next, active, clip_near, pushed, pushed_active, both, terminated,
-             rays)
+             rays, apart, crossing)
 };
 
 /// Everything about a step but the node itself; travels with the node's address and data.
@@ -161,7 +171,9 @@ struct StepContext {
   RayMask both;
   RayMask active;
   StackPointer<C> stack;  ///< the far stack's row to push to or to pop from
-  HLS_FIELDS(packet, level, update, both, active, stack)
+  /// kPop: rays that entered both children in the other order.
+  hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
+  HLS_FIELDS(packet, level, update, both, active, stack, crossing)
 };
 
 template <class C>
@@ -170,6 +182,9 @@ struct Step {
   Node node;
   HLS_FIELDS(context, node)
 };
+
+/// The signs of a ray's direction along x, y and z.
+using DirectionSigns = uint<3>;
 
 /// One ray's traversal decision (thesis 3.1.2).
 struct SliceDecision {
@@ -270,7 +285,8 @@ struct JobRecord {
   uint<24> extra;  ///< root node of an object, colour of a triangle
   hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
   hls::FieldIf<kHasMirrors<C>, uint<8>> mirror{};  ///< of a triangle
-  HLS_FIELDS(kind, active, matrix, extra, derived, mirror)
+  hls::FieldIf<kSplitsPackets<C>, bool> apart{};   ///< the packet's rays have no common origin
+  HLS_FIELDS(kind, active, matrix, extra, derived, mirror, apart)
 };
 
 template <class C>
