@@ -30,6 +30,10 @@ inline constexpr bool kSplitsPackets = kHasMirrors<C> && C::kCrossing == Crossin
 template <class C>
 inline constexpr bool kRemembersChild = kHasMirrors<C> && C::kCrossing == Crossing::kRemember;
 
+/// Whether a unit clips rays to the box of an object that they enter (thesis 4.2).
+template <class C>
+inline constexpr bool kClipsToBox = C::kObjectBox == ObjectBox::kUnit;
+
 template <class C>
 using PacketId = uint<hls::index_width(C::kPackets)>;
 using Level = uint<1>;
@@ -131,6 +135,25 @@ enum class TraversalKind : unsigned char {
   kGo,     ///< go on at node `next`
   kPush,   ///< go on at node `next` and remember node `pushed`
   kPop,    ///< go on at the node remembered last
+};
+
+/// One of four rays that enter an object.
+template <class C>
+struct ObjectRay {
+  PacketId<C> packet;
+  RayIndex ray;
+  RayMask active;  ///< of the packet's rays, those that are traced
+  Address root;    ///< of the object's tree
+  hls::FieldIf<kSplitsPackets<C>, bool> apart{};
+  Ray<typename C::Real> in_object;
+  HLS_FIELDS(packet, ray, active, root, apart, in_object)
+};
+
+/// Where a ray is within an object's box and may hit something.
+template <class C>
+struct BoxInterval {
+  typename C::Real near, far;
+  HLS_FIELDS(near, far)
 };
 
 /// What a slice does to a ray's interval [near, far] before the step.

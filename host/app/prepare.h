@@ -34,6 +34,8 @@ struct Prepared {
   std::string text() const;
 };
 
-Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height);
+/// `board`: whose configuration the image is for; none: one like thesis.
+Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
+                 const BoardInfo* board = nullptr);
 
 }  // namespace dynrt::host
