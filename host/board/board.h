@@ -25,6 +25,7 @@ struct BoardInfo {
   unsigned stack_depth = 0;   ///< entries of each stack and level
   unsigned lights = 0;        ///< passes of light rays from a packet's hits, at most
   unsigned reflections = 0;   ///< bounces of a ray, at most
+  bool scan_out = false;      ///< it can show a picture on a VGA display; only the RTL has pins
 };
 
 /// One of the core's counters, named unit.what, e.g. "traversal.transactions".
