@@ -26,6 +26,7 @@ struct BoardInfo {
   unsigned lights = 0;         ///< passes of light rays from a packet's hits, at most
   bool clips_to_cube = false;  ///< it takes an object's box for the cube from -1 to 1
   unsigned reflections = 0;    ///< bounces of a ray, at most
+  bool scan_out = false;       ///< it can show a picture on a VGA display; only the RTL has pins
 };
 
 /// One of the core's counters, named unit.what, e.g. "traversal.transactions".
