@@ -98,6 +98,23 @@ class Bench(unittest.TestCase):
         self.assertIn("Short: busiest unit works, 64 packets, busiest unit works, 32 packets: the "
                       "rest of the clocks", text)
 
+    def test_top_level(self):
+        rows, _ = self.rows()
+        row = rows["top level of 50,000 instances"]
+        self.assertIsNone(row["reached"])
+        self.assertIn("tree_bench is not built", row["note"])
+        program = self.folder / "host" / "tree" / "tree_bench"
+        program.parent.mkdir(parents=True)
+        runs = [{"run_type": "iteration", "cpu_time": ms} for ms in (24.5, 40, 26)]
+        runs.append({"run_type": "aggregate", "cpu_time": 99})
+        program.write_text(f"#!/bin/sh\necho '{json.dumps({'benchmarks': runs})}'\n",
+                           encoding="utf-8")
+        program.chmod(0o755)
+        row = self.rows()[0]["top level of 50,000 instances"]
+        self.assertEqual(row["reached"], 26)
+        self.assertIs(row["met"], True)
+        self.assertIn("24.5 to 40.0", row["note"])
+
     def test_round_trip(self):
         rows, _ = self.rows()
         self.assertEqual(rows["traversal round trip, measured"]["reached"], 30)

@@ -5,10 +5,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 
+#include "host/app/light_flags.h"
 #include "host/app/progress.h"
 #include "host/app/text.h"
+#include "host/scene/check_lights.h"
 #include "host/scene/load.h"
 
 namespace dynrt::host {
@@ -58,6 +62,7 @@ std::string left_out(const ImportCounts& dropped) {
 Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
                  const BoardInfo* board) {
   Prepared prepared;
+  const LightFlags light(arguments.lights, arguments.mirrors, board);
   const CameraFlags flags = arguments.camera();
   const auto begin = std::chrono::steady_clock::now();
   {
@@ -65,6 +70,12 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
     prepared.scene = load_scene(arguments.scene);
     prepared.camera =
         choose_camera(prepared.scene, flags, static_cast<int>(width), static_cast<int>(height));
+    light.add_to(prepared.scene);
+    if (board) {
+      if (board->lights > 0) check_lights(prepared.scene, prepared.camera.position);
+      std::ranges::move(unused_light(prepared.scene, *board),
+                        std::back_inserter(prepared.scene.notes));
+    }
   }
   const auto loaded = std::chrono::steady_clock::now();
   {

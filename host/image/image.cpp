@@ -18,7 +18,12 @@ namespace {
 constexpr char kMatrices[] = "matrices (triangles, instances, lights and the camera)";
 constexpr double kFlattestBox = 1.0 / 1024;  ///< thickness of a box by its longest side
 constexpr double kBoxMargin = 1.0 / 4096;    ///< around an object's box, by its side
-constexpr std::uint32_t kMirrorPart = 205;  ///< of the light that a mirror reflects, in 256ths: 0.8
+
+/// How much a material reflects, in 256ths; of what reflects at all neither none nor all of it.
+std::uint32_t mirror_part(const Material& material) {
+  if (!(material.mirror > 0)) return 0;
+  return static_cast<std::uint32_t>(std::clamp(std::lround(256 * material.mirror), 1L, 255L));
+}
 
 void check_limit(const Scene& scene, const char* what, std::size_t needed, std::size_t limit) {
   if (needed > limit) refuse(messages::kTooMany, scene.name, needed, what, needed - limit, limit);
@@ -48,14 +53,17 @@ std::uint32_t colour_bits(const glm::dvec3& colour) {
   return bits;
 }
 
+const Material& material_of(const Scene& scene, const Mesh& object, std::size_t triangle) {
+  return scene.materials.at(object.material.at(triangle));
+}
+
 bool is_mirror(const Scene& scene, const Mesh& object, std::size_t triangle) {
-  return scene.materials.at(object.material.at(triangle)).mirror;
+  return material_of(scene, object, triangle).mirror > 0;
 }
 
 std::size_t mirrors_of(const Scene& scene, const Mesh& object) {
   std::size_t mirrors = 0;
-  for (const std::uint32_t material : object.material)
-    mirrors += scene.materials.at(material).mirror;
+  for (std::size_t i = 0; i < object.triangles.size(); ++i) mirrors += is_mirror(scene, object, i);
   return mirrors;
 }
 
@@ -179,16 +187,19 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, bool b
       if (const auto element = out_of_range(*matrix)) {
         refuse(messages::kTriangleRange, mesh.name, i, *element, largest, largest);
       }
-      const bool mirror = is_mirror(scene, mesh, i);
-      const glm::dvec3& diffuse = scene.materials.at(mesh.material.at(i)).diffuse;
+      const Material& material = material_of(scene, mesh, i);
       memory.matrices.push_back(
-          to_columns(*matrix, colour_bits(diffuse), mirror ? kMirrorPart : 0));
-      if (mirror) {
+          to_columns(*matrix, colour_bits(material.diffuse), mirror_part(material)));
+      if (material.mirror > 0) {
         const glm::dmat4 reflection(reflection_matrix(corners));
         memory.matrices.push_back(to_columns(glm::dmat4x3(to_space * reflection * from_space), 0));
       }
     }
   }
+}
+
+TreeSize ObjectImage::room_left() const {
+  return {kMaxNodes - memory.end_node(), kMaxListEntries - memory.end_entry()};
 }
 
 std::vector<Aabb> ObjectImage::boxes() const {
@@ -240,7 +251,15 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   camera_matrix = memory.end_matrix();
   memory.matrices.push_back(to_columns(from_pixels, 0));
   light_matrix = memory.end_matrix();
-  for (const PointLight& light : scene.lights) memory.matrices.push_back(light_columns(light));
+  for (const PointLight& light : scene.lights) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(std::abs(light.position[axis]) <= largest)) {
+        refuse(messages::kLightRange, light.name, static_cast<char>('x' + axis),
+               light.position[axis], largest, largest);
+      }
+    }
+    memory.matrices.push_back(light_columns(light));
+  }
 }
 
 bool has_mirrors(const Scene& scene) {

@@ -3,8 +3,9 @@
 //
 // A scene as it lies in the board's memory. What stands still is laid out once, from the bottom:
 // the objects' trees, lists and triangle matrices (ObjectImage). What may move follows it and is
-// made anew for every frame: the top-level tree, the instances' matrices and the camera's
-// (FrameImage).
+// made anew for every frame: the top-level tree, the instances' matrices, the camera's and the
+// lights' (FrameImage). Its place is the same in every frame, and its size is known from the number
+// of instances (top_level_room) and of lights.
 #pragma once
 
 #include <glm/mat4x3.hpp>
@@ -41,6 +42,8 @@ struct ObjectImage {
   ObjectImage(const Scene& scene, std::span<const Tree> trees, bool boxes_are_cubes = false);
 
   std::vector<Aabb> boxes() const;
+  /// What is left of the memory for the top-level tree.
+  TreeSize room_left() const;
 };
 
 /// The part that belongs to one frame. Throws UserError where a limit of the memory is passed, an

@@ -133,7 +133,7 @@ TEST(Image, TreesAndMatricesComeBackFromTheBanks) {
 
 TEST(Image, MirrorsAndLightsHaveMatricesOfTheirOwn) {
   Scene scene = two_objects();
-  scene.materials[1].mirror = true;
+  scene.materials[1].mirror = 0.5;
   scene.lights.push_back({"lamp", {1, 2, 3}, {2, 4, 1}});
   const Laid laid(scene, testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}));
   const std::uint32_t plain = laid.objects.objects[1].first_matrix;
@@ -142,7 +142,7 @@ TEST(Image, MirrorsAndLightsHaveMatricesOfTheirOwn) {
   ASSERT_FALSE(ball.triangles.empty());
   for (std::uint32_t i = 0; i < ball.triangles.size(); ++i) {
     const MatrixColumns matrix = laid.memory.matrix(plain + 2 * i);
-    EXPECT_NE(matrix[1].row[0].spare.to_u64(), 0u) << "it reflects";
+    EXPECT_EQ(matrix[1].row[0].spare.to_u64(), 128u) << "it reflects half of the light";
     // A reflection leaves its plane where it is, and what is before it comes to lie behind it.
     const glm::dmat4x3 mirror = from_columns(laid.memory.matrix(plain + 2 * i + 1));
     const glm::dmat4x3 triangle = from_columns(matrix);
@@ -310,6 +310,21 @@ TEST(Image, RefusesACameraBeyondTheNumbers) {
   EXPECT_EQ(error_of([&] { Laid(scene, testing::camera_at({0, 1e30, 0}, {0, 0, -1})); }),
             "the camera's matrix has the element 1e+30, outside the core's numbers (-3.6893e+19 to "
             "3.6893e+19); the camera must be closer");
+}
+
+TEST(Image, RefusesALightBeyondTheNumbers) {
+  Scene scene = scene_of(testing::soup(3, 20, 0.1));
+  scene.lights.push_back({"star", {0, -1e30, 0}});
+  EXPECT_EQ(error_of(scene),
+            "light 'star' stands at y = -1e+30, outside the core's numbers (-3.6893e+19 to "
+            "3.6893e+19); it must be closer");
+}
+
+TEST(Image, TheTopLevelHasWhatTheObjectsLeave) {
+  const Laid laid(two_objects(), testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}));
+  const TreeSize room = laid.objects.room_left();
+  EXPECT_EQ(laid.frame.memory.first_node + room.nodes, kMaxNodes);
+  EXPECT_EQ(laid.frame.memory.first_entry + room.items, kMaxListEntries);
 }
 
 TEST(Image, SmallElementsBecomeTheSmallestMagnitude) {

@@ -22,5 +22,8 @@ inline constexpr char kInstanceRange[] =
 inline constexpr char kCameraRange[] =
     "the camera's matrix has the element {:g}, outside the core's numbers (-{:.5g} to {:.5g}); the "
     "camera must be closer";
+inline constexpr char kLightRange[] =
+    "light '{}' stands at {} = {:g}, outside the core's numbers (-{:.5g} to {:.5g}); it must be "
+    "closer";
 
 }  // namespace dynrt::host::messages

@@ -71,7 +71,7 @@ class Conversion {
     ai_real metallic = 0, roughness = 1;
     from.Get(AI_MATKEY_METALLIC_FACTOR, metallic);
     from.Get(AI_MATKEY_ROUGHNESS_FACTOR, roughness);
-    material.mirror = metallic >= kMetallic && roughness <= kPolished;
+    if (metallic >= kMetallic && roughness <= kPolished) material.mirror = kMirrorShare;
     material.name = from.GetName().C_Str();
     scene_.materials.push_back(std::move(material));
   }
@@ -229,6 +229,7 @@ class Conversion {
     const std::string name = from.mName.C_Str();
     if (from.mType != aiLightSource_POINT) {
       scene_.notes.push_back(fmt::format(wording::kLightNotPoint, label_, name));
+      if (from.mType == aiLightSource_DIRECTIONAL) scene_.distant_lights.push_back(name);
       return;
     }
     const aiColor3D& c = from.mColorDiffuse;

@@ -70,7 +70,9 @@ void PartReader::polish(const JsonReader& part, Scene& model) const {
     if (!names.contains(name)) {
       fail(part, fmt::format(wording::kNoMaterial, name, fmt::join(names, ", ")));
     }
-    for (Material& material : model.materials) material.mirror |= material.name == name;
+    for (Material& material : model.materials) {
+      if (material.name == name) material.mirror = kMirrorShare;
+    }
   }
 }
 
@@ -139,8 +141,8 @@ Mesh PartReader::map(const JsonReader& part) {
 
 Mesh PartReader::generated(const JsonReader& part) {
   const std::string shape = part.text("generate");
-  scene_.materials.push_back(
-      {part.text("name", shape), colour(part, "colour"), part.flag("mirror", false)});
+  scene_.materials.push_back({part.text("name", shape), colour(part, "colour"),
+                              part.flag("mirror", false) ? kMirrorShare : 0.0});
   const auto material = static_cast<uint32_t>(scene_.materials.size() - 1);
   if (shape == "box") {
     part.only({"generate", "name", "colour", "mirror", "from", "to", "position", "turn"});

@@ -21,10 +21,13 @@
 
 namespace dynrt::host {
 
+// How much a mirror reflects that is not said to reflect more or less.
+inline constexpr double kMirrorShare = 0.8;
+
 struct Material {
   std::string name;
   glm::dvec3 diffuse{0.8};
-  bool mirror = false;  // reflects
+  double mirror = 0.0;  // the part of the light that it reflects, 0 to 1
 };
 
 // An object: what a bottom-level tree is built over.
@@ -100,6 +103,7 @@ struct Scene {
   std::vector<Instance> instances;
   std::optional<Camera> camera;  // of the file, for a square image: camera.h fits it to another
   std::vector<PointLight> lights;
+  std::vector<std::string> distant_lights;  // at infinity, so none of the above: their names
   std::vector<MotionNode> motion;
   std::optional<uint32_t> camera_motion = std::nullopt;  // what moves the camera, in its place
   std::vector<PathKey> path;                             // the same, in order of time

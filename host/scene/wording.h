@@ -49,6 +49,17 @@ inline constexpr Text kKeyframe =
 inline constexpr Text kLight =
     "{}: light '{}': its position and its colour must be finite and the colour not negative";
 
+inline constexpr Text kLightDistant =
+    "scene '{}': light '{}' is infinitely far away; only point lights shine here: make it one, far "
+    "away if need be, or take it out";
+inline constexpr Text kLightOnSurface =
+    "scene '{}': light '{}' at ({:g}, {:g}, {:g}) lies on triangle {} of '{}', nearer than the "
+    "core's numbers tell apart; move it away from the surface";
+inline constexpr Text kLightInside =
+    "scene '{}': light '{}' at ({:g}, {:g}, {:g}) lies inside '{}', which is closed and lets none "
+    "of it out; move the light";
+inline constexpr Text kNoMaterialNamed = "scene '{}' has no material '{}'; it has {}";
+
 // Notes, which stop nothing
 inline constexpr Text kAnimations = "{}: has {} animations, of which only the first, '{}', is used";
 inline constexpr Text kLightNotPoint = "{}: light '{}' is not a point light and was left out";
