@@ -72,6 +72,7 @@ struct Mailbox {
       enter.next = Address::from(frame.get().start_node.raw());
       enter.active = e.active;
       enter.rays = e.kind;
+      enter.apart = e.kind.get() == RayKind::kReflection;
       start.write(enter);
     } else {
       last.write(level_row<C>(e.level, e.packet), e.entry.last);

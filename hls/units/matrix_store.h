@@ -55,7 +55,7 @@ struct MatrixStore {
       const MatrixIndex matrix = r.address.template bits<kAddressBits - 1, 2>();
       const auto& derived = r.context.extras.derived;
       record.write(packet, JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra, derived,
-                                        p.mirror});
+                                        p.mirror, r.context.extras.apart.get()});
       if (r.context.kind == TransformKind::kObject) object.write(packet, matrix);
       SendJob<C> send;
       const bool apart = frame.get().uncompressed.template bit<0>() || r.context.extras.apart.get();

@@ -16,6 +16,12 @@ enum class Crossing : std::uint8_t {
   kRemember,  ///< the child that is left out for now is remembered
 };
 
+/// How a ray is clipped to the box of an object that it enters (thesis 4.2).
+enum class ObjectBox : std::uint8_t {
+  kNodes,  ///< by six clipping nodes of the object's tree
+  kUnit,   ///< by a unit of its own, as the object's matrix takes the box to a cube
+};
+
 /// What is stored of a triangle (thesis 5.1).
 enum class TriangleMatrix : std::uint8_t {
   kNormalConsistent,  ///< 12 numbers: the plane's normal is a row

@@ -10,6 +10,7 @@
 
 #include "hls/ports.h"
 #include "units/memory_format.h"
+#include "units/options.h"
 
 namespace dynrt {
 
@@ -22,6 +23,16 @@ template <class C>
 inline constexpr bool kHasMirrors = C::kReflections > 0;
 template <class C>
 inline constexpr bool kHasSecondary = kHasLights<C> || kHasMirrors<C>;
+
+/// What a configuration does about reflected rays that cross (thesis 3.1.3). No others do.
+template <class C>
+inline constexpr bool kSplitsPackets = kHasMirrors<C> && C::kCrossing == Crossing::kSplit;
+template <class C>
+inline constexpr bool kRemembersChild = kHasMirrors<C> && C::kCrossing == Crossing::kRemember;
+
+/// Whether a unit clips rays to the box of an object that they enter (thesis 4.2).
+template <class C>
+inline constexpr bool kClipsToBox = C::kObjectBox == ObjectBox::kUnit;
 
 template <class C>
 using PacketId = uint<hls::index_width(C::kPackets)>;
@@ -126,6 +137,25 @@ enum class TraversalKind : unsigned char {
   kPop,    ///< go on at the node remembered last
 };
 
+/// One of four rays that enter an object.
+template <class C>
+struct ObjectRay {
+  PacketId<C> packet;
+  RayIndex ray;
+  RayMask active;  ///< of the packet's rays, those that are traced
+  Address root;    ///< of the object's tree
+  hls::FieldIf<kSplitsPackets<C>, bool> apart{};
+  Ray<typename C::Real> in_object;
+  HLS_FIELDS(packet, ray, active, root, apart, in_object)
+};
+
+/// Where a ray is within an object's box and may hit something.
+template <class C>
+struct BoxInterval {
+  typename C::Real near, far;
+  HLS_FIELDS(near, far)
+};
+
 /// What a slice does to a ray's interval [near, far] before the step.
 enum class IntervalUpdate : unsigned char {
   kInit,         ///< near = where the ray starts, far = its hit distance so far
@@ -148,8 +178,11 @@ struct TraversalEvent {
   RayMask both;                                    ///< rays that enter both children
   RayMask terminated;                              ///< rays found to have ended in this level
   hls::FieldIf<kHasSecondary<C>, RayKind> rays{};  ///< kEnter, level 0: what they are
+  hls::FieldIf<kSplitsPackets<C>, bool> apart{};   ///< kEnter: the rays have no common origin
+  /// Rays that enter both children in the other order; they are not in `both`.
+  hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
   HLS_FIELDS(packet, level, kind, next, active, clip_near, pushed, pushed_active, both, terminated,
-             rays)
+             rays, apart, crossing)
 };
 
 /// Everything about a step but the node itself; travels with the node's address and data.
@@ -161,7 +194,9 @@ struct StepContext {
   RayMask both;
   RayMask active;
   StackPointer<C> stack;  ///< the far stack's row to push to or to pop from
-  HLS_FIELDS(packet, level, update, both, active, stack)
+  /// kPop: rays that entered both children in the other order.
+  hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
+  HLS_FIELDS(packet, level, update, both, active, stack, crossing)
 };
 
 template <class C>
@@ -170,6 +205,9 @@ struct Step {
   Node node;
   HLS_FIELDS(context, node)
 };
+
+/// The signs of a ray's direction along x, y and z.
+using DirectionSigns = uint<3>;
 
 /// One ray's traversal decision (thesis 3.1.2).
 struct SliceDecision {
@@ -270,7 +308,8 @@ struct JobRecord {
   uint<24> extra;  ///< root node of an object, colour of a triangle
   hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
   hls::FieldIf<kHasMirrors<C>, uint<8>> mirror{};  ///< of a triangle
-  HLS_FIELDS(kind, active, matrix, extra, derived, mirror)
+  hls::FieldIf<kSplitsPackets<C>, bool> apart{};   ///< the packet's rays have no common origin
+  HLS_FIELDS(kind, active, matrix, extra, derived, mirror, apart)
 };
 
 template <class C>

@@ -86,7 +86,8 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
   const auto built = std::chrono::steady_clock::now();
   prepared.load_seconds = Seconds(loaded - begin).count();
   prepared.tree_seconds = Seconds(built - loaded).count();
-  prepared.objects = ObjectImage(prepared.scene, prepared.trees.objects);
+  prepared.objects =
+      ObjectImage(prepared.scene, prepared.trees.objects, board != nullptr && board->clips_to_cube);
   prepared.frame = FrameImage(prepared.scene, prepared.objects, prepared.trees.instances,
                               prepared.camera, width, height);
   return prepared;

@@ -34,8 +34,8 @@ struct Prepared {
   std::string text() const;
 };
 
-/// `board`: whose configuration is to trace the scene's lights and mirrors; none: neither is
-/// judged.
+/// `board`: whose configuration the image is for and is to trace the scene's lights and mirrors;
+/// none: one like thesis, and neither lights nor mirrors are judged.
 Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
                  const BoardInfo* board = nullptr);
 

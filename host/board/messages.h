@@ -31,6 +31,13 @@ inline constexpr char kNoRtl[] =
     "-DDYNRT_RTL=ON or take --board model";
 inline constexpr char kNoTrace[] =
     "--trace: only --board rtl has signals to record; leave the flag out or choose that board";
+inline constexpr char kScanWords[] =
+    "board {}: has {} registers for its scan-out, the host writes {}; rebuild the Verilog and the "
+    "host together";
+inline constexpr char kNoScanOut[] =
+    "board {}: configuration {} has no scan-out; take the board rtl of one with the key scan_out";
+inline constexpr char kDisplaySize[] =
+    "a picture of {}x{} does not fit the display of {}x{}; render a smaller one";
 inline constexpr char kTrace[] = "{}: cannot be written; name a file in a folder that can";
 
 }  // namespace dynrt::host::messages

@@ -18,6 +18,7 @@ BoardInfo board_info_of() {
   info.stack_depth = C::kStackDepth;
   info.lights = C::kLights;
   info.reflections = C::kReflections;
+  info.clips_to_cube = kClipsToBox<C>;
   return info;
 }
 

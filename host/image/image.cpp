@@ -16,6 +16,8 @@ namespace dynrt::host {
 namespace {
 
 constexpr char kMatrices[] = "matrices (triangles, instances, lights and the camera)";
+constexpr double kFlattestBox = 1.0 / 1024;  ///< thickness of a box by its longest side
+constexpr double kBoxMargin = 1.0 / 4096;    ///< around an object's box, by its side
 
 /// How much a material reflects, in 256ths; of what reflects at all neither none nor all of it.
 std::uint32_t mirror_part(const Material& material) {
@@ -92,10 +94,25 @@ Address to_address(std::size_t address) {
   return Address::from(static_cast<std::uint32_t>(address));
 }
 
-/// Appends a tree; item i becomes the matrix matrix_of[i]. Returns the address of the
-/// tree's node 0, which has no place itself: node i lies at that address + i.
-std::uint32_t add_tree(MemoryPart& part, const Tree& tree,
-                       std::span<const std::uint32_t> matrix_of) {
+/// What takes the box to the cube from -1 to 1, a little inwards, as the core's arithmetic may be
+/// off by a few steps. A flat box is given a thickness, so that the matrix has an inverse.
+glm::dmat4 box_to_cube(const Aabb& box) {
+  const glm::dvec3 centre = 0.5 * (box.low + box.high);
+  const glm::dvec3 half = 0.5 * (box.high - box.low);
+  const double least = std::max({half.x, half.y, half.z}) * kFlattestBox;
+  glm::dmat4 matrix(1.0);
+  for (int k = 0; k < 3; ++k) {
+    matrix[k][k] = 1.0 / (std::max(half[k], least) * (1.0 + kBoxMargin));
+    matrix[3][k] = -centre[k] * matrix[k][k];
+  }
+  return matrix;
+}
+
+/// Appends a tree, its planes moved and scaled to a space; item i becomes the matrix matrix_of[i].
+/// Returns the address of the tree's node 0, which has no place itself: node i lies at that address
+/// + i.
+std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::span<const std::uint32_t> matrix_of,
+                       const glm::dmat4& to_space = glm::dmat4(1.0)) {
   const std::uint32_t base = part.end_node() - 1;
   const std::uint32_t list_base = part.end_entry();
   const auto child = [&](std::uint32_t index) {
@@ -109,7 +126,8 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree,
     if (from.is_leaf()) {
       node.left = to_address(list_base + from.left);
     } else {
-      node.split = Real::from_double(from.split);
+      const int k = from.axis;
+      node.split = Real::from_double(to_space[k][k] * from.split + to_space[3][k]);
       node.left = child(from.left);
       node.right = child(from.right);
     }
@@ -140,7 +158,7 @@ void check_matrices(const Scene& scene) {
   check_limit(scene, kMatrices, matrices, kMaxMatrices);
 }
 
-ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees) {
+ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, bool boxes_are_cubes) {
   const double largest = Real::largest().to_double();
   check_matrices(scene);
   memory.first_node = 1;
@@ -154,21 +172,28 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees) {
       matrix_of.push_back(next);
       next += is_mirror(scene, mesh, i) ? 2 : 1;
     }
-    const std::uint32_t base = add_tree(memory, tree, matrix_of);
-    objects.push_back({base + tree.root, base + tree.clipped_root, first_matrix, tree.box});
+    const glm::dmat4 to_space = boxes_are_cubes ? box_to_cube(tree.box) : glm::dmat4(1.0);
+    const glm::dmat4 from_space = glm::inverse(to_space);
+    const std::uint32_t base = add_tree(memory, tree, matrix_of, to_space);
+    const std::uint32_t outside = boxes_are_cubes ? tree.root : tree.clipped_root;
+    objects.push_back({base + tree.root, base + outside, first_matrix, tree.box, to_space});
     check_limits(scene, memory);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
       const glm::uvec3& t = mesh.triangles[i];
       const std::array corners = {mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]};
-      const auto matrix = triangle_matrix(corners);
+      auto matrix = triangle_matrix(corners);
       if (!matrix) refuse(messages::kFlatTriangle, mesh.name, i);
+      *matrix = *matrix * from_space;
       if (const auto element = out_of_range(*matrix)) {
         refuse(messages::kTriangleRange, mesh.name, i, *element, largest, largest);
       }
       const Material& material = material_of(scene, mesh, i);
       memory.matrices.push_back(
           to_columns(*matrix, colour_bits(material.diffuse), mirror_part(material)));
-      if (material.mirror > 0) memory.matrices.push_back(to_columns(reflection_matrix(corners), 0));
+      if (material.mirror > 0) {
+        const glm::dmat4 reflection(reflection_matrix(corners));
+        memory.matrices.push_back(to_columns(glm::dmat4x3(to_space * reflection * from_space), 0));
+      }
     }
   }
 }
@@ -204,17 +229,20 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   for (const Instance& instance : scene.instances) {
     const glm::dmat4 inverse = glm::inverse(instance.transform);
     const ObjectImage::Object& object = objects.objects.at(instance.object);
-    const glm::dmat4x3 matrix(inverse);
+    const glm::dmat4x3 matrix(object.to_space * inverse);
     if (!std::isfinite(inverse[3][3]) || glm::determinant(instance.transform) == 0) {
       refuse(messages::kFlatInstance, instance.name);
     }
     if (const auto element = out_of_range(matrix)) {
       refuse(messages::kInstanceRange, instance.name, *element, largest, largest);
     }
-    const glm::dvec3 eye = matrix * glm::dvec4(camera.position, 1.0);
+    const glm::dvec3 eye(inverse * glm::dvec4(camera.position, 1.0));
     memory.matrices.push_back(
         to_columns(matrix, object.box.holds(eye) ? object.root : object.clipped_root));
-    if (stride == 2) memory.matrices.push_back(to_columns(glm::dmat4x3(instance.transform), 0));
+    if (stride == 2) {
+      const glm::dmat4 back = instance.transform * glm::inverse(object.to_space);
+      memory.matrices.push_back(to_columns(glm::dmat4x3(back), 0));
+    }
   }
   const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
   if (const auto element = out_of_range(from_pixels)) {

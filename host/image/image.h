@@ -31,12 +31,15 @@ struct ObjectImage {
     std::uint32_t clipped_root = 0;  ///< for all others
     std::uint32_t first_matrix = 0;  ///< of triangle 0
     Aabb box;
+    glm::dmat4 to_space{1.0};  ///< from the object as it is to the space that the core has it in
   };
   std::vector<Object> objects;
   MemoryPart memory;
 
   ObjectImage() = default;
-  ObjectImage(const Scene& scene, std::span<const Tree> trees);
+  /// `boxes_are_cubes`: every object lies in the core's memory such that its box is the cube from
+  /// -1 to 1, to which the core clips (units/box_clip.h).
+  ObjectImage(const Scene& scene, std::span<const Tree> trees, bool boxes_are_cubes = false);
 
   std::vector<Aabb> boxes() const;
   /// What is left of the memory for the top-level tree.
