@@ -23,5 +23,6 @@ struct Command {
 Command add_render_command(CLI::App& program);
 Command add_compare_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
+Command add_report_command(CLI::App& program);
 
 }  // namespace dynrt::host
