@@ -58,7 +58,6 @@ constexpr Subcommand kSubcommands[] = {
 
 Command add_report_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("report", "count what other cores would have to do");
-  command->require_subcommand(1);
   const auto chosen = std::make_shared<std::function<int()>>();
   for (const Subcommand& subcommand : kSubcommands) {
     const auto arguments = std::make_shared<Arguments>();
@@ -75,7 +74,10 @@ Command add_report_command(CLI::App& program) {
       *chosen = [arguments, study] { return run(*arguments, study); };
     });
   }
-  return {command, [chosen] { return (*chosen)(); }};
+  return {command, [chosen] {
+            if (!*chosen) refuse(messages::kNoReport);
+            return (*chosen)();
+          }};
 }
 
 }  // namespace dynrt::host

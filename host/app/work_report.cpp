@@ -180,7 +180,7 @@ WorkReport mailbox_report(const Prepared& prepared, unsigned width, unsigned hei
     const WorkCounts work = counter.count(counter.plain, options);
     fmt::format_to(std::back_inserter(text),
                    "{:>9}{:>11}{:>11.3f}{:>9.3f}{:>14.3f}{:>10.3f}{:>9.2f}{:>9.2f}\n",
-                   slots.triangles, per_packet(work.objects, work),
+                   slots.objects, slots.triangles, per_packet(work.objects, work),
                    per_packet(work.objects - all.objects, work), per_packet(work.triangles, work),
                    per_packet(work.triangles - all.triangles, work), per_packet(work.steps(), work),
                    per_packet(work.bound(), work));
