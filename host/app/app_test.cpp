@@ -51,7 +51,7 @@ class App : public testing::Test {
 TEST_F(App, HelpTellsEverything) {
   const Outcome program = run("--help");
   EXPECT_EQ(program.code, 0);
-  for (const char* word : {"render", "walk", "compare", "info", "Exit codes"}) {
+  for (const char* word : {"render", "walk", "compare", "info", "report", "Exit codes"}) {
     EXPECT_THAT(program.out, HasSubstr(word));
   }
   const Outcome render = run("render --help");
@@ -132,6 +132,22 @@ TEST_F(App, InfoShowsTheScene) {
   const auto json = nlohmann::json::parse(text_of(folder_ / "info.json"));
   EXPECT_EQ(json["objects"].size(), 3u);
   EXPECT_EQ(json["memory"]["matrix_limit"], 131072);
+}
+
+TEST_F(App, ReportsCountWhatOtherCoresWouldDo) {
+  const Outcome outcome = run("report overlap blocks --size 32x24 --json f.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.files, ElementsAre("f.json"));
+  EXPECT_THAT(outcome.out, ContainsRegex("hierarchical tree +70.3 +[0-9.]+ +[0-9.]+ +2.0"));
+  EXPECT_THAT(outcome.out, HasSubstr("pixels that differ between the rows: 0\n"));
+  EXPECT_EQ(nlohmann::json::parse(text_of(folder_ / "f.json"))["rows"].size(), 5);
+  expect_mistake("report",
+                 "dynrt: report: which one is missing; the reports are overlap, mailbox "
+                 "and clipping\n");
+  expect_mistake("report paint", HasSubstr("was not expected: paint; dynrt report --help lists"));
+  expect_mistake("report mailbox blocks --size 33x24",
+                 "dynrt: --size 33x24: work is counted for packets of 2x2 rays, so both must be "
+                 "even, above 0 and at most 4096\n");
 }
 
 TEST_F(App, WhatTheUserShouldKnowIsNoted) {
@@ -343,8 +359,9 @@ TEST_F(App, WhatIsUnknownIsNamed) {
   expect_mistake("render blocks --speed 9",
                  testing::AllOf(StartsWith("dynrt: "), HasSubstr("--speed"),
                                 HasSubstr("; dynrt render --help lists what there is\n")));
-  expect_mistake("paint blocks",
-                 "dynrt: paint: unknown; the commands are render, walk, compare and info\n");
+  expect_mistake(
+      "paint blocks",
+      "dynrt: paint: unknown; the commands are render, walk, compare, info and report\n");
   expect_mistake("", HasSubstr("dynrt --help lists what there is"));
   expect_mistake("render", testing::AllOf(HasSubstr("SCENE"), HasSubstr("dynrt render --help")));
   expect_mistake("render no_such_scene --config stand_in", HasSubstr("no_such_scene"));

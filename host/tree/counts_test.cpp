@@ -58,9 +58,9 @@ int expect_same_hits(const Scene& scene, const Camera& camera) {
   const SceneTrees trees = build_scene_trees(scene);
   const std::vector<TracedHit> expected = brute_force(scene, camera);
   int hits = 0;
-  for (const bool always_clip : {false, true}) {
+  for (const Clipping clipping : {Clipping::kFromOutside, Clipping::kAlways}) {
     TraceOptions options;
-    options.always_clip = always_clip;
+    options.scene_clipping = options.object_clipping = clipping;
     const TracedFrame frame = trace_frame(scene, trees, camera, kSide, kSide, options);
     EXPECT_EQ(frame.work.packets, kSide * kSide / 4);
     EXPECT_EQ(frame.work.dropped_pushes, 0u);
@@ -113,7 +113,7 @@ TEST(Counts, AMailboxSavesTransformations) {
   const SceneTrees trees = build_scene_trees(scene);
   const Camera camera = testing::camera_at({0.05, 0.02, 3.1}, {0, 0, -1});
   TraceOptions none;
-  none.mailbox_slots = 0;
+  none.object_slots = none.triangle_slots = 0;
   const WorkCounts with = trace_frame(scene, trees, camera, kSide, kSide).work;
   const WorkCounts without = trace_frame(scene, trees, camera, kSide, kSide, none).work;
   EXPECT_LT(with.triangles, without.triangles);
@@ -126,7 +126,7 @@ TEST(Counts, StartingInsideTheBoxSavesTheClippingNodes) {
   const SceneTrees trees = build_scene_trees(scene);
   const Camera camera = testing::camera_at({2.013, 1.71, 4.02}, {-0.1, -0.2, -1});
   TraceOptions always;
-  always.always_clip = true;
+  always.scene_clipping = always.object_clipping = Clipping::kAlways;
   const WorkCounts inside = trace_frame(scene, trees, camera, kSide, kSide).work;
   const WorkCounts clipped = trace_frame(scene, trees, camera, kSide, kSide, always).work;
   EXPECT_EQ(inside.top_steps, 0u);
