@@ -17,7 +17,6 @@ namespace {
 
 constexpr unsigned kFullAmbient = 256;
 constexpr unsigned kAmbient = 64;  ///< where there are lights: a quarter
-constexpr std::uint32_t kFrameBase = 0;
 
 std::vector<std::uint32_t> read(Board& board, unsigned bank, std::uint32_t address,
                                 std::size_t count) {
