@@ -57,9 +57,10 @@ TEST_F(App, HelpTellsEverything) {
   const Outcome render = run("render --help");
   EXPECT_EQ(render.code, 0);
   for (const char* flag :
-       {"--board",   "--config",   "--size",    "--out",         "--trace", "--packets", "--lines",
-        "--order",   "--position", "--look-at", "--up",          "--fov",   "--json",    "--clock",
-        "--timeout", "--light",    "--mirror",  "--reflections", "office",  "stand_in"}) {
+       {"--board",    "--config", "--size",     "--out",     "--trace",  "--packets",
+        "--lines",    "--order",  "--position", "--look-at", "--up",     "--fov",
+        "--json",     "--clock",  "--timeout",  "--light",   "--mirror", "--reflections",
+        "--scan-out", "office",   "stand_in"}) {
     EXPECT_THAT(render.out, HasSubstr(flag));
   }
 }
@@ -82,6 +83,27 @@ TEST_F(App, RendersOnTheModel) {
   EXPECT_GT(json["frame"]["units"]["node_lookup"]["transactions"], 768);
   EXPECT_GT(json["frame"]["caches"]["node"]["hit_rate"], 0.5);
   EXPECT_GT(json["scene"]["memory"]["nodes"], 100);
+}
+
+TEST_F(App, ShowsTheImageOnTheDisplay) {
+  const Outcome outcome =
+      run(std::string("render blocks") + kRtl + "--scan-out display.png --json figures.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.files, ElementsAre("blocks.png", "display.png", "figures.json"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("scan-out    display.png, 640x480, 3 clocks a pixel, 67.46 displays per "
+                        "second; 0 pixels differ from the frame's"));
+  const auto json = nlohmann::json::parse(text_of(folder_ / "figures.json"));
+  EXPECT_EQ(json["scan_out"]["image"], "display.png");
+  EXPECT_EQ(json["scan_out"]["pixels_different"], 0);
+
+  expect_mistake(std::string("render blocks") + kModel + "--scan-out display.png",
+                 StartsWith("dynrt: board model of configuration model_only has no scan-out; take "
+                            "board rtl and a configuration with the key scan_out"));
+  expect_mistake("render blocks --config stand_in --size 641x20 --scan-out display.png",
+                 StartsWith("dynrt: a picture of 641x20 does not fit the display of 640x480"));
+  expect_mistake(std::string("render blocks") + kRtl + "--scan-out display.bmp",
+                 HasSubstr("display.bmp"));
 }
 
 TEST_F(App, TheOrderOfRaysAndThePacketsInFlightDoNotChangeTheImage) {
