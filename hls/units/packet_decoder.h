@@ -64,7 +64,7 @@ struct PacketDecoder {
         if (!triangle && in.ray == RayIndex::from(i)) ray[i].write(row, r);
       }
       if (triangle || is_new) {
-        unit_ray.write(UnitRay<C>{in.packet, in.ray, is_new, r});
+        unit_ray.write(UnitRay<C>{in.packet, in.ray, is_new, r, job.primitive, job.cosine_factor});
       } else if (job.kind == TransformKind::kObject && in.ray == RayIndex(3)) {
         TraversalEvent<C> enter;
         enter.packet = in.packet;

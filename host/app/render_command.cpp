@@ -52,7 +52,7 @@ int run(const Arguments& arguments) {
   TraceFile trace(arguments.trace);
   const auto board =
       open_board({arguments.board, arguments.frame.configuration, arguments.trace}, options);
-  const Prepared prepared = prepare(arguments.scene, options.width, options.height);
+  const Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->info());
   const Frame frame = traced(trace, [&] { return render_on(*board, options, prepared); });
 
   write_image(out, frame);

@@ -14,6 +14,7 @@
 
 #include "host/error.h"
 #include "units/frame.h"
+#include "units/options.h"
 
 namespace dynrt::host {
 
@@ -25,6 +26,8 @@ struct BoardInfo {
   unsigned stack_depth = 0;   ///< entries of each stack and level
   unsigned lights = 0;        ///< passes of light rays from a packet's hits, at most
   unsigned reflections = 0;   ///< bounces of a ray, at most
+  TriangleMatrix triangle_matrix = TriangleMatrix::kNormalConsistent;
+  Primitives primitives{.triangle = true};
 };
 
 /// One of the core's counters, named unit.what, e.g. "traversal.transactions".

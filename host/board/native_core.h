@@ -18,6 +18,8 @@ BoardInfo board_info_of() {
   info.stack_depth = C::kStackDepth;
   info.lights = C::kLights;
   info.reflections = C::kReflections;
+  info.triangle_matrix = C::kTriangleMatrix;
+  info.primitives = C::kPrimitives;
   return info;
 }
 

@@ -46,15 +46,30 @@ std::uint32_t colour_bits(const glm::dvec3& colour) {
   return bits;
 }
 
-bool is_mirror(const Scene& scene, const Mesh& object, std::size_t triangle) {
-  return scene.materials.at(object.material.at(triangle)).mirror;
+/// A sphere is none: each of its points would need a reflection of its own.
+bool is_mirror(const Scene& scene, const Mesh& object, std::size_t primitive) {
+  return !object.is_ellipsoid(primitive) &&
+         scene.materials.at(object.material_of(primitive)).mirror;
 }
 
-std::size_t mirrors_of(const Scene& scene, const Mesh& object) {
-  std::size_t mirrors = 0;
-  for (const std::uint32_t material : object.material)
-    mirrors += scene.materials.at(material).mirror;
-  return mirrors;
+Primitive kind_of(const Mesh& object, std::size_t primitive) {
+  return object.is_ellipsoid(primitive)   ? Primitive::kSphere
+         : object.is_rectangle(primitive) ? Primitive::kRectangle
+                                          : Primitive::kTriangle;
+}
+
+/// Columns from one primitive's number to the next.
+std::uint32_t columns_apart(TriangleMatrix form) {
+  return form == TriangleMatrix::kMemoryEfficient ? kStoredColumns : 4;
+}
+
+/// Numbers that a primitive takes: one, and those that its fourth column or its reflection, a
+/// matrix of four columns at the next number, reach into.
+std::uint32_t numbers_of(const Scene& scene, const Mesh& object, std::size_t primitive,
+                         TriangleMatrix form) {
+  const bool mirror = is_mirror(scene, object, primitive);
+  if (form == TriangleMatrix::kNormalConsistent) return mirror ? 2 : 1;
+  return mirror ? 3 : object.is_ellipsoid(primitive) ? 2 : 1;
 }
 
 /// Takes a ray to the ray that the triangle's plane reflects: x - 2 n (n . x - n . c).
@@ -84,10 +99,11 @@ Address to_address(std::size_t address) {
   return Address::from(static_cast<std::uint32_t>(address));
 }
 
-/// Appends a tree; item i becomes the matrix matrix_of[i]. Returns the address of the
+/// Appends a tree, of an object's primitives or of instances; item i becomes the matrix
+/// matrix_of[i]. Returns the address of the
 /// tree's node 0, which has no place itself: node i lies at that address + i.
-std::uint32_t add_tree(MemoryPart& part, const Tree& tree,
-                       std::span<const std::uint32_t> matrix_of) {
+std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::span<const std::uint32_t> matrix_of,
+                       const Mesh* object) {
   const std::uint32_t base = part.end_node() - 1;
   const std::uint32_t list_base = part.end_entry();
   const auto child = [&](std::uint32_t index) {
@@ -111,6 +127,7 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree,
   for (const std::uint32_t item : tree.items) {
     ListEntry entry;
     entry.matrix = MatrixIndex::from(matrix_of[item]);
+    if (object != nullptr) entry.set_primitive(kind_of(*object, item));
     part.entries.push_back(entry);
   }
   for (const TreeNode& node : tree.nodes) {
@@ -123,46 +140,64 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree,
 
 }  // namespace
 
-void check_matrices(const Scene& scene) {
-  std::size_t matrices =
-      scene.instances.size() * (has_mirrors(scene) ? 2 : 1) + 1 + scene.lights.size();
+void check_matrices(const Scene& scene, TriangleMatrix form) {
+  std::size_t numbers = 0;
   for (const Mesh& object : scene.objects) {
-    matrices += object.triangles.size() + mirrors_of(scene, object);
+    for (std::size_t i = 0; i < object.primitives(); ++i) {
+      numbers += numbers_of(scene, object, i, form);
+    }
   }
-  check_limit(scene, kMatrices, matrices, kMaxMatrices);
+  const std::size_t matrices = (numbers * columns_apart(form) + 3) / 4 +
+                               scene.instances.size() * (has_mirrors(scene) ? 2 : 1) + 1 +
+                               scene.lights.size();
+  check_limit(scene, kMatrices, std::max(numbers, matrices), kMaxMatrices);
 }
 
-ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees) {
+ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, TriangleMatrix form) {
   const double largest = Real::largest().to_double();
-  check_matrices(scene);
+  const std::uint32_t apart = columns_apart(form);
+  check_matrices(scene, form);
   memory.first_node = 1;
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
     const Mesh& mesh = scene.objects[k];
     const Tree& tree = trees[k];
-    const std::uint32_t first_matrix = memory.end_matrix();
+    const std::uint32_t first_matrix = memory.end_column() / apart;
     std::vector<std::uint32_t> matrix_of;
     std::uint32_t next = first_matrix;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (std::size_t i = 0; i < mesh.primitives(); ++i) {
       matrix_of.push_back(next);
-      next += is_mirror(scene, mesh, i) ? 2 : 1;
+      next += numbers_of(scene, mesh, i, form);
     }
-    const std::uint32_t base = add_tree(memory, tree, matrix_of);
+    const std::uint32_t base = add_tree(memory, tree, matrix_of, &mesh);
     objects.push_back({base + tree.root, base + tree.clipped_root, first_matrix, tree.box});
     check_limits(scene, memory);
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const glm::uvec3& t = mesh.triangles[i];
-      const std::array corners = {mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]};
-      const auto matrix = triangle_matrix(corners);
-      if (!matrix) refuse(messages::kFlatTriangle, mesh.name, i);
-      if (const auto element = out_of_range(*matrix)) {
+    for (std::size_t i = 0; i < mesh.primitives(); ++i) {
+      const bool sphere = mesh.is_ellipsoid(i);
+      const bool three = form == TriangleMatrix::kMemoryEfficient && !sphere;
+      UnitMatrix unit;
+      if (sphere) {
+        unit = ellipsoid_matrix(mesh.ellipsoid(i));
+      } else {
+        const auto matrix = triangle_matrix(mesh.corners(i));
+        if (!matrix) refuse(messages::kFlatTriangle, mesh.name, i);
+        unit = three ? efficient_matrix(*matrix) : UnitMatrix{*matrix};
+      }
+      if (const auto element = out_of_range(unit.matrix)) {
+        if (sphere) refuse(messages::kSphereRange, mesh.name, i, *element, largest, largest);
         refuse(messages::kTriangleRange, mesh.name, i, *element, largest, largest);
       }
       const bool mirror = is_mirror(scene, mesh, i);
-      const glm::dvec3& diffuse = scene.materials.at(mesh.material.at(i)).diffuse;
-      memory.matrices.push_back(
-          to_columns(*matrix, colour_bits(diffuse), mirror ? kMirrorPart : 0));
-      if (mirror) memory.matrices.push_back(to_columns(reflection_matrix(corners), 0));
+      const std::uint32_t colour = colour_bits(scene.materials.at(mesh.material_of(i)).diffuse);
+      const std::uint32_t mirror_part = mirror ? kMirrorPart : 0;
+      memory.columns.resize(matrix_of[i] * apart);
+      if (three) {
+        memory.add(to_stored_columns(unit, colour, mirror_part));
+      } else {
+        memory.add(to_columns(unit, colour, mirror_part));
+      }
+      if (mirror) memory.add(to_columns(reflection_matrix(mesh.corners(i)), 0));
     }
+    memory.columns.resize(next * apart);
   }
 }
 
@@ -178,18 +213,19 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   const double largest = Real::largest().to_double();
   memory.first_node = objects.memory.end_node();
   memory.first_entry = objects.memory.end_entry();
-  memory.first_matrix = first_instance = objects.memory.end_matrix();
+  first_instance = objects.memory.end_matrix();
+  memory.first_column = 4 * first_instance;
   const std::uint32_t stride = has_mirrors(scene) ? 2 : 1;
   std::vector<std::uint32_t> matrix_of(scene.instances.size());
   for (std::uint32_t i = 0; i < matrix_of.size(); ++i) matrix_of[i] = first_instance + stride * i;
-  const std::uint32_t base = add_tree(memory, instances, matrix_of);
+  const std::uint32_t base = add_tree(memory, instances, matrix_of, nullptr);
   start_node = base + instances.entry(camera.position);
   check_limits(scene, memory);
   check_limit(scene, kMatrices,
               first_instance + stride * scene.instances.size() + 1 + scene.lights.size(),
               kMaxMatrices);
 
-  memory.matrices.reserve(stride * scene.instances.size() + 1 + scene.lights.size());
+  memory.columns.reserve(4 * (stride * scene.instances.size() + 1 + scene.lights.size()));
   for (const Instance& instance : scene.instances) {
     const glm::dmat4 inverse = glm::inverse(instance.transform);
     const ObjectImage::Object& object = objects.objects.at(instance.object);
@@ -201,23 +237,26 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
       refuse(messages::kInstanceRange, instance.name, *element, largest, largest);
     }
     const glm::dvec3 eye = matrix * glm::dvec4(camera.position, 1.0);
-    memory.matrices.push_back(
-        to_columns(matrix, object.box.holds(eye) ? object.root : object.clipped_root));
-    if (stride == 2) memory.matrices.push_back(to_columns(glm::dmat4x3(instance.transform), 0));
+    memory.add(to_columns(matrix, object.box.holds(eye) ? object.root : object.clipped_root));
+    if (stride == 2) memory.add(to_columns(glm::dmat4x3(instance.transform), 0));
   }
   const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
   if (const auto element = out_of_range(from_pixels)) {
     refuse(messages::kCameraRange, *element, largest, largest);
   }
   camera_matrix = memory.end_matrix();
-  memory.matrices.push_back(to_columns(from_pixels, 0));
+  memory.add(to_columns(from_pixels, 0));
   light_matrix = memory.end_matrix();
-  for (const PointLight& light : scene.lights) memory.matrices.push_back(light_columns(light));
+  for (const PointLight& light : scene.lights) memory.add(light_columns(light));
 }
 
 bool has_mirrors(const Scene& scene) {
-  return std::ranges::any_of(scene.objects,
-                             [&](const Mesh& object) { return mirrors_of(scene, object) > 0; });
+  for (const Mesh& object : scene.objects) {
+    for (std::size_t i = 0; i < object.primitives(); ++i) {
+      if (is_mirror(scene, object, i)) return true;
+    }
+  }
+  return false;
 }
 
 double MemoryUse::tree_megabytes() const {

@@ -14,12 +14,13 @@
 #include "host/image/memory.h"
 #include "host/scene/scene.h"
 #include "host/tree/tree.h"
+#include "units/options.h"
 
 namespace dynrt::host {
 
 /// Throws UserError for a scene that the memory cannot hold whatever its trees are: with more
 /// triangles, instances and camera than it has matrices.
-void check_matrices(const Scene& scene);
+void check_matrices(const Scene& scene, TriangleMatrix form = TriangleMatrix::kNormalConsistent);
 
 /// The static part. Throws UserError where a limit of the memory is passed or a triangle's matrix
 /// is beyond the core's numbers.
@@ -28,14 +29,15 @@ struct ObjectImage {
   struct Object {
     std::uint32_t root = 0;          ///< for rays that start inside its box
     std::uint32_t clipped_root = 0;  ///< for all others
-    std::uint32_t first_matrix = 0;  ///< of triangle 0
+    std::uint32_t first_matrix = 0;  ///< of primitive 0, in the numbers of primitives
     Aabb box;
   };
   std::vector<Object> objects;
   MemoryPart memory;
 
   ObjectImage() = default;
-  ObjectImage(const Scene& scene, std::span<const Tree> trees);
+  ObjectImage(const Scene& scene, std::span<const Tree> trees,
+              TriangleMatrix form = TriangleMatrix::kNormalConsistent);
 
   std::vector<Aabb> boxes() const;
 };
@@ -62,7 +64,7 @@ bool has_mirrors(const Scene& scene);
 struct MemoryUse {
   std::size_t nodes = 0;  ///< with the null node
   std::size_t list_entries = 0;
-  std::size_t matrices = 0;
+  std::size_t matrices = 0;         ///< places of four columns
   double tree_megabytes() const;    ///< nodes and lists, 10^6 bytes
   double matrix_megabytes() const;  ///< 10^6 bytes
 };
