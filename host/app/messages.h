@@ -17,6 +17,9 @@ inline constexpr char kStdout[] =
 inline constexpr char kOrder[] = "--order {}: unknown; the orders are morton and scanline";
 inline constexpr char kClock[] = "--clock {}: the clock is a number of MHz above zero";
 inline constexpr char kTimeoutZero[] = "--timeout 0: the board needs at least one clock";
+inline constexpr char kNoPrimitive[] =
+    "--config {}: has no {}, of which the scene '{}' is made; the configurations that have all it "
+    "needs are: {}";
 inline constexpr char kCommand[] =
     "{}: unknown; the commands are render, walk, compare, info and report";
 inline constexpr char kNoReport[] =

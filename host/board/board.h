@@ -15,6 +15,7 @@
 #include "host/board/vga_monitor.h"
 #include "host/error.h"
 #include "units/frame.h"
+#include "units/options.h"
 
 namespace dynrt::host {
 
@@ -28,6 +29,8 @@ struct BoardInfo {
   bool clips_to_cube = false;  ///< it takes an object's box for the cube from -1 to 1
   unsigned reflections = 0;    ///< bounces of a ray, at most
   bool scan_out = false;       ///< it can show a picture on a VGA display; only the RTL has pins
+  TriangleMatrix triangle_matrix = TriangleMatrix::kNormalConsistent;
+  Primitives primitives{.triangle = true};
 };
 
 /// One of the core's counters, named unit.what, e.g. "traversal.transactions".
