@@ -255,7 +255,7 @@ TEST(Image, TheThesissMatrixHasTheColumnOfOnes) {
 
 TEST(Image, MirrorsAndSpheresReachIntoTheNextNumbers) {
   Scene scene = two_objects();
-  scene.materials.push_back({"mirror", {0, 0, 0}, true});
+  scene.materials.push_back({"mirror", {0, 0, 0}, 0.8});
   scene.objects[0].material[3] = 2;
   scene.objects[0].ellipsoids.push_back({glm::scale(glm::dmat4(1), glm::dvec3(2)), 1});
   const SceneTrees trees = build_scene_trees(scene);
