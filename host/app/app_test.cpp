@@ -173,8 +173,6 @@ TEST_F(App, FlagsOfLightAndMirrorChangeTheImage) {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     images.push_back(text_of(folder_ / "blocks.png"));
   }
-  EXPECT_TRUE(images.back() == images.front()) << "no reflections, no mirror";
-  images.pop_back();
   std::ranges::sort(images);
   EXPECT_TRUE(std::ranges::adjacent_find(images) == images.end()) << "two are the same";
 }
