@@ -33,6 +33,9 @@ struct Primitives {
   bool triangle = false;
   bool sphere = false;  ///< hence every ellipsoid
   bool rectangle = false;
+
+  constexpr unsigned count() const { return unsigned{triangle} + sphere + rectangle; }
+  friend constexpr bool operator==(const Primitives&, const Primitives&) = default;
 };
 
 }  // namespace dynrt

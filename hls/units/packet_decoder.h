@@ -69,7 +69,7 @@ struct PacketDecoder {
         }
       }
       if (triangle || is_new) {
-        unit_ray.write(UnitRay<C>{in.packet, in.ray, is_new, r});
+        unit_ray.write(UnitRay<C>{in.packet, in.ray, is_new, r, job.primitive, job.cosine_factor});
       } else if (job.kind == TransformKind::kObject) {
         enter(in, job, r);
       }

@@ -19,7 +19,7 @@ namespace dynrt {
 /// the pulse to `hsync_end`, the back porch to `htotal`; and so down the display.
 struct ScanConfig {
   uint<32> base;    ///< first word of the picture, taken over at the start of a vertical blank
-  uint<32> width;   ///< of the picture, whose rows follow each other without a gap
+  uint<32> width;   ///< of the picture, whose rows follow each other and fit the display
   uint<32> height;  ///< what lies below the display is not shown
   uint<32> left;    ///< where it lies on the display; all around is black
   uint<32> top;

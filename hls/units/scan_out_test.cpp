@@ -19,7 +19,7 @@ struct Mode {
 };
 constexpr Mode kSmall = {20, 22, 27, 31, 12, 13, 15, 18, 0, 14, 9, 3, 2};
 constexpr Mode kFilled = {16, 17, 18, 20, 10, 11, 12, 13, 3, 16, 10, 0, 0};
-constexpr Mode kCropped = {16, 18, 19, 21, 10, 10, 11, 14, 1, 30, 13, 0, 0};
+constexpr Mode kCropped = {16, 18, 19, 21, 10, 10, 11, 14, 1, 15, 13, 1, 0};
 constexpr Mode k640x480 = {640, 656, 752, 800, 480, 490, 492, 525, 0, 512, 384, 64, 48};
 
 class ScanOutTest : public testing::Test {
@@ -75,7 +75,7 @@ TEST_F(ScanOutTest, ShowsThePictureFromTheFirstVerticalBlankOn) {
     for (int frame = 0; frame < 2; ++frame) {
       EXPECT_TRUE(test::same(run(total), display(mode, 1000)));
     }
-    EXPECT_TRUE(test::same(bench_.take(bench_.unit.shown), {3, uint<20>(1000)}));
+    EXPECT_TRUE(test::same(bench_.take(bench_.unit.shown), std::vector(3, uint<20>(1000))));
   }
 }
 

@@ -51,15 +51,16 @@ class App : public testing::Test {
 TEST_F(App, HelpTellsEverything) {
   const Outcome program = run("--help");
   EXPECT_EQ(program.code, 0);
-  for (const char* word : {"render", "walk", "compare", "info", "Exit codes"}) {
+  for (const char* word : {"render", "walk", "compare", "info", "report", "Exit codes"}) {
     EXPECT_THAT(program.out, HasSubstr(word));
   }
   const Outcome render = run("render --help");
   EXPECT_EQ(render.code, 0);
   for (const char* flag :
-       {"--board",   "--config",   "--size",    "--out",         "--trace", "--packets", "--lines",
-        "--order",   "--position", "--look-at", "--up",          "--fov",   "--json",    "--clock",
-        "--timeout", "--light",    "--mirror",  "--reflections", "office",  "stand_in"}) {
+       {"--board",    "--config", "--size",     "--out",     "--trace",  "--packets",
+        "--lines",    "--order",  "--position", "--look-at", "--up",     "--fov",
+        "--json",     "--clock",  "--timeout",  "--light",   "--mirror", "--reflections",
+        "--scan-out", "office",   "stand_in"}) {
     EXPECT_THAT(render.out, HasSubstr(flag));
   }
 }
@@ -82,6 +83,27 @@ TEST_F(App, RendersOnTheModel) {
   EXPECT_GT(json["frame"]["units"]["node_lookup"]["transactions"], 768);
   EXPECT_GT(json["frame"]["caches"]["node"]["hit_rate"], 0.5);
   EXPECT_GT(json["scene"]["memory"]["nodes"], 100);
+}
+
+TEST_F(App, ShowsTheImageOnTheDisplay) {
+  const Outcome outcome =
+      run(std::string("render blocks") + kRtl + "--scan-out display.png --json figures.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.files, ElementsAre("blocks.png", "display.png", "figures.json"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("scan-out    display.png, 640x480, 3 clocks a pixel, 67.46 displays per "
+                        "second; 0 pixels differ from the frame's"));
+  const auto json = nlohmann::json::parse(text_of(folder_ / "figures.json"));
+  EXPECT_EQ(json["scan_out"]["image"], "display.png");
+  EXPECT_EQ(json["scan_out"]["pixels_different"], 0);
+
+  expect_mistake(std::string("render blocks") + kModel + "--scan-out display.png",
+                 StartsWith("dynrt: board model of configuration model_only has no scan-out; take "
+                            "board rtl and a configuration with the key scan_out"));
+  expect_mistake("render blocks --config stand_in --size 641x20 --scan-out display.png",
+                 StartsWith("dynrt: a picture of 641x20 does not fit the display of 640x480"));
+  expect_mistake(std::string("render blocks") + kRtl + "--scan-out display.bmp",
+                 HasSubstr("display.bmp"));
 }
 
 TEST_F(App, TheOrderOfRaysAndThePacketsInFlightDoNotChangeTheImage) {
@@ -132,6 +154,22 @@ TEST_F(App, InfoShowsTheScene) {
   const auto json = nlohmann::json::parse(text_of(folder_ / "info.json"));
   EXPECT_EQ(json["objects"].size(), 3u);
   EXPECT_EQ(json["memory"]["matrix_limit"], 131072);
+}
+
+TEST_F(App, ReportsCountWhatOtherCoresWouldDo) {
+  const Outcome outcome = run("report overlap blocks --size 32x24 --json f.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.files, ElementsAre("f.json"));
+  EXPECT_THAT(outcome.out, ContainsRegex("hierarchical tree +70.3 +[0-9.]+ +[0-9.]+ +2.0"));
+  EXPECT_THAT(outcome.out, HasSubstr("pixels that differ between the rows: 0\n"));
+  EXPECT_EQ(nlohmann::json::parse(text_of(folder_ / "f.json"))["rows"].size(), 5);
+  expect_mistake("report",
+                 "dynrt: report: which one is missing; the reports are overlap, mailbox "
+                 "and clipping\n");
+  expect_mistake("report paint", HasSubstr("was not expected: paint; dynrt report --help lists"));
+  expect_mistake("report mailbox blocks --size 33x24",
+                 "dynrt: --size 33x24: work is counted for packets of 2x2 rays, so both must be "
+                 "even, above 0 and at most 4096\n");
 }
 
 TEST_F(App, WhatTheUserShouldKnowIsNoted) {
@@ -341,8 +379,9 @@ TEST_F(App, WhatIsUnknownIsNamed) {
   expect_mistake("render blocks --speed 9",
                  testing::AllOf(StartsWith("dynrt: "), HasSubstr("--speed"),
                                 HasSubstr("; dynrt render --help lists what there is\n")));
-  expect_mistake("paint blocks",
-                 "dynrt: paint: unknown; the commands are render, walk, compare and info\n");
+  expect_mistake(
+      "paint blocks",
+      "dynrt: paint: unknown; the commands are render, walk, compare, info and report\n");
   expect_mistake("", HasSubstr("dynrt --help lists what there is"));
   expect_mistake("render", testing::AllOf(HasSubstr("SCENE"), HasSubstr("dynrt render --help")));
   expect_mistake("render no_such_scene --config stand_in", HasSubstr("no_such_scene"));

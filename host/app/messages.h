@@ -17,7 +17,16 @@ inline constexpr char kStdout[] =
 inline constexpr char kOrder[] = "--order {}: unknown; the orders are morton and scanline";
 inline constexpr char kClock[] = "--clock {}: the clock is a number of MHz above zero";
 inline constexpr char kTimeoutZero[] = "--timeout 0: the board needs at least one clock";
-inline constexpr char kCommand[] = "{}: unknown; the commands are render, walk, compare and info";
+inline constexpr char kNoPrimitive[] =
+    "--config {}: has no {}, of which the scene '{}' is made; the configurations that have all it "
+    "needs are: {}";
+inline constexpr char kCommand[] =
+    "{}: unknown; the commands are render, walk, compare, info and report";
+inline constexpr char kNoReport[] =
+    "report: which one is missing; the reports are overlap, mailbox and clipping";
+inline constexpr char kCountedSize[] =
+    "--size {}x{}: work is counted for packets of 2x2 rays, so both must be even, above 0 and at "
+    "most {}";
 inline constexpr char kUsage[] = "{}; dynrt {}--help lists what there is";
 
 // Light and mirrors

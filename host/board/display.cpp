@@ -41,19 +41,26 @@ ScanConfig scan_config(const VgaMode& m, std::uint32_t base, unsigned width, uns
   return c;
 }
 
+namespace {
+
+void check(const BoardInfo& board, const VgaMode& mode, unsigned width, unsigned height) {
+  if (!board.scan_out) refuse(messages::kNoScanOut, board.name, board.configuration);
+  if (width > mode.hdisplay || height > mode.vdisplay) {
+    refuse(messages::kDisplaySize, width, height, mode.hdisplay, mode.vdisplay);
+  }
+}
+
+}  // namespace
+
 Display::Display(RtlBoard& board, const VgaMode& mode, unsigned clocks_per_pixel,
                  std::uint32_t base, unsigned width, unsigned height)
     : board_(board),
       monitor_(mode.positive_hsync, mode.positive_vsync),
       clocks_(std::uint64_t{mode.htotal} * mode.vtotal * clocks_per_pixel) {
-  if (!board_.info().scan_out) {
-    refuse(messages::kNoScanOut, board_.info().name, board_.info().configuration);
-  }
-  if (width > mode.hdisplay || height > mode.vdisplay) {
-    refuse(messages::kDisplaySize, width, height, mode.hdisplay, mode.vdisplay);
-  }
-  if (clocks_per_pixel < kLeastClocks) {
-    throw std::logic_error("a pixel of the display takes too few clocks");
+  check(board_.info(), mode, width, height);
+  if (clocks_per_pixel < kLeastClocks || clocks_per_pixel > kMostClocks) {
+    throw std::logic_error(
+        fmt::format("the scan-out cannot take {} clocks a pixel", clocks_per_pixel));
   }
   const ScanConfig config = scan_config(mode, base, width, height);
   hls::for_each_leaf(config, [&](const hls::uint<32>& field, unsigned offset) {
@@ -84,6 +91,22 @@ const VgaFrame& Display::wait(unsigned count) {
     board_.idle(clocks_ / 4);
   }
   return frames()[enough - 1];
+}
+
+void Board::check_display(unsigned width, unsigned height) const {
+  check(info(), kVga640x480, width, height);
+}
+
+VgaFrame Board::display(std::uint32_t /*base*/, unsigned width, unsigned height,
+                        unsigned /*clocks_per_pixel*/) {
+  check_display(width, height);
+  throw std::logic_error("a board with a scan-out cannot show a picture");
+}
+
+VgaFrame RtlBoard::display(std::uint32_t base, unsigned width, unsigned height,
+                           unsigned clocks_per_pixel) {
+  Display display(*this, kVga640x480, clocks_per_pixel, base, width, height);
+  return display.wait(1);
 }
 
 }  // namespace dynrt::host

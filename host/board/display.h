@@ -14,8 +14,9 @@ namespace dynrt::host {
 
 class Display {
  public:
-  /// The fewest clocks of the board that a pixel may take.
+  /// Clocks of the board that a pixel may take.
   static constexpr unsigned kLeastClocks = 2;
+  static constexpr unsigned kMostClocks = 255;
 
   /// Switches the scan-out on. The picture begins at word `base` of bank 3 and lies in the middle
   /// of the display. Throws UserError if the board has no scan-out or the picture does not fit.

@@ -35,7 +35,8 @@ inline constexpr char kScanWords[] =
     "board {}: has {} registers for its scan-out, the host writes {}; rebuild the Verilog and the "
     "host together";
 inline constexpr char kNoScanOut[] =
-    "board {}: configuration {} has no scan-out; take the board rtl of one with the key scan_out";
+    "board {} of configuration {} has no scan-out; take board rtl and a configuration with the key "
+    "scan_out, such as thesis";
 inline constexpr char kDisplaySize[] =
     "a picture of {}x{} does not fit the display of {}x{}; render a smaller one";
 inline constexpr char kTrace[] = "{}: cannot be written; name a file in a folder that can";

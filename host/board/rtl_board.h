@@ -25,6 +25,8 @@ class RtlBoard final : public Board {
   void configure(const FrameConfig& frame) override;
   void start() override;
   FrameRun wait(std::uint64_t timeout, const PixelProgress& progress) override;
+  VgaFrame display(std::uint32_t base, unsigned width, unsigned height,
+                   unsigned clocks_per_pixel) override;
   std::vector<Counter> counters() override;
   BusTraffic traffic() const override { return meter_.traffic(); }
 

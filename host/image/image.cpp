@@ -53,18 +53,37 @@ std::uint32_t colour_bits(const glm::dvec3& colour) {
   return bits;
 }
 
-const Material& material_of(const Scene& scene, const Mesh& object, std::size_t triangle) {
-  return scene.materials.at(object.material.at(triangle));
+const Material& material_of(const Scene& scene, const Mesh& object, std::size_t primitive) {
+  return scene.materials.at(object.material_of(primitive));
 }
 
-bool is_mirror(const Scene& scene, const Mesh& object, std::size_t triangle) {
-  return material_of(scene, object, triangle).mirror > 0;
+/// A sphere is none: each of its points would need a reflection of its own.
+bool is_mirror(const Scene& scene, const Mesh& object, std::size_t primitive) {
+  return !object.is_ellipsoid(primitive) && material_of(scene, object, primitive).mirror > 0;
 }
 
-std::size_t mirrors_of(const Scene& scene, const Mesh& object) {
-  std::size_t mirrors = 0;
-  for (std::size_t i = 0; i < object.triangles.size(); ++i) mirrors += is_mirror(scene, object, i);
-  return mirrors;
+Primitive kind_of(const Mesh& object, std::size_t primitive) {
+  return object.is_ellipsoid(primitive)   ? Primitive::kSphere
+         : object.is_rectangle(primitive) ? Primitive::kRectangle
+                                          : Primitive::kTriangle;
+}
+
+/// Columns from one primitive's number to the next.
+std::uint32_t columns_apart(TriangleMatrix form) {
+  return form == TriangleMatrix::kMemoryEfficient ? kStoredColumns : 4;
+}
+
+bool stored_in_three(const Mesh& object, std::size_t primitive, TriangleMatrix form) {
+  return form == TriangleMatrix::kMemoryEfficient && !object.is_ellipsoid(primitive);
+}
+
+/// Numbers that a primitive takes: one, and those that its fourth column or its reflection, a
+/// matrix of four columns at the next number, reach into.
+std::uint32_t numbers_of(const Scene& scene, const Mesh& object, std::size_t primitive,
+                         TriangleMatrix form) {
+  const bool mirror = is_mirror(scene, object, primitive);
+  if (form == TriangleMatrix::kNormalConsistent) return mirror ? 2 : 1;
+  return mirror ? 3 : object.is_ellipsoid(primitive) ? 2 : 1;
 }
 
 /// Takes a ray to the ray that the triangle's plane reflects: x - 2 n (n . x - n . c).
@@ -108,11 +127,33 @@ glm::dmat4 box_to_cube(const Aabb& box) {
   return matrix;
 }
 
-/// Appends a tree, its planes moved and scaled to a space; item i becomes the matrix matrix_of[i].
-/// Returns the address of the tree's node 0, which has no place itself: node i lies at that address
-/// + i.
+/// The map of a primitive from the core's space of the object.
+UnitMatrix unit_matrix(const Mesh& mesh, std::size_t primitive, const glm::dmat4& from_space,
+                       bool three) {
+  const double largest = Real::largest().to_double();
+  const bool sphere = mesh.is_ellipsoid(primitive);
+  UnitMatrix unit;
+  if (sphere) {
+    unit = ellipsoid_matrix(mesh.ellipsoid(primitive));
+    unit.matrix = unit.matrix * from_space;
+  } else {
+    const auto matrix = triangle_matrix(mesh.corners(primitive));
+    if (!matrix) refuse(messages::kFlatTriangle, mesh.name, primitive);
+    const glm::dmat4x3 in_space = *matrix * from_space;
+    unit = three ? efficient_matrix(in_space) : UnitMatrix{in_space};
+  }
+  if (const auto element = out_of_range(unit.matrix)) {
+    if (sphere) refuse(messages::kSphereRange, mesh.name, primitive, *element, largest, largest);
+    refuse(messages::kTriangleRange, mesh.name, primitive, *element, largest, largest);
+  }
+  return unit;
+}
+
+/// Appends a tree, of an object's primitives or of instances, its planes moved and scaled to a
+/// space; item i becomes the matrix matrix_of[i]. Returns the address of the tree's node 0, which
+/// has no place itself: node i lies at that address + i.
 std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::span<const std::uint32_t> matrix_of,
-                       const glm::dmat4& to_space = glm::dmat4(1.0)) {
+                       const Mesh* object, const glm::dmat4& to_space = glm::dmat4(1.0)) {
   const std::uint32_t base = part.end_node() - 1;
   const std::uint32_t list_base = part.end_entry();
   const auto child = [&](std::uint32_t index) {
@@ -137,6 +178,7 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::span<const std::
   for (const std::uint32_t item : tree.items) {
     ListEntry entry;
     entry.matrix = MatrixIndex::from(matrix_of[item]);
+    if (object != nullptr) entry.set_primitive(kind_of(*object, item));
     part.entries.push_back(entry);
   }
   for (const TreeNode& node : tree.nodes) {
@@ -149,52 +191,58 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::span<const std::
 
 }  // namespace
 
-void check_matrices(const Scene& scene) {
-  std::size_t matrices =
-      scene.instances.size() * (has_mirrors(scene) ? 2 : 1) + 1 + scene.lights.size();
+void check_matrices(const Scene& scene, const ImageForm& form) {
+  std::size_t numbers = 0;
   for (const Mesh& object : scene.objects) {
-    matrices += object.triangles.size() + mirrors_of(scene, object);
+    for (std::size_t i = 0; i < object.primitives(); ++i) {
+      numbers += numbers_of(scene, object, i, form.triangles);
+    }
   }
-  check_limit(scene, kMatrices, matrices, kMaxMatrices);
+  const std::size_t matrices = (numbers * columns_apart(form.triangles) + 3) / 4 +
+                               scene.instances.size() * (has_mirrors(scene) ? 2 : 1) + 1 +
+                               scene.lights.size();
+  check_limit(scene, kMatrices, std::max(numbers, matrices), kMaxMatrices);
 }
 
-ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, bool boxes_are_cubes) {
-  const double largest = Real::largest().to_double();
-  check_matrices(scene);
+ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const ImageForm& form) {
+  const std::uint32_t apart = columns_apart(form.triangles);
+  check_matrices(scene, form);
   memory.first_node = 1;
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
     const Mesh& mesh = scene.objects[k];
     const Tree& tree = trees[k];
-    const std::uint32_t first_matrix = memory.end_matrix();
+    const std::uint32_t first_matrix = memory.end_column() / apart;
     std::vector<std::uint32_t> matrix_of;
     std::uint32_t next = first_matrix;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (std::size_t i = 0; i < mesh.primitives(); ++i) {
       matrix_of.push_back(next);
-      next += is_mirror(scene, mesh, i) ? 2 : 1;
+      next += numbers_of(scene, mesh, i, form.triangles);
     }
-    const glm::dmat4 to_space = boxes_are_cubes ? box_to_cube(tree.box) : glm::dmat4(1.0);
+    const glm::dmat4 to_space = form.boxes_are_cubes ? box_to_cube(tree.box) : glm::dmat4(1.0);
     const glm::dmat4 from_space = glm::inverse(to_space);
-    const std::uint32_t base = add_tree(memory, tree, matrix_of, to_space);
-    const std::uint32_t outside = boxes_are_cubes ? tree.root : tree.clipped_root;
+    const std::uint32_t base = add_tree(memory, tree, matrix_of, &mesh, to_space);
+    const std::uint32_t outside = form.boxes_are_cubes ? tree.root : tree.clipped_root;
     objects.push_back({base + tree.root, base + outside, first_matrix, tree.box, to_space});
     check_limits(scene, memory);
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const glm::uvec3& t = mesh.triangles[i];
-      const std::array corners = {mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]};
-      auto matrix = triangle_matrix(corners);
-      if (!matrix) refuse(messages::kFlatTriangle, mesh.name, i);
-      *matrix = *matrix * from_space;
-      if (const auto element = out_of_range(*matrix)) {
-        refuse(messages::kTriangleRange, mesh.name, i, *element, largest, largest);
-      }
+    for (std::size_t i = 0; i < mesh.primitives(); ++i) {
+      const bool three = stored_in_three(mesh, i, form.triangles);
+      const UnitMatrix unit = unit_matrix(mesh, i, from_space, three);
       const Material& material = material_of(scene, mesh, i);
-      memory.matrices.push_back(
-          to_columns(*matrix, colour_bits(material.diffuse), mirror_part(material)));
-      if (material.mirror > 0) {
-        const glm::dmat4 reflection(reflection_matrix(corners));
-        memory.matrices.push_back(to_columns(glm::dmat4x3(to_space * reflection * from_space), 0));
+      const bool mirror = is_mirror(scene, mesh, i);
+      const std::uint32_t colour = colour_bits(material.diffuse);
+      const std::uint32_t part = mirror ? mirror_part(material) : 0;
+      memory.columns.resize(matrix_of[i] * apart);
+      if (three) {
+        memory.add(to_stored_columns(unit, colour, part));
+      } else {
+        memory.add(to_columns(unit, colour, part));
+      }
+      if (mirror) {
+        const glm::dmat4 reflection(reflection_matrix(mesh.corners(i)));
+        memory.add(to_columns(glm::dmat4x3(to_space * reflection * from_space), 0));
       }
     }
+    memory.columns.resize(next * apart);
   }
 }
 
@@ -214,18 +262,19 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   const double largest = Real::largest().to_double();
   memory.first_node = objects.memory.end_node();
   memory.first_entry = objects.memory.end_entry();
-  memory.first_matrix = first_instance = objects.memory.end_matrix();
+  first_instance = objects.memory.end_matrix();
+  memory.first_column = 4 * first_instance;
   const std::uint32_t stride = has_mirrors(scene) ? 2 : 1;
   std::vector<std::uint32_t> matrix_of(scene.instances.size());
   for (std::uint32_t i = 0; i < matrix_of.size(); ++i) matrix_of[i] = first_instance + stride * i;
-  const std::uint32_t base = add_tree(memory, instances, matrix_of);
+  const std::uint32_t base = add_tree(memory, instances, matrix_of, nullptr);
   start_node = base + instances.entry(camera.position);
   check_limits(scene, memory);
   check_limit(scene, kMatrices,
               first_instance + stride * scene.instances.size() + 1 + scene.lights.size(),
               kMaxMatrices);
 
-  memory.matrices.reserve(stride * scene.instances.size() + 1 + scene.lights.size());
+  memory.columns.reserve(4 * (stride * scene.instances.size() + 1 + scene.lights.size()));
   for (const Instance& instance : scene.instances) {
     const glm::dmat4 inverse = glm::inverse(instance.transform);
     const ObjectImage::Object& object = objects.objects.at(instance.object);
@@ -237,11 +286,10 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
       refuse(messages::kInstanceRange, instance.name, *element, largest, largest);
     }
     const glm::dvec3 eye(inverse * glm::dvec4(camera.position, 1.0));
-    memory.matrices.push_back(
-        to_columns(matrix, object.box.holds(eye) ? object.root : object.clipped_root));
+    memory.add(to_columns(matrix, object.box.holds(eye) ? object.root : object.clipped_root));
     if (stride == 2) {
       const glm::dmat4 back = instance.transform * glm::inverse(object.to_space);
-      memory.matrices.push_back(to_columns(glm::dmat4x3(back), 0));
+      memory.add(to_columns(glm::dmat4x3(back), 0));
     }
   }
   const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
@@ -249,7 +297,7 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
     refuse(messages::kCameraRange, *element, largest, largest);
   }
   camera_matrix = memory.end_matrix();
-  memory.matrices.push_back(to_columns(from_pixels, 0));
+  memory.add(to_columns(from_pixels, 0));
   light_matrix = memory.end_matrix();
   for (const PointLight& light : scene.lights) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -258,13 +306,17 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
                light.position[axis], largest, largest);
       }
     }
-    memory.matrices.push_back(light_columns(light));
+    memory.add(light_columns(light));
   }
 }
 
 bool has_mirrors(const Scene& scene) {
-  return std::ranges::any_of(scene.objects,
-                             [&](const Mesh& object) { return mirrors_of(scene, object) > 0; });
+  for (const Mesh& object : scene.objects) {
+    for (std::size_t i = 0; i < object.primitives(); ++i) {
+      if (is_mirror(scene, object, i)) return true;
+    }
+  }
+  return false;
 }
 
 double MemoryUse::tree_megabytes() const {

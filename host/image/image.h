@@ -15,12 +15,21 @@
 #include "host/image/memory.h"
 #include "host/scene/scene.h"
 #include "host/tree/tree.h"
+#include "units/options.h"
 
 namespace dynrt::host {
 
+/// What a configuration of the core takes objects for.
+struct ImageForm {
+  TriangleMatrix triangles = TriangleMatrix::kNormalConsistent;
+  /// Every object lies in the memory such that its box is the cube from -1 to 1, to which the core
+  /// clips (units/box_clip.h).
+  bool boxes_are_cubes = false;
+};
+
 /// Throws UserError for a scene that the memory cannot hold whatever its trees are: with more
 /// triangles, instances and camera than it has matrices.
-void check_matrices(const Scene& scene);
+void check_matrices(const Scene& scene, const ImageForm& form = {});
 
 /// The static part. Throws UserError where a limit of the memory is passed or a triangle's matrix
 /// is beyond the core's numbers.
@@ -29,7 +38,7 @@ struct ObjectImage {
   struct Object {
     std::uint32_t root = 0;          ///< for rays that start inside its box
     std::uint32_t clipped_root = 0;  ///< for all others
-    std::uint32_t first_matrix = 0;  ///< of triangle 0
+    std::uint32_t first_matrix = 0;  ///< of primitive 0, in the numbers of primitives
     Aabb box;
     glm::dmat4 to_space{1.0};  ///< from the object as it is to the space that the core has it in
   };
@@ -37,9 +46,7 @@ struct ObjectImage {
   MemoryPart memory;
 
   ObjectImage() = default;
-  /// `boxes_are_cubes`: every object lies in the core's memory such that its box is the cube from
-  /// -1 to 1, to which the core clips (units/box_clip.h).
-  ObjectImage(const Scene& scene, std::span<const Tree> trees, bool boxes_are_cubes = false);
+  ObjectImage(const Scene& scene, std::span<const Tree> trees, const ImageForm& form = {});
 
   std::vector<Aabb> boxes() const;
   /// What is left of the memory for the top-level tree.
@@ -68,7 +75,7 @@ bool has_mirrors(const Scene& scene);
 struct MemoryUse {
   std::size_t nodes = 0;  ///< with the null node
   std::size_t list_entries = 0;
-  std::size_t matrices = 0;
+  std::size_t matrices = 0;         ///< places of four columns
   double tree_megabytes() const;    ///< nodes and lists, 10^6 bytes
   double matrix_megabytes() const;  ///< 10^6 bytes
 };

@@ -46,6 +46,9 @@ struct SceneAddresses {
   unsigned lights = 0;
 };
 
+/// Where render() has the picture in bank 3.
+inline constexpr std::uint32_t kFrameBase = 0;
+
 /// Throws UserError for a size of zero or beyond the framebuffer.
 void check_size(unsigned width, unsigned height);
 

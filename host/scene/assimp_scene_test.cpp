@@ -182,7 +182,7 @@ TEST_F(MovingGltf, NamesAnAnimationThatMovesNothing) {
 TEST_F(MovingGltf, NamesTheNodeWhoseAnimationHasNoFrames) {
   std::string text = kFile;
   for (auto at = text.find("\"count\": 2,"); at != text.npos; at = text.find("\"count\": 2,", at)) {
-    text.replace(at, 11, "\"count\": 0");
+    text.replace(at, 11, "\"count\": 0,");
   }
   EXPECT_EQ(error(text),
             ": node 'arm': its animation has no keyframes; give it at least one or take it out");

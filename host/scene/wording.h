@@ -114,7 +114,15 @@ inline constexpr Text kNoParts = "the object '{}' has no parts";
 inline constexpr Text kSize = "'size' must be three numbers above zero";
 inline constexpr Text kNoMaterial = "the model has no material '{}'; it has {}";
 inline constexpr Text kNoTexture = "the map has no texture '{}'; it has {}";
-inline constexpr Text kPartKind = "a part needs one of the keys 'model', 'map' and 'generate'";
+inline constexpr Text kPartKind =
+    "a part needs one of the keys 'model', 'map', 'generate' and 'primitive'";
+inline constexpr Text kPrimitive = "'{}' is not a primitive; sphere and rectangle are";
+inline constexpr Text kRadius = "a sphere has either a 'radius' or three 'radii'";
+inline constexpr Text kRadii = "'radii' must be three numbers above zero";
+inline constexpr Text kSphereMirror =
+    "a sphere that is a primitive cannot be a 'mirror', as every point of it would need a "
+    "reflection of its own; generate a sphere of triangles";
+inline constexpr Text kRectangle = "'across' and 'along' must not be zero nor lie on one line";
 inline constexpr Text kBoxCorners = "'from' must be below 'to' on every axis";
 inline constexpr Text kShape = "'{}' cannot be generated; sphere, box, torus and hills can";
 inline constexpr Text kNoObject = "there is no object '{}'";

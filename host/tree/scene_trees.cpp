@@ -88,7 +88,7 @@ class ObjectTrees {
     for (std::size_t k = 0; k < trees_.size(); ++k) {
       nodes.push_back(whole_[k].size.nodes);
       items.push_back(whole_[k].size.items);
-      weights.push_back(scene_.objects[k].triangles.size());
+      weights.push_back(scene_.objects[k].primitives());
     }
     nodes = shares(limits.nodes, nodes, weights);
     items = shares(limits.items, items, weights);
