@@ -202,17 +202,15 @@ TEST_F(App, FlagsOfLightAndMirrorChangeTheImage) {
                                 "--light 4,7,5",
                                 "--light 4,7,5:1,0.5,0:3",
                                 "--light 4,7,5 --light -6,5,3",
-                                "--mirror ground",
-                                "--mirror ground=0.2",
-                                "--mirror ground --reflections 0"};
+                                "--mirror box",
+                                "--mirror box=0.2",
+                                "--mirror box --reflections 0"};
   std::vector<std::string> images;
   for (const std::string& flags : kFlags) {
     const Outcome outcome = run(render + flags);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     images.push_back(text_of(folder_ / "blocks.png"));
   }
-  EXPECT_EQ(images.back(), images.front()) << "no reflections, no mirror";
-  images.pop_back();
   std::ranges::sort(images);
   EXPECT_TRUE(std::ranges::adjacent_find(images) == images.end()) << "two are the same";
 }
@@ -224,7 +222,7 @@ TEST_F(App, LightsAndMirrorsWithoutRaysForThemAreRefused) {
                        ": configuration model_only has no " + lacks + "; take --config lit\n");
   };
   mistake("--light 1,2,3", "light rays");
-  mistake("--mirror ground", "reflected rays");
+  mistake("--mirror box", "reflected rays");
   mistake("--reflections 1", "reflected rays");
   expect_mistake(
       std::string("render blocks") + kLit + "--reflections 8",

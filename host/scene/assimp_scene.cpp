@@ -156,9 +156,6 @@ class Conversion {
 
   // Assimp gives a node that is animated in one way the keys of the two others as well: one each.
   void keyframes(const aiNodeAnim& from, MotionNode& to) const {
-    if (from.mNumPositionKeys == 0 || from.mNumRotationKeys == 0 || from.mNumScalingKeys == 0) {
-      wording::fail(wording::kChannelEmpty, label_, to.name);
-    }
     for (unsigned k = 0; k < from.mNumPositionKeys; ++k) {
       to.position.push_back(
           {from.mPositionKeys[k].mTime * seconds_, to_glm(from.mPositionKeys[k].mValue)});

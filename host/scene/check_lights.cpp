@@ -31,27 +31,24 @@ constexpr std::array kDirections = {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-Corners corners_of(const Mesh& mesh, std::size_t triangle) {
-  const glm::uvec3& t = mesh.triangles[triangle];
-  return {mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]};
-}
-
 struct Meeting {
   double distance;  // in lengths of the ray's direction
   int side;         // from which the ray comes: 1 or -1
 };
 
-// Where the ray, or its other half, meets the triangle.
-std::optional<Meeting> meets(const glm::dvec3& from, const glm::dvec3& along, const Corners& at) {
-  const glm::dvec3 u = at[1] - at[0], v = at[2] - at[0];
+// Where the ray, or its other half, meets the triangle, or the rectangle of which it is half.
+std::optional<Meeting> meets(const glm::dvec3& from, const glm::dvec3& along, const Corners& at,
+                             bool rectangle) {
+  const glm::dvec3 u = at[0] - at[2], v = at[1] - at[2];
   const glm::dvec3 p = glm::cross(along, v);
   const double volume = glm::dot(u, p);
   if (volume == 0.0) return std::nullopt;
-  const glm::dvec3 to = from - at[0];
+  const glm::dvec3 to = from - at[2];
   const double a = glm::dot(to, p) / volume;
   const glm::dvec3 q = glm::cross(to, u);
   const double b = glm::dot(along, q) / volume;
-  if (!(a >= 0.0 && b >= 0.0 && a + b <= 1.0)) return std::nullopt;
+  const bool within = rectangle ? a <= 1.0 && b <= 1.0 : a + b <= 1.0;
+  if (!(a >= 0.0 && b >= 0.0 && within)) return std::nullopt;
   return Meeting{glm::dot(v, q) / volume, volume > 0.0 ? 1 : -1};
 }
 
@@ -59,10 +56,17 @@ std::optional<Meeting> meets(const glm::dvec3& from, const glm::dvec3& along, co
 // overlap, leaves it as many times more than it enters it as every other.
 bool is_inside(const Mesh& mesh, const glm::dvec3& point) {
   std::array<int, kDirections.size()> turns{};  // times left less times entered
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    const Corners corners = corners_of(mesh, i);
+  for (std::size_t i = 0; i < mesh.primitives(); ++i) {
+    if (mesh.is_ellipsoid(i)) {
+      const glm::dmat4 into = glm::inverse(mesh.ellipsoid(i).from_unit);
+      if (glm::length(glm::dvec3(into * glm::dvec4(point, 1.0))) < 1.0) {
+        for (int& n : turns) ++n;
+      }
+      continue;
+    }
+    const Corners corners = mesh.corners(i);
     for (std::size_t k = 0; k < turns.size(); ++k) {
-      const auto meeting = meets(point, kDirections[k], corners);
+      const auto meeting = meets(point, kDirections[k], corners, mesh.is_rectangle(i));
       if (meeting && meeting->distance > 0.0) turns[k] += meeting->side;
     }
   }
@@ -71,14 +75,26 @@ bool is_inside(const Mesh& mesh, const glm::dvec3& point) {
   return odd || alike;
 }
 
-// The first triangle that comes as close to the point as `reach`, measured across it.
+// How far it is to the ellipsoid, straight from or to its centre.
+double distance_to(const glm::dmat4& from_unit, const glm::dvec3& point) {
+  const double radii = glm::length(glm::dvec3(glm::inverse(from_unit) * glm::dvec4(point, 1.0)));
+  const double from_centre = glm::length(point - glm::dvec3(from_unit[3]));
+  return radii > 0.0 ? from_centre * std::abs(1.0 - 1.0 / radii)
+                     : std::numeric_limits<double>::infinity();
+}
+
+// The first primitive that comes as close to the point as `reach`.
 std::optional<std::size_t> touched(const Mesh& mesh, const glm::dmat4& transform,
                                    const glm::dvec3& point, double reach) {
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    Corners at = corners_of(mesh, i);
+  for (std::size_t i = 0; i < mesh.primitives(); ++i) {
+    if (mesh.is_ellipsoid(i)) {
+      if (distance_to(transform * mesh.ellipsoid(i).from_unit, point) <= reach) return i;
+      continue;
+    }
+    Corners at = mesh.corners(i);
     for (glm::dvec3& corner : at) corner = glm::dvec3(transform * glm::dvec4(corner, 1.0));
-    const glm::dvec3 normal = glm::cross(at[1] - at[0], at[2] - at[0]);
-    const auto meeting = meets(point, glm::normalize(normal), at);
+    const glm::dvec3 normal = glm::cross(at[0] - at[2], at[1] - at[2]);
+    const auto meeting = meets(point, glm::normalize(normal), at, mesh.is_rectangle(i));
     if (meeting && std::abs(meeting->distance) <= reach) return i;
   }
   return std::nullopt;
@@ -87,13 +103,23 @@ std::optional<std::size_t> touched(const Mesh& mesh, const glm::dmat4& transform
 struct ObjectBox {
   glm::dvec3 low{std::numeric_limits<double>::infinity()};
   glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  void include(const glm::dvec3& v) {
+    low = glm::min(low, v);
+    high = glm::max(high, v);
+  }
 };
 
 ObjectBox box_of(const Mesh& mesh) {
   ObjectBox box;
-  for (const glm::dvec3& v : mesh.vertices) {
-    box.low = glm::min(box.low, v);
-    box.high = glm::max(box.high, v);
+  for (const glm::dvec3& v : mesh.vertices) box.include(v);
+  for (const Rectangle& rectangle : mesh.rectangles) {
+    for (const glm::dvec3& corner : rectangle.corners()) box.include(corner);
+  }
+  for (const Ellipsoid& ellipsoid : mesh.ellipsoids) {
+    const glm::dvec3 centre(ellipsoid.from_unit[3]);
+    box.include(centre - ellipsoid.extent());
+    box.include(centre + ellipsoid.extent());
   }
   return box;
 }
@@ -115,9 +141,12 @@ void check_light(const Scene& scene, const std::vector<ObjectBox>& boxes, const 
       continue;
     }
     const Mesh& mesh = scene.objects[instance.object];
-    if (const auto triangle = touched(mesh, instance.transform, p, reach)) {
-      wording::fail(wording::kLightOnSurface, scene.name, light.name, p.x, p.y, p.z, *triangle,
-                    instance.name);
+    if (const auto primitive = touched(mesh, instance.transform, p, reach)) {
+      const char* kind = mesh.is_ellipsoid(*primitive)   ? "sphere"
+                         : mesh.is_rectangle(*primitive) ? "rectangle"
+                                                         : "triangle";
+      wording::fail(wording::kLightOnSurface, scene.name, light.name, p.x, p.y, p.z, kind,
+                    *primitive, instance.name);
     }
     if (is_inside(mesh, point) && !is_inside(mesh, glm::dvec3(into * glm::dvec4(eye, 1.0)))) {
       wording::fail(wording::kLightInside, scene.name, light.name, p.x, p.y, p.z, instance.name);

@@ -94,6 +94,22 @@ TEST(CheckLights, NamesALightOnASurface) {
   EXPECT_NO_THROW(check_lights(with_light(one_box(), {5.5, 1 + 0x1p-12, 0.25}), kEye));
 }
 
+TEST(CheckLights, SpheresAndRectanglesAreSurfacesToo) {
+  Scene scene = one_box();
+  Mesh& mesh = scene.objects[0] = Mesh{"round"};
+  mesh.ellipsoids.push_back({glm::scale(glm::dmat4(1.0), {1, 2, 1})});
+  mesh.rectangles.push_back({{-1, 3, -1}, {2, 0, 0}, {0, 0, 2}});
+  const auto sentence = [&](const glm::dvec3& p) {
+    return user_error([&] { check_lights(with_light(scene, p), kEye); });
+  };
+  EXPECT_NE(sentence({6.5, 0.5, 0}).find("lies inside 'case'"), std::string::npos);
+  EXPECT_NE(sentence({7, 0, 0}).find("lies on sphere 1 of 'case'"), std::string::npos);
+  EXPECT_NE(sentence({6.5, 3, 0.7}).find("lies on rectangle 0 of 'case'"), std::string::npos);
+  for (const glm::dvec3 p : {glm::dvec3(7.01, 0, 0), {6.5, 3.01, 0.7}, {7.1, 3, 0.7}}) {
+    EXPECT_NO_THROW(check_lights(with_light(scene, p), kEye)) << p.x;
+  }
+}
+
 TEST(CheckLights, NamesALightAtInfinity) {
   Scene scene = one_box();
   scene.distant_lights.push_back("sun");

@@ -32,6 +32,16 @@ class Hash {
     add(mesh.vertices);
     add(mesh.triangles);
     add(mesh.material);
+    add(mesh.rectangles);
+    add(mesh.ellipsoids);
+  }
+  void add(const Rectangle& rectangle) {
+    for (const glm::dvec3& v : {rectangle.corner, rectangle.across, rectangle.along}) add(v);
+    add(rectangle.material);
+  }
+  void add(const Ellipsoid& ellipsoid) {
+    add(ellipsoid.from_unit);
+    add(ellipsoid.material);
   }
   void add(const Instance& instance) {
     add(instance.object);

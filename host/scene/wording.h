@@ -55,7 +55,7 @@ inline constexpr Text kLightDistant =
     "scene '{}': light '{}' is infinitely far away; only point lights shine here: make it one, far "
     "away if need be, or take it out";
 inline constexpr Text kLightOnSurface =
-    "scene '{}': light '{}' at ({:g}, {:g}, {:g}) lies on triangle {} of '{}', nearer than the "
+    "scene '{}': light '{}' at ({:g}, {:g}, {:g}) lies on {} {} of '{}', nearer than the "
     "core's numbers tell apart; move it away from the surface";
 inline constexpr Text kLightInside =
     "scene '{}': light '{}' at ({:g}, {:g}, {:g}) lies inside '{}', which is closed and lets none "
