@@ -44,6 +44,7 @@ class VerilatedBoard final : public ClockedBoard {
     idle();
   }
   ~VerilatedBoard() override {
+    Verilated::threadContextp(context_.get());  // another board's may be gone
     top_->final();
     if (waves_) waves_->close();
   }
