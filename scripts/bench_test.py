@@ -39,11 +39,13 @@ nodes = steps + 30
 counters = {"shade_job.tokens": 100, "list_lookup.transactions": 55,
             "collect_hits.transactions": 560, "transform_job.tokens": 150,
             "list_job.tokens": 85, "node_lookup.transactions": nodes}
+nodes *= 2000 if a.scene == "trees4000" else 1
 cycles = nodes * (30 if a.packets == 1 else 2 if a.packets == 32 else 1.25)
-units = {name: {"transactions": count, "utilisation": count / cycles} for name, count in
+units = {name: {"transactions": count, "utilisation": count / cycles,
+                "stalled": 0.03 if name == "transformation" else 0} for name, count in
          {"node_lookup": nodes, "list_lookup": 55, "transformation": 750,
-          "intersection": 560}.items()}
-caches = {name: {"hit_rate": a.lines / 1024} for name in ("node", "list", "matrix")}
+          "intersection": 560, "memory_interface": 303}.items()}
+caches = {name: {"hit_rate": a.lines / 1024, "misses": 101} for name in ("node", "list", "matrix")}
 report = {"scene": {"instances": 1},
           "frame": {"board": a.board, "width": width, "height": height, "counters": counters,
                     "units": units, "caches": caches,
@@ -98,6 +100,23 @@ class Bench(unittest.TestCase):
         self.assertIn("Short: busiest unit works, 64 packets, busiest unit works, 32 packets: the "
                       "rest of the clocks", text)
 
+    def test_top_level(self):
+        rows, _ = self.rows()
+        row = rows["top level of 50,000 instances"]
+        self.assertIsNone(row["reached"])
+        self.assertIn("tree_bench is not built", row["note"])
+        program = self.folder / "host" / "tree" / "tree_bench"
+        program.parent.mkdir(parents=True)
+        runs = [{"run_type": "iteration", "cpu_time": ms} for ms in (24.5, 40, 26)]
+        runs.append({"run_type": "aggregate", "cpu_time": 99})
+        program.write_text(f"#!/bin/sh\necho '{json.dumps({'benchmarks': runs})}'\n",
+                           encoding="utf-8")
+        program.chmod(0o755)
+        row = self.rows()[0]["top level of 50,000 instances"]
+        self.assertEqual(row["reached"], 26)
+        self.assertIs(row["met"], True)
+        self.assertIn("24.5 to 40.0", row["note"])
+
     def test_round_trip(self):
         rows, _ = self.rows()
         self.assertEqual(rows["traversal round trip, measured"]["reached"], 30)
@@ -130,6 +149,44 @@ class Bench(unittest.TestCase):
                              [2**n / 1024 for n in range(10)])
         for plot in ("usage.svg", "frame_rate.svg", "hit_rate.svg"):
             self.assertIn("<svg", (self.folder / "plots" / plot).read_text())
+
+    def test_scenes_beside_the_thesis(self):
+        result = self.bench("--scenes", "--json", "scenes.json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        scenes = json.loads((self.folder / "scenes.json").read_text())["scenes"]
+        self.assertEqual([(s["scene"], s["configuration"]) for s in scenes],
+                         [("office", "full"), ("cistern", "full"), ("conference", "full"),
+                          ("conference", "boxed"), ("trees4000", "full"), ("trees4000", "boxed")])
+        office, trees = scenes[0], scenes[5]
+        self.assertEqual(office["clocks per frame"], 1.25 * 3030)
+        self.assertEqual(office["beside the thesis"], "above")
+        self.assertEqual(office["steps per packet"], 30)
+        self.assertEqual(office["bytes read per frame"], 101 * (8 + 4 + 12))
+        self.assertEqual(trees["frames per second at 85 MHz"],
+                         round(85e6 / (1.25 * 3030 * 2000), 2))
+        self.assertEqual(trees["beside the thesis"], "within")
+        self.assertRegex(result.stdout, r"\nthesis +20 to 30 +17 to 25( +17 to 20){2}( +8 to 14){2}\n")
+        self.assertRegex(result.stdout, r"\n  transformation( +19.8){4}( +0.0){2}\n")
+        self.assertIn("\ntrees4000, boxed, within the thesis's range: node_lookup works in 80.0 % of the "
+                      "clocks, 60600 times for each packet, and otherwise waits for packets that "
+                      "are elsewhere; the memory serves cache misses in 0.0 %; held up for want of "
+                      "room behind them: transformation 3.0 %.", result.stdout)
+        self.assertNotIn("\noffice, ", result.stdout)
+
+    def test_scenes_of_another_size_are_not_compared(self):
+        result = self.bench("--scenes", "--quick")
+        self.assertRegex(result.stdout, r"\nbeside the thesis( +-){6}\n")
+        self.assertNotIn("range", result.stdout)
+
+    def test_scenes_need_the_rtl(self):
+        result = self.bench("--scenes", rtl=False)
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr, "bench: dynrt: there is no RTL in this build\n")
+
+    def test_two_tables_at_once(self):
+        result = self.bench("--scenes", "--sweep", "plots")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--scenes and --sweep are two tables; ask for one of them", result.stderr)
 
     def test_sweep_needs_the_rtl(self):
         result = self.bench("--sweep", "plots", rtl=False)

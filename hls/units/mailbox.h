@@ -72,6 +72,7 @@ struct Mailbox {
       enter.next = Address::from(frame.get().start_node.raw());
       enter.active = e.active;
       enter.rays = e.kind;
+      enter.apart = e.kind.get() == RayKind::kReflection;
       start.write(enter);
     } else {
       last.write(level_row<C>(e.level, e.packet), e.entry.last);
@@ -89,6 +90,11 @@ struct Mailbox {
         job.active = packet.rays;
         job.extras.apart = packet.apart;
         job.matrix = e.entry.matrix;
+        job.extras.primitive = e.entry.primitive();
+        if (kThreeColumns<C> && !top &&
+            !is_primitive<C>(Primitive::kSphere, job.extras.primitive)) {
+          job.repeat = kStoredColumns - 1;
+        }
         fresh.write(job);
         if (top) {
           object_slots.insert(e.entry.matrix);

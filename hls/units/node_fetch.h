@@ -5,6 +5,12 @@
 // packet and level and turns what was decided about a packet into the next node's address. A full
 // stack drops the push and goes on (thesis chapter 7); each drop is a token of `dropped`. A level
 // ends when no ray of it is alive or its stack is empty.
+//
+// Of reflected rays that would traverse two children in different orders (thesis 3.1.3), a
+// configuration may split the packet: rays whose directions' signs differ traverse the level one
+// group after the other. Or it may remember the child: a crossing ray enters both children with the
+// whole interval, in the order of the others, and ends no more in this level, because what it has
+// hit in one child may lie behind a hit in the other.
 #pragma once
 
 #include "units/tokens.h"
@@ -18,14 +24,18 @@ struct NodeFetch {
   struct State {
     Stack stack;    ///< entries in use
     RayMask alive;  ///< rays that entered the level and have not ended in it
-    hls::FieldIf<kHasSecondary<C>, RayKind> rays{};  ///< level 0: what they are
-    HLS_FIELDS(stack, alive, rays)
+    hls::FieldIf<kHasSecondary<C>, RayKind> rays{};        ///< level 0: what they are
+    hls::FieldIf<kSplitsPackets<C>, RayMask> waiting{};    ///< rays of the groups to come
+    hls::FieldIf<kSplitsPackets<C>, Address> root{};       ///< where they begin
+    hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};  ///< rays that have crossed others
+    HLS_FIELDS(stack, alive, rays, waiting, root, crossing)
   };
   struct Entry {
     Address node;
     RayMask active;
     RayMask both;
-    HLS_FIELDS(node, active, both)
+    hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
+    HLS_FIELDS(node, active, both, crossing)
   };
   static constexpr unsigned kStackRows = kLevelRows<C> * (1u << Stack::kWidth);
 
@@ -35,9 +45,11 @@ struct NodeFetch {
   hls::Out<ShadeJob<C>> top_done;
   hls::Out<ListJob<C>> object_done;
   hls::Out<DroppedPush<C>> dropped;
+  hls::PortIf<kSplitsPackets<C>, hls::RamRead<DirectionSigns, kLevelRows<C>>> signs[kRays];
   hls::Ram1R1W<State, kLevelRows<C>> states;
   hls::Ram1R1W<Entry, kStackRows> stack;
-  HLS_PORTS(event, request, again, top_done, object_done, dropped)
+  HLS_PORTS(event, request, again, top_done, object_done, dropped, signs[0], signs[1], signs[2],
+            signs[3])
 
   void step() {
     const TraversalEvent<C> e = event.read();
@@ -45,12 +57,16 @@ struct NodeFetch {
     State state = states.read(row);
 
     const bool enter = e.kind == TraversalKind::kEnter;
+    const RayMask entering = enter ? first_group(e, row) : RayMask{};
     if (enter) {
       state.stack = 0;
-      state.alive = e.active;
+      state.alive = entering;
       state.rays = e.rays;
+      state.waiting = e.active & ~entering;
+      state.root = e.next;
+      state.crossing = RayMask{};
     }
-    state.alive = state.alive & ~e.terminated;
+    state.alive = state.alive & ~(e.terminated & ~state.crossing.get());
 
     const Stack below = Stack::from(state.stack.raw() - 1);
     const Entry popped = stack.read(hls::concat(row, below));
@@ -68,48 +84,84 @@ struct NodeFetch {
     bool fetch = true;
     if (enter) {
       context.update = IntervalUpdate::kInit;
+      context.active = entering;
     } else if (e.kind == TraversalKind::kPush) {
       const bool full = state.stack == Stack::from(C::kStackDepth);
       if (full) {
         dropped.write(DroppedPush<C>{e.packet});
       } else {
-        stack.write(hls::concat(row, state.stack), Entry{e.pushed, e.pushed_active, e.both});
+        stack.write(hls::concat(row, state.stack),
+                    Entry{e.pushed, e.pushed_active, e.both, e.crossing});
         context.update = IntervalUpdate::kClipFarPush;
         state.stack = hls::next(state.stack);
+        state.crossing = state.crossing.get() | e.crossing.get();
       }
     } else if (e.kind == TraversalKind::kPop) {
       const bool finished = state.stack == Stack{} || state.alive == RayMask{};
       const RayMask active = popped.active & state.alive;
       fetch = !finished && active != RayMask{};
-      if (finished) {
-        if (e.level == Level{}) {
-          ShadeJob<C> shade;
-          shade.repeat = kHasSecondary<C> ? RepeatCount(3) : RepeatCount(15);
-          shade.packet = e.packet;
-          shade.kind = state.rays;
-          top_done.write(shade);
-        } else {
-          ListJob<C> go_on;
-          go_on.packet = e.packet;
-          object_done.write(go_on);
-        }
-      } else {
+      if (!finished) {
         state.stack = below;
-        if (!fetch) {
-          TraversalEvent<C> once_more;
-          once_more.packet = e.packet;
-          once_more.level = e.level;
-          again.write(once_more);
-        }
+      }
+      if (finished && state.waiting.get() != RayMask{}) {
+        TraversalEvent<C> next_group;
+        next_group.packet = e.packet;
+        next_group.level = e.level;
+        next_group.kind = TraversalKind::kEnter;
+        next_group.next = state.root.get();
+        next_group.active = state.waiting.get();
+        next_group.rays = state.rays;
+        next_group.apart = true;
+        again.write(next_group);
+      } else if (finished) {
+        finish(e, state);
+      } else if (!fetch) {
+        TraversalEvent<C> once_more;
+        once_more.packet = e.packet;
+        once_more.level = e.level;
+        again.write(once_more);
       }
       context.update = IntervalUpdate::kPop;
       context.both = popped.both;
+      context.crossing = popped.crossing;
       context.active = active;
       context.stack = below;
       address = popped.node;
     }
     states.write(row, state);
     if (fetch) request.write(CacheRequest<StepContext<C>>{context, address});
+  }
+
+ private:
+  /// The rays that enter a level first: all, or where the packet is split, the lowest and those
+  /// whose directions have its signs.
+  RayMask first_group(const TraversalEvent<C>& e, LevelRow<C> row) {
+    RayMask group = e.active;
+    if constexpr (kSplitsPackets<C>) {
+      DirectionSigns of[kRays];
+      for (unsigned i = 0; i < kRays; ++i) of[i] = signs[i].read(row);
+      const DirectionSigns lowest = e.active.template bit<0>()   ? of[0]
+                                    : e.active.template bit<1>() ? of[1]
+                                    : e.active.template bit<2>() ? of[2]
+                                                                 : of[3];
+      for (unsigned i = 0; i < kRays; ++i) {
+        if (e.apart.get() && of[i] != lowest) group = group & ~RayMask::from(1u << i);
+      }
+    }
+    return group;
+  }
+  void finish(const TraversalEvent<C>& e, const State& state) {
+    if (e.level == Level{}) {
+      ShadeJob<C> shade;
+      shade.repeat = kHasSecondary<C> ? RepeatCount(3) : RepeatCount(15);
+      shade.packet = e.packet;
+      shade.kind = state.rays;
+      top_done.write(shade);
+    } else {
+      ListJob<C> go_on;
+      go_on.packet = e.packet;
+      object_done.write(go_on);
+    }
   }
 };
 

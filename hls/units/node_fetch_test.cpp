@@ -245,5 +245,93 @@ TEST(NodeFetch, AgreesWithAPlainReferenceOnRandomTraversals) {
   for (const unsigned count : counts) EXPECT_GT(count, 100u) << "every answer is met often";
 }
 
+struct Mirrors : test::Config<8> {
+  static constexpr unsigned kReflections = 1;
+};
+template <Crossing K>
+struct Crosses : Mirrors {
+  static constexpr Crossing kCrossing = K;
+};
+
+using Split = Crosses<Crossing::kSplit>;
+
+TEST(NodeFetch, ASplitPacketEntersOnceForEachGroupOfSigns) {
+  test::Bench<NodeFetch<Split>> bench;
+  const LevelRow<Split> row = level_row<Split>(Level(1), PacketId<Split>(6));
+  const unsigned signs[kRays] = {0b101, 0b001, 0b101, 0b001};
+  for (unsigned i = 0; i < kRays; ++i) {
+    bench.rows(bench.unit.signs[i])[row.to_u64()] = DirectionSigns::from(signs[i]);
+  }
+  TraversalEvent<Split> e;
+  e.packet = 6;
+  e.level = 1;
+  e.kind = TraversalKind::kEnter;
+  e.next = 77;
+  e.active = 0b1110;
+  e.apart = true;
+  const auto next = [&](const TraversalEvent<Split>& event) {
+    bench.feed(bench.unit.event, event);
+    bench.run();
+  };
+  next(e);
+  EXPECT_EQ(bench.take_one(bench.unit.request).context.active, RayMask(0b1010))
+      << "ray 1 is the lowest, and ray 3 has its signs";
+
+  TraversalEvent<Split> done;
+  done.packet = 6;
+  done.level = 1;
+  next(done);
+  const TraversalEvent<Split> second = bench.take_one(bench.unit.again);
+  EXPECT_TRUE(bench.take(bench.unit.object_done).empty()) << "ray 2 is still to come";
+  next(second);
+  const auto request = bench.take_one(bench.unit.request);
+  EXPECT_EQ(request.address, Address(77)) << "from the root";
+  EXPECT_EQ(request.context.active, RayMask(0b0100));
+  EXPECT_EQ(request.context.update, IntervalUpdate::kInit);
+  next(done);
+  EXPECT_EQ(bench.take_one(bench.unit.object_done).packet, PacketId<Split>(6));
+  EXPECT_TRUE(bench.take(bench.unit.again).empty());
+}
+
+TEST(NodeFetch, APacketOfOneOriginIsNotSplit) {
+  test::Bench<NodeFetch<Split>> bench;
+  bench.rows(bench.unit.signs[2])[0] = 0b111;
+  TraversalEvent<Split> e;
+  e.kind = TraversalKind::kEnter;
+  e.next = 5;
+  e.active = 0b1111;
+  bench.feed(bench.unit.event, e);
+  bench.run();
+  EXPECT_EQ(bench.take_one(bench.unit.request).context.active, RayMask(0b1111));
+}
+
+TEST(NodeFetch, ARayThatCrossedOthersEndsNoMoreInItsLevel) {
+  using Remember = Crosses<Crossing::kRemember>;
+  test::Bench<NodeFetch<Remember>> bench;
+  const auto send = [&](TraversalKind kind, unsigned crossing, unsigned terminated) {
+    TraversalEvent<Remember> e;
+    e.kind = kind;
+    e.next = 2;
+    e.active = 15;
+    e.pushed = 3;
+    e.pushed_active = 15;
+    e.both = RayMask::from(15 & ~crossing);
+    e.crossing = RayMask::from(crossing);
+    e.terminated = RayMask::from(terminated);
+    bench.feed(bench.unit.event, e);
+    bench.run();
+    return bench.take_one(bench.unit.request).context;
+  };
+  send(TraversalKind::kEnter, 0, 0);
+  send(TraversalKind::kPush, 0b0010, 0);
+  const auto popped = send(TraversalKind::kPop, 0, 0b0011);
+  EXPECT_EQ(popped.active, RayMask(0b1110)) << "ray 0 has ended, ray 1 has to see the other child";
+  EXPECT_EQ(popped.crossing.get(), RayMask(0b0010));
+  EXPECT_EQ(popped.both, RayMask(0b1101));
+  send(TraversalKind::kEnter, 0, 0);
+  send(TraversalKind::kPush, 0, 0);
+  EXPECT_EQ(send(TraversalKind::kPop, 0, 0b0010).active, RayMask(0b1101)) << "new rays, new mask";
+}
+
 }  // namespace
 }  // namespace dynrt

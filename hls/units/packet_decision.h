@@ -3,7 +3,8 @@
 //
 // Packet decision: joins the four rays' decisions into the packet's (thesis 3.1.3). A child is
 // entered if one active ray enters it and it is not empty; the order is that of the first ray that
-// enters both children, or of the first active one. Rays with a common origin never disagree.
+// enters both children, or of the first active one. Rays with a common origin never disagree; of
+// reflected rays some may, and these cross the others (thesis 3.1.3).
 #pragma once
 
 #include "units/tokens.h"
@@ -61,7 +62,13 @@ struct PacketDecision {
       e.clip_near = !enter_near;
       e.pushed = far_node;
       e.pushed_active = far;
-      e.both = both;
+      if constexpr (kRemembersChild<C>) {
+        const RayMask order = left_is_near ? left_first : ~left_first;
+        e.both = both & order;
+        e.crossing = both & ~order;
+      } else {
+        e.both = both;
+      }
       e.terminated = s.context.active & terminated;
       event.write(e);
     }

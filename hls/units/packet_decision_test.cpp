@@ -209,5 +209,37 @@ TEST(PacketDecision, AgreesWithAPlainReferenceOnRandomDecisions) {
   EXPECT_GT(leaves, 10'000u);
 }
 
+struct Remembers : test::Config<8> {
+  static constexpr unsigned kReflections = 1;
+  static constexpr Crossing kCrossing = Crossing::kRemember;
+};
+
+TEST(PacketDecision, TellsTheRaysThatCrossTheFirstOfThoseThatEnterBoth) {
+  test::Bench<PacketDecision<Remembers>> bench;
+  Step<Remembers> s;
+  s.context.active = 15;
+  s.node.kind = NodeKind::kSplitY;
+  s.node.left = 10;
+  s.node.right = 20;
+  bench.feed(bench.unit.step_in, s);
+  // Ray 0 enters one child only; of the others ray 2 comes from the other side.
+  const bool left_first[kRays] = {false, true, false, true};
+  for (unsigned i = 0; i < kRays; ++i) {
+    SliceDecision d;
+    d.left_first = left_first[i];
+    d.go_left = true;
+    d.go_right = i != 0;
+    bench.feed(bench.unit.slice[i], d);
+  }
+  bench.run();
+  const auto e = bench.take_one(bench.unit.event);
+  EXPECT_EQ(e.kind, TraversalKind::kPush);
+  EXPECT_EQ(e.next, Address(10)) << "the order of ray 1";
+  EXPECT_EQ(e.active, RayMask(0b1111));
+  EXPECT_EQ(e.pushed_active, RayMask(0b1110));
+  EXPECT_EQ(e.both, RayMask(0b1010));
+  EXPECT_EQ(e.crossing.get(), RayMask(0b0100));
+}
+
 }  // namespace
 }  // namespace dynrt

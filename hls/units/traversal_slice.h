@@ -19,6 +19,12 @@ struct TraversalSlice {
     Real near, far, plane;
     HLS_FIELDS(near, far, plane)
   };
+  /// What is kept of it while the near child is traversed.
+  struct Pushed {
+    Real far;
+    hls::FieldIf<kRemembersChild<C>, Real> near;
+    HLS_FIELDS(far, near)
+  };
   static constexpr unsigned kStackRows = kLevelRows<C> * (1u << StackPointer<C>::kWidth);
 
   hls::In<Step<C>> step_in;
@@ -27,9 +33,10 @@ struct TraversalSlice {
   hls::RamRead<Ray<Real>, kLevelRows<C>> ray;
   hls::RamRead<Real, (1u << PacketId<C>::kWidth)> hit_distance;
   hls::PortIf<kHasMirrors<C>, hls::RamRead<Real, (1u << PacketId<C>::kWidth)>> start_distance;
+  hls::PortIf<kClipsToBox<C>, hls::RamRead<BoxInterval<C>, (1u << PacketId<C>::kWidth)>> box;
   hls::Ram1R1W<Interval, kLevelRows<C>> interval;
-  hls::Ram1R1W<Real, kStackRows> far_stack;
-  HLS_PORTS(step_in, lane, decision, ray, hit_distance, start_distance)
+  hls::Ram1R1W<Pushed, kStackRows> far_stack;
+  HLS_PORTS(step_in, lane, decision, ray, hit_distance, start_distance, box)
 
   void step() {
     const Step<C> s = step_in.read();
@@ -40,8 +47,10 @@ struct TraversalSlice {
     const Interval before = interval.read(row);
     const Real hit = hit_distance.read(c.packet);
     const auto stack_row = hls::concat(row, c.stack);
-    const Real popped = far_stack.read(stack_row);
-    if (c.update == IntervalUpdate::kClipFarPush) far_stack.write(stack_row, before.far);
+    const Pushed popped = far_stack.read(stack_row);
+    if (c.update == IntervalUpdate::kClipFarPush) {
+      far_stack.write(stack_row, Pushed{before.far, before.near});
+    }
 
     Real near = before.near;
     Real far = before.far;
@@ -52,6 +61,13 @@ struct TraversalSlice {
         near = Real{};
       }
       far = hit;
+      if constexpr (kClipsToBox<C>) {
+        const BoxInterval<C> inside = box.read(c.packet);
+        if (c.level == Level(1)) {
+          near = inside.near;
+          far = inside.far;
+        }
+      }
     } else if (both) {
       switch (c.update) {
         case IntervalUpdate::kClipNear:
@@ -59,12 +75,16 @@ struct TraversalSlice {
           break;
         case IntervalUpdate::kPop:
           near = before.far;
-          far = popped;
+          far = popped.far;
           break;
         default:
           far = before.plane;
           break;
       }
+    } else if (kRemembersChild<C> && c.update == IntervalUpdate::kPop && is_crossing(c)) {
+      // It enters both children with the whole interval of their parent.
+      near = popped.near.get();
+      far = popped.far;
     }
 
     const Ray<Real> r = ray.read(row);
@@ -88,6 +108,9 @@ struct TraversalSlice {
   }
 
  private:
+  bool is_crossing(const StepContext<C>& c) const {
+    return c.crossing.get().bit(static_cast<unsigned>(lane.get().raw()));
+  }
   static Real select_axis(NodeKind kind, const Vector<Real>& v) {
     return kind == NodeKind::kSplitX ? v.x : kind == NodeKind::kSplitY ? v.y : v.z;
   }

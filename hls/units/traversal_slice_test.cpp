@@ -265,5 +265,37 @@ TEST(TraversalSlice, KeepsPacketsAndLevelsApart) {
   }
 }
 
+struct Remembers : test::Config<8> {
+  static constexpr unsigned kReflections = 1;
+  static constexpr Crossing kCrossing = Crossing::kRemember;
+};
+
+TEST(TraversalSlice, ARayThatCrossedOthersPopsTheIntervalOfTheParent) {
+  using Crossed = TraversalSlice<Remembers>;
+  test::Bench<Crossed> bench;
+  for (auto& row : bench.rows(bench.unit.ray)) row = {{}, {Real::one(), Real::one(), Real::one()}};
+  bench.rows(bench.unit.hit_distance)[0] = Real::largest();
+  bench.rows(bench.unit.start_distance)[0] = real(1);
+  const auto decide = [&](IntervalUpdate update, double split, bool both, bool crossing) {
+    Step<Remembers> s;
+    s.context.update = update;
+    s.context.both = RayMask::from(both);
+    s.context.crossing = RayMask::from(crossing);
+    s.node.kind = NodeKind::kSplitX;
+    s.node.split = real(split);
+    bench.feed(bench.unit.step_in, s);
+    bench.run();
+    bench.take_one(bench.unit.decision);
+    return bench.unit.interval.read(LevelRow<Remembers>{});
+  };
+  using enum IntervalUpdate;
+  decide(kInit, 10, false, false);
+  EXPECT_EQ(decide(kClipFarPush, 3, false, false).far, Real::largest()) << "not clipped at 10";
+  EXPECT_EQ(decide(kClipNear, 5, true, false).near, real(3));
+  const auto other_child = decide(kPop, 7, false, true);
+  EXPECT_EQ(other_child.near, real(1));
+  EXPECT_EQ(other_child.far, Real::largest());
+}
+
 }  // namespace
 }  // namespace dynrt

@@ -21,7 +21,9 @@ struct Command {
 };
 
 Command add_render_command(CLI::App& program);
+Command add_walk_command(CLI::App& program);
 Command add_compare_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
+Command add_report_command(CLI::App& program);
 
 }  // namespace dynrt::host

@@ -59,7 +59,7 @@ int run(const Arguments& arguments) {
   const auto board =
       open_board({arguments.board, arguments.frame.configuration, arguments.trace}, options);
   if (!arguments.scan_out.empty()) board->check_display(options.width, options.height);
-  const Prepared prepared = prepare(arguments.scene, options.width, options.height);
+  const Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->info());
   const Frame frame = traced(trace, [&] { return render_on(*board, options, prepared); });
 
   write_image(out, frame);

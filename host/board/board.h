@@ -15,18 +15,22 @@
 #include "host/board/vga_monitor.h"
 #include "host/error.h"
 #include "units/frame.h"
+#include "units/options.h"
 
 namespace dynrt::host {
 
 struct BoardInfo {
-  std::string name;           ///< "rtl" or "model"
-  std::string configuration;  ///< name of the core's configuration, e.g. "thesis"
-  unsigned packets = 0;       ///< packets that can be in flight, at most
-  unsigned cache_lines = 0;   ///< lines of each cache, at most
-  unsigned stack_depth = 0;   ///< entries of each stack and level
-  unsigned lights = 0;        ///< passes of light rays from a packet's hits, at most
-  unsigned reflections = 0;   ///< bounces of a ray, at most
-  bool scan_out = false;      ///< it can show a picture on a VGA display; only the RTL has pins
+  std::string name;            ///< "rtl" or "model"
+  std::string configuration;   ///< name of the core's configuration, e.g. "thesis"
+  unsigned packets = 0;        ///< packets that can be in flight, at most
+  unsigned cache_lines = 0;    ///< lines of each cache, at most
+  unsigned stack_depth = 0;    ///< entries of each stack and level
+  unsigned lights = 0;         ///< passes of light rays from a packet's hits, at most
+  bool clips_to_cube = false;  ///< it takes an object's box for the cube from -1 to 1
+  unsigned reflections = 0;    ///< bounces of a ray, at most
+  bool scan_out = false;       ///< it can show a picture on a VGA display; only the RTL has pins
+  TriangleMatrix triangle_matrix = TriangleMatrix::kNormalConsistent;
+  Primitives primitives{.triangle = true};
 };
 
 /// One of the core's counters, named unit.what, e.g. "traversal.transactions".

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/tree/counts.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -17,10 +21,24 @@ std::uint64_t WorkCounts::bound() const {
   return std::max({steps() + leaf_fetches, 5 * (triangles + objects + packets), list_entries});
 }
 
+void WorkCounts::add(const WorkCounts& more) {
+  packets += more.packets;
+  top_steps += more.top_steps;
+  object_steps += more.object_steps;
+  leaf_fetches += more.leaf_fetches;
+  empty_leaves += more.empty_leaves;
+  list_entries += more.list_entries;
+  triangles += more.triangles;
+  objects += more.objects;
+  hits += more.hits;
+  dropped_pushes += more.dropped_pushes;
+  deepest_stack = std::max(deepest_stack, more.deepest_stack);
+}
+
 namespace {
 
-constexpr int kRays = 4;
 using Mask = unsigned;
+const glm::dmat4x3 kNoMatrix(std::nan(""));
 
 struct Ray {
   glm::dvec3 origin, direction;
@@ -32,50 +50,88 @@ double not_zero(double x) {
 }
 glm::dvec3 not_zero(const glm::dvec3& v) { return {not_zero(v.x), not_zero(v.y), not_zero(v.z)}; }
 
-/// Slots fill in order and are never replaced.
+/// Slots fill in order; once full they stay as they are, or the oldest is replaced.
 class Mailbox {
  public:
-  void clear() { slots_.clear(); }
-  bool seen(std::uint32_t item, unsigned slots) {
-    if (std::find(slots_.begin(), slots_.end(), item) != slots_.end()) return true;
-    if (slots_.size() < slots) slots_.push_back(item);
+  void clear() {
+    items_.clear();
+    oldest_ = 0;
+  }
+  bool seen(std::uint32_t item, unsigned slots, bool last_met) {
+    if (std::find(items_.begin(), items_.end(), item) != items_.end()) return true;
+    if (items_.size() < slots) {
+      items_.push_back(item);
+    } else if (last_met && slots > 0) {
+      items_[oldest_] = item;
+      oldest_ = (oldest_ + 1) % slots;
+    }
     return false;
   }
 
  private:
-  std::vector<std::uint32_t> slots_;
+  std::vector<std::uint32_t> items_;
+  std::size_t oldest_ = 0;
 };
 
-class Tracer {
- public:
-  Tracer(const Scene& scene, const SceneTrees& trees, const Camera& camera,
-         const TraceOptions& options)
-      : scene_(scene), trees_(trees), camera_(camera), options_(options) {
-    for (std::size_t k = 0; k < scene.objects.size(); ++k) {
-      const Mesh& mesh = scene.objects[k];
-      std::vector<glm::dmat4x3>& matrices = triangles_.emplace_back();
-      for (const glm::uvec3& t : mesh.triangles) {
-        const auto matrix =
-            triangle_matrix({mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]});
-        matrices.push_back(matrix.value_or(glm::dmat4x3(std::nan(""))));
+std::uint32_t start(const Tree& tree, const glm::dvec3& origin, Clipping clipping) {
+  if (clipping == Clipping::kNever) return tree.root;
+  return clipping == Clipping::kAlways ? tree.clipped_root : tree.entry(origin);
+}
+
+/// All that packets share.
+struct Setting {
+  Setting(const Scene& the_scene, std::span<const Tree> the_objects, const TopLevel& the_top,
+          const Camera& the_camera, const TraceOptions& the_options)
+      : scene(the_scene),
+        objects(the_objects),
+        top(the_top),
+        camera(the_camera),
+        options(the_options) {
+    for (const Mesh& mesh : scene.objects) {
+      std::vector<glm::dmat4x3>& matrices = triangles.emplace_back();
+      for (std::size_t i = 0; i < mesh.primitives(); ++i) {
+        matrices.push_back(mesh.is_ellipsoid(i)
+                               ? ellipsoid_matrix(mesh.ellipsoid(i)).matrix
+                               : triangle_matrix(mesh.corners(i)).value_or(kNoMatrix));
       }
     }
     for (const Instance& instance : scene.instances) {
       const glm::dmat4 inverse = glm::inverse(instance.transform);
-      to_object_.push_back(inverse);
-      const Tree& tree = trees.objects[instance.object];
-      object_start_.push_back(start(tree, glm::dvec3(inverse * glm::dvec4(camera.position, 1.0))));
+      to_object.push_back(inverse);
+      object_start.push_back(start(objects[instance.object],
+                                   glm::dvec3(inverse * glm::dvec4(camera.position, 1.0)),
+                                   options.object_clipping));
     }
-    top_start_ = start(trees.instances, camera.position);
+    if (!top.tree.nodes.empty()) {
+      top_start = start(top.tree, camera.position, options.scene_clipping);
+    }
   }
 
-  TracedFrame run(unsigned width, unsigned height) {
-    frame_.hits.resize(std::size_t{width} * height);
-    for (unsigned y = 0; y < height; y += 2) {
-      for (unsigned x = 0; x < width; x += 2) packet(x, y, width, height);
-    }
-    return std::move(frame_);
+  const Scene& scene;
+  std::span<const Tree> objects;
+  const TopLevel& top;
+  const Camera& camera;
+  const TraceOptions& options;
+  std::vector<std::vector<glm::dmat4x3>> triangles;
+  std::vector<glm::dmat4> to_object;
+  std::vector<std::uint32_t> object_start;
+  std::uint32_t top_start = kNullNode;
+};
+
+/// Traces packets of kRays rays, one ray or 2x2.
+template <int kRays>
+class Tracer {
+ public:
+  Tracer(const Setting& setting, std::span<TracedHit> hits) : setting_(setting), hits_(hits) {}
+
+  static constexpr unsigned kSide = kRays == 1 ? 1 : 2;
+
+  /// Rows y to y + kSide of an image.
+  void rows(unsigned y, unsigned width, unsigned height) {
+    for (unsigned x = 0; x < width; x += kSide) packet(x, y, width, height);
   }
+
+  const WorkCounts& work() const { return work_; }
 
  private:
   struct Entry {
@@ -84,62 +140,74 @@ class Tracer {
     std::array<double, kRays> far;
   };
 
-  std::uint32_t start(const Tree& tree, const glm::dvec3& origin) const {
-    return options_.always_clip ? tree.clipped_root : tree.entry(origin);
-  }
-
   void packet(unsigned x, unsigned y, unsigned width, unsigned height) {
+    const Camera& camera = setting_.camera;
     std::array<Ray, kRays> rays;
     for (int i = 0; i < kRays; ++i) {
       const double px = (x + static_cast<unsigned>(i & 1) + 0.5) / width - 0.5;
       const double py = 0.5 - (y + static_cast<unsigned>(i >> 1) + 0.5) / height;
-      rays[i] = {not_zero(camera_.position),
-                 not_zero(px * camera_.right + py * camera_.up + camera_.forward)};
+      rays[i] = {not_zero(camera.position),
+                 not_zero(px * camera.right + py * camera.up + camera.forward)};
     }
     hit_.fill({});
     distance_.fill(grid_largest());
     objects_seen_.clear();
-    ++frame_.work.packets;
-    traverse(trees_.instances, top_start_, rays, true, [&](std::uint32_t item) {
-      if (objects_seen_.seen(item, options_.mailbox_slots)) return;
-      ++frame_.work.objects;
-      object(item, rays);
-    });
+    ++work_.packets;
+    const TraceOptions& options = setting_.options;
+    const auto enter = [&](std::uint32_t instance) {
+      if (objects_seen_.seen(instance, options.object_slots, options.last_met)) return;
+      ++work_.objects;
+      object(instance, rays);
+    };
+    for (const std::uint32_t instance : setting_.top.first) enter(instance);
+    if (setting_.top_start != kNullNode) {
+      traverse(setting_.top.tree, setting_.top_start, rays, true, enter);
+    }
     for (int i = 0; i < kRays; ++i) {
       const std::size_t pixel =
           std::size_t{y + static_cast<unsigned>(i >> 1)} * width + x + static_cast<unsigned>(i & 1);
-      frame_.hits[pixel] = hit_[i];
-      frame_.work.hits += hit_[i].hit;
+      hits_[pixel] = hit_[i];
+      work_.hits += hit_[i].hit;
     }
   }
 
   /// All rays of the packet enter: one that reaches the instance in another leaf finds it in the
   /// mailbox there.
   void object(std::uint32_t instance, const std::array<Ray, kRays>& world) {
-    const glm::dmat4& m = to_object_[instance];
-    const std::uint32_t object = scene_.instances[instance].object;
+    const glm::dmat4& m = setting_.to_object[instance];
+    const std::uint32_t object = setting_.scene.instances[instance].object;
     std::array<Ray, kRays> rays;
     for (int i = 0; i < kRays; ++i) {
       rays[i] = {not_zero(glm::dvec3(m * glm::dvec4(world[i].origin, 1.0))),
                  not_zero(glm::dmat3(m) * world[i].direction)};
     }
     triangles_seen_.clear();
-    traverse(trees_.objects[object], object_start_[instance], rays, false, [&](std::uint32_t item) {
-      if (triangles_seen_.seen(item, options_.mailbox_slots)) return;
-      ++frame_.work.triangles;
-      intersect(instance, item, triangles_[object][item], rays);
-    });
+    const TraceOptions& options = setting_.options;
+    traverse(setting_.objects[object], setting_.object_start[instance], rays, false,
+             [&](std::uint32_t item) {
+               if (triangles_seen_.seen(item, options.triangle_slots, options.last_met)) return;
+               ++work_.triangles;
+               intersect(instance, item, setting_.triangles[object][item], rays);
+             });
   }
 
   void intersect(std::uint32_t instance, std::uint32_t triangle, const glm::dmat4x3& m,
                  const std::array<Ray, kRays>& rays) {
+    const Mesh& mesh = setting_.scene.objects[setting_.scene.instances[instance].object];
     for (int i = 0; i < kRays; ++i) {
       const glm::dvec3 o = m * glm::dvec4(rays[i].origin, 1.0);
       const glm::dvec3 d = m * glm::dvec4(rays[i].direction, 0.0);
-      const double t = -o.z / d.z;
+      double t = -o.z / d.z;
       const double u = t * d.x + o.x;
       const double v = t * d.y + o.y;
-      if (t > 0 && t < distance_[i] && u >= 0 && v >= 0 && u + v <= 1) {
+      bool inside =
+          u >= 0 && v >= 0 && (mesh.is_rectangle(triangle) ? u <= 1 && v <= 1 : u + v <= 1);
+      if (mesh.is_ellipsoid(triangle)) {
+        const auto [first, second] = sphere_hits(o, d);
+        t = first > 0 ? first : second;
+        inside = true;
+      }
+      if (t > 0 && t < distance_[i] && inside) {
         distance_[i] = t;
         hit_[i] = {true, t, u, v, instance, triangle};
       }
@@ -153,7 +221,7 @@ class Tracer {
     near.fill(grid_smallest());
     for (int i = 0; i < kRays; ++i) far[i] = top ? grid_largest() : distance_[i];
     std::vector<Entry> stack;
-    Mask active = 15;
+    Mask active = (1u << kRays) - 1;
     Mask alive = active;
     std::uint32_t index = start;
     int real_entries = 0;
@@ -168,16 +236,21 @@ class Tracer {
       alive &= ~ended;
       active &= ~ended;
       bool pop = true;
+      if (top && !setting_.top.inner.empty() && active != 0) {
+        const std::vector<std::uint32_t>& inner = setting_.top.inner[index];
+        work_.list_entries += inner.size();
+        for (const std::uint32_t item : inner) visit(item);
+      }
       if (node.is_leaf()) {
-        ++frame_.work.leaf_fetches;
+        ++work_.leaf_fetches;
         if (active != 0) {
-          frame_.work.list_entries += node.right;
+          work_.list_entries += node.right;
           for (std::uint32_t i = 0; i < node.right; ++i) visit(tree.items[node.left + i]);
         }
       } else {
         const bool clipping = index < tree.root;
-        if (!(clipping && !top && options_.object_clip_free)) {
-          ++(top ? frame_.work.top_steps : frame_.work.object_steps);
+        if (!(clipping && !top && setting_.options.object_clip_free)) {
+          ++(top ? work_.top_steps : work_.object_steps);
         }
         Mask left = 0, right = 0, left_first = 0;
         for (int i = 0; i < kRays; ++i) {
@@ -202,18 +275,18 @@ class Tracer {
         const bool enter_near = near_mask != 0 && near_node != kNullNode;
         const bool enter_far = far_mask != 0 && far_node != kNullNode;
         const bool clips = clipping;
-        if (near_mask != 0 && near_node == kNullNode && !clips) ++frame_.work.empty_leaves;
+        if (near_mask != 0 && near_node == kNullNode && !clips) ++work_.empty_leaves;
         pop = !enter_near && !enter_far;
         if (enter_near) {
           if (far_mask != 0) {
             const bool real = far_node != kNullNode;
-            if (real && real_entries == options_.stack_depth) {
-              ++frame_.work.dropped_pushes;
+            if (real && real_entries == setting_.options.stack_depth) {
+              ++work_.dropped_pushes;
             } else if (real || !clips) {
               stack.push_back({far_node, far_mask, both, far});
               real_entries += real;
             }
-            frame_.work.deepest_stack = std::max(frame_.work.deepest_stack, real_entries);
+            work_.deepest_stack = std::max(work_.deepest_stack, real_entries);
           }
           update(both, far, plane);
           index = near_node;
@@ -232,7 +305,7 @@ class Tracer {
           for (int i = 0; i < kRays; ++i) {
             wanted = wanted || ((still >> i & 1) && !(distance_[i] < far[i]));
           }
-          frame_.work.empty_leaves += wanted;
+          work_.empty_leaves += wanted;
           stack.pop_back();
         }
         if (stack.empty() || alive == 0) return;
@@ -258,25 +331,51 @@ class Tracer {
     }
   }
 
-  const Scene& scene_;
-  const SceneTrees& trees_;
-  const Camera& camera_;
-  const TraceOptions options_;
-  std::vector<std::vector<glm::dmat4x3>> triangles_;
-  std::vector<glm::dmat4> to_object_;
-  std::vector<std::uint32_t> object_start_;
-  std::uint32_t top_start_ = kNullNode;
+  const Setting& setting_;
+  std::span<TracedHit> hits_;
   std::array<TracedHit, kRays> hit_;
   std::array<double, kRays> distance_;
   Mailbox objects_seen_, triangles_seen_;
-  TracedFrame frame_;
+  WorkCounts work_;
 };
+
+template <int kRays>
+WorkCounts trace(const Setting& setting, unsigned width, unsigned height,
+                 std::span<TracedHit> hits) {
+  constexpr unsigned kSide = Tracer<kRays>::kSide;
+  const auto add = [](WorkCounts left, const WorkCounts& right) {
+    left.add(right);
+    return left;
+  };
+  return tbb::parallel_reduce(
+      tbb::blocked_range<unsigned>(0, height / kSide), WorkCounts{},
+      [&](const tbb::blocked_range<unsigned>& range, const WorkCounts& before) {
+        Tracer<kRays> tracer(setting, hits);
+        for (unsigned row = range.begin(); row != range.end(); ++row) {
+          tracer.rows(row * kSide, width, height);
+        }
+        return add(before, tracer.work());
+      },
+      add);
+}
 
 }  // namespace
 
+TracedFrame trace_frame(const Scene& scene, std::span<const Tree> objects, const TopLevel& top,
+                        const Camera& camera, unsigned width, unsigned height,
+                        const TraceOptions& options) {
+  const Setting setting(scene, objects, top, camera, options);
+  TracedFrame frame;
+  frame.hits.resize(std::size_t{width} * height);
+  frame.work = options.single_rays ? trace<1>(setting, width, height, frame.hits)
+                                   : trace<4>(setting, width, height, frame.hits);
+  return frame;
+}
+
 TracedFrame trace_frame(const Scene& scene, const SceneTrees& trees, const Camera& camera,
                         unsigned width, unsigned height, const TraceOptions& options) {
-  return Tracer(scene, trees, camera, options).run(width, height);
+  return trace_frame(scene, trees.objects, {trees.instances, {}, {}}, camera, width, height,
+                     options);
 }
 
 }  // namespace dynrt::host

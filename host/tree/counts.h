@@ -4,10 +4,12 @@
 // Counts the work that a scene's trees make: a tracer in doubles that walks packets of 2x2 primary
 // rays through both levels as the core does (thesis 3.1.3, packet decision, termination, mailbox),
 // only without rounding. It judges the quality of trees, and its hits judge the trees themselves.
+// It also does what the core does not, to tell what that would cost or save: rays one by one, other
+// mailboxes, other clipping (4.2), other top levels (overlap.h).
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/tree/scene_trees.h"
@@ -31,6 +33,7 @@ struct WorkCounts {
   /// Clocks of the busiest unit alone, with one step, one list entry and a fifth of a transformed
   /// packet a clock.
   std::uint64_t bound() const;
+  void add(const WorkCounts& more);
 };
 
 struct TracedHit {
@@ -39,11 +42,27 @@ struct TracedHit {
   std::uint32_t instance = 0, triangle = 0;
 };
 
+/// Where rays go through a tree's six clipping nodes.
+enum class Clipping : std::uint8_t { kNever, kFromOutside, kAlways };
+
 struct TraceOptions {
+  bool single_rays = false;  ///< packets of one ray instead of 2x2
   int stack_depth = 31;
-  unsigned mailbox_slots = 8;
-  bool always_clip = false;       ///< start at the clipping nodes wherever the camera is
+  unsigned object_slots = 8;  ///< of the mailbox, for each packet
+  unsigned triangle_slots = 8;
+  bool last_met =
+      false;  ///< full slots take the place of the oldest instead of staying as they are
+  Clipping scene_clipping = Clipping::kFromOutside;
+  Clipping object_clipping = Clipping::kFromOutside;
   bool object_clip_free = false;  ///< count the clipping nodes of objects as no steps
+};
+
+/// What packets go through in the world.
+struct TopLevel {
+  Tree tree;                         ///< without nodes: nothing
+  std::vector<std::uint32_t> first;  ///< instances that are entered before the tree
+  /// By node: instances that are entered where a packet comes to the node. Empty: no node has any.
+  std::vector<std::vector<std::uint32_t>> inner;
 };
 
 struct TracedFrame {
@@ -51,7 +70,11 @@ struct TracedFrame {
   std::vector<TracedHit> hits;  ///< row by row, as pixels are numbered
 };
 
-/// Traces width x height primary rays (even numbers), pixel centres at x + 1/2.
+/// Traces width x height primary rays (even numbers), pixel centres at x + 1/2, on all cores. The
+/// second form goes through the instances' tree alone.
+TracedFrame trace_frame(const Scene& scene, std::span<const Tree> objects, const TopLevel& top,
+                        const Camera& camera, unsigned width, unsigned height,
+                        const TraceOptions& options);
 TracedFrame trace_frame(const Scene& scene, const SceneTrees& trees, const Camera& camera,
                         unsigned width, unsigned height, const TraceOptions& options = {});
 

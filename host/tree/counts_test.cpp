@@ -58,9 +58,9 @@ int expect_same_hits(const Scene& scene, const Camera& camera) {
   const SceneTrees trees = build_scene_trees(scene);
   const std::vector<TracedHit> expected = brute_force(scene, camera);
   int hits = 0;
-  for (const bool always_clip : {false, true}) {
+  for (const Clipping clipping : {Clipping::kFromOutside, Clipping::kAlways}) {
     TraceOptions options;
-    options.always_clip = always_clip;
+    options.scene_clipping = options.object_clipping = clipping;
     const TracedFrame frame = trace_frame(scene, trees, camera, kSide, kSide, options);
     EXPECT_EQ(frame.work.packets, kSide * kSide / 4);
     EXPECT_EQ(frame.work.dropped_pushes, 0u);
@@ -91,6 +91,59 @@ TEST(Counts, RoomsAreTight) {
             2 * static_cast<int>(kSide * kSide));
 }
 
+/// Distance along the ray to the closest rectangle or ellipsoid; infinity where there is none.
+double closest_primitive(const Mesh& mesh, const glm::dvec3& origin, const glm::dvec3& d) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const Rectangle& r : mesh.rectangles) {
+    const glm::dvec3 uvt = glm::inverse(glm::dmat3(r.across, r.along, -d)) * (origin - r.corner);
+    if (uvt.x >= 0 && uvt.x <= 1 && uvt.y >= 0 && uvt.y <= 1 && uvt.z > 0) {
+      best = std::min(best, uvt.z);
+    }
+  }
+  for (const Ellipsoid& e : mesh.ellipsoids) {
+    // |o + t d|^2 = 1 in the space of the unit sphere, as a quadratic equation.
+    const glm::dmat4 inverse = glm::inverse(e.from_unit);
+    const glm::dvec3 o(inverse * glm::dvec4(origin, 1)), l(inverse * glm::dvec4(d, 0));
+    const double a = glm::dot(l, l), b = 2 * glm::dot(o, l), c = glm::dot(o, o) - 1;
+    const double discriminant = b * b - 4 * a * c;
+    for (const double sign : {-1.0, 1.0}) {
+      const double t = (-b + sign * std::sqrt(discriminant)) / (2 * a);
+      if (t > 0) best = std::min(best, t);
+    }
+  }
+  return best;
+}
+
+TEST(Counts, RectanglesAndEllipsoidsAreHit) {
+  Mesh mesh;
+  mesh.name = "primitives";
+  for (int i = 0; i < 6; ++i) {
+    const double x = 0.7 * i - 1.8;
+    mesh.rectangles.push_back({{x, -0.3, -0.2 * i}, {0.5, 0.1, 0.2}, {0.2, 0.8, 0}});
+    glm::dmat4 from_unit = glm::translate(glm::dmat4(1), glm::dvec3(x, 0.6, 0.1 * i - 0.3));
+    from_unit[1][0] = 0.3;
+    mesh.ellipsoids.push_back({glm::scale(from_unit, glm::dvec3(0.3, 0.2 + 0.05 * i, 0.25))});
+  }
+  const Scene scene = testing::scene_of(mesh);
+  const Camera camera = testing::camera_at({0.1, 0.2, 3.5}, {0.02, 0.01, -1});
+  const TracedFrame frame = trace_frame(scene, build_scene_trees(scene), camera, kSide, kSide);
+  int hits[2] = {};
+  for (unsigned y = 0; y < kSide; ++y) {
+    for (unsigned x = 0; x < kSide; ++x) {
+      const glm::dvec3 d = ((x + 0.5) / kSide - 0.5) * camera.right +
+                           (0.5 - (y + 0.5) / kSide) * camera.up + camera.forward;
+      const double expected = closest_primitive(mesh, camera.position, d);
+      const TracedHit& got = frame.hits[y * kSide + x];
+      ASSERT_EQ(got.hit, std::isfinite(expected)) << x << ' ' << y;
+      if (!got.hit) continue;
+      ASSERT_NEAR(got.t, expected, 1e-9) << x << ' ' << y;
+      ++hits[mesh.is_ellipsoid(got.triangle)];
+    }
+  }
+  EXPECT_GT(hits[0], 20);
+  EXPECT_GT(hits[1], 20);
+}
+
 TEST(Counts, InstancesAreHitThroughBothLevels) {
   Scene scene = testing::scene_of(testing::soup(5, 300, 0.3));
   scene.objects.push_back({});
@@ -113,7 +166,7 @@ TEST(Counts, AMailboxSavesTransformations) {
   const SceneTrees trees = build_scene_trees(scene);
   const Camera camera = testing::camera_at({0.05, 0.02, 3.1}, {0, 0, -1});
   TraceOptions none;
-  none.mailbox_slots = 0;
+  none.object_slots = none.triangle_slots = 0;
   const WorkCounts with = trace_frame(scene, trees, camera, kSide, kSide).work;
   const WorkCounts without = trace_frame(scene, trees, camera, kSide, kSide, none).work;
   EXPECT_LT(with.triangles, without.triangles);
@@ -126,7 +179,7 @@ TEST(Counts, StartingInsideTheBoxSavesTheClippingNodes) {
   const SceneTrees trees = build_scene_trees(scene);
   const Camera camera = testing::camera_at({2.013, 1.71, 4.02}, {-0.1, -0.2, -1});
   TraceOptions always;
-  always.always_clip = true;
+  always.scene_clipping = always.object_clipping = Clipping::kAlways;
   const WorkCounts inside = trace_frame(scene, trees, camera, kSide, kSide).work;
   const WorkCounts clipped = trace_frame(scene, trees, camera, kSide, kSide, always).work;
   EXPECT_EQ(inside.top_steps, 0u);

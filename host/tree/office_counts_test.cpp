@@ -19,7 +19,7 @@ TEST(OfficeCounts, AreWithinTheYardstick) {
   const SceneTrees trees = build_scene_trees(scene);
   const Camera camera = choose_camera(scene, {}, kWidth, kHeight);
   TraceOptions options;
-  options.always_clip = true;
+  options.scene_clipping = options.object_clipping = Clipping::kAlways;
   const TracedFrame frame = trace_frame(scene, trees, camera, kWidth, kHeight, options);
   const WorkCounts& work = frame.work;
   const auto per_packet = [&](std::uint64_t count) {

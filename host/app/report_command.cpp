@@ -1,0 +1,83 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// dynrt report: studies of a scene on paper, one subcommand each; no board is opened.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "host/app/arguments.h"
+#include "host/app/command.h"
+#include "host/app/messages.h"
+#include "host/app/text.h"
+#include "host/app/work_report.h"
+#include "host/error.h"
+#include "host/render/output_file.h"
+
+namespace dynrt::host {
+
+namespace {
+
+constexpr unsigned kMaxCountedSide = 4096;
+
+struct Arguments {
+  SceneArguments scene;
+  std::string json;
+};
+
+using Study = WorkReport (*)(const Prepared& prepared, unsigned width, unsigned height);
+
+int run(const Arguments& arguments, Study study) {
+  const auto [width, height] = parse_size(arguments.scene.size);
+  for (const unsigned side : {width, height}) {
+    if (side == 0 || side % 2 != 0 || side > kMaxCountedSide) {
+      refuse(messages::kCountedSize, width, height, kMaxCountedSide);
+    }
+  }
+  if (!arguments.json.empty()) check_output_path(arguments.json);
+  const WorkReport report = study(prepare(arguments.scene, width, height), width, height);
+  if (!arguments.json.empty()) write_text(arguments.json, report.json.dump(2) + "\n");
+  say(report.text);
+  return kDone;
+}
+
+struct Subcommand {
+  const char* name;
+  const char* about;
+  Study study;
+};
+
+constexpr Subcommand kSubcommands[] = {
+    {"overlap", "objects that overlap: none, hierarchical tree, mailbox, multiple scenes (4.3)",
+     overlap_report},
+    {"mailbox", "what 0 to 32 slots of the mailbox save (4.3.2)", mailbox_report},
+    {"clipping", "what the clipping nodes of the scene and of objects save (4.2)",
+     clipping_report}};
+
+}  // namespace
+
+Command add_report_command(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("report", "count what other cores would have to do");
+  const auto chosen = std::make_shared<std::function<int()>>();
+  for (const Subcommand& subcommand : kSubcommands) {
+    const auto arguments = std::make_shared<Arguments>();
+    arguments->scene.scene = "conference";
+    arguments->scene.size = "1024x768";
+    CLI::App* const app = command->add_subcommand(subcommand.name, subcommand.about);
+    arguments->scene.add_to(*app, false);
+    app->get_option("--size")
+        ->description(fmt::format("rays of the image, even and at most {} a side", kMaxCountedSide))
+        ->option_text("WxH [1024x768]");
+    app->get_option("SCENE")->option_text("[conference]");
+    add_json_flag(*app, arguments->json);
+    app->callback([chosen, arguments, study = subcommand.study] {
+      *chosen = [arguments, study] { return run(*arguments, study); };
+    });
+  }
+  return {command, [chosen] {
+            if (!*chosen) refuse(messages::kNoReport);
+            return (*chosen)();
+          }};
+}
+
+}  // namespace dynrt::host
