@@ -3,8 +3,10 @@
 """The rows of scripts/bench: what is asked, what was reached, and why where it falls short."""
 
 import dataclasses
+import json
 import operator
 import statistics
+import subprocess
 
 import bench_latency
 from bench_run import Run, RunFailed, Speed, Work, busiest, rays
@@ -29,6 +31,7 @@ BUSY_CAUSE = ("the rest of the clocks go to lines that come from memory, to empt
 MODEL_CAUSE = ("the model computes the core's floats with integers, as the hardware does, and "
                "additions take the largest part of the time; doubles rounded once would give the "
                "same bits faster, but would be a second source of them")
+TOP_LEVEL_CAUSE = ("a slower or a busy machine: what others have in its caches counts")
 TREE_CAUSE = ("the builder runs on all cores, so compare the processor time: on a busy machine the "
               "clock on the wall measures the others")
 
@@ -70,6 +73,7 @@ class Options:
     size: str
     runs: int
     reports: object  # folder of hlsc's schedule reports of CONFIG
+    tree_bench: object  # the program that times the trees alone
 
 
 class Bench:
@@ -167,7 +171,27 @@ class Bench:
         memory.reached, memory.note = peak.peak_bytes / 1e6, f"board {peak.frame['board']}"
         native = Row("native model, rays per second", "", 300_000, ">=", reached=model.median,
                      note=_spread(model, self.options.runs), cause=MODEL_CAUSE)
-        return [simulation, native, self._tree_row(), memory]
+        return [simulation, native, self._tree_row(), self._top_level_row(), memory]
+
+    def _top_level_row(self):
+        """The tree over 50,000 instances, as host/tree/tree_bench.cpp strews them."""
+        row = Row("top level of 50,000 instances", "ms", 33, "<=", digits=1, cause=TOP_LEVEL_CAUSE)
+        program = self.options.tree_bench
+        if not program.exists():
+            row.note = f"{program} is not built"
+            return row
+        self.progress("top level of 50,000 instances")
+        command = [program, "--benchmark_filter=^instance_tree/50000$", "--benchmark_format=json",
+                   f"--benchmark_repetitions={self.options.runs}"]
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+        if result.returncode != 0:
+            raise RunFailed(f"{program}: {result.stderr.strip()}")
+        times = [run["cpu_time"] for run in json.loads(result.stdout)["benchmarks"]
+                 if run["run_type"] == "iteration"]
+        row.reached = statistics.median(times)
+        row.note = (f"processor time of one core, {len(times)} runs, {min(times):.1f} to "
+                    f"{max(times):.1f}; boxes and tree, without packing and upload")
+        return row
 
     def _tree_row(self):
         runs = []

@@ -56,6 +56,13 @@ class CheckLayers(unittest.TestCase):
         self.assert_refused("hls/units/bad.h", '#include "../../host/image/pack.h"\n',
                             "hls/units/bad.h:1: includes host/image/pack.h")
 
+    def test_back_end_knows_no_front_end(self):
+        result = self.run_on({"hls/compiler/frontend/read.h": "#include <string>\n",
+                              "hls/compiler/passes/bad.h": '#include "frontend/read.h"\n'})
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("hls/compiler/passes/bad.h:1: includes hls/compiler/frontend/read.h",
+                      result.stderr)
+
     def test_compiler_knows_no_unit(self):
         self.assert_refused("hls/compiler/bad.cpp", '#  include <units/mailbox.h>\n',
                             "hls/compiler/bad.cpp:1: includes hls/units/mailbox.h")

@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 #
-# The back end: passes, schedule, Verilog. Nothing of it knows LLVM.
+# The back end: passes, schedule, Verilog. It knows nothing of the front end.
 find_package(lemon REQUIRED)
 
 add_library(hlsc_backend STATIC
@@ -11,6 +11,8 @@ add_library(hlsc_backend STATIC
   emit/names.cpp
   emit/pipeline_bits.cpp
   emit/report.cpp
+  emit/stages.cpp
+  emit/state.cpp
   emit/verilog.cpp
   passes/balance_chains.cpp
   passes/expand_divisions.cpp
@@ -24,7 +26,7 @@ add_library(hlsc_backend STATIC
   schedule/registers.cpp
   schedule/timing.cpp)
 target_include_directories(hlsc_backend SYSTEM PRIVATE ${LEMON_INCLUDE_DIRS})
-target_link_libraries(hlsc_backend PUBLIC hlsc_netlist hlsc_frontend
+target_link_libraries(hlsc_backend PUBLIC hlsc_netlist
                       PRIVATE ${LEMON_LIBRARIES} fmt::fmt nlohmann_json::nlohmann_json
                               dynrt_warnings)
 

@@ -4,7 +4,7 @@
 // The order of the lowering.
 #include "backend.h"
 #include "emit/emit.h"
-#include "frontend/narrow.h"
+#include "netlist/narrow.h"
 #include "passes/passes.h"
 #include "schedule/schedule.h"
 

@@ -10,7 +10,7 @@
 // and the surface's own triangle gives the cosine of the light. A reflected ray begins where it is
 // reflected, at the hit distance of the arriving ray (thesis 6.2.3). Neither sees the triangle that
 // it belongs to; margins relative to t keep rounding from casting a shadow or a reflection of the
-// neighbouring one.
+// neighbouring one. Only a sphere may lie before itself: its far side is in its own shadow.
 #pragma once
 
 #include "units/tokens.h"
@@ -64,7 +64,9 @@ struct CollectHits {
         kind != RayKind::kPrimary && instance == from.object && job.matrix == from.triangle;
     // A ray that is not traced now keeps what it found when it was.
     const bool traced = !kHasSecondary<C> || job.active.bit(static_cast<unsigned>(in.ray.to_u64()));
-    const bool closer = in.hit && traced && !own && in.t < before.t &&
+    const bool before_itself =
+        kind == RayKind::kLight && is_primitive<C>(Primitive::kSphere, job.primitive);
+    const bool closer = in.hit && traced && (!own || before_itself) && in.t < before.t &&
                         (kind != RayKind::kReflection || before.start.get() < in.t);
     const bool lit = kind == RayKind::kLight && own && traced;
 

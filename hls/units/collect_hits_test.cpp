@@ -116,5 +116,44 @@ TEST(CollectHits, KeepsTheClosestHitOfEveryRay) {
   EXPECT_GT(std::min({closer, farther, equal, resets}), 1000u);
 }
 
+struct LitSpheres : C {
+  static constexpr unsigned kLights = 1;
+  static constexpr Primitives kPrimitives{.triangle = true, .sphere = true};
+};
+
+/// A light ray to a surface, t = 1, that meets the surface's own primitive at some t.
+Found<LitSpheres> lit_at(Primitive primitive, double t) {
+  test::Bench<CollectHits<LitSpheres>> bench;
+  bench.rows(bench.unit.surface)[0] = {Real::one(), 7, 9};
+  bench.rows(bench.unit.object)[0] = 7;
+  JobRecord<LitSpheres> job;
+  job.kind = TransformKind::kDerive;
+  job.derived = DerivedRay{Derivation::kLight, 0};
+  job.matrix = 9;
+  job.active = 1;
+  bench.rows(bench.unit.record)[0] = job;
+  HitCandidate<LitSpheres> in;
+  in.reset = true;
+  bench.feed(bench.unit.candidate, in);
+  bench.run();
+  job.kind = TransformKind::kTriangle;
+  job.primitive = primitive;
+  bench.rows(bench.unit.record)[0] = job;
+  in = {};
+  in.hit = true;
+  in.t = Real::from_double(t);
+  in.cosine = Real::from_double(0.5);
+  bench.feed(bench.unit.candidate, in);
+  bench.run();
+  return bench.rows(bench.unit.found)[0];
+}
+
+TEST(CollectHits, TheFarSideOfASphereIsInItsOwnShadow) {
+  EXPECT_FALSE(lit_at(Primitive::kSphere, 1).hit);
+  EXPECT_EQ(lit_at(Primitive::kSphere, 1).cosine.to_double(), 0.5);
+  EXPECT_TRUE(lit_at(Primitive::kSphere, 0.5).hit);
+  EXPECT_FALSE(lit_at(Primitive::kTriangle, 0.5).hit) << "a triangle does not lie before itself";
+}
+
 }  // namespace
 }  // namespace dynrt

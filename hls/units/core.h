@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The core: every unit once, and how they are joined (thesis figures 6.1 and 7.3). The native
-// model, the Verilog top and the block diagram all come from this constructor. A packet has at most
-// one token on the way, so a channel that holds all packets can never be the end of a deadlock.
+// model, the Verilog top and the block diagram all come from this constructor. A packet is in one
+// place at a time, so a channel that holds all packets can never be the end of a deadlock.
 #pragma once
 
 #include <memory>
 
 #include "hls/join.h"
+#include "units/box_clip.h"
 #include "units/cache_fill.h"
 #include "units/cache_lookup.h"
 #include "units/collect_hits.h"
@@ -56,6 +57,7 @@ struct Core {
   SendPacket<C> send_packet;
   Transformation<C> transformation;
   PacketDecoder<C> packet_decoder;
+  hls::PortIf<kClipsToBox<C>, BoxClip<C>> box_clip;
   Intersection<C> intersection;
   CollectHits<C> collect_hits;
   Shading<C> shading;
@@ -109,6 +111,7 @@ struct Core {
     join.unit("send_packet", "send_packet", send_packet);
     join.unit("transformation", "transformation", transformation);
     join.unit("packet_decoder", "packet_decoder", packet_decoder);
+    if constexpr (kClipsToBox<C>) join.unit("box_clip", "box_clip", box_clip);
     join.group("Intersection");
     join.unit("intersection", "intersection", intersection);
     join.unit("collect_hits", "collect_hits", collect_hits);
@@ -153,10 +156,14 @@ struct Core {
   }
 
   void join_traversal(hls::Join& join) {
-    join.channel<TraversalEvent<C>>("traversal_event",
-                                    {&packet_decision.event, &node_fetch.again, &list.finished,
-                                     &mailbox.start, &packet_decoder.enter_object},
-                                    {&node_fetch.event}, kAll);
+    std::vector<hls::Out<TraversalEvent<C>>*> events = {&packet_decision.event, &node_fetch.again,
+                                                        &list.finished, &mailbox.start};
+    if constexpr (kClipsToBox<C>) {
+      events.push_back(&box_clip.enter_object);
+    } else {
+      events.push_back(&packet_decoder.enter_object);
+    }
+    join.channel<TraversalEvent<C>>("traversal_event", events, {&node_fetch.event}, kAll);
     join.channel("node_request", node_fetch.request, node_lookup.request, kAll);
     join.channel<Step<C>>("step", {&node_lookup.reply, &node_fill.reply},
                           {&slice[0].step_in, &slice[1].step_in, &slice[2].step_in,
@@ -167,8 +174,7 @@ struct Core {
       join.channel("decision_" + std::to_string(i), slice[i].decision, packet_decision.slice[i],
                    kAll);
       join.ram("ray_" + std::to_string(i), packet_decoder.ray[i], std::vector{&slice[i].ray});
-      join.ram("distance_" + std::to_string(i), collect_hits.distance[i],
-               std::vector{&slice[i].hit_distance});
+      join.ram("distance_" + std::to_string(i), collect_hits.distance[i], distance_readers(i));
       if constexpr (kSplitsPackets<C>) {
         join.ram("signs_" + std::to_string(i), packet_decoder.signs[i],
                  std::vector{&node_fetch.signs[i]});
@@ -178,10 +184,10 @@ struct Core {
   }
 
   void join_lists(hls::Join& join) {
-    join.channel<ListJob<C>>(
-        "list_job",
-        {&packet_decision.leaf, &node_fetch.object_done, &mailbox.seen, &collect_hits.go_on},
-        {&list.job}, kAll);
+    std::vector<hls::Out<ListJob<C>>*> jobs = {&packet_decision.leaf, &node_fetch.object_done,
+                                               &mailbox.seen, &collect_hits.go_on};
+    if constexpr (kClipsToBox<C>) jobs.push_back(&box_clip.missed);
+    join.channel<ListJob<C>>("list_job", jobs, {&list.job}, kAll);
     join.channel("list_request", list.request, list_lookup.request, kAll);
     join.channel<MailboxEntry<C>>("list_entry", list_entries(), {&mailbox.entry}, kAll);
     join.ram("last_entry", mailbox.last, std::vector{&list.last});
@@ -214,6 +220,12 @@ struct Core {
     join.ram("ray_vectors", packet_decoder.vectors, vectors);
     join.channel("packet_vector", send_packet.vector, transformation.vector);
     join.channel("transformed", transformation.transformed, packet_decoder.vector);
+    if constexpr (kClipsToBox<C>) {
+      join.channel("object_ray", packet_decoder.object_ray, box_clip.ray);
+      for (unsigned i = 0; i < kRays; ++i) {
+        join.ram("box_" + std::to_string(i), box_clip.interval[i], std::vector{&slice[i].box});
+      }
+    }
     join.channel("unit_ray", packet_decoder.unit_ray, intersection.unit_ray);
     join.channel("candidate", intersection.candidate, collect_hits.candidate);
   }
@@ -232,8 +244,9 @@ struct Core {
       derive.push_back(&packet_decoder.derived);
       arriving.push_back(&send_packet.arriving);
       for (unsigned i = 0; i < kRays; ++i) {
-        join.ram("start_distance_" + std::to_string(i), collect_hits.start_distance[i],
-                 std::vector{&slice[i].start_distance});
+        std::vector readers = {&slice[i].start_distance};
+        if constexpr (kClipsToBox<C>) readers.push_back(&box_clip.start_distance[i]);
+        join.ram("start_distance_" + std::to_string(i), collect_hits.start_distance[i], readers);
       }
     }
     join.channel<Derive<C>>("derive", derive, {&secondary_rays.derive}, kAll);
@@ -242,6 +255,13 @@ struct Core {
     join.ram("traced", secondary_rays.traced, std::vector{&shader.traced});
     join.ram("found", collect_hits.found, std::vector{&shader.found});
     join.ram("pixel_colour", shader.pixel_colour, std::vector{&shading.pixel_colour});
+  }
+
+  /// Who wants to know how far away a ray's hit is.
+  auto distance_readers(unsigned i) {
+    std::vector readers = {&slice[i].hit_distance};
+    if constexpr (kClipsToBox<C>) readers.push_back(&box_clip.hit_distance[i]);
+    return readers;
   }
 
   /// What comes to the mailbox.

@@ -128,5 +128,90 @@ TEST(Intersection, AgreesWithDoubleArithmetic) {
   EXPECT_GT(hits, 1'000u);
 }
 
+struct Every : C {
+  static constexpr Primitives kPrimitives{.triangle = true, .sphere = true, .rectangle = true};
+};
+HitCandidate<Every> meet(Primitive primitive, const Vec& origin, const Vec& direction,
+                         double factor = 1) {
+  test::Bench<Intersection<Every>> bench;
+  UnitRay<Every> ray{0, 0, false, {origin, direction}};
+  ray.primitive = primitive;
+  ray.cosine_factor = Real::from_double(factor);
+  bench.feed(bench.unit.unit_ray, ray);
+  bench.run();
+  return bench.take_one(bench.unit.candidate);
+}
+
+TEST(Intersection, TheRectangleIsTheWholeSquare) {
+  constexpr double kHair = 0x1p-16;
+  for (const auto& [u, v, in_rectangle, in_triangle] : {std::tuple{0.25, 0.25, true, true},
+                                                        {0.75, 0.75, true, false},
+                                                        {1.0, 1.0, true, false},
+                                                        {0.0, 1.0, true, true},
+                                                        {1 + kHair, 0.5, false, false},
+                                                        {0.5, 1 + kHair, false, false},
+                                                        {-kHair, 0.5, false, false},
+                                                        {0.5, -kHair, false, false}}) {
+    const Vec above = vec(u, v, 2);
+    const auto out = meet(Primitive::kRectangle, above, vec(0, 0, -1), 0.5);
+    EXPECT_EQ(out.hit, in_rectangle) << u << ' ' << v;
+    EXPECT_EQ(out.t.to_double(), 2);
+    EXPECT_EQ(out.cosine.to_double(), -0.5) << "scaled by the factor";
+    EXPECT_EQ(meet(Primitive::kTriangle, above, vec(0, 0, -1)).hit, in_triangle) << u << ' ' << v;
+  }
+}
+
+TEST(Intersection, ASphereIsHitInFrontAndFromWithin) {
+  const auto front = meet(Primitive::kSphere, vec(0, 0, 3), vec(0, 0, -2), 0.25);
+  EXPECT_TRUE(front.hit);
+  EXPECT_EQ(front.t.to_double(), 1);
+  EXPECT_EQ(front.cosine.to_double(), -0.5) << "against the outward normal, times the factor";
+  const auto within = meet(Primitive::kSphere, vec(0, 0, 0.5), vec(0, 0, -2));
+  EXPECT_TRUE(within.hit);
+  EXPECT_EQ(within.t.to_double(), 0.75);
+  EXPECT_EQ(within.cosine.to_double(), 2);
+  EXPECT_FALSE(meet(Primitive::kSphere, vec(0, 0, 3), vec(0, 0, 2)).hit) << "behind the ray";
+  EXPECT_FALSE(meet(Primitive::kSphere, vec(1.001, 0, 3), vec(0, 0, -2)).hit) << "passes by";
+  EXPECT_TRUE(meet(Primitive::kSphere, vec(0.999, 0, 3), vec(0, 0, -2)).hit);
+}
+
+TEST(Intersection, SpheresAgreeWithTheQuadraticEquation) {
+  test::Random random(53);
+  const auto real = [&random](double range) {
+    return Real::from_double((static_cast<double>(random.next() >> 11) * 0x1p-52 - 1) * range);
+  };
+  unsigned hits = 0, misses = 0;
+  for (unsigned n = 0; n < 20'000; ++n) {
+    const double far = n % 2 == 0 ? 2 : 100;
+    const Vec o{real(far), real(far), real(far)};
+    // Towards about the sphere.
+    const Vec aim{real(1.3), real(1.3), real(1.3)};
+    const Vec d{aim.x - o.x, aim.y - o.y, aim.z - o.z};
+    const auto dot = [](const Vec& a, const Vec& b) {
+      return a.x.to_double() * b.x.to_double() + a.y.to_double() * b.y.to_double() +
+             a.z.to_double() * b.z.to_double();
+    };
+    const double a = dot(d, d), b = dot(o, d), c = dot(o, o) - 1;
+    const double discriminant = b * b - a * c;
+    // The square of the nearest point's distance decides; the point is as exact as the origin.
+    const double inside = discriminant / a;
+    const double doubt = 0x1p-17 * (8 + 12 * std::sqrt(dot(o, o)));
+    if (std::abs(inside) < 2 * doubt) continue;
+    const auto out = meet(Primitive::kSphere, o, d);
+    const double root = std::sqrt(std::max(discriminant, 0.0));
+    const double first = (-b - root) / a, second = (-b + root) / a;
+    const double slack = doubt / std::sqrt(a) / std::sqrt(std::max(inside, doubt));
+    if (std::abs(first) < slack || std::abs(second) < slack) continue;
+    const double t = first > 0 ? first : second;
+    ASSERT_EQ(out.hit, discriminant > 0 && t > 0) << n;
+    out.hit ? ++hits : ++misses;
+    if (!out.hit) continue;
+    ASSERT_NEAR(out.t.to_double(), t, slack + 0x1p-15 * std::abs(t)) << n;
+    ASSERT_NEAR(out.cosine.to_double(), first > 0 ? -root : root, a * slack + 0x1p-14 * root) << n;
+  }
+  EXPECT_GT(hits, 5'000u);
+  EXPECT_GT(misses, 1'000u);
+}
+
 }  // namespace
 }  // namespace dynrt

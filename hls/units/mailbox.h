@@ -90,6 +90,11 @@ struct Mailbox {
         job.active = packet.rays;
         job.extras.apart = packet.apart;
         job.matrix = e.entry.matrix;
+        job.extras.primitive = e.entry.primitive();
+        if (kThreeColumns<C> && !top &&
+            !is_primitive<C>(Primitive::kSphere, job.extras.primitive)) {
+          job.repeat = kStoredColumns - 1;
+        }
         fresh.write(job);
         if (top) {
           object_slots.insert(e.entry.matrix);

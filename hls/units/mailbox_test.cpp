@@ -153,5 +153,32 @@ TEST(Mailbox, AgreesWithSetsOnRandomEntries) {
   EXPECT_GT(full, 1'000u);
 }
 
+template <class Config>
+TransformJob<Config> job_of(const MailboxEntry<Config>& e) {
+  test::Bench<Mailbox<Config>> bench;
+  bench.feed(bench.unit.entry, e);
+  bench.run();
+  return bench.take_one(bench.unit.fresh);
+}
+
+struct Everything : C {
+  static constexpr TriangleMatrix kTriangleMatrix = TriangleMatrix::kMemoryEfficient;
+  static constexpr Primitives kPrimitives{.triangle = true, .sphere = true, .rectangle = true};
+};
+
+TEST(Mailbox, TellsWhichPrimitiveAndOfHowManyColumns) {
+  for (const auto& [primitive, columns] : {std::pair{Primitive::kTriangle, 3u},
+                                           {Primitive::kSphere, 4u},
+                                           {Primitive::kRectangle, 3u}}) {
+    MailboxEntry<Everything> e;
+    e.level = 1;
+    e.entry.set_primitive(primitive);
+    const TransformJob<Everything> job = job_of(e);
+    EXPECT_EQ(job.extras.primitive.get(), primitive);
+    EXPECT_EQ(job.repeat, RepeatCount::from(columns - 1));
+  }
+  EXPECT_EQ(job_of(MailboxEntry<Everything>{}).repeat, RepeatCount(3)) << "an object has four";
+}
+
 }  // namespace
 }  // namespace dynrt

@@ -1,8 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Matrix fetch: asks the matrix cache for the four columns of an object's, a triangle's or the
-// camera's matrix, one a clock (the reading half of the thesis's load matrix unit, 6.1.3).
+// Matrix fetch: asks the matrix cache for the columns of an object's, a triangle's or the camera's
+// matrix, one a clock (the reading half of the thesis's load matrix unit, 6.1.3): for all four, or,
+// where triangles are stored in three (5.1.1), for those.
 #pragma once
 
 #include "units/tokens.h"
@@ -18,8 +19,18 @@ struct MatrixFetch {
   void step() {
     const Repeated<TransformJob<C>> j = job.read();
     const uint<2> column = j.index.template trunc<2>();
-    const ColumnContext<C> context{j.job.packet, j.job.kind, j.job.active, column, j.job.extras};
-    request.write(CacheRequest<ColumnContext<C>>{context, hls::concat(j.job.matrix, column)});
+    const ColumnContext<C> context{j.job.packet, j.job.kind,   j.job.active,
+                                   column,       j.job.extras, j.job.matrix};
+    Address address = hls::concat(j.job.matrix, column);
+    if constexpr (kThreeColumns<C>) {
+      const bool mirror = kHasMirrors<C> && j.job.kind == TransformKind::kDerive &&
+                          j.job.extras.derived.get().pass == Derivation::kMirror;
+      if (j.job.kind == TransformKind::kTriangle || mirror) {
+        address =
+            Address::from((j.job.matrix + hls::concat(j.job.matrix, uint<1>(0)) + column).raw());
+      }
+    }
+    request.write(CacheRequest<ColumnContext<C>>{context, address});
   }
 };
 

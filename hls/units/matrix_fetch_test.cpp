@@ -28,5 +28,30 @@ TEST(MatrixFetch, AsksForTheFourColumnsOfTheMatrix) {
   }
 }
 
+struct Compact : test::Config<> {
+  static constexpr TriangleMatrix kTriangleMatrix = TriangleMatrix::kMemoryEfficient;
+  static constexpr unsigned kReflections = 3;
+};
+
+TEST(MatrixFetch, TrianglesAndMirrorsBeginEveryThreeColumns) {
+  test::Bench<MatrixFetch<Compact>> bench;
+  test::Random random(614);
+  for (unsigned n = 0; n < 3000; ++n) {
+    auto job = test::random_token<TransformJob<Compact>>(random);
+    job.kind = static_cast<TransformKind>(test::below(random, 4));
+    const unsigned index = test::below(random, 4);
+    const Repeated<TransformJob<Compact>> repeated{RepeatCount::from(index), index == 3, job};
+    bench.feed(bench.unit.job, repeated);
+    bench.run();
+    const bool three = job.kind == TransformKind::kTriangle ||
+                       (job.kind == TransformKind::kDerive &&
+                        job.extras.derived.get().pass == Derivation::kMirror);
+    const CacheRequest<ColumnContext<Compact>> expected{
+        {job.packet, job.kind, job.active, uint<2>::from(index), job.extras, job.matrix},
+        Address::from((three ? 3 : 4) * job.matrix.to_u64() + index)};
+    ASSERT_TRUE(test::same(bench.take_one(bench.unit.request), expected));
+  }
+}
+
 }  // namespace
 }  // namespace dynrt

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Matrix store: keeps one matrix per packet for the transformation, column by column as the cache
-// delivers them in any order, and sends the packet on when all four are there (the storing half of
-// the thesis's load matrix unit, 6.1.3).
+// delivers them in any order, and sends the packet on when all are there (the storing half of the
+// thesis's load matrix unit, 6.1.3). A triangle stored in three columns (5.1.1) is kept in four:
+// the first of them brings the column of ones along.
 #pragma once
 
 #include "units/frame.h"
@@ -20,7 +21,8 @@ struct MatrixStore {
     uint<2> columns;                               ///< of this job that have arrived
     uint<24> extra;                                ///< spare bytes of column 0
     hls::FieldIf<kHasMirrors<C>, uint<8>> mirror;  ///< spare byte of column 1, row 0
-    HLS_FIELDS(columns, extra, mirror)
+    hls::FieldIf<kScalesCosine<C>, Real> cosine_factor;
+    HLS_FIELDS(columns, extra, mirror, cosine_factor)
   };
 
   hls::In<CacheReply<ColumnContext<C>, MatrixColumn>> reply;
@@ -37,25 +39,50 @@ struct MatrixStore {
     const PacketId<C> packet = r.context.packet;
     const Vector<Real> values{Real(r.line.row[0].value), Real(r.line.row[1].value),
                               Real(r.line.row[2].value)};
-    for (unsigned c = 0; c < 4; ++c) {
-      if (r.context.column == uint<2>::from(c)) column[c].write(packet, values);
+    const bool stored_three = three(r.context);
+    if constexpr (kThreeColumns<C>) {
+      const uint<2> ones = r.line.row[2].spare.template trunc<2>();
+      const uint<2> place = stored_three ? place_of(r.context.column, ones) : r.context.column;
+      const bool brings_ones = stored_three && r.context.column == uint<2>(0);
+      for (unsigned c = 0; c < 4; ++c) {
+        const bool is_ones = brings_ones && ones == uint<2>::from(c);
+        if (is_ones || place == uint<2>::from(c)) {
+          column[c].write(packet, is_ones ? kOnes : values);
+        }
+      }
+    } else {
+      for (unsigned c = 0; c < 4; ++c) {
+        if (r.context.column == uint<2>::from(c)) column[c].write(packet, values);
+      }
     }
 
     Progress p = progress.read(packet);
-    const bool complete = p.columns == uint<2>(3);
+    const uint<2> last = stored_three ? uint<2>(kStoredColumns - 1) : uint<2>(3);
+    const bool complete = p.columns == last;
     if (r.context.column == uint<2>(0)) {
-      p.extra =
-          hls::concat(r.line.row[2].spare, hls::concat(r.line.row[1].spare, r.line.row[0].spare));
+      p.extra = stored_three ? hls::concat(p.extra.template bits<23, 16>(),
+                                           r.line.spare().template trunc<16>())
+                             : r.line.spare();
     }
-    if (r.context.column == uint<2>(1)) p.mirror = r.line.row[0].spare;
-    p.columns = hls::next(p.columns);
+    if (r.context.column == uint<2>(1)) {
+      p.mirror = r.line.row[0].spare;
+      if (stored_three) p.extra = hls::concat(r.line.row[1].spare, p.extra.template trunc<16>());
+    }
+    if constexpr (kScalesCosine<C>) {
+      if (r.context.column == last) {
+        p.cosine_factor = Real(dynrt::Real::from_bits(r.line.spare()));
+      }
+    }
+    p.columns = stored_three && complete ? uint<2>(0) : hls::next(p.columns);
     progress.write(packet, p);
 
     if (complete) {
-      const MatrixIndex matrix = r.address.template bits<kAddressBits - 1, 2>();
+      const MatrixIndex matrix = kThreeColumns<C> ? r.context.matrix.get()
+                                                  : r.address.template bits<kAddressBits - 1, 2>();
       const auto& derived = r.context.extras.derived;
       record.write(packet, JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra, derived,
-                                        p.mirror, r.context.extras.apart.get()});
+                                        p.mirror, r.context.extras.apart.get(),
+                                        r.context.extras.primitive, p.cosine_factor});
       if (r.context.kind == TransformKind::kObject) object.write(packet, matrix);
       SendJob<C> send;
       const bool apart = frame.get().uncompressed.template bit<0>() || r.context.extras.apart.get();
@@ -66,6 +93,20 @@ struct MatrixStore {
       send.derived = derived;
       ready.write(send);
     }
+  }
+
+ private:
+  static constexpr Vector<Real> kOnes{Real::one(), Real::one(), Real::one()};
+
+  static bool three(const ColumnContext<C>& context) {
+    return kThreeColumns<C> && context.kind == TransformKind::kTriangle &&
+           !is_primitive<C>(Primitive::kSphere, context.extras.primitive);
+  }
+  /// Where a stored column belongs: around the column of ones, the translation behind.
+  static uint<2> place_of(uint<2> stored, uint<2> ones) {
+    return stored == uint<2>(0)   ? uint<2>(uint<1>(ones == uint<2>(0)))
+           : stored == uint<2>(1) ? (ones == uint<2>(2) ? uint<2>(1) : uint<2>(2))
+                                  : uint<2>(3);
   }
 };
 

@@ -80,5 +80,73 @@ TEST(MatrixStore, TakesTheColumnsOfManyPacketsInAnyOrder) {
   EXPECT_GT(extra_last, 1000u) << "the spare bytes may come with the last column";
 }
 
+struct Compact : C {
+  static constexpr TriangleMatrix kTriangleMatrix = TriangleMatrix::kMemoryEfficient;
+  static constexpr Primitives kPrimitives{.triangle = true, .sphere = true};
+  static constexpr unsigned kReflections = 1;
+};
+
+/// Triangles in three columns among spheres and objects in four, their columns in any order.
+TEST(MatrixStore, ExpandsTrianglesToFourColumns) {
+  test::Bench<MatrixStore<Compact>> bench;
+  test::Random random(511);
+  std::array<unsigned, 3> seen{};
+  for (unsigned n = 0; n < 3000; ++n) {
+    ColumnContext<Compact> context;
+    context.packet = PacketId<Compact>::from(test::below(random, Compact::kPackets));
+    context.kind = test::chance(random, 70) ? TransformKind::kTriangle : TransformKind::kObject;
+    context.extras.primitive = test::chance(random, 70) ? Primitive::kTriangle : Primitive::kSphere;
+    context.matrix = MatrixIndex::from(test::below(random, kMaxMatrices));
+    const bool three = context.kind == TransformKind::kTriangle &&
+                       context.extras.primitive.get() == Primitive::kTriangle;
+    const unsigned ones = test::below(random, 3);
+    auto columns = test::random_token<std::array<MatrixColumn, 4>>(random);
+    if (three) columns[0].row[2].spare = columns[1].row[2].spare = uint<8>::from(ones);
+    std::vector<unsigned> order = three ? std::vector{0u, 1u, 2u} : std::vector{0u, 1u, 2u, 3u};
+    for (std::size_t i = order.size() - 1; i > 0; --i) {
+      std::swap(order[i], order[test::below(random, static_cast<unsigned>(i) + 1)]);
+    }
+    for (const unsigned column : order) {
+      EXPECT_TRUE(bench.take(bench.unit.ready).empty());
+      context.column = uint<2>::from(column);
+      bench.feed(bench.unit.reply,
+                 CacheReply<ColumnContext<Compact>, MatrixColumn>{
+                     context, test::random_token<Address>(random), columns[column]});
+      bench.run();
+    }
+    bench.take_one(bench.unit.ready);
+    std::array<Vector<Real>, 4> expected;
+    const auto values = [&](unsigned c) {
+      const auto& row = columns[c].row;
+      return Vector<Real>{row[0].value, row[1].value, row[2].value};
+    };
+    if (three) {
+      const Real one = Real::one();
+      expected[ones] = {one, one, one};
+      expected[ones == 0 ? 1 : 0] = values(0);
+      expected[ones == 2 ? 1 : 2] = values(1);
+      expected[3] = values(2);
+      ++seen[ones];
+    } else {
+      for (unsigned c = 0; c < 4; ++c) expected[c] = values(c);
+    }
+    const std::uint64_t packet = context.packet.to_u64();
+    for (unsigned c = 0; c < 4; ++c) {
+      ASSERT_TRUE(test::same(bench.rows(bench.unit.column[c])[packet], expected[c])) << c;
+    }
+    const auto spare = [&](unsigned c, unsigned r) { return columns[c].row[r].spare; };
+    JobRecord<Compact> record;
+    record.kind = context.kind;
+    record.matrix = context.matrix.get();
+    record.extra =
+        hls::concat(three ? spare(1, 1) : spare(0, 2), hls::concat(spare(0, 1), spare(0, 0)));
+    record.mirror = spare(1, 0);
+    record.primitive = context.extras.primitive;
+    record.cosine_factor = Real::from_bits(columns[three ? 2 : 3].spare());
+    ASSERT_TRUE(test::same(bench.rows(bench.unit.record)[packet], record));
+  }
+  for (const unsigned count : seen) EXPECT_GT(count, 100u);
+}
+
 }  // namespace
 }  // namespace dynrt

@@ -55,12 +55,25 @@ struct Node {
   HLS_FIELDS(kind, split, left, right)
 };
 
-/// An entry of a leaf's list, 32 bits: the matrix of an object instance or of a triangle.
+/// What a ray is tested against once it is transformed (thesis 5.2).
+enum class Primitive : unsigned char {
+  kTriangle,   ///< (0,0,0), (1,0,0), (0,1,0)
+  kSphere,     ///< of radius 1 about the origin
+  kRectangle,  ///< from (0,0,0) to (1,1,0)
+};
+
+/// An entry of a leaf's list, 32 bits: the matrix of an object instance or of a primitive. The
+/// lowest of the reserved bits say which primitive; a core that has one alone reads none of them.
 struct ListEntry {
   MatrixIndex matrix;
   uint<14> reserved;
   bool last = false;
   HLS_FIELDS(matrix, reserved, last)
+
+  constexpr Primitive primitive() const {
+    return static_cast<Primitive>(static_cast<unsigned>(reserved.trunc<2>().raw()));
+  }
+  constexpr void set_primitive(Primitive p) { reserved = uint<14>::from(static_cast<unsigned>(p)); }
 };
 
 /// A word of a matrix column: a coefficient and a spare byte.
@@ -75,7 +88,25 @@ struct MatrixWord {
 struct MatrixColumn {
   std::array<MatrixWord, 3> row;
   HLS_FIELDS(row)
+
+  constexpr uint<24> spare() const {
+    return hls::concat(row[2].spare, hls::concat(row[1].spare, row[0].spare));
+  }
 };
+
+/// A triangle in three columns (thesis 5.1.1): the linear part has a column of three ones, which
+/// is not stored. What is stored are its other two, in their order, and the translation. The spare
+/// bytes that the first two need for the number of the column of ones push the colour's blue on:
+///
+///                    row 0     row 1   row 2
+///   stored column 0  red       green   number of the column of ones
+///   stored column 1  mirror    blue    number of the column of ones
+///   stored column 2  factor of the cosine, a Real
+///
+/// Stored triangle n begins at column 3 n, any other matrix n at column 4 n: each kind has its own
+/// numbers. Whatever else a list's entry names (a sphere) begins like a triangle and has four
+/// columns, and so has a mirror's reflection, which follows its triangle.
+inline constexpr unsigned kStoredColumns = 3;
 
 /// A finished ray's hit as the core writes it, word by word into bank 4 and at the same place into
 /// bank 5: pixel p's words begin at kHitWords * p. Numbers are the bits of the core's float; a miss
@@ -104,3 +135,5 @@ inline constexpr unsigned kMaxSide = 1024;  ///< pixels a side, by ray generatio
 
 template <>
 inline constexpr unsigned hls::enum_width<dynrt::NodeKind> = 2;
+template <>
+inline constexpr unsigned hls::enum_width<dynrt::Primitive> = 2;

@@ -16,6 +16,12 @@ enum class Crossing : std::uint8_t {
   kRemember,  ///< the child that is left out for now is remembered
 };
 
+/// How a ray is clipped to the box of an object that it enters (thesis 4.2).
+enum class ObjectBox : std::uint8_t {
+  kNodes,  ///< by six clipping nodes of the object's tree
+  kUnit,   ///< by a unit of its own, as the object's matrix takes the box to a cube
+};
+
 /// What is stored of a triangle (thesis 5.1).
 enum class TriangleMatrix : std::uint8_t {
   kNormalConsistent,  ///< 12 numbers: the plane's normal is a row
@@ -27,6 +33,9 @@ struct Primitives {
   bool triangle = false;
   bool sphere = false;  ///< hence every ellipsoid
   bool rectangle = false;
+
+  constexpr unsigned count() const { return unsigned{triangle} + sphere + rectangle; }
+  friend constexpr bool operator==(const Primitives&, const Primitives&) = default;
 };
 
 }  // namespace dynrt

@@ -20,15 +20,16 @@ struct PacketDecoder {
   hls::In<PacketVector<C>> vector;
   hls::RamRead<JobRecord<C>, kPackets> record;
   hls::Out<UnitRay<C>> unit_ray;
-  hls::Out<TraversalEvent<C>> enter_object;
+  hls::PortIf<!kClipsToBox<C>, hls::Out<TraversalEvent<C>>> enter_object;
+  hls::PortIf<kClipsToBox<C>, hls::Out<ObjectRay<C>>> object_ray;
   hls::RamWrite<Ray<Real>, kLevelRows<C>> ray[kRays];
   hls::PortIf<kSplitsPackets<C>, hls::RamWrite<DirectionSigns, kLevelRows<C>>> signs[kRays];
   hls::RamWrite<Vector<Real>, kVectorRows<C>> vectors;
   /// The world rays, each with its origin; light rays, which nothing is derived from, left out.
   hls::PortIf<kHasSecondary<C>, hls::RamWrite<Ray<Real>, kRayRows<C>>> arriving;
   hls::PortIf<kHasMirrors<C>, hls::Out<Derive<C>>> derived;  ///< a pass that is not a ray's last
-  HLS_PORTS(vector, record, unit_ray, enter_object, ray[0], ray[1], ray[2], ray[3], signs[0],
-            signs[1], signs[2], signs[3], vectors, arriving, derived)
+  HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, ray[0], ray[1], ray[2], ray[3],
+            signs[0], signs[1], signs[2], signs[3], vectors, arriving, derived)
 
   void step() {
     const PacketVector<C> in = vector.read();
@@ -68,21 +69,29 @@ struct PacketDecoder {
         }
       }
       if (triangle || is_new) {
-        unit_ray.write(UnitRay<C>{in.packet, in.ray, is_new, r});
-      } else if (job.kind == TransformKind::kObject && in.ray == RayIndex(3)) {
-        TraversalEvent<C> enter;
-        enter.packet = in.packet;
-        enter.level = 1;
-        enter.kind = TraversalKind::kEnter;
-        enter.next = job.extra.template trunc<kAddressBits>();
-        enter.active = job.active;
-        enter.apart = job.apart;
-        enter_object.write(enter);
+        unit_ray.write(UnitRay<C>{in.packet, in.ray, is_new, r, job.primitive, job.cosine_factor});
+      } else if (job.kind == TransformKind::kObject) {
+        enter(in, job, r);
       }
     }
   }
 
  private:
+  void enter(const PacketVector<C>& in, const JobRecord<C>& job, const Ray<Real>& r) {
+    const Address root = job.extra.template trunc<kAddressBits>();
+    if constexpr (kClipsToBox<C>) {
+      object_ray.write(ObjectRay<C>{in.packet, in.ray, job.active, root, job.apart, r});
+    } else if (in.ray == RayIndex(3)) {
+      TraversalEvent<C> event;
+      event.packet = in.packet;
+      event.level = 1;
+      event.kind = TraversalKind::kEnter;
+      event.next = root;
+      event.active = job.active;
+      event.apart = job.apart;
+      enter_object.write(event);
+    }
+  }
   static DirectionSigns signs_of(const Vector<Real>& v) {
     return hls::concat(uint<1>(v.z.sign()), hls::concat(uint<1>(v.y.sign()), uint<1>(v.x.sign())));
   }

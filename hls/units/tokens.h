@@ -30,6 +30,32 @@ inline constexpr bool kSplitsPackets = kHasMirrors<C> && C::kCrossing == Crossin
 template <class C>
 inline constexpr bool kRemembersChild = kHasMirrors<C> && C::kCrossing == Crossing::kRemember;
 
+/// Whether a unit clips rays to the box of an object that they enter (thesis 4.2).
+template <class C>
+inline constexpr bool kClipsToBox = C::kObjectBox == ObjectBox::kUnit;
+
+/// Whether triangles are stored in three columns (thesis 5.1.1).
+template <class C>
+inline constexpr bool kThreeColumns = C::kTriangleMatrix == TriangleMatrix::kMemoryEfficient;
+/// Whether the core must be told which primitive it meets (thesis 5.2).
+template <class C>
+inline constexpr bool kHasKinds = C::kPrimitives.count() > 1;
+/// Whether the scalar product in unit space is to be scaled to be the one with the unit normal.
+template <class C>
+inline constexpr bool kScalesCosine = kThreeColumns<C> || C::kPrimitives.sphere;
+
+/// Which primitive; where there is but one, the field is not there.
+template <class C>
+using PrimitiveField = hls::FieldIf<kHasKinds<C>, Primitive>;
+template <class C>
+constexpr bool is_primitive(Primitive which, const PrimitiveField<C>& field) {
+  constexpr Primitives kSome = C::kPrimitives;
+  const bool some = which == Primitive::kTriangle ? kSome.triangle
+                    : which == Primitive::kSphere ? kSome.sphere
+                                                  : kSome.rectangle;
+  return some && (!kHasKinds<C> || field.get() == which);
+}
+
 template <class C>
 using PacketId = uint<hls::index_width(C::kPackets)>;
 using Level = uint<1>;
@@ -131,6 +157,25 @@ enum class TraversalKind : unsigned char {
   kGo,     ///< go on at node `next`
   kPush,   ///< go on at node `next` and remember node `pushed`
   kPop,    ///< go on at the node remembered last
+};
+
+/// One of four rays that enter an object.
+template <class C>
+struct ObjectRay {
+  PacketId<C> packet;
+  RayIndex ray;
+  RayMask active;  ///< of the packet's rays, those that are traced
+  Address root;    ///< of the object's tree
+  hls::FieldIf<kSplitsPackets<C>, bool> apart{};
+  Ray<typename C::Real> in_object;
+  HLS_FIELDS(packet, ray, active, root, apart, in_object)
+};
+
+/// Where a ray is within an object's box and may hit something.
+template <class C>
+struct BoxInterval {
+  typename C::Real near, far;
+  HLS_FIELDS(near, far)
 };
 
 /// What a slice does to a ray's interval [near, far] before the step.
@@ -235,12 +280,14 @@ struct MailboxEntry {
 
 enum class TransformKind : unsigned char { kCamera, kObject, kTriangle, kDerive };
 
-/// What belongs to a transformation in configurations with rays beyond the primary ones.
+/// What belongs to a transformation in configurations with rays beyond the primary ones or with
+/// several primitives.
 template <class C>
 struct TransformExtras {
   hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};  ///< of kDerive
   hls::FieldIf<kHasMirrors<C>, bool> apart{};  ///< the packet's rays have no common origin
-  HLS_FIELDS(derived, apart)
+  PrimitiveField<C> primitive{};               ///< of kTriangle
+  HLS_FIELDS(derived, apart, primitive)
 };
 
 /// A repeated job carries how often, less one, in its lowest field.
@@ -248,7 +295,7 @@ using RepeatCount = uint<4>;
 
 template <class C>
 struct TransformJob {
-  RepeatCount repeat = 3;  ///< the four columns of the matrix
+  RepeatCount repeat = 3;  ///< columns of the matrix in the memory, less one
   PacketId<C> packet;
   TransformKind kind = TransformKind::kCamera;
   RayMask active;
@@ -271,9 +318,10 @@ struct ColumnContext {
   PacketId<C> packet;
   TransformKind kind = TransformKind::kCamera;
   RayMask active;
-  uint<2> column;
+  uint<2> column;  ///< as it is stored
   TransformExtras<C> extras{};
-  HLS_FIELDS(packet, kind, active, column, extras)
+  hls::FieldIf<kThreeColumns<C>, MatrixIndex> matrix{};  ///< otherwise the address has it
+  HLS_FIELDS(packet, kind, active, column, extras, matrix)
 };
 
 /// What is kept per packet about the transformation in progress.
@@ -286,7 +334,9 @@ struct JobRecord {
   hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
   hls::FieldIf<kHasMirrors<C>, uint<8>> mirror{};  ///< of a triangle
   hls::FieldIf<kSplitsPackets<C>, bool> apart{};   ///< the packet's rays have no common origin
-  HLS_FIELDS(kind, active, matrix, extra, derived, mirror, apart)
+  PrimitiveField<C> primitive{};
+  hls::FieldIf<kScalesCosine<C>, typename C::Real> cosine_factor{};
+  HLS_FIELDS(kind, active, matrix, extra, derived, mirror, apart, primitive, cosine_factor)
 };
 
 template <class C>
@@ -317,7 +367,9 @@ struct UnitRay {
   RayIndex ray;
   bool reset = false;  ///< not a test: the ray is new and has no hit yet
   Ray<typename C::Real> unit;
-  HLS_FIELDS(packet, ray, reset, unit)
+  PrimitiveField<C> primitive{};
+  hls::FieldIf<kScalesCosine<C>, typename C::Real> cosine_factor{};
+  HLS_FIELDS(packet, ray, reset, unit, primitive, cosine_factor)
 };
 
 template <class C>

@@ -33,9 +33,10 @@ struct TraversalSlice {
   hls::RamRead<Ray<Real>, kLevelRows<C>> ray;
   hls::RamRead<Real, (1u << PacketId<C>::kWidth)> hit_distance;
   hls::PortIf<kHasMirrors<C>, hls::RamRead<Real, (1u << PacketId<C>::kWidth)>> start_distance;
+  hls::PortIf<kClipsToBox<C>, hls::RamRead<BoxInterval<C>, (1u << PacketId<C>::kWidth)>> box;
   hls::Ram1R1W<Interval, kLevelRows<C>> interval;
   hls::Ram1R1W<Pushed, kStackRows> far_stack;
-  HLS_PORTS(step_in, lane, decision, ray, hit_distance, start_distance)
+  HLS_PORTS(step_in, lane, decision, ray, hit_distance, start_distance, box)
 
   void step() {
     const Step<C> s = step_in.read();
@@ -60,6 +61,13 @@ struct TraversalSlice {
         near = Real{};
       }
       far = hit;
+      if constexpr (kClipsToBox<C>) {
+        const BoxInterval<C> inside = box.read(c.packet);
+        if (c.level == Level(1)) {
+          near = inside.near;
+          far = inside.far;
+        }
+      }
     } else if (both) {
       switch (c.update) {
         case IntervalUpdate::kClipNear:

@@ -51,14 +51,16 @@ class App : public testing::Test {
 TEST_F(App, HelpTellsEverything) {
   const Outcome program = run("--help");
   EXPECT_EQ(program.code, 0);
-  for (const char* word : {"render", "compare", "info", "report", "Exit codes"}) {
+  for (const char* word : {"render", "walk", "compare", "info", "report", "Exit codes"}) {
     EXPECT_THAT(program.out, HasSubstr(word));
   }
   const Outcome render = run("render --help");
   EXPECT_EQ(render.code, 0);
-  for (const char* flag : {"--board", "--config", "--size", "--out", "--trace", "--packets",
-                           "--lines", "--order", "--position", "--look-at", "--up", "--fov",
-                           "--json", "--clock", "--timeout", "office", "stand_in"}) {
+  for (const char* flag :
+       {"--board",    "--config", "--size",     "--out",     "--trace",  "--packets",
+        "--lines",    "--order",  "--position", "--look-at", "--up",     "--fov",
+        "--json",     "--clock",  "--timeout",  "--light",   "--mirror", "--reflections",
+        "--scan-out", "office",   "stand_in"}) {
     EXPECT_THAT(render.out, HasSubstr(flag));
   }
 }
@@ -81,6 +83,27 @@ TEST_F(App, RendersOnTheModel) {
   EXPECT_GT(json["frame"]["units"]["node_lookup"]["transactions"], 768);
   EXPECT_GT(json["frame"]["caches"]["node"]["hit_rate"], 0.5);
   EXPECT_GT(json["scene"]["memory"]["nodes"], 100);
+}
+
+TEST_F(App, ShowsTheImageOnTheDisplay) {
+  const Outcome outcome =
+      run(std::string("render blocks") + kRtl + "--scan-out display.png --json figures.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.files, ElementsAre("blocks.png", "display.png", "figures.json"));
+  EXPECT_THAT(outcome.out,
+              HasSubstr("scan-out    display.png, 640x480, 3 clocks a pixel, 67.46 displays per "
+                        "second; 0 pixels differ from the frame's"));
+  const auto json = nlohmann::json::parse(text_of(folder_ / "figures.json"));
+  EXPECT_EQ(json["scan_out"]["image"], "display.png");
+  EXPECT_EQ(json["scan_out"]["pixels_different"], 0);
+
+  expect_mistake(std::string("render blocks") + kModel + "--scan-out display.png",
+                 StartsWith("dynrt: board model of configuration model_only has no scan-out; take "
+                            "board rtl and a configuration with the key scan_out"));
+  expect_mistake("render blocks --config stand_in --size 641x20 --scan-out display.png",
+                 StartsWith("dynrt: a picture of 641x20 does not fit the display of 640x480"));
+  expect_mistake(std::string("render blocks") + kRtl + "--scan-out display.bmp",
+                 HasSubstr("display.bmp"));
 }
 
 TEST_F(App, TheOrderOfRaysAndThePacketsInFlightDoNotChangeTheImage) {
@@ -171,6 +194,158 @@ TEST_F(App, WhatTheUserShouldKnowIsNoted) {
   }
 }
 
+constexpr char kLit[] = " --config lit --board model --size 32x24 ";
+
+TEST_F(App, FlagsOfLightAndMirrorChangeTheImage) {
+  const std::string render = std::string("render blocks") + kLit;
+  const std::string kFlags[] = {"",
+                                "--light 4,7,5",
+                                "--light 4,7,5:1,0.5,0:3",
+                                "--light 4,7,5 --light -6,5,3",
+                                "--mirror ground",
+                                "--mirror ground=0.2",
+                                "--mirror ground --reflections 0"};
+  std::vector<std::string> images;
+  for (const std::string& flags : kFlags) {
+    const Outcome outcome = run(render + flags);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    images.push_back(text_of(folder_ / "blocks.png"));
+  }
+  EXPECT_EQ(images.back(), images.front()) << "no reflections, no mirror";
+  images.pop_back();
+  std::ranges::sort(images);
+  EXPECT_TRUE(std::ranges::adjacent_find(images) == images.end()) << "two are the same";
+}
+
+TEST_F(App, LightsAndMirrorsWithoutRaysForThemAreRefused) {
+  const auto mistake = [&](const std::string& flag, const std::string& lacks) {
+    expect_mistake(std::string("render blocks") + kModel + flag,
+                   "dynrt: " + flag.substr(0, flag.find(' ')) +
+                       ": configuration model_only has no " + lacks + "; take --config lit\n");
+  };
+  mistake("--light 1,2,3", "light rays");
+  mistake("--mirror ground", "reflected rays");
+  mistake("--reflections 1", "reflected rays");
+  expect_mistake(
+      std::string("render blocks") + kLit + "--reflections 8",
+      "dynrt: --reflections 8: configuration lit traces at most 7 reflections of a ray\n");
+  const Outcome lamps = run(std::string("render lamps") + kModel);
+  EXPECT_EQ(lamps.code, 0);
+  EXPECT_THAT(lamps.out,
+              HasSubstr("note        the scene has 2 lights, but configuration model_only "
+                        "has no light rays and lights it from the eye; take --config "
+                        "lit\n"));
+  EXPECT_THAT(lamps.out,
+              HasSubstr("note        the scene has 2 mirrors, but configuration model_only "
+                        "has no reflected rays; take --config lit\n"));
+}
+
+TEST_F(App, BadLightsAndMirrorsAreRefused) {
+  const std::string render = std::string("render blocks") + kLit;
+  for (const std::string light :
+       {"1,2,3:0,0,0", "1,2,3:1,1,-1", "1,2,3:1,1,1:0", "1,2,3:1,1,1:x"}) {
+    expect_mistake(render + "--light " + light,
+                   "dynrt: --light " + light +
+                       ": write X,Y,Z[:R,G,B[:INTENSITY]] with a colour that is not negative nor "
+                       "black and an intensity above zero, for example 1,3,2:1,0.9,0.8:5\n");
+  }
+  expect_mistake(render + "--light 1,2",
+                 "dynrt: --light 1,2: write three numbers separated by commas, for example "
+                 "1,2.5,-3\n");
+  for (const std::string mirror : {"ground=2", "ground=", "ground=-0.1", "=x"}) {
+    expect_mistake(render + "--mirror " + mirror,
+                   "dynrt: --mirror " + mirror +
+                       ": write MATERIAL[=PART] with a part from 0 to 1, for example chrome=0.9\n");
+  }
+  expect_mistake(
+      render + "--mirror glass",
+      testing::MatchesRegex("dynrt: scene 'blocks' has no material 'glass'; it has .*\n"));
+  expect_mistake(
+      render + "--light 0,1.7,0",
+      testing::MatchesRegex("dynrt: scene 'blocks': light '--light 0,1.7,0' at \\(0, 1.7, 0\\) "
+                            "lies inside 'ball as it is', which is closed and lets none "
+                            "of it out; move the light\n"));
+  // The configuration that has no light rays does not mind.
+  EXPECT_EQ(run("info blocks --light 0,1.7,0").code, 0);
+}
+
+TEST_F(App, WalksIntoAFolder) {
+  const std::string walk = std::string("walk blocks --frames 3 --out w") + kModel;
+  const Outcome outcome = run(walk + "--json f.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.files, ElementsAre("f.json", "w"));
+  EXPECT_THAT(outcome.out, HasSubstr("note        nothing moves in the scene, nor does its camera: "
+                                     "it goes round the scene's centre once\n"));
+  EXPECT_THAT(outcome.out, ContainsRegex("walk        3 frames\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("images      w, 32x24\n"));
+  const auto json = nlohmann::json::parse(text_of(folder_ / "f.json"));
+  EXPECT_EQ(json["walk"]["frames"].size(), 3u);
+  // The camera alone moves: its matrix, twelve words.
+  EXPECT_LE(json["walk"]["frames"][1]["upload"]["words"], 12);
+
+  // What is there is not made again; what is missing is.
+  const std::string second = text_of(folder_ / "w/frame_0001.png");
+  fs::remove(folder_ / "w/frame_0001.png");
+  const Outcome resumed = run(walk);
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_THAT(resumed.out, HasSubstr("walk        3 frames, 2 of them there already\n"));
+  EXPECT_EQ(text_of(folder_ / "w/frame_0001.png"), second);
+  EXPECT_NE(text_of(folder_ / "w/frame_0000.png"), second);
+
+  const Outcome other = run(walk + "--fov 30");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_EQ(other.err,
+            "dynrt: w: holds frames of another walk, with --fov '' where this one has '30'; name "
+            "another --out, or give --again to begin anew\n");
+  EXPECT_EQ(run(walk + "--fov 30 --again").code, 0);
+  EXPECT_NE(text_of(folder_ / "w/frame_0001.png"), second);
+}
+
+TEST_F(App, WalksIntoAGif) {
+  const std::string walk = std::string("walk blocks --frames 2") + kModel;
+  // As if it had been interrupted after its first frame.
+  EXPECT_EQ(run(walk + "--out blocks.gif.frames").code, 0);
+  fs::remove(folder_ / "blocks.gif.frames/frame_0001.png");
+  const Outcome outcome = run(walk);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("walk        2 frames, 1 of them there already\n"));
+  EXPECT_THAT(outcome.files, ElementsAre("blocks.gif")) << "the frames' folder is gone";
+  EXPECT_TRUE(text_of(folder_ / "blocks.gif").starts_with("GIF89a"));
+}
+
+TEST_F(App, AWalkThatIsKilledGoesOn) {
+  const std::string walk = std::string("walk blocks --frames 40 --out w") + kModel;
+  // Killed at its second picture, without a chance to tidy up.
+  const std::string killed = "cd '" + folder_.string() + "' && { '" DYNRT_PROGRAM "' " + walk +
+                             " > /dev/null & } && while [ ! -e w/frame_0001.png ]; do sleep 0.01; "
+                             "done; kill -9 $!; wait $!";
+  fs::create_directories(folder_);
+  ASSERT_NE(std::system(killed.c_str()), 0);
+  EXPECT_FALSE(fs::exists(folder_ / "w/frame_0039.png"));
+  const Outcome outcome = run(walk);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, ContainsRegex("walk        40 frames, [0-9]+ of them there already\n"));
+  std::size_t files = 0;
+  for (const auto& file : fs::directory_iterator(folder_ / "w")) {
+    ++files;
+    EXPECT_NE(file.path().filename().string()[0], '.') << file.path();
+  }
+  EXPECT_EQ(files, 41u);
+}
+
+TEST_F(App, BadWalksAreRefused) {
+  expect_mistake(std::string("walk blocks --frames 0") + kModel,
+                 "dynrt: --frames 0: a walk has 1 to 9999 frames\n");
+  expect_mistake(std::string("walk blocks --out a.png") + kModel,
+                 "dynrt: --out a.png: a walk is written to a folder, as PNG files, or to a .gif "
+                 "file\n");
+  expect_mistake(std::string("walk blocks --out no/where") + kModel,
+                 "dynrt: no/where: there is no folder 'no'; create it or name a file elsewhere\n");
+  expect_mistake(std::string("walk blocks --from 3 --to 2") + kModel,
+                 "dynrt: --from 3 and --to 2: the walk must begin at 0 seconds or later and end "
+                 "after it begins\n");
+}
+
 TEST_F(App, ABoardThatNeverInterruptsIsATimeOut) {
   expect_mistake(
       std::string("render blocks") + kRtl + "--timeout 100",
@@ -195,7 +370,7 @@ TEST_F(App, BadSizesAreRefused) {
 
 TEST_F(App, WhatIsUnknownIsNamed) {
   expect_mistake("render blocks --config huge",
-                 "dynrt: --config huge: unknown; this build has model_only, stand_in\n");
+                 "dynrt: --config huge: unknown; this build has model_only, stand_in, lit\n");
   expect_mistake("render blocks --config stand_in --board fpga",
                  "dynrt: --board fpga: unknown; the boards are rtl and model\n");
   expect_mistake("render blocks --config model_only",
@@ -206,8 +381,9 @@ TEST_F(App, WhatIsUnknownIsNamed) {
   expect_mistake("render blocks --speed 9",
                  testing::AllOf(StartsWith("dynrt: "), HasSubstr("--speed"),
                                 HasSubstr("; dynrt render --help lists what there is\n")));
-  expect_mistake("paint blocks",
-                 "dynrt: paint: unknown; the commands are render, compare, info and report\n");
+  expect_mistake(
+      "paint blocks",
+      "dynrt: paint: unknown; the commands are render, walk, compare, info and report\n");
   expect_mistake("", HasSubstr("dynrt --help lists what there is"));
   expect_mistake("render", testing::AllOf(HasSubstr("SCENE"), HasSubstr("dynrt render --help")));
   expect_mistake("render no_such_scene --config stand_in", HasSubstr("no_such_scene"));

@@ -12,6 +12,7 @@
 #include "host/app/text.h"
 #include "host/error.h"
 #include "host/scene/load.h"
+#include "host/scene/scene.h"
 #include "units/memory_format.h"
 
 namespace dynrt::host {
@@ -37,6 +38,19 @@ void SceneArguments::add_to(CLI::App& command, bool scene_required) {
   command.add_option("--fov", field_of_view, "vertical field of view")
       ->option_text("DEGREES")
       ->check(not_a_number);
+  command
+      .add_option("--light", lights,
+                  "add a point light; its colour is white and its intensity 1 unless given; can be "
+                  "given several times")
+      ->option_text("X,Y,Z[:R,G,B[:INTENSITY]]")
+      ->allow_extra_args(false);
+  command
+      .add_option("--mirror", mirrors,
+                  fmt::format("let the materials of this name reflect this part of the light, {} "
+                              "unless given; can be given several times",
+                              kMirrorShare))
+      ->option_text("MATERIAL[=0..1]")
+      ->allow_extra_args(false);
 }
 
 CameraFlags SceneArguments::camera() const {
@@ -48,20 +62,25 @@ CameraFlags SceneArguments::camera() const {
   return flags;
 }
 
-void FrameArguments::add_to(CLI::App& command, const std::string& default_out) {
+void FrameArguments::add_to(CLI::App& command, const std::string& default_out,
+                            const std::string& about_out) {
   std::vector<std::string_view> names;
   for (const Configuration& c : configurations()) names.push_back(c.name);
   command
       .add_option("--config", configuration,
                   fmt::format("configuration of the core: {}", fmt::join(names, ", ")))
       ->option_text("NAME [thesis]");
-  command.add_option("--out", out, "image to write, .png or .exr")
-      ->option_text(fmt::format("FILE [{}]", default_out));
+  command.add_option("--out", out, about_out)->option_text(fmt::format("FILE [{}]", default_out));
   command.add_option("--packets", packets, "packets of 2x2 rays in flight; default: all there are")
       ->option_text("N")
       ->check(not_a_count);
   command
       .add_option("--lines", lines, "lines of each cache, a power of two; default: all there are")
+      ->option_text("N")
+      ->check(not_a_count);
+  command
+      .add_option("--reflections", reflections,
+                  "bounces of a ray, at most; default: all that the configuration has")
       ->option_text("N")
       ->check(not_a_count);
   command.add_option("--order", order, "order of the packets: morton or scanline")
@@ -85,6 +104,7 @@ FrameOptions FrameArguments::options(const std::string& size) const {
   check_size(options.width, options.height);
   options.packets = packets;
   options.lines = lines;
+  options.reflections = reflections;
   options.uncompressed = uncompressed;
   if (order == "scanline") {
     options.order = RayOrder::kScanline;

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/board/configurations.h"
 #include "host/render/render.h"
@@ -20,6 +21,7 @@ struct SceneArguments {
   std::optional<std::string> position, look_at, up;
   std::optional<double> field_of_view;
   std::string size = "512x384";
+  std::vector<std::string> lights, mirrors;
 
   void add_to(CLI::App& command, bool scene_required);
   CameraFlags camera() const;
@@ -28,7 +30,7 @@ struct SceneArguments {
 /// How it is rendered and what is written.
 struct FrameArguments {
   std::string configuration = "thesis";
-  std::optional<unsigned> packets, lines;
+  std::optional<unsigned> packets, lines, reflections;
   std::string order = "morton";
   bool uncompressed = false;
   double clock_mhz = 85;
@@ -36,7 +38,8 @@ struct FrameArguments {
   std::string out;
   std::string json;
 
-  void add_to(CLI::App& command, const std::string& default_out);
+  void add_to(CLI::App& command, const std::string& default_out,
+              const std::string& about_out = "image to write, .png or .exr");
   /// Checks everything that can be checked before there is a board, but the outputs.
   FrameOptions options(const std::string& size) const;
 };

@@ -6,14 +6,23 @@
 
 #include <filesystem>
 
+#include "host/app/light_flags.h"
 #include "host/app/progress.h"
 
 namespace dynrt::host {
 
 std::unique_ptr<Board> open_board(const BoardRequest& request, const FrameOptions& options) {
   auto board = make_board(configurations(), request);
+  if (options.reflections.value_or(0) > 0) require_reflections(board->info(), "--reflections");
   frame_config(board->info(), options, {});
   return board;
+}
+
+SceneAddresses addresses_of(const FrameImage& frame, const Scene& scene) {
+  return {.start_node = frame.start_node,
+          .camera_matrix = frame.camera_matrix,
+          .light_matrix = frame.light_matrix,
+          .lights = static_cast<unsigned>(scene.lights.size())};
 }
 
 Frame render_on(Board& board, const FrameOptions& options, const Prepared& prepared) {
@@ -24,11 +33,7 @@ Frame render_on(Board& board, const FrameOptions& options, const Prepared& prepa
 
   Progress progress(fmt::format("rendering on board {}", board.info().name),
                     std::uint64_t{options.width} * options.height);
-  const SceneAddresses scene{.start_node = prepared.frame.start_node,
-                             .camera_matrix = prepared.frame.camera_matrix,
-                             .light_matrix = prepared.frame.light_matrix,
-                             .lights = static_cast<unsigned>(prepared.scene.lights.size())};
-  return render(board, options, scene, memory,
+  return render(board, options, addresses_of(prepared.frame, prepared.scene), memory,
                 [&](std::uint64_t pixels) { progress.update(pixels); });
 }
 

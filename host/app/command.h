@@ -21,6 +21,7 @@ struct Command {
 };
 
 Command add_render_command(CLI::App& program);
+Command add_walk_command(CLI::App& program);
 Command add_compare_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
 Command add_report_command(CLI::App& program);

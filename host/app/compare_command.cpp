@@ -36,8 +36,8 @@ int run(const Arguments& arguments) {
   const Output outputs[] = {{"--out", out}, {"--json", arguments.frame.json}};
   check_outputs(outputs);
   // Unknown configurations and the like come before the work.
-  open_board({"rtl", arguments.frame.configuration, ""}, options);
-  const Prepared prepared = prepare(arguments.scene, options.width, options.height);
+  const BoardInfo board = open_board({"rtl", arguments.frame.configuration, ""}, options)->info();
+  const Prepared prepared = prepare(arguments.scene, options.width, options.height, &board);
   const Frame model = frame_of("model", arguments, options, prepared);
   const Frame rtl = frame_of("rtl", arguments, options, prepared);
   const Comparison comparison = compare(rtl, model);

@@ -5,10 +5,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 
+#include "host/app/light_flags.h"
+#include "host/app/messages.h"
 #include "host/app/progress.h"
 #include "host/app/text.h"
+#include "host/board/configurations.h"
+#include "host/scene/check_lights.h"
 #include "host/scene/load.h"
 
 namespace dynrt::host {
@@ -53,28 +59,63 @@ std::string left_out(const ImportCounts& dropped) {
   return parts.empty() ? "" : fmt::format(" ({} left out)", fmt::join(parts, ", "));
 }
 
+/// Throws UserError where the board's configuration lacks a primitive of the scene.
+void check_primitives(const Scene& scene, const BoardInfo& board) {
+  Primitives used;
+  for (const Mesh& object : scene.objects) {
+    used.triangle = used.triangle || !object.triangles.empty();
+    used.rectangle = used.rectangle || !object.rectangles.empty();
+    used.sphere = used.sphere || !object.ellipsoids.empty();
+  }
+  const auto lacks = [&](const Primitives& has) {
+    return used.triangle && !has.triangle     ? "triangles"
+           : used.sphere && !has.sphere       ? "spheres"
+           : used.rectangle && !has.rectangle ? "rectangles"
+                                              : nullptr;
+  };
+  if (const char* missing = lacks(board.primitives)) {
+    std::vector<std::string_view> with;
+    for (const Configuration& c : configurations()) {
+      if (lacks(c.info().primitives) == nullptr) with.push_back(c.name);
+    }
+    refuse(messages::kNoPrimitive, board.configuration, missing, scene.name,
+           fmt::format("{}", fmt::join(with, ", ")));
+  }
+}
+
 }  // namespace
 
-Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height) {
+Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
+                 const BoardInfo* board) {
   Prepared prepared;
+  const LightFlags light(arguments.lights, arguments.mirrors, board);
   const CameraFlags flags = arguments.camera();
   const auto begin = std::chrono::steady_clock::now();
   {
     const Progress progress("loading " + arguments.scene);
     prepared.scene = load_scene(arguments.scene);
+    if (board != nullptr) check_primitives(prepared.scene, *board);
     prepared.camera =
         choose_camera(prepared.scene, flags, static_cast<int>(width), static_cast<int>(height));
+    light.add_to(prepared.scene);
+    if (board) {
+      if (board->lights > 0) check_lights(prepared.scene, prepared.camera.position);
+      std::ranges::move(unused_light(prepared.scene, *board),
+                        std::back_inserter(prepared.scene.notes));
+    }
   }
   const auto loaded = std::chrono::steady_clock::now();
+  const ImageForm form =
+      board == nullptr ? ImageForm{} : ImageForm{board->triangle_matrix, board->clips_to_cube};
   {
-    check_matrices(prepared.scene);
+    check_matrices(prepared.scene, form);
     const Progress progress("building the trees");
     prepared.trees = build_scene_trees(prepared.scene);
   }
   const auto built = std::chrono::steady_clock::now();
   prepared.load_seconds = Seconds(loaded - begin).count();
   prepared.tree_seconds = Seconds(built - loaded).count();
-  prepared.objects = ObjectImage(prepared.scene, prepared.trees.objects);
+  prepared.objects = ObjectImage(prepared.scene, prepared.trees.objects, form);
   prepared.frame = FrameImage(prepared.scene, prepared.objects, prepared.trees.instances,
                               prepared.camera, width, height);
   return prepared;
@@ -83,6 +124,18 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
 std::size_t Prepared::triangles() const {
   std::size_t count = 0;
   for (const Mesh& object : scene.objects) count += object.triangles.size();
+  return count;
+}
+
+std::size_t Prepared::rectangles() const {
+  std::size_t count = 0;
+  for (const Mesh& object : scene.objects) count += object.rectangles.size();
+  return count;
+}
+
+std::size_t Prepared::spheres() const {
+  std::size_t count = 0;
+  for (const Mesh& object : scene.objects) count += object.ellipsoids.size();
   return count;
 }
 
@@ -99,12 +152,16 @@ Json Prepared::json() const {
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     Json object = json_of(scene.objects[i].name, trees.objects[i]);
     object["triangles"] = scene.objects[i].triangles.size();
+    object["rectangles"] = scene.objects[i].rectangles.size();
+    object["spheres"] = scene.objects[i].ellipsoids.size();
     objects_json.push_back(std::move(object));
   }
   const Box box = bounds(scene);
   const MemoryUse use = memory_use(frame);
   return {{"name", scene.name},
           {"triangles", triangles()},
+          {"rectangles", rectangles()},
+          {"spheres", spheres()},
           {"instanced_triangles", instanced_triangles()},
           {"instances", scene.instances.size()},
           {"materials", scene.materials.size()},
@@ -133,8 +190,11 @@ Json Prepared::json() const {
 
 std::string Prepared::text() const {
   const MemoryUse use = memory_use(frame);
+  std::string others;
+  if (rectangles() > 0) others += ", " + counted(rectangles(), "rectangle");
+  if (spheres() > 0) others += ", " + counted(spheres(), "sphere");
   std::string text = fmt::format(
-      "scene       {}: {} in {}, {}", scene.name, counted(triangles(), "triangle"),
+      "scene       {}: {}{} in {}, {}", scene.name, counted(triangles(), "triangle"), others,
       counted(scene.objects.size(), "object"), counted(scene.instances.size(), "instance"));
   if (instanced_triangles() != triangles()) {
     text += fmt::format(", {} in all", counted(instanced_triangles(), "triangle"));

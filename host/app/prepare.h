@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/app/arguments.h"
+#include "host/board/board.h"
 #include "host/image/image.h"
 #include "host/scene/scene.h"
 #include "host/tree/scene_trees.h"
@@ -25,7 +26,9 @@ struct Prepared {
   double load_seconds = 0;
   double tree_seconds = 0;
 
-  std::size_t triangles() const;            ///< of all objects, each counted once
+  std::size_t triangles() const;  ///< of all objects, each counted once
+  std::size_t rectangles() const;
+  std::size_t spheres() const;
   std::size_t instanced_triangles() const;  ///< of all instances
   /// What the user should know: what the import took otherwise, which trees were cut.
   std::vector<std::string> notes() const;
@@ -34,6 +37,10 @@ struct Prepared {
   std::string text() const;
 };
 
-Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height);
+/// For a board of this kind: throws UserError where its configuration lacks one of the scene's
+/// primitives, and judges the scene's lights and mirrors. Without a board it is that of the
+/// configuration thesis, with every primitive, and neither lights nor mirrors are judged.
+Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
+                 const BoardInfo* board = nullptr);
 
 }  // namespace dynrt::host

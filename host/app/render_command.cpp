@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
 #include "host/app/report.h"
+#include "host/app/show.h"
 #include "host/app/text.h"
 #include "host/app/trace_file.h"
 #include "host/render/output_file.h"
@@ -24,6 +26,7 @@ struct Arguments {
   FrameArguments frame;
   std::string board = "rtl";
   std::string trace;
+  std::string scan_out;
 };
 
 /// Waveforms of a frame that never ended, or in which an assertion failed, are kept: they show why.
@@ -46,24 +49,34 @@ int run(const Arguments& arguments) {
   const FrameOptions options = arguments.frame.options(arguments.scene.size);
   const std::string out = image_name(arguments.frame.out, arguments.scene.scene);
   check_image_path(out);
-  const Output outputs[] = {
-      {"--out", out}, {"--json", arguments.frame.json}, {"--trace", arguments.trace}};
+  const Output outputs[] = {{"--out", out},
+                            {"--json", arguments.frame.json},
+                            {"--trace", arguments.trace},
+                            {"--scan-out", arguments.scan_out}};
+  if (!arguments.scan_out.empty()) check_image_path(arguments.scan_out);
   check_outputs(outputs);
   TraceFile trace(arguments.trace);
   const auto board =
       open_board({arguments.board, arguments.frame.configuration, arguments.trace}, options);
-  const Prepared prepared = prepare(arguments.scene, options.width, options.height);
+  if (!arguments.scan_out.empty()) board->check_display(options.width, options.height);
+  const Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->info());
   const Frame frame = traced(trace, [&] { return render_on(*board, options, prepared); });
 
   write_image(out, frame);
+  std::optional<Shown> shown;
+  if (!arguments.scan_out.empty()) {
+    shown = show(*board, frame, arguments.frame.clock_mhz, arguments.scan_out);
+  }
   const FrameFigures figures = figures_of(frame, arguments.frame.clock_mhz * 1e6);
   if (!arguments.frame.json.empty()) {
     nlohmann::ordered_json json = {{"image", out}, {"scene", prepared.json()}};
     json["frame"] = report_json(frame, figures, arguments.frame.clock_mhz);
+    if (shown) json["scan_out"] = shown->json();
     write_text(arguments.frame.json, json.dump(2) + "\n");
   }
-  say(fmt::format("image       {}, {}x{}\n{}{}", out, frame.width, frame.height, prepared.text(),
-                  report_text(frame, figures, arguments.frame.clock_mhz)));
+  say(fmt::format("image       {}, {}x{}\n{}{}{}", out, frame.width, frame.height, prepared.text(),
+                  report_text(frame, figures, arguments.frame.clock_mhz),
+                  shown ? shown->text() : ""));
   return kDone;
 }
 
@@ -80,6 +93,12 @@ Command add_render_command(CLI::App& program) {
                    "write the waveforms of the Verilog, and check its assertions; large: choose a "
                    "small --size")
       ->option_text("FILE.fst");
+  command
+      ->add_option(
+          "--scan-out", arguments->scan_out,
+          "write the VGA display of 640x480 that shows the image, as a monitor makes it of "
+          "the Verilog's pins")
+      ->option_text("FILE.png");
   arguments->frame.add_to(*command, "SCENE.png");
   return {command, [arguments] { return run(*arguments); }};
 }

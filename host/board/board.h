@@ -12,19 +12,25 @@
 #include <string>
 #include <vector>
 
+#include "host/board/vga_monitor.h"
 #include "host/error.h"
 #include "units/frame.h"
+#include "units/options.h"
 
 namespace dynrt::host {
 
 struct BoardInfo {
-  std::string name;           ///< "rtl" or "model"
-  std::string configuration;  ///< name of the core's configuration, e.g. "thesis"
-  unsigned packets = 0;       ///< packets that can be in flight, at most
-  unsigned cache_lines = 0;   ///< lines of each cache, at most
-  unsigned stack_depth = 0;   ///< entries of each stack and level
-  unsigned lights = 0;        ///< passes of light rays from a packet's hits, at most
-  unsigned reflections = 0;   ///< bounces of a ray, at most
+  std::string name;            ///< "rtl" or "model"
+  std::string configuration;   ///< name of the core's configuration, e.g. "thesis"
+  unsigned packets = 0;        ///< packets that can be in flight, at most
+  unsigned cache_lines = 0;    ///< lines of each cache, at most
+  unsigned stack_depth = 0;    ///< entries of each stack and level
+  unsigned lights = 0;         ///< passes of light rays from a packet's hits, at most
+  bool clips_to_cube = false;  ///< it takes an object's box for the cube from -1 to 1
+  unsigned reflections = 0;    ///< bounces of a ray, at most
+  bool scan_out = false;       ///< it can show a picture on a VGA display; only the RTL has pins
+  TriangleMatrix triangle_matrix = TriangleMatrix::kNormalConsistent;
+  Primitives primitives{.triangle = true};
 };
 
 /// One of the core's counters, named unit.what, e.g. "traversal.transactions".
@@ -76,6 +82,14 @@ class Board {
   /// Waits for the interrupt; after `timeout` clocks without it or another pixel throws a
   /// TimeoutError that tells where the units stand, and resets the board.
   virtual FrameRun wait(std::uint64_t timeout, const PixelProgress& progress) = 0;
+
+  /// Shows the picture at word `base` of bank 3 in the middle of a VGA display of 640x480 and gives
+  /// what a monitor makes of the pins; a pixel takes that many clocks, at least two. Throws
+  /// UserError if the board has no scan-out or the picture does not fit.
+  virtual VgaFrame display(std::uint32_t base, unsigned width, unsigned height,
+                           unsigned clocks_per_pixel);
+  /// Throws UserError if display() would.
+  void check_display(unsigned width, unsigned height) const;
 
   /// Of the last frame.
   virtual std::vector<Counter> counters() = 0;

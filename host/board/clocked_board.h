@@ -11,6 +11,8 @@
 #include <span>
 #include <string>
 
+#include "host/board/vga_monitor.h"
+
 namespace dynrt::host {
 
 class ClockedBoard {
@@ -25,7 +27,9 @@ class ClockedBoard {
   virtual bool run_until_interrupt(std::uint64_t limit) = 0;
 
   virtual bool interrupt() const = 0;
-  virtual std::uint64_t clocks() const = 0;        ///< since power-up
+  virtual std::uint64_t clocks() const = 0;  ///< since power-up
+  /// From now on shows the monitor every clock's VGA pins; null: nobody.
+  virtual void watch(VgaMonitor* monitor) = 0;
   virtual std::uint64_t frame_writes() const = 0;  ///< words written to bank 3 since power-up
 };
 

@@ -31,6 +31,14 @@ inline constexpr char kNoRtl[] =
     "-DDYNRT_RTL=ON or take --board model";
 inline constexpr char kNoTrace[] =
     "--trace: only --board rtl has signals to record; leave the flag out or choose that board";
+inline constexpr char kScanWords[] =
+    "board {}: has {} registers for its scan-out, the host writes {}; rebuild the Verilog and the "
+    "host together";
+inline constexpr char kNoScanOut[] =
+    "board {} of configuration {} has no scan-out; take board rtl and a configuration with the key "
+    "scan_out, such as thesis";
+inline constexpr char kDisplaySize[] =
+    "a picture of {}x{} does not fit the display of {}x{}; render a smaller one";
 inline constexpr char kTrace[] = "{}: cannot be written; name a file in a folder that can";
 
 }  // namespace dynrt::host::messages

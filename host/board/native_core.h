@@ -18,6 +18,9 @@ BoardInfo board_info_of() {
   info.stack_depth = C::kStackDepth;
   info.lights = C::kLights;
   info.reflections = C::kReflections;
+  info.clips_to_cube = kClipsToBox<C>;
+  info.triangle_matrix = C::kTriangleMatrix;
+  info.primitives = C::kPrimitives;
   return info;
 }
 

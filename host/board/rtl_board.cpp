@@ -46,6 +46,11 @@ RtlBoard::RtlBoard(BoardInfo info, std::unique_ptr<ClockedBoard> clocked,
   if (words != kFrameWords) {
     refuse(messages::kFrameWords, info_.name, words, kFrameWords);
   }
+  const std::uint32_t scan_words = read_register(reg::kRegScanWords);
+  if (scan_words != 0 && scan_words != reg::kScanWords) {
+    refuse(messages::kScanWords, info_.name, scan_words, reg::kScanWords);
+  }
+  info_.scan_out = scan_words != 0;
   const std::uint32_t limits = read_register(reg::kRegLimits);
   info_.packets = limits & 0xffff;
   info_.cache_lines = limits >> 16;

@@ -25,10 +25,17 @@ class RtlBoard final : public Board {
   void configure(const FrameConfig& frame) override;
   void start() override;
   FrameRun wait(std::uint64_t timeout, const PixelProgress& progress) override;
+  VgaFrame display(std::uint32_t base, unsigned width, unsigned height,
+                   unsigned clocks_per_pixel) override;
   std::vector<Counter> counters() override;
   BusTraffic traffic() const override { return meter_.traffic(); }
 
-  /// Registers, for tests of the board itself.
+  /// For the display (display.h): shows the monitor the VGA pins; lets clocks go by, at most until
+  /// an interrupt.
+  void watch(VgaMonitor* monitor) { clocked_->watch(monitor); }
+  void idle(std::uint64_t clocks) { clocked_->run_until_interrupt(clocks); }
+
+  /// Registers, for the display and for tests of the board itself.
   std::uint32_t read_register(std::uint32_t address);
   void write_register(std::uint32_t address, std::uint32_t value);
 

@@ -90,6 +90,7 @@ class DeadBoard final : public ClockedBoard {
   bool read(std::uint32_t, std::span<std::uint32_t>) override { return !hangs_; }
   bool run_until_interrupt(std::uint64_t) override { return false; }
   bool interrupt() const override { return false; }
+  void watch(VgaMonitor*) override {}
   std::uint64_t clocks() const override { return 0; }
   std::uint64_t frame_writes() const override { return 0; }
 
@@ -101,7 +102,7 @@ TEST(RtlBoardErrors, ABoardThatIsNoneIsRefused) {
   EXPECT_THAT([] { RtlBoard({"", "thesis"}, std::make_unique<DeadBoard>(false), {}); },
               ThrowsMessage<UserError>(
                   "board rtl: reads 0x0 as its id and 0x0 as its version, expected 0x44595254 and "
-                  "0x20000; rebuild the Verilog and the host together"));
+                  "0x20001; rebuild the Verilog and the host together"));
   EXPECT_THAT([] { RtlBoard({"", "thesis"}, std::make_unique<DeadBoard>(true), {}); },
               ThrowsMessage<UserError>("board rtl: the bus waits for ever at address 0x0; the "
                                        "Verilog below it is broken"));

@@ -44,6 +44,7 @@ class VerilatedBoard final : public ClockedBoard {
     idle();
   }
   ~VerilatedBoard() override {
+    Verilated::threadContextp(context_.get());  // another board's may be gone
     top_->final();
     if (waves_) waves_->close();
   }
@@ -93,6 +94,8 @@ class VerilatedBoard final : public ClockedBoard {
     return top_->irq_o;
   }
 
+  void watch(VgaMonitor* monitor) override { monitor_ = monitor; }
+
   bool interrupt() const override { return top_->irq_o; }
   std::uint64_t clocks() const override { return clocks_; }
   std::uint64_t frame_writes() const override { return sram_.frame_writes(); }
@@ -139,6 +142,10 @@ class VerilatedBoard final : public ClockedBoard {
     eval(1);
     for (unsigned b = 0; b < kBanks; ++b) top.sram_rdata_i[b] = data[b];
     ++clocks_;
+    if (monitor_ != nullptr) {
+      monitor_->sample(top.vga_clock_o, top.vga_hsync_o, top.vga_vsync_o, top.vga_visible_o,
+                       top.vga_colour_o);
+    }
     return ready;
   }
 
@@ -167,6 +174,7 @@ class VerilatedBoard final : public ClockedBoard {
   std::unique_ptr<V> top_;
   std::unique_ptr<VerilatedFstC> waves_;
   Sram sram_;
+  VgaMonitor* monitor_ = nullptr;
   std::uint64_t clocks_ = 0;
 };
 

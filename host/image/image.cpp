@@ -16,7 +16,14 @@ namespace dynrt::host {
 namespace {
 
 constexpr char kMatrices[] = "matrices (triangles, instances, lights and the camera)";
-constexpr std::uint32_t kMirrorPart = 205;  ///< of the light that a mirror reflects, in 256ths: 0.8
+constexpr double kFlattestBox = 1.0 / 1024;  ///< thickness of a box by its longest side
+constexpr double kBoxMargin = 1.0 / 4096;    ///< around an object's box, by its side
+
+/// How much a material reflects, in 256ths; of what reflects at all neither none nor all of it.
+std::uint32_t mirror_part(const Material& material) {
+  if (!(material.mirror > 0)) return 0;
+  return static_cast<std::uint32_t>(std::clamp(std::lround(256 * material.mirror), 1L, 255L));
+}
 
 void check_limit(const Scene& scene, const char* what, std::size_t needed, std::size_t limit) {
   if (needed > limit) refuse(messages::kTooMany, scene.name, needed, what, needed - limit, limit);
@@ -46,15 +53,37 @@ std::uint32_t colour_bits(const glm::dvec3& colour) {
   return bits;
 }
 
-bool is_mirror(const Scene& scene, const Mesh& object, std::size_t triangle) {
-  return scene.materials.at(object.material.at(triangle)).mirror;
+const Material& material_of(const Scene& scene, const Mesh& object, std::size_t primitive) {
+  return scene.materials.at(object.material_of(primitive));
 }
 
-std::size_t mirrors_of(const Scene& scene, const Mesh& object) {
-  std::size_t mirrors = 0;
-  for (const std::uint32_t material : object.material)
-    mirrors += scene.materials.at(material).mirror;
-  return mirrors;
+/// A sphere is none: each of its points would need a reflection of its own.
+bool is_mirror(const Scene& scene, const Mesh& object, std::size_t primitive) {
+  return !object.is_ellipsoid(primitive) && material_of(scene, object, primitive).mirror > 0;
+}
+
+Primitive kind_of(const Mesh& object, std::size_t primitive) {
+  return object.is_ellipsoid(primitive)   ? Primitive::kSphere
+         : object.is_rectangle(primitive) ? Primitive::kRectangle
+                                          : Primitive::kTriangle;
+}
+
+/// Columns from one primitive's number to the next.
+std::uint32_t columns_apart(TriangleMatrix form) {
+  return form == TriangleMatrix::kMemoryEfficient ? kStoredColumns : 4;
+}
+
+bool stored_in_three(const Mesh& object, std::size_t primitive, TriangleMatrix form) {
+  return form == TriangleMatrix::kMemoryEfficient && !object.is_ellipsoid(primitive);
+}
+
+/// Numbers that a primitive takes: one, and those that its fourth column or its reflection, a
+/// matrix of four columns at the next number, reach into.
+std::uint32_t numbers_of(const Scene& scene, const Mesh& object, std::size_t primitive,
+                         TriangleMatrix form) {
+  const bool mirror = is_mirror(scene, object, primitive);
+  if (form == TriangleMatrix::kNormalConsistent) return mirror ? 2 : 1;
+  return mirror ? 3 : object.is_ellipsoid(primitive) ? 2 : 1;
 }
 
 /// Takes a ray to the ray that the triangle's plane reflects: x - 2 n (n . x - n . c).
@@ -84,10 +113,47 @@ Address to_address(std::size_t address) {
   return Address::from(static_cast<std::uint32_t>(address));
 }
 
-/// Appends a tree; item i becomes the matrix matrix_of[i]. Returns the address of the
-/// tree's node 0, which has no place itself: node i lies at that address + i.
-std::uint32_t add_tree(MemoryPart& part, const Tree& tree,
-                       std::span<const std::uint32_t> matrix_of) {
+/// What takes the box to the cube from -1 to 1, a little inwards, as the core's arithmetic may be
+/// off by a few steps. A flat box is given a thickness, so that the matrix has an inverse.
+glm::dmat4 box_to_cube(const Aabb& box) {
+  const glm::dvec3 centre = 0.5 * (box.low + box.high);
+  const glm::dvec3 half = 0.5 * (box.high - box.low);
+  const double least = std::max({half.x, half.y, half.z}) * kFlattestBox;
+  glm::dmat4 matrix(1.0);
+  for (int k = 0; k < 3; ++k) {
+    matrix[k][k] = 1.0 / (std::max(half[k], least) * (1.0 + kBoxMargin));
+    matrix[3][k] = -centre[k] * matrix[k][k];
+  }
+  return matrix;
+}
+
+/// The map of a primitive from the core's space of the object.
+UnitMatrix unit_matrix(const Mesh& mesh, std::size_t primitive, const glm::dmat4& from_space,
+                       bool three) {
+  const double largest = Real::largest().to_double();
+  const bool sphere = mesh.is_ellipsoid(primitive);
+  UnitMatrix unit;
+  if (sphere) {
+    unit = ellipsoid_matrix(mesh.ellipsoid(primitive));
+    unit.matrix = unit.matrix * from_space;
+  } else {
+    const auto matrix = triangle_matrix(mesh.corners(primitive));
+    if (!matrix) refuse(messages::kFlatTriangle, mesh.name, primitive);
+    const glm::dmat4x3 in_space = *matrix * from_space;
+    unit = three ? efficient_matrix(in_space) : UnitMatrix{in_space};
+  }
+  if (const auto element = out_of_range(unit.matrix)) {
+    if (sphere) refuse(messages::kSphereRange, mesh.name, primitive, *element, largest, largest);
+    refuse(messages::kTriangleRange, mesh.name, primitive, *element, largest, largest);
+  }
+  return unit;
+}
+
+/// Appends a tree, of an object's primitives or of instances, its planes moved and scaled to a
+/// space; item i becomes the matrix matrix_of[i]. Returns the address of the tree's node 0, which
+/// has no place itself: node i lies at that address + i.
+std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::span<const std::uint32_t> matrix_of,
+                       const Mesh* object, const glm::dmat4& to_space = glm::dmat4(1.0)) {
   const std::uint32_t base = part.end_node() - 1;
   const std::uint32_t list_base = part.end_entry();
   const auto child = [&](std::uint32_t index) {
@@ -101,7 +167,8 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree,
     if (from.is_leaf()) {
       node.left = to_address(list_base + from.left);
     } else {
-      node.split = Real::from_double(from.split);
+      const int k = from.axis;
+      node.split = Real::from_double(to_space[k][k] * from.split + to_space[3][k]);
       node.left = child(from.left);
       node.right = child(from.right);
     }
@@ -111,6 +178,7 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree,
   for (const std::uint32_t item : tree.items) {
     ListEntry entry;
     entry.matrix = MatrixIndex::from(matrix_of[item]);
+    if (object != nullptr) entry.set_primitive(kind_of(*object, item));
     part.entries.push_back(entry);
   }
   for (const TreeNode& node : tree.nodes) {
@@ -123,47 +191,63 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree,
 
 }  // namespace
 
-void check_matrices(const Scene& scene) {
-  std::size_t matrices =
-      scene.instances.size() * (has_mirrors(scene) ? 2 : 1) + 1 + scene.lights.size();
+void check_matrices(const Scene& scene, const ImageForm& form) {
+  std::size_t numbers = 0;
   for (const Mesh& object : scene.objects) {
-    matrices += object.triangles.size() + mirrors_of(scene, object);
+    for (std::size_t i = 0; i < object.primitives(); ++i) {
+      numbers += numbers_of(scene, object, i, form.triangles);
+    }
   }
-  check_limit(scene, kMatrices, matrices, kMaxMatrices);
+  const std::size_t matrices = (numbers * columns_apart(form.triangles) + 3) / 4 +
+                               scene.instances.size() * (has_mirrors(scene) ? 2 : 1) + 1 +
+                               scene.lights.size();
+  check_limit(scene, kMatrices, std::max(numbers, matrices), kMaxMatrices);
 }
 
-ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees) {
-  const double largest = Real::largest().to_double();
-  check_matrices(scene);
+ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const ImageForm& form) {
+  const std::uint32_t apart = columns_apart(form.triangles);
+  check_matrices(scene, form);
   memory.first_node = 1;
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
     const Mesh& mesh = scene.objects[k];
     const Tree& tree = trees[k];
-    const std::uint32_t first_matrix = memory.end_matrix();
+    const std::uint32_t first_matrix = memory.end_column() / apart;
     std::vector<std::uint32_t> matrix_of;
     std::uint32_t next = first_matrix;
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (std::size_t i = 0; i < mesh.primitives(); ++i) {
       matrix_of.push_back(next);
-      next += is_mirror(scene, mesh, i) ? 2 : 1;
+      next += numbers_of(scene, mesh, i, form.triangles);
     }
-    const std::uint32_t base = add_tree(memory, tree, matrix_of);
-    objects.push_back({base + tree.root, base + tree.clipped_root, first_matrix, tree.box});
+    const glm::dmat4 to_space = form.boxes_are_cubes ? box_to_cube(tree.box) : glm::dmat4(1.0);
+    const glm::dmat4 from_space = glm::inverse(to_space);
+    const std::uint32_t base = add_tree(memory, tree, matrix_of, &mesh, to_space);
+    const std::uint32_t outside = form.boxes_are_cubes ? tree.root : tree.clipped_root;
+    objects.push_back({base + tree.root, base + outside, first_matrix, tree.box, to_space});
     check_limits(scene, memory);
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const glm::uvec3& t = mesh.triangles[i];
-      const std::array corners = {mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]};
-      const auto matrix = triangle_matrix(corners);
-      if (!matrix) refuse(messages::kFlatTriangle, mesh.name, i);
-      if (const auto element = out_of_range(*matrix)) {
-        refuse(messages::kTriangleRange, mesh.name, i, *element, largest, largest);
-      }
+    for (std::size_t i = 0; i < mesh.primitives(); ++i) {
+      const bool three = stored_in_three(mesh, i, form.triangles);
+      const UnitMatrix unit = unit_matrix(mesh, i, from_space, three);
+      const Material& material = material_of(scene, mesh, i);
       const bool mirror = is_mirror(scene, mesh, i);
-      const glm::dvec3& diffuse = scene.materials.at(mesh.material.at(i)).diffuse;
-      memory.matrices.push_back(
-          to_columns(*matrix, colour_bits(diffuse), mirror ? kMirrorPart : 0));
-      if (mirror) memory.matrices.push_back(to_columns(reflection_matrix(corners), 0));
+      const std::uint32_t colour = colour_bits(material.diffuse);
+      const std::uint32_t part = mirror ? mirror_part(material) : 0;
+      memory.columns.resize(matrix_of[i] * apart);
+      if (three) {
+        memory.add(to_stored_columns(unit, colour, part));
+      } else {
+        memory.add(to_columns(unit, colour, part));
+      }
+      if (mirror) {
+        const glm::dmat4 reflection(reflection_matrix(mesh.corners(i)));
+        memory.add(to_columns(glm::dmat4x3(to_space * reflection * from_space), 0));
+      }
     }
+    memory.columns.resize(next * apart);
   }
+}
+
+TreeSize ObjectImage::room_left() const {
+  return {kMaxNodes - memory.end_node(), kMaxListEntries - memory.end_entry()};
 }
 
 std::vector<Aabb> ObjectImage::boxes() const {
@@ -178,46 +262,61 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   const double largest = Real::largest().to_double();
   memory.first_node = objects.memory.end_node();
   memory.first_entry = objects.memory.end_entry();
-  memory.first_matrix = first_instance = objects.memory.end_matrix();
+  first_instance = objects.memory.end_matrix();
+  memory.first_column = 4 * first_instance;
   const std::uint32_t stride = has_mirrors(scene) ? 2 : 1;
   std::vector<std::uint32_t> matrix_of(scene.instances.size());
   for (std::uint32_t i = 0; i < matrix_of.size(); ++i) matrix_of[i] = first_instance + stride * i;
-  const std::uint32_t base = add_tree(memory, instances, matrix_of);
+  const std::uint32_t base = add_tree(memory, instances, matrix_of, nullptr);
   start_node = base + instances.entry(camera.position);
   check_limits(scene, memory);
   check_limit(scene, kMatrices,
               first_instance + stride * scene.instances.size() + 1 + scene.lights.size(),
               kMaxMatrices);
 
-  memory.matrices.reserve(stride * scene.instances.size() + 1 + scene.lights.size());
+  memory.columns.reserve(4 * (stride * scene.instances.size() + 1 + scene.lights.size()));
   for (const Instance& instance : scene.instances) {
     const glm::dmat4 inverse = glm::inverse(instance.transform);
     const ObjectImage::Object& object = objects.objects.at(instance.object);
-    const glm::dmat4x3 matrix(inverse);
+    const glm::dmat4x3 matrix(object.to_space * inverse);
     if (!std::isfinite(inverse[3][3]) || glm::determinant(instance.transform) == 0) {
       refuse(messages::kFlatInstance, instance.name);
     }
     if (const auto element = out_of_range(matrix)) {
       refuse(messages::kInstanceRange, instance.name, *element, largest, largest);
     }
-    const glm::dvec3 eye = matrix * glm::dvec4(camera.position, 1.0);
-    memory.matrices.push_back(
-        to_columns(matrix, object.box.holds(eye) ? object.root : object.clipped_root));
-    if (stride == 2) memory.matrices.push_back(to_columns(glm::dmat4x3(instance.transform), 0));
+    const glm::dvec3 eye(inverse * glm::dvec4(camera.position, 1.0));
+    memory.add(to_columns(matrix, object.box.holds(eye) ? object.root : object.clipped_root));
+    if (stride == 2) {
+      const glm::dmat4 back = instance.transform * glm::inverse(object.to_space);
+      memory.add(to_columns(glm::dmat4x3(back), 0));
+    }
   }
   const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
   if (const auto element = out_of_range(from_pixels)) {
     refuse(messages::kCameraRange, *element, largest, largest);
   }
   camera_matrix = memory.end_matrix();
-  memory.matrices.push_back(to_columns(from_pixels, 0));
+  memory.add(to_columns(from_pixels, 0));
   light_matrix = memory.end_matrix();
-  for (const PointLight& light : scene.lights) memory.matrices.push_back(light_columns(light));
+  for (const PointLight& light : scene.lights) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(std::abs(light.position[axis]) <= largest)) {
+        refuse(messages::kLightRange, light.name, static_cast<char>('x' + axis),
+               light.position[axis], largest, largest);
+      }
+    }
+    memory.add(light_columns(light));
+  }
 }
 
 bool has_mirrors(const Scene& scene) {
-  return std::ranges::any_of(scene.objects,
-                             [&](const Mesh& object) { return mirrors_of(scene, object) > 0; });
+  for (const Mesh& object : scene.objects) {
+    for (std::size_t i = 0; i < object.primitives(); ++i) {
+      if (is_mirror(scene, object, i)) return true;
+    }
+  }
+  return false;
 }
 
 double MemoryUse::tree_megabytes() const {

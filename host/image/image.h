@@ -3,8 +3,9 @@
 //
 // A scene as it lies in the board's memory. What stands still is laid out once, from the bottom:
 // the objects' trees, lists and triangle matrices (ObjectImage). What may move follows it and is
-// made anew for every frame: the top-level tree, the instances' matrices and the camera's
-// (FrameImage).
+// made anew for every frame: the top-level tree, the instances' matrices, the camera's and the
+// lights' (FrameImage). Its place is the same in every frame, and its size is known from the number
+// of instances (top_level_room) and of lights.
 #pragma once
 
 #include <glm/mat4x3.hpp>
@@ -14,12 +15,21 @@
 #include "host/image/memory.h"
 #include "host/scene/scene.h"
 #include "host/tree/tree.h"
+#include "units/options.h"
 
 namespace dynrt::host {
 
+/// What a configuration of the core takes objects for.
+struct ImageForm {
+  TriangleMatrix triangles = TriangleMatrix::kNormalConsistent;
+  /// Every object lies in the memory such that its box is the cube from -1 to 1, to which the core
+  /// clips (units/box_clip.h).
+  bool boxes_are_cubes = false;
+};
+
 /// Throws UserError for a scene that the memory cannot hold whatever its trees are: with more
 /// triangles, instances and camera than it has matrices.
-void check_matrices(const Scene& scene);
+void check_matrices(const Scene& scene, const ImageForm& form = {});
 
 /// The static part. Throws UserError where a limit of the memory is passed or a triangle's matrix
 /// is beyond the core's numbers.
@@ -28,16 +38,19 @@ struct ObjectImage {
   struct Object {
     std::uint32_t root = 0;          ///< for rays that start inside its box
     std::uint32_t clipped_root = 0;  ///< for all others
-    std::uint32_t first_matrix = 0;  ///< of triangle 0
+    std::uint32_t first_matrix = 0;  ///< of primitive 0, in the numbers of primitives
     Aabb box;
+    glm::dmat4 to_space{1.0};  ///< from the object as it is to the space that the core has it in
   };
   std::vector<Object> objects;
   MemoryPart memory;
 
   ObjectImage() = default;
-  ObjectImage(const Scene& scene, std::span<const Tree> trees);
+  ObjectImage(const Scene& scene, std::span<const Tree> trees, const ImageForm& form = {});
 
   std::vector<Aabb> boxes() const;
+  /// What is left of the memory for the top-level tree.
+  TreeSize room_left() const;
 };
 
 /// The part that belongs to one frame. Throws UserError where a limit of the memory is passed, an
@@ -62,7 +75,7 @@ bool has_mirrors(const Scene& scene);
 struct MemoryUse {
   std::size_t nodes = 0;  ///< with the null node
   std::size_t list_entries = 0;
-  std::size_t matrices = 0;
+  std::size_t matrices = 0;         ///< places of four columns
   double tree_megabytes() const;    ///< nodes and lists, 10^6 bytes
   double matrix_megabytes() const;  ///< 10^6 bytes
 };

@@ -20,6 +20,36 @@ MatrixColumns to_columns(const glm::dmat4x3& matrix, std::uint32_t extra, std::u
   return columns;
 }
 
+namespace {
+
+void set_spare(MatrixColumn& column, std::uint64_t bits) {
+  for (unsigned r = 0; r < 3; ++r) column.row[r].spare = uint<8>::from(bits >> (8 * r) & 255);
+}
+
+std::uint64_t factor_bits(double factor) { return Real::from_double(factor).bits().to_u64(); }
+
+}  // namespace
+
+MatrixColumns to_columns(const UnitMatrix& unit, std::uint32_t colour, std::uint32_t mirror) {
+  MatrixColumns columns = to_columns(unit.matrix, colour, mirror);
+  set_spare(columns[3], factor_bits(unit.cosine_factor));
+  return columns;
+}
+
+std::array<MatrixColumn, kStoredColumns> to_stored_columns(const UnitMatrix& efficient,
+                                                           std::uint32_t colour,
+                                                           std::uint32_t mirror) {
+  const MatrixColumns all = to_columns(efficient.matrix, 0);
+  const int ones = efficient.ones;
+  std::array<MatrixColumn, kStoredColumns> stored{all[ones == 0 ? 1 : 0], all[ones == 2 ? 1 : 2],
+                                                  all[3]};
+  const auto place = static_cast<std::uint32_t>(ones) << 16;
+  set_spare(stored[0], (colour & 0xffff) | place);
+  set_spare(stored[1], mirror | (colour >> 16 & 255) << 8 | place);
+  set_spare(stored[2], factor_bits(efficient.cosine_factor));
+  return stored;
+}
+
 glm::dmat4x3 from_columns(const MatrixColumns& columns) {
   glm::dmat4x3 matrix;
   for (int c = 0; c < 4; ++c) {
@@ -54,13 +84,11 @@ std::vector<MemoryRun> MemoryPart::runs() const {
     for (const ListEntry& entry : entries) run.words.push_back(hls::pack(entry)[0]);
     runs.push_back(std::move(run));
   }
-  for (unsigned row = 0; row < kSceneBanks && !matrices.empty(); ++row) {
-    MemoryRun run{row, kColumnBase + 4 * first_matrix, {}};
-    run.words.reserve(4 * matrices.size());
-    for (const MatrixColumns& columns : matrices) {
-      for (const MatrixColumn& column : columns) {
-        run.words.push_back(hls::pack(column.row[row])[0]);
-      }
+  for (unsigned row = 0; row < kSceneBanks && !columns.empty(); ++row) {
+    MemoryRun run{row, kColumnBase + first_column, {}};
+    run.words.reserve(columns.size());
+    for (const MatrixColumn& column : columns) {
+      run.words.push_back(hls::pack(column.row[row])[0]);
     }
     runs.push_back(std::move(run));
   }
@@ -114,14 +142,16 @@ ListEntry SceneMemory::entry(std::uint32_t address) const {
   return hls::unpack<ListEntry>(&banks_[2].at(address));
 }
 
-MatrixColumns SceneMemory::matrix(std::uint32_t index) const {
-  MatrixColumns columns;
-  for (std::uint32_t c = 0; c < 4; ++c) {
-    for (unsigned row = 0; row < kSceneBanks; ++row) {
-      columns[c].row[row] = hls::unpack<MatrixWord>(&banks_[row].at(kColumnBase + 4 * index + c));
-    }
+MatrixColumn SceneMemory::column(std::uint32_t address) const {
+  MatrixColumn column;
+  for (unsigned row = 0; row < kSceneBanks; ++row) {
+    column.row[row] = hls::unpack<MatrixWord>(&banks_[row].at(kColumnBase + address));
   }
-  return columns;
+  return column;
+}
+
+MatrixColumns SceneMemory::matrix(std::uint32_t index) const {
+  return {column(4 * index), column(4 * index + 1), column(4 * index + 2), column(4 * index + 3)};
 }
 
 }  // namespace dynrt::host

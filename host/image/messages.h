@@ -14,6 +14,9 @@ inline constexpr char kFlatTriangle[] =
 inline constexpr char kTriangleRange[] =
     "object '{}', triangle {}: its matrix has the element {:g}, outside the core's numbers "
     "(-{:.5g} to {:.5g}); the triangle must be less thin or less small";
+inline constexpr char kSphereRange[] =
+    "object '{}', sphere {}: its matrix has the element {:g}, outside the core's numbers "
+    "(-{:.5g} to {:.5g}); the sphere must be less small";
 inline constexpr char kFlatInstance[] =
     "instance '{}' has a transform without an inverse; it must not flatten its object";
 inline constexpr char kInstanceRange[] =
@@ -22,5 +25,8 @@ inline constexpr char kInstanceRange[] =
 inline constexpr char kCameraRange[] =
     "the camera's matrix has the element {:g}, outside the core's numbers (-{:.5g} to {:.5g}); the "
     "camera must be closer";
+inline constexpr char kLightRange[] =
+    "light '{}' stands at {} = {:g}, outside the core's numbers (-{:.5g} to {:.5g}); it must be "
+    "closer";
 
 }  // namespace dynrt::host::messages

@@ -32,7 +32,7 @@ struct Frame {
   unsigned packets = 0;               ///< that were allowed in flight
   unsigned lines = 0;                 ///< of each cache
   std::vector<std::uint32_t> pixels;  ///< 0x00BBGGRR, row by row from the top
-  std::vector<HitRecord> hits;        ///< one per pixel
+  std::vector<HitRecord> hits;        ///< one per pixel, unless they were not asked for
   std::vector<Counter> counters;
   FrameRun run;
   BusTraffic upload;   ///< of the scene, or of what changed in it

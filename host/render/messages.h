@@ -12,8 +12,12 @@ inline constexpr char kSize[] =
 inline constexpr char kPackets[] = "--packets {}: configuration {} holds 1 to {} packets";
 inline constexpr char kLines[] =
     "--lines {}: the caches of configuration {} have 1, 2, 4 up to {} lines";
+inline constexpr char kReflections[] =
+    "--reflections {}: configuration {} traces at most {} reflections of a ray";
 inline constexpr char kExtension[] =
     "{}: the image format '{}' is not one of dynrt's; the name must end in .png or .exr";
+inline constexpr char kNotAPicture[] =
+    "{}: is no longer the picture that was written; remove it and run the same command again";
 inline constexpr char kSameFile[] = "{} {}: {} writes the same file; name another one";
 inline constexpr char kNoFolder[] =
     "{}: there is no folder '{}'; create it or name a file elsewhere";

@@ -17,7 +17,8 @@ namespace {
 
 constexpr unsigned kFullAmbient = 256;
 constexpr unsigned kAmbient = 64;  ///< where there are lights: a quarter
-constexpr std::uint32_t kFrameBase = 0;
+constexpr std::uint32_t kBufferWords = kBankWords / kFrameBuffers;
+static_assert(kMaxPixels <= kBufferWords);
 
 std::vector<std::uint32_t> read(Board& board, unsigned bank, std::uint32_t address,
                                 std::size_t count) {
@@ -80,15 +81,19 @@ FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
   frame.start_node = to_word(scene.start_node);
   frame.camera_matrix = to_word(scene.camera_matrix);
   frame.background = to_word(options.background);
-  frame.frame_base = to_word(kFrameBase);
-  frame.write_hits = to_word(1);
+  frame.frame_base = to_word(options.buffer % kFrameBuffers * kBufferWords);
+  frame.write_hits = to_word(options.hits);
   frame.uncompressed = to_word(options.uncompressed);
   // A core without light rays has the eye light alone.
   const unsigned lights = std::min(scene.lights, board.lights);
   frame.lights = to_word(lights);
   frame.light_matrix = to_word(scene.light_matrix);
   frame.ambient = to_word(lights > 0 ? kAmbient : kFullAmbient);
-  frame.reflections = to_word(options.reflections.value_or(board.reflections));
+  const unsigned reflections = options.reflections.value_or(board.reflections);
+  if (reflections > board.reflections) {
+    refuse(messages::kReflections, reflections, board.configuration, board.reflections);
+  }
+  frame.reflections = to_word(reflections);
   return frame;
 }
 
@@ -108,8 +113,9 @@ Frame render(Board& board, const FrameOptions& options, const SceneAddresses& sc
   frame.lines = static_cast<unsigned>(config.line_mask.to_u64()) + 1;
   frame.run = board.wait(options.timeout, progress);
   const std::size_t pixels = std::size_t{options.width} * options.height;
-  frame.pixels = read(board, kFrameBank, kFrameBase, pixels);
-  frame.hits = read_hits(board, pixels);
+  frame.pixels =
+      read(board, kFrameBank, static_cast<std::uint32_t>(config.frame_base.to_u64()), pixels);
+  if (options.hits) frame.hits = read_hits(board, pixels);
   frame.counters = board.counters();
   frame.traffic = board.traffic() - before;
   return frame;

@@ -31,7 +31,12 @@ struct FrameOptions {
   bool uncompressed = false;              ///< transform every ray's origin, not one for the packet
   std::uint32_t background = 0;           ///< 0x00BBGGRR
   std::uint64_t timeout = 0;              ///< clocks
+  bool hits = true;                       ///< write hit records and read them back
+  unsigned buffer = 0;                    ///< of the kFrameBuffers that take turns
 };
+
+/// The framebuffer's bank holds two images: one is shown while the next is made in the other.
+inline constexpr unsigned kFrameBuffers = 2;
 
 /// Where the scene lies in the board's memory.
 struct SceneAddresses {
@@ -41,10 +46,14 @@ struct SceneAddresses {
   unsigned lights = 0;
 };
 
+/// Where render() has the picture in bank 3.
+inline constexpr std::uint32_t kFrameBase = 0;
+
 /// Throws UserError for a size of zero or beyond the framebuffer.
 void check_size(unsigned width, unsigned height);
 
-/// The board's registers for a frame. Throws UserError for what the board's configuration lacks.
+/// The board's registers for a frame. Throws UserError for what the board's configuration lacks;
+/// of the scene's lights those that it has no rays for do not shine.
 FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
                          const SceneAddresses& scene);
 

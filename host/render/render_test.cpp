@@ -70,6 +70,9 @@ TEST(FrameConfig, RefusesWhatTheConfigurationLacks) {
               ThrowsMessage<UserError>(
                   "--lines 3: the caches of configuration small have 1, 2, 4 up to 16 lines"));
   EXPECT_NO_THROW(configuring({.packets = 1, .lines = 1})());
+  EXPECT_THAT(configuring({.reflections = 1}),
+              ThrowsMessage<UserError>(
+                  "--reflections 1: configuration small traces at most 0 reflections of a ray"));
 }
 
 TEST(Render, UploadsRendersAndReadsBack) {
@@ -101,6 +104,26 @@ TEST(Render, UploadsRendersAndReadsBack) {
   EXPECT_EQ(frame.hit_count(), 1u);
   EXPECT_EQ(frame.counters.at(0).value, 5u);
   EXPECT_EQ(frame.run.cycles, 1000u);
+}
+
+TEST(Render, EveryBufferIsItsOwnAndHitsAreReadOnRequest) {
+  FakeBoard board;
+  std::uint32_t colour = 1;
+  board.on_start = [&](const FrameConfig& config, FakeBoard::Memory& memory) {
+    EXPECT_EQ(config.write_hits.to_u64(), 0u);
+    for (std::uint32_t p = 0; p < 6; ++p) memory[3][config.frame_base.to_u64() + p] = colour;
+    ++colour;
+  };
+  FrameOptions options{.width = 3, .height = 2, .hits = false};
+  const Frame first = render(board, options, {}, {}, {});
+  options.buffer = 1;
+  const Frame second = render(board, options, {}, {}, {});
+  EXPECT_EQ(first.pixels, std::vector<std::uint32_t>(6, 1));
+  EXPECT_EQ(second.pixels, std::vector<std::uint32_t>(6, 2));
+  EXPECT_EQ(board.memory[3][0], 1u) << "the first is still shown";
+  EXPECT_EQ(board.memory[3][1u << 19], 2u);
+  EXPECT_TRUE(first.hits.empty());
+  EXPECT_EQ(first.traffic.bytes_read, 4u * 6);
 }
 
 TEST(Render, MetersTheBusOfEachFrameByItself) {

@@ -71,7 +71,7 @@ class Conversion {
     ai_real metallic = 0, roughness = 1;
     from.Get(AI_MATKEY_METALLIC_FACTOR, metallic);
     from.Get(AI_MATKEY_ROUGHNESS_FACTOR, roughness);
-    material.mirror = metallic >= kMetallic && roughness <= kPolished;
+    if (metallic >= kMetallic && roughness <= kPolished) material.mirror = kMirrorShare;
     material.name = from.GetName().C_Str();
     scene_.materials.push_back(std::move(material));
   }
@@ -156,6 +156,9 @@ class Conversion {
 
   // Assimp gives a node that is animated in one way the keys of the two others as well: one each.
   void keyframes(const aiNodeAnim& from, MotionNode& to) const {
+    if (from.mNumPositionKeys == 0 || from.mNumRotationKeys == 0 || from.mNumScalingKeys == 0) {
+      wording::fail(wording::kChannelEmpty, label_, to.name);
+    }
     for (unsigned k = 0; k < from.mNumPositionKeys; ++k) {
       to.position.push_back(
           {from.mPositionKeys[k].mTime * seconds_, to_glm(from.mPositionKeys[k].mValue)});
@@ -229,6 +232,7 @@ class Conversion {
     const std::string name = from.mName.C_Str();
     if (from.mType != aiLightSource_POINT) {
       scene_.notes.push_back(fmt::format(wording::kLightNotPoint, label_, name));
+      if (from.mType == aiLightSource_DIRECTIONAL) scene_.distant_lights.push_back(name);
       return;
     }
     const aiColor3D& c = from.mColorDiffuse;

@@ -126,6 +126,7 @@ TEST_F(MovingGltf, KeepsPointLights) {
 TEST_F(MovingGltf, NotesOtherLights) {
   const Scene scene = load(replaced(kFile, "\"point\"", "\"directional\""));
   EXPECT_TRUE(scene.lights.empty());
+  EXPECT_EQ(scene.distant_lights, std::vector<std::string>{"lamp"});
   ASSERT_EQ(scene.notes.size(), 1u);
   EXPECT_EQ(scene.notes[0],
             folder_.path("a.gltf") + ": light 'lamp' is not a point light and was left out");
@@ -135,7 +136,7 @@ TEST_F(MovingGltf, PolishedMetalIsAMirror) {
   const Scene scene = load();
   ASSERT_GE(scene.materials.size(), 4u);
   for (const Material& material : scene.materials) {
-    EXPECT_EQ(material.mirror, material.name == "chrome") << material.name;
+    EXPECT_EQ(material.mirror, material.name == "chrome" ? kMirrorShare : 0.0) << material.name;
   }
 }
 
@@ -176,6 +177,15 @@ TEST_F(MovingGltf, NamesAnAnimationThatMovesNothing) {
   EXPECT_EQ(error(text),
             ": the animation 'work' moves no node; give it a channel of translation, rotation or "
             "scale");
+}
+
+TEST_F(MovingGltf, NamesTheNodeWhoseAnimationHasNoFrames) {
+  std::string text = kFile;
+  for (auto at = text.find("\"count\": 2,"); at != text.npos; at = text.find("\"count\": 2,", at)) {
+    text.replace(at, 11, "\"count\": 0,");
+  }
+  EXPECT_EQ(error(text),
+            ": node 'arm': its animation has no keyframes; give it at least one or take it out");
 }
 
 TEST_F(MovingGltf, NotesMoreThanOneAnimation) {

@@ -38,10 +38,21 @@ Box bounds(const Scene& scene) {
   constexpr double kInf = std::numeric_limits<double>::infinity();
   Box box{glm::dvec3(kInf), glm::dvec3(-kInf)};
   for (const Instance& instance : scene.instances) {
-    for (const glm::dvec3& v : scene.objects[instance.object].vertices) {
+    const Mesh& object = scene.objects[instance.object];
+    const auto include = [&](const glm::dvec3& v) {
       const glm::dvec3 world(instance.transform * glm::dvec4(v, 1.0));
       box.low = glm::min(box.low, world);
       box.high = glm::max(box.high, world);
+    };
+    for (const glm::dvec3& v : object.vertices) include(v);
+    for (const Rectangle& r : object.rectangles) {
+      for (const glm::dvec3& v : r.corners()) include(v);
+    }
+    for (const Ellipsoid& e : object.ellipsoids) {
+      const Ellipsoid world{instance.transform * e.from_unit};
+      const glm::dvec3 centre(world.from_unit[3]);
+      box.low = glm::min(box.low, centre - world.extent());
+      box.high = glm::max(box.high, centre + world.extent());
     }
   }
   return box;

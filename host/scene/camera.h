@@ -28,7 +28,7 @@ struct Box {
   glm::dvec3 low, high;
 };
 
-// The world-space box of all instances' triangles.
+// The world-space box of all instances.
 Box bounds(const Scene& scene);
 
 // |forward| = 1, |up| = 2 tan(field_of_view / 2), |right| = aspect * |up|. Throws UserError when

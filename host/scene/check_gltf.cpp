@@ -60,6 +60,36 @@ void check_depth(const nlohmann::json& nodes, const std::string& path) {
   }
 }
 
+/// The element of an array, or null.
+const nlohmann::json& element(const nlohmann::json& json, const char* array, const char* index,
+                              const nlohmann::json& of) {
+  static const nlohmann::json kNone;
+  const auto at = json.find(array);
+  if (at == json.end() || !at->is_array() || !of.is_object() || !of.contains(index)) return kNone;
+  const nlohmann::json& number = of[index];
+  if (!number.is_number_unsigned() || number.get<std::size_t>() >= at->size()) return kNone;
+  return (*at)[number.get<std::size_t>()];
+}
+
+// Assimp makes up a keyframe where an accessor has none.
+void check_keyframes(const nlohmann::json& json, const std::string& path) {
+  const auto animations = json.find("animations");
+  if (animations == json.end() || !animations->is_array()) return;
+  for (const nlohmann::json& animation : *animations) {
+    if (!animation.is_object() || !animation.contains("channels")) continue;
+    for (const nlohmann::json& channel : animation["channels"]) {
+      const nlohmann::json& sampler = element(animation, "samplers", "sampler", channel);
+      const nlohmann::json& times = element(json, "accessors", "input", sampler);
+      if (!times.is_object() || times.value("count", nlohmann::json(1)) != 0) continue;
+      const nlohmann::json target = channel.value("target", nlohmann::json::object());
+      const nlohmann::json& node = element(json, "nodes", "node", target);
+      const bool named = node.is_object() && node.contains("name") && node["name"].is_string();
+      wording::fail(wording::kChannelEmpty, path,
+                    named ? node["name"].get<std::string>() : target.value("node", target).dump());
+    }
+  }
+}
+
 }  // namespace
 
 void check_gltf(std::string_view text, const std::string& path) {
@@ -67,6 +97,7 @@ void check_gltf(std::string_view text, const std::string& path) {
   const nlohmann::json json = parse_json(text, path);
   const auto nodes = json.find("nodes");
   if (nodes != json.end() && nodes->is_array()) check_depth(*nodes, path);
+  if (json.is_object()) check_keyframes(json, path);
 }
 
 }  // namespace dynrt::host

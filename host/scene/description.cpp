@@ -82,7 +82,7 @@ class Description {
       builder.append(parts_.read(part), placement(part));
     }
     Mesh mesh = builder.take();
-    if (mesh.triangles.empty()) fail(object, fmt::format(wording::kNoParts, name));
+    if (mesh.primitives() == 0) fail(object, fmt::format(wording::kNoParts, name));
     object_of_[name] = static_cast<uint32_t>(scene_.objects.size());
     scene_.objects.push_back(std::move(mesh));
   }

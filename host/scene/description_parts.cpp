@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/vector_relational.hpp>
 #include <iterator>
 #include <map>
@@ -12,6 +13,7 @@
 
 #include "host/scene/generate.h"
 #include "host/scene/map.h"
+#include "host/scene/mesh_builder.h"
 #include "host/scene/wording.h"
 
 namespace dynrt::host {
@@ -28,6 +30,7 @@ Mesh PartReader::read(const JsonReader& part) {
   if (part.has("model")) return model(part);
   if (part.has("map")) return map(part);
   if (part.has("generate")) return generated(part);
+  if (part.has("primitive")) return primitive(part);
   fail(part, wording::kPartKind);
 }
 
@@ -70,7 +73,9 @@ void PartReader::polish(const JsonReader& part, Scene& model) const {
     if (!names.contains(name)) {
       fail(part, fmt::format(wording::kNoMaterial, name, fmt::join(names, ", ")));
     }
-    for (Material& material : model.materials) material.mirror |= material.name == name;
+    for (Material& material : model.materials) {
+      if (material.name == name) material.mirror = kMirrorShare;
+    }
   }
 }
 
@@ -139,8 +144,8 @@ Mesh PartReader::map(const JsonReader& part) {
 
 Mesh PartReader::generated(const JsonReader& part) {
   const std::string shape = part.text("generate");
-  scene_.materials.push_back(
-      {part.text("name", shape), colour(part, "colour"), part.flag("mirror", false)});
+  scene_.materials.push_back({part.text("name", shape), colour(part, "colour"),
+                              part.flag("mirror", false) ? kMirrorShare : 0.0});
   const auto material = static_cast<uint32_t>(scene_.materials.size() - 1);
   if (shape == "box") {
     part.only({"generate", "name", "colour", "mirror", "from", "to", "position", "turn"});
@@ -166,6 +171,36 @@ Mesh PartReader::generated(const JsonReader& part) {
                       material);
   }
   fail(part, fmt::format(wording::kShape, shape));
+}
+
+Mesh PartReader::primitive(const JsonReader& part) {
+  const std::string shape = part.text("primitive");
+  scene_.materials.push_back({part.text("name", shape), colour(part, "colour"),
+                              part.flag("mirror", false) ? kMirrorShare : 0.0});
+  const auto material = static_cast<uint32_t>(scene_.materials.size() - 1);
+  Mesh mesh;
+  if (shape == "sphere") {
+    part.only({"primitive", "name", "colour", "mirror", "radius", "radii", "position", "turn"});
+    if (part.has("radius") == part.has("radii")) fail(part, wording::kRadius);
+    const glm::dvec3 radii =
+        part.has("radii") ? part.vector("radii") : glm::dvec3(part.positive("radius"));
+    if (!glm::all(glm::greaterThan(radii, glm::dvec3(0.0)))) fail(part, wording::kRadii);
+    if (part.flag("mirror", false)) fail(part, wording::kSphereMirror);
+    mesh.ellipsoids.push_back({glm::scale(glm::dmat4(1.0), radii), material});
+    return mesh;
+  }
+  if (shape == "rectangle") {
+    part.only(
+        {"primitive", "name", "colour", "mirror", "corner", "across", "along", "position", "turn"});
+    const Rectangle rectangle{part.vector("corner"), part.vector("across"), part.vector("along"),
+                              material};
+    if (has_zero_area(glm::dvec3(0.0), rectangle.across, rectangle.along)) {
+      fail(part, wording::kRectangle);
+    }
+    mesh.rectangles.push_back(rectangle);
+    return mesh;
+  }
+  fail(part, fmt::format(wording::kPrimitive, shape));
 }
 
 }  // namespace dynrt::host

@@ -33,6 +33,7 @@ class PartReader {
   Mesh model(const JsonReader& part);
   Mesh map(const JsonReader& part);
   Mesh generated(const JsonReader& part);
+  Mesh primitive(const JsonReader& part);
 
   void polish(const JsonReader& part, Scene& model) const;
   void repaint(const JsonReader& colours, Scene& model) const;

@@ -237,6 +237,68 @@ TEST(Description, PlacesPartsAndInstances) {
   EXPECT_EQ(scene.instances[2].transform * glm::dvec4(0, 2, 0, 1), glm::dvec4(8, 10, 9, 1));
 }
 
+TEST(Description, PlacesPrimitives) {
+  const TestFolder folder;
+  const Scene scene = load_scene(folder.write("p.json", R"({"objects": [{"name": "o", "parts": [
+    {"primitive": "sphere", "radii": [1, 2, 3], "colour": [1, 0, 0], "position": [5, 0, 0],
+     "turn": 90},
+    {"generate": "box", "from": [0, 0, 0], "to": [1, 1, 1], "colour": [0, 1, 0]},
+    {"primitive": "rectangle", "corner": [1, 0, 0], "across": [0, 0, 2], "along": [0, 3, 0],
+     "colour": [0, 0, 1], "mirror": true, "position": [0, 10, 0], "turn": 90}]}],
+    "instances": [{"object": "o", "position": [0, 0, -20]}]})"));
+  const Mesh& mesh = scene.objects.at(0);
+  ASSERT_EQ(mesh.triangles.size(), 12u);
+  ASSERT_EQ(mesh.primitives(), 14u) << "triangles come first, then rectangles, then ellipsoids";
+  const auto expect_near = [](const glm::dvec3& got, const glm::dvec3& expected) {
+    EXPECT_LT(glm::length(got - expected), 1e-12) << got.x << ' ' << got.y << ' ' << got.z;
+  };
+  ASSERT_TRUE(mesh.is_rectangle(12));
+  EXPECT_EQ(scene.materials[mesh.material_of(12)].diffuse, glm::dvec3(0, 0, 1));
+  EXPECT_TRUE(scene.materials[mesh.material_of(12)].mirror);
+  // A quarter turn takes z to x and x to -z.
+  const std::array<glm::dvec3, 4> corners = mesh.rectangle(12).corners();
+  expect_near(corners[0], {0, 10, -1});
+  expect_near(corners[1], {2, 10, -1});
+  expect_near(corners[2], {2, 13, -1});
+  expect_near(corners[3], {0, 13, -1});
+  expect_near(mesh.corners(12)[2], corners[0]);
+  ASSERT_TRUE(mesh.is_ellipsoid(13));
+  EXPECT_EQ(scene.materials[mesh.material_of(13)].diffuse, glm::dvec3(1, 0, 0));
+  const Ellipsoid& ellipsoid = mesh.ellipsoid(13);
+  expect_near(ellipsoid.extent(), {3, 2, 1});
+  expect_near(ellipsoid.from_unit * glm::dvec4(0, 0, 1, 1), {8, 0, 0});
+  const Box box = bounds(scene);
+  expect_near(box.low, {0, -2, -21});
+  expect_near(box.high, {8, 13, -19});
+}
+
+TEST(Description, NamesMistakesInPrimitives) {
+  const TestFolder folder;
+  const auto expect_error = [&](const std::string& part, const std::string& sentence) {
+    const std::string path =
+        folder.write("p.json", R"({"objects": [{"name": "o", "parts": [{"colour": [1, 0, 0], )" +
+                                   part + "}]}]}");
+    try {
+      load_scene(path);
+      ADD_FAILURE() << "no error: " << part;
+    } catch (const UserError& error) {
+      EXPECT_EQ(error.what(), path + ": objects[0].parts[0]: " + sentence);
+    }
+  };
+  expect_error(R"("primitive": "cone")", "'cone' is not a primitive; sphere and rectangle are");
+  expect_error(R"("primitive": "sphere")", "a sphere has either a 'radius' or three 'radii'");
+  expect_error(R"("primitive": "sphere", "radius": 1, "radii": [1, 1, 1])",
+               "a sphere has either a 'radius' or three 'radii'");
+  expect_error(R"("primitive": "sphere", "radii": [1, 0, 1])",
+               "'radii' must be three numbers above zero");
+  expect_error(R"("primitive": "sphere", "radius": 1, "mirror": true)",
+               "a sphere that is a primitive cannot be a 'mirror', as every point of it would need "
+               "a reflection of its own; generate a sphere of triangles");
+  expect_error(
+      R"("primitive": "rectangle", "corner": [0, 0, 0], "across": [1, 1, 0], "along": [2, 2, 0])",
+      "'across' and 'along' must not be zero nor lie on one line");
+}
+
 TEST(Description, OneInstanceOfEachObjectUnlessSaidOtherwise) {
   const TestFolder folder;
   const Scene scene = load_scene(folder.write("a.json", R"({"objects": [
@@ -281,8 +343,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"\"turn\": 90", "\"turn\": \"left\"",
                 ": objects[0].parts[0]: 'turn' must be a number"},
         Mistake{"\"generate\": \"box\"", "\"form\": \"box\"",
-                ": objects[0].parts[0]: a part needs one of the keys 'model', 'map' and "
-                "'generate'"},
+                ": objects[0].parts[0]: a part needs one of the keys 'model', 'map', 'generate' "
+                "and 'primitive'"},
+        Mistake{"\"generate\": \"box\"", "\"primitive\": \"box\"",
+                ": objects[0].parts[0]: 'box' is not a primitive; sphere and rectangle are"},
         Mistake{"\"generate\": \"box\"", "\"generate\": \"cone\"",
                 ": objects[0].parts[0]: 'cone' cannot be generated; sphere, box, torus and "
                 "hills can"},
@@ -371,8 +435,8 @@ TEST(Description, KeepsLightsAndMirrors) {
   int mirrors = 0;
   for (const Material& material : scene.materials) {
     const bool expected = material.name == "Scopia#bandeja/transparent" || material.name == "plate";
-    EXPECT_EQ(material.mirror, expected) << material.name;
-    mirrors += material.mirror;
+    EXPECT_EQ(material.mirror, expected ? kMirrorShare : 0.0) << material.name;
+    mirrors += material.mirror > 0.0;
   }
   EXPECT_EQ(mirrors, 2);
 }

@@ -53,6 +53,14 @@ void MeshBuilder::append(const Mesh& other, const glm::dmat4& placement) {
     mesh_.triangles.emplace_back(placed[t.x], placed[t.y], placed[t.z]);
   }
   mesh_.material.insert(mesh_.material.end(), other.material.begin(), other.material.end());
+  const glm::dmat3 linear(placement);
+  for (const Rectangle& r : other.rectangles) {
+    mesh_.rectangles.push_back({glm::dvec3(placement * glm::dvec4(r.corner, 1.0)),
+                                linear * r.across, linear * r.along, r.material});
+  }
+  for (const Ellipsoid& e : other.ellipsoids) {
+    mesh_.ellipsoids.push_back({placement * e.from_unit, e.material});
+  }
 }
 
 }  // namespace dynrt::host

@@ -28,7 +28,7 @@ class MeshBuilder {
 
   void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, uint32_t material);
 
-  // All triangles of another object, placed by an affine transform with an inverse.
+  // All primitives of another object, placed by an affine transform with an inverse.
   void append(const Mesh& other, const glm::dmat4& placement);
 
   std::size_t zero_area_triangles() const { return zero_area_triangles_; }

@@ -1,19 +1,23 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a scene is before it is packed for the board: objects made of triangles, instances of them
-// placed in the world, lights, a camera, and how these move. All in doubles: rounding to the core's
-// format happens once, when the memory image is written. Lengths are in the file's unit (metres in
-// scenes/*.json), times in seconds, colours in [0, 1], angles nowhere. A loaded scene has at least
-// one triangle, finite vertices, no triangle of zero area and only instances whose transform has an
-// inverse.
+// What a scene is before it is packed for the board: objects of triangles, rectangles and
+// ellipsoids, instances of them placed in the world, lights, a camera, and how these move. All in
+// doubles: rounding to the core's format happens once, when the memory image is written. Lengths
+// are in the file's unit (metres in scenes/*.json), times in seconds, colours in [0, 1], angles
+// nowhere. A loaded scene has at least one primitive, finite vertices, no triangle of zero area and
+// only instances whose transform has an inverse.
 #ifndef DYNRT_HOST_SCENE_SCENE_H_
 #define DYNRT_HOST_SCENE_SCENE_H_
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -21,18 +25,78 @@
 
 namespace dynrt::host {
 
+// How much a mirror reflects that is not said to reflect more or less.
+inline constexpr double kMirrorShare = 0.8;
+
 struct Material {
   std::string name;
   glm::dvec3 diffuse{0.8};
-  bool mirror = false;  // reflects
+  double mirror = 0.0;  // the part of the light that it reflects, 0 to 1
 };
 
-// An object: what a bottom-level tree is built over.
+// A parallelogram: from its corner along two edges.
+struct Rectangle {
+  glm::dvec3 corner{0.0};
+  glm::dvec3 across{1.0, 0.0, 0.0};
+  glm::dvec3 along{0.0, 1.0, 0.0};
+  uint32_t material = 0;
+
+  std::array<glm::dvec3, 4> corners() const {
+    return {corner, corner + across, corner + across + along, corner + along};
+  }
+};
+
+// The sphere of radius 1 about the origin under an affine map with an inverse.
+struct Ellipsoid {
+  glm::dmat4 from_unit{1.0};
+  uint32_t material = 0;
+
+  // Half its box: the length of each row.
+  glm::dvec3 extent() const {
+    const glm::dmat3 rows = glm::transpose(glm::dmat3(from_unit));
+    return {glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2])};
+  }
+};
+
+// An object: what a bottom-level tree is built over. Its primitives are numbered: the triangles
+// first, then the rectangles, then the ellipsoids.
 struct Mesh {
   std::string name;
   std::vector<glm::dvec3> vertices;
   std::vector<glm::uvec3> triangles;
   std::vector<uint32_t> material;  // one per triangle, an index into Scene::materials
+  std::vector<Rectangle> rectangles = {};
+  std::vector<Ellipsoid> ellipsoids = {};
+
+  std::size_t primitives() const {
+    return triangles.size() + rectangles.size() + ellipsoids.size();
+  }
+  bool is_rectangle(std::size_t primitive) const {
+    return primitive >= triangles.size() && primitive < triangles.size() + rectangles.size();
+  }
+  bool is_ellipsoid(std::size_t primitive) const {
+    return primitive >= triangles.size() + rectangles.size();
+  }
+  const Rectangle& rectangle(std::size_t primitive) const {
+    return rectangles[primitive - triangles.size()];
+  }
+  const Ellipsoid& ellipsoid(std::size_t primitive) const {
+    return ellipsoids[primitive - triangles.size() - rectangles.size()];
+  }
+  uint32_t material_of(std::size_t primitive) const {
+    return is_ellipsoid(primitive)   ? ellipsoid(primitive).material
+           : is_rectangle(primitive) ? rectangle(primitive).material
+                                     : material.at(primitive);
+  }
+  // Of a triangle, or three of a rectangle such that the last is next to both others.
+  std::array<glm::dvec3, 3> corners(std::size_t primitive) const {
+    if (is_rectangle(primitive)) {
+      const Rectangle& r = rectangle(primitive);
+      return {r.corner + r.across, r.corner + r.along, r.corner};
+    }
+    const glm::uvec3& t = triangles[primitive];
+    return {vertices[t.x], vertices[t.y], vertices[t.z]};
+  }
 };
 
 struct Instance {
@@ -100,6 +164,7 @@ struct Scene {
   std::vector<Instance> instances;
   std::optional<Camera> camera;  // of the file, for a square image: camera.h fits it to another
   std::vector<PointLight> lights;
+  std::vector<std::string> distant_lights;  // at infinity, so none of the above: their names
   std::vector<MotionNode> motion;
   std::optional<uint32_t> camera_motion = std::nullopt;  // what moves the camera, in its place
   std::vector<PathKey> path;                             // the same, in order of time

@@ -43,11 +43,24 @@ inline constexpr Text kNoTriangles =
 
 inline constexpr Text kNoKeyframes =
     "{}: the animation '{}' moves no node; give it a channel of translation, rotation or scale";
+inline constexpr Text kChannelEmpty =
+    "{}: node '{}': its animation has no keyframes; give it at least one or take it out";
 inline constexpr Text kKeyframe =
     "{}: node '{}': keyframe {} of its animation, at {} seconds, cannot be used; times must rise "
     "from at least 0, values be finite, rotations not zero";
 inline constexpr Text kLight =
     "{}: light '{}': its position and its colour must be finite and the colour not negative";
+
+inline constexpr Text kLightDistant =
+    "scene '{}': light '{}' is infinitely far away; only point lights shine here: make it one, far "
+    "away if need be, or take it out";
+inline constexpr Text kLightOnSurface =
+    "scene '{}': light '{}' at ({:g}, {:g}, {:g}) lies on triangle {} of '{}', nearer than the "
+    "core's numbers tell apart; move it away from the surface";
+inline constexpr Text kLightInside =
+    "scene '{}': light '{}' at ({:g}, {:g}, {:g}) lies inside '{}', which is closed and lets none "
+    "of it out; move the light";
+inline constexpr Text kNoMaterialNamed = "scene '{}' has no material '{}'; it has {}";
 
 // Notes, which stop nothing
 inline constexpr Text kAnimations = "{}: has {} animations, of which only the first, '{}', is used";
@@ -101,7 +114,15 @@ inline constexpr Text kNoParts = "the object '{}' has no parts";
 inline constexpr Text kSize = "'size' must be three numbers above zero";
 inline constexpr Text kNoMaterial = "the model has no material '{}'; it has {}";
 inline constexpr Text kNoTexture = "the map has no texture '{}'; it has {}";
-inline constexpr Text kPartKind = "a part needs one of the keys 'model', 'map' and 'generate'";
+inline constexpr Text kPartKind =
+    "a part needs one of the keys 'model', 'map', 'generate' and 'primitive'";
+inline constexpr Text kPrimitive = "'{}' is not a primitive; sphere and rectangle are";
+inline constexpr Text kRadius = "a sphere has either a 'radius' or three 'radii'";
+inline constexpr Text kRadii = "'radii' must be three numbers above zero";
+inline constexpr Text kSphereMirror =
+    "a sphere that is a primitive cannot be a 'mirror', as every point of it would need a "
+    "reflection of its own; generate a sphere of triangles";
+inline constexpr Text kRectangle = "'across' and 'along' must not be zero nor lie on one line";
 inline constexpr Text kBoxCorners = "'from' must be below 'to' on every axis";
 inline constexpr Text kShape = "'{}' cannot be generated; sphere, box, torus and hills can";
 inline constexpr Text kNoObject = "there is no object '{}'";

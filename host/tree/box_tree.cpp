@@ -118,7 +118,8 @@ class Builder {
  public:
   explicit Builder(const BoxTreeOptions& options)
       : item_(static_cast<float>(options.item)),
-        forgiven_(static_cast<float>(1 - options.empty_bonus)) {}
+        forgiven_(static_cast<float>(1 - options.empty_bonus)),
+        room_(options.room) {}
 
   Tree run(std::span<const Aabb> boxes, const BoxTreeOptions& options) {
     refs_.reserve(4 * boxes.size());
@@ -128,18 +129,30 @@ class Builder {
       refs_.push_back(make_ref(grid_box(boxes[i]), static_cast<std::uint32_t>(i)));
     }
     const GridBox cell = grid_box(whole, kBoxGrowth);
-    tree_.nodes.reserve(2 * boxes.size());
-    add_clipping_nodes(tree_, real_box(cell));
     const double levels =
         options.depth_factor * std::log2(static_cast<double>(boxes.size())) + options.depth_extra;
     depth_ = std::clamp(static_cast<int>(std::lround(levels)), 0, kMaxTreeDepth);
-    const FloatBox root_cell = make_ref(cell, 0);
-    whole_area_ = half_area(root_cell);
-    tree_.root = build(0, boxes.size(), root_cell, 0);
+    while (!attempt(cell, boxes.size())) {
+      --depth_;
+      tree_ = Tree();
+      tree_.cut = true;
+    }
     return std::move(tree_);
   }
 
  private:
+  /// False where the tree outgrows its room; one of a single leaf counts as none that does.
+  bool attempt(const GridBox& cell, std::size_t count) {
+    tree_.nodes.reserve(2 * count);
+    add_clipping_nodes(tree_, real_box(cell));
+    const FloatBox root_cell = make_ref(cell, 0);
+    whole_area_ = half_area(root_cell);
+    promised_ = {tree_.nodes.size(), count};
+    outgrown_ = false;
+    tree_.root = build(0, count, root_cell, 0);
+    return !outgrown_;
+  }
+
   std::uint32_t build(std::size_t begin, std::size_t end, const FloatBox& cell, int depth) {
     TreeStats& stats = tree_.stats;
     if (begin == end) {
@@ -151,28 +164,19 @@ class Builder {
     const double p = half_area(cell) / whole_area_;
     const auto index = static_cast<std::uint32_t>(tree_.nodes.size());
     Choice choice;
-    if (depth < depth_ && count > 1) {
+    if (depth < depth_ && count > 1 && !outgrown_) {
       choice = (count <= kSweepItems ? sweep(begin, end, cell) : bins(begin, end, cell)).best();
     }
-    if (!(choice.cost < static_cast<float>(count) * item_)) {
-      tree_.nodes.push_back({kLeafAxis, 0, static_cast<std::uint32_t>(tree_.items.size()),
-                             static_cast<std::uint32_t>(count)});
-      for (std::size_t i = begin; i < end; ++i) tree_.items.push_back(item_of(refs_[i]));
-      ++stats.leaves;
-      ++stats.leaf_links;
-      stats.expected_leaves += p;
-      stats.expected_items += p * static_cast<double>(count);
-      stats.items += count;
-      stats.longest_list = std::max(stats.longest_list, count);
-      return index;
-    }
+    if (!(choice.cost < static_cast<float>(count) * item_)) return leaf(begin, end, p);
+    const std::size_t left_begin = refs_.size();
+    const std::size_t right_begin = divide(begin, end, choice);
+    const std::size_t right_end = refs_.size();
+    promise({std::size_t{right_begin > left_begin} + std::size_t{right_end > right_begin},
+             right_end - left_begin - count});
     ++stats.inner_nodes;
     stats.expected_steps += p;
     tree_.nodes.push_back(
         {static_cast<std::uint8_t>(choice.axis), choice.split, kNullNode, kNullNode});
-    const std::size_t left_begin = refs_.size();
-    const std::size_t right_begin = divide(begin, end, choice);
-    const std::size_t right_end = refs_.size();
     FloatBox part = cell;
     part.high[choice.axis] = choice.split;
     const std::uint32_t left = build(left_begin, right_begin, part, depth + 1);
@@ -184,6 +188,29 @@ class Builder {
     tree_.nodes[index].left = left;
     tree_.nodes[index].right = right;
     return index;
+  }
+
+  /// `p`: the part of the rays that come here.
+  std::uint32_t leaf(std::size_t begin, std::size_t end, double p) {
+    TreeStats& stats = tree_.stats;
+    const std::size_t count = end - begin;
+    const auto index = static_cast<std::uint32_t>(tree_.nodes.size());
+    tree_.nodes.push_back({kLeafAxis, 0, static_cast<std::uint32_t>(tree_.items.size()),
+                           static_cast<std::uint32_t>(count)});
+    for (std::size_t i = begin; i < end; ++i) tree_.items.push_back(item_of(refs_[i]));
+    ++stats.leaves;
+    ++stats.leaf_links;
+    stats.expected_leaves += p;
+    stats.expected_items += p * static_cast<double>(count);
+    stats.items += count;
+    stats.longest_list = std::max(stats.longest_list, count);
+    return index;
+  }
+
+  /// Counts what a split adds: its children and the boxes that are on both sides.
+  void promise(const TreeSize& more) {
+    promised_ = {promised_.nodes + more.nodes, promised_.items + more.items};
+    outgrown_ |= promised_.nodes > room_.nodes || promised_.items > room_.items;
   }
 
   /// Appends the boxes left of the plane and then those right of it; returns where these begin.
@@ -262,6 +289,9 @@ class Builder {
   }
 
   const float item_, forgiven_;
+  const TreeSize room_;
+  TreeSize promised_;  ///< what the tree takes if all open nodes become leaves
+  bool outgrown_ = false;
   int depth_ = 0;
   double whole_area_ = 0;
   std::vector<BoxRef> refs_;   ///< a stack: the boxes of the open nodes

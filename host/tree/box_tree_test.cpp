@@ -79,6 +79,25 @@ TEST(BoxTree, HugeBoxesAreToldApartAsWell) {
   }
 }
 
+TEST(BoxTree, KeepsToItsRoom) {
+  const std::vector<Aabb> boxes = random_boxes(500, 0.6, 1);
+  const TreeSize whole = build_box_tree(boxes).size();
+  ASSERT_GT(whole.items, 2000u);
+  EXPECT_FALSE(build_box_tree(boxes, {.room = whole}).cut);
+  for (const TreeSize& room :
+       {TreeSize{whole.nodes / 2, whole.items}, TreeSize{whole.nodes, whole.items / 2},
+        TreeSize{whole.nodes - 1, whole.items}, TreeSize{7, 500}}) {
+    const Tree tree = build_box_tree(boxes, {.room = room});
+    testing::expect_sound(tree);
+    EXPECT_TRUE(tree.cut);
+    EXPECT_LE(tree.size().nodes, room.nodes);
+    EXPECT_LE(tree.size().items, room.items);
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      ASSERT_TRUE(testing::found(tree, tree.clipped_root, boxes[i].low, i)) << "box " << i;
+    }
+  }
+}
+
 TEST(BoxTree, IsTheSameTwice) {
   const std::vector<Aabb> boxes = random_boxes(5000, 0.05, 1);
   testing::expect_same(build_box_tree(boxes), build_box_tree(boxes));

@@ -3,14 +3,15 @@
 #include "host/tree/clip.h"
 
 #include <algorithm>
+#include <array>
 
 namespace dynrt::host {
 
 namespace {
 
-/// A convex polygon: a triangle cut by six planes has at most nine corners.
+/// A convex polygon: a rectangle cut by six planes has at most ten corners.
 struct Polygon {
-  std::array<glm::dvec3, 9> corner;
+  std::array<glm::dvec3, 10> corner;
   int count = 0;
 };
 
@@ -35,15 +36,15 @@ Polygon cut(const Polygon& in, int axis, double plane, double sign) {
 
 }  // namespace
 
-Aabb clipped_box(const std::array<glm::dvec3, 3>& triangle, const Aabb& cell) {
+Aabb clipped_box(std::span<const glm::dvec3> corners, const Aabb& cell) {
   Polygon polygon;
-  std::copy(triangle.begin(), triangle.end(), polygon.corner.begin());
-  polygon.count = 3;
-  const glm::dvec3 low = glm::min(glm::min(triangle[0], triangle[1]), triangle[2]);
-  const glm::dvec3 high = glm::max(glm::max(triangle[0], triangle[1]), triangle[2]);
+  std::ranges::copy(corners, polygon.corner.begin());
+  polygon.count = static_cast<int>(corners.size());
+  Aabb whole;
+  for (const glm::dvec3& corner : corners) whole.include(corner);
   for (int axis = 0; axis < 3; ++axis) {
-    if (low[axis] < cell.low[axis]) polygon = cut(polygon, axis, cell.low[axis], 1.0);
-    if (high[axis] > cell.high[axis]) polygon = cut(polygon, axis, cell.high[axis], -1.0);
+    if (whole.low[axis] < cell.low[axis]) polygon = cut(polygon, axis, cell.low[axis], 1.0);
+    if (whole.high[axis] > cell.high[axis]) polygon = cut(polygon, axis, cell.high[axis], -1.0);
   }
   Aabb box;
   for (int i = 0; i < polygon.count; ++i) box.include(polygon.corner[i]);

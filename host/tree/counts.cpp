@@ -38,6 +38,7 @@ void WorkCounts::add(const WorkCounts& more) {
 namespace {
 
 using Mask = unsigned;
+const glm::dmat4x3 kNoMatrix(std::nan(""));
 
 struct Ray {
   glm::dvec3 origin, direction;
@@ -88,10 +89,10 @@ struct Setting {
         options(the_options) {
     for (const Mesh& mesh : scene.objects) {
       std::vector<glm::dmat4x3>& matrices = triangles.emplace_back();
-      for (const glm::uvec3& t : mesh.triangles) {
-        const auto matrix =
-            triangle_matrix({mesh.vertices[t.x], mesh.vertices[t.y], mesh.vertices[t.z]});
-        matrices.push_back(matrix.value_or(glm::dmat4x3(std::nan(""))));
+      for (std::size_t i = 0; i < mesh.primitives(); ++i) {
+        matrices.push_back(mesh.is_ellipsoid(i)
+                               ? ellipsoid_matrix(mesh.ellipsoid(i)).matrix
+                               : triangle_matrix(mesh.corners(i)).value_or(kNoMatrix));
       }
     }
     for (const Instance& instance : scene.instances) {
@@ -192,13 +193,21 @@ class Tracer {
 
   void intersect(std::uint32_t instance, std::uint32_t triangle, const glm::dmat4x3& m,
                  const std::array<Ray, kRays>& rays) {
+    const Mesh& mesh = setting_.scene.objects[setting_.scene.instances[instance].object];
     for (int i = 0; i < kRays; ++i) {
       const glm::dvec3 o = m * glm::dvec4(rays[i].origin, 1.0);
       const glm::dvec3 d = m * glm::dvec4(rays[i].direction, 0.0);
-      const double t = -o.z / d.z;
+      double t = -o.z / d.z;
       const double u = t * d.x + o.x;
       const double v = t * d.y + o.y;
-      if (t > 0 && t < distance_[i] && u >= 0 && v >= 0 && u + v <= 1) {
+      bool inside =
+          u >= 0 && v >= 0 && (mesh.is_rectangle(triangle) ? u <= 1 && v <= 1 : u + v <= 1);
+      if (mesh.is_ellipsoid(triangle)) {
+        const auto [first, second] = sphere_hits(o, d);
+        t = first > 0 ? first : second;
+        inside = true;
+      }
+      if (t > 0 && t < distance_[i] && inside) {
         distance_[i] = t;
         hit_[i] = {true, t, u, v, instance, triangle};
       }

@@ -102,6 +102,59 @@ TEST(Counts, ACameraOnASplitLosesNoRays) {
   EXPECT_GT(expect_same_hits(scene, testing::camera_at({0, 3, 0}, {0.001, -1, 0.002})), 500);
 }
 
+/// Distance along the ray to the closest rectangle or ellipsoid; infinity where there is none.
+double closest_primitive(const Mesh& mesh, const glm::dvec3& origin, const glm::dvec3& d) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const Rectangle& r : mesh.rectangles) {
+    const glm::dvec3 uvt = glm::inverse(glm::dmat3(r.across, r.along, -d)) * (origin - r.corner);
+    if (uvt.x >= 0 && uvt.x <= 1 && uvt.y >= 0 && uvt.y <= 1 && uvt.z > 0) {
+      best = std::min(best, uvt.z);
+    }
+  }
+  for (const Ellipsoid& e : mesh.ellipsoids) {
+    // |o + t d|^2 = 1 in the space of the unit sphere, as a quadratic equation.
+    const glm::dmat4 inverse = glm::inverse(e.from_unit);
+    const glm::dvec3 o(inverse * glm::dvec4(origin, 1)), l(inverse * glm::dvec4(d, 0));
+    const double a = glm::dot(l, l), b = 2 * glm::dot(o, l), c = glm::dot(o, o) - 1;
+    const double discriminant = b * b - 4 * a * c;
+    for (const double sign : {-1.0, 1.0}) {
+      const double t = (-b + sign * std::sqrt(discriminant)) / (2 * a);
+      if (t > 0) best = std::min(best, t);
+    }
+  }
+  return best;
+}
+
+TEST(Counts, RectanglesAndEllipsoidsAreHit) {
+  Mesh mesh;
+  mesh.name = "primitives";
+  for (int i = 0; i < 6; ++i) {
+    const double x = 0.7 * i - 1.8;
+    mesh.rectangles.push_back({{x, -0.3, -0.2 * i}, {0.5, 0.1, 0.2}, {0.2, 0.8, 0}});
+    glm::dmat4 from_unit = glm::translate(glm::dmat4(1), glm::dvec3(x, 0.6, 0.1 * i - 0.3));
+    from_unit[1][0] = 0.3;
+    mesh.ellipsoids.push_back({glm::scale(from_unit, glm::dvec3(0.3, 0.2 + 0.05 * i, 0.25))});
+  }
+  const Scene scene = testing::scene_of(mesh);
+  const Camera camera = testing::camera_at({0.1, 0.2, 3.5}, {0.02, 0.01, -1});
+  const TracedFrame frame = trace_frame(scene, build_scene_trees(scene), camera, kSide, kSide);
+  int hits[2] = {};
+  for (unsigned y = 0; y < kSide; ++y) {
+    for (unsigned x = 0; x < kSide; ++x) {
+      const glm::dvec3 d = ((x + 0.5) / kSide - 0.5) * camera.right +
+                           (0.5 - (y + 0.5) / kSide) * camera.up + camera.forward;
+      const double expected = closest_primitive(mesh, camera.position, d);
+      const TracedHit& got = frame.hits[y * kSide + x];
+      ASSERT_EQ(got.hit, std::isfinite(expected)) << x << ' ' << y;
+      if (!got.hit) continue;
+      ASSERT_NEAR(got.t, expected, 1e-9) << x << ' ' << y;
+      ++hits[mesh.is_ellipsoid(got.triangle)];
+    }
+  }
+  EXPECT_GT(hits[0], 20);
+  EXPECT_GT(hits[1], 20);
+}
+
 TEST(Counts, InstancesAreHitThroughBothLevels) {
   Scene scene = testing::scene_of(testing::soup(5, 300, 0.3));
   scene.objects.push_back({});

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/tree/instance_tree.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/error.h"
@@ -39,7 +40,11 @@ Tree build_instance_tree(const Scene& scene, std::span<const Aabb> object_boxes,
       }
     }
   }
-  return build_box_tree(boxes, options);
+  const TreeSize most = top_level_room(boxes.size());
+  BoxTreeOptions within = options;
+  within.room = {std::min(options.room.nodes, most.nodes),
+                 std::min(options.room.items, most.items)};
+  return build_box_tree(boxes, within);
 }
 
 }  // namespace dynrt::host

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "host/error.h"
 #include "host/tree/test_meshes.h"
+#include "host/tree/test_trees.h"
 
 namespace dynrt::host {
 namespace {
@@ -36,6 +39,27 @@ std::string error_of(const Scene& scene) {
     return error.what();
   }
   return "no error";
+}
+
+TEST(InstanceTree, KeepsToTheTopLevelsPlace) {
+  Scene scene = testing::scene_of(testing::soup(1, 10, 0.1));
+  const std::vector<Aabb> boxes{{glm::dvec3(-1), glm::dvec3(1)}};
+  for (const double apart : {0.01, 0.3, 1.0, 3.0, 30.0}) {
+    scene.instances.clear();
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> at(-10 * apart, 10 * apart);
+    for (int i = 0; i < 1000; ++i) {
+      const glm::dvec3 place(at(random), at(random), at(random));
+      scene.instances.push_back({"i", 0, glm::translate(glm::dmat4(1.0), place)});
+    }
+    const Tree tree = build_instance_tree(scene, boxes);
+    const TreeSize room = top_level_room(1000);
+    EXPECT_LE(tree.size().nodes, room.nodes) << apart;
+    EXPECT_LE(tree.size().items, room.items) << apart;
+    testing::expect_sound(tree);
+    if (apart == 0.3) EXPECT_TRUE(tree.cut) << "where many lie in one another";
+    if (apart >= 3) EXPECT_FALSE(tree.cut) << apart;
+  }
 }
 
 TEST(InstanceTree, RefusesASceneWithoutInstances) {

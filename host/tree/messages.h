@@ -11,6 +11,9 @@ inline constexpr char kNoTriangles[] =
 inline constexpr char kCoordinate[] =
     "object '{}', triangle {}, vertex {}: {} = {:g} is outside the core's numbers; coordinates "
     "must lie within -{:.5g} and {:.5g}";
+inline constexpr char kPrimitiveBox[] =
+    "object '{}', primitive {}: its box reaches {} = {:g}, outside the core's numbers; coordinates "
+    "must lie within -{:.5g} and {:.5g}";
 inline constexpr char kNoInstances[] =
     "scene '{}' has no instances to build a tree over; a scene must have at least one";
 inline constexpr char kInstanceBox[] =

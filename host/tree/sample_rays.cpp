@@ -9,6 +9,8 @@
 #include <limits>
 #include <random>
 
+#include "host/tree/triangle_matrix.h"
+
 namespace dynrt::host {
 
 namespace {
@@ -55,7 +57,7 @@ class Caster {
       const TreeNode& node = tree_.nodes[index];
       if (node.is_leaf()) {
         for (std::uint32_t i = 0; i < node.right; ++i) {
-          intersect(object_.triangles[tree_.items[node.left + i]], origin, along);
+          intersect(tree_.items[node.left + i], origin, along);
         }
         return;
       }
@@ -75,17 +77,28 @@ class Caster {
     }
   }
 
-  void intersect(const glm::uvec3& triangle, const glm::dvec3& origin, const glm::dvec3& along) {
-    const glm::dvec3& c = object_.vertices[triangle.z];
-    const glm::dvec3 a = object_.vertices[triangle.x] - c;
-    const glm::dvec3 b = object_.vertices[triangle.y] - c;
+  void intersect(std::size_t primitive, const glm::dvec3& origin, const glm::dvec3& along) {
+    if (object_.is_ellipsoid(primitive)) return intersect_ellipsoid(primitive, origin, along);
+    const auto [x, y, c] = object_.corners(primitive);
+    const glm::dvec3 a = x - c;
+    const glm::dvec3 b = y - c;
     const glm::dvec3 p = glm::cross(along, b);
     const double determinant = glm::dot(a, p);
     const double u = glm::dot(origin - c, p) / determinant;
     const glm::dvec3 q = glm::cross(origin - c, a);
     const double v = glm::dot(along, q) / determinant;
     const double t = glm::dot(b, q) / determinant;
-    if (u >= 0 && v >= 0 && u + v <= 1 && t > 0 && t < closest_) closest_ = t;
+    const bool inside = object_.is_rectangle(primitive) ? u <= 1 && v <= 1 : u + v <= 1;
+    if (u >= 0 && v >= 0 && inside && t > 0 && t < closest_) closest_ = t;
+  }
+
+  void intersect_ellipsoid(std::size_t primitive, const glm::dvec3& origin,
+                           const glm::dvec3& along) {
+    const glm::dmat4x3 m = ellipsoid_matrix(object_.ellipsoid(primitive)).matrix;
+    const auto [first, second] =
+        sphere_hits(m * glm::dvec4(origin, 1.0), m * glm::dvec4(along, 0.0));
+    const double t = first > 0 ? first : second;
+    if (t > 0 && t < closest_) closest_ = t;
   }
 
   const Mesh& object_;

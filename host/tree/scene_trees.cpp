@@ -19,8 +19,6 @@ namespace {
 
 /// Leaves with the same list are one in the end, so that more may be made than there is room for.
 constexpr std::size_t kMadePerKept = 4;
-/// Of the top-level tree now, the room that it keeps for later frames.
-constexpr double kTopLevelRoom = 1.5;
 /// A cut tree that takes less than this part of its room is worth a second attempt with more,
 constexpr double kWellUsed = 0.75;
 /// of which so much is asked for.
@@ -90,7 +88,7 @@ class ObjectTrees {
     for (std::size_t k = 0; k < trees_.size(); ++k) {
       nodes.push_back(whole_[k].size.nodes);
       items.push_back(whole_[k].size.items);
-      weights.push_back(scene_.objects[k].triangles.size());
+      weights.push_back(scene_.objects[k].primitives());
     }
     nodes = shares(limits.nodes, nodes, weights);
     items = shares(limits.items, items, weights);
@@ -166,8 +164,8 @@ SceneTrees build_scene_trees(const Scene& scene, const TreeOptions& options,
   trees.instances = build_instance_tree(scene, boxes);
   const TreeSize top = trees.instances.size();
   if (!objects.fit({less(limits.nodes, top.nodes), less(limits.items, top.items)})) {
-    objects.cut_to({less(limits.nodes, part_of(top.nodes, kTopLevelRoom)),
-                    less(limits.items, part_of(top.items, kTopLevelRoom))});
+    const TreeSize room = top_level_room(scene.instances.size());
+    objects.cut_to({less(limits.nodes, room.nodes), less(limits.items, room.items)});
     trees.notes = objects.notes(limits);
   }
   trees.objects = objects.trees();

@@ -1,20 +1,26 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The affine map from a triangle (a, b, c) to the unit triangle (1,0,0), (0,1,0), (0,0,0) that
-// takes the triangle's unit normal to (0,0,1) (thesis 5.1.2). In doubles: rounding to the core's
-// format happens once, in the memory image.
+// The affine maps from primitives to unit objects (thesis chapter 5): from a triangle (a, b, c), or
+// the rectangle with these corners, to (1,0,0), (0,1,0), (0,0,0), from an ellipsoid to the unit
+// sphere. In doubles: rounding to the core's format happens once, in the memory image.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x3.hpp>
+#include <glm/matrix.hpp>
 #include <optional>
+#include <utility>
+
+#include "host/scene/scene.h"
 
 namespace dynrt::host {
 
-/// Nothing for a triangle without area, as far as doubles can tell.
+/// Takes the triangle's unit normal to (0,0,1) (5.1.2). Nothing for a triangle without area, as far
+/// as doubles can tell.
 inline std::optional<glm::dmat4x3> triangle_matrix(const std::array<glm::dvec3, 3>& triangle) {
   const glm::dvec3& c = triangle[2];
   const glm::dvec3 to_a = triangle[0] - c;
@@ -33,6 +39,52 @@ inline std::optional<glm::dmat4x3> triangle_matrix(const std::array<glm::dvec3, 
   const glm::dvec3 v = glm::cross(normal, a) / (area * scale);
   return glm::dmat4x3(u.x, v.x, normal.x, u.y, v.y, normal.y, u.z, v.z, normal.z, -glm::dot(u, c),
                       -glm::dot(v, c), -glm::dot(normal, c));
+}
+
+/// A map with what belongs to it.
+struct UnitMatrix {
+  glm::dmat4x3 matrix;
+  int ones = 0;  ///< memory-efficient: which column is (1, 1, 1)
+  /// Times the scalar product of direction and normal in unit space: the one in the object.
+  double cosine_factor = 1;
+};
+
+/// The triangle's map in memory-efficient form (5.1.1), from that of triangle_matrix, whose third
+/// row is the unit normal n: both forms agree in the triangle's plane, so their rows differ by
+/// multiples of n alone, and the third by its length. The column of ones belongs to n's largest
+/// component, which keeps the multiples small.
+inline UnitMatrix efficient_matrix(const glm::dmat4x3& consistent) {
+  UnitMatrix out{consistent};
+  for (int c = 1; c < 3; ++c) {
+    if (std::abs(consistent[c].z) > std::abs(consistent[out.ones].z)) out.ones = c;
+  }
+  const double largest = consistent[out.ones].z;
+  const double u = (1 - consistent[out.ones].x) / largest;
+  const double v = (1 - consistent[out.ones].y) / largest;
+  for (int c = 0; c < 4; ++c) {
+    const double n = consistent[c].z;
+    out.matrix[c] += glm::dvec3(u * n, v * n, n / largest - n);
+  }
+  out.matrix[out.ones] = glm::dvec3(1);
+  out.cosine_factor = largest;
+  return out;
+}
+
+/// Where a ray enters and leaves the unit sphere; NaN if it passes by.
+inline std::pair<double, double> sphere_hits(const glm::dvec3& origin,
+                                             const glm::dvec3& direction) {
+  const double square = glm::dot(direction, direction);
+  const double nearest = -glm::dot(origin, direction) / square;
+  const glm::dvec3 p = origin + nearest * direction;
+  const double half = std::sqrt((1 - glm::dot(p, p)) / square);
+  return {nearest - half, nearest + half};
+}
+
+/// A sphere's factor is its radius. For an ellipsoid, whose normals are stretched by as much as the
+/// place on it asks for, no one factor is right: it has the geometric mean of its radii.
+inline UnitMatrix ellipsoid_matrix(const Ellipsoid& ellipsoid) {
+  return {glm::dmat4x3(glm::inverse(ellipsoid.from_unit)), 0,
+          std::cbrt(std::abs(glm::determinant(glm::dmat3(ellipsoid.from_unit))))};
 }
 
 }  // namespace dynrt::host

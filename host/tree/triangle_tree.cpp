@@ -14,20 +14,51 @@ namespace dynrt::host {
 
 namespace {
 
-using Corners = std::array<glm::dvec3, 3>;
-
-Corners corners(const Mesh& object, std::size_t triangle) {
-  const glm::uvec3& t = object.triangles[triangle];
-  return {object.vertices[t.x], object.vertices[t.y], object.vertices[t.z]};
+Aabb box_of(const Mesh& object, std::size_t primitive) {
+  Aabb box;
+  if (object.is_ellipsoid(primitive)) {
+    const Ellipsoid& e = object.ellipsoid(primitive);
+    box.include(glm::dvec3(e.from_unit[3]) - e.extent());
+    box.include(glm::dvec3(e.from_unit[3]) + e.extent());
+  } else if (object.is_rectangle(primitive)) {
+    for (const glm::dvec3& p : object.rectangle(primitive).corners()) box.include(p);
+  } else {
+    for (const glm::dvec3& p : object.corners(primitive)) box.include(p);
+  }
+  return box;
 }
 
-void check(const Mesh& object, std::size_t triangle, const Corners& c) {
+/// The box of the part within a cell; of an ellipsoid that of its box.
+Aabb part_within(const Mesh& object, std::size_t primitive, const Aabb& cell) {
+  if (object.is_ellipsoid(primitive)) {
+    const Aabb box = box_of(object, primitive);
+    return {glm::max(box.low, cell.low), glm::min(box.high, cell.high)};
+  }
+  if (object.is_rectangle(primitive)) {
+    return clipped_box(object.rectangle(primitive).corners(), cell);
+  }
+  return clipped_box(object.corners(primitive), cell);
+}
+
+void check(const Mesh& object, std::size_t primitive, const Aabb& box) {
   const double limit = grid_largest() / 2;
+  if (primitive >= object.triangles.size()) {
+    for (const glm::dvec3& corner : {box.low, box.high}) {
+      for (int axis = 0; axis < 3; ++axis) {
+        if (!(std::abs(corner[axis]) <= limit)) {
+          refuse(messages::kPrimitiveBox, object.name, primitive, static_cast<char>('x' + axis),
+                 corner[axis], limit, limit);
+        }
+      }
+    }
+    return;
+  }
+  const std::array<glm::dvec3, 3> c = object.corners(primitive);
   for (unsigned vertex = 0; vertex < 3; ++vertex) {
     for (int axis = 0; axis < 3; ++axis) {
       const double x = c[vertex][axis];
       if (!(std::abs(x) <= limit)) {
-        refuse(messages::kCoordinate, object.name, triangle, vertex, static_cast<char>('x' + axis),
+        refuse(messages::kCoordinate, object.name, primitive, vertex, static_cast<char>('x' + axis),
                x, limit, limit);
       }
     }
@@ -37,19 +68,17 @@ void check(const Mesh& object, std::size_t triangle, const Corners& c) {
 }  // namespace
 
 Tree build_triangle_tree(const Mesh& object, const TreeOptions& options) {
-  if (object.triangles.empty()) refuse(messages::kNoTriangles, object.name);
-  std::vector<ItemRef> items(object.triangles.size());
+  if (object.primitives() == 0) refuse(messages::kNoTriangles, object.name);
+  std::vector<ItemRef> items(object.primitives());
   Aabb whole;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    const Corners c = corners(object, i);
-    check(object, i, c);
-    Aabb box;
-    for (const glm::dvec3& p : c) box.include(p);
+    const Aabb box = box_of(object, i);
+    check(object, i, box);
     whole.include(box);
     items[i] = {grid_box(box), static_cast<std::uint32_t>(i)};
   }
   const CutItem cut = [&](const ItemRef& item, const GridBox& cell) {
-    return grid_box(clipped_box(corners(object, item.item), real_box(cell)));
+    return grid_box(part_within(object, item.item, real_box(cell)));
   };
   CellContent content{grid_box(whole, kBoxGrowth), std::move(items), {}};
   const auto rays = std::min<std::size_t>(options.sample_rays, content.items.size());

@@ -50,6 +50,41 @@ TEST(TriangleTree, EveryTriangleIsInEveryLeafThatItTouches) {
   expect_good(testing::room(3, 12, 10), 50);
 }
 
+TEST(TriangleTree, RectanglesAndEllipsoidsAreInEveryLeafThatTheyTouch) {
+  Mesh mesh = testing::soup(8, 60, 0.3);
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> at(-1, 1);
+  const auto vector = [&](double size) {
+    return size * glm::dvec3(at(random), at(random), at(random));
+  };
+  for (int i = 0; i < 40; ++i) {
+    mesh.rectangles.push_back({vector(1), vector(0.5), vector(0.5)});
+    const glm::dmat3 axes(vector(0.3), vector(0.3), vector(0.3));
+    glm::dmat4 from_unit(axes);
+    from_unit[3] = glm::dvec4(vector(1), 1);
+    mesh.ellipsoids.push_back({from_unit});
+  }
+  const Tree tree = build_triangle_tree(mesh);
+  expect_sound(tree);
+  expect_complete(mesh, tree, 20);
+  const auto expect_found = [&](const glm::dvec3& p, std::uint32_t item) {
+    ASSERT_TRUE(found(tree, tree.clipped_root, p, item))
+        << "primitive " << item << " at " << p.x << " " << p.y << " " << p.z;
+  };
+  for (std::uint32_t i = 60; i < mesh.primitives(); ++i) {
+    for (int k = 0; k < 300; ++k) {
+      if (mesh.is_rectangle(i)) {
+        const Rectangle& r = mesh.rectangle(i);
+        expect_found(
+            r.corner + (0.5 + 0.5 * at(random)) * r.across + (0.5 + 0.5 * at(random)) * r.along, i);
+      } else {
+        const glm::dvec3 on_sphere = glm::normalize(vector(1));
+        expect_found(mesh.ellipsoid(i).from_unit * glm::dvec4(on_sphere, 1), i);
+      }
+    }
+  }
+}
+
 TEST(TriangleTree, OneTriangle) {
   Mesh mesh;
   add_triangle(mesh, {0.1, 0.2, 0.3}, {1.1, 0.2, 0.4}, {0.3, 0.9, 0.7});

@@ -5,12 +5,13 @@
 //
 // A word is transferred in every clock in which bus_valid_i and bus_ready_o are high. Reads are
 // pipelined and answered in order, each SRAM_LATENCY + 1 clocks after it was accepted, so a burst
-// of reads moves a word a clock as well. The board never makes the bus wait.
+// of reads moves a word a clock as well. The bus waits only while the scan-out reads the SRAM, a clock.
 module board_registers #(
   parameter PACKETS = 64,
   parameter CACHE_LINES = 512,
   parameter FRAME_WORDS = 12, // at most 2^FRAME_WORD_BITS of the register map
-  parameter SRAM_LATENCY = 3
+  parameter SRAM_LATENCY = 3,
+  parameter SCAN_OUT = 1      // 1: there is a scan-out
 ) (
   input  wire        clk_i,
   input  wire        rst_ni,
@@ -34,6 +35,12 @@ module board_registers #(
   output reg  [7:0]  counter_addr_o,
   input  wire [31:0] counter_data_i,
   output wire        counter_fetch_o, // the core needs its clock to fetch a counter
+  // scan-out, 14 registers of 32 bits: the SCAN_WORDS of the register map
+  output reg  [7:0]  scan_clocks_o,
+  output wire [14*32-1:0] scan_o,
+  input  wire [19:0] scan_shown_i,
+  input  wire [31:0] scan_frames_i,
+  input  wire        scan_en_i,       // it reads the SRAM in this clock
   // SRAM window; rdata_i belongs to the read SRAM_LATENCY clocks earlier
   output wire [5:0]  window_en_o,
   output wire        window_we_o,
@@ -58,6 +65,8 @@ module board_registers #(
   wire [FRAME_WORD_BITS-1:0] frame_word = bus_addr_i[2 +: FRAME_WORD_BITS];
   wire        in_frame = bus_addr_i[25:FRAME_WORD_BITS+2] == REG_FRAME[25:FRAME_WORD_BITS+2] &&
                          {1'b0, frame_word} < FRAME_WORDS[FRAME_WORD_BITS:0];
+  wire [3:0]  scan_word = bus_addr_i[5:2];
+  wire        in_scan = SCAN_OUT != 0 && bus_addr_i[25:6] == REG_SCAN[25:6];
   wire        is_control = write && bus_addr_i == REG_CONTROL;
 
   assign start_o = is_control && bus_wdata_i[CONTROL_START] && !busy_i;
@@ -77,11 +86,13 @@ module board_registers #(
   reg                      refused_q;
   reg [32*FRAME_WORDS-1:0] frame_q;
   reg [1:0]                fetch_q;
+  reg [32*SCAN_WORDS-1:0]  scan_q;
 
   assign irq_o = irq_enable_q && irq_pending_q;
   assign frame_o = frame_q;
   assign counter_fetch_o = fetch_q != 2'd0;
-  assign bus_ready_o = 1'b1;
+  assign scan_o = scan_q;
+  assign bus_ready_o = !scan_en_i;
 
   integer i;
   always @(posedge clk_i) begin
@@ -103,6 +114,12 @@ module board_registers #(
       for (i = 0; i < FRAME_WORDS; i = i + 1)
         if (frame_word == i[FRAME_WORD_BITS-1:0]) frame_q[32*i +: 32] <= bus_wdata_i;
     end
+    if (write && in_scan) begin
+      for (i = 0; i < SCAN_WORDS; i = i + 1)
+        if (scan_word == i[3:0]) scan_q[32*i +: 32] <= bus_wdata_i;
+    end
+    if (write && bus_addr_i == REG_SCAN_CLOCKS && SCAN_OUT != 0)
+      scan_clocks_o <= bus_wdata_i[7:0];
     if (start_o || reset_o) begin
       irq_pending_q <= 1'b0;
       done_q <= 1'b0;
@@ -116,6 +133,8 @@ module board_registers #(
       frame_q <= {32*FRAME_WORDS{1'b0}};
       counter_addr_o <= 8'd0;
       fetch_q <= 2'd0;
+      scan_q <= {32*SCAN_WORDS{1'b0}};
+      scan_clocks_o <= 8'd0;
     end
   end
 
@@ -130,6 +149,7 @@ module board_registers #(
   wire [2:0]  answer_bank = answer_addr[WINDOW_BANK_LOW +: 3];
   wire        answer_frame =
       answer_addr[25:FRAME_WORD_BITS+2] == REG_FRAME[25:FRAME_WORD_BITS+2];
+  wire        answer_scan = answer_addr[25:6] == REG_SCAN[25:6];
 
   reg [31:0] status;
   reg [31:0] value;
@@ -147,6 +167,9 @@ module board_registers #(
       for (w = 0; w < FRAME_WORDS; w = w + 1)
         if (answer_addr[2 +: FRAME_WORD_BITS] == w[FRAME_WORD_BITS-1:0])
           value = frame_q[32*w +: 32];
+    end else if (answer_scan) begin
+      for (w = 0; w < SCAN_WORDS; w = w + 1)
+        if (answer_addr[5:2] == w[3:0]) value = scan_q[32*w +: 32];
     end else begin
       case (answer_addr)
         REG_ID: value = ID_VALUE;
@@ -159,6 +182,10 @@ module board_registers #(
         REG_CYCLES_HIGH: value = cycles_i[63:32];
         REG_COUNTER_DATA: value = counter_data_i;
         REG_FRAME_WORDS: value = FRAME_WORDS;
+        REG_SCAN_WORDS: value = SCAN_OUT != 0 ? SCAN_WORDS : 32'd0;
+        REG_SCAN_CLOCKS: value = {24'd0, scan_clocks_o};
+        REG_SCAN_SHOWN: value = {12'd0, scan_shown_i};
+        REG_SCAN_FRAMES: value = scan_frames_i;
         default: value = 32'd0;
       endcase
     end

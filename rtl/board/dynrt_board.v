@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Top of the board: the core (dynrt_core, generated) between a register slave with an interrupt and
-// six synchronous SRAM banks of 2^20 words of 32 bits.
+// six synchronous SRAM banks of 2^20 words of 32 bits; and the scan-out (scan_out, generated), which
+// shows what lies in bank 3 whatever the core does.
 //
 // core_clk_i is clk_i or, to save power between frames, clk_i behind a clock gate that
 // core_clk_en_o opens. The gate must not skew the two clocks.
@@ -11,6 +12,7 @@
 module dynrt_board #(
   parameter PACKETS = 64,      // packets in flight of the core below
   parameter CACHE_LINES = 512, // lines of each of its caches
+  parameter SCAN_OUT = 1,      // 0: without the scan-out, the VGA pins stay low
   parameter SRAM_LATENCY = 3   // clocks from the core's address to its data; the banks' own plus 2
 ) (
   input  wire             clk_i,
@@ -31,7 +33,13 @@ module dynrt_board #(
   output wire [5:0]       sram_we_o,
   output wire [6*20-1:0]  sram_addr_o,
   output wire [6*32-1:0]  sram_wdata_o,
-  input  wire [6*32-1:0]  sram_rdata_i
+  input  wire [6*32-1:0]  sram_rdata_i,
+  // VGA, see board_scan.v
+  output wire             vga_clock_o,
+  output wire             vga_hsync_o,
+  output wire             vga_vsync_o,
+  output wire             vga_visible_o,
+  output wire [23:0]      vga_colour_o
 );
 
   // Registers that describe a frame (hls/units/frame.h).
@@ -59,6 +67,13 @@ module dynrt_board #(
   wire [6*20-1:0] core_addr;
   wire [3*32-1:0] core_wdata;
 
+  wire [7:0]       scan_clocks;
+  wire [14*32-1:0] scan;
+  wire [19:0]      scan_shown;
+  wire [31:0]      scan_frames;
+  wire             scan_en;
+  wire [19:0]      scan_addr;
+
   // The packets and the cache lines, less one, that the frame uses.
   wire [8:0] last_packet = frame[`DYNRT_CORE_FRAME_PACKETS +: 9] - 9'd1;
   wire [8:0] last_line = frame[`DYNRT_CORE_FRAME_LINE_MASK +: 9];
@@ -67,7 +82,7 @@ module dynrt_board #(
 
   board_registers #(
     .PACKETS(PACKETS), .CACHE_LINES(CACHE_LINES), .FRAME_WORDS(FRAME_WORDS),
-    .SRAM_LATENCY(SRAM_LATENCY)
+    .SRAM_LATENCY(SRAM_LATENCY), .SCAN_OUT(SCAN_OUT)
   ) registers (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .bus_valid_i(bus_valid_i), .bus_write_i(bus_write_i), .bus_addr_i(bus_addr_i),
@@ -76,6 +91,8 @@ module dynrt_board #(
     .start_o(start), .reset_o(reset), .busy_i(busy), .done_i(done), .cycles_i(cycles),
     .frame_o(frame), .counter_addr_o(counter_addr), .counter_data_i(counter_data),
     .counter_fetch_o(counter_fetch),
+    .scan_clocks_o(scan_clocks), .scan_o(scan), .scan_shown_i(scan_shown),
+    .scan_frames_i(scan_frames), .scan_en_i(scan_en),
     .window_en_o(window_en), .window_we_o(window_we), .window_addr_o(window_addr),
     .window_wdata_o(window_wdata), .window_rdata_i(rdata)
   );
@@ -92,6 +109,7 @@ module dynrt_board #(
   board_sram sram (
     .clk_i(clk_i), .rst_ni(rst_ni), .core_owns_i(busy),
     .core_en_i(core_en), .core_addr_i(core_addr), .core_wdata_i(core_wdata),
+    .scan_en_i(scan_en), .scan_addr_i(scan_addr),
     .window_en_i(window_en), .window_we_i(window_we), .window_addr_i(window_addr),
     .window_wdata_i(window_wdata), .rdata_o(rdata),
     .sram_en_o(sram_en_o), .sram_we_o(sram_we_o), .sram_addr_o(sram_addr_o),
@@ -112,5 +130,47 @@ module dynrt_board #(
     .bank5_en_o(core_en[5]), .bank5_addr_o(core_addr[119:100]), .bank5_data_o(core_wdata[95:64]),
     .counter_addr_i(counter_addr), .counter_data_o(counter_data), .counter_clear_i(counter_clear)
   );
+
+  generate
+    if (SCAN_OUT != 0) begin : with_scan_out
+      wire        scan_rst_n;
+      wire        tick_valid, tick_ready, tick_data;
+      wire        pixel_valid, shown_valid;
+      wire [26:0] pixel_data;
+      wire [19:0] shown_data;
+
+      board_scan scan_pins (
+        .clk_i(clk_i), .rst_ni(rst_ni), .clocks_i(scan_clocks), .shown_o(scan_shown),
+        .frames_o(scan_frames), .scan_rst_no(scan_rst_n),
+        .tick_valid_o(tick_valid), .tick_data_o(tick_data), .tick_ready_i(tick_ready),
+        .pixel_valid_i(pixel_valid), .pixel_data_i(pixel_data),
+        .shown_valid_i(shown_valid), .shown_data_i(shown_data),
+        .vga_clock_o(vga_clock_o), .vga_hsync_o(vga_hsync_o), .vga_vsync_o(vga_vsync_o),
+        .vga_visible_o(vga_visible_o), .vga_colour_o(vga_colour_o)
+      );
+
+      // The pins take every pixel.
+      scan_out u_scan_out (
+        .clk_i(clk_i), .rst_ni(scan_rst_n),
+        .tick_valid_i(tick_valid), .tick_ready_o(tick_ready), .tick_data_i(tick_data),
+        .config_i(scan),
+        .bank_en_o(scan_en), .bank_addr_o(scan_addr), .bank_data_i(rdata[127:96]),
+        .pixel_valid_o(pixel_valid), .pixel_ready_i(1'b1), .pixel_data_o(pixel_data),
+        .shown_valid_o(shown_valid), .shown_ready_i(1'b1), .shown_data_o(shown_data),
+        .fire_o(), .stall_o()
+      );
+    end else begin : without_scan_out
+      assign scan_shown = 20'd0;
+      assign scan_frames = 32'd0;
+      assign scan_en = 1'b0;
+      assign scan_addr = 20'd0;
+      assign vga_clock_o = 1'b0;
+      assign vga_hsync_o = 1'b0;
+      assign vga_vsync_o = 1'b0;
+      assign vga_visible_o = 1'b0;
+      assign vga_colour_o = 24'd0;
+      wire unused = &{1'b0, scan_clocks, scan};
+    end
+  endgenerate
 
 endmodule

@@ -7,7 +7,7 @@
 // is refused: it has no effect and sets STATUS.refused. A refused read of the window gives zero.
 
 localparam [31:0] ID_VALUE = 32'h44595254;      // "DYRT"
-localparam [31:0] VERSION_VALUE = 32'h00020000; // map 2.0: major in the upper half, minor below
+localparam [31:0] VERSION_VALUE = 32'h00020001; // map 2.1: major in the upper half, minor below
 
 localparam [25:0] REG_ID = 26'h000;              // R  ID_VALUE
 localparam [25:0] REG_VERSION = 26'h004;         // R  VERSION_VALUE
@@ -21,9 +21,15 @@ localparam [25:0] REG_CYCLES_HIGH = 26'h020;     // R
 localparam [25:0] REG_COUNTER_ADDRESS = 26'h024; // W  which of the core's counters COUNTER_DATA shows
 localparam [25:0] REG_COUNTER_DATA = 26'h028;    // R
 localparam [25:0] REG_FRAME_WORDS = 26'h02c;     // R  how many FRAME registers there are
+localparam [25:0] REG_SCAN_WORDS = 26'h030;      // R  how many SCAN registers there are; 0: no scan-out
+localparam [25:0] REG_SCAN_CLOCKS = 26'h034;     // RW clocks a pixel takes, 2 to 255; 0: scan-out is off
+localparam [25:0] REG_SCAN_SHOWN = 26'h038;      // R  first word of the picture taken in the last blank
+localparam [25:0] REG_SCAN_FRAMES = 26'h03c;     // R  vertical blanks since it was switched on
 localparam [25:0] REG_FRAME = 26'h100;           // RW first of the FRAME registers (hls/units/frame.h)
+localparam [25:0] REG_SCAN = 26'h200;            // RW first of the SCAN registers (hls/units/scan_out.h)
 
 localparam FRAME_WORD_BITS = 6; // there is room for 2^6 FRAME registers
+localparam SCAN_WORDS = 14;     // SCAN registers
 
 localparam CONTROL_START = 0; // reset the core, clear its counters, render a frame
 localparam CONTROL_RESET = 1; // reset the core and give up the frame; no interrupt follows

@@ -37,10 +37,10 @@ std::unique_ptr<Board> make_checked_board(const std::string& name, int seed) {
                                     counters_of(c->core_json()));
 }
 
-Prepared prepare_scene(const char* name, const FrameOptions& options) {
+Prepared prepare_scene(const char* name, const FrameOptions& options, const BoardInfo& board) {
   SceneArguments arguments;
   arguments.scene = name;
-  return prepare(arguments, options.width, options.height);
+  return prepare(arguments, options.width, options.height, &board);
 }
 
 void expect_identical(const Frame& rtl, const Frame& model) {
@@ -67,7 +67,7 @@ TEST_P(Frames, RtlIsTheModel) {
   if (packets != kAll) options.packets = std::min(packets, rtl->info().packets);
   if (lines != kAll) options.lines = std::min(lines, rtl->info().cache_lines);
   options.timeout = 1'000'000;
-  const Prepared scene = prepare_scene("blocks", options);
+  const Prepared scene = prepare_scene("blocks", options, model->info());
   const Frame expected = render_on(*model, options, scene);
   const Frame frame = render_on(*rtl, options, scene);
   expect_identical(frame, expected);
@@ -101,7 +101,7 @@ void expect_assertions_hold(const std::string& configuration, const char* scene_
   options.width = width;
   options.height = height;
   options.timeout = 1'000'000;
-  const Prepared scene = prepare_scene(scene_name, options);
+  const Prepared scene = prepare_scene(scene_name, options, model->info());
   const Frame expected = render_on(*model, options, scene);
   for (const int seed : seeds) {
     SCOPED_TRACE(fmt::format("seed {}", seed));

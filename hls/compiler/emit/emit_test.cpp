@@ -12,7 +12,7 @@
 
 #include "backend.h"
 #include "cosim/random_netlist.h"
-#include "frontend/builder.h"
+#include "netlist/builder.h"
 
 namespace hlsc {
 namespace {

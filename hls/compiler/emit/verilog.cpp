@@ -1,532 +1,153 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
+#include <cctype>
 
-#include <algorithm>
-#include <iterator>
-#include <set>
-
-#include "emit/emit.h"
-#include "emit/expression.h"
-#include "emit/names.h"
-#include "emit/pipeline_bits.h"
+#include "emit/verilog_writer.h"
 #include "netlist/op.h"
 
 namespace hlsc {
-namespace {
 
-constexpr std::size_t kLongestInline = 60;  ///< characters of an unnamed expression within another
-
-std::string upper(std::string text) {
+std::string VerilogWriter::upper(std::string text) {
   for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   return text;
 }
 
-class Writer {
- public:
-  Writer(const Circuit& circuit, const Schedule& schedule, const Options& options)
-      : c_(circuit),
-        n_(circuit.netlist),
-        schedule_(schedule),
-        options_(options),
-        stems_(signal_stems(circuit)),
-        expressions_(circuit),
-        carries_(carries(circuit, schedule, options.delay.longest_shift)) {}
+std::string VerilogWriter::text() {
+  find_inlined();
+  handshake();
+  for (int stage = 0; stage < schedule_.stages; ++stage) write_stage(stage);
+  out("\n  // ---- state, rows and tokens written ----\n");
+  for (unsigned i = 0; i < n_.registers.size(); ++i) write_register(i);
+  for (unsigned i = 0; i < n_.ports.size(); ++i) write_port(i);
+  mark_unused();
+  return head() + body_ + "\nendmodule\n\n`default_nettype wire\n";
+}
 
-  std::string text() {
-    find_inlined();
-    handshake();
-    for (int stage = 0; stage < schedule_.stages; ++stage) write_stage(stage);
-    out("\n  // ---- state, rows and tokens written ----\n");
-    for (unsigned i = 0; i < n_.registers.size(); ++i) write_register(i);
-    for (unsigned i = 0; i < n_.ports.size(); ++i) write_port(i);
-    mark_unused();
-    return head() + body_ + "\nendmodule\n\n`default_nettype wire\n";
-  }
-
- private:
-  template <class... A>
-  void out(fmt::format_string<A...> format, A&&... args) {
-    fmt::format_to(std::back_inserter(body_), format, std::forward<A>(args)...);
-  }
-
-  int stage(CellId id) const { return schedule_.stage[id]; }
-  std::string signal_name(CellId id, int stage) const {
-    return fmt::format("{}_s{}", stems_[id], stage);
-  }
-  static std::string valid(int stage) { return fmt::format("valid_s{}", stage); }
-  std::string bits(CellId id, std::size_t operand) {
-    return expressions_.bits(c_.cells[id].operands[operand], stage(id));
-  }
-  /// What happens if a transaction is in the cell's stage and its first operand is one.
-  std::string enabled(CellId id) {
-    const BitRef enable = c_.cells[id].operands[0][0];
-    if (enable == BitRef{BitRef::kConstant, 1}) return valid(stage(id));
-    return valid(stage(id)) + " && " + bits(id, 0);
-  }
-  const CellId* find(CellKind kind, unsigned port, CellId& found) const {
-    for (CellId id = 0; id < c_.cells.size(); ++id) {
-      if (c_.cells[id].kind != kind || &c_.port_of(id) != &n_.ports[port]) continue;
-      found = id;
-      return &found;
-    }
-    return nullptr;
-  }
-
-  // ---- module ----
-
-  std::string head() const {
-    unsigned long registers = 0;
-    for (const Carry& c : carries_) registers += c.to - c.from == 1 ? c.bits : 0;
-    std::string parameters;
-    std::string ports = "  input  wire clk_i,\n  input  wire rst_ni";
-    const auto port = [&ports](const char* direction, unsigned width, const std::string& name) {
-      ports += fmt::format(",\n  {} wire {}{}", direction, bit_range(width), name);
-    };
-    for (const Port& p : n_.ports) {
-      const unsigned address = is_ram(p.kind) ? address_width(p.rows) : 0;
-      switch (p.kind) {
-        case PortKind::kIn:
-          port("input ", 1, p.name + "_valid_i");
-          port("output", 1, p.name + "_ready_o");
-          port("input ", p.width, p.name + "_data_i");
-          break;
-        case PortKind::kOut: {
-          port("output", 1, p.name + "_valid_o");
-          port("input ", 1, p.name + "_ready_i");
-          port("output", p.width, p.name + "_data_o");
-          unsigned depth = 1;
-          while (depth < static_cast<unsigned>(schedule_.stages) + 3) depth *= 2;
-          parameters += fmt::format("{0}  parameter {1}_DEPTH = {2},\n  parameter {1}_BOUNDED = 0",
-                                    parameters.empty() ? "" : ",\n", upper(p.name), depth);
-          break;
-        }
-        case PortKind::kRamRead:
-          port("output", 1, p.name + "_en_o");
-          port("output", address, p.name + "_addr_o");
-          port("input ", p.width, p.name + "_data_i");
-          break;
-        case PortKind::kRamWrite:
-          port("output", 1, p.name + "_en_o");
-          port("output", address, p.name + "_addr_o");
-          port("output", p.width, p.name + "_data_o");
-          break;
-        case PortKind::kConfig:
-          port("input ", p.width, p.name + "_i");
-          break;
-        case PortKind::kRam:
-        case PortKind::kRegisterFile:
-          break;
-      }
-    }
-    port("output", 1, "fire_o");
-    port("output", 1, "stall_o");
-    if (!parameters.empty()) parameters = fmt::format(" #(\n{}\n)", parameters);
-    return fmt::format(
-        "// Generated by hlsc from {} ({}); do not edit.\n"
-        "// Scheduled for {} ns on {}: latency {} clocks, {} register bits between stages.\n"
-        "// <CHANNEL>_DEPTH is at least the latency, or <CHANNEL>_BOUNDED 1: a promise that "
-        "there\n"
-        "// are never more than that many tokens in all.\n"
-        "`default_nettype none\n\n"
-        "module {}{} (\n{}\n);\n",
-        n_.unit, n_.source, options_.clock_ns, options_.delay.name, schedule_.stages, registers,
-        n_.module, parameters, ports);
-  }
-
-  /// A transaction starts when every In has a token and every Out has room for all in flight.
-  void handshake() {
-    std::vector<std::string> valids;
-    std::string room;
-    for (const Port& p : n_.ports) {
-      if (p.kind == PortKind::kIn) valids.push_back(p.name + "_valid_i");
-      CellId unused = 0;
-      const auto index = static_cast<unsigned>(&p - n_.ports.data());
-      if (p.kind == PortKind::kOut && find(CellKind::kTokenWrite, index, unused) != nullptr) {
-        out("  wire {}_room;\n", p.name);
-        room += (room.empty() ? "" : " && ") + p.name + "_room";
-      }
-    }
-    const auto all = [](const std::vector<std::string>& list, const std::string& but) {
-      std::string text;
-      for (const std::string& v : list) {
-        if (v != but) text += (text.empty() ? "" : " && ") + v;
-      }
-      return text.empty() ? std::string("1'b1") : text;
-    };
-    out("  wire room = {};\n", room.empty() ? "1'b1" : room);
-    out("  wire tokens = {};\n", all(valids, ""));
-    out("  wire valid_s0 = tokens && room;\n");
-    for (const Port& p : n_.ports) {
-      if (p.kind != PortKind::kIn) continue;
-      const std::string others = all(valids, p.name + "_valid_i");
-      out("  assign {}_ready_o = room{};\n", p.name, others == "1'b1" ? "" : " && " + others);
-    }
-    out("  assign fire_o = valid_s0;\n  assign stall_o = tokens && !room;\n");
-    for (CellId id = 0; id < c_.cells.size(); ++id) {
-      const Cell& cell = c_.cells[id];
-      if (cell.kind != CellKind::kConfig) continue;
-      const std::string name = stems_[id] + "_config";
-      out("  wire {}{} = {};\n", bit_range(cell.width), name,
-          part_of(id, c_.port_of(id).name + "_i"));
-      expressions_.declare(id, -1, {name, 0, cell.width - 1, 0, cell.width == 1});
-    }
-  }
-
-  // ---- stages ----
-
-  void write_stage(int s) {
-    out("\n  // ---- stage {} ----\n", s);
-    std::string clocked;
-    const auto next = [&clocked]<class... A>(fmt::format_string<A...> format, A&&... args) {
-      fmt::format_to(std::back_inserter(clocked), format, std::forward<A>(args)...);
-    };
-    if (s > 0) {
-      out("  reg valid_s{};\n", s);
-      next("    valid_s{} <= rst_ni && valid_s{};\n", s, s - 1);
-    }
-    std::vector<const Carry*> delayed;
-    for (const Carry& carry : carries_) {
-      if (carry.to != s) continue;
-      const bool is_register = carry.to - carry.from == 1;
-      const std::string name = declare(carry, is_register ? "reg " : "wire");
-      if (is_register) {
-        next("    {} <= {};\n", name,
-             expressions_.range(carry.cell, carry.from, carry.low, carry.high));
-      } else {
-        delayed.push_back(&carry);
-      }
-    }
-    if (!clocked.empty()) out("  always @(posedge clk_i) begin\n{}  end\n", clocked);
-    write_delays(delayed);
-    for (CellId id = 0; id < c_.cells.size(); ++id) {
-      if (stage(id) == s && c_.cells[id].width > 0) write_cell(id);
-    }
-  }
-
-  std::string declare(const Carry& carry, const char* kind) {
-    const Cell& cell = c_.cells[carry.cell];
-    Signal signal{signal_name(carry.cell, carry.to), carry.low, carry.high, 0, cell.width == 1};
-    const std::string name = signal.name;
-    out("  {} {}{};\n", kind, cell.width == 1 ? "" : fmt::format("[{}:{}] ", carry.high, carry.low),
-        name);
-    expressions_.declare(carry.cell, carry.to, std::move(signal));
-    return name;
-  }
-
-  /// One delay for all that goes from one stage to another.
-  void write_delays(const std::vector<const Carry*>& delayed) {
-    for (std::size_t i = 0; i < delayed.size(); ++i) {
-      const int from = delayed[i]->from;
-      bool first = true;
-      for (std::size_t k = 0; k < i; ++k) first = first && delayed[k]->from != from;
-      if (!first) continue;
-      std::string in;
-      std::string to;
-      unsigned width = 0;
-      for (const Carry* carry : delayed) {
-        if (carry->from != from) continue;
-        const char* comma = in.empty() ? "" : ", ";
-        in += comma + expressions_.range(carry->cell, from, carry->low, carry->high);
-        to += comma + signal_name(carry->cell, carry->to);
-        width += carry->high - carry->low + 1;
-      }
-      out("  hls_delay #(.WIDTH({}), .CLOCKS({})) delay_s{}_s{} (\n"
-          "    .clk_i(clk_i), .rst_ni(rst_ni),\n    .data_i({{{}}}),\n    .data_o({{{}}}));\n",
-          width, delayed[i]->to - from, from, delayed[i]->to, in, to);
-    }
-  }
-
-  void write_cell(CellId id) {
-    const Cell& cell = c_.cells[id];
-    const int s = stage(id);
-    const std::string range = bit_range(cell.width);
-    if (cell.kind == CellKind::kOperation && inlined_[id]) {
-      std::string text = expressions_.operation(id, s);
-      if (text.size() <= kLongestInline) {
-        expressions_.inline_as(id, std::move(text));
-        return;
-      }
-    }
-    const std::string name =
-        cell.kind == CellKind::kRegister ? stems_[id] + "_q" : signal_name(id, s);
-    std::string value;
-    switch (cell.kind) {
-      case CellKind::kToken:
-        value = part_of(id, c_.port_of(id).name + "_data_i");
-        break;
-      case CellKind::kRow: {
-        const Port& p = c_.port_of(id);
-        const bool external = p.kind == PortKind::kRamRead;
-        if (!external && rows_declared_.insert(&p).second) {
-          out("  wire {}{}_row;\n", bit_range(p.width), p.name);
-        }
-        value = part_of(id, p.name + (external ? "_data_i" : "_row"));
-        break;
-      }
-      case CellKind::kRegister:
-        out("  reg  {}{};\n", range, name);
-        break;
-      default:
-        if (c_.op(id) == Op::kAddSub) {
-          value = add_sub(id);
-        } else {
-          value = expressions_.operation(id, s);
-        }
-        break;
-    }
-    if (!value.empty()) out("  wire {}{} = {};{}\n", range, name, value, comment(id));
-    expressions_.declare(id, s, {name, 0, cell.width - 1, 0, cell.width == 1});
-  }
-
-  /// a + b or a - b in one carry chain, whose lowest bit makes the carry.
-  std::string add_sub(CellId id) {
-    const Cell& cell = c_.cells[id];
-    const std::string sum = stems_[id] + "_sum";
-    out("  wire [{0}:0] {1} = {{{2}, 1'b1}} + {{{3} ^ {{{0}{{{4}}}}}, {4}}};\n", cell.width, sum,
-        bits(id, 0), bits(id, 1), bits(id, 2));
-    unused_.push_back(sum + "[0]");
-    return fmt::format("{}[{}:1]", sum, cell.width);
-  }
-
-  std::string part_of(CellId id, const std::string& vector) {
-    const Cell& cell = c_.cells[id];
-    const Port& p = c_.port_of(id);
-    covered_[vector].resize(p.width);
-    for (unsigned i = 0; i < cell.width; ++i) covered_[vector][cell.low + i] = true;
-    if (cell.width == p.width) return vector;
-    if (cell.width == 1) return fmt::format("{}[{}]", vector, cell.low);
-    return fmt::format("{}[{}:{}]", vector, cell.low + cell.width - 1, cell.low);
-  }
-
-  std::string comment(CellId id) const {
-    const SourceLine where = c_.where(id);
-    if (c_.cells[id].kind != CellKind::kOperation || where.file.empty()) return "";
-    return fmt::format("  // {}:{}", where.file, where.line);
-  }
-
-  /// Whether an operation's operands are written in parts, or wider than they are.
-  bool needs_names(CellId id) const {
-    if (c_.cells[id].kind != CellKind::kOperation) return false;
-    const Op op = c_.op(id);
-    if (op == Op::kMul || op == Op::kAddSub) return true;
-    if (op != Op::kMux) return false;
-    unsigned constants = 0;
-    const auto& sides = c_.cells[id].operands;
-    for (unsigned i = 0; i < c_.cells[id].width; ++i) {
-      constants += sides[1][i].is_constant() || sides[2][i].is_constant() ? 1 : 0;
-    }
-    return constants > 0 && c_.cells[id].width > 1;
-  }
-
-  /// An unnamed operation with one use, all of it and in its own stage, needs no name.
-  void find_inlined() {
-    std::vector<unsigned> uses(c_.cells.size(), 0);
-    std::vector<bool> whole(c_.cells.size(), true);
-    for (CellId id = 0; id < c_.cells.size(); ++id) {
-      for (const auto& operand : c_.cells[id].operands) {
-        std::set<CellId> read;
-        for (const BitRef& b : operand) {
-          if (!b.is_constant()) read.insert(b.cell);
-        }
-        for (const CellId of : read) {
-          ++uses[of];
-          bool all = operand.size() == c_.cells[of].width && stage(of) == stage(id);
-          for (std::size_t i = 0; i < operand.size(); ++i) {
-            all = all && operand[i] == BitRef{of, static_cast<std::uint32_t>(i)};
-          }
-          if (needs_names(id)) all = false;
-          whole[of] = whole[of] && all;
-        }
-      }
-    }
-    inlined_.assign(c_.cells.size(), false);
-    for (CellId id = 0; id < c_.cells.size(); ++id) {
-      if (c_.cells[id].kind != CellKind::kOperation || uses[id] != 1 || !whole[id]) continue;
-      const Node& node = n_.nodes[c_.cells[id].node];
-      const bool large = node.op == Op::kMul || node.op == Op::kAddSub || node.op == Op::kSLt;
-      inlined_[id] = node.name.empty() && !large;
-    }
-  }
-
-  // ---- what is written ----
-
-  void write_register(unsigned index) {
-    const CellId read = c_.register_read[index];
-    if (read == BitRef::kConstant) return;
-    const Register& r = n_.registers[index];
-    const std::string name = stems_[read] + "_q";
-    const CellId write = c_.register_write[index];
-    if (write == BitRef::kConstant) {
-      out("  always @(posedge clk_i) {} <= {};\n", name, literal(r.reset));
-      return;
-    }
-    out("  always @(posedge clk_i) begin\n    if (!rst_ni) {} <= {};\n    else if ({}) {} <= {};\n"
-        "  end\n",
-        name, literal(r.reset), valid(stage(write)), name, bits(write, 0));
-  }
-
-  void write_port(unsigned index) {
-    const Port& p = n_.ports[index];
+std::string VerilogWriter::head() const {
+  unsigned long registers = 0;
+  for (const Carry& c : carries_) registers += c.to - c.from == 1 ? c.bits : 0;
+  std::string parameters;
+  std::string ports = "  input  wire clk_i,\n  input  wire rst_ni";
+  const auto port = [&ports](const char* direction, unsigned width, const std::string& name) {
+    ports += fmt::format(",\n  {} wire {}{}", direction, bit_range(width), name);
+  };
+  for (const Port& p : n_.ports) {
+    const unsigned address = is_ram(p.kind) ? address_width(p.rows) : 0;
     switch (p.kind) {
-      case PortKind::kOut:
-        write_fifo(index);
+      case PortKind::kIn:
+        port("input ", 1, p.name + "_valid_i");
+        port("output", 1, p.name + "_ready_o");
+        port("input ", p.width, p.name + "_data_i");
+        break;
+      case PortKind::kOut: {
+        port("output", 1, p.name + "_valid_o");
+        port("input ", 1, p.name + "_ready_i");
+        port("output", p.width, p.name + "_data_o");
+        unsigned depth = 1;
+        while (depth < static_cast<unsigned>(schedule_.stages) + 3) depth *= 2;
+        parameters += fmt::format("{0}  parameter {1}_DEPTH = {2},\n  parameter {1}_BOUNDED = 0",
+                                  parameters.empty() ? "" : ",\n", upper(p.name), depth);
+        break;
+      }
+      case PortKind::kRamRead:
+        port("output", 1, p.name + "_en_o");
+        port("output", address, p.name + "_addr_o");
+        port("input ", p.width, p.name + "_data_i");
+        break;
+      case PortKind::kRamWrite:
+        port("output", 1, p.name + "_en_o");
+        port("output", address, p.name + "_addr_o");
+        port("output", p.width, p.name + "_data_o");
+        break;
+      case PortKind::kConfig:
+        port("input ", p.width, p.name + "_i");
         break;
       case PortKind::kRam:
       case PortKind::kRegisterFile:
-        write_ram(index);
-        break;
-      case PortKind::kRamRead:
-      case PortKind::kRamWrite:
-        write_ram_end(index);
-        break;
-      case PortKind::kIn:
-        covered_[p.name + "_data_i"].resize(p.width);
-        break;
-      case PortKind::kConfig:
-        covered_[p.name + "_i"].resize(p.width);
         break;
     }
   }
+  port("output", 1, "fire_o");
+  port("output", 1, "stall_o");
+  if (!parameters.empty()) parameters = fmt::format(" #(\n{}\n)", parameters);
+  return fmt::format(
+      "// Generated by hlsc from {} ({}); do not edit.\n"
+      "// Scheduled for {} ns on {}: latency {} clocks, {} register bits between stages.\n"
+      "// <CHANNEL>_DEPTH is at least the latency, or <CHANNEL>_BOUNDED 1: a promise that "
+      "there\n"
+      "// are never more than that many tokens in all.\n"
+      "`default_nettype none\n\n"
+      "module {}{} (\n{}\n);\n",
+      n_.unit, n_.source, options_.clock_ns, options_.delay.name, schedule_.stages, registers,
+      n_.module, parameters, ports);
+}
 
-  void write_fifo(unsigned index) {
-    const Port& p = n_.ports[index];
-    CellId write = 0;
-    if (find(CellKind::kTokenWrite, index, write) == nullptr) {
-      out("  assign {0}_valid_o = 1'b0;\n  assign {0}_data_o = {1};\n", p.name,
-          literal(Bits(p.width, 0)));
-      unused_.push_back(p.name + "_ready_i");
-      unused_.push_back(fmt::format("{}_DEPTH[0]", upper(p.name)));
-      unused_.push_back(fmt::format("{}_BOUNDED[0]", upper(p.name)));
-      return;
-    }
-    out("  hls_fifo #(.WIDTH({0}), .DEPTH({1}_DEPTH), .MARGIN({1}_BOUNDED ? 0 : {2}),\n"
-        "    .BOUNDED({1}_BOUNDED)) {3}_fifo (\n"
-        "    .clk_i(clk_i), .rst_ni(rst_ni),\n"
-        "    .valid_i({4}), .ready_o({3}_room),\n    .data_i({5}),\n"
-        "    .valid_o({3}_valid_o), .ready_i({3}_ready_i), .data_o({3}_data_o));\n",
-        p.width, upper(p.name), schedule_.stages - 1, p.name, enabled(write), bits(write, 1));
-  }
-
-  void write_ram(unsigned index) {
-    const Port& p = n_.ports[index];
-    CellId read = 0;
-    if (find(CellKind::kRowRead, index, read) == nullptr) return;  // nobody looks at it
-    const unsigned address = address_width(p.rows);
-    std::string write_pins = fmt::format(".write_en_i(1'b0), .write_addr_i({}), .write_data_i({})",
-                                         literal(Bits(address, 0)), literal(Bits(p.width, 0)));
-    const std::string read_enable = enabled(read);
-    const std::string read_address = bits(read, 1);
-    CellId write = 0;
-    const bool written = find(CellKind::kRowWrite, index, write) != nullptr;
-    if (written) {
-      const std::string enable = enabled(write);
-      const std::string to = bits(write, 1);
-      out("  wire {0}_write = {1};\n  wire {2}{0}_write_addr = {3};\n", p.name, enable,
-          bit_range(address), to);
-      write_pins = fmt::format(
-          ".write_en_i({0}_write), .write_addr_i({0}_write_addr),\n    .write_data_i({1})", p.name,
-          bits(write, 2));
-    }
-    covered_[p.name + "_row"].resize(p.width);
-    if (p.kind == PortKind::kRegisterFile) {
-      out("  hls_register_file #(.WIDTH({}), .ROWS({})) {}_file (\n"
-          "    .clk_i(clk_i), .rst_ni(rst_ni),\n    {},\n    .read_addr_i({}), "
-          ".read_data_o({}_row));\n",
-          p.width, p.rows, p.name, write_pins, read_address, p.name);
-      return;
-    }
-    const bool exclusive = p.hazard == Hazard::kExclusive;
-    out("  wire {0}_read = {1};\n  wire {2}{0}_read_addr = {3};\n", p.name, read_enable,
-        bit_range(address), read_address);
-    out("  hls_ram_1r1w #(.WIDTH({0}), .ROWS({1}), .EXCLUSIVE({2})) {3}_ram (\n"
-        "    .clk_i(clk_i), .rst_ni(rst_ni),\n    {4},\n"
-        "    .read_en_i({3}_read), .read_addr_i({3}_read_addr), .read_data_o({3}_row));\n",
-        p.width, p.rows, exclusive ? 1 : 0, p.name, write_pins);
-    if (exclusive && written) assert_exclusive(p, address, stage(write) - stage(read));
-  }
-
-  /// No transaction reads a row between another one's read and write of it.
-  void assert_exclusive(const Port& p, unsigned address, int distance) {
-    out("`ifdef HLS_ASSERT\n"
-        "  reg [{1}:0] {0}_reads [1:{2}];  // enables and addresses of the clocks before\n"
-        "  integer {0}_i;\n"
-        "  always @(posedge clk_i) begin\n"
-        "    {0}_reads[1] <= {{{0}_read, {0}_read_addr}};\n"
-        "    for ({0}_i = 2; {0}_i <= {2}; {0}_i = {0}_i + 1) begin\n"
-        "      {0}_reads[{0}_i] <= {0}_reads[{0}_i-1];\n"
-        "    end\n"
-        "    for ({0}_i = 0; {0}_i < {2}; {0}_i = {0}_i + 1) begin\n"
-        "      if (rst_ni && {0}_write && {{1'b1, {0}_write_addr}} ==\n"
-        "          ({0}_i == 0 ? {{{0}_read, {0}_read_addr}} : {0}_reads[{0}_i])) begin\n"
-        "        $display(\"%m: row %0d of {0} is read again before it is written\",\n"
-        "                 {0}_write_addr);\n"
-        "        $stop;\n"
-        "      end\n    end\n  end\n`endif\n",
-        p.name, address, distance);
-  }
-
-  void write_ram_end(unsigned index) {
-    const Port& p = n_.ports[index];
-    const bool is_read = p.kind == PortKind::kRamRead;
-    CellId access = 0;
-    const bool used =
-        find(is_read ? CellKind::kRowRead : CellKind::kRowWrite, index, access) != nullptr;
-    out("  assign {}_en_o = {};\n", p.name, used ? enabled(access) : "1'b0");
-    out("  assign {}_addr_o = {};\n", p.name,
-        used ? bits(access, 1) : literal(Bits(address_width(p.rows), 0)));
-    if (is_read) {
-      covered_[p.name + "_data_i"].resize(p.width);
-    } else {
-      out("  assign {}_data_o = {};\n", p.name, used ? bits(access, 2) : literal(Bits(p.width, 0)));
+void VerilogWriter::handshake() {
+  std::vector<std::string> valids;
+  std::string room;
+  for (const Port& p : n_.ports) {
+    if (p.kind == PortKind::kIn) valids.push_back(p.name + "_valid_i");
+    CellId unused = 0;
+    const auto index = static_cast<unsigned>(&p - n_.ports.data());
+    if (p.kind == PortKind::kOut && find(CellKind::kTokenWrite, index, unused) != nullptr) {
+      out("  wire {}_room;\n", p.name);
+      room += (room.empty() ? "" : " && ") + p.name + "_room";
     }
   }
+  const auto all = [](const std::vector<std::string>& list, const std::string& but) {
+    std::string text;
+    for (const std::string& v : list) {
+      if (v != but) text += (text.empty() ? "" : " && ") + v;
+    }
+    return text.empty() ? std::string("1'b1") : text;
+  };
+  out("  wire room = {};\n", room.empty() ? "1'b1" : room);
+  out("  wire tokens = {};\n", all(valids, ""));
+  out("  wire valid_s0 = tokens && room;\n");
+  for (const Port& p : n_.ports) {
+    if (p.kind != PortKind::kIn) continue;
+    const std::string others = all(valids, p.name + "_valid_i");
+    out("  assign {}_ready_o = room{};\n", p.name, others == "1'b1" ? "" : " && " + others);
+  }
+  out("  assign fire_o = valid_s0;\n  assign stall_o = tokens && !room;\n");
+  for (CellId id = 0; id < c_.cells.size(); ++id) {
+    const Cell& cell = c_.cells[id];
+    if (cell.kind != CellKind::kConfig) continue;
+    const std::string name = stems_[id] + "_config";
+    out("  wire {}{} = {};\n", bit_range(cell.width), name,
+        part_of(id, c_.port_of(id).name + "_i"));
+    expressions_.declare(id, -1, {name, 0, cell.width - 1, 0, cell.width == 1});
+  }
+}
 
-  /// Names what nothing reads, so that the linter can tell it from a mistake.
-  void mark_unused() {
-    for (const auto& [vector, covered] : covered_) {
-      for (std::size_t i = 0; i < covered.size();) {
-        std::size_t end = i + 1;
-        while (end < covered.size() && covered[end] == covered[i]) ++end;
-        if (!covered[i]) {
-          unused_.push_back(covered.size() == 1 ? vector
-                            : end - i == 1      ? fmt::format("{}[{}]", vector, i)
-                                                : fmt::format("{}[{}:{}]", vector, end - 1, i));
-        }
-        i = end;
+void VerilogWriter::mark_unused() {
+  for (const auto& [vector, covered] : covered_) {
+    for (std::size_t i = 0; i < covered.size();) {
+      std::size_t end = i + 1;
+      while (end < covered.size() && covered[end] == covered[i]) ++end;
+      if (!covered[i]) {
+        unused_.push_back(covered.size() == 1 ? vector
+                          : end - i == 1      ? fmt::format("{}[{}]", vector, i)
+                                              : fmt::format("{}[{}:{}]", vector, end - 1, i));
       }
+      i = end;
     }
-    for (std::string& name : expressions_.unused()) unused_.push_back(std::move(name));
-    bool last_valid = false;
-    for (CellId id = 0; id < c_.cells.size(); ++id) {
-      last_valid = last_valid || (stage(id) == schedule_.stages - 1 && !c_.is_source(id) &&
-                                  c_.cells[id].kind != CellKind::kOperation);
-    }
-    if (!last_valid) unused_.push_back(valid(schedule_.stages - 1));
-    if (unused_.empty()) return;
-    std::string list;
-    for (const std::string& name : unused_) list += ",\n    " + name;
-    out("\n  wire unused = &{{1'b0{}}};\n", list);
   }
-
-  const Circuit& c_;
-  const Netlist& n_;
-  const Schedule& schedule_;
-  const Options& options_;
-  std::vector<std::string> stems_;
-  Expressions expressions_;
-  std::vector<Carry> carries_;
-  std::vector<bool> inlined_;
-  std::set<const Port*> rows_declared_;
-  std::map<std::string, std::vector<bool>> covered_;  ///< bits of inputs and rows that are read
-  std::vector<std::string> unused_;
-  std::string body_;
-};
-
-}  // namespace
+  for (std::string& name : expressions_.unused()) unused_.push_back(std::move(name));
+  bool last_valid = false;
+  for (CellId id = 0; id < c_.cells.size(); ++id) {
+    last_valid = last_valid || (stage(id) == schedule_.stages - 1 && !c_.is_source(id) &&
+                                c_.cells[id].kind != CellKind::kOperation);
+  }
+  if (!last_valid) unused_.push_back(valid(schedule_.stages - 1));
+  if (unused_.empty()) return;
+  std::string list;
+  for (const std::string& name : unused_) list += ",\n    " + name;
+  out("\n  wire unused = &{{1'b0{}}};\n", list);
+}
 
 std::string emit_verilog(const Circuit& circuit, const Schedule& schedule, const Options& options) {
-  return Writer(circuit, schedule, options).text();
+  return VerilogWriter(circuit, schedule, options).text();
 }
 
 }  // namespace hlsc

@@ -82,9 +82,6 @@ inline constexpr char kNoEffect[] =
 inline constexpr char kLanguageMissing[] =
     "hls/ports.h for lowering is in none of the folders given with -I; put the folder hls/lowered "
     "of the language first";
-inline constexpr char kRowAddress[] =
-    "RAM {} is read at an address that depends on the row that is read; read it once, with an "
-    "address that is known before";
 inline constexpr char kOperation[] = "the operation {} cannot be lowered; rewrite this expression";
 
 }  // namespace hlsc::messages

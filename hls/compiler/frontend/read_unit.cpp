@@ -9,7 +9,6 @@
 #include "frontend/flatten.h"
 #include "frontend/indexing.h"
 #include "frontend/messages.h"
-#include "frontend/narrow.h"
 #include "frontend/passes.h"
 #include "frontend/prepare.h"
 #include "frontend/retype_locals.h"
@@ -17,6 +16,7 @@
 #include "frontend/translate.h"
 #include "frontend/unroll.h"
 #include "frontend/value_names.h"
+#include "netlist/narrow.h"
 
 namespace hlsc {
 namespace {

@@ -15,10 +15,10 @@
 #include <tuple>
 
 #include "error.h"
-#include "frontend/builder.h"
 #include "frontend/messages.h"
 #include "frontend/translate_operation.h"
 #include "frontend/value_names.h"
+#include "netlist/builder.h"
 
 namespace hlsc {
 namespace {

@@ -10,7 +10,7 @@
 #include <functional>
 #include <optional>
 
-#include "frontend/builder.h"
+#include "netlist/builder.h"
 
 namespace hlsc {
 

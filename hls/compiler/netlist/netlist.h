@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The netlist: one transaction of a unit as word-level dataflow, without control flow and without
-// LLVM. The front end builds it, the passes rewrite it, the scheduler gives every node a stage, the
-// emitter prints it. Nodes are in topological order: an operand's id is less than its user's.
+// LLVM's IR. The front end builds it, the passes rewrite it, the scheduler gives every node a
+// stage, the emitter prints it. Nodes are in topological order: an operand's id is less than its
+// user's.
 //
 // Every value is a plain bit vector of `width` bits; signedness is the operation's. There is no
 // undefined value: the front end has frozen them all to zero.

@@ -13,9 +13,9 @@
 
 #include "backend.h"
 #include "cosim/random_netlist.h"
-#include "frontend/builder.h"
-#include "frontend/narrow.h"
+#include "netlist/builder.h"
 #include "netlist/interpret.h"
+#include "netlist/narrow.h"
 #include "netlist/op.h"
 
 namespace hlsc {

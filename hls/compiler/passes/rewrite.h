@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "frontend/builder.h"
+#include "netlist/builder.h"
 #include "netlist/netlist.h"
 
 namespace hlsc {

@@ -11,7 +11,7 @@
 #include "backend.h"
 #include "cosim/random_netlist.h"
 #include "error.h"
-#include "frontend/builder.h"
+#include "netlist/builder.h"
 
 namespace hlsc {
 namespace {

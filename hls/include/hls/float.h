@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <bit>
 #include <cfloat>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
@@ -137,6 +138,14 @@ class Float {
       return Float(rounded(a.value_ / b.value_));
     } else {
       return from_bits(Circuit::quotient(a.bits(), b.bits()));
+    }
+  }
+  /// The square root of the magnitude: never negative.
+  friend Float sqrt(Float a) {
+    if constexpr (kInDouble) {
+      return Float(rounded(std::sqrt(std::abs(a.value_))));
+    } else {
+      return from_bits(Circuit::root(a.bits()));
     }
   }
 

@@ -93,6 +93,33 @@ struct FloatCircuit {
                 true, false);
   }
 
+  /// The square root of the magnitude, digit by digit.
+  static constexpr Bits root(Bits a) {
+    // As with a quotient one bit behind the mantissa rounds, and nothing lies half way: the square
+    // of such a number would have more bits than there are.
+    constexpr unsigned kX = E + 2;
+    constexpr unsigned kK = R == Rounding::kNearestEven ? M + 2 : M + 1;
+    // The bias is odd, so under an even exponent lies an odd power of two, half of which is rooted.
+    const bool odd = !exponent(a).template bit<0>();
+    const uint<M + 1> significand = with_hidden(mantissa(a));
+    const uint<M + 2> radicand =
+        select(odd, concat(significand, uint<1>(0)), concat(uint<1>(0), significand));
+    uint<2 * kK> digits = concat(radicand, uint<2 * kK - M - 2>(0));
+    uint<kK> root;
+    uint<kK + 2> rest;
+    for (unsigned i = 0; i < kK; ++i) {
+      rest = concat(rest.template trunc<kK>(), digits.template bits<2 * kK - 1, 2 * kK - 2>());
+      digits = digits.template shl<2>();
+      const auto less = (rest - concat(root, uint<2>(1))).as_unsigned();
+      const bool fits = !less.template bit<kK + 2>();
+      rest = select(fits, less.template trunc<kK + 2>(), rest);
+      root = concat(root.template trunc<kK - 1>(), uint<1>(fits));
+    }
+    const auto twice = exponent(a) + uint<E>::of_raw(kBias);
+    const auto result = sint<kX>(twice.template bits<E, 1>().to_signed());
+    return pack(false, result, uint<2>(0), root.template trunc<kK - 1>(), true, false);
+  }
+
   static constexpr bool less(Bits a, Bits b) {
     // As unsigned integers the patterns order rightly if both are positive, in reverse if any is
     // negative; a last bit turns the reversed >= into >.

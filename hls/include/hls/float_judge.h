@@ -31,6 +31,13 @@ class FloatJudge {
   std::uint64_t sub(std::uint64_t a, std::uint64_t b) { return binary(mpfr_sub, a, b); }
   std::uint64_t mul(std::uint64_t a, std::uint64_t b) { return binary(mpfr_mul, a, b); }
   std::uint64_t div(std::uint64_t a, std::uint64_t b) { return binary(mpfr_div, a, b); }
+  /// Of the magnitude.
+  std::uint64_t sqrt(std::uint64_t a) {
+    decode(a, a_);
+    mpfr_abs(a_, a_, MPFR_RNDN);
+    mpfr_sqrt(result_, a_, rounding_);
+    return encode();
+  }
   /// Less than, equal to or greater than 0 as a is to b.
   int compare(std::uint64_t a, std::uint64_t b) {
     decode(a, a_);

@@ -82,6 +82,18 @@ bool agree(FloatJudge& judge, std::uint64_t a, std::uint64_t b) {
   return true;
 }
 
+/// The square root, natively and by the circuit.
+template <class F>
+bool root_agrees(FloatJudge& judge, std::uint64_t a) {
+  const std::uint64_t native = pattern(sqrt(from_pattern<F>(a)));
+  const std::uint64_t circuit = F::Circuit::root(F::Bits::from(a)).to_u64();
+  const std::uint64_t want = judge.sqrt(a);
+  if (native == want && circuit == want) return true;
+  ADD_FAILURE() << std::hex << "the root of 0x" << a << " is 0x" << native << ", by the circuit 0x"
+                << circuit << "; MPFR says 0x" << want;
+  return false;
+}
+
 template <class F>
 class AllPairs : public ::testing::Test {};
 
@@ -105,6 +117,13 @@ TYPED_TEST(AllPairs, EveryOperation) {
     }
   }
   EXPECT_EQ(pairs, kPatterns * kPatterns);
+}
+
+TYPED_TEST(AllPairs, EveryRoot) {
+  FloatJudge judge = judge_of<TypeParam>();
+  for (std::uint64_t a = 0; a < 1u << TypeParam::kLeafWidth; ++a) {
+    ASSERT_TRUE(root_agrees<TypeParam>(judge, a));
+  }
 }
 
 TYPED_TEST(AllPairs, EveryPatternToDoubleAndBack) {
@@ -204,6 +223,20 @@ TEST_P(Pairs, NearestEven) { run_pairs<Float<7, 16>>(GetParam()); }
 TEST_P(Pairs, Truncate) { run_pairs<Float<7, 16, Rounding::kTruncate>>(kShards + GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Shard, Pairs, ::testing::Range(0u, kShards));
 
+/// A root's digits depend on the mantissa and on whether the exponent is odd.
+template <class F>
+void check_roots() {
+  FloatJudge judge = judge_of<F>();
+  for (const std::uint64_t exponent : {0, 1, 2, 62, 63, 64, 126, 127}) {
+    for (std::uint64_t mantissa = 0; mantissa < 1u << 16; ++mantissa) {
+      ASSERT_TRUE(root_agrees<F>(judge, exponent << 16 | mantissa));
+    }
+  }
+  ASSERT_TRUE(root_agrees<F>(judge, 0x800000 | 65 << 16)) << "of the magnitude";
+}
+TEST(Roots, NearestEven) { check_roots<Float<7, 16>>(); }
+TEST(Roots, Truncate) { check_roots<Float<7, 16, Rounding::kTruncate>>(); }
+
 /// Formats at the edges of what the template takes.
 template <class F>
 class OtherFormats : public ::testing::Test {};
@@ -221,6 +254,7 @@ TYPED_TEST(OtherFormats, RandomPairs) {
     const std::uint64_t b =
         random.below(2) ? a + (random.next() >> random.below(64)) : random.next();
     ASSERT_TRUE(agree<TypeParam>(judge, a, b & kMask));
+    ASSERT_TRUE(root_agrees<TypeParam>(judge, a));
   }
 }
 

@@ -3,10 +3,11 @@
 //
 // The boards of the program that the tests run. Configuration stand_in has the board's real Verilog
 // around the stand-in core of host/board/test, which traces no rays, so its frames differ from the
-// model's; model_only has no Verilog.
+// model's; model_only has no Verilog, and neither has lit, which has light rays and reflections.
 #include "host/board/configurations.h"
 
 #include "configs/thesis.h"
+#include "configs/whitted.h"
 #include "host/board/native_core.h"
 
 namespace dynrt::host {
@@ -17,6 +18,9 @@ std::unique_ptr<ClockedBoard> make_stand_in_board_traced(const std::string& trac
 namespace {
 
 std::unique_ptr<NativeCore> make_core() { return std::make_unique<NativeCoreOf<config::thesis>>(); }
+std::unique_ptr<NativeCore> make_lit_core() {
+  return std::make_unique<NativeCoreOf<config::whitted>>();
+}
 
 std::string_view stand_in_json() {
   return R"({"counters": [{"name": "stand_in.transactions", "order_independent": true},
@@ -34,6 +38,7 @@ std::span<const Configuration> configurations() {
        .rtl = make_stand_in_board,
        .traced = make_stand_in_board_traced,
        .core_json = stand_in_json},
+      {.name = "lit", .info = board_info_of<config::whitted>, .native = make_lit_core},
   };
   return kTable;
 }

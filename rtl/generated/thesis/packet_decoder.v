@@ -81,16 +81,16 @@ module packet_decoder #(
   reg  [23:0] origin_z_q;
   wire record_0_s1 = record_data_i[0];
   wire record_1_s1 = record_data_i[1];
-  wire [23:0] mux_1_s1 = in_point_s1 ? vector_56_s1 : origin_z_q;  // units/packet_decoder.h:36
-  wire [23:0] mux_2_s1 = in_point_s1 ? vector_32_s1 : origin_y_q;  // units/packet_decoder.h:36
-  wire [23:0] mux_3_s1 = in_point_s1 ? in_vector_x_s1 : origin_x_q;  // units/packet_decoder.h:36
-  wire triangle_s1 = ~({record_1_s1, record_0_s1} == 2'd2);  // units/packet_decoder.h:39
-  wire level_s1 = {record_1_s1, record_0_s1} == 2'd1;  // units/packet_decoder.h:46
-  wire not_1_s1 = ~in_point_s1;  // units/packet_decoder.h:51
+  wire [23:0] mux_1_s1 = in_point_s1 ? vector_56_s1 : origin_z_q;  // units/packet_decoder.h:37
+  wire [23:0] mux_2_s1 = in_point_s1 ? vector_32_s1 : origin_y_q;  // units/packet_decoder.h:37
+  wire [23:0] mux_3_s1 = in_point_s1 ? in_vector_x_s1 : origin_x_q;  // units/packet_decoder.h:37
+  wire triangle_s1 = ~({record_1_s1, record_0_s1} == 2'd2);  // units/packet_decoder.h:40
+  wire level_s1 = {record_1_s1, record_0_s1} == 2'd1;  // units/packet_decoder.h:47
+  wire not_1_s1 = ~in_point_s1;  // units/packet_decoder.h:52
   wire eq_5_s1 = in_ray_s1 == 2'd3;
   wire [18:0] record_23_s1 = record_data_i[41:23];
   wire and_1_s1 = triangle_s1 & not_1_s1;
-  wire is_new_s1 = {record_1_s1, record_0_s1} == 2'd0;  // units/packet_decoder.h:45
+  wire is_new_s1 = {record_1_s1, record_0_s1} == 2'd0;  // units/packet_decoder.h:46
   wire [3:0] record_2_s1 = record_data_i[5:2];
 
   // ---- state, rows and tokens written ----

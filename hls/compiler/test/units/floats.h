@@ -24,11 +24,14 @@ struct FloatResults {
   Real difference;
   Real product;
   Real quotient;
+  Real root;
   Small small_sum;
   Small small_product;
   Small small_quotient;
+  Small small_root;
   bool less;
-  HLS_FIELDS(sum, difference, product, quotient, small_sum, small_product, small_quotient, less)
+  HLS_FIELDS(sum, difference, product, quotient, root, small_sum, small_product, small_quotient,
+             small_root, less)
 };
 
 struct Floats {
@@ -38,8 +41,8 @@ struct Floats {
 
   void step() {
     const FloatPair p = pair.read();
-    results.write(
-        {p.a + p.b, p.a - p.b, p.a * p.b, p.a / p.b, p.c + p.d, p.c * p.d, p.c / p.d, p.a < p.b});
+    results.write({p.a + p.b, p.a - p.b, p.a * p.b, p.a / p.b, sqrt(p.a), p.c + p.d, p.c * p.d,
+                   p.c / p.d, sqrt(p.c), p.a < p.b});
   }
 };
 

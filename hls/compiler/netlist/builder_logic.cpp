@@ -4,7 +4,7 @@
 // The builder's bitwise operations, comparisons and wiring.
 #include <algorithm>
 
-#include "frontend/builder.h"
+#include "netlist/builder.h"
 
 namespace hlsc {
 

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "frontend/builder.h"
+#include "netlist/builder.h"
 
 #include <llvm/ADT/StringExtras.h>
 

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "frontend/narrow.h"
+#include "netlist/narrow.h"
 
 #include <fmt/format.h>
 
@@ -9,8 +9,8 @@
 #include <set>
 
 #include "error.h"
-#include "frontend/builder.h"
-#include "frontend/messages.h"
+#include "netlist/builder.h"
+#include "netlist/messages.h"
 
 namespace hlsc {
 namespace {

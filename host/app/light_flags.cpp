@@ -1,0 +1,121 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/app/light_flags.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vector_relational.hpp>
+#include <set>
+
+#include "host/app/messages.h"
+#include "host/app/text.h"
+#include "host/board/configurations.h"
+#include "host/error.h"
+#include "host/scene/wording.h"
+
+namespace dynrt::host {
+
+namespace {
+
+/// The names of this build's configurations that have some, after "--config ".
+std::string with(unsigned BoardInfo::* some) {
+  std::vector<std::string> names;
+  for (const Configuration& configuration : configurations()) {
+    if (configuration.info().*some > 0)
+      names.push_back(fmt::format("--config {}", configuration.name));
+  }
+  return names.empty() ? "none of this build has them"
+                       : fmt::format("take {}", fmt::join(names, " or "));
+}
+
+std::size_t mirrors_of(const Scene& scene) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(scene.materials, [](const Material& m) { return m.mirror > 0; }));
+}
+
+void set_mirror(Scene& scene, const std::string& material, double part) {
+  std::set<std::string> names;
+  for (Material& m : scene.materials) {
+    if (m.name == material) m.mirror = part;
+    names.insert(m.name);
+  }
+  if (!names.contains(material)) {
+    wording::fail(wording::kNoMaterialNamed, scene.name, material,
+                  fmt::format("{}", fmt::join(names, ", ")));
+  }
+}
+
+void require_light_rays(const BoardInfo& board, const std::string& flag) {
+  if (board.lights == 0) {
+    refuse(messages::kNoLightRays, flag, board.configuration, with(&BoardInfo::lights));
+  }
+}
+
+}  // namespace
+
+PointLight parse_light(const std::string& text, const std::string& name) {
+  const std::size_t colour = std::min(text.find(':'), text.size());
+  const std::size_t intensity = std::min(text.find(':', colour + 1), text.size());
+  PointLight light{name, parse_vector("--light", text.substr(0, colour)), glm::dvec3(1.0)};
+  if (colour < text.size()) {
+    light.colour = parse_vector("--light", text.substr(colour + 1, intensity - colour - 1));
+  }
+  double factor = 1;
+  if (intensity < text.size() && !parse(text.substr(intensity + 1), factor)) factor = 0;
+  const bool bright = std::isfinite(factor) && factor > 0 &&
+                      glm::all(glm::greaterThanEqual(light.colour, glm::dvec3(0.0))) &&
+                      glm::any(glm::greaterThan(light.colour, glm::dvec3(0.0)));
+  if (!bright) refuse(messages::kLightText, text);
+  light.colour *= factor;
+  return light;
+}
+
+std::pair<std::string, double> parse_mirror(const std::string& text) {
+  const std::size_t sign = text.rfind('=');
+  double part = kMirrorShare;
+  if (sign != text.npos && (!parse(text.substr(sign + 1), part) || !(part >= 0 && part <= 1))) {
+    refuse(messages::kMirrorText, text);
+  }
+  return {text.substr(0, sign), part};
+}
+
+LightFlags::LightFlags(const std::vector<std::string>& light,
+                       const std::vector<std::string>& mirror, const BoardInfo* board) {
+  if (board && !light.empty()) require_light_rays(*board, "--light");
+  if (board && !mirror.empty()) require_reflections(*board, "--mirror");
+  for (const std::string& text : light) lights.push_back(parse_light(text, "--light " + text));
+  for (const std::string& text : mirror) mirrors.push_back(parse_mirror(text));
+}
+
+void LightFlags::add_to(Scene& scene) const {
+  scene.lights.insert(scene.lights.end(), lights.begin(), lights.end());
+  for (const auto& [material, part] : mirrors) set_mirror(scene, material, part);
+}
+
+void require_reflections(const BoardInfo& board, const std::string& flag) {
+  if (board.reflections == 0) {
+    refuse(messages::kNoReflections, flag, board.configuration, with(&BoardInfo::reflections));
+  }
+}
+
+std::vector<std::string> unused_light(const Scene& scene, const BoardInfo& board) {
+  std::vector<std::string> notes;
+  const std::size_t lights = scene.lights.size();
+  if (lights > 0 && board.lights == 0) {
+    notes.push_back(fmt::format(messages::kLightsUnused, counted(lights, "light"),
+                                board.configuration, with(&BoardInfo::lights)));
+  } else if (lights > board.lights) {
+    notes.push_back(
+        fmt::format(messages::kLightsTooMany, lights, board.configuration, board.lights));
+  }
+  if (mirrors_of(scene) > 0 && board.reflections == 0) {
+    notes.push_back(fmt::format(messages::kMirrorsUnused, counted(mirrors_of(scene), "mirror"),
+                                board.configuration, with(&BoardInfo::reflections)));
+  }
+  return notes;
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,42 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// --light and --mirror: what they say, and whether there is a configuration for it.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host/board/board.h"
+#include "host/scene/scene.h"
+
+namespace dynrt::host {
+
+/// "1,2,3:1,0.5,0:40" as a light; throws UserError.
+PointLight parse_light(const std::string& text, const std::string& name);
+
+/// "chrome=0.5" as a name and a part of the light; throws UserError. A name may have a '=' of its
+/// own if a part follows.
+std::pair<std::string, double> parse_mirror(const std::string& text);
+
+/// What the flags of a command say.
+struct LightFlags {
+  std::vector<PointLight> lights;
+  std::vector<std::pair<std::string, double>> mirrors;
+
+  /// Throws UserError for flags that cannot be read and for those that the board has no rays for;
+  /// without a board, none is asked.
+  LightFlags(const std::vector<std::string>& light, const std::vector<std::string>& mirror,
+             const BoardInfo* board);
+  /// Throws UserError where the scene has no material of a name.
+  void add_to(Scene& scene) const;
+};
+
+/// Throws UserError that names the configurations of this build that have what `flag` asks for.
+void require_reflections(const BoardInfo& board, const std::string& flag);
+
+/// Sentences about lights and mirrors of the scene that the board has no rays for.
+std::vector<std::string> unused_light(const Scene& scene, const BoardInfo& board);
+
+}  // namespace dynrt::host

@@ -1,0 +1,152 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/app/walk.h"
+
+#include <chrono>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+#include <utility>
+
+#include "host/app/board_frame.h"
+#include "host/app/messages.h"
+#include "host/board/bus.h"
+#include "host/error.h"
+#include "host/scene/animation.h"
+
+namespace dynrt::host {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr unsigned kMostFrames = 9999;  ///< that their names have digits for
+constexpr double kOrbitSeconds = 10;    ///< once round
+
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+std::vector<BankWords> words_of(const std::vector<MemoryRun>& runs) {
+  std::vector<BankWords> words;
+  for (const MemoryRun& run : runs) words.push_back({run.bank, run.address, run.words});
+  return words;
+}
+
+std::uint64_t count(const std::vector<MemoryRun>& runs) {
+  std::uint64_t words = 0;
+  for (const MemoryRun& run : runs) words += run.words.size();
+  return words;
+}
+
+Camera turned(const Camera& camera, const glm::dvec3& centre, const glm::dvec3& axis,
+              double angle) {
+  const glm::dmat3 turn(glm::rotate(glm::dmat4(1.0), angle, axis));
+  return {centre + turn * (camera.position - centre), turn * camera.right, turn * camera.up,
+          turn * camera.forward};
+}
+
+}  // namespace
+
+WalkPlan::WalkPlan(const Scene& scene, unsigned frames, std::optional<double> from,
+                   std::optional<double> to) {
+  if (frames == 0 || frames > kMostFrames) refuse(messages::kFrames, frames, kMostFrames);
+  const double last = duration(scene);
+  orbit = !(last > 0);
+  const double begin = from.value_or(0);
+  const double end = to.value_or(orbit ? kOrbitSeconds : last);
+  if (begin < 0 || !(end > begin)) refuse(messages::kTimes, begin, end);
+  seconds = end - begin;
+  if (orbit) {
+    const Box box = bounds(scene);
+    centre_ = (box.low + box.high) / 2.0;
+  }
+  // Once round ends where it begins.
+  const unsigned steps = orbit || frames == 1 ? frames : frames - 1;
+  for (unsigned i = 0; i < frames; ++i) times.push_back(begin + seconds * i / steps);
+}
+
+Camera WalkPlan::camera(const Scene& scene, const CameraFlags& flags, double time, unsigned width,
+                        unsigned height) const {
+  const Camera camera =
+      choose_camera(scene, flags, static_cast<int>(width), static_cast<int>(height));
+  if (!orbit) return camera;
+  return turned(camera, centre_, flags.up.value_or(scene.path_up),
+                2 * std::numbers::pi * time / kOrbitSeconds);
+}
+
+double WalkRecord::upload_seconds() const {
+  return static_cast<double>(upload.bus_clocks) / BusMeter::kClockHz;
+}
+
+Walker::Walker(Board& board, const FrameOptions& options, Prepared& prepared,
+               const CameraFlags& camera, WalkPlan plan)
+    : board_(board),
+      options_(options),
+      prepared_(prepared),
+      camera_(camera),
+      plan_(std::move(plan)) {}
+
+Walker::Result Walker::render_frame(unsigned frame, const PixelProgress& progress) {
+  if (!held_) upload_scene();
+  if (frame > 0 && held_ != frame - 1) {
+    Image before = lay_out(frame - 1);
+    write(changed_runs(on_board_, before.runs));
+    on_board_ = std::move(before.runs);
+  }
+  Image image = lay_out(frame);
+  const auto begin = Clock::now();
+  const std::vector<MemoryRun> changed = changed_runs(on_board_, image.runs);
+
+  Result result;
+  WalkRecord& record = result.record;
+  record.pack_seconds = image.pack_seconds + seconds_since(begin);
+  record.frame = frame;
+  record.time = plan_.times.at(frame);
+  record.tree_seconds = image.tree_seconds;
+  record.words = count(image.runs);
+  record.nodes = image.frame.memory.nodes.size();
+  record.entries = image.frame.memory.entries.size();
+
+  FrameOptions options = options_;
+  options.hits = false;
+  options.buffer = frame % kFrameBuffers;
+  held_.reset();  // for as long as it is not known what an error leaves
+  result.frame = render(board_, options, addresses_of(image.frame, prepared_.scene),
+                        words_of(changed), progress);
+  record.cycles = result.frame.run.cycles;
+  record.simulation_seconds = result.frame.run.seconds;
+  record.upload = result.frame.upload;
+  on_board_ = std::move(image.runs);
+  held_ = frame;
+  return result;
+}
+
+Walker::Image Walker::lay_out(unsigned frame) {
+  const double time = plan_.times.at(frame);
+  Scene& scene = prepared_.scene;
+  const auto begin = Clock::now();
+  if (!plan_.orbit) move_to(scene, time);
+  const Camera camera = plan_.camera(scene, camera_, time, options_.width, options_.height);
+  Image image;
+  const Tree top = build_instance_tree(scene, prepared_.objects.boxes(),
+                                       {.room = prepared_.objects.room_left()});
+  const auto built = Clock::now();
+  image.frame = FrameImage(scene, prepared_.objects, top, camera, options_.width, options_.height);
+  image.runs = image.frame.memory.runs();
+  image.tree_seconds = std::chrono::duration<double>(built - begin).count();
+  image.pack_seconds = seconds_since(built);
+  return image;
+}
+
+void Walker::upload_scene() {
+  const BusTraffic before = board_.traffic();
+  write(prepared_.objects.memory.runs());
+  scene_upload_ = board_.traffic() - before;
+  on_board_.clear();
+}
+
+void Walker::write(const std::vector<MemoryRun>& runs) {
+  for (const MemoryRun& run : runs) board_.write(run.bank, run.address, run.words);
+}
+
+}  // namespace dynrt::host

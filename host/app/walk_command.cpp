@@ -1,0 +1,161 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// dynrt walk: a scene's animation or a way through it, frame after frame, as pictures or a GIF.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include "host/app/arguments.h"
+#include "host/app/board_frame.h"
+#include "host/app/command.h"
+#include "host/app/messages.h"
+#include "host/app/progress.h"
+#include "host/app/text.h"
+#include "host/app/walk_folder.h"
+#include "host/app/walk_report.h"
+#include "host/error.h"
+#include "host/render/gif.h"
+#include "host/render/output_file.h"
+#include "host/scene/fingerprint.h"
+
+namespace dynrt::host {
+
+namespace {
+
+constexpr double kSlowestGif = 4;  ///< pictures a second: below, it is no motion any more
+
+struct Arguments {
+  SceneArguments scene;
+  FrameArguments frame;
+  std::string board = "rtl";
+  unsigned frames = 24;
+  std::optional<double> from, to;
+  bool again = false;
+
+  /// The flags that decide what the frames look like and what is measured of them.
+  WalkSettings settings(const Scene& content) const;
+};
+
+WalkSettings Arguments::settings(const Scene& content) const {
+  const auto text = [](const auto& value) { return value ? fmt::format("{}", *value) : ""; };
+  return {{"SCENE", scene.scene},
+          {"--frames", fmt::format("{}", frames)},
+          {"--from", text(from)},
+          {"--to", text(to)},
+          {"--size", scene.size},
+          {"--position", text(scene.position)},
+          {"--look-at", text(scene.look_at)},
+          {"--up", text(scene.up)},
+          {"--fov", text(scene.field_of_view)},
+          {"--light", fmt::format("{}", fmt::join(scene.lights, " "))},
+          {"--mirror", fmt::format("{}", fmt::join(scene.mirrors, " "))},
+          {"--reflections", text(frame.reflections)},
+          {"--board", board},
+          {"--config", frame.configuration},
+          {"--packets", text(frame.packets)},
+          {"--lines", text(frame.lines)},
+          {"--order", frame.order},
+          {"--uncompressed", frame.uncompressed ? "yes" : "no"},
+          {kSceneContent, fmt::format("{:016x}", fingerprint(content))}};
+}
+
+struct Place {
+  std::string out;
+  bool gif = false;
+  std::string folder() const { return gif ? out + ".frames" : out; }
+};
+
+Place place_of(const Arguments& arguments) {
+  namespace fs = std::filesystem;
+  Place place{arguments.frame.out};
+  if (place.out.empty()) place.out = fs::path(arguments.scene.scene).stem().string() + ".gif";
+  const std::string extension = fs::path(place.out).extension().string();
+  if (extension == ".png" || extension == ".exr") refuse(messages::kWalkOut, place.out);
+  place.gif = extension == ".gif";
+  check_walk_folder(place.folder());
+  const Output outputs[] = {{"--out", place.gif ? place.out : ""},
+                            {"--json", arguments.frame.json}};
+  check_outputs(outputs);
+  return place;
+}
+
+int run(const Arguments& arguments) {
+  const FrameOptions options = arguments.frame.options(arguments.scene.size);
+  const Place place = place_of(arguments);
+  const double clock_hz = arguments.frame.clock_mhz * 1e6;
+  const auto board = open_board({arguments.board, arguments.frame.configuration, ""}, options);
+  Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->info());
+  WalkFolder folder(place.folder(), arguments.settings(prepared.scene), arguments.again);
+  const WalkPlan plan(prepared.scene, arguments.frames, arguments.from, arguments.to);
+  if (plan.orbit) prepared.scene.notes.push_back(messages::kOrbit);
+  nlohmann::ordered_json json = {{"out", place.out}, {"scene", prepared.json()}};
+  say(prepared.text() + walk_header());
+
+  Walker walker(*board, options, prepared, arguments.scene.camera(), plan);
+  std::vector<WalkRecord> records;
+  std::vector<std::string> pictures;
+  unsigned kept = 0;
+  for (unsigned i = 0; i < arguments.frames; ++i) {
+    pictures.push_back(folder.name(i));
+    if (const auto record = folder.kept(i, options.width, options.height)) {
+      records.push_back(*record);
+      ++kept;
+    } else {
+      Progress progress(
+          fmt::format("frame {} of {} on board {}", i, arguments.frames, board->info().name),
+          std::uint64_t{options.width} * options.height);
+      const Walker::Result result =
+          walker.render_frame(i, [&](std::uint64_t pixels) { progress.update(pixels); });
+      folder.write(result.frame, result.record);
+      records.push_back(result.record);
+    }
+    say(walk_line(records.back(), clock_hz));
+  }
+
+  const WalkSummary summary{records, kept, walker.scene_upload(), clock_hz};
+  if (!arguments.frame.json.empty()) {
+    json["walk"] = summary.json();
+    write_text(arguments.frame.json, json.dump(2) + "\n");
+  }
+  if (place.gif) {
+    const double rate = static_cast<double>(arguments.frames) / plan.seconds;
+    write_gif(place.out, pictures, std::max(rate, kSlowestGif));
+    folder.remove();
+  }
+  say(fmt::format("{}images      {}, {}x{}\n", summary.text(), place.out, options.width,
+                  options.height));
+  return kDone;
+}
+
+}  // namespace
+
+Command add_walk_command(CLI::App& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand(
+      "walk", "render a scene's animation, or a way around it, frame after frame");
+  arguments->scene.add_to(*command, true);
+  command->add_option("--board", arguments->board, "rtl: the Verilog; model: the C++ natively")
+      ->option_text("BOARD [rtl]");
+  command
+      ->add_option("--frames", arguments->frames,
+                   "how many frames, evenly spread over the animation")
+      ->option_text("N [24]")
+      ->check(not_a_count);
+  command->add_option("--from", arguments->from, "time of the first frame")
+      ->option_text("SECONDS [0]")
+      ->check(not_a_number);
+  command->add_option("--to", arguments->to, "time of the last one; default: the animation's end")
+      ->option_text("SECONDS")
+      ->check(not_a_number);
+  command->add_flag("--again", arguments->again,
+                    "do not go on with frames that are there, but replace them");
+  arguments->frame.add_to(*command, "SCENE.gif",
+                          "a folder for the frames as PNG files, or a .gif file");
+  return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,169 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/app/walk_folder.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+#include "host/app/messages.h"
+#include "host/error.h"
+#include "host/render/gif.h"
+#include "host/render/output_file.h"
+#include "host/render/write_image.h"
+
+namespace dynrt::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr char kManifest[] = "walk.json";
+
+std::string frame_name(unsigned frame) { return fmt::format("frame_{:04}.png", frame); }
+
+WalkRecord record_of(const Json& json) {
+  WalkRecord record;
+  json.at("frame").get_to(record.frame);
+  json.at("time").get_to(record.time);
+  if (!json.at("cycles").is_null()) record.cycles = json.at("cycles").get<std::uint64_t>();
+  json.at("simulation_seconds").get_to(record.simulation_seconds);
+  json.at("tree_seconds").get_to(record.tree_seconds);
+  json.at("pack_seconds").get_to(record.pack_seconds);
+  const Json& upload = json.at("upload");
+  upload.at("transactions").get_to(record.upload.transactions);
+  upload.at("bus_clocks").get_to(record.upload.bus_clocks);
+  record.upload.bytes_written = 4 * upload.at("words").get<std::uint64_t>();
+  json.at("words").get_to(record.words);
+  json.at("nodes").get_to(record.nodes);
+  json.at("list_entries").get_to(record.entries);
+  return record;
+}
+
+/// What a walk that was killed has left half-written: ".frame_0003.1234.png", if no process 1234 is
+/// there any more to finish it.
+bool is_abandoned(const fs::path& path) {
+  static const std::regex pattern(R"(\.(frame_\d+|walk)\.(\d+)\.(png|json))");
+  std::smatch match;
+  const std::string name = path.filename().string();
+  if (!std::regex_match(name, match, pattern)) return false;
+  return kill(std::atoi(match[2].str().c_str()), 0) != 0 && errno == ESRCH;
+}
+
+bool is_ours(const fs::path& path) {
+  static const std::regex pattern(R"(frame_\d{4}\.png|walk\.json)");
+  return std::regex_match(path.filename().string(), pattern) || is_abandoned(path);
+}
+
+}  // namespace
+
+Json json_of(const WalkRecord& record) {
+  return {{"frame", record.frame},
+          {"time", record.time},
+          {"cycles", record.cycles ? Json(*record.cycles) : Json()},
+          {"simulation_seconds", record.simulation_seconds},
+          {"tree_seconds", record.tree_seconds},
+          {"pack_seconds", record.pack_seconds},
+          {"upload",
+           {{"words", record.uploaded_words()},
+            {"transactions", record.upload.transactions},
+            {"bus_clocks", record.upload.bus_clocks},
+            {"seconds", record.upload_seconds()}}},
+          {"words", record.words},
+          {"nodes", record.nodes},
+          {"list_entries", record.entries}};
+}
+
+void check_walk_folder(const std::string& path) {
+  std::error_code unreachable;
+  if (!fs::exists(path, unreachable)) return check_output_path(path);
+  if (!fs::is_directory(path, unreachable)) cannot_write(path, std::strerror(ENOTDIR));
+  check_output_path(fs::path(path) / kManifest);
+}
+
+WalkFolder::WalkFolder(std::string path, WalkSettings settings, bool again)
+    : path_(std::move(path)), settings_(std::move(settings)) {
+  if (!fs::exists(path_)) return;
+  if (!again) read();
+  remove_files([&](const fs::path& file) { return again ? is_ours(file) : is_abandoned(file); });
+}
+
+void WalkFolder::remove_files(const std::function<bool(const fs::path&)>& which) const {
+  std::vector<fs::path> files;
+  for (const auto& file : fs::directory_iterator(path_)) files.push_back(file.path());
+  for (const fs::path& file : files) {
+    if (which(file)) fs::remove(file);
+  }
+}
+
+void WalkFolder::read() {
+  const fs::path manifest = fs::path(path_) / kManifest;
+  if (!fs::exists(manifest)) {
+    for (const auto& file : fs::directory_iterator(path_)) {
+      const std::string name = file.path().filename().string();
+      if (is_ours(file.path()) && name[0] != '.') {
+        refuse(messages::kNotOurFrames, path_, name, kManifest);
+      }
+    }
+    return;
+  }
+  std::vector<std::string> before;
+  try {
+    std::ifstream file(manifest);
+    const Json json = Json::parse(file);
+    for (const auto& [name, value] : settings_) {
+      before.push_back(json.at("settings").at(name).get<std::string>());
+    }
+    for (const auto& [name, record] : json.at("frames").items()) {
+      records_[name] = json_of(record_of(record));
+    }
+  } catch (const Json::exception& error) {
+    refuse(messages::kBadManifest, manifest.string(), error.what());
+  }
+  for (std::size_t i = 0; i < settings_.size(); ++i) {
+    const auto& [name, value] = settings_[i];
+    if (before[i] == value) continue;
+    if (name == kSceneContent) refuse(messages::kChangedScene, path_);
+    refuse(messages::kOtherWalk, path_, name, before[i], value);
+  }
+}
+
+std::optional<WalkRecord> WalkFolder::kept(unsigned frame, unsigned width, unsigned height) const {
+  const auto found = records_.find(frame_name(frame));
+  if (found == records_.end() || !is_whole_picture(name(frame), width, height)) return std::nullopt;
+  return record_of(*found);
+}
+
+void WalkFolder::write(const Frame& frame, const WalkRecord& record) {
+  fs::create_directory(path_);
+  Json settings = Json::object();
+  for (const auto& [name, value] : settings_) settings[name] = value;
+  const auto save = [&] {
+    const Json json = {{"about", "frames of a walk of dynrt; the same command goes on from here"},
+                       {"settings", settings},
+                       {"frames", records_}};
+    write_text(fs::path(path_) / kManifest, json.dump(1) + "\n");
+  };
+  // Before the first picture there must be what says whose it is, and what is told of a picture
+  // must not be there before the picture.
+  if (records_.empty()) save();
+  write_image(name(record.frame), frame);
+  records_[frame_name(record.frame)] = json_of(record);
+  save();
+}
+
+std::string WalkFolder::name(unsigned frame) const { return fs::path(path_) / frame_name(frame); }
+
+void WalkFolder::remove() const {
+  remove_files(is_ours);
+  std::error_code not_empty;
+  fs::remove(path_, not_empty);
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,112 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/board/display.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "host/board/frame_words.h"
+#include "host/board/messages.h"
+#include "host/board/registers.h"
+#include "host/error.h"
+
+namespace dynrt::host {
+
+namespace reg = registers;
+
+static_assert(hls::bit_width_of<ScanConfig>() == 32 * reg::kScanWords,
+              "ScanConfig has other fields than the board has SCAN registers");
+
+ScanConfig scan_config(const VgaMode& m, std::uint32_t base, unsigned width, unsigned height) {
+  const unsigned left = (m.hdisplay - width) / 2;
+  const unsigned top = (m.vdisplay - height) / 2;
+  const unsigned positive = (m.positive_hsync ? 1u : 0u) | (m.positive_vsync ? 2u : 0u);
+  ScanConfig c;
+  c.base = to_word(base);
+  c.width = to_word(width);
+  c.height = to_word(height);
+  c.left = to_word(left);
+  c.top = to_word(top);
+  c.hdisplay = to_word(m.hdisplay);
+  c.hsync_start = to_word(m.hsync_start);
+  c.hsync_end = to_word(m.hsync_end);
+  c.htotal = to_word(m.htotal);
+  c.vdisplay = to_word(m.vdisplay);
+  c.vsync_start = to_word(m.vsync_start);
+  c.vsync_end = to_word(m.vsync_end);
+  c.vtotal = to_word(m.vtotal);
+  c.positive_syncs = to_word(positive);
+  return c;
+}
+
+namespace {
+
+void check(const BoardInfo& board, const VgaMode& mode, unsigned width, unsigned height) {
+  if (!board.scan_out) refuse(messages::kNoScanOut, board.name, board.configuration);
+  if (width > mode.hdisplay || height > mode.vdisplay) {
+    refuse(messages::kDisplaySize, width, height, mode.hdisplay, mode.vdisplay);
+  }
+}
+
+}  // namespace
+
+Display::Display(RtlBoard& board, const VgaMode& mode, unsigned clocks_per_pixel,
+                 std::uint32_t base, unsigned width, unsigned height)
+    : board_(board),
+      monitor_(mode.positive_hsync, mode.positive_vsync),
+      clocks_(std::uint64_t{mode.htotal} * mode.vtotal * clocks_per_pixel) {
+  check(board_.info(), mode, width, height);
+  if (clocks_per_pixel < kLeastClocks || clocks_per_pixel > kMostClocks) {
+    throw std::logic_error(
+        fmt::format("the scan-out cannot take {} clocks a pixel", clocks_per_pixel));
+  }
+  const ScanConfig config = scan_config(mode, base, width, height);
+  hls::for_each_leaf(config, [&](const hls::uint<32>& field, unsigned offset) {
+    board_.write_register(reg::kRegScan + offset / 8, static_cast<std::uint32_t>(field.to_u64()));
+  });
+  board_.watch(&monitor_);
+  board_.write_register(reg::kRegScanClocks, clocks_per_pixel);
+}
+
+Display::~Display() {
+  board_.watch(nullptr);
+  try {
+    board_.write_register(reg::kRegScanClocks, 0);
+  } catch (const UserError&) {
+    // A board whose bus hangs shows nothing any more.
+  }
+}
+
+void Display::show(std::uint32_t base) { board_.write_register(reg::kRegScan, base); }
+
+std::uint32_t Display::shown() { return board_.read_register(reg::kRegScanShown); }
+
+const VgaFrame& Display::wait(unsigned count) {
+  const std::size_t enough = frames().size() + count;
+  for (unsigned i = 0; frames().size() < enough; ++i) {
+    // The first whole one begins in the second display, after at most two.
+    if (i > 8 * (count + 2)) throw std::logic_error("the scan-out gives no pixels");
+    board_.idle(clocks_ / 4);
+  }
+  return frames()[enough - 1];
+}
+
+void Board::check_display(unsigned width, unsigned height) const {
+  check(info(), kVga640x480, width, height);
+}
+
+VgaFrame Board::display(std::uint32_t /*base*/, unsigned width, unsigned height,
+                        unsigned /*clocks_per_pixel*/) {
+  check_display(width, height);
+  throw std::logic_error("a board with a scan-out cannot show a picture");
+}
+
+VgaFrame RtlBoard::display(std::uint32_t base, unsigned width, unsigned height,
+                           unsigned clocks_per_pixel) {
+  Display display(*this, kVga640x480, clocks_per_pixel, base, width, height);
+  return display.wait(1);
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,49 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The board's scan-out with a monitor at its pins: shows pictures that lie in bank 3, whatever the
+// core does meanwhile. Two buffers: while one is shown the core renders into the other (frame_base
+// of FrameConfig); show() it, wait until it is shown(), and the first one is free.
+#pragma once
+
+#include "host/board/rtl_board.h"
+#include "host/board/vga_monitor.h"
+#include "units/scan_out.h"
+
+namespace dynrt::host {
+
+class Display {
+ public:
+  /// Clocks of the board that a pixel may take.
+  static constexpr unsigned kLeastClocks = 2;
+  static constexpr unsigned kMostClocks = 255;
+
+  /// Switches the scan-out on. The picture begins at word `base` of bank 3 and lies in the middle
+  /// of the display. Throws UserError if the board has no scan-out or the picture does not fit.
+  Display(RtlBoard& board, const VgaMode& mode, unsigned clocks_per_pixel, std::uint32_t base,
+          unsigned width, unsigned height);
+  /// Switches it off.
+  ~Display();
+  Display(const Display&) = delete;
+  Display& operator=(const Display&) = delete;
+
+  /// From the next vertical blank on the picture at `base`.
+  void show(std::uint32_t base);
+  /// The picture that was taken in the last vertical blank.
+  std::uint32_t shown();
+
+  /// What the monitor has seen whole since the display is on.
+  const std::vector<VgaFrame>& frames() const { return monitor_.frames(); }
+  /// Clocks the board until the monitor has seen another `count` of them.
+  const VgaFrame& wait(unsigned count);
+
+ private:
+  RtlBoard& board_;
+  VgaMonitor monitor_;
+  std::uint64_t clocks_;  ///< of a frame
+};
+
+/// The registers of a mode with a picture in its middle.
+ScanConfig scan_config(const VgaMode& mode, std::uint32_t base, unsigned width, unsigned height);
+
+}  // namespace dynrt::host

@@ -1,0 +1,22 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Lights that cannot light anything. For the configurations that have light rays: the others do
+// without lights, wherever they are.
+#ifndef DYNRT_HOST_SCENE_CHECK_LIGHTS_H_
+#define DYNRT_HOST_SCENE_CHECK_LIGHTS_H_
+
+#include <glm/vec3.hpp>
+
+#include "host/scene/scene.h"
+
+namespace dynrt::host {
+
+// Throws UserError, naming the light, for one at infinity, one on a surface as far as the core's
+// numbers can tell, and one inside a closed object that is seen from outside, as which `eye` counts
+// unless it is inside too: a room is closed as well.
+void check_lights(const Scene& scene, const glm::dvec3& eye);
+
+}  // namespace dynrt::host
+
+#endif  // DYNRT_HOST_SCENE_CHECK_LIGHTS_H_
