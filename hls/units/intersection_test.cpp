@@ -144,10 +144,14 @@ HitCandidate<Every> meet(Primitive primitive, const Vec& origin, const Vec& dire
 
 TEST(Intersection, TheRectangleIsTheWholeSquare) {
   constexpr double kHair = 0x1p-16;
-  for (const auto& [u, v, in_rectangle, in_triangle] :
-       {std::tuple{0.25, 0.25, true, true}, {0.75, 0.75, true, false}, {1.0, 1.0, true, false},
-        {0.0, 1.0, true, true}, {1 + kHair, 0.5, false, false}, {0.5, 1 + kHair, false, false},
-        {-kHair, 0.5, false, false}, {0.5, -kHair, false, false}}) {
+  for (const auto& [u, v, in_rectangle, in_triangle] : {std::tuple{0.25, 0.25, true, true},
+                                                        {0.75, 0.75, true, false},
+                                                        {1.0, 1.0, true, false},
+                                                        {0.0, 1.0, true, true},
+                                                        {1 + kHair, 0.5, false, false},
+                                                        {0.5, 1 + kHair, false, false},
+                                                        {-kHair, 0.5, false, false},
+                                                        {0.5, -kHair, false, false}}) {
     const Vec above = vec(u, v, 2);
     const auto out = meet(Primitive::kRectangle, above, vec(0, 0, -1), 0.5);
     EXPECT_EQ(out.hit, in_rectangle) << u << ' ' << v;
@@ -203,9 +207,7 @@ TEST(Intersection, SpheresAgreeWithTheQuadraticEquation) {
     out.hit ? ++hits : ++misses;
     if (!out.hit) continue;
     ASSERT_NEAR(out.t.to_double(), t, slack + 0x1p-15 * std::abs(t)) << n;
-    ASSERT_NEAR(out.cosine.to_double(), first > 0 ? -root : root,
-                a * slack + 0x1p-14 * root)
-        << n;
+    ASSERT_NEAR(out.cosine.to_double(), first > 0 ? -root : root, a * slack + 0x1p-14 * root) << n;
   }
   EXPECT_GT(hits, 5'000u);
   EXPECT_GT(misses, 1'000u);

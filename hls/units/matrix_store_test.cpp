@@ -95,8 +95,7 @@ TEST(MatrixStore, ExpandsTrianglesToFourColumns) {
     ColumnContext<Compact> context;
     context.packet = PacketId<Compact>::from(test::below(random, Compact::kPackets));
     context.kind = test::chance(random, 70) ? TransformKind::kTriangle : TransformKind::kObject;
-    context.extras.primitive =
-        test::chance(random, 70) ? Primitive::kTriangle : Primitive::kSphere;
+    context.extras.primitive = test::chance(random, 70) ? Primitive::kTriangle : Primitive::kSphere;
     context.matrix = MatrixIndex::from(test::below(random, kMaxMatrices));
     const bool three = context.kind == TransformKind::kTriangle &&
                        context.extras.primitive.get() == Primitive::kTriangle;
@@ -138,9 +137,9 @@ TEST(MatrixStore, ExpandsTrianglesToFourColumns) {
     const auto spare = [&](unsigned c, unsigned r) { return columns[c].row[r].spare; };
     JobRecord<Compact> record;
     record.kind = context.kind;
-    record.matrix = context.matrix;
-    record.extra = hls::concat(three ? spare(1, 1) : spare(0, 2),
-                               hls::concat(spare(0, 1), spare(0, 0)));
+    record.matrix = context.matrix.get();
+    record.extra =
+        hls::concat(three ? spare(1, 1) : spare(0, 2), hls::concat(spare(0, 1), spare(0, 0)));
     record.mirror = spare(1, 0);
     record.primitive = context.extras.primitive;
     record.cosine_factor = Real::from_bits(columns[three ? 2 : 3].spare());

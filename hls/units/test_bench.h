@@ -134,8 +134,9 @@ template <class T>
 testing::AssertionResult same(const T& actual, const T& expected) {
   const auto difference = hls::first_difference(actual, expected);
   if (!difference) return testing::AssertionSuccess();
-  return testing::AssertionFailure() << difference->text() << "\n  actual:   " << describe(actual)
-                                     << "\n  expected: " << describe(expected);
+  return testing::AssertionFailure()
+         << difference->text() << "\n  actual:   " << hls::describe(actual)
+         << "\n  expected: " << hls::describe(expected);
 }
 template <class T>
 testing::AssertionResult same(const std::vector<T>& actual, const std::vector<T>& expected) {

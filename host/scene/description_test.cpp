@@ -275,8 +275,9 @@ TEST(Description, PlacesPrimitives) {
 TEST(Description, NamesMistakesInPrimitives) {
   const TestFolder folder;
   const auto expect_error = [&](const std::string& part, const std::string& sentence) {
-    const std::string path = folder.write(
-        "p.json", R"({"objects": [{"name": "o", "parts": [{"colour": [1, 0, 0], )" + part + "}]}]}");
+    const std::string path =
+        folder.write("p.json", R"({"objects": [{"name": "o", "parts": [{"colour": [1, 0, 0], )" +
+                                   part + "}]}]}");
     try {
       load_scene(path);
       ADD_FAILURE() << "no error: " << part;

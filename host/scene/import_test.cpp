@@ -116,11 +116,10 @@ TEST(Import, RefusesAFileWithoutTriangles) {
 
 TEST(Import, RefusesWhatIsNoSceneFile) {
   const TestFolder folder;
-  EXPECT_EQ(
-      load_error(folder.path("gone.obj")),
-      "there is no scene '" + folder.path("gone.obj") +
-          "': give a built-in name (blocks, cistern, conference, lamps, office, trees4000, "
-          "unit_objects) or the path of a file");
+  EXPECT_EQ(load_error(folder.path("gone.obj")),
+            "there is no scene '" + folder.path("gone.obj") +
+                "': give a built-in name (blocks, cistern, conference, lamps, office, trees4000, "
+                "unit_objects) or the path of a file");
   for (const char* name : {"e.obj", "e.ply", "e.gltf", "e.glb", "e.json"}) {
     const std::string path = folder.write(name, "");
     EXPECT_EQ(load_error(path), path + ": the file is empty");

@@ -75,9 +75,8 @@ TEST(TriangleTree, RectanglesAndEllipsoidsAreInEveryLeafThatTheyTouch) {
     for (int k = 0; k < 300; ++k) {
       if (mesh.is_rectangle(i)) {
         const Rectangle& r = mesh.rectangle(i);
-        expect_found(r.corner + (0.5 + 0.5 * at(random)) * r.across +
-                         (0.5 + 0.5 * at(random)) * r.along,
-                     i);
+        expect_found(
+            r.corner + (0.5 + 0.5 * at(random)) * r.across + (0.5 + 0.5 * at(random)) * r.along, i);
       } else {
         const glm::dvec3 on_sphere = glm::normalize(vector(1));
         expect_found(mesh.ellipsoid(i).from_unit * glm::dvec4(on_sphere, 1), i);
