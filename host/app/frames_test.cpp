@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "host/app/board_frame.h"
+#include "host/app/walk.h"
 #include "host/render/compare.h"
 
 namespace dynrt::host {
@@ -49,6 +50,32 @@ TEST(Frames, EveryFrameOnOneBoardIsTheModels) {
     EXPECT_TRUE(comparison.identical())
         << step.scene << " at " << step.field_of_view << " degrees with " << step.packets
         << " packets, " << step.lines << " lines: " << comparison.first->text("rtl", "model");
+  }
+}
+
+TEST(Frames, AWalkOnTheVerilogIsTheModels) {
+  SceneArguments arguments;
+  arguments.scene = "blocks";
+  FrameOptions options;
+  options.width = kWidth;
+  options.height = kHeight;
+  options.timeout = 1'000'000;
+  Prepared for_rtl = prepare(arguments, kWidth, kHeight);
+  Prepared for_model = for_rtl;
+  const WalkPlan plan(for_rtl.scene, 3, {}, {});
+  const auto rtl_board = make_board(configurations(), {"rtl", "thesis", ""});
+  const auto model_board = make_board(configurations(), {"model", "thesis", ""});
+  Walker rtl(*rtl_board, options, for_rtl, {}, plan);
+  Walker model(*model_board, options, for_model, {}, plan);
+  std::vector<std::uint32_t> before;
+  for (unsigned i = 0; i < 3; ++i) {
+    const Walker::Result left = rtl.render_frame(i, {});
+    const Walker::Result right = model.render_frame(i, {});
+    EXPECT_EQ(left.frame.pixels, right.frame.pixels) << "frame " << i;
+    EXPECT_NE(left.frame.pixels, before) << "frame " << i << " is the one before";
+    EXPECT_EQ(left.record.upload, right.record.upload);
+    EXPECT_GT(left.record.cycles.value_or(0), 0u);
+    before = left.frame.pixels;
   }
 }
 
