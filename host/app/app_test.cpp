@@ -37,12 +37,13 @@ class App : public testing::Test {
   }
   /// The user's mistake: one sentence, exit code 2, nothing left behind.
   void expect_mistake(const std::string& arguments, const testing::Matcher<std::string>& sentence) {
+    const std::vector<std::string> before = names_in(folder_);
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_THAT(outcome.err, sentence) << arguments;
     EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
     EXPECT_THAT(outcome.out, IsEmpty());
-    EXPECT_THAT(outcome.files, IsEmpty()) << arguments;
+    EXPECT_EQ(outcome.files, before) << arguments;
   }
 
   fs::path folder_;

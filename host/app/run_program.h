@@ -26,6 +26,17 @@ inline std::string text_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// The files of a folder that may not be there yet, sorted.
+inline std::vector<std::string> names_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  if (!std::filesystem::exists(folder)) return names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    names.push_back(entry.path().filename().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
 /// `folder` keeps its files between runs; stdout and stderr are files, so no terminal. `stdout_to`
 /// takes what would go to Outcome::out.
 inline Outcome run_program(const std::string& program, const std::string& arguments,
@@ -41,10 +52,7 @@ inline Outcome run_program(const std::string& program, const std::string& argume
   outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   if (stdout_to.empty()) outcome.out = text_of(out);
   outcome.err = text_of(err);
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    outcome.files.push_back(entry.path().filename().string());
-  }
-  std::ranges::sort(outcome.files);
+  outcome.files = names_in(folder);
   if (stdout_to.empty()) fs::remove(out);
   fs::remove(err);
   return outcome;

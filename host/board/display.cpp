@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <exception>
 #include <stdexcept>
 
 #include "host/board/frame_words.h"
@@ -74,8 +74,8 @@ Display::~Display() {
   board_.watch(nullptr);
   try {
     board_.write_register(reg::kRegScanClocks, 0);
-  } catch (const UserError&) {
-    // A board whose bus hangs shows nothing any more.
+  } catch (const std::exception&) {
+    // Whatever ails the board has been told where it was first met.
   }
 }
 

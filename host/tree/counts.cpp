@@ -254,8 +254,8 @@ class Tracer {
         }
         Mask left = 0, right = 0, left_first = 0;
         for (int i = 0; i < kRays; ++i) {
-          const double offset = node.split - rays[i].origin[node.axis];
-          const double d = offset / rays[i].direction[node.axis];
+          const double offset = not_zero(node.split - rays[i].origin[node.axis]);
+          const double d = not_zero(offset / rays[i].direction[node.axis]);
           const bool go_near = d >= near[i] || d <= 0;
           const bool go_far = d <= far[i] && d >= 0;
           const bool is_left_first = offset >= 0;

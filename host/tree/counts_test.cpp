@@ -91,6 +91,17 @@ TEST(Counts, RoomsAreTight) {
             2 * static_cast<int>(kSide * kSide));
 }
 
+TEST(Counts, ACameraOnASplitLosesNoRays) {
+  Mesh floor;
+  for (int z = -4; z < 4; ++z) {
+    for (int x = -4; x < 4; ++x) {
+      testing::add_quad(floor, {x, 0.1 * ((x * x + z) % 3), z}, {0, 0, 1}, {1, 0.01, 0});
+    }
+  }
+  const Scene scene = testing::scene_of(floor);
+  EXPECT_GT(expect_same_hits(scene, testing::camera_at({0, 3, 0}, {0.001, -1, 0.002})), 500);
+}
+
 /// Distance along the ray to the closest rectangle or ellipsoid; infinity where there is none.
 double closest_primitive(const Mesh& mesh, const glm::dvec3& origin, const glm::dvec3& d) {
   double best = std::numeric_limits<double>::infinity();

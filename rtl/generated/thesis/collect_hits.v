@@ -116,7 +116,7 @@ module collect_hits #(
     in_packet_s2 <= in_packet_s1;
     closest_s2 <= closest_s1;
   end
-  wire [16:0] best_triangle_s2 = record_data_i[22:6];
+  wire [16:0] job_matrix_s2 = record_data_i[22:6];
   wire [23:0] job_extra_s2 = record_data_i[46:23];
   wire [16:0] instance_s2 = object_data_i;
   wire [23:0] or_1_s2 = candidate_9_s2 | closest_s2;  // units/collect_hits.h:69
@@ -128,7 +128,7 @@ module collect_hits #(
   wire [23:0] mux_4_s2 = ~{24{in_reset_s2}} & in_v_s2;
   wire [23:0] mux_5_s2 = ~{24{in_reset_s2}} & in_cosine_s2;
   wire [16:0] mux_6_s2 = ~{17{in_reset_s2}} & instance_s2;
-  wire [16:0] mux_7_s2 = ~{17{in_reset_s2}} & best_triangle_s2;
+  wire [16:0] mux_7_s2 = ~{17{in_reset_s2}} & job_matrix_s2;
   wire [23:0] mux_8_s2 = ~{24{in_reset_s2}} & job_extra_s2;
   wire or_2_s2 = in_reset_s2 | closer_s2;  // units/collect_hits.h:91
   wire [23:0] mux_9_s2 = {~in_reset_s2 & mux_2_s2[23], {23{in_reset_s2}} | mux_2_s2[22:0]};  // units/collect_hits.h:91
@@ -137,7 +137,7 @@ module collect_hits #(
   wire [23:0] mux_10_s2 = {~in_reset_s2 & candidate_9_s2[23], {23{in_reset_s2}} | candidate_9_s2[22:0]};  // units/collect_hits.h:98
   wire eq_1_s2 = {candidate_6_s2, candidate_5_s2} == 2'd3;  // units/collect_hits.h:124
   wire not_3_s2 = ~in_reset_s2;
-  wire [3:0] record_2_s2 = record_data_i[5:2];
+  wire [3:0] job_active_s2 = record_data_i[5:2];
 
   // ---- state, rows and tokens written ----
   assign record_en_o = valid_s1;
@@ -154,7 +154,7 @@ module collect_hits #(
     .BOUNDED(START_BOUNDED)) start_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && (in_reset_s2 & eq_1_s2)), .ready_o(start_room),
-    .data_i({32'd0, record_2_s2, 2'd2, in_packet_s2}),
+    .data_i({32'd0, job_active_s2, 2'd2, in_packet_s2}),
     .valid_o(start_valid_o), .ready_i(start_ready_i), .data_o(start_data_o));
   assign distance_0_en_o = valid_s2 && (or_2_s2 & (not_1_s2 & not_2_s2));
   assign distance_0_addr_o = in_packet_s2;

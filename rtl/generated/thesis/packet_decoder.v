@@ -91,7 +91,7 @@ module packet_decoder #(
   wire [18:0] record_23_s1 = record_data_i[41:23];
   wire and_1_s1 = triangle_s1 & not_1_s1;
   wire is_new_s1 = {record_1_s1, record_0_s1} == 2'd0;  // units/packet_decoder.h:46
-  wire [3:0] record_2_s1 = record_data_i[5:2];
+  wire [3:0] job_active_s1 = record_data_i[5:2];
 
   // ---- state, rows and tokens written ----
   always @(posedge clk_i) begin
@@ -118,7 +118,7 @@ module packet_decoder #(
     .BOUNDED(ENTER_OBJECT_BOUNDED)) enter_object_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s1 && (level_s1 & (record_0_s1 & (not_1_s1 & eq_5_s1)))), .ready_o(enter_object_room),
-    .data_i({32'd0, record_2_s1, record_23_s1, 3'd1, in_packet_s1}),
+    .data_i({32'd0, job_active_s1, record_23_s1, 3'd1, in_packet_s1}),
     .valid_o(enter_object_valid_o), .ready_i(enter_object_ready_i), .data_o(enter_object_data_o));
   assign ray_0_en_o = valid_s1 && ((in_ray_s1 == 2'd0) & and_1_s1);
   assign ray_0_addr_o = {level_s1, in_packet_s1};

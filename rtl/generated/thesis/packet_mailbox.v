@@ -193,7 +193,7 @@ module packet_mailbox #(
   wire or_13_s2 = ((lt_1_s2 & found_3_s2) | (lt_2_s2 & found_5_s2)) | ((lt_3_s2 & found_6_s2) | (lt_4_s2 & found_7_s2));  // units/mailbox.h:62
   wire or_14_s2 = ((found_s2 | and_1_s2) | or_9_s2) | or_13_s2;  // units/mailbox.h:62
   wire known_s2 = top_s2 ? (((found_8_s2 | and_8_s2) | or_2_s2) | or_6_s2) : or_14_s2;  // units/mailbox.h:62
-  wire [1:0] mux_1_s2 = top_s2 ? 2'd2 : 2'd1;  // units/mailbox.h:97
+  wire [1:0] mux_1_s2 = top_s2 ? 2'd2 : 2'd1;  // units/mailbox.h:98
   wire eq_11_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd1;  // units/mailbox.h:32
   wire eq_12_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd2;  // units/mailbox.h:32
   wire eq_13_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd3;  // units/mailbox.h:32
