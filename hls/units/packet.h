@@ -1,0 +1,100 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a packet is in a configuration C (hls/configs): 2x2 rays, masks with one bit per ray, ray 0
+// lowest; rows of the RAMs that keep something per packet, level or ray; and which parts of the
+// core C has. Level 0 is the top-level tree over object instances, level 1 the tree of one object
+// (thesis chapter 4).
+#pragma once
+
+#include "hls/ports.h"
+#include "units/memory_format.h"
+#include "units/options.h"
+
+namespace dynrt {
+
+inline constexpr unsigned kRays = 4;  ///< rays per packet
+
+/// Whether a configuration traces rays beyond the primary ones (thesis 6.2.2, 6.2.3).
+template <class C>
+inline constexpr bool kHasLights = C::kLights > 0;
+template <class C>
+inline constexpr bool kHasMirrors = C::kReflections > 0;
+template <class C>
+inline constexpr bool kHasSecondary = kHasLights<C> || kHasMirrors<C>;
+
+/// What a configuration does about reflected rays that cross (thesis 3.1.3). No others do.
+template <class C>
+inline constexpr bool kSplitsPackets = kHasMirrors<C> && C::kCrossing == Crossing::kSplit;
+template <class C>
+inline constexpr bool kRemembersChild = kHasMirrors<C> && C::kCrossing == Crossing::kRemember;
+
+/// Whether a unit clips rays to the box of an object that they enter (thesis 4.2).
+template <class C>
+inline constexpr bool kClipsToBox = C::kObjectBox == ObjectBox::kUnit;
+
+/// Whether triangles are stored in three columns (thesis 5.1.1).
+template <class C>
+inline constexpr bool kThreeColumns = C::kTriangleMatrix == TriangleMatrix::kMemoryEfficient;
+/// Whether the core must be told which primitive it meets (thesis 5.2).
+template <class C>
+inline constexpr bool kHasKinds = C::kPrimitives.count() > 1;
+/// Whether the scalar product in unit space is to be scaled to be the one with the unit normal.
+template <class C>
+inline constexpr bool kScalesCosine = kThreeColumns<C> || C::kPrimitives.sphere;
+
+/// Which primitive; where there is but one, the field is not there.
+template <class C>
+using PrimitiveField = hls::FieldIf<kHasKinds<C>, Primitive>;
+template <class C>
+constexpr bool is_primitive(Primitive which, const PrimitiveField<C>& field) {
+  constexpr Primitives kSome = C::kPrimitives;
+  const bool some = which == Primitive::kTriangle ? kSome.triangle
+                    : which == Primitive::kSphere ? kSome.sphere
+                                                  : kSome.rectangle;
+  return some && (!kHasKinds<C> || field.get() == which);
+}
+
+template <class C>
+using PacketId = uint<hls::index_width(C::kPackets)>;
+using Level = uint<1>;
+using RayMask = uint<kRays>;
+using RayIndex = uint<2>;
+
+/// Row of a RAM with one row for every ray.
+template <class C>
+using RayRow = uint<PacketId<C>::kWidth + 2>;
+template <class C>
+constexpr RayRow<C> ray_row(PacketId<C> packet, RayIndex ray) {
+  return hls::concat(packet, ray);
+}
+template <class C>
+inline constexpr unsigned kRayRows = 1u << RayRow<C>::kWidth;
+
+/// Row of a RAM that is duplicated for the two levels.
+template <class C>
+using LevelRow = uint<1 + PacketId<C>::kWidth>;
+template <class C>
+constexpr LevelRow<C> level_row(Level level, PacketId<C> packet) {
+  return hls::concat(level, packet);
+}
+template <class C>
+inline constexpr unsigned kLevelRows = 2 * (1u << PacketId<C>::kWidth);
+
+template <class C>
+using StackPointer = uint<hls::index_width(C::kStackDepth + 1)>;
+
+template <class R>
+struct Vector {
+  R x, y, z;
+  HLS_FIELDS(x, y, z)
+};
+
+template <class R>
+struct Ray {
+  Vector<R> origin;
+  Vector<R> direction;
+  HLS_FIELDS(origin, direction)
+};
+
+}  // namespace dynrt
