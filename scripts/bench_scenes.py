@@ -84,8 +84,8 @@ class Measured:
             text += ("; it waits for nothing, so only less of that work, or more of it done a "
                      "clock, would be faster")
         else:
-            text += (", and otherwise waits for packets that are elsewhere; the memory serves cache "
-                     f"misses in {100 * units[MEMORY]['utilisation']:.1f} %")
+            text += (", and otherwise waits for packets that are elsewhere; the memory serves "
+                     f"cache misses in {100 * units[MEMORY]['utilisation']:.1f} %")
         stalled = [f"{unit} {100 * counts['stalled']:.1f} %" for unit, counts in units.items()
                    if counts["stalled"] >= STALLED]
         return text + (f"; held up for want of room behind them: {', '.join(stalled)}"
