@@ -73,7 +73,7 @@ TEST_P(CountedWork, IsThatOfTheCore) {
   expect_near("hits", core.hits, counted.hits);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, CountedWork, testing::Values("blocks", "conference"));
+INSTANTIATE_TEST_SUITE_P(Scenes, CountedWork, testing::Values("blocks", "conference", "trees4000"));
 
 using Json = nlohmann::ordered_json;
 

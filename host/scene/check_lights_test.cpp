@@ -96,7 +96,9 @@ TEST(CheckLights, NamesALightOnASurface) {
 
 TEST(CheckLights, SpheresAndRectanglesAreSurfacesToo) {
   Scene scene = one_box();
-  Mesh& mesh = scene.objects[0] = Mesh{"round"};
+  Mesh& mesh = scene.objects[0];
+  mesh = Mesh();
+  mesh.name = "round";
   mesh.ellipsoids.push_back({glm::scale(glm::dmat4(1.0), {1, 2, 1})});
   mesh.rectangles.push_back({{-1, 3, -1}, {2, 0, 0}, {0, 0, 2}});
   const auto sentence = [&](const glm::dvec3& p) {
