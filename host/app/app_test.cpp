@@ -338,11 +338,29 @@ TEST_F(App, BadWalksAreRefused) {
   expect_mistake(std::string("walk blocks --out a.png") + kModel,
                  "dynrt: --out a.png: a walk is written to a folder, as PNG files, or to a .gif "
                  "file\n");
+  expect_mistake(std::string("walk blocks --out a.JPG") + kModel,
+                 StartsWith("dynrt: --out a.JPG: a walk is written to a folder"));
+  expect_mistake(std::string("walk blocks --out w --json w/walk.json") + kModel,
+                 HasSubstr("w/walk"));
+  expect_mistake(std::string("walk blocks --out w --json w") + kModel,
+                 StartsWith("dynrt: --json w: lies where the walk keeps its frames"));
   expect_mistake(std::string("walk blocks --out no/where") + kModel,
                  "dynrt: no/where: there is no folder 'no'; create it or name a file elsewhere\n");
   expect_mistake(std::string("walk blocks --from 3 --to 2") + kModel,
                  "dynrt: --from 3 and --to 2: the walk must begin at 0 seconds or later and end "
                  "after it begins\n");
+}
+
+TEST_F(App, ALightThatSomethingMovesOverIsRefused) {
+  fs::create_directories(folder_);
+  std::ofstream(folder_ / "m.json") << R"({"about": "a ball passes a lamp",
+    "objects": [{"name": "ball", "parts": [{"generate": "sphere", "radius": 1, "subdivisions": 1}]}],
+    "instances": [{"object": "ball", "name": "ball", "position": [5, 0, 0], "motion": {"keys": [
+      {"time": 0, "position": [5, 0, 0]}, {"time": 2, "position": [-5, 0, 0]}]}}],
+    "lights": [{"name": "lamp", "position": [0.1, 0.2, 0]}],
+    "camera": {"position": [0, 0, 9], "look_at": [0, 0, 0]}})";
+  expect_mistake("walk m.json --config lit --board model --frames 3 --size 8x8 --out w",
+                 testing::AllOf(HasSubstr("light 'lamp'"), HasSubstr("(after 1 seconds)\n")));
 }
 
 TEST_F(App, ABoardThatNeverInterruptsIsATimeOut) {
@@ -391,6 +409,9 @@ TEST_F(App, WhatIsUnknownIsNamed) {
 TEST_F(App, WhatTheConfigurationLacksIsRefused) {
   expect_mistake("render blocks --config stand_in --packets 5",
                  "dynrt: --packets 5: configuration stand_in holds 1 to 4 packets\n");
+  expect_mistake("render blocks --config model_only --size 8x8",
+                 StartsWith("dynrt: --config model_only: is the native model alone, so it has no "
+                            "board rtl; take one of those with Verilog, stand_in"));
   expect_mistake("render blocks --config stand_in --packets 0",
                  "dynrt: --packets 0: configuration stand_in holds 1 to 4 packets\n");
   expect_mistake(

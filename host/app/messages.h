@@ -50,6 +50,9 @@ inline constexpr char kTimes[] =
     "--from {} and --to {}: the walk must begin at 0 seconds or later and end after it begins";
 inline constexpr char kWalkOut[] =
     "--out {}: a walk is written to a folder, as PNG files, or to a .gif file";
+inline constexpr char kJsonInWalk[] =
+    "--json {}: lies where the walk keeps its frames, in {}; name a file elsewhere";
+inline constexpr char kLightLater[] = "{} (after {} seconds)";
 inline constexpr char kOtherWalk[] =
     "{}: holds frames of another walk, with {} '{}' where this one has '{}'; name another --out, "
     "or "
@@ -60,6 +63,9 @@ inline constexpr char kChangedScene[] =
 inline constexpr char kNotOurFrames[] =
     "{}: has a {} but no {}, so these are no frames of a walk; name another --out, or give --again "
     "to replace them";
+inline constexpr char kCannotList[] = "{}: its files cannot be listed: {}; name another --out";
+inline constexpr char kCannotRemove[] = "{}: cannot be removed: {}; name another --out";
+inline constexpr char kCannotRead[] = "{}: cannot be read: {}; name another --out";
 inline constexpr char kBadManifest[] =
     "{}: is not what a walk leaves ({}); name another --out, or give --again to begin anew";
 inline constexpr char kOrbit[] =

@@ -6,8 +6,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
@@ -20,12 +22,16 @@
 #include "host/error.h"
 #include "host/render/gif.h"
 #include "host/render/output_file.h"
+#include "host/scene/animation.h"
+#include "host/scene/check_lights.h"
 #include "host/scene/fingerprint.h"
 
 namespace dynrt::host {
 
 namespace {
 
+constexpr std::string_view kOtherPictures[] = {".png", ".exr",  ".jpg", ".jpeg",
+                                               ".tif", ".tiff", ".bmp", ".webp"};
 constexpr double kSlowestGif = 4;  ///< pictures a second: below, it is no motion any more
 
 struct Arguments {
@@ -69,18 +75,43 @@ struct Place {
   std::string folder() const { return gif ? out + ".frames" : out; }
 };
 
+bool is_within(const std::string& file, const std::string& folder) {
+  namespace fs = std::filesystem;
+  const fs::path place = fs::weakly_canonical(fs::absolute(file));
+  const fs::path room = fs::weakly_canonical(fs::absolute(folder));
+  return place == room || place.parent_path() == room;
+}
+
 Place place_of(const Arguments& arguments) {
   namespace fs = std::filesystem;
   Place place{arguments.frame.out};
   if (place.out.empty()) place.out = fs::path(arguments.scene.scene).stem().string() + ".gif";
-  const std::string extension = fs::path(place.out).extension().string();
-  if (extension == ".png" || extension == ".exr") refuse(messages::kWalkOut, place.out);
+  std::string extension = fs::path(place.out).extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (std::ranges::count(kOtherPictures, extension) != 0) refuse(messages::kWalkOut, place.out);
   place.gif = extension == ".gif";
   check_walk_folder(place.folder());
-  const Output outputs[] = {{"--out", place.gif ? place.out : ""},
-                            {"--json", arguments.frame.json}};
+  const std::string& json = arguments.frame.json;
+  const Output outputs[] = {{"--out", place.gif ? place.out : ""}, {"--json", json}};
   check_outputs(outputs);
+  if (!json.empty() && is_within(json, place.folder())) {
+    refuse(messages::kJsonInWalk, json, place.folder());
+  }
   return place;
+}
+
+/// A light stands still; what moves must not swallow it in any frame.
+void check_moving_lights(const Prepared& prepared, const WalkPlan& plan) {
+  Scene scene = prepared.scene;
+  for (const double time : plan.times) {
+    move_to(scene, time);
+    try {
+      check_lights(scene, prepared.camera.position);
+    } catch (const UserError& error) {
+      refuse(messages::kLightLater, error.what(), time);
+    }
+  }
 }
 
 int run(const Arguments& arguments) {
@@ -91,6 +122,9 @@ int run(const Arguments& arguments) {
   Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->info());
   WalkFolder folder(place.folder(), arguments.settings(prepared.scene), arguments.again);
   const WalkPlan plan(prepared.scene, arguments.frames, arguments.from, arguments.to);
+  if (board->info().lights > 0 && !prepared.scene.lights.empty()) {
+    check_moving_lights(prepared, plan);
+  }
   if (plan.orbit) prepared.scene.notes.push_back(messages::kOrbit);
   nlohmann::ordered_json json = {{"out", place.out}, {"scene", prepared.json()}};
   say(prepared.text() + walk_header());
@@ -115,6 +149,8 @@ int run(const Arguments& arguments) {
     }
     say(walk_line(records.back(), clock_hz));
   }
+
+  if (kept < arguments.frames) folder.save();
 
   const WalkSummary summary{records, kept, walker.scene_upload(), clock_hz};
   if (!arguments.frame.json.empty()) {

@@ -25,6 +25,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr char kManifest[] = "walk.json";
+/// It grows with the walk, so it is written again only after so many times what that takes; frames
+/// that it does not know of when the walk is killed are rendered again.
+constexpr int kSavedSeldom = 10;
 
 std::string frame_name(unsigned frame) { return fmt::format("frame_{:04}.png", frame); }
 
@@ -94,20 +97,33 @@ WalkFolder::WalkFolder(std::string path, WalkSettings settings, bool again)
   remove_files([&](const fs::path& file) { return again ? is_ours(file) : is_abandoned(file); });
 }
 
+std::vector<fs::path> WalkFolder::files() const {
+  std::vector<fs::path> found;
+  std::error_code error;
+  fs::directory_iterator at(path_, error);
+  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
+    std::error_code gone;
+    if (at->is_regular_file(gone)) found.push_back(at->path());
+  }
+  if (error) refuse(messages::kCannotList, path_, error.message());
+  return found;
+}
+
 void WalkFolder::remove_files(const std::function<bool(const fs::path&)>& which) const {
-  std::vector<fs::path> files;
-  for (const auto& file : fs::directory_iterator(path_)) files.push_back(file.path());
-  for (const fs::path& file : files) {
-    if (which(file)) fs::remove(file);
+  for (const fs::path& file : files()) {
+    std::error_code error;
+    if (which(file) && !fs::remove(file, error) && error) {
+      refuse(messages::kCannotRemove, file.string(), error.message());
+    }
   }
 }
 
 void WalkFolder::read() {
   const fs::path manifest = fs::path(path_) / kManifest;
   if (!fs::exists(manifest)) {
-    for (const auto& file : fs::directory_iterator(path_)) {
-      const std::string name = file.path().filename().string();
-      if (is_ours(file.path()) && name[0] != '.') {
+    for (const fs::path& file : files()) {
+      const std::string name = file.filename().string();
+      if (is_ours(file) && name[0] != '.') {
         refuse(messages::kNotOurFrames, path_, name, kManifest);
       }
     }
@@ -116,6 +132,7 @@ void WalkFolder::read() {
   std::vector<std::string> before;
   try {
     std::ifstream file(manifest);
+    if (!file) refuse(messages::kCannotRead, manifest.string(), std::strerror(errno));
     const Json json = Json::parse(file);
     for (const auto& [name, value] : settings_) {
       before.push_back(json.at("settings").at(name).get<std::string>());
@@ -142,20 +159,24 @@ std::optional<WalkRecord> WalkFolder::kept(unsigned frame, unsigned width, unsig
 
 void WalkFolder::write(const Frame& frame, const WalkRecord& record) {
   fs::create_directory(path_);
-  Json settings = Json::object();
-  for (const auto& [name, value] : settings_) settings[name] = value;
-  const auto save = [&] {
-    const Json json = {{"about", "frames of a walk of dynrt; the same command goes on from here"},
-                       {"settings", settings},
-                       {"frames", records_}};
-    write_text(fs::path(path_) / kManifest, json.dump(1) + "\n");
-  };
   // Before the first picture there must be what says whose it is, and what is told of a picture
   // must not be there before the picture.
   if (records_.empty()) save();
   write_image(name(record.frame), frame);
   records_[frame_name(record.frame)] = json_of(record);
-  save();
+  if (Clock::now() - saved_ >= kSavedSeldom * save_takes_) save();
+}
+
+void WalkFolder::save() {
+  const auto begin = Clock::now();
+  Json settings = Json::object();
+  for (const auto& [name, value] : settings_) settings[name] = value;
+  const Json json = {{"about", "frames of a walk of dynrt; the same command goes on from here"},
+                     {"settings", settings},
+                     {"frames", records_}};
+  write_text(fs::path(path_) / kManifest, json.dump(1) + "\n");
+  saved_ = Clock::now();
+  save_takes_ = saved_ - begin;
 }
 
 std::string WalkFolder::name(unsigned frame) const { return fs::path(path_) / frame_name(frame); }

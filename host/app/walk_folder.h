@@ -6,6 +6,7 @@
 // there, so that an interrupted walk goes on where it stopped.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -37,17 +38,23 @@ class WalkFolder {
   /// Of a frame that is already there, whole and of the right size.
   std::optional<WalkRecord> kept(unsigned frame, unsigned width, unsigned height) const;
   void write(const Frame& frame, const WalkRecord& record);
+  /// What is told of the frames; to be called after the last one.
+  void save();
 
   std::string name(unsigned frame) const;
   void remove() const;  ///< with all that a walk writes; the folder stays if it holds more
 
  private:
+  using Clock = std::chrono::steady_clock;
   void read();
+  std::vector<std::filesystem::path> files() const;
   void remove_files(const std::function<bool(const std::filesystem::path&)>& which) const;
 
   const std::string path_;
   const WalkSettings settings_;
   nlohmann::ordered_json records_ = nlohmann::ordered_json::object();  ///< by the frame's name
+  Clock::time_point saved_{};
+  Clock::duration save_takes_{};
 };
 
 nlohmann::ordered_json json_of(const WalkRecord& record);

@@ -18,16 +18,21 @@ namespace {
 
 constexpr int kTraceSeed = 1;  ///< waveforms are the same every time
 
-std::string names_of(std::span<const Configuration> table) {
+template <class Condition>
+std::string names_of(std::span<const Configuration> table, Condition&& condition) {
   std::vector<std::string_view> names;
-  for (const Configuration& configuration : table) names.push_back(configuration.name);
+  for (const Configuration& configuration : table) {
+    if (condition(configuration)) names.push_back(configuration.name);
+  }
   return fmt::format("{}", fmt::join(names, ", "));
 }
+bool any(const Configuration&) { return true; }
+bool has_rtl(const Configuration& configuration) { return configuration.rtl != nullptr; }
 
 const Configuration& find(std::span<const Configuration> table, const std::string& name) {
   const auto found = std::ranges::find(table, name, &Configuration::name);
   if (found == table.end()) {
-    refuse(messages::kNoConfiguration, name, names_of(table));
+    refuse(messages::kNoConfiguration, name, names_of(table, any));
   }
   return *found;
 }
@@ -47,8 +52,9 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
     if (!request.trace.empty()) refuse(messages::kNoTrace);
     return std::make_unique<ModelBoard>(std::move(info), configuration.native());
   }
-  if (!configuration.rtl) {
-    refuse(messages::kNoRtl, configuration.name);
+  if (!has_rtl(configuration)) {
+    if (std::ranges::none_of(table, has_rtl)) refuse(messages::kNoRtl, configuration.name);
+    refuse(messages::kModelAlone, configuration.name, names_of(table, has_rtl));
   }
   return std::make_unique<RtlBoard>(
       std::move(info),

@@ -26,6 +26,10 @@ inline constexpr char kOutsideBank[] =
     "board {}: words {} to {} of bank {} are asked for; there are {} banks of {} words";
 inline constexpr char kNoConfiguration[] = "--config {}: unknown; this build has {}";
 inline constexpr char kNoBoard[] = "--board {}: unknown; the boards are rtl and model";
+inline constexpr char kModelAlone[] =
+    "--config {}: is the native model alone, so it has no board rtl; take one of those with "
+    "Verilog, "
+    "{}, or give it \"rtl\": true in hls/configs/configs.json and build again";
 inline constexpr char kNoRtl[] =
     "--board rtl: the Verilog of configuration {} is not part of this build; configure with "
     "-DDYNRT_RTL=ON or take --board model";

@@ -8,13 +8,13 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 #include <vector>
 
 #include "host/error.h"
 #include "host/render/messages.h"
 #include "host/render/output_file.h"
+#include "host/render/write_image.h"
 
 namespace dynrt::host {
 
@@ -29,15 +29,7 @@ struct Picture {
   std::vector<std::uint8_t> bytes;
 };
 
-/// A PNG file that was cut off lacks the chunk that ends it; libpng would complain on the terminal.
-bool has_end(const std::string& path) {
-  using namespace std::string_view_literals;
-  constexpr std::string_view kEnd = "IEND\xae\x42\x60\x82"sv;
-  std::ifstream file(path, std::ios::binary);
-  std::string end(kEnd.size(), '\0');
-  file.seekg(-static_cast<std::streamoff>(kEnd.size()), std::ios::end);
-  return file.read(end.data(), static_cast<std::streamsize>(end.size())) && end == kEnd;
-}
+constexpr std::string_view kGifEnd = std::string_view("\0;", 2);
 
 /// False where there is none or it ends too early.
 bool read(const std::string& path, Picture& picture) {
@@ -80,12 +72,15 @@ void write_gif(const std::string& path, std::span<const std::string> pictures,
       }
     }
     if (!output->close()) cannot_write(path, output->geterror());
+    check_end(temporary, kGifEnd, path);
   });
 }
 
 bool is_whole_picture(const std::string& path, unsigned width, unsigned height) {
   Picture picture;
-  return has_end(path) && read(path, picture) && picture.spec.width == static_cast<int>(width) &&
+  // libpng would complain on the terminal about one that is cut off.
+  return ends_with(path, kPngEnd) && read(path, picture) &&
+         picture.spec.width == static_cast<int>(width) &&
          picture.spec.height == static_cast<int>(height);
 }
 

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 
@@ -52,6 +53,23 @@ std::string temporary_for(const fs::path& path) {
          fmt::format(".{}.{}{}", path.stem().string(), getpid(), path.extension().string());
 }
 
+/// What processes that were killed have left half-written of this file.
+void remove_abandoned(const fs::path& path) {
+  const std::string begin = fmt::format(".{}.", path.stem().string());
+  const std::string end = path.extension().string();
+  std::error_code error;
+  fs::directory_iterator at(folder_of(path), error);
+  for (; !error && at != fs::directory_iterator(); at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (!name.starts_with(begin) || !name.ends_with(end)) continue;
+    const std::string process = name.substr(begin.size(), name.size() - begin.size() - end.size());
+    if (process.empty() || process.find_first_not_of("0123456789") != process.npos) continue;
+    if (kill(std::atoi(process.c_str()), 0) == 0 || errno != ESRCH) continue;
+    std::error_code gone;
+    fs::remove(at->path(), gone);
+  }
+}
+
 }  // namespace
 
 UnfinishedFile::UnfinishedFile(std::string path) : path_(std::move(path)), slot_(0) {
@@ -76,6 +94,17 @@ void cannot_write(const std::string& path, const std::string& reason) {
   refuse(messages::kCannotWrite, path, reason);
 }
 
+bool ends_with(const std::string& path, std::string_view end) {
+  std::ifstream file(path, std::ios::binary);
+  std::string found(end.size(), '\0');
+  file.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+  return file.read(found.data(), static_cast<std::streamsize>(found.size())) && found == end;
+}
+
+void check_end(const std::string& file, std::string_view end, const std::string& path) {
+  if (!ends_with(file, end)) cannot_write(path, "it is cut off; is the disk full?");
+}
+
 void check_outputs(std::span<const Output> outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (outputs[i].path.empty()) continue;
@@ -93,6 +122,7 @@ void check_output_path(const std::string& path) {
   std::error_code unreachable;
   if (!fs::is_directory(folder, unreachable)) refuse(messages::kNoFolder, path, folder.string());
   if (fs::is_directory(path, unreachable)) cannot_write(path, std::strerror(EISDIR));
+  remove_abandoned(path);
   // Only trying tells: a folder may be read-only for reasons that its permissions do not show.
   const UnfinishedFile probe(temporary_for(path));
   errno = 0;

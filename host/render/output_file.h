@@ -11,6 +11,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace dynrt::host {
 
@@ -41,6 +42,13 @@ struct Output {
 /// written, and for two outputs of one name.
 void check_outputs(std::span<const Output> outputs);
 void check_output_path(const std::string& path);
+
+/// Whether a file is there and its last bytes are these.
+bool ends_with(const std::string& path, std::string_view end);
+
+/// Throws UserError where a file that has been written does not end so: not every library notices
+/// that a disk is full.
+void check_end(const std::string& file, std::string_view end, const std::string& path);
 
 [[noreturn]] void cannot_write(const std::string& path, const std::string& reason);
 

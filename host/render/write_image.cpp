@@ -50,6 +50,7 @@ void write_image(const std::string& path, const Frame& frame) {
         !output->write_image(OIIO::TypeDesc::UINT8, bytes.data()) || !output->close()) {
       cannot_write(path, output ? output->geterror() : OIIO::geterror());
     }
+    if (!exr) check_end(temporary, kPngEnd, path);
   });
 }
 

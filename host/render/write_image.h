@@ -6,10 +6,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "host/render/frame.h"
 
 namespace dynrt::host {
+
+/// The chunk that ends a PNG file.
+inline constexpr std::string_view kPngEnd = "IEND\xae\x42\x60\x82";
 
 /// Throws UserError, before any work is done, for an unknown extension or a folder that does not
 /// exist or cannot be written.

@@ -5,7 +5,9 @@
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -96,6 +98,43 @@ TEST_F(WriteImage, AFileThatCannotBeWrittenIsAnErrorAndNothingIsLeft) {
                                        ": cannot be written (Is a directory); name a file in a "
                                        "folder that can"));
   EXPECT_EQ(files(), 1u);
+}
+
+/// No file may grow beyond so many bytes, as if the disk were full; the signal that comes with it
+/// is ignored.
+class SmallDisk {
+ public:
+  explicit SmallDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit limit = before_;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~SmallDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+TEST_F(WriteImage, AFullDiskLeavesThePreviousImageWhole) {
+  write_image(path("a.png"), frame_);
+  const auto size = fs::file_size(path("a.png"));
+  Frame large;
+  large.width = large.height = 64;
+  for (unsigned i = 0; i < 64 * 64; ++i) large.pixels.push_back(i * 2654435761u);
+  {
+    const SmallDisk disk(1000);
+    EXPECT_THAT([&] { write_image(path("a.png"), large); },
+                ThrowsMessage<UserError>(testing::StartsWith(path("a.png") + ": ")));
+  }
+  EXPECT_EQ(fs::file_size(path("a.png")), size);
+  EXPECT_EQ(files(), 1u);
+  write_image(path("a.png"), large);
+  EXPECT_GT(fs::file_size(path("a.png")), 1000u);
 }
 
 }  // namespace

@@ -23,15 +23,33 @@ std::string what_is_wrong(
   return colon == std::string::npos ? message : message.substr(colon + 2);
 }
 
+/// The deepest nesting of braces and brackets outside of strings. The parser's own callback would
+/// take time that grows with the square of the elements.
+int depth_of(std::string_view text) {
+  int depth = 0, deepest = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      in_string = c != '"';
+    } else if (c == '"') {
+      in_string = true;
+    } else if (c == '{' || c == '[') {
+      deepest = std::max(deepest, ++depth);
+    } else if (c == '}' || c == ']') {
+      --depth;
+    }
+  }
+  return deepest;
+}
+
 }  // namespace
 
 nlohmann::json parse_json(std::string_view text, const std::string& path) {
-  const auto limit_depth = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-    if (depth > kDeepest) wording::fail(wording::kJsonDeep, path, kDeepest);
-    return true;
-  };
+  if (depth_of(text) > kDeepest) wording::fail(wording::kJsonDeep, path, kDeepest);
   try {
-    nlohmann::json json = nlohmann::json::parse(text, limit_depth);
+    nlohmann::json json = nlohmann::json::parse(text);
     if (!json.is_object()) wording::fail(wording::kJson, path, 1, "it must be an object, {...}");
     return json;
   } catch (const nlohmann::json::exception& error) {

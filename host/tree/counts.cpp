@@ -274,15 +274,14 @@ class Tracer {
         const Mask far_mask = left_is_near ? right : left;
         const bool enter_near = near_mask != 0 && near_node != kNullNode;
         const bool enter_far = far_mask != 0 && far_node != kNullNode;
-        const bool clips = clipping;
-        if (near_mask != 0 && near_node == kNullNode && !clips) ++work_.empty_leaves;
+        if (near_mask != 0 && near_node == kNullNode && !clipping) ++work_.empty_leaves;
         pop = !enter_near && !enter_far;
         if (enter_near) {
           if (far_mask != 0) {
             const bool real = far_node != kNullNode;
             if (real && real_entries == setting_.options.stack_depth) {
               ++work_.dropped_pushes;
-            } else if (real || !clips) {
+            } else if (real || !clipping) {
               stack.push_back({far_node, far_mask, both, far});
               real_entries += real;
             }
