@@ -112,7 +112,7 @@ WorkReport overlap_report(const Prepared& prepared, unsigned width, unsigned hei
   TraceOptions none;
   none.object_slots = none.triangle_slots = 0;
   TraceOptions last_objects = none;
-  last_objects.object_slots = 8;
+  last_objects.object_slots = TraceOptions{}.object_slots;
   last_objects.last_met = true;
   WorkCounter counter(prepared, width, height, 10);
   const Method methods[] = {
@@ -190,9 +190,11 @@ WorkReport mailbox_report(const Prepared& prepared, unsigned width, unsigned hei
                     {"triangles_again", work.triangles - all.triangles},
                     {"packets", json_of(work)}});
   }
-  text +=
+  const TraceOptions core;
+  text += fmt::format(
       "\nagain: more than with slots without end. A packet that enters an object again meets "
-      "its triangles\nagain. The core has 8 and 8.\n";
+      "its triangles\nagain. The core has {} and {}.\n",
+      core.object_slots, core.triangle_slots);
   return {counter.head(kPacketsAbout) + text + counter.foot(),
           counter.json("mailbox", std::move(rows))};
 }
