@@ -1,0 +1,57 @@
+#!/usr/bin/env python3
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Holds dynrt.core, the description for FuseSoC, against the Verilog that is there."""
+
+import pathlib
+import re
+import unittest
+
+import yaml
+
+import rtl_files
+
+ROOT = rtl_files.ROOT
+TEXT = (ROOT / "dynrt.core").read_text(encoding="utf-8")
+
+
+class CoreFile(unittest.TestCase):
+    def setUp(self):
+        first, _, rest = TEXT.partition("\n")
+        self.assertEqual(first, "CAPI=2:")
+        self.core = yaml.safe_load(rest)
+
+    def files(self, *filesets):
+        """The names in these filesets; an entry is a name, or a name with attributes."""
+        found = [f for fileset in filesets for f in self.core["filesets"][fileset]["files"]]
+        return [next(iter(f)) if isinstance(f, dict) else f for f in found]
+
+    def test_every_verilog_file_is_listed_once(self):
+        listed = self.files("core", "board")
+        there = [*rtl_files.hand_written(ROOT),
+                 *(ROOT / "rtl/generated" / rtl_files.CHECKED_IN).glob("*.v")]
+        self.assertGreater(len(there), 30)
+        self.assertEqual(sorted(listed), sorted(p.relative_to(ROOT).as_posix() for p in there))
+
+    def test_every_file_is_there(self):
+        for name in self.files(*self.core["filesets"]):
+            self.assertTrue((ROOT / name).is_file(), name)
+
+    def test_every_header_that_is_included_is_listed(self):
+        headers = {pathlib.PurePath(name).name for name in self.files("headers")}
+        for name in self.files("core", "board"):
+            text = (ROOT / name).read_text(encoding="utf-8")
+            for header in re.findall(r'^`include "([^"]+)"', text, re.MULTILINE):
+                self.assertIn(header, headers, name)
+
+    def test_targets_have_what_they_name(self):
+        for name, target in self.core["targets"].items():
+            for fileset in target["filesets"]:
+                self.assertIn(fileset, self.core["filesets"], name)
+            text = "".join((ROOT / f).read_text(encoding="utf-8")
+                           for f in self.files(*target["filesets"]) if f.endswith(".v"))
+            self.assertRegex(text, rf"\nmodule {target['toplevel']}\b", name)
+
+
+if __name__ == "__main__":
+    unittest.main()
