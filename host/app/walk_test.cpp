@@ -216,6 +216,7 @@ TEST_F(Walks, KeepWholeFramesOnly) {
     WalkFolder folder(path("w"), kSettings, false);
     EXPECT_FALSE(fs::exists(path("w"))) << "nothing is written before there is a frame";
     for (const unsigned i : {0u, 1u, 2u}) folder.write(Kept(i).frame, Kept(i).record);
+    folder.save();
   }
   fs::resize_file(path("w/frame_0001.png"), 40);
   fs::remove(path("w/frame_0002.png"));

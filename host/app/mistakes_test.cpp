@@ -1,0 +1,213 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What mistakes get: a sentence, an exit code, nothing left behind.
+#include "host/app/program_test.h"
+
+namespace dynrt::host {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST_F(App, LightsAndMirrorsWithoutRaysForThemAreRefused) {
+  const auto mistake = [&](const std::string& flag, const std::string& lacks) {
+    expect_mistake(std::string("render blocks") + kModel + flag,
+                   "dynrt: " + flag.substr(0, flag.find(' ')) +
+                       ": configuration model_only has no " + lacks + "; take --config lit\n");
+  };
+  mistake("--light 1,2,3", "light rays");
+  mistake("--mirror box", "reflected rays");
+  mistake("--reflections 1", "reflected rays");
+  expect_mistake(
+      std::string("render blocks") + kLit + "--reflections 8",
+      "dynrt: --reflections 8: configuration lit traces at most 7 reflections of a ray\n");
+  const Outcome lamps = run(std::string("render lamps") + kModel);
+  EXPECT_EQ(lamps.code, 0);
+  EXPECT_THAT(lamps.out,
+              HasSubstr("note        the scene has 2 lights, but configuration model_only "
+                        "has no light rays and lights it from the eye; take --config "
+                        "lit\n"));
+  EXPECT_THAT(lamps.out,
+              HasSubstr("note        the scene has 2 mirrors, but configuration model_only "
+                        "has no reflected rays; take --config lit\n"));
+}
+
+TEST_F(App, BadLightsAndMirrorsAreRefused) {
+  const std::string render = std::string("render blocks") + kLit;
+  for (const std::string light :
+       {"1,2,3:0,0,0", "1,2,3:1,1,-1", "1,2,3:1,1,1:0", "1,2,3:1,1,1:x"}) {
+    expect_mistake(render + "--light " + light,
+                   "dynrt: --light " + light +
+                       ": write X,Y,Z[:R,G,B[:INTENSITY]] with a colour that is not negative nor "
+                       "black and an intensity above zero, for example 1,3,2:1,0.9,0.8:5\n");
+  }
+  expect_mistake(render + "--light 1,2",
+                 "dynrt: --light 1,2: write three numbers separated by commas, for example "
+                 "1,2.5,-3\n");
+  for (const std::string mirror : {"ground=2", "ground=", "ground=-0.1", "=x"}) {
+    expect_mistake(render + "--mirror " + mirror,
+                   "dynrt: --mirror " + mirror +
+                       ": write MATERIAL[=PART] with a part from 0 to 1, for example chrome=0.9\n");
+  }
+  expect_mistake(
+      render + "--mirror glass",
+      testing::MatchesRegex("dynrt: scene 'blocks' has no material 'glass'; it has .*\n"));
+  expect_mistake(
+      render + "--light 0,1.7,0",
+      testing::MatchesRegex("dynrt: scene 'blocks': light '--light 0,1.7,0' at \\(0, 1.7, 0\\) "
+                            "lies inside 'ball as it is', which is closed and lets none "
+                            "of it out; move the light\n"));
+  // The configuration that has no light rays does not mind.
+  EXPECT_EQ(run("info blocks --light 0,1.7,0").code, 0);
+}
+
+TEST_F(App, ABoardThatNeverInterruptsIsATimeOut) {
+  expect_mistake(
+      std::string("render blocks") + kRtl + "--timeout 100",
+      "dynrt: board rtl: no interrupt and no pixel for 100 clocks (--timeout allows more); "
+      "0 pixels are written, status 0x1, the units stand at without input: stand_in 0\n");
+}
+
+TEST_F(App, BadSizesAreRefused) {
+  const auto limit =
+      ": an image has 1 to 1024 pixels a side and at most 349525 in all, which is what the board's "
+      "framebuffer and hit records hold\n";
+  expect_mistake("render blocks --size 0x24", std::string("dynrt: --size 0x24") + limit);
+  expect_mistake("render blocks --size 32x0", std::string("dynrt: --size 32x0") + limit);
+  expect_mistake("compare blocks --size 1025x2", std::string("dynrt: --size 1025x2") + limit);
+  expect_mistake("info blocks --size 1024x1024", std::string("dynrt: --size 1024x1024") + limit);
+  for (const std::string size : {"32", "x24", "32x24x3", "-1x2", "99999999999x1"}) {
+    expect_mistake(
+        "render blocks --size=" + size,
+        "dynrt: --size " + size + ": write WIDTHxHEIGHT in pixels, for example 512x384\n");
+  }
+}
+
+TEST_F(App, WhatIsUnknownIsNamed) {
+  expect_mistake("render blocks --config huge",
+                 "dynrt: --config huge: unknown; this build has model_only, stand_in, lit\n");
+  expect_mistake("render blocks --config stand_in --board fpga",
+                 "dynrt: --board fpga: unknown; the boards are rtl and model\n");
+  expect_mistake("render blocks --order hilbert",
+                 "dynrt: --order hilbert: unknown; the orders are morton and scanline\n");
+  expect_mistake("render blocks --speed 9",
+                 testing::AllOf(StartsWith("dynrt: "), HasSubstr("--speed"),
+                                HasSubstr("; dynrt render --help lists what there is\n")));
+  expect_mistake(
+      "paint blocks",
+      "dynrt: paint: unknown; the commands are render, walk, compare, info and report\n");
+  expect_mistake("", HasSubstr("dynrt --help lists what there is"));
+  expect_mistake("render", testing::AllOf(HasSubstr("SCENE"), HasSubstr("dynrt render --help")));
+  expect_mistake("render no_such_scene --config stand_in", HasSubstr("no_such_scene"));
+}
+
+TEST_F(App, WhatTheConfigurationLacksIsRefused) {
+  expect_mistake("render blocks --config stand_in --packets 5",
+                 "dynrt: --packets 5: configuration stand_in holds 1 to 4 packets\n");
+  expect_mistake("render blocks --config model_only --size 8x8",
+                 StartsWith("dynrt: --config model_only: is the native model alone, so it has no "
+                            "board rtl; take one of those with Verilog, stand_in"));
+  expect_mistake("render blocks --config stand_in --packets 0",
+                 "dynrt: --packets 0: configuration stand_in holds 1 to 4 packets\n");
+  expect_mistake(
+      "render blocks --config stand_in --lines 3",
+      "dynrt: --lines 3: the caches of configuration stand_in have 1, 2, 4 up to 16 lines\n");
+  expect_mistake("render blocks --config stand_in --clock 0",
+                 "dynrt: --clock 0: the clock is a number of MHz above zero\n");
+  expect_mistake("render blocks --config stand_in --clock inf",
+                 "dynrt: --clock: inf is not a finite number; dynrt render --help lists what there "
+                 "is\n");
+  for (const std::string flag : {"--packets", "--lines", "--timeout"}) {
+    expect_mistake("render blocks --config stand_in " + flag + "=-1",
+                   "dynrt: " + flag +
+                       ": -1 is not a whole number from 0 to 4294967295; dynrt "
+                       "render --help lists what there is\n");
+  }
+  expect_mistake("render blocks --config stand_in --timeout 0",
+                 "dynrt: --timeout 0: the board needs at least one clock\n");
+}
+
+TEST_F(App, BadCamerasAreRefused) {
+  expect_mistake("render blocks --config stand_in --position 1,2",
+                 "dynrt: --position 1,2: write three numbers separated by commas, for example "
+                 "1,2.5,-3\n");
+  expect_mistake("info blocks --look-at a,b,c",
+                 "dynrt: --look-at a,b,c: write three numbers separated by commas, for example "
+                 "1,2.5,-3\n");
+  expect_mistake("info blocks --fov 180", HasSubstr("field of view"));
+  expect_mistake("info blocks --fov wide",
+                 "dynrt: --fov: wide is not a finite number; dynrt info --help lists what there "
+                 "is\n");
+  for (const std::string numbers : {"1e300,0,0", "0,inf,0", "0,0,nan"}) {
+    expect_mistake(
+        "info blocks --position " + numbers,
+        "dynrt: --position " + numbers + ": the numbers must lie within -6.07e+09 and 6.07e+09\n");
+  }
+}
+
+TEST_F(App, OutputsThatCannotBeWrittenAreRefused) {
+  expect_mistake(
+      "render blocks --config stand_in --out image.jpg",
+      "dynrt: image.jpg: the image format '.jpg' is not one of dynrt's; the name must end "
+      "in .png or .exr\n");
+  expect_mistake(
+      "render blocks --config stand_in --out no/where/image.png",
+      "dynrt: no/where/image.png: there is no folder 'no/where'; create it or name a file "
+      "elsewhere\n");
+  expect_mistake("render blocks --config stand_in --out /proc/image.png",
+                 "dynrt: /proc/image.png: cannot be written (its folder takes no files); name a "
+                 "file in a folder that can\n");
+  expect_mistake("render blocks --config stand_in --json no/where/f.json",
+                 HasSubstr("no/where/f.json: there is no folder 'no/where'"));
+  expect_mistake("info blocks --json no/where/f.json",
+                 HasSubstr("no/where/f.json: there is no folder 'no/where'"));
+  expect_mistake("render blocks --config stand_in --trace no/where/f.fst",
+                 HasSubstr("no/where/f.fst: there is no folder 'no/where'"));
+  expect_mistake("render blocks --config stand_in --board model --trace f.fst",
+                 "dynrt: --trace: only --board rtl has signals to record; leave the flag out or "
+                 "choose that board\n");
+  expect_mistake("render no_such_scene --config stand_in --trace f.fst",
+                 HasSubstr("no_such_scene"));
+}
+
+TEST_F(App, OutputsAreCheckedBeforeTheSceneIsLoaded) {
+  // The default name too: a folder named like it is in its way.
+  fs::create_directories(folder_ / "gone.png");
+  const Outcome outcome = run("render gone --config stand_in");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.err,
+            "dynrt: gone.png: cannot be written (Is a directory); name a file in a folder that "
+            "can\n");
+}
+
+TEST_F(App, OutputsOfOneNameAreRefused) {
+  expect_mistake("render blocks --config stand_in --out a.png --json ./a.png",
+                 "dynrt: --json ./a.png: --out writes the same file; name another one\n");
+  expect_mistake("render blocks --config stand_in --json blocks.png",
+                 "dynrt: --json blocks.png: --out writes the same file; name another one\n");
+  expect_mistake("render blocks --config stand_in --out a.png --trace a.png",
+                 "dynrt: --trace a.png: --out writes the same file; name another one\n");
+}
+
+TEST_F(App, AReportThatCannotBePrintedIsAnError) {
+  for (const char* arguments : {"info blocks", "--help"}) {
+    // The last redirection is the one that counts.
+    const Outcome outcome = run(arguments, "/dev/full");
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_EQ(outcome.err,
+              "dynrt: the report cannot be printed (No space left on device); free some space or "
+              "send it elsewhere\n");
+  }
+}
+
+TEST_F(App, WaveformsOfATimeOutAreKept) {
+  const Outcome outcome =
+      run(std::string("render blocks") + kRtl + "--timeout 100 --trace waves.fst");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.files, ElementsAre("waves.fst"));
+}
+
+}  // namespace
+}  // namespace dynrt::host

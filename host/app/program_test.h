@@ -1,0 +1,48 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The program as a user meets it: what its tests share.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host/app/run_program.h"
+
+namespace dynrt::host {
+namespace fs = std::filesystem;
+
+inline constexpr char kModel[] = " --config model_only --board model --size 32x24 ";
+inline constexpr char kRtl[] = " --config stand_in --size 32x24 ";
+inline constexpr char kLit[] = " --config lit --board model --size 32x24 ";
+
+class App : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ =
+        fs::path(testing::TempDir()) /
+        (std::string("dynrt_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Outcome run(const std::string& arguments, const std::string& stdout_to = {}) const {
+    return run_program(DYNRT_PROGRAM, arguments, folder_, stdout_to);
+  }
+  /// The user's mistake: one sentence, exit code 2, nothing left behind.
+  void expect_mistake(const std::string& arguments, const testing::Matcher<std::string>& sentence) {
+    const std::vector<std::string> before = names_in(folder_);
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_THAT(outcome.err, sentence) << arguments;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    EXPECT_THAT(outcome.out, testing::IsEmpty());
+    EXPECT_EQ(outcome.files, before) << arguments;
+  }
+
+  fs::path folder_;
+};
+
+}  // namespace dynrt::host

@@ -1,0 +1,112 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The program's walks, interrupted ones among them.
+#include "host/app/program_test.h"
+
+namespace dynrt::host {
+namespace {
+
+using testing::ContainsRegex;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+TEST_F(App, WalksIntoAFolder) {
+  const std::string walk = std::string("walk blocks --frames 3 --out w") + kModel;
+  const Outcome outcome = run(walk + "--json f.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.files, ElementsAre("f.json", "w"));
+  EXPECT_THAT(outcome.out, HasSubstr("note        nothing moves in the scene, nor does its camera: "
+                                     "it goes round the scene's centre once\n"));
+  EXPECT_THAT(outcome.out, ContainsRegex("walk        3 frames\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("images      w, 32x24\n"));
+  const auto json = nlohmann::json::parse(text_of(folder_ / "f.json"));
+  EXPECT_EQ(json["walk"]["frames"].size(), 3u);
+  // The camera alone moves: its matrix, twelve words.
+  EXPECT_LE(json["walk"]["frames"][1]["upload"]["words"], 12);
+
+  // What is there is not made again; what is missing is.
+  const std::string second = text_of(folder_ / "w/frame_0001.png");
+  fs::remove(folder_ / "w/frame_0001.png");
+  const Outcome resumed = run(walk);
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_THAT(resumed.out, HasSubstr("walk        3 frames, 2 of them there already\n"));
+  EXPECT_EQ(text_of(folder_ / "w/frame_0001.png"), second);
+  EXPECT_NE(text_of(folder_ / "w/frame_0000.png"), second);
+
+  const Outcome other = run(walk + "--fov 30");
+  EXPECT_EQ(other.code, 2);
+  EXPECT_EQ(other.err,
+            "dynrt: w: holds frames of another walk, with --fov '' where this one has '30'; name "
+            "another --out, or give --again to begin anew\n");
+  EXPECT_EQ(run(walk + "--fov 30 --again").code, 0);
+  EXPECT_NE(text_of(folder_ / "w/frame_0001.png"), second);
+}
+
+TEST_F(App, WalksIntoAGif) {
+  const std::string walk = std::string("walk blocks --frames 2") + kModel;
+  // As if it had been interrupted after its first frame.
+  EXPECT_EQ(run(walk + "--out blocks.gif.frames").code, 0);
+  fs::remove(folder_ / "blocks.gif.frames/frame_0001.png");
+  const Outcome outcome = run(walk);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("walk        2 frames, 1 of them there already\n"));
+  EXPECT_THAT(outcome.files, ElementsAre("blocks.gif")) << "the frames' folder is gone";
+  EXPECT_TRUE(text_of(folder_ / "blocks.gif").starts_with("GIF89a"));
+}
+
+TEST_F(App, AWalkThatIsKilledGoesOn) {
+  const std::string walk = std::string("walk blocks --frames 40 --out w") + kModel;
+  // Killed at its second picture, without a chance to tidy up.
+  const std::string killed = "cd '" + folder_.string() + "' && { '" DYNRT_PROGRAM "' " + walk +
+                             " > /dev/null & } && while [ ! -e w/frame_0001.png ]; do sleep 0.01; "
+                             "done; kill -9 $!; wait $!";
+  fs::create_directories(folder_);
+  ASSERT_NE(std::system(killed.c_str()), 0);
+  EXPECT_FALSE(fs::exists(folder_ / "w/frame_0039.png"));
+  const Outcome outcome = run(walk);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("walk        40 frames"));
+  std::size_t files = 0;
+  for (const auto& file : fs::directory_iterator(folder_ / "w")) {
+    ++files;
+    EXPECT_NE(file.path().filename().string()[0], '.') << file.path();
+  }
+  EXPECT_EQ(files, 41u);
+}
+
+TEST_F(App, BadWalksAreRefused) {
+  expect_mistake(std::string("walk blocks --frames 0") + kModel,
+                 "dynrt: --frames 0: a walk has 1 to 9999 frames\n");
+  expect_mistake(std::string("walk blocks --out a.png") + kModel,
+                 "dynrt: --out a.png: a walk is written to a folder, as PNG files, or to a .gif "
+                 "file\n");
+  expect_mistake(std::string("walk blocks --out a.JPG") + kModel,
+                 StartsWith("dynrt: --out a.JPG: a walk is written to a folder"));
+  expect_mistake(std::string("walk blocks --out w --json w/walk.json") + kModel,
+                 HasSubstr("w/walk"));
+  expect_mistake(std::string("walk blocks --out w --json w") + kModel,
+                 StartsWith("dynrt: --json w: lies where the walk keeps its frames"));
+  expect_mistake(std::string("walk blocks --out no/where") + kModel,
+                 "dynrt: no/where: there is no folder 'no'; create it or name a file elsewhere\n");
+  expect_mistake(std::string("walk blocks --from 3 --to 2") + kModel,
+                 "dynrt: --from 3 and --to 2: the walk must begin at 0 seconds or later and end "
+                 "after it begins\n");
+}
+
+TEST_F(App, ALightThatSomethingMovesOverIsRefused) {
+  fs::create_directories(folder_);
+  std::ofstream(folder_ / "m.json") << R"({"about": "a ball passes a lamp",
+    "objects": [{"name": "ball", "parts": [
+      {"generate": "sphere", "colour": [1, 1, 1], "radius": 1, "subdivisions": 1}]}],
+    "instances": [{"object": "ball", "name": "ball", "position": [5, 0, 0], "motion": {"keys": [
+      {"time": 0, "position": [5, 0, 0]}, {"time": 2, "position": [-5, 0, 0]}]}}],
+    "lights": [{"name": "lamp", "position": [0.1, 0.2, 0]}],
+    "camera": {"position": [0, 0, 9], "look_at": [0, 0, 0]}})";
+  expect_mistake("walk m.json --config lit --board model --frames 3 --size 8x8 --out w",
+                 testing::AllOf(HasSubstr("light 'lamp'"), HasSubstr("(after 1 seconds)\n")));
+}
+
+}  // namespace
+}  // namespace dynrt::host
