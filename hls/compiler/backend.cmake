@@ -36,14 +36,14 @@ add_executable(hlsc_passes_test passes/passes_test.cpp)
 target_compile_definitions(hlsc_passes_test
                            PRIVATE DELAY_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/delay")
 target_link_libraries(hlsc_passes_test PRIVATE hlsc_random dynrt_warnings GTest::gtest_main)
-gtest_discover_tests(hlsc_passes_test PROPERTIES LABELS lower)
+dynrt_discover_tests(hlsc_passes_test PROPERTIES LABELS lower)
 
 add_executable(hlsc_schedule_test schedule/schedule_test.cpp)
 target_compile_definitions(hlsc_schedule_test
                            PRIVATE DELAY_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/delay")
 target_link_libraries(hlsc_schedule_test PRIVATE hlsc_random dynrt_warnings GTest::gmock
                                                  GTest::gtest_main)
-gtest_discover_tests(hlsc_schedule_test PROPERTIES LABELS lower)
+dynrt_discover_tests(hlsc_schedule_test PROPERTIES LABELS lower)
 
 add_executable(hlsc_emit_test emit/emit_test.cpp)
 target_compile_definitions(hlsc_emit_test
@@ -51,4 +51,4 @@ target_compile_definitions(hlsc_emit_test
                                    GOLDEN_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/emit/golden")
 target_link_libraries(hlsc_emit_test PRIVATE hlsc_random dynrt_warnings GTest::gmock
                                              GTest::gtest_main)
-gtest_discover_tests(hlsc_emit_test PROPERTIES LABELS lower)
+dynrt_discover_tests(hlsc_emit_test PROPERTIES LABELS lower)
