@@ -22,13 +22,10 @@ namespace {
 
 /// The names of this build's configurations that have some, after "--config ".
 std::string with(unsigned BoardInfo::* some) {
-  std::vector<std::string> names;
-  for (const Configuration& configuration : configurations()) {
-    if (configuration.info().*some > 0)
-      names.push_back(fmt::format("--config {}", configuration.name));
-  }
+  const auto names =
+      names_of(configurations(), [&](const Configuration& c) { return c.info().*some > 0; });
   return names.empty() ? "none of this build has them"
-                       : fmt::format("take {}", fmt::join(names, " or "));
+                       : fmt::format("take --config {}", fmt::join(names, " or --config "));
 }
 
 std::size_t mirrors_of(const Scene& scene) {

@@ -74,10 +74,9 @@ void check_primitives(const Scene& scene, const BoardInfo& board) {
                                               : nullptr;
   };
   if (const char* missing = lacks(board.primitives)) {
-    std::vector<std::string_view> with;
-    for (const Configuration& c : configurations()) {
-      if (lacks(c.info().primitives) == nullptr) with.push_back(c.name);
-    }
+    const auto with = names_of(configurations(), [&](const Configuration& c) {
+      return lacks(c.info().primitives) == nullptr;
+    });
     refuse(messages::kNoPrimitive, board.configuration, missing, scene.name,
            fmt::format("{}", fmt::join(with, ", ")));
   }

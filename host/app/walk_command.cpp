@@ -122,7 +122,7 @@ int run(const Arguments& arguments) {
   Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->info());
   WalkFolder folder(place.folder(), arguments.settings(prepared.scene), arguments.again);
   const WalkPlan plan(prepared.scene, arguments.frames, arguments.from, arguments.to);
-  if (board->info().lights > 0 && !prepared.scene.lights.empty()) {
+  if (!plan.orbit && board->info().lights > 0 && !prepared.scene.lights.empty()) {
     check_moving_lights(prepared, plan);
   }
   if (plan.orbit) prepared.scene.notes.push_back(messages::kOrbit);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <csignal>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -49,19 +48,15 @@ WalkRecord record_of(const Json& json) {
   return record;
 }
 
-/// What a walk that was killed has left half-written: ".frame_0003.1234.png", if no process 1234 is
-/// there any more to finish it.
-bool is_abandoned(const fs::path& path) {
-  static const std::regex pattern(R"(\.(frame_\d+|walk)\.(\d+)\.(png|json))");
-  std::smatch match;
-  const std::string name = path.filename().string();
-  if (!std::regex_match(name, match, pattern)) return false;
-  return kill(std::atoi(match[2].str().c_str()), 0) != 0 && errno == ESRCH;
+bool is_frame_or_manifest(const std::string& name) {
+  static const std::regex pattern(R"(frame_\d{4}\.png|walk\.json)");
+  return std::regex_match(name, pattern);
 }
 
+bool is_abandoned(const fs::path& path) { return is_frame_or_manifest(abandoned(path)); }
+
 bool is_ours(const fs::path& path) {
-  static const std::regex pattern(R"(frame_\d{4}\.png|walk\.json)");
-  return std::regex_match(path.filename().string(), pattern) || is_abandoned(path);
+  return is_frame_or_manifest(path.filename().string()) || is_abandoned(path);
 }
 
 }  // namespace

@@ -18,26 +18,32 @@ namespace {
 
 constexpr int kTraceSeed = 1;  ///< waveforms are the same every time
 
-template <class Condition>
-std::string names_of(std::span<const Configuration> table, Condition&& condition) {
-  std::vector<std::string_view> names;
-  for (const Configuration& configuration : table) {
-    if (condition(configuration)) names.push_back(configuration.name);
-  }
-  return fmt::format("{}", fmt::join(names, ", "));
+std::string list_of(std::span<const Configuration> table,
+                    const std::function<bool(const Configuration&)>& condition) {
+  return fmt::format("{}", fmt::join(names_of(table, condition), ", "));
 }
+
 bool any(const Configuration&) { return true; }
 bool has_rtl(const Configuration& configuration) { return configuration.rtl != nullptr; }
 
 const Configuration& find(std::span<const Configuration> table, const std::string& name) {
   const auto found = std::ranges::find(table, name, &Configuration::name);
   if (found == table.end()) {
-    refuse(messages::kNoConfiguration, name, names_of(table, any));
+    refuse(messages::kNoConfiguration, name, list_of(table, any));
   }
   return *found;
 }
 
 }  // namespace
+
+std::vector<std::string_view> names_of(std::span<const Configuration> table,
+                                       const std::function<bool(const Configuration&)>& condition) {
+  std::vector<std::string_view> names;
+  for (const Configuration& configuration : table) {
+    if (condition(configuration)) names.push_back(configuration.name);
+  }
+  return names;
+}
 
 std::unique_ptr<Board> make_board(std::span<const Configuration> table,
                                   const BoardRequest& request) {
@@ -54,7 +60,7 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
   }
   if (!has_rtl(configuration)) {
     if (std::ranges::none_of(table, has_rtl)) refuse(messages::kNoRtl, configuration.name);
-    refuse(messages::kModelAlone, configuration.name, names_of(table, has_rtl));
+    refuse(messages::kModelAlone, configuration.name, list_of(table, has_rtl));
   }
   return std::make_unique<RtlBoard>(
       std::move(info),

@@ -5,10 +5,12 @@
 // core, and, where the Verilog was built, the Verilated board. The table is made by CMake.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "host/board/board.h"
 #include "host/board/clocked_board.h"
@@ -34,6 +36,10 @@ struct BoardRequest {
 
 /// The table of this build.
 std::span<const Configuration> configurations();
+
+/// The names of those for which a condition holds, in the table's order.
+std::vector<std::string_view> names_of(std::span<const Configuration> table,
+                                       const std::function<bool(const Configuration&)>& condition);
 
 /// Throws UserError for an unknown board or configuration, and for waveforms of the model.
 std::unique_ptr<Board> make_board(std::span<const Configuration> table,

@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <regex>
 
 #include "host/error.h"
 #include "host/render/messages.h"
@@ -55,22 +56,25 @@ std::string temporary_for(const fs::path& path) {
 
 /// What processes that were killed have left half-written of this file.
 void remove_abandoned(const fs::path& path) {
-  const std::string begin = fmt::format(".{}.", path.stem().string());
-  const std::string end = path.extension().string();
   std::error_code error;
   fs::directory_iterator at(folder_of(path), error);
   for (; !error && at != fs::directory_iterator(); at.increment(error)) {
-    const std::string name = at->path().filename().string();
-    if (!name.starts_with(begin) || !name.ends_with(end)) continue;
-    const std::string process = name.substr(begin.size(), name.size() - begin.size() - end.size());
-    if (process.empty() || process.find_first_not_of("0123456789") != process.npos) continue;
-    if (kill(std::atoi(process.c_str()), 0) == 0 || errno != ESRCH) continue;
+    if (abandoned(at->path()) != path.filename()) continue;
     std::error_code gone;
     fs::remove(at->path(), gone);
   }
 }
 
 }  // namespace
+
+std::string abandoned(const fs::path& file) {
+  static const std::regex pattern(R"(\.(.+)\.(\d+)(\.[^.]*)?)");
+  std::smatch match;
+  const std::string name = file.filename().string();
+  if (!std::regex_match(name, match, pattern)) return {};
+  const bool gone = kill(std::atoi(match[2].str().c_str()), 0) != 0 && errno == ESRCH;
+  return gone ? match[1].str() + match[3].str() : std::string();
+}
 
 UnfinishedFile::UnfinishedFile(std::string path) : path_(std::move(path)), slot_(0) {
   static const bool caught = (catch_signals(), true);
@@ -114,6 +118,7 @@ void check_outputs(std::span<const Output> outputs) {
       }
     }
     check_output_path(outputs[i].path);
+    remove_abandoned(outputs[i].path);
   }
 }
 
@@ -122,7 +127,6 @@ void check_output_path(const std::string& path) {
   std::error_code unreachable;
   if (!fs::is_directory(folder, unreachable)) refuse(messages::kNoFolder, path, folder.string());
   if (fs::is_directory(path, unreachable)) cannot_write(path, std::strerror(EISDIR));
-  remove_abandoned(path);
   // Only trying tells: a folder may be read-only for reasons that its permissions do not show.
   const UnfinishedFile probe(temporary_for(path));
   errno = 0;

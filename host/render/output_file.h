@@ -32,6 +32,10 @@ class UnfinishedFile {
   bool kept_ = false;
 };
 
+/// The name of the file that a process wrote when it was killed, if this is what it left
+/// half-written of it; else empty.
+std::string abandoned(const std::filesystem::path& file);
+
 /// A file that the user asked for, by which flag; no path: not asked for.
 struct Output {
   const char* flag;
@@ -39,7 +43,7 @@ struct Output {
 };
 
 /// Throws UserError, before any work is done, for a folder that does not exist or cannot be
-/// written, and for two outputs of one name.
+/// written, and for two outputs of one name. Removes what killed processes have left of them.
 void check_outputs(std::span<const Output> outputs);
 void check_output_path(const std::string& path);
 

@@ -22,11 +22,9 @@ namespace {
 constexpr unsigned kAll = 0;  ///< as many as the configuration has
 
 std::vector<std::string> names_with_rtl() {
-  std::vector<std::string> names;
-  for (const Configuration& c : configurations()) {
-    if (c.rtl != nullptr) names.emplace_back(c.name);
-  }
-  return names;
+  const auto names =
+      names_of(configurations(), [](const Configuration& c) { return c.rtl != nullptr; });
+  return {names.begin(), names.end()};
 }
 
 std::unique_ptr<Board> make_checked_board(const std::string& name, int seed) {
