@@ -86,8 +86,10 @@ TEST_F(App, BadSizesAreRefused) {
 }
 
 TEST_F(App, WhatIsUnknownIsNamed) {
-  expect_mistake("render blocks --config huge",
-                 "dynrt: --config huge: unknown; this build has model_only, stand_in, lit\n");
+  expect_mistake(
+      "render blocks --config huge",
+      "dynrt: --config huge: unknown; this build has model_only, stand_in, lit, and a file "
+      "FILE.json or FILE.so may be named instead\n");
   expect_mistake("render blocks --config stand_in --board fpga",
                  "dynrt: --board fpga: unknown; the boards are rtl and model\n");
   expect_mistake("render blocks --order hilbert",
