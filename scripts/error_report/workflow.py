@@ -83,7 +83,7 @@ class Workflow:
         environment = os.environ | {"PYTHONDONTWRITEBYTECODE": "1"}
         log = self.folder / "snakemake.log"
         failed = {}
-        with log.open("w", encoding="utf-8") as file, \
+        with log.open("w", encoding="utf-8", buffering=1) as file, \
              subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
                               env=environment) as process:
             rule = None
