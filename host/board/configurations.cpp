@@ -18,7 +18,7 @@ namespace dynrt::host {
 namespace {
 
 constexpr unsigned kSramBits = 32;  ///< of a word of the RTL's banks
-constexpr int kTraceSeed = 1;    ///< waveforms are the same every time
+constexpr int kTraceSeed = 1;       ///< waveforms are the same every time
 
 std::string list_of(std::span<const Configuration> table,
                     const std::function<bool(const Configuration&)>& condition) {

@@ -44,8 +44,8 @@ class NativeCoreOf final : public NativeCore {
     with_bank(bank, [&]<unsigned W>(const std::vector<uint<W>>& from) {
       constexpr unsigned kParts = (W + 31) / 32;
       for (std::size_t i = 0; i < words.size(); ++i) {
-        words[i] = static_cast<std::uint32_t>(from[address + i / kParts].to_u64() >>
-                                              (32 * (i % kParts)));
+        words[i] =
+            static_cast<std::uint32_t>(from[address + i / kParts].to_u64() >> (32 * (i % kParts)));
       }
     });
   }
