@@ -9,7 +9,7 @@
 # the calling folder writes to build/<preset>/generated/include:
 #   <NAME>_model   interface library: what a program needs to include the C++ (header only)
 #   <NAME>.v       build/<preset>/generated/<CONFIG>/<NAME>.v, made by hlsc, module <NAME>, with its
-#                  schedule report <NAME>.txt and the header <NAME>_ports.h for the test bench
+#                  schedule report <NAME>.txt, the same as data <NAME>.json and the header <NAME>_ports.h for the test bench
 #   <NAME>_rtl     library with the Verilated class V<NAME> (FAST, TRACE, SHARDS: Verilate.cmake),
 #                  whose name is the same for every configuration, so link only one of them
 #   test           generated.<NAME>, label lint, for CONFIG thesis: fails when rtl/generated/thesis/
@@ -100,13 +100,14 @@ function(add_hls_unit)
   # Verilog are relative to the project's folder, so that it is the same wherever that lies.
   add_custom_command(
     OUTPUT ${stem}.v
-    BYPRODUCTS ${stem}.txt ${stem}_ports.h
+    BYPRODUCTS ${stem}.txt ${stem}.json ${stem}_ports.h
     COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -x c++ ${absolute_includes} -MM -MT ${stem}.v
             -MF ${stem}.d ${header}
     COMMAND hlsc --unit ${arg_TYPE} --module ${arg_NAME} --header ${arg_CONFIG}/${arg_NAME}.h
             ${relative_includes} --clock-ns ${clock} --delay ${delay} -o ${fresh}.v
-            --report ${fresh}.txt --binding ${fresh}_ports.h
-    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${fresh}.v ${fresh}.txt ${fresh}_ports.h ${dir}
+            --report ${fresh}.txt --schedule ${fresh}.json --binding ${fresh}_ports.h
+    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${fresh}.v ${fresh}.txt ${fresh}.json
+            ${fresh}_ports.h ${dir}
     DEPENDS hlsc ${header} ${config_header} ${PROJECT_SOURCE_DIR}/${delay}
     DEPFILE ${stem}.d
     WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}

@@ -56,8 +56,9 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
   info.configuration = configuration.name;
   if (!rtl) {
     if (!request.trace.empty()) refuse(messages::kNoTrace);
-    return std::make_unique<ModelBoard>(std::move(info), configuration.native());
+    return std::make_unique<ModelBoard>(std::move(info), configuration.native(), request.schedule);
   }
+  if (!request.schedule.empty()) refuse(messages::kScheduleOfRtl);
   if (!has_rtl(configuration)) {
     if (std::ranges::none_of(table, has_rtl)) refuse(messages::kNoRtl, configuration.name);
     refuse(messages::kModelAlone, configuration.name, list_of(table, has_rtl));

@@ -37,7 +37,10 @@ class NativeCoreOf final : public NativeCore {
       words[i] = static_cast<std::uint32_t>(core_.bank(bank)[address + i].to_u64());
     }
   }
-  void render(const FrameConfig& frame) override { core_.render(frame); }
+  std::optional<std::uint64_t> render(const FrameConfig& frame,
+                                      const hls::Schedule* schedule) override {
+    return core_.render(frame, schedule);
+  }
   std::vector<Counter> counters() override {
     std::vector<Counter> counters;
     for (const auto& [name, value, order_independent] : core_.counters()) {
