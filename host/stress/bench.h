@@ -1,0 +1,85 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where a stress case is run: it has trials rendered on a board, and judges what comes back by the
+// truth or by other frames.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "host/board/board.h"
+#include "host/render/frame.h"
+#include "host/stress/outcome.h"
+#include "host/stress/trial.h"
+
+namespace dynrt::host::stress {
+
+/// Opens the board of a configuration.
+using OpenBoard = std::function<std::unique_ptr<Board>(const std::string& configuration)>;
+
+/// The frames of a trial, and what its numbers of objects and triangles stand for.
+struct Rendered {
+  std::vector<Frame> frames;  ///< one a shot
+  std::vector<std::uint32_t> first_triangle;  ///< of each object: the matrix of its triangle 0
+  std::vector<std::uint32_t> first_instance;  ///< of each frame: the matrix of instance 0
+
+  std::uint64_t dropped_pushes() const;
+};
+
+/// Whether the board's core has lost hits to a full stack, by its counter.
+std::uint64_t dropped_pushes(const Frame& frame);
+
+/// The boards that were opened so far; cases share them.
+class Boards {
+ public:
+  Boards(OpenBoard open, std::string configuration)
+      : open_(std::move(open)), configuration_(std::move(configuration)) {}
+  Board& get(const std::string& configuration);
+  Board& get() { return get(configuration_); }
+  const std::string& configuration() const { return configuration_; }
+
+ private:
+  OpenBoard open_;
+  std::string configuration_;
+  std::map<std::string, std::unique_ptr<Board>> boards_;
+};
+
+class Bench {
+ public:
+  explicit Bench(Boards& boards) : boards_(boards) {}
+
+  Numbers numbers() const { return Numbers{}; }
+
+  Rendered render(const Trial& trial);
+  /// Renders, and judges by the truth.
+  Rendered check(const Trial& trial);
+  void judge(const Trial& trial, const Rendered& rendered);
+  /// Counts the rays of `frames` whose hits are not those of `expected`; `change`, if there is one,
+  /// makes of a hit the one that is expected in its place.
+  void expect_same(const Rendered& rendered, const Rendered& expected,
+                   const std::function<HitRecord(HitRecord)>& change = {});
+  /// The host must refuse the trial with a sentence that has these words in it.
+  void expect_refusal(const Trial& trial, const std::string& words);
+  void count(Fault fault, std::uint64_t rays) { outcome_[fault] += rays; }
+
+  Board& board() { return boards_.get(); }
+  const Outcome& outcome() const { return outcome_; }
+  /// Every frame rendered so far, for comparing boards.
+  const std::vector<Frame>& frames() const { return frames_; }
+  void keep_frames() { keep_ = true; }
+
+ private:
+  void judge_hit(const Trial& trial, const Truth& truth, const TruthRay& ray,
+                 const HitRecord& record, const Rendered& rendered, std::size_t shot);
+
+  Boards& boards_;
+  Outcome outcome_;
+  std::vector<Frame> frames_;
+  bool keep_ = false;
+};
+
+}  // namespace dynrt::host::stress
