@@ -85,7 +85,7 @@ Rendered Bench::render(const Trial& trial) {
       }
     }
     for (const std::uint32_t pixel : frame.pixels) outcome_.digest_word(pixel);
-    if (keep_) frames_.push_back(frame);
+    if (frames_ != nullptr) frames_->push_back(frame);
     rendered.first_instance.push_back(image.first_instance);
     rendered.frames.push_back(std::move(frame));
   }

@@ -50,7 +50,9 @@ class Boards {
 
 class Bench {
  public:
-  explicit Bench(Boards& boards) : boards_(boards) {}
+  /// `frames`, if there is one, is given every frame rendered: for comparing boards.
+  explicit Bench(Boards& boards, std::vector<Frame>* frames = nullptr)
+      : boards_(boards), frames_(frames) {}
 
   Numbers numbers() const { return Numbers{}; }
 
@@ -68,9 +70,6 @@ class Bench {
 
   Board& board() { return boards_.get(); }
   const Outcome& outcome() const { return outcome_; }
-  /// Every frame rendered so far, for comparing boards.
-  const std::vector<Frame>& frames() const { return frames_; }
-  void keep_frames() { keep_ = true; }
 
  private:
   void judge_hit(const Trial& trial, const Truth& truth, const TruthRay& ray,
@@ -78,8 +77,7 @@ class Bench {
 
   Boards& boards_;
   Outcome outcome_;
-  std::vector<Frame> frames_;
-  bool keep_ = false;
+  std::vector<Frame>* frames_;
 };
 
 }  // namespace dynrt::host::stress

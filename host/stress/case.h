@@ -47,6 +47,6 @@ std::vector<Case> overlap_cases();
 std::vector<Case> stack_cases();
 std::vector<Case> exponent_cases();
 std::vector<Case> camera_cases();
-std::vector<Case> cache_cases();
+std::vector<Case> frame_cases();
 
 }  // namespace dynrt::host::stress

@@ -16,12 +16,11 @@ namespace {
 
 std::vector<Case> all_cases() {
   std::vector<Case> all;
-  for (std::vector<Case>& group :
-       std::initializer_list<std::vector<Case>>{
-           sliver_cases(), size_cases(), far_cases(), plane_cases(), grazing_cases(), end_cases(),
-           edge_cases(), degenerate_cases(), instance_cases(), overlap_cases(), stack_cases(),
-           exponent_cases(), camera_cases(), cache_cases()}) {
-    std::ranges::move(group, std::back_inserter(all));
+  for (const auto group :
+       {sliver_cases, size_cases, far_cases, plane_cases, grazing_cases, end_cases, edge_cases,
+        degenerate_cases, instance_cases, overlap_cases, stack_cases, exponent_cases, camera_cases,
+        frame_cases}) {
+    std::ranges::move(group(), std::back_inserter(all));
   }
   return all;
 }
@@ -43,7 +42,7 @@ std::vector<const Case*> find_cases(std::span<const std::string> names) {
     if (found.size() == before) {
       std::vector<std::string> known;
       for (const Case& c : cases()) known.push_back(c.full_name());
-      refuse(messages::kNoCase, name, fmt::join(known, ", "));
+      refuse(messages::kNoCase, name, fmt::format("{}", fmt::join(known, ", ")));
     }
   }
   if (names.empty()) {

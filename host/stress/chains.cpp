@@ -105,10 +105,8 @@ Trial nested_chains(int upper, int lower) {
     }
     // The object's own planes are at whole numbers from its beginning.
     objects.push_back(chain_tree(lower, 1, box_of_targets(all)));
-    for (TreeNode& node : objects.back().nodes) {
-      if (node.axis == 0) node.split += j * each;
-    }
-    objects.back().box = box_of_targets(all);
+    Tree& tree = objects.back();
+    for (std::size_t i = tree.root; i < tree.nodes.size(); ++i) tree.nodes[i].split += j * each;
     add(trial.scene, std::move(mesh));
   }
   trial.trees = {std::move(objects), chain_tree(upper, each, box_of_targets(all)), {}};

@@ -35,7 +35,7 @@ Case same_bits(const std::string& name, const std::string& about,
 
 }  // namespace
 
-std::vector<Case> cache_cases() {
+std::vector<Case> frame_cases() {
   return {
       same_bits("one_line", "all caches of one line: the same bits",
                 [](FrameOptions& o) { o.lines = 1; }),
