@@ -26,9 +26,13 @@ template <class C>
 class CoreModel {
  public:
   CoreModel() {
-    for (Bank& bank : banks_) bank = std::make_shared<std::vector<Word>>(kBankWords);
+    const auto make = [](auto& bank) {
+      bank = std::make_shared<std::remove_cvref_t<decltype(*bank)>>(kBankWords);
+    };
+    for (auto& bank : banks_.scene) make(bank);
+    for (auto& bank : banks_.out) make(bank);
   }
-  std::vector<Word>& bank(unsigned number) { return *banks_.at(number); }
+  Banks<C>& banks() { return banks_; }
 
   /// Renders one frame. As on the board, every frame starts with registers reset and caches empty.
   void render(const FrameConfig& config) {
@@ -55,7 +59,7 @@ class CoreModel {
   const std::vector<CoreCounter>& counters() const { return counters_; }
 
  private:
-  std::array<Bank, kBanks> banks_;
+  Banks<C> banks_;
   std::vector<CoreCounter> counters_;
 };
 

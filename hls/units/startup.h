@@ -17,9 +17,9 @@ template <class C>
 struct Startup {
   hls::In<uint<10>> number;
   hls::Out<FreePacket<C>> free;
-  hls::Out<CacheLine<C, Node>> node;
+  hls::Out<CacheLine<C, Node<typename C::Real>>> node;
   hls::Out<CacheLine<C, ListEntry>> list;
-  hls::Out<CacheLine<C, MatrixColumn>> column;
+  hls::Out<CacheLine<C, MatrixColumn<typename C::Real>>> column;
   HLS_PORTS(number, free, node, list, column)
 
   void step() {

@@ -14,6 +14,7 @@
 
 #include "host/board/vga_monitor.h"
 #include "host/error.h"
+#include "host/format/memory_format_of.h"
 #include "units/frame.h"
 #include "units/options.h"
 
@@ -31,6 +32,7 @@ struct BoardInfo {
   bool scan_out = false;       ///< it can show a picture on a VGA display; only the RTL has pins
   TriangleMatrix triangle_matrix = TriangleMatrix::kNormalConsistent;
   Primitives primitives{.triangle = true};
+  const MemoryFormat* format = &kShippedFormat;  ///< its numbers, and how its memory holds them
 };
 
 /// One of the core's counters, named unit.what, e.g. "traversal.transactions".
@@ -72,7 +74,8 @@ class Board {
   virtual ~Board() = default;
   virtual const BoardInfo& info() const = 0;
 
-  /// Moves consecutive words of a bank; they must lie inside it. Not while a frame is rendered.
+  /// Moves consecutive words of a bank; they must lie inside it. Not while a frame is rendered. A
+  /// word of the scene's banks is format->bus_words() of them, the lowest bits first.
   virtual void write(unsigned bank, std::uint32_t address,
                      std::span<const std::uint32_t> words) = 0;
   virtual void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) = 0;

@@ -30,6 +30,9 @@ inline constexpr char kModelAlone[] =
     "--config {}: is the native model alone, so it has no board rtl; take one of those with "
     "Verilog, "
     "{}, or give it \"rtl\": true in hls/configs/configs.json and build again";
+inline constexpr char kWideWords[] =
+    "--config {}: a float of {} bits needs words of {} bits in the memory, and the SRAM of board "
+    "rtl has {}; take --board model";
 inline constexpr char kNoRtl[] =
     "--board rtl: the Verilog of configuration {} is not part of this build; configure with "
     "-DDYNRT_RTL=ON or take --board model";

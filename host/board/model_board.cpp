@@ -15,13 +15,13 @@ ModelBoard::ModelBoard(BoardInfo info, std::unique_ptr<NativeCore> core)
 }
 
 void ModelBoard::write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) {
-  check_range(info_.name, bank, address, words.size());
+  check_range(info_, bank, address, words.size());
   meter_.write(words.size());
   core_->write(bank, address, words);
 }
 
 void ModelBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) {
-  check_range(info_.name, bank, address, words.size());
+  check_range(info_, bank, address, words.size());
   meter_.read(words.size());
   core_->read(bank, address, words);
 }
