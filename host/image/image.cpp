@@ -198,6 +198,15 @@ void check_matrices(const Scene& scene, const ImageForm& form) {
   check_limit(scene, kMatrices, std::max(numbers, matrices), kMaxMatrices);
 }
 
+std::vector<std::uint32_t> matrix_numbers(const Scene& scene, const Mesh& object,
+                                          std::uint32_t first, TriangleMatrix form) {
+  std::vector<std::uint32_t> numbers{first};
+  for (std::size_t i = 0; i < object.primitives(); ++i) {
+    numbers.push_back(numbers.back() + numbers_of(scene, object, i, form));
+  }
+  return numbers;
+}
+
 ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const ImageForm& form) {
   const std::uint32_t apart = columns_apart(form.triangles);
   check_matrices(scene, form);
@@ -208,12 +217,7 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
     const Mesh& mesh = scene.objects[k];
     const Tree& tree = trees[k];
     const std::uint32_t first_matrix = memory.end_column() / apart;
-    std::vector<std::uint32_t> matrix_of;
-    std::uint32_t next = first_matrix;
-    for (std::size_t i = 0; i < mesh.primitives(); ++i) {
-      matrix_of.push_back(next);
-      next += numbers_of(scene, mesh, i, form.triangles);
-    }
+    const auto matrix_of = matrix_numbers(scene, mesh, first_matrix, form.triangles);
     const glm::dmat4 to_space = form.boxes_are_cubes ? box_to_cube(tree.box) : glm::dmat4(1.0);
     const glm::dmat4 from_space = glm::inverse(to_space);
     const std::uint32_t base = add_tree(memory, tree, matrix_of, &mesh, to_space);
@@ -238,7 +242,7 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
         memory.add(to_columns(glm::dmat4x3(to_space * reflection * from_space), 0));
       }
     }
-    memory.columns.resize(next * apart);
+    memory.columns.resize(matrix_of.back() * apart);
   }
 }
 

@@ -32,6 +32,11 @@ struct ImageForm {
 /// triangles, instances and camera than it has matrices.
 void check_matrices(const Scene& scene, const ImageForm& form = {});
 
+/// The matrices of an object's primitives, the first of which is `first`, as hit records name them;
+/// behind the last primitive's, where the next object begins.
+std::vector<std::uint32_t> matrix_numbers(const Scene& scene, const Mesh& object,
+                                          std::uint32_t first, TriangleMatrix form);
+
 /// The static part. Throws UserError where a limit of the memory is passed or a triangle's matrix
 /// is beyond the core's numbers.
 struct ObjectImage {
