@@ -52,16 +52,23 @@ Board& Boards::get(const std::string& configuration) {
 Rendered Bench::render(const Trial& trial) {
   const Scene& scene = trial.scene;
   Board& board = trial.configuration.empty() ? boards_.get() : boards_.get(trial.configuration);
-  SceneTrees trees = trial.trees ? *trial.trees : build_scene_trees(scene, trial.tree_options);
-  const ImageForm form{board.info().triangle_matrix, board.info().clips_to_cube};
+  const ImageForm form{board.info().format, board.info().triangle_matrix,
+                       board.info().clips_to_cube};
+  SceneTrees trees;
+  if (trial.trees) {
+    trees = *trial.trees;
+  } else {
+    TreeOptions options = trial.tree_options;
+    options.grid = Grid(*form.format);
+    trees = build_scene_trees(scene, options);
+  }
   const ObjectImage objects(scene, trees.objects, form);
   if (!trial.trees) {
-    trees.instances = build_instance_tree(scene, objects.boxes(), trial.instance_options);
+    BoxTreeOptions options = trial.instance_options;
+    options.grid = Grid(*form.format);
+    trees.instances = build_instance_tree(scene, objects.boxes(), options);
   }
   Rendered rendered;
-  for (const ObjectImage::Object& object : objects.objects) {
-    rendered.first_triangle.push_back(object.first_matrix);
-  }
   std::vector<MemoryRun> runs = objects.memory.runs();
   for (const Shot& shot : trial.shots) {
     const auto [width, height] = std::pair(shot.options.width, shot.options.height);
@@ -86,7 +93,7 @@ Rendered Bench::render(const Trial& trial) {
     }
     for (const std::uint32_t pixel : frame.pixels) outcome_.digest_word(pixel);
     if (frames_ != nullptr) frames_->push_back(frame);
-    rendered.first_instance.push_back(image.first_instance);
+    rendered.owners.emplace_back(scene, objects, image, form);
     rendered.frames.push_back(std::move(frame));
   }
   return rendered;
@@ -105,14 +112,14 @@ void Bench::judge(const Trial& trial, const Rendered& rendered) {
     for (unsigned y = 0; y < frame.height; ++y) {
       for (unsigned x = 0; x < frame.width; ++x) {
         const TruthRay ray = ray_of(trial.shots[k], x, y, trial.rays, numbers());
-        judge_hit(trial, truth, ray, frame.hits[y * frame.width + x], rendered, k);
+        judge_hit(truth, ray, frame.hits[y * frame.width + x], rendered.owners[k]);
       }
     }
   }
 }
 
-void Bench::judge_hit(const Trial& trial, const Truth& truth, const TruthRay& ray,
-                      const HitRecord& record, const Rendered& rendered, std::size_t shot) {
+void Bench::judge_hit(const Truth& truth, const TruthRay& ray, const HitRecord& record,
+                      const MatrixOwners& owners) {
   const std::optional<TruthHit> nearest = truth.nearest(ray);
   if (!record.hit) {
     if (nearest) ++outcome_[Fault::kLost];
@@ -122,14 +129,12 @@ void Bench::judge_hit(const Trial& trial, const Truth& truth, const TruthRay& ra
     ++outcome_[Fault::kInvented];
     return;
   }
-  PrimitiveId id;
-  id.instance = record.object - rendered.first_instance[shot];
-  id.primitive = record.triangle -
-                 rendered.first_triangle.at(trial.scene.instances.at(id.instance).object);
+  const std::optional<PrimitiveId> id = owners.of(record.object, record.triangle);
+  if (!id) throw std::logic_error("a hit record names no primitive of the scene");
   double t = nearest->t;
-  if (!nearest->tied_with(id)) {
-    const auto meeting = truth.meet(ray, id);
-    if (!meeting || !(std::abs(meeting->t - t) <= kSameSteps * numbers().step() * t)) {
+  if (!nearest->tied_with(*id)) {
+    const auto meeting = truth.meet(ray, *id);
+    if (!meeting || !(std::abs(meeting->t - t) <= kSameSteps * step_of(numbers()) * t)) {
       ++outcome_[Fault::kWrong];
       return;
     }

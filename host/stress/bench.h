@@ -15,6 +15,7 @@
 #include "host/render/frame.h"
 #include "host/stress/outcome.h"
 #include "host/stress/trial.h"
+#include "host/truth/measures.h"
 
 namespace dynrt::host::stress {
 
@@ -24,8 +25,7 @@ using OpenBoard = std::function<std::unique_ptr<Board>(const std::string& config
 /// The frames of a trial, and what its numbers of objects and triangles stand for.
 struct Rendered {
   std::vector<Frame> frames;  ///< one a shot
-  std::vector<std::uint32_t> first_triangle;  ///< of each object: the matrix of its triangle 0
-  std::vector<std::uint32_t> first_instance;  ///< of each frame: the matrix of instance 0
+  std::vector<MatrixOwners> owners;  ///< of each frame
 
   std::uint64_t dropped_pushes() const;
 };
@@ -54,7 +54,8 @@ class Bench {
   explicit Bench(Boards& boards, std::vector<Frame>* frames = nullptr)
       : boards_(boards), frames_(frames) {}
 
-  Numbers numbers() const { return Numbers{}; }
+  /// Those of the core.
+  const MemoryFormat& numbers() { return *board().info().format; }
 
   Rendered render(const Trial& trial);
   /// Renders, and judges by the truth.
@@ -72,8 +73,8 @@ class Bench {
   const Outcome& outcome() const { return outcome_; }
 
  private:
-  void judge_hit(const Trial& trial, const Truth& truth, const TruthRay& ray,
-                 const HitRecord& record, const Rendered& rendered, std::size_t shot);
+  void judge_hit(const Truth& truth, const TruthRay& ray, const HitRecord& record,
+                 const MatrixOwners& owners);
 
   Boards& boards_;
   Outcome outcome_;

@@ -26,10 +26,10 @@ void add_node(Tree& tree, const TreeNode& node, unsigned unused) {
   tree.nodes.resize(tree.nodes.size() + unused);
 }
 
-SceneTrees trees_of(std::vector<Tree> objects, const Scene& scene) {
+SceneTrees trees_of(const MemoryFormat& numbers, std::vector<Tree> objects, const Scene& scene) {
   std::vector<Aabb> boxes;
   for (const Tree& tree : objects) boxes.push_back(tree.box);
-  Tree instances = build_instance_tree(scene, boxes);
+  Tree instances = build_instance_tree(scene, boxes, {.grid = Grid(numbers)});
   return {std::move(objects), std::move(instances), {}};
 }
 
@@ -69,21 +69,21 @@ Aabb box_of_targets(double to) {
   return {{0, -reach, -reach}, {to, reach, reach}};
 }
 
-Trial lower_chain(int splits, unsigned unused) {
+Trial lower_chain(const MemoryFormat& numbers, int splits, unsigned unused) {
   Mesh mesh;
   for (int k = 0; k <= splits; ++k) add_target(mesh, k + 0.5, k);
   Trial trial{.scene = scene_of(std::move(mesh)), .shots = {at_targets()}};
-  trial.trees = trees_of({chain_tree(splits, 1, box_of_targets(splits + 1), unused)}, trial.scene);
+  trial.trees = trees_of(numbers, {chain_tree(splits, 1, box_of_targets(splits + 1), unused)}, trial.scene);
   return trial;
 }
 
-Trial upper_chain(int splits) {
+Trial upper_chain(const MemoryFormat& numbers, int splits) {
   Trial trial{.scene = {}, .shots = {at_targets()}};
   std::vector<Tree> objects;
   for (int k = 0; k <= splits; ++k) {
     Mesh mesh;
     add_target(mesh, k + 0.5, k);
-    objects.push_back(build_triangle_tree(mesh));
+    objects.push_back(build_triangle_tree(mesh, {.grid = Grid(numbers)}));
     add(trial.scene, std::move(mesh));
   }
   trial.trees = {std::move(objects), chain_tree(splits, 1, box_of_targets(splits + 1)), {}};

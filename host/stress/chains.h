@@ -21,9 +21,9 @@ void add_target(Mesh& mesh, double x, int k);
 Aabb box_of_targets(double to);
 
 /// One object of `splits` + 1 targets under a chain.
-Trial lower_chain(int splits, unsigned unused = 0);
+Trial lower_chain(const MemoryFormat& numbers, int splits, unsigned unused = 0);
 /// As many objects of one target each under a chain of instances.
-Trial upper_chain(int splits);
+Trial upper_chain(const MemoryFormat& numbers, int splits);
 /// Both: `upper` + 1 objects, each of `lower` + 1 targets, 64 of which are aimed at.
 Trial nested_chains(int upper, int lower);
 

@@ -3,6 +3,7 @@
 //
 // Rays that start on a surface, inside one, or end exactly at one.
 #include "host/stress/case.h"
+#include "host/stress/reasons.h"
 #include "host/stress/shapes.h"
 
 namespace dynrt::host::stress {
@@ -84,9 +85,11 @@ void run_reflection_starts(Bench& b) {
 std::vector<Case> end_cases() {
   return {
       {"ends", "on_surface_outward", "from points of a cube's faces outward: there is nothing to hit",
-       [](Bench& b) { b.check(from_faces(-1)); }, {}, ""},
+       [](Bench& b) { b.check(from_faces(-1)); }, {.invented = 12},
+       reasons::kNoZero},
       {"ends", "on_surface_inward", "from points of a cube's faces inward, to the other faces",
-       [](Bench& b) { b.check(from_faces(1)); }, {}, ""},
+       [](Bench& b) { b.check(from_faces(1)); }, {.wrong = 72},
+       reasons::kNoZero},
       {"ends", "inside_sphere", "from a point inside a closed sphere of 320 triangles, all around",
        [](Bench& b) {
          b.check({.scene = scene_of(sphere(b.numbers(), 2)),

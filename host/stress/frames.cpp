@@ -12,7 +12,7 @@ namespace {
 
 constexpr unsigned kMostLines = 512;
 
-Trial spheres_in_a_room(const Numbers& numbers) {
+Trial spheres_in_a_room(const MemoryFormat& numbers) {
   Trial trial{.scene = scene_of(cube(4)), .shots = {}};
   for (int i = 0; i < 5; ++i) {
     add(trial.scene, sphere(numbers, 2), translation({i - 2.0, 0.5 * (i % 2), -0.5 * i}));
@@ -49,8 +49,8 @@ std::vector<Case> frame_cases() {
                 [](FrameOptions& o) { o.uncompressed = true; }),
       {"frames", "one_slot", "63 nodes of a tree in one line of 512: the same bits",
        [](Bench& b) {
-         const Rendered plain = b.check(lower_chain(31));
-         b.expect_same(b.check(lower_chain(31, kMostLines - 1)), plain);
+         const Rendered plain = b.check(lower_chain(b.numbers(), 31));
+         b.expect_same(b.check(lower_chain(b.numbers(), 31, kMostLines - 1)), plain);
        },
        {}, ""},
   };

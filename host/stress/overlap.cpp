@@ -13,7 +13,7 @@ namespace {
 
 Shot at_spheres(unsigned side) { return picture({1, 0.75, 3}, {0, 0, 0}, 45, side, side); }
 
-Scene spheres_within(const Numbers& numbers, int count, double step) {
+Scene spheres_within(const MemoryFormat& numbers, int count, double step) {
   Scene scene = scene_of(sphere(numbers, 1));
   for (int i = 1; i < count; ++i) {
     Instance next = scene.instances[0];

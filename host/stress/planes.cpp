@@ -1,9 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rays along axes, within planes of trees and triangles, and almost along a surface.
+// Rays along axes, within planes of trees and triangles.
 #include <cmath>
-#include <numbers>
 
 #include "host/stress/case.h"
 #include "host/stress/shapes.h"
@@ -70,7 +69,8 @@ void run_in_splitting_plane(Bench& b) {
   }
   SceneTrees trees;
   trees.objects = {tree};
-  trees.instances = build_instance_tree(trial.scene, std::vector<Aabb>{box});
+  trees.instances = build_instance_tree(trial.scene, std::vector<Aabb>{box},
+                                        {.grid = Grid(b.numbers())});
   trial.trees = trees;
   for (const double x : {-0.5, 0.0, 0.5}) {
     for (int j = -7; j < 8; ++j) {
@@ -109,7 +109,7 @@ void run_in_triangle_plane(Bench& b) {
 /// Every component but one as small as the numbers have it, of either sign.
 void run_smallest_components(Bench& b) {
   Trial trial{.scene = scene_of(cube(1.0)), .shots = {}};
-  const double least = b.numbers().smallest();
+  const double least = b.numbers().smallest;
   for (int axis = 0; axis < 3; ++axis) {
     for (int signs = 0; signs < 8; ++signs) {
       glm::dvec3 direction(0.0);
@@ -140,42 +140,6 @@ std::vector<Case> plane_cases() {
        run_in_triangle_plane, {}, ""},
       {"planes", "smallest_components", "all components of the direction but one of magnitude 2^-63",
        run_smallest_components, {}, ""},
-  };
-}
-
-namespace {
-
-/// From a height of 1 over a floor of 128 triangles, down at an angle.
-Case grazing(const std::string& name, double degrees, const Allowed& allowed,
-             const std::string& why) {
-  return {"grazing", name, "down to a floor of 128 triangles at " + name.substr(0, name.find("_deg")) +
-          " of a degree, where it is a few triangles away",
-          [=](Bench& b) {
-            const double slope = std::tan(degrees * std::numbers::pi / 180);
-            // As wide as the rays reach: what is hit lies 1 / slope away.
-            const double reach = std::exp2(std::ceil(std::log2(2 / slope)));
-            Mesh floor;
-            for (int i = -4; i < 4; ++i) {
-              for (int j = -4; j < 4; ++j) {
-                add_quad(floor, glm::dvec3(i, 0, j) * reach / 4.0, {reach / 4, 0, 0},
-                         {0, 0, reach / 4});
-              }
-            }
-            b.check({.scene = scene_of(floor),
-                     .shots = {pencil({0, 1, 0}, {-0.46875, -slope, 1}, {0.03125, 0, 0},
-                                      {0, -slope / 16, 0}, 30, 16)}});
-          },
-          allowed, why};
-}
-
-}  // namespace
-
-std::vector<Case> grazing_cases() {
-  return {
-      grazing("half_degree", 0.5, {}, ""),
-      grazing("tenth_degree", 0.1, {}, ""),
-      grazing("hundredth_degree", 0.01, {}, ""),
-      grazing("thousandth_degree", 0.001, {}, ""),
   };
 }
 

@@ -32,9 +32,9 @@ Mesh wall(int axis, double at, double half) {
 
 Mesh cube(double half) { return make_box(glm::dvec3(-half), glm::dvec3(half), 0); }
 
-Mesh sphere(const Numbers& numbers, int subdivisions) {
+Mesh sphere(const MemoryFormat& numbers, int subdivisions) {
   Mesh mesh = make_sphere(1.0, subdivisions, 0);
-  for (glm::dvec3& vertex : mesh.vertices) vertex = numbers.on_grid(vertex);
+  for (glm::dvec3& vertex : mesh.vertices) vertex = on_grid(numbers, vertex);
   return mesh;
 }
 

@@ -23,7 +23,7 @@ Mesh wall(int axis, double at, double half);
 /// The box from -half to half, its sides inward or outward all the same.
 Mesh cube(double half);
 /// An icosphere of radius 1 (20 * 4^subdivisions triangles), every vertex put on the numbers.
-Mesh sphere(const Numbers& numbers, int subdivisions);
+Mesh sphere(const MemoryFormat& numbers, int subdivisions);
 Mesh moved(Mesh mesh, const glm::dvec3& by);
 Mesh scaled(Mesh mesh, const glm::dvec3& by);
 

@@ -25,11 +25,11 @@ Shot shot(const Camera& camera, unsigned width, unsigned height) {
 
 /// A direction as the transformation unit computes it (units/transformation.h): of what has no
 /// part in it a smallest number is added, which none but a component of zero notices.
-double component(const Numbers& n, double across, double x, double down, double y, double first) {
-  const double sum = n.rounded(n.rounded(n.rounded(across) * n.rounded(x)) +
-                               n.rounded(n.rounded(down) * n.rounded(y)));
-  const double c = n.rounded(sum + n.rounded(first));
-  return std::abs(c) <= 4 * n.smallest() ? 0 : c;
+double component(const MemoryFormat& n, double across, double x, double down, double y, double first) {
+  const double sum = n.round(n.round(n.round(across) * n.round(x)) +
+                               n.round(n.round(down) * n.round(y)));
+  const double c = n.round(sum + n.round(first));
+  return std::abs(c) <= 4 * n.smallest ? 0 : c;
 }
 
 }  // namespace
@@ -55,13 +55,13 @@ Shot picture(const glm::dvec3& position, const glm::dvec3& target, double field_
               width, height);
 }
 
-TruthRay ray_of(const Shot& shot, unsigned x, unsigned y, Rays rays, const Numbers& numbers) {
+TruthRay ray_of(const Shot& shot, unsigned x, unsigned y, Rays rays, const MemoryFormat& numbers) {
   const auto [width, height] = std::pair(shot.options.width, shot.options.height);
   if (rays == Rays::kOfCamera) return primary_ray(shot.camera, width, height, x, y);
   const glm::dmat4x3 matrix = camera_matrix(shot.camera, width, height);
   TruthRay ray;
   for (int k = 0; k < 3; ++k) {
-    ray.origin[k] = numbers.on_grid(matrix[3][k]);
+    ray.origin[k] = on_grid(numbers, matrix[3][k]);
     ray.direction[k] = component(numbers, matrix[0][k], x, matrix[1][k], y, matrix[2][k]);
   }
   return ray;

@@ -52,7 +52,7 @@ Shot picture(const glm::dvec3& position, const glm::dvec3& target, double field_
              unsigned width, unsigned height);
 
 /// The ray of a pixel; of the core's rays those components that stand for zero are zero.
-TruthRay ray_of(const Shot& shot, unsigned x, unsigned y, Rays rays, const Numbers& numbers);
+TruthRay ray_of(const Shot& shot, unsigned x, unsigned y, Rays rays, const MemoryFormat& numbers);
 
 /// One object, once, where it is.
 Scene scene_of(Mesh mesh);
