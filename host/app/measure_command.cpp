@@ -25,6 +25,7 @@ namespace {
 struct Arguments {
   SceneArguments scene;
   std::string configuration = "thesis";
+  std::string schedule;
   std::optional<unsigned> reflections;
   std::string out;
   std::string json;
@@ -82,7 +83,8 @@ int run(const Arguments& arguments) {
   };
   const Output outputs[] = {{"--out", path("image.png")}, {"--json", arguments.json}};
   check_outputs(outputs);
-  const auto board = open_board({"model", arguments.configuration, ""}, options);
+  const auto board =
+      open_board({"model", arguments.configuration, "", arguments.schedule}, options);
   const Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->info());
   const Frame frame = render_on(*board, options, prepared);
   const Expected expected = expected_of(frame, options, prepared);
@@ -114,6 +116,10 @@ Command add_measure_command(CLI::App& program) {
       program.add_subcommand("measure", "hold a frame of the native model beside the truth");
   arguments->scene.add_to(*command, true);
   add_configuration_flag(*command, arguments->configuration);
+  command
+      ->add_option("--schedule", arguments->schedule,
+                   "count clocks by the schedules in this folder (scripts/configuration --verilog)")
+      ->option_text("FOLDER");
   command
       ->add_option("--reflections", arguments->reflections,
                    "bounces of a ray, at most; default: all that the configuration has")

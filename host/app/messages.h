@@ -21,7 +21,8 @@ inline constexpr char kNoPrimitive[] =
     "--config {}: has no {}, of which the scene '{}' is made; the configurations that have all it "
     "needs are: {}";
 inline constexpr char kCommand[] =
-    "{}: unknown; the commands are render, walk, compare, info, report, choose and measure";
+    "{}: unknown; the commands are render, walk, compare, info, report, choose, "
+    "measure and stress";
 inline constexpr char kNoReport[] =
     "report: which one is missing; the reports are overlap, mailbox, clipping and error";
 inline constexpr char kCountedSize[] =

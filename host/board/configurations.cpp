@@ -59,8 +59,9 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
   info.configuration = configuration.name;
   if (!rtl) {
     if (!request.trace.empty()) refuse(messages::kNoTrace);
-    return std::make_unique<ModelBoard>(std::move(info), configuration.native());
+    return std::make_unique<ModelBoard>(std::move(info), configuration.native(), request.schedule);
   }
+  if (!request.schedule.empty()) refuse(messages::kScheduleOfRtl);
   if (info.format->word_bits > kSramBits) {
     refuse(messages::kWideWords, configuration.name,
            1 + info.format->exponent_bits + info.format->mantissa_bits, info.format->word_bits,

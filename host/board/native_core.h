@@ -49,7 +49,10 @@ class NativeCoreOf final : public NativeCore {
       }
     });
   }
-  void render(const FrameConfig& frame) override { core_.render(frame); }
+  std::optional<std::uint64_t> render(const FrameConfig& frame,
+                                      const hls::Schedule* schedule) override {
+    return core_.render(frame, schedule);
+  }
   std::vector<Counter> counters() override {
     std::vector<Counter> counters;
     for (const auto& [name, value, order_independent] : core_.counters()) {

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Renders a scene with a variant and holds it beside the truth.
 
-Usage: run_variant.py PROGRAM SCENE SIZE MODEL.so FIGURES.json PICTURES
+Usage: run_variant.py PROGRAM SCENE SIZE MODEL.so FIGURES.json PICTURES [SCHEDULES]
 
 A scene that the variant cannot hold is a result too: its figures say why.
 """
@@ -17,10 +17,11 @@ MISTAKE = 2  # dynrt's exit code where the input cannot be rendered
 
 
 def main():
-    program, scene, size, model, figures, pictures = sys.argv[1:]
+    program, scene, size, model, figures, pictures, *schedules = sys.argv[1:]
     pathlib.Path(pictures).mkdir(parents=True, exist_ok=True)
+    clocks = ["--schedule", schedules[0]] if schedules else []
     result = subprocess.run([program, "measure", scene, "--config", model, "--size", size, "--out",
-                             pictures, "--json", figures], capture_output=True, text=True,
+                             pictures, "--json", figures, *clocks], capture_output=True, text=True,
                             check=False)
     sentence = result.stderr.strip().removeprefix("dynrt: ")
     # What cannot be written is nothing that the variant could help.
