@@ -369,7 +369,7 @@ std::optional<PrimitiveId> MatrixOwners::of(std::uint32_t object, std::uint32_t 
 }
 
 double number_of_shipped_format(std::uint32_t bits) {
-  return Real::from_bits(hls::uint<Real::kLeafWidth>::from(bits)).to_double();
+  return kShippedFormat.number(bits);
 }
 
 ordered_json measure(const Truth& truth, const TruthFrame& expected, const Frame& frame,
