@@ -99,7 +99,7 @@ TEST_F(App, WhatIsUnknownIsNamed) {
                                 HasSubstr("; dynrt render --help lists what there is\n")));
   expect_mistake("paint blocks",
                  "dynrt: paint: unknown; the commands are render, walk, compare, info, report, "
-                 "choose and measure\n");
+                 "choose, measure and stress\n");
   expect_mistake("", HasSubstr("dynrt --help lists what there is"));
   expect_mistake("render", testing::AllOf(HasSubstr("SCENE"), HasSubstr("dynrt render --help")));
   expect_mistake("render no_such_scene --config stand_in", HasSubstr("no_such_scene"));

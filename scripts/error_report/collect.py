@@ -52,7 +52,7 @@ def collect(folder, scenes, variants, size, build):
                     goal = run[kind] = f"{PICTURES}/{scene}/{name}{suffix}.png"
                 pictures[goal] = picture
             if "clocks" in run:
-                run["frame_ms"] = run["clocks"] * clock_ns * 1e-6
+                run["frame_ms"] = run["clocks"] * clock_ns / 1e6
             report["runs"].append({"scene": scene, "variant": name, **run})
     return report, pictures
 
