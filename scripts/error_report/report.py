@@ -52,9 +52,6 @@ def add_arguments(parser):
     parser.add_argument("--slurm", action="store_true",
                         help="run the jobs on the Slurm cluster that sbatch knows; the folder of "
                         "the report, the build and the cache must be on disks that its nodes share")
-    parser.add_argument("--no-hardware", dest="hardware", action="store_false",
-                        help="lower and synthesize nothing: neither clocks nor area, in a third of "
-                        "the time")
     parser.add_argument("--out", type=pathlib.Path, default=pathlib.Path("error_report"),
                         metavar="FOLDER", help="folder of the report (default: error_report); "
                         "beside it FOLDER.work keeps what was measured, so that an interrupted "
@@ -73,7 +70,7 @@ def describe(program, scene):
     return line.removeprefix("scene").strip()
 
 
-def measured(args, scenes):
+def measured(args, scenes, hardware=True):
     """Runs what has not been run yet; gives what collect() does."""
     if args.jobs < 1:
         raise Refused(f"--jobs {args.jobs}: at least one is needed")
@@ -90,14 +87,14 @@ def measured(args, scenes):
     workflow = Workflow(folder, args.program.resolve(), args.build.resolve())
     with workflow.alone():
         workflow.prepare({name: scene["path"] for name, scene in known.items()}, variants,
-                         args.size, args.hardware)
+                         args.size, hardware)
         workflow.run(args.jobs, args.slurm)
         build = json.loads(args.build.read_text(encoding="utf-8"))
         return collect(folder, known, variants, args.size, build)
 
 
 def run(args):
-    report, pictures = measured(args, args.scene or ["office"])
+    report, pictures = measured(args, args.scene or ["office"], args.hardware)
     write(args.out, report, pictures)
     refused = [r for r in report["runs"] if "refused" in r]
     for one in refused:
@@ -125,6 +122,9 @@ def main():
     parser.add_argument("scene", nargs="*", metavar="SCENE",
                         help="built-in scenes or files (default: office)")
     add_arguments(parser)
+    parser.add_argument("--no-hardware", dest="hardware", action="store_false",
+                        help="lower and synthesize nothing: neither clocks nor area, in a third of "
+                        "the time")
     return guarded(run, parser.parse_args())
 
 
