@@ -12,6 +12,7 @@
 include(Warnings)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
+include(HlsLower)
 include(HlsUnit)
 if(DYNRT_RTL)
   include(Verilate)
