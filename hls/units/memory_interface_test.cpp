@@ -74,7 +74,8 @@ TEST(MemoryInterface, ANodeIsItsFields) {
   bench.rows(bench.unit.bank[1])[11] = Word::from(packed[1]);
   bench.feed(bench.unit.request, MemoryRequest<C>{MemoryKind::kNode, 3, 11});
   bench.run();
-  EXPECT_TRUE(test::same(bench.take_one(bench.unit.node), CacheLine<C, Node<Real>>{false, 3, 11, node}));
+  EXPECT_TRUE(
+      test::same(bench.take_one(bench.unit.node), CacheLine<C, Node<Real>>{false, 3, 11, node}));
 }
 
 }  // namespace

@@ -105,9 +105,8 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
   }
   const auto loaded = std::chrono::steady_clock::now();
   const ImageForm form =
-      board == nullptr
-          ? ImageForm{}
-          : ImageForm{board->format, board->triangle_matrix, board->clips_to_cube};
+      board == nullptr ? ImageForm{}
+                       : ImageForm{board->format, board->triangle_matrix, board->clips_to_cube};
   {
     check_matrices(prepared.scene, form);
     const Progress progress("building the trees");
