@@ -54,7 +54,7 @@ TEST_P(MeasuredFrames, AreNearlyTrue) {
   EXPECT_LT(primary["cosine_p99"], 1e-3);
   EXPECT_LT(found["image"]["differ_share"], 0.1);
   if (c.reflections == 0) return;
-  EXPECT_GT(found["light"]["judged"], 5000);
+  EXPECT_GT(found["light"]["judged"], 2000);
   EXPECT_LT(found["light"]["wrong_share"], 0.01);
   EXPECT_LT(found["light"]["unexplained"], 20);
   EXPECT_GT(found["reflection"]["judged"], 300);
