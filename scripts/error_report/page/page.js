@@ -124,7 +124,7 @@ function scale_of(values, range, is_error) {
 }
 
 function ticks(axis, scale, log) {
-  if (!log) return axis.ticks(6).tickFormat(d3.format("~g"));
+  if (!log) return axis.ticks(6).tickFormat(scale.domain()[1] >= 1e5 ? d3.format("~s") : d3.format(",~r"));
   const decades = Math.log10(scale.domain()[1] / scale.domain()[0]);
   const digits = decades < 1 ? [1, 2, 3, 4, 5, 6, 7, 8, 9] : decades < 3 ? [1, 2, 5] : [1];
   const low = Math.floor(Math.log10(scale.domain()[0]));
