@@ -90,7 +90,7 @@ struct TraversalSlice {
     const Ray<Real> r = ray.read(row);
     const Real origin = select_axis(s.node.kind, r.origin);
     const Real direction = select_axis(s.node.kind, r.direction);
-    const Real offset = Real(s.node.split) - origin;
+    const Real offset = s.node.split - origin;
     const Real d = offset / direction;
 
     const bool left_first = !offset.sign();

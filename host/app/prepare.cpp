@@ -105,11 +105,12 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
   }
   const auto loaded = std::chrono::steady_clock::now();
   const ImageForm form =
-      board == nullptr ? ImageForm{} : ImageForm{board->triangle_matrix, board->clips_to_cube};
+      board == nullptr ? ImageForm{}
+                       : ImageForm{board->format, board->triangle_matrix, board->clips_to_cube};
   {
     check_matrices(prepared.scene, form);
     const Progress progress("building the trees");
-    prepared.trees = build_scene_trees(prepared.scene);
+    prepared.trees = build_scene_trees(prepared.scene, {.grid = Grid(*form.format)});
   }
   const auto built = std::chrono::steady_clock::now();
   prepared.load_seconds = Seconds(loaded - begin).count();

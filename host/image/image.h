@@ -21,6 +21,7 @@ namespace dynrt::host {
 
 /// What a configuration of the core takes objects for.
 struct ImageForm {
+  const MemoryFormat* format = &kShippedFormat;
   TriangleMatrix triangles = TriangleMatrix::kNormalConsistent;
   /// Every object lies in the memory such that its box is the cube from -1 to 1, to which the core
   /// clips (units/box_clip.h).
@@ -81,6 +82,7 @@ struct MemoryUse {
   std::size_t nodes = 0;  ///< with the null node
   std::size_t list_entries = 0;
   std::size_t matrices = 0;         ///< places of four columns
+  double word_bytes = 4;            ///< of the scene's banks
   double tree_megabytes() const;    ///< nodes and lists, 10^6 bytes
   double matrix_megabytes() const;  ///< 10^6 bytes
 };
