@@ -20,8 +20,8 @@ unset(CMAKE_REQUIRED_QUIET)
 find_program(DYNRT_YOSYS yosys REQUIRED)
 find_package(benchmark REQUIRED)
 find_package(embree 3 REQUIRED)
-# Before pkg_check_modules(MPFR), whose variables CGAL would take for its own.
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE ON)
 find_package(CGAL REQUIRED QUIET)
 find_package(PkgConfig REQUIRED)
-pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
+# Not MPFR: CGAL would take the variables of that name for its own.
+pkg_check_modules(DYNRT_MPFR REQUIRED IMPORTED_TARGET mpfr)

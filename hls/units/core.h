@@ -283,8 +283,8 @@ struct Core {
     join.channel<MemoryRequest<C>>("memory_request",
                                    {&node_lookup.miss, &list_lookup.miss, &matrix_lookup.miss},
                                    {&memory_interface.request});
-    join.channel<CacheLine<C, Node<typename C::Real>>>("node_line", {&memory_interface.node, &startup.node},
-                                     {&node_fill.fill});
+    join.channel<CacheLine<C, Node<typename C::Real>>>(
+        "node_line", {&memory_interface.node, &startup.node}, {&node_fill.fill});
     join.channel<CacheLine<C, ListEntry>>("list_line", {&memory_interface.list, &startup.list},
                                           {&list_fill.fill});
     join.channel<CacheLine<C, MatrixColumn<typename C::Real>>>(

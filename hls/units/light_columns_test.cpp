@@ -26,7 +26,8 @@ class LightColumnsTest : public testing::Test {
     bench_.rows(bench_.unit.arriving)[5 * kRays + 2] = {{real(1), real(2), real(3)},
                                                         {real(4), real(5), real(6)}};
   }
-  MatrixColumn<Real> through(TransformKind kind, Derivation pass, unsigned number, MatrixColumn<Real> line) {
+  MatrixColumn<Real> through(TransformKind kind, Derivation pass, unsigned number,
+                             MatrixColumn<Real> line) {
     Column c;
     c.context.packet = 5;
     c.context.kind = kind;

@@ -29,8 +29,7 @@ struct MemoryInterface {
                                                         bank[2].read(word)};
     switch (r.kind) {
       case MemoryKind::kNode:
-        node.write({false, r.key, r.address,
-                    lowest<Node<Real>>(hls::concat(data[1], data[0]))});
+        node.write({false, r.key, r.address, lowest<Node<Real>>(hls::concat(data[1], data[0]))});
         break;
       case MemoryKind::kList:
         list.write({false, r.key, r.address, lowest<ListEntry>(data[2])});

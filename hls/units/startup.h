@@ -12,6 +12,8 @@
 namespace dynrt {
 
 inline constexpr unsigned kFirstPacket = 1u << 9;
+/// Clocks that the board waits between lines and packets (rtl/board/board_sequencer.v).
+inline constexpr unsigned kStartPause = 64;
 
 template <class C>
 struct Startup {

@@ -85,6 +85,10 @@ void check_primitives(const Scene& scene, const BoardInfo& board) {
 
 }  // namespace
 
+ImageForm form_for(const BoardInfo& board) {
+  return {board.format, board.triangle_matrix, board.clips_to_cube};
+}
+
 CoreNumbers core_numbers(const BoardInfo& board, const Space& space) {
   return {std::ldexp(1.0, -static_cast<int>(board.format->mantissa_bits)), space};
 }
@@ -111,9 +115,7 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
 
 Prepared prepare(Scene scene, const Camera& camera, unsigned width, unsigned height,
                  const BoardInfo* board) {
-  const ImageForm form =
-      board == nullptr ? ImageForm{}
-                       : ImageForm{board->format, board->triangle_matrix, board->clips_to_cube};
+  const ImageForm form = board == nullptr ? ImageForm{} : form_for(*board);
   check_matrices(scene, form);
   Prepared prepared;
   {

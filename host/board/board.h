@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The board as the host sees it. RtlBoard runs the Verilog, ModelBoard the native C++ of the same
-// units; nothing outside this folder can tell them apart, except that the model has no clock.
+// units; nothing outside this folder can tell them apart, except that the model has no clock but
+// what the units' schedules say.
 #pragma once
 
 #include <cstdint>
@@ -57,7 +58,8 @@ struct BusTraffic {
 };
 
 struct FrameRun {
-  std::optional<std::uint64_t> cycles;  ///< of the core's clock; the model has none
+  std::optional<std::uint64_t> cycles;  ///< of the core's clock; the model has none of its own
+  bool scheduled = false;               ///< they are what the model makes of the units' schedules
   double seconds = 0;                   ///< of this computer's time, between start and interrupt
 };
 

@@ -18,8 +18,8 @@ inline void check_range(const BoardInfo& board, unsigned bank, std::uint32_t add
   const unsigned parts = bank < kSceneBanks ? board.format->bus_words() : 1;
   const std::size_t words = (bus_words + parts - 1) / parts;
   if (bank < kBanks && address <= kBankWords && words <= kBankWords - address) return;
-  throw std::out_of_range(fmt::format(messages::kOutsideBank, board.name, address, address + words, bank,
-                                      kBanks, kBankWords));
+  throw std::out_of_range(fmt::format(messages::kOutsideBank, board.name, address, address + words,
+                                      bank, kBanks, kBankWords));
 }
 
 }  // namespace dynrt::host

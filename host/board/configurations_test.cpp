@@ -16,7 +16,9 @@ class EmptyCore final : public NativeCore {
  public:
   void write(unsigned, std::uint32_t, std::span<const std::uint32_t>) override {}
   void read(unsigned, std::uint32_t, std::span<std::uint32_t>) override {}
-  void render(const FrameConfig&) override {}
+  std::optional<std::uint64_t> render(const FrameConfig&, const hls::Schedule*) override {
+    return std::nullopt;
+  }
   std::vector<Counter> counters() override { return {}; }
 };
 
@@ -47,6 +49,13 @@ constexpr Configuration kTable[] = {
        return std::make_unique<EmptyCore>();
      }}};
 
+TEST(Configurations, RefusesSchedulesOfTheVerilog) {
+  EXPECT_THAT([] { make_board(kTable, {"rtl", "small", "", "schedules"}); },
+              ThrowsMessage<UserError>(
+                  "--schedule: only --board model takes its clocks from schedules; the Verilog has "
+                  "its own, so leave the flag out or choose that board"));
+}
+
 auto making(const BoardRequest& request) {
   return [request] { make_board(kTable, request); };
 }
@@ -65,9 +74,10 @@ TEST(Configurations, MakesTheModelOfTheNamedConfiguration) {
 TEST(Configurations, WhatIsUnknownIsNamed) {
   EXPECT_THAT(making({.board = "fpga", .configuration = "small", .trace = ""}),
               ThrowsMessage<UserError>("--board fpga: unknown; the boards are rtl and model"));
-  EXPECT_THAT(
-      making({.board = "model", .configuration = "huge", .trace = ""}),
-      ThrowsMessage<UserError>("--config huge: unknown; this build has small, large, wide"));
+  EXPECT_THAT(making({.board = "model", .configuration = "huge", .trace = ""}),
+              ThrowsMessage<UserError>(
+                  "--config huge: unknown; this build has small, large, wide, and a file "
+                  "FILE.json or FILE.so may be named instead"));
   EXPECT_THAT(making({.board = "model", .configuration = "small", .trace = "a.fst"}),
               ThrowsMessage<UserError>("--trace: only --board rtl has signals to record; leave the "
                                        "flag out or choose that board"));

@@ -44,12 +44,15 @@ class NativeCoreOf final : public NativeCore {
     with_bank(bank, [&]<unsigned W>(const std::vector<uint<W>>& from) {
       constexpr unsigned kParts = (W + 31) / 32;
       for (std::size_t i = 0; i < words.size(); ++i) {
-        words[i] = static_cast<std::uint32_t>(from[address + i / kParts].to_u64() >>
-                                              (32 * (i % kParts)));
+        words[i] =
+            static_cast<std::uint32_t>(from[address + i / kParts].to_u64() >> (32 * (i % kParts)));
       }
     });
   }
-  void render(const FrameConfig& frame) override { core_.render(frame); }
+  std::optional<std::uint64_t> render(const FrameConfig& frame,
+                                      const hls::Schedule* schedule) override {
+    return core_.render(frame, schedule);
+  }
   std::vector<Counter> counters() override {
     std::vector<Counter> counters;
     for (const auto& [name, value, order_independent] : core_.counters()) {

@@ -30,8 +30,7 @@ struct Packing {
   }
   static MemoryNode unpack_node(const std::array<MemoryWord, 2>& words) {
     const auto all = hls::concat(SceneWord<R>::from(words[1]), SceneWord<R>::from(words[0]));
-    const auto node =
-        hls::from_bits<Node<R>>(all.template trunc<hls::bit_width_of<Node<R>>()>());
+    const auto node = hls::from_bits<Node<R>>(all.template trunc<hls::bit_width_of<Node<R>>()>());
     return {node.kind, node.split.to_double(), static_cast<std::uint32_t>(node.left.to_u64()),
             static_cast<std::uint32_t>(node.right.to_u64())};
   }

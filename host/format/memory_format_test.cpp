@@ -1,11 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "host/format/memory_format_of.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+
+#include "host/format/memory_format_of.h"
 
 namespace dynrt::host {
 namespace {
@@ -21,10 +21,10 @@ class Formats : public testing::Test {
   }
 };
 
-using Floats =
-    testing::Types<hls::Float<5, 8>, hls::Float<6, 12>, hls::Float<7, 16>,
-                   hls::Float<7, 16, hls::Rounding::kTruncate>, hls::Float<8, 16>,
-                   hls::Float<7, 20>, hls::Float<8, 23>, hls::Float<8, 23, hls::Rounding::kTruncate>>;
+using Floats = testing::Types<hls::Float<5, 8>, hls::Float<6, 12>, hls::Float<7, 16>,
+                              hls::Float<7, 16, hls::Rounding::kTruncate>, hls::Float<8, 16>,
+                              hls::Float<7, 20>, hls::Float<8, 23>,
+                              hls::Float<8, 23, hls::Rounding::kTruncate>>;
 TYPED_TEST_SUITE(Formats, Floats);
 
 TYPED_TEST(Formats, SayWhatTheFloatIs) {

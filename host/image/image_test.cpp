@@ -96,13 +96,14 @@ TEST_P(ImageIn, TreesAndMatricesComeBackFromTheBanks) {
                    1.5e-6 * format.word_bits * static_cast<double>(use.matrices));
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Formats, ImageIn,
-    ::testing::Values(&kShippedFormat, &kMemoryFormatOf<hls::Float<5, 8>>,
-                      &kMemoryFormatOf<hls::Float<6, 12>>, &kMemoryFormatOf<hls::Float<8, 23>>),
-    [](const auto& info) {
-      return fmt::format("E{}M{}", info.param->exponent_bits, info.param->mantissa_bits);
-    });
+INSTANTIATE_TEST_SUITE_P(Formats, ImageIn,
+                         ::testing::Values(&kShippedFormat, &kMemoryFormatOf<hls::Float<5, 8>>,
+                                           &kMemoryFormatOf<hls::Float<6, 12>>,
+                                           &kMemoryFormatOf<hls::Float<8, 23>>),
+                         [](const auto& info) {
+                           return fmt::format("E{}M{}", info.param->exponent_bits,
+                                              info.param->mantissa_bits);
+                         });
 
 TEST(Image, OfWideWordsOnlyWholeOnesAreWrittenAgain) {
   const MemoryFormat& wide = kMemoryFormatOf<hls::Float<8, 23>>;

@@ -61,8 +61,8 @@ void compare_pixels(Comparison& comparison, const Frame& left, const Frame& righ
     comparison.hits += left.hits[p].hit;
     if (left.hits[p] != right.hits[p]) {
       ++comparison.different_hits;
-      note(comparison, at(first_field(left.hits[p], *left.board.format, right.hits[p],
-                                      *right.board.format)));
+      note(comparison,
+           at(first_field(left.hits[p], *left.board.format, right.hits[p], *right.board.format)));
     }
     if (left.pixels[p] != right.pixels[p]) {
       ++comparison.different_pixels;

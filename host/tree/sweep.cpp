@@ -176,7 +176,8 @@ Plane PlaneSearch::best(const CellContent& content) {
 
 double visit_likelihood(const Grid& grid, const CellContent& part, const CellContent& whole,
                         const TreeCosts& costs) {
-  const double by_surface = half_area(real_box(grid, part.cell)) / half_area(real_box(grid, whole.cell));
+  const double by_surface =
+      half_area(real_box(grid, part.cell)) / half_area(real_box(grid, whole.cell));
   return mixed(by_surface, part.rays.size(), whole.rays.size(), costs);
 }
 

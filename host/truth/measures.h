@@ -25,6 +25,7 @@ struct MeasureDefinition {
   const char* group;  ///< "primary", "light", "reflection": the rays; "image"
   const char* name;
   const char* unit;
+  const char* better;  ///< "less" or "more"; "-" if it is no error
   const char* meaning;
 };
 
