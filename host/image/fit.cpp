@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -32,8 +34,9 @@ int exponent_of(double x) { return std::ilogb(x); }
 
 int floor_div(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
 
-/// The middle of a box, in few digits: coordinates that have few themselves keep them, and what is
-/// about the origin already is not moved.
+/// The middle of a box, in few digits: coordinates that have few themselves keep them. Along an
+/// axis that is no further from the origin than half the longest extent the box is left where it
+/// is: to move it would gain a digit at most.
 glm::dvec3 centre_of(const Aabb& box) {
   const glm::dvec3 middle = box.low + box.extent() / 2.0;
   const glm::dvec3 extent = box.extent();
@@ -41,7 +44,9 @@ glm::dvec3 centre_of(const Aabb& box) {
   if (!std::isfinite(longest)) return glm::dvec3(0.0);
   if (!(longest > 0)) return middle;
   const double step = std::ldexp(1.0, exponent_of(longest) - kCentreDigits);
-  return glm::round(middle / step) * step;
+  const glm::dvec3 rounded = glm::round(middle / step) * step;
+  return glm::mix(rounded, glm::dvec3(0.0),
+                  glm::lessThanEqual(glm::abs(middle), glm::dvec3(longest / 2.0)));
 }
 
 Aabb box_of(const Mesh& mesh) {

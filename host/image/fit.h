@@ -1,12 +1,12 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A scene fitted to the core's numbers: moved such that its middle is the origin, which leaves the
-// most digits to its coordinates, and scaled by a power of two such that the largest coordinate
-// lies between 1/2 and 1, where numbers and their inverses have the whole range of exponents. The
-// same is done to every object in its own space. Both are chosen once for all moments of an
-// animation. A scene that is moved, or scaled by a power of two, before it comes here has the same
-// bits in the core.
+// A scene fitted to the core's numbers: one that does not lie about the origin is moved there,
+// which leaves the most digits to its coordinates, and every one is scaled by a power of two such
+// that the largest coordinate lies between 1/2 and 1, where numbers and their inverses have the
+// whole range of exponents. The same is done to every object in its own space. Both are chosen once
+// for all moments of an animation. A scene that is scaled by a power of two before it comes here
+// has the same bits in the core.
 #pragma once
 
 #include <glm/vec3.hpp>
