@@ -24,6 +24,7 @@
 #include "units/packet_decision.h"
 #include "units/packet_decoder.h"
 #include "units/ray_generation.h"
+#include "units/ray_shear.h"
 #include "units/secondary_rays.h"
 #include "units/send_packet.h"
 #include "units/shader.h"
@@ -58,6 +59,7 @@ struct Core {
   Transformation<C> transformation;
   PacketDecoder<C> packet_decoder;
   hls::PortIf<kClipsToBox<C>, BoxClip<C>> box_clip;
+  hls::PortIf<kWatertight<C>, RayShear<C>> ray_shear;
   Intersection<C> intersection;
   CollectHits<C> collect_hits;
   Shading<C> shading;
@@ -112,6 +114,7 @@ struct Core {
     join.unit("transformation", "transformation", transformation);
     join.unit("packet_decoder", "packet_decoder", packet_decoder);
     if constexpr (kClipsToBox<C>) join.unit("box_clip", "box_clip", box_clip);
+    if constexpr (kWatertight<C>) join.unit("ray_shear", "ray_shear", ray_shear);
     join.group("Intersection");
     join.unit("intersection", "intersection", intersection);
     join.unit("collect_hits", "collect_hits", collect_hits);
@@ -160,6 +163,8 @@ struct Core {
                                                         &list.finished, &mailbox.start};
     if constexpr (kClipsToBox<C>) {
       events.push_back(&box_clip.enter_object);
+    } else if constexpr (kWatertight<C>) {
+      events.push_back(&ray_shear.enter_object);
     } else {
       events.push_back(&packet_decoder.enter_object);
     }
@@ -225,6 +230,10 @@ struct Core {
       for (unsigned i = 0; i < kRays; ++i) {
         join.ram("box_" + std::to_string(i), box_clip.interval[i], std::vector{&slice[i].box});
       }
+    }
+    if constexpr (kWatertight<C>) {
+      join.channel("object_ray", packet_decoder.object_ray, ray_shear.ray);
+      join.ram("ray_map", ray_shear.map, std::vector{&transformation.map});
     }
     join.channel("unit_ray", packet_decoder.unit_ray, intersection.unit_ray);
     join.channel("candidate", intersection.candidate, collect_hits.candidate);
