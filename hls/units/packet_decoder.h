@@ -3,8 +3,9 @@
 //
 // Packet decoder: puts a packet's transformed vectors together again (thesis 6.1.3). World and
 // object rays are saved for the traversal and for later transformations; rays in unit triangle
-// space, or the triangle's corners that were mapped to a ray's, go to the intersection. A camera's rays are new: the intersection passes a reset for each,
-// as for every light and reflected ray when it is ready.
+// space, or the triangle's corners that were mapped to a ray's, go to the intersection. A camera's
+// rays are new: the intersection passes a reset for each, as for every light and reflected ray when
+// it is ready.
 #pragma once
 
 #include "units/send_packet.h"

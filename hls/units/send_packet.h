@@ -6,8 +6,8 @@
 // other is four pairs of origin and direction, eight. The camera transforms the pre-primary rays
 // (0, 0, 0) and (x, y, 1) of section 6.2.1, an object the packet's world rays, a triangle its rays
 // in the object. A ray with a matrix of its own is sent alone: a light's transforms the ray (0, 0,
-// 0), (1, t, -1) of section 6.2.2, a reflection's the ray that is reflected (6.2.3). For a watertight
-// test each ray's direction is sent three times, once for each corner of the triangle.
+// 0), (1, t, -1) of section 6.2.2, a reflection's the ray that is reflected (6.2.3). For a
+// watertight test each ray's direction is sent three times, once for each corner of the triangle.
 #pragma once
 
 #include "units/tokens.h"

@@ -43,8 +43,8 @@ struct Transformation {
       is_corner = corner != Corner(kNoCorner);
       if (is_corner) {
         const Vector<Real> at = corner == Corner(0) ? c0 : corner == Corner(1) ? c1 : c2;
-        const Vector<Real> e = along(
-            m.axis, Vector<Real>{at.x - m.origin.x, at.y - m.origin.y, at.z - m.origin.z});
+        const Vector<Real> e =
+            along(m.axis, Vector<Real>{at.x - m.origin.x, at.y - m.origin.y, at.z - m.origin.z});
         x = Row{n.z, v.z, c1.x, v.y, m.shear.x, e.z, e.x};
         y = Row{c0.y, v.x, c1.y, v.y, m.shear.y, e.z, e.y};
         z = Row{n.x, v.x, n.y, v.y, m.shear.z, e.z, n.z};

@@ -14,6 +14,7 @@
 #include "host/app/progress.h"
 #include "host/app/text.h"
 #include "host/board/configurations.h"
+#include "host/image/form_trees.h"
 #include "host/scene/check_lights.h"
 #include "host/scene/load.h"
 
@@ -104,12 +105,13 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
     }
   }
   const auto loaded = std::chrono::steady_clock::now();
-  const ImageForm form =
-      board == nullptr ? ImageForm{} : ImageForm{board->triangle_matrix, board->clips_to_cube};
+  const ImageForm form = board == nullptr ? ImageForm{}
+                                          : ImageForm{board->triangle_matrix, board->clips_to_cube,
+                                                      board->triangle_test};
   {
     check_matrices(prepared.scene, form);
     const Progress progress("building the trees");
-    prepared.trees = build_scene_trees(prepared.scene);
+    prepared.trees = trees_for(prepared.scene, prepared.camera.position, form);
   }
   const auto built = std::chrono::steady_clock::now();
   prepared.load_seconds = Seconds(loaded - begin).count();

@@ -31,6 +31,7 @@ struct BoardInfo {
   bool scan_out = false;       ///< it can show a picture on a VGA display; only the RTL has pins
   TriangleMatrix triangle_matrix = TriangleMatrix::kNormalConsistent;
   Primitives primitives{.triangle = true};
+  TriangleTest triangle_test = TriangleTest::kUnitTriangle;
 };
 
 /// One of the core's counters, named unit.what, e.g. "traversal.transactions".

@@ -26,6 +26,8 @@ struct TreeOptions {
   unsigned sample_rays = 16384;
   /// Once the leaves made list more items than these, the tree is given up.
   std::size_t give_up_items = std::numeric_limits<std::size_t>::max();
+  /// Triangles count as so much larger on all sides.
+  double margin = 0;
   /// What the tree may take, counted before leaves with the same items are made one. Each split
   /// divides what is free between its sides by the work that they are expected to make.
   TreeSize room{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
