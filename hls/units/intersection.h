@@ -38,7 +38,7 @@ struct Intersection {
     out.reset = in.reset;
     if constexpr (kWatertight<C>) {
       const TriangleHit<Real> found = intersect(in.unit);
-      out.hit = !in.reset && found.hit;
+      out.hit = !in.reset && found.hit();
       out.t = found.t;
       out.u = found.u;
       out.v = found.v;

@@ -80,13 +80,14 @@ EdgeSide<R> side_of(const Vector<R>& from, const Vector<R>& to) {
   return side;
 }
 
-/// What the test finds: the ray's parameter, and the parts of the corners a and b in the point that
-/// is hit, as the unit triangle has them.
+/// What the test finds: on which side of all edges the ray's line passes, if it is one; the
+/// parameter there, and the parts of the corners a and b in the point that is met, as the unit
+/// triangle has them.
 template <class R>
 struct TriangleHit {
-  bool hit;
-  bool left;  ///< the side that the triangle shows, for a ray along +z
+  bool left, right;
   R t, u, v;
+  bool hit() const { return (left || right) && !t.sign(); }
 };
 
 template <class R>
@@ -95,17 +96,15 @@ TriangleHit<R> intersect(const MappedTriangle<R>& m) {
   const EdgeSide<R> a = side_of(m.b, m.c);
   const EdgeSide<R> b = side_of(m.c, m.a);
   const EdgeSide<R> c = side_of(m.a, m.b);
-  const bool left = a.left && b.left && c.left;
-  const bool right = a.right && b.right && c.right;
   // The areas of a hit have one sign, so that it cancels in all quotients.
   const Area all = (a.area + b.area) + c.area;
   const Area height = (a.area * Area(m.a.z) + b.area * Area(m.b.z)) + c.area * Area(m.c.z);
   TriangleHit<R> out;
+  out.left = a.left && b.left && c.left;
+  out.right = a.right && b.right && c.right;
   out.t = R(height / all);
   out.u = R(a.area / all);
   out.v = R(b.area / all);
-  out.hit = (left || right) && !height.sign();
-  out.left = left;
   return out;
 }
 

@@ -98,20 +98,20 @@ TEST(Edge, TheOtherWayRoundHasTheOtherSideAndTheSameArea) {
 TEST(Intersect, ReportsThePartsOfTheFirstTwoCorners) {
   const Mapped m{vec(3, -1, 8), vec(-1, 3, 16), vec(-1, -1, 4), real(0.5)};
   const TriangleHit<Real> hit = intersect(m);
-  EXPECT_TRUE(hit.hit);
+  EXPECT_TRUE(hit.hit());
   EXPECT_TRUE(hit.left);
   EXPECT_EQ(hit.u.to_double(), 0.25);
   EXPECT_EQ(hit.v.to_double(), 0.25);
   EXPECT_EQ(hit.t.to_double(), 0.25 * 8 + 0.25 * 16 + 0.5 * 4);
   const TriangleHit<Real> turned = intersect(Mapped{m.b, m.a, m.c, m.cosine});
-  EXPECT_TRUE(turned.hit);
-  EXPECT_FALSE(turned.left);
+  EXPECT_TRUE(turned.hit());
+  EXPECT_TRUE(turned.right);
   EXPECT_EQ(turned.t, hit.t);
   EXPECT_EQ(turned.u, hit.v);
   const Vec behind = vec(3, -1, -32);
-  EXPECT_FALSE(intersect(Mapped{behind, m.b, m.c, m.cosine}).hit) << "behind the ray's origin";
-  EXPECT_FALSE(intersect(Mapped{vec(-2, 0, 8), m.b, m.c, m.cosine}).hit) << "beside it";
-  EXPECT_FALSE(intersect(Mapped{m.a, m.b, m.a, m.cosine}).hit) << "an edge alone";
+  EXPECT_FALSE(intersect(Mapped{behind, m.b, m.c, m.cosine}).hit()) << "behind the ray's origin";
+  EXPECT_FALSE(intersect(Mapped{vec(-2, 0, 8), m.b, m.c, m.cosine}).hit()) << "beside it";
+  EXPECT_FALSE(intersect(Mapped{m.a, m.b, m.a, m.cosine}).hit()) << "an edge alone";
 }
 
 /// A fan of triangles round a point at the axis, closed: exactly one of them is hit, wherever
@@ -133,7 +133,7 @@ TEST(Intersect, OneTriangleOfAFanIsHit) {
     if (test::chance(random, 20)) middle.x = real(0.1 * scale * part());
     unsigned hits = 0;
     for (unsigned i = 0; i < kAround; ++i) {
-      hits += intersect(Mapped{middle, rim[i], rim[(i + 1) % kAround], {}}).hit;
+      hits += intersect(Mapped{middle, rim[i], rim[(i + 1) % kAround], {}}).hit();
     }
     ASSERT_EQ(hits, 1u);
   }
