@@ -9,7 +9,8 @@
 # the calling folder writes to build/<preset>/generated/include:
 #   <NAME>_model   interface library: what a program needs to include the C++ (header only)
 #   <NAME>.v       build/<preset>/generated/<CONFIG>/<NAME>.v, made by hlsc, module <NAME>, with its
-#                  schedule report <NAME>.txt and the header <NAME>_ports.h for the test bench
+#                  schedule report <NAME>.txt, the same as data <NAME>.json and the header
+#                  <NAME>_ports.h for the test bench
 #   <NAME>_rtl     library with the Verilated class V<NAME> (FAST, TRACE, SHARDS: Verilate.cmake),
 #                  whose name is the same for every configuration, so link only one of them
 #   test           generated.<NAME>, label lint, for CONFIG thesis: fails when rtl/generated/thesis/
@@ -22,6 +23,8 @@ option(DYNRT_RTL "lower the units to Verilog and Verilate them" ON)
 set(DYNRT_CLOCK_NS 10 CACHE STRING "clock period that hlsc schedules for, in ns")
 set(DYNRT_DELAY_MODEL hls/compiler/delay/ecp5.json CACHE STRING
     "delay model that hlsc schedules with, relative to the project's folder")
+set(HLS_COMPILER hlsc)
+set(HLS_LANGUAGE ${PROJECT_SOURCE_DIR}/hls/lowered ${PROJECT_SOURCE_DIR}/hls/include)
 add_custom_target(verilog ALL)
 add_custom_target(update-generated)
 
@@ -83,35 +86,10 @@ function(add_hls_unit)
        CONTENT "#include \"configs/@arg_CONFIG@.h\"\n#include \"@arg_SOURCE@\"\n" @ONLY)
   set(dir ${PROJECT_BINARY_DIR}/generated/${arg_CONFIG})
   set(stem ${dir}/${arg_NAME})
-  set(fresh ${dir}/fresh/${arg_NAME})
-  file(MAKE_DIRECTORY ${dir}/fresh)
-  set(relative_includes)
-  set(absolute_includes)
-  foreach(folder hls/lowered hls/include hls)
-    list(APPEND relative_includes -I ${folder})
-    list(APPEND absolute_includes -I ${PROJECT_SOURCE_DIR}/${folder})
-  endforeach()
-  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated/include)
-  list(APPEND relative_includes -I ${folder})
-  list(APPEND absolute_includes -I ${PROJECT_BINARY_DIR}/generated/include)
-
-  # The compiler lists the headers that the unit includes; hlsc runs again when one of them changes,
-  # and what follows only when hlsc then writes something else. All paths that may end up in the
-  # Verilog are relative to the project's folder, so that it is the same wherever that lies.
-  add_custom_command(
-    OUTPUT ${stem}.v
-    BYPRODUCTS ${stem}.txt ${stem}_ports.h
-    COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -x c++ ${absolute_includes} -MM -MT ${stem}.v
-            -MF ${stem}.d ${header}
-    COMMAND hlsc --unit ${arg_TYPE} --module ${arg_NAME} --header ${arg_CONFIG}/${arg_NAME}.h
-            ${relative_includes} --clock-ns ${clock} --delay ${delay} -o ${fresh}.v
-            --report ${fresh}.txt --binding ${fresh}_ports.h
-    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${fresh}.v ${fresh}.txt ${fresh}_ports.h ${dir}
-    DEPENDS hlsc ${header} ${config_header} ${PROJECT_SOURCE_DIR}/${delay}
-    DEPFILE ${stem}.d
-    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
-    COMMENT "Lowering ${arg_TYPE} to ${arg_CONFIG}/${arg_NAME}.v"
-    VERBATIM)
+  hls_lower(MODULE ${arg_NAME} HEADER ${arg_CONFIG}/${arg_NAME}.h TYPE ${arg_TYPE} FOLDER ${dir}
+            INCLUDES ${PROJECT_SOURCE_DIR}/hls ${PROJECT_BINARY_DIR}/generated/include
+            CLOCK_NS ${clock} DELAY ${PROJECT_SOURCE_DIR}/${delay} DEPENDS ${config_header}
+            ROOT ${PROJECT_SOURCE_DIR})
   add_custom_target(${id}_verilog DEPENDS ${stem}.v)
   add_dependencies(verilog ${id}_verilog)
 

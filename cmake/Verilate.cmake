@@ -15,7 +15,8 @@
 #          wrote is found out.
 #   TRACE  with FST waveforms; costs about a quarter of the speed even while none is written, so it is
 #          a library of its own.
-# Modules that SOURCES do not hold are looked for in rtl/lib. HEADERS are what they include.
+# Modules that SOURCES do not hold are looked for in HLS_RTL_LIB, where the primitives are that hlsc's
+# Verilog is made of. HEADERS are what they include.
 
 add_library(verilated_runtime STATIC EXCLUDE_FROM_ALL
   ${VERILATOR_ROOT}/include/verilated.cpp
@@ -43,7 +44,7 @@ function(dynrt_verilate target)
 
   set(dir ${CMAKE_CURRENT_BINARY_DIR}/${target}.verilated)
   set(flags --cc --compiler clang --make cmake --prefix ${arg_PREFIX} --top-module ${arg_TOP}
-      --Mdir ${dir} -y ${PROJECT_SOURCE_DIR}/rtl/lib -Wno-fatal -Wno-lint -Wno-style)
+      --Mdir ${dir} -y ${HLS_RTL_LIB} -Wno-fatal -Wno-lint -Wno-style)
   foreach(header IN LISTS arg_HEADERS)
     get_filename_component(folder ${header} DIRECTORY)
     list(APPEND flags +incdir+${folder})
@@ -70,15 +71,15 @@ function(dynrt_verilate target)
     list(APPEND fast_files ${dir}/shard_fast_${shard}.cpp)
   endforeach()
   set(slow_file ${dir}/shard_slow.cpp)
-  file(GLOB primitives CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/lib/*.v)
+  file(GLOB primitives CONFIGURE_DEPENDS ${HLS_RTL_LIB}/*.v)
   add_custom_command(
     OUTPUT ${fast_files} ${slow_file}
     BYPRODUCTS ${dir}/${arg_PREFIX}.h
     COMMAND ${CMAKE_COMMAND} -E env VERILATOR_ROOT=${VERILATOR_ROOT}
             ${VERILATOR_BIN} ${flags} ${arg_ARGS} ${arg_SOURCES}
     COMMAND ${CMAKE_COMMAND} -DDIR=${dir} -DPREFIX=${arg_PREFIX} -DSHARDS=${arg_SHARDS}
-            -P ${PROJECT_SOURCE_DIR}/cmake/GatherVerilated.cmake
-    DEPENDS ${arg_SOURCES} ${arg_HEADERS} ${primitives} ${PROJECT_SOURCE_DIR}/cmake/GatherVerilated.cmake
+            -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/GatherVerilated.cmake
+    DEPENDS ${arg_SOURCES} ${arg_HEADERS} ${primitives} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/GatherVerilated.cmake
     COMMENT "Verilating ${arg_TOP}"
     VERBATIM COMMAND_EXPAND_LISTS)
 

@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Holds dynrt.core, the description for FuseSoC, against the Verilog that is there."""
+"""Holds dynrt.core, the description for FuseSoC, and the file lists made from it against the Verilog
+that is there."""
 
 import pathlib
 import re
+import subprocess
+import tempfile
 import unittest
 
 import yaml
@@ -51,6 +54,16 @@ class CoreFile(unittest.TestCase):
             text = "".join((ROOT / f).read_text(encoding="utf-8")
                            for f in self.files(*target["filesets"]) if f.endswith(".v"))
             self.assertRegex(text, rf"\nmodule {target['toplevel']}\b", name)
+
+    def test_file_lists_name_what_is_there(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([ROOT / "scripts/file_lists", folder], check=True)
+            for name, at_least in (("dynrt_core.f", 25), ("dynrt_board.f", 30)):
+                lines = pathlib.Path(folder, name).read_text(encoding="utf-8").splitlines()
+                sources = [line for line in lines if not line.startswith("+incdir+")]
+                self.assertGreater(len(sources), at_least, name)
+                for line in lines:
+                    self.assertTrue((ROOT / "rtl" / line.removeprefix("+incdir+")).exists(), line)
 
 
 if __name__ == "__main__":

@@ -35,8 +35,15 @@
 
 namespace dynrt {
 
-/// The board's six memory banks, as the core sees them.
-using Bank = std::shared_ptr<std::vector<Word>>;
+/// The board's six memory banks, as the core sees them: those of the scene, and those that it
+/// writes.
+template <class C>
+struct Banks {
+  template <class W>
+  using Bank = std::shared_ptr<std::vector<W>>;
+  std::array<Bank<SceneWord<typename C::Real>>, kSceneBanks> scene;
+  std::array<Bank<Word>, kBanks - kFrameBank> out;
+};
 
 template <class C>
 struct Core {
@@ -72,7 +79,7 @@ struct Core {
   std::shared_ptr<hls::Fifo<uint<1>>> done;
   std::shared_ptr<FrameConfig> frame = std::make_shared<FrameConfig>();
 
-  Core(hls::Join& join, const std::array<Bank, kBanks>& banks) {
+  Core(hls::Join& join, const Banks<C>& banks) {
     name_units(join);
     join_frame(join);
     join_traversal(join);
@@ -281,24 +288,24 @@ struct Core {
     return entries;
   }
 
-  void join_memory(hls::Join& join, const std::array<Bank, kBanks>& banks) {
+  void join_memory(hls::Join& join, const Banks<C>& banks) {
     join.channel<MemoryRequest<C>>("memory_request",
                                    {&node_lookup.miss, &list_lookup.miss, &matrix_lookup.miss},
                                    {&memory_interface.request});
-    join.channel<CacheLine<C, Node>>("node_line", {&memory_interface.node, &startup.node},
-                                     {&node_fill.fill});
+    join.channel<CacheLine<C, Node<typename C::Real>>>(
+        "node_line", {&memory_interface.node, &startup.node}, {&node_fill.fill});
     join.channel<CacheLine<C, ListEntry>>("list_line", {&memory_interface.list, &startup.list},
                                           {&list_fill.fill});
-    join.channel<CacheLine<C, MatrixColumn>>(
+    join.channel<CacheLine<C, MatrixColumn<typename C::Real>>>(
         "column_line", {&memory_interface.column, &startup.column}, {&matrix_fill.fill});
     join_cache(join, "node", node_lookup, node_fill);
     join_cache(join, "list", list_lookup, list_fill);
     join_cache(join, "matrix", matrix_lookup, matrix_fill);
     for (unsigned i = 0; i < kSceneBanks; ++i) {
-      join.bank("bank" + std::to_string(i), memory_interface.bank[i], banks[i]);
+      join.bank("bank" + std::to_string(i), memory_interface.bank[i], banks.scene[i]);
     }
-    for (unsigned i = 0; i < 3; ++i) {
-      join.bank("bank" + std::to_string(kFrameBank + i), shading.bank[i], banks[kFrameBank + i]);
+    for (unsigned i = 0; i < banks.out.size(); ++i) {
+      join.bank("bank" + std::to_string(kFrameBank + i), shading.bank[i], banks.out[i]);
     }
     // What a cache misses depends on which packet comes first, and so does what follows from it.
     join.depends_on_order({"memory_request", "memory_interface", "node_line", "node_fill",

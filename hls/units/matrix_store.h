@@ -12,20 +12,20 @@
 
 namespace dynrt {
 
-/// A column of the cache is a MatrixColumn; its spare bytes go to the job's record.
+/// A column of the cache is a MatrixColumn; its spare bits go to the job's record.
 template <class C>
 struct MatrixStore {
   using Real = typename C::Real;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
   struct Progress {
     uint<2> columns;                               ///< of this job that have arrived
-    uint<24> extra;                                ///< spare bytes of column 0
-    hls::FieldIf<kHasMirrors<C>, uint<8>> mirror;  ///< spare byte of column 1, row 0
+    uint<24> extra;                                ///< spare bits of column 0
+    hls::FieldIf<kHasMirrors<C>, uint<8>> mirror;  ///< spare bits of column 1
     hls::FieldIf<kScalesCosine<C>, Real> cosine_factor;
     HLS_FIELDS(columns, extra, mirror, cosine_factor)
   };
 
-  hls::In<CacheReply<ColumnContext<C>, MatrixColumn>> reply;
+  hls::In<CacheReply<ColumnContext<C>, MatrixColumn<Real>>> reply;
   hls::Config<FrameConfig> frame;
   hls::Out<SendJob<C>> ready;
   hls::RamWrite<Vector<Real>, kPackets> column[4];
@@ -37,11 +37,11 @@ struct MatrixStore {
   void step() {
     const auto r = reply.read();
     const PacketId<C> packet = r.context.packet;
-    const Vector<Real> values{Real(r.line.row[0].value), Real(r.line.row[1].value),
-                              Real(r.line.row[2].value)};
+    const Vector<Real> values{r.line.row[0].value, r.line.row[1].value, r.line.row[2].value};
+    const auto spare = r.line.spare();
     const bool stored_three = three(r.context);
     if constexpr (kThreeColumns<C>) {
-      const uint<2> ones = r.line.row[2].spare.template trunc<2>();
+      const uint<2> ones = spare.template bits<17, 16>();
       const uint<2> place = stored_three ? place_of(r.context.column, ones) : r.context.column;
       const bool brings_ones = stored_three && r.context.column == uint<2>(0);
       for (unsigned c = 0; c < 4; ++c) {
@@ -60,17 +60,18 @@ struct MatrixStore {
     const uint<2> last = stored_three ? uint<2>(kStoredColumns - 1) : uint<2>(3);
     const bool complete = p.columns == last;
     if (r.context.column == uint<2>(0)) {
-      p.extra = stored_three ? hls::concat(p.extra.template bits<23, 16>(),
-                                           r.line.spare().template trunc<16>())
-                             : r.line.spare();
+      p.extra = stored_three
+                    ? hls::concat(p.extra.template bits<23, 16>(), spare.template trunc<16>())
+                    : spare.template trunc<24>();
     }
     if (r.context.column == uint<2>(1)) {
-      p.mirror = r.line.row[0].spare;
-      if (stored_three) p.extra = hls::concat(r.line.row[1].spare, p.extra.template trunc<16>());
+      p.mirror = spare.template trunc<8>();
+      if (stored_three)
+        p.extra = hls::concat(spare.template bits<15, 8>(), p.extra.template trunc<16>());
     }
     if constexpr (kScalesCosine<C>) {
       if (r.context.column == last) {
-        p.cosine_factor = Real(dynrt::Real::from_bits(r.line.spare()));
+        p.cosine_factor = Real::from_bits(spare.template trunc<Real::kLeafWidth>());
       }
     }
     p.columns = stored_three && complete ? uint<2>(0) : hls::next(p.columns);

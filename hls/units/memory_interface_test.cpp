@@ -68,13 +68,14 @@ TEST(MemoryInterface, ReadsEveryKindFromItsBanks) {
 
 TEST(MemoryInterface, ANodeIsItsFields) {
   Bench bench;
-  const Node node{NodeKind::kSplitZ, Real::from_double(-2.5), 345678, 98765};
+  const Node<Real> node{NodeKind::kSplitZ, Real::from_double(-2.5), 345678, 98765};
   const auto packed = hls::pack(node);
   bench.rows(bench.unit.bank[0])[11] = Word::from(packed[0]);
   bench.rows(bench.unit.bank[1])[11] = Word::from(packed[1]);
   bench.feed(bench.unit.request, MemoryRequest<C>{MemoryKind::kNode, 3, 11});
   bench.run();
-  EXPECT_TRUE(test::same(bench.take_one(bench.unit.node), CacheLine<C, Node>{false, 3, 11, node}));
+  EXPECT_TRUE(
+      test::same(bench.take_one(bench.unit.node), CacheLine<C, Node<Real>>{false, 3, 11, node}));
 }
 
 }  // namespace

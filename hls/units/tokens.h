@@ -138,7 +138,7 @@ struct StepContext {
 template <class C>
 struct Step {
   StepContext<C> context;
-  Node node;
+  Node<typename C::Real> node;
   HLS_FIELDS(context, node)
 };
 

@@ -94,8 +94,8 @@ struct TraversalSlice {
     const Ray<Real> r = ray.read(row);
     const Real origin = select_axis(s.node.kind, r.origin);
     const Real direction = select_axis(s.node.kind, r.direction);
-    const Real offset = Real(s.node.split) - origin;
-    const Real d = distance(offset, direction, Real(s.node.split) == origin);
+    const Real offset = s.node.split - origin;
+    const Real d = distance(offset, direction, s.node.split == origin);
     Real d_low = d;
     Real d_high = d;
     Real plane = d;

@@ -21,7 +21,7 @@ namespace {
 struct C : test::Config<8> {
   static constexpr TriangleTest kTriangleTest = TriangleTest::kWatertight;
 };
-using Real = C::Real;
+
 using Vec = Vector<Real>;
 using Map = RayMap<Real>;
 using Mapped = MappedTriangle<Real>;

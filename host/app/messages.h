@@ -21,7 +21,7 @@ inline constexpr char kNoPrimitive[] =
     "--config {}: has no {}, of which the scene '{}' is made; the configurations that have all it "
     "needs are: {}";
 inline constexpr char kCommand[] =
-    "{}: unknown; the commands are render, walk, compare, info and report";
+    "{}: unknown; the commands are render, walk, compare, info, report and stress";
 inline constexpr char kNoReport[] =
     "report: which one is missing; the reports are overlap, mailbox and clipping";
 inline constexpr char kCountedSize[] =

@@ -106,8 +106,8 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
   }
   const auto loaded = std::chrono::steady_clock::now();
   const ImageForm form = board == nullptr ? ImageForm{}
-                                          : ImageForm{board->triangle_matrix, board->clips_to_cube,
-                                                      board->triangle_test};
+                                          : ImageForm{board->format, board->triangle_matrix,
+                                                      board->clips_to_cube, board->triangle_test};
   {
     check_matrices(prepared.scene, form);
     const Progress progress("building the trees");

@@ -79,6 +79,7 @@ class Walker {
   Image lay_out(unsigned frame);
   void upload_scene();
   void write(const std::vector<MemoryRun>& runs);
+  unsigned bus_words() const { return board_.info().format->bus_words(); }
 
   Board& board_;
   const FrameOptions options_;

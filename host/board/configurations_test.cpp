@@ -16,7 +16,9 @@ class EmptyCore final : public NativeCore {
  public:
   void write(unsigned, std::uint32_t, std::span<const std::uint32_t>) override {}
   void read(unsigned, std::uint32_t, std::span<std::uint32_t>) override {}
-  void render(const FrameConfig&) override {}
+  std::optional<std::uint64_t> render(const FrameConfig&, const hls::Schedule*) override {
+    return std::nullopt;
+  }
   std::vector<Counter> counters() override { return {}; }
 };
 
@@ -37,6 +39,13 @@ constexpr Configuration kTable[] = {
     {.name = "large", .info = limits, .native = []() -> std::unique_ptr<NativeCore> {
        return std::make_unique<EmptyCore>();
      }}};
+
+TEST(Configurations, RefusesSchedulesOfTheVerilog) {
+  EXPECT_THAT([] { make_board(kTable, {"rtl", "small", "", "schedules"}); },
+              ThrowsMessage<UserError>(
+                  "--schedule: only --board model takes its clocks from schedules; the Verilog has "
+                  "its own, so leave the flag out or choose that board"));
+}
 
 auto making(const BoardRequest& request) {
   return [request] { make_board(kTable, request); };

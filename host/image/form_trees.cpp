@@ -18,18 +18,17 @@ double largest_of(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 }  // namespace
 
-Scene with_rounded_corners(Scene scene) {
+Scene with_rounded_corners(Scene scene, const MemoryFormat& format) {
   for (Mesh& object : scene.objects) {
     for (glm::dvec3& corner : object.vertices) {
-      for (int axis = 0; axis < 3; ++axis) {
-        corner[axis] = Real::from_double(corner[axis]).to_double();
-      }
+      for (int axis = 0; axis < 3; ++axis) corner[axis] = format.round(corner[axis]);
     }
   }
   return scene;
 }
 
-std::vector<double> rounding_margins(const Scene& scene, const glm::dvec3& eye) {
+std::vector<double> rounding_margins(const Scene& scene, const glm::dvec3& eye,
+                                     const MemoryFormat& format) {
   std::vector<Aabb> boxes(scene.objects.size());
   for (std::size_t k = 0; k < boxes.size(); ++k) {
     for (const glm::dvec3& corner : scene.objects[k].vertices) boxes[k].include(corner);
@@ -54,15 +53,18 @@ std::vector<double> rounding_margins(const Scene& scene, const glm::dvec3& eye) 
     double& longest = farthest[instance.object];
     longest = std::max(longest, std::min(distance, kFarthest * largest_of(box.extent())));
   }
-  const double rounding = std::ldexp(1.0, -1 - static_cast<int>(Real::kMantissaBits));
+  const bool nearest = format.rounding == hls::Rounding::kNearestEven;
+  const double rounding = std::ldexp(nearest ? 0.5 : 1.0, -static_cast<int>(format.mantissa_bits));
   for (double& distance : farthest) distance *= kRoundings * rounding;
   return farthest;
 }
 
-SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const ImageForm& form) {
-  if (form.triangle_test != TriangleTest::kWatertight) return build_scene_trees(scene);
-  return build_scene_trees(with_rounded_corners(scene), {}, kMemoryForTrees,
-                           rounding_margins(scene, eye));
+SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const ImageForm& form,
+                     TreeOptions options) {
+  options.grid = Grid(*form.format);
+  if (form.triangle_test != TriangleTest::kWatertight) return build_scene_trees(scene, options);
+  return build_scene_trees(with_rounded_corners(scene, *form.format), options, kMemoryForTrees,
+                           rounding_margins(scene, eye, *form.format));
 }
 
 }  // namespace dynrt::host

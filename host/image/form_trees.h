@@ -16,15 +16,18 @@
 namespace dynrt::host {
 
 /// The corners as the memory will hold them.
-Scene with_rounded_corners(Scene scene);
+Scene with_rounded_corners(Scene scene, const MemoryFormat& format);
 
 /// For each object, in its own coordinates: how far beside a triangle a ray may pass that hits it.
 /// A ray's origin is taken to be no farther from the scene's middle than its farthest corner, the
 /// eye or a light, and no farther from an object than kFarthest times its size: for rays from
 /// farther away the trees are no longer made.
-std::vector<double> rounding_margins(const Scene& scene, const glm::dvec3& eye);
+std::vector<double> rounding_margins(const Scene& scene, const glm::dvec3& eye,
+                                     const MemoryFormat& format);
 inline constexpr double kFarthest = 64;
 
-SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const ImageForm& form = {});
+/// The grid is the form's, whatever the options say.
+SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const ImageForm& form = {},
+                     TreeOptions options = {});
 
 }  // namespace dynrt::host

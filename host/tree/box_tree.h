@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 
+#include "host/tree/grid.h"
 #include "host/tree/tree.h"
 
 namespace dynrt::host {
@@ -16,6 +17,7 @@ namespace dynrt::host {
 /// What entering a box is worth: a ray that enters an instance is transformed and meets at least
 /// the clipping nodes of its object.
 struct BoxTreeOptions {
+  Grid grid{};                ///< that the splits lie on
   double item = 8;            ///< in traversal steps
   double empty_bonus = 0.2;   ///< part of a plane's cost forgiven where one side is empty
   double depth_factor = 0.6;  ///< depth at most depth_factor * log2(boxes) + depth_extra

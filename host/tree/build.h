@@ -15,7 +15,8 @@
 namespace dynrt::host {
 
 struct TreeOptions {
-  TreeCosts costs;
+  Grid grid{};  ///< that the splits lie on
+  TreeCosts costs{};
   /// The tree's depth is at most depth_factor * log2(items) + depth_extra, and kMaxTreeDepth.
   double depth_factor = 1;
   double depth_extra = 10;
@@ -38,7 +39,8 @@ struct TreeOptions {
 using CutItem = std::function<GridBox(const ItemRef& item, const GridBox& cell)>;
 
 /// Builds the tree over the content's items, of which there is at least one; its cell holds them
-/// all and is what the clipping nodes cut out. The result does not depend on the number of threads.
+/// all and is what the clipping nodes cut out. The codes are those of options.grid. The result does
+/// not depend on the number of threads.
 Tree build_tree(const CellContent& content, const TreeOptions& options, const CutItem& cut);
 
 }  // namespace dynrt::host

@@ -23,7 +23,7 @@ inline constexpr int kMaxTreeDepth = 31;  ///< the core's stack: no deeper tree 
 
 struct TreeNode {
   std::uint8_t axis = kLeafAxis;  ///< 0, 1, 2 or kLeafAxis
-  double split = 0;               ///< exactly a Float<7, 16>
+  double split = 0;               ///< exactly a number of the grid
   std::uint32_t left = 0;         ///< child; leaf: its first item
   std::uint32_t right = 0;        ///< child; leaf: how many items, at least one
   bool is_leaf() const { return axis == kLeafAxis; }

@@ -40,11 +40,12 @@ inline Mesh make_lattice(int cells, const std::function<double(const glm::ivec3&
       };
       for (int i = -half; i < half; ++i) {
         for (int j = -half; j < half; ++j) {
-          const std::uint32_t a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+          const std::uint32_t a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1),
+                              d = at(i, j + 1);
           // Diagonals both ways; all triangles turn the same way seen from outside.
-          std::array<glm::uvec3, 2> pair = (i + j) % 2 == 0
-                                               ? std::array{glm::uvec3(a, b, c), glm::uvec3(a, c, d)}
-                                               : std::array{glm::uvec3(a, b, d), glm::uvec3(b, c, d)};
+          std::array<glm::uvec3, 2> pair =
+              (i + j) % 2 == 0 ? std::array{glm::uvec3(a, b, c), glm::uvec3(a, c, d)}
+                               : std::array{glm::uvec3(a, b, d), glm::uvec3(b, c, d)};
           for (glm::uvec3& t : pair) {
             if (side < 0) std::swap(t.y, t.z);
             mesh.triangles.push_back(t);
@@ -66,7 +67,8 @@ inline Mesh make_cube(int cells) {
 /// whole coordinates lie corners and edges exactly.
 inline Mesh make_crumpled(int cells) {
   return make_lattice(cells, [cells](const glm::ivec3& d) {
-    std::uint32_t hash = static_cast<std::uint32_t>(d.x * 73856093 ^ d.y * 19349663 ^ d.z * 83492791);
+    std::uint32_t hash =
+        static_cast<std::uint32_t>(d.x * 73856093 ^ d.y * 19349663 ^ d.z * 83492791);
     hash = (hash ^ hash >> 15) * 2654435761u;
     return (48 + (hash >> 20) % 32) / (32.0 * cells);
   });

@@ -6,6 +6,8 @@
 // that are tested with all triangles of a mesh by the units' code. Rays as many as the environment
 // variable DYNRT_RAYS says; the slow tests take millions without it. docs/watertight.md has what is
 // proved.
+#include "configs/watertight.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,7 +17,6 @@
 #include <string>
 #include <vector>
 
-#include "configs/watertight.h"
 #include "core/closed_meshes.h"
 #include "hls/random.h"
 #include "host/app/board_frame.h"
@@ -44,13 +45,14 @@ glm::dvec3 in_ball(Random& random) {
 
 struct ClosedMesh {
   Mesh mesh;
-  double inside;  ///< radius of a ball about the origin that lies within, well away from the surface
+  double
+      inside;  ///< radius of a ball about the origin that lies within, well away from the surface
   int cells = 0;  ///< of a lattice: directions of whole coordinates up to half of them are aimed at
 };
 
 std::vector<ClosedMesh> closed_meshes() {
-  return {{make_sphere(1, 0, 0), 0.5},   {make_sphere(1, 2, 0), 0.9}, {make_sphere(1, 4, 0), 0.95},
-          {make_cube(2), 0.9, 2},        {make_cube(16), 0.95, 16},   {make_crumpled(8), 0.3, 8},
+  return {{make_sphere(1, 0, 0), 0.5}, {make_sphere(1, 2, 0), 0.9}, {make_sphere(1, 4, 0), 0.95},
+          {make_cube(2), 0.9, 2},      {make_cube(16), 0.95, 16},   {make_crumpled(8), 0.3, 8},
           {make_crumpled(32), 0.3, 32}};
 }
 
@@ -61,8 +63,8 @@ struct Place {
   glm::dmat4 instance{1.0};
 };
 
-/// Shifts by none to 4096 radii and scales of 2^-20 to 2^20; every second one in an instance that is
-/// turned, scaled unevenly and mirrored.
+/// Shifts by none to 4096 radii and scales of 2^-20 to 2^20; every second one in an instance that
+/// is turned, scaled unevenly and mirrored.
 Place any_place(Random& random) {
   static constexpr double kShifts[] = {0, 0, 16, 256, 4096};
   Place place;

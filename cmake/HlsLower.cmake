@@ -1,0 +1,55 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+#
+# hls_lower(MODULE m HEADER scale.h TYPE "example::Scale" FOLDER dir INCLUDES dir...
+#           CLOCK_NS n DELAY model.json [DEPENDS file...] [ROOT dir])
+#
+# A command that lowers the unit TYPE, which HEADER defines, to FOLDER/m.v with its schedule report
+# m.txt, the same as data m.json and the test bench's header m_ports.h, whenever one of the headers that it includes changes;
+# what follows from these files is made again only when they change. HEADER is named as it is
+# included. No absolute path gets into the Verilog of headers within ROOT.
+#
+# The including project says where things are:
+#   HLS_COMPILER    the target of hlsc
+#   HLS_LANGUAGE    the folders of the headers that hlsc reads in place of the native ones
+function(hls_lower)
+  cmake_parse_arguments(PARSE_ARGV 0 arg "" "MODULE;HEADER;TYPE;FOLDER;CLOCK_NS;DELAY;ROOT"
+                        "INCLUDES;DEPENDS")
+  foreach(needed MODULE HEADER TYPE FOLDER CLOCK_NS DELAY)
+    if(NOT arg_${needed})
+      message(FATAL_ERROR "hls_lower(${arg_MODULE}): ${needed} is missing")
+    endif()
+  endforeach()
+  set(compiler_includes)
+  set(hlsc_includes)
+  foreach(folder IN LISTS HLS_LANGUAGE arg_INCLUDES)
+    list(APPEND compiler_includes -I ${folder})
+    if(arg_ROOT)
+      file(RELATIVE_PATH folder ${arg_ROOT} ${folder})
+    endif()
+    list(APPEND hlsc_includes -I ${folder})
+  endforeach()
+  set(in_root)
+  if(arg_ROOT)
+    set(in_root WORKING_DIRECTORY ${arg_ROOT})
+  endif()
+  find_file(header ${arg_HEADER} PATHS ${arg_INCLUDES} NO_CACHE NO_DEFAULT_PATH REQUIRED)
+  set(stem ${arg_FOLDER}/${arg_MODULE})
+  set(fresh ${arg_FOLDER}/fresh/${arg_MODULE})
+  file(MAKE_DIRECTORY ${arg_FOLDER}/fresh)
+  add_custom_command(
+    OUTPUT ${stem}.v
+    BYPRODUCTS ${stem}.txt ${stem}.json ${stem}_ports.h
+    COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -x c++ ${compiler_includes} -MM -MT ${stem}.v
+            -MF ${stem}.d ${header}
+    COMMAND ${HLS_COMPILER} --unit ${arg_TYPE} --module ${arg_MODULE} --header ${arg_HEADER}
+            ${hlsc_includes} --clock-ns ${arg_CLOCK_NS} --delay ${arg_DELAY} -o ${fresh}.v
+            --report ${fresh}.txt --schedule ${fresh}.json --binding ${fresh}_ports.h
+    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${fresh}.v ${fresh}.txt ${fresh}.json
+            ${fresh}_ports.h ${arg_FOLDER}
+    DEPENDS ${HLS_COMPILER} ${header} ${arg_DELAY} ${arg_DEPENDS}
+    DEPFILE ${stem}.d
+    ${in_root}
+    COMMENT "Lowering ${arg_TYPE} to ${arg_MODULE}.v"
+    VERBATIM)
+endfunction()

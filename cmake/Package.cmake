@@ -1,0 +1,49 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+#
+# What `cmake --install` gives to other projects: hlsc, the language's headers, the core's units, the
+# bench that co-simulates, the Verilog with lists of its files, and a CMake package that ties them
+# together (dynrtConfig.cmake).
+include(CMakePackageConfigHelpers)
+set(share share/dynrt)
+set(include include/dynrt)
+
+install(TARGETS hlsc EXPORT dynrtTargets RUNTIME DESTINATION bin)
+install(EXPORT dynrtTargets NAMESPACE dynrt:: DESTINATION ${share}/cmake)
+foreach(folder include native lowered)
+  install(DIRECTORY hls/${folder}/hls DESTINATION ${include}/${folder} FILES_MATCHING PATTERN *.h)
+endforeach()
+install(DIRECTORY hls/units DESTINATION ${include} FILES_MATCHING PATTERN *.h
+        PATTERN test_bench.h EXCLUDE)
+install(DIRECTORY ${DYNRT_CONFIG_FOLDER} DESTINATION ${include} FILES_MATCHING PATTERN *.h)
+install(DIRECTORY verif/cosim DESTINATION ${include} FILES_MATCHING PATTERN *.h
+        PATTERN example EXCLUDE)
+install(DIRECTORY hls/compiler/delay/ DESTINATION ${share}/delay FILES_MATCHING PATTERN *.json)
+install(FILES hls/compiler/README.md DESTINATION ${share} RENAME hlsc.md)
+install(FILES cmake/HlsLower.cmake cmake/Verilate.cmake cmake/GatherVerilated.cmake
+        DESTINATION ${share}/cmake)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/dynrtConfigVersion.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES cmake/dynrtConfig.cmake ${PROJECT_BINARY_DIR}/dynrtConfigVersion.cmake
+        DESTINATION ${share}/cmake)
+
+# The Verilog that is checked in. A list names its files relative to its own folder, as -F of
+# Verilator and -f of others, run there, read it.
+set(rtl ${share}/rtl)
+install(DIRECTORY rtl/lib rtl/board rtl/generated DESTINATION ${rtl}
+        FILES_MATCHING PATTERN *.v PATTERN *.vh)
+install(FILES constraints/dynrt_board.sdc DESTINATION ${rtl})
+set(lists ${PROJECT_BINARY_DIR}/dynrt_core.f ${PROJECT_BINARY_DIR}/dynrt_board.f)
+add_custom_command(OUTPUT ${lists}
+  COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/file_lists ${PROJECT_BINARY_DIR}
+  DEPENDS scripts/file_lists dynrt.core VERBATIM)
+add_custom_target(file_lists ALL DEPENDS ${lists})
+install(FILES ${lists} DESTINATION ${rtl})
+
+# hls/example is such a project: built out of the tree with what is installed, once a build.
+if(DYNRT_RTL)
+  add_test(NAME package.example
+    COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DEXAMPLE=${PROJECT_SOURCE_DIR}/hls/example
+            -DCOMPILER=${CMAKE_CXX_COMPILER} -P ${PROJECT_SOURCE_DIR}/cmake/TryPackage.cmake)
+  set_tests_properties(package.example PROPERTIES LABELS system PROCESSORS 2)
+endif()

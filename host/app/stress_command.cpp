@@ -1,0 +1,105 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// dynrt stress: the stiff and extreme cases of host/stress on a board, a line each.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include "host/app/arguments.h"
+#include "host/app/command.h"
+#include "host/app/progress.h"
+#include "host/app/text.h"
+#include "host/render/output_file.h"
+#include "host/stress/run.h"
+
+namespace dynrt::host {
+
+namespace {
+
+struct Arguments {
+  std::vector<std::string> cases;
+  std::string board = "model";
+  std::string configuration = "thesis";
+  std::string json;
+  bool list = false;
+  bool markdown = false;
+};
+
+std::vector<std::string> groups() {
+  std::vector<std::string> names;
+  for (const stress::Case& c : stress::cases()) {
+    if (names.empty() || names.back() != c.group) names.push_back(c.group);
+  }
+  return names;
+}
+
+int list(std::span<const stress::Case* const> cases) {
+  std::string text;
+  for (const stress::Case* c : cases) {
+    text += fmt::format("{:<32}{}\n", c->full_name(), c->about);
+  }
+  say(text);
+  return kDone;
+}
+
+int run(const Arguments& arguments) {
+  const std::vector<const stress::Case*> cases = stress::find_cases(arguments.cases);
+  if (arguments.list) return list(cases);
+  if (!arguments.json.empty()) check_output_path(arguments.json);
+  stress::Boards boards(
+      [&](const std::string& configuration) {
+        return make_board(configurations(), {arguments.board, configuration, ""});
+      },
+      arguments.configuration);
+  boards.get();  // what is wrong with it comes first
+
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<stress::Result> results;
+  for (const stress::Case* c : cases) {
+    {
+      Progress progress(
+          fmt::format("{} ({} of {})", c->full_name(), results.size() + 1, cases.size()));
+      results.push_back(stress::run_case(*c, boards));
+    }
+    if (!arguments.markdown) say(stress::line_of(results.back()) + "\n");
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  if (!arguments.json.empty()) {
+    const auto json =
+        stress::json_of(results, arguments.configuration, arguments.board, seconds.count());
+    write_text(arguments.json, json.dump(2) + "\n");
+  }
+  say(arguments.markdown ? stress::markdown_of(results)
+                         : stress::summary_of(results, seconds.count()) + "\n");
+  const bool all_within = std::ranges::all_of(results, &stress::Result::within);
+  return all_within ? kDone : kDifferent;
+}
+
+}  // namespace
+
+Command add_stress_command(CLI::App& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand(
+      "stress", "stiff and extreme cases: what goes wrong how often, against what is allowed");
+  command
+      ->add_option("CASE", arguments->cases,
+                   fmt::format("cases by name (group/name) or whole groups ({}); default: all",
+                               fmt::join(groups(), ", ")))
+      ->option_text(" ");
+  command->add_flag("--list", arguments->list, "say what the cases are, and run none");
+  command->add_option("--board", arguments->board, "model or rtl")->option_text("BOARD [model]");
+  command
+      ->add_option("--config", arguments->configuration,
+                   "configuration of the core; a few cases need another one and take it")
+      ->option_text("NAME [thesis]");
+  command->add_flag("--markdown", arguments->markdown,
+                    "print the results as the table of the docs");
+  add_json_flag(*command, arguments->json);
+  return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,12 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What dynrt stress says when something is wrong.
+#pragma once
+
+namespace dynrt::host::stress::messages {
+
+inline constexpr char kNoCase[] =
+    "there is no stress case or group '{}'; give one of these, or the part before the slash: {}";
+
+}  // namespace dynrt::host::stress::messages
