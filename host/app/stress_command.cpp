@@ -40,7 +40,7 @@ std::vector<std::string> groups() {
 int list(std::span<const stress::Case* const> cases) {
   std::string text;
   for (const stress::Case* c : cases) {
-    text += fmt::format("{:<32}{}\n", c->full_name(), c->about);
+    text += fmt::format("{:<36}{}\n", c->full_name(), c->about);
   }
   say(text);
   return kDone;

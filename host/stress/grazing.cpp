@@ -67,8 +67,8 @@ std::vector<Case> grazing_cases() {
       level("hundredth_degree", "a hundredth of a degree", 0.01),
       level("thousandth_degree", "a thousandth of a degree", 0.001),
       slanting("half_degree", "half a degree", 0.5, {}),
-      slanting("tenth_degree", "a tenth of a degree", 0.1, {}),
-      slanting("hundredth_degree", "a hundredth of a degree", 0.01, {}),
+      slanting("tenth_degree", "a tenth of a degree", 0.1, {.distance = 3.4e-3}),
+      slanting("hundredth_degree", "a hundredth of a degree", 0.01, {.distance = 3.2e-2}),
   };
 }
 

@@ -40,7 +40,7 @@ std::string line_of(const Result& r) {
       o.refusal.empty()
           ? fmt::format("{} rays, {} hit; {}", o.rays, o.hits, text_of(o, r.allowed()))
           : fmt::format("{} rays, refused: {}", o.rays, o.refusal);
-  return fmt::format("{:<8}{:<32}{}: {}", r.within() ? "ok" : "EXCEEDS", r.stress->full_name(),
+  return fmt::format("{:<8}{:<36}{}: {}", r.within() ? "ok" : "EXCEEDS", r.stress->full_name(),
                      r.stress->about, what);
 }
 

@@ -104,13 +104,15 @@ namespace {
 
 constexpr double kTiny = 0x1p-20;
 
-/// 16 x 16 squares of a millionth, `gap` in front of a wall that fills the scene, around `middle`.
+/// 16 x 16 squares of a millionth, `gap` in front of a wall that fills the scene, around `middle`
+/// as it is seen from the origin.
 Scene tiny_before_wall(const glm::dvec3& middle, double gap) {
-  Mesh mesh = moved(wall(2, 1.0, 1.0), {0, 0, 0});
+  Mesh mesh = wall(2, 1.0, 1.0);
   for (int j = -8; j < 8; ++j) {
     for (int i = -8; i < 8; ++i) {
-      add_quad(mesh, middle + glm::dvec3(i * kTiny, j * kTiny, 1.0 - gap), {kTiny, 0, 0},
-               {0, kTiny, 0});
+      const glm::dvec3 corner = middle + glm::dvec3(i * kTiny, j * kTiny, 1.0);
+      add_quad(mesh, (1.0 - gap) * corner, {(1.0 - gap) * kTiny, 0, 0},
+               {0, (1.0 - gap) * kTiny, 0});
     }
   }
   return scene_of(std::move(mesh));

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <map>
 
-#include "units/memory_format.h"
+#include "host/format/memory_format_of.h"
 
 namespace dynrt::host {
 

@@ -13,8 +13,8 @@ import shutil
 import tempfile
 
 import page
-from hardware import DEVICE
-from synthesis import COLUMNS, DEVICES
+from hardware import FAMILY
+from devices import COLUMNS, FAMILIES
 from variants import Refused
 
 PICTURES = "pictures"
@@ -27,7 +27,7 @@ def read(path):
 def collect(folder, scenes, variants, size, build):
     """What error.json holds, and the pictures that it names: where each is now."""
     clock_ns = float(build["variables"]["DYNRT_CLOCK_NS"])
-    report = {"size": size, "clock_ns": clock_ns, "device": DEVICES[DEVICE]["name"],
+    report = {"size": size, "clock_ns": clock_ns, "device": FAMILIES[FAMILY]["name"],
               "reference": next(n for n, v in variants.items() if not v["differs"]),
               "scenes": {}, "variants": {}, "runs": []}
     pictures = {}

@@ -6,23 +6,22 @@
 Usage: hardware.py FOLDER FILE.json
 
 Each unit is synthesized for itself and counted as often as the core has it; what joins them, FIFOs
-and RAMs, is synthesized with the units as black boxes. Figures are kept in the cache by the
-content of the Verilog, as units that do not differ between configurations are many.
+and RAMs, is synthesized with the units as black boxes. Units that do not differ between
+configurations are many, and synthesized once (scripts/synthesis.py).
 """
 
-import hashlib
 import json
 import pathlib
 import re
-import subprocess
 import sys
+import tempfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 # pylint: disable=wrong-import-position
-from build_cache import BuildCache, CacheError
-from synthesis import COLUMNS, DEVICES, SynthesisFailed, synthesize
+import devices
+import synthesis
 
-DEVICE = "ecp5"
+FAMILY = "ecp5"
 JOIN = "dynrt_core"
 LIBRARY = pathlib.Path(__file__).resolve().parents[2] / "rtl" / "lib"
 HEAD = re.compile(r"^module .*?^\);", re.MULTILINE | re.DOTALL)
@@ -38,25 +37,17 @@ def black_box(verilog):
     return "(* blackbox *)\n" + HEAD.search(without_comments(verilog))[0] + "\nendmodule\n"
 
 
-def area(cache, top, texts):
+def area(top, texts):
     """Cells of module `top`, made of sources by file name."""
-    version = subprocess.run(["yosys", "-V"], capture_output=True, text=True, check=True).stdout
-    known = [version, DEVICES[DEVICE], top, texts,
-             {p.name: p.read_text(encoding="utf-8") for p in sorted(LIBRARY.glob("*.v"))}]
-    key = hashlib.sha256(json.dumps(known, sort_keys=True).encode()).hexdigest()[:40]
-
-    def build(folder):
+    with tempfile.TemporaryDirectory() as folder:
         files = sorted(LIBRARY.glob("*.v"))
         for name, text in texts.items():
-            (folder / name).write_text(text, encoding="utf-8")
+            path = pathlib.Path(folder, name)
+            path.write_text(text, encoding="utf-8")
             if name.endswith(".v"):
-                files.append(folder / name)
-        cells, _ = synthesize(DEVICE, top, files, folder)
-        result = folder / "cells.json"
-        result.write_text(json.dumps(cells), encoding="utf-8")
-        return result
-
-    return json.loads(cache.get(f"area-{key}", build).read_text(encoding="utf-8"))
+                files.append(path)
+        cells, _ = synthesis.cells(top, files, devices.FAMILIES[FAMILY]["synth"], top)
+    return devices.area(FAMILY, cells)
 
 
 def schedule(report):
@@ -66,7 +57,7 @@ def schedule(report):
     return {"stages": stages, "longest_path_ns": max(map(float, paths))}
 
 
-def hardware(folder, cache):
+def hardware(folder):
     """Of the core in this folder: what error.json holds of a variant's hardware."""
     core = json.loads((folder / f"{JOIN}.json").read_text(encoding="utf-8"))
     instances = {}
@@ -76,15 +67,15 @@ def hardware(folder, cache):
     units = {}
     for module, count in instances.items():
         report = (folder / f"{module}.txt").read_text(encoding="utf-8")
-        cells = area(cache, module, {f"{module}.v": without_comments(texts[module])})
+        cells = area(module, {f"{module}.v": without_comments(texts[module])})
         units[module] = {"instances": count, "area": cells, **schedule(report)}
     join = {f"{m}.v": black_box(text) for m, text in texts.items()}
     for name in (f"{JOIN}.v", f"{JOIN}.vh"):
         join[name] = without_comments((folder / name).read_text(encoding="utf-8"))
-    units[JOIN] = {"instances": 1, "area": area(cache, JOIN, join)}
+    units[JOIN] = {"instances": 1, "area": area(JOIN, join)}
     longest = max(u["longest_path_ns"] for u in units.values() if "stages" in u)
     return {
-        "area": {c: sum(u["instances"] * u["area"][c] for u in units.values()) for c in COLUMNS},
+        "area": {c: sum(u["instances"] * u["area"][c] for u in units.values()) for c in devices.COLUMNS},
         "units": units,
         "schedule": {"stages": sum(u.get("stages", 0) for u in units.values()),
                      "longest_path_ns": longest, "clock_mhz": round(1000 / longest, 2)},
@@ -94,8 +85,8 @@ def hardware(folder, cache):
 def main():
     folder, output = map(pathlib.Path, sys.argv[1:])
     try:
-        figures = hardware(folder, BuildCache())
-    except (CacheError, SynthesisFailed) as error:
+        figures = hardware(folder)
+    except synthesis.Failed as error:
         sys.exit(str(error))
     output.write_text(json.dumps(figures, indent=1), encoding="utf-8")
 
