@@ -18,6 +18,12 @@ BENCH = pathlib.Path(__file__).resolve().parent / "bench"
 # 30 leaves and 3,000 inner nodes are fetched.
 STAND_IN = '''#!/usr/bin/env python3
 import argparse, json, pathlib, sys
+if sys.argv[1] == "report":
+    out = pathlib.Path(sys.argv[sys.argv.index("--out") + 1])
+    out.mkdir(exist_ok=True)
+    runs = [{"seconds": {"truth": 0.1}}, {"seconds": {"truth": 0.05}}, {"refused": "why"}]
+    out.joinpath("error.json").write_text(json.dumps({"runs": runs}))
+    sys.exit()
 parser = argparse.ArgumentParser()
 parser.add_argument("command")
 parser.add_argument("scene")
@@ -187,6 +193,15 @@ class Bench(unittest.TestCase):
         result = self.bench("--scenes", "--sweep", "plots")
         self.assertEqual(result.returncode, 2)
         self.assertIn("--scenes and --sweep are two tables; ask for one of them", result.stderr)
+
+    def test_report(self):
+        result = self.bench("--report", "--quick", "--json", "report.json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        first, again, truth = json.loads((self.folder / "report.json").read_text())["rows"]
+        self.assertTrue(first["note"].startswith("2 variants on "))
+        self.assertIsNone(first["met"])  # of another size
+        self.assertEqual(again["name"], "the same again")
+        self.assertEqual((truth["reached"], truth["met"]), (128 * 96 / 0.05 / 1e6, True))
 
     def test_sweep_needs_the_rtl(self):
         result = self.bench("--sweep", "plots", rtl=False)
