@@ -12,8 +12,6 @@
 #include <cmath>
 #include <map>
 
-#include "units/memory_format.h"
-
 namespace dynrt::host {
 
 namespace {
@@ -374,10 +372,6 @@ std::optional<PrimitiveId> MatrixOwners::of(std::uint32_t object, std::uint32_t 
   const auto at = std::ranges::lower_bound(numbers, triangle);
   if (at == numbers.end() || *at != triangle) return std::nullopt;
   return PrimitiveId{instance, static_cast<std::uint32_t>(at - numbers.begin())};
-}
-
-double number_of_shipped_format(std::uint32_t bits) {
-  return Real::from_bits(hls::uint<Real::kLeafWidth>::from(bits)).to_double();
 }
 
 ordered_json measure(const Truth& truth, const TruthFrame& expected, const Frame& frame,
