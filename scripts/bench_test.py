@@ -123,6 +123,23 @@ class Bench(unittest.TestCase):
         self.assertIs(row["met"], True)
         self.assertIn("24.5 to 40.0", row["note"])
 
+    def test_truth(self):
+        rows, _ = self.rows()
+        row = rows["truth of rays, per second of two cores"]
+        self.assertIsNone(row["reached"])
+        self.assertIn("truth_bench is not built", row["note"])
+        program = self.folder / "host" / "truth" / "truth_bench"
+        program.parent.mkdir(parents=True)
+        runs = [{"run_type": "iteration", "cpu_time": ms, "rays": 100_000, "tests_per_ray": 3.4,
+                 "exact_per_ray": 0.04} for ms in (400, 1000, 500)]
+        program.write_text(f"#!/bin/sh\necho '{json.dumps({'benchmarks': runs})}'\n",
+                           encoding="utf-8")
+        program.chmod(0o755)
+        row = self.rows()[0]["truth of rays, per second of two cores"]
+        self.assertEqual(row["reached"], 400_000)
+        self.assertIs(row["met"], True)
+        self.assertIn("200,000 to 500,000; 3.4 primitives a ray", row["note"])
+
     def test_round_trip(self):
         rows, _ = self.rows()
         self.assertEqual(rows["traversal round trip, measured"]["reached"], 30)
