@@ -84,6 +84,10 @@ void check_primitives(const Scene& scene, const BoardInfo& board) {
 
 }  // namespace
 
+ImageForm form_for(const BoardInfo& board) {
+  return {board.format, board.triangle_matrix, board.clips_to_cube};
+}
+
 Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
                  const BoardInfo* board) {
   Prepared prepared;
@@ -104,9 +108,7 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
     }
   }
   const auto loaded = std::chrono::steady_clock::now();
-  const ImageForm form =
-      board == nullptr ? ImageForm{}
-                       : ImageForm{board->format, board->triangle_matrix, board->clips_to_cube};
+  const ImageForm form = board == nullptr ? ImageForm{} : form_for(*board);
   {
     check_matrices(prepared.scene, form);
     const Progress progress("building the trees");

@@ -37,6 +37,9 @@ struct Prepared {
   std::string text() const;
 };
 
+/// How a board of this kind wants its memory.
+ImageForm form_for(const BoardInfo& board);
+
 /// For a board of this kind: throws UserError where its configuration lacks one of the scene's
 /// primitives, and judges the scene's lights and mirrors. Without a board it is that of the
 /// configuration thesis, with every primitive, and neither lights nor mirrors are judged.

@@ -40,7 +40,7 @@ std::vector<std::string> groups() {
 int list(std::span<const stress::Case* const> cases) {
   std::string text;
   for (const stress::Case* c : cases) {
-    text += fmt::format("{:<32}{}\n", c->full_name(), c->about);
+    text += fmt::format("{:<36}{}\n", c->full_name(), c->about);
   }
   say(text);
   return kDone;
@@ -61,16 +61,16 @@ int run(const Arguments& arguments) {
   std::vector<stress::Result> results;
   for (const stress::Case* c : cases) {
     {
-      Progress progress(fmt::format("{} ({} of {})", c->full_name(), results.size() + 1,
-                                    cases.size()));
+      Progress progress(
+          fmt::format("{} ({} of {})", c->full_name(), results.size() + 1, cases.size()));
       results.push_back(stress::run_case(*c, boards));
     }
     if (!arguments.markdown) say(stress::line_of(results.back()) + "\n");
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (!arguments.json.empty()) {
-    const auto json = stress::json_of(results, arguments.configuration, arguments.board,
-                                      seconds.count());
+    const auto json =
+        stress::json_of(results, arguments.configuration, arguments.board, seconds.count());
     write_text(arguments.json, json.dump(2) + "\n");
   }
   say(arguments.markdown ? stress::markdown_of(results)
@@ -96,7 +96,8 @@ Command add_stress_command(CLI::App& program) {
       ->add_option("--config", arguments->configuration,
                    "configuration of the core; a few cases need another one and take it")
       ->option_text("NAME [thesis]");
-  command->add_flag("--markdown", arguments->markdown, "print the results as the table of the docs");
+  command->add_flag("--markdown", arguments->markdown,
+                    "print the results as the table of the docs");
   add_json_flag(*command, arguments->json);
   return {command, [arguments] { return run(*arguments); }};
 }

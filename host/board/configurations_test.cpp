@@ -65,8 +65,10 @@ TEST(Configurations, MakesTheModelOfTheNamedConfiguration) {
 TEST(Configurations, WhatIsUnknownIsNamed) {
   EXPECT_THAT(making({.board = "fpga", .configuration = "small", .trace = ""}),
               ThrowsMessage<UserError>("--board fpga: unknown; the boards are rtl and model"));
-  EXPECT_THAT(making({.board = "model", .configuration = "huge", .trace = ""}),
-              ThrowsMessage<UserError>("--config huge: unknown; this build has small, large"));
+  EXPECT_THAT(
+      making({.board = "model", .configuration = "huge", .trace = ""}),
+      ThrowsMessage<UserError>("--config huge: unknown; this build has small, large, and a file "
+                               "FILE.json or FILE.so may be named instead"));
   EXPECT_THAT(making({.board = "model", .configuration = "small", .trace = "a.fst"}),
               ThrowsMessage<UserError>("--trace: only --board rtl has signals to record; leave the "
                                        "flag out or choose that board"));

@@ -24,7 +24,7 @@ using OpenBoard = std::function<std::unique_ptr<Board>(const std::string& config
 
 /// The frames of a trial, and what its numbers of objects and triangles stand for.
 struct Rendered {
-  std::vector<Frame> frames;  ///< one a shot
+  std::vector<Frame> frames;         ///< one a shot
   std::vector<MatrixOwners> owners;  ///< of each frame
 
   std::uint64_t dropped_pushes() const;

@@ -16,10 +16,9 @@ namespace {
 
 std::vector<Case> all_cases() {
   std::vector<Case> all;
-  for (const auto group :
-       {sliver_cases, size_cases, far_cases, plane_cases, grazing_cases, end_cases, edge_cases,
-        degenerate_cases, instance_cases, overlap_cases, stack_cases, exponent_cases, camera_cases,
-        frame_cases}) {
+  for (const auto group : {sliver_cases, size_cases, far_cases, plane_cases, grazing_cases,
+                           end_cases, edge_cases, degenerate_cases, instance_cases, overlap_cases,
+                           stack_cases, exponent_cases, camera_cases, frame_cases}) {
     std::ranges::move(group(), std::back_inserter(all));
   }
   return all;

@@ -11,7 +11,7 @@ namespace dynrt::host::stress {
 namespace {
 
 constexpr int kColumns = 8;
-constexpr double kApart = 0.25;    ///< of the rays' directions
+constexpr double kApart = 0.25;     ///< of the rays' directions
 constexpr double kRadius = 0.0625;  ///< of a target, in directions
 constexpr double kFirst = -0.875;
 
@@ -73,7 +73,8 @@ Trial lower_chain(const MemoryFormat& numbers, int splits, unsigned unused) {
   Mesh mesh;
   for (int k = 0; k <= splits; ++k) add_target(mesh, k + 0.5, k);
   Trial trial{.scene = scene_of(std::move(mesh)), .shots = {at_targets()}};
-  trial.trees = trees_of(numbers, {chain_tree(splits, 1, box_of_targets(splits + 1), unused)}, trial.scene);
+  trial.trees =
+      trees_of(numbers, {chain_tree(splits, 1, box_of_targets(splits + 1), unused)}, trial.scene);
   return trial;
 }
 

@@ -25,15 +25,21 @@ Shot to_lattice(double shift_x, double shift_y) {
 
 Case lattice_case(const std::string& name, const std::string& about, std::vector<Shot> shots,
                   const Allowed& allowed, const std::string& why) {
-  return {"edges", name, about,
+  return {"edges",
+          name,
+          about,
           [=](Bench& b) { b.check({.scene = scene_of(lattice(kHalf, bumps)), .shots = shots}); },
-          allowed, why};
+          allowed,
+          why};
 }
 
-/// From inside the sphere to all its vertices, or to the middles of its edges, the sphere somewhere.
+/// From inside the sphere to all its vertices, or to the middles of its edges, the sphere
+/// somewhere.
 Case sphere_case(const std::string& name, const std::string& about, bool vertices,
                  const glm::dvec3& centre, const Allowed& allowed, const std::string& why) {
-  return {"edges", name, about,
+  return {"edges",
+          name,
+          about,
           [=](Bench& b) {
             Mesh mesh = moved(sphere(b.numbers(), 2), centre);
             for (glm::dvec3& vertex : mesh.vertices) vertex = on_grid(b.numbers(), vertex);
@@ -50,7 +56,8 @@ Case sphere_case(const std::string& name, const std::string& about, bool vertice
             }
             b.check(trial);
           },
-          allowed, why};
+          allowed,
+          why};
 }
 
 void run_cube_corners(Bench& b) {
@@ -71,8 +78,9 @@ void run_t_junctions(Bench& b) {
   Mesh mesh;
   add_quad(mesh, {-1, -1, 1}, {1, 0, 0}, {0, 2, 0});
   for (int i = 0; i < 4; ++i) add_quad(mesh, {0, -1 + 0.5 * i, 1}, {1, 0, 0}, {0, 0.5, 0});
-  b.check({.scene = scene_of(mesh),
-           .shots = {pencil({0, 0, 0}, {-0.25, -0.9375, 1}, {0.0625, 0, 0}, {0, 0.0625, 0}, 9, 31)}});
+  b.check(
+      {.scene = scene_of(mesh),
+       .shots = {pencil({0, 0, 0}, {-0.25, -0.9375, 1}, {0.0625, 0, 0}, {0, 0.0625, 0}, 9, 31)}});
 }
 
 /// The triangles of a lattice one by one: each ray must be claimed by exactly one of them.
@@ -109,21 +117,37 @@ std::vector<Case> edge_cases() {
                    {to_lattice(0x1p-9, 0x1p-10), to_lattice(-0x1p-10, 0x1p-9)}, {}, ""),
       sphere_case("sphere_vertices", "from the centre of a sphere of 320 triangles to its vertices",
                   true, {0, 0, 0}, {.lost = 12}, reasons::kCracks),
-      sphere_case("sphere_edges", "from the centre of the sphere to its edges", false, {0, 0, 0}, {.lost = 12}, reasons::kCracks),
+      sphere_case("sphere_edges", "from the centre of the sphere to its edges", false, {0, 0, 0},
+                  {.lost = 12}, reasons::kCracks),
       sphere_case("sphere_vertices_at_256", "the same to its vertices, the sphere 256 radii away",
                   true, {256, 0, 0}, {.lost = 53, .distance = 1.9e-3}, reasons::kCracks),
-      {"edges", "cube_corners", "from inside a cube to its corners, edges and faces",
-       run_cube_corners, {}, ""},
-      {"edges", "t_junctions", "to and around an edge on which three vertices of others lie",
-       run_t_junctions, {}, ""},
-      {"edges", "silhouette", "past a sphere of 320 triangles, from 3 radii",
+      {"edges",
+       "cube_corners",
+       "from inside a cube to its corners, edges and faces",
+       run_cube_corners,
+       {},
+       ""},
+      {"edges",
+       "t_junctions",
+       "to and around an edge on which three vertices of others lie",
+       run_t_junctions,
+       {},
+       ""},
+      {"edges",
+       "silhouette",
+       "past a sphere of 320 triangles, from 3 radii",
        [](Bench& b) {
          b.check({.scene = scene_of(sphere(b.numbers(), 2)),
                   .shots = {picture({1, 0.75, 3}, {0, 0, 0}, 40, 32, 32)}});
        },
-       {}, ""},
-      {"edges", "one_by_one", "eight triangles around a vertex, each alone, by rays through edges",
-       run_one_by_one, {.twice = 38}, "an edge belongs to both its triangles where both maps round to it"},
+       {},
+       ""},
+      {"edges",
+       "one_by_one",
+       "eight triangles around a vertex, each alone, by rays through edges",
+       run_one_by_one,
+       {.twice = 38},
+       "an edge belongs to both its triangles where both maps round to it"},
   };
 }
 

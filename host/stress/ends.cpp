@@ -69,9 +69,8 @@ void run_reflection_starts(Bench& b) {
   constexpr std::uint32_t kRed = 0xff;
   Scene scene = scene_of(cube(1.0));
   scene.materials[0] = {.name = "mirror", .diffuse = {0, 1, 0}, .mirror = 0.75};
-  Trial trial{.scene = scene,
-              .shots = all_around({0.25, 0.125, -0.5}, kSide),
-              .configuration = "whitted"};
+  Trial trial{
+      .scene = scene, .shots = all_around({0.25, 0.125, -0.5}, kSide), .configuration = "whitted"};
   for (Shot& shot : trial.shots) shot.options.background = kRed;
   for (const Frame& frame : b.render(trial).frames) {
     for (const std::uint32_t pixel : frame.pixels) {
@@ -84,31 +83,49 @@ void run_reflection_starts(Bench& b) {
 
 std::vector<Case> end_cases() {
   return {
-      {"ends", "on_surface_outward", "from points of a cube's faces outward: there is nothing to hit",
-       [](Bench& b) { b.check(from_faces(-1)); }, {.invented = 12},
+      {"ends",
+       "on_surface_outward",
+       "from points of a cube's faces outward: there is nothing to hit",
+       [](Bench& b) { b.check(from_faces(-1)); },
+       {.invented = 12},
        reasons::kNoZero},
-      {"ends", "on_surface_inward", "from points of a cube's faces inward, to the other faces",
-       [](Bench& b) { b.check(from_faces(1)); }, {.wrong = 72},
+      {"ends",
+       "on_surface_inward",
+       "from points of a cube's faces inward, to the other faces",
+       [](Bench& b) { b.check(from_faces(1)); },
+       {.wrong = 72},
        reasons::kNoZero},
-      {"ends", "inside_sphere", "from a point inside a closed sphere of 320 triangles, all around",
+      {"ends",
+       "inside_sphere",
+       "from a point inside a closed sphere of 320 triangles, all around",
        [](Bench& b) {
          b.check({.scene = scene_of(sphere(b.numbers(), 2)),
                   .shots = all_around({0.25, 0.125, -0.5}, kSide)});
        },
-       {}, ""},
-      {"ends", "pointing_away", "from just outside the faces of a cube outward",
+       {},
+       ""},
+      {"ends",
+       "pointing_away",
+       "from just outside the faces of a cube outward",
        [](Bench& b) {
          Trial trial = from_faces(-1);
          for (Shot& shot : trial.shots) shot.camera.position *= 1.0 + 0x1p-12;
          b.check(trial);
        },
-       {}, ""},
-      {"ends", "light_at_surface",
+       {},
+       ""},
+      {"ends",
+       "light_at_surface",
        "light rays that end exactly at the walls of a cube, of which nothing lies in shadow",
-       run_light_ends, {}, ""},
-      {"ends", "reflection_from_surface",
+       run_light_ends,
+       {},
+       ""},
+      {"ends",
+       "reflection_from_surface",
        "up to seven reflections in a closed room of mirrors, none of which may get out",
-       run_reflection_starts, {}, ""},
+       run_reflection_starts,
+       {},
+       ""},
   };
 }
 

@@ -26,21 +26,26 @@ Trial sphere_at(const MemoryFormat& numbers, const glm::dvec3& centre) {
 
 Case far_scene(int exponent, const Allowed& allowed, const std::string& why) {
   const double distance = std::pow(10.0, exponent);
-  return {"far", fmt::format("scene_1e{}", exponent),
+  return {"far",
+          fmt::format("scene_1e{}", exponent),
           fmt::format("a sphere of radius 1 at 10^{} from the origin, seen from 3 radii", exponent),
-          [=](Bench& b) { b.check(sphere_at(b.numbers(), distance * kAway)); }, allowed, why};
+          [=](Bench& b) { b.check(sphere_at(b.numbers(), distance * kAway)); },
+          allowed,
+          why};
 }
 
 Case far_camera(int exponent, const Allowed& allowed, const std::string& why) {
   const double distance = std::pow(10.0, exponent);
-  return {"far", fmt::format("camera_1e{}", exponent),
+  return {"far",
+          fmt::format("camera_1e{}", exponent),
           fmt::format("a sphere of radius 1 at the origin, seen from 10^{} radii", exponent),
           [=](Bench& b) {
             b.check({.scene = scene_of(sphere(b.numbers(), 2)),
                      .shots = {picture(distance * kAway, {0, 0, 0}, 160 / distance, kSide, kSide)},
                      .rays = Rays::kOfCamera});
           },
-          allowed, why};
+          allowed,
+          why};
 }
 
 void run_far_instance(Bench& b) {
@@ -64,11 +69,18 @@ std::vector<Case> far_cases() {
       far_scene(4, {.lost = 20, .invented = 12, .wrong = 124, .distance = 6.1e-2}, kStep),
       far_scene(5, {.lost = 135, .invented = 54, .wrong = 130, .distance = 1.9e-2}, kStep),
       far_scene(6, {.lost = 233, .invented = 115, .wrong = 35}, kStep),
-      {"far", "sphere_148376", "a sphere of radius 1 at (148376, 1234, -223423)",
+      {"far",
+       "sphere_148376",
+       "a sphere of radius 1 at (148376, 1234, -223423)",
        [](Bench& b) { b.check(sphere_at(b.numbers(), {148376, 1234, -223423})); },
-       {.lost = 225, .invented = 77, .wrong = 43}, kStep},
-      {"far", "instance_1e4", "a sphere around its own origin, placed 10^4 radii away",
-       run_far_instance, {}, ""},
+       {.lost = 225, .invented = 77, .wrong = 43},
+       kStep},
+      {"far",
+       "instance_1e4",
+       "a sphere around its own origin, placed 10^4 radii away",
+       run_far_instance,
+       {},
+       ""},
       far_camera(2, {}, ""),
       far_camera(4, {.lost = 5, .invented = 24},
                  "a step of a direction is a thirteenth of a radius there"),

@@ -23,14 +23,17 @@ Trial spheres_in_a_room(const MemoryFormat& numbers) {
 
 Case same_bits(const std::string& name, const std::string& about,
                const std::function<void(FrameOptions&)>& change) {
-  return {"frames", name, about,
+  return {"frames",
+          name,
+          about,
           [change](Bench& b) {
             Trial trial = spheres_in_a_room(b.numbers());
             const Rendered plain = b.check(trial);
             change(trial.shots[0].options);
             b.expect_same(b.render(trial), plain);
           },
-          {}, ""};
+          {},
+          ""};
 }
 
 }  // namespace
@@ -47,12 +50,15 @@ std::vector<Case> frame_cases() {
                 [](FrameOptions& o) { o.order = RayOrder::kScanline; }),
       same_bits("uncompressed", "every ray with an origin of its own: the same bits",
                 [](FrameOptions& o) { o.uncompressed = true; }),
-      {"frames", "one_slot", "63 nodes of a tree in one line of 512: the same bits",
+      {"frames",
+       "one_slot",
+       "63 nodes of a tree in one line of 512: the same bits",
        [](Bench& b) {
          const Rendered plain = b.check(lower_chain(b.numbers(), 31));
          b.expect_same(b.check(lower_chain(b.numbers(), 31, kMostLines - 1)), plain);
        },
-       {}, ""},
+       {},
+       ""},
   };
 }
 

@@ -37,17 +37,22 @@ void run(Bench& b, double degrees, const glm::dmat4& turn) {
 }
 
 Case level(const std::string& name, const std::string& angle, double degrees) {
-  return {"grazing", name, "down to a level floor of 128 triangles at " + angle,
-          [=](Bench& b) { run(b, degrees, glm::dmat4(1.0)); }, {}, ""};
+  return {"grazing",
+          name,
+          "down to a level floor of 128 triangles at " + angle,
+          [=](Bench& b) { run(b, degrees, glm::dmat4(1.0)); },
+          {},
+          ""};
 }
 
 /// The floor turned so that no component of anything is simple.
 Case slanting(const std::string& name, const std::string& angle, double degrees,
               const Allowed& allowed) {
-  return {"grazing", "slanting_" + name, "the same to a slanting floor, at " + angle,
+  return {"grazing",
+          "slanting_" + name,
+          "the same to a slanting floor, at " + angle,
           [=](Bench& b) {
-            run(b, degrees,
-                glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, 3))));
+            run(b, degrees, glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, 3))));
           },
           allowed,
           "a step of the direction moves the point that is met by 2^-17 over the angle's sine"};
@@ -62,8 +67,8 @@ std::vector<Case> grazing_cases() {
       level("hundredth_degree", "a hundredth of a degree", 0.01),
       level("thousandth_degree", "a thousandth of a degree", 0.001),
       slanting("half_degree", "half a degree", 0.5, {}),
-      slanting("tenth_degree", "a tenth of a degree", 0.1, {}),
-      slanting("hundredth_degree", "a hundredth of a degree", 0.01, {}),
+      slanting("tenth_degree", "a tenth of a degree", 0.1, {.distance = 3.4e-3}),
+      slanting("hundredth_degree", "a hundredth of a degree", 0.01, {.distance = 3.2e-2}),
   };
 }
 

@@ -44,8 +44,8 @@ struct Outcome {
   std::uint64_t rays = 0;
   std::uint64_t hits = 0;
   std::array<std::uint64_t, kFaults> faults{};
-  double distance = 0;  ///< largest relative error of a hit distance
-  std::uint64_t dropped = 0;  ///< pushes onto full stacks, as the core counts them
+  double distance = 0;               ///< largest relative error of a hit distance
+  std::uint64_t dropped = 0;         ///< pushes onto full stacks, as the core counts them
   std::uint64_t digest = kNoDigest;  ///< of every hit record and pixel
   double seconds = 0;
   std::string refusal;  ///< what the host said

@@ -66,23 +66,46 @@ void run_triangles_in_a_leaf(Bench& b) {
 
 std::vector<Case> overlap_cases() {
   return {
-      {"overlap", "hundred", "a hundred spheres about one centre, each 2^-10 smaller than the last",
+      {"overlap",
+       "hundred",
+       "a hundred spheres about one centre, each 2^-10 smaller than the last",
        [](Bench& b) {
          b.check({.scene = spheres_within(b.numbers(), 100, 0x1p-10), .shots = {at_spheres(16)}});
        },
-       {}, ""},
-      {"overlap", "hundred_coincident", "a hundred times the same sphere",
+       {},
+       ""},
+      {"overlap",
+       "hundred_coincident",
+       "a hundred times the same sphere",
        [](Bench& b) {
          b.check({.scene = spheres_within(b.numbers(), 100, 0), .shots = {at_spheres(16)}});
        },
-       {}, ""},
-      {"overlap", "rooms", "a cube in a sphere in a cube in a cube, from between each two of them",
-       run_rooms, {}, ""},
-      {"overlap", "leaf_of_9_objects", "more objects in a leaf than the mailbox has slots",
-       [](Bench& b) { run_many_in_a_leaf(b, 9); }, {}, ""},
-      {"overlap", "leaf_of_65_objects", "65 objects in a leaf",
-       [](Bench& b) { run_many_in_a_leaf(b, 65); }, {}, ""},
-      {"overlap", "leaf_of_80_triangles", "80 triangles in a leaf", run_triangles_in_a_leaf, {}, ""},
+       {},
+       ""},
+      {"overlap",
+       "rooms",
+       "a cube in a sphere in a cube in a cube, from between each two of them",
+       run_rooms,
+       {},
+       ""},
+      {"overlap",
+       "leaf_of_9_objects",
+       "more objects in a leaf than the mailbox has slots",
+       [](Bench& b) { run_many_in_a_leaf(b, 9); },
+       {},
+       ""},
+      {"overlap",
+       "leaf_of_65_objects",
+       "65 objects in a leaf",
+       [](Bench& b) { run_many_in_a_leaf(b, 65); },
+       {},
+       ""},
+      {"overlap",
+       "leaf_of_80_triangles",
+       "80 triangles in a leaf",
+       run_triangles_in_a_leaf,
+       {},
+       ""},
   };
 }
 

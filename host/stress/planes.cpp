@@ -44,7 +44,8 @@ void run_along_axis(Bench& b, int axis) {
       origin[axis] = 0.125;
       origin[(axis + 1) % 3] = 0.25 * i;
       origin[(axis + 2) % 3] = 0.25 * j;
-      for (const double way : {1.0, -1.0}) trial.shots.push_back(ray(origin, axis_vector(axis, way)));
+      for (const double way : {1.0, -1.0})
+        trial.shots.push_back(ray(origin, axis_vector(axis, way)));
     }
   }
   b.check(trial);
@@ -69,8 +70,8 @@ void run_in_splitting_plane(Bench& b) {
   }
   SceneTrees trees;
   trees.objects = {tree};
-  trees.instances = build_instance_tree(trial.scene, std::vector<Aabb>{box},
-                                        {.grid = Grid(b.numbers())});
+  trees.instances =
+      build_instance_tree(trial.scene, std::vector<Aabb>{box}, {.grid = Grid(b.numbers())});
   trial.trees = trees;
   for (const double x : {-0.5, 0.0, 0.5}) {
     for (int j = -7; j < 8; ++j) {
@@ -127,19 +128,38 @@ void run_smallest_components(Bench& b) {
 
 std::vector<Case> plane_cases() {
   return {
-      {"planes", "along_x", "from inside a cube of 192 triangles along x, through vertices and edges",
-       [](Bench& b) { run_along_axis(b, 0); }, {}, ""},
+      {"planes",
+       "along_x",
+       "from inside a cube of 192 triangles along x, through vertices and edges",
+       [](Bench& b) { run_along_axis(b, 0); },
+       {},
+       ""},
       {"planes", "along_y", "the same along y", [](Bench& b) { run_along_axis(b, 1); }, {}, ""},
       {"planes", "along_z", "the same along z", [](Bench& b) { run_along_axis(b, 2); }, {}, ""},
-      {"planes", "in_splitting_plane",
+      {"planes",
+       "in_splitting_plane",
        "in splitting planes of a tree made by hand, where leaves and triangles meet",
-       run_in_splitting_plane, {}, ""},
-      {"planes", "in_box_plane", "in the lowest plane of the scene's box, along a floor to a post",
-       run_in_box_plane, {}, ""},
-      {"planes", "in_triangle_plane", "in the plane of 32 triangles, to a wall behind them",
-       run_in_triangle_plane, {}, ""},
-      {"planes", "smallest_components", "all components of the direction but one of magnitude 2^-63",
-       run_smallest_components, {}, ""},
+       run_in_splitting_plane,
+       {},
+       ""},
+      {"planes",
+       "in_box_plane",
+       "in the lowest plane of the scene's box, along a floor to a post",
+       run_in_box_plane,
+       {},
+       ""},
+      {"planes",
+       "in_triangle_plane",
+       "in the plane of 32 triangles, to a wall behind them",
+       run_in_triangle_plane,
+       {},
+       ""},
+      {"planes",
+       "smallest_components",
+       "all components of the direction but one of magnitude 2^-63",
+       run_smallest_components,
+       {},
+       ""},
   };
 }
 

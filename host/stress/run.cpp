@@ -40,12 +40,13 @@ std::string line_of(const Result& r) {
       o.refusal.empty()
           ? fmt::format("{} rays, {} hit; {}", o.rays, o.hits, text_of(o, r.allowed()))
           : fmt::format("{} rays, refused: {}", o.rays, o.refusal);
-  return fmt::format("{:<8}{:<32}{}: {}", r.within() ? "ok" : "EXCEEDS", r.stress->full_name(),
+  return fmt::format("{:<8}{:<36}{}: {}", r.within() ? "ok" : "EXCEEDS", r.stress->full_name(),
                      r.stress->about, what);
 }
 
 std::string summary_of(std::span<const Result> results, double seconds) {
-  const auto exceeding = std::ranges::count_if(results, [](const Result& r) { return !r.within(); });
+  const auto exceeding =
+      std::ranges::count_if(results, [](const Result& r) { return !r.within(); });
   return fmt::format("{} cases, {} rays, {} hit; {} exceed what is allowed; {:.1f} s; digest {}",
                      results.size(), sum(results, &Outcome::rays), sum(results, &Outcome::hits),
                      exceeding == 0 ? "none" : fmt::format("{}", exceeding), seconds,
@@ -77,13 +78,13 @@ Json json_of(std::span<const Result> results, const std::string& configuration,
                      {"seconds", r.outcome.seconds},
                      {"within", r.within()}});
   }
-  return {{"board", board},
-          {"configuration", configuration},
-          {"cases", cases},
-          {"exceeding",
-           std::ranges::count_if(results, [](const Result& r) { return !r.within(); })},
-          {"digest", hex(digest_of(results))},
-          {"seconds", seconds}};
+  return {
+      {"board", board},
+      {"configuration", configuration},
+      {"cases", cases},
+      {"exceeding", std::ranges::count_if(results, [](const Result& r) { return !r.within(); })},
+      {"digest", hex(digest_of(results))},
+      {"seconds", seconds}};
 }
 
 std::string markdown_of(std::span<const Result> results) {

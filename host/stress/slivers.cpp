@@ -32,12 +32,15 @@ Shot across_strip(double width, double middle) {
 
 Case strip_case(const std::string& name, const std::string& about, double width, double middle,
                 const Allowed& allowed, const std::string& why) {
-  return {"slivers", name, about,
-          [=](Bench& b) {
-            b.check({.scene = scene_of(strip(width, middle)),
-                     .shots = {across_strip(width, middle)}});
-          },
-          allowed, why};
+  return {
+      "slivers",
+      name,
+      about,
+      [=](Bench& b) {
+        b.check({.scene = scene_of(strip(width, middle)), .shots = {across_strip(width, middle)}});
+      },
+      allowed,
+      why};
 }
 
 /// Needles from one point to a far edge of `width` each.
@@ -52,9 +55,9 @@ Mesh fan(double width) {
 void run_fan(Bench& b) {
   const double width = 0x1p-13;
   b.check({.scene = scene_of(fan(width)),
-           .shots = {pencil({0, 0, 0}, {-4 * width, 0.0, 1.0}, {width / 4, 0, 0}, {0, 0.0625, 0},
-                            32, 8),
-                     ray({0, 0, 0}, {0, -0.5, 1.0})}});
+           .shots = {
+               pencil({0, 0, 0}, {-4 * width, 0.0, 1.0}, {width / 4, 0, 0}, {0, 0.0625, 0}, 32, 8),
+               ray({0, 0, 0}, {0, -0.5, 1.0})}});
 }
 
 /// A sphere pressed flat, seen from its centre: the triangles at its rim are slivers.
@@ -73,16 +76,27 @@ void run_disc(Bench& b) {
 
 std::vector<Case> sliver_cases() {
   return {
-      strip_case("aspect_1e2", "32 slivers 1 long and 2^-7 wide, rays in them and along their edges",
-                 0x1p-7, 0, {}, ""),
+      strip_case("aspect_1e2",
+                 "32 slivers 1 long and 2^-7 wide, rays in them and along their edges", 0x1p-7, 0,
+                 {}, ""),
       strip_case("aspect_1e4", "the same, 2^-13 wide", 0x1p-13, 0, {}, ""),
       strip_case("aspect_1e6", "the same, 2^-20 wide", 0x1p-20, 0, {}, ""),
-      strip_case("aspect_1e4_off_axis", "the same, 2^-13 wide and 3/4 beside the axis, where that is "
-                 "16 steps of the numbers", 0x1p-13, 0.75, {}, ""),
-      {"slivers", "fan_1e4", "32 needles from one vertex to an edge of 2^-13, and a ray to the vertex",
-       run_fan, {}, ""},
-      {"slivers", "disc", "a sphere pressed to 2^-10 of its height, seen from its centre",
-       run_disc, {.lost = 8}, reasons::kCracks},
+      strip_case("aspect_1e4_off_axis",
+                 "the same, 2^-13 wide and 3/4 beside the axis, where that is "
+                 "16 steps of the numbers",
+                 0x1p-13, 0.75, {}, ""),
+      {"slivers",
+       "fan_1e4",
+       "32 needles from one vertex to an edge of 2^-13, and a ray to the vertex",
+       run_fan,
+       {},
+       ""},
+      {"slivers",
+       "disc",
+       "a sphere pressed to 2^-10 of its height, seen from its centre",
+       run_disc,
+       {.lost = 8},
+       reasons::kCracks},
   };
 }
 
@@ -90,13 +104,15 @@ namespace {
 
 constexpr double kTiny = 0x1p-20;
 
-/// 16 x 16 squares of a millionth, `gap` in front of a wall that fills the scene, around `middle`.
+/// 16 x 16 squares of a millionth, `gap` in front of a wall that fills the scene, around `middle`
+/// as it is seen from the origin.
 Scene tiny_before_wall(const glm::dvec3& middle, double gap) {
-  Mesh mesh = moved(wall(2, 1.0, 1.0), {0, 0, 0});
+  Mesh mesh = wall(2, 1.0, 1.0);
   for (int j = -8; j < 8; ++j) {
     for (int i = -8; i < 8; ++i) {
-      add_quad(mesh, middle + glm::dvec3(i * kTiny, j * kTiny, 1.0 - gap), {kTiny, 0, 0},
-               {0, kTiny, 0});
+      const glm::dvec3 corner = middle + glm::dvec3(i * kTiny, j * kTiny, 1.0);
+      add_quad(mesh, (1.0 - gap) * corner, {(1.0 - gap) * kTiny, 0, 0},
+               {0, (1.0 - gap) * kTiny, 0});
     }
   }
   return scene_of(std::move(mesh));
@@ -113,30 +129,36 @@ Shot at_tiny(const glm::dvec3& middle) {
 
 std::vector<Case> size_cases() {
   return {
-      {"sizes", "millionth_on_axis",
+      {"sizes",
+       "millionth_on_axis",
        "256 squares of a millionth of the scene 2^-10 before a wall that fills it, around the axis",
        [](Bench& b) {
          b.check({.scene = tiny_before_wall({0, 0, 0}, 0x1p-10), .shots = {at_tiny({0, 0, 0})}});
        },
-       {}, ""},
-      {"sizes", "millionth_off_axis",
+       {},
+       ""},
+      {"sizes",
+       "millionth_off_axis",
        "the same around (1/2, 1/2), where a millionth is an eighth of a step of the numbers",
        [](Bench& b) {
          b.check({.scene = tiny_before_wall({0.5, 0.5, 0}, 0x1p-10),
                   .shots = {at_tiny({0.5, 0.5, 0})},
                   .rays = Rays::kOfCamera});
        },
-       {}, ""},
-      {"sizes", "huge_around_small",
+       {},
+       ""},
+      {"sizes",
+       "huge_around_small",
        "a cube within a cube 2^20 times as large, seen from between them",
        [](Bench& b) {
          Scene scene = scene_of(cube(1.0));
          add(scene, cube(0x1p20));
          b.check({.scene = scene,
-                  .shots = {pencil({0, 0, -4}, {-0.9375, -0.9375, 1}, {0.0625, 0, 0}, {0, 0.0625, 0},
-                                   31, 31)}});
+                  .shots = {pencil({0, 0, -4}, {-0.9375, -0.9375, 1}, {0.0625, 0, 0},
+                                   {0, 0.0625, 0}, 31, 31)}});
        },
-       {}, ""},
+       {},
+       ""},
   };
 }
 

@@ -28,23 +28,30 @@ constexpr char kWhy60[] = "29 of 60 pushes find the stack full: as many leaves a
 
 std::vector<Case> stack_cases() {
   return {
-      stack_case("objects_tree_31", "31 planes before the nearest leaf of an object's tree",
-                 [](const auto& n) { return lower_chain(n, 31); }, {}, ""),
-      stack_case("objects_tree_32", "32 planes", [](const auto& n) { return lower_chain(n, 32); }, {.lost = 1},
-                 kWhy32),
-      stack_case("objects_tree_60", "60 planes", [](const auto& n) { return lower_chain(n, 60); }, {.lost = 29},
-                 kWhy60),
-      stack_case("scenes_tree_31", "31 planes before the nearest leaf of the scene's tree",
-                 [](const auto& n) { return upper_chain(n, 31); }, {}, ""),
-      stack_case("scenes_tree_32", "32 planes", [](const auto& n) { return upper_chain(n, 32); }, {.lost = 1},
-                 kWhy32),
-      stack_case("scenes_tree_60", "60 planes", [](const auto& n) { return upper_chain(n, 60); }, {.lost = 29},
-                 kWhy60),
-      stack_case("both_31", "both stacks filled to the last entry", [](const auto&) {
-        return nested_chains(31, 31);
-      }, {}, ""),
-      stack_case("both_40", "40 planes on either level", [](const auto&) { return nested_chains(40, 40); },
-                 {.lost = 25}, "9 of 40 leaves on either level are not entered"),
+      stack_case(
+          "objects_tree_31", "31 planes before the nearest leaf of an object's tree",
+          [](const auto& n) { return lower_chain(n, 31); }, {}, ""),
+      stack_case(
+          "objects_tree_32", "32 planes", [](const auto& n) { return lower_chain(n, 32); },
+          {.lost = 1}, kWhy32),
+      stack_case(
+          "objects_tree_60", "60 planes", [](const auto& n) { return lower_chain(n, 60); },
+          {.lost = 29}, kWhy60),
+      stack_case(
+          "scenes_tree_31", "31 planes before the nearest leaf of the scene's tree",
+          [](const auto& n) { return upper_chain(n, 31); }, {}, ""),
+      stack_case(
+          "scenes_tree_32", "32 planes", [](const auto& n) { return upper_chain(n, 32); },
+          {.lost = 1}, kWhy32),
+      stack_case(
+          "scenes_tree_60", "60 planes", [](const auto& n) { return upper_chain(n, 60); },
+          {.lost = 29}, kWhy60),
+      stack_case(
+          "both_31", "both stacks filled to the last entry",
+          [](const auto&) { return nested_chains(31, 31); }, {}, ""),
+      stack_case(
+          "both_40", "40 planes on either level", [](const auto&) { return nested_chains(40, 40); },
+          {.lost = 25}, "9 of 40 leaves on either level are not entered"),
   };
 }
 

@@ -25,9 +25,10 @@ Shot shot(const Camera& camera, unsigned width, unsigned height) {
 
 /// A direction as the transformation unit computes it (units/transformation.h): of what has no
 /// part in it a smallest number is added, which none but a component of zero notices.
-double component(const MemoryFormat& n, double across, double x, double down, double y, double first) {
-  const double sum = n.round(n.round(n.round(across) * n.round(x)) +
-                               n.round(n.round(down) * n.round(y)));
+double component(const MemoryFormat& n, double across, double x, double down, double y,
+                 double first) {
+  const double sum =
+      n.round(n.round(n.round(across) * n.round(x)) + n.round(n.round(down) * n.round(y)));
   const double c = n.round(sum + n.round(first));
   return std::abs(c) <= 4 * n.smallest ? 0 : c;
 }

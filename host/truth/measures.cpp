@@ -12,7 +12,7 @@
 #include <cmath>
 #include <map>
 
-#include "units/memory_format.h"
+#include "host/format/memory_format_of.h"
 
 namespace dynrt::host {
 
@@ -368,9 +368,7 @@ std::optional<PrimitiveId> MatrixOwners::of(std::uint32_t object, std::uint32_t 
   return PrimitiveId{instance, static_cast<std::uint32_t>(at - numbers.begin())};
 }
 
-double number_of_shipped_format(std::uint32_t bits) {
-  return Real::from_bits(hls::uint<Real::kLeafWidth>::from(bits)).to_double();
-}
+double number_of_shipped_format(std::uint32_t bits) { return kShippedFormat.number(bits); }
 
 ordered_json measure(const Truth& truth, const TruthFrame& expected, const Frame& frame,
                      const MatrixOwners& owners, const NumberOf& number) {
