@@ -130,7 +130,7 @@ class Generate(unittest.TestCase):
                             "configuration 'tiny': unknown key 'lihgts'; the keys are about, rtl, "
                             "packets, lines, stack_depth, mailbox_slots, exponent_bits, "
                             "mantissa_bits, rounding, epsilon, sram_latency, lights, reflections, "
-                            "scan_out, crossing, object_box, triangle_matrix, primitives")
+                            "scan_out, crossing, object_box, divider, triangle_matrix, primitives")
         self.assert_refused(json.dumps({"tiny": {k: GOOD[k] for k in GOOD if k != "lines"}}),
                             "configuration 'tiny': lacks the key 'lines' (lines of each cache), "
                             "a power of two from 1 to 512")

@@ -33,6 +33,14 @@ inline constexpr bool kRemembersChild = kHasMirrors<C> && C::kCrossing == Crossi
 template <class C>
 inline constexpr bool kClipsToBox = C::kObjectBox == ObjectBox::kUnit;
 
+/// Whether the traversal knows the reciprocals of the directions instead of the directions.
+template <class C>
+inline constexpr bool kHasReciprocals = C::kDivider == Divider::kReciprocal;
+
+/// Whether rays that enter an object go through further units before their traversal begins.
+template <class C>
+inline constexpr bool kPassesObjectRays = kClipsToBox<C>;
+
 /// Whether triangles are stored in three columns (thesis 5.1.1).
 template <class C>
 inline constexpr bool kThreeColumns = C::kTriangleMatrix == TriangleMatrix::kMemoryEfficient;

@@ -20,15 +20,17 @@ struct PacketDecoder {
   hls::In<PacketVector<C>> vector;
   hls::RamRead<JobRecord<C>, kPackets> record;
   hls::Out<UnitRay<C>> unit_ray;
-  hls::PortIf<!kClipsToBox<C>, hls::Out<TraversalEvent<C>>> enter_object;
-  hls::PortIf<kClipsToBox<C>, hls::Out<ObjectRay<C>>> object_ray;
-  hls::RamWrite<Ray<Real>, kLevelRows<C>> ray[kRays];
+  hls::PortIf<!kPassesObjectRays<C> && !kHasReciprocals<C>, hls::Out<TraversalEvent<C>>>
+      enter_object;
+  hls::PortIf<kPassesObjectRays<C> && !kHasReciprocals<C>, hls::Out<ObjectRay<C>>> object_ray;
+  hls::PortIf<kHasReciprocals<C>, hls::Out<TracedRay<C>>> traced;
+  hls::PortIf<!kHasReciprocals<C>, hls::RamWrite<Ray<Real>, kLevelRows<C>>> ray[kRays];
   hls::PortIf<kSplitsPackets<C>, hls::RamWrite<DirectionSigns, kLevelRows<C>>> signs[kRays];
   hls::RamWrite<Vector<Real>, kVectorRows<C>> vectors;
   /// The world rays, each with its origin; light rays, which nothing is derived from, left out.
   hls::PortIf<kHasSecondary<C>, hls::RamWrite<Ray<Real>, kRayRows<C>>> arriving;
   hls::PortIf<kHasMirrors<C>, hls::Out<Derive<C>>> derived;  ///< a pass that is not a ray's last
-  HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, ray[0], ray[1], ray[2], ray[3],
+  HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, traced, ray[0], ray[1], ray[2], ray[3],
             signs[0], signs[1], signs[2], signs[3], vectors, arriving, derived)
 
   void step() {
@@ -64,13 +66,21 @@ struct PacketDecoder {
     if (!in.point) {
       for (unsigned i = 0; i < kRays; ++i) {
         if (!triangle && in.ray == RayIndex::from(i)) {
-          ray[i].write(row, r);
+          if constexpr (!kHasReciprocals<C>) ray[i].write(row, r);
           if constexpr (kSplitsPackets<C>) signs[i].write(row, signs_of(in.vector));
         }
       }
-      if (triangle || is_new) {
+      const bool object = job.kind == TransformKind::kObject;
+      if constexpr (kHasReciprocals<C>) {
+        const Address root = job.extra.template trunc<kAddressBits>();
+        TracedRay<C> trace;
+        trace.is_new = is_new;
+        trace.ray = ObjectRay<C>{in.packet, in.ray, job.active, root, job.apart, r};
+        if (is_new || object) traced.write(trace);
+      }
+      if (triangle || (is_new && !kHasReciprocals<C>)) {
         unit_ray.write(UnitRay<C>{in.packet, in.ray, is_new, r, job.primitive, job.cosine_factor});
-      } else if (job.kind == TransformKind::kObject) {
+      } else if (object && !kHasReciprocals<C>) {
         enter(in, job, r);
       }
     }
@@ -79,7 +89,9 @@ struct PacketDecoder {
  private:
   void enter(const PacketVector<C>& in, const JobRecord<C>& job, const Ray<Real>& r) {
     const Address root = job.extra.template trunc<kAddressBits>();
-    if constexpr (kClipsToBox<C>) {
+    if constexpr (kHasReciprocals<C>) {
+      return;
+    } else if constexpr (kPassesObjectRays<C>) {
       object_ray.write(ObjectRay<C>{in.packet, in.ray, job.active, root, job.apart, r});
     } else if (in.ray == RayIndex(3)) {
       TraversalEvent<C> event;

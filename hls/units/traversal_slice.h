@@ -30,7 +30,7 @@ struct TraversalSlice {
   hls::In<Step<C>> step_in;
   hls::Config<RayIndex> lane;  ///< which ray of the packet this slice serves
   hls::Out<SliceDecision> decision;
-  hls::RamRead<Ray<Real>, kLevelRows<C>> ray;
+  hls::RamRead<Ray<Real>, kLevelRows<C>> ray;  ///< its direction's reciprocals, if there are such
   hls::RamRead<Real, (1u << PacketId<C>::kWidth)> hit_distance;
   hls::PortIf<kHasMirrors<C>, hls::RamRead<Real, (1u << PacketId<C>::kWidth)>> start_distance;
   hls::PortIf<kClipsToBox<C>, hls::RamRead<BoxInterval<C>, (1u << PacketId<C>::kWidth)>> box;
@@ -91,7 +91,7 @@ struct TraversalSlice {
     const Real origin = select_axis(s.node.kind, r.origin);
     const Real direction = select_axis(s.node.kind, r.direction);
     const Real offset = s.node.split - origin;
-    const Real d = offset / direction;
+    const Real d = kHasReciprocals<C> ? offset * direction : offset / direction;
 
     const bool left_first = !offset.sign();
     const bool behind = d.sign();
