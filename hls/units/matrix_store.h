@@ -59,14 +59,14 @@ struct MatrixStore {
     const uint<2> last = stored_three ? uint<2>(kStoredColumns - 1) : uint<2>(3);
     const bool complete = p.columns == last;
     if (r.context.column == uint<2>(0)) {
-      p.extra = stored_three
-                    ? hls::concat(p.extra.template bits<23, 16>(), spare.template trunc<16>())
-                    : spare.template trunc<24>();
+      p.extra = stored_three ? hls::concat(p.extra.template bits<23, 16>(),
+                                           r.line.spare().template trunc<16>())
+                             : r.line.spare().template trunc<24>();
     }
     if (r.context.column == uint<2>(1)) {
-      p.mirror = spare.template trunc<8>();
+      p.mirror = r.line.spare().template trunc<8>();
       if (stored_three)
-        p.extra = hls::concat(spare.template bits<15, 8>(), p.extra.template trunc<16>());
+        p.extra = hls::concat(r.line.spare().template bits<15, 8>(), p.extra.template trunc<16>());
     }
     if constexpr (kScalesCosine<C>) {
       if (r.context.column == last) {
