@@ -68,9 +68,9 @@ struct BoxClip {
   }
 
  private:
-  /// To the slab from -1 to 1 along one axis.
+  /// To the slab from -1 to 1 along one axis. `direction` or its reciprocal, if the core has such.
   static void clip(BoxInterval<C>& inside, Real origin, Real direction) {
-    const Real reciprocal = Real::one() / direction;
+    const Real reciprocal = kHasReciprocals<C> ? direction : Real::one() / direction;
     const Real low = (-Real::one() - origin) * reciprocal;
     const Real high = (Real::one() - origin) * reciprocal;
     const Real enters = direction.sign() ? high : low;

@@ -22,6 +22,12 @@ enum class ObjectBox : std::uint8_t {
   kUnit,   ///< by a unit of its own, as the object's matrix takes the box to a cube
 };
 
+/// How the distance of a node's plane is found: offset over direction (thesis 6.1.1).
+enum class Divider : std::uint8_t {
+  kDigitRecurrence,  ///< by a divider in every slice, rounded once
+  kReciprocal,       ///< by the direction's reciprocal, taken once for each ray and level
+};
+
 /// What is stored of a triangle (thesis 5.1).
 enum class TriangleMatrix : std::uint8_t {
   kNormalConsistent,  ///< 12 numbers: the plane's normal is a row

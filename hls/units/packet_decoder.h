@@ -21,16 +21,18 @@ struct PacketDecoder {
   hls::In<PacketVector<C>> vector;
   hls::RamRead<JobRecord<C>, kPackets> record;
   hls::Out<UnitRay<C>> unit_ray;
-  hls::PortIf<!kPassesObjectRays<C>, hls::Out<TraversalEvent<C>>> enter_object;
-  hls::PortIf<kPassesObjectRays<C>, hls::Out<ObjectRay<C>>> object_ray;
-  hls::RamWrite<Ray<Real>, kLevelRows<C>> ray[kRays];
+  hls::PortIf<!kPassesObjectRays<C> && !kHasReciprocals<C>, hls::Out<TraversalEvent<C>>>
+      enter_object;
+  hls::PortIf<kPassesObjectRays<C> && !kHasReciprocals<C>, hls::Out<ObjectRay<C>>> object_ray;
+  hls::PortIf<kHasReciprocals<C>, hls::Out<TracedRay<C>>> traced;
+  hls::PortIf<!kHasReciprocals<C>, hls::RamWrite<Ray<Real>, kLevelRows<C>>> ray[kRays];
   hls::PortIf<kSplitsPackets<C>, hls::RamWrite<DirectionSigns, kLevelRows<C>>> signs[kRays];
   hls::RamWrite<Vector<Real>, kVectorRows<C>> vectors;
   /// The world rays, each with its origin; light rays, which nothing is derived from, left out.
   hls::PortIf<kHasSecondary<C>, hls::RamWrite<Ray<Real>, kRayRows<C>>> arriving;
   hls::PortIf<kHasMirrors<C>, hls::Out<Derive<C>>> derived;  ///< a pass that is not a ray's last
-  HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, ray[0], ray[1], ray[2], ray[3],
-            signs[0], signs[1], signs[2], signs[3], vectors, arriving, derived)
+  HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, traced, ray[0], ray[1], ray[2],
+            ray[3], signs[0], signs[1], signs[2], signs[3], vectors, arriving, derived)
 
   void step() {
     const PacketVector<C> in = vector.read();
@@ -65,9 +67,17 @@ struct PacketDecoder {
     if (!in.point) {
       for (unsigned i = 0; i < kRays; ++i) {
         if (!triangle && in.ray == RayIndex::from(i)) {
-          ray[i].write(row, r);
+          if constexpr (!kHasReciprocals<C>) ray[i].write(row, r);
           if constexpr (kSplitsPackets<C>) signs[i].write(row, signs_of(in.vector));
         }
+      }
+      const bool object = job.kind == TransformKind::kObject;
+      if constexpr (kHasReciprocals<C>) {
+        const Address root = job.extra.template trunc<kAddressBits>();
+        TracedRay<C> trace;
+        trace.is_new = is_new;
+        trace.ray = ObjectRay<C>{in.packet, in.ray, job.active, root, job.apart, r};
+        if (is_new || object) traced.write(trace);
       }
       if constexpr (kWatertight<C>) {
         UnitRay<C> test;
@@ -78,17 +88,19 @@ struct PacketDecoder {
         if (is_new || (triangle && in.corner.get() == Corner(2))) unit_ray.write(test);
         if (in.corner.get() == Corner(0)) first_corner_ = in.vector;
         if (in.corner.get() == Corner(1)) second_corner_ = in.vector;
-      } else if (triangle || is_new) {
+      } else if (triangle || (is_new && !kHasReciprocals<C>)) {
         unit_ray.write(UnitRay<C>{in.packet, in.ray, is_new, r, job.primitive, job.cosine_factor});
       }
-      if (job.kind == TransformKind::kObject) enter(in, job, r);
+      if (object && !kHasReciprocals<C>) enter(in, job, r);
     }
   }
 
  private:
   void enter(const PacketVector<C>& in, const JobRecord<C>& job, const Ray<Real>& r) {
     const Address root = job.extra.template trunc<kAddressBits>();
-    if constexpr (kPassesObjectRays<C>) {
+    if constexpr (kHasReciprocals<C>) {
+      return;
+    } else if constexpr (kPassesObjectRays<C>) {
       object_ray.write(ObjectRay<C>{in.packet, in.ray, job.active, root, job.apart, r});
     } else if (in.ray == RayIndex(3)) {
       TraversalEvent<C> event;

@@ -73,6 +73,9 @@ enum class TraversalKind : unsigned char {
   kPop,    ///< go on at the node remembered last
 };
 
+/// A repeated job carries how often, less one, in its lowest field.
+using RepeatCount = uint<4>;
+
 /// One of four rays that enter an object.
 template <class C>
 struct ObjectRay {
@@ -83,6 +86,15 @@ struct ObjectRay {
   hls::FieldIf<kSplitsPackets<C>, bool> apart{};
   Ray<typename C::Real> in_object;
   HLS_FIELDS(packet, ray, active, root, apart, in_object)
+};
+
+/// A ray whose direction is yet to be inverted, one axis at a time.
+template <class C>
+struct TracedRay {
+  RepeatCount repeat = 2;  ///< axes less one
+  bool is_new = false;     ///< it enters the top level, not an object
+  ObjectRay<C> ray;
+  HLS_FIELDS(repeat, is_new, ray)
 };
 
 /// Where a ray is within an object's box and may hit something.
@@ -203,9 +215,6 @@ struct TransformExtras {
   PrimitiveField<C> primitive{};               ///< of kTriangle
   HLS_FIELDS(derived, apart, primitive)
 };
-
-/// A repeated job carries how often, less one, in its lowest field.
-using RepeatCount = uint<4>;
 
 template <class C>
 struct TransformJob {

@@ -34,7 +34,7 @@ struct TraversalSlice {
   hls::In<Step<C>> step_in;
   hls::Config<RayIndex> lane;  ///< which ray of the packet this slice serves
   hls::Out<SliceDecision> decision;
-  hls::RamRead<Ray<Real>, kLevelRows<C>> ray;
+  hls::RamRead<Ray<Real>, kLevelRows<C>> ray;  ///< its direction's reciprocals, if there are such
   hls::RamRead<Real, (1u << PacketId<C>::kWidth)> hit_distance;
   hls::PortIf<kHasMirrors<C>, hls::RamRead<Real, (1u << PacketId<C>::kWidth)>> start_distance;
   hls::PortIf<kClipsToBox<C>, hls::RamRead<BoxInterval<C>, (1u << PacketId<C>::kWidth)>> box;
@@ -131,7 +131,7 @@ struct TraversalSlice {
   /// From an origin in the plane no offset but zero is right, and no number is zero.
   static Real distance(Real offset, Real direction, bool in_plane) {
     if (kWidening<C> > 0 && in_plane) return direction.sign() ? -Real{} : Real{};
-    return offset / direction;
+    return kHasReciprocals<C> ? offset * direction : offset / direction;
   }
   bool is_crossing(const StepContext<C>& c) const {
     return c.crossing.get().bit(static_cast<unsigned>(lane.get().raw()));
