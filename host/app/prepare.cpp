@@ -112,7 +112,9 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
   {
     check_matrices(prepared.scene, form);
     const Progress progress("building the trees");
-    prepared.trees = build_scene_trees(prepared.scene, {.grid = Grid(*form.format)});
+    TreeOptions options{.grid = Grid(*form.format)};
+    if (board != nullptr) options.max_depth = max_tree_depth(*board);
+    prepared.trees = build_scene_trees(prepared.scene, options);
   }
   const auto built = std::chrono::steady_clock::now();
   prepared.load_seconds = Seconds(loaded - begin).count();
