@@ -35,7 +35,8 @@ def _text(path):
 @functools.lru_cache(maxsize=None)
 def _meaning(path):
     """A file's text without comments and what they leave behind."""
-    return re.sub(r"\s+", " ", COMMENT.sub(" ", _text(path))).strip()
+    text = re.sub(r"\s+", " ", COMMENT.sub(" ", _text(path))).strip()
+    return f" {text} "
 
 
 def needed(top, files):

@@ -101,9 +101,17 @@ class Generate(unittest.TestCase):
         self.assert_key_refused("epsilon", float("nan"), "(how far outside the unit triangle a "
                                 "hit may lie) is NaN; it must be a number from 0 to 1")
 
+    def test_floats_that_are_too_wide(self):
+        wide = GOOD | {"exponent_bits": 8, "mantissa_bits": 24}
+        self.assert_refused(json.dumps({"wide": wide}),
+                            "configuration 'wide': a float of 1 + 8 + 24 = 33 bits; it must have "
+                            "32 at most")
+        widest = GOOD | {"exponent_bits": 8, "mantissa_bits": 23}
+        self.assertEqual(self.run_on(json.dumps({"widest": widest})).returncode, 0)
+
     def test_values_of_another_type(self):
         self.assert_key_refused("mantissa_bits", "x", "(stored mantissa bits of the float) is "
-                                '"x"; it must be a whole number from 2 to 52')
+                                '"x"; it must be a whole number from 8 to 29')
         self.assert_key_refused("packets", True, "(packets in flight) is true; "
                                 "it must be a whole number from 1 to 64")
         self.assert_key_refused("packets", 4.0, "(packets in flight) is 4.0; "

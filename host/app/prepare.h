@@ -11,15 +11,20 @@
 
 #include "host/app/arguments.h"
 #include "host/board/board.h"
+#include "host/image/fit.h"
 #include "host/image/image.h"
+#include "host/scene/check_lights.h"
 #include "host/scene/scene.h"
 #include "host/tree/scene_trees.h"
 
 namespace dynrt::host {
 
+/// Scene and camera are those of the core's space (host/image/fit.h), the hits' distances too.
 struct Prepared {
   Scene scene;
   Camera camera;
+  Space space;  ///< of the world
+  Headroom headroom;
   SceneTrees trees;
   ObjectImage objects;
   FrameImage frame;
@@ -51,5 +56,11 @@ inline int max_tree_depth(const BoardInfo& board) {
 /// configuration thesis, with every primitive, and neither lights nor mirrors are judged.
 Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
                  const BoardInfo* board = nullptr);
+/// The same for a scene that is there, seen by a camera of its space.
+Prepared prepare(Scene scene, const Camera& camera, unsigned width, unsigned height,
+                 const BoardInfo* board = nullptr);
+
+/// For check_lights(): what a board makes of the numbers of a scene in a space.
+CoreNumbers core_numbers(const BoardInfo& board, const Space& space);
 
 }  // namespace dynrt::host

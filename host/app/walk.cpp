@@ -83,7 +83,7 @@ Walker::Walker(Board& board, const FrameOptions& options, Prepared& prepared,
     : board_(board),
       options_(options),
       prepared_(prepared),
-      camera_(camera),
+      camera_(moved_into(prepared.space, camera)),
       plan_(std::move(plan)) {}
 
 Walker::Result Walker::render_frame(unsigned frame, const PixelProgress& progress) {
