@@ -129,8 +129,8 @@ TEST_F(App, ReportsCountWhatOtherCoresWouldDo) {
   EXPECT_THAT(outcome.out, HasSubstr("pixels that differ between the rows: 0\n"));
   EXPECT_EQ(nlohmann::json::parse(text_of(folder_ / "f.json"))["rows"].size(), 5);
   expect_mistake("report",
-                 "dynrt: report: which one is missing; the reports are overlap, mailbox "
-                 "and clipping\n");
+                 "dynrt: report: which one is missing; the reports are overlap, mailbox, "
+                 "clipping and error\n");
   expect_mistake("report paint", HasSubstr("was not expected: paint; dynrt report --help lists"));
   expect_mistake("report mailbox blocks --size 33x24",
                  "dynrt: --size 33x24: work is counted for packets of 2x2 rays, so both must be "

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "host/board/load_configuration.h"
 #include "host/board/messages.h"
 #include "host/board/rtl_board.h"
 #include "host/error.h"
@@ -28,6 +29,7 @@ bool any(const Configuration&) { return true; }
 bool has_rtl(const Configuration& configuration) { return configuration.rtl != nullptr; }
 
 const Configuration& find(std::span<const Configuration> table, const std::string& name) {
+  if (is_configuration_file(name)) return load_configuration(name);
   const auto found = std::ranges::find(table, name, &Configuration::name);
   if (found == table.end()) {
     refuse(messages::kNoConfiguration, name, list_of(table, any));

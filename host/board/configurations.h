@@ -30,8 +30,8 @@ struct Configuration {
 
 struct BoardRequest {
   std::string board = "rtl";
-  std::string configuration = "thesis";
-  std::string trace;          ///< an FST file, or empty
+  std::string configuration = "thesis";  ///< a name of the table, FILE.so or FILE.json
+  std::string trace;                     ///< an FST file, or empty
   std::string schedule = {};  ///< of the model: the folder of its units' schedules, or empty
 };
 

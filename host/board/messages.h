@@ -24,7 +24,19 @@ inline constexpr char kRefused[] =
     "belong to the core until the interrupt";
 inline constexpr char kOutsideBank[] =
     "board {}: words {} to {} of bank {} are asked for; there are {} banks of {} words";
-inline constexpr char kNoConfiguration[] = "--config {}: unknown; this build has {}";
+inline constexpr char kNoConfiguration[] =
+    "--config {}: unknown; this build has {}, and a file FILE.json or FILE.so may be named instead";
+inline constexpr char kNoConfigurationFile[] = "--config {}: there is no such file";
+inline constexpr char kNotMade[] = "--config {}: {}";
+inline constexpr char kNotALibrary[] =
+    "--config {}: is no whole shared library; make it anew with scripts/configuration";
+inline constexpr char kNotLoaded[] = "--config {}: cannot be loaded: {}";
+inline constexpr char kForeignLibrary[] =
+    "--config {}: is a shared library, but no configuration of dynrt; scripts/configuration makes "
+    "those";
+inline constexpr char kOtherBuild[] =
+    "--config {}: was made of other sources or by another compiler than this program; make it anew "
+    "with scripts/configuration";
 inline constexpr char kNoBoard[] = "--board {}: unknown; the boards are rtl and model";
 inline constexpr char kModelAlone[] =
     "--config {}: is the native model alone, so it has no board rtl; take one of those with "

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "host/error.h"
+#include "host/image/form_trees.h"
 #include "host/image/image.h"
 #include "host/render/render.h"
 #include "host/truth/measures.h"
@@ -54,14 +55,13 @@ Rendered Bench::render(const Trial& trial) {
   const Scene& scene = trial.scene;
   Board& board = trial.configuration.empty() ? boards_.get() : boards_.get(trial.configuration);
   const ImageForm form{board.info().format, board.info().triangle_matrix,
-                       board.info().clips_to_cube};
+                       board.info().clips_to_cube, board.info().triangle_test};
   SceneTrees trees;
   if (trial.trees) {
     trees = *trial.trees;
   } else {
-    TreeOptions options = trial.tree_options;
-    options.grid = Grid(*form.format);
-    trees = build_scene_trees(scene, options);
+    const glm::dvec3 eye = trial.shots.empty() ? glm::dvec3(0.0) : trial.shots[0].camera.position;
+    trees = trees_for(scene, eye, form, trial.tree_options);
   }
   const ObjectImage objects(scene, trees.objects, form);
   if (!trial.trees) {

@@ -12,8 +12,6 @@
 #include <cmath>
 #include <map>
 
-#include "host/format/memory_format_of.h"
-
 namespace dynrt::host {
 
 namespace {
@@ -21,65 +19,72 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr MeasureDefinition kMeasures[] = {
-    {"primary", "rays", "rays", "primary rays: pixels of the image"},
-    {"primary", "hits", "rays", "rays that truly hit something"},
-    {"primary", "missed", "rays", "rays that hit something, of which the record says nothing"},
-    {"primary", "false", "rays", "rays that hit nothing, of which the record says a hit"},
-    {"primary", "wrong_triangle", "rays",
+    {"primary", "rays", "rays", "-", "primary rays: pixels of the image"},
+    {"primary", "hits", "rays", "-", "rays that truly hit something"},
+    {"primary", "missed", "rays", "less",
+     "rays that hit something, of which the record says nothing"},
+    {"primary", "false", "rays", "less", "rays that hit nothing, of which the record says a hit"},
+    {"primary", "wrong_triangle", "rays", "less",
      "rays whose record names a primitive that is neither the nearest, nor tied with it, nor its "
      "neighbour"},
-    {"primary", "neighbour", "rays",
+    {"primary", "neighbour", "rays", "less",
      "rays whose record names another primitive that shares a vertex or an edge with the nearest"},
-    {"primary", "ties", "rays",
+    {"primary", "ties", "rays", "-",
      "rays whose record names another primitive that the ray truly hits at exactly the same "
      "distance: as right as the first"},
-    {"primary", "wrong_share", "1", "(missed + false + wrong_triangle) / rays"},
-    {"primary", "double", "rays",
+    {"primary", "wrong_share", "1", "less", "(missed + false + wrong_triangle) / rays"},
+    {"primary", "double", "rays", "-",
      "hits that two primitives claim at a shared edge: not to be seen in a frame, which records "
-     "one hit a ray; the test of the triangle tests on closed meshes counts them"},
-    {"primary", "t_median", "1",
-     "error of the distance by the true one, |t - t'| / t', of the rays whose record names the "
-     "nearest primitive, one tied with it or a neighbour: the median"},
-    {"primary", "t_p99", "1", "the same: what 99 % do not exceed"},
-    {"primary", "t_max", "1", "the same: the largest"},
-    {"primary", "u_p99", "1",
-     "|u - u'| of the rays whose record names the nearest primitive: what 99 % do not exceed"},
-    {"primary", "u_max", "1", "the same: the largest"},
-    {"primary", "v_p99", "1", "|v - v'| of the same rays: what 99 % do not exceed"},
-    {"primary", "v_max", "1", "the same: the largest"},
-    {"primary", "cosine_p99", "1",
-     "error of the cosine of ray and normal, the ray's direction taken as of length 1, of the same "
-     "rays: what 99 % do not exceed"},
-    {"primary", "cosine_max", "1", "the same: the largest"},
-    {"light", "rays", "rays",
+     "one hit a ray; the mass test of closed meshes counts them"},
+    {"primary", "t_median", "1", "less",
+     "relative error of the distance, abs(t - t') / t', where the record names the nearest "
+     "primitive, one tied with it or a neighbour: the median of these rays"},
+    {"primary", "t_p99", "1", "less",
+     "relative error of the distance, as t_median: 99 % of the rays do not exceed it"},
+    {"primary", "t_max", "1", "less", "relative error of the distance, as t_median: the largest"},
+    {"primary", "u_p99", "1", "less",
+     "error of u, abs(u - u'), where the record names the nearest primitive: 99 % of these rays do "
+     "not exceed it"},
+    {"primary", "u_max", "1", "less", "error of u, as u_p99: the largest"},
+    {"primary", "v_p99", "1", "less",
+     "error of v, abs(v - v'), where the record names the nearest primitive: 99 % of these rays do "
+     "not exceed it"},
+    {"primary", "v_max", "1", "less", "error of v, as v_p99: the largest"},
+    {"primary", "cosine_p99", "1", "less",
+     "error of the cosine of ray and normal, the ray's direction taken as of length 1, where the "
+     "record names the nearest primitive: 99 % of these rays do not exceed it"},
+    {"primary", "cosine_max", "1", "less", "error of the cosine, as cosine_p99: the largest"},
+    {"light", "rays", "rays", "-",
      "light rays: for every surface that a ray hits, one from every light"},
-    {"light", "shadows", "rays", "of them, those that do not reach the surface"},
-    {"light", "judged", "rays",
+    {"light", "shadows", "rays", "-", "of them, those that do not reach the surface"},
+    {"light", "judged", "rays", "-",
      "light rays whose pixel tells what they have found: to the surface of a primary ray that hit "
      "what it should, is no mirror, and would be seen to lack the light"},
-    {"light", "missed", "rays", "of the judged: shadows that are not there in the picture"},
-    {"light", "false", "rays", "of the judged: shadows in the picture where there is none"},
-    {"light", "unexplained", "pixels",
+    {"light", "missed", "rays", "less", "of the judged: shadows that are not there in the picture"},
+    {"light", "false", "rays", "less", "of the judged: shadows in the picture where there is none"},
+    {"light", "unexplained", "pixels", "less",
      "pixels without a mirror whose primary ray hit what it should, that are off by more than "
      "rounding, and that no choice of shadows explains"},
-    {"light", "wrong_share", "1", "(missed + false) / judged"},
-    {"reflection", "rays", "rays", "reflected rays, of all bounces"},
-    {"reflection", "hits", "rays", "of them, those that hit something"},
-    {"reflection", "judged", "pixels", "pixels whose primary ray hit the mirror that it should"},
-    {"reflection", "wrong", "pixels",
+    {"light", "wrong_share", "1", "less", "(missed + false) / judged"},
+    {"reflection", "rays", "rays", "-", "reflected rays, of all bounces"},
+    {"reflection", "hits", "rays", "-", "of them, those that hit something"},
+    {"reflection", "judged", "pixels", "-",
+     "pixels whose primary ray hit the mirror that it should"},
+    {"reflection", "wrong", "pixels", "less",
      "of the judged: those that are off by more than rounding, through what the mirror shows or "
      "through light on it"},
-    {"reflection", "wrong_share", "1", "wrong / judged"},
-    {"image", "pixels", "pixels", "of the image"},
-    {"image", "differ", "pixels", "pixels that differ from the true picture in any bit"},
-    {"image", "differ_share", "1", "differ / pixels"},
-    {"image", "differ_by_10", "pixels",
+    {"reflection", "wrong_share", "1", "less", "wrong / judged"},
+    {"image", "pixels", "pixels", "-", "of the image"},
+    {"image", "differ", "pixels", "less", "pixels that differ from the true picture in any bit"},
+    {"image", "differ_share", "1", "less", "differ / pixels"},
+    {"image", "differ_by_10", "pixels", "less",
      "pixels in which a channel is more than 10 levels of 255 off"},
-    {"image", "psnr", "dB",
+    {"image", "psnr", "dB", "more",
      "20 log10(1 / rms) over all channels, 1 being white; null if the pictures are the same"},
-    {"image", "rms", "levels", "root of the mean square difference over all channels, of 255"},
-    {"image", "mean", "levels", "mean difference over all channels, of 255"},
-    {"image", "largest", "levels", "the largest difference of a channel, of 255"},
+    {"image", "rms", "levels", "less",
+     "root of the mean square difference over all channels, of 255"},
+    {"image", "mean", "levels", "less", "mean difference over all channels, of 255"},
+    {"image", "largest", "levels", "less", "the largest difference of a channel, of 255"},
 };
 
 /// The measures of one group, each set once and in the table's order.
@@ -328,9 +333,10 @@ class Judge {
 std::span<const MeasureDefinition> measures() { return kMeasures; }
 
 std::string measures_table() {
-  std::string out = "| rays | measure | unit | meaning |\n|---|---|---|---|\n";
+  std::string out = "| rays | measure | unit | better | meaning |\n|---|---|---|---|---|\n";
   for (const MeasureDefinition& m : kMeasures) {
-    out += fmt::format("| {} | `{}` | {} | {} |\n", m.group, m.name, m.unit, m.meaning);
+    out +=
+        fmt::format("| {} | `{}` | {} | {} | {} |\n", m.group, m.name, m.unit, m.better, m.meaning);
   }
   return out;
 }
@@ -367,8 +373,6 @@ std::optional<PrimitiveId> MatrixOwners::of(std::uint32_t object, std::uint32_t 
   if (at == numbers.end() || *at != triangle) return std::nullopt;
   return PrimitiveId{instance, static_cast<std::uint32_t>(at - numbers.begin())};
 }
-
-double number_of_shipped_format(std::uint32_t bits) { return kShippedFormat.number(bits); }
 
 ordered_json measure(const Truth& truth, const TruthFrame& expected, const Frame& frame,
                      const MatrixOwners& owners, const NumberOf& number) {

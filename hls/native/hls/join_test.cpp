@@ -313,14 +313,14 @@ TEST(Clocks, TokensTakeTheStagesOfTheirUnitsAndMeetOneAtATime) {
   join.unit("left", "add", left);
   join.unit("right", "slow_add", right);
   join.unit("last", "add", last);
-  auto one = std::make_shared<Byte>(1);
+  auto one = std::make_shared<Byte>(Byte(1));
   join.config("one", one, std::vector{&left.value, &right.value, &last.value});
   auto to_left = join.input("to_left", left.in);
   auto to_right = join.input("to_right", right.in);
   join.channel<Byte>("both", {&left.out, &right.out}, {&last.in});
   auto out = join.output("out", last.out);
-  // The first comes to `last` in clock 9, as one from the left does, which comes before the right in
-  // the list but after it where the left had sent last.
+  // The first comes to `last` in clock 9, as one from the left does, which comes before the right
+  // in the list but after it where the left had sent last.
   for (const unsigned clock : {0, 6, 6}) {
     to_left->push(Byte(10));
     join.arrives("to_left", clock);
