@@ -89,7 +89,7 @@ class Generate(unittest.TestCase):
         self.assert_key_refused("lines", 500, "(lines of each cache) is 500; "
                                 "it must be a power of two from 1 to 512")
         self.assert_key_refused("stack_depth", -3, "(entries of each stack and level) is -3; "
-                                "it must be a whole number from 1 to 31")
+                                "it must be a whole number from 1 to 63")
         self.assert_key_refused("sram_latency", 0, "(clocks from an SRAM bank's address to its "
                                 "data) is 0; it must be a whole number from 3 to 8")
         self.assert_key_refused("lights", 9, "(passes of light rays from a packet's hits, at most) "

@@ -137,7 +137,9 @@ Prepared prepare(Scene scene, const Camera& camera, unsigned width, unsigned hei
   const auto begin = std::chrono::steady_clock::now();
   {
     const Progress progress("building the trees");
-    prepared.trees = trees_for(prepared.scene, prepared.camera.position, form);
+    TreeOptions options;
+    if (board != nullptr) options.max_depth = max_tree_depth(*board);
+    prepared.trees = trees_for(prepared.scene, prepared.camera.position, form, options);
   }
   prepared.tree_seconds = Seconds(std::chrono::steady_clock::now() - begin).count();
   prepared.objects = ObjectImage(prepared.scene, prepared.trees.objects, form);

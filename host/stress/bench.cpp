@@ -11,6 +11,7 @@
 #include "host/image/form_trees.h"
 #include "host/image/image.h"
 #include "host/render/render.h"
+#include "host/truth/measures.h"
 
 namespace dynrt::host::stress {
 
@@ -69,6 +70,12 @@ Rendered Bench::render(const Trial& trial) {
     trees.instances = build_instance_tree(scene, objects.boxes(), options);
   }
   Rendered rendered;
+  const auto owners = std::make_shared<std::vector<MatrixOwners>>();
+  rendered.primitive_of = [owners](std::size_t frame, const HitRecord& hit) {
+    const auto id = owners->at(frame).of(hit.object, hit.triangle);
+    if (!id) throw std::logic_error("a hit record names no primitive of the scene");
+    return *id;
+  };
   std::vector<MemoryRun> runs = objects.memory.runs();
   for (const Shot& shot : trial.shots) {
     const auto [width, height] = std::pair(shot.options.width, shot.options.height);
@@ -93,7 +100,7 @@ Rendered Bench::render(const Trial& trial) {
     }
     for (const std::uint32_t pixel : frame.pixels) outcome_.digest_word(pixel);
     if (frames_ != nullptr) frames_->push_back(frame);
-    rendered.owners.emplace_back(scene, objects, image, form);
+    owners->emplace_back(scene, objects, image, form);
     rendered.frames.push_back(std::move(frame));
   }
   return rendered;
@@ -109,39 +116,36 @@ void Bench::judge(const Trial& trial, const Rendered& rendered) {
   const Truth truth(trial.scene);
   for (std::size_t k = 0; k < rendered.frames.size(); ++k) {
     const Frame& frame = rendered.frames[k];
-    for (unsigned y = 0; y < frame.height; ++y) {
-      for (unsigned x = 0; x < frame.width; ++x) {
-        const TruthRay ray = ray_of(trial.shots[k], x, y, trial.rays, numbers());
-        judge_hit(truth, ray, frame.hits[y * frame.width + x], rendered.owners[k]);
+    for (std::size_t p = 0; p < frame.hits.size(); ++p) {
+      const HitRecord& hit = frame.hits[p];
+      const auto x = static_cast<unsigned>(p % frame.width);
+      const auto y = static_cast<unsigned>(p / frame.width);
+      const TruthRay ray = ray_of(trial.shots[k], x, y, trial.rays, numbers());
+      const std::optional<TruthHit> nearest = truth.nearest(ray);
+      if (hit.hit && nearest) {
+        judge_hit(truth, ray, *nearest, rendered.primitive_of(k, hit), numbers().number(hit.t));
+      } else if (hit.hit) {
+        ++outcome_[Fault::kInvented];
+      } else if (nearest) {
+        ++outcome_[Fault::kLost];
       }
     }
   }
 }
 
-void Bench::judge_hit(const Truth& truth, const TruthRay& ray, const HitRecord& record,
-                      const MatrixOwners& owners) {
-  const std::optional<TruthHit> nearest = truth.nearest(ray);
-  if (!record.hit) {
-    if (nearest) ++outcome_[Fault::kLost];
-    return;
-  }
-  if (!nearest) {
-    ++outcome_[Fault::kInvented];
-    return;
-  }
-  const std::optional<PrimitiveId> id = owners.of(record.object, record.triangle);
-  if (!id) throw std::logic_error("a hit record names no primitive of the scene");
-  double t = nearest->t;
-  if (!nearest->tied_with(*id)) {
-    const auto meeting = truth.meet(ray, *id);
-    if (!meeting || !(std::abs(meeting->t - t) <= kSameSteps * step_of(numbers()) * t)) {
+void Bench::judge_hit(const Truth& truth, const TruthRay& ray, const TruthHit& nearest,
+                      PrimitiveId id, double t) {
+  double expected = nearest.t;
+  if (!nearest.tied_with(id)) {
+    const auto meeting = truth.meet(ray, id);
+    const double near = kSameSteps * step_of(numbers()) * nearest.t;
+    if (!meeting || !(std::abs(meeting->t - nearest.t) <= near)) {
       ++outcome_[Fault::kWrong];
       return;
     }
-    t = meeting->t;
+    expected = meeting->t;
   }
-  const double error = std::abs(numbers().number(record.t) - t) / t;
-  outcome_.distance = std::max(outcome_.distance, error);
+  outcome_.distance = std::max(outcome_.distance, std::abs(t - expected) / expected);
 }
 
 void Bench::expect_same(const Rendered& rendered, const Rendered& expected,

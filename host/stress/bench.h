@@ -15,17 +15,17 @@
 #include "host/render/frame.h"
 #include "host/stress/outcome.h"
 #include "host/stress/trial.h"
-#include "host/truth/measures.h"
 
 namespace dynrt::host::stress {
 
 /// Opens the board of a configuration.
 using OpenBoard = std::function<std::unique_ptr<Board>(const std::string& configuration)>;
 
-/// The frames of a trial, and what its numbers of objects and triangles stand for.
+/// The frames of a trial, and what the numbers in their records stand for.
 struct Rendered {
   std::vector<Frame> frames;         ///< one a shot
-  std::vector<MatrixOwners> owners;  ///< of each frame
+  /// Which primitive a hit of a frame's record is. The trial's scene must still be there.
+  std::function<PrimitiveId(std::size_t frame, const HitRecord& hit)> primitive_of;
 
   std::uint64_t dropped_pushes() const;
 };
@@ -73,8 +73,8 @@ class Bench {
   const Outcome& outcome() const { return outcome_; }
 
  private:
-  void judge_hit(const Truth& truth, const TruthRay& ray, const HitRecord& record,
-                 const MatrixOwners& owners);
+  void judge_hit(const Truth& truth, const TruthRay& ray, const TruthHit& nearest, PrimitiveId id,
+                 double t);
 
   Boards& boards_;
   Outcome outcome_;

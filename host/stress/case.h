@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ struct Case {
   std::function<void(Bench&)> run;
   Allowed unit_triangle{};  ///< of cores with the thesis's triangle test (5.2)
   std::string why{};        ///< it may: the reason for what is allowed
+  /// Of cores with the watertight test, where it is not the same; why, then, needs no reason.
+  std::optional<Allowed> watertight{};
 
   std::string full_name() const { return group + "/" + name; }
 };
