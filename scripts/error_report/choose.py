@@ -9,11 +9,11 @@ pipelines fit. Of two that cost the same that with fewer LUTs is cheaper."""
 
 import sys
 
+import page
 from collect import measures_of
 from report import MISTAKE, Parser, Refused, add_arguments, guarded, measured
 
 DEVICE = {"LUT": 83640, "mult": 156, "BRAM": 208}  # of an LFE5U-85F, as its data sheet has them
-LARGER_IS_BETTER = ("psnr",)
 DEFAULT_MEASURE = "primary.t_p99"
 
 
@@ -27,22 +27,28 @@ def cost(variant, run):
     return part_of_device(variant)[0] * run.get("frame_ms", 1), variant["area"]["LUT"]
 
 
-def find_measure(runs, named):
-    known = list(dict.fromkeys(m for run in runs for m in measures_of(run)))
+def directions():
+    """Whether "less" or "more" is better, of every measure of error."""
+    return {f"{m['group']}.{m['name']}": m["better"] for m in page.read_measures()
+            if m["better"] in ("less", "more")}
+
+
+def check_measure(runs, named):
+    found = {m for run in runs for m in measures_of(run)}
+    known = [m for m in directions() if m in found]
     if named not in known:
         raise Refused(f"--measure {named}: unknown; the measures of this scene are "
                       f"{', '.join(known)}")
-    return named
 
 
 def worse(measure, value):
     """Orders figures of a measure, the least error first."""
-    return -value if measure.split(".")[-1].startswith(LARGER_IS_BETTER) else value
+    return -value if directions()[measure] == "more" else value
 
 
 def holds(measure, value, bound):
     if value is None:  # of a psnr: not one pixel differs
-        return measure.split(".")[-1].startswith(LARGER_IS_BETTER)
+        return directions()[measure] == "more"
     return worse(measure, value) <= worse(measure, bound)
 
 
@@ -52,7 +58,7 @@ def choose(report, measure, bound):
     runs = [run for run in report["runs"] if "refused" not in run]
     if not runs:
         raise Refused("no variant can render this scene; " + report["runs"][0]["refused"])
-    find_measure(runs, measure)
+    check_measure(runs, measure)
     runs.sort(key=lambda run: cost(report["variants"][run["variant"]], run))
     return runs, [r for r in runs if holds(measure, measures_of(r).get(measure), bound)]
 

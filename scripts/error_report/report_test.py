@@ -82,6 +82,8 @@ class Variants(InFolder):
         self.assertLessEqual({5, 6, 7, 8}, values("exponent_bits"))
         self.assertEqual({"nearest_even", "truncate"}, values("rounding"))
         self.assertGreaterEqual(len(values("epsilon")), 4)
+        self.assertEqual({"digit_recurrence", "reciprocal"}, values("divider"))
+        self.assertEqual({"unit_triangle", "watertight"}, values("triangle_test"))
 
     def test_refused(self):
         self.assert_refused({"a": {}, "b": {"mantissa": 10}},
@@ -184,7 +186,7 @@ class Choose(unittest.TestCase):
 
     def test_unknown_measure(self):
         with self.assertRaisesRegex(Refused, "^--measure x: unknown; the measures of this scene are "
-                                    "primary.rays, primary.hits, .*, image.largest$"):
+                                    "primary.missed, primary.false, .*, image.largest$"):
             self.chosen("x", 1)
 
 
