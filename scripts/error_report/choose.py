@@ -3,23 +3,24 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finds the cheapest variant of the core that keeps an error of a scene's frame below a bound.
 
-A variant costs the time of a frame times the part of an LFE5U-85F that its core takes: of its LUTs,
-multipliers and block RAMs, that of which it takes the largest part, as this bounds how many
-pipelines fit. Of two that cost the same that with fewer LUTs is cheaper."""
+A variant costs the time of a frame times the part of an LFE5U-85F that its core takes: of the LUTs,
+flip-flops, multipliers and block RAMs that of which it takes the largest part, as this bounds how
+many pipelines fit. Of two that cost the same that with fewer LUTs is cheaper."""
 
 import sys
 
 import page
 from collect import measures_of
+from hardware import devices
 from report import MISTAKE, Parser, Refused, add_arguments, guarded, measured
 
-DEVICE = {"LUT": 83640, "mult": 156, "BRAM": 208}  # of an LFE5U-85F, as its data sheet has them
+DEVICE = devices.DEVICES["ecp5-85"]
 DEFAULT_MEASURE = "primary.t_p99"
 
 
 def part_of_device(variant):
-    """The largest part of one of the device's resources, and of which."""
-    return max((variant["area"][c] / count, c) for c, count in DEVICE.items())
+    """The largest part that its core takes of one of the device's resources, and of which."""
+    return max((variant["takes"][name] / count, name) for name, count in DEVICE["has"].items())
 
 
 def cost(variant, run):
@@ -68,7 +69,7 @@ def number(value):
 
 
 def table(report, runs, measure, bound):
-    rows = [("variant", measure, "LUT", "mult", "BRAM", "clocks", "ms", "part of LFE5U-85F", "cost",
+    rows = [("variant", measure, "LUT", "mult", "BRAM", "clocks", "ms", f"part of {DEVICE['name']}", "cost",
              "")]
     for run in runs:
         variant = report["variants"][run["variant"]]

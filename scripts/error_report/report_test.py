@@ -138,7 +138,7 @@ class Collect(InFolder):
         run = {k: one[k] for k in ("clocks", "counters", "seconds", "measures")}
         (pictures.parent / "run.json").write_text(json.dumps(run), encoding="utf-8")
         (work / "variants" / "m16").mkdir(parents=True)
-        of_hardware = {k: EXAMPLE["variants"]["m16"][k] for k in ("area", "units", "schedule")}
+        of_hardware = {k: EXAMPLE["variants"]["m16"][k] for k in ("area", "takes", "units", "schedule")}
         (work / "variants" / "m16" / "hardware.json").write_text(json.dumps(of_hardware), "utf-8")
         listed = {"m16": {k: EXAMPLE["variants"]["m16"][k] for k in ("differs", "configuration")}}
         scenes = {"blocks": {"about": EXAMPLE["scenes"]["blocks"]["about"]}}
@@ -175,7 +175,7 @@ class Choose(unittest.TestCase):
 
     def test_cost_is_the_largest_part_of_the_device_times_the_time(self):
         part, resource = choose.part_of_device(EXAMPLE["variants"]["m16"])
-        self.assertEqual((round(part, 4), resource), (round(19980 / 83640, 4), "LUT"))
+        self.assertEqual((round(part, 4), resource), (round(24560 / 83640, 4), "LUT4"))
         self.assertEqual(choose.cost(EXAMPLE["variants"]["m16"], EXAMPLE["runs"][1]),
                          (part * 0.40188, 19980))
 
@@ -194,26 +194,40 @@ class Hardware(unittest.TestCase):
     VERILOG = ("// Generated from one (a.h)\nmodule one #(\n  parameter N = 8\n) (\n"
                "  input wire [N-1:0] a,  // a.h:7\n  output wire b\n);\n  assign b = ^a;\nendmodule\n")
 
+    REPORT = ("clock      10.00 ns\nstages     2\n\nstage  registers  longest path, ns  "
+              "operations\n    0                      4.45  1 and\n    1         30        "
+              "      9.90  2 eq\n\nThe longest path of each stage ends at\n    0  'both'\n")
+
     def test_black_box(self):
         box = hardware.black_box(self.VERILOG)
         self.assertIn("input wire [N-1:0] a,", box)
         self.assertNotIn("assign", box)
         self.assertNotIn("//", box)
 
-    def test_schedule(self):
-        report = ("clock      10.00 ns\nstages     2\n\nstage  registers  longest path, ns  "
-                  "operations\n    0                      4.45  1 and\n    1         30        "
-                  "      9.90  2 eq\n\nThe longest path of each stage ends at\n    0  'both'\n")
-        self.assertEqual(hardware.schedule(report), {"stages": 2, "longest_path_ns": 9.9})
-
-    def test_area_is_that_of_yosys_and_is_kept_by_content(self):
+    def test_a_core_is_the_sum_of_its_units_and_of_what_joins_them(self):
         with tempfile.TemporaryDirectory() as name:
-            cache = hardware.BuildCache(name)
-            cells = hardware.area(cache, "one", {"one.v": self.VERILOG})
-            self.assertEqual((cells["FF"], cells["mult"]), (0, 0))
-            self.assertGreaterEqual(cells["LUT"], 2)
-            with mock.patch.object(hardware, "synthesize", side_effect=AssertionError):
-                self.assertEqual(hardware.area(cache, "one", {"one.v": self.VERILOG}), cells)
+            folder = pathlib.Path(name)
+            units = [{"name": n, "module": "one"} for n in ("one_0", "one_1")]
+            (folder / "dynrt_core.json").write_text(json.dumps({"units": units}), encoding="utf-8")
+            (folder / "one.v").write_text(self.VERILOG, encoding="utf-8")
+            (folder / "one.txt").write_text(self.REPORT, encoding="utf-8")
+            (folder / "dynrt_core.vh").write_text("", encoding="utf-8")
+            (folder / "dynrt_core.v").write_text(
+                "module dynrt_core (\n  input wire [7:0] a,\n  input wire clk,\n"
+                "  output reg [1:0] b\n);\n  wire [1:0] c;\n  one one_0 (.a(a), .b(c[0]));\n"
+                "  one one_1 (.a(~a), .b(c[1]));\n  always @(posedge clk) b <= c;\nendmodule\n",
+                encoding="utf-8")
+            with mock.patch.object(hardware.synthesis, "KEPT", folder / "kept"):
+                figures = hardware.hardware(folder)
+                one, join = figures["units"]["one"], figures["units"]["dynrt_core"]
+                with mock.patch.object(hardware.synthesis, "run_yosys", side_effect=AssertionError):
+                    self.assertEqual(hardware.hardware(folder), figures)
+        self.assertEqual((one["instances"], one["area"]["FF"], join["area"]["FF"]), (2, 0, 2))
+        self.assertGreaterEqual(one["area"]["LUT"], 2)
+        self.assertEqual(figures["area"]["LUT"], 2 * one["area"]["LUT"] + join["area"]["LUT"])
+        self.assertEqual(figures["takes"]["FF"], 2)
+        self.assertEqual(figures["schedule"], {"stages": 2, "longest_path_ns": 9.9,
+                                               "clock_mhz": 101.01})
 
 
 class Jobs(InFolder):
