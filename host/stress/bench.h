@@ -23,7 +23,7 @@ using OpenBoard = std::function<std::unique_ptr<Board>(const std::string& config
 
 /// The frames of a trial, and what the numbers in their records stand for.
 struct Rendered {
-  std::vector<Frame> frames;         ///< one a shot
+  std::vector<Frame> frames;  ///< one a shot
   /// Which primitive a hit of a frame's record is. The trial's scene must still be there.
   std::function<PrimitiveId(std::size_t frame, const HitRecord& hit)> primitive_of;
 

@@ -5,12 +5,15 @@
 
 import csv
 import json
+import multiprocessing
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from unittest import mock
 
@@ -44,6 +47,9 @@ HARDWARE = PRETEND + """
 pathlib.Path(args[1]).write_text("{}")
 """
 RUN = PRETEND + """
+import time
+if pathlib.Path("slow").exists():
+    time.sleep(60)
 pathlib.Path(args[4]).write_text('{"clocks": 7}')
 pathlib.Path(args[5]).mkdir(parents=True, exist_ok=True)
 """
@@ -279,6 +285,24 @@ class Jobs(InFolder):
         (self.work / "fail").unlink()
         self.assertEqual(self.run_workflow(("a",)), 1)
 
+    def test_interrupted_it_goes_on_where_it_stopped(self):
+        self.work.mkdir()
+        (self.work / "slow").write_text("", encoding="utf-8")
+        process = multiprocessing.Process(target=self.run_workflow, args=(("a", "b"), False))
+        process.start()
+        ran = self.work / "ran"
+        for _ in range(600):
+            if ran.exists() and "run_variant" in ran.read_text(encoding="utf-8"):
+                break
+            time.sleep(0.1)
+        os.kill(process.pid, signal.SIGINT)
+        process.join(60)
+        self.assertNotEqual(process.exitcode, 0)
+        self.assertEqual(list(self.work.glob("scenes/*/*/run.json")), [])
+        (self.work / "slow").unlink()
+        self.assertEqual(self.run_workflow(("a", "b"), False), 2)  # the models are there
+        self.assertEqual(len(list(self.work.glob("scenes/*/*/run.json"))), 2)
+
     def test_one_at_a_time(self):
         flow = workflow.Workflow(self.work, self.program, self.build)
         with flow.alone():
@@ -293,9 +317,12 @@ class Jobs(InFolder):
                 self.run_workflow()
 
 
-class CommandLine(unittest.TestCase):
+class CommandLine(InFolder):
     def assert_mistake(self, script, arguments, sentence):
-        result = subprocess.run([HERE / script, "--program", "dynrt", "--build", "b", *arguments],
+        build = self.folder / "build.json"
+        build.write_text(json.dumps({"source": str(self.folder), "identity": {}}), encoding="utf-8")
+        result = subprocess.run([HERE / script, "--program", "dynrt", "--build", build,
+                                 "--expect", "f", *arguments],
                                 capture_output=True, text=True, check=False, env=os.environ)
         self.assertEqual((result.returncode, result.stdout), (2, ""))
         self.assertEqual(result.stderr, f"dynrt: {sentence}\n")
@@ -306,6 +333,9 @@ class CommandLine(unittest.TestCase):
         self.assert_mistake("report.py", ["--jobs", "0"], "--jobs 0: at least one is needed")
         self.assert_mistake("report.py", ["--variant", "x"], "--variant x: unknown; the variants "
                             "are " + ", ".join(variants.read_variants(variants.LISTED, THESIS)))
+        for script, more in (("report.py", []), ("choose.py", ["office", "--max-error", "1"])):
+            self.assert_mistake(script, more, "the sources have changed since this program was "
+                                "built; build it again")
         self.assert_mistake("choose.py", ["office"], "the following arguments are required: "
                             "--max-error; dynrt choose --help lists what there is")
 
