@@ -47,7 +47,12 @@ std::uint64_t Rendered::dropped_pushes() const {
 
 Board& Boards::get(const std::string& configuration) {
   std::unique_ptr<Board>& board = boards_[configuration];
-  if (!board) board = open_(configuration);
+  if (board) return *board;
+  try {
+    board = open_(configuration);
+  } catch (const UserError& error) {
+    throw NoBoard(error.what());
+  }
   return *board;
 }
 
@@ -167,9 +172,12 @@ void Bench::expect_refusal(const Trial& trial, const std::string& words) {
   for (const Shot& shot : trial.shots) {
     rays += std::uint64_t{shot.options.width} * shot.options.height;
   }
+  outcome_.refusal_expected = true;
   try {
     render(trial);
     outcome_[Fault::kAccepted] += rays;
+  } catch (const NoBoard&) {
+    throw;
   } catch (const UserError& error) {
     outcome_.rays += rays;
     outcome_.refusal = error.what();
