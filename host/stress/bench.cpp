@@ -77,9 +77,7 @@ Rendered Bench::render(const Trial& trial) {
   Rendered rendered;
   const auto owners = std::make_shared<std::vector<MatrixOwners>>();
   rendered.primitive_of = [owners](std::size_t frame, const HitRecord& hit) {
-    const auto id = owners->at(frame).of(hit.object, hit.triangle);
-    if (!id) throw std::logic_error("a hit record names no primitive of the scene");
-    return *id;
+    return owners->at(frame).of(hit.object, hit.triangle);
   };
   std::vector<MemoryRun> runs = objects.memory.runs();
   for (const Shot& shot : trial.shots) {
@@ -139,10 +137,10 @@ void Bench::judge(const Trial& trial, const Rendered& rendered) {
 }
 
 void Bench::judge_hit(const Truth& truth, const TruthRay& ray, const TruthHit& nearest,
-                      PrimitiveId id, double t) {
+                      std::optional<PrimitiveId> id, double t) {
   double expected = nearest.t;
-  if (!nearest.tied_with(id)) {
-    const auto meeting = truth.meet(ray, id);
+  if (!id || !nearest.tied_with(*id)) {
+    const auto meeting = id ? truth.meet(ray, *id) : std::nullopt;
     const double near = kSameSteps * step_of(numbers()) * nearest.t;
     if (!meeting || !(std::abs(meeting->t - nearest.t) <= near)) {
       ++outcome_[Fault::kWrong];

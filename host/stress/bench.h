@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,8 +25,9 @@ using OpenBoard = std::function<std::unique_ptr<Board>(const std::string& config
 /// The frames of a trial, and what the numbers in their records stand for.
 struct Rendered {
   std::vector<Frame> frames;  ///< one a shot
-  /// Which primitive a hit of a frame's record is. The trial's scene must still be there.
-  std::function<PrimitiveId(std::size_t frame, const HitRecord& hit)> primitive_of;
+  /// Which primitive a hit of a frame's record is, if it is one of the scene, which must still be
+  /// there.
+  std::function<std::optional<PrimitiveId>(std::size_t frame, const HitRecord& hit)> primitive_of;
 
   std::uint64_t dropped_pushes() const;
 };
@@ -80,8 +82,8 @@ class Bench {
   void refused(const std::string& sentence) { outcome_.refusal = sentence; }
 
  private:
-  void judge_hit(const Truth& truth, const TruthRay& ray, const TruthHit& nearest, PrimitiveId id,
-                 double t);
+  void judge_hit(const Truth& truth, const TruthRay& ray, const TruthHit& nearest,
+                 std::optional<PrimitiveId> id, double t);
 
   Boards& boards_;
   Outcome outcome_;
