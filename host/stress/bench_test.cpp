@@ -20,8 +20,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::Property;
-using ::testing::Throws;
+using ::testing::ThrowsMessage;
 
 constexpr std::uint32_t kHitBit = 1u << 31;  ///< of the third word of a record in bank 4
 
@@ -160,11 +159,10 @@ TEST(Cases, AreFoundByNameAndByGroup) {
 TEST(Cases, AreListedWhenOneIsUnknown) {
   const std::vector<std::string> names = {"edges/corners"};
   EXPECT_THAT([&] { find_cases(names); },
-              Throws<UserError>(Property(
-                  &UserError::what,
+              ThrowsMessage<UserError>(
                   AllOf(HasSubstr("there is no stress case or group 'edges/corners'; give one of "
                                   "these, or the part before the slash: slivers/aspect_1e2, "),
-                        HasSubstr("stacks/objects_tree_60")))));
+                        HasSubstr("stacks/objects_tree_60"))));
 }
 
 }  // namespace
