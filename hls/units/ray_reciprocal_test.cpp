@@ -9,9 +9,7 @@
 namespace dynrt {
 namespace {
 
-struct C : test::Config<8> {
-  static constexpr Divider kDivider = Divider::kReciprocal;
-};
+struct C : test::Config<8> {};
 struct Boxed : C {
   static constexpr ObjectBox kObjectBox = ObjectBox::kUnit;
 };
