@@ -8,6 +8,7 @@ import json
 import multiprocessing
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -257,14 +258,14 @@ class Jobs(InFolder):
         self.build = self.folder / "build.json"
         self.build.write_text(json.dumps({"hlsc": "hlsc"}), encoding="utf-8")
 
-    def run_workflow(self, names=("a", "b"), hardware_too=True):
+    def run_workflow(self, names=("a", "b"), hardware_too=True, slurm=False):
         """The jobs that ran."""
         flow = workflow.Workflow(self.work, self.program, self.build)
         (self.work / "ran").unlink(missing_ok=True)
         listed = {name: {"configuration": {"name": name}} for name in names}
         with flow.alone():
             flow.prepare({"blocks": "blocks"}, listed, "32x24", hardware_too)
-            flow.run(2, slurm=False)
+            flow.run(2, slurm)
         ran = self.work / "ran"
         return len(ran.read_text(encoding="utf-8").splitlines()) if ran.exists() else 0
 
@@ -302,6 +303,27 @@ class Jobs(InFolder):
         (self.work / "slow").unlink()
         self.assertEqual(self.run_workflow(("a", "b"), False), 2)  # the models are there
         self.assertEqual(len(list(self.work.glob("scenes/*/*/run.json"))), 2)
+
+    def test_slurm(self):
+        shutil.copytree(HERE / "slurm", workflow.HERE / "slurm")
+        sbatch = self.folder / "bin" / "sbatch"
+        sbatch.parent.mkdir()
+        sbatch.write_text("#!/bin/bash\n[ $1 = --parsable ] && echo $$ && echo \"$@\" >> submitted\n"
+                          "exec bash \"${@: -1}\" > /dev/null 2>&1\n", encoding="utf-8")
+        sbatch.chmod(0o755)
+        path = f"{sbatch.parent}:{os.environ['PATH']}"
+        with mock.patch.dict(os.environ, {"PATH": path}):
+            self.assertEqual(self.run_workflow(("a",), hardware_too=False, slurm=True), 2)
+        submitted = (self.work / "submitted").read_text(encoding="utf-8").splitlines()
+        self.assertEqual([re.search("--job-name=([a-z-]+)", line)[1] for line in submitted],
+                         ["dynrt-model", "dynrt-run"])
+
+    def test_slurm_that_is_not_there(self):
+        with mock.patch.object(workflow.shutil, "which", lambda name: None if name == "sbatch"
+                               else "snakemake"):
+            with self.assertRaisesRegex(Refused, "^--slurm: sbatch is not on the PATH; run the "
+                                        "report on a node"):
+                self.run_workflow(slurm=True)
 
     def test_one_at_a_time(self):
         flow = workflow.Workflow(self.work, self.program, self.build)

@@ -84,6 +84,9 @@ class Workflow:
         if snakemake is None:
             raise Refused("snakemake is not installed; run scripts/setup, or: apt-get install "
                           "snakemake")
+        if slurm and shutil.which("sbatch") is None:
+            raise Refused("--slurm: sbatch is not on the PATH; run the report on a node from which "
+                          "jobs can be submitted, or leave the flag out")
         command = [snakemake, "--snakefile", HERE / "Snakefile", "--directory", self.folder,
                    "--configfile", self.folder / "config.json", "--nolock", "--rerun-incomplete",
                    "--keep-going", "--nocolor"]
