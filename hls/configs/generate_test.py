@@ -134,7 +134,7 @@ class Generate(unittest.TestCase):
                                     "triangle, sphere, rectangle")
 
     def test_what_a_watertight_test_asks_of_other_keys(self):
-        good = {"triangle_test": "watertight", "epsilon": 0.0}
+        good = {"triangle_test": "watertight", "epsilon": 0.0, "exponent_bits": 5}
         self.assertIn("static constexpr TriangleTest kTriangleTest = TriangleTest::kWatertight;",
                       self.written(**good))
         self.folder.joinpath("out/tiny.h").unlink()

@@ -15,6 +15,7 @@ struct C : test::Config<8> {
 struct Boxed : C {
   static constexpr ObjectBox kObjectBox = ObjectBox::kUnit;
 };
+static_assert(kHasReciprocals<C> && kHasReciprocals<Boxed>);
 using Vec = Vector<Real>;
 constexpr int kBias = Real::kBias;
 

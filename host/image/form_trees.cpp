@@ -45,18 +45,18 @@ std::vector<double> rounding_margins(const Scene& scene, const glm::dvec3& eye,
   }
   world = {middle - glm::dvec3(reach), middle + glm::dvec3(reach)};
 
-  std::vector<double> farthest(boxes.size(), 0);
+  const bool nearest = format.rounding == hls::Rounding::kNearestEven;
+  const double rounding = std::ldexp(nearest ? 0.5 : 1.0, -static_cast<int>(format.mantissa_bits));
+  std::vector<double> margins(boxes.size(), 0);
   for (const Instance& instance : scene.instances) {
     const Aabb& box = boxes[instance.object];
     const Aabb rays = transformed_box(world, glm::inverse(instance.transform));
     const double distance = largest_of(glm::max(box.high - rays.low, rays.high - box.low));
-    double& longest = farthest[instance.object];
-    longest = std::max(longest, std::min(distance, kFarthest * largest_of(box.extent())));
+    double& margin = margins[instance.object];
+    margin = std::max(
+        margin, std::min(kRoundings * rounding * distance, kWidest * largest_of(box.extent())));
   }
-  const bool nearest = format.rounding == hls::Rounding::kNearestEven;
-  const double rounding = std::ldexp(nearest ? 0.5 : 1.0, -static_cast<int>(format.mantissa_bits));
-  for (double& distance : farthest) distance *= kRoundings * rounding;
-  return farthest;
+  return margins;
 }
 
 SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const ImageForm& form,

@@ -20,11 +20,11 @@ Scene with_rounded_corners(Scene scene, const MemoryFormat& format);
 
 /// For each object, in its own coordinates: how far beside a triangle a ray may pass that hits it.
 /// A ray's origin is taken to be no farther from the scene's middle than its farthest corner, the
-/// eye or a light, and no farther from an object than kFarthest times its size: for rays from
-/// farther away the trees are no longer made.
+/// eye or a light. The margin is at most kWidest of the object's size, which the shipped format has
+/// for rays from 64 sizes away: with a wider one the tree would no longer divide the object.
 std::vector<double> rounding_margins(const Scene& scene, const glm::dvec3& eye,
                                      const MemoryFormat& format);
-inline constexpr double kFarthest = 64;
+inline constexpr double kWidest = 1.0 / 128;
 
 /// The grid is the form's, whatever the options say.
 SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const ImageForm& form = {},

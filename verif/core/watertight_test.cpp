@@ -103,18 +103,21 @@ class Laid {
     return place_.instance * glm::dvec4(place_.scale * in_mesh, 0.0);
   }
 
-  /// Rays without a hit, of a frame that the camera sees.
-  std::uint64_t missed(Board& board, const Camera& camera, unsigned width, unsigned height,
-                       std::string& first) {
+  std::vector<HitRecord> hits(Board& board, const Camera& camera, unsigned width, unsigned height) {
     p_.camera = camera;
     p_.frame = FrameImage(p_.scene, p_.objects, p_.trees.instances, camera, width, height);
     FrameOptions options;
     options.width = width;
     options.height = height;
-    const Frame frame = render_on(board, options, p_);
+    return render_on(board, options, p_).hits;
+  }
+  /// Rays without a hit, of a frame that the camera sees.
+  std::uint64_t missed(Board& board, const Camera& camera, unsigned width, unsigned height,
+                       std::string& first) {
+    const std::vector<HitRecord> found = hits(board, camera, width, height);
     std::uint64_t missed = 0;
-    for (std::size_t i = 0; i < frame.hits.size(); ++i) {
-      if (frame.hits[i].hit) continue;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      if (found[i].hit) continue;
       if (missed++ == 0) first = fmt::format("pixel {}, {}", i % width, i / width);
     }
     return missed;
@@ -213,6 +216,31 @@ TEST(Watertight, NoRayGetsOutOfAClosedMesh) {
 TEST(Watertight, SlowNoRayGetsOutOfAClosedMesh) {
   if (!in_this_build()) GTEST_SKIP() << "this build has no configuration watertight";
   Frames().run(rays_wanted(20'000'000), 1024, 341, 100'000);
+}
+
+/// There is no absolute epsilon: a mesh scaled by a power of two has the same hits bit for bit.
+TEST(Watertight, AScaledMeshHasTheSameHits) {
+  if (!in_this_build()) GTEST_SKIP() << "this build has no configuration watertight";
+  constexpr unsigned kWidth = 48, kHeight = 32;
+  const auto board = make_board(configurations(), {"model", "watertight", ""});
+  for (const ClosedMesh& closed : {closed_meshes()[1], closed_meshes()[5]}) {
+    const Camera camera{
+        glm::dvec3(0.125, -0.0625, 0.25), {1.5, 0.1, 0.2}, {0, 1.5, 0.3}, {0.3, 0.2, -1}};
+    const auto plain = Laid(closed, {}).hits(*board, camera, kWidth, kHeight);
+    for (const int exponent : {-20, -9, 1, 20}) {
+      Camera scaled = camera;
+      scaled.position *= std::exp2(exponent);
+      Laid laid(closed, {.scale = std::exp2(exponent)});
+      const auto found = laid.hits(*board, scaled, kWidth, kHeight);
+      ASSERT_EQ(found.size(), plain.size());
+      for (std::size_t i = 0; i < plain.size(); ++i) {
+        HitRecord expected = plain[i];
+        expected.t += static_cast<std::uint32_t>(exponent) << C::Real::kMantissaBits;
+        ASSERT_TRUE(expected.hit);
+        ASSERT_EQ(found[i], expected) << "by 2^" << exponent << ", pixel " << i;
+      }
+    }
+  }
 }
 
 /// One ray and all triangles of a mesh, by the code of the units.
