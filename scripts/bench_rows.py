@@ -93,7 +93,8 @@ class Bench:
         except RunFailed as failure:
             rtl, self.missing = None, str(failure)
         return [*self._core_rows(rtl), *self._work_rows((rtl or model).last),
-                *self._latency_rows(rtl is not None), *self._host_rows(rtl, model)]
+                *self._latency_rows(rtl is not None), self._clocks_row(rtl),
+                *self._host_rows(rtl, model)]
 
     def _speed(self, board, amount):
         speed = Speed.measure(self.dynrt, board, self.options.scene, CONFIG, self.options.size,
@@ -152,7 +153,7 @@ class Bench:
         planned = Row("traversal round trip, scheduled", "clocks", 32, "<=")
         schedule = bench_latency.scheduled(self.options.reports)
         if schedule is None:
-            planned.note = f"{self.options.reports} has no schedule reports"
+            planned.note = f"{self.options.reports} has no schedules"
         else:
             planned.reached = schedule.clocks
             stages = ", ".join(f"{unit} {n}" for unit, n in schedule.stages.items())
@@ -163,6 +164,23 @@ class Bench:
             taken.reached = bench_latency.measured(self.dynrt, CONFIG)
             taken.note = "RTL with one packet in flight, nodes in the cache"
         return [planned, taken]
+
+    def _clocks_row(self, rtl):
+        """How far the clocks that the model counts are from those that the RTL takes."""
+        row = Row("clocks of a frame, model against RTL", "%", 0, "<=", digits=3)
+        self.progress("model, clock by clock")
+        try:
+            run = self.dynrt.render(self.options.scene, "model", CONFIG, self.options.size,
+                                    "--schedule", str(self.options.reports))
+        except RunFailed as failure:
+            row.note = str(failure)
+            return row
+        clocks = run.frame["cycles"]
+        row.note = f"{clocks:,} by the units' schedules, in {run.cpu_seconds:.1f} s"
+        if rtl is not None:
+            cycles = rtl.last.frame["cycles"]
+            row.reached = 100 * abs(clocks - cycles) / cycles
+        return row
 
     def _host_rows(self, rtl, model):
         simulation = Row("RTL simulation, clocks per second", "", 100_000, ">=")

@@ -27,7 +27,7 @@ if sys.argv[1] == "report":
 parser = argparse.ArgumentParser()
 parser.add_argument("command")
 parser.add_argument("scene")
-for flag in ("board", "config", "size", "out", "json", "position", "look-at", "up", "fov"):
+for flag in ("schedule", "board", "config", "size", "out", "json", "position", "look-at", "up", "fov"):
     parser.add_argument("--" + flag)
 parser.add_argument("--packets", type=int, default=64)
 parser.add_argument("--lines", type=int, default=512)
@@ -55,10 +55,9 @@ caches = {name: {"hit_rate": a.lines / 1024, "misses": 101} for name in ("node",
 report = {"scene": {"instances": 1},
           "frame": {"board": a.board, "width": width, "height": height, "counters": counters,
                     "units": units, "caches": caches,
-                    "cycles": cycles if a.board == "rtl" else None}}
+                    "cycles": cycles if a.board == "rtl" else 1.5 * nodes if a.schedule else None}}
 pathlib.Path(a.json).write_text(json.dumps(report))
 '''
-REPORT = "unit       dynrt::Unit\nclock      10.00 ns (ECP5)\nstages     {}\n"
 
 
 class Bench(unittest.TestCase):
@@ -148,10 +147,18 @@ class Bench(unittest.TestCase):
         reports.mkdir(parents=True)
         for number, unit in enumerate(("node_fetch", "node_lookup", "traversal_slice",
                                        "packet_decision")):
-            (reports / f"{unit}.txt").write_text(REPORT.format(number + 5))
+            (reports / f"{unit}.json").write_text(
+                json.dumps({"clock_ns": 10.0, "stages": number + 5}))
         rows, text = self.rows()
         self.assertEqual(rows["traversal round trip, scheduled"]["reached"], 5 + 6 + 7 + 8)
         self.assertIn("traversal_slice 7", text)
+
+    def test_clocks_by_the_schedules(self):
+        row = self.rows()[0]["clocks of a frame, model against RTL"]
+        self.assertAlmostEqual(row["reached"], 20)
+        self.assertIs(row["met"], False)
+        self.assertRegex(row["note"], r"^4,545.* by the units' schedules")
+        self.assertIsNone(self.rows(rtl=False)[0]["clocks of a frame, model against RTL"]["reached"])
 
     def test_without_rtl_the_rest_is_measured(self):
         rows, text = self.rows(rtl=False)

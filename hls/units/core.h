@@ -25,6 +25,7 @@
 #include "units/packet_decoder.h"
 #include "units/ray_generation.h"
 #include "units/ray_reciprocal.h"
+#include "units/ray_shear.h"
 #include "units/secondary_rays.h"
 #include "units/send_packet.h"
 #include "units/shader.h"
@@ -67,6 +68,7 @@ struct Core {
   PacketDecoder<C> packet_decoder;
   hls::PortIf<kHasReciprocals<C>, RayReciprocal<C>> ray_reciprocal;
   hls::PortIf<kClipsToBox<C>, BoxClip<C>> box_clip;
+  hls::PortIf<kWatertight<C>, RayShear<C>> ray_shear;
   Intersection<C> intersection;
   CollectHits<C> collect_hits;
   Shading<C> shading;
@@ -124,6 +126,7 @@ struct Core {
       join.unit("ray_reciprocal", "ray_reciprocal", ray_reciprocal);
     }
     if constexpr (kClipsToBox<C>) join.unit("box_clip", "box_clip", box_clip);
+    if constexpr (kWatertight<C>) join.unit("ray_shear", "ray_shear", ray_shear);
     join.group("Intersection");
     join.unit("intersection", "intersection", intersection);
     join.unit("collect_hits", "collect_hits", collect_hits);
@@ -174,6 +177,8 @@ struct Core {
       events.push_back(&box_clip.enter_object);
     } else if constexpr (kHasReciprocals<C>) {
       events.push_back(&ray_reciprocal.enter_object);
+    } else if constexpr (kWatertight<C>) {
+      events.push_back(&ray_shear.enter_object);
     } else {
       events.push_back(&packet_decoder.enter_object);
     }
@@ -252,6 +257,10 @@ struct Core {
       for (unsigned i = 0; i < kRays; ++i) {
         join.ram("box_" + std::to_string(i), box_clip.interval[i], std::vector{&slice[i].box});
       }
+    }
+    if constexpr (kWatertight<C>) {
+      join.channel("object_ray", packet_decoder.object_ray, ray_shear.ray);
+      join.ram("ray_map", ray_shear.map, std::vector{&transformation.map});
     }
     join.channel<UnitRay<C>>("unit_ray", unit_rays, {&intersection.unit_ray});
     join.channel("candidate", intersection.candidate, collect_hits.candidate);

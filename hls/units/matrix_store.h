@@ -38,10 +38,9 @@ struct MatrixStore {
     const auto r = reply.read();
     const PacketId<C> packet = r.context.packet;
     const Vector<Real> values{r.line.row[0].value, r.line.row[1].value, r.line.row[2].value};
-    const auto spare = r.line.spare();
     const bool stored_three = three(r.context);
     if constexpr (kThreeColumns<C>) {
-      const uint<2> ones = spare.template bits<17, 16>();
+      const uint<2> ones = r.line.spare().template bits<17, 16>();
       const uint<2> place = stored_three ? place_of(r.context.column, ones) : r.context.column;
       const bool brings_ones = stored_three && r.context.column == uint<2>(0);
       for (unsigned c = 0; c < 4; ++c) {
@@ -60,18 +59,18 @@ struct MatrixStore {
     const uint<2> last = stored_three ? uint<2>(kStoredColumns - 1) : uint<2>(3);
     const bool complete = p.columns == last;
     if (r.context.column == uint<2>(0)) {
-      p.extra = stored_three
-                    ? hls::concat(p.extra.template bits<23, 16>(), spare.template trunc<16>())
-                    : spare.template trunc<24>();
+      p.extra = stored_three ? hls::concat(p.extra.template bits<23, 16>(),
+                                           r.line.spare().template trunc<16>())
+                             : r.line.spare().template trunc<24>();
     }
     if (r.context.column == uint<2>(1)) {
-      p.mirror = spare.template trunc<8>();
+      p.mirror = r.line.spare().template trunc<8>();
       if (stored_three)
-        p.extra = hls::concat(spare.template bits<15, 8>(), p.extra.template trunc<16>());
+        p.extra = hls::concat(r.line.spare().template bits<15, 8>(), p.extra.template trunc<16>());
     }
     if constexpr (kScalesCosine<C>) {
       if (r.context.column == last) {
-        p.cosine_factor = Real::from_bits(spare.template trunc<Real::kLeafWidth>());
+        p.cosine_factor = Real::from_bits(r.line.spare().template trunc<Real::kLeafWidth>());
       }
     }
     p.columns = stored_three && complete ? uint<2>(0) : hls::next(p.columns);
@@ -88,7 +87,11 @@ struct MatrixStore {
       SendJob<C> send;
       const bool apart = frame.get().uncompressed.template bit<0>() || r.context.extras.apart.get();
       const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kDerive;
-      send.repeat = one_ray ? RepeatCount(1) : apart ? RepeatCount(7) : RepeatCount(4);
+      const bool corners = kWatertight<C> && r.context.kind == TransformKind::kTriangle;
+      send.repeat = corners   ? RepeatCount(11)
+                    : one_ray ? RepeatCount(1)
+                    : apart   ? RepeatCount(7)
+                              : RepeatCount(4);
       send.packet = packet;
       send.kind = r.context.kind;
       send.derived = derived;

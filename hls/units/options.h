@@ -34,6 +34,12 @@ enum class TriangleMatrix : std::uint8_t {
   kMemoryEfficient,   ///< 9 numbers, and two bits that say which column is (1, 1, 1)
 };
 
+/// How a ray meets a triangle.
+enum class TriangleTest : std::uint8_t {
+  kUnitTriangle,  ///< the triangle's matrix takes the ray to the unit triangle (thesis 5.2)
+  kWatertight,    ///< the ray's shear takes the corners to the plane; an exact rule for the edges
+};
+
 /// The unit objects that are intersected (thesis 5.2).
 struct Primitives {
   bool triangle = false;

@@ -3,8 +3,9 @@
 //
 // Packet decoder: puts a packet's transformed vectors together again (thesis 6.1.3). World and
 // object rays are saved for the traversal and for later transformations; rays in unit triangle
-// space go to the intersection. A camera's rays are new: the intersection passes a reset for each,
-// as for every light and reflected ray when it is ready.
+// space, or the triangle's corners that were mapped to a ray's, go to the intersection. A camera's
+// rays are new: the intersection passes a reset for each, as for every light and reflected ray when
+// it is ready.
 #pragma once
 
 #include "units/send_packet.h"
@@ -30,8 +31,8 @@ struct PacketDecoder {
   /// The world rays, each with its origin; light rays, which nothing is derived from, left out.
   hls::PortIf<kHasSecondary<C>, hls::RamWrite<Ray<Real>, kRayRows<C>>> arriving;
   hls::PortIf<kHasMirrors<C>, hls::Out<Derive<C>>> derived;  ///< a pass that is not a ray's last
-  HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, traced, ray[0], ray[1], ray[2], ray[3],
-            signs[0], signs[1], signs[2], signs[3], vectors, arriving, derived)
+  HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, traced, ray[0], ray[1], ray[2],
+            ray[3], signs[0], signs[1], signs[2], signs[3], vectors, arriving, derived)
 
   void step() {
     const PacketVector<C> in = vector.read();
@@ -78,11 +79,19 @@ struct PacketDecoder {
         trace.ray = ObjectRay<C>{in.packet, in.ray, job.active, root, job.apart, r};
         if (is_new || object) traced.write(trace);
       }
-      if (triangle || (is_new && !kHasReciprocals<C>)) {
+      if constexpr (kWatertight<C>) {
+        UnitRay<C> test;
+        test.packet = in.packet;
+        test.ray = in.ray;
+        test.reset = is_new;
+        test.unit = {first_corner_.get(), second_corner_.get(), in.vector, in.cosine.get()};
+        if (is_new || (triangle && in.corner.get() == Corner(2))) unit_ray.write(test);
+        if (in.corner.get() == Corner(0)) first_corner_ = in.vector;
+        if (in.corner.get() == Corner(1)) second_corner_ = in.vector;
+      } else if (triangle || (is_new && !kHasReciprocals<C>)) {
         unit_ray.write(UnitRay<C>{in.packet, in.ray, is_new, r, job.primitive, job.cosine_factor});
-      } else if (object && !kHasReciprocals<C>) {
-        enter(in, job, r);
       }
+      if (object && !kHasReciprocals<C>) enter(in, job, r);
     }
   }
 
@@ -108,6 +117,9 @@ struct PacketDecoder {
     return hls::concat(uint<1>(v.z.sign()), hls::concat(uint<1>(v.y.sign()), uint<1>(v.x.sign())));
   }
   Vector<Real> origin_;  ///< of the packet, whose vectors come one after the other
+  /// Of the triangle that is being mapped.
+  hls::FieldIf<kWatertight<C>, Vector<Real>> first_corner_;
+  hls::FieldIf<kWatertight<C>, Vector<Real>> second_corner_;
 };
 
 }  // namespace dynrt

@@ -31,9 +31,7 @@ struct RayReciprocal {
     const Repeated<TracedRay<C>> j = traced.read();
     const ObjectRay<C>& in = j.job.ray;
     const Vector<Real>& d = in.in_object.direction;
-    const Real component = j.index == RepeatCount(0)   ? d.x
-                           : j.index == RepeatCount(1) ? d.y
-                                                       : d.z;
+    const Real component = j.index == RepeatCount(0) ? d.x : j.index == RepeatCount(1) ? d.y : d.z;
     const Real reciprocal = Real::one() / component;
     const Ray<Real> saved{in.in_object.origin, {x_, y_, reciprocal}};
     if (j.index == RepeatCount(0)) x_ = reciprocal;

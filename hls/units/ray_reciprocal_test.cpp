@@ -9,12 +9,11 @@
 namespace dynrt {
 namespace {
 
-struct C : test::Config<8> {
-  static constexpr Divider kDivider = Divider::kReciprocal;
-};
+struct C : test::Config<8> {};
 struct Boxed : C {
   static constexpr ObjectBox kObjectBox = ObjectBox::kUnit;
 };
+static_assert(kHasReciprocals<C> && kHasReciprocals<Boxed>);
 using Vec = Vector<Real>;
 constexpr int kBias = Real::kBias;
 

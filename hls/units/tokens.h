@@ -5,7 +5,10 @@
 // (hls/configs).
 #pragma once
 
+#include <type_traits>
+
 #include "units/packet.h"
+#include "units/watertight.h"
 
 namespace dynrt {
 
@@ -261,22 +264,30 @@ struct JobRecord {
 
 template <class C>
 struct SendJob {
-  RepeatCount repeat;  ///< vectors less one: 4 of a compressed packet, 7 of another, 1 of one ray
+  /// Vectors less one: 4 of a compressed packet, 7 of another, 1 of one ray, 11 of all corners.
+  RepeatCount repeat;
   PacketId<C> packet;
   TransformKind kind = TransformKind::kCamera;
   hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
   HLS_FIELDS(repeat, packet, kind, derived)
 };
 
+/// A corner of a triangle, or kNoCorner.
+using Corner = uint<2>;
+inline constexpr unsigned kNoCorner = 3;
+
 /// One vector on its way through the transformation. Compressed packets send the common origin and
-/// four directions, others four pairs of origin and direction.
+/// four directions, others four pairs of origin and direction. To map a triangle's corners a ray's
+/// direction is sent once for each (units/watertight.h).
 template <class C>
 struct PacketVector {
   PacketId<C> packet;
   bool point = false;  ///< a point is translated, a direction is not (thesis 4.4)
   RayIndex ray;        ///< 0 for a common origin
   Vector<typename C::Real> vector;
-  HLS_FIELDS(packet, point, ray, vector)
+  hls::FieldIf<kWatertight<C>, Corner> corner = Corner(kNoCorner);
+  hls::FieldIf<kWatertight<C>, typename C::Real> cosine{};  ///< with a corner that is mapped
+  HLS_FIELDS(packet, point, ray, vector, corner, cosine)
 };
 
 // ---- Intersection and hits (thesis 6.1.4, 5.2) ----
@@ -286,7 +297,8 @@ struct UnitRay {
   PacketId<C> packet;
   RayIndex ray;
   bool reset = false;  ///< not a test: the ray is new and has no hit yet
-  Ray<typename C::Real> unit;
+  /// The ray in unit space, or the triangle in the ray's.
+  std::conditional_t<kWatertight<C>, MappedTriangle<typename C::Real>, Ray<typename C::Real>> unit;
   PrimitiveField<C> primitive{};
   hls::FieldIf<kScalesCosine<C>, typename C::Real> cosine_factor{};
   HLS_FIELDS(packet, ray, reset, unit, primitive, cosine_factor)

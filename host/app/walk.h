@@ -54,7 +54,7 @@ struct WalkRecord {
 
 class Walker {
  public:
-  /// `prepared` is moved about.
+  /// `prepared` is moved about; `camera` is in the file's space.
   Walker(Board& board, const FrameOptions& options, Prepared& prepared, const CameraFlags& camera,
          WalkPlan plan);
 

@@ -9,6 +9,7 @@
 #include "host/error.h"
 #include "host/stress/case.h"
 #include "host/stress/messages.h"
+#include "host/stress/reasons.h"
 
 namespace dynrt::host::stress {
 
@@ -24,7 +25,33 @@ std::vector<Case> all_cases() {
   return all;
 }
 
+bool is_watertight(const BoardInfo& board) {
+  return board.triangle_test == TriangleTest::kWatertight;
+}
+
+/// Reasons that hold for the thesis's test alone.
+bool is_of_cracks(const std::string& why) {
+  return why == reasons::kCracks || why == reasons::kSharedEdge;
+}
+
 }  // namespace
+
+std::string Case::why_on(const BoardInfo& board) const {
+  return is_watertight(board) && is_of_cracks(why) ? "" : why;
+}
+
+Allowed Case::allowed(const BoardInfo& board) const {
+  Allowed allowed = unit_triangle;
+  if (is_watertight(board)) {
+    if (watertight) allowed = *watertight;
+    if (is_of_cracks(why)) allowed.lost = allowed.twice = 0;
+  }
+  const MemoryFormat& numbers = *board.format;
+  allowed.stated = numbers.exponent_bits == kShippedFormat.exponent_bits &&
+                   numbers.mantissa_bits == kShippedFormat.mantissa_bits &&
+                   numbers.rounding == kShippedFormat.rounding;
+  return allowed;
+}
 
 std::span<const Case> cases() {
   static const std::vector<Case> all = all_cases();

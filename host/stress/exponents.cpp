@@ -42,10 +42,15 @@ Case scaled_scene(const std::string& name, const std::string& about, int exponen
 }
 
 /// A wall at z = `distance`, rays whose direction has this length along z.
-void run_wall(Bench& b, double distance, double length) {
-  b.check({.scene = scene_of(wall(2, distance, 2 * distance)),
-           .shots = {pencil({0, 0, 0}, glm::dvec3(-0.75, -0.75, 1) * length, {0.25 * length, 0, 0},
-                            {0, 0.25 * length, 0}, 7, 7)}});
+Trial wall_at(double distance, double length) {
+  return {.scene = scene_of(wall(2, distance, 2 * distance)),
+          .shots = {pencil({0, 0, 0}, glm::dvec3(-0.75, -0.75, 1) * length, {0.25 * length, 0, 0},
+                           {0, 0.25 * length, 0}, 7, 7)}};
+}
+
+void run_wall(Bench& b, double distance, double length) { b.check(wall_at(distance, length)); }
+void run_fitted_wall(Bench& b, double distance, double length) {
+  b.check(fitted(wall_at(distance, length), b.numbers()));
 }
 
 }  // namespace
@@ -104,6 +109,18 @@ std::vector<Case> exponent_cases() {
        [](Bench& b) { run_wall(b, 0x1p-20, 0x1p50); },
        {.lost = 49},
        "the distance saturates at 2^-63, where the ray is far beyond the wall: no hit"},
+      {"exponents",
+       "fitted_2^60",
+       "the wall at 2^60, fitted to the numbers by the host",
+       [](Bench& b) { run_fitted_wall(b, 0x1p60, 1); },
+       {},
+       ""},
+      {"exponents",
+       "fitted_2^-60",
+       "the wall at 2^-60, fitted to the numbers by the host",
+       [](Bench& b) { run_fitted_wall(b, 0x1p-60, 0x1p-20); },
+       {},
+       ""},
       {"exponents",
        "vertex_too_far",
        "a wall of which a vertex is beyond the numbers: refused",

@@ -34,6 +34,16 @@ Case far_scene(int exponent, const Allowed& allowed, const std::string& why) {
           why};
 }
 
+/// The same, moved by the host: nothing is far away.
+Case fitted_scene(const std::string& name, const std::string& place, const glm::dvec3& centre) {
+  return {"far",
+          "fitted_" + name,
+          "the sphere at " + place + ", fitted to the numbers by the host",
+          [=](Bench& b) { b.check(fitted(sphere_at(b.numbers(), centre), b.numbers())); },
+          {},
+          ""};
+}
+
 Case far_camera(int exponent, const Allowed& allowed, const std::string& why) {
   const double distance = std::pow(10.0, exponent);
   return {"far",
@@ -75,6 +85,9 @@ std::vector<Case> far_cases() {
        [](Bench& b) { b.check(sphere_at(b.numbers(), {148376, 1234, -223423})); },
        {.lost = 225, .invented = 77, .wrong = 43},
        kStep},
+      fitted_scene("scene_1e4", "10^4", 1e4 * kAway),
+      fitted_scene("scene_1e6", "10^6", 1e6 * kAway),
+      fitted_scene("sphere_148376", "(148376, 1234, -223423)", {148376, 1234, -223423}),
       {"far",
        "instance_1e4",
        "a sphere around its own origin, placed 10^4 radii away",

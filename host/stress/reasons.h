@@ -10,6 +10,9 @@ namespace dynrt::host::stress::reasons {
 inline constexpr char kCracks[] =
     "neighbouring triangles map a ray by matrices of their own and round apart: a crack at the "
     "edge";
+inline constexpr char kSharedEdge[] =
+    "an edge belongs to both its triangles where both maps round to it";
+
 inline constexpr char kNoZero[] =
     "there is no zero: the distance to the surface itself is the smallest number, and where its "
     "sign comes out positive it is a hit";
