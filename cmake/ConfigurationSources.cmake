@@ -17,7 +17,11 @@ function(dynrt_configuration_sources target CONFIG)
   set(row ".name = \"${CONFIG}\", .info = ${CONFIG}_info, .native = make_${CONFIG}_core")
 
   get_property(rtl_configs GLOBAL PROPERTY DYNRT_RTL_CONFIGS)
-  if(CONFIG IN_LIST rtl_configs)
+  # A float of more than 24 bits needs wider words than the board's SRAM has: no board.
+  dynrt_config_key(exponent_bits ${CONFIG} exponent_bits)
+  dynrt_config_key(mantissa_bits ${CONFIG} mantissa_bits)
+  math(EXPR float_bits "1 + ${exponent_bits} + ${mantissa_bits}")
+  if(CONFIG IN_LIST rtl_configs AND float_bits LESS_EQUAL 24)
     foreach(key packets lines sram_latency scan_out)
       dynrt_config_key(${key} ${CONFIG} ${key})
     endforeach()

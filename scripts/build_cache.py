@@ -35,9 +35,9 @@ def full_disk(folder):
             "name a folder elsewhere")
 
 
-def _sync(folder):
+def _sync(made):
     """So that a machine that loses its power keeps no entry with empty files."""
-    for path in folder.rglob("*"):
+    for path in [made, *made.rglob("*")]:
         if path.is_file():
             with path.open("rb") as file:
                 os.fsync(file.fileno())

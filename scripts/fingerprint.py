@@ -6,7 +6,7 @@ does and how it is laid out, the compiler and its flags. Two pieces of code fit 
 have the same.
 
 Usage: scripts/fingerprint.py BUILD.json FILE.cpp
-writes the C++ function that gives it to a program; BUILD.json is what cmake/DescribeBuild.cmake
+writes the C++ function this_build() of host/board/load_configuration.h; BUILD.json is what cmake/DescribeBuild.cmake
 wrote.
 """
 
@@ -16,7 +16,7 @@ import pathlib
 import sys
 
 SOURCES = ("hls/include/**/*.h", "hls/native/**/*.h", "hls/units/**/*.h", "host/board/*.h",
-           "host/board/*.in", "host/error.h", "hls/configs/generate")
+           "host/board/*.in", "host/format/*.h", "host/error.h", "hls/configs/generate")
 
 
 def add_files(digest, root, patterns):
@@ -41,7 +41,11 @@ def main():
 
 namespace dynrt::host {{
 
-std::string_view fingerprint_of_build() {{ return "{fingerprint(build)}"; }}
+ThisBuild this_build() {{
+  return {{.fingerprint = "{fingerprint(build)}",
+          .scripts = {json.dumps(build["source"] + "/scripts")},
+          .description = {json.dumps(str(pathlib.Path(sys.argv[1]).absolute()))}}};
+}}
 
 }}  // namespace dynrt::host
 """, encoding="utf-8")

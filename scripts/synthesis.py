@@ -6,6 +6,8 @@ as the same Verilog, comments apart, is synthesized once."""
 import functools
 import hashlib
 import json
+import os
+import pathlib
 import re
 import shutil
 import subprocess
@@ -16,7 +18,7 @@ from build_cache import BuildCache, CacheError
 
 MODULE = re.compile(r"^\s*module\s+(\w+)", re.MULTILINE)
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
-KEPT = rtl_files.ROOT / "build" / "synth"
+KEPT = pathlib.Path(os.environ.get("DYNRT_CACHE") or rtl_files.ROOT / "build" / "synth")
 
 
 class Failed(Exception):

@@ -54,7 +54,7 @@ Loaded open(const std::string& path, std::string name) {
     dlclose(library);
     refuse(messages::kForeignLibrary, path);
   }
-  if (fingerprint != fingerprint_of_build()) {
+  if (fingerprint != this_build().fingerprint) {
     dlclose(library);
     refuse(messages::kOtherBuild, path);
   }

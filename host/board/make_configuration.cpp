@@ -64,12 +64,12 @@ std::string make_configuration(const std::string& json_path) {
   if (!std::filesystem::exists(json_path, error)) {
     refuse(messages::kNoConfigurationFile, json_path);
   }
-  const Said said = output_of({DYNRT_SCRIPTS_FOLDER "/configuration", json_path, "--build",
-                               DYNRT_BUILD_DESCRIPTION, "--expect",
-                               std::string(fingerprint_of_build()), "--for-program"});
+  const ThisBuild build = this_build();
+  const std::string script = std::string(build.scripts) + "/configuration";
+  const Said said = output_of({script, json_path, "--build", std::string(build.description),
+                               "--expect", std::string(build.fingerprint), "--for-program"});
   if (said.code != 0) {
-    refuse(messages::kNotMade, json_path,
-           said.text.empty() ? DYNRT_SCRIPTS_FOLDER "/configuration did not run" : said.text);
+    refuse(messages::kNotMade, json_path, said.text.empty() ? script + " failed" : said.text);
   }
   return said.text;
 }

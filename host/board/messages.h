@@ -42,11 +42,24 @@ inline constexpr char kModelAlone[] =
     "--config {}: is the native model alone, so it has no board rtl; take one of those with "
     "Verilog, "
     "{}, or give it \"rtl\": true in hls/configs/configs.json and build again";
+inline constexpr char kWideWords[] =
+    "--config {}: a float of {} bits needs words of {} bits in the memory, and the SRAM of board "
+    "rtl has {}; take --board model";
 inline constexpr char kNoRtl[] =
     "--board rtl: the Verilog of configuration {} is not part of this build; configure with "
     "-DDYNRT_RTL=ON or take --board model";
 inline constexpr char kNoTrace[] =
     "--trace: only --board rtl has signals to record; leave the flag out or choose that board";
+inline constexpr char kScheduleOfRtl[] =
+    "--schedule: only --board model takes its clocks from schedules; the Verilog has its own, so "
+    "leave the flag out or choose that board";
+inline constexpr char kNoSchedule[] =
+    "--schedule {}: there are no schedules of hlsc; name the folder of a configuration's Verilog, "
+    "such as build/release/generated/thesis";
+inline constexpr char kBadSchedule[] =
+    "{}: is not a whole schedule of hlsc; lower the unit again or remove the file";
+inline constexpr char kIncompleteSchedule[] =
+    "--schedule {}: {} of configuration {}; name the folder of that configuration's Verilog";
 inline constexpr char kScanWords[] =
     "board {}: has {} registers for its scan-out, the host writes {}; rebuild the Verilog and the "
     "host together";

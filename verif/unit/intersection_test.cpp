@@ -9,7 +9,18 @@
 namespace dynrt::cosim {
 namespace {
 
-void setup(Bench<Intersection<C>>&, const Run&) {}
+/// Coordinates that are equal make products that are, and ends of an edge that are one point.
+void setup(Bench<Intersection<C>>& bench, const Run&) {
+  if constexpr (kWatertight<C>) {
+    bench.shape<UnitRay<C>>("unit_ray", [](UnitRay<C>& in, Random& random) {
+      auto& [a, b, c, cosine] = in.unit;
+      if (random.below(4) == 0) b.x = random.below(2) ? a.x : -a.x;
+      if (random.below(4) == 0) b.y = random.below(2) ? a.y : -a.y;
+      if (random.below(4) == 0) c.x = random.below(2) ? b.x : a.y;
+      if (random.below(4) == 0) c.y = random.below(2) ? b.y : -b.x;
+    });
+  }
+}
 
 DYNRT_COSIM(Intersection, Intersection<C>, intersection, setup)
 
