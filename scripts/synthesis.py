@@ -6,6 +6,8 @@ as the same Verilog, comments apart, is synthesized once."""
 import functools
 import hashlib
 import json
+import os
+import pathlib
 import re
 import shutil
 import subprocess
@@ -16,7 +18,7 @@ from build_cache import BuildCache, CacheError
 
 MODULE = re.compile(r"^\s*module\s+(\w+)", re.MULTILINE)
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
-KEPT = rtl_files.ROOT / "build" / "synth"
+KEPT = pathlib.Path(os.environ.get("DYNRT_CACHE") or rtl_files.ROOT / "build" / "synth")
 
 
 class Failed(Exception):
@@ -35,7 +37,8 @@ def _text(path):
 @functools.lru_cache(maxsize=None)
 def _meaning(path):
     """A file's text without comments and what they leave behind."""
-    return re.sub(r"\s+", " ", COMMENT.sub(" ", _text(path))).strip()
+    text = re.sub(r"\s+", " ", COMMENT.sub(" ", _text(path))).strip()
+    return f" {text} "
 
 
 def needed(top, files):

@@ -148,9 +148,7 @@ struct CollectHits {
   }
   /// t and the margin behind it, in steps of the mantissa.
   static Real behind(Real t) {
-    constexpr unsigned kMargin = 1u << (Real::kMantissaBits - kMarginBits);
-    const auto sum = t.magnitude() + decltype(t.magnitude())::from(kMargin);
-    return Real::from_bits(hls::concat(uint<1>(0), sum.template trunc<Real::kLeafWidth - 1>()));
+    return t.template moved_up<(1u << (Real::kMantissaBits - kMarginBits))>();
   }
   static Closest begin(const JobRecord<C>& job, const SurfacePoint<C>& from) {
     const bool alone = kHasSecondary<C> && job.kind == TransformKind::kDerive;

@@ -87,7 +87,11 @@ struct MatrixStore {
       SendJob<C> send;
       const bool apart = frame.get().uncompressed.template bit<0>() || r.context.extras.apart.get();
       const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kDerive;
-      send.repeat = one_ray ? RepeatCount(1) : apart ? RepeatCount(7) : RepeatCount(4);
+      const bool corners = kWatertight<C> && r.context.kind == TransformKind::kTriangle;
+      send.repeat = corners   ? RepeatCount(11)
+                    : one_ray ? RepeatCount(1)
+                    : apart   ? RepeatCount(7)
+                              : RepeatCount(4);
       send.packet = packet;
       send.kind = r.context.kind;
       send.derived = derived;

@@ -35,7 +35,6 @@ inline constexpr unsigned kMaxListEntries = 1u << kAddressBits;
 inline constexpr unsigned kMatrixBits = 17;
 inline constexpr unsigned kMaxMatrices = 1u << kMatrixBits;
 inline constexpr unsigned kColumnBase = 1u << kAddressBits;  ///< first word of the matrix columns
-inline constexpr unsigned kMaxStackDepth = 31;
 
 /// A node, list or column address; a node's null address is an empty child, never fetched.
 using Address = uint<kAddressBits>;

@@ -43,7 +43,7 @@ TEST_P(MeasuredFrames, AreNearlyTrue) {
   const TruthFrame expected =
       truth_of_frame(truth, prepared.camera, shading_of(board->info(), config));
   const MatrixOwners owners(prepared.scene, prepared.objects, prepared.frame);
-  const auto found = measure(truth, expected, frame, owners, number_of_shipped_format);
+  const auto found = measure(truth, expected, frame, owners, board->info().format->number);
   SCOPED_TRACE(found.dump(2));
   RecordProperty("measures", found.dump());
 

@@ -47,6 +47,11 @@ inline constexpr char kLightsTooMany[] =
 inline constexpr char kMirrorsUnused[] =
     "the scene has {}, but configuration {} has no reflected rays; {}";
 
+// Frames
+inline constexpr char kDroppedPushes[] =
+    "warning     {} pushes onto full stacks of {} entries were dropped: hits may be missing; use a "
+    "configuration with deeper stacks, such as deep";
+
 // Walks
 inline constexpr char kFrames[] = "--frames {}: a walk has 1 to {} frames";
 inline constexpr char kTimes[] =

@@ -100,6 +100,12 @@ TEST_F(App, WhatIsUnknownIsNamed) {
   expect_mistake("paint blocks",
                  "dynrt: paint: unknown; the commands are render, walk, compare, info, report, "
                  "choose, measure and stress\n");
+  expect_mistake("stress corners --config model_only",
+                 StartsWith("dynrt: there is no stress case or group 'corners'; give one of these, "
+                            "or the part before the slash: slivers/aspect_1e2, "));
+  expect_mistake("stress --format 7x12 --config model_only",
+                 "dynrt: --format 7x12: write the bits of exponent and mantissa, for example "
+                 "7,12\n");
   expect_mistake("", HasSubstr("dynrt --help lists what there is"));
   expect_mistake("render", testing::AllOf(HasSubstr("SCENE"), HasSubstr("dynrt render --help")));
   expect_mistake("render no_such_scene --config stand_in", HasSubstr("no_such_scene"));

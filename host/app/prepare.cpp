@@ -16,6 +16,7 @@
 #include "host/app/progress.h"
 #include "host/app/text.h"
 #include "host/board/configurations.h"
+#include "host/image/form_trees.h"
 #include "host/scene/load.h"
 
 namespace dynrt::host {
@@ -86,7 +87,7 @@ void check_primitives(const Scene& scene, const BoardInfo& board) {
 }  // namespace
 
 ImageForm form_for(const BoardInfo& board) {
-  return {board.format, board.triangle_matrix, board.clips_to_cube};
+  return {board.format, board.triangle_matrix, board.clips_to_cube, board.triangle_test};
 }
 
 CoreNumbers core_numbers(const BoardInfo& board, const Space& space) {
@@ -136,7 +137,9 @@ Prepared prepare(Scene scene, const Camera& camera, unsigned width, unsigned hei
   const auto begin = std::chrono::steady_clock::now();
   {
     const Progress progress("building the trees");
-    prepared.trees = build_scene_trees(prepared.scene, {.grid = Grid(*form.format)});
+    TreeOptions options;
+    if (board != nullptr) options.max_depth = max_tree_depth(*board);
+    prepared.trees = trees_for(prepared.scene, prepared.camera.position, form, options);
   }
   prepared.tree_seconds = Seconds(std::chrono::steady_clock::now() - begin).count();
   prepared.objects = ObjectImage(prepared.scene, prepared.trees.objects, form);

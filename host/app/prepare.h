@@ -45,6 +45,12 @@ struct Prepared {
 /// How a board of this kind wants its memory.
 ImageForm form_for(const BoardInfo& board);
 
+/// How deep a tree may be that never overflows the board's stacks; trees deeper than usual are for
+/// those who ask for them.
+inline int max_tree_depth(const BoardInfo& board) {
+  return std::min(kMaxTreeDepth, static_cast<int>(board.stack_depth));
+}
+
 /// For a board of this kind: throws UserError where its configuration lacks one of the scene's
 /// primitives, and judges the scene's lights and mirrors. Without a board it is that of the
 /// configuration thesis, with every primitive, and neither lights nor mirrors are judged.

@@ -6,6 +6,7 @@
 
 #include <iterator>
 
+#include "host/app/messages.h"
 #include "host/app/text.h"
 #include "host/board/bus.h"
 
@@ -71,6 +72,9 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, double 
   line("bus         {} bytes written, {} read, {} transactions, {:.3f} s on 33 MHz PCI",
        grouped(frame.traffic.bytes_written), grouped(frame.traffic.bytes_read),
        grouped(frame.traffic.transactions), bus_seconds(frame));
+  if (figures.dropped_pushes > 0) {
+    line(messages::kDroppedPushes, grouped(figures.dropped_pushes), frame.board.stack_depth);
+  }
   return text + units_text(figures) + caches_text(figures);
 }
 
@@ -110,6 +114,7 @@ Json report_json(const Frame& frame, const FrameFigures& figures, double clock_m
             {"bytes_read", frame.traffic.bytes_read},
             {"bus_clocks", frame.traffic.bus_clocks},
             {"seconds", bus_seconds(frame)}}},
+          {"dropped_pushes", figures.dropped_pushes},
           {"units", units},
           {"caches", caches},
           {"counters", counters}};

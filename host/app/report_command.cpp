@@ -12,6 +12,7 @@
 #include "host/app/messages.h"
 #include "host/app/script_command.h"
 #include "host/app/text.h"
+#include "host/app/truth_report.h"
 #include "host/app/work_report.h"
 #include "host/error.h"
 #include "host/render/output_file.h"
@@ -53,8 +54,9 @@ constexpr Subcommand kSubcommands[] = {
     {"overlap", "objects that overlap: none, hierarchical tree, mailbox, multiple scenes (4.3)",
      overlap_report},
     {"mailbox", "what 0 to 32 slots of the mailbox save (4.3.2)", mailbox_report},
-    {"clipping", "what the clipping nodes of the scene and of objects save (4.2)",
-     clipping_report}};
+    {"clipping", "what the clipping nodes of the scene and of objects save (4.2)", clipping_report},
+    {"truth", "what the rays really hit, by exact decisions, and where Embree says otherwise",
+     truth_report}};
 
 }  // namespace
 

@@ -24,8 +24,13 @@ ScriptCommand add_script_command(CLI::App& parent, const std::string& name,
             const ThisBuild build = this_build();
             const std::string path = std::string(build.scripts) + "/" + script;
             const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-            std::vector<std::string> words = {path, "--program", program, "--build",
-                                              std::string(build.description)};
+            std::vector<std::string> words = {path,
+                                              "--program",
+                                              program,
+                                              "--build",
+                                              std::string(build.description),
+                                              "--expect",
+                                              std::string(build.fingerprint)};
             for (const std::string& word : app->remaining()) words.push_back(word);
             std::vector<char*> arguments;
             for (std::string& word : words) arguments.push_back(word.data());

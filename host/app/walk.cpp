@@ -128,9 +128,10 @@ Walker::Image Walker::lay_out(unsigned frame) {
   if (!plan_.orbit) move_to(scene, time);
   const Camera camera = plan_.camera(scene, camera_, time, options_.width, options_.height);
   Image image;
-  const Tree top = build_instance_tree(
-      scene, prepared_.objects.boxes(),
-      {.grid = Grid(*board_.info().format), .room = prepared_.objects.room_left()});
+  const Tree top = build_instance_tree(scene, prepared_.objects.boxes(),
+                                       {.grid = Grid(*board_.info().format),
+                                        .max_depth = max_tree_depth(board_.info()),
+                                        .room = prepared_.objects.room_left()});
   const auto built = Clock::now();
   image.frame = FrameImage(scene, prepared_.objects, top, camera, options_.width, options_.height);
   image.runs = image.frame.memory.runs();

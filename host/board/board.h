@@ -33,6 +33,7 @@ struct BoardInfo {
   bool scan_out = false;       ///< it can show a picture on a VGA display; only the RTL has pins
   TriangleMatrix triangle_matrix = TriangleMatrix::kNormalConsistent;
   Primitives primitives{.triangle = true};
+  TriangleTest triangle_test = TriangleTest::kUnitTriangle;
   const MemoryFormat* format = &kShippedFormat;  ///< its numbers, and how its memory holds them
 };
 

@@ -21,6 +21,7 @@ BoardInfo board_info_of() {
   info.clips_to_cube = kClipsToBox<C>;
   info.triangle_matrix = C::kTriangleMatrix;
   info.primitives = C::kPrimitives;
+  info.triangle_test = C::kTriangleTest;
   info.format = &kMemoryFormatOf<typename C::Real>;
   return info;
 }

@@ -124,8 +124,9 @@ glm::dmat4 box_to_cube(const Aabb& box) {
 }
 
 /// The map of a primitive from the core's space of the object.
-UnitMatrix unit_matrix(const MemoryFormat& format, const Mesh& mesh, std::size_t primitive,
+UnitMatrix unit_matrix(const ImageForm& form, const Mesh& mesh, std::size_t primitive,
                        const glm::dmat4& from_space, bool three) {
+  const MemoryFormat& format = *form.format;
   const double largest = format.largest;
   const bool sphere = mesh.is_ellipsoid(primitive);
   UnitMatrix unit;
@@ -136,7 +137,10 @@ UnitMatrix unit_matrix(const MemoryFormat& format, const Mesh& mesh, std::size_t
     const auto matrix = triangle_matrix(mesh.corners(primitive));
     if (!matrix) refuse(messages::kFlatTriangle, mesh.name, primitive);
     const glm::dmat4x3 in_space = *matrix * from_space;
-    unit = three ? efficient_matrix(in_space) : UnitMatrix{in_space};
+    unit = form.triangle_test == TriangleTest::kWatertight
+               ? corner_matrix(mesh.corners(primitive), in_space)
+           : three ? efficient_matrix(in_space)
+                   : UnitMatrix{in_space};
   }
   if (const auto element = out_of_range(format, unit.matrix)) {
     if (sphere) refuse(messages::kSphereRange, mesh.name, primitive, *element, largest, largest);
@@ -226,7 +230,7 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
     check_limits(scene, memory);
     for (std::size_t i = 0; i < mesh.primitives(); ++i) {
       const bool three = stored_in_three(mesh, i, form.triangles);
-      const UnitMatrix unit = unit_matrix(format, mesh, i, from_space, three);
+      const UnitMatrix unit = unit_matrix(form, mesh, i, from_space, three);
       const Material& material = material_of(scene, mesh, i);
       const bool mirror = is_mirror(scene, mesh, i);
       const std::uint32_t colour = colour_bits(material.diffuse);

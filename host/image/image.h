@@ -26,6 +26,8 @@ struct ImageForm {
   /// Every object lies in the memory such that its box is the cube from -1 to 1, to which the core
   /// clips (units/box_clip.h).
   bool boxes_are_cubes = false;
+  /// For a watertight test a triangle's columns are its corners and its unit normal.
+  TriangleTest triangle_test = TriangleTest::kUnitTriangle;
 };
 
 /// Throws UserError for a scene that the memory cannot hold whatever its trees are: with more

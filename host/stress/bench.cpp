@@ -8,8 +8,10 @@
 #include <stdexcept>
 
 #include "host/error.h"
+#include "host/image/form_trees.h"
 #include "host/image/image.h"
 #include "host/render/render.h"
+#include "host/truth/measures.h"
 
 namespace dynrt::host::stress {
 
@@ -34,7 +36,7 @@ std::uint64_t dropped_pushes(const Frame& frame) {
   for (const Counter& counter : frame.counters) {
     if (counter.name == kDroppedPushes) return counter.value;
   }
-  throw std::logic_error(std::string("the core has no counter ") + kDroppedPushes);
+  return 0;  // a core without the counter tells of none
 }
 
 std::uint64_t Rendered::dropped_pushes() const {
@@ -45,7 +47,12 @@ std::uint64_t Rendered::dropped_pushes() const {
 
 Board& Boards::get(const std::string& configuration) {
   std::unique_ptr<Board>& board = boards_[configuration];
-  if (!board) board = open_(configuration);
+  if (board) return *board;
+  try {
+    board = open_(configuration);
+  } catch (const UserError& error) {
+    throw NoBoard(error.what());
+  }
   return *board;
 }
 
@@ -53,14 +60,13 @@ Rendered Bench::render(const Trial& trial) {
   const Scene& scene = trial.scene;
   Board& board = trial.configuration.empty() ? boards_.get() : boards_.get(trial.configuration);
   const ImageForm form{board.info().format, board.info().triangle_matrix,
-                       board.info().clips_to_cube};
+                       board.info().clips_to_cube, board.info().triangle_test};
   SceneTrees trees;
   if (trial.trees) {
     trees = *trial.trees;
   } else {
-    TreeOptions options = trial.tree_options;
-    options.grid = Grid(*form.format);
-    trees = build_scene_trees(scene, options);
+    const glm::dvec3 eye = trial.shots.empty() ? glm::dvec3(0.0) : trial.shots[0].camera.position;
+    trees = trees_for(scene, eye, form, trial.tree_options);
   }
   const ObjectImage objects(scene, trees.objects, form);
   if (!trial.trees) {
@@ -69,6 +75,10 @@ Rendered Bench::render(const Trial& trial) {
     trees.instances = build_instance_tree(scene, objects.boxes(), options);
   }
   Rendered rendered;
+  const auto owners = std::make_shared<std::vector<MatrixOwners>>();
+  rendered.primitive_of = [owners](std::size_t frame, const HitRecord& hit) {
+    return owners->at(frame).of(hit.object, hit.triangle);
+  };
   std::vector<MemoryRun> runs = objects.memory.runs();
   for (const Shot& shot : trial.shots) {
     const auto [width, height] = std::pair(shot.options.width, shot.options.height);
@@ -93,7 +103,7 @@ Rendered Bench::render(const Trial& trial) {
     }
     for (const std::uint32_t pixel : frame.pixels) outcome_.digest_word(pixel);
     if (frames_ != nullptr) frames_->push_back(frame);
-    rendered.owners.emplace_back(scene, objects, image, form);
+    owners->emplace_back(scene, objects, image, form);
     rendered.frames.push_back(std::move(frame));
   }
   return rendered;
@@ -109,39 +119,36 @@ void Bench::judge(const Trial& trial, const Rendered& rendered) {
   const Truth truth(trial.scene);
   for (std::size_t k = 0; k < rendered.frames.size(); ++k) {
     const Frame& frame = rendered.frames[k];
-    for (unsigned y = 0; y < frame.height; ++y) {
-      for (unsigned x = 0; x < frame.width; ++x) {
-        const TruthRay ray = ray_of(trial.shots[k], x, y, trial.rays, numbers());
-        judge_hit(truth, ray, frame.hits[y * frame.width + x], rendered.owners[k]);
+    for (std::size_t p = 0; p < frame.hits.size(); ++p) {
+      const HitRecord& hit = frame.hits[p];
+      const auto x = static_cast<unsigned>(p % frame.width);
+      const auto y = static_cast<unsigned>(p / frame.width);
+      const TruthRay ray = ray_of(trial.shots[k], x, y, trial.rays, numbers());
+      const std::optional<TruthHit> nearest = truth.nearest(ray);
+      if (hit.hit && nearest) {
+        judge_hit(truth, ray, *nearest, rendered.primitive_of(k, hit), numbers().number(hit.t));
+      } else if (hit.hit) {
+        ++outcome_[Fault::kInvented];
+      } else if (nearest) {
+        ++outcome_[Fault::kLost];
       }
     }
   }
 }
 
-void Bench::judge_hit(const Truth& truth, const TruthRay& ray, const HitRecord& record,
-                      const MatrixOwners& owners) {
-  const std::optional<TruthHit> nearest = truth.nearest(ray);
-  if (!record.hit) {
-    if (nearest) ++outcome_[Fault::kLost];
-    return;
-  }
-  if (!nearest) {
-    ++outcome_[Fault::kInvented];
-    return;
-  }
-  const std::optional<PrimitiveId> id = owners.of(record.object, record.triangle);
-  if (!id) throw std::logic_error("a hit record names no primitive of the scene");
-  double t = nearest->t;
-  if (!nearest->tied_with(*id)) {
-    const auto meeting = truth.meet(ray, *id);
-    if (!meeting || !(std::abs(meeting->t - t) <= kSameSteps * step_of(numbers()) * t)) {
+void Bench::judge_hit(const Truth& truth, const TruthRay& ray, const TruthHit& nearest,
+                      std::optional<PrimitiveId> id, double t) {
+  double expected = nearest.t;
+  if (!id || !nearest.tied_with(*id)) {
+    const auto meeting = id ? truth.meet(ray, *id) : std::nullopt;
+    const double near = kSameSteps * step_of(numbers()) * nearest.t;
+    if (!meeting || !(std::abs(meeting->t - nearest.t) <= near)) {
       ++outcome_[Fault::kWrong];
       return;
     }
-    t = meeting->t;
+    expected = meeting->t;
   }
-  const double error = std::abs(numbers().number(record.t) - t) / t;
-  outcome_.distance = std::max(outcome_.distance, error);
+  outcome_.distance = std::max(outcome_.distance, std::abs(t - expected) / expected);
 }
 
 void Bench::expect_same(const Rendered& rendered, const Rendered& expected,
@@ -163,9 +170,12 @@ void Bench::expect_refusal(const Trial& trial, const std::string& words) {
   for (const Shot& shot : trial.shots) {
     rays += std::uint64_t{shot.options.width} * shot.options.height;
   }
+  outcome_.refusal_expected = true;
   try {
     render(trial);
     outcome_[Fault::kAccepted] += rays;
+  } catch (const NoBoard&) {
+    throw;
   } catch (const UserError& error) {
     outcome_.rays += rays;
     outcome_.refusal = error.what();

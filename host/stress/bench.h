@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,17 +16,18 @@
 #include "host/render/frame.h"
 #include "host/stress/outcome.h"
 #include "host/stress/trial.h"
-#include "host/truth/measures.h"
 
 namespace dynrt::host::stress {
 
 /// Opens the board of a configuration.
 using OpenBoard = std::function<std::unique_ptr<Board>(const std::string& configuration)>;
 
-/// The frames of a trial, and what its numbers of objects and triangles stand for.
+/// The frames of a trial, and what the numbers in their records stand for.
 struct Rendered {
-  std::vector<Frame> frames;         ///< one a shot
-  std::vector<MatrixOwners> owners;  ///< of each frame
+  std::vector<Frame> frames;  ///< one a shot
+  /// Which primitive a hit of a frame's record is, if it is one of the scene, which must still be
+  /// there.
+  std::function<std::optional<PrimitiveId>(std::size_t frame, const HitRecord& hit)> primitive_of;
 
   std::uint64_t dropped_pushes() const;
 };
@@ -33,7 +35,12 @@ struct Rendered {
 /// Whether the board's core has lost hits to a full stack, by its counter.
 std::uint64_t dropped_pushes(const Frame& frame);
 
-/// The boards that were opened so far; cases share them.
+/// A board that a case needs cannot be had.
+struct NoBoard : UserError {
+  using UserError::UserError;
+};
+
+/// The boards that were opened so far; cases share them. Throws NoBoard.
 class Boards {
  public:
   Boards(OpenBoard open, std::string configuration)
@@ -71,10 +78,12 @@ class Bench {
 
   Board& board() { return boards_.get(); }
   const Outcome& outcome() const { return outcome_; }
+  /// The host has refused what it should not.
+  void refused(const std::string& sentence) { outcome_.refusal = sentence; }
 
  private:
-  void judge_hit(const Truth& truth, const TruthRay& ray, const HitRecord& record,
-                 const MatrixOwners& owners);
+  void judge_hit(const Truth& truth, const TruthRay& ray, const TruthHit& nearest,
+                 std::optional<PrimitiveId> id, double t);
 
   Boards& boards_;
   Outcome outcome_;

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,6 +24,12 @@ struct Case {
   std::function<void(Bench&)> run;
   Allowed unit_triangle{};  ///< of cores with the thesis's triangle test (5.2)
   std::string why{};        ///< it may: the reason for what is allowed
+  /// Of cores with the watertight test, where it is not the same.
+  std::optional<Allowed> watertight{};
+
+  /// What is allowed on a board, and why. Of cracks between triangles a watertight core has none.
+  Allowed allowed(const BoardInfo& board) const;
+  std::string why_on(const BoardInfo& board) const;
 
   std::string full_name() const { return group + "/" + name; }
 };

@@ -9,6 +9,8 @@
 #include "host/error.h"
 #include "host/stress/case.h"
 #include "host/stress/messages.h"
+#include "host/stress/reasons.h"
+#include "host/stress/watertight_bounds.h"
 
 namespace dynrt::host::stress {
 
@@ -21,10 +23,43 @@ std::vector<Case> all_cases() {
                            stack_cases, exponent_cases, camera_cases, frame_cases}) {
     std::ranges::move(group(), std::back_inserter(all));
   }
+  for (Case& c : all) {
+    if (const WatertightBound* bound = watertight_bound(c.full_name())) {
+      c.watertight = bound->allowed;
+    }
+  }
   return all;
 }
 
+bool is_watertight(const BoardInfo& board) {
+  return board.triangle_test == TriangleTest::kWatertight;
+}
+
+/// Reasons that hold for the thesis's test alone.
+bool is_of_cracks(const std::string& why) {
+  return why == reasons::kCracks || why == reasons::kSharedEdge;
+}
+
 }  // namespace
+
+std::string Case::why_on(const BoardInfo& board) const {
+  if (!is_watertight(board)) return why;
+  const WatertightBound* bound = watertight_bound(full_name());
+  return bound != nullptr ? bound->why : is_of_cracks(why) ? "" : why;
+}
+
+Allowed Case::allowed(const BoardInfo& board) const {
+  Allowed allowed = unit_triangle;
+  if (is_watertight(board)) {
+    if (watertight) allowed = *watertight;
+    if (is_of_cracks(why)) allowed.lost = allowed.twice = 0;
+  }
+  const MemoryFormat& numbers = *board.format;
+  allowed.stated = numbers.exponent_bits == kShippedFormat.exponent_bits &&
+                   numbers.mantissa_bits == kShippedFormat.mantissa_bits &&
+                   numbers.rounding == kShippedFormat.rounding;
+  return allowed;
+}
 
 std::span<const Case> cases() {
   static const std::vector<Case> all = all_cases();

@@ -49,9 +49,8 @@ void run_coincident_triangles(Bench& b) {
   expect_first(b, rendered);
   for (const Frame& frame : rendered.frames) {
     for (const HitRecord& hit : frame.hits) {
-      if (rendered.owners[0].of(hit.object, hit.triangle)->primitive >= first.size()) {
-        b.count(Fault::kDifferent, 1);
-      }
+      const auto id = rendered.primitive_of(0, hit);
+      if (!id || id->primitive >= first.size()) b.count(Fault::kDifferent, 1);
     }
   }
 }
@@ -72,9 +71,8 @@ void run_coincident_instances(Bench& b) {
   expect_first(b, rendered);
   for (std::size_t k = 0; k < rendered.frames.size(); ++k) {
     for (const HitRecord& hit : rendered.frames[k].hits) {
-      if (hit.hit && rendered.owners[k].of(hit.object, hit.triangle)->instance != 0) {
-        b.count(Fault::kDifferent, 1);
-      }
+      const auto id = rendered.primitive_of(k, hit);
+      if (hit.hit && (!id || id->instance != 0)) b.count(Fault::kDifferent, 1);
     }
   }
 }

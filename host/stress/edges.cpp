@@ -147,7 +147,7 @@ std::vector<Case> edge_cases() {
        "eight triangles around a vertex, each alone, by rays through edges",
        run_one_by_one,
        {.twice = 38},
-       "an edge belongs to both its triangles where both maps round to it"},
+       reasons::kSharedEdge},
   };
 }
 

@@ -25,16 +25,19 @@ constexpr std::array<FaultText, kFaults> kTexts = {{
 
 std::span<const FaultText, kFaults> fault_texts() { return kTexts; }
 
-std::uint64_t Allowed::count(Fault fault) const {
+std::optional<std::uint64_t> Allowed::count(Fault fault) const {
+  const auto bound = [&](std::uint64_t rays) {
+    return stated ? std::optional(rays) : std::nullopt;
+  };
   switch (fault) {
     case Fault::kLost:
-      return lost;
+      return bound(lost);
     case Fault::kInvented:
-      return invented;
+      return bound(invented);
     case Fault::kWrong:
-      return wrong;
+      return bound(wrong);
     case Fault::kTwice:
-      return twice;
+      return bound(twice);
     default:
       return 0;
   }
@@ -49,21 +52,26 @@ void Outcome::digest_word(std::uint32_t word) {
 
 bool within(const Outcome& outcome, const Allowed& allowed) {
   for (std::size_t i = 0; i < kFaults; ++i) {
-    if (outcome.faults[i] > allowed.count(static_cast<Fault>(i))) return false;
+    const auto bound = allowed.count(static_cast<Fault>(i));
+    if (bound && outcome.faults[i] > *bound) return false;
   }
+  if (!allowed.stated) return true;
+  if (!outcome.refusal.empty() && !outcome.refusal_expected) return false;
   return outcome.rays > 0 && outcome.distance <= allowed.distance;
 }
 
 std::string text_of(const Outcome& outcome, const Allowed& allowed) {
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < kFaults; ++i) {
-    const std::uint64_t may = allowed.count(static_cast<Fault>(i));
-    if (outcome.faults[i] == 0 && may == 0) continue;
-    parts.push_back(fmt::format("{} {} (of {} allowed)", kTexts[i].name, outcome.faults[i], may));
+    const auto bound = allowed.count(static_cast<Fault>(i));
+    if (outcome.faults[i] == 0 && bound.value_or(0) == 0) continue;
+    parts.push_back(fmt::format("{} {}", kTexts[i].name, outcome.faults[i]));
+    if (bound) parts.back() += fmt::format(" (of {} allowed)", *bound);
   }
   if (parts.empty()) parts.push_back("nothing wrong");
   if (outcome.distance > 0) {
-    parts.push_back(fmt::format("distance {:.1e} (of {:.1e})", outcome.distance, allowed.distance));
+    parts.push_back(fmt::format("distance {:.1e}", outcome.distance));
+    if (allowed.stated) parts.back() += fmt::format(" (of {:.1e})", allowed.distance);
   }
   if (outcome.dropped > 0) parts.push_back(fmt::format("stack_full {}", outcome.dropped));
   return fmt::format("{}", fmt::join(parts, ", "));

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -35,9 +36,12 @@ std::span<const FaultText, kFaults> fault_texts();
 struct Allowed {
   std::uint64_t lost = 0, invented = 0, wrong = 0, twice = 0;
   double distance = 0x1p-10;  ///< relative error of the hit distance, at most
+  /// Whether that is known: it was measured in the shipped format, and is not stated of others.
+  bool stated = true;
 
-  /// What must give the same bits must do so always.
-  std::uint64_t count(Fault fault) const;
+  /// What must give the same bits, be said or be refused must always. Where nothing is stated of
+  /// the others there is no bound.
+  std::optional<std::uint64_t> count(Fault fault) const;
 };
 
 struct Outcome {
@@ -49,6 +53,7 @@ struct Outcome {
   std::uint64_t digest = kNoDigest;  ///< of every hit record and pixel
   double seconds = 0;
   std::string refusal;  ///< what the host said
+  bool refusal_expected = false;
 
   static constexpr std::uint64_t kNoDigest = 0xcbf29ce484222325;  ///< FNV-1a of nothing
 

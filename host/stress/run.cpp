@@ -27,8 +27,14 @@ std::uint64_t sum(std::span<const Result> results, std::uint64_t Outcome::* of) 
 Result run_case(const Case& c, Boards& boards, std::vector<Frame>* frames) {
   const auto begin = std::chrono::steady_clock::now();
   Bench bench(boards, frames);
-  c.run(bench);
-  Result result{&c, bench.outcome()};
+  try {
+    c.run(bench);
+  } catch (const NoBoard&) {
+    throw;
+  } catch (const UserError& error) {
+    bench.refused(error.what());
+  }
+  Result result{&c, bench.outcome(), c.allowed(boards.get().info()), c.why_on(boards.get().info())};
   result.outcome.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
@@ -37,9 +43,8 @@ Result run_case(const Case& c, Boards& boards, std::vector<Frame>* frames) {
 std::string line_of(const Result& r) {
   const Outcome& o = r.outcome;
   const std::string what =
-      o.refusal.empty()
-          ? fmt::format("{} rays, {} hit; {}", o.rays, o.hits, text_of(o, r.allowed()))
-          : fmt::format("{} rays, refused: {}", o.rays, o.refusal);
+      o.refusal.empty() ? fmt::format("{} rays, {} hit; {}", o.rays, o.hits, text_of(o, r.allowed))
+                        : fmt::format("{} rays, refused: {}", o.rays, o.refusal);
   return fmt::format("{:<8}{:<36}{}: {}", r.within() ? "ok" : "EXCEEDS", r.stress->full_name(),
                      r.stress->about, what);
 }
@@ -61,17 +66,18 @@ Json json_of(std::span<const Result> results, const std::string& configuration,
     Json allowed = Json::object();
     for (std::size_t i = 0; i < kFaults; ++i) {
       faults[fault_texts()[i].name] = r.outcome.faults[i];
-      allowed[fault_texts()[i].name] = r.allowed().count(static_cast<Fault>(i));
+      const auto bound = r.allowed.count(static_cast<Fault>(i));
+      allowed[fault_texts()[i].name] = bound ? Json(*bound) : Json();
     }
     faults["distance"] = r.outcome.distance;
-    allowed["distance"] = r.allowed().distance;
+    allowed["distance"] = r.allowed.stated ? Json(r.allowed.distance) : Json();
     cases.push_back({{"name", r.stress->full_name()},
                      {"about", r.stress->about},
                      {"rays", r.outcome.rays},
                      {"hits", r.outcome.hits},
                      {"wrong", faults},
                      {"allowed", allowed},
-                     {"why", r.stress->why},
+                     {"why", r.why},
                      {"stack_full", r.outcome.dropped},
                      {"refusal", r.outcome.refusal},
                      {"digest", hex(r.outcome.digest)},
@@ -99,9 +105,9 @@ std::string markdown_of(std::span<const Result> results) {
                      group);
     }
     const std::string wrong =
-        r.outcome.refusal.empty() ? text_of(r.outcome, r.allowed()) : "refused, as it must be";
+        r.outcome.refusal.empty() ? text_of(r.outcome, r.allowed) : "refused, as it must be";
     fmt::format_to(std::back_inserter(text), "| `{}` | {} | {} | {} | {} |\n", r.stress->name,
-                   r.stress->about, r.outcome.rays, wrong, r.stress->why);
+                   r.stress->about, r.outcome.rays, wrong, r.why);
   }
   return text;
 }

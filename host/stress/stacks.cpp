@@ -15,6 +15,12 @@ void run(Bench& b, const Trial& trial) {
   if (rendered.dropped_pushes() == 0) b.count(Fault::kUnsaid, b.outcome()[Fault::kLost]);
 }
 
+/// On a core whose stacks are as deep as the trees.
+Trial on_deep(Trial trial) {
+  trial.configuration = "deep";
+  return trial;
+}
+
 Case stack_case(const std::string& name, const std::string& about,
                 const std::function<Trial(const MemoryFormat&)>& make, const Allowed& allowed,
                 const std::string& why) {
@@ -52,6 +58,15 @@ std::vector<Case> stack_cases() {
       stack_case(
           "both_40", "40 planes on either level", [](const auto&) { return nested_chains(40, 40); },
           {.lost = 25}, "9 of 40 leaves on either level are not entered"),
+      stack_case(
+          "deep_objects_tree_60", "60 planes in an object's tree, stacks of 63 entries",
+          [](const auto& n) { return on_deep(lower_chain(n, 60)); }, {}, ""),
+      stack_case(
+          "deep_scenes_tree_60", "60 planes in the scene's tree, stacks of 63 entries",
+          [](const auto& n) { return on_deep(upper_chain(n, 60)); }, {}, ""),
+      stack_case(
+          "deep_both_40", "40 planes on either level, stacks of 63 entries",
+          [](const auto&) { return on_deep(nested_chains(40, 40)); }, {}, ""),
   };
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "host/image/fit.h"
 #include "host/image/image.h"
 #include "host/scene/camera.h"
 #include "host/truth/rays.h"
@@ -66,6 +67,13 @@ TruthRay ray_of(const Shot& shot, unsigned x, unsigned y, Rays rays, const Memor
     ray.direction[k] = component(numbers, matrix[0][k], x, matrix[1][k], y, matrix[2][k]);
   }
   return ray;
+}
+
+Trial fitted(Trial trial, const MemoryFormat& numbers) {
+  const Fit space = fit(trial.scene, trial.shots.at(0).camera, numbers);
+  move_into(space, trial.scene);
+  for (Shot& shot : trial.shots) shot.camera = moved_into(space.world, shot.camera);
+  return trial;
 }
 
 Scene scene_of(Mesh mesh) {

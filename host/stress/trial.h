@@ -54,6 +54,10 @@ Shot picture(const glm::dvec3& position, const glm::dvec3& target, double field_
 /// The ray of a pixel; of the core's rays those components that stand for zero are zero.
 TruthRay ray_of(const Shot& shot, unsigned x, unsigned y, Rays rays, const MemoryFormat& numbers);
 
+/// As the host has it for dynrt's other commands: moved and scaled to fit the core's numbers
+/// (host/image/fit.h).
+Trial fitted(Trial trial, const MemoryFormat& numbers);
+
 /// One object, once, where it is.
 Scene scene_of(Mesh mesh);
 /// Adds an object with one instance.

@@ -132,7 +132,7 @@ class Builder {
     const GridBox cell = grid_box(grid_, whole, kBoxGrowth);
     const double levels =
         options.depth_factor * std::log2(static_cast<double>(boxes.size())) + options.depth_extra;
-    depth_ = std::clamp(static_cast<int>(std::lround(levels)), 0, kMaxTreeDepth);
+    depth_ = std::clamp(static_cast<int>(std::lround(levels)), 0, options.max_depth);
     while (!attempt(cell, boxes.size())) {
       --depth_;
       tree_ = Tree();

@@ -22,6 +22,7 @@ struct BoxTreeOptions {
   double empty_bonus = 0.2;   ///< part of a plane's cost forgiven where one side is empty
   double depth_factor = 0.6;  ///< depth at most depth_factor * log2(boxes) + depth_extra
   double depth_extra = 10;
+  int max_depth = kMaxTreeDepth;  ///< as in TreeOptions (build.h)
   /// What the tree may take; one that would take more is built anew, less deep. Room for less than
   /// the clipping nodes and one leaf of all boxes counts as that.
   TreeSize room{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};

@@ -193,7 +193,7 @@ Tree build_tree(const CellContent& content, const TreeOptions& options, const Cu
   const double levels =
       options.depth_factor * std::log2(static_cast<double>(content.items.size())) +
       options.depth_extra;
-  const int depth = std::clamp(static_cast<int>(std::lround(levels)), 0, kMaxTreeDepth);
+  const int depth = std::clamp(static_cast<int>(std::lround(levels)), 0, options.max_depth);
   RawTree raw;
   PlaneSearch search(options.grid, options.costs);
   const Builder builder(options, cut);

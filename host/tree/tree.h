@@ -19,7 +19,8 @@ namespace dynrt::host {
 inline constexpr std::uint32_t kNullNode = 0;  ///< an empty child; node 0 of a tree is not used
 inline constexpr std::uint8_t kLeafAxis = 3;
 inline constexpr int kClippingNodes = 6;
-inline constexpr int kMaxTreeDepth = 31;  ///< the core's stack: no deeper tree overflows it
+inline constexpr int kMaxTreeDepth =
+    31;  ///< unless a deeper one is asked for; a core's stacks must hold it
 
 struct TreeNode {
   std::uint8_t axis = kLeafAxis;  ///< 0, 1, 2 or kLeafAxis

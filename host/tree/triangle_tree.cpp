@@ -28,6 +28,10 @@ Aabb box_of(const Mesh& object, std::size_t primitive) {
   return box;
 }
 
+Aabb grown(const Aabb& box, double by) {
+  return {box.low - glm::dvec3(by), box.high + glm::dvec3(by)};
+}
+
 /// The box of the part within a cell; of an ellipsoid that of its box.
 Aabb part_within(const Mesh& object, std::size_t primitive, const Aabb& cell) {
   if (object.is_ellipsoid(primitive)) {
@@ -75,11 +79,12 @@ Tree build_triangle_tree(const Mesh& object, const TreeOptions& options) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     const Aabb box = box_of(object, i);
     check(grid, object, i, box);
-    whole.include(box);
-    items[i] = {grid_box(grid, box), static_cast<std::uint32_t>(i)};
+    whole.include(grown(box, options.margin));
+    items[i] = {grid_box(grid, grown(box, options.margin)), static_cast<std::uint32_t>(i)};
   }
   const CutItem cut = [&](const ItemRef& item, const GridBox& cell) {
-    return grid_box(grid, part_within(object, item.item, real_box(grid, cell)));
+    const Aabb within = grown(real_box(grid, cell), options.margin);
+    return grid_box(grid, grown(part_within(object, item.item, within), options.margin));
   };
   CellContent content{grid_box(grid, whole, kBoxGrowth), std::move(items), {}};
   const auto rays = std::min<std::size_t>(options.sample_rays, content.items.size());

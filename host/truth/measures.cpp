@@ -12,8 +12,6 @@
 #include <cmath>
 #include <map>
 
-#include "host/format/memory_format_of.h"
-
 namespace dynrt::host {
 
 namespace {
@@ -375,8 +373,6 @@ std::optional<PrimitiveId> MatrixOwners::of(std::uint32_t object, std::uint32_t 
   if (at == numbers.end() || *at != triangle) return std::nullopt;
   return PrimitiveId{instance, static_cast<std::uint32_t>(at - numbers.begin())};
 }
-
-double number_of_shipped_format(std::uint32_t bits) { return kShippedFormat.number(bits); }
 
 ordered_json measure(const Truth& truth, const TruthFrame& expected, const Frame& frame,
                      const MatrixOwners& owners, const NumberOf& number) {

@@ -52,10 +52,8 @@ class MatrixOwners {
   std::vector<std::vector<std::uint32_t>> numbers_;  ///< of every object's primitives
 };
 
-/// The value of a number of the board's format.
+/// The value of a number of the board's format (MemoryFormat::number).
 using NumberOf = std::function<double(std::uint32_t bits)>;
-/// Of the 17-bit format of the shipped core.
-double number_of_shipped_format(std::uint32_t bits);
 
 /// {group: {name: figure}} of all groups that the frame has: "light" only where there are light
 /// rays, "reflection" likewise. A figure that cannot be told is null. `frame` is of the size of

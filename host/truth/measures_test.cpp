@@ -10,10 +10,10 @@
 #include <fstream>
 #include <sstream>
 
+#include "host/format/memory_format_of.h"
 #include "host/scene/camera.h"
 #include "host/tree/scene_trees.h"
 #include "host/tree/test_meshes.h"
-#include "units/memory_format.h"
 
 namespace dynrt::host {
 namespace {
@@ -23,9 +23,7 @@ using ::testing::HasSubstr;
 constexpr unsigned kWidth = 32;
 constexpr unsigned kHeight = 24;
 
-std::uint32_t bits(double x) {
-  return static_cast<std::uint32_t>(Real::from_double(x).bits().raw());
-}
+std::uint32_t bits(double x) { return kShippedFormat.bits(x); }
 
 /// A ball on a floor of two triangles, lit from above, with a mirror upright behind it.
 Scene ball_on_floor() {
@@ -77,7 +75,7 @@ class MeasuresTest : public ::testing::Test {
   }
   nlohmann::ordered_json measured() const {
     return measure(truth_, expected_, frame_, MatrixOwners(scene_, objects_, image_),
-                   number_of_shipped_format);
+                   kShippedFormat.number);
   }
   /// The first pixel that hits this instance, the ray well within the triangle.
   std::size_t pixel_on(std::uint32_t instance) const {

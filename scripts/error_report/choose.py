@@ -3,23 +3,24 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finds the cheapest variant of the core that keeps an error of a scene's frame below a bound.
 
-A variant costs the time of a frame times the part of an LFE5U-85F that its core takes: of its LUTs,
-multipliers and block RAMs, that of which it takes the largest part, as this bounds how many
-pipelines fit. Of two that cost the same that with fewer LUTs is cheaper."""
+A variant costs the time of a frame times the part of an LFE5U-85F that its core takes: of the LUTs,
+flip-flops, multipliers and block RAMs that of which it takes the largest part, as this bounds how
+many pipelines fit. Of two that cost the same that with fewer LUTs is cheaper."""
 
 import sys
 
+import page
 from collect import measures_of
+from hardware import devices
 from report import MISTAKE, Parser, Refused, add_arguments, guarded, measured
 
-DEVICE = {"LUT": 83640, "mult": 156, "BRAM": 208}  # of an LFE5U-85F, as its data sheet has them
-LARGER_IS_BETTER = ("psnr",)
+DEVICE = devices.DEVICES["ecp5-85"]
 DEFAULT_MEASURE = "primary.t_p99"
 
 
 def part_of_device(variant):
-    """The largest part of one of the device's resources, and of which."""
-    return max((variant["area"][c] / count, c) for c, count in DEVICE.items())
+    """The largest part that its core takes of one of the device's resources, and of which."""
+    return max((variant["takes"][name] / count, name) for name, count in DEVICE["has"].items())
 
 
 def cost(variant, run):
@@ -27,22 +28,28 @@ def cost(variant, run):
     return part_of_device(variant)[0] * run.get("frame_ms", 1), variant["area"]["LUT"]
 
 
-def find_measure(runs, named):
-    known = list(dict.fromkeys(m for run in runs for m in measures_of(run)))
+def directions():
+    """Whether "less" or "more" is better, of every measure of error."""
+    return {f"{m['group']}.{m['name']}": m["better"] for m in page.read_measures()
+            if m["better"] in ("less", "more")}
+
+
+def check_measure(runs, named):
+    found = {m for run in runs for m in measures_of(run)}
+    known = [m for m in directions() if m in found]
     if named not in known:
         raise Refused(f"--measure {named}: unknown; the measures of this scene are "
                       f"{', '.join(known)}")
-    return named
 
 
 def worse(measure, value):
     """Orders figures of a measure, the least error first."""
-    return -value if measure.split(".")[-1].startswith(LARGER_IS_BETTER) else value
+    return -value if directions()[measure] == "more" else value
 
 
 def holds(measure, value, bound):
     if value is None:  # of a psnr: not one pixel differs
-        return measure.split(".")[-1].startswith(LARGER_IS_BETTER)
+        return directions()[measure] == "more"
     return worse(measure, value) <= worse(measure, bound)
 
 
@@ -52,7 +59,7 @@ def choose(report, measure, bound):
     runs = [run for run in report["runs"] if "refused" not in run]
     if not runs:
         raise Refused("no variant can render this scene; " + report["runs"][0]["refused"])
-    find_measure(runs, measure)
+    check_measure(runs, measure)
     runs.sort(key=lambda run: cost(report["variants"][run["variant"]], run))
     return runs, [r for r in runs if holds(measure, measures_of(r).get(measure), bound)]
 
@@ -62,7 +69,7 @@ def number(value):
 
 
 def table(report, runs, measure, bound):
-    rows = [("variant", measure, "LUT", "mult", "BRAM", "clocks", "ms", "part of LFE5U-85F", "cost",
+    rows = [("variant", measure, "LUT", "mult", "BRAM", "clocks", "ms", f"part of {DEVICE['name']}", "cost",
              "")]
     for run in runs:
         variant = report["variants"][run["variant"]]

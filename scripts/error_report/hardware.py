@@ -37,8 +37,8 @@ def black_box(verilog):
     return "(* blackbox *)\n" + HEAD.search(without_comments(verilog))[0] + "\nendmodule\n"
 
 
-def area(top, texts):
-    """Cells of module `top`, made of sources by file name."""
+def cells_of(top, texts):
+    """Cells by type of module `top`, made of sources by file name."""
     with tempfile.TemporaryDirectory() as folder:
         files = sorted(LIBRARY.glob("*.v"))
         for name, text in texts.items():
@@ -46,8 +46,21 @@ def area(top, texts):
             path.write_text(text, encoding="utf-8")
             if name.endswith(".v"):
                 files.append(path)
-        cells, _ = synthesis.cells(top, files, devices.FAMILIES[FAMILY]["synth"], top)
-    return devices.area(FAMILY, cells)
+        return synthesis.cells(top, files, devices.FAMILIES[FAMILY]["synth"], top)[0]
+
+
+def figures_of(cells, count):
+    return {"instances": count, "area": devices.area(FAMILY, cells),
+            "takes": devices.resources(FAMILY, cells)}
+
+
+def total(units, key):
+    """Of all units together, each as often as the core has it."""
+    sums = {}
+    for unit in units.values():
+        for name, number in unit[key].items():
+            sums[name] = sums.get(name, 0) + unit["instances"] * number
+    return sums
 
 
 def schedule(report):
@@ -67,15 +80,16 @@ def hardware(folder):
     units = {}
     for module, count in instances.items():
         report = (folder / f"{module}.txt").read_text(encoding="utf-8")
-        cells = area(module, {f"{module}.v": without_comments(texts[module])})
-        units[module] = {"instances": count, "area": cells, **schedule(report)}
+        cells = cells_of(module, {f"{module}.v": without_comments(texts[module])})
+        units[module] = {**figures_of(cells, count), **schedule(report)}
     join = {f"{m}.v": black_box(text) for m, text in texts.items()}
     for name in (f"{JOIN}.v", f"{JOIN}.vh"):
         join[name] = without_comments((folder / name).read_text(encoding="utf-8"))
-    units[JOIN] = {"instances": 1, "area": area(JOIN, join)}
+    units[JOIN] = figures_of(cells_of(JOIN, join), 1)
     longest = max(u["longest_path_ns"] for u in units.values() if "stages" in u)
     return {
-        "area": {c: sum(u["instances"] * u["area"][c] for u in units.values()) for c in devices.COLUMNS},
+        "area": total(units, "area"),
+        "takes": total(units, "takes"),
         "units": units,
         "schedule": {"stages": sum(u.get("stages", 0) for u in units.values()),
                      "longest_path_ns": longest, "clock_mhz": round(1000 / longest, 2)},

@@ -8,11 +8,13 @@ import base64
 import html.parser
 import json
 import pathlib
-import subprocess
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
+import browser
 import page
+import plot
 
 # One pixel.
 PNG = base64.b64decode("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAA"
@@ -110,15 +112,9 @@ class PageTest(unittest.TestCase):
         text = (self.folder / "error.html").read_text(encoding="utf-8")
         shown.write_text(text.replace("</body>", f"<script>{PROBE % probe}</script></body>"),
                          encoding="utf-8")
-        browser = subprocess.run(
-            ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--no-first-run",
-             "--host-resolver-rules=MAP * ~NOTFOUND", "--enable-logging=stderr",
-             f"--user-data-dir={self.folder / 'profile'}", "--dump-dom",
-             shown.as_uri() + (f"#{view}" if view else "")],
-            capture_output=True, text=True, timeout=300, check=True)
-        complaints = [line for line in browser.stderr.splitlines() if "CONSOLE" in line]
+        document, complaints = browser.load(shown, view)
         self.assertEqual(complaints, [])
-        elements = Elements(browser.stdout)
+        elements = Elements(document)
         found = json.loads(elements.by_id("found")[2])
         self.assertEqual(found.pop("asked"), [], "the page asks for something beside itself")
         return elements, found
@@ -222,6 +218,27 @@ class PageTest(unittest.TestCase):
         self.assertIn("no variant has figures for ms a frame",
                       [e[2] for e in elements.of("text")])
         self.assertEqual(len(elements.of("circle", class_="point")), len(VARIANTS) - 1)
+
+    def test_where_every_run_was_refused_the_reasons_are_there(self):
+        report = json.loads(json.dumps(REPORT))
+        report["runs"] = [r for r in report["runs"] if "refused" in r]
+        kept = (self.folder / "error.html").read_text(encoding="utf-8")
+        (self.folder / "error.html").write_text(page.page(report, self.folder), encoding="utf-8")
+        try:
+            elements, _ = self.open()
+        finally:
+            (self.folder / "error.html").write_text(kept, encoding="utf-8")
+        self.assertIn("No run has told an error", elements.by_id("meaning")[2])
+        self.assertIn("exponent_bits 5 cannot hold x = 70000", [e[2] for e in elements.of("td")])
+
+    def test_the_documents_plots_are_the_pages(self):
+        text = plot.svg(self.folder / "error.json", "a", "image.rms", "FF")
+        picture = xml.etree.ElementTree.fromstring(text)
+        names = [e.get("data-variant") for e in picture.iter() if e.get("data-variant")]
+        self.assertEqual(names, 2 * [v for v in VARIANTS if v != "m16_e5"])
+        self.assertIn("svg .front {", text)
+        self.assertIn("prefers-color-scheme: dark", text)
+        self.assertIn("FF cells", text)
 
     def test_the_measures_are_those_of_the_document(self):
         known = page.read_measures()

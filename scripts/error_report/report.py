@@ -8,6 +8,7 @@ import argparse
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
@@ -15,7 +16,7 @@ import tempfile
 import variants as listed
 from collect import collect, scene_name, write
 from variants import Refused
-from workflow import Workflow
+from workflow import Workflow, fingerprint
 
 MISTAKE = 2
 
@@ -36,6 +37,7 @@ def add_arguments(parser):
     """What a report and a choice have in common."""
     parser.add_argument("--program", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--build", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--expect", required=True, help=argparse.SUPPRESS)
     parser.add_argument("--size", default="512x384", metavar="WxH",
                         help="pixels of the images (default: 512x384)")
     parser.add_argument("--config", default="thesis", metavar="NAME",
@@ -76,6 +78,9 @@ def measured(args, scenes, hardware=True):
         raise Refused(f"--jobs {args.jobs}: at least one is needed")
     variants = listed.chosen(
         listed.read_variants(args.variants, listed.base_configuration(args.config)), args.variant)
+    build = json.loads(args.build.read_text(encoding="utf-8"))
+    if fingerprint.fingerprint(build) != args.expect:
+        raise Refused("the sources have changed since this program was built; build it again")
     known = {}
     for scene in scenes:
         path = str(pathlib.Path(scene).absolute()) if os.path.exists(scene) else scene
@@ -89,7 +94,6 @@ def measured(args, scenes, hardware=True):
         workflow.prepare({name: scene["path"] for name, scene in known.items()}, variants,
                          args.size, hardware)
         workflow.run(args.jobs, args.slurm)
-        build = json.loads(args.build.read_text(encoding="utf-8"))
         return collect(folder, known, variants, args.size, build)
 
 
@@ -105,6 +109,7 @@ def run(args):
 
 def guarded(what, args):
     """The exit code of `what`, its mistakes told in a sentence."""
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         return what(args) or 0
     except Refused as error:

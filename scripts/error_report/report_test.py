@@ -5,12 +5,16 @@
 
 import csv
 import json
+import multiprocessing
 import os
 import pathlib
+import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from unittest import mock
 
@@ -44,6 +48,9 @@ HARDWARE = PRETEND + """
 pathlib.Path(args[1]).write_text("{}")
 """
 RUN = PRETEND + """
+import time
+if pathlib.Path("slow").exists():
+    time.sleep(60)
 pathlib.Path(args[4]).write_text('{"clocks": 7}')
 pathlib.Path(args[5]).mkdir(parents=True, exist_ok=True)
 """
@@ -82,6 +89,8 @@ class Variants(InFolder):
         self.assertLessEqual({5, 6, 7, 8}, values("exponent_bits"))
         self.assertEqual({"nearest_even", "truncate"}, values("rounding"))
         self.assertGreaterEqual(len(values("epsilon")), 4)
+        self.assertEqual({"digit_recurrence", "reciprocal"}, values("divider"))
+        self.assertEqual({"unit_triangle", "watertight"}, values("triangle_test"))
 
     def test_refused(self):
         self.assert_refused({"a": {}, "b": {"mantissa": 10}},
@@ -136,7 +145,7 @@ class Collect(InFolder):
         run = {k: one[k] for k in ("clocks", "counters", "seconds", "measures")}
         (pictures.parent / "run.json").write_text(json.dumps(run), encoding="utf-8")
         (work / "variants" / "m16").mkdir(parents=True)
-        of_hardware = {k: EXAMPLE["variants"]["m16"][k] for k in ("area", "units", "schedule")}
+        of_hardware = {k: EXAMPLE["variants"]["m16"][k] for k in ("area", "takes", "units", "schedule")}
         (work / "variants" / "m16" / "hardware.json").write_text(json.dumps(of_hardware), "utf-8")
         listed = {"m16": {k: EXAMPLE["variants"]["m16"][k] for k in ("differs", "configuration")}}
         scenes = {"blocks": {"about": EXAMPLE["scenes"]["blocks"]["about"]}}
@@ -173,7 +182,7 @@ class Choose(unittest.TestCase):
 
     def test_cost_is_the_largest_part_of_the_device_times_the_time(self):
         part, resource = choose.part_of_device(EXAMPLE["variants"]["m16"])
-        self.assertEqual((round(part, 4), resource), (round(19980 / 83640, 4), "LUT"))
+        self.assertEqual((round(part, 4), resource), (round(24560 / 83640, 4), "LUT4"))
         self.assertEqual(choose.cost(EXAMPLE["variants"]["m16"], EXAMPLE["runs"][1]),
                          (part * 0.40188, 19980))
 
@@ -184,7 +193,7 @@ class Choose(unittest.TestCase):
 
     def test_unknown_measure(self):
         with self.assertRaisesRegex(Refused, "^--measure x: unknown; the measures of this scene are "
-                                    "primary.rays, primary.hits, .*, image.largest$"):
+                                    "primary.missed, primary.false, .*, image.largest$"):
             self.chosen("x", 1)
 
 
@@ -192,26 +201,40 @@ class Hardware(unittest.TestCase):
     VERILOG = ("// Generated from one (a.h)\nmodule one #(\n  parameter N = 8\n) (\n"
                "  input wire [N-1:0] a,  // a.h:7\n  output wire b\n);\n  assign b = ^a;\nendmodule\n")
 
+    REPORT = ("clock      10.00 ns\nstages     2\n\nstage  registers  longest path, ns  "
+              "operations\n    0                      4.45  1 and\n    1         30        "
+              "      9.90  2 eq\n\nThe longest path of each stage ends at\n    0  'both'\n")
+
     def test_black_box(self):
         box = hardware.black_box(self.VERILOG)
         self.assertIn("input wire [N-1:0] a,", box)
         self.assertNotIn("assign", box)
         self.assertNotIn("//", box)
 
-    def test_schedule(self):
-        report = ("clock      10.00 ns\nstages     2\n\nstage  registers  longest path, ns  "
-                  "operations\n    0                      4.45  1 and\n    1         30        "
-                  "      9.90  2 eq\n\nThe longest path of each stage ends at\n    0  'both'\n")
-        self.assertEqual(hardware.schedule(report), {"stages": 2, "longest_path_ns": 9.9})
-
-    def test_area_is_that_of_yosys_and_is_kept_by_content(self):
+    def test_a_core_is_the_sum_of_its_units_and_of_what_joins_them(self):
         with tempfile.TemporaryDirectory() as name:
-            cache = hardware.BuildCache(name)
-            cells = hardware.area(cache, "one", {"one.v": self.VERILOG})
-            self.assertEqual((cells["FF"], cells["mult"]), (0, 0))
-            self.assertGreaterEqual(cells["LUT"], 2)
-            with mock.patch.object(hardware, "synthesize", side_effect=AssertionError):
-                self.assertEqual(hardware.area(cache, "one", {"one.v": self.VERILOG}), cells)
+            folder = pathlib.Path(name)
+            units = [{"name": n, "module": "one"} for n in ("one_0", "one_1")]
+            (folder / "dynrt_core.json").write_text(json.dumps({"units": units}), encoding="utf-8")
+            (folder / "one.v").write_text(self.VERILOG, encoding="utf-8")
+            (folder / "one.txt").write_text(self.REPORT, encoding="utf-8")
+            (folder / "dynrt_core.vh").write_text("", encoding="utf-8")
+            (folder / "dynrt_core.v").write_text(
+                "module dynrt_core (\n  input wire [7:0] a,\n  input wire clk,\n"
+                "  output reg [1:0] b\n);\n  wire [1:0] c;\n  one one_0 (.a(a), .b(c[0]));\n"
+                "  one one_1 (.a(~a), .b(c[1]));\n  always @(posedge clk) b <= c;\nendmodule\n",
+                encoding="utf-8")
+            with mock.patch.object(hardware.synthesis, "KEPT", folder / "kept"):
+                figures = hardware.hardware(folder)
+                one, join = figures["units"]["one"], figures["units"]["dynrt_core"]
+                with mock.patch.object(hardware.synthesis, "run_yosys", side_effect=AssertionError):
+                    self.assertEqual(hardware.hardware(folder), figures)
+        self.assertEqual((one["instances"], one["area"]["FF"], join["area"]["FF"]), (2, 0, 2))
+        self.assertGreaterEqual(one["area"]["LUT"], 2)
+        self.assertEqual(figures["area"]["LUT"], 2 * one["area"]["LUT"] + join["area"]["LUT"])
+        self.assertEqual(figures["takes"]["FF"], 2)
+        self.assertEqual(figures["schedule"], {"stages": 2, "longest_path_ns": 9.9,
+                                               "clock_mhz": 101.01})
 
 
 class Jobs(InFolder):
@@ -235,14 +258,14 @@ class Jobs(InFolder):
         self.build = self.folder / "build.json"
         self.build.write_text(json.dumps({"hlsc": "hlsc"}), encoding="utf-8")
 
-    def run_workflow(self, names=("a", "b"), hardware_too=True):
+    def run_workflow(self, names=("a", "b"), hardware_too=True, slurm=False):
         """The jobs that ran."""
         flow = workflow.Workflow(self.work, self.program, self.build)
         (self.work / "ran").unlink(missing_ok=True)
         listed = {name: {"configuration": {"name": name}} for name in names}
         with flow.alone():
             flow.prepare({"blocks": "blocks"}, listed, "32x24", hardware_too)
-            flow.run(2, slurm=False)
+            flow.run(2, slurm)
         ran = self.work / "ran"
         return len(ran.read_text(encoding="utf-8").splitlines()) if ran.exists() else 0
 
@@ -263,6 +286,45 @@ class Jobs(InFolder):
         (self.work / "fail").unlink()
         self.assertEqual(self.run_workflow(("a",)), 1)
 
+    def test_interrupted_it_goes_on_where_it_stopped(self):
+        self.work.mkdir()
+        (self.work / "slow").write_text("", encoding="utf-8")
+        process = multiprocessing.Process(target=self.run_workflow, args=(("a", "b"), False))
+        process.start()
+        ran = self.work / "ran"
+        for _ in range(600):
+            if ran.exists() and "run_variant" in ran.read_text(encoding="utf-8"):
+                break
+            time.sleep(0.1)
+        os.kill(process.pid, signal.SIGINT)
+        process.join(60)
+        self.assertNotEqual(process.exitcode, 0)
+        self.assertEqual(list(self.work.glob("scenes/*/*/run.json")), [])
+        (self.work / "slow").unlink()
+        self.assertEqual(self.run_workflow(("a", "b"), False), 2)  # the models are there
+        self.assertEqual(len(list(self.work.glob("scenes/*/*/run.json"))), 2)
+
+    def test_slurm(self):
+        shutil.copytree(HERE / "slurm", workflow.HERE / "slurm")
+        sbatch = self.folder / "bin" / "sbatch"
+        sbatch.parent.mkdir()
+        sbatch.write_text("#!/bin/bash\n[ $1 = --parsable ] && echo $$ && echo \"$@\" >> submitted\n"
+                          "exec bash \"${@: -1}\" > /dev/null 2>&1\n", encoding="utf-8")
+        sbatch.chmod(0o755)
+        path = f"{sbatch.parent}:{os.environ['PATH']}"
+        with mock.patch.dict(os.environ, {"PATH": path}):
+            self.assertEqual(self.run_workflow(("a",), hardware_too=False, slurm=True), 2)
+        submitted = (self.work / "submitted").read_text(encoding="utf-8").splitlines()
+        self.assertEqual([re.search("--job-name=([a-z-]+)", line)[1] for line in submitted],
+                         ["dynrt-model", "dynrt-run"])
+
+    def test_slurm_that_is_not_there(self):
+        with mock.patch.object(workflow.shutil, "which", lambda name: None if name == "sbatch"
+                               else "snakemake"):
+            with self.assertRaisesRegex(Refused, "^--slurm: sbatch is not on the PATH; run the "
+                                        "report on a node"):
+                self.run_workflow(slurm=True)
+
     def test_one_at_a_time(self):
         flow = workflow.Workflow(self.work, self.program, self.build)
         with flow.alone():
@@ -277,9 +339,12 @@ class Jobs(InFolder):
                 self.run_workflow()
 
 
-class CommandLine(unittest.TestCase):
+class CommandLine(InFolder):
     def assert_mistake(self, script, arguments, sentence):
-        result = subprocess.run([HERE / script, "--program", "dynrt", "--build", "b", *arguments],
+        build = self.folder / "build.json"
+        build.write_text(json.dumps({"source": str(self.folder), "identity": {}}), encoding="utf-8")
+        result = subprocess.run([HERE / script, "--program", "dynrt", "--build", build,
+                                 "--expect", "f", *arguments],
                                 capture_output=True, text=True, check=False, env=os.environ)
         self.assertEqual((result.returncode, result.stdout), (2, ""))
         self.assertEqual(result.stderr, f"dynrt: {sentence}\n")
@@ -290,6 +355,9 @@ class CommandLine(unittest.TestCase):
         self.assert_mistake("report.py", ["--jobs", "0"], "--jobs 0: at least one is needed")
         self.assert_mistake("report.py", ["--variant", "x"], "--variant x: unknown; the variants "
                             "are " + ", ".join(variants.read_variants(variants.LISTED, THESIS)))
+        for script, more in (("report.py", []), ("choose.py", ["office", "--max-error", "1"])):
+            self.assert_mistake(script, more, "the sources have changed since this program was "
+                                "built; build it again")
         self.assert_mistake("choose.py", ["office"], "the following arguments are required: "
                             "--max-error; dynrt choose --help lists what there is")
 

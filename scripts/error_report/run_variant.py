@@ -24,8 +24,9 @@ def main():
                              pictures, "--json", figures, *clocks], capture_output=True, text=True,
                             check=False)
     sentence = result.stderr.strip().removeprefix("dynrt: ")
-    # What cannot be written is nothing that the variant could help.
-    if result.returncode == MISTAKE and pictures not in sentence and figures not in sentence:
+    # What cannot be written or loaded is nothing that the variant could help.
+    defect = any(path in sentence for path in (model, pictures, figures))
+    if result.returncode == MISTAKE and not defect:
         pathlib.Path(figures).write_text(json.dumps({"refused": sentence}), encoding="utf-8")
         return
     if result.returncode != 0:

@@ -10,10 +10,12 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
 
-from variants import Refused
+from variants import Refused  # which finds the scripts beside this folder
+import fingerprint
 
 HERE = pathlib.Path(__file__).resolve().parent
 STEP = re.compile(r"^(\d+) of (\d+) steps")
@@ -39,6 +41,12 @@ def write_if_new(path, text):
 
 def content_of(path):
     return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
+
+
+def stop(process):
+    """Ends Snakemake and its jobs, as a terminal would; what they have not finished, it removes."""
+    os.killpg(process.pid, signal.SIGINT)
+    process.wait()
 
 
 class Workflow:
@@ -76,6 +84,9 @@ class Workflow:
         if snakemake is None:
             raise Refused("snakemake is not installed; run scripts/setup, or: apt-get install "
                           "snakemake")
+        if slurm and shutil.which("sbatch") is None:
+            raise Refused("--slurm: sbatch is not on the PATH; run the report on a node from which "
+                          "jobs can be submitted, or leave the flag out")
         command = [snakemake, "--snakefile", HERE / "Snakefile", "--directory", self.folder,
                    "--configfile", self.folder / "config.json", "--nolock", "--rerun-incomplete",
                    "--keep-going", "--nocolor"]
@@ -85,18 +96,22 @@ class Workflow:
         failed = {}
         with log.open("w", encoding="utf-8", buffering=1) as file, \
              subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                              env=environment) as process:
+                              env=environment, start_new_session=True) as process:
             rule = None
             show_progress("looking what there is to do")
-            for line in process.stdout:
-                file.write(line)
-                if step := STEP.match(line):
-                    show_progress(f"{step[1]} of {step[2]} jobs are done")
-                if error := FAILED.match(line):
-                    rule = error[1]
-                if rule and (found := LOG.match(line)):
-                    failed.setdefault(found[1], rule)
-                    rule = None
+            try:
+                for line in process.stdout:
+                    file.write(line)
+                    if step := STEP.match(line):
+                        show_progress(f"{step[1]} of {step[2]} jobs are done")
+                    if error := FAILED.match(line):
+                        rule = error[1]
+                    if rule and (found := LOG.match(line)):
+                        failed.setdefault(found[1], rule)
+                        rule = None
+            except KeyboardInterrupt:
+                stop(process)
+                raise
         show_progress("")
         if process.returncode != 0:
             raise Refused(self._reason(failed, log))

@@ -313,7 +313,7 @@ TEST(Clocks, TokensTakeTheStagesOfTheirUnitsAndMeetOneAtATime) {
   join.unit("left", "add", left);
   join.unit("right", "slow_add", right);
   join.unit("last", "add", last);
-  auto one = std::make_shared<Byte>(1);
+  auto one = std::make_shared<Byte>(Byte(1));
   join.config("one", one, std::vector{&left.value, &right.value, &last.value});
   auto to_left = join.input("to_left", left.in);
   auto to_right = join.input("to_right", right.in);

@@ -101,26 +101,24 @@ function points_of(x_key, m) {
 
 // ---- A plot ----
 
-/// Logarithmic where the values spread; those that have no place on such an axis, 0 or infinity,
-/// get a line of their own beyond its end.
-function scale_of(values, range, is_error) {
+/// Logarithmic where the values spread. What has no place on the axis, 0 on a logarithmic one or
+/// infinity, gets a line of its own beyond its end. `range`: pixels from the least to the largest.
+function scale_of(values, [from, to], is_error) {
   const proper = values.filter((v) => Number.isFinite(v) && (v > 0 || !is_error));
   const [low, high] = proper.length ? d3.extent(proper) : [1, 10];
-  const log = low > 0 && (is_error ? high / low > 20 : high / low > 8);
+  const log = low > 0 && high / low > (is_error ? 20 : 8);
   const scale = log ? d3.scaleLog() : d3.scaleLinear();
   const margin = log ? Math.pow(high / low, 0.06) : (high - low || Math.abs(high) || 1) * 0.08;
-  scale.domain(log ? [low / margin, high * margin]
-                   : [is_error && low - margin < 0.3 * high ? 0 : low - margin, high + margin]);
-  const extra = values.length > proper.length;
-  const room = extra ? 26 : 0;
-  const has_zero = values.includes(0);
-  const [from, to] = range;  // from the smallest to the largest, in pixels
-  const toward = Math.sign(to - from);
-  scale.range(extra ? (has_zero ? [from + toward * room, to] : [from, to - toward * room]) : range);
-  const beyond = extra ? (has_zero ? from + toward * 4 : to - toward * 4) : null;
-  return {scale, log, beyond, beyond_text: has_zero ? "0" : "same",
-          place: (v) => (Number.isFinite(v) && (v > 0 || !is_error || (!log && v === 0 && !extra))
-              ? scale(v) : beyond)};
+  const from_zero = is_error && (values.includes(0) || low - margin < 0.3 * high);
+  scale.domain(log ? [low / margin, high * margin] : [from_zero ? 0 : low - margin, high + margin]);
+  const room = 26 * Math.sign(to - from);
+  const zero_apart = log && values.includes(0);
+  const infinite = values.includes(Infinity);
+  scale.range([zero_apart ? from + room : from, infinite ? to - room : to]);
+  const beyond = zero_apart ? from + room / 6 : infinite ? to - room / 6 : null;
+  const is_beyond = (v) => v === Infinity || (log && v === 0);
+  return {scale, log, beyond, beyond_text: zero_apart ? "0" : "same",
+          place: (v) => (is_beyond(v) ? beyond : scale(v))};
 }
 
 function ticks(axis, scale, log) {
@@ -352,8 +350,9 @@ function show() {
       .text("filled, dashed line: the front, which no other variant beats in both");
 
   const fronts = [new Set(), new Set()];
+  by_id("meaning").textContent =
+      m ? `${m.group} ${m.name}: ${m.meaning}.` : "No run has told an error; the table says why.";
   if (m) {
-    by_id("meaning").textContent = `${m.group} ${m.name}: ${m.meaning}.`;
     const area_key = `area.${state.area}`;
     const time_text = state.time === "clocks" ? "clocks a frame" : "ms a frame";
     draw("time-plot", "time-left-out", state.time, time_text, m);
