@@ -9,7 +9,9 @@
 namespace dynrt {
 namespace {
 
-struct C : test::Config<8> {};
+struct C : test::Config<8> {
+  static constexpr Divider kDivider = Divider::kReciprocal;
+};
 struct Boxed : C {
   static constexpr ObjectBox kObjectBox = ObjectBox::kUnit;
 };

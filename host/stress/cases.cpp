@@ -10,6 +10,7 @@
 #include "host/stress/case.h"
 #include "host/stress/messages.h"
 #include "host/stress/reasons.h"
+#include "host/stress/watertight_bounds.h"
 
 namespace dynrt::host::stress {
 
@@ -21,6 +22,11 @@ std::vector<Case> all_cases() {
                            end_cases, edge_cases, degenerate_cases, instance_cases, overlap_cases,
                            stack_cases, exponent_cases, camera_cases, frame_cases}) {
     std::ranges::move(group(), std::back_inserter(all));
+  }
+  for (Case& c : all) {
+    if (const WatertightBound* bound = watertight_bound(c.full_name())) {
+      c.watertight = bound->allowed;
+    }
   }
   return all;
 }
@@ -37,7 +43,9 @@ bool is_of_cracks(const std::string& why) {
 }  // namespace
 
 std::string Case::why_on(const BoardInfo& board) const {
-  return is_watertight(board) && is_of_cracks(why) ? "" : why;
+  if (!is_watertight(board)) return why;
+  const WatertightBound* bound = watertight_bound(full_name());
+  return bound != nullptr ? bound->why : is_of_cracks(why) ? "" : why;
 }
 
 Allowed Case::allowed(const BoardInfo& board) const {

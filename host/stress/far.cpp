@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "host/stress/case.h"
+#include "host/stress/reasons.h"
 #include "host/stress/shapes.h"
 
 namespace dynrt::host::stress {
@@ -66,25 +67,22 @@ void run_far_instance(Bench& b) {
   b.check(trial);
 }
 
-constexpr char kStep[] =
-    "a step of the numbers is 2^-16 of the distance from the origin; vertices, camera and the "
-    "translations of matrices are no finer";
-
 }  // namespace
 
 std::vector<Case> far_cases() {
   return {
-      far_scene(2, {.distance = 3.4e-3}, kStep),
-      far_scene(3, {.invented = 2, .wrong = 10, .distance = 1.5e-2}, kStep),
-      far_scene(4, {.lost = 20, .invented = 12, .wrong = 124, .distance = 6.1e-2}, kStep),
-      far_scene(5, {.lost = 135, .invented = 54, .wrong = 130, .distance = 1.9e-2}, kStep),
-      far_scene(6, {.lost = 233, .invented = 115, .wrong = 35}, kStep),
+      far_scene(2, {.distance = 3.4e-3}, reasons::kSteps),
+      far_scene(3, {.invented = 2, .wrong = 10, .distance = 1.5e-2}, reasons::kSteps),
+      far_scene(4, {.lost = 20, .invented = 12, .wrong = 124, .distance = 6.1e-2}, reasons::kSteps),
+      far_scene(5, {.lost = 135, .invented = 54, .wrong = 130, .distance = 1.9e-2},
+                reasons::kSteps),
+      far_scene(6, {.lost = 233, .invented = 115, .wrong = 35}, reasons::kSteps),
       {"far",
        "sphere_148376",
        "a sphere of radius 1 at (148376, 1234, -223423)",
        [](Bench& b) { b.check(sphere_at(b.numbers(), {148376, 1234, -223423})); },
        {.lost = 225, .invented = 77, .wrong = 43},
-       kStep},
+       reasons::kSteps},
       fitted_scene("scene_1e4", "10^4", 1e4 * kAway),
       fitted_scene("scene_1e6", "10^6", 1e6 * kAway),
       fitted_scene("sphere_148376", "(148376, 1234, -223423)", {148376, 1234, -223423}),
@@ -95,8 +93,7 @@ std::vector<Case> far_cases() {
        {},
        ""},
       far_camera(2, {}, ""),
-      far_camera(4, {.lost = 5, .invented = 24},
-                 "a step of a direction is a thirteenth of a radius there"),
+      far_camera(4, {.lost = 5, .invented = 24}, reasons::kFarEye),
   };
 }
 

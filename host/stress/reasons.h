@@ -13,6 +13,13 @@ inline constexpr char kCracks[] =
 inline constexpr char kSharedEdge[] =
     "an edge belongs to both its triangles where both maps round to it";
 
+inline constexpr char kSteps[] =
+    "a step of the numbers is 2^-16 of the distance from the origin; vertices, camera and the "
+    "translations of matrices are no finer";
+inline constexpr char kFarEye[] = "a step of a direction is a thirteenth of a radius there";
+inline constexpr char kGrazing[] =
+    "a step of the direction moves the point that is met by 2^-17 over the angle's sine";
+
 inline constexpr char kNoZero[] =
     "there is no zero: the distance to the surface itself is the smallest number, and where its "
     "sign comes out positive it is a hit";

@@ -145,8 +145,8 @@ std::vector<Case> size_cases() {
                   .shots = {at_tiny({0.5, 0.5, 0})},
                   .rays = Rays::kOfCamera});
        },
-       {},
-       ""},
+       {.wrong = 511},
+       reasons::kSteps},
       {"sizes",
        "huge_around_small",
        "a cube within a cube 2^20 times as large, seen from between them",

@@ -19,7 +19,6 @@ namespace dynrt::cosim {
 
 /// The configuration whose Verilog is tested.
 using C = dynrt::config::DYNRT_CONFIG;
-using Real = C::Real;
 
 /// How much is run.
 struct Amount {
