@@ -162,7 +162,7 @@ def memories_table(counts):
             yield (f"`{name}`", f"`{memory.name}`", each, memory.bits)
         for (sort, kind), (number, amount) in grouped.items():
             rows = {"packet": PACKETS, "line": LINES}.get(kind)
-            yield (f"`{name}`", f"{number} {sort}",
+            yield (f"`{name}`", f"{number} {sort if number > 1 else sort[:-1]}",
                    f"{amount / rows:g} a {kind}" if rows else "whatever P and CL", amount)
 
 
@@ -261,18 +261,25 @@ RULE = (
     "with the FIFO depths that it has in the core, memories counted as the source has them.",
 )
 FIT = (
-    "Cores of few packets have more than the line says and those between have less: packet numbers are "
-    "in every",
-    "token, so widths go with log2 P, and rows of RAM are powers of two.",
+    "What is left over is that packet numbers are in every token, so that widths go with log2 P, and "
+    "that rows",
+    "of RAM are powers of two.",
 )
 WHY = (
-    "Why a packet takes the bits it takes: the far stack of a ray is 64 rows (32 for each level, of "
-    "which 31 are",
-    "used, as the address is level, packet and depth without an adder) and its second port, which the "
-    "thesis's",
-    "slice does without, doubles it; the thesis's 2,352 bits are 24 x (62 + 2 x 18), that is a single-"
-    "port stack",
-    "and 18 dual-port words. FIFOs are the other large part: every one on a loop of packets holds all of "
-    "them, so",
-    "that no loop can deadlock and no pipeline needs an enable.",
+    "Why a packet takes what it takes:",
+    "",
+    "- The far stack of a ray has 64 rows a packet (32 for each level, of which 31 are used: the address "
+    "is level,",
+    "  packet and depth, without an adder), and a second port doubles it. The thesis's 2,352 bits are "
+    "24 x (62 + 2 x 18),",
+    "  what a single-port stack and 18 dual-port words would take.",
+    "- FIFOs: every one on a loop of packets holds all of them, so that no loop can deadlock and no "
+    "pipeline needs",
+    "  an enable. The thesis has none in its tables.",
+    "- Rays are kept twice: by axis for each slice, and as vectors for `send_packet`. A packet's matrix "
+    "is kept once,",
+    "  in the thesis perhaps for both levels (1,152 bits are 12 x 24, two levels, two ports).",
+    "- A line of a cache is its data, its address and, in ours, a bit that says whether it counts: one "
+    "bit more than in",
+    "  the thesis. Ours are dual-port, as lookups go on while lines arrive; the thesis's are counted once.",
 )

@@ -245,7 +245,9 @@ struct Core {
     join.channel("transformed", transformation.transformed, packet_decoder.vector);
     std::vector unit_rays = {&packet_decoder.unit_ray};
     if constexpr (kHasReciprocals<C>) {
-      join.repeat("traced_ray", std::vector{&packet_decoder.traced}, ray_reciprocal.traced);
+      // Four rays come in five clocks and take twelve; the transformation must not wait for them.
+      join.repeat("traced_ray", std::vector{&packet_decoder.traced}, ray_reciprocal.traced,
+                  kRays * kAll);
       unit_rays.push_back(&ray_reciprocal.reset);
     }
     if constexpr (kClipsToBox<C>) {

@@ -5,7 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "host/board/configurations.h"
+
 namespace dynrt::host {
+
+/// The report opens no board.
+std::span<const Configuration> configurations() { return {}; }
+
 namespace {
 
 using testing::HasSubstr;

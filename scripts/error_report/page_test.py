@@ -219,6 +219,18 @@ class PageTest(unittest.TestCase):
                       [e[2] for e in elements.of("text")])
         self.assertEqual(len(elements.of("circle", class_="point")), len(VARIANTS) - 1)
 
+    def test_where_every_run_was_refused_the_reasons_are_there(self):
+        report = json.loads(json.dumps(REPORT))
+        report["runs"] = [r for r in report["runs"] if "refused" in r]
+        kept = (self.folder / "error.html").read_text(encoding="utf-8")
+        (self.folder / "error.html").write_text(page.page(report, self.folder), encoding="utf-8")
+        try:
+            elements, _ = self.open()
+        finally:
+            (self.folder / "error.html").write_text(kept, encoding="utf-8")
+        self.assertIn("No run has told an error", elements.by_id("meaning")[2])
+        self.assertIn("exponent_bits 5 cannot hold x = 70000", [e[2] for e in elements.of("td")])
+
     def test_the_documents_plots_are_the_pages(self):
         text = plot.svg(self.folder / "error.json", "a", "image.rms", "FF")
         picture = xml.etree.ElementTree.fromstring(text)

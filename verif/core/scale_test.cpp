@@ -102,6 +102,7 @@ Scene elsewhere(Scene scene, double factor, const glm::dvec3& to) {
     light.position = factor * light.position + to;
     light.colour *= factor;
   }
+  if (scene.camera) scene.camera->position = factor * scene.camera->position + to;
   return scene;
 }
 Camera elsewhere(Camera camera, double factor, const glm::dvec3& to) {

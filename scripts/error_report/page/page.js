@@ -350,8 +350,9 @@ function show() {
       .text("filled, dashed line: the front, which no other variant beats in both");
 
   const fronts = [new Set(), new Set()];
+  by_id("meaning").textContent =
+      m ? `${m.group} ${m.name}: ${m.meaning}.` : "No run has told an error; the table says why.";
   if (m) {
-    by_id("meaning").textContent = `${m.group} ${m.name}: ${m.meaning}.`;
     const area_key = `area.${state.area}`;
     const time_text = state.time === "clocks" ? "clocks a frame" : "ms a frame";
     draw("time-plot", "time-left-out", state.time, time_text, m);
