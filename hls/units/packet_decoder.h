@@ -88,10 +88,12 @@ struct PacketDecoder {
         if (is_new || (triangle && in.corner.get() == Corner(2))) unit_ray.write(test);
         if (in.corner.get() == Corner(0)) first_corner_ = in.vector;
         if (in.corner.get() == Corner(1)) second_corner_ = in.vector;
+        if (object) enter(in, job, r);
       } else if (triangle || (is_new && !kHasReciprocals<C>)) {
         unit_ray.write(UnitRay<C>{in.packet, in.ray, is_new, r, job.primitive, job.cosine_factor});
+      } else if (object && !kHasReciprocals<C>) {
+        enter(in, job, r);
       }
-      if (object && !kHasReciprocals<C>) enter(in, job, r);
     }
   }
 

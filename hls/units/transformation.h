@@ -32,37 +32,50 @@ struct Transformation {
     const Vector<Real> c1 = column[1].read(in.packet);
     const Vector<Real> c2 = column[2].read(in.packet);
     const Vector<Real> n = column[3].read(in.packet);
+    PacketVector<C> out = in;
+    if constexpr (kWatertight<C>) {
+      map_or_transform(in, c0, c1, c2, n, out);
+    } else {
+      out.vector.x = component(in, c0.x, c1.x, c2.x, n.x);
+      out.vector.y = component(in, c0.y, c1.y, c2.y, n.y);
+      out.vector.z = component(in, c0.z, c1.z, c2.z, n.z);
+    }
+    transformed.write(out);
+  }
+
+ private:
+  static Real component(const PacketVector<C>& in, Real m0, Real m1, Real m2, Real n) {
+    const Real last = m2 * in.vector.z;
+    return (m0 * in.vector.x + m1 * in.vector.y) + (in.point ? last + n : last);
+  }
+
+  /// The same multipliers for both: a corner has other operands.
+  void map_or_transform(const PacketVector<C>& in, const Vector<Real>& c0, const Vector<Real>& c1,
+                        const Vector<Real>& c2, const Vector<Real>& n, PacketVector<C>& out) {
     const Vector<Real>& v = in.vector;
+    const Corner corner = in.corner.get();
+    const bool is_corner = corner != Corner(kNoCorner);
     Row x{c0.x, v.x, c1.x, v.y, c2.x, v.z, n.x};
     Row y{c0.y, v.x, c1.y, v.y, c2.y, v.z, n.y};
     Row z{c0.z, v.x, c1.z, v.y, c2.z, v.z, n.z};
-    bool is_corner = false;
-    if constexpr (kWatertight<C>) {
-      const RayMap<Real> m = map.read(ray_row<C>(in.packet, in.ray));
-      const Corner corner = in.corner.get();
-      is_corner = corner != Corner(kNoCorner);
-      if (is_corner) {
-        const Vector<Real> at = corner == Corner(0) ? c0 : corner == Corner(1) ? c1 : c2;
-        const Vector<Real> e =
-            along(m.axis, Vector<Real>{at.x - m.origin.x, at.y - m.origin.y, at.z - m.origin.z});
-        x = Row{n.z, v.z, c1.x, v.y, m.shear.x, e.z, e.x};
-        y = Row{c0.y, v.x, c1.y, v.y, m.shear.y, e.z, e.y};
-        z = Row{n.x, v.x, n.y, v.y, m.shear.z, e.z, n.z};
-      }
+    const RayMap<Real> m = map.read(ray_row<C>(in.packet, in.ray));
+    if (is_corner) {
+      const Vector<Real> at = corner == Corner(0) ? c0 : corner == Corner(1) ? c1 : c2;
+      const Vector<Real> e =
+          along(m.axis, Vector<Real>{at.x - m.origin.x, at.y - m.origin.y, at.z - m.origin.z});
+      x = Row{n.z, v.z, c1.x, v.y, m.shear.x, e.z, e.x};
+      y = Row{c0.y, v.x, c1.y, v.y, m.shear.y, e.z, e.y};
+      z = Row{n.x, v.x, n.y, v.y, m.shear.z, e.z, n.z};
     }
     const Parts px = parts(x, in.point || is_corner);
     const Parts py = parts(y, in.point || is_corner);
     const Parts pz = parts(z, in.point);
-    PacketVector<C> out = in;
     const Real sum_z = (pz.first + pz.second) + (is_corner ? px.first : pz.last);
     out.vector.x = is_corner ? px.last : (px.first + px.second) + px.last;
     out.vector.y = is_corner ? py.last : (py.first + py.second) + py.last;
     out.vector.z = is_corner ? pz.last : sum_z;
     out.cosine = sum_z;
-    transformed.write(out);
   }
-
- private:
   /// The operands of one component.
   struct Row {
     Real m0, x, m1, y, m2, z, n;

@@ -89,7 +89,7 @@ def measured(args, scenes, hardware=True):
                           f"'{scene_name(scene)}'; make two reports")
         known[scene_name(scene)] = {"path": path, "about": describe(args.program, path)}
     folder = args.out.absolute().with_name(args.out.name + ".work")
-    workflow = Workflow(folder, args.program.resolve(), args.build.resolve())
+    workflow = Workflow(folder, args.program.resolve(), args.build.resolve(), args.expect)
     with workflow.alone():
         workflow.prepare({name: scene["path"] for name, scene in known.items()}, variants,
                          args.size, hardware)

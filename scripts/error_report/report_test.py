@@ -260,7 +260,7 @@ class Jobs(InFolder):
 
     def run_workflow(self, names=("a", "b"), hardware_too=True, slurm=False):
         """The jobs that ran."""
-        flow = workflow.Workflow(self.work, self.program, self.build)
+        flow = workflow.Workflow(self.work, self.program, self.build, "f")
         (self.work / "ran").unlink(missing_ok=True)
         listed = {name: {"configuration": {"name": name}} for name in names}
         with flow.alone():
@@ -326,7 +326,7 @@ class Jobs(InFolder):
                 self.run_workflow(slurm=True)
 
     def test_one_at_a_time(self):
-        flow = workflow.Workflow(self.work, self.program, self.build)
+        flow = workflow.Workflow(self.work, self.program, self.build, "f")
         with flow.alone():
             with self.assertRaisesRegex(Refused, "another report is being made there; wait for it "
                                         "or name another --out"):

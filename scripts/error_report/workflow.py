@@ -52,8 +52,8 @@ def stop(process):
 class Workflow:
     """The jobs of these scenes and variants, in a folder that keeps their results between runs."""
 
-    def __init__(self, folder, program, build):
-        self.folder, self.program, self.build = folder, program, build
+    def __init__(self, folder, program, build, expect):
+        self.folder, self.program, self.build, self.expect = folder, program, build, expect
 
     @contextlib.contextmanager
     def alone(self):
@@ -76,7 +76,8 @@ class Workflow:
                  "hlsc": content_of(pathlib.Path(build["hlsc"]))}
         write_if_new(self.folder / "made_by.json", json.dumps(stamp, indent=1))
         config = {"scenes": scenes, "variants": list(variants), "size": size, "stamp": "made_by.json",
-                  "program": str(self.program), "build": str(self.build), "hardware": hardware}
+                  "program": str(self.program), "build": str(self.build), "hardware": hardware,
+                  "fingerprint": self.expect}
         write_if_new(self.folder / "config.json", json.dumps(config, indent=1))
 
     def run(self, jobs, slurm):
