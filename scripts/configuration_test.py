@@ -59,7 +59,7 @@ class Configuration(unittest.TestCase):
     def test_refused(self):
         self.assert_refused(THESIS | {"mantissa_bits": 99},
                             "key 'mantissa_bits' (stored mantissa bits of the float) is 99; it must "
-                            "be a whole number from 2 to 52")
+                            "be a whole number from 8 to 29")
         self.assert_refused("{", "line 1, column 2 is no JSON: expecting property name enclosed in "
                             "double quotes")
         self.assert_refused("[]", "must be an object of keys, not []")

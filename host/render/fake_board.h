@@ -44,7 +44,7 @@ class FakeBoard final : public Board {
   BusTraffic traffic() const override { return meter_.traffic(); }
 
  private:
-  BoardInfo info_{"rtl", "small", 8, 16};
+  BoardInfo info_{"rtl", "small", 8, 16, 31};
   BusMeter meter_;
 };
 
