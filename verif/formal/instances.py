@@ -64,6 +64,12 @@ def primitive(module, parameters):
 
 
 def unit(module, parameters, stated):
+    if "against" in stated:
+        return against(module, parameters, stated)
+    return with_file(module, parameters, stated)
+
+
+def with_file(module, parameters, stated):
     """A unit with a file of properties: in its FIFOs, once for each output channel if the text says
     CHANNEL, or as it is. LATENCY in it is the unit's."""
     folder = LOWERED[0] if stated.get("lowered") else GENERATED
@@ -84,6 +90,45 @@ def unit(module, parameters, stated):
         properties = properties.replace("WRITTEN_IN", written.group(1))
     properties = properties.replace("LATENCY", LATENCY.search(verilog).group(1))
     return Instance(module, parameters, sources, module, properties)
+
+
+PORT = re.compile(r"^  (input|output) +wire (\[\d+:0\] )?(\w+)_(valid|data)_[io],?$", re.MULTILINE)
+
+
+def against(module, parameters, stated):
+    """A unit with one that was lowered for another clock inside: what they give is to be the same.
+    Both take the same tokens in the same clock, and their tokens are taken when both have some."""
+    slow = stated["against"][module]
+    texts = {m: (LOWERED[0] / f"{m}.v") for m in (module, slow)}
+    verilog = texts[module].read_text(encoding="utf-8")
+    ports = PORT.findall(verilog)
+    valids = [(way, name) for way, _, name, kind in ports if kind == "valid"]
+    widths = {name: width for _, width, name, kind in ports if kind == "data"}
+    pins, checks = [".clk_i(clk_i)", ".rst_ni(rst_ni)", ".fire_o(slow_fire)"], []
+    if "frame_i" in verilog:
+        pins.append(".frame_i(frame_i)")
+    lines = ["  wire slow_fire;"]
+    for way, name in valids:
+        if way == "input":
+            pins += [f".{name}_valid_i(fire_o)", f".{name}_data_i({name}_data_i)"]
+            continue
+        lines.append(f"  wire slow_{name}_valid;\n  wire {widths[name]}slow_{name}_data;")
+        pins += [f".{name}_valid_o(slow_{name}_valid)", f".{name}_data_o(slow_{name}_data)",
+                 f".{name}_ready_i({name}_ready_i)"]
+        checks.append((name, f"{name}_valid_o && slow_{name}_valid"))
+    lines.append(f"  {slow} slow ({', '.join(pins)});")
+    lines += (PROPERTIES / "against.v").read_text(encoding="utf-8").splitlines()
+    for name, both in checks:
+        lines += ["  always @* begin", f"    if ({name}_ready_i) assume ({both});",
+                  f"    if (was_reset_q && {both}) {name}_same: "
+                  f"assert ({name}_data_o == slow_{name}_data);",
+                  "    if (was_reset_q && quiet_q > LATENCY) "
+                  f"{name}_none_lost: assert ({name}_valid_o == slow_{name}_valid);",
+                  f"    {name}_given: cover (was_reset_q && {both} && {name}_ready_i);", "  end"]
+    text = "\n".join(lines) + "\n"
+    text = text.replace("LATENCY", LATENCY.search(verilog).group(1))
+    sources = [*sorted(LIBRARY.glob("*.v")), texts[slow], texts[module]]
+    return Instance(module, parameters, sources, module, text)
 
 
 def is_unit(module):

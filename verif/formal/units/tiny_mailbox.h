@@ -1,0 +1,6 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tiny.h"
+#include "units/mailbox.h"
