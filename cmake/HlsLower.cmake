@@ -5,7 +5,7 @@
 #           CLOCK_NS n DELAY model.json [DEPENDS file...] [ROOT dir])
 #
 # A command that lowers the unit TYPE, which HEADER defines, to FOLDER/m.v with its schedule report
-# m.txt and the test bench's header m_ports.h, whenever one of the headers that it includes changes;
+# m.txt, the same as data m.json and the test bench's header m_ports.h, whenever one of the headers that it includes changes;
 # what follows from these files is made again only when they change. HEADER is named as it is
 # included. No absolute path gets into the Verilog of headers within ROOT.
 #
@@ -39,14 +39,14 @@ function(hls_lower)
   file(MAKE_DIRECTORY ${arg_FOLDER}/fresh)
   add_custom_command(
     OUTPUT ${stem}.v
-    BYPRODUCTS ${stem}.txt ${stem}_ports.h
+    BYPRODUCTS ${stem}.txt ${stem}.json ${stem}_ports.h
     COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -x c++ ${compiler_includes} -MM -MT ${stem}.v
             -MF ${stem}.d ${header}
     COMMAND ${HLS_COMPILER} --unit ${arg_TYPE} --module ${arg_MODULE} --header ${arg_HEADER}
             ${hlsc_includes} --clock-ns ${arg_CLOCK_NS} --delay ${arg_DELAY} -o ${fresh}.v
-            --report ${fresh}.txt --binding ${fresh}_ports.h
-    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${fresh}.v ${fresh}.txt ${fresh}_ports.h
-            ${arg_FOLDER}
+            --report ${fresh}.txt --schedule ${fresh}.json --binding ${fresh}_ports.h
+    COMMAND ${CMAKE_COMMAND} -E copy_if_different ${fresh}.v ${fresh}.txt ${fresh}.json
+            ${fresh}_ports.h ${arg_FOLDER}
     DEPENDS ${HLS_COMPILER} ${header} ${arg_DELAY} ${arg_DEPENDS}
     DEPFILE ${stem}.d
     ${in_root}

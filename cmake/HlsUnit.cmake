@@ -9,7 +9,8 @@
 # the calling folder writes to build/<preset>/generated/include:
 #   <NAME>_model   interface library: what a program needs to include the C++ (header only)
 #   <NAME>.v       build/<preset>/generated/<CONFIG>/<NAME>.v, made by hlsc, module <NAME>, with its
-#                  schedule report <NAME>.txt and the header <NAME>_ports.h for the test bench
+#                  schedule report <NAME>.txt, the same as data <NAME>.json and the header
+#                  <NAME>_ports.h for the test bench
 #   <NAME>_rtl     library with the Verilated class V<NAME> (FAST, TRACE, SHARDS: Verilate.cmake),
 #                  whose name is the same for every configuration, so link only one of them
 #   test           generated.<NAME>, label lint, for CONFIG thesis: fails when rtl/generated/thesis/

@@ -4,18 +4,16 @@
 to the next node's fetch. Once as hlsc scheduled it, once as the RTL takes it."""
 
 import dataclasses
+import json
 import math
 import pathlib
-import re
 import tempfile
 
 from bench_run import Work
 
-# The units of the loop in their order. A report's stages are the clocks from a transaction's start
+# The units of the loop in their order. A schedule's stages are the clocks from a transaction's start
 # to its token at the head of the unit's FIFO; the arbiter and the fork behind it are combinational.
 LOOP = ("node_fetch", "node_lookup", "traversal_slice", "packet_decision")
-STAGES = re.compile(r"^stages\s+(\d+)", re.MULTILINE)
-CLOCK = re.compile(r"^clock\s+([\d.]+) ns", re.MULTILINE)
 
 
 @dataclasses.dataclass
@@ -29,15 +27,15 @@ class Schedule:
 
 
 def scheduled(folder):
-    """Reads hlsc's reports of a configuration; None where they have not been made."""
+    """Reads hlsc's schedules of a configuration; None where they have not been made."""
     stages, clock_ns = {}, 0.0
     for unit in LOOP:
-        report = pathlib.Path(folder, f"{unit}.txt")
-        if not report.exists():
+        path = pathlib.Path(folder, f"{unit}.json")
+        if not path.exists():
             return None
-        text = report.read_text(encoding="utf-8")
-        stages[unit] = int(STAGES.search(text).group(1))
-        clock_ns = float(CLOCK.search(text).group(1))
+        schedule = json.loads(path.read_text(encoding="utf-8"))
+        stages[unit] = schedule["stages"]
+        clock_ns = schedule["clock_ns"]
     return Schedule(stages, clock_ns)
 
 

@@ -32,6 +32,7 @@ MODEL_CAUSE = ("the model computes the core's floats with integers, as the hardw
                "additions take the largest part of the time; doubles rounded once would give the "
                "same bits faster, but would be a second source of them")
 TOP_LEVEL_CAUSE = ("a slower or a busy machine: what others have in its caches counts")
+TRUTH_CAUSE = ("a slower or a busy machine: what others have in its caches counts")
 TREE_CAUSE = ("the builder runs on all cores, so compare the processor time: on a busy machine the "
               "clock on the wall measures the others")
 
@@ -74,6 +75,7 @@ class Options:
     runs: int
     reports: object  # folder of hlsc's schedule reports of CONFIG
     tree_bench: object  # the program that times the trees alone
+    truth_bench: object  # the program that times the truth of rays
 
 
 class Bench:
@@ -91,7 +93,8 @@ class Bench:
         except RunFailed as failure:
             rtl, self.missing = None, str(failure)
         return [*self._core_rows(rtl), *self._work_rows((rtl or model).last),
-                *self._latency_rows(rtl is not None), *self._host_rows(rtl, model)]
+                *self._latency_rows(rtl is not None), self._clocks_row(rtl),
+                *self._host_rows(rtl, model)]
 
     def _speed(self, board, amount):
         speed = Speed.measure(self.dynrt, board, self.options.scene, CONFIG, self.options.size,
@@ -150,7 +153,7 @@ class Bench:
         planned = Row("traversal round trip, scheduled", "clocks", 32, "<=")
         schedule = bench_latency.scheduled(self.options.reports)
         if schedule is None:
-            planned.note = f"{self.options.reports} has no schedule reports"
+            planned.note = f"{self.options.reports} has no schedules"
         else:
             planned.reached = schedule.clocks
             stages = ", ".join(f"{unit} {n}" for unit, n in schedule.stages.items())
@@ -162,6 +165,23 @@ class Bench:
             taken.note = "RTL with one packet in flight, nodes in the cache"
         return [planned, taken]
 
+    def _clocks_row(self, rtl):
+        """How far the clocks that the model counts are from those that the RTL takes."""
+        row = Row("clocks of a frame, model against RTL", "%", 0, "<=", digits=3)
+        self.progress("model, clock by clock")
+        try:
+            run = self.dynrt.render(self.options.scene, "model", CONFIG, self.options.size,
+                                    "--schedule", str(self.options.reports))
+        except RunFailed as failure:
+            row.note = str(failure)
+            return row
+        clocks = run.frame["cycles"]
+        row.note = f"{clocks:,} by the units' schedules, in {run.cpu_seconds:.1f} s"
+        if rtl is not None:
+            cycles = rtl.last.frame["cycles"]
+            row.reached = 100 * abs(clocks - cycles) / cycles
+        return row
+
     def _host_rows(self, rtl, model):
         simulation = Row("RTL simulation, clocks per second", "", 100_000, ">=")
         memory = Row("peak memory of a render", "MB", 1000, "<=")
@@ -171,23 +191,45 @@ class Bench:
         memory.reached, memory.note = peak.peak_bytes / 1e6, f"board {peak.frame['board']}"
         native = Row("native model, rays per second", "", 300_000, ">=", reached=model.median,
                      note=_spread(model, self.options.runs), cause=MODEL_CAUSE)
-        return [simulation, native, self._tree_row(), self._top_level_row(), memory]
+        return [simulation, native, self._tree_row(), self._top_level_row(), self._truth_row(),
+                memory]
 
-    def _top_level_row(self):
-        """The tree over 50,000 instances, as host/tree/tree_bench.cpp strews them."""
-        row = Row("top level of 50,000 instances", "ms", 33, "<=", digits=1, cause=TOP_LEVEL_CAUSE)
-        program = self.options.tree_bench
+    def _timed(self, program, name):
+        """The runs of one benchmark of a program, in its order; None if it is not built."""
         if not program.exists():
-            row.note = f"{program} is not built"
-            return row
-        self.progress("top level of 50,000 instances")
-        command = [program, "--benchmark_filter=^instance_tree/50000$", "--benchmark_format=json",
+            return None
+        command = [program, f"--benchmark_filter=^{name}$", "--benchmark_format=json",
                    f"--benchmark_repetitions={self.options.runs}"]
         result = subprocess.run(command, capture_output=True, text=True, check=False)
         if result.returncode != 0:
             raise RunFailed(f"{program}: {result.stderr.strip()}")
-        times = [run["cpu_time"] for run in json.loads(result.stdout)["benchmarks"]
-                 if run["run_type"] == "iteration"]
+        return [run for run in json.loads(result.stdout)["benchmarks"]
+                if run["run_type"] == "iteration"]
+
+    def _truth_row(self):
+        """What `dynrt report error` judges by, of the primary rays of `office`."""
+        row = Row("truth of rays, per second of two cores", "", 200_000, ">=", cause=TRUTH_CAUSE)
+        self.progress("truth of rays")
+        runs = self._timed(self.options.truth_bench, "primary_rays/process_time")
+        if runs is None:
+            row.note = f"{self.options.truth_bench} is not built"
+            return row
+        speeds = [2 * run["rays"] / (run["cpu_time"] * 1e-3) for run in runs]
+        row.reached = statistics.median(speeds)
+        row.note = (f"by processor time, {len(speeds)} runs, {min(speeds):,.0f} to "
+                    f"{max(speeds):,.0f}; {runs[0]['tests_per_ray']:.1f} primitives a ray, exact "
+                    f"arithmetic for {runs[0]['exact_per_ray']:.3f} decisions a ray")
+        return row
+
+    def _top_level_row(self):
+        """The tree over 50,000 instances, as host/tree/tree_bench.cpp strews them."""
+        row = Row("top level of 50,000 instances", "ms", 33, "<=", digits=1, cause=TOP_LEVEL_CAUSE)
+        self.progress("top level of 50,000 instances")
+        runs = self._timed(self.options.tree_bench, "instance_tree/50000")
+        if runs is None:
+            row.note = f"{self.options.tree_bench} is not built"
+            return row
+        times = [run["cpu_time"] for run in runs]
         row.reached = statistics.median(times)
         row.note = (f"processor time of one core, {len(times)} runs, {min(times):.1f} to "
                     f"{max(times):.1f}; boxes and tree, without packing and upload")

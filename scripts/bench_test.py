@@ -18,10 +18,16 @@ BENCH = pathlib.Path(__file__).resolve().parent / "bench"
 # 30 leaves and 3,000 inner nodes are fetched.
 STAND_IN = '''#!/usr/bin/env python3
 import argparse, json, pathlib, sys
+if sys.argv[1] == "report":
+    out = pathlib.Path(sys.argv[sys.argv.index("--out") + 1])
+    out.mkdir(exist_ok=True)
+    runs = [{"seconds": {"truth": 0.1}}, {"seconds": {"truth": 0.05}}, {"refused": "why"}]
+    out.joinpath("error.json").write_text(json.dumps({"runs": runs}))
+    sys.exit()
 parser = argparse.ArgumentParser()
 parser.add_argument("command")
 parser.add_argument("scene")
-for flag in ("board", "config", "size", "out", "json", "position", "look-at", "up", "fov"):
+for flag in ("schedule", "board", "config", "size", "out", "json", "position", "look-at", "up", "fov"):
     parser.add_argument("--" + flag)
 parser.add_argument("--packets", type=int, default=64)
 parser.add_argument("--lines", type=int, default=512)
@@ -49,10 +55,9 @@ caches = {name: {"hit_rate": a.lines / 1024, "misses": 101} for name in ("node",
 report = {"scene": {"instances": 1},
           "frame": {"board": a.board, "width": width, "height": height, "counters": counters,
                     "units": units, "caches": caches,
-                    "cycles": cycles if a.board == "rtl" else None}}
+                    "cycles": cycles if a.board == "rtl" else 1.5 * nodes if a.schedule else None}}
 pathlib.Path(a.json).write_text(json.dumps(report))
 '''
-REPORT = "unit       dynrt::Unit\nclock      10.00 ns (ECP5)\nstages     {}\n"
 
 
 class Bench(unittest.TestCase):
@@ -117,6 +122,23 @@ class Bench(unittest.TestCase):
         self.assertIs(row["met"], True)
         self.assertIn("24.5 to 40.0", row["note"])
 
+    def test_truth(self):
+        rows, _ = self.rows()
+        row = rows["truth of rays, per second of two cores"]
+        self.assertIsNone(row["reached"])
+        self.assertIn("truth_bench is not built", row["note"])
+        program = self.folder / "host" / "truth" / "truth_bench"
+        program.parent.mkdir(parents=True)
+        runs = [{"run_type": "iteration", "cpu_time": ms, "rays": 100_000, "tests_per_ray": 3.4,
+                 "exact_per_ray": 0.04} for ms in (400, 1000, 500)]
+        program.write_text(f"#!/bin/sh\necho '{json.dumps({'benchmarks': runs})}'\n",
+                           encoding="utf-8")
+        program.chmod(0o755)
+        row = self.rows()[0]["truth of rays, per second of two cores"]
+        self.assertEqual(row["reached"], 400_000)
+        self.assertIs(row["met"], True)
+        self.assertIn("200,000 to 500,000; 3.4 primitives a ray", row["note"])
+
     def test_round_trip(self):
         rows, _ = self.rows()
         self.assertEqual(rows["traversal round trip, measured"]["reached"], 30)
@@ -125,10 +147,18 @@ class Bench(unittest.TestCase):
         reports.mkdir(parents=True)
         for number, unit in enumerate(("node_fetch", "node_lookup", "traversal_slice",
                                        "packet_decision")):
-            (reports / f"{unit}.txt").write_text(REPORT.format(number + 5))
+            (reports / f"{unit}.json").write_text(
+                json.dumps({"clock_ns": 10.0, "stages": number + 5}))
         rows, text = self.rows()
         self.assertEqual(rows["traversal round trip, scheduled"]["reached"], 5 + 6 + 7 + 8)
         self.assertIn("traversal_slice 7", text)
+
+    def test_clocks_by_the_schedules(self):
+        row = self.rows()[0]["clocks of a frame, model against RTL"]
+        self.assertAlmostEqual(row["reached"], 20)
+        self.assertIs(row["met"], False)
+        self.assertRegex(row["note"], r"^4,545.* by the units' schedules")
+        self.assertIsNone(self.rows(rtl=False)[0]["clocks of a frame, model against RTL"]["reached"])
 
     def test_without_rtl_the_rest_is_measured(self):
         rows, text = self.rows(rtl=False)
@@ -187,6 +217,15 @@ class Bench(unittest.TestCase):
         result = self.bench("--scenes", "--sweep", "plots")
         self.assertEqual(result.returncode, 2)
         self.assertIn("--scenes and --sweep are two tables; ask for one of them", result.stderr)
+
+    def test_report(self):
+        result = self.bench("--report", "--quick", "--json", "report.json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        first, again, truth = json.loads((self.folder / "report.json").read_text())["rows"]
+        self.assertTrue(first["note"].startswith("2 variants on "))
+        self.assertIsNone(first["met"])  # of another size
+        self.assertEqual(again["name"], "the same again")
+        self.assertEqual((truth["reached"], truth["met"]), (128 * 96 / 0.05 / 1e6, True))
 
     def test_sweep_needs_the_rtl(self):
         result = self.bench("--sweep", "plots", rtl=False)

@@ -49,17 +49,18 @@ TREE = {"rtl/lib/ram.v": RAM, "rtl/generated/thesis/unit.v": UNIT,
 
 
 class Planted(unittest.TestCase):
-    def run_script(self, extra, *command):
+    def run_script(self, extra, *command, env=None):
         with tempfile.TemporaryDirectory() as name:
             root = pathlib.Path(name)
             (root / "scripts").mkdir()
-            for script in ("lint", "synth", "rtl_files.py"):
+            for script in ("lint", "synth", "rtl_files.py", "devices.py", "synthesis.py",
+                           "build_cache.py"):
                 shutil.copy(SCRIPTS / script, root / "scripts")
             for path, text in {**TREE, **extra}.items():
                 (root / path).parent.mkdir(parents=True, exist_ok=True)
                 (root / path).write_text(text, encoding="utf-8")
             result = subprocess.run([root / "scripts" / command[0], *command[1:]], cwd=root,
-                                    capture_output=True, text=True, check=False)
+                                    capture_output=True, text=True, check=False, env=env)
             figures = root / "figures.json"
             return result, json.loads(figures.read_text()) if figures.exists() else None
 
@@ -136,12 +137,73 @@ class Synth(Planted):
     def test_counts(self):
         result, figures = self.run_script({}, "synth", "unit", "--json", "figures.json")
         self.assertEqual(result.returncode, 0, result.stderr)
-        for device in ("ecp5", "xc2v"):
+        for device in ("ecp5-85", "virtex2-6000"):
             row = figures["devices"][device]["unit"]
             self.assertEqual((row["mult"], row["BRAM"]), (1, 1), device)
             self.assertGreaterEqual(row["LUT"], 15)
             self.assertGreaterEqual(row["FF"], 32)
-        self.assertIn("Lattice ECP5 (synth_ecp5 -nowidelut)", result.stdout)
+            taken = figures["resources"][device]["unit"]
+            self.assertEqual((taken["multiplier"], taken["block RAM"]), (1, 1), device)
+            self.assertGreaterEqual(taken["LUT4"], row["LUT"])
+        self.assertIn("Lattice LFE5U-85F (synth_ecp5 -nowidelut)", result.stdout)
+        self.assertRegex(result.stdout, r"(?m)^unit .* 1   0.5 % +1   0.6 %$")
+
+    def test_a_family_has_areas_alone(self):
+        result, figures = self.run_script({}, "synth", "unit", "--device", "ecp5", "--json",
+                                          "figures.json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(figures["devices"]["ecp5"]["unit"]["mult"], 1)
+        self.assertNotIn("of the device", result.stdout)
+
+    def test_unknown_device(self):
+        result, _ = self.run_script({}, "synth", "--device", "ecp5-86")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr, (
+            "synth: there is no device 'ecp5-86'; the devices are ecp5-85, ice40-hx8k, artix7-200, "
+            "virtex2-6000, the families, whose areas alone are told, ecp5, ice40, xc7, xc2v\n"))
+
+    def test_what_fits_no_device_says_what_is_missing(self):
+        large = {"rtl/lib/ram.v": RAM.replace("[ 7:0] addr_i", "[15:0] addr_i")
+                 .replace("[0:255]", "[0:65535]")}
+        command = ("synth", "ram", "--device", "ice40-hx8k")
+        result, _ = self.run_script(large, *command)
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"synth: ram does not fit ice40-hx8k: .*\b"
+                         r"512 block RAMs of 32, 480 too many")
+        result, _ = self.run_script(large, *command, "--device", "ecp5-85")
+        self.assertEqual(result.returncode, 0, "it fits one of the two")
+        self.assertIn("ram does not fit ice40-hx8k", result.stderr)
+
+    def test_missing_yosys_names_the_package(self):
+        with tempfile.TemporaryDirectory() as name:
+            for tool in ("python3", "env"):
+                pathlib.Path(name, tool).symlink_to(shutil.which(tool))
+            result, _ = self.run_script({}, "synth", "unit", env={"PATH": name})
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("synth: yosys is not installed; Debian's package yosys has it", result.stderr)
+
+    def test_what_reads_the_same_is_synthesized_once(self):
+        with tempfile.TemporaryDirectory() as name:
+            root = pathlib.Path(name)
+            (root / "scripts").mkdir()
+            for script in ("synth", "rtl_files.py", "devices.py", "synthesis.py", "build_cache.py"):
+                shutil.copy(SCRIPTS / script, root / "scripts")
+            for path, text in TREE.items():
+                (root / path).parent.mkdir(parents=True, exist_ok=True)
+                (root / path).write_text(text, encoding="utf-8")
+
+            def kept():
+                result = subprocess.run([root / "scripts/synth", "ram", "--device", "ecp5"],
+                                        capture_output=True, text=True, check=True)
+                return result.stdout, {p.name: p.stat().st_mtime_ns
+                                       for p in (root / "build/synth").glob("area-*")
+                                       if p.is_dir()}
+
+            first = kept()
+            (root / "rtl/lib/ram.v").write_text("// A comment.\n" + RAM, encoding="utf-8")
+            self.assertEqual(kept(), first)
+            (root / "rtl/lib/ram.v").write_text(RAM.replace("31:0", "15:0"), encoding="utf-8")
+            self.assertEqual(len(kept()[1]), 2)
 
     def test_unknown_unit(self):
         result, _ = self.run_script({}, "synth", "mailbox")

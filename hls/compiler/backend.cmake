@@ -11,6 +11,7 @@ add_library(hlsc_backend STATIC
   emit/names.cpp
   emit/pipeline_bits.cpp
   emit/report.cpp
+  emit/schedule_json.cpp
   emit/stages.cpp
   emit/state.cpp
   emit/verilog.cpp

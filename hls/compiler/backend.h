@@ -20,6 +20,7 @@ struct Options {
 struct Lowered {
   std::string verilog;
   std::string report;    ///< stages, operations and register bits per stage
+  std::string schedule;  ///< the report for programs, as JSON
   std::string binding;   ///< C++ header: visit_ports_<module>()
   unsigned latency = 0;  ///< clocks from a transaction's start to its tokens leaving
 };

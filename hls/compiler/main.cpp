@@ -25,6 +25,7 @@ struct Arguments {
   std::string delay;
   std::string verilog = "-";
   std::string report;
+  std::string schedule;
   std::string binding;
   std::string depfile;
   bool dump_netlist = false;
@@ -45,6 +46,7 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_option("--delay", a.delay, "delay model of the device family (JSON)");
   app.add_option("-o", a.verilog, "Verilog to write, - for the terminal")->capture_default_str();
   app.add_option("--report", a.report, "schedule report to write");
+  app.add_option("--schedule", a.schedule, "the schedule's stages as JSON to write");
   app.add_option("--binding", a.binding, "C++ header for the test bench to write");
   app.add_option("--depfile", a.depfile,
                  "make rule to write: the Verilog and all it was made from");
@@ -84,6 +86,7 @@ void run(const Arguments& a) {
   hlsc::OutputFiles files;
   files.add(a.verilog, lowered.verilog);
   files.add(a.report, lowered.report);
+  files.add(a.schedule, lowered.schedule);
   files.add(a.binding, lowered.binding);
   files.add(a.depfile, make_rule(a.verilog, unit.includes));
   files.commit();

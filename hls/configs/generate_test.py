@@ -89,7 +89,7 @@ class Generate(unittest.TestCase):
         self.assert_key_refused("lines", 500, "(lines of each cache) is 500; "
                                 "it must be a power of two from 1 to 512")
         self.assert_key_refused("stack_depth", -3, "(entries of each stack and level) is -3; "
-                                "it must be a whole number from 1 to 31")
+                                "it must be a whole number from 1 to 63")
         self.assert_key_refused("sram_latency", 0, "(clocks from an SRAM bank's address to its "
                                 "data) is 0; it must be a whole number from 3 to 8")
         self.assert_key_refused("lights", 9, "(passes of light rays from a packet's hits, at most) "
@@ -101,9 +101,17 @@ class Generate(unittest.TestCase):
         self.assert_key_refused("epsilon", float("nan"), "(how far outside the unit triangle a "
                                 "hit may lie) is NaN; it must be a number from 0 to 1")
 
+    def test_floats_that_are_too_wide(self):
+        wide = GOOD | {"exponent_bits": 8, "mantissa_bits": 24}
+        self.assert_refused(json.dumps({"wide": wide}),
+                            "configuration 'wide': a float of 1 + 8 + 24 = 33 bits; it must have "
+                            "32 at most")
+        widest = GOOD | {"exponent_bits": 8, "mantissa_bits": 23}
+        self.assertEqual(self.run_on(json.dumps({"widest": widest})).returncode, 0)
+
     def test_values_of_another_type(self):
         self.assert_key_refused("mantissa_bits", "x", "(stored mantissa bits of the float) is "
-                                '"x"; it must be a whole number from 2 to 52')
+                                '"x"; it must be a whole number from 8 to 29')
         self.assert_key_refused("packets", True, "(packets in flight) is true; "
                                 "it must be a whole number from 1 to 64")
         self.assert_key_refused("packets", 4.0, "(packets in flight) is 4.0; "
@@ -125,12 +133,38 @@ class Generate(unittest.TestCase):
                                     f"{json.dumps(value)}; it must be a list of one or more of "
                                     "triangle, sphere, rectangle")
 
+    def test_what_a_watertight_test_asks_of_other_keys(self):
+        good = {"triangle_test": "watertight", "epsilon": 0.0, "exponent_bits": 5}
+        self.assertIn("static constexpr TriangleTest kTriangleTest = TriangleTest::kWatertight;",
+                      self.written(**good))
+        self.folder.joinpath("out/tiny.h").unlink()
+        self.folder.joinpath("out/configs.json").unlink()
+        self.out.rmdir()
+        for key, value, wants in (
+                ("triangle_matrix", "memory_efficient",
+                 "normal_consistent, as corners and normal take four columns"),
+                ("primitives", ["triangle", "sphere"],
+                 '["triangle"], as only triangles are mapped to the ray'),
+                ("object_box", "unit", "nodes, as corners are rounded before an object's tree is "
+                 "built, not scaled after"),
+                ("divider", "reciprocal", "digit_recurrence, as a ray's shear is made of its "
+                 "direction, not of reciprocals"),
+                ("epsilon", 0.25, "0, as edges are decided exactly"),
+                ("exponent_bits", 9, "8 at most, as a product takes two bits more, and the model "
+                 "holds it in a double"),
+                ("mantissa_bits", 26, "25 at most, as a product takes twice as many and one, and "
+                 "the model holds it in a double")):
+            self.assert_refused(json.dumps({"tiny": GOOD | good | {key: value}}),
+                                f"configuration 'tiny': with triangle_test \"watertight\" the key "
+                                f"'{key}' must be {wants}; it is {json.dumps(value)}")
+
     def test_keys(self):
         self.assert_refused(json.dumps({"tiny": GOOD | {"lihgts": 1}}),
                             "configuration 'tiny': unknown key 'lihgts'; the keys are about, rtl, "
                             "packets, lines, stack_depth, mailbox_slots, exponent_bits, "
                             "mantissa_bits, rounding, epsilon, sram_latency, lights, reflections, "
-                            "scan_out, crossing, object_box, triangle_matrix, primitives")
+                            "scan_out, crossing, object_box, divider, triangle_matrix, primitives, "
+                            "triangle_test")
         self.assert_refused(json.dumps({"tiny": {k: GOOD[k] for k in GOOD if k != "lines"}}),
                             "configuration 'tiny': lacks the key 'lines' (lines of each cache), "
                             "a power of two from 1 to 512")

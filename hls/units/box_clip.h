@@ -19,7 +19,7 @@ template <class C>
 struct BoxClip {
   using Real = typename C::Real;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
-  static constexpr unsigned kWidening = 4;
+  static constexpr unsigned kWidening = 4;  ///< not the traversal's
 
   hls::In<ObjectRay<C>> ray;
   hls::Out<TraversalEvent<C>> enter_object;
@@ -68,34 +68,18 @@ struct BoxClip {
   }
 
  private:
-  /// To the slab from -1 to 1 along one axis.
+  /// To the slab from -1 to 1 along one axis. `direction` or its reciprocal, if the core has such.
   static void clip(BoxInterval<C>& inside, Real origin, Real direction) {
-    const Real reciprocal = Real::one() / direction;
+    const Real reciprocal = kHasReciprocals<C> ? direction : Real::one() / direction;
     const Real low = (-Real::one() - origin) * reciprocal;
     const Real high = (Real::one() - origin) * reciprocal;
     const Real enters = direction.sign() ? high : low;
     const Real leaves = direction.sign() ? low : high;
-    const Real near = moved_down(enters);
+    const Real near = enters.template moved_down<kWidening>();
     if (!enters.sign() && inside.near < near) inside.near = near;
     // Behind the ray's origin it leaves before it can have entered.
-    const Real far = leaves.sign() ? Real{} : moved_up(leaves);
+    const Real far = leaves.sign() ? Real{} : leaves.template moved_up<kWidening>();
     if (far < inside.far) inside.far = far;
-  }
-  /// Of positive numbers.
-  static Real moved_down(Real value) {
-    const auto magnitude = value.magnitude();
-    const auto step = decltype(value.magnitude())::from(kWidening);
-    return positive(magnitude < step
-                        ? decltype(value.magnitude())(0)
-                        : decltype(value.magnitude())::from(magnitude.raw() - step.raw()));
-  }
-  static Real moved_up(Real value) {
-    const auto sum = value.magnitude() + decltype(value.magnitude())::from(kWidening);
-    const bool over = sum.template bit<Real::kLeafWidth - 1>();
-    return over ? Real::largest() : positive(sum.template trunc<Real::kLeafWidth - 1>());
-  }
-  static Real positive(uint<Real::kLeafWidth - 1> magnitude) {
-    return Real::from_bits(hls::concat(uint<1>(0), magnitude));
   }
   static Real pick(RayIndex ray, const Real (&of)[kRays]) {
     return ray.template bit<1>() ? (ray.template bit<0>() ? of[3] : of[2])

@@ -17,7 +17,7 @@ namespace dynrt {
 template <class C>
 struct NodeCache {
   using Context = StepContext<C>;
-  using Line = Node;
+  using Line = Node<typename C::Real>;
   using Reply = Step<C>;
   static constexpr MemoryKind kKind = MemoryKind::kNode;
   static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) { return c.packet; }
@@ -37,7 +37,7 @@ struct ListCache {
 template <class C>
 struct MatrixCache {
   using Context = ColumnContext<C>;
-  using Line = MatrixColumn;
+  using Line = MatrixColumn<typename C::Real>;
   using Reply = CacheReply<Context, Line>;
   static constexpr MemoryKind kKind = MemoryKind::kColumn;
   static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) {

@@ -177,7 +177,7 @@ TEST(CacheLookup, AnInvalidatedLineIsFetchedAgain) {
   };
   for (const unsigned address : {16, 17}) {
     EXPECT_EQ(ask(address), 0u);
-    cache.fill({false, {}, Address::from(address), memory<Node>(address)});
+    cache.fill({false, {}, Address::from(address), memory<Node<Real>>(address)});
     EXPECT_EQ(ask(address), 1u);
   }
   cache.filled();
@@ -196,14 +196,14 @@ TEST(CacheLookup, AMissStopsNobodyElse) {
     c.packet = PacketId<C>::from(packet);
     return c;
   };
-  cache.fill({false, 7, 5, memory<Node>(5)});
+  cache.fill({false, 7, 5, memory<Node<Real>>(5)});
   cache.request({context(1), 3});
   cache.request({context(2), 5});
   cache.request({context(3), 4});
   EXPECT_EQ(cache.misses().size(), 2u);
   ASSERT_EQ(cache.hits().size(), 1u);
   cache.filled();
-  cache.fill({false, 3, 4, memory<Node>(4)});
+  cache.fill({false, 3, 4, memory<Node<Real>>(4)});
   const auto filled = cache.filled();
   ASSERT_EQ(filled.size(), 1u);
   EXPECT_EQ(filled[0].context.packet, PacketId<C>(3)) << "in the order in which the memory answers";

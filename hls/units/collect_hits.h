@@ -21,7 +21,8 @@ template <class C>
 struct CollectHits {
   using Real = typename C::Real;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
-  static constexpr unsigned kMarginBits = 9;  ///< a margin is 2^-9 of t
+  /// A margin is 2^-9 of t, or four steps of a mantissa that is too short for that.
+  static constexpr unsigned kMarginBits = std::min(9u, Real::kMantissaBits - 2);
   /// What is known of a ray so far.
   struct Closest {
     Real t;
@@ -147,10 +148,7 @@ struct CollectHits {
   }
   /// t and the margin behind it, in steps of the mantissa.
   static Real behind(Real t) {
-    static_assert(Real::kMantissaBits > kMarginBits, "a margin is a step of the mantissa at least");
-    constexpr unsigned kMargin = 1u << (Real::kMantissaBits - kMarginBits);
-    const auto sum = t.magnitude() + decltype(t.magnitude())::from(kMargin);
-    return Real::from_bits(hls::concat(uint<1>(0), sum.template trunc<Real::kLeafWidth - 1>()));
+    return t.template moved_up<(1u << (Real::kMantissaBits - kMarginBits))>();
   }
   static Closest begin(const JobRecord<C>& job, const SurfacePoint<C>& from) {
     const bool alone = kHasSecondary<C> && job.kind == TransformKind::kDerive;

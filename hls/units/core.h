@@ -24,6 +24,8 @@
 #include "units/packet_decision.h"
 #include "units/packet_decoder.h"
 #include "units/ray_generation.h"
+#include "units/ray_reciprocal.h"
+#include "units/ray_shear.h"
 #include "units/secondary_rays.h"
 #include "units/send_packet.h"
 #include "units/shader.h"
@@ -34,8 +36,15 @@
 
 namespace dynrt {
 
-/// The board's six memory banks, as the core sees them.
-using Bank = std::shared_ptr<std::vector<Word>>;
+/// The board's six memory banks, as the core sees them: those of the scene, and those that it
+/// writes.
+template <class C>
+struct Banks {
+  template <class W>
+  using Bank = std::shared_ptr<std::vector<W>>;
+  std::array<Bank<SceneWord<typename C::Real>>, kSceneBanks> scene;
+  std::array<Bank<Word>, kBanks - kFrameBank> out;
+};
 
 template <class C>
 struct Core {
@@ -57,7 +66,9 @@ struct Core {
   SendPacket<C> send_packet;
   Transformation<C> transformation;
   PacketDecoder<C> packet_decoder;
+  hls::PortIf<kHasReciprocals<C>, RayReciprocal<C>> ray_reciprocal;
   hls::PortIf<kClipsToBox<C>, BoxClip<C>> box_clip;
+  hls::PortIf<kWatertight<C>, RayShear<C>> ray_shear;
   Intersection<C> intersection;
   CollectHits<C> collect_hits;
   Shading<C> shading;
@@ -70,7 +81,7 @@ struct Core {
   std::shared_ptr<hls::Fifo<uint<1>>> done;
   std::shared_ptr<FrameConfig> frame = std::make_shared<FrameConfig>();
 
-  Core(hls::Join& join, const std::array<Bank, kBanks>& banks) {
+  Core(hls::Join& join, const Banks<C>& banks) {
     name_units(join);
     join_frame(join);
     join_traversal(join);
@@ -111,7 +122,11 @@ struct Core {
     join.unit("send_packet", "send_packet", send_packet);
     join.unit("transformation", "transformation", transformation);
     join.unit("packet_decoder", "packet_decoder", packet_decoder);
+    if constexpr (kHasReciprocals<C>) {
+      join.unit("ray_reciprocal", "ray_reciprocal", ray_reciprocal);
+    }
     if constexpr (kClipsToBox<C>) join.unit("box_clip", "box_clip", box_clip);
+    if constexpr (kWatertight<C>) join.unit("ray_shear", "ray_shear", ray_shear);
     join.group("Intersection");
     join.unit("intersection", "intersection", intersection);
     join.unit("collect_hits", "collect_hits", collect_hits);
@@ -160,6 +175,10 @@ struct Core {
                                                         &list.finished, &mailbox.start};
     if constexpr (kClipsToBox<C>) {
       events.push_back(&box_clip.enter_object);
+    } else if constexpr (kHasReciprocals<C>) {
+      events.push_back(&ray_reciprocal.enter_object);
+    } else if constexpr (kWatertight<C>) {
+      events.push_back(&ray_shear.enter_object);
     } else {
       events.push_back(&packet_decoder.enter_object);
     }
@@ -173,7 +192,11 @@ struct Core {
       join.constant(slice[i].lane, RayIndex::from(i));
       join.channel("decision_" + std::to_string(i), slice[i].decision, packet_decision.slice[i],
                    kAll);
-      join.ram("ray_" + std::to_string(i), packet_decoder.ray[i], std::vector{&slice[i].ray});
+      if constexpr (kHasReciprocals<C>) {
+        join.ram("ray_" + std::to_string(i), ray_reciprocal.ray[i], std::vector{&slice[i].ray});
+      } else {
+        join.ram("ray_" + std::to_string(i), packet_decoder.ray[i], std::vector{&slice[i].ray});
+      }
       join.ram("distance_" + std::to_string(i), collect_hits.distance[i], distance_readers(i));
       if constexpr (kSplitsPackets<C>) {
         join.ram("signs_" + std::to_string(i), packet_decoder.signs[i],
@@ -220,13 +243,28 @@ struct Core {
     join.ram("ray_vectors", packet_decoder.vectors, vectors);
     join.channel("packet_vector", send_packet.vector, transformation.vector);
     join.channel("transformed", transformation.transformed, packet_decoder.vector);
+    std::vector unit_rays = {&packet_decoder.unit_ray};
+    if constexpr (kHasReciprocals<C>) {
+      // Four rays come in five clocks and take twelve; the transformation must not wait for them.
+      join.repeat("traced_ray", std::vector{&packet_decoder.traced}, ray_reciprocal.traced,
+                  kRays * kAll);
+      unit_rays.push_back(&ray_reciprocal.reset);
+    }
     if constexpr (kClipsToBox<C>) {
-      join.channel("object_ray", packet_decoder.object_ray, box_clip.ray);
+      if constexpr (kHasReciprocals<C>) {
+        join.channel("object_ray", ray_reciprocal.object_ray, box_clip.ray);
+      } else {
+        join.channel("object_ray", packet_decoder.object_ray, box_clip.ray);
+      }
       for (unsigned i = 0; i < kRays; ++i) {
         join.ram("box_" + std::to_string(i), box_clip.interval[i], std::vector{&slice[i].box});
       }
     }
-    join.channel("unit_ray", packet_decoder.unit_ray, intersection.unit_ray);
+    if constexpr (kWatertight<C>) {
+      join.channel("object_ray", packet_decoder.object_ray, ray_shear.ray);
+      join.ram("ray_map", ray_shear.map, std::vector{&transformation.map});
+    }
+    join.channel<UnitRay<C>>("unit_ray", unit_rays, {&intersection.unit_ray});
     join.channel("candidate", intersection.candidate, collect_hits.candidate);
   }
 
@@ -272,24 +310,24 @@ struct Core {
     return entries;
   }
 
-  void join_memory(hls::Join& join, const std::array<Bank, kBanks>& banks) {
+  void join_memory(hls::Join& join, const Banks<C>& banks) {
     join.channel<MemoryRequest<C>>("memory_request",
                                    {&node_lookup.miss, &list_lookup.miss, &matrix_lookup.miss},
                                    {&memory_interface.request});
-    join.channel<CacheLine<C, Node>>("node_line", {&memory_interface.node, &startup.node},
-                                     {&node_fill.fill});
+    join.channel<CacheLine<C, Node<typename C::Real>>>(
+        "node_line", {&memory_interface.node, &startup.node}, {&node_fill.fill});
     join.channel<CacheLine<C, ListEntry>>("list_line", {&memory_interface.list, &startup.list},
                                           {&list_fill.fill});
-    join.channel<CacheLine<C, MatrixColumn>>(
+    join.channel<CacheLine<C, MatrixColumn<typename C::Real>>>(
         "column_line", {&memory_interface.column, &startup.column}, {&matrix_fill.fill});
     join_cache(join, "node", node_lookup, node_fill);
     join_cache(join, "list", list_lookup, list_fill);
     join_cache(join, "matrix", matrix_lookup, matrix_fill);
     for (unsigned i = 0; i < kSceneBanks; ++i) {
-      join.bank("bank" + std::to_string(i), memory_interface.bank[i], banks[i]);
+      join.bank("bank" + std::to_string(i), memory_interface.bank[i], banks.scene[i]);
     }
-    for (unsigned i = 0; i < 3; ++i) {
-      join.bank("bank" + std::to_string(kFrameBank + i), shading.bank[i], banks[kFrameBank + i]);
+    for (unsigned i = 0; i < banks.out.size(); ++i) {
+      join.bank("bank" + std::to_string(kFrameBank + i), shading.bank[i], banks.out[i]);
     }
     // What a cache misses depends on which packet comes first, and so does what follows from it.
     join.depends_on_order({"memory_request", "memory_interface", "node_line", "node_fill",

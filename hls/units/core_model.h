@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -26,36 +27,54 @@ template <class C>
 class CoreModel {
  public:
   CoreModel() {
-    for (Bank& bank : banks_) bank = std::make_shared<std::vector<Word>>(kBankWords);
+    const auto make = [](auto& bank) {
+      bank = std::make_shared<std::remove_cvref_t<decltype(*bank)>>(kBankWords);
+    };
+    for (auto& bank : banks_.scene) make(bank);
+    for (auto& bank : banks_.out) make(bank);
   }
-  std::vector<Word>& bank(unsigned number) { return *banks_.at(number); }
+  Banks<C>& banks() { return banks_; }
 
   /// Renders one frame. As on the board, every frame starts with registers reset and caches empty.
-  void render(const FrameConfig& config) {
-    hls::Join join;
+  /// With the schedules of its units it does so clock by clock and gives the clocks that the board
+  /// would count.
+  std::optional<std::uint64_t> render(const FrameConfig& config,
+                                      const hls::Schedule* schedule = nullptr) {
+    hls::Join join = schedule ? hls::Join(*schedule) : hls::Join();
     const auto core = std::make_unique<Core<C>>(join, banks_);
     *core->frame = config;
-    const auto send = [&](std::uint64_t number) { core->start->push(uint<10>::from(number)); };
+    std::uint64_t clock = 0;
+    const auto send = [&](std::uint64_t number) {
+      core->start->push(uint<10>::from(number));
+      if (schedule) join.arrives("start", clock++);
+    };
     for (std::uint64_t line = 0; line <= config.line_mask.to_u64(); ++line) send(line);
+    clock += kStartPause;
     for (std::uint64_t p = 0; p < config.packets.to_u64(); ++p) send(kFirstPacket + p);
-    join.run();
+    if (schedule) {
+      join.run_clocks();
+    } else {
+      join.run();
+    }
     const std::map<std::string, std::uint64_t> values = join.counters();
     counters_.clear();
     for (const hls::CounterRecord& counter : hls::counters_of(join.record())) {
       const auto value = values.find(counter.name);
-      if (value == values.end()) continue;  // stalls: there is no clock here
+      if (value == values.end()) continue;  // stalls, if there is no clock
       counters_.push_back({counter.name, value->second, counter.order_independent});
     }
     if (core->done->size() != 1) {
       throw std::logic_error("the core came to rest before the frame was complete");
     }
+    if (!schedule) return std::nullopt;
+    return join.first_of("done") + 1;
   }
 
   /// Of the last frame: transactions of every unit, tokens of every channel.
   const std::vector<CoreCounter>& counters() const { return counters_; }
 
  private:
-  std::array<Bank, kBanks> banks_;
+  Banks<C> banks_;
   std::vector<CoreCounter> counters_;
 };
 

@@ -47,8 +47,7 @@ int main(int argc, char** argv) {
   }
   try {
     hls::Join join;
-    const auto core =
-        std::make_unique<dynrt::Core<C>>(join, std::array<dynrt::Bank, dynrt::kBanks>{});
+    const auto core = std::make_unique<dynrt::Core<C>>(join, dynrt::Banks<C>{});
     check_units(argv[1], *core);
     const std::string top = argv[2];
     write(top + ".v", hlsc::emit_top(join.record(), "dynrt_core"));

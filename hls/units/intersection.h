@@ -12,6 +12,8 @@
 // with the normal. That 1 - p.p is taken at p and not at o keeps the digits of a small sphere far
 // away. The nearer hit counts unless it lies behind the ray's origin; u and v are p's x and y.
 //
+// Of a watertight configuration the triangle comes to the ray instead (units/watertight.h).
+//
 // Where the plane's or the sphere's normal has not length one in the world, the matrix brings the
 // factor that the scalar product lacks.
 #pragma once
@@ -30,12 +32,27 @@ struct Intersection {
 
   void step() {
     const UnitRay<C> in = unit_ray.read();
-    const Vector<Real>& o = in.unit.origin;
-    const Vector<Real>& d = in.unit.direction;
     HitCandidate<C> out;
     out.packet = in.packet;
     out.ray = in.ray;
     out.reset = in.reset;
+    if constexpr (kWatertight<C>) {
+      const TriangleHit<Real> found = intersect(in.unit);
+      out.hit = !in.reset && found.hit();
+      out.t = found.t;
+      out.u = found.u;
+      out.v = found.v;
+      out.cosine = in.unit.cosine;
+    } else {
+      meet_unit_object(in, out);
+    }
+    candidate.write(out);
+  }
+
+ private:
+  static void meet_unit_object(const UnitRay<C>& in, HitCandidate<C>& out) {
+    const Vector<Real>& o = in.unit.origin;
+    const Vector<Real>& d = in.unit.direction;
     const bool sphere = is_primitive<C>(Primitive::kSphere, in.primitive);
     Real height = o.z;
     Real fall = d.z;
@@ -71,10 +88,7 @@ struct Intersection {
                       : !(out.u < kLow) && !(out.v < kLow) &&
                             (rectangle ? !(kHigh < out.u) && !(kHigh < out.v)
                                        : !(kHigh < out.u + out.v)));
-    candidate.write(out);
   }
-
- private:
   static Real dot(const Vector<Real>& a, const Vector<Real>& b) {
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
   }

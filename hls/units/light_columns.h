@@ -3,7 +3,7 @@
 //
 // Light columns: makes the matrix of a light ray (thesis 6.2.2), on the way from the matrix cache
 // to the matrix store. In the memory a light is a matrix: columns 2 and 3 hold its position, row 0
-// of column 0 its intensity, the spare bytes of column 0 its colour. Columns 0 and 1 of the matrix
+// of column 0 its intensity, the spare bits of column 0 its colour. Columns 0 and 1 of the matrix
 // that makes the ray are origin and direction of the ray that hit the surface.
 #pragma once
 
@@ -22,7 +22,7 @@ struct LightPower {
 template <class C>
 struct LightColumns {
   using Real = typename C::Real;
-  using Column = CacheReply<ColumnContext<C>, MatrixColumn>;
+  using Column = CacheReply<ColumnContext<C>, MatrixColumn<Real>>;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
 
   hls::In<Column> fetched;
@@ -39,17 +39,14 @@ struct LightColumns {
     const bool first = c.context.column == uint<2>(0);
     const Ray<Real> ray = arriving.read(ray_row<C>(c.context.packet, derived.ray));
     if (is_light && first) {
-      const auto& row = c.line.row;
-      light.write(
-          c.context.packet,
-          LightPower<C>{Real(row[0].value),
-                        hls::concat(row[2].spare, hls::concat(row[1].spare, row[0].spare))});
+      light.write(c.context.packet,
+                  LightPower<C>{c.line.row[0].value, c.line.spare().template trunc<24>()});
     }
     if (is_light && !c.context.column.template bit<1>()) {
       const Vector<Real> v = first ? ray.origin : ray.direction;
-      c.line.row[0].value = dynrt::Real(v.x);
-      c.line.row[1].value = dynrt::Real(v.y);
-      c.line.row[2].value = dynrt::Real(v.z);
+      c.line.row[0].value = v.x;
+      c.line.row[1].value = v.y;
+      c.line.row[2].value = v.z;
     }
     column.write(c);
   }

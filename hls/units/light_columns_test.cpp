@@ -11,8 +11,8 @@ namespace {
 using C = config::whitted;
 using Column = LightColumns<C>::Column;
 
-MatrixColumn column_of(double x, double y, double z) {
-  MatrixColumn line;
+MatrixColumn<Real> column_of(double x, double y, double z) {
+  MatrixColumn<Real> line;
   line.row[0].value = Real::from_double(x);
   line.row[1].value = Real::from_double(y);
   line.row[2].value = Real::from_double(z);
@@ -26,7 +26,8 @@ class LightColumnsTest : public testing::Test {
     bench_.rows(bench_.unit.arriving)[5 * kRays + 2] = {{real(1), real(2), real(3)},
                                                         {real(4), real(5), real(6)}};
   }
-  MatrixColumn through(TransformKind kind, Derivation pass, unsigned number, MatrixColumn line) {
+  MatrixColumn<Real> through(TransformKind kind, Derivation pass, unsigned number,
+                             MatrixColumn<Real> line) {
     Column c;
     c.context.packet = 5;
     c.context.kind = kind;
@@ -45,16 +46,16 @@ class LightColumnsTest : public testing::Test {
 };
 
 TEST_F(LightColumnsTest, ALightRaysMatrixTakesTheArrivingRayAndTheLightsPlace) {
-  MatrixColumn power = column_of(2.5, 0, 0);
+  MatrixColumn<Real> power = column_of(2.5, 0, 0);
   power.row[0].spare = 10;
   power.row[1].spare = 20;
   power.row[2].spare = 30;
-  const MatrixColumn place = column_of(7, 8, 9);
-  const auto values = [](const MatrixColumn& c) {
+  const MatrixColumn<Real> place = column_of(7, 8, 9);
+  const auto values = [](const MatrixColumn<Real>& c) {
     return std::array{c.row[0].value.to_double(), c.row[1].value.to_double(),
                       c.row[2].value.to_double()};
   };
-  const auto light = [&](unsigned number, const MatrixColumn& line) {
+  const auto light = [&](unsigned number, const MatrixColumn<Real>& line) {
     return values(through(TransformKind::kDerive, Derivation::kLight, number, line));
   };
   EXPECT_EQ(light(0, power), (std::array{1.0, 2.0, 3.0})) << "origin of the ray that arrived";
@@ -67,7 +68,7 @@ TEST_F(LightColumnsTest, ALightRaysMatrixTakesTheArrivingRayAndTheLightsPlace) {
 }
 
 TEST_F(LightColumnsTest, AllOtherColumnsPassUnchanged) {
-  const MatrixColumn line = column_of(11, 12, 13);
+  const MatrixColumn<Real> line = column_of(11, 12, 13);
   for (unsigned number = 0; number < 4; ++number) {
     for (const TransformKind kind :
          {TransformKind::kCamera, TransformKind::kObject, TransformKind::kTriangle}) {

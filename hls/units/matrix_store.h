@@ -12,20 +12,20 @@
 
 namespace dynrt {
 
-/// A column of the cache is a MatrixColumn; its spare bytes go to the job's record.
+/// A column of the cache is a MatrixColumn; its spare bits go to the job's record.
 template <class C>
 struct MatrixStore {
   using Real = typename C::Real;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
   struct Progress {
     uint<2> columns;                               ///< of this job that have arrived
-    uint<24> extra;                                ///< spare bytes of column 0
-    hls::FieldIf<kHasMirrors<C>, uint<8>> mirror;  ///< spare byte of column 1, row 0
+    uint<24> extra;                                ///< spare bits of column 0
+    hls::FieldIf<kHasMirrors<C>, uint<8>> mirror;  ///< spare bits of column 1
     hls::FieldIf<kScalesCosine<C>, Real> cosine_factor;
     HLS_FIELDS(columns, extra, mirror, cosine_factor)
   };
 
-  hls::In<CacheReply<ColumnContext<C>, MatrixColumn>> reply;
+  hls::In<CacheReply<ColumnContext<C>, MatrixColumn<Real>>> reply;
   hls::Config<FrameConfig> frame;
   hls::Out<SendJob<C>> ready;
   hls::RamWrite<Vector<Real>, kPackets> column[4];
@@ -37,11 +37,10 @@ struct MatrixStore {
   void step() {
     const auto r = reply.read();
     const PacketId<C> packet = r.context.packet;
-    const Vector<Real> values{Real(r.line.row[0].value), Real(r.line.row[1].value),
-                              Real(r.line.row[2].value)};
+    const Vector<Real> values{r.line.row[0].value, r.line.row[1].value, r.line.row[2].value};
     const bool stored_three = three(r.context);
     if constexpr (kThreeColumns<C>) {
-      const uint<2> ones = r.line.row[2].spare.template trunc<2>();
+      const uint<2> ones = r.line.spare().template bits<17, 16>();
       const uint<2> place = stored_three ? place_of(r.context.column, ones) : r.context.column;
       const bool brings_ones = stored_three && r.context.column == uint<2>(0);
       for (unsigned c = 0; c < 4; ++c) {
@@ -62,15 +61,16 @@ struct MatrixStore {
     if (r.context.column == uint<2>(0)) {
       p.extra = stored_three ? hls::concat(p.extra.template bits<23, 16>(),
                                            r.line.spare().template trunc<16>())
-                             : r.line.spare();
+                             : r.line.spare().template trunc<24>();
     }
     if (r.context.column == uint<2>(1)) {
-      p.mirror = r.line.row[0].spare;
-      if (stored_three) p.extra = hls::concat(r.line.row[1].spare, p.extra.template trunc<16>());
+      p.mirror = r.line.spare().template trunc<8>();
+      if (stored_three)
+        p.extra = hls::concat(r.line.spare().template bits<15, 8>(), p.extra.template trunc<16>());
     }
     if constexpr (kScalesCosine<C>) {
       if (r.context.column == last) {
-        p.cosine_factor = Real(dynrt::Real::from_bits(r.line.spare()));
+        p.cosine_factor = Real::from_bits(r.line.spare().template trunc<Real::kLeafWidth>());
       }
     }
     p.columns = stored_three && complete ? uint<2>(0) : hls::next(p.columns);
@@ -87,7 +87,11 @@ struct MatrixStore {
       SendJob<C> send;
       const bool apart = frame.get().uncompressed.template bit<0>() || r.context.extras.apart.get();
       const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kDerive;
-      send.repeat = one_ray ? RepeatCount(1) : apart ? RepeatCount(7) : RepeatCount(4);
+      const bool corners = kWatertight<C> && r.context.kind == TransformKind::kTriangle;
+      send.repeat = corners   ? RepeatCount(11)
+                    : one_ray ? RepeatCount(1)
+                    : apart   ? RepeatCount(7)
+                              : RepeatCount(4);
       send.packet = packet;
       send.kind = r.context.kind;
       send.derived = derived;

@@ -16,7 +16,7 @@ struct Job {
   TransformKind kind;
   RayMask active;
   unsigned matrix;
-  std::array<MatrixColumn, 4> columns;
+  std::array<MatrixColumn<Real>, 4> columns;
   std::array<unsigned, 4> order;
   unsigned sent = 0;
 
@@ -24,7 +24,7 @@ struct Job {
       : kind(static_cast<TransformKind>(test::below(random, 3))),
         active(test::random_token<RayMask>(random)),
         matrix(test::below(random, kMaxMatrices)),
-        columns(test::random_token<std::array<MatrixColumn, 4>>(random)),
+        columns(test::random_token<std::array<MatrixColumn<Real>, 4>>(random)),
         order{0, 1, 2, 3} {
     for (unsigned i = 3; i > 0; --i) std::swap(order[i], order[test::below(random, i + 1)]);
   }
@@ -35,7 +35,7 @@ void send(Bench& bench, unsigned packet, Job& job) {
   const ColumnContext<C> context{PacketId<C>::from(packet), job.kind, job.active,
                                  uint<2>::from(column)};
   bench.feed(bench.unit.reply,
-             CacheReply<ColumnContext<C>, MatrixColumn>{
+             CacheReply<ColumnContext<C>, MatrixColumn<Real>>{
                  context, Address::from(4u * job.matrix + column), job.columns[column]});
   bench.run();
 }
@@ -100,7 +100,7 @@ TEST(MatrixStore, ExpandsTrianglesToFourColumns) {
     const bool three = context.kind == TransformKind::kTriangle &&
                        context.extras.primitive.get() == Primitive::kTriangle;
     const unsigned ones = test::below(random, 3);
-    auto columns = test::random_token<std::array<MatrixColumn, 4>>(random);
+    auto columns = test::random_token<std::array<MatrixColumn<Real>, 4>>(random);
     if (three) columns[0].row[2].spare = columns[1].row[2].spare = uint<8>::from(ones);
     std::vector<unsigned> order = three ? std::vector{0u, 1u, 2u} : std::vector{0u, 1u, 2u, 3u};
     for (std::size_t i = order.size() - 1; i > 0; --i) {
@@ -110,7 +110,7 @@ TEST(MatrixStore, ExpandsTrianglesToFourColumns) {
       EXPECT_TRUE(bench.take(bench.unit.ready).empty());
       context.column = uint<2>::from(column);
       bench.feed(bench.unit.reply,
-                 CacheReply<ColumnContext<Compact>, MatrixColumn>{
+                 CacheReply<ColumnContext<Compact>, MatrixColumn<Real>>{
                      context, test::random_token<Address>(random), columns[column]});
       bench.run();
     }

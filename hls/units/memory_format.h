@@ -4,13 +4,15 @@
 // What lies in the board's memory: the one description that the core reads by and the host packs
 // by.
 //
-// Six banks of 32-bit words, 2^20 words each. Banks 0 to 2 hold the scene. In their lower half node
-// n is {bank 1 [n], bank 0 [n]} and list entry n is bank 2 [n]; in the upper half matrix column a
-// is row r of column a in bank r [2^19 + a], where a = 4 * matrix + column (columns 0 to 2 are the
-// linear part, column 3 the translation). Bank 3 holds the framebuffer, banks 4 and 5 the hit
-// records.
+// Six banks of 2^20 words each. Banks 0 to 2 hold the scene, in words that are as wide as the
+// configuration's float R asks for, 32 bits for all of at most 24. In their lower half node n is
+// {bank 1 [n], bank 0 [n]} and list entry n is bank 2 [n]; in the upper half matrix column a is row
+// r of column a in bank r [2^19 + a], where a = 4 * matrix + column (columns 0 to 2 are the linear
+// part, column 3 the translation). What fills less than its words lies in their lowest bits. Bank 3
+// holds the framebuffer, banks 4 and 5 the hit records, in words of 32 bits.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "hls/fields.h"
@@ -33,23 +35,28 @@ inline constexpr unsigned kMaxListEntries = 1u << kAddressBits;
 inline constexpr unsigned kMatrixBits = 17;
 inline constexpr unsigned kMaxMatrices = 1u << kMatrixBits;
 inline constexpr unsigned kColumnBase = 1u << kAddressBits;  ///< first word of the matrix columns
-inline constexpr unsigned kMaxStackDepth = 31;
 
 /// A node, list or column address; a node's null address is an empty child, never fetched.
 using Address = uint<kAddressBits>;
 using MatrixIndex = uint<kMatrixBits>;
 using Word = uint<32>;
 
-/// The format of the shipped core: 17-bit significand, magnitudes 2^-63 to (2 - 2^-16) 2^64.
-using Real = hls::Float<7, 16>;
+/// Spare bits beside each coefficient of a matrix: a byte, or as many as it takes for those of a
+/// column to hold a float.
+template <class R>
+inline constexpr unsigned kSpareBits = std::max(8u, (R::kLeafWidth + 2) / 3);
+/// A word of banks 0 to 2.
+template <class R>
+using SceneWord = uint<std::max(Word::kWidth, R::kLeafWidth + kSpareBits<R>)>;
 
 /// What a k-D tree node splits on; a leaf's `left` is the address of its list.
 enum class NodeKind : unsigned char { kSplitX, kSplitY, kSplitZ, kLeaf };
 
-/// A node of the k-D tree, 64 bits.
+/// A node of the k-D tree: 40 bits and a float.
+template <class R>
 struct Node {
   NodeKind kind = NodeKind::kLeaf;
-  Real split;
+  R split;
   Address left;
   Address right;
   HLS_FIELDS(kind, split, left, right)
@@ -76,32 +83,34 @@ struct ListEntry {
   constexpr void set_primitive(Primitive p) { reserved = uint<14>::from(static_cast<unsigned>(p)); }
 };
 
-/// A word of a matrix column: a coefficient and a spare byte.
+/// A word of a matrix column: a coefficient and its spare bits.
+template <class R>
 struct MatrixWord {
-  Real value;
-  uint<8> spare;
+  R value;
+  uint<kSpareBits<R>> spare;
   HLS_FIELDS(value, spare)
 };
 
-/// One column of a 3x4 affine matrix, 96 bits. The spare bytes of column 0, row 0 lowest, hold the
-/// root node of an object instance, or the colour of a triangle (red lowest).
+/// One column of a 3x4 affine matrix. The spare bits of column 0, row 0 lowest, hold the root node
+/// of an object instance, or the colour of a triangle (red lowest).
+template <class R>
 struct MatrixColumn {
-  std::array<MatrixWord, 3> row;
+  std::array<MatrixWord<R>, 3> row;
   HLS_FIELDS(row)
 
-  constexpr uint<24> spare() const {
+  constexpr uint<3 * kSpareBits<R>> spare() const {
     return hls::concat(row[2].spare, hls::concat(row[1].spare, row[0].spare));
   }
 };
 
 /// A triangle in three columns (thesis 5.1.1): the linear part has a column of three ones, which
 /// is not stored. What is stored are its other two, in their order, and the translation. The spare
-/// bytes that the first two need for the number of the column of ones push the colour's blue on:
+/// bits that the first two need for the number of the column of ones push the colour's blue on:
 ///
-///                    row 0     row 1   row 2
-///   stored column 0  red       green   number of the column of ones
-///   stored column 1  mirror    blue    number of the column of ones
-///   stored column 2  factor of the cosine, a Real
+///        spare bits  7 to 0    15 to 8  23 to 16
+///   stored column 0  red       green    number of the column of ones
+///   stored column 1  mirror    blue     number of the column of ones
+///   stored column 2  factor of the cosine, a float
 ///
 /// Stored triangle n begins at column 3 n, any other matrix n at column 4 n: each kind has its own
 /// numbers. Whatever else a list's entry names (a sphere) begins like a triangle and has four
@@ -109,8 +118,8 @@ struct MatrixColumn {
 inline constexpr unsigned kStoredColumns = 3;
 
 /// A finished ray's hit as the core writes it, word by word into bank 4 and at the same place into
-/// bank 5: pixel p's words begin at kHitWords * p. Numbers are the bits of the core's float; a miss
-/// has `hit` zero and the rest as it was initialised.
+/// bank 5: pixel p's words begin at kHitWords * p. Numbers are the bits of the core's float, of at
+/// most 32 bits; a miss has `hit` zero and the rest as it was initialised.
 struct HitPlace {
   Word t;
   Word v;

@@ -13,32 +13,41 @@ namespace dynrt {
 
 template <class C>
 struct MemoryInterface {
+  using Real = typename C::Real;
   hls::In<MemoryRequest<C>> request;
-  hls::Out<CacheLine<C, Node>> node;
+  hls::Out<CacheLine<C, Node<Real>>> node;
   hls::Out<CacheLine<C, ListEntry>> list;
-  hls::Out<CacheLine<C, MatrixColumn>> column;
-  hls::RamRead<Word, kBankWords, C::kSramLatency> bank[kSceneBanks];
+  hls::Out<CacheLine<C, MatrixColumn<Real>>> column;
+  hls::RamRead<SceneWord<Real>, kBankWords, C::kSramLatency> bank[kSceneBanks];
   HLS_PORTS(request, node, list, column, bank[0], bank[1], bank[2])
 
   void step() {
     const MemoryRequest<C> r = request.read();
     const bool is_column = r.kind == MemoryKind::kColumn;
     const uint<20> word = hls::concat(uint<1>(is_column), r.address);
-    const std::array<Word, kSceneBanks> data{bank[0].read(word), bank[1].read(word),
-                                             bank[2].read(word)};
+    const std::array<SceneWord<Real>, kSceneBanks> data{bank[0].read(word), bank[1].read(word),
+                                                        bank[2].read(word)};
     switch (r.kind) {
       case MemoryKind::kNode:
-        node.write({false, r.key, r.address, hls::from_bits<Node>(hls::concat(data[1], data[0]))});
+        node.write({false, r.key, r.address, lowest<Node<Real>>(hls::concat(data[1], data[0]))});
         break;
       case MemoryKind::kList:
-        list.write({false, r.key, r.address, hls::from_bits<ListEntry>(data[2])});
+        list.write({false, r.key, r.address, lowest<ListEntry>(data[2])});
         break;
       case MemoryKind::kColumn:
-        column.write(
-            {false, r.key, r.address,
-             hls::from_bits<MatrixColumn>(hls::concat(data[2], hls::concat(data[1], data[0])))});
+        column.write({false, r.key, r.address,
+                      MatrixColumn<Real>{{lowest<MatrixWord<Real>>(data[0]),
+                                          lowest<MatrixWord<Real>>(data[1]),
+                                          lowest<MatrixWord<Real>>(data[2])}}});
         break;
     }
+  }
+
+ private:
+  /// What lies in the lowest bits.
+  template <class T, unsigned W>
+  static T lowest(uint<W> bits) {
+    return hls::from_bits<T>(bits.template trunc<hls::bit_width_of<T>()>());
   }
 };
 

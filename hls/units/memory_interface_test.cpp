@@ -66,15 +66,43 @@ TEST(MemoryInterface, ReadsEveryKindFromItsBanks) {
   for (const unsigned count : counts) EXPECT_GT(count, 1000u);
 }
 
-TEST(MemoryInterface, ANodeIsItsFields) {
-  Bench bench;
-  const Node node{NodeKind::kSplitZ, Real::from_double(-2.5), 345678, 98765};
-  const auto packed = hls::pack(node);
-  bench.rows(bench.unit.bank[0])[11] = Word::from(packed[0]);
-  bench.rows(bench.unit.bank[1])[11] = Word::from(packed[1]);
-  bench.feed(bench.unit.request, MemoryRequest<C>{MemoryKind::kNode, 3, 11});
-  bench.run();
-  EXPECT_TRUE(test::same(bench.take_one(bench.unit.node), CacheLine<C, Node>{false, 3, 11, node}));
+template <class R>
+class MemoryOf : public testing::Test {};
+using Floats = testing::Types<hls::Float<5, 8>, Real, hls::Float<7, 18>, hls::Float<8, 23>>;
+TYPED_TEST_SUITE(MemoryOf, Floats);
+
+/// Whatever the float, nodes, entries and columns lie in the lowest bits of their words.
+TYPED_TEST(MemoryOf, TheFloatIsItsFields) {
+  using In = test::Config<8, 512, 31, 8, TypeParam>;
+  using Scene = SceneWord<TypeParam>;
+  test::Bench<MemoryInterface<In>> bench;
+  const auto row = [&](unsigned bank, unsigned word) -> Scene& {
+    return bench.rows(bench.unit.bank[bank])[word];
+  };
+  const auto ask = [&](MemoryKind kind) {
+    bench.feed(bench.unit.request, MemoryRequest<In>{kind, 3, 11});
+    bench.run();
+  };
+  const Node<TypeParam> node{NodeKind::kSplitZ, TypeParam::from_double(-2.5), 345678, 98765};
+  const auto bits = hls::to_bits(node).template zext<2 * Scene::kWidth>();
+  row(0, 11) = bits.template trunc<Scene::kWidth>();
+  row(1, 11) = bits.template bits<2 * Scene::kWidth - 1, Scene::kWidth>();
+  ask(MemoryKind::kNode);
+  EXPECT_TRUE(test::same(bench.take_one(bench.unit.node),
+                         CacheLine<In, Node<TypeParam>>{false, 3, 11, node}));
+
+  const ListEntry entry{4711, 5, true};
+  row(2, 11) = hls::to_bits(entry);
+  ask(MemoryKind::kList);
+  EXPECT_TRUE(
+      test::same(bench.take_one(bench.unit.list), CacheLine<In, ListEntry>{false, 3, 11, entry}));
+
+  test::Random random(8);
+  const auto column = test::random_token<MatrixColumn<TypeParam>>(random);
+  for (unsigned r = 0; r < 3; ++r) row(r, kColumnBase + 11) = hls::to_bits(column.row[r]);
+  ask(MemoryKind::kColumn);
+  EXPECT_TRUE(test::same(bench.take_one(bench.unit.column),
+                         CacheLine<In, MatrixColumn<TypeParam>>{false, 3, 11, column}));
 }
 
 }  // namespace

@@ -22,10 +22,22 @@ enum class ObjectBox : std::uint8_t {
   kUnit,   ///< by a unit of its own, as the object's matrix takes the box to a cube
 };
 
+/// How the distance of a node's plane is found: offset over direction (thesis 6.1.1).
+enum class Divider : std::uint8_t {
+  kDigitRecurrence,  ///< by a divider in every slice, rounded once
+  kReciprocal,       ///< by the direction's reciprocal, taken once for each ray and level
+};
+
 /// What is stored of a triangle (thesis 5.1).
 enum class TriangleMatrix : std::uint8_t {
   kNormalConsistent,  ///< 12 numbers: the plane's normal is a row
   kMemoryEfficient,   ///< 9 numbers, and two bits that say which column is (1, 1, 1)
+};
+
+/// How a ray meets a triangle.
+enum class TriangleTest : std::uint8_t {
+  kUnitTriangle,  ///< the triangle's matrix takes the ray to the unit triangle (thesis 5.2)
+  kWatertight,    ///< the ray's shear takes the corners to the plane; an exact rule for the edges
 };
 
 /// The unit objects that are intersected (thesis 5.2).

@@ -33,9 +33,28 @@ inline constexpr bool kRemembersChild = kHasMirrors<C> && C::kCrossing == Crossi
 template <class C>
 inline constexpr bool kClipsToBox = C::kObjectBox == ObjectBox::kUnit;
 
+/// Whether the traversal knows the reciprocals of the directions instead of the directions.
+template <class C>
+inline constexpr bool kHasReciprocals = C::kDivider == Divider::kReciprocal;
+
+/// Whether no ray passes between two triangles that share an edge (units/watertight.h).
+template <class C>
+inline constexpr bool kWatertight = C::kTriangleTest == TriangleTest::kWatertight;
+/// Steps of the mantissa by which a plane's distance may be wrong: one and a half of two operations
+/// rounded to nearest, less than three of two truncated (docs/watertight.md). 0: none are minded.
+template <class C>
+inline constexpr unsigned kWidening = !kWatertight<C>                                     ? 0
+                                      : C::Real::kRounding == hls::Rounding::kNearestEven ? 2
+                                                                                          : 3;
+
+/// Whether rays that enter an object go through further units before their traversal begins.
+template <class C>
+inline constexpr bool kPassesObjectRays = kClipsToBox<C> || kWatertight<C>;
+
 /// Whether triangles are stored in three columns (thesis 5.1.1).
 template <class C>
 inline constexpr bool kThreeColumns = C::kTriangleMatrix == TriangleMatrix::kMemoryEfficient;
+
 /// Whether the core must be told which primitive it meets (thesis 5.2).
 template <class C>
 inline constexpr bool kHasKinds = C::kPrimitives.count() > 1;

@@ -3,8 +3,9 @@
 //
 // Packet decoder: puts a packet's transformed vectors together again (thesis 6.1.3). World and
 // object rays are saved for the traversal and for later transformations; rays in unit triangle
-// space go to the intersection. A camera's rays are new: the intersection passes a reset for each,
-// as for every light and reflected ray when it is ready.
+// space, or the triangle's corners that were mapped to a ray's, go to the intersection. A camera's
+// rays are new: the intersection passes a reset for each, as for every light and reflected ray when
+// it is ready.
 #pragma once
 
 #include "units/send_packet.h"
@@ -20,16 +21,18 @@ struct PacketDecoder {
   hls::In<PacketVector<C>> vector;
   hls::RamRead<JobRecord<C>, kPackets> record;
   hls::Out<UnitRay<C>> unit_ray;
-  hls::PortIf<!kClipsToBox<C>, hls::Out<TraversalEvent<C>>> enter_object;
-  hls::PortIf<kClipsToBox<C>, hls::Out<ObjectRay<C>>> object_ray;
-  hls::RamWrite<Ray<Real>, kLevelRows<C>> ray[kRays];
+  hls::PortIf<!kPassesObjectRays<C> && !kHasReciprocals<C>, hls::Out<TraversalEvent<C>>>
+      enter_object;
+  hls::PortIf<kPassesObjectRays<C> && !kHasReciprocals<C>, hls::Out<ObjectRay<C>>> object_ray;
+  hls::PortIf<kHasReciprocals<C>, hls::Out<TracedRay<C>>> traced;
+  hls::PortIf<!kHasReciprocals<C>, hls::RamWrite<Ray<Real>, kLevelRows<C>>> ray[kRays];
   hls::PortIf<kSplitsPackets<C>, hls::RamWrite<DirectionSigns, kLevelRows<C>>> signs[kRays];
   hls::RamWrite<Vector<Real>, kVectorRows<C>> vectors;
   /// The world rays, each with its origin; light rays, which nothing is derived from, left out.
   hls::PortIf<kHasSecondary<C>, hls::RamWrite<Ray<Real>, kRayRows<C>>> arriving;
   hls::PortIf<kHasMirrors<C>, hls::Out<Derive<C>>> derived;  ///< a pass that is not a ray's last
-  HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, ray[0], ray[1], ray[2], ray[3],
-            signs[0], signs[1], signs[2], signs[3], vectors, arriving, derived)
+  HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, traced, ray[0], ray[1], ray[2],
+            ray[3], signs[0], signs[1], signs[2], signs[3], vectors, arriving, derived)
 
   void step() {
     const PacketVector<C> in = vector.read();
@@ -64,13 +67,31 @@ struct PacketDecoder {
     if (!in.point) {
       for (unsigned i = 0; i < kRays; ++i) {
         if (!triangle && in.ray == RayIndex::from(i)) {
-          ray[i].write(row, r);
+          if constexpr (!kHasReciprocals<C>) ray[i].write(row, r);
           if constexpr (kSplitsPackets<C>) signs[i].write(row, signs_of(in.vector));
         }
       }
-      if (triangle || is_new) {
+      const bool object = job.kind == TransformKind::kObject;
+      if constexpr (kHasReciprocals<C>) {
+        const Address root = job.extra.template trunc<kAddressBits>();
+        TracedRay<C> trace;
+        trace.is_new = is_new;
+        trace.ray = ObjectRay<C>{in.packet, in.ray, job.active, root, job.apart, r};
+        if (is_new || object) traced.write(trace);
+      }
+      if constexpr (kWatertight<C>) {
+        UnitRay<C> test;
+        test.packet = in.packet;
+        test.ray = in.ray;
+        test.reset = is_new;
+        test.unit = {first_corner_.get(), second_corner_.get(), in.vector, in.cosine.get()};
+        if (is_new || (triangle && in.corner.get() == Corner(2))) unit_ray.write(test);
+        if (in.corner.get() == Corner(0)) first_corner_ = in.vector;
+        if (in.corner.get() == Corner(1)) second_corner_ = in.vector;
+        if (object) enter(in, job, r);
+      } else if (triangle || (is_new && !kHasReciprocals<C>)) {
         unit_ray.write(UnitRay<C>{in.packet, in.ray, is_new, r, job.primitive, job.cosine_factor});
-      } else if (job.kind == TransformKind::kObject) {
+      } else if (object && !kHasReciprocals<C>) {
         enter(in, job, r);
       }
     }
@@ -79,7 +100,9 @@ struct PacketDecoder {
  private:
   void enter(const PacketVector<C>& in, const JobRecord<C>& job, const Ray<Real>& r) {
     const Address root = job.extra.template trunc<kAddressBits>();
-    if constexpr (kClipsToBox<C>) {
+    if constexpr (kHasReciprocals<C>) {
+      return;
+    } else if constexpr (kPassesObjectRays<C>) {
       object_ray.write(ObjectRay<C>{in.packet, in.ray, job.active, root, job.apart, r});
     } else if (in.ray == RayIndex(3)) {
       TraversalEvent<C> event;
@@ -96,6 +119,9 @@ struct PacketDecoder {
     return hls::concat(uint<1>(v.z.sign()), hls::concat(uint<1>(v.y.sign()), uint<1>(v.x.sign())));
   }
   Vector<Real> origin_;  ///< of the packet, whose vectors come one after the other
+  /// Of the triangle that is being mapped.
+  hls::FieldIf<kWatertight<C>, Vector<Real>> first_corner_;
+  hls::FieldIf<kWatertight<C>, Vector<Real>> second_corner_;
 };
 
 }  // namespace dynrt

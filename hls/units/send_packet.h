@@ -6,7 +6,8 @@
 // other is four pairs of origin and direction, eight. The camera transforms the pre-primary rays
 // (0, 0, 0) and (x, y, 1) of section 6.2.1, an object the packet's world rays, a triangle its rays
 // in the object. A ray with a matrix of its own is sent alone: a light's transforms the ray (0, 0,
-// 0), (1, t, -1) of section 6.2.2, a reflection's the ray that is reflected (6.2.3).
+// 0), (1, t, -1) of section 6.2.2, a reflection's the ray that is reflected (6.2.3). For a
+// watertight test each ray's direction is sent three times, once for each corner of the triangle.
 #pragma once
 
 #include "units/tokens.h"
@@ -36,10 +37,13 @@ struct SendPacket {
   void step() {
     const Repeated<SendJob<C>> j = job.read();
     const bool compressed = j.job.repeat == RepeatCount(4);
+    const bool corners = kWatertight<C> && j.job.kind == TransformKind::kTriangle;
     const bool alone = kHasSecondary<C> && j.job.kind == TransformKind::kDerive;
     const DerivedRay derived = j.job.derived.get();
-    const bool point = compressed ? j.index == RepeatCount{} : !j.index.template bit<0>();
-    const RayIndex ray = alone         ? derived.ray
+    const bool point =
+        !corners && (compressed ? j.index == RepeatCount{} : !j.index.template bit<0>());
+    const RayIndex ray = corners       ? ray_of(j.index)
+                         : alone       ? derived.ray
                          : !compressed ? j.index.template bits<2, 1>()
                          : point       ? RayIndex{}
                                        : RayIndex::from(j.index.raw() - 1);
@@ -68,7 +72,22 @@ struct SendPacket {
       const Ray<Real> r = arriving.read(ray_row<C>(j.job.packet, ray));
       if (alone && derived.pass == Derivation::kIntoObject) out = point ? r.origin : r.direction;
     }
-    vector.write(PacketVector<C>{j.job.packet, point, ray, out});
+    PacketVector<C> sent{j.job.packet, point, ray, out};
+    if (corners) sent.corner = corner_of(j.index);
+    vector.write(sent);
+  }
+
+ private:
+  /// Of three corners for each ray.
+  static RayIndex ray_of(RepeatCount index) {
+    return index < RepeatCount(3)   ? RayIndex(0)
+           : index < RepeatCount(6) ? RayIndex(1)
+           : index < RepeatCount(9) ? RayIndex(2)
+                                    : RayIndex(3);
+  }
+  static Corner corner_of(RepeatCount index) {
+    const RayIndex ray = ray_of(index);
+    return Corner::from((index - (ray + hls::concat(ray, uint<1>(0)))).raw());
   }
 };
 

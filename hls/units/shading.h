@@ -18,6 +18,7 @@ namespace dynrt {
 template <class C>
 struct Shading {
   using Real = typename C::Real;
+  static_assert(Real::kLeafWidth <= Word::kWidth, "a hit record has a word for each float");
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
   using BankAddress = uint<20>;
 

@@ -12,14 +12,16 @@
 namespace dynrt {
 
 inline constexpr unsigned kFirstPacket = 1u << 9;
+/// Clocks that the board waits between lines and packets (rtl/board/board_sequencer.v).
+inline constexpr unsigned kStartPause = 64;
 
 template <class C>
 struct Startup {
   hls::In<uint<10>> number;
   hls::Out<FreePacket<C>> free;
-  hls::Out<CacheLine<C, Node>> node;
+  hls::Out<CacheLine<C, Node<typename C::Real>>> node;
   hls::Out<CacheLine<C, ListEntry>> list;
-  hls::Out<CacheLine<C, MatrixColumn>> column;
+  hls::Out<CacheLine<C, MatrixColumn<typename C::Real>>> column;
   HLS_PORTS(number, free, node, list, column)
 
   void step() {

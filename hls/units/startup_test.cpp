@@ -21,9 +21,9 @@ void check(unsigned packets, unsigned lines) {
 
   std::vector<FreePacket<C>> free;
   for (unsigned n = 0; n < packets; ++n) free.push_back({PacketId<C>::from(n)});
-  std::vector<CacheLine<C, Node>> nodes;
+  std::vector<CacheLine<C, Node<Real>>> nodes;
   std::vector<CacheLine<C, ListEntry>> entries;
-  std::vector<CacheLine<C, MatrixColumn>> columns;
+  std::vector<CacheLine<C, MatrixColumn<Real>>> columns;
   for (unsigned n = 0; n < lines; ++n) {
     nodes.push_back({true, {}, Address::from(n), {}});
     entries.push_back({true, {}, Address::from(n), {}});

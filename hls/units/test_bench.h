@@ -17,12 +17,17 @@
 #include "hls/random.h"
 #include "units/memory_format.h"
 
+namespace dynrt {
+/// That of the configurations below, unless a test takes another.
+using Real = config::thesis::Real;
+}  // namespace dynrt
+
 namespace dynrt::test {
 
 /// The configuration `thesis` in another size. What is not a parameter here can be changed in the
 /// same way: struct Lit : test::Config<> { static constexpr unsigned kLights = 2; };
 template <unsigned Packets = 32, unsigned Lines = 512, unsigned StackDepth = 31, unsigned Slots = 8,
-          class R = dynrt::Real>
+          class R = config::thesis::Real>
 struct Config : config::thesis {
   using Real = R;
   static constexpr unsigned kPackets = Packets;

@@ -5,7 +5,10 @@
 // (hls/configs).
 #pragma once
 
+#include <type_traits>
+
 #include "units/packet.h"
+#include "units/watertight.h"
 
 namespace dynrt {
 
@@ -70,6 +73,9 @@ enum class TraversalKind : unsigned char {
   kPop,    ///< go on at the node remembered last
 };
 
+/// A repeated job carries how often, less one, in its lowest field.
+using RepeatCount = uint<4>;
+
 /// One of four rays that enter an object.
 template <class C>
 struct ObjectRay {
@@ -80,6 +86,15 @@ struct ObjectRay {
   hls::FieldIf<kSplitsPackets<C>, bool> apart{};
   Ray<typename C::Real> in_object;
   HLS_FIELDS(packet, ray, active, root, apart, in_object)
+};
+
+/// A ray whose direction is yet to be inverted, one axis at a time.
+template <class C>
+struct TracedRay {
+  RepeatCount repeat = 2;  ///< axes less one
+  bool is_new = false;     ///< it enters the top level, not an object
+  ObjectRay<C> ray;
+  HLS_FIELDS(repeat, is_new, ray)
 };
 
 /// Where a ray is within an object's box and may hit something.
@@ -135,7 +150,7 @@ struct StepContext {
 template <class C>
 struct Step {
   StepContext<C> context;
-  Node node;
+  Node<typename C::Real> node;
   HLS_FIELDS(context, node)
 };
 
@@ -201,9 +216,6 @@ struct TransformExtras {
   HLS_FIELDS(derived, apart, primitive)
 };
 
-/// A repeated job carries how often, less one, in its lowest field.
-using RepeatCount = uint<4>;
-
 template <class C>
 struct TransformJob {
   RepeatCount repeat = 3;  ///< columns of the matrix in the memory, less one
@@ -252,22 +264,30 @@ struct JobRecord {
 
 template <class C>
 struct SendJob {
-  RepeatCount repeat;  ///< vectors less one: 4 of a compressed packet, 7 of another, 1 of one ray
+  /// Vectors less one: 4 of a compressed packet, 7 of another, 1 of one ray, 11 of all corners.
+  RepeatCount repeat;
   PacketId<C> packet;
   TransformKind kind = TransformKind::kCamera;
   hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
   HLS_FIELDS(repeat, packet, kind, derived)
 };
 
+/// A corner of a triangle, or kNoCorner.
+using Corner = uint<2>;
+inline constexpr unsigned kNoCorner = 3;
+
 /// One vector on its way through the transformation. Compressed packets send the common origin and
-/// four directions, others four pairs of origin and direction.
+/// four directions, others four pairs of origin and direction. To map a triangle's corners a ray's
+/// direction is sent once for each (units/watertight.h).
 template <class C>
 struct PacketVector {
   PacketId<C> packet;
   bool point = false;  ///< a point is translated, a direction is not (thesis 4.4)
   RayIndex ray;        ///< 0 for a common origin
   Vector<typename C::Real> vector;
-  HLS_FIELDS(packet, point, ray, vector)
+  hls::FieldIf<kWatertight<C>, Corner> corner = Corner(kNoCorner);
+  hls::FieldIf<kWatertight<C>, typename C::Real> cosine{};  ///< with a corner that is mapped
+  HLS_FIELDS(packet, point, ray, vector, corner, cosine)
 };
 
 // ---- Intersection and hits (thesis 6.1.4, 5.2) ----
@@ -277,7 +297,8 @@ struct UnitRay {
   PacketId<C> packet;
   RayIndex ray;
   bool reset = false;  ///< not a test: the ray is new and has no hit yet
-  Ray<typename C::Real> unit;
+  /// The ray in unit space, or the triangle in the ray's.
+  std::conditional_t<kWatertight<C>, MappedTriangle<typename C::Real>, Ray<typename C::Real>> unit;
   PrimitiveField<C> primitive{};
   hls::FieldIf<kScalesCosine<C>, typename C::Real> cosine_factor{};
   HLS_FIELDS(packet, ray, reset, unit, primitive, cosine_factor)

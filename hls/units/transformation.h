@@ -4,6 +4,11 @@
 // Transformation: applies the packet's stored 3x4 affine matrix to one vector a clock with nine
 // multipliers and nine adders (thesis 6.1.3). A point is translated, a direction is not (4.4). Each
 // component is (m0 x + m1 y) + (m2 z + n), every operation rounded once.
+//
+// Where triangles are tested watertight, columns 0 to 2 of a triangle are its corners and column 3
+// is its normal. The ray's map takes one corner (units/watertight.h): three subtractions more, and
+// the multipliers of column 2. Those of the other columns find the direction's scalar product with
+// the normal meanwhile.
 #pragma once
 
 #include "units/tokens.h"
@@ -18,7 +23,8 @@ struct Transformation {
   hls::In<PacketVector<C>> vector;
   hls::Out<PacketVector<C>> transformed;
   hls::RamRead<Vector<Real>, kPackets> column[4];
-  HLS_PORTS(vector, transformed, column[0], column[1], column[2], column[3])
+  hls::PortIf<kWatertight<C>, hls::RamRead<RayMap<Real>, kRayRows<C>>> map;
+  HLS_PORTS(vector, transformed, column[0], column[1], column[2], column[3], map)
 
   void step() {
     const PacketVector<C> in = vector.read();
@@ -27,9 +33,13 @@ struct Transformation {
     const Vector<Real> c2 = column[2].read(in.packet);
     const Vector<Real> n = column[3].read(in.packet);
     PacketVector<C> out = in;
-    out.vector.x = component(in, c0.x, c1.x, c2.x, n.x);
-    out.vector.y = component(in, c0.y, c1.y, c2.y, n.y);
-    out.vector.z = component(in, c0.z, c1.z, c2.z, n.z);
+    if constexpr (kWatertight<C>) {
+      map_or_transform(in, c0, c1, c2, n, out);
+    } else {
+      out.vector.x = component(in, c0.x, c1.x, c2.x, n.x);
+      out.vector.y = component(in, c0.y, c1.y, c2.y, n.y);
+      out.vector.z = component(in, c0.z, c1.z, c2.z, n.z);
+    }
     transformed.write(out);
   }
 
@@ -37,6 +47,45 @@ struct Transformation {
   static Real component(const PacketVector<C>& in, Real m0, Real m1, Real m2, Real n) {
     const Real last = m2 * in.vector.z;
     return (m0 * in.vector.x + m1 * in.vector.y) + (in.point ? last + n : last);
+  }
+
+  /// The same multipliers for both: a corner has other operands.
+  void map_or_transform(const PacketVector<C>& in, const Vector<Real>& c0, const Vector<Real>& c1,
+                        const Vector<Real>& c2, const Vector<Real>& n, PacketVector<C>& out) {
+    const Vector<Real>& v = in.vector;
+    const Corner corner = in.corner.get();
+    const bool is_corner = corner != Corner(kNoCorner);
+    Row x{c0.x, v.x, c1.x, v.y, c2.x, v.z, n.x};
+    Row y{c0.y, v.x, c1.y, v.y, c2.y, v.z, n.y};
+    Row z{c0.z, v.x, c1.z, v.y, c2.z, v.z, n.z};
+    const RayMap<Real> m = map.read(ray_row<C>(in.packet, in.ray));
+    if (is_corner) {
+      const Vector<Real> at = corner == Corner(0) ? c0 : corner == Corner(1) ? c1 : c2;
+      const Vector<Real> e =
+          along(m.axis, Vector<Real>{at.x - m.origin.x, at.y - m.origin.y, at.z - m.origin.z});
+      x = Row{n.z, v.z, c1.x, v.y, m.shear.x, e.z, e.x};
+      y = Row{c0.y, v.x, c1.y, v.y, m.shear.y, e.z, e.y};
+      z = Row{n.x, v.x, n.y, v.y, m.shear.z, e.z, n.z};
+    }
+    const Parts px = parts(x, in.point || is_corner);
+    const Parts py = parts(y, in.point || is_corner);
+    const Parts pz = parts(z, in.point);
+    const Real sum_z = (pz.first + pz.second) + (is_corner ? px.first : pz.last);
+    out.vector.x = is_corner ? px.last : (px.first + px.second) + px.last;
+    out.vector.y = is_corner ? py.last : (py.first + py.second) + py.last;
+    out.vector.z = is_corner ? pz.last : sum_z;
+    out.cosine = sum_z;
+  }
+  /// The operands of one component.
+  struct Row {
+    Real m0, x, m1, y, m2, z, n;
+  };
+  struct Parts {
+    Real first, second, last;
+  };
+  static Parts parts(const Row& row, bool translated) {
+    const Real last = row.m2 * row.z;
+    return {row.m0 * row.x, row.m1 * row.y, translated ? last + row.n : last};
   }
 };
 

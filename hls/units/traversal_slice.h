@@ -5,6 +5,9 @@
 // It holds the ray's interval [near, far] and far stack for both levels, applies what was decided
 // in the step before, and finds the distance d of the node's plane and which children the ray
 // enters. Four slices work side by side on the four rays of a packet.
+//
+// Where no triangle may be lost, d counts as a range of numbers that holds the exact distance:
+// kWidening steps of the mantissa up and down.
 #pragma once
 
 #include "units/tokens.h"
@@ -14,7 +17,8 @@ namespace dynrt {
 template <class C>
 struct TraversalSlice {
   using Real = typename C::Real;
-  /// A ray's interval within the node entered last, and the distance of that node's plane.
+  /// A ray's interval within the node entered last, and the distance of that node's plane: where
+  /// it is widened, its upper end within the interval.
   struct Interval {
     Real near, far, plane;
     HLS_FIELDS(near, far, plane)
@@ -30,7 +34,7 @@ struct TraversalSlice {
   hls::In<Step<C>> step_in;
   hls::Config<RayIndex> lane;  ///< which ray of the packet this slice serves
   hls::Out<SliceDecision> decision;
-  hls::RamRead<Ray<Real>, kLevelRows<C>> ray;
+  hls::RamRead<Ray<Real>, kLevelRows<C>> ray;  ///< its direction's reciprocals, if there are such
   hls::RamRead<Real, (1u << PacketId<C>::kWidth)> hit_distance;
   hls::PortIf<kHasMirrors<C>, hls::RamRead<Real, (1u << PacketId<C>::kWidth)>> start_distance;
   hls::PortIf<kClipsToBox<C>, hls::RamRead<BoxInterval<C>, (1u << PacketId<C>::kWidth)>> box;
@@ -71,10 +75,10 @@ struct TraversalSlice {
     } else if (both) {
       switch (c.update) {
         case IntervalUpdate::kClipNear:
-          near = before.plane;
+          near = lowered(before.plane);
           break;
         case IntervalUpdate::kPop:
-          near = before.far;
+          near = lowered(before.far);
           far = popped.far;
           break;
         default:
@@ -90,13 +94,21 @@ struct TraversalSlice {
     const Ray<Real> r = ray.read(row);
     const Real origin = select_axis(s.node.kind, r.origin);
     const Real direction = select_axis(s.node.kind, r.direction);
-    const Real offset = Real(s.node.split) - origin;
-    const Real d = offset / direction;
+    const Real offset = s.node.split - origin;
+    const Real d = distance(offset, direction, s.node.split == origin);
+    Real d_low = d;
+    Real d_high = d;
+    Real plane = d;
+    if constexpr (kWidening<C> > 0) {
+      d_low = d.template moved_down<kWidening<C>>();
+      d_high = d.template moved_up<kWidening<C>>();
+      plane = d_high < far ? d_high : far;
+    }
 
     const bool left_first = !offset.sign();
     const bool behind = d.sign();
-    const bool go_near = behind || !(d < near);
-    const bool go_far = !behind && !(far < d);
+    const bool go_near = behind || !(d_high < near);
+    const bool go_far = !behind && !(far < d_low);
 
     SliceDecision out;
     out.left_first = left_first;
@@ -104,10 +116,23 @@ struct TraversalSlice {
     out.go_right = left_first ? go_far : go_near;
     out.terminated = c.update != IntervalUpdate::kInit && hit < near;
     decision.write(out);
-    interval.write(row, Interval{near, far, d});
+    interval.write(row, Interval{near, far, plane});
   }
 
  private:
+  /// The lower end of a plane's distance, from the upper one.
+  static Real lowered(Real upper) {
+    if constexpr (kWidening<C> > 0) {
+      return upper.template moved_down<2 * kWidening<C>>();
+    } else {
+      return upper;
+    }
+  }
+  /// From an origin in the plane no offset but zero is right, and no number is zero.
+  static Real distance(Real offset, Real direction, bool in_plane) {
+    if (kWidening<C> > 0 && in_plane) return direction.sign() ? -Real{} : Real{};
+    return kHasReciprocals<C> ? offset * direction : offset / direction;
+  }
   bool is_crossing(const StepContext<C>& c) const {
     return c.crossing.get().bit(static_cast<unsigned>(lane.get().raw()));
   }

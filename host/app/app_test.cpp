@@ -121,6 +121,27 @@ TEST_F(App, InfoShowsTheScene) {
   EXPECT_EQ(json["memory"]["matrix_limit"], 131072);
 }
 
+TEST_F(App, StressTellsWhatGoesWrongAgainstWhatIsAllowed) {
+  const Outcome outcome =
+      run("stress slivers/aspect_1e2 edges/vertices --config model_only --json f.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.files, ElementsAre("f.json"));
+  EXPECT_THAT(outcome.out, ContainsRegex("ok +slivers/aspect_1e2 .*: 960 rays, 960 hit; nothing "
+                                         "wrong"));
+  EXPECT_THAT(outcome.out, ContainsRegex("ok +edges/vertices .*; lost 15 \\(of 15 allowed\\)"));
+  EXPECT_THAT(outcome.out, HasSubstr("2 cases, 1156 rays, 1141 hit; none exceed what is allowed"));
+  const auto json = nlohmann::json::parse(text_of(folder_ / "f.json"));
+  EXPECT_EQ(json["cases"][1]["wrong"]["lost"], 15);
+  EXPECT_EQ(json["exceeding"], 0);
+}
+
+TEST_F(App, StressFindsThatTheStandInTracesNoRays) {
+  const Outcome outcome = run("stress slivers/aspect_1e2 --config stand_in --board rtl");
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, ContainsRegex("EXCEEDS +slivers/aspect_1e2"));
+  EXPECT_THAT(outcome.out, HasSubstr("; 1 exceed what is allowed"));
+}
+
 TEST_F(App, ReportsCountWhatOtherCoresWouldDo) {
   const Outcome outcome = run("report overlap blocks --size 32x24 --json f.json");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -129,8 +150,8 @@ TEST_F(App, ReportsCountWhatOtherCoresWouldDo) {
   EXPECT_THAT(outcome.out, HasSubstr("pixels that differ between the rows: 0\n"));
   EXPECT_EQ(nlohmann::json::parse(text_of(folder_ / "f.json"))["rows"].size(), 5);
   expect_mistake("report",
-                 "dynrt: report: which one is missing; the reports are overlap, mailbox "
-                 "and clipping\n");
+                 "dynrt: report: which one is missing; the reports are overlap, mailbox, "
+                 "clipping and error\n");
   expect_mistake("report paint", HasSubstr("was not expected: paint; dynrt report --help lists"));
   expect_mistake("report mailbox blocks --size 33x24",
                  "dynrt: --size 33x24: work is counted for packets of 2x2 rays, so both must be "

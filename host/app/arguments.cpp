@@ -64,12 +64,7 @@ CameraFlags SceneArguments::camera() const {
 
 void FrameArguments::add_to(CLI::App& command, const std::string& default_out,
                             const std::string& about_out) {
-  std::vector<std::string_view> names;
-  for (const Configuration& c : configurations()) names.push_back(c.name);
-  command
-      .add_option("--config", configuration,
-                  fmt::format("configuration of the core: {}", fmt::join(names, ", ")))
-      ->option_text("NAME [thesis]");
+  add_configuration_flag(command, configuration);
   command.add_option("--out", out, about_out)->option_text(fmt::format("FILE [{}]", default_out));
   command.add_option("--packets", packets, "packets of 2x2 rays in flight; default: all there are")
       ->option_text("N")
@@ -115,6 +110,18 @@ FrameOptions FrameArguments::options(const std::string& size) const {
   if (timeout == 0) refuse(messages::kTimeoutZero);
   options.timeout = timeout;
   return options;
+}
+
+void add_configuration_flag(CLI::App& command, std::string& configuration) {
+  std::vector<std::string_view> names;
+  for (const Configuration& c : configurations()) names.push_back(c.name);
+  command
+      .add_option(
+          "--config", configuration,
+          fmt::format("configuration of the core: {}, or a file: FILE.json with the keys of "
+                      "one, which is built, or FILE.so",
+                      fmt::join(names, ", ")))
+      ->option_text("NAME|FILE [thesis]");
 }
 
 void add_json_flag(CLI::App& command, std::string& json) {

@@ -44,6 +44,8 @@ struct FrameArguments {
   FrameOptions options(const std::string& size) const;
 };
 
+/// Adds --config to a command.
+void add_configuration_flag(CLI::App& command, std::string& configuration);
 /// Adds --json to a command.
 void add_json_flag(CLI::App& command, std::string& json);
 

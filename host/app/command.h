@@ -11,7 +11,7 @@ namespace dynrt::host {
 
 /// Exit codes, as cmp and diff have them.
 inline constexpr int kDone = 0;
-inline constexpr int kDifferent = 1;  ///< compare: the boards differ
+inline constexpr int kDifferent = 1;  ///< compare: the boards differ; stress: more than allowed
 inline constexpr int kMistake = 2;    ///< the user's, told in one sentence on stderr
 inline constexpr int kDefect = 3;     ///< dynrt's own
 
@@ -25,5 +25,8 @@ Command add_walk_command(CLI::App& program);
 Command add_compare_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
 Command add_report_command(CLI::App& program);
+Command add_measure_command(CLI::App& program);
+Command add_choose_command(CLI::App& program);
+Command add_stress_command(CLI::App& program);
 
 }  // namespace dynrt::host

@@ -21,12 +21,15 @@ inline constexpr char kNoPrimitive[] =
     "--config {}: has no {}, of which the scene '{}' is made; the configurations that have all it "
     "needs are: {}";
 inline constexpr char kCommand[] =
-    "{}: unknown; the commands are render, walk, compare, info and report";
+    "{}: unknown; the commands are render, walk, compare, info, report, choose, "
+    "measure and stress";
 inline constexpr char kNoReport[] =
-    "report: which one is missing; the reports are overlap, mailbox and clipping";
+    "report: which one is missing; the reports are overlap, mailbox, clipping and error";
 inline constexpr char kCountedSize[] =
     "--size {}x{}: work is counted for packets of 2x2 rays, so both must be even, above 0 and at "
     "most {}";
+inline constexpr char kNoScript[] =
+    "{}: cannot be run: {}; the program needs the folder that it was built from";
 inline constexpr char kUsage[] = "{}; dynrt {}--help lists what there is";
 
 // Light and mirrors
@@ -43,6 +46,11 @@ inline constexpr char kLightsTooMany[] =
     "the scene has {} lights, of which configuration {} lets only the first {} shine";
 inline constexpr char kMirrorsUnused[] =
     "the scene has {}, but configuration {} has no reflected rays; {}";
+
+// Frames
+inline constexpr char kDroppedPushes[] =
+    "warning     {} pushes onto full stacks of {} entries were dropped: hits may be missing; use a "
+    "configuration with deeper stacks, such as deep";
 
 // Walks
 inline constexpr char kFrames[] = "--frames {}: a walk has 1 to {} frames";

@@ -86,8 +86,10 @@ TEST_F(App, BadSizesAreRefused) {
 }
 
 TEST_F(App, WhatIsUnknownIsNamed) {
-  expect_mistake("render blocks --config huge",
-                 "dynrt: --config huge: unknown; this build has model_only, stand_in, lit\n");
+  expect_mistake(
+      "render blocks --config huge",
+      "dynrt: --config huge: unknown; this build has model_only, stand_in, lit, and a file "
+      "FILE.json or FILE.so may be named instead\n");
   expect_mistake("render blocks --config stand_in --board fpga",
                  "dynrt: --board fpga: unknown; the boards are rtl and model\n");
   expect_mistake("render blocks --order hilbert",
@@ -95,9 +97,15 @@ TEST_F(App, WhatIsUnknownIsNamed) {
   expect_mistake("render blocks --speed 9",
                  testing::AllOf(StartsWith("dynrt: "), HasSubstr("--speed"),
                                 HasSubstr("; dynrt render --help lists what there is\n")));
-  expect_mistake(
-      "paint blocks",
-      "dynrt: paint: unknown; the commands are render, walk, compare, info and report\n");
+  expect_mistake("paint blocks",
+                 "dynrt: paint: unknown; the commands are render, walk, compare, info, report, "
+                 "choose, measure and stress\n");
+  expect_mistake("stress corners --config model_only",
+                 StartsWith("dynrt: there is no stress case or group 'corners'; give one of these, "
+                            "or the part before the slash: slivers/aspect_1e2, "));
+  expect_mistake("stress --format 7x12 --config model_only",
+                 "dynrt: --format 7x12: write the bits of exponent and mantissa, for example "
+                 "7,12\n");
   expect_mistake("", HasSubstr("dynrt --help lists what there is"));
   expect_mistake("render", testing::AllOf(HasSubstr("SCENE"), HasSubstr("dynrt render --help")));
   expect_mistake("render no_such_scene --config stand_in", HasSubstr("no_such_scene"));

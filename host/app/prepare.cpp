@@ -7,14 +7,16 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "host/app/light_flags.h"
 #include "host/app/messages.h"
 #include "host/app/progress.h"
 #include "host/app/text.h"
 #include "host/board/configurations.h"
-#include "host/scene/check_lights.h"
+#include "host/image/form_trees.h"
 #include "host/scene/load.h"
 
 namespace dynrt::host {
@@ -84,36 +86,62 @@ void check_primitives(const Scene& scene, const BoardInfo& board) {
 
 }  // namespace
 
+ImageForm form_for(const BoardInfo& board) {
+  return {board.format, board.triangle_matrix, board.clips_to_cube, board.triangle_test};
+}
+
+CoreNumbers core_numbers(const BoardInfo& board, const Space& space) {
+  return {std::ldexp(1.0, -static_cast<int>(board.format->mantissa_bits)), space};
+}
+
 Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
                  const BoardInfo* board) {
-  Prepared prepared;
   const LightFlags light(arguments.lights, arguments.mirrors, board);
   const CameraFlags flags = arguments.camera();
   const auto begin = std::chrono::steady_clock::now();
+  Scene scene;
+  Camera camera;
   {
     const Progress progress("loading " + arguments.scene);
-    prepared.scene = load_scene(arguments.scene);
-    if (board != nullptr) check_primitives(prepared.scene, *board);
-    prepared.camera =
-        choose_camera(prepared.scene, flags, static_cast<int>(width), static_cast<int>(height));
-    light.add_to(prepared.scene);
-    if (board) {
-      if (board->lights > 0) check_lights(prepared.scene, prepared.camera.position);
-      std::ranges::move(unused_light(prepared.scene, *board),
-                        std::back_inserter(prepared.scene.notes));
-    }
+    scene = load_scene(arguments.scene);
+    if (board != nullptr) check_primitives(scene, *board);
+    camera = choose_camera(scene, flags, static_cast<int>(width), static_cast<int>(height));
+    light.add_to(scene);
   }
   const auto loaded = std::chrono::steady_clock::now();
-  const ImageForm form =
-      board == nullptr ? ImageForm{} : ImageForm{board->triangle_matrix, board->clips_to_cube};
-  {
-    check_matrices(prepared.scene, form);
-    const Progress progress("building the trees");
-    prepared.trees = build_scene_trees(prepared.scene);
-  }
-  const auto built = std::chrono::steady_clock::now();
+  Prepared prepared = prepare(std::move(scene), camera, width, height, board);
   prepared.load_seconds = Seconds(loaded - begin).count();
-  prepared.tree_seconds = Seconds(built - loaded).count();
+  return prepared;
+}
+
+Prepared prepare(Scene scene, const Camera& camera, unsigned width, unsigned height,
+                 const BoardInfo* board) {
+  const ImageForm form = board == nullptr ? ImageForm{} : form_for(*board);
+  check_matrices(scene, form);
+  Prepared prepared;
+  {
+    const Fit fitted = fit(scene, camera, *form.format);
+    move_into(fitted, scene);
+    prepared.space = fitted.world;
+    prepared.headroom = fitted.headroom;
+    prepared.camera = moved_into(fitted.world, camera);
+    prepared.scene = std::move(scene);
+  }
+  if (board != nullptr) {
+    if (board->lights > 0) {
+      check_lights(prepared.scene, prepared.camera.position, core_numbers(*board, prepared.space));
+    }
+    std::ranges::move(unused_light(prepared.scene, *board),
+                      std::back_inserter(prepared.scene.notes));
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  {
+    const Progress progress("building the trees");
+    TreeOptions options;
+    if (board != nullptr) options.max_depth = max_tree_depth(*board);
+    prepared.trees = trees_for(prepared.scene, prepared.camera.position, form, options);
+  }
+  prepared.tree_seconds = Seconds(std::chrono::steady_clock::now() - begin).count();
   prepared.objects = ObjectImage(prepared.scene, prepared.trees.objects, form);
   prepared.frame = FrameImage(prepared.scene, prepared.objects, prepared.trees.instances,
                               prepared.camera, width, height);
@@ -167,10 +195,15 @@ Json Prepared::json() const {
           {"dropped_zero_area_triangles", scene.dropped.zero_area_triangles},
           {"dropped_points_and_lines", scene.dropped.points_and_lines},
           {"notes", notes()},
-          {"low", json_of(box.low)},
-          {"high", json_of(box.high)},
+          {"low", json_of(space.outside(box.low))},
+          {"high", json_of(space.outside(box.high))},
+          {"space",
+           {{"centre", json_of(space.centre)},
+            {"unit", space.unit},
+            {"headroom_up", headroom.up},
+            {"headroom_down", headroom.down}}},
           {"camera",
-           {{"position", json_of(camera.position)},
+           {{"position", json_of(space.outside(camera.position))},
             {"right", json_of(camera.right)},
             {"up", json_of(camera.up)},
             {"forward", json_of(camera.forward)}}},
@@ -207,6 +240,11 @@ std::string Prepared::text() const {
       tree_seconds);
   text += fmt::format("memory      {:.2f} MB of nodes and lists, {:.2f} MB of matrices\n",
                       use.tree_megabytes(), use.matrix_megabytes());
+  text += fmt::format(
+      "space       about ({:g}, {:g}, {:g}) in units of {:g}; the scene may grow by 2^{} and "
+      "shrink "
+      "by 2^{} until a number leaves the core's\n",
+      space.centre.x, space.centre.y, space.centre.z, space.unit, headroom.up, headroom.down);
   for (const std::string& note : notes()) text += fmt::format("note        {}\n", note);
   return text;
 }

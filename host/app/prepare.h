@@ -11,15 +11,20 @@
 
 #include "host/app/arguments.h"
 #include "host/board/board.h"
+#include "host/image/fit.h"
 #include "host/image/image.h"
+#include "host/scene/check_lights.h"
 #include "host/scene/scene.h"
 #include "host/tree/scene_trees.h"
 
 namespace dynrt::host {
 
+/// Scene and camera are those of the core's space (host/image/fit.h), the hits' distances too.
 struct Prepared {
   Scene scene;
   Camera camera;
+  Space space;  ///< of the world
+  Headroom headroom;
   SceneTrees trees;
   ObjectImage objects;
   FrameImage frame;
@@ -37,10 +42,25 @@ struct Prepared {
   std::string text() const;
 };
 
+/// How a board of this kind wants its memory.
+ImageForm form_for(const BoardInfo& board);
+
+/// How deep a tree may be that never overflows the board's stacks; trees deeper than usual are for
+/// those who ask for them.
+inline int max_tree_depth(const BoardInfo& board) {
+  return std::min(kMaxTreeDepth, static_cast<int>(board.stack_depth));
+}
+
 /// For a board of this kind: throws UserError where its configuration lacks one of the scene's
 /// primitives, and judges the scene's lights and mirrors. Without a board it is that of the
 /// configuration thesis, with every primitive, and neither lights nor mirrors are judged.
 Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
                  const BoardInfo* board = nullptr);
+/// The same for a scene that is there, seen by a camera of its space.
+Prepared prepare(Scene scene, const Camera& camera, unsigned width, unsigned height,
+                 const BoardInfo* board = nullptr);
+
+/// For check_lights(): what a board makes of the numbers of a scene in a space.
+CoreNumbers core_numbers(const BoardInfo& board, const Space& space);
 
 }  // namespace dynrt::host

@@ -25,6 +25,7 @@ struct Arguments {
   SceneArguments scene;
   FrameArguments frame;
   std::string board = "rtl";
+  std::string schedule;
   std::string trace;
   std::string scan_out;
 };
@@ -56,8 +57,9 @@ int run(const Arguments& arguments) {
   if (!arguments.scan_out.empty()) check_image_path(arguments.scan_out);
   check_outputs(outputs);
   TraceFile trace(arguments.trace);
-  const auto board =
-      open_board({arguments.board, arguments.frame.configuration, arguments.trace}, options);
+  const auto board = open_board(
+      {arguments.board, arguments.frame.configuration, arguments.trace, arguments.schedule},
+      options);
   if (!arguments.scan_out.empty()) board->check_display(options.width, options.height);
   const Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->info());
   const Frame frame = traced(trace, [&] { return render_on(*board, options, prepared); });
@@ -88,6 +90,11 @@ Command add_render_command(CLI::App& program) {
   arguments->scene.add_to(*command, true);
   command->add_option("--board", arguments->board, "rtl: the Verilog; model: the C++ natively")
       ->option_text("BOARD [rtl]");
+  command
+      ->add_option("--schedule", arguments->schedule,
+                   "count the clocks of --board model by the schedules that lie beside the "
+                   "configuration's Verilog, such as build/release/generated/thesis")
+      ->option_text("FOLDER");
   command
       ->add_option("--trace", arguments->trace,
                    "write the waveforms of the Verilog, and check its assertions; large: choose a "

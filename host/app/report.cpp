@@ -6,6 +6,7 @@
 
 #include <iterator>
 
+#include "host/app/messages.h"
 #include "host/app/text.h"
 #include "host/board/bus.h"
 
@@ -59,9 +60,9 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, double 
   line("pixels      {}, of which {} hit something", grouped(frame.pixels.size()),
        grouped(frame.hit_count()));
   if (frame.run.cycles) {
-    line("frame       {} cycles, {:.2f} frames per second at {:g} MHz, {:.4f} rays per clock",
-         grouped(*frame.run.cycles), figures.frames_per_second.value_or(0), clock_mhz,
-         figures.rays_per_clock.value_or(0));
+    line("frame       {} cycles{}, {:.2f} frames per second at {:g} MHz, {:.4f} rays per clock",
+         grouped(*frame.run.cycles), frame.run.scheduled ? " by the units' schedules" : "",
+         figures.frames_per_second.value_or(0), clock_mhz, figures.rays_per_clock.value_or(0));
     line("simulation  {:.2f} s, {} clocks per second", frame.run.seconds,
          grouped(static_cast<std::uint64_t>(figures.clocks_per_second.value_or(0))));
   } else {
@@ -71,6 +72,9 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, double 
   line("bus         {} bytes written, {} read, {} transactions, {:.3f} s on 33 MHz PCI",
        grouped(frame.traffic.bytes_written), grouped(frame.traffic.bytes_read),
        grouped(frame.traffic.transactions), bus_seconds(frame));
+  if (figures.dropped_pushes > 0) {
+    line(messages::kDroppedPushes, grouped(figures.dropped_pushes), frame.board.stack_depth);
+  }
   return text + units_text(figures) + caches_text(figures);
 }
 
@@ -96,6 +100,7 @@ Json report_json(const Frame& frame, const FrameFigures& figures, double clock_m
           {"height", frame.height},
           {"hits", frame.hit_count()},
           {"cycles", frame.run.cycles ? Json(*frame.run.cycles) : Json()},
+          {"cycles_by_schedule", frame.run.scheduled},
           {"clock_hz", clock_mhz * kMega},
           {"frames_per_second", value_or_null(figures.frames_per_second)},
           {"rays_per_clock", value_or_null(figures.rays_per_clock)},
@@ -109,6 +114,7 @@ Json report_json(const Frame& frame, const FrameFigures& figures, double clock_m
             {"bytes_read", frame.traffic.bytes_read},
             {"bus_clocks", frame.traffic.bus_clocks},
             {"seconds", bus_seconds(frame)}}},
+          {"dropped_pushes", figures.dropped_pushes},
           {"units", units},
           {"caches", caches},
           {"counters", counters}};

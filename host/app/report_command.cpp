@@ -1,7 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// dynrt report: studies of a scene on paper, one subcommand each; no board is opened.
+// dynrt report: studies of a scene, one subcommand each. `error` renders with many variants, the
+// others are made on paper and open no board.
 #include <fmt/format.h>
 
 #include <memory>
@@ -9,7 +10,9 @@
 #include "host/app/arguments.h"
 #include "host/app/command.h"
 #include "host/app/messages.h"
+#include "host/app/script_command.h"
 #include "host/app/text.h"
+#include "host/app/truth_report.h"
 #include "host/app/work_report.h"
 #include "host/error.h"
 #include "host/render/output_file.h"
@@ -51,10 +54,18 @@ constexpr Subcommand kSubcommands[] = {
     {"overlap", "objects that overlap: none, hierarchical tree, mailbox, multiple scenes (4.3)",
      overlap_report},
     {"mailbox", "what 0 to 32 slots of the mailbox save (4.3.2)", mailbox_report},
-    {"clipping", "what the clipping nodes of the scene and of objects save (4.2)",
-     clipping_report}};
+    {"clipping", "what the clipping nodes of the scene and of objects save (4.2)", clipping_report},
+    {"truth", "what the rays really hit, by exact decisions, and where Embree says otherwise",
+     truth_report}};
 
 }  // namespace
+
+Command add_choose_command(CLI::App& program) {
+  const ScriptCommand choose = add_script_command(
+      program, "choose", "the cheapest variant that keeps an error below a bound",
+      "error_report/choose.py");
+  return {choose.app, choose.run};
+}
 
 Command add_report_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("report", "count what other cores would have to do");
@@ -74,6 +85,10 @@ Command add_report_command(CLI::App& program) {
       *chosen = [arguments, study] { return run(*arguments, study); };
     });
   }
+  const ScriptCommand error = add_script_command(
+      *command, "error", "what number formats and other variants cost in error, time and area",
+      "error_report/report.py");
+  error.app->callback([chosen, error] { *chosen = error.run; });
   return {command, [chosen] {
             if (!*chosen) refuse(messages::kNoReport);
             return (*chosen)();

@@ -13,14 +13,15 @@
 
 #include "host/app/messages.h"
 #include "host/error.h"
-#include "units/memory_format.h"
+#include "host/format/memory_format_of.h"
 
 namespace dynrt::host {
 
 namespace {
 
-/// Far enough within the core's numbers for what is made of a flag's.
-const double kLargest = std::sqrt(Real::largest().to_double());
+/// Far enough within the shipped core's numbers for what is made of a flag's; what another core
+/// cannot hold is refused when the scene is laid out for it.
+const double kLargest = std::sqrt(kShippedFormat.largest);
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;

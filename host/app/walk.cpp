@@ -83,19 +83,19 @@ Walker::Walker(Board& board, const FrameOptions& options, Prepared& prepared,
     : board_(board),
       options_(options),
       prepared_(prepared),
-      camera_(camera),
+      camera_(moved_into(prepared.space, camera)),
       plan_(std::move(plan)) {}
 
 Walker::Result Walker::render_frame(unsigned frame, const PixelProgress& progress) {
   if (!held_) upload_scene();
   if (frame > 0 && held_ != frame - 1) {
     Image before = lay_out(frame - 1);
-    write(changed_runs(on_board_, before.runs));
+    write(changed_runs(on_board_, before.runs, bus_words()));
     on_board_ = std::move(before.runs);
   }
   Image image = lay_out(frame);
   const auto begin = Clock::now();
-  const std::vector<MemoryRun> changed = changed_runs(on_board_, image.runs);
+  const std::vector<MemoryRun> changed = changed_runs(on_board_, image.runs, bus_words());
 
   Result result;
   WalkRecord& record = result.record;
@@ -129,7 +129,9 @@ Walker::Image Walker::lay_out(unsigned frame) {
   const Camera camera = plan_.camera(scene, camera_, time, options_.width, options_.height);
   Image image;
   const Tree top = build_instance_tree(scene, prepared_.objects.boxes(),
-                                       {.room = prepared_.objects.room_left()});
+                                       {.grid = Grid(*board_.info().format),
+                                        .max_depth = max_tree_depth(board_.info()),
+                                        .room = prepared_.objects.room_left()});
   const auto built = Clock::now();
   image.frame = FrameImage(scene, prepared_.objects, top, camera, options_.width, options_.height);
   image.runs = image.frame.memory.runs();

@@ -54,7 +54,7 @@ struct WalkRecord {
 
 class Walker {
  public:
-  /// `prepared` is moved about.
+  /// `prepared` is moved about; `camera` is in the file's space.
   Walker(Board& board, const FrameOptions& options, Prepared& prepared, const CameraFlags& camera,
          WalkPlan plan);
 
@@ -79,6 +79,7 @@ class Walker {
   Image lay_out(unsigned frame);
   void upload_scene();
   void write(const std::vector<MemoryRun>& runs);
+  unsigned bus_words() const { return board_.info().format->bus_words(); }
 
   Board& board_;
   const FrameOptions options_;

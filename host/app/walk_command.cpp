@@ -102,12 +102,12 @@ Place place_of(const Arguments& arguments) {
 }
 
 /// A light stands still; what moves must not swallow it in any frame.
-void check_moving_lights(const Prepared& prepared, const WalkPlan& plan) {
+void check_moving_lights(const Prepared& prepared, const WalkPlan& plan, const BoardInfo& board) {
   Scene scene = prepared.scene;
   for (const double time : plan.times) {
     move_to(scene, time);
     try {
-      check_lights(scene, prepared.camera.position);
+      check_lights(scene, prepared.camera.position, core_numbers(board, prepared.space));
     } catch (const UserError& error) {
       refuse(messages::kLightLater, error.what(), time);
     }
@@ -123,7 +123,7 @@ int run(const Arguments& arguments) {
   WalkFolder folder(place.folder(), arguments.settings(prepared.scene), arguments.again);
   const WalkPlan plan(prepared.scene, arguments.frames, arguments.from, arguments.to);
   if (!plan.orbit && board->info().lights > 0 && !prepared.scene.lights.empty()) {
-    check_moving_lights(prepared, plan);
+    check_moving_lights(prepared, plan, board->info());
   }
   if (plan.orbit) prepared.scene.notes.push_back(messages::kOrbit);
   nlohmann::ordered_json json = {{"out", place.out}, {"scene", prepared.json()}};

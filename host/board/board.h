@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The board as the host sees it. RtlBoard runs the Verilog, ModelBoard the native C++ of the same
-// units; nothing outside this folder can tell them apart, except that the model has no clock.
+// units; nothing outside this folder can tell them apart, except that the model has no clock but
+// what the units' schedules say.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +15,7 @@
 
 #include "host/board/vga_monitor.h"
 #include "host/error.h"
+#include "host/format/memory_format_of.h"
 #include "units/frame.h"
 #include "units/options.h"
 
@@ -31,6 +33,8 @@ struct BoardInfo {
   bool scan_out = false;       ///< it can show a picture on a VGA display; only the RTL has pins
   TriangleMatrix triangle_matrix = TriangleMatrix::kNormalConsistent;
   Primitives primitives{.triangle = true};
+  TriangleTest triangle_test = TriangleTest::kUnitTriangle;
+  const MemoryFormat* format = &kShippedFormat;  ///< its numbers, and how its memory holds them
 };
 
 /// One of the core's counters, named unit.what, e.g. "traversal.transactions".
@@ -55,7 +59,8 @@ struct BusTraffic {
 };
 
 struct FrameRun {
-  std::optional<std::uint64_t> cycles;  ///< of the core's clock; the model has none
+  std::optional<std::uint64_t> cycles;  ///< of the core's clock; the model has none of its own
+  bool scheduled = false;               ///< they are what the model makes of the units' schedules
   double seconds = 0;                   ///< of this computer's time, between start and interrupt
 };
 
@@ -72,7 +77,8 @@ class Board {
   virtual ~Board() = default;
   virtual const BoardInfo& info() const = 0;
 
-  /// Moves consecutive words of a bank; they must lie inside it. Not while a frame is rendered.
+  /// Moves consecutive words of a bank; they must lie inside it. Not while a frame is rendered. A
+  /// word of the scene's banks is format->bus_words() of them, the lowest bits first.
   virtual void write(unsigned bank, std::uint32_t address,
                      std::span<const std::uint32_t> words) = 0;
   virtual void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) = 0;

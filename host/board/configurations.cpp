@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "host/board/load_configuration.h"
 #include "host/board/messages.h"
 #include "host/board/rtl_board.h"
 #include "host/error.h"
@@ -16,7 +17,8 @@ namespace dynrt::host {
 
 namespace {
 
-constexpr int kTraceSeed = 1;  ///< waveforms are the same every time
+constexpr unsigned kSramBits = 32;  ///< of a word of the RTL's banks
+constexpr int kTraceSeed = 1;       ///< waveforms are the same every time
 
 std::string list_of(std::span<const Configuration> table,
                     const std::function<bool(const Configuration&)>& condition) {
@@ -27,6 +29,7 @@ bool any(const Configuration&) { return true; }
 bool has_rtl(const Configuration& configuration) { return configuration.rtl != nullptr; }
 
 const Configuration& find(std::span<const Configuration> table, const std::string& name) {
+  if (is_configuration_file(name)) return load_configuration(name);
   const auto found = std::ranges::find(table, name, &Configuration::name);
   if (found == table.end()) {
     refuse(messages::kNoConfiguration, name, list_of(table, any));
@@ -56,7 +59,13 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
   info.configuration = configuration.name;
   if (!rtl) {
     if (!request.trace.empty()) refuse(messages::kNoTrace);
-    return std::make_unique<ModelBoard>(std::move(info), configuration.native());
+    return std::make_unique<ModelBoard>(std::move(info), configuration.native(), request.schedule);
+  }
+  if (!request.schedule.empty()) refuse(messages::kScheduleOfRtl);
+  if (info.format->word_bits > kSramBits) {
+    refuse(messages::kWideWords, configuration.name,
+           1 + info.format->exponent_bits + info.format->mantissa_bits, info.format->word_bits,
+           kSramBits);
   }
   if (!has_rtl(configuration)) {
     if (std::ranges::none_of(table, has_rtl)) refuse(messages::kNoRtl, configuration.name);

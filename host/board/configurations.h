@@ -30,8 +30,9 @@ struct Configuration {
 
 struct BoardRequest {
   std::string board = "rtl";
-  std::string configuration = "thesis";
-  std::string trace;  ///< an FST file, or empty
+  std::string configuration = "thesis";  ///< a name of the table, FILE.so or FILE.json
+  std::string trace;                     ///< an FST file, or empty
+  std::string schedule = {};  ///< of the model: the folder of its units' schedules, or empty
 };
 
 /// The table of this build.
@@ -41,7 +42,8 @@ std::span<const Configuration> configurations();
 std::vector<std::string_view> names_of(std::span<const Configuration> table,
                                        const std::function<bool(const Configuration&)>& condition);
 
-/// Throws UserError for an unknown board or configuration, and for waveforms of the model.
+/// Throws UserError for an unknown board or configuration, and for waveforms of the model or
+/// schedules of the Verilog.
 std::unique_ptr<Board> make_board(std::span<const Configuration> table,
                                   const BoardRequest& request);
 

@@ -16,7 +16,9 @@ class EmptyCore final : public NativeCore {
  public:
   void write(unsigned, std::uint32_t, std::span<const std::uint32_t>) override {}
   void read(unsigned, std::uint32_t, std::span<std::uint32_t>) override {}
-  void render(const FrameConfig&) override {}
+  std::optional<std::uint64_t> render(const FrameConfig&, const hls::Schedule*) override {
+    return std::nullopt;
+  }
   std::vector<Counter> counters() override { return {}; }
 };
 
@@ -30,13 +32,29 @@ BoardInfo limits() {
   return info;
 }
 
+BoardInfo wide() {
+  BoardInfo info = limits();
+  info.format = &kMemoryFormatOf<hls::Float<8, 23>>;
+  return info;
+}
+
 constexpr Configuration kTable[] = {
     {.name = "small",
      .info = limits,
      .native = []() -> std::unique_ptr<NativeCore> { return std::make_unique<EmptyCore>(); }},
-    {.name = "large", .info = limits, .native = []() -> std::unique_ptr<NativeCore> {
+    {.name = "large",
+     .info = limits,
+     .native = []() -> std::unique_ptr<NativeCore> { return std::make_unique<EmptyCore>(); }},
+    {.name = "wide", .info = wide, .native = []() -> std::unique_ptr<NativeCore> {
        return std::make_unique<EmptyCore>();
      }}};
+
+TEST(Configurations, RefusesSchedulesOfTheVerilog) {
+  EXPECT_THAT([] { make_board(kTable, {"rtl", "small", "", "schedules"}); },
+              ThrowsMessage<UserError>(
+                  "--schedule: only --board model takes its clocks from schedules; the Verilog has "
+                  "its own, so leave the flag out or choose that board"));
+}
 
 auto making(const BoardRequest& request) {
   return [request] { make_board(kTable, request); };
@@ -57,7 +75,9 @@ TEST(Configurations, WhatIsUnknownIsNamed) {
   EXPECT_THAT(making({.board = "fpga", .configuration = "small", .trace = ""}),
               ThrowsMessage<UserError>("--board fpga: unknown; the boards are rtl and model"));
   EXPECT_THAT(making({.board = "model", .configuration = "huge", .trace = ""}),
-              ThrowsMessage<UserError>("--config huge: unknown; this build has small, large"));
+              ThrowsMessage<UserError>(
+                  "--config huge: unknown; this build has small, large, wide, and a file "
+                  "FILE.json or FILE.so may be named instead"));
   EXPECT_THAT(making({.board = "model", .configuration = "small", .trace = "a.fst"}),
               ThrowsMessage<UserError>("--trace: only --board rtl has signals to record; leave the "
                                        "flag out or choose that board"));
@@ -65,6 +85,20 @@ TEST(Configurations, WhatIsUnknownIsNamed) {
               ThrowsMessage<UserError>(
                   "--board rtl: the Verilog of configuration small is not part of this build; "
                   "configure with -DDYNRT_RTL=ON or take --board model"));
+}
+
+TEST(Configurations, TheRtlsMemoryHoldsNoWideFloats) {
+  EXPECT_THAT(
+      making({.board = "rtl", .configuration = "wide", .trace = ""}),
+      ThrowsMessage<UserError>("--config wide: a float of 32 bits needs words of 43 bits in "
+                               "the memory, and the SRAM of board rtl has 32; take --board "
+                               "model"));
+  const auto board = make_board(kTable, {.board = "model", .configuration = "wide", .trace = ""});
+  EXPECT_EQ(board->info().format->mantissa_bits, 23u);
+  // Of the scene's banks a word is two of the bus.
+  board->write(0, kBankWords - 2, std::vector<std::uint32_t>(4));
+  EXPECT_THROW(board->write(0, kBankWords - 1, std::vector<std::uint32_t>(4)), std::out_of_range);
+  EXPECT_THROW(board->write(3, kBankWords - 2, std::vector<std::uint32_t>(4)), std::out_of_range);
 }
 
 TEST(Configurations, CountersComeFromTheJoin) {

@@ -3,25 +3,31 @@
 #include "host/board/model_board.h"
 
 #include <chrono>
+#include <stdexcept>
 
 #include "host/board/check_range.h"
 #include "host/board/frame_words.h"
+#include "host/board/messages.h"
+#include "host/board/read_schedule.h"
+#include "host/error.h"
 
 namespace dynrt::host {
 
-ModelBoard::ModelBoard(BoardInfo info, std::unique_ptr<NativeCore> core)
-    : info_(std::move(info)), core_(std::move(core)) {
+ModelBoard::ModelBoard(BoardInfo info, std::unique_ptr<NativeCore> core,
+                       const std::string& schedules)
+    : info_(std::move(info)), core_(std::move(core)), schedules_(schedules) {
   info_.name = "model";
+  if (!schedules.empty()) schedule_ = read_schedule(schedules);
 }
 
 void ModelBoard::write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) {
-  check_range(info_.name, bank, address, words.size());
+  check_range(info_, bank, address, words.size());
   meter_.write(words.size());
   core_->write(bank, address, words);
 }
 
 void ModelBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) {
-  check_range(info_.name, bank, address, words.size());
+  check_range(info_, bank, address, words.size());
   meter_.read(words.size());
   core_->read(bank, address, words);
 }
@@ -35,10 +41,15 @@ void ModelBoard::start() { meter_.write(1); }
 
 FrameRun ModelBoard::wait(std::uint64_t /*timeout*/, const PixelProgress& progress) {
   const auto begin = std::chrono::steady_clock::now();
-  core_->render(frame_);
+  std::optional<std::uint64_t> cycles;
+  try {
+    cycles = core_->render(frame_, schedule_ ? &*schedule_ : nullptr);
+  } catch (const std::invalid_argument& error) {
+    refuse(messages::kIncompleteSchedule, schedules_, error.what(), info_.configuration);
+  }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (progress) progress(frame_.width.to_u64() * frame_.height.to_u64());
-  return {.cycles = std::nullopt, .seconds = seconds.count()};
+  return {.cycles = cycles, .scheduled = cycles.has_value(), .seconds = seconds.count()};
 }
 
 }  // namespace dynrt::host

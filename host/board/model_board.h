@@ -1,13 +1,17 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The board whose core is the native C++ of the units. It has no clock, so a frame takes no cycles,
-// and no bus; what the host moves is metered as if it went over one.
+// The board whose core is the native C++ of the units. It has no clock, so a frame takes no cycles
+// unless the schedules of the units say how many it would, and no bus; what the host moves is
+// metered as if it went over one.
 #pragma once
 
 #include <map>
 #include <memory>
+#include <optional>
+#include <string>
 
+#include "hls/schedule.h"
 #include "host/board/board.h"
 #include "host/board/bus.h"
 
@@ -20,15 +24,18 @@ class NativeCore {
   virtual void write(unsigned bank, std::uint32_t address,
                      std::span<const std::uint32_t> words) = 0;
   virtual void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) = 0;
-  virtual void render(const FrameConfig& frame) = 0;
+  /// With schedules clock by clock; the clocks that it took, or none.
+  virtual std::optional<std::uint64_t> render(const FrameConfig& frame,
+                                              const hls::Schedule* schedule) = 0;
   virtual std::vector<Counter> counters() = 0;
 };
 using MakeNativeCore = std::unique_ptr<NativeCore> (*)();
 
 class ModelBoard final : public Board {
  public:
-  /// `info` of the configuration; the board's name is its own.
-  ModelBoard(BoardInfo info, std::unique_ptr<NativeCore> core);
+  /// `info` of the configuration; the board's name is its own. `schedules`, if not empty, is the
+  /// folder of the schedules by which clocks are counted; throws UserError if they cannot be read.
+  ModelBoard(BoardInfo info, std::unique_ptr<NativeCore> core, const std::string& schedules = {});
 
   const BoardInfo& info() const override { return info_; }
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override;
@@ -43,6 +50,8 @@ class ModelBoard final : public Board {
  private:
   BoardInfo info_;
   std::unique_ptr<NativeCore> core_;
+  std::string schedules_;
+  std::optional<hls::Schedule> schedule_;
   FrameConfig frame_;
   BusMeter meter_;
 };

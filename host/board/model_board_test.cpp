@@ -5,6 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
 #include "host/board/frame_words.h"
 
 namespace dynrt::host {
@@ -19,8 +25,13 @@ class CopyingCore final : public NativeCore {
   void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override {
     std::copy_n(banks_[bank].begin() + address, words.size(), words.begin());
   }
-  void render(const FrameConfig& frame) override {
+  std::optional<std::uint64_t> render(const FrameConfig& frame,
+                                      const hls::Schedule* schedule) override {
     std::copy_n(banks_[0].begin(), frame.width.to_u64() * frame.height.to_u64(), banks_[3].begin());
+    if (schedule == nullptr) return std::nullopt;
+    const auto copy = schedule->find("copy");
+    if (copy == schedule->end()) throw std::invalid_argument("there is no schedule of 'copy'");
+    return copy->second.stages + copy->second.room + copy->second.ram_stages.at("row");
   }
   std::vector<Counter> counters() override { return {{"copy.transactions", 12, true}}; }
 
@@ -55,6 +66,62 @@ TEST(ModelBoard, RendersWhatTheCoreRenders) {
   EXPECT_EQ(board.counters().at(0).value, 12u);
   EXPECT_EQ(board.traffic().bytes_written, 4u * (4 + kFrameWords + 1));
   EXPECT_EQ(board.traffic().bytes_read, 16u);
+}
+
+class ScheduledBoard : public testing::Test {
+ protected:
+  ScheduledBoard() {
+    std::string name = testing::TempDir() + "dynrt-schedules-XXXXXX";
+    folder_ = mkdtemp(name.data());
+  }
+  ~ScheduledBoard() override { std::filesystem::remove_all(folder_); }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name) << text;
+  }
+  ModelBoard board() const {
+    return ModelBoard({"", "thesis", 8, 32}, std::make_unique<CopyingCore>(), folder_.string());
+  }
+  std::string refusal(bool render = false) const {
+    try {
+      ModelBoard made = board();
+      if (render) made.wait(0, nullptr);
+    } catch (const UserError& error) {
+      return error.what();
+    }
+    return "none";
+  }
+  std::filesystem::path folder_;
+};
+
+constexpr char kCopy[] =
+    R"({"module": "copy", "stages": 3, "room": 6, "ram_stages": {"row": 100}})";
+
+TEST_F(ScheduledBoard, GivesTheCoreTheSchedulesAndTakesItsClocks) {
+  write("copy.json", kCopy);
+  write("dynrt_core.json", R"({"module": "dynrt_core", "units": []})");
+  write("copy.txt", "stages 7");
+  const FrameRun run = board().wait(0, nullptr);
+  EXPECT_EQ(run.cycles, 109u);
+  EXPECT_TRUE(run.scheduled);
+}
+
+TEST_F(ScheduledBoard, RefusesWhatIsNoWholeSetOfSchedules) {
+  const std::string name = folder_.string();
+  EXPECT_EQ(refusal(), "--schedule " + name +
+                           ": there are no schedules of hlsc; name the folder of a "
+                           "configuration's Verilog, such as build/release/generated/thesis");
+  write("paste.json", R"({"module": "paste", "stages": 3, "room": 6, "ram_stages": {}})");
+  EXPECT_EQ(refusal(true), "--schedule " + name +
+                               ": there is no schedule of 'copy' of configuration thesis; "
+                               "name the folder of that configuration's Verilog");
+  write("copy.json", R"({"module": "copy", "stages": 3, "roo)");
+  EXPECT_EQ(refusal(), name +
+                           "/copy.json: is not a whole schedule of hlsc; lower the unit again "
+                           "or remove the file");
+  write("copy.json", R"({"module": "copy", "stages": 3})");
+  EXPECT_THAT(refusal(), testing::HasSubstr("is not a whole schedule of hlsc"));
+  std::filesystem::remove_all(folder_);
+  EXPECT_THAT(refusal(), testing::HasSubstr("there are no schedules of hlsc"));
 }
 
 TEST(ModelBoard, RefusesWordsOutsideABank) {

@@ -21,6 +21,8 @@ BoardInfo board_info_of() {
   info.clips_to_cube = kClipsToBox<C>;
   info.triangle_matrix = C::kTriangleMatrix;
   info.primitives = C::kPrimitives;
+  info.triangle_test = C::kTriangleTest;
+  info.format = &kMemoryFormatOf<typename C::Real>;
   return info;
 }
 
@@ -28,16 +30,30 @@ template <class C>
 class NativeCoreOf final : public NativeCore {
  public:
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override {
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      core_.bank(bank)[address + i] = Word::from(words[i]);
-    }
+    with_bank(bank, [&]<unsigned W>(std::vector<uint<W>>& to) {
+      constexpr unsigned kParts = (W + 31) / 32;
+      for (std::size_t i = 0; i < words.size() / kParts; ++i) {
+        std::uint64_t word = 0;
+        for (unsigned p = 0; p < kParts; ++p) {
+          word |= std::uint64_t{words[i * kParts + p]} << (32 * p);
+        }
+        to[address + i] = uint<W>::from(word);
+      }
+    });
   }
   void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override {
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      words[i] = static_cast<std::uint32_t>(core_.bank(bank)[address + i].to_u64());
-    }
+    with_bank(bank, [&]<unsigned W>(const std::vector<uint<W>>& from) {
+      constexpr unsigned kParts = (W + 31) / 32;
+      for (std::size_t i = 0; i < words.size(); ++i) {
+        words[i] =
+            static_cast<std::uint32_t>(from[address + i / kParts].to_u64() >> (32 * (i % kParts)));
+      }
+    });
   }
-  void render(const FrameConfig& frame) override { core_.render(frame); }
+  std::optional<std::uint64_t> render(const FrameConfig& frame,
+                                      const hls::Schedule* schedule) override {
+    return core_.render(frame, schedule);
+  }
   std::vector<Counter> counters() override {
     std::vector<Counter> counters;
     for (const auto& [name, value, order_independent] : core_.counters()) {
@@ -47,6 +63,15 @@ class NativeCoreOf final : public NativeCore {
   }
 
  private:
+  template <class Do>
+  void with_bank(unsigned bank, Do&& action) {
+    if (bank < kSceneBanks) {
+      action(*core_.banks().scene[bank]);
+    } else {
+      action(*core_.banks().out.at(bank - kSceneBanks));
+    }
+  }
+
   CoreModel<C> core_;
 };
 

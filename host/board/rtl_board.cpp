@@ -66,12 +66,12 @@ void RtlBoard::settle() {
 }
 
 void RtlBoard::write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) {
-  check_range(info_.name, bank, address, words.size());
+  check_range(info_, bank, address, words.size());
   burst_write(window(bank, address), words);
 }
 
 void RtlBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) {
-  check_range(info_.name, bank, address, words.size());
+  check_range(info_, bank, address, words.size());
   burst_read(window(bank, address), words);
 }
 

@@ -35,10 +35,10 @@ void check_limits(const Scene& scene, const MemoryPart& part) {
 }
 
 /// The first element beyond the core's numbers; small ones round to the smallest magnitude.
-std::optional<double> out_of_range(const glm::dmat4x3& matrix) {
+std::optional<double> out_of_range(const MemoryFormat& format, const glm::dmat4x3& matrix) {
   for (int c = 0; c < 4; ++c) {
     for (int r = 0; r < 3; ++r) {
-      if (!(std::abs(matrix[c][r]) <= Real::largest().to_double())) return matrix[c][r];
+      if (!format.holds(matrix[c][r])) return matrix[c][r];
     }
   }
   return std::nullopt;
@@ -109,10 +109,6 @@ MatrixColumns light_columns(const PointLight& light) {
   return to_columns(matrix, intensity > 0 ? colour_bits(light.colour / intensity) : 0);
 }
 
-Address to_address(std::size_t address) {
-  return Address::from(static_cast<std::uint32_t>(address));
-}
-
 /// What takes the box to the cube from -1 to 1, a little inwards, as the core's arithmetic may be
 /// off by a few steps. A flat box is given a thickness, so that the matrix has an inverse.
 glm::dmat4 box_to_cube(const Aabb& box) {
@@ -128,9 +124,10 @@ glm::dmat4 box_to_cube(const Aabb& box) {
 }
 
 /// The map of a primitive from the core's space of the object.
-UnitMatrix unit_matrix(const Mesh& mesh, std::size_t primitive, const glm::dmat4& from_space,
-                       bool three) {
-  const double largest = Real::largest().to_double();
+UnitMatrix unit_matrix(const ImageForm& form, const Mesh& mesh, std::size_t primitive,
+                       const glm::dmat4& from_space, bool three) {
+  const MemoryFormat& format = *form.format;
+  const double largest = format.largest;
   const bool sphere = mesh.is_ellipsoid(primitive);
   UnitMatrix unit;
   if (sphere) {
@@ -140,9 +137,12 @@ UnitMatrix unit_matrix(const Mesh& mesh, std::size_t primitive, const glm::dmat4
     const auto matrix = triangle_matrix(mesh.corners(primitive));
     if (!matrix) refuse(messages::kFlatTriangle, mesh.name, primitive);
     const glm::dmat4x3 in_space = *matrix * from_space;
-    unit = three ? efficient_matrix(in_space) : UnitMatrix{in_space};
+    unit = form.triangle_test == TriangleTest::kWatertight
+               ? corner_matrix(mesh.corners(primitive), in_space)
+           : three ? efficient_matrix(in_space)
+                   : UnitMatrix{in_space};
   }
-  if (const auto element = out_of_range(unit.matrix)) {
+  if (const auto element = out_of_range(format, unit.matrix)) {
     if (sphere) refuse(messages::kSphereRange, mesh.name, primitive, *element, largest, largest);
     refuse(messages::kTriangleRange, mesh.name, primitive, *element, largest, largest);
   }
@@ -156,19 +156,17 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::span<const std::
                        const Mesh* object, const glm::dmat4& to_space = glm::dmat4(1.0)) {
   const std::uint32_t base = part.end_node() - 1;
   const std::uint32_t list_base = part.end_entry();
-  const auto child = [&](std::uint32_t index) {
-    return to_address(index == kNullNode ? 0 : base + index);
-  };
+  const auto child = [&](std::uint32_t index) { return index == kNullNode ? 0 : base + index; };
   part.nodes.reserve(part.nodes.size() + tree.nodes.size());
   for (std::size_t i = 1; i < tree.nodes.size(); ++i) {
     const TreeNode& from = tree.nodes[i];
-    Node node;
+    MemoryNode node;
     node.kind = static_cast<NodeKind>(from.axis);
     if (from.is_leaf()) {
-      node.left = to_address(list_base + from.left);
+      node.left = list_base + from.left;
     } else {
       const int k = from.axis;
-      node.split = Real::from_double(to_space[k][k] * from.split + to_space[3][k]);
+      node.split = to_space[k][k] * from.split + to_space[3][k];
       node.left = child(from.left);
       node.right = child(from.right);
     }
@@ -204,20 +202,26 @@ void check_matrices(const Scene& scene, const ImageForm& form) {
   check_limit(scene, kMatrices, std::max(numbers, matrices), kMaxMatrices);
 }
 
+std::vector<std::uint32_t> matrix_numbers(const Scene& scene, const Mesh& object,
+                                          std::uint32_t first, TriangleMatrix form) {
+  std::vector<std::uint32_t> numbers{first};
+  for (std::size_t i = 0; i < object.primitives(); ++i) {
+    numbers.push_back(numbers.back() + numbers_of(scene, object, i, form));
+  }
+  return numbers;
+}
+
 ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const ImageForm& form) {
   const std::uint32_t apart = columns_apart(form.triangles);
   check_matrices(scene, form);
+  const MemoryFormat& format = *form.format;
+  memory.format = &format;
   memory.first_node = 1;
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
     const Mesh& mesh = scene.objects[k];
     const Tree& tree = trees[k];
     const std::uint32_t first_matrix = memory.end_column() / apart;
-    std::vector<std::uint32_t> matrix_of;
-    std::uint32_t next = first_matrix;
-    for (std::size_t i = 0; i < mesh.primitives(); ++i) {
-      matrix_of.push_back(next);
-      next += numbers_of(scene, mesh, i, form.triangles);
-    }
+    const auto matrix_of = matrix_numbers(scene, mesh, first_matrix, form.triangles);
     const glm::dmat4 to_space = form.boxes_are_cubes ? box_to_cube(tree.box) : glm::dmat4(1.0);
     const glm::dmat4 from_space = glm::inverse(to_space);
     const std::uint32_t base = add_tree(memory, tree, matrix_of, &mesh, to_space);
@@ -226,23 +230,23 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
     check_limits(scene, memory);
     for (std::size_t i = 0; i < mesh.primitives(); ++i) {
       const bool three = stored_in_three(mesh, i, form.triangles);
-      const UnitMatrix unit = unit_matrix(mesh, i, from_space, three);
+      const UnitMatrix unit = unit_matrix(form, mesh, i, from_space, three);
       const Material& material = material_of(scene, mesh, i);
       const bool mirror = is_mirror(scene, mesh, i);
       const std::uint32_t colour = colour_bits(material.diffuse);
       const std::uint32_t part = mirror ? mirror_part(material) : 0;
       memory.columns.resize(matrix_of[i] * apart);
       if (three) {
-        memory.add(to_stored_columns(unit, colour, part));
+        memory.add(to_stored_columns(format, unit, colour, part));
       } else {
-        memory.add(to_columns(unit, colour, part));
+        memory.add(to_columns(format, unit, colour, part));
       }
       if (mirror) {
         const glm::dmat4 reflection(reflection_matrix(mesh.corners(i)));
         memory.add(to_columns(glm::dmat4x3(to_space * reflection * from_space), 0));
       }
     }
-    memory.columns.resize(next * apart);
+    memory.columns.resize(matrix_of.back() * apart);
   }
 }
 
@@ -259,7 +263,9 @@ std::vector<Aabb> ObjectImage::boxes() const {
 
 FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tree& instances,
                        const Camera& camera, unsigned width, unsigned height) {
-  const double largest = Real::largest().to_double();
+  const MemoryFormat& format = *objects.memory.format;
+  const double largest = format.largest;
+  memory.format = &format;
   memory.first_node = objects.memory.end_node();
   memory.first_entry = objects.memory.end_entry();
   first_instance = objects.memory.end_matrix();
@@ -282,7 +288,7 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
     if (!std::isfinite(inverse[3][3]) || glm::determinant(instance.transform) == 0) {
       refuse(messages::kFlatInstance, instance.name);
     }
-    if (const auto element = out_of_range(matrix)) {
+    if (const auto element = out_of_range(format, matrix)) {
       refuse(messages::kInstanceRange, instance.name, *element, largest, largest);
     }
     const glm::dvec3 eye(inverse * glm::dvec4(camera.position, 1.0));
@@ -293,7 +299,7 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
     }
   }
   const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
-  if (const auto element = out_of_range(from_pixels)) {
+  if (const auto element = out_of_range(format, from_pixels)) {
     refuse(messages::kCameraRange, *element, largest, largest);
   }
   camera_matrix = memory.end_matrix();
@@ -301,7 +307,7 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   light_matrix = memory.end_matrix();
   for (const PointLight& light : scene.lights) {
     for (int axis = 0; axis < 3; ++axis) {
-      if (!(std::abs(light.position[axis]) <= largest)) {
+      if (!format.holds(light.position[axis])) {
         refuse(messages::kLightRange, light.name, static_cast<char>('x' + axis),
                light.position[axis], largest, largest);
       }
@@ -320,13 +326,16 @@ bool has_mirrors(const Scene& scene) {
 }
 
 double MemoryUse::tree_megabytes() const {
-  return (8.0 * static_cast<double>(nodes) + 4.0 * static_cast<double>(list_entries)) / 1e6;
+  return word_bytes * (2.0 * static_cast<double>(nodes) + static_cast<double>(list_entries)) / 1e6;
 }
 
-double MemoryUse::matrix_megabytes() const { return 48.0 * static_cast<double>(matrices) / 1e6; }
+double MemoryUse::matrix_megabytes() const {
+  return word_bytes * 12.0 * static_cast<double>(matrices) / 1e6;
+}
 
 MemoryUse memory_use(const FrameImage& frame) {
-  return {frame.memory.end_node(), frame.memory.end_entry(), frame.memory.end_matrix()};
+  return {frame.memory.end_node(), frame.memory.end_entry(), frame.memory.end_matrix(),
+          frame.memory.format->word_bits / 8.0};
 }
 
 glm::dmat4x3 camera_matrix(const Camera& camera, unsigned width, unsigned height) {

@@ -21,15 +21,23 @@ namespace dynrt::host {
 
 /// What a configuration of the core takes objects for.
 struct ImageForm {
+  const MemoryFormat* format = &kShippedFormat;
   TriangleMatrix triangles = TriangleMatrix::kNormalConsistent;
   /// Every object lies in the memory such that its box is the cube from -1 to 1, to which the core
   /// clips (units/box_clip.h).
   bool boxes_are_cubes = false;
+  /// For a watertight test a triangle's columns are its corners and its unit normal.
+  TriangleTest triangle_test = TriangleTest::kUnitTriangle;
 };
 
 /// Throws UserError for a scene that the memory cannot hold whatever its trees are: with more
 /// triangles, instances and camera than it has matrices.
 void check_matrices(const Scene& scene, const ImageForm& form = {});
+
+/// The matrices of an object's primitives, the first of which is `first`, as hit records name them;
+/// behind the last primitive's, where the next object begins.
+std::vector<std::uint32_t> matrix_numbers(const Scene& scene, const Mesh& object,
+                                          std::uint32_t first, TriangleMatrix form);
 
 /// The static part. Throws UserError where a limit of the memory is passed or a triangle's matrix
 /// is beyond the core's numbers.
@@ -76,6 +84,7 @@ struct MemoryUse {
   std::size_t nodes = 0;  ///< with the null node
   std::size_t list_entries = 0;
   std::size_t matrices = 0;         ///< places of four columns
+  double word_bytes = 4;            ///< of the scene's banks
   double tree_megabytes() const;    ///< nodes and lists, 10^6 bytes
   double matrix_megabytes() const;  ///< 10^6 bytes
 };

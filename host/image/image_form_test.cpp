@@ -24,12 +24,11 @@ struct Expanded {
 };
 Expanded expand(const SceneMemory& memory, std::uint32_t number) {
   const auto at = [&](std::uint32_t column) { return memory.column(3 * number + column); };
-  const auto values = [](const MatrixColumn& c) {
-    return glm::dvec3(c.row[0].value.to_double(), c.row[1].value.to_double(),
-                      c.row[2].value.to_double());
+  const auto values = [](const MemoryColumn& c) {
+    return glm::dvec3(c.value[0], c.value[1], c.value[2]);
   };
-  const auto byte = [&](std::uint32_t column, unsigned row) {
-    return static_cast<std::uint32_t>(at(column).row[row].spare.to_u64());
+  const auto byte = [&](std::uint32_t column, unsigned number_of_byte) {
+    return static_cast<std::uint32_t>(at(column).spare >> (8 * number_of_byte) & 255);
   };
   EXPECT_EQ(byte(0, 2), byte(1, 2));
   const int ones = static_cast<int>(byte(0, 2));
@@ -40,7 +39,7 @@ Expanded expand(const SceneMemory& memory, std::uint32_t number) {
   e.matrix[3] = values(at(2));
   e.colour = byte(0, 0) | byte(0, 1) << 8 | byte(1, 1) << 16;
   e.mirror = byte(1, 0);
-  e.cosine_factor = Real::from_bits(at(2).spare()).to_double();
+  e.cosine_factor = kShippedFormat.number(static_cast<std::uint32_t>(at(2).spare));
   return e;
 }
 
@@ -122,7 +121,7 @@ TEST(ImageForm, MirrorsAndSpheresReachIntoTheNextNumbers) {
   const MatrixColumns sphere = four(count + 2);
   EXPECT_EQ(from_columns(sphere)[0].x, 0.5);
   EXPECT_EQ(extra_bits(sphere), 0x0080ffu);
-  EXPECT_EQ(Real::from_bits(sphere[3].spare()).to_double(), 2);
+  EXPECT_EQ(kShippedFormat.number(static_cast<std::uint32_t>(sphere[3].spare)), 2);
   EXPECT_EQ(objects.objects[1].first_matrix, count + 4);
   unsigned spheres = 0, triangles = 0;
   for (const ListEntry& entry : objects.memory.entries) {
@@ -160,10 +159,10 @@ TEST(ImageForm, BoxesAreCubes) {
     }
     EXPECT_LT(largest, 1);
     EXPECT_GT(largest, 0.99);
-    const Node root = memory.node(object.root);
+    const MemoryNode root = memory.node(object.root);
     const TreeNode& split = trees.objects[k].nodes[trees.objects[k].root];
     const double expected = (object.to_space * glm::dvec4(glm::dvec3(split.split), 1))[split.axis];
-    EXPECT_NEAR(root.split.to_double(), expected, 1e-5);
+    EXPECT_NEAR(root.split, expected, 1e-5);
   }
   const std::uint32_t mirror = objects.objects[0].first_matrix + 3;
   const auto corners = scene.objects[0].corners(3);

@@ -3,6 +3,7 @@
 #include "host/image/memory.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -13,91 +14,90 @@ namespace dynrt::host {
 MatrixColumns to_columns(const glm::dmat4x3& matrix, std::uint32_t extra, std::uint32_t mirror) {
   MatrixColumns columns;
   for (int c = 0; c < 4; ++c) {
-    for (int r = 0; r < 3; ++r) columns[c].row[r].value = Real::from_double(matrix[c][r]);
+    for (int r = 0; r < 3; ++r) columns[c].value[r] = matrix[c][r];
   }
-  for (unsigned r = 0; r < 3; ++r) columns[0].row[r].spare = uint<8>::from(extra >> (8 * r) & 255);
-  columns[1].row[0].spare = uint<8>::from(mirror & 255);
+  columns[0].spare = extra;
+  columns[1].spare = mirror;
   return columns;
 }
 
-namespace {
-
-void set_spare(MatrixColumn& column, std::uint64_t bits) {
-  for (unsigned r = 0; r < 3; ++r) column.row[r].spare = uint<8>::from(bits >> (8 * r) & 255);
-}
-
-std::uint64_t factor_bits(double factor) { return Real::from_double(factor).bits().to_u64(); }
-
-}  // namespace
-
-MatrixColumns to_columns(const UnitMatrix& unit, std::uint32_t colour, std::uint32_t mirror) {
+MatrixColumns to_columns(const MemoryFormat& format, const UnitMatrix& unit, std::uint32_t colour,
+                         std::uint32_t mirror) {
   MatrixColumns columns = to_columns(unit.matrix, colour, mirror);
-  set_spare(columns[3], factor_bits(unit.cosine_factor));
+  columns[3].spare = format.bits(unit.cosine_factor);
   return columns;
 }
 
-std::array<MatrixColumn, kStoredColumns> to_stored_columns(const UnitMatrix& efficient,
+std::array<MemoryColumn, kStoredColumns> to_stored_columns(const MemoryFormat& format,
+                                                           const UnitMatrix& efficient,
                                                            std::uint32_t colour,
                                                            std::uint32_t mirror) {
   const MatrixColumns all = to_columns(efficient.matrix, 0);
   const int ones = efficient.ones;
-  std::array<MatrixColumn, kStoredColumns> stored{all[ones == 0 ? 1 : 0], all[ones == 2 ? 1 : 2],
+  std::array<MemoryColumn, kStoredColumns> stored{all[ones == 0 ? 1 : 0], all[ones == 2 ? 1 : 2],
                                                   all[3]};
   const auto place = static_cast<std::uint32_t>(ones) << 16;
-  set_spare(stored[0], (colour & 0xffff) | place);
-  set_spare(stored[1], mirror | (colour >> 16 & 255) << 8 | place);
-  set_spare(stored[2], factor_bits(efficient.cosine_factor));
+  stored[0].spare = (colour & 0xffff) | place;
+  stored[1].spare = mirror | (colour >> 16 & 255) << 8 | place;
+  stored[2].spare = format.bits(efficient.cosine_factor);
   return stored;
 }
 
 glm::dmat4x3 from_columns(const MatrixColumns& columns) {
   glm::dmat4x3 matrix;
   for (int c = 0; c < 4; ++c) {
-    for (int r = 0; r < 3; ++r) matrix[c][r] = columns[c].row[r].value.to_double();
+    for (int r = 0; r < 3; ++r) matrix[c][r] = columns[c].value[r];
   }
   return matrix;
 }
 
 std::uint32_t extra_bits(const MatrixColumns& columns) {
-  std::uint32_t extra = 0;
-  for (unsigned r = 0; r < 3; ++r) {
-    extra |= static_cast<std::uint32_t>(columns[0].row[r].spare.to_u64()) << (8 * r);
-  }
-  return extra;
+  return static_cast<std::uint32_t>(columns[0].spare) & 0xffffff;
 }
 
 std::vector<MemoryRun> MemoryPart::runs() const {
+  const unsigned bus_words = format->bus_words();
+  const auto append = [&](MemoryRun& run, MemoryWord word) {
+    for (unsigned i = 0; i < bus_words; ++i) {
+      run.words.push_back(static_cast<std::uint32_t>(word >> (32 * i)));
+    }
+  };
   std::vector<MemoryRun> runs;
   if (!nodes.empty()) {
     MemoryRun low{0, first_node, {}};
     MemoryRun high{1, first_node, {}};
-    for (const Node& node : nodes) {
-      const auto words = hls::pack(node);
-      low.words.push_back(words[0]);
-      high.words.push_back(words[1]);
+    for (const MemoryNode& node : nodes) {
+      const auto words = format->pack_node(node);
+      append(low, words[0]);
+      append(high, words[1]);
     }
     runs.push_back(std::move(low));
     runs.push_back(std::move(high));
   }
   if (!entries.empty()) {
     MemoryRun run{2, first_entry, {}};
-    for (const ListEntry& entry : entries) run.words.push_back(hls::pack(entry)[0]);
+    for (const ListEntry& entry : entries) append(run, hls::pack(entry)[0]);
     runs.push_back(std::move(run));
   }
-  for (unsigned row = 0; row < kSceneBanks && !columns.empty(); ++row) {
-    MemoryRun run{row, kColumnBase + first_column, {}};
-    run.words.reserve(columns.size());
-    for (const MatrixColumn& column : columns) {
-      run.words.push_back(hls::pack(column.row[row])[0]);
+  if (!columns.empty()) {
+    std::array<MemoryRun, kSceneBanks> rows;
+    for (unsigned row = 0; row < kSceneBanks; ++row) {
+      rows[row] = {row, kColumnBase + first_column, {}};
+      rows[row].words.reserve(columns.size() * bus_words);
     }
-    runs.push_back(std::move(run));
+    for (const MemoryColumn& column : columns) {
+      const auto words = format->pack_column(column);
+      for (unsigned row = 0; row < kSceneBanks; ++row) append(rows[row], words[row]);
+    }
+    std::ranges::move(rows, std::back_inserter(runs));
   }
   return runs;
 }
 
 std::vector<MemoryRun> changed_runs(const std::vector<MemoryRun>& before,
-                                    const std::vector<MemoryRun>& after) {
+                                    const std::vector<MemoryRun>& after, unsigned bus_words) {
   constexpr std::size_t kGap = 4;  // a run's own cost on the bus, in words
+  const std::size_t step = bus_words;
   std::map<std::pair<unsigned, std::uint32_t>, const MemoryRun*> known;
   for (const MemoryRun& run : before) known[{run.bank, run.address}] = &run;
   std::vector<MemoryRun> changed;
@@ -108,46 +108,50 @@ std::vector<MemoryRun> changed_runs(const std::vector<MemoryRun>& before,
     const auto close = [&] {
       if (begin == end) return;
       changed.push_back({run.bank,
-                         run.address + static_cast<std::uint32_t>(begin),
+                         run.address + static_cast<std::uint32_t>(begin / step),
                          {run.words.begin() + static_cast<std::ptrdiff_t>(begin),
                           run.words.begin() + static_cast<std::ptrdiff_t>(end)}});
       begin = end = 0;
     };
-    for (std::size_t i = 0; i < run.words.size(); ++i) {
-      if (i < same && found->second->words[i] == run.words[i]) continue;
+    for (std::size_t i = 0; i < run.words.size(); i += step) {
+      if (i < same && std::equal(&run.words[i], &run.words[i] + step, &found->second->words[i])) {
+        continue;
+      }
       if (begin != end && i - end > kGap) close();
       if (begin == end) begin = i;
-      end = i + 1;
+      end = i + step;
     }
     close();
   }
   return changed;
 }
 
-SceneMemory::SceneMemory() {
-  for (std::vector<std::uint32_t>& bank : banks_) bank.resize(kBankWords);
+SceneMemory::SceneMemory(const MemoryFormat& format) : format_(format) {
+  for (std::vector<MemoryWord>& bank : banks_) bank.resize(kBankWords);
 }
 
 void SceneMemory::write(const std::vector<MemoryRun>& runs) {
+  const unsigned step = format_.bus_words();
   for (const MemoryRun& run : runs) {
-    std::copy(run.words.begin(), run.words.end(), banks_.at(run.bank).begin() + run.address);
+    for (std::size_t i = 0; i < run.words.size(); ++i) {
+      MemoryWord& word = banks_.at(run.bank).at(run.address + i / step);
+      if (i % step == 0) word = 0;
+      word |= MemoryWord{run.words[i]} << (32 * (i % step));
+    }
   }
 }
 
-Node SceneMemory::node(std::uint32_t address) const {
-  return hls::unpack<Node>(hls::Words<Node>{banks_[0].at(address), banks_[1].at(address)});
+MemoryNode SceneMemory::node(std::uint32_t address) const {
+  return format_.unpack_node({banks_[0].at(address), banks_[1].at(address)});
 }
 
 ListEntry SceneMemory::entry(std::uint32_t address) const {
-  return hls::unpack<ListEntry>(&banks_[2].at(address));
+  return hls::unpack<ListEntry>({static_cast<std::uint32_t>(banks_[2].at(address))});
 }
 
-MatrixColumn SceneMemory::column(std::uint32_t address) const {
-  MatrixColumn column;
-  for (unsigned row = 0; row < kSceneBanks; ++row) {
-    column.row[row] = hls::unpack<MatrixWord>(&banks_[row].at(kColumnBase + address));
-  }
-  return column;
+MemoryColumn SceneMemory::column(std::uint32_t address) const {
+  const std::uint32_t at = kColumnBase + address;
+  return format_.unpack_column({banks_[0].at(at), banks_[1].at(at), banks_[2].at(at)});
 }
 
 MatrixColumns SceneMemory::matrix(std::uint32_t index) const {

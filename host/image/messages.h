@@ -29,4 +29,12 @@ inline constexpr char kLightRange[] =
     "light '{}' stands at {} = {:g}, outside the core's numbers (-{:.5g} to {:.5g}); it must be "
     "closer";
 
+// A scene that is too far-flung and too fine at once: {far}, {fine}
+inline constexpr char kNoScale[] =
+    "scene '{}' fits the {} exponent bits of the core's numbers at no scale: {}, and {}; take a "
+    "format with more of them, or make the two more alike";
+inline constexpr char kReaches[] = "{} {} = {:g}";
+inline constexpr char kSmallInstance[] = "instance '{}' is scaled down that far";
+inline constexpr char kSmall[] = "{} {} of object '{}' has a matrix with the element {:g}";
+
 }  // namespace dynrt::host::messages

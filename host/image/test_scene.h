@@ -40,22 +40,25 @@ struct Laid {
   FrameImage frame;
   SceneMemory memory;
 
-  Laid(Scene s, const Camera& camera)
+  Laid(Scene s, const Camera& camera, const MemoryFormat& format = kShippedFormat)
       : scene(std::move(s)),
-        trees(build_scene_trees(scene)),
-        objects(scene, trees.objects),
-        frame(scene, objects, trees.instances, camera, 512, 384) {
+        trees(build_scene_trees(scene, {.grid = Grid(format)})),
+        objects(scene, trees.objects, {.format = &format}),
+        frame(scene, objects, trees.instances, camera, 512, 384),
+        memory(format) {
     memory.write(objects.memory.runs());
     memory.write(frame.memory.runs());
   }
 };
 
 /// As near as one rounding to the core's format lets them be.
-inline void expect_near(const glm::dmat4x3& got, const glm::dmat4x3& expected) {
+inline void expect_near(const glm::dmat4x3& got, const glm::dmat4x3& expected,
+                        const MemoryFormat& format = kShippedFormat) {
+  const int half_step = -1 - static_cast<int>(format.mantissa_bits);
   for (int c = 0; c < 4; ++c) {
     for (int r = 0; r < 3; ++r) {
       ASSERT_NEAR(got[c][r], expected[c][r],
-                  std::ldexp(std::abs(expected[c][r]), -17) + std::ldexp(1.0, -62));
+                  std::ldexp(std::abs(expected[c][r]), half_step) + 2 * format.smallest);
     }
   }
 }

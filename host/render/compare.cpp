@@ -6,25 +6,23 @@
 
 #include <algorithm>
 
-#include "units/memory_format.h"
-
 namespace dynrt::host {
 
 namespace {
 
-std::string number(std::uint32_t value) { return fmt::format("{}", value); }
-std::string flag(std::uint32_t value) { return value ? "yes" : "no"; }
+std::string number(const MemoryFormat&, std::uint32_t value) { return fmt::format("{}", value); }
+std::string flag(const MemoryFormat&, std::uint32_t value) { return value ? "yes" : "no"; }
 std::string colour(std::uint32_t value) { return fmt::format("{:#08x}", value); }
 
-/// The bits of a float and what they mean in the shipped format.
-std::string real(std::uint32_t bits) {
-  return fmt::format("{} ({:#08x})", Real::from_bits(Real::Bits::from(bits)).to_double(), bits);
+/// The bits of a float and what they mean.
+std::string real(const MemoryFormat& format, std::uint32_t bits) {
+  return fmt::format("{} ({:#08x})", format.number(bits), bits);
 }
 
 struct Field {
   const char* name;
   std::uint32_t (*value)(const HitRecord&);
-  std::string (*text)(std::uint32_t);
+  std::string (*text)(const MemoryFormat&, std::uint32_t);
 };
 
 constexpr Field kFields[] = {
@@ -37,11 +35,13 @@ constexpr Field kFields[] = {
     {"cosine", [](const HitRecord& r) { return r.cosine; }, real},
 };
 
-Difference first_field(const HitRecord& left, const HitRecord& right) {
+Difference first_field(const HitRecord& left, const MemoryFormat& left_format,
+                       const HitRecord& right, const MemoryFormat& right_format) {
   for (const Field& field : kFields) {
     const std::uint32_t a = field.value(left);
     const std::uint32_t b = field.value(right);
-    if (a != b) return {{}, {}, field.name, field.text(a), field.text(b)};
+    if (a == b) continue;
+    return {{}, {}, field.name, field.text(left_format, a), field.text(right_format, b)};
   }
   return {};
 }
@@ -61,7 +61,8 @@ void compare_pixels(Comparison& comparison, const Frame& left, const Frame& righ
     comparison.hits += left.hits[p].hit;
     if (left.hits[p] != right.hits[p]) {
       ++comparison.different_hits;
-      note(comparison, at(first_field(left.hits[p], right.hits[p])));
+      note(comparison,
+           at(first_field(left.hits[p], *left.board.format, right.hits[p], *right.board.format)));
     }
     if (left.pixels[p] != right.pixels[p]) {
       ++comparison.different_pixels;

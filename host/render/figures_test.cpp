@@ -43,6 +43,13 @@ TEST(Figures, EmptyingTheLinesIsNoMiss) {
   EXPECT_DOUBLE_EQ(figures.caches[0].hit_rate, 0.75);
 }
 
+TEST(Figures, DroppedPushesAreTokensOfFullStacks) {
+  Frame frame = a_frame();
+  EXPECT_EQ(figures_of(frame, 85e6).dropped_pushes, 0u);
+  frame.counters.push_back({"stack_full.tokens", 29});
+  EXPECT_EQ(figures_of(frame, 85e6).dropped_pushes, 29u);
+}
+
 TEST(Figures, Speeds) {
   const FrameFigures figures = figures_of(a_frame(), 85e6);
   EXPECT_DOUBLE_EQ(*figures.frames_per_second, 85e3);

@@ -18,7 +18,7 @@ struct HitRecord {
   bool hit = false;
   std::uint32_t object = 0;    ///< matrix of the instance
   std::uint32_t triangle = 0;  ///< matrix of the triangle
-  std::uint32_t t = 0;         ///< distance along the ray
+  std::uint32_t t = 0;         ///< distance along the ray, in the units of the core's space
   std::uint32_t u = 0;         ///< barycentric coordinates
   std::uint32_t v = 0;
   std::uint32_t cosine = 0;  ///< direction times normal

@@ -15,6 +15,7 @@ namespace dynrt::host {
 
 namespace {
 
+constexpr double kInf = std::numeric_limits<double>::infinity();
 constexpr glm::dvec3 kFramedFrom{0.5, 0.4, 1.0};  // right, above and in front of the centre
 
 void require_finite(const glm::dvec3& v, const char* what) {
@@ -34,8 +35,25 @@ Camera widen(Camera camera, double aspect) {
 
 }  // namespace
 
+Box bounds(const Mesh& object) {
+  Box box{glm::dvec3(kInf), glm::dvec3(-kInf)};
+  const auto include = [&box](const glm::dvec3& v) {
+    box.low = glm::min(box.low, v);
+    box.high = glm::max(box.high, v);
+  };
+  for (const glm::dvec3& v : object.vertices) include(v);
+  for (const Rectangle& r : object.rectangles) {
+    for (const glm::dvec3& v : r.corners()) include(v);
+  }
+  for (const Ellipsoid& e : object.ellipsoids) {
+    const glm::dvec3 centre(e.from_unit[3]);
+    include(centre - e.extent());
+    include(centre + e.extent());
+  }
+  return box;
+}
+
 Box bounds(const Scene& scene) {
-  constexpr double kInf = std::numeric_limits<double>::infinity();
   Box box{glm::dvec3(kInf), glm::dvec3(-kInf)};
   for (const Instance& instance : scene.instances) {
     const Mesh& object = scene.objects[instance.object];

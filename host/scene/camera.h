@@ -28,7 +28,8 @@ struct Box {
   glm::dvec3 low, high;
 };
 
-// The world-space box of all instances.
+// The box of an object, and the world-space box of all instances.
+Box bounds(const Mesh& object);
 Box bounds(const Scene& scene);
 
 // |forward| = 1, |up| = 2 tan(field_of_view / 2), |right| = aspect * |up|. Throws UserError when

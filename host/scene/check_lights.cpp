@@ -13,14 +13,12 @@
 #include <limits>
 #include <optional>
 
+#include "host/scene/camera.h"
 #include "host/scene/wording.h"
 
 namespace dynrt::host {
 
 namespace {
-
-// A coordinate of the core has 17 significant bits.
-constexpr double kLastPlace = 1.0 / (1 << 16);
 
 // No axis of a building, none near another.
 constexpr std::array kDirections = {
@@ -100,34 +98,11 @@ std::optional<std::size_t> touched(const Mesh& mesh, const glm::dmat4& transform
   return std::nullopt;
 }
 
-struct ObjectBox {
-  glm::dvec3 low{std::numeric_limits<double>::infinity()};
-  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
-
-  void include(const glm::dvec3& v) {
-    low = glm::min(low, v);
-    high = glm::max(high, v);
-  }
-};
-
-ObjectBox box_of(const Mesh& mesh) {
-  ObjectBox box;
-  for (const glm::dvec3& v : mesh.vertices) box.include(v);
-  for (const Rectangle& rectangle : mesh.rectangles) {
-    for (const glm::dvec3& corner : rectangle.corners()) box.include(corner);
-  }
-  for (const Ellipsoid& ellipsoid : mesh.ellipsoids) {
-    const glm::dvec3 centre(ellipsoid.from_unit[3]);
-    box.include(centre - ellipsoid.extent());
-    box.include(centre + ellipsoid.extent());
-  }
-  return box;
-}
-
-void check_light(const Scene& scene, const std::vector<ObjectBox>& boxes, const PointLight& light,
-                 const glm::dvec3& eye) {
+void check_light(const Scene& scene, const std::vector<Box>& boxes, const PointLight& light,
+                 const glm::dvec3& eye, const CoreNumbers& numbers) {
   const glm::dvec3& p = light.position;
-  const double reach = kLastPlace * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  const glm::dvec3 told = numbers.space.outside(p);
+  const double reach = numbers.last_place * std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   for (const Instance& instance : scene.instances) {
     const glm::dmat4 into = glm::inverse(instance.transform);
     const glm::dvec3 point(into * glm::dvec4(p, 1.0));
@@ -135,7 +110,7 @@ void check_light(const Scene& scene, const std::vector<ObjectBox>& boxes, const 
     const glm::dmat3 rows = glm::transpose(glm::dmat3(into));
     const glm::dvec3 margin =
         reach * glm::dvec3(glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2]));
-    const ObjectBox& box = boxes[instance.object];
+    const Box& box = boxes[instance.object];
     if (!glm::all(glm::greaterThanEqual(point, box.low - margin)) ||
         !glm::all(glm::lessThanEqual(point, box.high + margin))) {
       continue;
@@ -145,25 +120,26 @@ void check_light(const Scene& scene, const std::vector<ObjectBox>& boxes, const 
       const char* kind = mesh.is_ellipsoid(*primitive)   ? "sphere"
                          : mesh.is_rectangle(*primitive) ? "rectangle"
                                                          : "triangle";
-      wording::fail(wording::kLightOnSurface, scene.name, light.name, p.x, p.y, p.z, kind,
+      wording::fail(wording::kLightOnSurface, scene.name, light.name, told.x, told.y, told.z, kind,
                     *primitive, instance.name);
     }
     if (is_inside(mesh, point) && !is_inside(mesh, glm::dvec3(into * glm::dvec4(eye, 1.0)))) {
-      wording::fail(wording::kLightInside, scene.name, light.name, p.x, p.y, p.z, instance.name);
+      wording::fail(wording::kLightInside, scene.name, light.name, told.x, told.y, told.z,
+                    instance.name);
     }
   }
 }
 
 }  // namespace
 
-void check_lights(const Scene& scene, const glm::dvec3& eye) {
+void check_lights(const Scene& scene, const glm::dvec3& eye, const CoreNumbers& numbers) {
   if (!scene.distant_lights.empty()) {
     wording::fail(wording::kLightDistant, scene.name, scene.distant_lights[0]);
   }
   if (scene.lights.empty()) return;
-  std::vector<ObjectBox> boxes;
-  for (const Mesh& mesh : scene.objects) boxes.push_back(box_of(mesh));
-  for (const PointLight& light : scene.lights) check_light(scene, boxes, light, eye);
+  std::vector<Box> boxes;
+  for (const Mesh& mesh : scene.objects) boxes.push_back(bounds(mesh));
+  for (const PointLight& light : scene.lights) check_light(scene, boxes, light, eye, numbers);
 }
 
 }  // namespace dynrt::host

@@ -41,7 +41,8 @@ namespace {
 
 class Assembler {
  public:
-  Assembler(const RawTree& raw, const GridBox& cell) : raw_(raw), whole_(real_box(cell)) {}
+  Assembler(const Grid& grid, const RawTree& raw, const GridBox& cell)
+      : grid_(grid), raw_(raw), whole_(real_box(grid, cell)) {}
 
   Tree run(std::uint32_t root) {
     add_clipping_nodes(tree_, whole_);
@@ -68,7 +69,7 @@ class Assembler {
     ++stats.inner_nodes;
     stats.expected_steps += p;
     const auto index = static_cast<std::uint32_t>(tree_.nodes.size());
-    const double split = grid_value(raw.split);
+    const double split = grid_.value(raw.split);
     tree_.nodes.push_back({static_cast<std::uint8_t>(raw.axis), split, kNullNode, kNullNode});
     Aabb left_cell = cell;
     Aabb right_cell = cell;
@@ -97,6 +98,7 @@ class Assembler {
     return known->second;
   }
 
+  const Grid grid_;
   const RawTree& raw_;
   const Aabb whole_;
   Tree tree_;
@@ -105,8 +107,8 @@ class Assembler {
 
 }  // namespace
 
-Tree assemble(const RawTree& raw, std::uint32_t root, const GridBox& cell) {
-  return Assembler(raw, cell).run(root);
+Tree assemble(const Grid& grid, const RawTree& raw, std::uint32_t root, const GridBox& cell) {
+  return Assembler(grid, raw, cell).run(root);
 }
 
 }  // namespace dynrt::host

@@ -38,6 +38,6 @@ struct RawTree {
 };
 
 /// `cell` is what the clipping nodes cut out.
-Tree assemble(const RawTree& raw, std::uint32_t root, const GridBox& cell);
+Tree assemble(const Grid& grid, const RawTree& raw, std::uint32_t root, const GridBox& cell);
 
 }  // namespace dynrt::host

@@ -37,11 +37,11 @@ struct FloatBox {
 using BoxRef = FloatBox;
 constexpr std::uint32_t kOne = 0x3f800000;
 
-BoxRef make_ref(const GridBox& box, std::uint32_t item) {
+BoxRef make_ref(const Grid& grid, const GridBox& box, std::uint32_t item) {
   BoxRef out{{0, 0, 0, std::bit_cast<float>(kOne | item)}, {0, 0, 0, 2}};
   for (int axis = 0; axis < 3; ++axis) {
-    out.low[axis] = static_cast<float>(grid_value(box.low[axis]));
-    out.high[axis] = static_cast<float>(grid_value(box.high[axis]));
+    out.low[axis] = static_cast<float>(grid.value(box.low[axis]));
+    out.high[axis] = static_cast<float>(grid.value(box.high[axis]));
   }
   return out;
 }
@@ -55,10 +55,10 @@ double half_area(const FloatBox& box) {
 }
 
 /// The grid numbers next to x towards zero.
-Lanes to_grid(Lanes x) {
-  constexpr std::int32_t kBelowGrid = (1 << (23 - kGridMantissaBits)) - 1;
-  const Lanes cut = std::bit_cast<Lanes>(std::bit_cast<IntLanes>(x) & ~kBelowGrid);
-  const Lanes smallest = all(static_cast<float>(grid_smallest()));
+Lanes to_grid(const Grid& grid, Lanes x) {
+  const std::int32_t below_grid = (1 << (23 - grid.mantissa_bits())) - 1;
+  const Lanes cut = std::bit_cast<Lanes>(std::bit_cast<IntLanes>(x) & ~below_grid);
+  const Lanes smallest = all(static_cast<float>(grid.smallest()));
   const Lanes near_zero = x < Lanes{} ? -smallest : smallest;
   return ((cut < smallest) & (cut > -smallest)) ? near_zero : cut;
 }
@@ -117,7 +117,8 @@ class PlaneCost {
 class Builder {
  public:
   explicit Builder(const BoxTreeOptions& options)
-      : item_(static_cast<float>(options.item)),
+      : grid_(options.grid),
+        item_(static_cast<float>(options.item)),
         forgiven_(static_cast<float>(1 - options.empty_bonus)),
         room_(options.room) {}
 
@@ -126,12 +127,12 @@ class Builder {
     Aabb whole;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       whole.include(boxes[i]);
-      refs_.push_back(make_ref(grid_box(boxes[i]), static_cast<std::uint32_t>(i)));
+      refs_.push_back(make_ref(grid_, grid_box(grid_, boxes[i]), static_cast<std::uint32_t>(i)));
     }
-    const GridBox cell = grid_box(whole, kBoxGrowth);
+    const GridBox cell = grid_box(grid_, whole, kBoxGrowth);
     const double levels =
         options.depth_factor * std::log2(static_cast<double>(boxes.size())) + options.depth_extra;
-    depth_ = std::clamp(static_cast<int>(std::lround(levels)), 0, kMaxTreeDepth);
+    depth_ = std::clamp(static_cast<int>(std::lround(levels)), 0, options.max_depth);
     while (!attempt(cell, boxes.size())) {
       --depth_;
       tree_ = Tree();
@@ -144,8 +145,8 @@ class Builder {
   /// False where the tree outgrows its room; one of a single leaf counts as none that does.
   bool attempt(const GridBox& cell, std::size_t count) {
     tree_.nodes.reserve(2 * count);
-    add_clipping_nodes(tree_, real_box(cell));
-    const FloatBox root_cell = make_ref(cell, 0);
+    add_clipping_nodes(tree_, real_box(grid_, cell));
+    const FloatBox root_cell = make_ref(grid_, cell, 0);
     whole_area_ = half_area(root_cell);
     promised_ = {tree_.nodes.size(), count};
     outgrown_ = false;
@@ -264,7 +265,7 @@ class Builder {
     for (int i = 1; i < kBins; ++i) {
       left += lanes(begins[i - 1]);
       right -= lanes(ends[i - 1]);
-      cost.consider(to_grid(cell.low + static_cast<float>(i) * step), left, right, best);
+      cost.consider(to_grid(grid_, cell.low + static_cast<float>(i) * step), left, right, best);
     }
     return best;
   }
@@ -288,6 +289,7 @@ class Builder {
     return best;
   }
 
+  const Grid grid_;
   const float item_, forgiven_;
   const TreeSize room_;
   TreeSize promised_;  ///< what the tree takes if all open nodes become leaves

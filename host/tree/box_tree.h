@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 
+#include "host/tree/grid.h"
 #include "host/tree/tree.h"
 
 namespace dynrt::host {
@@ -16,10 +17,12 @@ namespace dynrt::host {
 /// What entering a box is worth: a ray that enters an instance is transformed and meets at least
 /// the clipping nodes of its object.
 struct BoxTreeOptions {
+  Grid grid{};                ///< that the splits lie on
   double item = 8;            ///< in traversal steps
   double empty_bonus = 0.2;   ///< part of a plane's cost forgiven where one side is empty
   double depth_factor = 0.6;  ///< depth at most depth_factor * log2(boxes) + depth_extra
   double depth_extra = 10;
+  int max_depth = kMaxTreeDepth;  ///< as in TreeOptions (build.h)
   /// What the tree may take; one that would take more is built anew, less deep. Room for less than
   /// the clipping nodes and one leaf of all boxes counts as that.
   TreeSize room{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};

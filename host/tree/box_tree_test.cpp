@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "host/format/memory_format_of.h"
 #include "host/tree/test_trees.h"
 
 namespace dynrt::host {
@@ -24,9 +25,9 @@ std::vector<Aabb> random_boxes(int count, double size, double scale) {
 }
 
 /// The box's corners and random points of it lie in leaves that list it.
-void expect_good(const std::vector<Aabb>& boxes) {
-  const Tree tree = build_box_tree(boxes);
-  testing::expect_sound(tree);
+void expect_good(const std::vector<Aabb>& boxes, const Grid& grid = {}) {
+  const Tree tree = build_box_tree(boxes, {.grid = grid});
+  testing::expect_sound(tree, grid);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
@@ -59,6 +60,16 @@ TEST(BoxTree, HugeTinyAndFlatBoxes) {
 TEST(BoxTree, TheSameBoxManyTimes) {
   expect_good(std::vector<Aabb>(100, Aabb{{0, 0, 0}, {1, 2, 3}}));
   expect_good(std::vector<Aabb>(100, Aabb{{0.1, 0.1, 0.1}, {0.1, 0.1, 0.1}}));
+}
+
+TEST(BoxTree, OnCoarseGrids) {
+  for (const MemoryFormat* format :
+       {&kMemoryFormatOf<hls::Float<5, 8>>, &kMemoryFormatOf<hls::Float<6, 12>>}) {
+    const Grid grid(*format);
+    expect_good(random_boxes(500, 0.05, 1), grid);
+    expect_good(random_boxes(500, 0.05, 1000), grid);
+    expect_good(random_boxes(9, 1e-6, 1e-4), grid);
+  }
 }
 
 TEST(BoxTree, BoxesApartAreApart) {

@@ -58,8 +58,8 @@ class Builder {
     left.cell.high[plane.axis] = right.cell.low[plane.axis] = plane.split;
     divide_items(items, plane, left, right);
     divide_rays(content.rays, plane, left, right);
-    const double p_left = visit_likelihood(left, content, options_.costs);
-    const double p_right = visit_likelihood(right, content, options_.costs);
+    const double p_left = visit_likelihood(options_.grid, left, content, options_.costs);
+    const double p_right = visit_likelihood(options_.grid, right, content, options_.costs);
     if (left.rays.size() < kFewRays) left.rays.clear();
     if (right.rays.size() < kFewRays) right.rays.clear();
 
@@ -70,7 +70,7 @@ class Builder {
     if (items.size() > kTaskItems) {
       RawTree left_tree, right_tree;
       const auto apart = [&](const CellContent& side, const Room& its, RawTree& tree) {
-        PlaneSearch own(options_.costs);
+        PlaneSearch own(options_.grid, options_.costs);
         return build(side, depth - 1, patience, its, own, tree);
       };
       tbb::parallel_invoke([&] { l = apart(left, left_room, left_tree); },
@@ -140,10 +140,10 @@ class Builder {
     }
   }
 
-  static void divide_rays(const std::vector<RaySpan>& rays, const Plane& plane, CellContent& left,
-                          CellContent& right) {
+  void divide_rays(const std::vector<RaySpan>& rays, const Plane& plane, CellContent& left,
+                   CellContent& right) const {
     const int axis = plane.axis;
-    const double split = grid_value(plane.split);
+    const double split = options_.grid.value(plane.split);
     for (const RaySpan& ray : rays) {
       const double from = ray.from[axis];
       const double to = ray.to[axis];
@@ -193,20 +193,20 @@ Tree build_tree(const CellContent& content, const TreeOptions& options, const Cu
   const double levels =
       options.depth_factor * std::log2(static_cast<double>(content.items.size())) +
       options.depth_extra;
-  const int depth = std::clamp(static_cast<int>(std::lround(levels)), 0, kMaxTreeDepth);
+  const int depth = std::clamp(static_cast<int>(std::lround(levels)), 0, options.max_depth);
   RawTree raw;
-  PlaneSearch search(options.costs);
+  PlaneSearch search(options.grid, options.costs);
   const Builder builder(options, cut);
   const Builder::Room room{static_cast<double>(options.room.nodes) - kClippingNodes,
                            static_cast<double>(options.room.items)};
   const auto whole = builder.build(content, depth, options.patience, room, search, raw);
   if (builder.given_up()) {
     Tree tree;
-    tree.box = real_box(content.cell);
+    tree.box = real_box(options.grid, content.cell);
     tree.given_up = true;
     return tree;
   }
-  Tree tree = assemble(raw, whole.root, content.cell);
+  Tree tree = assemble(options.grid, raw, whole.root, content.cell);
   tree.cut = builder.cut();
   return tree;
 }

@@ -15,10 +15,12 @@
 namespace dynrt::host {
 
 struct TreeOptions {
-  TreeCosts costs;
-  /// The tree's depth is at most depth_factor * log2(items) + depth_extra, and kMaxTreeDepth.
+  Grid grid{};  ///< that the splits lie on
+  TreeCosts costs{};
+  /// The tree's depth is at most depth_factor * log2(items) + depth_extra, and max_depth.
   double depth_factor = 1;
   double depth_extra = 10;
+  int max_depth = kMaxTreeDepth;  ///< entries of the core's stacks: no deeper tree overflows them
   /// Levels on a path that may be split although no single plane is worth its step; what turns out
   /// not to be worth it with the levels below becomes a leaf again.
   int patience = 4;
@@ -26,6 +28,8 @@ struct TreeOptions {
   unsigned sample_rays = 16384;
   /// Once the leaves made list more items than these, the tree is given up.
   std::size_t give_up_items = std::numeric_limits<std::size_t>::max();
+  /// Triangles count as so much larger on all sides.
+  double margin = 0;
   /// What the tree may take, counted before leaves with the same items are made one. Each split
   /// divides what is free between its sides by the work that they are expected to make.
   TreeSize room{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
@@ -36,7 +40,8 @@ struct TreeOptions {
 using CutItem = std::function<GridBox(const ItemRef& item, const GridBox& cell)>;
 
 /// Builds the tree over the content's items, of which there is at least one; its cell holds them
-/// all and is what the clipping nodes cut out. The result does not depend on the number of threads.
+/// all and is what the clipping nodes cut out. The codes are those of options.grid. The result does
+/// not depend on the number of threads.
 Tree build_tree(const CellContent& content, const TreeOptions& options, const CutItem& cut);
 
 }  // namespace dynrt::host

@@ -39,6 +39,7 @@ namespace {
 
 using Mask = unsigned;
 const glm::dmat4x3 kNoMatrix(std::nan(""));
+constexpr Grid kGrid;
 
 struct Ray {
   glm::dvec3 origin, direction;
@@ -46,7 +47,7 @@ struct Ray {
 
 /// The core has no zero: neither has this.
 double not_zero(double x) {
-  return std::abs(x) < grid_smallest() ? std::copysign(grid_smallest(), x) : x;
+  return std::abs(x) < kGrid.smallest() ? std::copysign(kGrid.smallest(), x) : x;
 }
 glm::dvec3 not_zero(const glm::dvec3& v) { return {not_zero(v.x), not_zero(v.y), not_zero(v.z)}; }
 
@@ -150,7 +151,7 @@ class Tracer {
                  not_zero(px * camera.right + py * camera.up + camera.forward)};
     }
     hit_.fill({});
-    distance_.fill(grid_largest());
+    distance_.fill(kGrid.largest());
     objects_seen_.clear();
     ++work_.packets;
     const TraceOptions& options = setting_.options;
@@ -218,8 +219,8 @@ class Tracer {
   void traverse(const Tree& tree, std::uint32_t start, const std::array<Ray, kRays>& rays, bool top,
                 Visit&& visit) {
     std::array<double, kRays> near, far, plane;
-    near.fill(grid_smallest());
-    for (int i = 0; i < kRays; ++i) far[i] = top ? grid_largest() : distance_[i];
+    near.fill(kGrid.smallest());
+    for (int i = 0; i < kRays; ++i) far[i] = top ? kGrid.largest() : distance_[i];
     std::vector<Entry> stack;
     Mask active = (1u << kRays) - 1;
     Mask alive = active;

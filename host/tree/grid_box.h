@@ -23,20 +23,20 @@ struct GridBox {
 inline constexpr int kBoxGrowth = 2;
 
 /// A box rounded outward to the grid and grown by `codes` more.
-inline GridBox grid_box(const Aabb& box, int codes = 0) {
-  GridBox grid;
+inline GridBox grid_box(const Grid& grid, const Aabb& box, int codes = 0) {
+  GridBox rounded;
   for (int axis = 0; axis < 3; ++axis) {
-    grid.low[axis] = std::max(floor_code(box.low[axis]) - codes, kMinCode);
-    grid.high[axis] = std::min(ceil_code(box.high[axis]) + codes, kMaxCode);
+    rounded.low[axis] = std::max(grid.floor(box.low[axis]) - codes, grid.min_code());
+    rounded.high[axis] = std::min(grid.ceil(box.high[axis]) + codes, grid.max_code());
   }
-  return grid;
+  return rounded;
 }
 
-inline Aabb real_box(const GridBox& box) {
+inline Aabb real_box(const Grid& grid, const GridBox& box) {
   Aabb real;
   for (int axis = 0; axis < 3; ++axis) {
-    real.low[axis] = grid_value(box.low[axis]);
-    real.high[axis] = grid_value(box.high[axis]);
+    real.low[axis] = grid.value(box.low[axis]);
+    real.high[axis] = grid.value(box.high[axis]);
   }
   return real;
 }

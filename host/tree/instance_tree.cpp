@@ -26,7 +26,7 @@ Aabb transformed_box(const Aabb& box, const glm::dmat4& transform) {
 Tree build_instance_tree(const Scene& scene, std::span<const Aabb> object_boxes,
                          const BoxTreeOptions& options) {
   if (scene.instances.empty()) refuse(messages::kNoInstances, scene.name);
-  const double limit = grid_largest() / 2;
+  const double limit = options.grid.largest() / 2;
   std::vector<Aabb> boxes(scene.instances.size());
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Instance& instance = scene.instances[i];

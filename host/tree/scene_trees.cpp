@@ -64,12 +64,13 @@ std::vector<std::size_t> shares(std::size_t whole, std::span<const std::size_t> 
 
 class ObjectTrees {
  public:
-  ObjectTrees(const Scene& scene, const TreeOptions& options, const TreeSize& limits)
-      : scene_(scene), options_(options) {
+  ObjectTrees(const Scene& scene, const TreeOptions& options, const TreeSize& limits,
+              std::span<const double> margins)
+      : scene_(scene), options_(options), margins_(margins) {
     options_.give_up_items = kMadePerKept * limits.items;
     trees_.resize(scene.objects.size());
     tbb::parallel_for(std::size_t{0}, trees_.size(), [&](std::size_t k) {
-      trees_[k] = build_triangle_tree(scene.objects[k], options_);
+      trees_[k] = build_triangle_tree(scene.objects[k], options_of(k));
     });
     options_.give_up_items = options.give_up_items;
     for (const Tree& tree : trees_) {
@@ -110,8 +111,14 @@ class ObjectTrees {
   }
 
  private:
-  Tree cut(std::size_t object, const TreeSize& room) const {
+  TreeOptions options_of(std::size_t object) const {
     TreeOptions options = options_;
+    if (!margins_.empty()) options.margin = margins_[object];
+    return options;
+  }
+
+  Tree cut(std::size_t object, const TreeSize& room) const {
+    TreeOptions options = options_of(object);
     options.room = room;
     Tree tree = build_triangle_tree(scene_.objects[object], options);
     const auto used = [](std::size_t size, std::size_t of) {
@@ -149,19 +156,21 @@ class ObjectTrees {
 
   const Scene& scene_;
   TreeOptions options_;
+  std::span<const double> margins_;
   std::vector<Whole> whole_;
   std::vector<Tree> trees_;
 };
 
 }  // namespace
 
-SceneTrees build_scene_trees(const Scene& scene, const TreeOptions& options,
-                             const TreeSize& limits) {
-  ObjectTrees objects(scene, options, limits);
+SceneTrees build_scene_trees(const Scene& scene, const TreeOptions& options, const TreeSize& limits,
+                             std::span<const double> margins) {
+  ObjectTrees objects(scene, options, limits, margins);
   std::vector<Aabb> boxes;
   for (const Tree& tree : objects.trees()) boxes.push_back(tree.box);
   SceneTrees trees;
-  trees.instances = build_instance_tree(scene, boxes);
+  trees.instances =
+      build_instance_tree(scene, boxes, {.grid = options.grid, .max_depth = options.max_depth});
   const TreeSize top = trees.instances.size();
   if (!objects.fit({less(limits.nodes, top.nodes), less(limits.items, top.items)})) {
     const TreeSize room = top_level_room(scene.instances.size());

@@ -4,6 +4,7 @@
 // Both levels of a scene's trees, made to fit the board's memory.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,10 @@ inline constexpr TreeSize kMemoryForTrees{kMaxNodes - 1, kMaxListEntries};
 /// Where the trees are too large together, those of the largest objects are built again with less
 /// room and so cut; the top level keeps room to grow in the frames to come. No tree is built more
 /// than three times. What is too large even as one leaf per object is left to the memory image to
-/// refuse. Throws UserError as the builders do.
+/// refuse. Object k's triangles count as larger by margins[k], if there are any. Throws UserError
+/// as the builders do.
 SceneTrees build_scene_trees(const Scene& scene, const TreeOptions& options = {},
-                             const TreeSize& limits = kMemoryForTrees);
+                             const TreeSize& limits = kMemoryForTrees,
+                             std::span<const double> margins = {});
 
 }  // namespace dynrt::host

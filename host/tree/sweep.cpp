@@ -9,10 +9,6 @@ namespace dynrt::host {
 
 namespace {
 
-double extent(const GridBox& box, int axis) {
-  return grid_value(box.high[axis]) - grid_value(box.low[axis]);
-}
-
 /// A likelihood from the part of the surface and the part of the rays.
 double mixed(double by_surface, std::size_t some, std::size_t all, const TreeCosts& costs) {
   const auto rays = static_cast<double>(all);
@@ -21,6 +17,10 @@ double mixed(double by_surface, std::size_t some, std::size_t all, const TreeCos
 }
 
 }  // namespace
+
+double PlaneSearch::extent(const GridBox& box, int axis) const {
+  return grid_.value(box.high[axis]) - grid_.value(box.low[axis]);
+}
 
 /// Sorts the faces strictly between `from` and `to`; counts the items that begin at or before
 /// `from` and those that end at or beyond `to`.
@@ -59,7 +59,7 @@ void PlaneSearch::gather(std::span<const RaySpan> rays, int axis) {
 void PlaneSearch::start_planes(const GridBox& cell, int axis) {
   const double dj = extent(cell, (axis + 1) % 3);
   const double dk = extent(cell, (axis + 2) % 3);
-  low_ = grid_value(cell.low[axis]);
+  low_ = grid_.value(cell.low[axis]);
   extent_ = extent(cell, axis);
   const double area = dj * dk + extent_ * (dj + dk);
   cap_ = dj * dk / area;
@@ -78,7 +78,7 @@ PlaneSearch::Likelihood PlaneSearch::likelihood(double position) {
 
 void PlaneSearch::consider(int axis, Code split, std::size_t left, std::size_t right,
                            std::size_t flat, Plane& best) {
-  const Likelihood p = likelihood(grid_value(split));
+  const Likelihood p = likelihood(grid_.value(split));
   const auto take = [&](std::size_t n_left, std::size_t n_right, bool flat_left) {
     double cost = costs_.step + costs_.item * (p.left * static_cast<double>(n_left) +
                                                p.right * static_cast<double>(n_right));
@@ -94,8 +94,8 @@ void PlaneSearch::sweep(const GridBox& cell, int axis, Code from, Code to, Plane
   const Code low = cell.low[axis];
   const Code high = cell.high[axis];
   const double hair = extent(cell, axis) * costs_.hair;
-  const Code after = std::max(ceil_code(grid_value(low) + hair), low + costs_.hair_codes);
-  const Code before = std::min(floor_code(grid_value(high) - hair), high - costs_.hair_codes);
+  const Code after = std::max(grid_.ceil(grid_.value(low) + hair), low + costs_.hair_codes);
+  const Code before = std::min(grid_.floor(grid_.value(high) - hair), high - costs_.hair_codes);
   const bool haired = after <= before;
 
   start_planes(cell, axis);
@@ -130,10 +130,10 @@ void PlaneSearch::sweep(const GridBox& cell, int axis, Code from, Code to, Plane
 void PlaneSearch::narrow(std::span<const ItemRef> items, const GridBox& cell, int axis, Code& from,
                          Code& to) {
   std::vector<Code> planes;
-  const double low = grid_value(cell.low[axis]);
+  const double low = grid_.value(cell.low[axis]);
   const double step = extent(cell, axis) / kBins;
   for (int i = 1; i < kBins; ++i) {
-    const Code plane = floor_code(low + i * step);
+    const Code plane = grid_.floor(low + i * step);
     if (plane > cell.low[axis] && plane < cell.high[axis] &&
         (planes.empty() || plane > planes.back())) {
       planes.push_back(plane);
@@ -174,8 +174,10 @@ Plane PlaneSearch::best(const CellContent& content) {
   return best;
 }
 
-double visit_likelihood(const CellContent& part, const CellContent& whole, const TreeCosts& costs) {
-  const double by_surface = half_area(real_box(part.cell)) / half_area(real_box(whole.cell));
+double visit_likelihood(const Grid& grid, const CellContent& part, const CellContent& whole,
+                        const TreeCosts& costs) {
+  const double by_surface =
+      half_area(real_box(grid, part.cell)) / half_area(real_box(grid, whole.cell));
   return mixed(by_surface, part.rays.size(), whole.rays.size(), costs);
 }
 

@@ -64,7 +64,7 @@ struct Plane {
 /// axis and split is returned. Holds the working memory of one thread.
 class PlaneSearch {
  public:
-  explicit PlaneSearch(const TreeCosts& costs) : costs_(costs) {}
+  PlaneSearch(const Grid& grid, const TreeCosts& costs) : grid_(grid), costs_(costs) {}
   Plane best(const CellContent& content);
 
  private:
@@ -76,6 +76,7 @@ class PlaneSearch {
     double left, right;
   };
 
+  double extent(const GridBox& box, int axis) const;
   void gather(std::span<const ItemRef> items, int axis, Code from, Code to);
   void gather(std::span<const RaySpan> rays, int axis);
   void sweep(const GridBox& cell, int axis, Code from, Code to, Plane& best);
@@ -85,6 +86,7 @@ class PlaneSearch {
   void consider(int axis, Code split, std::size_t left, std::size_t right, std::size_t flat,
                 Plane& best);
 
+  Grid grid_;
   TreeCosts costs_;
   std::vector<Code> lows_, highs_, flats_;
   std::size_t below_ = 0, above_ = 0;
@@ -94,6 +96,7 @@ class PlaneSearch {
 };
 
 /// How likely a ray that meets a cell is to meet its part.
-double visit_likelihood(const CellContent& part, const CellContent& whole, const TreeCosts& costs);
+double visit_likelihood(const Grid& grid, const CellContent& part, const CellContent& whole,
+                        const TreeCosts& costs);
 
 }  // namespace dynrt::host

@@ -30,7 +30,7 @@ inline bool found(const Tree& tree, std::uint32_t index, const glm::dvec3& p, st
 }
 
 /// Splits on the grid and within their cell, leaves not empty, figures true.
-inline void expect_sound(const Tree& tree) {
+inline void expect_sound(const Tree& tree, const Grid& grid = {}) {
   struct Visit {
     std::uint32_t index;
     Aabb cell;
@@ -58,7 +58,7 @@ inline void expect_sound(const Tree& tree) {
       continue;
     }
     ++inner;
-    ASSERT_EQ(grid_value(floor_code(node.split)), node.split);
+    ASSERT_EQ(grid.value(grid.floor(node.split)), node.split);
     ASSERT_GT(node.split, v.cell.low[node.axis]);
     ASSERT_LT(node.split, v.cell.high[node.axis]);
     Visit left{node.left, v.cell, v.depth + 1};

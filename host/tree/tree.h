@@ -19,11 +19,12 @@ namespace dynrt::host {
 inline constexpr std::uint32_t kNullNode = 0;  ///< an empty child; node 0 of a tree is not used
 inline constexpr std::uint8_t kLeafAxis = 3;
 inline constexpr int kClippingNodes = 6;
-inline constexpr int kMaxTreeDepth = 31;  ///< the core's stack: no deeper tree overflows it
+inline constexpr int kMaxTreeDepth =
+    31;  ///< unless a deeper one is asked for; a core's stacks must hold it
 
 struct TreeNode {
   std::uint8_t axis = kLeafAxis;  ///< 0, 1, 2 or kLeafAxis
-  double split = 0;               ///< exactly a Float<7, 16>
+  double split = 0;               ///< exactly a number of the grid
   std::uint32_t left = 0;         ///< child; leaf: its first item
   std::uint32_t right = 0;        ///< child; leaf: how many items, at least one
   bool is_leaf() const { return axis == kLeafAxis; }

@@ -70,6 +70,14 @@ inline UnitMatrix efficient_matrix(const glm::dmat4x3& consistent) {
   return out;
 }
 
+/// What a watertight test takes in place of a map: the corners, and the unit normal of the map of
+/// triangle_matrix.
+inline UnitMatrix corner_matrix(const std::array<glm::dvec3, 3>& triangle,
+                                const glm::dmat4x3& consistent) {
+  const glm::dvec3 normal(consistent[0].z, consistent[1].z, consistent[2].z);
+  return {glm::dmat4x3(triangle[0], triangle[1], triangle[2], normal)};
+}
+
 /// Where a ray enters and leaves the unit sphere; NaN if it passes by.
 inline std::pair<double, double> sphere_hits(const glm::dvec3& origin,
                                              const glm::dvec3& direction) {

@@ -28,6 +28,10 @@ Aabb box_of(const Mesh& object, std::size_t primitive) {
   return box;
 }
 
+Aabb grown(const Aabb& box, double by) {
+  return {box.low - glm::dvec3(by), box.high + glm::dvec3(by)};
+}
+
 /// The box of the part within a cell; of an ellipsoid that of its box.
 Aabb part_within(const Mesh& object, std::size_t primitive, const Aabb& cell) {
   if (object.is_ellipsoid(primitive)) {
@@ -40,8 +44,8 @@ Aabb part_within(const Mesh& object, std::size_t primitive, const Aabb& cell) {
   return clipped_box(object.corners(primitive), cell);
 }
 
-void check(const Mesh& object, std::size_t primitive, const Aabb& box) {
-  const double limit = grid_largest() / 2;
+void check(const Grid& grid, const Mesh& object, std::size_t primitive, const Aabb& box) {
+  const double limit = grid.largest() / 2;
   if (primitive >= object.triangles.size()) {
     for (const glm::dvec3& corner : {box.low, box.high}) {
       for (int axis = 0; axis < 3; ++axis) {
@@ -69,18 +73,20 @@ void check(const Mesh& object, std::size_t primitive, const Aabb& box) {
 
 Tree build_triangle_tree(const Mesh& object, const TreeOptions& options) {
   if (object.primitives() == 0) refuse(messages::kNoTriangles, object.name);
+  const Grid& grid = options.grid;
   std::vector<ItemRef> items(object.primitives());
   Aabb whole;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const Aabb box = box_of(object, i);
-    check(object, i, box);
-    whole.include(box);
-    items[i] = {grid_box(box), static_cast<std::uint32_t>(i)};
+    check(grid, object, i, box);
+    whole.include(grown(box, options.margin));
+    items[i] = {grid_box(grid, grown(box, options.margin)), static_cast<std::uint32_t>(i)};
   }
   const CutItem cut = [&](const ItemRef& item, const GridBox& cell) {
-    return grid_box(part_within(object, item.item, real_box(cell)));
+    const Aabb within = grown(real_box(grid, cell), options.margin);
+    return grid_box(grid, grown(part_within(object, item.item, within), options.margin));
   };
-  CellContent content{grid_box(whole, kBoxGrowth), std::move(items), {}};
+  CellContent content{grid_box(grid, whole, kBoxGrowth), std::move(items), {}};
   const auto rays = std::min<std::size_t>(options.sample_rays, content.items.size());
   if (rays == 0) return build_tree(content, options, cut);
 

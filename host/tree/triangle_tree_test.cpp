@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/tree/triangle_tree.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <random>
 
 #include "host/error.h"
+#include "host/format/memory_format_of.h"
 #include "host/tree/test_meshes.h"
 #include "host/tree/test_trees.h"
 
@@ -38,9 +40,9 @@ void expect_complete(const Mesh& mesh, const Tree& tree, int points) {
   }
 }
 
-void expect_good(const Mesh& mesh, int points = 20) {
-  const Tree tree = build_triangle_tree(mesh);
-  expect_sound(tree);
+void expect_good(const Mesh& mesh, int points = 20, const Grid& grid = {}) {
+  const Tree tree = build_triangle_tree(mesh, {.grid = grid});
+  expect_sound(tree, grid);
   expect_complete(mesh, tree, points);
 }
 
@@ -48,6 +50,19 @@ TEST(TriangleTree, EveryTriangleIsInEveryLeafThatItTouches) {
   expect_good(testing::soup(1, 3000, 0.1), 50);
   expect_good(testing::soup(2, 300, 2.0), 200);
   expect_good(testing::room(3, 12, 10), 50);
+}
+
+TEST(TriangleTree, SoIsItOnCoarseGrids) {
+  const Grid narrow(kMemoryFormatOf<hls::Float<5, 8>>);
+  expect_good(testing::soup(1, 1000, 0.1), 20, narrow);
+  expect_good(testing::room(3, 12, 10), 20, narrow);
+  expect_good(testing::room(3, 12, 10), 20, Grid(kMemoryFormatOf<hls::Float<6, 12>>));
+  Mesh large = testing::soup(2, 10, 2.0);
+  large.vertices[4].z = 7e4;
+  EXPECT_THAT([&] { build_triangle_tree(large, {.grid = narrow}); },
+              ::testing::ThrowsMessage<UserError>(
+                  "object 'soup', triangle 1, vertex 1: z = 70000 is outside the core's numbers; "
+                  "coordinates must lie within -65408 and 65408"));
 }
 
 TEST(TriangleTree, RectanglesAndEllipsoidsAreInEveryLeafThatTheyTouch) {

@@ -23,7 +23,7 @@ class Stimulus {
     in.packet = packets_.next(random);
     in.reset = !known_[row(in)] || random.below(16) == 0;
     in.hit = in.hit && !in.reset;
-    if (random.below(2) == 0) in.t = Real::from_uint(number_below<4>(random, 16));
+    if (random.below(2) == 0) in.t = C::Real::from_uint(number_below<4>(random, 16));
   }
   void begun(const Candidate& in) { known_[row(in)] = true; }
 

@@ -43,10 +43,9 @@ std::string VerilogWriter::head() const {
         port("output", 1, p.name + "_valid_o");
         port("input ", 1, p.name + "_ready_i");
         port("output", p.width, p.name + "_data_o");
-        unsigned depth = 1;
-        while (depth < static_cast<unsigned>(schedule_.stages) + 3) depth *= 2;
-        parameters += fmt::format("{0}  parameter {1}_DEPTH = {2},\n  parameter {1}_BOUNDED = 0",
-                                  parameters.empty() ? "" : ",\n", upper(p.name), depth);
+        parameters +=
+            fmt::format("{0}  parameter {1}_DEPTH = {2},\n  parameter {1}_BOUNDED = 0",
+                        parameters.empty() ? "" : ",\n", upper(p.name), fifo_depth(schedule_));
         break;
       }
       case PortKind::kRamRead:

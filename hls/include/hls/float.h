@@ -42,6 +42,8 @@ class Float {
   static constexpr Rounding kRounding = R;
   static constexpr unsigned kLeafWidth = 1 + E + M;
   static constexpr int kBias = Circuit::kBias;
+  /// The format that holds every product of two of these numbers exactly.
+  using Product = Float<E + 2, 2 * M + 1, R>;
 
   /// The smallest positive number: all bits zero.
   constexpr Float() = default;
@@ -149,6 +151,44 @@ class Float {
     }
   }
 
+  friend constexpr Product exact_product(Float a, Float b) {
+    if constexpr (kLowered) {
+      return Product::from_bits(Circuit::exact_product(a.bits(), b.bits()));
+    } else {
+      return Product(a.value_ * b.value_);
+    }
+  }
+  /// a - b of a longer format, rounded once to this one.
+  template <unsigned E2, unsigned M2, Rounding R2>
+  static constexpr Float of_difference(Float<E2, M2, R2> a, Float<E2, M2, R2> b) {
+    static_assert(M2 > M, "the format of the operands is the longer one");
+    if constexpr (kLowered) {
+      return from_bits(FloatCircuit<E2, M2, R2>::template sum_to<Circuit>(a.bits(), (-b).bits()));
+    } else {
+      return Float(rounded(to_odd(a.value_, -b.value_)));
+    }
+  }
+
+  /// The positive number so many steps of the mantissa above a magnitude, or below it; saturated.
+  template <unsigned Steps>
+  constexpr Float moved_up() const {
+    if constexpr (kLowered) {
+      return from_bits(Circuit::template moved_up<Steps>(bits()));
+    } else {
+      return Float(std::bit_cast<double>(
+          std::min(pattern() + (std::uint64_t{Steps} << kDropped), kHighest)));
+    }
+  }
+  template <unsigned Steps>
+  constexpr Float moved_down() const {
+    if constexpr (kLowered) {
+      return from_bits(Circuit::template moved_down<Steps>(bits()));
+    } else {
+      return Float(
+          std::bit_cast<double>(std::max(pattern() - (std::uint64_t{Steps} << kDropped), kLowest)));
+    }
+  }
+
   /// Different bits are different numbers, so all comparisons are exact and total.
   friend constexpr bool operator==(Float a, Float b) { return a.value_ == b.value_; }
   friend constexpr bool operator<(Float a, Float b) {
@@ -163,6 +203,9 @@ class Float {
   friend constexpr bool operator>=(Float a, Float b) { return !(a < b); }
 
  private:
+  template <unsigned E2, unsigned M2, Rounding R2>
+  friend class Float;
+
   using Value = std::conditional_t<kLowered, Bits, double>;
   /// Whether an operation in double, rounded a second time to M + 1 bits, gives what rounding once
   /// would: to nearest it does if 53 bits are at least twice as many and two (Figueroa, "When is
@@ -189,6 +232,22 @@ class Float {
     const auto pattern = std::bit_cast<std::uint64_t>(value);
     return Bits::of_raw(static_cast<typename Bits::Raw>(
         pattern >> 63 << (E + M) | ((pattern & ~kSignBit) - kLowest) >> kDropped));
+  }
+  /// Of the magnitude's double.
+  constexpr std::uint64_t pattern() const {
+    return std::bit_cast<std::uint64_t>(value_) & ~kSignBit;
+  }
+  /// a + b in a double whose last bit is set if the sum is not exact: rounded again to less, this
+  /// gives what rounding the exact sum would (Boldo, Melquiond, "Emulation of FMA and correctly
+  /// rounded sums: proved algorithms using rounding to odd", 2008). What is lost is found by
+  /// Knuth's TwoSum.
+  static constexpr double to_odd(double a, double b) {
+    const double sum = a + b;
+    const double from_b = sum - a;
+    const double lost = (a - (sum - from_b)) + (b - from_b);
+    const auto bits = std::bit_cast<std::uint64_t>(sum);
+    if (lost == 0 || (bits & 1) != 0) return sum;
+    return std::bit_cast<double>((lost < 0) == (sum < 0) ? bits + 1 : bits - 1);
   }
   /// To M + 1 bits, saturated; a positive zero becomes the smallest number.
   static constexpr double rounded(double value) {

@@ -22,6 +22,8 @@ template <unsigned E, unsigned M, Rounding R>
 struct FloatCircuit {
   static constexpr int kBias = (1 << (E - 1)) - 1;
   using Bits = uint<1 + E + M>;
+  /// The format that holds every product of two numbers exactly.
+  using Product = FloatCircuit<E + 2, 2 * M + 1, R>;
 
   static constexpr bool sign(Bits f) { return f.template bit<E + M>(); }
   static constexpr uint<E> exponent(Bits f) { return f.template bits<E + M - 1, M>(); }
@@ -32,7 +34,11 @@ struct FloatCircuit {
     return concat(uint<1>(sign), magnitude);
   }
 
-  static constexpr Bits sum(Bits a, Bits b) {
+  static constexpr Bits sum(Bits a, Bits b) { return sum_to<FloatCircuit>(a, b); }
+
+  /// The sum rounded once to another format, which has no more mantissa bits.
+  template <class To>
+  static constexpr typename To::Bits sum_to(Bits a, Bits b) {
     // The significands are 1.M with kGuard bits behind them; `lost` says whether the smaller one
     // had more. The sum has one bit before them for the carry.
     constexpr unsigned kGuard = R == Rounding::kNearestEven ? 2 : 1;
@@ -61,9 +67,10 @@ struct FloatCircuit {
     const auto zeros = leading_zeros(upper);
     const uint<kN + 1> normal = normalise(upper, zeros);
     const bool nonzero = normal.template bit<kN>();
-    const auto result = sint<kX>(exponent(larger).to_signed()) - sint<kX>(zeros.to_signed());
-    return pack(sign(larger), result.template trunc<kX>(), uint<2>(uint<1>(nonzero)),
-                normal.template trunc<kN>(), sum.template bit<0>(), !nonzero);
+    const auto own = sint<kX>(exponent(larger).to_signed()) - sint<kX>(zeros.to_signed());
+    const sint<kX> result = rebias<To, kX>(own.template trunc<kX>());
+    return To::pack(sign(larger), result, uint<2>(uint<1>(nonzero)), normal.template trunc<kN>(),
+                    sum.template bit<0>(), !nonzero);
   }
 
   static constexpr Bits product(Bits a, Bits b) {
@@ -77,6 +84,15 @@ struct FloatCircuit {
     const auto result = (exponent(a) + exponent(b)).to_signed() - sint<kX>(1 << (E - 1));
     return pack(sign(a) != sign(b), result.template trunc<kX>(),
                 concat(uint<1>(top), uint<1>(!top)), fraction, sticky, false);
+  }
+
+  static constexpr uint<E + 2 * M + 4> exact_product(Bits a, Bits b) {
+    const auto product = with_hidden(mantissa(a)) * with_hidden(mantissa(b));
+    const bool top = product.template bit<2 * M + 1>();
+    const uint<2 * M + 1> fraction = product.template trunc<2 * M + 1>() << uint<1>(!top);
+    const auto biased = (exponent(a) + exponent(b)) + uint<E + 2>((1u << E) + 1);
+    const auto result = biased + uint<1>(top);
+    return Product::assemble(sign(a) != sign(b), concat(result.template trunc<E + 2>(), fraction));
   }
 
   static constexpr Bits quotient(Bits a, Bits b) {
@@ -127,6 +143,20 @@ struct FloatCircuit {
     return (concat(a, uint<1>(0)) < concat(b, reverse)) != bool(reverse);
   }
 
+  /// The positive number so many steps of the mantissa above a magnitude, or below it; saturated.
+  template <unsigned Steps>
+  static constexpr Bits moved_up(Bits a) {
+    const auto sum = magnitude(a) + uint<E + M>(Steps);
+    const bool over = sum.template bit<E + M>();
+    return assemble(false, select(over, uint<E + M>::ones(), sum.template trunc<E + M>()));
+  }
+  template <unsigned Steps>
+  static constexpr Bits moved_down(Bits a) {
+    const auto less = (magnitude(a) - uint<E + M>(Steps)).as_unsigned();
+    const bool under = less.template bit<E + M>();
+    return assemble(false, select(under, uint<E + M>(0), less.template trunc<E + M>()));
+  }
+
   /// From the bits of another format.
   template <unsigned E2, unsigned M2, Rounding R2>
   static constexpr Bits convert(uint<1 + E2 + M2> bits) {
@@ -158,6 +188,19 @@ struct FloatCircuit {
   }
 
  private:
+  template <unsigned E2, unsigned M2, Rounding R2>
+  friend struct FloatCircuit;
+
+  /// An exponent as another format's.
+  template <class To, unsigned X>
+  static constexpr sint<X> rebias(sint<X> exponent) {
+    if constexpr (To::kBias == kBias) {
+      return exponent;
+    } else {
+      return (exponent + sint<X>::of_raw(To::kBias - kBias)).template trunc<X>();
+    }
+  }
+
   static constexpr uint<M + 1> with_hidden(uint<M> mantissa) {
     return concat(uint<1>(1), mantissa);
   }

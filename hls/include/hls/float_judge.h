@@ -38,6 +38,13 @@ class FloatJudge {
     mpfr_sqrt(result_, a_, rounding_);
     return encode();
   }
+  /// Of numbers in another format.
+  std::uint64_t product_of(FloatJudge& other, std::uint64_t a, std::uint64_t b) {
+    return binary_of(other, mpfr_mul, a, b);
+  }
+  std::uint64_t difference_of(FloatJudge& other, std::uint64_t a, std::uint64_t b) {
+    return binary_of(other, mpfr_sub, a, b);
+  }
   /// Less than, equal to or greater than 0 as a is to b.
   int compare(std::uint64_t a, std::uint64_t b) {
     decode(a, a_);
@@ -70,6 +77,13 @@ class FloatJudge {
     decode(a, a_);
     decode(b, b_);
     f(result_, a_, b_, rounding_);
+    return encode();
+  }
+  template <class F>
+  std::uint64_t binary_of(FloatJudge& other, F f, std::uint64_t a, std::uint64_t b) {
+    other.decode(a, other.a_);
+    other.decode(b, other.b_);
+    f(result_, other.a_, other.b_, rounding_);
     return encode();
   }
   void decode(std::uint64_t bits, mpfr_ptr value) const {

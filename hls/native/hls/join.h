@@ -4,11 +4,14 @@
 // How units are joined, written once: a join connects the ports of native units so that they run as
 // the model, and records what it connected, from which the Verilog top and the block diagram are
 // made (hls/compiler/join). Several writers of a channel meet in an arbiter, several readers are
-// fed by a fork, a job channel is repeated, a RAM with several readers has a copy for each.
+// fed by a fork, a job channel is repeated, a RAM with several readers has a copy for each. A join
+// that knows the units' schedules runs them clock by clock (clocks.h): slower, to the same results.
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <limits>
 #include <map>
@@ -17,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "hls/clocks.h"
 #include "hls/join_record.h"
 #include "hls/ports.h"
 
@@ -24,6 +28,12 @@ namespace hls {
 
 class Join {
  public:
+  Join() = default;
+  /// Units run clock by clock as these schedules say. Throws std::invalid_argument, here or when a
+  /// unit is named, where a schedule is missing.
+  explicit Join(Schedule schedule)
+      : schedule_(std::move(schedule)), clocks_(std::make_unique<Clocks>()) {}
+
   /// Block diagrams show the units that follow under this name.
   void group(const std::string& name) { group_ = name; }
 
@@ -38,6 +48,14 @@ class Join {
     record_.units.push_back(std::move(record));
     processes_.push_back(
         {name, 0, [&unit](std::uint64_t& transactions) { return run_unit(unit, transactions); }});
+    if (clocks_) {
+      const auto found = schedule_.find(module);
+      if (found == schedule_.end()) {
+        throw std::invalid_argument("there is no schedule of module '" + module + "'");
+      }
+      clocks_->unit(name, found->second,
+                    [&process = processes_.back()] { process.run(process.transactions); });
+    }
   }
 
   /// One channel from any of `from` to all of `to`. `depth`, if not 0, promises that there are
@@ -49,9 +67,15 @@ class Join {
     for (In<T>* in : to) {
       record.to.push_back(port_name(in));
       in->bind(std::make_shared<Fifo<T>>());
-      for (Out<T>* out : from) out->bind(in->queue());
     }
     for (Out<T>* out : from) record.from.push_back(port_name(out));
+    if (clocks_) {
+      clocked_channel(from, to, depth);
+    } else {
+      for (Out<T>* out : from) {
+        for (In<T>* in : to) out->bind(in->queue());
+      }
+    }
     count(record, [queues = to] {
       return queues.empty() ? std::uint64_t{0} : queues.front()->queue()->pushed();
     });
@@ -70,24 +94,22 @@ class Join {
     ChannelRecord record{
         name, {}, {port_name(&to)}, bit_width_of<Job>(), depth, ChannelKind::kRepeat};
     record.repeat_width = bit_width_of<decltype(Job::repeat)>();
-    for (Out<Job>* out : from) {
-      record.from.push_back(port_name(out));
-      out->bind(jobs);
-    }
-    processes_.push_back({"", 0, [jobs, out = to.queue()](std::uint64_t&) {
-                            bool progress = false;
-                            for (; !jobs->empty(); progress = true) {
-                              Numbered numbered;
-                              numbered.job = jobs->pop();
-                              const std::uint64_t last = numbered.job.repeat.to_u64();
-                              for (std::uint64_t i = 0; i <= last; ++i) {
-                                numbered.index = decltype(numbered.index)::from(i);
-                                numbered.last = i == last;
-                                out->push(numbered);
+    for (Out<Job>* out : from) record.from.push_back(port_name(out));
+    if (clocks_) {
+      clocked_repeat(from, to, jobs, depth);
+    } else {
+      for (Out<Job>* out : from) out->bind(jobs);
+      processes_.push_back({"", 0, [jobs, out = to.queue()](std::uint64_t&) {
+                              bool progress = false;
+                              for (; !jobs->empty(); progress = true) {
+                                const Job job = jobs->pop();
+                                std::uint64_t number = 0;
+                                while (!send_numbered(job, number++, *out)) {
+                                }
                               }
-                            }
-                            return progress;
-                          }});
+                              return progress;
+                            }});
+    }
     count(record, [jobs] { return jobs->pushed(); });
   }
 
@@ -97,26 +119,38 @@ class Join {
     to.bind(std::make_shared<Fifo<T>>());
     record_.channels.push_back(
         {name, {}, {port_name(&to)}, bit_width_of<T>(), 0, ChannelKind::kInput});
-    return to.queue();
+    if (!clocks_) return to.queue();
+    auto queue = std::make_shared<Fifo<T>>();
+    ends_[name] = clocks_->input();
+    clocks_->feed(unit_of(port_name(&to)), {{ends_[name], mover<T>(queue, {to.queue()})}});
+    return queue;
   }
   /// A channel that the outside reads.
   template <class T>
   std::shared_ptr<Fifo<T>> output(const std::string& name, Out<T>& from) {
     auto queue = std::make_shared<Fifo<T>>();
-    from.bind(queue);
     record_.channels.push_back(
         {name, {port_name(&from)}, {}, bit_width_of<T>(), 0, ChannelKind::kOutput});
+    if (clocks_) {
+      ends_[name] = clocked_output(from, queue, 0);
+    } else {
+      from.bind(queue);
+    }
     return queue;
   }
   /// A channel whose tokens are counted and dropped.
   template <class T>
   void sink(const std::string& name, Out<T>& from) {
     auto queue = std::make_shared<Fifo<T>>();
-    from.bind(queue);
-    processes_.push_back({"", 0, [queue](std::uint64_t&) {
-                            while (!queue->empty()) queue->pop();
-                            return false;
-                          }});
+    if (clocks_) {
+      clocks_->sink({clocked_output(from, queue, 0), mover<T>(queue, {})});
+    } else {
+      from.bind(queue);
+      processes_.push_back({"", 0, [queue](std::uint64_t&) {
+                              while (!queue->empty()) queue->pop();
+                              return false;
+                            }});
+    }
     ChannelRecord record{name, {port_name(&from)}, {}, bit_width_of<T>(), 0, ChannelKind::kSink};
     count(record, [queue] { return queue->pushed(); });
   }
@@ -127,7 +161,11 @@ class Join {
            Hazard hazard = Hazard::kExclusive) {
     RamRecord record{name, port_name(&writer), {}, bit_width_of<T>(), N, hazard};
     auto rows = std::make_shared<std::vector<T>>(N);
-    writer.bind(rows);
+    if (clocks_ && hazard == Hazard::kStale) {
+      clocked_ram(writer, *readers.at(0), rows);
+    } else {
+      writer.bind(rows);
+    }
     for (auto* reader : readers) {
       record.readers.push_back(port_name(reader));
       reader->bind(rows);
@@ -190,12 +228,27 @@ class Join {
     }
   }
 
+  /// The next token that the outside has put into an input comes in this clock, not before the one
+  /// before it. Only in joins with clocks, like what follows.
+  void arrives(const std::string& input, std::uint64_t clock) {
+    ends_.at(input)->ready.push_back(clock);
+  }
+  /// Runs clock by clock until nothing moves any more. Tokens for the outside stay where they are.
+  void run_clocks() { clocks_->run(); }
+  /// The clock in which the outside can take the first token of an output.
+  std::uint64_t first_of(const std::string& output) const {
+    const auto& ready = ends_.at(output)->ready;
+    return ready.empty() ? Clocks::kNever : ready.front();
+  }
+
   /// Transactions of every unit ("unit.transactions") and tokens of every channel
-  /// ("channel.tokens").
+  /// ("channel.tokens"), and with clocks the stalls of every unit ("unit.stalls").
   std::map<std::string, std::uint64_t> counters() const {
     std::map<std::string, std::uint64_t> values;
     for (const Process& process : processes_) {
-      if (!process.name.empty()) values[process.name + ".transactions"] = process.transactions;
+      if (process.name.empty()) continue;
+      values[process.name + ".transactions"] = process.transactions;
+      if (clocks_) values[process.name + ".stalls"] = clocks_->stalls(process.name);
     }
     for (const auto& [name, tokens] : tokens_) values[name + ".tokens"] = tokens();
     return values;
@@ -222,6 +275,117 @@ class Join {
     }
     return progress;
   }
+  /// Sends the job with a number; true if that was its last.
+  template <class Job, class Numbered>
+  static bool send_numbered(const Job& job, std::uint64_t number, Fifo<Numbered>& out) {
+    Numbered numbered;
+    numbered.job = job;
+    numbered.index = decltype(numbered.index)::from(number);
+    numbered.last = number == job.repeat.to_u64();
+    out.push(numbered);
+    return numbered.last;
+  }
+
+  // What follows makes the same with clocks: every Out has a queue of its own, from which a token
+  // is moved to the In in the clock in which its transaction starts.
+
+  template <class T>
+  using Shared = std::shared_ptr<Fifo<T>>;
+
+  template <class T>
+  Clocks::Queue* clocked_output(Out<T>& out, const Shared<T>& queue, unsigned depth) {
+    out.bind(queue);
+    return clocks_->output(
+        unit_of(port_name(&out)), [queue] { return queue->pushed(); }, depth != 0);
+  }
+  template <class T>
+  static Clocks::Move mover(Shared<T> from, std::vector<Shared<T>> to) {
+    return [from = std::move(from), to = std::move(to)] {
+      const T token = from->pop();
+      for (const auto& queue : to) queue->push(token);
+      return true;
+    };
+  }
+  template <class T>
+  void clocked_channel(const std::vector<Out<T>*>& from, const std::vector<In<T>*>& to,
+                       unsigned depth) {
+    // A reader that waits for other tokens too has a queue of its own behind the fork.
+    std::vector<Shared<T>> targets, waiting, behind;
+    std::vector<std::string> readers, waiting_readers;
+    for (In<T>* in : to) {
+      const std::string unit = unit_of(port_name(in));
+      if (to.size() == 1 || inputs_of(unit) == 1) {
+        targets.push_back(in->queue());
+        readers.push_back(unit);
+      } else {
+        targets.push_back(std::make_shared<Fifo<T>>());
+        waiting.push_back(targets.back());
+        behind.push_back(in->queue());
+        waiting_readers.push_back(unit);
+      }
+    }
+    std::vector<Clocks::Feed> feeds;
+    for (Out<T>* out : from) {
+      auto queue = std::make_shared<Fifo<T>>();
+      feeds.push_back({clocked_output(*out, queue, depth), mover<T>(queue, targets)});
+    }
+    if (to.size() == 1) {
+      clocks_->feed(readers.front(), std::move(feeds));
+      return;
+    }
+    const auto branches = clocks_->fork(std::move(feeds), readers, waiting.size(), depth);
+    for (std::size_t i = 0; i < branches.size(); ++i) {
+      clocks_->feed(waiting_readers[i], {{branches[i], mover<T>(waiting[i], {behind[i]})}});
+    }
+  }
+  template <class Job, class Numbered>
+  void clocked_repeat(const std::vector<Out<Job>*>& from, In<Numbered>& to,
+                      const Shared<Job>& counted, unsigned depth) {
+    struct State {
+      Job job;
+      std::uint64_t number = 0;
+    };
+    const auto state = std::make_shared<State>();
+    std::vector<Clocks::Feed> feeds;
+    for (Out<Job>* out : from) {
+      auto queue = std::make_shared<Fifo<Job>>();
+      feeds.push_back({clocked_output(*out, queue, depth), [=, numbered = to.queue()] {
+                         if (state->number == 0) {
+                           state->job = queue->pop();
+                           counted->push(state->job);
+                           counted->pop();
+                         }
+                         const bool last = send_numbered(state->job, state->number++, *numbered);
+                         if (last) state->number = 0;
+                         return last;
+                       }});
+    }
+    clocks_->feed(unit_of(port_name(&to)), std::move(feeds));
+  }
+  template <class T, unsigned N, unsigned L>
+  void clocked_ram(RamWrite<T, N>& writer, const RamRead<T, N, L>& reader,
+                   const std::shared_ptr<std::vector<T>>& rows) {
+    const auto log = std::make_shared<typename RamWrite<T, N>::Log>();
+    writer.record(log.get());
+    const std::string written = port_name(&writer);
+    const std::string unit = unit_of(port_name(&reader));
+    const auto found = std::ranges::find(record_.units, unit, &UnitRecord::name);
+    const auto& stages = schedule_.at(found->module).ram_stages;
+    const auto stage = stages.find(port_name(&reader).substr(unit.size() + 1));
+    clocks_->stale_ram(
+        unit_of(written), written.substr(written.find('.') + 1),
+        stage == stages.end() ? 0 : stage->second, [log] { return log->size(); },
+        [log, rows] {
+          (*rows)[log->front().first] = log->front().second;
+          log->erase(log->begin());
+        });
+  }
+  static std::string unit_of(const std::string& port) { return port.substr(0, port.find('.')); }
+  std::ptrdiff_t inputs_of(const std::string& unit) const {
+    const auto found = std::ranges::find(record_.units, unit, &UnitRecord::name);
+    return std::ranges::count(found->ports, "in", &PortRecord::kind);
+  }
+
   /// How often a unit can step before it must look at its inputs again.
   template <class U>
   static std::size_t transactions_ready(U& unit) {
@@ -297,7 +461,10 @@ class Join {
 
   JoinRecord record_;
   std::string group_;
-  std::vector<Process> processes_;
+  Schedule schedule_;
+  std::unique_ptr<Clocks> clocks_;              ///< null: there is no clock
+  std::map<std::string, Clocks::Queue*> ends_;  ///< with clocks: inputs and outputs, by channel
+  std::deque<Process> processes_;               ///< stays where it is
   std::vector<std::pair<std::string, std::function<std::uint64_t()>>> tokens_;
   std::map<const void*, std::string> names_;
 };

@@ -47,15 +47,15 @@ module intersection #(
   wire [15:0] unit_ray_128_s0 = unit_ray_data_i[143:128];
   wire [6:0] unit_ray_144_s0 = unit_ray_data_i[150:144];
   wire unit_ray_151_s0 = unit_ray_data_i[151];
-  wire [17:0] sub_1_s0 = {2'd1, unit_ray_56_s0} - {2'd1, unit_ray_128_s0};  // units/intersection.h:48
-  wire [16:0] mux_1_s0 = {sub_1_s0[17] | sub_1_s0[16], sub_1_s0[17] ? unit_ray_56_s0 : sub_1_s0[15:0]};  // units/intersection.h:48
-  wire [17:0] sub_2_s0 = {mux_1_s0, 1'd0} - {2'd1, unit_ray_128_s0};  // units/intersection.h:48
-  wire [16:0] mux_2_s0 = {sub_2_s0[17] ? mux_1_s0[15:0] : sub_2_s0[16:1], ~sub_2_s0[17] & sub_2_s0[0]};  // units/intersection.h:48
-  wire [23:0] xor_1_s0 = {unit_ray_79_s0, unit_ray_72_s0, unit_ray_56_s0} ^ {unit_ray_151_s0, unit_ray_144_s0, unit_ray_128_s0};  // units/intersection.h:48
-  wire [23:0] xor_2_s0 = {unit_ray_103_s0, unit_ray_96_s0, unit_ray_80_s0} ^ xor_1_s0;  // units/intersection.h:49
-  wire [23:0] xor_3_s0 = {unit_ray_31_s0, unit_ray_24_s0, unit_ray_8_s0} ^ xor_2_s0;  // units/intersection.h:49
-  wire [23:0] xor_5_s0 = {unit_ray_127_s0, unit_ray_120_s0, unit_ray_104_s0} ^ xor_1_s0;  // units/intersection.h:50
-  wire [23:0] xor_6_s0 = {unit_ray_55_s0, unit_ray_48_s0, unit_ray_32_s0} ^ xor_5_s0;  // units/intersection.h:50
+  wire [17:0] sub_1_s0 = {2'd1, unit_ray_56_s0} - {2'd1, unit_ray_128_s0};  // units/intersection.h:65
+  wire [16:0] mux_1_s0 = {sub_1_s0[17] | sub_1_s0[16], sub_1_s0[17] ? unit_ray_56_s0 : sub_1_s0[15:0]};  // units/intersection.h:65
+  wire [17:0] sub_2_s0 = {mux_1_s0, 1'd0} - {2'd1, unit_ray_128_s0};  // units/intersection.h:65
+  wire [16:0] mux_2_s0 = {sub_2_s0[17] ? mux_1_s0[15:0] : sub_2_s0[16:1], ~sub_2_s0[17] & sub_2_s0[0]};  // units/intersection.h:65
+  wire [23:0] xor_1_s0 = {unit_ray_79_s0, unit_ray_72_s0, unit_ray_56_s0} ^ {unit_ray_151_s0, unit_ray_144_s0, unit_ray_128_s0};  // units/intersection.h:65
+  wire [23:0] xor_2_s0 = {unit_ray_103_s0, unit_ray_96_s0, unit_ray_80_s0} ^ xor_1_s0;  // units/intersection.h:66
+  wire [23:0] xor_3_s0 = {unit_ray_31_s0, unit_ray_24_s0, unit_ray_8_s0} ^ xor_2_s0;  // units/intersection.h:66
+  wire [23:0] xor_5_s0 = {unit_ray_127_s0, unit_ray_120_s0, unit_ray_104_s0} ^ xor_1_s0;  // units/intersection.h:67
+  wire [23:0] xor_6_s0 = {unit_ray_55_s0, unit_ray_48_s0, unit_ray_32_s0} ^ xor_5_s0;  // units/intersection.h:67
   wire [6:0] unit_ray_0_s0 = unit_ray_data_i[6:0];
 
   // ---- stage 1 ----
@@ -71,10 +71,10 @@ module intersection #(
     xor_3_s1 <= xor_3_s0[23];
     xor_6_s1 <= xor_6_s0[23];
   end
-  wire [17:0] sub_3_s1 = {mux_2_s1, 1'd0} - {2'd1, unit_ray_128_s1};  // units/intersection.h:48
-  wire [16:0] mux_3_s1 = {sub_3_s1[17] ? mux_2_s1[15:0] : sub_3_s1[16:1], ~sub_3_s1[17] & sub_3_s1[0]};  // units/intersection.h:48
-  wire [17:0] sub_4_s1 = {mux_3_s1, 1'd0} - {2'd1, unit_ray_128_s1};  // units/intersection.h:48
-  wire [16:0] mux_4_s1 = {sub_4_s1[17] ? mux_3_s1[15:0] : sub_4_s1[16:1], ~sub_4_s1[17] & sub_4_s1[0]};  // units/intersection.h:48
+  wire [17:0] sub_3_s1 = {mux_2_s1, 1'd0} - {2'd1, unit_ray_128_s1};  // units/intersection.h:65
+  wire [16:0] mux_3_s1 = {sub_3_s1[17] ? mux_2_s1[15:0] : sub_3_s1[16:1], ~sub_3_s1[17] & sub_3_s1[0]};  // units/intersection.h:65
+  wire [17:0] sub_4_s1 = {mux_3_s1, 1'd0} - {2'd1, unit_ray_128_s1};  // units/intersection.h:65
+  wire [16:0] mux_4_s1 = {sub_4_s1[17] ? mux_3_s1[15:0] : sub_4_s1[16:1], ~sub_4_s1[17] & sub_4_s1[0]};  // units/intersection.h:65
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -93,10 +93,10 @@ module intersection #(
     xor_3_s2 <= xor_3_s1;
     xor_6_s2 <= xor_6_s1;
   end
-  wire [17:0] sub_5_s2 = {mux_4_s2, 1'd0} - {2'd1, unit_ray_128_s2};  // units/intersection.h:48
-  wire [16:0] mux_5_s2 = {sub_5_s2[17] ? mux_4_s2[15:0] : sub_5_s2[16:1], ~sub_5_s2[17] & sub_5_s2[0]};  // units/intersection.h:48
-  wire [17:0] sub_6_s2 = {mux_5_s2, 1'd0} - {2'd1, unit_ray_128_s2};  // units/intersection.h:48
-  wire [16:0] mux_6_s2 = {sub_6_s2[17] ? mux_5_s2[15:0] : sub_6_s2[16:1], ~sub_6_s2[17] & sub_6_s2[0]};  // units/intersection.h:48
+  wire [17:0] sub_5_s2 = {mux_4_s2, 1'd0} - {2'd1, unit_ray_128_s2};  // units/intersection.h:65
+  wire [16:0] mux_5_s2 = {sub_5_s2[17] ? mux_4_s2[15:0] : sub_5_s2[16:1], ~sub_5_s2[17] & sub_5_s2[0]};  // units/intersection.h:65
+  wire [17:0] sub_6_s2 = {mux_5_s2, 1'd0} - {2'd1, unit_ray_128_s2};  // units/intersection.h:65
+  wire [16:0] mux_6_s2 = {sub_6_s2[17] ? mux_5_s2[15:0] : sub_6_s2[16:1], ~sub_6_s2[17] & sub_6_s2[0]};  // units/intersection.h:65
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -119,10 +119,10 @@ module intersection #(
     xor_3_s3 <= xor_3_s2;
     xor_6_s3 <= xor_6_s2;
   end
-  wire [17:0] sub_7_s3 = {mux_6_s3, 1'd0} - {2'd1, unit_ray_128_s3};  // units/intersection.h:48
-  wire [16:0] mux_7_s3 = {sub_7_s3[17] ? mux_6_s3[15:0] : sub_7_s3[16:1], ~sub_7_s3[17] & sub_7_s3[0]};  // units/intersection.h:48
-  wire [17:0] sub_8_s3 = {mux_7_s3, 1'd0} - {2'd1, unit_ray_128_s3};  // units/intersection.h:48
-  wire [16:0] mux_8_s3 = {sub_8_s3[17] ? mux_7_s3[15:0] : sub_8_s3[16:1], ~sub_8_s3[17] & sub_8_s3[0]};  // units/intersection.h:48
+  wire [17:0] sub_7_s3 = {mux_6_s3, 1'd0} - {2'd1, unit_ray_128_s3};  // units/intersection.h:65
+  wire [16:0] mux_7_s3 = {sub_7_s3[17] ? mux_6_s3[15:0] : sub_7_s3[16:1], ~sub_7_s3[17] & sub_7_s3[0]};  // units/intersection.h:65
+  wire [17:0] sub_8_s3 = {mux_7_s3, 1'd0} - {2'd1, unit_ray_128_s3};  // units/intersection.h:65
+  wire [16:0] mux_8_s3 = {sub_8_s3[17] ? mux_7_s3[15:0] : sub_8_s3[16:1], ~sub_8_s3[17] & sub_8_s3[0]};  // units/intersection.h:65
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -149,10 +149,10 @@ module intersection #(
     xor_3_s4 <= xor_3_s3;
     xor_6_s4 <= xor_6_s3;
   end
-  wire [17:0] sub_9_s4 = {mux_8_s4, 1'd0} - {2'd1, unit_ray_128_s4};  // units/intersection.h:48
-  wire [16:0] mux_9_s4 = {sub_9_s4[17] ? mux_8_s4[15:0] : sub_9_s4[16:1], ~sub_9_s4[17] & sub_9_s4[0]};  // units/intersection.h:48
-  wire [17:0] sub_10_s4 = {mux_9_s4, 1'd0} - {2'd1, unit_ray_128_s4};  // units/intersection.h:48
-  wire [16:0] mux_10_s4 = {sub_10_s4[17] ? mux_9_s4[15:0] : sub_10_s4[16:1], ~sub_10_s4[17] & sub_10_s4[0]};  // units/intersection.h:48
+  wire [17:0] sub_9_s4 = {mux_8_s4, 1'd0} - {2'd1, unit_ray_128_s4};  // units/intersection.h:65
+  wire [16:0] mux_9_s4 = {sub_9_s4[17] ? mux_8_s4[15:0] : sub_9_s4[16:1], ~sub_9_s4[17] & sub_9_s4[0]};  // units/intersection.h:65
+  wire [17:0] sub_10_s4 = {mux_9_s4, 1'd0} - {2'd1, unit_ray_128_s4};  // units/intersection.h:65
+  wire [16:0] mux_10_s4 = {sub_10_s4[17] ? mux_9_s4[15:0] : sub_10_s4[16:1], ~sub_10_s4[17] & sub_10_s4[0]};  // units/intersection.h:65
 
   // ---- stage 5 ----
   reg valid_s5;
@@ -183,10 +183,10 @@ module intersection #(
     xor_3_s5 <= xor_3_s4;
     xor_6_s5 <= xor_6_s4;
   end
-  wire [17:0] sub_11_s5 = {mux_10_s5, 1'd0} - {2'd1, unit_ray_128_s5};  // units/intersection.h:48
-  wire [16:0] mux_11_s5 = {sub_11_s5[17] ? mux_10_s5[15:0] : sub_11_s5[16:1], ~sub_11_s5[17] & sub_11_s5[0]};  // units/intersection.h:48
-  wire [17:0] sub_12_s5 = {mux_11_s5, 1'd0} - {2'd1, unit_ray_128_s5};  // units/intersection.h:48
-  wire [16:0] mux_12_s5 = {sub_12_s5[17] ? mux_11_s5[15:0] : sub_12_s5[16:1], ~sub_12_s5[17] & sub_12_s5[0]};  // units/intersection.h:48
+  wire [17:0] sub_11_s5 = {mux_10_s5, 1'd0} - {2'd1, unit_ray_128_s5};  // units/intersection.h:65
+  wire [16:0] mux_11_s5 = {sub_11_s5[17] ? mux_10_s5[15:0] : sub_11_s5[16:1], ~sub_11_s5[17] & sub_11_s5[0]};  // units/intersection.h:65
+  wire [17:0] sub_12_s5 = {mux_11_s5, 1'd0} - {2'd1, unit_ray_128_s5};  // units/intersection.h:65
+  wire [16:0] mux_12_s5 = {sub_12_s5[17] ? mux_11_s5[15:0] : sub_12_s5[16:1], ~sub_12_s5[17] & sub_12_s5[0]};  // units/intersection.h:65
 
   // ---- stage 6 ----
   reg valid_s6;
@@ -221,10 +221,10 @@ module intersection #(
     xor_3_s6 <= xor_3_s5;
     xor_6_s6 <= xor_6_s5;
   end
-  wire [17:0] sub_13_s6 = {mux_12_s6, 1'd0} - {2'd1, unit_ray_128_s6};  // units/intersection.h:48
-  wire [16:0] mux_13_s6 = {sub_13_s6[17] ? mux_12_s6[15:0] : sub_13_s6[16:1], ~sub_13_s6[17] & sub_13_s6[0]};  // units/intersection.h:48
-  wire [17:0] sub_14_s6 = {mux_13_s6, 1'd0} - {2'd1, unit_ray_128_s6};  // units/intersection.h:48
-  wire [16:0] mux_14_s6 = {sub_14_s6[17] ? mux_13_s6[15:0] : sub_14_s6[16:1], ~sub_14_s6[17] & sub_14_s6[0]};  // units/intersection.h:48
+  wire [17:0] sub_13_s6 = {mux_12_s6, 1'd0} - {2'd1, unit_ray_128_s6};  // units/intersection.h:65
+  wire [16:0] mux_13_s6 = {sub_13_s6[17] ? mux_12_s6[15:0] : sub_13_s6[16:1], ~sub_13_s6[17] & sub_13_s6[0]};  // units/intersection.h:65
+  wire [17:0] sub_14_s6 = {mux_13_s6, 1'd0} - {2'd1, unit_ray_128_s6};  // units/intersection.h:65
+  wire [16:0] mux_14_s6 = {sub_14_s6[17] ? mux_13_s6[15:0] : sub_14_s6[16:1], ~sub_14_s6[17] & sub_14_s6[0]};  // units/intersection.h:65
 
   // ---- stage 7 ----
   reg valid_s7;
@@ -263,10 +263,10 @@ module intersection #(
     xor_3_s7 <= xor_3_s6;
     xor_6_s7 <= xor_6_s6;
   end
-  wire [17:0] sub_15_s7 = {mux_14_s7, 1'd0} - {2'd1, unit_ray_128_s7};  // units/intersection.h:48
-  wire [16:0] mux_15_s7 = {sub_15_s7[17] ? mux_14_s7[15:0] : sub_15_s7[16:1], ~sub_15_s7[17] & sub_15_s7[0]};  // units/intersection.h:48
-  wire [17:0] sub_16_s7 = {mux_15_s7, 1'd0} - {2'd1, unit_ray_128_s7};  // units/intersection.h:48
-  wire [16:0] mux_16_s7 = {sub_16_s7[17] ? mux_15_s7[15:0] : sub_16_s7[16:1], ~sub_16_s7[17] & sub_16_s7[0]};  // units/intersection.h:48
+  wire [17:0] sub_15_s7 = {mux_14_s7, 1'd0} - {2'd1, unit_ray_128_s7};  // units/intersection.h:65
+  wire [16:0] mux_15_s7 = {sub_15_s7[17] ? mux_14_s7[15:0] : sub_15_s7[16:1], ~sub_15_s7[17] & sub_15_s7[0]};  // units/intersection.h:65
+  wire [17:0] sub_16_s7 = {mux_15_s7, 1'd0} - {2'd1, unit_ray_128_s7};  // units/intersection.h:65
+  wire [16:0] mux_16_s7 = {sub_16_s7[17] ? mux_15_s7[15:0] : sub_16_s7[16:1], ~sub_16_s7[17] & sub_16_s7[0]};  // units/intersection.h:65
 
   // ---- stage 8 ----
   reg valid_s8;
@@ -309,10 +309,10 @@ module intersection #(
     xor_3_s8 <= xor_3_s7;
     xor_6_s8 <= xor_6_s7;
   end
-  wire [17:0] sub_17_s8 = {mux_16_s8, 1'd0} - {2'd1, unit_ray_128_s8};  // units/intersection.h:48
-  wire [16:0] mux_17_s8 = {sub_17_s8[17] ? mux_16_s8[15:0] : sub_17_s8[16:1], ~sub_17_s8[17] & sub_17_s8[0]};  // units/intersection.h:48
-  wire [17:0] sub_18_s8 = {mux_17_s8, 1'd0} - {2'd1, unit_ray_128_s8};  // units/intersection.h:48
-  wire [16:0] mux_18_s8 = {sub_18_s8[17] ? mux_17_s8[15:0] : sub_18_s8[16:1], ~sub_18_s8[17] & sub_18_s8[0]};  // units/intersection.h:48
+  wire [17:0] sub_17_s8 = {mux_16_s8, 1'd0} - {2'd1, unit_ray_128_s8};  // units/intersection.h:65
+  wire [16:0] mux_17_s8 = {sub_17_s8[17] ? mux_16_s8[15:0] : sub_17_s8[16:1], ~sub_17_s8[17] & sub_17_s8[0]};  // units/intersection.h:65
+  wire [17:0] sub_18_s8 = {mux_17_s8, 1'd0} - {2'd1, unit_ray_128_s8};  // units/intersection.h:65
+  wire [16:0] mux_18_s8 = {sub_18_s8[17] ? mux_17_s8[15:0] : sub_18_s8[16:1], ~sub_18_s8[17] & sub_18_s8[0]};  // units/intersection.h:65
 
   // ---- stage 9 ----
   reg valid_s9;
@@ -367,14 +367,14 @@ module intersection #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({unit_ray_72_s0, unit_ray_144_s0, sub_1_s0[17], sub_2_s0[17]}),
     .data_o({unit_ray_72_s9, unit_ray_144_s9, sub_1_s9, sub_2_s9}));
-  wire [17:0] sub_19_s9 = {mux_18_s9, 1'd0} - {2'd1, unit_ray_128_s9};  // units/intersection.h:48
-  wire [18:0] not_1_s9 = ~{sub_1_s9, sub_2_s9, sub_3_s9, sub_4_s9, sub_5_s9, sub_6_s9, sub_7_s9, sub_8_s9, sub_9_s9, sub_10_s9, sub_11_s9, sub_12_s9, sub_13_s9, sub_14_s9, sub_15_s9, sub_16_s9, sub_17_s9, sub_18_s9, sub_19_s9[17]};  // units/intersection.h:48
-  wire [16:0] mux_19_s9 = not_1_s9[18] ? not_1_s9[17:1] : not_1_s9[16:0];  // units/intersection.h:48
-  wire [7:0] sub_20_s9 = {1'd0, unit_ray_72_s9} - {1'd0, unit_ray_144_s9};  // units/intersection.h:48
-  wire [7:0] add_1_s9 = {sub_20_s9[7], sub_20_s9[7:1]} + 8'd31;  // units/intersection.h:48
-  wire [24:0] add_2_s9 = {add_1_s9, sub_20_s9[0], 15'd0, mux_19_s9[0]} + {8'd0, not_1_s9[18], mux_19_s9[16:1]};  // units/intersection.h:48
-  wire [22:0] mux_20_s9 = {23{add_2_s9[23]}} | add_2_s9[22:0];  // units/intersection.h:48
-  wire [22:0] mux_21_s9 = ~{23{add_2_s9[24]}} & mux_20_s9;  // units/intersection.h:48
+  wire [17:0] sub_19_s9 = {mux_18_s9, 1'd0} - {2'd1, unit_ray_128_s9};  // units/intersection.h:65
+  wire [18:0] not_1_s9 = ~{sub_1_s9, sub_2_s9, sub_3_s9, sub_4_s9, sub_5_s9, sub_6_s9, sub_7_s9, sub_8_s9, sub_9_s9, sub_10_s9, sub_11_s9, sub_12_s9, sub_13_s9, sub_14_s9, sub_15_s9, sub_16_s9, sub_17_s9, sub_18_s9, sub_19_s9[17]};  // units/intersection.h:65
+  wire [16:0] mux_19_s9 = not_1_s9[18] ? not_1_s9[17:1] : not_1_s9[16:0];  // units/intersection.h:65
+  wire [7:0] sub_20_s9 = {1'd0, unit_ray_72_s9} - {1'd0, unit_ray_144_s9};  // units/intersection.h:65
+  wire [7:0] add_1_s9 = {sub_20_s9[7], sub_20_s9[7:1]} + 8'd31;  // units/intersection.h:65
+  wire [24:0] add_2_s9 = {add_1_s9, sub_20_s9[0], 15'd0, mux_19_s9[0]} + {8'd0, not_1_s9[18], mux_19_s9[16:1]};  // units/intersection.h:65
+  wire [22:0] mux_20_s9 = {23{add_2_s9[23]}} | add_2_s9[22:0];  // units/intersection.h:65
+  wire [22:0] mux_21_s9 = ~{23{add_2_s9[24]}} & mux_20_s9;  // units/intersection.h:65
 
   // ---- stage 10 ----
   reg valid_s10;
@@ -393,8 +393,8 @@ module intersection #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({unit_ray_80_s0, unit_ray_104_s0}),
     .data_o({unit_ray_80_s10, unit_ray_104_s10}));
-  wire [33:0] mul_1_s10 = {1'd1, mux_21_s10[15:0]} * {1'd1, unit_ray_80_s10};  // units/intersection.h:49
-  wire [33:0] mul_2_s10 = {1'd1, mux_21_s10[15:0]} * {1'd1, unit_ray_104_s10};  // units/intersection.h:50
+  wire [33:0] mul_1_s10 = {1'd1, mux_21_s10[15:0]} * {1'd1, unit_ray_80_s10};  // units/intersection.h:66
+  wire [33:0] mul_2_s10 = {1'd1, mux_21_s10[15:0]} * {1'd1, unit_ray_104_s10};  // units/intersection.h:67
 
   // ---- stage 11 ----
   reg valid_s11;
@@ -417,24 +417,24 @@ module intersection #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({unit_ray_96_s0, unit_ray_120_s0}),
     .data_o({unit_ray_96_s11, unit_ray_120_s11}));
-  wire not_2_s11 = ~mul_1_s11[33];  // units/intersection.h:49
-  wire [17:0] mux_22_s11 = {mul_1_s11[33] ? mul_1_s11[32:16] : mul_1_s11[31:15], mul_1_s11[33] & mul_1_s11[15]};  // units/intersection.h:49
-  wire [7:0] add_3_s11 = {1'd0, mux_21_s11[22:16]} + {1'd0, unit_ray_96_s11};  // units/intersection.h:49
-  wire [2:0] add_4_s11 = {1'd0, add_3_s11[7:6]} + 3'd7;  // units/intersection.h:49
-  wire or_2_s11 = ((~(mul_1_s11[14:0] == 15'd0)) | mux_22_s11[0]) | mux_22_s11[2];  // units/intersection.h:49
-  wire and_1_s11 = mux_22_s11[1] & or_2_s11;  // units/intersection.h:49
-  wire [24:0] add_5_s11 = {add_4_s11, add_3_s11[5:0], 15'd0, and_1_s11} + {7'd0, mul_1_s11[33], not_2_s11, mux_22_s11[17:2]};  // units/intersection.h:49
-  wire [22:0] mux_23_s11 = {23{add_5_s11[23]}} | add_5_s11[22:0];  // units/intersection.h:49
-  wire [22:0] mux_24_s11 = ~{23{add_5_s11[24]}} & mux_23_s11;  // units/intersection.h:49
-  wire not_16_s11 = ~mul_2_s11[33];  // units/intersection.h:50
-  wire [17:0] mux_47_s11 = {mul_2_s11[33] ? mul_2_s11[32:16] : mul_2_s11[31:15], mul_2_s11[33] & mul_2_s11[15]};  // units/intersection.h:50
-  wire [7:0] add_8_s11 = {1'd0, mux_21_s11[22:16]} + {1'd0, unit_ray_120_s11};  // units/intersection.h:50
-  wire [2:0] add_9_s11 = {1'd0, add_8_s11[7:6]} + 3'd7;  // units/intersection.h:50
-  wire or_12_s11 = ((~(mul_2_s11[14:0] == 15'd0)) | mux_47_s11[0]) | mux_47_s11[2];  // units/intersection.h:50
-  wire and_16_s11 = mux_47_s11[1] & or_12_s11;  // units/intersection.h:50
-  wire [24:0] add_10_s11 = {add_9_s11, add_8_s11[5:0], 15'd0, and_16_s11} + {7'd0, mul_2_s11[33], not_16_s11, mux_47_s11[17:2]};  // units/intersection.h:50
-  wire [22:0] mux_48_s11 = {23{add_10_s11[23]}} | add_10_s11[22:0];  // units/intersection.h:50
-  wire [22:0] mux_49_s11 = ~{23{add_10_s11[24]}} & mux_48_s11;  // units/intersection.h:50
+  wire not_2_s11 = ~mul_1_s11[33];  // units/intersection.h:66
+  wire [17:0] mux_22_s11 = {mul_1_s11[33] ? mul_1_s11[32:16] : mul_1_s11[31:15], mul_1_s11[33] & mul_1_s11[15]};  // units/intersection.h:66
+  wire [7:0] add_3_s11 = {1'd0, mux_21_s11[22:16]} + {1'd0, unit_ray_96_s11};  // units/intersection.h:66
+  wire [2:0] add_4_s11 = {1'd0, add_3_s11[7:6]} + 3'd7;  // units/intersection.h:66
+  wire or_2_s11 = ((~(mul_1_s11[14:0] == 15'd0)) | mux_22_s11[0]) | mux_22_s11[2];  // units/intersection.h:66
+  wire and_1_s11 = mux_22_s11[1] & or_2_s11;  // units/intersection.h:66
+  wire [24:0] add_5_s11 = {add_4_s11, add_3_s11[5:0], 15'd0, and_1_s11} + {7'd0, mul_1_s11[33], not_2_s11, mux_22_s11[17:2]};  // units/intersection.h:66
+  wire [22:0] mux_23_s11 = {23{add_5_s11[23]}} | add_5_s11[22:0];  // units/intersection.h:66
+  wire [22:0] mux_24_s11 = ~{23{add_5_s11[24]}} & mux_23_s11;  // units/intersection.h:66
+  wire not_16_s11 = ~mul_2_s11[33];  // units/intersection.h:67
+  wire [17:0] mux_47_s11 = {mul_2_s11[33] ? mul_2_s11[32:16] : mul_2_s11[31:15], mul_2_s11[33] & mul_2_s11[15]};  // units/intersection.h:67
+  wire [7:0] add_8_s11 = {1'd0, mux_21_s11[22:16]} + {1'd0, unit_ray_120_s11};  // units/intersection.h:67
+  wire [2:0] add_9_s11 = {1'd0, add_8_s11[7:6]} + 3'd7;  // units/intersection.h:67
+  wire or_12_s11 = ((~(mul_2_s11[14:0] == 15'd0)) | mux_47_s11[0]) | mux_47_s11[2];  // units/intersection.h:67
+  wire and_16_s11 = mux_47_s11[1] & or_12_s11;  // units/intersection.h:67
+  wire [24:0] add_10_s11 = {add_9_s11, add_8_s11[5:0], 15'd0, and_16_s11} + {7'd0, mul_2_s11[33], not_16_s11, mux_47_s11[17:2]};  // units/intersection.h:67
+  wire [22:0] mux_48_s11 = {23{add_10_s11[23]}} | add_10_s11[22:0];  // units/intersection.h:67
+  wire [22:0] mux_49_s11 = ~{23{add_10_s11[24]}} & mux_48_s11;  // units/intersection.h:67
 
   // ---- stage 12 ----
   reg valid_s12;
@@ -461,26 +461,26 @@ module intersection #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({unit_ray_8_s0, unit_ray_24_s0, unit_ray_31_s0, unit_ray_32_s0, unit_ray_48_s0, unit_ray_55_s0, xor_2_s0[23], xor_5_s0[23]}),
     .data_o({unit_ray_8_s12, unit_ray_24_s12, unit_ray_31_s12, unit_ray_32_s12, unit_ray_48_s12, unit_ray_55_s12, xor_2_s12, xor_5_s12}));
-  wire not_5_s12 = ~xor_2_s12;  // units/intersection.h:49
-  wire lt_1_s12 = mux_24_s12 < {unit_ray_24_s12, unit_ray_8_s12};  // units/intersection.h:49
-  wire [6:0] mux_25_s12 = lt_1_s12 ? (unit_ray_24_s12 - mux_24_s12[22:16]) : (mux_24_s12[22:16] - unit_ray_24_s12);  // units/intersection.h:49
-  wire [23:0] mux_26_s12 = lt_1_s12 ? {unit_ray_31_s12, unit_ray_24_s12, unit_ray_8_s12} : {not_5_s12, mux_24_s12};  // units/intersection.h:49
-  wire [15:0] mux_27_s12 = lt_1_s12 ? mux_24_s12[15:0] : unit_ray_8_s12;  // units/intersection.h:49
-  wire eq_2_s12 = mux_27_s12[13:0] == 14'd0;  // units/intersection.h:49
-  wire [18:0] mux_28_s12 = {mux_25_s12[4] ? 1'd0 : 1'd1, ~{15{mux_25_s12[4]}} & mux_27_s12[15:1], mux_25_s12[4] | mux_27_s12[0], {2{mux_25_s12[4]}} & mux_27_s12[15:14]};  // units/intersection.h:49
-  wire eq_3_s12 = mux_28_s12[7:0] == 8'd0;  // units/intersection.h:49
-  wire [18:0] mux_29_s12 = {~{8{mux_25_s12[3]}} & mux_28_s12[18:11], mux_25_s12[3] ? mux_28_s12[18:8] : mux_28_s12[10:0]};  // units/intersection.h:49
-  wire eq_6_s12 = mux_25_s12[6:5] == 2'd0;  // units/intersection.h:49
-  wire not_18_s12 = ~xor_5_s12;  // units/intersection.h:50
-  wire lt_2_s12 = mux_49_s12 < {unit_ray_48_s12, unit_ray_32_s12};  // units/intersection.h:50
-  wire [6:0] mux_50_s12 = lt_2_s12 ? (unit_ray_48_s12 - mux_49_s12[22:16]) : (mux_49_s12[22:16] - unit_ray_48_s12);  // units/intersection.h:50
-  wire [23:0] mux_51_s12 = lt_2_s12 ? {unit_ray_55_s12, unit_ray_48_s12, unit_ray_32_s12} : {not_18_s12, mux_49_s12};  // units/intersection.h:50
-  wire [15:0] mux_52_s12 = lt_2_s12 ? mux_49_s12[15:0] : unit_ray_32_s12;  // units/intersection.h:50
-  wire eq_16_s12 = mux_52_s12[13:0] == 14'd0;  // units/intersection.h:50
-  wire [18:0] mux_53_s12 = {mux_50_s12[4] ? 1'd0 : 1'd1, ~{15{mux_50_s12[4]}} & mux_52_s12[15:1], mux_50_s12[4] | mux_52_s12[0], {2{mux_50_s12[4]}} & mux_52_s12[15:14]};  // units/intersection.h:50
-  wire eq_17_s12 = mux_53_s12[7:0] == 8'd0;  // units/intersection.h:50
-  wire [18:0] mux_54_s12 = {~{8{mux_50_s12[3]}} & mux_53_s12[18:11], mux_50_s12[3] ? mux_53_s12[18:8] : mux_53_s12[10:0]};  // units/intersection.h:50
-  wire eq_20_s12 = mux_50_s12[6:5] == 2'd0;  // units/intersection.h:50
+  wire not_5_s12 = ~xor_2_s12;  // units/intersection.h:66
+  wire lt_1_s12 = mux_24_s12 < {unit_ray_24_s12, unit_ray_8_s12};  // units/intersection.h:66
+  wire [6:0] mux_25_s12 = lt_1_s12 ? (unit_ray_24_s12 - mux_24_s12[22:16]) : (mux_24_s12[22:16] - unit_ray_24_s12);  // units/intersection.h:66
+  wire [23:0] mux_26_s12 = lt_1_s12 ? {unit_ray_31_s12, unit_ray_24_s12, unit_ray_8_s12} : {not_5_s12, mux_24_s12};  // units/intersection.h:66
+  wire [15:0] mux_27_s12 = lt_1_s12 ? mux_24_s12[15:0] : unit_ray_8_s12;  // units/intersection.h:66
+  wire eq_2_s12 = mux_27_s12[13:0] == 14'd0;  // units/intersection.h:66
+  wire [18:0] mux_28_s12 = {mux_25_s12[4] ? 1'd0 : 1'd1, ~{15{mux_25_s12[4]}} & mux_27_s12[15:1], mux_25_s12[4] | mux_27_s12[0], {2{mux_25_s12[4]}} & mux_27_s12[15:14]};  // units/intersection.h:66
+  wire eq_3_s12 = mux_28_s12[7:0] == 8'd0;  // units/intersection.h:66
+  wire [18:0] mux_29_s12 = {~{8{mux_25_s12[3]}} & mux_28_s12[18:11], mux_25_s12[3] ? mux_28_s12[18:8] : mux_28_s12[10:0]};  // units/intersection.h:66
+  wire eq_6_s12 = mux_25_s12[6:5] == 2'd0;  // units/intersection.h:66
+  wire not_18_s12 = ~xor_5_s12;  // units/intersection.h:67
+  wire lt_2_s12 = mux_49_s12 < {unit_ray_48_s12, unit_ray_32_s12};  // units/intersection.h:67
+  wire [6:0] mux_50_s12 = lt_2_s12 ? (unit_ray_48_s12 - mux_49_s12[22:16]) : (mux_49_s12[22:16] - unit_ray_48_s12);  // units/intersection.h:67
+  wire [23:0] mux_51_s12 = lt_2_s12 ? {unit_ray_55_s12, unit_ray_48_s12, unit_ray_32_s12} : {not_18_s12, mux_49_s12};  // units/intersection.h:67
+  wire [15:0] mux_52_s12 = lt_2_s12 ? mux_49_s12[15:0] : unit_ray_32_s12;  // units/intersection.h:67
+  wire eq_16_s12 = mux_52_s12[13:0] == 14'd0;  // units/intersection.h:67
+  wire [18:0] mux_53_s12 = {mux_50_s12[4] ? 1'd0 : 1'd1, ~{15{mux_50_s12[4]}} & mux_52_s12[15:1], mux_50_s12[4] | mux_52_s12[0], {2{mux_50_s12[4]}} & mux_52_s12[15:14]};  // units/intersection.h:67
+  wire eq_17_s12 = mux_53_s12[7:0] == 8'd0;  // units/intersection.h:67
+  wire [18:0] mux_54_s12 = {~{8{mux_50_s12[3]}} & mux_53_s12[18:11], mux_50_s12[3] ? mux_53_s12[18:8] : mux_53_s12[10:0]};  // units/intersection.h:67
+  wire eq_20_s12 = mux_50_s12[6:5] == 2'd0;  // units/intersection.h:67
 
   // ---- stage 13 ----
   reg valid_s13;
@@ -515,34 +515,34 @@ module intersection #(
     mux_54_s13 <= mux_54_s12;
     eq_20_s13 <= eq_20_s12;
   end
-  wire not_6_s13 = ~xor_3_s13;  // units/intersection.h:49
-  wire [18:0] mux_30_s13 = {~{4{mux_25_s13[2]}} & mux_29_s13[18:15], mux_25_s13[2] ? mux_29_s13[18:4] : mux_29_s13[14:0]};  // units/intersection.h:49
-  wire [18:0] mux_31_s13 = {~{2{mux_25_s13[1]}} & mux_30_s13[18:17], mux_25_s13[1] ? mux_30_s13[18:2] : mux_30_s13[16:0]};  // units/intersection.h:49
-  wire [18:0] mux_32_s13 = {~mux_25_s13[0] & mux_31_s13[18], mux_25_s13[0] ? mux_31_s13[18:1] : mux_31_s13[17:0]};  // units/intersection.h:49
-  wire or_4_s13 = (mux_25_s13[3] & (~eq_3_s13)) | ((mux_25_s13[4] & (~eq_2_s13)) | (~eq_6_s13));  // units/intersection.h:49
-  wire or_5_s13 = (mux_25_s13[2] & (~(mux_29_s13[3:0] == 4'd0))) | (mux_25_s13[0] & mux_31_s13[0]);  // units/intersection.h:49
-  wire or_7_s13 = or_5_s13 | ((mux_25_s13[1] & (~(mux_30_s13[1:0] == 2'd0))) | or_4_s13);  // units/intersection.h:49
-  wire [18:0] mux_33_s13 = {19{eq_6_s13}} & mux_32_s13;  // units/intersection.h:49
-  wire [19:0] xor_4_s13 = {mux_33_s13, or_7_s13} ^ {20{not_6_s13}};  // units/intersection.h:49
-  wire [21:0] add_6_s13 = {2'd1, mux_26_s13[15:0], 4'd1} + {not_6_s13, xor_4_s13, not_6_s13};  // units/intersection.h:49
-  wire eq_8_s13 = add_6_s13[21:18] == 4'd0;  // units/intersection.h:49
-  wire eq_9_s13 = add_6_s13[17:14] == 4'd0;  // units/intersection.h:49
-  wire eq_10_s13 = add_6_s13[13:10] == 4'd0;  // units/intersection.h:49
-  wire eq_11_s13 = add_6_s13[9:6] == 4'd0;  // units/intersection.h:49
-  wire not_19_s13 = ~xor_6_s13;  // units/intersection.h:50
-  wire [18:0] mux_55_s13 = {~{4{mux_50_s13[2]}} & mux_54_s13[18:15], mux_50_s13[2] ? mux_54_s13[18:4] : mux_54_s13[14:0]};  // units/intersection.h:50
-  wire [18:0] mux_56_s13 = {~{2{mux_50_s13[1]}} & mux_55_s13[18:17], mux_50_s13[1] ? mux_55_s13[18:2] : mux_55_s13[16:0]};  // units/intersection.h:50
-  wire [18:0] mux_57_s13 = {~mux_50_s13[0] & mux_56_s13[18], mux_50_s13[0] ? mux_56_s13[18:1] : mux_56_s13[17:0]};  // units/intersection.h:50
-  wire or_14_s13 = (mux_50_s13[3] & (~eq_17_s13)) | ((mux_50_s13[4] & (~eq_16_s13)) | (~eq_20_s13));  // units/intersection.h:50
-  wire or_15_s13 = (mux_50_s13[2] & (~(mux_54_s13[3:0] == 4'd0))) | (mux_50_s13[0] & mux_56_s13[0]);  // units/intersection.h:50
-  wire or_17_s13 = or_15_s13 | ((mux_50_s13[1] & (~(mux_55_s13[1:0] == 2'd0))) | or_14_s13);  // units/intersection.h:50
-  wire [18:0] mux_58_s13 = {19{eq_20_s13}} & mux_57_s13;  // units/intersection.h:50
-  wire [19:0] xor_7_s13 = {mux_58_s13, or_17_s13} ^ {20{not_19_s13}};  // units/intersection.h:50
-  wire [21:0] add_11_s13 = {2'd1, mux_51_s13[15:0], 4'd1} + {not_19_s13, xor_7_s13, not_19_s13};  // units/intersection.h:50
-  wire eq_22_s13 = add_11_s13[21:18] == 4'd0;  // units/intersection.h:50
-  wire eq_23_s13 = add_11_s13[17:14] == 4'd0;  // units/intersection.h:50
-  wire eq_24_s13 = add_11_s13[13:10] == 4'd0;  // units/intersection.h:50
-  wire eq_25_s13 = add_11_s13[9:6] == 4'd0;  // units/intersection.h:50
+  wire not_6_s13 = ~xor_3_s13;  // units/intersection.h:66
+  wire [18:0] mux_30_s13 = {~{4{mux_25_s13[2]}} & mux_29_s13[18:15], mux_25_s13[2] ? mux_29_s13[18:4] : mux_29_s13[14:0]};  // units/intersection.h:66
+  wire [18:0] mux_31_s13 = {~{2{mux_25_s13[1]}} & mux_30_s13[18:17], mux_25_s13[1] ? mux_30_s13[18:2] : mux_30_s13[16:0]};  // units/intersection.h:66
+  wire [18:0] mux_32_s13 = {~mux_25_s13[0] & mux_31_s13[18], mux_25_s13[0] ? mux_31_s13[18:1] : mux_31_s13[17:0]};  // units/intersection.h:66
+  wire or_4_s13 = (mux_25_s13[3] & (~eq_3_s13)) | ((mux_25_s13[4] & (~eq_2_s13)) | (~eq_6_s13));  // units/intersection.h:66
+  wire or_5_s13 = (mux_25_s13[2] & (~(mux_29_s13[3:0] == 4'd0))) | (mux_25_s13[0] & mux_31_s13[0]);  // units/intersection.h:66
+  wire or_7_s13 = or_5_s13 | ((mux_25_s13[1] & (~(mux_30_s13[1:0] == 2'd0))) | or_4_s13);  // units/intersection.h:66
+  wire [18:0] mux_33_s13 = {19{eq_6_s13}} & mux_32_s13;  // units/intersection.h:66
+  wire [19:0] xor_4_s13 = {mux_33_s13, or_7_s13} ^ {20{not_6_s13}};  // units/intersection.h:66
+  wire [21:0] add_6_s13 = {2'd1, mux_26_s13[15:0], 4'd1} + {not_6_s13, xor_4_s13, not_6_s13};  // units/intersection.h:66
+  wire eq_8_s13 = add_6_s13[21:18] == 4'd0;  // units/intersection.h:66
+  wire eq_9_s13 = add_6_s13[17:14] == 4'd0;  // units/intersection.h:66
+  wire eq_10_s13 = add_6_s13[13:10] == 4'd0;  // units/intersection.h:66
+  wire eq_11_s13 = add_6_s13[9:6] == 4'd0;  // units/intersection.h:66
+  wire not_19_s13 = ~xor_6_s13;  // units/intersection.h:67
+  wire [18:0] mux_55_s13 = {~{4{mux_50_s13[2]}} & mux_54_s13[18:15], mux_50_s13[2] ? mux_54_s13[18:4] : mux_54_s13[14:0]};  // units/intersection.h:67
+  wire [18:0] mux_56_s13 = {~{2{mux_50_s13[1]}} & mux_55_s13[18:17], mux_50_s13[1] ? mux_55_s13[18:2] : mux_55_s13[16:0]};  // units/intersection.h:67
+  wire [18:0] mux_57_s13 = {~mux_50_s13[0] & mux_56_s13[18], mux_50_s13[0] ? mux_56_s13[18:1] : mux_56_s13[17:0]};  // units/intersection.h:67
+  wire or_14_s13 = (mux_50_s13[3] & (~eq_17_s13)) | ((mux_50_s13[4] & (~eq_16_s13)) | (~eq_20_s13));  // units/intersection.h:67
+  wire or_15_s13 = (mux_50_s13[2] & (~(mux_54_s13[3:0] == 4'd0))) | (mux_50_s13[0] & mux_56_s13[0]);  // units/intersection.h:67
+  wire or_17_s13 = or_15_s13 | ((mux_50_s13[1] & (~(mux_55_s13[1:0] == 2'd0))) | or_14_s13);  // units/intersection.h:67
+  wire [18:0] mux_58_s13 = {19{eq_20_s13}} & mux_57_s13;  // units/intersection.h:67
+  wire [19:0] xor_7_s13 = {mux_58_s13, or_17_s13} ^ {20{not_19_s13}};  // units/intersection.h:67
+  wire [21:0] add_11_s13 = {2'd1, mux_51_s13[15:0], 4'd1} + {not_19_s13, xor_7_s13, not_19_s13};  // units/intersection.h:67
+  wire eq_22_s13 = add_11_s13[21:18] == 4'd0;  // units/intersection.h:67
+  wire eq_23_s13 = add_11_s13[17:14] == 4'd0;  // units/intersection.h:67
+  wire eq_24_s13 = add_11_s13[13:10] == 4'd0;  // units/intersection.h:67
+  wire eq_25_s13 = add_11_s13[9:6] == 4'd0;  // units/intersection.h:67
 
   // ---- stage 14 ----
   reg valid_s14;
@@ -573,46 +573,46 @@ module intersection #(
     eq_24_s14 <= eq_24_s13;
     eq_25_s14 <= eq_25_s13;
   end
-  wire not_12_s14 = ~(add_6_s14[21:2] == 20'd0);  // units/intersection.h:49
-  wire eq_12_s14 = add_6_s14[5:2] == 4'd0;  // units/intersection.h:49
-  wire and_7_s14 = eq_8_s14 & eq_9_s14;  // units/intersection.h:49
-  wire and_9_s14 = and_7_s14 & (eq_10_s14 & eq_11_s14);  // units/intersection.h:49
-  wire [19:0] mux_34_s14 = {and_9_s14 ? add_6_s14[5:2] : add_6_s14[21:18], ~{16{and_9_s14}} & add_6_s14[17:2]};  // units/intersection.h:49
-  wire mux_36_s14 = and_9_s14 ? eq_12_s14 : and_7_s14;  // units/intersection.h:49
-  wire [19:0] mux_37_s14 = {mux_36_s14 ? mux_34_s14[11:0] : mux_34_s14[19:8], ~{8{mux_36_s14}} & mux_34_s14[7:0]};  // units/intersection.h:49
-  wire mux_38_s14 = mux_36_s14 ? (eq_10_s14 | and_9_s14) : (and_9_s14 ? eq_12_s14 : eq_8_s14);  // units/intersection.h:49
-  wire and_10_s14 = not_12_s14 & mux_36_s14;  // units/intersection.h:49
-  wire [19:0] mux_39_s14 = {mux_38_s14 ? mux_37_s14[15:0] : mux_37_s14[19:4], ~{4{mux_38_s14}} & mux_37_s14[3:0]};  // units/intersection.h:49
-  wire eq_13_s14 = mux_39_s14[19:18] == 2'd0;  // units/intersection.h:49
-  wire [19:0] mux_40_s14 = {eq_13_s14 ? mux_39_s14[17:0] : mux_39_s14[19:2], ~{2{eq_13_s14}} & mux_39_s14[1:0]};  // units/intersection.h:49
-  wire and_11_s14 = not_12_s14 & eq_13_s14;  // units/intersection.h:49
-  wire and_12_s14 = not_12_s14 & (~mux_40_s14[19]);  // units/intersection.h:49
-  wire [19:0] mux_41_s14 = {and_10_s14 ? mux_34_s14[11:0] : mux_34_s14[19:8], ~{8{and_10_s14}} & mux_34_s14[7:0]};  // units/intersection.h:49
-  wire [19:0] mux_42_s14 = {mux_38_s14 ? mux_41_s14[15:0] : mux_41_s14[19:4], ~{4{mux_38_s14}} & mux_41_s14[3:0]};  // units/intersection.h:49
-  wire [19:0] mux_43_s14 = {and_11_s14 ? mux_42_s14[17:0] : mux_42_s14[19:2], ~{2{and_11_s14}} & mux_42_s14[1:0]};  // units/intersection.h:49
-  wire [19:0] mux_44_s14 = {and_12_s14 ? mux_43_s14[18:0] : mux_43_s14[19:1], ~and_12_s14 & mux_43_s14[0]};  // units/intersection.h:49
-  wire [8:0] sub_23_s14 = {2'd0, mux_26_s14[22:16]} - {4'd0, and_9_s14, and_10_s14, mux_38_s14, and_11_s14, and_12_s14};  // units/intersection.h:49
-  wire eq_14_s14 = mux_44_s14[1:0] == 2'd0;  // units/intersection.h:49
-  wire not_25_s14 = ~(add_11_s14[21:2] == 20'd0);  // units/intersection.h:50
-  wire eq_26_s14 = add_11_s14[5:2] == 4'd0;  // units/intersection.h:50
-  wire and_22_s14 = eq_22_s14 & eq_23_s14;  // units/intersection.h:50
-  wire and_24_s14 = and_22_s14 & (eq_24_s14 & eq_25_s14);  // units/intersection.h:50
-  wire [19:0] mux_59_s14 = {and_24_s14 ? add_11_s14[5:2] : add_11_s14[21:18], ~{16{and_24_s14}} & add_11_s14[17:2]};  // units/intersection.h:50
-  wire mux_61_s14 = and_24_s14 ? eq_26_s14 : and_22_s14;  // units/intersection.h:50
-  wire [19:0] mux_62_s14 = {mux_61_s14 ? mux_59_s14[11:0] : mux_59_s14[19:8], ~{8{mux_61_s14}} & mux_59_s14[7:0]};  // units/intersection.h:50
-  wire mux_63_s14 = mux_61_s14 ? (eq_24_s14 | and_24_s14) : (and_24_s14 ? eq_26_s14 : eq_22_s14);  // units/intersection.h:50
-  wire and_25_s14 = not_25_s14 & mux_61_s14;  // units/intersection.h:50
-  wire [19:0] mux_64_s14 = {mux_63_s14 ? mux_62_s14[15:0] : mux_62_s14[19:4], ~{4{mux_63_s14}} & mux_62_s14[3:0]};  // units/intersection.h:50
-  wire eq_27_s14 = mux_64_s14[19:18] == 2'd0;  // units/intersection.h:50
-  wire [19:0] mux_65_s14 = {eq_27_s14 ? mux_64_s14[17:0] : mux_64_s14[19:2], ~{2{eq_27_s14}} & mux_64_s14[1:0]};  // units/intersection.h:50
-  wire and_26_s14 = not_25_s14 & eq_27_s14;  // units/intersection.h:50
-  wire and_27_s14 = not_25_s14 & (~mux_65_s14[19]);  // units/intersection.h:50
-  wire [19:0] mux_66_s14 = {and_25_s14 ? mux_59_s14[11:0] : mux_59_s14[19:8], ~{8{and_25_s14}} & mux_59_s14[7:0]};  // units/intersection.h:50
-  wire [19:0] mux_67_s14 = {mux_63_s14 ? mux_66_s14[15:0] : mux_66_s14[19:4], ~{4{mux_63_s14}} & mux_66_s14[3:0]};  // units/intersection.h:50
-  wire [19:0] mux_68_s14 = {and_26_s14 ? mux_67_s14[17:0] : mux_67_s14[19:2], ~{2{and_26_s14}} & mux_67_s14[1:0]};  // units/intersection.h:50
-  wire [19:0] mux_69_s14 = {and_27_s14 ? mux_68_s14[18:0] : mux_68_s14[19:1], ~and_27_s14 & mux_68_s14[0]};  // units/intersection.h:50
-  wire [8:0] sub_26_s14 = {2'd0, mux_51_s14[22:16]} - {4'd0, and_24_s14, and_25_s14, mux_63_s14, and_26_s14, and_27_s14};  // units/intersection.h:50
-  wire eq_28_s14 = mux_69_s14[1:0] == 2'd0;  // units/intersection.h:50
+  wire not_12_s14 = ~(add_6_s14[21:2] == 20'd0);  // units/intersection.h:66
+  wire eq_12_s14 = add_6_s14[5:2] == 4'd0;  // units/intersection.h:66
+  wire and_7_s14 = eq_8_s14 & eq_9_s14;  // units/intersection.h:66
+  wire and_9_s14 = and_7_s14 & (eq_10_s14 & eq_11_s14);  // units/intersection.h:66
+  wire [19:0] mux_34_s14 = {and_9_s14 ? add_6_s14[5:2] : add_6_s14[21:18], ~{16{and_9_s14}} & add_6_s14[17:2]};  // units/intersection.h:66
+  wire mux_36_s14 = and_9_s14 ? eq_12_s14 : and_7_s14;  // units/intersection.h:66
+  wire [19:0] mux_37_s14 = {mux_36_s14 ? mux_34_s14[11:0] : mux_34_s14[19:8], ~{8{mux_36_s14}} & mux_34_s14[7:0]};  // units/intersection.h:66
+  wire mux_38_s14 = mux_36_s14 ? (eq_10_s14 | and_9_s14) : (and_9_s14 ? eq_12_s14 : eq_8_s14);  // units/intersection.h:66
+  wire and_10_s14 = not_12_s14 & mux_36_s14;  // units/intersection.h:66
+  wire [19:0] mux_39_s14 = {mux_38_s14 ? mux_37_s14[15:0] : mux_37_s14[19:4], ~{4{mux_38_s14}} & mux_37_s14[3:0]};  // units/intersection.h:66
+  wire eq_13_s14 = mux_39_s14[19:18] == 2'd0;  // units/intersection.h:66
+  wire [19:0] mux_40_s14 = {eq_13_s14 ? mux_39_s14[17:0] : mux_39_s14[19:2], ~{2{eq_13_s14}} & mux_39_s14[1:0]};  // units/intersection.h:66
+  wire and_11_s14 = not_12_s14 & eq_13_s14;  // units/intersection.h:66
+  wire and_12_s14 = not_12_s14 & (~mux_40_s14[19]);  // units/intersection.h:66
+  wire [19:0] mux_41_s14 = {and_10_s14 ? mux_34_s14[11:0] : mux_34_s14[19:8], ~{8{and_10_s14}} & mux_34_s14[7:0]};  // units/intersection.h:66
+  wire [19:0] mux_42_s14 = {mux_38_s14 ? mux_41_s14[15:0] : mux_41_s14[19:4], ~{4{mux_38_s14}} & mux_41_s14[3:0]};  // units/intersection.h:66
+  wire [19:0] mux_43_s14 = {and_11_s14 ? mux_42_s14[17:0] : mux_42_s14[19:2], ~{2{and_11_s14}} & mux_42_s14[1:0]};  // units/intersection.h:66
+  wire [19:0] mux_44_s14 = {and_12_s14 ? mux_43_s14[18:0] : mux_43_s14[19:1], ~and_12_s14 & mux_43_s14[0]};  // units/intersection.h:66
+  wire [8:0] sub_23_s14 = {2'd0, mux_26_s14[22:16]} - {4'd0, and_9_s14, and_10_s14, mux_38_s14, and_11_s14, and_12_s14};  // units/intersection.h:66
+  wire eq_14_s14 = mux_44_s14[1:0] == 2'd0;  // units/intersection.h:66
+  wire not_25_s14 = ~(add_11_s14[21:2] == 20'd0);  // units/intersection.h:67
+  wire eq_26_s14 = add_11_s14[5:2] == 4'd0;  // units/intersection.h:67
+  wire and_22_s14 = eq_22_s14 & eq_23_s14;  // units/intersection.h:67
+  wire and_24_s14 = and_22_s14 & (eq_24_s14 & eq_25_s14);  // units/intersection.h:67
+  wire [19:0] mux_59_s14 = {and_24_s14 ? add_11_s14[5:2] : add_11_s14[21:18], ~{16{and_24_s14}} & add_11_s14[17:2]};  // units/intersection.h:67
+  wire mux_61_s14 = and_24_s14 ? eq_26_s14 : and_22_s14;  // units/intersection.h:67
+  wire [19:0] mux_62_s14 = {mux_61_s14 ? mux_59_s14[11:0] : mux_59_s14[19:8], ~{8{mux_61_s14}} & mux_59_s14[7:0]};  // units/intersection.h:67
+  wire mux_63_s14 = mux_61_s14 ? (eq_24_s14 | and_24_s14) : (and_24_s14 ? eq_26_s14 : eq_22_s14);  // units/intersection.h:67
+  wire and_25_s14 = not_25_s14 & mux_61_s14;  // units/intersection.h:67
+  wire [19:0] mux_64_s14 = {mux_63_s14 ? mux_62_s14[15:0] : mux_62_s14[19:4], ~{4{mux_63_s14}} & mux_62_s14[3:0]};  // units/intersection.h:67
+  wire eq_27_s14 = mux_64_s14[19:18] == 2'd0;  // units/intersection.h:67
+  wire [19:0] mux_65_s14 = {eq_27_s14 ? mux_64_s14[17:0] : mux_64_s14[19:2], ~{2{eq_27_s14}} & mux_64_s14[1:0]};  // units/intersection.h:67
+  wire and_26_s14 = not_25_s14 & eq_27_s14;  // units/intersection.h:67
+  wire and_27_s14 = not_25_s14 & (~mux_65_s14[19]);  // units/intersection.h:67
+  wire [19:0] mux_66_s14 = {and_25_s14 ? mux_59_s14[11:0] : mux_59_s14[19:8], ~{8{and_25_s14}} & mux_59_s14[7:0]};  // units/intersection.h:67
+  wire [19:0] mux_67_s14 = {mux_63_s14 ? mux_66_s14[15:0] : mux_66_s14[19:4], ~{4{mux_63_s14}} & mux_66_s14[3:0]};  // units/intersection.h:67
+  wire [19:0] mux_68_s14 = {and_26_s14 ? mux_67_s14[17:0] : mux_67_s14[19:2], ~{2{and_26_s14}} & mux_67_s14[1:0]};  // units/intersection.h:67
+  wire [19:0] mux_69_s14 = {and_27_s14 ? mux_68_s14[18:0] : mux_68_s14[19:1], ~and_27_s14 & mux_68_s14[0]};  // units/intersection.h:67
+  wire [8:0] sub_26_s14 = {2'd0, mux_51_s14[22:16]} - {4'd0, and_24_s14, and_25_s14, mux_63_s14, and_26_s14, and_27_s14};  // units/intersection.h:67
+  wire eq_28_s14 = mux_69_s14[1:0] == 2'd0;  // units/intersection.h:67
 
   // ---- stage 15 ----
   reg valid_s15;
@@ -639,19 +639,19 @@ module intersection #(
     sub_26_s15 <= sub_26_s14;
     eq_28_s15 <= eq_28_s14;
   end
-  wire and_13_s15 = mux_44_s15[2] & ((~eq_14_s15) | (add_6_s15 | mux_44_s15[3]));  // units/intersection.h:49
-  wire [24:0] add_7_s15 = {sub_23_s15, 15'd0, and_13_s15} + {8'd0, mux_44_s15[19:3]};  // units/intersection.h:49
-  wire and_14_s15 = mux_44_s15[19] & (~add_7_s15[24]);  // units/intersection.h:49
-  wire and_15_s15 = mux_44_s15[19] & mux_26_s15;  // units/intersection.h:49
-  wire [22:0] mux_45_s15 = {23{add_7_s15[23]}} | add_7_s15[22:0];  // units/intersection.h:49
-  wire [22:0] mux_46_s15 = {23{and_14_s15}} & mux_45_s15;  // units/intersection.h:49
-  wire and_28_s15 = mux_69_s15[2] & ((~eq_28_s15) | (add_11_s15 | mux_69_s15[3]));  // units/intersection.h:50
-  wire [24:0] add_12_s15 = {sub_26_s15, 15'd0, and_28_s15} + {8'd0, mux_69_s15[19:3]};  // units/intersection.h:50
-  wire and_29_s15 = mux_69_s15[19] & (~add_12_s15[24]);  // units/intersection.h:50
-  wire and_30_s15 = mux_69_s15[19] & mux_51_s15;  // units/intersection.h:50
-  wire [22:0] mux_70_s15 = {23{add_12_s15[23]}} | add_12_s15[22:0];  // units/intersection.h:50
-  wire [22:0] mux_71_s15 = {23{and_29_s15}} & mux_70_s15;  // units/intersection.h:50
-  wire lt_3_s15 = mux_46_s15 < mux_71_s15;  // units/intersection.h:73
+  wire and_13_s15 = mux_44_s15[2] & ((~eq_14_s15) | (add_6_s15 | mux_44_s15[3]));  // units/intersection.h:66
+  wire [24:0] add_7_s15 = {sub_23_s15, 15'd0, and_13_s15} + {8'd0, mux_44_s15[19:3]};  // units/intersection.h:66
+  wire and_14_s15 = mux_44_s15[19] & (~add_7_s15[24]);  // units/intersection.h:66
+  wire and_15_s15 = mux_44_s15[19] & mux_26_s15;  // units/intersection.h:66
+  wire [22:0] mux_45_s15 = {23{add_7_s15[23]}} | add_7_s15[22:0];  // units/intersection.h:66
+  wire [22:0] mux_46_s15 = {23{and_14_s15}} & mux_45_s15;  // units/intersection.h:66
+  wire and_28_s15 = mux_69_s15[2] & ((~eq_28_s15) | (add_11_s15 | mux_69_s15[3]));  // units/intersection.h:67
+  wire [24:0] add_12_s15 = {sub_26_s15, 15'd0, and_28_s15} + {8'd0, mux_69_s15[19:3]};  // units/intersection.h:67
+  wire and_29_s15 = mux_69_s15[19] & (~add_12_s15[24]);  // units/intersection.h:67
+  wire and_30_s15 = mux_69_s15[19] & mux_51_s15;  // units/intersection.h:67
+  wire [22:0] mux_70_s15 = {23{add_12_s15[23]}} | add_12_s15[22:0];  // units/intersection.h:67
+  wire [22:0] mux_71_s15 = {23{and_29_s15}} & mux_70_s15;  // units/intersection.h:67
+  wire lt_3_s15 = mux_46_s15 < mux_71_s15;  // units/intersection.h:90
 
   // ---- stage 16 ----
   reg valid_s16;
@@ -668,19 +668,19 @@ module intersection #(
     mux_71_s16 <= mux_71_s15;
     lt_3_s16 <= lt_3_s15;
   end
-  wire [6:0] mux_72_s16 = lt_3_s16 ? (mux_71_s16[22:16] - mux_46_s16[22:16]) : (mux_46_s16[22:16] - mux_71_s16[22:16]);  // units/intersection.h:73
-  wire [15:0] mux_74_s16 = lt_3_s16 ? mux_46_s16[15:0] : mux_71_s16[15:0];  // units/intersection.h:73
-  wire [18:0] mux_75_s16 = {mux_72_s16[4] ? 1'd0 : 1'd1, ~{15{mux_72_s16[4]}} & mux_74_s16[15:1], mux_72_s16[4] | mux_74_s16[0], {2{mux_72_s16[4]}} & mux_74_s16[15:14]};  // units/intersection.h:73
-  wire [18:0] mux_76_s16 = {~{8{mux_72_s16[3]}} & mux_75_s16[18:11], mux_72_s16[3] ? mux_75_s16[18:8] : mux_75_s16[10:0]};  // units/intersection.h:73
-  wire [18:0] mux_77_s16 = {~{4{mux_72_s16[2]}} & mux_76_s16[18:15], mux_72_s16[2] ? mux_76_s16[18:4] : mux_76_s16[14:0]};  // units/intersection.h:73
-  wire [18:0] mux_78_s16 = {~{2{mux_72_s16[1]}} & mux_77_s16[18:17], mux_72_s16[1] ? mux_77_s16[18:2] : mux_77_s16[16:0]};  // units/intersection.h:73
-  wire [18:0] mux_79_s16 = {~mux_72_s16[0] & mux_78_s16[18], mux_72_s16[0] ? mux_78_s16[18:1] : mux_78_s16[17:0]};  // units/intersection.h:73
-  wire eq_35_s16 = mux_72_s16[6:5] == 2'd0;  // units/intersection.h:73
-  wire or_24_s16 = (mux_72_s16[4] & (~(mux_74_s16[13:0] == 14'd0))) | (~eq_35_s16);  // units/intersection.h:73
-  wire or_26_s16 = (mux_72_s16[2] & (~(mux_76_s16[3:0] == 4'd0))) | (mux_72_s16[0] & mux_78_s16[0]);  // units/intersection.h:73
-  wire or_27_s16 = (mux_72_s16[1] & (~(mux_77_s16[1:0] == 2'd0))) | ((mux_72_s16[3] & (~(mux_75_s16[7:0] == 8'd0))) | or_24_s16);  // units/intersection.h:73
-  wire or_28_s16 = or_26_s16 | or_27_s16;  // units/intersection.h:73
-  wire [18:0] mux_80_s16 = {19{eq_35_s16}} & mux_79_s16;  // units/intersection.h:73
+  wire [6:0] mux_72_s16 = lt_3_s16 ? (mux_71_s16[22:16] - mux_46_s16[22:16]) : (mux_46_s16[22:16] - mux_71_s16[22:16]);  // units/intersection.h:90
+  wire [15:0] mux_74_s16 = lt_3_s16 ? mux_46_s16[15:0] : mux_71_s16[15:0];  // units/intersection.h:90
+  wire [18:0] mux_75_s16 = {mux_72_s16[4] ? 1'd0 : 1'd1, ~{15{mux_72_s16[4]}} & mux_74_s16[15:1], mux_72_s16[4] | mux_74_s16[0], {2{mux_72_s16[4]}} & mux_74_s16[15:14]};  // units/intersection.h:90
+  wire [18:0] mux_76_s16 = {~{8{mux_72_s16[3]}} & mux_75_s16[18:11], mux_72_s16[3] ? mux_75_s16[18:8] : mux_75_s16[10:0]};  // units/intersection.h:90
+  wire [18:0] mux_77_s16 = {~{4{mux_72_s16[2]}} & mux_76_s16[18:15], mux_72_s16[2] ? mux_76_s16[18:4] : mux_76_s16[14:0]};  // units/intersection.h:90
+  wire [18:0] mux_78_s16 = {~{2{mux_72_s16[1]}} & mux_77_s16[18:17], mux_72_s16[1] ? mux_77_s16[18:2] : mux_77_s16[16:0]};  // units/intersection.h:90
+  wire [18:0] mux_79_s16 = {~mux_72_s16[0] & mux_78_s16[18], mux_72_s16[0] ? mux_78_s16[18:1] : mux_78_s16[17:0]};  // units/intersection.h:90
+  wire eq_35_s16 = mux_72_s16[6:5] == 2'd0;  // units/intersection.h:90
+  wire or_24_s16 = (mux_72_s16[4] & (~(mux_74_s16[13:0] == 14'd0))) | (~eq_35_s16);  // units/intersection.h:90
+  wire or_26_s16 = (mux_72_s16[2] & (~(mux_76_s16[3:0] == 4'd0))) | (mux_72_s16[0] & mux_78_s16[0]);  // units/intersection.h:90
+  wire or_27_s16 = (mux_72_s16[1] & (~(mux_77_s16[1:0] == 2'd0))) | ((mux_72_s16[3] & (~(mux_75_s16[7:0] == 8'd0))) | or_24_s16);  // units/intersection.h:90
+  wire or_28_s16 = or_26_s16 | or_27_s16;  // units/intersection.h:90
+  wire [18:0] mux_80_s16 = {19{eq_35_s16}} & mux_79_s16;  // units/intersection.h:90
 
   // ---- stage 17 ----
   reg valid_s17;
@@ -701,20 +701,20 @@ module intersection #(
     or_28_s17 <= or_28_s16;
     mux_80_s17 <= mux_80_s16;
   end
-  wire [23:0] mux_73_s17 = lt_3_s17 ? {and_30_s17, mux_71_s17} : {and_15_s17, mux_46_s17};  // units/intersection.h:73
-  wire xor_8_s17 = and_15_s17 ^ and_30_s17;  // units/intersection.h:73
-  wire [19:0] xor_9_s17 = {mux_80_s17, or_28_s17} ^ {20{xor_8_s17}};  // units/intersection.h:73
-  wire [21:0] add_13_s17 = {2'd1, mux_73_s17[15:0], 4'd1} + {xor_8_s17, xor_9_s17, xor_8_s17};  // units/intersection.h:73
-  wire eq_36_s17 = add_13_s17[21:2] == 20'd0;  // units/intersection.h:73
-  wire eq_37_s17 = add_13_s17[21:18] == 4'd0;  // units/intersection.h:73
-  wire eq_39_s17 = add_13_s17[13:10] == 4'd0;  // units/intersection.h:73
-  wire eq_41_s17 = add_13_s17[5:2] == 4'd0;  // units/intersection.h:73
-  wire and_38_s17 = eq_37_s17 & (add_13_s17[17:14] == 4'd0);  // units/intersection.h:73
-  wire and_40_s17 = and_38_s17 & (eq_39_s17 & (add_13_s17[9:6] == 4'd0));  // units/intersection.h:73
-  wire [19:0] mux_81_s17 = {and_40_s17 ? add_13_s17[5:2] : add_13_s17[21:18], ~{16{and_40_s17}} & add_13_s17[17:2]};  // units/intersection.h:73
-  wire mux_83_s17 = and_40_s17 ? eq_41_s17 : and_38_s17;  // units/intersection.h:73
-  wire [19:0] mux_84_s17 = {mux_83_s17 ? mux_81_s17[11:0] : mux_81_s17[19:8], ~{8{mux_83_s17}} & mux_81_s17[7:0]};  // units/intersection.h:73
-  wire mux_85_s17 = mux_83_s17 ? (eq_39_s17 | and_40_s17) : (and_40_s17 ? eq_41_s17 : eq_37_s17);  // units/intersection.h:73
+  wire [23:0] mux_73_s17 = lt_3_s17 ? {and_30_s17, mux_71_s17} : {and_15_s17, mux_46_s17};  // units/intersection.h:90
+  wire xor_8_s17 = and_15_s17 ^ and_30_s17;  // units/intersection.h:90
+  wire [19:0] xor_9_s17 = {mux_80_s17, or_28_s17} ^ {20{xor_8_s17}};  // units/intersection.h:90
+  wire [21:0] add_13_s17 = {2'd1, mux_73_s17[15:0], 4'd1} + {xor_8_s17, xor_9_s17, xor_8_s17};  // units/intersection.h:90
+  wire eq_36_s17 = add_13_s17[21:2] == 20'd0;  // units/intersection.h:90
+  wire eq_37_s17 = add_13_s17[21:18] == 4'd0;  // units/intersection.h:90
+  wire eq_39_s17 = add_13_s17[13:10] == 4'd0;  // units/intersection.h:90
+  wire eq_41_s17 = add_13_s17[5:2] == 4'd0;  // units/intersection.h:90
+  wire and_38_s17 = eq_37_s17 & (add_13_s17[17:14] == 4'd0);  // units/intersection.h:90
+  wire and_40_s17 = and_38_s17 & (eq_39_s17 & (add_13_s17[9:6] == 4'd0));  // units/intersection.h:90
+  wire [19:0] mux_81_s17 = {and_40_s17 ? add_13_s17[5:2] : add_13_s17[21:18], ~{16{and_40_s17}} & add_13_s17[17:2]};  // units/intersection.h:90
+  wire mux_83_s17 = and_40_s17 ? eq_41_s17 : and_38_s17;  // units/intersection.h:90
+  wire [19:0] mux_84_s17 = {mux_83_s17 ? mux_81_s17[11:0] : mux_81_s17[19:8], ~{8{mux_83_s17}} & mux_81_s17[7:0]};  // units/intersection.h:90
+  wire mux_85_s17 = mux_83_s17 ? (eq_39_s17 | and_40_s17) : (and_40_s17 ? eq_41_s17 : eq_37_s17);  // units/intersection.h:90
 
   // ---- stage 18 ----
   reg valid_s18;
@@ -745,20 +745,20 @@ module intersection #(
     mux_84_s18 <= mux_84_s17;
     mux_85_s18 <= mux_85_s17;
   end
-  wire not_36_s18 = ~eq_36_s18;  // units/intersection.h:73
-  wire and_41_s18 = not_36_s18 & mux_83_s18;  // units/intersection.h:73
-  wire [19:0] mux_86_s18 = {mux_85_s18 ? mux_84_s18[15:0] : mux_84_s18[19:4], ~{4{mux_85_s18}} & mux_84_s18[3:0]};  // units/intersection.h:73
-  wire eq_42_s18 = mux_86_s18[19:18] == 2'd0;  // units/intersection.h:73
-  wire [19:0] mux_87_s18 = {eq_42_s18 ? mux_86_s18[17:0] : mux_86_s18[19:2], ~{2{eq_42_s18}} & mux_86_s18[1:0]};  // units/intersection.h:73
-  wire and_42_s18 = not_36_s18 & eq_42_s18;  // units/intersection.h:73
-  wire and_43_s18 = not_36_s18 & (~mux_87_s18[19]);  // units/intersection.h:73
-  wire [19:0] mux_88_s18 = {and_41_s18 ? mux_81_s18[11:0] : mux_81_s18[19:8], ~{8{and_41_s18}} & mux_81_s18[7:0]};  // units/intersection.h:73
-  wire [19:0] mux_89_s18 = {mux_85_s18 ? mux_88_s18[15:0] : mux_88_s18[19:4], ~{4{mux_85_s18}} & mux_88_s18[3:0]};  // units/intersection.h:73
-  wire [19:0] mux_90_s18 = {and_42_s18 ? mux_89_s18[17:0] : mux_89_s18[19:2], ~{2{and_42_s18}} & mux_89_s18[1:0]};  // units/intersection.h:73
-  wire [19:0] mux_91_s18 = {and_43_s18 ? mux_90_s18[18:0] : mux_90_s18[19:1], ~and_43_s18 & mux_90_s18[0]};  // units/intersection.h:73
-  wire [8:0] sub_29_s18 = {2'd0, mux_73_s18[22:16]} - {4'd0, and_40_s18, and_41_s18, mux_85_s18, and_42_s18, and_43_s18};  // units/intersection.h:73
-  wire and_44_s18 = mux_91_s18[2] & ((~(mux_91_s18[1:0] == 2'd0)) | (add_13_s18 | mux_91_s18[3]));  // units/intersection.h:73
-  wire [24:0] add_14_s18 = {sub_29_s18, 15'd0, and_44_s18} + {8'd0, mux_91_s18[19:3]};  // units/intersection.h:73
+  wire not_36_s18 = ~eq_36_s18;  // units/intersection.h:90
+  wire and_41_s18 = not_36_s18 & mux_83_s18;  // units/intersection.h:90
+  wire [19:0] mux_86_s18 = {mux_85_s18 ? mux_84_s18[15:0] : mux_84_s18[19:4], ~{4{mux_85_s18}} & mux_84_s18[3:0]};  // units/intersection.h:90
+  wire eq_42_s18 = mux_86_s18[19:18] == 2'd0;  // units/intersection.h:90
+  wire [19:0] mux_87_s18 = {eq_42_s18 ? mux_86_s18[17:0] : mux_86_s18[19:2], ~{2{eq_42_s18}} & mux_86_s18[1:0]};  // units/intersection.h:90
+  wire and_42_s18 = not_36_s18 & eq_42_s18;  // units/intersection.h:90
+  wire and_43_s18 = not_36_s18 & (~mux_87_s18[19]);  // units/intersection.h:90
+  wire [19:0] mux_88_s18 = {and_41_s18 ? mux_81_s18[11:0] : mux_81_s18[19:8], ~{8{and_41_s18}} & mux_81_s18[7:0]};  // units/intersection.h:90
+  wire [19:0] mux_89_s18 = {mux_85_s18 ? mux_88_s18[15:0] : mux_88_s18[19:4], ~{4{mux_85_s18}} & mux_88_s18[3:0]};  // units/intersection.h:90
+  wire [19:0] mux_90_s18 = {and_42_s18 ? mux_89_s18[17:0] : mux_89_s18[19:2], ~{2{and_42_s18}} & mux_89_s18[1:0]};  // units/intersection.h:90
+  wire [19:0] mux_91_s18 = {and_43_s18 ? mux_90_s18[18:0] : mux_90_s18[19:1], ~and_43_s18 & mux_90_s18[0]};  // units/intersection.h:90
+  wire [8:0] sub_29_s18 = {2'd0, mux_73_s18[22:16]} - {4'd0, and_40_s18, and_41_s18, mux_85_s18, and_42_s18, and_43_s18};  // units/intersection.h:90
+  wire and_44_s18 = mux_91_s18[2] & ((~(mux_91_s18[1:0] == 2'd0)) | (add_13_s18 | mux_91_s18[3]));  // units/intersection.h:90
+  wire [24:0] add_14_s18 = {sub_29_s18, 15'd0, and_44_s18} + {8'd0, mux_91_s18[19:3]};  // units/intersection.h:90
 
   // ---- stage 19 ----
   reg valid_s19;
@@ -798,15 +798,15 @@ module intersection #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({mux_21_s11}),
     .data_o({mux_21_s19}));
-  wire not_4_s19 = ~xor_1_s19;  // units/intersection.h:49
-  wire or_22_s19 = (in_reset_s19 | not_4_s19) | (and_15_s19 & (~({and_15_s19, mux_46_s19} == 24'd0)));  // units/intersection.h:69
-  wire or_23_s19 = or_22_s19 | (and_30_s19 & (~({and_30_s19, mux_71_s19} == 24'd0)));  // units/intersection.h:69
-  wire and_45_s19 = mux_91_s19 & (~add_14_s19[24]);  // units/intersection.h:73
-  wire and_46_s19 = mux_91_s19 & mux_73_s19;  // units/intersection.h:73
-  wire [22:0] mux_92_s19 = {23{add_14_s19[23]}} | add_14_s19[22:0];  // units/intersection.h:73
-  wire [22:0] mux_93_s19 = {23{and_45_s19}} & mux_92_s19;  // units/intersection.h:73
-  wire xor_10_s19 = and_46_s19 ^ ({and_46_s19, mux_93_s19, and_46_s19} < 25'h07e0001);  // units/intersection.h:73
-  wire out_hit_s19 = xor_10_s19 & (~or_23_s19);
+  wire not_4_s19 = ~xor_1_s19;  // units/intersection.h:66
+  wire or_22_s19 = (in_reset_s19 | not_4_s19) | (and_15_s19 & (~({and_15_s19, mux_46_s19} == 24'd0)));  // units/intersection.h:86
+  wire or_23_s19 = or_22_s19 | (and_30_s19 & (~({and_30_s19, mux_71_s19} == 24'd0)));  // units/intersection.h:86
+  wire and_45_s19 = mux_91_s19 & (~add_14_s19[24]);  // units/intersection.h:90
+  wire and_46_s19 = mux_91_s19 & mux_73_s19;  // units/intersection.h:90
+  wire [22:0] mux_92_s19 = {23{add_14_s19[23]}} | add_14_s19[22:0];  // units/intersection.h:90
+  wire [22:0] mux_93_s19 = {23{and_45_s19}} & mux_92_s19;  // units/intersection.h:90
+  wire xor_10_s19 = and_46_s19 ^ ({and_46_s19, mux_93_s19, and_46_s19} < 25'h07e0001);  // units/intersection.h:90
+  wire out_hit_s19 = xor_10_s19 & (~or_23_s19);  // units/intersection.h:47
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(105), .DEPTH(CANDIDATE_DEPTH), .MARGIN(CANDIDATE_BOUNDED ? 0 : 19),

@@ -56,8 +56,8 @@ module packet_decoder #(
   wire in_point_s0 = vector_data_i[5];
   wire [1:0] in_ray_s0 = vector_data_i[7:6];
   wire [23:0] in_vector_x_s0 = vector_data_i[31:8];
-  wire [23:0] vector_32_s0 = vector_data_i[55:32];
-  wire [23:0] vector_56_s0 = vector_data_i[79:56];
+  wire [23:0] in_vector_y_s0 = vector_data_i[55:32];
+  wire [23:0] in_vector_z_s0 = vector_data_i[79:56];
 
   // ---- stage 1 ----
   reg valid_s1;
@@ -65,46 +65,46 @@ module packet_decoder #(
   reg  in_point_s1;
   reg  [1:0] in_ray_s1;
   reg  [23:0] in_vector_x_s1;
-  reg  [23:0] vector_32_s1;
-  reg  [23:0] vector_56_s1;
+  reg  [23:0] in_vector_y_s1;
+  reg  [23:0] in_vector_z_s1;
   always @(posedge clk_i) begin
     valid_s1 <= rst_ni && valid_s0;
     in_packet_s1 <= in_packet_s0;
     in_point_s1 <= in_point_s0;
     in_ray_s1 <= in_ray_s0;
     in_vector_x_s1 <= in_vector_x_s0;
-    vector_32_s1 <= vector_32_s0;
-    vector_56_s1 <= vector_56_s0;
+    in_vector_y_s1 <= in_vector_y_s0;
+    in_vector_z_s1 <= in_vector_z_s0;
   end
   reg  [23:0] origin_x_q;
   reg  [23:0] origin_y_q;
   reg  [23:0] origin_z_q;
   wire record_0_s1 = record_data_i[0];
   wire record_1_s1 = record_data_i[1];
-  wire [23:0] mux_1_s1 = in_point_s1 ? vector_56_s1 : origin_z_q;  // units/packet_decoder.h:37
-  wire [23:0] mux_2_s1 = in_point_s1 ? vector_32_s1 : origin_y_q;  // units/packet_decoder.h:37
-  wire [23:0] mux_3_s1 = in_point_s1 ? in_vector_x_s1 : origin_x_q;  // units/packet_decoder.h:37
-  wire triangle_s1 = ~({record_1_s1, record_0_s1} == 2'd2);  // units/packet_decoder.h:40
-  wire level_s1 = {record_1_s1, record_0_s1} == 2'd1;  // units/packet_decoder.h:47
-  wire not_1_s1 = ~in_point_s1;  // units/packet_decoder.h:52
+  wire triangle_s1 = ~({record_1_s1, record_0_s1} == 2'd2);  // units/packet_decoder.h:43
+  wire level_s1 = {record_1_s1, record_0_s1} == 2'd1;  // units/packet_decoder.h:50
+  wire not_1_s1 = ~in_point_s1;  // units/packet_decoder.h:55
   wire eq_5_s1 = in_ray_s1 == 2'd3;
   wire [18:0] record_23_s1 = record_data_i[41:23];
+  wire [23:0] r_origin_x_s1 = in_point_s1 ? in_vector_x_s1 : origin_x_q;
+  wire [23:0] r_origin_y_s1 = in_point_s1 ? in_vector_y_s1 : origin_y_q;
+  wire [23:0] r_origin_z_s1 = in_point_s1 ? in_vector_z_s1 : origin_z_q;
   wire and_1_s1 = triangle_s1 & not_1_s1;
-  wire is_new_s1 = {record_1_s1, record_0_s1} == 2'd0;  // units/packet_decoder.h:46
+  wire is_new_s1 = {record_1_s1, record_0_s1} == 2'd0;  // units/packet_decoder.h:49
   wire [3:0] job_active_s1 = record_data_i[5:2];
 
   // ---- state, rows and tokens written ----
   always @(posedge clk_i) begin
     if (!rst_ni) origin_x_q <= 24'd0;
-    else if (valid_s1) origin_x_q <= mux_3_s1;
+    else if (valid_s1) origin_x_q <= r_origin_x_s1;
   end
   always @(posedge clk_i) begin
     if (!rst_ni) origin_y_q <= 24'd0;
-    else if (valid_s1) origin_y_q <= mux_2_s1;
+    else if (valid_s1) origin_y_q <= r_origin_y_s1;
   end
   always @(posedge clk_i) begin
     if (!rst_ni) origin_z_q <= 24'd0;
-    else if (valid_s1) origin_z_q <= mux_1_s1;
+    else if (valid_s1) origin_z_q <= r_origin_z_s1;
   end
   assign record_en_o = valid_s0;
   assign record_addr_o = in_packet_s0;
@@ -112,7 +112,7 @@ module packet_decoder #(
     .BOUNDED(UNIT_RAY_BOUNDED)) unit_ray_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s1 && (~(in_point_s1 | record_0_s1))), .ready_o(unit_ray_room),
-    .data_i({vector_56_s1, vector_32_s1, in_vector_x_s1, mux_1_s1, mux_2_s1, mux_3_s1, is_new_s1, in_ray_s1, in_packet_s1}),
+    .data_i({in_vector_z_s1, in_vector_y_s1, in_vector_x_s1, r_origin_z_s1, r_origin_y_s1, r_origin_x_s1, is_new_s1, in_ray_s1, in_packet_s1}),
     .valid_o(unit_ray_valid_o), .ready_i(unit_ray_ready_i), .data_o(unit_ray_data_o));
   hls_fifo #(.WIDTH(63), .DEPTH(ENTER_OBJECT_DEPTH), .MARGIN(ENTER_OBJECT_BOUNDED ? 0 : 1),
     .BOUNDED(ENTER_OBJECT_BOUNDED)) enter_object_fifo (
@@ -122,19 +122,19 @@ module packet_decoder #(
     .valid_o(enter_object_valid_o), .ready_i(enter_object_ready_i), .data_o(enter_object_data_o));
   assign ray_0_en_o = valid_s1 && ((in_ray_s1 == 2'd0) & and_1_s1);
   assign ray_0_addr_o = {level_s1, in_packet_s1};
-  assign ray_0_data_o = {vector_56_s1, vector_32_s1, in_vector_x_s1, mux_1_s1, mux_2_s1, mux_3_s1};
+  assign ray_0_data_o = {in_vector_z_s1, in_vector_y_s1, in_vector_x_s1, r_origin_z_s1, r_origin_y_s1, r_origin_x_s1};
   assign ray_1_en_o = valid_s1 && ((in_ray_s1 == 2'd1) & and_1_s1);
   assign ray_1_addr_o = {level_s1, in_packet_s1};
-  assign ray_1_data_o = {vector_56_s1, vector_32_s1, in_vector_x_s1, mux_1_s1, mux_2_s1, mux_3_s1};
+  assign ray_1_data_o = {in_vector_z_s1, in_vector_y_s1, in_vector_x_s1, r_origin_z_s1, r_origin_y_s1, r_origin_x_s1};
   assign ray_2_en_o = valid_s1 && ((in_ray_s1 == 2'd2) & and_1_s1);
   assign ray_2_addr_o = {level_s1, in_packet_s1};
-  assign ray_2_data_o = {vector_56_s1, vector_32_s1, in_vector_x_s1, mux_1_s1, mux_2_s1, mux_3_s1};
+  assign ray_2_data_o = {in_vector_z_s1, in_vector_y_s1, in_vector_x_s1, r_origin_z_s1, r_origin_y_s1, r_origin_x_s1};
   assign ray_3_en_o = valid_s1 && (eq_5_s1 & and_1_s1);
   assign ray_3_addr_o = {level_s1, in_packet_s1};
-  assign ray_3_data_o = {vector_56_s1, vector_32_s1, in_vector_x_s1, mux_1_s1, mux_2_s1, mux_3_s1};
+  assign ray_3_data_o = {in_vector_z_s1, in_vector_y_s1, in_vector_x_s1, r_origin_z_s1, r_origin_y_s1, r_origin_x_s1};
   assign vectors_en_o = valid_s1 && triangle_s1;
   assign vectors_addr_o = {level_s1, in_packet_s1, in_ray_s1, not_1_s1};
-  assign vectors_data_o = {vector_56_s1, vector_32_s1, in_vector_x_s1};
+  assign vectors_data_o = {in_vector_z_s1, in_vector_y_s1, in_vector_x_s1};
 
   wire unused = &{1'b0,
     record_data_i[22:6],

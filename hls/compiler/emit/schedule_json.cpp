@@ -1,0 +1,37 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <nlohmann/json.hpp>
+
+#include "emit/emit.h"
+
+namespace hlsc {
+
+unsigned fifo_depth(const Schedule& schedule) {
+  unsigned depth = 1;
+  while (depth < static_cast<unsigned>(schedule.stages) + 3) depth *= 2;
+  return depth;
+}
+
+std::string emit_schedule(const Circuit& c, const Schedule& schedule, const Options& options) {
+  using Json = nlohmann::ordered_json;
+  Json rams = Json::object();
+  for (CellId id = 0; id < c.cells.size(); ++id) {
+    const CellKind kind = c.cells[id].kind;
+    if (kind != CellKind::kRowRead && kind != CellKind::kRowWrite) continue;
+    const Port& port = c.port_of(id);
+    if (port.kind == PortKind::kRamRead || port.kind == PortKind::kRamWrite) {
+      rams[port.name] = schedule.stage[id];
+    }
+  }
+  const Json json = {{"unit", c.netlist.unit},
+                     {"module", c.netlist.module},
+                     {"clock_ns", options.clock_ns},
+                     {"device", options.delay.name},
+                     {"stages", schedule.stages},
+                     // The margin of the FIFOs (rtl/lib/hls_fifo.v) is all stages but one.
+                     {"room", fifo_depth(schedule) - (static_cast<unsigned>(schedule.stages) - 1)},
+                     {"ram_stages", rams}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace hlsc

@@ -1,0 +1,78 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Ray reciprocal: on the way of every ray into a level of the traversal, the reciprocals of its
+// direction's components, one a clock by one divider, so that the four slices multiply where they
+// would divide. What the slices read of a ray is its origin and these; the ray is saved before its
+// packet can come to them, as a new ray's reset and an object's entry are sent on from here.
+//
+// A reciprocal has its component's sign, and a power of two's is exact. The range of the numbers is
+// not symmetric: of magnitudes from 2^-bias to 2^bias the reciprocal lies within, that of a larger
+// one, less than 2^(bias + 2), becomes the smallest number, so planes seem up to four times farther
+// along such a component.
+#pragma once
+
+#include "units/tokens.h"
+
+namespace dynrt {
+
+template <class C>
+struct RayReciprocal {
+  using Real = typename C::Real;
+
+  hls::In<Repeated<TracedRay<C>>> traced;
+  hls::Out<UnitRay<C>> reset;
+  hls::PortIf<!kClipsToBox<C>, hls::Out<TraversalEvent<C>>> enter_object;
+  hls::PortIf<kClipsToBox<C>, hls::Out<ObjectRay<C>>> object_ray;  ///< with the reciprocals
+  hls::RamWrite<Ray<Real>, kLevelRows<C>> ray[kRays];
+  HLS_PORTS(traced, reset, enter_object, object_ray, ray[0], ray[1], ray[2], ray[3])
+
+  void step() {
+    const Repeated<TracedRay<C>> j = traced.read();
+    const ObjectRay<C>& in = j.job.ray;
+    const Vector<Real>& d = in.in_object.direction;
+    const Real component = j.index == RepeatCount(0) ? d.x : j.index == RepeatCount(1) ? d.y : d.z;
+    const Real reciprocal = Real::one() / component;
+    const Ray<Real> saved{in.in_object.origin, {x_, y_, reciprocal}};
+    if (j.index == RepeatCount(0)) x_ = reciprocal;
+    if (j.index == RepeatCount(1)) y_ = reciprocal;
+
+    if (j.last) {
+      const Level level = uint<1>(!j.job.is_new);
+      for (unsigned i = 0; i < kRays; ++i) {
+        if (in.ray == RayIndex::from(i)) ray[i].write(level_row<C>(level, in.packet), saved);
+      }
+      if (j.job.is_new) {
+        UnitRay<C> first;
+        first.packet = in.packet;
+        first.ray = in.ray;
+        first.reset = true;
+        reset.write(first);
+      } else {
+        enter(in, saved);
+      }
+    }
+  }
+
+ private:
+  void enter(const ObjectRay<C>& in, const Ray<Real>& saved) {
+    if constexpr (kClipsToBox<C>) {
+      ObjectRay<C> out = in;
+      out.in_object = saved;
+      object_ray.write(out);
+    } else if (in.ray == RayIndex(3)) {
+      TraversalEvent<C> event;
+      event.packet = in.packet;
+      event.level = 1;
+      event.kind = TraversalKind::kEnter;
+      event.next = in.root;
+      event.active = in.active;
+      event.apart = in.apart;
+      enter_object.write(event);
+    }
+  }
+
+  Real x_, y_;  ///< of the ray whose last axis is to come
+};
+
+}  // namespace dynrt

@@ -1,0 +1,120 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "units/ray_reciprocal.h"
+
+#include <cmath>
+
+#include "units/test_bench.h"
+
+namespace dynrt {
+namespace {
+
+struct C : test::Config<8> {
+  static constexpr Divider kDivider = Divider::kReciprocal;
+};
+struct Boxed : C {
+  static constexpr ObjectBox kObjectBox = ObjectBox::kUnit;
+};
+static_assert(kHasReciprocals<C> && kHasReciprocals<Boxed>);
+using Vec = Vector<Real>;
+constexpr int kBias = Real::kBias;
+
+Real real(double value) { return Real::from_double(value); }
+
+template <class Config>
+class Reciprocals : public testing::Test {
+ protected:
+  /// As the join's repeater sends it.
+  void send(bool is_new, unsigned ray, const Vec& direction) {
+    Repeated<TracedRay<Config>> traced;
+    traced.job.is_new = is_new;
+    traced.job.ray.packet = 5;
+    traced.job.ray.ray = RayIndex::from(ray);
+    traced.job.ray.active = RayMask(0b1011);
+    traced.job.ray.root = 1234;
+    traced.job.ray.in_object = {kOrigin, direction};
+    for (unsigned axis = 0; axis <= traced.job.repeat.to_u64(); ++axis) {
+      traced.index = RepeatCount::from(axis);
+      traced.last = axis == traced.job.repeat.to_u64();
+      bench_.feed(bench_.unit.traced, traced);
+    }
+    bench_.run();
+  }
+  Ray<Real> saved(unsigned level, unsigned ray) {
+    const auto row = level_row<Config>(Level::from(level), PacketId<Config>(5));
+    return bench_.rows(bench_.unit.ray[ray])[row.to_u64()];
+  }
+  const Vec kOrigin{real(1), real(2), real(3)};
+  test::Bench<RayReciprocal<Config>> bench_;
+};
+using RayReciprocals = Reciprocals<C>;
+using BoxedRayReciprocals = Reciprocals<Boxed>;
+
+TEST_F(RayReciprocals, ANewRayIsSavedForTheTopLevelBeforeItsReset) {
+  send(true, 2, {real(0.5), real(-3), real(1024)});
+  const UnitRay<C> reset = bench_.take_one(bench_.unit.reset);
+  EXPECT_TRUE(reset.reset);
+  EXPECT_EQ(reset.packet, PacketId<C>(5));
+  EXPECT_EQ(reset.ray, RayIndex(2));
+  EXPECT_TRUE(bench_.take(bench_.unit.enter_object).empty());
+  const Ray<Real> ray = saved(0, 2);
+  EXPECT_EQ(ray.origin.y, real(2));
+  EXPECT_EQ(ray.direction.x, real(2));
+  EXPECT_EQ(ray.direction.y, Real::one() / real(-3));
+  EXPECT_EQ(ray.direction.z, real(1.0 / 1024));
+}
+
+TEST_F(RayReciprocals, APacketEntersAnObjectAfterItsLastRay) {
+  for (unsigned ray = 0; ray < kRays; ++ray) {
+    EXPECT_TRUE(bench_.take(bench_.unit.enter_object).empty()) << ray;
+    send(false, ray, {real(ray + 1), real(4), real(4)});
+  }
+  const TraversalEvent<C> e = bench_.take_one(bench_.unit.enter_object);
+  EXPECT_EQ(e.kind, TraversalKind::kEnter);
+  EXPECT_EQ(e.packet, PacketId<C>(5));
+  EXPECT_EQ(e.level, Level(1));
+  EXPECT_EQ(e.next, Address(1234));
+  EXPECT_EQ(e.active, RayMask(0b1011));
+  EXPECT_TRUE(bench_.take(bench_.unit.reset).empty());
+  EXPECT_EQ(saved(1, 1).direction.x, real(0.5));
+  EXPECT_EQ(saved(1, 3).direction.x, real(0.25));
+}
+
+TEST_F(BoxedRayReciprocals, GoOnToTheBoxWithEveryRay) {
+  for (unsigned ray = 0; ray < kRays; ++ray) send(false, ray, {real(2), real(4), real(-8)});
+  const auto rays = bench_.take(bench_.unit.object_ray);
+  ASSERT_EQ(rays.size(), kRays);
+  EXPECT_EQ(rays[3].ray, RayIndex(3));
+  EXPECT_EQ(rays[3].root, Address(1234));
+  EXPECT_EQ(rays[3].in_object.origin.z, real(3));
+  EXPECT_EQ(rays[3].in_object.direction.z, real(-0.125));
+}
+
+TEST_F(RayReciprocals, HaveTheDirectionsSignWhateverItsSize) {
+  hls::testing::Random random(1);
+  for (unsigned i = 0; i < 3000; ++i) {
+    const Vec d{hls::testing::random_leaf<Real>(random), hls::testing::random_leaf<Real>(random),
+                hls::testing::random_leaf<Real>(random)};
+    send(true, 0, d);
+    const Vec r = saved(0, 0).direction;
+    EXPECT_EQ(r.x.sign(), d.x.sign());
+    EXPECT_EQ(r.y.sign(), d.y.sign());
+    EXPECT_EQ(r.z.sign(), d.z.sign());
+  }
+}
+
+TEST_F(RayReciprocals, SaturateForDirectionsAboveTheRangesMiddleAlone) {
+  const Real edge = real(std::ldexp(1, kBias));
+  send(true, 0, {-Real::smallest(), edge, -Real::largest()});
+  const Vec r = saved(0, 0).direction;
+  EXPECT_EQ(r.x, real(-std::ldexp(1, kBias))) << "the smallest has a reciprocal";
+  EXPECT_EQ(r.y, Real::smallest()) << "2^bias is the largest whose reciprocal is exact";
+  EXPECT_EQ(r.z, -Real::smallest()) << "saturated: the exact one is four times smaller";
+  // What is twice the middle has half the reciprocal, which no number is.
+  send(true, 0, {real(std::ldexp(1, kBias - 1)), real(std::ldexp(1, kBias + 1)), edge});
+  EXPECT_EQ(saved(0, 0).direction.x, real(std::ldexp(1, 1 - kBias)));
+  EXPECT_EQ(saved(0, 0).direction.y, Real::smallest());
+}
+
+}  // namespace
+}  // namespace dynrt

@@ -1,0 +1,138 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// dynrt measure: one frame of the native model beside the truth, as data and as pictures. What
+// `dynrt report error` does for every scene and variant.
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "host/app/arguments.h"
+#include "host/app/board_frame.h"
+#include "host/app/command.h"
+#include "host/app/progress.h"
+#include "host/app/text.h"
+#include "host/render/output_file.h"
+#include "host/render/write_image.h"
+#include "host/truth/measures.h"
+
+namespace dynrt::host {
+
+namespace {
+
+struct Arguments {
+  SceneArguments scene;
+  std::string configuration = "thesis";
+  std::string schedule;
+  std::optional<unsigned> reflections;
+  std::string out;
+  std::string json;
+};
+
+nlohmann::ordered_json counters_json(const Frame& frame) {
+  nlohmann::ordered_json counters;
+  for (const Counter& counter : frame.counters) counters[counter.name] = counter.value;
+  return counters;
+}
+
+struct Expected {
+  TruthFrame truth;
+  nlohmann::ordered_json measures;
+};
+
+Expected expected_of(const Frame& frame, const FrameOptions& options, const Prepared& prepared) {
+  const Progress progress("computing the truth");
+  const Truth truth(prepared.scene);
+  const FrameConfig config =
+      frame_config(frame.board, options, addresses_of(prepared.frame, prepared.scene));
+  Expected expected{truth_of_frame(truth, prepared.camera, shading_of(frame.board, config)), {}};
+  const MatrixOwners owners(prepared.scene, prepared.objects, prepared.frame,
+                            form_for(frame.board));
+  expected.measures = measure(truth, expected.truth, frame, owners, frame.board.format->number);
+  return expected;
+}
+
+void write_picture(const std::string& path, const Frame& like, std::vector<std::uint32_t> pixels) {
+  Frame picture;
+  picture.width = like.width;
+  picture.height = like.height;
+  picture.pixels = std::move(pixels);
+  write_image(path, picture);
+}
+
+std::string text_of(const nlohmann::ordered_json& measures) {
+  std::string text;
+  for (const auto& [kind, figures] : measures.items()) {
+    for (const auto& [name, figure] : figures.items()) {
+      text += fmt::format("  {:<28}{:>14}\n", kind + "." + name,
+                          figure.is_null() ? "-" : fmt::format("{:.6g}", figure.get<double>()));
+    }
+  }
+  return text;
+}
+
+int run(const Arguments& arguments) {
+  FrameOptions options;
+  std::tie(options.width, options.height) = parse_size(arguments.scene.size);
+  check_size(options.width, options.height);
+  options.reflections = arguments.reflections;
+  const auto path = [&](const char* name) {
+    return arguments.out.empty() ? "" : (std::filesystem::path(arguments.out) / name).string();
+  };
+  const Output outputs[] = {{"--out", path("image.png")}, {"--json", arguments.json}};
+  check_outputs(outputs);
+  const auto board =
+      open_board({"model", arguments.configuration, "", arguments.schedule}, options);
+  const Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->info());
+  const Frame frame = render_on(*board, options, prepared);
+  const Expected expected = expected_of(frame, options, prepared);
+
+  if (!arguments.out.empty()) {
+    write_image(path("image.png"), frame);
+    write_picture(path("truth.png"), frame, expected.truth.pixels);
+    write_picture(path("difference.png"), frame,
+                  difference_picture(expected.truth.pixels, frame.pixels));
+  }
+  if (!arguments.json.empty()) {
+    nlohmann::ordered_json json;
+    if (frame.run.cycles) json["clocks"] = *frame.run.cycles;
+    json["seconds"] = {{"model", frame.run.seconds}, {"truth", expected.truth.seconds}};
+    json["counters"] = counters_json(frame);
+    json["measures"] = expected.measures;
+    write_text(arguments.json, json.dump(2) + "\n");
+  }
+  say(fmt::format("{}model       {:.2f} s\ntruth       {:.2f} s\n{}", prepared.text(),
+                  frame.run.seconds, expected.truth.seconds, text_of(expected.measures)));
+  return kDone;
+}
+
+}  // namespace
+
+Command add_measure_command(CLI::App& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      program.add_subcommand("measure", "hold a frame of the native model beside the truth");
+  arguments->scene.add_to(*command, true);
+  add_configuration_flag(*command, arguments->configuration);
+  command
+      ->add_option("--schedule", arguments->schedule,
+                   "count clocks by the schedules in this folder (scripts/configuration --verilog)")
+      ->option_text("FOLDER");
+  command
+      ->add_option("--reflections", arguments->reflections,
+                   "bounces of a ray, at most; default: all that the configuration has")
+      ->option_text("N")
+      ->check(not_a_count);
+  command
+      ->add_option(
+          "--out", arguments->out,
+          "folder for the pictures: image.png, truth.png and difference.png, 16 times what "
+          "differs")
+      ->option_text("FOLDER");
+  add_json_flag(*command, arguments->json);
+  return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,162 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// dynrt stress: the stiff and extreme cases of host/stress on a board, a line each.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "host/app/arguments.h"
+#include "host/app/command.h"
+#include "host/app/progress.h"
+#include "host/app/text.h"
+#include "host/board/load_configuration.h"
+#include "host/error.h"
+#include "host/render/output_file.h"
+#include "host/stress/messages.h"
+#include "host/stress/run.h"
+
+namespace dynrt::host {
+
+namespace {
+
+struct Arguments {
+  std::vector<std::string> cases;
+  std::string board = "model";
+  std::string configuration = "thesis";
+  std::string format;
+  std::string json;
+  bool list = false;
+  bool markdown = false;
+};
+
+/// Configurations in another number format: files that the program builds when they are loaded.
+class OtherFormat {
+ public:
+  explicit OtherFormat(const std::string& format) {
+    const std::size_t comma = format.find(',');
+    if (comma == std::string::npos || !parse(format.substr(0, comma), exponent_bits_) ||
+        !parse(format.substr(comma + 1), mantissa_bits_)) {
+      refuse(stress::messages::kFormat, format);
+    }
+    std::string pattern = (std::filesystem::temp_directory_path() / "dynrt-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    folder_ = pattern;
+  }
+  ~OtherFormat() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  OtherFormat(const OtherFormat&) = delete;
+  OtherFormat& operator=(const OtherFormat&) = delete;
+
+  /// The file of a configuration of the table, with its format changed.
+  std::string file(const std::string& configuration) const {
+    if (is_configuration_file(configuration)) {
+      refuse(stress::messages::kFormatOfFile, configuration);
+    }
+    const std::string table = std::string(this_build().scripts) + "/../hls/configs/configs.json";
+    const auto all = nlohmann::ordered_json::parse(std::ifstream(table));
+    if (!all.contains(configuration)) refuse(stress::messages::kNotBuilt, configuration, table);
+    nlohmann::ordered_json keys = all.at(configuration);
+    keys["exponent_bits"] = exponent_bits_;
+    keys["mantissa_bits"] = mantissa_bits_;
+    const auto path =
+        folder_ / fmt::format("{}_{}_{}.json", configuration, exponent_bits_, mantissa_bits_);
+    std::ofstream(path) << keys.dump(2);
+    return path.string();
+  }
+
+ private:
+  unsigned exponent_bits_ = 0, mantissa_bits_ = 0;
+  std::filesystem::path folder_;
+};
+
+std::vector<std::string> groups() {
+  std::vector<std::string> names;
+  for (const stress::Case& c : stress::cases()) {
+    if (names.empty() || names.back() != c.group) names.push_back(c.group);
+  }
+  return names;
+}
+
+int list(std::span<const stress::Case* const> cases) {
+  std::string text;
+  for (const stress::Case* c : cases) {
+    text += fmt::format("{:<36}{}\n", c->full_name(), c->about);
+  }
+  say(text);
+  return kDone;
+}
+
+int run(const Arguments& arguments) {
+  const std::vector<const stress::Case*> cases = stress::find_cases(arguments.cases);
+  if (arguments.list) return list(cases);
+  if (!arguments.json.empty()) check_output_path(arguments.json);
+  std::optional<OtherFormat> format;
+  if (!arguments.format.empty()) format.emplace(arguments.format);
+  stress::Boards boards(
+      [&](const std::string& configuration) {
+        const std::string file = format ? format->file(configuration) : configuration;
+        return make_board(configurations(), {arguments.board, file, ""});
+      },
+      arguments.configuration);
+  boards.get();  // what is wrong with it comes first
+
+  const auto begin = std::chrono::steady_clock::now();
+  std::vector<stress::Result> results;
+  for (const stress::Case* c : cases) {
+    {
+      Progress progress(
+          fmt::format("{} ({} of {})", c->full_name(), results.size() + 1, cases.size()));
+      results.push_back(stress::run_case(*c, boards));
+    }
+    if (!arguments.markdown) say(stress::line_of(results.back()) + "\n");
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  if (!arguments.json.empty()) {
+    const auto json =
+        stress::json_of(results, arguments.configuration, arguments.board, seconds.count());
+    write_text(arguments.json, json.dump(2) + "\n");
+  }
+  say(arguments.markdown ? stress::markdown_of(results)
+                         : stress::summary_of(results, seconds.count()) + "\n");
+  const bool all_within = std::ranges::all_of(results, &stress::Result::within);
+  return all_within ? kDone : kDifferent;
+}
+
+}  // namespace
+
+Command add_stress_command(CLI::App& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand(
+      "stress", "stiff and extreme cases: what goes wrong how often, against what is allowed");
+  command
+      ->add_option("CASE", arguments->cases,
+                   fmt::format("cases by name (group/name) or whole groups ({}); default: all",
+                               fmt::join(groups(), ", ")))
+      ->option_text(" ");
+  command->add_flag("--list", arguments->list, "say what the cases are, and run none");
+  command->add_option("--board", arguments->board, "model or rtl")->option_text("BOARD [model]");
+  add_configuration_flag(*command, arguments->configuration);
+  command
+      ->add_option("--format", arguments->format,
+                   "bits of exponent and mantissa in place of the configuration's, which is built "
+                   "for it; nothing is stated of how much may go wrong then")
+      ->option_text("E,M");
+  command->add_flag("--markdown", arguments->markdown,
+                    "print the results as the table of the docs");
+  add_json_flag(*command, arguments->json);
+  return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace dynrt::host

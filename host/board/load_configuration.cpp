@@ -1,0 +1,81 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/board/load_configuration.h"
+
+#include <dlfcn.h>
+#include <elf.h>
+
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+
+#include "host/board/messages.h"
+#include "host/error.h"
+
+namespace dynrt::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Loaded {
+  std::string name;
+  Configuration configuration;
+};
+
+/// The loader would map a library that was cut off and crash when it is used. The table of sections
+/// stands at the end of a library, so if that is there, all of it is.
+bool is_whole_library(const std::string& path) {
+  Elf64_Ehdr header{};
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(reinterpret_cast<char*>(&header), sizeof header)) return false;
+  if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_type != ET_DYN) return false;
+  const std::uint64_t end = header.e_shoff + std::uint64_t{header.e_shentsize} * header.e_shnum;
+  return header.e_shoff > 0 && end <= fs::file_size(path);
+}
+
+template <class Symbol>
+Symbol symbol(void* library, const char* name) {
+  return reinterpret_cast<Symbol>(dlsym(library, name));
+}
+
+Loaded open(const std::string& path, std::string name) {
+  std::error_code error;
+  if (!fs::exists(path, error)) refuse(messages::kNoConfigurationFile, path);
+  if (!is_whole_library(path)) refuse(messages::kNotALibrary, path);
+  // An absolute path, as the loader looks for bare names elsewhere.
+  void* library = dlopen(fs::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) refuse(messages::kNotLoaded, path, std::string(dlerror()));
+  const auto* fingerprint = symbol<const char*>(library, "dynrt_configuration_fingerprint");
+  const auto configuration = symbol<const Configuration* (*)()>(library, "dynrt_configuration");
+  if (fingerprint == nullptr || configuration == nullptr) {
+    dlclose(library);
+    refuse(messages::kForeignLibrary, path);
+  }
+  if (fingerprint != this_build().fingerprint) {
+    dlclose(library);
+    refuse(messages::kOtherBuild, path);
+  }
+  return {std::move(name), *configuration()};
+}
+
+}  // namespace
+
+bool is_configuration_file(std::string_view name) {
+  return name.ends_with(".so") || name.ends_with(".json");
+}
+
+const Configuration& load_configuration(const std::string& path) {
+  static std::map<std::string, std::unique_ptr<Loaded>> loaded;
+  auto& slot = loaded[path];
+  if (!slot) {
+    const std::string library = path.ends_with(".json") ? make_configuration(path) : path;
+    slot = std::make_unique<Loaded>(open(library, fs::path(path).stem().string()));
+    slot->configuration.name = slot->name;
+  }
+  return slot->configuration;
+}
+
+}  // namespace dynrt::host

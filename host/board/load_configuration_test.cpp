@@ -1,0 +1,92 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/board/load_configuration.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "host/error.h"
+
+namespace dynrt::host {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+class LoadConfiguration : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ =
+        fs::path(testing::TempDir()) /
+        (std::string("load_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    std::ifstream file(DYNRT_LOADABLE_LIBRARY, std::ios::binary);
+    library_.assign(std::istreambuf_iterator<char>(file), {});
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string written(const std::string& name, const std::string& content) const {
+    const std::string path = (folder_ / name).string();
+    std::ofstream(path, std::ios::binary) << content;
+    return path;
+  }
+  /// The library with a text in place of another of the same length.
+  std::string with(const std::string& old, const std::string& text) const {
+    std::string library = library_;
+    for (std::size_t at = 0; (at = library.find(old, at)) != std::string::npos;) {
+      library.replace(at, old.size(), text);
+    }
+    return library;
+  }
+  std::string of_this_build() const {
+    return with(std::string(32, '0'), std::string(this_build().fingerprint));
+  }
+
+  fs::path folder_;
+  std::string library_;
+};
+
+TEST_F(LoadConfiguration, IsNamedByItsFileAndKept) {
+  const std::string path = written("mine.so", of_this_build());
+  const Configuration& loaded = load_configuration(path);
+  EXPECT_EQ(loaded.name, "mine");
+  EXPECT_EQ(loaded.info().packets, 3u);
+  EXPECT_EQ(&load_configuration(path), &loaded);
+  const auto board = make_board({}, {"model", path, ""});
+  EXPECT_EQ(board->info().configuration, "mine");
+  EXPECT_EQ(board->info().packets, 3u);
+}
+
+TEST_F(LoadConfiguration, SaysWhyAFileIsNone) {
+  const auto expect_refused = [](const std::string& path, const std::string& what) {
+    EXPECT_THAT([&] { load_configuration(path); },
+                ThrowsMessage<UserError>("--config " + path + ": " + what));
+  };
+  expect_refused("nowhere.so", "there is no such file");
+  expect_refused("nowhere.json", "there is no such file");
+  constexpr char kNotWhole[] =
+      "is no whole shared library; make it anew with scripts/configuration";
+  expect_refused(written("text.so", "no library"), kNotWhole);
+  expect_refused(written("cut.so", of_this_build().substr(0, library_.size() - 100)), kNotWhole);
+  expect_refused(written("other.so", library_),
+                 "was made of other sources or by another compiler than this program; make it "
+                 "anew with scripts/configuration");
+  expect_refused(written("foreign.so", with("dynrt_configuration", "other_configuration")),
+                 "is a shared library, but no configuration of dynrt; scripts/configuration makes "
+                 "those");
+}
+
+TEST_F(LoadConfiguration, WhatTheScriptRefusesIsTheUsersMistake) {
+  const std::string path = written("mine.json", R"({"packets": 0})");
+  EXPECT_THAT([&] { load_configuration(path); },
+              ThrowsMessage<UserError>(AllOf(HasSubstr("--config " + path + ": "),
+                                             HasSubstr("key 'packets' (packets in flight)"))));
+}
+
+}  // namespace
+}  // namespace dynrt::host

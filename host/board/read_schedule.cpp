@@ -1,0 +1,35 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/board/read_schedule.h"
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "host/board/messages.h"
+#include "host/error.h"
+
+namespace dynrt::host {
+
+hls::Schedule read_schedule(const std::string& folder) {
+  hls::Schedule schedule;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.path().extension() != ".json") continue;
+    std::ifstream file(entry.path());
+    const auto json = nlohmann::json::parse(file, nullptr, false);
+    try {
+      if (!json.is_discarded() && !json.contains("stages")) continue;  // of something else
+      hls::ModuleSchedule& module = schedule[json.at("module").get<std::string>()];
+      module.stages = json.at("stages").get<unsigned>();
+      module.room = json.at("room").get<unsigned>();
+      module.ram_stages = json.at("ram_stages").get<std::map<std::string, unsigned>>();
+    } catch (const nlohmann::json::exception&) {
+      refuse(messages::kBadSchedule, entry.path().string());
+    }
+  }
+  if (schedule.empty()) refuse(messages::kNoSchedule, folder);
+  return schedule;
+}
+
+}  // namespace dynrt::host

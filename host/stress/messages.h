@@ -1,0 +1,17 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What dynrt stress says when something is wrong.
+#pragma once
+
+namespace dynrt::host::stress::messages {
+
+inline constexpr char kFormat[] =
+    "--format {}: write the bits of exponent and mantissa, for example 7,12";
+inline constexpr char kFormatOfFile[] =
+    "--format: --config {} is a file, which has its own format; name a configuration";
+inline constexpr char kNotBuilt[] = "--format: there is no configuration '{}' in {}";
+inline constexpr char kNoCase[] =
+    "there is no stress case or group '{}'; give one of these, or the part before the slash: {}";
+
+}  // namespace dynrt::host::stress::messages

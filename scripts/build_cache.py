@@ -1,0 +1,98 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""A folder that keeps what was built, under a key of all that it was built of.
+
+An entry is there as a whole or not at all: it is built in a folder beside its place and moved there
+when it is complete. Whoever wants what another is building waits for it. What a build that was cut
+off has left, the next build of the same thing removes.
+"""
+
+import contextlib
+import errno
+import fcntl
+import os
+import pathlib
+import shutil
+import tempfile
+
+PARTIAL = ".partial"
+
+
+class CacheError(Exception):
+    """Why something cannot be kept or built, in a sentence."""
+
+
+def default_folder():
+    """DYNRT_CACHE, or what the desktop standards give a program for such things."""
+    if named := os.environ.get("DYNRT_CACHE"):
+        return pathlib.Path(named).absolute()
+    base = os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache"
+    return pathlib.Path(base).absolute() / "dynrt"
+
+
+def full_disk(folder):
+    return (f"the disk that holds the cache {folder} is full; free some space or let DYNRT_CACHE "
+            "name a folder elsewhere")
+
+
+def _sync(made):
+    """So that a machine that loses its power keeps no entry with empty files."""
+    for path in [made, *made.rglob("*")]:
+        if path.is_file():
+            with path.open("rb") as file:
+                os.fsync(file.fileno())
+
+
+class BuildCache:
+    def __init__(self, folder=None):
+        self.folder = pathlib.Path(folder) if folder else default_folder()
+
+    def get(self, key, build, wait=lambda: None):
+        """The path of an entry. `build` makes it in an empty folder, of which it gives the file or
+        folder that is kept; `wait` is called before waiting for somebody else's build."""
+        entry = self.folder / key
+        if entry.exists():
+            return entry
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+            with self._locked(key, wait) as alone:
+                if not entry.exists():
+                    self._make(entry, build, alone)
+        except OSError as error:
+            if error.errno == errno.ENOSPC:
+                raise CacheError(full_disk(self.folder)) from error
+            raise CacheError(f"the cache {self.folder} cannot be written ({error.strerror}); let "
+                             "DYNRT_CACHE name a folder that can") from error
+        return entry
+
+    @contextlib.contextmanager
+    def _locked(self, key, wait):
+        """True while nobody else builds this, False where the file system cannot tell."""
+        with (self.folder / f"{key}.lock").open("w") as file:
+            try:
+                try:
+                    fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                except BlockingIOError:
+                    wait()
+                    fcntl.flock(file, fcntl.LOCK_EX)
+                alone = True
+            except OSError:
+                alone = False
+            yield alone
+
+    def _make(self, entry, build, alone):
+        if alone:
+            for left in self.folder.glob(f"{entry.name}.*{PARTIAL}"):
+                shutil.rmtree(left, ignore_errors=True)
+        partial = pathlib.Path(tempfile.mkdtemp(prefix=f"{entry.name}.", suffix=PARTIAL,
+                                                dir=self.folder))
+        try:
+            made = pathlib.Path(build(partial))
+            _sync(made)
+            try:
+                made.rename(entry)
+            except OSError:  # a folder that is not empty: another was faster
+                if not entry.exists():
+                    raise
+        finally:
+            shutil.rmtree(partial, ignore_errors=True)

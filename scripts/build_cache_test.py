@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The cache keeps whole entries alone, whoever else is at work, and says why it cannot keep one."""
+
+import errno
+import multiprocessing
+import os
+import pathlib
+import signal
+import tempfile
+import time
+import unittest
+
+from build_cache import BuildCache, CacheError
+
+
+def build_text(text, seconds=0.0, started=None, builds=None):
+    """A build that writes two files and counts itself."""
+    def build(folder):
+        if builds is not None:
+            with builds.get_lock():
+                builds.value += 1
+        made = folder / "made"
+        made.mkdir()
+        (made / "first").write_text(text, encoding="utf-8")
+        if started is not None:
+            started.set()
+        time.sleep(seconds)
+        (made / "second").write_text(text, encoding="utf-8")
+        return made
+    return build
+
+
+class Cache(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name) / "cache"
+        self.cache = BuildCache(self.folder)
+
+    def names(self, suffix):
+        return [p.name for p in self.folder.iterdir() if p.name.endswith(suffix)]
+
+    def assert_whole(self, entry, text):
+        self.assertEqual([(entry / n).read_text(encoding="utf-8") for n in ("first", "second")],
+                         [text, text])
+        self.assertEqual(self.names(".partial"), [])
+
+    def start(self, *args, **kwargs):
+        process = multiprocessing.Process(
+            target=lambda: self.cache.get("key", build_text(*args, **kwargs)))
+        process.start()
+        self.addCleanup(process.join)
+        return process
+
+    def test_builds_once(self):
+        builds = multiprocessing.Value("i", 0)
+        for _ in range(2):
+            self.assert_whole(self.cache.get("key", build_text("a", builds=builds)), "a")
+        self.assertEqual(builds.value, 1)
+
+    def test_a_file_is_an_entry_too(self):
+        def build(folder):
+            (folder / "file").write_text("a", encoding="utf-8")
+            return folder / "file"
+        self.assertEqual(self.cache.get("key", build).read_text(encoding="utf-8"), "a")
+
+    def test_two_at_once(self):
+        builds, started = multiprocessing.Value("i", 0), multiprocessing.Event()
+        first = self.start("a", seconds=0.5, started=started, builds=builds)
+        self.assertTrue(started.wait(30))
+        waited = []
+        entry = self.cache.get("key", build_text("b", builds=builds), lambda: waited.append(1))
+        first.join()
+        self.assertEqual((builds.value, waited), (1, [1]))
+        self.assert_whole(entry, "a")
+
+    def test_a_build_that_was_cut_off_is_never_used(self):
+        started = multiprocessing.Event()
+        killed = self.start("a", seconds=60, started=started)
+        self.assertTrue(started.wait(30))
+        os.kill(killed.pid, signal.SIGKILL)
+        killed.join()
+        self.assertEqual(len(self.names(".partial")), 1)
+        self.assertFalse((self.folder / "key").exists())
+        self.assert_whole(self.cache.get("key", build_text("b")), "b")
+
+    def test_a_build_that_fails_leaves_nothing(self):
+        def build(folder):
+            (folder / "half").write_text("a", encoding="utf-8")
+            raise ValueError("no")
+        with self.assertRaises(ValueError):
+            self.cache.get("key", build)
+        self.assertEqual(self.names("key") + self.names(".partial"), [])
+
+    def test_full_disk(self):
+        def build(_):
+            raise OSError(errno.ENOSPC, "No space left on device")
+        with self.assertRaisesRegex(CacheError, f"^the disk that holds the cache {self.folder} is "
+                                    "full; free some space or let DYNRT_CACHE name a folder"):
+            self.cache.get("key", build)
+
+    def test_cache_that_cannot_be_written(self):
+        self.folder.write_text("no folder", encoding="utf-8")
+        with self.assertRaisesRegex(CacheError, f"^the cache {self.folder} cannot be written .*; "
+                                    "let DYNRT_CACHE name a folder that can$"):
+            self.cache.get("key", build_text("a"))
+
+    def test_what_is_there_needs_no_writing(self):
+        (self.folder / "key").mkdir(parents=True)
+        self.folder.chmod(0o500)
+        self.addCleanup(self.folder.chmod, 0o700)
+        self.assertEqual(self.cache.get("key", None), self.folder / "key")
+        self.assertEqual(self.names(".lock"), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""scripts/configuration refuses what it cannot build, before it builds; and what its keys depend on.
+"""
+
+import importlib.machinery
+import importlib.util
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+import fingerprint
+
+SCRIPT = pathlib.Path(__file__).resolve().parent / "configuration"
+THESIS = json.loads((SCRIPT.parents[1] / "hls/configs/configs.json").read_text("utf-8"))["thesis"]
+
+
+def load_script():
+    loader = importlib.machinery.SourceFileLoader("configuration", str(SCRIPT))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("configuration", loader))
+    loader.exec_module(module)
+    return module
+
+
+class Configuration(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.file = self.folder / "mine.json"
+        # A project in miniature: the sources that decide, and what a build says of itself.
+        self.source = self.folder / "source"
+        for name in ("hls/include/float.h", "host/board/board.h", "hls/units/list.h",
+                     "hls/configs/generate", "cmake/Loadable.cmake", "rtl/lib/fifo.v"):
+            (self.source / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.source / name).write_text(name, encoding="utf-8")
+        self.hlsc = self.folder / "hlsc"
+        self.hlsc.write_text("hlsc", encoding="utf-8")
+        self.build = {"identity": {"CMAKE_CXX_FLAGS": ""}, "variables": {"DYNRT_CLOCK_NS": "10"},
+                      "source": str(self.source), "hlsc": str(self.hlsc)}
+
+    def run_on(self, keys, *flags, **environment):
+        self.file.write_text(keys if isinstance(keys, str) else json.dumps(keys), encoding="utf-8")
+        build = self.folder / "build.json"
+        build.write_text(json.dumps(self.build), encoding="utf-8")
+        return subprocess.run([SCRIPT, self.file, "--build", build, *flags], capture_output=True,
+                              text=True, check=False, env=os.environ | environment)
+
+    def assert_refused(self, keys, sentence, *flags, **environment):
+        result = self.run_on(keys, *flags, **environment)
+        self.assertEqual(result.stderr, f"configuration: {self.file}: {sentence}\n")
+        self.assertEqual((result.returncode, result.stdout), (1, ""))
+
+    def test_refused(self):
+        self.assert_refused(THESIS | {"mantissa_bits": 99},
+                            "key 'mantissa_bits' (stored mantissa bits of the float) is 99; it must "
+                            "be a whole number from 2 to 52")
+        self.assert_refused("{", "line 1, column 2 is no JSON: expecting property name enclosed in "
+                            "double quotes")
+        self.assert_refused("[]", "must be an object of keys, not []")
+        self.assert_refused(THESIS, "the sources have changed since this program was built; build "
+                            "it again", "--expect", "0")
+        self.hlsc.unlink()
+        self.assert_refused(THESIS, f"{self.hlsc} is not there; build the target hlsc, which lowers "
+                            "the units", "--verilog")
+
+    def test_programs_read_the_sentence_where_the_path_would_be(self):
+        result = self.run_on(THESIS, "--expect", "0", "--for-program")
+        self.assertEqual((result.returncode, result.stderr), (1, ""))
+        self.assertEqual(result.stdout, "the sources have changed since this program was built; "
+                         "build it again\n")
+
+    def test_cache_that_cannot_be_written(self):
+        blocked = self.folder / "file"
+        blocked.write_text("", encoding="utf-8")
+        self.assert_refused(THESIS, f"the cache {blocked} cannot be written (File exists); let "
+                            "DYNRT_CACHE name a folder that can", DYNRT_CACHE=str(blocked))
+
+    def test_a_build_that_fails_keeps_its_log(self):
+        cache = self.folder / "cache"
+        result = self.run_on(THESIS, DYNRT_CACHE=str(cache))
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, f"cannot be built: .*; the whole log is {cache}/failed.log")
+        self.assertIn("CMakeLists.txt", (cache / "failed.log").read_text("utf-8"))
+        self.assertEqual(list(cache.glob("*.partial")), [])
+
+    def test_key(self):
+        script = load_script()
+        key = lambda kind="native", **keys: script.key_of(kind, THESIS | keys, self.build)
+        native, verilog = key(), key("verilog")
+        self.assertEqual(key(about="other words"), native)
+        self.assertNotEqual(native, verilog)
+        self.assertNotEqual(key(mantissa_bits=15), native)
+        (self.source / "rtl/lib/fifo.v").write_text("changed", encoding="utf-8")
+        self.assertEqual((key(), key("verilog")), (native, verilog))
+        self.hlsc.write_text("changed", encoding="utf-8")
+        self.assertEqual(key(), native)
+        self.assertNotEqual(key("verilog"), verilog)
+        (self.source / "cmake/Loadable.cmake").write_text("changed", encoding="utf-8")
+        self.assertNotEqual(key(), native)
+
+    def test_fingerprint(self):
+        first = fingerprint.fingerprint(self.build)
+        moved = self.folder / "moved"
+        shutil.copytree(self.source, moved)
+        self.assertEqual(fingerprint.fingerprint(self.build | {"source": str(moved)}), first)
+        other = self.build | {"identity": {"CMAKE_CXX_FLAGS": "-fsanitize=address"}}
+        self.assertNotEqual(fingerprint.fingerprint(other), first)
+        (moved / "host/board/board.h").write_text("changed", encoding="utf-8")
+        self.assertNotEqual(fingerprint.fingerprint(self.build | {"source": str(moved)}), first)
+
+
+if __name__ == "__main__":
+    unittest.main()

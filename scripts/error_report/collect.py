@@ -1,0 +1,124 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Collects what the jobs of an error report left, as README.md says, and writes the report."""
+
+import contextlib
+import csv
+import errno
+import json
+import os
+import pathlib
+import re
+import shutil
+import tempfile
+
+import page
+from hardware import FAMILY
+from devices import COLUMNS, FAMILIES
+from variants import Refused
+
+PICTURES = "pictures"
+
+
+def read(path):
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def collect(folder, scenes, variants, size, build):
+    """What error.json holds, and the pictures that it names: where each is now."""
+    clock_ns = float(build["variables"]["DYNRT_CLOCK_NS"])
+    report = {"size": size, "clock_ns": clock_ns, "device": FAMILIES[FAMILY]["name"],
+              "reference": next(n for n, v in variants.items() if not v["differs"]),
+              "scenes": {}, "variants": {}, "runs": []}
+    pictures = {}
+    for name, variant in variants.items():
+        hardware = folder / "variants" / name / "hardware.json"
+        report["variants"][name] = {"differs": variant["differs"],
+                                    "configuration": variant["configuration"],
+                                    **(read(hardware) if hardware.exists() else {})}
+    for scene in scenes:
+        report["scenes"][scene] = {"about": scenes[scene]["about"]}
+        for name in variants:
+            run = read(folder / "scenes" / scene / name / "run.json")
+            for kind in ("image", "difference", "truth"):
+                picture = folder / "scenes" / scene / name / "pictures" / f"{kind}.png"
+                if not picture.exists():
+                    continue
+                if kind == "truth":
+                    goal = f"{PICTURES}/{scene}/truth.png"
+                    report["scenes"][scene].setdefault("truth", goal)
+                else:
+                    suffix = "" if kind == "image" else f".{kind}"
+                    goal = run[kind] = f"{PICTURES}/{scene}/{name}{suffix}.png"
+                pictures[goal] = picture
+            if "clocks" in run:
+                run["frame_ms"] = run["clocks"] * clock_ns / 1e6
+            report["runs"].append({"scene": scene, "variant": name, **run})
+    return report, pictures
+
+
+def measures_of(run):
+    """Every figure of a run as KIND.NAME."""
+    return {f"{kind}.{name}": value for kind, figures in run.get("measures", {}).items()
+            for name, value in figures.items()}
+
+
+def write_csv(path, report):
+    keys = list(dict.fromkeys(k for v in report["variants"].values() for k in v["differs"]))
+    measures = list(dict.fromkeys(m for run in report["runs"] for m in measures_of(run)))
+    with path.open("w", encoding="utf-8", newline="") as file:
+        rows = csv.writer(file)
+        rows.writerow(["scene", "variant", *keys, *COLUMNS, "clock_mhz", "clocks", "frame_ms",
+                       *measures, "refused"])
+        for run in report["runs"]:
+            variant = report["variants"][run["variant"]]
+            area, found = variant.get("area", {}), measures_of(run)
+            rows.writerow([run["scene"], run["variant"],
+                           *(variant["configuration"].get(k) for k in keys),
+                           *(area.get(c) for c in COLUMNS),
+                           variant.get("schedule", {}).get("clock_mhz"), run.get("clocks"),
+                           run.get("frame_ms"), *(found.get(m) for m in measures),
+                           run.get("refused")])
+
+
+@contextlib.contextmanager
+def written_first(out):
+    """A folder to write to, whose files take the place of those of the same name in `out` when all
+    are there: if the disk is full, what was there before stays as it is."""
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        for left in out.glob(".new*"):
+            shutil.rmtree(left, ignore_errors=True)
+        new = pathlib.Path(tempfile.mkdtemp(prefix=".new", dir=out))
+        try:
+            yield new
+            files = sorted(p for p in new.rglob("*") if p.is_file())
+            for path in files:
+                with path.open("rb") as file:
+                    os.fsync(file.fileno())
+            for path in files:
+                goal = out / path.relative_to(new)
+                goal.parent.mkdir(parents=True, exist_ok=True)
+                path.replace(goal)
+        finally:
+            shutil.rmtree(new, ignore_errors=True)
+    except OSError as error:
+        reason = "the disk is full" if error.errno == errno.ENOSPC else error.strerror
+        raise Refused(f"--out {out}: cannot be written ({reason}); a report that was there is as it "
+                      "was, and what was measured is kept") from error
+
+
+def write(out, report, pictures):
+    with written_first(out) as new:
+        for goal, picture in pictures.items():
+            (new / goal).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(picture, new / goal)
+        (new / "error.json").write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
+        write_csv(new / "error.csv", report)
+        page.write_page(new / "error.json", new / "error.html")
+
+
+def scene_name(scene):
+    """What a scene is called in a report: the name of a built-in one, or its file's."""
+    return re.sub(r"[^A-Za-z0-9_.-]", "_", pathlib.Path(scene.split(":")[0]).stem +
+                  ("_" + scene.split(":")[1] if ":" in scene else ""))

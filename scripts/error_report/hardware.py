@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""What the hardware of a configuration takes, out of the Verilog that hlsc made of it.
+
+Usage: hardware.py FOLDER FILE.json
+
+Each unit is synthesized for itself and counted as often as the core has it; what joins them, FIFOs
+and RAMs, is synthesized with the units as black boxes. Units that do not differ between
+configurations are many, and synthesized once (scripts/synthesis.py).
+"""
+
+import json
+import pathlib
+import re
+import sys
+import tempfile
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+# pylint: disable=wrong-import-position
+import devices
+import synthesis
+
+FAMILY = "ecp5"
+JOIN = "dynrt_core"
+LIBRARY = pathlib.Path(__file__).resolve().parents[2] / "rtl" / "lib"
+HEAD = re.compile(r"^module .*?^\);", re.MULTILINE | re.DOTALL)
+
+
+def without_comments(verilog):
+    """What decides the result: a comment that names another source line does not."""
+    return re.sub(r"//[^\n]*", "", verilog)
+
+
+def black_box(verilog):
+    """A module's ports alone."""
+    return "(* blackbox *)\n" + HEAD.search(without_comments(verilog))[0] + "\nendmodule\n"
+
+
+def cells_of(top, texts):
+    """Cells by type of module `top`, made of sources by file name."""
+    with tempfile.TemporaryDirectory() as folder:
+        files = sorted(LIBRARY.glob("*.v"))
+        for name, text in texts.items():
+            path = pathlib.Path(folder, name)
+            path.write_text(text, encoding="utf-8")
+            if name.endswith(".v"):
+                files.append(path)
+        return synthesis.cells(top, files, devices.FAMILIES[FAMILY]["synth"], top)[0]
+
+
+def figures_of(cells, count):
+    return {"instances": count, "area": devices.area(FAMILY, cells),
+            "takes": devices.resources(FAMILY, cells)}
+
+
+def total(units, key):
+    """Of all units together, each as often as the core has it."""
+    sums = {}
+    for unit in units.values():
+        for name, number in unit[key].items():
+            sums[name] = sums.get(name, 0) + unit["instances"] * number
+    return sums
+
+
+def schedule(report):
+    """Stages and longest path out of hlsc's report of a unit."""
+    stages = int(re.search(r"^stages +(\d+)$", report, re.MULTILINE)[1])
+    paths = re.findall(r"^ +\d+ +\d* +([0-9.]+)  ", report, re.MULTILINE)
+    return {"stages": stages, "longest_path_ns": max(map(float, paths))}
+
+
+def hardware(folder):
+    """Of the core in this folder: what error.json holds of a variant's hardware."""
+    core = json.loads((folder / f"{JOIN}.json").read_text(encoding="utf-8"))
+    instances = {}
+    for unit in core["units"]:
+        instances[unit["module"]] = instances.get(unit["module"], 0) + 1
+    texts = {m: (folder / f"{m}.v").read_text(encoding="utf-8") for m in instances}
+    units = {}
+    for module, count in instances.items():
+        report = (folder / f"{module}.txt").read_text(encoding="utf-8")
+        cells = cells_of(module, {f"{module}.v": without_comments(texts[module])})
+        units[module] = {**figures_of(cells, count), **schedule(report)}
+    join = {f"{m}.v": black_box(text) for m, text in texts.items()}
+    for name in (f"{JOIN}.v", f"{JOIN}.vh"):
+        join[name] = without_comments((folder / name).read_text(encoding="utf-8"))
+    units[JOIN] = figures_of(cells_of(JOIN, join), 1)
+    longest = max(u["longest_path_ns"] for u in units.values() if "stages" in u)
+    return {
+        "area": total(units, "area"),
+        "takes": total(units, "takes"),
+        "units": units,
+        "schedule": {"stages": sum(u.get("stages", 0) for u in units.values()),
+                     "longest_path_ns": longest, "clock_mhz": round(1000 / longest, 2)},
+    }
+
+
+def main():
+    folder, output = map(pathlib.Path, sys.argv[1:])
+    try:
+        figures = hardware(folder)
+    except synthesis.Failed as error:
+        sys.exit(str(error))
+    output.write_text(json.dumps(figures, indent=1), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,285 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""docs/gates.md: what scripts/gates has counted, beside the thesis's tables 7.3 to 7.5."""
+
+import re
+from collections import Counter
+
+import gate_rule
+from gate_units import (CACHE_UNITS, COMPLEXITY, COMPLEXITY_ROWS, LINES, NOTES, OPERATORS,
+                        OTHER_UNITS, PACKETS, PACKET_UNITS, bits, gates, owner)
+
+TABULATED = (*PACKET_UNITS, *CACHE_UNITS)
+NOT_COUNTED = ("(ray generation)", "(shading)", "(counters)")
+BASE = (PACKETS, LINES)
+
+
+def by_row(counts):
+    """Logic gates and memories of every row, from those of the instances and of the join."""
+    rows = {u.name: [0, []] for u in (*TABULATED, *OTHER_UNITS)} | {"(counters)": [0, []]}
+    of_instance = {name: u.name for u in (*TABULATED, *OTHER_UNITS) for name in u.modules}
+    of_instance["counters"] = "(counters)"
+    for instance, count in counts.items():
+        for memory in count.memories:
+            name = owner(memory.name) if instance == "join" else of_instance.get(instance)
+            rows[name or "DynamicRTC"][1].append((instance, memory))
+        rows[of_instance.get(instance, "DynamicRTC")][0] += count.logic
+    return rows
+
+
+def row_bits(row):
+    return sum(memory.bits for _, memory in row[1])
+
+
+def total(counts, names):
+    rows = by_row(counts)
+    return (sum(rows[n][0] for n in names), sum(row_bits(rows[n]) for n in names))
+
+
+def all_gates(counts):
+    """What the thesis's C_RTC and Bits_RTC are of: all that its tables have."""
+    logic, memory = total(counts, [u.name for u in TABULATED])
+    return logic + gate_rule.MEMORY_BIT * memory, memory
+
+
+def summary(counts):
+    """The figures of the document that --check compares: logic gates and memory bits by row."""
+    rows = by_row(counts)
+    return {f"{u.name} {what}": figure for u in TABULATED
+            for what, figure in (("gates", rows[u.name][0]), ("bits", row_bits(rows[u.name])))}
+
+
+ROW = re.compile(r"^\| `([^`]+)` \| [^|]* \| ([\d,]+) \| [^|]* \| [^|]* \| [^|]* \| ([\d,]+) \|",
+                 re.MULTILINE)
+
+
+def figures(text):
+    """What a document says, as summary() gives it."""
+    found = {}
+    for name, logic, memory in ROW.findall(text):
+        found[f"{name} gates"] = int(logic.replace(",", ""))
+        found[f"{name} bits"] = int(memory.replace(",", ""))
+    return found
+
+
+def kinds(counts):
+    """What the rows of every memory follow: `packet`, `line` or nothing."""
+    def rows_of(point):
+        return {(instance, m.name): m.rows for instance, count in counts[point].items()
+                for m in count.memories}
+
+    base, found = rows_of(BASE), {}
+    for point, axis, kind in (((64, 512), 0, "packet"), ((32, 64), 1, "line")):
+        if point in counts:
+            other = rows_of(point)
+            for key, rows in base.items():
+                if other.get(key, rows) * BASE[axis] == rows * point[axis] and rows != 1:
+                    found[key] = kind
+    return found
+
+
+def table(head, rows):
+    yield "| " + " | ".join(head) + " |"
+    yield "|---|" + "---:|" * (len(head) - 1)
+    for row in rows:
+        yield "| " + " | ".join(f"{c:,}" if isinstance(c, int) else str(c) for c in row) + " |"
+
+
+def per(memories, kind, following, number):
+    return sum(m.bits for i, m in memories if following.get((i, m.name)) == kind) // number
+
+
+def units_table(counts, units, kind, number):
+    following = kinds(counts)
+    rows = by_row(counts[BASE])
+    for unit in units:
+        logic, memories = rows[unit.name]
+        each = per(memories, kind, following, number)
+        ours = row_bits(rows[unit.name])
+        yield (f"`{unit.name}`", unit.logic, logic, unit.bits, each, unit.bits * number, ours)
+    sums = [sum(u.logic for u in units), sum(rows[u.name][0] for u in units),
+            sum(u.bits for u in units),
+            sum(per(rows[u.name][1], kind, following, number) for u in units),
+            sum(u.bits for u in units) * number, sum(row_bits(rows[u.name]) for u in units)]
+    yield ("**all**", *sums)
+
+
+def complexity(counts):
+    rows = by_row(counts)
+    for name, (add, mul, div, comp, memory) in COMPLEXITY.items():
+        ours = sum(row_bits(rows[n]) for n in COMPLEXITY_ROWS[name]) / 8 / 1024
+        yield (name, *(f"{a} / {b}" for a, b in zip((add, mul, div, comp), OPERATORS[name])),
+               f"{memory} / {ours:.1f}")
+    sums = [f"{sum(c[i] for c in COMPLEXITY.values())} / {sum(o[i] for o in OPERATORS.values())}"
+            for i in range(4)]
+    ours = sum(row_bits(rows[n]) for names in COMPLEXITY_ROWS.values() for n in names) / 8 / 1024
+    yield ("**all**", *sums, f"{sum(c[4] for c in COMPLEXITY.values()):.1f} / {ours:.1f}")
+
+
+def formula(name, terms):
+    first, packets, lines = (round(t) for t in terms)
+    return f"{name} = {first:,} + {packets:,} P + {lines:,} CL"
+
+
+def fitted(counts):
+    points = list(counts)
+    found = {point: all_gates(counts[point]) for point in points}
+    fits = [gate_rule.fit(points, [found[p][i] for p in points]) for i in (0, 1)]
+
+    def rows():
+        for packets, lines in sorted(points):
+            cells = [packets, lines]
+            for i in (0, 1):
+                said = fits[i][0] + fits[i][1] * packets + fits[i][2] * lines
+                got = found[packets, lines][i]
+                cells += [got, round(said), f"{100 * (said - got) / got:+.1f} %"]
+            yield (*cells, gates(packets, lines), bits(packets, lines))
+
+    return fits, rows()
+
+
+def memories_table(counts):
+    """Every RAM and register file; FIFOs and delays of a row in one line each."""
+    following = kinds(counts)
+    for name, (_, memories) in by_row(counts[BASE]).items():
+        grouped, single = {}, Counter()
+        for instance, memory in memories:
+            kind = following.get((instance, memory.name), "")
+            sort = next((s for s, ending in (("FIFOs", ("_fifo", "_queue")), ("delays", None))
+                         if (memory.name.endswith(ending) if ending
+                             else memory.name.startswith("delay_"))), None)
+            if sort:
+                group = grouped.setdefault((sort, kind), [0, 0])
+                group[0] += 1
+                group[1] += memory.bits
+            else:
+                single[instance, memory, kind] += 1
+        for (instance, memory, kind), _ in single.items():
+            number = {"packet": PACKETS, "line": LINES}.get(kind)
+            each = (f"{memory.rows / number:g} x {memory.width} x {memory.ports} = "
+                    f"{memory.bits / number:g} a {kind}" if number else
+                    f"{memory.rows} x {memory.width} x {memory.ports}, whatever P and CL")
+            yield (f"`{name}`", f"`{memory.name}`", each, memory.bits)
+        for (sort, kind), (number, amount) in grouped.items():
+            rows = {"packet": PACKETS, "line": LINES}.get(kind)
+            yield (f"`{name}`", f"{number} {sort if number > 1 else sort[:-1]}",
+                   f"{amount / rows:g} a {kind}" if rows else "whatever P and CL", amount)
+
+
+def document(counts):
+    base = counts[BASE]
+    fits, fit_rows = fitted(counts)
+    here, memory = all_gates(base)
+    there = 2807671
+    others = {n: total(base, [n]) for n in NOT_COUNTED}
+    cells = sum((c.cells for c in base.values()), Counter())
+    head = ("unit", "logic gates, thesis", "ours", "bits per packet, thesis", "ours",
+            "memory bits, thesis", "ours")
+    lines = [
+        "# Gates by the thesis's rule",
+        "",
+        "Written by `scripts/gates`; a test holds it against the checked-in Verilog. Thesis: Sven "
+        "Woop,",
+        '"A Ray Tracing Hardware Architecture for Dynamic Scenes", 2004, chapter 7.',
+        "",
+        "## The rule (table 7.2)",
+        "",
+        *table(("unit", "gates"), (
+            ("full adder", gate_rule.FULL_ADDER), ("D flip-flop", gate_rule.FLIP_FLOP),
+            ("D flip-flop with clock enable", gate_rule.FLIP_FLOP_ENABLED),
+            ("4-input LUT, worst case", gate_rule.LUT["LUT4"]),
+            ("3-input LUT, worst case", gate_rule.LUT["LUT3"]),
+            ("memory bit", gate_rule.MEMORY_BIT), ("18-bit multiplier", gate_rule.MULTIPLIER))),
+        "",
+        *[f"{line}" for line in RULE],
+        "",
+        "## What one pipeline computes with (table 7.3)",
+        "",
+        "Floating-point units, and kB with dual-port bits as two: thesis / ours.",
+        "",
+        *table(("unit", "add", "multiply", "divide", "compare", "memory, kB"), complexity(base)),
+        "",
+        f"## Unit by unit, {PACKETS} packets (table 7.4)",
+        "",
+        *table(head, units_table(counts, PACKET_UNITS, "packet", PACKETS)),
+        "",
+        *(f"- `{name}`: {note}." for name, note in NOTES.items()),
+        "- Our bits per packet are of the memories whose rows grow with the packets; memory bits "
+        "are all.",
+        "- Not in the thesis's table, and not in our sums: " + "; ".join(
+            f"{n.strip('()')} {logic:,} gates and {amount:,} bits"
+            for n, (logic, amount) in others.items()) + ".",
+        "",
+        f"## Memory interface and caches, {LINES} lines (table 7.5)",
+        "",
+        *table([h.replace("packet", "line") for h in head],
+               units_table(counts, CACHE_UNITS, "line", LINES)),
+        "",
+        f"Total gates: thesis {there:,}, ours {here:,} "
+        f"({100 * here / there:.0f} %), of them {4 * memory:,} in memories.",
+        "",
+        "What the logic of the whole core is made of: " + ", ".join(
+            f"{n:,} x {kind}" for kind, n in sorted(cells.items())) + ".",
+        "",
+        "## By packets and lines",
+        "",
+        "    thesis   " + formula("C_RTC(P, CL)   ", (487020, 56028, 996)),
+        "    ours     " + formula("C_RTC(P, CL)   ", fits[0]),
+        "    thesis   " + formula("Bits_RTC(P, CL)", (0, 14007, 249)),
+        "    ours     " + formula("Bits_RTC(P, CL)", fits[1]),
+        "",
+        "Ours by least squares over the cores of this table, each lowered and counted. (The "
+        "thesis's",
+        "C_RTC leaves out the 17,803 logic gates of its table 7.5.)",
+        "",
+        *table(("P", "CL", "gates", "fitted", "off", "bits", "fitted", "off", "gates, thesis",
+                "bits, thesis"), fit_rows),
+        "",
+        *FIT,
+        "",
+        "## Which memory takes which bits",
+        "",
+        "Rows a packet (or a line) x bits of a row x ports, at 32 packets and 512 lines.",
+        "",
+        *table(("unit", "memory", "bits", "all bits"), memories_table(counts)),
+        "",
+        *WHY,
+        "",
+    ]
+    return "\n".join(lines)
+
+
+RULE = (
+    "What the table leaves open is read so: a place of a carry chain is a full adder, with the LUT of "
+    "one or",
+    "two inputs that feeds it alone; a LUT of two inputs counts as one of three, an inverter as one "
+    "gate; a",
+    "flip-flop with a synchronous set or reset as one with an enable; a dual-port bit as two memory "
+    "bits;",
+    "gates that address memories are ignored, as in the thesis. The netlist is Yosys's for Virtex-II, "
+    "each unit",
+    "with the FIFO depths that it has in the core, memories counted as the source has them.",
+)
+FIT = (
+    "What is left over is that packet numbers are in every token, so that widths go with log2 P, and "
+    "that rows",
+    "of RAM are powers of two.",
+)
+WHY = (
+    "Why a packet takes what it takes:",
+    "",
+    "- The far stack of a ray has 64 rows a packet (32 for each level, of which 31 are used: the address "
+    "is level,",
+    "  packet and depth, without an adder), and a second port doubles it. The thesis's 2,352 bits are "
+    "24 x (62 + 2 x 18),",
+    "  what a single-port stack and 18 dual-port words would take.",
+    "- FIFOs: every one on a loop of packets holds all of them, so that no loop can deadlock and no "
+    "pipeline needs",
+    "  an enable. The thesis has none in its tables.",
+    "- Rays are kept twice: by axis for each slice, and as vectors for `send_packet`. A packet's matrix "
+    "is kept once,",
+    "  in the thesis perhaps for both levels (1,152 bits are 12 x 24, two levels, two ports).",
+    "- A line of a cache is its data, its address and, in ours, a bit that says whether it counts: one "
+    "bit more than in",
+    "  the thesis. Ours are dual-port, as lookups go on while lines arrive; the thesis's are counted once.",
+)

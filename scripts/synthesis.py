@@ -1,0 +1,127 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Runs Yosys on a module and keeps what it gives, under a key of all that it was made of: what reads
+as the same Verilog, comments apart, is synthesized once."""
+
+import functools
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import time
+
+import rtl_files
+from build_cache import BuildCache, CacheError
+
+MODULE = re.compile(r"^\s*module\s+(\w+)", re.MULTILINE)
+COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+KEPT = pathlib.Path(os.environ.get("DYNRT_CACHE") or rtl_files.ROOT / "build" / "synth")
+
+
+class Failed(Exception):
+    """Why a module has no result, in a sentence."""
+
+
+def modules(files):
+    return [m for f in files for m in MODULE.findall(_text(f))]
+
+
+@functools.lru_cache(maxsize=None)
+def _text(path):
+    return path.read_text(encoding="utf-8")
+
+
+@functools.lru_cache(maxsize=None)
+def _meaning(path):
+    """A file's text without comments and what they leave behind."""
+    text = re.sub(r"\s+", " ", COMMENT.sub(" ", _text(path))).strip()
+    return f" {text} "
+
+
+def needed(top, files):
+    """The files that the module's hierarchy comes from, in their order."""
+    defines = {m: f for f in files for m in MODULE.findall(_text(f))}
+    todo, seen = [top], set()
+    while todo:
+        path = defines.get(todo.pop())
+        if path is None or path in seen:
+            continue
+        seen.add(path)
+        todo += set(re.findall(r"\w+", _meaning(path))) & defines.keys()
+    return [f for f in files if f in seen]
+
+
+@functools.lru_cache(maxsize=None)
+def tool_version(tool, flag, package):
+    """What a tool says of its version; names the package of a tool that is not there."""
+    if not shutil.which(tool):
+        raise Failed(f"{tool} is not installed; Debian's package {package} has it, and "
+                     "scripts/setup installs that")
+    result = subprocess.run([tool, flag], capture_output=True, text=True, check=False)
+    return (result.stdout + result.stderr).strip()
+
+
+def kept(kind, said, files, make):
+    """The folder of a result. `said` is what decides it beside the files; `make` writes it into an
+    empty folder and throws Failed."""
+    digest = hashlib.sha256(json.dumps([kind, said], sort_keys=True).encode())
+    for path in files:
+        digest.update(path.name.encode() + b"\0" + _meaning(path).encode() + b"\0")
+    # What is included is part of the text: headers beside the files.
+    for folder in rtl_files.include_folders(files):
+        for path in sorted(folder.glob("*.vh")):
+            digest.update(_meaning(path).encode() + b"\0")
+
+    def build(partial):
+        folder = partial / "result"
+        folder.mkdir()
+        start = time.monotonic()
+        make(folder)
+        (folder / "seconds").write_text(f"{time.monotonic() - start:.1f}\n", encoding="utf-8")
+        return folder
+
+    try:
+        return BuildCache(KEPT).get(f"{kind}-{digest.hexdigest()[:24]}", build)
+    except CacheError as error:
+        raise Failed(str(error)) from error
+
+
+def run_yosys(commands, folder, what):
+    """Runs Yosys with its log in the folder; the log of a run that fails is kept elsewhere."""
+    log = folder / "yosys.log"
+    result = subprocess.run(["yosys", "-q", "-l", str(log), "-p", "; ".join(commands)],
+                            capture_output=True, text=True, check=False)
+    if result.returncode != 0:
+        left = KEPT / "failed.log"
+        if log.exists():
+            shutil.copyfile(log, left)
+        last = (result.stderr or result.stdout).strip().splitlines()
+        raise Failed(f"{what}: {last[-1] if last else 'Yosys failed'}; the whole log is {left}")
+
+
+def read_commands(files, blackboxes=()):
+    return ([f"verilog_defaults -add -I{f}" for f in rtl_files.include_folders(files)] +
+            [f"read_verilog {'-lib ' if f in blackboxes else ''}{f}" for f in files])
+
+
+def chosen(top, parameters):
+    """Commands that give a module's parameters their values."""
+    sets = " ".join(f"-set {name} {value}" for name, value in sorted(parameters.items()))
+    return [f"chparam {sets} {top}"] if sets else []
+
+
+def cells(top, files, synth, what, parameters=None):
+    """Synthesizes a module; returns how many cells of each type and the seconds it took."""
+    said = [tool_version("yosys", "-V", "yosys"), top, synth, parameters or {}]
+    files = needed(top, files)
+
+    def make(folder):
+        run_yosys([*read_commands(files), *chosen(top, parameters or {}), synth.format(top=top),
+                   "check -assert", f"tee -q -o {folder}/stat.json stat -json"], folder, what)
+
+    folder = kept("area", said, files, make)
+    stat = json.loads((folder / "stat.json").read_text(encoding="utf-8"))
+    return stat["design"]["num_cells_by_type"], float((folder / "seconds").read_text())

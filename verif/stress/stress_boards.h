@@ -1,0 +1,52 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the tests of the stress cases share: boards, the names of tests, the golden digests.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "host/board/configurations.h"
+#include "host/stress/run.h"
+
+namespace dynrt::host::stress {
+
+/// The configurations that every case is run on: one of each triangle test.
+inline const std::vector<std::string> kTested = {"thesis", "watertight"};
+
+inline std::unique_ptr<Board> open_model(const std::string& configuration) {
+  return make_board(configurations(), {"model", configuration, ""});
+}
+
+/// Configuration, and number of the case.
+using Parameter = std::tuple<std::string, std::size_t>;
+
+inline std::string name_of(const ::testing::TestParamInfo<Parameter>& info) {
+  const auto& [configuration, number] = info.param;
+  std::string name = configuration + "_" + cases()[number].full_name();
+  for (char& c : name) {
+    if (c == '-') c = 'm';
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return name;
+}
+
+inline auto every_case() {
+  return ::testing::Combine(::testing::ValuesIn(kTested),
+                            ::testing::Range(std::size_t{0}, cases().size()));
+}
+
+inline const nlohmann::json& golden() {
+  static const nlohmann::json all =
+      nlohmann::json::parse(std::ifstream(DYNRT_STRESS_GOLDEN), nullptr, true);
+  return all;
+}
+
+}  // namespace dynrt::host::stress
