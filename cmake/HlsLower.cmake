@@ -33,7 +33,8 @@ function(hls_lower)
   if(arg_ROOT)
     set(in_root WORKING_DIRECTORY ${arg_ROOT})
   endif()
-  find_file(header ${arg_HEADER} PATHS ${arg_INCLUDES} NO_CACHE NO_DEFAULT_PATH REQUIRED)
+  unset(hls_header)
+  find_file(hls_header ${arg_HEADER} PATHS ${arg_INCLUDES} NO_CACHE NO_DEFAULT_PATH REQUIRED)
   set(stem ${arg_FOLDER}/${arg_MODULE})
   set(fresh ${arg_FOLDER}/fresh/${arg_MODULE})
   file(MAKE_DIRECTORY ${arg_FOLDER}/fresh)
@@ -41,13 +42,13 @@ function(hls_lower)
     OUTPUT ${stem}.v
     BYPRODUCTS ${stem}.txt ${stem}.json ${stem}_ports.h
     COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -x c++ ${compiler_includes} -MM -MT ${stem}.v
-            -MF ${stem}.d ${header}
+            -MF ${stem}.d ${hls_header}
     COMMAND ${HLS_COMPILER} --unit ${arg_TYPE} --module ${arg_MODULE} --header ${arg_HEADER}
             ${hlsc_includes} --clock-ns ${arg_CLOCK_NS} --delay ${arg_DELAY} -o ${fresh}.v
             --report ${fresh}.txt --schedule ${fresh}.json --binding ${fresh}_ports.h
     COMMAND ${CMAKE_COMMAND} -E copy_if_different ${fresh}.v ${fresh}.txt ${fresh}.json
             ${fresh}_ports.h ${arg_FOLDER}
-    DEPENDS ${HLS_COMPILER} ${header} ${arg_DELAY} ${arg_DEPENDS}
+    DEPENDS ${HLS_COMPILER} ${hls_header} ${arg_DELAY} ${arg_DEPENDS}
     DEPFILE ${stem}.d
     ${in_root}
     COMMENT "Lowering ${arg_TYPE} to ${arg_MODULE}.v"
