@@ -34,6 +34,7 @@ struct BoardInfo {
   TriangleMatrix triangle_matrix = TriangleMatrix::kNormalConsistent;
   Primitives primitives{.triangle = true};
   TriangleTest triangle_test = TriangleTest::kUnitTriangle;
+  Divider divider = Divider::kDigitRecurrence;
   const MemoryFormat* format = &kShippedFormat;  ///< its numbers, and how its memory holds them
 };
 

@@ -22,6 +22,7 @@ BoardInfo board_info_of() {
   info.triangle_matrix = C::kTriangleMatrix;
   info.primitives = C::kPrimitives;
   info.triangle_test = C::kTriangleTest;
+  info.divider = C::kDivider;
   info.format = &kMemoryFormatOf<typename C::Real>;
   return info;
 }

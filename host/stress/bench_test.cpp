@@ -12,6 +12,7 @@
 
 #include "host/board/configurations.h"
 #include "host/stress/case.h"
+#include "host/stress/run.h"
 #include "host/stress/shapes.h"
 #include "units/memory_format.h"
 
@@ -20,6 +21,7 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
 
 constexpr std::uint32_t kHitBit = 1u << 31;  ///< of the third word of a record in bank 4
@@ -132,6 +134,19 @@ TEST(Bench, CountsWhatTheHostShouldHaveRefused) {
   Bench bench(boards);
   bench.expect_refusal(walls(), "too many walls");
   EXPECT_EQ(bench.outcome()[Fault::kAccepted], kRays);
+}
+
+TEST(Run, SaysWhereThereIsNoBound) {
+  Result result{&cases()[0], {}, {}, ""};
+  result.outcome.rays = 9;
+  result.outcome[Fault::kLost] = 1;
+  EXPECT_THAT(line_of(result), StartsWith("EXCEEDS "));
+  result.allowed.stated = false;
+  EXPECT_THAT(line_of(result), StartsWith("no bound "));
+  EXPECT_THAT(summary_of({&result, 1}, 1), HasSubstr("none exceed what is allowed, 1 have no bound "
+                                                     "of lost, invented and wrong rays"));
+  result.outcome[Fault::kDifferent] = 1;
+  EXPECT_THAT(line_of(result), StartsWith("EXCEEDS "));
 }
 
 TEST(Cases, AreFortyAndMoreNamedApart) {

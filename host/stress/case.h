@@ -27,7 +27,8 @@ struct Case {
   /// Of cores with the watertight test, where it is not the same.
   std::optional<Allowed> watertight{};
 
-  /// What is allowed on a board, and why. Of cracks between triangles a watertight core has none.
+  /// What is allowed on a board, and why; stated if its core computes as those that were measured.
+  /// Of cracks between triangles a watertight core has none.
   Allowed allowed(const BoardInfo& board) const;
   std::string why_on(const BoardInfo& board) const;
 

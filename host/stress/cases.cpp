@@ -35,6 +35,16 @@ bool is_watertight(const BoardInfo& board) {
   return board.triangle_test == TriangleTest::kWatertight;
 }
 
+/// Whether the core computes as those two do, of which it was measured what goes wrong.
+bool is_measured(const BoardInfo& board) {
+  const MemoryFormat& numbers = *board.format;
+  return numbers.exponent_bits == kShippedFormat.exponent_bits &&
+         numbers.mantissa_bits == kShippedFormat.mantissa_bits &&
+         numbers.rounding == kShippedFormat.rounding && !board.clips_to_cube &&
+         board.divider == Divider::kDigitRecurrence &&
+         board.triangle_matrix == TriangleMatrix::kNormalConsistent;
+}
+
 /// Reasons that hold for the thesis's test alone.
 bool is_of_cracks(const std::string& why) {
   return why == reasons::kCracks || why == reasons::kSharedEdge;
@@ -54,10 +64,7 @@ Allowed Case::allowed(const BoardInfo& board) const {
     if (watertight) allowed = *watertight;
     if (is_of_cracks(why)) allowed.lost = allowed.twice = 0;
   }
-  const MemoryFormat& numbers = *board.format;
-  allowed.stated = numbers.exponent_bits == kShippedFormat.exponent_bits &&
-                   numbers.mantissa_bits == kShippedFormat.mantissa_bits &&
-                   numbers.rounding == kShippedFormat.rounding;
+  allowed.stated = is_measured(board);
   return allowed;
 }
 

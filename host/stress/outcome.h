@@ -36,7 +36,8 @@ std::span<const FaultText, kFaults> fault_texts();
 struct Allowed {
   std::uint64_t lost = 0, invented = 0, wrong = 0, twice = 0;
   double distance = 0x1p-10;  ///< relative error of the hit distance, at most
-  /// Whether that is known: it was measured in the shipped format, and is not stated of others.
+  /// Whether that is known: it was measured in the shipped format with the thesis's and with the
+  /// watertight arithmetic, and is not stated of other cores.
   bool stated = true;
 
   /// What must give the same bits, be said or be refused must always. Where nothing is stated of

@@ -16,10 +16,15 @@ using Json = nlohmann::ordered_json;
 
 std::string hex(std::uint64_t digest) { return fmt::format("{:016x}", digest); }
 
-std::uint64_t sum(std::span<const Result> results, std::uint64_t Outcome::* of) {
+std::uint64_t sum(std::span<const Result> results, std::uint64_t Outcome::*of) {
   std::uint64_t all = 0;
   for (const Result& r : results) all += r.outcome.*of;
   return all;
+}
+
+std::string verdict_of(const Result& r) {
+  if (!r.within()) return "EXCEEDS";
+  return r.allowed.stated ? "ok" : "no bound";
 }
 
 }  // namespace
@@ -45,17 +50,23 @@ std::string line_of(const Result& r) {
   const std::string what =
       o.refusal.empty() ? fmt::format("{} rays, {} hit; {}", o.rays, o.hits, text_of(o, r.allowed))
                         : fmt::format("{} rays, refused: {}", o.rays, o.refusal);
-  return fmt::format("{:<8}{:<36}{}: {}", r.within() ? "ok" : "EXCEEDS", r.stress->full_name(),
-                     r.stress->about, what);
+  return fmt::format("{:<10}{:<36}{}: {}", verdict_of(r), r.stress->full_name(), r.stress->about,
+                     what);
 }
 
 std::string summary_of(std::span<const Result> results, double seconds) {
   const auto exceeding =
       std::ranges::count_if(results, [](const Result& r) { return !r.within(); });
-  return fmt::format("{} cases, {} rays, {} hit; {} exceed what is allowed; {:.1f} s; digest {}",
+  const auto unbound =
+      std::ranges::count_if(results, [](const Result& r) { return !r.allowed.stated; });
+  return fmt::format("{} cases, {} rays, {} hit; {} exceed what is allowed{}; {:.1f} s; digest {}",
                      results.size(), sum(results, &Outcome::rays), sum(results, &Outcome::hits),
-                     exceeding == 0 ? "none" : fmt::format("{}", exceeding), seconds,
-                     hex(digest_of(results)));
+                     exceeding == 0 ? "none" : fmt::format("{}", exceeding),
+                     unbound == 0 ? ""
+                                  : fmt::format(", {} have no bound of lost, invented and wrong "
+                                                "rays on this core",
+                                                unbound),
+                     seconds, hex(digest_of(results)));
 }
 
 Json json_of(std::span<const Result> results, const std::string& configuration,

@@ -27,7 +27,7 @@ struct Result {
 /// what does not fit. `frames`, if asked for, is given every frame rendered.
 Result run_case(const Case& c, Boards& boards, std::vector<Frame>* frames = nullptr);
 
-/// "within  slivers/fan_1e4  32 needles ..: 257 rays, 257 hit; lost 1 (of 2 allowed)".
+/// "ok  slivers/fan_1e4  32 needles ..: 257 rays, 257 hit; lost 1 (of 2 allowed)".
 std::string line_of(const Result& result);
 std::string summary_of(std::span<const Result> results, double seconds);
 nlohmann::ordered_json json_of(std::span<const Result> results, const std::string& configuration,

@@ -3,9 +3,9 @@
 //
 // No ray from inside a closed mesh gets out, and none is hit twice where triangles meet: whole
 // frames of the watertight core, many of whose pixels lie on corners and edges exactly, and rays
-// that are tested with all triangles of a mesh by the units' code. Rays as many as the environment
-// variable DYNRT_RAYS says; the slow tests take millions without it. docs/watertight.md has what is
-// proved.
+// that are tested with all triangles of a mesh by the units' code. The environment variable
+// DYNRT_RAYS says how many the slow tests take, millions without it, and DYNRT_SEED which.
+// docs/watertight.md has what is proved.
 #include "configs/watertight.h"
 
 #include <fmt/format.h>
@@ -30,10 +30,15 @@ namespace {
 using hls::testing::Random;
 using C = config::watertight;
 
-std::uint64_t rays_wanted(std::uint64_t otherwise) {
-  const char* wanted = std::getenv("DYNRT_RAYS");
+std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
+  const char* wanted = std::getenv(name);
   return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : otherwise;
 }
+std::uint64_t rays_wanted(std::uint64_t otherwise) {
+  return from_environment("DYNRT_RAYS", otherwise);
+}
+/// Of the slow tests, which several processes may share.
+std::uint64_t slow_seed() { return from_environment("DYNRT_SEED", 100'000); }
 
 double unit(Random& random) { return static_cast<double>(random.below(1u << 30)) * 0x1p-29 - 1; }
 glm::dvec3 in_ball(Random& random) {
@@ -215,7 +220,7 @@ TEST(Watertight, NoRayGetsOutOfAClosedMesh) {
 
 TEST(Watertight, SlowNoRayGetsOutOfAClosedMesh) {
   if (!in_this_build()) GTEST_SKIP() << "this build has no configuration watertight";
-  Frames().run(rays_wanted(20'000'000), 1024, 341, 100'000);
+  Frames().run(rays_wanted(20'000'000), 1024, 341, slow_seed());
 }
 
 /// There is no absolute epsilon: a mesh scaled by a power of two has the same hits bit for bit.
@@ -359,7 +364,9 @@ void count_crossings(std::uint64_t rays, std::uint64_t seed) {
 }
 
 TEST(Watertight, ARayCrossesASurfaceOnce) { count_crossings(20'000, 1); }
-TEST(Watertight, SlowARayCrossesASurfaceOnce) { count_crossings(rays_wanted(1'000'000), 100'000); }
+TEST(Watertight, SlowARayCrossesASurfaceOnce) {
+  count_crossings(rays_wanted(1'000'000), slow_seed());
+}
 
 }  // namespace
 }  // namespace dynrt::host

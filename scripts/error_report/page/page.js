@@ -145,7 +145,8 @@ function place_labels(points, names) {
     for (const [dx, dy, anchor] of places) {
       const x0 = p.px + dx - (anchor === "end" ? width : anchor === "middle" ? width / 2 : 0);
       const box = {x0, x1: x0 + width, y0: p.py + dy - 11, y1: p.py + dy + 2};
-      const inside = box.x0 > size.left && box.x1 < size.width && box.y0 > 0;
+      const inside = box.x0 > size.left && box.x1 < size.width && box.y0 > 0 &&
+                     box.y1 < size.height - size.bottom;
       if (!inside || taken.some((t) => box.x0 < t.x1 && t.x0 < box.x1 && box.y0 < t.y1 &&
                                 t.y0 < box.y1)) continue;
       taken.push(box);
