@@ -134,7 +134,7 @@ class Generate(unittest.TestCase):
                                     "triangle, sphere, rectangle")
 
     def test_what_a_watertight_test_asks_of_other_keys(self):
-        good = {"triangle_test": "watertight", "epsilon": 0.0, "exponent_bits": 5}
+        good = {"triangle_test": "watertight", "epsilon": 0.0, "exponent_bits": 7}
         self.assertIn("static constexpr TriangleTest kTriangleTest = TriangleTest::kWatertight;",
                       self.written(**good))
         self.folder.joinpath("out/tiny.h").unlink()
@@ -150,10 +150,8 @@ class Generate(unittest.TestCase):
                 ("divider", "reciprocal", "digit_recurrence, as a ray's shear is made of its "
                  "direction, not of reciprocals"),
                 ("epsilon", 0.25, "0, as edges are decided exactly"),
-                ("exponent_bits", 9, "8 at most, as a product takes two bits more, and the model "
-                 "holds it in a double"),
-                ("mantissa_bits", 26, "25 at most, as a product takes twice as many and one, and "
-                 "the model holds it in a double")):
+                ("exponent_bits", 9, "7 or 8, as ordinary coordinates must not saturate, and a "
+                 "product, which takes two bits more, is held in a double by the model")):
             self.assert_refused(json.dumps({"tiny": GOOD | good | {key: value}}),
                                 f"configuration 'tiny': with triangle_test \"watertight\" the key "
                                 f"'{key}' must be {wants}; it is {json.dumps(value)}")

@@ -135,6 +135,11 @@ TEST_F(App, StressTellsWhatGoesWrongAgainstWhatIsAllowed) {
   EXPECT_EQ(json["exceeding"], 0);
 }
 
+TEST_F(App, StressRefusesAFormatByItsFlag) {
+  expect_mistake("stress slivers/aspect_1e2 --format 7,99",
+                 HasSubstr("dynrt: --format 7,99: key 'mantissa_bits'"));
+}
+
 TEST_F(App, StressFindsThatTheStandInTracesNoRays) {
   const Outcome outcome = run("stress slivers/aspect_1e2 --config stand_in --board rtl");
   EXPECT_EQ(outcome.code, 1) << outcome.err;
@@ -151,7 +156,7 @@ TEST_F(App, ReportsCountWhatOtherCoresWouldDo) {
   EXPECT_EQ(nlohmann::json::parse(text_of(folder_ / "f.json"))["rows"].size(), 5);
   expect_mistake("report",
                  "dynrt: report: which one is missing; the reports are overlap, mailbox, "
-                 "clipping and error\n");
+                 "clipping, error and truth\n");
   expect_mistake("report paint", HasSubstr("was not expected: paint; dynrt report --help lists"));
   expect_mistake("report mailbox blocks --size 33x24",
                  "dynrt: --size 33x24: work is counted for packets of 2x2 rays, so both must be "

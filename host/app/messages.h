@@ -23,8 +23,12 @@ inline constexpr char kNoPrimitive[] =
 inline constexpr char kCommand[] =
     "{}: unknown; the commands are render, walk, compare, info, report, choose, "
     "measure and stress";
+inline constexpr char kBeyondMargin[] =
+    "object '{}'{}: small for the scene; rays that start many times its size away from it may pass "
+    "it at an edge in a plane of its tree, though it is tested watertight";
 inline constexpr char kNoReport[] =
-    "report: which one is missing; the reports are overlap, mailbox, clipping and error";
+    "report: which one is missing; the reports are overlap, mailbox, clipping, error and "
+    "truth";
 inline constexpr char kCountedSize[] =
     "--size {}x{}: work is counted for packets of 2x2 rays, so both must be even, above 0 and at "
     "most {}";

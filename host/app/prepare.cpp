@@ -84,6 +84,17 @@ void check_primitives(const Scene& scene, const BoardInfo& board) {
   }
 }
 
+/// Says of which objects a watertight core may lose a ray from far away.
+void note_margins(Prepared& prepared, const ImageForm& form) {
+  if (form.triangle_test != TriangleTest::kWatertight) return;
+  const std::vector<std::string> names =
+      beyond_margins(prepared.scene, prepared.camera.position, *form.format);
+  if (names.empty()) return;
+  const std::string others =
+      names.size() == 1 ? "" : fmt::format(" and {} more", grouped(names.size() - 1));
+  prepared.scene.notes.push_back(fmt::format(messages::kBeyondMargin, names.front(), others));
+}
+
 }  // namespace
 
 ImageForm form_for(const BoardInfo& board) {
@@ -134,6 +145,7 @@ Prepared prepare(Scene scene, const Camera& camera, unsigned width, unsigned hei
     std::ranges::move(unused_light(prepared.scene, *board),
                       std::back_inserter(prepared.scene.notes));
   }
+  note_margins(prepared, form);
   const auto begin = std::chrono::steady_clock::now();
   {
     const Progress progress("building the trees");

@@ -25,7 +25,6 @@ namespace dynrt::host {
 
 namespace {
 
-constexpr int kMoments = 64;      ///< of an animation that are looked at, besides its keys
 constexpr int kCentreDigits = 3;  ///< binary, of a centre relative to the extent
 constexpr int kObjectStep = 4;    ///< powers of two, between the scales of objects
 
@@ -52,25 +51,6 @@ glm::dvec3 centre_of(const Aabb& box) {
 Aabb box_of(const Mesh& mesh) {
   const Box box = bounds(mesh);
   return {box.low, box.high};
-}
-
-/// Where an animation is looked at: at rest, at every key, and evenly between the first and last.
-std::vector<double> moments(const Scene& scene) {
-  std::vector<double> times{0.0};
-  const auto add = [&](const auto& keys) {
-    for (const auto& key : keys) times.push_back(key.time);
-  };
-  add(scene.path);
-  for (const MotionNode& node : scene.motion) {
-    add(node.position);
-    add(node.rotation);
-    add(node.scale);
-  }
-  const double last = duration(scene);
-  for (int i = 1; last > 0 && i <= kMoments; ++i) times.push_back(last * i / kMoments);
-  std::ranges::sort(times);
-  times.erase(std::unique(times.begin(), times.end()), times.end());
-  return times;
 }
 
 /// The largest of some numbers, and how to tell of it.
@@ -129,7 +109,7 @@ class Fitter {
   }
 
   void place_world() {
-    for (const double time : moments(scene_)) {
+    for (const double time : moments_of(scene_)) {
       const std::vector<glm::dmat4> at = transforms_at(scene_, time);
       for (std::size_t i = 0; i < at.size(); ++i) {
         world_.include(world_box(scene_.instances[i], at[i]));
@@ -176,7 +156,7 @@ class Fitter {
     }
     const auto camera_stands = [] { return std::string("the camera stands at"); };
     include(camera_.position, camera_stands);
-    for (const double time : moments(scene_)) {
+    for (const double time : moments_of(scene_)) {
       if (const auto camera = camera_at(scene_, time)) include(camera->position, camera_stands);
     }
     for (const PointLight& light : scene_.lights) {

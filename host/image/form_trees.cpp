@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "host/scene/animation.h"
+
 namespace dynrt::host {
 
 namespace {
@@ -15,6 +17,65 @@ namespace {
 constexpr double kRoundings = 16;
 
 double largest_of(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+Aabb box_of(const Mesh& object) {
+  Aabb box;
+  for (const glm::dvec3& corner : object.vertices) box.include(corner);
+  return box;
+}
+
+double widest_margin(const Mesh& object) { return kWidest * largest_of(box_of(object).extent()); }
+
+/// Where instances are at the moments of the scene's animation.
+std::vector<std::vector<glm::dmat4>> transforms_of(const Scene& scene) {
+  std::vector<std::vector<glm::dmat4>> transforms;
+  for (const double time : moments_of(scene)) transforms.push_back(transforms_at(scene, time));
+  return transforms;
+}
+
+/// A cube about the scene, with room for whoever goes round it, that has all its rays' origins.
+Aabb reach_of(const Scene& scene, const glm::dvec3& eye, const std::vector<Aabb>& boxes,
+              const std::vector<std::vector<glm::dmat4>>& transforms) {
+  Aabb world;
+  for (const std::vector<glm::dmat4>& at : transforms) {
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      world.include(transformed_box(boxes[scene.instances[i].object], at[i]));
+    }
+  }
+  const glm::dvec3 middle = 0.5 * (world.low + world.high);
+  double reach = std::max(glm::length(world.high - middle), glm::length(eye - middle));
+  for (const PointLight& light : scene.lights) {
+    reach = std::max(reach, glm::length(light.position - middle));
+  }
+  for (const double time : moments_of(scene)) {
+    const auto camera = camera_at(scene, time);
+    if (camera) reach = std::max(reach, glm::length(camera->position - middle));
+  }
+  return {middle - glm::dvec3(reach), middle + glm::dvec3(reach)};
+}
+
+/// For each object, however wide.
+std::vector<double> needed_margins(const Scene& scene, const glm::dvec3& eye,
+                                   const MemoryFormat& format) {
+  std::vector<Aabb> boxes;
+  for (const Mesh& object : scene.objects) boxes.push_back(box_of(object));
+  const std::vector<std::vector<glm::dmat4>> transforms = transforms_of(scene);
+  const Aabb world = reach_of(scene, eye, boxes, transforms);
+
+  const bool nearest = format.rounding == hls::Rounding::kNearestEven;
+  const double rounding = std::ldexp(nearest ? 0.5 : 1.0, -static_cast<int>(format.mantissa_bits));
+  std::vector<double> margins(boxes.size(), 0);
+  for (const std::vector<glm::dmat4>& at : transforms) {
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const std::size_t object = scene.instances[i].object;
+      const Aabb rays = transformed_box(world, glm::inverse(at[i]));
+      const double distance =
+          largest_of(glm::max(boxes[object].high - rays.low, rays.high - boxes[object].low));
+      margins[object] = std::max(margins[object], kRoundings * rounding * distance);
+    }
+  }
+  return margins;
+}
 
 }  // namespace
 
@@ -29,34 +90,21 @@ Scene with_rounded_corners(Scene scene, const MemoryFormat& format) {
 
 std::vector<double> rounding_margins(const Scene& scene, const glm::dvec3& eye,
                                      const MemoryFormat& format) {
-  std::vector<Aabb> boxes(scene.objects.size());
-  for (std::size_t k = 0; k < boxes.size(); ++k) {
-    for (const glm::dvec3& corner : scene.objects[k].vertices) boxes[k].include(corner);
-  }
-  Aabb world;
-  for (const Instance& instance : scene.instances) {
-    world.include(transformed_box(boxes[instance.object], instance.transform));
-  }
-  // A cube, as the eye may go round the scene.
-  const glm::dvec3 middle = 0.5 * (world.low + world.high);
-  double reach = std::max(glm::length(world.high - middle), glm::length(eye - middle));
-  for (const PointLight& light : scene.lights) {
-    reach = std::max(reach, glm::length(light.position - middle));
-  }
-  world = {middle - glm::dvec3(reach), middle + glm::dvec3(reach)};
-
-  const bool nearest = format.rounding == hls::Rounding::kNearestEven;
-  const double rounding = std::ldexp(nearest ? 0.5 : 1.0, -static_cast<int>(format.mantissa_bits));
-  std::vector<double> margins(boxes.size(), 0);
-  for (const Instance& instance : scene.instances) {
-    const Aabb& box = boxes[instance.object];
-    const Aabb rays = transformed_box(world, glm::inverse(instance.transform));
-    const double distance = largest_of(glm::max(box.high - rays.low, rays.high - box.low));
-    double& margin = margins[instance.object];
-    margin = std::max(
-        margin, std::min(kRoundings * rounding * distance, kWidest * largest_of(box.extent())));
+  std::vector<double> margins = needed_margins(scene, eye, format);
+  for (std::size_t k = 0; k < margins.size(); ++k) {
+    margins[k] = std::min(margins[k], widest_margin(scene.objects[k]));
   }
   return margins;
+}
+
+std::vector<std::string> beyond_margins(const Scene& scene, const glm::dvec3& eye,
+                                        const MemoryFormat& format) {
+  const std::vector<double> margins = needed_margins(scene, eye, format);
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < margins.size(); ++k) {
+    if (margins[k] > widest_margin(scene.objects[k])) names.push_back(scene.objects[k].name);
+  }
+  return names;
 }
 
 SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const ImageForm& form,

@@ -8,6 +8,7 @@
 // that far around. The proof is in docs/watertight.md.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "host/image/image.h"
@@ -20,11 +21,15 @@ Scene with_rounded_corners(Scene scene, const MemoryFormat& format);
 
 /// For each object, in its own coordinates: how far beside a triangle a ray may pass that hits it.
 /// A ray's origin is taken to be no farther from the scene's middle than its farthest corner, the
-/// eye or a light. The margin is at most kWidest of the object's size, which the shipped format has
-/// for rays from 64 sizes away: with a wider one the tree would no longer divide the object.
+/// eye or a light, at any moment of its animation. The margin is at most kWidest of the object's
+/// size, which the shipped format has for rays from 64 sizes away: with a wider one the tree would
+/// no longer divide the object.
 std::vector<double> rounding_margins(const Scene& scene, const glm::dvec3& eye,
                                      const MemoryFormat& format);
 inline constexpr double kWidest = 1.0 / 128;
+/// The objects for which that is less than it would have to be.
+std::vector<std::string> beyond_margins(const Scene& scene, const glm::dvec3& eye,
+                                        const MemoryFormat& format);
 
 /// The grid is the form's, whatever the options say.
 SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const ImageForm& form = {},

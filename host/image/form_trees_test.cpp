@@ -64,6 +64,11 @@ TEST(FormTrees, MarginsGrowWithTheDistanceUpToALimitAndScaleWithTheScene) {
   EXPECT_GT(margins(50), 2 * near);
   EXPECT_EQ(margins(1e5), margins(1e6));
   EXPECT_NEAR(margins(1e6), kWidest * 2, 1e-3);
+  const auto beyond = [&](double distance) {
+    return beyond_margins(scene, glm::dvec3(0, 0, distance), kShippedFormat).size();
+  };
+  EXPECT_EQ(beyond(2), 0u);
+  EXPECT_EQ(beyond(1e6), 2u);
 
   Scene larger = scene;
   for (Mesh& mesh : larger.objects) {
@@ -74,6 +79,16 @@ TEST(FormTrees, MarginsGrowWithTheDistanceUpToALimitAndScaleWithTheScene) {
   }
   const auto scaled = rounding_margins(larger, glm::dvec3(0, 0, 1024 * 2), kShippedFormat);
   EXPECT_EQ(scaled[1], 1024 * near);
+}
+
+TEST(FormTrees, MarginsHoldWhereverInstancesAndCameraGo) {
+  Scene scene = two_objects();
+  const glm::dvec3 eye(0, 0, 2);
+  const double still = rounding_margins(scene, eye, kShippedFormat)[1];
+  scene.camera = Camera{};
+  scene.path = {{.time = 0, .position = eye, .look_at = {0, 0, 0}},
+                {.time = 1, .position = {0, 0, 40}, .look_at = {0, 0, 0}}};
+  EXPECT_GT(rounding_margins(scene, eye, kShippedFormat)[1], 2 * still);
 }
 
 /// The leaf of a point within the tree's box.

@@ -132,6 +132,25 @@ double duration(const Scene& scene) {
   return last;
 }
 
+std::vector<double> moments_of(const Scene& scene) {
+  constexpr int kMoments = 64;
+  std::vector<double> times{0.0};
+  const auto add = [&](const auto& keys) {
+    for (const auto& key : keys) times.push_back(key.time);
+  };
+  add(scene.path);
+  for (const MotionNode& node : scene.motion) {
+    add(node.position);
+    add(node.rotation);
+    add(node.scale);
+  }
+  const double last = duration(scene);
+  for (int i = 1; last > 0 && i <= kMoments; ++i) times.push_back(last * i / kMoments);
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
 std::vector<glm::dmat4> transforms_at(const Scene& scene, double time) {
   return transforms(scene, nodes_at(scene, time));
 }

@@ -20,6 +20,10 @@ namespace dynrt::host {
 // The time of the last key of all; 0 when nothing moves. What repeats counts once.
 double duration(const Scene& scene);
 
+// Where an animation is looked at: at rest, at every key, and at 64 moments evenly between the first
+// and the last.
+std::vector<double> moments_of(const Scene& scene);
+
 // Object to world, of every instance.
 std::vector<glm::dmat4> transforms_at(const Scene& scene, double time);
 

@@ -56,6 +56,11 @@ Board& Boards::get(const std::string& configuration) {
   return *board;
 }
 
+std::string Bench::with_secondary_rays() {
+  return board().info().triangle_test == TriangleTest::kWatertight ? "whitted_watertight"
+                                                                   : "whitted";
+}
+
 Rendered Bench::render(const Trial& trial) {
   const Scene& scene = trial.scene;
   Board& board = trial.configuration.empty() ? boards_.get() : boards_.get(trial.configuration);

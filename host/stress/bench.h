@@ -77,6 +77,8 @@ class Bench {
   void count(Fault fault, std::uint64_t rays) { outcome_[fault] += rays; }
 
   Board& board() { return boards_.get(); }
+  /// The configuration that has light and reflection rays besides what the board's core has.
+  std::string with_secondary_rays();
   const Outcome& outcome() const { return outcome_; }
   /// The host has refused what it should not.
   void refused(const std::string& sentence) { outcome_.refusal = sentence; }

@@ -56,7 +56,7 @@ void run_light_ends(Bench& b) {
   scene.lights.push_back({.name = "middle", .position = {0, 0, 0}, .colour = glm::dvec3(4.0)});
   const Rendered rendered = b.render({.scene = scene,
                                       .shots = all_around({0.25, 0.125, -0.5}, kSide),
-                                      .configuration = "whitted"});
+                                      .configuration = b.with_secondary_rays()});
   for (const Frame& frame : rendered.frames) {
     for (const std::uint32_t pixel : frame.pixels) {
       if ((pixel & 0xff) <= kAmbient) b.count(Fault::kLost, 1);
@@ -69,8 +69,9 @@ void run_reflection_starts(Bench& b) {
   constexpr std::uint32_t kRed = 0xff;
   Scene scene = scene_of(cube(1.0));
   scene.materials[0] = {.name = "mirror", .diffuse = {0, 1, 0}, .mirror = 0.75};
-  Trial trial{
-      .scene = scene, .shots = all_around({0.25, 0.125, -0.5}, kSide), .configuration = "whitted"};
+  Trial trial{.scene = scene,
+              .shots = all_around({0.25, 0.125, -0.5}, kSide),
+              .configuration = b.with_secondary_rays()};
   for (Shot& shot : trial.shots) shot.options.background = kRed;
   for (const Frame& frame : b.render(trial).frames) {
     for (const std::uint32_t pixel : frame.pixels) {

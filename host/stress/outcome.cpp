@@ -55,9 +55,8 @@ bool within(const Outcome& outcome, const Allowed& allowed) {
     const auto bound = allowed.count(static_cast<Fault>(i));
     if (bound && outcome.faults[i] > *bound) return false;
   }
-  if (!allowed.stated) return true;
-  if (!outcome.refusal.empty() && !outcome.refusal_expected) return false;
-  return outcome.rays > 0 && outcome.distance <= allowed.distance;
+  if (!outcome.refusal.empty() && !outcome.refusal_expected) return !allowed.stated;
+  return outcome.rays > 0 && (!allowed.stated || outcome.distance <= allowed.distance);
 }
 
 std::string text_of(const Outcome& outcome, const Allowed& allowed) {

@@ -59,13 +59,13 @@ std::vector<Case> stack_cases() {
           "both_40", "40 planes on either level", [](const auto&) { return nested_chains(40, 40); },
           {.lost = 25}, "9 of 40 leaves on either level are not entered"),
       stack_case(
-          "deep_objects_tree_60", "60 planes in an object's tree, stacks of 63 entries",
+          "deep_objects_tree_60", "60 planes in an object's tree, on `deep`: stacks of 63 entries",
           [](const auto& n) { return on_deep(lower_chain(n, 60)); }, {}, ""),
       stack_case(
-          "deep_scenes_tree_60", "60 planes in the scene's tree, stacks of 63 entries",
+          "deep_scenes_tree_60", "60 planes in the scene's tree, on `deep`: stacks of 63 entries",
           [](const auto& n) { return on_deep(upper_chain(n, 60)); }, {}, ""),
       stack_case(
-          "deep_both_40", "40 planes on either level, stacks of 63 entries",
+          "deep_both_40", "40 planes on either level, on `deep`: stacks of 63 entries",
           [](const auto&) { return on_deep(nested_chains(40, 40)); }, {}, ""),
   };
 }

@@ -7,6 +7,7 @@ A variant costs the time of a frame times the part of an LFE5U-85F that its core
 flip-flops, multipliers and block RAMs that of which it takes the largest part, as this bounds how
 many pipelines fit. Of two that cost the same that with fewer LUTs is cheaper."""
 
+import math
 import sys
 
 import page
@@ -38,7 +39,7 @@ def check_measure(runs, named):
     found = {m for run in runs for m in measures_of(run)}
     known = [m for m in directions() if m in found]
     if named not in known:
-        raise Refused(f"--measure {named}: unknown; the measures of this scene are "
+        raise Refused(f"--measure {named}: this scene has none; its measures are "
                       f"{', '.join(known)}")
 
 
@@ -85,7 +86,17 @@ def table(report, runs, measure, bound):
                      for row in rows)
 
 
+def check_bound(args):
+    """What can be said before anything is measured."""
+    if args.measure not in directions():
+        raise Refused(f"--measure {args.measure}: unknown; the measures are "
+                      f"{', '.join(directions())}")
+    if not math.isfinite(args.max_error):
+        raise Refused(f"--max-error {args.max_error}: must be a number")
+
+
 def run(args):
+    check_bound(args)
     report, _ = measured(args, [args.scene])
     runs, holding = choose(report, args.measure, args.max_error)
     print(table(report, runs, args.measure, args.max_error) + "\n")

@@ -81,6 +81,22 @@ def write_csv(path, report):
                            run.get("refused")])
 
 
+def not_written(out, error):
+    reason = "the disk is full" if error.errno == errno.ENOSPC else error.strerror
+    return Refused(f"--out {out}: cannot be written ({reason}); a report that was there is as it "
+                   "was, and what was measured is kept")
+
+
+def check_writable(out):
+    """Refuses a folder that the report could not be written to, before anything is measured."""
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix=".new", dir=out):
+            pass
+    except OSError as error:
+        raise not_written(out, error) from error
+
+
 @contextlib.contextmanager
 def written_first(out):
     """A folder to write to, whose files take the place of those of the same name in `out` when all
@@ -92,7 +108,9 @@ def written_first(out):
         new = pathlib.Path(tempfile.mkdtemp(prefix=".new", dir=out))
         try:
             yield new
-            files = sorted(p for p in new.rglob("*") if p.is_file())
+            # The page last: who finds the new one finds all that it shows.
+            files = sorted((p for p in new.rglob("*") if p.is_file()),
+                           key=lambda p: (p.suffix == ".html", p))
             for path in files:
                 with path.open("rb") as file:
                     os.fsync(file.fileno())
@@ -103,9 +121,7 @@ def written_first(out):
         finally:
             shutil.rmtree(new, ignore_errors=True)
     except OSError as error:
-        reason = "the disk is full" if error.errno == errno.ENOSPC else error.strerror
-        raise Refused(f"--out {out}: cannot be written ({reason}); a report that was there is as it "
-                      "was, and what was measured is kept") from error
+        raise not_written(out, error) from error
 
 
 def write(out, report, pictures):

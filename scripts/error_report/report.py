@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 import variants as listed
-from collect import collect, scene_name, write
+from collect import check_writable, collect, scene_name, write
 from variants import Refused
 from workflow import Workflow, fingerprint
 
@@ -60,12 +60,12 @@ def add_arguments(parser):
                         "report goes on and the next one measures only what has changed")
 
 
-def describe(program, scene):
-    """A scene in a line; refuses one that dynrt does not read."""
+def describe(program, scene, size):
+    """A scene in a line; refuses one that dynrt does not read, or pictures of this size."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "info.json"
-        result = subprocess.run([program, "info", scene, "--json", path], capture_output=True,
-                                text=True, check=False)
+        result = subprocess.run([program, "info", scene, "--size", size, "--json", path],
+                                capture_output=True, text=True, check=False)
         if result.returncode != 0:
             raise Refused(result.stderr.strip().removeprefix("dynrt: "))
     line = next((x for x in result.stdout.splitlines() if x.startswith("scene ")), scene)
@@ -87,7 +87,8 @@ def measured(args, scenes, hardware=True):
         if scene_name(scene) in known:
             raise Refused(f"{scene}: another scene of this report has the same name, "
                           f"'{scene_name(scene)}'; make two reports")
-        known[scene_name(scene)] = {"path": path, "about": describe(args.program, path)}
+        known[scene_name(scene)] = {"path": path, "about": describe(args.program, path, args.size)}
+    check_writable(args.out)
     folder = args.out.absolute().with_name(args.out.name + ".work")
     workflow = Workflow(folder, args.program.resolve(), args.build.resolve(), args.expect)
     with workflow.alone():
@@ -99,8 +100,10 @@ def measured(args, scenes, hardware=True):
 
 def run(args):
     report, pictures = measured(args, args.scene or ["office"], args.hardware)
-    write(args.out, report, pictures)
     refused = [r for r in report["runs"] if "refused" in r]
+    if len(refused) == len(report["runs"]):
+        raise Refused("no variant can render any of the scenes; " + refused[0]["refused"])
+    write(args.out, report, pictures)
     for one in refused:
         print(f"{one['variant']}: not with {one['scene']}: {one['refused']}")
     print(f"{len(report['runs']) - len(refused)} frames of {len(report['variants'])} variants and "
@@ -115,7 +118,7 @@ def guarded(what, args):
     except Refused as error:
         print(f"dynrt: {error}", file=sys.stderr)
     except OSError as error:
-        print(f"dynrt: {error.filename}: {error.strerror}", file=sys.stderr)
+        print(f"dynrt: {error.filename or args.out}: {error.strerror}", file=sys.stderr)
     except KeyboardInterrupt:
         print("\ndynrt: interrupted; the same command goes on from here", file=sys.stderr)
     return MISTAKE

@@ -3,8 +3,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The small parts of an error report, and its workflow with programs that only pretend."""
 
+import argparse
 import csv
 import json
+import math
 import multiprocessing
 import os
 import pathlib
@@ -192,9 +194,17 @@ class Choose(unittest.TestCase):
         self.assertFalse(choose.holds("primary.t_p99", None, 60))
 
     def test_unknown_measure(self):
-        with self.assertRaisesRegex(Refused, "^--measure x: unknown; the measures of this scene are "
+        with self.assertRaisesRegex(Refused, "^--measure x: this scene has none; its measures are "
                                     "primary.missed, primary.false, .*, image.largest$"):
             self.chosen("x", 1)
+
+
+    def test_what_is_wrong_is_said_before_anything_is_measured(self):
+        for flags, sentence in ((("x", 1.0), "^--measure x: unknown; the measures are primary.missed, "),
+                                (("image.rms", math.nan), "^--max-error nan: must be a number$")):
+            args = argparse.Namespace(measure=flags[0], max_error=flags[1])
+            with self.assertRaisesRegex(Refused, sentence):
+                choose.check_bound(args)
 
 
 class Hardware(unittest.TestCase):

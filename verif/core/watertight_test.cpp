@@ -66,10 +66,12 @@ struct Place {
   glm::dvec3 shift{0.0};  ///< of the mesh's corners, in radii
   double scale = 1;       ///< of the corners, shift and all: a power of two
   glm::dmat4 instance{1.0};
+  std::vector<glm::dvec3> others{};  ///< further instances: where their middles are, in radii
 };
 
 /// Shifts by none to 4096 radii and scales of 2^-20 to 2^20; every second one in an instance that
-/// is turned, scaled unevenly and mirrored.
+/// is turned, scaled unevenly and mirrored, and every second one among twenty others, which may
+/// reach into it.
 Place any_place(Random& random) {
   static constexpr double kShifts[] = {0, 0, 16, 256, 4096};
   Place place;
@@ -81,6 +83,9 @@ Place any_place(Random& random) {
     m = glm::rotate(m, 3.2 * unit(random), in_ball(random));
     m = glm::scale(m, size * glm::dvec3(1, -0.5 - 0.25 * unit(random), 1.5));
     place.instance = glm::rotate(m, 3.2 * unit(random), in_ball(random));
+  }
+  if (random.below(2) == 0) {
+    for (unsigned i = 0; i < 20; ++i) place.others.push_back(6.0 * in_ball(random));
   }
   return place;
 }
@@ -97,6 +102,10 @@ class Laid {
     p_.scene.materials = {{"grey"}};
     p_.scene.objects = {std::move(mesh)};
     p_.scene.instances = {{"closed", 0, place.instance}};
+    for (const glm::dvec3& middle : place.others) {
+      p_.scene.instances.push_back(
+          {"other", 0, place.instance * glm::translate(glm::dmat4(1.0), place.scale * middle)});
+    }
     p_.trees = trees_for(p_.scene, world(glm::dvec3(0.0)), form());
     p_.objects = ObjectImage(p_.scene, p_.trees.objects, form());
   }
@@ -177,9 +186,9 @@ class Frames {
       Random random(seed + n);
       const ClosedMesh& closed = meshes[n % meshes.size()];
       const Place place = any_place(random);
-      SCOPED_TRACE(fmt::format("mesh {}, shift {:.3g} {:.3g} {:.3g}, scale {:g}, seed {}",
-                               n % meshes.size(), place.shift.x, place.shift.y, place.shift.z,
-                               place.scale, seed + n));
+      SCOPED_TRACE(fmt::format(
+          "mesh {}, shift {:.3g} {:.3g} {:.3g}, scale {:g}, {} others, seed {}", n % meshes.size(),
+          place.shift.x, place.shift.y, place.shift.z, place.scale, place.others.size(), seed + n));
       Laid laid(closed, place);
       const double room = std::max(0.0, closed.inside - blur(place));
       for (unsigned i = 0; i < 4; ++i) {
