@@ -59,8 +59,8 @@ def main():
     parser.add_argument("report", type=pathlib.Path, metavar="FILE",
                         help="error.json of a report, its pictures beside it")
     parser.add_argument("--scene", default="office", metavar="NAME")
-    parser.add_argument("--measure", default="image.rms", metavar="GROUP.NAME",
-                        help="one of docs/measures.md (default: image.rms)")
+    parser.add_argument("--measure", default="primary.wrong_share", metavar="GROUP.NAME",
+                        help="one of docs/measures.md (default: primary.wrong_share)")
     parser.add_argument("--area", default="LUT", metavar="NAME",
                         help="cells that the area is counted in (default: LUT)")
     parser.add_argument("--out", type=pathlib.Path, required=True, metavar="FILE.svg")

@@ -61,8 +61,9 @@ const with_unit = (value, unit) =>
 
 // ---- What is shown ----
 
+const told_first = ["primary.wrong_share", "image.rms"].find((key) => errors.some((m) => m.key === key));
 const state = {scene: Object.keys(report.scenes)[0],
-               measure: errors.some((m) => m.key === "image.rms") ? "image.rms" : (errors[0] || {}).key,
+               measure: told_first || (errors[0] || {}).key,
                time: "frame_ms", area: areas[0], variant: report.reference, sort: ""};
 
 function read_address() {
