@@ -192,11 +192,7 @@ struct Core {
       join.constant(slice[i].lane, RayIndex::from(i));
       join.channel("decision_" + std::to_string(i), slice[i].decision, packet_decision.slice[i],
                    kAll);
-      if constexpr (kHasReciprocals<C>) {
-        join.ram("ray_" + std::to_string(i), ray_reciprocal.ray[i], std::vector{&slice[i].ray});
-      } else {
-        join.ram("ray_" + std::to_string(i), packet_decoder.ray[i], std::vector{&slice[i].ray});
-      }
+      join_rays(join, i);
       join.ram("distance_" + std::to_string(i), collect_hits.distance[i], distance_readers(i));
       if constexpr (kSplitsPackets<C>) {
         join.ram("signs_" + std::to_string(i), packet_decoder.signs[i],
@@ -204,6 +200,23 @@ struct Core {
       }
     }
     join.sink("stack_full", node_fetch.dropped);
+  }
+
+  /// The rays that a slice reads.
+  void join_rays(hls::Join& join, unsigned i) {
+    const std::string name = "ray_" + std::to_string(i);
+    if constexpr (kReadsAxes<C>) {
+      join.ram_of_words(name, rays_written(i), std::vector{&slice[i].ray});
+    } else {
+      join.ram(name, rays_written(i), std::vector{&slice[i].ray});
+    }
+  }
+  auto& rays_written(unsigned i) {
+    if constexpr (kHasReciprocals<C>) {
+      return ray_reciprocal.ray[i];
+    } else {
+      return packet_decoder.ray[i];
+    }
   }
 
   void join_lists(hls::Join& join) {

@@ -116,4 +116,35 @@ struct Ray {
   HLS_FIELDS(origin, direction)
 };
 
+/// A ray as the traversal has it: what belongs to one axis side by side, since a step needs no
+/// more.
+template <class R>
+struct RayAxis {
+  R origin, direction;
+  HLS_FIELDS(origin, direction)
+};
+template <class R>
+using RayByAxis = std::array<RayAxis<R>, 3>;
+template <class R>
+constexpr RayByAxis<R> by_axis(const Ray<R>& ray) {
+  return {{{ray.origin.x, ray.direction.x},
+           {ray.origin.y, ray.direction.y},
+           {ray.origin.z, ray.direction.z}}};
+}
+
+/// Whether a slice reads one axis of its ray, whose axes are then written one after the other. A
+/// slice's ray may follow another after five clocks, or three where a unit makes reciprocals; of
+/// rays that are transformed alone, after two.
+template <class C>
+inline constexpr bool kReadsAxes = kHasReciprocals<C> || !kHasSecondary<C>;
+/// Row of such an axis, 0 to 2.
+template <class C>
+using AxisRow = uint<LevelRow<C>::kWidth + 2>;
+template <class C>
+constexpr AxisRow<C> axis_row(LevelRow<C> ray, uint<2> axis) {
+  return hls::concat(axis, ray);
+}
+template <class C>
+inline constexpr unsigned kAxisRows = 3 * kLevelRows<C>;
+
 }  // namespace dynrt

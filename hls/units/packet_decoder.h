@@ -25,7 +25,7 @@ struct PacketDecoder {
       enter_object;
   hls::PortIf<kPassesObjectRays<C> && !kHasReciprocals<C>, hls::Out<ObjectRay<C>>> object_ray;
   hls::PortIf<kHasReciprocals<C>, hls::Out<TracedRay<C>>> traced;
-  hls::PortIf<!kHasReciprocals<C>, hls::RamWrite<Ray<Real>, kLevelRows<C>>> ray[kRays];
+  hls::PortIf<!kHasReciprocals<C>, hls::RamWrite<RayByAxis<Real>, kLevelRows<C>>> ray[kRays];
   hls::PortIf<kSplitsPackets<C>, hls::RamWrite<DirectionSigns, kLevelRows<C>>> signs[kRays];
   hls::RamWrite<Vector<Real>, kVectorRows<C>> vectors;
   /// The world rays, each with its origin; light rays, which nothing is derived from, left out.
@@ -67,7 +67,7 @@ struct PacketDecoder {
     if (!in.point) {
       for (unsigned i = 0; i < kRays; ++i) {
         if (!triangle && in.ray == RayIndex::from(i)) {
-          if constexpr (!kHasReciprocals<C>) ray[i].write(row, r);
+          if constexpr (!kHasReciprocals<C>) ray[i].write(row, by_axis(r));
           if constexpr (kSplitsPackets<C>) signs[i].write(row, signs_of(in.vector));
         }
       }

@@ -24,7 +24,7 @@ struct RayReciprocal {
   hls::Out<UnitRay<C>> reset;
   hls::PortIf<!kClipsToBox<C>, hls::Out<TraversalEvent<C>>> enter_object;
   hls::PortIf<kClipsToBox<C>, hls::Out<ObjectRay<C>>> object_ray;  ///< with the reciprocals
-  hls::RamWrite<Ray<Real>, kLevelRows<C>> ray[kRays];
+  hls::RamWrite<RayByAxis<Real>, kLevelRows<C>> ray[kRays];
   HLS_PORTS(traced, reset, enter_object, object_ray, ray[0], ray[1], ray[2], ray[3])
 
   void step() {
@@ -40,7 +40,9 @@ struct RayReciprocal {
     if (j.last) {
       const Level level = uint<1>(!j.job.is_new);
       for (unsigned i = 0; i < kRays; ++i) {
-        if (in.ray == RayIndex::from(i)) ray[i].write(level_row<C>(level, in.packet), saved);
+        if (in.ray == RayIndex::from(i)) {
+          ray[i].write(level_row<C>(level, in.packet), by_axis(saved));
+        }
       }
       if (j.job.is_new) {
         UnitRay<C> first;

@@ -42,7 +42,9 @@ class Reciprocals : public testing::Test {
   }
   Ray<Real> saved(unsigned level, unsigned ray) {
     const auto row = level_row<Config>(Level::from(level), PacketId<Config>(5));
-    return bench_.rows(bench_.unit.ray[ray])[row.to_u64()];
+    const RayByAxis<Real>& r = bench_.rows(bench_.unit.ray[ray])[row.to_u64()];
+    return {{r[0].origin, r[1].origin, r[2].origin},
+            {r[0].direction, r[1].direction, r[2].direction}};
   }
   const Vec kOrigin{real(1), real(2), real(3)};
   test::Bench<RayReciprocal<Config>> bench_;

@@ -34,7 +34,10 @@ struct TraversalSlice {
   hls::In<Step<C>> step_in;
   hls::Config<RayIndex> lane;  ///< which ray of the packet this slice serves
   hls::Out<SliceDecision> decision;
-  hls::RamRead<Ray<Real>, kLevelRows<C>> ray;  ///< its direction's reciprocals, if there are such
+  /// With its direction's reciprocals, if there are such.
+  std::conditional_t<kReadsAxes<C>, hls::RamRead<RayAxis<Real>, kAxisRows<C>>,
+                     hls::RamRead<RayByAxis<Real>, kLevelRows<C>>>
+      ray;
   hls::RamRead<Real, (1u << PacketId<C>::kWidth)> hit_distance;
   hls::PortIf<kHasMirrors<C>, hls::RamRead<Real, (1u << PacketId<C>::kWidth)>> start_distance;
   hls::PortIf<kClipsToBox<C>, hls::RamRead<BoxInterval<C>, (1u << PacketId<C>::kWidth)>> box;
@@ -91,11 +94,9 @@ struct TraversalSlice {
       far = popped.far;
     }
 
-    const Ray<Real> r = ray.read(row);
-    const Real origin = select_axis(s.node.kind, r.origin);
-    const Real direction = select_axis(s.node.kind, r.direction);
-    const Real offset = s.node.split - origin;
-    const Real d = distance(offset, direction, s.node.split == origin);
+    const RayAxis<Real> r = along_axis(s.node.kind, row);
+    const Real offset = s.node.split - r.origin;
+    const Real d = distance(offset, r.direction, s.node.split == r.origin);
     Real d_low = d;
     Real d_high = d;
     Real plane = d;
@@ -136,8 +137,17 @@ struct TraversalSlice {
   bool is_crossing(const StepContext<C>& c) const {
     return c.crossing.get().bit(static_cast<unsigned>(lane.get().raw()));
   }
-  static Real select_axis(NodeKind kind, const Vector<Real>& v) {
-    return kind == NodeKind::kSplitX ? v.x : kind == NodeKind::kSplitY ? v.y : v.z;
+  /// The ray along the axis that a node splits.
+  RayAxis<Real> along_axis(NodeKind kind, LevelRow<C> row) const {
+    const uint<2> axis = kind == NodeKind::kSplitX   ? uint<2>(0)
+                         : kind == NodeKind::kSplitY ? uint<2>(1)
+                                                     : uint<2>(2);
+    if constexpr (kReadsAxes<C>) {
+      return ray.read(axis_row<C>(row, axis));
+    } else {
+      const RayByAxis<Real> r = ray.read(row);
+      return axis == uint<2>(0) ? r[0] : axis == uint<2>(1) ? r[1] : r[2];
+    }
   }
 };
 

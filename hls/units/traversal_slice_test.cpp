@@ -35,15 +35,17 @@ SliceDecision decide(Bench& bench, const Step<C>& s) {
   return bench.take_one(bench.unit.decision);
 }
 void set_ray(Bench& bench, const Step<C>& s, const Ray<Real>& ray) {
-  bench.rows(bench.unit.ray)[level_row<C>(s.context.level, s.context.packet).to_u64()] = ray;
+  const LevelRow<C> row = level_row<C>(s.context.level, s.context.packet);
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    bench.rows(bench.unit.ray)[axis_row<C>(row, uint<2>::from(axis)).to_u64()] = by_axis(ray)[axis];
+  }
 }
 
 /// A ray along x from the origin: a plane's distance is where it splits.
 class AlongX : public testing::Test {
  protected:
   AlongX() {
-    const Ray<Real> ray{{}, {Real::one(), Real::one(), Real::one()}};
-    for (Ray<Real>& row : bench_.rows(bench_.unit.ray)) row = ray;
+    for (auto& row : bench_.rows(bench_.unit.ray)) row = {{}, Real::one()};
     hit(Real::largest());
   }
   void hit(Real distance) { bench_.rows(bench_.unit.hit_distance)[3] = distance; }
@@ -273,7 +275,7 @@ struct Remembers : test::Config<8> {
 TEST(TraversalSlice, ARayThatCrossedOthersPopsTheIntervalOfTheParent) {
   using Crossed = TraversalSlice<Remembers>;
   test::Bench<Crossed> bench;
-  for (auto& row : bench.rows(bench.unit.ray)) row = {{}, {Real::one(), Real::one(), Real::one()}};
+  for (auto& row : bench.rows(bench.unit.ray)) row.fill({{}, Real::one()});
   bench.rows(bench.unit.hit_distance)[0] = Real::largest();
   bench.rows(bench.unit.start_distance)[0] = real(1);
   const auto decide = [&](IntervalUpdate update, double split, bool both, bool crossing) {

@@ -245,7 +245,12 @@ class WidenedSlice : public testing::Test {
     ray({{}, {Real::one(), Real::one(), Real::one()}});
     bench_.rows(bench_.unit.hit_distance)[kRow] = Real::largest();
   }
-  void ray(const Ray<Real>& ray) { bench_.rows(bench_.unit.ray)[kRow] = ray; }
+  void ray(const Ray<Real>& ray) {
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const auto row = axis_row<C>(LevelRow<C>(kRow), uint<2>::from(axis));
+      bench_.rows(bench_.unit.ray)[row.to_u64()] = by_axis(ray)[axis];
+    }
+  }
   SliceDecision decide(IntervalUpdate update, Real split, bool both = true) {
     Step<C> s;
     s.context.packet = kRow;

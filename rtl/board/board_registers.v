@@ -51,8 +51,8 @@ module board_registers #(
 
 `include "dynrt_registers.vh"
 
-  // Clocks that the core gets to fetch a counter, less than a read takes to be answered.
-  localparam [1:0] COUNTER_CLOCKS = 2'd2;
+  // Clocks that the core gets to fetch a counter, which takes two; less than a read takes to be answered.
+  localparam [1:0] COUNTER_CLOCKS = 2'd3;
   localparam BANKS = 6;
 
   // Decode.

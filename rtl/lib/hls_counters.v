@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A bank of up to 256 32-bit event counters, read one at a time: data_o is the counter of the address that
-// stood a clock before. Counters wrap; clear_i sets all to zero.
+// stood two clocks before, as it was then. Counters wrap; clear_i sets all to zero.
+//
+// Only the low bits of a counter are flip-flops that count. A row of LUT RAM holds its high bits, and
+// the highest of the low ones, as they were when its turn last came, less than half a lap of the low
+// bits ago: if that bit was one and is zero, they have wrapped since.
 `default_nettype none
 
 module hls_counters #(
@@ -16,25 +20,67 @@ module hls_counters #(
     input  wire [COUNTERS-1:0] event_i
 );
 
-  wire [31:0] count[0:255];
+  localparam LOW = $clog2(COUNTERS + 4) + 1;  // half of them count what happens between two turns
+  localparam HIGH = 32 - LOW;
+  localparam SLOT_WIDTH = COUNTERS > 1 ? $clog2(COUNTERS) : 1;
+  localparam [31:0] LAST = COUNTERS - 1;
+
+  wire clear = clear_i || !rst_ni;
+  wire [LOW-1:0] low[0:COUNTERS-1];
+  wire [COUNTERS-1:0] top;  // the highest low bits
+  (* ram_style = "distributed" *)
+  reg [HIGH:0] rows[0:COUNTERS-1];
+  reg [COUNTERS-1:0] written_q;  // rows that count: written since they were cleared
 
   genvar i;
   generate
-    for (i = 0; i < 256; i = i + 1) begin : counter
-      if (i < COUNTERS) begin : counted
-        reg [31:0] count_q;
-        assign count[i] = count_q;
-        always @(posedge clk_i) begin
-          if (!rst_ni || clear_i) count_q <= 32'd0;
-          else if (event_i[i]) count_q <= count_q + 32'd1;
-        end
-      end else begin : absent
-        assign count[i] = 32'd0;
+    for (i = 0; i < COUNTERS; i = i + 1) begin : counter
+      reg [LOW-1:0] low_q;
+      assign low[i] = low_q;
+      assign top[i] = low_q[LOW-1];
+      always @(posedge clk_i) begin
+        if (clear) low_q <= {LOW{1'b0}};
+        else if (event_i[i]) low_q <= low_q + 1'b1;
       end
     end
   endgenerate
 
-  always @(posedge clk_i) data_o <= count[addr_i];
+  // The high bits by the row and the highest low bit now.
+  function [HIGH-1:0] high(input written, input [HIGH:0] row, input now);
+    high = written ? row[HIGH:1] + {{(HIGH - 1) {1'b0}}, row[0] && !now} : {HIGH{1'b0}};
+  endfunction
+
+  // Turn by turn a counter is looked at, and a clock later its row is written.
+  reg [SLOT_WIDTH-1:0] slot_q, write_slot_q;
+  reg write_q, write_written_q, write_top_q;
+  reg [HIGH:0] write_row_q;
+  always @(posedge clk_i) begin
+    slot_q <= !rst_ni || slot_q == LAST[SLOT_WIDTH-1:0] ? {SLOT_WIDTH{1'b0}} : slot_q + 1'b1;
+    write_q <= !clear;
+    write_slot_q <= slot_q;
+    write_written_q <= written_q[slot_q];
+    write_row_q <= rows[slot_q];
+    write_top_q <= top[slot_q];
+    if (write_q) begin
+      rows[write_slot_q] <= {high(write_written_q, write_row_q, write_top_q), write_top_q};
+      written_q[write_slot_q] <= 1'b1;
+    end
+    if (clear) written_q <= {COUNTERS{1'b0}};
+  end
+
+  // The reader.
+  wire [31:0] addr = {24'd0, addr_i};
+  wire [SLOT_WIDTH-1:0] read_slot = addr_i[SLOT_WIDTH-1:0];
+  reg read_q, read_written_q;
+  reg [HIGH:0] read_row_q;
+  reg [LOW-1:0] read_low_q;
+  always @(posedge clk_i) begin
+    read_q <= addr < COUNTERS;
+    read_written_q <= written_q[read_slot];
+    read_row_q <= rows[read_slot];
+    read_low_q <= low[read_slot];
+    data_o <= read_q ? {high(read_written_q, read_row_q, read_low_q[LOW-1]), read_low_q} : 32'd0;
+  end
 
 endmodule
 

@@ -26,12 +26,13 @@ module hls_fifo #(
 
   localparam ADDR_WIDTH = DEPTH > 1 ? $clog2(DEPTH) : 1;
   localparam [31:0] LAST = DEPTH - 1;
+  localparam WRAPS = DEPTH == 1 << ADDR_WIDTH;  // an address goes from LAST to 0 by itself
   localparam [31:0] SPACE = DEPTH - MARGIN - 1;
 
   reg  [     WIDTH-1:0] rows     [0:DEPTH-1];
   reg  [ADDR_WIDTH-1:0] write_q;
   reg  [ADDR_WIDTH-1:0] read_q;
-  reg  [  ADDR_WIDTH:0] rows_q;  // tokens in rows
+  reg                   empty_q;  // no token in rows
   reg  [ADDR_WIDTH+1:0] space_q;  // free places less MARGIN + 1; negative: not ready
   reg                   valid_q;
   reg  [     WIDTH-1:0] data_q;
@@ -39,9 +40,12 @@ module hls_fifo #(
   wire                  push = valid_i && (MARGIN > 0 || ready_o);
   wire                  pop = valid_q && ready_i;
   wire                  refill = !valid_q || ready_i;
-  wire                  empty = rows_q == {(ADDR_WIDTH + 1) {1'b0}};
-  wire                  take = refill && !empty;
-  wire                  store = push && !(refill && empty);
+  wire                  take = refill && !empty_q;
+  wire                  store = push && !(refill && empty_q);
+  wire [ADDR_WIDTH-1:0] write_next =
+      !WRAPS && write_q == LAST[ADDR_WIDTH-1:0] ? {ADDR_WIDTH{1'b0}} : write_q + 1'b1;
+  wire [ADDR_WIDTH-1:0] read_next =
+      !WRAPS && read_q == LAST[ADDR_WIDTH-1:0] ? {ADDR_WIDTH{1'b0}} : read_q + 1'b1;
 
   assign ready_o = BOUNDED != 0 || !space_q[ADDR_WIDTH+1];
   assign valid_o = valid_q;
@@ -49,24 +53,23 @@ module hls_fifo #(
 
   always @(posedge clk_i) begin
     if (store) rows[write_q] <= data_i;
-    if (refill) data_q <= empty ? data_i : rows[read_q];
+    if (refill) data_q <= empty_q ? data_i : rows[read_q];
   end
 
   always @(posedge clk_i) begin
     if (!rst_ni) begin
       write_q <= {ADDR_WIDTH{1'b0}};
       read_q  <= {ADDR_WIDTH{1'b0}};
-      rows_q  <= {(ADDR_WIDTH + 1) {1'b0}};
+      empty_q <= 1'b1;
       space_q <= SPACE[ADDR_WIDTH+1:0];
       valid_q <= 1'b0;
     end else begin
-      if (store) write_q <= write_q == LAST[ADDR_WIDTH-1:0] ? {ADDR_WIDTH{1'b0}} : write_q + 1'b1;
-      if (take) read_q <= read_q == LAST[ADDR_WIDTH-1:0] ? {ADDR_WIDTH{1'b0}} : read_q + 1'b1;
-      if (store && !take) rows_q <= rows_q + 1'b1;
-      if (take && !store) rows_q <= rows_q - 1'b1;
-      if (pop && !push) space_q <= space_q + 1'b1;
-      if (push && !pop) space_q <= space_q - 1'b1;
-      if (refill) valid_q <= push || !empty;
+      if (store) write_q <= write_next;
+      if (take) read_q <= read_next;
+      if (store != take) empty_q <= take && read_next == write_q;
+      // One adder: 1 more, or 1 less.
+      if (push != pop) space_q <= space_q + {{(ADDR_WIDTH + 1) {push}}, 1'b1};
+      if (refill) valid_q <= push || !empty_q;
     end
   end
 

@@ -19,6 +19,7 @@
 #include "Vhls_fork.h"
 #include "Vhls_ram_1r1w.h"
 #include "Vhls_ram_exclusive.h"
+#include "Vhls_ram_words.h"
 #include "Vhls_register_file.h"
 #include "Vhls_repeat.h"
 
@@ -234,7 +235,7 @@ TEST(HlsRepeat, SendsAJobAsOftenAsItSays) {
   EXPECT_GT(jobs, kClocks / 10);
 }
 
-TEST(HlsCounters, CountTheirEventsAndAreReadAClockLater) {
+TEST(HlsCounters, CountTheirEventsAndAreReadTwoClocksLater) {
   VerilatedContext context;
   context.randReset(2);
   Vhls_counters v(&context);  // 5 counters
@@ -242,16 +243,19 @@ TEST(HlsCounters, CountTheirEventsAndAreReadAClockLater) {
   v.clear_i = v.event_i = v.addr_i = 0;
   reset(v);
   std::vector<unsigned> counts(256, 0);
-  unsigned expected = 0;
+  std::deque<unsigned> expected;
   unsigned most = 0;
   for (unsigned t = 0; t < kClocks; ++t) {
     v.clear_i = random() % 2000 == 0;
     v.event_i = random() % 32;
     v.addr_i = static_cast<unsigned char>(random() % 4 ? random() % 5 : random() % 256);
     settle(v);
-    if (t > 0) ASSERT_EQ(v.data_o, expected) << t;
-    expected = counts[v.addr_i];
-    most = std::max(most, expected);
+    if (expected.size() == 2) {
+      ASSERT_EQ(v.data_o, expected.front()) << t;
+      expected.pop_front();
+    }
+    expected.push_back(counts[v.addr_i]);
+    most = std::max(most, expected.back());
     for (unsigned i = 0; i < 5; ++i) counts[i] += v.event_i >> i & 1;
     if (v.clear_i) counts.assign(256, 0);
     clock(v);
@@ -337,6 +341,71 @@ TEST(HlsRam, AnExclusiveRowReadWhileItIsWrittenStopsTheSimulation) {
   EXPECT_FALSE(stops(true, 3, true, 3)) << "in reset, where the enables mean nothing";
   v.rst_ni = 1;
   EXPECT_TRUE(stops(true, 3, true, 3));
+}
+
+TEST(HlsRamWords, IsWrittenByRowsAndReadByWords) {
+  VerilatedContext context;
+  context.randReset(2);
+  Vhls_ram_words v(&context);  // 8 rows of 3 words of 10 bits
+  std::mt19937 random(11);
+  std::vector<std::vector<unsigned>> rows(8, {0, 0, 0});
+  v.read_en_i = v.write_en_i = 0;
+  reset(v);
+  unsigned written = 0;
+  unsigned known = 0;  // rows below it have been written
+  unsigned since = 3;  // clocks since a row was written last
+  unsigned last = 0;   // which
+  unsigned expected = 0;
+  bool read = false;
+  for (unsigned t = 0; t < kClocks; ++t) {
+    v.write_en_i = since >= 2 && (known < 8 || random() % 3 == 0);
+    ++since;
+    if (v.write_en_i) {
+      last = known < 8 ? known : random() % 8;
+      since = 0;
+      for (unsigned& word : rows[last]) word = random() % 1024;
+      v.write_data_i = rows[last][0] | rows[last][1] << 10 | rows[last][2] << 20;
+    }
+    v.write_addr_i = static_cast<unsigned char>(v.write_en_i ? last : random() % 8);
+    if (!v.write_en_i) v.write_data_i = random() & 0x3fffffff;
+    const unsigned row = random() % 8;
+    const unsigned word = random() % 3;
+    v.read_en_i = known == 8 && (since > 2 || row != last) && random() % 4 != 0;
+    v.read_addr_i = static_cast<unsigned char>(word << 3 | row);
+    settle(v);
+    if (read) ASSERT_EQ(v.read_data_o, expected) << t;
+    if (v.read_en_i) {
+      expected = rows[row][word];
+      read = true;
+    }
+    if (v.write_en_i) {
+      ++written;
+      known = std::max(known, last + 1);
+    }
+    clock(v);
+  }
+  EXPECT_GT(written, kClocks / 10);
+}
+
+TEST(HlsRamWords, BrokenPromisesStopTheSimulation) {
+  for (const bool reads : {false, true}) {
+    for (unsigned after = 0; after < 4; ++after) {
+      VerilatedContext context;
+      context.fatalOnError(false);
+      Vhls_ram_words v(&context);
+      v.read_en_i = v.write_en_i = 0;
+      reset(v);
+      v.write_addr_i = 2;
+      v.read_addr_i = 1 << 3 | 2;
+      for (unsigned t = 0; t <= after; ++t) {
+        v.write_en_i = t == 0 || (t == after && !reads);
+        v.read_en_i = t == after && reads;
+        settle(v), clock(v);
+      }
+      const bool early = reads ? after < 3 : after == 1 || after == 2;
+      EXPECT_EQ(context.gotError(), early) << (reads ? "read" : "written") << " after " << after;
+    }
+  }
 }
 
 TEST(HlsRegisterFile, ReadsInTheSameClockAndStartsWithZeros) {

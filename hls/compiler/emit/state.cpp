@@ -1,9 +1,32 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "emit/verilog_writer.h"
 #include "netlist/op.h"
 
 namespace hlsc {
+namespace {
+
+/// What of a token its FIFO has to hold: each bit that is not constant, once.
+struct Stored {
+  std::vector<BitRef> bits;
+  std::vector<BitRef> token;  ///< the whole token, of constants and of bits of `held`
+};
+
+Stored stored(const std::vector<BitRef>& data, CellId held) {
+  Stored s;
+  for (const BitRef b : data) {
+    auto found = std::find(s.bits.begin(), s.bits.end(), b);
+    if (!b.is_constant() && found == s.bits.end()) found = s.bits.insert(found, b);
+    const auto number = static_cast<unsigned>(found - s.bits.begin());
+    s.token.push_back(b.is_constant() ? b : BitRef{held, number});
+  }
+  if (s.bits.empty()) s.bits.push_back(data.front());  // a FIFO has a width
+  return s;
+}
+
+}  // namespace
 
 void VerilogWriter::write_register(unsigned index) {
   const CellId read = c_.register_read[index];
@@ -54,12 +77,24 @@ void VerilogWriter::write_fifo(unsigned index) {
     unused_.push_back(fmt::format("{}_BOUNDED[0]", upper(p.name)));
     return;
   }
+  const Stored kept = stored(c_.cells[write].operands[1], write);
+  const auto width = static_cast<unsigned>(kept.bits.size());
+  const bool all = width == p.width;
+  const std::string from = p.name + (all ? "_data_o" : "_stored");
+  if (!all) {
+    out("  wire {}{};\n", bit_range(width), from);
+    expressions_.declare(write, stage(write), {from, 0, width - 1, 0, width == 1});
+  }
   out("  hls_fifo #(.WIDTH({0}), .DEPTH({1}_DEPTH), .MARGIN({1}_BOUNDED ? 0 : {2}),\n"
       "    .BOUNDED({1}_BOUNDED)) {3}_fifo (\n"
       "    .clk_i(clk_i), .rst_ni(rst_ni),\n"
       "    .valid_i({4}), .ready_o({3}_room),\n    .data_i({5}),\n"
-      "    .valid_o({3}_valid_o), .ready_i({3}_ready_i), .data_o({3}_data_o));\n",
-      p.width, upper(p.name), schedule_.stages - 1, p.name, enabled(write), bits(write, 1));
+      "    .valid_o({3}_valid_o), .ready_i({3}_ready_i), .data_o({6}));\n",
+      width, upper(p.name), schedule_.stages - 1, p.name, enabled(write),
+      all ? bits(write, 1) : expressions_.bits(kept.bits, stage(write)), from);
+  if (!all) {
+    out("  assign {}_data_o = {};\n", p.name, expressions_.bits(kept.token, stage(write)));
+  }
 }
 
 void VerilogWriter::write_ram(unsigned index) {

@@ -251,15 +251,24 @@ class Top {
     write("\n  // RAM {}\n", ram.name);
     for (std::size_t i = 0; i < ram.readers.size(); ++i) {
       const std::string r = wire(ram.readers[i]);
-      declare("  wire {0}_en;\n  wire {1}{0}_addr;\n  wire {2}{0}_data;\n", r, range(bits),
-              range(ram.width));
+      const unsigned word_bits = ram.words == 1 ? 0 : address_bits(ram.words);
+      declare("  wire {0}_en;\n  wire {1}{0}_addr;\n  wire {2}{0}_data;\n", r,
+              range(bits + word_bits), range(ram.width / ram.words));
+      write("  {} {}_ram_{} (\n", ram_module(ram), ram.name, i);
       write(
-          "  hls_ram_1r1w #(.WIDTH({0}), .ROWS({1}), .EXCLUSIVE({2})) {3}_ram_{4} (\n"
           "    .clk_i(clk_i), .rst_ni(rst_ni),\n"
-          "    .write_en_i({5}_en), .write_addr_i({5}_addr), .write_data_i({5}_data),\n"
-          "    .read_en_i({6}_en), .read_addr_i({6}_addr), .read_data_o({6}_data));\n",
-          ram.width, ram.rows, ram.hazard == hls::Hazard::kExclusive ? 1 : 0, ram.name, i, w, r);
+          "    .write_en_i({0}_en), .write_addr_i({0}_addr), .write_data_i({0}_data),\n"
+          "    .read_en_i({1}_en), .read_addr_i({1}_addr), .read_data_o({1}_data));\n",
+          w, r);
     }
+  }
+  static std::string ram_module(const hls::RamRecord& ram) {
+    if (ram.words > 1) {
+      return fmt::format("hls_ram_words #(.WIDTH({}), .WORDS({}), .ROWS({}))",
+                         ram.width / ram.words, ram.words, ram.rows);
+    }
+    return fmt::format("hls_ram_1r1w #(.WIDTH({}), .ROWS({}), .EXCLUSIVE({}))", ram.width, ram.rows,
+                       ram.hazard == hls::Hazard::kExclusive ? 1 : 0);
   }
 
   void connect(const hls::BankRecord& bank) {

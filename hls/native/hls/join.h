@@ -9,6 +9,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -169,6 +171,25 @@ class Join {
     for (auto* reader : readers) {
       record.readers.push_back(port_name(reader));
       reader->bind(rows);
+    }
+    record_.rams.push_back(std::move(record));
+  }
+  /// A RAM whose rows are written whole and read a word at a time, with the word's number in the
+  /// highest bits of the address. The words are written one a clock: the row that follows must not
+  /// come before the last of them is, nor may one be read that is still to be written.
+  template <class T, std::size_t W, unsigned N, unsigned M, unsigned L>
+  void ram_of_words(const std::string& name, RamWrite<std::array<T, W>, N>& writer,
+                    std::vector<RamRead<T, M, L>*> readers) {
+    static_assert(W > 1 && M == W * N && std::has_single_bit(N), "an address is word, row");
+    RamRecord record{name, port_name(&writer), {}, bit_width_of<std::array<T, W>>(),
+                     N,    Hazard::kExclusive, W};
+    auto words = std::make_shared<std::vector<T>>(M);
+    writer.bind([words](std::uint64_t row, const std::array<T, W>& written) {
+      for (std::size_t w = 0; w < W; ++w) (*words)[w * N + row] = written[w];
+    });
+    for (auto* reader : readers) {
+      record.readers.push_back(port_name(reader));
+      reader->bind(words);
     }
     record_.rams.push_back(std::move(record));
   }

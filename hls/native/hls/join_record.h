@@ -42,9 +42,10 @@ struct RamRecord {
   std::string name;
   std::string writer;
   std::vector<std::string> readers;
-  unsigned width;
+  unsigned width;  ///< of a row as it is written
   unsigned rows;
   Hazard hazard;
+  unsigned words = 1;  ///< that a row is made of; readers read one of them
 };
 struct BankRecord {
   std::string name;

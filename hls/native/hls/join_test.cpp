@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <stdexcept>
 
@@ -46,6 +47,22 @@ struct Look {
   hls::Out<Byte> out;
   HLS_PORTS(in, row, out)
   void step() { out.write(row.read(in.read())); }
+};
+struct WriteWords {
+  hls::In<Byte> in;
+  hls::RamWrite<std::array<Byte, 3>, 256> row;
+  HLS_PORTS(in, row)
+  void step() {
+    const Byte b = in.read();
+    row.write(b, {b, ~b, b ^ Byte(1)});
+  }
+};
+struct LookAtWord {
+  hls::In<uint<10>> in;
+  hls::RamRead<Byte, 768> word;
+  hls::Out<Byte> out;
+  HLS_PORTS(in, word, out)
+  void step() { out.write(word.read(in.read())); }
 };
 struct Job {
   uint<4> repeat;
@@ -199,6 +216,30 @@ TEST(Join, ARamHasOneWriterAndManyReaders) {
   EXPECT_EQ(values(*out_left), (List{252, 0}));
   EXPECT_EQ(values(*out_right), (List{252, 0}));
   EXPECT_EQ(join.record().rams.at(0).readers, (std::vector<std::string>{"left.row", "right.row"}));
+}
+
+TEST(Join, ARamOfWordsIsWrittenByRowsAndReadByWords) {
+  WriteWords writer;
+  LookAtWord reader;
+  hls::Join join;
+  join.unit("writer", "writer", writer);
+  join.unit("reader", "reader", reader);
+  auto rows = join.input("rows", writer.in);
+  auto addresses = join.input("addresses", reader.in);
+  auto words = join.output("words", reader.out);
+  join.ram_of_words("table", writer.row, std::vector{&reader.word});
+  rows->push(5);
+  rows->push(9);
+  join.run();
+  for (const unsigned address : {5u, 9u, 256u + 5, 512u + 5, 512u + 9}) {
+    addresses->push(uint<10>::from(address));
+  }
+  join.run();
+  EXPECT_EQ(values(*words), (List{5, 9, 250, 4, 8}));
+  const hls::RamRecord& ram = join.record().rams.front();
+  EXPECT_EQ(ram.width, 24u);
+  EXPECT_EQ(ram.rows, 256u);
+  EXPECT_EQ(ram.words, 3u);
 }
 
 TEST(Join, ASinkCountsAndDrops) {

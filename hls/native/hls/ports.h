@@ -10,6 +10,7 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string_view>
@@ -140,13 +141,17 @@ class RamWrite {
   void write(Address address, const T& row) {
     if (rows_) (*rows_)[address.to_u64()] = row;
     if (log_) log_->emplace_back(address.to_u64(), row);
+    if (taker_) taker_(address.to_u64(), row);
   }
   void bind(std::shared_ptr<std::vector<T>> rows) { rows_ = std::move(rows); }
+  /// Every row goes to `taker` with its number.
+  void bind(std::function<void(std::uint64_t, const T&)> taker) { taker_ = std::move(taker); }
   /// From now on appends every write to `log`, for who compares them one by one.
   void record(Log* log) { log_ = log; }
 
  private:
   std::shared_ptr<std::vector<T>> rows_;
+  std::function<void(std::uint64_t, const T&)> taker_;
   Log* log_ = nullptr;
 };
 template <class T, unsigned N, unsigned Latency = 1>

@@ -144,18 +144,22 @@ module collect_hits #(
   assign record_addr_o = in_packet_s1;
   assign object_en_o = valid_s1;
   assign object_addr_o = in_packet_s1;
-  hls_fifo #(.WIDTH(26), .DEPTH(GO_ON_DEPTH), .MARGIN(GO_ON_BOUNDED ? 0 : 2),
+  wire [4:0] go_on_stored;
+  hls_fifo #(.WIDTH(5), .DEPTH(GO_ON_DEPTH), .MARGIN(GO_ON_BOUNDED ? 0 : 2),
     .BOUNDED(GO_ON_BOUNDED)) go_on_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && (eq_1_s2 & not_3_s2)), .ready_o(go_on_room),
-    .data_i({21'd1, in_packet_s2}),
-    .valid_o(go_on_valid_o), .ready_i(go_on_ready_i), .data_o(go_on_data_o));
-  hls_fifo #(.WIDTH(43), .DEPTH(START_DEPTH), .MARGIN(START_BOUNDED ? 0 : 2),
+    .data_i(in_packet_s2),
+    .valid_o(go_on_valid_o), .ready_i(go_on_ready_i), .data_o(go_on_stored));
+  assign go_on_data_o = {21'd1, go_on_stored};
+  wire [8:0] start_stored;
+  hls_fifo #(.WIDTH(9), .DEPTH(START_DEPTH), .MARGIN(START_BOUNDED ? 0 : 2),
     .BOUNDED(START_BOUNDED)) start_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && (in_reset_s2 & eq_1_s2)), .ready_o(start_room),
-    .data_i({32'd0, job_active_s2, 2'd2, in_packet_s2}),
-    .valid_o(start_valid_o), .ready_i(start_ready_i), .data_o(start_data_o));
+    .data_i({job_active_s2, in_packet_s2}),
+    .valid_o(start_valid_o), .ready_i(start_ready_i), .data_o(start_stored));
+  assign start_data_o = {32'd0, start_stored[8:5], 2'd2, start_stored[4:0]};
   assign distance_0_en_o = valid_s2 && (or_2_s2 & (not_1_s2 & not_2_s2));
   assign distance_0_addr_o = in_packet_s2;
   assign distance_0_data_o = mux_9_s2;

@@ -264,8 +264,8 @@ module dynrt_core (
   wire [5:0] packet_decoder__ray_0_addr;
   wire [143:0] packet_decoder__ray_0_data;
   wire slice_0__ray_en;
-  wire [5:0] slice_0__ray_addr;
-  wire [143:0] slice_0__ray_data;
+  wire [7:0] slice_0__ray_addr;
+  wire [47:0] slice_0__ray_data;
   wire collect_hits__distance_0_en;
   wire [4:0] collect_hits__distance_0_addr;
   wire [23:0] collect_hits__distance_0_data;
@@ -276,8 +276,8 @@ module dynrt_core (
   wire [5:0] packet_decoder__ray_1_addr;
   wire [143:0] packet_decoder__ray_1_data;
   wire slice_1__ray_en;
-  wire [5:0] slice_1__ray_addr;
-  wire [143:0] slice_1__ray_data;
+  wire [7:0] slice_1__ray_addr;
+  wire [47:0] slice_1__ray_data;
   wire collect_hits__distance_1_en;
   wire [4:0] collect_hits__distance_1_addr;
   wire [23:0] collect_hits__distance_1_data;
@@ -288,8 +288,8 @@ module dynrt_core (
   wire [5:0] packet_decoder__ray_2_addr;
   wire [143:0] packet_decoder__ray_2_data;
   wire slice_2__ray_en;
-  wire [5:0] slice_2__ray_addr;
-  wire [143:0] slice_2__ray_data;
+  wire [7:0] slice_2__ray_addr;
+  wire [47:0] slice_2__ray_data;
   wire collect_hits__distance_2_en;
   wire [4:0] collect_hits__distance_2_addr;
   wire [23:0] collect_hits__distance_2_data;
@@ -300,8 +300,8 @@ module dynrt_core (
   wire [5:0] packet_decoder__ray_3_addr;
   wire [143:0] packet_decoder__ray_3_data;
   wire slice_3__ray_en;
-  wire [5:0] slice_3__ray_addr;
-  wire [143:0] slice_3__ray_data;
+  wire [7:0] slice_3__ray_addr;
+  wire [47:0] slice_3__ray_data;
   wire collect_hits__distance_3_en;
   wire [4:0] collect_hits__distance_3_addr;
   wire [23:0] collect_hits__distance_3_data;
@@ -732,7 +732,7 @@ module dynrt_core (
     .read_en_i(shading__hit_en), .read_addr_i(shading__hit_addr), .read_data_o(shading__hit_data));
 
   // RAM ray_0
-  hls_ram_1r1w #(.WIDTH(144), .ROWS(64), .EXCLUSIVE(1)) ray_0_ram_0 (
+  hls_ram_words #(.WIDTH(48), .WORDS(3), .ROWS(64)) ray_0_ram_0 (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(packet_decoder__ray_0_en), .write_addr_i(packet_decoder__ray_0_addr), .write_data_i(packet_decoder__ray_0_data),
     .read_en_i(slice_0__ray_en), .read_addr_i(slice_0__ray_addr), .read_data_o(slice_0__ray_data));
@@ -744,7 +744,7 @@ module dynrt_core (
     .read_en_i(slice_0__hit_distance_en), .read_addr_i(slice_0__hit_distance_addr), .read_data_o(slice_0__hit_distance_data));
 
   // RAM ray_1
-  hls_ram_1r1w #(.WIDTH(144), .ROWS(64), .EXCLUSIVE(1)) ray_1_ram_0 (
+  hls_ram_words #(.WIDTH(48), .WORDS(3), .ROWS(64)) ray_1_ram_0 (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(packet_decoder__ray_1_en), .write_addr_i(packet_decoder__ray_1_addr), .write_data_i(packet_decoder__ray_1_data),
     .read_en_i(slice_1__ray_en), .read_addr_i(slice_1__ray_addr), .read_data_o(slice_1__ray_data));
@@ -756,7 +756,7 @@ module dynrt_core (
     .read_en_i(slice_1__hit_distance_en), .read_addr_i(slice_1__hit_distance_addr), .read_data_o(slice_1__hit_distance_data));
 
   // RAM ray_2
-  hls_ram_1r1w #(.WIDTH(144), .ROWS(64), .EXCLUSIVE(1)) ray_2_ram_0 (
+  hls_ram_words #(.WIDTH(48), .WORDS(3), .ROWS(64)) ray_2_ram_0 (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(packet_decoder__ray_2_en), .write_addr_i(packet_decoder__ray_2_addr), .write_data_i(packet_decoder__ray_2_data),
     .read_en_i(slice_2__ray_en), .read_addr_i(slice_2__ray_addr), .read_data_o(slice_2__ray_data));
@@ -768,7 +768,7 @@ module dynrt_core (
     .read_en_i(slice_2__hit_distance_en), .read_addr_i(slice_2__hit_distance_addr), .read_data_o(slice_2__hit_distance_data));
 
   // RAM ray_3
-  hls_ram_1r1w #(.WIDTH(144), .ROWS(64), .EXCLUSIVE(1)) ray_3_ram_0 (
+  hls_ram_words #(.WIDTH(48), .WORDS(3), .ROWS(64)) ray_3_ram_0 (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(packet_decoder__ray_3_en), .write_addr_i(packet_decoder__ray_3_addr), .write_data_i(packet_decoder__ray_3_data),
     .read_en_i(slice_3__ray_en), .read_addr_i(slice_3__ray_addr), .read_data_o(slice_3__ray_data));

@@ -68,12 +68,14 @@ module list #(
     .valid_i(valid_s1 && (~at_end_s1)), .ready_o(request_room),
     .data_i({address_s1, row_s1}),
     .valid_o(request_valid_o), .ready_i(request_ready_i), .data_o(request_data_o));
-  hls_fifo #(.WIDTH(63), .DEPTH(FINISHED_DEPTH), .MARGIN(FINISHED_BOUNDED ? 0 : 1),
+  wire [5:0] finished_stored;
+  hls_fifo #(.WIDTH(6), .DEPTH(FINISHED_DEPTH), .MARGIN(FINISHED_BOUNDED ? 0 : 1),
     .BOUNDED(FINISHED_BOUNDED)) finished_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s1 && at_end_s1), .ready_o(finished_room),
-    .data_i({57'd3, row_s1}),
-    .valid_o(finished_valid_o), .ready_i(finished_ready_i), .data_o(finished_data_o));
+    .data_i(row_s1),
+    .valid_o(finished_valid_o), .ready_i(finished_ready_i), .data_o(finished_stored));
+  assign finished_data_o = {57'd3, finished_stored};
   assign last_en_o = valid_s0 && not_1_s0;
   assign last_addr_o = row_s0;
   wire next_write = valid_s1;

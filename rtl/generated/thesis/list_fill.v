@@ -56,12 +56,14 @@ module list_fill #(
   wire [5:0] waiting_s1 = waiting_data_i;
 
   // ---- state, rows and tokens written ----
-  hls_fifo #(.WIDTH(43), .DEPTH(REPLY_DEPTH), .MARGIN(REPLY_BOUNDED ? 0 : 1),
+  wire [37:0] reply_stored;
+  hls_fifo #(.WIDTH(38), .DEPTH(REPLY_DEPTH), .MARGIN(REPLY_BOUNDED ? 0 : 1),
     .BOUNDED(REPLY_BOUNDED)) reply_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s1 && not_1_s1), .ready_o(reply_room),
-    .data_i({fill_27_s1, 5'd0, waiting_s1}),
-    .valid_o(reply_valid_o), .ready_i(reply_ready_i), .data_o(reply_data_o));
+    .data_i({fill_27_s1, waiting_s1}),
+    .valid_o(reply_valid_o), .ready_i(reply_ready_i), .data_o(reply_stored));
+  assign reply_data_o = {reply_stored[37:6], 5'd0, reply_stored[5:0]};
   assign lines_en_o = valid_s0;
   assign lines_addr_o = line_s0;
   assign lines_data_o = {fill_27_s0, fill_17_s0, fill_8_s0, not_1_s0};

@@ -89,18 +89,22 @@ module list_lookup #(
   wire not_1_s2 = ~and_1_s2;  // units/cache_lookup.h:71
 
   // ---- state, rows and tokens written ----
-  hls_fifo #(.WIDTH(43), .DEPTH(REPLY_DEPTH), .MARGIN(REPLY_BOUNDED ? 0 : 2),
+  wire [37:0] reply_stored;
+  hls_fifo #(.WIDTH(38), .DEPTH(REPLY_DEPTH), .MARGIN(REPLY_BOUNDED ? 0 : 2),
     .BOUNDED(REPLY_BOUNDED)) reply_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && and_1_s2), .ready_o(reply_room),
-    .data_i({lines_20_s2, 5'd0, request_5_s2, r_context_packet_s2}),
-    .valid_o(reply_valid_o), .ready_i(reply_ready_i), .data_o(reply_data_o));
-  hls_fifo #(.WIDTH(28), .DEPTH(MISS_DEPTH), .MARGIN(MISS_BOUNDED ? 0 : 2),
+    .data_i({lines_20_s2, request_5_s2, r_context_packet_s2}),
+    .valid_o(reply_valid_o), .ready_i(reply_ready_i), .data_o(reply_stored));
+  assign reply_data_o = {reply_stored[37:6], 5'd0, reply_stored[5:0]};
+  wire [23:0] miss_stored;
+  hls_fifo #(.WIDTH(24), .DEPTH(MISS_DEPTH), .MARGIN(MISS_BOUNDED ? 0 : 2),
     .BOUNDED(MISS_BOUNDED)) miss_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && not_1_s2), .ready_o(miss_room),
-    .data_i({request_15_s2, request_6_s2, 2'd0, r_context_packet_s2, 2'd1}),
-    .valid_o(miss_valid_o), .ready_i(miss_ready_i), .data_o(miss_data_o));
+    .data_i({request_15_s2, request_6_s2, r_context_packet_s2}),
+    .valid_o(miss_valid_o), .ready_i(miss_ready_i), .data_o(miss_stored));
+  assign miss_data_o = {miss_stored[23:5], 2'd0, miss_stored[4:0], 2'd1};
   assign lines_en_o = valid_s0;
   assign lines_addr_o = line_s0;
   assign waiting_en_o = valid_s2 && not_1_s2;

@@ -33,12 +33,14 @@ module matrix_fetch #(
   wire [10:0] job_9_s0 = job_data_i[19:9];
 
   // ---- state, rows and tokens written ----
-  hls_fifo #(.WIDTH(32), .DEPTH(REQUEST_DEPTH), .MARGIN(REQUEST_BOUNDED ? 0 : 0),
+  wire [29:0] request_stored;
+  hls_fifo #(.WIDTH(30), .DEPTH(REQUEST_DEPTH), .MARGIN(REQUEST_BOUNDED ? 0 : 0),
     .BOUNDED(REQUEST_BOUNDED)) request_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s0), .ready_o(request_room),
-    .data_i({j_job_matrix_s0, column_s0, column_s0, job_9_s0}),
-    .valid_o(request_valid_o), .ready_i(request_ready_i), .data_o(request_data_o));
+    .data_i({j_job_matrix_s0, column_s0, job_9_s0}),
+    .valid_o(request_valid_o), .ready_i(request_ready_i), .data_o(request_stored));
+  assign request_data_o = {request_stored[29:11], request_stored[12:0]};
 
   wire unused = &{1'b0,
     job_data_i[8:2]};

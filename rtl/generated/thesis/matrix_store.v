@@ -69,12 +69,14 @@ module matrix_store #(
   wire [3:0] reply_7_s0 = reply_data_i[10:7];
 
   // ---- state, rows and tokens written ----
-  hls_fifo #(.WIDTH(11), .DEPTH(READY_DEPTH), .MARGIN(READY_BOUNDED ? 0 : 0),
+  wire [7:0] ready_stored;
+  hls_fifo #(.WIDTH(8), .DEPTH(READY_DEPTH), .MARGIN(READY_BOUNDED ? 0 : 0),
     .BOUNDED(READY_BOUNDED)) ready_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s0 && complete_s0), .ready_o(ready_room),
-    .data_i({r_context_kind_s0, r_context_packet_s0, 2'd1, {2{frame_352_config}}}),
-    .valid_o(ready_valid_o), .ready_i(ready_ready_i), .data_o(ready_data_o));
+    .data_i({r_context_kind_s0, r_context_packet_s0, frame_352_config}),
+    .valid_o(ready_valid_o), .ready_i(ready_ready_i), .data_o(ready_stored));
+  assign ready_data_o = {ready_stored[7:1], 2'd1, {2{ready_stored[0]}}};
   assign column_0_en_o = valid_s0 && eq_1_s0;
   assign column_0_addr_o = r_context_packet_s0;
   assign column_0_data_o = {r_line_row_2_value_s0, r_line_row_1_value_s0, r_line_row_0_value_s0};

@@ -103,24 +103,30 @@ module memory_interface #(
   wire not_2_s3 = ~request_0_s3;
 
   // ---- state, rows and tokens written ----
-  hls_fifo #(.WIDTH(91), .DEPTH(NODE_DEPTH), .MARGIN(NODE_BOUNDED ? 0 : 3),
+  wire [89:0] node_stored;
+  hls_fifo #(.WIDTH(90), .DEPTH(NODE_DEPTH), .MARGIN(NODE_BOUNDED ? 0 : 3),
     .BOUNDED(NODE_BOUNDED)) node_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s3 && (not_1_s3 & not_2_s3)), .ready_o(node_room),
-    .data_i({data_1_s3, data_0_s3, r_address_s3, request_2_s3, 1'd0}),
-    .valid_o(node_valid_o), .ready_i(node_ready_i), .data_o(node_data_o));
-  hls_fifo #(.WIDTH(59), .DEPTH(LIST_DEPTH), .MARGIN(LIST_BOUNDED ? 0 : 3),
+    .data_i({data_1_s3, data_0_s3, r_address_s3, request_2_s3}),
+    .valid_o(node_valid_o), .ready_i(node_ready_i), .data_o(node_stored));
+  assign node_data_o = {node_stored, 1'd0};
+  wire [57:0] list_stored;
+  hls_fifo #(.WIDTH(58), .DEPTH(LIST_DEPTH), .MARGIN(LIST_BOUNDED ? 0 : 3),
     .BOUNDED(LIST_BOUNDED)) list_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s3 && (request_0_s3 & not_1_s3)), .ready_o(list_room),
-    .data_i({data_2_s3, r_address_s3, request_2_s3, 1'd0}),
-    .valid_o(list_valid_o), .ready_i(list_ready_i), .data_o(list_data_o));
-  hls_fifo #(.WIDTH(123), .DEPTH(COLUMN_DEPTH), .MARGIN(COLUMN_BOUNDED ? 0 : 3),
+    .data_i({data_2_s3, r_address_s3, request_2_s3}),
+    .valid_o(list_valid_o), .ready_i(list_ready_i), .data_o(list_stored));
+  assign list_data_o = {list_stored, 1'd0};
+  wire [121:0] column_stored;
+  hls_fifo #(.WIDTH(122), .DEPTH(COLUMN_DEPTH), .MARGIN(COLUMN_BOUNDED ? 0 : 3),
     .BOUNDED(COLUMN_BOUNDED)) column_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s3 && (request_1_s3 & not_2_s3)), .ready_o(column_room),
-    .data_i({data_2_s3, data_1_s3, data_0_s3, r_address_s3, request_2_s3, 1'd0}),
-    .valid_o(column_valid_o), .ready_i(column_ready_i), .data_o(column_data_o));
+    .data_i({data_2_s3, data_1_s3, data_0_s3, r_address_s3, request_2_s3}),
+    .valid_o(column_valid_o), .ready_i(column_ready_i), .data_o(column_stored));
+  assign column_data_o = {column_stored, 1'd0};
   assign bank_0_en_o = valid_s0;
   assign bank_0_addr_o = {is_column_s0, r_address_s0};
   assign bank_1_en_o = valid_s0;

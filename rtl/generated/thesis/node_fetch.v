@@ -163,24 +163,30 @@ module node_fetch #(
     .valid_i(valid_s2 && (fetch_s2 | (not_7_s2 | not_9_s2))), .ready_o(request_room),
     .data_i({mux_18_s2, mux_16_s2, mux_14_s2, mux_12_s2, mux_10_s2, e_level_s2, e_packet_s2}),
     .valid_o(request_valid_o), .ready_i(request_ready_i), .data_o(request_data_o));
-  hls_fifo #(.WIDTH(63), .DEPTH(AGAIN_DEPTH), .MARGIN(AGAIN_BOUNDED ? 0 : 2),
+  wire [5:0] again_stored;
+  hls_fifo #(.WIDTH(6), .DEPTH(AGAIN_DEPTH), .MARGIN(AGAIN_BOUNDED ? 0 : 2),
     .BOUNDED(AGAIN_BOUNDED)) again_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && (eq_4_s2 & (finished_s2 & and_4_s2))), .ready_o(again_room),
-    .data_i({57'd3, e_level_s2, e_packet_s2}),
-    .valid_o(again_valid_o), .ready_i(again_ready_i), .data_o(again_data_o));
-  hls_fifo #(.WIDTH(9), .DEPTH(TOP_DONE_DEPTH), .MARGIN(TOP_DONE_BOUNDED ? 0 : 2),
+    .data_i({e_level_s2, e_packet_s2}),
+    .valid_o(again_valid_o), .ready_i(again_ready_i), .data_o(again_stored));
+  assign again_data_o = {57'd3, again_stored};
+  wire [4:0] top_done_stored;
+  hls_fifo #(.WIDTH(5), .DEPTH(TOP_DONE_DEPTH), .MARGIN(TOP_DONE_BOUNDED ? 0 : 2),
     .BOUNDED(TOP_DONE_BOUNDED)) top_done_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && ((~(e_level_s2 | finished_s2)) & and_4_s2)), .ready_o(top_done_room),
-    .data_i({e_packet_s2, 4'd15}),
-    .valid_o(top_done_valid_o), .ready_i(top_done_ready_i), .data_o(top_done_data_o));
-  hls_fifo #(.WIDTH(26), .DEPTH(OBJECT_DONE_DEPTH), .MARGIN(OBJECT_DONE_BOUNDED ? 0 : 2),
+    .data_i(e_packet_s2),
+    .valid_o(top_done_valid_o), .ready_i(top_done_ready_i), .data_o(top_done_stored));
+  assign top_done_data_o = {top_done_stored, 4'd15};
+  wire [4:0] object_done_stored;
+  hls_fifo #(.WIDTH(5), .DEPTH(OBJECT_DONE_DEPTH), .MARGIN(OBJECT_DONE_BOUNDED ? 0 : 2),
     .BOUNDED(OBJECT_DONE_BOUNDED)) object_done_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && ((~finished_s2) & (e_level_s2 & and_4_s2))), .ready_o(object_done_room),
-    .data_i({21'd0, e_packet_s2}),
-    .valid_o(object_done_valid_o), .ready_i(object_done_ready_i), .data_o(object_done_data_o));
+    .data_i(e_packet_s2),
+    .valid_o(object_done_valid_o), .ready_i(object_done_ready_i), .data_o(object_done_stored));
+  assign object_done_data_o = {21'd0, object_done_stored};
   hls_fifo #(.WIDTH(5), .DEPTH(DROPPED_DEPTH), .MARGIN(DROPPED_BOUNDED ? 0 : 2),
     .BOUNDED(DROPPED_BOUNDED)) dropped_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),

@@ -95,12 +95,14 @@ module node_lookup #(
     .valid_i(valid_s2 && and_1_s2), .ready_o(reply_room),
     .data_i({lines_20_s2, request_5_s2, request_0_s2}),
     .valid_o(reply_valid_o), .ready_i(reply_ready_i), .data_o(reply_data_o));
-  hls_fifo #(.WIDTH(28), .DEPTH(MISS_DEPTH), .MARGIN(MISS_BOUNDED ? 0 : 2),
+  wire [23:0] miss_stored;
+  hls_fifo #(.WIDTH(24), .DEPTH(MISS_DEPTH), .MARGIN(MISS_BOUNDED ? 0 : 2),
     .BOUNDED(MISS_BOUNDED)) miss_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && not_1_s2), .ready_o(miss_room),
-    .data_i({request_31_s2, request_22_s2, 2'd0, request_0_s2, 2'd0}),
-    .valid_o(miss_valid_o), .ready_i(miss_ready_i), .data_o(miss_data_o));
+    .data_i({request_31_s2, request_22_s2, request_0_s2}),
+    .valid_o(miss_valid_o), .ready_i(miss_ready_i), .data_o(miss_stored));
+  assign miss_data_o = {miss_stored[23:5], 2'd0, miss_stored[4:0], 2'd0};
   assign lines_en_o = valid_s0;
   assign lines_addr_o = line_s0;
   assign waiting_en_o = valid_s2 && not_1_s2;

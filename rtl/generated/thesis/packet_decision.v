@@ -140,12 +140,14 @@ module packet_decision #(
     .valid_i(valid_s1 && or_1_s1), .ready_o(event_room),
     .data_i({e_terminated_s1, both_s1, mux_16_s1, mux_17_s1, e_clip_near_s1, mux_19_s1, mux_18_s1, mux_21_s1, step_in_0_s1}),
     .valid_o(event_valid_o), .ready_i(event_ready_i), .data_o(event_data_o));
-  hls_fifo #(.WIDTH(26), .DEPTH(LEAF_DEPTH), .MARGIN(LEAF_BOUNDED ? 0 : 1),
+  wire [24:0] leaf_stored;
+  hls_fifo #(.WIDTH(25), .DEPTH(LEAF_DEPTH), .MARGIN(LEAF_BOUNDED ? 0 : 1),
     .BOUNDED(LEAF_BOUNDED)) leaf_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s1 && (~or_1_s1)), .ready_o(leaf_room),
-    .data_i({step_in_48_s1, 1'd1, step_in_0_s1}),
-    .valid_o(leaf_valid_o), .ready_i(leaf_ready_i), .data_o(leaf_data_o));
+    .data_i({step_in_48_s1, step_in_0_s1}),
+    .valid_o(leaf_valid_o), .ready_i(leaf_ready_i), .data_o(leaf_stored));
+  assign leaf_data_o = {leaf_stored[24:6], 1'd1, leaf_stored[5:0]};
 
   wire unused = &{1'b0,
     step_in_data_i[12:6],

@@ -114,24 +114,26 @@ module packet_decoder #(
     .valid_i(valid_s1 && (~(in_point_s1 | record_0_s1))), .ready_o(unit_ray_room),
     .data_i({in_vector_z_s1, in_vector_y_s1, in_vector_x_s1, r_origin_z_s1, r_origin_y_s1, r_origin_x_s1, is_new_s1, in_ray_s1, in_packet_s1}),
     .valid_o(unit_ray_valid_o), .ready_i(unit_ray_ready_i), .data_o(unit_ray_data_o));
-  hls_fifo #(.WIDTH(63), .DEPTH(ENTER_OBJECT_DEPTH), .MARGIN(ENTER_OBJECT_BOUNDED ? 0 : 1),
+  wire [27:0] enter_object_stored;
+  hls_fifo #(.WIDTH(28), .DEPTH(ENTER_OBJECT_DEPTH), .MARGIN(ENTER_OBJECT_BOUNDED ? 0 : 1),
     .BOUNDED(ENTER_OBJECT_BOUNDED)) enter_object_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s1 && (level_s1 & (record_0_s1 & (not_1_s1 & eq_5_s1)))), .ready_o(enter_object_room),
-    .data_i({32'd0, job_active_s1, record_23_s1, 3'd1, in_packet_s1}),
-    .valid_o(enter_object_valid_o), .ready_i(enter_object_ready_i), .data_o(enter_object_data_o));
+    .data_i({job_active_s1, record_23_s1, in_packet_s1}),
+    .valid_o(enter_object_valid_o), .ready_i(enter_object_ready_i), .data_o(enter_object_stored));
+  assign enter_object_data_o = {32'd0, enter_object_stored[27:5], 3'd1, enter_object_stored[4:0]};
   assign ray_0_en_o = valid_s1 && ((in_ray_s1 == 2'd0) & and_1_s1);
   assign ray_0_addr_o = {level_s1, in_packet_s1};
-  assign ray_0_data_o = {in_vector_z_s1, in_vector_y_s1, in_vector_x_s1, r_origin_z_s1, r_origin_y_s1, r_origin_x_s1};
+  assign ray_0_data_o = {in_vector_z_s1, r_origin_z_s1, in_vector_y_s1, r_origin_y_s1, in_vector_x_s1, r_origin_x_s1};
   assign ray_1_en_o = valid_s1 && ((in_ray_s1 == 2'd1) & and_1_s1);
   assign ray_1_addr_o = {level_s1, in_packet_s1};
-  assign ray_1_data_o = {in_vector_z_s1, in_vector_y_s1, in_vector_x_s1, r_origin_z_s1, r_origin_y_s1, r_origin_x_s1};
+  assign ray_1_data_o = {in_vector_z_s1, r_origin_z_s1, in_vector_y_s1, r_origin_y_s1, in_vector_x_s1, r_origin_x_s1};
   assign ray_2_en_o = valid_s1 && ((in_ray_s1 == 2'd2) & and_1_s1);
   assign ray_2_addr_o = {level_s1, in_packet_s1};
-  assign ray_2_data_o = {in_vector_z_s1, in_vector_y_s1, in_vector_x_s1, r_origin_z_s1, r_origin_y_s1, r_origin_x_s1};
+  assign ray_2_data_o = {in_vector_z_s1, r_origin_z_s1, in_vector_y_s1, r_origin_y_s1, in_vector_x_s1, r_origin_x_s1};
   assign ray_3_en_o = valid_s1 && (eq_5_s1 & and_1_s1);
   assign ray_3_addr_o = {level_s1, in_packet_s1};
-  assign ray_3_data_o = {in_vector_z_s1, in_vector_y_s1, in_vector_x_s1, r_origin_z_s1, r_origin_y_s1, r_origin_x_s1};
+  assign ray_3_data_o = {in_vector_z_s1, r_origin_z_s1, in_vector_y_s1, r_origin_y_s1, in_vector_x_s1, r_origin_x_s1};
   assign vectors_en_o = valid_s1 && triangle_s1;
   assign vectors_addr_o = {level_s1, in_packet_s1, in_ray_s1, not_1_s1};
   assign vectors_data_o = {in_vector_z_s1, in_vector_y_s1, in_vector_x_s1};

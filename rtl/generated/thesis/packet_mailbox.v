@@ -239,24 +239,30 @@ module packet_mailbox #(
   wire [3:0] packet_rays_s2 = traced_row;
 
   // ---- state, rows and tokens written ----
-  hls_fifo #(.WIDTH(32), .DEPTH(FRESH_DEPTH), .MARGIN(FRESH_BOUNDED ? 0 : 2),
+  wire [27:0] fresh_stored;
+  hls_fifo #(.WIDTH(28), .DEPTH(FRESH_DEPTH), .MARGIN(FRESH_BOUNDED ? 0 : 2),
     .BOUNDED(FRESH_BOUNDED)) fresh_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && (~or_15_s2)), .ready_o(fresh_room),
-    .data_i({matrix_s2, packet_rays_s2, mux_1_s2, enter_packet_s2, 4'd3}),
-    .valid_o(fresh_valid_o), .ready_i(fresh_ready_i), .data_o(fresh_data_o));
-  hls_fifo #(.WIDTH(26), .DEPTH(SEEN_DEPTH), .MARGIN(SEEN_BOUNDED ? 0 : 2),
+    .data_i({matrix_s2, packet_rays_s2, mux_1_s2, enter_packet_s2}),
+    .valid_o(fresh_valid_o), .ready_i(fresh_ready_i), .data_o(fresh_stored));
+  assign fresh_data_o = {fresh_stored, 4'd3};
+  wire [5:0] seen_stored;
+  hls_fifo #(.WIDTH(6), .DEPTH(SEEN_DEPTH), .MARGIN(SEEN_BOUNDED ? 0 : 2),
     .BOUNDED(SEEN_BOUNDED)) seen_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && (known_s2 & not_7_s2)), .ready_o(seen_room),
-    .data_i({20'd0, top_s2, enter_packet_s2}),
-    .valid_o(seen_valid_o), .ready_i(seen_ready_i), .data_o(seen_data_o));
-  hls_fifo #(.WIDTH(63), .DEPTH(START_DEPTH), .MARGIN(START_BOUNDED ? 0 : 2),
+    .data_i({top_s2, enter_packet_s2}),
+    .valid_o(seen_valid_o), .ready_i(seen_ready_i), .data_o(seen_stored));
+  assign seen_data_o = {20'd0, seen_stored};
+  wire [27:0] start_stored;
+  hls_fifo #(.WIDTH(28), .DEPTH(START_DEPTH), .MARGIN(START_BOUNDED ? 0 : 2),
     .BOUNDED(START_BOUNDED)) start_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && entry_6_s2), .ready_o(start_room),
-    .data_i({32'd0, entry_7_s2, enter_next_config, 3'd0, enter_packet_s2}),
-    .valid_o(start_valid_o), .ready_i(start_ready_i), .data_o(start_data_o));
+    .data_i({entry_7_s2, enter_next_config, enter_packet_s2}),
+    .valid_o(start_valid_o), .ready_i(start_ready_i), .data_o(start_stored));
+  assign start_data_o = {32'd0, start_stored[27:5], 3'd0, start_stored[4:0]};
   assign last_en_o = valid_s2 && not_7_s2;
   assign last_addr_o = {top_s2, enter_packet_s2};
   assign last_data_o = entry_42_s2;

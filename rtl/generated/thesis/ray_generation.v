@@ -107,12 +107,14 @@ module ray_generation #(
     if (!rst_ni) returned_q <= 8'd0;
     else if (valid_s1) returned_q <= (over_s1 ? add_5_s1 : returned_q);
   end
-  hls_fifo #(.WIDTH(32), .DEPTH(JOB_DEPTH), .MARGIN(JOB_BOUNDED ? 0 : 1),
+  wire [24:0] job_stored;
+  hls_fifo #(.WIDTH(25), .DEPTH(JOB_DEPTH), .MARGIN(JOB_BOUNDED ? 0 : 1),
     .BOUNDED(JOB_BOUNDED)) job_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s1 && and_4_s1), .ready_o(job_room),
-    .data_i({camera_matrix_config, and_2_s1, y1_s1, x1_s1, 3'd4, f_s1, 4'd3}),
-    .valid_o(job_valid_o), .ready_i(job_ready_i), .data_o(job_data_o));
+    .data_i({camera_matrix_config, and_2_s1, y1_s1, x1_s1, f_s1}),
+    .valid_o(job_valid_o), .ready_i(job_ready_i), .data_o(job_stored));
+  assign job_data_o = {job_stored[24:5], 3'd4, job_stored[4:0], 4'd3};
   hls_fifo #(.WIDTH(5), .DEPTH(SKIPPED_DEPTH), .MARGIN(SKIPPED_BOUNDED ? 0 : 1),
     .BOUNDED(SKIPPED_BOUNDED)) skipped_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),

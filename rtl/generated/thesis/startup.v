@@ -58,24 +58,30 @@ module startup #(
     .valid_i(valid_s0 && number_9_s0), .ready_o(free_room),
     .data_i(number_0_s0),
     .valid_o(free_valid_o), .ready_i(free_ready_i), .data_o(free_data_o));
-  hls_fifo #(.WIDTH(91), .DEPTH(NODE_DEPTH), .MARGIN(NODE_BOUNDED ? 0 : 0),
+  wire [9:0] node_stored;
+  hls_fifo #(.WIDTH(10), .DEPTH(NODE_DEPTH), .MARGIN(NODE_BOUNDED ? 0 : 0),
     .BOUNDED(NODE_BOUNDED)) node_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s0 && not_1_s0), .ready_o(node_room),
-    .data_i({73'h0000000000000000600, number_9_s0, number_5_s0, number_0_s0, 8'd1}),
-    .valid_o(node_valid_o), .ready_i(node_ready_i), .data_o(node_data_o));
-  hls_fifo #(.WIDTH(59), .DEPTH(LIST_DEPTH), .MARGIN(LIST_BOUNDED ? 0 : 0),
+    .data_i({number_9_s0, number_5_s0, number_0_s0}),
+    .valid_o(node_valid_o), .ready_i(node_ready_i), .data_o(node_stored));
+  assign node_data_o = {73'h0000000000000000600, node_stored, 8'd1};
+  wire [9:0] list_stored;
+  hls_fifo #(.WIDTH(10), .DEPTH(LIST_DEPTH), .MARGIN(LIST_BOUNDED ? 0 : 0),
     .BOUNDED(LIST_BOUNDED)) list_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s0 && not_1_s0), .ready_o(list_room),
-    .data_i({41'd0, number_9_s0, number_5_s0, number_0_s0, 8'd1}),
-    .valid_o(list_valid_o), .ready_i(list_ready_i), .data_o(list_data_o));
-  hls_fifo #(.WIDTH(123), .DEPTH(COLUMN_DEPTH), .MARGIN(COLUMN_BOUNDED ? 0 : 0),
+    .data_i({number_9_s0, number_5_s0, number_0_s0}),
+    .valid_o(list_valid_o), .ready_i(list_ready_i), .data_o(list_stored));
+  assign list_data_o = {41'd0, list_stored, 8'd1};
+  wire [9:0] column_stored;
+  hls_fifo #(.WIDTH(10), .DEPTH(COLUMN_DEPTH), .MARGIN(COLUMN_BOUNDED ? 0 : 0),
     .BOUNDED(COLUMN_BOUNDED)) column_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s0 && not_1_s0), .ready_o(column_room),
-    .data_i({105'd0, number_9_s0, number_5_s0, number_0_s0, 8'd1}),
-    .valid_o(column_valid_o), .ready_i(column_ready_i), .data_o(column_data_o));
+    .data_i({number_9_s0, number_5_s0, number_0_s0}),
+    .valid_o(column_valid_o), .ready_i(column_ready_i), .data_o(column_stored));
+  assign column_data_o = {105'd0, column_stored, 8'd1};
 
 endmodule
 

@@ -53,12 +53,11 @@
 
   // Why they hold: how the counters hang together, and where the token lies.
   wire [31:0] from_read = row_q >= read_q ? row_q - read_q : row_q + DEPTH - read_q;
-  wire [31:0] used_rows = rows_q;
+  wire [31:0] used_rows = empty_q ? 0 : write_q > read_q ? write_q - read_q : write_q + DEPTH - read_q;
   always @* if (was_reset_q) begin
-    assert (rows_q + valid_q == count_q);
+    assert (used_rows + valid_q == count_q);
+    assert (empty_q == (write_q == read_q));
     assert (write_q < DEPTH && read_q < DEPTH);
-    assert (read_q + used_rows == write_q || read_q + used_rows == write_q + DEPTH);
-    assert (used_rows < DEPTH);
     assert (space_q == SPACE[ADDR_WIDTH+1:0] - count_q);
     if (BOUNDED == 0 && !ready_o) assert (late_q <= MARGIN && count_q <= DEPTH - MARGIN + late_q);
     if (followed_q) assert (before_q < count_q);
