@@ -146,8 +146,12 @@ struct TraversalSlice {
       return ray.read(axis_row<C>(row, axis));
     } else {
       const RayByAxis<Real> r = ray.read(row);
-      return axis == uint<2>(0) ? r[0] : axis == uint<2>(1) ? r[1] : r[2];
+      return {of_axis(kind, r[0].origin, r[1].origin, r[2].origin),
+              of_axis(kind, r[0].direction, r[1].direction, r[2].direction)};
     }
+  }
+  static Real of_axis(NodeKind kind, const Real& x, const Real& y, const Real& z) {
+    return kind == NodeKind::kSplitX ? x : kind == NodeKind::kSplitY ? y : z;
   }
 };
 
