@@ -20,8 +20,8 @@ namespace dynrt::host {
 // The time of the last key of all; 0 when nothing moves. What repeats counts once.
 double duration(const Scene& scene);
 
-// Where an animation is looked at: at rest, at every key, and at 64 moments evenly between the first
-// and the last.
+// Where an animation is looked at: at rest, at every key, and at 64 moments evenly between the
+// first and the last.
 std::vector<double> moments_of(const Scene& scene);
 
 // Object to world, of every instance.

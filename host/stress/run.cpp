@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 std::string hex(std::uint64_t digest) { return fmt::format("{:016x}", digest); }
 
-std::uint64_t sum(std::span<const Result> results, std::uint64_t Outcome::*of) {
+std::uint64_t sum(std::span<const Result> results, std::uint64_t Outcome::* of) {
   std::uint64_t all = 0;
   for (const Result& r : results) all += r.outcome.*of;
   return all;
