@@ -33,12 +33,23 @@ def run(command, folder):
 
 
 def written(verilog, what, channel):
-    """The expression of what ("valid" or "data") a unit writes to the FIFO of a channel."""
-    found = re.search(rf"\.valid_i\((?P<valid>.*)\), \.ready_o\({channel}_room\),\n"
-                      r"\s*\.data_i\((?P<data>.*)\),\n", verilog)
+    """The expression of what ("valid" or "data") a unit writes to the FIFO of a channel, and the
+    wire that it needs. Of a token only the bits that are not constant are written: the whole one is
+    put together behind the FIFO."""
+    found = re.search(rf"hls_fifo #\(\.WIDTH\((?P<width>\d+)\)[^;]*?"
+                      rf"\.valid_i\((?P<valid>.*)\), \.ready_o\({channel}_room\),\n"
+                      rf"\s*\.data_i\((?P<data>.*)\),\n.*\.data_o\({channel}_(?P<out>\w+)\)\);",
+                      verilog)
     if not found:
         raise Broken(f"no FIFO of a channel {channel} is written")
-    return found.group(what)
+    if what == "valid" or found["out"] == "data_o":
+        return found[what], ""
+    token = re.search(rf"assign {channel}_data_o = (.*);", verilog)
+    if not token:
+        raise Broken(f"nothing puts a token of the channel {channel} together")
+    wire = f"{channel}_written"
+    return (token[1].replace(f"{channel}_stored", wire),
+            f"  wire [{int(found['width']) - 1}:0] {wire} = {found['data']};\n")
 
 
 def with_properties(verilog, module, properties):
@@ -49,9 +60,15 @@ def with_properties(verilog, module, properties):
     if not start:
         raise Broken(f"there is no module {module} to prove anything of")
     end = verilog.index("\nendmodule", start.start()) + 1
-    properties = re.sub(r"WRITTEN_(VALID|DATA)\((\w+)\)",
-                        lambda m: written(verilog, m.group(1).lower(), m.group(2)), properties)
-    return verilog[:end] + properties + verilog[end:]
+    wires = set()
+
+    def replaced(match):
+        expression, wire = written(verilog, match.group(1).lower(), match.group(2))
+        wires.add(wire)
+        return expression
+
+    properties = re.sub(r"WRITTEN_(VALID|DATA)\((\w+)\)", replaced, properties)
+    return verilog[:end] + "".join(sorted(wires)) + properties + verilog[end:]
 
 
 def without_covers(properties):
