@@ -37,7 +37,7 @@ def cycles(*flags):
         figures = pathlib.Path(folder) / "figures.json"
         run(PROGRAM, "render", *FRAME, *flags, "--out", pathlib.Path(folder) / "frame.png",
             "--json", figures)
-        return json.loads(figures.read_text(encoding="utf-8"))["cycles"]
+        return json.loads(figures.read_text(encoding="utf-8"))["frame"]["cycles"]
 
 
 class OtherFormat(unittest.TestCase):
