@@ -58,7 +58,8 @@ class Generate(unittest.TestCase):
                      "Crossing kCrossing = Crossing::kNone;",
                      "TriangleMatrix kTriangleMatrix = TriangleMatrix::kNormalConsistent;",
                      "Primitives kPrimitives = Primitives{.triangle = true, .sphere = false, "
-                     ".rectangle = false};"):
+                     ".rectangle = false};", "bool kCounters = true;",
+                     "bool kUncompressed = true;"):
             self.assertIn(f"  static constexpr {line}\n", text)
         config = json.loads((self.out / "configs.json").read_text(encoding="utf-8"))[0]
         self.assertEqual(config["name"], "tiny")
@@ -164,7 +165,7 @@ class Generate(unittest.TestCase):
                             "packets, lines, stack_depth, mailbox_slots, exponent_bits, "
                             "mantissa_bits, rounding, epsilon, sram_latency, lights, reflections, "
                             "scan_out, crossing, object_box, divider, triangle_matrix, primitives, "
-                            "triangle_test")
+                            "triangle_test, uncompressed, counters")
         self.assert_refused(json.dumps({"tiny": {k: GOOD[k] for k in GOOD if k != "lines"}}),
                             "configuration 'tiny': lacks the key 'lines' (lines of each cache), "
                             "a power of two from 1 to 512")

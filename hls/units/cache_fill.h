@@ -15,7 +15,7 @@ struct CacheFill {
   using Line = typename Kind::Line;
 
   hls::In<CacheLine<C, Line>> fill;
-  hls::Config<FrameConfig> frame;
+  hls::Config<FrameRegisters<C>> frame;
   hls::Out<typename Kind::Reply> reply;
   hls::RamWrite<CacheRow<Line>, C::kLines> lines;
   hls::RamRead<Context, kCacheKeys<Kind>> waiting;

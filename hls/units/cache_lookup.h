@@ -57,7 +57,7 @@ struct CacheLookup {
   using Line = typename Kind::Line;
 
   hls::In<CacheRequest<Context>> request;
-  hls::Config<FrameConfig> frame;
+  hls::Config<FrameRegisters<C>> frame;
   hls::Out<typename Kind::Reply> reply;
   hls::Out<MemoryRequest<C>> miss;
   hls::RamRead<CacheRow<Line>, C::kLines> lines;

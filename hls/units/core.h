@@ -79,7 +79,7 @@ struct Core {
 
   std::shared_ptr<hls::Fifo<uint<10>>> start;
   std::shared_ptr<hls::Fifo<uint<1>>> done;
-  std::shared_ptr<FrameConfig> frame = std::make_shared<FrameConfig>();
+  std::shared_ptr<FrameRegisters<C>> frame = std::make_shared<FrameRegisters<C>>();
 
   Core(hls::Join& join, const Banks<C>& banks) {
     name_units(join);
@@ -89,6 +89,7 @@ struct Core {
     join_transformation(join);
     if constexpr (kHasSecondary<C>) join_secondary(join);
     join_memory(join, banks);
+    if constexpr (!C::kCounters) join.leave_out_counters();
   }
 
   /// Nothing joined yet: for who only wants to know which units there are.
@@ -146,14 +147,15 @@ struct Core {
   static constexpr unsigned kAll = C::kPackets;  ///< tokens that a channel of packets can hold
 
   void join_frame(hls::Join& join) {
-    std::vector<hls::Config<FrameConfig>*> readers = {
+    std::vector<hls::Config<FrameRegisters<C>>*> readers = {
         &ray_generation.frame, &node_lookup.frame,   &node_fill.frame,   &list_lookup.frame,
-        &list_fill.frame,      &matrix_lookup.frame, &matrix_fill.frame, &matrix_store.frame,
-        &mailbox.frame,        &shading.frame};
+        &list_fill.frame,      &matrix_lookup.frame, &matrix_fill.frame, &mailbox.frame,
+        &shading.frame};
+    if constexpr (C::kUncompressed) readers.push_back(&matrix_store.frame);
     if constexpr (kHasSecondary<C>) {
       readers.insert(readers.end(), {&shader.frame, &secondary_rays.frame});
     }
-    join.config<FrameConfig>("frame", frame, readers);
+    join.config<FrameRegisters<C>>("frame", frame, readers);
     start = join.input("start", startup.number);
     done = join.output("done", ray_generation.done);
     join.channel<FreePacket<C>>("free_packet",

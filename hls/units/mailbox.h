@@ -43,7 +43,7 @@ struct Mailbox {
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
 
   hls::In<MailboxEntry<C>> entry;
-  hls::Config<FrameConfig> frame;
+  hls::Config<FrameRegisters<C>> frame;
   hls::Out<TransformJob<C>> fresh;
   hls::Out<ListJob<C>> seen;
   hls::Out<TraversalEvent<C>> start;

@@ -26,7 +26,7 @@ struct MatrixStore {
   };
 
   hls::In<CacheReply<ColumnContext<C>, MatrixColumn<Real>>> reply;
-  hls::Config<FrameConfig> frame;
+  hls::PortIf<C::kUncompressed, hls::Config<FrameRegisters<C>>> frame;
   hls::Out<SendJob<C>> ready;
   hls::RamWrite<Vector<Real>, kPackets> column[4];
   hls::RamWrite<JobRecord<C>, kPackets> record;
@@ -85,7 +85,10 @@ struct MatrixStore {
                                         r.context.extras.primitive, p.cosine_factor});
       if (r.context.kind == TransformKind::kObject) object.write(packet, matrix);
       SendJob<C> send;
-      const bool apart = frame.get().uncompressed.template bit<0>() || r.context.extras.apart.get();
+      bool apart = r.context.extras.apart.get();
+      if constexpr (C::kUncompressed) {
+        apart = frame.get().uncompressed.get().template bit<0>() || apart;
+      }
       const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kDerive;
       const bool corners = kWatertight<C> && r.context.kind == TransformKind::kTriangle;
       send.repeat = corners   ? RepeatCount(11)

@@ -29,6 +29,10 @@ inline constexpr bool kSplitsPackets = kHasMirrors<C> && C::kCrossing == Crossin
 template <class C>
 inline constexpr bool kRemembersChild = kHasMirrors<C> && C::kCrossing == Crossing::kRemember;
 
+/// Whether a packet's rays may have origins of their own when it is transformed.
+template <class C>
+inline constexpr bool kHasPacketsApart = C::kUncompressed || kHasMirrors<C>;
+
 /// Whether a unit clips rays to the box of an object that they enter (thesis 4.2).
 template <class C>
 inline constexpr bool kClipsToBox = C::kObjectBox == ObjectBox::kUnit;

@@ -29,7 +29,7 @@ struct SecondaryRays {
   };
 
   hls::In<Derive<C>> derive;
-  hls::Config<FrameConfig> frame;
+  hls::Config<FrameRegisters<C>> frame;
   hls::RamRead<SurfacePoint<C>, kRayRows<C>> surface;
   hls::RamWrite<RayMask, kPackets> traced;
   hls::Out<TransformJob<C>> job;
@@ -83,7 +83,7 @@ struct SecondaryRays {
   /// After a packet has been shaded: light rays from the next light to what the other rays have
   /// hit, after the last light the reflections, and so on; no rays at all when all is done.
   State next_rays(State s, const Derive<C>& d) const {
-    const FrameConfig config = frame.get();
+    const FrameRegisters<C> config = frame.get();
     const bool after_light = d.kind == RayKind::kLight;
     if (d.kind == RayKind::kPrimary) s.bounces = 0;
     if (!after_light) {

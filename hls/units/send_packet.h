@@ -36,9 +36,10 @@ struct SendPacket {
 
   void step() {
     const Repeated<SendJob<C>> j = job.read();
-    const bool compressed = j.job.repeat == RepeatCount(4);
     const bool corners = kWatertight<C> && j.job.kind == TransformKind::kTriangle;
     const bool alone = kHasSecondary<C> && j.job.kind == TransformKind::kDerive;
+    const bool compressed =
+        kHasPacketsApart<C> ? j.job.repeat == RepeatCount(4) : !corners && !alone;
     const DerivedRay derived = j.job.derived.get();
     const bool point =
         !corners && (compressed ? j.index == RepeatCount{} : !j.index.template bit<0>());

@@ -34,7 +34,7 @@ struct Shader {
   };
 
   hls::In<Repeated<ShadeJob<C>>> job;
-  hls::Config<FrameConfig> frame;
+  hls::Config<FrameRegisters<C>> frame;
   hls::RamRead<Found<C>, kRayRows<C>> found;
   hls::RamWrite<SurfacePoint<C>, kRayRows<C>> surface;
   hls::RamWrite<uint<24>, kRayRows<C>> pixel_colour;
@@ -47,7 +47,7 @@ struct Shader {
 
   void step() {
     const Repeated<ShadeJob<C>> j = job.read();
-    const FrameConfig config = frame.get();
+    const FrameRegisters<C> config = frame.get();
     const PacketId<C> packet = j.job.packet;
     const RayIndex ray = j.index.template trunc<2>();
     const RayRow<C> row = ray_row<C>(packet, ray);

@@ -23,7 +23,7 @@ struct Shading {
   using BankAddress = uint<20>;
 
   hls::In<Repeated<ShadeJob<C>>> job;
-  hls::Config<FrameConfig> frame;
+  hls::Config<FrameRegisters<C>> frame;
   hls::Out<FreePacket<C>> free;
   hls::RamRead<HitRecord<C>, kRayRows<C>> hit;
   hls::RamRead<PixelPosition, kPackets> position;
@@ -33,7 +33,7 @@ struct Shading {
 
   void step() {
     const Repeated<ShadeJob<C>> j = job.read();
-    const FrameConfig config = frame.get();
+    const FrameRegisters<C> config = frame.get();
     const RayIndex ray = j.index.template bits<3, 2>();
     const uint<2> word = j.index.template bits<1, 0>();
     const HitRecord<C> h = hit.read(ray_row<C>(j.job.packet, ray));

@@ -19,9 +19,12 @@ BoardInfo board_info_of() {
   info.lights = C::kLights;
   info.reflections = C::kReflections;
   info.clips_to_cube = kClipsToBox<C>;
+  info.counters = C::kCounters;
   info.triangle_matrix = C::kTriangleMatrix;
   info.primitives = C::kPrimitives;
   info.triangle_test = C::kTriangleTest;
+  info.uncompressed = C::kUncompressed;
+  info.frame_words = frame_words_of<C>;
   info.format = &kMemoryFormatOf<typename C::Real>;
   return info;
 }

@@ -67,6 +67,9 @@ FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
   if (packets == 0 || packets > board.packets) {
     refuse(messages::kPackets, packets, board.configuration, board.packets);
   }
+  if (options.uncompressed && !board.uncompressed) {
+    refuse(messages::kUncompressed, board.configuration);
+  }
   if (!std::has_single_bit(lines) || lines > board.cache_lines) {
     refuse(messages::kLines, lines, board.configuration, board.cache_lines);
   }

@@ -124,6 +124,18 @@ TEST(Top, CountsNoMoreThanItsCountersHold) {
             "counts at most 256: join fewer units, or widen the address of hls_counters");
 }
 
+TEST(Top, MayBeWithoutCounters) {
+  Ring ring;
+  EXPECT_NE(hlsc::emit_top(ring.join.record(), "ring").find("hls_counters"), std::string::npos);
+  ring.join.leave_out_counters();
+  EXPECT_TRUE(hls::counters_of(ring.join.record()).empty());
+  const std::string top = hlsc::emit_top(ring.join.record(), "ring");
+  EXPECT_EQ(top.find("hls_counters"), std::string::npos);
+  EXPECT_NE(top.find("assign counter_data_o = 32'd0;"), std::string::npos);
+  EXPECT_NE(hlsc::emit_json(ring.join.record(), "ring").find("\"counters\": []"),
+            std::string::npos);
+}
+
 /// The native join's items of one job, by index.
 std::map<std::uint64_t, Item> items_of(Ring& ring, const Job& job, bool second) {
   ring.job[second]->push(job);
