@@ -4,7 +4,8 @@
 // Mailbox: lets every object and every triangle through once per packet and level (thesis 4.3.2,
 // 6.1.2). Slots fill in order and are never replaced: a full mailbox lets everything new through.
 // The objects of a packet are forgotten when a new ray starts, the triangles when an object is
-// entered.
+// entered. A level without slots lets everything through: it has no memory, and what is listed
+// twice is met twice, to the same hits.
 #pragma once
 
 #include "units/frame.h"
@@ -14,26 +15,29 @@ namespace dynrt {
 
 template <class C>
 struct Mailbox {
-  using Count = uint<hls::index_width(C::kMailboxSlots + 1)>;
+  template <unsigned N>
   struct Slots {
+    using Count = uint<hls::index_width(N + 1)>;
     Count used;
-    std::array<MatrixIndex, C::kMailboxSlots> slot;
+    std::array<MatrixIndex, N> slot;
     HLS_FIELDS(used, slot)
 
     bool holds(MatrixIndex matrix) const {
       bool found = false;
-      for (unsigned i = 0; i < C::kMailboxSlots; ++i) {
+      for (unsigned i = 0; i < N; ++i) {
         found = found || (used > Count::from(i) && slot[i] == matrix);
       }
       return found;
     }
     void insert(MatrixIndex matrix) {
-      for (unsigned i = 0; i < C::kMailboxSlots; ++i) {
+      for (unsigned i = 0; i < N; ++i) {
         if (used == Count::from(i)) slot[i] = matrix;
       }
-      if (used != Count::from(C::kMailboxSlots)) used = hls::next(used);
+      if (used != Count::from(N)) used = hls::next(used);
     }
   };
+  static constexpr bool kHasObjects = C::kObjectSlots > 0;
+  static constexpr bool kHasTriangles = C::kTriangleSlots > 0;
   /// The packet's rays that are traced.
   struct Traced {
     RayMask rays;
@@ -48,15 +52,17 @@ struct Mailbox {
   hls::Out<ListJob<C>> seen;
   hls::Out<TraversalEvent<C>> start;
   hls::RamWrite<bool, kLevelRows<C>> last;
-  hls::Ram1R1W<Slots, kPackets> objects;
-  hls::Ram1R1W<Slots, kPackets> triangles;
+  hls::PortIf<kHasObjects, hls::Ram1R1W<Slots<C::kObjectSlots>, kPackets>> objects;
+  hls::PortIf<kHasTriangles, hls::Ram1R1W<Slots<C::kTriangleSlots>, kPackets>> triangles;
   hls::Ram1R1W<Traced, kPackets> traced;
   HLS_PORTS(entry, frame, fresh, seen, start, last)
 
   void step() {
     const MailboxEntry<C> e = entry.read();
-    Slots object_slots = objects.read(e.packet);
-    Slots triangle_slots = triangles.read(e.packet);
+    Slots<C::kObjectSlots> object_slots;
+    Slots<C::kTriangleSlots> triangle_slots;
+    if constexpr (kHasObjects) object_slots = objects.read(e.packet);
+    if constexpr (kHasTriangles) triangle_slots = triangles.read(e.packet);
     const bool top = e.level == Level{};
     const bool known =
         top ? object_slots.holds(e.entry.matrix) : triangle_slots.holds(e.entry.matrix);
@@ -104,8 +110,8 @@ struct Mailbox {
         }
       }
     }
-    objects.write(e.packet, object_slots);
-    triangles.write(e.packet, triangle_slots);
+    if constexpr (kHasObjects) objects.write(e.packet, object_slots);
+    if constexpr (kHasTriangles) triangles.write(e.packet, triangle_slots);
   }
 };
 
