@@ -37,7 +37,6 @@ struct NodeFetch {
     hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
     HLS_FIELDS(node, active, both, crossing)
   };
-  static constexpr unsigned kStackRows = kLevelRows<C> * (1u << Stack::kWidth);
 
   hls::In<TraversalEvent<C>> event;
   hls::Out<CacheRequest<StepContext<C>>> request;
@@ -47,7 +46,7 @@ struct NodeFetch {
   hls::Out<DroppedPush<C>> dropped;
   hls::PortIf<kSplitsPackets<C>, hls::RamRead<DirectionSigns, kLevelRows<C>>> signs[kRays];
   hls::Ram1R1W<State, kLevelRows<C>> states;
-  hls::Ram1R1W<Entry, kStackRows> stack;
+  hls::Ram1R1W<Entry, kStackRows<C>> stack;
   HLS_PORTS(event, request, again, top_done, object_done, dropped, signs[0], signs[1], signs[2],
             signs[3])
 
@@ -69,7 +68,7 @@ struct NodeFetch {
     state.alive = state.alive & ~(e.terminated & ~state.crossing.get());
 
     const Stack below = Stack::from(state.stack.raw() - 1);
-    const Entry popped = stack.read(hls::concat(row, below));
+    const Entry popped = stack.read(stack_row<C>(e.level, e.packet, below));
 
     StepContext<C> context;
     context.packet = e.packet;
@@ -86,11 +85,12 @@ struct NodeFetch {
       context.update = IntervalUpdate::kInit;
       context.active = entering;
     } else if (e.kind == TraversalKind::kPush) {
-      const bool full = state.stack == Stack::from(C::kStackDepth);
+      const bool full = state.stack == (e.level == Level{} ? Stack::from(C::kTopStackDepth)
+                                                           : Stack::from(C::kStackDepth));
       if (full) {
         dropped.write(DroppedPush<C>{e.packet});
       } else {
-        stack.write(hls::concat(row, state.stack),
+        stack.write(stack_row<C>(e.level, e.packet, state.stack),
                     Entry{e.pushed, e.pushed_active, e.both, e.crossing});
         context.update = IntervalUpdate::kClipFarPush;
         state.stack = hls::next(state.stack);

@@ -7,6 +7,8 @@
 // (thesis chapter 4).
 #pragma once
 
+#include <algorithm>
+
 #include "hls/ports.h"
 #include "units/memory_format.h"
 #include "units/options.h"
@@ -104,8 +106,34 @@ constexpr LevelRow<C> level_row(Level level, PacketId<C> packet) {
 template <class C>
 inline constexpr unsigned kLevelRows = 2 * (1u << PacketId<C>::kWidth);
 
+/// Entries of a packet's stack at each level, and how many of them are in use.
 template <class C>
-using StackPointer = uint<hls::index_width(C::kStackDepth + 1)>;
+inline constexpr unsigned kStackDepths[] = {C::kTopStackDepth, C::kStackDepth};
+template <class C>
+using StackPointer = uint<hls::index_width(std::max(C::kTopStackDepth, C::kStackDepth) + 1)>;
+
+/// Whether a packet's two stacks lie in one piece of a RAM and grow towards each other, as that
+/// takes fewer rows than a piece for each.
+template <class C>
+inline constexpr bool kStacksMeet =
+    hls::index_width(C::kTopStackDepth + C::kStackDepth) < 1 + StackPointer<C>::kWidth;
+/// Row of a RAM with one row for every entry of every stack.
+template <class C>
+using StackRow =
+    uint<PacketId<C>::kWidth + (kStacksMeet<C>
+                                    ? hls::index_width(C::kTopStackDepth + C::kStackDepth)
+                                    : 1 + StackPointer<C>::kWidth)>;
+template <class C>
+constexpr StackRow<C> stack_row(Level level, PacketId<C> packet, StackPointer<C> entry) {
+  if constexpr (kStacksMeet<C>) {
+    const auto from_below = entry.template zext<StackRow<C>::kWidth - PacketId<C>::kWidth>();
+    return hls::concat(packet, level == Level{} ? ~from_below : from_below);
+  } else {
+    return hls::concat(level_row<C>(level, packet), entry);
+  }
+}
+template <class C>
+inline constexpr unsigned kStackRows = 1u << StackRow<C>::kWidth;
 
 template <class R>
 struct Vector {

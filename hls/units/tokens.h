@@ -141,7 +141,7 @@ struct StepContext {
   IntervalUpdate update = IntervalUpdate::kInit;
   RayMask both;
   RayMask active;
-  StackPointer<C> stack;  ///< the far stack's row to push to or to pop from
+  StackPointer<C> stack;  ///< the far stack's entry to push to or to pop from
   /// kPop: rays that entered both children in the other order.
   hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
   HLS_FIELDS(packet, level, update, both, active, stack, crossing)

@@ -138,7 +138,10 @@ Prepared prepare(Scene scene, const Camera& camera, unsigned width, unsigned hei
   {
     const Progress progress("building the trees");
     TreeOptions options;
-    if (board != nullptr) options.max_depth = max_tree_depth(*board);
+    if (board != nullptr) {
+      options.max_depth = max_tree_depth(*board);
+      options.max_top_depth = max_top_tree_depth(*board);
+    }
     prepared.trees = trees_for(prepared.scene, prepared.camera.position, form, options);
   }
   prepared.tree_seconds = Seconds(std::chrono::steady_clock::now() - begin).count();

@@ -74,7 +74,8 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, double 
        grouped(frame.traffic.bytes_written), grouped(frame.traffic.bytes_read),
        grouped(frame.traffic.transactions), bus_seconds(frame));
   if (figures.dropped_pushes.value_or(0) > 0) {
-    line(messages::kDroppedPushes, grouped(*figures.dropped_pushes), frame.board.stack_depth);
+    line(messages::kDroppedPushes, grouped(*figures.dropped_pushes), frame.board.top_stack_depth,
+         frame.board.stack_depth);
   }
   if (!frame.board.counters) line("counters    none in configuration {}", frame.board.configuration);
   return text + units_text(figures) + caches_text(figures);

@@ -27,7 +27,7 @@ struct BoardInfo {
   std::string configuration;   ///< name of the core's configuration, e.g. "thesis"
   unsigned packets = 0;        ///< packets that can be in flight, at most
   unsigned cache_lines = 0;    ///< lines of each cache, at most
-  unsigned stack_depth = 0;    ///< entries of each stack and level
+  unsigned stack_depth = 0;    ///< entries of a packet's stack in an object's tree
   unsigned lights = 0;         ///< passes of light rays from a packet's hits, at most
   bool clips_to_cube = false;  ///< it takes an object's box for the cube from -1 to 1
   unsigned reflections = 0;    ///< bounces of a ray, at most
@@ -37,7 +37,8 @@ struct BoardInfo {
   Primitives primitives{.triangle = true};
   TriangleTest triangle_test = TriangleTest::kUnitTriangle;
   const MemoryFormat* format = &kShippedFormat;  ///< its numbers, and how its memory holds them
-  bool uncompressed = true;  ///< it can transform every ray's origin
+  unsigned top_stack_depth = 31;  ///< entries of a packet's stack in the top-level tree
+  bool uncompressed = true;       ///< it can transform every ray's origin
   /// The words of its FRAME registers.
   std::vector<std::uint32_t> (*frame_words)(const FrameConfig&) = frame_words_of<ShippedRegisters>;
 };

@@ -16,6 +16,7 @@ BoardInfo board_info_of() {
   info.packets = C::kPackets;
   info.cache_lines = C::kLines;
   info.stack_depth = C::kStackDepth;
+  info.top_stack_depth = C::kTopStackDepth;
   info.lights = C::kLights;
   info.reflections = C::kReflections;
   info.clips_to_cube = kClipsToBox<C>;
