@@ -60,6 +60,7 @@ class Generate(unittest.TestCase):
                      "Primitives kPrimitives = Primitives{.triangle = true, .sphere = false, "
                      ".rectangle = false};", "bool kCounters = true;", "unsigned kTopStackDepth = 31;",
                      "unsigned kObjectSlots = 8;", "unsigned kTriangleSlots = 8;",
+                     "unsigned kAddressBits = 19;", "unsigned kMatrixBits = 17;",
                      "bool kUncompressed = true;"):
             self.assertIn(f"  static constexpr {line}\n", text)
         config = json.loads((self.out / "configs.json").read_text(encoding="utf-8"))[0]
@@ -166,8 +167,8 @@ class Generate(unittest.TestCase):
                             "packets, lines, stack_depth, top_stack_depth, object_slots, "
                             "triangle_slots, exponent_bits, mantissa_bits, rounding, epsilon, "
                             "sram_latency, lights, reflections, scan_out, crossing, object_box, "
-                            "divider, triangle_matrix, primitives, triangle_test, uncompressed, "
-                            "counters")
+                            "divider, triangle_matrix, primitives, triangle_test, address_bits, "
+                            "matrix_bits, uncompressed, counters")
         self.assert_refused(json.dumps({"tiny": {k: GOOD[k] for k in GOOD if k != "lines"}}),
                             "configuration 'tiny': lacks the key 'lines' (lines of each cache), "
                             "a power of two from 1 to 512")

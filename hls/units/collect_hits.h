@@ -35,7 +35,7 @@ struct CollectHits {
 
   hls::In<HitCandidate<C>> candidate;
   hls::RamRead<JobRecord<C>, kPackets> record;
-  hls::RamRead<MatrixIndex, kPackets> object;
+  hls::RamRead<MatrixNumber<C>, kPackets> object;
   hls::Out<ListJob<C>> go_on;
   hls::Out<MailboxEntry<C>> start;
   hls::RamWrite<Real, kPackets> distance[kRays];
@@ -52,7 +52,7 @@ struct CollectHits {
   void step() {
     const HitCandidate<C> in = candidate.read();
     const JobRecord<C> job = record.read(in.packet);
-    const MatrixIndex instance = object.read(in.packet);
+    const MatrixNumber<C> instance = object.read(in.packet);
     const RayRow<C> row = ray_row<C>(in.packet, in.ray);
     const bool alone = kHasSecondary<C> && job.kind == TransformKind::kDerive;
     SurfacePoint<C> from;

@@ -316,12 +316,12 @@ struct Core {
     join.channel<MemoryRequest<C>>("memory_request",
                                    {&node_lookup.miss, &list_lookup.miss, &matrix_lookup.miss},
                                    {&memory_interface.request});
-    join.channel<CacheLine<C, Node<typename C::Real>>>(
-        "node_line", {&memory_interface.node, &startup.node}, {&node_fill.fill});
-    join.channel<CacheLine<C, ListEntry>>("list_line", {&memory_interface.list, &startup.list},
-                                          {&list_fill.fill});
-    join.channel<CacheLine<C, MatrixColumn<typename C::Real>>>(
-        "column_line", {&memory_interface.column, &startup.column}, {&matrix_fill.fill});
+    join.channel<NodeLine<C>>("node_line", {&memory_interface.node, &startup.node},
+                              {&node_fill.fill});
+    join.channel<ListLine<C>>("list_line", {&memory_interface.list, &startup.list},
+                              {&list_fill.fill});
+    join.channel<ColumnLine<C>>("column_line", {&memory_interface.column, &startup.column},
+                                {&matrix_fill.fill});
     join_cache(join, "node", node_lookup, node_fill);
     join_cache(join, "list", list_lookup, list_fill);
     join_cache(join, "matrix", matrix_lookup, matrix_fill);

@@ -19,17 +19,17 @@ struct Mailbox {
   struct Slots {
     using Count = uint<hls::index_width(N + 1)>;
     Count used;
-    std::array<MatrixIndex, N> slot;
+    std::array<MatrixNumber<C>, N> slot;
     HLS_FIELDS(used, slot)
 
-    bool holds(MatrixIndex matrix) const {
+    bool holds(MatrixNumber<C> matrix) const {
       bool found = false;
       for (unsigned i = 0; i < N; ++i) {
         found = found || (used > Count::from(i) && slot[i] == matrix);
       }
       return found;
     }
-    void insert(MatrixIndex matrix) {
+    void insert(MatrixNumber<C> matrix) {
       for (unsigned i = 0; i < N; ++i) {
         if (used == Count::from(i)) slot[i] = matrix;
       }
@@ -75,7 +75,7 @@ struct Mailbox {
       TraversalEvent<C> enter;
       enter.packet = e.packet;
       enter.kind = TraversalKind::kEnter;
-      enter.next = Address::from(frame.get().start_node.raw());
+      enter.next = NodeAddress<C>::from(frame.get().start_node.raw());
       enter.active = e.active;
       enter.rays = e.kind;
       enter.apart = e.kind.get() == RayKind::kReflection;

@@ -25,12 +25,12 @@ struct MatrixStore {
     HLS_FIELDS(columns, extra, mirror, cosine_factor)
   };
 
-  hls::In<CacheReply<ColumnContext<C>, MatrixColumn<Real>>> reply;
+  hls::In<ColumnReply<C>> reply;
   hls::PortIf<C::kUncompressed, hls::Config<FrameRegisters<C>>> frame;
   hls::Out<SendJob<C>> ready;
   hls::RamWrite<Vector<Real>, kPackets> column[4];
   hls::RamWrite<JobRecord<C>, kPackets> record;
-  hls::RamWrite<MatrixIndex, kPackets> object;
+  hls::RamWrite<MatrixNumber<C>, kPackets> object;
   hls::RegisterFile<Progress, kPackets> progress;
   HLS_PORTS(reply, frame, ready, column[0], column[1], column[2], column[3], record, object)
 
@@ -77,8 +77,8 @@ struct MatrixStore {
     progress.write(packet, p);
 
     if (complete) {
-      const MatrixIndex matrix = kThreeColumns<C> ? r.context.matrix.get()
-                                                  : r.address.template bits<kAddressBits - 1, 2>();
+      const MatrixNumber<C> matrix = kThreeColumns<C> ? r.context.matrix.get()
+                                                  : r.address.template bits<C::kMatrixBits + 1, 2>();
       const auto& derived = r.context.extras.derived;
       record.write(packet, JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra, derived,
                                         p.mirror, r.context.extras.apart.get(),

@@ -26,12 +26,12 @@ struct NodeFetch {
     RayMask alive;  ///< rays that entered the level and have not ended in it
     hls::FieldIf<kHasSecondary<C>, RayKind> rays{};        ///< level 0: what they are
     hls::FieldIf<kSplitsPackets<C>, RayMask> waiting{};    ///< rays of the groups to come
-    hls::FieldIf<kSplitsPackets<C>, Address> root{};       ///< where they begin
+    hls::FieldIf<kSplitsPackets<C>, NodeAddress<C>> root{};       ///< where they begin
     hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};  ///< rays that have crossed others
     HLS_FIELDS(stack, alive, rays, waiting, root, crossing)
   };
   struct Entry {
-    Address node;
+    NodeAddress<C> node;
     RayMask active;
     RayMask both;
     hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
@@ -39,7 +39,7 @@ struct NodeFetch {
   };
 
   hls::In<TraversalEvent<C>> event;
-  hls::Out<CacheRequest<StepContext<C>>> request;
+  hls::Out<NodeRequest<C>> request;
   hls::Out<TraversalEvent<C>> again;  ///< a popped node that no living ray enters: pop once more
   hls::Out<ShadeJob<C>> top_done;
   hls::Out<ListJob<C>> object_done;
@@ -78,7 +78,7 @@ struct NodeFetch {
     context.stack = state.stack;
     context.update = e.kind == TraversalKind::kGo && e.clip_near ? IntervalUpdate::kClipNear
                                                                  : IntervalUpdate::kClipFar;
-    Address address = e.next;
+    NodeAddress<C> address = e.next;
 
     bool fetch = true;
     if (enter) {
@@ -129,7 +129,7 @@ struct NodeFetch {
       address = popped.node;
     }
     states.write(row, state);
-    if (fetch) request.write(CacheRequest<StepContext<C>>{context, address});
+    if (fetch) request.write(NodeRequest<C>{context, address});
   }
 
  private:

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <algorithm>
+#include <type_traits>
 
 #include "hls/ports.h"
 #include "units/memory_format.h"
@@ -78,6 +79,40 @@ constexpr bool is_primitive(Primitive which, const PrimitiveField<C>& field) {
                     : which == Primitive::kSphere ? kSome.sphere
                                                   : kSome.rectangle;
   return some && (!kHasKinds<C> || field.get() == which);
+}
+
+/// Numbers as the core has them on their way, in as many bits as the configuration's scenes take:
+/// where a node or a list's entry lies, a matrix, one of its columns.
+template <class C>
+using NodeAddress = uint<C::kAddressBits>;
+template <class C>
+using MatrixNumber = uint<C::kMatrixBits>;
+template <class C>
+using ColumnAddress = uint<C::kMatrixBits + 2>;
+
+template <class C>
+using CoreNode = Node<typename C::Real, C::kAddressBits>;
+
+/// Of a list's entry what a core reads that has fewer bits for matrices than the memory.
+template <class C>
+struct NarrowListEntry {
+  MatrixNumber<C> matrix;
+  PrimitiveField<C> kind{};
+  bool last = false;
+  HLS_FIELDS(matrix, kind, last)
+
+  constexpr Primitive primitive() const { return kind.get(); }
+};
+template <class C>
+using CoreListEntry =
+    std::conditional_t<C::kMatrixBits == kMatrixBits, ListEntry, NarrowListEntry<C>>;
+template <class C>
+constexpr CoreListEntry<C> core_entry(const ListEntry& entry) {
+  if constexpr (C::kMatrixBits == kMatrixBits) {
+    return entry;
+  } else {
+    return {entry.matrix.trunc<C::kMatrixBits>(), entry.primitive(), entry.last};
+  }
 }
 
 template <class C>

@@ -73,7 +73,7 @@ struct PacketDecoder {
       }
       const bool object = job.kind == TransformKind::kObject;
       if constexpr (kHasReciprocals<C>) {
-        const Address root = job.extra.template trunc<kAddressBits>();
+        const NodeAddress<C> root = job.extra.template trunc<C::kAddressBits>();
         TracedRay<C> trace;
         trace.is_new = is_new;
         trace.ray = ObjectRay<C>{in.packet, in.ray, job.active, root, job.apart, r};
@@ -99,7 +99,7 @@ struct PacketDecoder {
 
  private:
   void enter(const PacketVector<C>& in, const JobRecord<C>& job, const Ray<Real>& r) {
-    const Address root = job.extra.template trunc<kAddressBits>();
+    const NodeAddress<C> root = job.extra.template trunc<C::kAddressBits>();
     if constexpr (kHasReciprocals<C>) {
       return;
     } else if constexpr (kPassesObjectRays<C>) {

@@ -60,7 +60,7 @@ struct RayGeneration {
         camera.packet = f.packet;
         camera.kind = TransformKind::kCamera;
         camera.active = mask(p, config);
-        camera.matrix = config.camera_matrix.template trunc<kMatrixBits>();
+        camera.matrix = config.camera_matrix.template trunc<C::kMatrixBits>();
         job.write(camera);
       } else {
         skipped.write(f);

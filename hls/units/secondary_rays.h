@@ -116,10 +116,10 @@ struct SecondaryRays {
                            : RayIndex(3);
   }
   /// An instance's way back to the world and a triangle's mirror lie behind their own matrices.
-  MatrixIndex matrix(const State& s, const SurfacePoint<C>& point) const {
-    const MatrixIndex light =
-        MatrixIndex::from(frame.get().light_matrix.template trunc<kMatrixBits>().raw() +
-                          s.light.template zext<kMatrixBits>().raw());
+  MatrixNumber<C> matrix(const State& s, const SurfacePoint<C>& point) const {
+    const MatrixNumber<C> light =
+        MatrixNumber<C>::from(frame.get().light_matrix.template trunc<C::kMatrixBits>().raw() +
+                              MatrixNumber<C>::from(s.light.raw()).raw());
     if constexpr (!kHasMirrors<C>) return light;
     switch (s.pass) {
       case Derivation::kIntoObject:

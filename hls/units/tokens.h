@@ -5,6 +5,7 @@
 // (hls/configs).
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
 #include "units/packet.h"
@@ -43,8 +44,8 @@ struct Derive {
 template <class C>
 struct SurfacePoint {
   typename C::Real t;
-  MatrixIndex object;
-  MatrixIndex triangle;
+  MatrixNumber<C> object;
+  MatrixNumber<C> triangle;
   HLS_FIELDS(t, object, triangle)
 };
 
@@ -55,8 +56,8 @@ struct Found {
   bool hit = false;
   typename C::Real cosine;
   typename C::Real t;
-  MatrixIndex object;
-  MatrixIndex triangle;
+  MatrixNumber<C> object;
+  MatrixNumber<C> triangle;
   uint<24> colour;
   hls::FieldIf<kHasMirrors<C>, uint<8>>
       mirror{};  ///< part of the light that is reflected, in 256ths
@@ -82,7 +83,7 @@ struct ObjectRay {
   PacketId<C> packet;
   RayIndex ray;
   RayMask active;  ///< of the packet's rays, those that are traced
-  Address root;    ///< of the object's tree
+  NodeAddress<C> root;    ///< of the object's tree
   hls::FieldIf<kSplitsPackets<C>, bool> apart{};
   Ray<typename C::Real> in_object;
   HLS_FIELDS(packet, ray, active, root, apart, in_object)
@@ -118,10 +119,10 @@ struct TraversalEvent {
   PacketId<C> packet;
   Level level;
   TraversalKind kind = TraversalKind::kPop;
-  Address next;
+  NodeAddress<C> next;
   RayMask active;          ///< rays that go to `next`
   bool clip_near = false;  ///< kGo: the near child was empty, so near = d rather than far = d
-  Address pushed;
+  NodeAddress<C> pushed;
   RayMask pushed_active;
   RayMask both;                                    ///< rays that enter both children
   RayMask terminated;                              ///< rays found to have ended in this level
@@ -150,7 +151,7 @@ struct StepContext {
 template <class C>
 struct Step {
   StepContext<C> context;
-  Node<typename C::Real> node;
+  CoreNode<C> node;
   HLS_FIELDS(context, node)
 };
 
@@ -180,7 +181,7 @@ struct ListJob {
   PacketId<C> packet;
   Level level;
   bool first = false;  ///< start at `address`; otherwise go on after the last entry read
-  Address address;
+  NodeAddress<C> address;
   HLS_FIELDS(packet, level, first, address)
 };
 
@@ -198,7 +199,7 @@ struct MailboxEntry {
   bool clear = false;  ///< new rays: forget the packet's objects and start the traversal
   RayMask active;      ///< of new rays: those that are to be traced
   hls::FieldIf<kHasSecondary<C>, RayKind> kind{};  ///< of new rays
-  ListEntry entry;
+  CoreListEntry<C> entry;
   HLS_FIELDS(packet, level, clear, active, kind, entry)
 };
 
@@ -222,7 +223,7 @@ struct TransformJob {
   PacketId<C> packet;
   TransformKind kind = TransformKind::kCamera;
   RayMask active;
-  MatrixIndex matrix;
+  MatrixNumber<C> matrix;
   TransformExtras<C> extras{};
   HLS_FIELDS(repeat, packet, kind, active, matrix, extras)
 };
@@ -243,7 +244,7 @@ struct ColumnContext {
   RayMask active;
   uint<2> column;  ///< as it is stored
   TransformExtras<C> extras{};
-  hls::FieldIf<kThreeColumns<C>, MatrixIndex> matrix{};  ///< otherwise the address has it
+  hls::FieldIf<kThreeColumns<C>, MatrixNumber<C>> matrix{};  ///< otherwise the address has it
   HLS_FIELDS(packet, kind, active, column, extras, matrix)
 };
 
@@ -252,7 +253,7 @@ template <class C>
 struct JobRecord {
   TransformKind kind = TransformKind::kCamera;
   RayMask active;
-  MatrixIndex matrix;
+  MatrixNumber<C> matrix;
   uint<24> extra;  ///< root node of an object, colour of a triangle
   hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
   hls::FieldIf<kHasMirrors<C>, uint<8>> mirror{};  ///< of a triangle
@@ -318,8 +319,8 @@ template <class C>
 struct HitRecord {
   bool hit = false;
   typename C::Real t, u, v, cosine;
-  MatrixIndex object;
-  MatrixIndex triangle;
+  MatrixNumber<C> object;
+  MatrixNumber<C> triangle;
   uint<24> colour;
   HLS_FIELDS(hit, t, u, v, cosine, object, triangle, colour)
 };
@@ -343,26 +344,27 @@ struct ShadeJob {
 
 // ---- Caches and memory (thesis 7) ----
 
-template <class Context>
+/// `AddressBits` are those of the core's nodes or columns.
+template <class Context, unsigned AddressBits = kAddressBits>
 struct CacheRequest {
   Context context;
-  Address address;
+  uint<AddressBits> address;
   HLS_FIELDS(context, address)
 };
 
 /// Data is Line, the bits of a node, a list entry or a matrix column.
-template <class Context, class Line>
+template <class Context, class Line, unsigned AddressBits = kAddressBits>
 struct CacheReply {
   Context context;
-  Address address;
+  uint<AddressBits> address;
   Line line;
   HLS_FIELDS(context, address, line)
 };
 
-template <class Line>
+template <class Line, unsigned AddressBits = kAddressBits>
 struct CacheRow {
   bool valid = false;
-  Address tag;
+  uint<AddressBits> tag;
   Line line;
   HLS_FIELDS(valid, tag, line)
 };
@@ -374,19 +376,35 @@ template <class C>
 struct MemoryRequest {
   MemoryKind kind = MemoryKind::kNode;
   uint<2 + PacketId<C>::kWidth> key;
-  Address address;
+  uint<std::max(NodeAddress<C>::kWidth, ColumnAddress<C>::kWidth)> address;
   HLS_FIELDS(kind, key, address)
 };
 
 /// A line for a cache: the answer to a request, or the order to invalidate a line.
-template <class C, class Line>
+template <class C, class Line, unsigned AddressBits = kAddressBits>
 struct CacheLine {
   bool invalidate = false;
   uint<2 + PacketId<C>::kWidth> key;
-  Address address;
+  uint<AddressBits> address;
   Line line;
   HLS_FIELDS(invalidate, key, address, line)
 };
+template <class C>
+using NodeLine = CacheLine<C, CoreNode<C>, NodeAddress<C>::kWidth>;
+template <class C>
+using ListLine = CacheLine<C, CoreListEntry<C>, NodeAddress<C>::kWidth>;
+template <class C>
+using ColumnLine = CacheLine<C, MatrixColumn<typename C::Real>, ColumnAddress<C>::kWidth>;
+
+template <class C>
+using NodeRequest = CacheRequest<StepContext<C>, NodeAddress<C>::kWidth>;
+template <class C>
+using ListRequest = CacheRequest<ListContext<C>, NodeAddress<C>::kWidth>;
+template <class C>
+using ColumnRequest = CacheRequest<ColumnContext<C>, ColumnAddress<C>::kWidth>;
+template <class C>
+using ColumnReply =
+    CacheReply<ColumnContext<C>, MatrixColumn<typename C::Real>, ColumnAddress<C>::kWidth>;
 
 }  // namespace dynrt
 

@@ -38,6 +38,8 @@ struct BoardInfo {
   TriangleTest triangle_test = TriangleTest::kUnitTriangle;
   const MemoryFormat* format = &kShippedFormat;  ///< its numbers, and how its memory holds them
   unsigned top_stack_depth = 31;  ///< entries of a packet's stack in the top-level tree
+  unsigned address_bits = kAddressBits;  ///< of the nodes and list entries that it can reach
+  unsigned matrix_bits = kMatrixBits;    ///< of the matrices
   bool uncompressed = true;       ///< it can transform every ray's origin
   /// The words of its FRAME registers.
   std::vector<std::uint32_t> (*frame_words)(const FrameConfig&) = frame_words_of<ShippedRegisters>;

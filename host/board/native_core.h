@@ -24,6 +24,8 @@ BoardInfo board_info_of() {
   info.triangle_matrix = C::kTriangleMatrix;
   info.primitives = C::kPrimitives;
   info.triangle_test = C::kTriangleTest;
+  info.address_bits = C::kAddressBits;
+  info.matrix_bits = C::kMatrixBits;
   info.uncompressed = C::kUncompressed;
   info.frame_words = frame_words_of<C>;
   info.format = &kMemoryFormatOf<typename C::Real>;

@@ -25,13 +25,25 @@ std::uint32_t mirror_part(const Material& material) {
   return static_cast<std::uint32_t>(std::clamp(std::lround(256 * material.mirror), 1L, 255L));
 }
 
-void check_limit(const Scene& scene, const char* what, std::size_t needed, std::size_t limit) {
-  if (needed > limit) refuse(messages::kTooMany, scene.name, needed, what, needed - limit, limit);
+/// Of the numbers that `bits` can tell apart, the first `unused` are nobody's.
+void check_limit(const Scene& scene, const char* what, std::size_t needed, const char* key,
+                 unsigned bits, unsigned memory_bits, std::size_t unused = 0) {
+  const std::size_t limit = (std::size_t{1} << bits) - unused;
+  if (needed <= limit) return;
+  if (bits == memory_bits) {
+    refuse(messages::kTooMany, scene.name, needed, what, needed - limit, limit);
+  }
+  refuse(messages::kOutOfReach, scene.name, needed, what, needed - limit, limit, key, bits);
 }
 
-void check_limits(const Scene& scene, const MemoryPart& part) {
-  check_limit(scene, "tree nodes", part.end_node() - 1, kMaxNodes - 1);
-  check_limit(scene, "list entries", part.end_entry(), kMaxListEntries);
+void check_matrices(const Scene& scene, const ImageForm& form, std::size_t needed) {
+  check_limit(scene, kMatrices, needed, "matrix_bits", form.matrix_bits, kMatrixBits);
+}
+
+void check_limits(const Scene& scene, const ImageForm& form, const MemoryPart& part) {
+  constexpr char kKey[] = "address_bits";
+  check_limit(scene, "tree nodes", part.end_node() - 1, kKey, form.address_bits, kAddressBits, 1);
+  check_limit(scene, "list entries", part.end_entry(), kKey, form.address_bits, kAddressBits);
 }
 
 /// The first element beyond the core's numbers; small ones round to the smallest magnitude.
@@ -199,7 +211,7 @@ void check_matrices(const Scene& scene, const ImageForm& form) {
   const std::size_t matrices = (numbers * columns_apart(form.triangles) + 3) / 4 +
                                scene.instances.size() * (has_mirrors(scene) ? 2 : 1) + 1 +
                                scene.lights.size();
-  check_limit(scene, kMatrices, std::max(numbers, matrices), kMaxMatrices);
+  check_matrices(scene, form, std::max(numbers, matrices));
 }
 
 std::vector<std::uint32_t> matrix_numbers(const Scene& scene, const Mesh& object,
@@ -211,7 +223,8 @@ std::vector<std::uint32_t> matrix_numbers(const Scene& scene, const Mesh& object
   return numbers;
 }
 
-ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const ImageForm& form) {
+ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const ImageForm& form)
+    : form(form) {
   const std::uint32_t apart = columns_apart(form.triangles);
   check_matrices(scene, form);
   const MemoryFormat& format = *form.format;
@@ -227,7 +240,7 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
     const std::uint32_t base = add_tree(memory, tree, matrix_of, &mesh, to_space);
     const std::uint32_t outside = form.boxes_are_cubes ? tree.root : tree.clipped_root;
     objects.push_back({base + tree.root, base + outside, first_matrix, tree.box, to_space});
-    check_limits(scene, memory);
+    check_limits(scene, form, memory);
     for (std::size_t i = 0; i < mesh.primitives(); ++i) {
       const bool three = stored_in_three(mesh, i, form.triangles);
       const UnitMatrix unit = unit_matrix(form, mesh, i, from_space, three);
@@ -251,7 +264,9 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
 }
 
 TreeSize ObjectImage::room_left() const {
-  return {kMaxNodes - memory.end_node(), kMaxListEntries - memory.end_entry()};
+  const std::size_t reach = std::size_t{1} << form.address_bits;
+  const auto left = [reach](std::size_t used) { return reach - std::min(used, reach); };
+  return {left(memory.end_node()), left(memory.end_entry())};
 }
 
 std::vector<Aabb> ObjectImage::boxes() const {
@@ -275,10 +290,9 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   for (std::uint32_t i = 0; i < matrix_of.size(); ++i) matrix_of[i] = first_instance + stride * i;
   const std::uint32_t base = add_tree(memory, instances, matrix_of, nullptr);
   start_node = base + instances.entry(camera.position);
-  check_limits(scene, memory);
-  check_limit(scene, kMatrices,
-              first_instance + stride * scene.instances.size() + 1 + scene.lights.size(),
-              kMaxMatrices);
+  check_limits(scene, objects.form, memory);
+  check_matrices(scene, objects.form,
+                 first_instance + stride * scene.instances.size() + 1 + scene.lights.size());
 
   memory.columns.reserve(4 * (stride * scene.instances.size() + 1 + scene.lights.size()));
   for (const Instance& instance : scene.instances) {

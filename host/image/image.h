@@ -28,10 +28,12 @@ struct ImageForm {
   bool boxes_are_cubes = false;
   /// For a watertight test a triangle's columns are its corners and its unit normal.
   TriangleTest triangle_test = TriangleTest::kUnitTriangle;
+  unsigned address_bits = kAddressBits;  ///< the core reaches so many nodes, and list entries
+  unsigned matrix_bits = kMatrixBits;    ///< and so many matrices
 };
 
-/// Throws UserError for a scene that the memory cannot hold whatever its trees are: with more
-/// triangles, instances and camera than it has matrices.
+/// Throws UserError for a scene that the memory cannot hold, or the core not reach, whatever its
+/// trees are: with more triangles, instances and camera than there are matrices.
 void check_matrices(const Scene& scene, const ImageForm& form = {});
 
 /// The matrices of an object's primitives, the first of which is `first`, as hit records name them;
@@ -52,6 +54,7 @@ struct ObjectImage {
   };
   std::vector<Object> objects;
   MemoryPart memory;
+  ImageForm form;
 
   ObjectImage() = default;
   ObjectImage(const Scene& scene, std::span<const Tree> trees, const ImageForm& form = {});

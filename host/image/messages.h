@@ -9,6 +9,9 @@ namespace dynrt::host::messages {
 inline constexpr char kTooMany[] =
     "scene '{}' needs {} {}, {} more than the {} that the board's memory holds; use fewer or "
     "smaller objects";
+inline constexpr char kOutOfReach[] =
+    "scene '{}' needs {} {}, {} more than the {} that the core reaches; take a configuration with "
+    "more {} than {}";
 inline constexpr char kFlatTriangle[] =
     "object '{}', triangle {} has no area; its corners must not lie on one line";
 inline constexpr char kTriangleRange[] =
