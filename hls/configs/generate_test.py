@@ -58,7 +58,7 @@ class Generate(unittest.TestCase):
                      "Crossing kCrossing = Crossing::kNone;",
                      "TriangleMatrix kTriangleMatrix = TriangleMatrix::kNormalConsistent;",
                      "Primitives kPrimitives = Primitives{.triangle = true, .sphere = false, "
-                     ".rectangle = false};", "bool kCounters = true;", "unsigned kTopStackDepth = 31;",
+                     ".rectangle = false};", "bool kCounters = true;", "bool kOneColour = false;", "unsigned kTopStackDepth = 31;",
                      "unsigned kObjectSlots = 8;", "unsigned kTriangleSlots = 8;",
                      "unsigned kAddressBits = 19;", "unsigned kMatrixBits = 17;",
                      "bool kUncompressed = true;"):
@@ -168,7 +168,7 @@ class Generate(unittest.TestCase):
                             "triangle_slots, exponent_bits, mantissa_bits, rounding, epsilon, "
                             "sram_latency, lights, reflections, scan_out, crossing, object_box, "
                             "divider, triangle_matrix, primitives, triangle_test, address_bits, "
-                            "matrix_bits, uncompressed, counters")
+                            "matrix_bits, uncompressed, one_colour, counters")
         self.assert_refused(json.dumps({"tiny": {k: GOOD[k] for k in GOOD if k != "lines"}}),
                             "configuration 'tiny': lacks the key 'lines' (lines of each cache), "
                             "a power of two from 1 to 512")

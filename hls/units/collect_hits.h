@@ -87,7 +87,7 @@ struct CollectHits {
       best.cosine = in.cosine;
       best.object = instance;
       best.triangle = job.matrix;
-      best.colour = job.extra;
+      if constexpr (!C::kOneColour) best.colour = job.extra;
     }
     if (in.reset || closer || lit) closest.write(row, now);
     if (in.reset || closer) {

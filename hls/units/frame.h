@@ -31,14 +31,16 @@ struct FrameRegisters {
   hls::uint<32> lights;        ///< point lights, at most the configuration's number
   hls::uint<32> light_matrix;  ///< index of the first light's matrix
   hls::uint<32> reflections;   ///< bounces, at most the configuration's number
+  hls::FieldIf<C::kOneColour, hls::uint<32>> colour;  ///< of every surface, 0x00BBGGRR
   HLS_FIELDS(packets, line_mask, width, height, scanline, morton_bits, start_node, camera_matrix,
              background, frame_base, write_hits, uncompressed, ambient, lights, light_matrix,
-             reflections)
+             reflections, colour)
 };
 
 /// No core: the host fills every register that some configuration has.
 struct EveryRegister {
   static constexpr bool kUncompressed = true;
+  static constexpr bool kOneColour = true;
 };
 using FrameConfig = FrameRegisters<EveryRegister>;
 

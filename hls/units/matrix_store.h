@@ -19,7 +19,7 @@ struct MatrixStore {
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
   struct Progress {
     uint<2> columns;                               ///< of this job that have arrived
-    uint<24> extra;                                ///< spare bits of column 0
+    MatrixExtra<C> extra;                          ///< spare bits of column 0
     hls::FieldIf<kHasMirrors<C>, uint<8>> mirror;  ///< spare bits of column 1
     hls::FieldIf<kScalesCosine<C>, Real> cosine_factor;
     HLS_FIELDS(columns, extra, mirror, cosine_factor)
@@ -59,14 +59,22 @@ struct MatrixStore {
     const uint<2> last = stored_three ? uint<2>(kStoredColumns - 1) : uint<2>(3);
     const bool complete = p.columns == last;
     if (r.context.column == uint<2>(0)) {
-      p.extra = stored_three ? hls::concat(p.extra.template bits<23, 16>(),
-                                           r.line.spare().template trunc<16>())
-                             : r.line.spare().template trunc<24>();
+      if constexpr (C::kOneColour) {
+        p.extra = r.line.spare().template trunc<MatrixExtra<C>::kWidth>();
+      } else {
+        p.extra = stored_three ? hls::concat(p.extra.template bits<23, 16>(),
+                                             r.line.spare().template trunc<16>())
+                               : r.line.spare().template trunc<24>();
+      }
     }
     if (r.context.column == uint<2>(1)) {
       p.mirror = r.line.spare().template trunc<8>();
-      if (stored_three)
-        p.extra = hls::concat(r.line.spare().template bits<15, 8>(), p.extra.template trunc<16>());
+      if constexpr (!C::kOneColour) {
+        if (stored_three) {
+          p.extra =
+              hls::concat(r.line.spare().template bits<15, 8>(), p.extra.template trunc<16>());
+        }
+      }
     }
     if constexpr (kScalesCosine<C>) {
       if (r.context.column == last) {

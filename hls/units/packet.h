@@ -81,6 +81,17 @@ constexpr bool is_primitive(Primitive which, const PrimitiveField<C>& field) {
   return some && (!kHasKinds<C> || field.get() == which);
 }
 
+/// What nearly all configurations have: a field as it is, or none (hls::FieldIf).
+template <bool Present, class T>
+using Kept = std::conditional_t<Present, T, hls::FieldIf<false, T>>;
+
+/// The colour of a surface, 0x00BBGGRR, where surfaces have colours of their own.
+template <class C>
+using SurfaceColour = Kept<!C::kOneColour, uint<24>>;
+/// What the spare bits of a matrix say: the root of an object's tree, or a primitive's colour.
+template <class C>
+using MatrixExtra = uint<C::kOneColour ? C::kAddressBits : 24>;
+
 /// Numbers as the core has them on their way, in as many bits as the configuration's scenes take:
 /// where a node or a list's entry lies, a matrix, one of its columns.
 template <class C>

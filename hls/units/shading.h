@@ -49,7 +49,7 @@ struct Shading {
     if constexpr (kHasSecondary<C>) {
       colour = pixel_colour.read(ray_row<C>(j.job.packet, ray));
     } else {
-      colour = h.hit ? Word(eye_light(h.colour, in_256ths(h.cosine))) : config.background;
+      colour = h.hit ? Word(eye_light(surface_colour<C>(h.colour, config), in_256ths(h.cosine))) : config.background;
     }
     if (inside && word == uint<2>(0)) {
       bank[0].write(BankAddress::from((pixel + config.frame_base.template trunc<20>()).raw()),

@@ -58,7 +58,7 @@ struct Found {
   typename C::Real t;
   MatrixNumber<C> object;
   MatrixNumber<C> triangle;
-  uint<24> colour;
+  SurfaceColour<C> colour;
   hls::FieldIf<kHasMirrors<C>, uint<8>>
       mirror{};  ///< part of the light that is reflected, in 256ths
   HLS_FIELDS(hit, cosine, t, object, triangle, colour, mirror)
@@ -254,7 +254,7 @@ struct JobRecord {
   TransformKind kind = TransformKind::kCamera;
   RayMask active;
   MatrixNumber<C> matrix;
-  uint<24> extra;  ///< root node of an object, colour of a triangle
+  MatrixExtra<C> extra;
   hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
   hls::FieldIf<kHasMirrors<C>, uint<8>> mirror{};  ///< of a triangle
   hls::FieldIf<kSplitsPackets<C>, bool> apart{};   ///< the packet's rays have no common origin
@@ -321,7 +321,7 @@ struct HitRecord {
   typename C::Real t, u, v, cosine;
   MatrixNumber<C> object;
   MatrixNumber<C> triangle;
-  uint<24> colour;
+  SurfaceColour<C> colour;
   HLS_FIELDS(hit, t, u, v, cosine, object, triangle, colour)
 };
 

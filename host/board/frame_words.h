@@ -27,6 +27,7 @@ std::vector<std::uint32_t> frame_words_of(const FrameConfig& frame) {
 /// Of the configurations that ship.
 struct ShippedRegisters {
   static constexpr bool kUncompressed = true;
+  static constexpr bool kOneColour = false;
 };
 inline constexpr unsigned kShippedFrameWords =
     hls::bit_width_of<FrameRegisters<ShippedRegisters>>() / 32;

@@ -69,6 +69,25 @@ const Material& material_of(const Scene& scene, const Mesh& object, std::size_t 
   return scene.materials.at(object.material_of(primitive));
 }
 
+std::uint32_t first_colour(const Scene& scene) {
+  for (const Mesh& object : scene.objects) {
+    if (object.primitives() > 0) return colour_bits(material_of(scene, object, 0).diffuse);
+  }
+  return 0;
+}
+
+/// For a core that has one colour for all.
+void check_colours(const Scene& scene) {
+  const std::uint32_t first = first_colour(scene);
+  for (const Mesh& object : scene.objects) {
+    for (std::size_t i = 0; i < object.primitives(); ++i) {
+      const Material& material = material_of(scene, object, i);
+      const std::uint32_t colour = colour_bits(material.diffuse);
+      if (colour != first) refuse(messages::kColours, scene.name, first, colour, object.name);
+    }
+  }
+}
+
 /// A sphere is none: each of its points would need a reflection of its own.
 bool is_mirror(const Scene& scene, const Mesh& object, std::size_t primitive) {
   return !object.is_ellipsoid(primitive) && material_of(scene, object, primitive).mirror > 0;
@@ -227,6 +246,7 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
     : form(form) {
   const std::uint32_t apart = columns_apart(form.triangles);
   check_matrices(scene, form);
+  if (form.one_colour) check_colours(scene);
   const MemoryFormat& format = *form.format;
   memory.format = &format;
   memory.first_node = 1;
@@ -290,6 +310,7 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   for (std::uint32_t i = 0; i < matrix_of.size(); ++i) matrix_of[i] = first_instance + stride * i;
   const std::uint32_t base = add_tree(memory, instances, matrix_of, nullptr);
   start_node = base + instances.entry(camera.position);
+  colour = first_colour(scene);
   check_limits(scene, objects.form, memory);
   check_matrices(scene, objects.form,
                  first_instance + stride * scene.instances.size() + 1 + scene.lights.size());

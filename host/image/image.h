@@ -30,6 +30,7 @@ struct ImageForm {
   TriangleTest triangle_test = TriangleTest::kUnitTriangle;
   unsigned address_bits = kAddressBits;  ///< the core reaches so many nodes, and list entries
   unsigned matrix_bits = kMatrixBits;    ///< and so many matrices
+  bool one_colour = false;               ///< the core has one for all surfaces
 };
 
 /// Throws UserError for a scene that the memory cannot hold, or the core not reach, whatever its
@@ -72,6 +73,7 @@ struct FrameImage {
   std::uint32_t first_instance = 0;  ///< matrix of instance 0
   std::uint32_t camera_matrix = 0;
   std::uint32_t light_matrix = 0;  ///< of light 0
+  std::uint32_t colour = 0;        ///< of the first surface; of all, where the core has but one
 
   FrameImage() = default;
   FrameImage(const Scene& scene, const ObjectImage& objects, const Tree& instances,

@@ -12,6 +12,9 @@ inline constexpr char kTooMany[] =
 inline constexpr char kOutOfReach[] =
     "scene '{}' needs {} {}, {} more than the {} that the core reaches; take a configuration with "
     "more {} than {}";
+inline constexpr char kColours[] =
+    "scene '{}' has surfaces of the colours {:#08x} and {:#08x} (object '{}', 0xBBGGRR), and the "
+    "core has one for all; take a configuration without one_colour";
 inline constexpr char kFlatTriangle[] =
     "object '{}', triangle {} has no area; its corners must not lie on one line";
 inline constexpr char kTriangleRange[] =

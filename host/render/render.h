@@ -44,6 +44,7 @@ struct SceneAddresses {
   std::uint32_t camera_matrix = 0;
   std::uint32_t light_matrix = 0;  ///< of light 0
   unsigned lights = 0;
+  std::uint32_t colour = 0;  ///< of all surfaces, if they have one
 };
 
 /// Where render() has the picture in bank 3.
