@@ -58,7 +58,7 @@ class Generate(unittest.TestCase):
                      "Crossing kCrossing = Crossing::kNone;",
                      "TriangleMatrix kTriangleMatrix = TriangleMatrix::kNormalConsistent;",
                      "Primitives kPrimitives = Primitives{.triangle = true, .sphere = false, "
-                     ".rectangle = false};", "bool kCounters = true;", "bool kOneColour = false;", "unsigned kTopStackDepth = 31;",
+                     ".rectangle = false};", "bool kCounters = true;", "bool kOneColour = false;", "unsigned kTopStackDepth = 31;", "unsigned kLevels = 2;",
                      "unsigned kObjectSlots = 8;", "unsigned kTriangleSlots = 8;",
                      "unsigned kAddressBits = 19;", "unsigned kMatrixBits = 17;",
                      "bool kUncompressed = true;"):
@@ -161,10 +161,20 @@ class Generate(unittest.TestCase):
                                 f"configuration 'tiny': with triangle_test \"watertight\" the key "
                                 f"'{key}' must be {wants}; it is {json.dumps(value)}")
 
+    def test_one_level(self):
+        self.assertIn("unsigned kLevels = 1;", self.written(levels=1, divider="reciprocal"))
+        for key, value, wants in (
+                ("object_box", "unit", "nodes, as no object is entered"),
+                ("triangle_test", "watertight", "unit_triangle, as a ray's shear is made when it "
+                 "enters an object")):
+            self.assert_refused(json.dumps({"tiny": GOOD | {"levels": 1, key: value}}),
+                                f"configuration 'tiny': with levels 1 the key '{key}' must be "
+                                f"{wants}; it is {json.dumps(value)}")
+
     def test_keys(self):
         self.assert_refused(json.dumps({"tiny": GOOD | {"lihgts": 1}}),
                             "configuration 'tiny': unknown key 'lihgts'; the keys are about, rtl, "
-                            "packets, lines, stack_depth, top_stack_depth, object_slots, "
+                            "packets, lines, levels, stack_depth, top_stack_depth, object_slots, "
                             "triangle_slots, exponent_bits, mantissa_bits, rounding, epsilon, "
                             "sram_latency, lights, reflections, scan_out, crossing, object_box, "
                             "divider, triangle_matrix, primitives, triangle_test, address_bits, "

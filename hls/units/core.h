@@ -177,11 +177,11 @@ struct Core {
                                                         &list.finished, &mailbox.start};
     if constexpr (kClipsToBox<C>) {
       events.push_back(&box_clip.enter_object);
-    } else if constexpr (kHasReciprocals<C>) {
+    } else if constexpr (kTwoLevels<C> && kHasReciprocals<C>) {
       events.push_back(&ray_reciprocal.enter_object);
     } else if constexpr (kWatertight<C>) {
       events.push_back(&ray_shear.enter_object);
-    } else {
+    } else if constexpr (kTwoLevels<C>) {
       events.push_back(&packet_decoder.enter_object);
     }
     join.channel<TraversalEvent<C>>("traversal_event", events, {&node_fetch.event}, kAll);
@@ -209,8 +209,9 @@ struct Core {
   }
 
   void join_lists(hls::Join& join) {
-    std::vector<hls::Out<ListJob<C>>*> jobs = {&packet_decision.leaf, &node_fetch.object_done,
-                                               &mailbox.seen, &collect_hits.go_on};
+    std::vector<hls::Out<ListJob<C>>*> jobs = {&packet_decision.leaf};
+    if constexpr (kTwoLevels<C>) jobs.push_back(&node_fetch.object_done);
+    jobs.insert(jobs.end(), {&mailbox.seen, &collect_hits.go_on});
     if constexpr (kClipsToBox<C>) jobs.push_back(&box_clip.missed);
     join.channel<ListJob<C>>("list_job", jobs, {&list.job}, kAll);
     join.channel("list_request", list.request, list_lookup.request, kAll);
@@ -238,7 +239,9 @@ struct Core {
     }
     join.ram("job_record", matrix_store.record,
              std::vector{&packet_decoder.record, &collect_hits.record});
-    join.ram("object", matrix_store.object, std::vector{&collect_hits.object});
+    if constexpr (kTwoLevels<C>) {
+      join.ram("object", matrix_store.object, std::vector{&collect_hits.object});
+    }
     join.repeat("send_job", std::vector{&matrix_store.ready}, send_packet.job, kAll);
     std::vector vectors = {&send_packet.vectors};
     if constexpr (kHasLights<C>) vectors.push_back(&shader.vectors);
@@ -281,7 +284,7 @@ struct Core {
       join.ram("light", light_columns.light, std::vector{&shader.light});
     }
     if constexpr (kHasMirrors<C>) {
-      derive.push_back(&packet_decoder.derived);
+      if constexpr (kTwoLevels<C>) derive.push_back(&packet_decoder.derived);
       arriving.push_back(&send_packet.arriving);
       for (unsigned i = 0; i < kRays; ++i) {
         std::vector readers = {&slice[i].start_distance};

@@ -20,7 +20,7 @@ struct FrameRegisters {
   hls::uint<32> height;         ///< pixels
   hls::uint<32> scanline;       ///< 0: Morton order of packets, 1: line by line
   hls::uint<32> morton_bits;    ///< bits of the packet counter: 2 ceil(log2(larger side / 2))
-  hls::uint<32> start_node;     ///< node of the top-level tree where every ray starts
+  hls::uint<32> start_node;     ///< node of the uppermost tree where every ray starts
   hls::uint<32> camera_matrix;  ///< index of the matrix from pixel coordinates to the world
   hls::uint<32> background;     ///< colour where nothing is hit, 0x00BBGGRR
   hls::uint<32> frame_base;     ///< first word of the framebuffer in bank 3
@@ -32,15 +32,17 @@ struct FrameRegisters {
   hls::uint<32> light_matrix;  ///< index of the first light's matrix
   hls::uint<32> reflections;   ///< bounces, at most the configuration's number
   hls::FieldIf<C::kOneColour, hls::uint<32>> colour;  ///< of every surface, 0x00BBGGRR
+  hls::FieldIf<C::kLevels == 1, hls::uint<32>> object;  ///< number of the one there is, for its hits
   HLS_FIELDS(packets, line_mask, width, height, scanline, morton_bits, start_node, camera_matrix,
              background, frame_base, write_hits, uncompressed, ambient, lights, light_matrix,
-             reflections, colour)
+             reflections, colour, object)
 };
 
 /// No core: the host fills every register that some configuration has.
 struct EveryRegister {
   static constexpr bool kUncompressed = true;
   static constexpr bool kOneColour = true;
+  static constexpr unsigned kLevels = 1;
 };
 using FrameConfig = FrameRegisters<EveryRegister>;
 

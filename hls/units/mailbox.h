@@ -36,7 +36,7 @@ struct Mailbox {
       if (used != Count::from(N)) used = hls::next(used);
     }
   };
-  static constexpr bool kHasObjects = C::kObjectSlots > 0;
+  static constexpr bool kHasObjects = kTwoLevels<C> && C::kObjectSlots > 0;
   static constexpr bool kHasTriangles = C::kTriangleSlots > 0;
   /// The packet's rays that are traced.
   struct Traced {
@@ -44,6 +44,8 @@ struct Mailbox {
     hls::FieldIf<kHasMirrors<C>, bool> apart;
     HLS_FIELDS(rays, apart)
   };
+  /// Who enters an object is asked, and who is traced where others wait.
+  static constexpr bool kKeepsTraced = kTwoLevels<C> || kHasSecondary<C>;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
 
   hls::In<MailboxEntry<C>> entry;
@@ -54,7 +56,7 @@ struct Mailbox {
   hls::RamWrite<bool, kLevelRows<C>> last;
   hls::PortIf<kHasObjects, hls::Ram1R1W<Slots<C::kObjectSlots>, kPackets>> objects;
   hls::PortIf<kHasTriangles, hls::Ram1R1W<Slots<C::kTriangleSlots>, kPackets>> triangles;
-  hls::Ram1R1W<Traced, kPackets> traced;
+  hls::PortIf<kKeepsTraced, hls::Ram1R1W<Traced, kPackets>> traced;
   HLS_PORTS(entry, frame, fresh, seen, start, last)
 
   void step() {
@@ -63,15 +65,22 @@ struct Mailbox {
     Slots<C::kTriangleSlots> triangle_slots;
     if constexpr (kHasObjects) object_slots = objects.read(e.packet);
     if constexpr (kHasTriangles) triangle_slots = triangles.read(e.packet);
-    const bool top = e.level == Level{};
+    const bool top = is_top<C>(e.level);
     const bool known =
         top ? object_slots.holds(e.entry.matrix) : triangle_slots.holds(e.entry.matrix);
 
-    const Traced packet = traced.read(e.packet);
+    Traced packet;
+    if constexpr (kKeepsTraced) packet = traced.read(e.packet);
 
     if (e.clear) {
-      object_slots.used = 0;
-      traced.write(e.packet, Traced{e.active, e.kind.get() == RayKind::kReflection});
+      if constexpr (kTwoLevels<C>) {
+        object_slots.used = 0;
+      } else {
+        triangle_slots.used = 0;
+      }
+      if constexpr (kKeepsTraced) {
+        traced.write(e.packet, Traced{e.active, e.kind.get() == RayKind::kReflection});
+      }
       TraversalEvent<C> enter;
       enter.packet = e.packet;
       enter.kind = TraversalKind::kEnter;

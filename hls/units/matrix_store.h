@@ -30,7 +30,7 @@ struct MatrixStore {
   hls::Out<SendJob<C>> ready;
   hls::RamWrite<Vector<Real>, kPackets> column[4];
   hls::RamWrite<JobRecord<C>, kPackets> record;
-  hls::RamWrite<MatrixNumber<C>, kPackets> object;
+  hls::PortIf<kTwoLevels<C>, hls::RamWrite<MatrixNumber<C>, kPackets>> object;
   hls::RegisterFile<Progress, kPackets> progress;
   HLS_PORTS(reply, frame, ready, column[0], column[1], column[2], column[3], record, object)
 
@@ -59,7 +59,9 @@ struct MatrixStore {
     const uint<2> last = stored_three ? uint<2>(kStoredColumns - 1) : uint<2>(3);
     const bool complete = p.columns == last;
     if (r.context.column == uint<2>(0)) {
-      if constexpr (C::kOneColour) {
+      if constexpr (C::kOneColour && !kTwoLevels<C>) {
+        // Nothing is read of the spare bits.
+      } else if constexpr (C::kOneColour) {
         p.extra = r.line.spare().template trunc<MatrixExtra<C>::kWidth>();
       } else {
         p.extra = stored_three ? hls::concat(p.extra.template bits<23, 16>(),
@@ -91,7 +93,9 @@ struct MatrixStore {
       record.write(packet, JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra, derived,
                                         p.mirror, r.context.extras.apart.get(),
                                         r.context.extras.primitive, p.cosine_factor});
-      if (r.context.kind == TransformKind::kObject) object.write(packet, matrix);
+      if constexpr (kTwoLevels<C>) {
+        if (r.context.kind == TransformKind::kObject) object.write(packet, matrix);
+      }
       SendJob<C> send;
       bool apart = r.context.extras.apart.get();
       if constexpr (C::kUncompressed) {

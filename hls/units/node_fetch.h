@@ -42,7 +42,7 @@ struct NodeFetch {
   hls::Out<NodeRequest<C>> request;
   hls::Out<TraversalEvent<C>> again;  ///< a popped node that no living ray enters: pop once more
   hls::Out<ShadeJob<C>> top_done;
-  hls::Out<ListJob<C>> object_done;
+  hls::PortIf<kTwoLevels<C>, hls::Out<ListJob<C>>> object_done;
   hls::Out<DroppedPush<C>> dropped;
   hls::PortIf<kSplitsPackets<C>, hls::RamRead<DirectionSigns, kLevelRows<C>>> signs[kRays];
   hls::Ram1R1W<State, kLevelRows<C>> states;
@@ -85,7 +85,7 @@ struct NodeFetch {
       context.update = IntervalUpdate::kInit;
       context.active = entering;
     } else if (e.kind == TraversalKind::kPush) {
-      const bool full = state.stack == (e.level == Level{} ? Stack::from(C::kTopStackDepth)
+      const bool full = state.stack == (is_top<C>(e.level) ? Stack::from(C::kTopStackDepth)
                                                            : Stack::from(C::kStackDepth));
       if (full) {
         dropped.write(DroppedPush<C>{e.packet});
@@ -151,13 +151,13 @@ struct NodeFetch {
     return group;
   }
   void finish(const TraversalEvent<C>& e, const State& state) {
-    if (e.level == Level{}) {
+    if (!kTwoLevels<C> || is_top<C>(e.level)) {
       ShadeJob<C> shade;
       shade.repeat = kHasSecondary<C> ? RepeatCount(3) : RepeatCount(15);
       shade.packet = e.packet;
       shade.kind = state.rays;
       top_done.write(shade);
-    } else {
+    } else if constexpr (kTwoLevels<C>) {
       ListJob<C> go_on;
       go_on.packet = e.packet;
       object_done.write(go_on);

@@ -4,7 +4,8 @@
 // What a packet is in a configuration C (hls/configs): 2x2 rays, masks with one bit per ray, ray 0
 // lowest; rows of the RAMs that keep something per packet, level or ray; and which parts of the
 // core C has. Level 0 is the top-level tree over object instances, level 1 the tree of one object
-// (thesis chapter 4).
+// (thesis chapter 4). In a core of one level there is the tree of one object alone, which lies in
+// the world as it is: rays start in it, and no token tells its level.
 #pragma once
 
 #include <algorithm>
@@ -17,6 +18,10 @@
 namespace dynrt {
 
 inline constexpr unsigned kRays = 4;  ///< rays per packet
+
+/// Whether there is a tree over instances above the trees of objects.
+template <class C>
+inline constexpr bool kTwoLevels = C::kLevels == 2;
 
 /// Whether a configuration traces rays beyond the primary ones (thesis 6.2.2, 6.2.3).
 template <class C>
@@ -90,7 +95,11 @@ template <class C>
 using SurfaceColour = Kept<!C::kOneColour, uint<24>>;
 /// What the spare bits of a matrix say: the root of an object's tree, or a primitive's colour.
 template <class C>
-using MatrixExtra = uint<C::kOneColour ? C::kAddressBits : 24>;
+using MatrixExtra = Kept<kTwoLevels<C> || !C::kOneColour,
+                         uint<C::kOneColour ? C::kAddressBits : 24>>;
+/// What belongs to an instance, where there are several.
+template <class C, class T>
+using OfInstance = Kept<kTwoLevels<C>, T>;
 
 /// Numbers as the core has them on their way, in as many bits as the configuration's scenes take:
 /// where a node or a list's entry lies, a matrix, one of its columns.
@@ -142,38 +151,57 @@ constexpr RayRow<C> ray_row(PacketId<C> packet, RayIndex ray) {
 template <class C>
 inline constexpr unsigned kRayRows = 1u << RayRow<C>::kWidth;
 
-/// Row of a RAM that is duplicated for the two levels.
+/// The level in a token, where there are two.
 template <class C>
-using LevelRow = uint<1 + PacketId<C>::kWidth>;
+using LevelField = Kept<kTwoLevels<C>, Level>;
+/// Whether it is the tree of instances.
 template <class C>
-constexpr LevelRow<C> level_row(Level level, PacketId<C> packet) {
-  return hls::concat(level, packet);
+constexpr bool is_top(LevelField<C> level) {
+  if constexpr (kTwoLevels<C>) {
+    return level == Level{};
+  } else {
+    return false;
+  }
+}
+
+/// Row of a RAM that is duplicated for the levels.
+template <class C>
+using LevelRow = uint<C::kLevels - 1 + PacketId<C>::kWidth>;
+template <class C>
+constexpr LevelRow<C> level_row(LevelField<C> level, PacketId<C> packet) {
+  if constexpr (kTwoLevels<C>) {
+    return hls::concat(level, packet);
+  } else {
+    return packet;
+  }
 }
 template <class C>
-inline constexpr unsigned kLevelRows = 2 * (1u << PacketId<C>::kWidth);
+inline constexpr unsigned kLevelRows = C::kLevels * (1u << PacketId<C>::kWidth);
 
 /// Entries of a packet's stack at each level, and how many of them are in use.
 template <class C>
-inline constexpr unsigned kStackDepths[] = {C::kTopStackDepth, C::kStackDepth};
+inline constexpr unsigned kStackDepths[2] = {kTwoLevels<C> ? C::kTopStackDepth : 0, C::kStackDepth};
 template <class C>
-using StackPointer = uint<hls::index_width(std::max(C::kTopStackDepth, C::kStackDepth) + 1)>;
+using StackPointer =
+    uint<hls::index_width(std::max(kStackDepths<C>[0], kStackDepths<C>[1]) + 1)>;
 
-/// Whether a packet's two stacks lie in one piece of a RAM and grow towards each other, as that
-/// takes fewer rows than a piece for each.
+/// Bits of the number of an entry in a packet's part of a RAM.
 template <class C>
-inline constexpr bool kStacksMeet =
-    hls::index_width(C::kTopStackDepth + C::kStackDepth) < 1 + StackPointer<C>::kWidth;
+inline constexpr unsigned kStackBits = hls::index_width(kStackDepths<C>[0] + kStackDepths<C>[1]);
+/// Whether a packet's stacks lie in one piece of that RAM. Those of two levels do where it takes
+/// fewer rows than a piece for each; then they grow towards each other.
+template <class C>
+inline constexpr bool kOneStackPiece =
+    !kTwoLevels<C> || kStackBits<C> < 1 + StackPointer<C>::kWidth;
 /// Row of a RAM with one row for every entry of every stack.
 template <class C>
-using StackRow =
-    uint<PacketId<C>::kWidth + (kStacksMeet<C>
-                                    ? hls::index_width(C::kTopStackDepth + C::kStackDepth)
-                                    : 1 + StackPointer<C>::kWidth)>;
+using StackRow = uint<PacketId<C>::kWidth +
+                      (kOneStackPiece<C> ? kStackBits<C> : 1 + StackPointer<C>::kWidth)>;
 template <class C>
-constexpr StackRow<C> stack_row(Level level, PacketId<C> packet, StackPointer<C> entry) {
-  if constexpr (kStacksMeet<C>) {
-    const auto from_below = entry.template zext<StackRow<C>::kWidth - PacketId<C>::kWidth>();
-    return hls::concat(packet, level == Level{} ? ~from_below : from_below);
+constexpr StackRow<C> stack_row(LevelField<C> level, PacketId<C> packet, StackPointer<C> entry) {
+  if constexpr (kOneStackPiece<C>) {
+    const auto from_below = uint<kStackBits<C>>::from(entry.raw());
+    return hls::concat(packet, is_top<C>(level) ? ~from_below : from_below);
   } else {
     return hls::concat(level_row<C>(level, packet), entry);
   }

@@ -43,9 +43,9 @@ struct SecondaryRays {
     State s = states.read(d.packet);
     if (d.shaded) {
       s = next_rays(s, d);
-    } else if (kHasMirrors<C> && s.pass == Derivation::kIntoObject) {
+    } else if (kTwoLevels<C> && kHasMirrors<C> && s.pass == Derivation::kIntoObject) {
       s.pass = Derivation::kMirror;
-    } else if (kHasMirrors<C> && s.pass == Derivation::kMirror) {
+    } else if (kTwoLevels<C> && kHasMirrors<C> && s.pass == Derivation::kMirror) {
       s.pass = Derivation::kOutOfObject;
     } else {
       s.missing = s.missing & RayMask::from(s.missing.raw() - 1);
@@ -106,7 +106,7 @@ struct SecondaryRays {
     return s;
   }
   static Derivation first_pass(RayKind kind) {
-    return kHasMirrors<C> && kind == RayKind::kReflection ? Derivation::kIntoObject
+    return kHasMirrors<C> && kind == RayKind::kReflection ? kFirstReflection<C>
                                                           : Derivation::kLight;
   }
   static RayIndex lowest(RayMask mask) {
@@ -120,16 +120,21 @@ struct SecondaryRays {
     const MatrixNumber<C> light =
         MatrixNumber<C>::from(frame.get().light_matrix.template trunc<C::kMatrixBits>().raw() +
                               MatrixNumber<C>::from(s.light.raw()).raw());
-    if constexpr (!kHasMirrors<C>) return light;
-    switch (s.pass) {
-      case Derivation::kIntoObject:
-        return point.object;
-      case Derivation::kMirror:
-        return hls::next(point.triangle);
-      case Derivation::kOutOfObject:
-        return hls::next(point.object);
-      default:
-        return light;
+    if constexpr (!kHasMirrors<C>) {
+      return light;
+    } else if constexpr (!kTwoLevels<C>) {
+      return s.pass == Derivation::kMirror ? hls::next(point.triangle) : light;
+    } else {
+      switch (s.pass) {
+        case Derivation::kIntoObject:
+          return point.object;
+        case Derivation::kMirror:
+          return hls::next(point.triangle);
+        case Derivation::kOutOfObject:
+          return hls::next(point.object);
+        default:
+          return light;
+      }
     }
   }
 };

@@ -71,7 +71,7 @@ struct SendPacket {
     }
     if constexpr (kHasMirrors<C>) {
       const Ray<Real> r = arriving.read(ray_row<C>(j.job.packet, ray));
-      if (alone && derived.pass == Derivation::kIntoObject) out = point ? r.origin : r.direction;
+      if (alone && derived.pass == kFirstReflection<C>) out = point ? r.origin : r.direction;
     }
     PacketVector<C> sent{j.job.packet, point, ray, out};
     if (corners) sent.corner = corner_of(j.index);

@@ -57,13 +57,21 @@ struct Shading {
     }
     if (inside && word != uint<2>(3) && config.write_hits.template bit<0>()) {
       const BankAddress at = BankAddress::from((pixel + pixel.template shl<1>() + word).raw());
-      bank[1].write(at, hit_word(HitPlace{h.t.bits(), h.v.bits(), h.object, 0, h.hit}, word));
+      bank[1].write(at, hit_word(HitPlace{h.t.bits(), h.v.bits(), object_of(h, config), 0, h.hit}, word));
       bank[2].write(at, hit_word(HitSurface{h.u.bits(), h.cosine.bits(), h.triangle, 0}, word));
     }
     if (j.last) free.write({j.job.packet});
   }
 
  private:
+  /// A miss has none, which is zero.
+  static MatrixIndex object_of(const HitRecord<C>& h, const FrameRegisters<C>& config) {
+    if constexpr (kTwoLevels<C>) {
+      return h.object;
+    } else {
+      return h.hit ? config.object.get().template trunc<kMatrixBits>() : MatrixIndex{};
+    }
+  }
   template <class Words>
   static Word hit_word(const Words& words, uint<2> index) {
     return index == uint<2>(0)   ? hls::word_of<0>(words)

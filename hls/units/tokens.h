@@ -19,8 +19,13 @@ namespace dynrt {
 enum class RayKind : unsigned char { kPrimary, kLight, kReflection };
 
 /// The passes of the transformation that make one light or reflection ray. A light ray takes one, a
-/// reflected ray three: into the object that was hit, through the triangle's mirror, and back.
+/// reflected ray three: into the object that was hit, through the triangle's mirror, and back. Where
+/// the object is the world, the mirror alone.
 enum class Derivation : unsigned char { kLight, kIntoObject, kMirror, kOutOfObject };
+
+template <class C>
+inline constexpr Derivation kFirstReflection =
+    kTwoLevels<C> ? Derivation::kIntoObject : Derivation::kMirror;
 
 /// Which ray a matrix of its own is for.
 struct DerivedRay {
@@ -44,7 +49,7 @@ struct Derive {
 template <class C>
 struct SurfacePoint {
   typename C::Real t;
-  MatrixNumber<C> object;
+  OfInstance<C, MatrixNumber<C>> object;
   MatrixNumber<C> triangle;
   HLS_FIELDS(t, object, triangle)
 };
@@ -56,7 +61,7 @@ struct Found {
   bool hit = false;
   typename C::Real cosine;
   typename C::Real t;
-  MatrixNumber<C> object;
+  OfInstance<C, MatrixNumber<C>> object;
   MatrixNumber<C> triangle;
   SurfaceColour<C> colour;
   hls::FieldIf<kHasMirrors<C>, uint<8>>
@@ -83,7 +88,7 @@ struct ObjectRay {
   PacketId<C> packet;
   RayIndex ray;
   RayMask active;  ///< of the packet's rays, those that are traced
-  NodeAddress<C> root;    ///< of the object's tree
+  OfInstance<C, NodeAddress<C>> root;  ///< of the object's tree
   hls::FieldIf<kSplitsPackets<C>, bool> apart{};
   Ray<typename C::Real> in_object;
   HLS_FIELDS(packet, ray, active, root, apart, in_object)
@@ -93,7 +98,7 @@ struct ObjectRay {
 template <class C>
 struct TracedRay {
   RepeatCount repeat = 2;  ///< axes less one
-  bool is_new = false;     ///< it enters the top level, not an object
+  OfInstance<C, bool> is_new{};  ///< it enters the top level, not an object
   ObjectRay<C> ray;
   HLS_FIELDS(repeat, is_new, ray)
 };
@@ -117,7 +122,7 @@ enum class IntervalUpdate : unsigned char {
 template <class C>
 struct TraversalEvent {
   PacketId<C> packet;
-  Level level;
+  LevelField<C> level;
   TraversalKind kind = TraversalKind::kPop;
   NodeAddress<C> next;
   RayMask active;          ///< rays that go to `next`
@@ -138,7 +143,7 @@ struct TraversalEvent {
 template <class C>
 struct StepContext {
   PacketId<C> packet;
-  Level level;
+  LevelField<C> level;
   IntervalUpdate update = IntervalUpdate::kInit;
   RayMask both;
   RayMask active;
@@ -179,7 +184,7 @@ struct DroppedPush {
 template <class C>
 struct ListJob {
   PacketId<C> packet;
-  Level level;
+  LevelField<C> level;
   bool first = false;  ///< start at `address`; otherwise go on after the last entry read
   NodeAddress<C> address;
   HLS_FIELDS(packet, level, first, address)
@@ -188,14 +193,14 @@ struct ListJob {
 template <class C>
 struct ListContext {
   PacketId<C> packet;
-  Level level;
+  LevelField<C> level;
   HLS_FIELDS(packet, level)
 };
 
 template <class C>
 struct MailboxEntry {
   PacketId<C> packet;
-  Level level;
+  LevelField<C> level;
   bool clear = false;  ///< new rays: forget the packet's objects and start the traversal
   RayMask active;      ///< of new rays: those that are to be traced
   hls::FieldIf<kHasSecondary<C>, RayKind> kind{};  ///< of new rays
@@ -319,7 +324,7 @@ template <class C>
 struct HitRecord {
   bool hit = false;
   typename C::Real t, u, v, cosine;
-  MatrixNumber<C> object;
+  OfInstance<C, MatrixNumber<C>> object;
   MatrixNumber<C> triangle;
   SurfaceColour<C> colour;
   HLS_FIELDS(hit, t, u, v, cosine, object, triangle, colour)

@@ -23,7 +23,8 @@ SceneAddresses addresses_of(const FrameImage& frame, const Scene& scene) {
           .camera_matrix = frame.camera_matrix,
           .light_matrix = frame.light_matrix,
           .lights = static_cast<unsigned>(scene.lights.size()),
-          .colour = frame.colour};
+          .colour = frame.colour,
+          .object = frame.first_instance};
 }
 
 Frame render_on(Board& board, const FrameOptions& options, const Prepared& prepared) {

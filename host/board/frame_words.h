@@ -28,6 +28,7 @@ std::vector<std::uint32_t> frame_words_of(const FrameConfig& frame) {
 struct ShippedRegisters {
   static constexpr bool kUncompressed = true;
   static constexpr bool kOneColour = false;
+  static constexpr unsigned kLevels = 2;
 };
 inline constexpr unsigned kShippedFrameWords =
     hls::bit_width_of<FrameRegisters<ShippedRegisters>>() / 32;

@@ -26,6 +26,7 @@ BoardInfo board_info_of() {
   info.triangle_test = C::kTriangleTest;
   info.address_bits = C::kAddressBits;
   info.matrix_bits = C::kMatrixBits;
+  info.levels = C::kLevels;
   info.one_colour = C::kOneColour;
   info.uncompressed = C::kUncompressed;
   info.frame_words = frame_words_of<C>;

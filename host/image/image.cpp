@@ -218,6 +218,56 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::span<const std::
   return base;
 }
 
+/// Where rays from the camera enter an object's tree.
+std::uint32_t entry_of(const ObjectImage::Object& object, const glm::dvec3& eye) {
+  return object.box.holds(eye) ? object.root : object.clipped_root;
+}
+
+/// Of the only object of a core of one level.
+std::uint32_t root_of_all(const Scene& scene, const ObjectImage& objects, const Camera& camera) {
+  if (scene.instances.size() != 1) {
+    refuse(messages::kOneObject, scene.name, scene.instances.size());
+  }
+  const Instance& instance = scene.instances[0];
+  if (instance.transform != glm::dmat4(1.0)) {
+    refuse(messages::kNotAsItIs, scene.name, instance.name);
+  }
+  return entry_of(objects.objects.at(instance.object), camera.position);
+}
+
+/// Appends the tree of instances and their matrices, whose first is the next. Returns the node
+/// where the camera's rays start.
+std::uint32_t add_instances(MemoryPart& part, const Scene& scene, const ObjectImage& objects,
+                            const Tree& instances, const Camera& camera) {
+  const MemoryFormat& format = *part.format;
+  const std::uint32_t stride = has_mirrors(scene) ? 2 : 1;
+  const std::uint32_t first = part.end_matrix();
+  std::vector<std::uint32_t> matrix_of(scene.instances.size());
+  for (std::uint32_t i = 0; i < matrix_of.size(); ++i) matrix_of[i] = first + stride * i;
+  const std::uint32_t base = add_tree(part, instances, matrix_of, nullptr);
+  check_limits(scene, objects.form, part);
+  check_matrices(scene, objects.form, first + stride * scene.instances.size());
+  part.columns.reserve(4 * (stride * scene.instances.size() + 1 + scene.lights.size()));
+  for (const Instance& instance : scene.instances) {
+    const glm::dmat4 inverse = glm::inverse(instance.transform);
+    const ObjectImage::Object& object = objects.objects.at(instance.object);
+    const glm::dmat4x3 matrix(object.to_space * inverse);
+    if (!std::isfinite(inverse[3][3]) || glm::determinant(instance.transform) == 0) {
+      refuse(messages::kFlatInstance, instance.name);
+    }
+    if (const auto element = out_of_range(format, matrix)) {
+      refuse(messages::kInstanceRange, instance.name, *element, format.largest, format.largest);
+    }
+    const glm::dvec3 eye(inverse * glm::dvec4(camera.position, 1.0));
+    part.add(to_columns(matrix, entry_of(object, eye)));
+    if (stride == 2) {
+      const glm::dmat4 back = instance.transform * glm::inverse(object.to_space);
+      part.add(to_columns(glm::dmat4x3(back), 0));
+    }
+  }
+  return base + instances.entry(camera.position);
+}
+
 }  // namespace
 
 void check_matrices(const Scene& scene, const ImageForm& form) {
@@ -227,9 +277,9 @@ void check_matrices(const Scene& scene, const ImageForm& form) {
       numbers += numbers_of(scene, object, i, form.triangles);
     }
   }
+  const std::size_t of_instance = form.levels == 1 ? 0 : has_mirrors(scene) ? 2 : 1;
   const std::size_t matrices = (numbers * columns_apart(form.triangles) + 3) / 4 +
-                               scene.instances.size() * (has_mirrors(scene) ? 2 : 1) + 1 +
-                               scene.lights.size();
+                               scene.instances.size() * of_instance + 1 + scene.lights.size();
   check_matrices(scene, form, std::max(numbers, matrices));
 }
 
@@ -305,34 +355,15 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   memory.first_entry = objects.memory.end_entry();
   first_instance = objects.memory.end_matrix();
   memory.first_column = 4 * first_instance;
-  const std::uint32_t stride = has_mirrors(scene) ? 2 : 1;
-  std::vector<std::uint32_t> matrix_of(scene.instances.size());
-  for (std::uint32_t i = 0; i < matrix_of.size(); ++i) matrix_of[i] = first_instance + stride * i;
-  const std::uint32_t base = add_tree(memory, instances, matrix_of, nullptr);
-  start_node = base + instances.entry(camera.position);
   colour = first_colour(scene);
-  check_limits(scene, objects.form, memory);
-  check_matrices(scene, objects.form,
-                 first_instance + stride * scene.instances.size() + 1 + scene.lights.size());
-
-  memory.columns.reserve(4 * (stride * scene.instances.size() + 1 + scene.lights.size()));
-  for (const Instance& instance : scene.instances) {
-    const glm::dmat4 inverse = glm::inverse(instance.transform);
-    const ObjectImage::Object& object = objects.objects.at(instance.object);
-    const glm::dmat4x3 matrix(object.to_space * inverse);
-    if (!std::isfinite(inverse[3][3]) || glm::determinant(instance.transform) == 0) {
-      refuse(messages::kFlatInstance, instance.name);
-    }
-    if (const auto element = out_of_range(format, matrix)) {
-      refuse(messages::kInstanceRange, instance.name, *element, largest, largest);
-    }
-    const glm::dvec3 eye(inverse * glm::dvec4(camera.position, 1.0));
-    memory.add(to_columns(matrix, object.box.holds(eye) ? object.root : object.clipped_root));
-    if (stride == 2) {
-      const glm::dmat4 back = instance.transform * glm::inverse(object.to_space);
-      memory.add(to_columns(glm::dmat4x3(back), 0));
-    }
+  if (objects.form.levels == 1) {
+    start_node = root_of_all(scene, objects, camera);
+  } else {
+    start_node = add_instances(memory, scene, objects, instances, camera);
   }
+  check_limits(scene, objects.form, memory);
+  check_matrices(scene, objects.form, memory.end_matrix() + 1 + scene.lights.size());
+
   const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
   if (const auto element = out_of_range(format, from_pixels)) {
     refuse(messages::kCameraRange, *element, largest, largest);

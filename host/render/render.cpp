@@ -92,6 +92,7 @@ FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
   frame.lights = to_word(lights);
   frame.light_matrix = to_word(scene.light_matrix);
   frame.colour = to_word(scene.colour);
+  frame.object = to_word(scene.object);
   frame.ambient = to_word(lights > 0 ? kAmbient : kFullAmbient);
   const unsigned reflections = options.reflections.value_or(board.reflections);
   if (reflections > board.reflections) {

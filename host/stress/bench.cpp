@@ -90,7 +90,8 @@ Rendered Bench::render(const Trial& trial) {
                                    .camera_matrix = image.camera_matrix,
                                    .light_matrix = image.light_matrix,
                                    .lights = static_cast<unsigned>(scene.lights.size()),
-                                   .colour = image.colour};
+                                   .colour = image.colour,
+                                   .object = image.first_instance};
     Frame frame = host::render(board, options, addresses, words_of(runs), {});
     runs.clear();  // the objects' part lies there from now on
     outcome_.rays += frame.hits.size();
