@@ -162,7 +162,6 @@ class Generate(unittest.TestCase):
                                 f"'{key}' must be {wants}; it is {json.dumps(value)}")
 
     def test_one_level(self):
-        self.assertIn("unsigned kLevels = 1;", self.written(levels=1, divider="reciprocal"))
         for key, value, wants in (
                 ("object_box", "unit", "nodes, as no object is entered"),
                 ("triangle_test", "watertight", "unit_triangle, as a ray's shear is made when it "
@@ -170,6 +169,7 @@ class Generate(unittest.TestCase):
             self.assert_refused(json.dumps({"tiny": GOOD | {"levels": 1, key: value}}),
                                 f"configuration 'tiny': with levels 1 the key '{key}' must be "
                                 f"{wants}; it is {json.dumps(value)}")
+        self.assertIn("unsigned kLevels = 1;", self.written(levels=1, divider="reciprocal"))
 
     def test_keys(self):
         self.assert_refused(json.dumps({"tiny": GOOD | {"lihgts": 1}}),

@@ -148,9 +148,9 @@ struct Core {
 
   void join_frame(hls::Join& join) {
     std::vector<hls::Config<FrameRegisters<C>>*> readers = {
-        &ray_generation.frame, &node_lookup.frame,   &node_fill.frame,   &list_lookup.frame,
-        &list_fill.frame,      &matrix_lookup.frame, &matrix_fill.frame, &mailbox.frame,
-        &shading.frame};
+        &ray_generation.frame, &node_lookup.frame, &node_fill.frame,
+        &list_lookup.frame,    &list_fill.frame,   &matrix_lookup.frame,
+        &matrix_fill.frame,    &mailbox.frame,     &shading.frame};
     if constexpr (C::kUncompressed) readers.push_back(&matrix_store.frame);
     if constexpr (kHasSecondary<C>) {
       readers.insert(readers.end(), {&shader.frame, &secondary_rays.frame});
@@ -211,7 +211,10 @@ struct Core {
   void join_lists(hls::Join& join) {
     std::vector<hls::Out<ListJob<C>>*> jobs = {&packet_decision.leaf};
     if constexpr (kTwoLevels<C>) jobs.push_back(&node_fetch.object_done);
-    jobs.insert(jobs.end(), {&mailbox.seen, &collect_hits.go_on});
+    if constexpr (Mailbox<C>::kHasObjects || Mailbox<C>::kHasTriangles) {
+      jobs.push_back(&mailbox.seen);
+    }
+    jobs.push_back(&collect_hits.go_on);
     if constexpr (kClipsToBox<C>) jobs.push_back(&box_clip.missed);
     join.channel<ListJob<C>>("list_job", jobs, {&list.job}, kAll);
     join.channel("list_request", list.request, list_lookup.request, kAll);

@@ -32,7 +32,8 @@ struct FrameRegisters {
   hls::uint<32> light_matrix;  ///< index of the first light's matrix
   hls::uint<32> reflections;   ///< bounces, at most the configuration's number
   hls::FieldIf<C::kOneColour, hls::uint<32>> colour;  ///< of every surface, 0x00BBGGRR
-  hls::FieldIf<C::kLevels == 1, hls::uint<32>> object;  ///< number of the one there is, for its hits
+  hls::FieldIf<C::kLevels == 1, hls::uint<32>>
+      object;  ///< number of the one there is, for its hits
   HLS_FIELDS(packets, line_mask, width, height, scanline, morton_bits, start_node, camera_matrix,
              background, frame_base, write_hits, uncompressed, ambient, lights, light_matrix,
              reflections, colour, object)
@@ -57,8 +58,8 @@ FrameRegisters<C> registers_of(const FrameConfig& all) {
     }
   };
   FrameRegisters<C> some;
-  [&, to = some.hls_fields(), from = all.hls_fields()]<std::size_t... I>(
-      std::index_sequence<I...>) {
+  [&, to = some.hls_fields(),
+   from = all.hls_fields()]<std::size_t... I>(std::index_sequence<I...>) {
     ((std::get<I>(to) = value(std::get<I>(from))), ...);
   }(std::make_index_sequence<std::tuple_size_v<decltype(all.hls_fields())>>());
   return some;

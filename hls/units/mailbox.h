@@ -51,7 +51,7 @@ struct Mailbox {
   hls::In<MailboxEntry<C>> entry;
   hls::Config<FrameRegisters<C>> frame;
   hls::Out<TransformJob<C>> fresh;
-  hls::Out<ListJob<C>> seen;
+  hls::PortIf<kHasObjects || kHasTriangles, hls::Out<ListJob<C>>> seen;
   hls::Out<TraversalEvent<C>> start;
   hls::RamWrite<bool, kLevelRows<C>> last;
   hls::PortIf<kHasObjects, hls::Ram1R1W<Slots<C::kObjectSlots>, kPackets>> objects;
@@ -61,10 +61,8 @@ struct Mailbox {
 
   void step() {
     const MailboxEntry<C> e = entry.read();
-    Slots<C::kObjectSlots> object_slots;
-    Slots<C::kTriangleSlots> triangle_slots;
-    if constexpr (kHasObjects) object_slots = objects.read(e.packet);
-    if constexpr (kHasTriangles) triangle_slots = triangles.read(e.packet);
+    Slots<C::kObjectSlots> object_slots = slots_of<C::kObjectSlots>(objects, e.packet);
+    Slots<C::kTriangleSlots> triangle_slots = slots_of<C::kTriangleSlots>(triangles, e.packet);
     const bool top = is_top<C>(e.level);
     const bool known =
         top ? object_slots.holds(e.entry.matrix) : triangle_slots.holds(e.entry.matrix);
@@ -92,10 +90,12 @@ struct Mailbox {
     } else {
       last.write(level_row<C>(e.level, e.packet), e.entry.last);
       if (known) {
-        ListJob<C> go_on;
-        go_on.packet = e.packet;
-        go_on.level = e.level;
-        seen.write(go_on);
+        if constexpr (kHasObjects || kHasTriangles) {
+          ListJob<C> go_on;
+          go_on.packet = e.packet;
+          go_on.level = e.level;
+          seen.write(go_on);
+        }
       } else {
         TransformJob<C> job;
         job.packet = e.packet;
@@ -121,6 +121,16 @@ struct Mailbox {
     }
     if constexpr (kHasObjects) objects.write(e.packet, object_slots);
     if constexpr (kHasTriangles) triangles.write(e.packet, triangle_slots);
+  }
+
+ private:
+  template <unsigned N, class Ram>
+  static Slots<N> slots_of(const Ram& ram, PacketId<C> packet) {
+    if constexpr (std::is_same_v<Ram, hls::Absent>) {
+      return {};
+    } else {
+      return ram.read(packet);
+    }
   }
 };
 

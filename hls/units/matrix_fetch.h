@@ -26,8 +26,8 @@ struct MatrixFetch {
       const bool mirror = kHasMirrors<C> && j.job.kind == TransformKind::kDerive &&
                           j.job.extras.derived.get().pass == Derivation::kMirror;
       if (j.job.kind == TransformKind::kTriangle || mirror) {
-        address =
-            ColumnAddress<C>::from((j.job.matrix + hls::concat(j.job.matrix, uint<1>(0)) + column).raw());
+        address = ColumnAddress<C>::from(
+            (j.job.matrix + hls::concat(j.job.matrix, uint<1>(0)) + column).raw());
       }
     }
     request.write(ColumnRequest<C>{context, address});

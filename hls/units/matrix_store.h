@@ -87,8 +87,9 @@ struct MatrixStore {
     progress.write(packet, p);
 
     if (complete) {
-      const MatrixNumber<C> matrix = kThreeColumns<C> ? r.context.matrix.get()
-                                                  : r.address.template bits<C::kMatrixBits + 1, 2>();
+      const MatrixNumber<C> matrix = kThreeColumns<C>
+                                         ? r.context.matrix.get()
+                                         : r.address.template bits<C::kMatrixBits + 1, 2>();
       const auto& derived = r.context.extras.derived;
       record.write(packet, JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra, derived,
                                         p.mirror, r.context.extras.apart.get(),

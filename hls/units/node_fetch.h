@@ -24,10 +24,10 @@ struct NodeFetch {
   struct State {
     Stack stack;    ///< entries in use
     RayMask alive;  ///< rays that entered the level and have not ended in it
-    hls::FieldIf<kHasSecondary<C>, RayKind> rays{};        ///< level 0: what they are
-    hls::FieldIf<kSplitsPackets<C>, RayMask> waiting{};    ///< rays of the groups to come
-    hls::FieldIf<kSplitsPackets<C>, NodeAddress<C>> root{};       ///< where they begin
-    hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};  ///< rays that have crossed others
+    hls::FieldIf<kHasSecondary<C>, RayKind> rays{};          ///< level 0: what they are
+    hls::FieldIf<kSplitsPackets<C>, RayMask> waiting{};      ///< rays of the groups to come
+    hls::FieldIf<kSplitsPackets<C>, NodeAddress<C>> root{};  ///< where they begin
+    hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};    ///< rays that have crossed others
     HLS_FIELDS(stack, alive, rays, waiting, root, crossing)
   };
   struct Entry {

@@ -190,7 +190,8 @@ class Reference {
       r.context.active = active;
       r.context.both = entry.both;
       r.address = entry.pushed;
-    } else if (e.kind == TraversalKind::kPush && s.stack.size() < kStackDepths<C>[e.level.to_u64()]) {
+    } else if (e.kind == TraversalKind::kPush &&
+               s.stack.size() < kStackDepths<C>[e.level.to_u64()]) {
       r.context.update = IntervalUpdate::kClipFarPush;
       s.stack.push_back(e);
     } else if (e.kind == TraversalKind::kPush) {
@@ -270,8 +271,8 @@ unsigned rows_of_apart_entries() {
   for (unsigned packet = 0; packet < C::kPackets; ++packet) {
     for (unsigned level = 0; level < 2; ++level) {
       for (unsigned i = 0; i < kStackDepths<C>[level]; ++i, ++entries) {
-        const auto row = stack_row<C>(Level::from(level), PacketId<C>::from(packet),
-                                      StackPointer<C>::from(i));
+        const auto row =
+            stack_row<C>(Level::from(level), PacketId<C>::from(packet), StackPointer<C>::from(i));
         rows.insert(row.to_u64());
       }
     }

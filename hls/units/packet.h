@@ -95,8 +95,8 @@ template <class C>
 using SurfaceColour = Kept<!C::kOneColour, uint<24>>;
 /// What the spare bits of a matrix say: the root of an object's tree, or a primitive's colour.
 template <class C>
-using MatrixExtra = Kept<kTwoLevels<C> || !C::kOneColour,
-                         uint<C::kOneColour ? C::kAddressBits : 24>>;
+using MatrixExtra =
+    Kept<kTwoLevels<C> || !C::kOneColour, uint<C::kOneColour ? C::kAddressBits : 24>>;
 /// What belongs to an instance, where there are several.
 template <class C, class T>
 using OfInstance = Kept<kTwoLevels<C>, T>;
@@ -182,8 +182,7 @@ inline constexpr unsigned kLevelRows = C::kLevels * (1u << PacketId<C>::kWidth);
 template <class C>
 inline constexpr unsigned kStackDepths[2] = {kTwoLevels<C> ? C::kTopStackDepth : 0, C::kStackDepth};
 template <class C>
-using StackPointer =
-    uint<hls::index_width(std::max(kStackDepths<C>[0], kStackDepths<C>[1]) + 1)>;
+using StackPointer = uint<hls::index_width(std::max(kStackDepths<C>[0], kStackDepths<C>[1]) + 1)>;
 
 /// Bits of the number of an entry in a packet's part of a RAM.
 template <class C>
@@ -195,8 +194,8 @@ inline constexpr bool kOneStackPiece =
     !kTwoLevels<C> || kStackBits<C> < 1 + StackPointer<C>::kWidth;
 /// Row of a RAM with one row for every entry of every stack.
 template <class C>
-using StackRow = uint<PacketId<C>::kWidth +
-                      (kOneStackPiece<C> ? kStackBits<C> : 1 + StackPointer<C>::kWidth)>;
+using StackRow =
+    uint<PacketId<C>::kWidth + (kOneStackPiece<C> ? kStackBits<C> : 1 + StackPointer<C>::kWidth)>;
 template <class C>
 constexpr StackRow<C> stack_row(LevelField<C> level, PacketId<C> packet, StackPointer<C> entry) {
   if constexpr (kOneStackPiece<C>) {

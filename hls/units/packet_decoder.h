@@ -46,8 +46,8 @@ struct PacketDecoder {
     const bool alone = kHasSecondary<C> && job.kind == TransformKind::kDerive;
     const Derivation pass = job.derived.get().pass;
     const bool light = kHasLights<C> && alone && pass == Derivation::kLight;
-    const bool between =
-        kTwoLevels<C> && kHasMirrors<C> && alone && (pass == Derivation::kIntoObject || pass == Derivation::kMirror);
+    const bool between = kTwoLevels<C> && kHasMirrors<C> && alone &&
+                         (pass == Derivation::kIntoObject || pass == Derivation::kMirror);
     const bool is_new = job.kind == TransformKind::kCamera || (alone && !between);
     const Level level = uint<1>(job.kind == TransformKind::kObject || between);
     const LevelRow<C> row = level_row<C>(level, in.packet);

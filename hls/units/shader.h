@@ -27,8 +27,8 @@ struct Shader {
   struct Pixel {
     std::array<Sum, 3> sum;
     SurfaceColour<C> colour;  ///< of the surface hit last
-    bool towards = false;  ///< the sign of its cosine
-    Brightness diffuse;    ///< how much of that surface's light reaches the eye
+    bool towards = false;     ///< the sign of its cosine
+    Brightness diffuse;       ///< how much of that surface's light reaches the eye
     hls::FieldIf<kHasMirrors<C>, Brightness> mirror;  ///< how much of what it reflects
     HLS_FIELDS(sum, colour, towards, diffuse, mirror)
   };
@@ -87,7 +87,8 @@ struct Shader {
         mirrors = kHasMirrors<C> && mirror != Brightness(0);
       }
       const Brightness ambient = product(in_256ths(f.cosine), config.ambient.template trunc<9>());
-      add(pixel, f.hit ? surface_colour<C>(f.colour, config) : config.background.template trunc<24>(),
+      add(pixel,
+          f.hit ? surface_colour<C>(f.colour, config) : config.background.template trunc<24>(),
           f.hit ? product(ambient, pixel.diffuse) : weight);
     }
     pixels.write(row, pixel);

@@ -49,7 +49,8 @@ struct Shading {
     if constexpr (kHasSecondary<C>) {
       colour = pixel_colour.read(ray_row<C>(j.job.packet, ray));
     } else {
-      colour = h.hit ? Word(eye_light(surface_colour<C>(h.colour, config), in_256ths(h.cosine))) : config.background;
+      colour = h.hit ? Word(eye_light(surface_colour<C>(h.colour, config), in_256ths(h.cosine)))
+                     : config.background;
     }
     if (inside && word == uint<2>(0)) {
       bank[0].write(BankAddress::from((pixel + config.frame_base.template trunc<20>()).raw()),
@@ -57,7 +58,8 @@ struct Shading {
     }
     if (inside && word != uint<2>(3) && config.write_hits.template bit<0>()) {
       const BankAddress at = BankAddress::from((pixel + pixel.template shl<1>() + word).raw());
-      bank[1].write(at, hit_word(HitPlace{h.t.bits(), h.v.bits(), object_of(h, config), 0, h.hit}, word));
+      bank[1].write(
+          at, hit_word(HitPlace{h.t.bits(), h.v.bits(), object_of(h, config), 0, h.hit}, word));
       bank[2].write(at, hit_word(HitSurface{h.u.bits(), h.cosine.bits(), h.triangle, 0}, word));
     }
     if (j.last) free.write({j.job.packet});

@@ -19,8 +19,8 @@ namespace dynrt {
 enum class RayKind : unsigned char { kPrimary, kLight, kReflection };
 
 /// The passes of the transformation that make one light or reflection ray. A light ray takes one, a
-/// reflected ray three: into the object that was hit, through the triangle's mirror, and back. Where
-/// the object is the world, the mirror alone.
+/// reflected ray three: into the object that was hit, through the triangle's mirror, and back.
+/// Where the object is the world, the mirror alone.
 enum class Derivation : unsigned char { kLight, kIntoObject, kMirror, kOutOfObject };
 
 template <class C>
@@ -87,7 +87,7 @@ template <class C>
 struct ObjectRay {
   PacketId<C> packet;
   RayIndex ray;
-  RayMask active;  ///< of the packet's rays, those that are traced
+  RayMask active;                      ///< of the packet's rays, those that are traced
   OfInstance<C, NodeAddress<C>> root;  ///< of the object's tree
   hls::FieldIf<kSplitsPackets<C>, bool> apart{};
   Ray<typename C::Real> in_object;
@@ -97,7 +97,7 @@ struct ObjectRay {
 /// A ray whose direction is yet to be inverted, one axis at a time.
 template <class C>
 struct TracedRay {
-  RepeatCount repeat = 2;  ///< axes less one
+  RepeatCount repeat = 2;        ///< axes less one
   OfInstance<C, bool> is_new{};  ///< it enters the top level, not an object
   ObjectRay<C> ray;
   HLS_FIELDS(repeat, is_new, ray)

@@ -87,9 +87,8 @@ void check_primitives(const Scene& scene, const BoardInfo& board) {
 }  // namespace
 
 ImageForm form_for(const BoardInfo& board) {
-  return {board.format,        board.triangle_matrix, board.clips_to_cube,
-          board.triangle_test, board.address_bits,    board.matrix_bits,
-          board.one_colour,    board.levels};
+  return {board.format,       board.triangle_matrix, board.clips_to_cube, board.triangle_test,
+          board.address_bits, board.matrix_bits,     board.one_colour,    board.levels};
 }
 
 CoreNumbers core_numbers(const BoardInfo& board, const Space& space) {

@@ -77,7 +77,8 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, double 
     line(messages::kDroppedPushes, grouped(*figures.dropped_pushes), frame.board.top_stack_depth,
          frame.board.stack_depth);
   }
-  if (!frame.board.counters) line("counters    none in configuration {}", frame.board.configuration);
+  if (!frame.board.counters)
+    line("counters    none in configuration {}", frame.board.configuration);
   return text + units_text(figures) + caches_text(figures);
 }
 
@@ -117,8 +118,7 @@ Json report_json(const Frame& frame, const FrameFigures& figures, double clock_m
             {"bytes_read", frame.traffic.bytes_read},
             {"bus_clocks", frame.traffic.bus_clocks},
             {"seconds", bus_seconds(frame)}}},
-          {"dropped_pushes",
-           figures.dropped_pushes ? Json(*figures.dropped_pushes) : Json()},
+          {"dropped_pushes", figures.dropped_pushes ? Json(*figures.dropped_pushes) : Json()},
           {"units", units},
           {"caches", caches},
           {"counters", counters}};

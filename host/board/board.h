@@ -37,12 +37,12 @@ struct BoardInfo {
   Primitives primitives{.triangle = true};
   TriangleTest triangle_test = TriangleTest::kUnitTriangle;
   const MemoryFormat* format = &kShippedFormat;  ///< its numbers, and how its memory holds them
-  unsigned top_stack_depth = 31;  ///< entries of a packet's stack in the top-level tree
+  unsigned top_stack_depth = 31;         ///< entries of a packet's stack in the top-level tree
   unsigned address_bits = kAddressBits;  ///< of the nodes and list entries that it can reach
   unsigned matrix_bits = kMatrixBits;    ///< of the matrices
-  unsigned levels = 2;            ///< of trees: 1, of one object that lies in the world as it is
-  bool one_colour = false;        ///< it has one colour for all surfaces
-  bool uncompressed = true;       ///< it can transform every ray's origin
+  unsigned levels = 2;       ///< of trees: 1, of one object that lies in the world as it is
+  bool one_colour = false;   ///< it has one colour for all surfaces
+  bool uncompressed = true;  ///< it can transform every ray's origin
   /// The words of its FRAME registers.
   std::vector<std::uint32_t> (*frame_words)(const FrameConfig&) = frame_words_of<ShippedRegisters>;
 };

@@ -67,9 +67,9 @@ struct ObjectImage {
 };
 
 /// The part that belongs to one frame. Throws UserError where a limit of the memory is passed, an
-/// instance has no inverse or the core's numbers cannot hold it, or the camera is beyond them; for a
-/// core of one level where there is more than one object, which is nothing but itself. Such a core
-/// needs neither the instances' tree nor their matrices.
+/// instance has no inverse or the core's numbers cannot hold it, or the camera is beyond them; for
+/// a core of one level where there is more than one object, which is nothing but itself. Such a
+/// core needs neither the instances' tree nor their matrices.
 struct FrameImage {
   MemoryPart memory;
   std::uint32_t start_node = 0;

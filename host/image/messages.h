@@ -16,7 +16,8 @@ inline constexpr char kColours[] =
     "scene '{}' has surfaces of the colours {:#08x} and {:#08x} (object '{}', 0xBBGGRR), and the "
     "core has one for all; take a configuration without one_colour";
 inline constexpr char kOneObject[] =
-    "scene '{}' has {} instances, and the core has trees of one level, for one object alone; take a "
+    "scene '{}' has {} instances, and the core has trees of one level, for one object alone; take "
+    "a "
     "configuration with levels 2";
 inline constexpr char kNotAsItIs[] =
     "scene '{}': instance '{}' moves, turns or scales its object, and the core has trees of one "
