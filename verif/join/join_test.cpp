@@ -86,7 +86,7 @@ TEST(Top, HeaderGivesThePositionOfEveryField) {
                           .width = 40,
                           .constant = false,
                           .value = 0,
-                          .fields = {{"wide", 0, 32}, {"line_mask", 32, 8}}});
+                          .fields = {{"wide", 0, 32}, {"absent", 32, 0}, {"line_mask", 32, 8}}});
   join.configs.push_back(
       {.name = "", .to = {"unit.lane"}, .width = 2, .constant = true, .value = 3});
   EXPECT_EQ(hlsc::emit_header(join, "top"),

@@ -68,8 +68,9 @@ void cosimulate(const char* name, Amount amount, Visit visit, Setup setup) {
   TEST(SUITE, SlowRtlIsTheModel) { cosimulate_##MODULE(dynrt::cosim::kSlow); }
 
 /// A token's level; 0 where no token tells of it.
-inline std::size_t level_of(LevelField<C> level) {
-  if constexpr (kTwoLevels<C>) {
+template <class Field>
+std::size_t level_of(const Field& level) {
+  if constexpr (requires { level.to_u64(); }) {
     return level.to_u64();
   } else {
     return 0;
