@@ -10,7 +10,7 @@ import tempfile
 import unittest
 
 GENERATE = pathlib.Path(__file__).resolve().parent / "generate"
-GOOD = {"about": "for the test", "packets": 4, "lines": 16, "stack_depth": 5, "mailbox_slots": 3,
+GOOD = {"about": "for the test", "packets": 4, "lines": 16, "stack_depth": 5,
         "exponent_bits": 6, "mantissa_bits": 9, "rounding": "truncate", "epsilon": 0.25,
         "sram_latency": 4}
 
@@ -58,7 +58,10 @@ class Generate(unittest.TestCase):
                      "Crossing kCrossing = Crossing::kNone;",
                      "TriangleMatrix kTriangleMatrix = TriangleMatrix::kNormalConsistent;",
                      "Primitives kPrimitives = Primitives{.triangle = true, .sphere = false, "
-                     ".rectangle = false};"):
+                     ".rectangle = false};", "bool kCounters = true;", "bool kOneColour = false;", "unsigned kTopStackDepth = 31;", "unsigned kLevels = 2;",
+                     "unsigned kObjectSlots = 8;", "unsigned kTriangleSlots = 8;",
+                     "unsigned kAddressBits = 19;", "unsigned kMatrixBits = 17;",
+                     "bool kUncompressed = true;"):
             self.assertIn(f"  static constexpr {line}\n", text)
         config = json.loads((self.out / "configs.json").read_text(encoding="utf-8"))[0]
         self.assertEqual(config["name"], "tiny")
@@ -88,7 +91,7 @@ class Generate(unittest.TestCase):
                                 "it must be a whole number from 1 to 64")
         self.assert_key_refused("lines", 500, "(lines of each cache) is 500; "
                                 "it must be a power of two from 1 to 512")
-        self.assert_key_refused("stack_depth", -3, "(entries of each stack and level) is -3; "
+        self.assert_key_refused("stack_depth", -3, "(entries of a packet's stack in an object's tree) is -3; "
                                 "it must be a whole number from 1 to 63")
         self.assert_key_refused("sram_latency", 0, "(clocks from an SRAM bank's address to its "
                                 "data) is 0; it must be a whole number from 3 to 8")
@@ -156,13 +159,24 @@ class Generate(unittest.TestCase):
                                 f"configuration 'tiny': with triangle_test \"watertight\" the key "
                                 f"'{key}' must be {wants}; it is {json.dumps(value)}")
 
+    def test_one_level(self):
+        for key, value, wants in (
+                ("object_box", "unit", "nodes, as no object is entered"),
+                ("triangle_test", "watertight", "unit_triangle, as a ray's shear is made when it "
+                 "enters an object")):
+            self.assert_refused(json.dumps({"tiny": GOOD | {"levels": 1, key: value}}),
+                                f"configuration 'tiny': with levels 1 the key '{key}' must be "
+                                f"{wants}; it is {json.dumps(value)}")
+        self.assertIn("unsigned kLevels = 1;", self.written(levels=1, divider="reciprocal"))
+
     def test_keys(self):
         self.assert_refused(json.dumps({"tiny": GOOD | {"lihgts": 1}}),
                             "configuration 'tiny': unknown key 'lihgts'; the keys are about, rtl, "
-                            "packets, lines, stack_depth, mailbox_slots, exponent_bits, "
-                            "mantissa_bits, rounding, epsilon, sram_latency, lights, reflections, "
-                            "scan_out, crossing, object_box, divider, triangle_matrix, primitives, "
-                            "triangle_test")
+                            "packets, lines, levels, stack_depth, top_stack_depth, object_slots, "
+                            "triangle_slots, exponent_bits, mantissa_bits, rounding, epsilon, "
+                            "sram_latency, lights, reflections, scan_out, crossing, object_box, "
+                            "divider, triangle_matrix, primitives, triangle_test, address_bits, "
+                            "matrix_bits, uncompressed, one_colour, counters")
         self.assert_refused(json.dumps({"tiny": {k: GOOD[k] for k in GOOD if k != "lines"}}),
                             "configuration 'tiny': lacks the key 'lines' (lines of each cache), "
                             "a power of two from 1 to 512")

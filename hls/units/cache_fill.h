@@ -13,20 +13,22 @@ template <class C, class Kind>
 struct CacheFill {
   using Context = typename Kind::Context;
   using Line = typename Kind::Line;
+  using Fill = CacheLine<C, Line, Kind::Address::kWidth>;
+  using Row = CacheRow<Line, Kind::Address::kWidth>;
 
-  hls::In<CacheLine<C, Line>> fill;
-  hls::Config<FrameConfig> frame;
+  hls::In<Fill> fill;
+  hls::Config<FrameRegisters<C>> frame;
   hls::Out<typename Kind::Reply> reply;
-  hls::RamWrite<CacheRow<Line>, C::kLines> lines;
+  hls::RamWrite<Row, C::kLines> lines;
   hls::RamRead<Context, kCacheKeys<Kind>> waiting;
   HLS_PORTS(fill, frame, reply, lines, waiting)
 
   void step() {
-    const CacheLine<C, Line> f = fill.read();
+    const Fill f = fill.read();
     using Index = uint<hls::index_width(C::kLines)>;
     const Index line = Index::from((f.address.raw() & frame.get().line_mask.raw()));
     const Context context = waiting.read(f.key);
-    lines.write(line, CacheRow<Line>{!f.invalidate, f.address, f.line});
+    lines.write(line, Row{!f.invalidate, f.address, f.line});
     if (!f.invalidate) reply.write(Kind::reply(context, f.address, f.line));
   }
 };

@@ -17,7 +17,8 @@ namespace dynrt {
 template <class C>
 struct NodeCache {
   using Context = StepContext<C>;
-  using Line = Node<typename C::Real>;
+  using Address = NodeAddress<C>;
+  using Line = CoreNode<C>;
   using Reply = Step<C>;
   static constexpr MemoryKind kKind = MemoryKind::kNode;
   static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) { return c.packet; }
@@ -26,7 +27,8 @@ struct NodeCache {
 template <class C>
 struct ListCache {
   using Context = ListContext<C>;
-  using Line = ListEntry;
+  using Address = NodeAddress<C>;
+  using Line = CoreListEntry<C>;
   using Reply = MailboxEntry<C>;
   static constexpr MemoryKind kKind = MemoryKind::kList;
   static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) { return c.packet; }
@@ -37,8 +39,9 @@ struct ListCache {
 template <class C>
 struct MatrixCache {
   using Context = ColumnContext<C>;
+  using Address = ColumnAddress<C>;
   using Line = MatrixColumn<typename C::Real>;
-  using Reply = CacheReply<Context, Line>;
+  using Reply = ColumnReply<C>;
   static constexpr MemoryKind kKind = MemoryKind::kColumn;
   static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) {
     return hls::concat(c.column, c.packet);
@@ -55,20 +58,22 @@ template <class C, class Kind>
 struct CacheLookup {
   using Context = typename Kind::Context;
   using Line = typename Kind::Line;
+  using Request = CacheRequest<Context, Kind::Address::kWidth>;
+  using Row = CacheRow<Line, Kind::Address::kWidth>;
 
-  hls::In<CacheRequest<Context>> request;
-  hls::Config<FrameConfig> frame;
+  hls::In<Request> request;
+  hls::Config<FrameRegisters<C>> frame;
   hls::Out<typename Kind::Reply> reply;
   hls::Out<MemoryRequest<C>> miss;
-  hls::RamRead<CacheRow<Line>, C::kLines> lines;
+  hls::RamRead<Row, C::kLines> lines;
   hls::RamWrite<Context, kCacheKeys<Kind>> waiting;
   HLS_PORTS(request, frame, reply, miss, lines, waiting)
 
   void step() {
-    const CacheRequest<Context> r = request.read();
+    const Request r = request.read();
     using Index = uint<hls::index_width(C::kLines)>;
     const Index line = Index::from((r.address.raw() & frame.get().line_mask.raw()));
-    const CacheRow<Line> row = lines.read(line);
+    const Row row = lines.read(line);
     if (row.valid && row.tag == r.address) {
       reply.write(Kind::reply(r.context, r.address, row.line));
     } else {

@@ -26,7 +26,7 @@ class Cache {
     join_.unit("lookup", "lookup", lookup_);
     join_.unit("fill", "fill", fill_);
     frame_->line_mask = Word::from(lines - 1);
-    join_.config<FrameConfig>("frame", frame_, {&lookup_.frame, &fill_.frame});
+    join_.config<FrameRegisters<C>>("frame", frame_, {&lookup_.frame, &fill_.frame});
     join_.input("request", lookup_.request);
     join_.input("fill", fill_.fill);
     hit_ = join_.output("hit", lookup_.reply);
@@ -56,7 +56,7 @@ class Cache {
   }
   CacheLookup<C, Kind> lookup_;
   CacheFill<C, Kind> fill_;
-  std::shared_ptr<FrameConfig> frame_ = std::make_shared<FrameConfig>();
+  std::shared_ptr<FrameRegisters<C>> frame_ = std::make_shared<FrameRegisters<C>>();
   hls::Join join_;
   std::shared_ptr<hls::Fifo<Reply>> hit_, filled_;
   std::shared_ptr<hls::Fifo<MemoryRequest<C>>> miss_;

@@ -35,7 +35,7 @@ struct CollectHits {
 
   hls::In<HitCandidate<C>> candidate;
   hls::RamRead<JobRecord<C>, kPackets> record;
-  hls::RamRead<MatrixIndex, kPackets> object;
+  hls::PortIf<kTwoLevels<C>, hls::RamRead<MatrixNumber<C>, kPackets>> object;
   hls::Out<ListJob<C>> go_on;
   hls::Out<MailboxEntry<C>> start;
   hls::RamWrite<Real, kPackets> distance[kRays];
@@ -52,7 +52,8 @@ struct CollectHits {
   void step() {
     const HitCandidate<C> in = candidate.read();
     const JobRecord<C> job = record.read(in.packet);
-    const MatrixIndex instance = object.read(in.packet);
+    OfInstance<C, MatrixNumber<C>> instance;
+    if constexpr (kTwoLevels<C>) instance = object.read(in.packet);
     const RayRow<C> row = ray_row<C>(in.packet, in.ray);
     const bool alone = kHasSecondary<C> && job.kind == TransformKind::kDerive;
     SurfacePoint<C> from;
@@ -62,7 +63,7 @@ struct CollectHits {
     const Closest begun = begin(job, from);
     const RayKind kind = before.kind.get();
     const bool own =
-        kind != RayKind::kPrimary && instance == from.object && job.matrix == from.triangle;
+        kind != RayKind::kPrimary && is_same(instance, from.object) && job.matrix == from.triangle;
     // A ray that is not traced now keeps what it found when it was.
     const bool traced = !kHasSecondary<C> || job.active.bit(static_cast<unsigned>(in.ray.to_u64()));
     const bool before_itself =
@@ -87,7 +88,7 @@ struct CollectHits {
       best.cosine = in.cosine;
       best.object = instance;
       best.triangle = job.matrix;
-      best.colour = job.extra;
+      if constexpr (!C::kOneColour) best.colour = job.extra;
     }
     if (in.reset || closer || lit) closest.write(row, now);
     if (in.reset || closer) {
@@ -132,7 +133,7 @@ struct CollectHits {
       } else {
         ListJob<C> next;
         next.packet = in.packet;
-        next.level = 1;
+        next.level = Level(1);
         go_on.write(next);
       }
     }
@@ -143,6 +144,14 @@ struct CollectHits {
   static constexpr Real kShadowEnd = Real::from_double(1.0 - 1.0 / (1u << kMarginBits));
   static constexpr Real kReach = Real::from_double(1.0 + 1.0 / (1u << kMarginBits));
 
+  using Instance = OfInstance<C, MatrixNumber<C>>;
+  static bool is_same(const Instance& a, const Instance& b) {
+    if constexpr (kTwoLevels<C>) {
+      return a == b;
+    } else {
+      return true;
+    }
+  }
   static bool is_light(const JobRecord<C>& job) {
     return kHasLights<C> && job.derived.get().pass == Derivation::kLight;
   }

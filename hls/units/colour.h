@@ -4,6 +4,7 @@
 // Colours and brightness as integers: a channel has 8 bits, 256 is full brightness.
 #pragma once
 
+#include "units/frame.h"
 #include "units/tokens.h"
 
 namespace dynrt {
@@ -21,6 +22,16 @@ Brightness in_256ths(Real value) {
   const auto significand = hls::concat(uint<1>(1), value.mantissa());
   const auto eighths = significand.template bits<kMantissa, kMantissa - 8>();
   return eighths >> (kOne - exponent).as_unsigned();
+}
+
+/// The colour of what was hit.
+template <class C>
+uint<24> surface_colour(const SurfaceColour<C>& of_hit, const FrameRegisters<C>& frame) {
+  if constexpr (C::kOneColour) {
+    return frame.colour.get().template trunc<24>();
+  } else {
+    return of_hit;
+  }
 }
 
 /// Channel 0 (red) to 2 (blue) of 0x00BBGGRR.

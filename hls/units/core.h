@@ -79,7 +79,7 @@ struct Core {
 
   std::shared_ptr<hls::Fifo<uint<10>>> start;
   std::shared_ptr<hls::Fifo<uint<1>>> done;
-  std::shared_ptr<FrameConfig> frame = std::make_shared<FrameConfig>();
+  std::shared_ptr<FrameRegisters<C>> frame = std::make_shared<FrameRegisters<C>>();
 
   Core(hls::Join& join, const Banks<C>& banks) {
     name_units(join);
@@ -89,6 +89,7 @@ struct Core {
     join_transformation(join);
     if constexpr (kHasSecondary<C>) join_secondary(join);
     join_memory(join, banks);
+    if constexpr (!C::kCounters) join.leave_out_counters();
   }
 
   /// Nothing joined yet: for who only wants to know which units there are.
@@ -146,14 +147,15 @@ struct Core {
   static constexpr unsigned kAll = C::kPackets;  ///< tokens that a channel of packets can hold
 
   void join_frame(hls::Join& join) {
-    std::vector<hls::Config<FrameConfig>*> readers = {
-        &ray_generation.frame, &node_lookup.frame,   &node_fill.frame,   &list_lookup.frame,
-        &list_fill.frame,      &matrix_lookup.frame, &matrix_fill.frame, &matrix_store.frame,
-        &mailbox.frame,        &shading.frame};
+    std::vector<hls::Config<FrameRegisters<C>>*> readers = {
+        &ray_generation.frame, &node_lookup.frame, &node_fill.frame,
+        &list_lookup.frame,    &list_fill.frame,   &matrix_lookup.frame,
+        &matrix_fill.frame,    &mailbox.frame,     &shading.frame};
+    if constexpr (C::kUncompressed) readers.push_back(&matrix_store.frame);
     if constexpr (kHasSecondary<C>) {
       readers.insert(readers.end(), {&shader.frame, &secondary_rays.frame});
     }
-    join.config<FrameConfig>("frame", frame, readers);
+    join.config<FrameRegisters<C>>("frame", frame, readers);
     start = join.input("start", startup.number);
     done = join.output("done", ray_generation.done);
     join.channel<FreePacket<C>>("free_packet",
@@ -175,11 +177,11 @@ struct Core {
                                                         &list.finished, &mailbox.start};
     if constexpr (kClipsToBox<C>) {
       events.push_back(&box_clip.enter_object);
-    } else if constexpr (kHasReciprocals<C>) {
+    } else if constexpr (kTwoLevels<C> && kHasReciprocals<C>) {
       events.push_back(&ray_reciprocal.enter_object);
     } else if constexpr (kWatertight<C>) {
       events.push_back(&ray_shear.enter_object);
-    } else {
+    } else if constexpr (kTwoLevels<C>) {
       events.push_back(&packet_decoder.enter_object);
     }
     join.channel<TraversalEvent<C>>("traversal_event", events, {&node_fetch.event}, kAll);
@@ -220,8 +222,12 @@ struct Core {
   }
 
   void join_lists(hls::Join& join) {
-    std::vector<hls::Out<ListJob<C>>*> jobs = {&packet_decision.leaf, &node_fetch.object_done,
-                                               &mailbox.seen, &collect_hits.go_on};
+    std::vector<hls::Out<ListJob<C>>*> jobs = {&packet_decision.leaf};
+    if constexpr (kTwoLevels<C>) jobs.push_back(&node_fetch.object_done);
+    if constexpr (Mailbox<C>::kHasObjects || Mailbox<C>::kHasTriangles) {
+      jobs.push_back(&mailbox.seen);
+    }
+    jobs.push_back(&collect_hits.go_on);
     if constexpr (kClipsToBox<C>) jobs.push_back(&box_clip.missed);
     join.channel<ListJob<C>>("list_job", jobs, {&list.job}, kAll);
     join.channel("list_request", list.request, list_lookup.request, kAll);
@@ -249,7 +255,9 @@ struct Core {
     }
     join.ram("job_record", matrix_store.record,
              std::vector{&packet_decoder.record, &collect_hits.record});
-    join.ram("object", matrix_store.object, std::vector{&collect_hits.object});
+    if constexpr (kTwoLevels<C>) {
+      join.ram("object", matrix_store.object, std::vector{&collect_hits.object});
+    }
     join.repeat("send_job", std::vector{&matrix_store.ready}, send_packet.job, kAll);
     std::vector vectors = {&send_packet.vectors};
     if constexpr (kHasLights<C>) vectors.push_back(&shader.vectors);
@@ -292,7 +300,7 @@ struct Core {
       join.ram("light", light_columns.light, std::vector{&shader.light});
     }
     if constexpr (kHasMirrors<C>) {
-      derive.push_back(&packet_decoder.derived);
+      if constexpr (kTwoLevels<C>) derive.push_back(&packet_decoder.derived);
       arriving.push_back(&send_packet.arriving);
       for (unsigned i = 0; i < kRays; ++i) {
         std::vector readers = {&slice[i].start_distance};
@@ -327,12 +335,12 @@ struct Core {
     join.channel<MemoryRequest<C>>("memory_request",
                                    {&node_lookup.miss, &list_lookup.miss, &matrix_lookup.miss},
                                    {&memory_interface.request});
-    join.channel<CacheLine<C, Node<typename C::Real>>>(
-        "node_line", {&memory_interface.node, &startup.node}, {&node_fill.fill});
-    join.channel<CacheLine<C, ListEntry>>("list_line", {&memory_interface.list, &startup.list},
-                                          {&list_fill.fill});
-    join.channel<CacheLine<C, MatrixColumn<typename C::Real>>>(
-        "column_line", {&memory_interface.column, &startup.column}, {&matrix_fill.fill});
+    join.channel<NodeLine<C>>("node_line", {&memory_interface.node, &startup.node},
+                              {&node_fill.fill});
+    join.channel<ListLine<C>>("list_line", {&memory_interface.list, &startup.list},
+                              {&list_fill.fill});
+    join.channel<ColumnLine<C>>("column_line", {&memory_interface.column, &startup.column},
+                                {&matrix_fill.fill});
     join_cache(join, "node", node_lookup, node_fill);
     join_cache(join, "list", list_lookup, list_fill);
     join_cache(join, "matrix", matrix_lookup, matrix_fill);

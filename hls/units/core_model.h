@@ -42,7 +42,7 @@ class CoreModel {
                                       const hls::Schedule* schedule = nullptr) {
     hls::Join join = schedule ? hls::Join(*schedule) : hls::Join();
     const auto core = std::make_unique<Core<C>>(join, banks_);
-    *core->frame = config;
+    *core->frame = registers_of<C>(config);
     std::uint64_t clock = 0;
     const auto send = [&](std::uint64_t number) {
       core->start->push(uint<10>::from(number));

@@ -1,34 +1,68 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the host tells the core about a frame. Every field is one 32-bit register of the board, in
-// this order; the registers stand still while a frame is being rendered.
+// What the host tells the core about a frame. Every field that configuration C has is one 32-bit
+// register of the board, in this order; the registers stand still while a frame is being rendered.
 #pragma once
+
+#include <cstddef>
+#include <utility>
 
 #include "hls/fields.h"
 
 namespace dynrt {
 
-struct FrameConfig {
+template <class C>
+struct FrameRegisters {
   hls::uint<32> packets;        ///< packets in flight, 1 to the configuration's number
   hls::uint<32> line_mask;      ///< cache lines - 1: 2^0 to 2^9 lines
   hls::uint<32> width;          ///< pixels
   hls::uint<32> height;         ///< pixels
   hls::uint<32> scanline;       ///< 0: Morton order of packets, 1: line by line
   hls::uint<32> morton_bits;    ///< bits of the packet counter: 2 ceil(log2(larger side / 2))
-  hls::uint<32> start_node;     ///< node of the top-level tree where every ray starts
+  hls::uint<32> start_node;     ///< node of the uppermost tree where every ray starts
   hls::uint<32> camera_matrix;  ///< index of the matrix from pixel coordinates to the world
   hls::uint<32> background;     ///< colour where nothing is hit, 0x00BBGGRR
   hls::uint<32> frame_base;     ///< first word of the framebuffer in bank 3
   hls::uint<32> write_hits;     ///< 1: hit records are written to banks 4 and 5
-  hls::uint<32> uncompressed;   ///< 1: every ray's origin is transformed, not one for the packet
-  hls::uint<32> ambient;        ///< light that reaches every surface, 0 to 256 (all of it)
-  hls::uint<32> lights;         ///< point lights, at most the configuration's number
-  hls::uint<32> light_matrix;   ///< index of the first light's matrix
-  hls::uint<32> reflections;    ///< bounces, at most the configuration's number
+  /// 1: every ray's origin is transformed, not one for the packet
+  hls::FieldIf<C::kUncompressed, hls::uint<32>> uncompressed;
+  hls::uint<32> ambient;       ///< light that reaches every surface, 0 to 256 (all of it)
+  hls::uint<32> lights;        ///< point lights, at most the configuration's number
+  hls::uint<32> light_matrix;  ///< index of the first light's matrix
+  hls::uint<32> reflections;   ///< bounces, at most the configuration's number
+  hls::FieldIf<C::kOneColour, hls::uint<32>> colour;  ///< of every surface, 0x00BBGGRR
+  hls::FieldIf<C::kLevels == 1, hls::uint<32>>
+      object;  ///< number of the one there is, for its hits
   HLS_FIELDS(packets, line_mask, width, height, scanline, morton_bits, start_node, camera_matrix,
              background, frame_base, write_hits, uncompressed, ambient, lights, light_matrix,
-             reflections)
+             reflections, colour, object)
 };
+
+/// No core: the host fills every register that some configuration has.
+struct EveryRegister {
+  static constexpr bool kUncompressed = true;
+  static constexpr bool kOneColour = true;
+  static constexpr unsigned kLevels = 1;
+};
+using FrameConfig = FrameRegisters<EveryRegister>;
+
+/// Of the host's registers those that configuration C has.
+template <class C>
+FrameRegisters<C> registers_of(const FrameConfig& all) {
+  const auto value = []<class F>(const F& field) {
+    if constexpr (requires { field.get(); }) {
+      return field.get();
+    } else {
+      return field;
+    }
+  };
+  FrameRegisters<C> some;
+  [&, to = some.hls_fields(),
+   from = all.hls_fields()]<std::size_t... I>(std::index_sequence<I...>) {
+    ((std::get<I>(to) = value(std::get<I>(from))), ...);
+  }(std::make_index_sequence<std::tuple_size_v<decltype(all.hls_fields())>>());
+  return some;
+}
 
 }  // namespace dynrt

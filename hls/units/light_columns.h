@@ -22,7 +22,7 @@ struct LightPower {
 template <class C>
 struct LightColumns {
   using Real = typename C::Real;
-  using Column = CacheReply<ColumnContext<C>, MatrixColumn<Real>>;
+  using Column = ColumnReply<C>;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
 
   hls::In<Column> fetched;

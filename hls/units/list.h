@@ -12,18 +12,18 @@ namespace dynrt {
 template <class C>
 struct List {
   hls::In<ListJob<C>> job;
-  hls::Out<CacheRequest<ListContext<C>>> request;
+  hls::Out<ListRequest<C>> request;
   hls::Out<TraversalEvent<C>> finished;
   hls::RamRead<bool, kLevelRows<C>> last;  ///< whether the entry read last was the list's last
-  hls::Ram1R1W<Address, kLevelRows<C>> next;
+  hls::Ram1R1W<NodeAddress<C>, kLevelRows<C>> next;
   HLS_PORTS(job, request, finished, last)
 
   void step() {
     const ListJob<C> j = job.read();
     const LevelRow<C> row = level_row<C>(j.level, j.packet);
-    const Address following = next.read(row);
+    const NodeAddress<C> following = next.read(row);
     const bool at_end = !j.first && last.read(row);
-    const Address address = j.first ? j.address : following;
+    const NodeAddress<C> address = j.first ? j.address : following;
     next.write(row, hls::next(address));
 
     if (at_end) {
@@ -32,7 +32,7 @@ struct List {
       pop.level = j.level;
       finished.write(pop);
     } else {
-      request.write(CacheRequest<ListContext<C>>{ListContext<C>{j.packet, j.level}, address});
+      request.write(ListRequest<C>{ListContext<C>{j.packet, j.level}, address});
     }
   }
 };

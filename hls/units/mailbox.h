@@ -4,7 +4,8 @@
 // Mailbox: lets every object and every triangle through once per packet and level (thesis 4.3.2,
 // 6.1.2). Slots fill in order and are never replaced: a full mailbox lets everything new through.
 // The objects of a packet are forgotten when a new ray starts, the triangles when an object is
-// entered.
+// entered. A level without slots lets everything through: it has no memory, and what is listed
+// twice is met twice, to the same hits.
 #pragma once
 
 #include "units/frame.h"
@@ -14,62 +15,74 @@ namespace dynrt {
 
 template <class C>
 struct Mailbox {
-  using Count = uint<hls::index_width(C::kMailboxSlots + 1)>;
+  template <unsigned N>
   struct Slots {
+    using Count = uint<hls::index_width(N + 1)>;
     Count used;
-    std::array<MatrixIndex, C::kMailboxSlots> slot;
+    std::array<MatrixNumber<C>, N> slot;
     HLS_FIELDS(used, slot)
 
-    bool holds(MatrixIndex matrix) const {
+    bool holds(MatrixNumber<C> matrix) const {
       bool found = false;
-      for (unsigned i = 0; i < C::kMailboxSlots; ++i) {
+      for (unsigned i = 0; i < N; ++i) {
         found = found || (used > Count::from(i) && slot[i] == matrix);
       }
       return found;
     }
-    void insert(MatrixIndex matrix) {
-      for (unsigned i = 0; i < C::kMailboxSlots; ++i) {
+    void insert(MatrixNumber<C> matrix) {
+      for (unsigned i = 0; i < N; ++i) {
         if (used == Count::from(i)) slot[i] = matrix;
       }
-      if (used != Count::from(C::kMailboxSlots)) used = hls::next(used);
+      if (used != Count::from(N)) used = hls::next(used);
     }
   };
+  static constexpr bool kHasObjects = kTwoLevels<C> && C::kObjectSlots > 0;
+  static constexpr bool kHasTriangles = C::kTriangleSlots > 0;
   /// The packet's rays that are traced.
   struct Traced {
     RayMask rays;
     hls::FieldIf<kHasMirrors<C>, bool> apart;
     HLS_FIELDS(rays, apart)
   };
+  /// Who enters an object is asked, and who is traced where others wait.
+  static constexpr bool kKeepsTraced = kTwoLevels<C> || kHasSecondary<C>;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
 
   hls::In<MailboxEntry<C>> entry;
-  hls::Config<FrameConfig> frame;
+  hls::Config<FrameRegisters<C>> frame;
   hls::Out<TransformJob<C>> fresh;
-  hls::Out<ListJob<C>> seen;
+  hls::PortIf<kHasObjects || kHasTriangles, hls::Out<ListJob<C>>> seen;
   hls::Out<TraversalEvent<C>> start;
   hls::RamWrite<bool, kLevelRows<C>> last;
-  hls::Ram1R1W<Slots, kPackets> objects;
-  hls::Ram1R1W<Slots, kPackets> triangles;
-  hls::Ram1R1W<Traced, kPackets> traced;
+  hls::PortIf<kHasObjects, hls::Ram1R1W<Slots<C::kObjectSlots>, kPackets>> objects;
+  hls::PortIf<kHasTriangles, hls::Ram1R1W<Slots<C::kTriangleSlots>, kPackets>> triangles;
+  hls::PortIf<kKeepsTraced, hls::Ram1R1W<Traced, kPackets>> traced;
   HLS_PORTS(entry, frame, fresh, seen, start, last)
 
   void step() {
     const MailboxEntry<C> e = entry.read();
-    Slots object_slots = objects.read(e.packet);
-    Slots triangle_slots = triangles.read(e.packet);
-    const bool top = e.level == Level{};
+    Slots<C::kObjectSlots> object_slots = slots_of<C::kObjectSlots>(objects, e.packet);
+    Slots<C::kTriangleSlots> triangle_slots = slots_of<C::kTriangleSlots>(triangles, e.packet);
+    const bool top = is_top<C>(e.level);
     const bool known =
         top ? object_slots.holds(e.entry.matrix) : triangle_slots.holds(e.entry.matrix);
 
-    const Traced packet = traced.read(e.packet);
+    Traced packet;
+    if constexpr (kKeepsTraced) packet = traced.read(e.packet);
 
     if (e.clear) {
-      object_slots.used = 0;
-      traced.write(e.packet, Traced{e.active, e.kind.get() == RayKind::kReflection});
+      if constexpr (kTwoLevels<C>) {
+        object_slots.used = 0;
+      } else {
+        triangle_slots.used = 0;
+      }
+      if constexpr (kKeepsTraced) {
+        traced.write(e.packet, Traced{e.active, e.kind.get() == RayKind::kReflection});
+      }
       TraversalEvent<C> enter;
       enter.packet = e.packet;
       enter.kind = TraversalKind::kEnter;
-      enter.next = Address::from(frame.get().start_node.raw());
+      enter.next = NodeAddress<C>::from(frame.get().start_node.raw());
       enter.active = e.active;
       enter.rays = e.kind;
       enter.apart = e.kind.get() == RayKind::kReflection;
@@ -77,10 +90,12 @@ struct Mailbox {
     } else {
       last.write(level_row<C>(e.level, e.packet), e.entry.last);
       if (known) {
-        ListJob<C> go_on;
-        go_on.packet = e.packet;
-        go_on.level = e.level;
-        seen.write(go_on);
+        if constexpr (kHasObjects || kHasTriangles) {
+          ListJob<C> go_on;
+          go_on.packet = e.packet;
+          go_on.level = e.level;
+          seen.write(go_on);
+        }
       } else {
         TransformJob<C> job;
         job.packet = e.packet;
@@ -104,8 +119,18 @@ struct Mailbox {
         }
       }
     }
-    objects.write(e.packet, object_slots);
-    triangles.write(e.packet, triangle_slots);
+    if constexpr (kHasObjects) objects.write(e.packet, object_slots);
+    if constexpr (kHasTriangles) triangles.write(e.packet, triangle_slots);
+  }
+
+ private:
+  template <unsigned N, class Ram>
+  static Slots<N> slots_of(const Ram& ram, PacketId<C> packet) {
+    if constexpr (std::is_same_v<Ram, hls::Absent>) {
+      return {};
+    } else {
+      return ram.read(packet);
+    }
   }
 };
 

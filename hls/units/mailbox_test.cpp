@@ -3,6 +3,7 @@
 #include "units/mailbox.h"
 
 #include <set>
+#include <type_traits>
 
 #include "units/test_bench.h"
 
@@ -11,6 +12,7 @@ namespace {
 
 using C = test::Config<8>;
 using Bench = test::Bench<Mailbox<C>>;
+constexpr unsigned kSlots = C::kObjectSlots;  ///< of triangles too
 
 MailboxEntry<C> entry(unsigned packet, unsigned level, unsigned matrix, bool last = false) {
   MailboxEntry<C> e;
@@ -62,7 +64,7 @@ TEST(Mailbox, LetsEachMatrixThroughOnce) {
     Bench bench;
     clear(bench, 4);
     for (unsigned round = 0; round < 3; ++round) {
-      for (unsigned i = 0; i < C::kMailboxSlots; ++i) {
+      for (unsigned i = 0; i < kSlots; ++i) {
         EXPECT_EQ(fresh(bench, entry(4, level, 100 + i, i % 2 == 1)), round == 0) << i;
       }
     }
@@ -80,10 +82,10 @@ TEST(Mailbox, AFullOneLetsEverythingNewThrough) {
   for (const unsigned level : {0, 1}) {
     Bench bench;
     clear(bench, 1);
-    for (unsigned i = 0; i < C::kMailboxSlots; ++i) fresh(bench, entry(1, level, 100 + i));
+    for (unsigned i = 0; i < kSlots; ++i) fresh(bench, entry(1, level, 100 + i));
     EXPECT_TRUE(fresh(bench, entry(1, level, 300)));
     EXPECT_TRUE(fresh(bench, entry(1, level, 300))) << "again and again";
-    for (unsigned i = 0; i < C::kMailboxSlots; ++i) {
+    for (unsigned i = 0; i < kSlots; ++i) {
       EXPECT_FALSE(fresh(bench, entry(1, level, 100 + i))) << "slots are never replaced";
     }
   }
@@ -145,12 +147,54 @@ TEST(Mailbox, AgreesWithSetsOnRandomEntries) {
     const bool expected = !of_level.contains(matrix);
     ASSERT_EQ(fresh(bench, entry(packet, level, matrix, test::chance(random, 30))), expected) << n;
     known += !expected;
-    full += expected && of_level.size() == C::kMailboxSlots;
-    if (expected && of_level.size() < C::kMailboxSlots) of_level.insert(matrix);
+    full += expected && of_level.size() == kSlots;
+    if (expected && of_level.size() < kSlots) of_level.insert(matrix);
     if (expected && level == 0) s.triangles.clear();
   }
   EXPECT_GT(known, 10'000u);
   EXPECT_GT(full, 1'000u);
+}
+
+/// How many of `count` entries that are the same the mailbox lets through.
+template <class Config>
+unsigned let_through(unsigned level, unsigned count) {
+  test::Bench<Mailbox<Config>> bench;
+  MailboxEntry<Config> begin;
+  begin.clear = true;
+  bench.feed(bench.unit.entry, begin);
+  MailboxEntry<Config> object;
+  bench.feed(bench.unit.entry, object);
+  bench.run();
+  bench.take(bench.unit.fresh);
+  MailboxEntry<Config> same;
+  same.level = Level::from(level);
+  same.entry.matrix = 7;
+  for (unsigned i = 0; i < count; ++i) bench.feed(bench.unit.entry, same);
+  bench.run();
+  return static_cast<unsigned>(bench.take(bench.unit.fresh).size());
+}
+template <class Config>
+constexpr bool kHasObjectRam = !std::is_same_v<decltype(Mailbox<Config>::objects), hls::Absent>;
+template <class Config>
+constexpr bool kHasTriangleRam = !std::is_same_v<decltype(Mailbox<Config>::triangles), hls::Absent>;
+
+struct NoObjects : C {
+  static constexpr unsigned kObjectSlots = 0;
+};
+struct NoTriangles : C {
+  static constexpr unsigned kTriangleSlots = 0;
+};
+
+TEST(Mailbox, ALevelWithoutSlotsHasNoMemoryAndLetsEverythingThrough) {
+  EXPECT_EQ(let_through<C>(0, 5), 1u);
+  EXPECT_EQ(let_through<C>(1, 5), 1u);
+  EXPECT_EQ(let_through<NoObjects>(0, 5), 5u);
+  EXPECT_EQ(let_through<NoObjects>(1, 5), 1u);
+  EXPECT_EQ(let_through<NoTriangles>(0, 5), 1u);
+  EXPECT_EQ(let_through<NoTriangles>(1, 5), 5u);
+  static_assert(kHasObjectRam<C> && kHasTriangleRam<C>);
+  static_assert(!kHasObjectRam<NoObjects> && kHasTriangleRam<NoObjects>);
+  static_assert(kHasObjectRam<NoTriangles> && !kHasTriangleRam<NoTriangles>);
 }
 
 template <class Config>

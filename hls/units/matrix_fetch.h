@@ -13,7 +13,7 @@ namespace dynrt {
 template <class C>
 struct MatrixFetch {
   hls::In<Repeated<TransformJob<C>>> job;
-  hls::Out<CacheRequest<ColumnContext<C>>> request;
+  hls::Out<ColumnRequest<C>> request;
   HLS_PORTS(job, request)
 
   void step() {
@@ -21,16 +21,16 @@ struct MatrixFetch {
     const uint<2> column = j.index.template trunc<2>();
     const ColumnContext<C> context{j.job.packet, j.job.kind,   j.job.active,
                                    column,       j.job.extras, j.job.matrix};
-    Address address = hls::concat(j.job.matrix, column);
+    ColumnAddress<C> address = hls::concat(j.job.matrix, column);
     if constexpr (kThreeColumns<C>) {
       const bool mirror = kHasMirrors<C> && j.job.kind == TransformKind::kDerive &&
                           j.job.extras.derived.get().pass == Derivation::kMirror;
       if (j.job.kind == TransformKind::kTriangle || mirror) {
-        address =
-            Address::from((j.job.matrix + hls::concat(j.job.matrix, uint<1>(0)) + column).raw());
+        address = ColumnAddress<C>::from(
+            (j.job.matrix + hls::concat(j.job.matrix, uint<1>(0)) + column).raw());
       }
     }
-    request.write(CacheRequest<ColumnContext<C>>{context, address});
+    request.write(ColumnRequest<C>{context, address});
   }
 };
 

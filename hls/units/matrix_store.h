@@ -19,18 +19,18 @@ struct MatrixStore {
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
   struct Progress {
     uint<2> columns;                               ///< of this job that have arrived
-    uint<24> extra;                                ///< spare bits of column 0
+    MatrixExtra<C> extra;                          ///< spare bits of column 0
     hls::FieldIf<kHasMirrors<C>, uint<8>> mirror;  ///< spare bits of column 1
     hls::FieldIf<kScalesCosine<C>, Real> cosine_factor;
     HLS_FIELDS(columns, extra, mirror, cosine_factor)
   };
 
-  hls::In<CacheReply<ColumnContext<C>, MatrixColumn<Real>>> reply;
-  hls::Config<FrameConfig> frame;
+  hls::In<ColumnReply<C>> reply;
+  hls::PortIf<C::kUncompressed, hls::Config<FrameRegisters<C>>> frame;
   hls::Out<SendJob<C>> ready;
   hls::RamWrite<Vector<Real>, kPackets> column[4];
   hls::RamWrite<JobRecord<C>, kPackets> record;
-  hls::RamWrite<MatrixIndex, kPackets> object;
+  hls::PortIf<kTwoLevels<C>, hls::RamWrite<MatrixNumber<C>, kPackets>> object;
   hls::RegisterFile<Progress, kPackets> progress;
   HLS_PORTS(reply, frame, ready, column[0], column[1], column[2], column[3], record, object)
 
@@ -59,14 +59,24 @@ struct MatrixStore {
     const uint<2> last = stored_three ? uint<2>(kStoredColumns - 1) : uint<2>(3);
     const bool complete = p.columns == last;
     if (r.context.column == uint<2>(0)) {
-      p.extra = stored_three ? hls::concat(p.extra.template bits<23, 16>(),
-                                           r.line.spare().template trunc<16>())
-                             : r.line.spare().template trunc<24>();
+      if constexpr (C::kOneColour && !kTwoLevels<C>) {
+        // Nothing is read of the spare bits.
+      } else if constexpr (C::kOneColour) {
+        p.extra = r.line.spare().template trunc<MatrixExtra<C>::kWidth>();
+      } else {
+        p.extra = stored_three ? hls::concat(p.extra.template bits<23, 16>(),
+                                             r.line.spare().template trunc<16>())
+                               : r.line.spare().template trunc<24>();
+      }
     }
     if (r.context.column == uint<2>(1)) {
       p.mirror = r.line.spare().template trunc<8>();
-      if (stored_three)
-        p.extra = hls::concat(r.line.spare().template bits<15, 8>(), p.extra.template trunc<16>());
+      if constexpr (!C::kOneColour) {
+        if (stored_three) {
+          p.extra =
+              hls::concat(r.line.spare().template bits<15, 8>(), p.extra.template trunc<16>());
+        }
+      }
     }
     if constexpr (kScalesCosine<C>) {
       if (r.context.column == last) {
@@ -77,15 +87,21 @@ struct MatrixStore {
     progress.write(packet, p);
 
     if (complete) {
-      const MatrixIndex matrix = kThreeColumns<C> ? r.context.matrix.get()
-                                                  : r.address.template bits<kAddressBits - 1, 2>();
+      const MatrixNumber<C> matrix = kThreeColumns<C>
+                                         ? r.context.matrix.get()
+                                         : r.address.template bits<C::kMatrixBits + 1, 2>();
       const auto& derived = r.context.extras.derived;
       record.write(packet, JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra, derived,
                                         p.mirror, r.context.extras.apart.get(),
                                         r.context.extras.primitive, p.cosine_factor});
-      if (r.context.kind == TransformKind::kObject) object.write(packet, matrix);
+      if constexpr (kTwoLevels<C>) {
+        if (r.context.kind == TransformKind::kObject) object.write(packet, matrix);
+      }
       SendJob<C> send;
-      const bool apart = frame.get().uncompressed.template bit<0>() || r.context.extras.apart.get();
+      bool apart = r.context.extras.apart.get();
+      if constexpr (C::kUncompressed) {
+        apart = frame.get().uncompressed.get().template bit<0>() || apart;
+      }
       const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kDerive;
       const bool corners = kWatertight<C> && r.context.kind == TransformKind::kTriangle;
       send.repeat = corners   ? RepeatCount(11)

@@ -52,13 +52,13 @@ using SceneWord = uint<std::max(Word::kWidth, R::kLeafWidth + kSpareBits<R>)>;
 /// What a k-D tree node splits on; a leaf's `left` is the address of its list.
 enum class NodeKind : unsigned char { kSplitX, kSplitY, kSplitZ, kLeaf };
 
-/// A node of the k-D tree: 40 bits and a float.
-template <class R>
+/// A node of the k-D tree: in the memory 40 bits and a float.
+template <class R, unsigned AddressBits = kAddressBits>
 struct Node {
   NodeKind kind = NodeKind::kLeaf;
   R split;
-  Address left;
-  Address right;
+  uint<AddressBits> left;
+  uint<AddressBits> right;
   HLS_FIELDS(kind, split, left, right)
 };
 

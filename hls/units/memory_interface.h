@@ -15,27 +15,29 @@ template <class C>
 struct MemoryInterface {
   using Real = typename C::Real;
   hls::In<MemoryRequest<C>> request;
-  hls::Out<CacheLine<C, Node<Real>>> node;
-  hls::Out<CacheLine<C, ListEntry>> list;
-  hls::Out<CacheLine<C, MatrixColumn<Real>>> column;
+  hls::Out<NodeLine<C>> node;
+  hls::Out<ListLine<C>> list;
+  hls::Out<ColumnLine<C>> column;
   hls::RamRead<SceneWord<Real>, kBankWords, C::kSramLatency> bank[kSceneBanks];
   HLS_PORTS(request, node, list, column, bank[0], bank[1], bank[2])
 
   void step() {
     const MemoryRequest<C> r = request.read();
     const bool is_column = r.kind == MemoryKind::kColumn;
-    const uint<20> word = hls::concat(uint<1>(is_column), r.address);
+    const uint<20> word = hls::concat(uint<1>(is_column), r.address.template zext<kAddressBits>());
     const std::array<SceneWord<Real>, kSceneBanks> data{bank[0].read(word), bank[1].read(word),
                                                         bank[2].read(word)};
     switch (r.kind) {
       case MemoryKind::kNode:
-        node.write({false, r.key, r.address, lowest<Node<Real>>(hls::concat(data[1], data[0]))});
+        node.write({false, r.key, r.address.template trunc<C::kAddressBits>(),
+                    narrow(lowest<Node<Real>>(hls::concat(data[1], data[0])))});
         break;
       case MemoryKind::kList:
-        list.write({false, r.key, r.address, lowest<ListEntry>(data[2])});
+        list.write({false, r.key, r.address.template trunc<C::kAddressBits>(),
+                    core_entry<C>(lowest<ListEntry>(data[2]))});
         break;
       case MemoryKind::kColumn:
-        column.write({false, r.key, r.address,
+        column.write({false, r.key, r.address.template trunc<ColumnAddress<C>::kWidth>(),
                       MatrixColumn<Real>{{lowest<MatrixWord<Real>>(data[0]),
                                           lowest<MatrixWord<Real>>(data[1]),
                                           lowest<MatrixWord<Real>>(data[2])}}});
@@ -44,6 +46,10 @@ struct MemoryInterface {
   }
 
  private:
+  static CoreNode<C> narrow(const Node<Real>& node) {
+    return {node.kind, node.split, node.left.template trunc<C::kAddressBits>(),
+            node.right.template trunc<C::kAddressBits>()};
+  }
   /// What lies in the lowest bits.
   template <class T, unsigned W>
   static T lowest(uint<W> bits) {

@@ -105,5 +105,44 @@ TYPED_TEST(MemoryOf, TheFloatIsItsFields) {
                          CacheLine<In, MatrixColumn<TypeParam>>{false, 3, 11, column}));
 }
 
+struct Narrow : C {
+  static constexpr unsigned kAddressBits = 8;
+  static constexpr unsigned kMatrixBits = 5;
+  static constexpr Primitives kPrimitives{.triangle = true, .sphere = true};
+};
+
+TEST(MemoryInterface, NarrowsNumbersToThoseOfTheCore) {
+  test::Bench<MemoryInterface<Narrow>> bench;
+  const auto row = [&](unsigned bank, unsigned word) -> SceneWord<Real>& {
+    return bench.rows(bench.unit.bank[bank])[word];
+  };
+  const auto ask = [&](MemoryKind kind, unsigned address) {
+    MemoryRequest<Narrow> request{kind, 3, {}};
+    request.address = decltype(request.address)::from(address);
+    bench.feed(bench.unit.request, request);
+    bench.run();
+  };
+  const auto bits = hls::to_bits(Node<Real>{NodeKind::kSplitY, Real::one(), 255, 17});
+  row(0, 200) = bits.trunc<32>();
+  row(1, 200) = bits.bits<63, 32>();
+  ask(MemoryKind::kNode, 200);
+  EXPECT_TRUE(
+      test::same(bench.take_one(bench.unit.node),
+                 NodeLine<Narrow>{false, 3, 200, {NodeKind::kSplitY, Real::one(), 255, 17}}));
+
+  ListEntry entry{31, 0, true};
+  entry.set_primitive(Primitive::kSphere);
+  row(2, 255) = hls::to_bits(entry);
+  ask(MemoryKind::kList, 255);
+  EXPECT_TRUE(test::same(bench.take_one(bench.unit.list),
+                         ListLine<Narrow>{false, 3, 255, {31, Primitive::kSphere, true}}));
+
+  for (unsigned r = 0; r < 3; ++r) row(r, kColumnBase + 127) = Word::from(r);
+  ask(MemoryKind::kColumn, 127);
+  const ColumnLine<Narrow> column = bench.take_one(bench.unit.column);
+  EXPECT_EQ(column.address, ColumnAddress<Narrow>(127)) << "column 3 of the last matrix";
+  EXPECT_EQ(hls::to_bits(column.line.row[2]), Word(2));
+}
+
 }  // namespace
 }  // namespace dynrt

@@ -24,30 +24,29 @@ struct NodeFetch {
   struct State {
     Stack stack;    ///< entries in use
     RayMask alive;  ///< rays that entered the level and have not ended in it
-    hls::FieldIf<kHasSecondary<C>, RayKind> rays{};        ///< level 0: what they are
-    hls::FieldIf<kSplitsPackets<C>, RayMask> waiting{};    ///< rays of the groups to come
-    hls::FieldIf<kSplitsPackets<C>, Address> root{};       ///< where they begin
-    hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};  ///< rays that have crossed others
+    hls::FieldIf<kHasSecondary<C>, RayKind> rays{};          ///< level 0: what they are
+    hls::FieldIf<kSplitsPackets<C>, RayMask> waiting{};      ///< rays of the groups to come
+    hls::FieldIf<kSplitsPackets<C>, NodeAddress<C>> root{};  ///< where they begin
+    hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};    ///< rays that have crossed others
     HLS_FIELDS(stack, alive, rays, waiting, root, crossing)
   };
   struct Entry {
-    Address node;
+    NodeAddress<C> node;
     RayMask active;
     RayMask both;
     hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
     HLS_FIELDS(node, active, both, crossing)
   };
-  static constexpr unsigned kStackRows = kLevelRows<C> * (1u << Stack::kWidth);
 
   hls::In<TraversalEvent<C>> event;
-  hls::Out<CacheRequest<StepContext<C>>> request;
+  hls::Out<NodeRequest<C>> request;
   hls::Out<TraversalEvent<C>> again;  ///< a popped node that no living ray enters: pop once more
   hls::Out<ShadeJob<C>> top_done;
-  hls::Out<ListJob<C>> object_done;
+  hls::PortIf<kTwoLevels<C>, hls::Out<ListJob<C>>> object_done;
   hls::Out<DroppedPush<C>> dropped;
   hls::PortIf<kSplitsPackets<C>, hls::RamRead<DirectionSigns, kLevelRows<C>>> signs[kRays];
   hls::Ram1R1W<State, kLevelRows<C>> states;
-  hls::Ram1R1W<Entry, kStackRows> stack;
+  hls::Ram1R1W<Entry, kStackRows<C>> stack;
   HLS_PORTS(event, request, again, top_done, object_done, dropped, signs[0], signs[1], signs[2],
             signs[3])
 
@@ -69,7 +68,7 @@ struct NodeFetch {
     state.alive = state.alive & ~(e.terminated & ~state.crossing.get());
 
     const Stack below = Stack::from(state.stack.raw() - 1);
-    const Entry popped = stack.read(hls::concat(row, below));
+    const Entry popped = stack.read(stack_row<C>(e.level, e.packet, below));
 
     StepContext<C> context;
     context.packet = e.packet;
@@ -79,18 +78,19 @@ struct NodeFetch {
     context.stack = state.stack;
     context.update = e.kind == TraversalKind::kGo && e.clip_near ? IntervalUpdate::kClipNear
                                                                  : IntervalUpdate::kClipFar;
-    Address address = e.next;
+    NodeAddress<C> address = e.next;
 
     bool fetch = true;
     if (enter) {
       context.update = IntervalUpdate::kInit;
       context.active = entering;
     } else if (e.kind == TraversalKind::kPush) {
-      const bool full = state.stack == Stack::from(C::kStackDepth);
+      const bool full = state.stack == (is_top<C>(e.level) ? Stack::from(C::kTopStackDepth)
+                                                           : Stack::from(C::kStackDepth));
       if (full) {
         dropped.write(DroppedPush<C>{e.packet});
       } else {
-        stack.write(hls::concat(row, state.stack),
+        stack.write(stack_row<C>(e.level, e.packet, state.stack),
                     Entry{e.pushed, e.pushed_active, e.both, e.crossing});
         context.update = IntervalUpdate::kClipFarPush;
         state.stack = hls::next(state.stack);
@@ -129,7 +129,7 @@ struct NodeFetch {
       address = popped.node;
     }
     states.write(row, state);
-    if (fetch) request.write(CacheRequest<StepContext<C>>{context, address});
+    if (fetch) request.write(NodeRequest<C>{context, address});
   }
 
  private:
@@ -151,13 +151,13 @@ struct NodeFetch {
     return group;
   }
   void finish(const TraversalEvent<C>& e, const State& state) {
-    if (e.level == Level{}) {
+    if (!kTwoLevels<C> || is_top<C>(e.level)) {
       ShadeJob<C> shade;
       shade.repeat = kHasSecondary<C> ? RepeatCount(3) : RepeatCount(15);
       shade.packet = e.packet;
       shade.kind = state.rays;
       top_done.write(shade);
-    } else {
+    } else if constexpr (kTwoLevels<C>) {
       ListJob<C> go_on;
       go_on.packet = e.packet;
       object_done.write(go_on);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "units/node_fetch.h"
 
+#include <set>
+
 #include "units/test_bench.h"
 
 namespace dynrt {
@@ -149,8 +151,10 @@ TEST(NodeFetch, APoppedNodeThatNoLivingRayEntersIsPassedOver) {
 }
 
 /// What the unit is to do, said once more in the plainest way.
+template <class C>
 class Reference {
  public:
+  using Request = CacheRequest<StepContext<C>>;
   struct Answer {
     std::vector<Request> request;
     std::vector<TraversalEvent<C>> again;
@@ -176,7 +180,7 @@ class Reference {
       s.stack.pop_back();
       const RayMask active = entry.pushed_active & s.alive;
       if (active == RayMask{}) {
-        a.again.push_back(event(TraversalKind::kPop, 0, 0));
+        a.again.push_back({});
         a.again[0].packet = e.packet;
         a.again[0].level = e.level;
         return a;
@@ -186,7 +190,8 @@ class Reference {
       r.context.active = active;
       r.context.both = entry.both;
       r.address = entry.pushed;
-    } else if (e.kind == TraversalKind::kPush && s.stack.size() < C::kStackDepth) {
+    } else if (e.kind == TraversalKind::kPush &&
+               s.stack.size() < kStackDepths<C>[e.level.to_u64()]) {
       r.context.update = IntervalUpdate::kClipFarPush;
       s.stack.push_back(e);
     } else if (e.kind == TraversalKind::kPush) {
@@ -208,9 +213,10 @@ class Reference {
   State states_[C::kPackets][2];
 };
 
-TEST(NodeFetch, AgreesWithAPlainReferenceOnRandomTraversals) {
-  Bench bench;
-  Reference reference;
+template <class C>
+void traverse_at_random() {
+  test::Bench<NodeFetch<C>> bench;
+  Reference<C> reference;
   test::Random random(20041);
   unsigned counts[5] = {};
   for (unsigned i = 0; i < 200'000; ++i) {
@@ -228,7 +234,7 @@ TEST(NodeFetch, AgreesWithAPlainReferenceOnRandomTraversals) {
       e.kind = TraversalKind::kEnter;
       e.terminated = 0;
     }
-    const Reference::Answer answer = reference.answer(e);
+    const typename Reference<C>::Answer answer = reference.answer(e);
     bench.feed(bench.unit.event, e);
     bench.run();
     counts[0] += answer.request.size();
@@ -243,6 +249,47 @@ TEST(NodeFetch, AgreesWithAPlainReferenceOnRandomTraversals) {
     ASSERT_TRUE(test::same(bench.take(bench.unit.dropped), answer.dropped)) << i;
   }
   for (const unsigned count : counts) EXPECT_GT(count, 100u) << "every answer is met often";
+}
+
+template <unsigned Top, unsigned Bottom>
+struct Stacks : C {
+  static constexpr unsigned kTopStackDepth = Top;
+  static constexpr unsigned kStackDepth = Bottom;
+};
+
+TEST(NodeFetch, AgreesWithAPlainReferenceOnRandomTraversals) {
+  traverse_at_random<C>();
+  traverse_at_random<Stacks<3, 13>>();
+  traverse_at_random<Stacks<9, 1>>();
+}
+
+/// Whether no two entries have the same row; of how many rows a packet.
+template <class C>
+unsigned rows_of_apart_entries() {
+  std::set<std::uint64_t> rows;
+  std::size_t entries = 0;
+  for (unsigned packet = 0; packet < C::kPackets; ++packet) {
+    for (unsigned level = 0; level < 2; ++level) {
+      for (unsigned i = 0; i < kStackDepths<C>[level]; ++i, ++entries) {
+        const auto row =
+            stack_row<C>(Level::from(level), PacketId<C>::from(packet), StackPointer<C>::from(i));
+        rows.insert(row.to_u64());
+      }
+    }
+  }
+  EXPECT_EQ(rows.size(), entries);
+  EXPECT_LT(*rows.rbegin(), kStackRows<C>);
+  return kStackRows<C> / C::kPackets;
+}
+
+TEST(NodeFetch, StacksTakeTheRowsThatTheirDepthsAskFor) {
+  EXPECT_EQ((rows_of_apart_entries<Stacks<31, 31>>()), 64u);
+  EXPECT_EQ((rows_of_apart_entries<Stacks<63, 63>>()), 128u);
+  EXPECT_EQ((rows_of_apart_entries<Stacks<3, 13>>()), 16u);
+  EXPECT_EQ((rows_of_apart_entries<Stacks<9, 1>>()), 16u);
+  EXPECT_EQ((rows_of_apart_entries<Stacks<1, 15>>()), 16u);
+  EXPECT_EQ((rows_of_apart_entries<Stacks<1, 16>>()), 32u);
+  EXPECT_EQ((rows_of_apart_entries<Stacks<1, 1>>()), 2u);
 }
 
 struct Mirrors : test::Config<8> {

@@ -4,8 +4,12 @@
 // What a packet is in a configuration C (hls/configs): 2x2 rays, masks with one bit per ray, ray 0
 // lowest; rows of the RAMs that keep something per packet, level or ray; and which parts of the
 // core C has. Level 0 is the top-level tree over object instances, level 1 the tree of one object
-// (thesis chapter 4).
+// (thesis chapter 4). In a core of one level there is the tree of one object alone, which lies in
+// the world as it is: rays start in it, and no token tells its level.
 #pragma once
+
+#include <algorithm>
+#include <type_traits>
 
 #include "hls/ports.h"
 #include "units/memory_format.h"
@@ -14,6 +18,10 @@
 namespace dynrt {
 
 inline constexpr unsigned kRays = 4;  ///< rays per packet
+
+/// Whether there is a tree over instances above the trees of objects.
+template <class C>
+inline constexpr bool kTwoLevels = C::kLevels == 2;
 
 /// Whether a configuration traces rays beyond the primary ones (thesis 6.2.2, 6.2.3).
 template <class C>
@@ -28,6 +36,10 @@ template <class C>
 inline constexpr bool kSplitsPackets = kHasMirrors<C> && C::kCrossing == Crossing::kSplit;
 template <class C>
 inline constexpr bool kRemembersChild = kHasMirrors<C> && C::kCrossing == Crossing::kRemember;
+
+/// Whether a packet's rays may have origins of their own when it is transformed.
+template <class C>
+inline constexpr bool kHasPacketsApart = C::kUncompressed || kHasMirrors<C>;
 
 /// Whether a unit clips rays to the box of an object that they enter (thesis 4.2).
 template <class C>
@@ -74,6 +86,55 @@ constexpr bool is_primitive(Primitive which, const PrimitiveField<C>& field) {
   return some && (!kHasKinds<C> || field.get() == which);
 }
 
+/// What nearly all configurations have: a field as it is, or none (hls::FieldIf).
+template <bool Present, class T>
+using Kept = std::conditional_t<Present, T, hls::FieldIf<false, T>>;
+
+/// The colour of a surface, 0x00BBGGRR, where surfaces have colours of their own.
+template <class C>
+using SurfaceColour = Kept<!C::kOneColour, uint<24>>;
+/// What the spare bits of a matrix say: the root of an object's tree, or a primitive's colour.
+template <class C>
+using MatrixExtra =
+    Kept<kTwoLevels<C> || !C::kOneColour, uint<C::kOneColour ? C::kAddressBits : 24>>;
+/// What belongs to an instance, where there are several.
+template <class C, class T>
+using OfInstance = Kept<kTwoLevels<C>, T>;
+
+/// Numbers as the core has them on their way, in as many bits as the configuration's scenes take:
+/// where a node or a list's entry lies, a matrix, one of its columns.
+template <class C>
+using NodeAddress = uint<C::kAddressBits>;
+template <class C>
+using MatrixNumber = uint<C::kMatrixBits>;
+template <class C>
+using ColumnAddress = uint<C::kMatrixBits + 2>;
+
+template <class C>
+using CoreNode = Node<typename C::Real, C::kAddressBits>;
+
+/// Of a list's entry what a core reads that has fewer bits for matrices than the memory.
+template <class C>
+struct NarrowListEntry {
+  MatrixNumber<C> matrix;
+  PrimitiveField<C> kind{};
+  bool last = false;
+  HLS_FIELDS(matrix, kind, last)
+
+  constexpr Primitive primitive() const { return kind.get(); }
+};
+template <class C>
+using CoreListEntry =
+    std::conditional_t<C::kMatrixBits == kMatrixBits, ListEntry, NarrowListEntry<C>>;
+template <class C>
+constexpr CoreListEntry<C> core_entry(const ListEntry& entry) {
+  if constexpr (C::kMatrixBits == kMatrixBits) {
+    return entry;
+  } else {
+    return {entry.matrix.trunc<C::kMatrixBits>(), entry.primitive(), entry.last};
+  }
+}
+
 template <class C>
 using PacketId = uint<hls::index_width(C::kPackets)>;
 using Level = uint<1>;
@@ -90,18 +151,62 @@ constexpr RayRow<C> ray_row(PacketId<C> packet, RayIndex ray) {
 template <class C>
 inline constexpr unsigned kRayRows = 1u << RayRow<C>::kWidth;
 
-/// Row of a RAM that is duplicated for the two levels.
+/// The level in a token, where there are two.
 template <class C>
-using LevelRow = uint<1 + PacketId<C>::kWidth>;
+using LevelField = Kept<kTwoLevels<C>, Level>;
+/// Whether it is the tree of instances.
 template <class C>
-constexpr LevelRow<C> level_row(Level level, PacketId<C> packet) {
-  return hls::concat(level, packet);
+constexpr bool is_top(LevelField<C> level) {
+  if constexpr (kTwoLevels<C>) {
+    return level == Level{};
+  } else {
+    return false;
+  }
+}
+
+/// Row of a RAM that is duplicated for the levels.
+template <class C>
+using LevelRow = uint<C::kLevels - 1 + PacketId<C>::kWidth>;
+template <class C>
+constexpr LevelRow<C> level_row(LevelField<C> level, PacketId<C> packet) {
+  if constexpr (kTwoLevels<C>) {
+    return hls::concat(level, packet);
+  } else {
+    return packet;
+  }
 }
 template <class C>
-inline constexpr unsigned kLevelRows = 2 * (1u << PacketId<C>::kWidth);
+inline constexpr unsigned kLevelRows = C::kLevels * (1u << PacketId<C>::kWidth);
 
+/// Entries of a packet's stack at each level, and how many of them are in use.
 template <class C>
-using StackPointer = uint<hls::index_width(C::kStackDepth + 1)>;
+inline constexpr unsigned kStackDepths[2] = {kTwoLevels<C> ? C::kTopStackDepth : 0, C::kStackDepth};
+template <class C>
+using StackPointer = uint<hls::index_width(std::max(kStackDepths<C>[0], kStackDepths<C>[1]) + 1)>;
+
+/// Bits of the number of an entry in a packet's part of a RAM.
+template <class C>
+inline constexpr unsigned kStackBits = hls::index_width(kStackDepths<C>[0] + kStackDepths<C>[1]);
+/// Whether a packet's stacks lie in one piece of that RAM. Those of two levels do where it takes
+/// fewer rows than a piece for each; then they grow towards each other.
+template <class C>
+inline constexpr bool kOneStackPiece =
+    !kTwoLevels<C> || kStackBits<C> < 1 + StackPointer<C>::kWidth;
+/// Row of a RAM with one row for every entry of every stack.
+template <class C>
+using StackRow =
+    uint<PacketId<C>::kWidth + (kOneStackPiece<C> ? kStackBits<C> : 1 + StackPointer<C>::kWidth)>;
+template <class C>
+constexpr StackRow<C> stack_row(LevelField<C> level, PacketId<C> packet, StackPointer<C> entry) {
+  if constexpr (kOneStackPiece<C>) {
+    const auto from_below = uint<kStackBits<C>>::from(entry.raw());
+    return hls::concat(packet, is_top<C>(level) ? ~from_below : from_below);
+  } else {
+    return hls::concat(level_row<C>(level, packet), entry);
+  }
+}
+template <class C>
+inline constexpr unsigned kStackRows = 1u << StackRow<C>::kWidth;
 
 template <class R>
 struct Vector {

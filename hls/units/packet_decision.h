@@ -37,10 +37,10 @@ struct PacketDecision {
     const bool left_is_near = first(both == RayMask{} ? active : both, left_first);
     const RayMask near = left_is_near ? left : right;
     const RayMask far = left_is_near ? right : left;
-    const Address near_node = left_is_near ? s.node.left : s.node.right;
-    const Address far_node = left_is_near ? s.node.right : s.node.left;
-    const bool enter_near = near != RayMask{} && near_node != Address{};
-    const bool enter_far = far != RayMask{} && far_node != Address{};
+    const NodeAddress<C> near_node = left_is_near ? s.node.left : s.node.right;
+    const NodeAddress<C> far_node = left_is_near ? s.node.right : s.node.left;
+    const bool enter_near = near != RayMask{} && near_node != NodeAddress<C>{};
+    const bool enter_far = far != RayMask{} && far_node != NodeAddress<C>{};
 
     const bool is_leaf = s.node.kind == NodeKind::kLeaf;
     if (is_leaf && active != RayMask{}) {

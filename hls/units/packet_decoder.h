@@ -21,7 +21,8 @@ struct PacketDecoder {
   hls::In<PacketVector<C>> vector;
   hls::RamRead<JobRecord<C>, kPackets> record;
   hls::Out<UnitRay<C>> unit_ray;
-  hls::PortIf<!kPassesObjectRays<C> && !kHasReciprocals<C>, hls::Out<TraversalEvent<C>>>
+  hls::PortIf<kTwoLevels<C> && !kPassesObjectRays<C> && !kHasReciprocals<C>,
+              hls::Out<TraversalEvent<C>>>
       enter_object;
   hls::PortIf<kPassesObjectRays<C> && !kHasReciprocals<C>, hls::Out<ObjectRay<C>>> object_ray;
   hls::PortIf<kHasReciprocals<C>, hls::Out<TracedRay<C>>> traced;
@@ -30,7 +31,8 @@ struct PacketDecoder {
   hls::RamWrite<Vector<Real>, kVectorRows<C>> vectors;
   /// The world rays, each with its origin; light rays, which nothing is derived from, left out.
   hls::PortIf<kHasSecondary<C>, hls::RamWrite<Ray<Real>, kRayRows<C>>> arriving;
-  hls::PortIf<kHasMirrors<C>, hls::Out<Derive<C>>> derived;  ///< a pass that is not a ray's last
+  /// A pass that is not a ray's last.
+  hls::PortIf<kTwoLevels<C> && kHasMirrors<C>, hls::Out<Derive<C>>> derived;
   HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, traced, ray[0], ray[1], ray[2],
             ray[3], signs[0], signs[1], signs[2], signs[3], vectors, arriving, derived)
 
@@ -44,8 +46,8 @@ struct PacketDecoder {
     const bool alone = kHasSecondary<C> && job.kind == TransformKind::kDerive;
     const Derivation pass = job.derived.get().pass;
     const bool light = kHasLights<C> && alone && pass == Derivation::kLight;
-    const bool between =
-        kHasMirrors<C> && alone && (pass == Derivation::kIntoObject || pass == Derivation::kMirror);
+    const bool between = kTwoLevels<C> && kHasMirrors<C> && alone &&
+                         (pass == Derivation::kIntoObject || pass == Derivation::kMirror);
     const bool is_new = job.kind == TransformKind::kCamera || (alone && !between);
     const Level level = uint<1>(job.kind == TransformKind::kObject || between);
     const LevelRow<C> row = level_row<C>(level, in.packet);
@@ -57,7 +59,7 @@ struct PacketDecoder {
     if constexpr (kHasSecondary<C>) {
       if (!in.point && is_new && !light) arriving.write(ray_row<C>(in.packet, in.ray), r);
     }
-    if constexpr (kHasMirrors<C>) {
+    if constexpr (kTwoLevels<C> && kHasMirrors<C>) {
       if (!in.point && between) {
         Derive<C> go_on;
         go_on.packet = in.packet;
@@ -73,10 +75,9 @@ struct PacketDecoder {
       }
       const bool object = job.kind == TransformKind::kObject;
       if constexpr (kHasReciprocals<C>) {
-        const Address root = job.extra.template trunc<kAddressBits>();
         TracedRay<C> trace;
         trace.is_new = is_new;
-        trace.ray = ObjectRay<C>{in.packet, in.ray, job.active, root, job.apart, r};
+        trace.ray = ObjectRay<C>{in.packet, in.ray, job.active, root_of(job), job.apart, r};
         if (is_new || object) traced.write(trace);
       }
       if constexpr (kWatertight<C>) {
@@ -98,18 +99,24 @@ struct PacketDecoder {
   }
 
  private:
+  static OfInstance<C, NodeAddress<C>> root_of(const JobRecord<C>& job) {
+    if constexpr (kTwoLevels<C>) {
+      return job.extra.template trunc<C::kAddressBits>();
+    } else {
+      return {};
+    }
+  }
   void enter(const PacketVector<C>& in, const JobRecord<C>& job, const Ray<Real>& r) {
-    const Address root = job.extra.template trunc<kAddressBits>();
-    if constexpr (kHasReciprocals<C>) {
+    if constexpr (kHasReciprocals<C> || !kTwoLevels<C>) {
       return;
     } else if constexpr (kPassesObjectRays<C>) {
-      object_ray.write(ObjectRay<C>{in.packet, in.ray, job.active, root, job.apart, r});
+      object_ray.write(ObjectRay<C>{in.packet, in.ray, job.active, root_of(job), job.apart, r});
     } else if (in.ray == RayIndex(3)) {
       TraversalEvent<C> event;
       event.packet = in.packet;
       event.level = 1;
       event.kind = TraversalKind::kEnter;
-      event.next = root;
+      event.next = root_of(job);
       event.active = job.active;
       event.apart = job.apart;
       enter_object.write(event);

@@ -24,7 +24,7 @@ struct RayGeneration {
   static constexpr unsigned kSideBits = 9;  ///< of a packet position: images up to 1024 x 1024
 
   hls::In<FreePacket<C>> free;
-  hls::Config<FrameConfig> frame;
+  hls::Config<FrameRegisters<C>> frame;
   hls::Out<TransformJob<C>> job;
   hls::Out<FreePacket<C>> skipped;
   hls::Out<uint<1>> done;
@@ -33,7 +33,7 @@ struct RayGeneration {
 
   void step() {
     const FreePacket<C> f = free.read();
-    const FrameConfig config = frame.get();
+    const FrameRegisters<C> config = frame.get();
     const uint<10> columns = halved(config.width);
     const uint<10> rows = halved(config.height);
 
@@ -60,7 +60,7 @@ struct RayGeneration {
         camera.packet = f.packet;
         camera.kind = TransformKind::kCamera;
         camera.active = mask(p, config);
-        camera.matrix = config.camera_matrix.template trunc<kMatrixBits>();
+        camera.matrix = config.camera_matrix.template trunc<C::kMatrixBits>();
         job.write(camera);
       } else {
         skipped.write(f);
@@ -81,7 +81,7 @@ struct RayGeneration {
     return side;
   }
   /// The rays of a packet whose pixels lie in the image.
-  static RayMask mask(PixelPosition p, const FrameConfig& config) {
+  static RayMask mask(PixelPosition p, const FrameRegisters<C>& config) {
     const uint<11> last_x = config.width.template trunc<11>();
     const uint<11> last_y = config.height.template trunc<11>();
     const bool x1 = (p.x | uint<10>(1)).template zext<11>() < last_x;

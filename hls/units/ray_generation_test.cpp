@@ -33,7 +33,7 @@ unsigned morton_bits(unsigned width, unsigned height) {
 class Generator {
  public:
   explicit Generator(const Image& image) {
-    FrameConfig& frame = bench_.value(bench_.unit.frame);
+    FrameRegisters<C>& frame = bench_.value(bench_.unit.frame);
     frame.packets = Word::from(image.packets);
     frame.width = Word::from(image.width);
     frame.height = Word::from(image.height);

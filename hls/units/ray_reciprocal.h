@@ -22,7 +22,7 @@ struct RayReciprocal {
 
   hls::In<Repeated<TracedRay<C>>> traced;
   hls::Out<UnitRay<C>> reset;
-  hls::PortIf<!kClipsToBox<C>, hls::Out<TraversalEvent<C>>> enter_object;
+  hls::PortIf<kTwoLevels<C> && !kClipsToBox<C>, hls::Out<TraversalEvent<C>>> enter_object;
   hls::PortIf<kClipsToBox<C>, hls::Out<ObjectRay<C>>> object_ray;  ///< with the reciprocals
   hls::RamWrite<RayByAxis<Real>, kLevelRows<C>> ray[kRays];
   HLS_PORTS(traced, reset, enter_object, object_ray, ray[0], ray[1], ray[2], ray[3])
@@ -38,13 +38,14 @@ struct RayReciprocal {
     if (j.index == RepeatCount(1)) y_ = reciprocal;
 
     if (j.last) {
-      const Level level = uint<1>(!j.job.is_new);
+      const bool is_new = starts(j.job);
+      const Level level = uint<1>(!is_new);
       for (unsigned i = 0; i < kRays; ++i) {
         if (in.ray == RayIndex::from(i)) {
           ray[i].write(level_row<C>(level, in.packet), by_axis(saved));
         }
       }
-      if (j.job.is_new) {
+      if (is_new) {
         UnitRay<C> first;
         first.packet = in.packet;
         first.ray = in.ray;
@@ -57,8 +58,17 @@ struct RayReciprocal {
   }
 
  private:
+  static bool starts(const TracedRay<C>& ray) {
+    if constexpr (kTwoLevels<C>) {
+      return ray.is_new;
+    } else {
+      return true;
+    }
+  }
   void enter(const ObjectRay<C>& in, const Ray<Real>& saved) {
-    if constexpr (kClipsToBox<C>) {
+    if constexpr (!kTwoLevels<C>) {
+      return;
+    } else if constexpr (kClipsToBox<C>) {
       ObjectRay<C> out = in;
       out.in_object = saved;
       object_ray.write(out);

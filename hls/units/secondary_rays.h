@@ -29,7 +29,7 @@ struct SecondaryRays {
   };
 
   hls::In<Derive<C>> derive;
-  hls::Config<FrameConfig> frame;
+  hls::Config<FrameRegisters<C>> frame;
   hls::RamRead<SurfacePoint<C>, kRayRows<C>> surface;
   hls::RamWrite<RayMask, kPackets> traced;
   hls::Out<TransformJob<C>> job;
@@ -43,9 +43,9 @@ struct SecondaryRays {
     State s = states.read(d.packet);
     if (d.shaded) {
       s = next_rays(s, d);
-    } else if (kHasMirrors<C> && s.pass == Derivation::kIntoObject) {
+    } else if (kTwoLevels<C> && kHasMirrors<C> && s.pass == Derivation::kIntoObject) {
       s.pass = Derivation::kMirror;
-    } else if (kHasMirrors<C> && s.pass == Derivation::kMirror) {
+    } else if (kTwoLevels<C> && kHasMirrors<C> && s.pass == Derivation::kMirror) {
       s.pass = Derivation::kOutOfObject;
     } else {
       s.missing = s.missing & RayMask::from(s.missing.raw() - 1);
@@ -83,7 +83,7 @@ struct SecondaryRays {
   /// After a packet has been shaded: light rays from the next light to what the other rays have
   /// hit, after the last light the reflections, and so on; no rays at all when all is done.
   State next_rays(State s, const Derive<C>& d) const {
-    const FrameConfig config = frame.get();
+    const FrameRegisters<C> config = frame.get();
     const bool after_light = d.kind == RayKind::kLight;
     if (d.kind == RayKind::kPrimary) s.bounces = 0;
     if (!after_light) {
@@ -106,7 +106,7 @@ struct SecondaryRays {
     return s;
   }
   static Derivation first_pass(RayKind kind) {
-    return kHasMirrors<C> && kind == RayKind::kReflection ? Derivation::kIntoObject
+    return kHasMirrors<C> && kind == RayKind::kReflection ? kFirstReflection<C>
                                                           : Derivation::kLight;
   }
   static RayIndex lowest(RayMask mask) {
@@ -116,20 +116,25 @@ struct SecondaryRays {
                            : RayIndex(3);
   }
   /// An instance's way back to the world and a triangle's mirror lie behind their own matrices.
-  MatrixIndex matrix(const State& s, const SurfacePoint<C>& point) const {
-    const MatrixIndex light =
-        MatrixIndex::from(frame.get().light_matrix.template trunc<kMatrixBits>().raw() +
-                          s.light.template zext<kMatrixBits>().raw());
-    if constexpr (!kHasMirrors<C>) return light;
-    switch (s.pass) {
-      case Derivation::kIntoObject:
-        return point.object;
-      case Derivation::kMirror:
-        return hls::next(point.triangle);
-      case Derivation::kOutOfObject:
-        return hls::next(point.object);
-      default:
-        return light;
+  MatrixNumber<C> matrix(const State& s, const SurfacePoint<C>& point) const {
+    const MatrixNumber<C> light =
+        MatrixNumber<C>::from(frame.get().light_matrix.template trunc<C::kMatrixBits>().raw() +
+                              MatrixNumber<C>::from(s.light.raw()).raw());
+    if constexpr (!kHasMirrors<C>) {
+      return light;
+    } else if constexpr (!kTwoLevels<C>) {
+      return s.pass == Derivation::kMirror ? hls::next(point.triangle) : light;
+    } else {
+      switch (s.pass) {
+        case Derivation::kIntoObject:
+          return point.object;
+        case Derivation::kMirror:
+          return hls::next(point.triangle);
+        case Derivation::kOutOfObject:
+          return hls::next(point.object);
+        default:
+          return light;
+      }
     }
   }
 };

@@ -36,9 +36,10 @@ struct SendPacket {
 
   void step() {
     const Repeated<SendJob<C>> j = job.read();
-    const bool compressed = j.job.repeat == RepeatCount(4);
     const bool corners = kWatertight<C> && j.job.kind == TransformKind::kTriangle;
     const bool alone = kHasSecondary<C> && j.job.kind == TransformKind::kDerive;
+    const bool compressed =
+        kHasPacketsApart<C> ? j.job.repeat == RepeatCount(4) : !corners && !alone;
     const DerivedRay derived = j.job.derived.get();
     const bool point =
         !corners && (compressed ? j.index == RepeatCount{} : !j.index.template bit<0>());
@@ -70,7 +71,7 @@ struct SendPacket {
     }
     if constexpr (kHasMirrors<C>) {
       const Ray<Real> r = arriving.read(ray_row<C>(j.job.packet, ray));
-      if (alone && derived.pass == Derivation::kIntoObject) out = point ? r.origin : r.direction;
+      if (alone && derived.pass == kFirstReflection<C>) out = point ? r.origin : r.direction;
     }
     PacketVector<C> sent{j.job.packet, point, ray, out};
     if (corners) sent.corner = corner_of(j.index);

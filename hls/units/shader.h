@@ -26,15 +26,15 @@ struct Shader {
   /// What is known of a ray's pixel.
   struct Pixel {
     std::array<Sum, 3> sum;
-    uint<24> colour;       ///< of the surface hit last
-    bool towards = false;  ///< the sign of its cosine
-    Brightness diffuse;    ///< how much of that surface's light reaches the eye
+    SurfaceColour<C> colour;  ///< of the surface hit last
+    bool towards = false;     ///< the sign of its cosine
+    Brightness diffuse;       ///< how much of that surface's light reaches the eye
     hls::FieldIf<kHasMirrors<C>, Brightness> mirror;  ///< how much of what it reflects
     HLS_FIELDS(sum, colour, towards, diffuse, mirror)
   };
 
   hls::In<Repeated<ShadeJob<C>>> job;
-  hls::Config<FrameConfig> frame;
+  hls::Config<FrameRegisters<C>> frame;
   hls::RamRead<Found<C>, kRayRows<C>> found;
   hls::RamWrite<SurfacePoint<C>, kRayRows<C>> surface;
   hls::RamWrite<uint<24>, kRayRows<C>> pixel_colour;
@@ -47,7 +47,7 @@ struct Shader {
 
   void step() {
     const Repeated<ShadeJob<C>> j = job.read();
-    const FrameConfig config = frame.get();
+    const FrameRegisters<C> config = frame.get();
     const PacketId<C> packet = j.job.packet;
     const RayIndex ray = j.index.template trunc<2>();
     const RayRow<C> row = ray_row<C>(packet, ray);
@@ -71,7 +71,7 @@ struct Shader {
         const Real square = (d.x * d.x + d.y * d.y) + d.z * d.z;
         const Brightness bright = in_256ths(power.intensity * (f.cosine / square));
         const bool seen = mine && !f.hit && f.cosine.sign() == pixel.towards;
-        add(pixel, light_on(pixel.colour, power.colour),
+        add(pixel, light_on(surface_colour<C>(pixel.colour, config), power.colour),
             seen ? product(bright, pixel.diffuse) : Brightness(0));
       }
     } else if (mine) {
@@ -87,7 +87,8 @@ struct Shader {
         mirrors = kHasMirrors<C> && mirror != Brightness(0);
       }
       const Brightness ambient = product(in_256ths(f.cosine), config.ambient.template trunc<9>());
-      add(pixel, f.hit ? f.colour : config.background.template trunc<24>(),
+      add(pixel,
+          f.hit ? surface_colour<C>(f.colour, config) : config.background.template trunc<24>(),
           f.hit ? product(ambient, pixel.diffuse) : weight);
     }
     pixels.write(row, pixel);

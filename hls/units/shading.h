@@ -23,7 +23,7 @@ struct Shading {
   using BankAddress = uint<20>;
 
   hls::In<Repeated<ShadeJob<C>>> job;
-  hls::Config<FrameConfig> frame;
+  hls::Config<FrameRegisters<C>> frame;
   hls::Out<FreePacket<C>> free;
   hls::RamRead<HitRecord<C>, kRayRows<C>> hit;
   hls::RamRead<PixelPosition, kPackets> position;
@@ -33,7 +33,7 @@ struct Shading {
 
   void step() {
     const Repeated<ShadeJob<C>> j = job.read();
-    const FrameConfig config = frame.get();
+    const FrameRegisters<C> config = frame.get();
     const RayIndex ray = j.index.template bits<3, 2>();
     const uint<2> word = j.index.template bits<1, 0>();
     const HitRecord<C> h = hit.read(ray_row<C>(j.job.packet, ray));
@@ -49,7 +49,8 @@ struct Shading {
     if constexpr (kHasSecondary<C>) {
       colour = pixel_colour.read(ray_row<C>(j.job.packet, ray));
     } else {
-      colour = h.hit ? Word(eye_light(h.colour, in_256ths(h.cosine))) : config.background;
+      colour = h.hit ? Word(eye_light(surface_colour<C>(h.colour, config), in_256ths(h.cosine)))
+                     : config.background;
     }
     if (inside && word == uint<2>(0)) {
       bank[0].write(BankAddress::from((pixel + config.frame_base.template trunc<20>()).raw()),
@@ -57,13 +58,22 @@ struct Shading {
     }
     if (inside && word != uint<2>(3) && config.write_hits.template bit<0>()) {
       const BankAddress at = BankAddress::from((pixel + pixel.template shl<1>() + word).raw());
-      bank[1].write(at, hit_word(HitPlace{h.t.bits(), h.v.bits(), h.object, 0, h.hit}, word));
+      bank[1].write(
+          at, hit_word(HitPlace{h.t.bits(), h.v.bits(), object_of(h, config), 0, h.hit}, word));
       bank[2].write(at, hit_word(HitSurface{h.u.bits(), h.cosine.bits(), h.triangle, 0}, word));
     }
     if (j.last) free.write({j.job.packet});
   }
 
  private:
+  /// A miss has none, which is zero.
+  static MatrixIndex object_of(const HitRecord<C>& h, const FrameRegisters<C>& config) {
+    if constexpr (kTwoLevels<C>) {
+      return h.object;
+    } else {
+      return h.hit ? config.object.get().template trunc<kMatrixBits>() : MatrixIndex{};
+    }
+  }
   template <class Words>
   static Word hit_word(const Words& words, uint<2> index) {
     return index == uint<2>(0)   ? hls::word_of<0>(words)

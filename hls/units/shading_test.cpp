@@ -24,7 +24,7 @@ class ShadingTest : public testing::Test {
       for (Word& word : bench_.rows(bank)) word = Word::from(kUntouched);
     }
   }
-  FrameConfig& frame() { return bench_.value(bench_.unit.frame); }
+  FrameRegisters<C>& frame() { return bench_.value(bench_.unit.frame); }
   HitRecord<C>& hit(unsigned packet, unsigned ray) {
     return bench_.rows(bench_.unit.hit)[packet * 4 + ray];
   }

@@ -19,9 +19,9 @@ template <class C>
 struct Startup {
   hls::In<uint<10>> number;
   hls::Out<FreePacket<C>> free;
-  hls::Out<CacheLine<C, Node<typename C::Real>>> node;
-  hls::Out<CacheLine<C, ListEntry>> list;
-  hls::Out<CacheLine<C, MatrixColumn<typename C::Real>>> column;
+  hls::Out<NodeLine<C>> node;
+  hls::Out<ListLine<C>> list;
+  hls::Out<ColumnLine<C>> column;
   HLS_PORTS(number, free, node, list, column)
 
   void step() {
@@ -29,9 +29,9 @@ struct Startup {
     if (n.template bit<9>()) {
       free.write({PacketId<C>::from(n.raw())});
     } else {
-      node.write({true, {}, n, {}});
-      list.write({true, {}, n, {}});
-      column.write({true, {}, n, {}});
+      node.write({true, {}, NodeAddress<C>::from(n.raw()), {}});
+      list.write({true, {}, NodeAddress<C>::from(n.raw()), {}});
+      column.write({true, {}, ColumnAddress<C>::from(n.raw()), {}});
     }
   }
 };

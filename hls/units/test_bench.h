@@ -33,7 +33,9 @@ struct Config : config::thesis {
   static constexpr unsigned kPackets = Packets;
   static constexpr unsigned kLines = Lines;
   static constexpr unsigned kStackDepth = StackDepth;
-  static constexpr unsigned kMailboxSlots = Slots;
+  static constexpr unsigned kTopStackDepth = StackDepth;
+  static constexpr unsigned kObjectSlots = Slots;
+  static constexpr unsigned kTriangleSlots = Slots;
 };
 
 /// A unit alone, run as the join runs it.

@@ -5,6 +5,7 @@
 // (hls/configs).
 #pragma once
 
+#include <algorithm>
 #include <type_traits>
 
 #include "units/packet.h"
@@ -19,7 +20,12 @@ enum class RayKind : unsigned char { kPrimary, kLight, kReflection };
 
 /// The passes of the transformation that make one light or reflection ray. A light ray takes one, a
 /// reflected ray three: into the object that was hit, through the triangle's mirror, and back.
+/// Where the object is the world, the mirror alone.
 enum class Derivation : unsigned char { kLight, kIntoObject, kMirror, kOutOfObject };
+
+template <class C>
+inline constexpr Derivation kFirstReflection =
+    kTwoLevels<C> ? Derivation::kIntoObject : Derivation::kMirror;
 
 /// Which ray a matrix of its own is for.
 struct DerivedRay {
@@ -43,8 +49,8 @@ struct Derive {
 template <class C>
 struct SurfacePoint {
   typename C::Real t;
-  MatrixIndex object;
-  MatrixIndex triangle;
+  OfInstance<C, MatrixNumber<C>> object;
+  MatrixNumber<C> triangle;
   HLS_FIELDS(t, object, triangle)
 };
 
@@ -55,9 +61,9 @@ struct Found {
   bool hit = false;
   typename C::Real cosine;
   typename C::Real t;
-  MatrixIndex object;
-  MatrixIndex triangle;
-  uint<24> colour;
+  OfInstance<C, MatrixNumber<C>> object;
+  MatrixNumber<C> triangle;
+  SurfaceColour<C> colour;
   hls::FieldIf<kHasMirrors<C>, uint<8>>
       mirror{};  ///< part of the light that is reflected, in 256ths
   HLS_FIELDS(hit, cosine, t, object, triangle, colour, mirror)
@@ -81,8 +87,8 @@ template <class C>
 struct ObjectRay {
   PacketId<C> packet;
   RayIndex ray;
-  RayMask active;  ///< of the packet's rays, those that are traced
-  Address root;    ///< of the object's tree
+  RayMask active;                      ///< of the packet's rays, those that are traced
+  OfInstance<C, NodeAddress<C>> root;  ///< of the object's tree
   hls::FieldIf<kSplitsPackets<C>, bool> apart{};
   Ray<typename C::Real> in_object;
   HLS_FIELDS(packet, ray, active, root, apart, in_object)
@@ -91,8 +97,8 @@ struct ObjectRay {
 /// A ray whose direction is yet to be inverted, one axis at a time.
 template <class C>
 struct TracedRay {
-  RepeatCount repeat = 2;  ///< axes less one
-  bool is_new = false;     ///< it enters the top level, not an object
+  RepeatCount repeat = 2;        ///< axes less one
+  OfInstance<C, bool> is_new{};  ///< it enters the top level, not an object
   ObjectRay<C> ray;
   HLS_FIELDS(repeat, is_new, ray)
 };
@@ -116,12 +122,12 @@ enum class IntervalUpdate : unsigned char {
 template <class C>
 struct TraversalEvent {
   PacketId<C> packet;
-  Level level;
+  LevelField<C> level;
   TraversalKind kind = TraversalKind::kPop;
-  Address next;
+  NodeAddress<C> next;
   RayMask active;          ///< rays that go to `next`
   bool clip_near = false;  ///< kGo: the near child was empty, so near = d rather than far = d
-  Address pushed;
+  NodeAddress<C> pushed;
   RayMask pushed_active;
   RayMask both;                                    ///< rays that enter both children
   RayMask terminated;                              ///< rays found to have ended in this level
@@ -137,11 +143,11 @@ struct TraversalEvent {
 template <class C>
 struct StepContext {
   PacketId<C> packet;
-  Level level;
+  LevelField<C> level;
   IntervalUpdate update = IntervalUpdate::kInit;
   RayMask both;
   RayMask active;
-  StackPointer<C> stack;  ///< the far stack's row to push to or to pop from
+  StackPointer<C> stack;  ///< the far stack's entry to push to or to pop from
   /// kPop: rays that entered both children in the other order.
   hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
   HLS_FIELDS(packet, level, update, both, active, stack, crossing)
@@ -150,7 +156,7 @@ struct StepContext {
 template <class C>
 struct Step {
   StepContext<C> context;
-  Node<typename C::Real> node;
+  CoreNode<C> node;
   HLS_FIELDS(context, node)
 };
 
@@ -178,27 +184,27 @@ struct DroppedPush {
 template <class C>
 struct ListJob {
   PacketId<C> packet;
-  Level level;
+  LevelField<C> level;
   bool first = false;  ///< start at `address`; otherwise go on after the last entry read
-  Address address;
+  NodeAddress<C> address;
   HLS_FIELDS(packet, level, first, address)
 };
 
 template <class C>
 struct ListContext {
   PacketId<C> packet;
-  Level level;
+  LevelField<C> level;
   HLS_FIELDS(packet, level)
 };
 
 template <class C>
 struct MailboxEntry {
   PacketId<C> packet;
-  Level level;
+  LevelField<C> level;
   bool clear = false;  ///< new rays: forget the packet's objects and start the traversal
   RayMask active;      ///< of new rays: those that are to be traced
   hls::FieldIf<kHasSecondary<C>, RayKind> kind{};  ///< of new rays
-  ListEntry entry;
+  CoreListEntry<C> entry;
   HLS_FIELDS(packet, level, clear, active, kind, entry)
 };
 
@@ -222,7 +228,7 @@ struct TransformJob {
   PacketId<C> packet;
   TransformKind kind = TransformKind::kCamera;
   RayMask active;
-  MatrixIndex matrix;
+  MatrixNumber<C> matrix;
   TransformExtras<C> extras{};
   HLS_FIELDS(repeat, packet, kind, active, matrix, extras)
 };
@@ -243,7 +249,7 @@ struct ColumnContext {
   RayMask active;
   uint<2> column;  ///< as it is stored
   TransformExtras<C> extras{};
-  hls::FieldIf<kThreeColumns<C>, MatrixIndex> matrix{};  ///< otherwise the address has it
+  hls::FieldIf<kThreeColumns<C>, MatrixNumber<C>> matrix{};  ///< otherwise the address has it
   HLS_FIELDS(packet, kind, active, column, extras, matrix)
 };
 
@@ -252,8 +258,8 @@ template <class C>
 struct JobRecord {
   TransformKind kind = TransformKind::kCamera;
   RayMask active;
-  MatrixIndex matrix;
-  uint<24> extra;  ///< root node of an object, colour of a triangle
+  MatrixNumber<C> matrix;
+  MatrixExtra<C> extra;
   hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
   hls::FieldIf<kHasMirrors<C>, uint<8>> mirror{};  ///< of a triangle
   hls::FieldIf<kSplitsPackets<C>, bool> apart{};   ///< the packet's rays have no common origin
@@ -318,9 +324,9 @@ template <class C>
 struct HitRecord {
   bool hit = false;
   typename C::Real t, u, v, cosine;
-  MatrixIndex object;
-  MatrixIndex triangle;
-  uint<24> colour;
+  OfInstance<C, MatrixNumber<C>> object;
+  MatrixNumber<C> triangle;
+  SurfaceColour<C> colour;
   HLS_FIELDS(hit, t, u, v, cosine, object, triangle, colour)
 };
 
@@ -343,26 +349,27 @@ struct ShadeJob {
 
 // ---- Caches and memory (thesis 7) ----
 
-template <class Context>
+/// `AddressBits` are those of the core's nodes or columns.
+template <class Context, unsigned AddressBits = kAddressBits>
 struct CacheRequest {
   Context context;
-  Address address;
+  uint<AddressBits> address;
   HLS_FIELDS(context, address)
 };
 
 /// Data is Line, the bits of a node, a list entry or a matrix column.
-template <class Context, class Line>
+template <class Context, class Line, unsigned AddressBits = kAddressBits>
 struct CacheReply {
   Context context;
-  Address address;
+  uint<AddressBits> address;
   Line line;
   HLS_FIELDS(context, address, line)
 };
 
-template <class Line>
+template <class Line, unsigned AddressBits = kAddressBits>
 struct CacheRow {
   bool valid = false;
-  Address tag;
+  uint<AddressBits> tag;
   Line line;
   HLS_FIELDS(valid, tag, line)
 };
@@ -374,19 +381,35 @@ template <class C>
 struct MemoryRequest {
   MemoryKind kind = MemoryKind::kNode;
   uint<2 + PacketId<C>::kWidth> key;
-  Address address;
+  uint<std::max(NodeAddress<C>::kWidth, ColumnAddress<C>::kWidth)> address;
   HLS_FIELDS(kind, key, address)
 };
 
 /// A line for a cache: the answer to a request, or the order to invalidate a line.
-template <class C, class Line>
+template <class C, class Line, unsigned AddressBits = kAddressBits>
 struct CacheLine {
   bool invalidate = false;
   uint<2 + PacketId<C>::kWidth> key;
-  Address address;
+  uint<AddressBits> address;
   Line line;
   HLS_FIELDS(invalidate, key, address, line)
 };
+template <class C>
+using NodeLine = CacheLine<C, CoreNode<C>, NodeAddress<C>::kWidth>;
+template <class C>
+using ListLine = CacheLine<C, CoreListEntry<C>, NodeAddress<C>::kWidth>;
+template <class C>
+using ColumnLine = CacheLine<C, MatrixColumn<typename C::Real>, ColumnAddress<C>::kWidth>;
+
+template <class C>
+using NodeRequest = CacheRequest<StepContext<C>, NodeAddress<C>::kWidth>;
+template <class C>
+using ListRequest = CacheRequest<ListContext<C>, NodeAddress<C>::kWidth>;
+template <class C>
+using ColumnRequest = CacheRequest<ColumnContext<C>, ColumnAddress<C>::kWidth>;
+template <class C>
+using ColumnReply =
+    CacheReply<ColumnContext<C>, MatrixColumn<typename C::Real>, ColumnAddress<C>::kWidth>;
 
 }  // namespace dynrt
 

@@ -29,7 +29,6 @@ struct TraversalSlice {
     hls::FieldIf<kRemembersChild<C>, Real> near;
     HLS_FIELDS(far, near)
   };
-  static constexpr unsigned kStackRows = kLevelRows<C> * (1u << StackPointer<C>::kWidth);
 
   hls::In<Step<C>> step_in;
   hls::Config<RayIndex> lane;  ///< which ray of the packet this slice serves
@@ -42,7 +41,7 @@ struct TraversalSlice {
   hls::PortIf<kHasMirrors<C>, hls::RamRead<Real, (1u << PacketId<C>::kWidth)>> start_distance;
   hls::PortIf<kClipsToBox<C>, hls::RamRead<BoxInterval<C>, (1u << PacketId<C>::kWidth)>> box;
   hls::Ram1R1W<Interval, kLevelRows<C>> interval;
-  hls::Ram1R1W<Pushed, kStackRows> far_stack;
+  hls::Ram1R1W<Pushed, kStackRows<C>> far_stack;
   HLS_PORTS(step_in, lane, decision, ray, hit_distance, start_distance, box)
 
   void step() {
@@ -53,10 +52,10 @@ struct TraversalSlice {
 
     const Interval before = interval.read(row);
     const Real hit = hit_distance.read(c.packet);
-    const auto stack_row = hls::concat(row, c.stack);
-    const Pushed popped = far_stack.read(stack_row);
+    const StackRow<C> entry = stack_row<C>(c.level, c.packet, c.stack);
+    const Pushed popped = far_stack.read(entry);
     if (c.update == IntervalUpdate::kClipFarPush) {
-      far_stack.write(stack_row, Pushed{before.far, before.near});
+      far_stack.write(entry, Pushed{before.far, before.near});
     }
 
     Real near = before.near;

@@ -22,7 +22,9 @@ SceneAddresses addresses_of(const FrameImage& frame, const Scene& scene) {
   return {.start_node = frame.start_node,
           .camera_matrix = frame.camera_matrix,
           .light_matrix = frame.light_matrix,
-          .lights = static_cast<unsigned>(scene.lights.size())};
+          .lights = static_cast<unsigned>(scene.lights.size()),
+          .colour = frame.colour,
+          .object = frame.first_instance};
 }
 
 Frame render_on(Board& board, const FrameOptions& options, const Prepared& prepared) {

@@ -53,8 +53,8 @@ inline constexpr char kMirrorsUnused[] =
 
 // Frames
 inline constexpr char kDroppedPushes[] =
-    "warning     {} pushes onto full stacks of {} entries were dropped: hits may be missing; use a "
-    "configuration with deeper stacks, such as deep";
+    "warning     {} pushes onto full stacks (of {} entries in the top-level tree, {} in objects) "
+    "were dropped: hits may be missing; use a configuration with deeper stacks, such as deep";
 
 // Walks
 inline constexpr char kFrames[] = "--frames {}: a walk has 1 to {} frames";

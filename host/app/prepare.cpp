@@ -98,7 +98,8 @@ void note_margins(Prepared& prepared, const ImageForm& form) {
 }  // namespace
 
 ImageForm form_for(const BoardInfo& board) {
-  return {board.format, board.triangle_matrix, board.clips_to_cube, board.triangle_test};
+  return {board.format,       board.triangle_matrix, board.clips_to_cube, board.triangle_test,
+          board.address_bits, board.matrix_bits,     board.one_colour,    board.levels};
 }
 
 CoreNumbers core_numbers(const BoardInfo& board, const Space& space) {
@@ -150,7 +151,10 @@ Prepared prepare(Scene scene, const Camera& camera, unsigned width, unsigned hei
   {
     const Progress progress("building the trees");
     TreeOptions options;
-    if (board != nullptr) options.max_depth = max_tree_depth(*board);
+    if (board != nullptr) {
+      options.max_depth = max_tree_depth(*board);
+      options.max_top_depth = max_top_tree_depth(*board);
+    }
     prepared.trees = trees_for(prepared.scene, prepared.camera.position, form, options);
   }
   prepared.tree_seconds = Seconds(std::chrono::steady_clock::now() - begin).count();

@@ -50,6 +50,9 @@ ImageForm form_for(const BoardInfo& board);
 inline int max_tree_depth(const BoardInfo& board) {
   return std::min(kMaxTreeDepth, static_cast<int>(board.stack_depth));
 }
+inline int max_top_tree_depth(const BoardInfo& board) {
+  return std::min(kMaxTreeDepth, static_cast<int>(board.top_stack_depth));
+}
 
 /// For a board of this kind: throws UserError where its configuration lacks one of the scene's
 /// primitives, and judges the scene's lights and mirrors. Without a board it is that of the

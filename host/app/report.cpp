@@ -25,6 +25,7 @@ double bus_seconds(const Frame& frame) {
 }
 
 std::string units_text(const FrameFigures& figures) {
+  if (figures.units.empty()) return "";
   std::string text =
       fmt::format("  {:<18}{:>14}{:>9}{:>9}\n", "unit", "transactions", "busy", "stalled");
   const auto percent = [](const std::optional<double>& share) {
@@ -72,9 +73,12 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, double 
   line("bus         {} bytes written, {} read, {} transactions, {:.3f} s on 33 MHz PCI",
        grouped(frame.traffic.bytes_written), grouped(frame.traffic.bytes_read),
        grouped(frame.traffic.transactions), bus_seconds(frame));
-  if (figures.dropped_pushes > 0) {
-    line(messages::kDroppedPushes, grouped(figures.dropped_pushes), frame.board.stack_depth);
+  if (figures.dropped_pushes.value_or(0) > 0) {
+    line(messages::kDroppedPushes, grouped(*figures.dropped_pushes), frame.board.top_stack_depth,
+         frame.board.stack_depth);
   }
+  if (!frame.board.counters)
+    line("counters    none in configuration {}", frame.board.configuration);
   return text + units_text(figures) + caches_text(figures);
 }
 
@@ -114,7 +118,7 @@ Json report_json(const Frame& frame, const FrameFigures& figures, double clock_m
             {"bytes_read", frame.traffic.bytes_read},
             {"bus_clocks", frame.traffic.bus_clocks},
             {"seconds", bus_seconds(frame)}}},
-          {"dropped_pushes", figures.dropped_pushes},
+          {"dropped_pushes", figures.dropped_pushes ? Json(*figures.dropped_pushes) : Json()},
           {"units", units},
           {"caches", caches},
           {"counters", counters}};

@@ -130,7 +130,7 @@ Walker::Image Walker::lay_out(unsigned frame) {
   Image image;
   const Tree top = build_instance_tree(scene, prepared_.objects.boxes(),
                                        {.grid = Grid(*board_.info().format),
-                                        .max_depth = max_tree_depth(board_.info()),
+                                        .max_depth = max_top_tree_depth(board_.info()),
                                         .room = prepared_.objects.room_left()});
   const auto built = Clock::now();
   image.frame = FrameImage(scene, prepared_.objects, top, camera, options_.width, options_.height);

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "host/board/frame_words.h"
 #include "host/board/vga_monitor.h"
 #include "host/error.h"
 #include "host/format/memory_format_of.h"
@@ -26,16 +27,25 @@ struct BoardInfo {
   std::string configuration;   ///< name of the core's configuration, e.g. "thesis"
   unsigned packets = 0;        ///< packets that can be in flight, at most
   unsigned cache_lines = 0;    ///< lines of each cache, at most
-  unsigned stack_depth = 0;    ///< entries of each stack and level
+  unsigned stack_depth = 0;    ///< entries of a packet's stack in an object's tree
   unsigned lights = 0;         ///< passes of light rays from a packet's hits, at most
   bool clips_to_cube = false;  ///< it takes an object's box for the cube from -1 to 1
   unsigned reflections = 0;    ///< bounces of a ray, at most
+  bool counters = true;        ///< it counts what its units do
   bool scan_out = false;       ///< it can show a picture on a VGA display; only the RTL has pins
   TriangleMatrix triangle_matrix = TriangleMatrix::kNormalConsistent;
   Primitives primitives{.triangle = true};
   TriangleTest triangle_test = TriangleTest::kUnitTriangle;
   Divider divider = Divider::kDigitRecurrence;
   const MemoryFormat* format = &kShippedFormat;  ///< its numbers, and how its memory holds them
+  unsigned top_stack_depth = 31;         ///< entries of a packet's stack in the top-level tree
+  unsigned address_bits = kAddressBits;  ///< of the nodes and list entries that it can reach
+  unsigned matrix_bits = kMatrixBits;    ///< of the matrices
+  unsigned levels = 2;       ///< of trees: 1, of one object that lies in the world as it is
+  bool one_colour = false;   ///< it has one colour for all surfaces
+  bool uncompressed = true;  ///< it can transform every ray's origin
+  /// The words of its FRAME registers.
+  std::vector<std::uint32_t> (*frame_words)(const FrameConfig&) = frame_words_of<ShippedRegisters>;
 };
 
 /// One of the core's counters, named unit.what, e.g. "traversal.transactions".
@@ -98,7 +108,7 @@ class Board {
   /// Throws UserError if display() would.
   void check_display(unsigned width, unsigned height) const;
 
-  /// Of the last frame.
+  /// Of the last frame; none, if the configuration has no counters.
   virtual std::vector<Counter> counters() = 0;
   /// Since power-up.
   virtual BusTraffic traffic() const = 0;

@@ -1,25 +1,37 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A FrameConfig as the board's FRAME registers, one word per field.
+// A frame as the board's FRAME registers, one word for each that the core's configuration has.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <vector>
 
 #include "units/frame.h"
 
 namespace dynrt::host {
 
-inline constexpr unsigned kFrameWords = hls::bit_width_of<FrameConfig>() / 32;
+/// All that there are in any configuration.
+inline constexpr unsigned kMaxFrameWords = hls::bit_width_of<FrameConfig>() / 32;
 
-inline std::array<std::uint32_t, kFrameWords> frame_words(const FrameConfig& frame) {
-  std::array<std::uint32_t, kFrameWords> words{};
-  hls::for_each_leaf(frame, [&](const hls::uint<32>& field, unsigned offset) {
-    words[offset / 32] = static_cast<std::uint32_t>(field.to_u64());
+template <class C>
+std::vector<std::uint32_t> frame_words_of(const FrameConfig& frame) {
+  std::vector<std::uint32_t> words;
+  const FrameRegisters<C> registers = registers_of<C>(frame);
+  hls::for_each_leaf(registers, [&](const hls::uint<32>& field, unsigned) {
+    words.push_back(static_cast<std::uint32_t>(field.to_u64()));
   });
   return words;
 }
+
+/// Of the configurations that ship.
+struct ShippedRegisters {
+  static constexpr bool kUncompressed = true;
+  static constexpr bool kOneColour = false;
+  static constexpr unsigned kLevels = 2;
+};
+inline constexpr unsigned kShippedFrameWords =
+    hls::bit_width_of<FrameRegisters<ShippedRegisters>>() / 32;
 
 /// A register's value from a host number.
 inline hls::uint<32> to_word(std::uint32_t value) { return hls::uint<32>::from(value); }

@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "host/board/check_range.h"
-#include "host/board/frame_words.h"
 #include "host/board/messages.h"
 #include "host/board/read_schedule.h"
 #include "host/error.h"
@@ -33,7 +32,7 @@ void ModelBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint3
 }
 
 void ModelBoard::configure(const FrameConfig& frame) {
-  meter_.write(kFrameWords);
+  meter_.write(info_.frame_words(frame).size());
   frame_ = frame;
 }
 

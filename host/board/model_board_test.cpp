@@ -64,7 +64,7 @@ TEST(ModelBoard, RendersWhatTheCoreRenders) {
   board.read(3, 0, image);
   EXPECT_EQ(image, words);
   EXPECT_EQ(board.counters().at(0).value, 12u);
-  EXPECT_EQ(board.traffic().bytes_written, 4u * (4 + kFrameWords + 1));
+  EXPECT_EQ(board.traffic().bytes_written, 4u * (4 + kShippedFrameWords + 1));
   EXPECT_EQ(board.traffic().bytes_read, 16u);
 }
 

@@ -20,7 +20,7 @@ namespace reg = registers;
 
 namespace {
 
-static_assert(kFrameWords <= 1u << reg::kFrameWordBits,
+static_assert(kMaxFrameWords <= 1u << reg::kFrameWordBits,
               "FrameConfig has more fields than the board has room for FRAME registers");
 
 constexpr std::uint64_t kClocksPerReport = 10'000;
@@ -43,9 +43,8 @@ RtlBoard::RtlBoard(BoardInfo info, std::unique_ptr<ClockedBoard> clocked,
     refuse(messages::kWrongId, info_.name, id, version, reg::kIdValue, reg::kVersionValue);
   }
   const std::uint32_t words = read_register(reg::kRegFrameWords);
-  if (words != kFrameWords) {
-    refuse(messages::kFrameWords, info_.name, words, kFrameWords);
-  }
+  const std::size_t expected = info_.frame_words({}).size();
+  if (words != expected) refuse(messages::kFrameWords, info_.name, words, expected);
   const std::uint32_t scan_words = read_register(reg::kRegScanWords);
   if (scan_words != 0 && scan_words != reg::kScanWords) {
     refuse(messages::kScanWords, info_.name, scan_words, reg::kScanWords);
@@ -77,7 +76,7 @@ void RtlBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint32_
 
 void RtlBoard::configure(const FrameConfig& frame) {
   pixels_ = frame.width.to_u64() * frame.height.to_u64();
-  burst_write(reg::kRegFrame, frame_words(frame));
+  burst_write(reg::kRegFrame, info_.frame_words(frame));
 }
 
 void RtlBoard::start() {

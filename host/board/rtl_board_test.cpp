@@ -109,16 +109,16 @@ TEST(RtlBoardErrors, ABoardThatIsNoneIsRefused) {
 }
 
 TEST_F(RtlBoardTest, FrameRegistersKeepWhatIsWritten) {
-  const auto words = random_words(kFrameWords, 1);
-  for (std::uint32_t i = 0; i < kFrameWords; ++i) {
+  const auto words = random_words(kShippedFrameWords, 1);
+  for (std::uint32_t i = 0; i < kShippedFrameWords; ++i) {
     board_.write_register(reg::kRegFrame + 4 * i, words[i]);
   }
-  for (std::uint32_t i = 0; i < kFrameWords; ++i) {
+  for (std::uint32_t i = 0; i < kShippedFrameWords; ++i) {
     EXPECT_EQ(board_.read_register(reg::kRegFrame + 4 * i), words[i]) << i;
   }
   // The room above holds nothing, and does not lead back to the first of them.
   constexpr std::uint32_t kRoom = 1u << reg::kFrameWordBits;
-  for (std::uint32_t i = kFrameWords; i < kRoom; ++i) {
+  for (std::uint32_t i = kShippedFrameWords; i < kRoom; ++i) {
     board_.write_register(reg::kRegFrame + 4 * i, 1);
     EXPECT_EQ(board_.read_register(reg::kRegFrame + 4 * i), 0u) << i;
   }

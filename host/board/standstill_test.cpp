@@ -31,5 +31,9 @@ TEST(Standstill, AllMayBeWithoutInput) {
             "without input: startup 544, shading 9, list 12");
 }
 
+TEST(Standstill, NothingIsKnownWithoutCounters) {
+  EXPECT_EQ(where_units_stand({}, {}), "places unknown, as the configuration has no counters");
+}
+
 }  // namespace
 }  // namespace dynrt::host

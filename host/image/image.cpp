@@ -25,13 +25,25 @@ std::uint32_t mirror_part(const Material& material) {
   return static_cast<std::uint32_t>(std::clamp(std::lround(256 * material.mirror), 1L, 255L));
 }
 
-void check_limit(const Scene& scene, const char* what, std::size_t needed, std::size_t limit) {
-  if (needed > limit) refuse(messages::kTooMany, scene.name, needed, what, needed - limit, limit);
+/// Of the numbers that `bits` can tell apart, the first `unused` are nobody's.
+void check_limit(const Scene& scene, const char* what, std::size_t needed, const char* key,
+                 unsigned bits, unsigned memory_bits, std::size_t unused = 0) {
+  const std::size_t limit = (std::size_t{1} << bits) - unused;
+  if (needed <= limit) return;
+  if (bits == memory_bits) {
+    refuse(messages::kTooMany, scene.name, needed, what, needed - limit, limit);
+  }
+  refuse(messages::kOutOfReach, scene.name, needed, what, needed - limit, limit, key, bits);
 }
 
-void check_limits(const Scene& scene, const MemoryPart& part) {
-  check_limit(scene, "tree nodes", part.end_node() - 1, kMaxNodes - 1);
-  check_limit(scene, "list entries", part.end_entry(), kMaxListEntries);
+void check_matrices(const Scene& scene, const ImageForm& form, std::size_t needed) {
+  check_limit(scene, kMatrices, needed, "matrix_bits", form.matrix_bits, kMatrixBits);
+}
+
+void check_limits(const Scene& scene, const ImageForm& form, const MemoryPart& part) {
+  constexpr char kKey[] = "address_bits";
+  check_limit(scene, "tree nodes", part.end_node() - 1, kKey, form.address_bits, kAddressBits, 1);
+  check_limit(scene, "list entries", part.end_entry(), kKey, form.address_bits, kAddressBits);
 }
 
 /// The first element beyond the core's numbers; small ones round to the smallest magnitude.
@@ -55,6 +67,25 @@ std::uint32_t colour_bits(const glm::dvec3& colour) {
 
 const Material& material_of(const Scene& scene, const Mesh& object, std::size_t primitive) {
   return scene.materials.at(object.material_of(primitive));
+}
+
+std::uint32_t first_colour(const Scene& scene) {
+  for (const Mesh& object : scene.objects) {
+    if (object.primitives() > 0) return colour_bits(material_of(scene, object, 0).diffuse);
+  }
+  return 0;
+}
+
+/// For a core that has one colour for all.
+void check_colours(const Scene& scene) {
+  const std::uint32_t first = first_colour(scene);
+  for (const Mesh& object : scene.objects) {
+    for (std::size_t i = 0; i < object.primitives(); ++i) {
+      const Material& material = material_of(scene, object, i);
+      const std::uint32_t colour = colour_bits(material.diffuse);
+      if (colour != first) refuse(messages::kColours, scene.name, first, colour, object.name);
+    }
+  }
 }
 
 /// A sphere is none: each of its points would need a reflection of its own.
@@ -187,6 +218,56 @@ std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::span<const std::
   return base;
 }
 
+/// Where rays from the camera enter an object's tree.
+std::uint32_t entry_of(const ObjectImage::Object& object, const glm::dvec3& eye) {
+  return object.box.holds(eye) ? object.root : object.clipped_root;
+}
+
+/// Of the only object of a core of one level.
+std::uint32_t root_of_all(const Scene& scene, const ObjectImage& objects, const Camera& camera) {
+  if (scene.instances.size() != 1) {
+    refuse(messages::kOneObject, scene.name, scene.instances.size());
+  }
+  const Instance& instance = scene.instances[0];
+  if (instance.transform != glm::dmat4(1.0)) {
+    refuse(messages::kNotAsItIs, scene.name, instance.name);
+  }
+  return entry_of(objects.objects.at(instance.object), camera.position);
+}
+
+/// Appends the tree of instances and their matrices, whose first is the next. Returns the node
+/// where the camera's rays start.
+std::uint32_t add_instances(MemoryPart& part, const Scene& scene, const ObjectImage& objects,
+                            const Tree& instances, const Camera& camera) {
+  const MemoryFormat& format = *part.format;
+  const std::uint32_t stride = has_mirrors(scene) ? 2 : 1;
+  const std::uint32_t first = part.end_matrix();
+  std::vector<std::uint32_t> matrix_of(scene.instances.size());
+  for (std::uint32_t i = 0; i < matrix_of.size(); ++i) matrix_of[i] = first + stride * i;
+  const std::uint32_t base = add_tree(part, instances, matrix_of, nullptr);
+  check_limits(scene, objects.form, part);
+  check_matrices(scene, objects.form, first + stride * scene.instances.size());
+  part.columns.reserve(4 * (stride * scene.instances.size() + 1 + scene.lights.size()));
+  for (const Instance& instance : scene.instances) {
+    const glm::dmat4 inverse = glm::inverse(instance.transform);
+    const ObjectImage::Object& object = objects.objects.at(instance.object);
+    const glm::dmat4x3 matrix(object.to_space * inverse);
+    if (!std::isfinite(inverse[3][3]) || glm::determinant(instance.transform) == 0) {
+      refuse(messages::kFlatInstance, instance.name);
+    }
+    if (const auto element = out_of_range(format, matrix)) {
+      refuse(messages::kInstanceRange, instance.name, *element, format.largest, format.largest);
+    }
+    const glm::dvec3 eye(inverse * glm::dvec4(camera.position, 1.0));
+    part.add(to_columns(matrix, entry_of(object, eye)));
+    if (stride == 2) {
+      const glm::dmat4 back = instance.transform * glm::inverse(object.to_space);
+      part.add(to_columns(glm::dmat4x3(back), 0));
+    }
+  }
+  return base + instances.entry(camera.position);
+}
+
 }  // namespace
 
 void check_matrices(const Scene& scene, const ImageForm& form) {
@@ -196,10 +277,10 @@ void check_matrices(const Scene& scene, const ImageForm& form) {
       numbers += numbers_of(scene, object, i, form.triangles);
     }
   }
+  const std::size_t of_instance = form.levels == 1 ? 0 : has_mirrors(scene) ? 2 : 1;
   const std::size_t matrices = (numbers * columns_apart(form.triangles) + 3) / 4 +
-                               scene.instances.size() * (has_mirrors(scene) ? 2 : 1) + 1 +
-                               scene.lights.size();
-  check_limit(scene, kMatrices, std::max(numbers, matrices), kMaxMatrices);
+                               scene.instances.size() * of_instance + 1 + scene.lights.size();
+  check_matrices(scene, form, std::max(numbers, matrices));
 }
 
 std::vector<std::uint32_t> matrix_numbers(const Scene& scene, const Mesh& object,
@@ -211,9 +292,11 @@ std::vector<std::uint32_t> matrix_numbers(const Scene& scene, const Mesh& object
   return numbers;
 }
 
-ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const ImageForm& form) {
+ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const ImageForm& form)
+    : form(form) {
   const std::uint32_t apart = columns_apart(form.triangles);
   check_matrices(scene, form);
+  if (form.one_colour) check_colours(scene);
   const MemoryFormat& format = *form.format;
   memory.format = &format;
   memory.first_node = 1;
@@ -227,7 +310,7 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
     const std::uint32_t base = add_tree(memory, tree, matrix_of, &mesh, to_space);
     const std::uint32_t outside = form.boxes_are_cubes ? tree.root : tree.clipped_root;
     objects.push_back({base + tree.root, base + outside, first_matrix, tree.box, to_space});
-    check_limits(scene, memory);
+    check_limits(scene, form, memory);
     for (std::size_t i = 0; i < mesh.primitives(); ++i) {
       const bool three = stored_in_three(mesh, i, form.triangles);
       const UnitMatrix unit = unit_matrix(form, mesh, i, from_space, three);
@@ -251,7 +334,9 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
 }
 
 TreeSize ObjectImage::room_left() const {
-  return {kMaxNodes - memory.end_node(), kMaxListEntries - memory.end_entry()};
+  const std::size_t reach = std::size_t{1} << form.address_bits;
+  const auto left = [reach](std::size_t used) { return reach - std::min(used, reach); };
+  return {left(memory.end_node()), left(memory.end_entry())};
 }
 
 std::vector<Aabb> ObjectImage::boxes() const {
@@ -270,34 +355,15 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   memory.first_entry = objects.memory.end_entry();
   first_instance = objects.memory.end_matrix();
   memory.first_column = 4 * first_instance;
-  const std::uint32_t stride = has_mirrors(scene) ? 2 : 1;
-  std::vector<std::uint32_t> matrix_of(scene.instances.size());
-  for (std::uint32_t i = 0; i < matrix_of.size(); ++i) matrix_of[i] = first_instance + stride * i;
-  const std::uint32_t base = add_tree(memory, instances, matrix_of, nullptr);
-  start_node = base + instances.entry(camera.position);
-  check_limits(scene, memory);
-  check_limit(scene, kMatrices,
-              first_instance + stride * scene.instances.size() + 1 + scene.lights.size(),
-              kMaxMatrices);
-
-  memory.columns.reserve(4 * (stride * scene.instances.size() + 1 + scene.lights.size()));
-  for (const Instance& instance : scene.instances) {
-    const glm::dmat4 inverse = glm::inverse(instance.transform);
-    const ObjectImage::Object& object = objects.objects.at(instance.object);
-    const glm::dmat4x3 matrix(object.to_space * inverse);
-    if (!std::isfinite(inverse[3][3]) || glm::determinant(instance.transform) == 0) {
-      refuse(messages::kFlatInstance, instance.name);
-    }
-    if (const auto element = out_of_range(format, matrix)) {
-      refuse(messages::kInstanceRange, instance.name, *element, largest, largest);
-    }
-    const glm::dvec3 eye(inverse * glm::dvec4(camera.position, 1.0));
-    memory.add(to_columns(matrix, object.box.holds(eye) ? object.root : object.clipped_root));
-    if (stride == 2) {
-      const glm::dmat4 back = instance.transform * glm::inverse(object.to_space);
-      memory.add(to_columns(glm::dmat4x3(back), 0));
-    }
+  colour = first_colour(scene);
+  if (objects.form.levels == 1) {
+    start_node = root_of_all(scene, objects, camera);
+  } else {
+    start_node = add_instances(memory, scene, objects, instances, camera);
   }
+  check_limits(scene, objects.form, memory);
+  check_matrices(scene, objects.form, memory.end_matrix() + 1 + scene.lights.size());
+
   const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
   if (const auto element = out_of_range(format, from_pixels)) {
     refuse(messages::kCameraRange, *element, largest, largest);

@@ -28,10 +28,14 @@ struct ImageForm {
   bool boxes_are_cubes = false;
   /// For a watertight test a triangle's columns are its corners and its unit normal.
   TriangleTest triangle_test = TriangleTest::kUnitTriangle;
+  unsigned address_bits = kAddressBits;  ///< the core reaches so many nodes, and list entries
+  unsigned matrix_bits = kMatrixBits;    ///< and so many matrices
+  bool one_colour = false;               ///< the core has one for all surfaces
+  unsigned levels = 2;  ///< of trees; 1: of one object, which lies in the world as it is
 };
 
-/// Throws UserError for a scene that the memory cannot hold whatever its trees are: with more
-/// triangles, instances and camera than it has matrices.
+/// Throws UserError for a scene that the memory cannot hold, or the core not reach, whatever its
+/// trees are: with more triangles, instances and camera than there are matrices.
 void check_matrices(const Scene& scene, const ImageForm& form = {});
 
 /// The matrices of an object's primitives, the first of which is `first`, as hit records name them;
@@ -52,6 +56,7 @@ struct ObjectImage {
   };
   std::vector<Object> objects;
   MemoryPart memory;
+  ImageForm form;
 
   ObjectImage() = default;
   ObjectImage(const Scene& scene, std::span<const Tree> trees, const ImageForm& form = {});
@@ -62,13 +67,16 @@ struct ObjectImage {
 };
 
 /// The part that belongs to one frame. Throws UserError where a limit of the memory is passed, an
-/// instance has no inverse or the core's numbers cannot hold it, or the camera is beyond them.
+/// instance has no inverse or the core's numbers cannot hold it, or the camera is beyond them; for
+/// a core of one level where there is more than one object, which is nothing but itself. Such a
+/// core needs neither the instances' tree nor their matrices.
 struct FrameImage {
   MemoryPart memory;
   std::uint32_t start_node = 0;
-  std::uint32_t first_instance = 0;  ///< matrix of instance 0
+  std::uint32_t first_instance = 0;  ///< matrix of instance 0, or where it would be
   std::uint32_t camera_matrix = 0;
   std::uint32_t light_matrix = 0;  ///< of light 0
+  std::uint32_t colour = 0;        ///< of the first surface; of all, where the core has but one
 
   FrameImage() = default;
   FrameImage(const Scene& scene, const ObjectImage& objects, const Tree& instances,

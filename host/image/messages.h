@@ -9,6 +9,19 @@ namespace dynrt::host::messages {
 inline constexpr char kTooMany[] =
     "scene '{}' needs {} {}, {} more than the {} that the board's memory holds; use fewer or "
     "smaller objects";
+inline constexpr char kOutOfReach[] =
+    "scene '{}' needs {} {}, {} more than the {} that the core reaches; take a configuration with "
+    "more {} than {}";
+inline constexpr char kColours[] =
+    "scene '{}' has surfaces of the colours {:#08x} and {:#08x} (object '{}', 0xBBGGRR), and the "
+    "core has one for all; take a configuration without one_colour";
+inline constexpr char kOneObject[] =
+    "scene '{}' has {} instances, and the core has trees of one level, for one object alone; take "
+    "a "
+    "configuration with levels 2";
+inline constexpr char kNotAsItIs[] =
+    "scene '{}': instance '{}' moves, turns or scales its object, and the core has trees of one "
+    "level, for an object that lies in the world as it is; take a configuration with levels 2";
 inline constexpr char kFlatTriangle[] =
     "object '{}', triangle {} has no area; its corners must not lie on one line";
 inline constexpr char kTriangleRange[] =

@@ -3,7 +3,8 @@
 //
 // Whether two boards did the same: every hit record, every pixel, every counter that does not
 // depend on the order in which packets are served. To the last bit. A counter that one board lacks
-// is a difference, and so is a frame without pixels or without such counters.
+// is a difference, and so is a frame without pixels or without such counters. Between boards of two
+// configurations, or of one without counters, hit records and pixels are what is compared.
 #pragma once
 
 #include <optional>

@@ -104,6 +104,20 @@ TEST(Compare, ACounterThatOneBoardLacksIsADifference) {
   EXPECT_EQ(comparison.different_counters, 2u);
 }
 
+TEST(Compare, CountersAreThoseOfTheSameCore) {
+  Frame other = a_frame();
+  other.board.configuration = "of other parts";
+  other.counters = {{"step.tokens", 101, true}};
+  EXPECT_TRUE(compare(a_frame(), other).identical());
+  other.pixels[3] = 0xff;
+  EXPECT_FALSE(compare(a_frame(), other).identical());
+  Frame uncounted = a_frame();
+  uncounted.board.counters = false;
+  uncounted.counters.clear();
+  EXPECT_TRUE(compare(uncounted, uncounted).identical());
+  EXPECT_TRUE(compare(a_frame(), uncounted).identical());
+}
+
 TEST(Compare, NothingComparedIsNotIdentical) {
   const auto difference = [](const Frame& frame) {
     const Comparison comparison = compare(frame, frame);

@@ -67,7 +67,7 @@ FrameFigures figures_of(const Frame& frame, double clock_hz) {
   FrameFigures figures;
   figures.units = units_of(frame);
   figures.caches = caches_of(frame);
-  figures.dropped_pushes = value_of(frame, "stack_full.tokens").value_or(0);
+  figures.dropped_pushes = value_of(frame, "stack_full.tokens");
   const auto rays = static_cast<double>(frame.pixels.size());
   if (frame.run.cycles && *frame.run.cycles > 0) {
     const auto cycles = static_cast<double>(*frame.run.cycles);

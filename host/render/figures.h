@@ -33,7 +33,8 @@ struct FrameFigures {
   std::optional<double> rays_per_clock;
   std::optional<double> clocks_per_second;  ///< of the simulation
   double rays_per_second = 0;               ///< of the simulation
-  std::uint64_t dropped_pushes = 0;         ///< onto full stacks; hits may be missing
+  /// Onto full stacks; hits may be missing. None where nothing is counted.
+  std::optional<std::uint64_t> dropped_pushes;
 };
 
 /// `clock_hz`: the core's clock for frames per second.

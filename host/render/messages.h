@@ -12,6 +12,9 @@ inline constexpr char kSize[] =
 inline constexpr char kPackets[] = "--packets {}: configuration {} holds 1 to {} packets";
 inline constexpr char kLines[] =
     "--lines {}: the caches of configuration {} have 1, 2, 4 up to {} lines";
+inline constexpr char kUncompressed[] =
+    "--uncompressed: configuration {} transforms one origin for all rays of a packet; leave the "
+    "flag out";
 inline constexpr char kReflections[] =
     "--reflections {}: configuration {} traces at most {} reflections of a ray";
 inline constexpr char kExtension[] =

@@ -67,6 +67,9 @@ FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
   if (packets == 0 || packets > board.packets) {
     refuse(messages::kPackets, packets, board.configuration, board.packets);
   }
+  if (options.uncompressed && !board.uncompressed) {
+    refuse(messages::kUncompressed, board.configuration);
+  }
   if (!std::has_single_bit(lines) || lines > board.cache_lines) {
     refuse(messages::kLines, lines, board.configuration, board.cache_lines);
   }
@@ -88,6 +91,8 @@ FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
   const unsigned lights = std::min(scene.lights, board.lights);
   frame.lights = to_word(lights);
   frame.light_matrix = to_word(scene.light_matrix);
+  frame.colour = to_word(scene.colour);
+  frame.object = to_word(scene.object);
   frame.ambient = to_word(lights > 0 ? kAmbient : kFullAmbient);
   const unsigned reflections = options.reflections.value_or(board.reflections);
   if (reflections > board.reflections) {

@@ -44,6 +44,8 @@ struct SceneAddresses {
   std::uint32_t camera_matrix = 0;
   std::uint32_t light_matrix = 0;  ///< of light 0
   unsigned lights = 0;
+  std::uint32_t colour = 0;  ///< of all surfaces, if they have one
+  std::uint32_t object = 0;  ///< number of the first instance
 };
 
 /// Where render() has the picture in bank 3.

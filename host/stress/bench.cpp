@@ -94,7 +94,9 @@ Rendered Bench::render(const Trial& trial) {
     const SceneAddresses addresses{.start_node = image.start_node,
                                    .camera_matrix = image.camera_matrix,
                                    .light_matrix = image.light_matrix,
-                                   .lights = static_cast<unsigned>(scene.lights.size())};
+                                   .lights = static_cast<unsigned>(scene.lights.size()),
+                                   .colour = image.colour,
+                                   .object = image.first_instance};
     Frame frame = host::render(board, options, addresses, words_of(runs), {});
     runs.clear();  // the objects' part lies there from now on
     outcome_.rays += frame.hits.size();

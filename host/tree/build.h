@@ -21,6 +21,7 @@ struct TreeOptions {
   double depth_factor = 1;
   double depth_extra = 10;
   int max_depth = kMaxTreeDepth;  ///< entries of the core's stacks: no deeper tree overflows them
+  int max_top_depth = kMaxTreeDepth;  ///< the same, of the tree of instances
   /// Levels on a path that may be split although no single plane is worth its step; what turns out
   /// not to be worth it with the levels below becomes a leaf again.
   int patience = 4;

@@ -86,7 +86,7 @@ TEST(Top, HeaderGivesThePositionOfEveryField) {
                           .width = 40,
                           .constant = false,
                           .value = 0,
-                          .fields = {{"wide", 0, 32}, {"line_mask", 32, 8}}});
+                          .fields = {{"wide", 0, 32}, {"absent", 32, 0}, {"line_mask", 32, 8}}});
   join.configs.push_back(
       {.name = "", .to = {"unit.lane"}, .width = 2, .constant = true, .value = 3});
   EXPECT_EQ(hlsc::emit_header(join, "top"),
@@ -122,6 +122,18 @@ TEST(Top, CountsNoMoreThanItsCountersHold) {
   EXPECT_EQ(refusal(Chain(3).join),
             "the join has 257 counters, one for every channel inside and two for every unit; a top "
             "counts at most 256: join fewer units, or widen the address of hls_counters");
+}
+
+TEST(Top, MayBeWithoutCounters) {
+  Ring ring;
+  EXPECT_NE(hlsc::emit_top(ring.join.record(), "ring").find("hls_counters"), std::string::npos);
+  ring.join.leave_out_counters();
+  EXPECT_TRUE(hls::counters_of(ring.join.record()).empty());
+  const std::string top = hlsc::emit_top(ring.join.record(), "ring");
+  EXPECT_EQ(top.find("hls_counters"), std::string::npos);
+  EXPECT_NE(top.find("assign counter_data_o = 32'd0;"), std::string::npos);
+  EXPECT_NE(hlsc::emit_json(ring.join.record(), "ring").find("\"counters\": []"),
+            std::string::npos);
 }
 
 /// The native join's items of one job, by index.

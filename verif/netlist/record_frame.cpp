@@ -43,7 +43,7 @@ void record(const std::string& scene, const std::string& configuration, const st
 
   const FrameConfig config =
       frame_config(board->info(), options, addresses_of(prepared.frame, prepared.scene));
-  write_text(folder + "/frame.hex", hex(frame_words(config)));
+  write_text(folder + "/frame.hex", hex(board->info().frame_words(config)));
   std::array<std::string, kSceneBanks> banks;
   for (const MemoryPart* part : {&prepared.objects.memory, &prepared.frame.memory}) {
     for (const MemoryRun& run : part->runs()) {

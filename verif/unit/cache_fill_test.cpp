@@ -19,8 +19,9 @@ using CacheFillOf = CacheFill<C, Kind>;
 template <class Kind>
 void setup(Bench<CacheFillOf<Kind>>& bench, const Run& run) {
   const unsigned lines = 1u << (run.number == 0 ? 9 : run.number % 10);
-  bench.template shape<FrameConfig>(
-      "frame", [lines](FrameConfig& frame, Random&) { frame.line_mask = Word::from(lines - 1); });
+  bench.template shape<FrameRegisters<C>>("frame", [lines](FrameRegisters<C>& frame, Random&) {
+    frame.line_mask = Word::from(lines - 1);
+  });
 }
 
 DYNRT_COSIM(NodeFill, CacheFillOf<NodeCache<C>>, node_fill, setup<NodeCache<C>>)

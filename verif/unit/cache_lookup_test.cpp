@@ -19,11 +19,12 @@ using CacheLookupOf = CacheLookup<C, Kind>;
 /// The lines hold addresses that are asked for, here and there one that belongs elsewhere.
 template <class Kind>
 void setup(Bench<CacheLookupOf<Kind>>& bench, const Run& run) {
-  using Request = CacheRequest<typename Kind::Context>;
-  using Row = CacheRow<typename Kind::Line>;
+  using Request = typename CacheLookup<C, Kind>::Request;
+  using Row = typename CacheLookup<C, Kind>::Row;
   const unsigned lines = 1u << (run.number == 0 ? 9 : run.number % 10);
-  bench.template shape<FrameConfig>(
-      "frame", [lines](FrameConfig& frame, Random&) { frame.line_mask = Word::from(lines - 1); });
+  bench.template shape<FrameRegisters<C>>("frame", [lines](FrameRegisters<C>& frame, Random&) {
+    frame.line_mask = Word::from(lines - 1);
+  });
   bench.template shape<Request>("request", [lines](Request& r, Random& random) {
     if (random.below(8) != 0) r.address = number_below<kAddressBits>(random, 3 * lines);
   });

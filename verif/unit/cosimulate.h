@@ -67,6 +67,16 @@ void cosimulate(const char* name, Amount amount, Visit visit, Setup setup) {
   TEST(SUITE, RtlIsTheModel) { cosimulate_##MODULE(dynrt::cosim::kQuick); }            \
   TEST(SUITE, SlowRtlIsTheModel) { cosimulate_##MODULE(dynrt::cosim::kSlow); }
 
+/// A token's level; 0 where no token tells of it.
+template <class Field>
+std::size_t level_of(const Field& level) {
+  if constexpr (requires { level.to_u64(); }) {
+    return level.to_u64();
+  } else {
+    return 0;
+  }
+}
+
 /// Which packet the next token belongs to.
 class Packets {
  public:

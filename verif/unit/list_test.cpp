@@ -19,9 +19,9 @@ class Stimulus {
   explicit Stimulus(const Run& run) : packets_(run) {}
   void draw(Job& job, Random& random) {
     job.packet = packets_.next(random);
-    job.first = !begun_[job.level.to_u64()][job.packet.to_u64()] || random.below(5) == 0;
+    job.first = !begun_[level_of(job.level)][job.packet.to_u64()] || random.below(5) == 0;
   }
-  void begun(const Job& job) { begun_[job.level.to_u64()][job.packet.to_u64()] = true; }
+  void begun(const Job& job) { begun_[level_of(job.level)][job.packet.to_u64()] = true; }
 
  private:
   Packets packets_;

@@ -22,7 +22,7 @@ class Stimulus {
     const Known known = known_[e.packet.to_u64()];
     e.clear = known == Known::kNothing || random.below(40) == 0;
     e.level = Level::from(known == Known::kTriangles && !e.clear && random.below(8) != 0);
-    e.entry.matrix = number_below<kMatrixBits>(random, 12);
+    e.entry.matrix = number_below<C::kMatrixBits>(random, 12);
   }
   void begun(const Entry& e) {
     Known& known = known_[e.packet.to_u64()];

@@ -11,7 +11,7 @@ namespace {
 
 /// Four columns of any number make a matrix; those of one packet may come one after the other.
 void setup(Bench<MatrixStore<C>>& bench, const Run&) {
-  using Reply = CacheReply<ColumnContext<C>, MatrixColumn<C::Real>>;
+  using Reply = ColumnReply<C>;
   bench.shape<Reply>(
       "reply", [](Reply& r, Random& random) { r.context.kind = any_of<TransformKind>(random, 3); });
 }

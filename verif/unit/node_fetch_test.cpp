@@ -34,7 +34,7 @@ class Stimulus {
   void begun(const Event& e) { entered(e) = true; }
 
  private:
-  bool& entered(const Event& e) { return entered_[e.level.to_u64()][e.packet.to_u64()]; }
+  bool& entered(const Event& e) { return entered_[level_of(e.level)][e.packet.to_u64()]; }
   Packets packets_;
   bool entered_[2][C::kPackets] = {};
 };

@@ -17,7 +17,7 @@ void setup(Bench<RayGeneration<C>>& bench, const Run& run) {
   const bool scanline = run.number % 2 == 1;
   if (large) bench.may_be_silent("done");
   bench.may_be_silent("skipped");
-  bench.shape<FrameConfig>("frame", [=](FrameConfig& frame, Random& random) {
+  bench.shape<FrameRegisters<C>>("frame", [=](FrameRegisters<C>& frame, Random& random) {
     const std::uint64_t limit = large ? 1024 : 60;
     const std::uint64_t width = 1 + random.below(limit);
     const std::uint64_t height = large ? 1024 : 1 + random.below(limit);

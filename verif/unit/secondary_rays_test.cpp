@@ -34,7 +34,7 @@ void setup(Bench<SecondaryRays<C>>& bench, const Run& run) {
   bench.shape<Derive<C>>("derive",
                          [stimulus](Derive<C>& d, Random& random) { stimulus->draw(d, random); });
   bench.begun<Derive<C>>("derive", [stimulus](const Derive<C>& d) { stimulus->begun(d); });
-  bench.shape<FrameConfig>("frame", [](FrameConfig& frame, Random& random) {
+  bench.shape<FrameRegisters<C>>("frame", [](FrameRegisters<C>& frame, Random& random) {
     frame.lights = Word::from(random.below(C::kLights + 1));
     frame.reflections = Word::from(random.below(C::kReflections + 1));
   });

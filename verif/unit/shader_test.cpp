@@ -37,7 +37,7 @@ void setup(Bench<Shader<C>>& bench, const Run& run) {
   bench.packet<Job>("job", row);
   bench.shape<Job>("job", [stimulus](Job& j, Random& random) { stimulus->draw(j, random); });
   bench.begun<Job>("job", [stimulus](const Job& j) { stimulus->begun(j); });
-  bench.shape<FrameConfig>("frame", [](FrameConfig& frame, Random& random) {
+  bench.shape<FrameRegisters<C>>("frame", [](FrameRegisters<C>& frame, Random& random) {
     frame.ambient = Word::from(random.below(257));
   });
 }

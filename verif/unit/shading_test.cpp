@@ -13,7 +13,7 @@ void setup(Bench<Shading<C>>& bench, const Run& run) {
   using Job = Repeated<ShadeJob<C>>;
   bench.shape<Job>("job", [](Job& j, Random&) { j.last = j.index == RepeatCount(15); });
   const bool write_hits = run.number % 3 != 1;
-  bench.shape<FrameConfig>("frame", [write_hits](FrameConfig& frame, Random& random) {
+  bench.shape<FrameRegisters<C>>("frame", [write_hits](FrameRegisters<C>& frame, Random& random) {
     frame.width = Word::from(200 + random.below(825));
     frame.height = Word::from(200 + random.below(825));
     frame.frame_base = number_below<32>(random, kBankWords);

@@ -43,7 +43,7 @@ class Stimulus {
     bool initialised = false;
     std::bitset<kStackRows> pushed;
   };
-  State& at(const StepContext<C>& c) { return states_[c.level.to_u64()][c.packet.to_u64()]; }
+  State& at(const StepContext<C>& c) { return states_[level_of(c.level)][c.packet.to_u64()]; }
   Packets packets_;
   State states_[2][C::kPackets];
 };

@@ -59,6 +59,7 @@ std::string emit_header(const hls::JoinRecord& join, const std::string& name) {
         "\n// {0}_i: its width, and the lowest bit of each field.\n`define {1}_BITS {2}\n",
         config.name, stem, config.width);
     for (const auto& field : config.fields) {
+      if (field.width == 0) continue;  // of other configurations
       fmt::format_to(std::back_inserter(text), "`define {}_{} {}\n", stem, upper(field.name),
                      field.offset);
     }

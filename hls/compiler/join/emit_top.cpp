@@ -352,15 +352,23 @@ class Top {
   void count() {
     for (const UnitRecord& unit : join_.units) counted_.push_back(unit.name + "_fire");
     for (const UnitRecord& unit : join_.units) counted_.push_back(unit.name + "_stall");
+    ports_.push_back("  input  wire counter_clear_i");
+    ports_.push_back("  input  wire [7:0] counter_addr_i");
+    ports_.push_back("  output wire [31:0] counter_data_o");
+    if (!join_.counts) {
+      write(
+          "\n  // no counters\n  assign counter_data_o = 32'd0;\n"
+          "  wire counters_unused = &{{1'b0, counter_clear_i, counter_addr_i");
+      for (const UnitRecord& unit : join_.units) write(",\n      {0}_fire, {0}_stall", unit.name);
+      write("}};\n");
+      return;
+    }
     if (counted_.size() > kMaxCounters) {
       throw std::invalid_argument(fmt::format(
           "the join has {} counters, one for every channel inside and two for every unit; a top "
           "counts at most {}: join fewer units, or widen the address of hls_counters",
           counted_.size(), kMaxCounters));
     }
-    ports_.push_back("  input  wire counter_clear_i");
-    ports_.push_back("  input  wire [7:0] counter_addr_i");
-    ports_.push_back("  output wire [31:0] counter_data_o");
     write(
         "\n  hls_counters #(.COUNTERS({})) counters (\n"
         "    .clk_i(clk_i), .rst_ni(rst_ni), .clear_i(counter_clear_i),\n"

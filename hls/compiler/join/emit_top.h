@@ -15,7 +15,8 @@ inline constexpr unsigned kMaxCounters =
 
 /// A Verilog-2005 module `name` that instantiates every unit and connects them through rtl/lib.
 /// Throws std::invalid_argument naming a port that nothing is connected to, or a fork without a
-/// bound to a unit that needs other tokens as well, or if there are more than kMaxCounters.
+/// bound to a unit that needs other tokens as well, or if there are more than kMaxCounters. A top
+/// without counters has the ports that read them all the same; they read zero.
 std::string emit_top(const hls::JoinRecord& join, const std::string& name);
 
 /// What the values set from outside are made of, for hand-written Verilog around the top to

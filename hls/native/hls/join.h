@@ -240,6 +240,9 @@ class Join {
     }
   }
 
+  /// Says that the top has no counters.
+  void leave_out_counters() { record_.counts = false; }
+
   /// Runs every unit until none has work left.
   void run() {
     bool progress = true;

@@ -73,6 +73,7 @@ struct JoinRecord {
   std::vector<RamRecord> rams;
   std::vector<BankRecord> banks;
   std::vector<ConfigRecord> configs;
+  bool counts = true;  ///< its top counts tokens, transactions and stalls
 };
 
 struct CounterRecord {
@@ -80,9 +81,11 @@ struct CounterRecord {
   bool order_independent;  ///< the same whatever the order in which packets are served
 };
 /// What a top counts, in the order of the addresses: tokens of every channel inside, then
-/// transactions and stalls of every unit. How often a unit has to wait always depends on the order.
+/// transactions and stalls of every unit; nothing, if it has no counters. How often a unit has to
+/// wait always depends on the order.
 inline std::vector<CounterRecord> counters_of(const JoinRecord& join) {
   std::vector<CounterRecord> counters;
+  if (!join.counts) return counters;
   for (const ChannelRecord& c : join.channels) {
     if (c.kind != ChannelKind::kInput && c.kind != ChannelKind::kOutput) {
       counters.push_back({c.name + ".tokens", !c.order_dependent});

@@ -62,7 +62,7 @@ module matrix_store #(
   wire complete_s0 = progress_0_s0 == 2'd3;  // units/matrix_store.h:60
   wire [23:0] mux_1_s0 = eq_1_s0 ? {r_line_row_2_spare_s0, r_line_row_1_spare_s0, r_line_row_0_spare_s0} : progress_2_s0;
   wire [16:0] matrix_s0 = reply_data_i[31:15];
-  wire [1:0] add_1_s0 = progress_0_s0 + 2'd1;  // units/matrix_store.h:76
+  wire [1:0] add_1_s0 = progress_0_s0 + 2'd1;  // units/matrix_store.h:86
   wire [23:0] r_line_row_2_value_s0 = reply_data_i[119:96];
   wire [23:0] r_line_row_1_value_s0 = reply_data_i[87:64];
   wire [23:0] r_line_row_0_value_s0 = reply_data_i[55:32];

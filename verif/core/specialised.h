@@ -1,0 +1,117 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Cores without the parts that a scene does not need, against the general core of a configuration
+// that ships: the same hit records and pixels.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <functional>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "host/app/board_frame.h"
+#include "host/board/configurations.h"
+#include "host/board/native_core.h"
+#include "host/error.h"
+#include "host/render/compare.h"
+#include "host/scene/load.h"
+
+namespace dynrt::host::specialised {
+
+inline constexpr unsigned kWidth = 64, kHeight = 48;
+
+using ChangeScene = std::function<void(Scene&)>;
+
+inline void paint(Scene& scene) {
+  for (Material& material : scene.materials) material.diffuse = {0.3, 0.6, 0.9};
+}
+/// What all instances are, as one object.
+inline void merge(Scene& scene) {
+  Mesh all;
+  all.name = "all";
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.objects[instance.object];
+    const auto first = static_cast<std::uint32_t>(all.vertices.size());
+    for (const glm::dvec3& vertex : mesh.vertices) {
+      all.vertices.push_back(glm::dvec3(instance.transform * glm::dvec4(vertex, 1.0)));
+    }
+    for (const glm::uvec3& triangle : mesh.triangles) all.triangles.push_back(triangle + first);
+    all.material.insert(all.material.end(), mesh.material.begin(), mesh.material.end());
+  }
+  scene.objects = {all};
+  scene.instances = {{.name = "all"}};
+}
+inline void merge_and_paint(Scene& scene) {
+  merge(scene);
+  paint(scene);
+}
+
+inline FrameOptions small_frame() {
+  FrameOptions options;
+  options.width = kWidth;
+  options.height = kHeight;
+  return options;
+}
+
+inline Prepared prepared(const std::string& name, const BoardInfo& board,
+                         const ChangeScene& change = {}) {
+  Scene scene = load_scene(name);
+  if (change) change(scene);
+  const Camera camera = choose_camera(scene, {}, kWidth, kHeight);
+  return prepare(std::move(scene), camera, kWidth, kHeight, &board);
+}
+
+template <class C>
+std::unique_ptr<Board> board_of() {
+  BoardInfo info = board_info_of<C>();
+  info.configuration = "special";
+  return std::make_unique<ModelBoard>(std::move(info), std::make_unique<NativeCoreOf<C>>());
+}
+
+inline Frame rendered(Board& board, const std::string& scene, const ChangeScene& change) {
+  return render_on(board, small_frame(), prepared(scene, board.info(), change));
+}
+
+/// The specialised core C against that of a configuration by name.
+template <class C>
+Frame expect_as_general(const char* configuration, const std::string& scene,
+                        const ChangeScene& change = {}) {
+  const auto general = make_board(configurations(), {"model", configuration, ""});
+  const auto special = board_of<C>();
+  const Frame frame = rendered(*special, scene, change);
+  const Comparison comparison = compare(frame, rendered(*general, scene, change));
+  EXPECT_GT(comparison.hits, comparison.pixels / 8);
+  EXPECT_TRUE(comparison.identical())
+      << scene << ": " << comparison.different_hits << " hits differ; "
+      << comparison.first->text("special", configuration);
+  return frame;
+}
+
+/// The sentence with which something is refused.
+template <class Do>
+std::string refusal(Do&& action) {
+  try {
+    action();
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+/// Whether a port, or a RAM, of some configuration is there.
+template <class Port>
+constexpr bool is_there(const Port&) {
+  return !std::is_same_v<Port, hls::Absent>;
+}
+
+/// Bits that the token T of a general core has more than that of a special one.
+template <class T, class Special>
+inline constexpr unsigned kSaved = hls::bit_width_of<T>() - hls::bit_width_of<Special>();
+
+}  // namespace dynrt::host::specialised
