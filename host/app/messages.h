@@ -22,7 +22,7 @@ inline constexpr char kNoPrimitive[] =
     "needs are: {}";
 inline constexpr char kCommand[] =
     "{}: unknown; the commands are render, walk, compare, info, report, choose, "
-    "measure and stress";
+    "measure, stress, needs and specialise";
 inline constexpr char kNoReport[] =
     "report: which one is missing; the reports are overlap, mailbox, clipping and error";
 inline constexpr char kCountedSize[] =
