@@ -5,6 +5,7 @@
 
 import json
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -78,6 +79,21 @@ class Generate(unittest.TestCase):
                      "Primitives kPrimitives = Primitives{.triangle = false, .sphere = true, "
                      ".rectangle = true};"):
             self.assertIn(f"  static constexpr {line}\n", text)
+
+    def test_a_value_may_have_its_reason_beside_it(self):
+        text = self.written(lights={"value": 3, "reason": "the scene has 3 lights"},
+                            mantissa_bits={"value": 12, "reason": "an error of 1e-3 is allowed"})
+        self.assertIn("  static constexpr unsigned kLights = 3;\n", text)
+        self.assertIn("hls::Float<6, 12, ", text)
+        for stated in ({"value": 3}, {"value": 3, "reason": ""},
+                       {"value": 3, "reason": "so", "unit": 1}):
+            shutil.rmtree(self.out, ignore_errors=True)
+            self.assert_key_refused("lights", stated, f"is {json.dumps(stated)}; write its value, or "
+                                    '{"value": ..., "reason": "a sentence"}')
+
+    def test_where_it_is_from_is_text_alone(self):
+        text = self.written()
+        self.assertEqual(self.written(made_for="office", made_from="thesis"), text)
 
     def test_files_that_stay_the_same_are_left_alone(self):
         self.written()
@@ -171,8 +187,8 @@ class Generate(unittest.TestCase):
 
     def test_keys(self):
         self.assert_refused(json.dumps({"tiny": GOOD | {"lihgts": 1}}),
-                            "configuration 'tiny': unknown key 'lihgts'; the keys are about, rtl, "
-                            "packets, lines, levels, stack_depth, top_stack_depth, object_slots, "
+                            "configuration 'tiny': unknown key 'lihgts'; the keys are about, "
+                            "made_for, made_from, rtl, packets, lines, levels, stack_depth, top_stack_depth, object_slots, "
                             "triangle_slots, exponent_bits, mantissa_bits, rounding, epsilon, "
                             "sram_latency, lights, reflections, scan_out, crossing, object_box, "
                             "divider, triangle_matrix, primitives, triangle_test, address_bits, "

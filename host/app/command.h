@@ -27,6 +27,8 @@ Command add_info_command(CLI::App& program);
 Command add_report_command(CLI::App& program);
 Command add_measure_command(CLI::App& program);
 Command add_choose_command(CLI::App& program);
+Command add_needs_command(CLI::App& program);
+Command add_specialise_command(CLI::App& program);
 Command add_stress_command(CLI::App& program);
 
 }  // namespace dynrt::host

@@ -10,6 +10,7 @@
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
 #include "host/app/report.h"
+#include "host/app/specialised.h"
 #include "host/app/text.h"
 #include "host/render/output_file.h"
 #include "host/render/write_image.h"
@@ -21,12 +22,18 @@ namespace {
 struct Arguments {
   SceneArguments scene;
   FrameArguments frame;
+  SpecialiseFlags specialise;
 };
 
-Frame frame_of(const char* name, const Arguments& arguments, const FrameOptions& options,
-               const Prepared& prepared) {
-  const auto board = open_board({name, arguments.frame.configuration, ""}, options);
+Frame frame_of(const BoardRequest& request, const FrameOptions& options, const Prepared& prepared) {
+  const auto board = open_board(request, options);
   return render_on(*board, options, prepared);
+}
+
+Prepared prepared_for(const BoardRequest& request, const Arguments& arguments,
+                      const FrameOptions& options) {
+  const BoardInfo info = open_board(request, options)->info();
+  return prepare(arguments.scene, options.width, options.height, &info);
 }
 
 int run(const Arguments& arguments) {
@@ -36,10 +43,15 @@ int run(const Arguments& arguments) {
   const Output outputs[] = {{"--out", out}, {"--json", arguments.frame.json}};
   check_outputs(outputs);
   // Unknown configurations and the like come before the work.
-  const BoardInfo board = open_board({"rtl", arguments.frame.configuration, ""}, options)->info();
-  const Prepared prepared = prepare(arguments.scene, options.width, options.height, &board);
-  const Frame model = frame_of("model", arguments, options, prepared);
-  const Frame rtl = frame_of("rtl", arguments, options, prepared);
+  const ChosenCore core = arguments.specialise.choose(arguments.scene, arguments.frame);
+  const BoardRequest of_rtl{"rtl", core.configuration, ""};
+  const BoardRequest of_model{
+      "model", arguments.specialise.specialise ? core.general : core.configuration, ""};
+  const Prepared prepared = prepared_for(of_rtl, arguments, options);
+  const Frame rtl = frame_of(of_rtl, options, prepared);
+  const Frame model = frame_of(
+      of_model, options,
+      arguments.specialise.specialise ? prepared_for(of_model, arguments, options) : prepared);
   const Comparison comparison = compare(rtl, model);
 
   if (!out.empty()) write_image(out, rtl);
@@ -65,10 +77,14 @@ int run(const Arguments& arguments) {
 
 Command add_compare_command(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = program.add_subcommand(
-      "compare", "render on both boards and compare every hit record, pixel and counter");
+  CLI::App* command =
+      program.add_subcommand("compare",
+                             "render on both boards and compare every hit record, pixel and "
+                             "counter; with --specialise, the "
+                             "Verilog made for the scene and the general core's model");
   arguments->scene.add_to(*command, true);
   arguments->frame.add_to(*command, "none");
+  arguments->specialise.add_to(*command, false);
   return {command, [arguments] { return run(*arguments); }};
 }
 

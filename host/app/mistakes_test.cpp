@@ -99,7 +99,7 @@ TEST_F(App, WhatIsUnknownIsNamed) {
                                 HasSubstr("; dynrt render --help lists what there is\n")));
   expect_mistake("paint blocks",
                  "dynrt: paint: unknown; the commands are render, walk, compare, info, report, "
-                 "choose, measure and stress\n");
+                 "choose, measure, stress, needs and specialise\n");
   expect_mistake("stress corners --config model_only",
                  StartsWith("dynrt: there is no stress case or group 'corners'; give one of these, "
                             "or the part before the slash: slivers/aspect_1e2, "));

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "host/app/light_flags.h"
@@ -18,6 +19,8 @@
 #include "host/board/configurations.h"
 #include "host/image/form_trees.h"
 #include "host/scene/load.h"
+#include "host/specialise/tree_needs.h"
+#include "host/specialise/within.h"
 
 namespace dynrt::host {
 
@@ -59,6 +62,34 @@ std::string left_out(const ImportCounts& dropped) {
     parts.push_back(grouped(count) + (count == 1 ? " point or line" : " points and lines"));
   }
   return parts.empty() ? "" : fmt::format(" ({} left out)", fmt::join(parts, ", "));
+}
+
+/// What the board's memory has left, whatever of it a core reaches.
+TreeSize room_for_instances(const SceneTrees& trees) {
+  TreeSize room = kMemoryForTrees;
+  for (const Tree& tree : trees.objects) {
+    room.nodes -= std::min(room.nodes, tree.size().nodes);
+    room.items -= std::min(room.items, tree.size().items);
+  }
+  return room;
+}
+
+/// With trees so shallow that they never overflow the board's stacks, if those that there are
+/// could.
+TreeOptions options_for(const SceneTrees& trees, const BoardInfo& board) {
+  TreeOptions options;
+  const auto entries = [](unsigned depth) {
+    return std::min(kMaxTreeDepth, static_cast<int>(depth));
+  };
+  for (const Tree& tree : trees.objects) {
+    if (tree_needs(tree).pushes > entries(board.stack_depth)) {
+      options.max_depth = entries(board.stack_depth);
+    }
+  }
+  if (tree_needs(trees.instances).pushes > entries(board.top_stack_depth)) {
+    options.max_top_depth = entries(board.top_stack_depth);
+  }
+  return options;
 }
 
 /// Throws UserError where the board's configuration lacks a primitive of the scene.
@@ -108,7 +139,13 @@ CoreNumbers core_numbers(const BoardInfo& board, const Space& space) {
 
 Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
                  const BoardInfo* board) {
-  const LightFlags light(arguments.lights, arguments.mirrors, board);
+  // What a scene may exceed is told by check_within().
+  std::optional<BoardInfo> any_light;
+  if (board != nullptr && !board->made_for.empty()) {
+    any_light = *board;
+    if (board->made_from) any_light->lights = board->made_from->lights;
+  }
+  const LightFlags light(arguments.lights, arguments.mirrors, any_light ? &*any_light : board);
   const CameraFlags flags = arguments.camera();
   const auto begin = std::chrono::steady_clock::now();
   Scene scene;
@@ -129,8 +166,10 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
 Prepared prepare(Scene scene, const Camera& camera, unsigned width, unsigned height,
                  const BoardInfo* board) {
   const ImageForm form = board == nullptr ? ImageForm{} : form_for(*board);
-  check_matrices(scene, form);
+  const bool made_for_one = board != nullptr && !board->made_for.empty();
+  check_matrices(scene, made_for_one ? ImageForm{.triangles = form.triangles} : form);
   Prepared prepared;
+  prepared.matrix = form.triangles;
   {
     const Fit fitted = fit(scene, camera, *form.format);
     move_into(fitted, scene);
@@ -150,18 +189,31 @@ Prepared prepare(Scene scene, const Camera& camera, unsigned width, unsigned hei
   const auto begin = std::chrono::steady_clock::now();
   {
     const Progress progress("building the trees");
-    TreeOptions options;
-    if (board != nullptr) {
-      options.max_depth = max_tree_depth(*board);
-      options.max_top_depth = max_top_tree_depth(*board);
+    const glm::dvec3& eye = prepared.camera.position;
+    prepared.trees = trees_for(prepared.scene, eye, form);
+    const BoardInfo* limits = made_for_one ? board->made_from.get() : board;
+    if (limits != nullptr) {
+      const TreeOptions options = options_for(prepared.trees, *limits);
+      prepared.top_depth = options.max_top_depth;
+      if (options.max_depth < kMaxTreeDepth || options.max_top_depth < kMaxTreeDepth) {
+        prepared.trees = trees_for(prepared.scene, eye, form, options);
+      }
     }
-    prepared.trees = trees_for(prepared.scene, prepared.camera.position, form, options);
   }
   prepared.tree_seconds = Seconds(std::chrono::steady_clock::now() - begin).count();
+  if (made_for_one) {
+    check_within(needs_of(prepared), *board, fmt::format("the scene '{}'", prepared.scene.name));
+  }
   prepared.objects = ObjectImage(prepared.scene, prepared.trees.objects, form);
+  prepared.top_room =
+      made_for_one ? room_for_instances(prepared.trees) : prepared.objects.room_left();
   prepared.frame = FrameImage(prepared.scene, prepared.objects, prepared.trees.instances,
                               prepared.camera, width, height);
   return prepared;
+}
+
+SceneNeeds needs_of(const Prepared& prepared) {
+  return scene_needs(prepared.scene, prepared.trees, prepared.matrix);
 }
 
 std::size_t Prepared::triangles() const {

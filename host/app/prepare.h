@@ -15,6 +15,7 @@
 #include "host/image/image.h"
 #include "host/scene/check_lights.h"
 #include "host/scene/scene.h"
+#include "host/specialise/scene_needs.h"
 #include "host/tree/scene_trees.h"
 
 namespace dynrt::host {
@@ -25,6 +26,9 @@ struct Prepared {
   Camera camera;
   Space space;  ///< of the world
   Headroom headroom;
+  int top_depth = kMaxTreeDepth;  ///< that the top-level tree may have, in every frame
+  TreeSize top_room;              ///< and what it may take
+  TriangleMatrix matrix = TriangleMatrix::kNormalConsistent;  ///< what is stored of a triangle
   SceneTrees trees;
   ObjectImage objects;
   FrameImage frame;
@@ -45,23 +49,19 @@ struct Prepared {
 /// How a board of this kind wants its memory.
 ImageForm form_for(const BoardInfo& board);
 
-/// How deep a tree may be that never overflows the board's stacks; trees deeper than usual are for
-/// those who ask for them.
-inline int max_tree_depth(const BoardInfo& board) {
-  return std::min(kMaxTreeDepth, static_cast<int>(board.stack_depth));
-}
-inline int max_top_tree_depth(const BoardInfo& board) {
-  return std::min(kMaxTreeDepth, static_cast<int>(board.top_stack_depth));
-}
-
 /// For a board of this kind: throws UserError where its configuration lacks one of the scene's
-/// primitives, and judges the scene's lights and mirrors. Without a board it is that of the
-/// configuration thesis, with every primitive, and neither lights nor mirrors are judged.
+/// primitives, and Exceeded where it was made for a scene that needs less; judges the scene's
+/// lights and mirrors. Trees that push more than the stacks of another board hold are built again,
+/// so shallow that they never do. Without a board it is that of the configuration thesis, with
+/// every primitive, and neither lights nor mirrors are judged.
 Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
                  const BoardInfo* board = nullptr);
 /// The same for a scene that is there, seen by a camera of its space.
 Prepared prepare(Scene scene, const Camera& camera, unsigned width, unsigned height,
                  const BoardInfo* board = nullptr);
+
+/// What the scene needs as it is laid out.
+SceneNeeds needs_of(const Prepared& prepared);
 
 /// For check_lights(): what a board makes of the numbers of a scene in a space.
 CoreNumbers core_numbers(const BoardInfo& board, const Space& space);

@@ -12,6 +12,7 @@
 #include "host/app/command.h"
 #include "host/app/report.h"
 #include "host/app/show.h"
+#include "host/app/specialised.h"
 #include "host/app/text.h"
 #include "host/app/trace_file.h"
 #include "host/render/output_file.h"
@@ -24,7 +25,8 @@ namespace {
 struct Arguments {
   SceneArguments scene;
   FrameArguments frame;
-  std::string board = "rtl";
+  SpecialiseFlags specialise;
+  std::string board;
   std::string schedule;
   std::string trace;
   std::string scan_out;
@@ -57,12 +59,22 @@ int run(const Arguments& arguments) {
   if (!arguments.scan_out.empty()) check_image_path(arguments.scan_out);
   check_outputs(outputs);
   TraceFile trace(arguments.trace);
-  const auto board = open_board(
-      {arguments.board, arguments.frame.configuration, arguments.trace, arguments.schedule},
-      options);
-  if (!arguments.scan_out.empty()) board->check_display(options.width, options.height);
-  const Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->info());
-  const Frame frame = traced(trace, [&] { return render_on(*board, options, prepared); });
+  std::vector<std::string> kept;
+  if (!arguments.scan_out.empty()) kept.emplace_back("--keep=scan_out");
+  const auto [board, prepared] = prepare_on(
+      arguments.specialise, arguments.specialise.choose(arguments.scene, arguments.frame, kept),
+      [&](const std::string& configuration) {
+        auto opened = open_board({arguments.specialise.board(arguments.board), configuration,
+                                  arguments.trace, arguments.schedule},
+                                 options);
+        if (!arguments.scan_out.empty()) opened->check_display(options.width, options.height);
+        return opened;
+      },
+      [&](const BoardInfo& info) {
+        return prepare(arguments.scene, options.width, options.height, &info);
+      });
+  const Frame frame =
+      traced(trace, [&, &on = *board, &what = prepared] { return render_on(on, options, what); });
 
   write_image(out, frame);
   std::optional<Shown> shown;
@@ -89,7 +101,7 @@ Command add_render_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("render", "render a scene and write the image");
   arguments->scene.add_to(*command, true);
   command->add_option("--board", arguments->board, "rtl: the Verilog; model: the C++ natively")
-      ->option_text("BOARD [rtl]");
+      ->option_text("BOARD [rtl; with --specialise model]");
   command
       ->add_option("--schedule", arguments->schedule,
                    "count the clocks of --board model by the schedules that lie beside the "
@@ -107,6 +119,7 @@ Command add_render_command(CLI::App& program) {
           "the Verilog's pins")
       ->option_text("FILE.png");
   arguments->frame.add_to(*command, "SCENE.png");
+  arguments->specialise.add_to(*command, true);
   return {command, [arguments] { return run(*arguments); }};
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/app/walk.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
@@ -12,6 +14,7 @@
 #include "host/board/bus.h"
 #include "host/error.h"
 #include "host/scene/animation.h"
+#include "host/specialise/within.h"
 
 namespace dynrt::host {
 
@@ -74,6 +77,14 @@ Camera WalkPlan::camera(const Scene& scene, const CameraFlags& flags, double tim
                 2 * std::numbers::pi * time / kOrbitSeconds);
 }
 
+Tree instances_at(Prepared& prepared, const WalkPlan& plan, unsigned frame) {
+  if (!plan.orbit) move_to(prepared.scene, plan.times.at(frame));
+  return build_instance_tree(prepared.scene, prepared.objects.boxes(),
+                             {.grid = Grid(*prepared.objects.memory.format),
+                              .max_depth = prepared.top_depth,
+                              .room = prepared.top_room});
+}
+
 double WalkRecord::upload_seconds() const {
   return static_cast<double>(upload.bus_clocks) / BusMeter::kClockHz;
 }
@@ -84,16 +95,23 @@ Walker::Walker(Board& board, const FrameOptions& options, Prepared& prepared,
       options_(options),
       prepared_(prepared),
       camera_(moved_into(prepared.space, camera)),
-      plan_(std::move(plan)) {}
+      plan_(std::move(plan)),
+      needs_(needs_of(prepared)) {}
 
 Walker::Result Walker::render_frame(unsigned frame, const PixelProgress& progress) {
   if (!held_) upload_scene();
   if (frame > 0 && held_ != frame - 1) {
     Image before = lay_out(frame - 1);
-    write(changed_runs(on_board_, before.runs, bus_words()));
-    on_board_ = std::move(before.runs);
+    if (!before.excess) {  // else another board has rendered it
+      write(changed_runs(on_board_, before.runs, bus_words()));
+      on_board_ = std::move(before.runs);
+    }
   }
   Image image = lay_out(frame);
+  if (image.excess) {
+    refuse_excess(*image.excess, board_.info(),
+                  fmt::format("frame {} of {}", frame, plan_.times.size()));
+  }
   const auto begin = Clock::now();
   const std::vector<MemoryRun> changed = changed_runs(on_board_, image.runs, bus_words());
 
@@ -122,20 +140,20 @@ Walker::Result Walker::render_frame(unsigned frame, const PixelProgress& progres
 }
 
 Walker::Image Walker::lay_out(unsigned frame) {
-  const double time = plan_.times.at(frame);
-  Scene& scene = prepared_.scene;
   const auto begin = Clock::now();
-  if (!plan_.orbit) move_to(scene, time);
-  const Camera camera = plan_.camera(scene, camera_, time, options_.width, options_.height);
+  const Tree top = instances_at(prepared_, plan_, frame);
   Image image;
-  const Tree top = build_instance_tree(scene, prepared_.objects.boxes(),
-                                       {.grid = Grid(*board_.info().format),
-                                        .max_depth = max_top_tree_depth(board_.info()),
-                                        .room = prepared_.objects.room_left()});
+  image.tree_seconds = seconds_since(begin);
+  const Scene& scene = prepared_.scene;
+  if (!board_.info().made_for.empty()) {
+    image.excess = excess(frame_needs(needs_, scene, top), board_.info());
+    if (image.excess) return image;
+  }
   const auto built = Clock::now();
+  const Camera camera =
+      plan_.camera(scene, camera_, plan_.times.at(frame), options_.width, options_.height);
   image.frame = FrameImage(scene, prepared_.objects, top, camera, options_.width, options_.height);
   image.runs = image.frame.memory.runs();
-  image.tree_seconds = std::chrono::duration<double>(built - begin).count();
   image.pack_seconds = seconds_since(built);
   return image;
 }

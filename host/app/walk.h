@@ -14,6 +14,7 @@
 
 #include "host/app/prepare.h"
 #include "host/render/render.h"
+#include "host/specialise/within.h"
 
 namespace dynrt::host {
 
@@ -36,6 +37,9 @@ struct WalkPlan {
   glm::dvec3 centre_{0.0};
 };
 
+/// The top-level tree of a frame, to whose moment the scene is moved.
+Tree instances_at(Prepared& prepared, const WalkPlan& plan, unsigned frame);
+
 /// What is reported of a frame. `upload` is of what changed since the frame before.
 struct WalkRecord {
   unsigned frame = 0;
@@ -47,6 +51,7 @@ struct WalkRecord {
   BusTraffic upload;
   std::uint64_t words = 0;             ///< of the frame's part of the memory, changed or not
   std::size_t nodes = 0, entries = 0;  ///< of the top-level tree
+  bool general = false;                ///< rendered on the general core, as it exceeded the other
 
   std::uint64_t uploaded_words() const { return upload.bytes_written / 4; }
   double upload_seconds() const;  ///< on 33 MHz PCI
@@ -67,13 +72,14 @@ class Walker {
     WalkRecord record;
   };
   /// Frames may be left out: then the memory is first brought to what the frame before leaves, so
-  /// that the record is the same.
+  /// that the record is the same. Throws Exceeded for a frame that the board was not made for.
   Result render_frame(unsigned frame, const PixelProgress& progress);
 
  private:
   struct Image {
     FrameImage frame;
     std::vector<MemoryRun> runs;
+    std::optional<Excess> excess;  ///< of what a board is made for
     double tree_seconds = 0, pack_seconds = 0;
   };
   Image lay_out(unsigned frame);
@@ -87,6 +93,7 @@ class Walker {
   const CameraFlags camera_;
   const WalkPlan plan_;
   BusTraffic scene_upload_;
+  const SceneNeeds needs_;           ///< of the scene as it was prepared
   std::vector<MemoryRun> on_board_;  ///< of the frame that the board holds
   std::optional<unsigned> held_;     ///< its number
 };

@@ -16,6 +16,7 @@
 #include "host/app/command.h"
 #include "host/app/messages.h"
 #include "host/app/progress.h"
+#include "host/app/specialised.h"
 #include "host/app/text.h"
 #include "host/app/walk_folder.h"
 #include "host/app/walk_report.h"
@@ -37,7 +38,8 @@ constexpr double kSlowestGif = 4;  ///< pictures a second: below, it is no motio
 struct Arguments {
   SceneArguments scene;
   FrameArguments frame;
-  std::string board = "rtl";
+  SpecialiseFlags specialise;
+  std::string board;
   unsigned frames = 24;
   std::optional<double> from, to;
   bool again = false;
@@ -60,8 +62,9 @@ WalkSettings Arguments::settings(const Scene& content) const {
           {"--light", fmt::format("{}", fmt::join(scene.lights, " "))},
           {"--mirror", fmt::format("{}", fmt::join(scene.mirrors, " "))},
           {"--reflections", text(frame.reflections)},
-          {"--board", board},
+          {"--board", specialise.board(board)},
           {"--config", frame.configuration},
+          {"--specialise", specialise.specialise ? "yes" : "no"},
           {"--packets", text(frame.packets)},
           {"--lines", text(frame.lines)},
           {"--order", frame.order},
@@ -114,12 +117,58 @@ void check_moving_lights(const Prepared& prepared, const WalkPlan& plan, const B
   }
 }
 
+/// Every frame of the walk is analysed.
+std::vector<std::string> analysed_frames(const Arguments& arguments) {
+  std::vector<std::string> flags = {fmt::format("--frames={}", arguments.frames)};
+  if (arguments.from) flags.push_back(fmt::format("--from={}", *arguments.from));
+  if (arguments.to) flags.push_back(fmt::format("--to={}", *arguments.to));
+  return flags;
+}
+
+/// Renders the frames that their core was not made for, if it is allowed to.
+class GeneralWalk {
+ public:
+  GeneralWalk(const Arguments& arguments, const FrameOptions& options, const ChosenCore& core,
+              const WalkPlan& plan)
+      : arguments_(arguments), options_(options), core_(core), plan_(plan) {}
+
+  Walker::Result render_frame(unsigned frame, const PixelProgress& progress) {
+    if (!walker_) {
+      board_ =
+          open_board({arguments_.specialise.board(arguments_.board), core_.general, ""}, options_);
+      prepared_ = prepare(arguments_.scene, options_.width, options_.height, &board_->info());
+      walker_.emplace(*board_, options_, prepared_, arguments_.scene.camera(), plan_);
+    }
+    Walker::Result result = walker_->render_frame(frame, progress);
+    result.record.general = true;
+    return result;
+  }
+
+ private:
+  const Arguments& arguments_;
+  const FrameOptions& options_;
+  const ChosenCore& core_;
+  const WalkPlan& plan_;
+  std::unique_ptr<Board> board_;
+  Prepared prepared_;
+  std::optional<Walker> walker_;
+};
+
 int run(const Arguments& arguments) {
   const FrameOptions options = arguments.frame.options(arguments.scene.size);
   const Place place = place_of(arguments);
   const double clock_hz = arguments.frame.clock_mhz * 1e6;
-  const auto board = open_board({arguments.board, arguments.frame.configuration, ""}, options);
-  Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->info());
+  const ChosenCore core =
+      arguments.specialise.choose(arguments.scene, arguments.frame, analysed_frames(arguments));
+  auto [board, prepared] = prepare_on(
+      arguments.specialise, core,
+      [&](const std::string& configuration) {
+        return open_board({arguments.specialise.board(arguments.board), configuration, ""},
+                          options);
+      },
+      [&](const BoardInfo& info) {
+        return prepare(arguments.scene, options.width, options.height, &info);
+      });
   WalkFolder folder(place.folder(), arguments.settings(prepared.scene), arguments.again);
   const WalkPlan plan(prepared.scene, arguments.frames, arguments.from, arguments.to);
   if (!plan.orbit && board->info().lights > 0 && !prepared.scene.lights.empty()) {
@@ -130,6 +179,7 @@ int run(const Arguments& arguments) {
   say(prepared.text() + walk_header());
 
   Walker walker(*board, options, prepared, arguments.scene.camera(), plan);
+  GeneralWalk general(arguments, options, core, plan);
   std::vector<WalkRecord> records;
   std::vector<std::string> pictures;
   unsigned kept = 0;
@@ -142,8 +192,15 @@ int run(const Arguments& arguments) {
       Progress progress(
           fmt::format("frame {} of {} on board {}", i, arguments.frames, board->info().name),
           std::uint64_t{options.width} * options.height);
-      const Walker::Result result =
-          walker.render_frame(i, [&](std::uint64_t pixels) { progress.update(pixels); });
+      const PixelProgress show = [&](std::uint64_t pixels) { progress.update(pixels); };
+      const Walker::Result result = [&] {
+        try {
+          return walker.render_frame(i, show);
+        } catch (const Exceeded&) {
+          if (!arguments.specialise.general_if_exceeded) throw;
+          return general.render_frame(i, show);
+        }
+      }();
       folder.write(result.frame, result.record);
       records.push_back(result.record);
     }
@@ -175,7 +232,7 @@ Command add_walk_command(CLI::App& program) {
       "walk", "render a scene's animation, or a way around it, frame after frame");
   arguments->scene.add_to(*command, true);
   command->add_option("--board", arguments->board, "rtl: the Verilog; model: the C++ natively")
-      ->option_text("BOARD [rtl]");
+      ->option_text("BOARD [rtl; with --specialise model]");
   command
       ->add_option("--frames", arguments->frames,
                    "how many frames, evenly spread over the animation")
@@ -191,6 +248,7 @@ Command add_walk_command(CLI::App& program) {
                     "do not go on with frames that are there, but replace them");
   arguments->frame.add_to(*command, "SCENE.gif",
                           "a folder for the frames as PNG files, or a .gif file");
+  arguments->specialise.add_to(*command, true);
   return {command, [arguments] { return run(*arguments); }};
 }
 

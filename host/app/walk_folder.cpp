@@ -45,6 +45,7 @@ WalkRecord record_of(const Json& json) {
   json.at("words").get_to(record.words);
   json.at("nodes").get_to(record.nodes);
   json.at("list_entries").get_to(record.entries);
+  record.general = json.value("general", false);
   return record;
 }
 
@@ -75,7 +76,8 @@ Json json_of(const WalkRecord& record) {
             {"seconds", record.upload_seconds()}}},
           {"words", record.words},
           {"nodes", record.nodes},
-          {"list_entries", record.entries}};
+          {"list_entries", record.entries},
+          {"general", record.general}};
 }
 
 void check_walk_folder(const std::string& path) {

@@ -55,10 +55,10 @@ std::string walk_line(const WalkRecord& record, double clock_hz) {
   const std::string clocks = record.cycles ? grouped(*record.cycles) : "-";
   const std::string rate =
       record.cycles ? fmt::format("{:.2f}", 1 / core_seconds(record, clock_hz)) : "-";
-  return fmt::format("  {:>5}{:>10}{:>14}{:>12}{:>12}{:>15}{:>12}\n", record.frame,
+  return fmt::format("  {:>5}{:>10}{:>14}{:>12}{:>12}{:>15}{:>12}{}\n", record.frame,
                      fmt::format("{:.3f} s", record.time), clocks, rate,
                      milliseconds(host_seconds(record)), counted(record.uploaded_words(), "word"),
-                     milliseconds(record.upload_seconds()));
+                     milliseconds(record.upload_seconds()), record.general ? "  general core" : "");
 }
 
 std::string WalkSummary::text() const {

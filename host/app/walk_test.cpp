@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/app/walk.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -143,6 +144,44 @@ TEST_F(Walks, GoOnAsIfTheyHadNotStopped) {
   EXPECT_EQ(record.words, expected.words);
   EXPECT_EQ(later.scene_upload(), walker.scene_upload());
   expect_scene(other, prepared(), 3);
+}
+
+/// Balls in one place, which are apart only later.
+constexpr char kScattering[] = R"({{
+  "objects": [{{"name": "b", "parts": [{{"generate": "sphere", "radius": 1, "subdivisions": 2, "colour": [1, 1, 1]}}]}}],
+  "instances": [{}],
+  "camera": {{"position": [0, 0, 99], "look_at": [0, 0, 0], "field_of_view": 40}}
+}})";
+
+std::string scattering() {
+  std::string instances;
+  for (int i = 0; i < 8; ++i) {
+    instances += fmt::format(
+        R"({}{{"object": "b", "name": "b{}", "motion": {{"keys": [{{"time": 0}}, {{"time": 4, "position": [{}, 0, 0]}}]}}}})",
+        i == 0 ? "" : ", ", i, 8 * i);
+  }
+  return fmt::format(kScattering, instances);
+}
+
+TEST_F(Walks, AFrameThatExceedsItsCoreIsRefusedAndTheNextIsNot) {
+  std::ofstream(folder_ / "t.json") << scattering();
+  Prepared scene = prepared(path("t.json"));
+  FakeBoard board;
+  board.about.made_for = "t";
+  board.about.top_stack_depth = 0;
+  // There and back again.
+  WalkPlan plan(scene.scene, 3, {}, {});
+  plan.times = {0, 4, 0};
+  Walker walker(board, options_, scene, {}, plan);
+  EXPECT_NO_THROW(walker.render_frame(0, {}));
+  EXPECT_THAT([&] { walker.render_frame(1, {}); },
+              ThrowsMessage<Exceeded>(
+                  testing::AllOf(HasSubstr("frame 1 of 3 needs top_stack_depth "),
+                                 HasSubstr("and configuration small, made for 't', has 0"))));
+  EXPECT_NO_THROW(walker.render_frame(2, {}));
+  // A core that was made for no scene renders them all, with a shallower tree if it must.
+  board.about.made_for = "";
+  EXPECT_NO_THROW(walker.render_frame(1, {}));
 }
 
 TEST_F(Walks, FramesTakeTurnsInTheFramebuffer) {

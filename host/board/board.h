@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,8 +32,9 @@ struct BoardInfo {
   unsigned lights = 0;         ///< passes of light rays from a packet's hits, at most
   bool clips_to_cube = false;  ///< it takes an object's box for the cube from -1 to 1
   unsigned reflections = 0;    ///< bounces of a ray, at most
-  bool counters = true;        ///< it counts what its units do
-  bool scan_out = false;       ///< it can show a picture on a VGA display; only the RTL has pins
+  Crossing crossing = Crossing::kNone;
+  bool counters = true;   ///< it counts what its units do
+  bool scan_out = false;  ///< it can show a picture on a VGA display; only the RTL has pins
   TriangleMatrix triangle_matrix = TriangleMatrix::kNormalConsistent;
   Primitives primitives{.triangle = true};
   TriangleTest triangle_test = TriangleTest::kUnitTriangle;
@@ -46,6 +48,8 @@ struct BoardInfo {
   bool uncompressed = true;  ///< it can transform every ray's origin
   /// The words of its FRAME registers.
   std::vector<std::uint32_t> (*frame_words)(const FrameConfig&) = frame_words_of<ShippedRegisters>;
+  std::string made_for = {};  ///< the scene that it was specialised for, or empty
+  std::shared_ptr<const BoardInfo> made_from = {};  ///< the core that it was specialised from
 };
 
 /// One of the core's counters, named unit.what, e.g. "traversal.transactions".

@@ -28,8 +28,8 @@ std::string list_of(std::span<const Configuration> table,
 bool any(const Configuration&) { return true; }
 bool has_rtl(const Configuration& configuration) { return configuration.rtl != nullptr; }
 
-const Configuration& find(std::span<const Configuration> table, const std::string& name) {
-  if (is_configuration_file(name)) return load_configuration(name);
+const Configuration& find(std::span<const Configuration> table, const std::string& name, bool rtl) {
+  if (is_configuration_file(name)) return load_configuration(name, rtl);
   const auto found = std::ranges::find(table, name, &Configuration::name);
   if (found == table.end()) {
     refuse(messages::kNoConfiguration, name, list_of(table, any));
@@ -54,9 +54,13 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
   if (!rtl && request.board != "model") {
     refuse(messages::kNoBoard, request.board);
   }
-  const Configuration& configuration = find(table, request.configuration);
+  const Configuration& configuration = find(table, request.configuration, rtl);
   BoardInfo info = configuration.info();
   info.configuration = configuration.name;
+  const Origin origin = origin_of(request.configuration);
+  info.made_for = origin.made_for;
+  const auto general = std::ranges::find(table, origin.made_from, &Configuration::name);
+  if (general != table.end()) info.made_from = std::make_shared<BoardInfo>(general->info());
   if (!rtl) {
     if (!request.trace.empty()) refuse(messages::kNoTrace);
     return std::make_unique<ModelBoard>(std::move(info), configuration.native(), request.schedule);

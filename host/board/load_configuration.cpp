@@ -10,6 +10,8 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "host/board/messages.h"
 #include "host/error.h"
@@ -67,15 +69,27 @@ bool is_configuration_file(std::string_view name) {
   return name.ends_with(".so") || name.ends_with(".json");
 }
 
-const Configuration& load_configuration(const std::string& path) {
-  static std::map<std::string, std::unique_ptr<Loaded>> loaded;
-  auto& slot = loaded[path];
+const Configuration& load_configuration(const std::string& path, bool rtl) {
+  static std::map<std::pair<std::string, bool>, std::unique_ptr<Loaded>> loaded;
+  const bool made = path.ends_with(".json");
+  auto& slot = loaded[{path, made && rtl}];
   if (!slot) {
-    const std::string library = path.ends_with(".json") ? make_configuration(path) : path;
+    const std::string library = made ? make_configuration(path, rtl) : path;
     slot = std::make_unique<Loaded>(open(library, fs::path(path).stem().string()));
     slot->configuration.name = slot->name;
   }
   return slot->configuration;
+}
+
+Origin origin_of(const std::string& path) {
+  if (!path.ends_with(".json")) return {};
+  std::ifstream file(path);
+  const auto json = nlohmann::json::parse(file, nullptr, false);
+  const auto text = [&](const char* key) -> std::string {
+    if (!json.is_object() || !json.contains(key) || !json[key].is_string()) return "";
+    return json[key];
+  };
+  return {text("made_for"), text("made_from")};
 }
 
 }  // namespace dynrt::host

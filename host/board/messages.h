@@ -27,7 +27,7 @@ inline constexpr char kOutsideBank[] =
 inline constexpr char kNoConfiguration[] =
     "--config {}: unknown; this build has {}, and a file FILE.json or FILE.so may be named instead";
 inline constexpr char kNoConfigurationFile[] = "--config {}: there is no such file";
-inline constexpr char kNotMade[] = "--config {}: {}";
+inline constexpr char kNotMade[] = "{}: {}";
 inline constexpr char kNotALibrary[] =
     "--config {}: is no whole shared library; make it anew with scripts/configuration";
 inline constexpr char kNotLoaded[] = "--config {}: cannot be loaded: {}";

@@ -19,6 +19,7 @@ BoardInfo board_info_of() {
   info.top_stack_depth = C::kTopStackDepth;
   info.lights = C::kLights;
   info.reflections = C::kReflections;
+  info.crossing = C::kCrossing;
   info.clips_to_cube = kClipsToBox<C>;
   info.counters = C::kCounters;
   info.triangle_matrix = C::kTriangleMatrix;

@@ -56,15 +56,6 @@ std::optional<double> out_of_range(const MemoryFormat& format, const glm::dmat4x
   return std::nullopt;
 }
 
-std::uint32_t colour_bits(const glm::dvec3& colour) {
-  std::uint32_t bits = 0;
-  for (int channel = 0; channel < 3; ++channel) {
-    const double level = std::clamp(colour[channel], 0.0, 1.0) * 255.0;
-    bits |= static_cast<std::uint32_t>(std::lround(level)) << (8 * channel);
-  }
-  return bits;
-}
-
 const Material& material_of(const Scene& scene, const Mesh& object, std::size_t primitive) {
   return scene.materials.at(object.material_of(primitive));
 }
@@ -278,9 +269,13 @@ void check_matrices(const Scene& scene, const ImageForm& form) {
     }
   }
   const std::size_t of_instance = form.levels == 1 ? 0 : has_mirrors(scene) ? 2 : 1;
-  const std::size_t matrices = (numbers * columns_apart(form.triangles) + 3) / 4 +
+  const std::size_t matrices = matrices_taken(numbers, form.triangles) +
                                scene.instances.size() * of_instance + 1 + scene.lights.size();
   check_matrices(scene, form, std::max(numbers, matrices));
+}
+
+std::size_t matrices_taken(std::size_t numbers, TriangleMatrix form) {
+  return (numbers * columns_apart(form) + 3) / 4;
 }
 
 std::vector<std::uint32_t> matrix_numbers(const Scene& scene, const Mesh& object,
@@ -380,6 +375,15 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
     }
     memory.add(light_columns(light));
   }
+}
+
+std::uint32_t colour_bits(const glm::dvec3& colour) {
+  std::uint32_t bits = 0;
+  for (int channel = 0; channel < 3; ++channel) {
+    const double level = std::clamp(colour[channel], 0.0, 1.0) * 255.0;
+    bits |= static_cast<std::uint32_t>(std::lround(level)) << (8 * channel);
+  }
+  return bits;
 }
 
 bool has_mirrors(const Scene& scene) {

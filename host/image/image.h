@@ -38,6 +38,9 @@ struct ImageForm {
 /// trees are: with more triangles, instances and camera than there are matrices.
 void check_matrices(const Scene& scene, const ImageForm& form = {});
 
+/// Matrices of four columns that so many numbers of primitives take.
+std::size_t matrices_taken(std::size_t numbers, TriangleMatrix form);
+
 /// The matrices of an object's primitives, the first of which is `first`, as hit records name them;
 /// behind the last primitive's, where the next object begins.
 std::vector<std::uint32_t> matrix_numbers(const Scene& scene, const Mesh& object,
@@ -82,6 +85,9 @@ struct FrameImage {
   FrameImage(const Scene& scene, const ObjectImage& objects, const Tree& instances,
              const Camera& camera, unsigned width, unsigned height);
 };
+
+/// A surface's colour as its matrix holds it: 0x00BBGGRR.
+std::uint32_t colour_bits(const glm::dvec3& colour);
 
 /// Whether some triangle of the scene reflects. Then the matrix of every instance is followed by
 /// the one back to the world, and a mirror's by its reflection (thesis 6.2.3).

@@ -21,11 +21,12 @@ class FakeBoard final : public Board {
   Memory memory;
   FrameConfig frame;
   std::uint64_t timeout = 0;
+  BoardInfo about{"rtl", "small", 8, 16, 31};
 
   FakeBoard() {
     for (unsigned bank = 0; bank < 6; ++bank) memory[bank].resize(1u << 20);
   }
-  const BoardInfo& info() const override { return info_; }
+  const BoardInfo& info() const override { return about; }
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override {
     meter_.write(words.size());
     std::ranges::copy(words, memory.at(bank).begin() + address);
@@ -44,7 +45,6 @@ class FakeBoard final : public Board {
   BusTraffic traffic() const override { return meter_.traffic(); }
 
  private:
-  BoardInfo info_{"rtl", "small", 8, 16, 31};
   BusMeter meter_;
 };
 

@@ -10,6 +10,7 @@ and RAMs, is synthesized with the units as black boxes. Units that do not differ
 configurations are many, and synthesized once (scripts/synthesis.py).
 """
 
+import concurrent.futures
 import json
 import pathlib
 import re
@@ -37,7 +38,7 @@ def black_box(verilog):
     return "(* blackbox *)\n" + HEAD.search(without_comments(verilog))[0] + "\nendmodule\n"
 
 
-def cells_of(top, texts):
+def cells_of(top, texts, family):
     """Cells by type of module `top`, made of sources by file name."""
     with tempfile.TemporaryDirectory() as folder:
         files = sorted(LIBRARY.glob("*.v"))
@@ -46,12 +47,12 @@ def cells_of(top, texts):
             path.write_text(text, encoding="utf-8")
             if name.endswith(".v"):
                 files.append(path)
-        return synthesis.cells(top, files, devices.FAMILIES[FAMILY]["synth"], top)[0]
+        return synthesis.cells(top, files, devices.FAMILIES[family]["synth"], top)[0]
 
 
-def figures_of(cells, count):
-    return {"instances": count, "area": devices.area(FAMILY, cells),
-            "takes": devices.resources(FAMILY, cells)}
+def figures_of(family, cells, count):
+    return {"instances": count, "area": devices.area(family, cells),
+            "takes": devices.resources(family, cells)}
 
 
 def total(units, key):
@@ -70,22 +71,25 @@ def schedule(report):
     return {"stages": stages, "longest_path_ns": max(map(float, paths))}
 
 
-def hardware(folder):
+def hardware(folder, family=FAMILY, jobs=1):
     """Of the core in this folder: what error.json holds of a variant's hardware."""
     core = json.loads((folder / f"{JOIN}.json").read_text(encoding="utf-8"))
     instances = {}
     for unit in core["units"]:
         instances[unit["module"]] = instances.get(unit["module"], 0) + 1
     texts = {m: (folder / f"{m}.v").read_text(encoding="utf-8") for m in instances}
-    units = {}
-    for module, count in instances.items():
-        report = (folder / f"{module}.txt").read_text(encoding="utf-8")
-        cells = cells_of(module, {f"{module}.v": without_comments(texts[module])})
-        units[module] = {**figures_of(cells, count), **schedule(report)}
     join = {f"{m}.v": black_box(text) for m, text in texts.items()}
     for name in (f"{JOIN}.v", f"{JOIN}.vh"):
         join[name] = without_comments((folder / name).read_text(encoding="utf-8"))
-    units[JOIN] = figures_of(cells_of(JOIN, join), 1)
+    sources = {m: {f"{m}.v": without_comments(text)} for m, text in texts.items()} | {JOIN: join}
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        found = {m: pool.submit(cells_of, m, files, family) for m, files in sources.items()}
+        cells = {m: one.result() for m, one in found.items()}
+    units = {}
+    for module, count in instances.items():
+        report = (folder / f"{module}.txt").read_text(encoding="utf-8")
+        units[module] = {**figures_of(family, cells[module], count), **schedule(report)}
+    units[JOIN] = figures_of(family, cells[JOIN], 1)
     longest = max(u["longest_path_ns"] for u in units.values() if "stages" in u)
     return {
         "area": total(units, "area"),

@@ -1,0 +1,129 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// dynrt needs: what every key of a configuration must be for a scene, and why. Nothing is built or
+// rendered; `dynrt specialise` goes on from here.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "host/app/arguments.h"
+#include "host/app/board_frame.h"
+#include "host/app/command.h"
+#include "host/app/progress.h"
+#include "host/app/specialised.h"
+#include "host/app/text.h"
+#include "host/app/walk.h"
+#include "host/render/output_file.h"
+#include "host/scene/animation.h"
+#include "host/scene/fingerprint.h"
+#include "host/specialise/decide.h"
+
+namespace dynrt::host {
+
+namespace {
+
+constexpr unsigned kFramesOfAWalk = 24;
+
+struct Arguments {
+  SceneArguments scene;
+  std::string configuration;
+  std::optional<unsigned> reflections, frames;
+  std::optional<double> from, to;
+  bool uncompressed = false;
+  std::string json;
+};
+
+/// Of one frame, or of all the frames of the walk that moves the scene or is asked for.
+SceneNeeds needs_over_frames(Prepared& prepared, const Arguments& arguments) {
+  const SceneNeeds still = needs_of(prepared);
+  const bool moves = duration(prepared.scene) > 0;
+  if (!moves && !arguments.frames) return still;
+  const WalkPlan plan(prepared.scene, arguments.frames.value_or(kFramesOfAWalk), arguments.from,
+                      arguments.to);
+  const auto frames = static_cast<unsigned>(plan.times.size());
+  std::optional<SceneNeeds> all;
+  Progress progress("analysing the frames", frames);
+  for (unsigned i = 0; i < frames; ++i) {
+    const Tree instances = instances_at(prepared, plan, i);
+    const SceneNeeds one = frame_needs(still, prepared.scene, instances);
+    if (all) {
+      all->include(one);
+    } else {
+      all = one;
+    }
+    progress.update(i + 1);
+  }
+  return *all;
+}
+
+std::string text_of(const Decision& decision) {
+  return fmt::format("  {:<18}{:<12}{}\n", decision.key,
+                     decision.value.is_string()  ? decision.value.get<std::string>()
+                     : decision.value.is_array() ? fmt::format("{}", decision.value.size())
+                                                 : decision.value.dump(),
+                     decision.reason);
+}
+
+int run(const Arguments& arguments) {
+  FrameOptions options;
+  std::tie(options.width, options.height) = parse_size(arguments.scene.size);
+  check_size(options.width, options.height);
+  options.reflections = arguments.reflections;
+  if (!arguments.json.empty()) check_output_path(arguments.json);
+  const std::string general = arguments.configuration.empty()
+                                  ? general_configuration(arguments.scene)
+                                  : arguments.configuration;
+  const auto board = open_board({"model", general, ""}, options);
+  Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->info());
+  const std::uint64_t content = fingerprint(prepared.scene);
+  const SceneNeeds needs = needs_over_frames(prepared, arguments);
+  const std::vector<Decision> decisions =
+      decide(needs, board->info(),
+             {arguments.reflections.value_or(board->info().reflections), arguments.uncompressed});
+  if (!arguments.json.empty()) {
+    nlohmann::ordered_json json = {{"general", general},
+                                   {"content", fmt::format("{:016x}", content)},
+                                   {"needs", json_of(needs)},
+                                   {"keys", json_of(decisions)}};
+    write_text(arguments.json, json.dump(2) + "\n");
+  }
+  std::string text = prepared.text() + fmt::format("  {:<18}{:<12}{}\n", "key", "needs", "because");
+  for (const Decision& decision : decisions) text += text_of(decision);
+  say(text);
+  return kDone;
+}
+
+}  // namespace
+
+Command add_needs_command(CLI::App& program) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand(
+      "needs", "show what every key of a configuration must be for a scene, and why");
+  arguments->scene.add_to(*command, true);
+  add_configuration_flag(*command, arguments->configuration);
+  command
+      ->add_option("--reflections", arguments->reflections,
+                   "bounces of a ray, at most; default: all that the configuration has")
+      ->option_text("N")
+      ->check(not_a_count);
+  command->add_flag("--uncompressed", arguments->uncompressed,
+                    "keep what renders with --uncompressed");
+  command
+      ->add_option("--frames", arguments->frames,
+                   fmt::format("frames of a walk that it must hold for; default: {} if the scene "
+                               "moves, else the one",
+                               kFramesOfAWalk))
+      ->option_text("N")
+      ->check(not_a_count);
+  command->add_option("--from", arguments->from, "time of the first frame")
+      ->option_text("SECONDS [0]")
+      ->check(not_a_number);
+  command->add_option("--to", arguments->to, "time of the last one; default: the animation's end")
+      ->option_text("SECONDS")
+      ->check(not_a_number);
+  add_json_flag(*command, arguments->json);
+  return {command, [arguments] { return run(*arguments); }};
+}
+
+}  // namespace dynrt::host

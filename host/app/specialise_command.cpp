@@ -1,0 +1,18 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// dynrt specialise: the smallest core that renders a scene, its Verilog, and what it saves. What a
+// scene needs says `dynrt needs`; measuring, lowering and synthesis are the script's.
+#include "host/app/command.h"
+#include "host/app/script_command.h"
+
+namespace dynrt::host {
+
+Command add_specialise_command(CLI::App& program) {
+  const ScriptCommand command = add_script_command(
+      program, "specialise", "make the smallest core that renders a scene, and say what it saves",
+      "specialise/specialise.py");
+  return {command.app, command.run};
+}
+
+}  // namespace dynrt::host

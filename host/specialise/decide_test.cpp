@@ -1,0 +1,168 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Each key: there when it is needed, gone when it is not, and why.
+#include "host/specialise/decide.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/specialise/test_needs.h"
+
+namespace dynrt::host {
+namespace {
+
+using testing::add_instance;
+using ::testing::HasSubstr;
+using testing::needs_of;
+using testing::one_triangle;
+using testing::room;
+using testing::scene_of;
+using Json = nlohmann::ordered_json;
+
+BoardInfo whitted() {
+  BoardInfo info;
+  info.configuration = "whitted";
+  info.stack_depth = 31;
+  info.lights = 8;
+  info.reflections = 7;
+  info.crossing = Crossing::kRemember;
+  info.primitives = {true, true, true};
+  return info;
+}
+
+Decision decision(const std::string& key, const SceneNeeds& needs,
+                  const FrameWishes& wishes = {.reflections = 7},
+                  const BoardInfo& general = whitted()) {
+  for (const Decision& one : decide(needs, general, wishes)) {
+    if (one.key == key) return one;
+  }
+  return {key, nullptr, "not decided"};
+}
+
+void expect(const Decision& got, const Json& value, const std::string& reason) {
+  EXPECT_EQ(got.value, value) << got.key;
+  EXPECT_EQ(got.reason, reason) << got.key;
+}
+
+SceneNeeds of_one_triangle() { return needs_of(scene_of(one_triangle("sail"))); }
+
+Scene many_sails() {
+  Scene scene = scene_of(one_triangle("sail"));
+  for (int i = 1; i < 9; ++i) add_instance(scene, 3.0 * i);
+  return scene;
+}
+
+TEST(Decide, Levels) {
+  expect(decision("levels", of_one_triangle()), 1,
+         "the scene is one object that stands where it is, so its tree is the only one");
+  expect(decision("levels", needs_of(many_sails())), 2,
+         "9 instances of 1 object need a tree over them");
+  BoardInfo boxed = whitted();
+  boxed.clips_to_cube = true;
+  expect(decision("levels", of_one_triangle(), {}, boxed), 2,
+         "configuration whitted prepares rays where they enter an object");
+  EXPECT_EQ(decision("top_stack_depth", of_one_triangle()).reason,
+            "there is no tree over the objects");
+}
+
+TEST(Decide, StacksAreAsDeepAsTheTreesPush) {
+  expect(decision("stack_depth", of_one_triangle()), 1,
+         "the deepest object tree, 'sail', pushes at most 0");
+  SceneNeeds needs = of_one_triangle();
+  needs.object_stack = {14, "chair"};
+  expect(decision("stack_depth", needs), 14, "the deepest object tree, 'chair', pushes at most 14");
+  needs = needs_of(many_sails());
+  needs.frames = 24;
+  needs.top_stack.pushes = 5;
+  expect(decision("top_stack_depth", needs), 5,
+         "the tree over 9 instances pushes at most 5 in any of 24 frames");
+}
+
+TEST(Decide, AMailboxIsWhereAnItemIsListedTwice) {
+  SceneNeeds needs = needs_of(many_sails());
+  expect(decision("object_slots", needs), 0,
+         "no instance is listed in two leaves of the tree over them");
+  needs.instance_repeats = {9, 2, "instances"};
+  expect(decision("object_slots", needs), 9,
+         "2 of 9 instances are listed in two or more leaves of the tree over them");
+  expect(decision("triangle_slots", needs), 0,
+         "no primitive is listed in two leaves of the tree of 'sail'");
+  EXPECT_GT(decision("triangle_slots", needs_of(scene_of(room(1, 6, 6)))).value, 8);
+}
+
+TEST(Decide, SplitPacketsComeToEveryLeafAgain) {
+  SceneNeeds needs = needs_of(many_sails());
+  needs.mirror = "chrome";
+  BoardInfo splits = whitted();
+  splits.crossing = Crossing::kSplit;
+  EXPECT_EQ(decision("object_slots", needs, {.reflections = 1}, splits).value, 9);
+  EXPECT_EQ(decision("object_slots", needs, {.reflections = 0}, splits).value, 0);
+}
+
+TEST(Decide, BitsOfAddressesAndMatrices) {
+  SceneNeeds needs = of_one_triangle();
+  needs.places.nodes = 16;
+  expect(decision("address_bits", needs), 4, "the trees take 16 nodes and 2 list entries");
+  needs.places.entries = 17;
+  EXPECT_EQ(decision("address_bits", needs).value, 5);
+  needs.places.matrices = 4096;
+  expect(decision("matrix_bits", needs), 12,
+         "primitives, instances, lights and camera take the numbers 0 to 4095");
+  needs.places.matrices = 4097;
+  EXPECT_EQ(decision("matrix_bits", needs).value, 13);
+}
+
+TEST(Decide, Lights) {
+  SceneNeeds needs = of_one_triangle();
+  expect(decision("lights", needs), 0, "the scene has no lights: it is lit from the eye");
+  needs.lights = 3;
+  expect(decision("lights", needs), 3, "the scene has 3 lights");
+  needs.lights = 9;
+  expect(decision("lights", needs), 8,
+         "the scene has 9 lights, of which configuration whitted lets 8 shine");
+}
+
+TEST(Decide, ReflectionsAndWhatCrosses) {
+  SceneNeeds needs = of_one_triangle();
+  expect(decision("reflections", needs), 0, "no surface is a mirror");
+  expect(decision("crossing", needs), "none", "no rays of a packet cross, as none is reflected");
+  needs.mirror = "chrome";
+  expect(decision("reflections", needs, {.reflections = 2}), 2,
+         "'chrome' is a mirror, and 2 bounces of a ray are asked for");
+  EXPECT_EQ(decision("crossing", needs, {.reflections = 2}).reason, "not decided");
+  expect(decision("reflections", needs, {.reflections = 0}), 0,
+         "'chrome' is a mirror, but no bounces are asked for");
+}
+
+TEST(Decide, Primitives) {
+  SceneNeeds needs = of_one_triangle();
+  expect(decision("primitives", needs), Json::array({"triangle"}),
+         "the scene is made of 1 triangle; there are no spheres and rectangles");
+  needs.primitives = {0, 4, 2};
+  expect(decision("primitives", needs), Json::array({"sphere", "rectangle"}),
+         "the scene is made of 2 spheres and 4 rectangles; there are no triangles");
+}
+
+TEST(Decide, OneColour) {
+  SceneNeeds needs = of_one_triangle();
+  expect(decision("one_colour", needs), true, "every surface has the colour 0x808080");
+  needs.colours.insert(0xff);
+  expect(decision("one_colour", needs), false, "the surfaces have 2 colours");
+}
+
+TEST(Decide, UncompressedPacketsOnlyWhereAskedFor) {
+  EXPECT_EQ(decision("uncompressed", of_one_triangle()).value, false);
+  expect(decision("uncompressed", of_one_triangle(), {.uncompressed = true}), true,
+         "it was asked for with --uncompressed");
+}
+
+TEST(Decide, EveryDecisionHasAReason) {
+  for (const Decision& one : decide(of_one_triangle(), whitted(), {})) {
+    EXPECT_GT(one.reason.size(), 10u) << one.key;
+    EXPECT_NE(one.reason.back(), '.') << one.key;
+  }
+}
+
+}  // namespace
+}  // namespace dynrt::host

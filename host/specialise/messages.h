@@ -1,0 +1,13 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is said of a frame that exceeds its configuration.
+#pragma once
+
+namespace dynrt::host::messages {
+
+inline constexpr char kExceeded[] =
+    "{} needs {} {}, and configuration {}, made for '{}', has {}; specialise again with this "
+    "scene and all its frames, or add --general-if-exceeded to render it on the general core";
+
+}  // namespace dynrt::host::messages

@@ -1,0 +1,94 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/specialise/within.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/specialise/test_needs.h"
+
+namespace dynrt::host {
+namespace {
+
+using testing::needs_of;
+using testing::one_triangle;
+using testing::scene_of;
+
+BoardInfo made_for_a_sail() {
+  BoardInfo info;
+  info.configuration = "mine";
+  info.made_for = "sail";
+  info.levels = 2;
+  info.top_stack_depth = 3;
+  info.stack_depth = 3;
+  info.address_bits = 4;
+  info.matrix_bits = 3;
+  info.lights = 1;
+  BoardInfo whitted;
+  whitted.lights = 8;
+  info.made_from = std::make_shared<BoardInfo>(whitted);
+  return info;
+}
+
+TEST(Within, WhatWasAnalysedFits) {
+  SceneNeeds needs = needs_of(scene_of(one_triangle("sail")));
+  needs.lights = 1;
+  needs.top_stack.pushes = 3;
+  EXPECT_FALSE(excess(needs, made_for_a_sail()));
+  EXPECT_NO_THROW(check_within(needs, made_for_a_sail(), "frame 1"));
+}
+
+TEST(Within, ADeeperTreeIsRefusedWithBothValues) {
+  SceneNeeds needs = needs_of(scene_of(one_triangle("sail")));
+  needs.top_stack.pushes = 4;
+  EXPECT_THAT(
+      [&] { check_within(needs, made_for_a_sail(), "frame 7 of 24"); },
+      ::testing::ThrowsMessage<Exceeded>(::testing::HasSubstr(
+          "frame 7 of 24 needs top_stack_depth 4, and configuration mine, made for 'sail', has "
+          "3;")));
+}
+
+/// The first key that is exceeded, with both values.
+void expect_excess(const SceneNeeds& needs, const BoardInfo& board, const std::string& key,
+                   std::size_t needed, std::size_t has) {
+  const auto over = excess(needs, board);
+  ASSERT_TRUE(over) << key;
+  EXPECT_EQ(over->key, key);
+  EXPECT_EQ(over->needs, needed) << key;
+  EXPECT_EQ(over->has, has) << key;
+}
+
+TEST(Within, EveryKeyIsHeldAgainstTheScene) {
+  const SceneNeeds fits = needs_of(scene_of(one_triangle("sail")));
+  const BoardInfo board = made_for_a_sail();
+  SceneNeeds needs = fits;
+  needs.lights = 2;
+  expect_excess(needs, board, "lights", 2, 1);
+  needs = fits;
+  needs.object_stack.pushes = 5;
+  expect_excess(needs, board, "stack_depth", 5, 3);
+  needs = fits;
+  needs.places.nodes = 17;
+  expect_excess(needs, board, "address_bits", 5, 4);
+  needs = fits;
+  needs.places.matrices = 9;
+  expect_excess(needs, board, "matrix_bits", 4, 3);
+  needs = fits;
+  needs.one_level = false;
+  BoardInfo one = board;
+  one.levels = 1;
+  EXPECT_FALSE(excess(fits, one));
+  expect_excess(needs, one, "levels", 2, 1);
+}
+
+TEST(Within, ACoreMadeFromOneWithoutLightsIgnoresThemAsThatDoes) {
+  SceneNeeds needs = needs_of(scene_of(one_triangle("sail")));
+  needs.lights = 2;
+  BoardInfo board = made_for_a_sail();
+  board.lights = 0;
+  board.made_from = std::make_shared<BoardInfo>();
+  EXPECT_FALSE(excess(needs, board));
+}
+
+}  // namespace
+}  // namespace dynrt::host

@@ -1,0 +1,249 @@
+#!/usr/bin/python3
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Makes the smallest core that renders a scene: `dynrt specialise`, and --specialise of the commands
+that render, for which it prints the path of the configuration."""
+
+import hashlib
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import flags
+from variants import Refused, base_configuration  # which finds the scripts beside this folder
+from collect import scene_name, written_first
+from report import guarded
+from workflow import content_of, show_progress
+import choose_format
+import configs
+import costs
+import curve
+import decisions
+import table
+from build_cache import BuildCache, CacheError
+
+
+def write_json(path, data):
+    path.write_text(json.dumps(data, indent=2) + "\n", encoding="utf-8")
+
+
+class Project:
+    """Runs the program and scripts/configuration for one scene."""
+
+    def __init__(self, args):
+        self.args = args
+        self.scene = str(pathlib.Path(args.scene).absolute()) if os.path.exists(args.scene) \
+            else args.scene
+        self.name = scene_name(args.scene)
+        self.out = args.out or pathlib.Path(f"{self.name}.specialised")
+        self.seen = flags.passed_on(args, flags.SEEN) + (
+            ["--uncompressed"] if args.uncompressed else [])
+        self.build = json.loads(pathlib.Path(args.build).read_text(encoding="utf-8"))
+
+    def needs(self, general):
+        """What `dynrt needs` says, and its lines about the scene."""
+        command = [self.args.program, "needs", self.scene, *self.seen,
+                   *flags.passed_on(self.args, flags.ASKED)]
+        command += [f"--config={general}"] if general else []
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "needs.json"
+            result = subprocess.run([*command, "--json", path], stdout=subprocess.PIPE,
+                                    stderr=subprocess.PIPE, text=True, check=False)
+            if result.returncode != 0:
+                raise Refused(result.stderr.strip().removeprefix("dynrt: "))
+            about = next(x for x in result.stdout.splitlines() if x.startswith("scene "))
+            return json.loads(path.read_text(encoding="utf-8")), about.removeprefix("scene").strip()
+
+    def made(self, configuration, *kind):
+        """The path of what scripts/configuration makes of a file."""
+        result = subprocess.run(
+            [configs.ROOT / "scripts" / "configuration", configuration, *kind, "--build",
+             self.args.build, "--expect", self.args.expect, "--jobs", str(self.args.jobs),
+             "--for-program"], stdout=subprocess.PIPE, text=True, check=False)
+        if result.returncode != 0:
+            raise Refused(result.stdout.strip() or "scripts/configuration failed")
+        return pathlib.Path(result.stdout.strip())
+
+    def key(self, needs, general):
+        """Of all that the configuration depends on."""
+        args = self.args
+        said = {"needs": needs, "general": general, "seen": self.seen, "keep": args.keep,
+                "slowdown": args.max_slowdown, "fingerprint": args.expect,
+                "variables": self.build["variables"], "program": content_of(
+                    pathlib.Path(args.program)), "hlsc": content_of(
+                        pathlib.Path(self.build["hlsc"]))}
+        if not os.path.exists(args.scene):
+            said["scene"] = args.scene
+        digest = hashlib.sha256(json.dumps(said, sort_keys=True).encode())
+        return f"specialised-{digest.hexdigest()[:40]}"
+
+
+class Specialiser:
+    """Writes the configuration of a scene and what it was decided by into a folder of the cache."""
+
+    def __init__(self, project, general_name, general, needs):
+        self.project, self.general_name, self.general = project, general_name, general
+        self.needs = needs
+        self.keys = configs.load_generate().KEYS
+
+    def decide(self, measured):
+        return decisions.decide(self.keys, self.general_name, self.general, self.needs["keys"],
+                                measured, self.project.args.keep)
+
+    def write(self, path, decided):
+        configuration = decisions.configuration(self.project.name, self.general_name, decided)
+        generate = configs.load_generate()
+        try:
+            generate.checked("special", configuration)
+        except generate.Refused as error:
+            raise Refused(str(error)) from error
+        write_json(path, configuration)
+
+    def __call__(self, folder):
+        made = folder / "made"
+        made.mkdir()
+        path = made / f"{self.project.name}.json"
+        measured, curves = self.measured(folder)
+        decided = self.decide(measured)
+        self.write(path, decided)
+        write_json(made / "analysis.json", {
+            "general": self.general_name, "needs": self.needs["needs"], "curves": curves,
+            "left_out": decisions.left_out(decided, self.general), "configuration": decided})
+        return made
+
+    def measured(self, folder):
+        """Packets and lines, and the curves. All else is as it will be."""
+        args, most = self.project.args, {k: self.general[k] for k in ("packets", "lines")}
+        whole = folder / f"{self.project.name}.json"
+        self.write(whole, self.decide({k: (n, "being measured") for k, n in most.items()}))
+        schedules = self.project.made(whole, "--verilog")
+        meter = curve.Meter(args.program, self.project.scene, self.project.seen, whole, schedules,
+                            show_progress)
+        decided, curves = curve.choose(meter, most["packets"], most["lines"], args.max_slowdown)
+        return {k: d for k, d in decided.items() if k not in args.keep}, curves
+
+
+def general_core(project):
+    """Name and keys of the configuration to start from, and what the scene needs of it."""
+    args = project.args
+    needs, about = project.needs(args.config)
+    name = needs["general"]
+    generate = configs.load_generate()
+    general = generate.checked("general", base_configuration(name))
+    if args.max_error is not None:
+        general |= choose_format.chosen(args, name, project.scene)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / f"{name}.json"
+            write_json(path, general)
+            needs, about = project.needs(path)
+            needs["general"] = name
+    return name, general, needs, about
+
+
+def add_costs(project, result, folder, general):
+    """Area, gates, stages and clocks of both cores."""
+    args = project.args
+    special = next(p for p in folder.glob("*.json") if p.name != "analysis.json")
+    of = {}
+    with tempfile.TemporaryDirectory() as work:
+        whole = pathlib.Path(work) / "general.json"
+        write_json(whole, general)
+        for name, path in (("general", whole), ("special", special)):
+            verilog = project.made(path, "--verilog")
+            meter = curve.Meter(args.program, project.scene, project.seen, path, verilog,
+                                show_progress)
+            read = json.loads(path.read_text(encoding="utf-8"))
+            plain = lambda key: read[key]["value"] if isinstance(read[key], dict) else read[key]
+            of[name] = {"clocks": meter.clocks(plain("packets"), plain("lines"))}
+            if args.hardware:
+                of[name] |= costs.costs_of(verilog, args.device[0], args.jobs, show_progress)
+    result["costs"] = of
+    return verilog
+
+
+def check_outputs(out, figures):
+    """Refuses, before the work, what could not be written."""
+    if figures and not figures.absolute().parent.is_dir():
+        raise Refused(f"--json {figures}: there is no folder '{figures.parent}'; create it or name "
+                      "a file elsewhere")
+    new = not out.exists()
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        if new:
+            out.rmdir()
+    except OSError as error:
+        raise Refused(f"--out {out}: cannot be made ({error.strerror}); name a folder elsewhere"
+                      ) from error
+
+
+def finish(project, name, general, about, entry):
+    """What `dynrt specialise` does with a configuration that is there."""
+    args = project.args
+    result = json.loads((entry / "analysis.json").read_text(encoding="utf-8"))
+    result["curves"] = {what: {int(n): clocks for n, clocks in points.items()}
+                        for what, points in result["curves"].items()}
+    out = project.out
+    verilog = add_costs(project, result, entry, general)
+    misfit = args.hardware and costs.misfits(verilog, result["costs"]["special"], args.device,
+                                             args.jobs, show_progress)
+    show_progress("")
+    with written_first(out) as new:
+        shutil.copyfile(entry / f"{project.name}.json", new / "configuration.json")
+        write_json(new / "analysis.json", result)
+        shutil.copytree(verilog, new / "verilog")
+        if args.json:
+            write_json(new / "json", result)
+    for left in (out / "verilog").iterdir():  # of an earlier core with other units
+        if left.is_file() and not (verilog / left.name).exists():
+            left.unlink()
+    if args.json:
+        shutil.move(out / "json", args.json)
+    print(table.page(about, name, general, result) + f"written     {out}/configuration.json, "
+          "analysis.json and verilog")
+    if misfit:
+        raise Refused(f"the core made for {project.name} fits no device asked for: {misfit}")
+
+
+def run(args):
+    project = Project(args)
+    costs.check_devices(args.device)
+    if args.max_slowdown < 0:
+        raise Refused(f"--max-slowdown {args.max_slowdown:g}: a part in percent, 0 or more")
+    if not args.for_program:
+        check_outputs(project.out, args.json)
+    name, general, needs, about = general_core(project)
+    try:
+        entry = BuildCache().get(project.key(needs, general),
+                                 Specialiser(project, name, general, needs),
+                                 lambda: show_progress("another program is at it, waiting"))
+    except CacheError as error:
+        raise Refused(str(error)) from error
+    show_progress("")
+    if args.for_program:
+        print(entry / f"{project.name}.json")
+        return 0
+    return finish(project, name, general, about, entry)
+
+
+def for_program(args):
+    """As scripts/configuration does: what is wrong, where the path would be."""
+    try:
+        return run(args)
+    except Refused as error:
+        print(error)
+    except OSError as error:
+        print(f"{error.filename}: {error.strerror}")
+    return 1
+
+
+def main():
+    args = flags.parse(sys.argv[1:])
+    return for_program(args) if args.for_program else guarded(run, args)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,230 @@
+#!/usr/bin/python3
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""How a configuration comes from needs and measurements, and what `dynrt specialise` refuses; a
+program that only pretends stands in for dynrt."""
+
+import contextlib
+import io
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import textwrap
+import unittest
+
+sys.dont_write_bytecode = True
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+import flags  # noqa: E402
+from variants import Refused  # noqa: E402
+import configs  # noqa: E402
+import curve  # noqa: E402
+import decisions  # noqa: E402
+import table  # noqa: E402
+
+GENERATE = configs.load_generate()
+LISTED = json.loads(configs.LISTED.read_text(encoding="utf-8"))
+THESIS = GENERATE.checked("thesis", LISTED["thesis"])
+WHITTED = GENERATE.checked("whitted", LISTED["whitted"])
+
+
+def decide(needed, measured=None, keep=(), general=THESIS, name="thesis"):
+    needs = {key: {"value": value, "reason": f"the scene needs {value}"}
+             for key, value in needed.items()}
+    return decisions.decide(GENERATE.KEYS, name, general, needs, measured or {}, keep)
+
+
+class Decisions(unittest.TestCase):
+    def test_every_key_has_a_reason(self):
+        decided = decide({"stack_depth": 14})
+        self.assertEqual(set(decided), set(GENERATE.KEYS) - set(decisions.TEXTS))
+        for one in decided.values():
+            self.assertGreater(len(one["reason"]), 10)
+        self.assertEqual(decided["stack_depth"], {"value": 14, "reason": "the scene needs 14"})
+        self.assertEqual(decided["mantissa_bits"]["value"], 16)
+
+    def test_never_more_than_the_general_core_nor_less_than_a_key_may_be(self):
+        decided = decide({"triangle_slots": 400, "top_stack_depth": 0, "primitives": ["sphere"]})
+        self.assertEqual(decided["triangle_slots"]["value"], 8)
+        self.assertEqual(decided["top_stack_depth"]["value"], 1)
+        self.assertEqual(decided["primitives"]["value"], ["sphere"])
+
+    def test_counters_and_display_go_unless_they_are_kept(self):
+        decided = decide({})
+        self.assertEqual((decided["counters"]["value"], decided["scan_out"]["value"]),
+                         (False, False))
+        decided = decide({"stack_depth": 3}, keep=["scan_out", "stack_depth"])
+        self.assertEqual((decided["counters"]["value"], decided["scan_out"]["value"]), (False, True))
+        self.assertEqual(decided["stack_depth"],
+                         {"value": 31, "reason": "as in thesis: --keep asks for it"})
+        with self.assertRaisesRegex(Refused, "^--keep speed: unknown; the keys are packets, "):
+            decide({}, keep=["speed"])
+
+    def test_the_configuration_is_one_that_can_be_built(self):
+        decided = decide({"stack_depth": 14, "lights": 2, "reflections": 0, "crossing": "none"},
+                         {"packets": (16, "with 32 a frame takes 100 clocks")}, (), WHITTED,
+                         "whitted")
+        stated = decisions.configuration("lamps", "whitted", decided)
+        config = GENERATE.checked("special", stated)
+        self.assertEqual((config["stack_depth"], config["lights"], config["packets"],
+                          config["made_for"], config["made_from"]),
+                         (14, 2, 16, "lamps", "whitted"))
+        self.assertIn("stack_depth", decisions.left_out(decided, WHITTED))
+        self.assertNotIn("mantissa_bits", decisions.left_out(decided, WHITTED))
+
+
+class Curve(unittest.TestCase):
+    CLOCKS = {32: 1000, 16: 1009, 8: 1100, 4: 1700, 2: 3000, 1: 6000}
+
+    def test_the_smallest_number_that_costs_little_enough(self):
+        for percent, expected in ((0, 32), (1, 16), (10, 8), (9.9, 16), (1000, 4)):
+            _, chosen = curve.walk_down(self.CLOCKS.get, 32, percent)
+            self.assertEqual(chosen, expected)
+
+    def test_what_is_much_slower_is_measured_once_and_no_further(self):
+        found, _ = curve.walk_down(self.CLOCKS.get, 32, 1)
+        self.assertEqual(found, {n: self.CLOCKS[n] for n in (32, 16, 8, 4)})
+
+    def test_numbers_between_powers_of_two(self):
+        self.assertEqual(list(curve.powers_below(48)), [32, 16, 8, 4, 2, 1])
+        self.assertEqual(list(curve.powers_below(64)), [32, 16, 8, 4, 2, 1])
+
+    def test_the_reason_has_the_numbers_on_both_sides(self):
+        self.assertEqual(curve.reason(self.CLOCKS, 16, 1),
+                         "with 32 a frame takes 1,000 clocks, with 16 0.9 % more, with 8 10.0 % "
+                         "more; 1 % are allowed")
+        self.assertEqual(curve.reason({1: 50}, 1, 1), "with 1 a frame takes 50 clocks; 1 % are "
+                         "allowed")
+
+    def test_lines_are_measured_with_the_packets_that_were_chosen(self):
+        class Meter:
+            asked = []
+
+            def clocks(self, packets, lines):
+                self.asked.append((packets, lines))
+                return 1000 if packets >= 16 and lines >= 64 else 2000
+
+        meter = Meter()
+        decided, curves = curve.choose(meter, 32, 512, 2)
+        self.assertEqual((decided["packets"][0], decided["lines"][0]), (16, 64))
+        self.assertEqual(list(curves["lines"]), [512, 256, 128, 64, 32])
+        self.assertEqual({p for p, n in meter.asked if n < 512}, {16})
+
+
+class Table(unittest.TestCase):
+    def result(self):
+        decided = decide({"stack_depth": 14, "lights": 0})
+        costs = {"general": {"LUT4": 33000, "FF": 20000, "gates": 2800000, "clocks": 1000},
+                 "special": {"LUT4": 22000, "FF": 20000, "gates": 2100000, "clocks": 1010}}
+        return {"configuration": decided, "left_out": decisions.left_out(decided, THESIS),
+                "costs": costs, "curves": {"packets": {32: 1000, 16: 1010},
+                                           "lines": {512: 1010, 256: 1100}}}
+
+    def test_what_is_left_out_and_what_it_saves(self):
+        page = table.page("office: one object", "thesis", THESIS, self.result())
+        self.assertRegex(page, r"(?m)^  stack_depth +31 +14 +the scene needs 14$")
+        self.assertRegex(page, r"(?m)^  LUTs +33,000 +22,000 +33.3 %$")
+        self.assertRegex(page, r"(?m)^  clocks of a frame +1,000 +1,010 +-1.0 %$")
+        self.assertRegex(page, r"(?m)^  packets +32 +16$")
+        self.assertIn("as in thesis: ", page)
+        self.assertLessEqual(max(map(len, page.splitlines())), table.WIDTH + 4)
+
+
+class Flags(unittest.TestCase):
+    GIVEN = ["--program", "p", "--build", "b", "--expect", "e"]
+
+    def test_values_may_begin_with_a_minus(self):
+        args = flags.parse(["office", "--position", "-1,2,3", "--light", "0,1,0", "--light=-1,1,0",
+                            *self.GIVEN])
+        self.assertEqual(flags.passed_on(args, flags.SEEN),
+                         ["--position=-1,2,3", "--light=0,1,0", "--light=-1,1,0"])
+        self.assertEqual(flags.passed_on(args, flags.ASKED), [])
+
+    def test_unknown_flags_are_told_in_a_sentence(self):
+        with self.assertRaises(SystemExit), contextlib.redirect_stderr(io.StringIO()) as said:
+            flags.parse(["office", "--speed", "9", *self.GIVEN])
+        self.assertIn("dynrt: unrecognized arguments: --speed 9; dynrt specialise --help lists",
+                      said.getvalue())
+
+
+class Command(unittest.TestCase):
+    """specialise.py itself, up to where it needs more than the pretended program."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.program = self.folder / "dynrt"
+        self.program.write_text(textwrap.dedent("""\
+            #!/usr/bin/python3
+            import json, pathlib, sys
+            if "nowhere.obj" in sys.argv:
+                sys.exit("dynrt: nowhere.obj: there is no such file")
+            needs = {"general": "thesis", "content": "0", "needs": {"scene": "office"}, "keys":
+                     {"stack_depth": {"value": 14, "reason": "the deepest tree pushes 14"}}}
+            pathlib.Path(sys.argv[sys.argv.index("--json") + 1]).write_text(json.dumps(needs))
+            print("scene       office: 2 triangles")
+            """), encoding="utf-8")
+        self.program.chmod(0o755)
+        self.build = self.folder / "build.json"
+        self.build.write_text(json.dumps({
+            "identity": {}, "variables": {}, "source": str(self.folder),
+            "hlsc": str(self.folder / "hlsc")}), encoding="utf-8")
+
+    def run_on(self, *words, **environment):
+        return subprocess.run(
+            [HERE / "specialise.py", *words, "--program", self.program, "--build", self.build,
+             "--expect", "0"], capture_output=True, text=True, check=False, cwd=self.folder,
+            env=os.environ | {"DYNRT_CACHE": str(self.folder / "cache")} | environment)
+
+    def assert_refused(self, sentence, *words, **environment):
+        result = self.run_on(*words, **environment)
+        self.assertRegex(result.stderr, f"^dynrt: {sentence}\n$")
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+
+    def test_mistakes(self):
+        self.assert_refused("nowhere.obj: there is no such file", "nowhere.obj")
+        self.assert_refused("--device fpga: unknown; the devices are ecp5-85, .*", "office",
+                            "--device", "fpga")
+        self.assert_refused("--max-slowdown -1: a part in percent, 0 or more", "office",
+                            "--max-slowdown=-1")
+        self.assert_refused("--keep speed: unknown; the keys are .*", "office", "--keep", "speed")
+
+    def test_sources_that_are_not_the_programs(self):
+        self.assert_refused("the sources have changed since this program was built; build it again",
+                            "office")
+
+    def test_a_cache_that_cannot_be_written(self):
+        blocked = self.folder / "file"
+        blocked.write_text("", encoding="utf-8")
+        self.assert_refused(f"the cache {blocked} cannot be written .*; let DYNRT_CACHE name a "
+                            "folder that can", "office", DYNRT_CACHE=str(blocked))
+
+    def test_programs_read_the_sentence_where_the_path_would_be(self):
+        result = self.run_on("nowhere.obj", "--for-program")
+        self.assertEqual((result.returncode, result.stdout, result.stderr),
+                         (1, "nowhere.obj: there is no such file\n", ""))
+
+    def test_what_is_there_whole_is_taken_and_what_was_cut_off_is_not(self):
+        first = self.run_on("office", "--for-program")  # fails, but where it would be is known
+        self.assertEqual(first.returncode, 1)
+        locks = list((self.folder / "cache").glob("specialised-*.lock"))
+        self.assertEqual(len(locks), 1)
+        entry = locks[0].with_suffix("")
+        partial = entry.with_name(entry.name + ".cut.partial")
+        partial.mkdir()
+        (partial / "office.json").write_text("{", encoding="utf-8")
+        again = self.run_on("office", "--for-program")
+        self.assertEqual(again.returncode, 1)
+        self.assertFalse(partial.exists())
+        entry.mkdir()
+        (entry / "office.json").write_text("{}", encoding="utf-8")
+        whole = self.run_on("office", "--for-program")
+        self.assertEqual((whole.returncode, whole.stdout), (0, f"{entry / 'office.json'}\n"))
+
+
+if __name__ == "__main__":
+    unittest.main()
