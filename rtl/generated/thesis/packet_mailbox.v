@@ -45,7 +45,7 @@ module packet_mailbox #(
   wire [18:0] enter_next_config = frame_i[210:192];
 
   // ---- stage 0 ----
-  wire [4:0] enter_packet_s0 = entry_data_i[4:0];
+  wire [4:0] packet_s0 = entry_data_i[4:0];
   wire top_s0 = entry_data_i[5];
   wire entry_6_s0 = entry_data_i[6];
   wire [16:0] matrix_s0 = entry_data_i[27:11];
@@ -54,7 +54,7 @@ module packet_mailbox #(
 
   // ---- stage 1 ----
   reg valid_s1;
-  reg  [4:0] enter_packet_s1;
+  reg  [4:0] packet_s1;
   reg  top_s1;
   reg  entry_6_s1;
   reg  [16:0] matrix_s1;
@@ -62,7 +62,7 @@ module packet_mailbox #(
   reg  [3:0] entry_7_s1;
   always @(posedge clk_i) begin
     valid_s1 <= rst_ni && valid_s0;
-    enter_packet_s1 <= enter_packet_s0;
+    packet_s1 <= packet_s0;
     top_s1 <= top_s0;
     entry_6_s1 <= entry_6_s0;
     matrix_s1 <= matrix_s0;
@@ -98,7 +98,7 @@ module packet_mailbox #(
 
   // ---- stage 2 ----
   reg valid_s2;
-  reg  [4:0] enter_packet_s2;
+  reg  [4:0] packet_s2;
   reg  top_s2;
   reg  entry_6_s2;
   reg  [16:0] matrix_s2;
@@ -130,7 +130,7 @@ module packet_mailbox #(
   reg  [3:0] entry_7_s2;
   always @(posedge clk_i) begin
     valid_s2 <= rst_ni && valid_s1;
-    enter_packet_s2 <= enter_packet_s1;
+    packet_s2 <= packet_s1;
     top_s2 <= top_s1;
     entry_6_s2 <= entry_6_s1;
     matrix_s2 <= matrix_s1;
@@ -161,58 +161,58 @@ module packet_mailbox #(
     entry_42_s2 <= entry_42_s1;
     entry_7_s2 <= entry_7_s1;
   end
-  wire eq_1_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd0;  // units/mailbox.h:26
-  wire found_s2 = (~eq_1_s2) & (matrix_s2 == object_slots_slot_0_s2);  // units/mailbox.h:26
+  wire eq_1_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd0;  // units/mailbox.h:28
+  wire found_s2 = (~eq_1_s2) & (matrix_s2 == object_slots_slot_0_s2);  // units/mailbox.h:28
   wire found_2_s2 = matrix_s2 == object_slots_slot_1_s2;
-  wire and_1_s2 = (~({objects_3_s2, objects_2_s2, objects_1_s2} == 3'd0)) & found_2_s2;  // units/mailbox.h:26
-  wire lt_1_s2 = 4'd2 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:26
+  wire and_1_s2 = (~({objects_3_s2, objects_2_s2, objects_1_s2} == 3'd0)) & found_2_s2;  // units/mailbox.h:28
+  wire lt_1_s2 = 4'd2 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:28
   wire found_3_s2 = matrix_s2 == object_slots_slot_2_s2;
   wire found_4_s2 = matrix_s2 == object_slots_slot_3_s2;
-  wire lt_2_s2 = 4'd4 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:26
+  wire lt_2_s2 = 4'd4 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:28
   wire found_5_s2 = matrix_s2 == object_slots_slot_4_s2;
-  wire lt_3_s2 = 4'd5 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:26
+  wire lt_3_s2 = 4'd5 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:28
   wire found_6_s2 = matrix_s2 == object_slots_slot_5_s2;
-  wire lt_4_s2 = 4'd6 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:26
+  wire lt_4_s2 = 4'd6 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:28
   wire found_7_s2 = matrix_s2 == object_slots_slot_6_s2;
-  wire eq_6_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd0;  // units/mailbox.h:26
-  wire found_8_s2 = (~eq_6_s2) & (matrix_s2 == triangle_slots_slot_0_s2);  // units/mailbox.h:26
+  wire eq_6_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd0;  // units/mailbox.h:28
+  wire found_8_s2 = (~eq_6_s2) & (matrix_s2 == triangle_slots_slot_0_s2);  // units/mailbox.h:28
   wire found_9_s2 = matrix_s2 == triangle_slots_slot_1_s2;
-  wire and_8_s2 = (~({triangles_3_s2, triangles_2_s2, triangles_1_s2} == 3'd0)) & found_9_s2;  // units/mailbox.h:26
-  wire lt_5_s2 = 4'd2 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:26
+  wire and_8_s2 = (~({triangles_3_s2, triangles_2_s2, triangles_1_s2} == 3'd0)) & found_9_s2;  // units/mailbox.h:28
+  wire lt_5_s2 = 4'd2 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:28
   wire found_10_s2 = matrix_s2 == triangle_slots_slot_2_s2;
   wire found_11_s2 = matrix_s2 == triangle_slots_slot_3_s2;
-  wire lt_6_s2 = 4'd4 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:26
+  wire lt_6_s2 = 4'd4 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:28
   wire found_12_s2 = matrix_s2 == triangle_slots_slot_4_s2;
-  wire lt_7_s2 = 4'd5 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:26
+  wire lt_7_s2 = 4'd5 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:28
   wire found_13_s2 = matrix_s2 == triangle_slots_slot_5_s2;
-  wire lt_8_s2 = 4'd6 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:26
+  wire lt_8_s2 = 4'd6 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:28
   wire found_14_s2 = matrix_s2 == triangle_slots_slot_6_s2;
-  wire or_2_s2 = ((~({triangles_3_s2, triangles_2_s2} == 2'd0)) & found_11_s2) | (triangles_3_s2 & (matrix_s2 == triangle_slots_slot_7_s2));  // units/mailbox.h:62
-  wire or_6_s2 = ((lt_5_s2 & found_10_s2) | (lt_6_s2 & found_12_s2)) | ((lt_7_s2 & found_13_s2) | (lt_8_s2 & found_14_s2));  // units/mailbox.h:62
-  wire or_9_s2 = ((~({objects_3_s2, objects_2_s2} == 2'd0)) & found_4_s2) | (objects_3_s2 & (matrix_s2 == object_slots_slot_7_s2));  // units/mailbox.h:62
-  wire or_13_s2 = ((lt_1_s2 & found_3_s2) | (lt_2_s2 & found_5_s2)) | ((lt_3_s2 & found_6_s2) | (lt_4_s2 & found_7_s2));  // units/mailbox.h:62
-  wire or_14_s2 = ((found_s2 | and_1_s2) | or_9_s2) | or_13_s2;  // units/mailbox.h:62
-  wire known_s2 = top_s2 ? (((found_8_s2 | and_8_s2) | or_2_s2) | or_6_s2) : or_14_s2;  // units/mailbox.h:62
-  wire [1:0] mux_1_s2 = top_s2 ? 2'd2 : 2'd1;  // units/mailbox.h:98
-  wire eq_11_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd1;  // units/mailbox.h:32
-  wire eq_12_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd2;  // units/mailbox.h:32
-  wire eq_13_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd3;  // units/mailbox.h:32
-  wire eq_14_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd4;  // units/mailbox.h:32
-  wire eq_15_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd5;  // units/mailbox.h:32
-  wire eq_16_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd6;  // units/mailbox.h:32
-  wire eq_17_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd7;  // units/mailbox.h:32
-  wire eq_18_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd8;  // units/mailbox.h:34
+  wire or_2_s2 = ((~({triangles_3_s2, triangles_2_s2} == 2'd0)) & found_11_s2) | (triangles_3_s2 & (matrix_s2 == triangle_slots_slot_7_s2));  // units/mailbox.h:68
+  wire or_6_s2 = ((lt_5_s2 & found_10_s2) | (lt_6_s2 & found_12_s2)) | ((lt_7_s2 & found_13_s2) | (lt_8_s2 & found_14_s2));  // units/mailbox.h:68
+  wire or_9_s2 = ((~({objects_3_s2, objects_2_s2} == 2'd0)) & found_4_s2) | (objects_3_s2 & (matrix_s2 == object_slots_slot_7_s2));  // units/mailbox.h:68
+  wire or_13_s2 = ((lt_1_s2 & found_3_s2) | (lt_2_s2 & found_5_s2)) | ((lt_3_s2 & found_6_s2) | (lt_4_s2 & found_7_s2));  // units/mailbox.h:68
+  wire or_14_s2 = ((found_s2 | and_1_s2) | or_9_s2) | or_13_s2;  // units/mailbox.h:68
+  wire known_s2 = top_s2 ? (((found_8_s2 | and_8_s2) | or_2_s2) | or_6_s2) : or_14_s2;  // units/mailbox.h:68
+  wire [1:0] mux_1_s2 = top_s2 ? 2'd2 : 2'd1;  // units/mailbox.h:113
+  wire eq_11_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd1;  // units/mailbox.h:34
+  wire eq_12_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd2;  // units/mailbox.h:34
+  wire eq_13_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd3;  // units/mailbox.h:34
+  wire eq_14_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd4;  // units/mailbox.h:34
+  wire eq_15_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd5;  // units/mailbox.h:34
+  wire eq_16_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd6;  // units/mailbox.h:34
+  wire eq_17_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd7;  // units/mailbox.h:34
+  wire eq_18_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd8;  // units/mailbox.h:36
   wire [3:0] add_1_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} + 4'd1;
-  wire eq_19_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd1;  // units/mailbox.h:32
-  wire eq_20_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd2;  // units/mailbox.h:32
-  wire eq_21_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd3;  // units/mailbox.h:32
-  wire eq_22_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd4;  // units/mailbox.h:32
-  wire eq_23_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd5;  // units/mailbox.h:32
-  wire eq_24_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd6;  // units/mailbox.h:32
-  wire eq_25_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd7;  // units/mailbox.h:32
-  wire eq_26_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd8;  // units/mailbox.h:34
+  wire eq_19_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd1;  // units/mailbox.h:34
+  wire eq_20_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd2;  // units/mailbox.h:34
+  wire eq_21_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd3;  // units/mailbox.h:34
+  wire eq_22_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd4;  // units/mailbox.h:34
+  wire eq_23_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd5;  // units/mailbox.h:34
+  wire eq_24_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd6;  // units/mailbox.h:34
+  wire eq_25_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd7;  // units/mailbox.h:34
+  wire eq_26_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd8;  // units/mailbox.h:36
   wire [3:0] add_2_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} + 4'd1;
-  wire [3:0] mux_11_s2 = {eq_26_s2 | add_2_s2[3], ~{3{eq_26_s2}} & add_2_s2[2:0]};  // units/mailbox.h:34
+  wire [3:0] mux_11_s2 = {eq_26_s2 | add_2_s2[3], ~{3{eq_26_s2}} & add_2_s2[2:0]};  // units/mailbox.h:36
   wire not_7_s2 = ~entry_6_s2;
   wire or_15_s2 = entry_6_s2 | known_s2;
   wire [3:0] mux_12_s2 = (top_s2 | or_14_s2) ? {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} : ({eq_18_s2 | add_1_s2[3], ~{3{eq_18_s2}} & add_1_s2[2:0]});
@@ -244,7 +244,7 @@ module packet_mailbox #(
     .BOUNDED(FRESH_BOUNDED)) fresh_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && (~or_15_s2)), .ready_o(fresh_room),
-    .data_i({matrix_s2, packet_rays_s2, mux_1_s2, enter_packet_s2}),
+    .data_i({matrix_s2, packet_rays_s2, mux_1_s2, packet_s2}),
     .valid_o(fresh_valid_o), .ready_i(fresh_ready_i), .data_o(fresh_stored));
   assign fresh_data_o = {fresh_stored, 4'd3};
   wire [5:0] seen_stored;
@@ -252,7 +252,7 @@ module packet_mailbox #(
     .BOUNDED(SEEN_BOUNDED)) seen_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && (known_s2 & not_7_s2)), .ready_o(seen_room),
-    .data_i({top_s2, enter_packet_s2}),
+    .data_i({top_s2, packet_s2}),
     .valid_o(seen_valid_o), .ready_i(seen_ready_i), .data_o(seen_stored));
   assign seen_data_o = {20'd0, seen_stored};
   wire [27:0] start_stored;
@@ -260,16 +260,16 @@ module packet_mailbox #(
     .BOUNDED(START_BOUNDED)) start_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && entry_6_s2), .ready_o(start_room),
-    .data_i({entry_7_s2, enter_next_config, enter_packet_s2}),
+    .data_i({entry_7_s2, enter_next_config, packet_s2}),
     .valid_o(start_valid_o), .ready_i(start_ready_i), .data_o(start_stored));
   assign start_data_o = {32'd0, start_stored[27:5], 3'd0, start_stored[4:0]};
   assign last_en_o = valid_s2 && not_7_s2;
-  assign last_addr_o = {top_s2, enter_packet_s2};
+  assign last_addr_o = {top_s2, packet_s2};
   assign last_data_o = entry_42_s2;
   wire objects_write = valid_s2;
-  wire [4:0] objects_write_addr = enter_packet_s2;
+  wire [4:0] objects_write_addr = packet_s2;
   wire objects_read = valid_s0;
-  wire [4:0] objects_read_addr = enter_packet_s0;
+  wire [4:0] objects_read_addr = packet_s0;
   hls_ram_1r1w #(.WIDTH(140), .ROWS(32), .EXCLUSIVE(1)) objects_ram (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(objects_write), .write_addr_i(objects_write_addr),
@@ -294,9 +294,9 @@ module packet_mailbox #(
   end
 `endif
   wire triangles_write = valid_s2;
-  wire [4:0] triangles_write_addr = enter_packet_s2;
+  wire [4:0] triangles_write_addr = packet_s2;
   wire triangles_read = valid_s0;
-  wire [4:0] triangles_read_addr = enter_packet_s0;
+  wire [4:0] triangles_read_addr = packet_s0;
   hls_ram_1r1w #(.WIDTH(140), .ROWS(32), .EXCLUSIVE(1)) triangles_ram (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(triangles_write), .write_addr_i(triangles_write_addr),
@@ -321,9 +321,9 @@ module packet_mailbox #(
   end
 `endif
   wire traced_write = valid_s2 && entry_6_s2;
-  wire [4:0] traced_write_addr = enter_packet_s2;
+  wire [4:0] traced_write_addr = packet_s2;
   wire traced_read = valid_s1;
-  wire [4:0] traced_read_addr = enter_packet_s1;
+  wire [4:0] traced_read_addr = packet_s1;
   hls_ram_1r1w #(.WIDTH(4), .ROWS(32), .EXCLUSIVE(1)) traced_ram (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(traced_write), .write_addr_i(traced_write_addr),

@@ -43,17 +43,17 @@ module traversal_slice #(
   wire [15:0] step_in_24_s0 = step_in_data_i[39:24];
   wire [6:0] step_in_40_s0 = step_in_data_i[46:40];
   wire step_in_47_s0 = step_in_data_i[47];
-  wire [2:0] mux_1_s0 = lane_1_config ? 3'd4 : 3'd1;  // units/traversal_slice.h:52
-  wire [3:0] mux_2_s0 = {lane_0_config & mux_1_s0[2], lane_0_config ? mux_1_s0[1:0] : mux_1_s0[2:1], ~lane_0_config & mux_1_s0[0]};  // units/traversal_slice.h:52
-  wire both_s0 = (s_context_both_s0 & mux_2_s0) == 4'd0;  // units/traversal_slice.h:52
+  wire [2:0] mux_1_s0 = lane_1_config ? 3'd4 : 3'd1;  // units/traversal_slice.h:51
+  wire [3:0] mux_2_s0 = {lane_0_config & mux_1_s0[2], lane_0_config ? mux_1_s0[1:0] : mux_1_s0[2:1], ~lane_0_config & mux_1_s0[0]};  // units/traversal_slice.h:51
+  wire both_s0 = (s_context_both_s0 & mux_2_s0) == 4'd0;  // units/traversal_slice.h:51
   wire [4:0] s_context_packet_s0 = step_in_data_i[4:0];
   wire step_in_5_s0 = step_in_data_i[5];
   wire [4:0] s_context_stack_s0 = step_in_data_i[21:17];
   wire [1:0] s_node_kind_s0 = step_in_data_i[23:22];
-  wire eq_4_s0 = s_node_kind_s0 == 2'd0;  // units/traversal_slice.h:142
-  wire eq_5_s0 = s_node_kind_s0 == 2'd1;  // units/traversal_slice.h:142
-  wire [1:0] mux_13_s0 = eq_5_s0 ? 2'd1 : 2'd2;  // units/packet.h:145
-  wire [1:0] mux_14_s0 = ~{2{eq_4_s0}} & mux_13_s0;  // units/packet.h:145
+  wire eq_4_s0 = s_node_kind_s0 == 2'd0;  // units/traversal_slice.h:141
+  wire eq_5_s0 = s_node_kind_s0 == 2'd1;  // units/traversal_slice.h:141
+  wire [1:0] mux_13_s0 = eq_5_s0 ? 2'd1 : 2'd2;  // units/packet.h:250
+  wire [1:0] mux_14_s0 = ~{2{eq_4_s0}} & mux_13_s0;  // units/packet.h:250
 
   // ---- stage 1 ----
   reg valid_s1;
@@ -75,7 +75,7 @@ module traversal_slice #(
   wire [15:0] ray_0_s1 = ray_data_i[15:0];
   wire [6:0] ray_16_s1 = ray_data_i[22:16];
   wire ray_23_s1 = ray_data_i[23];
-  wire lt_1_s1 = {step_in_40_s1, step_in_24_s1} < {ray_16_s1, ray_0_s1};  // units/traversal_slice.h:98
+  wire lt_1_s1 = {step_in_40_s1, step_in_24_s1} < {ray_16_s1, ray_0_s1};  // units/traversal_slice.h:97
   wire [15:0] ray_24_s1 = ray_data_i[39:24];
   wire [6:0] ray_40_s1 = ray_data_i[46:40];
   wire ray_47_s1 = ray_data_i[47];
@@ -111,23 +111,23 @@ module traversal_slice #(
     ray_40_s2 <= ray_40_s1;
     ray_47_s2 <= ray_47_s1;
   end
-  wire not_2_s2 = ~ray_23_s2;  // units/traversal_slice.h:98
-  wire [6:0] mux_15_s2 = lt_1_s2 ? (ray_16_s2 - step_in_40_s2) : (step_in_40_s2 - ray_16_s2);  // units/traversal_slice.h:98
-  wire [23:0] mux_16_s2 = lt_1_s2 ? {not_2_s2, ray_16_s2, ray_0_s2} : {step_in_47_s2, step_in_40_s2, step_in_24_s2};  // units/traversal_slice.h:98
-  wire [15:0] mux_17_s2 = lt_1_s2 ? step_in_24_s2 : ray_0_s2;  // units/traversal_slice.h:98
-  wire [23:0] xor_1_s2 = {step_in_47_s2, step_in_40_s2, step_in_24_s2} ^ {ray_23_s2, ray_16_s2, ray_0_s2};  // units/traversal_slice.h:98
-  wire not_3_s2 = ~xor_1_s2[23];  // units/traversal_slice.h:98
-  wire [18:0] mux_18_s2 = {mux_15_s2[4] ? 1'd0 : 1'd1, ~{15{mux_15_s2[4]}} & mux_17_s2[15:1], mux_15_s2[4] | mux_17_s2[0], {2{mux_15_s2[4]}} & mux_17_s2[15:14]};  // units/traversal_slice.h:98
-  wire [18:0] mux_19_s2 = {~{8{mux_15_s2[3]}} & mux_18_s2[18:11], mux_15_s2[3] ? mux_18_s2[18:8] : mux_18_s2[10:0]};  // units/traversal_slice.h:98
-  wire [18:0] mux_20_s2 = {~{4{mux_15_s2[2]}} & mux_19_s2[18:15], mux_15_s2[2] ? mux_19_s2[18:4] : mux_19_s2[14:0]};  // units/traversal_slice.h:98
-  wire [18:0] mux_21_s2 = {~{2{mux_15_s2[1]}} & mux_20_s2[18:17], mux_15_s2[1] ? mux_20_s2[18:2] : mux_20_s2[16:0]};  // units/traversal_slice.h:98
-  wire [18:0] mux_22_s2 = {~mux_15_s2[0] & mux_21_s2[18], mux_15_s2[0] ? mux_21_s2[18:1] : mux_21_s2[17:0]};  // units/traversal_slice.h:98
-  wire eq_10_s2 = mux_15_s2[6:5] == 2'd0;  // units/traversal_slice.h:98
-  wire or_2_s2 = (mux_15_s2[3] & (~(mux_18_s2[7:0] == 8'd0))) | ((mux_15_s2[4] & (~(mux_17_s2[13:0] == 14'd0))) | (~eq_10_s2));  // units/traversal_slice.h:98
-  wire or_3_s2 = (mux_15_s2[2] & (~(mux_19_s2[3:0] == 4'd0))) | (mux_15_s2[0] & mux_21_s2[0]);  // units/traversal_slice.h:98
-  wire or_5_s2 = or_3_s2 | ((mux_15_s2[1] & (~(mux_20_s2[1:0] == 2'd0))) | or_2_s2);  // units/traversal_slice.h:98
-  wire [18:0] mux_23_s2 = {19{eq_10_s2}} & mux_22_s2;  // units/traversal_slice.h:98
-  wire [19:0] xor_2_s2 = {mux_23_s2, or_5_s2} ^ {20{not_3_s2}};  // units/traversal_slice.h:98
+  wire not_2_s2 = ~ray_23_s2;  // units/traversal_slice.h:97
+  wire [6:0] mux_15_s2 = lt_1_s2 ? (ray_16_s2 - step_in_40_s2) : (step_in_40_s2 - ray_16_s2);  // units/traversal_slice.h:97
+  wire [23:0] mux_16_s2 = lt_1_s2 ? {not_2_s2, ray_16_s2, ray_0_s2} : {step_in_47_s2, step_in_40_s2, step_in_24_s2};  // units/traversal_slice.h:97
+  wire [15:0] mux_17_s2 = lt_1_s2 ? step_in_24_s2 : ray_0_s2;  // units/traversal_slice.h:97
+  wire [23:0] xor_1_s2 = {step_in_47_s2, step_in_40_s2, step_in_24_s2} ^ {ray_23_s2, ray_16_s2, ray_0_s2};  // units/traversal_slice.h:97
+  wire not_3_s2 = ~xor_1_s2[23];  // units/traversal_slice.h:97
+  wire [18:0] mux_18_s2 = {mux_15_s2[4] ? 1'd0 : 1'd1, ~{15{mux_15_s2[4]}} & mux_17_s2[15:1], mux_15_s2[4] | mux_17_s2[0], {2{mux_15_s2[4]}} & mux_17_s2[15:14]};  // units/traversal_slice.h:97
+  wire [18:0] mux_19_s2 = {~{8{mux_15_s2[3]}} & mux_18_s2[18:11], mux_15_s2[3] ? mux_18_s2[18:8] : mux_18_s2[10:0]};  // units/traversal_slice.h:97
+  wire [18:0] mux_20_s2 = {~{4{mux_15_s2[2]}} & mux_19_s2[18:15], mux_15_s2[2] ? mux_19_s2[18:4] : mux_19_s2[14:0]};  // units/traversal_slice.h:97
+  wire [18:0] mux_21_s2 = {~{2{mux_15_s2[1]}} & mux_20_s2[18:17], mux_15_s2[1] ? mux_20_s2[18:2] : mux_20_s2[16:0]};  // units/traversal_slice.h:97
+  wire [18:0] mux_22_s2 = {~mux_15_s2[0] & mux_21_s2[18], mux_15_s2[0] ? mux_21_s2[18:1] : mux_21_s2[17:0]};  // units/traversal_slice.h:97
+  wire eq_10_s2 = mux_15_s2[6:5] == 2'd0;  // units/traversal_slice.h:97
+  wire or_2_s2 = (mux_15_s2[3] & (~(mux_18_s2[7:0] == 8'd0))) | ((mux_15_s2[4] & (~(mux_17_s2[13:0] == 14'd0))) | (~eq_10_s2));  // units/traversal_slice.h:97
+  wire or_3_s2 = (mux_15_s2[2] & (~(mux_19_s2[3:0] == 4'd0))) | (mux_15_s2[0] & mux_21_s2[0]);  // units/traversal_slice.h:97
+  wire or_5_s2 = or_3_s2 | ((mux_15_s2[1] & (~(mux_20_s2[1:0] == 2'd0))) | or_2_s2);  // units/traversal_slice.h:97
+  wire [18:0] mux_23_s2 = {19{eq_10_s2}} & mux_22_s2;  // units/traversal_slice.h:97
+  wire [19:0] xor_2_s2 = {mux_23_s2, or_5_s2} ^ {20{not_3_s2}};  // units/traversal_slice.h:97
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -152,18 +152,18 @@ module traversal_slice #(
     ray_40_s3 <= ray_40_s2;
     ray_47_s3 <= ray_47_s2;
   end
-  wire [21:0] add_1_s3 = {2'd1, mux_16_s3[15:0], 4'd1} + {not_3_s3, xor_2_s3, not_3_s3};  // units/traversal_slice.h:98
-  wire eq_11_s3 = add_1_s3[21:2] == 20'd0;  // units/traversal_slice.h:98
-  wire eq_12_s3 = add_1_s3[21:18] == 4'd0;  // units/traversal_slice.h:98
-  wire eq_14_s3 = add_1_s3[13:10] == 4'd0;  // units/traversal_slice.h:98
-  wire eq_16_s3 = add_1_s3[5:2] == 4'd0;  // units/traversal_slice.h:98
-  wire and_7_s3 = eq_12_s3 & (add_1_s3[17:14] == 4'd0);  // units/traversal_slice.h:98
-  wire and_9_s3 = and_7_s3 & (eq_14_s3 & (add_1_s3[9:6] == 4'd0));  // units/traversal_slice.h:98
-  wire [19:0] mux_24_s3 = {and_9_s3 ? add_1_s3[5:2] : add_1_s3[21:18], ~{16{and_9_s3}} & add_1_s3[17:2]};  // units/traversal_slice.h:98
-  wire mux_26_s3 = and_9_s3 ? eq_16_s3 : and_7_s3;  // units/traversal_slice.h:98
-  wire [19:0] mux_27_s3 = {mux_26_s3 ? mux_24_s3[11:0] : mux_24_s3[19:8], ~{8{mux_26_s3}} & mux_24_s3[7:0]};  // units/traversal_slice.h:98
-  wire mux_28_s3 = mux_26_s3 ? (eq_14_s3 | and_9_s3) : (and_9_s3 ? eq_16_s3 : eq_12_s3);  // units/traversal_slice.h:98
-  wire [19:0] mux_29_s3 = {mux_28_s3 ? mux_27_s3[15:0] : mux_27_s3[19:4], ~{4{mux_28_s3}} & mux_27_s3[3:0]};  // units/traversal_slice.h:98
+  wire [21:0] add_1_s3 = {2'd1, mux_16_s3[15:0], 4'd1} + {not_3_s3, xor_2_s3, not_3_s3};  // units/traversal_slice.h:97
+  wire eq_11_s3 = add_1_s3[21:2] == 20'd0;  // units/traversal_slice.h:97
+  wire eq_12_s3 = add_1_s3[21:18] == 4'd0;  // units/traversal_slice.h:97
+  wire eq_14_s3 = add_1_s3[13:10] == 4'd0;  // units/traversal_slice.h:97
+  wire eq_16_s3 = add_1_s3[5:2] == 4'd0;  // units/traversal_slice.h:97
+  wire and_7_s3 = eq_12_s3 & (add_1_s3[17:14] == 4'd0);  // units/traversal_slice.h:97
+  wire and_9_s3 = and_7_s3 & (eq_14_s3 & (add_1_s3[9:6] == 4'd0));  // units/traversal_slice.h:97
+  wire [19:0] mux_24_s3 = {and_9_s3 ? add_1_s3[5:2] : add_1_s3[21:18], ~{16{and_9_s3}} & add_1_s3[17:2]};  // units/traversal_slice.h:97
+  wire mux_26_s3 = and_9_s3 ? eq_16_s3 : and_7_s3;  // units/traversal_slice.h:97
+  wire [19:0] mux_27_s3 = {mux_26_s3 ? mux_24_s3[11:0] : mux_24_s3[19:8], ~{8{mux_26_s3}} & mux_24_s3[7:0]};  // units/traversal_slice.h:97
+  wire mux_28_s3 = mux_26_s3 ? (eq_14_s3 | and_9_s3) : (and_9_s3 ? eq_16_s3 : eq_12_s3);  // units/traversal_slice.h:97
+  wire [19:0] mux_29_s3 = {mux_28_s3 ? mux_27_s3[15:0] : mux_27_s3[19:4], ~{4{mux_28_s3}} & mux_27_s3[3:0]};  // units/traversal_slice.h:97
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -198,23 +198,23 @@ module traversal_slice #(
     ray_40_s4 <= ray_40_s3;
     ray_47_s4 <= ray_47_s3;
   end
-  wire not_9_s4 = ~eq_11_s4;  // units/traversal_slice.h:98
-  wire and_10_s4 = not_9_s4 & mux_26_s4;  // units/traversal_slice.h:98
-  wire eq_17_s4 = mux_29_s4[19:18] == 2'd0;  // units/traversal_slice.h:98
-  wire [19:0] mux_30_s4 = {eq_17_s4 ? mux_29_s4[17:0] : mux_29_s4[19:2], ~{2{eq_17_s4}} & mux_29_s4[1:0]};  // units/traversal_slice.h:98
-  wire and_11_s4 = not_9_s4 & eq_17_s4;  // units/traversal_slice.h:98
-  wire and_12_s4 = not_9_s4 & (~mux_30_s4[19]);  // units/traversal_slice.h:98
-  wire [19:0] mux_31_s4 = {and_10_s4 ? mux_24_s4[11:0] : mux_24_s4[19:8], ~{8{and_10_s4}} & mux_24_s4[7:0]};  // units/traversal_slice.h:98
-  wire [19:0] mux_32_s4 = {mux_28_s4 ? mux_31_s4[15:0] : mux_31_s4[19:4], ~{4{mux_28_s4}} & mux_31_s4[3:0]};  // units/traversal_slice.h:98
-  wire [19:0] mux_33_s4 = {and_11_s4 ? mux_32_s4[17:0] : mux_32_s4[19:2], ~{2{and_11_s4}} & mux_32_s4[1:0]};  // units/traversal_slice.h:98
-  wire [19:0] mux_34_s4 = {and_12_s4 ? mux_33_s4[18:0] : mux_33_s4[19:1], ~and_12_s4 & mux_33_s4[0]};  // units/traversal_slice.h:98
-  wire [8:0] sub_3_s4 = {2'd0, mux_16_s4[22:16]} - {4'd0, and_9_s4, and_10_s4, mux_28_s4, and_11_s4, and_12_s4};  // units/traversal_slice.h:98
-  wire and_13_s4 = mux_34_s4[2] & ((~(mux_34_s4[1:0] == 2'd0)) | (add_1_s4 | mux_34_s4[3]));  // units/traversal_slice.h:98
-  wire [24:0] add_2_s4 = {sub_3_s4, 15'd0, and_13_s4} + {8'd0, mux_34_s4[19:3]};  // units/traversal_slice.h:98
-  wire and_14_s4 = mux_34_s4[19] & (~add_2_s4[24]);  // units/traversal_slice.h:98
-  wire left_first_s4 = mux_34_s4[19] & mux_16_s4[23];  // units/traversal_slice.h:98
-  wire [22:0] mux_35_s4 = {23{add_2_s4[23]}} | add_2_s4[22:0];  // units/traversal_slice.h:98
-  wire [22:0] mux_36_s4 = {23{and_14_s4}} & mux_35_s4;  // units/traversal_slice.h:98
+  wire not_9_s4 = ~eq_11_s4;  // units/traversal_slice.h:97
+  wire and_10_s4 = not_9_s4 & mux_26_s4;  // units/traversal_slice.h:97
+  wire eq_17_s4 = mux_29_s4[19:18] == 2'd0;  // units/traversal_slice.h:97
+  wire [19:0] mux_30_s4 = {eq_17_s4 ? mux_29_s4[17:0] : mux_29_s4[19:2], ~{2{eq_17_s4}} & mux_29_s4[1:0]};  // units/traversal_slice.h:97
+  wire and_11_s4 = not_9_s4 & eq_17_s4;  // units/traversal_slice.h:97
+  wire and_12_s4 = not_9_s4 & (~mux_30_s4[19]);  // units/traversal_slice.h:97
+  wire [19:0] mux_31_s4 = {and_10_s4 ? mux_24_s4[11:0] : mux_24_s4[19:8], ~{8{and_10_s4}} & mux_24_s4[7:0]};  // units/traversal_slice.h:97
+  wire [19:0] mux_32_s4 = {mux_28_s4 ? mux_31_s4[15:0] : mux_31_s4[19:4], ~{4{mux_28_s4}} & mux_31_s4[3:0]};  // units/traversal_slice.h:97
+  wire [19:0] mux_33_s4 = {and_11_s4 ? mux_32_s4[17:0] : mux_32_s4[19:2], ~{2{and_11_s4}} & mux_32_s4[1:0]};  // units/traversal_slice.h:97
+  wire [19:0] mux_34_s4 = {and_12_s4 ? mux_33_s4[18:0] : mux_33_s4[19:1], ~and_12_s4 & mux_33_s4[0]};  // units/traversal_slice.h:97
+  wire [8:0] sub_3_s4 = {2'd0, mux_16_s4[22:16]} - {4'd0, and_9_s4, and_10_s4, mux_28_s4, and_11_s4, and_12_s4};  // units/traversal_slice.h:97
+  wire and_13_s4 = mux_34_s4[2] & ((~(mux_34_s4[1:0] == 2'd0)) | (add_1_s4 | mux_34_s4[3]));  // units/traversal_slice.h:97
+  wire [24:0] add_2_s4 = {sub_3_s4, 15'd0, and_13_s4} + {8'd0, mux_34_s4[19:3]};  // units/traversal_slice.h:97
+  wire and_14_s4 = mux_34_s4[19] & (~add_2_s4[24]);  // units/traversal_slice.h:97
+  wire left_first_s4 = mux_34_s4[19] & mux_16_s4[23];  // units/traversal_slice.h:97
+  wire [22:0] mux_35_s4 = {23{add_2_s4[23]}} | add_2_s4[22:0];  // units/traversal_slice.h:97
+  wire [22:0] mux_36_s4 = {23{and_14_s4}} & mux_35_s4;  // units/traversal_slice.h:97
 
   // ---- stage 5 ----
   reg valid_s5;
@@ -237,11 +237,11 @@ module traversal_slice #(
     ray_40_s5 <= ray_40_s4;
     ray_47_s5 <= ray_47_s4;
   end
-  wire [17:0] sub_4_s5 = {2'd1, mux_36_s5[15:0]} - {2'd1, ray_24_s5};  // units/traversal_slice.h:135
-  wire [16:0] mux_37_s5 = {sub_4_s5[17] | sub_4_s5[16], sub_4_s5[17] ? mux_36_s5[15:0] : sub_4_s5[15:0]};  // units/traversal_slice.h:135
-  wire [17:0] sub_5_s5 = {mux_37_s5, 1'd0} - {2'd1, ray_24_s5};  // units/traversal_slice.h:135
-  wire [16:0] mux_38_s5 = {sub_5_s5[17] ? mux_37_s5[15:0] : sub_5_s5[16:1], ~sub_5_s5[17] & sub_5_s5[0]};  // units/traversal_slice.h:135
-  wire [7:0] sub_23_s5 = {1'd0, mux_36_s5[22:16]} - {1'd0, ray_40_s5};  // units/traversal_slice.h:135
+  wire [17:0] sub_4_s5 = {2'd1, mux_36_s5[15:0]} - {2'd1, ray_24_s5};  // units/traversal_slice.h:134
+  wire [16:0] mux_37_s5 = {sub_4_s5[17] | sub_4_s5[16], sub_4_s5[17] ? mux_36_s5[15:0] : sub_4_s5[15:0]};  // units/traversal_slice.h:134
+  wire [17:0] sub_5_s5 = {mux_37_s5, 1'd0} - {2'd1, ray_24_s5};  // units/traversal_slice.h:134
+  wire [16:0] mux_38_s5 = {sub_5_s5[17] ? mux_37_s5[15:0] : sub_5_s5[16:1], ~sub_5_s5[17] & sub_5_s5[0]};  // units/traversal_slice.h:134
+  wire [7:0] sub_23_s5 = {1'd0, mux_36_s5[22:16]} - {1'd0, ray_40_s5};  // units/traversal_slice.h:134
 
   // ---- stage 6 ----
   reg valid_s6;
@@ -262,10 +262,10 @@ module traversal_slice #(
     mux_38_s6 <= mux_38_s5;
     ray_47_s6 <= ray_47_s5;
   end
-  wire [17:0] sub_6_s6 = {mux_38_s6, 1'd0} - {2'd1, ray_24_s6};  // units/traversal_slice.h:135
-  wire [16:0] mux_39_s6 = {sub_6_s6[17] ? mux_38_s6[15:0] : sub_6_s6[16:1], ~sub_6_s6[17] & sub_6_s6[0]};  // units/traversal_slice.h:135
-  wire [17:0] sub_7_s6 = {mux_39_s6, 1'd0} - {2'd1, ray_24_s6};  // units/traversal_slice.h:135
-  wire [16:0] mux_40_s6 = {sub_7_s6[17] ? mux_39_s6[15:0] : sub_7_s6[16:1], ~sub_7_s6[17] & sub_7_s6[0]};  // units/traversal_slice.h:135
+  wire [17:0] sub_6_s6 = {mux_38_s6, 1'd0} - {2'd1, ray_24_s6};  // units/traversal_slice.h:134
+  wire [16:0] mux_39_s6 = {sub_6_s6[17] ? mux_38_s6[15:0] : sub_6_s6[16:1], ~sub_6_s6[17] & sub_6_s6[0]};  // units/traversal_slice.h:134
+  wire [17:0] sub_7_s6 = {mux_39_s6, 1'd0} - {2'd1, ray_24_s6};  // units/traversal_slice.h:134
+  wire [16:0] mux_40_s6 = {sub_7_s6[17] ? mux_39_s6[15:0] : sub_7_s6[16:1], ~sub_7_s6[17] & sub_7_s6[0]};  // units/traversal_slice.h:134
 
   // ---- stage 7 ----
   reg valid_s7;
@@ -290,10 +290,10 @@ module traversal_slice #(
     mux_40_s7 <= mux_40_s6;
     ray_47_s7 <= ray_47_s6;
   end
-  wire [17:0] sub_8_s7 = {mux_40_s7, 1'd0} - {2'd1, ray_24_s7};  // units/traversal_slice.h:135
-  wire [16:0] mux_41_s7 = {sub_8_s7[17] ? mux_40_s7[15:0] : sub_8_s7[16:1], ~sub_8_s7[17] & sub_8_s7[0]};  // units/traversal_slice.h:135
-  wire [17:0] sub_9_s7 = {mux_41_s7, 1'd0} - {2'd1, ray_24_s7};  // units/traversal_slice.h:135
-  wire [16:0] mux_42_s7 = {sub_9_s7[17] ? mux_41_s7[15:0] : sub_9_s7[16:1], ~sub_9_s7[17] & sub_9_s7[0]};  // units/traversal_slice.h:135
+  wire [17:0] sub_8_s7 = {mux_40_s7, 1'd0} - {2'd1, ray_24_s7};  // units/traversal_slice.h:134
+  wire [16:0] mux_41_s7 = {sub_8_s7[17] ? mux_40_s7[15:0] : sub_8_s7[16:1], ~sub_8_s7[17] & sub_8_s7[0]};  // units/traversal_slice.h:134
+  wire [17:0] sub_9_s7 = {mux_41_s7, 1'd0} - {2'd1, ray_24_s7};  // units/traversal_slice.h:134
+  wire [16:0] mux_42_s7 = {sub_9_s7[17] ? mux_41_s7[15:0] : sub_9_s7[16:1], ~sub_9_s7[17] & sub_9_s7[0]};  // units/traversal_slice.h:134
 
   // ---- stage 8 ----
   reg valid_s8;
@@ -322,10 +322,10 @@ module traversal_slice #(
     mux_42_s8 <= mux_42_s7;
     ray_47_s8 <= ray_47_s7;
   end
-  wire [17:0] sub_10_s8 = {mux_42_s8, 1'd0} - {2'd1, ray_24_s8};  // units/traversal_slice.h:135
-  wire [16:0] mux_43_s8 = {sub_10_s8[17] ? mux_42_s8[15:0] : sub_10_s8[16:1], ~sub_10_s8[17] & sub_10_s8[0]};  // units/traversal_slice.h:135
-  wire [17:0] sub_11_s8 = {mux_43_s8, 1'd0} - {2'd1, ray_24_s8};  // units/traversal_slice.h:135
-  wire [16:0] mux_44_s8 = {sub_11_s8[17] ? mux_43_s8[15:0] : sub_11_s8[16:1], ~sub_11_s8[17] & sub_11_s8[0]};  // units/traversal_slice.h:135
+  wire [17:0] sub_10_s8 = {mux_42_s8, 1'd0} - {2'd1, ray_24_s8};  // units/traversal_slice.h:134
+  wire [16:0] mux_43_s8 = {sub_10_s8[17] ? mux_42_s8[15:0] : sub_10_s8[16:1], ~sub_10_s8[17] & sub_10_s8[0]};  // units/traversal_slice.h:134
+  wire [17:0] sub_11_s8 = {mux_43_s8, 1'd0} - {2'd1, ray_24_s8};  // units/traversal_slice.h:134
+  wire [16:0] mux_44_s8 = {sub_11_s8[17] ? mux_43_s8[15:0] : sub_11_s8[16:1], ~sub_11_s8[17] & sub_11_s8[0]};  // units/traversal_slice.h:134
 
   // ---- stage 9 ----
   reg valid_s9;
@@ -358,10 +358,10 @@ module traversal_slice #(
     mux_44_s9 <= mux_44_s8;
     ray_47_s9 <= ray_47_s8;
   end
-  wire [17:0] sub_12_s9 = {mux_44_s9, 1'd0} - {2'd1, ray_24_s9};  // units/traversal_slice.h:135
-  wire [16:0] mux_45_s9 = {sub_12_s9[17] ? mux_44_s9[15:0] : sub_12_s9[16:1], ~sub_12_s9[17] & sub_12_s9[0]};  // units/traversal_slice.h:135
-  wire [17:0] sub_13_s9 = {mux_45_s9, 1'd0} - {2'd1, ray_24_s9};  // units/traversal_slice.h:135
-  wire [16:0] mux_46_s9 = {sub_13_s9[17] ? mux_45_s9[15:0] : sub_13_s9[16:1], ~sub_13_s9[17] & sub_13_s9[0]};  // units/traversal_slice.h:135
+  wire [17:0] sub_12_s9 = {mux_44_s9, 1'd0} - {2'd1, ray_24_s9};  // units/traversal_slice.h:134
+  wire [16:0] mux_45_s9 = {sub_12_s9[17] ? mux_44_s9[15:0] : sub_12_s9[16:1], ~sub_12_s9[17] & sub_12_s9[0]};  // units/traversal_slice.h:134
+  wire [17:0] sub_13_s9 = {mux_45_s9, 1'd0} - {2'd1, ray_24_s9};  // units/traversal_slice.h:134
+  wire [16:0] mux_46_s9 = {sub_13_s9[17] ? mux_45_s9[15:0] : sub_13_s9[16:1], ~sub_13_s9[17] & sub_13_s9[0]};  // units/traversal_slice.h:134
 
   // ---- stage 10 ----
   reg valid_s10;
@@ -398,10 +398,10 @@ module traversal_slice #(
     mux_46_s10 <= mux_46_s9;
     ray_47_s10 <= ray_47_s9;
   end
-  wire [17:0] sub_14_s10 = {mux_46_s10, 1'd0} - {2'd1, ray_24_s10};  // units/traversal_slice.h:135
-  wire [16:0] mux_47_s10 = {sub_14_s10[17] ? mux_46_s10[15:0] : sub_14_s10[16:1], ~sub_14_s10[17] & sub_14_s10[0]};  // units/traversal_slice.h:135
-  wire [17:0] sub_15_s10 = {mux_47_s10, 1'd0} - {2'd1, ray_24_s10};  // units/traversal_slice.h:135
-  wire [16:0] mux_48_s10 = {sub_15_s10[17] ? mux_47_s10[15:0] : sub_15_s10[16:1], ~sub_15_s10[17] & sub_15_s10[0]};  // units/traversal_slice.h:135
+  wire [17:0] sub_14_s10 = {mux_46_s10, 1'd0} - {2'd1, ray_24_s10};  // units/traversal_slice.h:134
+  wire [16:0] mux_47_s10 = {sub_14_s10[17] ? mux_46_s10[15:0] : sub_14_s10[16:1], ~sub_14_s10[17] & sub_14_s10[0]};  // units/traversal_slice.h:134
+  wire [17:0] sub_15_s10 = {mux_47_s10, 1'd0} - {2'd1, ray_24_s10};  // units/traversal_slice.h:134
+  wire [16:0] mux_48_s10 = {sub_15_s10[17] ? mux_47_s10[15:0] : sub_15_s10[16:1], ~sub_15_s10[17] & sub_15_s10[0]};  // units/traversal_slice.h:134
 
   // ---- stage 11 ----
   reg valid_s11;
@@ -442,10 +442,10 @@ module traversal_slice #(
     mux_48_s11 <= mux_48_s10;
     ray_47_s11 <= ray_47_s10;
   end
-  wire [17:0] sub_16_s11 = {mux_48_s11, 1'd0} - {2'd1, ray_24_s11};  // units/traversal_slice.h:135
-  wire [16:0] mux_49_s11 = {sub_16_s11[17] ? mux_48_s11[15:0] : sub_16_s11[16:1], ~sub_16_s11[17] & sub_16_s11[0]};  // units/traversal_slice.h:135
-  wire [17:0] sub_17_s11 = {mux_49_s11, 1'd0} - {2'd1, ray_24_s11};  // units/traversal_slice.h:135
-  wire [16:0] mux_50_s11 = {sub_17_s11[17] ? mux_49_s11[15:0] : sub_17_s11[16:1], ~sub_17_s11[17] & sub_17_s11[0]};  // units/traversal_slice.h:135
+  wire [17:0] sub_16_s11 = {mux_48_s11, 1'd0} - {2'd1, ray_24_s11};  // units/traversal_slice.h:134
+  wire [16:0] mux_49_s11 = {sub_16_s11[17] ? mux_48_s11[15:0] : sub_16_s11[16:1], ~sub_16_s11[17] & sub_16_s11[0]};  // units/traversal_slice.h:134
+  wire [17:0] sub_17_s11 = {mux_49_s11, 1'd0} - {2'd1, ray_24_s11};  // units/traversal_slice.h:134
+  wire [16:0] mux_50_s11 = {sub_17_s11[17] ? mux_49_s11[15:0] : sub_17_s11[16:1], ~sub_17_s11[17] & sub_17_s11[0]};  // units/traversal_slice.h:134
 
   // ---- stage 12 ----
   reg valid_s12;
@@ -490,10 +490,10 @@ module traversal_slice #(
     mux_50_s12 <= mux_50_s11;
     ray_47_s12 <= ray_47_s11;
   end
-  wire [17:0] sub_18_s12 = {mux_50_s12, 1'd0} - {2'd1, ray_24_s12};  // units/traversal_slice.h:135
-  wire [16:0] mux_51_s12 = {sub_18_s12[17] ? mux_50_s12[15:0] : sub_18_s12[16:1], ~sub_18_s12[17] & sub_18_s12[0]};  // units/traversal_slice.h:135
-  wire [17:0] sub_19_s12 = {mux_51_s12, 1'd0} - {2'd1, ray_24_s12};  // units/traversal_slice.h:135
-  wire [16:0] mux_52_s12 = {sub_19_s12[17] ? mux_51_s12[15:0] : sub_19_s12[16:1], ~sub_19_s12[17] & sub_19_s12[0]};  // units/traversal_slice.h:135
+  wire [17:0] sub_18_s12 = {mux_50_s12, 1'd0} - {2'd1, ray_24_s12};  // units/traversal_slice.h:134
+  wire [16:0] mux_51_s12 = {sub_18_s12[17] ? mux_50_s12[15:0] : sub_18_s12[16:1], ~sub_18_s12[17] & sub_18_s12[0]};  // units/traversal_slice.h:134
+  wire [17:0] sub_19_s12 = {mux_51_s12, 1'd0} - {2'd1, ray_24_s12};  // units/traversal_slice.h:134
+  wire [16:0] mux_52_s12 = {sub_19_s12[17] ? mux_51_s12[15:0] : sub_19_s12[16:1], ~sub_19_s12[17] & sub_19_s12[0]};  // units/traversal_slice.h:134
 
   // ---- stage 13 ----
   reg valid_s13;
@@ -549,10 +549,10 @@ module traversal_slice #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({s_context_packet_s0, step_in_5_s0, s_context_stack_s0}),
     .data_o({s_context_packet_s13, step_in_5_s13, s_context_stack_s13}));
-  wire [17:0] sub_20_s13 = {mux_52_s13, 1'd0} - {2'd1, ray_24_s13};  // units/traversal_slice.h:135
-  wire [16:0] mux_53_s13 = {sub_20_s13[17] ? mux_52_s13[15:0] : sub_20_s13[16:1], ~sub_20_s13[17] & sub_20_s13[0]};  // units/traversal_slice.h:135
-  wire [17:0] sub_21_s13 = {mux_53_s13, 1'd0} - {2'd1, ray_24_s13};  // units/traversal_slice.h:135
-  wire [16:0] mux_54_s13 = {sub_21_s13[17] ? mux_53_s13[15:0] : sub_21_s13[16:1], ~sub_21_s13[17] & sub_21_s13[0]};  // units/traversal_slice.h:135
+  wire [17:0] sub_20_s13 = {mux_52_s13, 1'd0} - {2'd1, ray_24_s13};  // units/traversal_slice.h:134
+  wire [16:0] mux_53_s13 = {sub_20_s13[17] ? mux_52_s13[15:0] : sub_20_s13[16:1], ~sub_20_s13[17] & sub_20_s13[0]};  // units/traversal_slice.h:134
+  wire [17:0] sub_21_s13 = {mux_53_s13, 1'd0} - {2'd1, ray_24_s13};  // units/traversal_slice.h:134
+  wire [16:0] mux_54_s13 = {sub_21_s13[17] ? mux_53_s13[15:0] : sub_21_s13[16:1], ~sub_21_s13[17] & sub_21_s13[0]};  // units/traversal_slice.h:134
 
   // ---- stage 14 ----
   reg valid_s14;
@@ -625,20 +625,20 @@ module traversal_slice #(
   wire [23:0] hit_s14 = hit_distance_data_i;
   wire [23:0] far_stack_row;
   wire [23:0] popped_far_s14 = far_stack_row;
-  wire eq_1_s14 = {step_in_8_s14, step_in_6_s14} == 3'd0;  // units/traversal_slice.h:64
+  wire eq_1_s14 = {step_in_8_s14, step_in_6_s14} == 3'd0;  // units/traversal_slice.h:63
   wire eq_2_s14 = {step_in_8_s14, step_in_6_s14} == 3'd3;
   wire eq_3_s14 = {step_in_8_s14, step_in_6_s14} == 3'd4;
   wire [23:0] mux_5_s14 = step_in_8_s14 ? (eq_3_s14 ? popped_far_s14 : before_plane_s14) : (eq_2_s14 ? far_s14 : before_plane_s14);
   wire [23:0] mux_6_s14 = both_s14 ? far_s14 : mux_5_s14;
   wire [23:0] mux_10_s14 = step_in_8_s14 ? (eq_3_s14 ? far_s14 : near_s14) : (eq_2_s14 ? before_plane_s14 : near_s14);
   wire [23:0] mux_11_s14 = both_s14 ? near_s14 : mux_10_s14;
-  wire [17:0] sub_22_s14 = {mux_54_s14, 1'd0} - {2'd1, ray_24_s14};  // units/traversal_slice.h:135
-  wire [18:0] not_13_s14 = ~{sub_4_s14, sub_5_s14, sub_6_s14, sub_7_s14, sub_8_s14, sub_9_s14, sub_10_s14, sub_11_s14, sub_12_s14, sub_13_s14, sub_14_s14, sub_15_s14, sub_16_s14, sub_17_s14, sub_18_s14, sub_19_s14, sub_20_s14, sub_21_s14, sub_22_s14[17]};  // units/traversal_slice.h:135
-  wire [16:0] mux_55_s14 = not_13_s14[18] ? not_13_s14[17:1] : not_13_s14[16:0];  // units/traversal_slice.h:135
-  wire [7:0] add_3_s14 = {sub_23_s14[7], sub_23_s14[7:1]} + 8'd31;  // units/traversal_slice.h:135
-  wire [24:0] add_4_s14 = {add_3_s14, sub_23_s14[0], 15'd0, mux_55_s14[0]} + {8'd0, not_13_s14[18], mux_55_s14[16:1]};  // units/traversal_slice.h:135
-  wire [22:0] mux_56_s14 = {23{add_4_s14[23]}} | add_4_s14[22:0];  // units/traversal_slice.h:135
-  wire [22:0] mux_57_s14 = ~{23{add_4_s14[24]}} & mux_56_s14;  // units/traversal_slice.h:135
+  wire [17:0] sub_22_s14 = {mux_54_s14, 1'd0} - {2'd1, ray_24_s14};  // units/traversal_slice.h:134
+  wire [18:0] not_13_s14 = ~{sub_4_s14, sub_5_s14, sub_6_s14, sub_7_s14, sub_8_s14, sub_9_s14, sub_10_s14, sub_11_s14, sub_12_s14, sub_13_s14, sub_14_s14, sub_15_s14, sub_16_s14, sub_17_s14, sub_18_s14, sub_19_s14, sub_20_s14, sub_21_s14, sub_22_s14[17]};  // units/traversal_slice.h:134
+  wire [16:0] mux_55_s14 = not_13_s14[18] ? not_13_s14[17:1] : not_13_s14[16:0];  // units/traversal_slice.h:134
+  wire [7:0] add_3_s14 = {sub_23_s14[7], sub_23_s14[7:1]} + 8'd31;  // units/traversal_slice.h:134
+  wire [24:0] add_4_s14 = {add_3_s14, sub_23_s14[0], 15'd0, mux_55_s14[0]} + {8'd0, not_13_s14[18], mux_55_s14[16:1]};  // units/traversal_slice.h:134
+  wire [22:0] mux_56_s14 = {23{add_4_s14[23]}} | add_4_s14[22:0];  // units/traversal_slice.h:134
+  wire [22:0] mux_57_s14 = ~{23{add_4_s14[24]}} & mux_56_s14;  // units/traversal_slice.h:134
 
   // ---- stage 15 ----
   reg valid_s15;
@@ -665,17 +665,17 @@ module traversal_slice #(
   end
   wire [23:0] mux_7_s15 = eq_1_s15 ? hit_s15 : mux_6_s15;
   wire [23:0] mux_12_s15 = ~{24{eq_1_s15}} & mux_11_s15;
-  wire behind_s15 = left_first_s15 ^ ray_47_s15;  // units/traversal_slice.h:135
-  wire lt_2_s15 = {behind_s15, mux_57_s15, 1'd0} < {mux_12_s15, mux_12_s15[23]};  // units/traversal_slice.h:111
+  wire behind_s15 = left_first_s15 ^ ray_47_s15;  // units/traversal_slice.h:134
+  wire lt_2_s15 = {behind_s15, mux_57_s15, 1'd0} < {mux_12_s15, mux_12_s15[23]};  // units/traversal_slice.h:110
   wire go_near_s15 = behind_s15 | (mux_12_s15[23] ^ (~lt_2_s15));
-  wire not_15_s15 = ~({mux_7_s15, 1'd0} < {behind_s15, mux_57_s15, mux_7_s15[23]});  // units/traversal_slice.h:112
+  wire not_15_s15 = ~({mux_7_s15, 1'd0} < {behind_s15, mux_57_s15, mux_7_s15[23]});  // units/traversal_slice.h:111
   wire go_far_s15 = (mux_7_s15[23] ^ not_15_s15) & (~behind_s15);
-  wire [23:0] or_9_s15 = hit_s15 | mux_12_s15;  // units/traversal_slice.h:118
-  wire xor_5_s15 = or_9_s15[23] ^ ({hit_s15, 1'd0} < {mux_12_s15, or_9_s15[23]});  // units/traversal_slice.h:118
+  wire [23:0] or_9_s15 = hit_s15 | mux_12_s15;  // units/traversal_slice.h:117
+  wire xor_5_s15 = or_9_s15[23] ^ ({hit_s15, 1'd0} < {mux_12_s15, or_9_s15[23]});  // units/traversal_slice.h:117
   wire out_terminated_s15 = (~eq_1_s15) & xor_5_s15;
-  wire left_first_2_s15 = ~left_first_s15;  // units/traversal_slice.h:109
-  wire out_go_right_s15 = left_first_s15 ? go_near_s15 : go_far_s15;  // units/traversal_slice.h:117
-  wire out_go_left_s15 = left_first_s15 ? go_far_s15 : go_near_s15;  // units/traversal_slice.h:116
+  wire left_first_2_s15 = ~left_first_s15;  // units/traversal_slice.h:108
+  wire out_go_right_s15 = left_first_s15 ? go_near_s15 : go_far_s15;  // units/traversal_slice.h:116
+  wire out_go_left_s15 = left_first_s15 ? go_far_s15 : go_near_s15;  // units/traversal_slice.h:115
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(4), .DEPTH(DECISION_DEPTH), .MARGIN(DECISION_BOUNDED ? 0 : 15),
