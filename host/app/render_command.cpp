@@ -26,7 +26,7 @@ struct Arguments {
   SceneArguments scene;
   FrameArguments frame;
   SpecialiseFlags specialise;
-  std::string board;
+  std::string board = "rtl";
   std::string schedule;
   std::string trace;
   std::string scan_out;
@@ -64,9 +64,8 @@ int run(const Arguments& arguments) {
   const auto [board, prepared] = prepare_on(
       arguments.specialise, arguments.specialise.choose(arguments.scene, arguments.frame, kept),
       [&](const std::string& configuration) {
-        auto opened = open_board({arguments.specialise.board(arguments.board), configuration,
-                                  arguments.trace, arguments.schedule},
-                                 options);
+        auto opened = open_board(
+            {arguments.board, configuration, arguments.trace, arguments.schedule}, options);
         if (!arguments.scan_out.empty()) opened->check_display(options.width, options.height);
         return opened;
       },
@@ -101,7 +100,7 @@ Command add_render_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand("render", "render a scene and write the image");
   arguments->scene.add_to(*command, true);
   command->add_option("--board", arguments->board, "rtl: the Verilog; model: the C++ natively")
-      ->option_text("BOARD [rtl; with --specialise model]");
+      ->option_text("BOARD [rtl]");
   command
       ->add_option("--schedule", arguments->schedule,
                    "count the clocks of --board model by the schedules that lie beside the "

@@ -76,8 +76,4 @@ ChosenCore SpecialiseFlags::choose(const SceneArguments& scene, const FrameArgum
   return {made_by_script("specialise/specialise.py", words, "--specialise"), general};
 }
 
-std::string SpecialiseFlags::board(const std::string& named) const {
-  return !named.empty() ? named : specialise ? "model" : "rtl";
-}
-
 }  // namespace dynrt::host

@@ -36,8 +36,6 @@ struct SpecialiseFlags {
   /// UserError with the reason if it cannot be made.
   ChosenCore choose(const SceneArguments& scene, const FrameArguments& frame,
                     const std::vector<std::string>& more = {}) const;
-  /// The board that the user named or, of a core that is built for the scene, the quick one.
-  std::string board(const std::string& named) const;
 
  private:
   const CLI::App* command_ = nullptr;

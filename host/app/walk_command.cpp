@@ -39,7 +39,7 @@ struct Arguments {
   SceneArguments scene;
   FrameArguments frame;
   SpecialiseFlags specialise;
-  std::string board;
+  std::string board = "rtl";
   unsigned frames = 24;
   std::optional<double> from, to;
   bool again = false;
@@ -62,7 +62,7 @@ WalkSettings Arguments::settings(const Scene& content) const {
           {"--light", fmt::format("{}", fmt::join(scene.lights, " "))},
           {"--mirror", fmt::format("{}", fmt::join(scene.mirrors, " "))},
           {"--reflections", text(frame.reflections)},
-          {"--board", specialise.board(board)},
+          {"--board", board},
           {"--config", frame.configuration},
           {"--specialise", specialise.specialise ? "yes" : "no"},
           {"--packets", text(frame.packets)},
@@ -134,8 +134,7 @@ class GeneralWalk {
 
   Walker::Result render_frame(unsigned frame, const PixelProgress& progress) {
     if (!walker_) {
-      board_ =
-          open_board({arguments_.specialise.board(arguments_.board), core_.general, ""}, options_);
+      board_ = open_board({arguments_.board, core_.general, ""}, options_);
       prepared_ = prepare(arguments_.scene, options_.width, options_.height, &board_->info());
       walker_.emplace(*board_, options_, prepared_, arguments_.scene.camera(), plan_);
     }
@@ -163,8 +162,7 @@ int run(const Arguments& arguments) {
   auto [board, prepared] = prepare_on(
       arguments.specialise, core,
       [&](const std::string& configuration) {
-        return open_board({arguments.specialise.board(arguments.board), configuration, ""},
-                          options);
+        return open_board({arguments.board, configuration, ""}, options);
       },
       [&](const BoardInfo& info) {
         return prepare(arguments.scene, options.width, options.height, &info);
@@ -232,7 +230,7 @@ Command add_walk_command(CLI::App& program) {
       "walk", "render a scene's animation, or a way around it, frame after frame");
   arguments->scene.add_to(*command, true);
   command->add_option("--board", arguments->board, "rtl: the Verilog; model: the C++ natively")
-      ->option_text("BOARD [rtl; with --specialise model]");
+      ->option_text("BOARD [rtl]");
   command
       ->add_option("--frames", arguments->frames,
                    "how many frames, evenly spread over the animation")
