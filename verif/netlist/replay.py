@@ -21,19 +21,6 @@ import devices  # noqa: E402
 import synthesis  # noqa: E402
 
 CORE = "dynrt_core"
-# Makes of the netlist one that Icarus reads in seconds.
-FOR_ICARUS = [
-    # Yosys has a black box DP16KD, so the model has another name. What starts as zero in the device
-    # starts as unknown in it.
-    *(f"setparam -unset INITVAL_{i:02X} t:DP16KD" for i in range(64)),
-    "chtype -set ecp5_block_ram t:DP16KD",
-    # A bit that changes is no reason to look at all that reads its neighbours.
-    "splitnets",
-    # Flip-flops become part of the core: for their generate blocks Icarus 11 takes time by the square
-    # of their number, and then for each clock the way into each of them.
-    "read_verilog -overwrite +/ecp5/cells_sim.v", f"delete =* ={CORE} %d =TRELLIS_FF %d",
-    f"hierarchy -top {CORE}", "proc", "flatten", "opt_expr", "opt_clean -purge",
-]
 
 
 def run(command, silent=False):
@@ -42,6 +29,27 @@ def run(command, silent=False):
     if result.returncode != 0 or (silent and output):
         sys.exit(f"replay: {pathlib.Path(command[0]).name} failed or complained:\n{output}")
     return output
+
+
+def for_icarus(top):
+    """Commands that make of a netlist one that Icarus reads in seconds."""
+    return [
+        # Yosys has a black box DP16KD, so the model has another name. What starts as zero in the
+        # device starts as unknown in it.
+        *(f"setparam -unset INITVAL_{i:02X} t:DP16KD" for i in range(64)),
+        "chtype -set ecp5_block_ram t:DP16KD",
+        # A bit that changes is no reason to look at all that reads its neighbours.
+        "splitnets",
+        # Flip-flops become part of the core: for their generate blocks Icarus 11 takes time by the
+        # square of their number, and then for each clock the way into each of them.
+        "read_verilog -overwrite +/ecp5/cells_sim.v", f"delete =* ={top} %d =TRELLIS_FF %d",
+        f"hierarchy -top {top}", "proc", "flatten", "opt_expr", "opt_clean -purge",
+    ]
+
+
+def shipped_cells():
+    """The folder of Yosys's own models."""
+    return pathlib.Path(shutil.which("yosys")).resolve().parent.parent / "share/yosys/ecp5"
 
 
 def icarus(args, name, sources, warnings):
@@ -62,16 +70,16 @@ def netlist(sources):
 
     def make(folder):
         synthesis.run_yosys(
-            [*synthesis.read_commands(files), synth.format(top=CORE), "check -assert", *FOR_ICARUS,
-             f"write_verilog -noattr {folder / 'netlist.v'}"], folder, f"the netlist of {CORE}")
+            [*synthesis.read_commands(files), synth.format(top=CORE), "check -assert",
+             *for_icarus(CORE), f"write_verilog -noattr {folder / 'netlist.v'}"], folder, f"the netlist of {CORE}")
 
     try:
         version = synthesis.tool_version("yosys", "-V", "yosys")
         files = synthesis.needed(CORE, sources)
-        folder = synthesis.kept("netlist", [version, synth, FOR_ICARUS], files, make)
+        folder = synthesis.kept("netlist", [version, synth, for_icarus(CORE)], files, make)
     except synthesis.Failed as error:
         sys.exit(f"replay: {error}")
-    cells = pathlib.Path(shutil.which("yosys")).resolve().parent.parent / "share/yosys/ecp5"
+    cells = shipped_cells()
     return [f"-I{cells}", folder / "netlist.v", cells / "cells_sim.v", HERE / "ecp5_cells.v"]
 
 
