@@ -4,8 +4,8 @@
 """Records a frame of the native model and renders it again in Icarus Verilog, from the core's
 Verilog: every word that the core writes must be the model's. Icarus must read it without a word.
 
-With --netlist it is also rendered by what Yosys makes of the core for ECP5, cell by cell, which must
-take the same clocks. The cells are the models that Yosys ships, and ecp5_cells.v."""
+With --netlist it is also rendered by what Yosys makes of the core for ECP5, cell by cell, which
+must take the same clocks. The cells are the models that Yosys ships, and ecp5_cells.v."""
 
 import argparse
 import pathlib
@@ -42,8 +42,9 @@ def for_icarus(top):
         "splitnets",
         # Flip-flops become part of the core: for their generate blocks Icarus 11 takes time by the
         # square of their number, and then for each clock the way into each of them.
-        "read_verilog -overwrite +/ecp5/cells_sim.v", f"delete =* ={top} %d =TRELLIS_FF %d",
-        f"hierarchy -top {top}", "proc", "flatten", "opt_expr", "opt_clean -purge",
+        "read_verilog -overwrite +/ecp5/cells_sim.v",
+        f"delete =* ={top} %d =TRELLIS_FF %d", f"hierarchy -top {top}", "proc",
+        "flatten", "opt_expr", "opt_clean -purge",
     ]
 
 
@@ -71,7 +72,8 @@ def netlist(sources):
     def make(folder):
         synthesis.run_yosys(
             [*synthesis.read_commands(files), synth.format(top=CORE), "check -assert",
-             *for_icarus(CORE), f"write_verilog -noattr {folder / 'netlist.v'}"], folder, f"the netlist of {CORE}")
+             *for_icarus(CORE), f"write_verilog -noattr {folder / 'netlist.v'}"], folder,
+            f"the netlist of {CORE}")
 
     try:
         version = synthesis.tool_version("yosys", "-V", "yosys")
