@@ -18,6 +18,11 @@ struct Tiny : dynrt::config::thesis {
   static constexpr unsigned kTriangleSlots = 2;
 };
 
+/// Of the mailbox, which compares numbers of matrices.
+struct TinyMailbox : Tiny {
+  static constexpr unsigned kMatrixBits = 4;
+};
+
 /// Of the transformation: nine products and nine sums.
 struct Tinier : Tiny {
   using Real = hls::Float<2, 2>;
