@@ -28,9 +28,4 @@ struct Tinier : Tiny {
   using Real = hls::Float<2, 2>;
 };
 
-/// Of the shading, which takes eight bits of a mantissa.
-struct TinyColours : Tiny {
-  using Real = hls::Float<3, 8>;
-};
-
 }  // namespace formal
