@@ -4,7 +4,9 @@
 // dynrt needs: what every key of a configuration must be for a scene, and why. Nothing is built or
 // rendered; `dynrt specialise` goes on from here.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "host/app/arguments.h"
@@ -57,12 +59,23 @@ SceneNeeds needs_over_frames(Prepared& prepared, const Arguments& arguments) {
   return *all;
 }
 
-std::string text_of(const Decision& decision) {
-  return fmt::format("  {:<18}{:<12}{}\n", decision.key,
-                     decision.value.is_string()  ? decision.value.get<std::string>()
-                     : decision.value.is_array() ? fmt::format("{}", decision.value.size())
-                                                 : decision.value.dump(),
-                     decision.reason);
+std::string value_of(const Decision& decision) {
+  if (decision.value.is_string()) return decision.value.get<std::string>();
+  if (decision.value.is_boolean()) return decision.value.get<bool>() ? "yes" : "no";
+  if (!decision.value.is_array()) return decision.value.dump();
+  return fmt::format("{}", fmt::join(decision.value.get<std::vector<std::string>>(), ", "));
+}
+
+/// Key, value and reason, under one another.
+std::string table_of(const std::vector<Decision>& decisions) {
+  std::size_t widest = 0;
+  for (const Decision& decision : decisions) widest = std::max(widest, value_of(decision).size());
+  std::string text = fmt::format("  {:<18}{:<{}}because\n", "key", "needs", widest + 2);
+  for (const Decision& decision : decisions) {
+    text += fmt::format("  {:<18}{:<{}}{}\n", decision.key, value_of(decision), widest + 2,
+                        decision.reason);
+  }
+  return text;
 }
 
 int run(const Arguments& arguments) {
@@ -88,9 +101,7 @@ int run(const Arguments& arguments) {
                                    {"keys", json_of(decisions)}};
     write_text(arguments.json, json.dump(2) + "\n");
   }
-  std::string text = prepared.text() + fmt::format("  {:<18}{:<12}{}\n", "key", "needs", "because");
-  for (const Decision& decision : decisions) text += text_of(decision);
-  say(text);
+  say(prepared.text() + table_of(decisions));
   return kDone;
 }
 

@@ -1,6 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Bits of the float by the error that the user allows: what `dynrt choose` finds among the formats."""
+"""Bits of the float, and how it divides, by the error that the user allows: what `dynrt choose` finds
+among the formats."""
 
 import argparse
 import pathlib
@@ -10,7 +11,7 @@ import choose
 import report
 
 FORMATS = pathlib.Path(__file__).resolve().parent / "formats.json"
-KEYS = ("exponent_bits", "mantissa_bits", "rounding")
+KEYS = ("exponent_bits", "mantissa_bits", "rounding", "divider")
 
 
 def chosen(args, general, scene):

@@ -4,7 +4,7 @@
 // What the ECP5's block RAM and multiplier do, as far as synth_ecp5 uses them: Yosys ships models of
 // every other cell that a netlist of ours has (ecp5/cells_sim.v), and these two as black boxes.
 // Lattice TN-02204 "ECP5 Memory Usage Guide" and TN-02205 "sysDSP Usage Guide". A use beyond that
-// stops the simulation.
+// ends the simulation.
 
 // 18 by 18 bits without registers.
 module MULT18X18D (
@@ -39,8 +39,11 @@ module MULT18X18D (
   end
 endmodule
 
-// 18 Kbit, two ports of 9 or 18 bits each, or one that writes and one that reads 36 bits. In pairs of
-// 18-bit words the lower is on the A pins.
+// 18 Kbit, two ports of 9 or 18 bits each, or one that writes and one that reads 36 bits, on one
+// clock. In pairs of 18-bit words the lower is on the A pins.
+//
+// What Yosys does not promise is unknown, so that a picture that needs it is wrong: a word before it
+// is written, and one that a port reads while the other writes it.
 module ecp5_block_ram (
   input DIA17, DIA16, DIA15, DIA14, DIA13, DIA12, DIA11, DIA10, DIA9, DIA8, DIA7, DIA6, DIA5,
     DIA4, DIA3, DIA2, DIA1, DIA0,
@@ -68,70 +71,7 @@ module ecp5_block_ram (
   parameter CLKAMUX = "CLKA";
   parameter CLKBMUX = "CLKB";
   parameter GSR = "ENABLED";
-  parameter [319:0] INITVAL_00 = 320'd0;
-  parameter [319:0] INITVAL_01 = 320'd0;
-  parameter [319:0] INITVAL_02 = 320'd0;
-  parameter [319:0] INITVAL_03 = 320'd0;
-  parameter [319:0] INITVAL_04 = 320'd0;
-  parameter [319:0] INITVAL_05 = 320'd0;
-  parameter [319:0] INITVAL_06 = 320'd0;
-  parameter [319:0] INITVAL_07 = 320'd0;
-  parameter [319:0] INITVAL_08 = 320'd0;
-  parameter [319:0] INITVAL_09 = 320'd0;
-  parameter [319:0] INITVAL_0A = 320'd0;
-  parameter [319:0] INITVAL_0B = 320'd0;
-  parameter [319:0] INITVAL_0C = 320'd0;
-  parameter [319:0] INITVAL_0D = 320'd0;
-  parameter [319:0] INITVAL_0E = 320'd0;
-  parameter [319:0] INITVAL_0F = 320'd0;
-  parameter [319:0] INITVAL_10 = 320'd0;
-  parameter [319:0] INITVAL_11 = 320'd0;
-  parameter [319:0] INITVAL_12 = 320'd0;
-  parameter [319:0] INITVAL_13 = 320'd0;
-  parameter [319:0] INITVAL_14 = 320'd0;
-  parameter [319:0] INITVAL_15 = 320'd0;
-  parameter [319:0] INITVAL_16 = 320'd0;
-  parameter [319:0] INITVAL_17 = 320'd0;
-  parameter [319:0] INITVAL_18 = 320'd0;
-  parameter [319:0] INITVAL_19 = 320'd0;
-  parameter [319:0] INITVAL_1A = 320'd0;
-  parameter [319:0] INITVAL_1B = 320'd0;
-  parameter [319:0] INITVAL_1C = 320'd0;
-  parameter [319:0] INITVAL_1D = 320'd0;
-  parameter [319:0] INITVAL_1E = 320'd0;
-  parameter [319:0] INITVAL_1F = 320'd0;
-  parameter [319:0] INITVAL_20 = 320'd0;
-  parameter [319:0] INITVAL_21 = 320'd0;
-  parameter [319:0] INITVAL_22 = 320'd0;
-  parameter [319:0] INITVAL_23 = 320'd0;
-  parameter [319:0] INITVAL_24 = 320'd0;
-  parameter [319:0] INITVAL_25 = 320'd0;
-  parameter [319:0] INITVAL_26 = 320'd0;
-  parameter [319:0] INITVAL_27 = 320'd0;
-  parameter [319:0] INITVAL_28 = 320'd0;
-  parameter [319:0] INITVAL_29 = 320'd0;
-  parameter [319:0] INITVAL_2A = 320'd0;
-  parameter [319:0] INITVAL_2B = 320'd0;
-  parameter [319:0] INITVAL_2C = 320'd0;
-  parameter [319:0] INITVAL_2D = 320'd0;
-  parameter [319:0] INITVAL_2E = 320'd0;
-  parameter [319:0] INITVAL_2F = 320'd0;
-  parameter [319:0] INITVAL_30 = 320'd0;
-  parameter [319:0] INITVAL_31 = 320'd0;
-  parameter [319:0] INITVAL_32 = 320'd0;
-  parameter [319:0] INITVAL_33 = 320'd0;
-  parameter [319:0] INITVAL_34 = 320'd0;
-  parameter [319:0] INITVAL_35 = 320'd0;
-  parameter [319:0] INITVAL_36 = 320'd0;
-  parameter [319:0] INITVAL_37 = 320'd0;
-  parameter [319:0] INITVAL_38 = 320'd0;
-  parameter [319:0] INITVAL_39 = 320'd0;
-  parameter [319:0] INITVAL_3A = 320'd0;
-  parameter [319:0] INITVAL_3B = 320'd0;
-  parameter [319:0] INITVAL_3C = 320'd0;
-  parameter [319:0] INITVAL_3D = 320'd0;
-  parameter [319:0] INITVAL_3E = 320'd0;
-  parameter [319:0] INITVAL_3F = 320'd0;
+  localparam WIDTH = DATA_WIDTH_A; // of both ports
 
   reg [17:0] words [0:1023];
   wire [13:0] address_a =
@@ -144,14 +84,22 @@ module ecp5_block_ram (
   wire [17:0] in_b =
     {DIB17, DIB16, DIB15, DIB14, DIB13, DIB12, DIB11, DIB10, DIB9, DIB8, DIB7, DIB6, DIB5, DIB4,
       DIB3, DIB2, DIB1, DIB0};
-  reg [17:0] out_a = 18'd0, out_b = 18'd0;
+  reg [17:0] out_a, out_b;
+  reg [17:0] low_b; // of a port B of 36 bits
   assign
     {DOA17, DOA16, DOA15, DOA14, DOA13, DOA12, DOA11, DOA10, DOA9, DOA8, DOA7, DOA6, DOA5, DOA4,
-      DOA3, DOA2, DOA1, DOA0} = DATA_WIDTH_B == 36 ? low_b : out_a;
+      DOA3, DOA2, DOA1, DOA0} = WIDTH == 36 ? low_b : out_a;
   assign
     {DOB17, DOB16, DOB15, DOB14, DOB13, DOB12, DOB11, DOB10, DOB9, DOB8, DOB7, DOB6, DOB5, DOB4,
       DOB3, DOB2, DOB1, DOB0} = out_b;
-  reg [17:0] low_b = 18'd0; // of a port B of 36 bits
+
+  wire writes_a = CEA && WEA &&
+    (WIDTH == 9 || (WIDTH == 18 ? |address_a[1:0] : |address_a[3:0]));
+  wire writes_b = CEB && WEB && WIDTH != 36 && (WIDTH == 9 || |address_b[1:0]);
+  wire reads_a = CEA && WIDTH != 36 && (!WEA || WRITEMODE_A == "READBEFOREWRITE");
+  wire reads_b = CEB && (WIDTH == 36 || !WEB || WRITEMODE_B == "READBEFOREWRITE");
+  wire [10:0] differ = address_a[13:3] ^ address_b[13:3];
+  wire same = WIDTH == 9 ? differ == 0 : WIDTH == 18 ? differ[10:1] == 0 : differ[10:2] == 0;
 
   // Writes the bytes of `data` that `enable` names to an 18-bit word.
   task write(input [9:0] word, input [1:0] enable, input [17:0] data);
@@ -160,44 +108,40 @@ module ecp5_block_ram (
       if (enable[1]) words[word][17:9] <= data[17:9];
     end
   endtask
-  function [17:0] read(input integer width, input [13:0] address);
-    read = width == 9 ? words[address[13:4]][9 * address[3] +: 9] : words[address[13:4]];
+  function [17:0] read(input [13:0] address);
+    read = WIDTH == 9 ? words[address[13:4]][9 * address[3] +: 9] : words[address[13:4]];
   endfunction
 
-  always @(posedge CLKA) if (CEA) begin
-    if (WEA) begin
-      if (DATA_WIDTH_A == 36) begin
-        write({address_a[13:5], 1'b0}, address_a[1:0], in_a);
-        write({address_a[13:5], 1'b1}, address_a[3:2], in_b);
-      end else if (DATA_WIDTH_A == 18) write(address_a[13:4], address_a[1:0], in_a);
-      else write(address_a[13:4], address_a[3] ? 2'b10 : 2'b01, {2{in_a[8:0]}});
+  always @(posedge CLKA) begin
+    if (writes_a) begin
+      case (WIDTH)
+        9: write(address_a[13:4], address_a[3] ? 2'b10 : 2'b01, {2{in_a[8:0]}});
+        18: write(address_a[13:4], address_a[1:0], in_a);
+        default: begin
+          write({address_a[13:5], 1'b0}, address_a[1:0], in_a);
+          write({address_a[13:5], 1'b1}, address_a[3:2], in_b);
+        end
+      endcase
     end
-    if (DATA_WIDTH_A != 36 && (!WEA || WRITEMODE_A == "READBEFOREWRITE")) begin
-      out_a <= read(DATA_WIDTH_A, address_a);
-    end
-    if (RSTA) out_a <= 18'd0;
+    if (reads_a) out_a <= same && writes_b ? 18'bx : read(address_a);
   end
-  always @(posedge CLKB) if (CEB) begin
-    if (WEB) begin
-      if (DATA_WIDTH_B == 18) write(address_b[13:4], address_b[1:0], in_b);
-      else write(address_b[13:4], address_b[3] ? 2'b10 : 2'b01, {2{in_b[8:0]}});
+  always @(posedge CLKB) begin
+    if (writes_b) begin
+      if (WIDTH == 9) write(address_b[13:4], address_b[3] ? 2'b10 : 2'b01, {2{in_b[8:0]}});
+      else write(address_b[13:4], address_b[1:0], in_b);
     end
-    if (!WEB || WRITEMODE_B == "READBEFOREWRITE") begin
-      out_b <= DATA_WIDTH_B == 36 ? words[{address_b[13:5], 1'b1}] : read(DATA_WIDTH_B, address_b);
-      low_b <= words[{address_b[13:5], 1'b0}];
-    end
-    if (RSTB) begin
-      out_b <= 18'd0;
-      low_b <= 18'd0;
+    if (reads_b) begin
+      out_b <= same && writes_a ? 18'bx :
+        WIDTH == 36 ? words[{address_b[13:5], 1'b1}] : read(address_b);
+      low_b <= same && writes_a ? 18'bx : words[{address_b[13:5], 1'b0}];
     end
   end
 
-  initial begin
-    if ((DATA_WIDTH_A != 9 && DATA_WIDTH_A != 18 && DATA_WIDTH_A != 36) ||
-        (DATA_WIDTH_B != 9 && DATA_WIDTH_B != 18 && DATA_WIDTH_B != 36) ||
-        (DATA_WIDTH_A == 36) != (DATA_WIDTH_B == 36) || CLKAMUX != "CLKA" || CLKBMUX != "CLKB" ||
-        REGMODE_A != "NOREG" || REGMODE_B != "NOREG" || RESETMODE != "SYNC" ||
-        WRITEMODE_A == "WRITETHROUGH" || WRITEMODE_B == "WRITETHROUGH") begin
+  always @(posedge CLKA) begin
+    if (!(WIDTH == 9 || WIDTH == 18 || WIDTH == 36) || DATA_WIDTH_B != WIDTH || CLKA !== CLKB ||
+        CLKAMUX != "CLKA" || CLKBMUX != "CLKB" || REGMODE_A != "NOREG" || REGMODE_B != "NOREG" ||
+        WRITEMODE_A == "WRITETHROUGH" || WRITEMODE_B == "WRITETHROUGH" ||
+        {RSTA, RSTB, CSA2, CSA1, CSA0, CSB2, CSB1, CSB0} !== 8'd0) begin
       $display("%m: a block RAM in a mode that is not modelled");
       $finish;
     end

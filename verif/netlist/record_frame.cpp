@@ -3,11 +3,17 @@
 //
 // record_frame SCENE CONFIG WxH FOLDER: renders a frame on the native model and writes what
 // core_bench.v needs to render it elsewhere and to compare: the scene banks, the frame's registers,
-// the words of the framebuffer and of the hit records. Few cache lines, for they are cleared first.
+// the words of the framebuffer and of the hit records. Few cache lines, for they are cleared first,
+// and few reflections, whose packets wait for each other.
+//
+// A frame that could not tell a wrong core from a right one is refused: several objects must be
+// hit, and where the core has light rays, some must be blocked and their pixels be dark for it.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <set>
 
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
@@ -15,17 +21,42 @@
 #include "host/board/frame_words.h"
 #include "host/error.h"
 #include "host/render/output_file.h"
+#include "host/truth/measures.h"
 
 namespace dynrt::host {
 namespace {
 
 constexpr unsigned kLines = 16;
+constexpr unsigned kReflections = 1;
 constexpr std::uint64_t kMaxClocks = 10'000'000;
+constexpr unsigned kVisible = 8;  // levels of 256; what the core rounds is less
 
 std::string hex(std::span<const std::uint32_t> words) {
   std::string text;
   for (const std::uint32_t word : words) text += fmt::format("{:08x}\n", word);
   return text;
+}
+
+unsigned objects_hit(const Frame& frame) {
+  std::set<std::uint32_t> objects;
+  for (const HitRecord& hit : frame.hits) {
+    if (hit.hit) objects.insert(hit.object);
+  }
+  return static_cast<unsigned>(objects.size());
+}
+
+/// How many rays the truth has that end in shadow and without which a pixel of the frame is visibly
+/// darker than it would be with them.
+std::size_t shadows(const Frame& frame, const TruthFrame& truth) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(truth.light_rays, [&](const LightRayTruth& ray) {
+        if (!ray.shadow) return false;
+        for (unsigned k = 0; k < 3; ++k) {
+          const unsigned lit = std::min((truth.unlimited[ray.pixel][k] + ray.adds[k]) / 16, 255u);
+          if ((frame.pixels[ray.pixel] >> 8 * k & 255) + kVisible < lit) return true;
+        }
+        return false;
+      }));
 }
 
 void record(const std::string& scene, const std::string& configuration, const std::string& size,
@@ -34,15 +65,29 @@ void record(const std::string& scene, const std::string& configuration, const st
   FrameOptions options;
   std::tie(options.width, options.height) = parse_size(size);
   options.lines = kLines;
+  options.reflections = std::min(kReflections, board->info().reflections);
   SceneArguments arguments;
   arguments.scene = scene;
   const Prepared prepared = prepare(arguments, options.width, options.height, &board->info());
   const Frame frame = render_on(*board, options, prepared);
-  if (frame.hit_count() == 0)
-    refuse("{}: no ray of {} hits; record a frame that shows something", scene, size);
-
   const FrameConfig config =
       frame_config(board->info(), options, addresses_of(prepared.frame, prepared.scene));
+  const unsigned objects = objects_hit(frame);
+  if (objects < 2) {
+    refuse("{}: the rays of {} hit {}; record a frame that shows several", scene, size,
+           counted(objects, "object"));
+  }
+  std::string seen = counted(objects, "object") + " hit";
+  if (board->info().lights > 0) {
+    const TruthFrame truth =
+        truth_of_frame(Truth(prepared.scene), prepared.camera, shading_of(board->info(), config));
+    const std::size_t dark = shadows(frame, truth);
+    if (dark == 0) {
+      refuse("{}: no light ray of {} is blocked; record a frame with shadows", scene, size);
+    }
+    seen += fmt::format(", {} blocked of {}", dark, counted(truth.light_rays.size(), "light ray"));
+  }
+
   write_text(folder + "/frame.hex", hex(board->info().frame_words(config)));
   std::array<std::string, kSceneBanks> banks;
   for (const MemoryPart* part : {&prepared.objects.memory, &prepared.frame.memory}) {
@@ -63,6 +108,7 @@ void record(const std::string& scene, const std::string& configuration, const st
   write_text(folder + "/sizes.vh",
              fmt::format("`define PIXEL_WORDS {}\n`define HIT_WORDS {}\n`define MAX_CLOCKS {}\n",
                          frame.pixels.size(), hit_words, kMaxClocks));
+  fmt::print("{} in {}: {}\n", scene, size, seen);
 }
 
 }  // namespace

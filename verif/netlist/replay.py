@@ -2,15 +2,25 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """Records a frame of the native model and renders it again in Icarus Verilog, from the core's
-Verilog; every word that the core writes must be the model's. Icarus must read it without a word."""
+Verilog: every word that the core writes must be the model's. Icarus must read it without a word.
+
+With --netlist it is also rendered by what Yosys makes of the core for ECP5, cell by cell, which
+must take the same clocks. The cells are the models that Yosys ships, and ecp5_cells.v."""
 
 import argparse
 import pathlib
+import shutil
 import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(ROOT / "scripts"))
+
+import devices  # noqa: E402
+import synthesis  # noqa: E402
+
+CORE = "dynrt_core"
 
 
 def run(command, silent=False):
@@ -21,8 +31,63 @@ def run(command, silent=False):
     return output
 
 
+def for_icarus(top):
+    """Commands that make of a netlist one that Icarus reads in seconds."""
+    return [
+        # Yosys has a black box DP16KD, so the model has another name. What starts as zero in the
+        # device starts as unknown in it.
+        *(f"setparam -unset INITVAL_{i:02X} t:DP16KD" for i in range(64)),
+        "chtype -set ecp5_block_ram t:DP16KD",
+        # A bit that changes is no reason to look at all that reads its neighbours.
+        "splitnets",
+        # Flip-flops become part of the core: for their generate blocks Icarus 11 takes time by the
+        # square of their number, and then for each clock the way into each of them.
+        "read_verilog -overwrite +/ecp5/cells_sim.v",
+        f"delete =* ={top} %d =TRELLIS_FF %d", f"hierarchy -top {top}", "proc",
+        "flatten", "opt_expr", "opt_clean -purge",
+    ]
+
+
+def shipped_cells():
+    """The folder of Yosys's own models."""
+    return pathlib.Path(shutil.which("yosys")).resolve().parent.parent / "share/yosys/ecp5"
+
+
+def icarus(args, name, sources, warnings):
+    """What the bench prints of these sources; ends unless it saw that all is the same."""
+    program = args.work / f"{name}.vvp"
+    run(["iverilog", "-g2005", *warnings, "-o", program, "-s", "core_bench", f"-I{args.work}",
+         f"-I{args.verilog}", *sources, HERE / "core_bench.v"], silent=True)
+    lines = run(["vvp", program, f"+folder={args.work}"]).splitlines()
+    print(f"{name}:", *lines, sep="\n", flush=True)
+    if len(lines) < 2 or lines[-1] != "the same":
+        sys.exit(f"replay: the {name} rendered something else")
+    return lines[-2]
+
+
+def netlist(sources):
+    """The files of the core as synth_ecp5 leaves it, with its cells."""
+    synth = devices.FAMILIES["ecp5"]["synth"]
+
+    def make(folder):
+        synthesis.run_yosys(
+            [*synthesis.read_commands(files), synth.format(top=CORE), "check -assert",
+             *for_icarus(CORE), f"write_verilog -noattr {folder / 'netlist.v'}"], folder,
+            f"the netlist of {CORE}")
+
+    try:
+        version = synthesis.tool_version("yosys", "-V", "yosys")
+        files = synthesis.needed(CORE, sources)
+        folder = synthesis.kept("netlist", [version, synth, for_icarus(CORE)], files, make)
+    except synthesis.Failed as error:
+        sys.exit(f"replay: {error}")
+    cells = shipped_cells()
+    return [f"-I{cells}", folder / "netlist.v", cells / "cells_sim.v", HERE / "ecp5_cells.v"]
+
+
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--record", required=True, metavar="PROGRAM", help="record_frame")
     parser.add_argument("--scene", required=True)
     parser.add_argument("--size", required=True, metavar="WxH")
@@ -30,18 +95,17 @@ def main():
     parser.add_argument("--verilog", type=pathlib.Path, metavar="FOLDER",
                         default=ROOT / "rtl/generated/thesis", help="of the configuration")
     parser.add_argument("--work", type=pathlib.Path, required=True, metavar="FOLDER")
+    parser.add_argument("--netlist", action="store_true", help="as synthesized for ECP5, too")
     args = parser.parse_args()
 
     args.work.mkdir(parents=True, exist_ok=True)
-    run([args.record, args.scene, args.config, args.size, args.work])
+    print(run([args.record, args.scene, args.config, args.size, args.work]))
     sources = sorted((ROOT / "rtl/lib").glob("*.v")) + sorted(args.verilog.glob("*.v"))
-    program = args.work / "core_bench.vvp"
-    run(["iverilog", "-g2005", "-Wall", "-o", program, "-s", "core_bench", f"-I{args.work}",
-         f"-I{args.verilog}", *sources, HERE / "core_bench.v"], silent=True)
-    output = run(["vvp", program, f"+folder={args.work}"])
-    print(output)
-    if output.splitlines()[-1] != "the same":
-        sys.exit("replay: the core rendered something else")
+    rtl = icarus(args, "Verilog", sources, ["-Wall"])
+    if args.netlist:
+        gates = icarus(args, "netlist", netlist(sources), [])
+        if rtl != gates:
+            sys.exit(f"replay: the Verilog says '{rtl}', its netlist '{gates}'")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,30 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What synthesis for ECP5 makes block RAMs and multipliers of, as the core uses them.
+module cells (
+  input clk_i,
+  input write_en_i, read_en_i,
+  input [10:0] write_addr_i, read_addr_i,
+  input [35:0] write_data_i,
+  output [35:0] wide_o, exclusive_o,
+  output [8:0] narrow_o,
+  input signed [17:0] a_i, b_i,
+  output signed [35:0] signed_o,
+  output [31:0] unsigned_o
+);
+  hls_ram_1r1w #(.WIDTH(36), .ROWS(512)) wide (
+    .clk_i(clk_i), .rst_ni(1'b1), .write_en_i(write_en_i), .write_addr_i(write_addr_i[8:0]),
+    .write_data_i(write_data_i), .read_en_i(read_en_i), .read_addr_i(read_addr_i[8:0]),
+    .read_data_o(wide_o));
+  hls_ram_1r1w #(.WIDTH(36), .ROWS(512), .EXCLUSIVE(1)) exclusive (
+    .clk_i(clk_i), .rst_ni(1'b1), .write_en_i(write_en_i), .write_addr_i(write_addr_i[8:0]),
+    .write_data_i(write_data_i), .read_en_i(read_en_i), .read_addr_i(read_addr_i[8:0]),
+    .read_data_o(exclusive_o));
+  hls_ram_1r1w #(.WIDTH(9), .ROWS(2048)) narrow (
+    .clk_i(clk_i), .rst_ni(1'b1), .write_en_i(write_en_i), .write_addr_i(write_addr_i),
+    .write_data_i(write_data_i[8:0]), .read_en_i(read_en_i), .read_addr_i(read_addr_i),
+    .read_data_o(narrow_o));
+  assign signed_o = a_i * b_i;
+  assign unsigned_o = a_i[15:0] * b_i[15:0];
+endmodule

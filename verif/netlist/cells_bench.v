@@ -1,0 +1,46 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Holds the module `cells` against its netlist, `gates`, with random inputs. A row of an exclusive
+// RAM that is read while it is written must be unknown in the netlist.
+module cells_bench;
+  localparam CLOCKS = 20000;
+  localparam FILLED = 2000; // clocks after which every row that is read was written
+
+  reg clk = 0, write_en, read_en, collides = 0;
+  reg [10:0] write_addr, read_addr;
+  reg [35:0] write_data;
+  reg [17:0] a, b;
+  wire [35:0] wide0, wide1, exclusive0, exclusive1, signed0, signed1;
+  wire [8:0] narrow0, narrow1;
+  wire [31:0] unsigned0, unsigned1;
+  cells rtl (clk, write_en, read_en, write_addr, read_addr, write_data, wide0, exclusive0, narrow0,
+             a, b, signed0, unsigned0);
+  gates net (clk, write_en, read_en, write_addr, read_addr, write_data, wide1, exclusive1, narrow1,
+             a, b, signed1, unsigned1);
+
+  integer i, different = 0, compared = 0, collisions = 0;
+  initial begin
+    for (i = 0; i < CLOCKS; i = i + 1) begin
+      {write_en, read_en} = $random;
+      write_addr = $random & 63;
+      read_addr = $random & 63;
+      write_data = {$random, $random};
+      a = $random;
+      b = $random;
+      if (read_en) collides = write_en && write_addr == read_addr;
+      #5 clk = 1;
+      #5 clk = 0;
+      #1 if (i >= FILLED) begin
+        compared = compared + (^{wide0, narrow0} !== 1'bx);
+        collisions = collisions + collides;
+        different = different + ({wide0, narrow0, signed0, unsigned0} !==
+                                 {wide1, narrow1, signed1, unsigned1}) +
+                    (exclusive1 !== (collides ? 36'bx : exclusive0));
+      end
+    end
+    $display("%0d clocks compared, %0d different, %0d collisions", compared, different, collisions);
+    if (different == 0 && compared == CLOCKS - FILLED && collisions > 0) $display("the same");
+    $finish;
+  end
+endmodule

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""What a configuration does not need is not in its Verilog, and is where another one needs it.
+
+Usage: left_out_test.py GENERATED, the folder with a folder of units for every configuration.
+"""
+
+import pathlib
+import re
+import sys
+import unittest
+
+GENERATED = pathlib.Path(sys.argv.pop(1))
+STAGE = re.compile(r"^ +\d+ +\d+ +[\d.]+ +(?P<operations>\d+ .*)$", re.MULTILINE)
+
+# Units by the configurations that have them; those beside them, whose Verilog is whole too, do not.
+UNITS = {
+    "secondary_rays": {"whitted"},
+    "shader": {"whitted"},
+    "light_columns": {"whitted"},
+    "box_clip": {"boxed"},
+    "ray_reciprocal": {"reciprocal"},
+    "ray_shear": {"watertight"},
+}
+WHOLE = ("thesis", "full", "boxed", "reciprocal", "watertight", "whitted")
+
+# What is left out, of which unit: the configuration without it takes fewer operations.
+PARTS = {
+    "tolerance at a triangle's edges": ("intersection", "thesis", "slack"),
+    "spheres": ("intersection", "thesis", "balls"),
+    "spheres beside rectangles": ("intersection", "boards", "primitives"),
+    "rectangles": ("intersection", "thesis", "boards"),
+    "rectangles beside spheres": ("intersection", "balls", "primitives"),
+    "memory of children that crossing rays want first": ("packet_decision", "thesis", "whitted"),
+    "packets split where rays cross": ("packet_decoder", "thesis", "whitted_split"),
+    "slots for objects": ("packet_mailbox", "lean", "thesis"),
+    "slots for objects and triangles": ("packet_mailbox", "one_level", "lean"),
+    "a second level": ("node_fetch", "one_level", "thesis"),
+    "a second level in packets": ("packet_decoder", "one_level", "thesis"),
+    "packets of several origins": ("send_packet", "lean", "thesis"),
+}
+
+
+def operations(config, unit):
+    """So many that the unit computes with, in all its stages."""
+    report = (GENERATED / config / f"{unit}.txt").read_text(encoding="utf-8")
+    stages = [match["operations"] for match in STAGE.finditer(report)]
+    return sum(int(number) for stage in stages for number in re.findall(r"(\d+) \w+", stage))
+
+
+class LeftOut(unittest.TestCase):
+    def test_units_are_only_where_they_are_needed(self):
+        for unit, needed in UNITS.items():
+            having = {config for config in WHOLE if (GENERATED / config / f"{unit}.v").exists()}
+            self.assertEqual(having, needed, unit)
+
+    def test_the_core_joins_no_other(self):
+        for config in WHOLE:
+            core = (GENERATED / config / "dynrt_core.v").read_text(encoding="utf-8")
+            for unit, needed in UNITS.items():
+                self.assertEqual(re.search(rf"^  {unit}\b", core, re.MULTILINE) is not None,
+                                 config in needed, f"{unit} in {config}")
+
+    def test_units_lack_the_parts_that_are_not_needed(self):
+        for what, (unit, without, having) in PARTS.items():
+            with self.subTest(what):
+                self.assertGreater(operations(without, unit), 0)
+                self.assertLess(operations(without, unit), operations(having, unit))
+
+
+if __name__ == "__main__":
+    unittest.main()
