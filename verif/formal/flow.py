@@ -143,7 +143,7 @@ class Design:
         """If in so many clocks, then in the next."""
         if self.solver == "smt":
             return self.smtbmc("-i", "-t", str(clocks), "--dump-vcd", "step.vcd")
-        return self.sat("-tempinduct", clocks)
+        return self.sat(f"-tempinduct-inductonly -tempinduct-skip {clocks - 1}", clocks)
 
     def smtbmc(self, *arguments):
         command = ["yosys-smtbmc", "-s", "z3", "--presat", "--noprogress", *arguments,

@@ -9,10 +9,12 @@ import tempfile
 from dataclasses import dataclass
 
 import flow
+import pair
 
 LIBRARY = flow.ROOT / "rtl/lib"
 GENERATED = flow.ROOT / "rtl/generated/thesis"
 PROPERTIES = flow.ROOT / "verif/formal/properties"
+OPEN = flow.ROOT / "verif/formal/open"
 LOWERED = [pathlib.Path("build/dev/generated/formal")]
 INCLUDES = (GENERATED,)
 OUTPUT = re.compile(r"^  output wire (\w+)_valid_o,", re.MULTILINE)
@@ -27,6 +29,9 @@ class Instance:
     sources: list
     carrier: str  # the module that the properties are read in
     properties: str
+    top: str = ""  # the module itself if there is none around it
+    opened: tuple = ()  # of the sources
+    clocks: int = 0  # of the induction, if that is known
 
     @property
     def label(self):
@@ -34,8 +39,11 @@ class Instance:
         return "_".join([self.module, *values])
 
     def steps(self, kind):
-        """Clocks of the induction: a number, or how many more than the latency of the unit."""
+        """Clocks of the induction: a number, or how many more than the latency of the unit, or
+        than a transaction of a pair takes."""
         steps = kind.get("induction")
+        if self.clocks and steps:
+            return self.clocks + int(steps.removeprefix("pair + "))
         if isinstance(steps, str):
             text = self.sources[-1].read_text(encoding="utf-8")
             return int(LATENCY.search(text).group(1)) + int(steps.removeprefix("latency + "))
@@ -71,7 +79,7 @@ def unit(module, parameters, stated):
 
 def with_file(module, parameters, stated):
     """A unit with a file of properties: in its FIFOs, once for each output channel if the text says
-    CHANNEL, or as it is. LATENCY in it is the unit's."""
+    CHANNEL, or as it is, opened if that is stated. LATENCY in it is the unit's."""
     folder = LOWERED[0] if stated.get("lowered") else GENERATED
     sources = [*sorted(LIBRARY.glob("*.v")), folder / f"{module}.v"]
     if not sources[-1].exists():
@@ -89,46 +97,20 @@ def with_file(module, parameters, stated):
     if written:
         properties = properties.replace("WRITTEN_IN", written.group(1))
     properties = properties.replace("LATENCY", LATENCY.search(verilog).group(1))
-    return Instance(module, parameters, sources, module, properties)
-
-
-PORT = re.compile(r"^  (input|output) +wire (\[\d+:0\] )?(\w+)_(valid|data)_[io],?$", re.MULTILINE)
+    made_open = (sources[-1].name,) if stated.get("opened") else ()
+    return Instance(module, parameters, sources, module, properties, opened=made_open)
 
 
 def against(module, parameters, stated):
-    """A unit with one that was lowered for another clock inside: what they give is to be the same.
-    Both take the same tokens in the same clock, and their tokens are taken when both have some."""
-    slow = stated["against"][module]
-    texts = {m: (LOWERED[0] / f"{m}.v") for m in (module, slow)}
-    verilog = texts[module].read_text(encoding="utf-8")
-    ports = PORT.findall(verilog)
-    valids = [(way, name) for way, _, name, kind in ports if kind == "valid"]
-    widths = {name: width for _, width, name, kind in ports if kind == "data"}
-    pins, checks = [".clk_i(clk_i)", ".rst_ni(rst_ni)", ".fire_o(slow_fire)"], []
-    if "frame_i" in verilog:
-        pins.append(".frame_i(frame_i)")
-    lines = ["  wire slow_fire;"]
-    for way, name in valids:
-        if way == "input":
-            pins += [f".{name}_valid_i(fire_o)", f".{name}_data_i({name}_data_i)"]
-            continue
-        lines.append(f"  wire slow_{name}_valid;\n  wire {widths[name]}slow_{name}_data;")
-        pins += [f".{name}_valid_o(slow_{name}_valid)", f".{name}_data_o(slow_{name}_data)",
-                 f".{name}_ready_i({name}_ready_i)"]
-        checks.append((name, f"{name}_valid_o && slow_{name}_valid"))
-    lines.append(f"  {slow} slow ({', '.join(pins)});")
-    lines += (PROPERTIES / "against.v").read_text(encoding="utf-8").splitlines()
-    for name, both in checks:
-        lines += ["  always @* begin", f"    if ({name}_ready_i) assume ({both});",
-                  f"    if (was_reset_q && {both}) {name}_same: "
-                  f"assert ({name}_data_o == slow_{name}_data);",
-                  "    if (was_reset_q && quiet_q > LATENCY) "
-                  f"{name}_none_lost: assert ({name}_valid_o == slow_{name}_valid);",
-                  f"    {name}_given: cover (was_reset_q && {both} && {name}_ready_i);", "  end"]
-    text = "\n".join(lines) + "\n"
-    text = text.replace("LATENCY", LATENCY.search(verilog).group(1))
-    sources = [*sorted(LIBRARY.glob("*.v")), texts[slow], texts[module]]
-    return Instance(module, parameters, sources, module, text)
+    """A unit beside itself as it was lowered for another clock (pair.py)."""
+    folder = LOWERED[0] if stated.get("lowered") else GENERATED
+    texts = [folder / f"{m}.v" for m in (module, module + stated["against"])]
+    for path in texts:
+        if not path.exists():
+            raise flow.Broken(f"{path} is missing; the target formal_units makes it")
+    text, clocks = pair.compared(*(pair.Unit(path) for path in texts))
+    return Instance(module, parameters, [*sorted(OPEN.glob("*.v")), *texts], "pair", text,
+                    top="pair", opened=tuple(path.name for path in texts), clocks=clocks)
 
 
 def is_unit(module):

@@ -1,0 +1,109 @@
+
+// Properties of the mailbox, read inside the unit with its RAMs opened. One matrix of one packet and
+// level is watched, any of them. An entry is {last, matrix, active, clear, level, packet}, a job that
+// is let through {matrix, active, kind, packet, repeat}.
+  localparam ENTRY = $bits(entry_data_i);
+  localparam FRESH = $bits(fresh_data_o);
+  localparam PACKET = $bits(objects_write_addr_o);  // bits of a packet's number
+  localparam PACKETS = 1 << PACKET;
+  localparam MATRIX = FRESH - PACKET - 10;
+  localparam ROW = $bits(objects_row_i);  // {matrices, how many of them}
+  localparam SLOTS = ROW / MATRIX;
+  localparam COUNT = ROW % MATRIX;
+  (* anyconst *) wire [PACKET-1:0] packet;
+  (* anyconst *) wire level;
+  (* anyconst *) wire [MATRIX-1:0] matrix;
+  (* anyconst *) wire [511:0] frame;
+  reg was_reset_q = 1'b0;
+
+  // Transactions, up to the one whose tokens are being written.
+  reg [(ENTRY+1)*(LATENCY-1)-1:0] entries_q = 0;
+  wire fired = fire_o && rst_ni;
+  wire [(ENTRY+1)*LATENCY-1:0] entries = {entries_q, fired, entry_data_i};
+  wire [ENTRY:0] done = entries[(ENTRY+1)*LATENCY-1-:ENTRY+1];
+  wire done_fired = done[ENTRY];
+  wire [PACKET-1:0] done_packet = done[PACKET-1:0];
+  wire done_level = done[PACKET];
+  wire done_clear = done[PACKET+1];
+  wire [MATRIX-1:0] done_matrix = done[PACKET+6+:MATRIX];
+  wire is_watched = done_fired && !done_clear && done_packet == packet && done_level == level &&
+      done_matrix == matrix;
+
+  wire fresh_valid = WRITTEN_VALID(fresh);
+  wire [FRESH-1:0] fresh = WRITTEN_DATA(fresh);
+  wire seen_valid = WRITTEN_VALID(seen);
+  wire start_valid = WRITTEN_VALID(start);
+
+  reg let_through_q;  // the watched one, since the mailbox forgot
+  reg [PACKETS-1:0] cleared_q = 0;
+  reg [PACKETS-1:0] entered_q = 0;  // packets that are in an object
+  always @(posedge clk_i) begin
+    was_reset_q <= was_reset_q || !rst_ni;
+    entries_q <= rst_ni ? entries : 0;
+    if (done_fired && done_clear) begin
+      cleared_q[done_packet] <= 1'b1;
+      entered_q[done_packet] <= 1'b0;
+      if (done_packet == packet) let_through_q <= 1'b0;
+    end
+    if (done_fired && fresh_valid) begin
+      if (!done_level) entered_q[done_packet] <= 1'b1;
+      if (!done_level && done_packet == packet && level) let_through_q <= 1'b0;
+      if (is_watched) let_through_q <= 1'b1;
+    end
+  end
+
+  // A packet is in one place at a time. It starts with a clear, and meets triangles in an object.
+  integer n;
+  always @* begin
+    assume (rst_ni == was_reset_q);
+    assume (frame_i == frame);
+    if (fired) begin
+      for (n = 1; n < LATENCY; n = n + 1) begin
+        assume (!entries[(ENTRY+1)*n+ENTRY] ||
+                entries[(ENTRY+1)*n+:PACKET] != entry_data_i[PACKET-1:0]);
+      end
+      if (!entry_data_i[PACKET+1]) begin
+        assume (cleared_q[entry_data_i[PACKET-1:0]]);
+        assume (!entry_data_i[PACKET] || entered_q[entry_data_i[PACKET-1:0]]);
+      end
+    end
+  end
+
+  // The rows of the watched packet, as the RAMs hold them.
+  reg [ROW-1:0] objects_q;
+  reg [ROW-1:0] triangles_q;
+  reg read_objects_q = 1'b0;
+  reg read_triangles_q = 1'b0;
+  always @(posedge clk_i) begin
+    if (objects_write_en_o && objects_write_addr_o == packet) objects_q <= objects_write_data_o;
+    if (triangles_write_en_o && triangles_write_addr_o == packet) triangles_q <= triangles_write_data_o;
+    read_objects_q <= objects_read_en_o && objects_read_addr_o == packet;
+    read_triangles_q <= triangles_read_en_o && triangles_read_addr_o == packet;
+  end
+  always @* begin
+    if (read_objects_q) assume (objects_row_i == objects_q);
+    if (read_triangles_q) assume (triangles_row_i == triangles_q);
+  end
+
+  always @* if (was_reset_q) begin
+    if (is_watched && !let_through_q) never_drops_what_is_new: assert (fresh_valid);
+    if (fresh_valid) lets_through_what_came: assert (done_fired && !done_clear &&
+        fresh[FRESH-1-:MATRIX] == done_matrix);
+    one_of_three: assert ({1'b0, fresh_valid} + seen_valid + start_valid == {1'b0, done_fired});
+  end
+
+  // Why it holds: what is in a slot was let through.
+  wire [ROW-1:0] slots = level ? triangles_q : objects_q;
+  wire holds_any = level ? entered_q[packet] : cleared_q[packet];
+  integer s;
+  always @* if (was_reset_q) begin
+    assert (!entered_q[packet] || cleared_q[packet]);
+    for (s = 0; s < SLOTS; s = s + 1) begin
+      if (holds_any && slots[COUNT-1:0] > s && slots[COUNT+MATRIX*s+:MATRIX] == matrix) assert (let_through_q);
+    end
+  end
+
+  always @* begin
+    drops_what_it_has_seen: cover (was_reset_q && is_watched && seen_valid && level);
+    forgets: cover (was_reset_q && is_watched && !let_through_q && level && entries[ENTRY]);
+  end
