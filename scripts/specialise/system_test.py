@@ -62,8 +62,9 @@ class Specialise(unittest.TestCase):
         self.assertGreater(analysis["costs"]["special"]["clocks"], 1000)
         self.assertTrue((self.folder / "made/verilog/dynrt_core.v").is_file())
 
-        self.done("render", "office", *SMALL, "--specialise", "--out", "special.png")
-        self.done("render", "office", *SMALL, "--board", "model", "--out", "general.png")
+        model = ("--board", "model")
+        self.done("render", "office", *SMALL, *model, "--specialise", "--out", "special.png")
+        self.done("render", "office", *SMALL, *model, "--out", "general.png")
         self.assertEqual((self.folder / "special.png").read_bytes(),
                          (self.folder / "general.png").read_bytes())
 
@@ -76,7 +77,8 @@ class Specialise(unittest.TestCase):
         ball = self.scene("ball.json")
         balls = self.scene("balls.json", instances=[
             {"object": "ball", "name": f"ball{i}", "position": [3 * i, 0, 0]} for i in range(40)])
-        self.done("walk", ball, *SMALL, "--frames", "3", "--specialise", "--out", "frames")
+        self.done("walk", ball, *SMALL, "--frames", "3", "--board", "model", "--specialise", "--out",
+                  "frames")
         self.done("specialise", ball, *SMALL, "--out", "made", "--no-hardware")
         mine = ("--board", "model", "--config", "made/configuration.json", *SMALL)
         refused = self.run_program("render", balls, *mine)
