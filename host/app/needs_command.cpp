@@ -36,7 +36,8 @@ struct Arguments {
   std::string json;
 };
 
-/// Of one frame, or of all the frames of the walk that moves the scene or is asked for.
+/// Of one frame, or of all the frames of the walk that moves the scene or is asked for, and of the
+/// scene as it is before it moves: so it is laid out first.
 SceneNeeds needs_over_frames(Prepared& prepared, const Arguments& arguments) {
   const SceneNeeds still = needs_of(prepared);
   const bool moves = duration(prepared.scene) > 0;
@@ -44,19 +45,15 @@ SceneNeeds needs_over_frames(Prepared& prepared, const Arguments& arguments) {
   const WalkPlan plan(prepared.scene, arguments.frames.value_or(kFramesOfAWalk), arguments.from,
                       arguments.to);
   const auto frames = static_cast<unsigned>(plan.times.size());
-  std::optional<SceneNeeds> all;
+  SceneNeeds all = still;
   Progress progress("analysing the frames", frames);
   for (unsigned i = 0; i < frames; ++i) {
     const Tree instances = instances_at(prepared, plan, i);
-    const SceneNeeds one = frame_needs(still, prepared.scene, instances);
-    if (all) {
-      all->include(one);
-    } else {
-      all = one;
-    }
+    all.include(frame_needs(still, prepared.scene, instances));
     progress.update(i + 1);
   }
-  return *all;
+  all.frames = frames;
+  return all;
 }
 
 std::string value_of(const Decision& decision) {

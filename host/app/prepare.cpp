@@ -140,12 +140,20 @@ CoreNumbers core_numbers(const BoardInfo& board, const Space& space) {
 Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
                  const BoardInfo* board) {
   // What a scene may exceed is told by check_within().
-  std::optional<BoardInfo> any_light;
+  std::optional<BoardInfo> origin;
   if (board != nullptr && !board->made_for.empty()) {
-    any_light = *board;
-    if (board->made_from) any_light->lights = board->made_from->lights;
+    origin = *board;
+    if (board->made_from) {
+      origin->lights = board->made_from->lights;
+      origin->reflections = board->made_from->reflections;
+      origin->primitives = board->made_from->primitives;
+    }
   }
-  const LightFlags light(arguments.lights, arguments.mirrors, any_light ? &*any_light : board);
+  const BoardInfo* allows = origin ? &*origin : board;
+  const LightFlags light(arguments.lights, arguments.mirrors, allows);
+  if (!arguments.mirrors.empty() && origin && board->reflections == 0) {
+    refuse_excess({"reflections", "1", "0"}, *board, "--mirror " + arguments.mirrors.front());
+  }
   const CameraFlags flags = arguments.camera();
   const auto begin = std::chrono::steady_clock::now();
   Scene scene;
@@ -153,7 +161,7 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
   {
     const Progress progress("loading " + arguments.scene);
     scene = load_scene(arguments.scene);
-    if (board != nullptr) check_primitives(scene, *board);
+    if (allows != nullptr) check_primitives(scene, *allows);
     camera = choose_camera(scene, flags, static_cast<int>(width), static_cast<int>(height));
     light.add_to(scene);
   }

@@ -11,6 +11,7 @@
 #include "host/board/run_script.h"
 #include "host/image/image.h"
 #include "host/scene/load.h"
+#include "host/specialise/messages.h"
 
 namespace dynrt::host {
 
@@ -74,6 +75,10 @@ ChosenCore SpecialiseFlags::choose(const SceneArguments& scene, const FrameArgum
   if (frame.uncompressed) words.emplace_back("--uncompressed");
   words.insert(words.end(), more.begin(), more.end());
   return {made_by_script("specialise/specialise.py", words, "--specialise"), general};
+}
+
+void SpecialiseFlags::refuse_unless_general(const Exceeded& over) const {
+  if (!general_if_exceeded) throw Exceeded(fmt::format(messages::kOrOnGeneral, over.what()));
 }
 
 }  // namespace dynrt::host

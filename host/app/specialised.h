@@ -37,6 +37,9 @@ struct SpecialiseFlags {
   ChosenCore choose(const SceneArguments& scene, const FrameArguments& frame,
                     const std::vector<std::string>& more = {}) const;
 
+  /// Throws what was exceeded, and what to do about it, unless the general core is to stand in.
+  void refuse_unless_general(const Exceeded& over) const;
+
  private:
   const CLI::App* command_ = nullptr;
 };
@@ -50,8 +53,8 @@ auto prepare_on(const SpecialiseFlags& flags, const ChosenCore& core, Open&& ope
   try {
     auto prepared = prepare(board->info());
     return std::pair(std::move(board), std::move(prepared));
-  } catch (const Exceeded&) {
-    if (!flags.general_if_exceeded) throw;
+  } catch (const Exceeded& over) {
+    flags.refuse_unless_general(over);
   }
   board = open(core.general);
   auto prepared = prepare(board->info());

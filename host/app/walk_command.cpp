@@ -194,8 +194,8 @@ int run(const Arguments& arguments) {
       const Walker::Result result = [&] {
         try {
           return walker.render_frame(i, show);
-        } catch (const Exceeded&) {
-          if (!arguments.specialise.general_if_exceeded) throw;
+        } catch (const Exceeded& over) {
+          arguments.specialise.refuse_unless_general(over);
           return general.render_frame(i, show);
         }
       }();

@@ -5,7 +5,6 @@
 // before.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -17,8 +16,7 @@ namespace dynrt::host {
 
 /// A key of the configuration, what a frame needs of it, and what the core has.
 struct Excess {
-  std::string key;
-  std::size_t needs = 0, has = 0;
+  std::string key, needs, has;
 };
 
 /// The first key that is exceeded.

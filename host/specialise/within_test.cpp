@@ -50,7 +50,7 @@ TEST(Within, ADeeperTreeIsRefusedWithBothValues) {
 
 /// The first key that is exceeded, with both values.
 void expect_excess(const SceneNeeds& needs, const BoardInfo& board, const std::string& key,
-                   std::size_t needed, std::size_t has) {
+                   const std::string& needed, const std::string& has) {
   const auto over = excess(needs, board);
   ASSERT_TRUE(over) << key;
   EXPECT_EQ(over->key, key);
@@ -63,22 +63,31 @@ TEST(Within, EveryKeyIsHeldAgainstTheScene) {
   const BoardInfo board = made_for_a_sail();
   SceneNeeds needs = fits;
   needs.lights = 2;
-  expect_excess(needs, board, "lights", 2, 1);
+  expect_excess(needs, board, "lights", "2", "1");
   needs = fits;
   needs.object_stack.pushes = 5;
-  expect_excess(needs, board, "stack_depth", 5, 3);
+  expect_excess(needs, board, "stack_depth", "5", "3");
   needs = fits;
   needs.places.nodes = 17;
-  expect_excess(needs, board, "address_bits", 5, 4);
+  expect_excess(needs, board, "address_bits", "5", "4");
   needs = fits;
   needs.places.matrices = 9;
-  expect_excess(needs, board, "matrix_bits", 4, 3);
+  expect_excess(needs, board, "matrix_bits", "4", "3");
   needs = fits;
   needs.one_level = false;
   BoardInfo one = board;
   one.levels = 1;
   EXPECT_FALSE(excess(fits, one));
-  expect_excess(needs, one, "levels", 2, 1);
+  expect_excess(needs, one, "levels", "2", "1");
+  needs = fits;
+  needs.primitives.spheres = 1;
+  expect_excess(needs, board, "primitives", "triangle, sphere", "triangle");
+  needs = fits;
+  needs.colours = {1, 2};
+  BoardInfo plain = board;
+  EXPECT_FALSE(excess(needs, plain));
+  plain.one_colour = true;
+  expect_excess(needs, plain, "one_colour", "false", "true");
 }
 
 TEST(Within, ACoreMadeFromOneWithoutLightsIgnoresThemAsThatDoes) {

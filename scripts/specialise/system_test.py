@@ -89,6 +89,27 @@ class Specialise(unittest.TestCase):
         self.assertIn("configuration thesis", said)
         lit = self.run_program("render", ball, *mine, "--light", "0,5,9")
         self.assertEqual(lit.returncode, 2)
+        self.assertIn("configuration thesis has no light rays", lit.stderr)
+
+    def test_frames_of_a_walk_that_exceed_the_core(self):
+        spread = self.scene("spread.json", instances=[
+            {"object": "ball", "name": f"ball{i}", "motion": {"keys": [
+                {"time": 1}, {"time": 4, "position": [2 * i, 0, 0]}]}} for i in range(12)])
+        self.done("specialise", spread, *SMALL, "--to", "1", "--frames", "2", "--out", "made",
+                  "--no-hardware")
+        mine = ("walk", spread, "--board", "model", "--config", "made/configuration.json", *SMALL,
+                "--frames", "3")
+        refused = self.run_program(*mine, "--out", "refused")
+        self.assertEqual(refused.returncode, 2)
+        self.assertRegex(refused.stderr, "^dynrt: frame [12] of 3 needs top_stack_depth [0-9]+, "
+                         "and configuration .* has [0-9]+; .*--general-if-exceeded")
+        self.done(*mine, "--general-if-exceeded", "--out", "mixed", "--json", "mixed.json")
+        general = [one.get("general", False) for one in self.read("mixed.json")["walk"]["frames"]]
+        self.assertEqual((general[0], general[-1]), (False, True))
+        self.done(*mine[:2], "--board", "model", *SMALL, "--frames", "3", "--out", "plain")
+        for i in range(3):
+            self.assertEqual((self.folder / f"mixed/frame_{i:04}.png").read_bytes(),
+                             (self.folder / f"plain/frame_{i:04}.png").read_bytes(), i)
 
 
 if __name__ == "__main__":

@@ -10,6 +10,8 @@
 
 #include "configs/thesis.h"
 #include "configs/whitted.h"
+#include "host/render/figures.h"
+#include "host/specialise/decide.h"
 
 namespace dynrt::host::specialised {
 namespace {
@@ -29,6 +31,15 @@ struct Lean : General {
   static constexpr unsigned kTriangleSlots = 0;
   static constexpr bool kUncompressed = false;
   static constexpr bool kCounters = false;
+};
+/// As deep as the trees of `blocks` ask for, and far less.
+struct Tight : Thesis {
+  static constexpr unsigned kTopStackDepth = 7;
+  static constexpr unsigned kStackDepth = 18;
+};
+struct Shallow : Thesis {
+  static constexpr unsigned kTopStackDepth = 1;
+  static constexpr unsigned kStackDepth = 2;
 };
 struct OneColour : Thesis {
   static constexpr bool kOneColour = true;
@@ -88,6 +99,19 @@ TEST(Specialised, StacksTakeTheRowsOfTheTreesDepths) {
   EXPECT_EQ(kStackRows<Thesis>, 32u * 64);
   EXPECT_EQ(kStackRows<Lean<Thesis>>, 32u * 32);
   EXPECT_EQ(board_info_of<Lean<Thesis>>().top_stack_depth, 10u);
+}
+
+TEST(Specialised, StacksOfTheDepthsThatAreDecidedDropNothing) {
+  const Prepared blocks = prepared("blocks", board_info_of<Thesis>());
+  for (const Decision& one : decide(needs_of(blocks), board_info_of<Thesis>(), {})) {
+    if (one.key == "top_stack_depth") EXPECT_EQ(one.value, Tight::kTopStackDepth);
+    if (one.key == "stack_depth") EXPECT_EQ(one.value, Tight::kStackDepth);
+  }
+  const auto dropped = [&](Board& board) {
+    return figures_of(render_on(board, small_frame(), blocks), 1e6).dropped_pushes.value();
+  };
+  EXPECT_EQ(dropped(*board_of<Tight>()), 0u);
+  EXPECT_GT(dropped(*board_of<Shallow>()), 0u);
 }
 
 template <class C, template <class> class Kind>
