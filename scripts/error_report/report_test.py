@@ -171,6 +171,16 @@ class Collect(InFolder):
         self.assertEqual([p.name for p in out.iterdir()], ["error.csv"])
         self.assertEqual((out / "error.csv").read_text(encoding="utf-8"), "old")
 
+    def test_two_that_write_at_once(self):
+        out = self.folder / "out"
+        for left in (".new999999999.cut", ".newest"):  # of a process that is no more; a user's own
+            (out / left).mkdir(parents=True)
+        with collect.written_first(out) as first:
+            (first / "a").write_text("first", encoding="utf-8")
+            with collect.written_first(out) as second:
+                (second / "b").write_text("second", encoding="utf-8")
+        self.assertEqual(sorted(p.name for p in out.iterdir()), [".newest", "a", "b"])
+
 
 class Choose(unittest.TestCase):
     def chosen(self, measure, bound):

@@ -15,7 +15,7 @@ import tempfile
 
 import flags
 from variants import Refused, base_configuration  # which finds the scripts beside this folder
-from collect import scene_name, written_first
+from collect import check_writable, scene_name, written_first
 from report import guarded
 from workflow import content_of, show_progress
 import choose_format
@@ -25,6 +25,9 @@ import curve
 import decisions
 import table
 from build_cache import BuildCache, CacheError
+
+
+DELIVERED = (".v", ".vh", ".json", ".txt")  # of a core's folder; the rest is of its build alone
 
 
 def write_json(path, data):
@@ -170,14 +173,55 @@ def check_outputs(out, figures):
     if figures and not figures.absolute().parent.is_dir():
         raise Refused(f"--json {figures}: there is no folder '{figures.parent}'; create it or name "
                       "a file elsewhere")
+    if figures and figures.is_dir():
+        raise Refused(f"--json {figures}: is a folder; name a file")
     new = not out.exists()
+    check_writable(out, "name a folder elsewhere")
+    if new:
+        out.rmdir()
+
+
+def delivered(verilog):
+    """Names of the files in a core's folder that are of use without the build."""
+    return sorted(path.name for path in verilog.iterdir() if path.suffix in DELIVERED)
+
+
+def written_earlier(out):
+    """Names of the files in the folder's verilog/ that an earlier run has written."""
     try:
-        out.mkdir(parents=True, exist_ok=True)
-        if new:
-            out.rmdir()
-    except OSError as error:
-        raise Refused(f"--out {out}: cannot be made ({error.strerror}); name a folder elsewhere"
-                      ) from error
+        listed = json.loads((out / "analysis.json").read_text(encoding="utf-8"))["verilog"]
+        return [name for name in listed if pathlib.Path(name).name == name]
+    except (OSError, ValueError, LookupError, TypeError):
+        return []
+
+
+def write_figures(path, data):
+    """As a whole, so that a full disk leaves the file that was there."""
+    path = path.resolve()
+    if path.exists() and not path.is_file():  # a pipe
+        write_json(path, data)
+        return
+    part = path.with_name(f"{path.name}.{os.getpid()}")
+    try:
+        write_json(part, data)
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def deliver(out, configuration, verilog, result):
+    """Writes the folder, and removes what an earlier core with other units has left there."""
+    result["verilog"] = delivered(verilog)
+    earlier = written_earlier(out)
+    with written_first(out, "what was there is as it was, and the cache keeps what was decided") as new:
+        shutil.copyfile(configuration, new / "configuration.json")
+        write_json(new / "analysis.json", result)
+        (new / "verilog").mkdir()
+        for name in result["verilog"]:
+            shutil.copyfile(verilog / name, new / "verilog" / name)
+    for name in earlier:
+        if name not in result["verilog"]:
+            (out / "verilog" / name).unlink(missing_ok=True)
 
 
 def finish(project, name, general, about, entry):
@@ -191,17 +235,9 @@ def finish(project, name, general, about, entry):
     misfit = args.hardware and costs.misfits(verilog, result["costs"]["special"], args.device,
                                              args.jobs, show_progress)
     show_progress("")
-    with written_first(out) as new:
-        shutil.copyfile(entry / f"{project.name}.json", new / "configuration.json")
-        write_json(new / "analysis.json", result)
-        shutil.copytree(verilog, new / "verilog")
-        if args.json:
-            write_json(new / "json", result)
-    for left in (out / "verilog").iterdir():  # of an earlier core with other units
-        if left.is_file() and not (verilog / left.name).exists():
-            left.unlink()
+    deliver(out, entry / f"{project.name}.json", verilog, result)
     if args.json:
-        shutil.move(out / "json", args.json)
+        write_figures(args.json, result)
     print(table.page(about, name, general, result) + f"written     {out}/configuration.json, "
           "analysis.json and verilog")
     if misfit:

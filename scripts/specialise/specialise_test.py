@@ -23,6 +23,7 @@ from variants import Refused  # noqa: E402
 import configs  # noqa: E402
 import curve  # noqa: E402
 import decisions  # noqa: E402
+import specialise  # noqa: E402
 import table  # noqa: E402
 
 GENERATE = configs.load_generate()
@@ -150,13 +151,79 @@ class Flags(unittest.TestCase):
                       said.getvalue())
 
 
-class Command(unittest.TestCase):
-    """specialise.py itself, up to where it needs more than the pretended program."""
-
+class InFolder(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
+
+
+class Delivered(InFolder):
+    def core(self, *names):
+        core = self.folder / "-".join(names)
+        core.mkdir()
+        for name in names:
+            (core / name).write_text(name, encoding="utf-8")
+        return core
+
+    def deliver(self, core):
+        configuration = self.folder / "office.json"
+        configuration.write_text("{}", encoding="utf-8")
+        specialise.deliver(self.folder / "out", configuration, core, {})
+        return sorted(p.name for p in (self.folder / "out" / "verilog").iterdir())
+
+    def test_what_is_of_the_build_alone_stays_there(self):
+        core = self.core("list.v", "list.d", "list_ports.h", "list.json", "list.txt", "core.vh")
+        self.assertEqual(self.deliver(core), ["core.vh", "list.json", "list.txt", "list.v"])
+
+    def test_a_users_own_files_stay(self):
+        self.deliver(self.core("list.v", "lights.v"))
+        out = self.folder / "out"
+        mine = [out / "verilog" / "mine.v", out / "json"]
+        for path in mine:
+            path.write_text("mine", encoding="utf-8")
+        self.assertEqual(self.deliver(self.core("list.v", "mirrors.v")),
+                         ["list.v", "mine.v", "mirrors.v"])
+        self.assertEqual([path.read_text(encoding="utf-8") for path in mine], ["mine"] * 2)
+
+    def test_an_earlier_analysis_that_is_none_or_names_others_files(self):
+        out = self.folder / "out"
+        out.mkdir()
+        for text in ("", "[]", '{"verilog": [1]}', '{"verilog": ["../office.json"]}'):
+            (out / "analysis.json").write_text(text, encoding="utf-8")
+            self.assertEqual(specialise.written_earlier(out), [])
+
+    def test_figures(self):
+        figures = self.folder / "figures.json"
+        specialise.write_figures(figures, {"a": 1})
+        specialise.write_figures(figures, {"a": 2})
+        self.assertEqual(json.loads(figures.read_text(encoding="utf-8")), {"a": 2})
+        self.assertEqual(list(self.folder.iterdir()), [figures])
+
+    def test_what_could_not_be_written(self):
+        with self.assertRaisesRegex(Refused, f"^--json {self.folder}: is a folder; name a file$"):
+            specialise.check_outputs(self.folder / "out", self.folder)
+        blocked = self.folder / "file"
+        blocked.write_text("", encoding="utf-8")
+        with self.assertRaisesRegex(Refused, f"^--out {blocked}: cannot be written .File exists.; "
+                                    "name a folder elsewhere$"):
+            specialise.check_outputs(blocked, None)
+        specialise.check_outputs(self.folder / "out", None)
+        self.assertFalse((self.folder / "out").exists())
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_a_folder_that_may_not_be_written(self):
+        out = self.folder / "out"
+        out.mkdir(0o500)
+        with self.assertRaisesRegex(Refused, f"^--out {out}: cannot be written .Permission denied"):
+            specialise.check_outputs(out, None)
+
+
+class Command(InFolder):
+    """specialise.py itself, up to where it needs more than the pretended program."""
+
+    def setUp(self):
+        super().setUp()
         self.program = self.folder / "dynrt"
         self.program.write_text(textwrap.dedent("""\
             #!/usr/bin/python3
