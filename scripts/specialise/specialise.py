@@ -74,7 +74,7 @@ class Project:
     def key(self, needs, general):
         """Of all that the configuration depends on."""
         args = self.args
-        said = {"needs": needs, "general": general, "seen": self.seen, "keep": args.keep,
+        said = {"name": self.name, "needs": needs, "general": general, "seen": self.seen, "keep": args.keep,
                 "slowdown": args.max_slowdown, "fingerprint": args.expect,
                 "variables": self.build["variables"], "program": content_of(
                     pathlib.Path(args.program)), "hlsc": content_of(
@@ -83,6 +83,21 @@ class Project:
             said["scene"] = args.scene
         digest = hashlib.sha256(json.dumps(said, sort_keys=True).encode())
         return f"specialised-{digest.hexdigest()[:40]}"
+
+
+def analysis_of(entry):
+    """In a folder of its own, as the configuration beside it has the name of its scene."""
+    return entry / "analysis" / "analysis.json"
+
+
+def is_whole(entry, name):
+    """Whether both files of an entry can be read; not where a machine has lost its power."""
+    try:
+        for path in (entry / f"{name}.json", analysis_of(entry)):
+            json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return False
+    return True
 
 
 class Specialiser:
@@ -113,7 +128,9 @@ class Specialiser:
         measured, curves = self.measured(folder)
         decided = self.decide(measured)
         self.write(path, decided)
-        write_json(made / "analysis.json", {
+        analysis = analysis_of(made)
+        analysis.parent.mkdir()
+        write_json(analysis, {
             "general": self.general_name, "needs": self.needs["needs"], "curves": curves,
             "left_out": decisions.left_out(decided, self.general), "configuration": decided})
         return made
@@ -147,10 +164,9 @@ def general_core(project):
     return name, general, needs, about
 
 
-def add_costs(project, result, folder, general):
-    """Area, gates, stages and clocks of both cores."""
+def add_costs(project, result, special, general):
+    """Area, gates, stages and clocks of both cores; gives the folder with the made one's Verilog."""
     args = project.args
-    special = next(p for p in folder.glob("*.json") if p.name != "analysis.json")
     of = {}
     with tempfile.TemporaryDirectory() as work:
         whole = pathlib.Path(work) / "general.json"
@@ -227,15 +243,15 @@ def deliver(out, configuration, verilog, result):
 def finish(project, name, general, about, entry):
     """What `dynrt specialise` does with a configuration that is there."""
     args = project.args
-    result = json.loads((entry / "analysis.json").read_text(encoding="utf-8"))
+    result = json.loads(analysis_of(entry).read_text(encoding="utf-8"))
     result["curves"] = {what: {int(n): clocks for n, clocks in points.items()}
                         for what, points in result["curves"].items()}
-    out = project.out
-    verilog = add_costs(project, result, entry, general)
+    out, special = project.out, entry / f"{project.name}.json"
+    verilog = add_costs(project, result, special, general)
     misfit = args.hardware and costs.misfits(verilog, result["costs"]["special"], args.device,
                                              args.jobs, show_progress)
     show_progress("")
-    deliver(out, entry / f"{project.name}.json", verilog, result)
+    deliver(out, special, verilog, result)
     if args.json:
         write_figures(args.json, result)
     print(table.page(about, name, general, result) + f"written     {out}/configuration.json, "
@@ -255,7 +271,8 @@ def run(args):
     try:
         entry = BuildCache().get(project.key(needs, general),
                                  Specialiser(project, name, general, needs),
-                                 lambda: show_progress("another program is at it, waiting"))
+                                 lambda: show_progress("another program is at it, waiting"),
+                                 lambda entry: is_whole(entry, project.name))
     except CacheError as error:
         raise Refused(str(error)) from error
     show_progress("")
@@ -272,7 +289,7 @@ def for_program(args):
     except Refused as error:
         print(error)
     except OSError as error:
-        print(f"{error.filename}: {error.strerror}")
+        print(f"{error.filename or args.scene}: {error.strerror}")
     return 1
 
 

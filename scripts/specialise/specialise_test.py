@@ -288,7 +288,14 @@ class Command(InFolder):
         self.assertEqual(again.returncode, 1)
         self.assertFalse(partial.exists())
         entry.mkdir()
-        (entry / "office.json").write_text("{}", encoding="utf-8")
+        (entry / "analysis").mkdir()
+        for name in ("office.json", "analysis/analysis.json"):
+            (entry / name).write_text("", encoding="utf-8")  # as a machine without power leaves it
+            self.assertEqual(self.run_on("office", "--for-program").returncode, 1)
+            self.assertFalse(entry.exists())
+            (entry / "analysis").mkdir(parents=True)
+            for good in ("office.json", "analysis/analysis.json"):
+                (entry / good).write_text("{}", encoding="utf-8")
         whole = self.run_on("office", "--for-program")
         self.assertEqual((whole.returncode, whole.stdout), (0, f"{entry / 'office.json'}\n"))
 
