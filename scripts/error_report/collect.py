@@ -145,6 +145,13 @@ def write(out, report, pictures):
         page.write_page(new / "error.json", new / "error.html")
 
 
+def scene_path(scene):
+    """As the program reads it in any folder: a file's absolute path, or the name of a built-in one,
+    which goes before a folder or file of that name."""
+    file = pathlib.Path(scene if os.path.isfile(scene) else scene.split(":")[0])
+    return os.path.abspath(scene) if file.suffix and file.is_file() else scene
+
+
 def scene_name(scene):
     """What a scene is called in a report: the name of a built-in one, or its file's."""
     return re.sub(r"[^A-Za-z0-9_.-]", "_", pathlib.Path(scene.split(":")[0]).stem +

@@ -159,6 +159,19 @@ class Collect(InFolder):
         self.assertEqual(report["variants"]["m16"], EXAMPLE["variants"]["m16"])
         self.assertEqual(named["pictures/blocks/m16.difference.png"], pictures / "difference.png")
 
+    def test_a_built_in_scene_goes_before_a_folder_of_its_name(self):
+        (self.folder / "blocks").mkdir()
+        for name in ("office", "ball.json", "maps.pk3"):
+            (self.folder / name).write_text("", encoding="utf-8")
+        before = pathlib.Path.cwd()
+        self.addCleanup(os.chdir, before)
+        os.chdir(self.folder)
+        here = pathlib.Path.cwd()
+        for scene, path in (("blocks", "blocks"), ("office", "office"), ("no.obj", "no.obj"),
+                            ("ball.json", f"{here}/ball.json"), ("./ball.json", f"{here}/ball.json"),
+                            ("maps.pk3:mine", f"{here}/maps.pk3:mine")):
+            self.assertEqual(collect.scene_path(scene), path)
+
     def test_a_full_disk_leaves_the_report_that_was_there(self):
         out = self.folder / "out"
         with collect.written_first(out) as new:

@@ -15,7 +15,7 @@ import tempfile
 
 import flags
 from variants import Refused, base_configuration  # which finds the scripts beside this folder
-from collect import check_writable, scene_name, written_first
+from collect import check_writable, scene_name, scene_path, written_first
 from report import guarded
 from workflow import content_of, show_progress
 import choose_format
@@ -39,8 +39,7 @@ class Project:
 
     def __init__(self, args):
         self.args = args
-        self.scene = str(pathlib.Path(args.scene).absolute()) if os.path.exists(args.scene) \
-            else args.scene
+        self.scene = scene_path(args.scene)
         self.name = scene_name(args.scene)
         self.out = args.out or pathlib.Path(f"{self.name}.specialised")
         self.seen = flags.passed_on(args, flags.SEEN) + (
@@ -79,8 +78,8 @@ class Project:
                 "variables": self.build["variables"], "program": content_of(
                     pathlib.Path(args.program)), "hlsc": content_of(
                         pathlib.Path(self.build["hlsc"]))}
-        if not os.path.exists(args.scene):
-            said["scene"] = args.scene
+        if not os.path.isabs(self.scene):  # a built-in one
+            said["scene"] = self.scene
         digest = hashlib.sha256(json.dumps(said, sort_keys=True).encode())
         return f"specialised-{digest.hexdigest()[:40]}"
 
