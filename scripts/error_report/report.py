@@ -41,8 +41,8 @@ def add_arguments(parser):
     parser.add_argument("--size", default="512x384", metavar="WxH",
                         help="pixels of the images (default: 512x384)")
     parser.add_argument("--config", default="thesis", metavar="NAME",
-                        help="configuration that the variants are variants of (default: thesis; "
-                        "for light and reflection rays: whitted)")
+                        help="configuration that the variants are variants of, or a FILE.json "
+                        "with one (default: thesis; for light and reflection rays: whitted)")
     parser.add_argument("--variants", type=pathlib.Path, default=listed.LISTED, metavar="FILE",
                         help="variants by name, each an object of the keys that differ; default: "
                         "those of scripts/error_report/variants.json")

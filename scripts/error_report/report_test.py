@@ -119,6 +119,21 @@ class Variants(InFolder):
     def test_base(self):
         with self.assertRaisesRegex(Refused, "^--config x: unknown; the configurations are thesis,"):
             variants.base_configuration("x")
+        with self.assertRaisesRegex(Refused, "^--config x.so: a library does not tell its keys; "):
+            variants.base_configuration("x.so")
+
+    def test_base_that_a_file_states(self):
+        path = self.folder / "mine.json"
+        keys = {key: value for key, value in THESIS.items() if key != "about"}
+        path.write_text(json.dumps(keys | {"packets": {"value": 7, "reason": "few"}}),
+                        encoding="utf-8")
+        listed = self.folder / "variants.json"
+        listed.write_text(json.dumps({"a": {}, "b": {"lines": 2}}), encoding="utf-8")
+        read = variants.read_variants(listed, variants.base_configuration(str(path)))
+        self.assertEqual([v["configuration"]["packets"] for v in read.values()], [7, 7])
+        path.write_text(json.dumps(keys | {"packets": 99}), encoding="utf-8")
+        with self.assertRaisesRegex(Refused, f"^--config {path}: key 'packets' .* is 99; it must"):
+            variants.base_configuration(str(path))
 
 
 class Collect(InFolder):

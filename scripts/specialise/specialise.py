@@ -6,6 +6,7 @@ that render, for which it prints the path of the configuration."""
 
 import hashlib
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -153,13 +154,15 @@ def general_core(project):
     name = needs["general"]
     generate = configs.load_generate()
     general = generate.checked("general", base_configuration(name))
+    if name.endswith(".json"):
+        name = os.path.abspath(name)
     if args.max_error is not None:
-        general |= choose_format.chosen(args, name, project.scene)
+        general |= choose_format.chosen(args, name, project.scene, project.out)
         with tempfile.TemporaryDirectory() as folder:
-            path = pathlib.Path(folder) / f"{name}.json"
+            path = pathlib.Path(folder) / f"{decisions.called(name)}.json"
             write_json(path, general)
             needs, about = project.needs(path)
-            needs["general"] = name
+    needs["general"] = name
     return name, general, needs, about
 
 
@@ -253,7 +256,7 @@ def finish(project, name, general, about, entry):
     deliver(out, special, verilog, result)
     if args.json:
         write_figures(args.json, result)
-    print(table.page(about, name, general, result) + f"written     {out}/configuration.json, "
+    print(table.page(about, decisions.called(name), general, result) + f"written     {out}/configuration.json, "
           "analysis.json and verilog")
     if misfit:
         raise Refused(f"the core made for {project.name} fits no device asked for: {misfit}")
@@ -262,10 +265,15 @@ def finish(project, name, general, about, entry):
 def run(args):
     project = Project(args)
     costs.check_devices(args.device)
-    if args.max_slowdown < 0:
+    if args.jobs < 1:
+        raise Refused(f"--jobs {args.jobs}: at least one is needed")
+    if not 0 <= args.max_slowdown < math.inf:
         raise Refused(f"--max-slowdown {args.max_slowdown:g}: a part in percent, 0 or more")
+    choose_format.check(args)
     if not args.for_program:
         check_outputs(project.out, args.json)
+    if args.max_error is not None or args.hardware and not args.for_program:
+        costs.check_tools()
     name, general, needs, about = general_core(project)
     try:
         entry = BuildCache().get(project.key(needs, general),

@@ -77,6 +77,16 @@ class Decisions(unittest.TestCase):
         self.assertNotIn("mantissa_bits", decisions.left_out(decided, WHITTED))
 
 
+    def test_a_general_configuration_that_a_file_states(self):
+        decided = decide({}, name="/folder/mine.json")
+        self.assertIn("as in mine: ", decided["mantissa_bits"]["reason"])
+        stated = decisions.configuration("lamps", "/folder/mine.json", decided)
+        self.assertEqual((stated["about"], stated["made_from"]),
+                         ("made for the scene lamps, from the configuration mine",
+                          "/folder/mine.json"))
+        GENERATE.checked("special", stated)
+
+
 class Curve(unittest.TestCase):
     CLOCKS = {32: 1000, 16: 1009, 8: 1100, 4: 1700, 2: 3000, 1: 6000}
 
@@ -143,6 +153,13 @@ class Flags(unittest.TestCase):
         self.assertEqual(flags.passed_on(args, flags.SEEN),
                          ["--position=-1,2,3", "--light=0,1,0", "--light=-1,1,0"])
         self.assertEqual(flags.passed_on(args, flags.ASKED), [])
+
+    def test_help_has_no_flags_that_are_the_programs(self):
+        with self.assertRaises(SystemExit), contextlib.redirect_stdout(io.StringIO()) as said:
+            flags.parse(["--help"])
+        self.assertIn("--max-error", said.getvalue())
+        for hidden in ("--program", "--build", "--expect", "--for-program", "SUPPRESS"):
+            self.assertNotIn(hidden, said.getvalue())
 
     def test_unknown_flags_are_told_in_a_sentence(self):
         with self.assertRaises(SystemExit), contextlib.redirect_stderr(io.StringIO()) as said:
@@ -258,7 +275,23 @@ class Command(InFolder):
                             "--device", "fpga")
         self.assert_refused("--max-slowdown -1: a part in percent, 0 or more", "office",
                             "--max-slowdown=-1")
+        for none in ("nan", "inf"):
+            self.assert_refused(f"--max-slowdown {none}: a part in percent, 0 or more", "office",
+                                "--max-slowdown", none)
+        self.assert_refused("--jobs 0: at least one is needed", "office", "--jobs", "0")
+        self.assert_refused("--max-error 0: must be above 0", "office", "--max-error", "0")
+        self.assert_refused("--max-error nan: must be a number", "office", "--max-error", "nan")
+        self.assert_refused("--measure speed: unknown; the measures are .*", "office", "--measure",
+                            "speed", "--max-error", "1e-3")
+        self.assert_refused("--measure primary.t_p99: there is no bound; --max-error says how large "
+                            "this error may be", "office", "--measure", "primary.t_p99")
         self.assert_refused("--keep speed: unknown; the keys are .*", "office", "--keep", "speed")
+
+    def test_yosys_is_looked_for_before_anything_is_measured(self):
+        bare = {"PATH": str(self.folder)}
+        self.assert_refused("yosys is not installed; .*", "nowhere.obj", **bare)
+        self.assert_refused("nowhere.obj: there is no such file", "nowhere.obj", "--no-hardware",
+                            **bare)
 
     def test_sources_that_are_not_the_programs(self):
         self.assert_refused("the sources have changed since this program was built; build it again",
