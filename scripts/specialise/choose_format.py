@@ -12,6 +12,7 @@ import choose
 import report
 
 FORMATS = pathlib.Path(__file__).resolve().parent / "formats.json"
+SIZE = "512x384"  # of a frame, unless --size says another
 KEYS = ("exponent_bits", "mantissa_bits", "rounding", "divider")
 
 
@@ -34,7 +35,7 @@ def chosen(args, general, scene, out):
     out = out.with_name(out.name + ".formats")
     asked = argparse.Namespace(
         program=pathlib.Path(args.program), build=pathlib.Path(args.build), expect=args.expect,
-        size=args.size or "512x384", config=general, variants=FORMATS, variant=[], jobs=args.jobs,
+        size=args.size or SIZE, config=general, variants=FORMATS, variant=[], jobs=args.jobs,
         slurm=False, out=out)
     found, _ = report.measured(asked, [scene])
     with contextlib.suppress(OSError):

@@ -143,7 +143,10 @@ class Specialiser:
         schedules = self.project.made(whole, "--verilog")
         meter = curve.Meter(args.program, self.project.scene, self.project.seen, whole, schedules,
                             show_progress)
-        decided, curves = curve.choose(meter, most["packets"], most["lines"], args.max_slowdown)
+        frame = f"a frame of {args.size or choose_format.SIZE}"
+        frame += " at time 0" if self.needs["needs"].get("frames", 1) > 1 else ""
+        decided, curves = curve.choose(meter, most["packets"], most["lines"], args.max_slowdown,
+                                       frame)
         return {k: d for k, d in decided.items() if k not in args.keep}, curves
 
 

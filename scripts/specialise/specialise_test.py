@@ -104,11 +104,18 @@ class Curve(unittest.TestCase):
         self.assertEqual(list(curve.powers_below(64)), [32, 16, 8, 4, 2, 1])
 
     def test_the_reason_has_the_numbers_on_both_sides(self):
-        self.assertEqual(curve.reason(self.CLOCKS, 16, 1),
+        self.assertEqual(curve.reason(self.CLOCKS, 16, 1, "a frame"),
                          "with 32 a frame takes 1,000 clocks, with 16 0.9 % more, with 8 10.0 % "
                          "more; 1 % are allowed")
-        self.assertEqual(curve.reason({1: 50}, 1, 1), "with 1 a frame takes 50 clocks; 1 % are "
-                         "allowed")
+        self.assertEqual(curve.reason({1: 50}, 1, 1, "a frame of 64x48 at time 0"), "with 1 a frame "
+                         "of 64x48 at time 0 takes 50 clocks; 1 % are allowed")
+
+    def test_fewer_clocks_are_no_negative_part_more(self):
+        self.assertEqual(curve.reason({32: 1000, 16: 961, 8: 1000}, 16, 1, "a frame"),
+                         "with 32 a frame takes 1,000 clocks, with 16 3.9 % fewer, with 8 0.0 % "
+                         "more; 1 % are allowed")
+        self.assertEqual([curve.by_percent(p, "fewer") for p in (-3.94, -0.04, 0, 0.06)],
+                         ["3.9 % fewer", "0.0 %", "0.0 %", "0.1 %"])
 
     def test_lines_are_measured_with_the_packets_that_were_chosen(self):
         class Meter:
@@ -138,7 +145,7 @@ class Table(unittest.TestCase):
         page = table.page("office: one object", "thesis", THESIS, self.result())
         self.assertRegex(page, r"(?m)^  stack_depth +31 +14 +the scene needs 14$")
         self.assertRegex(page, r"(?m)^  LUTs +33,000 +22,000 +33.3 %$")
-        self.assertRegex(page, r"(?m)^  clocks of a frame +1,000 +1,010 +-1.0 %$")
+        self.assertRegex(page, r"(?m)^  clocks of a frame +1,000 +1,010 +1.0 % more$")
         self.assertRegex(page, r"(?m)^  packets +32 +16$")
         self.assertIn("as in thesis: ", page)
         self.assertLessEqual(max(map(len, page.splitlines())), table.WIDTH + 4)
