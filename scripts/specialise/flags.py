@@ -38,8 +38,8 @@ def parse(words):
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR",
                         help="folder to write to (default: SCENE.specialised)")
     parser.add_argument("--config", metavar="NAME", help="configuration to start from, or a FILE.json "
-                        "with one (default: thesis; for a scene with lights or mirrors whitted, for one of other "
-                        "primitives than triangles primitives)")
+                        "with one (default: thesis; for a scene with lights or mirrors whitted, for "
+                        "one of other primitives than triangles primitives)")
     parser.add_argument("--max-error", type=float, metavar="E",
                         help="choose the bits of the float too: the cheapest that keep the error of "
                         "the frame below this, as `dynrt choose` does; without it, the bits are "

@@ -74,8 +74,8 @@ class Project:
     def key(self, needs, general):
         """Of all that the configuration depends on."""
         args = self.args
-        said = {"name": self.name, "needs": needs, "general": general, "seen": self.seen, "keep": args.keep,
-                "slowdown": args.max_slowdown, "fingerprint": args.expect,
+        said = {"name": self.name, "needs": needs, "general": general, "seen": self.seen,
+                "keep": args.keep, "slowdown": args.max_slowdown, "fingerprint": args.expect,
                 "variables": self.build["variables"], "program": content_of(
                     pathlib.Path(args.program)), "hlsc": content_of(
                         pathlib.Path(self.build["hlsc"]))}
@@ -259,8 +259,8 @@ def finish(project, name, general, about, entry):
     deliver(out, special, verilog, result)
     if args.json:
         write_figures(args.json, result)
-    print(table.page(about, decisions.called(name), general, result) + f"written     {out}/configuration.json, "
-          "analysis.json and verilog")
+    print(table.page(about, decisions.called(name), general, result) +
+          f"written     {out}/configuration.json, analysis.json and verilog")
     if misfit:
         raise Refused(f"the core made for {project.name} fits no device asked for: {misfit}")
 
