@@ -38,37 +38,57 @@ def full_disk(folder):
 def _sync(made):
     """So that a machine that loses its power keeps no entry with empty files."""
     for path in [made, *made.rglob("*")]:
-        if path.is_file():
-            with path.open("rb") as file:
-                os.fsync(file.fileno())
+        if path.is_file() or path.is_dir():
+            _sync_one(path)
+
+
+def _sync_one(path):
+    """A file's content, or the names in a folder."""
+    file = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(file)
+    except OSError as error:
+        if error.errno != errno.EINVAL:  # a file system that cannot, of a folder
+            raise
+    finally:
+        os.close(file)
 
 
 class BuildCache:
     def __init__(self, folder=None):
         self.folder = pathlib.Path(folder) if folder else default_folder()
 
-    def get(self, key, build, wait=lambda: None):
+    def get(self, key, build, wait=lambda: None, whole=lambda entry: True):
         """The path of an entry. `build` makes it in an empty folder, of which it gives the file or
-        folder that is kept; `wait` is called before waiting for somebody else's build."""
+        folder that is kept; `wait` is called before waiting for somebody else's build. An entry
+        that is not `whole` is built again."""
         entry = self.folder / key
-        if entry.exists():
+        if entry.exists() and whole(entry):
             return entry
-        try:
+        with self._told():
             self.folder.mkdir(parents=True, exist_ok=True)
-            with self._locked(key, wait) as alone:
-                if not entry.exists():
-                    self._make(entry, build, alone)
+        with self._locked(key, wait) as alone:
+            if not (entry.exists() and whole(entry)):
+                self._make(entry, build, alone)
+        return entry
+
+    @contextlib.contextmanager
+    def _told(self):
+        """Around what writes to the cache itself."""
+        try:
+            yield
         except OSError as error:
             if error.errno == errno.ENOSPC:
                 raise CacheError(full_disk(self.folder)) from error
             raise CacheError(f"the cache {self.folder} cannot be written ({error.strerror}); let "
                              "DYNRT_CACHE name a folder that can") from error
-        return entry
 
     @contextlib.contextmanager
     def _locked(self, key, wait):
         """True while nobody else builds this, False where the file system cannot tell."""
-        with (self.folder / f"{key}.lock").open("w") as file:
+        with self._told():
+            file = (self.folder / f"{key}.lock").open("w")
+        with file:
             try:
                 try:
                     fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -84,15 +104,30 @@ class BuildCache:
         if alone:
             for left in self.folder.glob(f"{entry.name}.*{PARTIAL}"):
                 shutil.rmtree(left, ignore_errors=True)
-        partial = pathlib.Path(tempfile.mkdtemp(prefix=f"{entry.name}.", suffix=PARTIAL,
-                                                dir=self.folder))
+        with self._told():
+            if entry.is_dir():  # and not whole
+                shutil.rmtree(entry)
+            entry.unlink(missing_ok=True)
+            partial = pathlib.Path(tempfile.mkdtemp(prefix=f"{entry.name}.", suffix=PARTIAL,
+                                                    dir=self.folder))
         try:
-            made = pathlib.Path(build(partial))
-            _sync(made)
-            try:
-                made.rename(entry)
-            except OSError:  # a folder that is not empty: another was faster
-                if not entry.exists():
-                    raise
+            made = self._built(build, partial)
+            with self._told():
+                _sync(made)
+                try:
+                    made.rename(entry)
+                except OSError:  # a folder that is not empty: another was faster
+                    if not entry.exists():
+                        raise
+                _sync_one(self.folder)
         finally:
             shutil.rmtree(partial, ignore_errors=True)
+
+    def _built(self, build, partial):
+        """What it gives; of what it may run into, only a full disk is the cache's."""
+        try:
+            return pathlib.Path(build(partial))
+        except OSError as error:
+            if error.errno == errno.ENOSPC:
+                raise CacheError(full_disk(self.folder)) from error
+            raise

@@ -101,6 +101,20 @@ class Cache(unittest.TestCase):
                                     "full; free some space or let DYNRT_CACHE name a folder"):
             self.cache.get("key", build)
 
+    def test_what_a_build_runs_into_is_not_told_of_the_cache(self):
+        def build(_):
+            raise FileNotFoundError(errno.ENOENT, "No such file or directory", "cmake")
+        with self.assertRaisesRegex(FileNotFoundError, "cmake"):
+            self.cache.get("key", build)
+        self.assertEqual(self.names(".partial"), [])
+
+    def test_an_entry_that_is_not_whole_is_built_again(self):
+        whole = lambda entry: (entry / "second").stat().st_size > 0
+        entry = self.cache.get("key", build_text("a"), whole=whole)
+        self.assertEqual(self.cache.get("key", None, whole=whole), entry)
+        (entry / "second").write_text("", encoding="utf-8")
+        self.assert_whole(self.cache.get("key", build_text("b"), whole=whole), "b")
+
     def test_cache_that_cannot_be_written(self):
         self.folder.write_text("no folder", encoding="utf-8")
         with self.assertRaisesRegex(CacheError, f"^the cache {self.folder} cannot be written .*; "

@@ -44,8 +44,12 @@ class Configuration(unittest.TestCase):
         self.build = {"identity": {"CMAKE_CXX_FLAGS": ""}, "variables": {"DYNRT_CLOCK_NS": "10"},
                       "source": str(self.source), "hlsc": str(self.hlsc)}
 
-    def run_on(self, keys, *flags, **environment):
+    def written(self, keys):
         self.file.write_text(keys if isinstance(keys, str) else json.dumps(keys), encoding="utf-8")
+        return self.file
+
+    def run_on(self, keys, *flags, **environment):
+        self.written(keys)
         build = self.folder / "build.json"
         build.write_text(json.dumps(self.build), encoding="utf-8")
         return subprocess.run([SCRIPT, self.file, "--build", build, *flags], capture_output=True,
@@ -80,6 +84,28 @@ class Configuration(unittest.TestCase):
         blocked.write_text("", encoding="utf-8")
         self.assert_refused(THESIS, f"the cache {blocked} cannot be written (File exists); let "
                             "DYNRT_CACHE name a folder that can", DYNRT_CACHE=str(blocked))
+
+    def test_tools_that_are_not_installed(self):
+        tools = self.folder / "tools"
+        tools.mkdir()
+        (tools / "python3").symlink_to(shutil.which("python3"))
+        cache = {"PATH": str(tools), "DYNRT_CACHE": str(self.folder / "cache")}
+        self.assert_refused(THESIS, "cmake is not installed; Debian's package cmake has it, and "
+                            "scripts/setup installs that", **cache)
+        (tools / "cmake").symlink_to("/bin/true")
+        self.assert_refused(THESIS, "ninja is not installed; Debian's package ninja-build has it, "
+                            "and scripts/setup installs that", **cache)
+
+    def test_programs_read_of_a_file_that_cannot_be_written_there_too(self):
+        (self.folder / "cache").mkdir()
+        script = load_script()
+        key = script.key_of("verilog", script.read_configuration(self.written(THESIS)), self.build)
+        (self.folder / "cache" / f"configuration-verilog-{key}").mkdir()
+        out = self.folder / "build.json"
+        result = self.run_on(THESIS, "--verilog", "--for-program", "--out", out,
+                             DYNRT_CACHE=str(self.folder / "cache"))
+        self.assertEqual((result.returncode, result.stdout, result.stderr),
+                         (1, f"{out}: File exists\n", ""))
 
     def test_a_build_that_fails_keeps_its_log(self):
         cache = self.folder / "cache"

@@ -87,6 +87,8 @@ def kept(kind, said, files, make):
         return BuildCache(KEPT).get(f"{kind}-{digest.hexdigest()[:24]}", build)
     except CacheError as error:
         raise Failed(str(error)) from error
+    except OSError as error:
+        raise Failed(f"{error.filename or KEPT}: {error.strerror}") from error
 
 
 def run_yosys(commands, folder, what):

@@ -81,31 +81,42 @@ def write_csv(path, report):
                            run.get("refused")])
 
 
-def not_written(out, error):
+AS_IT_WAS = "a report that was there is as it was, and what was measured is kept"
+NEW = re.compile(r"\.new(\d+)\.")  # what a process with this number writes first
+
+
+def not_written(out, error, then):
     reason = "the disk is full" if error.errno == errno.ENOSPC else error.strerror
-    return Refused(f"--out {out}: cannot be written ({reason}); a report that was there is as it "
-                   "was, and what was measured is kept")
+    return Refused(f"--out {out}: cannot be written ({reason}); {then}")
 
 
-def check_writable(out):
-    """Refuses a folder that the report could not be written to, before anything is measured."""
+def check_writable(out, then=AS_IT_WAS):
+    """Refuses a folder that could not be written to, before anything is measured; `then` ends the
+    sentence."""
     try:
         out.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix=".new", dir=out):
+        with tempfile.TemporaryDirectory(prefix=f".new{os.getpid()}.", dir=out):
             pass
     except OSError as error:
-        raise not_written(out, error) from error
+        raise not_written(out, error, then) from error
+
+
+def remove_left(out):
+    """What processes that are no more have left half written."""
+    for left in out.glob(".new*"):
+        process = NEW.match(left.name)
+        if process and not pathlib.Path("/proc", process[1]).exists():
+            shutil.rmtree(left, ignore_errors=True)
 
 
 @contextlib.contextmanager
-def written_first(out):
+def written_first(out, then=AS_IT_WAS):
     """A folder to write to, whose files take the place of those of the same name in `out` when all
-    are there: if the disk is full, what was there before stays as it is."""
+    are there: if the disk is full, what was there before stays as it is. `then` says so."""
     try:
         out.mkdir(parents=True, exist_ok=True)
-        for left in out.glob(".new*"):
-            shutil.rmtree(left, ignore_errors=True)
-        new = pathlib.Path(tempfile.mkdtemp(prefix=".new", dir=out))
+        remove_left(out)
+        new = pathlib.Path(tempfile.mkdtemp(prefix=f".new{os.getpid()}.", dir=out))
         try:
             yield new
             # The page last: who finds the new one finds all that it shows.
@@ -121,7 +132,7 @@ def written_first(out):
         finally:
             shutil.rmtree(new, ignore_errors=True)
     except OSError as error:
-        raise not_written(out, error) from error
+        raise not_written(out, error, then) from error
 
 
 def write(out, report, pictures):
@@ -132,6 +143,13 @@ def write(out, report, pictures):
         (new / "error.json").write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
         write_csv(new / "error.csv", report)
         page.write_page(new / "error.json", new / "error.html")
+
+
+def scene_path(scene):
+    """As the program reads it in any folder: a file's absolute path, or the name of a built-in one,
+    which goes before a folder or file of that name."""
+    file = pathlib.Path(scene if os.path.isfile(scene) else scene.split(":")[0])
+    return os.path.abspath(scene) if file.suffix and file.is_file() else scene
 
 
 def scene_name(scene):

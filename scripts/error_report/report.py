@@ -14,7 +14,7 @@ import sys
 import tempfile
 
 import variants as listed
-from collect import check_writable, collect, scene_name, write
+from collect import check_writable, collect, scene_name, scene_path, write
 from variants import Refused
 from workflow import Workflow, fingerprint
 
@@ -41,8 +41,8 @@ def add_arguments(parser):
     parser.add_argument("--size", default="512x384", metavar="WxH",
                         help="pixels of the images (default: 512x384)")
     parser.add_argument("--config", default="thesis", metavar="NAME",
-                        help="configuration that the variants are variants of (default: thesis; "
-                        "for light and reflection rays: whitted)")
+                        help="configuration that the variants are variants of, or a FILE.json "
+                        "with one (default: thesis; for light and reflection rays: whitted)")
     parser.add_argument("--variants", type=pathlib.Path, default=listed.LISTED, metavar="FILE",
                         help="variants by name, each an object of the keys that differ; default: "
                         "those of scripts/error_report/variants.json")
@@ -83,7 +83,7 @@ def measured(args, scenes, hardware=True):
         raise Refused("the sources have changed since this program was built; build it again")
     known = {}
     for scene in scenes:
-        path = str(pathlib.Path(scene).absolute()) if os.path.exists(scene) else scene
+        path = scene_path(scene)
         if scene_name(scene) in known:
             raise Refused(f"{scene}: another scene of this report has the same name, "
                           f"'{scene_name(scene)}'; make two reports")

@@ -119,6 +119,21 @@ class Variants(InFolder):
     def test_base(self):
         with self.assertRaisesRegex(Refused, "^--config x: unknown; the configurations are thesis,"):
             variants.base_configuration("x")
+        with self.assertRaisesRegex(Refused, "^--config x.so: a library does not tell its keys; "):
+            variants.base_configuration("x.so")
+
+    def test_base_that_a_file_states(self):
+        path = self.folder / "mine.json"
+        keys = {key: value for key, value in THESIS.items() if key != "about"}
+        path.write_text(json.dumps(keys | {"packets": {"value": 7, "reason": "few"}}),
+                        encoding="utf-8")
+        listed = self.folder / "variants.json"
+        listed.write_text(json.dumps({"a": {}, "b": {"lines": 2}}), encoding="utf-8")
+        read = variants.read_variants(listed, variants.base_configuration(str(path)))
+        self.assertEqual([v["configuration"]["packets"] for v in read.values()], [7, 7])
+        path.write_text(json.dumps(keys | {"packets": 99}), encoding="utf-8")
+        with self.assertRaisesRegex(Refused, f"^--config {path}: key 'packets' .* is 99; it must"):
+            variants.base_configuration(str(path))
 
 
 class Collect(InFolder):
@@ -159,6 +174,19 @@ class Collect(InFolder):
         self.assertEqual(report["variants"]["m16"], EXAMPLE["variants"]["m16"])
         self.assertEqual(named["pictures/blocks/m16.difference.png"], pictures / "difference.png")
 
+    def test_a_built_in_scene_goes_before_a_folder_of_its_name(self):
+        (self.folder / "blocks").mkdir()
+        for name in ("office", "ball.json", "maps.pk3"):
+            (self.folder / name).write_text("", encoding="utf-8")
+        before = pathlib.Path.cwd()
+        self.addCleanup(os.chdir, before)
+        os.chdir(self.folder)
+        here = pathlib.Path.cwd()
+        for scene, path in (("blocks", "blocks"), ("office", "office"), ("no.obj", "no.obj"),
+                            ("ball.json", f"{here}/ball.json"), ("./ball.json", f"{here}/ball.json"),
+                            ("maps.pk3:mine", f"{here}/maps.pk3:mine")):
+            self.assertEqual(collect.scene_path(scene), path)
+
     def test_a_full_disk_leaves_the_report_that_was_there(self):
         out = self.folder / "out"
         with collect.written_first(out) as new:
@@ -170,6 +198,16 @@ class Collect(InFolder):
                 raise OSError(28, "No space left on device")
         self.assertEqual([p.name for p in out.iterdir()], ["error.csv"])
         self.assertEqual((out / "error.csv").read_text(encoding="utf-8"), "old")
+
+    def test_two_that_write_at_once(self):
+        out = self.folder / "out"
+        for left in (".new999999999.cut", ".newest"):  # of a process that is no more; a user's own
+            (out / left).mkdir(parents=True)
+        with collect.written_first(out) as first:
+            (first / "a").write_text("first", encoding="utf-8")
+            with collect.written_first(out) as second:
+                (second / "b").write_text("second", encoding="utf-8")
+        self.assertEqual(sorted(p.name for p in out.iterdir()), [".newest", "a", "b"])
 
 
 class Choose(unittest.TestCase):

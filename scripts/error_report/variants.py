@@ -18,10 +18,29 @@ class Refused(Exception):
 
 
 def base_configuration(name):
+    """The keys that are stated of a configuration: one of hls/configs/configs.json, or a file."""
+    if name.endswith(".json"):
+        return stated_in(pathlib.Path(name))
+    if name.endswith(".so"):
+        raise Refused(f"--config {name}: a library does not tell its keys; name the file FILE.json "
+                      "that it was made of")
     listed = json.loads(configs.LISTED.read_text(encoding="utf-8"))
     if name not in listed:
         raise Refused(f"--config {name}: unknown; the configurations are {', '.join(listed)}")
     return listed[name]
+
+
+def stated_in(path):
+    generate = configs.load_generate()
+    try:
+        stated = generate.parse(path)
+        if isinstance(stated, dict):
+            stated.setdefault("about", f"made of {path.name}")
+        generate.checked("stated", stated)
+    except generate.Refused as error:
+        sentence = str(error).removeprefix("configuration 'stated': ")
+        raise Refused(f"--config {path}: {sentence}") from error
+    return stated
 
 
 def read_variants(path, base):

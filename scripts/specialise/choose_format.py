@@ -4,6 +4,7 @@
 among the formats."""
 
 import argparse
+import contextlib
 import pathlib
 
 from variants import Refused
@@ -11,17 +12,34 @@ import choose
 import report
 
 FORMATS = pathlib.Path(__file__).resolve().parent / "formats.json"
+SIZE = "512x384"  # of a frame, unless --size says another
 KEYS = ("exponent_bits", "mantissa_bits", "rounding", "divider")
 
 
-def chosen(args, general, scene):
-    """What the cheapest format that keeps the bound says of KEYS."""
-    out = args.out or pathlib.Path("specialised")
+def check(args):
+    """Refuses, before the work, a bound that is none."""
+    if args.max_error is None:
+        if args.measure:
+            raise Refused(f"--measure {args.measure}: there is no bound; --max-error says how large "
+                          "this error may be")
+        return
+    args.measure = args.measure or choose.DEFAULT_MEASURE
+    choose.check_bound(args)
+    if args.max_error <= 0:
+        raise Refused(f"--max-error {args.max_error:g}: must be above 0")
+
+
+def chosen(args, general, scene, out):
+    """What the cheapest format that keeps the bound says of KEYS. What is measured is kept beside
+    the folder `out`."""
+    out = out.with_name(out.name + ".formats")
     asked = argparse.Namespace(
         program=pathlib.Path(args.program), build=pathlib.Path(args.build), expect=args.expect,
-        size=args.size or "512x384", config=general, variants=FORMATS, variant=[], jobs=args.jobs,
-        slurm=False, out=out.with_name(out.name + ".formats"))
+        size=args.size or SIZE, config=general, variants=FORMATS, variant=[], jobs=args.jobs,
+        slurm=False, out=out)
     found, _ = report.measured(asked, [scene])
+    with contextlib.suppress(OSError):
+        out.rmdir()  # of a report, which is not written; OUT.formats.work is kept
     _, holding = choose.choose(found, args.measure, args.max_error)
     if not holding:
         raise Refused(f"--max-error {args.max_error:g}: no format of {FORMATS.name} keeps "

@@ -3,6 +3,7 @@
 """What a core takes: of a device, in gates by the thesis's rule, and in stages."""
 
 import concurrent.futures
+import contextlib
 
 from variants import Refused  # which finds the scripts beside this folder
 import devices
@@ -26,15 +27,32 @@ def gates_of(folder, jobs):
             "memory_bits": bits}
 
 
-def costs_of(folder, device, jobs, progress):
-    """Of the core whose Verilog is in this folder."""
+@contextlib.contextmanager
+def refusing():
+    """What synthesis fails of, as what the user reads."""
     try:
-        progress(f"synthesizing for {devices.DEVICES[device]['name']}")
-        found = hardware.hardware(folder, devices.family_of(device), jobs)
-        progress("counting gates by the thesis's rule")
-        return {**found["takes"], **gates_of(folder, jobs), "stages": found["schedule"]["stages"]}
+        yield
     except (synthesis.Failed, gate_rule.Uncounted) as error:
         raise Refused(str(error)) from error
+
+
+def check_tools():
+    with refusing():
+        synthesis.tool_version("yosys", "-V", "yosys")
+
+
+def synthesized(folder, device, jobs, progress):
+    progress(f"synthesizing for {devices.DEVICES[device]['name']}")
+    with refusing():
+        return hardware.hardware(folder, devices.family_of(device), jobs)
+
+
+def costs_of(folder, device, jobs, progress):
+    """Of the core whose Verilog is in this folder."""
+    found = synthesized(folder, device, jobs, progress)
+    progress("counting gates by the thesis's rule")
+    with refusing():
+        return {**found["takes"], **gates_of(folder, jobs), "stages": found["schedule"]["stages"]}
 
 
 def check_devices(names):
@@ -50,8 +68,7 @@ def misfits(folder, costs, names, jobs, progress):
     for name in names:
         taken = {r: n for r, n in costs.items() if r in devices.DEVICES[name]["has"]}
         if name != names[0]:
-            progress(f"synthesizing for {devices.DEVICES[name]['name']}")
-            taken = hardware.hardware(folder, devices.family_of(name), jobs)["takes"]
+            taken = synthesized(folder, name, jobs, progress)["takes"]
         short = devices.shortages(name, taken)
         if not short:
             return None

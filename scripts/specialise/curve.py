@@ -34,17 +34,24 @@ def walk_down(clocks_of, most, percent):
     return curve, chosen
 
 
-def reason(curve, chosen, percent):
-    """Why this number, with the next ones on both sides."""
+def by_percent(percent, below, above=""):
+    """As text, with the word for what is below 0, and for the others."""
+    rounded = round(percent, 1)
+    return f"{abs(rounded):.1f} % {below if rounded < 0 else above}".rstrip()
+
+
+def reason(curve, chosen, percent, frame):
+    """Why this number, with the next ones on both sides. `frame` is what was measured."""
     most = max(curve)
     base = curve[most]
-    part = lambda number: f"{100 * (curve[number] / base - 1):.1f} %"
-    words = f"with {most} a frame takes {base:,} clocks"
+    part = lambda number: (f", with {number} " +
+                           by_percent(100 * (curve[number] / base - 1), "fewer", "more"))
+    words = f"with {most} {frame} takes {base:,} clocks"
     if chosen != most:
-        words += f", with {chosen} {part(chosen)} more"
-    fewer = [number for number in curve if number < chosen]
-    if fewer:
-        words += f", with {max(fewer)} {part(max(fewer))} more"
+        words += part(chosen)
+    below = [number for number in curve if number < chosen]
+    if below:
+        words += part(max(below))
     return f"{words}; {percent:g} % are allowed"
 
 
@@ -75,10 +82,10 @@ class Meter:
             return json.loads(figures.read_text(encoding="utf-8"))["frame"]["cycles"]
 
 
-def choose(meter, packets, lines, percent):
-    """The decisions for packets and lines, and the curves."""
+def choose(meter, packets, lines, percent, frame="a frame"):
+    """The decisions for packets and lines, and the curves; `frame` says which is measured."""
     by_packets, few = walk_down(lambda n: meter.clocks(n, lines), packets, percent / 2)
     by_lines, short = walk_down(lambda n: meter.clocks(few, n), lines, percent / 2)
-    decided = {"packets": (few, reason(by_packets, few, percent / 2)),
-               "lines": (short, reason(by_lines, short, percent / 2))}
+    decided = {"packets": (few, reason(by_packets, few, percent / 2, frame)),
+               "lines": (short, reason(by_lines, short, percent / 2, frame))}
     return decided, {"packets": by_packets, "lines": by_lines}

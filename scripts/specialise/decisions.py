@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """From what a scene needs, and what was measured, to every key of a configuration with its reason."""
 
+import pathlib
+
 from variants import Refused
 
 TEXTS = ("about", "made_for", "made_from", "rtl")  # of a configuration, and nothing of its core
@@ -19,6 +21,11 @@ KEPT = {
     "crossing": "as in {general}: reflected rays may cross",
     "object_box": "as in {general}: clipped otherwise, rays round otherwise",
 }
+
+
+def called(general_name):
+    """A configuration's name, also of one that a file states."""
+    return pathlib.Path(general_name).stem
 
 
 def least(kind, value):
@@ -39,7 +46,7 @@ def decide(keys, general_name, general, needed, measured, keep):
         if key not in keys or key in TEXTS:
             raise Refused(f"--keep {key}: unknown; the keys are "
                           f"{', '.join(k for k in keys if k not in TEXTS)}")
-    decided = {}
+    decided, general_name = {}, called(general_name)
     for name, key in keys.items():
         if name in TEXTS:
             continue
@@ -60,7 +67,8 @@ def decide(keys, general_name, general, needed, measured, keep):
 
 def configuration(scene, general_name, decided):
     """As scripts/configuration reads it, with the reasons."""
-    return {"about": f"made for the scene {scene}, from the configuration {general_name}",
+    return {"about": f"made for the scene {scene}, from the configuration "
+                     f"{called(general_name)}",
             "made_for": scene, "made_from": general_name, **decided}
 
 

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The flags of `dynrt specialise`, and which of them go on to the program."""
 
+import argparse
 import pathlib
 import sys
 
@@ -36,14 +37,14 @@ def parse(words):
     parser.add_argument("scene", metavar="SCENE", help="a built-in scene or a file")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR",
                         help="folder to write to (default: SCENE.specialised)")
-    parser.add_argument("--config", metavar="NAME", help="configuration to start from (default: "
-                        "thesis; for a scene with lights or mirrors whitted, for one of other "
-                        "primitives than triangles primitives)")
+    parser.add_argument("--config", metavar="NAME", help="configuration to start from, or a FILE.json "
+                        "with one (default: thesis; for a scene with lights or mirrors whitted, for "
+                        "one of other primitives than triangles primitives)")
     parser.add_argument("--max-error", type=float, metavar="E",
                         help="choose the bits of the float too: the cheapest that keep the error of "
                         "the frame below this, as `dynrt choose` does; without it, the bits are "
                         "those of the general core")
-    parser.add_argument("--measure", default=choose.DEFAULT_MEASURE, metavar="KIND.NAME",
+    parser.add_argument("--measure", metavar="KIND.NAME",
                         help=f"which error --max-error bounds (default: {choose.DEFAULT_MEASURE})")
     parser.add_argument("--max-slowdown", type=float, default=2, metavar="PERCENT",
                         help="by how much fewer packets and cache lines may slow a frame down, half "
@@ -67,8 +68,8 @@ def parse(words):
                            metavar="VALUE")
     scene.add_argument("--uncompressed", action="store_true")
     for flag in ("--program", "--build", "--expect"):  # from the program
-        parser.add_argument(flag, required=True, help="==SUPPRESS==")
-    parser.add_argument("--for-program", action="store_true", help="==SUPPRESS==")
+        parser.add_argument(flag, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--for-program", action="store_true", help=argparse.SUPPRESS)
     args = parser.parse_args(joined(words))
     args.device = args.device or ["ecp5-85"]
     return args

@@ -6,6 +6,7 @@ that render, for which it prints the path of the configuration."""
 
 import hashlib
 import json
+import math
 import os
 import pathlib
 import shutil
@@ -15,7 +16,7 @@ import tempfile
 
 import flags
 from variants import Refused, base_configuration  # which finds the scripts beside this folder
-from collect import scene_name, written_first
+from collect import check_writable, scene_name, scene_path, written_first
 from report import guarded
 from workflow import content_of, show_progress
 import choose_format
@@ -27,6 +28,9 @@ import table
 from build_cache import BuildCache, CacheError
 
 
+DELIVERED = (".v", ".vh", ".json", ".txt")  # of a core's folder; the rest is of its build alone
+
+
 def write_json(path, data):
     path.write_text(json.dumps(data, indent=2) + "\n", encoding="utf-8")
 
@@ -36,8 +40,7 @@ class Project:
 
     def __init__(self, args):
         self.args = args
-        self.scene = str(pathlib.Path(args.scene).absolute()) if os.path.exists(args.scene) \
-            else args.scene
+        self.scene = scene_path(args.scene)
         self.name = scene_name(args.scene)
         self.out = args.out or pathlib.Path(f"{self.name}.specialised")
         self.seen = flags.passed_on(args, flags.SEEN) + (
@@ -71,15 +74,30 @@ class Project:
     def key(self, needs, general):
         """Of all that the configuration depends on."""
         args = self.args
-        said = {"needs": needs, "general": general, "seen": self.seen, "keep": args.keep,
-                "slowdown": args.max_slowdown, "fingerprint": args.expect,
+        said = {"name": self.name, "needs": needs, "general": general, "seen": self.seen,
+                "keep": args.keep, "slowdown": args.max_slowdown, "fingerprint": args.expect,
                 "variables": self.build["variables"], "program": content_of(
                     pathlib.Path(args.program)), "hlsc": content_of(
                         pathlib.Path(self.build["hlsc"]))}
-        if not os.path.exists(args.scene):
-            said["scene"] = args.scene
+        if not os.path.isabs(self.scene):  # a built-in one
+            said["scene"] = self.scene
         digest = hashlib.sha256(json.dumps(said, sort_keys=True).encode())
         return f"specialised-{digest.hexdigest()[:40]}"
+
+
+def analysis_of(entry):
+    """In a folder of its own, as the configuration beside it has the name of its scene."""
+    return entry / "analysis" / "analysis.json"
+
+
+def is_whole(entry, name):
+    """Whether both files of an entry can be read; not where a machine has lost its power."""
+    try:
+        for path in (entry / f"{name}.json", analysis_of(entry)):
+            json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return False
+    return True
 
 
 class Specialiser:
@@ -110,7 +128,9 @@ class Specialiser:
         measured, curves = self.measured(folder)
         decided = self.decide(measured)
         self.write(path, decided)
-        write_json(made / "analysis.json", {
+        analysis = analysis_of(made)
+        analysis.parent.mkdir()
+        write_json(analysis, {
             "general": self.general_name, "needs": self.needs["needs"], "curves": curves,
             "left_out": decisions.left_out(decided, self.general), "configuration": decided})
         return made
@@ -123,7 +143,10 @@ class Specialiser:
         schedules = self.project.made(whole, "--verilog")
         meter = curve.Meter(args.program, self.project.scene, self.project.seen, whole, schedules,
                             show_progress)
-        decided, curves = curve.choose(meter, most["packets"], most["lines"], args.max_slowdown)
+        frame = f"a frame of {args.size or choose_format.SIZE}"
+        frame += " at time 0" if self.needs["needs"].get("frames", 1) > 1 else ""
+        decided, curves = curve.choose(meter, most["packets"], most["lines"], args.max_slowdown,
+                                       frame)
         return {k: d for k, d in decided.items() if k not in args.keep}, curves
 
 
@@ -134,20 +157,21 @@ def general_core(project):
     name = needs["general"]
     generate = configs.load_generate()
     general = generate.checked("general", base_configuration(name))
+    if name.endswith(".json"):
+        name = os.path.abspath(name)
     if args.max_error is not None:
-        general |= choose_format.chosen(args, name, project.scene)
+        general |= choose_format.chosen(args, name, project.scene, project.out)
         with tempfile.TemporaryDirectory() as folder:
-            path = pathlib.Path(folder) / f"{name}.json"
+            path = pathlib.Path(folder) / f"{decisions.called(name)}.json"
             write_json(path, general)
             needs, about = project.needs(path)
-            needs["general"] = name
+    needs["general"] = name
     return name, general, needs, about
 
 
-def add_costs(project, result, folder, general):
-    """Area, gates, stages and clocks of both cores."""
+def add_costs(project, result, special, general):
+    """Area, gates, stages and clocks of both cores; gives the folder with the made one's Verilog."""
     args = project.args
-    special = next(p for p in folder.glob("*.json") if p.name != "analysis.json")
     of = {}
     with tempfile.TemporaryDirectory() as work:
         whole = pathlib.Path(work) / "general.json"
@@ -170,40 +194,73 @@ def check_outputs(out, figures):
     if figures and not figures.absolute().parent.is_dir():
         raise Refused(f"--json {figures}: there is no folder '{figures.parent}'; create it or name "
                       "a file elsewhere")
+    if figures and figures.is_dir():
+        raise Refused(f"--json {figures}: is a folder; name a file")
     new = not out.exists()
+    check_writable(out, "name a folder elsewhere")
+    if new:
+        out.rmdir()
+
+
+def delivered(verilog):
+    """Names of the files in a core's folder that are of use without the build."""
+    return sorted(path.name for path in verilog.iterdir() if path.suffix in DELIVERED)
+
+
+def written_earlier(out):
+    """Names of the files in the folder's verilog/ that an earlier run has written."""
     try:
-        out.mkdir(parents=True, exist_ok=True)
-        if new:
-            out.rmdir()
-    except OSError as error:
-        raise Refused(f"--out {out}: cannot be made ({error.strerror}); name a folder elsewhere"
-                      ) from error
+        listed = json.loads((out / "analysis.json").read_text(encoding="utf-8"))["verilog"]
+        return [name for name in listed if pathlib.Path(name).name == name]
+    except (OSError, ValueError, LookupError, TypeError):
+        return []
+
+
+def write_figures(path, data):
+    """As a whole, so that a full disk leaves the file that was there."""
+    path = path.resolve()
+    if path.exists() and not path.is_file():  # a pipe
+        write_json(path, data)
+        return
+    part = path.with_name(f"{path.name}.{os.getpid()}")
+    try:
+        write_json(part, data)
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def deliver(out, configuration, verilog, result):
+    """Writes the folder, and removes what an earlier core with other units has left there."""
+    result["verilog"] = delivered(verilog)
+    earlier = written_earlier(out)
+    with written_first(out, "what was there is as it was, and the cache keeps what was decided") as new:
+        shutil.copyfile(configuration, new / "configuration.json")
+        write_json(new / "analysis.json", result)
+        (new / "verilog").mkdir()
+        for name in result["verilog"]:
+            shutil.copyfile(verilog / name, new / "verilog" / name)
+    for name in earlier:
+        if name not in result["verilog"]:
+            (out / "verilog" / name).unlink(missing_ok=True)
 
 
 def finish(project, name, general, about, entry):
     """What `dynrt specialise` does with a configuration that is there."""
     args = project.args
-    result = json.loads((entry / "analysis.json").read_text(encoding="utf-8"))
+    result = json.loads(analysis_of(entry).read_text(encoding="utf-8"))
     result["curves"] = {what: {int(n): clocks for n, clocks in points.items()}
                         for what, points in result["curves"].items()}
-    out = project.out
-    verilog = add_costs(project, result, entry, general)
+    out, special = project.out, entry / f"{project.name}.json"
+    verilog = add_costs(project, result, special, general)
     misfit = args.hardware and costs.misfits(verilog, result["costs"]["special"], args.device,
                                              args.jobs, show_progress)
     show_progress("")
-    with written_first(out) as new:
-        shutil.copyfile(entry / f"{project.name}.json", new / "configuration.json")
-        write_json(new / "analysis.json", result)
-        shutil.copytree(verilog, new / "verilog")
-        if args.json:
-            write_json(new / "json", result)
-    for left in (out / "verilog").iterdir():  # of an earlier core with other units
-        if left.is_file() and not (verilog / left.name).exists():
-            left.unlink()
+    deliver(out, special, verilog, result)
     if args.json:
-        shutil.move(out / "json", args.json)
-    print(table.page(about, name, general, result) + f"written     {out}/configuration.json, "
-          "analysis.json and verilog")
+        write_figures(args.json, result)
+    print(table.page(about, decisions.called(name), general, result) +
+          f"written     {out}/configuration.json, analysis.json and verilog")
     if misfit:
         raise Refused(f"the core made for {project.name} fits no device asked for: {misfit}")
 
@@ -211,15 +268,21 @@ def finish(project, name, general, about, entry):
 def run(args):
     project = Project(args)
     costs.check_devices(args.device)
-    if args.max_slowdown < 0:
+    if args.jobs < 1:
+        raise Refused(f"--jobs {args.jobs}: at least one is needed")
+    if not 0 <= args.max_slowdown < math.inf:
         raise Refused(f"--max-slowdown {args.max_slowdown:g}: a part in percent, 0 or more")
+    choose_format.check(args)
     if not args.for_program:
         check_outputs(project.out, args.json)
+    if args.max_error is not None or args.hardware and not args.for_program:
+        costs.check_tools()
     name, general, needs, about = general_core(project)
     try:
         entry = BuildCache().get(project.key(needs, general),
                                  Specialiser(project, name, general, needs),
-                                 lambda: show_progress("another program is at it, waiting"))
+                                 lambda: show_progress("another program is at it, waiting"),
+                                 lambda entry: is_whole(entry, project.name))
     except CacheError as error:
         raise Refused(str(error)) from error
     show_progress("")
@@ -236,7 +299,7 @@ def for_program(args):
     except Refused as error:
         print(error)
     except OSError as error:
-        print(f"{error.filename}: {error.strerror}")
+        print(f"{error.filename or args.scene}: {error.strerror}")
     return 1
 
 

@@ -23,6 +23,7 @@ from variants import Refused  # noqa: E402
 import configs  # noqa: E402
 import curve  # noqa: E402
 import decisions  # noqa: E402
+import specialise  # noqa: E402
 import table  # noqa: E402
 
 GENERATE = configs.load_generate()
@@ -76,6 +77,16 @@ class Decisions(unittest.TestCase):
         self.assertNotIn("mantissa_bits", decisions.left_out(decided, WHITTED))
 
 
+    def test_a_general_configuration_that_a_file_states(self):
+        decided = decide({}, name="/folder/mine.json")
+        self.assertIn("as in mine: ", decided["mantissa_bits"]["reason"])
+        stated = decisions.configuration("lamps", "/folder/mine.json", decided)
+        self.assertEqual((stated["about"], stated["made_from"]),
+                         ("made for the scene lamps, from the configuration mine",
+                          "/folder/mine.json"))
+        GENERATE.checked("special", stated)
+
+
 class Curve(unittest.TestCase):
     CLOCKS = {32: 1000, 16: 1009, 8: 1100, 4: 1700, 2: 3000, 1: 6000}
 
@@ -93,11 +104,18 @@ class Curve(unittest.TestCase):
         self.assertEqual(list(curve.powers_below(64)), [32, 16, 8, 4, 2, 1])
 
     def test_the_reason_has_the_numbers_on_both_sides(self):
-        self.assertEqual(curve.reason(self.CLOCKS, 16, 1),
+        self.assertEqual(curve.reason(self.CLOCKS, 16, 1, "a frame"),
                          "with 32 a frame takes 1,000 clocks, with 16 0.9 % more, with 8 10.0 % "
                          "more; 1 % are allowed")
-        self.assertEqual(curve.reason({1: 50}, 1, 1), "with 1 a frame takes 50 clocks; 1 % are "
-                         "allowed")
+        self.assertEqual(curve.reason({1: 50}, 1, 1, "a frame of 64x48 at time 0"), "with 1 a frame "
+                         "of 64x48 at time 0 takes 50 clocks; 1 % are allowed")
+
+    def test_fewer_clocks_are_no_negative_part_more(self):
+        self.assertEqual(curve.reason({32: 1000, 16: 961, 8: 1000}, 16, 1, "a frame"),
+                         "with 32 a frame takes 1,000 clocks, with 16 3.9 % fewer, with 8 0.0 % "
+                         "more; 1 % are allowed")
+        self.assertEqual([curve.by_percent(p, "fewer") for p in (-3.94, -0.04, 0, 0.06)],
+                         ["3.9 % fewer", "0.0 %", "0.0 %", "0.1 %"])
 
     def test_lines_are_measured_with_the_packets_that_were_chosen(self):
         class Meter:
@@ -127,7 +145,7 @@ class Table(unittest.TestCase):
         page = table.page("office: one object", "thesis", THESIS, self.result())
         self.assertRegex(page, r"(?m)^  stack_depth +31 +14 +the scene needs 14$")
         self.assertRegex(page, r"(?m)^  LUTs +33,000 +22,000 +33.3 %$")
-        self.assertRegex(page, r"(?m)^  clocks of a frame +1,000 +1,010 +-1.0 %$")
+        self.assertRegex(page, r"(?m)^  clocks of a frame +1,000 +1,010 +1.0 % more$")
         self.assertRegex(page, r"(?m)^  packets +32 +16$")
         self.assertIn("as in thesis: ", page)
         self.assertLessEqual(max(map(len, page.splitlines())), table.WIDTH + 4)
@@ -143,6 +161,13 @@ class Flags(unittest.TestCase):
                          ["--position=-1,2,3", "--light=0,1,0", "--light=-1,1,0"])
         self.assertEqual(flags.passed_on(args, flags.ASKED), [])
 
+    def test_help_has_no_flags_that_are_the_programs(self):
+        with self.assertRaises(SystemExit), contextlib.redirect_stdout(io.StringIO()) as said:
+            flags.parse(["--help"])
+        self.assertIn("--max-error", said.getvalue())
+        for hidden in ("--program", "--build", "--expect", "--for-program", "SUPPRESS"):
+            self.assertNotIn(hidden, said.getvalue())
+
     def test_unknown_flags_are_told_in_a_sentence(self):
         with self.assertRaises(SystemExit), contextlib.redirect_stderr(io.StringIO()) as said:
             flags.parse(["office", "--speed", "9", *self.GIVEN])
@@ -150,13 +175,79 @@ class Flags(unittest.TestCase):
                       said.getvalue())
 
 
-class Command(unittest.TestCase):
-    """specialise.py itself, up to where it needs more than the pretended program."""
-
+class InFolder(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
+
+
+class Delivered(InFolder):
+    def core(self, *names):
+        core = self.folder / "-".join(names)
+        core.mkdir()
+        for name in names:
+            (core / name).write_text(name, encoding="utf-8")
+        return core
+
+    def deliver(self, core):
+        configuration = self.folder / "office.json"
+        configuration.write_text("{}", encoding="utf-8")
+        specialise.deliver(self.folder / "out", configuration, core, {})
+        return sorted(p.name for p in (self.folder / "out" / "verilog").iterdir())
+
+    def test_what_is_of_the_build_alone_stays_there(self):
+        core = self.core("list.v", "list.d", "list_ports.h", "list.json", "list.txt", "core.vh")
+        self.assertEqual(self.deliver(core), ["core.vh", "list.json", "list.txt", "list.v"])
+
+    def test_a_users_own_files_stay(self):
+        self.deliver(self.core("list.v", "lights.v"))
+        out = self.folder / "out"
+        mine = [out / "verilog" / "mine.v", out / "json"]
+        for path in mine:
+            path.write_text("mine", encoding="utf-8")
+        self.assertEqual(self.deliver(self.core("list.v", "mirrors.v")),
+                         ["list.v", "mine.v", "mirrors.v"])
+        self.assertEqual([path.read_text(encoding="utf-8") for path in mine], ["mine"] * 2)
+
+    def test_an_earlier_analysis_that_is_none_or_names_others_files(self):
+        out = self.folder / "out"
+        out.mkdir()
+        for text in ("", "[]", '{"verilog": [1]}', '{"verilog": ["../office.json"]}'):
+            (out / "analysis.json").write_text(text, encoding="utf-8")
+            self.assertEqual(specialise.written_earlier(out), [])
+
+    def test_figures(self):
+        figures = self.folder / "figures.json"
+        specialise.write_figures(figures, {"a": 1})
+        specialise.write_figures(figures, {"a": 2})
+        self.assertEqual(json.loads(figures.read_text(encoding="utf-8")), {"a": 2})
+        self.assertEqual(list(self.folder.iterdir()), [figures])
+
+    def test_what_could_not_be_written(self):
+        with self.assertRaisesRegex(Refused, f"^--json {self.folder}: is a folder; name a file$"):
+            specialise.check_outputs(self.folder / "out", self.folder)
+        blocked = self.folder / "file"
+        blocked.write_text("", encoding="utf-8")
+        with self.assertRaisesRegex(Refused, f"^--out {blocked}: cannot be written .File exists.; "
+                                    "name a folder elsewhere$"):
+            specialise.check_outputs(blocked, None)
+        specialise.check_outputs(self.folder / "out", None)
+        self.assertFalse((self.folder / "out").exists())
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write everywhere")
+    def test_a_folder_that_may_not_be_written(self):
+        out = self.folder / "out"
+        out.mkdir(0o500)
+        with self.assertRaisesRegex(Refused, f"^--out {out}: cannot be written .Permission denied"):
+            specialise.check_outputs(out, None)
+
+
+class Command(InFolder):
+    """specialise.py itself, up to where it needs more than the pretended program."""
+
+    def setUp(self):
+        super().setUp()
         self.program = self.folder / "dynrt"
         self.program.write_text(textwrap.dedent("""\
             #!/usr/bin/python3
@@ -191,7 +282,23 @@ class Command(unittest.TestCase):
                             "--device", "fpga")
         self.assert_refused("--max-slowdown -1: a part in percent, 0 or more", "office",
                             "--max-slowdown=-1")
+        for none in ("nan", "inf"):
+            self.assert_refused(f"--max-slowdown {none}: a part in percent, 0 or more", "office",
+                                "--max-slowdown", none)
+        self.assert_refused("--jobs 0: at least one is needed", "office", "--jobs", "0")
+        self.assert_refused("--max-error 0: must be above 0", "office", "--max-error", "0")
+        self.assert_refused("--max-error nan: must be a number", "office", "--max-error", "nan")
+        self.assert_refused("--measure speed: unknown; the measures are .*", "office", "--measure",
+                            "speed", "--max-error", "1e-3")
+        self.assert_refused("--measure primary.t_p99: there is no bound; --max-error says how large "
+                            "this error may be", "office", "--measure", "primary.t_p99")
         self.assert_refused("--keep speed: unknown; the keys are .*", "office", "--keep", "speed")
+
+    def test_yosys_is_looked_for_before_anything_is_measured(self):
+        bare = {"PATH": str(self.folder)}
+        self.assert_refused("yosys is not installed; .*", "nowhere.obj", **bare)
+        self.assert_refused("nowhere.obj: there is no such file", "nowhere.obj", "--no-hardware",
+                            **bare)
 
     def test_sources_that_are_not_the_programs(self):
         self.assert_refused("the sources have changed since this program was built; build it again",
@@ -221,7 +328,14 @@ class Command(unittest.TestCase):
         self.assertEqual(again.returncode, 1)
         self.assertFalse(partial.exists())
         entry.mkdir()
-        (entry / "office.json").write_text("{}", encoding="utf-8")
+        (entry / "analysis").mkdir()
+        for name in ("office.json", "analysis/analysis.json"):
+            (entry / name).write_text("", encoding="utf-8")  # as a machine without power leaves it
+            self.assertEqual(self.run_on("office", "--for-program").returncode, 1)
+            self.assertFalse(entry.exists())
+            (entry / "analysis").mkdir(parents=True)
+            for good in ("office.json", "analysis/analysis.json"):
+                (entry / good).write_text("{}", encoding="utf-8")
         whole = self.run_on("office", "--for-program")
         self.assertEqual((whole.returncode, whole.stdout), (0, f"{entry / 'office.json'}\n"))
 

@@ -5,6 +5,7 @@
 import textwrap
 
 from costs import COSTS
+from curve import by_percent
 
 WIDTH = 112
 
@@ -54,7 +55,7 @@ def costs_table(special, general, costs):
     for name, about in COSTS.items():
         if name in costs["general"] and name in costs["special"]:
             before, now = costs["general"][name], costs["special"][name]
-            less = f"{100 * (1 - now / before):.1f} %" if before else "-"
+            less = by_percent(100 * (1 - now / before), "more") if before else "-"
             rows.append((about, number(before), number(now), less))
     yield from aligned(rows, (1, 2, 3))
 
@@ -63,7 +64,7 @@ def curve_table(curves):
     for what, curve in curves.items():
         rows = [(what, *(f"{n}" for n in curve)),
                 ("clocks", *(f"{clocks:,}" for clocks in curve.values())),
-                ("more by", *(f"{100 * (clocks / max(1, curve[max(curve)]) - 1):.1f} %"
+                ("more by", *(by_percent(100 * (clocks / max(1, curve[max(curve)]) - 1), "fewer")
                               for clocks in curve.values()))]
         yield from aligned(rows, range(1, len(rows[0])))
 
