@@ -5,6 +5,7 @@
 what a known design takes."""
 
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -194,9 +195,10 @@ class Synth(Planted):
 
             def kept():
                 result = subprocess.run([root / "scripts/synth", "ram", "--device", "ecp5"],
-                                        capture_output=True, text=True, check=True)
+                                        capture_output=True, text=True, check=True,
+                                        env=os.environ | {"DYNRT_CACHE": str(root / "cache")})
                 return result.stdout, {p.name: p.stat().st_mtime_ns
-                                       for p in (root / "build/synth").glob("area-*")
+                                       for p in (root / "cache").glob("area-*")
                                        if p.is_dir()}
 
             first = kept()
