@@ -30,8 +30,8 @@ def check(args):
 
 
 def chosen(args, general, scene, out):
-    """What the cheapest format that keeps the bound says of KEYS. What is measured is kept beside
-    the folder `out`."""
+    """The decisions for KEYS: what the cheapest format that keeps the bound says of them. What is
+    measured is kept beside the folder `out`."""
     out = out.with_name(out.name + ".formats")
     asked = argparse.Namespace(
         program=pathlib.Path(args.program), build=pathlib.Path(args.build), expect=args.expect,
@@ -45,4 +45,6 @@ def chosen(args, general, scene, out):
         raise Refused(f"--max-error {args.max_error:g}: no format of {FORMATS.name} keeps "
                       f"{args.measure} below that on this scene; allow more")
     best = found["variants"][holding[0]["variant"]]["configuration"]
-    return {key: best[key] for key in KEYS}
+    reason = (f"of {FORMATS.name} the cheapest that keeps {args.measure} within {args.max_error:g} "
+              f"in a frame of {asked.size}")
+    return {key: (best[key], reason) for key in KEYS}

@@ -71,11 +71,11 @@ class Project:
             raise Refused(result.stdout.strip() or "scripts/configuration failed")
         return pathlib.Path(result.stdout.strip())
 
-    def key(self, needs, general):
+    def key(self, needs, general, formats):
         """Of all that the configuration depends on."""
         args = self.args
-        said = {"name": self.name, "needs": needs, "general": general, "seen": self.seen,
-                "keep": args.keep, "slowdown": args.max_slowdown, "fingerprint": args.expect,
+        said = {"name": self.name, "needs": needs, "general": general, "formats": formats,
+                "seen": self.seen, "keep": args.keep, "slowdown": args.max_slowdown, "fingerprint": args.expect,
                 "variables": self.build["variables"], "program": content_of(
                     pathlib.Path(args.program)), "hlsc": content_of(
                         pathlib.Path(self.build["hlsc"]))}
@@ -103,14 +103,15 @@ def is_whole(entry, name):
 class Specialiser:
     """Writes the configuration of a scene and what it was decided by into a folder of the cache."""
 
-    def __init__(self, project, general_name, general, needs):
+    def __init__(self, project, general_name, general, needs, formats):
         self.project, self.general_name, self.general = project, general_name, general
+        self.formats = formats
         self.needs = needs
         self.keys = configs.load_generate().KEYS
 
     def decide(self, measured):
         return decisions.decide(self.keys, self.general_name, self.general, self.needs["keys"],
-                                measured, self.project.args.keep)
+                                measured | self.formats, self.project.args.keep)
 
     def write(self, path, decided):
         configuration = decisions.configuration(self.project.name, self.general_name, decided)
@@ -151,8 +152,9 @@ class Specialiser:
 
 
 def general_core(project):
-    """Name and keys of the configuration to start from, and what the scene needs of it."""
-    args = project.args
+    """Name and keys of the configuration to start from, what the scene needs of it, and what is
+    decided of the float."""
+    args, formats = project.args, {}
     needs, about = project.needs(args.config)
     name = needs["general"]
     generate = configs.load_generate()
@@ -160,13 +162,13 @@ def general_core(project):
     if name.endswith(".json"):
         name = os.path.abspath(name)
     if args.max_error is not None:
-        general |= choose_format.chosen(args, name, project.scene, project.out)
+        formats = choose_format.chosen(args, name, project.scene, project.out)
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / f"{decisions.called(name)}.json"
-            write_json(path, general)
+            write_json(path, general | {key: value for key, (value, _) in formats.items()})
             needs, about = project.needs(path)
     needs["general"] = name
-    return name, general, needs, about
+    return name, general, needs, about, formats
 
 
 def add_costs(project, result, special, general):
@@ -277,10 +279,10 @@ def run(args):
         check_outputs(project.out, args.json)
     if args.max_error is not None or args.hardware and not args.for_program:
         costs.check_tools()
-    name, general, needs, about = general_core(project)
+    name, general, needs, about, formats = general_core(project)
     try:
-        entry = BuildCache().get(project.key(needs, general),
-                                 Specialiser(project, name, general, needs),
+        entry = BuildCache().get(project.key(needs, general, formats),
+                                 Specialiser(project, name, general, needs, formats),
                                  lambda: show_progress("another program is at it, waiting"),
                                  lambda entry: is_whole(entry, project.name))
     except CacheError as error:

@@ -89,7 +89,7 @@ class Specialise(unittest.TestCase):
         self.assertIn("configuration thesis", said)
         lit = self.run_program("render", ball, *mine, "--light", "0,5,9")
         self.assertEqual(lit.returncode, 2)
-        self.assertIn("configuration thesis has no light rays", lit.stderr)
+        self.assertIn("has no light rays; take --config whitted", lit.stderr)
 
     def test_frames_of_a_walk_that_exceed_the_core(self):
         spread = self.scene("spread.json", instances=[
