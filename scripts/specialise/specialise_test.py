@@ -53,6 +53,12 @@ class Decisions(unittest.TestCase):
         self.assertEqual(decided["top_stack_depth"]["value"], 1)
         self.assertEqual(decided["primitives"]["value"], ["sphere"])
 
+    def test_what_an_allowed_error_buys_is_told_beside_the_general_core(self):
+        decided = decide({}, {"mantissa_bits": (12, "the cheapest that keeps the bound")})
+        self.assertEqual(decided["mantissa_bits"],
+                         {"value": 12, "reason": "the cheapest that keeps the bound"})
+        self.assertIn("mantissa_bits", decisions.left_out(decided, THESIS))
+
     def test_counters_and_display_go_unless_they_are_kept(self):
         decided = decide({})
         self.assertEqual((decided["counters"]["value"], decided["scan_out"]["value"]),
