@@ -54,12 +54,17 @@ def needed(top, files):
     return [f for f in files if f in seen]
 
 
-@functools.lru_cache(maxsize=None)
-def tool_version(tool, flag, package):
-    """What a tool says of its version; names the package of a tool that is not there."""
+def require_tool(tool, package):
+    """Names the package of a tool that is not there."""
     if not shutil.which(tool):
         raise Failed(f"{tool} is not installed; Debian's package {package} has it, and "
                      "scripts/setup installs that")
+
+
+@functools.lru_cache(maxsize=None)
+def tool_version(tool, flag, package):
+    """What a tool says of its version."""
+    require_tool(tool, package)
     result = subprocess.run([tool, flag], capture_output=True, text=True, check=False)
     return (result.stdout + result.stderr).strip()
 

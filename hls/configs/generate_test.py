@@ -59,7 +59,9 @@ class Generate(unittest.TestCase):
                      "Crossing kCrossing = Crossing::kNone;",
                      "TriangleMatrix kTriangleMatrix = TriangleMatrix::kNormalConsistent;",
                      "Primitives kPrimitives = Primitives{.triangle = true, .sphere = false, "
-                     ".rectangle = false};", "bool kCounters = true;", "bool kOneColour = false;", "unsigned kTopStackDepth = 31;", "unsigned kLevels = 2;",
+                     ".rectangle = false};", "bool kCounters = true;",
+                     "bool kOneColour = false;", "unsigned kTopStackDepth = 31;",
+                     "unsigned kLevels = 2;",
                      "unsigned kObjectSlots = 8;", "unsigned kTriangleSlots = 8;",
                      "unsigned kAddressBits = 19;", "unsigned kMatrixBits = 17;",
                      "bool kUncompressed = true;"):

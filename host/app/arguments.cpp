@@ -112,6 +112,15 @@ FrameOptions FrameArguments::options(const std::string& size) const {
   return options;
 }
 
+void SpanArguments::add_to(CLI::App& command) {
+  command.add_option("--from", from, "time of the first frame")
+      ->option_text("SECONDS [0]")
+      ->check(not_a_number);
+  command.add_option("--to", to, "time of the last one; default: the animation's end")
+      ->option_text("SECONDS")
+      ->check(not_a_number);
+}
+
 void add_configuration_flag(CLI::App& command, std::string& configuration) {
   std::vector<std::string_view> names;
   for (const Configuration& c : configurations()) names.push_back(c.name);

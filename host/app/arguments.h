@@ -44,6 +44,16 @@ struct FrameArguments {
   FrameOptions options(const std::string& size) const;
 };
 
+/// Frames of a walk, unless --frames says another number.
+inline constexpr unsigned kWalkFrames = 24;
+
+/// The part of an animation that a walk shows, in seconds.
+struct SpanArguments {
+  std::optional<double> from, to;
+
+  void add_to(CLI::App& command);
+};
+
 /// Adds --config to a command.
 void add_configuration_flag(CLI::App& command, std::string& configuration);
 /// Adds --json to a command.

@@ -25,13 +25,11 @@ namespace dynrt::host {
 
 namespace {
 
-constexpr unsigned kFramesOfAWalk = 24;
-
 struct Arguments {
   SceneArguments scene;
   std::string configuration;
   std::optional<unsigned> reflections, frames;
-  std::optional<double> from, to;
+  SpanArguments span;
   bool uncompressed = false;
   std::string json;
 };
@@ -42,8 +40,8 @@ SceneNeeds needs_over_frames(Prepared& prepared, const Arguments& arguments) {
   const SceneNeeds still = needs_of(prepared);
   const bool moves = duration(prepared.scene) > 0;
   if (!moves && !arguments.frames) return still;
-  const WalkPlan plan(prepared.scene, arguments.frames.value_or(kFramesOfAWalk), arguments.from,
-                      arguments.to);
+  const WalkPlan plan(prepared.scene, arguments.frames.value_or(kWalkFrames), arguments.span.from,
+                      arguments.span.to);
   const auto frames = static_cast<unsigned>(plan.times.size());
   SceneNeeds all = still;
   Progress progress("analysing the frames", frames);
@@ -121,15 +119,10 @@ Command add_needs_command(CLI::App& program) {
       ->add_option("--frames", arguments->frames,
                    fmt::format("frames of a walk that it must hold for; default: {} if the scene "
                                "moves, else the one",
-                               kFramesOfAWalk))
+                               kWalkFrames))
       ->option_text("N")
       ->check(not_a_count);
-  command->add_option("--from", arguments->from, "time of the first frame")
-      ->option_text("SECONDS [0]")
-      ->check(not_a_number);
-  command->add_option("--to", arguments->to, "time of the last one; default: the animation's end")
-      ->option_text("SECONDS")
-      ->check(not_a_number);
+  arguments->span.add_to(*command);
   add_json_flag(*command, arguments->json);
   return {command, [arguments] { return run(*arguments); }};
 }

@@ -40,8 +40,8 @@ struct Arguments {
   FrameArguments frame;
   SpecialiseFlags specialise;
   std::string board = "rtl";
-  unsigned frames = 24;
-  std::optional<double> from, to;
+  unsigned frames = kWalkFrames;
+  SpanArguments span;
   bool again = false;
 
   /// The flags that decide what the frames look like and what is measured of them.
@@ -52,8 +52,8 @@ WalkSettings Arguments::settings(const Scene& content) const {
   const auto text = [](const auto& value) { return value ? fmt::format("{}", *value) : ""; };
   return {{"SCENE", scene.scene},
           {"--frames", fmt::format("{}", frames)},
-          {"--from", text(from)},
-          {"--to", text(to)},
+          {"--from", text(span.from)},
+          {"--to", text(span.to)},
           {"--size", scene.size},
           {"--position", text(scene.position)},
           {"--look-at", text(scene.look_at)},
@@ -120,8 +120,8 @@ void check_moving_lights(const Prepared& prepared, const WalkPlan& plan, const B
 /// Every frame of the walk is analysed.
 std::vector<std::string> analysed_frames(const Arguments& arguments) {
   std::vector<std::string> flags = {fmt::format("--frames={}", arguments.frames)};
-  if (arguments.from) flags.push_back(fmt::format("--from={}", *arguments.from));
-  if (arguments.to) flags.push_back(fmt::format("--to={}", *arguments.to));
+  if (arguments.span.from) flags.push_back(fmt::format("--from={}", *arguments.span.from));
+  if (arguments.span.to) flags.push_back(fmt::format("--to={}", *arguments.span.to));
   return flags;
 }
 
@@ -168,7 +168,7 @@ int run(const Arguments& arguments) {
         return prepare(arguments.scene, options.width, options.height, &info);
       });
   WalkFolder folder(place.folder(), arguments.settings(prepared.scene), arguments.again);
-  const WalkPlan plan(prepared.scene, arguments.frames, arguments.from, arguments.to);
+  const WalkPlan plan(prepared.scene, arguments.frames, arguments.span.from, arguments.span.to);
   if (!plan.orbit && board->info().lights > 0 && !prepared.scene.lights.empty()) {
     check_moving_lights(prepared, plan, board->info());
   }
@@ -234,14 +234,9 @@ Command add_walk_command(CLI::App& program) {
   command
       ->add_option("--frames", arguments->frames,
                    "how many frames, evenly spread over the animation")
-      ->option_text("N [24]")
+      ->option_text(fmt::format("N [{}]", kWalkFrames))
       ->check(not_a_count);
-  command->add_option("--from", arguments->from, "time of the first frame")
-      ->option_text("SECONDS [0]")
-      ->check(not_a_number);
-  command->add_option("--to", arguments->to, "time of the last one; default: the animation's end")
-      ->option_text("SECONDS")
-      ->check(not_a_number);
+  arguments->span.add_to(*command);
   command->add_flag("--again", arguments->again,
                     "do not go on with frames that are there, but replace them");
   arguments->frame.add_to(*command, "SCENE.gif",

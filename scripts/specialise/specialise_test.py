@@ -82,7 +82,6 @@ class Decisions(unittest.TestCase):
         self.assertIn("stack_depth", decisions.left_out(decided, WHITTED))
         self.assertNotIn("mantissa_bits", decisions.left_out(decided, WHITTED))
 
-
     def test_a_general_configuration_that_a_file_states(self):
         decided = decide({}, name="/folder/mine.json")
         self.assertIn("as in mine: ", decided["mantissa_bits"]["reason"])
