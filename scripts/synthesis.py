@@ -11,6 +11,7 @@ import pathlib
 import re
 import shutil
 import subprocess
+import sys
 import time
 
 import rtl_files
@@ -18,6 +19,9 @@ from build_cache import BuildCache, CacheError
 
 MODULE = re.compile(r"^\s*module\s+(\w+)", re.MULTILINE)
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+# What Yosys says when a signal has ended ABC, as 128 and the signal's number: SIGABRT or SIGSEGV.
+ABC_ABORTED = re.compile(r"ABC: execution of command .* failed: return code (?:134|139)\b")
+MORE_RUNS = 2  # after a run in which that happened
 KEPT = pathlib.Path(os.environ.get("DYNRT_CACHE") or rtl_files.ROOT / "build" / "synth")
 
 
@@ -97,16 +101,24 @@ def kept(kind, said, files, make):
 
 
 def run_yosys(commands, folder, what):
-    """Runs Yosys with its log in the folder; the log of a run that fails is kept elsewhere."""
+    """Runs Yosys with its log in the folder; keeps the log of a run that fails elsewhere. Debian's
+    berkeley-abc aborts now and then on a module that it maps at other times: after such a run, and
+    after no other, Yosys runs again."""
     log = folder / "yosys.log"
-    result = subprocess.run(["yosys", "-q", "-l", str(log), "-p", "; ".join(commands)],
-                            capture_output=True, text=True, check=False)
-    if result.returncode != 0:
-        left = KEPT / "failed.log"
-        if log.exists():
-            shutil.copyfile(log, left)
-        last = (result.stderr or result.stdout).strip().splitlines()
-        raise Failed(f"{what}: {last[-1] if last else 'Yosys failed'}; the whole log is {left}")
+    command = ["yosys", "-q", "-l", str(log), "-p", "; ".join(commands)]
+    for more_runs in reversed(range(MORE_RUNS + 1)):
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+        if result.returncode == 0:
+            return
+        text = log.read_text(encoding="utf-8", errors="replace") if log.exists() else ""
+        if not (more_runs and ABC_ABORTED.search(text)):
+            break
+        print(f"{what}: a signal aborted ABC; Yosys runs again", file=sys.stderr)
+    left = KEPT / "failed.log"
+    if log.exists():
+        shutil.copyfile(log, left)
+    last = (result.stderr or result.stdout).strip().splitlines()
+    raise Failed(f"{what}: {last[-1] if last else 'Yosys failed'}; the whole log is {left}")
 
 
 def read_commands(files, blackboxes=()):
