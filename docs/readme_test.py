@@ -6,17 +6,26 @@
 import json
 import pathlib
 import re
+import subprocess
+import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
+def configurations():
+    """Every configuration with every key."""
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([ROOT / "hls/configs/generate", ROOT / "hls/configs/configs.json", folder],
+                       check=True)
+        return json.loads(pathlib.Path(folder, "configs.json").read_text(encoding="utf-8"))
+
+
 class Readme(unittest.TestCase):
     def test_configurations_are_those_of_the_data_file(self):
-        configs = json.loads((ROOT / "hls/configs/configs.json").read_text(encoding="utf-8"))
-        rows = [f"| `{name}` | {'yes' if c.get('rtl', True) else 'model alone'} | {c['about']} |"
-                for name, c in configs.items()]
+        rows = [f"| `{c['name']}` | {'yes' if c['rtl'] else 'model alone'} | {c['about']} |"
+                for c in configurations()]
         self.assertEqual(re.findall(r"^\| `.*$", README, re.MULTILINE), rows)
 
     def test_folders_are_those_of_the_project(self):

@@ -1,23 +1,26 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""The configurations of the core, for scripts: hls/configs/generate alone knows the keys."""
+"""The configurations of the core, for scripts: hls/configs/configurations alone knows the keys."""
 
-import importlib.machinery
 import importlib.util
 import pathlib
 import sys
+from types import ModuleType
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-LISTED = ROOT / "hls" / "configs" / "configs.json"
+PACKAGE = ROOT / "hls" / "configs" / "configurations"
 
 
-def load_generate():
-    """hls/configs/generate as a module, though its name does not end as one's does."""
-    path = ROOT / "hls" / "configs" / "generate"
-    loader = importlib.machinery.SourceFileLoader("generate", str(path))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("generate", loader))
-    sys.modules["generate"] = module  # its dataclasses look for their module
+def load_configurations() -> ModuleType:
+    """The package, which lies with the configurations and not with the scripts."""
+    if loaded := sys.modules.get(PACKAGE.name):
+        return loaded
+    spec = importlib.util.spec_from_file_location(
+        PACKAGE.name, PACKAGE / "__init__.py", submodule_search_locations=[str(PACKAGE)])
+    assert spec and spec.loader
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[PACKAGE.name] = module
     writes, sys.dont_write_bytecode = sys.dont_write_bytecode, True
-    loader.exec_module(module)
+    spec.loader.exec_module(module)
     sys.dont_write_bytecode = writes
     return module

@@ -15,9 +15,10 @@ import tempfile
 import unittest
 
 import fingerprint
+from configs import load_configurations
 
 SCRIPT = pathlib.Path(__file__).resolve().parent / "configuration"
-THESIS = json.loads((SCRIPT.parents[1] / "hls/configs/configs.json").read_text("utf-8"))["thesis"]
+THESIS = load_configurations().listed()["thesis"]
 
 
 def load_script():
@@ -62,11 +63,11 @@ class Configuration(unittest.TestCase):
 
     def test_refused(self):
         self.assert_refused(THESIS | {"mantissa_bits": 99},
-                            "key 'mantissa_bits' (stored mantissa bits of the float) is 99; it must "
+                            "line 1: key 'mantissa_bits' (stored mantissa bits of the float) is 99; it must "
                             "be a whole number from 8 to 29")
-        self.assert_refused("{", "line 1, column 2 is no JSON: expecting property name enclosed in "
+        self.assert_refused("{", "line 1: column 2 is no JSON: expecting property name enclosed in "
                             "double quotes")
-        self.assert_refused("[]", "must be an object of keys, not []")
+        self.assert_refused("[]", "must be an object of keys")
         self.assert_refused(THESIS, "the sources have changed since this program was built; build "
                             "it again", "--expect", "0")
         self.hlsc.unlink()

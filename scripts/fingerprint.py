@@ -16,7 +16,8 @@ import pathlib
 import sys
 
 SOURCES = ("hls/include/**/*.h", "hls/native/**/*.h", "hls/units/**/*.h", "host/board/*.h",
-           "host/board/*.in", "host/format/*.h", "host/error.h", "hls/configs/generate")
+           "host/board/*.in", "host/format/*.h", "host/error.h", "hls/configs/generate",
+           "hls/configs/configurations/*.py")
 
 
 def add_files(digest, root, patterns):

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What a configuration chooses between, where that is neither a number nor a yes or no
-// (hls/configs/generate).
+// (hls/configs/configurations/keys.py).
 #pragma once
 
 #include <cstdint>

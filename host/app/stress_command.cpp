@@ -66,10 +66,13 @@ class OtherFormat {
     }
     const std::string table = std::string(this_build().scripts) + "/../hls/configs/configs.json";
     const auto all = nlohmann::ordered_json::parse(std::ifstream(table));
-    if (!all.contains(configuration)) refuse(stress::messages::kNotBuilt, configuration, table);
-    nlohmann::ordered_json keys = all.at(configuration);
-    keys["exponent_bits"] = exponent_bits_;
-    keys["mantissa_bits"] = mantissa_bits_;
+    const auto is_named = [&](const auto& one) { return one.at("name") == configuration; };
+    if (std::ranges::none_of(all, is_named)) {
+      refuse(stress::messages::kNotBuilt, configuration, table);
+    }
+    const nlohmann::ordered_json keys{{"like", configuration},
+                                      {"exponent_bits", exponent_bits_},
+                                      {"mantissa_bits", mantissa_bits_}};
     const auto path =
         folder_ / fmt::format("{}_{}_{}.json", configuration, exponent_bits_, mantissa_bits_);
     std::ofstream(path) << keys.dump(2);

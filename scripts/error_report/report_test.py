@@ -74,7 +74,7 @@ class Variants(InFolder):
     def assert_refused(self, text, sentence):
         with self.assertRaises(Refused) as caught:
             self.read(text)
-        self.assertEqual(str(caught.exception), f"{self.folder}/v.json: {sentence}")
+        self.assertEqual(str(caught.exception), f"{self.folder}/v.json:{sentence}")
 
     def test_every_key(self):
         read = self.read({"a": {}, "b": {"mantissa_bits": 10}})
@@ -96,17 +96,17 @@ class Variants(InFolder):
 
     def test_refused(self):
         self.assert_refused({"a": {}, "b": {"mantissa": 10}},
-                            "variant 'b': unknown key 'mantissa'; the keys are " +
-                            ", ".join(variants.configs.load_generate().KEYS))
-        self.assert_refused({"a": {}, "b": {"packets": 0}}, "variant 'b': key 'packets' (packets in "
+                            " variant 'b': unknown key 'mantissa'; the keys are " +
+                            ", ".join(variants.configs.load_configurations().KEYS))
+        self.assert_refused({"a": {}, "b": {"packets": 0}}, " variant 'b': key 'packets' (packets in "
                             "flight) is 0; it must be a whole number from 1 to 64")
-        self.assert_refused({"a": {}, "b/c": {"packets": 1}}, "variant 'b/c': is no name; write "
+        self.assert_refused({"a": {}, "b/c": {"packets": 1}}, " variant 'b/c': is no name; write "
                             "letters, digits, _, - and ., a letter first")
-        self.assert_refused({"b": {"packets": 2}}, "one variant, and no more, must be {}: that which "
+        self.assert_refused({"b": {"packets": 2}}, " one variant, and no more, must be {}: that which "
                             "the others differ from")
-        self.assert_refused({"b": 2}, "must be an object of variants by name, each an object of "
+        self.assert_refused({"b": 2}, " must be an object of variants by name, each an object of "
                             "keys")
-        self.assert_refused("{", "line 1, column 2 is no JSON: expecting property name enclosed in "
+        self.assert_refused("{", "1: column 2 is no JSON: expecting property name enclosed in "
                             "double quotes")
 
     def test_chosen(self):
@@ -132,7 +132,7 @@ class Variants(InFolder):
         read = variants.read_variants(listed, variants.base_configuration(str(path)))
         self.assertEqual([v["configuration"]["packets"] for v in read.values()], [7, 7])
         path.write_text(json.dumps(keys | {"packets": 99}), encoding="utf-8")
-        with self.assertRaisesRegex(Refused, f"^--config {path}: key 'packets' .* is 99; it must"):
+        with self.assertRaisesRegex(Refused, f"^--config {path}: line 1: key 'packets' .* is 99; it must"):
             variants.base_configuration(str(path))
 
 

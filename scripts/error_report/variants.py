@@ -18,35 +18,32 @@ class Refused(Exception):
 
 
 def base_configuration(name):
-    """The keys that are stated of a configuration: one of hls/configs/configs.json, or a file."""
+    """Every key of a configuration: one of hls/configs/configs.json, or a file."""
     if name.endswith(".json"):
         return stated_in(pathlib.Path(name))
     if name.endswith(".so"):
         raise Refused(f"--config {name}: a library does not tell its keys; name the file FILE.json "
                       "that it was made of")
-    listed = json.loads(configs.LISTED.read_text(encoding="utf-8"))
+    listed = configs.load_configurations().listed()
     if name not in listed:
         raise Refused(f"--config {name}: unknown; the configurations are {', '.join(listed)}")
     return listed[name]
 
 
 def stated_in(path):
-    generate = configs.load_generate()
+    configurations = configs.load_configurations()
     try:
-        stated = generate.parse(path)
-        if isinstance(stated, dict):
-            stated.setdefault("about", f"made of {path.name}")
-        generate.checked("stated", stated)
-    except generate.Refused as error:
-        sentence = str(error).removeprefix("configuration 'stated': ")
-        raise Refused(f"--config {path}: {sentence}") from error
-    return stated
+        return configurations.read_one(path, "stated")
+    except configurations.Refused as error:
+        sentence = str(error).replace("configuration 'stated': ", "")
+        line = f"line {error.line}: " if error.line else ""
+        raise Refused(f"--config {path}: {line}{sentence}") from error
 
 
 def read_variants(path, base):
     """By name, in the file's order: every key of its configuration, and those that differ from
     `base`. One of them, the reference, differs in none."""
-    generate = configs.load_generate()
+    generate = configs.load_configurations()
     try:
         listed = generate.parse(path)
         if not isinstance(listed, dict) or not all(isinstance(v, dict) for v in listed.values()):
@@ -66,7 +63,7 @@ def read_variants(path, base):
             raise generate.Refused("one variant, and no more, must be {}: that which the others "
                                    "differ from")
     except generate.Refused as error:
-        raise Refused(f"{path}: {error}") from error
+        raise Refused(error.at(path)) from error
     return variants
 
 

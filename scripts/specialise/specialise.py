@@ -107,7 +107,7 @@ class Specialiser:
         self.project, self.general_name, self.general = project, general_name, general
         self.formats = formats
         self.needs = needs
-        self.keys = configs.load_generate().KEYS
+        self.keys = configs.load_configurations().KEYS
 
     def decide(self, measured):
         return decisions.decide(self.keys, self.general_name, self.general, self.needs["keys"],
@@ -115,7 +115,7 @@ class Specialiser:
 
     def write(self, path, decided):
         configuration = decisions.configuration(self.project.name, self.general_name, decided)
-        generate = configs.load_generate()
+        generate = configs.load_configurations()
         try:
             generate.checked("special", configuration)
         except generate.Refused as error:
@@ -157,8 +157,7 @@ def general_core(project):
     args, formats = project.args, {}
     needs, about = project.needs(args.config)
     name = needs["general"]
-    generate = configs.load_generate()
-    general = generate.checked("general", base_configuration(name))
+    general = base_configuration(name)
     if name.endswith(".json"):
         name = os.path.abspath(name)
     if args.max_error is not None:

@@ -26,10 +26,10 @@ import decisions  # noqa: E402
 import specialise  # noqa: E402
 import table  # noqa: E402
 
-GENERATE = configs.load_generate()
-LISTED = json.loads(configs.LISTED.read_text(encoding="utf-8"))
-THESIS = GENERATE.checked("thesis", LISTED["thesis"])
-WHITTED = GENERATE.checked("whitted", LISTED["whitted"])
+GENERATE = configs.load_configurations()
+LISTED = GENERATE.listed()
+THESIS = LISTED["thesis"]
+WHITTED = LISTED["whitted"]
 
 
 def decide(needed, measured=None, keep=(), general=THESIS, name="thesis"):

@@ -1,0 +1,32 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The configurations of the core: their keys (keys.py), read from JSON (reading.py) and written as
+C++ (cpp.py)."""
+
+from configurations.keys import KEYS, RULES, Key
+from configurations.reading import (
+    LISTED,
+    Configuration,
+    Refused,
+    checked,
+    inherited,
+    listed,
+    parse,
+    read,
+    read_one,
+)
+
+__all__ = [
+    "KEYS",
+    "LISTED",
+    "RULES",
+    "Configuration",
+    "Key",
+    "Refused",
+    "checked",
+    "inherited",
+    "listed",
+    "parse",
+    "read",
+    "read_one",
+]

@@ -1,0 +1,221 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The keys of a configuration, and what the value of one asks of another.
+
+KEYS is all there is to know about a key: a new line here gives it to every configuration, to the
+struct that the units take, to CoreConfiguration and its JSON, and to the reference.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from configurations.kinds import Choice, Flag, Kind, Number, Sentence, Subset, Whole
+
+
+@dataclass(frozen=True)
+class Key:
+    """One key. `constant` is its name in the struct that the units take; None: the units do not
+    know it. `default` None: every configuration states it. `of_core` false: it is about the
+    configuration and decides nothing of the core."""
+
+    kind: Kind
+    constant: str | None
+    about: str
+    default: object = None
+    inherited: bool = True  # by a configuration that is like another
+    of_core: bool = True
+
+    @property
+    def required(self) -> bool:
+        return self.default is None
+
+
+ROUNDINGS = Choice("hls::Rounding", {"nearest_even": "kNearestEven", "truncate": "kTruncate"})
+CROSSINGS = Choice("Crossing", {"none": "kNone", "split": "kSplit", "remember": "kRemember"})
+OBJECT_BOXES = Choice("ObjectBox", {"nodes": "kNodes", "unit": "kUnit"})
+DIVIDERS = Choice("Divider", {"digit_recurrence": "kDigitRecurrence", "reciprocal": "kReciprocal"})
+MATRICES = Choice(
+    "TriangleMatrix",
+    {"normal_consistent": "kNormalConsistent", "memory_efficient": "kMemoryEfficient"},
+)
+TRIANGLE_TESTS = Choice(
+    "TriangleTest", {"unit_triangle": "kUnitTriangle", "watertight": "kWatertight"}
+)
+PRIMITIVES = Subset("Primitives", ("triangle", "sphere", "rectangle"))
+
+KEYS: dict[str, Key] = {
+    "about": Key(Sentence(), None, "what it is for", inherited=False, of_core=False),
+    "made_for": Key(
+        Sentence(),
+        None,
+        "the scene that it was specialised for",
+        "any scene",
+        inherited=False,
+        of_core=False,
+    ),
+    "made_from": Key(
+        Sentence(),
+        None,
+        "the configuration that it was specialised from",
+        "no other",
+        inherited=False,
+        of_core=False,
+    ),
+    "rtl": Key(
+        Flag(),
+        None,
+        "whether builds make its Verilog too, not the model alone",
+        True,
+        of_core=False,
+    ),
+    "packets": Key(Whole(1, 64), "kPackets", "packets in flight"),
+    "lines": Key(Whole(1, 512, power_of_two=True), "kLines", "lines of each cache"),
+    "levels": Key(
+        Whole(1, 2),
+        "kLevels",
+        "of trees: 2, of instances and of each object; 1, of the one object there is",
+        2,
+    ),
+    "stack_depth": Key(
+        Whole(1, 63), "kStackDepth", "entries of a packet's stack in an object's tree"
+    ),
+    "top_stack_depth": Key(
+        Whole(1, 63), "kTopStackDepth", "entries of a packet's stack in the top-level tree", 31
+    ),
+    "object_slots": Key(
+        Whole(0, 32),
+        "kObjectSlots",
+        "objects remembered per packet; 0: it enters each as often as it is listed",
+        8,
+    ),
+    "triangle_slots": Key(
+        Whole(0, 32),
+        "kTriangleSlots",
+        "primitives remembered per packet; 0: it intersects each as often as it is listed",
+        8,
+    ),
+    "exponent_bits": Key(Whole(2, 10), "Real::kExponentBits", "of the float, see hls/float.h"),
+    "mantissa_bits": Key(Whole(8, 29), "Real::kMantissaBits", "stored mantissa bits of the float"),
+    "rounding": Key(ROUNDINGS, "Real::kRounding", "of every operation of the float"),
+    "epsilon": Key(Number(0, 1), "kEpsilon", "how far outside the unit triangle a hit may lie"),
+    "sram_latency": Key(
+        Whole(3, 8), "kSramLatency", "clocks from an SRAM bank's address to its data"
+    ),
+    "lights": Key(Whole(0, 8), "kLights", "passes of light rays from a packet's hits, at most", 0),
+    "reflections": Key(Whole(0, 15), "kReflections", "bounces of a ray, at most", 0),
+    "scan_out": Key(
+        Flag(),
+        None,
+        "whether the board shows its framebuffer on a VGA display",
+        False,
+        inherited=False,
+    ),
+    "crossing": Key(
+        CROSSINGS,
+        "kCrossing",
+        "what happens to a packet whose rays disagree on the nearer child",
+        "none",
+    ),
+    "object_box": Key(
+        OBJECT_BOXES,
+        "kObjectBox",
+        "how rays are clipped to the box of an object that they enter",
+        "nodes",
+    ),
+    "divider": Key(
+        DIVIDERS,
+        "kDivider",
+        "how the traversal finds the distance of a plane",
+        "digit_recurrence",
+    ),
+    "triangle_matrix": Key(
+        MATRICES, "kTriangleMatrix", "what is stored of a triangle", "normal_consistent"
+    ),
+    "primitives": Key(PRIMITIVES, "kPrimitives", "unit objects that are intersected", ["triangle"]),
+    "triangle_test": Key(
+        TRIANGLE_TESTS, "kTriangleTest", "how a ray meets a triangle", "unit_triangle"
+    ),
+    "address_bits": Key(
+        Whole(4, 19),
+        "kAddressBits",
+        "of the numbers of nodes and list entries within the core",
+        19,
+    ),
+    "matrix_bits": Key(
+        Whole(2, 17), "kMatrixBits", "of the numbers of matrices within the core", 17
+    ),
+    "uncompressed": Key(
+        Flag(), "kUncompressed", "whether a frame may have every ray's origin transformed", True
+    ),
+    "one_colour": Key(
+        Flag(),
+        "kOneColour",
+        "whether every surface has the same colour, which the frame states",
+        False,
+    ),
+    "counters": Key(Flag(), "kCounters", "whether the core counts what its units do", True),
+}
+
+
+@dataclass(frozen=True)
+class Rule:
+    """What a key's value asks of another key."""
+
+    key: str
+    value: object
+    other: str
+    allows: Callable[[object], bool]  # of the other's value
+    wants: str
+    why: str
+
+
+WATERTIGHT = ("triangle_test", "watertight")
+ONE_LEVEL = ("levels", 1)
+RULES = (
+    Rule(*ONE_LEVEL, "object_box", lambda v: v == "nodes", "nodes", "no object is entered"),
+    Rule(
+        *ONE_LEVEL,
+        "triangle_test",
+        lambda v: v == "unit_triangle",
+        "unit_triangle",
+        "a ray's shear is made when it enters an object",
+    ),
+    Rule(
+        *WATERTIGHT,
+        "triangle_matrix",
+        lambda v: v == "normal_consistent",
+        "normal_consistent",
+        "corners and normal take four columns",
+    ),
+    Rule(
+        *WATERTIGHT,
+        "primitives",
+        lambda v: v == ["triangle"],
+        '["triangle"]',
+        "only triangles are mapped to the ray",
+    ),
+    Rule(
+        *WATERTIGHT,
+        "object_box",
+        lambda v: v == "nodes",
+        "nodes",
+        "corners are rounded before an object's tree is built, not scaled after",
+    ),
+    Rule(
+        *WATERTIGHT,
+        "divider",
+        lambda v: v == "digit_recurrence",
+        "digit_recurrence",
+        "a ray's shear is made of its direction, not of reciprocals",
+    ),
+    Rule(*WATERTIGHT, "epsilon", lambda v: v == 0, "0", "edges are decided exactly"),
+    Rule(
+        *WATERTIGHT,
+        "exponent_bits",
+        lambda v: v in (7, 8),
+        "7 or 8",
+        "ordinary coordinates must not saturate, and the model holds a product, which takes two "
+        "bits more, in a double",
+    ),
+)
+FLOAT_BITS = 32  # of a float with its sign, at most: a hit record has a word for each
