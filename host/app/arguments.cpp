@@ -20,8 +20,8 @@ namespace dynrt::host {
 void SceneArguments::add_to(CLI::App& command, bool scene_required) {
   command
       .add_option("SCENE", scene,
-                  fmt::format("a built-in scene ({}) or the path of an OBJ, PLY, glTF, GLB, BSP "
-                              "or PK3 file",
+                  fmt::format("a built-in scene ({}) or the path of a file: OBJ, PLY, STL, glTF, "
+                              "COLLADA, FBX and what else Assimp reads, BSP, PK3, JSON",
                               fmt::join(built_in_scenes(), ", ")))
       ->required(scene_required)
       ->option_text(" ");

@@ -28,6 +28,11 @@ namespace {
 constexpr ai_real kMetallic = 0.5f;  // at least this metallic
 constexpr ai_real kPolished = 0.5f;  // and at most this rough is a mirror
 
+// The angle that Assimp 5.2 gives a COLLADA camera without a name: it does not read such a camera,
+// and turns its default into radians a second time.
+constexpr ai_real kNotRead = AI_DEG_TO_RAD(0.25f * static_cast<float>(AI_MATH_PI));
+constexpr double kFieldOfView = 45.0;  // of such a camera, in degrees
+
 glm::dvec3 to_glm(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
 glm::dmat4 to_glm(const aiMatrix4x4& m) {  // Assimp's rows to GLM's columns
@@ -39,13 +44,13 @@ bool finite(const glm::dvec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
 class Conversion {
  public:
-  Conversion(const aiScene& from, const std::string& label, bool flat)
-      : from_(from), label_(label), flat_(flat) {}
+  Conversion(const aiScene& from, const std::string& label, AssimpForm form)
+      : from_(from), label_(label), form_(form) {}
 
   Scene run() {
     scene_.name = std::filesystem::path(label_).stem().string();
     for (unsigned i = 0; i < from_.mNumMaterials; ++i) material(*from_.mMaterials[i]);
-    if (flat_) {
+    if (form_ == AssimpForm::kOneMesh) {
       MeshBuilder builder(scene_.name);
       flatten(*from_.mRootNode, builder);
       keep(std::move(builder), {scene_.name, 0, glm::dmat4(1.0)});
@@ -208,21 +213,38 @@ class Conversion {
   }
 
   void camera(const aiCamera& from, const glm::dmat4& transform) {
-    // A glTF camera looks along -z of its node, y up; Assimp 5.2 repeats the node's translation in
-    // mPosition, and its "horizontal" angle is the file's vertical one times the aspect.
-    const double aspect = from.mAspect > 0.0f ? from.mAspect : 1.0;
-    const double field_of_view = glm::degrees(from.mHorizontalFOV / aspect);
+    const double field_of_view = vertical_angle(from);
     if (!(field_of_view > 0.0)) {
       scene_.notes.push_back(
           fmt::format(wording::kCameraNotPerspective, label_, from.mName.C_Str()));
       return;
     }
-    const glm::dvec3 position(transform[3]), back(transform[2]), up(transform[1]);
+    // A glTF camera looks along -z of its node, y up; Assimp repeats the node's translation in its
+    // position.
+    const bool gltf = form_ == AssimpForm::kGltf;
+    const glm::dvec3 at = gltf ? glm::dvec3(0.0) : to_glm(from.mPosition);
+    const glm::dvec3 view = gltf ? glm::dvec3(0.0, 0.0, -1.0) : to_glm(from.mLookAt);
+    const glm::dvec3 up = gltf ? glm::dvec3(0.0, 1.0, 0.0) : to_glm(from.mUp);
+    const glm::dvec3 position(transform * glm::dvec4(at, 1.0));
+    const glm::dmat3 linear(transform);
     try {
-      scene_.camera = look_at(position, position - back, up, field_of_view, 1.0);
+      scene_.camera = look_at(position, position + linear * view, linear * up, field_of_view, 1.0);
     } catch (const UserError& error) {
       wording::fail(wording::kCameraNode, label_, from.mName.C_Str(), error.what());
     }
+  }
+
+  /// In degrees; not above 0 for a camera without perspective.
+  double vertical_angle(const aiCamera& from) {
+    const double aspect = from.mAspect > 0.0f ? from.mAspect : 1.0;
+    if (from.mHorizontalFOV == kNotRead) {
+      scene_.notes.push_back(
+          fmt::format(wording::kCameraAngle, label_, from.mName.C_Str(), kFieldOfView));
+      return kFieldOfView;
+    }
+    // Of a glTF camera, Assimp gives the vertical angle times the aspect as the horizontal one.
+    if (form_ == AssimpForm::kGltf) return glm::degrees(from.mHorizontalFOV / aspect);
+    return glm::degrees(2.0 * std::atan(std::tan(from.mHorizontalFOV / 2.0) / aspect));
   }
 
   void light(const aiLight& from, const glm::dmat4& transform) {
@@ -233,7 +255,8 @@ class Conversion {
       return;
     }
     const aiColor3D& c = from.mColorDiffuse;
-    PointLight light{name, glm::dvec3(transform[3]), {c.r, c.g, c.b}};
+    const glm::dvec3 position(transform * glm::dvec4(to_glm(from.mPosition), 1.0));
+    PointLight light{name, position, {c.r, c.g, c.b}};
     if (!finite(light.position) || !finite(light.colour) ||
         glm::any(glm::lessThan(light.colour, glm::dvec3(0.0)))) {
       wording::fail(wording::kLight, label_, name);
@@ -245,7 +268,7 @@ class Conversion {
 
   const aiScene& from_;
   const std::string& label_;
-  const bool flat_;
+  const AssimpForm form_;
   Scene scene_;
   std::map<std::vector<unsigned>, int> object_of_;
   std::map<std::string, const aiNodeAnim*> channel_of_;  // by node
@@ -254,8 +277,8 @@ class Conversion {
 
 }  // namespace
 
-Scene convert_assimp(const aiScene& from, const std::string& label, bool flat) {
-  return Conversion(from, label, flat).run();
+Scene convert_assimp(const aiScene& from, const std::string& label, AssimpForm form) {
+  return Conversion(from, label, form).run();
 }
 
 }  // namespace dynrt::host

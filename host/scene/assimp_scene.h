@@ -4,8 +4,7 @@
 // What Assimp made of a file as a Scene: materials, objects, instances, the first perspective
 // camera, point lights, and the first animation of its nodes. A material that is metallic and
 // polished is a mirror. Keyframes are joined evenly, whatever interpolation the file asks for.
-#ifndef DYNRT_HOST_SCENE_ASSIMP_SCENE_H_
-#define DYNRT_HOST_SCENE_ASSIMP_SCENE_H_
+#pragma once
 
 #include <string>
 
@@ -15,10 +14,15 @@ struct aiScene;
 
 namespace dynrt::host {
 
-// Flat: one object, one instance, no more. Throws UserError, naming the node, for a transform, a
-// camera, a light or a keyframe that cannot be used.
-Scene convert_assimp(const aiScene& from, const std::string& label, bool flat);
+/// What Assimp's nodes mean in a file's format.
+enum class AssimpForm {
+  kOneMesh,  ///< nothing: the file is one object with one instance
+  kNodes,    ///< instances, cameras and lights, as Assimp documents them
+  kGltf,     ///< the same, but Assimp 5.2 gives a camera otherwise than it documents
+};
+
+/// Throws UserError, naming the node, for a transform, a camera, a light or a keyframe that cannot
+/// be used.
+Scene convert_assimp(const aiScene& from, const std::string& label, AssimpForm form);
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_ASSIMP_SCENE_H_

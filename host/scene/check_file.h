@@ -1,11 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Assimp takes a file that was cut off, or garbage between good lines, and silently gives what it
-// could make out. These checks read the same file first and refuse what cannot be right, with the
-// line. They decide nothing about the geometry: that stays Assimp's.
-#ifndef DYNRT_HOST_SCENE_CHECK_FILE_H_
-#define DYNRT_HOST_SCENE_CHECK_FILE_H_
+// What Assimp gets wrong in silence: these checks read a file before Assimp does and refuse what
+// Assimp would take for another scene, never end with, or crash on. They leave everything to Assimp
+// that it reads or refuses rightly.
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -13,21 +12,26 @@
 
 namespace dynrt::host {
 
-// The whole file. Throws UserError when it is missing, a folder, unreadable or empty.
+/// Throws UserError when the file is missing, a folder, unreadable or empty.
+void require_file(const std::string& path);
+
+/// The whole file; throws as require_file.
 std::string read_file(const std::string& path);
 
-// Each statement is known, each vertex has three finite numbers, each face at least three vertices
-// that exist. Gives the names of the material files that it asks for.
+/// Assimp reads a number up to its first strange character, drops a vertex of fewer than three
+/// numbers, which renumbers all that follow, and makes a line of a face of two. Throws UserError
+/// with the line. Gives the names of the material files that the file asks for.
 std::vector<std::string> check_obj(std::string_view text, const std::string& path);
 
-// The header is whole, the body has all elements that it announces (ASCII: that many lines, all
-// numbers; binary: that many bytes) and each face's vertices exist.
-void check_ply(std::string_view text, const std::string& path);
+/// Assimp makes up what a file that was cut off lacks, reads a number of a type that it does not
+/// know as zero, and never ends with a header that does not end. Throws UserError. Gives the text
+/// that Assimp must get in place of the file's: behind a header whose last line ends in a newline
+/// alone, Assimp skips a first byte of the data that is one too.
+std::string mended_ply(std::string text, const std::string& path);
 
-// The JSON of a .gltf or inside a .glb can be parsed, its nodes are not nested so deeply that
-// Assimp's recursion would overflow the stack, and a .glb is as long as it says.
+/// Assimp's recursion overflows the stack where nodes are nested deeply, and Assimp makes up a
+/// keyframe where an animation has none. Throws UserError for both, and for JSON that cannot be
+/// parsed with its line. `text` is a .gltf or a .glb file.
 void check_gltf(std::string_view text, const std::string& path);
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_CHECK_FILE_H_

@@ -13,8 +13,8 @@ std::string obj(std::string_view text) {
   return user_error([&] { check_obj(text, "a.obj"); });
 }
 
-std::string ply(std::string_view text) {
-  return user_error([&] { check_ply(text, "a.ply"); });
+std::string ply(const std::string& text) {
+  return user_error([&] { mended_ply(text, "a.ply"); });
 }
 
 std::string gltf(std::string_view text) {
@@ -28,35 +28,16 @@ TEST(CheckObj, TakesWhatIsRight) {
   EXPECT_EQ(check_obj(text, "a.obj"), (std::vector<std::string>{"a b.mtl", "c.mtl"}));
 }
 
+TEST(CheckObj, LeavesToAssimpWhatItIgnoresOrRefuses) {
+  EXPECT_NO_THROW(check_obj("vertex 1 2 3\n\x89PNG\nf 1 x 9\nv 0 nan 1e39\n", "a.obj"));
+}
+
 TEST(CheckObj, NamesTheLine) {
-  EXPECT_EQ(obj("v 0 0 0\nvertex 1 2 3\n"), "a.obj:2: 'vertex' is not a statement of an OBJ file");
-  EXPECT_EQ(obj("\x89PNG\n"), "a.obj:1: '?PNG' is not a statement of an OBJ file");
   EXPECT_EQ(obj("v 0 0 0\n\nv 1 0.\x01 2\n"),
             "a.obj:3: a vertex needs three numbers, not '1 0.? 2'");
   EXPECT_EQ(obj("v 0 0 0\nv 1 0"), "a.obj:2: a vertex needs three numbers, not '1 0'");
-  EXPECT_EQ(obj("v 0 0 0\nv 0 nan 1\n"),
-            "a.obj:2: vertex 2 is not finite: 'nan' is outside the range of single precision");
-  EXPECT_EQ(obj("v 0 0 -inf\n"),
-            "a.obj:1: vertex 1 is not finite: '-inf' is outside the range of single precision");
-  EXPECT_EQ(obj("v 0 0 1e39\n"),
-            "a.obj:1: vertex 1 is not finite: '1e39' is outside the range of single precision");
-  EXPECT_EQ(obj("v 0 0 1e999\n"),
-            "a.obj:1: vertex 1 is not finite: '1e999' is outside the range of single precision");
-}
-
-TEST(CheckObj, JudgesFaces) {
-  const std::string three = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  EXPECT_EQ(obj(three + "f 1 2\n"),
+  EXPECT_EQ(obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"),
             "a.obj:4: a face needs at least three vertices, this one has 2");
-  EXPECT_EQ(obj(three + "f 1 x 3\n"), "a.obj:4: 'x' is not a vertex of a face");
-  EXPECT_EQ(obj(three + "f 1 0 3\n"), "a.obj:4: '0' is not a vertex of a face");
-  EXPECT_EQ(obj(three + "f 1 2 3\nf 1 2 4\n"),
-            "a.obj:5: the face uses vertex 4, but the file has 3 vertices");
-  EXPECT_EQ(obj(three + "f 1 2 -4\n"),
-            "a.obj:4: the face uses vertex -4, but the file has 3 vertices");
-  EXPECT_EQ(obj(three + "f 1 2 -9223372036854775808\n"),
-            "a.obj:4: the face uses vertex -9223372036854775808, but the file has 3 vertices");
-  EXPECT_NO_THROW(check_obj("f 1 2 3\n" + three, "a.obj"));
 }
 
 constexpr char kHeader[] =
@@ -64,11 +45,8 @@ constexpr char kHeader[] =
     "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
 
 TEST(CheckPly, JudgesTheHeader) {
-  EXPECT_EQ(ply("obj\n"), "a.ply: is not a valid PLY file: it must begin with 'ply'");
   EXPECT_EQ(ply("ply\nformat ascii 1.0\nelement vertex 3\n"),
             "a.ply: the PLY header has no 'end_header'; the file seems cut off");
-  EXPECT_EQ(ply("ply\nelement vertex 0\nproperty float x\nend_header\n"),
-            "a.ply: the PLY header has no 'format' line");
   EXPECT_EQ(ply("ply\nformat binary_middle_endian 1.0\n"),
             "a.ply:2: 'format binary_middle_endian 1.0' is not a line of a PLY header");
   EXPECT_EQ(ply("ply\nformat ascii 1.0\nelement vertex many\n"),
@@ -79,26 +57,27 @@ TEST(CheckPly, JudgesTheHeader) {
             "a.ply:4: 'property real x' is not a line of a PLY header");
   EXPECT_EQ(ply("ply\nformat ascii 1.0\nelement face 2\nproperty list float int i\n"),
             "a.ply:4: 'property list float int i' is not a line of a PLY header");
-  EXPECT_EQ(ply("ply\nformat binary_little_endian 1.0\nelement dust 9000000000000\nend_header\n"),
-            "a.ply: the PLY header gives element 'dust' no property; it needs at least one");
+  EXPECT_NO_THROW(mended_ply(
+      "ply\nformat binary_little_endian 1.0\nelement dust 9000000000000\nend_header\n", "a.ply"));
+  EXPECT_NO_THROW(mended_ply("ply\nformat ascii 1.0\nend_header", "a.ply"));
 }
 
 TEST(CheckPly, JudgesAnAsciiBody) {
   const std::string header = kHeader;
-  EXPECT_NO_THROW(check_ply(header + "0 0 0\n1 0 0\n\n0 1 0\n3 0 1 2\n", "a.ply"));
+  const std::string whole = header + "0 0 0\n1 0 0\n\n0 1 0\n3 0 1 2\n";
+  EXPECT_EQ(mended_ply(whole, "a.ply"), whole);
   EXPECT_EQ(ply(header + "0 0 0\n1 0 0\n"),
             "a.ply: the PLY header announces 3 of element 'vertex', but the file ends after 2; it "
             "seems cut off");
   EXPECT_EQ(ply(header + "0 0 0\n1 0 0\n0 1 0\n"),
             "a.ply: the PLY header announces 1 of element 'face', but the file ends after 0; it "
             "seems cut off");
-  EXPECT_EQ(ply(header + "0 0 0\n1 0 zero\n"),
-            "a.ply:11: 'zero' is not a number of element 'vertex'");
-  EXPECT_EQ(ply(header + "0 0 0\n1 0\n"), "a.ply:11: '' is not a number of element 'vertex'");
-  EXPECT_EQ(ply(header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
-            "a.ply: face 0 uses vertex 3, but the file has 3 vertices");
-  EXPECT_EQ(ply(header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"),
-            "a.ply: face 0 uses vertex -1, but the file has 3 vertices");
+  EXPECT_EQ(ply(header + "0 0 0\n1 0\n"),
+            "a.ply:11: the line has fewer numbers than element 'vertex' has properties");
+  EXPECT_EQ(ply(header + "0 0 0\n1 0 0\n0 1 0\n3 0 1\n"),
+            "a.ply:13: the line has fewer numbers than element 'face' has properties");
+  EXPECT_EQ(ply(header + "0 0 0\n1 0 0\n0 1 0\nx 0 1\n"),
+            "a.ply:13: the line has fewer numbers than element 'face' has properties");
 }
 
 TEST(CheckPly, JudgesABinaryBody) {
@@ -114,8 +93,8 @@ TEST(CheckPly, JudgesABinaryBody) {
       }
       return bytes;
     };
-    EXPECT_NO_THROW(check_ply(header + face(2), "a.ply"));
-    EXPECT_EQ(ply(header + face(5)), "a.ply: face 0 uses vertex 5, but the file has 3 vertices");
+    EXPECT_EQ(mended_ply(header + face(2), "a.ply"),
+              header.substr(0, header.size() - 1) + "\r\n" + face(2));
     std::string cut = header + face(2);
     cut.pop_back();
     EXPECT_EQ(ply(cut),
@@ -148,23 +127,22 @@ TEST(CheckGltf, JudgesTheNodeGraph) {
             "node graph");
 }
 
-TEST(CheckGltf, JudgesTheGlbHeader) {
-  const auto glb = [](uint8_t version, uint8_t length, uint8_t json) {
-    std::string text = "glTF";
-    for (const uint8_t byte : {version, length, json}) {
-      text += std::string{static_cast<char>(byte), 0, 0, 0};
+TEST(CheckGltf, ReadsTheJsonOfAGlb) {
+  const auto glb = [](uint8_t version, uint8_t json, std::string_view text) {
+    std::string bytes = "glTF";
+    for (const uint8_t byte : {version, uint8_t{22}, json}) {
+      bytes += std::string{static_cast<char>(byte), 0, 0, 0};
     }
-    return text + "JSON{}";
+    return bytes + "JSON" + std::string(text);
   };
-  const std::string magic =
-      "a.gltf: is not a valid GLB file: it must begin with 'glTF', version 2 and a JSON chunk";
-  EXPECT_NO_THROW(check_gltf(glb(2, 22, 2), "a.gltf"));
-  EXPECT_EQ(gltf(glb(1, 22, 2)), magic);
-  EXPECT_EQ(gltf(glb(2, 22, 2).substr(0, 19)), magic);
-  EXPECT_EQ(gltf(glb(2, 90, 2)),
-            "a.gltf: the GLB header announces 90 bytes, but the file has 22; it seems cut off");
-  EXPECT_EQ(gltf(glb(2, 22, 44)),
-            "a.gltf: the GLB header announces 64 bytes, but the file has 22; it seems cut off");
+  for (const uint8_t version : {uint8_t{1}, uint8_t{2}}) {
+    EXPECT_NO_THROW(check_gltf(glb(version, 2, "{}"), "a.gltf"));
+    EXPECT_EQ(gltf(glb(version, 2, "[]")),
+              "a.gltf:1: is not valid JSON: it must be an object, {...}");
+  }
+  // Assimp refuses what is cut off.
+  EXPECT_NO_THROW(check_gltf(glb(2, 44, "{}"), "a.gltf"));
+  EXPECT_NO_THROW(check_gltf(glb(2, 2, "{}").substr(0, 19), "a.gltf"));
 }
 
 }  // namespace

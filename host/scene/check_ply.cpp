@@ -1,9 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include <bit>
-#include <cmath>
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <map>
 
 #include "host/scene/check_file.h"
@@ -14,178 +13,155 @@ namespace dynrt::host {
 
 namespace {
 
-// Bytes of each of the format's types, by both of its names; whether it is read as an integer.
-struct Type {
-  unsigned bytes;
-  bool is_signed, is_float;
-};
-const std::map<std::string_view, Type> kTypes = {
-    {"char", {1, true, false}},    {"int8", {1, true, false}},    {"uchar", {1, false, false}},
-    {"uint8", {1, false, false}},  {"short", {2, true, false}},   {"int16", {2, true, false}},
-    {"ushort", {2, false, false}}, {"uint16", {2, false, false}}, {"int", {4, true, false}},
-    {"int32", {4, true, false}},   {"uint", {4, false, false}},   {"uint32", {4, false, false}},
-    {"float", {4, true, true}},    {"float32", {4, true, true}},  {"double", {8, true, true}},
-    {"float64", {8, true, true}}};
+/// Bytes of each of the format's types, by both of its names.
+const std::map<std::string_view, unsigned> kBytes = {
+    {"char", 1},   {"int8", 1},    {"uchar", 1},  {"uint8", 1},  {"short", 2}, {"int16", 2},
+    {"uint16", 2}, {"ushort", 2},  {"int", 4},    {"int32", 4},  {"uint", 4},  {"uint32", 4},
+    {"float", 4},  {"float32", 4}, {"double", 8}, {"float64", 8}};
 
 struct Property {
-  Type type;
-  bool is_list = false;
-  Type count{};  // of a list
-  bool is_vertex_index = false;
+  unsigned bytes = 0;
+  unsigned count_bytes = 0;  // of the number that begins a list; 0: no list
 };
 
 struct Element {
-  std::string name;
+  std::string_view name;
   long long count = 0;
   std::vector<Property> properties;
 };
 
 class PlyCheck {
  public:
-  PlyCheck(std::string_view text, const std::string& path) : text_(text), path_(path) {}
+  PlyCheck(std::string_view text, const std::string& path)
+      : text_(text), rest_(text), path_(path) {}
 
-  void run() {
+  /// Where the data begin.
+  std::size_t run() {
     header();
+    const std::size_t data = text_.size() - rest_.size();
     for (const Element& element : elements_) {
-      if (element.properties.empty()) wording::fail(wording::kPlyNoProperty, path_, element.name);
+      if (element.properties.empty()) continue;
       for (long long i = 0; i < element.count; ++i) {
-        const bool whole = ascii_ ? line_element(element, i) : binary_element(element, i);
+        const bool whole = ascii_ ? line_of(element) : bytes_of(element);
         if (!whole) wording::fail(wording::kPlyCutOff, path_, element.count, element.name, i);
       }
     }
+    return data;
   }
+
+  bool is_ascii() const { return ascii_; }
 
  private:
   std::string_view next_line() {
     ++line_;
-    return trim(take_until(text_, '\n'));
+    return trim(take_until(rest_, '\n'));
   }
 
   void header() {
-    if (next_line() != "ply") wording::fail(wording::kPlyMagic, path_);
-    bool has_format = false;
     for (;;) {
-      if (text_.empty()) wording::fail(wording::kPlyHeaderEnds, path_);
+      if (rest_.empty()) wording::fail(wording::kPlyHeaderEnds, path_);
       const std::string_view line = next_line();
-      std::string_view rest = line;
-      const std::string_view keyword = take_word(rest);
-      if (keyword == "end_header") break;
-      bool good = keyword.empty() || keyword == "comment" || keyword == "obj_info";
-      if (keyword == "format") good = has_format = format(take_word(rest));
-      if (keyword == "element") good = element(rest);
-      if (keyword == "property" && !elements_.empty()) good = property(rest);
+      std::string_view words = line;
+      const std::string_view keyword = take_word(words);
+      if (keyword == "end_header") return;
+      const bool good = keyword == "format"     ? format(take_word(words))
+                        : keyword == "element"  ? element(words)
+                        : keyword == "property" ? property(words)
+                                                : true;
       if (!good) wording::fail(wording::kPlyHeader, path_, line_, line.substr(0, 60));
     }
-    if (!has_format) wording::fail(wording::kPlyNoFormat, path_);
   }
 
   bool format(std::string_view name) {
     ascii_ = name == "ascii";
-    swap_ = name == "binary_big_endian";
-    return ascii_ || swap_ || name == "binary_little_endian";
+    big_endian_ = name == "binary_big_endian";
+    return ascii_ || big_endian_ || name == "binary_little_endian";
   }
 
-  bool element(std::string_view rest) {
-    const std::string_view name = take_word(rest);
-    const auto count = to_integer(take_word(rest));
+  bool element(std::string_view words) {
+    const std::string_view name = take_word(words);
+    const auto count = to_integer(take_word(words));
     if (name.empty() || !count || *count < 0) return false;
-    elements_.push_back({std::string(name), *count, {}});
-    if (name == "vertex") vertices_ = *count;
+    elements_.push_back({name, *count, {}});
     return true;
   }
 
-  bool property(std::string_view rest) {
+  bool property(std::string_view words) {
+    if (elements_.empty()) return false;
     Property property;
-    std::string_view type = take_word(rest);
+    std::string_view type = take_word(words);
     if (type == "list") {
-      property.is_list = true;
-      const auto count = kTypes.find(take_word(rest));
-      if (count == kTypes.end() || count->second.is_float) return false;
-      property.count = count->second;
-      type = take_word(rest);
+      const std::string_view count = take_word(words);
+      if (!kBytes.contains(count) || count.starts_with("float") || count == "double") return false;
+      property.count_bytes = kBytes.at(count);
+      type = take_word(words);
     }
-    const auto found = kTypes.find(type);
-    const std::string_view name = take_word(rest);
-    if (found == kTypes.end() || name.empty()) return false;
-    property.type = found->second;
-    property.is_vertex_index =
-        property.is_list && (name == "vertex_indices" || name == "vertex_index");
+    if (!kBytes.contains(type) || take_word(words).empty()) return false;
+    property.bytes = kBytes.at(type);
     elements_.back().properties.push_back(property);
     return true;
   }
 
-  void check_index(double index, long long face) const {
-    if (!(index >= 0.0 && index < static_cast<double>(vertices_))) {
-      wording::fail(wording::kPlyIndex, path_, face, index, vertices_);
-    }
-  }
-
-  // One line, one element: how every writer does it and Assimp expects it. False at the file's end.
-  bool line_element(const Element& element, long long i) {
+  /// One element is one line, as Assimp expects it. False at the file's end.
+  bool line_of(const Element& element) {
     std::string_view line;
     do {
-      if (text_.empty()) return false;
+      if (rest_.empty()) return false;
       line = next_line();
     } while (line.empty());
     for (const Property& property : element.properties) {
-      const double n = property.is_list ? word(line, element) : 1.0;
-      for (double k = 0; k < n; ++k) {
-        const double value = word(line, element);
-        if (property.is_vertex_index) check_index(value, i);
+      double numbers = 1.0;
+      if (property.count_bytes > 0) {
+        const auto count = to_number(take_word(line));
+        if (!count) wording::fail(wording::kPlyShort, path_, line_, element.name);
+        numbers = *count;
+      }
+      for (double k = 0.0; k < numbers; ++k) {
+        if (take_word(line).empty()) wording::fail(wording::kPlyShort, path_, line_, element.name);
       }
     }
     return true;
   }
 
-  double word(std::string_view& line, const Element& element) const {
-    const std::string_view text = take_word(line);
-    const auto number = to_number(text);
-    if (!number) wording::fail(wording::kPlyNumber, path_, line_, text.substr(0, 40), element.name);
-    return *number;
-  }
-
-  bool binary_element(const Element& element, long long i) {
+  bool bytes_of(const Element& element) {
     for (const Property& property : element.properties) {
-      double n = 1.0;
-      if (property.is_list && !binary(property.count, n)) return false;
-      for (double k = 0; k < n; ++k) {
-        double value = 0.0;
-        if (!binary(property.type, value)) return false;
-        if (property.is_vertex_index) check_index(value, i);
+      uint64_t numbers = 1;
+      if (property.count_bytes > 0) {
+        if (rest_.size() < property.count_bytes) return false;
+        numbers = unsigned_number(property.count_bytes);
+        rest_.remove_prefix(property.count_bytes);
       }
+      if (numbers > rest_.size() / property.bytes) return false;
+      rest_.remove_prefix(numbers * property.bytes);
     }
     return true;
   }
 
-  bool binary(Type type, double& value) {
-    if (text_.size() < type.bytes) return false;
-    uint64_t bits = 0;
-    for (unsigned b = 0; b < type.bytes; ++b) {
-      const unsigned place = swap_ ? type.bytes - 1 - b : b;
-      bits |= static_cast<uint64_t>(static_cast<unsigned char>(text_[b])) << (8 * place);
+  uint64_t unsigned_number(unsigned bytes) const {
+    uint64_t number = 0;
+    for (unsigned b = 0; b < bytes; ++b) {
+      const unsigned place = big_endian_ ? bytes - 1 - b : b;
+      number |= static_cast<uint64_t>(static_cast<unsigned char>(rest_[b])) << (8 * place);
     }
-    text_.remove_prefix(type.bytes);
-    if (type.is_float) {
-      value = type.bytes == 4 ? std::bit_cast<float>(static_cast<uint32_t>(bits))
-                              : std::bit_cast<double>(bits);
-    } else {
-      const unsigned spare = 64 - 8 * type.bytes;
-      value = type.is_signed ? static_cast<double>(static_cast<int64_t>(bits << spare) >> spare)
-                             : static_cast<double>(bits);
-    }
-    return true;
+    return number;
   }
 
-  std::string_view text_;
+  const std::string_view text_;
+  std::string_view rest_;
   const std::string& path_;
   long line_ = 0;
-  bool ascii_ = false, swap_ = false;
-  long long vertices_ = 0;
+  bool ascii_ = false, big_endian_ = false;
   std::vector<Element> elements_;
 };
 
 }  // namespace
 
-void check_ply(std::string_view text, const std::string& path) { PlyCheck(text, path).run(); }
+std::string mended_ply(std::string text, const std::string& path) {
+  PlyCheck check(text, path);
+  const std::size_t data = check.run();
+  const bool newline_alone = text[data - 1] == '\n' && text[data - 2] != '\r';
+  if (newline_alone && !check.is_ascii()) text.insert(data - 1, 1, '\r');
+  return text;
+}
 
 }  // namespace dynrt::host

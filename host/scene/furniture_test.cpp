@@ -133,7 +133,7 @@ TEST(Furniture, NamesWhatIsWrongInALibrary) {
             ": is not a readable zip library (a/a.obj is missing); reinstall the package "
             "sweethome3d-furniture");
   EXPECT_EQ(error({{catalogue, entry + "depth#1=10\n"}, {"a/a.obj", "v 0 0 0\nf 1 2 3\n"}}),
-            ":a/a.obj:2: the face uses vertex 3, but the file has 1 vertices");
+            ":a/a.obj: is not a valid OBJ file: OBJ: vertex index out of range");
 }
 
 TEST(Furniture, NamesALibraryThatIsBroken) {

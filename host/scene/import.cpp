@@ -3,12 +3,17 @@
 #include "host/scene/import.h"
 
 #include <assimp/DefaultIOSystem.h>
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/LogStream.hpp>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <glm/geometric.hpp>
@@ -17,6 +22,8 @@
 
 #include "host/scene/assimp_scene.h"
 #include "host/scene/check_file.h"
+#include "host/scene/memory_files.h"
+#include "host/scene/text_encoding.h"
 #include "host/scene/text_lines.h"
 #include "host/scene/wording.h"
 
@@ -40,8 +47,8 @@ std::string one_sentence(std::string text) {
   return text.empty() ? "no reason given" : text;
 }
 
-// Assimp leaves out glTF faces whose vertices do not exist and only says so in its log. Its logger
-// is one for the whole process; this listens to it for one import.
+/// Assimp leaves out glTF faces whose vertices do not exist and only says so in its log. Its logger
+/// is one for the whole process; this listens to it for one import.
 class DroppedFaces {
  public:
   DroppedFaces() {
@@ -68,7 +75,7 @@ class DroppedFaces {
   Listener listener_;
 };
 
-// Before Assimp cuts up the faces: its triangulation ends the program on what it does not expect.
+/// Before Assimp cuts up the faces: its triangulation ends the program on what it does not expect.
 void check_mesh(const aiMesh& mesh, const std::string& label) {
   const std::string name = mesh.mName.C_Str();
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
@@ -80,11 +87,19 @@ void check_mesh(const aiMesh& mesh, const std::string& label) {
   for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
     const aiFace& face = mesh.mFaces[f];
     if (face.mNumIndices == 0) wording::fail(wording::kFaceEmpty, label, name, f);
+    for (unsigned k = 0; k < face.mNumIndices; ++k) {
+      if (face.mIndices[k] < mesh.mNumVertices) continue;
+      wording::fail(wording::kFaceRange, label, name, f, face.mIndices[k], mesh.mNumVertices);
+    }
   }
 }
 
-Scene convert(Assimp::Importer& importer, const std::string& path, const std::string& label,
-              bool flat, const char* format) {
+/// What Assimp made of a file's content. `format` is what messages call its format.
+const aiScene& read(Assimp::Importer& importer, const std::string& path, const std::string& label,
+                    const std::string& format) {
+  // Else Assimp puts nodes of its own between those of an FBX file, and draws skeletons.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   const aiScene* scene = nullptr;
   std::string reason;
   const DroppedFaces dropped_faces;
@@ -94,6 +109,9 @@ Scene convert(Assimp::Importer& importer, const std::string& path, const std::st
   } catch (const std::exception& error) {
     reason = error.what();
   }
+  if (scene == nullptr && reason.starts_with("No suitable reader")) {
+    wording::fail(wording::kNotOfFormat, label, format);
+  }
   if (scene == nullptr) wording::fail(wording::kRejected, label, format, one_sentence(reason));
   if (dropped_faces.any()) wording::fail(wording::kFacesDropped, label);
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) check_mesh(*scene->mMeshes[m], label);
@@ -102,7 +120,37 @@ Scene convert(Assimp::Importer& importer, const std::string& path, const std::st
   if (scene == nullptr || scene->mRootNode == nullptr) {
     wording::fail(wording::kRejected, label, format, one_sentence(importer.GetErrorString()));
   }
-  Scene result = convert_assimp(*scene, label, flat);
+  return *scene;
+}
+
+/// A path's extension in small letters, with its point.
+std::string extension_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+bool is_gltf(std::string_view extension) { return extension == ".gltf" || extension == ".glb"; }
+
+/// What people call the format: OBJ, 3DS, glTF.
+std::string format_of(std::string_view extension) {
+  if (is_gltf(extension)) return "glTF";
+  std::string name(extension.substr(1));
+  for (char& c : name) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return name;
+}
+
+AssimpForm form_of(std::string_view extension) {
+  constexpr std::array<std::string_view, 4> kOfOneMesh = {".obj", ".ply", ".stl", ".off"};
+  if (is_gltf(extension)) return AssimpForm::kGltf;
+  return std::ranges::find(kOfOneMesh, extension) == kOfOneMesh.end() ? AssimpForm::kNodes
+                                                                      : AssimpForm::kOneMesh;
+}
+
+Scene convert(Assimp::Importer& importer, const std::string& path, const std::string& label) {
+  const std::string extension = extension_of(path);
+  const aiScene& scene = read(importer, path, label, format_of(extension));
+  Scene result = convert_assimp(scene, label, form_of(extension));
   if (result.instances.empty()) {
     wording::fail(wording::kNoTriangles, label, result.dropped.zero_area_triangles,
                   result.dropped.points_and_lines);
@@ -110,7 +158,7 @@ Scene convert(Assimp::Importer& importer, const std::string& path, const std::st
   return result;
 }
 
-// An importer deletes its file system at its end, unless it has got another one by then.
+/// An importer deletes its file system at its end, unless it has got another one by then.
 class Lend {
  public:
   Lend(Assimp::Importer& importer, Assimp::IOSystem& files) : importer_(importer) {
@@ -124,7 +172,7 @@ class Lend {
   Assimp::Importer& importer_;
 };
 
-// A material file that is not there costs colours, not the picture.
+/// A material file that is not there costs colours, not the picture.
 void note_missing(const std::vector<std::string>& material_files, Assimp::IOSystem& files,
                   const std::string& path, const std::string& label, Scene& scene) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
@@ -152,34 +200,46 @@ void require_inverse(const Instance& instance, const std::string& label) {
   }
 }
 
+std::vector<std::string> assimp_extensions() {
+  aiString list;  // "*.3ds;*.obj;..."
+  Assimp::Importer().GetExtensionList(list);
+  std::vector<std::string> extensions;
+  std::string_view rest = list.C_Str();
+  while (!rest.empty()) extensions.emplace_back(take_until(rest, ';').substr(1));
+  std::ranges::sort(extensions);
+  return extensions;
+}
+
 Scene import_obj(Assimp::IOSystem& files, const std::string& path, const std::string& text,
                  const std::string& label) {
-  const std::vector<std::string> material_files = check_obj(text, label);
+  const std::string utf8 = to_utf8(text);
+  const std::vector<std::string> material_files = check_obj(utf8, label);
+  OneFileReplaced decoded(files, path, utf8);
   Assimp::Importer importer;
-  const Lend lend(importer, files);
-  Scene scene = convert(importer, path, label, true, "OBJ");
+  const Lend lend(importer, decoded);
+  Scene scene = convert(importer, path, label);
   note_missing(material_files, files, path, label, scene);
   return scene;
 }
 
 Scene import_file(const std::string& path) {
-  const std::string text = read_file(path);
-  std::string extension = std::filesystem::path(path).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  if (extension == ".obj") {
-    Assimp::DefaultIOSystem disk;
-    return import_obj(disk, path, text, path);
+  const std::string extension = extension_of(path);
+  const std::vector<std::string> known = assimp_extensions();
+  if (std::ranges::find(known, extension) == known.end()) {
+    wording::fail(wording::kExtension, path, extension, fmt::format("{}", fmt::join(known, ", ")));
   }
+  Assimp::DefaultIOSystem disk;
   Assimp::Importer importer;
+  if (extension == ".obj") return import_obj(disk, path, read_file(path), path);
   if (extension == ".ply") {
-    check_ply(text, path);
-    return convert(importer, path, path, true, "PLY");
+    const std::string text = mended_ply(read_file(path), path);
+    OneFileReplaced mended(disk, path, text);
+    const Lend lend(importer, mended);
+    return convert(importer, path, path);
   }
-  if (extension == ".gltf" || extension == ".glb") {
-    check_gltf(text, path);
-    return convert(importer, path, path, false, "glTF");
-  }
-  wording::fail(wording::kExtension, path, extension);
+  require_file(path);
+  if (is_gltf(extension)) check_gltf(read_file(path), path);
+  return convert(importer, path, path);
 }
 
 }  // namespace dynrt::host

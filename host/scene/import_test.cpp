@@ -124,13 +124,14 @@ TEST(Import, RefusesWhatIsNoSceneFile) {
     const std::string path = folder.write(name, "");
     EXPECT_EQ(load_error(path), path + ": the file is empty");
   }
-  const std::string stl = folder.write("a.stl", "solid a\n");
-  EXPECT_EQ(load_error(stl), stl +
-                                 ": the extension '.stl' is not known; scenes are .obj, .ply, "
-                                 ".gltf, .glb, .bsp, .pk3 or .json files");
+  const std::string letter = folder.write("a.doc", "Dear reader\n");
+  EXPECT_EQ(load_error(letter).find(letter +
+                                    ": the extension '.doc' is not known; scenes are .json, .bsp "
+                                    "and .pk3 files and those that Assimp reads: .3d, .3ds, "),
+            0u);
   std::filesystem::create_directory(folder.path("d.obj"));
   EXPECT_EQ(load_error(folder.path("d.obj")),
-            folder.path("d.obj") + ": is not a file; give an OBJ, PLY, glTF, GLB, BSP or PK3 file");
+            folder.path("d.obj") + ": is not a file; give the path of one");
   const std::string short_obj = folder.write("s.obj", "v 1 2 3\n");
   EXPECT_EQ(load_error(short_obj), short_obj + ": is not a valid OBJ file: OBJ-file is too small");
 }
@@ -140,6 +141,24 @@ TEST(Import, RefusesAFaceWithoutVertices) {
   const std::string path =
       folder.write("a.ply", replaced(read_file(test_data("tetrahedron.ply")), "3 0 1 3", "0"));
   EXPECT_EQ(load_error(path), path + ": mesh '', face 1: has no vertices; it needs three");
+}
+
+TEST(Import, RefusesAFaceWhoseVertexIsMissing) {
+  const TestFolder folder;
+  const std::string text = read_file(test_data("tetrahedron.ply"));
+  for (const char* face : {"3 0 1 4", "3 0 1 -1"}) {
+    const std::string path = folder.write("a.ply", replaced(text, "3 0 1 3", face));
+    const std::string index = std::string(face).ends_with("4") ? "4" : "4294967295";
+    EXPECT_EQ(load_error(path),
+              path + ": mesh '', face 1: uses vertex " + index + ", but the mesh has 4 vertices");
+  }
+}
+
+TEST(Import, RefusesAVertexThatIsNotFinite) {
+  const TestFolder folder;
+  const std::string path = folder.write("a.obj", "v 0 nan 1\nv 0 0 0\nv 1 0 0\nf 1 2 3\n");
+  EXPECT_EQ(load_error(path),
+            path + ": mesh 'defaultobject', vertex 0: the position (0, nan, 1) is not finite");
 }
 
 TEST(Import, SaysWhyAFileCannotBeRead) {

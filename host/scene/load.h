@@ -1,9 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The one way into a scene: a built-in name (scenes/NAME.json) or the path of an OBJ, PLY, glTF or
-// GLB file, of a Quake 3 map (FILE.bsp, or FILE.pk3:NAME for one of a package) or of a description
-// like those in scenes/. Throws UserError for anything wrong with it.
+// The one way into a scene: a built-in name (scenes/NAME.json) or the path of a file that Assimp
+// reads (OBJ, PLY, STL, glTF, COLLADA, FBX and some forty others), of a Quake 3 map (FILE.bsp, or
+// FILE.pk3:NAME for one of a package) or of a description like those in scenes/. Throws UserError
+// for anything wrong with it.
 #ifndef DYNRT_HOST_SCENE_LOAD_H_
 #define DYNRT_HOST_SCENE_LOAD_H_
 

@@ -18,18 +18,22 @@ using Text = const char[];
 inline constexpr Text kUnknownScene =
     "there is no scene '{}': give a built-in name ({}) or the path of a file";
 inline constexpr Text kUnreadable = "{}: cannot be read ({})";
-inline constexpr Text kNotAFile = "{}: is not a file; give an OBJ, PLY, glTF, GLB, BSP or PK3 file";
+inline constexpr Text kNotAFile = "{}: is not a file; give the path of one";
 inline constexpr Text kEmptyFile = "{}: the file is empty";
 inline constexpr Text kExtension =
-    "{}: the extension '{}' is not known; scenes are .obj, .ply, .gltf, .glb, .bsp, .pk3 or "
-    ".json files";
+    "{}: the extension '{}' is not known; scenes are .json, .bsp and .pk3 files and those that "
+    "Assimp reads: {}";
 inline constexpr Text kRejected = "{}: is not a valid {} file: {}";
+inline constexpr Text kNotOfFormat =
+    "{}: is not a valid {} file: its content is of another format, or cut off";
 
 // What an import gives
 inline constexpr Text kVertexNotFinite =
     "{}: mesh '{}', vertex {}: the position ({}, {}, {}) is not finite";
 inline constexpr Text kFacesDropped =
     "{}: has faces that use vertices which their mesh does not have";
+inline constexpr Text kFaceRange =
+    "{}: mesh '{}', face {}: uses vertex {}, but the mesh has {} vertices";
 inline constexpr Text kFaceEmpty = "{}: mesh '{}', face {}: has no vertices; it needs three";
 inline constexpr Text kNoInverse =
     "{}: node '{}': its transform has no inverse; no axis may be scaled to zero and the three must "
@@ -67,38 +71,27 @@ inline constexpr Text kAnimations = "{}: has {} animations, of which only the fi
 inline constexpr Text kLightNotPoint = "{}: light '{}' is not a point light and was left out";
 inline constexpr Text kCameraNotPerspective =
     "{}: camera '{}' is not a perspective camera and was left out";
+inline constexpr Text kCameraAngle =
+    "{}: the angle of camera '{}' is not read, as the camera has no name; it is taken as {} "
+    "degrees";
 inline constexpr Text kNoMaterialFile =
     "{}: the material file '{}' is not there, so its materials are grey";
 
 // OBJ, by line
-inline constexpr Text kObjKeyword = "{}:{}: '{}' is not a statement of an OBJ file";
 inline constexpr Text kObjVertex = "{}:{}: a vertex needs three numbers, not '{}'";
-inline constexpr Text kObjVertexNotFinite =
-    "{}:{}: vertex {} is not finite: '{}' is outside the range of single precision";
 inline constexpr Text kObjFaceShort =
     "{}:{}: a face needs at least three vertices, this one has {}";
-inline constexpr Text kObjFaceIndex = "{}:{}: '{}' is not a vertex of a face";
-inline constexpr Text kObjFaceRange =
-    "{}:{}: the face uses vertex {}, but the file has {} vertices";
 
 // PLY
-inline constexpr Text kPlyMagic = "{}: is not a valid PLY file: it must begin with 'ply'";
 inline constexpr Text kPlyHeader = "{}:{}: '{}' is not a line of a PLY header";
 inline constexpr Text kPlyHeaderEnds =
     "{}: the PLY header has no 'end_header'; the file seems cut off";
-inline constexpr Text kPlyNoFormat = "{}: the PLY header has no 'format' line";
-inline constexpr Text kPlyNoProperty =
-    "{}: the PLY header gives element '{}' no property; it needs at least one";
 inline constexpr Text kPlyCutOff =
     "{}: the PLY header announces {} of element '{}', but the file ends after {}; it seems cut off";
-inline constexpr Text kPlyNumber = "{}:{}: '{}' is not a number of element '{}'";
-inline constexpr Text kPlyIndex = "{}: face {} uses vertex {}, but the file has {} vertices";
+inline constexpr Text kPlyShort =
+    "{}:{}: the line has fewer numbers than element '{}' has properties";
 
 // glTF
-inline constexpr Text kGlbMagic =
-    "{}: is not a valid GLB file: it must begin with 'glTF', version 2 and a JSON chunk";
-inline constexpr Text kGlbCutOff =
-    "{}: the GLB header announces {} bytes, but the file has {}; it seems cut off";
 inline constexpr Text kNodesDeep =
     "{}: node '{}' lies more than {} levels deep or inside itself; flatten the node graph";
 

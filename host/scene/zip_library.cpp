@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/scene/zip_library.h"
 
-#include <assimp/MemoryIOWrapper.h>
-
 #include <filesystem>
 
+#include "host/scene/memory_files.h"
 #include "host/scene/wording.h"
 
 namespace dynrt::host {
@@ -13,20 +12,6 @@ namespace dynrt::host {
 namespace {
 
 constexpr zip_uint64_t kLargest = 1u << 30;  // a model beyond a gigabyte is none of ours
-
-// Owns what it gives out.
-class TextStream : public Assimp::MemoryIOStream {
- public:
-  explicit TextStream(std::string text)
-      : TextStream(std::make_unique<std::string>(std::move(text))) {}
-
- private:
-  explicit TextStream(std::unique_ptr<std::string> text)
-      : MemoryIOStream(reinterpret_cast<const uint8_t*>(text->data()), text->size()),
-        text_(std::move(text)) {}
-
-  std::unique_ptr<std::string> text_;
-};
 
 // Assimp asks for files of the folder "a/b" as "a/b/c" or "a/b/./c".
 std::string normal(const std::string& name) {
@@ -79,7 +64,7 @@ bool ZipLibrary::Exists(const char* name) const {
 
 Assimp::IOStream* ZipLibrary::Open(const char* name, const char* /*mode*/) {
   std::optional<std::string> text = read(name);
-  return text ? new TextStream(std::move(*text)) : nullptr;
+  return text ? new OwnedStream(std::move(*text)) : nullptr;
 }
 
 void ZipLibrary::Close(Assimp::IOStream* stream) { delete stream; }
