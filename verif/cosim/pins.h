@@ -16,6 +16,8 @@
 #include <map>
 #include <string>
 
+#include "hls/port_kind.h"
+
 namespace dynrt::cosim {
 
 /// A pin of any width, as 32-bit words, lowest first. Verilator holds a pin of up to 64 bits in an
@@ -83,7 +85,7 @@ class Pin {
   unsigned bytes_ = 0;
 };
 
-enum class PortKind { kIn, kOut, kRamRead, kRamWrite, kConfig };
+using hls::PortKind;
 
 /// One port of the Verilated unit; which pins it has depends on its kind.
 struct PortPins {

@@ -13,33 +13,10 @@
 
 #include "error.h"
 #include "frontend/messages.h"
-#include "frontend/prepare.h"
+#include "frontend/port_access.h"
 
 namespace hlsc {
 namespace {
-
-enum class AccessKind { kGet, kPut, kRowGet, kTokenCommit, kRowCommit };
-
-AccessKind access_kind(const llvm::Function& callee) {
-  const llvm::StringRef name = callee.getName();
-  if (name.contains("8leaf_get")) return AccessKind::kGet;
-  if (name.contains("8leaf_put")) return AccessKind::kPut;
-  if (name.contains("7row_get")) return AccessKind::kRowGet;
-  return name.contains("12token_commit") ? AccessKind::kTokenCommit : AccessKind::kRowCommit;
-}
-
-/// The width among the template arguments of leaf_get<W>, row_get<W, A>, row_commit<A>, as its name
-/// is mangled: the ABI passes an integer of 34 bits as one of 64, so the types do not tell.
-unsigned template_width(const llvm::CallInst& call, unsigned index) {
-  llvm::StringRef name = call.getCalledFunction()->getName();
-  unsigned width = 0;
-  for (unsigned i = 0; i <= index; ++i) {
-    name = name.substr(name.find("Lj") + 2);
-    width = 0;
-    name.consumeInteger(10, width);
-  }
-  return width;
-}
 
 class ChannelLowering {
  public:
@@ -56,7 +33,7 @@ class ChannelLowering {
       for (llvm::Instruction& instruction : *block) {
         auto* call = llvm::dyn_cast<llvm::CallInst>(&instruction);
         const llvm::Function* callee = call ? call->getCalledFunction() : nullptr;
-        if (callee && is_port_access(*callee)) calls.push_back(call);
+        if (callee && port_access(*callee)) calls.push_back(call);
       }
     }
     for (llvm::CallInst* call : calls) {
@@ -88,6 +65,9 @@ class ChannelLowering {
     throw Error(lines_.of(call), messages::kPortPointer);
   }
 
+  static PortAccessInfo access(const llvm::CallInst& call) {
+    return *port_access(*call.getCalledFunction());
+  }
   static unsigned constant_argument(const llvm::CallInst& call, unsigned index) {
     return static_cast<unsigned>(
         llvm::cast<llvm::ConstantInt>(call.getArgOperand(index))->getZExtValue());
@@ -126,22 +106,22 @@ class ChannelLowering {
     llvm::IRBuilder<> builder(&call);
     builder_ = &builder;
     const unsigned port = port_of(call);
-    switch (access_kind(*call.getCalledFunction())) {
-      case AccessKind::kGet:
+    switch (access(call).access) {
+      case hls::PortAccess::kGetLeaf:
         return get(call, port);
-      case AccessKind::kPut: {
+      case hls::PortAccess::kPutLeaf: {
         const Endpoint bits{EndpointKind::kWriteBits, port, constant_argument(call, 1)};
-        set(bits, call.getArgOperand(2), template_width(call, 0));
+        set(bits, call.getArgOperand(2), access(call).leaf_width);
         return;
       }
-      case AccessKind::kRowGet:
+      case hls::PortAccess::kGetRowLeaf:
         return row_get(call, port);
-      case AccessKind::kTokenCommit:
+      case hls::PortAccess::kCommitToken:
         refuse_if_set(flag(EndpointKind::kWriteEnable, port), call, messages::kOutTwice,
                       name(port));
         builder.CreateStore(builder.getTrue(), flag(EndpointKind::kWriteEnable, port));
         return;
-      case AccessKind::kRowCommit:
+      case hls::PortAccess::kCommitRow:
         return row_commit(call, port);
     }
   }
@@ -152,7 +132,7 @@ class ChannelLowering {
   }
   /// Replaces a call by the source that it reads.
   void replace(llvm::CallInst& call, Endpoint source) {
-    llvm::Value* value = builder_->CreateCall(t_.source(source, template_width(call, 0)));
+    llvm::Value* value = builder_->CreateCall(t_.source(source, access(call).leaf_width));
     call.replaceAllUsesWith(builder_->CreateZExt(value, call.getType()));
   }
 
@@ -193,7 +173,7 @@ class ChannelLowering {
                       name(port));
       }
       builder_->CreateStore(builder_->getTrue(), enable);
-      set({EndpointKind::kReadAddress, port}, address, template_width(call, 1));
+      set({EndpointKind::kReadAddress, port}, address, access(call).address_width);
     }
     replace(call, {EndpointKind::kRow, port, low});
   }
@@ -216,7 +196,7 @@ class ChannelLowering {
     auto* enable = flag(EndpointKind::kWriteEnable, port);
     refuse_if_set(enable, call, messages::kRowWrittenTwice, name(port));
     builder_->CreateStore(builder_->getTrue(), enable);
-    set({EndpointKind::kWriteAddress, port}, address, template_width(call, 0));
+    set({EndpointKind::kWriteAddress, port}, address, access(call).address_width);
   }
 
   /// Every In is read, and on every path.

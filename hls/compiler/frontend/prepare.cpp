@@ -13,6 +13,7 @@
 #include "error.h"
 #include "frontend/compile_unit.h"
 #include "frontend/messages.h"
+#include "frontend/port_access.h"
 
 namespace hlsc {
 namespace {
@@ -81,16 +82,6 @@ llvm::Constant* initial_value(const Transaction& transaction, const RegisterMemb
 
 }  // namespace
 
-bool is_port_access(const llvm::Function& function) {
-  const llvm::StringRef name = function.getName();
-  for (const char* prefix :
-       {"_ZN3hls7lowered8leaf_get", "_ZN3hls7lowered8leaf_put", "_ZN3hls7lowered7row_get",
-        "_ZN3hls7lowered12token_commit", "_ZN3hls7lowered10row_commit"}) {
-    if (name.starts_with(prefix)) return true;
-  }
-  return false;
-}
-
 void detach_from_target(llvm::Module& module) {
   module.setDataLayout(without_native_widths(module.getDataLayoutStr()));
   module.setTargetTriple("");
@@ -103,7 +94,7 @@ void detach_from_target(llvm::Module& module) {
     for (unsigned i = 0; i < function.arg_size(); ++i) {
       function.removeParamAttr(i, llvm::Attribute::NoUndef);
     }
-    if (is_port_access(function)) declare_port_access(function);
+    if (port_access(function)) declare_port_access(function);
     if (function.isDeclaration()) continue;
     function.removeFnAttr(llvm::Attribute::NoInline);
     function.removeFnAttr(llvm::Attribute::OptimizeNone);
@@ -120,7 +111,7 @@ void detach_from_target(llvm::Module& module) {
       } else if (auto* call = llvm::dyn_cast<llvm::CallBase>(&instruction)) {
         strip_call_attributes(*call);
         const llvm::Function* callee = call->getCalledFunction();
-        if (callee && is_port_access(*callee)) call->addFnAttr(llvm::Attribute::NoMerge);
+        if (callee && port_access(*callee)) call->addFnAttr(llvm::Attribute::NoMerge);
       }
     }
   }

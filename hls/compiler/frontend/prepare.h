@@ -31,7 +31,4 @@ void refuse_uninitialised(const Transaction& transaction, const SourceLines& lin
 /// body, calls through pointers, floating point, global variables.
 void refuse_after_inlining(const Transaction& transaction, const SourceLines& lines);
 
-/// True for the undefined functions of hls/lowered/hls/ports.h.
-bool is_port_access(const llvm::Function& function);
-
 }  // namespace hlsc

@@ -10,6 +10,7 @@
 #include "frontend/indexing.h"
 #include "frontend/messages.h"
 #include "frontend/passes.h"
+#include "frontend/port_access.h"
 #include "frontend/prepare.h"
 #include "frontend/retype_locals.h"
 #include "frontend/transaction.h"
@@ -53,6 +54,7 @@ UnitNetlist read_unit(const UnitSource& source) {
   const SourceLines lines(source.folders);
   Passes passes;
 
+  keep_annotations(*t.module);
   t.layout = read_layout(*t.module, lines);
   refuse_before_inlining(*t.module, lines);
   detach_from_target(*t.module);

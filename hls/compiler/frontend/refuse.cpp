@@ -10,6 +10,7 @@
 #include "error.h"
 #include "frontend/compile_unit.h"
 #include "frontend/messages.h"
+#include "frontend/port_access.h"
 #include "frontend/prepare.h"
 
 namespace hlsc {
@@ -70,7 +71,7 @@ void refuse_call(const llvm::CallInst& call, const Transaction& transaction,
   if (transaction.endpoint_of(call) || llvm::isa<llvm::IntrinsicInst>(call)) return;
   const llvm::Function* callee = call.getCalledFunction();
   if (!callee) throw Error(lines.of(call), messages::kIndirectCall);
-  if (is_port_access(*callee)) return;
+  if (port_access(*callee)) return;
   const llvm::StringRef name = callee->getName();
   if (name.starts_with("_Zn") || name.starts_with("_Zd") || name == "malloc" || name == "free" ||
       name == "calloc" || name == "realloc") {

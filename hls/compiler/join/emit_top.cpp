@@ -17,6 +17,7 @@ namespace {
 using hls::ChannelKind;
 using hls::ChannelRecord;
 using hls::JoinRecord;
+using hls::PortKind;
 using hls::PortRecord;
 using hls::UnitRecord;
 
@@ -233,7 +234,7 @@ class Top {
   bool waits_for_others(const std::string& port) const {
     const UnitRecord& unit = unit_of(port);
     unsigned inputs = 0;
-    for (const PortRecord& p : unit.ports) inputs += p.kind == "in";
+    for (const PortRecord& p : unit.ports) inputs += p.type.kind == PortKind::kIn;
     return inputs > 1;
   }
   const UnitRecord& unit_of(const std::string& port) const {
@@ -307,27 +308,38 @@ class Top {
     };
     std::string parameters;
     for (const PortRecord& port : unit.ports) {
-      if (port.kind == "out")
-        parameters += depth_parameters(unit.name + "." + port.name, port.name);
+      if (port.type.kind != PortKind::kOut) continue;
+      parameters += depth_parameters(unit.name + "." + port.name, port.name);
     }
     if (!parameters.empty()) parameters = fmt::format(" #({})", parameters.substr(2));
     for (const PortRecord& port : unit.ports) {
       const std::string full = unit.name + "." + port.name;
       const std::string stem = wire(full);
-      if (port.kind == "in") {
-        pin(port.name + "_valid_i", stem + "_valid");
-        pin(port.name + "_ready_o", stem + "_ready");
-        pin(port.name + "_data_i", stem + "_data");
-      } else if (port.kind == "out") {
-        pin(port.name + "_valid_o", stem + "_valid");
-        pin(port.name + "_ready_i", stem + "_ready");
-        pin(port.name + "_data_o", stem + "_data");
-      } else if (port.kind == "config") {
-        pin(port.name + "_i", values_.at(full));
-      } else {
-        pin(port.name + "_en_o", stem + "_en");
-        pin(port.name + "_addr_o", stem + "_addr");
-        pin(port.name + (port.kind == "ram_read" ? "_data_i" : "_data_o"), stem + "_data");
+      switch (port.type.kind) {
+        case PortKind::kIn:
+          pin(port.name + "_valid_i", stem + "_valid");
+          pin(port.name + "_ready_o", stem + "_ready");
+          pin(port.name + "_data_i", stem + "_data");
+          break;
+        case PortKind::kOut:
+          pin(port.name + "_valid_o", stem + "_valid");
+          pin(port.name + "_ready_i", stem + "_ready");
+          pin(port.name + "_data_o", stem + "_data");
+          break;
+        case PortKind::kConfig:
+          pin(port.name + "_i", values_.at(full));
+          break;
+        case PortKind::kRamRead:
+        case PortKind::kRamWrite: {
+          const bool reads = port.type.kind == PortKind::kRamRead;
+          pin(port.name + "_en_o", stem + "_en");
+          pin(port.name + "_addr_o", stem + "_addr");
+          pin(port.name + (reads ? "_data_i" : "_data_o"), stem + "_data");
+          break;
+        }
+        case PortKind::kRam:
+        case PortKind::kRegisterFile:
+          break;  // inside the unit
       }
     }
     write(

@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "hls/port_kind.h"
+
 namespace hlsc {
 
 using NodeId = std::uint32_t;
@@ -87,8 +89,8 @@ struct Node {
   SourceLine where;
 };
 
-enum class PortKind : std::uint8_t { kIn, kOut, kRam, kRegisterFile, kRamWrite, kRamRead, kConfig };
-enum class Hazard : std::uint8_t { kExclusive, kStale };
+using hls::Hazard;
+using hls::PortKind;
 
 /// A member of the unit: channel end, RAM, RAM end or configuration value.
 struct Port {

@@ -69,34 +69,6 @@ inline std::string netlist_name(std::string name) {
   return name;
 }
 
-template <class T>
-struct PortType {};
-template <class T>
-struct PortType<hls::In<T>> {
-  static constexpr PortKind kKind = PortKind::kIn;
-  using Value = T;
-};
-template <class T>
-struct PortType<hls::Out<T>> {
-  static constexpr PortKind kKind = PortKind::kOut;
-  using Value = T;
-};
-template <class T>
-struct PortType<hls::Config<T>> {
-  static constexpr PortKind kKind = PortKind::kConfig;
-  using Value = T;
-};
-template <class T, unsigned N, unsigned L>
-struct PortType<hls::RamRead<T, N, L>> {
-  static constexpr PortKind kKind = PortKind::kRamRead;
-  using Value = T;
-};
-template <class T, unsigned N>
-struct PortType<hls::RamWrite<T, N>> {
-  static constexpr PortKind kKind = PortKind::kRamWrite;
-  using Value = T;
-};
-
 template <class Unit>
 class Comparison {
  public:
@@ -109,8 +81,8 @@ class Comparison {
   unsigned step() {
     std::vector<Bits> tokens(netlist_.ports.size());
     for_each_port([&]<class P>(P& port, unsigned index) {
-      if constexpr (PortType<P>::kKind == PortKind::kIn) {
-        const auto token = random_token<typename P::Token>(random_);
+      if constexpr (P::kPort.kind == PortKind::kIn) {
+        const auto token = random_token<typename P::Data>(random_);
         port.queue()->push(token);
         tokens[index] = pack(token);
       }
@@ -125,8 +97,8 @@ class Comparison {
   /// Compares what lies in every RAM behind a RamWrite.
   void compare_rows() {
     for_each_port([&]<class P>(P&, unsigned index) {
-      if constexpr (PortType<P>::kKind == PortKind::kRamWrite) {
-        using Value = typename PortType<P>::Value;
+      if constexpr (P::kPort.kind == PortKind::kRamWrite) {
+        using Value = typename P::Data;
         const auto& rows = *std::static_pointer_cast<std::vector<Value>>(rows_[index]);
         for (std::size_t i = 0; i < rows.size(); ++i) {
           EXPECT_TRUE(interpreter_.rows(index)[i] == pack<Value>(rows[i]))
@@ -164,8 +136,8 @@ class Comparison {
 
   template <class P>
   void bind(P& port, unsigned index) {
-    using Value = typename PortType<P>::Value;
-    constexpr PortKind kKind = PortType<P>::kKind;
+    using Value = typename P::Data;
+    constexpr PortKind kKind = P::kPort.kind;
     if constexpr (kKind == PortKind::kIn || kKind == PortKind::kOut) {
       auto queue = std::make_shared<hls::Fifo<Value>>();
       port.bind(queue);
@@ -190,8 +162,8 @@ class Comparison {
 
   template <class P>
   unsigned compare(P&, unsigned index, const std::vector<std::optional<Bits>>& written) {
-    using Value = typename PortType<P>::Value;
-    constexpr PortKind kKind = PortType<P>::kKind;
+    using Value = typename P::Data;
+    constexpr PortKind kKind = P::kPort.kind;
     const std::string& name = netlist_.ports[index].name;
     if constexpr (kKind == PortKind::kOut) {
       auto& queue = *std::static_pointer_cast<hls::Fifo<Value>>(queues_[index]);

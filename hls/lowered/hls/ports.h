@@ -3,24 +3,21 @@
 //
 // The members that a unit is made of, as hlsc sees them: every access becomes calls of undefined
 // functions, leaf by leaf, which hlsc turns into ports. The port's kind, width, rows and latency
-// are the numbers of its base class, where hlsc finds them in the debug info.
+// are the numbers of its base class, where hlsc finds them in the debug info; what a function does
+// on a port, with which widths, stands in its annotation.
 // hls/native/hls/ports.h has the same names for the native model and documents them.
 #pragma once
 
-#include <cstdint>
 #include <type_traits>
 
 #include "hls/fields.h"
+#include "hls/port_kind.h"
 
 #define HLS_PORTS(...)
 
 namespace hls {
 
-enum class Hazard : std::uint8_t { kExclusive, kStale };
-
 namespace lowered {
-
-enum class PortKind : unsigned { kIn, kOut, kRam, kRegisterFile, kRamWrite, kRamRead, kConfig };
 
 /// Kind, token or row width in bits, rows (1 for channels), latency in clocks, hazard policy.
 template <PortKind Kind, unsigned Width, unsigned Rows, unsigned Latency, unsigned Policy>
@@ -28,17 +25,30 @@ class Port {
   char place_ = 0;
 };
 
-// `offset` is the leaf's lowest bit within the token or row.
+/// Says what a function does on a port, how wide the leaf is and how wide the address; 0 where
+/// there is none. The ABI passes an integer of 34 bits as one of 64, so types do not tell.
+#define HLS_PORT_ACCESS(ACCESS, LEAF_WIDTH, ADDRESS_WIDTH)                                      \
+  [[clang::annotate("hls.port_access", static_cast<unsigned>(PortAccess::ACCESS), (LEAF_WIDTH), \
+                    (ADDRESS_WIDTH))]]
+
+/// `offset` is the leaf's lowest bit within the token or row.
 template <unsigned W>
+HLS_PORT_ACCESS(kGetLeaf, W, 0u)
 unsigned _BitInt(W) leaf_get(const void* port, unsigned offset);
 template <unsigned W>
+HLS_PORT_ACCESS(kPutLeaf, W, 0u)
 void leaf_put(const void* port, unsigned offset, unsigned _BitInt(W) value);
 template <unsigned W, unsigned A>
+HLS_PORT_ACCESS(kGetRowLeaf, W, A)
 unsigned _BitInt(W) row_get(const void* port, unsigned _BitInt(A) address, unsigned offset);
 /// Ends the leaf_puts of one written token, or of one written row.
+HLS_PORT_ACCESS(kCommitToken, 0u, 0u)
 void token_commit(const void* port);
 template <unsigned A>
+HLS_PORT_ACCESS(kCommitRow, 0u, A)
 void row_commit(const void* port, unsigned _BitInt(A) address);
+
+#undef HLS_PORT_ACCESS
 
 template <class T>
 T get_token(const void* port) {
@@ -75,16 +85,16 @@ void put_row(const void* port, A address, const T& row) {
 }  // namespace lowered
 
 template <class T>
-class In : lowered::Port<lowered::PortKind::kIn, bit_width_of<T>(), 1, 0, 0> {
+class In : lowered::Port<PortKind::kIn, bit_width_of<T>(), 1, 0, 0> {
  public:
-  using Token = T;
+  using Data = T;
   T read() { return lowered::get_token<T>(this); }
 };
 
 template <class T>
-class Out : lowered::Port<lowered::PortKind::kOut, bit_width_of<T>(), 1, 0, 0> {
+class Out : lowered::Port<PortKind::kOut, bit_width_of<T>(), 1, 0, 0> {
  public:
-  using Token = T;
+  using Data = T;
   void write(const T& token) {
     lowered::put_token(this, token);
     lowered::token_commit(this);
@@ -92,8 +102,7 @@ class Out : lowered::Port<lowered::PortKind::kOut, bit_width_of<T>(), 1, 0, 0> {
 };
 
 template <class T, unsigned N, Hazard H = Hazard::kExclusive>
-class Ram1R1W
-    : lowered::Port<lowered::PortKind::kRam, bit_width_of<T>(), N, 1, static_cast<unsigned>(H)> {
+class Ram1R1W : lowered::Port<PortKind::kRam, bit_width_of<T>(), N, 1, static_cast<unsigned>(H)> {
  public:
   using Address = uint<index_width(N)>;
   T read(Address address) const { return lowered::get_row<T>(this, address); }
@@ -101,7 +110,7 @@ class Ram1R1W
 };
 
 template <class T, unsigned N>
-class RegisterFile : lowered::Port<lowered::PortKind::kRegisterFile, bit_width_of<T>(), N, 0, 0> {
+class RegisterFile : lowered::Port<PortKind::kRegisterFile, bit_width_of<T>(), N, 0, 0> {
  public:
   using Address = uint<index_width(N)>;
   T read(Address address) const { return lowered::get_row<T>(this, address); }
@@ -109,23 +118,23 @@ class RegisterFile : lowered::Port<lowered::PortKind::kRegisterFile, bit_width_o
 };
 
 template <class T, unsigned N>
-class RamWrite : lowered::Port<lowered::PortKind::kRamWrite, bit_width_of<T>(), N, 1, 0> {
+class RamWrite : lowered::Port<PortKind::kRamWrite, bit_width_of<T>(), N, 1, 0> {
  public:
   using Address = uint<index_width(N)>;
   void write(Address address, const T& row) { lowered::put_row(this, address, row); }
 };
 
 template <class T, unsigned N, unsigned Latency = 1>
-class RamRead : lowered::Port<lowered::PortKind::kRamRead, bit_width_of<T>(), N, Latency, 0> {
+class RamRead : lowered::Port<PortKind::kRamRead, bit_width_of<T>(), N, Latency, 0> {
  public:
   using Address = uint<index_width(N)>;
   T read(Address address) const { return lowered::get_row<T>(this, address); }
 };
 
 template <class T>
-class Config : lowered::Port<lowered::PortKind::kConfig, bit_width_of<T>(), 1, 0, 0> {
+class Config : lowered::Port<PortKind::kConfig, bit_width_of<T>(), 1, 0, 0> {
  public:
-  using Value = T;
+  using Data = T;
   T get() const { return lowered::get_token<T>(this); }
 };
 

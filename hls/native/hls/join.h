@@ -407,7 +407,8 @@ class Join {
   static std::string unit_of(const std::string& port) { return port.substr(0, port.find('.')); }
   std::ptrdiff_t inputs_of(const std::string& unit) const {
     const auto found = std::ranges::find(record_.units, unit, &UnitRecord::name);
-    return std::ranges::count(found->ports, "in", &PortRecord::kind);
+    return std::ranges::count_if(
+        found->ports, [](const PortRecord& port) { return port.type.kind == PortKind::kIn; });
   }
 
   /// How often a unit can step before it must look at its inputs again.
@@ -446,29 +447,8 @@ class Join {
   template <class P>
   void add_port(UnitRecord& record, const std::string& name, P& port) {
     names_[&port] = record.name + "." + name;
-    record.ports.push_back(describe(name, port));
+    record.ports.push_back({name, P::kPort});
   }
-  template <class T>
-  static PortRecord describe(const std::string& name, const In<T>&) {
-    return {name, "in", bit_width_of<T>(), 1, 0};
-  }
-  template <class T>
-  static PortRecord describe(const std::string& name, const Out<T>&) {
-    return {name, "out", bit_width_of<T>(), 1, 0};
-  }
-  template <class T, unsigned N>
-  static PortRecord describe(const std::string& name, const RamWrite<T, N>&) {
-    return {name, "ram_write", bit_width_of<T>(), N, 0};
-  }
-  template <class T, unsigned N, unsigned L>
-  static PortRecord describe(const std::string& name, const RamRead<T, N, L>&) {
-    return {name, "ram_read", bit_width_of<T>(), N, L};
-  }
-  template <class T>
-  static PortRecord describe(const std::string& name, const Config<T>&) {
-    return {name, "config", bit_width_of<T>(), 1, 0};
-  }
-
   const std::string& port_name(const void* port) const {
     const auto found = names_.find(port);
     if (found == names_.end()) {

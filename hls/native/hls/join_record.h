@@ -15,10 +15,7 @@ namespace hls {
 
 struct PortRecord {
   std::string name;
-  std::string kind;  ///< in, out, ram_write, ram_read or config
-  unsigned width;
-  unsigned rows;
-  unsigned latency;
+  PortInfo type;
 };
 struct UnitRecord {
   std::string name;

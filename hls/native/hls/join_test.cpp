@@ -268,8 +268,8 @@ TEST(Join, RecordsWhatItConnected) {
   EXPECT_EQ(record.units[1].module, "pair");
   ASSERT_EQ(record.units[1].ports.size(), 3u);
   EXPECT_EQ(record.units[1].ports[1].name, "in_1") << "a port of an array, as hlsc names it";
-  EXPECT_EQ(record.units[1].ports[2].kind, "out");
-  EXPECT_EQ(record.units[1].ports[2].width, 16u);
+  EXPECT_EQ(record.units[1].ports[2].type.kind, hls::PortKind::kOut);
+  EXPECT_EQ(record.units[1].ports[2].type.width, 16u);
   ASSERT_EQ(record.channels.size(), 2u);
   EXPECT_EQ(record.channels[1].from, std::vector<std::string>{"add.out"});
   EXPECT_EQ(record.channels[1].to, std::vector<std::string>{"pair.in_1"});

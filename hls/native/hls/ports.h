@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "hls/fields.h"
+#include "hls/port_kind.h"
 
 /// Names the ports of a unit (channels, RAM ports, configuration), all of them; and tells, for
 /// who lowers it, the file that the unit is in.
@@ -75,7 +76,8 @@ class Fifo {
 template <class T>
 class In {
  public:
-  using Token = T;
+  using Data = T;
+  static constexpr PortInfo kPort{PortKind::kIn, bit_width_of<T>()};
   T read() { return queue_->pop(); }
   /// Tokens that wait to be read.
   std::size_t ready() const { return queue_ ? queue_->size() : 0; }
@@ -91,7 +93,8 @@ class In {
 template <class T>
 class Out {
  public:
-  using Token = T;
+  using Data = T;
+  static constexpr PortInfo kPort{PortKind::kOut, bit_width_of<T>()};
   void write(const T& token) {
     for (auto& queue : queues_) queue->push(token);
   }
@@ -100,12 +103,6 @@ class Out {
 
  private:
   std::vector<std::shared_ptr<Fifo<T>>> queues_;
-};
-
-/// What may happen between a row's read and the landing of the write that follows it.
-enum class Hazard : std::uint8_t {
-  kExclusive,  ///< Nothing touches the row: one packet owns it. hlsc emits an assertion.
-  kStale,      ///< A later transaction may still read the old row; the unit is right either way.
 };
 
 /// A synchronous RAM of N rows with one read and one write port: a read and a write per
@@ -133,8 +130,8 @@ class RegisterFile : public Ram1R1W<T, N> {};
 template <class T, unsigned N>
 class RamWrite {
  public:
-  using Row = T;
-  static constexpr unsigned kRows = N;
+  using Data = T;
+  static constexpr PortInfo kPort{PortKind::kRamWrite, bit_width_of<T>(), N};
   using Address = uint<index_width(N)>;
   /// A row's number and what was written there.
   using Log = std::vector<std::pair<std::uint64_t, T>>;
@@ -157,8 +154,8 @@ class RamWrite {
 template <class T, unsigned N, unsigned Latency = 1>
 class RamRead {
  public:
-  using Row = T;
-  static constexpr unsigned kRows = N;
+  using Data = T;
+  static constexpr PortInfo kPort{PortKind::kRamRead, bit_width_of<T>(), N, Latency};
   using Address = uint<index_width(N)>;
   T read(Address address) const { return (*rows_)[address.to_u64()]; }
   void bind(std::shared_ptr<std::vector<T>> rows) { rows_ = std::move(rows); }
@@ -171,7 +168,8 @@ class RamRead {
 template <class T>
 class Config {
  public:
-  using Value = T;
+  using Data = T;
+  static constexpr PortInfo kPort{PortKind::kConfig, bit_width_of<T>()};
   T get() const { return *value_; }
   void bind(std::shared_ptr<T> value) { value_ = std::move(value); }
 
