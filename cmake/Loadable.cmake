@@ -5,7 +5,7 @@
 # Verilog alone. scripts/configuration runs this and keeps what it gives; it passes
 #   DYNRT_LOADABLE        ON: this, not the project
 #   DYNRT_CONFIGS_FILE    a file as hls/configs/configs.json with one configuration, `loadable`
-#   DYNRT_FINGERPRINT     of what it is built of (scripts/fingerprint.py)
+#   DYNRT_FINGERPRINT     of what it is built of (scripts/fingerprint)
 #   DYNRT_RTL             with its Verilog, which DYNRT_HLSC, of a build that is there, lowers
 # and what that build found out: compiler, flags, clock, delay model, Verilator.
 # Targets: loadable, the library; dynrt_loadable_core, the Verilog.

@@ -35,8 +35,8 @@ install(DIRECTORY rtl/lib rtl/board rtl/generated DESTINATION ${rtl}
 install(FILES constraints/dynrt_board.sdc DESTINATION ${rtl})
 set(lists ${PROJECT_BINARY_DIR}/dynrt_core.f ${PROJECT_BINARY_DIR}/dynrt_board.f)
 add_custom_command(OUTPUT ${lists}
-  COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/scripts/file_lists ${PROJECT_BINARY_DIR}
-  DEPENDS scripts/file_lists dynrt.core VERBATIM)
+  COMMAND ${PROJECT_SOURCE_DIR}/scripts/file_lists ${PROJECT_BINARY_DIR}
+  DEPENDS scripts/dynrt_tools/hardware/file_lists.py dynrt.core VERBATIM)
 add_custom_target(file_lists ALL DEPENDS ${lists})
 install(FILES ${lists} DESTINATION ${rtl})
 

@@ -7,3 +7,11 @@ include(GoogleTest)
 function(dynrt_discover_tests target)
   gtest_discover_tests(${target} ${ARGN} DISCOVERY_TIMEOUT 300)
 endfunction()
+
+# dynrt_python_test(NAME LABELS MODULE ARGUMENTS...): a test that is a module of scripts/dynrt_tools. It
+# runs in Debian's Python, which has the packages of scripts/packages.txt.
+function(dynrt_python_test name labels module)
+  add_test(NAME ${name} COMMAND /usr/bin/python3 -m dynrt_tools.${module} ${ARGN}
+           WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/scripts)
+  set_tests_properties(${name} PROPERTIES LABELS "${labels}")
+endfunction()

@@ -10,10 +10,11 @@ many pipelines fit. Of two that cost the same that with fewer LUTs is cheaper.""
 import math
 import sys
 
+from variants import Refused  # which finds the scripts beside this folder
 import page
 from collect import measures_of
-from hardware import devices
-from report import MISTAKE, Parser, Refused, add_arguments, guarded, measured
+from dynrt_tools.hardware import devices
+from report import MISTAKE, Parser, add_arguments, guarded, measured
 
 DEVICE = devices.DEVICES["ecp5-85"]
 DEFAULT_MEASURE = "primary.t_p99"

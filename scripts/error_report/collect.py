@@ -13,8 +13,8 @@ import shutil
 import tempfile
 
 import page
-from hardware import FAMILY
-from devices import COLUMNS, FAMILIES
+from dynrt_tools.hardware.area import FAMILY
+from dynrt_tools.hardware.devices import COLUMNS, FAMILIES
 from variants import Refused
 
 PICTURES = "pictures"

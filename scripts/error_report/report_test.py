@@ -25,7 +25,7 @@ sys.path.insert(0, str(HERE.parent))
 # pylint: disable=wrong-import-position
 import choose
 import collect
-import hardware
+from dynrt_tools.hardware import area as hardware
 import variants
 import workflow
 from variants import Refused
@@ -33,7 +33,7 @@ from variants import Refused
 THESIS = variants.base_configuration("thesis")
 EXAMPLE = json.loads((HERE / "example.json").read_text(encoding="utf-8"))
 
-# What a job runs in place of scripts/configuration, hardware.py and run_variant.py: it writes its
+# What a job runs in place of scripts/configuration, scripts/variant_hardware and run_variant.py: it writes its
 # outputs, or fails where the file `fail` says so.
 PRETEND = """#!/usr/bin/python3
 import pathlib, sys
@@ -262,15 +262,13 @@ class Hardware(unittest.TestCase):
     def test_a_core_is_the_sum_of_its_units_and_of_what_joins_them(self):
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            units = [{"name": n, "module": "one"} for n in ("one_0", "one_1")]
-            (folder / "dynrt_core.json").write_text(json.dumps({"units": units}), encoding="utf-8")
             (folder / "one.v").write_text(self.VERILOG, encoding="utf-8")
             (folder / "one.txt").write_text(self.REPORT, encoding="utf-8")
             (folder / "dynrt_core.vh").write_text("", encoding="utf-8")
             (folder / "dynrt_core.v").write_text(
                 "module dynrt_core (\n  input wire [7:0] a,\n  input wire clk,\n"
-                "  output reg [1:0] b\n);\n  wire [1:0] c;\n  one one_0 (.a(a), .b(c[0]));\n"
-                "  one one_1 (.a(~a), .b(c[1]));\n  always @(posedge clk) b <= c;\nendmodule\n",
+                "  output reg [1:0] b\n);\n  wire [1:0] c;\n  one u_one_0 (\n    .a(a), .b(c[0]));\n"
+                "  one u_one_1 (\n    .a(~a), .b(c[1]));\n  always @(posedge clk) b <= c;\nendmodule\n",
                 encoding="utf-8")
             with mock.patch.object(hardware.synthesis, "KEPT", folder / "kept"):
                 figures = hardware.hardware(folder)
@@ -294,7 +292,7 @@ class Jobs(InFolder):
         here.mkdir(parents=True)
         shutil.copy(HERE / "Snakefile", here)
         for path, text in ((here.parent / "configuration", CONFIGURATION),
-                           (here / "hardware.py", HARDWARE), (here / "run_variant.py", RUN)):
+                           (here.parent / "variant_hardware", HARDWARE), (here / "run_variant.py", RUN)):
             path.write_text(text, encoding="utf-8")
             path.chmod(0o755)
         patch = mock.patch.object(workflow, "HERE", here)

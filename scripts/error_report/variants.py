@@ -8,7 +8,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 # pylint: disable=wrong-import-position
-import configs
+from dynrt_tools.build import configs
 
 LISTED = pathlib.Path(__file__).resolve().parent / "variants.json"
 

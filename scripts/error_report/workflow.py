@@ -15,7 +15,7 @@ import subprocess
 import sys
 
 from variants import Refused  # which finds the scripts beside this folder
-import fingerprint
+from dynrt_tools.build import fingerprint
 
 HERE = pathlib.Path(__file__).resolve().parent
 STEP = re.compile(r"^(\d+) of (\d+) steps")

@@ -6,11 +6,12 @@ import concurrent.futures
 import contextlib
 
 from variants import Refused  # which finds the scripts beside this folder
-import devices
-import gate_count
-import gate_rule
-import hardware
-import synthesis
+from dynrt_tools import project
+from dynrt_tools.hardware import devices
+from dynrt_tools.hardware import gate_count
+from dynrt_tools.hardware import gate_rule
+from dynrt_tools.hardware import area as hardware
+from dynrt_tools.hardware import synthesis
 
 # What is told of both cores, and how it is called.
 COSTS = {"LUT4": "LUTs", "LUT6": "LUTs", "FF": "flip-flops", "multiplier": "multipliers",
@@ -32,7 +33,7 @@ def refusing():
     """What synthesis fails of, as what the user reads."""
     try:
         yield
-    except (synthesis.Failed, gate_rule.Uncounted) as error:
+    except (project.Failed, gate_rule.Uncounted) as error:
         raise Refused(str(error)) from error
 
 

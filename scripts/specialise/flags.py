@@ -10,7 +10,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "error_repo
 # pylint: disable=wrong-import-position
 import choose
 from report import Parser, cores
-import devices
+from dynrt_tools.hardware import devices
 
 # Flags of the program that say what is seen, and those that only `dynrt needs` has.
 SEEN = ("--size", "--position", "--look-at", "--up", "--fov", "--light", "--mirror", "--reflections")

@@ -20,12 +20,13 @@ from collect import check_writable, scene_name, scene_path, written_first
 from report import guarded
 from workflow import content_of, show_progress
 import choose_format
-import configs
+from dynrt_tools import project
+from dynrt_tools.build import configs
 import costs
 import curve
 import decisions
 import table
-from build_cache import BuildCache, CacheError
+from dynrt_tools.build.cache import BuildCache, CacheError
 
 
 DELIVERED = (".v", ".vh", ".json", ".txt")  # of a core's folder; the rest is of its build alone
@@ -64,7 +65,7 @@ class Project:
     def made(self, configuration, *kind):
         """The path of what scripts/configuration makes of a file."""
         result = subprocess.run(
-            [configs.ROOT / "scripts" / "configuration", configuration, *kind, "--build",
+            [project.ROOT / "scripts" / "configuration", configuration, *kind, "--build",
              self.args.build, "--expect", self.args.expect, "--jobs", str(self.args.jobs),
              "--for-program"], stdout=subprocess.PIPE, text=True, check=False)
         if result.returncode != 0:

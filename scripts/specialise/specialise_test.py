@@ -20,7 +20,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 import flags  # noqa: E402
 from variants import Refused  # noqa: E402
-import configs  # noqa: E402
+from dynrt_tools.build import configs
 import curve  # noqa: E402
 import decisions  # noqa: E402
 import specialise  # noqa: E402

@@ -1,11 +1,8 @@
-#!/usr/bin/env python3
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """scripts/configuration refuses what it cannot build, before it builds; and what its keys depend on.
 """
 
-import importlib.machinery
-import importlib.util
 import json
 import os
 import pathlib
@@ -14,18 +11,12 @@ import subprocess
 import tempfile
 import unittest
 
-import fingerprint
-from configs import load_configurations
+from dynrt_tools import project
+from dynrt_tools.build import configuration, fingerprint
+from dynrt_tools.build.configs import load_configurations
 
-SCRIPT = pathlib.Path(__file__).resolve().parent / "configuration"
+SCRIPT = project.SCRIPTS / "configuration"
 THESIS = load_configurations().listed()["thesis"]
-
-
-def load_script():
-    loader = importlib.machinery.SourceFileLoader("configuration", str(SCRIPT))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("configuration", loader))
-    loader.exec_module(module)
-    return module
 
 
 class Configuration(unittest.TestCase):
@@ -36,14 +27,24 @@ class Configuration(unittest.TestCase):
         self.file = self.folder / "mine.json"
         # A project in miniature: the sources that decide, and what a build says of itself.
         self.source = self.folder / "source"
-        for name in ("hls/include/float.h", "host/board/board.h", "hls/units/list.h",
-                     "hls/configs/generate", "cmake/Loadable.cmake", "rtl/lib/fifo.v"):
+        for name in (
+            "hls/include/float.h",
+            "host/board/board.h",
+            "hls/units/list.h",
+            "hls/configs/generate",
+            "cmake/Loadable.cmake",
+            "rtl/lib/fifo.v",
+        ):
             (self.source / name).parent.mkdir(parents=True, exist_ok=True)
             (self.source / name).write_text(name, encoding="utf-8")
         self.hlsc = self.folder / "hlsc"
         self.hlsc.write_text("hlsc", encoding="utf-8")
-        self.build = {"identity": {"CMAKE_CXX_FLAGS": ""}, "variables": {"DYNRT_CLOCK_NS": "10"},
-                      "source": str(self.source), "hlsc": str(self.hlsc)}
+        self.build = {
+            "identity": {"CMAKE_CXX_FLAGS": ""},
+            "variables": {"DYNRT_CLOCK_NS": "10"},
+            "source": str(self.source),
+            "hlsc": str(self.hlsc),
+        }
 
     def written(self, keys):
         self.file.write_text(keys if isinstance(keys, str) else json.dumps(keys), encoding="utf-8")
@@ -53,8 +54,13 @@ class Configuration(unittest.TestCase):
         self.written(keys)
         build = self.folder / "build.json"
         build.write_text(json.dumps(self.build), encoding="utf-8")
-        return subprocess.run([SCRIPT, self.file, "--build", build, *flags], capture_output=True,
-                              text=True, check=False, env=os.environ | environment)
+        return subprocess.run(
+            [SCRIPT, self.file, "--build", build, *flags],
+            capture_output=True,
+            text=True,
+            check=False,
+            env=os.environ | environment,
+        )
 
     def assert_refused(self, keys, sentence, *flags, **environment):
         result = self.run_on(keys, *flags, **environment)
@@ -62,51 +68,83 @@ class Configuration(unittest.TestCase):
         self.assertEqual((result.returncode, result.stdout), (1, ""))
 
     def test_refused(self):
-        self.assert_refused(THESIS | {"mantissa_bits": 99},
-                            "line 1: key 'mantissa_bits' (stored mantissa bits of the float) is 99; it must "
-                            "be a whole number from 8 to 29")
-        self.assert_refused("{", "line 1: column 2 is no JSON: expecting property name enclosed in "
-                            "double quotes")
+        self.assert_refused(
+            THESIS | {"mantissa_bits": 99},
+            "line 1: key 'mantissa_bits' (stored mantissa bits of the float) is 99; it must "
+            "be a whole number from 8 to 29",
+        )
+        self.assert_refused(
+            "{", "line 1: column 2 is no JSON: expecting property name enclosed in " "double quotes"
+        )
         self.assert_refused("[]", "must be an object of keys")
-        self.assert_refused(THESIS, "the sources have changed since this program was built; build "
-                            "it again", "--expect", "0")
+        self.assert_refused(
+            THESIS,
+            "the sources have changed since this program was built; build " "it again",
+            "--expect",
+            "0",
+        )
         self.hlsc.unlink()
-        self.assert_refused(THESIS, f"{self.hlsc} is not there; build the target hlsc, which lowers "
-                            "the units", "--verilog")
+        self.assert_refused(
+            THESIS,
+            f"{self.hlsc} is not there; build the target hlsc, which lowers " "the units",
+            "--verilog",
+        )
 
     def test_programs_read_the_sentence_where_the_path_would_be(self):
         result = self.run_on(THESIS, "--expect", "0", "--for-program")
         self.assertEqual((result.returncode, result.stderr), (1, ""))
-        self.assertEqual(result.stdout, "the sources have changed since this program was built; "
-                         "build it again\n")
+        self.assertEqual(
+            result.stdout,
+            "the sources have changed since this program was built; " "build it again\n",
+        )
 
     def test_cache_that_cannot_be_written(self):
         blocked = self.folder / "file"
         blocked.write_text("", encoding="utf-8")
-        self.assert_refused(THESIS, f"the cache {blocked} cannot be written (File exists); let "
-                            "DYNRT_CACHE name a folder that can", DYNRT_CACHE=str(blocked))
+        self.assert_refused(
+            THESIS,
+            f"the cache {blocked} cannot be written (File exists); let "
+            "DYNRT_CACHE name a folder that can",
+            DYNRT_CACHE=str(blocked),
+        )
 
     def test_tools_that_are_not_installed(self):
         tools = self.folder / "tools"
         tools.mkdir()
         (tools / "python3").symlink_to(shutil.which("python3"))
         cache = {"PATH": str(tools), "DYNRT_CACHE": str(self.folder / "cache")}
-        self.assert_refused(THESIS, "cmake is not installed; Debian's package cmake has it, and "
-                            "scripts/setup installs that", **cache)
+        self.assert_refused(
+            THESIS,
+            "cmake is not installed; Debian's package cmake has it, and "
+            "scripts/setup installs that",
+            **cache,
+        )
         (tools / "cmake").symlink_to("/bin/true")
-        self.assert_refused(THESIS, "ninja is not installed; Debian's package ninja-build has it, "
-                            "and scripts/setup installs that", **cache)
+        self.assert_refused(
+            THESIS,
+            "ninja is not installed; Debian's package ninja-build has it, "
+            "and scripts/setup installs that",
+            **cache,
+        )
 
     def test_programs_read_of_a_file_that_cannot_be_written_there_too(self):
         (self.folder / "cache").mkdir()
-        script = load_script()
-        key = script.key_of("verilog", script.read_configuration(self.written(THESIS)), self.build)
+        key = configuration.key_of(
+            "verilog", configuration.read_configuration(self.written(THESIS)), self.build
+        )
         (self.folder / "cache" / f"configuration-verilog-{key}").mkdir()
         out = self.folder / "build.json"
-        result = self.run_on(THESIS, "--verilog", "--for-program", "--out", out,
-                             DYNRT_CACHE=str(self.folder / "cache"))
-        self.assertEqual((result.returncode, result.stdout, result.stderr),
-                         (1, f"{out}: File exists\n", ""))
+        result = self.run_on(
+            THESIS,
+            "--verilog",
+            "--for-program",
+            "--out",
+            out,
+            DYNRT_CACHE=str(self.folder / "cache"),
+        )
+        self.assertEqual(
+            (result.returncode, result.stdout, result.stderr), (1, f"{out}: File exists\n", "")
+        )
 
     def test_a_build_that_fails_keeps_its_log(self):
         cache = self.folder / "cache"
@@ -117,8 +155,7 @@ class Configuration(unittest.TestCase):
         self.assertEqual(list(cache.glob("*.partial")), [])
 
     def test_key(self):
-        script = load_script()
-        key = lambda kind="native", **keys: script.key_of(kind, THESIS | keys, self.build)
+        key = lambda kind="native", **keys: configuration.key_of(kind, THESIS | keys, self.build)
         native, verilog = key(), key("verilog")
         self.assertEqual(key(about="other words"), native)
         self.assertNotEqual(native, verilog)

@@ -31,6 +31,7 @@ class Uncounted(Exception):
 @dataclass(frozen=True)
 class Memory:
     """A memory of `rows` rows of `width` bits; a bit of it counts `ports` times."""
+
     name: str
     rows: int
     width: int
@@ -49,8 +50,13 @@ class Count:
     @property
     def logic(self):
         """Gates of all but the memories."""
-        kinds = {"full adder": FULL_ADDER, "flip-flop": FLIP_FLOP,
-                 "flip-flop with enable": FLIP_FLOP_ENABLED, "multiplier": MULTIPLIER, **LUT}
+        kinds = {
+            "full adder": FULL_ADDER,
+            "flip-flop": FLIP_FLOP,
+            "flip-flop with enable": FLIP_FLOP_ENABLED,
+            "multiplier": MULTIPLIER,
+            **LUT,
+        }
         return sum(kinds[kind] * count for kind, count in self.cells.items())
 
     @property
@@ -60,10 +66,13 @@ class Count:
 
 def count(cells):
     """Counts the cells of a module as Yosys writes them to JSON, memories as $mem_v2."""
-    loads = Counter(bit for cell in cells.values()
-                    for port, bits in cell["connections"].items()
-                    if cell.get("port_directions", {}).get(port, "input") == "input"
-                    for bit in bits)
+    loads = Counter(
+        bit
+        for cell in cells.values()
+        for port, bits in cell["connections"].items()
+        if cell.get("port_directions", {}).get(port, "input") == "input"
+        for bit in bits
+    )
     operands, constant = Counter(), 0  # places in carry chains by their operand's net
     for cell in cells.values():
         port = {"MUXCY": "S", "XORCY": "LI"}.get(cell["type"])
@@ -83,7 +92,8 @@ def count(cells):
                 total[kind] += 1
         elif re.match(r"FD\w*$", kind):
             enabled = ends.get("CE", ["1"]) != ["1"] or any(
-                ends.get(port, ["0"]) != ["0"] for port in ("R", "S"))
+                ends.get(port, ["0"]) != ["0"] for port in ("R", "S")
+            )
             total["flip-flop with enable" if enabled else "flip-flop"] += 1
         elif re.match(r"MULT18X18S?$", kind):
             total["multiplier"] += 1
@@ -100,14 +110,15 @@ def memory(name, cell):
 
     def addresses(port):
         bits, wide = cell["connections"][port], number("ABITS")
-        return [tuple(bits[i:i + wide]) for i in range(0, len(bits), wide)]
+        return [tuple(bits[i : i + wide]) for i in range(0, len(bits), wide)]
 
     reads = set(addresses("RD_ADDR"))
     writes = set(addresses("WR_ADDR")) if number("WR_PORTS") else set()
     ports = len(reads | writes)
     counted = 1 if ports == 1 or not writes else 2 * max(1, len(reads))
-    return Memory(tidy(cell["parameters"].get("MEMID", name)), number("SIZE"), number("WIDTH"),
-                  counted)
+    return Memory(
+        tidy(cell["parameters"].get("MEMID", name)), number("SIZE"), number("WIDTH"), counted
+    )
 
 
 def tidy(memid):

@@ -11,6 +11,7 @@ PACKETS, LINES = 32, 512  # of tables 7.4 and 7.5
 class Unit:
     """A row of table 7.4 or 7.5. `modules` are our instances; `rams` the beginnings of the names of
     RAMs of the join that it owns."""
+
     name: str
     logic: int
     bits: int  # per packet, or per cache line
@@ -18,8 +19,10 @@ class Unit:
     rams: tuple = ()
 
 
-SLICES = tuple(Unit(f"TraversalSlice{i}", 43107, 2352, (f"slice_{i}",),
-                    (f"ray_{i}_ram", f"distance_{i}_ram")) for i in range(4))
+SLICES = tuple(
+    Unit(f"TraversalSlice{i}", 43107, 2352, (f"slice_{i}",), (f"ray_{i}_ram", f"distance_{i}_ram"))
+    for i in range(4)
+)
 # Table 7.4, in its order. What its unit Traversal does beside those below it, our units do themselves.
 PACKET_UNITS = (
     Unit("DynamicRTC", 21338, 0, ("startup",), ()),  # and all of the join that nobody owns
@@ -31,7 +34,9 @@ PACKET_UNITS = (
     Unit("CollectHits", 4155, 688, ("collect_hits",), ("hit_record_ram",)),
     Unit("List", 2743, 76, ("list",), ("last_entry_ram",)),
     Unit("Mailbox", 7108, 136, ("mailbox",)),
-    Unit("LoadObject", 4557, 19, ("matrix_fetch", "matrix_store"), ("job_record_ram", "object_ram")),
+    Unit(
+        "LoadObject", 4557, 19, ("matrix_fetch", "matrix_store"), ("job_record_ram", "object_ram")
+    ),
     Unit("SendPacket", 2262, 1152, ("send_packet",), ("ray_vectors_ram",)),
     Unit("PacketEncoder", 1316, 0),
     Unit("Transformation", 148040, 1152, ("transformation",), ("column_",)),
@@ -41,10 +46,19 @@ PACKET_UNITS = (
 # Table 7.5.
 CACHE_UNITS = (
     Unit("MemoryInterface", 4323, 0, ("memory_interface",)),
-    Unit("NodeCache", 4152, 83, ("node_lookup", "node_fill"), ("node_lines_ram", "node_waiting_ram")),
-    Unit("ListCache", 3704, 51, ("list_lookup", "list_fill"), ("list_lines_ram", "list_waiting_ram")),
-    Unit("MatrixCache", 5624, 115, ("matrix_lookup", "matrix_fill"),
-         ("matrix_lines_ram", "matrix_waiting_ram")),
+    Unit(
+        "NodeCache", 4152, 83, ("node_lookup", "node_fill"), ("node_lines_ram", "node_waiting_ram")
+    ),
+    Unit(
+        "ListCache", 3704, 51, ("list_lookup", "list_fill"), ("list_lines_ram", "list_waiting_ram")
+    ),
+    Unit(
+        "MatrixCache",
+        5624,
+        115,
+        ("matrix_lookup", "matrix_fill"),
+        ("matrix_lines_ram", "matrix_waiting_ram"),
+    ),
 )
 # Ours alone: the thesis counts neither shading nor the making of rays.
 OTHER_UNITS = (
@@ -79,11 +93,22 @@ OPERATORS = {
 }
 # Which rows of tables 7.4 and 7.5 a row of table 7.3 stands for.
 COMPLEXITY_ROWS = {
-    "Traversal": ("Traversal", "TraversalMemoryInterface", "TraversalStackPointer",
-                  *(u.name for u in SLICES), "PacketTraversalDecision", "CollectHits"),
+    "Traversal": (
+        "Traversal",
+        "TraversalMemoryInterface",
+        "TraversalStackPointer",
+        *(u.name for u in SLICES),
+        "PacketTraversalDecision",
+        "CollectHits",
+    ),
     "List": ("List", "Mailbox"),
-    "Transformation": ("LoadObject", "SendPacket", "PacketEncoder", "Transformation",
-                       "PacketDecoder"),
+    "Transformation": (
+        "LoadObject",
+        "SendPacket",
+        "PacketEncoder",
+        "Transformation",
+        "PacketDecoder",
+    ),
     "Intersection": ("Intersection",),
     "Cache (with index structure)": tuple(u.name for u in CACHE_UNITS),
 }

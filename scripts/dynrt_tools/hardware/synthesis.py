@@ -14,19 +14,16 @@ import subprocess
 import sys
 import time
 
-import rtl_files
-from build_cache import BuildCache, CacheError
+from dynrt_tools import project
+from dynrt_tools.build.cache import BuildCache, CacheError
+from dynrt_tools.hardware import rtl_files
 
 MODULE = re.compile(r"^\s*module\s+(\w+)", re.MULTILINE)
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
 # What Yosys says when a signal has ended ABC, as 128 and the signal's number: SIGABRT or SIGSEGV.
 ABC_ABORTED = re.compile(r"ABC: execution of command .* failed: return code (?:134|139)\b")
 MORE_RUNS = 2  # after a run in which that happened
-KEPT = pathlib.Path(os.environ.get("DYNRT_CACHE") or rtl_files.ROOT / "build" / "synth")
-
-
-class Failed(Exception):
-    """Why a module has no result, in a sentence."""
+KEPT = pathlib.Path(os.environ.get("DYNRT_CACHE") or project.ROOT / "build" / "synth")
 
 
 def modules(files):
@@ -58,24 +55,17 @@ def needed(top, files):
     return [f for f in files if f in seen]
 
 
-def require_tool(tool, package):
-    """Names the package of a tool that is not there."""
-    if not shutil.which(tool):
-        raise Failed(f"{tool} is not installed; Debian's package {package} has it, and "
-                     "scripts/setup installs that")
-
-
 @functools.lru_cache(maxsize=None)
 def tool_version(tool, flag, package):
     """What a tool says of its version."""
-    require_tool(tool, package)
+    project.require_tool(tool, package)
     result = subprocess.run([tool, flag], capture_output=True, text=True, check=False)
     return (result.stdout + result.stderr).strip()
 
 
 def kept(kind, said, files, make):
     """The folder of a result. `said` is what decides it beside the files; `make` writes it into an
-    empty folder and throws Failed."""
+    empty folder and throws project.Failed."""
     digest = hashlib.sha256(json.dumps([kind, said], sort_keys=True).encode())
     for path in files:
         digest.update(path.name.encode() + b"\0" + _meaning(path).encode() + b"\0")
@@ -95,9 +85,9 @@ def kept(kind, said, files, make):
     try:
         return BuildCache(KEPT).get(f"{kind}-{digest.hexdigest()[:24]}", build)
     except CacheError as error:
-        raise Failed(str(error)) from error
+        raise project.Failed(str(error)) from error
     except OSError as error:
-        raise Failed(f"{error.filename or KEPT}: {error.strerror}") from error
+        raise project.Failed(f"{error.filename or KEPT}: {error.strerror}") from error
 
 
 def run_yosys(commands, folder, what):
@@ -118,12 +108,13 @@ def run_yosys(commands, folder, what):
     if log.exists():
         shutil.copyfile(log, left)
     last = (result.stderr or result.stdout).strip().splitlines()
-    raise Failed(f"{what}: {last[-1] if last else 'Yosys failed'}; the whole log is {left}")
+    raise project.Failed(f"{what}: {last[-1] if last else 'Yosys failed'}; the whole log is {left}")
 
 
 def read_commands(files, blackboxes=()):
-    return ([f"verilog_defaults -add -I{f}" for f in rtl_files.include_folders(files)] +
-            [f"read_verilog {'-lib ' if f in blackboxes else ''}{f}" for f in files])
+    return [f"verilog_defaults -add -I{f}" for f in rtl_files.include_folders(files)] + [
+        f"read_verilog {'-lib ' if f in blackboxes else ''}{f}" for f in files
+    ]
 
 
 def chosen(top, parameters):
@@ -138,8 +129,17 @@ def cells(top, files, synth, what, parameters=None):
     files = needed(top, files)
 
     def make(folder):
-        run_yosys([*read_commands(files), *chosen(top, parameters or {}), synth.format(top=top),
-                   "check -assert", f"tee -q -o {folder}/stat.json stat -json"], folder, what)
+        run_yosys(
+            [
+                *read_commands(files),
+                *chosen(top, parameters or {}),
+                synth.format(top=top),
+                "check -assert",
+                f"tee -q -o {folder}/stat.json stat -json",
+            ],
+            folder,
+            what,
+        )
 
     folder = kept("area", said, files, make)
     stat = json.loads((folder / "stat.json").read_text(encoding="utf-8"))

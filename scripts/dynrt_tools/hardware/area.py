@@ -1,13 +1,12 @@
-#!/usr/bin/env python3
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """What the hardware of a configuration takes, out of the Verilog that hlsc made of it.
 
-Usage: hardware.py FOLDER FILE.json
+Usage: scripts/variant_hardware FOLDER FILE.json
 
 Each unit is synthesized for itself and counted as often as the core has it; what joins them, FIFOs
 and RAMs, is synthesized with the units as black boxes. Units that do not differ between
-configurations are many, and synthesized once (scripts/synthesis.py).
+configurations are many, and synthesized once (synthesis.py).
 """
 
 import concurrent.futures
@@ -16,15 +15,13 @@ import pathlib
 import re
 import sys
 import tempfile
+from collections import Counter
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
-# pylint: disable=wrong-import-position
-import devices
-import synthesis
+from dynrt_tools import project
+from dynrt_tools.hardware import devices, rtl_files, synthesis
 
 FAMILY = "ecp5"
-JOIN = "dynrt_core"
-LIBRARY = pathlib.Path(__file__).resolve().parents[2] / "rtl" / "lib"
+JOIN = rtl_files.CORE
 HEAD = re.compile(r"^module .*?^\);", re.MULTILINE | re.DOTALL)
 
 
@@ -41,7 +38,7 @@ def black_box(verilog):
 def cells_of(top, texts, family):
     """Cells by type of module `top`, made of sources by file name."""
     with tempfile.TemporaryDirectory() as folder:
-        files = sorted(LIBRARY.glob("*.v"))
+        files = rtl_files.library()
         for name, text in texts.items():
             path = pathlib.Path(folder, name)
             path.write_text(text, encoding="utf-8")
@@ -51,8 +48,11 @@ def cells_of(top, texts, family):
 
 
 def figures_of(family, cells, count):
-    return {"instances": count, "area": devices.area(family, cells),
-            "takes": devices.resources(family, cells)}
+    return {
+        "instances": count,
+        "area": devices.area(family, cells),
+        "takes": devices.resources(family, cells),
+    }
 
 
 def total(units, key):
@@ -73,10 +73,8 @@ def schedule(report):
 
 def hardware(folder, family=FAMILY, jobs=1):
     """Of the core in this folder: what error.json holds of a variant's hardware."""
-    core = json.loads((folder / f"{JOIN}.json").read_text(encoding="utf-8"))
-    instances = {}
-    for unit in core["units"]:
-        instances[unit["module"]] = instances.get(unit["module"], 0) + 1
+    parts = rtl_files.instances(folder / f"{JOIN}.v")
+    instances = Counter(part.module for part in parts if part.module != rtl_files.COUNTERS)
     texts = {m: (folder / f"{m}.v").read_text(encoding="utf-8") for m in instances}
     join = {f"{m}.v": black_box(text) for m, text in texts.items()}
     for name in (f"{JOIN}.v", f"{JOIN}.vh"):
@@ -95,8 +93,11 @@ def hardware(folder, family=FAMILY, jobs=1):
         "area": total(units, "area"),
         "takes": total(units, "takes"),
         "units": units,
-        "schedule": {"stages": sum(u.get("stages", 0) for u in units.values()),
-                     "longest_path_ns": longest, "clock_mhz": round(1000 / longest, 2)},
+        "schedule": {
+            "stages": sum(u.get("stages", 0) for u in units.values()),
+            "longest_path_ns": longest,
+            "clock_mhz": round(1000 / longest, 2),
+        },
     }
 
 
@@ -104,10 +105,6 @@ def main():
     folder, output = map(pathlib.Path, sys.argv[1:])
     try:
         figures = hardware(folder)
-    except synthesis.Failed as error:
+    except project.Failed as error:
         sys.exit(str(error))
     output.write_text(json.dumps(figures, indent=1), encoding="utf-8")
-
-
-if __name__ == "__main__":
-    main()

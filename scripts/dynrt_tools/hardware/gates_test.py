@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """Holds the gate rule against netlists counted by hand, and the report against its own reader."""
@@ -7,27 +6,35 @@ import collections
 import json
 import pathlib
 import subprocess
-import sys
 import tempfile
 import unittest
 
-sys.dont_write_bytecode = True
-import gate_report  # noqa: E402
-import gate_rule  # noqa: E402
-import gate_units  # noqa: E402
-from gate_rule import Memory  # noqa: E402
+from dynrt_tools.hardware import gate_report, gate_rule, gate_units
+from dynrt_tools.hardware.gate_rule import Memory
 
 
 def cell(kind, **ends):
-    return {"type": kind, "connections": ends, "parameters": {},
-            "port_directions": {p: "output" if p in ("O", "Q", "P") else "input" for p in ends}}
+    return {
+        "type": kind,
+        "connections": ends,
+        "parameters": {},
+        "port_directions": {p: "output" if p in ("O", "Q", "P") else "input" for p in ends},
+    }
 
 
 def ram(rows, width, read, write=None):
     address = len(read)
-    return {"type": "$mem_v2", "connections": {"RD_ADDR": read, "WR_ADDR": write or []},
-            "parameters": {"MEMID": "\\u.any.rows", "SIZE": f"{rows:b}", "WIDTH": f"{width:b}",
-                           "ABITS": f"{address:b}", "WR_PORTS": "1" if write else "0"}}
+    return {
+        "type": "$mem_v2",
+        "connections": {"RD_ADDR": read, "WR_ADDR": write or []},
+        "parameters": {
+            "MEMID": "\\u.any.rows",
+            "SIZE": f"{rows:b}",
+            "WIDTH": f"{width:b}",
+            "ABITS": f"{address:b}",
+            "WR_PORTS": "1" if write else "0",
+        },
+    }
 
 
 class Rule(unittest.TestCase):
@@ -35,8 +42,12 @@ class Rule(unittest.TestCase):
         return gate_rule.count({f"c{i}": c for i, c in enumerate(cells)}).logic
 
     def test_luts_by_their_inputs(self):
-        self.assertEqual(self.gates(cell("LUT4", O=[9]), cell("LUT3", O=[8]), cell("LUT2", O=[7]),
-                                    cell("INV", O=[6])), 9 + 6 + 6 + 1)
+        self.assertEqual(
+            self.gates(
+                cell("LUT4", O=[9]), cell("LUT3", O=[8]), cell("LUT2", O=[7]), cell("INV", O=[6])
+            ),
+            9 + 6 + 6 + 1,
+        )
 
     def test_flip_flops(self):
         plain = cell("FDRE", Q=[5], D=[4], C=[3], CE=["1"], R=["0"])
@@ -46,17 +57,28 @@ class Rule(unittest.TestCase):
         self.assertEqual(self.gates(plain, enabled, reset), 6 + 8 + 8)
 
     def test_an_adder_of_two_bits_is_two_full_adders(self):
-        bits = [cell("LUT2", I0=[1], I1=[2], O=[10]), cell("MUXCY", S=[10], DI=[1], CI=["0"], O=[20]),
-                cell("XORCY", LI=[10], CI=["0"], O=[30]),
-                cell("LUT2", I0=[3], I1=[4], O=[11]), cell("XORCY", LI=[11], CI=[20], O=[31])]
+        bits = [
+            cell("LUT2", I0=[1], I1=[2], O=[10]),
+            cell("MUXCY", S=[10], DI=[1], CI=["0"], O=[20]),
+            cell("XORCY", LI=[10], CI=["0"], O=[30]),
+            cell("LUT2", I0=[3], I1=[4], O=[11]),
+            cell("XORCY", LI=[11], CI=[20], O=[31]),
+        ]
         self.assertEqual(self.gates(*bits), 2 * 9)
 
     def test_what_more_a_lut_computes_counts(self):
         # An addend that is selected by a third input; and a LUT whose output goes elsewhere too.
-        self.assertEqual(self.gates(cell("LUT3", O=[10]), cell("XORCY", LI=[10], CI=["0"], O=[30])),
-                         6 + 9)
-        self.assertEqual(self.gates(cell("LUT2", O=[10]), cell("XORCY", LI=[10], CI=["0"], O=[30]),
-                                    cell("LUT4", I0=[10], O=[40])), 6 + 9 + 9)
+        self.assertEqual(
+            self.gates(cell("LUT3", O=[10]), cell("XORCY", LI=[10], CI=["0"], O=[30])), 6 + 9
+        )
+        self.assertEqual(
+            self.gates(
+                cell("LUT2", O=[10]),
+                cell("XORCY", LI=[10], CI=["0"], O=[30]),
+                cell("LUT4", I0=[10], O=[40]),
+            ),
+            6 + 9 + 9,
+        )
 
     def test_multipliers(self):
         self.assertEqual(self.gates(cell("MULT18X18", P=[1]), cell("MULT18X18S", P=[2])), 14000)
@@ -83,13 +105,23 @@ class Rule(unittest.TestCase):
           reg [3:0] rows[0:15]; assign o = rows[r];
           always @(posedge c) begin if (e) q <= q + a; rows[w] <= d; end
         endmodule"""
-        synth = "synth_xilinx -family xc2v -flatten -nowidelut -noiopad -noclkbuf -nosrl -top top -run "
+        synth = (
+            "synth_xilinx -family xc2v -flatten -nowidelut -noiopad -noclkbuf -nosrl -top top -run "
+        )
         with tempfile.TemporaryDirectory() as name:
             path = pathlib.Path(name, "top.v")
             path.write_text(source, encoding="utf-8")
-            subprocess.run(["yosys", "-q", "-p", f"read_verilog {path}; {synth}begin:map_memory; "
-                            f"{synth}fine:check; write_json {name}/top.json"], check=True,
-                           capture_output=True)
+            subprocess.run(
+                [
+                    "yosys",
+                    "-q",
+                    "-p",
+                    f"read_verilog {path}; {synth}begin:map_memory; "
+                    f"{synth}fine:check; write_json {name}/top.json",
+                ],
+                check=True,
+                capture_output=True,
+            )
             module = json.loads(pathlib.Path(name, "top.json").read_text())["modules"]["top"]
         counted = gate_rule.count(module["cells"])
         self.assertEqual(counted.logic, 8 * 8 + 8 * 9)
@@ -110,8 +142,10 @@ class Report(unittest.TestCase):
         self.assertEqual(sum(u.bits for u in gate_units.PACKET_UNITS), 14007)
         self.assertEqual(sum(u.logic for u in gate_units.CACHE_UNITS), 17803)
         self.assertEqual(gate_units.gates(32, 512) + 17803, 2807671)
-        units = {u.name: (u.bits, 512 if u in gate_units.CACHE_UNITS else 32)
-                 for u in gate_report.TABULATED}
+        units = {
+            u.name: (u.bits, 512 if u in gate_units.CACHE_UNITS else 32)
+            for u in gate_report.TABULATED
+        }
         for name, rows in gate_units.COMPLEXITY_ROWS.items():
             kilobytes = sum(units[r][0] * units[r][1] for r in rows) / 8 / 1024
             self.assertLess(abs(kilobytes - gate_units.COMPLEXITY[name][4]), 0.07, name)
@@ -119,14 +153,20 @@ class Report(unittest.TestCase):
     def test_what_is_written_is_what_is_read(self):
         def core(packets, lines):
             count = gate_rule.Count
-            return {"join": count(collections.Counter({"LUT4": 10}),
-                                  (Memory("ray_0_ram_0", 2 * packets, 144, 2),
-                                   Memory("queue", packets, 3, 2))),
-                    "list": count(collections.Counter({"flip-flop": packets}),
-                                  (Memory("request_fifo", packets, 25, 2),)),
-                    "node_lookup": count(collections.Counter({"LUT3": 7}), ()),
-                    "node_fill": count(collections.Counter(),
-                                       (Memory("node_lines_ram_0", lines, 84, 2),))}
+            return {
+                "join": count(
+                    collections.Counter({"LUT4": 10}),
+                    (Memory("ray_0_ram_0", 2 * packets, 144, 2), Memory("queue", packets, 3, 2)),
+                ),
+                "list": count(
+                    collections.Counter({"flip-flop": packets}),
+                    (Memory("request_fifo", packets, 25, 2),),
+                ),
+                "node_lookup": count(collections.Counter({"LUT3": 7}), ()),
+                "node_fill": count(
+                    collections.Counter(), (Memory("node_lines_ram_0", lines, 84, 2),)
+                ),
+            }
 
         counts = {point: core(*point) for point in ((32, 512), (64, 512), (32, 64), (8, 512))}
         text = gate_report.document(counts)

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """Plants mistakes in a small tree and expects scripts/lint to find each, and scripts/synth to count
@@ -12,7 +11,9 @@ import subprocess
 import tempfile
 import unittest
 
-SCRIPTS = pathlib.Path(__file__).resolve().parent
+from dynrt_tools import project
+
+SCRIPTS = project.SCRIPTS
 RAM = """\
 module ram (
     input             clk_i,
@@ -45,23 +46,33 @@ module unit (
   end
 endmodule
 """
-TREE = {"rtl/lib/ram.v": RAM, "rtl/generated/thesis/unit.v": UNIT,
-        "rtl/lint/lib.vlt": "`verilator_config\n"}
+TREE = {
+    "rtl/lib/ram.v": RAM,
+    "rtl/generated/thesis/unit.v": UNIT,
+    "rtl/lint/lib.vlt": "`verilator_config\n",
+}
+
+
+def copy_scripts(root):
+    shutil.copytree(SCRIPTS, root / "scripts", ignore=shutil.ignore_patterns("__pycache__"))
 
 
 class Planted(unittest.TestCase):
     def run_script(self, extra, *command, env=None):
         with tempfile.TemporaryDirectory() as name:
             root = pathlib.Path(name)
-            (root / "scripts").mkdir()
-            for script in ("lint", "synth", "rtl_files.py", "devices.py", "synthesis.py",
-                           "build_cache.py"):
-                shutil.copy(SCRIPTS / script, root / "scripts")
+            copy_scripts(root)
             for path, text in {**TREE, **extra}.items():
                 (root / path).parent.mkdir(parents=True, exist_ok=True)
                 (root / path).write_text(text, encoding="utf-8")
-            result = subprocess.run([root / "scripts" / command[0], *command[1:]], cwd=root,
-                                    capture_output=True, text=True, check=False, env=env)
+            result = subprocess.run(
+                [root / "scripts" / command[0], *command[1:]],
+                cwd=root,
+                capture_output=True,
+                text=True,
+                check=False,
+                env=env,
+            )
             figures = root / "figures.json"
             return result, json.loads(figures.read_text()) if figures.exists() else None
 
@@ -78,37 +89,53 @@ class Lint(Planted):
         self.assertEqual(result.stdout, "2 Verilog files are clean\n")
 
     def test_unused_signal(self):
-        self.assert_lint({"rtl/lib/ram.v": RAM.replace("  reg [31:0] rows", "  wire x;\n  reg [31:0] rows")},
-                         "Signal is not driven, nor used: 'x'")
+        self.assert_lint(
+            {"rtl/lib/ram.v": RAM.replace("  reg [31:0] rows", "  wire x;\n  reg [31:0] rows")},
+            "Signal is not driven, nor used: 'x'",
+        )
 
     def test_waiver_with_reason(self):
         bad = RAM.replace("  reg [31:0] rows", "  wire x;\n  reg [31:0] rows")
-        waiver = ('`verilator_config\n// Kept for a later port.\n'
-                  'lint_off -rule UNUSEDSIGNAL -file "*/rtl/lib/ram.v" -match "*\'x\'*"\n')
+        waiver = (
+            "`verilator_config\n// Kept for a later port.\n"
+            'lint_off -rule UNUSEDSIGNAL -file "*/rtl/lib/ram.v" -match "*\'x\'*"\n'
+        )
         result, _ = self.run_script({"rtl/lib/ram.v": bad, "rtl/lint/lib.vlt": waiver}, "lint")
         self.assertEqual(result.returncode, 0, result.stderr)
 
     def test_waiver_without_reason(self):
-        self.assert_lint({"rtl/lint/lib.vlt": '`verilator_config\nlint_off -rule WIDTH -file "*/ram.v"\n'},
-                         "rtl/lint/lib.vlt:2: the waiver has no reason")
+        self.assert_lint(
+            {"rtl/lint/lib.vlt": '`verilator_config\nlint_off -rule WIDTH -file "*/ram.v"\n'},
+            "rtl/lint/lib.vlt:2: the waiver has no reason",
+        )
 
     def test_waiver_by_line(self):
-        self.assert_lint({"rtl/lint/lib.vlt": '`verilator_config\n// Why.\n'
-                          'lint_off -rule WIDTH -file "*/ram.v" -lines 3\n'},
-                         "rtl/lint/lib.vlt:3: a waiver is written")
+        self.assert_lint(
+            {
+                "rtl/lint/lib.vlt": "`verilator_config\n// Why.\n"
+                'lint_off -rule WIDTH -file "*/ram.v" -lines 3\n'
+            },
+            "rtl/lint/lib.vlt:3: a waiver is written",
+        )
 
     def test_waiver_of_a_file_that_is_gone(self):
-        self.assert_lint({"rtl/lint/lib.vlt": '`verilator_config\n// Why.\n'
-                          'lint_off -rule WIDTH -file "*/gone.v"\n'},
-                         "rtl/lint/lib.vlt:3: no Verilog file matches */gone.v")
+        self.assert_lint(
+            {
+                "rtl/lint/lib.vlt": "`verilator_config\n// Why.\n"
+                'lint_off -rule WIDTH -file "*/gone.v"\n'
+            },
+            "rtl/lint/lib.vlt:3: no Verilog file matches */gone.v",
+        )
 
     def test_two_drivers_are_refused_by_yosys(self):
         bad = UNIT.replace("endmodule", "  always @(posedge clk_i) product <= 34'd0;\nendmodule")
         self.assert_lint({"rtl/generated/thesis/unit.v": bad}, "yosys\n")
 
     def test_missing_module(self):
-        self.assert_lint({"rtl/generated/thesis/unit.v": UNIT.replace("  ram u_ram", "  rom u_ram")},
-                         "Module `\\rom' referenced in module `\\unit'")
+        self.assert_lint(
+            {"rtl/generated/thesis/unit.v": UNIT.replace("  ram u_ram", "  rom u_ram")},
+            "Module `\\rom' referenced in module `\\unit'",
+        )
 
     def test_another_configuration_is_linted_instead(self):
         bad = UNIT.replace("  wire [31:0] row;", "  wire x;\n  wire [31:0] row;")
@@ -121,15 +148,18 @@ class Lint(Planted):
             self.assertIn("verilator: build/release/generated/huge/unit.v\n", result.stderr)
             self.assertIn("Signal is not driven, nor used: 'x'", result.stderr)
         result, _ = self.run_script(built, "lint", "--config", "huge", "--build", "elsewhere")
-        self.assertEqual(result.stderr,
-                         "lint: no generated Verilog of configuration 'huge'; 'thesis' is checked "
-                         "in, the others are in elsewhere once it is built\n")
+        self.assertEqual(
+            result.stderr,
+            "lint: there is no generated Verilog of configuration 'huge'; 'thesis' is "
+            "checked in, a build puts that of the others into elsewhere\n",
+        )
 
     def test_no_verilog_is_not_a_pass(self):
         with tempfile.TemporaryDirectory() as name:
-            shutil.copytree(SCRIPTS, pathlib.Path(name, "scripts"))
-            result = subprocess.run([pathlib.Path(name, "scripts", "lint")], capture_output=True,
-                                    text=True, check=False)
+            copy_scripts(pathlib.Path(name))
+            result = subprocess.run(
+                [pathlib.Path(name, "scripts", "lint")], capture_output=True, text=True, check=False
+            )
         self.assertEqual(result.returncode, 1)
         self.assertIn("holds no Verilog", result.stderr)
 
@@ -150,8 +180,9 @@ class Synth(Planted):
         self.assertRegex(result.stdout, r"(?m)^unit .* 1   0.5 % +1   0.6 %$")
 
     def test_a_family_has_areas_alone(self):
-        result, figures = self.run_script({}, "synth", "unit", "--device", "ecp5", "--json",
-                                          "figures.json")
+        result, figures = self.run_script(
+            {}, "synth", "unit", "--device", "ecp5", "--json", "figures.json"
+        )
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(figures["devices"]["ecp5"]["unit"]["mult"], 1)
         self.assertNotIn("of the device", result.stdout)
@@ -159,18 +190,27 @@ class Synth(Planted):
     def test_unknown_device(self):
         result, _ = self.run_script({}, "synth", "--device", "ecp5-86")
         self.assertEqual(result.returncode, 1)
-        self.assertEqual(result.stderr, (
-            "synth: there is no device 'ecp5-86'; the devices are ecp5-85, ice40-hx8k, artix7-200, "
-            "virtex2-6000, the families, whose areas alone are told, ecp5, ice40, xc7, xc2v\n"))
+        self.assertEqual(
+            result.stderr,
+            (
+                "synth: there is no device 'ecp5-86'; the devices are ecp5-85, ice40-hx8k, artix7-200, "
+                "virtex2-6000, the families, whose areas alone are told, ecp5, ice40, xc7, xc2v\n"
+            ),
+        )
 
     def test_what_fits_no_device_says_what_is_missing(self):
-        large = {"rtl/lib/ram.v": RAM.replace("[ 7:0] addr_i", "[15:0] addr_i")
-                 .replace("[0:255]", "[0:65535]")}
+        large = {
+            "rtl/lib/ram.v": RAM.replace("[ 7:0] addr_i", "[15:0] addr_i").replace(
+                "[0:255]", "[0:65535]"
+            )
+        }
         command = ("synth", "ram", "--device", "ice40-hx8k")
         result, _ = self.run_script(large, *command)
         self.assertEqual(result.returncode, 1)
-        self.assertRegex(result.stderr, r"synth: ram does not fit ice40-hx8k: .*\b"
-                         r"512 block RAMs of 32, 480 too many")
+        self.assertRegex(
+            result.stderr,
+            r"synth: ram does not fit ice40-hx8k: .*\b" r"512 block RAMs of 32, 480 too many",
+        )
         result, _ = self.run_script(large, *command, "--device", "ecp5-85")
         self.assertEqual(result.returncode, 0, "it fits one of the two")
         self.assertIn("ram does not fit ice40-hx8k", result.stderr)
@@ -186,20 +226,24 @@ class Synth(Planted):
     def test_what_reads_the_same_is_synthesized_once(self):
         with tempfile.TemporaryDirectory() as name:
             root = pathlib.Path(name)
-            (root / "scripts").mkdir()
-            for script in ("synth", "rtl_files.py", "devices.py", "synthesis.py", "build_cache.py"):
-                shutil.copy(SCRIPTS / script, root / "scripts")
+            copy_scripts(root)
             for path, text in TREE.items():
                 (root / path).parent.mkdir(parents=True, exist_ok=True)
                 (root / path).write_text(text, encoding="utf-8")
 
             def kept():
-                result = subprocess.run([root / "scripts/synth", "ram", "--device", "ecp5"],
-                                        capture_output=True, text=True, check=True,
-                                        env=os.environ | {"DYNRT_CACHE": str(root / "cache")})
-                return result.stdout, {p.name: p.stat().st_mtime_ns
-                                       for p in (root / "cache").glob("area-*")
-                                       if p.is_dir()}
+                result = subprocess.run(
+                    [root / "scripts/synth", "ram", "--device", "ecp5"],
+                    capture_output=True,
+                    text=True,
+                    check=True,
+                    env=os.environ | {"DYNRT_CACHE": str(root / "cache")},
+                )
+                return result.stdout, {
+                    p.name: p.stat().st_mtime_ns
+                    for p in (root / "cache").glob("area-*")
+                    if p.is_dir()
+                }
 
             first = kept()
             (root / "rtl/lib/ram.v").write_text("// A comment.\n" + RAM, encoding="utf-8")
@@ -210,28 +254,36 @@ class Synth(Planted):
     def test_unknown_unit(self):
         result, _ = self.run_script({}, "synth", "mailbox")
         self.assertEqual(result.returncode, 1)
-        self.assertEqual(result.stderr,
-                         "synth: there is no unit 'mailbox'; the modules are: ram, unit\n")
+        self.assertEqual(
+            result.stderr, "synth: there is no unit 'mailbox'; the modules are: ram, unit\n"
+        )
 
     def test_unknown_configuration(self):
         result, _ = self.run_script({}, "synth", "--config", "huge")
         self.assertEqual(result.returncode, 1)
-        self.assertIn("synth: no generated Verilog of configuration 'huge'; 'thesis' is checked in",
-                      result.stderr)
+        self.assertIn(
+            "synth: there is no generated Verilog of configuration 'huge'; 'thesis' is checked",
+            result.stderr,
+        )
 
     def test_output_is_checked_before_the_work(self):
         result, _ = self.run_script({}, "synth", "no_such_unit", "--json", "no/where/x.json")
         self.assertEqual(result.returncode, 1)
-        self.assertEqual(result.stderr, "synth: --json no/where/x.json: there is no folder "
-                         "'no/where'; create it or name a file elsewhere\n")
+        self.assertEqual(
+            result.stderr,
+            "synth: --json no/where/x.json: there is no folder "
+            "'no/where'; create it or name a file elsewhere\n",
+        )
         result, _ = self.run_script({}, "synth", "no_such_unit", "--json", "rtl")
-        self.assertEqual(result.stderr,
-                         "synth: --json rtl: cannot be written; name a file that can\n")
+        self.assertEqual(
+            result.stderr, "synth: --json rtl: cannot be written; name a file that can\n"
+        )
 
     def test_what_cannot_be_synthesized_is_a_failure(self):
         bad = UNIT.replace("  ram u_ram", "  rom u_ram")
-        result, _ = self.run_script({"rtl/generated/thesis/unit.v": bad}, "synth", "unit",
-                                    "--device", "ecp5")
+        result, _ = self.run_script(
+            {"rtl/generated/thesis/unit.v": bad}, "synth", "unit", "--device", "ecp5"
+        )
         self.assertEqual(result.returncode, 1)
         self.assertIn("synth: unit on ecp5: ERROR: Module `\\rom'", result.stderr)
 

@@ -3,12 +3,12 @@
 """The configurations of the core, for scripts: hls/configs/configurations alone knows the keys."""
 
 import importlib.util
-import pathlib
 import sys
 from types import ModuleType
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-PACKAGE = ROOT / "hls" / "configs" / "configurations"
+from dynrt_tools import project
+
+PACKAGE = project.ROOT / "hls" / "configs" / "configurations"
 
 
 def load_configurations() -> ModuleType:
@@ -16,7 +16,8 @@ def load_configurations() -> ModuleType:
     if loaded := sys.modules.get(PACKAGE.name):
         return loaded
     spec = importlib.util.spec_from_file_location(
-        PACKAGE.name, PACKAGE / "__init__.py", submodule_search_locations=[str(PACKAGE)])
+        PACKAGE.name, PACKAGE / "__init__.py", submodule_search_locations=[str(PACKAGE)]
+    )
     assert spec and spec.loader
     module = importlib.util.module_from_spec(spec)
     sys.modules[PACKAGE.name] = module

@@ -21,43 +21,81 @@ FAMILIES = {
     "ecp5": {
         "name": "Lattice ECP5",
         "synth": "synth_ecp5 -nowidelut -top {top}",
-        "cells": {"LUT": r"LUT4$", "carry": r"CCU2C$", "LUT RAM": r"TRELLIS_DPR16X4$",
-                  "FF": r"TRELLIS_FF$", "mult": r"MULT18X18D$", "BRAM": r"(DP16KD|PDPW16KD)$"},
-        "takes": [(r"LUT4$", {"LUT4": 1}), (r"CCU2C$", {"LUT4": 2}),
-                  (r"TRELLIS_DPR16X4$", {"LUT4": 6}), (r"TRELLIS_FF$", {"FF": 1}),
-                  (r"(DP16KD|PDPW16KD)$", {"block RAM": 1}), (r"MULT18X18D$", {"multiplier": 1})],
+        "cells": {
+            "LUT": r"LUT4$",
+            "carry": r"CCU2C$",
+            "LUT RAM": r"TRELLIS_DPR16X4$",
+            "FF": r"TRELLIS_FF$",
+            "mult": r"MULT18X18D$",
+            "BRAM": r"(DP16KD|PDPW16KD)$",
+        },
+        "takes": [
+            (r"LUT4$", {"LUT4": 1}),
+            (r"CCU2C$", {"LUT4": 2}),
+            (r"TRELLIS_DPR16X4$", {"LUT4": 6}),
+            (r"TRELLIS_FF$", {"FF": 1}),
+            (r"(DP16KD|PDPW16KD)$", {"block RAM": 1}),
+            (r"MULT18X18D$", {"multiplier": 1}),
+        ],
     },
     "ice40": {
         "name": "Lattice iCE40",
         "synth": "synth_ice40 -top {top}",
-        "cells": {"LUT": r"SB_LUT4$", "carry": r"SB_CARRY$", "LUT RAM": r"\b\B",
-                  "FF": r"SB_DFF\w*$", "mult": r"SB_MAC16$", "BRAM": r"SB_RAM40_4K\w*$"},
-        "takes": [(r"SB_LUT4$", {"LUT4": 1}), (r"SB_DFF\w*$", {"FF": 1}),
-                  (r"SB_RAM40_4K\w*$", {"block RAM": 1})],
+        "cells": {
+            "LUT": r"SB_LUT4$",
+            "carry": r"SB_CARRY$",
+            "LUT RAM": r"\b\B",
+            "FF": r"SB_DFF\w*$",
+            "mult": r"SB_MAC16$",
+            "BRAM": r"SB_RAM40_4K\w*$",
+        },
+        "takes": [
+            (r"SB_LUT4$", {"LUT4": 1}),
+            (r"SB_DFF\w*$", {"FF": 1}),
+            (r"SB_RAM40_4K\w*$", {"block RAM": 1}),
+        ],
     },
     "xc7": {
         "name": "Xilinx 7-series",
         "synth": "synth_xilinx -family xc7 -flatten -noiopad -top {top}",
-        "cells": {"LUT": r"(LUT[1-6]|INV)$", "carry": r"CARRY4$",
-                  "LUT RAM": r"(RAM\d+(M|X\d+[SD])|SRL\w+)(_\d+)?$",
-                  "FF": r"(FD|LD)\w*$", "mult": r"DSP48E1$", "BRAM": r"RAMB\w*$"},
-        "takes": [(r"(LUT[1-6]|INV|SRL\w+|RAM(32|64)X1S)$", {"LUT6": 1}),
-                  (r"RAM(32|64)X1D$", {"LUT6": 2}),
-                  (r"RAM(32M|64M|128X1D|256X1S)$", {"LUT6": 4}), (r"(FD|LD)\w*$", {"FF": 1}),
-                  (r"RAMB36\w*$", {"block RAM": 1}), (r"RAMB18\w*$", {"block RAM": 0.5}),
-                  (r"DSP48E1$", {"multiplier": 1})],
+        "cells": {
+            "LUT": r"(LUT[1-6]|INV)$",
+            "carry": r"CARRY4$",
+            "LUT RAM": r"(RAM\d+(M|X\d+[SD])|SRL\w+)(_\d+)?$",
+            "FF": r"(FD|LD)\w*$",
+            "mult": r"DSP48E1$",
+            "BRAM": r"RAMB\w*$",
+        },
+        "takes": [
+            (r"(LUT[1-6]|INV|SRL\w+|RAM(32|64)X1S)$", {"LUT6": 1}),
+            (r"RAM(32|64)X1D$", {"LUT6": 2}),
+            (r"RAM(32M|64M|128X1D|256X1S)$", {"LUT6": 4}),
+            (r"(FD|LD)\w*$", {"FF": 1}),
+            (r"RAMB36\w*$", {"block RAM": 1}),
+            (r"RAMB18\w*$", {"block RAM": 0.5}),
+            (r"DSP48E1$", {"multiplier": 1}),
+        ],
     },
     "xc2v": {
         "name": "Xilinx Virtex-II",
         "synth": "synth_xilinx -family xc2v -flatten -nowidelut -noiopad -top {top}",
-        "cells": {"LUT": r"(LUT[1-6]|INV)$", "carry": r"MUXCY$",
-                  "LUT RAM": r"(RAM\d+X\d+[SD]|SRL16E?)(_\d+)?$",
-                  "FF": r"(FD|LD)\w*$", "mult": r"MULT18X18S?$", "BRAM": r"RAMB16\w*$"},
-        "takes": [(r"(LUT[1-4]|INV|SRL16E?|RAM16X1S)(_\d+)?$", {"LUT4": 1}),
-                  (r"(RAM16X1D|RAM32X1S)(_\d+)?$", {"LUT4": 2}),
-                  (r"(RAM32X1D|RAM64X1S)(_\d+)?$", {"LUT4": 4}),
-                  (r"(RAM64X1D|RAM128X1S)(_\d+)?$", {"LUT4": 8}), (r"(FD|LD)\w*$", {"FF": 1}),
-                  (r"RAMB16\w*$", {"block RAM": 1}), (r"MULT18X18S?$", {"multiplier": 1})],
+        "cells": {
+            "LUT": r"(LUT[1-6]|INV)$",
+            "carry": r"MUXCY$",
+            "LUT RAM": r"(RAM\d+X\d+[SD]|SRL16E?)(_\d+)?$",
+            "FF": r"(FD|LD)\w*$",
+            "mult": r"MULT18X18S?$",
+            "BRAM": r"RAMB16\w*$",
+        },
+        "takes": [
+            (r"(LUT[1-4]|INV|SRL16E?|RAM16X1S)(_\d+)?$", {"LUT4": 1}),
+            (r"(RAM16X1D|RAM32X1S)(_\d+)?$", {"LUT4": 2}),
+            (r"(RAM32X1D|RAM64X1S)(_\d+)?$", {"LUT4": 4}),
+            (r"(RAM64X1D|RAM128X1S)(_\d+)?$", {"LUT4": 8}),
+            (r"(FD|LD)\w*$", {"FF": 1}),
+            (r"RAMB16\w*$", {"block RAM": 1}),
+            (r"MULT18X18S?$", {"multiplier": 1}),
+        ],
     },
 }
 COLUMNS = ("LUT", "carry", "LUT RAM", "FF", "mult", "BRAM")
@@ -65,23 +103,29 @@ COLUMNS = ("LUT", "carry", "LUT RAM", "FF", "mult", "BRAM")
 # What a device has. `source` is where the figures are from, `delay` hlsc's model of its timing.
 DEVICES = {
     "ecp5-85": {
-        "name": "Lattice LFE5U-85F", "family": "ecp5", "delay": "hls/compiler/delay/ecp5.json",
+        "name": "Lattice LFE5U-85F",
+        "family": "ecp5",
+        "delay": "hls/compiler/delay/ecp5.json",
         "has": {"LUT4": 83640, "FF": 83640, "block RAM": 208, "multiplier": 156},
         "source": "ECP5 and ECP5-5G Family Data Sheet FPGA-DS-02012, table 1.1; LUTs and flip-flops "
-                  "as nextpnr-ecp5 counts them",
+        "as nextpnr-ecp5 counts them",
     },
     "ice40-hx8k": {
-        "name": "Lattice iCE40HX8K", "family": "ice40", "delay": "hls/compiler/delay/ice40-hx.json",
+        "name": "Lattice iCE40HX8K",
+        "family": "ice40",
+        "delay": "hls/compiler/delay/ice40-hx.json",
         "has": {"LUT4": 7680, "FF": 7680, "block RAM": 32, "multiplier": 0},
         "source": "iCE40 LP/HX Family Data Sheet FPGA-DS-02029, table 1.1; block RAMs of 4 kbit",
     },
     "artix7-200": {
-        "name": "Xilinx XC7A200T", "family": "xc7",
+        "name": "Xilinx XC7A200T",
+        "family": "xc7",
         "has": {"LUT6": 134600, "FF": 269200, "block RAM": 365, "multiplier": 740},
         "source": "7 Series FPGAs Data Sheet: Overview DS180; block RAMs of 36 kbit",
     },
     "virtex2-6000": {
-        "name": "Xilinx XC2V6000, the thesis's", "family": "xc2v",
+        "name": "Xilinx XC2V6000, the thesis's",
+        "family": "xc2v",
         "has": {"LUT4": 67584, "FF": 67584, "block RAM": 144, "multiplier": 144},
         "source": "Virtex-II Platform FPGAs Data Sheet DS031, module 1; block RAMs of 18 kbit",
     },
@@ -98,15 +142,20 @@ def family_of(name):
         return DEVICES[name]["family"]
     if name in FAMILIES:
         return name
-    raise Unknown(f"there is no device '{name}'; the devices are {', '.join(DEVICES)}, "
-                  f"the families, whose areas alone are told, {', '.join(FAMILIES)}")
+    raise Unknown(
+        f"there is no device '{name}'; the devices are {', '.join(DEVICES)}, "
+        f"the families, whose areas alone are told, {', '.join(FAMILIES)}"
+    )
 
 
 def area(family, cells):
     """The columns of the table: how many cells of each kind."""
-    return {column: sum(n for cell, n in cells.items()
-                        if re.match(FAMILIES[family]["cells"][column], cell))
-            for column in COLUMNS}
+    return {
+        column: sum(
+            n for cell, n in cells.items() if re.match(FAMILIES[family]["cells"][column], cell)
+        )
+        for column in COLUMNS
+    }
 
 
 def resources(family, cells):
@@ -123,6 +172,9 @@ def resources(family, cells):
 def shortages(device, taken):
     """What a device lacks, a phrase for each resource."""
     has = DEVICES[device]["has"]
-    return [f"{amount:,.0f} {resource}{'s' if amount != 1 and resource != 'FF' else ''} of "
-            f"{has.get(resource, 0):,}, {amount - has.get(resource, 0):,.0f} too many"
-            for resource, amount in taken.items() if amount > has.get(resource, 0)]
+    return [
+        f"{amount:,.0f} {resource}{'s' if amount != 1 and resource != 'FF' else ''} of "
+        f"{has.get(resource, 0):,}, {amount - has.get(resource, 0):,.0f} too many"
+        for resource, amount in taken.items()
+        if amount > has.get(resource, 0)
+    ]

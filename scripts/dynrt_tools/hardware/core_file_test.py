@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """Holds dynrt.core, the description for FuseSoC, and the file lists made from it against the Verilog
@@ -11,10 +10,10 @@ import tempfile
 import unittest
 
 import yaml
+from dynrt_tools import project
+from dynrt_tools.hardware import rtl_files
 
-import rtl_files
-
-ROOT = rtl_files.ROOT
+ROOT = project.ROOT
 TEXT = (ROOT / "dynrt.core").read_text(encoding="utf-8")
 
 
@@ -31,8 +30,7 @@ class CoreFile(unittest.TestCase):
 
     def test_every_verilog_file_is_listed_once(self):
         listed = self.files("core", "board")
-        there = [*rtl_files.hand_written(ROOT),
-                 *(ROOT / "rtl/generated" / rtl_files.CHECKED_IN).glob("*.v")]
+        there = rtl_files.hand_written() + rtl_files.units_in(rtl_files.GENERATED)
         self.assertGreater(len(there), 30)
         self.assertEqual(sorted(listed), sorted(p.relative_to(ROOT).as_posix() for p in there))
 
@@ -51,8 +49,11 @@ class CoreFile(unittest.TestCase):
         for name, target in self.core["targets"].items():
             for fileset in target["filesets"]:
                 self.assertIn(fileset, self.core["filesets"], name)
-            text = "".join((ROOT / f).read_text(encoding="utf-8")
-                           for f in self.files(*target["filesets"]) if f.endswith(".v"))
+            text = "".join(
+                (ROOT / f).read_text(encoding="utf-8")
+                for f in self.files(*target["filesets"])
+                if f.endswith(".v")
+            )
             self.assertRegex(text, rf"\nmodule {target['toplevel']}\b", name)
 
     def test_file_lists_name_what_is_there(self):

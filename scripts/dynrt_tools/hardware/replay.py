@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """Records a frame of the native model and renders it again in Icarus Verilog, from the core's
@@ -13,14 +12,10 @@ import shutil
 import subprocess
 import sys
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-HERE = pathlib.Path(__file__).resolve().parent
-sys.path.insert(0, str(ROOT / "scripts"))
+from dynrt_tools import project
+from dynrt_tools.hardware import devices, rtl_files, synthesis
 
-import devices  # noqa: E402
-import synthesis  # noqa: E402
-
-CORE = "dynrt_core"
+HERE = project.ROOT / "verif" / "netlist"
 
 
 def run(command, silent=False):
@@ -43,8 +38,12 @@ def for_icarus(top):
         # Flip-flops become part of the core: for their generate blocks Icarus 11 takes time by the
         # square of their number, and then for each clock the way into each of them.
         "read_verilog -overwrite +/ecp5/cells_sim.v",
-        f"delete =* ={top} %d =TRELLIS_FF %d", f"hierarchy -top {top}", "proc",
-        "flatten", "opt_expr", "opt_clean -purge",
+        f"delete =* ={top} %d =TRELLIS_FF %d",
+        f"hierarchy -top {top}",
+        "proc",
+        "flatten",
+        "opt_expr",
+        "opt_clean -purge",
     ]
 
 
@@ -56,8 +55,22 @@ def shipped_cells():
 def icarus(args, name, sources, warnings):
     """What the bench prints of these sources; ends unless it saw that all is the same."""
     program = args.work / f"{name}.vvp"
-    run(["iverilog", "-g2005", *warnings, "-o", program, "-s", "core_bench", f"-I{args.work}",
-         f"-I{args.verilog}", *sources, HERE / "core_bench.v"], silent=True)
+    run(
+        [
+            "iverilog",
+            "-g2005",
+            *warnings,
+            "-o",
+            program,
+            "-s",
+            "core_bench",
+            f"-I{args.work}",
+            f"-I{args.verilog}",
+            *sources,
+            HERE / "core_bench.v",
+        ],
+        silent=True,
+    )
     lines = run(["vvp", program, f"+folder={args.work}"]).splitlines()
     print(f"{name}:", *lines, sep="\n", flush=True)
     if len(lines) < 2 or lines[-1] != "the same":
@@ -71,42 +84,53 @@ def netlist(sources):
 
     def make(folder):
         synthesis.run_yosys(
-            [*synthesis.read_commands(files), synth.format(top=CORE), "check -assert",
-             *for_icarus(CORE), f"write_verilog -noattr {folder / 'netlist.v'}"], folder,
-            f"the netlist of {CORE}")
+            [
+                *synthesis.read_commands(files),
+                synth.format(top=rtl_files.CORE),
+                "check -assert",
+                *for_icarus(rtl_files.CORE),
+                f"write_verilog -noattr {folder / 'netlist.v'}",
+            ],
+            folder,
+            f"the netlist of {rtl_files.CORE}",
+        )
 
     try:
         version = synthesis.tool_version("yosys", "-V", "yosys")
-        files = synthesis.needed(CORE, sources)
-        folder = synthesis.kept("netlist", [version, synth, for_icarus(CORE)], files, make)
-    except synthesis.Failed as error:
+        files = synthesis.needed(rtl_files.CORE, sources)
+        folder = synthesis.kept(
+            "netlist", [version, synth, for_icarus(rtl_files.CORE)], files, make
+        )
+    except project.Failed as error:
         sys.exit(f"replay: {error}")
     cells = shipped_cells()
     return [f"-I{cells}", folder / "netlist.v", cells / "cells_sim.v", HERE / "ecp5_cells.v"]
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--record", required=True, metavar="PROGRAM", help="record_frame")
     parser.add_argument("--scene", required=True)
     parser.add_argument("--size", required=True, metavar="WxH")
     parser.add_argument("--config", default="thesis")
-    parser.add_argument("--verilog", type=pathlib.Path, metavar="FOLDER",
-                        default=ROOT / "rtl/generated/thesis", help="of the configuration")
+    parser.add_argument(
+        "--verilog",
+        type=pathlib.Path,
+        metavar="FOLDER",
+        default=rtl_files.GENERATED,
+        help="of the configuration",
+    )
     parser.add_argument("--work", type=pathlib.Path, required=True, metavar="FOLDER")
     parser.add_argument("--netlist", action="store_true", help="as synthesized for ECP5, too")
     args = parser.parse_args()
 
     args.work.mkdir(parents=True, exist_ok=True)
     print(run([args.record, args.scene, args.config, args.size, args.work]))
-    sources = sorted((ROOT / "rtl/lib").glob("*.v")) + sorted(args.verilog.glob("*.v"))
+    sources = rtl_files.core_files(args.verilog)
     rtl = icarus(args, "Verilog", sources, ["-Wall"])
     if args.netlist:
         gates = icarus(args, "netlist", netlist(sources), [])
         if rtl != gates:
             sys.exit(f"replay: the Verilog says '{rtl}', its netlist '{gates}'")
-
-
-if __name__ == "__main__":
-    main()

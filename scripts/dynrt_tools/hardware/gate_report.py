@@ -5,9 +5,21 @@
 import re
 from collections import Counter
 
-import gate_rule
-from gate_units import (CACHE_UNITS, COMPLEXITY, COMPLEXITY_ROWS, LINES, NOTES, OPERATORS,
-                        OTHER_UNITS, PACKETS, PACKET_UNITS, bits, gates, owner)
+from dynrt_tools.hardware import gate_rule
+from dynrt_tools.hardware.gate_units import (
+    CACHE_UNITS,
+    COMPLEXITY,
+    COMPLEXITY_ROWS,
+    LINES,
+    NOTES,
+    OPERATORS,
+    OTHER_UNITS,
+    PACKET_UNITS,
+    PACKETS,
+    bits,
+    gates,
+    owner,
+)
 
 TABULATED = (*PACKET_UNITS, *CACHE_UNITS)
 NOT_COUNTED = ("(ray generation)", "(shading)", "(counters)")
@@ -45,12 +57,16 @@ def all_gates(counts):
 def summary(counts):
     """The figures of the document that --check compares: logic gates and memory bits by row."""
     rows = by_row(counts)
-    return {f"{u.name} {what}": figure for u in TABULATED
-            for what, figure in (("gates", rows[u.name][0]), ("bits", row_bits(rows[u.name])))}
+    return {
+        f"{u.name} {what}": figure
+        for u in TABULATED
+        for what, figure in (("gates", rows[u.name][0]), ("bits", row_bits(rows[u.name])))
+    }
 
 
-ROW = re.compile(r"^\| `([^`]+)` \| [^|]* \| ([\d,]+) \| [^|]* \| [^|]* \| [^|]* \| ([\d,]+) \|",
-                 re.MULTILINE)
+ROW = re.compile(
+    r"^\| `([^`]+)` \| [^|]* \| ([\d,]+) \| [^|]* \| [^|]* \| [^|]* \| ([\d,]+) \|", re.MULTILINE
+)
 
 
 def figures(text):
@@ -64,9 +80,13 @@ def figures(text):
 
 def kinds(counts):
     """What the rows of every memory follow: `packet`, `line` or nothing."""
+
     def rows_of(point):
-        return {(instance, m.name): m.rows for instance, count in counts[point].items()
-                for m in count.memories}
+        return {
+            (instance, m.name): m.rows
+            for instance, count in counts[point].items()
+            for m in count.memories
+        }
 
     base, found = rows_of(BASE), {}
     for point, axis, kind in (((64, 512), 0, "packet"), ((32, 64), 1, "line")):
@@ -97,10 +117,14 @@ def units_table(counts, units, kind, number):
         each = per(memories, kind, following, number)
         ours = row_bits(rows[unit.name])
         yield (f"`{unit.name}`", unit.logic, logic, unit.bits, each, unit.bits * number, ours)
-    sums = [sum(u.logic for u in units), sum(rows[u.name][0] for u in units),
-            sum(u.bits for u in units),
-            sum(per(rows[u.name][1], kind, following, number) for u in units),
-            sum(u.bits for u in units) * number, sum(row_bits(rows[u.name]) for u in units)]
+    sums = [
+        sum(u.logic for u in units),
+        sum(rows[u.name][0] for u in units),
+        sum(u.bits for u in units),
+        sum(per(rows[u.name][1], kind, following, number) for u in units),
+        sum(u.bits for u in units) * number,
+        sum(row_bits(rows[u.name]) for u in units),
+    ]
     yield ("**all**", *sums)
 
 
@@ -108,10 +132,15 @@ def complexity(counts):
     rows = by_row(counts)
     for name, (add, mul, div, comp, memory) in COMPLEXITY.items():
         ours = sum(row_bits(rows[n]) for n in COMPLEXITY_ROWS[name]) / 8 / 1024
-        yield (name, *(f"{a} / {b}" for a, b in zip((add, mul, div, comp), OPERATORS[name])),
-               f"{memory} / {ours:.1f}")
-    sums = [f"{sum(c[i] for c in COMPLEXITY.values())} / {sum(o[i] for o in OPERATORS.values())}"
-            for i in range(4)]
+        yield (
+            name,
+            *(f"{a} / {b}" for a, b in zip((add, mul, div, comp), OPERATORS[name])),
+            f"{memory} / {ours:.1f}",
+        )
+    sums = [
+        f"{sum(c[i] for c in COMPLEXITY.values())} / {sum(o[i] for o in OPERATORS.values())}"
+        for i in range(4)
+    ]
     ours = sum(row_bits(rows[n]) for names in COMPLEXITY_ROWS.values() for n in names) / 8 / 1024
     yield ("**all**", *sums, f"{sum(c[4] for c in COMPLEXITY.values()):.1f} / {ours:.1f}")
 
@@ -145,9 +174,16 @@ def memories_table(counts):
         grouped, single = {}, Counter()
         for instance, memory in memories:
             kind = following.get((instance, memory.name), "")
-            sort = next((s for s, ending in (("FIFOs", ("_fifo", "_queue")), ("delays", None))
-                         if (memory.name.endswith(ending) if ending
-                             else memory.name.startswith("delay_"))), None)
+            sort = next(
+                (
+                    s
+                    for s, ending in (("FIFOs", ("_fifo", "_queue")), ("delays", None))
+                    if (
+                        memory.name.endswith(ending) if ending else memory.name.startswith("delay_")
+                    )
+                ),
+                None,
+            )
             if sort:
                 group = grouped.setdefault((sort, kind), [0, 0])
                 group[0] += 1
@@ -156,14 +192,21 @@ def memories_table(counts):
                 single[instance, memory, kind] += 1
         for (instance, memory, kind), _ in single.items():
             number = {"packet": PACKETS, "line": LINES}.get(kind)
-            each = (f"{memory.rows / number:g} x {memory.width} x {memory.ports} = "
-                    f"{memory.bits / number:g} a {kind}" if number else
-                    f"{memory.rows} x {memory.width} x {memory.ports}, whatever P and CL")
+            each = (
+                f"{memory.rows / number:g} x {memory.width} x {memory.ports} = "
+                f"{memory.bits / number:g} a {kind}"
+                if number
+                else f"{memory.rows} x {memory.width} x {memory.ports}, whatever P and CL"
+            )
             yield (f"`{name}`", f"`{memory.name}`", each, memory.bits)
         for (sort, kind), (number, amount) in grouped.items():
             rows = {"packet": PACKETS, "line": LINES}.get(kind)
-            yield (f"`{name}`", f"{number} {sort if number > 1 else sort[:-1]}",
-                   f"{amount / rows:g} a {kind}" if rows else "whatever P and CL", amount)
+            yield (
+                f"`{name}`",
+                f"{number} {sort if number > 1 else sort[:-1]}",
+                f"{amount / rows:g} a {kind}" if rows else "whatever P and CL",
+                amount,
+            )
 
 
 def document(counts):
@@ -173,8 +216,15 @@ def document(counts):
     there = 2807671
     others = {n: total(base, [n]) for n in NOT_COUNTED}
     cells = sum((c.cells for c in base.values()), Counter())
-    head = ("unit", "logic gates, thesis", "ours", "bits per packet, thesis", "ours",
-            "memory bits, thesis", "ours")
+    head = (
+        "unit",
+        "logic gates, thesis",
+        "ours",
+        "bits per packet, thesis",
+        "ours",
+        "memory bits, thesis",
+        "ours",
+    )
     lines = [
         "# Gates by the thesis's rule",
         "",
@@ -184,12 +234,18 @@ def document(counts):
         "",
         "## The rule (table 7.2)",
         "",
-        *table(("unit", "gates"), (
-            ("full adder", gate_rule.FULL_ADDER), ("D flip-flop", gate_rule.FLIP_FLOP),
-            ("D flip-flop with clock enable", gate_rule.FLIP_FLOP_ENABLED),
-            ("4-input LUT, worst case", gate_rule.LUT["LUT4"]),
-            ("3-input LUT, worst case", gate_rule.LUT["LUT3"]),
-            ("memory bit", gate_rule.MEMORY_BIT), ("18-bit multiplier", gate_rule.MULTIPLIER))),
+        *table(
+            ("unit", "gates"),
+            (
+                ("full adder", gate_rule.FULL_ADDER),
+                ("D flip-flop", gate_rule.FLIP_FLOP),
+                ("D flip-flop with clock enable", gate_rule.FLIP_FLOP_ENABLED),
+                ("4-input LUT, worst case", gate_rule.LUT["LUT4"]),
+                ("3-input LUT, worst case", gate_rule.LUT["LUT3"]),
+                ("memory bit", gate_rule.MEMORY_BIT),
+                ("18-bit multiplier", gate_rule.MULTIPLIER),
+            ),
+        ),
         "",
         *[f"{line}" for line in RULE],
         "",
@@ -206,20 +262,26 @@ def document(counts):
         *(f"- `{name}`: {note}." for name, note in NOTES.items()),
         "- Our bits per packet are of the memories whose rows grow with the packets; memory bits "
         "are all.",
-        "- Not in the thesis's table, and not in our sums: " + "; ".join(
+        "- Not in the thesis's table, and not in our sums: "
+        + "; ".join(
             f"{n.strip('()')} {logic:,} gates and {amount:,} bits"
-            for n, (logic, amount) in others.items()) + ".",
+            for n, (logic, amount) in others.items()
+        )
+        + ".",
         "",
         f"## Memory interface and caches, {LINES} lines (table 7.5)",
         "",
-        *table([h.replace("packet", "line") for h in head],
-               units_table(counts, CACHE_UNITS, "line", LINES)),
+        *table(
+            [h.replace("packet", "line") for h in head],
+            units_table(counts, CACHE_UNITS, "line", LINES),
+        ),
         "",
         f"Total gates: thesis {there:,}, ours {here:,} "
         f"({100 * here / there:.0f} %), of them {4 * memory:,} in memories.",
         "",
-        "What the logic of the whole core is made of: " + ", ".join(
-            f"{n:,} x {kind}" for kind, n in sorted(cells.items())) + ".",
+        "What the logic of the whole core is made of: "
+        + ", ".join(f"{n:,} x {kind}" for kind, n in sorted(cells.items()))
+        + ".",
         "",
         "## By packets and lines",
         "",
@@ -232,8 +294,21 @@ def document(counts):
         "thesis's",
         "C_RTC leaves out the 17,803 logic gates of its table 7.5.)",
         "",
-        *table(("P", "CL", "gates", "fitted", "off", "bits", "fitted", "off", "gates, thesis",
-                "bits, thesis"), fit_rows),
+        *table(
+            (
+                "P",
+                "CL",
+                "gates",
+                "fitted",
+                "off",
+                "bits",
+                "fitted",
+                "off",
+                "gates, thesis",
+                "bits, thesis",
+            ),
+            fit_rows,
+        ),
         "",
         *FIT,
         "",

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """What scripts/place reads and writes around the tools, and what it says without them."""
@@ -6,15 +5,13 @@
 import pathlib
 import shutil
 import subprocess
-import sys
 import tempfile
 import unittest
 
-sys.dont_write_bytecode = True
-import placing  # noqa: E402
-import synthesis  # noqa: E402
+from dynrt_tools import project
+from dynrt_tools.hardware import placing
 
-SCRIPTS = pathlib.Path(__file__).resolve().parent
+SCRIPTS = project.SCRIPTS
 UNIT = """\
 // A comment with input wire none,
 module sum #(
@@ -57,32 +54,53 @@ class Placing(unittest.TestCase):
             path = pathlib.Path(name, "sum.v")
             path.write_text(UNIT + placing.wrap("sum", UNIT), encoding="utf-8")
             result = subprocess.run(
-                ["yosys", "-p", f"read_verilog {path}; hierarchy -check -top placed; proc; flatten; "
-                 "opt -full; splitnets; techmap; opt_clean; stat"],
-                capture_output=True, text=True, check=False)
+                [
+                    "yosys",
+                    "-p",
+                    f"read_verilog {path}; hierarchy -check -top placed; proc; flatten; "
+                    "opt -full; splitnets; techmap; opt_clean; stat",
+                ],
+                capture_output=True,
+                text=True,
+                check=False,
+            )
         self.assertEqual(result.returncode, 0, result.stderr)
-        flip_flops = sum(int(line.split()[1]) for line in
-                         result.stdout[result.stdout.rindex("Number of cells"):].splitlines()
-                         if "DFF" in line)
+        flip_flops = sum(
+            int(line.split()[1])
+            for line in result.stdout[result.stdout.rindex("Number of cells") :].splitlines()
+            if "DFF" in line
+        )
         self.assertEqual(flip_flops, 6 + 5 + 6 + 1 + 5)
 
     def test_no_build_is_said(self):
-        with self.assertRaisesRegex(synthesis.Failed, "no build with hlsc is in /nowhere"):
+        with self.assertRaisesRegex(project.Failed, "no build with hlsc is in /nowhere"):
             placing.find_build(pathlib.Path("/nowhere"))
 
     def test_unknown_device_lists_those_that_there_are(self):
-        result = subprocess.run([SCRIPTS / "place", "--device", "virtex2-6000"],
-                                capture_output=True, text=True, check=False)
+        result = subprocess.run(
+            [SCRIPTS / "place", "--device", "virtex2-6000"],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
         self.assertEqual(result.returncode, 1)
-        self.assertEqual(result.stderr, "place: there is no way to place on 'virtex2-6000'; the "
-                         "devices are ice40-hx8k, ecp5-85\n")
+        self.assertEqual(
+            result.stderr,
+            "place: there is no way to place on 'virtex2-6000'; the "
+            "devices are ice40-hx8k, ecp5-85\n",
+        )
 
     @unittest.skipIf(shutil.which("nextpnr-ecp5"), "nextpnr-ecp5 is there")
     def test_a_missing_tool_is_said(self):
-        result = subprocess.run([SCRIPTS / "place", "--device", "ecp5-85", "--build", "/nowhere"],
-                                capture_output=True, text=True, check=False)
-        self.assertIn("place: nextpnr-ecp5 is not on the PATH (Debian 12 has no package of it",
-                      result.stderr)
+        result = subprocess.run(
+            [SCRIPTS / "place", "--device", "ecp5-85", "--build", "/nowhere"],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
+        self.assertIn(
+            "place: nextpnr-ecp5 is not on the PATH (Debian 12 has no package of it", result.stderr
+        )
 
 
 if __name__ == "__main__":

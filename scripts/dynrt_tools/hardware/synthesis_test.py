@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """Runs a stand-in for Yosys in which ABC aborts, as Debian's does now and then."""
@@ -11,7 +10,8 @@ import tempfile
 import unittest
 from unittest import mock
 
-import synthesis
+from dynrt_tools import project
+from dynrt_tools.hardware import synthesis
 
 # Fails in its first FAILURES runs with the sentence ERROR, in its log and on stderr.
 STAND_IN = """#!/bin/sh
@@ -39,13 +39,18 @@ class Yosys(unittest.TestCase):
         """How often it ran, the sentence with which it failed, and what stands on stderr."""
         runs, sentence, errors = self.folder / "runs", None, io.StringIO()
         runs.unlink(missing_ok=True)
-        environment = {"PATH": f"{self.folder}:{os.environ['PATH']}", "RUNS": str(runs),
-                       "FAILURES": str(failures), "ERROR": error}
-        with mock.patch.dict(os.environ, environment), \
-             mock.patch.object(synthesis, "KEPT", self.folder), contextlib.redirect_stderr(errors):
+        environment = {
+            "PATH": f"{self.folder}:{os.environ['PATH']}",
+            "RUNS": str(runs),
+            "FAILURES": str(failures),
+            "ERROR": error,
+        }
+        with mock.patch.dict(os.environ, environment), mock.patch.object(
+            synthesis, "KEPT", self.folder
+        ), contextlib.redirect_stderr(errors):
             try:
                 synthesis.run_yosys(["stat"], self.folder, "mailbox")
-            except synthesis.Failed as failed:
+            except project.Failed as failed:
                 sentence = str(failed)
         return len(runs.read_text().splitlines()), sentence, errors.getvalue()
 
@@ -61,8 +66,10 @@ class Yosys(unittest.TestCase):
     def test_an_abort_that_repeats_is_an_error(self):
         error = ABORTED.format(134)
         runs, sentence, _ = self.run_yosys(99, error)
-        self.assertEqual((runs, sentence), (3, f"mailbox: ERROR: {error}; the whole log is "
-                                               f"{self.folder / 'failed.log'}"))
+        self.assertEqual(
+            (runs, sentence),
+            (3, f"mailbox: ERROR: {error}; the whole log is " f"{self.folder / 'failed.log'}"),
+        )
         self.assertEqual((self.folder / "failed.log").read_text(), f"ERROR: {error}\n")
 
     def test_after_another_error_it_does_not_run_again(self):

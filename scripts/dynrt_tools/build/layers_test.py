@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """Plants includes that point the wrong way in a small tree and expects scripts/check-layers to
@@ -10,7 +9,9 @@ import sys
 import tempfile
 import unittest
 
-SCRIPT = pathlib.Path(__file__).resolve().parent / "check-layers"
+from dynrt_tools import project
+
+SCRIPT = project.SCRIPTS / "check-layers"
 RIGHT = {
     "hls/include/hls/int.h": "#include <cstdint>\n",
     "hls/include/hls/float.h": '#include "hls/int.h"\n#include "hls/ports.h"\n',
@@ -33,8 +34,9 @@ class CheckLayers(unittest.TestCase):
                 path = pathlib.Path(folder, name)
                 path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(text, encoding="utf-8")
-            return subprocess.run([sys.executable, SCRIPT, folder], capture_output=True, text=True,
-                                  check=False)
+            return subprocess.run(
+                [sys.executable, SCRIPT, folder], capture_output=True, text=True, check=False
+            )
 
     def assert_refused(self, source, text, message):
         result = self.run_on({source: text})
@@ -48,41 +50,65 @@ class CheckLayers(unittest.TestCase):
         self.assertIn("13 includes, all pointing the right way", result.stdout)
 
     def test_language_knows_no_unit(self):
-        self.assert_refused("hls/include/hls/bad.h", '\n#include "units/mailbox.h"\n',
-                            "hls/include/hls/bad.h:2: includes hls/units/mailbox.h, but "
-                            "hls/include may include only hls/include, hls/lowered, hls/native")
+        self.assert_refused(
+            "hls/include/hls/bad.h",
+            '\n#include "units/mailbox.h"\n',
+            "hls/include/hls/bad.h:2: includes hls/units/mailbox.h, but "
+            "hls/include may include only hls/include, hls/lowered, hls/native",
+        )
 
     def test_unit_knows_no_host(self):
-        self.assert_refused("hls/units/bad.h", '#include "../../host/image/pack.h"\n',
-                            "hls/units/bad.h:1: includes host/image/pack.h")
+        self.assert_refused(
+            "hls/units/bad.h",
+            '#include "../../host/image/pack.h"\n',
+            "hls/units/bad.h:1: includes host/image/pack.h",
+        )
 
     def test_back_end_knows_no_front_end(self):
-        result = self.run_on({"hls/compiler/frontend/read.h": "#include <string>\n",
-                              "hls/compiler/passes/bad.h": '#include "frontend/read.h"\n'})
+        result = self.run_on(
+            {
+                "hls/compiler/frontend/read.h": "#include <string>\n",
+                "hls/compiler/passes/bad.h": '#include "frontend/read.h"\n',
+            }
+        )
         self.assertEqual(result.returncode, 1)
-        self.assertIn("hls/compiler/passes/bad.h:1: includes hls/compiler/frontend/read.h",
-                      result.stderr)
+        self.assertIn(
+            "hls/compiler/passes/bad.h:1: includes hls/compiler/frontend/read.h", result.stderr
+        )
 
     def test_compiler_knows_no_unit(self):
-        self.assert_refused("hls/compiler/bad.cpp", '#  include <units/mailbox.h>\n',
-                            "hls/compiler/bad.cpp:1: includes hls/units/mailbox.h")
+        self.assert_refused(
+            "hls/compiler/bad.cpp",
+            "#  include <units/mailbox.h>\n",
+            "hls/compiler/bad.cpp:1: includes hls/units/mailbox.h",
+        )
 
     def test_host_knows_only_what_is_published(self):
-        self.assert_refused("host/app/bad.cpp", '#include "units/mailbox.h"\n',
-                            "includes hls/units/mailbox.h, but host may include only")
+        self.assert_refused(
+            "host/app/bad.cpp",
+            '#include "units/mailbox.h"\n',
+            "includes hls/units/mailbox.h, but host may include only",
+        )
 
     def test_only_the_board_runs_the_model(self):
-        self.assert_refused("host/app/bad.cpp", '#include "units/core_model.h"\n',
-                            "host/app/bad.cpp:1: includes hls/units/core_model.h")
+        self.assert_refused(
+            "host/app/bad.cpp",
+            '#include "units/core_model.h"\n',
+            "host/app/bad.cpp:1: includes hls/units/core_model.h",
+        )
 
     def test_nothing_includes_verification(self):
-        self.assert_refused("host/app/bad.cpp", '#include "verif/unit/mailbox_cosim.cpp"\n',
-                            "host/app/bad.cpp:1: includes verif/unit/mailbox_cosim.cpp")
+        self.assert_refused(
+            "host/app/bad.cpp",
+            '#include "verif/unit/mailbox_cosim.cpp"\n',
+            "host/app/bad.cpp:1: includes verif/unit/mailbox_cosim.cpp",
+        )
 
     def test_wrong_folder_is_not_a_pass(self):
         with tempfile.TemporaryDirectory() as folder:
-            result = subprocess.run([sys.executable, SCRIPT, folder], capture_output=True,
-                                    text=True, check=False)
+            result = subprocess.run(
+                [sys.executable, SCRIPT, folder], capture_output=True, text=True, check=False
+            )
         self.assertEqual(result.returncode, 1)
         self.assertIn("is this the project's folder?", result.stderr)
 

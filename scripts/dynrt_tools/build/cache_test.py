@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """The cache keeps whole entries alone, whoever else is at work, and says why it cannot keep one."""
@@ -12,11 +11,12 @@ import tempfile
 import time
 import unittest
 
-from build_cache import BuildCache, CacheError
+from dynrt_tools.build.cache import BuildCache, CacheError
 
 
 def build_text(text, seconds=0.0, started=None, builds=None):
     """A build that writes two files and counts itself."""
+
     def build(folder):
         if builds is not None:
             with builds.get_lock():
@@ -29,6 +29,7 @@ def build_text(text, seconds=0.0, started=None, builds=None):
         time.sleep(seconds)
         (made / "second").write_text(text, encoding="utf-8")
         return made
+
     return build
 
 
@@ -43,13 +44,15 @@ class Cache(unittest.TestCase):
         return [p.name for p in self.folder.iterdir() if p.name.endswith(suffix)]
 
     def assert_whole(self, entry, text):
-        self.assertEqual([(entry / n).read_text(encoding="utf-8") for n in ("first", "second")],
-                         [text, text])
+        self.assertEqual(
+            [(entry / n).read_text(encoding="utf-8") for n in ("first", "second")], [text, text]
+        )
         self.assertEqual(self.names(".partial"), [])
 
     def start(self, *args, **kwargs):
         process = multiprocessing.Process(
-            target=lambda: self.cache.get("key", build_text(*args, **kwargs)))
+            target=lambda: self.cache.get("key", build_text(*args, **kwargs))
+        )
         process.start()
         self.addCleanup(process.join)
         return process
@@ -64,6 +67,7 @@ class Cache(unittest.TestCase):
         def build(folder):
             (folder / "file").write_text("a", encoding="utf-8")
             return folder / "file"
+
         self.assertEqual(self.cache.get("key", build).read_text(encoding="utf-8"), "a")
 
     def test_two_at_once(self):
@@ -90,6 +94,7 @@ class Cache(unittest.TestCase):
         def build(folder):
             (folder / "half").write_text("a", encoding="utf-8")
             raise ValueError("no")
+
         with self.assertRaises(ValueError):
             self.cache.get("key", build)
         self.assertEqual(self.names("key") + self.names(".partial"), [])
@@ -97,13 +102,18 @@ class Cache(unittest.TestCase):
     def test_full_disk(self):
         def build(_):
             raise OSError(errno.ENOSPC, "No space left on device")
-        with self.assertRaisesRegex(CacheError, f"^the disk that holds the cache {self.folder} is "
-                                    "full; free some space or let DYNRT_CACHE name a folder"):
+
+        with self.assertRaisesRegex(
+            CacheError,
+            f"^the disk that holds the cache {self.folder} is "
+            "full; free some space or let DYNRT_CACHE name a folder",
+        ):
             self.cache.get("key", build)
 
     def test_what_a_build_runs_into_is_not_told_of_the_cache(self):
         def build(_):
             raise FileNotFoundError(errno.ENOENT, "No such file or directory", "cmake")
+
         with self.assertRaisesRegex(FileNotFoundError, "cmake"):
             self.cache.get("key", build)
         self.assertEqual(self.names(".partial"), [])
@@ -117,8 +127,11 @@ class Cache(unittest.TestCase):
 
     def test_cache_that_cannot_be_written(self):
         self.folder.write_text("no folder", encoding="utf-8")
-        with self.assertRaisesRegex(CacheError, f"^the cache {self.folder} cannot be written .*; "
-                                    "let DYNRT_CACHE name a folder that can$"):
+        with self.assertRaisesRegex(
+            CacheError,
+            f"^the cache {self.folder} cannot be written .*; "
+            "let DYNRT_CACHE name a folder that can$",
+        ):
             self.cache.get("key", build_text("a"))
 
     def test_what_is_there_needs_no_writing(self):

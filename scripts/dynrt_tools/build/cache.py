@@ -31,8 +31,10 @@ def default_folder():
 
 
 def full_disk(folder):
-    return (f"the disk that holds the cache {folder} is full; free some space or let DYNRT_CACHE "
-            "name a folder elsewhere")
+    return (
+        f"the disk that holds the cache {folder} is full; free some space or let DYNRT_CACHE "
+        "name a folder elsewhere"
+    )
 
 
 def _sync(made):
@@ -80,8 +82,10 @@ class BuildCache:
         except OSError as error:
             if error.errno == errno.ENOSPC:
                 raise CacheError(full_disk(self.folder)) from error
-            raise CacheError(f"the cache {self.folder} cannot be written ({error.strerror}); let "
-                             "DYNRT_CACHE name a folder that can") from error
+            raise CacheError(
+                f"the cache {self.folder} cannot be written ({error.strerror}); let "
+                "DYNRT_CACHE name a folder that can"
+            ) from error
 
     @contextlib.contextmanager
     def _locked(self, key, wait):
@@ -108,8 +112,9 @@ class BuildCache:
             if entry.is_dir():  # and not whole
                 shutil.rmtree(entry)
             entry.unlink(missing_ok=True)
-            partial = pathlib.Path(tempfile.mkdtemp(prefix=f"{entry.name}.", suffix=PARTIAL,
-                                                    dir=self.folder))
+            partial = pathlib.Path(
+                tempfile.mkdtemp(prefix=f"{entry.name}.", suffix=PARTIAL, dir=self.folder)
+            )
         try:
             made = self._built(build, partial)
             with self._told():

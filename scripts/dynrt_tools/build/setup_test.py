@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """Runs scripts/setup, demo and test against stand-ins for apt-get and dpkg-query, and their
@@ -11,10 +10,12 @@ import subprocess
 import tempfile
 import unittest
 
-SCRIPTS = pathlib.Path(__file__).resolve().parent
+from dynrt_tools import project
+
+SCRIPTS = project.SCRIPTS
 # The machine of the stand-ins: the file `installed` holds dpkg's answer, `calls` what apt-get got.
 DPKG_QUERY = '#!/bin/sh\ncat "$MACHINE/installed"\n'
-APT_GET = '''#!/bin/sh
+APT_GET = """#!/bin/sh
 echo "$@" >>"$MACHINE/calls"
 case "$*" in
   *update*) [ "$BROKEN" = update ] && { echo "E: Could not resolve host"; exit 100; } ;;
@@ -23,7 +24,7 @@ case "$*" in
     for argument; do echo "ii $argument"; done >>"$MACHINE/installed" ;;
 esac
 exit 0
-'''
+"""
 APT_CACHE = '#!/bin/sh\n[ "$BROKEN" = unknown ] && [ "$3" = yosys ] && exit 100\nexit 0\n'
 ID = '#!/bin/sh\necho "${USER_ID:-0}"\n'
 
@@ -33,13 +34,19 @@ class Scripts(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.machine = pathlib.Path(folder.name)
-        for name, text in (("dpkg-query", DPKG_QUERY), ("apt-get", APT_GET),
-                           ("apt-cache", APT_CACHE), ("id", ID)):
+        for name, text in (
+            ("dpkg-query", DPKG_QUERY),
+            ("apt-get", APT_GET),
+            ("apt-cache", APT_CACHE),
+            ("id", ID),
+        ):
             (self.machine / name).write_text(text)
             (self.machine / name).chmod(0o755)
         shutil.copytree(SCRIPTS, self.machine / "scripts")
-        listed = (line.split("#")[0].strip()
-                  for line in (SCRIPTS / "packages.txt").read_text().splitlines())
+        listed = (
+            line.split("#")[0].strip()
+            for line in (SCRIPTS / "packages.txt").read_text().splitlines()
+        )
         self.packages = [name for name in listed if name]
         self.install(self.packages)
 
@@ -49,10 +56,13 @@ class Scripts(unittest.TestCase):
 
     def run_script(self, *command, **environment):
         path = f"{self.machine}:{os.environ['PATH']}"
-        return subprocess.run([self.machine / "scripts" / command[0], *command[1:]],
-                              env={**os.environ, "PATH": path, "MACHINE": str(self.machine),
-                                   **environment},
-                              capture_output=True, text=True, check=False)
+        return subprocess.run(
+            [self.machine / "scripts" / command[0], *command[1:]],
+            env={**os.environ, "PATH": path, "MACHINE": str(self.machine), **environment},
+            capture_output=True,
+            text=True,
+            check=False,
+        )
 
     def calls(self):
         path = self.machine / "calls"
@@ -88,21 +98,27 @@ class Scripts(unittest.TestCase):
         self.assertIn(message, result.stderr)
 
     def test_failed_update(self):
-        self.assert_setup_fails("E: Could not resolve host\nsetup: apt-get update failed",
-                                BROKEN="update")
+        self.assert_setup_fails(
+            "E: Could not resolve host\nsetup: apt-get update failed", BROKEN="update"
+        )
 
     def test_unknown_package(self):
         self.assert_setup_fails("setup: no package source has: yosys; this is", BROKEN="unknown")
 
     def test_failed_install(self):
-        self.assert_setup_fails("E: No space left on device\n"
-                                "setup: apt-get could not install: yosys", BROKEN="install")
+        self.assert_setup_fails(
+            "E: No space left on device\n" "setup: apt-get could not install: yosys",
+            BROKEN="install",
+        )
 
     def test_neither_root_nor_sudo(self):
         for tool in ("bash", "dirname", "basename", "sed", "sort", "comm", "cat", "mktemp", "rm"):
             (self.machine / tool).symlink_to(shutil.which(tool))
-        self.assert_setup_fails("not root and sudo is not installed; as root run: "
-                                "apt-get install yosys", USER_ID="1000", PATH=str(self.machine))
+        self.assert_setup_fails(
+            "not root and sudo is not installed; as root run: " "apt-get install yosys",
+            USER_ID="1000",
+            PATH=str(self.machine),
+        )
 
     def test_help_says_what_will_be_installed(self):
         for script in ("setup", "demo", "test"):
@@ -113,11 +129,12 @@ class Scripts(unittest.TestCase):
 
     def test_mistakes_on_the_command_line(self):
         for command, message in (
-                (("setup", "--now"), "setup: unknown argument '--now'"),
-                (("demo", "office"), "demo: unknown argument 'office'"),
-                (("demo", "--size"), "demo: --size needs WxH, for example 512x384"),
-                (("test", "--label", "units"), "test: unknown label 'units'; the labels are unit,"),
-                (("test", "--preset", "debug"), "test: unknown preset 'debug'; the presets are")):
+            (("setup", "--now"), "setup: unknown argument '--now'"),
+            (("demo", "office"), "demo: unknown argument 'office'"),
+            (("demo", "--size"), "demo: --size needs WxH, for example 512x384"),
+            (("test", "--label", "units"), "test: unknown label 'units'; the labels are unit,"),
+            (("test", "--preset", "debug"), "test: unknown preset 'debug'; the presets are"),
+        ):
             result = self.run_script(*command)
             self.assertEqual(result.returncode, 1, command)
             self.assertTrue(result.stderr.startswith(message), result.stderr)

@@ -6,42 +6,53 @@ import json
 import re
 import subprocess
 
-import devices
-import rtl_files
-import synthesis
+from dynrt_tools import project
+from dynrt_tools.hardware import devices, rtl_files, synthesis
 
-CONSTRAINTS = rtl_files.ROOT / "constraints"
+CONSTRAINTS = project.ROOT / "constraints"
 # How a device's tool is called; `cells` is the logic cell in its report. The speed grade of ECP5 is the
 # slowest. The wrapper has four pins, so any package will do; that of ECP5 is the board's.
 TOOLS = {
     "ice40-hx8k": {
-        "program": "nextpnr-ice40", "cells": "ICESTORM_LC",
+        "program": "nextpnr-ice40",
+        "cells": "ICESTORM_LC",
         "where": "Debian's package nextpnr-ice40 has it, and scripts/setup installs that",
-        "flags": ["--hx8k", "--package", "ct256", "--pcf",
-                  str(CONSTRAINTS / "ice40_hx8k_evn.pcf")],
+        "flags": ["--hx8k", "--package", "ct256", "--pcf", str(CONSTRAINTS / "ice40_hx8k_evn.pcf")],
     },
     "ecp5-85": {
-        "program": "nextpnr-ecp5", "cells": "TRELLIS_COMB",
+        "program": "nextpnr-ecp5",
+        "cells": "TRELLIS_COMB",
         "where": "Debian 12 has no package of it; build it from the nextpnr project",
-        "flags": ["--85k", "--package", "CABGA381", "--speed", "6", "--lpf",
-                  str(CONSTRAINTS / "ulx3s_85f.lpf")],
+        "flags": [
+            "--85k",
+            "--package",
+            "CABGA381",
+            "--speed",
+            "6",
+            "--lpf",
+            str(CONSTRAINTS / "ulx3s_85f.lpf"),
+        ],
     },
 }
 PORT = re.compile(r"^\s*(input|output)\s+(?:wire|reg)?\s*(?:\[(\d+):0\])?\s*(\w+)", re.MULTILINE)
 WRAPPER = "placed"
 
 
-class DoesNotFit(synthesis.Failed):
+class DoesNotFit(project.Failed):
     """The tool's word that the design is too large."""
 
 
 def find_build(named):
-    folders = [named] if named else [rtl_files.ROOT / "build" / p for p in ("release", "dev")]
+    folders = [named] if named else [project.ROOT / "build" / p for p in ("release", "dev")]
     for folder in folders:
-        if (folder / "hls/compiler/hlsc").is_file() and (folder / "hls/units/list_units.txt").is_file():
+        if (folder / "hls/compiler/hlsc").is_file() and (
+            folder / "hls/units/list_units.txt"
+        ).is_file():
             return folder
-    raise synthesis.Failed(f"no build with hlsc is in {' or '.join(map(str, folders))}; build the "
-                           "target hlsc, or name a build's folder with --build")
+    raise project.Failed(
+        f"no build with hlsc is in {' or '.join(map(str, folders))}; build the "
+        "target hlsc, or name a build's folder with --build"
+    )
 
 
 def units(build, config=rtl_files.CHECKED_IN):
@@ -56,26 +67,57 @@ def units(build, config=rtl_files.CHECKED_IN):
 
 def lower(build, unit, clock_ns, delay):
     """The folder with the unit's Verilog and hlsc's report for a delay model."""
-    root, module = rtl_files.ROOT, unit["module"]
+    root, module = project.ROOT, unit["module"]
     include = build / "generated" / "include"
     hlsc = build / "hls" / "compiler" / "hlsc"
     header = f"{rtl_files.CHECKED_IN}/{module}.h"
-    sources = sorted(p for folder in ("hls/lowered", "hls/include", "hls/units")
-                     for p in (root / folder).rglob("*.h"))
+    sources = sorted(
+        p
+        for folder in ("hls/lowered", "hls/include", "hls/units")
+        for p in (root / folder).rglob("*.h")
+    )
 
     def make(folder):
-        includes = [f for path in (root / "hls/lowered", root / "hls/include", root / "hls", include)
-                    for f in ("-I", str(path))]
+        includes = [
+            f
+            for path in (root / "hls/lowered", root / "hls/include", root / "hls", include)
+            for f in ("-I", str(path))
+        ]
         result = subprocess.run(
-            [hlsc, "--unit", unit["type"], "--module", module, "--header", header, *includes,
-             "--clock-ns", str(clock_ns), "--delay", root / delay, "-o", folder / f"{module}.v",
-             "--report", folder / f"{module}.txt", "--binding", folder / "ports.h"],
-            capture_output=True, text=True, check=False)
+            [
+                hlsc,
+                "--unit",
+                unit["type"],
+                "--module",
+                module,
+                "--header",
+                header,
+                *includes,
+                "--clock-ns",
+                str(clock_ns),
+                "--delay",
+                root / delay,
+                "-o",
+                folder / f"{module}.v",
+                "--report",
+                folder / f"{module}.txt",
+                "--binding",
+                folder / "ports.h",
+            ],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
         if result.returncode != 0:
-            raise synthesis.Failed(result.stderr.strip().splitlines()[-1])
+            raise project.Failed(result.stderr.strip().splitlines()[-1])
 
-    said = [unit, clock_ns, (root / delay).read_text(encoding="utf-8"), hlsc.stat().st_mtime_ns,
-            (include / "configs" / f"{rtl_files.CHECKED_IN}.h").read_text(encoding="utf-8")]
+    said = [
+        unit,
+        clock_ns,
+        (root / delay).read_text(encoding="utf-8"),
+        hlsc.stat().st_mtime_ns,
+        (include / "configs" / f"{rtl_files.CHECKED_IN}.h").read_text(encoding="utf-8"),
+    ]
     return synthesis.kept("lowered", said, sources, make)
 
 
@@ -89,9 +131,11 @@ def schedule(report):
 def wrap(module, verilog):
     """A module with four pins that has registers before every input of a module, filled through a
     chain, and behind every output, folded into a chain that ends at a pin."""
-    body = verilog[re.search(rf"^module {module}\b", verilog, re.MULTILINE).end():]
-    ports = [(way, int(high or 0) + 1, name)
-             for way, high, name in PORT.findall(body[:body.index(");\n")])]
+    body = verilog[re.search(rf"^module {module}\b", verilog, re.MULTILINE).end() :]
+    ports = [
+        (way, int(high or 0) + 1, name)
+        for way, high, name in PORT.findall(body[: body.index(");\n")])
+    ]
     into = [p for p in ports if p[0] == "input" and p[2] not in ("clk_i", "rst_ni")]
     out = [p for p in ports if p[0] == "output"]
     inputs, outputs = sum(w for _, w, _ in into), sum(w for _, w, _ in out)
@@ -140,29 +184,64 @@ def place(device, module, files, seed, mhz):
         wrapper = folder / f"{WRAPPER}.v"
         source = next(f for f in files if f.stem == module)
         wrapper.write_text(wrap(module, source.read_text(encoding="utf-8")), encoding="utf-8")
-        synthesis.run_yosys([*synthesis.read_commands([*files, wrapper]),
-                             family["synth"].format(top=WRAPPER),
-                             f"write_json {folder}/netlist.json"], folder, module)
+        synthesis.run_yosys(
+            [
+                *synthesis.read_commands([*files, wrapper]),
+                family["synth"].format(top=WRAPPER),
+                f"write_json {folder}/netlist.json",
+            ],
+            folder,
+            module,
+        )
 
-    netlist = synthesis.kept("netlist", [*said, wrap("m", "module m (\n  input wire a\n);\n")],
-                             files, make_netlist) / "netlist.json"
+    netlist = (
+        synthesis.kept(
+            "netlist", [*said, wrap("m", "module m (\n  input wire a\n);\n")], files, make_netlist
+        )
+        / "netlist.json"
+    )
 
     def make_placement(folder):
         result = subprocess.run(
-            [tool["program"], *tool["flags"], "--json", netlist, "--seed", str(seed), "--freq",
-             f"{mhz:g}", "--timing-allow-fail", "--report", folder / "report.json",
-             "-q", "-l", folder / "log"], capture_output=True, text=True, check=False)
+            [
+                tool["program"],
+                *tool["flags"],
+                "--json",
+                netlist,
+                "--seed",
+                str(seed),
+                "--freq",
+                f"{mhz:g}",
+                "--timing-allow-fail",
+                "--report",
+                folder / "report.json",
+                "-q",
+                "-l",
+                folder / "log",
+            ],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
         report = folder / "report.json"
         if result.returncode != 0 or not report.exists():
             errors = [line for line in result.stderr.splitlines() if line.startswith("ERROR")]
-            raise DoesNotFit(errors[-1].removeprefix("ERROR: ") if errors else
-                             f"{tool['program']} failed")
+            raise DoesNotFit(
+                errors[-1].removeprefix("ERROR: ") if errors else f"{tool['program']} failed"
+            )
 
-    folder = synthesis.kept("placed", [*said, version, tool["flags"], seed, mhz, netlist.parent.name],
-                            [], make_placement)
+    folder = synthesis.kept(
+        "placed",
+        [*said, version, tool["flags"], seed, mhz, netlist.parent.name],
+        [],
+        make_placement,
+    )
     report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
-    return {"seed": seed, "cells": report["utilization"][tool["cells"]]["used"],
-            "mhz": min(c["achieved"] for c in report["fmax"].values())}
+    return {
+        "seed": seed,
+        "cells": report["utilization"][tool["cells"]]["used"],
+        "mhz": min(c["achieved"] for c in report["fmax"].values()),
+    }
 
 
 ARRIVAL = re.compile(r"Latest arrival time in '[^']*' is (\d+)")
@@ -174,12 +253,20 @@ def logic_delay(module, files):
     synth = devices.FAMILIES["xc7"]["synth"]
 
     def make(folder):
-        synthesis.run_yosys([*synthesis.read_commands(files), synth.format(top=module),
-                             f"tee -q -o {folder}/sta.txt sta"], folder, module)
+        synthesis.run_yosys(
+            [
+                *synthesis.read_commands(files),
+                synth.format(top=module),
+                f"tee -q -o {folder}/sta.txt sta",
+            ],
+            folder,
+            module,
+        )
 
-    folder = synthesis.kept("sta", [synthesis.tool_version("yosys", "-V", "yosys"), synth, module],
-                            files, make)
+    folder = synthesis.kept(
+        "sta", [synthesis.tool_version("yosys", "-V", "yosys"), synth, module], files, make
+    )
     found = ARRIVAL.search((folder / "sta.txt").read_text(encoding="utf-8"))
     if not found:
-        raise synthesis.Failed(f"{module}: Yosys's sta names no arrival time")
+        raise project.Failed(f"{module}: Yosys's sta names no arrival time")
     return int(found[1]) / 1000

@@ -1,0 +1,281 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Builds one configuration of the core as a shared library, which dynrt takes as --config FILE.so."""
+
+import argparse
+import hashlib
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+from dynrt_tools.build import fingerprint
+from dynrt_tools.build.cache import BuildCache, CacheError, full_disk
+from dynrt_tools.build.configs import load_configurations
+from dynrt_tools.project import ROOT, Failed, require_tool, show_progress
+
+NAME = "loadable"  # of the configuration in the C++ and the Verilog, whatever the file's name is
+
+# What decides how it is built, beside the sources that decide what it does, and what more decides
+# what becomes of its Verilog.
+RULES = (
+    "CMakeLists.txt",
+    "cmake/*.cmake",
+    "hls/CMakeLists.txt",
+    "hls/configs/CMakeLists.txt",
+    "host/board/CMakeLists.txt",
+)
+VERILOG_RULES = (
+    "hls/lowered/**/*.h",
+    "hls/units/CMakeLists.txt",
+    "hls/units/*.cpp*",
+    "hls/compiler/join/*",
+    "hls/compiler/delay/*.json",
+)
+BOARD_RULES = ("rtl/lib/*.v", "rtl/board/*", "host/board/*.cpp")
+
+# Of each kind: the CMake target, what is kept of its build, what it is made of.
+KINDS = {
+    "native": {"target": NAME, "rules": RULES},
+    "verilog": {"target": f"dynrt_{NAME}_core", "rules": RULES + VERILOG_RULES},
+    "rtl": {"target": NAME, "rules": RULES + VERILOG_RULES + BOARD_RULES},
+}
+LIBRARY = "configuration.so"
+TOOLS = {"cmake": "cmake", "ninja": "ninja-build"}  # and Debian's packages that have them
+
+
+class Refused(Exception):
+    """What is wrong, in a sentence."""
+
+
+def read_configuration(path):
+    """Every key of a file with one configuration."""
+    configurations = load_configurations()
+    try:
+        return configurations.read_one(path, NAME)
+    except configurations.Refused as error:
+        sentence = str(error).replace(f"configuration '{NAME}': ", "")
+        raise Refused(f"line {error.line}: {sentence}" if error.line else sentence) from error
+
+
+def find_build(named):
+    """What cmake/DescribeBuild.cmake wrote of a build."""
+    candidates = (
+        [named, named / "build.json"]
+        if named
+        else [ROOT / "build" / p / "build.json" for p in ("release", "dev", "model")]
+    )
+    for path in candidates:
+        if path.is_file():
+            return json.loads(path.read_text(encoding="utf-8"))
+    raise Refused(
+        f"no build is at {' nor '.join(map(str, candidates))}; build the project first, "
+        "or name its folder with --build"
+    )
+
+
+def key_of(kind, config, build):
+    """Of all that the result depends on; `about` and where it is from are but text."""
+    said = {
+        key: value
+        for key, value in config.items()
+        if key not in ("about", "made_for", "made_from", "rtl")
+    }
+    digest = hashlib.sha256(
+        json.dumps(
+            [kind, said, build["variables"], fingerprint.fingerprint(build)], sort_keys=True
+        ).encode()
+    )
+    fingerprint.add_files(digest, pathlib.Path(build["source"]), KINDS[kind]["rules"])
+    if kind != "native":
+        hlsc = pathlib.Path(build["hlsc"])
+        if not hlsc.is_file():
+            raise Refused(f"{hlsc} is not there; build the target hlsc, which lowers the units")
+        digest.update(hlsc.read_bytes())
+    return digest.hexdigest()[:40]
+
+
+class Builder:
+    """Runs CMake for one configuration."""
+
+    def __init__(self, kind, config, build, jobs, progress):
+        self.kind, self.config, self.build = kind, config, build
+        self.jobs, self.progress = jobs, progress
+
+    def __call__(self, folder):
+        for tool, package in TOOLS.items():
+            require_tool(tool, package)
+        configs, tree, log = folder / "configs.json", folder / "build", folder / "log"
+        stated = self.config | {"rtl": self.kind != "native"}
+        configs.write_text(json.dumps([{"name": NAME, **stated}]), encoding="utf-8")
+        variables = self.build["variables"] | {
+            "DYNRT_LOADABLE": "ON",
+            "DYNRT_CONFIGS_FILE": configs,
+            "DYNRT_RTL": "OFF" if self.kind == "native" else "ON",
+            "DYNRT_HLSC": self.build["hlsc"],
+            "DYNRT_FINGERPRINT": fingerprint.fingerprint(self.build),
+        }
+        with log.open("w", encoding="utf-8") as file:
+            self._run(
+                [
+                    "cmake",
+                    "-S",
+                    self.build["source"],
+                    "-B",
+                    tree,
+                    "-G",
+                    "Ninja",
+                    *(f"-D{name}={value}" for name, value in variables.items()),
+                ],
+                file,
+                log,
+            )
+            self._run(
+                [
+                    "cmake",
+                    "--build",
+                    tree,
+                    "--target",
+                    KINDS[self.kind]["target"],
+                    "--parallel",
+                    str(self.jobs),
+                ],
+                file,
+                log,
+            )
+        if self.kind == "verilog":
+            made = tree / "generated" / NAME
+            shutil.rmtree(made / "fresh", ignore_errors=True)
+            return made
+        made = folder / "made"
+        made.mkdir()
+        (tree / "host" / "board" / f"{NAME}.so").rename(made / LIBRARY)
+        return made
+
+    def _run(self, command, file, log):
+        with subprocess.Popen(
+            command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace"
+        ) as process:
+            for line in process.stdout:
+                file.write(line)
+                if step := re.match(r"\[(\d+/\d+)\]", line):
+                    self.progress(f"step {step[1]}")
+        if process.returncode != 0:
+            file.flush()
+            raise Refused(self._reason(log))
+
+    def _reason(self, log):
+        text = log.read_text(encoding="utf-8", errors="replace")
+        if "No space left on device" in text:
+            return full_disk(log.parent.parent)
+        kept = log.parent.parent / "failed.log"
+        shutil.copyfile(log, kept)
+        lines = [line.strip() for line in text.splitlines() if line.strip()]
+        error = next((line for line in lines if "error:" in line or "FAILED" in line), lines[-1])
+        return f"cannot be built: {error}; the whole log is {kept}"
+
+
+def make(args):
+    """The path of what was asked for."""
+    config = read_configuration(args.file)
+    build = find_build(args.build)
+    if args.expect and args.expect != fingerprint.fingerprint(build):
+        raise Refused("the sources have changed since this program was built; build it again")
+    progress = lambda text: show_progress(f"building configuration {args.file.stem}: {text}")
+    entry = BuildCache().get(
+        f"configuration-{args.kind}-{key_of(args.kind, config, build)}",
+        Builder(args.kind, config, build, args.jobs, progress),
+        lambda: progress("another program is at it, waiting"),
+    )
+    made = entry if args.kind == "verilog" else entry / LIBRARY
+    if not args.out:
+        return made
+    if args.kind == "verilog":
+        shutil.copytree(made, args.out, dirs_exist_ok=True)
+    else:
+        part = args.out.with_name(f"{args.out.name}.{os.getpid()}")
+        try:
+            shutil.copyfile(made, part)
+            part.replace(args.out)
+        finally:
+            part.unlink(missing_ok=True)
+    return args.out
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        prog="scripts/configuration",
+        description=__doc__,
+        epilog="What is built is kept in the folder that DYNRT_CACHE names (default: dynrt in the "
+        "user's cache folder) and built anew when the configuration, the sources, the compiler or "
+        "its flags change. Prints where it is.",
+    )
+    parser.add_argument(
+        "file",
+        type=pathlib.Path,
+        metavar="FILE.json",
+        help='an object with keys of a configuration; "like": NAME takes the '
+        "others from one of hls/configs/configs.json",
+    )
+    kinds = parser.add_mutually_exclusive_group()
+    kinds.add_argument(
+        "--rtl",
+        dest="kind",
+        action="store_const",
+        const="rtl",
+        help="with the Verilated board too, not the native model alone; takes " "minutes",
+    )
+    kinds.add_argument(
+        "--verilog",
+        dest="kind",
+        action="store_const",
+        const="verilog",
+        help="instead, a folder with the Verilog and hlsc's reports",
+    )
+    parser.set_defaults(kind="native")
+    parser.add_argument("--out", type=pathlib.Path, metavar="PATH", help="copy it there")
+    parser.add_argument(
+        "--build",
+        type=pathlib.Path,
+        metavar="FOLDER",
+        help="the build whose program will load it (default: build/release, else "
+        "build/dev or build/model)",
+    )
+    parser.add_argument(
+        "--jobs",
+        type=int,
+        default=os.cpu_count(),
+        metavar="N",
+        help="compilers at a time (default: the number of cores)",
+    )
+    parser.add_argument(
+        "--expect",
+        metavar="FINGERPRINT",
+        help="for programs: refuse where the sources give another",
+    )
+    parser.add_argument(
+        "--for-program",
+        action="store_true",
+        help="for programs: print what is wrong where the path would be",
+    )
+    args = parser.parse_args()
+    try:
+        made = make(args)
+    except (Refused, CacheError, Failed) as error:
+        show_progress("")
+        if args.for_program:
+            print(error)
+            return 1
+        sys.exit(f"configuration: {args.file}: {error}")
+    except OSError as error:
+        sentence = f"{error.filename or args.file}: {error.strerror}"
+        if args.for_program:
+            print(sentence)
+            return 1
+        sys.exit(f"configuration: {sentence}")
+    show_progress("")
+    print(made)
+    return 0

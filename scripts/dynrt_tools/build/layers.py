@@ -1,0 +1,125 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Checks that every #include points the right way between the folders of the project.
+
+Usage: scripts/check-layers [ROOT]
+
+    language <- hls/units
+    language <- hls/compiler             (which lowers anybody's units and knows none;
+                                          its front and back end share the netlist alone)
+    language, the units' published headers <- host <- verif, which may include everything
+
+An include is followed to the file that it names (beside the including file, then in the include
+folders); standard and library headers are nobody's room and always allowed.
+"""
+
+import pathlib
+import re
+import sys
+
+from dynrt_tools import project
+
+# The rooms, most specific folder first, and what each may include besides itself.
+LANGUAGE = ("hls/include", "hls/native", "hls/lowered")
+BACK_END = ("netlist", "passes", "schedule", "emit")
+ROOMS = {
+    "hls/include": {"hls/native", "hls/lowered"},
+    "hls/native": {"hls/include"},
+    "hls/lowered": {"hls/include"},
+    "hls/units": set(LANGUAGE),
+    "hls/compiler/frontend": {*LANGUAGE, "hls/compiler", "hls/compiler/netlist"},
+    **{
+        f"hls/compiler/{part}": {
+            *LANGUAGE,
+            "hls/compiler",
+            *(f"hls/compiler/{other}" for other in BACK_END),
+        }
+        for part in BACK_END
+    },
+    "hls/compiler": {*LANGUAGE, *(f"hls/compiler/{p}" for p in (*BACK_END, "frontend"))},
+    "rtl": set(LANGUAGE),
+    "host": set(LANGUAGE),
+    "verif": {*LANGUAGE, "hls/units", "hls/compiler", "host", "rtl"},
+}
+# What a room shows to others, and to whom: the host may know the core's memory formats and frame
+# registers, the board that runs the native model may include it, and the program that writes down
+# the join may call what turns a join into a Verilog top.
+PUBLISHED = {
+    "hls/units/memory_format.h": "host",
+    "hls/units/frame.h": "host",
+    "hls/units/options.h": "host",
+    "hls/units/core_model.h": "host/board",
+    "hls/units/scan_out.h": "host/board",
+    "hls/compiler/join/emit_top.h": "hls/units/elaborate.cpp",
+}
+# Where the compiler looks, after the folder of the including file.
+INCLUDE_FOLDERS = ("", "hls/include", "hls/native", "hls/lowered", "hls", "hls/compiler")
+
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.MULTILINE)
+
+
+def within(path, folder):
+    return path == folder or path.startswith(folder + "/")
+
+
+def room_of(path):
+    return next((room for room in ROOMS if within(path, room)), None)
+
+
+def resolve(root, source, name):
+    """The project's file that `source` gets for `name`, relative to root, or None."""
+    for folder in (source.parent, *(root / f for f in INCLUDE_FOLDERS)):
+        candidate = (folder / name).resolve()
+        if candidate.is_file() and candidate.is_relative_to(root):
+            return candidate.relative_to(root).as_posix()
+    return None
+
+
+def allowed(source, target):
+    source_room, target_room = room_of(source), room_of(target)
+    if target in PUBLISHED and within(source, PUBLISHED[target]):
+        return True
+    return target_room == source_room or target_room in ROOMS[source_room]
+
+
+def check(root):
+    """All violations as sentences, and the number of includes between files of ours."""
+    problems, followed = [], 0
+    for room in ROOMS:
+        for source in sorted((root / room).rglob("*")):
+            inner = room_of(source.relative_to(root).as_posix()) != room
+            if inner or source.suffix not in (".h", ".cpp", ".inc"):
+                continue
+            text = source.read_text(encoding="utf-8")
+            for match in INCLUDE.finditer(text):
+                target = resolve(root, source, match.group(1))
+                if target is None:
+                    continue
+                followed += 1
+                here = source.relative_to(root).as_posix()
+                if not allowed(here, target):
+                    line = text.count("\n", 0, match.start()) + 1
+                    may = ", ".join(sorted(ROOMS[room] | {room}))
+                    published = [p for p, reader in PUBLISHED.items() if within(here, reader)]
+                    extra = f" and {', '.join(published)}" if published else ""
+                    problems.append(
+                        f"{here}:{line}: includes {target}, but {room} may include "
+                        f"only {may}{extra}"
+                    )
+    return problems, followed
+
+
+def main():
+    root = pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else project.ROOT
+    problems, followed = check(root)
+    for problem in problems:
+        print(problem, file=sys.stderr)
+    if followed == 0:
+        print(
+            f"{root}: no include between files of ours found; is this the project's folder?",
+            file=sys.stderr,
+        )
+        return 1
+    if not problems:
+        print(f"{followed} includes, all pointing the right way")
+    return 1 if problems else 0

@@ -1,0 +1,59 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The models in ecp5_cells.v do what the Verilog does that Yosys makes such cells of. Takes the folder
+to work in."""
+
+import pathlib
+import sys
+
+from dynrt_tools import project
+from dynrt_tools.hardware import replay, synthesis
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    ram = project.ROOT / "rtl/lib/hls_ram_1r1w.v"
+    used = ["select -assert-min 3 t:DP16KD", "select -assert-min 2 t:MULT18X18D"]
+    try:
+        synthesis.run_yosys(
+            [
+                *synthesis.read_commands([ram, replay.HERE / "cells.v"]),
+                "synth_ecp5 -nowidelut -top cells",
+                *used,
+                *replay.for_icarus("cells"),
+                "rename cells gates",
+                f"write_verilog -noattr {folder / 'gates.v'}",
+            ],
+            folder,
+            "cells",
+        )
+    except project.Failed as error:
+        sys.exit(f"cells_test: {error}")
+    shipped = replay.shipped_cells()
+    replay.run(
+        [
+            "iverilog",
+            "-g2005",
+            "-o",
+            folder / "cells.vvp",
+            "-s",
+            "cells_bench",
+            f"-I{shipped}",
+            ram,
+            replay.HERE / "cells.v",
+            replay.HERE / "cells_bench.v",
+            folder / "gates.v",
+            shipped / "cells_sim.v",
+            replay.HERE / "ecp5_cells.v",
+        ],
+        silent=True,
+    )
+    output = replay.run(["vvp", folder / "cells.vvp"])
+    print(output)
+    if output.splitlines()[-1] != "the same":
+        sys.exit("cells_test: the models differ from the Verilog")
+
+
+if __name__ == "__main__":
+    main()

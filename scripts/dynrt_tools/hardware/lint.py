@@ -1,0 +1,105 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Lints all Verilog: what is written by hand in rtl/ and what hlsc made of a configuration.
+
+1. Every waiver in rtl/lint/*.vlt names a rule and a file that exists, and the comment above it
+   gives the reason.
+2. `verilator --lint-only -Wall` on every file, its module as the top.
+3. Yosys reads all files together: hierarchy -check, proc, check -assert.
+"""
+
+import argparse
+import concurrent.futures
+import fnmatch
+import os
+import re
+import subprocess
+import sys
+
+from dynrt_tools import project
+from dynrt_tools.hardware import rtl_files
+
+WAIVER = re.compile(r'lint_off\s+-rule\s+(\w+)\s+-file\s+"([^"]+)"(\s+-match\s+"[^"]*")?\s*$')
+
+
+def check_waivers(root, sources):
+    problems = []
+    for path in sorted((root / "rtl" / "lint").glob("*.vlt")):
+        explained = False
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+            where = f"{path.relative_to(root)}:{number}"
+            text = line.strip()
+            if text.startswith("//"):
+                explained = True
+                continue
+            if text.startswith("lint_off"):
+                waiver = WAIVER.match(text)
+                if not waiver:
+                    problems.append(
+                        f'{where}: a waiver is written lint_off -rule RULE -file "FILE" '
+                        '[-match "TEXT"], never by line number'
+                    )
+                elif not any(fnmatch.fnmatch(str(s), waiver.group(2)) for s in sources):
+                    problems.append(
+                        f"{where}: no Verilog file matches {waiver.group(2)}; " "remove the waiver"
+                    )
+                if not explained:
+                    problems.append(
+                        f"{where}: the waiver has no reason; " "write it as a comment above"
+                    )
+            elif not text:
+                explained = False
+    return problems
+
+
+def run(command):
+    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    return result.returncode, (result.stdout + result.stderr).strip()
+
+
+def verilator(root, path, sources):
+    command = ["verilator", "--lint-only", "-Wall", "+define+HLS_ASSERT", "--top-module", path.stem]
+    command += [str(v) for v in sorted((root / "rtl" / "lint").glob("*.vlt"))]
+    for folder in rtl_files.include_folders(sources):
+        command += ["-y", str(folder)]
+    return run([*command, str(path)])
+
+
+def yosys(sources):
+    script = [f"verilog_defaults -add -I{f}" for f in rtl_files.include_folders(sources)]
+    script += [f"read_verilog {f}" for f in sources]
+    return run(["yosys", "-q", "-p", "; ".join([*script, "hierarchy -check; proc; check -assert"])])
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        prog="scripts/lint",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    rtl_files.add_arguments(parser)
+    args = parser.parse_args()
+    root = project.ROOT
+    by_hand = rtl_files.hand_written()
+    if not by_hand:
+        project.fail(f"{root / 'rtl'} holds no Verilog; is this the project's folder?")
+    sources = by_hand + rtl_files.generated(args)
+
+    problems = check_waivers(root, sources)
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        jobs = {
+            f"verilator: {os.path.relpath(f, root)}": pool.submit(verilator, root, f, sources)
+            for f in sources
+        }
+        jobs["yosys"] = pool.submit(yosys, sources)
+        for name, job in jobs.items():
+            code, output = job.result()
+            # Yosys warns with exit code 0; a clean design prints nothing at all with -q.
+            if code != 0 or output:
+                problems.append(f"{name}\n{output}")
+    for problem in problems:
+        print(problem, file=sys.stderr)
+    if problems:
+        return 1
+    print(f"{len(sources)} Verilog files are clean")
+    return 0

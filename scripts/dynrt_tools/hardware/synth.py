@@ -1,0 +1,173 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Synthesizes the units and the whole core with Yosys and prints what each takes, of a family's cells
+and of a device."""
+
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import sys
+
+from dynrt_tools import project
+from dynrt_tools.hardware import devices, rtl_files, synthesis
+
+
+def print_areas(name, rows):
+    family = devices.FAMILIES[devices.family_of(name)]
+    device = devices.DEVICES.get(name, {})
+    width = max(len("unit"), *(len(top) for top in rows))
+    print(f"\n{device.get('name', family['name'])} ({family['synth'].split(' -top')[0]})")
+    print(f"{'unit':<{width}}" + "".join(f"{c:>9}" for c in devices.COLUMNS) + f"{'seconds':>9}")
+    for top, row in rows.items():
+        print(
+            f"{top:<{width}}"
+            + "".join(f"{row['area'][c]:>9}" for c in devices.COLUMNS)
+            + f"{row['seconds']:>9.0f}"
+        )
+
+
+def print_shares(name, rows):
+    """What each takes of the device, with the LUTs that carry cells and LUT RAM stand in."""
+    has = devices.DEVICES[name]["has"]
+    width = max(len("unit"), *(len(top) for top in rows))
+    print(f"\n{'of the device':<{width}}" + "".join(f"{r:>11}        " for r in has))
+    print(f"{'':<{width}}" + "".join(f"{n:>11,}        " for n in has.values()))
+    for top, row in rows.items():
+        taken = row["resources"]
+        print(
+            f"{top:<{width}}"
+            + "".join(
+                f"{taken.get(r, 0):>11,.0f} {100 * taken.get(r, 0) / n if n else 0:>5.1f} %"
+                for r, n in has.items()
+            )
+        )
+
+
+def misfits(names, figures):
+    """A sentence for every module that a device cannot hold, and those that none of them holds."""
+    sentences, nowhere = [], set()
+    parts = [n for n in names if n in devices.DEVICES]
+    for top in {top: None for n in parts for top in figures[n]}:
+        short = {
+            n: devices.shortages(n, figures[n][top]["resources"])
+            for n in parts
+            if top in figures[n]
+        }
+        sentences += [f"{top} does not fit {n}: {'; '.join(s)}" for n, s in short.items() if s]
+        if short and all(short.values()):
+            nowhere.add(top)
+    return sentences, nowhere
+
+
+def parse():
+    parser = argparse.ArgumentParser(
+        prog="scripts/synth",
+        description=__doc__,
+        epilog="Results are kept by what they were made of, in the folder that "
+        "DYNRT_CACHE names, else in build/synth.",
+    )
+    parser.add_argument(
+        "unit",
+        nargs="*",
+        metavar="UNIT",
+        help="modules to synthesize (default: every unit, then the whole core)",
+    )
+    rtl_files.add_arguments(parser)
+    parser.add_argument(
+        "--device",
+        action="append",
+        metavar="NAME",
+        help=f"a device ({', '.join(devices.DEVICES)}), or a family "
+        f"({', '.join(devices.FAMILIES)}) for areas alone; may be repeated "
+        "(default: ecp5-85 and virtex2-6000)",
+    )
+    parser.add_argument(
+        "--core",
+        default="dynrt_core",
+        metavar="MODULE",
+        help="the module that holds the whole core (default: dynrt_core)",
+    )
+    parser.add_argument("--units-only", action="store_true", help="leave out the whole core")
+    parser.add_argument(
+        "--jobs",
+        type=int,
+        default=os.cpu_count(),
+        metavar="N",
+        help="Yosys processes at a time (default: the number of cores)",
+    )
+    parser.add_argument(
+        "--json", type=pathlib.Path, metavar="FILE", help="also write the figures as data"
+    )
+    return parser.parse_args()
+
+
+def synthesize(name, top, files):
+    family = devices.family_of(name)
+    cells, seconds = synthesis.cells(
+        top, files, devices.FAMILIES[family]["synth"], f"{top} on {name}"
+    )
+    return {
+        "area": devices.area(family, cells),
+        "seconds": seconds,
+        "resources": devices.resources(family, cells),
+    }
+
+
+def main():
+    args = parse()
+    names = args.device or ["ecp5-85", "virtex2-6000"]
+    try:
+        for name in names:
+            devices.family_of(name)
+    except devices.Unknown as error:
+        project.fail(error)
+    if args.json:
+        project.check_output("--json", args.json)
+    unit_files = rtl_files.generated(args)
+    files = rtl_files.hand_written() + unit_files
+    tops = args.unit or sorted(m for m in synthesis.modules(unit_files) if m != args.core)
+    if not args.unit and not args.units_only:
+        tops.append(args.core)
+    known = synthesis.modules(files)
+    for top in tops:
+        if top not in known:
+            project.fail(f"there is no unit '{top}'; the modules are: {', '.join(sorted(known))}")
+
+    figures, failed = {name: {} for name in names}, False
+    with concurrent.futures.ThreadPoolExecutor(max(1, args.jobs)) as pool:
+        # The core takes longest, so it starts first.
+        jobs = {(n, t): pool.submit(synthesize, n, t, files) for t in reversed(tops) for n in names}
+        for name in names:
+            for top in tops:
+                if sys.stderr.isatty():
+                    print(f"\r\033[Ksynthesizing {top} for {name}", end="", file=sys.stderr)
+                try:
+                    figures[name][top] = jobs[name, top].result()
+                except project.Failed as error:
+                    print(f"synth: {error}", file=sys.stderr)
+                    failed = True
+            if sys.stderr.isatty():
+                print("\r\033[K", end="", file=sys.stderr)
+            if figures[name]:
+                print_areas(name, figures[name])
+                if name in devices.DEVICES:
+                    print_shares(name, figures[name])
+    sentences, nowhere = misfits(names, figures)
+    for sentence in sentences:
+        print(f"synth: {sentence}", file=sys.stderr)
+    if args.json:
+        parts = {
+            key: {n: {top: row[key] for top, row in rows.items()} for n, rows in figures.items()}
+            for key in ("area", "resources")
+        }
+        args.json.write_text(
+            json.dumps(
+                {"config": args.config, "devices": parts["area"], "resources": parts["resources"]},
+                indent=2,
+            )
+            + "\n",
+            encoding="utf-8",
+        )
+    return 1 if failed or nowhere else 0

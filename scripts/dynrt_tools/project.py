@@ -1,0 +1,62 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""What every command shares: the project's folder, progress on a terminal, files that are checked
+before the work, and tools that must be there."""
+
+import json
+import pathlib
+import shutil
+import sys
+from typing import Any, NoReturn
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCRIPTS = ROOT / "scripts"
+
+
+class Failed(Exception):
+    """Why something has no result, in a sentence."""
+
+
+def fail(message: object) -> NoReturn:
+    """Ends the command with a sentence."""
+    sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {message}")
+
+
+def show_progress(text: str) -> None:
+    """Writes over the line before; an empty text removes it."""
+    if sys.stderr.isatty():
+        print(f"\r\033[K{text}", end="", file=sys.stderr, flush=True)
+
+
+def read_json(path: pathlib.Path) -> Any:
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def write_json(path: pathlib.Path, data: object) -> None:
+    path.write_text(json.dumps(data, indent=2) + "\n", encoding="utf-8")
+
+
+def require_tool(tool: str, package: str) -> None:
+    """Names the package of a tool that is missing."""
+    if not shutil.which(tool):
+        raise Failed(
+            f"{tool} is not installed; Debian's package {package} has it, and "
+            "scripts/setup installs that"
+        )
+
+
+def check_output(flag: str, path: pathlib.Path) -> None:
+    """Refuses a file that could not be written, before the work."""
+    folder = path.absolute().parent
+    if not folder.is_dir():
+        fail(
+            f"{flag} {path}: there is no folder '{path.parent}'; create it or name a file elsewhere"
+        )
+    new = not path.exists()
+    try:
+        with path.open("a", encoding="utf-8"):
+            pass
+    except OSError:
+        fail(f"{flag} {path}: cannot be written; name a file that can")
+    if new:
+        path.unlink()
