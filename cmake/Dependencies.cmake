@@ -1,9 +1,10 @@
 # Every library comes from a Debian package; scripts/setup installs them.
+
+# The program.
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(glm REQUIRED)
-find_package(GTest REQUIRED)
 find_package(OpenImageIO REQUIRED)
 # Debian's target names the headers of OpenCV, which nothing here uses and CMake insists on finding.
 get_target_property(dynrt_oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
@@ -12,11 +13,17 @@ set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
                       INTERFACE_INCLUDE_DIRECTORIES "${dynrt_oiio_includes}")
 find_package(assimp REQUIRED)
 find_package(TBB REQUIRED)
-find_package(LLVM 19.1 REQUIRED CONFIG)
 # Verilator's package tries 20 compiler flags aloud.
 set(CMAKE_REQUIRED_QUIET ON)
 find_package(verilator HINTS $ENV{VERILATOR_ROOT} /usr/share/verilator REQUIRED)
 unset(CMAKE_REQUIRED_QUIET)
+if(DYNRT_PROGRAM_ONLY)
+  return()
+endif()
+
+# hlsc, the analyses and the tests.
+find_package(GTest REQUIRED)
+find_package(LLVM 19.1 REQUIRED CONFIG)
 find_program(DYNRT_YOSYS yosys REQUIRED)
 find_package(benchmark REQUIRED)
 find_package(embree 3 REQUIRED)

@@ -14,7 +14,8 @@
 #   <NAME>_rtl     library with the Verilated class V<NAME> (FAST, TRACE, SHARDS: Verilate.cmake),
 #                  whose name is the same for every configuration, so link only one of them
 #   test           generated.<NAME>, label lint, for CONFIG thesis: fails when rtl/generated/thesis/
-#                  <NAME>.v is not what hlsc writes now (the target update-generated renews it)
+#                  <NAME>.v is not what hlsc writes now (the target update-generated renews it);
+#                  generated.<NAME>.json the same of its schedule
 # CLOCK_NS and DELAY default to the cache variables DYNRT_CLOCK_NS and DYNRT_DELAY_MODEL.
 # For a CONFIG other than thesis the target names begin with "<CONFIG>_".
 # With DYNRT_RTL off (preset asan) only the model is made.
@@ -109,5 +110,6 @@ function(add_hls_unit)
 
   if(arg_CONFIG STREQUAL "thesis")
     dynrt_checked_in(${stem}.v ${id}_verilog)
+    dynrt_checked_in(${stem}.json ${id}_verilog)
   endif()
 endfunction()
