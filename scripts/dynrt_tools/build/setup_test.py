@@ -29,6 +29,12 @@ APT_CACHE = '#!/bin/sh\n[ "$BROKEN" = unknown ] && [ "$3" = yosys ] && exit 100\
 ID = '#!/bin/sh\necho "${USER_ID:-0}"\n'
 
 
+def names_in(lines):
+    """The packages that lines of packages.txt name."""
+    names = (line.split("#")[0].strip() for line in lines.splitlines())
+    return [name for name in names if name and not name.startswith("[")]
+
+
 class Scripts(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -43,11 +49,9 @@ class Scripts(unittest.TestCase):
             (self.machine / name).write_text(text)
             (self.machine / name).chmod(0o755)
         shutil.copytree(SCRIPTS, self.machine / "scripts")
-        listed = (
-            line.split("#")[0].strip()
-            for line in (SCRIPTS / "packages.txt").read_text().splitlines()
-        )
-        self.packages = [name for name in listed if name]
+        for_demo, for_test = (SCRIPTS / "packages.txt").read_text().split("\n[test]\n")
+        self.demo_packages = names_in(for_demo)
+        self.packages = self.demo_packages + names_in(for_test)
         self.install(self.packages)
 
     def install(self, packages):
@@ -82,6 +86,16 @@ class Scripts(unittest.TestCase):
         self.assertTrue(self.calls()[1].endswith("install --no-install-recommends verilator yosys"))
         self.assertEqual(self.run_script("setup").stdout, "")
         self.assertEqual(len(self.calls()), 2)
+
+    def test_demo_needs_fewer_packages(self):
+        self.install(self.demo_packages)
+        result = self.run_script("setup", "--for", "demo")
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        for heavy in ("llvm-19-dev", "chromium", "libcgal-dev", "libembree-dev", "yosys"):
+            self.assertNotIn(heavy, self.demo_packages)
+        result = self.run_script("setup", "--for", "test", "--check")
+        rest = sorted(set(self.packages) - set(self.demo_packages))
+        self.assertEqual((result.returncode, result.stdout.split()), (1, rest))
 
     def test_removed_package_counts_as_missing(self):
         self.install(self.packages)
@@ -121,15 +135,22 @@ class Scripts(unittest.TestCase):
         )
 
     def test_help_says_what_will_be_installed(self):
-        for script in ("setup", "demo", "test"):
+        for script, packages in (
+            ("setup", self.packages),
+            ("demo", self.demo_packages),
+            ("test", self.packages),
+        ):
             result = self.run_script(script, "--help")
             self.assertEqual(result.returncode, 0, result.stderr)
-            for package in self.packages:
-                self.assertIn(f" {package}", result.stdout.replace("\n", " "), script)
+            listed = result.stdout.partition("12 (as root or with sudo):\n")[2]
+            listed = listed.partition("\nscripts/packages.txt")[0].split()
+            self.assertEqual(listed, packages, script)
 
     def test_mistakes_on_the_command_line(self):
         for command, message in (
             (("setup", "--now"), "setup: unknown argument '--now'"),
+            (("setup", "--for"), "setup: --for needs demo or test"),
+            (("setup", "--for", "work"), "setup: unknown purpose 'work'; --for takes demo or"),
             (("demo", "office"), "demo: unknown argument 'office'"),
             (("demo", "--size"), "demo: --size needs WxH, for example 512x384"),
             (("test", "--label", "units"), "test: unknown label 'units'; the labels are unit,"),
