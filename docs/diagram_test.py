@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 DIAGRAM = pathlib.Path(__file__).resolve().parent / "diagram"
-SVG = DIAGRAM.parent / "core.svg"
+SVG = DIAGRAM.parent / "pictures/core.svg"
 CORE = pathlib.Path(sys.argv.pop()) if len(sys.argv) == 2 else None
 
 

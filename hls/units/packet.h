@@ -53,7 +53,7 @@ inline constexpr bool kHasReciprocals = C::kDivider == Divider::kReciprocal;
 template <class C>
 inline constexpr bool kWatertight = C::kTriangleTest == TriangleTest::kWatertight;
 /// Steps of the mantissa by which a plane's distance may be wrong: one and a half of two operations
-/// rounded to nearest, less than three of two truncated (docs/watertight.md). 0: none are minded.
+/// to nearest, less than three truncated (docs/explanation/watertight.md). 0: none is minded.
 template <class C>
 inline constexpr unsigned kWidening = !kWatertight<C>                                     ? 0
                                       : C::Real::kRounding == hls::Rounding::kNearestEven ? 2

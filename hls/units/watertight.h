@@ -6,7 +6,7 @@
 // Intersection", 2013). The map belongs to the ray alone, so that a corner that two triangles share
 // is mapped to the same point for both; whether the axis passes inside an edge is then decided by
 // exact products. Hence no ray passes between two triangles, or hits both, at the edge that they
-// share, however the map is rounded (docs/watertight.md).
+// share, however the map is rounded (docs/explanation/watertight.md).
 #pragma once
 
 #include "units/packet.h"

@@ -5,7 +5,7 @@
 // asked of them. They are built over the corners as the core has them, rounded: a part of a
 // triangle that only rounding brought into a cell is listed there. And as the test decides with
 // rounded differences, a triangle may be hit by a ray that passes a little beside it; it is listed
-// that far around. The proof is in docs/watertight.md.
+// that far around. The proof is in docs/explanation/watertight.md.
 #pragma once
 
 #include <string>

@@ -3,7 +3,7 @@
 //
 // The stress cases: scenes and rays where the numbers are hard (thesis chapters 3 to 5 with 17 bits
 // of significand), each small enough to read, each with what may go wrong and why. One table: the
-// program runs it, the tests run it, docs/stress.md is made from it.
+// program runs it, the tests run it, docs/results/stress.md is made from it.
 #pragma once
 
 #include <functional>

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Runs stress cases and tells how they went: a line each, data, or the table of docs/stress.md.
+// Runs stress cases and writes what came of them: lines, data, or the table of docs/results/stress.md.
 #pragma once
 
 #include <functional>

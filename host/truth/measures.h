@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // How wrong a frame is: its hit records and pixels held against the truth. What each measure means
-// is in the one table that measures() gives; docs/measures.md is checked against it.
+// is in the one table that measures() gives; docs/reference/measures.md is checked against it.
 //
 // A frame gives hit records of primary rays alone. What light and reflection rays have found shows
 // in the pixels: they are judged where the primary ray has hit what it should, so that a wrong

@@ -8,13 +8,13 @@ import json
 import pathlib
 
 PARTS = pathlib.Path(__file__).resolve().parent / "page"
-MEASURES = pathlib.Path(__file__).resolve().parents[2] / "docs" / "measures.md"
+MEASURES = pathlib.Path(__file__).resolve().parents[2] / "docs" / "reference" / "measures.md"
 LIBRARY = pathlib.Path("/usr/share/nodejs/d3/dist/d3.min.js")  # Debian's node-d3
 COLUMNS = ("group", "name", "unit", "better", "meaning")
 
 
 def read_measures(path=MEASURES):
-    """The table of docs/measures.md, which host/truth/measures_test holds against the program's."""
+    """The table of docs/reference/measures.md, which measures_test holds against the program's."""
     lines = path.read_text(encoding="utf-8").splitlines()
     rows = [[cell.strip(" `") for cell in line.strip("|").split(" | ")] for line in lines
             if line.startswith("| ")]

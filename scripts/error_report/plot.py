@@ -60,7 +60,7 @@ def main():
                         help="error.json of a report, its pictures beside it")
     parser.add_argument("--scene", default="office", metavar="NAME")
     parser.add_argument("--measure", default="primary.wrong_share", metavar="GROUP.NAME",
-                        help="one of docs/measures.md (default: primary.wrong_share)")
+                        help="one of docs/reference/measures.md (default: primary.wrong_share)")
     parser.add_argument("--area", default="LUT", metavar="NAME",
                         help="cells that the area is counted in (default: LUT)")
     parser.add_argument("--out", type=pathlib.Path, required=True, metavar="FILE.svg")

@@ -33,7 +33,7 @@ def parse(words):
                     "in its Verilog.",
                     epilog="Written into the folder: configuration.json, every key with the reason "
                     "for its value, for --config of the other commands; analysis.json, what it was "
-                    "decided by and what it saves; verilog/. docs/specialise.md tells more.")
+                    "decided by and what it saves; verilog/. docs/how-to/specialise.md tells more.")
     parser.add_argument("scene", metavar="SCENE", help="a built-in scene or a file")
     parser.add_argument("--out", type=pathlib.Path, metavar="DIR",
                         help="folder to write to (default: SCENE.specialised)")

@@ -5,7 +5,7 @@
 // frames of the watertight core, many of whose pixels lie on corners and edges exactly, and rays
 // that are tested with all triangles of a mesh by the units' code. The environment variable
 // DYNRT_RAYS says how many the slow tests take, millions without it, and DYNRT_SEED which.
-// docs/watertight.md has what is proved.
+// docs/explanation/watertight.md has what is proved.
 #include "configs/watertight.h"
 
 #include <fmt/format.h>

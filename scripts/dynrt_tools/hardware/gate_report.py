@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""docs/gates.md: what scripts/gates has counted, beside the thesis's tables 7.3 to 7.5."""
+"""docs/results/gates.md: what scripts/gates has counted, beside the thesis's tables 7.3 to 7.5."""
 
 import re
 from collections import Counter

@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Counts the core's gates by the thesis's rule and writes docs/gates.md: tables 7.3 to 7.5 beside
+"""Counts the core's gates by the thesis's rule. Writes docs/results/gates.md: tables 7.3 to 7.5 beside
 ours, and the formulas C_RTC(P, CL) and Bits_RTC(P, CL) fitted to ours."""
 
 import argparse
@@ -19,7 +19,7 @@ from dynrt_tools.hardware import (
     rtl_files,
 )
 
-DOCUMENT = project.ROOT / "docs" / "gates.md"
+DOCUMENT = project.ROOT / "docs" / "results" / "gates.md"
 # The configurations that the formulas are fitted to, beside the thesis's own.
 POINTS = ((64, 512), (8, 512), (32, 64))
 TOLERANCE = 0.03  # --check: how far a figure may have moved
@@ -61,7 +61,7 @@ def measure(points, jobs):
 
 
 def check(counts):
-    """What of docs/gates.md no longer holds, a sentence each."""
+    """What of docs/results/gates.md no longer holds, a sentence each."""
     written = gate_report.figures(DOCUMENT.read_text(encoding="utf-8"))
     now = gate_report.summary(counts[gate_units.PACKETS, gate_units.LINES])
     if set(written) != set(now):
@@ -78,7 +78,7 @@ def main():
     parser.add_argument(
         "--check",
         action="store_true",
-        help="write nothing; fail if what docs/gates.md says of the checked-in "
+        help="write nothing; fail if what docs/results/gates.md says of the checked-in "
         f"Verilog has moved by more than {100 * TOLERANCE:.0f} %%",
     )
     parser.add_argument(
@@ -93,7 +93,7 @@ def main():
         type=pathlib.Path,
         default=DOCUMENT,
         metavar="FILE",
-        help="where to write (default: docs/gates.md)",
+        help="where to write (default: docs/results/gates.md)",
     )
     args = parser.parse_args()
     thesis = (gate_units.PACKETS, gate_units.LINES)

@@ -1,0 +1,95 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The pages of the configurations and of their keys."""
+
+import json
+from typing import Any
+
+from dynrt_tools.build import configs
+
+
+def described() -> Any:
+    """The module that describes each key: KEYS by name, RULES between them."""
+    return configs.load_configurations().keys
+
+
+def configurations() -> dict[str, dict[str, Any]]:
+    """Every configuration of the project with every key."""
+    package = configs.load_configurations()
+    listed: dict[str, dict[str, Any]] = package.read(package.reading.LISTED)
+    return listed
+
+
+def shown(value: object) -> str:
+    """A value as it stands in JSON, as code."""
+    return f"`{json.dumps(value)}`"
+
+
+def keys_page() -> str:
+    """Each key with its values, its default and its meaning."""
+    module = described()
+    lines = [
+        "# Keys of a configuration",
+        "",
+        "Each configuration of `hls/configs/configs.json` has these keys. "
+        "[A configuration of your own](../how-to/configuration.md) shows how to write one.",
+        "",
+        "| key | meaning | values | default |",
+        "|---|---|---|---|",
+        "| `name` | how commands name it | letters, digits and `_` | must be stated |",
+        "| `like` | the configuration from which all other keys come | a name | none |",
+    ]
+    for name, key in module.KEYS.items():
+        default = "must be stated" if key.required else shown(key.default)
+        if not key.inherited:
+            default += "; not inherited"
+        lines.append(f"| `{name}` | {key.about} | {key.kind.wants()} | {default} |")
+    lines += [
+        "",
+        "## What one key asks of another",
+        "",
+        "| if | then | because |",
+        "|---|---|---|",
+    ]
+    for rule in module.RULES:
+        lines.append(
+            f"| `{rule.key}` is {shown(rule.value)} | `{rule.other}` is {rule.wants} | {rule.why} |"
+        )
+    lines += [
+        "",
+        "## How to state a key",
+        "",
+        'As its value, `"packets": 32`, or with a reason: '
+        '`"packets": {"value": 32, "reason": "a sentence"}`. A key that no line above has, a value '
+        "out of range and a configuration that is like itself are errors that name the file and "
+        "the line.",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def configurations_page() -> str:
+    """What each configuration is for, and in which keys it differs from the defaults."""
+    known = described().KEYS
+    lines = [
+        "# Configurations",
+        "",
+        "`hls/configs/configs.json` lists them. *Verilog*: builds make its Verilog too; the others "
+        "run as C++ alone. `thesis` is the one whose Verilog is checked in, under "
+        "`rtl/generated/thesis`, for readers without LLVM. A frame may use fewer packets and lines "
+        "than its configuration has (`--packets`, `--lines`).",
+        "",
+        "| configuration | Verilog | what it is for |",
+        "|---|---|---|",
+    ]
+    listed = configurations()
+    for name, config in listed.items():
+        made = "yes" if config["rtl"] else "no"
+        lines.append(f"| [`{name}`](#{name}) | {made} | {config['about']} |")
+    for name, config in listed.items():
+        lines += ["", f"## {name}", "", "| key | value |", "|---|---|"]
+        for key, value in config.items():
+            description = known[key]
+            if description.of_core and value != description.default:
+                lines.append(f"| `{key}` | {shown(value)} |")
+        lines.append("| all others | the [default](keys.md) |")
+    return "\n".join(lines) + "\n"

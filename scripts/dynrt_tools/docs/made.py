@@ -1,0 +1,58 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The pages that are made from the sources, and whether the checked-in ones are current."""
+
+import pathlib
+from collections.abc import Callable, Mapping
+
+from dynrt_tools import project
+from dynrt_tools.docs import keys, registers
+
+MARK = "<!-- Made by scripts/docs --renew; do not edit. -->\n"
+DOCS = project.ROOT / "docs"
+
+# By the page's file below docs.
+FROM_SOURCES: Mapping[str, Callable[[], str]] = {
+    "reference/keys.md": keys.keys_page,
+    "reference/configurations.md": keys.configurations_page,
+    "reference/registers.md": registers.page,
+}
+
+
+def renew(pages: Mapping[str, str], docs: pathlib.Path = DOCS) -> list[pathlib.Path]:
+    """Writes the pages that are not current and gives them."""
+    written = []
+    for name, text in pages.items():
+        path = docs / name
+        if not path.exists() or path.read_text(encoding="utf-8") != text:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+            written.append(path)
+    return written
+
+
+def stale(pages: Mapping[str, str], docs: pathlib.Path = DOCS) -> list[str]:
+    """A sentence for each page that is not current: its file and the first line that differs."""
+    problems = []
+    for name, text in pages.items():
+        path = docs / name
+        where = f"docs/{name}"
+        if not path.exists():
+            problems.append(f"{where}:1: the page is missing; scripts/docs --renew writes it")
+            continue
+        has = path.read_text(encoding="utf-8").splitlines()
+        wants = text.splitlines()
+        if has != wants:
+            line = next(
+                (i for i, (a, b) in enumerate(zip(has, wants), 1) if a != b),
+                min(len(has), len(wants)) + 1,
+            )
+            problems.append(
+                f"{where}:{line}: differs from its sources; scripts/docs --renew writes it"
+            )
+    return problems
+
+
+def from_sources() -> dict[str, str]:
+    """Every page that needs no build."""
+    return {name: MARK + make() for name, make in FROM_SOURCES.items()}

@@ -1,0 +1,138 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The page of the registers and the memory's formats, from the headers that define them."""
+
+import itertools
+import re
+from collections.abc import Iterator
+
+from dynrt_tools import project
+
+FRAME = "hls/units/frame.h"
+MEMORY = "hls/units/memory_format.h"
+PLACES = "rtl/generated/thesis/dynrt_core.vh"
+BOARD = "rtl/board/dynrt_registers.vh"
+FIELD = re.compile(r"(?:hls::uint<32>|hls::FieldIf<([^;]*?), hls::uint<32>>)\s+(\w+);")
+PLACE = re.compile(r"^`define DYNRT_CORE_FRAME_(\w+) (\d+)$", re.MULTILINE)
+REGISTER = re.compile(r"^localparam (?:\[\S+\] )?(\w+) = (\S+?);(?: *// *(.*))?$", re.MULTILINE)
+HEX = "'h"
+CONSTANT = re.compile(r"^inline constexpr unsigned (\w+)\s*=\s*([^;]+);(?:\s*///<\s*(.*))?$", re.M)
+STRUCT = re.compile(
+    r"((?:^///[^\n]*\n)*)(?:^template[^\n]*\n)?^struct (\w+) \{\n(.*?)^\};", re.M | re.S
+)
+
+
+def source(name: str) -> str:
+    return (project.ROOT / name).read_text(encoding="utf-8")
+
+
+def link(name: str) -> str:
+    return f"[{name}](../../{name})"
+
+
+def frame_fields(text: str) -> Iterator[tuple[str, str, str]]:
+    """Name, condition and meaning of each register of a frame."""
+    struct = text.partition("struct FrameRegisters {")[2].partition("HLS_FIELDS")[0]
+    above = ""
+    pending = ""
+    for line in struct.splitlines():
+        stripped = line.strip()
+        if stripped.startswith("///") and not stripped.startswith("///<"):
+            above = stripped[3:].strip()
+            continue
+        pending = f"{pending} {stripped}".strip()
+        found = FIELD.search(pending)
+        if not found:
+            continue
+        meaning = pending.partition("///<")[2].strip() or above
+        yield found[2], (found[1] or "").replace("C::", ""), meaning
+        above = pending = ""
+
+
+def frame_table() -> list[str]:
+    places = {name.lower(): int(bit) // 32 for name, bit in PLACE.findall(source(PLACES))}
+    lines = ["| register | in `thesis` | meaning | only if |", "|---|---|---|---|"]
+    for name, condition, meaning in frame_fields(source(FRAME)):
+        place = str(places[name]) if name in places else "-"
+        only = f"`{condition}`" if condition else ""
+        lines.append(f"| `{name}` | {place} | {meaning} | {only} |")
+    return lines
+
+
+def comment_of(text: str) -> str:
+    """The description at the head of a file, without the licence."""
+    head = itertools.takewhile(lambda line: line.startswith("//"), text.splitlines())
+    return "\n".join([line[2:].strip() for line in head][3:])
+
+
+def board_table(text: str) -> list[str]:
+    lines = ["| name | value | meaning |", "|---|---|---|"]
+    for name, value, meaning in REGISTER.findall(text):
+        lines.append(f"| `{name}` | `{value.rpartition(HEX)[2]}` | {meaning} |")
+    return lines
+
+
+def constants_table(text: str) -> list[str]:
+    lines = ["| constant | value | meaning |", "|---|---|---|"]
+    for name, value, meaning in CONSTANT.findall(re.sub(r"=\s*1u\s*<<", "= 1u <<", text)):
+        lines.append(f"| `{name}` | `{' '.join(value.split())}` | {meaning} |")
+    return lines
+
+
+def structs(text: str) -> list[str]:
+    """Each struct of the memory: its comment and its fields, lowest bit first."""
+    lines = []
+    for comment, name, body in STRUCT.findall(text):
+        order = re.search(r"HLS_FIELDS\(([^)]*)\)", body)
+        if not order:
+            continue
+        said = "\n".join(
+            line.removeprefix("///").removeprefix(" ") for line in comment.splitlines()
+        )
+        lines += ["", f"### {name}", "", said, "", "| field | type | meaning |", "|---|---|---|"]
+        for field in order[1].replace("\n", " ").split(","):
+            found = re.search(
+                rf"^  ([\w:<>, ]+?) {field.strip()}(?: = [^;]+)?;(?:\s*///<\s*(.*))?$", body, re.M
+            )
+            assert found, f"{name}.{field}"
+            lines.append(f"| `{field.strip()}` | `{found[1]}` | {found[2] or ''} |")
+    return lines
+
+
+def page() -> str:
+    """The whole page."""
+    memory = source(MEMORY)
+    lines = [
+        "# Registers and memory",
+        "",
+        "## Registers of a frame",
+        "",
+        f"{link(FRAME)} defines them. Each is one register of 32 bits, in this order; a core has no "
+        "register for a part that it lacks, and the registers behind it move up.",
+        "",
+        *frame_table(),
+        "",
+        f"The second column is the number of the register in `frame_i` of `thesis` "
+        f"({link(PLACES)}).",
+        "",
+        "## Registers of the board",
+        "",
+        f"{link(BOARD)} defines them. `R`: the host reads it, `W`: it writes it. Addresses are of bytes, "
+        "in hexadecimal.",
+        "",
+        *board_table(source(BOARD)),
+        "",
+        "## Memory",
+        "",
+        f"{link(MEMORY)} is the one description. The core unpacks with it and the host packs with it.",
+        "",
+        comment_of(memory),
+        "",
+        *constants_table(memory),
+        "",
+        "## Formats",
+        "",
+        "Fields stand in their order from the lowest bit on. `R` is the float of the configuration.",
+        *structs(memory),
+    ]
+    return "\n".join(lines) + "\n"
