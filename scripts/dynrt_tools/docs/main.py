@@ -1,15 +1,20 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Builds the documentation as a site with search, build/docs/index.html. Reading it needs no network.
+"""Builds the documentation as a site with search, build/docs/site. Reading it needs no network.
 
 Pages of docs/reference and docs/results that say so are made from the sources and from kept data:
 --check finds those that are not current, and links that lead nowhere; --renew writes the pages.
 """
 
 import argparse
+import functools
+import http.server
+import pathlib
 
 from dynrt_tools import project
-from dynrt_tools.docs import links, made
+from dynrt_tools.docs import links, made, site
+
+PORT = 8000
 
 
 def parse() -> argparse.Namespace:
@@ -21,6 +26,9 @@ def parse() -> argparse.Namespace:
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--check", action="store_true", help="write nothing; fail if a page is old")
     what.add_argument("--renew", action="store_true", help="write the pages that are not current")
+    what.add_argument(
+        "--serve", action="store_true", help="build, then serve http://localhost:8000"
+    )
     return parser.parse_args()
 
 
@@ -31,10 +39,31 @@ def check() -> int:
     return 1 if problems else 0
 
 
+def serve(folder: pathlib.Path) -> None:
+    """Serves the site to this machine until it is interrupted."""
+    handler = functools.partial(http.server.SimpleHTTPRequestHandler, directory=str(folder))
+    with http.server.ThreadingHTTPServer(("localhost", PORT), handler) as server:
+        print(f"http://localhost:{PORT}, until Ctrl-C", flush=True)
+        try:
+            server.serve_forever()
+        except KeyboardInterrupt:
+            print()
+
+
 def main() -> int:
     args = parse()
     if args.renew:
         for path in made.renew(made.from_sources()):
             print(path.relative_to(project.ROOT))
         return 0
-    return check()
+    if args.check:
+        return check()
+    try:
+        home = site.build()
+    except project.Failed as error:
+        project.fail(error)
+    if args.serve:
+        serve(home.parent)
+    else:
+        print(home.relative_to(project.ROOT))
+    return 0

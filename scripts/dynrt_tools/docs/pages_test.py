@@ -9,13 +9,16 @@ import unittest
 from dynrt_tools.docs import keys, links, made, registers
 
 
+def new_folder(test: unittest.TestCase) -> pathlib.Path:
+    """A folder that goes when the test ends."""
+    return pathlib.Path(test.enterContext(tempfile.TemporaryDirectory()))
+
+
 class Pages(unittest.TestCase):
     """Made pages against their sources."""
 
     def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.docs = pathlib.Path(folder.name)
+        self.docs = new_folder(self)
 
     def test_a_page_that_was_written_is_current(self) -> None:
         made.renew({"reference/a.md": "one\ntwo\n"}, self.docs)
@@ -30,8 +33,8 @@ class Pages(unittest.TestCase):
         )
 
     def test_a_missing_page_is_named(self) -> None:
-        (problem,) = made.stale({"a.md": "one\n"}, self.docs)
-        self.assertIn("docs/a.md:1: the page is missing", problem)
+        problems = made.stale({"a.md": "one\n"}, self.docs)
+        self.assertIn("docs/a.md:1: the page is missing", "".join(problems))
 
     def test_every_key_and_configuration_is_there(self) -> None:
         page = keys.keys_page()
@@ -53,9 +56,7 @@ class Links(unittest.TestCase):
     """Links of a project of two pages."""
 
     def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        self.root = new_folder(self)
         for name in ("ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"):
             (self.root / name).write_text("", encoding="utf-8")
         (self.root / "hls/compiler").mkdir(parents=True)

@@ -107,8 +107,8 @@ def page() -> str:
         "",
         "## Registers of a frame",
         "",
-        f"{link(FRAME)} defines them. Each is one register of 32 bits, in this order; a core has no "
-        "register for a part that it lacks, and the registers behind it move up.",
+        f"{link(FRAME)} defines them. Each is one register of 32 bits, in this order; a core has "
+        "no register for a part that it lacks, and the registers behind it move up.",
         "",
         *frame_table(),
         "",
@@ -117,14 +117,15 @@ def page() -> str:
         "",
         "## Registers of the board",
         "",
-        f"{link(BOARD)} defines them. `R`: the host reads it, `W`: it writes it. Addresses are of bytes, "
-        "in hexadecimal.",
+        f"{link(BOARD)} defines them. `R`: the host reads it, `W`: it writes it. Addresses are of "
+        "bytes, in hexadecimal.",
         "",
         *board_table(source(BOARD)),
         "",
         "## Memory",
         "",
-        f"{link(MEMORY)} is the one description. The core unpacks with it and the host packs with it.",
+        f"{link(MEMORY)} is the one description. The core unpacks with it and the host packs with "
+        "it.",
         "",
         comment_of(memory),
         "",
@@ -132,7 +133,8 @@ def page() -> str:
         "",
         "## Formats",
         "",
-        "Fields stand in their order from the lowest bit on. `R` is the float of the configuration.",
+        "Fields stand in their order from the lowest bit on. `R` is the float of the "
+        "configuration.",
         *structs(memory),
     ]
     return "\n".join(lines) + "\n"
