@@ -6,16 +6,21 @@ import pathlib
 from collections.abc import Callable, Mapping
 
 from dynrt_tools import project
-from dynrt_tools.docs import keys, registers
+from dynrt_tools.docs import commands, keys, messages, registers, waves
 
 MARK = "<!-- Made by scripts/docs --renew; do not edit. -->\n"
 DOCS = project.ROOT / "docs"
+WAVES = DOCS / "reference" / "waves"
+TOOLS = project.ROOT / "build" / "docs" / "npm"
 
 # By the page's file below docs.
 FROM_SOURCES: Mapping[str, Callable[[], str]] = {
     "reference/keys.md": keys.keys_page,
     "reference/configurations.md": keys.configurations_page,
     "reference/registers.md": registers.page,
+    "reference/timing.md": waves.page,
+    "reference/scripts.md": commands.scripts_page,
+    "reference/messages.md": messages.page,
 }
 
 
@@ -51,6 +56,32 @@ def stale(pages: Mapping[str, str], docs: pathlib.Path = DOCS) -> list[str]:
                 f"{where}:{line}: differs from its sources; scripts/docs --renew writes it"
             )
     return problems
+
+
+def stale_waves() -> list[str]:
+    """A sentence for each timing diagram that is not current."""
+    return [
+        f"docs/reference/waves/{name}.svg: differs from the unit's schedule; "
+        "scripts/docs --renew draws it"
+        for name in waves.stale(waves.diagrams(), WAVES)
+    ]
+
+
+def renew_waves() -> list[pathlib.Path]:
+    """Draws the timing diagrams that are not current and gives their files."""
+    return waves.renew(WAVES, TOOLS)
+
+
+def from_build(build: pathlib.Path) -> dict[str, str]:
+    """The pages that need the programs of a build."""
+    dynrt, hlsc = build / "dynrt", build / "hls" / "compiler" / "hlsc"
+    for program in (dynrt, hlsc):
+        if not program.exists():
+            raise project.Failed(
+                f"docs/reference/commands.md:1: the page needs {program}, which is not built; "
+                "scripts/test builds it, and --build names another folder"
+            )
+    return {"reference/commands.md": MARK + commands.programs_page(dynrt, hlsc)}
 
 
 def from_sources() -> dict[str, str]:

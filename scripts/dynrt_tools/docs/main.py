@@ -29,11 +29,23 @@ def parse() -> argparse.Namespace:
     what.add_argument(
         "--serve", action="store_true", help="build, then serve http://localhost:8000"
     )
+    parser.add_argument(
+        "--build",
+        type=pathlib.Path,
+        metavar="FOLDER",
+        help="check or renew the page of the programs too, with those of this build",
+    )
     return parser.parse_args()
 
 
-def check() -> int:
-    problems = made.stale(made.from_sources()) + links.broken(project.ROOT)
+def made_pages(build: pathlib.Path | None) -> dict[str, str]:
+    """What the pages that are made should say."""
+    return made.from_sources() | (made.from_build(build) if build else {})
+
+
+def check(build: pathlib.Path | None) -> int:
+    """Prints what is wrong with the pages."""
+    problems = made.stale(made_pages(build)) + made.stale_waves() + links.broken(project.ROOT)
     for problem in problems:
         print(problem)
     return 1 if problems else 0
@@ -52,13 +64,13 @@ def serve(folder: pathlib.Path) -> None:
 
 def main() -> int:
     args = parse()
-    if args.renew:
-        for path in made.renew(made.from_sources()):
-            print(path.relative_to(project.ROOT))
-        return 0
-    if args.check:
-        return check()
     try:
+        if args.check:
+            return check(args.build)
+        if args.renew:
+            for path in made.renew(made_pages(args.build)) + made.renew_waves():
+                print(path.relative_to(project.ROOT))
+            return 0
         home = site.build()
     except project.Failed as error:
         project.fail(error)

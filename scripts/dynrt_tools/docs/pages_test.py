@@ -6,7 +6,7 @@ import pathlib
 import tempfile
 import unittest
 
-from dynrt_tools.docs import keys, links, made, registers
+from dynrt_tools.docs import commands, keys, links, made, messages, registers, waves
 
 
 def new_folder(test: unittest.TestCase) -> pathlib.Path:
@@ -50,6 +50,60 @@ class Pages(unittest.TestCase):
             self.assertIn(f"| `{name}` |", page)
         for struct in ("Node", "ListEntry", "MatrixWord", "HitPlace", "HitSurface"):
             self.assertIn(f"\n### {struct}\n", page)
+
+
+class Waves(unittest.TestCase):
+    """Timing diagrams of a unit of two stages that reads a RAM in its second."""
+
+    VERILOG = (
+        "// Made by hlsc (list.h); do not edit.\nmodule list #(\n  parameter A = 1\n) (\n"
+        "  input  wire clk_i,\n  input  wire job_valid_i,\n  output wire job_ready_o,\n"
+        "  input  wire [3:0] job_data_i,\n  output wire row_en_o,\n  output wire [3:0] row_addr_o,\n"
+        "  output wire pop_valid_o,\n  input  wire pop_ready_i,\n  output wire [3:0] pop_data_o\n);\n"
+    )
+
+    def drawn(self, stages: int) -> waves.Diagram:
+        return waves.diagram({"stages": stages, "ram_stages": {"row": 1}}, self.VERILOG)
+
+    def test_each_signal_begins_in_its_clock(self) -> None:
+        begins = {
+            lane["name"]: len(lane["wave"]) - len(lane["wave"].lstrip("0x."))
+            for lane in self.drawn(2)["signal"][1:]
+        }
+        self.assertEqual(
+            begins,
+            {
+                "job_valid": 1,
+                "job_data": 1,
+                "row_addr": 2,
+                "pop_valid": 3,
+                "pop_data": 3,
+            },
+        )
+
+    def test_a_picture_of_another_schedule_is_old(self) -> None:
+        folder = new_folder(self)
+        mark = f"<!-- diagram {waves.digest(self.drawn(2))} -->"
+        (folder / "list.svg").write_text(mark, encoding="utf-8")
+        self.assertEqual(waves.stale({"list": self.drawn(2)}, folder), [])
+        self.assertEqual(waves.stale({"list": self.drawn(3)}, folder), ["list"])
+
+
+class Texts(unittest.TestCase):
+    """What programs print."""
+
+    def test_a_message_shows_where_values_stand(self) -> None:
+        table = 'inline constexpr char kA[] =\n    "{} takes {:.2f} ns, "\n    "{{not}} less";\n'
+        self.assertEqual(list(messages.wordings(table)), ["… takes … ns, {not} less"])
+
+    def test_a_missing_build_is_named(self) -> None:
+        with self.assertRaisesRegex(Exception, "commands.md:1: the page needs .*dynrt"):
+            made.from_build(new_folder(self))
+
+    def test_every_script_prints_its_help(self) -> None:
+        page = commands.scripts_page()
+        self.assertIn("## scripts/synth", page)
+        self.assertIn("--device", page)
 
 
 class Links(unittest.TestCase):
