@@ -62,8 +62,7 @@ constexpr Subcommand kSubcommands[] = {
 
 Command add_choose_command(CLI::App& program) {
   const ScriptCommand choose = add_script_command(
-      program, "choose", "the cheapest variant that keeps an error below a bound",
-      "error_report/choose.py");
+      program, "choose", "the cheapest variant that keeps an error below a bound", "choose");
   return {choose.app, choose.run};
 }
 
@@ -87,7 +86,7 @@ Command add_report_command(CLI::App& program) {
   }
   const ScriptCommand error = add_script_command(
       *command, "error", "what number formats and other variants cost in error, time and area",
-      "error_report/report.py");
+      "report_error");
   error.app->callback([chosen, error] { *chosen = error.run; });
   return {command, [chosen] {
             if (!*chosen) refuse(messages::kNoReport);

@@ -11,7 +11,7 @@ namespace dynrt::host {
 Command add_specialise_command(CLI::App& program) {
   const ScriptCommand command = add_script_command(
       program, "specialise", "make the smallest core that renders a scene, and say what it saves",
-      "specialise/specialise.py");
+      "specialise");
   return {command.app, command.run};
 }
 

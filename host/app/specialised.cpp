@@ -74,7 +74,7 @@ ChosenCore SpecialiseFlags::choose(const SceneArguments& scene, const FrameArgum
   add(words, "--reflections", frame.reflections);
   if (frame.uncompressed) words.emplace_back("--uncompressed");
   words.insert(words.end(), more.begin(), more.end());
-  return {made_by_script("specialise/specialise.py", words, "--specialise"), general};
+  return {made_by_script("specialise", words, "--specialise"), general};
 }
 
 void SpecialiseFlags::refuse_unless_general(const Exceeded& over) const {

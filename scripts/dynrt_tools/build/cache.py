@@ -15,10 +15,12 @@ import pathlib
 import shutil
 import tempfile
 
+from dynrt_tools.project import Failed
+
 PARTIAL = ".partial"
 
 
-class CacheError(Exception):
+class CacheError(Failed):
     """Why something cannot be kept or built, in a sentence."""
 
 

@@ -12,8 +12,9 @@ import shutil
 import subprocess
 import sys
 
+from dynrt_tools.project import read_json
 from dynrt_tools.build import fingerprint
-from dynrt_tools.build.cache import BuildCache, CacheError, full_disk
+from dynrt_tools.build.cache import BuildCache, full_disk
 from dynrt_tools.build.configs import load_configurations
 from dynrt_tools.project import ROOT, Failed, require_tool, show_progress
 
@@ -47,10 +48,6 @@ LIBRARY = "configuration.so"
 TOOLS = {"cmake": "cmake", "ninja": "ninja-build"}  # and Debian's packages that have them
 
 
-class Refused(Exception):
-    """What is wrong, in a sentence."""
-
-
 def read_configuration(path):
     """Every key of a file with one configuration."""
     configurations = load_configurations()
@@ -58,7 +55,7 @@ def read_configuration(path):
         return configurations.read_one(path, NAME)
     except configurations.Refused as error:
         sentence = str(error).replace(f"configuration '{NAME}': ", "")
-        raise Refused(f"line {error.line}: {sentence}" if error.line else sentence) from error
+        raise Failed(f"line {error.line}: {sentence}" if error.line else sentence) from error
 
 
 def find_build(named):
@@ -70,8 +67,8 @@ def find_build(named):
     )
     for path in candidates:
         if path.is_file():
-            return json.loads(path.read_text(encoding="utf-8"))
-    raise Refused(
+            return read_json(path)
+    raise Failed(
         f"no build is at {' nor '.join(map(str, candidates))}; build the project first, "
         "or name its folder with --build"
     )
@@ -93,7 +90,7 @@ def key_of(kind, config, build):
     if kind != "native":
         hlsc = pathlib.Path(build["hlsc"])
         if not hlsc.is_file():
-            raise Refused(f"{hlsc} is not there; build the target hlsc, which lowers the units")
+            raise Failed(f"{hlsc} is not there; build the target hlsc, which lowers the units")
         digest.update(hlsc.read_bytes())
     return digest.hexdigest()[:40]
 
@@ -165,7 +162,7 @@ class Builder:
                     self.progress(f"step {step[1]}")
         if process.returncode != 0:
             file.flush()
-            raise Refused(self._reason(log))
+            raise Failed(self._reason(log))
 
     def _reason(self, log):
         text = log.read_text(encoding="utf-8", errors="replace")
@@ -183,7 +180,7 @@ def make(args):
     config = read_configuration(args.file)
     build = find_build(args.build)
     if args.expect and args.expect != fingerprint.fingerprint(build):
-        raise Refused("the sources have changed since this program was built; build it again")
+        raise Failed("the sources have changed since this program was built; build it again")
     progress = lambda text: show_progress(f"building configuration {args.file.stem}: {text}")
     entry = BuildCache().get(
         f"configuration-{args.kind}-{key_of(args.kind, config, build)}",
@@ -264,7 +261,7 @@ def main():
     args = parser.parse_args()
     try:
         made = make(args)
-    except (Refused, CacheError, Failed) as error:
+    except Failed as error:
         show_progress("")
         if args.for_program:
             print(error)

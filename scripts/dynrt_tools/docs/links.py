@@ -17,7 +17,7 @@ def pages(root: pathlib.Path) -> list[pathlib.Path]:
     tops = [root / name for name in ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md")]
     tops.append(root / "CHANGELOG.md")
     rooms = [root / "hls/compiler/README.md", *sorted(root.glob("scenes/*.md"))]
-    rooms += sorted(root.glob("scripts/*/README.md"))
+    rooms += sorted(root.glob("scripts/dynrt_tools/*/README.md"))
     return tops + rooms + sorted(root.glob("docs/**/*.md"))
 
 

@@ -4,6 +4,8 @@
 
 import re
 
+from dynrt_tools.project import Failed
+
 # How a family is synthesized and which of its cells count as what.
 #   synth    Yosys's command. Without -nowidelut Yosys 0.23 takes the multiplexers behind the LUTs for
 #            free and builds 2 to 3 times the LUTs; -noiopad, because a unit's ports are not pins;
@@ -132,7 +134,7 @@ DEVICES = {
 }
 
 
-class Unknown(Exception):
+class Unknown(Failed):
     """A device that there is not, in a sentence."""
 
 

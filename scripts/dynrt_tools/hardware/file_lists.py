@@ -12,6 +12,7 @@ import argparse
 import pathlib
 
 import yaml
+
 from dynrt_tools import project
 
 LISTS = {"dynrt_core.f": "core_alone", "dynrt_board.f": "default"}

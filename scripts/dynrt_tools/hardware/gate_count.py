@@ -5,6 +5,7 @@
 import json
 
 from dynrt_tools.hardware import gate_rule, rtl_files, synthesis
+from dynrt_tools.project import read_json
 
 # Virtex-II, as devices.py synthesizes it, but memories stay what the source says: how many bits, with
 # how many ports. -nosrl: a chain of flip-flops is flip-flops.
@@ -37,7 +38,7 @@ def count(top, parameters, files, blackboxes=()):
             folder,
             top,
         )
-        found = json.loads(whole.read_text(encoding="utf-8"))["modules"]
+        found = read_json(whole)["modules"]
         module = next(m for name, m in found.items() if "top" in m.get("attributes", {}))
         wanted = {
             name: {
@@ -53,7 +54,7 @@ def count(top, parameters, files, blackboxes=()):
 
     boxed = set(synthesis.modules(blackboxes))
     folder = synthesis.kept("gates", said, files, make)
-    return gate_rule.count(json.loads((folder / "cells.json").read_text(encoding="utf-8")))
+    return gate_rule.count(read_json(folder / "cells.json"))
 
 
 def count_core(unit_files, pool):

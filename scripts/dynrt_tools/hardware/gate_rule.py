@@ -18,13 +18,15 @@ from dataclasses import dataclass
 
 import numpy
 
+from dynrt_tools.project import Failed
+
 FULL_ADDER, FLIP_FLOP, FLIP_FLOP_ENABLED = 9, 6, 8
 LUT = {"LUT4": 9, "LUT3": 6, "LUT2": 6, "LUT1": 1, "INV": 1}
 MEMORY_BIT, MULTIPLIER = 4, 7000
 FREE = ("BUFG", "BUF", "GND", "VCC", "$scopeinfo")
 
 
-class Uncounted(Exception):
+class Uncounted(Failed):
     """A cell that the rule has nothing for, in a sentence."""
 
 

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """What scripts/place does with one unit: lower, wrap, place, read the reports."""
 
-import json
 import re
 import subprocess
 
 from dynrt_tools import project
 from dynrt_tools.hardware import devices, rtl_files, synthesis
+from dynrt_tools.project import read_json
 
 CONSTRAINTS = project.ROOT / "constraints"
 # How a device's tool is called; `cells` is the logic cell in its report. The speed grade of ECP5 is the
@@ -236,7 +236,7 @@ def place(device, module, files, seed, mhz):
         [],
         make_placement,
     )
-    report = json.loads((folder / "report.json").read_text(encoding="utf-8"))
+    report = read_json(folder / "report.json")
     return {
         "seed": seed,
         "cells": report["utilization"][tool["cells"]]["used"],

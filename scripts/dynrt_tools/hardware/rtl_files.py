@@ -13,6 +13,7 @@ from dynrt_tools import project
 # The one configuration whose generated Verilog is checked in.
 CHECKED_IN = "thesis"
 GENERATED = project.ROOT / "rtl" / "generated" / CHECKED_IN
+LIBRARY = project.ROOT / "rtl" / "lib"
 # The module that joins the units, and the one that counts what they do.
 CORE, COUNTERS = "dynrt_core", "hls_counters"
 INSTANCE = re.compile(r"^  (\w+)(?: #\((.*)\))? (u_\w+|counters) \($", re.MULTILINE)
@@ -30,7 +31,7 @@ class Instance:
 
 def library() -> list[pathlib.Path]:
     """The primitives that every core is joined with."""
-    return sorted((project.ROOT / "rtl" / "lib").glob("*.v"))
+    return sorted(LIBRARY.glob("*.v"))
 
 
 def hand_written() -> list[pathlib.Path]:

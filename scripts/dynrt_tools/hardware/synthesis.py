@@ -15,8 +15,9 @@ import sys
 import time
 
 from dynrt_tools import project
-from dynrt_tools.build.cache import BuildCache, CacheError
+from dynrt_tools.build.cache import BuildCache
 from dynrt_tools.hardware import rtl_files
+from dynrt_tools.project import read_json
 
 MODULE = re.compile(r"^\s*module\s+(\w+)", re.MULTILINE)
 COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
@@ -84,8 +85,6 @@ def kept(kind, said, files, make):
 
     try:
         return BuildCache(KEPT).get(f"{kind}-{digest.hexdigest()[:24]}", build)
-    except CacheError as error:
-        raise project.Failed(str(error)) from error
     except OSError as error:
         raise project.Failed(f"{error.filename or KEPT}: {error.strerror}") from error
 
@@ -142,5 +141,5 @@ def cells(top, files, synth, what, parameters=None):
         )
 
     folder = kept("area", said, files, make)
-    stat = json.loads((folder / "stat.json").read_text(encoding="utf-8"))
+    stat = read_json(folder / "stat.json")
     return stat["design"]["num_cells_by_type"], float((folder / "seconds").read_text())

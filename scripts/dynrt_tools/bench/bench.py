@@ -1,0 +1,197 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Measures dynrt and prints what was reached beside what is asked."""
+
+import argparse
+import os
+import pathlib
+import subprocess
+import sys
+
+from dynrt_tools.bench import report_rows, scenes
+from dynrt_tools.bench.rows import CONFIG, Bench, Options
+from dynrt_tools.bench.run import Dynrt, RunFailed
+from dynrt_tools.project import ROOT, show_progress, write_json
+
+FULL_SIZE, QUICK_SIZE = "512x384", "128x96"
+
+HOW = """\
+Sets up and builds first, as scripts/demo does. Clocks are counted by the RTL and the same in every
+run. Speeds are medians of several runs in seconds of processor time, less those of an image of 2x2
+pixels: neither reading the scene nor what else the machine does is in them. The time of the tree is
+the median by the clock on the wall. The top level is built anew over 50,000 turned and scaled
+boxes that stand as close as the trees of a wood, in processor time on one core. What falls short of what is asked is marked and explained, and
+is no failure."""
+
+
+def shared(command):
+    """Runs a function of scripts/common.sh, which says what is wrong in this script's name."""
+    script = f'source "{ROOT}/scripts/common.sh"; {command}'
+    return subprocess.run(
+        ["bash", "-euo", "pipefail", "-c", script, "bench"],
+        text=True,
+        stdout=subprocess.PIPE if command == "help_packages" else None,
+        check=False,
+    )
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(
+        prog="scripts/bench",
+        description=f"{__doc__}\n\n{HOW}",
+        epilog=shared("help_packages").stdout,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument(
+        "--scene",
+        default="office",
+        metavar="SCENE",
+        help="a built-in name or a file (default: office)",
+    )
+    parser.add_argument(
+        "--quick",
+        action="store_true",
+        help=f"{QUICK_SIZE} pixels instead of {FULL_SIZE} and one run of each",
+    )
+    parser.add_argument("--runs", type=int, metavar="N", help="runs of what is timed (default: 5)")
+    parser.add_argument(
+        "--json",
+        type=pathlib.Path,
+        metavar="FILE",
+        help="also write the table, and every counter of the frames, as data",
+    )
+    parser.add_argument(
+        "--sweep",
+        type=pathlib.Path,
+        metavar="FOLDER",
+        help="instead of the table: how busy the units are with 1 to 64 packets "
+        "and how often the caches hit with 1 to 512 lines (thesis figures 7.8 to "
+        "7.10), as CSV and as plots",
+    )
+    parser.add_argument(
+        "--scenes",
+        action="store_true",
+        help="instead of the table: the thesis's four kinds of scene, one frame "
+        "each, beside its frame rates",
+    )
+    parser.add_argument(
+        "--report",
+        action="store_true",
+        help="instead of the table: how long `dynrt report error` takes when "
+        "nothing is built yet, half an hour or so",
+    )
+    parser.add_argument(
+        "--program",
+        type=pathlib.Path,
+        metavar="FILE",
+        help="measure this dynrt; nothing is set up or built",
+    )
+    args = parser.parse_args(arguments)
+    if args.runs is not None and args.runs < 1:
+        parser.error(f"--runs {args.runs}: at least one run is needed")
+    if args.json and not args.json.absolute().parent.is_dir():
+        parser.error(
+            f"--json {args.json}: there is no folder '{args.json.parent}'; create it or "
+            "name a file elsewhere"
+        )
+    tables = [f"--{name}" for name in ("scenes", "sweep", "report") if getattr(args, name)]
+    if len(tables) > 1:
+        parser.error(f"{' and '.join(tables[:2])} are two tables; ask for one of them")
+    return args
+
+
+def table(rows):
+    cells = [("", "asked", "reached", "", "note")]
+    marks = {True: "ok", False: "short", None: ""}
+    cells += [(r.name, r.asked_text(), r.reached_text(), marks[r.met], r.note) for r in rows]
+    widths = [max(len(row[column]) for row in cells) for column in range(4)]
+    lines = []
+    for name, asked, reached, met, note in cells:
+        lines.append(
+            f"{name:<{widths[0]}}  {asked:>{widths[1]}}  {reached:>{widths[2]}}  "
+            f"{met:<{widths[3]}}  {note}".rstrip()
+        )
+    return "\n".join(lines)
+
+
+def print_rows(rows):
+    print(table(rows))
+    causes = {}
+    for row in rows:
+        if row.met is False and row.cause:
+            causes.setdefault(row.cause, []).append(row.name)
+    for cause, names in causes.items():
+        print(f"\nShort: {', '.join(names)}: {cause}.")
+
+
+def main():
+    args = parse(sys.argv[1:])
+    if args.program is None and shared("prepare release").returncode != 0:
+        return 1
+    program = args.program or ROOT / "build" / "release" / "dynrt"
+    if not os.access(program, os.X_OK):
+        print(f"bench: {program} is no program; build it or leave out --program", file=sys.stderr)
+        return 1
+    dynrt = Dynrt(program)
+    scene = str(pathlib.Path(args.scene).resolve()) if os.path.exists(args.scene) else args.scene
+    size = QUICK_SIZE if args.quick else FULL_SIZE
+    try:
+        if args.sweep:
+            from dynrt_tools.bench import sweep  # needs matplotlib, which nothing else here does
+
+            sweep.run(dynrt, scene, size, args.sweep, show_progress)
+            return 0
+        if args.scenes:
+            measured = scenes.measure(dynrt, size, FULL_SIZE, show_progress)
+            show_progress("")
+            if args.json:
+                write_json(args.json, {"size": size, "scenes": [m.data() for m in measured]})
+            print(f"{size} pixels\n")
+            print(scenes.report(measured))
+            return 0
+        if args.report:
+            rows = report_rows.rows(dynrt, scene, size, FULL_SIZE, show_progress)
+            show_progress("")
+            if args.json:
+                write_json(
+                    args.json,
+                    {"scene": args.scene, "size": size, "rows": [row.data() for row in rows]},
+                )
+            print_rows(rows)
+            return 0
+        reports = dynrt.program.parent / "generated" / CONFIG
+        host = dynrt.program.parent / "host"
+        options = Options(
+            scene,
+            size,
+            args.runs or (1 if args.quick else 5),
+            reports,
+            host / "tree" / "tree_bench",
+            host / "truth" / "truth_bench",
+        )
+        bench = Bench(dynrt, options, show_progress)
+        rows = bench.rows()
+    except RunFailed as failure:
+        show_progress("")
+        print(f"bench: {failure}", file=sys.stderr)
+        return 1
+    show_progress("")
+    machine = {"cores": os.cpu_count(), "load": os.getloadavg()[0]}
+    if args.json:
+        data = {
+            "scene": args.scene,
+            "size": size,
+            "configuration": CONFIG,
+            "machine": machine,
+            "rows": [row.data() for row in rows],
+            "frames": bench.frames,
+        }
+        write_json(args.json, data)
+    print(
+        f"scene {args.scene}, {size} pixels, configuration {CONFIG}; "
+        f"{machine['cores']} cores, load {machine['load']:.1f}\n"
+    )
+    print_rows(rows)
+    if bench.missing:
+        print(f"\nNothing of the RTL was measured: {bench.missing}")
+    return 0

@@ -1,0 +1,148 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Runs the program dynrt for scripts/bench and turns its counters into the work of a frame."""
+
+import dataclasses
+import os
+import pathlib
+import statistics
+import subprocess
+import tempfile
+
+from dynrt_tools.project import Failed, read_json
+
+
+class RunFailed(Failed):
+    """dynrt refused or failed; the text is its own sentence."""
+
+
+@dataclasses.dataclass
+class Run:
+    """One run of dynrt: what it reported, and what it cost this machine."""
+
+    report: dict
+    cpu_seconds: float  # user and system time of all its threads
+    peak_bytes: int
+
+    @property
+    def frame(self):
+        return self.report["frame"]
+
+
+class Dynrt:
+    """The program of one build."""
+
+    def __init__(self, program):
+        self.program = pathlib.Path(program).resolve()
+
+    def _run(self, arguments):
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            figures = folder / "figures.json"
+            command = [self.program, *arguments, "--json", figures]
+            with open(folder / "errors", "w+", encoding="utf-8") as errors:
+                process = subprocess.Popen(
+                    command, stdout=subprocess.DEVNULL, stderr=errors, cwd=folder
+                )
+                # wait4, because subprocess does not tell what a single child used.
+                _, status, usage = os.wait4(process.pid, 0)
+                process.returncode = os.waitstatus_to_exitcode(status)
+                errors.seek(0)
+                sentence = errors.read().strip()
+            if process.returncode != 0:
+                raise RunFailed(sentence or f"{self.program} ended with {process.returncode}")
+            report = read_json(figures)
+        return Run(report, usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024)
+
+    def info(self, scene):
+        return self._run(["info", scene])
+
+    def render(self, scene, board, config, size, *flags):
+        return self._run(
+            [
+                "render",
+                scene,
+                "--board",
+                board,
+                "--config",
+                config,
+                "--size",
+                size,
+                "--out",
+                "image.png",
+                *flags,
+            ]
+        )
+
+
+@dataclasses.dataclass
+class Work:
+    """What a frame is made of, in tokens of the whole frame."""
+
+    packets: int
+    steps: int  # inner nodes fetched, both levels
+    leaf_fetches: int  # leaves fetched by a packet with a living ray
+    list_entries: int  # entries read, both levels
+    triangles: int  # packets transformed to a triangle, after the mailbox
+    objects: int  # packets transformed to an object, after the mailbox
+
+    @staticmethod
+    def of(frame):
+        tokens = frame["counters"]
+        packets = tokens["shade_job.tokens"]
+        entries = tokens["list_lookup.transactions"]
+        # Four candidates for every triangle, and four that reset the hits of a new packet.
+        triangles = tokens["collect_hits.transactions"] // 4 - packets
+        objects = tokens["transform_job.tokens"] - triangles - packets
+        seen = entries - triangles - objects
+        # The list gets a job for every leaf, entry already seen, triangle done and object done.
+        leaves = tokens["list_job.tokens"] - seen - triangles - objects
+        steps = tokens["node_lookup.transactions"] - leaves
+        return Work(packets, steps, leaves, entries, triangles, objects)
+
+    def bound(self):
+        """Clocks of the busiest unit alone: a node, a list entry or a vector a clock; a transformed
+        packet is five vectors, and every packet is transformed by the camera once."""
+        return max(
+            self.steps + self.leaf_fetches,
+            5 * (self.triangles + self.objects + self.packets),
+            self.list_entries,
+        )
+
+    def per_packet(self, name):
+        return getattr(self, name) / self.packets
+
+
+def busiest(frame):
+    """Name and transactions of the unit with most transactions."""
+    units = frame["units"]
+    name = max(units, key=lambda unit: units[unit]["transactions"])
+    return name, units[name]["transactions"]
+
+
+def rays(frame):
+    return frame["width"] * frame["height"]
+
+
+@dataclasses.dataclass
+class Speed:
+    """How much of something one core does in a second, over several pairs of runs."""
+
+    median: float
+    low: float
+    high: float
+    last: Run  # of the full size
+
+    @staticmethod
+    def measure(dynrt, board, scene, config, size, runs, amount, progress):
+        """`amount` of a frame per CPU second. From each run of `size` one of 2x2 pixels is taken
+        away, so that import, tree and upload do not count, and neither does what else the machine
+        is doing."""
+        speeds, run = [], None
+        for number in range(runs):
+            progress(f"{board}, {config}, {size}: run {number + 1} of {runs}")
+            run = dynrt.render(scene, board, config, size)
+            start = dynrt.render(scene, board, config, "2x2")
+            seconds = max(run.cpu_seconds - start.cpu_seconds, 1e-3)
+            speeds.append((amount(run.frame) - amount(start.frame)) / seconds)
+        return Speed(statistics.median(speeds), min(speeds), max(speeds), run)

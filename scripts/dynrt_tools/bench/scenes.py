@@ -1,0 +1,186 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The four kinds of scene that the thesis measures, on our RTL, beside its frame rates."""
+
+import concurrent.futures
+import dataclasses
+import os
+
+from dynrt_tools.bench.rows import CLOCK_MHZ, CONFIG
+from dynrt_tools.bench.run import Work, busiest, rays
+
+# The thesis's typical frame rates at 512x384 and 85 MHz (chapter 10) of scenes like these; for its
+# Gael, a game level, stands `cistern`.
+THESIS = {"office": (20, 30), "cistern": (17, 25), "conference": (17, 20), "trees4000": (8, 14)}
+
+# Scenes of several objects are measured on the core that clips to their boxes too.
+RUNS = (
+    ("office", CONFIG),
+    ("cistern", CONFIG),
+    ("conference", CONFIG),
+    ("conference", "boxed"),
+    ("trees4000", CONFIG),
+    ("trees4000", "boxed"),
+)
+
+# What a line of each cache takes of the memory, and what a pixel does with its hit record.
+LINE_BYTES = {"node": 8, "list": 4, "matrix": 12}
+PIXEL_BYTES = 4 + 24
+
+MEMORY = "memory_interface"
+FULL = 0.9  # of the clocks: a unit that works more has next to nothing to wait for
+STALLED = 0.01  # of the clocks: what is less is not worth a word
+
+
+@dataclasses.dataclass
+class Measured:
+    scene: str
+    config: str
+    frame: dict
+    compared: bool  # the size and so the frame rate are the thesis's
+
+    @property
+    def frames_per_second(self):
+        return CLOCK_MHZ * 1e6 / self.frame["cycles"]
+
+    @property
+    def verdict(self):
+        low, high = THESIS[self.scene]
+        if not self.compared:
+            return "-"
+        return (
+            "above"
+            if self.frames_per_second > high
+            else "within"
+            if self.frames_per_second >= low
+            else "below"
+        )
+
+    def read_bytes(self):
+        return sum(
+            cache["misses"] * LINE_BYTES[name] for name, cache in self.frame["caches"].items()
+        )
+
+    def written_bytes(self):
+        return rays(self.frame) * PIXEL_BYTES
+
+    def figures(self):
+        """What the table shows, by its rows; numbers, so that they can be kept as data."""
+        work, (name, transactions) = Work.of(self.frame), busiest(self.frame)
+        rows = {
+            "clocks per frame": self.frame["cycles"],
+            f"frames per second at {CLOCK_MHZ} MHz": round(self.frames_per_second, 2),
+            "thesis": "{} to {}".format(*THESIS[self.scene]),
+            "beside the thesis": self.verdict,
+            "frames per second, bound": round(CLOCK_MHZ * 1e6 / work.bound(), 2),
+            "rays per clock": round(rays(self.frame) / self.frame["cycles"], 4),
+            "busiest unit": name,
+            "works, % of the clocks": round(100 * transactions / self.frame["cycles"], 1),
+        }
+        for figure in ("steps", "leaf_fetches", "list_entries", "objects", "triangles"):
+            rows[f"{figure.replace('_', ' ')} per packet"] = round(work.per_packet(figure), 2)
+        for cache, counts in self.frame["caches"].items():
+            rows[f"{cache} cache hits, %"] = round(100 * counts["hit_rate"], 2)
+        rows["bytes read per frame"] = self.read_bytes()
+        rows["bytes written per frame"] = self.written_bytes()
+        return rows
+
+    def waits(self):
+        """What keeps the core from more: the work itself, or lines that come from memory."""
+        units = self.frame["units"]
+        (name, transactions), work = busiest(self.frame), Work.of(self.frame)
+        share = transactions / self.frame["cycles"]
+        text = (
+            f"{name} works in {100 * share:.1f} % of the clocks, "
+            f"{transactions / work.packets:.0f} times for each packet"
+        )
+        if name == MEMORY:
+            text += (
+                "; all others wait for what the caches do not hold, which larger ones or rays "
+                "closer together would mend"
+            )
+        elif share >= FULL:
+            text += (
+                "; it waits for nothing, so only less of that work, or more of it done a "
+                "clock, would be faster"
+            )
+        else:
+            text += (
+                ", and otherwise waits for packets that are elsewhere; the memory serves "
+                f"cache misses in {100 * units[MEMORY]['utilisation']:.1f} %"
+            )
+        stalled = [
+            f"{unit} {100 * counts['stalled']:.1f} %"
+            for unit, counts in units.items()
+            if counts["stalled"] >= STALLED
+        ]
+        return text + (
+            f"; held up for want of room behind them: {', '.join(stalled)}" if stalled else ""
+        )
+
+    def data(self):
+        return {
+            "scene": self.scene,
+            "configuration": self.config,
+            **self.figures(),
+            "waits": self.waits(),
+            "frame": self.frame,
+        }
+
+
+def measure(dynrt, size, full_size, progress):
+    """All scenes, as many at a time as there are cores, which the clocks do not depend on."""
+
+    def one(run):
+        scene, config = run
+        return Measured(
+            scene, config, dynrt.render(scene, "rtl", config, size).frame, size == full_size
+        )
+
+    progress(f"rtl, {size}: {', '.join(THESIS)}")
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        # The longest first; the order of the table is the thesis's.
+        return list(pool.map(one, reversed(RUNS)))[::-1]
+
+
+def _text(value):
+    if isinstance(value, float):
+        return f"{value:,.4f}" if value < 1 else f"{value:,.2f}"
+    return f"{value:,}" if isinstance(value, int) else value
+
+
+def table(measured):
+    """Scenes as columns; below the figures, how busy each unit is."""
+    rows = [("", *(m.scene for m in measured)), ("configuration", *(m.config for m in measured))]
+    figures = [m.figures() for m in measured]
+    rows += [(name, *(_text(f[name]) for f in figures)) for name in figures[0]]
+    rows.append(("unit works, % of the clocks", *("" for _ in measured)))
+    busy = [
+        {unit: counts["utilisation"] for unit, counts in m.frame["units"].items()} for m in measured
+    ]
+    units = sorted(
+        {unit for of in busy for unit in of},
+        key=lambda unit: (-max(of.get(unit, 0) for of in busy), unit),
+    )
+    rows += [
+        (f"  {unit}", *(f"{100 * of[unit]:.1f}" if unit in of else "-" for of in busy))
+        for unit in units
+    ]
+    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
+    lines = [
+        f"{row[0]:<{widths[0]}}"
+        + "".join(f"  {cell:>{width}}" for cell, width in zip(row[1:], widths[1:]))
+        for row in rows
+    ]
+    return "\n".join(line.rstrip() for line in lines)
+
+
+def report(measured):
+    """The table, and a sentence for every scene that is not above the thesis's range."""
+    lines = [table(measured)]
+    lines += [
+        f"\n{m.scene}, {m.config}, {m.verdict} the thesis's range: {m.waits()}."
+        for m in measured
+        if m.verdict in ("within", "below")
+    ]
+    return "\n".join(lines)

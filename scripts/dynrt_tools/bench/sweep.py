@@ -1,0 +1,128 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The thesis's figures 7.8 to 7.10 from our RTL: how busy the units are with more and more packets,
+the frame rate that follows, and how often the caches hit with more and more lines. Each as a CSV
+and as an SVG."""
+
+import concurrent.futures
+import csv
+import os
+import pathlib
+
+import matplotlib
+
+matplotlib.use("svg")  # no window
+from matplotlib import pyplot  # noqa: E402
+
+from dynrt_tools.bench.rows import CLOCK_MHZ, CONFIG
+
+PACKETS = (1, 2, 4, 8, 16, 24, 32, 48, 64)
+LINES = tuple(2**n for n in range(10))
+# The thesis's four units, and which of ours does its one transaction a clock.
+UNITS = {
+    "traversal": "node_lookup",
+    "list": "list_lookup",
+    "transformation": "transformation",
+    "intersection": "intersection",
+}
+
+
+def columns(frame):
+    """A row of either table but for what was varied."""
+    usage = {f"{name} usage": frame["units"][unit]["utilisation"] for name, unit in UNITS.items()}
+    hits = {f"{name} cache hits": cache["hit_rate"] for name, cache in frame["caches"].items()}
+    return {
+        "clocks": frame["cycles"],
+        "frames per second": CLOCK_MHZ * 1e6 / frame["cycles"],
+        **usage,
+        **hits,
+    }
+
+
+def measure(dynrt, scene, size, flag, values, progress):
+    """One frame for each value, as many at a time as there are cores, which the clocks of the core
+    do not depend on."""
+
+    def row(value):
+        return {
+            flag: value,
+            **columns(dynrt.render(scene, "rtl", CONFIG, size, f"--{flag}", str(value)).frame),
+        }
+
+    rows = []
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for result in pool.map(row, values):
+            rows.append(result)
+            progress(f"{flag}: {len(rows)} of {len(values)}")
+    return rows
+
+
+def write_csv(path, rows):
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, rows[0], lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def plot(path, title, rows, along, names, factor, unit, limit):
+    figure, axes = pyplot.subplots(figsize=(6, 4), layout="constrained")
+    for name in names:
+        axes.plot(
+            [row[along] for row in rows],
+            [factor * row[name] for row in rows],
+            marker="o",
+            markersize=3,
+            label=name,
+        )
+    axes.set(title=title, xlabel=along, ylabel=unit, xlim=(0, None), ylim=(0, limit))
+    axes.grid(alpha=0.3)
+    axes.legend()
+    figure.savefig(path)
+    pyplot.close(figure)
+
+
+def run(dynrt, scene, size, folder, progress):
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    about = f"{pathlib.Path(scene).stem}, {size}"
+    packets = measure(dynrt, scene, size, "packets", PACKETS, progress)
+    write_csv(folder / "packets.csv", packets)
+    plot(
+        folder / "usage.svg",
+        f"Usage of units, {about}, {LINES[-1]} lines",
+        packets,
+        "packets",
+        [f"{name} usage" for name in UNITS],
+        100,
+        "%",
+        100,
+    )
+    plot(
+        folder / "frame_rate.svg",
+        f"Frame rate at {CLOCK_MHZ} MHz, {about}, {LINES[-1]} lines",
+        packets,
+        "packets",
+        ["frames per second"],
+        1,
+        "frames per second",
+        None,
+    )
+    lines = measure(dynrt, scene, size, "lines", LINES, progress)
+    write_csv(folder / "lines.csv", lines)
+    plot(
+        folder / "hit_rate.svg",
+        f"Cache hit rate, {about}, {PACKETS[-1]} packets",
+        lines,
+        "lines",
+        [name for name in lines[0] if name.endswith("cache hits")],
+        100,
+        "%",
+        100,
+    )
+    progress("")
+    print(
+        "\n".join(
+            str(folder / name)
+            for name in ("packets.csv", "usage.svg", "frame_rate.svg", "lines.csv", "hit_rate.svg")
+        )
+    )

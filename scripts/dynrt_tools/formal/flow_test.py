@@ -1,0 +1,61 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The runner of the proofs: what it must refuse, and that it tells true from false."""
+import pathlib
+import tempfile
+import unittest
+
+from dynrt_tools.formal import flow
+
+COUNTER = """module counter (input wire clk_i, input wire up_i);
+  reg [3:0] count_q = 0;
+  always @(posedge clk_i) if (up_i && count_q != 9) count_q <= count_q + 1'b1;
+endmodule
+"""
+
+
+class Flow(unittest.TestCase):
+    def design(self, properties, solver="smt"):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        text = flow.with_properties(COUNTER, "counter", properties)
+        return flow.Design(pathlib.Path(folder.name), [("counter.v", text)], "counter", {}, solver)
+
+    def test_tells_true_from_false(self):
+        for solver in ("smt", "sat"):
+            with self.subTest(solver):
+                true = self.design("always @* below_ten: assert (count_q < 10);\n", solver)
+                self.assertEqual(true.assertions, ["below_ten"])
+                self.assertTrue(true.holds(12)[0])
+                self.assertTrue(true.steps(1)[0])
+                false = self.design("always @* assert (count_q < 9);\n", solver)
+                self.assertTrue(false.holds(5)[0])
+                self.assertFalse(false.holds(12)[0])
+                self.assertFalse(false.steps(1)[0])
+
+    def test_no_assertion_is_an_error(self):
+        with self.assertRaisesRegex(flow.Broken, "no assertion was found in counter"):
+            self.design("wire nothing = 1'b1;\n")
+
+    def test_no_module_is_an_error(self):
+        with self.assertRaisesRegex(flow.Broken, "there is no module timer"):
+            flow.with_properties(COUNTER, "timer", "")
+
+    def test_verilog_that_cannot_be_read_is_an_error(self):
+        with self.assertRaisesRegex(flow.Broken, "yosys cannot read it"):
+            self.design("always @* assert (\n")
+
+    def test_a_mutation_must_be_found_once(self):
+        for text in ("nowhere", "count_q"):
+            with self.assertRaisesRegex(flow.Broken, "it must be there once"):
+                flow.mutated(COUNTER, {"in": "counter.v", "from": text, "to": ""})
+
+    def test_covers_become_assertions_that_they_are_not_reached(self):
+        text = "  always @* begin\n    nine: cover (count_q == 9);\n  end\n"
+        self.assertEqual(flow.covers(text), ["nine"])
+        self.assertNotIn("cover", flow.without_covers(text))
+        self.assertFalse(self.design(flow.covers_as_assertions(text)).holds(12)[0])
+
+
+if __name__ == "__main__":
+    unittest.main()

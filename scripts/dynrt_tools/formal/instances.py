@@ -1,0 +1,156 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Which modules are proved, with which parameters and properties."""
+import functools
+import pathlib
+import re
+import tempfile
+from dataclasses import dataclass
+
+from dynrt_tools.formal import flow, pair
+from dynrt_tools.hardware import rtl_files
+from dynrt_tools.project import ROOT, read_json
+
+GENERATED = rtl_files.GENERATED
+PROPERTIES = ROOT / "verif/formal/properties"
+OPEN = ROOT / "verif/formal/open"
+LOWERED = [pathlib.Path("build/dev/generated/formal")]
+INCLUDES = (GENERATED,)
+OUTPUT = re.compile(r"^  output wire (\w+)_valid_o,", re.MULTILINE)
+WRITTEN_IN = re.compile(r"assign lines_en_o = valid_s(\d+)")
+LATENCY = re.compile(r"latency (\d+) clocks")
+
+
+@dataclass(frozen=True)
+class Instance:
+    module: str
+    parameters: dict
+    sources: list
+    carrier: str  # the module that the properties are read in
+    properties: str
+    top: str = ""  # the module itself if there is none around it
+    opened: tuple = ()  # of the sources
+    clocks: int = 0  # of the induction, if that is known
+
+    @property
+    def label(self):
+        values = [f"{k.lower()}{v}" for k, v in sorted(self.parameters.items())]
+        return "_".join([self.module, *values])
+
+    def steps(self, kind):
+        """Clocks of the induction: a number, or how many more than the latency of the unit, or
+        than a transaction of a pair takes."""
+        steps = kind.get("induction")
+        if self.clocks and steps:
+            return self.clocks + int(steps.removeprefix("pair + "))
+        if isinstance(steps, str):
+            text = self.sources[-1].read_text(encoding="utf-8")
+            return int(LATENCY.search(text).group(1)) + int(steps.removeprefix("latency + "))
+        return steps
+
+
+@functools.cache
+def core():
+    """Every module of the elaborated core: pairs of its name and its parameters."""
+    files = rtl_files.core_files()
+    with tempfile.TemporaryDirectory() as folder:
+        script = [
+            f"verilog_defaults -add -I{GENERATED}",
+            *(f"read_verilog {f}" for f in files),
+            "hierarchy -check -top dynrt_core",
+            "delete p:*",
+            "write_json core.json",
+        ]
+        code, output = flow.run(["yosys", "-q", "-p", "; ".join(script)], folder)
+        if code != 0:
+            raise flow.Broken(f"yosys cannot read the core:\n{output.strip()}")
+        modules = read_json(pathlib.Path(folder, "core.json"))
+    return [
+        (
+            name.split("\\")[-1] if not name.startswith("$paramod\\") else name.split("\\")[1],
+            {k: int(v, 2) for k, v in module.get("parameter_default_values", {}).items()},
+        )
+        for name, module in modules["modules"].items()
+    ]
+
+
+def primitive(module, parameters):
+    properties = (PROPERTIES / f"{module}.v").read_text(encoding="utf-8")
+    return Instance(module, parameters, [rtl_files.LIBRARY / f"{module}.v"], module, properties)
+
+
+def unit(module, parameters, stated):
+    if "against" in stated:
+        return against(module, parameters, stated)
+    return with_file(module, parameters, stated)
+
+
+def with_file(module, parameters, stated):
+    """A unit with a file of properties: in its FIFOs, once for each output channel if the text says
+    CHANNEL, or as it is, opened if that is stated. LATENCY in it is the unit's."""
+    folder = LOWERED[0] if stated.get("lowered") else GENERATED
+    sources = [*rtl_files.library(), folder / f"{module}.v"]
+    if not sources[-1].exists():
+        raise flow.Broken(f"{sources[-1]} is missing; the target formal_units makes it")
+    verilog = sources[-1].read_text(encoding="utf-8")
+    properties = (PROPERTIES / f"{stated['file']}.v").read_text(encoding="utf-8")
+    for word, text in stated.get("words", {}).items():
+        properties = properties.replace(word, text)
+    if "inside" in stated:
+        return Instance(module, parameters, sources, stated["inside"], properties)
+    if "CHANNEL" in properties:
+        properties = "\n".join(
+            properties.replace("CHANNEL", channel) for channel in OUTPUT.findall(verilog)
+        )
+    written = WRITTEN_IN.search(verilog)
+    if written:
+        properties = properties.replace("WRITTEN_IN", written.group(1))
+    properties = properties.replace("LATENCY", LATENCY.search(verilog).group(1))
+    made_open = (sources[-1].name,) if stated.get("opened") else ()
+    return Instance(module, parameters, sources, module, properties, opened=made_open)
+
+
+def against(module, parameters, stated):
+    """A unit beside itself as it was lowered for another clock (pair.py)."""
+    folder = LOWERED[0] if stated.get("lowered") else GENERATED
+    texts = [folder / f"{m}.v" for m in (module, module + stated["against"])]
+    for path in texts:
+        if not path.exists():
+            raise flow.Broken(f"{path} is missing; the target formal_units makes it")
+    text, clocks = pair.compared(*(pair.Unit(path) for path in texts))
+    return Instance(
+        module,
+        parameters,
+        [*sorted(OPEN.glob("*.v")), *texts],
+        "pair",
+        text,
+        top="pair",
+        opened=tuple(path.name for path in texts),
+        clocks=clocks,
+    )
+
+
+def is_unit(module):
+    return (GENERATED / f"{module}.v").exists() and module != "dynrt_core"
+
+
+def of(stated):
+    """The instances of a proof: all that the core has of a primitive, or all its units."""
+    if stated["of"] == "units" or isinstance(stated["of"], list):
+        names = stated["of"]
+        if names == "units":
+            names = sorted(m for m, _ in core() if is_unit(m))
+        found = [unit(m, {}, stated) for m in names]
+    else:
+        found = [primitive(m, p) for m, p in core() if m == stated["of"]]
+    if not found:
+        raise flow.Broken(f"the core has no {stated['of']}")
+    return sorted({i.label: i for i in found}.values(), key=lambda i: i.label)
+
+
+def example(stated):
+    """The instance that shows that the proof is not vacuous."""
+    chosen = stated["example"]
+    if "unit" in chosen:
+        return unit(chosen["unit"], chosen.get("parameters", {}), stated)
+    return primitive(stated["of"], chosen["parameters"])

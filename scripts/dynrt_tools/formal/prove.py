@@ -1,0 +1,238 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Proves what proofs.json states.
+
+A proof comes out only if every property holds of every instance, if every cover statement is
+reached, so that no assumption makes it empty, and if every mutation of the Verilog breaks the
+property that it is to break.
+"""
+import argparse
+import json
+import pathlib
+import sys
+
+from dynrt_tools.formal import flow, instances, opened
+from dynrt_tools.project import ROOT, read_json
+
+INTRODUCTION = """\
+Every line is a test of the label `formal`. A proof by induction holds for ever and for every input
+that the writer's promises allow. *Instances* are all parameters with which the core `thesis` uses the
+module, *units* its units as `hlsc` lowered them; a unit `tiny_...` is lowered with the small numbers
+and tables of [verif/formal/units/tiny.h](../../verif/formal/units/tiny.h). Each test also reaches every
+cover statement of its properties and sees each property broken by a mutation of the Verilog, so none
+holds for want of a case; a file in which no assertion is found is an error. `scripts/prove NAME`
+runs one and tells its seconds; the target `formal_page` writes this page.
+
+Together: an output of a unit is a FIFO's (`streams`), into which the unit sends no more than it may
+(`promise`), and a FIFO keeps tokens and their order (`hls_fifo`). A cache's row is written whole, from
+one token (`cache_fill`), reads as it was written (`hls_ram_1r1w`), and is answered only if its tag is
+the address asked for (`cache_lookup`).
+
+`one_stage` puts a unit beside itself as it is lowered for a clock so long that nothing but a RAM makes
+a stage. Both take the same tokens; tokens, rows and addresses that they give are the same. The FIFOs
+are wires there and what a RAM, a register file or a register holds is free, but the same for both:
+it is read and written by the same transactions, at the same rows, with the same data. That they do so
+in the same order is the promise that `HLS_ASSERT` checks of a RAM within a unit, and that the core keeps
+of one between units; a register's and a register file's is proved, as all of it lies in one stage.
+One unit is not proved so: the shading takes eight bits of a mantissa, and multiplies coordinates and
+colours of ten bits and more whatever the format, which no solver has been through yet. It is held
+against the C++ by co-simulation alone. The transformation has floats of two bits of mantissa.
+
+A reader of `hls_fork` may see valid fall again before it was ready: when another reader, which was
+ready, is so no more. Every reader in the core is a unit or a FIFO, which remember nothing of a token
+that they did not take."""
+
+
+class Proof:
+    def __init__(self, name, stated, work):
+        self.name = name
+        self.stated = stated
+        self.work = work / name
+        self.example = stated["example"]
+
+    def design(self, instance, name, keep=None, mutation=None, reach=None, whole=True):
+        """The instance with its properties; mutation: changed, reach: with that cover statement
+        alone; whole: with all that is cut elsewhere."""
+        properties = instance.properties
+        properties = (
+            flow.covers_as_assertions(properties) if reach else flow.without_covers(properties)
+        )
+        if mutation and mutation["in"] == "properties":
+            properties = flow.mutated(properties, mutation)
+        texts = []
+        for path in instance.sources:
+            text = path.read_text(encoding="utf-8")
+            if mutation and path.name == mutation["in"]:
+                text = flow.mutated(text, mutation)
+            if path.name in instance.opened:
+                text = opened.opened(text)
+            if path.stem == instance.carrier:
+                text = flow.with_properties(text, instance.carrier, properties)
+            texts.append((path.name, text))
+        return flow.Design(
+            self.work / name,
+            texts,
+            instance.top or instance.module,
+            instance.parameters,
+            self.stated["solver"],
+            keep=keep or reach,
+            cut=() if whole else self.stated.get("cut", ()),
+            trim=() if whole else self.stated.get("trim", ()),
+            includes=instances.INCLUDES,
+        )
+
+    def prove(self, instance):
+        """The names of the assertions that hold; throws Broken."""
+        design = self.design(instance, instance.label, whole=False)
+        kind = self.stated["kind"]
+        steps = instance.steps(kind)
+        checks = [("from the start", design.holds, steps + 1 if steps else kind["bounded"])]
+        if steps:
+            checks.append(("from clock to clock", design.steps, steps))
+        for what, check, clocks in checks:
+            passed, why = check(clocks)
+            if not passed:
+                raise flow.Broken(
+                    f"{self.name}, {instance.label}: does not hold {what}; the "
+                    f"waveform is in {design.folder}\n{why}"
+                )
+        return design.assertions
+
+    def reach(self, instance):
+        names = flow.covers(instance.properties)
+        if not names:
+            raise flow.Broken(f"{self.name}: no cover statement shows that it is not vacuous")
+        for name in names:
+            passed, _ = self.design(instance, f"reach_{name}", reach=name).holds(
+                self.example["clocks"]
+            )
+            if passed:
+                raise flow.Broken(
+                    f"{self.name}: is vacuous, '{name}' is not reached in "
+                    f"{self.example['clocks']} clocks"
+                )
+
+    def mutate(self, instance):
+        mutations = self.stated["mutations"]
+        spared = set(self.stated["properties"]) - {m["breaks"] for m in mutations}
+        if spared:
+            raise flow.Broken(f"{self.name}: no mutation breaks {', '.join(sorted(spared))}")
+        for number, mutation in enumerate(mutations, 1):
+            design = self.design(
+                instance, f"mutation{number}", keep=mutation["breaks"], mutation=mutation
+            )
+            passed, _ = design.holds(self.example["clocks"])
+            if passed:
+                raise flow.Broken(
+                    f"{self.name}: {mutation['breaks']} does not notice that "
+                    f"'{mutation['from']}' became '{mutation['to']}'"
+                )
+
+    def run(self):
+        """What came out, as data; throws Broken."""
+        began = flow.seconds()
+        found = instances.of(self.stated)
+        proved = set()
+        for instance in found:
+            proved.update(self.prove(instance))
+        missing = {
+            name
+            for name in self.stated["properties"]
+            if not any(f"_{a}".endswith(f"_{name}") for a in proved)
+        }
+        if missing:
+            raise flow.Broken(
+                f"{self.name}: no assertion has the name " f"{', '.join(sorted(missing))}"
+            )
+        example = instances.example(self.stated)
+        self.reach(example)
+        self.mutate(example)
+        return {"seconds": round(flow.seconds() - began, 1), "instances": len(found)}
+
+
+def page(stated):
+    """docs/reference/proofs.md: the properties, what they are proved of and how."""
+    lines = (
+        [
+            "<!-- Written by scripts/prove --page from verif/formal/proofs.json. -->",
+            "# What is proved",
+            "",
+        ]
+        + INTRODUCTION.splitlines()
+        + ["", "| proof | property | of | kind |", "|---|---|---|---|"]
+    )
+    for name, proof in stated.items():
+        kind = proof["kind"]
+        if "bounded" in kind:
+            how = f"bounded, {kind['bounded']} clocks"
+        else:
+            clocks = str(kind["induction"]).replace("pair", "a transaction's")
+            how = f"induction over {clocks} clock{'' if clocks == '1' else 's'}"
+        of = proof["of"]
+        if isinstance(of, list):
+            of = ", ".join(f"`{unit}`" for unit in of)
+        else:
+            of = "every unit" if of == "units" else "every instance"
+        for label, sentence in proof["properties"].items():
+            lines.append(f"| `{name}` | `{label}`: {sentence} | {of} | {how} |")
+            of = how = '"'
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("names", nargs="*", help="proofs; none: all")
+    parser.add_argument(
+        "--work",
+        type=pathlib.Path,
+        default=pathlib.Path("build/formal"),
+        help="folder for designs, waveforms and results",
+    )
+    parser.add_argument("--list", action="store_true", help="print the names and labels for CMake")
+    parser.add_argument(
+        "--lowered",
+        type=pathlib.Path,
+        default=instances.LOWERED[0],
+        help="folder of the Verilog that hlsc made of units/*.h",
+    )
+    parser.add_argument("--page", type=pathlib.Path, help="write docs/reference/proofs.md")
+    parser.add_argument(
+        "--check-page",
+        type=pathlib.Path,
+        help="fail if the page does not state what proofs.json does",
+    )
+    args = parser.parse_args()
+    instances.LOWERED[0] = args.lowered.resolve()
+    stated = read_json(ROOT / "verif/formal/proofs.json")
+    for name in args.names:
+        if name not in stated:
+            sys.exit(f"there is no proof '{name}'; there are {', '.join(stated)}")
+    if args.list:
+        for name, proof in stated.items():
+            print(name, *proof.get("labels", []))
+        return 0
+    if args.page:
+        args.page.write_text(page(stated), encoding="utf-8")
+        return 0
+    if args.check_page:
+        if args.check_page.read_text(encoding="utf-8") != page(stated):
+            sys.exit(
+                f"{args.check_page} does not state what proofs.json does; the target "
+                "formal_page writes it anew"
+            )
+        return 0
+    for name in args.names or stated:
+        try:
+            result = Proof(name, stated[name], args.work.resolve()).run()
+        except flow.Broken as error:
+            print(error, file=sys.stderr)
+            return 1
+        (args.work / f"{name}.json").write_text(json.dumps(result) + "\n", encoding="utf-8")
+        print(
+            f"{name}: {len(stated[name]['properties'])} properties hold of {result['instances']} "
+            f"instances, {len(stated[name]['mutations'])} mutations are noticed; "
+            f"{result['seconds']} s of processor time"
+        )
+    return 0

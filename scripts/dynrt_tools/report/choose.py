@@ -1,0 +1,176 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Finds the cheapest variant of the core that keeps an error of a scene's frame below a bound.
+
+A variant costs the time of a frame times the part of an LFE5U-85F that its core takes: of the LUTs,
+flip-flops, multipliers and block RAMs that of which it takes the largest part, as this bounds how
+many pipelines fit. Of two that cost the same that with fewer LUTs is cheaper."""
+
+import math
+import sys
+
+from dynrt_tools.hardware import devices
+from dynrt_tools.project import Failed
+from dynrt_tools.report import page
+from dynrt_tools.report.collect import measures_of
+from dynrt_tools.report.report import MISTAKE, Parser, add_arguments, guarded, measured
+
+DEVICE = devices.DEVICES["ecp5-85"]
+DEFAULT_MEASURE = "primary.t_p99"
+
+
+def part_of_device(variant):
+    """The largest part that its core takes of one of the device's resources, and of which."""
+    return max((variant["takes"][name] / count, name) for name, count in DEVICE["has"].items())
+
+
+def cost(variant, run):
+    """To compare by: area times time, then LUTs. Area alone where no clocks are known."""
+    return part_of_device(variant)[0] * run.get("frame_ms", 1), variant["area"]["LUT"]
+
+
+def directions():
+    """Whether "less" or "more" is better, of every measure of error."""
+    return {
+        f"{m['group']}.{m['name']}": m["better"]
+        for m in page.read_measures()
+        if m["better"] in ("less", "more")
+    }
+
+
+def check_measure(runs, named):
+    found = {m for run in runs for m in measures_of(run)}
+    known = [m for m in directions() if m in found]
+    if named not in known:
+        raise Failed(
+            f"--measure {named}: this scene has none; its measures are " f"{', '.join(known)}"
+        )
+
+
+def worse(measure, value):
+    """Orders figures of a measure, the least error first."""
+    return -value if directions()[measure] == "more" else value
+
+
+def holds(measure, value, bound):
+    if value is None:  # of a psnr: not one pixel differs
+        return directions()[measure] == "more"
+    return worse(measure, value) <= worse(measure, bound)
+
+
+def choose(report, measure, bound):
+    """All variants that could render the scene, the cheapest first, and those of them that hold the
+    bound."""
+    runs = [run for run in report["runs"] if "refused" not in run]
+    if not runs:
+        raise Failed("no variant can render this scene; " + report["runs"][0]["refused"])
+    check_measure(runs, measure)
+    runs.sort(key=lambda run: cost(report["variants"][run["variant"]], run))
+    return runs, [r for r in runs if holds(measure, measures_of(r).get(measure), bound)]
+
+
+def number(value):
+    return "-" if value is None else f"{value:.4g}"
+
+
+def table(report, runs, measure, bound):
+    rows = [
+        (
+            "variant",
+            measure,
+            "LUT",
+            "mult",
+            "BRAM",
+            "clocks",
+            "ms",
+            f"part of {DEVICE['name']}",
+            "cost",
+            "",
+        )
+    ]
+    for run in runs:
+        variant = report["variants"][run["variant"]]
+        area, (part, resource) = variant["area"], part_of_device(variant)
+        value = measures_of(run).get(measure)
+        rows.append(
+            (
+                run["variant"],
+                number(value),
+                str(area["LUT"]),
+                str(area["mult"]),
+                str(area["BRAM"]),
+                str(run.get("clocks", "-")),
+                number(run.get("frame_ms")),
+                f"{100 * part:.1f} % of {resource}s",
+                number(cost(variant, run)[0]),
+                "holds" if holds(measure, value, bound) else "",
+            )
+        )
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    return "\n".join(
+        "  ".join(
+            cell.ljust(w) if i in (0, len(widths) - 1) else cell.rjust(w)
+            for i, (cell, w) in enumerate(zip(row, widths))
+        ).rstrip()
+        for row in rows
+    )
+
+
+def check_bound(args):
+    """What can be said before anything is measured."""
+    if args.measure not in directions():
+        raise Failed(
+            f"--measure {args.measure}: unknown; the measures are " f"{', '.join(directions())}"
+        )
+    if not math.isfinite(args.max_error):
+        raise Failed(f"--max-error {args.max_error}: must be a number")
+
+
+def run(args):
+    check_bound(args)
+    report, _ = measured(args, [args.scene])
+    runs, holding = choose(report, args.measure, args.max_error)
+    print(table(report, runs, args.measure, args.max_error) + "\n")
+    if holding:
+        best = holding[0]
+        print(
+            f"{best['variant']} is the cheapest with {args.measure} "
+            f"{number(measures_of(best)[args.measure])}, the bound being {args.max_error:g}"
+        )
+        return 0
+    told = [r for r in runs if measures_of(r).get(args.measure) is not None]
+    if not told:
+        raise Failed(f"--measure {args.measure}: of no variant can it be told on this scene")
+    best = min(told, key=lambda r: worse(args.measure, measures_of(r)[args.measure]))
+    print(
+        f"dynrt: no variant reaches {args.measure} {args.max_error:g} on this scene; the best is "
+        f"{best['variant']} with {number(measures_of(best)[args.measure])}",
+        file=sys.stderr,
+    )
+    return MISTAKE
+
+
+def main():
+    parser = Parser(
+        prog="dynrt choose",
+        description=__doc__,
+        epilog="What `dynrt report error` has measured into the same --out is not "
+        "measured again.",
+    )
+    parser.add_argument("scene", metavar="SCENE", help="a built-in scene or a file")
+    parser.add_argument(
+        "--max-error",
+        type=float,
+        required=True,
+        metavar="E",
+        help="bound of the measure; of a psnr, what it must reach",
+    )
+    parser.add_argument(
+        "--measure",
+        default=DEFAULT_MEASURE,
+        metavar="KIND.NAME",
+        help=f"which error is bounded (default: {DEFAULT_MEASURE}); an unknown one "
+        "lists those that there are",
+    )
+    add_arguments(parser)
+    return guarded(run, parser.parse_args())

@@ -1,0 +1,94 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The plots of an error report for the documents, as SVG: one measure of one scene over run time and
+over area, as the report's page draws them."""
+
+import argparse
+import pathlib
+import re
+import tempfile
+import urllib.parse
+
+from dynrt_tools.project import read_json
+from dynrt_tools.report import browser, page
+
+WIDTH, HEIGHT = 640, 430  # of a plot, as page.js has it
+MARGIN, HEAD = 24, 34
+PLOTS = ("time-plot", "area-plot")
+
+
+def style():
+    """What of the page's style is about plots, and the colours."""
+    css = (page.PARTS / "page.css").read_text(encoding="utf-8")
+    rules = re.findall(
+        r"^(?::root|@media \(prefers-color-scheme: dark\)) \{.*?^\}|"
+        r"^svg (?:text|\.)[^{]*\{[^}]*\}",
+        css,
+        re.MULTILINE | re.DOTALL,
+    )
+    return "\n".join(rules)
+
+
+def svg(report_path, scene, measure, area):
+    """Both plots beside each other."""
+    report = read_json(report_path)
+    view = urllib.parse.urlencode({"scene": scene, "measure": measure, "area": area})
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "error.html"
+        path.write_text(page.page(report, report_path.parent), encoding="utf-8")
+        document, complaints = browser.load(path, view)
+    if complaints:
+        raise SystemExit(f"plot.py: the page complains: {complaints[0]}")
+    plots = [
+        re.search(rf'<svg id="{name}"[^>]*>(.*?)</svg>', document, re.DOTALL).group(1)
+        for name in PLOTS
+    ]
+    width = 2 * WIDTH + 3 * MARGIN
+    height = HEIGHT + HEAD
+    title = (
+        f"{scene}, {report['size']}, clock of {report['clock_ns']:g} ns, area on "
+        f"{report['device']}; dashed: the front, which no other variant beats in both"
+    )
+    panels = "\n".join(
+        f'<g transform="translate({MARGIN + i * (WIDTH + MARGIN)},{HEAD})">{plot}</g>'
+        for i, plot in enumerate(plots)
+    )
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" '
+        f'width="{width}" height="{height}" font-family="system-ui, DejaVu Sans, sans-serif">\n'
+        f"<style>\n{style()}\n</style>\n"
+        f'<rect width="{width}" height="{height}" style="fill: var(--paper)"/>\n'
+        f'<text x="{MARGIN}" y="20">{title}</text>\n{panels}\n</svg>\n'
+    )
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="plot.py", description=__doc__)
+    parser.add_argument(
+        "report",
+        type=pathlib.Path,
+        metavar="FILE",
+        help="error.json of a report, its pictures beside it",
+    )
+    parser.add_argument("--scene", default="office", metavar="NAME")
+    parser.add_argument(
+        "--measure",
+        default="primary.wrong_share",
+        metavar="GROUP.NAME",
+        help="one of docs/reference/measures.md (default: primary.wrong_share)",
+    )
+    parser.add_argument(
+        "--area",
+        default="LUT",
+        metavar="NAME",
+        help="cells that the area is counted in (default: LUT)",
+    )
+    parser.add_argument("--out", type=pathlib.Path, required=True, metavar="FILE.svg")
+    args = parser.parse_args()
+    scenes = read_json(args.report)["scenes"]
+    known = [f"{m['group']}.{m['name']}" for m in page.read_measures() if m["better"] != "-"]
+    if args.scene not in scenes:
+        parser.error(f"--scene {args.scene}: {args.report} has {', '.join(scenes)}")
+    if args.measure not in known:
+        parser.error(f"--measure {args.measure}: known are {', '.join(known)}")
+    args.out.write_text(svg(args.report, args.scene, args.measure, args.area), encoding="utf-8")

@@ -1,0 +1,77 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The variants of a report: a configuration of hls/configs/configs.json, and what differs from it."""
+
+import pathlib
+
+from dynrt_tools.build import configs
+from dynrt_tools.project import Failed
+
+LISTED = pathlib.Path(__file__).resolve().parent / "variants.json"
+
+
+def base_configuration(name):
+    """Every key of a configuration: one of hls/configs/configs.json, or a file."""
+    if name.endswith(".json"):
+        return stated_in(pathlib.Path(name))
+    if name.endswith(".so"):
+        raise Failed(
+            f"--config {name}: a library does not tell its keys; name the file FILE.json "
+            "that it was made of"
+        )
+    listed = configs.load_configurations().listed()
+    if name not in listed:
+        raise Failed(f"--config {name}: unknown; the configurations are {', '.join(listed)}")
+    return listed[name]
+
+
+def stated_in(path):
+    configurations = configs.load_configurations()
+    try:
+        return configurations.read_one(path, "stated")
+    except configurations.Refused as error:
+        sentence = str(error).replace("configuration 'stated': ", "")
+        line = f"line {error.line}: " if error.line else ""
+        raise Failed(f"--config {path}: {line}{sentence}") from error
+
+
+def read_variants(path, base):
+    """By name, in the file's order: every key of its configuration, and those that differ from
+    `base`. One of them, the reference, differs in none."""
+    generate = configs.load_configurations()
+    try:
+        listed = generate.parse(path)
+        if not isinstance(listed, dict) or not all(isinstance(v, dict) for v in listed.values()):
+            raise generate.Refused("must be an object of variants by name, each an object of keys")
+        variants = {}
+        for name, differs in listed.items():
+            if not name.replace("-", "_").replace(".", "_").isidentifier():
+                raise generate.Refused(
+                    f"variant '{name}': is no name; write letters, digits, _, - "
+                    "and ., a letter first"
+                )
+            try:
+                config = generate.checked("variant", {**base, **differs, "about": name})
+            except generate.Refused as error:
+                sentence = str(error).removeprefix("configuration 'variant'")
+                raise generate.Refused(f"variant '{name}'{sentence}") from error
+            variants[name] = {"configuration": config, "differs": differs}
+        if sum(not v["differs"] for v in variants.values()) != 1:
+            raise generate.Refused(
+                "one variant, and no more, must be {}: that which the others " "differ from"
+            )
+    except generate.Refused as error:
+        raise Failed(error.at(path)) from error
+    return variants
+
+
+def chosen(variants, names):
+    """Those of these names, and the reference."""
+    for name in names:
+        if name not in variants:
+            raise Failed(f"--variant {name}: unknown; the variants are {', '.join(variants)}")
+    return {
+        name: variant
+        for name, variant in variants.items()
+        if not names or name in names or not variant["differs"]
+    }

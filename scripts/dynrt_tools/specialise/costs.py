@@ -1,0 +1,69 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""What a core takes: of a device, in gates by the thesis's rule, and in stages."""
+
+import concurrent.futures
+
+from dynrt_tools.hardware import area, devices, gate_count, gate_rule, synthesis
+from dynrt_tools.project import Failed
+
+# What is told of both cores, and how it is called.
+COSTS = {
+    "LUT4": "LUTs",
+    "LUT6": "LUTs",
+    "FF": "flip-flops",
+    "multiplier": "multipliers",
+    "block RAM": "block RAMs",
+    "gates": "gates by the thesis's rule",
+    "memory_bits": "bits of memory in these",
+    "stages": "pipeline stages of all units",
+    "clocks": "clocks of a frame",
+}
+
+
+def gates_of(folder, jobs):
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        counts = gate_count.count_core(sorted(folder.glob("*.v")), pool).values()
+    bits = sum(count.bits for count in counts)
+    return {
+        "gates": sum(count.logic for count in counts) + gate_rule.MEMORY_BIT * bits,
+        "memory_bits": bits,
+    }
+
+
+def check_tools():
+    synthesis.tool_version("yosys", "-V", "yosys")
+
+
+def synthesized(folder, device, jobs, progress):
+    progress(f"synthesizing for {devices.DEVICES[device]['name']}")
+    return area.hardware(folder, devices.family_of(device), jobs)
+
+
+def costs_of(folder, device, jobs, progress):
+    """Of the core whose Verilog is in this folder."""
+    found = synthesized(folder, device, jobs, progress)
+    progress("counting gates by the thesis's rule")
+    return {**found["takes"], **gates_of(folder, jobs), "stages": found["schedule"]["stages"]}
+
+
+def check_devices(names):
+    for name in names:
+        if name not in devices.DEVICES:
+            raise Failed(
+                f"--device {name}: unknown; the devices are " f"{', '.join(devices.DEVICES)}"
+            )
+
+
+def misfits(folder, costs, names, jobs, progress):
+    """Why the core fits none of these devices, or nothing; `costs` are of the first."""
+    lacks = []
+    for name in names:
+        taken = {r: n for r, n in costs.items() if r in devices.DEVICES[name]["has"]}
+        if name != names[0]:
+            taken = synthesized(folder, name, jobs, progress)["takes"]
+        short = devices.shortages(name, taken)
+        if not short:
+            return None
+        lacks.append(f"{devices.DEVICES[name]['name']} lacks room: {'; '.join(short)}")
+    return ". ".join(lacks)

@@ -1,0 +1,116 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""How many packets and cache lines a scene rewards: clocks of a frame over powers of two, counted on
+the native model by hlsc's schedules."""
+
+import pathlib
+import subprocess
+import tempfile
+
+from dynrt_tools.project import Failed, read_json
+
+SEEN_ENOUGH = 1.5  # times the fewest clocks: slower still, nothing is measured
+
+
+def powers_below(most):
+    power = 1 << (most.bit_length() - 1)
+    while power:
+        if power < most:
+            yield power
+        power //= 2
+
+
+def walk_down(clocks_of, most, percent):
+    """Clocks by number, from the most down, and the smallest number that costs at most so much."""
+    base = clocks_of(most)
+    curve, chosen, holds = {most: base}, most, True
+    for number in powers_below(most):
+        curve[number] = clocks_of(number)
+        holds = holds and curve[number] <= base * (1 + percent / 100)
+        chosen = number if holds else chosen
+        if curve[number] > SEEN_ENOUGH * base:
+            break
+    return curve, chosen
+
+
+def by_percent(percent, below, above=""):
+    """As text, with the word for what is below 0, and for the others."""
+    rounded = round(percent, 1)
+    return f"{abs(rounded):.1f} % {below if rounded < 0 else above}".rstrip()
+
+
+def reason(curve, chosen, percent, frame):
+    """Why this number, with the next ones on both sides. `frame` is what was measured."""
+    most = max(curve)
+    base = curve[most]
+    part = lambda number: (
+        f", with {number} " + by_percent(100 * (curve[number] / base - 1), "fewer", "more")
+    )
+    words = f"with {most} {frame} takes {base:,} clocks"
+    if chosen != most:
+        words += part(chosen)
+    below = [number for number in curve if number < chosen]
+    if below:
+        words += part(max(below))
+    return f"{words}; {percent:g} % are allowed"
+
+
+class Meter:
+    """Renders a scene on the model of one configuration, with fewer packets and lines in use."""
+
+    def __init__(self, program, scene, flags, configuration, schedules, progress):
+        self.command = [
+            program,
+            "render",
+            scene,
+            *flags,
+            "--board",
+            "model",
+            "--config",
+            configuration,
+            "--schedule",
+            schedules,
+        ]
+        self.progress, self.known = progress, {}
+
+    def clocks(self, packets, lines):
+        if (packets, lines) not in self.known:
+            self.progress(f"measuring a frame with {packets} packets and {lines} lines")
+            self.known[packets, lines] = self._measured(packets, lines)
+        return self.known[packets, lines]
+
+    def _measured(self, packets, lines):
+        with tempfile.TemporaryDirectory() as folder:
+            figures = pathlib.Path(folder) / "figures.json"
+            result = subprocess.run(
+                [
+                    *self.command,
+                    f"--packets={packets}",
+                    f"--lines={lines}",
+                    "--json",
+                    figures,
+                    "--out",
+                    pathlib.Path(folder) / "frame.png",
+                ],
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.PIPE,
+                text=True,
+                check=False,
+            )
+            if result.returncode != 0:
+                raise Failed(
+                    result.stderr.strip().removeprefix("dynrt: ")
+                    or f"rendering ended with {result.returncode}"
+                )
+            return read_json(figures)["frame"]["cycles"]
+
+
+def choose(meter, packets, lines, percent, frame="a frame"):
+    """The decisions for packets and lines, and the curves; `frame` says which is measured."""
+    by_packets, few = walk_down(lambda n: meter.clocks(n, lines), packets, percent / 2)
+    by_lines, short = walk_down(lambda n: meter.clocks(few, n), lines, percent / 2)
+    decided = {
+        "packets": (few, reason(by_packets, few, percent / 2, frame)),
+        "lines": (short, reason(by_lines, short, percent / 2, frame)),
+    }
+    return decided, {"packets": by_packets, "lines": by_lines}

@@ -1,0 +1,355 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Makes the smallest core that renders a scene: `dynrt specialise`, and --specialise of the commands
+that render, for which it prints the path of the configuration."""
+
+import hashlib
+import json
+import math
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+from dynrt_tools.build import configs
+from dynrt_tools.build.cache import BuildCache
+from dynrt_tools.project import SCRIPTS, Failed, read_json, show_progress, write_json
+from dynrt_tools.report.collect import check_writable, scene_name, scene_path, written_first
+from dynrt_tools.report.report import guarded
+from dynrt_tools.report.variants import base_configuration
+from dynrt_tools.report.workflow import content_of
+from dynrt_tools.specialise import choose_format, costs, curve, decisions, flags, table
+
+DELIVERED = (".v", ".vh", ".json", ".txt")  # of a core's folder; the rest is of its build alone
+
+
+class Project:
+    """Runs the program and scripts/configuration for one scene."""
+
+    def __init__(self, args):
+        self.args = args
+        self.scene = scene_path(args.scene)
+        self.name = scene_name(args.scene)
+        self.out = args.out or pathlib.Path(f"{self.name}.specialised")
+        self.seen = flags.passed_on(args, flags.SEEN) + (
+            ["--uncompressed"] if args.uncompressed else []
+        )
+        self.build = read_json(pathlib.Path(args.build))
+
+    def needs(self, general):
+        """What `dynrt needs` says, and its lines about the scene."""
+        command = [
+            self.args.program,
+            "needs",
+            self.scene,
+            *self.seen,
+            *flags.passed_on(self.args, flags.ASKED),
+        ]
+        command += [f"--config={general}"] if general else []
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "needs.json"
+            result = subprocess.run(
+                [*command, "--json", path],
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                text=True,
+                check=False,
+            )
+            if result.returncode != 0:
+                raise Failed(result.stderr.strip().removeprefix("dynrt: "))
+            about = next(x for x in result.stdout.splitlines() if x.startswith("scene "))
+            return read_json(path), about.removeprefix("scene").strip()
+
+    def made(self, configuration, *kind):
+        """The path of what scripts/configuration makes of a file."""
+        result = subprocess.run(
+            [
+                SCRIPTS / "configuration",
+                configuration,
+                *kind,
+                "--build",
+                self.args.build,
+                "--expect",
+                self.args.expect,
+                "--jobs",
+                str(self.args.jobs),
+                "--for-program",
+            ],
+            stdout=subprocess.PIPE,
+            text=True,
+            check=False,
+        )
+        if result.returncode != 0:
+            raise Failed(result.stdout.strip() or "scripts/configuration failed")
+        return pathlib.Path(result.stdout.strip())
+
+    def key(self, needs, general, formats):
+        """Of all that the configuration depends on."""
+        args = self.args
+        said = {
+            "name": self.name,
+            "needs": needs,
+            "general": general,
+            "formats": formats,
+            "seen": self.seen,
+            "keep": args.keep,
+            "slowdown": args.max_slowdown,
+            "fingerprint": args.expect,
+            "variables": self.build["variables"],
+            "program": content_of(pathlib.Path(args.program)),
+            "hlsc": content_of(pathlib.Path(self.build["hlsc"])),
+        }
+        if not os.path.isabs(self.scene):  # a built-in one
+            said["scene"] = self.scene
+        digest = hashlib.sha256(json.dumps(said, sort_keys=True).encode())
+        return f"specialised-{digest.hexdigest()[:40]}"
+
+
+def analysis_of(entry):
+    """In a folder of its own, as the configuration beside it has the name of its scene."""
+    return entry / "analysis" / "analysis.json"
+
+
+def is_whole(entry, name):
+    """Whether both files of an entry can be read; not where a machine has lost its power."""
+    try:
+        for path in (entry / f"{name}.json", analysis_of(entry)):
+            read_json(path)
+    except (OSError, ValueError):
+        return False
+    return True
+
+
+class Specialiser:
+    """Writes the configuration of a scene and what it was decided by into a folder of the cache."""
+
+    def __init__(self, project, general_name, general, needs, formats):
+        self.project, self.general_name, self.general = project, general_name, general
+        self.formats = formats
+        self.needs = needs
+        self.keys = configs.load_configurations().KEYS
+
+    def decide(self, measured):
+        return decisions.decide(
+            self.keys,
+            self.general_name,
+            self.general,
+            self.needs["keys"],
+            measured | self.formats,
+            self.project.args.keep,
+        )
+
+    def write(self, path, decided):
+        configuration = decisions.configuration(self.project.name, self.general_name, decided)
+        generate = configs.load_configurations()
+        try:
+            generate.checked("special", configuration)
+        except generate.Refused as error:
+            raise Failed(str(error)) from error
+        write_json(path, configuration)
+
+    def __call__(self, folder):
+        made = folder / "made"
+        made.mkdir()
+        path = made / f"{self.project.name}.json"
+        measured, curves = self.measured(folder)
+        decided = self.decide(measured)
+        self.write(path, decided)
+        analysis = analysis_of(made)
+        analysis.parent.mkdir()
+        write_json(
+            analysis,
+            {
+                "general": self.general_name,
+                "needs": self.needs["needs"],
+                "curves": curves,
+                "left_out": decisions.left_out(decided, self.general),
+                "configuration": decided,
+            },
+        )
+        return made
+
+    def measured(self, folder):
+        """Packets and lines, and the curves. All else is as it will be."""
+        args, most = self.project.args, {k: self.general[k] for k in ("packets", "lines")}
+        whole = folder / f"{self.project.name}.json"
+        self.write(whole, self.decide({k: (n, "being measured") for k, n in most.items()}))
+        schedules = self.project.made(whole, "--verilog")
+        meter = curve.Meter(
+            args.program, self.project.scene, self.project.seen, whole, schedules, show_progress
+        )
+        frame = f"a frame of {args.size or choose_format.SIZE}"
+        frame += " at time 0" if self.needs["needs"].get("frames", 1) > 1 else ""
+        decided, curves = curve.choose(
+            meter, most["packets"], most["lines"], args.max_slowdown, frame
+        )
+        return {k: d for k, d in decided.items() if k not in args.keep}, curves
+
+
+def general_core(project):
+    """Name and keys of the configuration to start from, what the scene needs of it, and what is
+    decided of the float."""
+    args, formats = project.args, {}
+    needs, about = project.needs(args.config)
+    name = needs["general"]
+    general = base_configuration(name)
+    if name.endswith(".json"):
+        name = os.path.abspath(name)
+    if args.max_error is not None:
+        formats = choose_format.chosen(args, name, project.scene, project.out)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / f"{decisions.called(name)}.json"
+            write_json(path, general | {key: value for key, (value, _) in formats.items()})
+            needs, about = project.needs(path)
+    needs["general"] = name
+    return name, general, needs, about, formats
+
+
+def add_costs(project, result, special, general):
+    """Area, gates, stages and clocks of both cores; gives the folder with the made one's Verilog."""
+    args = project.args
+    of = {}
+    with tempfile.TemporaryDirectory() as work:
+        whole = pathlib.Path(work) / "general.json"
+        write_json(whole, general)
+        for name, path in (("general", whole), ("special", special)):
+            verilog = project.made(path, "--verilog")
+            meter = curve.Meter(
+                args.program, project.scene, project.seen, path, verilog, show_progress
+            )
+            read = read_json(path)
+            plain = lambda key: read[key]["value"] if isinstance(read[key], dict) else read[key]
+            of[name] = {"clocks": meter.clocks(plain("packets"), plain("lines"))}
+            if args.hardware:
+                of[name] |= costs.costs_of(verilog, args.device[0], args.jobs, show_progress)
+    result["costs"] = of
+    return verilog
+
+
+def check_outputs(out, figures):
+    """Refuses, before the work, what could not be written."""
+    if figures and not figures.absolute().parent.is_dir():
+        raise Failed(
+            f"--json {figures}: there is no folder '{figures.parent}'; create it or name "
+            "a file elsewhere"
+        )
+    if figures and figures.is_dir():
+        raise Failed(f"--json {figures}: is a folder; name a file")
+    new = not out.exists()
+    check_writable(out, "name a folder elsewhere")
+    if new:
+        out.rmdir()
+
+
+def delivered(verilog):
+    """Names of the files in a core's folder that are of use without the build."""
+    return sorted(path.name for path in verilog.iterdir() if path.suffix in DELIVERED)
+
+
+def written_earlier(out):
+    """Names of the files in the folder's verilog/ that an earlier run has written."""
+    try:
+        listed = read_json(out / "analysis.json")["verilog"]
+        return [name for name in listed if pathlib.Path(name).name == name]
+    except (OSError, ValueError, LookupError, TypeError):
+        return []
+
+
+def write_figures(path, data):
+    """As a whole, so that a full disk leaves the file that was there."""
+    path = path.resolve()
+    if path.exists() and not path.is_file():  # a pipe
+        write_json(path, data)
+        return
+    part = path.with_name(f"{path.name}.{os.getpid()}")
+    try:
+        write_json(part, data)
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def deliver(out, configuration, verilog, result):
+    """Writes the folder, and removes what an earlier core with other units has left there."""
+    result["verilog"] = delivered(verilog)
+    earlier = written_earlier(out)
+    with written_first(
+        out, "what was there is as it was, and the cache keeps what was decided"
+    ) as new:
+        shutil.copyfile(configuration, new / "configuration.json")
+        write_json(new / "analysis.json", result)
+        (new / "verilog").mkdir()
+        for name in result["verilog"]:
+            shutil.copyfile(verilog / name, new / "verilog" / name)
+    for name in earlier:
+        if name not in result["verilog"]:
+            (out / "verilog" / name).unlink(missing_ok=True)
+
+
+def finish(project, name, general, about, entry):
+    """What `dynrt specialise` does with a configuration that is there."""
+    args = project.args
+    result = read_json(analysis_of(entry))
+    result["curves"] = {
+        what: {int(n): clocks for n, clocks in points.items()}
+        for what, points in result["curves"].items()
+    }
+    out, special = project.out, entry / f"{project.name}.json"
+    verilog = add_costs(project, result, special, general)
+    misfit = args.hardware and costs.misfits(
+        verilog, result["costs"]["special"], args.device, args.jobs, show_progress
+    )
+    show_progress("")
+    deliver(out, special, verilog, result)
+    if args.json:
+        write_figures(args.json, result)
+    print(
+        table.page(about, decisions.called(name), general, result)
+        + f"written     {out}/configuration.json, analysis.json and verilog"
+    )
+    if misfit:
+        raise Failed(f"the core made for {project.name} fits no device asked for: {misfit}")
+
+
+def run(args):
+    project = Project(args)
+    costs.check_devices(args.device)
+    if args.jobs < 1:
+        raise Failed(f"--jobs {args.jobs}: at least one is needed")
+    if not 0 <= args.max_slowdown < math.inf:
+        raise Failed(f"--max-slowdown {args.max_slowdown:g}: a part in percent, 0 or more")
+    choose_format.check(args)
+    if not args.for_program:
+        check_outputs(project.out, args.json)
+    if args.max_error is not None or args.hardware and not args.for_program:
+        costs.check_tools()
+    name, general, needs, about, formats = general_core(project)
+    entry = BuildCache().get(
+        project.key(needs, general, formats),
+        Specialiser(project, name, general, needs, formats),
+        lambda: show_progress("another program builds it; waiting"),
+        lambda entry: is_whole(entry, project.name),
+    )
+    show_progress("")
+    if args.for_program:
+        print(entry / f"{project.name}.json")
+        return 0
+    return finish(project, name, general, about, entry)
+
+
+def for_program(args):
+    """As scripts/configuration does: what is wrong, where the path would be."""
+    try:
+        return run(args)
+    except Failed as error:
+        print(error)
+    except OSError as error:
+        print(f"{error.filename or args.scene}: {error.strerror}")
+    return 1
+
+
+def main():
+    args = flags.parse(sys.argv[1:])
+    return for_program(args) if args.for_program else guarded(run, args)

@@ -1,0 +1,183 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""From a scene to the core made for it: its keys, that it renders the same bits, and what it refuses.
+
+Usage: python3 -m dynrt_tools.specialise.system_test PROGRAM
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
+SMALL = ("--size", "64x48")
+# A ball that slides by, and for which a second core is too small once others are beside it.
+BALL = {
+    "objects": [
+        {
+            "name": "ball",
+            "parts": [{"generate": "sphere", "radius": 1, "subdivisions": 2, "colour": [1, 1, 1]}],
+        }
+    ],
+    "instances": [
+        {
+            "object": "ball",
+            "name": "slides",
+            "position": [0, 2, 0],
+            "motion": {"keys": [{"time": 0}, {"time": 4, "position": [4, 2, 0]}]},
+        }
+    ],
+    "camera": {"position": [0, 0, 20], "look_at": [0, 0, 0], "field_of_view": 40},
+}
+
+
+class Specialise(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_program(self, *arguments):
+        return subprocess.run(
+            [PROGRAM, *arguments], cwd=self.folder, capture_output=True, text=True, check=False
+        )
+
+    def done(self, *arguments):
+        result = self.run_program(*arguments)
+        self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
+        return result.stdout
+
+    def read(self, name):
+        return json.loads((self.folder / name).read_text(encoding="utf-8"))
+
+    def scene(self, name, **changes):
+        (self.folder / name).write_text(json.dumps(BALL | changes), encoding="utf-8")
+        return name
+
+    def test_a_scene_of_one_object(self):
+        page = self.done("specialise", "office", *SMALL, "--out", "made", "--no-hardware")
+        self.assertIn("\n  levels", page)
+        stated = self.read("made/configuration.json")
+        self.assertEqual((stated["made_for"], stated["made_from"]), ("office", "thesis"))
+        for key, one in stated.items():
+            if isinstance(one, dict):
+                self.assertGreater(len(one["reason"]), 10, key)
+        self.assertEqual(stated["levels"]["value"], 1)
+        self.assertLess(stated["stack_depth"]["value"], 31)
+        self.assertIn(
+            f"pushes at most {stated['stack_depth']['value']}", stated["stack_depth"]["reason"]
+        )
+        analysis = self.read("made/analysis.json")
+        self.assertEqual(max(map(int, analysis["curves"]["packets"])), 32)
+        self.assertGreater(analysis["costs"]["special"]["clocks"], 1000)
+        self.assertTrue((self.folder / "made/verilog/dynrt_core.v").is_file())
+
+        model = ("--board", "model")
+        self.done("render", "office", *SMALL, *model, "--specialise", "--out", "special.png")
+        self.done("render", "office", *SMALL, *model, "--out", "general.png")
+        self.assertEqual(
+            (self.folder / "special.png").read_bytes(), (self.folder / "general.png").read_bytes()
+        )
+
+    def test_the_verilog_gives_the_general_cores_bits(self):
+        said = self.done("compare", "lamps", *SMALL, "--specialise")
+        self.assertRegex(
+            said,
+            "compared +3,072 hit records, 3,072 pixels, 0 counters of rtl and "
+            "model: 0 \\+ 0 \\+ 0 differ",
+        )
+
+    def test_frames_that_exceed_the_core(self):
+        ball = self.scene("ball.json")
+        balls = self.scene(
+            "balls.json",
+            instances=[
+                {"object": "ball", "name": f"ball{i}", "position": [3 * i, 0, 0]} for i in range(40)
+            ],
+        )
+        self.done(
+            "walk",
+            ball,
+            *SMALL,
+            "--frames",
+            "3",
+            "--board",
+            "model",
+            "--specialise",
+            "--out",
+            "frames",
+        )
+        self.done("specialise", ball, *SMALL, "--out", "made", "--no-hardware")
+        mine = ("--board", "model", "--config", "made/configuration.json", *SMALL)
+        refused = self.run_program("render", balls, *mine)
+        self.assertEqual(refused.returncode, 2)
+        self.assertRegex(
+            refused.stderr,
+            "^dynrt: the scene 'balls' needs top_stack_depth [0-9]+, "
+            "and configuration configuration, made for 'ball', has 1;",
+        )
+        said = self.done("render", balls, *mine, "--general-if-exceeded")
+        self.assertIn("configuration thesis", said)
+        lit = self.run_program("render", ball, *mine, "--light", "0,5,9")
+        self.assertEqual(lit.returncode, 2)
+        self.assertIn("has no light rays; take --config whitted", lit.stderr)
+
+    def test_frames_of_a_walk_that_exceed_the_core(self):
+        spread = self.scene(
+            "spread.json",
+            instances=[
+                {
+                    "object": "ball",
+                    "name": f"ball{i}",
+                    "motion": {"keys": [{"time": 1}, {"time": 4, "position": [2 * i, 0, 0]}]},
+                }
+                for i in range(12)
+            ],
+        )
+        self.done(
+            "specialise",
+            spread,
+            *SMALL,
+            "--to",
+            "1",
+            "--frames",
+            "2",
+            "--out",
+            "made",
+            "--no-hardware",
+        )
+        mine = (
+            "walk",
+            spread,
+            "--board",
+            "model",
+            "--config",
+            "made/configuration.json",
+            *SMALL,
+            "--frames",
+            "3",
+        )
+        refused = self.run_program(*mine, "--out", "refused")
+        self.assertEqual(refused.returncode, 2)
+        self.assertRegex(
+            refused.stderr,
+            "^dynrt: frame [12] of 3 needs top_stack_depth [0-9]+, "
+            "and configuration .* has [0-9]+; .*--general-if-exceeded",
+        )
+        self.done(*mine, "--general-if-exceeded", "--out", "mixed", "--json", "mixed.json")
+        general = [one.get("general", False) for one in self.read("mixed.json")["walk"]["frames"]]
+        self.assertEqual((general[0], general[-1]), (False, True))
+        self.done(*mine[:2], "--board", "model", *SMALL, "--frames", "3", "--out", "plain")
+        for i in range(3):
+            self.assertEqual(
+                (self.folder / f"mixed/frame_{i:04}.png").read_bytes(),
+                (self.folder / f"plain/frame_{i:04}.png").read_bytes(),
+                i,
+            )
+
+
+if __name__ == "__main__":
+    unittest.main()

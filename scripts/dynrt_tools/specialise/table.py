@@ -1,0 +1,99 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""What `dynrt specialise` prints: what was left out and why, what it saves, and the curves."""
+
+import textwrap
+
+from dynrt_tools.specialise.costs import COSTS
+from dynrt_tools.specialise.curve import by_percent
+
+WIDTH = 112
+
+
+def aligned(rows, right=()):
+    """Rows of text under one another; columns `right` end flush."""
+    widths = [max(len(row[i]) for row in rows if i < len(row)) for i in range(len(rows[0]))]
+    for row in rows:
+        cells = (
+            cell.rjust(w) if i in right else cell.ljust(w)
+            for i, (cell, w) in enumerate(zip(row, widths))
+        )
+        yield "  " + "  ".join(cells).rstrip()
+
+
+def value(what):
+    if isinstance(what, list):
+        return ", ".join(what)
+    if isinstance(what, bool):
+        return "yes" if what else "no"
+    return str(what)
+
+
+def keys_table(special, general, decided, base, changed):
+    """The keys that differ, each with its reason beside it, wrapped."""
+    rows = [("key", general, special, "because")]
+    first = [(name, value(base[name]), value(decided[name]["value"])) for name in changed]
+    left = 2 * 4 + sum(max(len(row[i]) for row in [*first, rows[0]]) for i in range(3))
+    for name, before, now in first:
+        because = textwrap.wrap(decided[name]["reason"], max(40, WIDTH - left))
+        rows.append((name, before, now, because[0]))
+        rows += [("", "", "", line) for line in because[1:]]
+    yield from aligned(rows)
+
+
+def kept_text(general, decided, changed):
+    kept = ", ".join(
+        f"{name} {value(one['value'])}" for name, one in decided.items() if name not in changed
+    )
+    yield from textwrap.wrap(
+        f"as in {general}: {kept}", WIDTH, initial_indent="  ", subsequent_indent="  "
+    )
+
+
+def number(what):
+    return f"{what:,.1f}" if isinstance(what, float) and what % 1 else f"{what:,.0f}"
+
+
+def costs_table(special, general, costs):
+    rows = [("takes", general, special, "less by")]
+    for name, about in COSTS.items():
+        if name in costs["general"] and name in costs["special"]:
+            before, now = costs["general"][name], costs["special"][name]
+            less = by_percent(100 * (1 - now / before), "more") if before else "-"
+            rows.append((about, number(before), number(now), less))
+    yield from aligned(rows, (1, 2, 3))
+
+
+def curve_table(curves):
+    for what, curve in curves.items():
+        rows = [
+            (what, *(f"{n}" for n in curve)),
+            ("clocks", *(f"{clocks:,}" for clocks in curve.values())),
+            (
+                "more by",
+                *(
+                    by_percent(100 * (clocks / max(1, curve[max(curve)]) - 1), "fewer")
+                    for clocks in curve.values()
+                ),
+            ),
+        ]
+        yield from aligned(rows, range(1, len(rows[0])))
+
+
+def page(scene, general, base, result):
+    """All of it, as one text."""
+    decided, changed = result["configuration"], result["left_out"]
+    lines = [
+        f"scene       {scene}",
+        f"core        from {general}, without what the scene does not " "need",
+        "",
+        *keys_table("here", general, decided, base, changed),
+        "",
+        *kept_text(general, decided, changed),
+        "",
+        *costs_table("here", general, result["costs"]),
+        "",
+    ]
+    for curve in ("packets", "lines"):
+        lines += [*curve_table({curve: result["curves"][curve]}), ""]
+    return "\n".join(lines)
