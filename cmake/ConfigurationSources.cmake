@@ -12,9 +12,9 @@ function(dynrt_configuration_sources target CONFIG)
                  ${generated}/${CONFIG}_core.cpp @ONLY)
   target_sources(${target} PRIVATE ${generated}/${CONFIG}_core.cpp)
   set_source_files_properties(${generated}/${CONFIG}_core.cpp PROPERTIES COMPILE_OPTIONS -O3)
-  string(APPEND DECLARATIONS "BoardInfo ${CONFIG}_info();\n"
+  string(APPEND DECLARATIONS "CoreInfo ${CONFIG}_info();\n"
          "std::unique_ptr<NativeCore> make_${CONFIG}_core();\n")
-  set(row ".name = \"${CONFIG}\", .info = ${CONFIG}_info, .native = make_${CONFIG}_core")
+  set(row ".name = \"${CONFIG}\", .core = ${CONFIG}_info, .native = make_${CONFIG}_core")
 
   get_property(rtl_configs GLOBAL PROPERTY DYNRT_RTL_CONFIGS)
   # A float of more than 24 bits needs wider words than the board's SRAM has: no board.

@@ -14,9 +14,8 @@ namespace dynrt::host {
 /// Throws UserError for what this build or the board's configuration lacks.
 std::unique_ptr<Board> open_board(const BoardRequest& request, const FrameOptions& options);
 
-SceneAddresses addresses_of(const FrameImage& frame, const Scene& scene);
-
-Frame render_on(Board& board, const FrameOptions& options, const Prepared& prepared);
+/// With progress on the terminal.
+Frame render_on(Board& board, const FrameOptions& options, const MemoryImage& image);
 
 /// The image's file: what the user asked for, or the scene's name with .png in this folder.
 std::string image_name(const std::string& out, const std::string& scene);

@@ -32,7 +32,7 @@ Frame frame_of(const BoardRequest& request, const FrameOptions& options, const P
 
 Prepared prepared_for(const BoardRequest& request, const Arguments& arguments,
                       const FrameOptions& options) {
-  const BoardInfo info = open_board(request, options)->info();
+  const CoreInfo info = open_board(request, options)->core();
   return prepare(arguments.scene, options.width, options.height, &info);
 }
 

@@ -21,9 +21,9 @@ namespace dynrt::host {
 namespace {
 
 /// The names of this build's configurations that have some, after "--config ".
-std::string with(unsigned BoardInfo::* some) {
+std::string with(unsigned CoreInfo::* some) {
   const auto names =
-      names_of(configurations(), [&](const Configuration& c) { return c.info().*some > 0; });
+      names_of(configurations(), [&](const Configuration& c) { return c.core().*some > 0; });
   return names.empty() ? "none of this build has them"
                        : fmt::format("take --config {}", fmt::join(names, " or --config "));
 }
@@ -45,9 +45,9 @@ void set_mirror(Scene& scene, const std::string& material, double part) {
   }
 }
 
-void require_light_rays(const BoardInfo& board, const std::string& flag) {
+void require_light_rays(const CoreInfo& board, const std::string& flag) {
   if (board.lights == 0) {
-    refuse(messages::kNoLightRays, flag, board.configuration, with(&BoardInfo::lights));
+    refuse(messages::kNoLightRays, flag, board.name, with(&CoreInfo::lights));
   }
 }
 
@@ -80,7 +80,7 @@ std::pair<std::string, double> parse_mirror(const std::string& text) {
 }
 
 LightFlags::LightFlags(const std::vector<std::string>& light,
-                       const std::vector<std::string>& mirror, const BoardInfo* board) {
+                       const std::vector<std::string>& mirror, const CoreInfo* board) {
   if (board && !light.empty()) require_light_rays(*board, "--light");
   if (board && !mirror.empty()) require_reflections(*board, "--mirror");
   for (const std::string& text : light) lights.push_back(parse_light(text, "--light " + text));
@@ -92,25 +92,24 @@ void LightFlags::add_to(Scene& scene) const {
   for (const auto& [material, part] : mirrors) set_mirror(scene, material, part);
 }
 
-void require_reflections(const BoardInfo& board, const std::string& flag) {
+void require_reflections(const CoreInfo& board, const std::string& flag) {
   if (board.reflections == 0) {
-    refuse(messages::kNoReflections, flag, board.configuration, with(&BoardInfo::reflections));
+    refuse(messages::kNoReflections, flag, board.name, with(&CoreInfo::reflections));
   }
 }
 
-std::vector<std::string> unused_light(const Scene& scene, const BoardInfo& board) {
+std::vector<std::string> unused_light(const Scene& scene, const CoreInfo& board) {
   std::vector<std::string> notes;
   const std::size_t lights = scene.lights.size();
   if (lights > 0 && board.lights == 0) {
-    notes.push_back(fmt::format(messages::kLightsUnused, counted(lights, "light"),
-                                board.configuration, with(&BoardInfo::lights)));
+    notes.push_back(fmt::format(messages::kLightsUnused, counted(lights, "light"), board.name,
+                                with(&CoreInfo::lights)));
   } else if (lights > board.lights) {
-    notes.push_back(
-        fmt::format(messages::kLightsTooMany, lights, board.configuration, board.lights));
+    notes.push_back(fmt::format(messages::kLightsTooMany, lights, board.name, board.lights));
   }
   if (mirrors_of(scene) > 0 && board.reflections == 0) {
     notes.push_back(fmt::format(messages::kMirrorsUnused, counted(mirrors_of(scene), "mirror"),
-                                board.configuration, with(&BoardInfo::reflections)));
+                                board.name, with(&CoreInfo::reflections)));
   }
   return notes;
 }

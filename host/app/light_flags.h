@@ -28,15 +28,15 @@ struct LightFlags {
   /// Throws UserError for flags that cannot be read and for those that the board has no rays for;
   /// without a board, none is asked.
   LightFlags(const std::vector<std::string>& light, const std::vector<std::string>& mirror,
-             const BoardInfo* board);
+             const CoreInfo* board);
   /// Throws UserError where the scene has no material of a name.
   void add_to(Scene& scene) const;
 };
 
 /// Throws UserError that names the configurations of this build that have what `flag` asks for.
-void require_reflections(const BoardInfo& board, const std::string& flag);
+void require_reflections(const CoreInfo& board, const std::string& flag);
 
 /// Sentences about lights and mirrors of the scene that the board has no rays for.
-std::vector<std::string> unused_light(const Scene& scene, const BoardInfo& board);
+std::vector<std::string> unused_light(const Scene& scene, const CoreInfo& board);
 
 }  // namespace dynrt::host

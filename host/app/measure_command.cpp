@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "host/analysis/truth/measures.h"
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
@@ -16,7 +17,6 @@
 #include "host/app/text.h"
 #include "host/render/output_file.h"
 #include "host/render/write_image.h"
-#include "host/truth/measures.h"
 
 namespace dynrt::host {
 
@@ -45,12 +45,11 @@ struct Expected {
 Expected expected_of(const Frame& frame, const FrameOptions& options, const Prepared& prepared) {
   const Progress progress("computing the truth");
   const Truth truth(prepared.scene);
-  const FrameConfig config =
-      frame_config(frame.board, options, addresses_of(prepared.frame, prepared.scene));
-  Expected expected{truth_of_frame(truth, prepared.camera, shading_of(frame.board, config)), {}};
-  const MatrixOwners owners(prepared.scene, prepared.objects, prepared.frame,
-                            form_for(frame.board));
-  expected.measures = measure(truth, expected.truth, frame, owners, frame.board.format->number);
+  const FrameConfig config = frame_config(frame.core, options, prepared.frame);
+  Expected expected{truth_of_frame(truth, prepared.view.camera, shading_of(frame.core, config)),
+                    {}};
+  const MatrixOwners owners(prepared.scene, prepared.objects, prepared.frame);
+  expected.measures = measure(truth, expected.truth, frame, owners, frame.core.format->number);
   return expected;
 }
 
@@ -85,7 +84,7 @@ int run(const Arguments& arguments) {
   check_outputs(outputs);
   const auto board =
       open_board({"model", arguments.configuration, "", arguments.schedule}, options);
-  const Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->info());
+  const Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->core());
   const Frame frame = render_on(*board, options, prepared);
   const Expected expected = expected_of(frame, options, prepared);
 

@@ -5,8 +5,8 @@
 // rules of shading, hardly a pixel would agree.
 #include <gtest/gtest.h>
 
+#include "host/analysis/truth/measures.h"
 #include "host/app/board_frame.h"
-#include "host/truth/measures.h"
 
 namespace dynrt::host {
 namespace {
@@ -30,7 +30,7 @@ TEST_P(MeasuredFrames, AreNearlyTrue) {
   const auto board = make_board(configurations(), {"model", c.configuration, ""});
   SceneArguments arguments;
   arguments.scene = c.scene;
-  const Prepared prepared = prepare(arguments, kWidth, kHeight, &board->info());
+  const Prepared prepared = prepare(arguments, kWidth, kHeight, &board->core());
   FrameOptions options;
   options.width = kWidth;
   options.height = kHeight;
@@ -38,12 +38,11 @@ TEST_P(MeasuredFrames, AreNearlyTrue) {
   const Frame frame = render_on(*board, options, prepared);
 
   const Truth truth(prepared.scene);
-  const FrameConfig config =
-      frame_config(board->info(), options, addresses_of(prepared.frame, prepared.scene));
+  const FrameConfig config = frame_config(board->core(), options, prepared.frame);
   const TruthFrame expected =
-      truth_of_frame(truth, prepared.camera, shading_of(board->info(), config));
+      truth_of_frame(truth, prepared.view.camera, shading_of(board->core(), config));
   const MatrixOwners owners(prepared.scene, prepared.objects, prepared.frame);
-  const auto found = measure(truth, expected, frame, owners, board->info().format->number);
+  const auto found = measure(truth, expected, frame, owners, board->core().format->number);
   SCOPED_TRACE(found.dump(2));
   RecordProperty("measures", found.dump());
 

@@ -23,9 +23,6 @@ inline constexpr char kNoPrimitive[] =
 inline constexpr char kCommand[] =
     "{}: unknown; the commands are render, walk, compare, info, report, choose, "
     "measure, stress, needs and specialise";
-inline constexpr char kBeyondMargin[] =
-    "object '{}'{}: small for the scene; rays that start many times its size away from it may pass "
-    "it at an edge in a plane of its tree, though it is tested watertight";
 inline constexpr char kNoReport[] =
     "report: which one is missing; the reports are overlap, mailbox, clipping, error and "
     "truth";

@@ -37,7 +37,7 @@ struct Arguments {
 /// Of one frame, or of all the frames of the walk that moves the scene or is asked for, and of the
 /// scene as it is before it moves: so it is laid out first.
 SceneNeeds needs_over_frames(Prepared& prepared, const Arguments& arguments) {
-  const SceneNeeds still = needs_of(prepared);
+  const SceneNeeds still = prepared.needs();
   const bool moves = duration(prepared.scene) > 0;
   if (!moves && !arguments.frames) return still;
   const WalkPlan plan(prepared.scene, arguments.frames.value_or(kWalkFrames), arguments.span.from,
@@ -83,12 +83,12 @@ int run(const Arguments& arguments) {
                                   ? general_configuration(arguments.scene)
                                   : arguments.configuration;
   const auto board = open_board({"model", general, ""}, options);
-  Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->info());
+  Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->core());
   const std::uint64_t content = fingerprint(prepared.scene);
   const SceneNeeds needs = needs_over_frames(prepared, arguments);
   const std::vector<Decision> decisions =
-      decide(needs, board->info(),
-             {arguments.reflections.value_or(board->info().reflections), arguments.uncompressed});
+      decide(needs, board->core(),
+             {arguments.reflections.value_or(board->core().reflections), arguments.uncompressed});
   if (!arguments.json.empty()) {
     nlohmann::ordered_json json = {{"general", general},
                                    {"content", fmt::format("{:016x}", content)},

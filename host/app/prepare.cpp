@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -17,9 +16,8 @@
 #include "host/app/progress.h"
 #include "host/app/text.h"
 #include "host/board/configurations.h"
-#include "host/image/form_trees.h"
+#include "host/layout/limits.h"
 #include "host/scene/load.h"
-#include "host/specialise/tree_needs.h"
 #include "host/specialise/within.h"
 
 namespace dynrt::host {
@@ -64,164 +62,66 @@ std::string left_out(const ImportCounts& dropped) {
   return parts.empty() ? "" : fmt::format(" ({} left out)", fmt::join(parts, ", "));
 }
 
-/// What the board's memory has left, whatever of it a core reaches.
-TreeSize room_for_instances(const SceneTrees& trees) {
-  TreeSize room = kMemoryForTrees;
-  for (const Tree& tree : trees.objects) {
-    room.nodes -= std::min(room.nodes, tree.size().nodes);
-    room.items -= std::min(room.items, tree.size().items);
-  }
-  return room;
+/// Throws UserError where the core lacks a primitive of the scene.
+void check_primitives(const Scene& scene, const CoreInfo& core) {
+  const char* missing = missing_primitive(scene, core);
+  if (missing == nullptr) return;
+  const auto with = names_of(configurations(), [&](const Configuration& c) {
+    return missing_primitive(scene, c.core()) == nullptr;
+  });
+  refuse(messages::kNoPrimitive, core.name, missing, scene.name,
+         fmt::format("{}", fmt::join(with, ", ")));
 }
 
-/// With trees so shallow that they never overflow the board's stacks, if those that there are
-/// could.
-TreeOptions options_for(const SceneTrees& trees, const BoardInfo& board) {
-  TreeOptions options;
-  const auto entries = [](unsigned depth) {
-    return std::min(kMaxTreeDepth, static_cast<int>(depth));
-  };
-  for (const Tree& tree : trees.objects) {
-    if (tree_needs(tree).pushes > entries(board.stack_depth)) {
-      options.max_depth = entries(board.stack_depth);
-    }
+/// The rays and primitives that the user may ask for: of a specialised core those of the general
+/// one, as lay_out() says what exceeds it.
+CoreInfo allowed_by(const CoreInfo& core) {
+  CoreInfo allowed = core;
+  if (core.is_specialised() && core.general) {
+    allowed.lights = core.general->lights;
+    allowed.reflections = core.general->reflections;
+    allowed.primitives = core.general->primitives;
   }
-  if (tree_needs(trees.instances).pushes > entries(board.top_stack_depth)) {
-    options.max_top_depth = entries(board.top_stack_depth);
-  }
-  return options;
+  return allowed;
 }
 
-/// Throws UserError where the board's configuration lacks a primitive of the scene.
-void check_primitives(const Scene& scene, const BoardInfo& board) {
-  Primitives used;
-  for (const Mesh& object : scene.objects) {
-    used.triangle = used.triangle || !object.triangles.empty();
-    used.rectangle = used.rectangle || !object.rectangles.empty();
-    used.sphere = used.sphere || !object.ellipsoids.empty();
-  }
-  const auto lacks = [&](const Primitives& has) {
-    return used.triangle && !has.triangle     ? "triangles"
-           : used.sphere && !has.sphere       ? "spheres"
-           : used.rectangle && !has.rectangle ? "rectangles"
-                                              : nullptr;
-  };
-  if (const char* missing = lacks(board.primitives)) {
-    const auto with = names_of(configurations(), [&](const Configuration& c) {
-      return lacks(c.info().primitives) == nullptr;
-    });
-    refuse(messages::kNoPrimitive, board.configuration, missing, scene.name,
-           fmt::format("{}", fmt::join(with, ", ")));
-  }
-}
-
-/// Says of which objects a watertight core may lose a ray from far away.
-void note_margins(Prepared& prepared, const ImageForm& form) {
-  if (form.triangle_test != TriangleTest::kWatertight) return;
-  const std::vector<std::string> names =
-      beyond_margins(prepared.scene, prepared.camera.position, *form.format);
-  if (names.empty()) return;
-  const std::string others =
-      names.size() == 1 ? "" : fmt::format(" and {} more", grouped(names.size() - 1));
-  prepared.scene.notes.push_back(fmt::format(messages::kBeyondMargin, names.front(), others));
+/// The core for what is said of a scene without one: the shipped numbers and every primitive.
+CoreInfo any_core() {
+  CoreInfo core;
+  core.primitives = {.triangle = true, .sphere = true, .rectangle = true};
+  return core;
 }
 
 }  // namespace
 
-ImageForm form_for(const BoardInfo& board) {
-  return {board.format,       board.triangle_matrix, board.clips_to_cube, board.triangle_test,
-          board.address_bits, board.matrix_bits,     board.one_colour,    board.levels};
-}
-
-CoreNumbers core_numbers(const BoardInfo& board, const Space& space) {
-  return {std::ldexp(1.0, -static_cast<int>(board.format->mantissa_bits)), space};
-}
-
 Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
-                 const BoardInfo* board) {
-  // What a scene may exceed is told by check_within().
-  std::optional<BoardInfo> origin;
-  if (board != nullptr && !board->made_for.empty()) {
-    origin = *board;
-    if (board->made_from) {
-      origin->lights = board->made_from->lights;
-      origin->reflections = board->made_from->reflections;
-      origin->primitives = board->made_from->primitives;
-    }
-  }
-  const BoardInfo* allows = origin ? &*origin : board;
-  const LightFlags light(arguments.lights, arguments.mirrors, allows);
-  if (!arguments.mirrors.empty() && origin && board->reflections == 0) {
-    refuse_excess({"reflections", "1", "0"}, *board, "--mirror " + arguments.mirrors.front());
+                 const CoreInfo* core) {
+  const std::optional<CoreInfo> allowed =
+      core == nullptr ? std::nullopt : std::optional(allowed_by(*core));
+  const LightFlags light(arguments.lights, arguments.mirrors, allowed ? &*allowed : nullptr);
+  if (!arguments.mirrors.empty() && core != nullptr && core->is_specialised() &&
+      core->reflections == 0) {
+    refuse_excess({"reflections", "1", "0"}, *core, "--mirror " + arguments.mirrors.front());
   }
   const CameraFlags flags = arguments.camera();
   const auto begin = std::chrono::steady_clock::now();
   Scene scene;
-  Camera camera;
+  View view{.width = width, .height = height};
   {
     const Progress progress("loading " + arguments.scene);
     scene = load_scene(arguments.scene);
-    if (allows != nullptr) check_primitives(scene, *allows);
-    camera = choose_camera(scene, flags, static_cast<int>(width), static_cast<int>(height));
+    if (allowed) check_primitives(scene, *allowed);
+    view.camera = choose_camera(scene, flags, static_cast<int>(width), static_cast<int>(height));
     light.add_to(scene);
+    if (core != nullptr)
+      std::ranges::move(unused_light(scene, *core), std::back_inserter(scene.notes));
   }
   const auto loaded = std::chrono::steady_clock::now();
-  Prepared prepared = prepare(std::move(scene), camera, width, height, board);
+  const Progress progress("building the trees");
+  Prepared prepared(lay_out(std::move(scene), view, core == nullptr ? any_core() : *core,
+                            {.spare_stacks = core != nullptr}));
   prepared.load_seconds = Seconds(loaded - begin).count();
   return prepared;
-}
-
-Prepared prepare(Scene scene, const Camera& camera, unsigned width, unsigned height,
-                 const BoardInfo* board) {
-  const ImageForm form = board == nullptr ? ImageForm{} : form_for(*board);
-  const bool made_for_one = board != nullptr && !board->made_for.empty();
-  check_matrices(scene, made_for_one ? ImageForm{.triangles = form.triangles} : form);
-  Prepared prepared;
-  prepared.matrix = form.triangles;
-  {
-    const Fit fitted = fit(scene, camera, *form.format);
-    move_into(fitted, scene);
-    prepared.space = fitted.world;
-    prepared.headroom = fitted.headroom;
-    prepared.camera = moved_into(fitted.world, camera);
-    prepared.scene = std::move(scene);
-  }
-  if (board != nullptr) {
-    if (board->lights > 0) {
-      check_lights(prepared.scene, prepared.camera.position, core_numbers(*board, prepared.space));
-    }
-    std::ranges::move(unused_light(prepared.scene, *board),
-                      std::back_inserter(prepared.scene.notes));
-  }
-  note_margins(prepared, form);
-  const auto begin = std::chrono::steady_clock::now();
-  {
-    const Progress progress("building the trees");
-    const glm::dvec3& eye = prepared.camera.position;
-    prepared.trees = trees_for(prepared.scene, eye, form);
-    const BoardInfo* limits = made_for_one ? board->made_from.get() : board;
-    if (limits != nullptr) {
-      const TreeOptions options = options_for(prepared.trees, *limits);
-      prepared.top_depth = options.max_top_depth;
-      if (options.max_depth < kMaxTreeDepth || options.max_top_depth < kMaxTreeDepth) {
-        prepared.trees = trees_for(prepared.scene, eye, form, options);
-      }
-    }
-  }
-  prepared.tree_seconds = Seconds(std::chrono::steady_clock::now() - begin).count();
-  if (made_for_one) {
-    check_within(needs_of(prepared), *board, fmt::format("the scene '{}'", prepared.scene.name));
-  }
-  prepared.objects = ObjectImage(prepared.scene, prepared.trees.objects, form);
-  prepared.top_room =
-      made_for_one ? room_for_instances(prepared.trees) : prepared.objects.room_left();
-  prepared.frame = FrameImage(prepared.scene, prepared.objects, prepared.trees.instances,
-                              prepared.camera, width, height);
-  return prepared;
-}
-
-SceneNeeds needs_of(const Prepared& prepared) {
-  return scene_needs(prepared.scene, prepared.trees, prepared.matrix);
 }
 
 std::size_t Prepared::triangles() const {
@@ -279,10 +179,10 @@ Json Prepared::json() const {
             {"headroom_up", headroom.up},
             {"headroom_down", headroom.down}}},
           {"camera",
-           {{"position", json_of(space.outside(camera.position))},
-            {"right", json_of(camera.right)},
-            {"up", json_of(camera.up)},
-            {"forward", json_of(camera.forward)}}},
+           {{"position", json_of(space.outside(view.camera.position))},
+            {"right", json_of(view.camera.right)},
+            {"up", json_of(view.camera.up)},
+            {"forward", json_of(view.camera.forward)}}},
           {"objects", objects_json},
           {"instance_tree", json_of("instances", trees.instances)},
           {"memory",

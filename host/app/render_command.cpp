@@ -69,7 +69,7 @@ int run(const Arguments& arguments) {
         if (!arguments.scan_out.empty()) opened->check_display(options.width, options.height);
         return opened;
       },
-      [&](const BoardInfo& info) {
+      [&](const CoreInfo& info) {
         return prepare(arguments.scene, options.width, options.height, &info);
       });
   const Frame frame =

@@ -56,8 +56,8 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, double 
     fmt::format_to(std::back_inserter(text), format, std::forward<A>(args)...);
     text += '\n';
   };
-  line("board       {}, configuration {}, {} packets, {} lines in each cache", frame.board.name,
-       frame.board.configuration, frame.packets, frame.lines);
+  line("board       {}, configuration {}, {} packets, {} lines in each cache", frame.board,
+       frame.core.name, frame.packets, frame.lines);
   line("pixels      {}, of which {} hit something", grouped(frame.pixels.size()),
        grouped(frame.hit_count()));
   if (frame.run.cycles) {
@@ -74,11 +74,10 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, double 
        grouped(frame.traffic.bytes_written), grouped(frame.traffic.bytes_read),
        grouped(frame.traffic.transactions), bus_seconds(frame));
   if (figures.dropped_pushes.value_or(0) > 0) {
-    line(messages::kDroppedPushes, grouped(*figures.dropped_pushes), frame.board.top_stack_depth,
-         frame.board.stack_depth);
+    line(messages::kDroppedPushes, grouped(*figures.dropped_pushes), frame.core.top_stack_depth,
+         frame.core.stack_depth);
   }
-  if (!frame.board.counters)
-    line("counters    none in configuration {}", frame.board.configuration);
+  if (!frame.core.counters) line("counters    none in configuration {}", frame.core.name);
   return text + units_text(figures) + caches_text(figures);
 }
 
@@ -96,8 +95,8 @@ Json report_json(const Frame& frame, const FrameFigures& figures, double clock_m
   }
   Json counters = Json::object();
   for (const Counter& counter : frame.counters) counters[counter.name] = counter.value;
-  return {{"board", frame.board.name},
-          {"configuration", frame.board.configuration},
+  return {{"board", frame.board},
+          {"configuration", frame.core.name},
           {"packets", frame.packets},
           {"cache_lines", frame.lines},
           {"width", frame.width},

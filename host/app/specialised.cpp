@@ -9,7 +9,7 @@
 
 #include "host/board/load_configuration.h"
 #include "host/board/run_script.h"
-#include "host/image/image.h"
+#include "host/memory/matrix_numbers.h"
 #include "host/scene/load.h"
 #include "host/specialise/messages.h"
 
@@ -62,10 +62,7 @@ void SpecialiseFlags::add_to(CLI::App& command, bool may_exceed) {
 ChosenCore SpecialiseFlags::choose(const SceneArguments& scene, const FrameArguments& frame,
                                    const std::vector<std::string>& more) const {
   const bool named = command_->get_option("--config")->count() > 0;
-  if (!specialise) {
-    const std::string made_from = origin_of(frame.configuration).made_from;
-    return {frame.configuration, made_from.empty() ? frame.configuration : made_from};
-  }
+  if (!specialise) return {frame.configuration, general_of(frame.configuration)};
   const std::string general = named ? frame.configuration : general_configuration(scene);
   std::vector<std::string> words = flags_of(scene);
   words.push_back(scene.scene);

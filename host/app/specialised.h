@@ -51,13 +51,13 @@ auto prepare_on(const SpecialiseFlags& flags, const ChosenCore& core, Open&& ope
                 Prepare&& prepare) {
   auto board = open(core.configuration);
   try {
-    auto prepared = prepare(board->info());
+    auto prepared = prepare(board->core());
     return std::pair(std::move(board), std::move(prepared));
   } catch (const Exceeded& over) {
     flags.refuse_unless_general(over);
   }
   board = open(core.general);
-  auto prepared = prepare(board->info());
+  auto prepared = prepare(board->core());
   return std::pair(std::move(board), std::move(prepared));
 }
 

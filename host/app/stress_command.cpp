@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// dynrt stress: the stiff and extreme cases of host/stress on a board, a line each.
+// dynrt stress: the stiff and extreme cases of host/analysis/stress on a board, a line each.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,6 +15,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "host/analysis/stress/messages.h"
+#include "host/analysis/stress/run.h"
 #include "host/app/arguments.h"
 #include "host/app/command.h"
 #include "host/app/progress.h"
@@ -22,8 +24,6 @@
 #include "host/board/load_configuration.h"
 #include "host/error.h"
 #include "host/render/output_file.h"
-#include "host/stress/messages.h"
-#include "host/stress/run.h"
 
 namespace dynrt::host {
 

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <chrono>
 
+#include "host/analysis/truth/embree_check.h"
+#include "host/analysis/truth/rays.h"
 #include "host/app/text.h"
-#include "host/truth/embree_check.h"
-#include "host/truth/rays.h"
 
 namespace dynrt::host {
 
@@ -27,7 +27,7 @@ WorkReport truth_report(const Prepared& prepared, unsigned width, unsigned heigh
   rays.reserve(std::size_t{width} * height);
   for (unsigned y = 0; y < height; ++y) {
     for (unsigned x = 0; x < width; ++x) {
-      rays.push_back(primary_ray(prepared.camera, width, height, x, y));
+      rays.push_back(primary_ray(prepared.view.camera, width, height, x, y));
     }
   }
   const Truth truth(prepared.scene);

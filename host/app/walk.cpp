@@ -9,12 +9,10 @@
 #include <numbers>
 #include <utility>
 
-#include "host/app/board_frame.h"
 #include "host/app/messages.h"
 #include "host/board/bus.h"
 #include "host/error.h"
 #include "host/scene/animation.h"
-#include "host/specialise/within.h"
 
 namespace dynrt::host {
 
@@ -27,12 +25,6 @@ constexpr double kOrbitSeconds = 10;    ///< once round
 
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-std::vector<BankWords> words_of(const std::vector<MemoryRun>& runs) {
-  std::vector<BankWords> words;
-  for (const MemoryRun& run : runs) words.push_back({run.bank, run.address, run.words});
-  return words;
 }
 
 std::uint64_t count(const std::vector<MemoryRun>& runs) {
@@ -77,90 +69,83 @@ Camera WalkPlan::camera(const Scene& scene, const CameraFlags& flags, double tim
                 2 * std::numbers::pi * time / kOrbitSeconds);
 }
 
-Tree instances_at(Prepared& prepared, const WalkPlan& plan, unsigned frame) {
-  if (!plan.orbit) move_to(prepared.scene, plan.times.at(frame));
-  return build_instance_tree(prepared.scene, prepared.objects.boxes(),
-                             {.grid = Grid(*prepared.objects.memory.format),
-                              .max_depth = prepared.top_depth,
-                              .room = prepared.top_room});
+Tree instances_at(MemoryImage& image, const WalkPlan& plan, unsigned frame) {
+  if (!plan.orbit) move_to(image.scene, plan.times.at(frame));
+  return instances_of(image);
 }
 
 double WalkRecord::upload_seconds() const {
   return static_cast<double>(upload.bus_clocks) / BusMeter::kClockHz;
 }
 
-Walker::Walker(Board& board, const FrameOptions& options, Prepared& prepared,
+Walker::Walker(Board& board, const FrameOptions& options, MemoryImage& image,
                const CameraFlags& camera, WalkPlan plan)
     : board_(board),
       options_(options),
-      prepared_(prepared),
-      camera_(moved_into(prepared.space, camera)),
+      image_(image),
+      camera_(moved_into(image.space, camera)),
       plan_(std::move(plan)),
-      needs_(needs_of(prepared)) {}
+      needs_(image.needs()) {}
 
 Walker::Result Walker::render_frame(unsigned frame, const PixelProgress& progress) {
   if (!held_) upload_scene();
   if (frame > 0 && held_ != frame - 1) {
-    Image before = lay_out(frame - 1);
+    Step before = step_to(frame - 1);
     if (!before.excess) {  // else another board has rendered it
       write(changed_runs(on_board_, before.runs, bus_words()));
       on_board_ = std::move(before.runs);
     }
   }
-  Image image = lay_out(frame);
-  if (image.excess) {
-    refuse_excess(*image.excess, board_.info(),
+  Step step = step_to(frame);
+  if (step.excess) {
+    refuse_excess(*step.excess, image_.core,
                   fmt::format("frame {} of {}", frame, plan_.times.size()));
   }
   const auto begin = Clock::now();
-  const std::vector<MemoryRun> changed = changed_runs(on_board_, image.runs, bus_words());
+  const std::vector<MemoryRun> changed = changed_runs(on_board_, step.runs, bus_words());
 
   Result result;
   WalkRecord& record = result.record;
-  record.pack_seconds = image.pack_seconds + seconds_since(begin);
+  record.pack_seconds = step.pack_seconds + seconds_since(begin);
   record.frame = frame;
   record.time = plan_.times.at(frame);
-  record.tree_seconds = image.tree_seconds;
-  record.words = count(image.runs);
-  record.nodes = image.frame.memory.nodes.size();
-  record.entries = image.frame.memory.entries.size();
+  record.tree_seconds = step.tree_seconds;
+  record.words = count(step.runs);
+  record.nodes = step.frame.memory.nodes.size();
+  record.entries = step.frame.memory.entries.size();
 
   FrameOptions options = options_;
   options.hits = false;
   options.buffer = frame % kFrameBuffers;
   held_.reset();  // for as long as it is not known what an error leaves
-  result.frame = render(board_, options, addresses_of(image.frame, prepared_.scene),
-                        words_of(changed), progress);
+  result.frame = render(board_, options, step.frame, changed, progress);
   record.cycles = result.frame.run.cycles;
   record.simulation_seconds = result.frame.run.seconds;
   record.upload = result.frame.upload;
-  on_board_ = std::move(image.runs);
+  on_board_ = std::move(step.runs);
   held_ = frame;
   return result;
 }
 
-Walker::Image Walker::lay_out(unsigned frame) {
+Walker::Step Walker::step_to(unsigned frame) {
   const auto begin = Clock::now();
-  const Tree top = instances_at(prepared_, plan_, frame);
-  Image image;
-  image.tree_seconds = seconds_since(begin);
-  const Scene& scene = prepared_.scene;
-  if (!board_.info().made_for.empty()) {
-    image.excess = excess(frame_needs(needs_, scene, top), board_.info());
-    if (image.excess) return image;
-  }
+  const Tree top = instances_at(image_, plan_, frame);
+  Step step;
+  step.tree_seconds = seconds_since(begin);
+  step.excess = excess_of_frame(image_, needs_, top);
+  if (step.excess) return step;
   const auto built = Clock::now();
   const Camera camera =
-      plan_.camera(scene, camera_, plan_.times.at(frame), options_.width, options_.height);
-  image.frame = FrameImage(scene, prepared_.objects, top, camera, options_.width, options_.height);
-  image.runs = image.frame.memory.runs();
-  image.pack_seconds = seconds_since(built);
-  return image;
+      plan_.camera(image_.scene, camera_, plan_.times.at(frame), options_.width, options_.height);
+  step.frame = frame_of(image_, top, camera);
+  step.runs = step.frame.memory.runs();
+  step.pack_seconds = seconds_since(built);
+  return step;
 }
 
 void Walker::upload_scene() {
   const BusTraffic before = board_.traffic();
-  write(prepared_.objects.memory.runs());
+  write(image_.objects.memory.runs());
   scene_upload_ = board_.traffic() - before;
   on_board_.clear();
 }

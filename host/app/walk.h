@@ -12,9 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "host/app/prepare.h"
 #include "host/render/render.h"
-#include "host/specialise/within.h"
 
 namespace dynrt::host {
 
@@ -38,7 +36,7 @@ struct WalkPlan {
 };
 
 /// The top-level tree of a frame, to whose moment the scene is moved.
-Tree instances_at(Prepared& prepared, const WalkPlan& plan, unsigned frame);
+Tree instances_at(MemoryImage& image, const WalkPlan& plan, unsigned frame);
 
 /// What is reported of a frame. `upload` is of what changed since the frame before.
 struct WalkRecord {
@@ -59,8 +57,8 @@ struct WalkRecord {
 
 class Walker {
  public:
-  /// `prepared` is moved about; `camera` is in the file's space.
-  Walker(Board& board, const FrameOptions& options, Prepared& prepared, const CameraFlags& camera,
+  /// The scene of `image` is moved about; `camera` is in the file's space.
+  Walker(Board& board, const FrameOptions& options, MemoryImage& image, const CameraFlags& camera,
          WalkPlan plan);
 
   const WalkPlan& plan() const { return plan_; }
@@ -76,20 +74,20 @@ class Walker {
   Result render_frame(unsigned frame, const PixelProgress& progress);
 
  private:
-  struct Image {
+  struct Step {
     FrameImage frame;
     std::vector<MemoryRun> runs;
     std::optional<Excess> excess;  ///< of what a board is made for
     double tree_seconds = 0, pack_seconds = 0;
   };
-  Image lay_out(unsigned frame);
+  Step step_to(unsigned frame);
   void upload_scene();
   void write(const std::vector<MemoryRun>& runs);
-  unsigned bus_words() const { return board_.info().format->bus_words(); }
+  unsigned bus_words() const { return board_.core().format->bus_words(); }
 
   Board& board_;
   const FrameOptions options_;
-  Prepared& prepared_;
+  MemoryImage& image_;
   const CameraFlags camera_;
   const WalkPlan plan_;
   BusTraffic scene_upload_;

@@ -105,12 +105,12 @@ Place place_of(const Arguments& arguments) {
 }
 
 /// A light stands still; what moves must not swallow it in any frame.
-void check_moving_lights(const Prepared& prepared, const WalkPlan& plan, const BoardInfo& board) {
+void check_moving_lights(const Prepared& prepared, const WalkPlan& plan, const CoreInfo& board) {
   Scene scene = prepared.scene;
   for (const double time : plan.times) {
     move_to(scene, time);
     try {
-      check_lights(scene, prepared.camera.position, core_numbers(board, prepared.space));
+      check_lights(scene, prepared.view.camera.position, core_numbers(board, prepared.space));
     } catch (const UserError& error) {
       refuse(messages::kLightLater, error.what(), time);
     }
@@ -135,7 +135,7 @@ class GeneralWalk {
   Walker::Result render_frame(unsigned frame, const PixelProgress& progress) {
     if (!walker_) {
       board_ = open_board({arguments_.board, core_.general, ""}, options_);
-      prepared_ = prepare(arguments_.scene, options_.width, options_.height, &board_->info());
+      prepared_ = prepare(arguments_.scene, options_.width, options_.height, &board_->core());
       walker_.emplace(*board_, options_, prepared_, arguments_.scene.camera(), plan_);
     }
     Walker::Result result = walker_->render_frame(frame, progress);
@@ -164,13 +164,13 @@ int run(const Arguments& arguments) {
       [&](const std::string& configuration) {
         return open_board({arguments.board, configuration, ""}, options);
       },
-      [&](const BoardInfo& info) {
+      [&](const CoreInfo& info) {
         return prepare(arguments.scene, options.width, options.height, &info);
       });
   WalkFolder folder(place.folder(), arguments.settings(prepared.scene), arguments.again);
   const WalkPlan plan(prepared.scene, arguments.frames, arguments.span.from, arguments.span.to);
-  if (!plan.orbit && board->info().lights > 0 && !prepared.scene.lights.empty()) {
-    check_moving_lights(prepared, plan, board->info());
+  if (!plan.orbit && board->core().lights > 0 && !prepared.scene.lights.empty()) {
+    check_moving_lights(prepared, plan, board->core());
   }
   if (plan.orbit) prepared.scene.notes.push_back(messages::kOrbit);
   nlohmann::ordered_json json = {{"out", place.out}, {"scene", prepared.json()}};
@@ -188,7 +188,7 @@ int run(const Arguments& arguments) {
       ++kept;
     } else {
       Progress progress(
-          fmt::format("frame {} of {} on board {}", i, arguments.frames, board->info().name),
+          fmt::format("frame {} of {} on board {}", i, arguments.frames, board->name()),
           std::uint64_t{options.width} * options.height);
       const PixelProgress show = [&](std::uint64_t pixels) { progress.update(pixels); };
       const Walker::Result result = [&] {

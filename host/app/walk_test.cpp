@@ -11,6 +11,7 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 
+#include "host/app/prepare.h"
 #include "host/app/walk_folder.h"
 #include "host/app/walk_report.h"
 #include "host/board/configurations.h"
@@ -167,8 +168,9 @@ TEST_F(Walks, AFrameThatExceedsItsCoreIsRefusedAndTheNextIsNot) {
   std::ofstream(folder_ / "t.json") << scattering();
   Prepared scene = prepared(path("t.json"));
   FakeBoard board;
-  board.about.made_for = "t";
-  board.about.top_stack_depth = 0;
+  scene.core = small_core();
+  scene.core.made_for = "t";
+  scene.core.top_stack_depth = 0;
   // There and back again.
   WalkPlan plan(scene.scene, 3, {}, {});
   plan.times = {0, 4, 0};
@@ -180,7 +182,7 @@ TEST_F(Walks, AFrameThatExceedsItsCoreIsRefusedAndTheNextIsNot) {
                                  HasSubstr("and configuration small, made for 't', has 0"))));
   EXPECT_NO_THROW(walker.render_frame(2, {}));
   // A core that was made for no scene renders them all, with a shallower tree if it must.
-  board.about.made_for = "";
+  scene.core.made_for = CoreInfo().made_for;
   EXPECT_NO_THROW(walker.render_frame(1, {}));
 }
 
@@ -206,8 +208,8 @@ TEST_F(Walks, StillScenesAreWalkedAround) {
   for (const double time : plan.times) {
     const Camera camera = plan.camera(scene.scene, {}, time, kWidth, kHeight);
     const glm::dvec3 arm = camera.position - centre;
-    EXPECT_NEAR(glm::length(arm), glm::length(scene.camera.position - centre), 1e-9);
-    EXPECT_NEAR(arm.y, scene.camera.position.y - centre.y, 1e-9);
+    EXPECT_NEAR(glm::length(arm), glm::length(scene.view.camera.position - centre), 1e-9);
+    EXPECT_NEAR(arm.y, scene.view.camera.position.y - centre.y, 1e-9);
     sum += glm::dvec3(arm.x, 0, arm.z);
   }
   EXPECT_LT(glm::length(sum), 1e-9) << "the four frames are a quarter of the circle apart";

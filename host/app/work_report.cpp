@@ -7,9 +7,9 @@
 #include <iterator>
 #include <limits>
 
+#include "host/analysis/counts/overlap.h"
 #include "host/app/progress.h"
 #include "host/app/text.h"
-#include "host/tree/overlap.h"
 
 namespace dynrt::host {
 
@@ -46,8 +46,8 @@ class WorkCounter {
         progress_(fmt::format("counting the work of {}", prepared.scene.name), runs) {}
 
   WorkCounts count(const TopLevel& top, const TraceOptions& options) {
-    TracedFrame frame = trace_frame(prepared_.scene, prepared_.trees.objects, top, prepared_.camera,
-                                    width_, height_, options);
+    TracedFrame frame = trace_frame(prepared_.scene, prepared_.trees.objects, top,
+                                    prepared_.view.camera, width_, height_, options);
     if (hits_.empty()) hits_ = std::move(frame.hits);
     for (std::size_t i = 0; i < frame.hits.size(); ++i) {
       different_ += frame.hits[i].hit != hits_[i].hit || frame.hits[i].t != hits_[i].t;

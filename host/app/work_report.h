@@ -3,7 +3,7 @@
 //
 // Tables of the work that a scene makes with the core as it is and as it could have been: objects
 // that overlap (thesis 4.3), slots of the mailbox (4.3.2, 6.1.2), clipping nodes (4.2). Counted by
-// the tracer in doubles of host/tree/counts.h, which is no board.
+// the tracer in doubles of host/analysis/counts/counts.h, which is no board.
 #pragma once
 
 #include <nlohmann/json.hpp>

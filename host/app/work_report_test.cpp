@@ -12,8 +12,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "host/analysis/counts/counts.h"
 #include "host/app/board_frame.h"
-#include "host/tree/counts.h"
 
 namespace dynrt::host {
 namespace {
@@ -57,7 +57,7 @@ TEST_P(CountedWork, IsThatOfTheCore) {
   const auto board = open_board({"model", "thesis", ""}, options);
   const WorkCounts core = work_of(render_on(*board, options, prepared));
   const WorkCounts counted =
-      trace_frame(prepared.scene, prepared.trees, prepared.camera, kWidth, kHeight).work;
+      trace_frame(prepared.scene, prepared.trees, prepared.view.camera, kWidth, kHeight).work;
   EXPECT_EQ(counted.packets, kWidth * kHeight / 4);
   EXPECT_EQ(core.packets, counted.packets);
   const auto expect_near = [](const char* what, std::uint64_t of_core, std::uint64_t of_tracer) {

@@ -8,69 +8,25 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "host/board/frame_words.h"
+#include "host/board/bus.h"
 #include "host/board/vga_monitor.h"
 #include "host/error.h"
-#include "host/format/memory_format_of.h"
+#include "host/format/core_info.h"
 #include "units/frame.h"
-#include "units/options.h"
 
 namespace dynrt::host {
-
-struct BoardInfo {
-  std::string name;            ///< "rtl" or "model"
-  std::string configuration;   ///< name of the core's configuration, e.g. "thesis"
-  unsigned packets = 0;        ///< packets that can be in flight, at most
-  unsigned cache_lines = 0;    ///< lines of each cache, at most
-  unsigned stack_depth = 0;    ///< entries of a packet's stack in an object's tree
-  unsigned lights = 0;         ///< passes of light rays from a packet's hits, at most
-  bool clips_to_cube = false;  ///< it takes an object's box for the cube from -1 to 1
-  unsigned reflections = 0;    ///< bounces of a ray, at most
-  Crossing crossing = Crossing::kNone;
-  bool counters = true;   ///< it counts what its units do
-  bool scan_out = false;  ///< it can show a picture on a VGA display; only the RTL has pins
-  TriangleMatrix triangle_matrix = TriangleMatrix::kNormalConsistent;
-  Primitives primitives{.triangle = true};
-  TriangleTest triangle_test = TriangleTest::kUnitTriangle;
-  Divider divider = Divider::kDigitRecurrence;
-  const MemoryFormat* format = &kShippedFormat;  ///< its numbers, and how its memory holds them
-  unsigned top_stack_depth = 31;         ///< entries of a packet's stack in the top-level tree
-  unsigned address_bits = kAddressBits;  ///< of the nodes and list entries that it can reach
-  unsigned matrix_bits = kMatrixBits;    ///< of the matrices
-  unsigned levels = 2;       ///< of trees: 1, of one object that lies in the world as it is
-  bool one_colour = false;   ///< it has one colour for all surfaces
-  bool uncompressed = true;  ///< it can transform every ray's origin
-  /// The words of its FRAME registers.
-  std::vector<std::uint32_t> (*frame_words)(const FrameConfig&) = frame_words_of<ShippedRegisters>;
-  std::string made_for = {};  ///< the scene that it was specialised for, or empty
-  std::shared_ptr<const BoardInfo> made_from = {};  ///< the core that it was specialised from
-};
 
 /// One of the core's counters, named unit.what, e.g. "traversal.transactions".
 struct Counter {
   std::string name;
   std::uint64_t value = 0;
   bool order_independent = false;  ///< the same whatever the order in which packets are served
-};
-
-/// What went over the bus, and what it would have taken on 33 MHz, 32-bit PCI.
-struct BusTraffic {
-  std::uint64_t transactions = 0;
-  std::uint64_t bytes_written = 0;
-  std::uint64_t bytes_read = 0;
-  std::uint64_t bus_clocks = 0;
-  friend bool operator==(const BusTraffic&, const BusTraffic&) = default;
-  /// What came since `before`.
-  friend BusTraffic operator-(const BusTraffic& now, const BusTraffic& before) {
-    return {now.transactions - before.transactions, now.bytes_written - before.bytes_written,
-            now.bytes_read - before.bytes_read, now.bus_clocks - before.bus_clocks};
-  }
 };
 
 struct FrameRun {
@@ -90,7 +46,10 @@ struct TimeoutError : UserError {
 class Board {
  public:
   virtual ~Board() = default;
-  virtual const BoardInfo& info() const = 0;
+  /// What kind of board it is: "rtl" or "model".
+  const std::string& name() const { return name_; }
+  /// What is known of its core.
+  const CoreInfo& core() const { return core_; }
 
   /// Moves consecutive words of a bank; they must lie inside it. Not while a frame is rendered. A
   /// word of the scene's banks is format->bus_words() of them, the lowest bits first.
@@ -115,7 +74,16 @@ class Board {
   /// Of the last frame; none, if the configuration has no counters.
   virtual std::vector<Counter> counters() = 0;
   /// Since power-up.
-  virtual BusTraffic traffic() const = 0;
+  const BusTraffic& traffic() const { return meter_.traffic(); }
+
+ protected:
+  Board(std::string name, CoreInfo core) : core_(std::move(core)), name_(std::move(name)) {}
+
+  CoreInfo core_;
+  BusMeter meter_;
+
+ private:
+  std::string name_;
 };
 
 }  // namespace dynrt::host

@@ -8,9 +8,21 @@
 
 #include <cstdint>
 
-#include "host/board/board.h"
-
 namespace dynrt::host {
+
+/// What went over the bus, and what it would have taken on 33 MHz, 32-bit PCI.
+struct BusTraffic {
+  std::uint64_t transactions = 0;
+  std::uint64_t bytes_written = 0;
+  std::uint64_t bytes_read = 0;
+  std::uint64_t bus_clocks = 0;
+  friend bool operator==(const BusTraffic&, const BusTraffic&) = default;
+  /// What came since `before`.
+  friend BusTraffic operator-(const BusTraffic& now, const BusTraffic& before) {
+    return {now.transactions - before.transactions, now.bytes_written - before.bytes_written,
+            now.bytes_read - before.bytes_read, now.bus_clocks - before.bus_clocks};
+  }
+};
 
 class BusMeter {
  public:

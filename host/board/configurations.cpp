@@ -55,20 +55,17 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
     refuse(messages::kNoBoard, request.board);
   }
   const Configuration& configuration = find(table, request.configuration, rtl);
-  BoardInfo info = configuration.info();
-  info.configuration = configuration.name;
-  const Origin origin = origin_of(request.configuration);
-  info.made_for = origin.made_for;
-  const auto general = std::ranges::find(table, origin.made_from, &Configuration::name);
-  if (general != table.end()) info.made_from = std::make_shared<BoardInfo>(general->info());
+  CoreInfo core = configuration.core();
+  core.name = configuration.name;
+  if (request.configuration.ends_with(".json")) add_origin(core, request.configuration);
   if (!rtl) {
     if (!request.trace.empty()) refuse(messages::kNoTrace);
-    return std::make_unique<ModelBoard>(std::move(info), configuration.native(), request.schedule);
+    return std::make_unique<ModelBoard>(std::move(core), configuration.native(), request.schedule);
   }
   if (!request.schedule.empty()) refuse(messages::kScheduleOfRtl);
-  if (info.format->word_bits > kSramBits) {
+  if (core.format->word_bits > kSramBits) {
     refuse(messages::kWideWords, configuration.name,
-           1 + info.format->exponent_bits + info.format->mantissa_bits, info.format->word_bits,
+           1 + core.format->exponent_bits + core.format->mantissa_bits, core.format->word_bits,
            kSramBits);
   }
   if (!has_rtl(configuration)) {
@@ -76,7 +73,7 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
     refuse(messages::kModelAlone, configuration.name, list_of(table, has_rtl));
   }
   return std::make_unique<RtlBoard>(
-      std::move(info),
+      std::move(core),
       request.trace.empty() ? configuration.rtl() : configuration.traced(request.trace, kTraceSeed),
       counters_of(configuration.core_json()));
 }

@@ -20,7 +20,7 @@ namespace dynrt::host {
 
 struct Configuration {
   std::string_view name;
-  BoardInfo (*info)() = nullptr;  ///< its limits
+  CoreInfo (*core)() = nullptr;
   MakeNativeCore native = nullptr;
   MakeBoard rtl = nullptr;  ///< null, and so is what follows: built without the Verilog
   MakeTracedBoard traced = nullptr;

@@ -22,30 +22,26 @@ class EmptyCore final : public NativeCore {
   std::vector<Counter> counters() override { return {}; }
 };
 
-BoardInfo limits() {
-  BoardInfo info;
+CoreInfo limits() {
+  CoreInfo info;
   info.packets = 2;
-  info.cache_lines = 4;
+  info.lines = 4;
   info.stack_depth = 5;
   info.lights = 6;
   info.reflections = 7;
   return info;
 }
 
-BoardInfo wide() {
-  BoardInfo info = limits();
-  info.format = &kMemoryFormatOf<hls::Float<8, 23>>;
-  return info;
-}
+CoreInfo wide() { return CoreInfo(kMemoryFormatOf<hls::Float<8, 23>>); }
 
 constexpr Configuration kTable[] = {
     {.name = "small",
-     .info = limits,
+     .core = limits,
      .native = []() -> std::unique_ptr<NativeCore> { return std::make_unique<EmptyCore>(); }},
     {.name = "large",
-     .info = limits,
+     .core = limits,
      .native = []() -> std::unique_ptr<NativeCore> { return std::make_unique<EmptyCore>(); }},
-    {.name = "wide", .info = wide, .native = []() -> std::unique_ptr<NativeCore> {
+    {.name = "wide", .core = wide, .native = []() -> std::unique_ptr<NativeCore> {
        return std::make_unique<EmptyCore>();
      }}};
 
@@ -62,13 +58,13 @@ auto making(const BoardRequest& request) {
 
 TEST(Configurations, MakesTheModelOfTheNamedConfiguration) {
   const auto board = make_board(kTable, {.board = "model", .configuration = "large", .trace = ""});
-  EXPECT_EQ(board->info().name, "model");
-  EXPECT_EQ(board->info().configuration, "large");
-  EXPECT_EQ(board->info().packets, 2u);
-  EXPECT_EQ(board->info().cache_lines, 4u);
-  EXPECT_EQ(board->info().stack_depth, 5u);
-  EXPECT_EQ(board->info().lights, 6u);
-  EXPECT_EQ(board->info().reflections, 7u);
+  EXPECT_EQ(board->name(), "model");
+  EXPECT_EQ(board->core().name, "large");
+  EXPECT_EQ(board->core().packets, 2u);
+  EXPECT_EQ(board->core().lines, 4u);
+  EXPECT_EQ(board->core().stack_depth, 5u);
+  EXPECT_EQ(board->core().lights, 6u);
+  EXPECT_EQ(board->core().reflections, 7u);
 }
 
 TEST(Configurations, WhatIsUnknownIsNamed) {
@@ -94,7 +90,7 @@ TEST(Configurations, TheRtlsMemoryHoldsNoWideFloats) {
                                "the memory, and the SRAM of board rtl has 32; take --board "
                                "model"));
   const auto board = make_board(kTable, {.board = "model", .configuration = "wide", .trace = ""});
-  EXPECT_EQ(board->info().format->mantissa_bits, 23u);
+  EXPECT_EQ(board->core().format->mantissa_bits, 23u);
   // Of the scene's banks a word is two of the bus.
   board->write(0, kBankWords - 2, std::vector<std::uint32_t>(4));
   EXPECT_THROW(board->write(0, kBankWords - 1, std::vector<std::uint32_t>(4)), std::out_of_range);

@@ -7,10 +7,10 @@
 #include <exception>
 #include <stdexcept>
 
-#include "host/board/frame_words.h"
 #include "host/board/messages.h"
 #include "host/board/registers.h"
 #include "host/error.h"
+#include "host/format/frame_words.h"
 
 namespace dynrt::host {
 
@@ -43,8 +43,8 @@ ScanConfig scan_config(const VgaMode& m, std::uint32_t base, unsigned width, uns
 
 namespace {
 
-void check(const BoardInfo& board, const VgaMode& mode, unsigned width, unsigned height) {
-  if (!board.scan_out) refuse(messages::kNoScanOut, board.name, board.configuration);
+void check(const Board& board, const VgaMode& mode, unsigned width, unsigned height) {
+  if (!board.core().scan_out) refuse(messages::kNoScanOut, board.name(), board.core().name);
   if (width > mode.hdisplay || height > mode.vdisplay) {
     refuse(messages::kDisplaySize, width, height, mode.hdisplay, mode.vdisplay);
   }
@@ -57,7 +57,7 @@ Display::Display(RtlBoard& board, const VgaMode& mode, unsigned clocks_per_pixel
     : board_(board),
       monitor_(mode.positive_hsync, mode.positive_vsync),
       clocks_(std::uint64_t{mode.htotal} * mode.vtotal * clocks_per_pixel) {
-  check(board_.info(), mode, width, height);
+  check(board_, mode, width, height);
   if (clocks_per_pixel < kLeastClocks || clocks_per_pixel > kMostClocks) {
     throw std::logic_error(
         fmt::format("the scan-out cannot take {} clocks a pixel", clocks_per_pixel));
@@ -94,7 +94,7 @@ const VgaFrame& Display::wait(unsigned count) {
 }
 
 void Board::check_display(unsigned width, unsigned height) const {
-  check(info(), kVga640x480, width, height);
+  check(*this, kVga640x480, width, height);
 }
 
 VgaFrame Board::display(std::uint32_t /*base*/, unsigned width, unsigned height,

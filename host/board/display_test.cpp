@@ -11,9 +11,10 @@
 
 #include <random>
 
-#include "host/board/frame_words.h"
 #include "host/board/registers.h"
+#include "host/board/test/named.h"
 #include "host/error.h"
+#include "host/format/frame_words.h"
 
 namespace dynrt::host {
 
@@ -82,7 +83,7 @@ class DisplayTest : public testing::Test {
     return words;
   }
 
-  RtlBoard board_{{"", "stand_in"}, make_stand_in_board_traced("", 1), {}};
+  RtlBoard board_{named("stand_in"), make_stand_in_board_traced("", 1), {}};
 };
 
 TEST_F(DisplayTest, ShowsThePictureAtEveryPixelClock) {

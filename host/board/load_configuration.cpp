@@ -5,6 +5,7 @@
 #include <dlfcn.h>
 #include <elf.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -63,6 +64,12 @@ Loaded open(const std::string& path, std::string name) {
   return {std::move(name), *configuration()};
 }
 
+/// Empty for what is no JSON: a file's mistakes are told where its configuration is made.
+nlohmann::json parsed(const std::string& path) {
+  std::ifstream file(path);
+  return nlohmann::json::parse(file, nullptr, false);
+}
+
 }  // namespace
 
 bool is_configuration_file(std::string_view name) {
@@ -81,15 +88,20 @@ const Configuration& load_configuration(const std::string& path, bool rtl) {
   return slot->configuration;
 }
 
-Origin origin_of(const std::string& path) {
-  if (!path.ends_with(".json")) return {};
-  std::ifstream file(path);
-  const auto json = nlohmann::json::parse(file, nullptr, false);
-  const auto text = [&](const char* key) -> std::string {
-    if (!json.is_object() || !json.contains(key) || !json[key].is_string()) return "";
-    return json[key];
-  };
-  return {text("made_for"), text("made_from")};
+void add_origin(CoreInfo& core, const std::string& path) {
+  const auto json = parsed(path);
+  if (!json.is_object()) return;
+  core.made_for = json.value("made_for", core.made_for);
+  core.made_from = json.value("made_from", core.made_from);
+  const auto listed = listed_configurations();
+  const auto general = std::ranges::find(listed, core.made_from, &CoreConfiguration::name);
+  if (general != listed.end()) core.general = std::make_shared<CoreConfiguration>(*general);
+}
+
+std::string general_of(const std::string& configuration) {
+  if (!configuration.ends_with(".json")) return configuration;
+  const auto json = parsed(configuration);
+  return json.is_object() ? json.value("made_from", configuration) : configuration;
 }
 
 }  // namespace dynrt::host

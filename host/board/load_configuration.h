@@ -20,12 +20,11 @@ bool is_configuration_file(std::string_view name);
 /// none, was cut off or fits another program.
 const Configuration& load_configuration(const std::string& path, bool rtl = false);
 
-/// What a JSON file says of its origin, if it was specialised (scripts/specialise).
-struct Origin {
-  std::string made_for;   ///< a scene, or empty
-  std::string made_from;  ///< a configuration, or empty
-};
-Origin origin_of(const std::string& path);
+/// What a JSON file says of where its configuration comes from, if it was specialised: made_for,
+/// made_from and, where that is listed, the general configuration.
+void add_origin(CoreInfo& core, const std::string& path);
+/// The configuration that a JSON file was specialised from; else, and for other names, the same.
+std::string general_of(const std::string& configuration);
 
 /// The shared library that is made of a JSON file with the keys of one configuration, from the
 /// cache if it is there, with the Verilated board if `rtl` asks for it. Throws UserError with the

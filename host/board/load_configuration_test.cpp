@@ -55,11 +55,11 @@ TEST_F(LoadConfiguration, IsNamedByItsFileAndKept) {
   const std::string path = written("mine.so", of_this_build());
   const Configuration& loaded = load_configuration(path);
   EXPECT_EQ(loaded.name, "mine");
-  EXPECT_EQ(loaded.info().packets, 3u);
+  EXPECT_EQ(loaded.core().packets, 3u);
   EXPECT_EQ(&load_configuration(path), &loaded);
   const auto board = make_board({}, {"model", path, ""});
-  EXPECT_EQ(board->info().configuration, "mine");
-  EXPECT_EQ(board->info().packets, 3u);
+  EXPECT_EQ(board->core().name, "mine");
+  EXPECT_EQ(board->core().packets, 3u);
 }
 
 TEST_F(LoadConfiguration, SaysWhyAFileIsNone) {

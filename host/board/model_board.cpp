@@ -12,27 +12,26 @@
 
 namespace dynrt::host {
 
-ModelBoard::ModelBoard(BoardInfo info, std::unique_ptr<NativeCore> core,
+ModelBoard::ModelBoard(CoreInfo core, std::unique_ptr<NativeCore> native,
                        const std::string& schedules)
-    : info_(std::move(info)), core_(std::move(core)), schedules_(schedules) {
-  info_.name = "model";
+    : Board("model", std::move(core)), native_(std::move(native)), schedules_(schedules) {
   if (!schedules.empty()) schedule_ = read_schedule(schedules);
 }
 
 void ModelBoard::write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) {
-  check_range(info_, bank, address, words.size());
+  check_range(*this, bank, address, words.size());
   meter_.write(words.size());
-  core_->write(bank, address, words);
+  native_->write(bank, address, words);
 }
 
 void ModelBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) {
-  check_range(info_, bank, address, words.size());
+  check_range(*this, bank, address, words.size());
   meter_.read(words.size());
-  core_->read(bank, address, words);
+  native_->read(bank, address, words);
 }
 
 void ModelBoard::configure(const FrameConfig& frame) {
-  meter_.write(info_.frame_words(frame).size());
+  meter_.write(core_.frame_words(frame).size());
   frame_ = frame;
 }
 
@@ -42,9 +41,9 @@ FrameRun ModelBoard::wait(std::uint64_t /*timeout*/, const PixelProgress& progre
   const auto begin = std::chrono::steady_clock::now();
   std::optional<std::uint64_t> cycles;
   try {
-    cycles = core_->render(frame_, schedule_ ? &*schedule_ : nullptr);
+    cycles = native_->render(frame_, schedule_ ? &*schedule_ : nullptr);
   } catch (const std::invalid_argument& error) {
-    refuse(messages::kIncompleteSchedule, schedules_, error.what(), info_.configuration);
+    refuse(messages::kIncompleteSchedule, schedules_, error.what(), core_.name);
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (progress) progress(frame_.width.to_u64() * frame_.height.to_u64());

@@ -13,7 +13,6 @@
 
 #include "hls/schedule.h"
 #include "host/board/board.h"
-#include "host/board/bus.h"
 
 namespace dynrt::host {
 
@@ -33,27 +32,23 @@ using MakeNativeCore = std::unique_ptr<NativeCore> (*)();
 
 class ModelBoard final : public Board {
  public:
-  /// `info` of the configuration; the board's name is its own. `schedules`, if not empty, is the
-  /// folder of the schedules by which clocks are counted; throws UserError if they cannot be read.
-  ModelBoard(BoardInfo info, std::unique_ptr<NativeCore> core, const std::string& schedules = {});
+  /// `schedules`, if not empty, is the folder of the schedules by which clocks are counted; throws
+  /// UserError if they cannot be read.
+  ModelBoard(CoreInfo core, std::unique_ptr<NativeCore> native, const std::string& schedules = {});
 
-  const BoardInfo& info() const override { return info_; }
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override;
   void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override;
   void configure(const FrameConfig& frame) override;
   void start() override;
   /// Renders; there is no clock to run out of, so `timeout` plays no part.
   FrameRun wait(std::uint64_t timeout, const PixelProgress& progress) override;
-  std::vector<Counter> counters() override { return core_->counters(); }
-  BusTraffic traffic() const override { return meter_.traffic(); }
+  std::vector<Counter> counters() override { return native_->counters(); }
 
  private:
-  BoardInfo info_;
-  std::unique_ptr<NativeCore> core_;
+  std::unique_ptr<NativeCore> native_;
   std::string schedules_;
   std::optional<hls::Schedule> schedule_;
   FrameConfig frame_;
-  BusMeter meter_;
 };
 
 }  // namespace dynrt::host

@@ -11,12 +11,20 @@
 #include <stdexcept>
 #include <string>
 
-#include "host/board/frame_words.h"
+#include "host/format/frame_words.h"
 
 namespace dynrt::host {
 namespace {
 
 /// A core that copies word i of bank 0 to bank 3 for every pixel.
+CoreInfo small() {
+  CoreInfo core;
+  core.name = "thesis";
+  core.packets = 8;
+  core.lines = 32;
+  return core;
+}
+
 class CopyingCore final : public NativeCore {
  public:
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override {
@@ -44,11 +52,11 @@ class CopyingCore final : public NativeCore {
 };
 
 TEST(ModelBoard, RendersWhatTheCoreRenders) {
-  ModelBoard board({"", "thesis", 8, 32}, std::make_unique<CopyingCore>());
-  EXPECT_EQ(board.info().name, "model");
-  EXPECT_EQ(board.info().configuration, "thesis");
-  EXPECT_EQ(board.info().packets, 8u);
-  EXPECT_EQ(board.info().cache_lines, 32u);
+  ModelBoard board(small(), std::make_unique<CopyingCore>());
+  EXPECT_EQ(board.name(), "model");
+  EXPECT_EQ(board.core().name, "thesis");
+  EXPECT_EQ(board.core().packets, 8u);
+  EXPECT_EQ(board.core().lines, 32u);
   const std::vector<std::uint32_t> words = {5, 6, 7, 8};
   board.write(0, 0, words);
   FrameConfig frame;
@@ -79,7 +87,7 @@ class ScheduledBoard : public testing::Test {
     std::ofstream(folder_ / name) << text;
   }
   ModelBoard board() const {
-    return ModelBoard({"", "thesis", 8, 32}, std::make_unique<CopyingCore>(), folder_.string());
+    return ModelBoard(small(), std::make_unique<CopyingCore>(), folder_.string());
   }
   std::string refusal(bool render = false) const {
     try {
@@ -125,7 +133,7 @@ TEST_F(ScheduledBoard, RefusesWhatIsNoWholeSetOfSchedules) {
 }
 
 TEST(ModelBoard, RefusesWordsOutsideABank) {
-  ModelBoard board({"", "thesis", 8, 32}, std::make_unique<CopyingCore>());
+  ModelBoard board(small(), std::make_unique<CopyingCore>());
   std::vector<std::uint32_t> words(2);
   EXPECT_THAT(
       [&] { board.read(1, (1u << 20) - 1, words); },

@@ -8,11 +8,11 @@
 #include <chrono>
 
 #include "host/board/check_range.h"
-#include "host/board/frame_words.h"
 #include "host/board/messages.h"
 #include "host/board/registers.h"
 #include "host/board/standstill.h"
 #include "host/error.h"
+#include "host/format/frame_words.h"
 
 namespace dynrt::host {
 
@@ -32,27 +32,26 @@ std::uint32_t window(unsigned bank, std::uint32_t word) {
 
 }  // namespace
 
-RtlBoard::RtlBoard(BoardInfo info, std::unique_ptr<ClockedBoard> clocked,
+RtlBoard::RtlBoard(CoreInfo core, std::unique_ptr<ClockedBoard> clocked,
                    std::vector<Counter> counters)
-    : info_(std::move(info)), clocked_(std::move(clocked)), counters_(std::move(counters)) {
-  info_.name = "rtl";
+    : Board("rtl", std::move(core)), clocked_(std::move(clocked)), counters_(std::move(counters)) {
   clocked_->reset();
   const std::uint32_t id = read_register(reg::kRegId);
   const std::uint32_t version = read_register(reg::kRegVersion);
   if (id != reg::kIdValue || version != reg::kVersionValue) {
-    refuse(messages::kWrongId, info_.name, id, version, reg::kIdValue, reg::kVersionValue);
+    refuse(messages::kWrongId, name(), id, version, reg::kIdValue, reg::kVersionValue);
   }
   const std::uint32_t words = read_register(reg::kRegFrameWords);
-  const std::size_t expected = info_.frame_words({}).size();
-  if (words != expected) refuse(messages::kFrameWords, info_.name, words, expected);
+  const std::size_t expected = core_.frame_words({}).size();
+  if (words != expected) refuse(messages::kFrameWords, name(), words, expected);
   const std::uint32_t scan_words = read_register(reg::kRegScanWords);
   if (scan_words != 0 && scan_words != reg::kScanWords) {
-    refuse(messages::kScanWords, info_.name, scan_words, reg::kScanWords);
+    refuse(messages::kScanWords, name(), scan_words, reg::kScanWords);
   }
-  info_.scan_out = scan_words != 0;
+  core_.scan_out = scan_words != 0;
   const std::uint32_t limits = read_register(reg::kRegLimits);
-  info_.packets = limits & 0xffff;
-  info_.cache_lines = limits >> 16;
+  core_.packets = limits & 0xffff;
+  core_.lines = limits >> 16;
   settle();
   write_register(reg::kRegIrqEnable, 1);
 }
@@ -61,22 +60,22 @@ void RtlBoard::settle() {
   for (int i = 0; i < kResetReads; ++i) {
     if (!(read_register(reg::kRegStatus) >> reg::kStatusBusy & 1)) return;
   }
-  refuse(messages::kBusHangs, info_.name, reg::kRegStatus);
+  refuse(messages::kBusHangs, name(), reg::kRegStatus);
 }
 
 void RtlBoard::write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) {
-  check_range(info_, bank, address, words.size());
+  check_range(*this, bank, address, words.size());
   burst_write(window(bank, address), words);
 }
 
 void RtlBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) {
-  check_range(info_, bank, address, words.size());
+  check_range(*this, bank, address, words.size());
   burst_read(window(bank, address), words);
 }
 
 void RtlBoard::configure(const FrameConfig& frame) {
   pixels_ = frame.width.to_u64() * frame.height.to_u64();
-  burst_write(reg::kRegFrame, info_.frame_words(frame));
+  burst_write(reg::kRegFrame, core_.frame_words(frame));
 }
 
 void RtlBoard::start() {
@@ -101,7 +100,7 @@ FrameRun RtlBoard::wait(std::uint64_t timeout, const PixelProgress& progress) {
   if (!clocked_->interrupt()) give_up(timeout, written);
   write_register(reg::kRegIrqPending, 1);
   if (read_register(reg::kRegStatus) >> reg::kStatusRefused & 1) {
-    throw std::logic_error(fmt::format(messages::kRefused, info_.name));
+    throw std::logic_error(fmt::format(messages::kRefused, name()));
   }
   std::array<std::uint32_t, 2> cycles{};
   burst_read(reg::kRegCyclesLow, cycles);
@@ -114,7 +113,7 @@ void RtlBoard::give_up(std::uint64_t timeout, std::uint64_t pixels) {
   const std::string state = where_units_stand(before, counters());
   write_register(reg::kRegControl, 1u << reg::kControlReset);
   settle();
-  throw TimeoutError(fmt::format(messages::kTimeout, info_.name, timeout, pixels, status, state));
+  throw TimeoutError(fmt::format(messages::kTimeout, name(), timeout, pixels, status, state));
 }
 
 std::vector<Counter> RtlBoard::counters() {
@@ -139,14 +138,14 @@ void RtlBoard::write_register(std::uint32_t address, std::uint32_t value) {
 void RtlBoard::burst_write(std::uint32_t address, std::span<const std::uint32_t> words) {
   meter_.write(words.size());
   if (!clocked_->write(address, words)) {
-    refuse(messages::kBusHangs, info_.name, address);
+    refuse(messages::kBusHangs, name(), address);
   }
 }
 
 void RtlBoard::burst_read(std::uint32_t address, std::span<std::uint32_t> words) {
   meter_.read(words.size());
   if (!clocked_->read(address, words)) {
-    refuse(messages::kBusHangs, info_.name, address);
+    refuse(messages::kBusHangs, name(), address);
   }
 }
 

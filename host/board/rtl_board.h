@@ -8,18 +8,16 @@
 #include <memory>
 
 #include "host/board/board.h"
-#include "host/board/bus.h"
 #include "host/board/clocked_board.h"
 
 namespace dynrt::host {
 
 class RtlBoard final : public Board {
  public:
-  /// `info` of the configuration, except for the board's name and what its registers say.
-  /// `counters` in the order of their addresses; their values are ignored.
-  RtlBoard(BoardInfo info, std::unique_ptr<ClockedBoard> clocked, std::vector<Counter> counters);
+  /// Of `core` what the board's registers say is taken from there. `counters` in the order of their
+  /// addresses; their values are ignored.
+  RtlBoard(CoreInfo core, std::unique_ptr<ClockedBoard> clocked, std::vector<Counter> counters);
 
-  const BoardInfo& info() const override { return info_; }
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override;
   void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override;
   void configure(const FrameConfig& frame) override;
@@ -28,7 +26,6 @@ class RtlBoard final : public Board {
   VgaFrame display(std::uint32_t base, unsigned width, unsigned height,
                    unsigned clocks_per_pixel) override;
   std::vector<Counter> counters() override;
-  BusTraffic traffic() const override { return meter_.traffic(); }
 
   /// For the display (display.h): shows the monitor the VGA pins; lets clocks go by, at most until
   /// an interrupt.
@@ -46,10 +43,8 @@ class RtlBoard final : public Board {
   void settle();
   [[noreturn]] void give_up(std::uint64_t timeout, std::uint64_t pixels);
 
-  BoardInfo info_;
   std::unique_ptr<ClockedBoard> clocked_;
   std::vector<Counter> counters_;
-  BusMeter meter_;
   std::uint64_t pixels_ = 0;  ///< of the frame
   std::uint64_t frame_writes_at_start_ = 0;
 };

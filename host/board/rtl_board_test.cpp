@@ -11,10 +11,11 @@
 #include <filesystem>
 #include <random>
 
-#include "host/board/frame_words.h"
 #include "host/board/registers.h"
 #include "host/board/sram.h"
+#include "host/board/test/named.h"
 #include "host/error.h"
+#include "host/format/frame_words.h"
 
 namespace dynrt::host {
 
@@ -62,7 +63,7 @@ FrameConfig frame_config(std::uint32_t background = 0) {
 
 class RtlBoardTest : public testing::Test {
  protected:
-  RtlBoard board_{{"", "stand_in"}, make_stand_in_board(), stand_in_counters()};
+  RtlBoard board_{named("stand_in"), make_stand_in_board(), stand_in_counters()};
 
   std::vector<std::uint32_t> read(unsigned bank, std::uint32_t address, std::size_t count) {
     std::vector<std::uint32_t> words(count);
@@ -72,10 +73,10 @@ class RtlBoardTest : public testing::Test {
 };
 
 TEST_F(RtlBoardTest, SaysWhatItIs) {
-  EXPECT_EQ(board_.info().name, "rtl");
-  EXPECT_EQ(board_.info().configuration, "stand_in");
-  EXPECT_EQ(board_.info().packets, 4u);
-  EXPECT_EQ(board_.info().cache_lines, 16u);
+  EXPECT_EQ(board_.name(), "rtl");
+  EXPECT_EQ(board_.core().name, "stand_in");
+  EXPECT_EQ(board_.core().packets, 4u);
+  EXPECT_EQ(board_.core().lines, 16u);
   EXPECT_EQ(board_.read_register(reg::kRegId), reg::kIdValue);
   EXPECT_EQ(board_.read_register(reg::kRegVersion), reg::kVersionValue);
   EXPECT_EQ(board_.read_register(reg::kRegStatus), 0u);
@@ -99,13 +100,15 @@ class DeadBoard final : public ClockedBoard {
 };
 
 TEST(RtlBoardErrors, ABoardThatIsNoneIsRefused) {
-  EXPECT_THAT([] { RtlBoard({"", "thesis"}, std::make_unique<DeadBoard>(false), {}); },
-              ThrowsMessage<UserError>(
-                  "board rtl: reads 0x0 as its id and 0x0 as its version, expected 0x44595254 and "
-                  "0x20001; rebuild the Verilog and the host together"));
-  EXPECT_THAT([] { RtlBoard({"", "thesis"}, std::make_unique<DeadBoard>(true), {}); },
-              ThrowsMessage<UserError>("board rtl: the bus waits for ever at address 0x0; the "
-                                       "Verilog below it is broken"));
+  EXPECT_THAT(
+      [] { RtlBoard(named("thesis"), std::make_unique<DeadBoard>(false), {}); },
+      ThrowsMessage<UserError>(
+          "board rtl: reads 0x0 as its id and 0x0 as its version, expected 0x44595254 and "
+          "0x20001; rebuild the Verilog and the host together"));
+  EXPECT_THAT(
+      [] { RtlBoard(named("thesis"), std::make_unique<DeadBoard>(true), {}); },
+      ThrowsMessage<UserError>("board rtl: the bus waits for ever at address 0x0; the "
+                               "Verilog below it is broken"));
 }
 
 TEST_F(RtlBoardTest, FrameRegistersKeepWhatIsWritten) {
@@ -268,7 +271,8 @@ TEST(RtlBoardTrace, WritesWaveforms) {
   const auto file = std::filesystem::path(testing::TempDir()) / "board_test.fst";
   std::filesystem::remove(file);
   {
-    RtlBoard board({"", "stand_in"}, make_stand_in_board_traced(file, 1), stand_in_counters());
+    RtlBoard board(named("stand_in"), make_stand_in_board_traced(file, 1),
+                   stand_in_counters());
     board.configure(frame_config());
     board.start();
     board.wait(5000, {});
@@ -279,7 +283,7 @@ TEST(RtlBoardTrace, WritesWaveforms) {
 
 TEST(RtlBoardTrace, AnAssertionThatFailsIsADefect) {
   const auto render = [](std::unique_ptr<ClockedBoard> clocked) {
-    RtlBoard board({"", "stand_in"}, std::move(clocked), stand_in_counters());
+    RtlBoard board(named("stand_in"), std::move(clocked), stand_in_counters());
     board.configure(frame_config(kViolation));
     board.start();
     board.wait(5000, {});

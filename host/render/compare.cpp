@@ -62,7 +62,7 @@ void compare_pixels(Comparison& comparison, const Frame& left, const Frame& righ
     if (left.hits[p] != right.hits[p]) {
       ++comparison.different_hits;
       note(comparison,
-           at(first_field(left.hits[p], *left.board.format, right.hits[p], *right.board.format)));
+           at(first_field(left.hits[p], *left.core.format, right.hits[p], *right.core.format)));
     }
     if (left.pixels[p] != right.pixels[p]) {
       ++comparison.different_pixels;
@@ -121,8 +121,7 @@ Comparison compare(const Frame& left, const Frame& right) {
   compare_pixels(comparison, left, right);
   require(comparison, comparison.pixels, "pixels to compare");
   // Cores of other parts do the same frame by other steps.
-  if (left.board.configuration == right.board.configuration && left.board.counters &&
-      right.board.counters) {
+  if (left.core.name == right.core.name && left.core.counters && right.core.counters) {
     compare_counters(comparison, left, right);
     require(comparison, comparison.counters, "counters to compare");
   }

@@ -106,13 +106,13 @@ TEST(Compare, ACounterThatOneBoardLacksIsADifference) {
 
 TEST(Compare, CountersAreThoseOfTheSameCore) {
   Frame other = a_frame();
-  other.board.configuration = "of other parts";
+  other.core.name = "of other parts";
   other.counters = {{"step.tokens", 101, true}};
   EXPECT_TRUE(compare(a_frame(), other).identical());
   other.pixels[3] = 0xff;
   EXPECT_FALSE(compare(a_frame(), other).identical());
   Frame uncounted = a_frame();
-  uncounted.board.counters = false;
+  uncounted.core.counters = false;
   uncounted.counters.clear();
   EXPECT_TRUE(compare(uncounted, uncounted).identical());
   EXPECT_TRUE(compare(a_frame(), uncounted).identical());

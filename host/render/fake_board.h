@@ -9,9 +9,17 @@
 #include <map>
 
 #include "host/board/board.h"
-#include "host/board/bus.h"
 
 namespace dynrt::host {
+
+inline CoreInfo small_core() {
+  CoreInfo core;
+  core.name = "small";
+  core.packets = 8;
+  core.lines = 16;
+  core.stack_depth = 31;
+  return core;
+}
 
 class FakeBoard final : public Board {
  public:
@@ -21,12 +29,10 @@ class FakeBoard final : public Board {
   Memory memory;
   FrameConfig frame;
   std::uint64_t timeout = 0;
-  BoardInfo about{"rtl", "small", 8, 16, 31};
 
-  FakeBoard() {
+  FakeBoard() : Board("rtl", small_core()) {
     for (unsigned bank = 0; bank < 6; ++bank) memory[bank].resize(1u << 20);
   }
-  const BoardInfo& info() const override { return about; }
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override {
     meter_.write(words.size());
     std::ranges::copy(words, memory.at(bank).begin() + address);
@@ -42,10 +48,6 @@ class FakeBoard final : public Board {
     return {.cycles = 1000, .seconds = 0.5};
   }
   std::vector<Counter> counters() override { return counter_values; }
-  BusTraffic traffic() const override { return meter_.traffic(); }
-
- private:
-  BusMeter meter_;
 };
 
 }  // namespace dynrt::host

@@ -26,7 +26,8 @@ struct HitRecord {
 };
 
 struct Frame {
-  BoardInfo board;
+  std::string board;  ///< "rtl" or "model"
+  CoreInfo core;
   unsigned width = 0;
   unsigned height = 0;
   unsigned packets = 0;               ///< that were allowed in flight

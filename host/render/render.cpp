@@ -6,8 +6,8 @@
 #include <bit>
 
 #include "hls/bits.h"
-#include "host/board/frame_words.h"
 #include "host/error.h"
+#include "host/format/frame_words.h"
 #include "host/render/messages.h"
 #include "units/memory_format.h"
 
@@ -59,19 +59,19 @@ void check_size(unsigned width, unsigned height) {
   }
 }
 
-FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
+FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
                          const SceneAddresses& scene) {
   check_size(options.width, options.height);
-  const unsigned packets = options.packets.value_or(board.packets);
-  const unsigned lines = options.lines.value_or(board.cache_lines);
-  if (packets == 0 || packets > board.packets) {
-    refuse(messages::kPackets, packets, board.configuration, board.packets);
+  const unsigned packets = options.packets.value_or(core.packets);
+  const unsigned lines = options.lines.value_or(core.lines);
+  if (packets == 0 || packets > core.packets) {
+    refuse(messages::kPackets, packets, core.name, core.packets);
   }
-  if (options.uncompressed && !board.uncompressed) {
-    refuse(messages::kUncompressed, board.configuration);
+  if (options.uncompressed && !core.uncompressed) {
+    refuse(messages::kUncompressed, core.name);
   }
-  if (!std::has_single_bit(lines) || lines > board.cache_lines) {
-    refuse(messages::kLines, lines, board.configuration, board.cache_lines);
+  if (!std::has_single_bit(lines) || lines > core.lines) {
+    refuse(messages::kLines, lines, core.name, core.lines);
   }
   const unsigned packet_side = (std::max(options.width, options.height) + 1) / 2;
   FrameConfig frame;
@@ -88,30 +88,31 @@ FrameConfig frame_config(const BoardInfo& board, const FrameOptions& options,
   frame.write_hits = to_word(options.hits);
   frame.uncompressed = to_word(options.uncompressed);
   // A core without light rays has the eye light alone.
-  const unsigned lights = std::min(scene.lights, board.lights);
+  const unsigned lights = std::min(scene.lights, core.lights);
   frame.lights = to_word(lights);
   frame.light_matrix = to_word(scene.light_matrix);
   frame.colour = to_word(scene.colour);
-  frame.object = to_word(scene.object);
+  frame.object = to_word(scene.first_instance);
   frame.ambient = to_word(lights > 0 ? kAmbient : kFullAmbient);
-  const unsigned reflections = options.reflections.value_or(board.reflections);
-  if (reflections > board.reflections) {
-    refuse(messages::kReflections, reflections, board.configuration, board.reflections);
+  const unsigned reflections = options.reflections.value_or(core.reflections);
+  if (reflections > core.reflections) {
+    refuse(messages::kReflections, reflections, core.name, core.reflections);
   }
   frame.reflections = to_word(reflections);
   return frame;
 }
 
 Frame render(Board& board, const FrameOptions& options, const SceneAddresses& scene,
-             std::span<const BankWords> memory, const PixelProgress& progress) {
-  const FrameConfig config = frame_config(board.info(), options, scene);
+             std::span<const MemoryRun> memory, const PixelProgress& progress) {
+  const FrameConfig config = frame_config(board.core(), options, scene);
   const BusTraffic before = board.traffic();
-  for (const BankWords& part : memory) board.write(part.bank, part.address, part.words);
+  for (const MemoryRun& part : memory) board.write(part.bank, part.address, part.words);
   Frame frame;
   frame.upload = board.traffic() - before;
   board.configure(config);
   board.start();
-  frame.board = board.info();
+  frame.board = board.name();
+  frame.core = board.core();
   frame.width = options.width;
   frame.height = options.height;
   frame.packets = static_cast<unsigned>(config.packets.to_u64());
@@ -124,6 +125,11 @@ Frame render(Board& board, const FrameOptions& options, const SceneAddresses& sc
   frame.counters = board.counters();
   frame.traffic = board.traffic() - before;
   return frame;
+}
+
+Frame render(Board& board, const FrameOptions& options, const MemoryImage& image,
+             const PixelProgress& progress) {
+  return render(board, options, image.frame, image.runs(), progress);
 }
 
 }  // namespace dynrt::host

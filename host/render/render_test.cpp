@@ -14,7 +14,7 @@ namespace {
 
 using testing::ThrowsMessage;
 
-const BoardInfo kBoard{"rtl", "small", 8, 16};
+const CoreInfo kBoard = small_core();
 
 auto configuring(const FrameOptions& options) {
   return [options] { frame_config(kBoard, options, {}); };
@@ -93,7 +93,7 @@ TEST(Render, UploadsRendersAndReadsBack) {
   };
   const std::vector<std::uint32_t> nodes = {1, 2};
   const std::vector<std::uint32_t> list = {3};
-  const std::vector<BankWords> memory = {{1, 20, nodes}, {2, 0, list}};
+  const std::vector<MemoryRun> memory = {{1, 20, nodes}, {2, 0, list}};
   const Frame frame = render(board, {.width = 3, .height = 2, .timeout = 123}, {}, memory, {});
   EXPECT_EQ(board.timeout, 123u);
   EXPECT_EQ(board.frame.width.to_u64(), 3u);
@@ -129,7 +129,7 @@ TEST(Render, EveryBufferIsItsOwnAndHitsAreReadOnRequest) {
 TEST(Render, MetersTheBusOfEachFrameByItself) {
   FakeBoard board;
   const std::vector<std::uint32_t> nodes(100);
-  const std::vector<BankWords> all = {{0, 1, nodes}, {1, 1, nodes}};
+  const std::vector<MemoryRun> all = {{0, 1, nodes}, {1, 1, nodes}};
   const Frame first = render(board, {.width = 4, .height = 2}, {}, all, {});
   EXPECT_EQ(first.upload.bytes_written, 800u);
   EXPECT_EQ(first.upload.bytes_read, 0u);
@@ -137,7 +137,7 @@ TEST(Render, MetersTheBusOfEachFrameByItself) {
   // A word of colour and six of the hit record for each of 8 pixels.
   EXPECT_EQ(first.traffic.bytes_read, 4u * 8 * 7);
 
-  const std::vector<BankWords> changed = {{0, 5, std::span(nodes).first(10)}};
+  const std::vector<MemoryRun> changed = {{0, 5, {nodes.begin(), nodes.begin() + 10}}};
   const Frame second = render(board, {.width = 4, .height = 2}, {}, changed, {});
   EXPECT_EQ(second.upload, (BusTraffic{1, 40, 0, 12}));
   EXPECT_EQ(second.traffic.bytes_written, 40u);

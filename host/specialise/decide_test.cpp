@@ -20,20 +20,27 @@ using testing::room;
 using testing::scene_of;
 using Json = nlohmann::ordered_json;
 
-BoardInfo whitted() {
-  BoardInfo info;
-  info.configuration = "whitted";
-  info.stack_depth = 31;
-  info.lights = 8;
-  info.reflections = 7;
-  info.crossing = Crossing::kRemember;
-  info.primitives = {true, true, true};
-  return info;
+/// One that has everything.
+CoreConfiguration whitted() {
+  CoreConfiguration general;
+  general.name = "whitted";
+  general.packets = 32;
+  general.lines = 512;
+  general.stack_depth = 31;
+  general.triangle_slots = 32;
+  general.object_slots = 32;
+  general.sram_latency = 3;
+  general.lights = 8;
+  general.reflections = 7;
+  general.crossing = Crossing::kRemember;
+  general.primitives = {true, true, true};
+  general.scan_out = true;
+  return general;
 }
 
 Decision decision(const std::string& key, const SceneNeeds& needs,
-                  const FrameWishes& wishes = {.reflections = 7},
-                  const BoardInfo& general = whitted()) {
+                  const FrameDemands& wishes = {.reflections = 7},
+                  const CoreConfiguration& general = whitted()) {
   for (const Decision& one : decide(needs, general, wishes)) {
     if (one.key == key) return one;
   }
@@ -58,8 +65,8 @@ TEST(Decide, Levels) {
          "the scene is one object that stands where it is, so its tree is the only one");
   expect(decision("levels", needs_of(many_sails())), 2,
          "9 instances of 1 object need a tree over them");
-  BoardInfo boxed = whitted();
-  boxed.clips_to_cube = true;
+  CoreConfiguration boxed = whitted();
+  boxed.object_box = ObjectBox::kUnit;
   expect(decision("levels", of_one_triangle(), {}, boxed), 2,
          "configuration whitted prepares rays where they enter an object");
   EXPECT_EQ(decision("top_stack_depth", of_one_triangle()).reason,
@@ -94,7 +101,7 @@ TEST(Decide, AMailboxIsWhereAnItemIsListedTwice) {
 TEST(Decide, SplitPacketsComeToEveryLeafAgain) {
   SceneNeeds needs = needs_of(many_sails());
   needs.mirror = "chrome";
-  BoardInfo splits = whitted();
+  CoreConfiguration splits = whitted();
   splits.crossing = Crossing::kSplit;
   EXPECT_EQ(decision("object_slots", needs, {.reflections = 1}, splits).value, 9);
   EXPECT_EQ(decision("object_slots", needs, {.reflections = 0}, splits).value, 0);
@@ -130,7 +137,8 @@ TEST(Decide, ReflectionsAndWhatCrosses) {
   needs.mirror = "chrome";
   expect(decision("reflections", needs, {.reflections = 2}), 2,
          "'chrome' is a mirror, and 2 bounces of a ray are asked for");
-  EXPECT_EQ(decision("crossing", needs, {.reflections = 2}).reason, "not decided");
+  expect(decision("crossing", needs, {.reflections = 2}), "remember",
+         "as in whitted: reflected rays may cross");
   expect(decision("reflections", needs, {.reflections = 0}), 0,
          "'chrome' is a mirror, but no bounces are asked for");
 }
@@ -154,7 +162,38 @@ TEST(Decide, OneColour) {
 TEST(Decide, UncompressedPacketsOnlyWhereAskedFor) {
   EXPECT_EQ(decision("uncompressed", of_one_triangle()).value, false);
   expect(decision("uncompressed", of_one_triangle(), {.uncompressed = true}), true,
-         "it was asked for with --uncompressed");
+         "--uncompressed asks for it");
+}
+
+TEST(Decide, NeverMoreThanTheGeneralCoreHasNorLessThanTheKeyMayBe) {
+  SceneNeeds needs = of_one_triangle();
+  needs.object_stack.pushes = 40;
+  EXPECT_EQ(decision("stack_depth", needs).value, 31);
+  EXPECT_EQ(decision("address_bits", of_one_triangle()).value, 4);
+  EXPECT_EQ(decision("matrix_bits", of_one_triangle()).value, 2);
+}
+
+TEST(Decide, WhatNoSceneDecidesIsAsInTheGeneralCore) {
+  const SceneNeeds needs = of_one_triangle();
+  expect(decision("packets", needs), 32, "as in whitted: how many pay is measured");
+  expect(decision("rounding", needs), "nearest_even",
+         "as in whitted: another value would give other bits");
+  expect(decision("sram_latency", needs), 3, "as in whitted: it is the board's");
+  expect(decision("counters", needs), false, "a core for use need not count what its units do");
+  expect(decision("scan_out", needs), false, "no VGA display is asked for");
+}
+
+TEST(Decide, EveryKeyOfTheCoreInTheTablesOrder) {
+  std::vector<std::string> keys, decided;
+  const CoreConfiguration general = whitted();
+  for_each_key(general, [&](const ConfigurationKey& key, const auto&) {
+    if (key.of_core) keys.emplace_back(key.name);
+  });
+  for (const Decision& one : decide(of_one_triangle(), general, {})) decided.push_back(one.key);
+  EXPECT_EQ(decided, keys);
+  for (const Rule& rule : rules()) {
+    EXPECT_EQ(std::ranges::count(keys, rule.key), 1) << rule.key << " is no key of a core";
+  }
 }
 
 TEST(Decide, EveryDecisionHasAReason) {

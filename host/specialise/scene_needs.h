@@ -10,7 +10,7 @@
 #include <set>
 #include <string>
 
-#include "host/image/image.h"
+#include "host/memory/matrix_numbers.h"
 #include "host/tree/scene_trees.h"
 
 namespace dynrt::host {

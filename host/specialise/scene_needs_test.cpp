@@ -10,7 +10,6 @@ namespace dynrt::host {
 namespace {
 
 using testing::add_instance;
-using testing::laid_out;
 using testing::needs_of;
 using testing::one_triangle;
 using testing::room;
@@ -51,25 +50,9 @@ TEST(SceneNeeds, TheTopLevelGrowsWithTheInstances) {
   EXPECT_EQ(many.instance_repeats.repeated, 0u);
 }
 
-TEST(SceneNeeds, PlacesAreThoseOfTheMemory) {
-  Scene scene = scene_of(room(1, 6, 6));
-  scene.objects.push_back(one_triangle("sail"));
-  add_instance(scene, 3);
-  scene.lights.push_back({"lamp", {0, 3, 0}});
-  scene.materials.front().mirror = 0.5;
-  for (const auto form : {TriangleMatrix::kNormalConsistent, TriangleMatrix::kMemoryEfficient}) {
-    const SceneNeeds needs = needs_of(scene, {.triangles = form});
-    const MemoryUse use = laid_out(scene, {.triangles = form});
-    EXPECT_EQ(needs.places.nodes, use.nodes);
-    EXPECT_EQ(needs.places.entries, use.list_entries);
-    EXPECT_GE(needs.places.matrices, use.matrices);
-    if (form == TriangleMatrix::kNormalConsistent) EXPECT_EQ(needs.places.matrices, use.matrices);
-  }
-}
-
 TEST(SceneNeeds, PrimitivesInThreeColumnsHaveNumbersOfTheirOwn) {
   const Scene scene = scene_of(room(1, 2, 4));
-  const SceneNeeds three = needs_of(scene, {.triangles = TriangleMatrix::kMemoryEfficient});
+  const SceneNeeds three = needs_of(scene, TriangleMatrix::kMemoryEfficient);
   // More numbers than the matrices that they take.
   EXPECT_EQ(three.places.matrices, scene.objects.front().triangles.size());
   EXPECT_EQ(needs_of(scene).places.matrices, scene.objects.front().triangles.size() + 2);

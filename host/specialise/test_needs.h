@@ -4,22 +4,15 @@
 // The needs of small scenes, for tests.
 #pragma once
 
-#include "host/image/form_trees.h"
 #include "host/specialise/scene_needs.h"
+#include "host/tree/scene_trees.h"
 #include "host/tree/test_meshes.h"
 
 namespace dynrt::host::testing {
 
-inline SceneNeeds needs_of(const Scene& scene, const ImageForm& form = {}) {
-  return scene_needs(scene, trees_for(scene, glm::dvec3(0.0), form), form.triangles);
-}
-
-/// What the scene takes of the memory.
-inline MemoryUse laid_out(const Scene& scene, const ImageForm& form = {}) {
-  const Camera camera;
-  const SceneTrees trees = trees_for(scene, camera.position, form);
-  const ObjectImage objects(scene, trees.objects, form);
-  return memory_use(FrameImage(scene, objects, trees.instances, camera, 64, 48));
+inline SceneNeeds needs_of(const Scene& scene,
+                           TriangleMatrix form = TriangleMatrix::kNormalConsistent) {
+  return scene_needs(scene, build_scene_trees(scene), form);
 }
 
 inline Mesh one_triangle(const std::string& name) {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "host/board/board.h"
 #include "host/error.h"
+#include "host/format/core_info.h"
 #include "host/specialise/scene_needs.h"
 
 namespace dynrt::host {
@@ -20,7 +20,7 @@ struct Excess {
 };
 
 /// The first key that is exceeded.
-std::optional<Excess> excess(const SceneNeeds& needs, const BoardInfo& board);
+std::optional<Excess> excess(const SceneNeeds& needs, const CoreInfo& core);
 
 /// A frame that its core was not made for.
 struct Exceeded : UserError {
@@ -28,9 +28,8 @@ struct Exceeded : UserError {
 };
 
 /// Throws Exceeded, with the key and both values. `frame`: how the frame is called.
-[[noreturn]] void refuse_excess(const Excess& over, const BoardInfo& board,
-                                const std::string& frame);
+[[noreturn]] void refuse_excess(const Excess& over, const CoreInfo& core, const std::string& frame);
 /// Does so if there is something to refuse.
-void check_within(const SceneNeeds& needs, const BoardInfo& board, const std::string& frame);
+void check_within(const SceneNeeds& needs, const CoreInfo& core, const std::string& frame);
 
 }  // namespace dynrt::host

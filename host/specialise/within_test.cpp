@@ -14,9 +14,9 @@ using testing::needs_of;
 using testing::one_triangle;
 using testing::scene_of;
 
-BoardInfo made_for_a_sail() {
-  BoardInfo info;
-  info.configuration = "mine";
+CoreInfo made_for_a_sail() {
+  CoreInfo info;
+  info.name = "mine";
   info.made_for = "sail";
   info.levels = 2;
   info.top_stack_depth = 3;
@@ -24,9 +24,9 @@ BoardInfo made_for_a_sail() {
   info.address_bits = 4;
   info.matrix_bits = 3;
   info.lights = 1;
-  BoardInfo whitted;
+  CoreConfiguration whitted;
   whitted.lights = 8;
-  info.made_from = std::make_shared<BoardInfo>(whitted);
+  info.general = std::make_shared<CoreConfiguration>(whitted);
   return info;
 }
 
@@ -49,7 +49,7 @@ TEST(Within, ADeeperTreeIsRefusedWithBothValues) {
 }
 
 /// The first key that is exceeded, with both values.
-void expect_excess(const SceneNeeds& needs, const BoardInfo& board, const std::string& key,
+void expect_excess(const SceneNeeds& needs, const CoreInfo& board, const std::string& key,
                    const std::string& needed, const std::string& has) {
   const auto over = excess(needs, board);
   ASSERT_TRUE(over) << key;
@@ -60,7 +60,7 @@ void expect_excess(const SceneNeeds& needs, const BoardInfo& board, const std::s
 
 TEST(Within, EveryKeyIsHeldAgainstTheScene) {
   const SceneNeeds fits = needs_of(scene_of(one_triangle("sail")));
-  const BoardInfo board = made_for_a_sail();
+  const CoreInfo board = made_for_a_sail();
   SceneNeeds needs = fits;
   needs.lights = 2;
   expect_excess(needs, board, "lights", "2", "1");
@@ -75,7 +75,7 @@ TEST(Within, EveryKeyIsHeldAgainstTheScene) {
   expect_excess(needs, board, "matrix_bits", "4", "3");
   needs = fits;
   needs.one_level = false;
-  BoardInfo one = board;
+  CoreInfo one = board;
   one.levels = 1;
   EXPECT_FALSE(excess(fits, one));
   expect_excess(needs, one, "levels", "2", "1");
@@ -84,7 +84,7 @@ TEST(Within, EveryKeyIsHeldAgainstTheScene) {
   expect_excess(needs, board, "primitives", "triangle, sphere", "triangle");
   needs = fits;
   needs.colours = {1, 2};
-  BoardInfo plain = board;
+  CoreInfo plain = board;
   EXPECT_FALSE(excess(needs, plain));
   plain.one_colour = true;
   expect_excess(needs, plain, "one_colour", "false", "true");
@@ -93,9 +93,9 @@ TEST(Within, EveryKeyIsHeldAgainstTheScene) {
 TEST(Within, ACoreMadeFromOneWithoutLightsIgnoresThemAsThatDoes) {
   SceneNeeds needs = needs_of(scene_of(one_triangle("sail")));
   needs.lights = 2;
-  BoardInfo board = made_for_a_sail();
+  CoreInfo board = made_for_a_sail();
   board.lights = 0;
-  board.made_from = std::make_shared<BoardInfo>();
+  board.general = std::make_shared<CoreConfiguration>();
   EXPECT_FALSE(excess(needs, board));
 }
 

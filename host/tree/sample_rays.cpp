@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-#include "host/tree/triangle_matrix.h"
+#include "host/memory/triangle_matrix.h"
 
 namespace dynrt::host {
 

@@ -6,7 +6,6 @@
 
 #include <glm/geometric.hpp>
 
-#include "host/tree/counts.h"
 #include "host/tree/test_meshes.h"
 #include "host/tree/triangle_tree.h"
 
@@ -76,17 +75,6 @@ TEST(SampleRays, StartInTheRoomButOutsideOfAThing) {
   const std::vector<RaySpan> rays = sample_rays(quad, quad_tree, 800);
   for (const RaySpan& ray : rays) outside += on_box(quad_tree.box, ray.from);
   EXPECT_GT(outside, rays.size() / 2);
-}
-
-TEST(SampleRays, MakeABetterTree) {
-  const Scene scene = testing::scene_of(testing::room(3, 24, 12));
-  SceneTrees trees = build_scene_trees(scene);
-  const Camera camera = testing::camera_at({2.013, 1.71, 4.02}, {-0.1, -0.2, -1});
-  const WorkCounts guided = trace_frame(scene, trees, camera, 128, 128).work;
-  trees.objects[0] = unguided(scene.objects[0]);
-  const WorkCounts not_guided = trace_frame(scene, trees, camera, 128, 128).work;
-  EXPECT_LT(guided.bound(), not_guided.bound());
-  EXPECT_EQ(guided.hits, not_guided.hits);
 }
 
 TEST(SampleRays, AreTheSameTwice) {

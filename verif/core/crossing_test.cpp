@@ -7,7 +7,9 @@
 
 #include <vector>
 
-#include "host/app/board_frame.h"
+#include "core/scenes.h"
+#include "host/board/configurations.h"
+#include "host/render/render.h"
 
 namespace dynrt::host {
 namespace {
@@ -15,13 +17,9 @@ namespace {
 /// Rays that cross where the order matters are rare: one pixel in a thousand.
 constexpr unsigned kWidth = 64, kHeight = 48;
 
-Prepared rings_and_mirrors() {
-  SceneArguments arguments;
-  arguments.scene = "lamps";
-  return prepare(arguments, kWidth, kHeight);
-}
+MemoryImage rings_and_mirrors() { return laid_out("lamps", kWidth, kHeight); }
 
-void make_trees_of_one_leaf(Prepared& scene) {
+void make_trees_of_one_leaf(MemoryImage& scene) {
   TreeOptions options;
   options.depth_factor = 0;
   options.depth_extra = 0;
@@ -30,17 +28,17 @@ void make_trees_of_one_leaf(Prepared& scene) {
   scene.objects = ObjectImage(scene.scene, scene.trees.objects);
   scene.trees.instances = build_instance_tree(scene.scene, scene.objects.boxes(),
                                               {.depth_factor = 0, .depth_extra = 0});
-  scene.frame =
-      FrameImage(scene.scene, scene.objects, scene.trees.instances, scene.camera, kWidth, kHeight);
+  scene.frame = FrameImage(scene.scene, scene.objects, scene.trees.instances, scene.view.camera,
+                           kWidth, kHeight);
   ASSERT_EQ(scene.trees.instances.stats.leaves, 1u);
 }
 
-std::vector<std::uint32_t> pixels(const char* configuration, const Prepared& scene) {
+std::vector<std::uint32_t> pixels(const char* configuration, const MemoryImage& scene) {
   const auto board = make_board(configurations(), {"model", configuration, ""});
   FrameOptions options;
   options.width = kWidth;
   options.height = kHeight;
-  return render_on(*board, options, scene).pixels;
+  return render(*board, options, scene).pixels;
 }
 
 std::size_t differing(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
@@ -54,12 +52,12 @@ std::size_t differing(const std::vector<std::uint32_t>& a, const std::vector<std
 class Crossing : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    Prepared scene = rings_and_mirrors();
+    MemoryImage scene = rings_and_mirrors();
     split_scene_ = scene;
     make_trees_of_one_leaf(scene);
     truth_ = pixels("whitted", scene);
   }
-  static inline Prepared split_scene_;
+  static inline MemoryImage split_scene_;
   static inline std::vector<std::uint32_t> truth_;
 };
 

@@ -14,10 +14,11 @@
 #include <vector>
 
 #include "configs/thesis.h"
-#include "host/app/board_frame.h"
+#include "core/scenes.h"
+#include "host/analysis/counts/counts.h"
 #include "host/board/native_core.h"
 #include "host/error.h"
-#include "host/tree/counts.h"
+#include "host/render/render.h"
 
 namespace dynrt::host {
 namespace {
@@ -31,8 +32,8 @@ struct ThesisIn : config::thesis {
 
 template <class C>
 std::unique_ptr<Board> make() {
-  BoardInfo info = board_info_of<C>();
-  info.configuration = "thesis in another float";
+  CoreInfo info = core_info_of<C>();
+  info.name = "thesis in another float";
   return std::make_unique<ModelBoard>(std::move(info), std::make_unique<NativeCoreOf<C>>());
 }
 
@@ -47,27 +48,21 @@ std::ostream& operator<<(std::ostream& out, const Allowed& allowed) { return out
 
 class InFormat : public testing::TestWithParam<Allowed> {};
 
-Prepared prepared(const std::string& scene, const BoardInfo& board) {
-  SceneArguments arguments;
-  arguments.scene = scene;
-  return prepare(arguments, kWidth, kHeight, &board);
-}
-
-std::vector<HitRecord> hits(Board& board, const Prepared& p) {
+std::vector<HitRecord> hits(Board& board, const MemoryImage& p) {
   FrameOptions options;
   options.width = kWidth;
   options.height = kHeight;
-  return render_on(board, options, p).hits;
+  return render(board, options, p).hits;
 }
 
 TEST_P(InFormat, TheHitsAreThoseOfDoublesButForTheRounding) {
   const Allowed& allowed = GetParam();
   const auto board = allowed.board();
-  const MemoryFormat& format = *board->info().format;
-  const Prepared p = prepared("blocks", board->info());
+  const MemoryFormat& format = *board->core().format;
+  const MemoryImage p = laid_out("blocks", kWidth, kHeight, board->core());
   const std::vector<HitRecord> records = hits(*board, p);
   const std::vector<TracedHit> truth =
-      trace_frame(p.scene, p.trees, p.camera, kWidth, kHeight).hits;
+      trace_frame(p.scene, p.trees, p.view.camera, kWidth, kHeight).hits;
   ASSERT_EQ(records.size(), truth.size());
   std::size_t others = 0;
   std::vector<double> errors;

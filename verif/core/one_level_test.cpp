@@ -71,8 +71,8 @@ TEST(OneLevel, WhatEntersObjectsIsGone) {
 }
 
 TEST(OneLevel, TheInstanceTakesNoMemory) {
-  const Prepared two = prepared("blocks", board_info_of<Thesis>(), merge);
-  const Prepared one = prepared("blocks", board_info_of<OneLevel<Thesis>>(), merge);
+  const MemoryImage two = laid_out("blocks", core_info_of<Thesis>(), merge);
+  const MemoryImage one = laid_out("blocks", core_info_of<OneLevel<Thesis>>(), merge);
   EXPECT_TRUE(one.frame.memory.nodes.empty());
   EXPECT_TRUE(one.frame.memory.entries.empty());
   EXPECT_EQ(one.frame.memory.columns.size(), 4u) << "the camera";
@@ -81,15 +81,15 @@ TEST(OneLevel, TheInstanceTakesNoMemory) {
 }
 
 TEST(OneLevel, WhatTakesTwoIsRefused) {
-  const BoardInfo board = board_info_of<OneLevel<Thesis>>();
-  EXPECT_EQ(refusal([&] { prepared("blocks", board); }),
+  const CoreInfo board = core_info_of<OneLevel<Thesis>>();
+  EXPECT_EQ(refusal([&] { laid_out("blocks", board); }),
             "scene 'blocks' has 10 instances, and the core has trees of one level, for one object "
             "alone; take a configuration with levels 2");
   const auto turn = [](Scene& scene) {
     merge(scene);
     std::swap(scene.instances[0].transform[0], scene.instances[0].transform[1]);
   };
-  EXPECT_EQ(refusal([&] { prepared("blocks", board, turn); }),
+  EXPECT_EQ(refusal([&] { laid_out("blocks", board, turn); }),
             "scene 'blocks': instance 'all' moves, turns or scales its object, and the core has "
             "trees of one level, for an object that lies in the world as it is; take a "
             "configuration with levels 2");

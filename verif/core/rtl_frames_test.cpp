@@ -13,9 +13,11 @@
 #include <tuple>
 #include <vector>
 
-#include "host/app/board_frame.h"
+#include "core/scenes.h"
+#include "host/board/configurations.h"
 #include "host/board/rtl_board.h"
 #include "host/render/compare.h"
+#include "host/render/render.h"
 
 namespace dynrt::host {
 namespace {
@@ -30,8 +32,8 @@ std::vector<std::string> names_with_rtl() {
 
 std::unique_ptr<Board> make_checked_board(const std::string& name, int seed) {
   const auto c = std::ranges::find(configurations(), name, &Configuration::name);
-  BoardInfo info = c->info();
-  info.configuration = name;
+  CoreInfo info = c->core();
+  info.name = name;
   return std::make_unique<RtlBoard>(std::move(info), c->traced("", seed),
                                     counters_of(c->core_json()));
 }
@@ -40,14 +42,12 @@ std::unique_ptr<Board> make_scheduled_model(const std::string& name) {
   return make_board(configurations(), {"model", name, "", GENERATED_FOLDER "/" + name});
 }
 
-Prepared prepare_scene(const char* name, const FrameOptions& options, const BoardInfo& board) {
-  SceneArguments arguments;
-  arguments.scene = name;
-  return prepare(arguments, options.width, options.height, &board);
+MemoryImage prepare_scene(const char* name, const FrameOptions& options, const CoreInfo& core) {
+  return laid_out(name, options.width, options.height, core);
 }
 
 /// One that asks for all rays that the configuration has.
-const char* scene_for(const BoardInfo& board) { return board.lights > 0 ? "lamps" : "blocks"; }
+const char* scene_for(const CoreInfo& board) { return board.lights > 0 ? "lamps" : "blocks"; }
 
 void expect_identical(const Frame& rtl, const Frame& model) {
   const Comparison comparison = compare(rtl, model);
@@ -75,19 +75,19 @@ TEST_P(Frames, RtlIsTheModel) {
   const auto model = make_scheduled_model(name);
   FrameOptions options;
   // A pixel with lights and mirrors takes many rays.
-  const bool many_rays = rtl->info().lights > 0;
+  const bool many_rays = rtl->core().lights > 0;
   options.width = many_rays ? 12 : 20;
   options.height = many_rays ? 8 : 14;
   options.order = order;
   options.uncompressed = uncompressed;
-  if (packets != kAll) options.packets = std::min(packets, rtl->info().packets);
-  if (lines != kAll) options.lines = std::min(lines, rtl->info().cache_lines);
+  if (packets != kAll) options.packets = std::min(packets, rtl->core().packets);
+  if (lines != kAll) options.lines = std::min(lines, rtl->core().lines);
   options.timeout = 10'000'000;
-  const Prepared scene = prepare_scene(scene_for(model->info()), options, model->info());
-  const Frame expected = render_on(*model, options, scene);
-  const Frame frame = render_on(*rtl, options, scene);
+  const MemoryImage scene = prepare_scene(scene_for(model->core()), options, model->core());
+  const Frame expected = render(*model, options, scene);
+  const Frame frame = render(*rtl, options, scene);
   expect_identical(frame, expected);
-  const Frame frame_checked = render_on(*checked, options, scene);
+  const Frame frame_checked = render(*checked, options, scene);
   expect_identical(frame_checked, expected);
   EXPECT_EQ(frame.run.cycles, frame_checked.run.cycles) << "what was never written has an effect";
 }
@@ -118,13 +118,13 @@ void expect_assertions_hold(const std::string& configuration, const char* scene_
   options.width = width;
   options.height = height;
   options.timeout = 10'000'000;
-  const Prepared scene = prepare_scene(
-      scene_name != nullptr ? scene_name : scene_for(model->info()), options, model->info());
-  const Frame expected = render_on(*model, options, scene);
+  const MemoryImage scene = prepare_scene(
+      scene_name != nullptr ? scene_name : scene_for(model->core()), options, model->core());
+  const Frame expected = render(*model, options, scene);
   for (const int seed : seeds) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     const auto checked = make_checked_board(configuration, seed);
-    expect_identical(render_on(*checked, options, scene), expected);
+    expect_identical(render(*checked, options, scene), expected);
   }
 }
 

@@ -12,7 +12,9 @@
 #include <tuple>
 #include <vector>
 
-#include "host/app/board_frame.h"
+#include "core/scenes.h"
+#include "host/board/configurations.h"
+#include "host/render/render.h"
 #include "host/scene/load.h"
 #include "host/tree/test_meshes.h"
 
@@ -25,40 +27,40 @@ using testing::scene_of;
 
 constexpr unsigned kWidth = 48, kHeight = 36;
 
-Prepared prepared(const std::string& name) {
-  SceneArguments arguments;
-  arguments.scene = name;
-  return prepare(arguments, kWidth, kHeight);
+MemoryImage prepared(const std::string& name) { return laid_out(name, kWidth, kHeight); }
+
+MemoryImage prepare(Scene scene, const Camera& camera) {
+  return lay_out(std::move(scene), {camera, kWidth, kHeight}, {}, {.spare_stacks = false});
 }
 
 /// Everything that is a length, times a factor; trees and memory made anew.
-void scale(Prepared& p, double factor) {
+void scale(MemoryImage& p, double factor) {
   for (Mesh& mesh : p.scene.objects) {
     for (glm::dvec3& vertex : mesh.vertices) vertex *= factor;
   }
   for (Instance& instance : p.scene.instances) {
     for (int axis = 0; axis < 3; ++axis) instance.transform[3][axis] *= factor;
   }
-  p.camera.position *= factor;
+  p.view.camera.position *= factor;
   p.trees = build_scene_trees(p.scene);
   p.objects = ObjectImage(p.scene, p.trees.objects);
-  p.frame = FrameImage(p.scene, p.objects, p.trees.instances, p.camera, kWidth, kHeight);
+  p.frame = FrameImage(p.scene, p.objects, p.trees.instances, p.view.camera, kWidth, kHeight);
 }
 
-Frame frame(const Prepared& p, const char* configuration = "thesis") {
+Frame frame(const MemoryImage& p, const char* configuration = "thesis") {
   const auto board = make_board(configurations(), {"model", configuration, ""});
   FrameOptions options;
   options.width = kWidth;
   options.height = kHeight;
-  return render_on(*board, options, p);
+  return render(*board, options, p);
 }
-std::vector<HitRecord> hits(const Prepared& p) { return frame(p).hits; }
+std::vector<HitRecord> hits(const MemoryImage& p) { return frame(p).hits; }
 
 class Scale : public ::testing::TestWithParam<std::tuple<std::string, int>> {};
 
 TEST_P(Scale, TheHitsAreTheSame) {
   const auto& [name, exponent] = GetParam();
-  Prepared p = prepared(name);
+  MemoryImage p = prepared(name);
   const std::vector<HitRecord> plain = hits(p);
   scale(p, std::exp2(exponent));
   const std::vector<HitRecord> scaled = hits(p);
@@ -111,7 +113,8 @@ Camera elsewhere(Camera camera, double factor, const glm::dvec3& to) {
 }
 
 /// Renders both and expects every bit to be the same.
-void expect_same_frame(const Prepared& one, const Prepared& other, const char* configuration) {
+void expect_same_frame(const MemoryImage& one, const MemoryImage& other,
+                       const char* configuration) {
   const Frame left = frame(one, configuration);
   const Frame right = frame(other, configuration);
   EXPECT_GT(left.hit_count(), left.hits.size() / 20);
@@ -127,9 +130,8 @@ TEST_P(Program, AFileInOtherUnitsIsTheSamePicture) {
        {std::pair{"blocks", "thesis"}, std::pair{"lamps", "whitted"}}) {
     const Scene scene = load_scene(name);
     const Camera camera = choose_camera(scene, {}, kWidth, kHeight);
-    const Prepared plain = prepare(scene, camera, kWidth, kHeight);
-    const Prepared scaled =
-        prepare(elsewhere(scene, factor, {}), elsewhere(camera, factor, {}), kWidth, kHeight);
+    const MemoryImage plain = prepare(scene, camera);
+    const MemoryImage scaled = prepare(elsewhere(scene, factor, {}), elsewhere(camera, factor, {}));
     EXPECT_EQ(scaled.space.unit, factor * plain.space.unit);
     EXPECT_EQ(scaled.headroom.up, plain.headroom.up);
     EXPECT_EQ(scaled.headroom.down, plain.headroom.down);
@@ -150,11 +152,10 @@ Scene ball_at(const glm::dvec3& centre) {
 TEST(Place, ASceneFarAwayIsThePictureOfTheOneAtTheOrigin) {
   const glm::dvec3 far(148376, 1234, -223423);
   const Camera camera = camera_at({0.25, 0.5, 4}, {0, 0, -1});
-  const Prepared at_origin = prepare(ball_at({}), camera, kWidth, kHeight);
+  const MemoryImage at_origin = prepare(ball_at({}), camera);
   const Camera there = elsewhere(camera, 1, far);
-  expect_same_frame(at_origin, prepare(ball_at(far), there, kWidth, kHeight), "thesis");
-  expect_same_frame(at_origin, prepare(elsewhere(ball_at({}), 1, far), there, kWidth, kHeight),
-                    "thesis");
+  expect_same_frame(at_origin, prepare(ball_at(far), there), "thesis");
+  expect_same_frame(at_origin, prepare(elsewhere(ball_at({}), 1, far), there), "thesis");
 }
 
 }  // namespace

@@ -9,8 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "host/app/board_frame.h"
+#include "host/board/configurations.h"
 #include "host/board/display.h"
+#include "host/layout/lay_out.h"
+#include "host/render/render.h"
+#include "host/scene/load.h"
 
 namespace dynrt::host {
 namespace {
@@ -33,17 +36,17 @@ class Rendering {
   RtlBoard& board() { return board_; }
 
   /// Renders the scene from `position` into the buffer at `base`; the clocks that it takes.
-  std::uint64_t render(const char* position, std::uint32_t base) {
-    SceneArguments arguments;
-    arguments.scene = "blocks";
-    arguments.position = position;
-    arguments.look_at = "0,0.5,0";
-    const Prepared scene = prepare(arguments, kWidth, kHeight);
+  std::uint64_t render(const glm::dvec3& position, std::uint32_t base) {
+    const Scene blocks = load_scene("blocks");
+    const Camera camera = choose_camera(
+        blocks, {.position = position, .look_at = glm::dvec3(0, 0.5, 0)}, kWidth, kHeight);
+    const MemoryImage scene =
+        lay_out(blocks, {camera, kWidth, kHeight}, {}, {.spare_stacks = false});
     for (const auto* memory : {&scene.objects.memory, &scene.frame.memory}) {
       for (const MemoryRun& run : memory->runs()) board_.write(run.bank, run.address, run.words);
     }
     FrameConfig frame = frame_config(
-        board_.info(), options_,
+        board_.core(), options_,
         {.start_node = scene.frame.start_node, .camera_matrix = scene.frame.camera_matrix});
     frame.frame_base = Word::from(base);
     board_.configure(frame);
@@ -57,9 +60,9 @@ class Rendering {
   }
 
  private:
-  static BoardInfo info_of(const Configuration& c) {
-    BoardInfo info = c.info();
-    info.configuration = c.name;
+  static CoreInfo info_of(const Configuration& c) {
+    CoreInfo info = c.core();
+    info.name = c.name;
     return info;
   }
   RtlBoard board_;
@@ -88,16 +91,16 @@ void expect_shows(const VgaFrame& frame, const Words& picture) {
 
 TEST(ScanOut, ShowsOneBufferWhileTheOtherIsRendered) {
   constexpr std::uint32_t kBuffers[] = {0, 400'000};
-  constexpr const char* kPositions[] = {"4,3,5", "-5,2,3", "1,6,-4"};
+  const glm::dvec3 kPositions[] = {{4, 3, 5}, {-5, 2, 3}, {1, 6, -4}};
   unsigned boards = 0;
   for (const Configuration& c : configurations()) {
-    if (c.rtl == nullptr || !RtlBoard(c.info(), c.rtl(), {}).info().scan_out) continue;
+    if (c.rtl == nullptr || !RtlBoard(c.core(), c.rtl(), {}).core().scan_out) continue;
     SCOPED_TRACE(c.name);
     ++boards;
     std::vector<Words> expected;
     std::vector<std::uint64_t> alone;
     Rendering dark(c);
-    for (const char* position : kPositions) {
+    for (const glm::dvec3& position : kPositions) {
       alone.push_back(dark.render(position, kBuffers[1]));
       expected.push_back(dark.pixels(kBuffers[1]));
     }

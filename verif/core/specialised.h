@@ -15,18 +15,16 @@
 #include <type_traits>
 #include <utility>
 
-#include "host/app/board_frame.h"
+#include "core/scenes.h"
 #include "host/board/configurations.h"
 #include "host/board/native_core.h"
 #include "host/error.h"
 #include "host/render/compare.h"
-#include "host/scene/load.h"
+#include "host/render/render.h"
 
 namespace dynrt::host::specialised {
 
 inline constexpr unsigned kWidth = 64, kHeight = 48;
-
-using ChangeScene = std::function<void(Scene&)>;
 
 inline void paint(Scene& scene) {
   for (Material& material : scene.materials) material.diffuse = {0.3, 0.6, 0.9};
@@ -59,23 +57,20 @@ inline FrameOptions small_frame() {
   return options;
 }
 
-inline Prepared prepared(const std::string& name, const BoardInfo& board,
-                         const ChangeScene& change = {}) {
-  Scene scene = load_scene(name);
-  if (change) change(scene);
-  const Camera camera = choose_camera(scene, {}, kWidth, kHeight);
-  return prepare(std::move(scene), camera, kWidth, kHeight, &board);
+inline MemoryImage laid_out(const std::string& name, const CoreInfo& core,
+                            const ChangeScene& change = {}) {
+  return host::laid_out(name, kWidth, kHeight, core, change);
 }
 
 template <class C>
 std::unique_ptr<Board> board_of() {
-  BoardInfo info = board_info_of<C>();
-  info.configuration = "special";
+  CoreInfo info = core_info_of<C>();
+  info.name = "special";
   return std::make_unique<ModelBoard>(std::move(info), std::make_unique<NativeCoreOf<C>>());
 }
 
 inline Frame rendered(Board& board, const std::string& scene, const ChangeScene& change) {
-  return render_on(board, small_frame(), prepared(scene, board.info(), change));
+  return render(board, small_frame(), laid_out(scene, board.core(), change));
 }
 
 /// The specialised core C against that of a configuration by name.

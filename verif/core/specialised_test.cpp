@@ -70,8 +70,8 @@ TEST(Specialised, OnlyACoreOfUncompressedPacketsHasTheirRegister) {
   EXPECT_EQ(frame_words_of<Lean<Thesis>>({}).size() + 1, frame_words_of<Thesis>({}).size());
   FrameOptions options = small_frame();
   options.uncompressed = true;
-  BoardInfo board = board_info_of<Lean<Thesis>>();
-  board.configuration = "special";
+  CoreInfo board = core_info_of<Lean<Thesis>>();
+  board.name = "special";
   EXPECT_EQ(refusal([&] { frame_config(board, options, {}); }),
             "--uncompressed: configuration special transforms one origin for all rays of a packet; "
             "leave the flag out");
@@ -98,17 +98,17 @@ TEST(Specialised, RegistersGoToTheirPlaces) {
 TEST(Specialised, StacksTakeTheRowsOfTheTreesDepths) {
   EXPECT_EQ(kStackRows<Thesis>, 32u * 64);
   EXPECT_EQ(kStackRows<Lean<Thesis>>, 32u * 32);
-  EXPECT_EQ(board_info_of<Lean<Thesis>>().top_stack_depth, 10u);
+  EXPECT_EQ(core_info_of<Lean<Thesis>>().top_stack_depth, 10u);
 }
 
 TEST(Specialised, StacksOfTheDepthsThatAreDecidedDropNothing) {
-  const Prepared blocks = prepared("blocks", board_info_of<Thesis>());
-  for (const Decision& one : decide(needs_of(blocks), board_info_of<Thesis>(), {})) {
+  const MemoryImage blocks = laid_out("blocks", core_info_of<Thesis>());
+  for (const Decision& one : decide(blocks.needs(), core_info_of<Thesis>(), {})) {
     if (one.key == "top_stack_depth") EXPECT_EQ(one.value, Tight::kTopStackDepth);
     if (one.key == "stack_depth") EXPECT_EQ(one.value, Tight::kStackDepth);
   }
   const auto dropped = [&](Board& board) {
-    return figures_of(render_on(board, small_frame(), blocks), 1e6).dropped_pushes.value();
+    return figures_of(render(board, small_frame(), blocks), 1e6).dropped_pushes.value();
   };
   EXPECT_EQ(dropped(*board_of<Tight>()), 0u);
   EXPECT_GT(dropped(*board_of<Shallow>()), 0u);
@@ -130,14 +130,14 @@ TEST(Specialised, NumbersTakeTheBitsOfTheirScene) {
 }
 
 TEST(Specialised, AnImageBeyondTheCoresReachIsRefused) {
-  BoardInfo board = board_info_of<Thesis>();
+  CoreInfo board = core_info_of<Thesis>();
   board.address_bits = 4;
-  EXPECT_THAT(refusal([&] { prepared("blocks", board); }),
+  EXPECT_THAT(refusal([&] { laid_out("blocks", board); }),
               MatchesRegex("scene 'blocks' needs [0-9]+ tree nodes, [0-9]+ more than the 15 that "
                            "the core reaches; take a configuration with more address_bits than 4"));
   board.address_bits = kAddressBits;
   board.matrix_bits = 3;
-  EXPECT_THAT(refusal([&] { prepared("blocks", board); }),
+  EXPECT_THAT(refusal([&] { laid_out("blocks", board); }),
               MatchesRegex("scene 'blocks' needs [0-9]+ matrices .* more than the 8 that the core "
                            "reaches; take a configuration with more matrix_bits than 3"));
 }
@@ -146,8 +146,8 @@ TEST(Specialised, OneColourIsNotStored) {
   EXPECT_EQ((kSaved<dynrt::HitRecord<Thesis>, dynrt::HitRecord<OneColour>>), 24u);
   EXPECT_EQ((kSaved<JobRecord<Thesis>, JobRecord<OneColour>>), 24u - kAddressBits);
   EXPECT_EQ((kSaved<Found<config::whitted>, Found<LitInOneColour>>), 24u + 6u * 2);
-  const BoardInfo board = board_info_of<OneColour>();
-  EXPECT_THAT(refusal([&] { prepared("blocks", board); }),
+  const CoreInfo board = core_info_of<OneColour>();
+  EXPECT_THAT(refusal([&] { laid_out("blocks", board); }),
               MatchesRegex("scene 'blocks' has surfaces of the colours 0x[0-9a-f]+ and 0x[0-9a-f]+ "
                            "[(]object '.*', 0xBBGGRR[)], and the core has one for all; take a "
                            "configuration without one_colour"));

@@ -19,8 +19,9 @@
 
 #include "core/closed_meshes.h"
 #include "hls/random.h"
-#include "host/app/board_frame.h"
-#include "host/image/form_trees.h"
+#include "host/board/configurations.h"
+#include "host/layout/lay_out.h"
+#include "host/render/render.h"
 #include "units/test_bench.h"
 #include "units/transformation.h"
 
@@ -106,8 +107,8 @@ class Laid {
       p_.scene.instances.push_back(
           {"other", 0, place.instance * glm::translate(glm::dmat4(1.0), place.scale * middle)});
     }
-    p_.trees = trees_for(p_.scene, world(glm::dvec3(0.0)), form());
-    p_.objects = ObjectImage(p_.scene, p_.trees.objects, form());
+    p_.trees = trees_for(p_.scene, world(glm::dvec3(0.0)), core());
+    p_.objects = ObjectImage(p_.scene, p_.trees.objects, core());
   }
 
   glm::dvec3 world(const glm::dvec3& in_mesh) const {
@@ -118,12 +119,12 @@ class Laid {
   }
 
   std::vector<HitRecord> hits(Board& board, const Camera& camera, unsigned width, unsigned height) {
-    p_.camera = camera;
+    p_.view.camera = camera;
     p_.frame = FrameImage(p_.scene, p_.objects, p_.trees.instances, camera, width, height);
     FrameOptions options;
     options.width = width;
     options.height = height;
-    return render_on(board, options, p_).hits;
+    return render(board, options, p_).hits;
   }
   /// Rays without a hit, of a frame that the camera sees.
   std::uint64_t missed(Board& board, const Camera& camera, unsigned width, unsigned height,
@@ -137,15 +138,15 @@ class Laid {
     return missed;
   }
 
-  static ImageForm form() {
-    ImageForm form;
-    form.triangle_test = TriangleTest::kWatertight;
-    return form;
+  static CoreInfo core() {
+    CoreInfo core;
+    core.triangle_test = TriangleTest::kWatertight;
+    return core;
   }
 
  private:
   Place place_;
-  Prepared p_;
+  MemoryImage p_;
 };
 
 /// Sees a random way from a place in the mesh.

@@ -15,13 +15,13 @@
 #include <exception>
 #include <set>
 
-#include "host/app/arguments.h"
-#include "host/app/board_frame.h"
-#include "host/app/text.h"
-#include "host/board/frame_words.h"
+#include "core/scenes.h"
+#include "host/analysis/truth/measures.h"
+#include "host/board/configurations.h"
 #include "host/error.h"
+#include "host/format/frame_words.h"
 #include "host/render/output_file.h"
-#include "host/truth/measures.h"
+#include "host/render/render.h"
 
 namespace dynrt::host {
 namespace {
@@ -63,34 +63,33 @@ void record(const std::string& scene, const std::string& configuration, const st
             const std::string& folder) {
   const auto board = make_board(configurations(), {"model", configuration, ""});
   FrameOptions options;
-  std::tie(options.width, options.height) = parse_size(size);
+  if (std::sscanf(size.c_str(), "%ux%u", &options.width, &options.height) != 2) {
+    refuse("{}: is no size; write the pixels as WxH, for example 16x12", size);
+  }
   options.lines = kLines;
-  options.reflections = std::min(kReflections, board->info().reflections);
-  SceneArguments arguments;
-  arguments.scene = scene;
-  const Prepared prepared = prepare(arguments, options.width, options.height, &board->info());
-  const Frame frame = render_on(*board, options, prepared);
-  const FrameConfig config =
-      frame_config(board->info(), options, addresses_of(prepared.frame, prepared.scene));
+  options.reflections = std::min(kReflections, board->core().reflections);
+  const MemoryImage image = laid_out(scene, options.width, options.height, board->core());
+  const Frame frame = render(*board, options, image);
+  const FrameConfig config = frame_config(board->core(), options, image.frame);
   const unsigned objects = objects_hit(frame);
   if (objects < 2) {
     refuse("{}: the rays of {} hit {}; record a frame that shows several", scene, size,
-           counted(objects, "object"));
+           objects == 1 ? "one object" : "nothing");
   }
-  std::string seen = counted(objects, "object") + " hit";
-  if (board->info().lights > 0) {
+  std::string seen = fmt::format("{} objects hit", objects);
+  if (board->core().lights > 0) {
     const TruthFrame truth =
-        truth_of_frame(Truth(prepared.scene), prepared.camera, shading_of(board->info(), config));
+        truth_of_frame(Truth(image.scene), image.view.camera, shading_of(board->core(), config));
     const std::size_t dark = shadows(frame, truth);
     if (dark == 0) {
       refuse("{}: no light ray of {} is blocked; record a frame with shadows", scene, size);
     }
-    seen += fmt::format(", {} blocked of {}", dark, counted(truth.light_rays.size(), "light ray"));
+    seen += fmt::format(", {} blocked of {} light rays", dark, truth.light_rays.size());
   }
 
-  write_text(folder + "/frame.hex", hex(board->info().frame_words(config)));
+  write_text(folder + "/frame.hex", hex(board->core().frame_words(config)));
   std::array<std::string, kSceneBanks> banks;
-  for (const MemoryPart* part : {&prepared.objects.memory, &prepared.frame.memory}) {
+  for (const MemoryPart* part : {&image.objects.memory, &image.frame.memory}) {
     for (const MemoryRun& run : part->runs()) {
       banks.at(run.bank) += fmt::format("@{:x}\n{}", run.address, hex(run.words));
     }

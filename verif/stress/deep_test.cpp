@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "host/analysis/stress/run.h"
 #include "host/board/configurations.h"
-#include "host/stress/run.h"
 
 namespace dynrt::host::stress {
 namespace {

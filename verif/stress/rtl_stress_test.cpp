@@ -24,8 +24,8 @@ OpenBoard open_checked(int seed) {
     if (c == configurations().end() || c->traced == nullptr) {
       throw UserError(configuration + " has no Verilog here");
     }
-    BoardInfo info = c->info();
-    info.configuration = configuration;
+    CoreInfo info = c->core();
+    info.name = configuration;
     return std::make_unique<RtlBoard>(std::move(info), c->traced("", seed),
                                       counters_of(c->core_json()));
   };

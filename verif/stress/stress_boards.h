@@ -13,8 +13,8 @@
 #include <tuple>
 #include <vector>
 
+#include "host/analysis/stress/run.h"
 #include "host/board/configurations.h"
-#include "host/stress/run.h"
 
 namespace dynrt::host::stress {
 

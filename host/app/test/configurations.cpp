@@ -31,14 +31,14 @@ std::string_view stand_in_json() {
 
 std::span<const Configuration> configurations() {
   static constexpr Configuration kTable[] = {
-      {.name = "model_only", .info = board_info_of<config::thesis>, .native = make_core},
+      {.name = "model_only", .core = core_info_of<config::thesis>, .native = make_core},
       {.name = "stand_in",
-       .info = board_info_of<config::thesis>,
+       .core = core_info_of<config::thesis>,
        .native = make_core,
        .rtl = make_stand_in_board,
        .traced = make_stand_in_board_traced,
        .core_json = stand_in_json},
-      {.name = "lit", .info = board_info_of<config::whitted>, .native = make_lit_core},
+      {.name = "lit", .core = core_info_of<config::whitted>, .native = make_lit_core},
   };
   return kTable;
 }

@@ -19,8 +19,8 @@ class IdleCore final : public NativeCore {
   std::vector<Counter> counters() override { return {}; }
 };
 
-BoardInfo info() {
-  BoardInfo info;
+CoreInfo info() {
+  CoreInfo info;
   info.packets = 3;
   return info;
 }
@@ -36,7 +36,7 @@ const char dynrt_configuration_fingerprint[] = "00000000000000000000000000000000
 const dynrt::host::Configuration* dynrt_configuration() {
   static constexpr dynrt::host::Configuration kConfiguration = {
       .name = "loadable",
-      .info = dynrt::host::info,
+      .core = dynrt::host::info,
       .native = []() -> std::unique_ptr<dynrt::host::NativeCore> {
         return std::make_unique<dynrt::host::IdleCore>();
       }};

@@ -7,7 +7,9 @@ Usage: scripts/check-layers [ROOT]
     language <- hls/units
     language <- hls/compiler             (which lowers anybody's units and knows none;
                                           its front and back end share the netlist alone)
-    language, the units' published headers <- host <- verif, which may include everything
+    language, the units' published headers <- host <- verif, which may include all but the program
+    the rooms of host, each of which may include those before it:
+        format, picture, scene, memory, tree, specialise, layout, board, render, analysis, app
 
 An include is followed to the file that it names (beside the including file, then in the include
 folders); standard and library headers are nobody's room and always allowed.
@@ -22,6 +24,22 @@ from dynrt_tools import project
 # The rooms, most specific folder first, and what each may include besides itself.
 LANGUAGE = ("hls/include", "hls/native", "hls/lowered")
 BACK_END = ("netlist", "passes", "schedule", "emit")
+HOST = tuple(
+    f"host/{room}"
+    for room in (
+        "format",
+        "picture",
+        "scene",
+        "memory",
+        "tree",
+        "specialise",
+        "layout",
+        "board",
+        "render",
+        "analysis",
+        "app",
+    )
+)
 ROOMS = {
     "hls/include": {"hls/native", "hls/lowered"},
     "hls/native": {"hls/include"},
@@ -38,8 +56,9 @@ ROOMS = {
     },
     "hls/compiler": {*LANGUAGE, *(f"hls/compiler/{p}" for p in (*BACK_END, "frontend"))},
     "rtl": set(LANGUAGE),
-    "host": set(LANGUAGE),
-    "verif": {*LANGUAGE, "hls/units", "hls/compiler", "host", "rtl"},
+    **{room: {*LANGUAGE, "host", *HOST[:place]} for place, room in enumerate(HOST)},
+    "host": set(LANGUAGE),  # what belongs to no room of its own: errors
+    "verif": {*LANGUAGE, "hls/units", "hls/compiler", "host", *HOST[:-1], "rtl"},
 }
 # What a room shows to others, and to whom: the host may know the core's memory formats and frame
 # registers, the board that runs the native model may include it, and the program that writes down

@@ -22,8 +22,8 @@ RIGHT = {
     "hls/compiler/emit/emit.h": "#include <string>\n",
     "hls/compiler/emit/emit.cpp": '#include "emit/emit.h"\n#include "hls/int.h"\n',
     "host/board/model_board.h": '#include "units/core_model.h"\n',
-    "host/image/pack.h": '#include "units/memory_format.h"\n#include "fmt/format.h"\n',
-    "verif/unit/mailbox_cosim.cpp": '#include "units/mailbox.h"\n#include "host/image/pack.h"\n',
+    "host/memory/pack.h": '#include "units/memory_format.h"\n#include "fmt/format.h"\n',
+    "verif/unit/mailbox_cosim.cpp": '#include "units/mailbox.h"\n#include "host/memory/pack.h"\n',
 }
 
 
@@ -60,8 +60,8 @@ class CheckLayers(unittest.TestCase):
     def test_unit_knows_no_host(self):
         self.assert_refused(
             "hls/units/bad.h",
-            '#include "../../host/image/pack.h"\n',
-            "hls/units/bad.h:1: includes host/image/pack.h",
+            '#include "../../host/memory/pack.h"\n',
+            "hls/units/bad.h:1: includes host/memory/pack.h",
         )
 
     def test_back_end_knows_no_front_end(self):
@@ -87,7 +87,7 @@ class CheckLayers(unittest.TestCase):
         self.assert_refused(
             "host/app/bad.cpp",
             '#include "units/mailbox.h"\n',
-            "includes hls/units/mailbox.h, but host may include only",
+            "includes hls/units/mailbox.h, but host/app may include only",
         )
 
     def test_only_the_board_runs_the_model(self):
@@ -96,6 +96,24 @@ class CheckLayers(unittest.TestCase):
             '#include "units/core_model.h"\n',
             "host/app/bad.cpp:1: includes hls/units/core_model.h",
         )
+
+    def test_a_room_of_the_host_knows_those_before_it(self):
+        self.assert_refused(
+            "host/memory/bad.h",
+            '#include "host/board/model_board.h"\n',
+            "host/memory/bad.h:1: includes host/board/model_board.h, but host/memory may include "
+            "only",
+        )
+
+    def test_only_the_program_includes_the_program(self):
+        result = self.run_on(
+            {
+                "host/app/flags.h": "#pragma once\n",
+                "verif/core/bad.cpp": '#include "host/app/flags.h"\n',
+            }
+        )
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("verif/core/bad.cpp:1: includes host/app/flags.h", result.stderr)
 
     def test_nothing_includes_verification(self):
         self.assert_refused(

@@ -8,35 +8,10 @@ from dynrt_tools.project import Failed
 
 TEXTS = ("about", "made_for", "made_from", "rtl")  # of a configuration, and nothing of its core
 
-# What a core for use has no need of, unless --keep asks for it.
-RELEASE = {
-    "counters": (False, "a core for use need not count what its units do"),
-    "scan_out": (False, "no VGA display is asked for"),
-}
-# Why the others are as in the general configuration.
-SAME_BITS = "as in {general}: another value would give other bits"
-KEPT = {
-    "epsilon": "as in {general}: with another value other triangles would be hit",
-    "sram_latency": "as in {general}: it is the board's",
-    "crossing": "as in {general}: reflected rays may cross",
-    "object_box": "as in {general}: clipped otherwise, rays round otherwise",
-}
-
 
 def called(general_name):
     """A configuration's name, also of one that a file states."""
     return pathlib.Path(general_name).stem
-
-
-def least(kind, value):
-    """The value, or the least that the key may be."""
-    return max(value, kind.low) if hasattr(kind, "power_of_two") else value
-
-
-def no_more(value, general):
-    """What is needed, but never more than the general core has."""
-    numbers = type(value) is int and type(general) is int
-    return min(value, general) if numbers else value
 
 
 def decide(keys, general_name, general, needed, measured, keep):
@@ -49,20 +24,15 @@ def decide(keys, general_name, general, needed, measured, keep):
                 f"{', '.join(k for k in keys if k not in TEXTS)}"
             )
     decided, general_name = {}, called(general_name)
-    for name, key in keys.items():
+    for name in keys:
         if name in TEXTS:
             continue
         if name in keep:
             value, reason = general[name], f"as in {general_name}: --keep asks for it"
         elif name in measured:
             value, reason = measured[name]
-        elif name in needed:
-            value, reason = needed[name]["value"], needed[name]["reason"]
-            value = least(key.kind, no_more(value, general[name]))
-        elif name in RELEASE:
-            value, reason = RELEASE[name]
         else:
-            value, reason = general[name], KEPT.get(name, SAME_BITS).format(general=general_name)
+            value, reason = needed[name]["value"], needed[name]["reason"]
         decided[name] = {"value": value, "reason": reason}
     return decided
 

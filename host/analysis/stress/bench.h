@@ -1,0 +1,101 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Where a stress case is run: it has trials rendered on a board, and judges what comes back by the
+// truth or by other frames.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/analysis/stress/outcome.h"
+#include "host/analysis/stress/trial.h"
+#include "host/board/board.h"
+#include "host/render/frame.h"
+
+namespace dynrt::host::stress {
+
+/// Opens the board of a configuration.
+using OpenBoard = std::function<std::unique_ptr<Board>(const std::string& configuration)>;
+
+/// The frames of a trial, and what the numbers in their records stand for.
+struct Rendered {
+  std::vector<Frame> frames;  ///< one a shot
+  /// Which primitive a hit of a frame's record is, if it is one of the scene, which must still be
+  /// there.
+  std::function<std::optional<PrimitiveId>(std::size_t frame, const HitRecord& hit)> primitive_of;
+
+  std::uint64_t dropped_pushes() const;
+};
+
+/// Whether the board's core has lost hits to a full stack, by its counter.
+std::uint64_t dropped_pushes(const Frame& frame);
+
+/// A board that a case needs cannot be had.
+struct NoBoard : UserError {
+  using UserError::UserError;
+};
+
+/// The boards that were opened so far; cases share them. Throws NoBoard.
+class Boards {
+ public:
+  Boards(OpenBoard open, std::string configuration)
+      : open_(std::move(open)), configuration_(std::move(configuration)) {}
+  Board& get(const std::string& configuration);
+  Board& get() { return get(configuration_); }
+  const std::string& configuration() const { return configuration_; }
+
+ private:
+  OpenBoard open_;
+  std::string configuration_;
+  std::map<std::string, std::unique_ptr<Board>> boards_;
+};
+
+class Bench {
+ public:
+  /// `frames`, if there is one, is given every frame rendered: for comparing boards.
+  explicit Bench(Boards& boards, std::vector<Frame>* frames = nullptr)
+      : boards_(boards), frames_(frames) {}
+
+  /// Those of the core.
+  const MemoryFormat& numbers() { return *board().core().format; }
+
+  Rendered render(const Trial& trial);
+  /// Renders, and judges by the truth.
+  Rendered check(const Trial& trial);
+  void judge(const Trial& trial, const Rendered& rendered);
+  /// Counts the rays of `frames` whose hits are not those of `expected`; `change`, if there is one,
+  /// makes of a hit the one that is expected in its place.
+  void expect_same(const Rendered& rendered, const Rendered& expected,
+                   const std::function<HitRecord(HitRecord)>& change = {});
+  /// The host must refuse the trial with a sentence that has these words in it.
+  void expect_refusal(const Trial& trial, const std::string& words);
+  void count(Fault fault, std::uint64_t rays) { outcome_[fault] += rays; }
+
+  Board& board() { return boards_.get(); }
+  /// The configuration that has light and reflection rays besides what the board's core has.
+  std::string with_secondary_rays();
+  const Outcome& outcome() const { return outcome_; }
+  /// The host has refused what it should not.
+  void refused(const std::string& sentence) { outcome_.refusal = sentence; }
+  /// It has refused what the board's core was not made for.
+  void exceeded(const std::string& sentence) {
+    outcome_.refusal = sentence;
+    outcome_.exceeds_core = true;
+  }
+
+ private:
+  void take(const Frame& frame);
+  void judge_hit(const Truth& truth, const TruthRay& ray, const TruthHit& nearest,
+                 std::optional<PrimitiveId> id, double t);
+
+  Boards& boards_;
+  Outcome outcome_;
+  std::vector<Frame>* frames_;
+};
+
+}  // namespace dynrt::host::stress

@@ -1,0 +1,60 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The stress cases: scenes and rays where the numbers are hard (thesis chapters 3 to 5 with 17 bits
+// of significand), each small enough to read, each with what may go wrong and why. One table: the
+// program runs it, the tests run it, docs/results/stress.md is made from it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/analysis/stress/bench.h"
+#include "host/analysis/stress/outcome.h"
+
+namespace dynrt::host::stress {
+
+struct Case {
+  std::string group;
+  std::string name;   ///< within the group
+  std::string about;  ///< what is tried
+  std::function<void(Bench&)> run;
+  Allowed unit_triangle{};  ///< of cores with the thesis's triangle test (5.2)
+  std::string why{};        ///< it may: the reason for what is allowed
+  /// Of cores with the watertight test, where it is not the same.
+  std::optional<Allowed> watertight{};
+
+  /// What is allowed on a board, and why; stated if its core computes as those that were measured.
+  /// Of cracks between triangles a watertight core has none.
+  Allowed allowed(const CoreInfo& board) const;
+  std::string why_on(const CoreInfo& board) const;
+
+  std::string full_name() const { return group + "/" + name; }
+};
+
+/// All, group by group.
+std::span<const Case> cases();
+
+/// Those of a name, of a group, or all; throws UserError that lists what there is.
+std::vector<const Case*> find_cases(std::span<const std::string> names);
+
+// One file each.
+std::vector<Case> sliver_cases();
+std::vector<Case> size_cases();
+std::vector<Case> far_cases();
+std::vector<Case> plane_cases();
+std::vector<Case> grazing_cases();
+std::vector<Case> end_cases();
+std::vector<Case> edge_cases();
+std::vector<Case> degenerate_cases();
+std::vector<Case> instance_cases();
+std::vector<Case> overlap_cases();
+std::vector<Case> stack_cases();
+std::vector<Case> exponent_cases();
+std::vector<Case> camera_cases();
+std::vector<Case> frame_cases();
+
+}  // namespace dynrt::host::stress

@@ -1,0 +1,72 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What went wrong in a stress case, how often, and how often it may.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace dynrt::host::stress {
+
+/// Each counts rays.
+enum class Fault : std::uint8_t {
+  kLost,       ///< hits something and is reported to hit nothing
+  kInvented,   ///< hits nothing and is reported to hit something
+  kWrong,      ///< is reported to hit a triangle that is not where the nearest is
+  kTwice,      ///< of triangles tested one by one more than one claims it
+  kDifferent,  ///< must give the same bits as another ray or frame and does not
+  kUnsaid,     ///< is lost by a full stack that the counter does not tell of
+  kAccepted,   ///< belongs to a scene that the host must refuse and does not
+};
+inline constexpr std::size_t kFaults = 7;
+
+struct FaultText {
+  const char* name;
+  const char* meaning;
+};
+/// In the order of Fault.
+std::span<const FaultText, kFaults> fault_texts();
+
+/// Nothing may go wrong unless a case says so.
+struct Allowed {
+  std::uint64_t lost = 0, invented = 0, wrong = 0, twice = 0;
+  double distance = 0x1p-10;  ///< relative error of the hit distance, at most
+  /// Whether that is known: it was measured in the shipped format with the thesis's and with the
+  /// watertight arithmetic, and is not stated of other cores.
+  bool stated = true;
+
+  /// What must give the same bits, be said or be refused must always. Where nothing is stated of
+  /// the others there is no bound.
+  std::optional<std::uint64_t> count(Fault fault) const;
+};
+
+struct Outcome {
+  std::uint64_t rays = 0;
+  std::uint64_t hits = 0;
+  std::array<std::uint64_t, kFaults> faults{};
+  double distance = 0;               ///< largest relative error of a hit distance
+  std::uint64_t dropped = 0;         ///< pushes onto full stacks, as the core counts them
+  std::uint64_t digest = kNoDigest;  ///< of every hit record and pixel
+  double seconds = 0;
+  std::string refusal;  ///< what the host said
+  bool refusal_expected = false;
+  bool exceeds_core = false;  ///< a specialised core was made for less: the refusal has the key
+
+  static constexpr std::uint64_t kNoDigest = 0xcbf29ce484222325;  ///< FNV-1a of nothing
+
+  std::uint64_t& operator[](Fault fault) { return faults[static_cast<std::size_t>(fault)]; }
+  std::uint64_t operator[](Fault fault) const { return faults[static_cast<std::size_t>(fault)]; }
+  void digest_word(std::uint32_t word);
+};
+
+bool within(const Outcome& outcome, const Allowed& allowed);
+
+/// "lost 2 (of 5 allowed), distance 1.2e-05 (of 1.0e-03)": what was seen or may be.
+std::string text_of(const Outcome& outcome, const Allowed& allowed);
+
+}  // namespace dynrt::host::stress

@@ -1,0 +1,23 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What stress cases allow a core with the watertight triangle test, where that is neither what they
+// allow the thesis's test nor the same without its cracks.
+#pragma once
+
+#include <string>
+
+#include "host/analysis/stress/outcome.h"
+
+namespace dynrt::host::stress {
+
+struct WatertightBound {
+  const char* name;  ///< of the case, with its group
+  Allowed allowed;
+  const char* why;
+};
+
+/// Null where there is none.
+const WatertightBound* watertight_bound(const std::string& full_name);
+
+}  // namespace dynrt::host::stress

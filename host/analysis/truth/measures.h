@@ -1,0 +1,68 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// How wrong a frame is: its hit records and pixels held against the truth. What each measure means
+// is in the one table that measures() gives; docs/reference/measures.md is checked against it.
+//
+// A frame gives hit records of primary rays alone. What light and reflection rays have found shows
+// in the pixels: they are judged where the primary ray has hit what it should, so that a wrong
+// pixel is theirs.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+
+#include "host/analysis/truth/frame_truth.h"
+#include "host/layout/frame_image.h"
+#include "host/render/frame.h"
+
+namespace dynrt::host {
+
+struct MeasureDefinition {
+  const char* group;  ///< "primary", "light", "reflection": the rays; "image"
+  const char* name;
+  const char* unit;
+  const char* better;  ///< "less" or "more"; "-" if it is no error
+  const char* meaning;
+};
+
+/// All, group by group.
+std::span<const MeasureDefinition> measures();
+/// As rows of a Markdown table.
+std::string measures_table();
+
+/// How a board shades a frame.
+TruthShading shading_of(const CoreInfo& core, const FrameConfig& frame);
+
+/// Which primitive of which instance the matrices of a hit record are.
+class MatrixOwners {
+ public:
+  MatrixOwners(const Scene& scene, const ObjectImage& objects, const FrameImage& frame);
+  /// Nothing for numbers that are no instance's and no primitive's of its object.
+  std::optional<PrimitiveId> of(std::uint32_t object, std::uint32_t triangle) const;
+
+ private:
+  const Scene& scene_;
+  std::uint32_t first_instance_;
+  std::uint32_t stride_;                             ///< from one instance's matrix to the next
+  std::vector<std::vector<std::uint32_t>> numbers_;  ///< of every object's primitives
+};
+
+/// The value of a number of the board's format (MemoryFormat::number).
+using NumberOf = std::function<double(std::uint32_t bits)>;
+
+/// {group: {name: figure}} of all groups that the frame has: "light" only where there are light
+/// rays, "reflection" likewise. A figure that cannot be told is null. `frame` is of the size of
+/// `truth` and has hit records.
+nlohmann::ordered_json measure(const Truth& truth, const TruthFrame& expected, const Frame& frame,
+                               const MatrixOwners& owners, const NumberOf& number);
+
+/// The picture of how the pixels differ: of each channel 16 times the distance, so that one level
+/// is seen; 0x00BBGGRR.
+std::vector<std::uint32_t> difference_picture(std::span<const std::uint32_t> expected,
+                                              std::span<const std::uint32_t> pixels);
+
+}  // namespace dynrt::host

@@ -1,0 +1,83 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/format/configuration_json.h"
+
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+
+namespace dynrt {
+
+namespace {
+
+template <class Value>
+Json json_of_value(const Value& value) {
+  if constexpr (std::is_enum_v<Value>) {
+    const auto names = names_of(value);
+    return std::ranges::find(names, value, &decltype(names)::value_type::first)->second;
+  } else if constexpr (requires { members_of(value); }) {
+    Json list = Json::array();
+    for (const auto& [member, name] : members_of(value)) {
+      if (value.*member) list.push_back(name);
+    }
+    return list;
+  } else {
+    return value;
+  }
+}
+
+template <class Value>
+void read(const Json& json, Value& value) {
+  if constexpr (std::is_enum_v<Value>) {
+    const auto names = names_of(value);
+    const auto found =
+        std::ranges::find(names, json.get<std::string>(), &decltype(names)::value_type::second);
+    if (found == names.end()) throw std::invalid_argument(json.dump());
+    value = found->first;
+  } else if constexpr (requires { members_of(value); }) {
+    const auto listed = json.get<std::vector<std::string>>();
+    for (const auto& [member, name] : members_of(value)) {
+      value.*member = std::ranges::find(listed, name) != listed.end();
+    }
+  } else {
+    value = json.get<Value>();
+  }
+}
+
+}  // namespace
+
+Json json_of(const CoreConfiguration& configuration) {
+  Json json = {{"name", configuration.name}};
+  for_each_key(configuration, [&](const ConfigurationKey& key, const auto& value) {
+    json[std::string(key.name)] = json_of_value(value);
+  });
+  return json;
+}
+
+Json value_of(const CoreConfiguration& configuration, std::string_view name) {
+  std::optional<Json> found;
+  for_each_key(configuration, [&](const ConfigurationKey& key, const auto& value) {
+    if (key.name == name) found = json_of_value(value);
+  });
+  if (!found) throw std::out_of_range(std::string(name));
+  return *found;
+}
+
+CoreConfiguration configuration_of(const Json& json) {
+  CoreConfiguration configuration;
+  configuration.name = json.value("name", "");
+  for_each_key(configuration, [&](const ConfigurationKey& key, auto& value) {
+    const auto stated = json.find(key.name);
+    if (stated == json.end()) return;
+    try {
+      read(*stated, value);
+    } catch (const std::exception& error) {
+      throw std::invalid_argument("key '" + std::string(key.name) + "': " + error.what());
+    }
+  });
+  return configuration;
+}
+
+}  // namespace dynrt

@@ -1,0 +1,39 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/format/configuration_json.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace dynrt {
+namespace {
+
+TEST(ConfigurationJson, GivesBackEveryListedConfiguration) {
+  ASSERT_FALSE(listed_configurations().empty());
+  for (const CoreConfiguration& listed : listed_configurations()) {
+    EXPECT_EQ(configuration_of(json_of(listed)), listed) << listed.name;
+  }
+}
+
+TEST(ConfigurationJson, WritesValuesAsTheTableHasThem) {
+  const auto listed = listed_configurations();
+  const auto found = std::ranges::find(listed, "primitives", &CoreConfiguration::name);
+  ASSERT_NE(found, listed.end());
+  const Json json = json_of(*found);
+  EXPECT_EQ(json.begin().key(), "name");
+  EXPECT_EQ(json.at("packets"), 32);
+  EXPECT_EQ(json.at("rounding"), "nearest_even");
+  EXPECT_EQ(json.at("primitives"), Json({"triangle", "sphere", "rectangle"}));
+  EXPECT_EQ(value_of(*found, "lights"), 0);
+  EXPECT_THROW(value_of(*found, "lihgts"), std::out_of_range);
+}
+
+TEST(ConfigurationJson, RefusesWhatIsOfAnotherKind) {
+  EXPECT_THROW(configuration_of(Json{{"rounding", "up"}}), std::invalid_argument);
+  EXPECT_THROW(configuration_of(Json{{"packets", "many"}}), std::invalid_argument);
+  EXPECT_EQ(configuration_of(Json::object()), CoreConfiguration{});
+}
+
+}  // namespace
+}  // namespace dynrt

@@ -1,0 +1,52 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// All that the host knows of a core: the keys of its configuration, the words that its memory and
+// its frame registers take, and the core that it was specialised from. A board hands it out;
+// images, trees and reports hold it and copy nothing.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "configs/core_configuration.h"
+#include "host/format/frame_words.h"
+#include "host/format/memory_format_of.h"
+
+namespace dynrt::host {
+
+struct CoreInfo : CoreConfiguration {
+  const MemoryFormat* format = &kShippedFormat;  ///< its numbers, and how its memory holds them
+  /// The words of its FRAME registers.
+  std::vector<std::uint32_t> (*frame_words)(const FrameConfig&) = frame_words_of<ShippedRegisters>;
+  /// The configuration that it was specialised from, if it was.
+  std::shared_ptr<const CoreConfiguration> general = {};
+
+  /// Every key as by default, with the numbers of a format.
+  explicit CoreInfo(const MemoryFormat& of_format) : format(&of_format) {
+    exponent_bits = format->exponent_bits;
+    mantissa_bits = format->mantissa_bits;
+    rounding = format->rounding;
+  }
+  CoreInfo() : CoreInfo(kShippedFormat) {}
+  explicit CoreInfo(CoreConfiguration keys) : CoreConfiguration(std::move(keys)) {}
+
+  /// Whether it was specialised, and may hold less than other scenes need.
+  bool is_specialised() const { return made_for != CoreConfiguration{}.made_for; }
+  /// Whether objects lie in the memory such that their box is the cube from -1 to 1, to which the
+  /// core clips (units/box_clip.h).
+  bool clips_to_box() const { return object_box == ObjectBox::kUnit; }
+};
+
+/// What the host knows of the core of struct C; its name is the table's to give.
+template <class C>
+CoreInfo core_info_of() {
+  CoreInfo core(configuration_of<C>());
+  core.format = &kMemoryFormatOf<typename C::Real>;
+  core.frame_words = frame_words_of<C>;
+  return core;
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,138 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/layout/frame_image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
+
+#include "host/error.h"
+#include "host/layout/add_tree.h"
+#include "host/layout/limits.h"
+#include "host/layout/messages.h"
+#include "host/memory/matrix_numbers.h"
+
+namespace dynrt::host {
+
+namespace {
+
+/// A light as units/light_columns.h reads it: position in columns 2 and 3, intensity in column 0,
+/// the colour in its spare bytes.
+MatrixColumns light_columns(const PointLight& light) {
+  const double intensity = std::max({light.colour.x, light.colour.y, light.colour.z, 0.0});
+  glm::dmat4x3 matrix(0.0);
+  matrix[0][0] = intensity;
+  matrix[2] = matrix[3] = light.position;
+  return to_columns(matrix, intensity > 0 ? colour_bits(light.colour / intensity) : 0);
+}
+
+/// Where rays from the camera enter an object's tree.
+std::uint32_t entry_of(const ObjectImage::Object& object, const glm::dvec3& eye) {
+  return object.box.holds(eye) ? object.root : object.clipped_root;
+}
+
+/// Of the only object of a core of one level.
+std::uint32_t root_of_all(const Scene& scene, const ObjectImage& objects, const Camera& camera) {
+  if (scene.instances.size() != 1) {
+    refuse(messages::kOneObject, scene.name, scene.instances.size());
+  }
+  const Instance& instance = scene.instances[0];
+  if (instance.transform != glm::dmat4(1.0)) {
+    refuse(messages::kNotAsItIs, scene.name, instance.name);
+  }
+  return entry_of(objects.objects.at(instance.object), camera.position);
+}
+
+/// Appends the tree of instances and their matrices, whose first is the next. Returns the node
+/// where the camera's rays start.
+std::uint32_t add_instances(MemoryPart& part, const Scene& scene, const ObjectImage& objects,
+                            const Tree& instances, const Camera& camera) {
+  const MemoryFormat& format = *part.format;
+  const std::uint32_t stride = has_mirrors(scene) ? 2 : 1;
+  const std::uint32_t first = part.end_matrix();
+  std::vector<std::uint32_t> matrix_of(scene.instances.size());
+  for (std::uint32_t i = 0; i < matrix_of.size(); ++i) matrix_of[i] = first + stride * i;
+  const std::uint32_t base = add_tree(part, instances, matrix_of, nullptr);
+  check_limits(scene, objects.core, part);
+  check_matrices(scene, objects.core, first + stride * scene.instances.size());
+  part.columns.reserve(4 * (stride * scene.instances.size() + 1 + scene.lights.size()));
+  for (const Instance& instance : scene.instances) {
+    const glm::dmat4 inverse = glm::inverse(instance.transform);
+    const ObjectImage::Object& object = objects.objects.at(instance.object);
+    const glm::dmat4x3 matrix(object.to_space * inverse);
+    if (!std::isfinite(inverse[3][3]) || glm::determinant(instance.transform) == 0) {
+      refuse(messages::kFlatInstance, instance.name);
+    }
+    if (const auto element = out_of_range(format, matrix)) {
+      refuse(messages::kInstanceRange, instance.name, *element, format.largest, format.largest);
+    }
+    const glm::dvec3 eye(inverse * glm::dvec4(camera.position, 1.0));
+    part.add(to_columns(matrix, entry_of(object, eye)));
+    if (stride == 2) {
+      const glm::dmat4 back = instance.transform * glm::inverse(object.to_space);
+      part.add(to_columns(glm::dmat4x3(back), 0));
+    }
+  }
+  return base + instances.entry(camera.position);
+}
+
+}  // namespace
+
+FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tree& instances,
+                       const Camera& camera, unsigned width, unsigned height) {
+  const MemoryFormat& format = *objects.memory.format;
+  const double largest = format.largest;
+  memory.format = &format;
+  memory.first_node = objects.memory.end_node();
+  memory.first_entry = objects.memory.end_entry();
+  first_instance = objects.memory.end_matrix();
+  memory.first_column = 4 * first_instance;
+  colour = first_colour(scene);
+  lights = static_cast<unsigned>(scene.lights.size());
+  if (objects.core.levels == 1) {
+    start_node = root_of_all(scene, objects, camera);
+  } else {
+    start_node = add_instances(memory, scene, objects, instances, camera);
+  }
+  check_limits(scene, objects.core, memory);
+  check_matrices(scene, objects.core, memory.end_matrix() + 1 + scene.lights.size());
+
+  const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
+  if (const auto element = out_of_range(format, from_pixels)) {
+    refuse(messages::kCameraRange, *element, largest, largest);
+  }
+  camera_matrix = memory.end_matrix();
+  memory.add(to_columns(from_pixels, 0));
+  light_matrix = memory.end_matrix();
+  for (const PointLight& light : scene.lights) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!format.holds(light.position[axis])) {
+        refuse(messages::kLightRange, light.name, static_cast<char>('x' + axis),
+               light.position[axis], largest, largest);
+      }
+    }
+    memory.add(light_columns(light));
+  }
+}
+
+double MemoryUse::tree_megabytes() const {
+  return word_bytes * (2.0 * static_cast<double>(nodes) + static_cast<double>(list_entries)) / 1e6;
+}
+
+double MemoryUse::matrix_megabytes() const {
+  return word_bytes * 12.0 * static_cast<double>(matrices) / 1e6;
+}
+
+MemoryUse memory_use(const FrameImage& frame) {
+  return {frame.memory.end_node(), frame.memory.end_entry(), frame.memory.end_matrix(),
+          frame.memory.format->word_bits / 8.0};
+}
+
+glm::dmat4x3 camera_matrix(const Camera& camera, unsigned width, unsigned height) {
+  const glm::dvec3 across = camera.right / static_cast<double>(width);
+  const glm::dvec3 down = -camera.up / static_cast<double>(height);
+  const glm::dvec3 corner = camera.forward - 0.5 * camera.right + 0.5 * camera.up;
+  return {across, down, corner + 0.5 * across + 0.5 * down, camera.position};
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,328 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/layout/frame_image.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/matrix.hpp>
+
+#include "host/error.h"
+#include "host/layout/test_scene.h"
+#include "host/tree/scene_trees.h"
+#include "host/tree/test_meshes.h"
+
+namespace dynrt::host {
+namespace {
+
+using testing::add_triangle;
+using testing::expect_near;
+using testing::Laid;
+using testing::scene_of;
+using testing::two_objects;
+
+/// Compares a tree with what lies at an address, node by node and entry by entry.
+void expect_tree(const SceneMemory& memory, const Tree& tree, std::uint32_t index,
+                 std::uint32_t address, std::uint32_t first_matrix) {
+  if (index == kNullNode) {
+    EXPECT_EQ(address, 0u);
+    return;
+  }
+  const TreeNode& expected = tree.nodes[index];
+  const MemoryNode node = memory.node(address);
+  ASSERT_EQ(static_cast<std::uint8_t>(node.kind), expected.axis);
+  if (expected.is_leaf()) {
+    for (std::uint32_t i = 0; i < expected.right; ++i) {
+      const ListEntry entry = memory.entry(node.left + i);
+      ASSERT_EQ(entry.matrix.to_u64(), first_matrix + tree.items[expected.left + i]);
+      ASSERT_EQ(entry.last, i + 1 == expected.right);
+    }
+    return;
+  }
+  ASSERT_EQ(node.split, expected.split);
+  expect_tree(memory, tree, expected.left, node.left, first_matrix);
+  expect_tree(memory, tree, expected.right, node.right, first_matrix);
+}
+
+class ImageIn : public ::testing::TestWithParam<const MemoryFormat*> {};
+
+TEST_P(ImageIn, TreesAndMatricesComeBackFromTheBanks) {
+  const MemoryFormat& format = *GetParam();
+  const double step = std::ldexp(1.0, -static_cast<int>(format.mantissa_bits));
+  const Laid laid(two_objects(), testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}), format);
+  std::uint32_t first_matrix = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Tree& tree = laid.trees.objects[k];
+    const ObjectImage::Object& object = laid.objects.objects[k];
+    EXPECT_EQ(object.first_matrix, first_matrix);
+    expect_tree(laid.memory, tree, tree.clipped_root, object.clipped_root, first_matrix);
+    expect_tree(laid.memory, tree, tree.root, object.root, first_matrix);
+    const Mesh& mesh = laid.scene.objects[k];
+    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+      const MatrixColumns columns = laid.memory.matrix(first_matrix + i);
+      ASSERT_EQ(extra_bits(columns), k == 0 ? 0x808080u : 0x0080ffu);
+      // The corners go to the unit triangle's, the normal to (0, 0, 1).
+      const glm::dmat4x3 m = from_columns(columns);
+      const glm::uvec3& t = mesh.triangles[i];
+      const glm::dvec3 a = mesh.vertices[t.x], b = mesh.vertices[t.y], c = mesh.vertices[t.z];
+      const glm::dvec3 normal = glm::normalize(glm::cross(a - c, b - c));
+      const double shortest =
+          glm::length(glm::cross(a - c, b - c)) / std::max(glm::length(a - c), glm::length(b - c));
+      const double tolerance = 8 * step / shortest;
+      ASSERT_LT(glm::length(m * glm::dvec4(a, 1) - glm::dvec3(1, 0, 0)), tolerance);
+      ASSERT_LT(glm::length(m * glm::dvec4(b, 1) - glm::dvec3(0, 1, 0)), tolerance);
+      ASSERT_LT(glm::length(m * glm::dvec4(c, 1)), tolerance);
+      ASSERT_NEAR((m * glm::dvec4(normal, 0)).z, 1.0, 8 * step);
+    }
+    first_matrix += static_cast<std::uint32_t>(mesh.triangles.size());
+  }
+  EXPECT_EQ(laid.frame.first_instance, first_matrix);
+  expect_tree(laid.memory, laid.trees.instances, laid.trees.instances.clipped_root,
+              laid.frame.start_node, first_matrix);
+  for (std::uint32_t i = 0; i < laid.scene.instances.size(); ++i) {
+    const MatrixColumns columns = laid.memory.matrix(first_matrix + i);
+    expect_near(from_columns(columns),
+                glm::dmat4x3(glm::inverse(laid.scene.instances[i].transform)), format);
+    EXPECT_EQ(extra_bits(columns), laid.objects.objects[i % 2].clipped_root);
+  }
+  EXPECT_EQ(laid.frame.camera_matrix, first_matrix + 5);
+  const MemoryUse use = memory_use(laid.frame);
+  EXPECT_EQ(use.matrices, first_matrix + 6);
+  EXPECT_EQ(use.nodes, laid.trees.objects[0].nodes.size() + laid.trees.objects[1].nodes.size() +
+                           laid.trees.instances.nodes.size() - 2);
+  EXPECT_DOUBLE_EQ(use.matrix_megabytes(),
+                   1.5e-6 * format.word_bits * static_cast<double>(use.matrices));
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, ImageIn,
+                         ::testing::Values(&kShippedFormat, &kMemoryFormatOf<hls::Float<5, 8>>,
+                                           &kMemoryFormatOf<hls::Float<6, 12>>,
+                                           &kMemoryFormatOf<hls::Float<8, 23>>),
+                         [](const auto& info) {
+                           return fmt::format("E{}M{}", info.param->exponent_bits,
+                                              info.param->mantissa_bits);
+                         });
+
+TEST(Image, OfWideWordsOnlyWholeOnesAreWrittenAgain) {
+  const MemoryFormat& wide = kMemoryFormatOf<hls::Float<8, 23>>;
+  MemoryPart part;
+  part.format = &wide;
+  part.first_column = 8;
+  part.columns = {{{1, 2, 3}, 7}, {{4, 5, 6}, 8}, {{7, 8, 9}, 9}};
+  const std::vector<MemoryRun> before = part.runs();
+  part.columns[1].value[2] = 60;
+  const std::vector<MemoryRun> changes = changed_runs(before, part.runs(), wide.bus_words());
+  ASSERT_EQ(changes.size(), 1u);
+  EXPECT_EQ(changes[0].bank, 2u);
+  EXPECT_EQ(changes[0].address, kColumnBase + 9);
+  EXPECT_EQ(changes[0].words.size(), 2u);
+}
+
+TEST(Image, MirrorsAndLightsHaveMatricesOfTheirOwn) {
+  Scene scene = two_objects();
+  scene.materials[1].mirror = 0.5;
+  scene.lights.push_back({"lamp", {1, 2, 3}, {2, 4, 1}});
+  const Laid laid(scene, testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}));
+  const std::uint32_t plain = laid.objects.objects[1].first_matrix;
+  const Mesh& ball = laid.scene.objects[1];
+  ASSERT_EQ(laid.frame.first_instance, plain + 2 * ball.triangles.size());
+  ASSERT_FALSE(ball.triangles.empty());
+  for (std::uint32_t i = 0; i < ball.triangles.size(); ++i) {
+    const MatrixColumns matrix = laid.memory.matrix(plain + 2 * i);
+    EXPECT_EQ(matrix[1].spare, 128u) << "it reflects half of the light";
+    // A reflection leaves its plane where it is, and what is before it comes to lie behind it.
+    const glm::dmat4x3 mirror = from_columns(laid.memory.matrix(plain + 2 * i + 1));
+    const glm::dmat4x3 triangle = from_columns(matrix);
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+      const glm::dvec3 v = ball.vertices[ball.triangles[i][static_cast<int>(corner)]];
+      EXPECT_NEAR(glm::length(mirror * glm::dvec4(v, 1) - v), 0, 1e-3);
+    }
+    const glm::dvec3 point(0.3, -2.1, 1.7);
+    const glm::dvec3 image = mirror * glm::dvec4(point, 1);
+    EXPECT_NEAR((triangle * glm::dvec4(image, 1)).z, -(triangle * glm::dvec4(point, 1)).z, 1e-3);
+  }
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    const std::uint32_t into = laid.frame.first_instance + 2 * i;
+    const glm::dmat4 there(from_columns(laid.memory.matrix(into)));
+    const glm::dmat4 back(from_columns(laid.memory.matrix(into + 1)));
+    const glm::dvec4 point(0.4, 1.1, -0.7, 1);
+    EXPECT_NEAR(glm::length(back * (there * point) - point), 0, 1e-2);
+  }
+  EXPECT_EQ(laid.frame.camera_matrix, laid.frame.first_instance + 10);
+  EXPECT_EQ(laid.frame.light_matrix, laid.frame.camera_matrix + 1);
+  const MatrixColumns light = laid.memory.matrix(laid.frame.light_matrix);
+  EXPECT_EQ(from_columns(light)[2], glm::dvec3(1, 2, 3));
+  EXPECT_EQ(from_columns(light)[3], glm::dvec3(1, 2, 3));
+  EXPECT_EQ(from_columns(light)[0].x, 4);
+  EXPECT_EQ(extra_bits(light), 128u | 255u << 8 | 64u << 16);
+}
+
+TEST(Image, NodeZeroIsNeverUsed) {
+  const Laid laid(two_objects(), testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}));
+  EXPECT_EQ(laid.objects.memory.first_node, 1u);
+  EXPECT_EQ(laid.frame.memory.first_node, laid.objects.memory.end_node());
+}
+
+TEST(Image, ACameraInsideABoxStartsAtTheRealRoot) {
+  const Laid inside(two_objects(), testing::camera_at({0.1, 0.2, 0.1}, {0, 0, -1}));
+  const Tree& top = inside.trees.instances;
+  EXPECT_EQ(inside.frame.start_node, inside.frame.memory.first_node + top.root - 1);
+  EXPECT_EQ(extra_bits(inside.memory.matrix(inside.frame.first_instance)),
+            inside.objects.objects[0].root);
+  EXPECT_EQ(extra_bits(inside.memory.matrix(inside.frame.first_instance + 1)),
+            inside.objects.objects[1].clipped_root);
+}
+
+TEST(Image, TheCameraMatrixSamplesPixelCentres) {
+  const Camera camera = testing::camera_at({1, 2, 3}, {0.3, -0.2, -1});
+  const glm::dmat4x3 m = camera_matrix(camera, 512, 384);
+  EXPECT_EQ(m * glm::dvec4(0, 0, 0, 1), camera.position);
+  // The top left pixel's centre is half a pixel right of and below the picture's corner.
+  const glm::dvec3 expected =
+      (0.5 / 512 - 0.5) * camera.right + (0.5 - 0.5 / 384) * camera.up + camera.forward;
+  EXPECT_LT(glm::length(m * glm::dvec4(0, 0, 1, 0) - expected), 1e-12);
+  const glm::dvec3 last =
+      (0.5 - 0.5 / 512) * camera.right + (0.5 / 384 - 0.5) * camera.up + camera.forward;
+  EXPECT_LT(glm::length(m * glm::dvec4(511, 383, 1, 0) - last), 1e-12);
+}
+
+TEST(Image, OnlyWhatChangedIsWrittenAgain) {
+  Laid laid(two_objects(), testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}));
+  const std::vector<MemoryRun> before = laid.frame.memory.runs();
+  EXPECT_TRUE(changed_runs(before, before).empty());
+  laid.scene.instances[3].transform[3] += glm::dvec4(0.5, 0.25, 0, 0);
+  const Tree top = build_instance_tree(laid.scene, laid.objects.boxes());
+  const FrameImage moved(laid.scene, laid.objects, top,
+                         testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}), 512, 384);
+  const std::vector<MemoryRun> after = moved.memory.runs();
+  const std::vector<MemoryRun> changes = changed_runs(before, after);
+  std::size_t changed = 0, all = 0;
+  for (const MemoryRun& run : changes) changed += run.words.size();
+  for (const MemoryRun& run : after) all += run.words.size();
+  EXPECT_GT(changed, 0u);
+  EXPECT_LT(changed, all / 2);
+  laid.memory.write(changes);
+  expect_tree(laid.memory, top, top.clipped_root, moved.start_node, moved.first_instance);
+  expect_near(from_columns(laid.memory.matrix(moved.first_instance + 3)),
+              glm::dmat4x3(glm::inverse(laid.scene.instances[3].transform)));
+}
+
+std::string error_of(const std::function<void()>& run) {
+  try {
+    run();
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string error_of(const Scene& scene) {
+  return error_of([&] { Laid(scene, testing::camera_at({0.1, 0.2, 20}, {0, 0, -1})); });
+}
+
+TEST(Image, RefusesMoreMatricesThanThereArePlaces) {
+  Scene scene = scene_of(testing::soup(2, 10, 0.1));
+  scene.instances.resize(kMaxMatrices, scene.instances[0]);
+  EXPECT_EQ(
+      error_of([&] { ObjectImage(scene, {}); }),
+      "scene 'soup' needs 131083 matrices (triangles, instances, lights and the camera), 11 more "
+      "than the 131072 that the board's memory holds; use fewer or smaller objects");
+}
+
+/// A tree of one leaf with so many items.
+Tree long_leaf(std::size_t items) {
+  Tree tree;
+  tree.nodes = {{}, {kLeafAxis, 0, 0, static_cast<std::uint32_t>(items)}};
+  tree.items.resize(items);
+  tree.root = tree.clipped_root = 1;
+  return tree;
+}
+
+TEST(Image, RefusesMoreListEntriesThanThereArePlaces) {
+  const Scene scene = scene_of(testing::soup(2, 10, 0.1));
+  const std::vector<Tree> trees{long_leaf(kMaxListEntries + 3)};
+  EXPECT_EQ(
+      error_of([&] { ObjectImage(scene, trees); }),
+      "scene 'soup' needs 524291 list entries, 3 more than the 524288 that the board's memory "
+      "holds; use fewer or smaller objects");
+}
+
+TEST(Image, RefusesMoreNodesThanThereArePlaces) {
+  const Scene scene = scene_of(testing::soup(2, 10, 0.1));
+  std::vector<Tree> trees{long_leaf(1)};
+  trees[0].nodes.resize(kMaxNodes + 7, trees[0].nodes[1]);
+  EXPECT_EQ(error_of([&] { ObjectImage(scene, trees); }),
+            "scene 'soup' needs 524294 tree nodes, 7 more than the 524287 that the board's memory "
+            "holds; use fewer or smaller objects");
+}
+
+TEST(Image, RefusesWhatTheFramePartAddsBeyondTheLimit) {
+  const Scene scene = scene_of(testing::soup(2, 10, 0.1));
+  ObjectImage objects(scene, build_scene_trees(scene).objects);
+  objects.memory.first_node += kMaxNodes - 3 - objects.memory.end_node();
+  EXPECT_EQ(error_of([&] {
+              FrameImage(scene, objects, build_instance_tree(scene, objects.boxes()),
+                         testing::camera_at({0, 0, 9}, {0, 0, -1}), 64, 64);
+            }),
+            "scene 'soup' needs 524291 tree nodes, 4 more than the 524287 that the board's memory "
+            "holds; use fewer or smaller objects");
+}
+
+TEST(Image, RefusesTrianglesThatTheNumbersCannotHold) {
+  Scene scene = scene_of(testing::soup(3, 2, 0.1));
+  add_triangle(scene.objects[0], {0, 0, 0}, {1, 0, 0}, {0, 1e-21, 0});
+  EXPECT_EQ(error_of(scene),
+            "object 'soup', triangle 2: its matrix has the element -1e+21, outside the core's "
+            "numbers (-3.6893e+19 to 3.6893e+19); the triangle must be less thin or less small");
+  Scene flat = scene_of(testing::soup(3, 2, 0.1));
+  add_triangle(flat.objects[0], {0, 0, 0}, {1, 1, 1}, {2, 2, 2});
+  EXPECT_EQ(error_of(flat),
+            "object 'soup', triangle 2 has no area; its corners must not lie on one line");
+}
+
+TEST(Image, RefusesTransformsThatCannotBeInverted) {
+  Scene scene = scene_of(testing::soup(3, 20, 0.1));
+  scene.instances[0].transform = glm::scale(glm::dmat4(1), glm::dvec3(1, 0, 1));
+  EXPECT_EQ(error_of(scene),
+            "instance 'one' has a transform without an inverse; it must not flatten its object");
+  scene.instances[0].transform = glm::scale(glm::dmat4(1), glm::dvec3(1, 1e-30, 1));
+  EXPECT_EQ(error_of(scene),
+            "instance 'one': the inverse of its transform has the element 1e+30, outside the "
+            "core's numbers (-3.6893e+19 to 3.6893e+19); the transform must flatten its object "
+            "less");
+}
+
+TEST(Image, RefusesACameraBeyondTheNumbers) {
+  const Scene scene = scene_of(testing::soup(3, 20, 0.1));
+  EXPECT_EQ(error_of([&] { Laid(scene, testing::camera_at({0, 1e30, 0}, {0, 0, -1})); }),
+            "the camera's matrix has the element 1e+30, outside the core's numbers (-3.6893e+19 to "
+            "3.6893e+19); the camera must be closer");
+}
+
+TEST(Image, RefusesALightBeyondTheNumbers) {
+  Scene scene = scene_of(testing::soup(3, 20, 0.1));
+  scene.lights.push_back({"star", {0, -1e30, 0}});
+  EXPECT_EQ(error_of(scene),
+            "light 'star' stands at y = -1e+30, outside the core's numbers (-3.6893e+19 to "
+            "3.6893e+19); it must be closer");
+}
+
+TEST(Image, TheTopLevelHasWhatTheObjectsLeave) {
+  const Laid laid(two_objects(), testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}));
+  const TreeSize room = laid.objects.room_left();
+  EXPECT_EQ(laid.frame.memory.first_node + room.nodes, kMaxNodes);
+  EXPECT_EQ(laid.frame.memory.first_entry + room.items, kMaxListEntries);
+}
+
+TEST(Image, SmallElementsBecomeTheSmallestMagnitude) {
+  Scene scene = scene_of(testing::soup(3, 20, 0.1));
+  const Laid laid(scene, testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}));
+  const glm::dmat4x3 identity = from_columns(laid.memory.matrix(laid.frame.first_instance));
+  EXPECT_EQ(identity[0][0], 1.0);
+  EXPECT_EQ(std::abs(identity[1][0]), std::ldexp(1.0, -63));
+}
+
+}  // namespace
+}  // namespace dynrt::host

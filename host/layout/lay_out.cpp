@@ -1,0 +1,163 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/layout/lay_out.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "host/error.h"
+#include "host/layout/limits.h"
+#include "host/layout/messages.h"
+#include "host/specialise/tree_needs.h"
+
+namespace dynrt::host {
+
+namespace {
+
+/// What the board's memory has left, whatever of it a core reaches.
+TreeSize room_for_instances(const SceneTrees& trees) {
+  TreeSize room = kMemoryForTrees;
+  for (const Tree& tree : trees.objects) {
+    room.nodes -= std::min(room.nodes, tree.size().nodes);
+    room.items -= std::min(room.items, tree.size().items);
+  }
+  return room;
+}
+
+/// With trees so shallow that they never overflow the core's stacks, if those that there are could.
+TreeOptions spared(TreeOptions options, const SceneTrees& trees, const CoreConfiguration& core) {
+  const auto entries = [](unsigned depth) {
+    return std::min(kMaxTreeDepth, static_cast<int>(depth));
+  };
+  for (const Tree& tree : trees.objects) {
+    if (tree_needs(tree).pushes > entries(core.stack_depth)) {
+      options.max_depth = entries(core.stack_depth);
+    }
+  }
+  if (tree_needs(trees.instances).pushes > entries(core.top_stack_depth)) {
+    options.max_top_depth = entries(core.top_stack_depth);
+  }
+  return options;
+}
+
+/// Says of which objects a watertight core may lose a ray from far away.
+void note_margins(MemoryImage& image) {
+  if (image.core.triangle_test != TriangleTest::kWatertight) return;
+  const std::vector<std::string> names =
+      beyond_margins(image.scene, image.view.camera.position, *image.core.format);
+  if (names.empty()) return;
+  const std::string others = names.size() == 1 ? "" : fmt::format(" and {} more", names.size() - 1);
+  image.scene.notes.push_back(fmt::format(messages::kBeyondMargin, names.front(), others));
+}
+
+/// A specialised core says more of what it cannot hold: check_within(). So it is asked for no less
+/// than the memory.
+void check_before(const Scene& scene, const CoreInfo& core) {
+  if (core.is_specialised()) {
+    CoreInfo whole;
+    whole.triangle_matrix = core.triangle_matrix;
+    check_matrices(scene, whole);
+    return;
+  }
+  if (const char* missing = missing_primitive(scene, core)) {
+    refuse(messages::kNoPrimitive, scene.name, missing, core.name);
+  }
+  check_matrices(scene, core);
+}
+
+void place(MemoryImage& image, Scene scene, const View& view, const LayoutOptions& options) {
+  image.view = view;
+  if (options.fit) {
+    const Fit fitted = fit(scene, view.camera, *image.core.format);
+    move_into(fitted, scene);
+    image.space = fitted.world;
+    image.headroom = fitted.headroom;
+    image.view.camera = moved_into(fitted.world, view.camera);
+  }
+  image.scene = std::move(scene);
+}
+
+void build_trees(MemoryImage& image, const LayoutOptions& options) {
+  if (options.built) {
+    image.trees = *options.built;
+    return;
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const glm::dvec3& eye = image.view.camera.position;
+  image.trees = trees_for(image.scene, eye, image.core, options.trees);
+  // A specialised core has the stacks that the trees of its general core ask for.
+  const CoreConfiguration* stacks =
+      image.core.is_specialised() ? image.core.general.get() : &image.core;
+  if (options.spare_stacks && stacks != nullptr) {
+    const TreeOptions shallow = spared(options.trees, image.trees, *stacks);
+    image.top_depth = shallow.max_top_depth;
+    if (shallow.max_depth < kMaxTreeDepth || shallow.max_top_depth < kMaxTreeDepth) {
+      image.trees = trees_for(image.scene, eye, image.core, shallow);
+    }
+  }
+  image.tree_seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace
+
+MemoryImage lay_out(Scene scene, const View& view, const CoreInfo& core,
+                    const LayoutOptions& options) {
+  check_before(scene, core);
+  MemoryImage image;
+  image.core = core;
+  place(image, std::move(scene), view, options);
+  if (core.lights > 0 && options.fit) {
+    check_lights(image.scene, image.view.camera.position, core_numbers(core, image.space));
+  }
+  note_margins(image);
+  build_trees(image, options);
+  if (core.is_specialised()) {
+    check_within(image.needs(), core, fmt::format("the scene '{}'", image.scene.name));
+  }
+  image.objects = ObjectImage(image.scene, image.trees.objects, core);
+  image.top_room =
+      core.is_specialised() ? room_for_instances(image.trees) : image.objects.room_left();
+  if (options.instances && !options.built) {
+    BoxTreeOptions instances = *options.instances;
+    instances.grid = Grid(*core.format);
+    image.trees.instances = build_instance_tree(image.scene, image.objects.boxes(), instances);
+  }
+  image.frame = frame_of(image, image.trees.instances, image.view.camera);
+  return image;
+}
+
+std::vector<MemoryRun> MemoryImage::runs() const {
+  std::vector<MemoryRun> runs = objects.memory.runs();
+  std::ranges::move(frame.memory.runs(), std::back_inserter(runs));
+  return runs;
+}
+
+SceneNeeds MemoryImage::needs() const { return scene_needs(scene, trees, core.triangle_matrix); }
+
+Tree instances_of(const MemoryImage& image) {
+  return build_instance_tree(
+      image.scene, image.objects.boxes(),
+      {.grid = Grid(*image.core.format), .max_depth = image.top_depth, .room = image.top_room});
+}
+
+std::optional<Excess> excess_of_frame(const MemoryImage& image, const SceneNeeds& needs,
+                                      const Tree& instances) {
+  if (!image.core.is_specialised()) return std::nullopt;
+  return excess(frame_needs(needs, image.scene, instances), image.core);
+}
+
+FrameImage frame_of(const MemoryImage& image, const Tree& instances, const Camera& camera) {
+  return {image.scene, image.objects, instances, camera, image.view.width, image.view.height};
+}
+
+CoreNumbers core_numbers(const CoreInfo& core, const Space& space) {
+  return {std::ldexp(1.0, -static_cast<int>(core.format->mantissa_bits)), space};
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,87 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/layout/limits.h"
+
+#include <algorithm>
+
+#include "host/error.h"
+#include "host/layout/messages.h"
+#include "host/memory/matrix_numbers.h"
+
+namespace dynrt::host {
+
+namespace {
+
+constexpr char kMatrices[] = "matrices (triangles, instances, lights and the camera)";
+
+/// Of the numbers that `bits` can tell apart, the first `unused` are nobody's.
+void check_limit(const Scene& scene, const char* what, std::size_t needed, const char* key,
+                 unsigned bits, unsigned memory_bits, std::size_t unused = 0) {
+  const std::size_t limit = (std::size_t{1} << bits) - unused;
+  if (needed <= limit) return;
+  if (bits == memory_bits) {
+    refuse(messages::kTooMany, scene.name, needed, what, needed - limit, limit);
+  }
+  refuse(messages::kOutOfReach, scene.name, needed, what, needed - limit, limit, key, bits);
+}
+
+}  // namespace
+
+void check_matrices(const Scene& scene, const CoreInfo& core, std::size_t needed) {
+  check_limit(scene, kMatrices, needed, "matrix_bits", core.matrix_bits, kMatrixBits);
+}
+
+void check_limits(const Scene& scene, const CoreInfo& core, const MemoryPart& part) {
+  constexpr char kKey[] = "address_bits";
+  check_limit(scene, "tree nodes", part.end_node() - 1, kKey, core.address_bits, kAddressBits, 1);
+  check_limit(scene, "list entries", part.end_entry(), kKey, core.address_bits, kAddressBits);
+}
+
+void check_matrices(const Scene& scene, const CoreInfo& core) {
+  std::uint32_t numbers = 0;
+  for (const Mesh& object : scene.objects) {
+    numbers = matrix_numbers(scene, object, numbers, core.triangle_matrix).back();
+  }
+  const std::size_t of_instance = core.levels == 1 ? 0 : has_mirrors(scene) ? 2 : 1;
+  const std::size_t matrices = matrices_taken(numbers, core.triangle_matrix) +
+                               scene.instances.size() * of_instance + 1 + scene.lights.size();
+  check_matrices(scene, core, std::max<std::size_t>(numbers, matrices));
+}
+
+std::uint32_t first_colour(const Scene& scene) {
+  for (const Mesh& object : scene.objects) {
+    if (object.primitives() > 0) return colour_bits(material_of(scene, object, 0).diffuse);
+  }
+  return 0;
+}
+
+void check_colours(const Scene& scene) {
+  const std::uint32_t first = first_colour(scene);
+  for (const Mesh& object : scene.objects) {
+    for (std::size_t i = 0; i < object.primitives(); ++i) {
+      const Material& material = material_of(scene, object, i);
+      const std::uint32_t colour = colour_bits(material.diffuse);
+      if (colour != first) refuse(messages::kColours, scene.name, first, colour, object.name);
+    }
+  }
+}
+
+const char* missing_primitive(const Scene& scene, const CoreConfiguration& core) {
+  for (const Mesh& object : scene.objects) {
+    if (!object.triangles.empty() && !core.primitives.triangle) return "triangles";
+    if (!object.ellipsoids.empty() && !core.primitives.sphere) return "spheres";
+    if (!object.rectangles.empty() && !core.primitives.rectangle) return "rectangles";
+  }
+  return nullptr;
+}
+
+std::optional<double> out_of_range(const MemoryFormat& format, const glm::dmat4x3& matrix) {
+  for (int c = 0; c < 4; ++c) {
+    for (int r = 0; r < 3; ++r) {
+      if (!format.holds(matrix[c][r])) return matrix[c][r];
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,142 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/layout/object_image.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
+
+#include "host/error.h"
+#include "host/layout/add_tree.h"
+#include "host/layout/limits.h"
+#include "host/layout/messages.h"
+#include "host/memory/matrix_numbers.h"
+#include "host/memory/triangle_matrix.h"
+
+namespace dynrt::host {
+
+namespace {
+
+constexpr double kFlattestBox = 1.0 / 1024;  ///< thickness of a box by its longest side
+constexpr double kBoxMargin = 1.0 / 4096;    ///< around an object's box, by its side
+
+/// How much a material reflects, in 256ths; of what reflects at all neither none nor all of it.
+std::uint32_t mirror_part(const Material& material) {
+  if (!(material.mirror > 0)) return 0;
+  return static_cast<std::uint32_t>(std::clamp(std::lround(256 * material.mirror), 1L, 255L));
+}
+
+bool stored_in_three(const Mesh& object, std::size_t primitive, TriangleMatrix form) {
+  return form == TriangleMatrix::kMemoryEfficient && !object.is_ellipsoid(primitive);
+}
+
+/// Takes a ray to the ray that the triangle's plane reflects: x - 2 n (n . x - n . c).
+glm::dmat4x3 reflection_matrix(const std::array<glm::dvec3, 3>& triangle) {
+  const glm::dvec3 n =
+      glm::normalize(glm::cross(triangle[0] - triangle[2], triangle[1] - triangle[2]));
+  glm::dmat4x3 matrix;
+  for (int c = 0; c < 3; ++c) {
+    matrix[c] = -2.0 * n[c] * n;
+    matrix[c][c] += 1.0;
+  }
+  matrix[3] = 2.0 * glm::dot(n, triangle[2]) * n;
+  return matrix;
+}
+
+/// What takes the box to the cube from -1 to 1, a little inwards, as the core's arithmetic may be
+/// off by a few steps. A flat box is given a thickness, so that the matrix has an inverse.
+glm::dmat4 box_to_cube(const Aabb& box) {
+  const glm::dvec3 centre = 0.5 * (box.low + box.high);
+  const glm::dvec3 half = 0.5 * (box.high - box.low);
+  const double least = std::max({half.x, half.y, half.z}) * kFlattestBox;
+  glm::dmat4 matrix(1.0);
+  for (int k = 0; k < 3; ++k) {
+    matrix[k][k] = 1.0 / (std::max(half[k], least) * (1.0 + kBoxMargin));
+    matrix[3][k] = -centre[k] * matrix[k][k];
+  }
+  return matrix;
+}
+
+/// The map of a primitive from the core's space of the object.
+UnitMatrix unit_matrix(const CoreInfo& core, const Mesh& mesh, std::size_t primitive,
+                       const glm::dmat4& from_space, bool three) {
+  const MemoryFormat& format = *core.format;
+  const double largest = format.largest;
+  const bool sphere = mesh.is_ellipsoid(primitive);
+  UnitMatrix unit;
+  if (sphere) {
+    unit = ellipsoid_matrix(mesh.ellipsoid(primitive));
+    unit.matrix = unit.matrix * from_space;
+  } else {
+    const auto matrix = triangle_matrix(mesh.corners(primitive));
+    if (!matrix) refuse(messages::kFlatTriangle, mesh.name, primitive);
+    const glm::dmat4x3 in_space = *matrix * from_space;
+    unit = core.triangle_test == TriangleTest::kWatertight
+               ? corner_matrix(mesh.corners(primitive), in_space)
+           : three ? efficient_matrix(in_space)
+                   : UnitMatrix{in_space};
+  }
+  if (const auto element = out_of_range(format, unit.matrix)) {
+    if (sphere) refuse(messages::kSphereRange, mesh.name, primitive, *element, largest, largest);
+    refuse(messages::kTriangleRange, mesh.name, primitive, *element, largest, largest);
+  }
+  return unit;
+}
+
+}  // namespace
+
+ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const CoreInfo& core)
+    : core(core) {
+  const std::uint32_t apart = columns_apart(core.triangle_matrix);
+  check_matrices(scene, core);
+  if (core.one_colour) check_colours(scene);
+  const MemoryFormat& format = *core.format;
+  memory.format = &format;
+  memory.first_node = 1;
+  for (std::size_t k = 0; k < scene.objects.size(); ++k) {
+    const Mesh& mesh = scene.objects[k];
+    const Tree& tree = trees[k];
+    const std::uint32_t first_matrix = memory.end_column() / apart;
+    const auto matrix_of = matrix_numbers(scene, mesh, first_matrix, core.triangle_matrix);
+    const glm::dmat4 to_space = core.clips_to_box() ? box_to_cube(tree.box) : glm::dmat4(1.0);
+    const glm::dmat4 from_space = glm::inverse(to_space);
+    const std::uint32_t base = add_tree(memory, tree, matrix_of, &mesh, to_space);
+    const std::uint32_t outside = core.clips_to_box() ? tree.root : tree.clipped_root;
+    objects.push_back({base + tree.root, base + outside, first_matrix, tree.box, to_space});
+    check_limits(scene, core, memory);
+    for (std::size_t i = 0; i < mesh.primitives(); ++i) {
+      const bool three = stored_in_three(mesh, i, core.triangle_matrix);
+      const UnitMatrix unit = unit_matrix(core, mesh, i, from_space, three);
+      const Material& material = material_of(scene, mesh, i);
+      const bool mirror = is_mirror(scene, mesh, i);
+      const std::uint32_t colour = colour_bits(material.diffuse);
+      const std::uint32_t part = mirror ? mirror_part(material) : 0;
+      memory.columns.resize(matrix_of[i] * apart);
+      if (three) {
+        memory.add(to_stored_columns(format, unit, colour, part));
+      } else {
+        memory.add(to_columns(format, unit, colour, part));
+      }
+      if (mirror) {
+        const glm::dmat4 reflection(reflection_matrix(mesh.corners(i)));
+        memory.add(to_columns(glm::dmat4x3(to_space * reflection * from_space), 0));
+      }
+    }
+    memory.columns.resize(matrix_of.back() * apart);
+  }
+}
+
+TreeSize ObjectImage::room_left() const {
+  const std::size_t reach = std::size_t{1} << core.address_bits;
+  const auto left = [reach](std::size_t used) { return reach - std::min(used, reach); };
+  return {left(memory.end_node()), left(memory.end_entry())};
+}
+
+std::vector<Aabb> ObjectImage::boxes() const {
+  std::vector<Aabb> boxes;
+  boxes.reserve(objects.size());
+  for (const Object& object : objects) boxes.push_back(object.box);
+  return boxes;
+}
+
+}  // namespace dynrt::host

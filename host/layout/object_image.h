@@ -1,0 +1,43 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The part of a scene's image that stands still, laid out once from the bottom of the memory: the
+// objects' trees, lists and triangle matrices.
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <span>
+#include <vector>
+
+#include "host/format/core_info.h"
+#include "host/memory/memory.h"
+#include "host/scene/scene.h"
+#include "host/tree/tree.h"
+
+namespace dynrt::host {
+
+/// The static part. Throws UserError where a limit of the memory is passed or a triangle's matrix
+/// is beyond the core's numbers.
+struct ObjectImage {
+  /// Where an object lies.
+  struct Object {
+    std::uint32_t root = 0;          ///< for rays that start inside its box
+    std::uint32_t clipped_root = 0;  ///< for all others
+    std::uint32_t first_matrix = 0;  ///< of primitive 0, in the numbers of primitives
+    Aabb box;
+    glm::dmat4 to_space{1.0};  ///< from the object as it is to the space that the core has it in
+  };
+  std::vector<Object> objects;
+  MemoryPart memory;
+  CoreInfo core;
+
+  ObjectImage() = default;
+  ObjectImage(const Scene& scene, std::span<const Tree> trees, const CoreInfo& core = {});
+
+  std::vector<Aabb> boxes() const;
+  /// What is left of the memory for the top-level tree.
+  TreeSize room_left() const;
+};
+
+}  // namespace dynrt::host

@@ -1,0 +1,40 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a scene's primitives take of the numbers of matrices, and what their matrices say besides:
+// colour and mirror.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "host/scene/scene.h"
+#include "units/options.h"
+
+namespace dynrt::host {
+
+/// Columns from one primitive's number to the next.
+std::uint32_t columns_apart(TriangleMatrix form);
+
+/// Matrices of four columns that so many numbers of primitives take.
+std::size_t matrices_taken(std::size_t numbers, TriangleMatrix form);
+
+/// The matrices of an object's primitives, the first of which is `first`, as hit records name them;
+/// behind the last primitive's, where the next object begins.
+std::vector<std::uint32_t> matrix_numbers(const Scene& scene, const Mesh& object,
+                                          std::uint32_t first, TriangleMatrix form);
+
+const Material& material_of(const Scene& scene, const Mesh& object, std::size_t primitive);
+
+/// A surface's colour as its matrix holds it: 0x00BBGGRR.
+std::uint32_t colour_bits(const glm::dvec3& colour);
+
+/// A sphere is none: each of its points would need a reflection of its own.
+bool is_mirror(const Scene& scene, const Mesh& object, std::size_t primitive);
+
+/// Whether some triangle of the scene reflects. Then the matrix of every instance is followed by
+/// the one back to the world, and a mirror's by its reflection (thesis 6.2.3).
+bool has_mirrors(const Scene& scene);
+
+}  // namespace dynrt::host

@@ -1,0 +1,227 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/specialise/rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace dynrt::host {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string count(std::size_t number, const std::string& what) {
+  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
+/// " in any of 24 frames", where there is more than one.
+std::string in_frames(const SceneNeeds& needs) {
+  return needs.frames > 1 ? fmt::format(" in any of {} frames", needs.frames) : "";
+}
+
+/// So many that every number below `end` is one.
+unsigned bits_for(std::size_t end) {
+  return static_cast<unsigned>(std::bit_width(std::max<std::size_t>(end, 1) - 1));
+}
+
+/// Whether the scene is rendered with one tree alone, and the general core's parts allow it
+/// (RULES in hls/configs/configurations/keys.py).
+bool has_one_level(const RuleContext& c) {
+  if (!c.needs.one_level || c.two_levels) return false;
+  return c.general == nullptr || (c.general->object_box == ObjectBox::kNodes &&
+                                  c.general->triangle_test == TriangleTest::kUnitTriangle);
+}
+
+unsigned bounces(const RuleContext& c) {
+  return c.needs.mirror.empty() ? 0 : std::min(c.demands.reflections, c.general->reflections);
+}
+
+/// Packets are split where rays are reflected.
+bool splits(const RuleContext& c) {
+  return bounces(c) > 0 && c.general->crossing == Crossing::kSplit;
+}
+
+Need levels(const RuleContext& c) {
+  if (has_one_level(c)) {
+    return {1, "the scene is one object that stands where it is, so its tree is the only one"};
+  }
+  if (c.two_levels) return {2, "the core has them"};
+  if (c.needs.one_level) {
+    return {2, fmt::format("configuration {} prepares rays where they enter an object",
+                           c.general->name)};
+  }
+  if (c.needs.objects == 1 && c.needs.instances == 1) {
+    return {2, "the one object is moved, turned or scaled by its instance"};
+  }
+  return {2, fmt::format("{} of {} need a tree over them", count(c.needs.instances, "instance"),
+                         count(c.needs.objects, "object"))};
+}
+
+Need top_stack(const RuleContext& c) {
+  if (has_one_level(c)) return {0, "there is no tree over the objects"};
+  const int pushes = c.needs.top_stack.pushes;
+  return {pushes, fmt::format("the tree over {} pushes at most {}{}",
+                              count(c.needs.instances, "instance"), pushes, in_frames(c.needs))};
+}
+
+Need object_stack(const RuleContext& c) {
+  const SceneNeeds::Stack& stack = c.needs.object_stack;
+  return {stack.pushes, fmt::format("the deepest object tree, '{}', pushes at most {}", stack.tree,
+                                    stack.pushes)};
+}
+
+/// With as many slots as there are items none is ever lost, so more would never be used.
+Need slots(const SceneNeeds::Repeats& repeats, const std::string& where, const char* item,
+           bool every) {
+  if (every) {
+    return {repeats.items,
+            fmt::format("packets are split and traverse {} once for every group, so each of {} "
+                        "comes again",
+                        where, count(repeats.items, item))};
+  }
+  if (repeats.repeated == 0)
+    return {0, fmt::format("no {} is listed in two leaves of {}", item, where)};
+  return {repeats.items,
+          fmt::format("{} of {} {} listed in two or more leaves of {}", repeats.repeated,
+                      count(repeats.items, item), repeats.repeated == 1 ? "is" : "are", where)};
+}
+
+Need object_slots(const RuleContext& c) {
+  if (has_one_level(c)) return {0, "there is one object, and no tree over it"};
+  return slots(c.needs.instance_repeats, "the tree over them", "instance", splits(c));
+}
+
+Need triangle_slots(const RuleContext& c) {
+  return slots(c.needs.primitive_repeats,
+               fmt::format("the tree of '{}'", c.needs.primitive_repeats.tree), "primitive",
+               splits(c));
+}
+
+Need lights(const RuleContext& c) {
+  if (c.needs.lights == 0) return {0, "the scene has no lights: it is lit from the eye"};
+  const std::size_t most =
+      c.general == nullptr ? std::numeric_limits<std::size_t>::max() : c.general->lights;
+  const std::size_t used = std::min(c.needs.lights, most);
+  if (used < c.needs.lights) {
+    return {used, fmt::format("the scene has {}, of which configuration {} lets {} shine",
+                              count(c.needs.lights, "light"), c.general->name, used)};
+  }
+  return {used, fmt::format("the scene has {}", count(c.needs.lights, "light"))};
+}
+
+Need reflections(const RuleContext& c) {
+  const unsigned used = bounces(c);
+  const std::string& mirror = c.needs.mirror;
+  if (mirror.empty()) return {0, "no surface is a mirror"};
+  if (used == 0) return {0, fmt::format("'{}' is a mirror, but no bounces are asked for", mirror)};
+  return {used, fmt::format("'{}' is a mirror, and {} of a ray are asked for", mirror,
+                            count(used, "bounce"))};
+}
+
+Need crossing(const RuleContext& c) {
+  if (bounces(c) == 0) return {"none", "no rays of a packet cross, as none is reflected"};
+  return {{}, fmt::format("as in {}: reflected rays may cross", c.general->name)};
+}
+
+Need primitives(const RuleContext& c) {
+  Json kinds = Json::array();
+  std::string has, lacks;
+  const auto add = [&](std::size_t number, const char* kind) {
+    std::string& list = number > 0 ? has : lacks;
+    if (number > 0) kinds.push_back(kind);
+    list += (list.empty() ? "" : " and ") +
+            (number > 0 ? count(number, kind) : std::string(kind) + "s");
+  };
+  add(c.needs.primitives.triangles, "triangle");
+  add(c.needs.primitives.spheres, "sphere");
+  add(c.needs.primitives.rectangles, "rectangle");
+  return {kinds, fmt::format("the scene is made of {}{}", has,
+                             lacks.empty() ? "" : fmt::format("; there are no {}", lacks))};
+}
+
+Need addresses(const RuleContext& c) {
+  const SceneNeeds::Places& places = c.needs.places;
+  return {bits_for(std::max(places.nodes, places.entries)),
+          fmt::format(
+              "the trees take {} and {}{}", count(places.nodes, "node"),
+              places.entries == 1 ? "1 list entry" : fmt::format("{} list entries", places.entries),
+              in_frames(c.needs))};
+}
+
+Need matrices(const RuleContext& c) {
+  return {bits_for(c.needs.places.matrices),
+          fmt::format("primitives, instances, lights and camera take the numbers 0 to {}{}",
+                      c.needs.places.matrices - 1, in_frames(c.needs))};
+}
+
+Need one_colour(const RuleContext& c) {
+  if (c.needs.colours.size() == 1) {
+    return {true, fmt::format("every surface has the colour {:#08x}", *c.needs.colours.begin())};
+  }
+  return {false, fmt::format("the surfaces have {}", count(c.needs.colours.size(), "colour"))};
+}
+
+Need uncompressed(const RuleContext& c) {
+  if (c.demands.uncompressed) return {true, "--uncompressed asks for it"};
+  return {false,
+          "every packet's primary rays have one origin, the eye, and the others are sent ray by "
+          "ray"};
+}
+
+Need counters(const RuleContext&) {
+  return {false, "a core for use need not count what its units do"};
+}
+
+Need scan_out(const RuleContext&) { return {false, "no VGA display is asked for"}; }
+
+/// A key that stays as it is: no value, and why.
+Need kept(const RuleContext& c, const char* why) {
+  return {{}, fmt::format("as in {}: {}", c.general->name, why)};
+}
+
+Need packets(const RuleContext& c) { return kept(c, "how many pay is measured"); }
+Need lines(const RuleContext& c) { return kept(c, "how many pay is measured"); }
+Need epsilon(const RuleContext& c) {
+  return kept(c, "with another value other triangles would be hit");
+}
+Need sram_latency(const RuleContext& c) { return kept(c, "it is the board's"); }
+Need object_box(const RuleContext& c) { return kept(c, "clipped otherwise, rays round otherwise"); }
+
+constexpr Rule kRules[] = {
+    {"packets", Holds::kAlways, packets},
+    {"lines", Holds::kAlways, lines},
+    {"levels", Holds::kFromNeedOn, levels},
+    {"top_stack_depth", Holds::kFromNeedOn, top_stack},
+    {"stack_depth", Holds::kFromNeedOn, object_stack},
+    {"object_slots", Holds::kAlways, object_slots},
+    {"triangle_slots", Holds::kAlways, triangle_slots},
+    {"address_bits", Holds::kFromNeedOn, addresses},
+    {"matrix_bits", Holds::kFromNeedOn, matrices},
+    {"lights", Holds::kFromNeedOn, lights},
+    {"reflections", Holds::kAlways, reflections},
+    {"crossing", Holds::kAlways, crossing},
+    {"primitives", Holds::kWithAll, primitives},
+    {"one_colour", Holds::kUnlessSet, one_colour},
+    {"uncompressed", Holds::kAlways, uncompressed},
+    {"counters", Holds::kAlways, counters},
+    {"scan_out", Holds::kAlways, scan_out},
+    {"epsilon", Holds::kAlways, epsilon},
+    {"sram_latency", Holds::kAlways, sram_latency},
+    {"object_box", Holds::kAlways, object_box},
+};
+
+}  // namespace
+
+std::span<const Rule> rules() { return kRules; }
+
+const Rule* rule_of(std::string_view key) {
+  const auto found =
+      std::ranges::find(kRules, key, [](const Rule& rule) { return std::string_view(rule.key); });
+  return found == std::end(kRules) ? nullptr : &*found;
+}
+
+}  // namespace dynrt::host
