@@ -141,7 +141,7 @@ def check(groups, arrows, path):
     if differing or shown != titles(groups, arrows):
         fail(
             f"{path} is stale ({', '.join(differing) or 'arrows between the same boxes'}); "
-            "`ninja diagram` draws it anew"
+            "`ninja diagram` draws it again"
         )
 
 

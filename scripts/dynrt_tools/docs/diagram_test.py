@@ -35,7 +35,7 @@ class Diagram(unittest.TestCase):
     def assert_stale(self, what):
         self.assertEqual(
             self.check(),
-            (1, f"diagram: {SVG} is stale ({what}); " "`ninja diagram` draws it anew\n"),
+            (1, f"diagram: {SVG} is stale ({what}); " "`ninja diagram` draws it again\n"),
         )
 
     def test_the_picture_is_that_of_the_join(self):

@@ -93,6 +93,7 @@ def page(folder):
             fail(f"{module}.v names no source under units/")
         sections.append(
             f"\n## {module}\n\n[hls/{source[1]}](../../hls/{source[1]})\n\n"
+            f"![Timing of {module}](waves/{module}.svg)\n\n"
             "| | signal | bits | other end |\n|---|---|---|---|\n"
             + "".join(
                 f"| {kind} | `{name}` | {width} | {other} |\n"
@@ -117,4 +118,4 @@ def main():
     if args.write:
         args.write.write_text(text, encoding="utf-8")
     elif not args.check.exists() or args.check.read_text(encoding="utf-8") != text:
-        fail(f"{args.check} is stale; `ninja units` writes it anew")
+        fail(f"{args.check} is stale; `ninja units` writes it again")
