@@ -16,7 +16,7 @@ endforeach()
 install(DIRECTORY hls/units DESTINATION ${include} FILES_MATCHING PATTERN *.h
         PATTERN test_bench.h EXCLUDE)
 install(DIRECTORY ${DYNRT_CONFIG_FOLDER} DESTINATION ${include} FILES_MATCHING PATTERN *.h)
-install(DIRECTORY verif/cosim DESTINATION ${include} FILES_MATCHING PATTERN *.h
+install(DIRECTORY hls/cosim DESTINATION ${include} FILES_MATCHING PATTERN *.h
         PATTERN example EXCLUDE)
 install(DIRECTORY hls/compiler/delay/ DESTINATION ${share}/delay FILES_MATCHING PATTERN *.json)
 install(FILES hls/compiler/README.md DESTINATION ${share} RENAME hlsc.md)

@@ -17,6 +17,10 @@
 
 namespace dynrt::cosim {
 
+using hls::cosim::Bench;
+using hls::cosim::Random;
+using hls::cosim::Report;
+
 /// The configuration whose Verilog is tested.
 using C = dynrt::config::DYNRT_CONFIG;
 
@@ -46,8 +50,10 @@ void cosimulate(const char* name, Amount amount, Visit visit, Setup setup) {
     Dut dut(&context);
     Bench<Unit> bench(name, dut, visit);
     setup(bench, run);
-    const Report report =
-        bench.run({.seed = seed, .transactions = amount.transactions, .stalls = !run.full_speed});
+    const Report report = bench.run({.seed = seed,
+                                     .transactions = amount.transactions,
+                                     .stall_inputs = !run.full_speed,
+                                     .stall_outputs = !run.full_speed});
     ASSERT_TRUE(report.ok) << report.text;
     ASSERT_EQ(report.transactions, amount.transactions);
     if (run.full_speed) {

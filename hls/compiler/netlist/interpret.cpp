@@ -45,10 +45,13 @@ Bits Interpreter::value_of(NodeId id, const std::vector<Bits>& tokens) const {
 std::vector<std::optional<Bits>> Interpreter::step(const std::vector<Bits>& tokens) {
   values_.clear();
   for (NodeId id = 0; id < netlist_.nodes.size(); ++id) values_.push_back(value_of(id, tokens));
+  written_rows_.clear();
   for (const RowWrite& w : netlist_.row_writes) {
     auto& rows = rows_.at(w.port);
     const std::uint64_t address = values_[w.address].low64();
-    if (values_[w.enable].bit(0) && address < rows.size()) rows[address] = values_[w.data];
+    if (!values_[w.enable].bit(0) || address >= rows.size()) continue;
+    rows[address] = values_[w.data];
+    written_rows_.push_back({w.port, address, values_[w.data]});
   }
   for (unsigned i = 0; i < registers_.size(); ++i) {
     const NodeId next = netlist_.registers[i].next;

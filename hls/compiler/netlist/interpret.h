@@ -12,6 +12,13 @@
 
 namespace hlsc {
 
+/// A row that a transaction has written.
+struct WrittenRow {
+  unsigned port;
+  std::uint64_t address;
+  Bits row;
+};
+
 class Interpreter {
  public:
   /// The netlist must outlive the interpreter.
@@ -26,6 +33,8 @@ class Interpreter {
   /// One transaction. `tokens` and the result are indexed by port; an Out that is not written has
   /// no value.
   std::vector<std::optional<Bits>> step(const std::vector<Bits>& tokens);
+  /// What the last transaction wrote to RAMs of all kinds.
+  const std::vector<WrittenRow>& written_rows() const { return written_rows_; }
 
  private:
   Bits value_of(NodeId id, const std::vector<Bits>& tokens) const;
@@ -35,6 +44,7 @@ class Interpreter {
   std::map<unsigned, std::vector<Bits>> rows_;
   std::vector<Bits> registers_;
   std::vector<Bits> values_;
+  std::vector<WrittenRow> written_rows_;
 };
 
 }  // namespace hlsc

@@ -4,6 +4,7 @@
 
 Usage: scripts/check-layers [ROOT]
 
+    language <- hls/cosim                (the bench that holds a unit's Verilog against a model)
     language <- hls/units
     language <- hls/compiler             (which lowers anybody's units and knows none;
                                           its front and back end share the netlist alone)
@@ -44,6 +45,7 @@ ROOMS = {
     "hls/include": {"hls/native", "hls/lowered"},
     "hls/native": {"hls/include"},
     "hls/lowered": {"hls/include"},
+    "hls/cosim": set(LANGUAGE),
     "hls/units": set(LANGUAGE),
     "hls/compiler/frontend": {*LANGUAGE, "hls/compiler", "hls/compiler/netlist"},
     **{
@@ -54,11 +56,15 @@ ROOMS = {
         }
         for part in BACK_END
     },
-    "hls/compiler": {*LANGUAGE, *(f"hls/compiler/{p}" for p in (*BACK_END, "frontend"))},
+    "hls/compiler": {
+        *LANGUAGE,
+        "hls/cosim",
+        *(f"hls/compiler/{p}" for p in (*BACK_END, "frontend")),
+    },
     "rtl": set(LANGUAGE),
     **{room: {*LANGUAGE, "host", *HOST[:place]} for place, room in enumerate(HOST)},
     "host": set(LANGUAGE),  # what belongs to no room of its own: errors
-    "verif": {*LANGUAGE, "hls/units", "hls/compiler", "host", *HOST[:-1], "rtl"},
+    "verif": {*LANGUAGE, "hls/cosim", "hls/units", "hls/compiler", "host", *HOST[:-1], "rtl"},
 }
 # What a room shows to others, and to whom: the host may know the core's memory formats and frame
 # registers, the board that runs the native model may include it, and the program that writes down

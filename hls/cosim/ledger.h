@@ -12,7 +12,7 @@
 #include <optional>
 #include <unordered_map>
 
-namespace dynrt::cosim {
+namespace hls::cosim {
 
 class Ledger {
  public:
@@ -86,4 +86,4 @@ class Ledger {
   std::unordered_map<std::uint64_t, unsigned> busy_;
 };
 
-}  // namespace dynrt::cosim
+}  // namespace hls::cosim

@@ -18,7 +18,7 @@
 
 #include "hls/port_kind.h"
 
-namespace dynrt::cosim {
+namespace hls::cosim {
 
 /// A pin of any width, as 32-bit words, lowest first. Verilator holds a pin of up to 64 bits in an
 /// integer and a wider one in a VlWide.
@@ -85,15 +85,10 @@ class Pin {
   unsigned bytes_ = 0;
 };
 
-using hls::PortKind;
-
 /// One port of the Verilated unit; which pins it has depends on its kind.
 struct PortPins {
-  PortKind kind = PortKind::kIn;
-  unsigned width = 0;
-  unsigned rows = 0;
-  unsigned latency = 0;
-  Pin valid, ready, enable, address, data;
+  PortInfo type = {};
+  Pin valid = {}, ready = {}, enable = {}, address = {}, data = {};
 };
 
 /// What a binding header's visit fills.
@@ -108,27 +103,37 @@ struct UnitPins {
   }
   template <class A, class B, class C>
   void in(const char* name, unsigned width, A& valid_i, B& ready_o, C& data_i) {
-    ports[name] = {PortKind::kIn, width, 1, 0, Pin(valid_i), Pin(ready_o), {}, {}, Pin(data_i)};
+    ports[name] = {.type = {PortKind::kIn, width},
+                   .valid = Pin(valid_i),
+                   .ready = Pin(ready_o),
+                   .data = Pin(data_i)};
   }
   template <class A, class B, class C>
   void out(const char* name, unsigned width, A& valid_o, B& ready_i, C& data_o) {
-    ports[name] = {PortKind::kOut, width, 1, 0, Pin(valid_o), Pin(ready_i), {}, {}, Pin(data_o)};
+    ports[name] = {.type = {PortKind::kOut, width},
+                   .valid = Pin(valid_o),
+                   .ready = Pin(ready_i),
+                   .data = Pin(data_o)};
   }
   template <class A, class B, class C>
   void ram_read(const char* name, unsigned width, unsigned rows, unsigned latency, A& en_o,
                 B& addr_o, C& data_i) {
-    ports[name] = {PortKind::kRamRead, width,       rows,       latency, {}, {},
-                   Pin(en_o),          Pin(addr_o), Pin(data_i)};
+    ports[name] = {.type = {PortKind::kRamRead, width, rows, latency},
+                   .enable = Pin(en_o),
+                   .address = Pin(addr_o),
+                   .data = Pin(data_i)};
   }
   template <class A, class B, class C>
   void ram_write(const char* name, unsigned width, unsigned rows, A& en_o, B& addr_o, C& data_o) {
-    ports[name] = {PortKind::kRamWrite, width,       rows,       0, {}, {},
-                   Pin(en_o),           Pin(addr_o), Pin(data_o)};
+    ports[name] = {.type = {PortKind::kRamWrite, width, rows},
+                   .enable = Pin(en_o),
+                   .address = Pin(addr_o),
+                   .data = Pin(data_o)};
   }
   template <class A>
   void config(const char* name, unsigned width, A& value_i) {
-    ports[name] = {PortKind::kConfig, width, 1, 0, {}, {}, {}, {}, Pin(value_i)};
+    ports[name] = {.type = {PortKind::kConfig, width}, .data = Pin(value_i)};
   }
 };
 
-}  // namespace dynrt::cosim
+}  // namespace hls::cosim

@@ -1,20 +1,20 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Co-simulation of one unit: the same random and extreme tokens go to the native unit and to the
-// Verilated one, both ends of every channel stall at random, and every token and every row written
-// outside is compared, in order, to the last bit.
+// Co-simulation of one unit: the same random and extreme tokens go to a model and to the Verilated
+// unit, both ends of every channel stall at random, and every token and every row written outside
+// is compared, in order, to the last bit. The model is the native unit:
 //
 //     Vmailbox dut;
-//     cosim::Bench<dynrt::Mailbox<C>> bench("mailbox", dut, [](auto& v, auto& f) {
+//     hls::cosim::Bench<dynrt::Mailbox<C>> bench("mailbox", dut, [](auto& v, auto& f) {
 //       visit_ports_mailbox(v, f);               // from mailbox_ports.h, which hlsc wrote
 //     });
 //     bench.packet<Entry>("entry", [](const Entry& e) { return e.packet.to_u64(); });
-//     const cosim::Report report = bench.run({.transactions = 20'000});
+//     const hls::cosim::Report report = bench.run({.transactions = 20'000});
 //     EXPECT_TRUE(report.ok) << report.text;
 //
-// The packet rule: with `packet` set, a packet has at most one transaction in the unit at a time.
-// The seed is printed; the environment's HLS_SEED overrides it.
+// or any other (ModelBench). The packet rule: with `packet` set, a packet has at most one
+// transaction in the unit at a time. The seed is printed; the environment's HLS_SEED overrides it.
 #pragma once
 
 #include <fmt/format.h>
@@ -24,20 +24,24 @@
 #include <functional>
 #include <memory>
 #include <set>
+#include <stdexcept>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cosim/ledger.h"
+#include "cosim/model.h"
+#include "cosim/native_model.h"
 #include "cosim/pins.h"
-#include "cosim/port_model.h"
+#include "cosim/port_driver.h"
 
-namespace dynrt::cosim {
+namespace hls::cosim {
 
 struct Settings {
   std::uint64_t seed = 1;
   std::uint64_t transactions = 10'000;
-  bool stalls = true;          ///< false: both ends always ready, to measure the throughput
+  bool stall_inputs = true;    ///< false: a token that is there is always offered
+  bool stall_outputs = true;   ///< false: outputs are always ready
   unsigned patience = 5'000;   ///< clocks without any progress that count as a deadlock
   unsigned reset_clocks = 64;  ///< rows of the largest register file, which the reset clears
   unsigned drain = 200;        ///< more clocks than the unit has stages
@@ -54,15 +58,18 @@ struct Report {
   std::uint64_t clocks = 0;    ///< from the first transaction to the last comparison
 };
 
-template <class Unit>
-class Bench {
+/// The bench with any model.
+class ModelBench {
  public:
   template <class Dut, class Visit>
-  Bench(std::string name, Dut& dut, Visit visit) : name_(std::move(name)) {
+  ModelBench(std::string name, Dut& dut, Visit visit, std::unique_ptr<Model> model)
+      : name_(std::move(name)), model_(std::move(model)) {
     visit(dut, pins_);
     eval_ = [&dut] { dut.eval(); };
-    std::string_view names = Unit::hls_field_names();
-    std::apply([&](auto&... port) { (add(port_name(names), port), ...); }, unit_->hls_fields());
+    for (const auto& port : model_->ports()) {
+      ports_.push_back(make_driver(*port, take(port->name(), port->type())));
+      if (port->type().kind == PortKind::kIn) ++inputs_;
+    }
     for (const auto& [port, pins] : pins_.ports) {
       throw std::logic_error(
           fmt::format("{}: the Verilog has a port {}, the unit has none", name_, port));
@@ -72,17 +79,31 @@ class Bench {
   /// Changes every token (row, value) drawn for a port, after it was drawn.
   template <class T>
   void shape(const std::string& port, std::function<void(T&, Random&)> function) {
-    find<Drawn<T>>(port).shape = std::move(function);
+    find<PortDriver, T>(port).shape = [function = std::move(function)](TokenBits& bits,
+                                                                       Random& random) {
+      if constexpr (std::is_same_v<T, TokenBits>) {
+        function(bits, random);
+      } else {
+        T token = from_bits<T>(bits);
+        function(token, random);
+        bits = to_bits(token);
+      }
+    };
   }
   /// Which packet an In's token belongs to.
   template <class T>
   void packet(const std::string& port, std::function<std::uint64_t(const T&)> function) {
-    find<InPort<T>>(port).packet_of = std::move(function);
+    find<InDriver, T>(port).packet_of = [function = std::move(function)](const TokenBits& bits) {
+      return function(from_bits<T>(bits));
+    };
   }
-  /// Is told every token that a transaction begins with; one that was only drawn may be drawn anew.
+  /// Is told every token that a transaction begins with; one that was only drawn may be drawn
+  /// again.
   template <class T>
   void begun(const std::string& port, std::function<void(const T&)> function) {
-    find<InPort<T>>(port).begun = std::move(function);
+    find<InDriver, T>(port).begun = [function = std::move(function)](const TokenBits& bits) {
+      function(from_bits<T>(bits));
+    };
   }
   /// An output that random tokens need not reach; every other one must give something.
   void may_be_silent(const std::string& port) { silent_.insert(port); }
@@ -120,63 +141,29 @@ class Bench {
   }
 
  private:
-  /// The next of the names in HLS_PORTS; the Verilog's name of slice[1] is slice_1.
-  static std::string port_name(std::string_view& names) {
-    std::string name(hls::detail::next_name(names));
-    std::erase(name, ']');
-    for (char& c : name) {
-      if (c == '[') c = '_';
-    }
-    return name;
-  }
-  void add(const std::string&, hls::Absent&) {}
-  template <class T>
-  void add(std::string name, hls::In<T>& port) {
-    ports_.push_back(std::make_unique<InPort<T>>(name, take<T>(name, PortKind::kIn, 1, 0), port));
-    ++inputs_;
-  }
-  template <class T>
-  void add(std::string name, hls::Out<T>& port) {
-    ports_.push_back(std::make_unique<OutPort<T>>(name, take<T>(name, PortKind::kOut, 1, 0), port));
-  }
-  template <class T, unsigned N, unsigned L>
-  void add(std::string name, hls::RamRead<T, N, L>& port) {
-    ports_.push_back(std::make_unique<RamReadPort<T, N, L>>(
-        name, take<T>(name, PortKind::kRamRead, N, L), port));
-  }
-  template <class T, unsigned N>
-  void add(std::string name, hls::RamWrite<T, N>& port) {
-    ports_.push_back(
-        std::make_unique<RamWritePort<T, N>>(name, take<T>(name, PortKind::kRamWrite, N, 0), port));
-  }
-  template <class T>
-  void add(std::string name, hls::Config<T>& port) {
-    ports_.push_back(
-        std::make_unique<ConfigPort<T>>(name, take<T>(name, PortKind::kConfig, 1, 0), port));
-  }
-  /// The pins of a port, which must be as the C++ has it.
-  template <class T>
-  PortPins take(const std::string& name, PortKind kind, unsigned rows, unsigned latency) {
+  /// The pins of a port, which must be as the model has it.
+  PortPins take(const std::string& name, const PortInfo& type) {
     const auto found = pins_.ports.find(name);
     if (found == pins_.ports.end()) {
       throw std::logic_error(fmt::format("{}: the Verilog has no port {}", name_, name));
     }
     const PortPins pins = found->second;
-    const unsigned width = hls::bit_width_of<T>();
-    if (pins.kind != kind || pins.width != width || pins.rows != rows || pins.latency != latency) {
+    if (pins.type != type) {
       throw std::logic_error(fmt::format(
           "{}: port {} is {} bits, {} rows, latency {} in Verilog, {} bits, {} rows, latency {} in "
-          "C++",
-          name_, name, pins.width, pins.rows, pins.latency, width, rows, latency));
+          "the model",
+          name_, name, pins.type.width, pins.type.rows, pins.type.latency, type.width, type.rows,
+          type.latency));
     }
     pins_.ports.erase(found);
     return pins;
   }
-  template <class Port>
-  Port& find(const std::string& name) {
+  template <class Driver, class T>
+  Driver& find(const std::string& name) {
     for (const auto& port : ports_) {
       if (port->name() != name) continue;
-      if (auto* typed = dynamic_cast<Port*>(port.get())) return *typed;
+      auto* driver = dynamic_cast<Driver*>(port.get());
+      if (driver && port->model().token_type() == typeid(T)) return *driver;
       throw std::logic_error(fmt::format("{}: port {} has another token", name_, name));
     }
     throw std::logic_error(fmt::format("{}: there is no port {}", name_, name));
@@ -199,8 +186,8 @@ class Bench {
     pins_.rst_n.set(1);
   }
 
-  /// Draws tokens until their packet is not under way, runs the native unit on them and hands them
-  /// to the bench's ports.
+  /// Draws tokens until their packet is not under way, runs the model on them and hands them to
+  /// the bench's ports.
   bool begin_transaction(Random& random, Ledger& ledger) {
     for (int attempt = 0; attempt < 8; ++attempt) {
       std::optional<std::uint64_t> packet;
@@ -211,7 +198,7 @@ class Bench {
       if (packet && ledger.holds(*packet)) continue;
       const std::uint64_t transaction = ledger.begin(inputs_, packet);
       for (const auto& port : ports_) port->commit(transaction);
-      unit_->step();
+      model_->step();
       for (const auto& port : ports_) port->collect(transaction, ledger);
       return true;
     }
@@ -227,8 +214,12 @@ class Bench {
     std::uint64_t after_last = 0;
     std::uint64_t clock = 0;
     for (; after_last < settings.drain; ++clock) {
-      if (settings.stalls && clock % 256 == 0) {
-        for (double& s : stall) s = kStalls[random.below(std::size(kStalls))];
+      if (clock % 256 == 0) {
+        for (std::size_t i = 0; i < stall.size(); ++i) {
+          const bool reads = ports_[i]->kind() == PortKind::kIn;
+          const bool may_stall = reads ? settings.stall_inputs : settings.stall_outputs;
+          if (may_stall) stall[i] = kStalls[random.below(std::size(kStalls))];
+        }
       }
       bool progress = false;
       bool room = ledger.begun() < settings.transactions;
@@ -282,11 +273,20 @@ class Bench {
   std::string name_;
   UnitPins pins_;
   std::function<void()> eval_;
-  std::unique_ptr<Unit> unit_ = std::make_unique<Unit>();
-  std::vector<std::unique_ptr<PortModel>> ports_;
+  std::unique_ptr<Model> model_;
+  std::vector<std::unique_ptr<PortDriver>> ports_;
   unsigned inputs_ = 0;
   std::set<std::string> silent_;
   std::uint64_t half_clocks_ = 0;
 };
 
-}  // namespace dynrt::cosim
+/// The bench of a unit's Verilog and its C++.
+template <class Unit>
+class Bench : public ModelBench {
+ public:
+  template <class Dut, class Visit>
+  Bench(std::string name, Dut& dut, Visit visit)
+      : ModelBench(std::move(name), dut, visit, std::make_unique<NativeModel<Unit>>()) {}
+};
+
+}  // namespace hls::cosim

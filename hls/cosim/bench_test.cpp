@@ -17,11 +17,11 @@
 
 namespace {
 
-using dynrt::cosim::Bench;
-using dynrt::cosim::Report;
-using dynrt::cosim::Settings;
-using dynrt::cosim::example::Job;
-using dynrt::cosim::example::Tally;
+using hls::cosim::Bench;
+using hls::cosim::Report;
+using hls::cosim::Settings;
+using hls::cosim::example::Job;
+using hls::cosim::example::Tally;
 using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 
@@ -51,7 +51,7 @@ TEST(Bench, MeasuresTheThroughput) {
   Bench<Tally> bench = bench_of(dut, false);
   bench.shape<Job>(
       "job", [number = 0u](Job& job, auto&) mutable { job.packet = hls::uint<4>::from(number++); });
-  const Report report = bench.run({.stalls = false});
+  const Report report = bench.run({.stall_inputs = false, .stall_outputs = false});
   EXPECT_TRUE(report.ok) << report.text;
   EXPECT_GE(report.clocks, 10'000u);
   EXPECT_LE(report.clocks, 10'010u);
@@ -124,7 +124,7 @@ TEST(Bench, SilentPortsMayBeNamed) {
   Vtally mute;
   Bench<Tally> nothing = bench_of(mute);
   nothing.shape<Job>("job",
-                     [](Job& job, auto&) { job.action = dynrt::cosim::example::Action::kSilent; });
+                     [](Job& job, auto&) { job.action = hls::cosim::example::Action::kSilent; });
   for (const char* port : {"result", "copy_0", "copy_1", "last"}) nothing.may_be_silent(port);
   const Report empty = nothing.run({});
   EXPECT_FALSE(empty.ok);
@@ -146,7 +146,7 @@ TEST(Bench, RefusesABindingOfAnotherUnit) {
               f.in("extra", 8, v.extra_valid_i, v.extra_ready_o, v.extra_data_i);
             }),
             "tally: port extra is 8 bits, 1 rows, latency 0 in Verilog, 7 bits, 1 rows, latency 0 "
-            "in C++");
+            "in the model");
   EXPECT_EQ(refusal([](auto& v, auto& f) {
               visit_ports_tally(v, f);
               f.config("more", 8, v.offset_i);

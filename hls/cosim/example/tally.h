@@ -8,19 +8,19 @@
 #include "hls/float.h"
 #include "hls/ports.h"
 
-namespace dynrt::cosim::example {
+namespace hls::cosim::example {
 
 using hls::uint;
 using Real = hls::Float<7, 16>;
 
 enum class Action : unsigned char { kAdd, kReplace, kSkip, kSilent };
 
-}  // namespace dynrt::cosim::example
+}  // namespace hls::cosim::example
 
 template <>
-inline constexpr unsigned hls::enum_width<dynrt::cosim::example::Action> = 2;
+inline constexpr unsigned hls::enum_width<hls::cosim::example::Action> = 2;
 
-namespace dynrt::cosim::example {
+namespace hls::cosim::example {
 
 struct Job {  // 99 bits
   uint<4> packet;
@@ -71,4 +71,4 @@ struct Tally {
   }
 };
 
-}  // namespace dynrt::cosim::example
+}  // namespace hls::cosim::example
