@@ -18,7 +18,8 @@ def pages(root: pathlib.Path) -> list[pathlib.Path]:
     tops.append(root / "CHANGELOG.md")
     rooms = [root / "hls/compiler/README.md", *sorted(root.glob("scenes/*.md"))]
     rooms += sorted(root.glob("scripts/dynrt_tools/*/README.md"))
-    return tops + rooms + sorted(root.glob("docs/**/*.md"))
+    ours = [path for path in root.glob("docs/**/*.md") if path.parent.name != "templates"]
+    return tops + rooms + sorted(ours)
 
 
 def without_code(text: str) -> str:

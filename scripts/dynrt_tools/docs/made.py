@@ -6,7 +6,7 @@ import pathlib
 from collections.abc import Callable, Mapping
 
 from dynrt_tools import project
-from dynrt_tools.docs import commands, keys, messages, registers, waves
+from dynrt_tools.docs import commands, keys, messages, registers, results, waves
 
 MARK = "<!-- Made by scripts/docs --renew; do not edit. -->\n"
 DOCS = project.ROOT / "docs"
@@ -86,4 +86,5 @@ def from_build(build: pathlib.Path) -> dict[str, str]:
 
 def from_sources() -> dict[str, str]:
     """Every page that needs no build."""
-    return {name: MARK + make() for name, make in FROM_SOURCES.items()}
+    pages = {name: make() for name, make in FROM_SOURCES.items()} | results.pages()
+    return {name: MARK + text for name, text in pages.items()}

@@ -56,10 +56,10 @@ class Waves(unittest.TestCase):
     """Timing diagrams of a unit of two stages that reads a RAM in its second."""
 
     VERILOG = (
-        "// Made by hlsc (list.h); do not edit.\nmodule list #(\n  parameter A = 1\n) (\n"
-        "  input  wire clk_i,\n  input  wire job_valid_i,\n  output wire job_ready_o,\n"
-        "  input  wire [3:0] job_data_i,\n  output wire row_en_o,\n  output wire [3:0] row_addr_o,\n"
-        "  output wire pop_valid_o,\n  input  wire pop_ready_i,\n  output wire [3:0] pop_data_o\n);\n"
+        "// Made by hlsc (list.h); do not edit.\nmodule list #(\n  parameter A = 1\n) (\n  input  "
+        "wire clk_i,\n  input  wire job_valid_i,\n  output wire job_ready_o,\n  input  wire [3:0] "
+        "job_data_i,\n  output wire row_en_o,\n  output wire [3:0] row_addr_o,\n  output wire "
+        "pop_valid_o,\n  input  wire pop_ready_i,\n  output wire [3:0] pop_data_o\n);\n"
     )
 
     def drawn(self, stages: int) -> waves.Diagram:

@@ -1,0 +1,103 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The pages of results: templates whose figures come from the kept data of runs.
+
+docs/results/templates/NAME.md is Markdown in which {{DATA:PATH|FORMAT}} stands for a figure of
+docs/results/data/DATA.json. PATH leads through the data by /; in a list, words joined by + select
+the entry that has all of them as values. FORMAT is Python's, such as "," or ".1f"; it may begin
+with *FACTOR. {{DATA:command}} is the command that measures the data again.
+"""
+
+import pathlib
+import re
+from typing import Any
+
+from dynrt_tools import project
+
+RESULTS = project.ROOT / "docs" / "results"
+FIGURE = re.compile(r"\{\{(\w+):([^|}]+)(?:\|([^}]*))?\}\}")
+
+
+class Data:
+    """The data of a folder, each file read once; runs.json says where each is from."""
+
+    def __init__(self, folder: pathlib.Path):
+        self.folder = folder
+        self.read: dict[str, Any] = {}
+
+    def of(self, name: str) -> Any:
+        """The data of a name."""
+        if name not in self.read:
+            path = self.folder / f"{name}.json"
+            if not path.exists():
+                raise project.Failed(f"there is no {path.name}; {self.renewal(name)}")
+            self.read[name] = project.read_json(path)
+        return self.read[name]
+
+    def renewal(self, name: str) -> str:
+        """How to measure the data, in a few words."""
+        run = project.read_json(self.folder / "runs.json").get(name)
+        return f"'{run['command']}' measures it" if run else "runs.json names no command for it"
+
+    def sources(self, names: list[str]) -> list[str]:
+        """The lines of a page that say where its figures come from."""
+        runs = project.read_json(self.folder / "runs.json")
+        lines = [
+            "",
+            "## Where the figures come from",
+            "",
+            "| data | measured | with |",
+            "|---|---|---|",
+        ]
+        for name in names:
+            run = runs[name]
+            link = f"[{name}.json](data/{name}.json)"
+            lines.append(f"| {link} | {run['measured']} | `{run['command']}` |")
+        return lines
+
+    def figure(self, name: str, path: str) -> Any:
+        """The figure at a path."""
+        if path == "command":
+            return project.read_json(self.folder / "runs.json")[name][path]
+        value = self.of(name)
+        for step in path.split("/"):
+            try:
+                value = selected(value, step) if isinstance(value, list) else value[step]
+            except (KeyError, TypeError, StopIteration) as error:
+                raise project.Failed(f"{name}.json has no '{step}' of '{path}'") from error
+        return value
+
+
+def selected(entries: list[Any], words: str) -> Any:
+    """The entry that has all words as values."""
+    wanted = set(words.split("+"))
+    return next(e for e in entries if wanted <= {str(value) for value in e.values()})
+
+
+def shown(value: Any, form: str) -> str:
+    """A figure as the page shows it."""
+    factor = re.match(r"\*([\d.e+-]+) ?", form)
+    if factor:
+        value, form = value * float(factor[1]), form[factor.end() :]
+    return format(value, form)
+
+
+def filled(template: pathlib.Path, data: Data) -> str:
+    """The page of a template; a figure without data is named with its line."""
+    lines = []
+    text = template.read_text(encoding="utf-8")
+    for number, line in enumerate(text.splitlines(), 1):
+        try:
+            lines.append(FIGURE.sub(lambda f: shown(data.figure(f[1], f[2]), f[3] or ""), line))
+        except (project.Failed, ValueError, TypeError) as error:
+            where = f"docs/results/templates/{template.name}:{number}"
+            raise project.Failed(f"{where}: {error}") from error
+    names = dict.fromkeys(found[1] for found in FIGURE.finditer(text))
+    return "\n".join(lines + data.sources(list(names))) + "\n"
+
+
+def pages(results: pathlib.Path = RESULTS) -> dict[str, str]:
+    """Every page of results that has a template, by its file below docs."""
+    data = Data(results / "data")
+    templates = sorted((results / "templates").glob("*.md"))
+    return {f"results/{template.name}": filled(template, data) for template in templates}

@@ -1,0 +1,85 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Figures of pages against the data of the runs that they come from."""
+
+import json
+import pathlib
+import re
+import tempfile
+import unittest
+
+from dynrt_tools import project
+from dynrt_tools.docs import made, results
+
+
+class Figures(unittest.TestCase):
+    """A page of one template and its data."""
+
+    def setUp(self) -> None:
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (self.folder / "data").mkdir()
+        (self.folder / "templates").mkdir()
+        self.write("runs", {"a": {"command": "measure a", "measured": "today"}})
+
+    def write(self, name: str, data: object) -> None:
+        """Keeps data."""
+        path = self.folder / "data" / f"{name}.json"
+        path.write_text(json.dumps(data), encoding="utf-8")
+
+    def page(self, text: str) -> str:
+        """The page that a template of this text becomes."""
+        (self.folder / "templates" / "p.md").write_text(text, encoding="utf-8")
+        return results.pages(self.folder)["results/p.md"]
+
+    def test_a_figure_comes_from_the_data(self) -> None:
+        self.write("a", {"rows": [{"scene": "x", "core": "y", "clocks": 12345, "part": 0.5}]})
+        page = self.page("{{a:rows/x+y/clocks|,}} {{a:rows/x/part|*100 .1f}}\n")
+        self.assertTrue(page.startswith("12,345 50.0\n"))
+        self.assertIn("| [a.json](data/a.json) | today | `measure a` |", page)
+
+    def test_a_changed_figure_makes_the_page_old(self) -> None:
+        self.write("a", {"clocks": 1})
+        docs = self.folder
+        made.renew({"results/p.md": self.page("{{a:clocks}} clocks\n")}, docs)
+        self.write("a", {"clocks": 2})
+        self.assertEqual(
+            made.stale({"results/p.md": self.page("{{a:clocks}} clocks\n")}, docs),
+            ["docs/results/p.md:1: differs from its sources; scripts/docs --renew writes it"],
+        )
+
+    def test_a_page_without_its_data_is_named_with_its_line(self) -> None:
+        with self.assertRaises(project.Failed) as caught:
+            self.page("text\n{{a:clocks}}\n")
+        self.assertEqual(
+            str(caught.exception),
+            "docs/results/templates/p.md:2: there is no a.json; 'measure a' measures it",
+        )
+
+    def test_a_figure_that_the_data_lack_is_named(self) -> None:
+        self.write("a", {"clocks": 1})
+        with self.assertRaisesRegex(project.Failed, "p.md:1: a.json has no 'rays' of 'rays'"):
+            self.page("{{a:rays}}\n")
+
+
+class Readme(unittest.TestCase):
+    """The table of the README."""
+
+    def test_its_figures_are_those_of_the_data(self) -> None:
+        data = results.Data(results.RESULTS / "data")
+        rows = data.of("scenes")["scenes"]
+        text = (project.ROOT / "README.md").read_text(encoding="utf-8")
+        for scene in ("office", "cistern", "conference", "trees4000"):
+            best = max(
+                (row for row in rows if row["scene"] == scene),
+                key=lambda row: float(row["frames per second at 85 MHz"]),
+            )
+            shown = re.search(rf"^\| `{scene}`[^|]*\| ([\d.]+)[^|]*\| ([^|]+) \|$", text, re.M)
+            assert shown, scene
+            self.assertEqual(shown[1], f"{best['frames per second at 85 MHz']:.1f}")
+            self.assertEqual(shown[2], best["thesis"])
+        share = data.figure("devices", "rows/LUT4, all/share")
+        self.assertIn(f"| {share} % of the LUTs |", text)
+
+
+if __name__ == "__main__":
+    unittest.main()
