@@ -2,9 +2,20 @@
 # SPDX-License-Identifier: Apache-2.0
 include(GoogleTest)
 
-# dynrt_discover_tests(TARGET ...): as gtest_discover_tests, but patient: on a cold machine the first
-# start of a program takes long, with all the libraries that OpenImageIO brings.
+# dynrt_discover_tests(TARGET [TEST_PREFIX p] [TEST_FILTER f] ... PROPERTIES LABELS label): the tests of
+# a GoogleTest program. Those of the label unit are short, starting their program with all the libraries
+# that OpenImageIO brings is not: the program is one test with the target's name. Of other labels every
+# case is a test, so that they run beside each other; the first start of a program on a cold machine
+# takes long, hence the patience.
 function(dynrt_discover_tests target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "NO_PRETTY_VALUES" "TEST_PREFIX;TEST_FILTER;TEST_LIST"
+                        "PROPERTIES")
+  if("unit" IN_LIST arg_PROPERTIES AND NOT arg_TEST_FILTER)
+    add_test(NAME ${arg_TEST_PREFIX}${target} COMMAND ${target})
+    set_tests_properties(${arg_TEST_PREFIX}${target} PROPERTIES ${arg_PROPERTIES}
+                         FAIL_REGULAR_EXPRESSION "Running 0 tests")
+    return()
+  endif()
   gtest_discover_tests(${target} ${ARGN} DISCOVERY_TIMEOUT 300)
 endfunction()
 
