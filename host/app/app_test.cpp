@@ -30,6 +30,27 @@ TEST_F(App, HelpTellsEverything) {
   }
 }
 
+TEST_F(App, SaysItsVersion) {
+  const Outcome outcome = run("--version");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out, testing::MatchesRegex("dynrt [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+// What takes a program long to start are the libraries that it brings: OpenImageIO alone is 250.
+TEST_F(App, StartsWithFewLibraries) {
+  FILE* loader = popen("LD_TRACE_LOADED_OBJECTS=1 " DYNRT_PROGRAM, "r");
+  ASSERT_NE(loader, nullptr);
+  int libraries = 0;
+  char line[1024];
+  while (std::fgets(line, sizeof line, loader) != nullptr) {
+    EXPECT_THAT(std::string(line), testing::Not(HasSubstr("OpenImageIO")));
+    ++libraries;
+  }
+  EXPECT_EQ(pclose(loader), 0);
+  EXPECT_GT(libraries, 3);
+  EXPECT_LT(libraries, 40);
+}
+
 TEST_F(App, RendersOnTheModel) {
   const Outcome outcome = run(std::string("render blocks") + kModel + "--json figures.json");
   EXPECT_EQ(outcome.code, 0) << outcome.err;

@@ -12,8 +12,8 @@
 #include "host/app/report.h"
 #include "host/app/specialised.h"
 #include "host/app/text.h"
-#include "host/render/output_file.h"
-#include "host/render/write_image.h"
+#include "host/picture/output_file.h"
+#include "host/picture/write_image.h"
 
 namespace dynrt::host {
 

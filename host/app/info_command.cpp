@@ -8,7 +8,7 @@
 #include "host/app/command.h"
 #include "host/app/prepare.h"
 #include "host/app/text.h"
-#include "host/render/output_file.h"
+#include "host/picture/output_file.h"
 #include "host/render/render.h"
 
 namespace dynrt::host {

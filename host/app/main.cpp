@@ -46,6 +46,7 @@ std::string one_sentence(std::string text) {
 int run(int argc, char** argv) {
   CLI::App program(kAbout, "dynrt");
   program.footer(kFooter);
+  program.set_version_flag("--version", "dynrt " DYNRT_VERSION);
   program.require_subcommand(1);
   const std::vector<Command> commands = {
       add_render_command(program),    add_walk_command(program),   add_compare_command(program),

@@ -16,7 +16,7 @@
 #include "host/app/specialised.h"
 #include "host/app/text.h"
 #include "host/app/walk.h"
-#include "host/render/output_file.h"
+#include "host/picture/output_file.h"
 #include "host/scene/animation.h"
 #include "host/scene/fingerprint.h"
 #include "host/specialise/decide.h"

@@ -15,7 +15,7 @@
 #include "host/app/truth_report.h"
 #include "host/app/work_report.h"
 #include "host/error.h"
-#include "host/render/output_file.h"
+#include "host/picture/output_file.h"
 
 namespace dynrt::host {
 

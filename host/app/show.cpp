@@ -11,8 +11,8 @@
 
 #include "host/app/text.h"
 #include "host/board/display.h"
+#include "host/picture/write_image.h"
 #include "host/render/render.h"
-#include "host/render/write_image.h"
 
 namespace dynrt::host {
 

@@ -23,7 +23,7 @@
 #include "host/app/text.h"
 #include "host/board/load_configuration.h"
 #include "host/error.h"
-#include "host/render/output_file.h"
+#include "host/picture/output_file.h"
 
 namespace dynrt::host {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "host/render/output_file.h"
+#include "host/picture/output_file.h"
 
 namespace dynrt::host {
 

@@ -12,9 +12,9 @@
 
 #include "host/app/messages.h"
 #include "host/error.h"
-#include "host/render/gif.h"
-#include "host/render/output_file.h"
-#include "host/render/write_image.h"
+#include "host/picture/gif.h"
+#include "host/picture/output_file.h"
+#include "host/picture/write_image.h"
 
 namespace dynrt::host {
 

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the renderer and the image writer say when something is wrong.
+// What the renderer says when something is wrong.
 #pragma once
 
 namespace dynrt::host::messages {
@@ -17,14 +17,5 @@ inline constexpr char kUncompressed[] =
     "flag out";
 inline constexpr char kReflections[] =
     "--reflections {}: configuration {} traces at most {} reflections of a ray";
-inline constexpr char kExtension[] =
-    "{}: the image format '{}' is not one of dynrt's; the name must end in .png or .exr";
-inline constexpr char kNotAPicture[] =
-    "{}: is no longer the picture that was written; remove it and run the same command again";
-inline constexpr char kSameFile[] = "{} {}: {} writes the same file; name another one";
-inline constexpr char kNoFolder[] =
-    "{}: there is no folder '{}'; create it or name a file elsewhere";
-inline constexpr char kCannotWrite[] =
-    "{}: cannot be written ({}); name a file in a folder that can";
 
 }  // namespace dynrt::host::messages

@@ -20,7 +20,7 @@
 #include "host/board/configurations.h"
 #include "host/error.h"
 #include "host/format/frame_words.h"
-#include "host/render/output_file.h"
+#include "host/picture/output_file.h"
 #include "host/render/render.h"
 
 namespace dynrt::host {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/analysis/truth/measures.h"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include <map>
 
 #include "host/memory/matrix_numbers.h"
+#include "host/picture/image_library.h"
 
 namespace dynrt::host {
 
@@ -286,25 +285,10 @@ class Judge {
     return out.take();
   }
 
-  /// Levels as numbers 0 to 1.
-  OIIO::ImageBuf picture(const std::vector<std::uint32_t>& pixels) const {
-    std::vector<float> values;
-    values.reserve(3 * pixels.size());
-    for (const std::uint32_t pixel : pixels) {
-      for (std::size_t k = 0; k < 3; ++k)
-        values.push_back(static_cast<float>(level(pixel, k)) / 255);
-    }
-    const OIIO::ImageSpec spec(static_cast<int>(frame_.width), static_cast<int>(frame_.height), 3,
-                               OIIO::TypeDesc::FLOAT);
-    OIIO::ImageBuf buffer(spec);
-    buffer.set_pixels(OIIO::get_roi(spec), OIIO::TypeDesc::FLOAT, values.data());
-    return buffer;
-  }
-
   ordered_json image() const {
     constexpr float kTenLevels = 10.5F / 255;
-    const auto found = OIIO::ImageBufAlgo::compare(picture(expected_.pixels),
-                                                   picture(frame_.pixels), kTenLevels, 0.0F);
+    const PictureView expected(frame_.width, frame_.height, expected_.pixels);
+    const PictureDifference found = image_library().difference(expected, frame_, kTenLevels);
     std::uint64_t differ = 0;
     for (std::size_t i = 0; i < frame_.pixels.size(); ++i) {
       differ += (frame_.pixels[i] ^ expected_.pixels[i]) << 8 != 0;
@@ -314,11 +298,11 @@ class Judge {
     out["differ"] = differ;
     out["differ_share"] =
         ratio(static_cast<double>(differ), static_cast<double>(frame_.pixels.size()));
-    out["differ_by_10"] = found.nfail;
-    if (std::isfinite(found.PSNR) && differ > 0) out["psnr"] = found.PSNR;
-    out["rms"] = 255 * found.rms_error;
-    out["mean"] = 255 * found.meanerror;
-    out["largest"] = std::lround(255 * found.maxerror);
+    out["differ_by_10"] = found.beyond;
+    if (std::isfinite(found.psnr) && differ > 0) out["psnr"] = found.psnr;
+    out["rms"] = 255 * found.rms;
+    out["mean"] = 255 * found.mean;
+    out["largest"] = std::lround(255 * found.largest);
     return out.take();
   }
 

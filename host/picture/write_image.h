@@ -1,14 +1,14 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Frames as image files. PNG holds the core's bytes as they are; EXR holds the same colours as
+// Pictures as image files. PNG holds the core's bytes as they are; EXR holds the same colours as
 // numbers 0 to 1.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-#include "host/render/frame.h"
+#include "host/picture/picture_view.h"
 
 namespace dynrt::host {
 
@@ -19,6 +19,6 @@ inline constexpr std::string_view kPngEnd = "IEND\xae\x42\x60\x82";
 /// exist or cannot be written.
 void check_image_path(const std::string& path);
 
-void write_image(const std::string& path, const Frame& frame);
+void write_image(const std::string& path, const PictureView& picture);
 
 }  // namespace dynrt::host

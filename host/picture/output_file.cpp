@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "host/render/output_file.h"
+#include "host/picture/output_file.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -15,7 +15,7 @@
 #include <regex>
 
 #include "host/error.h"
-#include "host/render/messages.h"
+#include "host/picture/messages.h"
 
 namespace dynrt::host {
 

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "host/render/write_image.h"
+#include "host/picture/write_image.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
@@ -10,6 +10,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include "host/error.h"
 
@@ -18,6 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::ThrowsMessage;
+
+struct Pixels {
+  unsigned width = 0, height = 0;
+  std::vector<std::uint32_t> pixels;
+};
 
 class WriteImage : public testing::Test {
  protected:
@@ -37,13 +43,7 @@ class WriteImage : public testing::Test {
   }
 
   fs::path folder_;
-  Frame frame_ = [] {
-    Frame frame;
-    frame.width = 3;
-    frame.height = 2;
-    frame.pixels = {0x0000ff, 0x00ff00, 0xff0000, 0x000000, 0xffffff, 0x804020};
-    return frame;
-  }();
+  const Pixels picture_{3, 2, {0x0000ff, 0x00ff00, 0xff0000, 0x000000, 0xffffff, 0x804020}};
 };
 
 std::vector<float> read_back(const std::string& path) {
@@ -62,7 +62,7 @@ TEST_F(WriteImage, PngAndExrHoldThePixels) {
   const std::vector<float> expected = {1, 0, 0, 0, 1, 0, 0,          0,          1,  //
                                        0, 0, 0, 1, 1, 1, 32 / 255.f, 64 / 255.f, 128 / 255.f};
   for (const char* name : {"image.png", "image.exr"}) {
-    write_image(path(name), frame_);
+    write_image(path(name), picture_);
     EXPECT_THAT(read_back(path(name)), testing::Pointwise(testing::FloatNear(1e-3f), expected))
         << name;
   }
@@ -71,13 +71,13 @@ TEST_F(WriteImage, PngAndExrHoldThePixels) {
 
 TEST_F(WriteImage, ReplacesAnOlderFile) {
   std::ofstream(path("image.png")) << "not an image";
-  write_image(path("image.png"), frame_);
+  write_image(path("image.png"), picture_);
   EXPECT_EQ(read_back(path("image.png")).size(), 18u);
   EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(WriteImage, AnUnknownExtensionIsAnError) {
-  EXPECT_THAT([&] { write_image("image.jpg", frame_); },
+  EXPECT_THAT([&] { write_image("image.jpg", picture_); },
               ThrowsMessage<UserError>("image.jpg: the image format '.jpg' is not one of dynrt's; "
                                        "the name must end in .png or .exr"));
   EXPECT_THAT([&] { check_image_path("image"); },
@@ -93,7 +93,7 @@ TEST_F(WriteImage, AFolderThatIsMissingIsAnError) {
 
 TEST_F(WriteImage, AFileThatCannotBeWrittenIsAnErrorAndNothingIsLeft) {
   fs::create_directory(path("image.png"));
-  EXPECT_THAT([&] { write_image(path("image.png"), frame_); },
+  EXPECT_THAT([&] { write_image(path("image.png"), picture_); },
               ThrowsMessage<UserError>(path("image.png") +
                                        ": cannot be written (Is a directory); name a file in a "
                                        "folder that can"));
@@ -121,9 +121,9 @@ class SmallDisk {
 };
 
 TEST_F(WriteImage, AFullDiskLeavesThePreviousImageWhole) {
-  write_image(path("a.png"), frame_);
+  write_image(path("a.png"), picture_);
   const auto size = fs::file_size(path("a.png"));
-  Frame large;
+  Pixels large;
   large.width = large.height = 64;
   for (unsigned i = 0; i < 64 * 64; ++i) large.pixels.push_back(i * 2654435761u);
   {

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "host/render/gif.h"
+#include "host/picture/gif.h"
 
 #include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
@@ -8,9 +8,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 #include "host/error.h"
-#include "host/render/write_image.h"
+#include "host/picture/write_image.h"
 
 namespace dynrt::host {
 namespace {
@@ -31,11 +32,8 @@ class Gif : public testing::Test {
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   /// A picture of one colour.
   std::string picture(const std::string& name, std::uint32_t colour) const {
-    Frame frame;
-    frame.width = 8;
-    frame.height = 6;
-    frame.pixels.assign(48, colour);
-    write_image(path(name), frame);
+    const std::vector<std::uint32_t> pixels(48, colour);
+    write_image(path(name), PictureView(8, 6, pixels));
     return path(name);
   }
 

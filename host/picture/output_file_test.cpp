@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "host/render/output_file.h"
+#include "host/picture/output_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,0 +1,46 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/picture/image_library.h"
+
+#include <dlfcn.h>
+
+#include <filesystem>
+#include <system_error>
+
+#include "host/error.h"
+#include "host/picture/messages.h"
+
+namespace dynrt::host {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path find_library() {
+  const fs::path built = DYNRT_IMAGES_LIBRARY;
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown).parent_path();
+  for (const fs::path& folder : {program, program / ".." / "lib" / "dynrt"}) {
+    if (fs::exists(folder / built.filename(), unknown)) return folder / built.filename();
+  }
+  return built;
+}
+
+}  // namespace
+
+const ImageLibrary& load_image_library(const std::string& path) {
+  const std::string name = fs::path(path).filename().string();
+  void* library = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);  // never closed
+  if (library == nullptr) refuse(messages::kNoImageLibrary, name, std::string(dlerror()));
+  using Function = const ImageLibrary* (*)();
+  const auto function = reinterpret_cast<Function>(dlsym(library, kImageLibraryFunction));
+  if (function == nullptr) refuse(messages::kNoImageLibrary, name, std::string(dlerror()));
+  return *function();
+}
+
+const ImageLibrary& image_library() {
+  static const ImageLibrary& library = load_image_library(find_library());
+  return library;
+}
+
+}  // namespace dynrt::host
