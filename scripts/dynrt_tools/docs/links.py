@@ -8,6 +8,10 @@ from collections.abc import Iterator
 
 LINK = re.compile(r"!?\[[^\]]*\]\(([^()\s]+)\)")
 CODE = re.compile(r"```.*?```|`[^`\n]*`|<!--.*?-->", re.DOTALL)
+NAMED = re.compile(
+    r"`((?:cmake|constraints|docs|hls|host|rtl|scenes|scripts|verif)/[\w./-]+)[^`\n]*`"
+)
+PLACEHOLDER = re.compile(r"(?<![A-Za-z])[A-Z]{4,}(?![A-Za-z])")
 HEADING = re.compile(r"^#+\s+(.*?)\s*$", re.MULTILINE)
 ANCHOR = re.compile(r'\b(?:id|name)="([^"]+)"')
 
@@ -46,10 +50,31 @@ def links(page: pathlib.Path) -> Iterator[tuple[int, str]]:
         yield text.count("\n", 0, found.start()) + 1, found[1]
 
 
+def names(page: pathlib.Path) -> Iterator[tuple[int, str]]:
+    """Line and path of each file and folder of the project that the page names as code."""
+    text = page.read_text(encoding="utf-8")
+    for found in NAMED.finditer(text):
+        if not PLACEHOLDER.search(found[0]):
+            yield text.count("\n", 0, found.start()) + 1, found[1]
+
+
+def exists(root: pathlib.Path, name: str) -> bool:
+    """Whether the project has it: a file or folder, a C++ file without its ending, or a header of
+    the language by the name with which a unit includes it."""
+    folders = (root, root / "hls" / "include", root / "hls" / "lowered")
+    paths = [folder / name.rstrip(".") for folder in folders]
+    return any(path.exists() or any(path.parent.glob(f"{path.name}.*")) for path in paths)
+
+
 def broken(root: pathlib.Path) -> list[str]:
-    """A sentence for each link of the project's pages that leads nowhere."""
+    """A sentence for each link of the project's pages that leads nowhere, and for each file that
+    a page names and that is not there."""
     problems = []
     for page in pages(root):
+        for line, name in names(page):
+            if not exists(root, name):
+                where = f"{page.relative_to(root)}:{line}"
+                problems.append(f"{where}: '{name}' is no file or folder of the project")
         for line, target in links(page):
             if re.match(r"\w+:", target):
                 continue

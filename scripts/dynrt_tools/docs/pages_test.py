@@ -134,6 +134,12 @@ class Links(unittest.TestCase):
             ["README.md:2: the link 'docs/b.md' leads to no file of the project"],
         )
 
+    def test_a_name_of_no_file(self) -> None:
+        self.assertEqual(
+            self.broken("`docs/a.md`, `docs/NAME.md`\nand `docs/b.md`"),
+            ["README.md:2: 'docs/b.md' is no file or folder of the project"],
+        )
+
     def test_a_missing_heading(self) -> None:
         self.assertEqual(
             self.broken("[a](docs/a.md#three)"),

@@ -29,6 +29,11 @@ class CoreFile(unittest.TestCase):
         found = [f for fileset in filesets for f in self.core["filesets"][fileset]["files"]]
         return [next(iter(f)) if isinstance(f, dict) else f for f in found]
 
+    def test_its_version_is_the_project_s(self):
+        text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
+        stated = re.search(r"project\(dynrt VERSION ([\d.]+)", text)
+        self.assertEqual(self.core["name"], f"dynrt::dynrt:{stated[1]}")
+
     def test_every_verilog_file_is_listed_once(self):
         listed = self.files("core", "board")
         there = rtl_files.hand_written() + rtl_files.units_in(rtl_files.GENERATED)
