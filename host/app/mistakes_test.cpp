@@ -66,7 +66,7 @@ TEST_F(App, BadLightsAndMirrorsAreRefused) {
 TEST_F(App, ABoardThatNeverInterruptsIsATimeOut) {
   expect_mistake(
       std::string("render blocks") + kRtl + "--timeout 100",
-      "dynrt: board rtl: no interrupt and no pixel for 100 clocks (--timeout allows more); "
+      "dynrt: board rtl: no interrupt and no pixel for 100 clocks (a longer timeout allows more); "
       "0 pixels are written, status 0x1, the units stand at without input: stand_in 0\n");
 }
 
@@ -88,10 +88,10 @@ TEST_F(App, BadSizesAreRefused) {
 TEST_F(App, WhatIsUnknownIsNamed) {
   expect_mistake(
       "render blocks --config huge",
-      "dynrt: --config huge: unknown; this build has model_only, stand_in, lit, and a file "
+      "dynrt: configuration huge: unknown; this build has model_only, stand_in, lit, and a file "
       "FILE.json or FILE.so may be named instead\n");
   expect_mistake("render blocks --config stand_in --board fpga",
-                 "dynrt: --board fpga: unknown; the boards are rtl and model\n");
+                 "dynrt: board fpga: unknown; the boards are rtl and model\n");
   expect_mistake("render blocks --order hilbert",
                  "dynrt: --order hilbert: unknown; the orders are morton and scanline\n");
   expect_mistake("render blocks --speed 9",
@@ -114,9 +114,10 @@ TEST_F(App, WhatIsUnknownIsNamed) {
 TEST_F(App, WhatTheConfigurationLacksIsRefused) {
   expect_mistake("render blocks --config stand_in --packets 5",
                  "dynrt: --packets 5: configuration stand_in holds 1 to 4 packets\n");
-  expect_mistake("render blocks --config model_only --size 8x8",
-                 StartsWith("dynrt: --config model_only: is the native model alone, so it has no "
-                            "board rtl; take one of those with Verilog, stand_in"));
+  expect_mistake(
+      "render blocks --config model_only --size 8x8",
+      StartsWith("dynrt: configuration model_only: is the native model alone, so it has no "
+                 "board rtl; take one of those with Verilog, stand_in"));
   expect_mistake("render blocks --config stand_in --packets 0",
                  "dynrt: --packets 0: configuration stand_in holds 1 to 4 packets\n");
   expect_mistake(
@@ -174,8 +175,8 @@ TEST_F(App, OutputsThatCannotBeWrittenAreRefused) {
   expect_mistake("render blocks --config stand_in --trace no/where/f.fst",
                  HasSubstr("no/where/f.fst: there is no folder 'no/where'"));
   expect_mistake("render blocks --config stand_in --board model --trace f.fst",
-                 "dynrt: --trace: only --board rtl has signals to record; leave the flag out or "
-                 "choose that board\n");
+                 "dynrt: waveforms: only board rtl has signals to record; ask for none or take "
+                 "that board\n");
   expect_mistake("render no_such_scene --config stand_in --trace f.fst",
                  HasSubstr("no_such_scene"));
 }

@@ -46,10 +46,11 @@ constexpr Configuration kTable[] = {
      }}};
 
 TEST(Configurations, RefusesSchedulesOfTheVerilog) {
-  EXPECT_THAT([] { make_board(kTable, {"rtl", "small", "", "schedules"}); },
-              ThrowsMessage<UserError>(
-                  "--schedule: only --board model takes its clocks from schedules; the Verilog has "
-                  "its own, so leave the flag out or choose that board"));
+  EXPECT_THAT(
+      [] { make_board(kTable, {"rtl", "small", "", "schedules"}); },
+      ThrowsMessage<UserError>(
+          "schedules: only board model takes its clocks from them, as the Verilog has clocks of "
+          "its own; name none or take that board"));
 }
 
 auto making(const BoardRequest& request) {
@@ -69,24 +70,24 @@ TEST(Configurations, MakesTheModelOfTheNamedConfiguration) {
 
 TEST(Configurations, WhatIsUnknownIsNamed) {
   EXPECT_THAT(making({.board = "fpga", .configuration = "small", .trace = ""}),
-              ThrowsMessage<UserError>("--board fpga: unknown; the boards are rtl and model"));
+              ThrowsMessage<UserError>("board fpga: unknown; the boards are rtl and model"));
   EXPECT_THAT(making({.board = "model", .configuration = "huge", .trace = ""}),
               ThrowsMessage<UserError>(
-                  "--config huge: unknown; this build has small, large, wide, and a file "
+                  "configuration huge: unknown; this build has small, large, wide, and a file "
                   "FILE.json or FILE.so may be named instead"));
   EXPECT_THAT(making({.board = "model", .configuration = "small", .trace = "a.fst"}),
-              ThrowsMessage<UserError>("--trace: only --board rtl has signals to record; leave the "
-                                       "flag out or choose that board"));
+              ThrowsMessage<UserError>("waveforms: only board rtl has signals to record; ask for "
+                                       "none or take that board"));
   EXPECT_THAT(making({.board = "rtl", .configuration = "small", .trace = ""}),
               ThrowsMessage<UserError>(
-                  "--board rtl: the Verilog of configuration small is not part of this build; "
-                  "configure with -DDYNRT_RTL=ON or take --board model"));
+                  "board rtl: the Verilog of configuration small is not part of this build; "
+                  "configure with -DDYNRT_RTL=ON or take board model"));
 }
 
 TEST(Configurations, TheRtlsMemoryHoldsNoWideFloats) {
   EXPECT_THAT(
       making({.board = "rtl", .configuration = "wide", .trace = ""}),
-      ThrowsMessage<UserError>("--config wide: a float of 32 bits needs words of 43 bits in "
+      ThrowsMessage<UserError>("configuration wide: a float of 32 bits needs words of 43 bits in "
                                "the memory, and the SRAM of board rtl has 32; take --board "
                                "model"));
   const auto board = make_board(kTable, {.board = "model", .configuration = "wide", .trace = ""});

@@ -65,7 +65,7 @@ TEST_F(LoadConfiguration, IsNamedByItsFileAndKept) {
 TEST_F(LoadConfiguration, SaysWhyAFileIsNone) {
   const auto expect_refused = [](const std::string& path, const std::string& what) {
     EXPECT_THAT([&] { load_configuration(path); },
-                ThrowsMessage<UserError>("--config " + path + ": " + what));
+                ThrowsMessage<UserError>("configuration " + path + ": " + what));
   };
   expect_refused("nowhere.so", "there is no such file");
   expect_refused("nowhere.json", "there is no such file");
@@ -84,7 +84,7 @@ TEST_F(LoadConfiguration, SaysWhyAFileIsNone) {
 TEST_F(LoadConfiguration, WhatTheScriptRefusesIsTheUsersMistake) {
   const std::string path = written("mine.json", R"({"packets": 0})");
   EXPECT_THAT([&] { load_configuration(path); },
-              ThrowsMessage<UserError>(AllOf(HasSubstr("--config " + path + ": "),
+              ThrowsMessage<UserError>(AllOf(HasSubstr("configuration " + path + ": "),
                                              HasSubstr("key 'packets' (packets in flight)"))));
 }
 

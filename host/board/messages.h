@@ -7,7 +7,8 @@
 namespace dynrt::host::messages {
 
 inline constexpr char kTimeout[] =
-    "board {}: no interrupt and no pixel for {} clocks (--timeout allows more); {} pixels are "
+    "board {}: no interrupt and no pixel for {} clocks (a longer timeout allows more); {} pixels "
+    "are "
     "written, status {:#x}, the units stand at {}";
 inline constexpr char kAssertion[] =
     "the Verilog's assertion that is printed above fails in clock {} of the board";
@@ -25,41 +26,45 @@ inline constexpr char kRefused[] =
 inline constexpr char kOutsideBank[] =
     "board {}: words {} to {} of bank {} are asked for; there are {} banks of {} words";
 inline constexpr char kNoConfiguration[] =
-    "--config {}: unknown; this build has {}, and a file FILE.json or FILE.so may be named instead";
-inline constexpr char kNoConfigurationFile[] = "--config {}: there is no such file";
+    "configuration {}: unknown; this build has {}, and a file FILE.json or FILE.so may be named "
+    "instead";
+inline constexpr char kNoConfigurationFile[] = "configuration {}: there is no such file";
 inline constexpr char kNotMade[] = "{}: {}";
 inline constexpr char kNotALibrary[] =
-    "--config {}: is no whole shared library; make it anew with scripts/configuration";
-inline constexpr char kNotLoaded[] = "--config {}: cannot be loaded: {}";
+    "configuration {}: is no whole shared library; make it anew with scripts/configuration";
+inline constexpr char kNotLoaded[] = "configuration {}: cannot be loaded: {}";
 inline constexpr char kForeignLibrary[] =
-    "--config {}: is a shared library, but no configuration of dynrt; scripts/configuration makes "
+    "configuration {}: is a shared library, but no configuration of dynrt; scripts/configuration "
+    "makes "
     "those";
 inline constexpr char kOtherBuild[] =
-    "--config {}: was made of other sources or by another compiler than this program; make it anew "
+    "configuration {}: was made of other sources or by another compiler than this program; make it "
+    "anew "
     "with scripts/configuration";
-inline constexpr char kNoBoard[] = "--board {}: unknown; the boards are rtl and model";
+inline constexpr char kNoBoard[] = "board {}: unknown; the boards are rtl and model";
 inline constexpr char kModelAlone[] =
-    "--config {}: is the native model alone, so it has no board rtl; take one of those with "
+    "configuration {}: is the native model alone, so it has no board rtl; take one of those with "
     "Verilog, "
     "{}, or give it \"rtl\": true in hls/configs/configs.json and build again";
 inline constexpr char kWideWords[] =
-    "--config {}: a float of {} bits needs words of {} bits in the memory, and the SRAM of board "
-    "rtl has {}; take --board model";
+    "configuration {}: a float of {} bits needs words of {} bits in the memory, and the SRAM of "
+    "board "
+    "rtl has {}; take board model";
 inline constexpr char kNoRtl[] =
-    "--board rtl: the Verilog of configuration {} is not part of this build; configure with "
-    "-DDYNRT_RTL=ON or take --board model";
+    "board rtl: the Verilog of configuration {} is not part of this build; configure with "
+    "-DDYNRT_RTL=ON or take board model";
 inline constexpr char kNoTrace[] =
-    "--trace: only --board rtl has signals to record; leave the flag out or choose that board";
+    "waveforms: only board rtl has signals to record; ask for none or take that board";
 inline constexpr char kScheduleOfRtl[] =
-    "--schedule: only --board model takes its clocks from schedules; the Verilog has its own, so "
-    "leave the flag out or choose that board";
+    "schedules: only board model takes its clocks from them, as the Verilog has clocks of its own; "
+    "name none or take that board";
 inline constexpr char kNoSchedule[] =
-    "--schedule {}: there are no schedules of hlsc; name the folder of a configuration's Verilog, "
-    "such as build/release/generated/thesis";
+    "{}: the folder has no schedules of hlsc; name that of a configuration's Verilog, such as "
+    "build/release/generated/thesis";
 inline constexpr char kBadSchedule[] =
     "{}: is not a whole schedule of hlsc; lower the unit again or remove the file";
 inline constexpr char kIncompleteSchedule[] =
-    "--schedule {}: {} of configuration {}; name the folder of that configuration's Verilog";
+    "{}: {} of configuration {}; name the folder of that configuration's Verilog";
 inline constexpr char kScanWords[] =
     "board {}: has {} registers for its scan-out, the host writes {}; rebuild the Verilog and the "
     "host together";

@@ -115,11 +115,11 @@ TEST_F(ScheduledBoard, GivesTheCoreTheSchedulesAndTakesItsClocks) {
 
 TEST_F(ScheduledBoard, RefusesWhatIsNoWholeSetOfSchedules) {
   const std::string name = folder_.string();
-  EXPECT_EQ(refusal(), "--schedule " + name +
-                           ": there are no schedules of hlsc; name the folder of a "
+  EXPECT_EQ(refusal(), name +
+                           ": the folder has no schedules of hlsc; name that of a "
                            "configuration's Verilog, such as build/release/generated/thesis");
   write("paste.json", R"({"module": "paste", "stages": 3, "room": 6, "ram_stages": {}})");
-  EXPECT_EQ(refusal(true), "--schedule " + name +
+  EXPECT_EQ(refusal(true), name +
                                ": there is no schedule of 'copy' of configuration thesis; "
                                "name the folder of that configuration's Verilog");
   write("copy.json", R"({"module": "copy", "stages": 3, "roo)");

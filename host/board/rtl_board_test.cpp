@@ -100,15 +100,13 @@ class DeadBoard final : public ClockedBoard {
 };
 
 TEST(RtlBoardErrors, ABoardThatIsNoneIsRefused) {
-  EXPECT_THAT(
-      [] { RtlBoard(named("thesis"), std::make_unique<DeadBoard>(false), {}); },
-      ThrowsMessage<UserError>(
-          "board rtl: reads 0x0 as its id and 0x0 as its version, expected 0x44595254 and "
-          "0x20001; rebuild the Verilog and the host together"));
-  EXPECT_THAT(
-      [] { RtlBoard(named("thesis"), std::make_unique<DeadBoard>(true), {}); },
-      ThrowsMessage<UserError>("board rtl: the bus waits for ever at address 0x0; the "
-                               "Verilog below it is broken"));
+  EXPECT_THAT([] { RtlBoard(named("thesis"), std::make_unique<DeadBoard>(false), {}); },
+              ThrowsMessage<UserError>(
+                  "board rtl: reads 0x0 as its id and 0x0 as its version, expected 0x44595254 and "
+                  "0x20001; rebuild the Verilog and the host together"));
+  EXPECT_THAT([] { RtlBoard(named("thesis"), std::make_unique<DeadBoard>(true), {}); },
+              ThrowsMessage<UserError>("board rtl: the bus waits for ever at address 0x0; the "
+                                       "Verilog below it is broken"));
 }
 
 TEST_F(RtlBoardTest, FrameRegistersKeepWhatIsWritten) {
@@ -246,11 +244,12 @@ TEST_F(RtlBoardTest, RefusesTheHostWhileBusy) {
 TEST_F(RtlBoardTest, TimeOutTellsWhereTheUnitsStandAndTheBoardRecovers) {
   board_.configure(frame_config(kHang));
   board_.start();
-  EXPECT_THAT([&] { board_.wait(5000, {}); },
-              ThrowsMessage<TimeoutError>(
-                  "board rtl: no interrupt and no pixel for 5000 clocks (--timeout allows more); "
-                  "240 pixels are written, status 0x1, the units stand at "
-                  "without input: stand_in 240"));
+  EXPECT_THAT(
+      [&] { board_.wait(5000, {}); },
+      ThrowsMessage<TimeoutError>(
+          "board rtl: no interrupt and no pixel for 5000 clocks (a longer timeout allows more); "
+          "240 pixels are written, status 0x1, the units stand at "
+          "without input: stand_in 240"));
   board_.configure(frame_config());
   board_.start();
   EXPECT_NO_THROW(board_.wait(5000, {}));
@@ -271,8 +270,7 @@ TEST(RtlBoardTrace, WritesWaveforms) {
   const auto file = std::filesystem::path(testing::TempDir()) / "board_test.fst";
   std::filesystem::remove(file);
   {
-    RtlBoard board(named("stand_in"), make_stand_in_board_traced(file, 1),
-                   stand_in_counters());
+    RtlBoard board(named("stand_in"), make_stand_in_board_traced(file, 1), stand_in_counters());
     board.configure(frame_config());
     board.start();
     board.wait(5000, {});

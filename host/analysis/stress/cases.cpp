@@ -35,13 +35,14 @@ bool is_watertight(const CoreInfo& board) {
   return board.triangle_test == TriangleTest::kWatertight;
 }
 
-/// Whether the core computes as those two do, of which it was measured what goes wrong.
+/// Whether the core computes as those two do, of which it was measured what goes wrong. On a core
+/// of one level rays lack the multiplication with an instance's matrix and its rounding.
 bool is_measured(const CoreInfo& board) {
   const MemoryFormat& numbers = *board.format;
   return numbers.exponent_bits == kShippedFormat.exponent_bits &&
          numbers.mantissa_bits == kShippedFormat.mantissa_bits &&
-         numbers.rounding == kShippedFormat.rounding && !board.clips_to_box() &&
-         board.divider == Divider::kDigitRecurrence &&
+         numbers.rounding == kShippedFormat.rounding && board.levels == 2 &&
+         !board.clips_to_box() && board.divider == Divider::kDigitRecurrence &&
          board.triangle_matrix == TriangleMatrix::kNormalConsistent;
 }
 
