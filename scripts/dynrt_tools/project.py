@@ -5,12 +5,17 @@ before the work, and tools that must be there."""
 
 import json
 import pathlib
+import re
 import shutil
 import sys
+from collections.abc import Callable
 from typing import Any, NoReturn
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCRIPTS = ROOT / "scripts"
+
+Json = dict[str, Any]  # an object as JSON has it
+Progress = Callable[[str], None]  # shows what a command is doing
 
 
 class Failed(Exception):
@@ -34,6 +39,14 @@ def read_json(path: pathlib.Path) -> Any:
 
 def write_json(path: pathlib.Path, data: object) -> None:
     path.write_text(json.dumps(data, indent=2) + "\n", encoding="utf-8")
+
+
+def searched(pattern: str, text: str, flags: re.RegexFlag = re.MULTILINE) -> re.Match[str]:
+    """The first match of a pattern that must be in the text."""
+    match = re.search(pattern, text, flags)
+    if not match:
+        raise Failed(f"nothing matches {pattern} in: {text[:80]!r}")
+    return match
 
 
 def require_tool(tool: str, package: str) -> None:

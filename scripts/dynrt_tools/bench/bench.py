@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measures dynrt and prints what was reached beside what is asked."""
 
+
 import argparse
 import os
 import pathlib
@@ -9,7 +10,7 @@ import subprocess
 import sys
 
 from dynrt_tools.bench import report_rows, scenes
-from dynrt_tools.bench.rows import CONFIG, Bench, Options
+from dynrt_tools.bench.rows import CONFIG, Bench, Options, Row
 from dynrt_tools.bench.run import Dynrt, RunFailed
 from dynrt_tools.project import ROOT, show_progress, write_json
 
@@ -24,7 +25,7 @@ boxes that stand as close as the trees of a wood, in processor time on one core.
 is no failure."""
 
 
-def shared(command):
+def shared(command: str) -> subprocess.CompletedProcess[str]:
     """Runs a function of scripts/common.sh, which says what is wrong in this script's name."""
     script = f'source "{ROOT}/scripts/common.sh"; {command}'
     return subprocess.run(
@@ -35,7 +36,7 @@ def shared(command):
     )
 
 
-def parse(arguments):
+def parse(arguments: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="scripts/bench",
         description=f"{__doc__}\n\n{HOW}",
@@ -100,7 +101,7 @@ def parse(arguments):
     return args
 
 
-def table(rows):
+def table(rows: list[Row]) -> str:
     cells = [("", "asked", "reached", "", "note")]
     marks = {True: "ok", False: "short", None: ""}
     cells += [(r.name, r.asked_text(), r.reached_text(), marks[r.met], r.note) for r in rows]
@@ -114,9 +115,9 @@ def table(rows):
     return "\n".join(lines)
 
 
-def print_rows(rows):
+def print_rows(rows: list[Row]) -> None:
     print(table(rows))
-    causes = {}
+    causes: dict[str, list[str]] = {}
     for row in rows:
         if row.met is False and row.cause:
             causes.setdefault(row.cause, []).append(row.name)
@@ -124,7 +125,7 @@ def print_rows(rows):
         print(f"\nShort: {', '.join(names)}: {cause}.")
 
 
-def main():
+def main() -> int:
     args = parse(sys.argv[1:])
     if args.program is None and shared("prepare release").returncode != 0:
         return 1

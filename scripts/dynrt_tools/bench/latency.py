@@ -3,12 +3,13 @@
 """How many clocks a packet takes round the traversal loop: from a node's fetch, found in the cache,
 to the next node's fetch. Once as hlsc scheduled it, once as the RTL takes it."""
 
+
 import dataclasses
 import math
 import pathlib
 import tempfile
 
-from dynrt_tools.bench.run import Work
+from dynrt_tools.bench.run import Dynrt, Work
 from dynrt_tools.project import read_json
 
 # The units of the loop in their order. A schedule's stages are the clocks from a transaction's start
@@ -18,15 +19,15 @@ LOOP = ("node_fetch", "node_lookup", "traversal_slice", "packet_decision")
 
 @dataclasses.dataclass
 class Schedule:
-    stages: dict  # of each unit of the loop
+    stages: dict[str, int]  # of each unit of the loop
     clock_ns: float
 
     @property
-    def clocks(self):
+    def clocks(self) -> int:
         return sum(self.stages.values())
 
 
-def scheduled(folder):
+def scheduled(folder: pathlib.Path) -> Schedule | None:
     """Reads hlsc's schedules of a configuration; None where they have not been made."""
     stages, clock_ns = {}, 0.0
     for unit in LOOP:
@@ -43,10 +44,11 @@ TRIANGLES_PER_CLUSTER = 16
 CAMERA = ("--position=-10,0.01,0.02", "--look-at=100,0.01,0.02", "--up=0,1,0", "--fov=0.5")
 
 
-def write_avenue(path, clusters):
+def write_avenue(path: pathlib.Path, clusters: int) -> None:
     """Clusters of small triangles around the x axis, none on it: rays along the axis go through
     nodes that separate the clusters and cut off their empty space, and into hardly any leaf."""
-    vertices, faces = [], []
+    vertices: list[tuple[float, float, float]] = []
+    faces = []
     for cluster in range(clusters):
         around = cluster * 2.399963  # the golden angle
         for triangle in range(TRIANGLES_PER_CLUSTER):
@@ -62,7 +64,7 @@ def write_avenue(path, clusters):
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
 
 
-def measured(dynrt, config):
+def measured(dynrt: Dynrt, config: str) -> float:
     """Clocks per node fetch with one packet in flight: two frames that differ in the number of
     nodes alone, so that what else a packet does takes itself away."""
     frames = []
@@ -80,4 +82,4 @@ def measured(dynrt, config):
             "the two avenues differ in more than the nodes on the way; "
             "their trees must have changed"
         )
-    return (many["cycles"] - few["cycles"]) / (Work.of(many).steps - Work.of(few).steps)
+    return float(many["cycles"] - few["cycles"]) / (Work.of(many).steps - Work.of(few).steps)

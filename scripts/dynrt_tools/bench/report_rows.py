@@ -10,8 +10,8 @@ import tempfile
 import time
 
 from dynrt_tools.bench.rows import Row
-from dynrt_tools.bench.run import RunFailed
-from dynrt_tools.project import read_json
+from dynrt_tools.bench.run import Dynrt, RunFailed
+from dynrt_tools.project import Json, Progress, read_json
 
 ASKED_MINUTES = 30  # on two cores, office at 512x384 with all variants
 ASKED_TRUTH = 0.2  # million rays a second
@@ -22,7 +22,9 @@ CAUSE = (
 )
 
 
-def run_report(dynrt, scene, size, folder):
+def run_report(
+    dynrt: Dynrt, scene: str, size: str, folder: pathlib.Path
+) -> tuple[float, float, Json]:
     """Minutes by the clock and of processor time, and what it wrote."""
     environment = os.environ | {"DYNRT_CACHE": str(folder / "cache")}
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
@@ -42,7 +44,7 @@ def run_report(dynrt, scene, size, folder):
     return (time.monotonic() - start) / 60, processor / 60, report
 
 
-def rows(dynrt, scene, size, full_size, progress):
+def rows(dynrt: Dynrt, scene: str, size: str, full_size: str, progress: Progress) -> list[Row]:
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         progress("report with an empty cache")

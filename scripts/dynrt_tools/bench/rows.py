@@ -4,12 +4,14 @@
 
 import dataclasses
 import json
-import operator
+import pathlib
 import statistics
 import subprocess
+from collections.abc import Callable
 
 from dynrt_tools.bench import latency
-from dynrt_tools.bench.run import Run, RunFailed, Speed, Work, busiest, rays
+from dynrt_tools.bench.run import Dynrt, Run, RunFailed, Speed, Work, busiest, rays
+from dynrt_tools.project import Json, Progress
 
 CONFIG = "full"  # 64 packets and 512 lines, which --packets and --lines make smaller
 CLOCK_MHZ = 85  # that frames per second are stated for
@@ -55,22 +57,22 @@ class Row:
     cause: str = ""  # why, if it falls short, and what would mend it
 
     @property
-    def met(self):
+    def met(self) -> bool | None:
         """True, False, or None where nothing is asked or could be measured."""
-        if not self.relation or self.reached is None:
+        if not self.relation or self.reached is None or self.asked is None:
             return None
-        return {">=": operator.ge, "<=": operator.le}[self.relation](self.reached, self.asked)
+        return self.reached >= self.asked if self.relation == ">=" else self.reached <= self.asked
 
-    def asked_text(self):
+    def asked_text(self) -> str:
         return "" if self.asked is None else f"{self.relation} {self._number(self.asked)}".strip()
 
-    def reached_text(self):
+    def reached_text(self) -> str:
         return "-" if self.reached is None else self._number(self.reached)
 
-    def _number(self, value):
+    def _number(self, value: float) -> str:
         return f"{value:,.{self.digits}f}" + (f" {self.unit}" if self.unit else "")
 
-    def data(self):
+    def data(self) -> Json:
         return {**dataclasses.asdict(self), "met": self.met}
 
 
@@ -79,23 +81,23 @@ class Options:
     scene: str
     size: str
     runs: int
-    reports: object  # folder of hlsc's schedule reports of CONFIG
-    tree_bench: object  # the program that times the trees alone
-    truth_bench: object  # the program that times the truth of rays
+    reports: pathlib.Path  # folder of hlsc's schedule reports of CONFIG
+    tree_bench: pathlib.Path  # the program that times the trees alone
+    truth_bench: pathlib.Path  # the program that times the truth of rays
 
 
 class Bench:
     """Measures all rows; what was run is kept for the reader of the data."""
 
-    def __init__(self, dynrt, options, progress):
+    def __init__(self, dynrt: Dynrt, options: Options, progress: Progress) -> None:
         self.dynrt, self.options, self.progress = dynrt, options, progress
-        self.frames = {}
+        self.frames: dict[str, Json] = {}
         self.missing = ""  # why there are no figures of the RTL
 
-    def rows(self):
+    def rows(self) -> list[Row]:
         model = self._speed("model", rays)
         try:
-            rtl = self._speed("rtl", lambda frame: frame["cycles"])
+            rtl = self._speed("rtl", lambda frame: float(frame["cycles"]))
         except RunFailed as failure:
             rtl, self.missing = None, str(failure)
         return [
@@ -106,7 +108,7 @@ class Bench:
             *self._host_rows(rtl, model),
         ]
 
-    def _speed(self, board, amount):
+    def _speed(self, board: str, amount: Callable[[Json], float]) -> Speed:
         speed = Speed.measure(
             self.dynrt,
             board,
@@ -120,7 +122,7 @@ class Bench:
         self.frames[board] = speed.last.frame
         return speed
 
-    def _core_rows(self, rtl):
+    def _core_rows(self, rtl: Speed | None) -> list[Row]:
         """How busy the core is, and what it gives."""
         rows = [
             Row("busiest unit works, 64 packets", "%", 90, ">=", digits=1, cause=BUSY_CAUSE),
@@ -150,7 +152,7 @@ class Bench:
         rows[3].note = f"bound {CLOCK_MHZ * 1e6 / bound:.1f}"
         return rows
 
-    def _work_rows(self, run):
+    def _work_rows(self, run: Run) -> list[Row]:
         """The work of a packet; the same on both boards."""
         frame, yardstick = run.frame, YARDSTICK.get(self.options.scene, {})
         work = Work.of(frame)
@@ -191,7 +193,7 @@ class Bench:
         )
         return rows
 
-    def _latency_rows(self, have_rtl):
+    def _latency_rows(self, have_rtl: bool) -> list[Row]:
         planned = Row("traversal round trip, scheduled", "clocks", 32, "<=")
         schedule = latency.scheduled(self.options.reports)
         if schedule is None:
@@ -207,7 +209,7 @@ class Bench:
             taken.note = "RTL with one packet in flight, nodes in the cache"
         return [planned, taken]
 
-    def _clocks_row(self, rtl):
+    def _clocks_row(self, rtl: Speed | None) -> Row:
         """How far the clocks that the model counts are from those that the RTL takes."""
         row = Row("clocks of a frame, model against RTL", "%", 0, "<=", digits=3)
         self.progress("model, clock by clock")
@@ -230,7 +232,7 @@ class Bench:
             row.reached = 100 * abs(clocks - cycles) / cycles
         return row
 
-    def _host_rows(self, rtl, model):
+    def _host_rows(self, rtl: Speed | None, model: Speed) -> list[Row]:
         simulation = Row("RTL simulation, clocks per second", "", 100_000, ">=")
         memory = Row("peak memory of a render", "MB", 1000, "<=")
         if rtl is not None:
@@ -255,11 +257,11 @@ class Bench:
             memory,
         ]
 
-    def _timed(self, program, name):
+    def _timed(self, program: pathlib.Path, name: str) -> list[Json] | None:
         """The runs of one benchmark of a program, in its order; None if it is not built."""
         if not program.exists():
             return None
-        command = [
+        command: list[str | pathlib.Path] = [
             program,
             f"--benchmark_filter=^{name}$",
             "--benchmark_format=json",
@@ -272,7 +274,7 @@ class Bench:
             run for run in json.loads(result.stdout)["benchmarks"] if run["run_type"] == "iteration"
         ]
 
-    def _truth_row(self):
+    def _truth_row(self) -> Row:
         """What `dynrt report error` judges by, of the primary rays of `office`."""
         row = Row("truth of rays, per second of two cores", "", 200_000, ">=", cause=TRUTH_CAUSE)
         self.progress("truth of rays")
@@ -289,7 +291,7 @@ class Bench:
         )
         return row
 
-    def _top_level_row(self):
+    def _top_level_row(self) -> Row:
         """The tree over 50,000 instances, as host/tree/tree_bench.cpp strews them."""
         row = Row("top level of 50,000 instances", "ms", 33, "<=", digits=1, cause=TOP_LEVEL_CAUSE)
         self.progress("top level of 50,000 instances")
@@ -305,7 +307,7 @@ class Bench:
         )
         return row
 
-    def _tree_row(self):
+    def _tree_row(self) -> Row:
         runs = []
         for number in range(self.options.runs):
             self.progress(f"tree: run {number + 1} of {self.options.runs}")
@@ -326,5 +328,5 @@ class Bench:
         )
 
 
-def _spread(speed, runs):
+def _spread(speed: Speed, runs: int) -> str:
     return f"one core, {runs} runs, {speed.low:,.0f} to {speed.high:,.0f}"

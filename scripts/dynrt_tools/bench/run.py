@@ -8,8 +8,9 @@ import pathlib
 import statistics
 import subprocess
 import tempfile
+from collections.abc import Callable
 
-from dynrt_tools.project import Failed, read_json
+from dynrt_tools.project import Failed, Json, Progress, read_json
 
 
 class RunFailed(Failed):
@@ -20,26 +21,26 @@ class RunFailed(Failed):
 class Run:
     """One run of dynrt: what it reported, and what it cost this machine."""
 
-    report: dict
+    report: Json
     cpu_seconds: float  # user and system time of all its threads
     peak_bytes: int
 
     @property
-    def frame(self):
-        return self.report["frame"]
+    def frame(self) -> Json:
+        return dict(self.report["frame"])
 
 
 class Dynrt:
     """The program of one build."""
 
-    def __init__(self, program):
+    def __init__(self, program: str | pathlib.Path) -> None:
         self.program = pathlib.Path(program).resolve()
 
-    def _run(self, arguments):
+    def _run(self, arguments: list[str]) -> Run:
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             figures = folder / "figures.json"
-            command = [self.program, *arguments, "--json", figures]
+            command: list[str | pathlib.Path] = [self.program, *arguments, "--json", figures]
             with open(folder / "errors", "w+", encoding="utf-8") as errors:
                 process = subprocess.Popen(
                     command, stdout=subprocess.DEVNULL, stderr=errors, cwd=folder
@@ -54,10 +55,10 @@ class Dynrt:
             report = read_json(figures)
         return Run(report, usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024)
 
-    def info(self, scene):
+    def info(self, scene: str) -> Run:
         return self._run(["info", scene])
 
-    def render(self, scene, board, config, size, *flags):
+    def render(self, scene: str, board: str, config: str, size: str, *flags: str) -> Run:
         return self._run(
             [
                 "render",
@@ -87,7 +88,7 @@ class Work:
     objects: int  # packets transformed to an object, after the mailbox
 
     @staticmethod
-    def of(frame):
+    def of(frame: Json) -> "Work":
         tokens = frame["counters"]
         packets = tokens["shade_job.tokens"]
         entries = tokens["list_lookup.transactions"]
@@ -100,7 +101,7 @@ class Work:
         steps = tokens["node_lookup.transactions"] - leaves
         return Work(packets, steps, leaves, entries, triangles, objects)
 
-    def bound(self):
+    def bound(self) -> int:
         """Clocks of the busiest unit alone: a node, a list entry or a vector a clock; a transformed
         packet is five vectors, and every packet is transformed by the camera once."""
         return max(
@@ -109,19 +110,18 @@ class Work:
             self.list_entries,
         )
 
-    def per_packet(self, name):
-        return getattr(self, name) / self.packets
+    def per_packet(self, name: str) -> float:
+        return float(getattr(self, name)) / self.packets
 
 
-def busiest(frame):
+def busiest(frame: Json) -> tuple[str, int]:
     """Name and transactions of the unit with most transactions."""
     units = frame["units"]
-    name = max(units, key=lambda unit: units[unit]["transactions"])
-    return name, units[name]["transactions"]
+    return max(((name, int(u["transactions"])) for name, u in units.items()), key=lambda u: u[1])
 
 
-def rays(frame):
-    return frame["width"] * frame["height"]
+def rays(frame: Json) -> int:
+    return int(frame["width"] * frame["height"])
 
 
 @dataclasses.dataclass
@@ -134,11 +134,20 @@ class Speed:
     last: Run  # of the full size
 
     @staticmethod
-    def measure(dynrt, board, scene, config, size, runs, amount, progress):
+    def measure(
+        dynrt: Dynrt,
+        board: str,
+        scene: str,
+        config: str,
+        size: str,
+        runs: int,
+        amount: Callable[[Json], float],
+        progress: Progress,
+    ) -> "Speed":
         """`amount` of a frame per CPU second. From each run of `size` one of 2x2 pixels is taken
         away, so that import, tree and upload do not count, and neither does what else the machine
         is doing."""
-        speeds, run = [], None
+        speeds = []
         for number in range(runs):
             progress(f"{board}, {config}, {size}: run {number + 1} of {runs}")
             run = dynrt.render(scene, board, config, size)

@@ -7,7 +7,8 @@ import dataclasses
 import os
 
 from dynrt_tools.bench.rows import CLOCK_MHZ, CONFIG
-from dynrt_tools.bench.run import Work, busiest, rays
+from dynrt_tools.bench.run import Dynrt, Work, busiest, rays
+from dynrt_tools.project import Json, Progress
 
 # The thesis's typical frame rates at 512x384 and 85 MHz (chapter 10) of scenes like these; for its
 # Gael, a game level, stands `cistern`.
@@ -36,15 +37,15 @@ STALLED = 0.01  # of the clocks: what is less is not worth a word
 class Measured:
     scene: str
     config: str
-    frame: dict
+    frame: Json
     compared: bool  # the size and so the frame rate are the thesis's
 
     @property
-    def frames_per_second(self):
-        return CLOCK_MHZ * 1e6 / self.frame["cycles"]
+    def frames_per_second(self) -> float:
+        return float(CLOCK_MHZ * 1e6 / self.frame["cycles"])
 
     @property
-    def verdict(self):
+    def verdict(self) -> str:
         low, high = THESIS[self.scene]
         if not self.compared:
             return "-"
@@ -56,15 +57,15 @@ class Measured:
             else "below"
         )
 
-    def read_bytes(self):
+    def read_bytes(self) -> int:
         return sum(
             cache["misses"] * LINE_BYTES[name] for name, cache in self.frame["caches"].items()
         )
 
-    def written_bytes(self):
+    def written_bytes(self) -> int:
         return rays(self.frame) * PIXEL_BYTES
 
-    def figures(self):
+    def figures(self) -> Json:
         """What the table shows, by its rows; numbers, so that they can be kept as data."""
         work, (name, transactions) = Work.of(self.frame), busiest(self.frame)
         rows = {
@@ -85,7 +86,7 @@ class Measured:
         rows["bytes written per frame"] = self.written_bytes()
         return rows
 
-    def waits(self):
+    def waits(self) -> str:
         """What keeps the core from more: the work itself, or lines that come from memory."""
         units = self.frame["units"]
         (name, transactions), work = busiest(self.frame), Work.of(self.frame)
@@ -118,7 +119,7 @@ class Measured:
             f"; held up for want of room behind them: {', '.join(stalled)}" if stalled else ""
         )
 
-    def data(self):
+    def data(self) -> Json:
         return {
             "scene": self.scene,
             "configuration": self.config,
@@ -128,10 +129,10 @@ class Measured:
         }
 
 
-def measure(dynrt, size, full_size, progress):
+def measure(dynrt: Dynrt, size: str, full_size: str, progress: Progress) -> list[Measured]:
     """All scenes, as many at a time as there are cores, which the clocks do not depend on."""
 
-    def one(run):
+    def one(run: tuple[str, str]) -> Measured:
         scene, config = run
         return Measured(
             scene, config, dynrt.render(scene, "rtl", config, size).frame, size == full_size
@@ -143,13 +144,13 @@ def measure(dynrt, size, full_size, progress):
         return list(pool.map(one, reversed(RUNS)))[::-1]
 
 
-def _text(value):
+def _text(value: float | str) -> str:
     if isinstance(value, float):
         return f"{value:,.4f}" if value < 1 else f"{value:,.2f}"
     return f"{value:,}" if isinstance(value, int) else value
 
 
-def table(measured):
+def table(measured: list[Measured]) -> str:
     """Scenes as columns; below the figures, how busy each unit is."""
     rows = [("", *(m.scene for m in measured)), ("configuration", *(m.config for m in measured))]
     figures = [m.figures() for m in measured]
@@ -175,7 +176,7 @@ def table(measured):
     return "\n".join(line.rstrip() for line in lines)
 
 
-def report(measured):
+def report(measured: list[Measured]) -> str:
     """The table, and a sentence for every scene that is not above the thesis's range."""
     lines = [table(measured)]
     lines += [

@@ -8,13 +8,15 @@ import concurrent.futures
 import csv
 import os
 import pathlib
+from collections.abc import Sequence
 
 import matplotlib
+from dynrt_tools.project import Json, Progress
 
 matplotlib.use("svg")  # no window
-from matplotlib import pyplot  # noqa: E402
-
 from dynrt_tools.bench.rows import CLOCK_MHZ, CONFIG
+from dynrt_tools.bench.run import Dynrt
+from matplotlib import pyplot  # noqa: E402
 
 PACKETS = (1, 2, 4, 8, 16, 24, 32, 48, 64)
 LINES = tuple(2**n for n in range(10))
@@ -27,7 +29,7 @@ UNITS = {
 }
 
 
-def columns(frame):
+def columns(frame: Json) -> dict[str, float]:
     """A row of either table but for what was varied."""
     usage = {f"{name} usage": frame["units"][unit]["utilisation"] for name, unit in UNITS.items()}
     hits = {f"{name} cache hits": cache["hit_rate"] for name, cache in frame["caches"].items()}
@@ -39,11 +41,13 @@ def columns(frame):
     }
 
 
-def measure(dynrt, scene, size, flag, values, progress):
+def measure(
+    dynrt: Dynrt, scene: str, size: str, flag: str, values: Sequence[int], progress: Progress
+) -> list[dict[str, float]]:
     """One frame for each value, as many at a time as there are cores, which the clocks of the core
     do not depend on."""
 
-    def row(value):
+    def row(value: int) -> dict[str, float]:
         return {
             flag: value,
             **columns(dynrt.render(scene, "rtl", CONFIG, size, f"--{flag}", str(value)).frame),
@@ -57,14 +61,23 @@ def measure(dynrt, scene, size, flag, values, progress):
     return rows
 
 
-def write_csv(path, rows):
+def write_csv(path: pathlib.Path, rows: list[dict[str, float]]) -> None:
     with open(path, "w", encoding="utf-8", newline="") as file:
         writer = csv.DictWriter(file, rows[0], lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)
 
 
-def plot(path, title, rows, along, names, factor, unit, limit):
+def plot(
+    path: pathlib.Path,
+    title: str,
+    rows: list[dict[str, float]],
+    along: str,
+    names: list[str],
+    factor: float,
+    unit: str,
+    limit: float | None,
+) -> None:
     figure, axes = pyplot.subplots(figsize=(6, 4), layout="constrained")
     for name in names:
         axes.plot(
@@ -81,7 +94,7 @@ def plot(path, title, rows, along, names, factor, unit, limit):
     pyplot.close(figure)
 
 
-def run(dynrt, scene, size, folder, progress):
+def run(dynrt: Dynrt, scene: str, size: str, folder: pathlib.Path, progress: Progress) -> None:
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     about = f"{pathlib.Path(scene).stem}, {size}"

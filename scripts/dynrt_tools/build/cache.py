@@ -7,6 +7,9 @@ when it is complete. Whoever wants what another is building waits for it. What a
 off has left, the next build of the same thing removes.
 """
 
+from collections.abc import Callable, Iterator
+
+
 import contextlib
 import errno
 import fcntl
@@ -17,6 +20,7 @@ import tempfile
 
 from dynrt_tools.project import Failed
 
+Build = Callable[[pathlib.Path], pathlib.Path]  # builds in an empty folder; gives what is kept
 PARTIAL = ".partial"
 
 
@@ -24,7 +28,7 @@ class CacheError(Failed):
     """Why something cannot be kept or built, in a sentence."""
 
 
-def default_folder():
+def default_folder() -> pathlib.Path:
     """DYNRT_CACHE, or what the desktop standards give a program for such things."""
     if named := os.environ.get("DYNRT_CACHE"):
         return pathlib.Path(named).absolute()
@@ -32,21 +36,21 @@ def default_folder():
     return pathlib.Path(base).absolute() / "dynrt"
 
 
-def full_disk(folder):
+def full_disk(folder: pathlib.Path) -> str:
     return (
         f"the disk that holds the cache {folder} is full; free some space or let DYNRT_CACHE "
         "name a folder elsewhere"
     )
 
 
-def _sync(made):
+def _sync(made: pathlib.Path) -> None:
     """So that a machine that loses its power keeps no entry with empty files."""
     for path in [made, *made.rglob("*")]:
         if path.is_file() or path.is_dir():
             _sync_one(path)
 
 
-def _sync_one(path):
+def _sync_one(path: pathlib.Path) -> None:
     """A file's content, or the names in a folder."""
     file = os.open(path, os.O_RDONLY)
     try:
@@ -59,10 +63,16 @@ def _sync_one(path):
 
 
 class BuildCache:
-    def __init__(self, folder=None):
+    def __init__(self, folder: pathlib.Path | str | None = None) -> None:
         self.folder = pathlib.Path(folder) if folder else default_folder()
 
-    def get(self, key, build, wait=lambda: None, whole=lambda entry: True):
+    def get(
+        self,
+        key: str,
+        build: Build,
+        wait: Callable[[], None] = lambda: None,
+        whole: Callable[[pathlib.Path], bool] = lambda entry: True,
+    ) -> pathlib.Path:
         """The path of an entry. `build` makes it in an empty folder, of which it gives the file or
         folder that is kept; `wait` is called before waiting for somebody else's build. An entry
         that is not `whole` is built again."""
@@ -77,7 +87,7 @@ class BuildCache:
         return entry
 
     @contextlib.contextmanager
-    def _told(self):
+    def _told(self) -> Iterator[None]:
         """Around what writes to the cache itself."""
         try:
             yield
@@ -90,7 +100,7 @@ class BuildCache:
             ) from error
 
     @contextlib.contextmanager
-    def _locked(self, key, wait):
+    def _locked(self, key: str, wait: Callable[[], None]) -> Iterator[bool]:
         """True while nobody else builds this, False where the file system cannot tell."""
         with self._told():
             file = (self.folder / f"{key}.lock").open("w")
@@ -106,7 +116,7 @@ class BuildCache:
                 alone = False
             yield alone
 
-    def _make(self, entry, build, alone):
+    def _make(self, entry: pathlib.Path, build: Build, alone: bool) -> None:
         if alone:
             for left in self.folder.glob(f"{entry.name}.*{PARTIAL}"):
                 shutil.rmtree(left, ignore_errors=True)
@@ -130,7 +140,7 @@ class BuildCache:
         finally:
             shutil.rmtree(partial, ignore_errors=True)
 
-    def _built(self, build, partial):
+    def _built(self, build: Build, partial: pathlib.Path) -> pathlib.Path:
         """What it gives; of what it may run into, only a full disk is the cache's."""
         try:
             return pathlib.Path(build(partial))

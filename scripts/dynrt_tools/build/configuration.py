@@ -2,6 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Builds one configuration of the core as a shared library, which dynrt takes as --config FILE.so."""
 
+from typing import Any, TextIO
+from dynrt_tools.project import Json, Progress
+
+
 import argparse
 import hashlib
 import json
@@ -48,17 +52,17 @@ LIBRARY = "configuration.so"
 TOOLS = {"cmake": "cmake", "ninja": "ninja-build"}  # and Debian's packages that have them
 
 
-def read_configuration(path):
+def read_configuration(path: pathlib.Path) -> Json:
     """Every key of a file with one configuration."""
     configurations = load_configurations()
     try:
-        return configurations.read_one(path, NAME)
+        return dict(configurations.read_one(path, NAME))
     except configurations.Refused as error:
         sentence = str(error).replace(f"configuration '{NAME}': ", "")
         raise Failed(f"line {error.line}: {sentence}" if error.line else sentence) from error
 
 
-def find_build(named):
+def find_build(named: pathlib.Path | None) -> Json:
     """What cmake/DescribeBuild.cmake wrote of a build."""
     candidates = (
         [named, named / "build.json"]
@@ -67,14 +71,14 @@ def find_build(named):
     )
     for path in candidates:
         if path.is_file():
-            return read_json(path)
+            return dict(read_json(path))
     raise Failed(
         f"no build is at {' nor '.join(map(str, candidates))}; build the project first, "
         "or name its folder with --build"
     )
 
 
-def key_of(kind, config, build):
+def key_of(kind: str, config: Json, build: Json) -> str:
     """Of all that the result depends on; `about` and where it is from are but text."""
     said = {
         key: value
@@ -98,11 +102,11 @@ def key_of(kind, config, build):
 class Builder:
     """Runs CMake for one configuration."""
 
-    def __init__(self, kind, config, build, jobs, progress):
+    def __init__(self, kind: str, config: Json, build: Json, jobs: int, progress: Progress) -> None:
         self.kind, self.config, self.build = kind, config, build
         self.jobs, self.progress = jobs, progress
 
-    def __call__(self, folder):
+    def __call__(self, folder: pathlib.Path) -> pathlib.Path:
         for tool, package in TOOLS.items():
             require_tool(tool, package)
         configs, tree, log = folder / "configs.json", folder / "build", folder / "log"
@@ -152,11 +156,11 @@ class Builder:
         (tree / "host" / "board" / f"{NAME}.so").rename(made / LIBRARY)
         return made
 
-    def _run(self, command, file, log):
+    def _run(self, command: list[Any], file: TextIO, log: pathlib.Path) -> None:
         with subprocess.Popen(
             command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace"
         ) as process:
-            for line in process.stdout:
+            for line in process.stdout or ():
                 file.write(line)
                 if step := re.match(r"\[(\d+/\d+)\]", line):
                     self.progress(f"step {step[1]}")
@@ -164,7 +168,7 @@ class Builder:
             file.flush()
             raise Failed(self._reason(log))
 
-    def _reason(self, log):
+    def _reason(self, log: pathlib.Path) -> str:
         text = log.read_text(encoding="utf-8", errors="replace")
         if "No space left on device" in text:
             return full_disk(log.parent.parent)
@@ -175,13 +179,16 @@ class Builder:
         return f"cannot be built: {error}; the whole log is {kept}"
 
 
-def make(args):
+def make(args: argparse.Namespace) -> pathlib.Path:
     """The path of what was asked for."""
     config = read_configuration(args.file)
     build = find_build(args.build)
     if args.expect and args.expect != fingerprint.fingerprint(build):
         raise Failed("the sources have changed since this program was built; build it again")
-    progress = lambda text: show_progress(f"building configuration {args.file.stem}: {text}")
+
+    def progress(text: str) -> None:
+        show_progress(f"building configuration {args.file.stem}: {text}")
+
     entry = BuildCache().get(
         f"configuration-{args.kind}-{key_of(args.kind, config, build)}",
         Builder(args.kind, config, build, args.jobs, progress),
@@ -199,10 +206,10 @@ def make(args):
             part.replace(args.out)
         finally:
             part.unlink(missing_ok=True)
-    return args.out
+    return pathlib.Path(args.out)
 
 
-def main():
+def main() -> int:
     parser = argparse.ArgumentParser(
         prog="scripts/configuration",
         description=__doc__,

@@ -9,6 +9,10 @@ writes the C++ function this_build() of host/board/load_configuration.h; BUILD.j
 wrote.
 """
 
+from collections.abc import Iterable
+from dynrt_tools.project import Json
+
+
 import hashlib
 import json
 import pathlib
@@ -29,7 +33,7 @@ SOURCES = (
 )
 
 
-def add_files(digest, root, patterns):
+def add_files(digest: "hashlib._Hash", root: pathlib.Path, patterns: Iterable[str]) -> None:
     """Name and content of every file that matches."""
     for path in sorted({p for pattern in patterns for p in root.glob(pattern) if p.is_file()}):
         content = path.read_bytes()
@@ -37,13 +41,13 @@ def add_files(digest, root, patterns):
         digest.update(content)
 
 
-def fingerprint(build):
+def fingerprint(build: Json) -> str:
     digest = hashlib.sha256(json.dumps(build["identity"], sort_keys=True).encode())
     add_files(digest, pathlib.Path(build["source"]), SOURCES)
     return digest.hexdigest()[:32]
 
 
-def main():
+def main() -> None:
     build = read_json(pathlib.Path(sys.argv[1]))
     pathlib.Path(sys.argv[2]).write_text(
         f"""\

@@ -16,6 +16,7 @@ An include is followed to the file that it names (beside the including file, the
 folders); standard and library headers are nobody's room and always allowed.
 """
 
+
 import pathlib
 import re
 import sys
@@ -83,15 +84,15 @@ INCLUDE_FOLDERS = ("", "hls/include", "hls/native", "hls/lowered", "hls", "hls/c
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*["<]([^">]+)[">]', re.MULTILINE)
 
 
-def within(path, folder):
+def within(path: str, folder: str) -> bool:
     return path == folder or path.startswith(folder + "/")
 
 
-def room_of(path):
+def room_of(path: str) -> str | None:
     return next((room for room in ROOMS if within(path, room)), None)
 
 
-def resolve(root, source, name):
+def resolve(root: pathlib.Path, source: pathlib.Path, name: str) -> str | None:
     """The project's file that `source` gets for `name`, relative to root, or None."""
     for folder in (source.parent, *(root / f for f in INCLUDE_FOLDERS)):
         candidate = (folder / name).resolve()
@@ -100,14 +101,14 @@ def resolve(root, source, name):
     return None
 
 
-def allowed(source, target):
+def allowed(source: str, target: str) -> bool:
     source_room, target_room = room_of(source), room_of(target)
     if target in PUBLISHED and within(source, PUBLISHED[target]):
         return True
-    return target_room == source_room or target_room in ROOMS[source_room]
+    return target_room == source_room or target_room in ROOMS.get(source_room or "", ())
 
 
-def check(root):
+def check(root: pathlib.Path) -> tuple[list[str], int]:
     """All violations as sentences, and the number of includes between files of ours."""
     problems, followed = [], 0
     for room in ROOMS:
@@ -134,7 +135,7 @@ def check(root):
     return problems, followed
 
 
-def main():
+def main() -> int:
     root = pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else project.ROOT
     problems, followed = check(root)
     for problem in problems:

@@ -15,8 +15,10 @@ import pathlib
 import re
 import subprocess
 import sys
+from collections.abc import Iterator
+from typing import NoReturn
 
-from dynrt_tools.project import read_json
+from dynrt_tools.project import Json, read_json
 
 # Which box of the picture stands for which units of the join.
 MERGED = [
@@ -32,17 +34,20 @@ LABELS = {
     "frame_bank": "SRAM bank 3\\npixels",
     "hit_banks": "SRAM banks 4 and 5\\nhit records",
 }
+# The boxes of each group; from, to and style of each arrow, with its channels.
+Groups = dict[str, dict[str, None]]
+Arrows = dict[tuple[str, str, str], set[str]]
 BANKS_GROUP = "Memory"
 # Of the groups in the order of the join, over again if there are more.
 COLOURS = ("#fff3d6", "#dcebfa", "#e4f3de", "#fbe3e0", "#ece4f7", "#eeeeee")
 TITLE = re.compile(r'<g id="\w+" class="(?:node|edge)">\s*<title>(.*?)</title>', re.DOTALL)
 
 
-def fail(message):
+def fail(message: str) -> NoReturn:
     sys.exit(f"diagram: {message}")
 
 
-def box_of(port):
+def box_of(port: str) -> str:
     unit = port.partition(".")[0]
     for pattern, box in MERGED:
         if pattern.fullmatch(unit):
@@ -50,7 +55,7 @@ def box_of(port):
     return unit
 
 
-def ends_of(join):
+def ends_of(join: Json) -> Iterator[tuple[str, str, str, str]]:
     """All that connects two boxes: from, to, name, and how it is drawn."""
     for channel in join["channels"]:
         for source in channel["from"]:
@@ -58,15 +63,16 @@ def ends_of(join):
     for ram in join["rams"]:
         yield from ((ram["writer"], reader, ram["name"], "dashed") for reader in ram["readers"])
     for bank in join["banks"]:
-        ends = bank["port"], bank["name"]
-        yield (*(ends if bank["write"] else reversed(ends)), "", "bold")
+        port, name = bank["port"], bank["name"]
+        yield (port, name, "", "bold") if bank["write"] else (name, port, "", "bold")
 
 
-def read(path):
+def read(path: pathlib.Path) -> tuple[Groups, Arrows]:
     """The boxes of each group, and for each pair of boxes and kind of arrow the channels on it."""
     try:
         join = read_json(path)
-        groups, arrows = {}, {}
+        groups: Groups = {}
+        arrows: Arrows = {}
         for unit in join["units"]:
             if not unit["group"]:
                 fail(
@@ -87,7 +93,7 @@ def read(path):
     return groups, arrows
 
 
-def look(source, target, style):
+def look(source: str, target: str, style: str) -> str:
     """Packets on their way are black, RAMs shared by two units dashed, memory traffic grey."""
     if "memory_interface" in (source, target) or (source == "startup" and "cache" in target):
         return ', color="#999999", fontcolor="#777777", constraint=false'
@@ -96,7 +102,7 @@ def look(source, target, style):
     return ", penwidth=2" if style == "bold" else ", weight=2"
 
 
-def drawn(groups, arrows):
+def drawn(groups: Groups, arrows: Arrows) -> str:
     """The dot source of the grouped diagram."""
     lines = [
         "digraph core {",
@@ -118,18 +124,18 @@ def drawn(groups, arrows):
     return "\n".join([*lines, "}"]) + "\n"
 
 
-def titles(groups, arrows):
+def titles(groups: Groups, arrows: Arrows) -> list[str]:
     """What Graphviz calls the boxes and arrows in the SVG."""
     boxes = [box for group in groups.values() for box in group]
     return sorted(boxes + [f"{source}->{target}" for source, target, _ in arrows])
 
 
-def labels(groups, arrows):
+def labels(groups: Groups, arrows: Arrows) -> set[str]:
     channels = {c.replace("_", " ") for some in arrows.values() for c in some if c}
     return channels | set(groups)
 
 
-def check(groups, arrows, path):
+def check(groups: Groups, arrows: Arrows, path: pathlib.Path) -> None:
     if not path.exists():
         fail(f"{path} is missing; `ninja diagram` draws it")
     svg = path.read_text(encoding="utf-8")
@@ -145,7 +151,7 @@ def check(groups, arrows, path):
         )
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )

@@ -13,8 +13,10 @@ import argparse
 import pathlib
 import re
 import sys
+from collections.abc import Iterable, Iterator
+from typing import NoReturn
 
-from dynrt_tools.project import read_json
+from dynrt_tools.project import Json, read_json
 
 RAM = re.compile(
     r"hls_(ram_1r1w|register_file) #\(\.WIDTH\((\d+)\), \.ROWS\((\d+)\).*?\) "
@@ -33,18 +35,18 @@ outputs, the FIFO at each output not counted. Widths are in bits, RAMs in rows x
 """
 
 
-def fail(message):
+def fail(message: str) -> NoReturn:
     sys.exit(f"unit_sheet: {message}")
 
 
-def field(report, name):
+def field(report: str, name: str) -> str:
     found = re.search(rf"^{name}\s+(.*)$", report, re.MULTILINE)
     if not found:
         fail(f"a schedule report has no line '{name}'")
     return found[1]
 
 
-def signals(join, unit):
+def signals(join: Json, unit: str) -> Iterator[tuple[str, str, str, str]]:
     """The unit's channels and shared RAMs: kind, the port's name, width, the other ends."""
     for channel in join["channels"]:
         for ends, others, kind in (("to", "from", "in"), ("from", "to", "out")):
@@ -65,12 +67,12 @@ def signals(join, unit):
                 yield "reads", reader.split(".")[1], size, others_of([ram["writer"]], "a bank")
 
 
-def others_of(ends, outside):
+def others_of(ends: Iterable[str], outside: str) -> str:
     names = dict.fromkeys(re.sub(r"^slice_\d$", "slice", end.split(".")[0]) for end in ends)
     return ", ".join(f"`{name}`" for name in names) or outside
 
 
-def page(folder):
+def page(folder: pathlib.Path) -> str:
     join = read_json(folder / "dynrt_core.json")
     # Units of one module, the four slices, are one row.
     units = {unit["module"]: unit["name"] for unit in reversed(join["units"])}
@@ -103,7 +105,7 @@ def page(folder):
     return HEAD.format(config=folder.name, clock=clock) + "\n".join(rows) + "\n" + "".join(sections)
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )

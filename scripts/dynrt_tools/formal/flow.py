@@ -6,9 +6,13 @@ Properties are Verilog that is read inside the module that they are about, befor
 that they see its registers. Every assertion with a name is a property; those without one say why
 the named ones hold, and serve the induction alone. Every cover statement has a name too.
 """
+
+import pathlib
 import re
 import resource
 import subprocess
+from collections.abc import Iterable
+from typing import Any
 
 from dynrt_tools.project import Failed
 
@@ -23,18 +27,18 @@ class Broken(Failed):
     """A proof that did not come out as it should; the message is a sentence."""
 
 
-def seconds():
+def seconds() -> float:
     """Of processor time that Yosys and the solvers have taken, whatever else the machine does."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 
 
-def run(command, folder):
+def run(command: list[str], folder: pathlib.Path) -> tuple[int, str]:
     result = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     return result.returncode, result.stdout + result.stderr
 
 
-def written(verilog, what, channel):
+def written(verilog: str, what: str, channel: str) -> tuple[str, str]:
     """The expression of what ("valid" or "data") a unit writes to the FIFO of a channel, and the
     wire that it needs. Of a token only the bits that are not constant are written: the whole one is
     put together behind the FIFO."""
@@ -58,7 +62,7 @@ def written(verilog, what, channel):
     )
 
 
-def with_properties(verilog, module, properties):
+def with_properties(verilog: str, module: str, properties: str) -> str:
     """The Verilog with the properties inside the module; throws Broken.
 
     WRITTEN_VALID(c) and WRITTEN_DATA(c) in them are what the module writes to the FIFO of c."""
@@ -68,7 +72,7 @@ def with_properties(verilog, module, properties):
     end = verilog.index("\nendmodule", start.start()) + 1
     wires = set()
 
-    def replaced(match):
+    def replaced(match: re.Match[str]) -> str:
         expression, wire = written(verilog, match.group(1).lower(), match.group(2))
         wires.add(wire)
         return expression
@@ -77,20 +81,20 @@ def with_properties(verilog, module, properties):
     return verilog[:end] + "".join(sorted(wires)) + properties + verilog[end:]
 
 
-def without_covers(properties):
+def without_covers(properties: str) -> str:
     return COVER.sub("", properties)
 
 
-def covers(properties):
+def covers(properties: str) -> list[str]:
     return [match.group(2) for match in COVER.finditer(properties)]
 
 
-def covers_as_assertions(properties):
+def covers_as_assertions(properties: str) -> str:
     """A cover statement is reached if the solver finds a way to break its negation."""
     return COVER.sub(r"\1\2: assert (!(\3));", properties)
 
 
-def mutated(verilog, mutation):
+def mutated(verilog: str, mutation: dict[str, str]) -> str:
     """The Verilog with one text in another's place; throws Broken."""
     times = verilog.count(mutation["from"])
     if times != 1:
@@ -109,8 +113,17 @@ class Design:
     """
 
     def __init__(
-        self, folder, sources, top, parameters, solver, keep=None, cut=(), trim=(), includes=()
-    ):
+        self,
+        folder: pathlib.Path,
+        sources: Iterable[tuple[str, str]],
+        top: str,
+        parameters: dict[str, Any],
+        solver: str,
+        keep: str | None = None,
+        cut: Iterable[str] = (),
+        trim: Iterable[str] = (),
+        includes: Iterable[pathlib.Path] = (),
+    ) -> None:
         """sources: pairs of a file's name and its text; keep: the name of the assertions that
         remain; cut and trim: Yosys commands, before and after the modules become one, that
         leave out what the proof needs nothing of."""
@@ -143,24 +156,24 @@ class Design:
         if not listed:
             raise Broken(f"no assertion was found in {top}, so nothing would be proved ({folder})")
 
-    def yosys(self, *script):
+    def yosys(self, *script: str) -> None:
         code, output = run(["yosys", "-q", "-p", "; ".join(script)], self.folder)
         if code != 0:
             raise Broken(f"yosys cannot read it ({self.folder}):\n{output.strip()}")
 
-    def holds(self, clocks):
+    def holds(self, clocks: int) -> tuple[bool, str]:
         """In so many clocks from the start: whether it does, and what says otherwise."""
         if self.solver == "smt":
             return self.smtbmc("-t", str(clocks), "--dump-vcd", "failed.vcd")
         return self.sat("-tempinduct-baseonly", clocks)
 
-    def steps(self, clocks):
+    def steps(self, clocks: int) -> tuple[bool, str]:
         """If in so many clocks, then in the next."""
         if self.solver == "smt":
             return self.smtbmc("-i", "-t", str(clocks), "--dump-vcd", "step.vcd")
         return self.sat(f"-tempinduct-inductonly -tempinduct-skip {clocks - 1}", clocks)
 
-    def smtbmc(self, *arguments):
+    def smtbmc(self, *arguments: str) -> tuple[bool, str]:
         command = [
             "yosys-smtbmc",
             "-s",
@@ -176,7 +189,7 @@ class Design:
         found = [line.split("  ", 1)[-1] for line in output.splitlines() if "failed" in line]
         return "Status: PASSED" in output, "\n".join(found)
 
-    def sat(self, mode, clocks):
+    def sat(self, mode: str, clocks: int) -> tuple[bool, str]:
         command = (
             f"sat {mode} -maxsteps {clocks} -prove-asserts -set-assumes "
             f"-dump_vcd failed.vcd {self.top}"

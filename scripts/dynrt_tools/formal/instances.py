@@ -1,15 +1,17 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """Which modules are proved, with which parameters and properties."""
+
 import functools
 import pathlib
 import re
 import tempfile
 from dataclasses import dataclass
+from typing import Any
 
 from dynrt_tools.formal import flow, pair
 from dynrt_tools.hardware import rtl_files
-from dynrt_tools.project import ROOT, read_json
+from dynrt_tools.project import ROOT, Json, read_json, searched
 
 GENERATED = rtl_files.GENERATED
 PROPERTIES = ROOT / "verif/formal/properties"
@@ -24,20 +26,20 @@ LATENCY = re.compile(r"latency (\d+) clocks")
 @dataclass(frozen=True)
 class Instance:
     module: str
-    parameters: dict
-    sources: list
+    parameters: Json
+    sources: list[pathlib.Path]
     carrier: str  # the module that the properties are read in
     properties: str
     top: str = ""  # the module itself if there is none around it
-    opened: tuple = ()  # of the sources
+    opened: tuple[str, ...] = ()  # of the sources
     clocks: int = 0  # of the induction, if that is known
 
     @property
-    def label(self):
+    def label(self) -> str:
         values = [f"{k.lower()}{v}" for k, v in sorted(self.parameters.items())]
         return "_".join([self.module, *values])
 
-    def steps(self, kind):
+    def steps(self, kind: Json) -> int:
         """Clocks of the induction: a number, or how many more than the latency of the unit, or
         than a transaction of a pair takes."""
         steps = kind.get("induction")
@@ -45,12 +47,12 @@ class Instance:
             return self.clocks + int(steps.removeprefix("pair + "))
         if isinstance(steps, str):
             text = self.sources[-1].read_text(encoding="utf-8")
-            return int(LATENCY.search(text).group(1)) + int(steps.removeprefix("latency + "))
-        return steps
+            return int(searched(LATENCY.pattern, text)[1]) + int(steps.removeprefix("latency + "))
+        return int(steps or 0)
 
 
 @functools.cache
-def core():
+def core() -> list[tuple[str, Json]]:
     """Every module of the elaborated core: pairs of its name and its parameters."""
     files = rtl_files.core_files()
     with tempfile.TemporaryDirectory() as folder:
@@ -61,7 +63,7 @@ def core():
             "delete p:*",
             "write_json core.json",
         ]
-        code, output = flow.run(["yosys", "-q", "-p", "; ".join(script)], folder)
+        code, output = flow.run(["yosys", "-q", "-p", "; ".join(script)], pathlib.Path(folder))
         if code != 0:
             raise flow.Broken(f"yosys cannot read the core:\n{output.strip()}")
         modules = read_json(pathlib.Path(folder, "core.json"))
@@ -74,18 +76,18 @@ def core():
     ]
 
 
-def primitive(module, parameters):
+def primitive(module: str, parameters: dict[str, Any]) -> Instance:
     properties = (PROPERTIES / f"{module}.v").read_text(encoding="utf-8")
     return Instance(module, parameters, [rtl_files.LIBRARY / f"{module}.v"], module, properties)
 
 
-def unit(module, parameters, stated):
+def unit(module: str, parameters: dict[str, Any], stated: Json) -> Instance:
     if "against" in stated:
         return against(module, parameters, stated)
     return with_file(module, parameters, stated)
 
 
-def with_file(module, parameters, stated):
+def with_file(module: str, parameters: dict[str, Any], stated: Json) -> Instance:
     """A unit with a file of properties: in its FIFOs, once for each output channel if the text says
     CHANNEL, or as it is, opened if that is stated. LATENCY in it is the unit's."""
     folder = LOWERED[0] if stated.get("lowered") else GENERATED
@@ -105,12 +107,12 @@ def with_file(module, parameters, stated):
     written = WRITTEN_IN.search(verilog)
     if written:
         properties = properties.replace("WRITTEN_IN", written.group(1))
-    properties = properties.replace("LATENCY", LATENCY.search(verilog).group(1))
+    properties = properties.replace("LATENCY", searched(LATENCY.pattern, verilog)[1])
     made_open = (sources[-1].name,) if stated.get("opened") else ()
     return Instance(module, parameters, sources, module, properties, opened=made_open)
 
 
-def against(module, parameters, stated):
+def against(module: str, parameters: dict[str, Any], stated: Json) -> Instance:
     """A unit beside itself as it was lowered for another clock (pair.py)."""
     folder = LOWERED[0] if stated.get("lowered") else GENERATED
     texts = [folder / f"{m}.v" for m in (module, module + stated["against"])]
@@ -130,11 +132,11 @@ def against(module, parameters, stated):
     )
 
 
-def is_unit(module):
+def is_unit(module: str) -> bool:
     return (GENERATED / f"{module}.v").exists() and module != "dynrt_core"
 
 
-def of(stated):
+def of(stated: Json) -> list[Instance]:
     """The instances of a proof: all that the core has of a primitive, or all its units."""
     if stated["of"] == "units" or isinstance(stated["of"], list):
         names = stated["of"]
@@ -148,7 +150,7 @@ def of(stated):
     return sorted({i.label: i for i in found}.values(), key=lambda i: i.label)
 
 
-def example(stated):
+def example(stated: Json) -> Instance:
     """The instance that shows that the proof is not vacuous."""
     chosen = stated["example"]
     if "unit" in chosen:

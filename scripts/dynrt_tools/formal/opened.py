@@ -5,9 +5,11 @@
 A transaction never waits on its way through a unit, so that what it takes and gives at a port it
 takes and gives a number of clocks after it began: the stage of the port.
 """
+
 import re
 
 from dynrt_tools.formal import flow
+from dynrt_tools.project import searched
 
 MEMORY = re.compile(
     r"^  hls_(ram_1r1w|register_file) #\(\.WIDTH\((\d+)\), \.ROWS\((\d+)\)[^\n]*\) "
@@ -25,7 +27,7 @@ PORT = re.compile(r"^  (input|output) +wire (?:\[(\d+):0\] )?(\w+),?$", re.MULTI
 STAGE = re.compile(r"_s(\d+)\b")
 
 
-def pins(text):
+def pins(text: str) -> dict[str, str]:
     """The expression at each pin of an instance."""
     found = {}
     position = 0
@@ -38,24 +40,24 @@ def pins(text):
     return found
 
 
-def opened(verilog):
+def opened(verilog: str) -> str:
     """The Verilog of a unit with its RAMs, register files and state made ports of it; what a port
     NAME_en_o enables is NAME_addr_o and NAME_data_o, as of the RAMs that lie elsewhere."""
     text = re.sub(r"^`ifdef HLS_ASSERT\n.*?^`endif\n", "", verilog, flags=re.MULTILINE | re.DOTALL)
     text = re.sub(r"^  wire unused = [^;]*;\n", "", text, flags=re.MULTILINE)
     ports = []
 
-    def output(name, width, expression):
+    def output(name: str, width: int, expression: str) -> str:
         ports.append(f"  output wire [{width - 1}:0] {name}")
         return f"  assign {name} = {expression};\n"
 
-    def memory(match):
-        kind, width, rows, name, instance = match.groups()
-        width, bits, pin = int(width), max((int(rows) - 1).bit_length(), 1), pins(instance)
+    def memory(match: re.Match[str]) -> str:
+        kind, _, rows, name, instance = match.groups()
+        width, bits, pin = int(match[2]), max((int(rows) - 1).bit_length(), 1), pins(instance)
         row = f"{name}_row_i"
         if kind == "register_file":  # its read has no enable: in every transaction
             row = f"{name}_word_i"
-            pin["read_en_i"] = "valid_s" + STAGE.search(pin["write_data_i"])[1]
+            pin["read_en_i"] = "valid_s" + searched(STAGE.pattern, pin["write_data_i"])[1]
         ports.append(f"  input wire [{width - 1}:0] {row}")
         return (
             f"  assign {pin['read_data_o']} = {row};\n"
@@ -66,9 +68,9 @@ def opened(verilog):
             + output(f"{name}_read_addr_o", bits, pin["read_addr_i"])
         )
 
-    def state(match):
+    def state(match: re.Match[str]) -> str:
         name, start, enable, value = match.groups()
-        high = re.search(REGISTER.format(name), verilog, re.MULTILINE)[1]
+        high = searched(REGISTER.format(name), verilog)[1]
         width = int(high or 0) + 1
         ports.append(f"  input wire [{width - 1}:0] {name}")
         return (
@@ -87,25 +89,25 @@ def opened(verilog):
 class Stages:
     """In which stage an opened unit takes and gives what."""
 
-    def __init__(self, text):
+    def __init__(self, text: str) -> None:
         body = re.sub(r"//[^\n]*", "", text[text.index("\n);\n") :])
         self.statements = [s.strip() for s in body.split(";")]
         self.meanings = dict(
-            m.groups()
+            (m[1], m[2])
             for s in self.statements
             if (m := re.match(r"(?:wire|assign) (?:\[\d+:0\] )?(\w+) = (.*)$", s, re.DOTALL))
         )
         self.ports = {name: (way, int(high or 0) + 1) for way, high, name in PORT.findall(text)}
         self.fifos = {name: pins(instance)["valid_i"] for name, instance in FIFO.findall(text)}
 
-    def of_expression(self, text):
+    def of_expression(self, text: str) -> set[int]:
         stages = {int(n) for n in STAGE.findall(text)}
         if not stages:
             for name in re.findall(r"[A-Za-z]\w+", text):
                 stages |= self.of_expression(self.meanings.get(name, ""))
         return stages
 
-    def of_uses(self, name):
+    def of_uses(self, name: str) -> set[int]:
         """The stages whose values anything is made of together with a signal."""
         stages = set()
         for statement in self.statements:
@@ -123,7 +125,7 @@ class Stages:
                 stages |= self.of_uses(target[1])
         return stages
 
-    def of(self, port):
+    def of(self, port: str) -> int:
         """The stage of a port, 0 of one that nobody reads; throws Broken."""
         way, _ = self.ports[port]
         carrier = re.sub(r"_(valid|en|addr|data)_o$", "", port)

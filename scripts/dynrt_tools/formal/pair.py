@@ -9,6 +9,8 @@ same data and in the same order, so it holds the same. That order is, of a regis
 file, that of the transactions, since they are read and written in one stage; of a RAM within the unit,
 the promise that HLS_ASSERT checks; of one elsewhere, what the join of the core promises.
 """
+
+import pathlib
 import re
 
 from dynrt_tools.formal import flow, opened
@@ -17,7 +19,7 @@ CLOCKED = ("clk_i", "rst_ni")
 
 
 class Unit:
-    def __init__(self, path):
+    def __init__(self, path: pathlib.Path) -> None:
         self.module = path.stem
         stages = opened.Stages(opened.opened(path.read_text(encoding="utf-8")))
         self.ports = stages.ports
@@ -39,10 +41,10 @@ class Unit:
             if name.endswith("_row_i"):
                 self.expect(name, f"{carrier}_read_en_o", 1)
 
-    def after(self, name, other):
+    def after(self, name: str, other: str) -> int:
         return self.stage[name] - self.stage[other]
 
-    def expect(self, name, other, clocks):
+    def expect(self, name: str, other: str, clocks: int) -> None:
         if self.after(name, other) != clocks:
             raise flow.Broken(
                 f"{self.module}: {name} is read {self.after(name, other)} clocks after "
@@ -50,7 +52,7 @@ class Unit:
             )
 
 
-def compared(first, second):
+def compared(first: Unit, second: Unit) -> tuple[str, int]:
     """The Verilog within the module pair, and the clocks from a transaction's begin to the last
     comparison; throws Broken."""
     if first.ports != second.ports:
@@ -59,11 +61,12 @@ def compared(first, second):
         enable = re.sub(r"_data_i$", "_en_o", name)
         if enable in first.given and first.after(name, enable) != second.after(name, enable):
             raise flow.Broken(
-                f"{name} comes to {first.module} and {second.module} after different " "times"
+                f"{name} comes to {first.module} and {second.module} after different times"
             )
     begins = max(first.stage[name] - second.stage[name] for name in first.stage)
     later = {name: begins + second.stage[name] - first.stage[name] for name in first.stage}
-    lines, pins = [], {"first": [], "second": []}
+    lines: list[str] = []
+    pins: dict[str, list[str]] = {"first": [], "second": []}
     for name, (_, width) in first.ports.items():
         for side, unit in pins.items():
             of_both = name in CLOCKED or name in first.constant
@@ -101,7 +104,7 @@ def compared(first, second):
     return "\n".join(lines) + "\n", begins + second.last + 1
 
 
-def checked(unit, name):
+def checked(unit: Unit, name: str) -> list[str]:
     """The properties of an output."""
     same = f"second_{name} == past_{name}"
     carrier = re.sub(r"_(addr|data)_o$", "", name)

@@ -6,13 +6,14 @@ A proof comes out only if every property holds of every instance, if every cover
 reached, so that no assumption makes it empty, and if every mutation of the Verilog breaks the
 property that it is to break.
 """
+
 import argparse
 import json
 import pathlib
 import sys
 
 from dynrt_tools.formal import flow, instances, opened
-from dynrt_tools.project import ROOT, read_json
+from dynrt_tools.project import ROOT, Json, read_json
 
 INTRODUCTION = """\
 Every line is a test of the label `formal`. A proof by induction holds for ever and for every input
@@ -44,13 +45,21 @@ that they did not take."""
 
 
 class Proof:
-    def __init__(self, name, stated, work):
+    def __init__(self, name: str, stated: Json, work: pathlib.Path) -> None:
         self.name = name
         self.stated = stated
         self.work = work / name
         self.example = stated["example"]
 
-    def design(self, instance, name, keep=None, mutation=None, reach=None, whole=True):
+    def design(
+        self,
+        instance: instances.Instance,
+        name: str,
+        keep: str | None = None,
+        mutation: dict[str, str] | None = None,
+        reach: str | None = None,
+        whole: bool = True,
+    ) -> flow.Design:
         """The instance with its properties; mutation: changed, reach: with that cover statement
         alone; whole: with all that is cut elsewhere."""
         properties = instance.properties
@@ -81,7 +90,7 @@ class Proof:
             includes=instances.INCLUDES,
         )
 
-    def prove(self, instance):
+    def prove(self, instance: instances.Instance) -> list[str]:
         """The names of the assertions that hold; throws Broken."""
         design = self.design(instance, instance.label, whole=False)
         kind = self.stated["kind"]
@@ -98,7 +107,7 @@ class Proof:
                 )
         return design.assertions
 
-    def reach(self, instance):
+    def reach(self, instance: instances.Instance) -> None:
         names = flow.covers(instance.properties)
         if not names:
             raise flow.Broken(f"{self.name}: no cover statement shows that it is not vacuous")
@@ -112,7 +121,7 @@ class Proof:
                     f"{self.example['clocks']} clocks"
                 )
 
-    def mutate(self, instance):
+    def mutate(self, instance: instances.Instance) -> None:
         mutations = self.stated["mutations"]
         spared = set(self.stated["properties"]) - {m["breaks"] for m in mutations}
         if spared:
@@ -128,7 +137,7 @@ class Proof:
                     f"'{mutation['from']}' became '{mutation['to']}'"
                 )
 
-    def run(self):
+    def run(self) -> Json:
         """What came out, as data; throws Broken."""
         began = flow.seconds()
         found = instances.of(self.stated)
@@ -150,7 +159,7 @@ class Proof:
         return {"seconds": round(flow.seconds() - began, 1), "instances": len(found)}
 
 
-def page(stated):
+def page(stated: Json) -> str:
     """docs/reference/proofs.md: the properties, what they are proved of and how."""
     lines = (
         [
@@ -179,7 +188,7 @@ def page(stated):
     return "\n".join(lines) + "\n"
 
 
-def main():
+def main() -> int:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )

@@ -19,23 +19,28 @@ from collections import Counter
 
 from dynrt_tools import project
 from dynrt_tools.hardware import devices, rtl_files, synthesis
+from dynrt_tools.project import Json
 
 FAMILY = "ecp5"
 JOIN = rtl_files.CORE
-HEAD = re.compile(r"^module .*?^\);", re.MULTILINE | re.DOTALL)
+HEAD = r"^module .*?^\);"  # of a module: its ports
 
 
-def without_comments(verilog):
+def without_comments(verilog: str) -> str:
     """What decides the result: a comment that names another source line does not."""
     return re.sub(r"//[^\n]*", "", verilog)
 
 
-def black_box(verilog):
+def black_box(verilog: str) -> str:
     """A module's ports alone."""
-    return "(* blackbox *)\n" + HEAD.search(without_comments(verilog))[0] + "\nendmodule\n"
+    return (
+        "(* blackbox *)\n"
+        + project.searched(HEAD, without_comments(verilog), re.MULTILINE | re.DOTALL)[0]
+        + "\nendmodule\n"
+    )
 
 
-def cells_of(top, texts, family):
+def cells_of(top: str, texts: dict[str, str], family: str) -> dict[str, int]:
     """Cells by type of module `top`, made of sources by file name."""
     with tempfile.TemporaryDirectory() as folder:
         files = rtl_files.library()
@@ -47,7 +52,7 @@ def cells_of(top, texts, family):
         return synthesis.cells(top, files, devices.FAMILIES[family]["synth"], top)[0]
 
 
-def figures_of(family, cells, count):
+def figures_of(family: str, cells: dict[str, int], count: int) -> Json:
     return {
         "instances": count,
         "area": devices.area(family, cells),
@@ -55,23 +60,23 @@ def figures_of(family, cells, count):
     }
 
 
-def total(units, key):
+def total(units: dict[str, Json], key: str) -> Json:
     """Of all units together, each as often as the core has it."""
-    sums = {}
+    sums: Json = {}
     for unit in units.values():
         for name, number in unit[key].items():
             sums[name] = sums.get(name, 0) + unit["instances"] * number
     return sums
 
 
-def schedule(report):
+def schedule(report: str) -> Json:
     """Stages and longest path out of hlsc's report of a unit."""
-    stages = int(re.search(r"^stages +(\d+)$", report, re.MULTILINE)[1])
+    stages = int(project.searched(r"^stages +(\d+)$", report)[1])
     paths = re.findall(r"^ +\d+ +\d* +([0-9.]+)  ", report, re.MULTILINE)
     return {"stages": stages, "longest_path_ns": max(map(float, paths))}
 
 
-def hardware(folder, family=FAMILY, jobs=1):
+def hardware(folder: pathlib.Path, family: str = FAMILY, jobs: int = 1) -> Json:
     """Of the core in this folder: what error.json holds of a variant's hardware."""
     parts = rtl_files.instances(folder / f"{JOIN}.v")
     instances = Counter(part.module for part in parts if part.module != rtl_files.COUNTERS)
@@ -101,7 +106,7 @@ def hardware(folder, family=FAMILY, jobs=1):
     }
 
 
-def main():
+def main() -> None:
     folder, output = map(pathlib.Path, sys.argv[1:])
     try:
         figures = hardware(folder)

@@ -10,7 +10,6 @@ import tempfile
 import unittest
 
 import yaml
-
 from dynrt_tools import project
 from dynrt_tools.hardware import rtl_files
 

@@ -3,8 +3,31 @@
 """FPGA families, how Yosys synthesizes for them, and devices with what they have of everything."""
 
 import re
+from typing import TypedDict
 
 from dynrt_tools.project import Failed
+
+Takes = list[tuple[str, dict[str, float]]]
+
+
+class Family(TypedDict):
+    """How a family is synthesized, and what its cells are."""
+
+    name: str
+    synth: str
+    cells: dict[str, str]
+    takes: Takes
+
+
+class Device(TypedDict):
+    """What a device has; `delay` is empty where hlsc has no model of its timing."""
+
+    name: str
+    family: str
+    delay: str
+    has: dict[str, int]
+    source: str
+
 
 # How a family is synthesized and which of its cells count as what.
 #   synth    Yosys's command. Without -nowidelut Yosys 0.23 takes the multiplexers behind the LUTs for
@@ -19,7 +42,7 @@ from dynrt_tools.project import Failed
 #            UG474); a carry multiplexer stands beside the LUT that feeds it and takes none.
 #            iCE40: a carry cell stands in the logic cell of its LUT; logic cells have one LUT and
 #            one flip-flop.
-FAMILIES = {
+FAMILIES: dict[str, Family] = {
     "ecp5": {
         "name": "Lattice ECP5",
         "synth": "synth_ecp5 -nowidelut -top {top}",
@@ -103,7 +126,7 @@ FAMILIES = {
 COLUMNS = ("LUT", "carry", "LUT RAM", "FF", "mult", "BRAM")
 
 # What a device has. `source` is where the figures are from, `delay` hlsc's model of its timing.
-DEVICES = {
+DEVICES: dict[str, Device] = {
     "ecp5-85": {
         "name": "Lattice LFE5U-85F",
         "family": "ecp5",
@@ -122,12 +145,14 @@ DEVICES = {
     "artix7-200": {
         "name": "Xilinx XC7A200T",
         "family": "xc7",
+        "delay": "",
         "has": {"LUT6": 134600, "FF": 269200, "block RAM": 365, "multiplier": 740},
         "source": "7 Series FPGAs Data Sheet: Overview DS180; block RAMs of 36 kbit",
     },
     "virtex2-6000": {
         "name": "Xilinx XC2V6000, the thesis's",
         "family": "xc2v",
+        "delay": "",
         "has": {"LUT4": 67584, "FF": 67584, "block RAM": 144, "multiplier": 144},
         "source": "Virtex-II Platform FPGAs Data Sheet DS031, module 1; block RAMs of 18 kbit",
     },
@@ -138,7 +163,7 @@ class Unknown(Failed):
     """A device that there is not, in a sentence."""
 
 
-def family_of(name):
+def family_of(name: str) -> str:
     """The family of a device, or a family's own name."""
     if name in DEVICES:
         return DEVICES[name]["family"]
@@ -150,7 +175,7 @@ def family_of(name):
     )
 
 
-def area(family, cells):
+def area(family: str, cells: dict[str, int]) -> dict[str, int]:
     """The columns of the table: how many cells of each kind."""
     return {
         column: sum(
@@ -160,18 +185,18 @@ def area(family, cells):
     }
 
 
-def resources(family, cells):
+def resources(family: str, cells: dict[str, int]) -> dict[str, float]:
     """What the cells take of a device of the family, by resource."""
     takes = FAMILIES[family]["takes"]
-    taken = dict.fromkeys((name for _, amounts in takes for name in amounts), 0)
+    taken: dict[str, float] = dict.fromkeys((n for _, amounts in takes for n in amounts), 0)
     for cell, count in cells.items():
-        amounts = next((a for pattern, a in takes if re.match(pattern, cell)), {})
-        for resource, amount in amounts.items():
+        amounts = (amounts for pattern, amounts in takes if re.match(pattern, cell))
+        for resource, amount in next(amounts, {}).items():
             taken[resource] += amount * count
     return taken
 
 
-def shortages(device, taken):
+def shortages(device: str, taken: dict[str, float]) -> list[str]:
     """What a device lacks, a phrase for each resource."""
     has = DEVICES[device]["has"]
     return [

@@ -8,17 +8,17 @@ Names are relative to the folder rtl/, where the lists are installed: there
 read them.
 """
 
+
 import argparse
 import pathlib
 
 import yaml
-
 from dynrt_tools import project
 
 LISTS = {"dynrt_core.f": "core_alone", "dynrt_board.f": "default"}
 
 
-def lists(root):
+def lists(root: pathlib.Path) -> dict[str, str]:
     """The text of each list by its file's name."""
     core = yaml.safe_load((root / "dynrt.core").read_text(encoding="utf-8").partition("\n")[2])
     texts = {}
@@ -36,7 +36,7 @@ def lists(root):
     return texts
 
 
-def main():
+def main() -> int:
     parser = argparse.ArgumentParser(
         prog="scripts/file_lists",
         description=__doc__,

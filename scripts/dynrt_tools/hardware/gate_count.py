@@ -2,7 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Counts the gates of a core's Verilog by the thesis's rule (gate_rule.py), instance by instance."""
 
+import concurrent.futures
 import json
+import pathlib
+from collections.abc import Sequence
+from typing import Any
 
 from dynrt_tools.hardware import gate_rule, rtl_files, synthesis
 from dynrt_tools.project import read_json
@@ -14,7 +18,12 @@ SYNTH = (
 )
 
 
-def count(top, parameters, files, blackboxes=()):
+def count(
+    top: str,
+    parameters: dict[str, Any],
+    files: list[pathlib.Path],
+    blackboxes: Sequence[pathlib.Path] = (),
+) -> gate_rule.Count:
     """The gates of a module, without those of the modules in the files `blackboxes`."""
     said = [
         synthesis.tool_version("yosys", "-V", "yosys"),
@@ -25,7 +34,7 @@ def count(top, parameters, files, blackboxes=()):
     ]
     files = synthesis.needed(top, files)
 
-    def make(folder):
+    def make(folder: pathlib.Path) -> None:
         whole = folder / "whole.json"
         synthesis.run_yosys(
             [
@@ -57,7 +66,9 @@ def count(top, parameters, files, blackboxes=()):
     return gate_rule.count(read_json(folder / "cells.json"))
 
 
-def count_core(unit_files, pool):
+def count_core(
+    unit_files: list[pathlib.Path], pool: concurrent.futures.Executor
+) -> dict[str, gate_rule.Count]:
     """The gates of every instance, of the counters and of the join, by name."""
     files = rtl_files.hand_written() + unit_files
     core = next(f for f in unit_files if f.stem == rtl_files.CORE)

@@ -4,6 +4,8 @@
 
 import re
 from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 
 from dynrt_tools.hardware import gate_rule
 from dynrt_tools.hardware.gate_units import (
@@ -16,6 +18,7 @@ from dynrt_tools.hardware.gate_units import (
     OTHER_UNITS,
     PACKET_UNITS,
     PACKETS,
+    Unit,
     bits,
     gates,
     owner,
@@ -25,42 +28,57 @@ TABULATED = (*PACKET_UNITS, *CACHE_UNITS)
 NOT_COUNTED = ("(ray generation)", "(shading)", "(counters)")
 BASE = (PACKETS, LINES)
 
+CoreCounts = dict[str, gate_rule.Count]  # by instance
+Point = tuple[int, int]  # packets and lines
+Counts = dict[Point, CoreCounts]
+Place = tuple[str, str]  # a memory: its instance and its name
+Memories = list[tuple[str, gate_rule.Memory]]
 
-def by_row(counts):
+
+@dataclass
+class Row:
+    """What a row of the tables takes."""
+
+    logic: int
+    memories: Memories
+
+
+def by_row(counts: CoreCounts) -> dict[str, Row]:
     """Logic gates and memories of every row, from those of the instances and of the join."""
-    rows = {u.name: [0, []] for u in (*TABULATED, *OTHER_UNITS)} | {"(counters)": [0, []]}
+    names = [u.name for u in (*TABULATED, *OTHER_UNITS)] + ["(counters)"]
+    rows = {name: Row(0, []) for name in names}
     of_instance = {name: u.name for u in (*TABULATED, *OTHER_UNITS) for name in u.modules}
     of_instance["counters"] = "(counters)"
     for instance, count in counts.items():
         for memory in count.memories:
             name = owner(memory.name) if instance == "join" else of_instance.get(instance)
-            rows[name or "DynamicRTC"][1].append((instance, memory))
-        rows[of_instance.get(instance, "DynamicRTC")][0] += count.logic
+            rows[name or "DynamicRTC"].memories.append((instance, memory))
+        rows[of_instance.get(instance, "DynamicRTC")].logic += count.logic
     return rows
 
 
-def row_bits(row):
-    return sum(memory.bits for _, memory in row[1])
+def row_bits(row: Row) -> int:
+    return sum(memory.bits for _, memory in row.memories)
 
 
-def total(counts, names):
+def total(counts: CoreCounts, names: Iterable[str]) -> tuple[int, int]:
     rows = by_row(counts)
-    return (sum(rows[n][0] for n in names), sum(row_bits(rows[n]) for n in names))
+    return (sum(rows[n].logic for n in names), sum(row_bits(rows[n]) for n in names))
 
 
-def all_gates(counts):
+def all_gates(counts: CoreCounts) -> tuple[int, int]:
     """What the thesis's C_RTC and Bits_RTC are of: all that its tables have."""
     logic, memory = total(counts, [u.name for u in TABULATED])
     return logic + gate_rule.MEMORY_BIT * memory, memory
 
 
-def summary(counts):
+def summary(counts: CoreCounts) -> dict[str, int]:
     """The figures of the document that --check compares: logic gates and memory bits by row."""
     rows = by_row(counts)
     return {
         f"{u.name} {what}": figure
         for u in TABULATED
-        for what, figure in (("gates", rows[u.name][0]), ("bits", row_bits(rows[u.name])))
+        for what, figure in (("gates", rows[u.name].logic), ("bits", row_bits(rows[u.name])))
     }
 
 
@@ -69,7 +87,7 @@ ROW = re.compile(
 )
 
 
-def figures(text):
+def figures(text: str) -> dict[str, int]:
     """What a document says, as summary() gives it."""
     found = {}
     for name, logic, memory in ROW.findall(text):
@@ -78,10 +96,10 @@ def figures(text):
     return found
 
 
-def kinds(counts):
+def kinds(counts: Counts) -> dict[Place, str]:
     """What the rows of every memory follow: `packet`, `line` or nothing."""
 
-    def rows_of(point):
+    def rows_of(point: Point) -> dict[Place, int]:
         return {
             (instance, m.name): m.rows
             for instance, count in counts[point].items()
@@ -98,37 +116,39 @@ def kinds(counts):
     return found
 
 
-def table(head, rows):
+def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> Iterator[str]:
     yield "| " + " | ".join(head) + " |"
     yield "|---|" + "---:|" * (len(head) - 1)
     for row in rows:
         yield "| " + " | ".join(f"{c:,}" if isinstance(c, int) else str(c) for c in row) + " |"
 
 
-def per(memories, kind, following, number):
+def per(memories: Memories, kind: str, following: dict[Place, str], number: int) -> int:
     return sum(m.bits for i, m in memories if following.get((i, m.name)) == kind) // number
 
 
-def units_table(counts, units, kind, number):
+def units_table(
+    counts: Counts, units: Sequence[Unit], kind: str, number: int
+) -> Iterator[Sequence[object]]:
     following = kinds(counts)
     rows = by_row(counts[BASE])
     for unit in units:
-        logic, memories = rows[unit.name]
-        each = per(memories, kind, following, number)
+        row = rows[unit.name]
+        each = per(row.memories, kind, following, number)
         ours = row_bits(rows[unit.name])
-        yield (f"`{unit.name}`", unit.logic, logic, unit.bits, each, unit.bits * number, ours)
+        yield (f"`{unit.name}`", unit.logic, row.logic, unit.bits, each, unit.bits * number, ours)
     sums = [
         sum(u.logic for u in units),
-        sum(rows[u.name][0] for u in units),
+        sum(rows[u.name].logic for u in units),
         sum(u.bits for u in units),
-        sum(per(rows[u.name][1], kind, following, number) for u in units),
+        sum(per(rows[u.name].memories, kind, following, number) for u in units),
         sum(u.bits for u in units) * number,
         sum(row_bits(rows[u.name]) for u in units),
     ]
     yield ("**all**", *sums)
 
 
-def complexity(counts):
+def complexity(counts: CoreCounts) -> Iterator[Sequence[object]]:
     rows = by_row(counts)
     for name, (add, mul, div, comp, memory) in COMPLEXITY.items():
         ours = sum(row_bits(rows[n]) for n in COMPLEXITY_ROWS[name]) / 8 / 1024
@@ -145,19 +165,19 @@ def complexity(counts):
     yield ("**all**", *sums, f"{sum(c[4] for c in COMPLEXITY.values()):.1f} / {ours:.1f}")
 
 
-def formula(name, terms):
+def formula(name: str, terms: Sequence[float]) -> str:
     first, packets, lines = (round(t) for t in terms)
     return f"{name} = {first:,} + {packets:,} P + {lines:,} CL"
 
 
-def fitted(counts):
+def fitted(counts: Counts) -> tuple[list[tuple[float, ...]], Iterator[Sequence[object]]]:
     points = list(counts)
     found = {point: all_gates(counts[point]) for point in points}
     fits = [gate_rule.fit(points, [found[p][i] for p in points]) for i in (0, 1)]
 
-    def rows():
+    def rows() -> Iterator[Sequence[object]]:
         for packets, lines in sorted(points):
-            cells = [packets, lines]
+            cells: list[object] = [packets, lines]
             for i in (0, 1):
                 said = fits[i][0] + fits[i][1] * packets + fits[i][2] * lines
                 got = found[packets, lines][i]
@@ -167,12 +187,13 @@ def fitted(counts):
     return fits, rows()
 
 
-def memories_table(counts):
+def memories_table(counts: Counts) -> Iterator[Sequence[object]]:
     """Every RAM and register file; FIFOs and delays of a row in one line each."""
     following = kinds(counts)
-    for name, (_, memories) in by_row(counts[BASE]).items():
-        grouped, single = {}, Counter()
-        for instance, memory in memories:
+    for name, row in by_row(counts[BASE]).items():
+        grouped: dict[tuple[str, str], list[int]] = {}
+        single = []
+        for instance, memory in row.memories:
             kind = following.get((instance, memory.name), "")
             sort = next(
                 (
@@ -189,8 +210,8 @@ def memories_table(counts):
                 group[0] += 1
                 group[1] += memory.bits
             else:
-                single[instance, memory, kind] += 1
-        for (instance, memory, kind), _ in single.items():
+                single.append((memory, kind))
+        for memory, kind in single:
             number = {"packet": PACKETS, "line": LINES}.get(kind)
             each = (
                 f"{memory.rows / number:g} x {memory.width} x {memory.ports} = "
@@ -209,13 +230,13 @@ def memories_table(counts):
             )
 
 
-def document(counts):
+def document(counts: Counts) -> str:
     base = counts[BASE]
     fits, fit_rows = fitted(counts)
     here, memory = all_gates(base)
     there = 2807671
     others = {n: total(base, [n]) for n in NOT_COUNTED}
-    cells = sum((c.cells for c in base.values()), Counter())
+    cells: Counter[str] = sum((c.cells for c in base.values()), Counter())
     head = (
         "unit",
         "logic gates, thesis",

@@ -14,11 +14,11 @@ an 18-bit multiplier 7,000 (thesis 7.1.1). What it leaves open is read so:
 
 import re
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy
-
-from dynrt_tools.project import Failed
+from dynrt_tools.project import Failed, Json
 
 FULL_ADDER, FLIP_FLOP, FLIP_FLOP_ENABLED = 9, 6, 8
 LUT = {"LUT4": 9, "LUT3": 6, "LUT2": 6, "LUT1": 1, "INV": 1}
@@ -40,17 +40,19 @@ class Memory:
     ports: int
 
     @property
-    def bits(self):
+    def bits(self) -> int:
         return self.rows * self.width * self.ports
 
 
 @dataclass(frozen=True)
 class Count:
-    cells: Counter  # full adders, LUTs by inputs, flip-flops with and without enable, multipliers
-    memories: tuple
+    cells: Counter[
+        str
+    ]  # full adders, LUTs by inputs, flip-flops with and without enable, multipliers
+    memories: tuple[Memory, ...]
 
     @property
-    def logic(self):
+    def logic(self) -> int:
         """Gates of all but the memories."""
         kinds = {
             "full adder": FULL_ADDER,
@@ -62,11 +64,11 @@ class Count:
         return sum(kinds[kind] * count for kind, count in self.cells.items())
 
     @property
-    def bits(self):
+    def bits(self) -> int:
         return sum(m.bits for m in self.memories)
 
 
-def count(cells):
+def count(cells: dict[str, Json]) -> Count:
     """Counts the cells of a module as Yosys writes them to JSON, memories as $mem_v2."""
     loads = Counter(
         bit
@@ -75,7 +77,8 @@ def count(cells):
         if cell.get("port_directions", {}).get(port, "input") == "input"
         for bit in bits
     )
-    operands, constant = Counter(), 0  # places in carry chains by their operand's net
+    operands: Counter[int] = Counter()
+    constant = 0  # places in carry chains by their operand's net
     for cell in cells.values():
         port = {"MUXCY": "S", "XORCY": "LI"}.get(cell["type"])
         if port:
@@ -106,11 +109,11 @@ def count(cells):
     return Count(Counter({k: n for k, n in total.items() if n}), tuple(memories))
 
 
-def memory(name, cell):
-    def number(key):
+def memory(name: str, cell: Json) -> Memory:
+    def number(key: str) -> int:
         return int(cell["parameters"][key], 2)
 
-    def addresses(port):
+    def addresses(port: str) -> list[tuple[object, ...]]:
         bits, wide = cell["connections"][port], number("ABITS")
         return [tuple(bits[i : i + wide]) for i in range(0, len(bits), wide)]
 
@@ -123,12 +126,12 @@ def memory(name, cell):
     )
 
 
-def tidy(memid):
+def tidy(memid: str) -> str:
     """The name of the FIFO, RAM or register file that a memory is the rows of."""
     return re.sub(r"(\.(exclusive|any))?\.rows$", "", memid.lstrip("\\")).replace("\\", "")
 
 
-def fit(points, values):
+def fit(points: Sequence[tuple[int, int]], values: Sequence[float]) -> tuple[float, ...]:
     """Least squares of value = a + b x + c y over the points (x, y); returns (a, b, c)."""
     matrix = numpy.array([(1.0, *point) for point in points])
     solution, _, rank, _ = numpy.linalg.lstsq(matrix, numpy.array(values, float), rcond=None)

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The thesis's tables 7.3 to 7.5, and which of our units and RAMs do what each of its units does."""
 
+
 from dataclasses import dataclass
 
 PACKETS, LINES = 32, 512  # of tables 7.4 and 7.5
@@ -15,8 +16,8 @@ class Unit:
     name: str
     logic: int
     bits: int  # per packet, or per cache line
-    modules: tuple = ()
-    rams: tuple = ()
+    modules: tuple[str, ...] = ()
+    rams: tuple[str, ...] = ()
 
 
 SLICES = tuple(
@@ -114,17 +115,17 @@ COMPLEXITY_ROWS = {
 }
 
 
-def gates(packets, lines):
+def gates(packets: int, lines: int) -> int:
     """The thesis's C_RTC(P, CL)."""
     return 487020 + 56028 * packets + 996 * lines
 
 
-def bits(packets, lines):
+def bits(packets: int, lines: int) -> int:
     """The thesis's Bits_RTC(P, CL)."""
     return 14007 * packets + 249 * lines
 
 
-def owner(name):
+def owner(name: str) -> str | None:
     """The unit that owns a RAM of the join; None for what only joins."""
     for unit in (*PACKET_UNITS, *CACHE_UNITS, *OTHER_UNITS):
         if name.startswith(unit.rams) and unit.rams:

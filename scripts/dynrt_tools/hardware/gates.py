@@ -9,9 +9,11 @@ import json
 import os
 import pathlib
 import subprocess
+from collections.abc import Iterable
 
 from dynrt_tools import project
 from dynrt_tools.hardware import gate_count, gate_report, gate_units, rtl_files
+from dynrt_tools.hardware.gate_report import Counts
 
 DOCUMENT = project.ROOT / "docs" / "results" / "gates.md"
 # The configurations that the formulas are fitted to, beside the thesis's own.
@@ -19,7 +21,7 @@ POINTS = ((64, 512), (8, 512), (32, 64))
 TOLERANCE = 0.03  # --check: how far a figure may have moved
 
 
-def lower(packets, lines, folder):
+def lower(packets: int, lines: int, folder: pathlib.Path) -> list[pathlib.Path]:
     """The Verilog of the thesis's configuration with other packets and lines."""
     path = folder / f"packets{packets}_lines{lines}.json"
     path.write_text(
@@ -37,7 +39,7 @@ def lower(packets, lines, folder):
     return rtl_files.units_in(pathlib.Path(result.stdout.strip()))
 
 
-def measure(points, jobs):
+def measure(points: Iterable[tuple[int, int]], jobs: int) -> Counts:
     """The counts of every configuration, by (packets, lines)."""
     folder = project.ROOT / "build" / "configurations"
     folder.mkdir(parents=True, exist_ok=True)
@@ -54,7 +56,7 @@ def measure(points, jobs):
     return counts
 
 
-def check(counts):
+def check(counts: Counts) -> list[str]:
     """What of docs/results/gates.md no longer holds, a sentence each."""
     written = gate_report.figures(DOCUMENT.read_text(encoding="utf-8"))
     now = gate_report.summary(counts[gate_units.PACKETS, gate_units.LINES])
@@ -67,7 +69,7 @@ def check(counts):
     ]
 
 
-def main():
+def main() -> int:
     parser = argparse.ArgumentParser(prog="scripts/gates", description=__doc__)
     parser.add_argument(
         "--check",

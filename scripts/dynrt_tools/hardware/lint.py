@@ -12,6 +12,7 @@ import argparse
 import concurrent.futures
 import fnmatch
 import os
+import pathlib
 import re
 import subprocess
 import sys
@@ -22,7 +23,7 @@ from dynrt_tools.hardware import rtl_files
 WAIVER = re.compile(r'lint_off\s+-rule\s+(\w+)\s+-file\s+"([^"]+)"(\s+-match\s+"[^"]*")?\s*$')
 
 
-def check_waivers(root, sources):
+def check_waivers(root: pathlib.Path, sources: list[pathlib.Path]) -> list[str]:
     problems = []
     for path in sorted((root / "rtl" / "lint").glob("*.vlt")):
         explained = False
@@ -52,12 +53,14 @@ def check_waivers(root, sources):
     return problems
 
 
-def run(command):
+def run(command: list[str]) -> tuple[int, str]:
     result = subprocess.run(command, capture_output=True, text=True, check=False)
     return result.returncode, (result.stdout + result.stderr).strip()
 
 
-def verilator(root, path, sources):
+def verilator(
+    root: pathlib.Path, path: pathlib.Path, sources: list[pathlib.Path]
+) -> tuple[int, str]:
     command = ["verilator", "--lint-only", "-Wall", "+define+HLS_ASSERT", "--top-module", path.stem]
     command += [str(v) for v in sorted((root / "rtl" / "lint").glob("*.vlt"))]
     for folder in rtl_files.include_folders(sources):
@@ -65,13 +68,13 @@ def verilator(root, path, sources):
     return run([*command, str(path)])
 
 
-def yosys(sources):
+def yosys(sources: list[pathlib.Path]) -> tuple[int, str]:
     script = [f"verilog_defaults -add -I{f}" for f in rtl_files.include_folders(sources)]
     script += [f"read_verilog {f}" for f in sources]
     return run(["yosys", "-q", "-p", "; ".join([*script, "hierarchy -check; proc; check -assert"])])
 
 
-def main():
+def main() -> int:
     parser = argparse.ArgumentParser(
         prog="scripts/lint",
         description=__doc__,

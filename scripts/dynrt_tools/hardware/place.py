@@ -16,10 +16,11 @@ import statistics
 import sys
 
 from dynrt_tools import project
-from dynrt_tools.hardware import devices, placing, rtl_files, synthesis
+from dynrt_tools.hardware import area, devices, placing, rtl_files, synthesis
+from dynrt_tools.project import Json
 
 
-def parse():
+def parse() -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="scripts/place",
         description=__doc__,
@@ -66,7 +67,7 @@ def parse():
     return parser.parse_args()
 
 
-def examine(unit, args, build):
+def examine(unit: dict[str, str], args: argparse.Namespace, build: pathlib.Path) -> Json:
     """All that is known of a unit on the device."""
     name = unit["module"]
     device = devices.DEVICES[args.device]
@@ -75,7 +76,7 @@ def examine(unit, args, build):
     except project.Failed as error:
         return {"unit": name, "note": f"not lowered: {error}"}
     files = rtl_files.hand_written() + [folder / f"{name}.v"]
-    row = {"unit": name} | placing.schedule((folder / f"{name}.txt").read_text(encoding="utf-8"))
+    row: Json = {"unit": name} | area.schedule((folder / f"{name}.txt").read_text(encoding="utf-8"))
     family = device["family"]
     cells, _ = synthesis.cells(name, files, devices.FAMILIES[family]["synth"], name)
     row["resources"] = devices.resources(family, cells)
@@ -110,7 +111,7 @@ HEAD = (
 )
 
 
-def cells_of(row):
+def cells_of(row: Json) -> tuple[object, ...]:
     placed = row.get("placed")
     if "stages" not in row:
         return (row["unit"], "", "", "", "", "", "", row["note"])
@@ -118,7 +119,7 @@ def cells_of(row):
         return (
             row["unit"],
             row["stages"],
-            f"{row['predicted_ns']:.2f}",
+            f"{row['longest_path_ns']:.2f}",
             "",
             "",
             "",
@@ -130,16 +131,16 @@ def cells_of(row):
     return (
         row["unit"],
         row["stages"],
-        f"{row['predicted_ns']:.2f}",
+        f"{row['longest_path_ns']:.2f}",
         placed[0]["cells"],
         f"{middle:.0f}",
         f"{clocks[0]:.0f} to {clocks[-1]:.0f}",
         f"{1000 / middle:.2f}",
-        f"{100 * 1000 / middle / row['predicted_ns']:.0f} %",
+        f"{100 * 1000 / middle / row['longest_path_ns']:.0f} %",
     )
 
 
-def main():
+def main() -> int:
     args = parse()
     if args.device not in placing.TOOLS:
         project.fail(

@@ -9,7 +9,7 @@ import tempfile
 import unittest
 
 from dynrt_tools import project
-from dynrt_tools.hardware import placing
+from dynrt_tools.hardware import area, placing
 
 SCRIPTS = project.SCRIPTS
 UNIT = """\
@@ -45,7 +45,7 @@ The longest path of each stage ends at
 
 class Placing(unittest.TestCase):
     def test_schedule_report(self):
-        self.assertEqual(placing.schedule(REPORT), {"stages": 2, "predicted_ns": 9.6})
+        self.assertEqual(area.schedule(REPORT), {"stages": 2, "longest_path_ns": 9.6})
 
     def test_the_wrapper_keeps_every_bit(self):
         # Registers of both sides: 5 bits in and 1 for the way, 5 out, twice, 1 for the fold, 1 reset;

@@ -2,17 +2,30 @@
 # SPDX-License-Identifier: Apache-2.0
 """What scripts/place does with one unit: lower, wrap, place, read the reports."""
 
+import pathlib
 import re
 import subprocess
+from typing import TypedDict
 
 from dynrt_tools import project
 from dynrt_tools.hardware import devices, rtl_files, synthesis
-from dynrt_tools.project import read_json
+from dynrt_tools.project import Json, read_json, searched
 
 CONSTRAINTS = project.ROOT / "constraints"
+
+
+class Tool(TypedDict):
+    """The tool that places and routes for a device."""
+
+    program: str
+    cells: str
+    where: str
+    flags: list[str]
+
+
 # How a device's tool is called; `cells` is the logic cell in its report. The speed grade of ECP5 is the
 # slowest. The wrapper has four pins, so any package will do; that of ECP5 is the board's.
-TOOLS = {
+TOOLS: dict[str, Tool] = {
     "ice40-hx8k": {
         "program": "nextpnr-ice40",
         "cells": "ICESTORM_LC",
@@ -42,7 +55,7 @@ class DoesNotFit(project.Failed):
     """The tool's word that the design is too large."""
 
 
-def find_build(named):
+def find_build(named: pathlib.Path | None) -> pathlib.Path:
     folders = [named] if named else [project.ROOT / "build" / p for p in ("release", "dev")]
     for folder in folders:
         if (folder / "hls/compiler/hlsc").is_file() and (
@@ -55,7 +68,7 @@ def find_build(named):
     )
 
 
-def units(build, config=rtl_files.CHECKED_IN):
+def units(build: pathlib.Path, config: str = rtl_files.CHECKED_IN) -> dict[str, dict[str, str]]:
     """Module, header and type of the configuration's units, by module."""
     found = {}
     for line in (build / "hls/units/list_units.txt").read_text(encoding="utf-8").splitlines():
@@ -65,7 +78,7 @@ def units(build, config=rtl_files.CHECKED_IN):
     return found
 
 
-def lower(build, unit, clock_ns, delay):
+def lower(build: pathlib.Path, unit: dict[str, str], clock_ns: float, delay: str) -> pathlib.Path:
     """The folder with the unit's Verilog and hlsc's report for a delay model."""
     root, module = project.ROOT, unit["module"]
     include = build / "generated" / "include"
@@ -77,7 +90,7 @@ def lower(build, unit, clock_ns, delay):
         for p in (root / folder).rglob("*.h")
     )
 
-    def make(folder):
+    def make(folder: pathlib.Path) -> None:
         includes = [
             f
             for path in (root / "hls/lowered", root / "hls/include", root / "hls", include)
@@ -121,17 +134,10 @@ def lower(build, unit, clock_ns, delay):
     return synthesis.kept("lowered", said, sources, make)
 
 
-def schedule(report):
-    """Stages and longest path of hlsc's report."""
-    stages = int(re.search(r"^stages\s+(\d+)$", report, re.MULTILINE)[1])
-    rows = re.findall(r"^\s*\d+\s+\d+\s+([\d.]+)\b", report, re.MULTILINE)
-    return {"stages": stages, "predicted_ns": max(map(float, rows))}
-
-
-def wrap(module, verilog):
+def wrap(module: str, verilog: str) -> str:
     """A module with four pins that has registers before every input of a module, filled through a
     chain, and behind every output, folded into a chain that ends at a pin."""
-    body = verilog[re.search(rf"^module {module}\b", verilog, re.MULTILINE).end() :]
+    body = verilog[searched(rf"^module {module}\b", verilog).end() :]
     ports = [
         (way, int(high or 0) + 1, name)
         for way, high, name in PORT.findall(body[: body.index(");\n")])
@@ -172,7 +178,7 @@ endmodule
 """
 
 
-def place(device, module, files, seed, mhz):
+def place(device: str, module: str, files: list[pathlib.Path], seed: int, mhz: float) -> Json:
     """Cells and clock of one placement; throws DoesNotFit."""
     tool = TOOLS[device]
     family = devices.FAMILIES[devices.DEVICES[device]["family"]]
@@ -180,7 +186,7 @@ def place(device, module, files, seed, mhz):
     files = synthesis.needed(module, files)
     said = [synthesis.tool_version("yosys", "-V", "yosys"), family["synth"], module]
 
-    def make_netlist(folder):
+    def make_netlist(folder: pathlib.Path) -> None:
         wrapper = folder / f"{WRAPPER}.v"
         source = next(f for f in files if f.stem == module)
         wrapper.write_text(wrap(module, source.read_text(encoding="utf-8")), encoding="utf-8")
@@ -201,7 +207,7 @@ def place(device, module, files, seed, mhz):
         / "netlist.json"
     )
 
-    def make_placement(folder):
+    def make_placement(folder: pathlib.Path) -> None:
         result = subprocess.run(
             [
                 tool["program"],
@@ -247,12 +253,12 @@ def place(device, module, files, seed, mhz):
 ARRIVAL = re.compile(r"Latest arrival time in '[^']*' is (\d+)")
 
 
-def logic_delay(module, files):
+def logic_delay(module: str, files: list[pathlib.Path]) -> float:
     """The longest path in ns through the cells of 7-series, without the wires."""
     files = synthesis.needed(module, files)
     synth = devices.FAMILIES["xc7"]["synth"]
 
-    def make(folder):
+    def make(folder: pathlib.Path) -> None:
         synthesis.run_yosys(
             [
                 *synthesis.read_commands(files),

@@ -11,6 +11,8 @@ import pathlib
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterable
+from typing import Any
 
 from dynrt_tools import project
 from dynrt_tools.hardware import devices, rtl_files, synthesis
@@ -18,7 +20,7 @@ from dynrt_tools.hardware import devices, rtl_files, synthesis
 HERE = project.ROOT / "verif" / "netlist"
 
 
-def run(command, silent=False):
+def run(command: list[Any], silent: bool = False) -> str:
     result = subprocess.run([str(c) for c in command], capture_output=True, text=True, check=False)
     output = (result.stdout + result.stderr).strip()
     if result.returncode != 0 or (silent and output):
@@ -26,7 +28,7 @@ def run(command, silent=False):
     return output
 
 
-def for_icarus(top):
+def for_icarus(top: str) -> list[str]:
     """Commands that make of a netlist one that Icarus reads in seconds."""
     return [
         # Yosys has a black box DP16KD, so the model has another name. What starts as zero in the
@@ -47,12 +49,14 @@ def for_icarus(top):
     ]
 
 
-def shipped_cells():
+def shipped_cells() -> pathlib.Path:
     """The folder of Yosys's own models."""
-    return pathlib.Path(shutil.which("yosys")).resolve().parent.parent / "share/yosys/ecp5"
+    return pathlib.Path(shutil.which("yosys") or "").resolve().parent.parent / "share/yosys/ecp5"
 
 
-def icarus(args, name, sources, warnings):
+def icarus(
+    args: argparse.Namespace, name: str, sources: Iterable[str | pathlib.Path], warnings: list[str]
+) -> str:
     """What the bench prints of these sources; ends unless it saw that all is the same."""
     program = args.work / f"{name}.vvp"
     run(
@@ -78,11 +82,11 @@ def icarus(args, name, sources, warnings):
     return lines[-2]
 
 
-def netlist(sources):
+def netlist(sources: list[pathlib.Path]) -> list[str | pathlib.Path]:
     """The files of the core as synth_ecp5 leaves it, with its cells."""
     synth = devices.FAMILIES["ecp5"]["synth"]
 
-    def make(folder):
+    def make(folder: pathlib.Path) -> None:
         synthesis.run_yosys(
             [
                 *synthesis.read_commands(files),
@@ -107,7 +111,7 @@ def netlist(sources):
     return [f"-I{cells}", folder / "netlist.v", cells / "cells_sim.v", HERE / "ecp5_cells.v"]
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )

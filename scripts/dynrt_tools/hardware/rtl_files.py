@@ -81,7 +81,7 @@ def generated(args: argparse.Namespace) -> list[pathlib.Path]:
     )
     folders = [GENERATED] if args.config == CHECKED_IN else []
     folders += [build / "generated" / args.config for build in builds]
-    files = next((files for f in folders if (files := units_in(f))), [])
+    files: list[pathlib.Path] = next((found for f in folders if (found := units_in(f))), [])
     if not files:
         project.fail(
             f"there is no generated Verilog of configuration '{args.config}'; '{CHECKED_IN}' is "

@@ -12,13 +12,14 @@ import sys
 
 from dynrt_tools import project
 from dynrt_tools.hardware import devices, rtl_files, synthesis
+from dynrt_tools.project import Json
 
 
-def print_areas(name, rows):
+def print_areas(name: str, rows: dict[str, Json]) -> None:
     family = devices.FAMILIES[devices.family_of(name)]
-    device = devices.DEVICES.get(name, {})
+    title = devices.DEVICES[name]["name"] if name in devices.DEVICES else family["name"]
     width = max(len("unit"), *(len(top) for top in rows))
-    print(f"\n{device.get('name', family['name'])} ({family['synth'].split(' -top')[0]})")
+    print(f"\n{title} ({family['synth'].split(' -top')[0]})")
     print(f"{'unit':<{width}}" + "".join(f"{c:>9}" for c in devices.COLUMNS) + f"{'seconds':>9}")
     for top, row in rows.items():
         print(
@@ -28,7 +29,7 @@ def print_areas(name, rows):
         )
 
 
-def print_shares(name, rows):
+def print_shares(name: str, rows: dict[str, Json]) -> None:
     """What each takes of the device, with the LUTs that carry cells and LUT RAM stand in."""
     has = devices.DEVICES[name]["has"]
     width = max(len("unit"), *(len(top) for top in rows))
@@ -45,7 +46,7 @@ def print_shares(name, rows):
         )
 
 
-def misfits(names, figures):
+def misfits(names: list[str], figures: dict[str, dict[str, Json]]) -> tuple[list[str], set[str]]:
     """A sentence for every module that a device cannot hold, and those that none of them holds."""
     sentences, nowhere = [], set()
     parts = [n for n in names if n in devices.DEVICES]
@@ -61,7 +62,7 @@ def misfits(names, figures):
     return sentences, nowhere
 
 
-def parse():
+def parse() -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="scripts/synth",
         description=__doc__,
@@ -103,7 +104,7 @@ def parse():
     return parser.parse_args()
 
 
-def synthesize(name, top, files):
+def synthesize(name: str, top: str, files: list[pathlib.Path]) -> Json:
     family = devices.family_of(name)
     cells, seconds = synthesis.cells(
         top, files, devices.FAMILIES[family]["synth"], f"{top} on {name}"
@@ -115,7 +116,7 @@ def synthesize(name, top, files):
     }
 
 
-def main():
+def main() -> int:
     args = parse()
     names = args.device or ["ecp5-85", "virtex2-6000"]
     try:
@@ -135,7 +136,8 @@ def main():
         if top not in known:
             project.fail(f"there is no unit '{top}'; the modules are: {', '.join(sorted(known))}")
 
-    figures, failed = {name: {} for name in names}, False
+    figures: dict[str, dict[str, Json]] = {name: {} for name in names}
+    failed = False
     with concurrent.futures.ThreadPoolExecutor(max(1, args.jobs)) as pool:
         # The core takes longest, so it starts first.
         jobs = {(n, t): pool.submit(synthesize, n, t, files) for t in reversed(tops) for n in names}

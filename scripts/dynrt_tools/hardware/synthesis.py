@@ -13,6 +13,8 @@ import shutil
 import subprocess
 import sys
 import time
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
 
 from dynrt_tools import project
 from dynrt_tools.build.cache import BuildCache
@@ -27,23 +29,23 @@ MORE_RUNS = 2  # after a run in which that happened
 KEPT = pathlib.Path(os.environ.get("DYNRT_CACHE") or project.ROOT / "build" / "synth")
 
 
-def modules(files):
+def modules(files: Iterable[pathlib.Path]) -> list[str]:
     return [m for f in files for m in MODULE.findall(_text(f))]
 
 
 @functools.lru_cache(maxsize=None)
-def _text(path):
+def _text(path: pathlib.Path) -> str:
     return path.read_text(encoding="utf-8")
 
 
 @functools.lru_cache(maxsize=None)
-def _meaning(path):
+def _meaning(path: pathlib.Path) -> str:
     """A file's text without comments and what they leave behind."""
     text = re.sub(r"\s+", " ", COMMENT.sub(" ", _text(path))).strip()
     return f" {text} "
 
 
-def needed(top, files):
+def needed(top: str, files: list[pathlib.Path]) -> list[pathlib.Path]:
     """The files that the module's hierarchy comes from, in their order."""
     defines = {m: f for f in files for m in MODULE.findall(_text(f))}
     todo, seen = [top], set()
@@ -57,14 +59,16 @@ def needed(top, files):
 
 
 @functools.lru_cache(maxsize=None)
-def tool_version(tool, flag, package):
+def tool_version(tool: str, flag: str, package: str) -> str:
     """What a tool says of its version."""
     project.require_tool(tool, package)
     result = subprocess.run([tool, flag], capture_output=True, text=True, check=False)
     return (result.stdout + result.stderr).strip()
 
 
-def kept(kind, said, files, make):
+def kept(
+    kind: str, said: object, files: list[pathlib.Path], make: Callable[[pathlib.Path], None]
+) -> pathlib.Path:
     """The folder of a result. `said` is what decides it beside the files; `make` writes it into an
     empty folder and throws project.Failed."""
     digest = hashlib.sha256(json.dumps([kind, said], sort_keys=True).encode())
@@ -75,7 +79,7 @@ def kept(kind, said, files, make):
         for path in sorted(folder.glob("*.vh")):
             digest.update(_meaning(path).encode() + b"\0")
 
-    def build(partial):
+    def build(partial: pathlib.Path) -> pathlib.Path:
         folder = partial / "result"
         folder.mkdir()
         start = time.monotonic()
@@ -89,7 +93,7 @@ def kept(kind, said, files, make):
         raise project.Failed(f"{error.filename or KEPT}: {error.strerror}") from error
 
 
-def run_yosys(commands, folder, what):
+def run_yosys(commands: list[str], folder: pathlib.Path, what: str) -> None:
     """Runs Yosys with its log in the folder; keeps the log of a run that fails elsewhere. Debian's
     berkeley-abc aborts now and then on a module that it maps at other times: after such a run, and
     after no other, Yosys runs again."""
@@ -110,24 +114,32 @@ def run_yosys(commands, folder, what):
     raise project.Failed(f"{what}: {last[-1] if last else 'Yosys failed'}; the whole log is {left}")
 
 
-def read_commands(files, blackboxes=()):
+def read_commands(
+    files: Iterable[pathlib.Path], blackboxes: Sequence[pathlib.Path] = ()
+) -> list[str]:
     return [f"verilog_defaults -add -I{f}" for f in rtl_files.include_folders(files)] + [
         f"read_verilog {'-lib ' if f in blackboxes else ''}{f}" for f in files
     ]
 
 
-def chosen(top, parameters):
+def chosen(top: str, parameters: dict[str, Any]) -> list[str]:
     """Commands that give a module's parameters their values."""
     sets = " ".join(f"-set {name} {value}" for name, value in sorted(parameters.items()))
     return [f"chparam {sets} {top}"] if sets else []
 
 
-def cells(top, files, synth, what, parameters=None):
+def cells(
+    top: str,
+    files: list[pathlib.Path],
+    synth: str,
+    what: str,
+    parameters: dict[str, Any] | None = None,
+) -> tuple[dict[str, int], float]:
     """Synthesizes a module; returns how many cells of each type and the seconds it took."""
     said = [tool_version("yosys", "-V", "yosys"), top, synth, parameters or {}]
     files = needed(top, files)
 
-    def make(folder):
+    def make(folder: pathlib.Path) -> None:
         run_yosys(
             [
                 *read_commands(files),

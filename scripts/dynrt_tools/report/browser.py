@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """A page as a headless Chromium has it, without a network."""
 
+import pathlib
 import subprocess
 import tempfile
 
 
-def load(path, view=""):
+def load(path: pathlib.Path, view: str = "") -> tuple[str, list[str]]:
     """The document after its scripts have run, and what was said on the console. `view` is the part
     of the address behind "#"."""
     with tempfile.TemporaryDirectory() as profile:

@@ -6,11 +6,12 @@ A variant costs the time of a frame times the part of an LFE5U-85F that its core
 flip-flops, multipliers and block RAMs that of which it takes the largest part, as this bounds how
 many pipelines fit. Of two that cost the same that with fewer LUTs is cheaper."""
 
+import argparse
 import math
 import sys
 
 from dynrt_tools.hardware import devices
-from dynrt_tools.project import Failed
+from dynrt_tools.project import Failed, Json
 from dynrt_tools.report import page
 from dynrt_tools.report.collect import measures_of
 from dynrt_tools.report.report import MISTAKE, Parser, add_arguments, guarded, measured
@@ -19,17 +20,17 @@ DEVICE = devices.DEVICES["ecp5-85"]
 DEFAULT_MEASURE = "primary.t_p99"
 
 
-def part_of_device(variant):
+def part_of_device(variant: Json) -> tuple[float, str]:
     """The largest part that its core takes of one of the device's resources, and of which."""
     return max((variant["takes"][name] / count, name) for name, count in DEVICE["has"].items())
 
 
-def cost(variant, run):
+def cost(variant: Json, run: Json) -> tuple[float, int]:
     """To compare by: area times time, then LUTs. Area alone where no clocks are known."""
     return part_of_device(variant)[0] * run.get("frame_ms", 1), variant["area"]["LUT"]
 
 
-def directions():
+def directions() -> dict[str, str]:
     """Whether "less" or "more" is better, of every measure of error."""
     return {
         f"{m['group']}.{m['name']}": m["better"]
@@ -38,7 +39,7 @@ def directions():
     }
 
 
-def check_measure(runs, named):
+def check_measure(runs: list[Json], named: str) -> None:
     found = {m for run in runs for m in measures_of(run)}
     known = [m for m in directions() if m in found]
     if named not in known:
@@ -47,18 +48,18 @@ def check_measure(runs, named):
         )
 
 
-def worse(measure, value):
+def worse(measure: str, value: float) -> float:
     """Orders figures of a measure, the least error first."""
     return -value if directions()[measure] == "more" else value
 
 
-def holds(measure, value, bound):
+def holds(measure: str, value: float | None, bound: float) -> bool:
     if value is None:  # of a psnr: not one pixel differs
         return directions()[measure] == "more"
     return worse(measure, value) <= worse(measure, bound)
 
 
-def choose(report, measure, bound):
+def choose(report: Json, measure: str, bound: float) -> tuple[list[Json], list[Json]]:
     """All variants that could render the scene, the cheapest first, and those of them that hold the
     bound."""
     runs = [run for run in report["runs"] if "refused" not in run]
@@ -69,11 +70,11 @@ def choose(report, measure, bound):
     return runs, [r for r in runs if holds(measure, measures_of(r).get(measure), bound)]
 
 
-def number(value):
+def number(value: float | None) -> str:
     return "-" if value is None else f"{value:.4g}"
 
 
-def table(report, runs, measure, bound):
+def table(report: Json, runs: list[Json], measure: str, bound: float) -> str:
     rows = [
         (
             "variant",
@@ -116,7 +117,7 @@ def table(report, runs, measure, bound):
     )
 
 
-def check_bound(args):
+def check_bound(args: argparse.Namespace) -> None:
     """What can be said before anything is measured."""
     if args.measure not in directions():
         raise Failed(
@@ -126,7 +127,7 @@ def check_bound(args):
         raise Failed(f"--max-error {args.max_error}: must be a number")
 
 
-def run(args):
+def run(args: argparse.Namespace) -> int:
     check_bound(args)
     report, _ = measured(args, [args.scene])
     runs, holding = choose(report, args.measure, args.max_error)
@@ -150,7 +151,7 @@ def run(args):
     return MISTAKE
 
 
-def main():
+def main() -> int:
     parser = Parser(
         prog="dynrt choose",
         description=__doc__,

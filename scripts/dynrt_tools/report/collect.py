@@ -11,19 +11,23 @@ import pathlib
 import re
 import shutil
 import tempfile
+from collections.abc import Iterator
+from typing import Any
 
 from dynrt_tools.hardware.area import FAMILY
 from dynrt_tools.hardware.devices import COLUMNS, FAMILIES
-from dynrt_tools.project import Failed, read_json
+from dynrt_tools.project import Failed, Json, read_json
 from dynrt_tools.report import page
 
 PICTURES = "pictures"
 
 
-def collect(folder, scenes, variants, size, build):
+def collect(
+    folder: pathlib.Path, scenes: dict[str, Json], variants: dict[str, Json], size: str, build: Json
+) -> tuple[Json, dict[str, pathlib.Path]]:
     """What error.json holds, and the pictures that it names: where each is now."""
     clock_ns = float(build["variables"]["DYNRT_CLOCK_NS"])
-    report = {
+    report: Json = {
         "size": size,
         "clock_ns": clock_ns,
         "device": FAMILIES[FAMILY]["name"],
@@ -61,7 +65,7 @@ def collect(folder, scenes, variants, size, build):
     return report, pictures
 
 
-def measures_of(run):
+def measures_of(run: Json) -> dict[str, Any]:
     """Every figure of a run as KIND.NAME."""
     return {
         f"{kind}.{name}": value
@@ -70,7 +74,7 @@ def measures_of(run):
     }
 
 
-def write_csv(path, report):
+def write_csv(path: pathlib.Path, report: Json) -> None:
     keys = list(dict.fromkeys(k for v in report["variants"].values() for k in v["differs"]))
     measures = list(dict.fromkeys(m for run in report["runs"] for m in measures_of(run)))
     with path.open("w", encoding="utf-8", newline="") as file:
@@ -110,12 +114,12 @@ AS_IT_WAS = "a report that was there is as it was, and what was measured is kept
 NEW = re.compile(r"\.new(\d+)\.")  # what a process with this number writes first
 
 
-def not_written(out, error, then):
+def not_written(out: pathlib.Path, error: OSError, then: str) -> Failed:
     reason = "the disk is full" if error.errno == errno.ENOSPC else error.strerror
     return Failed(f"--out {out}: cannot be written ({reason}); {then}")
 
 
-def check_writable(out, then=AS_IT_WAS):
+def check_writable(out: pathlib.Path, then: str = AS_IT_WAS) -> None:
     """Refuses a folder that could not be written to, before anything is measured; `then` ends the
     sentence."""
     try:
@@ -126,7 +130,7 @@ def check_writable(out, then=AS_IT_WAS):
         raise not_written(out, error, then) from error
 
 
-def remove_left(out):
+def remove_left(out: pathlib.Path) -> None:
     """What processes that are no more have left half written."""
     for left in out.glob(".new*"):
         process = NEW.match(left.name)
@@ -135,7 +139,7 @@ def remove_left(out):
 
 
 @contextlib.contextmanager
-def written_first(out, then=AS_IT_WAS):
+def written_first(out: pathlib.Path, then: str = AS_IT_WAS) -> Iterator[pathlib.Path]:
     """A folder to write to, whose files take the place of those of the same name in `out` when all
     are there: if the disk is full, what was there before stays as it is. `then` says so."""
     try:
@@ -161,7 +165,7 @@ def written_first(out, then=AS_IT_WAS):
         raise not_written(out, error, then) from error
 
 
-def write(out, report, pictures):
+def write(out: pathlib.Path, report: Json, pictures: dict[str, pathlib.Path]) -> None:
     with written_first(out) as new:
         for goal, picture in pictures.items():
             (new / goal).parent.mkdir(parents=True, exist_ok=True)
@@ -171,14 +175,14 @@ def write(out, report, pictures):
         page.write_page(new / "error.json", new / "error.html")
 
 
-def scene_path(scene):
+def scene_path(scene: str) -> str:
     """As the program reads it in any folder: a file's absolute path, or the name of a built-in one,
     which goes before a folder or file of that name."""
     file = pathlib.Path(scene if os.path.isfile(scene) else scene.split(":")[0])
     return os.path.abspath(scene) if file.suffix and file.is_file() else scene
 
 
-def scene_name(scene):
+def scene_name(scene: str) -> str:
     """What a scene is called in a report: the name of a built-in one, or its file's."""
     return re.sub(
         r"[^A-Za-z0-9_.-]",

@@ -7,7 +7,7 @@ import base64
 import json
 import pathlib
 
-from dynrt_tools.project import ROOT, read_json
+from dynrt_tools.project import ROOT, Json, read_json
 
 PARTS = pathlib.Path(__file__).resolve().parent / "page"
 MEASURES = ROOT / "docs" / "reference" / "measures.md"
@@ -15,7 +15,7 @@ LIBRARY = pathlib.Path("/usr/share/nodejs/d3/dist/d3.min.js")  # Debian's node-d
 COLUMNS = ("group", "name", "unit", "better", "meaning")
 
 
-def read_measures(path=MEASURES):
+def read_measures(path: pathlib.Path = MEASURES) -> list[dict[str, str]]:
     """The table of docs/reference/measures.md, which measures_test holds against the program's."""
     lines = path.read_text(encoding="utf-8").splitlines()
     rows = [
@@ -26,23 +26,23 @@ def read_measures(path=MEASURES):
     return [dict(zip(COLUMNS, row)) for row in rows[1:]]
 
 
-def pictures_of(report):
+def pictures_of(report: Json) -> list[str]:
     """Every picture that the report names."""
     named = [run.get(kind) for run in report["runs"] for kind in ("image", "difference")]
     named += [scene.get("truth") for scene in report["scenes"].values()]
     return [name for name in dict.fromkeys(named) if name]
 
 
-def data_uri(path):
+def data_uri(path: pathlib.Path) -> str:
     return "data:image/png;base64," + base64.b64encode(path.read_bytes()).decode("ascii")
 
 
-def in_script(text):
+def in_script(text: str) -> str:
     """Nothing in it ends the element that it stands in."""
     return text.replace("</", "<\\/").replace("<!--", "<\\!--")
 
 
-def page(report, folder):
+def page(report: Json, folder: pathlib.Path) -> str:
     """The page's text; `folder` is where the paths of pictures begin."""
     shown = dict(report)
     # The counters of a frame and the units of a variant are not shown.
@@ -65,6 +65,6 @@ def page(report, folder):
     return text
 
 
-def write_page(source, goal):
+def write_page(source: pathlib.Path, goal: pathlib.Path) -> None:
     report = read_json(source)
     goal.write_text(page(report, source.parent), encoding="utf-8")

@@ -9,7 +9,7 @@ import re
 import tempfile
 import urllib.parse
 
-from dynrt_tools.project import read_json
+from dynrt_tools.project import read_json, searched
 from dynrt_tools.report import browser, page
 
 WIDTH, HEIGHT = 640, 430  # of a plot, as page.js has it
@@ -17,7 +17,7 @@ MARGIN, HEAD = 24, 34
 PLOTS = ("time-plot", "area-plot")
 
 
-def style():
+def style() -> str:
     """What of the page's style is about plots, and the colours."""
     css = (page.PARTS / "page.css").read_text(encoding="utf-8")
     rules = re.findall(
@@ -29,7 +29,7 @@ def style():
     return "\n".join(rules)
 
 
-def svg(report_path, scene, measure, area):
+def svg(report_path: pathlib.Path, scene: str, measure: str, area: str) -> str:
     """Both plots beside each other."""
     report = read_json(report_path)
     view = urllib.parse.urlencode({"scene": scene, "measure": measure, "area": area})
@@ -40,8 +40,7 @@ def svg(report_path, scene, measure, area):
     if complaints:
         raise SystemExit(f"plot.py: the page complains: {complaints[0]}")
     plots = [
-        re.search(rf'<svg id="{name}"[^>]*>(.*?)</svg>', document, re.DOTALL).group(1)
-        for name in PLOTS
+        searched(rf'<svg id="{name}"[^>]*>(.*?)</svg>', document, re.DOTALL)[1] for name in PLOTS
     ]
     width = 2 * WIDTH + 3 * MARGIN
     height = HEIGHT + HEAD
@@ -62,7 +61,7 @@ def svg(report_path, scene, measure, area):
     )
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(prog="plot.py", description=__doc__)
     parser.add_argument(
         "report",

@@ -10,9 +10,11 @@ import signal
 import subprocess
 import sys
 import tempfile
+from collections.abc import Callable
+from typing import NoReturn
 
 from dynrt_tools.build import fingerprint
-from dynrt_tools.project import Failed, read_json
+from dynrt_tools.project import Failed, Json, read_json
 from dynrt_tools.report import variants as listed
 from dynrt_tools.report.collect import check_writable, collect, scene_name, scene_path, write
 from dynrt_tools.report.workflow import Workflow
@@ -23,16 +25,16 @@ MISTAKE = 2
 class Parser(argparse.ArgumentParser):
     """Tells what is wrong with the flags in dynrt's way."""
 
-    def error(self, message):
+    def error(self, message: str) -> NoReturn:
         print(f"dynrt: {message}; {self.prog} --help lists what there is", file=sys.stderr)
         sys.exit(MISTAKE)
 
 
-def cores():
+def cores() -> int:
     return len(os.sched_getaffinity(0))
 
 
-def add_arguments(parser):
+def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What a report and a choice have in common."""
     parser.add_argument("--program", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--build", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
@@ -86,7 +88,7 @@ def add_arguments(parser):
     )
 
 
-def describe(program, scene, size):
+def describe(program: pathlib.Path, scene: str, size: str) -> str:
     """A scene in a line; refuses one that dynrt does not read, or pictures of this size."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "info.json"
@@ -102,7 +104,9 @@ def describe(program, scene, size):
     return line.removeprefix("scene").strip()
 
 
-def measured(args, scenes, hardware=True):
+def measured(
+    args: argparse.Namespace, scenes: list[str], hardware: bool = True
+) -> tuple[Json, dict[str, pathlib.Path]]:
     """Runs what has not been run yet; gives what collect() does."""
     if args.jobs < 1:
         raise Failed(f"--jobs {args.jobs}: at least one is needed")
@@ -132,7 +136,7 @@ def measured(args, scenes, hardware=True):
         return collect(folder, known, variants, args.size, build)
 
 
-def run(args):
+def run(args: argparse.Namespace) -> None:
     report, pictures = measured(args, args.scene or ["office"], args.hardware)
     refused = [r for r in report["runs"] if "refused" in r]
     if len(refused) == len(report["runs"]):
@@ -146,7 +150,7 @@ def run(args):
     )
 
 
-def guarded(what, args):
+def guarded(what: Callable[[argparse.Namespace], int | None], args: argparse.Namespace) -> int:
     """The exit code of `what`, its mistakes told in a sentence."""
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
@@ -160,7 +164,7 @@ def guarded(what, args):
     return MISTAKE
 
 
-def main():
+def main() -> int:
     parser = Parser(
         prog="dynrt report error",
         description=__doc__,

@@ -7,6 +7,7 @@ Usage: scripts/run_variant PROGRAM SCENE SIZE MODEL.so FIGURES.json PICTURES [SC
 A scene that the variant cannot hold is a result too: its figures say why.
 """
 
+
 import json
 import pathlib
 import subprocess
@@ -15,7 +16,7 @@ import sys
 MISTAKE = 2  # dynrt's exit code where the input cannot be rendered
 
 
-def main():
+def main() -> None:
     program, scene, size, model, figures, pictures, *schedules = sys.argv[1:]
     pathlib.Path(pictures).mkdir(parents=True, exist_ok=True)
     clocks = ["--schedule", schedules[0]] if schedules else []

@@ -5,12 +5,12 @@
 import pathlib
 
 from dynrt_tools.build import configs
-from dynrt_tools.project import Failed
+from dynrt_tools.project import Failed, Json
 
 LISTED = pathlib.Path(__file__).resolve().parent / "variants.json"
 
 
-def base_configuration(name):
+def base_configuration(name: str) -> Json:
     """Every key of a configuration: one of hls/configs/configs.json, or a file."""
     if name.endswith(".json"):
         return stated_in(pathlib.Path(name))
@@ -22,20 +22,20 @@ def base_configuration(name):
     listed = configs.load_configurations().listed()
     if name not in listed:
         raise Failed(f"--config {name}: unknown; the configurations are {', '.join(listed)}")
-    return listed[name]
+    return dict(listed[name])
 
 
-def stated_in(path):
+def stated_in(path: pathlib.Path) -> Json:
     configurations = configs.load_configurations()
     try:
-        return configurations.read_one(path, "stated")
+        return dict(configurations.read_one(path, "stated"))
     except configurations.Refused as error:
         sentence = str(error).replace("configuration 'stated': ", "")
         line = f"line {error.line}: " if error.line else ""
         raise Failed(f"--config {path}: {line}{sentence}") from error
 
 
-def read_variants(path, base):
+def read_variants(path: pathlib.Path, base: Json) -> dict[str, Json]:
     """By name, in the file's order: every key of its configuration, and those that differ from
     `base`. One of them, the reference, differs in none."""
     generate = configs.load_configurations()
@@ -65,7 +65,7 @@ def read_variants(path, base):
     return variants
 
 
-def chosen(variants, names):
+def chosen(variants: dict[str, Json], names: list[str]) -> dict[str, Json]:
     """Those of these names, and the reference."""
     for name in names:
         if name not in variants:

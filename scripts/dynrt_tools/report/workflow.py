@@ -12,8 +12,9 @@ import re
 import shutil
 import signal
 import subprocess
+from collections.abc import Iterator
 
-from dynrt_tools.project import SCRIPTS, Failed, read_json, show_progress
+from dynrt_tools.project import SCRIPTS, Failed, Json, read_json, show_progress
 
 HERE = pathlib.Path(__file__).resolve().parent
 STEP = re.compile(r"^(\d+) of (\d+) steps")
@@ -27,7 +28,7 @@ DOING = {
 }
 
 
-def write_if_new(path, text):
+def write_if_new(path: pathlib.Path, text: str) -> None:
     """Snakemake goes by the time of a file: what is the same as before stays as it is."""
     path.parent.mkdir(parents=True, exist_ok=True)
     if not path.exists() or path.read_text(encoding="utf-8") != text:
@@ -36,11 +37,11 @@ def write_if_new(path, text):
         part.replace(path)
 
 
-def content_of(path):
+def content_of(path: pathlib.Path) -> str | None:
     return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
 
 
-def stop(process):
+def stop(process: subprocess.Popen[str]) -> None:
     """Ends Snakemake and its jobs, as a terminal would; what they have not finished, it removes."""
     os.killpg(process.pid, signal.SIGINT)
     process.wait()
@@ -49,11 +50,13 @@ def stop(process):
 class Workflow:
     """The jobs of these scenes and variants, in a folder that keeps their results between runs."""
 
-    def __init__(self, folder, program, build, expect):
+    def __init__(
+        self, folder: pathlib.Path, program: pathlib.Path, build: pathlib.Path, expect: str
+    ) -> None:
         self.folder, self.program, self.build, self.expect = folder, program, build, expect
 
     @contextlib.contextmanager
-    def alone(self):
+    def alone(self) -> Iterator[None]:
         self.folder.mkdir(parents=True, exist_ok=True)
         with (self.folder / "lock").open("w") as file:
             try:
@@ -65,7 +68,9 @@ class Workflow:
                 ) from error
             yield
 
-    def prepare(self, scenes, variants, size, hardware):
+    def prepare(
+        self, scenes: dict[str, str], variants: dict[str, Json], size: str, hardware: bool
+    ) -> None:
         for name, variant in variants.items():
             write_if_new(
                 self.folder / "variants" / f"{name}.json",
@@ -92,7 +97,7 @@ class Workflow:
         }
         write_if_new(self.folder / "config.json", json.dumps(config, indent=1))
 
-    def run(self, jobs, slurm):
+    def run(self, jobs: int, slurm: bool) -> None:
         snakemake = shutil.which("snakemake")
         if snakemake is None:
             raise Failed(
@@ -103,7 +108,7 @@ class Workflow:
                 "--slurm: sbatch is not on the PATH; run the report on a node from which "
                 "jobs can be submitted, or leave the flag out"
             )
-        command = [
+        command: list[str | pathlib.Path] = [
             snakemake,
             "--snakefile",
             HERE / "Snakefile",
@@ -119,7 +124,7 @@ class Workflow:
         command += ["--profile", HERE / "slurm"] if slurm else ["--cores", str(jobs)]
         environment = os.environ | {"PYTHONDONTWRITEBYTECODE": "1"}
         log = self.folder / "snakemake.log"
-        failed = {}
+        failed: dict[str, str] = {}
         with log.open("w", encoding="utf-8", buffering=1) as file, subprocess.Popen(
             command,
             stdout=subprocess.PIPE,
@@ -131,7 +136,7 @@ class Workflow:
             rule = None
             show_progress("looking what there is to do")
             try:
-                for line in process.stdout:
+                for line in process.stdout or ():
                     file.write(line)
                     if step := STEP.match(line):
                         show_progress(f"{step[1]} of {step[2]} jobs are done")
@@ -147,7 +152,7 @@ class Workflow:
         if process.returncode != 0:
             raise Failed(self._reason(failed, log))
 
-    def _reason(self, failed, log):
+    def _reason(self, failed: dict[str, str], log: pathlib.Path) -> str:
         for name, rule in failed.items():
             path = self.folder / name
             lines = path.read_text(encoding="utf-8").strip().splitlines() if path.exists() else []

@@ -9,13 +9,14 @@ import pathlib
 
 from dynrt_tools.project import Failed
 from dynrt_tools.report import choose, report
+from dynrt_tools.specialise.decisions import Measured
 
 FORMATS = pathlib.Path(__file__).resolve().parent / "formats.json"
 SIZE = "512x384"  # of a frame, unless --size says another
 KEYS = ("exponent_bits", "mantissa_bits", "rounding", "divider")
 
 
-def check(args):
+def check(args: argparse.Namespace) -> None:
     """Refuses, before the work, a bound that is none."""
     if args.max_error is None:
         if args.measure:
@@ -30,7 +31,7 @@ def check(args):
         raise Failed(f"--max-error {args.max_error:g}: must be above 0")
 
 
-def chosen(args, general, scene, out):
+def chosen(args: argparse.Namespace, general: str, scene: str, out: pathlib.Path) -> Measured:
     """The decisions for KEYS: what the cheapest format that keeps the bound says of them. What is
     measured is kept beside the folder `out`."""
     out = out.with_name(out.name + ".formats")

@@ -3,9 +3,10 @@
 """What a core takes: of a device, in gates by the thesis's rule, and in stages."""
 
 import concurrent.futures
+import pathlib
 
 from dynrt_tools.hardware import area, devices, gate_count, gate_rule, synthesis
-from dynrt_tools.project import Failed
+from dynrt_tools.project import Failed, Json, Progress
 
 # What is told of both cores, and how it is called.
 COSTS = {
@@ -21,7 +22,7 @@ COSTS = {
 }
 
 
-def gates_of(folder, jobs):
+def gates_of(folder: pathlib.Path, jobs: int) -> Json:
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
         counts = gate_count.count_core(sorted(folder.glob("*.v")), pool).values()
     bits = sum(count.bits for count in counts)
@@ -31,23 +32,23 @@ def gates_of(folder, jobs):
     }
 
 
-def check_tools():
+def check_tools() -> None:
     synthesis.tool_version("yosys", "-V", "yosys")
 
 
-def synthesized(folder, device, jobs, progress):
+def synthesized(folder: pathlib.Path, device: str, jobs: int, progress: Progress) -> Json:
     progress(f"synthesizing for {devices.DEVICES[device]['name']}")
     return area.hardware(folder, devices.family_of(device), jobs)
 
 
-def costs_of(folder, device, jobs, progress):
+def costs_of(folder: pathlib.Path, device: str, jobs: int, progress: Progress) -> Json:
     """Of the core whose Verilog is in this folder."""
     found = synthesized(folder, device, jobs, progress)
     progress("counting gates by the thesis's rule")
     return {**found["takes"], **gates_of(folder, jobs), "stages": found["schedule"]["stages"]}
 
 
-def check_devices(names):
+def check_devices(names: list[str]) -> None:
     for name in names:
         if name not in devices.DEVICES:
             raise Failed(
@@ -55,7 +56,9 @@ def check_devices(names):
             )
 
 
-def misfits(folder, costs, names, jobs, progress):
+def misfits(
+    folder: pathlib.Path, costs: Json, names: list[str], jobs: int, progress: Progress
+) -> str | None:
     """Why the core fits none of these devices, or nothing; `costs` are of the first."""
     lacks = []
     for name in names:

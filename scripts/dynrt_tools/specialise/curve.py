@@ -6,13 +6,15 @@ the native model by hlsc's schedules."""
 import pathlib
 import subprocess
 import tempfile
+from collections.abc import Callable, Iterator
 
-from dynrt_tools.project import Failed, read_json
+from dynrt_tools.project import Failed, Progress, read_json
 
+Curve = dict[int, int]  # clocks of a frame by packets or lines
 SEEN_ENOUGH = 1.5  # times the fewest clocks: slower still, nothing is measured
 
 
-def powers_below(most):
+def powers_below(most: int) -> Iterator[int]:
     power = 1 << (most.bit_length() - 1)
     while power:
         if power < most:
@@ -20,7 +22,7 @@ def powers_below(most):
         power //= 2
 
 
-def walk_down(clocks_of, most, percent):
+def walk_down(clocks_of: Callable[[int], int], most: int, percent: float) -> tuple[Curve, int]:
     """Clocks by number, from the most down, and the smallest number that costs at most so much."""
     base = clocks_of(most)
     curve, chosen, holds = {most: base}, most, True
@@ -33,19 +35,20 @@ def walk_down(clocks_of, most, percent):
     return curve, chosen
 
 
-def by_percent(percent, below, above=""):
+def by_percent(percent: float, below: str, above: str = "") -> str:
     """As text, with the word for what is below 0, and for the others."""
     rounded = round(percent, 1)
     return f"{abs(rounded):.1f} % {below if rounded < 0 else above}".rstrip()
 
 
-def reason(curve, chosen, percent, frame):
+def reason(curve: Curve, chosen: int, percent: float, frame: str) -> str:
     """Why this number, with the next ones on both sides. `frame` is what was measured."""
     most = max(curve)
     base = curve[most]
-    part = lambda number: (
-        f", with {number} " + by_percent(100 * (curve[number] / base - 1), "fewer", "more")
-    )
+
+    def part(number: int) -> str:
+        return f", with {number} " + by_percent(100 * (curve[number] / base - 1), "fewer", "more")
+
     words = f"with {most} {frame} takes {base:,} clocks"
     if chosen != most:
         words += part(chosen)
@@ -58,8 +61,16 @@ def reason(curve, chosen, percent, frame):
 class Meter:
     """Renders a scene on the model of one configuration, with fewer packets and lines in use."""
 
-    def __init__(self, program, scene, flags, configuration, schedules, progress):
-        self.command = [
+    def __init__(
+        self,
+        program: str,
+        scene: str,
+        flags: list[str],
+        configuration: pathlib.Path,
+        schedules: pathlib.Path,
+        progress: Progress,
+    ) -> None:
+        self.command: list[str | pathlib.Path] = [
             program,
             "render",
             scene,
@@ -71,15 +82,16 @@ class Meter:
             "--schedule",
             schedules,
         ]
-        self.progress, self.known = progress, {}
+        self.progress = progress
+        self.known: dict[tuple[int, int], int] = {}
 
-    def clocks(self, packets, lines):
+    def clocks(self, packets: int, lines: int) -> int:
         if (packets, lines) not in self.known:
             self.progress(f"measuring a frame with {packets} packets and {lines} lines")
             self.known[packets, lines] = self._measured(packets, lines)
         return self.known[packets, lines]
 
-    def _measured(self, packets, lines):
+    def _measured(self, packets: int, lines: int) -> int:
         with tempfile.TemporaryDirectory() as folder:
             figures = pathlib.Path(folder) / "figures.json"
             result = subprocess.run(
@@ -102,10 +114,12 @@ class Meter:
                     result.stderr.strip().removeprefix("dynrt: ")
                     or f"rendering ended with {result.returncode}"
                 )
-            return read_json(figures)["frame"]["cycles"]
+            return int(read_json(figures)["frame"]["cycles"])
 
 
-def choose(meter, packets, lines, percent, frame="a frame"):
+def choose(
+    meter: Meter, packets: int, lines: int, percent: float, frame: str = "a frame"
+) -> tuple[dict[str, tuple[int, str]], dict[str, Curve]]:
     """The decisions for packets and lines, and the curves; `frame` says which is measured."""
     by_packets, few = walk_down(lambda n: meter.clocks(n, lines), packets, percent / 2)
     by_lines, short = walk_down(lambda n: meter.clocks(few, n), lines, percent / 2)

@@ -4,6 +4,7 @@
 
 import argparse
 import pathlib
+from collections.abc import Iterable
 
 from dynrt_tools.hardware import devices
 from dynrt_tools.report import choose
@@ -24,7 +25,7 @@ ASKED = ("--frames", "--from", "--to")
 SEVERAL = ("--light", "--mirror")
 
 
-def joined(words):
+def joined(words: Iterable[str]) -> list[str]:
     """The same words with every value behind its flag's =, as values may begin with a minus."""
     words, found = list(words), []
     while words:
@@ -33,7 +34,7 @@ def joined(words):
     return found
 
 
-def parse(words):
+def parse(words: Iterable[str]) -> argparse.Namespace:
     parser = Parser(
         prog="dynrt specialise",
         description="Makes the smallest core that renders a "
@@ -122,7 +123,7 @@ def parse(words):
     return args
 
 
-def passed_on(args, names):
+def passed_on(args: argparse.Namespace, names: Iterable[str]) -> list[str]:
     """These flags as the program takes them."""
     words = []
     for name in names:

@@ -3,6 +3,7 @@
 """Makes the smallest core that renders a scene: `dynrt specialise`, and --specialise of the commands
 that render, for which it prints the path of the configuration."""
 
+import argparse
 import hashlib
 import json
 import math
@@ -15,7 +16,7 @@ import tempfile
 
 from dynrt_tools.build import configs
 from dynrt_tools.build.cache import BuildCache
-from dynrt_tools.project import SCRIPTS, Failed, read_json, show_progress, write_json
+from dynrt_tools.project import SCRIPTS, Failed, Json, read_json, show_progress, write_json
 from dynrt_tools.report.collect import check_writable, scene_name, scene_path, written_first
 from dynrt_tools.report.report import guarded
 from dynrt_tools.report.variants import base_configuration
@@ -28,7 +29,7 @@ DELIVERED = (".v", ".vh", ".json", ".txt")  # of a core's folder; the rest is of
 class Project:
     """Runs the program and scripts/configuration for one scene."""
 
-    def __init__(self, args):
+    def __init__(self, args: argparse.Namespace) -> None:
         self.args = args
         self.scene = scene_path(args.scene)
         self.name = scene_name(args.scene)
@@ -38,7 +39,7 @@ class Project:
         )
         self.build = read_json(pathlib.Path(args.build))
 
-    def needs(self, general):
+    def needs(self, general: object) -> tuple[Json, str]:
         """What `dynrt needs` says, and its lines about the scene."""
         command = [
             self.args.program,
@@ -62,7 +63,7 @@ class Project:
             about = next(x for x in result.stdout.splitlines() if x.startswith("scene "))
             return read_json(path), about.removeprefix("scene").strip()
 
-    def made(self, configuration, *kind):
+    def made(self, configuration: pathlib.Path, *kind: str) -> pathlib.Path:
         """The path of what scripts/configuration makes of a file."""
         result = subprocess.run(
             [
@@ -85,7 +86,7 @@ class Project:
             raise Failed(result.stdout.strip() or "scripts/configuration failed")
         return pathlib.Path(result.stdout.strip())
 
-    def key(self, needs, general, formats):
+    def key(self, needs: Json, general: Json, formats: decisions.Measured) -> str:
         """Of all that the configuration depends on."""
         args = self.args
         said = {
@@ -107,12 +108,12 @@ class Project:
         return f"specialised-{digest.hexdigest()[:40]}"
 
 
-def analysis_of(entry):
+def analysis_of(entry: pathlib.Path) -> pathlib.Path:
     """In a folder of its own, as the configuration beside it has the name of its scene."""
     return entry / "analysis" / "analysis.json"
 
 
-def is_whole(entry, name):
+def is_whole(entry: pathlib.Path, name: str) -> bool:
     """Whether both files of an entry can be read; not where a machine has lost its power."""
     try:
         for path in (entry / f"{name}.json", analysis_of(entry)):
@@ -125,13 +126,20 @@ def is_whole(entry, name):
 class Specialiser:
     """Writes the configuration of a scene and what it was decided by into a folder of the cache."""
 
-    def __init__(self, project, general_name, general, needs, formats):
+    def __init__(
+        self,
+        project: Project,
+        general_name: str,
+        general: Json,
+        needs: Json,
+        formats: decisions.Measured,
+    ) -> None:
         self.project, self.general_name, self.general = project, general_name, general
         self.formats = formats
         self.needs = needs
         self.keys = configs.load_configurations().KEYS
 
-    def decide(self, measured):
+    def decide(self, measured: decisions.Measured) -> Json:
         return decisions.decide(
             self.keys,
             self.general_name,
@@ -141,7 +149,7 @@ class Specialiser:
             self.project.args.keep,
         )
 
-    def write(self, path, decided):
+    def write(self, path: pathlib.Path, decided: Json) -> None:
         configuration = decisions.configuration(self.project.name, self.general_name, decided)
         generate = configs.load_configurations()
         try:
@@ -150,7 +158,7 @@ class Specialiser:
             raise Failed(str(error)) from error
         write_json(path, configuration)
 
-    def __call__(self, folder):
+    def __call__(self, folder: pathlib.Path) -> pathlib.Path:
         made = folder / "made"
         made.mkdir()
         path = made / f"{self.project.name}.json"
@@ -171,7 +179,7 @@ class Specialiser:
         )
         return made
 
-    def measured(self, folder):
+    def measured(self, folder: pathlib.Path) -> tuple[decisions.Measured, dict[str, curve.Curve]]:
         """Packets and lines, and the curves. All else is as it will be."""
         args, most = self.project.args, {k: self.general[k] for k in ("packets", "lines")}
         whole = folder / f"{self.project.name}.json"
@@ -188,7 +196,7 @@ class Specialiser:
         return {k: d for k, d in decided.items() if k not in args.keep}, curves
 
 
-def general_core(project):
+def general_core(project: Project) -> tuple[str, Json, Json, str, decisions.Measured]:
     """Name and keys of the configuration to start from, what the scene needs of it, and what is
     decided of the float."""
     args, formats = project.args, {}
@@ -207,7 +215,7 @@ def general_core(project):
     return name, general, needs, about, formats
 
 
-def add_costs(project, result, special, general):
+def add_costs(project: Project, result: Json, special: pathlib.Path, general: Json) -> pathlib.Path:
     """Area, gates, stages and clocks of both cores; gives the folder with the made one's Verilog."""
     args = project.args
     of = {}
@@ -220,15 +228,15 @@ def add_costs(project, result, special, general):
                 args.program, project.scene, project.seen, path, verilog, show_progress
             )
             read = read_json(path)
-            plain = lambda key: read[key]["value"] if isinstance(read[key], dict) else read[key]
-            of[name] = {"clocks": meter.clocks(plain("packets"), plain("lines"))}
+            packets, lines = (decisions.plain(read[key]) for key in ("packets", "lines"))
+            of[name] = {"clocks": meter.clocks(packets, lines)}
             if args.hardware:
                 of[name] |= costs.costs_of(verilog, args.device[0], args.jobs, show_progress)
     result["costs"] = of
     return verilog
 
 
-def check_outputs(out, figures):
+def check_outputs(out: pathlib.Path, figures: pathlib.Path | None) -> None:
     """Refuses, before the work, what could not be written."""
     if figures and not figures.absolute().parent.is_dir():
         raise Failed(
@@ -243,12 +251,12 @@ def check_outputs(out, figures):
         out.rmdir()
 
 
-def delivered(verilog):
+def delivered(verilog: pathlib.Path) -> list[str]:
     """Names of the files in a core's folder that are of use without the build."""
     return sorted(path.name for path in verilog.iterdir() if path.suffix in DELIVERED)
 
 
-def written_earlier(out):
+def written_earlier(out: pathlib.Path) -> list[str]:
     """Names of the files in the folder's verilog/ that an earlier run has written."""
     try:
         listed = read_json(out / "analysis.json")["verilog"]
@@ -257,7 +265,7 @@ def written_earlier(out):
         return []
 
 
-def write_figures(path, data):
+def write_figures(path: pathlib.Path, data: object) -> None:
     """As a whole, so that a full disk leaves the file that was there."""
     path = path.resolve()
     if path.exists() and not path.is_file():  # a pipe
@@ -271,7 +279,9 @@ def write_figures(path, data):
         part.unlink(missing_ok=True)
 
 
-def deliver(out, configuration, verilog, result):
+def deliver(
+    out: pathlib.Path, configuration: pathlib.Path, verilog: pathlib.Path, result: Json
+) -> None:
     """Writes the folder, and removes what an earlier core with other units has left there."""
     result["verilog"] = delivered(verilog)
     earlier = written_earlier(out)
@@ -288,7 +298,7 @@ def deliver(out, configuration, verilog, result):
             (out / "verilog" / name).unlink(missing_ok=True)
 
 
-def finish(project, name, general, about, entry):
+def finish(project: Project, name: str, general: Json, about: str, entry: pathlib.Path) -> None:
     """What `dynrt specialise` does with a configuration that is there."""
     args = project.args
     result = read_json(analysis_of(entry))
@@ -313,7 +323,7 @@ def finish(project, name, general, about, entry):
         raise Failed(f"the core made for {project.name} fits no device asked for: {misfit}")
 
 
-def run(args):
+def run(args: argparse.Namespace) -> int:
     project = Project(args)
     costs.check_devices(args.device)
     if args.jobs < 1:
@@ -336,10 +346,11 @@ def run(args):
     if args.for_program:
         print(entry / f"{project.name}.json")
         return 0
-    return finish(project, name, general, about, entry)
+    finish(project, name, general, about, entry)
+    return 0
 
 
-def for_program(args):
+def for_program(args: argparse.Namespace) -> int:
     """As scripts/configuration does: what is wrong, where the path would be."""
     try:
         return run(args)
@@ -350,6 +361,6 @@ def for_program(args):
     return 1
 
 
-def main():
+def main() -> int:
     args = flags.parse(sys.argv[1:])
     return for_program(args) if args.for_program else guarded(run, args)

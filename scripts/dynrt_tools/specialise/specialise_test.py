@@ -291,8 +291,9 @@ class Command(InFolder):
             import json, pathlib, sys
             if "nowhere.obj" in sys.argv:
                 sys.exit("dynrt: nowhere.obj: there is no such file")
-            needs = {"general": "thesis", "content": "0", "needs": {"scene": "office"}, "keys":
-                     {"stack_depth": {"value": 14, "reason": "the deepest tree pushes 14"}}}
+            here = pathlib.Path(__file__).resolve().parent
+            needs = {"general": "thesis", "content": "0", "needs": {"scene": "office"},
+                     "keys": json.loads((here / "keys.json").read_text())}
             pathlib.Path(sys.argv[sys.argv.index("--json") + 1]).write_text(json.dumps(needs))
             print("scene       office: 2 triangles")
             """
@@ -300,6 +301,8 @@ class Command(InFolder):
             encoding="utf-8",
         )
         self.program.chmod(0o755)
+        keys = {key: {"value": value, "reason": "as it is"} for key, value in THESIS.items()}
+        (self.folder / "keys.json").write_text(json.dumps(keys), encoding="utf-8")
         self.build = self.folder / "build.json"
         self.build.write_text(
             json.dumps(

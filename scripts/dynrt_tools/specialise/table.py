@@ -3,14 +3,17 @@
 """What `dynrt specialise` prints: what was left out and why, what it saves, and the curves."""
 
 import textwrap
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
 
+from dynrt_tools.project import Json
 from dynrt_tools.specialise.costs import COSTS
 from dynrt_tools.specialise.curve import by_percent
 
 WIDTH = 112
 
 
-def aligned(rows, right=()):
+def aligned(rows: Sequence[Sequence[str]], right: Iterable[int] = ()) -> Iterator[str]:
     """Rows of text under one another; columns `right` end flush."""
     widths = [max(len(row[i]) for row in rows if i < len(row)) for i in range(len(rows[0]))]
     for row in rows:
@@ -21,7 +24,7 @@ def aligned(rows, right=()):
         yield "  " + "  ".join(cells).rstrip()
 
 
-def value(what):
+def value(what: Any) -> str:
     if isinstance(what, list):
         return ", ".join(what)
     if isinstance(what, bool):
@@ -29,7 +32,9 @@ def value(what):
     return str(what)
 
 
-def keys_table(special, general, decided, base, changed):
+def keys_table(
+    special: str, general: str, decided: Json, base: Json, changed: list[str]
+) -> Iterator[str]:
     """The keys that differ, each with its reason beside it, wrapped."""
     rows = [("key", general, special, "because")]
     first = [(name, value(base[name]), value(decided[name]["value"])) for name in changed]
@@ -41,7 +46,7 @@ def keys_table(special, general, decided, base, changed):
     yield from aligned(rows)
 
 
-def kept_text(general, decided, changed):
+def kept_text(general: str, decided: Json, changed: list[str]) -> Iterator[str]:
     kept = ", ".join(
         f"{name} {value(one['value'])}" for name, one in decided.items() if name not in changed
     )
@@ -50,11 +55,11 @@ def kept_text(general, decided, changed):
     )
 
 
-def number(what):
+def number(what: float) -> str:
     return f"{what:,.1f}" if isinstance(what, float) and what % 1 else f"{what:,.0f}"
 
 
-def costs_table(special, general, costs):
+def costs_table(special: str, general: str, costs: Json) -> Iterator[str]:
     rows = [("takes", general, special, "less by")]
     for name, about in COSTS.items():
         if name in costs["general"] and name in costs["special"]:
@@ -64,7 +69,7 @@ def costs_table(special, general, costs):
     yield from aligned(rows, (1, 2, 3))
 
 
-def curve_table(curves):
+def curve_table(curves: dict[str, dict[int, int]]) -> Iterator[str]:
     for what, curve in curves.items():
         rows = [
             (what, *(f"{n}" for n in curve)),
@@ -80,7 +85,7 @@ def curve_table(curves):
         yield from aligned(rows, range(1, len(rows[0])))
 
 
-def page(scene, general, base, result):
+def page(scene: str, general: str, base: Json, result: Json) -> str:
     """All of it, as one text."""
     decided, changed = result["configuration"], result["left_out"]
     lines = [
