@@ -4,7 +4,7 @@
 
 docs/results/templates/NAME.md is Markdown in which {{DATA:PATH|FORMAT}} stands for a figure of
 docs/results/data/DATA.json. PATH leads through the data by /; in a list, words joined by + select
-the entry that has all of them as values. FORMAT is Python's, such as "," or ".1f"; it may begin
+the entry that has all of them as values; A&B is the sum of two figures and A%B their ratio. FORMAT is Python's, such as "," or ".1f"; it may begin
 with *FACTOR. {{DATA:command}} is the command that measures the data again.
 """
 
@@ -62,10 +62,19 @@ class Data:
         value = self.of(name)
         for step in path.split("/"):
             try:
-                value = selected(value, step) if isinstance(value, list) else value[step]
+                value = selected(value, step) if isinstance(value, list) else stepped(value, step)
             except (KeyError, TypeError, StopIteration) as error:
                 raise project.Failed(f"{name}.json has no '{step}' of '{path}'") from error
         return value
+
+
+def stepped(values: dict[str, Any], step: str) -> Any:
+    """A value, the sum A&B, or the ratio A%B of two, each of which may be a sum."""
+    if step in values:
+        return values[step]
+    above, ratio, below = step.partition("%")
+    total = sum(values[part] for part in above.split("&"))
+    return total / sum(values[part] for part in below.split("&")) if ratio else total
 
 
 def selected(entries: list[Any], words: str) -> Any:

@@ -37,6 +37,10 @@ class Figures(unittest.TestCase):
         self.assertTrue(page.startswith("12,345 50.0\n"))
         self.assertIn("| [a.json](data/a.json) | today | `measure a` |", page)
 
+    def test_a_figure_may_be_a_sum_or_a_ratio(self) -> None:
+        self.write("a", {"x": 3, "y": 1, "n": 8, "x%n": 7})
+        self.assertTrue(self.page("{{a:x&y}} {{a:x&y%n|.2f}} {{a:x%n}}\n").startswith("4 0.50 7\n"))
+
     def test_a_changed_figure_makes_the_page_old(self) -> None:
         self.write("a", {"clocks": 1})
         docs = self.folder
