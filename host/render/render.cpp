@@ -68,6 +68,7 @@ FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
     refuse(messages::kPackets, packets, core.name, core.packets);
   }
   if (options.uncompressed && !core.uncompressed) {
+    if (core.is_specialised()) refuse_excess({"uncompressed", "true", "false"}, core, "the frame");
     refuse(messages::kUncompressed, core.name);
   }
   if (!std::has_single_bit(lines) || lines > core.lines) {
