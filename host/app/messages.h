@@ -65,10 +65,10 @@ inline constexpr char kLightLater[] = "{} (after {} seconds)";
 inline constexpr char kOtherWalk[] =
     "{}: holds frames of another walk, with {} '{}' where this one has '{}'; name another --out, "
     "or "
-    "give --again to begin anew";
+    "give --again to start again";
 inline constexpr char kChangedScene[] =
     "{}: holds frames of the scene as it was before it was changed; name another --out, or give "
-    "--again to begin anew";
+    "--again to start again";
 inline constexpr char kNotOurFrames[] =
     "{}: has a {} but no {}, so these are no frames of a walk; name another --out, or give --again "
     "to replace them";
@@ -76,7 +76,7 @@ inline constexpr char kCannotList[] = "{}: its files cannot be listed: {}; name 
 inline constexpr char kCannotRemove[] = "{}: cannot be removed: {}; name another --out";
 inline constexpr char kCannotRead[] = "{}: cannot be read: {}; name another --out";
 inline constexpr char kBadManifest[] =
-    "{}: is not what a walk leaves ({}); name another --out, or give --again to begin anew";
+    "{}: is not what a walk leaves ({}); name another --out, or give --again to start again";
 inline constexpr char kOrbit[] =
     "nothing moves in the scene, nor does its camera: it goes round the scene's centre once";
 

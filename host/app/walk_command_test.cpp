@@ -39,7 +39,7 @@ TEST_F(App, WalksIntoAFolder) {
   EXPECT_EQ(other.code, 2);
   EXPECT_EQ(other.err,
             "dynrt: w: holds frames of another walk, with --fov '' where this one has '30'; name "
-            "another --out, or give --again to begin anew\n");
+            "another --out, or give --again to start again\n");
   EXPECT_EQ(run(walk + "--fov 30 --again").code, 0);
   EXPECT_NE(text_of(folder_ / "w/frame_0001.png"), second);
 }

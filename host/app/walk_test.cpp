@@ -286,12 +286,12 @@ TEST_F(Walks, FramesOfAnotherWalkAreNamed) {
               ThrowsMessage<UserError>(path("w") +
                                        ": holds frames of another walk, with --size '8x6' where "
                                        "this one has '16x12'; name another --out, or give --again "
-                                       "to begin anew"));
+                                       "to start again"));
   EXPECT_THAT(
       opening(2, "4567"),
       ThrowsMessage<UserError>(path("w") + ": holds frames of the scene as it was before it was "
                                            "changed; name another --out, or give --again to begin "
-                                           "anew"));
+                                           "start again"));
   std::ofstream(path("w/notes.txt")) << "the user's own";
   const WalkFolder anew(path("w"), {{"SCENE", "t"}}, true);
   EXPECT_THAT(files("w"), ElementsAre("notes.txt"));

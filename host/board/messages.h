@@ -31,7 +31,7 @@ inline constexpr char kNoConfiguration[] =
 inline constexpr char kNoConfigurationFile[] = "configuration {}: there is no such file";
 inline constexpr char kNotMade[] = "{}: {}";
 inline constexpr char kNotALibrary[] =
-    "configuration {}: is no whole shared library; make it anew with scripts/configuration";
+    "configuration {}: is no whole shared library; make it again with scripts/configuration";
 inline constexpr char kNotLoaded[] = "configuration {}: cannot be loaded: {}";
 inline constexpr char kForeignLibrary[] =
     "configuration {}: is a shared library, but no configuration of dynrt; scripts/configuration "
@@ -39,7 +39,7 @@ inline constexpr char kForeignLibrary[] =
     "those";
 inline constexpr char kOtherBuild[] =
     "configuration {}: was made of other sources or by another compiler than this program; make it "
-    "anew "
+    "again "
     "with scripts/configuration";
 inline constexpr char kNoBoard[] = "board {}: unknown; the boards are rtl and model";
 inline constexpr char kModelAlone[] =

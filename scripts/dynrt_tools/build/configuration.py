@@ -214,7 +214,7 @@ def main() -> int:
         prog="scripts/configuration",
         description=__doc__,
         epilog="What is built is kept in the folder that DYNRT_CACHE names (default: dynrt in the "
-        "user's cache folder) and built anew when the configuration, the sources, the compiler or "
+        "user's cache folder) and built again when the configuration, the sources, the compiler or "
         "its flags change. Prints where it is.",
     )
     parser.add_argument(

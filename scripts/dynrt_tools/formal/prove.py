@@ -229,7 +229,7 @@ def main() -> int:
         if args.check_page.read_text(encoding="utf-8") != page(stated):
             sys.exit(
                 f"{args.check_page} does not state what proofs.json does; the target "
-                "formal_page writes it anew"
+                "formal_page writes it again"
             )
         return 0
     for name in args.names or stated:

@@ -171,7 +171,7 @@ def family_of(name: str) -> str:
         return name
     raise Unknown(
         f"there is no device '{name}'; the devices are {', '.join(DEVICES)}, "
-        f"the families, whose areas alone are told, {', '.join(FAMILIES)}"
+        f"the families, of which only areas are known, {', '.join(FAMILIES)}"
     )
 
 

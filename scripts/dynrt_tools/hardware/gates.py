@@ -100,7 +100,7 @@ def main() -> int:
     if args.check:
         stale = check(counts)
         if stale:
-            project.fail("; ".join(stale) + "; scripts/gates writes it anew")
+            project.fail("; ".join(stale) + "; scripts/gates writes it again")
         print(f"{DOCUMENT.name} holds")
         return 0
     project.check_output("--out", args.out)

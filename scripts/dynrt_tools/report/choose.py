@@ -141,7 +141,7 @@ def run(args: argparse.Namespace) -> int:
         return 0
     told = [r for r in runs if measures_of(r).get(args.measure) is not None]
     if not told:
-        raise Failed(f"--measure {args.measure}: of no variant can it be told on this scene")
+        raise Failed(f"--measure {args.measure}: no variant has this figure on this scene")
     best = min(told, key=lambda r: worse(args.measure, measures_of(r)[args.measure]))
     print(
         f"dynrt: no variant reaches {args.measure} {args.max_error:g} on this scene; the best is "

@@ -271,7 +271,7 @@ class PageTest(unittest.TestCase):
             elements, _ = self.open()
         finally:
             (self.folder / "error.html").write_text(kept, encoding="utf-8")
-        self.assertIn("No run has told an error", elements.by_id("meaning")[2])
+        self.assertIn("No run gives an error", elements.by_id("meaning")[2])
         self.assertIn("exponent_bits 5 cannot hold x = 70000", [e[2] for e in elements.of("td")])
 
     def test_the_documents_plots_are_the_pages(self):

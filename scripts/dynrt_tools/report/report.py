@@ -151,7 +151,7 @@ def run(args: argparse.Namespace) -> None:
 
 
 def guarded(what: Callable[[argparse.Namespace], int | None], args: argparse.Namespace) -> int:
-    """The exit code of `what`, its mistakes told in a sentence."""
+    """The exit code of `what`, its mistakes as one sentence."""
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         return what(args) or 0

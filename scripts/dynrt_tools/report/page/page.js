@@ -29,7 +29,7 @@ const families = ["reference", ...new Set(Object.keys(report.variants).map(famil
     .filter((f) => f !== "reference"))];
 const colour = (name) => palette[families.indexOf(family(name)) % palette.length];
 
-/// A figure of a run by its column's name; null if it cannot be told.
+/// A figure of a run by its column's name; null if it is not known.
 function figure(run, key) {
   const variant = report.variants[run.variant];
   if (key === "variant") return run.variant;
@@ -221,7 +221,7 @@ function draw(id, left_out_id, x_key, x_text, m) {
   place_labels(points, svg.append("g"));
 }
 
-// ---- What is told of a point ----
+// ---- What the page says of a point ----
 
 function show_tip(p, element, m) {
   const tip = by_id("tip");
@@ -353,7 +353,7 @@ function show() {
 
   const fronts = [new Set(), new Set()];
   by_id("meaning").textContent =
-      m ? `${m.group} ${m.name}: ${m.meaning}.` : "No run has told an error; the table says why.";
+      m ? `${m.group} ${m.name}: ${m.meaning}.` : "No run gives an error; the table says why.";
   if (m) {
     const area_key = `area.${state.area}`;
     const time_text = state.time === "clocks" ? "clocks a frame" : "ms a frame";
