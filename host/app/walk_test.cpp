@@ -290,8 +290,8 @@ TEST_F(Walks, FramesOfAnotherWalkAreNamed) {
   EXPECT_THAT(
       opening(2, "4567"),
       ThrowsMessage<UserError>(path("w") + ": holds frames of the scene as it was before it was "
-                                           "changed; name another --out, or give --again to begin "
-                                           "start again"));
+                                           "changed; name another --out, or give --again to start "
+                                           "again"));
   std::ofstream(path("w/notes.txt")) << "the user's own";
   const WalkFolder anew(path("w"), {{"SCENE", "t"}}, true);
   EXPECT_THAT(files("w"), ElementsAre("notes.txt"));
