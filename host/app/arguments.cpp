@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "host/app/messages.h"
+#include "host/app/app_messages.h"
 #include "host/app/text.h"
 #include "host/error.h"
 #include "host/scene/load.h"
@@ -53,8 +53,8 @@ void SceneArguments::add_to(CLI::App& command, bool scene_required) {
       ->allow_extra_args(false);
 }
 
-CameraFlags SceneArguments::camera() const {
-  CameraFlags flags;
+CameraOverrides SceneArguments::camera() const {
+  CameraOverrides flags;
   if (position) flags.position = parse_vector("--position", *position);
   if (look_at) flags.look_at = parse_vector("--look-at", *look_at);
   if (up) flags.up = parse_vector("--up", *up);

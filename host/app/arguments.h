@@ -24,7 +24,7 @@ struct SceneArguments {
   std::vector<std::string> lights, mirrors;
 
   void add_to(CLI::App& command, bool scene_required);
-  CameraFlags camera() const;
+  CameraOverrides camera() const;
 };
 
 /// How it is rendered and what is written.

@@ -10,7 +10,7 @@
 #include <glm/vector_relational.hpp>
 #include <set>
 
-#include "host/app/messages.h"
+#include "host/app/app_messages.h"
 #include "host/app/text.h"
 #include "host/board/configurations.h"
 #include "host/error.h"
@@ -79,15 +79,15 @@ std::pair<std::string, double> parse_mirror(const std::string& text) {
   return {text.substr(0, sign), part};
 }
 
-LightFlags::LightFlags(const std::vector<std::string>& light,
-                       const std::vector<std::string>& mirror, const CoreInfo* board) {
+LightOverrides::LightOverrides(const std::vector<std::string>& light,
+                               const std::vector<std::string>& mirror, const CoreInfo* board) {
   if (board && !light.empty()) require_light_rays(*board, "--light");
   if (board && !mirror.empty()) require_reflections(*board, "--mirror");
   for (const std::string& text : light) lights.push_back(parse_light(text, "--light " + text));
   for (const std::string& text : mirror) mirrors.push_back(parse_mirror(text));
 }
 
-void LightFlags::add_to(Scene& scene) const {
+void LightOverrides::add_to(Scene& scene) const {
   scene.lights.insert(scene.lights.end(), lights.begin(), lights.end());
   for (const auto& [material, part] : mirrors) set_mirror(scene, material, part);
 }

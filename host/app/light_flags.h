@@ -21,14 +21,14 @@ PointLight parse_light(const std::string& text, const std::string& name);
 std::pair<std::string, double> parse_mirror(const std::string& text);
 
 /// What the flags of a command say.
-struct LightFlags {
+struct LightOverrides {
   std::vector<PointLight> lights;
   std::vector<std::pair<std::string, double>> mirrors;
 
   /// Throws UserError for flags that cannot be read and for those that the board has no rays for;
   /// without a board, none is asked.
-  LightFlags(const std::vector<std::string>& light, const std::vector<std::string>& mirror,
-             const CoreInfo* board);
+  LightOverrides(const std::vector<std::string>& light, const std::vector<std::string>& mirror,
+                 const CoreInfo* board);
   /// Throws UserError where the scene has no material of a name.
   void add_to(Scene& scene) const;
 };

@@ -8,8 +8,8 @@
 #include <sstream>
 #include <vector>
 
+#include "host/app/app_messages.h"
 #include "host/app/command.h"
-#include "host/app/messages.h"
 #include "host/app/text.h"
 #include "host/error.h"
 

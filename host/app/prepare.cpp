@@ -11,8 +11,8 @@
 #include <optional>
 #include <utility>
 
+#include "host/app/app_messages.h"
 #include "host/app/light_flags.h"
-#include "host/app/messages.h"
 #include "host/app/progress.h"
 #include "host/app/text.h"
 #include "host/board/configurations.h"
@@ -98,12 +98,12 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
                  const CoreInfo* core) {
   const std::optional<CoreInfo> allowed =
       core == nullptr ? std::nullopt : std::optional(allowed_by(*core));
-  const LightFlags light(arguments.lights, arguments.mirrors, allowed ? &*allowed : nullptr);
+  const LightOverrides light(arguments.lights, arguments.mirrors, allowed ? &*allowed : nullptr);
   if (!arguments.mirrors.empty() && core != nullptr && core->is_specialised() &&
       core->reflections == 0) {
     refuse_excess({"reflections", "1", "0"}, *core, "--mirror " + arguments.mirrors.front());
   }
-  const CameraFlags flags = arguments.camera();
+  const CameraOverrides flags = arguments.camera();
   const auto begin = std::chrono::steady_clock::now();
   Scene scene;
   View view{.width = width, .height = height};

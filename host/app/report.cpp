@@ -6,7 +6,7 @@
 
 #include <iterator>
 
-#include "host/app/messages.h"
+#include "host/app/app_messages.h"
 #include "host/app/text.h"
 #include "host/board/bus.h"
 

@@ -7,9 +7,9 @@
 
 #include <memory>
 
+#include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/command.h"
-#include "host/app/messages.h"
 #include "host/app/script_command.h"
 #include "host/app/text.h"
 #include "host/app/truth_report.h"

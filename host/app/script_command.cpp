@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "host/app/messages.h"
+#include "host/app/app_messages.h"
 #include "host/board/load_configuration.h"
 #include "host/error.h"
 

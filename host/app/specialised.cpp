@@ -11,7 +11,7 @@
 #include "host/board/run_script.h"
 #include "host/memory/matrix_numbers.h"
 #include "host/scene/load.h"
-#include "host/specialise/messages.h"
+#include "host/specialise/specialise_messages.h"
 
 namespace dynrt::host {
 

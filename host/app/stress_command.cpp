@@ -15,8 +15,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "host/analysis/stress/messages.h"
 #include "host/analysis/stress/run.h"
+#include "host/analysis/stress/stress_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/command.h"
 #include "host/app/progress.h"

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host/app/messages.h"
+#include "host/app/app_messages.h"
 #include "host/error.h"
 #include "host/format/memory_format_of.h"
 

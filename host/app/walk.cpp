@@ -9,7 +9,7 @@
 #include <numbers>
 #include <utility>
 
-#include "host/app/messages.h"
+#include "host/app/app_messages.h"
 #include "host/board/bus.h"
 #include "host/error.h"
 #include "host/scene/animation.h"
@@ -60,8 +60,8 @@ WalkPlan::WalkPlan(const Scene& scene, unsigned frames, std::optional<double> fr
   for (unsigned i = 0; i < frames; ++i) times.push_back(begin + seconds * i / steps);
 }
 
-Camera WalkPlan::camera(const Scene& scene, const CameraFlags& flags, double time, unsigned width,
-                        unsigned height) const {
+Camera WalkPlan::camera(const Scene& scene, const CameraOverrides& flags, double time,
+                        unsigned width, unsigned height) const {
   const Camera camera =
       choose_camera(scene, flags, static_cast<int>(width), static_cast<int>(height));
   if (!orbit) return camera;
@@ -79,7 +79,7 @@ double WalkRecord::upload_seconds() const {
 }
 
 Walker::Walker(Board& board, const FrameOptions& options, MemoryImage& image,
-               const CameraFlags& camera, WalkPlan plan)
+               const CameraOverrides& camera, WalkPlan plan)
     : board_(board),
       options_(options),
       image_(image),

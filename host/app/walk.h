@@ -28,7 +28,7 @@ struct WalkPlan {
            std::optional<double> to);
 
   /// That of moment `time`, for the scene as it is then.
-  Camera camera(const Scene& scene, const CameraFlags& flags, double time, unsigned width,
+  Camera camera(const Scene& scene, const CameraOverrides& flags, double time, unsigned width,
                 unsigned height) const;
 
  private:
@@ -58,8 +58,8 @@ struct WalkRecord {
 class Walker {
  public:
   /// The scene of `image` is moved about; `camera` is in the file's space.
-  Walker(Board& board, const FrameOptions& options, MemoryImage& image, const CameraFlags& camera,
-         WalkPlan plan);
+  Walker(Board& board, const FrameOptions& options, MemoryImage& image,
+         const CameraOverrides& camera, WalkPlan plan);
 
   const WalkPlan& plan() const { return plan_; }
   /// Of the objects' part of the memory, once.
@@ -88,7 +88,7 @@ class Walker {
   Board& board_;
   const FrameOptions options_;
   MemoryImage& image_;
-  const CameraFlags camera_;
+  const CameraOverrides camera_;
   const WalkPlan plan_;
   BusTraffic scene_upload_;
   const SceneNeeds needs_;           ///< of the scene as it was prepared

@@ -11,10 +11,10 @@
 #include <memory>
 #include <string_view>
 
+#include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
-#include "host/app/messages.h"
 #include "host/app/progress.h"
 #include "host/app/specialised.h"
 #include "host/app/text.h"

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <regex>
 
-#include "host/app/messages.h"
+#include "host/app/app_messages.h"
 #include "host/error.h"
 #include "host/picture/gif.h"
 #include "host/picture/output_file.h"

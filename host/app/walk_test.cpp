@@ -229,11 +229,11 @@ TEST_F(Walks, NameWhatIsNoWalk) {
 }
 
 /// The frames of a walk, as a folder keeps them.
-struct Kept {
+struct KeptFrame {
   Frame frame;
   WalkRecord record;
 
-  explicit Kept(unsigned number) {
+  explicit KeptFrame(unsigned number) {
     frame.width = kWidth;
     frame.height = kHeight;
     frame.pixels.assign(kWidth * kHeight, number);
@@ -256,7 +256,7 @@ TEST_F(Walks, KeepWholeFramesOnly) {
   {
     WalkFolder folder(path("w"), kSettings, false);
     EXPECT_FALSE(fs::exists(path("w"))) << "nothing is written before there is a frame";
-    for (const unsigned i : {0u, 1u, 2u}) folder.write(Kept(i).frame, Kept(i).record);
+    for (const unsigned i : {0u, 1u, 2u}) folder.write(KeptFrame(i).frame, KeptFrame(i).record);
     folder.save();
   }
   fs::resize_file(path("w/frame_0001.png"), 40);
@@ -268,7 +268,7 @@ TEST_F(Walks, KeepWholeFramesOnly) {
   EXPECT_THAT(files("w"), ElementsAre("frame_0000.png", "frame_0001.png", "walk.json"));
   const auto kept = folder.kept(0, kWidth, kHeight);
   ASSERT_TRUE(kept);
-  EXPECT_EQ(json_of(*kept), json_of(Kept(0).record));
+  EXPECT_EQ(json_of(*kept), json_of(KeptFrame(0).record));
   EXPECT_FALSE(folder.kept(1, kWidth, kHeight)) << "cut off";
   EXPECT_FALSE(folder.kept(2, kWidth, kHeight)) << "gone";
   EXPECT_FALSE(folder.kept(3, kWidth, kHeight)) << "never made";
@@ -276,7 +276,7 @@ TEST_F(Walks, KeepWholeFramesOnly) {
 }
 
 TEST_F(Walks, FramesOfAnotherWalkAreNamed) {
-  WalkFolder(path("w"), kSettings, false).write(Kept(0).frame, Kept(0).record);
+  WalkFolder(path("w"), kSettings, false).write(KeptFrame(0).frame, KeptFrame(0).record);
   const auto opening = [&](std::size_t which, const std::string& value) {
     WalkSettings settings = kSettings;
     settings[which].second = value;
@@ -319,7 +319,7 @@ TEST_F(Walks, PicturesThatNoWalkLeftAreNotTouched) {
 }
 
 TEST_F(Walks, AreSummedUp) {
-  std::vector<WalkRecord> records = {Kept(0).record, Kept(1).record};
+  std::vector<WalkRecord> records = {KeptFrame(0).record, KeptFrame(1).record};
   for (WalkRecord& record : records) record.tree_seconds = record.pack_seconds = 1e-6;
   records[0].cycles = 1'000'000;
   records[1].cycles = 3'000'000;

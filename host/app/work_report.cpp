@@ -113,7 +113,7 @@ WorkReport overlap_report(const Prepared& prepared, unsigned width, unsigned hei
   none.object_slots = none.triangle_slots = 0;
   TraceOptions last_objects = none;
   last_objects.object_slots = TraceOptions{}.object_slots;
-  last_objects.last_met = true;
+  last_objects.keeps_latest = true;
   WorkCounter counter(prepared, width, height, 10);
   const Method methods[] = {
       {"none", "none", &counter.plain, none, {295.4, 6.4, 57.6}},

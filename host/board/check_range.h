@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "host/board/board.h"
-#include "host/board/messages.h"
+#include "host/board/board_messages.h"
 #include "units/memory_format.h"
 
 namespace dynrt::host {

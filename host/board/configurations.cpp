@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "host/board/board_messages.h"
 #include "host/board/load_configuration.h"
-#include "host/board/messages.h"
 #include "host/board/rtl_board.h"
 #include "host/error.h"
 

@@ -7,7 +7,7 @@
 #include <exception>
 #include <stdexcept>
 
-#include "host/board/messages.h"
+#include "host/board/board_messages.h"
 #include "host/board/registers.h"
 #include "host/error.h"
 #include "host/format/frame_words.h"

@@ -14,7 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "host/board/messages.h"
+#include "host/board/board_messages.h"
 #include "host/error.h"
 
 namespace dynrt::host {

@@ -4,8 +4,8 @@
 // Runs scripts/configuration.
 #include <filesystem>
 
+#include "host/board/board_messages.h"
 #include "host/board/load_configuration.h"
-#include "host/board/messages.h"
 #include "host/board/run_script.h"
 #include "host/error.h"
 

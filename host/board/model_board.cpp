@@ -5,8 +5,8 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "host/board/board_messages.h"
 #include "host/board/check_range.h"
-#include "host/board/messages.h"
 #include "host/board/read_schedule.h"
 #include "host/error.h"
 

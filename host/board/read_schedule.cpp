@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "host/board/messages.h"
+#include "host/board/board_messages.h"
 #include "host/error.h"
 
 namespace dynrt::host {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "host/board/board_messages.h"
 #include "host/board/check_range.h"
-#include "host/board/messages.h"
 #include "host/board/registers.h"
 #include "host/board/standstill.h"
 #include "host/error.h"

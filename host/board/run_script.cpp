@@ -8,13 +8,13 @@
 
 #include <array>
 
+#include "host/board/board_messages.h"
 #include "host/board/load_configuration.h"
-#include "host/board/messages.h"
 #include "host/error.h"
 
 namespace dynrt::host {
 
-Said output_of(const std::vector<std::string>& command) {
+CommandOutput output_of(const std::vector<std::string>& command) {
   std::vector<char*> arguments;
   for (const std::string& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
   arguments.push_back(nullptr);
@@ -32,18 +32,18 @@ Said output_of(const std::vector<std::string>& command) {
   posix_spawn_file_actions_destroy(&actions);
   close(ends[1]);
 
-  Said said;
+  CommandOutput output;
   std::array<char, 4096> buffer;
   for (ssize_t n; !failed && (n = read(ends[0], buffer.data(), buffer.size())) > 0;) {
-    said.text.append(buffer.data(), static_cast<std::size_t>(n));
+    output.text.append(buffer.data(), static_cast<std::size_t>(n));
   }
   close(ends[0]);
   int status = 0;
   if (!failed && waitpid(process, &status, 0) == process && WIFEXITED(status)) {
-    said.code = WEXITSTATUS(status);
+    output.code = WEXITSTATUS(status);
   }
-  while (said.text.ends_with('\n')) said.text.pop_back();
-  return said;
+  while (output.text.ends_with('\n')) output.text.pop_back();
+  return output;
 }
 
 std::string made_by_script(const std::string& script, const std::vector<std::string>& arguments,
@@ -56,11 +56,12 @@ std::string made_by_script(const std::string& script, const std::vector<std::str
         build.fingerprint, std::string_view("--for-program")}) {
     command.emplace_back(word);
   }
-  const Said said = output_of(command);
-  if (said.code != 0) {
-    refuse(messages::kNotMade, what, said.text.empty() ? command.front() + " failed" : said.text);
+  const CommandOutput output = output_of(command);
+  if (output.code != 0) {
+    refuse(messages::kNotMade, what,
+           output.text.empty() ? command.front() + " failed" : output.text);
   }
-  return said.text;
+  return output.text;
 }
 
 }  // namespace dynrt::host

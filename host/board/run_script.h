@@ -9,13 +9,13 @@
 
 namespace dynrt::host {
 
-struct Said {
+struct CommandOutput {
   std::string text;  ///< on standard output, without the newline at its end
   int code = -1;     ///< -1: it did not run or was killed
 };
 
 /// Runs a command; its progress and complaints go to the terminal.
-Said output_of(const std::vector<std::string>& command);
+CommandOutput output_of(const std::vector<std::string>& command);
 
 /// Runs the script of that name below scripts/, told of which build it is, with --for-program: it
 /// prints the path of what it made or, where it fails, a sentence. Throws UserError with the

@@ -19,8 +19,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "host/board/board_messages.h"
 #include "host/board/clocked_board.h"
-#include "host/board/messages.h"
 #include "host/board/sram.h"
 #include "host/error.h"
 

@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "host/error.h"
-#include "host/layout/messages.h"
+#include "host/layout/layout_messages.h"
 #include "host/memory/triangle_matrix.h"
 #include "host/scene/animation.h"
 #include "host/tree/instance_tree.h"
@@ -302,8 +302,8 @@ Camera moved_into(const Space& space, const Camera& camera) {
   return moved;
 }
 
-CameraFlags moved_into(const Space& space, const CameraFlags& flags) {
-  CameraFlags moved = flags;
+CameraOverrides moved_into(const Space& space, const CameraOverrides& flags) {
+  CameraOverrides moved = flags;
   if (flags.position) moved.position = space.inside(*flags.position);
   if (flags.look_at) moved.look_at = space.inside(*flags.look_at);
   return moved;

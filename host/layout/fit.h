@@ -41,6 +41,6 @@ Fit fit(const Scene& scene, const Camera& camera, const MemoryFormat& format);
 /// is as bright there as before.
 void move_into(const Fit& fit, Scene& scene);
 Camera moved_into(const Space& space, const Camera& camera);
-CameraFlags moved_into(const Space& space, const CameraFlags& flags);
+CameraOverrides moved_into(const Space& space, const CameraOverrides& flags);
 
 }  // namespace dynrt::host

@@ -8,8 +8,8 @@
 
 #include "host/error.h"
 #include "host/layout/add_tree.h"
+#include "host/layout/layout_messages.h"
 #include "host/layout/limits.h"
-#include "host/layout/messages.h"
 #include "host/memory/matrix_numbers.h"
 
 namespace dynrt::host {

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "host/error.h"
+#include "host/layout/layout_messages.h"
 #include "host/layout/limits.h"
-#include "host/layout/messages.h"
 #include "host/specialise/tree_needs.h"
 
 namespace dynrt::host {

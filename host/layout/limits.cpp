@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "host/error.h"
-#include "host/layout/messages.h"
+#include "host/layout/layout_messages.h"
 #include "host/memory/matrix_numbers.h"
 
 namespace dynrt::host {

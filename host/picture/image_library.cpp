@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "host/error.h"
-#include "host/picture/messages.h"
+#include "host/picture/picture_messages.h"
 
 namespace dynrt::host {
 

@@ -15,7 +15,7 @@
 
 #include "host/error.h"
 #include "host/picture/image_library.h"
-#include "host/picture/messages.h"
+#include "host/picture/picture_messages.h"
 #include "host/picture/srgb.h"
 
 namespace dynrt::host {

@@ -15,7 +15,7 @@
 #include <regex>
 
 #include "host/error.h"
-#include "host/picture/messages.h"
+#include "host/picture/picture_messages.h"
 
 namespace dynrt::host {
 

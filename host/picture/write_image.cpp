@@ -6,8 +6,8 @@
 
 #include "host/error.h"
 #include "host/picture/image_library.h"
-#include "host/picture/messages.h"
 #include "host/picture/output_file.h"
+#include "host/picture/picture_messages.h"
 
 namespace dynrt::host {
 

@@ -8,7 +8,7 @@
 #include "hls/bits.h"
 #include "host/error.h"
 #include "host/format/frame_words.h"
-#include "host/render/messages.h"
+#include "host/render/render_messages.h"
 #include "units/memory_format.h"
 
 namespace dynrt::host {

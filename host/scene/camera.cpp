@@ -110,7 +110,7 @@ Camera frame(const Box& box, const glm::dvec3& up, double field_of_view, double 
                  aspect);
 }
 
-Camera choose_camera(const Scene& scene, const CameraFlags& flags, int width, int height) {
+Camera choose_camera(const Scene& scene, const CameraOverrides& flags, int width, int height) {
   if (width < 1 || height < 1) wording::fail(wording::kImageSize, width, height);
   const double aspect = static_cast<double>(width) / height;
   const bool flagged = flags.position || flags.look_at || flags.up || flags.field_of_view;

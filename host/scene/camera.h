@@ -17,7 +17,7 @@ namespace dynrt::host {
 inline constexpr double kDefaultFieldOfView = 45.0;
 
 // What the user asked for; what is left open comes from the scene or is framed.
-struct CameraFlags {
+struct CameraOverrides {
   std::optional<glm::dvec3> position;
   std::optional<glm::dvec3> look_at;
   std::optional<glm::dvec3> up;
@@ -44,7 +44,7 @@ double field_of_view_of(const Camera& camera);
 // Sees the whole scene, from the front, right and above (direction (0.5, 0.4, 1) from its centre).
 Camera frame(const Box& box, const glm::dvec3& up, double field_of_view, double aspect);
 
-Camera choose_camera(const Scene& scene, const CameraFlags& flags, int width, int height);
+Camera choose_camera(const Scene& scene, const CameraOverrides& flags, int width, int height);
 
 }  // namespace dynrt::host
 

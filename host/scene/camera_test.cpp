@@ -63,7 +63,7 @@ TEST(Camera, FlagsWinOverTheScenesOwn) {
   EXPECT_NEAR(glm::length(own.right), 3.0 * glm::length(own.up), kNear);
   EXPECT_NEAR(glm::length(own.up), 2.0 * std::tan(20.0 * 3.14159265358979 / 180.0), kNear);
 
-  CameraFlags flags;
+  CameraOverrides flags;
   flags.position = glm::dvec3(4, 0, 9);
   const Camera moved = choose_camera(scene, flags, 100, 100);
   expect_near(moved.position, {4, 0, 9});
@@ -80,7 +80,7 @@ TEST(Camera, FlagsWinOverTheScenesOwn) {
 
 TEST(Camera, RefusesWhatSeesNothing) {
   const Scene scene = ball_at({0, 0, 0});
-  const auto error = [&](CameraFlags flags, int width = 4, int height = 3) {
+  const auto error = [&](CameraOverrides flags, int width = 4, int height = 3) {
     return user_error([&] { choose_camera(scene, flags, width, height); });
   };
   EXPECT_EQ(error({.position = {}, .look_at = {}, .up = {}, .field_of_view = 180.0}),

@@ -29,14 +29,14 @@ constexpr std::array kDirections = {
 
 using Corners = std::array<glm::dvec3, 3>;
 
-struct Meeting {
+struct Intersection {
   double distance;  // in lengths of the ray's direction
   int side;         // from which the ray comes: 1 or -1
 };
 
 // Where the ray, or its other half, meets the triangle, or the rectangle of which it is half.
-std::optional<Meeting> meets(const glm::dvec3& from, const glm::dvec3& along, const Corners& at,
-                             bool rectangle) {
+std::optional<Intersection> intersects(const glm::dvec3& from, const glm::dvec3& along,
+                                       const Corners& at, bool rectangle) {
   const glm::dvec3 u = at[0] - at[2], v = at[1] - at[2];
   const glm::dvec3 p = glm::cross(along, v);
   const double volume = glm::dot(u, p);
@@ -47,7 +47,7 @@ std::optional<Meeting> meets(const glm::dvec3& from, const glm::dvec3& along, co
   const double b = glm::dot(along, q) / volume;
   const bool within = rectangle ? a <= 1.0 && b <= 1.0 : a + b <= 1.0;
   if (!(a >= 0.0 && b >= 0.0 && within)) return std::nullopt;
-  return Meeting{glm::dot(v, q) / volume, volume > 0.0 ? 1 : -1};
+  return Intersection{glm::dot(v, q) / volume, volume > 0.0 ? 1 : -1};
 }
 
 // Of a closed mesh: from inside, every ray meets it an odd number of times, or, where closed parts
@@ -64,8 +64,8 @@ bool is_inside(const Mesh& mesh, const glm::dvec3& point) {
     }
     const Corners corners = mesh.corners(i);
     for (std::size_t k = 0; k < turns.size(); ++k) {
-      const auto meeting = meets(point, kDirections[k], corners, mesh.is_rectangle(i));
-      if (meeting && meeting->distance > 0.0) turns[k] += meeting->side;
+      const auto intersection = intersects(point, kDirections[k], corners, mesh.is_rectangle(i));
+      if (intersection && intersection->distance > 0.0) turns[k] += intersection->side;
     }
   }
   const bool odd = std::ranges::all_of(turns, [](int n) { return n % 2 != 0; });
@@ -92,8 +92,8 @@ std::optional<std::size_t> touched(const Mesh& mesh, const glm::dmat4& transform
     Corners at = mesh.corners(i);
     for (glm::dvec3& corner : at) corner = glm::dvec3(transform * glm::dvec4(corner, 1.0));
     const glm::dvec3 normal = glm::cross(at[0] - at[2], at[1] - at[2]);
-    const auto meeting = meets(point, glm::normalize(normal), at, mesh.is_rectangle(i));
-    if (meeting && std::abs(meeting->distance) <= reach) return i;
+    const auto intersection = intersects(point, glm::normalize(normal), at, mesh.is_rectangle(i));
+    if (intersection && std::abs(intersection->distance) <= reach) return i;
   }
   return std::nullopt;
 }

@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "host/format/configuration_json.h"
-#include "host/specialise/messages.h"
 #include "host/specialise/rules.h"
+#include "host/specialise/specialise_messages.h"
 
 namespace dynrt::host {
 

@@ -7,7 +7,7 @@
 
 #include "host/error.h"
 #include "host/tree/grid.h"
-#include "host/tree/messages.h"
+#include "host/tree/tree_messages.h"
 
 namespace dynrt::host {
 

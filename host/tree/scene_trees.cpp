@@ -11,7 +11,7 @@
 #include <span>
 #include <utility>
 
-#include "host/tree/messages.h"
+#include "host/tree/tree_messages.h"
 
 namespace dynrt::host {
 

@@ -7,8 +7,8 @@
 
 #include "host/error.h"
 #include "host/tree/clip.h"
-#include "host/tree/messages.h"
 #include "host/tree/sample_rays.h"
+#include "host/tree/tree_messages.h"
 
 namespace dynrt::host {
 

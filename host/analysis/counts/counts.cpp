@@ -58,11 +58,11 @@ class Mailbox {
     items_.clear();
     oldest_ = 0;
   }
-  bool seen(std::uint32_t item, unsigned slots, bool last_met) {
+  bool seen(std::uint32_t item, unsigned slots, bool keeps_latest) {
     if (std::find(items_.begin(), items_.end(), item) != items_.end()) return true;
     if (items_.size() < slots) {
       items_.push_back(item);
-    } else if (last_met && slots > 0) {
+    } else if (keeps_latest && slots > 0) {
       items_[oldest_] = item;
       oldest_ = (oldest_ + 1) % slots;
     }
@@ -156,7 +156,7 @@ class Tracer {
     ++work_.packets;
     const TraceOptions& options = setting_.options;
     const auto enter = [&](std::uint32_t instance) {
-      if (objects_seen_.seen(instance, options.object_slots, options.last_met)) return;
+      if (objects_seen_.seen(instance, options.object_slots, options.keeps_latest)) return;
       ++work_.objects;
       object(instance, rays);
     };
@@ -186,7 +186,7 @@ class Tracer {
     const TraceOptions& options = setting_.options;
     traverse(setting_.objects[object], setting_.object_start[instance], rays, false,
              [&](std::uint32_t item) {
-               if (triangles_seen_.seen(item, options.triangle_slots, options.last_met)) return;
+               if (triangles_seen_.seen(item, options.triangle_slots, options.keeps_latest)) return;
                ++work_.triangles;
                intersect(instance, item, setting_.triangles[object][item], rays);
              });

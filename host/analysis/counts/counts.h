@@ -50,7 +50,7 @@ struct TraceOptions {
   int stack_depth = 31;
   unsigned object_slots = 8;  ///< of the mailbox, for each packet
   unsigned triangle_slots = 8;
-  bool last_met =
+  bool keeps_latest =
       false;  ///< full slots take the place of the oldest instead of staying as they are
   Clipping scene_clipping = Clipping::kFromOutside;
   Clipping object_clipping = Clipping::kFromOutside;

@@ -85,12 +85,12 @@ TEST_F(Overlap, TheSlotsOfAMailboxKeepTheFirstOrTheLast) {
     return trace_frame(scene_, trees_.objects, plain, camera_, kSide, kSide, options).work.objects;
   };
   const std::uint64_t first_met = objects();
-  options.last_met = true;
-  const std::uint64_t last_met = objects();
+  options.keeps_latest = true;
+  const std::uint64_t keeps_latest = objects();
   options.object_slots = 1000;
   const std::uint64_t ever_met = objects();
-  EXPECT_NE(first_met, last_met);
-  EXPECT_LT(ever_met, std::min(first_met, last_met));
+  EXPECT_NE(first_met, keeps_latest);
+  EXPECT_LT(ever_met, std::min(first_met, keeps_latest));
   EXPECT_GE(ever_met, std::uint64_t{kSide} * kSide);
 }
 

@@ -14,7 +14,7 @@ Case view(const std::string& name, const std::string& about,
           const std::function<Scene(const MemoryFormat&)>& scene, std::vector<Shot> shots,
           const Allowed& allowed = {}, const std::string& why = "") {
   return {"cameras", name,
-          about,     [=](Bench& b) { b.check({.scene = scene(b.numbers()), .shots = shots}); },
+          about,     [=](Examiner& b) { b.check({.scene = scene(b.numbers()), .shots = shots}); },
           allowed,   why};
 }
 
@@ -43,7 +43,7 @@ std::vector<Case> camera_cases() {
       {"cameras",
        "empty_scene",
        "a scene without an instance: refused",
-       [](Bench& b) {
+       [](Examiner& b) {
          b.expect_refusal({.scene = {}, .shots = {ray({0, 0, 0}, {0, 0, 1})}}, "no instances");
        },
        {},

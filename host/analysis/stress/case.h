@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "host/analysis/stress/bench.h"
+#include "host/analysis/stress/examiner.h"
 #include "host/analysis/stress/outcome.h"
 
 namespace dynrt::host::stress {
@@ -21,7 +21,7 @@ struct Case {
   std::string group;
   std::string name;   ///< within the group
   std::string about;  ///< what is tried
-  std::function<void(Bench&)> run;
+  std::function<void(Examiner&)> run;
   Allowed unit_triangle{};  ///< of cores with the thesis's triangle test (5.2)
   std::string why{};        ///< it may: the reason for what is allowed
   /// Of cores with the watertight test, where it is not the same.

@@ -7,8 +7,8 @@
 #include <iterator>
 
 #include "host/analysis/stress/case.h"
-#include "host/analysis/stress/messages.h"
 #include "host/analysis/stress/reasons.h"
+#include "host/analysis/stress/stress_messages.h"
 #include "host/analysis/stress/watertight_bounds.h"
 #include "host/error.h"
 

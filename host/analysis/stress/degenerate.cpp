@@ -29,7 +29,7 @@ std::vector<Shot> in_every_order(Shot shot) {
 }
 
 /// Counts the rays of all frames that do not give the bits of the first frame's.
-void expect_first(Bench& b, const Rendered& rendered) {
+void expect_first(Examiner& b, const Rendered& rendered) {
   for (const Frame& frame : rendered.frames) {
     for (std::size_t i = 0; i < frame.hits.size(); ++i) {
       if (frame.hits[i] != rendered.frames[0].hits[i]) b.count(Fault::kDifferent, 1);
@@ -37,7 +37,7 @@ void expect_first(Bench& b, const Rendered& rendered) {
   }
 }
 
-void run_coincident_triangles(Bench& b) {
+void run_coincident_triangles(Examiner& b) {
   Mesh mesh = wall(2, 1.0, 1.0);
   const std::vector<glm::uvec3> first = mesh.triangles;
   for (int copy = 0; copy < 3; ++copy) {
@@ -55,14 +55,14 @@ void run_coincident_triangles(Bench& b) {
   }
 }
 
-void run_coplanar(Bench& b) {
+void run_coplanar(Examiner& b) {
   Mesh mesh = wall(2, 1.0, 1.0);
   add_quad(mesh, {-0.7, -0.6, 1}, {1.1, 0.3, 0}, {-0.3, 1.1, 0});
   add_quad(mesh, {-0.5, -0.9, 1}, {1.3, 0.1, 0}, {0.2, 1.3, 0});
   expect_first(b, b.check({.scene = scene_of(mesh), .shots = in_every_order(at_wall())}));
 }
 
-void run_coincident_instances(Bench& b) {
+void run_coincident_instances(Examiner& b) {
   Scene scene = scene_of(sphere(b.numbers(), 2));
   for (int copy = 0; copy < 3; ++copy) scene.instances.push_back(scene.instances[0]);
   const Trial trial{.scene = scene,
@@ -78,7 +78,7 @@ void run_coincident_instances(Bench& b) {
 }
 
 /// 64 triangles as high as 2^-`bits` of their length before a wall.
-void run_thin(Bench& b, int bits) {
+void run_thin(Examiner& b, int bits) {
   Mesh mesh = wall(2, 1.0, 1.0);
   for (int i = 0; i < 64; ++i) {
     const double y = (i - 32) * 0x1p-6;
@@ -87,7 +87,7 @@ void run_thin(Bench& b, int bits) {
   b.check({.scene = scene_of(mesh), .shots = {at_wall()}});
 }
 
-void run_zero_area(Bench& b) {
+void run_zero_area(Examiner& b) {
   Mesh mesh = wall(2, 1.0, 1.0);
   add_triangle(mesh, {-0.5, 0, 0.5}, {0.5, 0, 0.5}, {0, 0, 0.5});
   b.expect_refusal({.scene = scene_of(mesh), .shots = {at_wall()}}, "has no area");
@@ -121,13 +121,13 @@ std::vector<Case> degenerate_cases() {
       {"degenerate",
        "nearly_zero_area",
        "64 triangles of a height of 2^-20 before a wall",
-       [](Bench& b) { run_thin(b, 20); },
+       [](Examiner& b) { run_thin(b, 20); },
        {.wrong = 26},
        kThin},
       {"degenerate",
        "almost_no_area",
        "the same of 2^-40",
-       [](Bench& b) { run_thin(b, 40); },
+       [](Examiner& b) { run_thin(b, 40); },
        {},
        ""},
       {"degenerate",

@@ -28,7 +28,7 @@ Case lattice_case(const std::string& name, const std::string& about, std::vector
   return {"edges",
           name,
           about,
-          [=](Bench& b) { b.check({.scene = scene_of(lattice(kHalf, bumps)), .shots = shots}); },
+          [=](Examiner& b) { b.check({.scene = scene_of(lattice(kHalf, bumps)), .shots = shots}); },
           allowed,
           why};
 }
@@ -40,7 +40,7 @@ Case sphere_case(const std::string& name, const std::string& about, bool vertice
   return {"edges",
           name,
           about,
-          [=](Bench& b) {
+          [=](Examiner& b) {
             Mesh mesh = moved(sphere(b.numbers(), 2), centre);
             for (glm::dvec3& vertex : mesh.vertices) vertex = on_grid(b.numbers(), vertex);
             Trial trial{.scene = scene_of(mesh), .shots = {}};
@@ -60,7 +60,7 @@ Case sphere_case(const std::string& name, const std::string& about, bool vertice
           why};
 }
 
-void run_cube_corners(Bench& b) {
+void run_cube_corners(Examiner& b) {
   Trial trial{.scene = scene_of(cube(1.0)), .shots = {}};
   for (const double x : {-1.0, 0.0, 0.25, 1.0}) {
     for (const double y : {-1.0, 0.0, 0.25, 1.0}) {
@@ -74,7 +74,7 @@ void run_cube_corners(Bench& b) {
 }
 
 /// A square beside four that are a quarter as high: three of their vertices lie on its edge.
-void run_t_junctions(Bench& b) {
+void run_t_junctions(Examiner& b) {
   Mesh mesh;
   add_quad(mesh, {-1, -1, 1}, {1, 0, 0}, {0, 2, 0});
   for (int i = 0; i < 4; ++i) add_quad(mesh, {0, -1 + 0.5 * i, 1}, {1, 0, 0}, {0, 0.5, 0});
@@ -84,7 +84,7 @@ void run_t_junctions(Bench& b) {
 }
 
 /// The triangles of a lattice one by one: each ray must be claimed by exactly one of them.
-void run_one_by_one(Bench& b) {
+void run_one_by_one(Examiner& b) {
   const Mesh whole = lattice(1, bumps);
   const Shot shot = pencil({0, 0, 0}, {-0.875, -0.875, 1}, {0.125, 0, 0}, {0, 0.125, 0}, 15, 15);
   std::vector<unsigned> claims;
@@ -136,7 +136,7 @@ std::vector<Case> edge_cases() {
       {"edges",
        "silhouette",
        "past a sphere of 320 triangles, from 3 radii",
-       [](Bench& b) {
+       [](Examiner& b) {
          b.check({.scene = scene_of(sphere(b.numbers(), 2)),
                   .shots = {picture({1, 0.75, 3}, {0, 0, 0}, 40, 32, 32)}});
        },

@@ -50,7 +50,7 @@ std::vector<Shot> all_around(const glm::dvec3& origin, unsigned side) {
 
 /// A light in the middle of a cube of which nothing lies in shadow: rays from the light end exactly
 /// on the surface.
-void run_light_ends(Bench& b) {
+void run_light_ends(Examiner& b) {
   constexpr std::uint32_t kAmbient = 255 * 8 / 10 / 4;  // the material's 0.8, a quarter of it
   Scene scene = scene_of(cube(1.0));
   scene.lights.push_back({.name = "middle", .position = {0, 0, 0}, .colour = glm::dvec3(4.0)});
@@ -65,7 +65,7 @@ void run_light_ends(Bench& b) {
 }
 
 /// A closed room of green mirrors under a red sky: a reflection that gets out brings some red.
-void run_reflection_starts(Bench& b) {
+void run_reflection_starts(Examiner& b) {
   constexpr std::uint32_t kRed = 0xff;
   Scene scene = scene_of(cube(1.0));
   scene.materials[0] = {.name = "mirror", .diffuse = {0, 1, 0}, .mirror = 0.75};
@@ -87,19 +87,19 @@ std::vector<Case> end_cases() {
       {"ends",
        "on_surface_outward",
        "from points of a cube's faces outward: there is nothing to hit",
-       [](Bench& b) { b.check(from_faces(-1)); },
+       [](Examiner& b) { b.check(from_faces(-1)); },
        {.invented = 12},
        reasons::kNoZero},
       {"ends",
        "on_surface_inward",
        "from points of a cube's faces inward, to the other faces",
-       [](Bench& b) { b.check(from_faces(1)); },
+       [](Examiner& b) { b.check(from_faces(1)); },
        {.wrong = 72},
        reasons::kNoZero},
       {"ends",
        "inside_sphere",
        "from a point inside a closed sphere of 320 triangles, all around",
-       [](Bench& b) {
+       [](Examiner& b) {
          b.check({.scene = scene_of(sphere(b.numbers(), 2)),
                   .shots = all_around({0.25, 0.125, -0.5}, kSide)});
        },
@@ -108,7 +108,7 @@ std::vector<Case> end_cases() {
       {"ends",
        "pointing_away",
        "from just outside the faces of a cube outward",
-       [](Bench& b) {
+       [](Examiner& b) {
          Trial trial = from_faces(-1);
          for (Shot& shot : trial.shots) shot.camera.position *= 1.0 + 0x1p-12;
          b.check(trial);

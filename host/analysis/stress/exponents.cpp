@@ -23,7 +23,9 @@ Trial room(const MemoryFormat& numbers, double size) {
   return trial;
 }
 
-bool is_watertight(Bench& b) { return b.board().core().triangle_test == TriangleTest::kWatertight; }
+bool is_watertight(Examiner& b) {
+  return b.board().core().triangle_test == TriangleTest::kWatertight;
+}
 
 Rendered without_u_v(Rendered rendered) {
   for (Frame& frame : rendered.frames) {
@@ -37,7 +39,7 @@ Case scaled_scene(const std::string& name, const std::string& about, int exponen
   return {"exponents",
           name,
           about,
-          [=](Bench& b) {
+          [=](Examiner& b) {
             const Rendered plain = b.check(room(b.numbers(), 1));
             const Trial trial = room(b.numbers(), std::exp2(exponent));
             const Rendered moved = b.check(trial);
@@ -67,8 +69,8 @@ Trial wall_at(double distance, double length) {
                            {0, 0.25 * length, 0}, 7, 7)}};
 }
 
-void run_wall(Bench& b, double distance, double length) { b.check(wall_at(distance, length)); }
-void run_fitted_wall(Bench& b, double distance, double length) {
+void run_wall(Examiner& b, double distance, double length) { b.check(wall_at(distance, length)); }
+void run_fitted_wall(Examiner& b, double distance, double length) {
   b.check(fitted(wall_at(distance, length), b.numbers()));
 }
 
@@ -82,68 +84,68 @@ std::vector<Case> exponent_cases() {
       {"exponents",
        "scene_2^-40",
        "a room times 2^-40, judged by the truth alone",
-       [](Bench& b) { b.check(room(b.numbers(), 0x1p-40)); },
+       [](Examiner& b) { b.check(room(b.numbers(), 0x1p-40)); },
        {},
        ""},
       {"exponents",
        "scene_2^40",
        "a room times 2^40, judged by the truth alone",
-       [](Bench& b) { b.check(room(b.numbers(), 0x1p40)); },
+       [](Examiner& b) { b.check(room(b.numbers(), 0x1p40)); },
        {},
        ""},
       {"exponents",
        "wall_2^45",
        "a wall at 2^45, 2^47 wide",
-       [](Bench& b) { run_wall(b, 0x1p45, 1); },
+       [](Examiner& b) { run_wall(b, 0x1p45, 1); },
        {},
        ""},
       {"exponents",
        "wall_2^-44",
        "a wall at 2^-44, 2^-42 wide",
-       [](Bench& b) { run_wall(b, 0x1p-44, 0x1p-4); },
+       [](Examiner& b) { run_wall(b, 0x1p-44, 0x1p-4); },
        {},
        ""},
       {"exponents",
        "largest_scene",
        "a wall at 2^60, 2^62 wide",
-       [](Bench& b) { run_wall(b, 0x1p60, 1); },
+       [](Examiner& b) { run_wall(b, 0x1p60, 1); },
        {.lost = 16},
        "what the matrix of 2^-62 makes of directions saturates at 2^-63"},
       {"exponents",
        "smallest_scene",
        "a wall at 2^-60, 2^-58 wide",
-       [](Bench& b) { run_wall(b, 0x1p-60, 0x1p-20); },
+       [](Examiner& b) { run_wall(b, 0x1p-60, 0x1p-20); },
        {.lost = 49},
        "there is no zero: each of a matrix adds 2^-63, and the origin comes to lie behind the "
        "wall"},
       {"exponents",
        "distance_too_large",
        "a wall at 2^10, rays of the length 2^-56: t is 2^66",
-       [](Bench& b) { run_wall(b, 0x1p10, 0x1p-56); },
+       [](Examiner& b) { run_wall(b, 0x1p10, 0x1p-56); },
        {.lost = 49},
        "a distance that saturates is not nearer than nothing: no hit, never one of another sign"},
       {"exponents",
        "distance_too_small",
        "a wall at 2^-20, rays of the length 2^50: t is 2^-70",
-       [](Bench& b) { run_wall(b, 0x1p-20, 0x1p50); },
+       [](Examiner& b) { run_wall(b, 0x1p-20, 0x1p50); },
        {.lost = 49},
        "the distance saturates at 2^-63, where the ray is far beyond the wall: no hit"},
       {"exponents",
        "fitted_2^60",
        "the wall at 2^60, fitted to the numbers by the host",
-       [](Bench& b) { run_fitted_wall(b, 0x1p60, 1); },
+       [](Examiner& b) { run_fitted_wall(b, 0x1p60, 1); },
        {},
        ""},
       {"exponents",
        "fitted_2^-60",
        "the wall at 2^-60, fitted to the numbers by the host",
-       [](Bench& b) { run_fitted_wall(b, 0x1p-60, 0x1p-20); },
+       [](Examiner& b) { run_fitted_wall(b, 0x1p-60, 0x1p-20); },
        {},
        ""},
       {"exponents",
        "vertex_too_far",
        "a wall of which a vertex is beyond the numbers: refused",
-       [](Bench& b) {
+       [](Examiner& b) {
          b.expect_refusal(
              {.scene = scene_of(wall(2, 1, 0x1p66)), .shots = {ray({0, 0, 0}, {0, 0, 1})}},
              "outside the core's numbers");
@@ -153,7 +155,7 @@ std::vector<Case> exponent_cases() {
       {"exponents",
        "triangle_too_small",
        "a triangle of 2^-70: refused if it has a matrix, which is beyond; corners saturate",
-       [](Bench& b) {
+       [](Examiner& b) {
          const Trial trial{.scene = scene_of(scaled(cube(1), glm::dvec3(0x1p-70))),
                            .shots = {ray({0, 0, 1}, {0, 0, -1})}};
          if (is_watertight(b)) {
@@ -167,7 +169,7 @@ std::vector<Case> exponent_cases() {
       {"exponents",
        "instance_too_small",
        "an instance of 2^-70, whose inverse is beyond: refused",
-       [](Bench& b) {
+       [](Examiner& b) {
          Trial trial{.scene = {}, .shots = {ray({0, 0, 4}, {0, 0, -1})}};
          add(trial.scene, cube(1), scaling(glm::dvec3(0x1p-70)));
          b.expect_refusal(trial, "outside the core's numbers");

@@ -30,7 +30,7 @@ Case far_scene(int exponent, const Allowed& allowed, const std::string& why) {
   return {"far",
           fmt::format("scene_1e{}", exponent),
           fmt::format("a sphere of radius 1 at 10^{} from the origin, seen from 3 radii", exponent),
-          [=](Bench& b) { b.check(sphere_at(b.numbers(), distance * kAway)); },
+          [=](Examiner& b) { b.check(sphere_at(b.numbers(), distance * kAway)); },
           allowed,
           why};
 }
@@ -40,7 +40,7 @@ Case fitted_scene(const std::string& name, const std::string& place, const glm::
   return {"far",
           "fitted_" + name,
           "the sphere at " + place + ", fitted to the numbers by the host",
-          [=](Bench& b) { b.check(fitted(sphere_at(b.numbers(), centre), b.numbers())); },
+          [=](Examiner& b) { b.check(fitted(sphere_at(b.numbers(), centre), b.numbers())); },
           {},
           ""};
 }
@@ -50,7 +50,7 @@ Case far_camera(int exponent, const Allowed& allowed, const std::string& why) {
   return {"far",
           fmt::format("camera_1e{}", exponent),
           fmt::format("a sphere of radius 1 at the origin, seen from 10^{} radii", exponent),
-          [=](Bench& b) {
+          [=](Examiner& b) {
             b.check({.scene = scene_of(sphere(b.numbers(), 2)),
                      .shots = {picture(distance * kAway, {0, 0, 0}, 160 / distance, kSide, kSide)},
                      .rays = Rays::kOfCamera});
@@ -59,7 +59,7 @@ Case far_camera(int exponent, const Allowed& allowed, const std::string& why) {
           why};
 }
 
-void run_far_instance(Bench& b) {
+void run_far_instance(Examiner& b) {
   const glm::dvec3 centre = 1e4 * kAway;
   Trial trial = sphere_at(b.numbers(), centre);
   trial.scene = Scene{};
@@ -80,7 +80,7 @@ std::vector<Case> far_cases() {
       {"far",
        "sphere_148376",
        "a sphere of radius 1 at (148376, 1234, -223423)",
-       [](Bench& b) { b.check(sphere_at(b.numbers(), {148376, 1234, -223423})); },
+       [](Examiner& b) { b.check(sphere_at(b.numbers(), {148376, 1234, -223423})); },
        {.lost = 225, .invented = 77, .wrong = 43},
        reasons::kSteps},
       fitted_scene("scene_1e4", "10^4", 1e4 * kAway),

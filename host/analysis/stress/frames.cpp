@@ -26,7 +26,7 @@ Case same_bits(const std::string& name, const std::string& about,
   return {"frames",
           name,
           about,
-          [change](Bench& b) {
+          [change](Examiner& b) {
             Trial trial = spheres_in_a_room(b.numbers());
             const Rendered plain = b.check(trial);
             change(trial.shots[0].options);
@@ -53,7 +53,7 @@ std::vector<Case> frame_cases() {
       {"frames",
        "one_slot",
        "63 nodes of a tree in one line of 512: the same bits",
-       [](Bench& b) {
+       [](Examiner& b) {
          const Rendered plain = b.check(lower_chain(b.numbers(), 31));
          b.expect_same(b.check(lower_chain(b.numbers(), 31, kMostLines - 1)), plain);
        },

@@ -26,7 +26,7 @@ Mesh floor_for(double slope) {
   return floor;
 }
 
-void run(Bench& b, double degrees, const glm::dmat4& turn) {
+void run(Examiner& b, double degrees, const glm::dmat4& turn) {
   const double slope = std::tan(degrees * std::numbers::pi / 180);
   Mesh floor = floor_for(slope);
   for (glm::dvec3& v : floor.vertices) v = glm::dvec3(turn * glm::dvec4(v, 1));
@@ -41,7 +41,7 @@ Case level(const std::string& name, const std::string& angle, double degrees) {
   return {"grazing",
           name,
           "down to a level floor of 128 triangles at " + angle,
-          [=](Bench& b) { run(b, degrees, glm::dmat4(1.0)); },
+          [=](Examiner& b) { run(b, degrees, glm::dmat4(1.0)); },
           {},
           ""};
 }
@@ -52,7 +52,7 @@ Case slanting(const std::string& name, const std::string& angle, double degrees,
   return {"grazing",
           "slanting_" + name,
           "the same to a slanting floor, at " + angle,
-          [=](Bench& b) {
+          [=](Examiner& b) {
             run(b, degrees, glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, 3))));
           },
           allowed,

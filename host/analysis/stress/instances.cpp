@@ -31,7 +31,7 @@ Case scale_case(const std::string& name, double size, const Allowed& allowed,
   return {"instances",
           name,
           "a sphere scaled by " + name.substr(6) + ", seen from 3 of its radii",
-          [=](Bench& b) {
+          [=](Examiner& b) {
             b.check(placed_sphere(b.numbers(), scaling(glm::dvec3(size)), at_sphere(size)));
           },
           allowed,
@@ -39,7 +39,7 @@ Case scale_case(const std::string& name, double size, const Allowed& allowed,
 }
 
 /// Scaled by a power of two: the same bits, but for the exponents of distance and cosine.
-void run_power_of_two(Bench& b, int exponent) {
+void run_power_of_two(Examiner& b, int exponent) {
   const double size = std::exp2(exponent);
   const Rendered plain = b.check(placed_sphere(b.numbers(), glm::dmat4(1.0), at_sphere(1)));
   const Rendered large =
@@ -53,7 +53,7 @@ void run_power_of_two(Bench& b, int exponent) {
 }
 
 /// Seen in a mirror, ray for ray: object and triangle meet the same numbers.
-void run_mirrored(Bench& b) {
+void run_mirrored(Examiner& b) {
   const glm::dvec3 mirror(-1, 1, 1);
   Shot shot = at_sphere(1);
   const Rendered plain = b.check(placed_sphere(b.numbers(), glm::dmat4(1.0), shot));
@@ -76,7 +76,7 @@ glm::dmat4 turned() {
 }
 
 /// From within a turned sphere to its vertices, which the world has as doubles.
-void run_turned_vertices(Bench& b) {
+void run_turned_vertices(Examiner& b) {
   Trial trial = placed_sphere(b.numbers(), turned(), at_sphere(1));
   trial.shots.clear();
   for (const glm::dvec3& vertex : trial.scene.objects[0].vertices) {
@@ -88,7 +88,7 @@ void run_turned_vertices(Bench& b) {
 Case placed(const std::string& name, const std::string& about, const glm::dmat4& transform,
             const Shot& shot, const Allowed& allowed, const std::string& why) {
   return {"instances", name,
-          about,       [=](Bench& b) { b.check(placed_sphere(b.numbers(), transform, shot)); },
+          about,       [=](Examiner& b) { b.check(placed_sphere(b.numbers(), transform, shot)); },
           allowed,     why};
 }
 
@@ -103,13 +103,13 @@ std::vector<Case> instance_cases() {
       {"instances",
        "scale_2^-20",
        "a sphere scaled by 2^-20 gives the same bits, exponents moved",
-       [](Bench& b) { run_power_of_two(b, -20); },
+       [](Examiner& b) { run_power_of_two(b, -20); },
        {},
        ""},
       {"instances",
        "scale_2^20",
        "the same, by 2^20",
-       [](Bench& b) { run_power_of_two(b, 20); },
+       [](Examiner& b) { run_power_of_two(b, 20); },
        {},
        ""},
       placed("sheared", "a sphere sheared by 10 and pressed to a thousandth", sheared(0x1p-10),

@@ -24,7 +24,7 @@ Scene spheres_within(const MemoryFormat& numbers, int count, double step) {
 }
 
 /// A cube in a sphere in a cube in a cube: the room problem. From between each two of them.
-void run_rooms(Bench& b) {
+void run_rooms(Examiner& b) {
   Scene scene = scene_of(cube(0.25));
   add(scene, sphere(b.numbers(), 2));
   add(scene, cube(2));
@@ -40,7 +40,7 @@ void run_rooms(Bench& b) {
 }
 
 /// Small spheres in a row, all in one leaf of the upper tree; the same hits as with a tree.
-void run_many_in_a_leaf(Bench& b, int count) {
+void run_many_in_a_leaf(Examiner& b, int count) {
   Scene scene = scene_of(scaled(sphere(b.numbers(), 1), glm::dvec3(0.125)));
   scene.instances[0].transform = translation({-1, -1, 0});
   for (int i = 1; i < count; ++i) {
@@ -55,7 +55,7 @@ void run_many_in_a_leaf(Bench& b, int count) {
 }
 
 /// All 80 triangles of a sphere in one leaf.
-void run_triangles_in_a_leaf(Bench& b) {
+void run_triangles_in_a_leaf(Examiner& b) {
   Trial trial{.scene = scene_of(sphere(b.numbers(), 1)), .shots = {at_spheres(24)}};
   const Rendered split = b.check(trial);
   trial.tree_options.depth_factor = trial.tree_options.depth_extra = 0;
@@ -69,7 +69,7 @@ std::vector<Case> overlap_cases() {
       {"overlap",
        "hundred",
        "a hundred spheres about one centre, each 2^-10 smaller than the last",
-       [](Bench& b) {
+       [](Examiner& b) {
          b.check({.scene = spheres_within(b.numbers(), 100, 0x1p-10), .shots = {at_spheres(16)}});
        },
        {},
@@ -77,7 +77,7 @@ std::vector<Case> overlap_cases() {
       {"overlap",
        "hundred_coincident",
        "a hundred times the same sphere",
-       [](Bench& b) {
+       [](Examiner& b) {
          b.check({.scene = spheres_within(b.numbers(), 100, 0), .shots = {at_spheres(16)}});
        },
        {},
@@ -91,13 +91,13 @@ std::vector<Case> overlap_cases() {
       {"overlap",
        "leaf_of_9_objects",
        "more objects in a leaf than the mailbox has slots",
-       [](Bench& b) { run_many_in_a_leaf(b, 9); },
+       [](Examiner& b) { run_many_in_a_leaf(b, 9); },
        {},
        ""},
       {"overlap",
        "leaf_of_65_objects",
        "65 objects in a leaf",
-       [](Bench& b) { run_many_in_a_leaf(b, 65); },
+       [](Examiner& b) { run_many_in_a_leaf(b, 65); },
        {},
        ""},
       {"overlap",

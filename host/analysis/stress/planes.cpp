@@ -21,7 +21,7 @@ glm::dvec3 axis_vector(int axis, double length) {
 
 /// From inside a cube of 6 x 2 x 4 x 4 triangles, in both directions of the axis, from a lattice of
 /// origins that meets vertices, edges and planes of the tree.
-void run_along_axis(Bench& b, int axis) {
+void run_along_axis(Examiner& b, int axis) {
   Mesh mesh;
   for (int side = 0; side < 3; ++side) {
     for (const double at : {-1.0, 1.0}) {
@@ -53,7 +53,7 @@ void run_along_axis(Bench& b, int axis) {
 
 /// A tree by hand whose planes are at x = -1/2, 0 and 1/2 and walls at z = 1 that begin and end in
 /// them; rays whose origin lies in a plane and whose x is zero.
-void run_in_splitting_plane(Bench& b) {
+void run_in_splitting_plane(Examiner& b) {
   Mesh mesh;
   for (int i = -2; i < 2; ++i) add_quad(mesh, {0.5 * i, -1, 1}, {0.5, 0, 0}, {0, 2, 0});
   Trial trial{.scene = scene_of(mesh), .shots = {}};
@@ -84,7 +84,7 @@ void run_in_splitting_plane(Bench& b) {
 
 /// The floor is the lowest plane of the scene's box: rays in it, with no part upwards, to a post
 /// that stands on it.
-void run_in_box_plane(Bench& b) {
+void run_in_box_plane(Examiner& b) {
   Scene scene = scene_of(moved(cube(0.5), {0, 0.5, 0}));
   Mesh floor;
   add_quad(floor, {-4, 0, -4}, {8, 0, 0}, {0, 0, 8});
@@ -100,7 +100,7 @@ void run_in_box_plane(Bench& b) {
 }
 
 /// Within the plane of 32 triangles, which are not hit by it, to a wall behind them.
-void run_in_triangle_plane(Bench& b) {
+void run_in_triangle_plane(Examiner& b) {
   Mesh mesh = wall(2, 4.0, 1.0);
   for (int i = 0; i < 16; ++i) add_quad(mesh, {-0.5, 0, 1 + 0.125 * i}, {1, 0, 0}, {0, 0, 0.125});
   b.check({.scene = scene_of(mesh),
@@ -108,7 +108,7 @@ void run_in_triangle_plane(Bench& b) {
 }
 
 /// Every component but one as small as the numbers have it, of either sign.
-void run_smallest_components(Bench& b) {
+void run_smallest_components(Examiner& b) {
   Trial trial{.scene = scene_of(cube(1.0)), .shots = {}};
   const double least = b.numbers().smallest;
   for (int axis = 0; axis < 3; ++axis) {
@@ -131,11 +131,11 @@ std::vector<Case> plane_cases() {
       {"planes",
        "along_x",
        "from inside a cube of 192 triangles along x, through vertices and edges",
-       [](Bench& b) { run_along_axis(b, 0); },
+       [](Examiner& b) { run_along_axis(b, 0); },
        {},
        ""},
-      {"planes", "along_y", "the same along y", [](Bench& b) { run_along_axis(b, 1); }, {}, ""},
-      {"planes", "along_z", "the same along z", [](Bench& b) { run_along_axis(b, 2); }, {}, ""},
+      {"planes", "along_y", "the same along y", [](Examiner& b) { run_along_axis(b, 1); }, {}, ""},
+      {"planes", "along_z", "the same along z", [](Examiner& b) { run_along_axis(b, 2); }, {}, ""},
       {"planes",
        "in_splitting_plane",
        "in splitting planes of a tree made by hand, where leaves and triangles meet",

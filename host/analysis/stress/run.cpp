@@ -32,17 +32,18 @@ std::string verdict_of(const Result& r) {
 
 Result run_case(const Case& c, Boards& boards, std::vector<Frame>* frames) {
   const auto begin = std::chrono::steady_clock::now();
-  Bench bench(boards, frames);
+  Examiner examiner(boards, frames);
   try {
-    c.run(bench);
+    c.run(examiner);
   } catch (const NoBoard&) {
     throw;
   } catch (const Exceeded& error) {
-    bench.exceeded(error.what());
+    examiner.exceeded(error.what());
   } catch (const UserError& error) {
-    bench.refused(error.what());
+    examiner.refused(error.what());
   }
-  Result result{&c, bench.outcome(), c.allowed(boards.get().core()), c.why_on(boards.get().core())};
+  Result result{&c, examiner.outcome(), c.allowed(boards.get().core()),
+                c.why_on(boards.get().core())};
   result.outcome.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;

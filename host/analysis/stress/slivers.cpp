@@ -36,7 +36,7 @@ Case strip_case(const std::string& name, const std::string& about, double width,
       "slivers",
       name,
       about,
-      [=](Bench& b) {
+      [=](Examiner& b) {
         b.check({.scene = scene_of(strip(width, middle)), .shots = {across_strip(width, middle)}});
       },
       allowed,
@@ -52,7 +52,7 @@ Mesh fan(double width) {
   return mesh;
 }
 
-void run_fan(Bench& b) {
+void run_fan(Examiner& b) {
   const double width = 0x1p-13;
   b.check({.scene = scene_of(fan(width)),
            .shots = {
@@ -61,7 +61,7 @@ void run_fan(Bench& b) {
 }
 
 /// A sphere pressed flat, seen from its centre: the triangles at its rim are slivers.
-void run_disc(Bench& b) {
+void run_disc(Examiner& b) {
   const Mesh disc = scaled(sphere(b.numbers(), 2), {1, 0x1p-10, 1});
   Trial trial{.scene = scene_of(disc), .shots = {}};
   for (const glm::dvec3& way : {glm::dvec3(0, 0, 1), glm::dvec3(1, 0, 0), glm::dvec3(0, 0, -1)}) {
@@ -132,7 +132,7 @@ std::vector<Case> size_cases() {
       {"sizes",
        "millionth_on_axis",
        "256 squares of a millionth of the scene 2^-10 before a wall that fills it, around the axis",
-       [](Bench& b) {
+       [](Examiner& b) {
          b.check({.scene = tiny_before_wall({0, 0, 0}, 0x1p-10), .shots = {at_tiny({0, 0, 0})}});
        },
        {},
@@ -140,7 +140,7 @@ std::vector<Case> size_cases() {
       {"sizes",
        "millionth_off_axis",
        "the same around (1/2, 1/2), where a millionth is an eighth of a step of the numbers",
-       [](Bench& b) {
+       [](Examiner& b) {
          b.check({.scene = tiny_before_wall({0.5, 0.5, 0}, 0x1p-10),
                   .shots = {at_tiny({0.5, 0.5, 0})},
                   .rays = Rays::kOfCamera});
@@ -150,7 +150,7 @@ std::vector<Case> size_cases() {
       {"sizes",
        "huge_around_small",
        "a cube within a cube 2^20 times as large, seen from between them",
-       [](Bench& b) {
+       [](Examiner& b) {
          Scene scene = scene_of(cube(1.0));
          add(scene, cube(0x1p20));
          b.check({.scene = scene,

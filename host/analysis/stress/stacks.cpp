@@ -10,7 +10,7 @@ namespace dynrt::host::stress {
 namespace {
 
 /// What a full stack loses the counter must tell of.
-void run(Bench& b, const Trial& trial) {
+void run(Examiner& b, const Trial& trial) {
   const Rendered rendered = b.check(trial);
   if (rendered.dropped_pushes() == 0) b.count(Fault::kUnsaid, b.outcome()[Fault::kLost]);
 }
@@ -24,7 +24,7 @@ Trial on_deep(Trial trial) {
 Case stack_case(const std::string& name, const std::string& about,
                 const std::function<Trial(const MemoryFormat&)>& make, const Allowed& allowed,
                 const std::string& why) {
-  return {"stacks", name, about, [make](Bench& b) { run(b, make(b.numbers())); }, allowed, why};
+  return {"stacks", name, about, [make](Examiner& b) { run(b, make(b.numbers())); }, allowed, why};
 }
 
 constexpr char kWhy32[] = "the 32nd push finds 31 entries: one leaf is not entered";

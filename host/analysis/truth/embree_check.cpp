@@ -92,22 +92,22 @@ class Doubt {
   Doubt(const Truth& truth, const TruthRay& ray) : truth_(truth), ray_(ray) {}
 
   bool is_hit(PrimitiveId id) const {
-    const auto meeting = truth_.meet(ray_, id);
-    return meeting && meeting->hit;
+    const auto intersection = truth_.intersect(ray_, id);
+    return intersection && intersection->hit;
   }
   /// Whether this is hit.
   bool about_edge(PrimitiveId id) const {
-    const auto meeting = truth_.meet(ray_, id);
-    if (!meeting) return true;  // within the plane, hence at no height above any edge
-    const double error = error_at(id, meeting->t);
+    const auto intersection = truth_.intersect(ray_, id);
+    if (!intersection) return true;  // within the plane, hence at no height above any edge
+    const double error = error_at(id, intersection->t);
     // Aslant, a ray that is moved aside moves farther in the plane.
-    return std::abs(meeting->edge_distance) * slope(id) <= error ||
-           std::abs(meeting->t) * glm::length(ray_.direction) * slope(id) <= error;
+    return std::abs(intersection->edge_distance) * slope(id) <= error ||
+           std::abs(intersection->t) * glm::length(ray_.direction) * slope(id) <= error;
   }
   /// Which of the two lies before the other.
   bool about_distance(PrimitiveId a, PrimitiveId b) const {
-    const auto first = truth_.meet(ray_, a);
-    const auto second = truth_.meet(ray_, b);
+    const auto first = truth_.intersect(ray_, a);
+    const auto second = truth_.intersect(ray_, b);
     if (!first || !second) return true;
     const double apart = std::abs(first->t - second->t) * glm::length(ray_.direction);
     return apart <= error_at(a, first->t) / slope(a) + error_at(b, second->t) / slope(b);

@@ -154,7 +154,7 @@ class Shading {
       const TruthRay ray = light_ray(truth_.scene(), lamp, wave.rays[i], hit);
       LightRayTruth& out = frame_.light_rays[first + k];
       out.shadow = truth_.any(ray);
-      const auto surface = truth_.meet(ray, hit.id);
+      const auto surface = truth_.intersect(ray, hit.id);
       const double cosine = surface ? surface->cosine : 0;
       // Lit is the side that is seen.
       if (std::signbit(cosine) != std::signbit(hit.cosine)) return;

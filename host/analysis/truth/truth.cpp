@@ -204,11 +204,11 @@ class Truth::State::Search : public CandidateVisitor {
     out.place = best.place;
     for (std::size_t i = 1; i < nearest_.size(); ++i) out.ties.push_back(nearest_[i].id);
     if (best.ellipsoid) {
-      const SphereMeeting meeting = meet_sphere(state_.ellipsoid(best.id), ray_);
+      const SphereMeeting intersection = meet_sphere(state_.ellipsoid(best.id), ray_);
       out.t = best.t_low;
-      out.u = meeting.u;
-      out.v = meeting.v;
-      out.cosine = out.t == meeting.first ? -meeting.cosine : meeting.cosine;
+      out.u = intersection.u;
+      out.v = intersection.v;
+      out.cosine = out.t == intersection.first ? -intersection.cosine : intersection.cosine;
       out.margin = out.edge_distance = kInfinity;
       return out;
     }
@@ -243,8 +243,8 @@ class Truth::State::Search : public CandidateVisitor {
     take(now);
   }
   void try_ellipsoid(PrimitiveId id) {
-    const SphereMeeting meeting = meet_sphere(state_.ellipsoid(id), ray_);
-    for (const double t : {meeting.first, meeting.second}) {
+    const SphereMeeting intersection = meet_sphere(state_.ellipsoid(id), ray_);
+    for (const double t : {intersection.first, intersection.second}) {
       if (!(t > ray_.from && t < ray_.to)) continue;
       take({id, HitPlace::kInside, true, t, t});
       return;
@@ -327,16 +327,16 @@ bool Truth::any(const TruthRay& ray) const {
   return search.found();
 }
 
-std::optional<PlaneMeeting> Truth::meet(const TruthRay& ray, PrimitiveId id) const {
+std::optional<PlaneMeeting> Truth::intersect(const TruthRay& ray, PrimitiveId id) const {
   PlaneMeeting out;
   if (state_->is_ellipsoid(id)) {
-    const SphereMeeting meeting = meet_sphere(state_->ellipsoid(id), ray);
-    if (std::isnan(meeting.first)) return std::nullopt;
-    const bool enters = meeting.first > 0;
-    out.t = enters ? meeting.first : meeting.second;
-    out.u = meeting.u;
-    out.v = meeting.v;
-    out.cosine = enters ? -meeting.cosine : meeting.cosine;
+    const SphereMeeting intersection = meet_sphere(state_->ellipsoid(id), ray);
+    if (std::isnan(intersection.first)) return std::nullopt;
+    const bool enters = intersection.first > 0;
+    out.t = enters ? intersection.first : intersection.second;
+    out.u = intersection.u;
+    out.v = intersection.v;
+    out.cosine = enters ? -intersection.cosine : intersection.cosine;
     out.hit = out.t > 0;
     out.edge_distance = kInfinity;
     return out;

@@ -127,7 +127,7 @@ TEST(TruthTest, ARayInThePlaneDoesNotHit) {
   const Truth truth(scene);
   const TruthRay ray{{-1, 0.25, -3}, {1, 0, 0}};
   EXPECT_FALSE(truth.any(ray));
-  EXPECT_FALSE(truth.meet(ray, {0, 0}));
+  EXPECT_FALSE(truth.intersect(ray, {0, 0}));
 }
 
 TEST(TruthTest, ARectangleIsAParallelogramWithItsEdges) {
@@ -146,12 +146,12 @@ TEST(TruthTest, ARectangleIsAParallelogramWithItsEdges) {
 TEST(TruthTest, MeetTellsHowFarOutsideARayPasses) {
   const Scene scene = scene_of(triangle({0, 0, -2}, {1, 0, -2}, {0, 1, -2}));
   const Truth truth(scene);
-  const auto meeting = truth.meet({{0.25, -0.125, 0}, {0, 0, -1}}, {0, 0});
-  ASSERT_TRUE(meeting);
-  EXPECT_FALSE(meeting->hit);
-  EXPECT_EQ(meeting->t, 2.0);
-  EXPECT_DOUBLE_EQ(meeting->edge_distance, -0.125);
-  EXPECT_TRUE(truth.meet({{0.25, 0.125, 0}, {0, 0, -1}}, {0, 0})->hit);
+  const auto intersection = truth.intersect({{0.25, -0.125, 0}, {0, 0, -1}}, {0, 0});
+  ASSERT_TRUE(intersection);
+  EXPECT_FALSE(intersection->hit);
+  EXPECT_EQ(intersection->t, 2.0);
+  EXPECT_DOUBLE_EQ(intersection->edge_distance, -0.125);
+  EXPECT_TRUE(truth.intersect({{0.25, 0.125, 0}, {0, 0, -1}}, {0, 0})->hit);
 }
 
 TEST(TruthTest, CosineIsThatOfTheObjectsSpace) {

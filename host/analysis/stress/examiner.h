@@ -55,10 +55,10 @@ class Boards {
   std::map<std::string, std::unique_ptr<Board>> boards_;
 };
 
-class Bench {
+class Examiner {
  public:
   /// `frames`, if there is one, is given every frame rendered: for comparing boards.
-  explicit Bench(Boards& boards, std::vector<Frame>* frames = nullptr)
+  explicit Examiner(Boards& boards, std::vector<Frame>* frames = nullptr)
       : boards_(boards), frames_(frames) {}
 
   /// Those of the core.

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "host/analysis/stress/bench.h"
+#include "host/analysis/stress/examiner.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,12 +51,12 @@ Board& Boards::get(const std::string& configuration) {
   return *board;
 }
 
-std::string Bench::with_secondary_rays() {
+std::string Examiner::with_secondary_rays() {
   return board().core().triangle_test == TriangleTest::kWatertight ? "whitted_watertight"
                                                                    : "whitted";
 }
 
-Rendered Bench::render(const Trial& trial) {
+Rendered Examiner::render(const Trial& trial) {
   Board& board = trial.configuration.empty() ? boards_.get() : boards_.get(trial.configuration);
   // A trial lies in the core's space, and its trees may ask too much of the stacks: that is tried.
   LayoutOptions layout{.fit = false,
@@ -88,7 +88,7 @@ Rendered Bench::render(const Trial& trial) {
   return rendered;
 }
 
-void Bench::take(const Frame& frame) {
+void Examiner::take(const Frame& frame) {
   outcome_.rays += frame.hits.size();
   outcome_.hits += frame.hit_count();
   outcome_.dropped += dropped_pushes(frame);
@@ -102,13 +102,13 @@ void Bench::take(const Frame& frame) {
   if (frames_ != nullptr) frames_->push_back(frame);
 }
 
-Rendered Bench::check(const Trial& trial) {
+Rendered Examiner::check(const Trial& trial) {
   Rendered rendered = render(trial);
   judge(trial, rendered);
   return rendered;
 }
 
-void Bench::judge(const Trial& trial, const Rendered& rendered) {
+void Examiner::judge(const Trial& trial, const Rendered& rendered) {
   const Truth truth(trial.scene);
   for (std::size_t k = 0; k < rendered.frames.size(); ++k) {
     const Frame& frame = rendered.frames[k];
@@ -129,23 +129,23 @@ void Bench::judge(const Trial& trial, const Rendered& rendered) {
   }
 }
 
-void Bench::judge_hit(const Truth& truth, const TruthRay& ray, const TruthHit& nearest,
-                      std::optional<PrimitiveId> id, double t) {
+void Examiner::judge_hit(const Truth& truth, const TruthRay& ray, const TruthHit& nearest,
+                         std::optional<PrimitiveId> id, double t) {
   double expected = nearest.t;
   if (!id || !nearest.tied_with(*id)) {
-    const auto meeting = id ? truth.meet(ray, *id) : std::nullopt;
+    const auto intersection = id ? truth.intersect(ray, *id) : std::nullopt;
     const double near = kSameSteps * step_of(numbers()) * nearest.t;
-    if (!meeting || !(std::abs(meeting->t - nearest.t) <= near)) {
+    if (!intersection || !(std::abs(intersection->t - nearest.t) <= near)) {
       ++outcome_[Fault::kWrong];
       return;
     }
-    expected = meeting->t;
+    expected = intersection->t;
   }
   outcome_.distance = std::max(outcome_.distance, std::abs(t - expected) / expected);
 }
 
-void Bench::expect_same(const Rendered& rendered, const Rendered& expected,
-                        const std::function<HitRecord(HitRecord)>& change) {
+void Examiner::expect_same(const Rendered& rendered, const Rendered& expected,
+                           const std::function<HitRecord(HitRecord)>& change) {
   if (rendered.frames.size() != expected.frames.size()) {
     throw std::logic_error("frames to be compared are not as many");
   }
@@ -158,7 +158,7 @@ void Bench::expect_same(const Rendered& rendered, const Rendered& expected,
   }
 }
 
-void Bench::expect_refusal(const Trial& trial, const std::string& words) {
+void Examiner::expect_refusal(const Trial& trial, const std::string& words) {
   std::uint64_t rays = 0;
   for (const Shot& shot : trial.shots) {
     rays += std::uint64_t{shot.options.width} * shot.options.height;

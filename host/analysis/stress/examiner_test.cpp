@@ -3,7 +3,7 @@
 //
 // The judge is judged: a board that lies about its hits is found out, each lie by its name. And the
 // table of cases: how many, named apart, told when asked for one that is not there.
-#include "host/analysis/stress/bench.h"
+#include "host/analysis/stress/examiner.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -68,15 +68,15 @@ Trial walls() {
 
 Outcome outcome_of(const Lie& lie) {
   Boards boards([&](const std::string&) { return std::make_unique<LyingBoard>(lie); }, "thesis");
-  Bench bench(boards);
-  bench.check(walls());
-  return bench.outcome();
+  Examiner examiner(boards);
+  examiner.check(walls());
+  return examiner.outcome();
 }
 
 constexpr std::uint64_t kRays = 42;
 constexpr std::uint64_t kHits = 28;
 
-TEST(Bench, FindsNothingWrongWithTheModel) {
+TEST(Examiner, FindsNothingWrongWithTheModel) {
   const Outcome outcome = outcome_of([](unsigned, std::span<std::uint32_t>) {});
   EXPECT_EQ(outcome.rays, kRays);
   EXPECT_EQ(outcome.hits, kHits);
@@ -84,7 +84,7 @@ TEST(Bench, FindsNothingWrongWithTheModel) {
   EXPECT_EQ(text_of(outcome, {}), "nothing wrong");
 }
 
-TEST(Bench, FindsHitsLostAndInvented) {
+TEST(Examiner, FindsHitsLostAndInvented) {
   const Outcome outcome = outcome_of([](unsigned bank, std::span<std::uint32_t> record) {
     if (bank == kHitBank) record[2] ^= kHitBit;
   });
@@ -95,7 +95,7 @@ TEST(Bench, FindsHitsLostAndInvented) {
   EXPECT_EQ(text_of(outcome, {.lost = 3}), "lost 28 (of 3 allowed), invented 14 (of 0 allowed)");
 }
 
-TEST(Bench, FindsTheTriangleBehind) {
+TEST(Examiner, FindsTheTriangleBehind) {
   // Triangles 0 and 1 are the wall in front, 2 and 3 the one behind.
   const Outcome outcome = outcome_of([](unsigned bank, std::span<std::uint32_t> record) {
     if (bank == kHitBank + 1) record[2] += 2;
@@ -104,7 +104,7 @@ TEST(Bench, FindsTheTriangleBehind) {
   EXPECT_EQ(outcome[Fault::kLost], 0u);
 }
 
-TEST(Bench, FindsADistanceThatIsOff) {
+TEST(Examiner, FindsADistanceThatIsOff) {
   const Outcome outcome = outcome_of([](unsigned bank, std::span<std::uint32_t> record) {
     if (bank == kHitBank) record[0] += 1u << 10;  // 2^-6 of it
   });
@@ -113,7 +113,7 @@ TEST(Bench, FindsADistanceThatIsOff) {
   EXPECT_TRUE(within(outcome, {.distance = 0x1p-6}));
 }
 
-TEST(Bench, FindsOtherBits) {
+TEST(Examiner, FindsOtherBits) {
   unsigned reads = 0;
   Boards boards(
       [&](const std::string&) {
@@ -122,19 +122,19 @@ TEST(Bench, FindsOtherBits) {
         });
       },
       "thesis");
-  Bench bench(boards);
-  const Rendered first = bench.render(walls());
-  bench.expect_same(bench.render(walls()), first);
-  EXPECT_EQ(bench.outcome()[Fault::kDifferent], 1u);
-  EXPECT_FALSE(within(bench.outcome(), {.lost = kRays}));
+  Examiner examiner(boards);
+  const Rendered first = examiner.render(walls());
+  examiner.expect_same(examiner.render(walls()), first);
+  EXPECT_EQ(examiner.outcome()[Fault::kDifferent], 1u);
+  EXPECT_FALSE(within(examiner.outcome(), {.lost = kRays}));
 }
 
-TEST(Bench, CountsWhatTheHostShouldHaveRefused) {
+TEST(Examiner, CountsWhatTheHostShouldHaveRefused) {
   Boards boards([&](const std::string&) { return std::make_unique<LyingBoard>([](auto, auto) {}); },
                 "thesis");
-  Bench bench(boards);
-  bench.expect_refusal(walls(), "too many walls");
-  EXPECT_EQ(bench.outcome()[Fault::kAccepted], kRays);
+  Examiner examiner(boards);
+  examiner.expect_refusal(walls(), "too many walls");
+  EXPECT_EQ(examiner.outcome()[Fault::kAccepted], kRays);
 }
 
 TEST(Run, SaysWhereThereIsNoBound) {
