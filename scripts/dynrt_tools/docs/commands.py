@@ -26,6 +26,9 @@ SCRIPTS = (
     "file_lists",
     "docs",
 )
+# What depends on the build, and what the page says in its place.
+BUILT_IN = re.compile(r"(?<=configuration of the core: )[\w, ]+(?=, or a file)")
+BUILT_IN_MEANS = "one that the program was built with"
 SUBCOMMAND = re.compile(r"^  (\w[\w-]*)  ", re.MULTILINE)
 
 
@@ -78,6 +81,7 @@ def programs_page(dynrt: pathlib.Path, hlsc: pathlib.Path) -> str:
         "Each prints this for `--help`. [Scripts](scripts.md) have a page of their own.",
     ]
     for words, text in subcommands(str(dynrt), ()):
+        text = BUILT_IN.sub(BUILT_IN_MEANS, text)
         lines += section(" ".join(("dynrt", *words)), text, 2 + len(words))
     text = help_of([str(hlsc)]).replace(str(hlsc), "hlsc")
     lines += section("hlsc", text, 2)

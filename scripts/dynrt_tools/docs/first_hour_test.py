@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the commands of the first hour in a copy of the project.
 
-python3 -m dynrt_tools.docs.first_hour_test BUILD   those that take seconds, with that build's program
+python3 -m dynrt_tools.docs.first_hour_test BUILD   those that take seconds, with that build
 python3 -m dynrt_tools.docs.first_hour_test         all, from a clean copy on, in their order
 """
 

@@ -4,8 +4,9 @@
 
 docs/results/templates/NAME.md is Markdown in which {{DATA:PATH|FORMAT}} stands for a figure of
 docs/results/data/DATA.json. PATH leads through the data by /; in a list, words joined by + select
-the entry that has all of them as values; A&B is the sum of two figures and A%B their ratio. FORMAT is Python's, such as "," or ".1f"; it may begin
-with *FACTOR. {{DATA:command}} is the command that measures the data again.
+the entry that has all of them as values; A&B is the sum of two figures and A%B their ratio. FORMAT
+is Python's, such as "," or ".1f"; it may begin with *FACTOR. {{DATA:command}} is the command that
+measures the data again.
 """
 
 import pathlib
@@ -25,7 +26,7 @@ class Data:
         self.folder = folder
         self.read: dict[str, Any] = {}
 
-    def of(self, name: str) -> Any:
+    def load(self, name: str) -> Any:
         """The data of a name."""
         if name not in self.read:
             path = self.folder / f"{name}.json"
@@ -59,7 +60,7 @@ class Data:
         """The figure at a path."""
         if path == "command":
             return project.read_json(self.folder / "runs.json")[name][path]
-        value = self.of(name)
+        value = self.load(name)
         for step in path.split("/"):
             try:
                 value = selected(value, step) if isinstance(value, list) else stepped(value, step)

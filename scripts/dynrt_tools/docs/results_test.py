@@ -5,6 +5,7 @@
 import json
 import pathlib
 import re
+import shutil
 import tempfile
 import unittest
 
@@ -16,7 +17,8 @@ class Figures(unittest.TestCase):
     """A page of one template and its data."""
 
     def setUp(self) -> None:
-        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        self.folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
         (self.folder / "data").mkdir()
         (self.folder / "templates").mkdir()
         self.write("runs", {"a": {"command": "measure a", "measured": "today"}})
@@ -70,7 +72,7 @@ class Readme(unittest.TestCase):
 
     def test_its_figures_are_those_of_the_data(self) -> None:
         data = results.Data(results.RESULTS / "data")
-        rows = data.of("scenes")["scenes"]
+        rows = data.load("scenes")["scenes"]
         text = (project.ROOT / "README.md").read_text(encoding="utf-8")
         for scene in ("office", "cistern", "conference", "trees4000"):
             best = max(

@@ -158,8 +158,8 @@ def page() -> str:
             f"## {name}",
             "",
             f"{stages} stage{'' if stages == 1 else 's'} of {schedule['clock_ns']:g} ns "
-            f"({schedule['device']}). A transaction starts only while the FIFO of each output holds "
-            f"fewer than {schedule['room']} tokens, where the join promises no bound.",
+            f"({schedule['device']}). A transaction starts only while the FIFO of each output "
+            f"holds fewer than {schedule['room']} tokens, where the join promises no bound.",
             "",
             f"![Timing of {name}](waves/{name}.svg)",
         ]
