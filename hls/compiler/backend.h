@@ -5,7 +5,9 @@
 // Free of LLVM. Throws Error (error.h) where a unit cannot be lowered for the asked clock.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "netlist/netlist.h"
 #include "schedule/delay_model.h"
@@ -27,7 +29,14 @@ struct Lowered {
 
 Lowered lower(const Netlist& netlist, const Options& options);
 
-/// The netlist after the passes, as it is scheduled: for tests and --dump-netlist.
-Netlist optimise(const Netlist& netlist, const Options& options);
+/// Is told the netlist after each pass, by the pass's name.
+using PassObserver = std::function<void(const std::string& pass, const Netlist&)>;
+
+/// The netlist after the passes, as it is scheduled.
+Netlist optimise(const Netlist& netlist, const Options& options,
+                 const PassObserver& observer = nullptr);
+
+/// The passes of optimise() in their order; one that runs twice is there twice.
+std::vector<std::string> netlist_passes();
 
 }  // namespace hlsc

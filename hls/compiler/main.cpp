@@ -4,10 +4,14 @@
 // hlsc: lowers a unit written in C++ to Verilog. `hlsc --help` lists what it takes; README.md
 // beside this file says what a unit may contain.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "backend.h"
 #include "error.h"
@@ -19,6 +23,8 @@ namespace {
 constexpr char kNoDelay[] =
     "--delay is missing; name a delay model such as hls/compiler/delay/ecp5.json";
 
+constexpr char kNoPass[] = "there is no pass '{}'; --print-after takes one of {}";
+
 struct Arguments {
   hlsc::UnitSource source;
   double clock_ns = 10;
@@ -28,9 +34,25 @@ struct Arguments {
   std::string schedule;
   std::string binding;
   std::string depfile;
+  std::string print_after;
   bool dump_netlist = false;
-  bool dump_optimised = false;
 };
+
+/// Without what was there before.
+std::vector<std::string> once(const std::vector<std::string>& names) {
+  std::vector<std::string> left;
+  for (const std::string& name : names) {
+    if (std::find(left.begin(), left.end(), name) == left.end()) left.push_back(name);
+  }
+  return left;
+}
+
+/// All passes in the order in which they run.
+std::vector<std::string> pass_names() {
+  std::vector<std::string> names = hlsc::ir_passes();
+  for (const std::string& pass : once(hlsc::netlist_passes())) names.push_back(pass);
+  return names;
+}
 
 void describe(CLI::App& app, Arguments& a) {
   app.add_option("--unit", a.source.unit, "C++ type of the unit, with its namespace")->required();
@@ -53,10 +75,14 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_option("--clang", a.source.clang, "clang to use")->capture_default_str();
   app.add_option("--clang-arg", a.source.clang_args, "argument for clang, such as -DNAME=1")
       ->allow_extra_args(false);
-  app.add_flag("--dump-netlist", a.dump_netlist, "print the netlist instead of lowering it");
-  app.add_flag("--dump-optimised", a.dump_optimised,
-               "print the netlist as it is scheduled instead");
-  app.add_flag("--dump-ir", a.source.dump_ir, "print LLVM's IR as it is before if-conversion");
+  app.add_flag("--dump-netlist", a.dump_netlist,
+               "print the netlist as the front end makes it, and write nothing");
+  app.add_option("--print-after", a.print_after,
+                 "print what a pass makes, as often as it runs, and write nothing")
+      ->type_name("PASS");
+  app.footer(fmt::format("Passes on LLVM's IR:\n  {}\nPasses on the netlist:\n  {}",
+                         fmt::join(hlsc::ir_passes(), " "),
+                         fmt::join(once(hlsc::netlist_passes()), " ")));
 }
 
 std::string make_rule(const std::string& target, const std::vector<std::string>& files) {
@@ -70,16 +96,27 @@ std::string make_rule(const std::string& target, const std::vector<std::string>&
   return rule + "\n";
 }
 
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 void run(const Arguments& a) {
-  if (!a.dump_netlist && a.delay.empty()) throw hlsc::Error({}, kNoDelay);
-  const hlsc::UnitNetlist unit = hlsc::read_unit(a.source);
-  if (a.dump_netlist) {
-    fmt::print("{}", hlsc::to_text(unit.netlist));
-    return;
+  const std::string& shown = a.print_after;
+  if (!shown.empty() && !contains(pass_names(), shown)) {
+    throw hlsc::Error({}, fmt::format(kNoPass, shown, fmt::join(pass_names(), ", ")));
   }
+  const bool ir_alone = contains(hlsc::ir_passes(), shown);
+  if (!a.dump_netlist && !ir_alone && a.delay.empty()) throw hlsc::Error({}, kNoDelay);
+  hlsc::UnitSource source = a.source;
+  if (ir_alone) source.print_after = shown;
+  const hlsc::UnitNetlist unit = hlsc::read_unit(source);
+  if (a.dump_netlist) fmt::print("{}", hlsc::to_text(unit.netlist));
+  if (a.dump_netlist || ir_alone) return;
   const hlsc::Options options{a.clock_ns, hlsc::load_delay_model(a.delay)};
-  if (a.dump_optimised) {
-    fmt::print("{}", hlsc::to_text(hlsc::optimise(unit.netlist, options)));
+  if (!shown.empty()) {
+    hlsc::optimise(unit.netlist, options, [&shown](const std::string& pass, const auto& netlist) {
+      if (pass == shown) fmt::print("; after {}\n{}", pass, hlsc::to_text(netlist));
+    });
     return;
   }
   const hlsc::Lowered lowered = hlsc::lower(unit.netlist, options);

@@ -9,15 +9,37 @@
 #include "schedule/schedule.h"
 
 namespace hlsc {
+namespace {
 
-Netlist optimise(const Netlist& netlist, const Options& options) {
-  Netlist n = narrow(netlist);
-  n = balance_chains(n);
-  n = expand_divisions(n, options.delay);
-  n = split_products(n, options.delay);
-  n = expand_shifts(n);
-  n = narrow(n);
-  n = merge_add_sub(n);
+struct Pass {
+  const char* name;
+  Netlist (*run)(const Netlist&, const DelayModel&);
+};
+
+constexpr Pass kPasses[] = {
+    {"narrow", [](const Netlist& n, const DelayModel&) { return narrow(n); }},
+    {"balance_chains", [](const Netlist& n, const DelayModel&) { return balance_chains(n); }},
+    {"expand_divisions", expand_divisions},
+    {"split_products", split_products},
+    {"expand_shifts", [](const Netlist& n, const DelayModel&) { return expand_shifts(n); }},
+    {"narrow", [](const Netlist& n, const DelayModel&) { return narrow(n); }},
+    {"merge_add_sub", [](const Netlist& n, const DelayModel&) { return merge_add_sub(n); }},
+};
+
+}  // namespace
+
+std::vector<std::string> netlist_passes() {
+  std::vector<std::string> names;
+  for (const Pass& pass : kPasses) names.emplace_back(pass.name);
+  return names;
+}
+
+Netlist optimise(const Netlist& netlist, const Options& options, const PassObserver& observer) {
+  Netlist n = netlist;
+  for (const Pass& pass : kPasses) {
+    n = pass.run(n, options.delay);
+    if (observer) observer(pass.name, n);
+  }
   return n;
 }
 

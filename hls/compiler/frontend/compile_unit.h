@@ -23,8 +23,8 @@ struct UnitSource {
   std::vector<std::string> folders;     ///< include path, in order
   std::vector<std::string> clang_args;  ///< passed on, e.g. -DNAME=1
   std::string clang = "clang++-19";
-  std::string module;    ///< name of the Verilog module
-  bool dump_ir = false;  ///< print the IR before if-conversion, for work on hlsc itself
+  std::string module;       ///< name of the Verilog module
+  std::string print_after;  ///< print the IR after this one of ir_passes(), for work on hlsc itself
 };
 
 /// Names of what the small source file defines: the initial unit and the call of its step().

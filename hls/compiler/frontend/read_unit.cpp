@@ -46,6 +46,12 @@ void refuse_no_effect(const Netlist& netlist) {
 
 }  // namespace
 
+const std::vector<std::string>& ir_passes() {
+  static const std::vector<std::string> kPasses = {"inline",   "fold",     "unroll", "channels",
+                                                   "indexing", "simplify", "names",  "flatten"};
+  return kPasses;
+}
+
 UnitNetlist read_unit(const UnitSource& source) {
   Transaction t;
   t.context = std::make_unique<llvm::LLVMContext>();
@@ -53,6 +59,9 @@ UnitNetlist read_unit(const UnitSource& source) {
   t.module = std::move(compiled.module);
   const SourceLines lines(source.folders);
   Passes passes;
+  const auto after = [&source, &t](const char* pass) {
+    if (source.print_after == pass) t.function->print(llvm::outs());
+  };
 
   keep_annotations(*t.module);
   t.layout = read_layout(*t.module, lines);
@@ -61,25 +70,32 @@ UnitNetlist read_unit(const UnitSource& source) {
   build_transaction(t);
   const auto resets = read_reset_values(t);
   passes.run(*t.module, kInline);
+  after("inline");
   refuse_uninitialised(t, lines);
   passes.run(*t.function, kFold);
+  after("fold");
   unroll_loops(t, passes, lines);
+  after("unroll");
   refuse_after_inlining(t, lines);
   lower_channels(t, lines);
   passes.run(*t.function, kPromote);
+  after("channels");
   while (expand_indexing(t, lines)) passes.run(*t.function, kPromote);
+  after("indexing");
   passes.run(*t.function, kSimplify);
   // SROA would make bytes of them again before it promotes them.
   if (retype_locals(*t.function)) {
     passes.run(*t.function, "mem2reg");
     passes.run(*t.function, kSimplify);
   }
+  after("simplify");
   name_values(*t.function, lines);
   hide_divisions(*t.function);
   drop_hints(*t.function);
-  if (source.dump_ir) t.function->print(llvm::outs());
+  after("names");
   flatten(*t.function);
   passes.run(*t.function, kFlat);
+  after("flatten");
   require_checks(t);
 
   UnitNetlist made{narrow(translate(t, resets, lines)), std::move(compiled.includes)};

@@ -17,6 +17,10 @@ struct UnitNetlist {
   std::vector<std::string> includes;  ///< every file that was read
 };
 
+/// The steps of the front end after which UnitSource::print_after can have the IR printed, in
+/// order.
+const std::vector<std::string>& ir_passes();
+
 /// Throws Error where the unit cannot be lowered.
 UnitNetlist read_unit(const UnitSource& source);
 
