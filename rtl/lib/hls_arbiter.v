@@ -4,6 +4,15 @@
 // Merges INPUTS streams into one, round robin: after input i has sent a token, the inputs after it
 // come first. A token that is offered stays offered until it is taken, whatever else comes. Input 0
 // is the lowest bits of valid_i, ready_o and data_i.
+//
+// Parameters:
+//   INPUTS  streams that come in
+//   WIDTH   bits of a token
+//
+// Ports:
+//   clk_i, rst_ni             clock and synchronous reset, active low
+//   valid_i, ready_o, data_i  the streams that come in, one bit (one token) for each
+//   valid_o, ready_i, data_o  the stream that goes out
 `default_nettype none
 
 module hls_arbiter #(

@@ -7,6 +7,16 @@
 // Only the low bits of a counter are flip-flops that count. A row of LUT RAM holds its high bits, and
 // the highest of the low ones, as they were when its turn last came, less than half a lap of the low
 // bits ago: if that bit was one and is zero, they have wrapped since.
+//
+// Parameters:
+//   COUNTERS  events that are counted, at most 256
+//
+// Ports:
+//   clk_i, rst_ni  clock and synchronous reset, active low; the reset clears the counters too
+//   clear_i        sets all counters to zero
+//   addr_i         the counter to read
+//   data_o         its value, two clocks later; zero where there is no counter
+//   event_i        bit i counts up counter i
 `default_nettype none
 
 module hls_counters #(

@@ -2,6 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Delay of CLOCKS clocks (at least 3): a ring of CLOCKS - 1 rows in LUT RAM and an output register.
+//
+// Parameters:
+//   WIDTH   bits of the value
+//   CLOCKS  clocks from data_i to data_o, at least 3
+//
+// Ports:
+//   clk_i, rst_ni  clock and synchronous reset, active low; the reset does not clear the rows
+//   data_i         the value that comes in, in every clock
+//   data_o         the value that came CLOCKS clocks before
 `default_nettype none
 
 module hls_delay #(

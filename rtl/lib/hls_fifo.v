@@ -6,6 +6,17 @@
 // a token is taken whenever it comes: the sender has promised to send no more than MARGIN once
 // ready_o is low.
 // BOUNDED promises that there are never more than DEPTH tokens in all: the FIFO is always ready.
+//
+// Parameters:
+//   WIDTH    bits of a token
+//   DEPTH    places, more than MARGIN
+//   MARGIN   tokens that may still come once ready_o is low
+//   BOUNDED  1: the sender promises that there are never more than DEPTH tokens
+//
+// Ports:
+//   clk_i, rst_ni             clock and synchronous reset, active low
+//   valid_i, ready_o, data_i  the stream that comes in
+//   valid_o, ready_i, data_o  the stream that goes out, in the same order
 `default_nettype none
 
 module hls_fifo #(

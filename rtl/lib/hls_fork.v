@@ -3,6 +3,15 @@
 //
 // Gives every token to all of OUTPUTS readers, in the clock in which all of them are ready. No
 // reader's ready may depend on its own valid.
+//
+// Parameters:
+//   OUTPUTS  readers
+//   WIDTH    bits of a token
+//
+// Ports:
+//   valid_i, ready_o, data_i  the stream that comes in
+//   valid_o, ready_i          handshake with each reader, reader 0 in the lowest bit
+//   data_o                    the token, for all readers
 `default_nettype none
 
 module hls_fork #(

@@ -5,6 +5,18 @@
 // that is written while it is read gives its old data; EXCLUSIVE promises that this never happens,
 // which saves the logic that would see to it in block RAM: an FPGA may then give anything. The reset
 // is for the assertion of that promise alone.
+//
+// Parameters:
+//   WIDTH       bits of a row
+//   ROWS        number of rows
+//   EXCLUSIVE   1: the user promises never to read a row in the clock that writes it
+//   ADDR_WIDTH  bits of an address; follows from ROWS, leave it as it is
+//
+// Ports:
+//   clk_i, rst_ni                           clock and synchronous reset, active low
+//   write_en_i, write_addr_i, write_data_i  write port
+//   read_en_i, read_addr_i                  read port; without read_en_i the data stand still
+//   read_data_o                             the row, a clock after its address
 `default_nettype none
 
 module hls_ram_1r1w #(

@@ -7,6 +7,19 @@
 //
 // Rows wait without an enable, so of several RAMs that get theirs over the same wires synthesis
 // keeps but one waiting row.
+//
+// Parameters:
+//   WIDTH      bits of a word
+//   WORDS      words of a row
+//   ROWS       number of rows, a power of two
+//   ROW_BITS   bits of the number of a row; follows from ROWS, leave it as it is
+//   WORD_BITS  bits of the number of a word; follows from WORDS, leave it as it is
+//
+// Ports:
+//   clk_i, rst_ni                           clock and synchronous reset, active low
+//   write_en_i, write_addr_i, write_data_i  write port, word 0 in the lowest bits
+//   read_en_i, read_addr_i                  read port; without read_en_i the data stand still
+//   read_data_o                             the word, a clock after its address
 `default_nettype none
 
 module hls_ram_words #(

@@ -3,6 +3,16 @@
 //
 // Register file: read in the clock of the address, written at its end. LUT RAM where there is any.
 // Its rows start as zeros: the reset, which lasts 2^ADDR_WIDTH clocks or more, clears one a clock.
+//
+// Parameters:
+//   WIDTH       bits of a row
+//   ROWS        number of rows
+//   ADDR_WIDTH  bits of an address; follows from ROWS, leave it as it is
+//
+// Ports:
+//   clk_i, rst_ni                           clock and synchronous reset, active low
+//   write_en_i, write_addr_i, write_data_i  write port
+//   read_addr_i, read_data_o                read port, data in the clock of the address
 `default_nettype none
 
 module hls_register_file #(

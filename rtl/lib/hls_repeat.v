@@ -3,6 +3,15 @@
 //
 // Repeats a job: a token whose lowest COUNT_WIDTH bits hold n leaves n + 1 times, with its number
 // (lowest) and a last flag put below it.
+//
+// Parameters:
+//   WIDTH        bits of a job
+//   COUNT_WIDTH  bits of the count, the lowest of the job
+//
+// Ports:
+//   clk_i, rst_ni             clock and synchronous reset, active low
+//   valid_i, ready_o, data_i  the jobs
+//   valid_o, ready_i, data_o  {job, last flag, number}, n + 1 times for each job
 `default_nettype none
 
 module hls_repeat #(
