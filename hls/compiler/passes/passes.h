@@ -15,11 +15,14 @@ namespace hlsc {
 Netlist balance_chains(const Netlist& netlist);
 
 /// Divisions become digit recurrences, one subtraction a digit, without the digits that are known
-/// to be zero: restoring, or non-restoring where the device adds and subtracts in one carry chain.
+/// to be zero: restoring, or non-restoring where the device adds and subtracts in one carry chain
+/// (M. Ercegovac, T. Lang, "Division and Square Root: Digit-Recurrence Algorithms and
+/// Implementations", 1994).
 Netlist expand_divisions(const Netlist& netlist, const DelayModel& delay);
 
 /// Products that fit no hard multiplier become sums of smaller ones or of shifted rows; products by
-/// constants of few digits become additions.
+/// constants of few digits become additions, in the canonical signed digits of G. Reitwiesner
+/// ("Binary Arithmetic", Advances in Computers 1, 1960).
 Netlist split_products(const Netlist& netlist, const DelayModel& delay);
 
 /// Shifts by a variable and leading-zero counts become layers of muxes, so that a stage can end

@@ -4,9 +4,14 @@
 // Register minimisation as a linear program over difference constraints. The variables are the
 // stages of the cells and, for every group of bits that the same cells use, the last stage in which
 // it is used; the cost is the sum over the groups of width times (last use - birth). Where a path
-// from u to v takes longer than a stage, stage(v) >= stage(u) + 1. Its dual is a minimum-cost flow.
-// Such pairs are found beforehand for single paths; what packing and joining paths still violate is
-// found by timing the solution and added until nothing is.
+// from u to v takes longer than a stage, stage(v) >= stage(u) + 1. Its dual is a minimum-cost flow
+// (C. Leiserson, J. Saxe, "Retiming Synchronous Circuitry", Algorithmica 6, 1991, whose registers
+// shared by several users are our groups), solved by LEMON's network simplex (Z. Kiraly, P. Kovacs,
+// "Efficient Implementations of Minimum-Cost Flow Algorithms", 2012). That scheduling is a system
+// of difference constraints: J. Cong, Z. Zhang, "An Efficient and Versatile Scheduling Algorithm
+// Based on SDC Formulation", DAC 2006. Such pairs are found beforehand for single paths; what
+// packing and joining paths still violate is found by timing the solution and added until nothing
+// is.
 #include <lemon/list_graph.h>
 #include <lemon/network_simplex.h>
 

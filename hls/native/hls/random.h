@@ -10,7 +10,8 @@
 
 namespace hls::testing {
 
-/// splitmix64: a stream of 64-bit numbers from a seed.
+/// splitmix64: a stream of 64-bit numbers from a seed (G. Steele, D. Lea, C. Flood, "Fast
+/// Splittable Pseudorandom Number Generators", OOPSLA 2014).
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
