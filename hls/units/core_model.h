@@ -39,7 +39,7 @@ class CoreModel {
   /// With the schedules of its units it does so clock by clock and gives the clocks that the board
   /// would count.
   std::optional<std::uint64_t> render(const FrameConfig& config,
-                                      const hls::Schedule* schedule = nullptr) {
+                                      const hls::ModuleSchedules* schedule = nullptr) {
     hls::Join join = schedule ? hls::Join(*schedule) : hls::Join();
     const auto core = std::make_unique<Core<C>>(join, banks_);
     *core->frame = registers_of<C>(config);

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "hls/schedule.h"
+#include "hls/module_schedule.h"
 #include "host/board/board.h"
 
 namespace dynrt::host {
@@ -25,7 +25,7 @@ class NativeCore {
   virtual void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) = 0;
   /// With schedules clock by clock; the clocks that it took, or none.
   virtual std::optional<std::uint64_t> render(const FrameConfig& frame,
-                                              const hls::Schedule* schedule) = 0;
+                                              const hls::ModuleSchedules* schedule) = 0;
   virtual std::vector<Counter> counters() = 0;
 };
 using MakeNativeCore = std::unique_ptr<NativeCore> (*)();
@@ -47,7 +47,7 @@ class ModelBoard final : public Board {
  private:
   std::unique_ptr<NativeCore> native_;
   std::string schedules_;
-  std::optional<hls::Schedule> schedule_;
+  std::optional<hls::ModuleSchedules> schedule_;
   FrameConfig frame_;
 };
 

@@ -34,7 +34,7 @@ class NativeCoreOf final : public NativeCore {
     });
   }
   std::optional<std::uint64_t> render(const FrameConfig& frame,
-                                      const hls::Schedule* schedule) override {
+                                      const hls::ModuleSchedules* schedule) override {
     return core_.render(frame, schedule);
   }
   std::vector<Counter> counters() override {

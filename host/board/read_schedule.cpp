@@ -11,8 +11,8 @@
 
 namespace dynrt::host {
 
-hls::Schedule read_schedule(const std::string& folder) {
-  hls::Schedule schedule;
+hls::ModuleSchedules read_schedule(const std::string& folder) {
+  hls::ModuleSchedules schedule;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     if (entry.path().extension() != ".json") continue;

@@ -7,11 +7,11 @@
 
 #include <string>
 
-#include "hls/schedule.h"
+#include "hls/module_schedule.h"
 
 namespace dynrt::host {
 
 /// Every schedule in a folder. Throws UserError where there is none or one cannot be read.
-hls::Schedule read_schedule(const std::string& folder);
+hls::ModuleSchedules read_schedule(const std::string& folder);
 
 }  // namespace dynrt::host

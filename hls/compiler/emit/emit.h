@@ -19,7 +19,7 @@ std::string emit_verilog(const Circuit& circuit, const Schedule& schedule, const
 std::string emit_report(const Circuit& circuit, const Schedule& schedule, const Options& options);
 
 /// The same for programs, as JSON: what a simulation of clocks needs of the unit
-/// (hls/native/hls/schedule.h).
+/// (hls/native/hls/module_schedule.h).
 std::string emit_schedule(const Circuit& circuit, const Schedule& schedule, const Options& options);
 
 /// Tokens that the FIFO of an output holds where the join does not say how many there can be.

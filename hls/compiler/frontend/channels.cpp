@@ -12,8 +12,8 @@
 #include <tuple>
 
 #include "error.h"
-#include "frontend/messages.h"
 #include "frontend/port_access.h"
+#include "frontend/refusal_messages.h"
 
 namespace hlsc {
 namespace {

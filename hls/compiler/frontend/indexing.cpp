@@ -14,7 +14,7 @@
 #include <optional>
 
 #include "error.h"
-#include "frontend/messages.h"
+#include "frontend/refusal_messages.h"
 
 namespace hlsc {
 namespace {

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "frontend/passes.h"
+#include "frontend/llvm_passes.h"
 
 #include <llvm/IR/Verifier.h>
 
@@ -16,7 +16,7 @@ void require(llvm::Error error) {
 
 }  // namespace
 
-Passes::Passes() {
+LlvmPasses::LlvmPasses() {
   builder_.registerModuleAnalyses(modules_);
   builder_.registerCGSCCAnalyses(components_);
   builder_.registerFunctionAnalyses(functions_);
@@ -24,14 +24,14 @@ Passes::Passes() {
   builder_.crossRegisterProxies(loops_, functions_, components_, modules_);
 }
 
-void Passes::run(llvm::Module& module, llvm::StringRef pipeline) {
+void LlvmPasses::run(llvm::Module& module, llvm::StringRef pipeline) {
   llvm::ModulePassManager manager;
   require(builder_.parsePassPipeline(manager, pipeline));
   manager.run(module, modules_);
   functions_.clear();
 }
 
-void Passes::run(llvm::Function& function, llvm::StringRef pipeline) {
+void LlvmPasses::run(llvm::Function& function, llvm::StringRef pipeline) {
   llvm::FunctionPassManager manager;
   require(builder_.parsePassPipeline(manager, pipeline));
   forget(function);
@@ -40,7 +40,7 @@ void Passes::run(llvm::Function& function, llvm::StringRef pipeline) {
   assert(!llvm::verifyFunction(function, &llvm::errs()));
 }
 
-void Passes::forget(llvm::Function& function) {
+void LlvmPasses::forget(llvm::Function& function) {
   functions_.invalidate(function, llvm::PreservedAnalyses::none());
 }
 

@@ -8,9 +8,9 @@
 
 namespace hlsc {
 
-class Passes {
+class LlvmPasses {
  public:
-  Passes();
+  LlvmPasses();
   /// A pipeline of module passes in LLVM's syntax.
   void run(llvm::Module& module, llvm::StringRef pipeline);
   /// A pipeline of function passes in LLVM's syntax.

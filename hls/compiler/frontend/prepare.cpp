@@ -12,8 +12,8 @@
 
 #include "error.h"
 #include "frontend/compile_unit.h"
-#include "frontend/messages.h"
 #include "frontend/port_access.h"
+#include "frontend/refusal_messages.h"
 
 namespace hlsc {
 namespace {

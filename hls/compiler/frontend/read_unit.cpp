@@ -8,10 +8,10 @@
 #include "frontend/channels.h"
 #include "frontend/flatten.h"
 #include "frontend/indexing.h"
-#include "frontend/messages.h"
-#include "frontend/passes.h"
+#include "frontend/llvm_passes.h"
 #include "frontend/port_access.h"
 #include "frontend/prepare.h"
+#include "frontend/refusal_messages.h"
 #include "frontend/retype_locals.h"
 #include "frontend/transaction.h"
 #include "frontend/translate.h"
@@ -58,7 +58,7 @@ UnitNetlist read_unit(const UnitSource& source) {
   CompiledUnit compiled = compile_unit(source, *t.context);
   t.module = std::move(compiled.module);
   const SourceLines lines(source.folders);
-  Passes passes;
+  LlvmPasses passes;
   const auto after = [&source, &t](const char* pass) {
     if (source.print_after == pass) t.function->print(llvm::outs());
   };

@@ -9,9 +9,9 @@
 
 #include "error.h"
 #include "frontend/compile_unit.h"
-#include "frontend/messages.h"
 #include "frontend/port_access.h"
 #include "frontend/prepare.h"
+#include "frontend/refusal_messages.h"
 
 namespace hlsc {
 namespace {

@@ -15,7 +15,7 @@
 #include <tuple>
 
 #include "error.h"
-#include "frontend/messages.h"
+#include "frontend/refusal_messages.h"
 #include "frontend/translate_operation.h"
 #include "frontend/value_names.h"
 #include "netlist/builder.h"

@@ -11,7 +11,7 @@
 
 #include "error.h"
 #include "frontend/compile_unit.h"
-#include "frontend/messages.h"
+#include "frontend/refusal_messages.h"
 
 namespace hlsc {
 namespace {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "error.h"
-#include "frontend/messages.h"
+#include "frontend/refusal_messages.h"
 
 namespace hlsc {
 namespace {
@@ -38,7 +38,7 @@ unsigned exact_count(llvm::ScalarEvolution& evolution, const llvm::Loop& loop) {
   return least;
 }
 
-bool unroll_once(llvm::Function& function, Passes& passes, bool only_exact) {
+bool unroll_once(llvm::Function& function, LlvmPasses& passes, bool only_exact) {
   auto& analyses = passes.analyses();
   auto& loops = analyses.getResult<llvm::LoopAnalysis>(function);
   auto& evolution = analyses.getResult<llvm::ScalarEvolutionAnalysis>(function);
@@ -71,7 +71,7 @@ SourceLine loop_line(const llvm::Loop& loop, const SourceLines& lines) {
 
 }  // namespace
 
-void unroll_loops(Transaction& transaction, Passes& passes, const SourceLines& lines) {
+void unroll_loops(Transaction& transaction, LlvmPasses& passes, const SourceLines& lines) {
   llvm::Function& function = *transaction.function;
   for (;;) {
     passes.run(function, kCanonical);

@@ -6,7 +6,7 @@
 // passes unroll by cost, so they leave loops rolled that hardware must not have.
 #pragma once
 
-#include "frontend/passes.h"
+#include "frontend/llvm_passes.h"
 #include "frontend/transaction.h"
 
 namespace hlsc {
@@ -14,6 +14,6 @@ namespace hlsc {
 inline constexpr unsigned kMaxIterations = 1024;
 
 /// Throws Error at the loop that has no known bound.
-void unroll_loops(Transaction& transaction, Passes& passes, const SourceLines& lines);
+void unroll_loops(Transaction& transaction, LlvmPasses& passes, const SourceLines& lines);
 
 }  // namespace hlsc

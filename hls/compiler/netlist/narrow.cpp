@@ -10,7 +10,7 @@
 
 #include "error.h"
 #include "netlist/builder.h"
-#include "netlist/messages.h"
+#include "netlist/narrow_messages.h"
 
 namespace hlsc {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "error.h"
-#include "schedule/messages.h"
 #include "schedule/schedule.h"
+#include "schedule/timing_messages.h"
 
 namespace hlsc {
 namespace {

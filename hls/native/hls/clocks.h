@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-#include "hls/schedule.h"
+#include "hls/module_schedule.h"
 
 namespace hls {
 
@@ -69,7 +69,7 @@ class Clocks {
   /// What the outside sends.
   Queue* input() { return &queues_.emplace_back(); }
 
-  /// Queues that meet in an arbiter before an input of unit `name`.
+  /// Queues that an arbiter merges before an input of unit `name`.
   void feed(const std::string& name, std::vector<Feed> feeds) {
     find(name).sources.push_back({.feeds = std::move(feeds)});
   }

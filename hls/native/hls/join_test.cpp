@@ -398,7 +398,7 @@ TEST(Clocks, AUnitWithoutRoomWaits) {
 
 TEST(Clocks, WantTheScheduleOfEveryModule) {
   Add add;
-  hls::Join join(hls::Schedule{{"mul", {}}});
+  hls::Join join(hls::ModuleSchedules{{"mul", {}}});
   try {
     join.unit("first", "add", add);
     FAIL() << "nothing was thrown";

@@ -20,6 +20,6 @@ struct ModuleSchedule {
 };
 
 /// By the modules' names.
-using Schedule = std::map<std::string, ModuleSchedule>;
+using ModuleSchedules = std::map<std::string, ModuleSchedule>;
 
 }  // namespace hls

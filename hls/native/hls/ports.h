@@ -88,8 +88,8 @@ class In {
   std::shared_ptr<Fifo<T>> queue_;
 };
 
-/// A channel's writing end; bound to several queues it is a fork, and several Outs that share a
-/// queue meet in an arbiter. A transaction writes at most one token, under any condition.
+/// A channel's writing end; bound to several queues it is a fork, and an arbiter merges several
+/// Outs that share a queue. A transaction writes at most one token, under any condition.
 template <class T>
 class Out {
  public:
