@@ -11,7 +11,7 @@
 // steps of the mantissa; the interval is widened by four at both ends.
 #pragma once
 
-#include "units/tokens.h"
+#include "units/packet_rays.h"
 
 namespace dynrt {
 
@@ -42,23 +42,14 @@ struct BoxClip {
     clip(inside, in.in_object.origin.x, in.in_object.direction.x);
     clip(inside, in.in_object.origin.y, in.in_object.direction.y);
     clip(inside, in.in_object.origin.z, in.in_object.direction.z);
-    for (unsigned i = 0; i < kRays; ++i) {
-      if (in.ray == RayIndex::from(i)) interval[i].write(in.packet, inside);
-    }
+    write_of_ray(interval, in.ray, in.packet, inside);
 
     // The lowest ray comes first, so the bits move in from above.
     entering_ = hls::concat(uint<1>(inside.near < inside.far), entering_.template bits<3, 1>());
     const RayMask entering = entering_ & in.active;
-    if (in.ray == RayIndex(3)) {
+    if (in.ray == kLastRay) {
       if (entering != RayMask{}) {
-        TraversalEvent<C> enter;
-        enter.packet = in.packet;
-        enter.level = 1;
-        enter.kind = TraversalKind::kEnter;
-        enter.next = in.root;
-        enter.active = entering;
-        enter.apart = in.apart;
-        enter_object.write(enter);
+        enter_object.write(enter_tree(in, entering));
       } else {
         ListJob<C> go_on;
         go_on.packet = in.packet;

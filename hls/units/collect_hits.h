@@ -13,7 +13,7 @@
 // neighbouring one. Only a sphere may lie before itself: its far side is in its own shadow.
 #pragma once
 
-#include "units/tokens.h"
+#include "units/packet_rays.h"
 
 namespace dynrt {
 
@@ -40,7 +40,7 @@ struct CollectHits {
   hls::Out<MailboxEntry<C>> start;
   hls::RamWrite<Real, kPackets> distance[kRays];
   hls::RamWrite<HitRecord<C>, kRayRows<C>> hit;  ///< of primary rays
-  hls::PortIf<kHasSecondary<C>, hls::Out<Derive<C>>> derived;
+  hls::PortIf<kHasSecondary<C>, hls::Out<DerivationEvent<C>>> derived;
   hls::PortIf<kHasSecondary<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
   hls::PortIf<kHasSecondary<C>, hls::RamWrite<Found<C>, kRayRows<C>>> found;
   hls::PortIf<kHasMirrors<C>, hls::RamWrite<Real, kPackets>> start_distance[kRays];
@@ -93,9 +93,7 @@ struct CollectHits {
     if (in.reset || closer || lit) closest.write(row, now);
     if (in.reset || closer) {
       const Real reach = in.reset && alone && is_light(job) ? kReach : now.t;
-      for (unsigned i = 0; i < kRays; ++i) {
-        if (in.ray == RayIndex::from(i)) distance[i].write(in.packet, reach);
-      }
+      write_of_ray(distance, in.ray, in.packet, reach);
     }
     if ((in.reset && !alone) || (closer && kind == RayKind::kPrimary)) hit.write(row, best);
     if constexpr (kHasSecondary<C>) {
@@ -119,11 +117,11 @@ struct CollectHits {
 
     if (in.reset && alone) {
       if constexpr (kHasSecondary<C>) {
-        Derive<C> go_on_deriving;
+        DerivationEvent<C> go_on_deriving;
         go_on_deriving.packet = in.packet;
         derived.write(go_on_deriving);
       }
-    } else if (in.ray == RayIndex(3)) {
+    } else if (in.ray == kLastRay) {
       if (in.reset) {
         MailboxEntry<C> begin_packet;
         begin_packet.packet = in.packet;

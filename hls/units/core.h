@@ -291,7 +291,7 @@ struct Core {
 
   /// Light and reflection rays (thesis 6.2).
   void join_secondary(hls::Join& join) {
-    std::vector<hls::Out<Derive<C>>*> derive = {&shader.derive, &collect_hits.derived};
+    std::vector<hls::Out<DerivationEvent<C>>*> derive = {&shader.derive, &collect_hits.derived};
     std::vector surface = {&secondary_rays.surface, &collect_hits.surface};
     std::vector<hls::RamRead<Ray<typename C::Real>, kRayRows<C>>*> arriving;
     if constexpr (kHasLights<C>) {
@@ -308,7 +308,7 @@ struct Core {
         join.ram("start_distance_" + std::to_string(i), collect_hits.start_distance[i], readers);
       }
     }
-    join.channel<Derive<C>>("derive", derive, {&secondary_rays.derive}, kAll);
+    join.channel<DerivationEvent<C>>("derive", derive, {&secondary_rays.derive}, kAll);
     join.ram("arriving_ray", packet_decoder.arriving, arriving);
     join.ram("surface_point", shader.surface, surface);
     join.ram("traced", secondary_rays.traced, std::vector{&shader.traced});

@@ -44,25 +44,25 @@ struct Intersection {
       out.v = found.v;
       out.cosine = in.unit.cosine;
     } else {
-      meet_unit_object(in, out);
+      intersect_unit_object(in, out);
     }
     candidate.write(out);
   }
 
  private:
-  static void meet_unit_object(const UnitRay<C>& in, HitCandidate<C>& out) {
+  static void intersect_unit_object(const UnitRay<C>& in, HitCandidate<C>& out) {
     const Vector<Real>& o = in.unit.origin;
     const Vector<Real>& d = in.unit.direction;
     const bool sphere = is_primitive<C>(Primitive::kSphere, in.primitive);
     Real height = o.z;
-    Real fall = d.z;
+    Real denominator = d.z;
     if constexpr (C::kPrimitives.sphere) {
       if (sphere) {
         height = dot(o, d);
-        fall = dot(d, d);
+        denominator = dot(d, d);
       }
     }
-    out.t = -height / fall;
+    out.t = -height / denominator;
     out.u = out.t * d.x + o.x;
     out.v = out.t * d.y + o.y;
     out.cosine = d.z;
@@ -70,8 +70,8 @@ struct Intersection {
     if constexpr (C::kPrimitives.sphere) {
       const Vector<Real> nearest{out.u, out.v, out.t * d.z + o.z};
       const Real within = Real::one() - dot(nearest, nearest);
-      const Real root = sqrt(within * fall);
-      const Real half = root / fall;
+      const Real root = sqrt(within * denominator);
+      const Real half = root / denominator;
       const Real first = out.t - half;
       if (sphere) {
         met = !within.sign();

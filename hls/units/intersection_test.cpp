@@ -131,8 +131,8 @@ TEST(Intersection, AgreesWithDoubleArithmetic) {
 struct Every : C {
   static constexpr Primitives kPrimitives{.triangle = true, .sphere = true, .rectangle = true};
 };
-HitCandidate<Every> meet(Primitive primitive, const Vec& origin, const Vec& direction,
-                         double factor = 1) {
+HitCandidate<Every> intersect(Primitive primitive, const Vec& origin, const Vec& direction,
+                              double factor = 1) {
   test::Bench<Intersection<Every>> bench;
   UnitRay<Every> ray{0, 0, false, {origin, direction}};
   ray.primitive = primitive;
@@ -153,26 +153,27 @@ TEST(Intersection, TheRectangleIsTheWholeSquare) {
                                                         {-kHair, 0.5, false, false},
                                                         {0.5, -kHair, false, false}}) {
     const Vec above = vec(u, v, 2);
-    const auto out = meet(Primitive::kRectangle, above, vec(0, 0, -1), 0.5);
+    const auto out = intersect(Primitive::kRectangle, above, vec(0, 0, -1), 0.5);
     EXPECT_EQ(out.hit, in_rectangle) << u << ' ' << v;
     EXPECT_EQ(out.t.to_double(), 2);
     EXPECT_EQ(out.cosine.to_double(), -0.5) << "scaled by the factor";
-    EXPECT_EQ(meet(Primitive::kTriangle, above, vec(0, 0, -1)).hit, in_triangle) << u << ' ' << v;
+    EXPECT_EQ(intersect(Primitive::kTriangle, above, vec(0, 0, -1)).hit, in_triangle)
+        << u << ' ' << v;
   }
 }
 
 TEST(Intersection, ASphereIsHitInFrontAndFromWithin) {
-  const auto front = meet(Primitive::kSphere, vec(0, 0, 3), vec(0, 0, -2), 0.25);
+  const auto front = intersect(Primitive::kSphere, vec(0, 0, 3), vec(0, 0, -2), 0.25);
   EXPECT_TRUE(front.hit);
   EXPECT_EQ(front.t.to_double(), 1);
   EXPECT_EQ(front.cosine.to_double(), -0.5) << "against the outward normal, times the factor";
-  const auto within = meet(Primitive::kSphere, vec(0, 0, 0.5), vec(0, 0, -2));
+  const auto within = intersect(Primitive::kSphere, vec(0, 0, 0.5), vec(0, 0, -2));
   EXPECT_TRUE(within.hit);
   EXPECT_EQ(within.t.to_double(), 0.75);
   EXPECT_EQ(within.cosine.to_double(), 2);
-  EXPECT_FALSE(meet(Primitive::kSphere, vec(0, 0, 3), vec(0, 0, 2)).hit) << "behind the ray";
-  EXPECT_FALSE(meet(Primitive::kSphere, vec(1.001, 0, 3), vec(0, 0, -2)).hit) << "passes by";
-  EXPECT_TRUE(meet(Primitive::kSphere, vec(0.999, 0, 3), vec(0, 0, -2)).hit);
+  EXPECT_FALSE(intersect(Primitive::kSphere, vec(0, 0, 3), vec(0, 0, 2)).hit) << "behind the ray";
+  EXPECT_FALSE(intersect(Primitive::kSphere, vec(1.001, 0, 3), vec(0, 0, -2)).hit) << "passes by";
+  EXPECT_TRUE(intersect(Primitive::kSphere, vec(0.999, 0, 3), vec(0, 0, -2)).hit);
 }
 
 TEST(Intersection, SpheresAgreeWithTheQuadraticEquation) {
@@ -197,7 +198,7 @@ TEST(Intersection, SpheresAgreeWithTheQuadraticEquation) {
     const double inside = discriminant / a;
     const double doubt = 0x1p-17 * (8 + 12 * std::sqrt(dot(o, o)));
     if (std::abs(inside) < 2 * doubt) continue;
-    const auto out = meet(Primitive::kSphere, o, d);
+    const auto out = intersect(Primitive::kSphere, o, d);
     const double root = std::sqrt(std::max(discriminant, 0.0));
     const double first = (-b - root) / a, second = (-b + root) / a;
     const double slack = doubt / std::sqrt(a) / std::sqrt(std::max(inside, doubt));

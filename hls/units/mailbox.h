@@ -41,8 +41,8 @@ struct Mailbox {
   /// The packet's rays that are traced.
   struct Traced {
     RayMask rays;
-    hls::FieldIf<kHasMirrors<C>, bool> apart;
-    HLS_FIELDS(rays, apart)
+    hls::FieldIf<kHasMirrors<C>, bool> distinct_origins;
+    HLS_FIELDS(rays, distinct_origins)
   };
   /// Who enters an object is asked, and who is traced where others wait.
   static constexpr bool kKeepsTraced = kTwoLevels<C> || kHasSecondary<C>;
@@ -85,7 +85,7 @@ struct Mailbox {
       enter.next = NodeAddress<C>::from(frame.get().start_node.raw());
       enter.active = e.active;
       enter.rays = e.kind;
-      enter.apart = e.kind.get() == RayKind::kReflection;
+      enter.distinct_origins = e.kind.get() == RayKind::kReflection;
       start.write(enter);
     } else {
       last.write(level_row<C>(e.level, e.packet), e.entry.last);
@@ -103,7 +103,7 @@ struct Mailbox {
         // All traced rays enter an object, not only those in this leaf: one that comes to it in a
         // later leaf would find it in the mailbox.
         job.active = packet.rays;
-        job.extras.apart = packet.apart;
+        job.extras.distinct_origins = packet.distinct_origins;
         job.matrix = e.entry.matrix;
         job.extras.primitive = e.entry.primitive();
         if (kThreeColumns<C> && !top &&

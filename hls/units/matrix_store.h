@@ -92,22 +92,22 @@ struct MatrixStore {
                                          : r.address.template bits<C::kMatrixBits + 1, 2>();
       const auto& derived = r.context.extras.derived;
       record.write(packet, JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra, derived,
-                                        p.mirror, r.context.extras.apart.get(),
+                                        p.mirror, r.context.extras.distinct_origins.get(),
                                         r.context.extras.primitive, p.cosine_factor});
       if constexpr (kTwoLevels<C>) {
         if (r.context.kind == TransformKind::kObject) object.write(packet, matrix);
       }
       SendJob<C> send;
-      bool apart = r.context.extras.apart.get();
+      bool distinct_origins = r.context.extras.distinct_origins.get();
       if constexpr (C::kUncompressed) {
-        apart = frame.get().uncompressed.get().template bit<0>() || apart;
+        distinct_origins = frame.get().uncompressed.get().template bit<0>() || distinct_origins;
       }
       const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kDerive;
       const bool corners = kWatertight<C> && r.context.kind == TransformKind::kTriangle;
-      send.repeat = corners   ? RepeatCount(11)
-                    : one_ray ? RepeatCount(1)
-                    : apart   ? RepeatCount(7)
-                              : RepeatCount(4);
+      send.repeat = corners            ? RepeatCount(11)
+                    : one_ray          ? RepeatCount(1)
+                    : distinct_origins ? RepeatCount(7)
+                                       : RepeatCount(4);
       send.packet = packet;
       send.kind = r.context.kind;
       send.derived = derived;

@@ -76,8 +76,8 @@ struct NodeFetch {
     context.both = e.both;
     context.active = e.active;
     context.stack = state.stack;
-    context.update = e.kind == TraversalKind::kGo && e.clip_near ? IntervalUpdate::kClipNear
-                                                                 : IntervalUpdate::kClipFar;
+    context.update = e.kind == TraversalKind::kDescend && e.clip_near ? IntervalUpdate::kClipNear
+                                                                      : IntervalUpdate::kClipFar;
     NodeAddress<C> address = e.next;
 
     bool fetch = true;
@@ -111,7 +111,7 @@ struct NodeFetch {
         next_group.next = state.root.get();
         next_group.active = state.waiting.get();
         next_group.rays = state.rays;
-        next_group.apart = true;
+        next_group.distinct_origins = true;
         again.write(next_group);
       } else if (finished) {
         finish(e, state);
@@ -145,7 +145,7 @@ struct NodeFetch {
                                     : e.active.template bit<2>() ? of[2]
                                                                  : of[3];
       for (unsigned i = 0; i < kRays; ++i) {
-        if (e.apart.get() && of[i] != lowest) group = group & ~RayMask::from(1u << i);
+        if (e.distinct_origins.get() && of[i] != lowest) group = group & ~RayMask::from(1u << i);
       }
     }
     return group;

@@ -69,7 +69,7 @@ TEST(NodeFetch, EntersAtTheNodeGivenWithFreshIntervals) {
 TEST(NodeFetch, GoesOnInOneChildAndClipsTheEndThatWasPassed) {
   Bench bench;
   step(bench, enter(0, 0, 1));
-  TraversalEvent<C> go = event(TraversalKind::kGo, 0, 0);
+  TraversalEvent<C> go = event(TraversalKind::kDescend, 0, 0);
   go.next = 5;
   go.active = 3;
   go.both = 2;
@@ -197,7 +197,7 @@ class Reference {
     } else if (e.kind == TraversalKind::kPush) {
       r.context.update = IntervalUpdate::kClipFar;
       a.dropped.push_back({e.packet});
-    } else if (e.kind == TraversalKind::kGo) {
+    } else if (e.kind == TraversalKind::kDescend) {
       r.context.update = e.clip_near ? IntervalUpdate::kClipNear : IntervalUpdate::kClipFar;
     }
     a.request.push_back(r);
@@ -228,7 +228,7 @@ void traverse_at_random() {
     const bool deep = packet < 2;  // packets that fill their stacks
     e.kind = test::chance(random, deep ? 80 : 50)   ? TraversalKind::kPush
              : test::chance(random, deep ? 20 : 70) ? TraversalKind::kPop
-                                                    : TraversalKind::kGo;
+                                                    : TraversalKind::kDescend;
     if (deep || test::chance(random, 80)) e.terminated = 0;
     if (!reference.busy(packet, level)) {
       e.kind = TraversalKind::kEnter;
@@ -315,7 +315,7 @@ TEST(NodeFetch, ASplitPacketEntersOnceForEachGroupOfSigns) {
   e.kind = TraversalKind::kEnter;
   e.next = 77;
   e.active = 0b1110;
-  e.apart = true;
+  e.distinct_origins = true;
   const auto next = [&](const TraversalEvent<Split>& event) {
     bench.feed(bench.unit.event, event);
     bench.run();

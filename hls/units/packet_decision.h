@@ -56,7 +56,7 @@ struct PacketDecision {
       e.level = s.context.level;
       e.kind = is_leaf || !(enter_near || enter_far) ? TraversalKind::kPop
                : enter_near && enter_far             ? TraversalKind::kPush
-                                                     : TraversalKind::kGo;
+                                                     : TraversalKind::kDescend;
       e.next = enter_near ? near_node : far_node;
       e.active = enter_near ? near : far;
       e.clip_near = !enter_near;

@@ -42,7 +42,7 @@ TEST(PacketDecision, GoesIntoTheOnlyChildThatIsEntered) {
   for (const bool left_first : {false, true}) {
     for (const bool left : {false, true}) {
       const TraversalEvent<C> e = decide(inner_node(), all({left_first, left, !left, false}));
-      EXPECT_EQ(e.kind, TraversalKind::kGo);
+      EXPECT_EQ(e.kind, TraversalKind::kDescend);
       EXPECT_EQ(e.next, left ? Address(1001) : Address(2002));
       EXPECT_EQ(e.active, RayMask(15));
       EXPECT_EQ(e.both, RayMask(0));
@@ -83,7 +83,7 @@ TEST(PacketDecision, AnEmptyChildIsNeverEntered) {
     Step<C> s = inner_node();
     s.node.left = 0;
     const TraversalEvent<C> right = decide(s, all({left_first, true, true, false}));
-    EXPECT_EQ(right.kind, TraversalKind::kGo);
+    EXPECT_EQ(right.kind, TraversalKind::kDescend);
     EXPECT_EQ(right.next, Address(2002));
     EXPECT_EQ(right.both, RayMask(15)) << "the rays' intervals are clipped at the plane";
     EXPECT_EQ(right.clip_near, left_first) << "at the end that the empty child had";
@@ -150,7 +150,7 @@ struct Reference {
     enter_left = enter_left && s.node.left.to_u64() != 0;
     enter_right = enter_right && s.node.right.to_u64() != 0;
     if (s.node.kind == NodeKind::kLeaf || !(enter_left || enter_right)) return;
-    kind = enter_left && enter_right ? TraversalKind::kPush : TraversalKind::kGo;
+    kind = enter_left && enter_right ? TraversalKind::kPush : TraversalKind::kDescend;
     const bool go_left = enter_left && (left_first || !enter_right);
     clip_near = go_left != left_first;
     next = go_left ? s.node.left : s.node.right;
@@ -197,13 +197,13 @@ TEST(PacketDecision, AgreesWithAPlainReferenceOnRandomDecisions) {
     ASSERT_EQ(e.next, expected.next);
     ASSERT_EQ(e.active, mask(expected.active));
     ASSERT_EQ(e.both, mask(expected.both));
-    if (e.kind == TraversalKind::kGo) ASSERT_EQ(e.clip_near, expected.clip_near);
+    if (e.kind == TraversalKind::kDescend) ASSERT_EQ(e.clip_near, expected.clip_near);
     if (e.kind != TraversalKind::kPush) continue;
     ASSERT_EQ(e.pushed, expected.pushed);
     ASSERT_EQ(e.pushed_active, mask(expected.pushed_active));
   }
   EXPECT_EQ(kinds[static_cast<unsigned>(TraversalKind::kEnter)], 0u);
-  EXPECT_GT(kinds[static_cast<unsigned>(TraversalKind::kGo)], 10'000u);
+  EXPECT_GT(kinds[static_cast<unsigned>(TraversalKind::kDescend)], 10'000u);
   EXPECT_GT(kinds[static_cast<unsigned>(TraversalKind::kPush)], 10'000u);
   EXPECT_GT(kinds[static_cast<unsigned>(TraversalKind::kPop)], 10'000u);
   EXPECT_GT(leaves, 10'000u);

@@ -8,8 +8,8 @@
 // it is ready.
 #pragma once
 
+#include "units/packet_rays.h"
 #include "units/send_packet.h"
-#include "units/tokens.h"
 
 namespace dynrt {
 
@@ -32,7 +32,7 @@ struct PacketDecoder {
   /// The world rays, each with its origin; light rays, which nothing is derived from, left out.
   hls::PortIf<kHasSecondary<C>, hls::RamWrite<Ray<Real>, kRayRows<C>>> arriving;
   /// A pass that is not a ray's last.
-  hls::PortIf<kTwoLevels<C> && kHasMirrors<C>, hls::Out<Derive<C>>> derived;
+  hls::PortIf<kTwoLevels<C> && kHasMirrors<C>, hls::Out<DerivationEvent<C>>> derived;
   HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, traced, ray[0], ray[1], ray[2],
             ray[3], signs[0], signs[1], signs[2], signs[3], vectors, arriving, derived)
 
@@ -61,7 +61,7 @@ struct PacketDecoder {
     }
     if constexpr (kTwoLevels<C> && kHasMirrors<C>) {
       if (!in.point && between) {
-        Derive<C> go_on;
+        DerivationEvent<C> go_on;
         go_on.packet = in.packet;
         derived.write(go_on);
       }
@@ -77,7 +77,7 @@ struct PacketDecoder {
       if constexpr (kHasReciprocals<C>) {
         TracedRay<C> trace;
         trace.is_new = is_new;
-        trace.ray = ObjectRay<C>{in.packet, in.ray, job.active, root_of(job), job.apart, r};
+        trace.ray = in_object(in, job, r);
         if (is_new || object) traced.write(trace);
       }
       if constexpr (kWatertight<C>) {
@@ -106,20 +106,17 @@ struct PacketDecoder {
       return {};
     }
   }
+  static ObjectRay<C> in_object(const PacketVector<C>& in, const JobRecord<C>& job,
+                                const Ray<Real>& r) {
+    return {in.packet, in.ray, job.active, root_of(job), job.distinct_origins, r};
+  }
   void enter(const PacketVector<C>& in, const JobRecord<C>& job, const Ray<Real>& r) {
     if constexpr (kHasReciprocals<C> || !kTwoLevels<C>) {
       return;
     } else if constexpr (kPassesObjectRays<C>) {
-      object_ray.write(ObjectRay<C>{in.packet, in.ray, job.active, root_of(job), job.apart, r});
-    } else if (in.ray == RayIndex(3)) {
-      TraversalEvent<C> event;
-      event.packet = in.packet;
-      event.level = 1;
-      event.kind = TraversalKind::kEnter;
-      event.next = root_of(job);
-      event.active = job.active;
-      event.apart = job.apart;
-      enter_object.write(event);
+      object_ray.write(in_object(in, job, r));
+    } else if (in.ray == kLastRay) {
+      enter_object.write(enter_tree(in_object(in, job, r), job.active));
     }
   }
   static DirectionSigns signs_of(const Vector<Real>& v) {

@@ -12,7 +12,7 @@
 // along such a component.
 #pragma once
 
-#include "units/tokens.h"
+#include "units/packet_rays.h"
 
 namespace dynrt {
 
@@ -40,11 +40,7 @@ struct RayReciprocal {
     if (j.last) {
       const bool is_new = starts(j.job);
       const Level level = uint<1>(!is_new);
-      for (unsigned i = 0; i < kRays; ++i) {
-        if (in.ray == RayIndex::from(i)) {
-          ray[i].write(level_row<C>(level, in.packet), by_axis(saved));
-        }
-      }
+      write_of_ray(ray, in.ray, level_row<C>(level, in.packet), by_axis(saved));
       if (is_new) {
         UnitRay<C> first;
         first.packet = in.packet;
@@ -72,15 +68,8 @@ struct RayReciprocal {
       ObjectRay<C> out = in;
       out.in_object = saved;
       object_ray.write(out);
-    } else if (in.ray == RayIndex(3)) {
-      TraversalEvent<C> event;
-      event.packet = in.packet;
-      event.level = 1;
-      event.kind = TraversalKind::kEnter;
-      event.next = in.root;
-      event.active = in.active;
-      event.apart = in.apart;
-      enter_object.write(event);
+    } else if (in.ray == kLastRay) {
+      enter_object.write(enter_tree(in, in.active));
     }
   }
 

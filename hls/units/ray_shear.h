@@ -6,7 +6,7 @@
 // traversal of the object begins.
 #pragma once
 
-#include "units/tokens.h"
+#include "units/packet_rays.h"
 
 namespace dynrt {
 
@@ -22,16 +22,7 @@ struct RayShear {
   void step() {
     const ObjectRay<C> in = ray.read();
     map.write(ray_row<C>(in.packet, in.ray), ray_map(in.in_object));
-    if (in.ray == RayIndex(3)) {
-      TraversalEvent<C> enter;
-      enter.packet = in.packet;
-      enter.level = 1;
-      enter.kind = TraversalKind::kEnter;
-      enter.next = in.root;
-      enter.active = in.active;
-      enter.apart = in.apart;
-      enter_object.write(enter);
-    }
+    if (in.ray == kLastRay) enter_object.write(enter_tree(in, in.active));
   }
 };
 

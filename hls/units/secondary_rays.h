@@ -28,7 +28,7 @@ struct SecondaryRays {
     HLS_FIELDS(kind, rays, missing, pass, surfaces, mirrors, light, bounces)
   };
 
-  hls::In<Derive<C>> derive;
+  hls::In<DerivationEvent<C>> derive;
   hls::Config<FrameRegisters<C>> frame;
   hls::RamRead<SurfacePoint<C>, kRayRows<C>> surface;
   hls::RamWrite<RayMask, kPackets> traced;
@@ -39,7 +39,7 @@ struct SecondaryRays {
   HLS_PORTS(derive, frame, surface, traced, job, start, finished)
 
   void step() {
-    const Derive<C> d = derive.read();
+    const DerivationEvent<C> d = derive.read();
     State s = states.read(d.packet);
     if (d.shaded) {
       s = next_rays(s, d);
@@ -82,7 +82,7 @@ struct SecondaryRays {
  private:
   /// After a packet has been shaded: light rays from the next light to what the other rays have
   /// hit, after the last light the reflections, and so on; no rays at all when all is done.
-  State next_rays(State s, const Derive<C>& d) const {
+  State next_rays(State s, const DerivationEvent<C>& d) const {
     const FrameRegisters<C> config = frame.get();
     const bool after_light = d.kind == RayKind::kLight;
     if (d.kind == RayKind::kPrimary) s.bounces = 0;

@@ -37,7 +37,7 @@ class SecondaryRaysTest : public testing::Test {
     bench_.value(bench_.unit.frame).reflections = Word::from(reflections);
   }
   Answer shaded(RayKind kind, unsigned surfaces, unsigned mirrors) {
-    Derive<C> d;
+    DerivationEvent<C> d;
     d.packet = kPacket;
     d.shaded = true;
     d.kind = kind;
@@ -46,7 +46,7 @@ class SecondaryRaysTest : public testing::Test {
     return send(d);
   }
   Answer pass_done() {
-    Derive<C> d;
+    DerivationEvent<C> d;
     d.packet = kPacket;
     return send(d);
   }
@@ -69,7 +69,7 @@ class SecondaryRaysTest : public testing::Test {
   }
 
  private:
-  Answer send(const Derive<C>& d) {
+  Answer send(const DerivationEvent<C>& d) {
     bench_.feed(bench_.unit.derive, d);
     bench_.run();
     Answer answer;

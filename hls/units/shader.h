@@ -41,7 +41,7 @@ struct Shader {
   hls::PortIf<kHasLights<C>, hls::RamRead<LightPower<C>, kPackets>> light;
   hls::PortIf<kHasLights<C>, hls::RamRead<Vector<Real>, kVectorRows<C>>> vectors;
   hls::RamRead<RayMask, kPackets> traced;  ///< of rays that are not primary, those that were traced
-  hls::Out<Derive<C>> derive;
+  hls::Out<DerivationEvent<C>> derive;
   hls::Ram1R1W<Pixel, kRayRows<C>> pixels;
   HLS_PORTS(job, frame, found, surface, pixel_colour, light, vectors, traced, derive)
 
@@ -99,7 +99,7 @@ struct Shader {
     // The lowest ray comes first, so the bits move in from above.
     surfaces_ = hls::concat(uint<1>(surface_hit), surfaces_.template bits<3, 1>());
     mirrors_ = hls::concat(uint<1>(mirrors), mirrors_.template bits<3, 1>());
-    if (j.last) derive.write(Derive<C>{packet, true, kind, surfaces_, mirrors_});
+    if (j.last) derive.write(DerivationEvent<C>{packet, true, kind, surfaces_, mirrors_});
   }
 
  private:

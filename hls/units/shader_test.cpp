@@ -32,7 +32,7 @@ class ShaderTest : public testing::Test {
     return f;
   }
   /// All four rays the same.
-  Derive<C> shade(RayKind kind, const Found<C>& f, unsigned traced = 15) {
+  DerivationEvent<C> shade(RayKind kind, const Found<C>& f, unsigned traced = 15) {
     for (unsigned ray = 0; ray < kRays; ++ray) found(ray) = f;
     bench_.rows(bench_.unit.traced)[kPacket] = RayMask::from(traced);
     ShadeJob<C> job;
@@ -70,7 +70,7 @@ class ShaderTest : public testing::Test {
 };
 
 TEST_F(ShaderTest, APrimaryRayBringsAmbientLightTimesCosine) {
-  const Derive<C> derive = shade(RayKind::kPrimary, surface(0x4080f0, -0.5));
+  const DerivationEvent<C> derive = shade(RayKind::kPrimary, surface(0x4080f0, -0.5));
   EXPECT_EQ(derive.kind, RayKind::kPrimary);
   EXPECT_TRUE(derive.shaded);
   EXPECT_EQ(derive.surfaces, RayMask(0b1111));
@@ -85,7 +85,7 @@ TEST_F(ShaderTest, APrimaryRayBringsAmbientLightTimesCosine) {
 }
 
 TEST_F(ShaderTest, AMissIsTheBackground) {
-  const Derive<C> derive = shade(RayKind::kPrimary, Found<C>{});
+  const DerivationEvent<C> derive = shade(RayKind::kPrimary, Found<C>{});
   EXPECT_EQ(derive.surfaces, RayMask(0));
   EXPECT_EQ(channel_of(1, 0), 0x40u);
   EXPECT_EQ(channel_of(1, 1), 0x30u);
@@ -116,11 +116,11 @@ TEST_F(ShaderTest, NothingIsAddedInShadowOrFromBehindOrToRaysThatWereNotTraced) 
 }
 
 TEST_F(ShaderTest, AMirrorKeepsTheRestAndAddsItsPartOfTheReflection) {
-  const Derive<C> first = shade(RayKind::kPrimary, surface(kWhite, -1, 192));
+  const DerivationEvent<C> first = shade(RayKind::kPrimary, surface(kWhite, -1, 192));
   EXPECT_EQ(first.mirrors, RayMask(0b1111));
   const unsigned kept = channel_of(0, 0);
   EXPECT_NEAR(kept, 255 * 0.25 * 0.25, 1.5);
-  const Derive<C> second = shade(RayKind::kReflection, surface(kWhite, -1), 0b0001);
+  const DerivationEvent<C> second = shade(RayKind::kReflection, surface(kWhite, -1), 0b0001);
   EXPECT_EQ(second.surfaces, RayMask(0b0001)) << "only one ray was reflected";
   EXPECT_EQ(second.mirrors, RayMask(0));
   EXPECT_NEAR(channel_of(0, 0), kept + 255 * 0.25 * 0.75, 2);

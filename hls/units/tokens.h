@@ -36,7 +36,7 @@ struct DerivedRay {
 
 /// To the unit that makes such rays: a packet is shaded, or one ray's pass is done.
 template <class C>
-struct Derive {
+struct DerivationEvent {
   PacketId<C> packet;
   bool shaded = false;
   RayKind kind = RayKind::kPrimary;  ///< of the shaded rays
@@ -73,10 +73,10 @@ struct Found {
 
 /// What the node fetch unit is to do next with a packet.
 enum class TraversalKind : unsigned char {
-  kEnter,  ///< start at node `next` with the rays `active`
-  kGo,     ///< go on at node `next`
-  kPush,   ///< go on at node `next` and remember node `pushed`
-  kPop,    ///< go on at the node remembered last
+  kEnter,    ///< start at node `next` with the rays `active`
+  kDescend,  ///< go on at node `next`
+  kPush,     ///< go on at node `next` and remember node `pushed`
+  kPop,      ///< go on at the node remembered last
 };
 
 /// A repeated job carries how often, less one, in its lowest field.
@@ -89,9 +89,9 @@ struct ObjectRay {
   RayIndex ray;
   RayMask active;                      ///< of the packet's rays, those that are traced
   OfInstance<C, NodeAddress<C>> root;  ///< of the object's tree
-  hls::FieldIf<kSplitsPackets<C>, bool> apart{};
+  hls::FieldIf<kSplitsPackets<C>, bool> distinct_origins{};
   Ray<typename C::Real> in_object;
-  HLS_FIELDS(packet, ray, active, root, apart, in_object)
+  HLS_FIELDS(packet, ray, active, root, distinct_origins, in_object)
 };
 
 /// A ray whose direction is yet to be inverted, one axis at a time.
@@ -126,17 +126,18 @@ struct TraversalEvent {
   TraversalKind kind = TraversalKind::kPop;
   NodeAddress<C> next;
   RayMask active;          ///< rays that go to `next`
-  bool clip_near = false;  ///< kGo: the near child was empty, so near = d rather than far = d
+  bool clip_near = false;  ///< kDescend: the near child was empty, so near = d rather than far = d
   NodeAddress<C> pushed;
   RayMask pushed_active;
   RayMask both;                                    ///< rays that enter both children
   RayMask terminated;                              ///< rays found to have ended in this level
   hls::FieldIf<kHasSecondary<C>, RayKind> rays{};  ///< kEnter, level 0: what they are
-  hls::FieldIf<kSplitsPackets<C>, bool> apart{};   ///< kEnter: the rays have no common origin
+  hls::FieldIf<kSplitsPackets<C>, bool>
+      distinct_origins{};  ///< kEnter: the rays have no common origin
   /// Rays that enter both children in the other order; they are not in `both`.
   hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
   HLS_FIELDS(packet, level, kind, next, active, clip_near, pushed, pushed_active, both, terminated,
-             rays, apart, crossing)
+             rays, distinct_origins, crossing)
 };
 
 /// Everything about a step but the node itself; travels with the node's address and data.
@@ -217,9 +218,10 @@ enum class TransformKind : unsigned char { kCamera, kObject, kTriangle, kDerive 
 template <class C>
 struct TransformExtras {
   hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};  ///< of kDerive
-  hls::FieldIf<kHasMirrors<C>, bool> apart{};  ///< the packet's rays have no common origin
-  PrimitiveField<C> primitive{};               ///< of kTriangle
-  HLS_FIELDS(derived, apart, primitive)
+  hls::FieldIf<kHasMirrors<C>, bool>
+      distinct_origins{};         ///< the packet's rays have no common origin
+  PrimitiveField<C> primitive{};  ///< of kTriangle
+  HLS_FIELDS(derived, distinct_origins, primitive)
 };
 
 template <class C>
@@ -262,10 +264,12 @@ struct JobRecord {
   MatrixExtra<C> extra;
   hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
   hls::FieldIf<kHasMirrors<C>, uint<8>> mirror{};  ///< of a triangle
-  hls::FieldIf<kSplitsPackets<C>, bool> apart{};   ///< the packet's rays have no common origin
+  hls::FieldIf<kSplitsPackets<C>, bool>
+      distinct_origins{};  ///< the packet's rays have no common origin
   PrimitiveField<C> primitive{};
   hls::FieldIf<kScalesCosine<C>, typename C::Real> cosine_factor{};
-  HLS_FIELDS(kind, active, matrix, extra, derived, mirror, apart, primitive, cosine_factor)
+  HLS_FIELDS(kind, active, matrix, extra, derived, mirror, distinct_origins, primitive,
+             cosine_factor)
 };
 
 template <class C>

@@ -27,7 +27,7 @@ class Stimulus {
     } else if (choice < (deep ? 92 : 50)) {
       e.kind = TraversalKind::kPush;
     } else {
-      e.kind = choice % 3 == 0 ? TraversalKind::kGo : TraversalKind::kPop;
+      e.kind = choice % 3 == 0 ? TraversalKind::kDescend : TraversalKind::kPop;
     }
     if (random.below(4) != 0) e.terminated = 0;
   }

@@ -15,13 +15,13 @@ namespace {
 class Stimulus {
  public:
   explicit Stimulus(const Run& run) : packets_(run) {}
-  void draw(Derive<C>& d, Random& random) {
+  void draw(DerivationEvent<C>& d, Random& random) {
     d.packet = packets_.next(random);
     const bool known = known_[d.packet.to_u64()];
     d.shaded = !known || random.below(4) == 0;
     d.kind = known ? any_of<RayKind>(random, 3) : RayKind::kPrimary;
   }
-  void begun(const Derive<C>& d) { known_[d.packet.to_u64()] = true; }
+  void begun(const DerivationEvent<C>& d) { known_[d.packet.to_u64()] = true; }
 
  private:
   Packets packets_;
@@ -30,10 +30,12 @@ class Stimulus {
 
 void setup(Bench<SecondaryRays<C>>& bench, const Run& run) {
   auto stimulus = std::make_shared<Stimulus>(run);
-  bench.packet<Derive<C>>("derive", [](const Derive<C>& d) { return d.packet.to_u64(); });
-  bench.shape<Derive<C>>("derive",
-                         [stimulus](Derive<C>& d, Random& random) { stimulus->draw(d, random); });
-  bench.begun<Derive<C>>("derive", [stimulus](const Derive<C>& d) { stimulus->begun(d); });
+  bench.packet<DerivationEvent<C>>("derive",
+                                   [](const DerivationEvent<C>& d) { return d.packet.to_u64(); });
+  bench.shape<DerivationEvent<C>>(
+      "derive", [stimulus](DerivationEvent<C>& d, Random& random) { stimulus->draw(d, random); });
+  bench.begun<DerivationEvent<C>>("derive",
+                                  [stimulus](const DerivationEvent<C>& d) { stimulus->begun(d); });
   bench.shape<FrameRegisters<C>>("frame", [](FrameRegisters<C>& frame, Random& random) {
     frame.lights = Word::from(random.below(C::kLights + 1));
     frame.reflections = Word::from(random.below(C::kReflections + 1));

@@ -134,8 +134,8 @@ module collect_hits #(
   wire [23:0] mux_9_s2 = {~in_reset_s2 & mux_2_s2[23], {23{in_reset_s2}} | mux_2_s2[22:0]};  // units/collect_hits.h:93
   wire not_1_s2 = ~candidate_5_s2;
   wire not_2_s2 = ~candidate_6_s2;
-  wire [23:0] mux_10_s2 = {~in_reset_s2 & candidate_9_s2[23], {23{in_reset_s2}} | candidate_9_s2[22:0]};  // units/collect_hits.h:100
-  wire eq_1_s2 = {candidate_6_s2, candidate_5_s2} == 2'd3;  // units/collect_hits.h:126
+  wire [23:0] mux_10_s2 = {~in_reset_s2 & candidate_9_s2[23], {23{in_reset_s2}} | candidate_9_s2[22:0]};  // units/collect_hits.h:98
+  wire eq_1_s2 = {candidate_6_s2, candidate_5_s2} == 2'd3;  // units/collect_hits.h:124
   wire not_3_s2 = ~in_reset_s2;
   wire [3:0] job_active_s2 = record_data_i[5:2];
 
