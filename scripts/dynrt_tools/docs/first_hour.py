@@ -49,11 +49,12 @@ def commands(text: str) -> list[Command]:
 
 def copy_project(folder: pathlib.Path) -> None:
     """Copies the project without what was built, into a repository of its own."""
-    shutil.copytree(
-        project.ROOT,
-        folder,
-        ignore=shutil.ignore_patterns("build", ".git", ".cache", "__pycache__"),
-    )
+
+    def left_out(parent: str, names: list[str]) -> set[str]:
+        uppermost = pathlib.Path(parent) == project.ROOT
+        return {"build", ".git", ".cache"} if uppermost else {"__pycache__"} & set(names)
+
+    shutil.copytree(project.ROOT, folder, ignore=left_out)
     for words in (
         ["init", "--quiet"],
         ["add", "--all"],
