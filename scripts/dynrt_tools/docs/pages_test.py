@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """What scripts/docs --check finds: old pages, missing pages, links that lead nowhere."""
 
+import json
 import pathlib
+import re
 import tempfile
 import unittest
 
+from dynrt_tools.build import configs
 from dynrt_tools.docs import commands, keys, links, made, messages, registers, waves
 
 
@@ -43,6 +46,18 @@ class Pages(unittest.TestCase):
         page = keys.configurations_page()
         for name in keys.configurations():
             self.assertIn(f"\n## {name}\n", page)
+
+    def test_configurations_of_how_to_pages_are_right(self) -> None:
+        package = configs.load_configurations()
+        found = 0
+        for name in ("configuration", "number-format"):
+            text = (made.DOCS / "how-to" / f"{name}.md").read_text(encoding="utf-8")
+            for stated in re.findall(r"^    (\{.*\})$", text, re.MULTILINE):
+                path = new_folder(self) / "mine.json"
+                path.write_text(f"[{json.dumps({'name': 'mine', **json.loads(stated)})}]", "utf-8")
+                self.assertIn("mine", package.read(path, package.read(package.reading.LISTED)))
+                found += 1
+        self.assertEqual(found, 2)
 
     def test_every_register_and_format_is_there(self) -> None:
         page = registers.page()
