@@ -167,8 +167,8 @@ def table(configs: Mapping[str, Configuration]) -> str:
         "std::span<const CoreConfiguration> listed_configurations() {",
         "  static const CoreConfiguration kTable[] = {",
     ]
-    for name, config in configs.items():
-        members = [f'.name = "{name}"']
-        members += [f".{key} = {KEYS[key].kind.literal(config[key])}" for key in KEYS]
+    for called, config in configs.items():
+        members = [f'.name = "{called}"']
+        members += [f".{name} = {key.kind.literal(config[name])}" for name, key in KEYS.items()]
         lines += ["      {" + ",\n       ".join(members) + "},"]
     return "\n".join(lines + ["  };", "  return kTable;", "}", "", "}  // namespace dynrt", ""])

@@ -125,7 +125,7 @@ def print_rows(rows: list[Row]) -> None:
         print(f"\nShort: {', '.join(names)}: {cause}.")
 
 
-def main() -> int:
+def main() -> int:  # pylint: disable=too-many-return-statements
     args = parse(sys.argv[1:])
     if args.program is None and shared("prepare release").returncode != 0:
         return 1
@@ -138,7 +138,8 @@ def main() -> int:
     size = QUICK_SIZE if args.quick else FULL_SIZE
     try:
         if args.sweep:
-            from dynrt_tools.bench import sweep  # needs matplotlib, which nothing else here does
+            # It needs matplotlib, which takes long to load.
+            from dynrt_tools.bench import sweep  # pylint: disable=import-outside-toplevel
 
             sweep.run(dynrt, scene, size, args.sweep, show_progress)
             return 0

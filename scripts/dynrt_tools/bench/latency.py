@@ -12,8 +12,9 @@ import tempfile
 from dynrt_tools.bench.run import Dynrt, Work
 from dynrt_tools.project import read_json
 
-# The units of the loop in their order. A schedule's stages are the clocks from a transaction's start
-# to its token at the head of the unit's FIFO; the arbiter and the fork behind it are combinational.
+# The units of the loop in their order. A schedule's stages are the clocks from a transaction's
+# start to its token at the head of the unit's FIFO; the arbiter and the fork behind it are
+# combinational.
 LOOP = ("node_fetch", "node_lookup", "traversal_slice", "packet_decision")
 
 
@@ -75,7 +76,7 @@ def measured(dynrt: Dynrt, config: str) -> float:
             frames.append(
                 dynrt.render(str(scene), "rtl", config, "64x48", "--packets", "1", *CAMERA).frame
             )
-    few, many = frames
+    few, many = frames[0], frames[1]
     same = ("packets", "leaf_fetches", "list_entries", "triangles", "objects")
     if any(getattr(Work.of(few), name) != getattr(Work.of(many), name) for name in same):
         raise AssertionError(

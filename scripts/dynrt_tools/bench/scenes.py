@@ -68,10 +68,11 @@ class Measured:
     def figures(self) -> Json:
         """What the table shows, by its rows; numbers, so that they can be kept as data."""
         work, (name, transactions) = Work.of(self.frame), busiest(self.frame)
+        low, high = THESIS[self.scene]
         rows = {
             "clocks per frame": self.frame["cycles"],
             f"frames per second at {CLOCK_MHZ} MHz": round(self.frames_per_second, 2),
-            "thesis": "{} to {}".format(*THESIS[self.scene]),
+            "thesis": f"{low} to {high}",
             "beside the thesis": self.verdict,
             "frames per second, bound": round(CLOCK_MHZ * 1e6 / work.bound(), 2),
             "rays per clock": round(rays(self.frame) / self.frame["cycles"], 4),

@@ -10,13 +10,11 @@ import os
 import pathlib
 from collections.abc import Sequence
 
-import matplotlib
-from dynrt_tools.project import Json, Progress
+from matplotlib import pyplot
 
-matplotlib.use("svg")  # no window
 from dynrt_tools.bench.rows import CLOCK_MHZ, CONFIG
 from dynrt_tools.bench.run import Dynrt
-from matplotlib import pyplot  # noqa: E402
+from dynrt_tools.project import Json, Progress
 
 PACKETS = (1, 2, 4, 8, 16, 24, 32, 48, 64)
 LINES = tuple(2**n for n in range(10))
@@ -78,6 +76,7 @@ def plot(
     unit: str,
     limit: float | None,
 ) -> None:
+    pyplot.switch_backend("svg")  # no window
     figure, axes = pyplot.subplots(figsize=(6, 4), layout="constrained")
     for name in names:
         axes.plot(

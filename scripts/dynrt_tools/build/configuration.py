@@ -1,10 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Builds one configuration of the core as a shared library, which dynrt takes as --config FILE.so."""
-
-from typing import Any, TextIO
-from dynrt_tools.project import Json, Progress
-
+"""Builds one configuration of the core as a shared library, which dynrt takes as --config
+FILE.so."""
 
 import argparse
 import hashlib
@@ -15,12 +12,13 @@ import re
 import shutil
 import subprocess
 import sys
+from typing import Any, TextIO
 
 from dynrt_tools.project import read_json
 from dynrt_tools.build import fingerprint
 from dynrt_tools.build.cache import BuildCache, full_disk
 from dynrt_tools.build.configs import load_configurations
-from dynrt_tools.project import ROOT, Failed, require_tool, show_progress
+from dynrt_tools.project import ROOT, Failed, Json, Progress, require_tool, show_progress
 
 NAME = "loadable"  # of the configuration in the C++ and the Verilog, whatever the file's name is
 
@@ -230,7 +228,7 @@ def main() -> int:
         dest="kind",
         action="store_const",
         const="rtl",
-        help="with the Verilated board too, not the native model alone; takes " "minutes",
+        help="with the Verilated board too, not the native model alone; takes minutes",
     )
     kinds.add_argument(
         "--verilog",

@@ -1,6 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""scripts/configuration refuses what it cannot build, before it builds; and what its keys depend on.
+"""scripts/configuration refuses what it cannot build, before it builds; and what its keys depend
+on.
 """
 
 import json
@@ -74,19 +75,19 @@ class Configuration(unittest.TestCase):
             "be a whole number from 8 to 29",
         )
         self.assert_refused(
-            "{", "line 1: column 2 is no JSON: expecting property name enclosed in " "double quotes"
+            "{", "line 1: column 2 is no JSON: expecting property name enclosed in double quotes"
         )
         self.assert_refused("[]", "must be an object of keys")
         self.assert_refused(
             THESIS,
-            "the sources have changed since this program was built; build " "it again",
+            "the sources have changed since this program was built; build it again",
             "--expect",
             "0",
         )
         self.hlsc.unlink()
         self.assert_refused(
             THESIS,
-            f"{self.hlsc} is not there; build the target hlsc, which lowers " "the units",
+            f"{self.hlsc} is not there; build the target hlsc, which lowers the units",
             "--verilog",
         )
 
@@ -95,7 +96,7 @@ class Configuration(unittest.TestCase):
         self.assertEqual((result.returncode, result.stderr), (1, ""))
         self.assertEqual(
             result.stdout,
-            "the sources have changed since this program was built; " "build it again\n",
+            "the sources have changed since this program was built; build it again\n",
         )
 
     def test_cache_that_cannot_be_written(self):

@@ -5,20 +5,17 @@ does and how it is laid out, the compiler and its flags. Two pieces of code fit 
 have the same.
 
 Usage: scripts/fingerprint BUILD.json FILE.cpp
-writes the C++ function this_build() of host/board/load_configuration.h; BUILD.json is what cmake/DescribeBuild.cmake
-wrote.
+writes the C++ function this_build() of host/board/load_configuration.h; BUILD.json is what
+cmake/DescribeBuild.cmake wrote.
 """
-
-from collections.abc import Iterable
-from dynrt_tools.project import Json
-
 
 import hashlib
 import json
 import pathlib
 import sys
+from collections.abc import Iterable
 
-from dynrt_tools.project import read_json
+from dynrt_tools.project import Json, read_json
 
 SOURCES = (
     "hls/include/**/*.h",

@@ -121,7 +121,7 @@ class Scripts(unittest.TestCase):
 
     def test_failed_install(self):
         self.assert_setup_fails(
-            "E: No space left on device\n" "setup: apt-get could not install: yosys",
+            "E: No space left on device\nsetup: apt-get could not install: yosys",
             BROKEN="install",
         )
 
@@ -129,7 +129,7 @@ class Scripts(unittest.TestCase):
         for tool in ("bash", "dirname", "basename", "sed", "sort", "comm", "cat", "mktemp", "rm"):
             (self.machine / tool).symlink_to(shutil.which(tool))
         self.assert_setup_fails(
-            "not root and sudo is not installed; as root run: " "apt-get install yosys",
+            "not root and sudo is not installed; as root run: apt-get install yosys",
             USER_ID="1000",
             PATH=str(self.machine),
         )

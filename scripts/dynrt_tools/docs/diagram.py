@@ -5,8 +5,8 @@
 scripts/diagram CORE.json --write FILE.svg   draws it (needs Graphviz)
 scripts/diagram CORE.json --check FILE.svg   fails if FILE.svg shows other boxes or channels
 
-CORE.json is build/PRESET/generated/thesis/dynrt_core.json. Units that work side by side are one box,
-channels between the same two boxes one arrow.
+CORE.json is build/PRESET/generated/thesis/dynrt_core.json. Units that work side by side are one
+box, channels between the same two boxes one arrow.
 """
 
 import argparse

@@ -1,6 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""python3 -m dynrt_tools.docs.diagram_test CORE.json: changes a join and expects scripts/diagram to notice."""
+"""python3 -m dynrt_tools.docs.diagram_test CORE.json: changes a join and expects scripts/diagram to
+notice."""
 
 import json
 import pathlib
@@ -35,7 +36,7 @@ class Diagram(unittest.TestCase):
     def assert_stale(self, what):
         self.assertEqual(
             self.check(),
-            (1, f"diagram: {SVG} is stale ({what}); " "`ninja diagram` draws it again\n"),
+            (1, f"diagram: {SVG} is stale ({what}); `ninja diagram` draws it again\n"),
         )
 
     def test_the_picture_is_that_of_the_join(self):

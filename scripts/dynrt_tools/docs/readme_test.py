@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Holds the README against the project: its length, and the files and folders that it names."""
 
-import pathlib
 import re
 import unittest
 

@@ -88,7 +88,7 @@ def page(folder: pathlib.Path) -> str:
         stages = int(field(report, "stages"))
         registers = field(report, "registers").split()[0]
         rows.append(
-            f"| [{module}](#{module}) | {stages} | {registers} | " f"{', '.join(rams) or '-'} |"
+            f"| [{module}](#{module}) | {stages} | {registers} | {', '.join(rams) or '-'} |"
         )
         source = SOURCE.search(verilog)
         if not source:

@@ -3,11 +3,12 @@
 """A unit beside the same unit lowered for another clock, both opened (opened.py).
 
 Both take the same in the same transaction, one so many clocks later that nothing comes to the other
-after it; then what they give is compared. What a RAM or a register holds is free, but the same for both
-in the same transaction: it is read and written by the same transactions, at the same rows, with the
-same data and in the same order, so it holds the same. That order is, of a register and a register
-file, that of the transactions, since they are read and written in one stage; of a RAM within the unit,
-the promise that HLS_ASSERT checks; of one elsewhere, what the join of the core promises.
+after it; then what they give is compared. What a RAM or a register holds is free, but the same for
+both in the same transaction: it is read and written by the same transactions, at the same rows,
+with the same data and in the same order, so it holds the same. That order is, of a register and a
+register file, that of the transactions, since they are read and written in one stage; of a RAM
+within the unit, the promise that HLS_ASSERT checks; of one elsewhere, what the join of the core
+promises.
 """
 
 import pathlib

@@ -151,7 +151,7 @@ class Proof:
         }
         if missing:
             raise flow.Broken(
-                f"{self.name}: no assertion has the name " f"{', '.join(sorted(missing))}"
+                f"{self.name}: no assertion has the name {', '.join(sorted(missing))}"
             )
         example = instances.example(self.stated)
         self.reach(example)

@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""The models in ecp5_cells.v do what the Verilog does that Yosys makes such cells of. Takes the folder
-to work in."""
+"""The models in ecp5_cells.v do what the Verilog does that Yosys makes such cells of. Takes the
+folder to work in."""
 
 import pathlib
 import sys

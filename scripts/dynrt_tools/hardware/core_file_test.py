@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Holds dynrt.core, the description for FuseSoC, and the file lists made from it against the Verilog
-that is there."""
+"""Holds dynrt.core, the description for FuseSoC, and the file lists made from it against the
+Verilog that is there."""
 
 import pathlib
 import re

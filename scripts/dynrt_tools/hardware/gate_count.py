@@ -1,6 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Counts the gates of a core's Verilog by the thesis's rule (gate_rule.py), instance by instance."""
+"""Counts the gates of a core's Verilog by the thesis's rule (gate_rule.py), instance by
+instance."""
 
 import concurrent.futures
 import json
@@ -11,8 +12,8 @@ from typing import Any
 from dynrt_tools.hardware import gate_rule, rtl_files, synthesis
 from dynrt_tools.project import read_json
 
-# Virtex-II, as devices.py synthesizes it, but memories stay what the source says: how many bits, with
-# how many ports. -nosrl: a chain of flip-flops is flip-flops.
+# Virtex-II, as devices.py synthesizes it, but memories stay what the source says: how many bits,
+# with how many ports. -nosrl: a chain of flip-flops is flip-flops.
 SYNTH = (
     "synth_xilinx -family xc2v -flatten -nowidelut -noiopad -noclkbuf -nosrl -top {top} -run {run}"
 )

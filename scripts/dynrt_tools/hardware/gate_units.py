@@ -1,6 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""The thesis's tables 7.3 to 7.5, and which of our units and RAMs do what each of its units does."""
+"""The thesis's tables 7.3 to 7.5, and which of our units and RAMs do what each of its units
+does."""
 
 
 from dataclasses import dataclass
@@ -24,7 +25,8 @@ SLICES = tuple(
     Unit(f"TraversalSlice{i}", 43107, 2352, (f"slice_{i}",), (f"ray_{i}_ram", f"distance_{i}_ram"))
     for i in range(4)
 )
-# Table 7.4, in its order. What its unit Traversal does beside those below it, our units do themselves.
+# Table 7.4, in its order. What its unit Traversal does beside those below it, our units do
+# themselves.
 PACKET_UNITS = (
     Unit("DynamicRTC", 21338, 0, ("startup",), ()),  # and all of the join that nobody owns
     Unit("Traversal", 8470, 0),

@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Counts the core's gates by the thesis's rule. Writes docs/results/gates.md: tables 7.3 to 7.5 beside
-ours, and the formulas C_RTC(P, CL) and Bits_RTC(P, CL) fitted to ours."""
+"""Counts the core's gates by the thesis's rule. Writes docs/results/gates.md: tables 7.3 to 7.5
+beside ours, and the formulas C_RTC(P, CL) and Bits_RTC(P, CL) fitted to ours."""
 
 import argparse
 import concurrent.futures

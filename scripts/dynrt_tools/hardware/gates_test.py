@@ -122,7 +122,7 @@ class Rule(unittest.TestCase):
                 check=True,
                 capture_output=True,
             )
-            module = json.loads(pathlib.Path(name, "top.json").read_text())["modules"]["top"]
+            module = json.loads(pathlib.Path(name, "top.json").read_text("utf-8"))["modules"]["top"]
         counted = gate_rule.count(module["cells"])
         self.assertEqual(counted.logic, 8 * 8 + 8 * 9)
         self.assertEqual(counted.bits, 2 * 64)

@@ -42,11 +42,11 @@ def check_waivers(root: pathlib.Path, sources: list[pathlib.Path]) -> list[str]:
                     )
                 elif not any(fnmatch.fnmatch(str(s), waiver.group(2)) for s in sources):
                     problems.append(
-                        f"{where}: no Verilog file matches {waiver.group(2)}; " "remove the waiver"
+                        f"{where}: no Verilog file matches {waiver.group(2)}; remove the waiver"
                     )
                 if not explained:
                     problems.append(
-                        f"{where}: the waiver has no reason; " "write it as a comment above"
+                        f"{where}: the waiver has no reason; write it as a comment above"
                     )
             elif not text:
                 explained = False

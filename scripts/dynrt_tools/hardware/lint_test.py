@@ -209,7 +209,7 @@ class Synth(Planted):
         self.assertEqual(result.returncode, 1)
         self.assertRegex(
             result.stderr,
-            r"synth: ram does not fit ice40-hx8k: .*\b" r"512 block RAMs of 32, 480 too many",
+            r"synth: ram does not fit ice40-hx8k: .*\b512 block RAMs of 32, 480 too many",
         )
         result, _ = self.run_script(large, *command, "--device", "ecp5-85")
         self.assertEqual(result.returncode, 0, "it fits one of the two")

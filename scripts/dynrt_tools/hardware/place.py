@@ -1,10 +1,11 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Places and routes units with registers around their ports, several seeds each, and holds the clock
-that they reach against the one that hlsc's delay model predicts.
+"""Places and routes units with registers around their ports, several seeds each, and holds the
+clock that they reach against the one that hlsc's delay model predicts.
 
-Units are lowered for the device's delay model. Those that do not fit the device, or all where its tool
-is missing, get Yosys's own timing for 7-series, which knows the delay of cells but not of wires."""
+Units are lowered for the device's delay model. Those that do not fit the device, or all where its
+tool is missing, get Yosys's own timing for 7-series, which knows the delay of cells but not of
+wires."""
 
 import argparse
 import concurrent.futures

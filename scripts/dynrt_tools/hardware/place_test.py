@@ -48,8 +48,8 @@ class Placing(unittest.TestCase):
         self.assertEqual(area.schedule(REPORT), {"stages": 2, "longest_path_ns": 9.6})
 
     def test_the_wrapper_keeps_every_bit(self):
-        # Registers of both sides: 5 bits in and 1 for the way, 5 out, twice, 1 for the fold, 1 reset;
-        # and the unit's own 5. What nobody could see would be gone.
+        # Registers of both sides: 5 bits in and 1 for the way, 5 out, twice, 1 for the fold, 1
+        # reset; and the unit's own 5. What nobody could see would be gone.
         with tempfile.TemporaryDirectory() as name:
             path = pathlib.Path(name, "sum.v")
             path.write_text(UNIT + placing.wrap("sum", UNIT), encoding="utf-8")

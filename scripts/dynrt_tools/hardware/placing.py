@@ -23,8 +23,8 @@ class Tool(TypedDict):
     flags: list[str]
 
 
-# How a device's tool is called; `cells` is the logic cell in its report. The speed grade of ECP5 is the
-# slowest. The wrapper has four pins, so any package will do; that of ECP5 is the board's.
+# How a device's tool is called; `cells` is the logic cell in its report. The speed grade of ECP5 is
+# the slowest. The wrapper has four pins, so any package will do; that of ECP5 is the board's.
 TOOLS: dict[str, Tool] = {
     "ice40-hx8k": {
         "program": "nextpnr-ice40",

@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Synthesizes the units and the whole core with Yosys and prints what each takes, of a family's cells
-and of a device."""
+"""Synthesizes the units and the whole core with Yosys and prints what each takes, of a family's
+cells and of a device."""
 
 import argparse
 import concurrent.futures
@@ -116,7 +116,7 @@ def synthesize(name: str, top: str, files: list[pathlib.Path]) -> Json:
     }
 
 
-def main() -> int:
+def main() -> int:  # pylint: disable=too-many-branches
     args = parse()
     names = args.device or ["ecp5-85", "virtex2-6000"]
     try:

@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Runs Yosys on a module and keeps what it gives, under a key of all that it was made of: what reads
-as the same Verilog, comments apart, is synthesized once."""
+"""Runs Yosys on a module and keeps what it gives, under a key of all that it was made of: what
+reads as the same Verilog, comments apart, is synthesized once."""
 
 import functools
 import hashlib

@@ -68,7 +68,7 @@ class Yosys(unittest.TestCase):
         runs, sentence, _ = self.run_yosys(99, error)
         self.assertEqual(
             (runs, sentence),
-            (3, f"mailbox: ERROR: {error}; the whole log is " f"{self.folder / 'failed.log'}"),
+            (3, f"mailbox: ERROR: {error}; the whole log is {self.folder / 'failed.log'}"),
         )
         self.assertEqual((self.folder / "failed.log").read_text(), f"ERROR: {error}\n")
 

@@ -25,9 +25,9 @@ def part_of_device(variant: Json) -> tuple[float, str]:
     return max((variant["takes"][name] / count, name) for name, count in DEVICE["has"].items())
 
 
-def cost(variant: Json, run: Json) -> tuple[float, int]:
+def cost(variant: Json, frame: Json) -> tuple[float, int]:
     """To compare by: area times time, then LUTs. Area alone where no clocks are known."""
-    return part_of_device(variant)[0] * run.get("frame_ms", 1), variant["area"]["LUT"]
+    return part_of_device(variant)[0] * frame.get("frame_ms", 1), variant["area"]["LUT"]
 
 
 def directions() -> dict[str, str]:
@@ -43,9 +43,7 @@ def check_measure(runs: list[Json], named: str) -> None:
     found = {m for run in runs for m in measures_of(run)}
     known = [m for m in directions() if m in found]
     if named not in known:
-        raise Failed(
-            f"--measure {named}: this scene has none; its measures are " f"{', '.join(known)}"
-        )
+        raise Failed(f"--measure {named}: this scene has none; its measures are {', '.join(known)}")
 
 
 def worse(measure: str, value: float) -> float:
@@ -121,13 +119,13 @@ def check_bound(args: argparse.Namespace) -> None:
     """What can be said before anything is measured."""
     if args.measure not in directions():
         raise Failed(
-            f"--measure {args.measure}: unknown; the measures are " f"{', '.join(directions())}"
+            f"--measure {args.measure}: unknown; the measures are {', '.join(directions())}"
         )
     if not math.isfinite(args.max_error):
         raise Failed(f"--max-error {args.max_error}: must be a number")
 
 
-def run(args: argparse.Namespace) -> int:
+def run_choice(args: argparse.Namespace) -> int:
     check_bound(args)
     report, _ = measured(args, [args.scene])
     runs, holding = choose(report, args.measure, args.max_error)
@@ -174,4 +172,4 @@ def main() -> int:
         "lists those that there are",
     )
     add_arguments(parser)
-    return guarded(run, parser.parse_args())
+    return guarded(run_choice, parser.parse_args())

@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""The page of an error report in a headless Chromium: that it draws every variant, needs no network,
-complains of nothing and does what a click asks."""
+"""The page of an error report in a headless Chromium: that it draws every variant, needs no
+network, complains of nothing and does what a click asks."""
 
 import base64
 import html.parser
@@ -69,7 +69,7 @@ def measures(missed, t, rms, psnr):
 
 
 for scene in ("a", "b"):
-    for name, clocks, figures in (
+    for variant, clocks, figures in (
         ("m8", 1000, (4, 1e-2, 12.5, 20.1)),
         ("m12", 1100, (1, 1e-3, 1.5, 40.2)),
         ("m16", 1200, (0, 1e-5, 0.25, 60.3)),
@@ -79,11 +79,11 @@ for scene in ("a", "b"):
         REPORT["runs"].append(
             {
                 "scene": scene,
-                "variant": name,
+                "variant": variant,
                 "clocks": clocks,
                 "frame_ms": clocks * 1e-5,
-                "image": f"pictures/{name}.png",
-                "difference": f"pictures/{name}.difference.png",
+                "image": f"pictures/{variant}.png",
+                "difference": f"pictures/{variant}.difference.png",
                 "counters": {},
                 "seconds": {},
                 "measures": measures(*figures),
@@ -191,7 +191,7 @@ class PageTest(unittest.TestCase):
 
     def test_an_address_is_a_view(self):
         elements, _ = self.open(
-            "scene=b&measure=image.psnr&time=clocks&area=FF&variant=m8" "&sort=image.rms+down"
+            "scene=b&measure=image.psnr&time=clocks&area=FF&variant=m8&sort=image.rms+down"
         )
         self.assertIn("another", elements.by_id("about")[2])
         titles = [e[2] for e in elements.of("text", class_="title")]

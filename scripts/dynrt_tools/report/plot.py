@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""The plots of an error report for the documents, as SVG: one measure of one scene over run time and
-over area, as the report's page draws them."""
+"""The plots of an error report for the documents, as SVG: one measure of one scene over run time
+and over area, as the report's page draws them."""
 
 import argparse
 import pathlib

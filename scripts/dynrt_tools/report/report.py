@@ -62,7 +62,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="append",
         default=[],
         metavar="NAME",
-        help="only this one, and that which the others differ from; can be given " "several times",
+        help="only this one, and that which the others differ from; can be given several times",
     )
     parser.add_argument(
         "--jobs",
@@ -178,6 +178,6 @@ def main() -> int:
         "--no-hardware",
         dest="hardware",
         action="store_false",
-        help="lower and synthesize nothing: neither clocks nor area, in a third of " "the time",
+        help="lower and synthesize nothing: neither clocks nor area, in a third of the time",
     )
     return guarded(run, parser.parse_args())

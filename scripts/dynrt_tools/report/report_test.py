@@ -17,16 +17,16 @@ import time
 import unittest
 from unittest import mock
 
-HERE = pathlib.Path(__file__).resolve().parent
 from dynrt_tools.hardware import area as hardware
 from dynrt_tools.project import SCRIPTS, Failed
 from dynrt_tools.report import choose, collect, variants, workflow
 
+HERE = pathlib.Path(__file__).resolve().parent
 THESIS = variants.base_configuration("thesis")
 EXAMPLE = json.loads((HERE / "example.json").read_text(encoding="utf-8"))
 
-# What a job runs in place of scripts/configuration, scripts/variant_hardware and scripts/run_variant: it writes its
-# outputs, or fails where the file `fail` says so.
+# What a job runs in place of scripts/configuration, scripts/variant_hardware and
+# scripts/run_variant: it writes its outputs, or fails where the file `fail` says so.
 PRETEND = """#!/usr/bin/python3
 import pathlib, sys
 args = sys.argv[1:]
@@ -108,17 +108,17 @@ class Variants(InFolder):
         )
         self.assert_refused(
             {"a": {}, "b/c": {"packets": 1}},
-            " variant 'b/c': is no name; write " "letters, digits, _, - and ., a letter first",
+            " variant 'b/c': is no name; write letters, digits, _, - and ., a letter first",
         )
         self.assert_refused(
             {"b": {"packets": 2}},
-            " one variant, and no more, must be {}: that which " "the others differ from",
+            " one variant, and no more, must be {}: that which the others differ from",
         )
         self.assert_refused(
-            {"b": 2}, " must be an object of variants by name, each an object of " "keys"
+            {"b": 2}, " must be an object of variants by name, each an object of keys"
         )
         self.assert_refused(
-            "{", "1: column 2 is no JSON: expecting property name enclosed in " "double quotes"
+            "{", "1: column 2 is no JSON: expecting property name enclosed in double quotes"
         )
 
     def test_chosen(self):
@@ -415,7 +415,7 @@ class Jobs(InFolder):
             workflow.shutil, "which", lambda name: None if name == "sbatch" else "snakemake"
         ):
             with self.assertRaisesRegex(
-                Failed, "^--slurm: sbatch is not on the PATH; run the " "report on a node"
+                Failed, "^--slurm: sbatch is not on the PATH; run the report on a node"
             ):
                 self.run_workflow(slurm=True)
 
@@ -423,7 +423,7 @@ class Jobs(InFolder):
         flow = workflow.Workflow(self.work, self.program, self.build, "f")
         with flow.alone():
             with self.assertRaisesRegex(
-                Failed, "another report is being made there; wait for it " "or name another --out"
+                Failed, "another report is being made there; wait for it or name another --out"
             ):
                 with flow.alone():
                     pass
@@ -452,7 +452,7 @@ class CommandLine(InFolder):
         self.assert_mistake(
             "report_error",
             ["--colour"],
-            "unrecognized arguments: --colour; dynrt " "report error --help lists what there is",
+            "unrecognized arguments: --colour; dynrt report error --help lists what there is",
         )
         self.assert_mistake("report_error", ["--jobs", "0"], "--jobs 0: at least one is needed")
         self.assert_mistake(
@@ -465,7 +465,7 @@ class CommandLine(InFolder):
             self.assert_mistake(
                 script,
                 more,
-                "the sources have changed since this program was " "built; build it again",
+                "the sources have changed since this program was built; build it again",
             )
         self.assert_mistake(
             "choose",

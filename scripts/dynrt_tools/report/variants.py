@@ -1,6 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""The variants of a report: a configuration of hls/configs/configs.json, and what differs from it."""
+"""The variants of a report: a configuration of hls/configs/configs.json, and what differs from
+it."""
 
 import pathlib
 
@@ -58,7 +59,7 @@ def read_variants(path: pathlib.Path, base: Json) -> dict[str, Json]:
             variants[name] = {"configuration": config, "differs": differs}
         if sum(not v["differs"] for v in variants.values()) != 1:
             raise generate.Refused(
-                "one variant, and no more, must be {}: that which the others " "differ from"
+                "one variant, and no more, must be {}: that which the others differ from"
             )
     except generate.Refused as error:
         raise Failed(error.at(path)) from error

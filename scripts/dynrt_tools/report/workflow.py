@@ -101,7 +101,7 @@ class Workflow:
         snakemake = shutil.which("snakemake")
         if snakemake is None:
             raise Failed(
-                "snakemake is not installed; run scripts/setup, or: apt-get install " "snakemake"
+                "snakemake is not installed; run scripts/setup, or: apt-get install snakemake"
             )
         if slurm and shutil.which("sbatch") is None:
             raise Failed(

@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Bits of the float, and how it divides, by the error that the user allows: what `dynrt choose` finds
-among the formats."""
+"""Bits of the float, and how it divides, by the error that the user allows: what `dynrt choose`
+finds among the formats."""
 
 import argparse
 import contextlib

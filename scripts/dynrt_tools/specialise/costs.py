@@ -51,9 +51,7 @@ def costs_of(folder: pathlib.Path, device: str, jobs: int, progress: Progress) -
 def check_devices(names: list[str]) -> None:
     for name in names:
         if name not in devices.DEVICES:
-            raise Failed(
-                f"--device {name}: unknown; the devices are " f"{', '.join(devices.DEVICES)}"
-            )
+            raise Failed(f"--device {name}: unknown; the devices are {', '.join(devices.DEVICES)}")
 
 
 def misfits(

@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""How many packets and cache lines a scene rewards: clocks of a frame over powers of two, counted on
-the native model by hlsc's schedules."""
+"""How many packets and cache lines a scene rewards: clocks of a frame over powers of two, counted
+on the native model by hlsc's schedules."""
 
 import pathlib
 import subprocess

@@ -1,6 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""From what a scene needs, and what was measured, to every key of a configuration with its reason."""
+"""From what a scene needs, and what was measured, to every key of a configuration with its
+reason."""
 
 import pathlib
 from collections.abc import Mapping, Sequence

@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Makes the smallest core that renders a scene: `dynrt specialise`, and --specialise of the commands
-that render, for which it prints the path of the configuration."""
+"""Makes the smallest core that renders a scene: `dynrt specialise`, and --specialise of the
+commands that render, for which it prints the path of the configuration."""
 
 import argparse
 import hashlib
@@ -216,7 +216,8 @@ def general_core(project: Project) -> tuple[str, Json, Json, str, decisions.Meas
 
 
 def add_costs(project: Project, result: Json, special: pathlib.Path, general: Json) -> pathlib.Path:
-    """Area, gates, stages and clocks of both cores; gives the folder with the made one's Verilog."""
+    """Area, gates, stages and clocks of both cores; gives the folder with the made one's
+    Verilog."""
     args = project.args
     of = {}
     with tempfile.TemporaryDirectory() as work:

@@ -125,7 +125,7 @@ class Curve(unittest.TestCase):
         )
         self.assertEqual(
             curve.reason({1: 50}, 1, 1, "a frame of 64x48 at time 0"),
-            "with 1 a frame " "of 64x48 at time 0 takes 50 clocks; 1 % are allowed",
+            "with 1 a frame of 64x48 at time 0 takes 50 clocks; 1 % are allowed",
         )
 
     def test_fewer_clocks_are_no_negative_part_more(self):
@@ -264,7 +264,7 @@ class Delivered(InFolder):
         blocked.write_text("", encoding="utf-8")
         with self.assertRaisesRegex(
             Failed,
-            f"^--out {blocked}: cannot be written .File exists.; " "name a folder elsewhere$",
+            f"^--out {blocked}: cannot be written .File exists.; name a folder elsewhere$",
         ):
             specialise.check_outputs(blocked, None)
         specialise.check_outputs(self.folder / "out", None)
@@ -391,7 +391,7 @@ class Command(InFolder):
         blocked = self.folder / "file"
         blocked.write_text("", encoding="utf-8")
         self.assert_refused(
-            f"the cache {blocked} cannot be written .*; let DYNRT_CACHE name a " "folder that can",
+            f"the cache {blocked} cannot be written .*; let DYNRT_CACHE name a folder that can",
             "office",
             DYNRT_CACHE=str(blocked),
         )

@@ -1,6 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""From a scene to the core made for it: its keys, that it renders the same bits, and what it refuses.
+"""From a scene to the core made for it: its keys, that it renders the same bits, and what it
+refuses.
 
 Usage: python3 -m dynrt_tools.specialise.system_test PROGRAM
 """

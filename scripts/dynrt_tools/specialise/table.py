@@ -90,7 +90,7 @@ def page(scene: str, general: str, base: Json, result: Json) -> str:
     decided, changed = result["configuration"], result["left_out"]
     lines = [
         f"scene       {scene}",
-        f"core        from {general}, without what the scene does not " "need",
+        f"core        from {general}, without what the scene does not need",
         "",
         *keys_table("here", general, decided, base, changed),
         "",
