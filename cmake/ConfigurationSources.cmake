@@ -6,6 +6,61 @@
 # caller's variables
 #   DECLARATIONS   of the functions that do so
 #   ROWS           their row in a table of host/board/configurations.h
+#
+# dynrt_list_configuration(CONFIG): appends to the same variables the row of a configuration that is
+# not built in: its limits alone.
+include_guard(GLOBAL)
+
+# dynrt_has_board(RESULT CONFIG): whether builds make a board of its Verilog. A float of more than 24
+# bits needs wider words than the board's SRAM has: no board.
+function(dynrt_has_board result config)
+  dynrt_config_key(rtl ${config} rtl)
+  dynrt_config_key(exponent_bits ${config} exponent_bits)
+  dynrt_config_key(mantissa_bits ${config} mantissa_bits)
+  math(EXPR float_bits "1 + ${exponent_bits} + ${mantissa_bits}")
+  set(${result} OFF PARENT_SCOPE)
+  if(DYNRT_RTL AND rtl AND float_bits LESS_EQUAL 24)
+    set(${result} ON PARENT_SCOPE)
+  endif()
+endfunction()
+
+macro(dynrt_list_configuration config)
+  dynrt_has_board(lowered ${config})
+  string(APPEND DECLARATIONS "CoreInfo ${config}_info();\n")
+  string(APPEND ROWS "      {.name = \"${config}\", .core = ${config}_info")
+  if(lowered)
+    string(APPEND ROWS ", .lowered = true")
+  endif()
+  string(APPEND ROWS "},\n")
+endmacro()
+
+# dynrt_configuration_library(CONFIG FOLDER): the target configuration_<CONFIG>, a shared library
+# FOLDER/<CONFIG>.so as host/board/loadable.h describes it, with the fingerprint of this build.
+function(dynrt_configuration_library CONFIG folder)
+  set(target configuration_${CONFIG})
+  set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
+  set(DECLARATIONS)
+  set(ROWS)
+  set(source ${generated}/${CONFIG}_loadable.cpp)
+  add_library(${target} MODULE EXCLUDE_FROM_ALL ${source})
+  # Its names are its own: many such libraries have a class of the same name.
+  set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${CONFIG}
+                        LIBRARY_OUTPUT_DIRECTORY ${folder} CXX_VISIBILITY_PRESET hidden
+                        VISIBILITY_INLINES_HIDDEN ON)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${target} PRIVATE dynrt_units dynrt_warnings fmt::fmt)
+  target_link_options(${target} PRIVATE -Wl,-Bsymbolic)
+  dynrt_configuration_sources(${target} ${CONFIG})
+  set(DYNRT_FINGERPRINT "@fingerprint@")  # which the build fills in
+  configure_file(${PROJECT_SOURCE_DIR}/host/board/loadable.cpp.in ${source}.in @ONLY)
+  set(script ${PROJECT_SOURCE_DIR}/cmake/AddFingerprint.cmake)
+  add_custom_command(
+    OUTPUT ${source}
+    COMMAND ${CMAKE_COMMAND} -DTHIS_BUILD=${generated}/this_build.cpp -DSOURCE=${source}.in
+            -DOUTPUT=${source} -P ${script}
+    DEPENDS ${generated}/this_build.cpp ${source}.in ${script} VERBATIM)
+endfunction()
+
 function(dynrt_configuration_sources target CONFIG)
   set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
   configure_file(${PROJECT_SOURCE_DIR}/host/board/native_core.cpp.in
@@ -14,14 +69,13 @@ function(dynrt_configuration_sources target CONFIG)
   set_source_files_properties(${generated}/${CONFIG}_core.cpp PROPERTIES COMPILE_OPTIONS -O3)
   string(APPEND DECLARATIONS "CoreInfo ${CONFIG}_info();\n"
          "std::unique_ptr<NativeCore> make_${CONFIG}_core();\n")
-  set(row ".name = \"${CONFIG}\", .core = ${CONFIG}_info, .native = make_${CONFIG}_core")
-
-  get_property(rtl_configs GLOBAL PROPERTY DYNRT_RTL_CONFIGS)
-  # A float of more than 24 bits needs wider words than the board's SRAM has: no board.
-  dynrt_config_key(exponent_bits ${CONFIG} exponent_bits)
-  dynrt_config_key(mantissa_bits ${CONFIG} mantissa_bits)
-  math(EXPR float_bits "1 + ${exponent_bits} + ${mantissa_bits}")
-  if(CONFIG IN_LIST rtl_configs AND float_bits LESS_EQUAL 24)
+  dynrt_has_board(lowered ${CONFIG})
+  set(row ".name = \"${CONFIG}\", .core = ${CONFIG}_info")
+  if(lowered)
+    string(APPEND row ", .lowered = true")
+  endif()
+  string(APPEND row ", .native = make_${CONFIG}_core")
+  if(lowered)
     foreach(key packets lines sram_latency scan_out)
       dynrt_config_key(${key} ${CONFIG} ${key})
     endforeach()

@@ -81,15 +81,16 @@ configure() {
 # prepare PRESET [program]: installs, configures and builds what is not there yet: everything that
 # tests need, or the program alone.
 prepare() {
-  local preset=$1 purpose=test target=all
+  local preset=$1 purpose=test targets=(all tests)
   local settings=$preset
   build_folder=$root/build/$preset
   cd "$root"
   if [ "${2:-}" = program ]; then
     purpose=demo
     settings=program
+    targets=(all)
     # Where everything was configured before, the program is a part of that.
-    [ ! -f "$build_folder/build.ninja" ] || is_program_only "$build_folder" || target=dynrt
+    [ ! -f "$build_folder/build.ninja" ] || is_program_only "$build_folder" || targets=(dynrt)
   fi
   timed packages "$root/scripts/setup" --for $purpose
   mkdir -p build
@@ -104,6 +105,6 @@ prepare() {
     echo "# ninja log" >build/ninja_log_before
   fi
   step "building build/$preset"
-  timed build cmake --build "$build_folder" --target $target --parallel "$(nproc)" ||
+  timed build cmake --build "$build_folder" --target "${targets[@]}" --parallel "$(nproc)" ||
     fail "the build failed; the first error is above"
 }

@@ -26,18 +26,23 @@ std::string list_of(std::span<const Configuration> table,
 }
 
 bool any(const Configuration&) { return true; }
-bool has_rtl(const Configuration& configuration) { return configuration.rtl != nullptr; }
+bool has_rtl(const Configuration& configuration) {
+  return configuration.rtl != nullptr || configuration.lowered;
+}
 
-const Configuration& find(std::span<const Configuration> table, const std::string& name, bool rtl) {
+}  // namespace
+
+const Configuration& find_configuration(std::span<const Configuration> table,
+                                        const std::string& name, bool rtl) {
   if (is_configuration_file(name)) return load_configuration(name, rtl);
   const auto found = std::ranges::find(table, name, &Configuration::name);
   if (found == table.end()) {
     refuse(messages::kNoConfiguration, name, list_of(table, any));
   }
-  return *found;
+  if (found->native != nullptr || found->rtl != nullptr) return *found;
+  if (rtl && !found->lowered) return *found;  // no library has more
+  return load_listed_configuration(name, rtl);
 }
-
-}  // namespace
 
 std::vector<std::string_view> names_of(std::span<const Configuration> table,
                                        const std::function<bool(const Configuration&)>& condition) {
@@ -54,7 +59,7 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
   if (!rtl && request.board != "model") {
     refuse(messages::kNoBoard, request.board);
   }
-  const Configuration& configuration = find(table, request.configuration, rtl);
+  const Configuration& configuration = find_configuration(table, request.configuration, rtl);
   CoreInfo core = configuration.core();
   core.name = configuration.name;
   if (request.configuration.ends_with(".json")) add_origin(core, request.configuration);
@@ -68,7 +73,7 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
            1 + core.format->exponent_bits + core.format->mantissa_bits, core.format->word_bits,
            kSramBits);
   }
-  if (!has_rtl(configuration)) {
+  if (configuration.rtl == nullptr) {
     if (std::ranges::none_of(table, has_rtl)) refuse(messages::kNoRtl, configuration.name);
     refuse(messages::kModelAlone, configuration.name, list_of(table, has_rtl));
   }

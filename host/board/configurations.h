@@ -1,8 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The boards that this build has: for every configuration of hls/configs/configs.json the native
-// core, and, where the Verilog was built, the Verilated board. The table is made by CMake.
+// The boards that a program has. Its table, which CMake makes, lists every configuration of
+// hls/configs/configs.json; a few are built in, with their native core and, where the Verilog was
+// built, the Verilated board. Of the others it holds the limits; they are loaded when they are
+// asked for (load_configuration.h).
 #pragma once
 
 #include <functional>
@@ -21,8 +23,9 @@ namespace dynrt::host {
 struct Configuration {
   std::string_view name;
   CoreInfo (*core)() = nullptr;
-  MakeNativeCore native = nullptr;
-  MakeBoard rtl = nullptr;  ///< null, and so is what follows: built without the Verilog
+  bool lowered = false;             ///< builds make its Verilog
+  MakeNativeCore native = nullptr;  ///< null, and so is what follows: not built in
+  MakeBoard rtl = nullptr;          ///< null, and so is what follows: built without the Verilog
   MakeTracedBoard traced = nullptr;
   std::string_view (*core_json)() =
       nullptr;  ///< the core as its join describes it: dynrt_core.json
@@ -41,6 +44,11 @@ std::span<const Configuration> configurations();
 /// The names of those for which a condition holds, in the table's order.
 std::vector<std::string_view> names_of(std::span<const Configuration> table,
                                        const std::function<bool(const Configuration&)>& condition);
+
+/// The configuration of a name of the table, FILE.so or FILE.json, loaded if it is not built in,
+/// and with `rtl` with its Verilated boards if it has any. Throws UserError for an unknown one.
+const Configuration& find_configuration(std::span<const Configuration> table,
+                                        const std::string& name, bool rtl);
 
 /// Throws UserError for an unknown board or configuration, and for waveforms of the model or
 /// schedules of the Verilog.

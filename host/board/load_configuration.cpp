@@ -44,6 +44,18 @@ Symbol symbol(void* library, const char* name) {
   return reinterpret_cast<Symbol>(dlsym(library, name));
 }
 
+/// Whether a library is there that was made of the same sources as this program.
+bool is_of_this_build(const std::string& path) {
+  std::error_code error;
+  if (!fs::exists(path, error) || !is_whole_library(path)) return false;
+  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) return false;
+  const auto* fingerprint = symbol<const char*>(library, "dynrt_configuration_fingerprint");
+  const bool same = fingerprint != nullptr && fingerprint == this_build().fingerprint;
+  dlclose(library);
+  return same;
+}
+
 Loaded open(const std::string& path, std::string name) {
   std::error_code error;
   if (!fs::exists(path, error)) refuse(messages::kNoConfigurationFile, path);
@@ -86,6 +98,13 @@ const Configuration& load_configuration(const std::string& path, bool rtl) {
     slot->configuration.name = slot->name;
   }
   return slot->configuration;
+}
+
+const Configuration& load_listed_configuration(const std::string& name, bool rtl) {
+  const fs::path folder = fs::path(this_build().description).parent_path() / "configurations";
+  const fs::path built = folder / (name + ".so");
+  if (is_of_this_build(built)) return load_configuration(built);
+  return load_configuration(folder / (name + ".json"), rtl);
 }
 
 void add_origin(CoreInfo& core, const std::string& path) {

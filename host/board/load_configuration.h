@@ -20,6 +20,11 @@ bool is_configuration_file(std::string_view name);
 /// none, was cut off or fits another program.
 const Configuration& load_configuration(const std::string& path, bool rtl = false);
 
+/// A configuration that hls/configs/configs.json lists and the program does not hold: the library
+/// that the build made beside it (its folder `configurations`) if that is not older than the
+/// program's sources, else one that is made now.
+const Configuration& load_listed_configuration(const std::string& name, bool rtl);
+
 /// What a JSON file says of where its configuration comes from, if it was specialised: made_for,
 /// made_from and, where that is listed, the general configuration.
 void add_origin(CoreInfo& core, const std::string& path);

@@ -51,6 +51,23 @@ class LoadConfiguration : public testing::Test {
   std::string library_;
 };
 
+TEST_F(LoadConfiguration, TakesWhatTheBuildMadeBesideTheProgram) {
+  constexpr Configuration kTable[] = {{.name = "of_a_test", .core = [] { return CoreInfo{}; }}};
+  const fs::path beside = fs::path(this_build().description).parent_path() / "configurations";
+  fs::create_directories(beside);
+  const fs::path path = beside / "of_a_test.so";
+  const auto write = [&](const std::string& content) {
+    std::ofstream(path, std::ios::binary) << content;
+  };
+  // Of other sources it is as if it were not there: it would be made of the JSON file.
+  write(library_);
+  EXPECT_THAT([&] { make_board(kTable, {"model", "of_a_test", ""}); },
+              ThrowsMessage<UserError>(HasSubstr("of_a_test.json: there is no such file")));
+  write(of_this_build());
+  EXPECT_EQ(make_board(kTable, {"model", "of_a_test", ""})->core().packets, 3u);
+  fs::remove(path);
+}
+
 TEST_F(LoadConfiguration, IsNamedByItsFileAndKept) {
   const std::string path = written("mine.so", of_this_build());
   const Configuration& loaded = load_configuration(path);

@@ -25,17 +25,16 @@ namespace {
 constexpr unsigned kAll = 0;  ///< as many as the configuration has
 
 std::vector<std::string> names_with_rtl() {
-  const auto names =
-      names_of(configurations(), [](const Configuration& c) { return c.rtl != nullptr; });
+  const auto names = names_of(configurations(), [](const Configuration& c) { return c.lowered; });
   return {names.begin(), names.end()};
 }
 
 std::unique_ptr<Board> make_checked_board(const std::string& name, int seed) {
-  const auto c = std::ranges::find(configurations(), name, &Configuration::name);
-  CoreInfo info = c->core();
+  const Configuration& c = find_configuration(configurations(), name, true);
+  CoreInfo info = c.core();
   info.name = name;
-  return std::make_unique<RtlBoard>(std::move(info), c->traced("", seed),
-                                    counters_of(c->core_json()));
+  return std::make_unique<RtlBoard>(std::move(info), c.traced("", seed),
+                                    counters_of(c.core_json()));
 }
 
 std::unique_ptr<Board> make_scheduled_model(const std::string& name) {

@@ -20,14 +20,12 @@ std::unique_ptr<Board> open_rtl(const std::string& configuration) {
 
 OpenBoard open_checked(int seed) {
   return [seed](const std::string& configuration) -> std::unique_ptr<Board> {
-    const auto c = std::ranges::find(configurations(), configuration, &Configuration::name);
-    if (c == configurations().end() || c->traced == nullptr) {
-      throw UserError(configuration + " has no Verilog here");
-    }
-    CoreInfo info = c->core();
+    const Configuration& c = find_configuration(configurations(), configuration, true);
+    if (c.traced == nullptr) throw UserError(configuration + " has no Verilog here");
+    CoreInfo info = c.core();
     info.name = configuration;
-    return std::make_unique<RtlBoard>(std::move(info), c->traced("", seed),
-                                      counters_of(c->core_json()));
+    return std::make_unique<RtlBoard>(std::move(info), c.traced("", seed),
+                                      counters_of(c.core_json()));
   };
 }
 

@@ -92,7 +92,10 @@ def key_of(kind: str, config: Json, build: Json) -> str:
     if kind != "native":
         hlsc = pathlib.Path(build["hlsc"])
         if not hlsc.is_file():
-            raise Failed(f"{hlsc} is not there; build the target hlsc, which lowers the units")
+            raise Failed(
+                f"{hlsc} is not there; build the target hlsc, which lowers the units "
+                "(scripts/test --build-only does)"
+            )
         digest.update(hlsc.read_bytes())
     return digest.hexdigest()[:40]
 

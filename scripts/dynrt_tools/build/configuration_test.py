@@ -87,7 +87,8 @@ class Configuration(unittest.TestCase):
         self.hlsc.unlink()
         self.assert_refused(
             THESIS,
-            f"{self.hlsc} is not there; build the target hlsc, which lowers the units",
+            f"{self.hlsc} is not there; build the target hlsc, which lowers "
+            "the units (scripts/test --build-only does)",
             "--verilog",
         )
 

@@ -28,7 +28,7 @@ class Demo(unittest.TestCase):
     def test_preset_builds_the_configuration(self):
         presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
         program = next(p for p in presets["configurePresets"] if p["name"] == "program")
-        self.assertEqual(program["cacheVariables"]["DYNRT_CONFIGURATIONS"], demo_configuration())
+        self.assertEqual(program["cacheVariables"]["DYNRT_BUILT_IN"], demo_configuration())
 
     def test_verilog_and_schedules_are_checked_in(self):
         lowered = BUILD / "generated" / demo_configuration()
