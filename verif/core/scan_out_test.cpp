@@ -39,7 +39,9 @@ class Rendering {
   std::uint64_t render(const glm::dvec3& position, std::uint32_t base) {
     const Scene blocks = load_scene("blocks");
     const Camera camera = choose_camera(
-        blocks, {.position = position, .look_at = glm::dvec3(0, 0.5, 0)}, kWidth, kHeight);
+        blocks,
+        {.position = position, .look_at = glm::dvec3(0, 0.5, 0), .up = {}, .field_of_view = {}},
+        kWidth, kHeight);
     const MemoryImage scene =
         lay_out(blocks, {camera, kWidth, kHeight}, {}, {.spare_stacks = false});
     for (const auto* memory : {&scene.objects.memory, &scene.frame.memory}) {
