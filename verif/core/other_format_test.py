@@ -28,15 +28,28 @@ def run(*command):
 
 
 def configuration(kind):
-    return run(HERE.parents[1] / "scripts" / "configuration", HERE / "other_format.json", kind,
-               "--build", BUILD)
+    return run(
+        HERE.parents[1] / "scripts" / "configuration",
+        HERE / "other_format.json",
+        kind,
+        "--build",
+        BUILD,
+    )
 
 
 def cycles(*flags):
     with tempfile.TemporaryDirectory() as folder:
         figures = pathlib.Path(folder) / "figures.json"
-        run(PROGRAM, "render", *FRAME, *flags, "--out", pathlib.Path(folder) / "frame.png",
-            "--json", figures)
+        run(
+            PROGRAM,
+            "render",
+            *FRAME,
+            *flags,
+            "--out",
+            pathlib.Path(folder) / "frame.png",
+            "--json",
+            figures,
+        )
         return json.loads(figures.read_text(encoding="utf-8"))["frame"]["cycles"]
 
 
@@ -45,8 +58,9 @@ class OtherFormat(unittest.TestCase):
         core = configuration("--rtl")
         self.assertIn("0 + 0 + 0 differ", run(PROGRAM, "compare", *FRAME, "--config", core))
         rtl = cycles("--config", core, "--board", "rtl")
-        model = cycles("--config", core, "--board", "model", "--schedule",
-                       configuration("--verilog"))
+        model = cycles(
+            "--config", core, "--board", "model", "--schedule", configuration("--verilog")
+        )
         self.assertGreater(rtl, 1000)
         self.assertEqual(rtl, model)
 

@@ -60,8 +60,11 @@ class LeftOut(unittest.TestCase):
         for config in WHOLE:
             core = (GENERATED / config / "dynrt_core.v").read_text(encoding="utf-8")
             for unit, needed in UNITS.items():
-                self.assertEqual(re.search(rf"^  {unit}\b", core, re.MULTILINE) is not None,
-                                 config in needed, f"{unit} in {config}")
+                self.assertEqual(
+                    re.search(rf"^  {unit}\b", core, re.MULTILINE) is not None,
+                    config in needed,
+                    f"{unit} in {config}",
+                )
 
     def test_units_lack_the_parts_that_are_not_needed(self):
         for what, (unit, without, having, *kind) in PARTS.items():

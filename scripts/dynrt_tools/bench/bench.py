@@ -21,8 +21,8 @@ Sets up and builds first, as scripts/demo does. Clocks are counted by the RTL an
 run. Speeds are medians of several runs in seconds of processor time, less those of an image of 2x2
 pixels: neither reading the scene nor what else the machine does is in them. The time of the tree is
 the median by the clock on the wall. The top level is built again over 50,000 turned and scaled
-boxes that stand as close as the trees of a wood, in processor time on one core. What falls short of what is asked is marked and explained, and
-is no failure."""
+boxes that stand as close as the trees of a wood, in processor time on one core. The table
+marks and explains a figure that falls short of its aim; that is no failure."""
 
 
 def shared(command: str) -> subprocess.CompletedProcess[str]:

@@ -3,8 +3,8 @@
 """A folder that keeps what was built, under a key of all that it was built of.
 
 An entry is there as a whole or not at all: it is built in a folder beside its place and moved there
-when it is complete. Whoever wants what another is building waits for it. What a build that was cut
-off has left, the next build of the same thing removes.
+when it is complete. A program that wants what another one is building waits for it. The
+next build of the same thing removes what an interrupted build has left.
 """
 
 from collections.abc import Callable, Iterator

@@ -193,7 +193,7 @@ def make(args: argparse.Namespace) -> pathlib.Path:
     entry = BuildCache().get(
         f"configuration-{args.kind}-{key_of(args.kind, config, build)}",
         Builder(args.kind, config, build, args.jobs, progress),
-        lambda: progress("another program is at it, waiting"),
+        lambda: progress("another program builds it; waiting"),
     )
     made = entry if args.kind == "verilog" else entry / LIBRARY
     if not args.out:
@@ -214,9 +214,9 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         prog="scripts/configuration",
         description=__doc__,
-        epilog="What is built is kept in the folder that DYNRT_CACHE names (default: dynrt in the "
-        "user's cache folder) and built again when the configuration, the sources, the compiler or "
-        "its flags change. Prints where it is.",
+        epilog="The folder that DYNRT_CACHE names (default: dynrt in the user's cache folder) keeps "
+        "each result. A change of the configuration, the sources, the compiler or its flags makes "
+        "another one. Prints where the result is.",
     )
     parser.add_argument(
         "file",

@@ -26,8 +26,8 @@ def parse() -> argparse.Namespace:
         prog="scripts/place",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
-        epilog="Results are kept by what they were made of, in the "
-        "folder that DYNRT_CACHE names, else in build/synth.",
+        epilog="The folder that DYNRT_CACHE names, else build/synth, keeps every result under a key "
+        "of its sources.",
     )
     parser.add_argument(
         "unit",

@@ -66,8 +66,8 @@ def parse() -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="scripts/synth",
         description=__doc__,
-        epilog="Results are kept by what they were made of, in the folder that "
-        "DYNRT_CACHE names, else in build/synth.",
+        epilog="The folder that DYNRT_CACHE names, else build/synth, keeps every result under a key "
+        "of its sources.",
     )
     parser.add_argument(
         "unit",
