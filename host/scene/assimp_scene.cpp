@@ -4,7 +4,9 @@
 
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -12,6 +14,7 @@
 #include <glm/vector_relational.hpp>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -57,6 +60,7 @@ class Conversion {
     } else {
       find_channels();
       nodes(*from_.mRootNode, glm::dmat4(1.0), std::nullopt);
+      rest_skins();
       if (!scene_.motion.empty()) move_to(scene_, 0.0);
     }
     return std::move(scene_);
@@ -110,20 +114,47 @@ class Conversion {
     return true;
   }
 
+  /// Of the first animation that moves nodes.
   void find_channels() {
-    if (from_.mNumAnimations == 0) return;
-    const aiAnimation& animation = *from_.mAnimations[0];
-    if (animation.mNumChannels == 0) {
-      wording::fail(wording::kNoKeyframes, label_, animation.mName.C_Str());
+    const std::span<aiAnimation*> animations(from_.mAnimations, from_.mNumAnimations);
+    if (animations.empty()) return;
+    const auto moves_nodes = [](const aiAnimation* a) { return a->mNumChannels > 0; };
+    const auto found = std::ranges::find_if(animations, moves_nodes);
+    if (found == animations.end()) {
+      note_rest(*animations[0]);
+      return;
     }
-    if (from_.mNumAnimations > 1) {
+    const aiAnimation& animation = **found;
+    if (animations.size() > 1) {
       scene_.notes.push_back(
-          fmt::format(wording::kAnimations, label_, from_.mNumAnimations, animation.mName.C_Str()));
+          fmt::format(wording::kAnimations, label_, animations.size(), animation.mName.C_Str()));
     }
     seconds_ = 1.0 / (animation.mTicksPerSecond > 0.0 ? animation.mTicksPerSecond : 1.0);
     for (unsigned c = 0; c < animation.mNumChannels; ++c) {
       channel_of_[animation.mChannels[c]->mNodeName.C_Str()] = animation.mChannels[c];
     }
+  }
+
+  void note_rest(const aiAnimation& animation) {
+    const char* moved = animation.mNumMorphMeshChannels > 0 ? "morph targets"
+                        : animation.mNumMeshChannels > 0    ? "vertices"
+                                                            : "nothing that is followed";
+    scene_.notes.push_back(
+        fmt::format(wording::kNothingMoves, label_, animation.mName.C_Str(), moved));
+  }
+
+  /// Bones move no instance, so what only they follow stands still.
+  void rest_skins() {
+    std::size_t skins = 0;
+    for (unsigned m = 0; m < from_.mNumMeshes; ++m) skins += from_.mMeshes[m]->HasBones();
+    if (skins == 0 || from_.mNumAnimations == 0) return;
+    scene_.notes.push_back(fmt::format(wording::kSkins, label_, skins, skins == 1 ? "" : "es",
+                                       skins == 1 ? "a skin" : "skins"));
+    const bool moves = scene_.camera_motion.has_value() ||
+                       std::ranges::any_of(scene_.instances, [](const Instance& instance) {
+                         return instance.motion.has_value();
+                       });
+    if (!moves) scene_.motion.clear();
   }
 
   // `moved_by`: what moves the parent, an index into Scene::motion.

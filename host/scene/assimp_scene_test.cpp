@@ -170,13 +170,77 @@ TEST_F(MovingGltf, NamesKeyframesThatCannotBeUsed) {
   EXPECT_EQ(error(), sentence("arm", 1, "2"));
 }
 
-TEST_F(MovingGltf, NamesAnAnimationThatMovesNothing) {
+TEST_F(MovingGltf, RendersAtRestWhatMovesNoNode) {
   std::string text = kFile;
   const auto begin = text.find("[{\"sampler\": 0"), end = text.find("}],\n  \"buffers\"");
   text.replace(begin, end - begin, "[]");
-  EXPECT_EQ(error(text),
-            ": the animation 'work' moves no node; give it a channel of translation, rotation or "
-            "scale");
+  const Scene scene = load(text);
+  EXPECT_EQ(scene.instances.size(), 2u);
+  EXPECT_EQ(duration(scene), 0.0);
+  ASSERT_EQ(scene.notes.size(), 1u);
+  EXPECT_EQ(scene.notes[0],
+            folder_.path("a.gltf") +
+                ": the animation 'work' moves nothing that is followed and no node, so "
+                "the scene is rendered at rest");
+}
+
+TEST_F(MovingGltf, RendersMorphTargetsAtRest) {
+  std::string text = kFile;
+  const auto begin = text.find("[{\"sampler\": 0"), end = text.find("}],\n  \"buffers\"");
+  text.replace(begin, end - begin,
+               "[{\"sampler\": 0, \"target\": {\"node\": 2, \"path\": \"weights\"}}]");
+  text = replaced(text, "\"output\": 2}", "\"output\": 3}");  // a weight at either time
+  text = replaced(text, "{\"attributes\": {\"POSITION\": 0}, \"material\": 0}",
+                  "{\"attributes\": {\"POSITION\": 0}, \"material\": 0, "
+                  "\"targets\": [{\"POSITION\": 0}]}");
+  const Scene scene = load(text);
+  EXPECT_EQ(scene.instances.size(), 2u);
+  EXPECT_EQ(duration(scene), 0.0);
+  ASSERT_EQ(scene.notes.size(), 1u);
+  EXPECT_EQ(scene.notes[0],
+            folder_.path("a.gltf") +
+                ": the animation 'work' moves morph targets and no node, so the scene "
+                "is rendered at rest");
+}
+
+// The arm and the base are the joints of the sled's mesh.
+TEST_F(MovingGltf, RendersSkinsAtRest) {
+  std::string text = replaced(kFile, "\"scale\": [2, 2, 2]", "\"scale\": [2, 2, 2], \"skin\": 0");
+  text = replaced(text, "\"mesh\": 0, \"translation\": [0, 0, 3]", "\"translation\": [0, 0, 3]");
+  text = replaced(text, "\"camera\": 0, \"translation\"", "\"translation\"");
+  text = replaced(text, "{\"sampler\": 1, \"target\": {\"node\": 3, \"path\": \"translation\"}}",
+                  "{\"sampler\": 0, \"target\": {\"node\": 1, \"path\": \"rotation\"}}");
+  text = replaced(text, "\"cameras\":",
+                  "\"skins\": [{\"joints\": [1], \"inverseBindMatrices\": 7}], \"cameras\":");
+  for (int primitive = 0; primitive < 4; ++primitive) {
+    text = replaced(text, "{\"POSITION\": 0}, \"material\"",
+                    "{\"POSITION\": 0, \"JOINTS_0\": 5, \"WEIGHTS_0\": 6}, \"material\"");
+  }
+  text = replaced(text, "\"type\": \"VEC3\"}]\n",
+                  "\"type\": \"VEC3\"},\n"
+                  "    {\"bufferView\": 5, \"componentType\": 5121, \"count\": 3, \"type\": "
+                  "\"VEC4\"},\n"
+                  "    {\"bufferView\": 6, \"componentType\": 5126, \"count\": 3, \"type\": "
+                  "\"VEC4\"},\n"
+                  "    {\"bufferView\": 7, \"componentType\": 5126, \"count\": 1, \"type\": "
+                  "\"MAT4\"}]\n");
+  text = replaced(text, "\"byteOffset\": 84, \"byteLength\": 24}]",
+                  "\"byteOffset\": 84, \"byteLength\": 24},\n"
+                  "                  {\"buffer\": 0, \"byteOffset\": 108, \"byteLength\": 12},\n"
+                  "                  {\"buffer\": 0, \"byteOffset\": 120, \"byteLength\": 48},\n"
+                  "                  {\"buffer\": 0, \"byteOffset\": 168, \"byteLength\": 64}]");
+  text = replaced(text, "\"byteLength\": 108", "\"byteLength\": 232");
+  numbers_.resize(30, 0.0f);  // joint 0 of each vertex
+  for (int vertex = 0; vertex < 3; ++vertex) numbers_.insert(numbers_.end(), {1, 0, 0, 0});
+  for (int i = 0; i < 16; ++i) numbers_.push_back(i % 5 == 0 ? 1.0f : 0.0f);
+  const Scene scene = load(text);
+  EXPECT_EQ(scene.instances.size(), 1u);
+  EXPECT_EQ(duration(scene), 0.0);
+  ASSERT_EQ(scene.notes.size(), 1u);
+  EXPECT_EQ(scene.notes[0],
+            folder_.path("a.gltf") +
+                ": 4 meshes with skins cannot follow the animation of bones, so dynrt "
+                "renders them at rest");
 }
 
 TEST_F(MovingGltf, NamesTheNodeWhoseAnimationHasNoFrames) {
@@ -194,8 +258,8 @@ TEST_F(MovingGltf, NotesMoreThanOneAnimation) {
     "channels": [{"sampler": 0, "target": {"node": 1, "path": "rotation"}}]}, {"name": "work")";
   const Scene scene = load(replaced(kFile, "\"animations\": [{\"name\": \"work\"", second));
   ASSERT_EQ(scene.notes.size(), 1u);
-  EXPECT_EQ(scene.notes[0], folder_.path("a.gltf") +
-                                ": has 2 animations, of which only the first, 'work', is used");
+  EXPECT_EQ(scene.notes[0],
+            folder_.path("a.gltf") + ": has 2 animations, of which only 'work' is used");
 }
 
 }  // namespace

@@ -29,9 +29,9 @@ std::vector<std::string> check_obj(std::string_view text, const std::string& pat
 /// alone, Assimp skips a first byte of the data that is one too.
 std::string mended_ply(std::string text, const std::string& path);
 
-/// Assimp's recursion overflows the stack where nodes are nested deeply, and Assimp makes up a
-/// keyframe where an animation has none. Throws UserError for both, and for JSON that cannot be
-/// parsed with its line. `text` is a .gltf or a .glb file.
+/// Assimp's recursion overflows the stack where nodes are nested deeply, Assimp makes up a keyframe
+/// where an animation has none and crashes on a skin without matrices. Throws UserError for these,
+/// and for JSON that cannot be parsed with its line. `text` is a .gltf or a .glb file.
 void check_gltf(std::string_view text, const std::string& path);
 
 }  // namespace dynrt::host

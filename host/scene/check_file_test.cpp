@@ -127,6 +127,13 @@ TEST(CheckGltf, JudgesTheNodeGraph) {
             "node graph");
 }
 
+TEST(CheckGltf, RefusesASkinWithoutMatrices) {
+  EXPECT_EQ(
+      gltf(R"({"skins": [{"joints": [0], "inverseBindMatrices": 3}, {"joints": [0]}]})"),
+      "a.gltf: skin 1 has no 'inverseBindMatrices', which it needs here; export the file with "
+      "them or without the skin");
+}
+
 TEST(CheckGltf, ReadsTheJsonOfAGlb) {
   const auto glb = [](uint8_t version, uint8_t json, std::string_view text) {
     std::string bytes = "glTF";

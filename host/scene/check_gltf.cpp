@@ -84,6 +84,18 @@ void check_keyframes(const nlohmann::json& json, const std::string& path) {
   }
 }
 
+/// Assimp 5.2 crashes where a skin has none, which the format allows.
+void check_skins(const nlohmann::json& json, const std::string& path) {
+  const auto skins = json.find("skins");
+  if (skins == json.end() || !skins->is_array()) return;
+  for (std::size_t s = 0; s < skins->size(); ++s) {
+    const nlohmann::json& skin = (*skins)[s];
+    if (skin.is_object() && !skin.contains("inverseBindMatrices")) {
+      wording::fail(wording::kSkinWithoutMatrices, path, s);
+    }
+  }
+}
+
 }  // namespace
 
 void check_gltf(std::string_view text, const std::string& path) {
@@ -92,7 +104,9 @@ void check_gltf(std::string_view text, const std::string& path) {
   const nlohmann::json json = parse_json(text, path);
   const auto nodes = json.find("nodes");
   if (nodes != json.end() && nodes->is_array()) check_depth(*nodes, path);
-  if (json.is_object()) check_keyframes(json, path);
+  if (!json.is_object()) return;
+  check_keyframes(json, path);
+  check_skins(json, path);
 }
 
 }  // namespace dynrt::host

@@ -103,7 +103,8 @@ Scene Furniture::load(const FurnitureEntry& entry, std::optional<glm::dvec3> siz
   const auto text = library.read(entry.model);
   if (!text)
     wording::fail(wording::kBadLibrary, entry.library, entry.model + " is missing", kRemedy);
-  Scene scene = import_obj(library, entry.model, *text, label);
+  // Descriptions give the catalogue's materials their colours by name.
+  Scene scene = import_obj(library, entry.model, *text, label, Textures::kIgnored);
 
   scene.instances[0].transform = glm::dmat4(entry.rotation);
   const Box box = bounds(scene);

@@ -25,6 +25,7 @@
 #include "host/scene/memory_files.h"
 #include "host/scene/text_encoding.h"
 #include "host/scene/text_lines.h"
+#include "host/scene/textures.h"
 #include "host/scene/wording.h"
 
 #if __has_feature(address_sanitizer)
@@ -147,10 +148,14 @@ AssimpForm form_of(std::string_view extension) {
                                                                       : AssimpForm::kOneMesh;
 }
 
-Scene convert(Assimp::Importer& importer, const std::string& path, const std::string& label) {
+Scene convert(Assimp::Importer& importer, const std::string& path, const std::string& label,
+              Textures textures = Textures::kMixed) {
   const std::string extension = extension_of(path);
   const aiScene& scene = read(importer, path, label, format_of(extension));
   Scene result = convert_assimp(scene, label, form_of(extension));
+  if (textures == Textures::kMixed) {
+    mix_textures(scene, *importer.GetIOHandler(), path, label, result);
+  }
   if (result.instances.empty()) {
     wording::fail(wording::kNoTriangles, label, result.dropped.zero_area_triangles,
                   result.dropped.points_and_lines);
@@ -211,13 +216,13 @@ std::vector<std::string> assimp_extensions() {
 }
 
 Scene import_obj(Assimp::IOSystem& files, const std::string& path, const std::string& text,
-                 const std::string& label) {
+                 const std::string& label, Textures textures) {
   const std::string utf8 = to_utf8(text);
   const std::vector<std::string> material_files = check_obj(utf8, label);
   OneFileReplaced decoded(files, path, utf8);
   Assimp::Importer importer;
   const Lend lend(importer, decoded);
-  Scene scene = convert(importer, path, label);
+  Scene scene = convert(importer, path, label, textures);
   note_missing(material_files, files, path, label, scene);
   return scene;
 }
@@ -230,7 +235,9 @@ Scene import_file(const std::string& path) {
   }
   Assimp::DefaultIOSystem disk;
   Assimp::Importer importer;
-  if (extension == ".obj") return import_obj(disk, path, read_file(path), path);
+  if (extension == ".obj") {
+    return import_obj(disk, path, read_file(path), path, Textures::kMixed);
+  }
   if (extension == ".ply") {
     const std::string text = mended_ply(read_file(path), path);
     OneFileReplaced mended(disk, path, text);

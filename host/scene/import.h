@@ -25,10 +25,13 @@ std::vector<std::string> assimp_extensions();
 /// A file on the disk. Throws UserError when its extension is none of those.
 Scene import_file(const std::string& path);
 
-/// An OBJ file in another place than the disk, such as a zip library. `files` opens it and the
-/// material files that it names; `text` is its content and `label` what messages call it.
+/// Whether textures give materials their mean colours (textures.h).
+enum class Textures { kMixed, kIgnored };
+
+/// An OBJ file in another place than the disk, such as a zip library. `files` opens the material
+/// files that it names; `text` is its content and `label` what messages call it.
 Scene import_obj(Assimp::IOSystem& files, const std::string& path, const std::string& text,
-                 const std::string& label);
+                 const std::string& label, Textures textures);
 
 /// Throws UserError, naming the node, unless the transform is affine, finite and has an inverse.
 void require_inverse(const Instance& instance, const std::string& label);

@@ -51,6 +51,16 @@ inline std::optional<double> to_number(std::string_view word) {
   return value;
 }
 
+/// Of two hexadecimal digits.
+inline std::optional<unsigned char> to_byte(std::string_view word) {
+  unsigned char value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value, 16);
+  if (error != std::errc() || end != word.data() + word.size() || word.size() != 2) {
+    return std::nullopt;
+  }
+  return value;
+}
+
 inline std::optional<long long> to_integer(std::string_view word) {
   long long value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);

@@ -45,8 +45,6 @@ inline constexpr Text kCameraNode = "{}: node '{}': {}";
 inline constexpr Text kNoTriangles =
     "{}: the scene has no triangles ({} of zero area, {} points and lines left out)";
 
-inline constexpr Text kNoKeyframes =
-    "{}: the animation '{}' moves no node; give it a channel of translation, rotation or scale";
 inline constexpr Text kChannelEmpty =
     "{}: node '{}': its animation has no keyframes; give it at least one or take it out";
 inline constexpr Text kKeyframe =
@@ -67,10 +65,18 @@ inline constexpr Text kLightInside =
 inline constexpr Text kNoMaterialNamed = "scene '{}' has no material '{}'; it has {}";
 
 // Notes, which stop nothing
-inline constexpr Text kAnimations = "{}: has {} animations, of which only the first, '{}', is used";
+inline constexpr Text kAnimations = "{}: has {} animations, of which only '{}' is used";
+inline constexpr Text kNothingMoves =
+    "{}: the animation '{}' moves {} and no node, so the scene is rendered at rest";
+inline constexpr Text kSkins =
+    "{}: {} mesh{} with {} cannot follow the animation of bones, so dynrt renders them at rest";
 inline constexpr Text kLightNotPoint = "{}: light '{}' is not a point light and was left out";
 inline constexpr Text kCameraNotPerspective =
     "{}: camera '{}' is not a perspective camera and was left out";
+inline constexpr Text kTextures =
+    "{}: has {} base colour texture{}; a material gets the mean colour of its texture";
+inline constexpr Text kTexturesUnread =
+    "{}: {} of its textures cannot be read, so their materials keep their own colours: {}{}";
 inline constexpr Text kCameraAngle =
     "{}: the angle of camera '{}' is not read, as the camera has no name; it is taken as {} "
     "degrees";
@@ -92,6 +98,9 @@ inline constexpr Text kPlyShort =
     "{}:{}: the line has fewer numbers than element '{}' has properties";
 
 // glTF
+inline constexpr Text kSkinWithoutMatrices =
+    "{}: skin {} has no 'inverseBindMatrices', which it needs here; export the file with them or "
+    "without the skin";
 inline constexpr Text kNodesDeep =
     "{}: node '{}' lies more than {} levels deep or inside itself; flatten the node graph";
 
