@@ -5,8 +5,7 @@
 // in seconds. Positions, turns and sizes go evenly from key to key, turns the shortest way about
 // one axis; a camera's path is a smooth curve through its keys. Before the first key and after the
 // last all stand still, unless a node repeats.
-#ifndef DYNRT_HOST_SCENE_ANIMATION_H_
-#define DYNRT_HOST_SCENE_ANIMATION_H_
+#pragma once
 
 #include <glm/mat4x4.hpp>
 #include <optional>
@@ -17,24 +16,22 @@
 
 namespace dynrt::host {
 
-// The time of the last key of all; 0 when nothing moves. What repeats counts once.
+/// The time of the last key of all; 0 when nothing moves. What repeats counts once.
 double duration(const Scene& scene);
 
-// Where an animation is looked at: at rest, at every key, and at 64 moments evenly between the
-// first and the last.
+/// Where an animation is looked at: at rest, at every key, and at 64 moments evenly between the
+/// first and the last.
 std::vector<double> moments_of(const Scene& scene);
 
-// Object to world, of every instance.
+/// Object to world, of every instance.
 std::vector<glm::dmat4> transforms_at(const Scene& scene, double time);
 
-// For a square image, as Scene::camera; nothing when the scene has none. Throws UserError, naming
-// the time, when the camera there stands at the point that it looks at or looks along its up.
+/// For a square image, as Scene::camera; nothing when the scene has none. Throws UserError, naming
+/// the time, when the camera there stands at the point that it looks at or looks along its up.
 std::optional<Camera> camera_at(const Scene& scene, double time);
 
-// Makes these the scene's own. Throws UserError, naming the instance and the time, when a transform
-// has no inverse there.
+/// Makes these the scene's own. Throws UserError, naming the instance and the time, when a
+/// transform has no inverse there.
 void move_to(Scene& scene, double time);
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_ANIMATION_H_

@@ -108,7 +108,7 @@ class Conversion {
     scene_.dropped.zero_area_triangles += builder.zero_area_triangles();
     Mesh mesh = builder.take();
     if (mesh.triangles.empty()) return false;
-    instance.object = static_cast<uint32_t>(scene_.objects.size());
+    instance.object = static_cast<std::uint32_t>(scene_.objects.size());
     scene_.objects.push_back(std::move(mesh));
     scene_.instances.push_back(std::move(instance));
     return true;
@@ -158,7 +158,7 @@ class Conversion {
   }
 
   // `moved_by`: what moves the parent, an index into Scene::motion.
-  void nodes(const aiNode& node, const glm::dmat4& parent, std::optional<uint32_t> moved_by) {
+  void nodes(const aiNode& node, const glm::dmat4& parent, std::optional<std::uint32_t> moved_by) {
     const glm::dmat4 transform = parent * to_glm(node.mTransformation);
     const std::string name = node.mName.C_Str();
     const auto channel = channel_of_.find(name);
@@ -180,14 +180,14 @@ class Conversion {
     for (unsigned c = 0; c < node.mNumChildren; ++c) nodes(*node.mChildren[c], transform, moved_by);
   }
 
-  uint32_t add_motion(const std::string& name, const glm::dmat4& transform,
-                      std::optional<uint32_t> parent) {
+  std::uint32_t add_motion(const std::string& name, const glm::dmat4& transform,
+                           std::optional<std::uint32_t> parent) {
     MotionNode node;
     node.name = name;
     node.parent = parent;
     node.transform = transform;
     scene_.motion.push_back(std::move(node));
-    return static_cast<uint32_t>(scene_.motion.size() - 1);
+    return static_cast<std::uint32_t>(scene_.motion.size() - 1);
   }
 
   // Assimp gives a node that is animated in one way the keys of the two others as well: one each.
@@ -231,7 +231,7 @@ class Conversion {
       const bool kept = keep(std::move(builder), std::move(instance));
       object_of_[meshes] = kept ? static_cast<int>(scene_.objects.size()) - 1 : kNothingLeft;
     } else if (known->second != kNothingLeft) {
-      instance.object = static_cast<uint32_t>(known->second);
+      instance.object = static_cast<std::uint32_t>(known->second);
       scene_.instances.push_back(std::move(instance));
     }
   }

@@ -11,7 +11,7 @@ namespace dynrt::host {
 
 namespace {
 
-constexpr uint32_t kVersion = 46;
+constexpr std::uint32_t kVersion = 46;
 constexpr std::size_t kHeaderBytes = 8 + 17 * 8;
 
 struct Lump {
@@ -32,12 +32,12 @@ class Record {
  public:
   explicit Record(std::string_view bytes) : bytes_(bytes) {}
 
-  uint8_t byte(std::size_t at) const { return static_cast<uint8_t>(bytes_[at]); }
-  uint32_t word(std::size_t at) const {
-    return byte(at) | uint32_t{byte(at + 1)} << 8 | uint32_t{byte(at + 2)} << 16 |
-           uint32_t{byte(at + 3)} << 24;
+  std::uint8_t byte(std::size_t at) const { return static_cast<std::uint8_t>(bytes_[at]); }
+  std::uint32_t word(std::size_t at) const {
+    return byte(at) | std::uint32_t{byte(at + 1)} << 8 | std::uint32_t{byte(at + 2)} << 16 |
+           std::uint32_t{byte(at + 3)} << 24;
   }
-  int32_t integer(std::size_t at) const { return static_cast<int32_t>(word(at)); }
+  std::int32_t integer(std::size_t at) const { return static_cast<std::int32_t>(word(at)); }
   double real(std::size_t at) const { return std::bit_cast<float>(word(at)); }
 
  private:
@@ -51,7 +51,7 @@ class BspReader {
   BspMap run() {
     if (!bytes_.starts_with("IBSP")) wording::fail(wording::kBspMagic, label_);
     if (bytes_.size() < 8) wording::fail(wording::kBspHeader, label_, bytes_.size(), kHeaderBytes);
-    const uint32_t version = Record(bytes_).word(4);
+    const std::uint32_t version = Record(bytes_).word(4);
     if (version != kVersion) wording::fail(wording::kBspVersion, label_, version, kVersion);
     if (bytes_.size() < kHeaderBytes) {
       wording::fail(wording::kBspHeader, label_, bytes_.size(), kHeaderBytes);
@@ -116,9 +116,9 @@ class BspReader {
   }
 
   // Throws unless [first, first + count) exists, of `all`.
-  void require(std::size_t face, const char* what, int64_t first, int64_t count,
+  void require(std::size_t face, const char* what, std::int64_t first, std::int64_t count,
                std::size_t all) const {
-    if (first < 0 || count < 0 || first + count > static_cast<int64_t>(all)) {
+    if (first < 0 || count < 0 || first + count > static_cast<std::int64_t>(all)) {
       wording::fail(wording::kBspFaceRange, label_, face, what, first, first + count - 1, all);
     }
   }
@@ -128,7 +128,7 @@ class BspReader {
     for (const Record& r : records(kFaces)) {
       const std::size_t number = map_.faces.size();
       BspFace face;
-      const uint32_t type = r.word(8);
+      const std::uint32_t type = r.word(8);
       if (type < BspFace::kPolygon || type > BspFace::kBillboard) {
         wording::fail(wording::kBspFaceType, label_, number, type);
       }
@@ -136,7 +136,7 @@ class BspReader {
       require(number, "texture", r.integer(0), 1, map_.textures.size());
       face.texture = r.word(0);
       face.first_vertex = r.word(12);
-      const uint32_t vertices = r.word(16);
+      const std::uint32_t vertices = r.word(16);
       require(number, "vertices", r.integer(12), r.integer(16), map_.vertices.size());
       face.lightmap = r.integer(28) < 0 ? -1 : r.integer(28);
       if (face.lightmap >= 0) {
@@ -144,9 +144,9 @@ class BspReader {
       }
       if (face.type == BspFace::kPatch) {
         face.patch = {r.word(96), r.word(100)};
-        const auto odd = [](uint32_t n) { return n >= 3 && n % 2 == 1; };
+        const auto odd = [](std::uint32_t n) { return n >= 3 && n % 2 == 1; };
         if (!odd(face.patch.x) || !odd(face.patch.y) ||
-            uint64_t{face.patch.x} * face.patch.y != vertices) {
+            std::uint64_t{face.patch.x} * face.patch.y != vertices) {
           wording::fail(wording::kBspPatch, label_, number, face.patch.x, face.patch.y, vertices);
         }
       } else if (face.type != BspFace::kBillboard) {
@@ -156,26 +156,26 @@ class BspReader {
     }
   }
 
-  void corners(BspFace& face, std::size_t number, const Record& r, uint32_t vertices,
+  void corners(BspFace& face, std::size_t number, const Record& r, std::uint32_t vertices,
                const std::vector<Record>& mesh_vertices) const {
     require(number, "mesh vertices", r.integer(20), r.integer(24), mesh_vertices.size());
-    const uint32_t first = r.word(20), count = r.word(24);
+    const std::uint32_t first = r.word(20), count = r.word(24);
     if (count % 3 != 0) wording::fail(wording::kBspCorners, label_, number, count);
-    for (uint32_t i = first; i < first + count; ++i) {
-      const int32_t corner = mesh_vertices[i].integer(0);
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const std::int32_t corner = mesh_vertices[i].integer(0);
       require(number, "corner", corner, 1, vertices);
-      face.corners.push_back(static_cast<uint32_t>(corner));
+      face.corners.push_back(static_cast<std::uint32_t>(corner));
     }
   }
 
   void models() {
     for (const Record& r : records(kModels)) {
-      const int64_t first = r.integer(24), count = r.integer(28);
-      if (first < 0 || count < 0 || first + count > static_cast<int64_t>(map_.faces.size())) {
+      const std::int64_t first = r.integer(24), count = r.integer(28);
+      if (first < 0 || count < 0 || first + count > static_cast<std::int64_t>(map_.faces.size())) {
         wording::fail(wording::kBspModel, label_, map_.models.size(), first, first + count - 1,
                       map_.faces.size());
       }
-      map_.models.push_back({static_cast<uint32_t>(first), static_cast<uint32_t>(count)});
+      map_.models.push_back({static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(count)});
     }
   }
 

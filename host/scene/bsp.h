@@ -5,8 +5,7 @@
 // no more (no visibility, no brushes). Everything is checked here: an index read is an index that
 // exists. Positions are the file's: z up, a unit is about an inch. Lump numbers and record sizes
 // are those of the engine's published source (qfiles.h).
-#ifndef DYNRT_HOST_SCENE_BSP_H_
-#define DYNRT_HOST_SCENE_BSP_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -20,38 +19,39 @@
 namespace dynrt::host {
 
 struct BspTexture {
-  static constexpr uint32_t kSky = 0x4, kNoDraw = 0x80;  // bits of the surface flags
+  static constexpr std::uint32_t kSky = 0x4, kNoDraw = 0x80;  ///< bits of the surface flags
 
   std::string name;
-  uint32_t flags = 0;
+  std::uint32_t flags = 0;
 
   bool is_drawn() const { return (flags & (kSky | kNoDraw)) == 0; }
 };
 
 struct BspVertex {
   glm::dvec3 position{0.0};
-  glm::dvec2 lightmap{0.0};  // within its face's lightmap, [0, 1]^2
-  glm::dvec3 colour{0.0};    // light at the vertex, [0, 1]
+  glm::dvec2 lightmap{0.0};  ///< within its face's lightmap, [0, 1]^2
+  glm::dvec3 colour{0.0};    ///< light at the vertex, [0, 1]
 };
 
 struct BspFace {
-  enum Type : uint32_t { kPolygon = 1, kPatch = 2, kMesh = 3, kBillboard = 4 };
+  enum Type : std::uint32_t { kPolygon = 1, kPatch = 2, kMesh = 3, kBillboard = 4 };
 
   Type type = kPolygon;
-  uint32_t texture = 0;
-  uint32_t first_vertex = 0;
-  std::vector<uint32_t> corners;  // polygon, mesh: three a triangle, counted from first_vertex
-  glm::uvec2 patch{0};            // patch: control points along and across, both odd, at least 3
-  int lightmap = -1;              // -1: lit by its vertices' colours
+  std::uint32_t texture = 0;
+  std::uint32_t first_vertex = 0;
+  std::vector<std::uint32_t>
+      corners;          ///< polygon, mesh: three a triangle, counted from first_vertex
+  glm::uvec2 patch{0};  ///< patch: control points along and across, both odd, at least 3
+  int lightmap = -1;    ///< -1: lit by its vertices' colours
 };
 
-// Faces [first, first + count) belong to one model; model 0 is the world.
+/// Faces [first, first + count) belong to one model; model 0 is the world.
 struct BspModel {
-  uint32_t first_face = 0, faces = 0;
+  std::uint32_t first_face = 0, faces = 0;
 };
 
 struct BspMap {
-  static constexpr unsigned kLightmapSide = 128;  // texels; three bytes each, red first
+  static constexpr unsigned kLightmapSide = 128;  ///< texels; three bytes each, red first
 
   using Entity = std::map<std::string, std::string>;
 
@@ -63,10 +63,8 @@ struct BspMap {
   std::vector<std::string> lightmaps;
 };
 
-// `bytes` is the whole file, `label` what messages call it. Throws UserError when it is no such
-// file, of another version, cut off, or refers to something that it does not have.
+/// `bytes` is the whole file, `label` what messages call it. Throws UserError when it is no such
+/// file, of another version, cut off, or refers to something that it does not have.
 BspMap read_bsp(std::string_view bytes, const std::string& label);
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_BSP_H_

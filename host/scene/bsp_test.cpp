@@ -28,7 +28,7 @@ TEST(Bsp, ReadsWhatWasWritten) {
   EXPECT_EQ(map.vertices[5].position, glm::dvec3(1, 0, 2));
   EXPECT_EQ(map.vertices[5].colour, glm::dvec3(64.0 / 255.0));
   ASSERT_EQ(map.faces.size(), 7u);
-  EXPECT_EQ(map.faces[0].corners, (std::vector<uint32_t>{0, 1, 2, 0, 2, 3}));
+  EXPECT_EQ(map.faces[0].corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
   EXPECT_EQ(map.faces[0].lightmap, 0);
   EXPECT_EQ(map.faces[1].type, BspFace::kPatch);
   EXPECT_EQ(map.faces[1].patch, glm::uvec2(3, 3));

@@ -135,14 +135,14 @@ TEST(CheckGltf, RefusesASkinWithoutMatrices) {
 }
 
 TEST(CheckGltf, ReadsTheJsonOfAGlb) {
-  const auto glb = [](uint8_t version, uint8_t json, std::string_view text) {
+  const auto glb = [](std::uint8_t version, std::uint8_t json, std::string_view text) {
     std::string bytes = "glTF";
-    for (const uint8_t byte : {version, uint8_t{22}, json}) {
+    for (const std::uint8_t byte : {version, std::uint8_t{22}, json}) {
       bytes += std::string{static_cast<char>(byte), 0, 0, 0};
     }
     return bytes + "JSON" + std::string(text);
   };
-  for (const uint8_t version : {uint8_t{1}, uint8_t{2}}) {
+  for (const std::uint8_t version : {std::uint8_t{1}, std::uint8_t{2}}) {
     EXPECT_NO_THROW(check_gltf(glb(version, 2, "{}"), "a.gltf"));
     EXPECT_EQ(gltf(glb(version, 2, "[]")),
               "a.gltf:1: is not valid JSON: it must be an object, {...}");

@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::size_t kDeepestNode = 256;
 
-uint32_t little_endian(std::string_view text, std::size_t at) {
-  uint32_t value = 0;
+std::uint32_t little_endian(std::string_view text, std::size_t at) {
+  std::uint32_t value = 0;
   for (std::size_t b = 0; b < 4; ++b) {
-    value |= static_cast<uint32_t>(static_cast<unsigned char>(text[at + b])) << (8 * b);
+    value |= static_cast<std::uint32_t>(static_cast<unsigned char>(text[at + b])) << (8 * b);
   }
   return value;
 }
@@ -27,7 +27,7 @@ uint32_t little_endian(std::string_view text, std::size_t at) {
 std::string_view json_chunk(std::string_view text) {
   constexpr std::size_t kLength = 12, kHeader = 20;
   if (text.size() < kHeader) return {};
-  const uint32_t length = little_endian(text, kLength);
+  const std::uint32_t length = little_endian(text, kLength);
   return length > text.size() - kHeader ? std::string_view() : text.substr(kHeader, length);
 }
 

@@ -3,8 +3,7 @@
 //
 // Lights that cannot light anything. For the configurations that have light rays: the others do
 // without lights, wherever they are.
-#ifndef DYNRT_HOST_SCENE_CHECK_LIGHTS_H_
-#define DYNRT_HOST_SCENE_CHECK_LIGHTS_H_
+#pragma once
 
 #include <glm/vec3.hpp>
 
@@ -13,18 +12,16 @@
 
 namespace dynrt::host {
 
-// How the core knows the scene: one step of its numbers, relative to them, and the space that it is
-// given in here.
+/// How the core knows the scene: one step of its numbers, relative to them, and the space that it
+/// is given in here.
 struct CoreNumbers {
   double last_place = 0x1p-16;
   Space space{};
 };
 
-// Throws UserError, naming the light, for one at infinity, one on a surface as far as the core's
-// numbers can tell, and one inside a closed object that is seen from outside, as which `eye` counts
-// unless it is inside too: a room is closed as well.
+/// Throws UserError, naming the light, for one at infinity, one on a surface as far as the core's
+/// numbers can tell, and one inside a closed object that is seen from outside, as which `eye`
+/// counts unless it is inside too: a room is closed as well.
 void check_lights(const Scene& scene, const glm::dvec3& eye, const CoreNumbers& numbers = {});
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_CHECK_LIGHTS_H_

@@ -53,7 +53,7 @@ TEST(CheckLights, PartsThatOverlapAreClosedAsWell) {
   Scene scene = one_box();
   const Mesh other = make_box({-0.5, -0.5, -3}, {0.5, 0.5, 3}, 0);
   Mesh& mesh = scene.objects[0];
-  const auto first = static_cast<uint32_t>(mesh.vertices.size());
+  const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
   mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
   for (const glm::uvec3& t : other.triangles) mesh.triangles.push_back(t + first);
   mesh.material.resize(mesh.triangles.size());

@@ -125,7 +125,7 @@ class PlyCheck {
 
   bool bytes_of(const Element& element) {
     for (const Property& property : element.properties) {
-      uint64_t numbers = 1;
+      std::uint64_t numbers = 1;
       if (property.count_bytes > 0) {
         if (rest_.size() < property.count_bytes) return false;
         numbers = unsigned_number(property.count_bytes);
@@ -137,11 +137,11 @@ class PlyCheck {
     return true;
   }
 
-  uint64_t unsigned_number(unsigned bytes) const {
-    uint64_t number = 0;
+  std::uint64_t unsigned_number(unsigned bytes) const {
+    std::uint64_t number = 0;
     for (unsigned b = 0; b < bytes; ++b) {
       const unsigned place = big_endian_ ? bytes - 1 - b : b;
-      number |= static_cast<uint64_t>(static_cast<unsigned char>(rest_[b])) << (8 * place);
+      number |= static_cast<std::uint64_t>(static_cast<unsigned char>(rest_[b])) << (8 * place);
     }
     return number;
   }

@@ -83,11 +83,11 @@ class Description {
     }
     Mesh mesh = builder.take();
     if (mesh.primitives() == 0) fail(object, fmt::format(wording::kNoParts, name));
-    object_of_[name] = static_cast<uint32_t>(scene_.objects.size());
+    object_of_[name] = static_cast<std::uint32_t>(scene_.objects.size());
     scene_.objects.push_back(std::move(mesh));
   }
 
-  uint32_t object(const JsonReader& at, const char* key) const {
+  std::uint32_t object(const JsonReader& at, const char* key) const {
     const std::string name = at.text(key);
     const auto found = object_of_.find(name);
     if (found == object_of_.end()) fail(at, fmt::format(wording::kNoObject, name));
@@ -105,7 +105,7 @@ class Description {
     require_inverse(instance, at.file());
     if (at.has("motion")) {
       if (at.has("matrix")) fail(at, wording::kMatrixMotion);
-      instance.motion = static_cast<uint32_t>(scene_.motion.size());
+      instance.motion = static_cast<std::uint32_t>(scene_.motion.size());
       scene_.motion.push_back(read_motion(at.object("motion"), placement));
       scene_.motion.back().name = instance.name;
     }
@@ -116,7 +116,8 @@ class Description {
     at.only({"object", "name", "count", "seed", "from", "to", "scale", "apart", "clear", "ground"});
     Scatter wanted;
     wanted.count = static_cast<std::size_t>(at.integer("count", 1, kMostScattered));
-    wanted.seed = static_cast<uint32_t>(at.integer("seed", 0, std::numeric_limits<int>::max()));
+    wanted.seed =
+        static_cast<std::uint32_t>(at.integer("seed", 0, std::numeric_limits<int>::max()));
     wanted.from = at.pair("from");
     wanted.to = at.pair("to");
     if (at.has("scale")) wanted.scale = at.pair("scale");
@@ -130,7 +131,7 @@ class Description {
       fail(at, wording::kScatterScale);
     }
     if (at.has("ground")) wanted.ground = &scene_.objects[object(at, "ground")];
-    const uint32_t scattered = object(at, "object");
+    const std::uint32_t scattered = object(at, "object");
     const std::string name = at.text("name", at.text("object"));
     const std::vector<glm::dmat4> placed = scatter(wanted);
     if (placed.size() < wanted.count) {
@@ -151,7 +152,7 @@ class Description {
 
   void require_every_object_used() const {
     for (const auto& [name, index] : object_of_) {
-      const uint32_t object = index;
+      const std::uint32_t object = index;
       const bool used = std::any_of(scene_.instances.begin(), scene_.instances.end(),
                                     [&](const Instance& i) { return i.object == object; });
       if (!used) fail(file_, fmt::format(wording::kUnusedObject, name));
@@ -187,7 +188,7 @@ class Description {
   }
 
   const JsonReader& file_;
-  std::map<std::string, uint32_t> object_of_;
+  std::map<std::string, std::uint32_t> object_of_;
   Scene scene_;
   PartReader parts_;
 };

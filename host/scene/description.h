@@ -3,8 +3,7 @@
 //
 // A scene put together from parts, described in JSON; scenes/README.md has the keys. Lengths in
 // metres, y up, angles in degrees, turns counterclockwise seen from the axis' tip.
-#ifndef DYNRT_HOST_SCENE_DESCRIPTION_H_
-#define DYNRT_HOST_SCENE_DESCRIPTION_H_
+#pragma once
 
 #include <string>
 
@@ -14,7 +13,7 @@
 
 namespace dynrt::host {
 
-// Where the Debian packages put their models and maps; opened only when a part asks for one.
+/// Where the Debian packages put their models and maps; opened only when a part asks for one.
 struct Packages {
   std::string furniture = kFurnitureFolder;
   std::string maps = kMapPackage;
@@ -23,5 +22,3 @@ struct Packages {
 Scene load_description(const std::string& path, const Packages& packages = {});
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_DESCRIPTION_H_

@@ -81,12 +81,12 @@ void PartReader::polish(const JsonReader& part, Scene& model) const {
 
 // The one object of a scene, whose materials become the whole's.
 Mesh PartReader::take(Scene&& part, const std::string& prefix) {
-  const auto first = static_cast<uint32_t>(scene_.materials.size());
+  const auto first = static_cast<std::uint32_t>(scene_.materials.size());
   for (Material& material : part.materials) {
     material.name = prefix + "/" + material.name;
     scene_.materials.push_back(std::move(material));
   }
-  for (uint32_t& material : part.objects[0].material) material += first;
+  for (std::uint32_t& material : part.objects[0].material) material += first;
   scene_.dropped.zero_area_triangles += part.dropped.zero_area_triangles;
   scene_.dropped.points_and_lines += part.dropped.points_and_lines;
   std::move(part.notes.begin(), part.notes.end(), std::back_inserter(scene_.notes));
@@ -146,7 +146,7 @@ Mesh PartReader::generated(const JsonReader& part) {
   const std::string shape = part.text("generate");
   scene_.materials.push_back({part.text("name", shape), colour(part, "colour"),
                               part.flag("mirror", false) ? kMirrorShare : 0.0});
-  const auto material = static_cast<uint32_t>(scene_.materials.size() - 1);
+  const auto material = static_cast<std::uint32_t>(scene_.materials.size() - 1);
   if (shape == "box") {
     part.only({"generate", "name", "colour", "mirror", "from", "to", "position", "turn"});
     const glm::dvec3 low = part.vector("from"), high = part.vector("to");
@@ -177,7 +177,7 @@ Mesh PartReader::primitive(const JsonReader& part) {
   const std::string shape = part.text("primitive");
   scene_.materials.push_back({part.text("name", shape), colour(part, "colour"),
                               part.flag("mirror", false) ? kMirrorShare : 0.0});
-  const auto material = static_cast<uint32_t>(scene_.materials.size() - 1);
+  const auto material = static_cast<std::uint32_t>(scene_.materials.size() - 1);
   Mesh mesh;
   if (shape == "sphere") {
     part.only({"primitive", "name", "colour", "mirror", "radius", "radii", "position", "turn"});

@@ -3,8 +3,7 @@
 //
 // The parts of a scene description's objects: a model of the furniture package, a map, a generated
 // shape; and the colours they are given. scenes/README.md has the keys.
-#ifndef DYNRT_HOST_SCENE_DESCRIPTION_PARTS_H_
-#define DYNRT_HOST_SCENE_DESCRIPTION_PARTS_H_
+#pragma once
 
 #include <glm/vec3.hpp>
 #include <optional>
@@ -19,14 +18,14 @@ namespace dynrt::host {
 
 class PartReader {
  public:
-  // Materials, notes and counts of what was left out go into `scene`.
+  /// Materials, notes and counts of what was left out go into `scene`.
   PartReader(const JsonReader& file, const Packages& packages, Scene& scene)
       : file_(file), packages_(packages), scene_(scene) {}
 
-  // Throws UserError when the part is not as it should be.
+  /// Throws UserError when the part is not as it should be.
   Mesh read(const JsonReader& part);
 
-  // A name of the file's "colours" or three numbers in [0, 1].
+  /// A name of the file's "colours" or three numbers in [0, 1].
   glm::dvec3 colour(const JsonReader& at, const std::string& key) const;
 
  private:
@@ -46,5 +45,3 @@ class PartReader {
 };
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_DESCRIPTION_PARTS_H_

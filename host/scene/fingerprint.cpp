@@ -18,7 +18,7 @@ class Hash {
     state_ = (state_ ^ number) * 0x100000001b3u;
     state_ ^= state_ >> 32;
   }
-  void add(double number) { add(std::bit_cast<uint64_t>(number)); }
+  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
   void add(const glm::dvec3& v) { add_all(glm::value_ptr(v), 3); }
   void add(const glm::dquat& q) { add_all(glm::value_ptr(q), 4); }
   void add(const glm::dmat4& m) { add_all(glm::value_ptr(m), 16); }
@@ -59,7 +59,7 @@ class Hash {
     add(node.position);
     add(node.rotation);
     add(node.scale);
-    add(uint32_t{node.repeats});
+    add(std::uint32_t{node.repeats});
   }
   void add(const Camera& camera) {
     for (const glm::dvec3& v : {camera.position, camera.right, camera.up, camera.forward}) add(v);
@@ -80,11 +80,11 @@ class Hash {
   }
   template <typename T>
   void add(const std::optional<T>& item) {
-    add(uint32_t{item.has_value()});
+    add(std::uint32_t{item.has_value()});
     if (item) add(*item);
   }
 
-  uint64_t value() const { return state_; }
+  std::uint64_t value() const { return state_; }
 
  private:
   template <typename T>
@@ -92,12 +92,12 @@ class Hash {
     for (std::size_t i = 0; i < count; ++i) add(numbers[i]);
   }
 
-  uint64_t state_ = 0xcbf29ce484222325u;
+  std::uint64_t state_ = 0xcbf29ce484222325u;
 };
 
 }  // namespace
 
-uint64_t fingerprint(const Scene& scene) {
+std::uint64_t fingerprint(const Scene& scene) {
   Hash hash;
   hash.add(scene.materials);
   hash.add(scene.objects);

@@ -3,8 +3,7 @@
 //
 // Whether two scenes look the same at every time: what an interrupted walk is told by when it goes
 // on. Names do not count, nor what was left out.
-#ifndef DYNRT_HOST_SCENE_FINGERPRINT_H_
-#define DYNRT_HOST_SCENE_FINGERPRINT_H_
+#pragma once
 
 #include <cstdint>
 
@@ -12,9 +11,7 @@
 
 namespace dynrt::host {
 
-// 64 bits that differ wherever triangles, colours, places, lights or motions do, but for chance.
-uint64_t fingerprint(const Scene& scene);
+/// 64 bits that differ wherever triangles, colours, places, lights or motions do, but for chance.
+std::uint64_t fingerprint(const Scene& scene);
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_FINGERPRINT_H_

@@ -56,7 +56,7 @@ TEST(Fingerprint, DiffersWhereverTheSceneDoes) {
       [](Scene& s) { s.path[1].look_at.x = 1; },
       [](Scene& s) { s.path_up = {0, 0, 1}; },
   };
-  std::set<uint64_t> seen;
+  std::set<std::uint64_t> seen;
   for (const auto& change : kChanges) {
     Scene scene = moving();
     change(scene);

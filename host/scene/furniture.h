@@ -5,8 +5,7 @@
 // OBJ models and a catalogue, PluginFurnitureCatalog.properties, of lines like `width#47=63.5`.
 // A model is turned as the catalogue says (modelRotation) and its bounding box scaled to the
 // catalogue's width x height x depth, as Sweet Home 3D does it.
-#ifndef DYNRT_HOST_SCENE_FURNITURE_H_
-#define DYNRT_HOST_SCENE_FURNITURE_H_
+#pragma once
 
 #include <functional>
 #include <glm/mat3x3.hpp>
@@ -22,38 +21,36 @@ namespace dynrt::host {
 inline constexpr char kFurnitureFolder[] = "/usr/share/sweethome3d/furniture";
 
 struct FurnitureEntry {
-  std::string id;        // "Scopia#office_chair"
-  std::string library;   // path of the zip file
-  std::string model;     // path of the OBJ in it
-  std::string creator;   // as the catalogue names it
-  glm::dvec3 size{0.0};  // x width, y height, z depth; in metres (the catalogue: centimetres)
+  std::string id;        ///< "Scopia#office_chair"
+  std::string library;   ///< path of the zip file
+  std::string model;     ///< path of the OBJ in it
+  std::string creator;   ///< as the catalogue names it
+  glm::dvec3 size{0.0};  ///< x width, y height, z depth; in metres (the catalogue: centimetres)
   glm::dmat3 rotation{1.0};
 };
 
 class Furniture {
  public:
-  // Reads the catalogues of all libraries. Throws UserError with the command that installs the
-  // package when the folder has none.
+  /// Reads the catalogues of all libraries. Throws UserError with the command that installs the
+  /// package when the folder has none.
   explicit Furniture(const std::string& folder = kFurnitureFolder);
 
-  // Nothing when no catalogue has the id; throws UserError when its entry cannot be used.
+  /// Nothing when no catalogue has the id; throws UserError when its entry cannot be used.
   std::optional<FurnitureEntry> find(const std::string& id) const;
 
-  // One object, one instance. The object stands on y = 0, centred on x = z = 0, its front towards
-  // +z, with the bounding box of the catalogue, or of `size` in metres.
+  /// One object, one instance. The object stands on y = 0, centred on x = z = 0, its front towards
+  /// +z, with the bounding box of the catalogue, or of `size` in metres.
   Scene load(const FurnitureEntry& entry, std::optional<glm::dvec3> size = {}) const;
 
  private:
   struct Keys {
     std::string library;
-    std::map<std::string, std::string, std::less<>> text;  // of one entry: "width" -> "63.5"
+    std::map<std::string, std::string, std::less<>> text;  ///< of one entry: "width" -> "63.5"
   };
 
   void read_catalogue(const std::string& library);
 
-  std::map<std::string, Keys> entries_;  // by id
+  std::map<std::string, Keys> entries_;  ///< by id
 };
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_FURNITURE_H_

@@ -18,9 +18,9 @@ class Midpoints {
  public:
   explicit Midpoints(Mesh& mesh) : mesh_(mesh) {}
 
-  uint32_t operator()(uint32_t a, uint32_t b) {
+  std::uint32_t operator()(std::uint32_t a, std::uint32_t b) {
     const auto [entry, is_new] =
-        known_.try_emplace(std::minmax(a, b), static_cast<uint32_t>(mesh_.vertices.size()));
+        known_.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(mesh_.vertices.size()));
     if (is_new) {
       const glm::dvec3 sum = mesh_.vertices[a] + mesh_.vertices[b];
       mesh_.vertices.push_back(glm::normalize(sum));
@@ -30,7 +30,7 @@ class Midpoints {
 
  private:
   Mesh& mesh_;
-  std::map<std::pair<uint32_t, uint32_t>, uint32_t> known_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> known_;
 };
 
 Mesh icosahedron() {
@@ -48,14 +48,14 @@ Mesh icosahedron() {
 
 }  // namespace
 
-Mesh make_sphere(double radius, int subdivisions, uint32_t material) {
+Mesh make_sphere(double radius, int subdivisions, std::uint32_t material) {
   Mesh mesh = icosahedron();
   for (int level = 0; level < subdivisions; ++level) {
     Midpoints between(mesh);
     std::vector<glm::uvec3> finer;
     finer.reserve(4 * mesh.triangles.size());
     for (const glm::uvec3& t : mesh.triangles) {
-      const uint32_t xy = between(t.x, t.y), yz = between(t.y, t.z), zx = between(t.z, t.x);
+      const std::uint32_t xy = between(t.x, t.y), yz = between(t.y, t.z), zx = between(t.z, t.x);
       finer.insert(finer.end(), {{t.x, xy, zx}, {t.y, yz, xy}, {t.z, zx, yz}, {xy, yz, zx}});
     }
     mesh.triangles = std::move(finer);
@@ -65,7 +65,7 @@ Mesh make_sphere(double radius, int subdivisions, uint32_t material) {
   return mesh;
 }
 
-Mesh make_box(const glm::dvec3& low, const glm::dvec3& high, uint32_t material) {
+Mesh make_box(const glm::dvec3& low, const glm::dvec3& high, std::uint32_t material) {
   Mesh mesh;
   for (int corner = 0; corner < 8; ++corner) {  // bit k set: at the high side of axis k
     mesh.vertices.emplace_back(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y,
@@ -78,9 +78,9 @@ Mesh make_box(const glm::dvec3& low, const glm::dvec3& high, uint32_t material) 
 }
 
 Mesh make_torus(double major_radius, double minor_radius, int segments, int sides,
-                uint32_t material) {
+                std::uint32_t material) {
   const auto at = [&](int segment, int side) {
-    return static_cast<uint32_t>((segment % segments) * sides + side % sides);
+    return static_cast<std::uint32_t>((segment % segments) * sides + side % sides);
   };
   Mesh mesh;
   for (int i = 0; i < segments; ++i) {
@@ -98,9 +98,9 @@ Mesh make_torus(double major_radius, double minor_radius, int segments, int side
   return mesh;
 }
 
-Mesh make_hills(double side, double height, int cells, uint32_t material) {
+Mesh make_hills(double side, double height, int cells, std::uint32_t material) {
   const auto at = [&](int row, int column) {
-    return static_cast<uint32_t>(row * (cells + 1) + column);
+    return static_cast<std::uint32_t>(row * (cells + 1) + column);
   };
   Mesh mesh;
   for (int row = 0; row <= cells; ++row) {
@@ -114,8 +114,8 @@ Mesh make_hills(double side, double height, int cells, uint32_t material) {
   }
   for (int row = 0; row < cells; ++row) {
     for (int column = 0; column < cells; ++column) {
-      const uint32_t a = at(row, column), b = at(row, column + 1), c = at(row + 1, column),
-                     d = at(row + 1, column + 1);
+      const std::uint32_t a = at(row, column), b = at(row, column + 1), c = at(row + 1, column),
+                          d = at(row + 1, column + 1);
       mesh.triangles.insert(mesh.triangles.end(), {{a, c, b}, {b, c, d}});
     }
   }

@@ -15,7 +15,7 @@ namespace {
 
 // Each edge is run through once in each direction: closed, and no triangle turned over.
 void expect_closed(const Mesh& mesh) {
-  std::map<std::pair<uint32_t, uint32_t>, int> edges;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const glm::uvec3& t : mesh.triangles) {
     ++edges[{t.x, t.y}];
     ++edges[{t.y, t.z}];
@@ -81,7 +81,7 @@ TEST(Generate, HillsAreASquareThatFacesUp) {
   }
   EXPECT_NEAR(area, 2500.0, 1e-9);
   EXPECT_TRUE(lowest >= -2 && lowest < -1 && highest <= 2 && highest > 1) << lowest << highest;
-  EXPECT_EQ(hills.material, std::vector<uint32_t>(800, 3));
+  EXPECT_EQ(hills.material, std::vector<std::uint32_t>(800, 3));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 namespace dynrt::host {
 namespace {
 
-double area(const Scene& scene, uint32_t object) {
+double area(const Scene& scene, std::uint32_t object) {
   const Mesh& mesh = scene.objects[object];
   double sum = 0.0;
   for (const glm::uvec3& t : mesh.triangles) {

@@ -3,8 +3,7 @@
 //
 // Reads the keys of one JSON object and says exactly where something is missing, misspelt or of
 // another type: "office.json: objects[0].parts[3]: 'position' must be three numbers".
-#ifndef DYNRT_HOST_SCENE_JSON_READER_H_
-#define DYNRT_HOST_SCENE_JSON_READER_H_
+#pragma once
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -17,15 +16,15 @@
 
 namespace dynrt::host {
 
-// Throws UserError with the line when the text of the file is not valid JSON, is no object or is
-// nested deeper than any scene is.
+/// Throws UserError with the line when the text of the file is not valid JSON, is no object or is
+/// nested deeper than any scene is.
 nlohmann::json parse_json(std::string_view text, const std::string& path);
 
 class JsonReader {
  public:
   static JsonReader from_file(const std::string& path);
 
-  // Throws UserError when there is another key than these.
+  /// Throws UserError when there is another key than these.
   void only(std::initializer_list<const char*> keys) const;
 
   bool has(const std::string& key) const { return json_.contains(key); }
@@ -36,14 +35,14 @@ class JsonReader {
   int integer(const std::string& key, int low, int high) const;
   std::vector<double> numbers(const std::string& key, std::size_t count) const;
   glm::dvec3 vector(const std::string& key) const;
-  glm::dvec2 pair(const std::string& key) const;                  // [a, b]
-  std::vector<glm::dvec3> vectors(const std::string& key) const;  // [[a, b, c], ...]
+  glm::dvec2 pair(const std::string& key) const;                  ///< [a, b]
+  std::vector<glm::dvec3> vectors(const std::string& key) const;  ///< [[a, b, c], ...]
   std::vector<std::string> texts(const std::string& key) const;
   JsonReader object(const std::string& key) const;
-  std::vector<JsonReader> objects(const std::string& key) const;  // of an array
+  std::vector<JsonReader> objects(const std::string& key) const;  ///< of an array
   std::vector<std::string> keys() const;
 
-  // The same, or what is given when the key is absent.
+  /// The same, or what is given when the key is absent.
   std::string text(const std::string& key, const std::string& otherwise) const;
   double number(const std::string& key, double otherwise) const;
   glm::dvec3 vector(const std::string& key, const glm::dvec3& otherwise) const;
@@ -65,5 +64,3 @@ class JsonReader {
 };
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_JSON_READER_H_

@@ -5,8 +5,7 @@
 // reads (OBJ, PLY, STL, glTF, COLLADA, FBX and some forty others), of a Quake 3 map (FILE.bsp, or
 // FILE.pk3:NAME for one of a package) or of a description like those in scenes/. Throws UserError
 // for anything wrong with it.
-#ifndef DYNRT_HOST_SCENE_LOAD_H_
-#define DYNRT_HOST_SCENE_LOAD_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -17,9 +16,7 @@ namespace dynrt::host {
 
 Scene load_scene(const std::string& name_or_path);
 
-// The built-in names, sorted.
+/// The built-in names, sorted.
 std::vector<std::string> built_in_scenes();
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_LOAD_H_

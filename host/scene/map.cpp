@@ -60,7 +60,7 @@ class MapScene {
     for (std::size_t m = 0; m < map_.models.size(); ++m) {
       const BspModel& model = map_.models[m];
       offset_ = offset_of_[m];
-      for (uint32_t f = 0; f < model.faces; ++f) add(map_.faces[model.first_face + f]);
+      for (std::uint32_t f = 0; f < model.faces; ++f) add(map_.faces[model.first_face + f]);
     }
     scene_.dropped.zero_area_triangles = builder_.zero_area_triangles();
     Mesh mesh = builder_.take();
@@ -120,7 +120,7 @@ class MapScene {
         sum += size * light(face, a, b, c);
         area += size;
       }
-      const uint32_t paint = material(face, area > 0.0 ? sum / area : glm::dvec3(1.0));
+      const std::uint32_t paint = material(face, area > 0.0 ? sum / area : glm::dvec3(1.0));
       for (std::size_t i = begin; i < begin + at_once; i += 3) {
         add(vertex(i), vertex(i + 2), vertex(i + 1), paint);
       }
@@ -128,12 +128,12 @@ class MapScene {
   }
 
   void add_patch(const BspFace& face) {
-    const uint32_t width = face.patch.x;
+    const std::uint32_t width = face.patch.x;
     const int level = options_.tessellation;
     const auto side = static_cast<std::size_t>(level) + 1;
     std::vector<BspVertex> grid(side * side);
-    for (uint32_t row = 0; row + 2 < face.patch.y; row += 2) {
-      for (uint32_t column = 0; column + 2 < width; column += 2) {
+    for (std::uint32_t row = 0; row + 2 < face.patch.y; row += 2) {
+      for (std::uint32_t column = 0; column + 2 < width; column += 2) {
         for (std::size_t j = 0; j < side; ++j) {
           for (std::size_t i = 0; i < side; ++i) {
             grid[j * side + i] = point(face, row, column, static_cast<double>(i) / level,
@@ -144,7 +144,7 @@ class MapScene {
           for (std::size_t i = 0; i + 1 < side; ++i) {
             const BspVertex &a = grid[j * side + i], &b = grid[j * side + i + 1],
                             &c = grid[(j + 1) * side + i], &d = grid[(j + 1) * side + i + 1];
-            const uint32_t paint =
+            const std::uint32_t paint =
                 material(face, 0.5 * (light(face, a, b, c) + light(face, d, c, b)));
             add(a, b, c, paint);
             add(b, d, c, paint);
@@ -155,21 +155,22 @@ class MapScene {
   }
 
   // Neighbouring pieces share a row of control points and so, to the last bit, their border.
-  BspVertex point(const BspFace& face, uint32_t row, uint32_t column, double u, double v) const {
+  BspVertex point(const BspFace& face, std::uint32_t row, std::uint32_t column, double u,
+                  double v) const {
     std::array<BspVertex, 3> along;
     const auto between = [](const BspVertex& a, const BspVertex& b, const BspVertex& c, double t) {
       return BspVertex{bezier(a.position, b.position, c.position, t),
                        bezier(a.lightmap, b.lightmap, c.lightmap, t),
                        bezier(a.colour, b.colour, c.colour, t)};
     };
-    for (uint32_t k = 0; k < 3; ++k) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
       const BspVertex* p = &map_.vertices[face.first_vertex + (row + k) * face.patch.x + column];
       along[k] = between(p[0], p[1], p[2], u);
     }
     return between(along[0], along[1], along[2], v);
   }
 
-  void add(const BspVertex& a, const BspVertex& b, const BspVertex& c, uint32_t paint) {
+  void add(const BspVertex& a, const BspVertex& b, const BspVertex& c, std::uint32_t paint) {
     builder_.add(y_up(a.position + offset_), y_up(b.position + offset_), y_up(c.position + offset_),
                  paint);
   }
@@ -198,12 +199,12 @@ class MapScene {
     const auto x = static_cast<std::size_t>(clamped.x), y = static_cast<std::size_t>(clamped.y);
     const std::string& bytes = map_.lightmaps[static_cast<std::size_t>(lightmap)];
     const char* rgb = &bytes[3 * (y * BspMap::kLightmapSide + x)];
-    const auto byte = [&](int i) { return static_cast<double>(static_cast<uint8_t>(rgb[i])); };
+    const auto byte = [&](int i) { return static_cast<double>(static_cast<std::uint8_t>(rgb[i])); };
     return glm::dvec3(byte(0), byte(1), byte(2)) / 255.0;
   }
 
   // One for each texture and colour, in the 8 bits a channel that the board keeps.
-  uint32_t material(const BspFace& face, const glm::dvec3& light) {
+  std::uint32_t material(const BspFace& face, const glm::dvec3& light) {
     const std::string& name = map_.textures[face.texture].name;
     glm::dvec3 colour = options_.colour ? options_.colour(name) : kGrey;
     if (options_.baked_light) {
@@ -214,7 +215,7 @@ class MapScene {
     const glm::uvec3 bytes(glm::round(255.0 * colour));
     const auto [entry, is_new] =
         material_of_.try_emplace(std::tuple(face.texture, bytes.x, bytes.y, bytes.z),
-                                 static_cast<uint32_t>(scene_.materials.size()));
+                                 static_cast<std::uint32_t>(scene_.materials.size()));
     if (is_new) scene_.materials.push_back({name, glm::dvec3(bytes) / 255.0});
     return entry->second;
   }
@@ -244,7 +245,7 @@ class MapScene {
   MeshBuilder builder_;
   std::vector<glm::dvec3> offset_of_;  // by model
   glm::dvec3 offset_{0.0};
-  std::map<std::tuple<uint32_t, unsigned, unsigned, unsigned>, uint32_t> material_of_;
+  std::map<std::tuple<std::uint32_t, unsigned, unsigned, unsigned>, std::uint32_t> material_of_;
   Scene scene_;
 };
 

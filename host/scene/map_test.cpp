@@ -103,7 +103,8 @@ TEST(Map, ColoursAreTheTexturesTimesTheBakedLight) {
   const auto colours = [&] {
     const Scene scene = map_scene(small_map().bytes(), "m.bsp", options);
     std::vector<glm::dvec3> of;
-    for (const uint32_t m : scene.objects[0].material) of.push_back(scene.materials[m].diffuse);
+    for (const std::uint32_t m : scene.objects[0].material)
+      of.push_back(scene.materials[m].diffuse);
     return of;
   };
   const auto eighth = [](int r, int g, int b) { return glm::dvec3(r, g, b) / 255.0; };

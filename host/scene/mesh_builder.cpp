@@ -25,26 +25,26 @@ std::size_t MeshBuilder::Hash::operator()(const glm::dvec3& v) const {
   return h * 0x9E3779B97F4A7C15u + hash(v.z);
 }
 
-uint32_t MeshBuilder::vertex(const glm::dvec3& position) {
+std::uint32_t MeshBuilder::vertex(const glm::dvec3& position) {
   const auto [entry, is_new] =
-      index_of_.try_emplace(position, static_cast<uint32_t>(mesh_.vertices.size()));
+      index_of_.try_emplace(position, static_cast<std::uint32_t>(mesh_.vertices.size()));
   if (is_new) mesh_.vertices.push_back(position);
   return entry->second;
 }
 
 void MeshBuilder::add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c,
-                      uint32_t material) {
+                      std::uint32_t material) {
   if (has_zero_area(a, b, c)) {
     ++zero_area_triangles_;
     return;
   }
-  const uint32_t i = vertex(a), j = vertex(b), k = vertex(c);
+  const std::uint32_t i = vertex(a), j = vertex(b), k = vertex(c);
   mesh_.triangles.emplace_back(i, j, k);
   mesh_.material.push_back(material);
 }
 
 void MeshBuilder::append(const Mesh& other, const glm::dmat4& placement) {
-  std::vector<uint32_t> placed;
+  std::vector<std::uint32_t> placed;
   placed.reserve(other.vertices.size());
   for (const glm::dvec3& v : other.vertices) {
     placed.push_back(vertex(glm::dvec3(placement * glm::dvec4(v, 1.0))));

@@ -3,8 +3,7 @@
 //
 // Puts an object together triangle by triangle: vertices at exactly the same position become one
 // (neighbouring triangles then share them), triangles of zero area are left out and counted.
-#ifndef DYNRT_HOST_SCENE_MESH_BUILDER_H_
-#define DYNRT_HOST_SCENE_MESH_BUILDER_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -17,18 +16,18 @@
 
 namespace dynrt::host {
 
-// Whether the height over the longest edge is at most 1e-7 of that edge: three points on a line
-// come out of a file's decimals about that far from it in single precision, and what such a
-// triangle's normal would be is chance. Slivers of an aspect of a million stay.
+/// Whether the height over the longest edge is at most 1e-7 of that edge: three points on a line
+/// come out of a file's decimals about that far from it in single precision, and what such a
+/// triangle's normal would be is chance. Slivers of an aspect of a million stay.
 bool has_zero_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
 class MeshBuilder {
  public:
   explicit MeshBuilder(std::string name) { mesh_.name = std::move(name); }
 
-  void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, uint32_t material);
+  void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, std::uint32_t material);
 
-  // All primitives of another object, placed by an affine transform with an inverse.
+  /// All primitives of another object, placed by an affine transform with an inverse.
   void append(const Mesh& other, const glm::dmat4& placement);
 
   std::size_t zero_area_triangles() const { return zero_area_triangles_; }
@@ -39,13 +38,11 @@ class MeshBuilder {
     std::size_t operator()(const glm::dvec3& v) const;
   };
 
-  uint32_t vertex(const glm::dvec3& position);
+  std::uint32_t vertex(const glm::dvec3& position);
 
   Mesh mesh_;
-  std::unordered_map<glm::dvec3, uint32_t, Hash> index_of_;
+  std::unordered_map<glm::dvec3, std::uint32_t, Hash> index_of_;
   std::size_t zero_area_triangles_ = 0;
 };
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_MESH_BUILDER_H_

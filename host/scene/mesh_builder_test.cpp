@@ -21,7 +21,7 @@ TEST(MeshBuilder, SharesVerticesAtTheSamePositionOnly) {
   EXPECT_EQ(mesh.triangles[0], glm::uvec3(0, 1, 2));
   EXPECT_EQ(mesh.triangles[1], glm::uvec3(1, 3, 2));
   EXPECT_EQ(mesh.triangles[2], glm::uvec3(4, 3, 5));
-  EXPECT_EQ(mesh.material, (std::vector<uint32_t>{3, 4, 5}));
+  EXPECT_EQ(mesh.material, (std::vector<std::uint32_t>{3, 4, 5}));
 }
 
 TEST(MeshBuilder, LeavesOutAndCountsTrianglesOfZeroArea) {
@@ -54,7 +54,7 @@ TEST(MeshBuilder, PlacesAnotherObject) {
   ASSERT_EQ(both.triangles.size(), 2u);
   EXPECT_EQ(both.vertices[both.triangles[0].y], glm::dvec3(11, 0, 0));
   EXPECT_EQ(both.vertices[both.triangles[1].z], glm::dvec3(0, 2, 0));
-  EXPECT_EQ(both.material, (std::vector<uint32_t>{7, 7}));
+  EXPECT_EQ(both.material, (std::vector<std::uint32_t>{7, 7}));
 }
 
 }  // namespace

@@ -3,8 +3,7 @@
 //
 // How a scene description places an instance, at rest and at the keys of its motion.
 // scenes/README.md has the keys.
-#ifndef DYNRT_HOST_SCENE_PLACEMENT_H_
-#define DYNRT_HOST_SCENE_PLACEMENT_H_
+#pragma once
 
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -14,7 +13,7 @@
 
 namespace dynrt::host {
 
-// Scaled, then turned about y, then rotated about an axis, then moved. Angles in degrees.
+/// Scaled, then turned about y, then rotated about an axis, then moved. Angles in degrees.
 struct Placement {
   glm::dvec3 position{0.0};
   double turn = 0.0;
@@ -25,17 +24,15 @@ struct Placement {
   glm::dmat4 matrix() const;
 };
 
-// "position", "turn", "rotate" and "scale" of `at`; what is missing is as in `otherwise`.
+/// "position", "turn", "rotate" and "scale" of `at`; what is missing is as in `otherwise`.
 Placement read_placement(const JsonReader& at, const Placement& otherwise = {});
 
-// The keys of a "motion", of which the first goes on from `start`. A turn goes round as far as it
-// says, also more than once. Throws UserError when there is no key, times do not rise or a size is
-// or passes zero.
+/// The keys of a "motion", of which the first goes on from `start`. A turn goes round as far as it
+/// says, also more than once. Throws UserError when there is no key, times do not rise or a size is
+/// or passes zero.
 MotionNode read_motion(const JsonReader& motion, const Placement& start);
 
-// The keys of a camera's "path"; the same holds of their times.
+/// The keys of a camera's "path"; the same holds of their times.
 std::vector<PathKey> read_path(const JsonReader& file);
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_PLACEMENT_H_

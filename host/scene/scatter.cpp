@@ -26,10 +26,10 @@ class Spots {
   // Takes the spot unless another one is too near.
   bool take(const glm::dvec2& at) {
     if (!(apart_ > 0.0)) return true;
-    const auto cell = [&](double x) { return static_cast<int64_t>(std::floor(x / apart_)); };
-    const int64_t i = cell(at.x), j = cell(at.y);
-    for (int64_t k = i - 1; k <= i + 1; ++k) {
-      for (int64_t l = j - 1; l <= j + 1; ++l) {
+    const auto cell = [&](double x) { return static_cast<std::int64_t>(std::floor(x / apart_)); };
+    const std::int64_t i = cell(at.x), j = cell(at.y);
+    for (std::int64_t k = i - 1; k <= i + 1; ++k) {
+      for (std::int64_t l = j - 1; l <= j + 1; ++l) {
         const auto found = taken_.find({k, l});
         if (found == taken_.end()) continue;
         for (const glm::dvec2& other : found->second) {
@@ -43,7 +43,8 @@ class Spots {
 
  private:
   const double apart_;
-  std::map<std::pair<int64_t, int64_t>, std::vector<glm::dvec2>> taken_;  // by cell of that side
+  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<glm::dvec2>>
+      taken_;  // by cell of that side
 };
 
 // The height of the mesh's highest triangle above (x, z).

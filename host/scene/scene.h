@@ -7,8 +7,7 @@
 // are in the file's unit (metres in scenes/*.json), times in seconds, colours in [0, 1], angles
 // nowhere. A loaded scene has at least one primitive, finite vertices, no triangle of zero area and
 // only instances whose transform has an inverse.
-#ifndef DYNRT_HOST_SCENE_SCENE_H_
-#define DYNRT_HOST_SCENE_SCENE_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -25,46 +24,46 @@
 
 namespace dynrt::host {
 
-// How much a mirror reflects that is not said to reflect more or less.
+/// How much a mirror reflects that is not said to reflect more or less.
 inline constexpr double kMirrorShare = 0.8;
 
 struct Material {
   std::string name;
   glm::dvec3 diffuse{0.8};
-  double mirror = 0.0;  // the part of the light that it reflects, 0 to 1
+  double mirror = 0.0;  ///< the part of the light that it reflects, 0 to 1
 };
 
-// A parallelogram: from its corner along two edges.
+/// A parallelogram: from its corner along two edges.
 struct Rectangle {
   glm::dvec3 corner{0.0};
   glm::dvec3 across{1.0, 0.0, 0.0};
   glm::dvec3 along{0.0, 1.0, 0.0};
-  uint32_t material = 0;
+  std::uint32_t material = 0;
 
   std::array<glm::dvec3, 4> corners() const {
     return {corner, corner + across, corner + across + along, corner + along};
   }
 };
 
-// The sphere of radius 1 about the origin under an affine map with an inverse.
+/// The sphere of radius 1 about the origin under an affine map with an inverse.
 struct Ellipsoid {
   glm::dmat4 from_unit{1.0};
-  uint32_t material = 0;
+  std::uint32_t material = 0;
 
-  // Half its box: the length of each row.
+  /// Half its box: the length of each row.
   glm::dvec3 extent() const {
     const glm::dmat3 rows = glm::transpose(glm::dmat3(from_unit));
     return {glm::length(rows[0]), glm::length(rows[1]), glm::length(rows[2])};
   }
 };
 
-// An object: what a bottom-level tree is built over. Its primitives are numbered: the triangles
-// first, then the rectangles, then the ellipsoids.
+/// An object: what a bottom-level tree is built over. Its primitives are numbered: the triangles
+/// first, then the rectangles, then the ellipsoids.
 struct Mesh {
   std::string name;
   std::vector<glm::dvec3> vertices;
   std::vector<glm::uvec3> triangles;
-  std::vector<uint32_t> material;  // one per triangle, an index into Scene::materials
+  std::vector<std::uint32_t> material;  ///< one per triangle, an index into Scene::materials
   std::vector<Rectangle> rectangles = {};
   std::vector<Ellipsoid> ellipsoids = {};
 
@@ -83,12 +82,12 @@ struct Mesh {
   const Ellipsoid& ellipsoid(std::size_t primitive) const {
     return ellipsoids[primitive - triangles.size() - rectangles.size()];
   }
-  uint32_t material_of(std::size_t primitive) const {
+  std::uint32_t material_of(std::size_t primitive) const {
     return is_ellipsoid(primitive)   ? ellipsoid(primitive).material
            : is_rectangle(primitive) ? rectangle(primitive).material
                                      : material.at(primitive);
   }
-  // Of a triangle, or three of a rectangle such that the last is next to both others.
+  /// Of a triangle, or three of a rectangle such that the last is next to both others.
   std::array<glm::dvec3, 3> corners(std::size_t primitive) const {
     if (is_rectangle(primitive)) {
       const Rectangle& r = rectangle(primitive);
@@ -101,34 +100,35 @@ struct Mesh {
 
 struct Instance {
   std::string name;
-  uint32_t object = 0;
-  glm::dmat4 transform{1.0};  // object to world, affine; of what moves: at time 0
-  std::optional<uint32_t> motion = std::nullopt;  // what moves it, an index into Scene::motion
+  std::uint32_t object = 0;
+  glm::dmat4 transform{1.0};  ///< object to world, affine; of what moves: at time 0
+  std::optional<std::uint32_t> motion =
+      std::nullopt;  ///< what moves it, an index into Scene::motion
 };
 
-// A value at a time, in seconds. Keys of a list are in order of time, no two at the same.
+/// A value at a time, in seconds. Keys of a list are in order of time, no two at the same.
 template <typename T>
 struct Keyframe {
   double time = 0.0;
   T value;
 };
 
-// A link of the chain that places a moving instance: scaled, rotated and moved as its keys say
-// (none of a kind: not at all), or by a fixed transform. animation.h evaluates it.
+/// A link of the chain that places a moving instance: scaled, rotated and moved as its keys say
+/// (none of a kind: not at all), or by a fixed transform. animation.h evaluates it.
 struct MotionNode {
   std::string name;
-  std::optional<uint32_t> parent;  // a lower index into Scene::motion; none: the world
-  glm::dmat4 transform{1.0};       // to the parent, of a node without keys
+  std::optional<std::uint32_t> parent;  ///< a lower index into Scene::motion; none: the world
+  glm::dmat4 transform{1.0};            ///< to the parent, of a node without keys
   std::vector<Keyframe<glm::dvec3>> position;
   std::vector<Keyframe<glm::dquat>> rotation;
   std::vector<Keyframe<glm::dvec3>> scale;
-  bool repeats = false;  // from the start after its last key
+  bool repeats = false;  ///< from the start after its last key
 
   bool moves() const { return !position.empty() || !rotation.empty() || !scale.empty(); }
 };
 
-// The primary ray through (x', y') in [-1/2, 1/2]^2 starts at position and goes along
-// x' * right + y' * up + forward (thesis 6.2.1): right and up carry the field of view.
+/// The primary ray through (x', y') in [-1/2, 1/2]^2 starts at position and goes along
+/// x' * right + y' * up + forward (thesis 6.2.1): right and up carry the field of view.
 struct Camera {
   glm::dvec3 position{0.0};
   glm::dvec3 right{1.0, 0.0, 0.0};
@@ -136,22 +136,22 @@ struct Camera {
   glm::dvec3 forward{0.0, 0.0, -1.0};
 };
 
-// Where a walk's camera is at a time, in seconds.
+/// Where a walk's camera is at a time, in seconds.
 struct PathKey {
   double time = 0.0;
   glm::dvec3 position{0.0};
   glm::dvec3 look_at{0.0};
 };
 
-// Shines from a point in all directions. The colour, times the light's intensity, is not negative
-// and may be above 1; its unit is the file's (candela in glTF).
+/// Shines from a point in all directions. The colour, times the light's intensity, is not negative
+/// and may be above 1; its unit is the file's (candela in glTF).
 struct PointLight {
   std::string name;
   glm::dvec3 position{0.0};
   glm::dvec3 colour{1.0};
 };
 
-// What the import left out, for the report.
+/// What the import left out, for the report.
 struct ImportCounts {
   std::size_t zero_area_triangles = 0;
   std::size_t points_and_lines = 0;
@@ -162,17 +162,16 @@ struct Scene {
   std::vector<Material> materials;
   std::vector<Mesh> objects;
   std::vector<Instance> instances;
-  std::optional<Camera> camera;  // of the file, for a square image: camera.h fits it to another
+  std::optional<Camera> camera;  ///< of the file, for a square image: camera.h fits it to another
   std::vector<PointLight> lights;
-  std::vector<std::string> distant_lights;  // at infinity, so none of the above: their names
+  std::vector<std::string> distant_lights;  ///< at infinity, so none of the above: their names
   std::vector<MotionNode> motion;
-  std::optional<uint32_t> camera_motion = std::nullopt;  // what moves the camera, in its place
-  std::vector<PathKey> path;                             // the same, in order of time
+  std::optional<std::uint32_t> camera_motion =
+      std::nullopt;           ///< what moves the camera, in its place
+  std::vector<PathKey> path;  ///< the same, in order of time
   glm::dvec3 path_up{0.0, 1.0, 0.0};
   ImportCounts dropped;
-  std::vector<std::string> notes;  // sentences for the user: what was taken otherwise than asked
+  std::vector<std::string> notes;  ///< sentences for the user: what was taken otherwise than asked
 };
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_SCENE_H_

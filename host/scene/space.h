@@ -4,8 +4,7 @@
 // Another space for what a file describes: its origin is the point `centre` of the file's, its unit
 // of length is `unit` of the file's, a power of two, so that only the move rounds. Directions of
 // rays and turns stay as they are; a ray's distances are in units too.
-#ifndef DYNRT_HOST_SCENE_SPACE_H_
-#define DYNRT_HOST_SCENE_SPACE_H_
+#pragma once
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/mat4x4.hpp>
@@ -28,5 +27,3 @@ struct Space {
 };
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_SPACE_H_

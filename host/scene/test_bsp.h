@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Quake 3 maps that tests write themselves, record by record.
-#ifndef DYNRT_HOST_SCENE_TEST_BSP_H_
-#define DYNRT_HOST_SCENE_TEST_BSP_H_
+#pragma once
 
 #include <array>
 #include <bit>
@@ -18,23 +17,23 @@ struct BspWriter {
   static constexpr std::size_t kHeaderBytes = 144;
 
   std::array<std::string, 17> lumps;
-  uint32_t version = 46;
+  std::uint32_t version = 46;
 
-  static std::string word(uint32_t value) {
+  static std::string word(std::uint32_t value) {
     std::string bytes;
     for (int i = 0; i < 4; ++i) bytes += static_cast<char>(value >> (8 * i) & 0xff);
     return bytes;
   }
-  static std::string integer(int value) { return word(static_cast<uint32_t>(value)); }
-  static std::string real(float value) { return word(std::bit_cast<uint32_t>(value)); }
+  static std::string integer(int value) { return word(static_cast<std::uint32_t>(value)); }
+  static std::string real(float value) { return word(std::bit_cast<std::uint32_t>(value)); }
 
-  void texture(std::string name, uint32_t flags = 0) {
+  void texture(std::string name, std::uint32_t flags = 0) {
     name.resize(64, '\0');
     lumps[kTextures] += name + word(flags) + word(0);
   }
 
-  // The colour is r = g = b = `light`.
-  void vertex(float x, float y, float z, uint8_t light = 255, float u = 0, float v = 0) {
+  /// The colour is r = g = b = `light`.
+  void vertex(float x, float y, float z, std::uint8_t light = 255, float u = 0, float v = 0) {
     const char l = static_cast<char>(light);
     lumps[kVertices] += real(x) + real(y) + real(z) + real(0) + real(0) + real(u) + real(v) +
                         real(0) + real(0) + real(1) + std::string{l, l, l, l};
@@ -57,23 +56,23 @@ struct BspWriter {
     lumps[kModels] +=
         std::string(24, '\0') + integer(first_face) + integer(faces) + std::string(8, '\0');
   }
-  void lightmap(uint8_t light) {
+  void lightmap(std::uint8_t light) {
     lumps[kLightmaps] += std::string(128 * 128 * 3, static_cast<char>(light));
   }
 
   std::string bytes() const {
     std::string header = "IBSP" + word(version), body;
     for (const std::string& lump : lumps) {
-      header += word(static_cast<uint32_t>(kHeaderBytes + body.size())) +
-                word(static_cast<uint32_t>(lump.size()));
+      header += word(static_cast<std::uint32_t>(kHeaderBytes + body.size())) +
+                word(static_cast<std::uint32_t>(lump.size()));
       body += lump;
     }
     return header + body;
   }
 };
 
-// A floor of two triangles, a patch, a mesh of one triangle, and what is not drawn: a sky, a hidden
-// face and a billboard. The second model, one triangle, is placed by an entity.
+/// A floor of two triangles, a patch, a mesh of one triangle, and what is not drawn: a sky, a
+/// hidden face and a billboard. The second model, one triangle, is placed by an entity.
 inline BspWriter small_map() {
   BspWriter map;
   map.lumps[BspWriter::kEntities] =
@@ -109,5 +108,3 @@ inline BspWriter small_map() {
 }
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_TEST_BSP_H_

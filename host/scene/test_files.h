@@ -3,8 +3,7 @@
 //
 // What the tests of host/scene share: the files of testdata/, files written for one test, and the
 // sentence of the UserError that something throws.
-#ifndef DYNRT_HOST_SCENE_TEST_FILES_H_
-#define DYNRT_HOST_SCENE_TEST_FILES_H_
+#pragma once
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -24,7 +23,7 @@ inline std::string test_data(const std::string& name) {
   return std::string(DYNRT_TESTDATA_FOLDER) + "/" + name;
 }
 
-// A folder of one test's own, gone at its end.
+/// A folder of one test's own, gone at its end.
 class TestFolder {
  public:
   TestFolder() {
@@ -47,7 +46,7 @@ class TestFolder {
   std::string path_;
 };
 
-// The text of the UserError; fails the test when there is none or it is no single sentence.
+/// The text of the UserError; fails the test when there is none or it is no single sentence.
 inline std::string user_error(const std::function<void()>& act) {
   try {
     act();
@@ -67,5 +66,3 @@ inline std::string replaced(std::string text, std::string_view what, std::string
 }
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_TEST_FILES_H_

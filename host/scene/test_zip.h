@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Zip files that tests write themselves.
-#ifndef DYNRT_HOST_SCENE_TEST_ZIP_H_
-#define DYNRT_HOST_SCENE_TEST_ZIP_H_
+#pragma once
 
 #include <gtest/gtest.h>
 #include <zip.h>
@@ -24,5 +23,3 @@ inline void write_zip(const std::string& path, const std::map<std::string, std::
 }
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_TEST_ZIP_H_

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Reads a text line by line, word by word, without copying it.
-#ifndef DYNRT_HOST_SCENE_TEXT_LINES_H_
-#define DYNRT_HOST_SCENE_TEXT_LINES_H_
+#pragma once
 
 #include <algorithm>
 #include <charconv>
@@ -14,7 +13,7 @@
 
 namespace dynrt::host {
 
-// The part of `text` before `separator`; both are cut off its front.
+/// The part of `text` before `separator`; both are cut off its front.
 inline std::string_view take_until(std::string_view& text, char separator) {
   const auto end = text.find(separator);
   const std::string_view head = text.substr(0, end);
@@ -29,7 +28,7 @@ inline std::string_view trim(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kBlank) - begin + 1);
 }
 
-// The next word, cut off the front of `line`; empty at its end.
+/// The next word, cut off the front of `line`; empty at its end.
 inline std::string_view take_word(std::string_view& line) {
   line = trim(line);
   const auto end = std::min(line.find_first_of(" \t"), line.size());
@@ -38,7 +37,7 @@ inline std::string_view take_word(std::string_view& line) {
   return word;
 }
 
-// The number that a word is, all of it; a value that overflows is an infinity.
+/// The number that a word is, all of it; a value that overflows is an infinity.
 inline std::optional<double> to_number(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double value = 0.0;
@@ -69,5 +68,3 @@ inline std::optional<long long> to_integer(std::string_view word) {
 }
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_TEXT_LINES_H_

@@ -3,8 +3,7 @@
 //
 // Every sentence that a user can get from a scene that is not as it should be: each names the file
 // (and the line, mesh or node), says what is wrong and what would be right.
-#ifndef DYNRT_HOST_SCENE_WORDING_H_
-#define DYNRT_HOST_SCENE_WORDING_H_
+#pragma once
 
 #include <fmt/format.h>
 
@@ -215,5 +214,3 @@ template <typename... Args>
 }
 
 }  // namespace dynrt::host::wording
-
-#endif  // DYNRT_HOST_SCENE_WORDING_H_

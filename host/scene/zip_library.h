@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A zip file as Assimp's file system, so that a model inside finds the material file beside it.
-#ifndef DYNRT_HOST_SCENE_ZIP_LIBRARY_H_
-#define DYNRT_HOST_SCENE_ZIP_LIBRARY_H_
+#pragma once
 
 #include <zip.h>
 
@@ -18,12 +17,12 @@ namespace dynrt::host {
 
 class ZipLibrary : public Assimp::IOSystem {
  public:
-  // Throws UserError when it is no zip file that can be read; `remedy` ends its sentence.
+  /// Throws UserError when it is no zip file that can be read; `remedy` ends its sentence.
   ZipLibrary(const std::string& path, std::string remedy);
 
-  std::vector<std::string> names() const;  // of all files
+  std::vector<std::string> names() const;  ///< of all files
 
-  // Nothing when there is no such file inside; throws UserError when it cannot be unpacked.
+  /// Nothing when there is no such file inside; throws UserError when it cannot be unpacked.
   std::optional<std::string> read(const std::string& name) const;
 
   bool Exists(const char* name) const override;
@@ -41,5 +40,3 @@ class ZipLibrary : public Assimp::IOSystem {
 };
 
 }  // namespace dynrt::host
-
-#endif  // DYNRT_HOST_SCENE_ZIP_LIBRARY_H_
