@@ -11,7 +11,7 @@
 int main() {
   Vsmooth dut;
   hls::cosim::Bench<example::Smooth> bench("smooth", dut,
-                                             [](auto& v, auto& f) { visit_ports_smooth(v, f); });
+                                           [](auto& v, auto& f) { visit_ports_smooth(v, f); });
   // A channel's state is read before the sample before it is written back unless that has left.
   bench.packet<example::Sample>("sample", [](const auto& s) { return s.channel.to_u64(); });
   return bench.run({.transactions = 20'000}).ok ? 0
