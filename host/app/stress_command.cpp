@@ -81,7 +81,7 @@ class OtherFormat {
 
   /// What is wrong with such a file, told of the flag that made it.
   std::string of_flag(std::string sentence, const std::string& file) const {
-    const std::string named = "--config " + file;
+    const std::string named = "configuration " + file;
     const std::size_t at = sentence.find(named);
     if (at != std::string::npos) sentence.replace(at, named.size(), flag_);
     return sentence;

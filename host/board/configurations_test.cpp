@@ -88,7 +88,7 @@ TEST(Configurations, TheRtlsMemoryHoldsNoWideFloats) {
   EXPECT_THAT(
       making({.board = "rtl", .configuration = "wide", .trace = ""}),
       ThrowsMessage<UserError>("configuration wide: a float of 32 bits needs words of 43 bits in "
-                               "the memory, and the SRAM of board rtl has 32; take --board "
+                               "the memory, and the SRAM of board rtl has 32; take board "
                                "model"));
   const auto board = make_board(kTable, {.board = "model", .configuration = "wide", .trace = ""});
   EXPECT_EQ(board->core().format->mantissa_bits, 23u);

@@ -18,7 +18,7 @@ std::string make_configuration(const std::string& json_path, bool rtl) {
   }
   std::vector<std::string> arguments = {json_path};
   if (rtl) arguments.emplace_back("--rtl");
-  return made_by_script("configuration", arguments, "--config " + json_path);
+  return made_by_script("configuration", arguments, "configuration " + json_path);
 }
 
 }  // namespace dynrt::host

@@ -129,7 +129,7 @@ TEST_F(ScheduledBoard, RefusesWhatIsNoWholeSetOfSchedules) {
   write("copy.json", R"({"module": "copy", "stages": 3})");
   EXPECT_THAT(refusal(), testing::HasSubstr("is not a whole schedule of hlsc"));
   std::filesystem::remove_all(folder_);
-  EXPECT_THAT(refusal(), testing::HasSubstr("there are no schedules of hlsc"));
+  EXPECT_THAT(refusal(), testing::HasSubstr("the folder has no schedules of hlsc"));
 }
 
 TEST(ModelBoard, RefusesWordsOutsideABank) {
