@@ -86,7 +86,7 @@ class ModelBench {
       } else {
         T token = from_bits<T>(bits);
         function(token, random);
-        bits = to_bits(token);
+        bits = cosim::to_bits(token);
       }
     };
   }

@@ -73,7 +73,7 @@ class NativePort : public ModelPort {
   void randomise(TokenBits& bits, Random& random) const override {
     T token = from_bits<T>(bits);
     testing::randomise(token, random);
-    bits = to_bits(token);
+    bits = cosim::to_bits(token);
   }
   std::string describe(const TokenBits& bits) const override {
     return hls::describe(from_bits<T>(bits));
@@ -101,14 +101,14 @@ class NativePort : public ModelPort {
   }
   std::optional<TokenBits> take() override {
     if constexpr (kKind == PortKind::kOut) {
-      if (!bound_.queue->empty()) return to_bits(bound_.queue->pop());
+      if (!bound_.queue->empty()) return cosim::to_bits(bound_.queue->pop());
     }
     return std::nullopt;
   }
   std::optional<RowWrite> take_write() override {
     if constexpr (kKind == PortKind::kRamWrite) {
       if (!bound_.log.empty()) {
-        RowWrite write{bound_.log.front().first, to_bits(bound_.log.front().second)};
+        RowWrite write{bound_.log.front().first, cosim::to_bits(bound_.log.front().second)};
         bound_.log.erase(bound_.log.begin());
         return write;
       }
