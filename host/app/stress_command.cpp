@@ -64,11 +64,9 @@ class OtherFormat {
     if (is_configuration_file(configuration)) {
       refuse(stress::messages::kFormatOfFile, configuration);
     }
-    const std::string table = std::string(this_build().scripts) + "/../hls/configs/configs.json";
-    const auto all = nlohmann::ordered_json::parse(std::ifstream(table));
-    const auto is_named = [&](const auto& one) { return one.at("name") == configuration; };
-    if (std::ranges::none_of(all, is_named)) {
-      refuse(stress::messages::kNotBuilt, configuration, table);
+    const auto listed = listed_configurations();
+    if (std::ranges::find(listed, configuration, &CoreConfiguration::name) == listed.end()) {
+      refuse(stress::messages::kNotListed, configuration);
     }
     const nlohmann::ordered_json keys{{"like", configuration},
                                       {"exponent_bits", exponent_bits_},
@@ -79,12 +77,15 @@ class OtherFormat {
     return path.string();
   }
 
-  /// What is wrong with such a file, told of the flag that made it.
-  std::string of_flag(std::string sentence, const std::string& file) const {
-    const std::string named = "configuration " + file;
-    const std::size_t at = sentence.find(named);
-    if (at != std::string::npos) sentence.replace(at, named.size(), flag_);
-    return sentence;
+  /// What is wrong with such a file, said of the flag that made it: the user has not seen its
+  /// lines.
+  std::string of_flag(const std::string& sentence, const std::string& file) const {
+    const std::string named = "configuration " + file + ": ";
+    std::size_t at = sentence.find(named);
+    if (at == std::string::npos) return sentence;
+    at += named.size();
+    if (sentence.compare(at, 5, "line ") == 0) at = sentence.find(": ", at) + 2;
+    return flag_ + ": " + sentence.substr(at);
   }
 
  private:

@@ -10,7 +10,7 @@ inline constexpr char kFormat[] =
     "--format {}: write the bits of exponent and mantissa, for example 7,12";
 inline constexpr char kFormatOfFile[] =
     "--format: --config {} is a file, which has its own format; name a configuration";
-inline constexpr char kNotBuilt[] = "--format: there is no configuration '{}' in {}";
+inline constexpr char kNotListed[] = "--format: there is no configuration '{}'";
 inline constexpr char kNoCase[] =
     "there is no stress case or group '{}'; give one of these, or the part before the slash: {}";
 
