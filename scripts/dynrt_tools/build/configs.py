@@ -3,10 +3,12 @@
 """The configurations of the core, for scripts: hls/configs/configurations alone knows the keys."""
 
 import importlib.util
+import pathlib
 import sys
 from types import ModuleType
 
 from dynrt_tools import project
+from dynrt_tools.project import Failed, Json
 
 PACKAGE = project.ROOT / "hls" / "configs" / "configurations"
 
@@ -25,3 +27,14 @@ def load_configurations() -> ModuleType:
     spec.loader.exec_module(module)
     sys.dont_write_bytecode = writes
     return module
+
+
+def read_file(path: pathlib.Path) -> Json:
+    """Every key of a file with one configuration; throws Failed."""
+    name = "stated"  # which the user has not given, so no sentence has it
+    configurations = load_configurations()
+    try:
+        return dict(configurations.read_one(path, name))
+    except configurations.Refused as error:
+        sentence = str(error).replace(f"configuration '{name}': ", "")
+        raise Failed(f"line {error.line}: {sentence}" if error.line else sentence) from error

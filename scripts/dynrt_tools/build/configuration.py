@@ -17,7 +17,7 @@ from typing import Any, TextIO
 from dynrt_tools.project import read_json
 from dynrt_tools.build import fingerprint
 from dynrt_tools.build.cache import BuildCache, full_disk
-from dynrt_tools.build.configs import load_configurations
+from dynrt_tools.build.configs import read_file
 from dynrt_tools.project import ROOT, Failed, Json, Progress, require_tool, show_progress
 
 NAME = "loadable"  # of the configuration in the C++ and the Verilog, whatever the file's name is
@@ -48,16 +48,6 @@ KINDS = {
 }
 LIBRARY = "configuration.so"
 TOOLS = {"cmake": "cmake", "ninja": "ninja-build"}  # and Debian's packages that have them
-
-
-def read_configuration(path: pathlib.Path) -> Json:
-    """Every key of a file with one configuration."""
-    configurations = load_configurations()
-    try:
-        return dict(configurations.read_one(path, NAME))
-    except configurations.Refused as error:
-        sentence = str(error).replace(f"configuration '{NAME}': ", "")
-        raise Failed(f"line {error.line}: {sentence}" if error.line else sentence) from error
 
 
 def find_build(named: pathlib.Path | None) -> Json:
@@ -182,7 +172,7 @@ class Builder:
 
 def make(args: argparse.Namespace) -> pathlib.Path:
     """The path of what was asked for."""
-    config = read_configuration(args.file)
+    config = read_file(args.file)
     build = find_build(args.build)
     if args.expect and args.expect != fingerprint.fingerprint(build):
         raise Failed("the sources have changed since this program was built; build it again")

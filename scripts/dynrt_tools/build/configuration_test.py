@@ -132,7 +132,7 @@ class Configuration(unittest.TestCase):
     def test_programs_read_of_a_file_that_cannot_be_written_there_too(self):
         (self.folder / "cache").mkdir()
         key = configuration.key_of(
-            "verilog", configuration.read_configuration(self.written(THESIS)), self.build
+            "verilog", configuration.read_file(self.written(THESIS)), self.build
         )
         (self.folder / "cache" / f"configuration-verilog-{key}").mkdir()
         out = self.folder / "build.json"

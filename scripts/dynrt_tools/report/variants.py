@@ -14,7 +14,10 @@ LISTED = pathlib.Path(__file__).resolve().parent / "variants.json"
 def base_configuration(name: str) -> Json:
     """Every key of a configuration: one of hls/configs/configs.json, or a file."""
     if name.endswith(".json"):
-        return stated_in(pathlib.Path(name))
+        try:
+            return configs.read_file(pathlib.Path(name))
+        except Failed as error:
+            raise Failed(f"--config {name}: {error}") from error
     if name.endswith(".so"):
         raise Failed(
             f"--config {name}: a library does not tell its keys; name the file FILE.json "
@@ -24,16 +27,6 @@ def base_configuration(name: str) -> Json:
     if name not in listed:
         raise Failed(f"--config {name}: unknown; the configurations are {', '.join(listed)}")
     return dict(listed[name])
-
-
-def stated_in(path: pathlib.Path) -> Json:
-    configurations = configs.load_configurations()
-    try:
-        return dict(configurations.read_one(path, "stated"))
-    except configurations.Refused as error:
-        sentence = str(error).replace("configuration 'stated': ", "")
-        line = f"line {error.line}: " if error.line else ""
-        raise Failed(f"--config {path}: {line}{sentence}") from error
 
 
 def read_variants(path: pathlib.Path, base: Json) -> dict[str, Json]:
