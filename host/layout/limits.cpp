@@ -38,14 +38,14 @@ void check_limits(const Scene& scene, const CoreInfo& core, const MemoryPart& pa
 }
 
 void check_matrices(const Scene& scene, const CoreInfo& core) {
-  std::uint32_t numbers = 0;
+  std::size_t numbers = 0;
   for (const Mesh& object : scene.objects) {
-    numbers = matrix_numbers(scene, object, numbers, core.triangle_matrix).back();
+    numbers += numbers_taken(scene, object, core.triangle_matrix);
   }
   const std::size_t of_instance = core.levels == 1 ? 0 : has_mirrors(scene) ? 2 : 1;
   const std::size_t matrices = matrices_taken(numbers, core.triangle_matrix) +
                                scene.instances.size() * of_instance + 1 + scene.lights.size();
-  check_matrices(scene, core, std::max<std::size_t>(numbers, matrices));
+  check_matrices(scene, core, std::max(numbers, matrices));
 }
 
 std::uint32_t first_colour(const Scene& scene) {

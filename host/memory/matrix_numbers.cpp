@@ -30,6 +30,14 @@ std::size_t matrices_taken(std::size_t numbers, TriangleMatrix form) {
   return (numbers * columns_apart(form) + 3) / 4;
 }
 
+std::size_t numbers_taken(const Scene& scene, const Mesh& object, TriangleMatrix form) {
+  std::size_t numbers = 0;
+  for (std::size_t i = 0; i < object.primitives(); ++i) {
+    numbers += numbers_of(scene, object, i, form);
+  }
+  return numbers;
+}
+
 std::vector<std::uint32_t> matrix_numbers(const Scene& scene, const Mesh& object,
                                           std::uint32_t first, TriangleMatrix form) {
   std::vector<std::uint32_t> numbers{first};

@@ -20,6 +20,9 @@ std::uint32_t columns_apart(TriangleMatrix form);
 /// Matrices of four columns that so many numbers of primitives take.
 std::size_t matrices_taken(std::size_t numbers, TriangleMatrix form);
 
+/// Numbers that an object's primitives take.
+std::size_t numbers_taken(const Scene& scene, const Mesh& object, TriangleMatrix form);
+
 /// The matrices of an object's primitives, the first of which is `first`, as hit records name them;
 /// behind the last primitive's, where the next object begins.
 std::vector<std::uint32_t> matrix_numbers(const Scene& scene, const Mesh& object,

@@ -183,8 +183,7 @@ Need kept(const RuleContext& c, const char* why) {
   return {{}, fmt::format("as in {}: {}", c.general->name, why)};
 }
 
-Need packets(const RuleContext& c) { return kept(c, "how many pay is measured"); }
-Need lines(const RuleContext& c) { return kept(c, "how many pay is measured"); }
+Need measured(const RuleContext& c) { return kept(c, "how many pay is measured"); }
 Need epsilon(const RuleContext& c) {
   return kept(c, "with another value other triangles would be hit");
 }
@@ -192,8 +191,8 @@ Need sram_latency(const RuleContext& c) { return kept(c, "it is the board's"); }
 Need object_box(const RuleContext& c) { return kept(c, "clipped otherwise, rays round otherwise"); }
 
 constexpr Rule kRules[] = {
-    {"packets", Holds::kAlways, packets},
-    {"lines", Holds::kAlways, lines},
+    {"packets", Holds::kAlways, measured},
+    {"lines", Holds::kAlways, measured},
     {"levels", Holds::kFromNeedOn, levels},
     {"top_stack_depth", Holds::kFromNeedOn, top_stack},
     {"stack_depth", Holds::kFromNeedOn, object_stack},

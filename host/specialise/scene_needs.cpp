@@ -91,7 +91,7 @@ SceneNeeds scene_needs(const Scene& scene, const SceneTrees& trees, TriangleMatr
   needs.objects = scene.objects.size();
   needs.still.nodes = 1;  // the null node
   count_surfaces(needs, scene);
-  std::uint32_t numbers = 0;
+  std::size_t numbers = 0;
   for (std::size_t k = 0; k < scene.objects.size(); ++k) {
     const TreeNeeds object = tree_needs(trees.objects[k]);
     const std::string& name = scene.objects[k].name;
@@ -99,11 +99,11 @@ SceneNeeds scene_needs(const Scene& scene, const SceneTrees& trees, TriangleMatr
     include(needs.primitive_repeats, {object.items, object.repeated, name});
     needs.still.nodes += trees.objects[k].size().nodes;
     needs.still.entries += trees.objects[k].size().items;
-    numbers = matrix_numbers(scene, scene.objects[k], numbers, form).back();
+    numbers += numbers_taken(scene, scene.objects[k], form);
   }
   needs.still.matrices = matrices_taken(numbers, form);
   SceneNeeds all = frame_needs(needs, scene, trees.instances);
-  all.places.matrices = std::max<std::size_t>(all.places.matrices, numbers);
+  all.places.matrices = std::max(all.places.matrices, numbers);
   return all;
 }
 
