@@ -12,7 +12,7 @@ import http.server
 import pathlib
 
 from dynrt_tools import project
-from dynrt_tools.docs import links, made, site
+from dynrt_tools.docs import links, made, site, times
 
 PORT = 8000
 
@@ -34,6 +34,13 @@ def parse() -> argparse.Namespace:
         type=pathlib.Path,
         metavar="FOLDER",
         help="check or renew the page of the programs too, with those of this build",
+    )
+    what.add_argument(
+        "--times",
+        nargs=2,
+        metavar=("RUN", "LOG"),
+        help="keep the times that scripts/demo (RUN demo) or scripts/test (RUN fast or all) printed "
+        "as the data of the page of build times, and renew the pages",
     )
     return parser.parse_args()
 
@@ -67,7 +74,9 @@ def main() -> int:
     try:
         if args.check:
             return check(args.build)
-        if args.renew:
+        if args.times:
+            times.keep(args.times[0], pathlib.Path(args.times[1]))
+        if args.renew or args.times:
             for path in made.renew(made_pages(args.build)) + made.renew_waves():
                 print(path.relative_to(project.ROOT))
             return 0

@@ -5,8 +5,8 @@
 docs/results/templates/NAME.md is Markdown in which {{DATA:PATH|FORMAT}} stands for a figure of
 docs/results/data/DATA.json. PATH leads through the data by /; in a list, words joined by + select
 the entry that has all of them as values; A&B is the sum of two figures and A%B their ratio. FORMAT
-is Python's, such as "," or ".1f"; it may begin with *FACTOR. {{DATA:command}} is the command that
-measures the data again.
+is Python's, such as "," or ".1f"; it may begin with *FACTOR. Where the data have null the page says
+"not measured". {{DATA:command}} is the command that measures the data again.
 """
 
 import pathlib
@@ -62,6 +62,8 @@ class Data:
             return project.read_json(self.folder / "runs.json")[name][path]
         value = self.load(name)
         for step in path.split("/"):
+            if value is None:
+                break
             try:
                 value = selected(value, step) if isinstance(value, list) else stepped(value, step)
             except (KeyError, TypeError, StopIteration) as error:
@@ -85,7 +87,9 @@ def selected(entries: list[Any], words: str) -> Any:
 
 
 def shown(value: Any, form: str) -> str:
-    """A figure as the page shows it."""
+    """A figure as the page shows it; the data have null for one that is not measured."""
+    if value is None:
+        return "not measured"
     factor = re.match(r"\*([\d.e+-]+) ?", form)
     if factor:
         value, form = value * float(factor[1]), form[factor.end() :]

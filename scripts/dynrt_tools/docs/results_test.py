@@ -43,6 +43,11 @@ class Figures(unittest.TestCase):
         self.write("a", {"x": 3, "y": 1, "n": 8, "x%n": 7})
         self.assertTrue(self.page("{{a:x&y}} {{a:x&y%n|.2f}} {{a:x%n}}\n").startswith("4 0.50 7\n"))
 
+    def test_a_figure_may_be_not_measured_yet(self) -> None:
+        self.write("a", {"x": None})
+        page = self.page("{{a:x|.1f}} {{a:x/y|,}}\n")
+        self.assertTrue(page.startswith("not measured not measured\n"))
+
     def test_a_changed_figure_makes_the_page_old(self) -> None:
         self.write("a", {"clocks": 1})
         docs = self.folder
