@@ -72,6 +72,25 @@ class Figures(unittest.TestCase):
             self.page("{{a:rays}}\n")
 
 
+class Plots(unittest.TestCase):
+    """The picture of the page on variants."""
+
+    def test_its_points_are_those_of_the_data(self) -> None:
+        variants = results.Data(results.RESULTS / "data").load("error")["variants"]
+        picture = (project.ROOT / "docs" / "pictures" / "error.svg").read_text(encoding="utf-8")
+        shown = re.findall(r'aria-label="([^:"]+): ([^ ]+), ([^"]+)"', picture)
+        expected = [
+            (v["variant"], v[cost], v["primary.wrong_share"])
+            for cost in ("frame, ms", "LUT")
+            for v in variants
+        ]
+        self.assertEqual([name for name, _, _ in shown], [name for name, _, _ in expected])
+        for (name, *labels), (_, *values) in zip(shown, expected):
+            for label, value in zip(labels, values):
+                number = float(label.replace(",", ""))
+                self.assertAlmostEqual(number, value, delta=0.01 * abs(value), msg=name)
+
+
 class Readme(unittest.TestCase):
     """The table of the README."""
 

@@ -9,6 +9,7 @@ import re
 import tempfile
 import urllib.parse
 
+from dynrt_tools import project
 from dynrt_tools.project import read_json, searched
 from dynrt_tools.report import browser, page
 
@@ -61,6 +62,27 @@ def svg(report_path: pathlib.Path, scene: str, measure: str, area: str) -> str:
     )
 
 
+def figures(report: project.Json, scene: str, measure: str, area: str) -> project.Json:
+    """What the points of the plots stand for, as the data of docs/results/error.md."""
+    group, name = measure.split(".")
+    return {
+        "scene": scene,
+        "size": report["size"],
+        "clock, ns": report["clock_ns"],
+        "device": report["device"],
+        "variants": [
+            {
+                "variant": run["variant"],
+                "frame, ms": run["frame_ms"],
+                area: report["variants"][run["variant"]]["area"][area],
+                measure: run["measures"][group][name],
+            }
+            for run in report["runs"]
+            if run["scene"] == scene and "refused" not in run
+        ],
+    }
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(prog="plot.py", description=__doc__)
     parser.add_argument(
@@ -83,6 +105,12 @@ def main() -> None:
         help="cells that the area is counted in (default: LUT)",
     )
     parser.add_argument("--out", type=pathlib.Path, required=True, metavar="FILE.svg")
+    parser.add_argument(
+        "--data",
+        type=pathlib.Path,
+        metavar="FILE.json",
+        help="write the figures of the points there too",
+    )
     args = parser.parse_args()
     scenes = read_json(args.report)["scenes"]
     known = [f"{m['group']}.{m['name']}" for m in page.read_measures() if m["better"] != "-"]
@@ -91,3 +119,6 @@ def main() -> None:
     if args.measure not in known:
         parser.error(f"--measure {args.measure}: known are {', '.join(known)}")
     args.out.write_text(svg(args.report, args.scene, args.measure, args.area), encoding="utf-8")
+    if args.data:
+        report = project.read_json(args.report)
+        project.write_json(args.data, figures(report, args.scene, args.measure, args.area))
