@@ -103,6 +103,8 @@ def filled(template: pathlib.Path, data: Data) -> str:
     for number, line in enumerate(text.splitlines(), 1):
         try:
             lines.append(FIGURE.sub(lambda f: shown(data.figure(f[1], f[2]), f[3] or ""), line))
+            if "{{" in lines[-1]:
+                raise ValueError("'{{' begins no figure; write {{DATA:PATH|FORMAT}} in one line")
         except (project.Failed, ValueError, TypeError) as error:
             where = f"docs/results/templates/{template.name}:{number}"
             raise project.Failed(f"{where}: {error}") from error

@@ -48,6 +48,11 @@ class Figures(unittest.TestCase):
         page = self.page("{{a:x|.1f}} {{a:x/y|,}}\n")
         self.assertTrue(page.startswith("not measured not measured\n"))
 
+    def test_a_figure_of_two_lines_is_named(self) -> None:
+        self.write("a", {"x y": 1})
+        with self.assertRaisesRegex(project.Failed, "p.md:1: '{{' begins no figure"):
+            self.page("{{a:x\ny}}\n")
+
     def test_a_changed_figure_makes_the_page_old(self) -> None:
         self.write("a", {"clocks": 1})
         docs = self.folder
