@@ -1,14 +1,14 @@
-#!/usr/bin/env python3
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """The comment at the head of a module of rtl/lib explains all its parameters and ports: below
 "Parameters:" or "Ports:", a line "names  what they are", several names divided by commas."""
 
-import pathlib
 import re
 import unittest
 
-FOLDER = pathlib.Path(__file__).resolve().parent
+from dynrt_tools import project
+
+FOLDER = project.ROOT / "rtl" / "lib"
 DECLARED = re.compile(
     r"^\s*(parameter|input|output|inout)\b[^,)\n/]*?(\w+)\s*(?:=.*)?,?\s*(?://.*)?$"
 )
@@ -54,7 +54,7 @@ class DocumentedTest(unittest.TestCase):
     """The modules, and the check itself."""
 
     def test_modules(self) -> None:
-        """All modules of this folder."""
+        """All modules of rtl/lib."""
         modules = sorted(FOLDER.glob("*.v"))
         self.assertGreater(len(modules), 5)
         for module in modules:

@@ -1,9 +1,10 @@
-#!/usr/bin/env python3
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""What a configuration does not need is not in its Verilog, and is where another one needs it.
+"""The Verilog of a configuration lacks the parts that it does not need, and has those that it needs.
 
-Usage: left_out_test.py GENERATED, the folder with a folder of units for every configuration.
+Usage: python3 -m dynrt_tools.hardware.left_out_test GENERATED
+
+GENERATED is the folder that has a folder of units for every configuration.
 """
 
 import pathlib
@@ -43,20 +44,20 @@ PARTS = {
 }
 
 
-def operations(config, unit, kind=r"\w+"):
-    """So many that the unit computes with, in all its stages."""
+def operations(config: str, unit: str, kind: str = r"\w+") -> int:
+    """The number of operations of a unit, in all its stages."""
     report = (GENERATED / config / f"{unit}.txt").read_text(encoding="utf-8")
     stages = [match["operations"] for match in STAGE.finditer(report)]
     return sum(int(number) for stage in stages for number in re.findall(rf"(\d+) {kind}\b", stage))
 
 
 class LeftOut(unittest.TestCase):
-    def test_units_are_only_where_they_are_needed(self):
+    def test_units_are_only_where_they_are_needed(self) -> None:
         for unit, needed in UNITS.items():
             having = {config for config in WHOLE if (GENERATED / config / f"{unit}.v").exists()}
             self.assertEqual(having, needed, unit)
 
-    def test_the_core_joins_no_other(self):
+    def test_the_core_joins_no_other(self) -> None:
         for config in WHOLE:
             core = (GENERATED / config / "dynrt_core.v").read_text(encoding="utf-8")
             for unit, needed in UNITS.items():
@@ -66,7 +67,7 @@ class LeftOut(unittest.TestCase):
                     f"{unit} in {config}",
                 )
 
-    def test_units_lack_the_parts_that_are_not_needed(self):
+    def test_units_lack_the_parts_that_are_not_needed(self) -> None:
         for what, (unit, without, having, *kind) in PARTS.items():
             with self.subTest(what):
                 self.assertGreater(operations(without, unit, *kind), 0)

@@ -1,0 +1,97 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Compares verif/stress/golden.json and docs/results/stress.md with what `dynrt stress` gives, or
+renews them.
+
+The digests of every case's hits and pixels go to golden.json. The tables of stress.md, between its
+marks, are written from the cases themselves: what each tries, on how many rays, which errors it
+counts, how many are allowed and why.
+
+Usage: python3 -m dynrt_tools.bench.stress [--check] DYNRT CONFIGURATION...
+"""
+
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from dynrt_tools import project
+
+GOLDEN = project.ROOT / "verif" / "stress" / "golden.json"
+PAGE = project.ROOT / "docs" / "results" / "stress.md"
+BEGIN, END = "<!-- cases: written by the target update-stress -->\n", "<!-- end of cases -->\n"
+
+
+def run(program: pathlib.Path, config: str, *flags: str) -> str:
+    """What the program prints. Exit code 1 means that a case exceeds its bound, which the tests of
+    verif/stress report."""
+    done = subprocess.run(
+        [program, "stress", "--config", config, *flags],
+        text=True,
+        stdout=subprocess.PIPE,
+        check=False,
+    )
+    if done.returncode not in (0, 1):
+        sys.exit(done.returncode)
+    return done.stdout
+
+
+def digests(program: pathlib.Path, config: str) -> dict[str, str]:
+    """The digest of each case, by its name."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "stress.json"
+        run(program, config, "--json", str(path))
+        return {case["name"]: case["digest"] for case in project.read_json(path)["cases"]}
+
+
+def with_tables(text: str, tables: str) -> str:
+    """The page's text with these tables between its marks."""
+    head, begin, rest = text.partition(BEGIN)
+    _, end, tail = rest.partition(END)
+    if not begin or not end:
+        raise project.Failed(
+            f"{PAGE}: the marks are missing between which the tables stand: a line "
+            f"'{BEGIN.strip()}' and a line '{END.strip()}'"
+        )
+    return head + begin + tables + "\n" + end + tail
+
+
+def check(wanted: dict[pathlib.Path, str]) -> None:
+    for path, text in wanted.items():
+        if path.read_text(encoding="utf-8") != text:
+            raise project.Failed(
+                f"{path}: differs from what dynrt stress gives; build the target update-stress"
+            )
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("--check", action="store_true", help="write nothing; fail if a file is old")
+    parser.add_argument("program", type=pathlib.Path, help="the program dynrt")
+    parser.add_argument("configurations", nargs="+", help="the cores that the cases run on")
+    args = parser.parse_args()
+    golden = {config: digests(args.program, config) for config in args.configurations}
+    tables = "".join(
+        f"\n## On `{config}`\n" + run(args.program, config, "--markdown")
+        for config in args.configurations
+    )
+    try:
+        wanted = {
+            GOLDEN: json.dumps(golden, indent=2) + "\n",
+            PAGE: with_tables(PAGE.read_text(encoding="utf-8"), tables),
+        }
+        if args.check:
+            check(wanted)
+    except project.Failed as error:
+        project.fail(error)
+    if not args.check:
+        for path, text in wanted.items():
+            path.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
