@@ -26,3 +26,11 @@ function(dynrt_python_test name labels module)
            WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/scripts)
   set_tests_properties(${name} PROPERTIES LABELS "${labels}")
 endfunction()
+
+# dynrt_python_tests(NAME LABELS MODULE...): the tests of several such modules, in one process.
+function(dynrt_python_tests name labels)
+  list(TRANSFORM ARGN PREPEND dynrt_tools.)
+  add_test(NAME ${name} COMMAND /usr/bin/python3 -m unittest ${ARGN}
+           WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/scripts)
+  set_tests_properties(${name} PROPERTIES LABELS "${labels}")
+endfunction()

@@ -4,11 +4,10 @@
 
 import csv
 import json
-import pathlib
-import subprocess
-import tempfile
 import unittest
+from typing import Any
 
+from dynrt_tools import testing
 from dynrt_tools.bench.run import Work
 from dynrt_tools.project import SCRIPTS
 
@@ -60,32 +59,21 @@ pathlib.Path(a.json).write_text(json.dumps(report))
 """
 
 
-class Bench(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def bench(self, *flags, rtl=True):
+class Bench(testing.InFolder):
+    def bench(self, *flags: str, rtl: bool = True) -> testing.Result:
         program = self.folder / "dynrt"
-        program.write_text(STAND_IN.replace("HAS_RTL", str(rtl)), encoding="utf-8")
-        program.chmod(0o755)
-        return subprocess.run(
-            [BENCH, "--program", program, *flags],
-            cwd=self.folder,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
+        testing.write_program(program, STAND_IN.replace("HAS_RTL", str(rtl)))
+        return testing.run(BENCH, "--program", program, *flags, cwd=self.folder)
 
-    def rows(self, *flags, rtl=True):
+    def rows(self, *flags: str, rtl: bool = True) -> tuple[dict[str, Any], str]:
+        """The rows of figures, by their names, and what is printed."""
         result = self.bench("--runs", "2", "--json", "bench.json", *flags, rtl=rtl)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stderr, "")
         rows = json.loads((self.folder / "bench.json").read_text())["rows"]
         return {row["name"]: row for row in rows}, result.stdout
 
-    def test_work_of_a_frame(self):
+    def test_work_of_a_frame(self) -> None:
         work = Work.of(
             {
                 "counters": {
@@ -101,7 +89,7 @@ class Bench(unittest.TestCase):
         self.assertEqual(work, Work(49152, 1556651, 124894, 311024, 234836, 49152))
         self.assertEqual(work.bound(), 1681545)
 
-    def test_figures_of_the_rtl(self):
+    def test_figures_of_the_rtl(self) -> None:
         rows, text = self.rows()
         self.assertEqual(rows["busiest unit works, 64 packets"]["reached"], 80)
         self.assertIs(rows["busiest unit works, 64 packets"]["met"], False)
@@ -121,7 +109,7 @@ class Bench(unittest.TestCase):
             text,
         )
 
-    def test_top_level(self):
+    def test_top_level(self) -> None:
         rows, _ = self.rows()
         row = rows["top level of 50,000 instances"]
         self.assertIsNone(row["reached"])
@@ -139,7 +127,7 @@ class Bench(unittest.TestCase):
         self.assertIs(row["met"], True)
         self.assertIn("24.5 to 40.0", row["note"])
 
-    def test_truth(self):
+    def test_truth(self) -> None:
         rows, _ = self.rows()
         row = rows["truth of rays, per second of two cores"]
         self.assertIsNone(row["reached"])
@@ -165,7 +153,7 @@ class Bench(unittest.TestCase):
         self.assertIs(row["met"], True)
         self.assertIn("200,000 to 500,000; 3.4 primitives a ray", row["note"])
 
-    def test_round_trip(self):
+    def test_round_trip(self) -> None:
         rows, _ = self.rows()
         self.assertEqual(rows["traversal round trip, measured"]["reached"], 30)
         self.assertIsNone(rows["traversal round trip, scheduled"]["reached"])
@@ -181,7 +169,7 @@ class Bench(unittest.TestCase):
         self.assertEqual(rows["traversal round trip, scheduled"]["reached"], 5 + 6 + 7 + 8)
         self.assertIn("traversal_slice 7", text)
 
-    def test_clocks_by_the_schedules(self):
+    def test_clocks_by_the_schedules(self) -> None:
         row = self.rows()[0]["clocks of a frame, model against RTL"]
         self.assertAlmostEqual(row["reached"], 20)
         self.assertIs(row["met"], False)
@@ -190,14 +178,14 @@ class Bench(unittest.TestCase):
             self.rows(rtl=False)[0]["clocks of a frame, model against RTL"]["reached"]
         )
 
-    def test_without_rtl_the_rest_is_measured(self):
+    def test_without_rtl_the_rest_is_measured(self) -> None:
         rows, text = self.rows(rtl=False)
         self.assertIsNone(rows["rays per clock"]["reached"])
         self.assertIsNone(rows["rays per clock"]["met"])
         self.assertEqual(rows["triangles per packet"]["reached"], 0.4)
         self.assertIn("Nothing of the RTL was measured: dynrt: there is no RTL in this build", text)
 
-    def test_sweep(self):
+    def test_sweep(self) -> None:
         result = self.bench("--sweep", "plots", "--quick")
         self.assertEqual(result.returncode, 0, result.stderr)
         with open(self.folder / "plots" / "packets.csv", encoding="utf-8") as file:
@@ -212,7 +200,7 @@ class Bench(unittest.TestCase):
         for plot in ("usage.svg", "frame_rate.svg", "hit_rate.svg"):
             self.assertIn("<svg", (self.folder / "plots" / plot).read_text())
 
-    def test_scenes_beside_the_thesis(self):
+    def test_scenes_beside_the_thesis(self) -> None:
         result = self.bench("--scenes", "--json", "scenes.json")
         self.assertEqual(result.returncode, 0, result.stderr)
         scenes = json.loads((self.folder / "scenes.json").read_text())["scenes"]
@@ -249,22 +237,22 @@ class Bench(unittest.TestCase):
         )
         self.assertNotIn("\noffice, ", result.stdout)
 
-    def test_scenes_of_another_size_are_not_compared(self):
+    def test_scenes_of_another_size_are_not_compared(self) -> None:
         result = self.bench("--scenes", "--quick")
         self.assertRegex(result.stdout, r"\nbeside the thesis( +-){6}\n")
         self.assertNotIn("range", result.stdout)
 
-    def test_scenes_need_the_rtl(self):
+    def test_scenes_need_the_rtl(self) -> None:
         result = self.bench("--scenes", rtl=False)
         self.assertEqual(result.returncode, 1)
         self.assertEqual(result.stderr, "bench: dynrt: there is no RTL in this build\n")
 
-    def test_two_tables_at_once(self):
+    def test_two_tables_at_once(self) -> None:
         result = self.bench("--scenes", "--sweep", "plots")
         self.assertEqual(result.returncode, 2)
         self.assertIn("--scenes and --sweep are two tables; ask for one of them", result.stderr)
 
-    def test_report(self):
+    def test_report(self) -> None:
         result = self.bench("--report", "--quick", "--json", "report.json")
         self.assertEqual(result.returncode, 0, result.stderr)
         first, again, truth = json.loads((self.folder / "report.json").read_text())["rows"]
@@ -273,21 +261,19 @@ class Bench(unittest.TestCase):
         self.assertEqual(again["name"], "the same again")
         self.assertEqual((truth["reached"], truth["met"]), (128 * 96 / 0.05 / 1e6, True))
 
-    def test_sweep_needs_the_rtl(self):
+    def test_sweep_needs_the_rtl(self) -> None:
         result = self.bench("--sweep", "plots", rtl=False)
         self.assertEqual(result.returncode, 1)
         self.assertEqual(result.stderr, "bench: dynrt: there is no RTL in this build\n")
 
-    def test_a_program_that_is_none(self):
-        result = subprocess.run(
-            [BENCH, "--program", "nothing"], capture_output=True, text=True, check=False
-        )
+    def test_a_program_that_is_none(self) -> None:
+        result = testing.run(BENCH, "--program", "nothing")
         self.assertEqual(result.returncode, 1)
         self.assertEqual(
             result.stderr, "bench: nothing is no program; build it or leave out --program\n"
         )
 
-    def test_a_folder_that_is_not_there(self):
+    def test_a_folder_that_is_not_there(self) -> None:
         result = self.bench("--json", "gone/bench.json")
         self.assertEqual(result.returncode, 2)
         self.assertIn("--json gone/bench.json: there is no folder 'gone'", result.stderr)

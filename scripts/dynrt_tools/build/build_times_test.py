@@ -3,9 +3,9 @@
 """Reads made-up logs of Ninja."""
 
 import pathlib
-import tempfile
 import unittest
 
+from dynrt_tools import testing
 from dynrt_tools.build import build_times
 
 LOG = """# ninja log v5
@@ -18,13 +18,12 @@ LOG = """# ninja log v5
 """
 
 
-class BuildTimes(unittest.TestCase):
+class BuildTimes(testing.InFolder):
     """One test for each table and mistake."""
 
     def setUp(self) -> None:
-        folder = tempfile.TemporaryDirectory()  # pylint: disable=consider-using-with
-        self.addCleanup(folder.cleanup)
-        self.path = pathlib.Path(folder.name) / "log"
+        super().setUp()
+        self.path = self.folder / "log"
 
     def write(self, text: str) -> pathlib.Path:
         """The log with this text."""

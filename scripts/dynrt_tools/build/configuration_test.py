@@ -8,67 +8,66 @@ import json
 import os
 import pathlib
 import shutil
-import subprocess
-import tempfile
 import unittest
 
-from dynrt_tools import project
+from dynrt_tools import project, testing
 from dynrt_tools.build import configuration, fingerprint
-from dynrt_tools.build.configs import load_configurations
+from dynrt_tools.build.configs import load_configurations, read_file
 
 SCRIPT = project.SCRIPTS / "configuration"
 THESIS = load_configurations().listed()["thesis"]
 
 
-class Configuration(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+class Configuration(testing.InFolder):
+    def setUp(self) -> None:
+        super().setUp()
         self.file = self.folder / "mine.json"
         # A project in miniature: the sources that decide, and what a build says of itself.
         self.source = self.folder / "source"
-        for name in (
+        names = (
             "hls/include/float.h",
             "host/board/board.h",
             "hls/units/list.h",
             "hls/configs/generate",
             "cmake/Loadable.cmake",
             "rtl/lib/fifo.v",
-        ):
-            (self.source / name).parent.mkdir(parents=True, exist_ok=True)
-            (self.source / name).write_text(name, encoding="utf-8")
+        )
+        testing.write_tree(self.source, {name: name for name in names})
         self.hlsc = self.folder / "hlsc"
         self.hlsc.write_text("hlsc", encoding="utf-8")
-        self.build = {
+        self.build: project.Json = {
             "identity": {"CMAKE_CXX_FLAGS": ""},
             "variables": {"DYNRT_CLOCK_NS": "10"},
             "source": str(self.source),
             "hlsc": str(self.hlsc),
         }
 
-    def written(self, keys):
+    def written(self, keys: str | project.Json) -> pathlib.Path:
         self.file.write_text(keys if isinstance(keys, str) else json.dumps(keys), encoding="utf-8")
         return self.file
 
-    def run_on(self, keys, *flags, **environment):
+    def run_on(
+        self, keys: str | project.Json, *flags: testing.Word, **environment: str
+    ) -> testing.Result:
         self.written(keys)
         build = self.folder / "build.json"
         build.write_text(json.dumps(self.build), encoding="utf-8")
-        return subprocess.run(
-            [SCRIPT, self.file, "--build", build, *flags],
-            capture_output=True,
-            text=True,
-            check=False,
-            env=os.environ | environment,
+        return testing.run(
+            SCRIPT, self.file, "--build", build, *flags, env=os.environ | environment
         )
 
-    def assert_refused(self, keys, sentence, *flags, **environment):
+    def assert_refused(
+        self,
+        keys: str | project.Json,
+        sentence: str,
+        *flags: testing.Word,
+        **environment: str,
+    ) -> None:
         result = self.run_on(keys, *flags, **environment)
         self.assertEqual(result.stderr, f"configuration: {self.file}: {sentence}\n")
         self.assertEqual((result.returncode, result.stdout), (1, ""))
 
-    def test_refused(self):
+    def test_refused(self) -> None:
         self.assert_refused(
             THESIS | {"mantissa_bits": 99},
             "line 1: key 'mantissa_bits' (stored mantissa bits of the float) is 99; it must "
@@ -92,7 +91,7 @@ class Configuration(unittest.TestCase):
             "--verilog",
         )
 
-    def test_programs_read_the_sentence_where_the_path_would_be(self):
+    def test_programs_read_the_sentence_where_the_path_would_be(self) -> None:
         result = self.run_on(THESIS, "--expect", "0", "--for-program")
         self.assertEqual((result.returncode, result.stderr), (1, ""))
         self.assertEqual(
@@ -100,7 +99,7 @@ class Configuration(unittest.TestCase):
             "the sources have changed since this program was built; build it again\n",
         )
 
-    def test_cache_that_cannot_be_written(self):
+    def test_cache_that_cannot_be_written(self) -> None:
         blocked = self.folder / "file"
         blocked.write_text("", encoding="utf-8")
         self.assert_refused(
@@ -110,10 +109,10 @@ class Configuration(unittest.TestCase):
             DYNRT_CACHE=str(blocked),
         )
 
-    def test_tools_that_are_not_installed(self):
+    def test_tools_that_are_not_installed(self) -> None:
         tools = self.folder / "tools"
         tools.mkdir()
-        (tools / "python3").symlink_to(shutil.which("python3"))
+        testing.link_tools(tools, "python3")
         cache = {"PATH": str(tools), "DYNRT_CACHE": str(self.folder / "cache")}
         self.assert_refused(
             THESIS,
@@ -129,11 +128,9 @@ class Configuration(unittest.TestCase):
             **cache,
         )
 
-    def test_programs_read_of_a_file_that_cannot_be_written_there_too(self):
+    def test_programs_read_of_a_file_that_cannot_be_written_there_too(self) -> None:
         (self.folder / "cache").mkdir()
-        key = configuration.key_of(
-            "verilog", configuration.read_file(self.written(THESIS)), self.build
-        )
+        key = configuration.key_of("verilog", read_file(self.written(THESIS)), self.build)
         (self.folder / "cache" / f"configuration-verilog-{key}").mkdir()
         out = self.folder / "build.json"
         result = self.run_on(
@@ -148,7 +145,7 @@ class Configuration(unittest.TestCase):
             (result.returncode, result.stdout, result.stderr), (1, f"{out}: File exists\n", "")
         )
 
-    def test_a_build_that_fails_keeps_its_log(self):
+    def test_a_build_that_fails_keeps_its_log(self) -> None:
         cache = self.folder / "cache"
         result = self.run_on(THESIS, DYNRT_CACHE=str(cache))
         self.assertEqual(result.returncode, 1)
@@ -156,8 +153,10 @@ class Configuration(unittest.TestCase):
         self.assertIn("CMakeLists.txt", (cache / "failed.log").read_text("utf-8"))
         self.assertEqual(list(cache.glob("*.partial")), [])
 
-    def test_key(self):
-        key = lambda kind="native", **keys: configuration.key_of(kind, THESIS | keys, self.build)
+    def test_key(self) -> None:
+        def key(kind: str = "native", **keys: object) -> str:
+            return configuration.key_of(kind, THESIS | keys, self.build)
+
         native, verilog = key(), key("verilog")
         self.assertEqual(key(about="other words"), native)
         self.assertNotEqual(native, verilog)
@@ -170,7 +169,7 @@ class Configuration(unittest.TestCase):
         (self.source / "cmake/Loadable.cmake").write_text("changed", encoding="utf-8")
         self.assertNotEqual(key(), native)
 
-    def test_fingerprint(self):
+    def test_fingerprint(self) -> None:
         first = fingerprint.fingerprint(self.build)
         moved = self.folder / "moved"
         shutil.copytree(self.source, moved)

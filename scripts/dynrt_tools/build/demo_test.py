@@ -8,7 +8,6 @@ Its argument is the build folder.
 
 import json
 import pathlib
-import re
 import sys
 import unittest
 
@@ -18,19 +17,19 @@ ROOT = project.ROOT
 BUILD = pathlib.Path(sys.argv.pop()) if len(sys.argv) > 1 else ROOT / "build" / "release"
 
 
-def demo_configuration():
+def demo_configuration() -> str:
     """The configuration that scripts/demo renders with."""
     text = (ROOT / "scripts" / "demo").read_text(encoding="utf-8")
-    return re.search(r"^configuration=(\w+)", text, re.MULTILINE)[1]
+    return project.searched(r"^configuration=(\w+)", text)[1]
 
 
 class Demo(unittest.TestCase):
-    def test_preset_builds_the_configuration(self):
+    def test_preset_builds_the_configuration(self) -> None:
         presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
         program = next(p for p in presets["configurePresets"] if p["name"] == "program")
         self.assertEqual(program["cacheVariables"]["DYNRT_BUILT_IN"], demo_configuration())
 
-    def test_verilog_and_schedules_are_checked_in(self):
+    def test_verilog_and_schedules_are_checked_in(self) -> None:
         lowered = BUILD / "generated" / demo_configuration()
         checked_in = ROOT / "rtl" / "generated" / demo_configuration()
         made = sorted(p for p in lowered.iterdir() if p.suffix in (".v", ".vh", ".json"))

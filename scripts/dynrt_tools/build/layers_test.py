@@ -3,13 +3,10 @@
 """Plants includes that point the wrong way in a small tree and expects scripts/check-layers to
 name each of them."""
 
-import pathlib
-import subprocess
 import sys
-import tempfile
 import unittest
 
-from dynrt_tools import project
+from dynrt_tools import project, testing
 
 SCRIPT = project.SCRIPTS / "check-layers"
 RIGHT = {
@@ -27,29 +24,23 @@ RIGHT = {
 }
 
 
-class CheckLayers(unittest.TestCase):
-    def run_on(self, extra):
-        with tempfile.TemporaryDirectory() as folder:
-            for name, text in {**RIGHT, **extra}.items():
-                path = pathlib.Path(folder, name)
-                path.parent.mkdir(parents=True, exist_ok=True)
-                path.write_text(text, encoding="utf-8")
-            return subprocess.run(
-                [sys.executable, SCRIPT, folder], capture_output=True, text=True, check=False
-            )
+class CheckLayers(testing.InFolder):
+    def run_on(self, extra: dict[str, str]) -> testing.Result:
+        testing.write_tree(self.folder, RIGHT | extra)
+        return testing.run(sys.executable, SCRIPT, self.folder)
 
-    def assert_refused(self, source, text, message):
+    def assert_refused(self, source: str, text: str, message: str) -> None:
         result = self.run_on({source: text})
         self.assertEqual(result.returncode, 1)
         self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
         self.assertIn(message, result.stderr)
 
-    def test_right_tree_passes(self):
+    def test_right_tree_passes(self) -> None:
         result = self.run_on({})
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertIn("13 includes, all pointing the right way", result.stdout)
 
-    def test_language_knows_no_unit(self):
+    def test_language_knows_no_unit(self) -> None:
         self.assert_refused(
             "hls/include/hls/bad.h",
             '\n#include "units/mailbox.h"\n',
@@ -57,14 +48,14 @@ class CheckLayers(unittest.TestCase):
             "hls/include may include only hls/include, hls/lowered, hls/native",
         )
 
-    def test_unit_knows_no_host(self):
+    def test_unit_knows_no_host(self) -> None:
         self.assert_refused(
             "hls/units/bad.h",
             '#include "../../host/memory/pack.h"\n',
             "hls/units/bad.h:1: includes host/memory/pack.h",
         )
 
-    def test_back_end_knows_no_front_end(self):
+    def test_back_end_knows_no_front_end(self) -> None:
         result = self.run_on(
             {
                 "hls/compiler/frontend/read.h": "#include <string>\n",
@@ -76,28 +67,28 @@ class CheckLayers(unittest.TestCase):
             "hls/compiler/passes/bad.h:1: includes hls/compiler/frontend/read.h", result.stderr
         )
 
-    def test_compiler_knows_no_unit(self):
+    def test_compiler_knows_no_unit(self) -> None:
         self.assert_refused(
             "hls/compiler/bad.cpp",
             "#  include <units/mailbox.h>\n",
             "hls/compiler/bad.cpp:1: includes hls/units/mailbox.h",
         )
 
-    def test_host_knows_only_what_is_published(self):
+    def test_host_knows_only_what_is_published(self) -> None:
         self.assert_refused(
             "host/app/bad.cpp",
             '#include "units/mailbox.h"\n',
             "includes hls/units/mailbox.h, but host/app may include only",
         )
 
-    def test_only_the_board_runs_the_model(self):
+    def test_only_the_board_runs_the_model(self) -> None:
         self.assert_refused(
             "host/app/bad.cpp",
             '#include "units/core_model.h"\n',
             "host/app/bad.cpp:1: includes hls/units/core_model.h",
         )
 
-    def test_a_room_of_the_host_knows_those_before_it(self):
+    def test_a_room_of_the_host_knows_those_before_it(self) -> None:
         self.assert_refused(
             "host/memory/bad.h",
             '#include "host/board/model_board.h"\n',
@@ -105,7 +96,7 @@ class CheckLayers(unittest.TestCase):
             "only",
         )
 
-    def test_only_the_program_includes_the_program(self):
+    def test_only_the_program_includes_the_program(self) -> None:
         result = self.run_on(
             {
                 "host/app/flags.h": "#pragma once\n",
@@ -115,18 +106,15 @@ class CheckLayers(unittest.TestCase):
         self.assertEqual(result.returncode, 1)
         self.assertIn("verif/core/bad.cpp:1: includes host/app/flags.h", result.stderr)
 
-    def test_nothing_includes_verification(self):
+    def test_nothing_includes_verification(self) -> None:
         self.assert_refused(
             "host/app/bad.cpp",
             '#include "verif/unit/mailbox_cosim.cpp"\n',
             "host/app/bad.cpp:1: includes verif/unit/mailbox_cosim.cpp",
         )
 
-    def test_wrong_folder_is_not_a_pass(self):
-        with tempfile.TemporaryDirectory() as folder:
-            result = subprocess.run(
-                [sys.executable, SCRIPT, folder], capture_output=True, text=True, check=False
-            )
+    def test_wrong_folder_is_not_a_pass(self) -> None:
+        result = testing.run(sys.executable, SCRIPT, self.folder)
         self.assertEqual(result.returncode, 1)
         self.assertIn("is this the project's folder?", result.stderr)
 

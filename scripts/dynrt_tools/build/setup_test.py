@@ -4,13 +4,11 @@
 command lines against mistakes. Nothing is installed."""
 
 import os
-import pathlib
 import shutil
-import subprocess
-import tempfile
 import unittest
+from collections.abc import Iterable
 
-from dynrt_tools import project
+from dynrt_tools import project, testing
 
 SCRIPTS = project.SCRIPTS
 # The machine of the stand-ins: the file `installed` holds dpkg's answer, `calls` what apt-get got.
@@ -29,55 +27,51 @@ APT_CACHE = '#!/bin/sh\n[ "$BROKEN" = unknown ] && [ "$3" = yosys ] && exit 100\
 ID = '#!/bin/sh\necho "${USER_ID:-0}"\n'
 
 
-def names_in(lines):
+def names_in(lines: str) -> list[str]:
     """The packages that lines of packages.txt name."""
     names = (line.split("#")[0].strip() for line in lines.splitlines())
     return [name for name in names if name and not name.startswith("[")]
 
 
-class Scripts(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.machine = pathlib.Path(folder.name)
+class Scripts(testing.InFolder):
+    def setUp(self) -> None:
+        super().setUp()
+        self.machine = self.folder
         for name, text in (
             ("dpkg-query", DPKG_QUERY),
             ("apt-get", APT_GET),
             ("apt-cache", APT_CACHE),
             ("id", ID),
         ):
-            (self.machine / name).write_text(text)
-            (self.machine / name).chmod(0o755)
+            testing.write_program(self.machine / name, text)
         shutil.copytree(SCRIPTS, self.machine / "scripts")
         for_demo, for_test = (SCRIPTS / "packages.txt").read_text().split("\n[test]\n")
         self.demo_packages = names_in(for_demo)
         self.packages = self.demo_packages + names_in(for_test)
         self.install(self.packages)
 
-    def install(self, packages):
+    def install(self, packages: Iterable[str]) -> None:
         text = "".join(f"ii {name}\n" for name in packages)
         (self.machine / "installed").write_text(text)
 
-    def run_script(self, *command, **environment):
+    def run_script(self, *command: str, **environment: str) -> testing.Result:
         path = f"{self.machine}:{os.environ['PATH']}"
-        return subprocess.run(
-            [self.machine / "scripts" / command[0], *command[1:]],
+        return testing.run(
+            self.machine / "scripts" / command[0],
+            *command[1:],
             env={**os.environ, "PATH": path, "MACHINE": str(self.machine), **environment},
-            capture_output=True,
-            text=True,
-            check=False,
         )
 
-    def calls(self):
+    def calls(self) -> list[str]:
         path = self.machine / "calls"
         return path.read_text().splitlines() if path.exists() else []
 
-    def test_complete_machine_is_left_alone(self):
+    def test_complete_machine_is_left_alone(self) -> None:
         result = self.run_script("setup")
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
         self.assertEqual(self.calls(), [])
 
-    def test_only_what_is_missing_is_installed(self):
+    def test_only_what_is_missing_is_installed(self) -> None:
         self.install(p for p in self.packages if p not in ("yosys", "verilator"))
         result = self.run_script("setup")
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -87,7 +81,7 @@ class Scripts(unittest.TestCase):
         self.assertEqual(self.run_script("setup").stdout, "")
         self.assertEqual(len(self.calls()), 2)
 
-    def test_demo_needs_fewer_packages(self):
+    def test_demo_needs_fewer_packages(self) -> None:
         self.install(self.demo_packages)
         result = self.run_script("setup", "--for", "demo")
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
@@ -97,7 +91,7 @@ class Scripts(unittest.TestCase):
         rest = sorted(set(self.packages) - set(self.demo_packages))
         self.assertEqual((result.returncode, result.stdout.split()), (1, rest))
 
-    def test_removed_package_counts_as_missing(self):
+    def test_removed_package_counts_as_missing(self) -> None:
         self.install(self.packages)
         text = (self.machine / "installed").read_text().replace("ii yosys", "rc yosys")
         (self.machine / "installed").write_text(text)
@@ -105,36 +99,36 @@ class Scripts(unittest.TestCase):
         self.assertEqual((result.returncode, result.stdout), (1, "yosys\n"))
         self.assertEqual(self.calls(), [])
 
-    def assert_setup_fails(self, message, **environment):
+    def assert_setup_fails(self, message: str, **environment: str) -> None:
         self.install(p for p in self.packages if p != "yosys")
         result = self.run_script("setup", **environment)
         self.assertEqual(result.returncode, 1)
         self.assertIn(message, result.stderr)
 
-    def test_failed_update(self):
+    def test_failed_update(self) -> None:
         self.assert_setup_fails(
             "E: Could not resolve host\nsetup: apt-get update failed", BROKEN="update"
         )
 
-    def test_unknown_package(self):
+    def test_unknown_package(self) -> None:
         self.assert_setup_fails("setup: no package source has: yosys; this is", BROKEN="unknown")
 
-    def test_failed_install(self):
+    def test_failed_install(self) -> None:
         self.assert_setup_fails(
             "E: No space left on device\nsetup: apt-get could not install: yosys",
             BROKEN="install",
         )
 
-    def test_neither_root_nor_sudo(self):
-        for tool in ("bash", "dirname", "basename", "sed", "sort", "comm", "cat", "mktemp", "rm"):
-            (self.machine / tool).symlink_to(shutil.which(tool))
+    def test_neither_root_nor_sudo(self) -> None:
+        tools = ("bash", "dirname", "basename", "sed", "sort", "comm", "cat", "mktemp", "rm")
+        testing.link_tools(self.machine, *tools)
         self.assert_setup_fails(
             "not root and sudo is not installed; as root run: apt-get install yosys",
             USER_ID="1000",
             PATH=str(self.machine),
         )
 
-    def test_help_says_what_will_be_installed(self):
+    def test_help_says_what_will_be_installed(self) -> None:
         for script, packages in (
             ("setup", self.packages),
             ("demo", self.demo_packages),
@@ -143,10 +137,10 @@ class Scripts(unittest.TestCase):
             result = self.run_script(script, "--help")
             self.assertEqual(result.returncode, 0, result.stderr)
             listed = result.stdout.partition("12 (as root or with sudo):\n")[2]
-            listed = listed.partition("\nscripts/packages.txt")[0].split()
-            self.assertEqual(listed, packages, script)
+            listed = listed.partition("\nscripts/packages.txt")[0]
+            self.assertEqual(listed.split(), packages, script)
 
-    def test_mistakes_on_the_command_line(self):
+    def test_mistakes_on_the_command_line(self) -> None:
         for command, message in (
             (("setup", "--now"), "setup: unknown argument '--now'"),
             (("setup", "--for"), "setup: --for needs demo or test"),

@@ -5,10 +5,10 @@
 import contextlib
 import io
 import pathlib
-import tempfile
 import unittest
 from collections.abc import Callable
 
+from dynrt_tools import testing
 from dynrt_tools.build import try_unit
 from dynrt_tools.build.try_unit import Failed, Module, Refused, chosen
 
@@ -36,7 +36,7 @@ def fails() -> str:
     raise Failed("list.h:7: wrong")
 
 
-class TryUnit(unittest.TestCase):
+class TryUnit(testing.InFolder):
     """One test for each decision."""
 
     def test_all_modules_of_a_header_are_taken(self) -> None:
@@ -59,12 +59,10 @@ class TryUnit(unittest.TestCase):
 
     def test_folder_without_a_build(self) -> None:
         """Says how to make one; reads what a build has written."""
-        with tempfile.TemporaryDirectory() as name:
-            build = pathlib.Path(name)
-            with self.assertRaisesRegex(Refused, "run scripts/test --build-only"):
-                try_unit.read_modules(build)
-            (build / "cosimulated_units.txt").write_text("thesis|list|list|cosim_list\n")
-            self.assertEqual(try_unit.read_modules(build), MODULES[:1])
+        with self.assertRaisesRegex(Refused, "run scripts/test --build-only"):
+            try_unit.read_modules(self.folder)
+        (self.folder / "cosimulated_units.txt").write_text("thesis|list|list|cosim_list\n")
+        self.assertEqual(try_unit.read_modules(self.folder), MODULES[:1])
 
     def test_no_test_is_no_success(self) -> None:
         """GoogleTest is content with zero tests."""

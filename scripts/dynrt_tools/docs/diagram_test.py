@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from typing import Any
 
 from dynrt_tools import project
 
@@ -18,10 +19,11 @@ CORE = pathlib.Path(sys.argv.pop()) if len(sys.argv) == 2 else None
 
 
 class Diagram(unittest.TestCase):
-    def setUp(self):
+    def setUp(self) -> None:
+        assert CORE is not None
         self.join = json.loads(CORE.read_text(encoding="utf-8"))
 
-    def check(self, text=None):
+    def check(self, text: str | None = None) -> tuple[int, str]:
         with tempfile.NamedTemporaryFile("w", suffix=".json") as changed:
             changed.write(json.dumps(self.join) if text is None else text)
             changed.flush()
@@ -30,36 +32,36 @@ class Diagram(unittest.TestCase):
             )
             return result.returncode, result.stderr.replace(changed.name, "CORE")
 
-    def channel(self, name):
+    def channel(self, name: str) -> Any:
         return next(c for c in self.join["channels"] if c["name"] == name)
 
-    def assert_stale(self, what):
+    def assert_stale(self, what: str) -> None:
         self.assertEqual(
             self.check(),
             (1, f"diagram: {SVG} is stale ({what}); `ninja diagram` draws it again\n"),
         )
 
-    def test_the_picture_is_that_of_the_join(self):
+    def test_the_picture_is_that_of_the_join(self) -> None:
         self.assertEqual(self.check(), (0, ""))
 
-    def test_a_channel_that_goes_elsewhere(self):
+    def test_a_channel_that_goes_elsewhere(self) -> None:
         self.channel("list_request")["to"] = ["mailbox.entry"]
         self.assert_stale("list->list_cache, list->mailbox")
 
-    def test_a_channel_of_another_name(self):
+    def test_a_channel_of_another_name(self) -> None:
         self.channel("unit_ray")["name"] = "ray_in_unit_space"
         self.assert_stale("ray in unit space")
 
-    def test_another_unit(self):
+    def test_another_unit(self) -> None:
         self.join["units"].append({"name": "light", "module": "light", "group": "Lights"})
         self.assert_stale("light")
 
-    def test_a_group_of_another_name(self):
+    def test_a_group_of_another_name(self) -> None:
         for unit in self.join["units"]:
             unit["group"] = unit["group"].replace("Traversal", "Going down")
         self.assert_stale("Going down")
 
-    def test_a_unit_without_a_group(self):
+    def test_a_unit_without_a_group(self) -> None:
         self.join["units"].append({"name": "light", "module": "light", "group": ""})
         self.assertEqual(
             self.check(),
@@ -70,7 +72,7 @@ class Diagram(unittest.TestCase):
             ),
         )
 
-    def test_what_is_no_join(self):
+    def test_what_is_no_join(self) -> None:
         del self.join["banks"]
         self.assertEqual(
             self.check(),

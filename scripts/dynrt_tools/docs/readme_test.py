@@ -11,10 +11,10 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
 class Readme(unittest.TestCase):
-    def test_it_is_short(self):
+    def test_it_is_short(self) -> None:
         self.assertLessEqual(len(README.splitlines()), 120)
 
-    def test_folders_are_those_of_the_project(self):
+    def test_folders_are_those_of_the_project(self) -> None:
         listed = re.findall(
             r"^    ([\w/]+)  +\S",
             README.partition("## Where things are")[2].partition("\n## ")[0],
@@ -26,7 +26,7 @@ class Readme(unittest.TestCase):
         there = {p.name for p in ROOT.iterdir() if p.is_dir() and p.name[0] not in "._"} - {"build"}
         self.assertEqual(tops, there)
 
-    def test_files_that_it_names_are_there(self):
+    def test_files_that_it_names_are_there(self) -> None:
         names = re.findall(r"\]\(([\w./-]+)\)", README)
         names += re.findall(r"`((?:hls|docs|scripts)/[\w./-]+)`", README)
         names += re.findall(r"^    (scripts/[\w-]+)", README, re.MULTILINE)

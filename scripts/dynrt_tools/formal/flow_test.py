@@ -1,10 +1,9 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """The runner of the proofs: what it must refuse, and that it tells true from false."""
-import pathlib
-import tempfile
 import unittest
 
+from dynrt_tools import testing
 from dynrt_tools.formal import flow
 
 COUNTER = """module counter (input wire clk_i, input wire up_i);
@@ -14,14 +13,12 @@ endmodule
 """
 
 
-class Flow(unittest.TestCase):
-    def design(self, properties, solver="smt"):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
+class Flow(testing.InFolder):
+    def design(self, properties: str, solver: str = "smt") -> flow.Design:
         text = flow.with_properties(COUNTER, "counter", properties)
-        return flow.Design(pathlib.Path(folder.name), [("counter.v", text)], "counter", {}, solver)
+        return flow.Design(self.folder, [("counter.v", text)], "counter", {}, solver)
 
-    def test_tells_true_from_false(self):
+    def test_tells_true_from_false(self) -> None:
         for solver in ("smt", "sat"):
             with self.subTest(solver):
                 true = self.design("always @* below_ten: assert (count_q < 10);\n", solver)
@@ -33,24 +30,24 @@ class Flow(unittest.TestCase):
                 self.assertFalse(false.holds(12)[0])
                 self.assertFalse(false.steps(1)[0])
 
-    def test_no_assertion_is_an_error(self):
+    def test_no_assertion_is_an_error(self) -> None:
         with self.assertRaisesRegex(flow.Broken, "no assertion was found in counter"):
             self.design("wire nothing = 1'b1;\n")
 
-    def test_no_module_is_an_error(self):
+    def test_no_module_is_an_error(self) -> None:
         with self.assertRaisesRegex(flow.Broken, "there is no module timer"):
             flow.with_properties(COUNTER, "timer", "")
 
-    def test_verilog_that_cannot_be_read_is_an_error(self):
+    def test_verilog_that_cannot_be_read_is_an_error(self) -> None:
         with self.assertRaisesRegex(flow.Broken, "yosys cannot read it"):
             self.design("always @* assert (\n")
 
-    def test_a_mutation_must_be_found_once(self):
+    def test_a_mutation_must_be_found_once(self) -> None:
         for text in ("nowhere", "count_q"):
             with self.assertRaisesRegex(flow.Broken, "it must be there once"):
                 flow.mutated(COUNTER, {"in": "counter.v", "from": text, "to": ""})
 
-    def test_covers_become_assertions_that_they_are_not_reached(self):
+    def test_covers_become_assertions_that_they_are_not_reached(self) -> None:
         text = "  always @* begin\n    nine: cover (count_q == 9);\n  end\n"
         self.assertEqual(flow.covers(text), ["nine"])
         self.assertNotIn("cover", flow.without_covers(text))

@@ -1,10 +1,9 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """How a unit is opened, and that a pair is refused of which more must be proved."""
-import pathlib
-import tempfile
 import unittest
 
+from dynrt_tools import testing
 from dynrt_tools.formal import flow, opened, pair
 
 # Counts tokens in stage STATE; gives the count in stage 1.
@@ -44,35 +43,33 @@ endmodule
 """
 
 
-class Opened(unittest.TestCase):
-    def unit(self, text):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        path = pathlib.Path(folder.name, "count.v")
+class Opened(testing.InFolder):
+    def unit(self, text: str) -> pair.Unit:
+        path = self.folder / "count.v"
         path.write_text(text, encoding="utf-8")
         return pair.Unit(path)
 
-    def test_state_becomes_ports(self):
+    def test_state_becomes_ports(self) -> None:
         unit = self.unit(UNIT.replace("STATE", "1"))
         self.assertEqual(unit.ports["total_q"], ("input", 4))
         self.assertEqual(unit.ports["total_q_data_o"], ("output", 4))
         self.assertNotIn("reg  [3:0] total_q", opened.opened(UNIT))
 
-    def test_stages_are_what_the_verilog_says(self):
+    def test_stages_are_what_the_verilog_says(self) -> None:
         stage = self.unit(UNIT.replace("STATE", "1")).stage
         self.assertEqual(
             [stage[name] for name in ("add_data_i", "total_q", "sum_data_o")], [0, 1, 1]
         )
 
-    def test_state_written_in_another_stage_than_it_is_read_is_refused(self):
+    def test_state_written_in_another_stage_than_it_is_read_is_refused(self) -> None:
         with self.assertRaisesRegex(flow.Broken, "total_q (is read|belongs)"):
             self.unit(UNIT.replace("STATE", "2"))
 
-    def test_state_that_is_not_understood_is_refused(self):
+    def test_state_that_is_not_understood_is_refused(self) -> None:
         with self.assertRaisesRegex(flow.Broken, "remembers what is not made a port of it"):
             opened.opened(UNIT.replace("    if (!rst_ni) total_q <= 4'd0;\n    else if", "    if"))
 
-    def test_units_of_different_ports_are_no_pair(self):
+    def test_units_of_different_ports_are_no_pair(self) -> None:
         unit = self.unit(UNIT.replace("STATE", "1"))
         other = self.unit(
             UNIT.replace("STATE", "1").replace("[3:0] sum_data_o", "[4:0] sum_data_o")

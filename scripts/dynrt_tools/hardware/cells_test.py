@@ -10,7 +10,7 @@ from dynrt_tools import project
 from dynrt_tools.hardware import replay, synthesis
 
 
-def main():
+def main() -> None:
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     ram = project.ROOT / "rtl/lib/hls_ram_1r1w.v"

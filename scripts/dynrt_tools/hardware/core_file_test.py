@@ -6,51 +6,52 @@ Verilog that is there."""
 import pathlib
 import re
 import subprocess
-import tempfile
 import unittest
 
 import yaml
-from dynrt_tools import project
+
+from dynrt_tools import project, testing
 from dynrt_tools.hardware import rtl_files
 
 ROOT = project.ROOT
 TEXT = (ROOT / "dynrt.core").read_text(encoding="utf-8")
 
 
-class CoreFile(unittest.TestCase):
-    def setUp(self):
+class CoreFile(testing.InFolder):
+    def setUp(self) -> None:
+        super().setUp()
         first, _, rest = TEXT.partition("\n")
         self.assertEqual(first, "CAPI=2:")
         self.core = yaml.safe_load(rest)
 
-    def files(self, *filesets):
+    def files(self, *filesets: str) -> list[str]:
         """The names in these filesets; an entry is a name, or a name with attributes."""
         found = [f for fileset in filesets for f in self.core["filesets"][fileset]["files"]]
         return [next(iter(f)) if isinstance(f, dict) else f for f in found]
 
-    def test_its_version_is_the_project_s(self):
+    def test_its_version_is_the_project_s(self) -> None:
         text = (ROOT / "CMakeLists.txt").read_text(encoding="utf-8")
-        stated = re.search(r"project\(dynrt VERSION ([\d.]+)", text)
+        stated = project.searched(r"project\(dynrt VERSION ([\d.]+)", text)
         self.assertEqual(self.core["name"], f"dynrt::dynrt:{stated[1]}")
 
-    def test_every_verilog_file_is_listed_once(self):
+    def test_every_verilog_file_is_listed_once(self) -> None:
         listed = self.files("core", "board")
         there = rtl_files.hand_written() + rtl_files.units_in(rtl_files.GENERATED)
         self.assertGreater(len(there), 30)
         self.assertEqual(sorted(listed), sorted(p.relative_to(ROOT).as_posix() for p in there))
 
-    def test_every_file_is_there(self):
+    def test_every_file_is_there(self) -> None:
         for name in self.files(*self.core["filesets"]):
             self.assertTrue((ROOT / name).is_file(), name)
 
-    def test_every_header_that_is_included_is_listed(self):
+    def test_every_header_that_is_included_is_listed(self) -> None:
         headers = {pathlib.PurePath(name).name for name in self.files("headers")}
         for name in self.files("core", "board"):
             text = (ROOT / name).read_text(encoding="utf-8")
             for header in re.findall(r'^`include "([^"]+)"', text, re.MULTILINE):
                 self.assertIn(header, headers, name)
 
-    def test_targets_have_what_they_name(self):
+    def test_targets_have_what_they_name(self) -> None:
         for name, target in self.core["targets"].items():
             for fileset in target["filesets"]:
                 self.assertIn(fileset, self.core["filesets"], name)
@@ -61,15 +62,14 @@ class CoreFile(unittest.TestCase):
             )
             self.assertRegex(text, rf"\nmodule {target['toplevel']}\b", name)
 
-    def test_file_lists_name_what_is_there(self):
-        with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([ROOT / "scripts/file_lists", folder], check=True)
-            for name, at_least in (("dynrt_core.f", 25), ("dynrt_board.f", 30)):
-                lines = pathlib.Path(folder, name).read_text(encoding="utf-8").splitlines()
-                sources = [line for line in lines if not line.startswith("+incdir+")]
-                self.assertGreater(len(sources), at_least, name)
-                for line in lines:
-                    self.assertTrue((ROOT / "rtl" / line.removeprefix("+incdir+")).exists(), line)
+    def test_file_lists_name_what_is_there(self) -> None:
+        subprocess.run([ROOT / "scripts/file_lists", self.folder], check=True)
+        for name, at_least in (("dynrt_core.f", 25), ("dynrt_board.f", 30)):
+            lines = (self.folder / name).read_text(encoding="utf-8").splitlines()
+            sources = [line for line in lines if not line.startswith("+incdir+")]
+            self.assertGreater(len(sources), at_least, name)
+            for line in lines:
+                self.assertTrue((ROOT / "rtl" / line.removeprefix("+incdir+")).exists(), line)
 
 
 if __name__ == "__main__":

@@ -3,17 +3,15 @@
 """Holds the gate rule against netlists counted by hand, and the report against its own reader."""
 
 import collections
-import json
-import pathlib
 import subprocess
-import tempfile
 import unittest
 
+from dynrt_tools import project, testing
 from dynrt_tools.hardware import gate_report, gate_rule, gate_units
 from dynrt_tools.hardware.gate_rule import Memory
 
 
-def cell(kind, **ends):
+def cell(kind: str, **ends: list[int | str]) -> project.Json:
     return {
         "type": kind,
         "connections": ends,
@@ -22,7 +20,7 @@ def cell(kind, **ends):
     }
 
 
-def ram(rows, width, read, write=None):
+def ram(rows: int, width: int, read: list[int], write: list[int] | None = None) -> project.Json:
     address = len(read)
     return {
         "type": "$mem_v2",
@@ -37,11 +35,11 @@ def ram(rows, width, read, write=None):
     }
 
 
-class Rule(unittest.TestCase):
-    def gates(self, *cells):
+class Rule(testing.InFolder):
+    def gates(self, *cells: project.Json) -> float:
         return gate_rule.count({f"c{i}": c for i, c in enumerate(cells)}).logic
 
-    def test_luts_by_their_inputs(self):
+    def test_luts_by_their_inputs(self) -> None:
         self.assertEqual(
             self.gates(
                 cell("LUT4", O=[9]), cell("LUT3", O=[8]), cell("LUT2", O=[7]), cell("INV", O=[6])
@@ -49,14 +47,14 @@ class Rule(unittest.TestCase):
             9 + 6 + 6 + 1,
         )
 
-    def test_flip_flops(self):
+    def test_flip_flops(self) -> None:
         plain = cell("FDRE", Q=[5], D=[4], C=[3], CE=["1"], R=["0"])
         enabled = cell("FDRE", Q=[6], D=[4], C=[3], CE=[2], R=["0"])
         reset = cell("FDSE", Q=[7], D=[4], C=[3], CE=["1"], S=[2])
         self.assertEqual(self.gates(plain), 6)
         self.assertEqual(self.gates(plain, enabled, reset), 6 + 8 + 8)
 
-    def test_an_adder_of_two_bits_is_two_full_adders(self):
+    def test_an_adder_of_two_bits_is_two_full_adders(self) -> None:
         bits = [
             cell("LUT2", I0=[1], I1=[2], O=[10]),
             cell("MUXCY", S=[10], DI=[1], CI=["0"], O=[20]),
@@ -66,7 +64,7 @@ class Rule(unittest.TestCase):
         ]
         self.assertEqual(self.gates(*bits), 2 * 9)
 
-    def test_what_more_a_lut_computes_counts(self):
+    def test_what_more_a_lut_computes_counts(self) -> None:
         # An addend that is selected by a third input; and a LUT whose output goes elsewhere too.
         self.assertEqual(
             self.gates(cell("LUT3", O=[10]), cell("XORCY", LI=[10], CI=["0"], O=[30])), 6 + 9
@@ -80,11 +78,11 @@ class Rule(unittest.TestCase):
             6 + 9 + 9,
         )
 
-    def test_multipliers(self):
+    def test_multipliers(self) -> None:
         self.assertEqual(self.gates(cell("MULT18X18", P=[1]), cell("MULT18X18S", P=[2])), 14000)
 
-    def test_memory_bits(self):
-        def bits(memory):
+    def test_memory_bits(self) -> None:
+        def bits(memory: project.Json) -> tuple[Memory, ...]:
             return gate_rule.count({"m": memory}).memories
 
         self.assertEqual(bits(ram(32, 5, [1, 2], [1, 2])), (Memory("u", 32, 5, 1),))
@@ -94,11 +92,11 @@ class Rule(unittest.TestCase):
         two["parameters"]["ABITS"] = "10"
         self.assertEqual(bits(two)[0].bits, 2 * 64, "two readers: two copies")
 
-    def test_an_unknown_cell_is_refused(self):
+    def test_an_unknown_cell_is_refused(self) -> None:
         with self.assertRaisesRegex(gate_rule.Uncounted, "no gates for the cell c0 of type DSP48"):
             self.gates(cell("DSP48", P=[1]))
 
-    def test_yosys_agrees_with_the_hand(self):
+    def test_yosys_agrees_with_the_hand(self) -> None:
         # 8 enabled flip-flops, an adder of 8 bits in front of them, a dual-port RAM of 16 x 4.
         source = """module top(input c, input e, input [7:0] a, output reg [7:0] q,
                       input [3:0] w, input [3:0] r, input [3:0] d, output [3:0] o);
@@ -108,28 +106,20 @@ class Rule(unittest.TestCase):
         synth = (
             "synth_xilinx -family xc2v -flatten -nowidelut -noiopad -noclkbuf -nosrl -top top -run "
         )
-        with tempfile.TemporaryDirectory() as name:
-            path = pathlib.Path(name, "top.v")
-            path.write_text(source, encoding="utf-8")
-            subprocess.run(
-                [
-                    "yosys",
-                    "-q",
-                    "-p",
-                    f"read_verilog {path}; {synth}begin:map_memory; "
-                    f"{synth}fine:check; write_json {name}/top.json",
-                ],
-                check=True,
-                capture_output=True,
-            )
-            module = json.loads(pathlib.Path(name, "top.json").read_text("utf-8"))["modules"]["top"]
+        path, netlist = self.folder / "top.v", self.folder / "top.json"
+        path.write_text(source, encoding="utf-8")
+        script = (
+            f"read_verilog {path}; {synth}begin:map_memory; {synth}fine:check; write_json {netlist}"
+        )
+        subprocess.run(["yosys", "-q", "-p", script], check=True, capture_output=True)
+        module = project.read_json(netlist)["modules"]["top"]
         counted = gate_rule.count(module["cells"])
         self.assertEqual(counted.logic, 8 * 8 + 8 * 9)
         self.assertEqual(counted.bits, 2 * 64)
 
 
 class Report(unittest.TestCase):
-    def test_the_fit_finds_a_plane(self):
+    def test_the_fit_finds_a_plane(self) -> None:
         points = [(32, 512), (64, 512), (8, 512), (32, 64)]
         values = [1000 + 50 * p + 3 * c for p, c in points]
         for found, wanted in zip(gate_rule.fit(points, values), (1000, 50, 3)):
@@ -137,7 +127,7 @@ class Report(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "on a line"):
             gate_rule.fit([(1, 1), (2, 2), (3, 3)], [1, 2, 3])
 
-    def test_the_thesis_adds_up(self):
+    def test_the_thesis_adds_up(self) -> None:
         self.assertEqual(sum(u.logic for u in gate_units.PACKET_UNITS), 487020)
         self.assertEqual(sum(u.bits for u in gate_units.PACKET_UNITS), 14007)
         self.assertEqual(sum(u.logic for u in gate_units.CACHE_UNITS), 17803)
@@ -150,8 +140,8 @@ class Report(unittest.TestCase):
             kilobytes = sum(units[r][0] * units[r][1] for r in rows) / 8 / 1024
             self.assertLess(abs(kilobytes - gate_units.COMPLEXITY[name][4]), 0.07, name)
 
-    def test_what_is_written_is_what_is_read(self):
-        def core(packets, lines):
+    def test_what_is_written_is_what_is_read(self) -> None:
+        def core(packets: int, lines: int) -> dict[str, gate_rule.Count]:
             count = gate_rule.Count
             return {
                 "join": count(

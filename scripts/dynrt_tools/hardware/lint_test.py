@@ -3,15 +3,14 @@
 """Plants mistakes in a small tree and expects scripts/lint to find each, and scripts/synth to count
 what a known design takes."""
 
-import json
 import os
 import pathlib
 import shutil
-import subprocess
 import tempfile
 import unittest
+from typing import Any
 
-from dynrt_tools import project
+from dynrt_tools import project, testing
 
 SCRIPTS = project.SCRIPTS
 RAM = """\
@@ -53,48 +52,42 @@ TREE = {
 }
 
 
-def copy_scripts(root):
+def copy_scripts(root: pathlib.Path) -> None:
     shutil.copytree(SCRIPTS, root / "scripts", ignore=shutil.ignore_patterns("__pycache__"))
 
 
-class Planted(unittest.TestCase):
-    def run_script(self, extra, *command, env=None):
+class Planted(testing.InFolder):
+    def run_script(
+        self, extra: dict[str, str], *command: str, env: dict[str, str] | None = None
+    ) -> tuple[testing.Result, Any]:
+        """What a command does in the small tree with more files, and the figures that it writes."""
         with tempfile.TemporaryDirectory() as name:
             root = pathlib.Path(name)
             copy_scripts(root)
-            for path, text in {**TREE, **extra}.items():
-                (root / path).parent.mkdir(parents=True, exist_ok=True)
-                (root / path).write_text(text, encoding="utf-8")
-            result = subprocess.run(
-                [root / "scripts" / command[0], *command[1:]],
-                cwd=root,
-                capture_output=True,
-                text=True,
-                check=False,
-                env=env,
-            )
+            testing.write_tree(root, TREE | extra)
+            result = testing.run(root / "scripts" / command[0], *command[1:], cwd=root, env=env)
             figures = root / "figures.json"
-            return result, json.loads(figures.read_text()) if figures.exists() else None
+            return result, project.read_json(figures) if figures.exists() else None
 
-    def assert_lint(self, extra, message):
+    def assert_lint(self, extra: dict[str, str], message: str) -> None:
         result, _ = self.run_script(extra, "lint")
         self.assertEqual(result.returncode, 1, result.stdout)
         self.assertIn(message, result.stderr)
 
 
 class Lint(Planted):
-    def test_clean_tree_passes(self):
+    def test_clean_tree_passes(self) -> None:
         result, _ = self.run_script({}, "lint")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stdout, "2 Verilog files are clean\n")
 
-    def test_unused_signal(self):
+    def test_unused_signal(self) -> None:
         self.assert_lint(
             {"rtl/lib/ram.v": RAM.replace("  reg [31:0] rows", "  wire x;\n  reg [31:0] rows")},
             "Signal is not driven, nor used: 'x'",
         )
 
-    def test_waiver_with_reason(self):
+    def test_waiver_with_reason(self) -> None:
         bad = RAM.replace("  reg [31:0] rows", "  wire x;\n  reg [31:0] rows")
         waiver = (
             "`verilator_config\n// Kept for a later port.\n"
@@ -103,13 +96,13 @@ class Lint(Planted):
         result, _ = self.run_script({"rtl/lib/ram.v": bad, "rtl/lint/lib.vlt": waiver}, "lint")
         self.assertEqual(result.returncode, 0, result.stderr)
 
-    def test_waiver_without_reason(self):
+    def test_waiver_without_reason(self) -> None:
         self.assert_lint(
             {"rtl/lint/lib.vlt": '`verilator_config\nlint_off -rule WIDTH -file "*/ram.v"\n'},
             "rtl/lint/lib.vlt:2: the waiver has no reason",
         )
 
-    def test_waiver_by_line(self):
+    def test_waiver_by_line(self) -> None:
         self.assert_lint(
             {
                 "rtl/lint/lib.vlt": "`verilator_config\n// Why.\n"
@@ -118,7 +111,7 @@ class Lint(Planted):
             "rtl/lint/lib.vlt:3: a waiver is written",
         )
 
-    def test_waiver_of_a_file_that_is_gone(self):
+    def test_waiver_of_a_file_that_is_gone(self) -> None:
         self.assert_lint(
             {
                 "rtl/lint/lib.vlt": "`verilator_config\n// Why.\n"
@@ -127,17 +120,17 @@ class Lint(Planted):
             "rtl/lint/lib.vlt:3: no Verilog file matches */gone.v",
         )
 
-    def test_two_drivers_are_refused_by_yosys(self):
+    def test_two_drivers_are_refused_by_yosys(self) -> None:
         bad = UNIT.replace("endmodule", "  always @(posedge clk_i) product <= 34'd0;\nendmodule")
         self.assert_lint({"rtl/generated/thesis/unit.v": bad}, "yosys\n")
 
-    def test_missing_module(self):
+    def test_missing_module(self) -> None:
         self.assert_lint(
             {"rtl/generated/thesis/unit.v": UNIT.replace("  ram u_ram", "  rom u_ram")},
             "Module `\\rom' referenced in module `\\unit'",
         )
 
-    def test_another_configuration_is_linted_instead(self):
+    def test_another_configuration_is_linted_instead(self) -> None:
         bad = UNIT.replace("  wire [31:0] row;", "  wire x;\n  wire [31:0] row;")
         built = {"build/release/generated/huge/unit.v": bad}
         result, _ = self.run_script(built, "lint")
@@ -154,18 +147,15 @@ class Lint(Planted):
             "checked in, a build puts that of the others into elsewhere\n",
         )
 
-    def test_no_verilog_is_not_a_pass(self):
-        with tempfile.TemporaryDirectory() as name:
-            copy_scripts(pathlib.Path(name))
-            result = subprocess.run(
-                [pathlib.Path(name, "scripts", "lint")], capture_output=True, text=True, check=False
-            )
+    def test_no_verilog_is_not_a_pass(self) -> None:
+        copy_scripts(self.folder)
+        result = testing.run(self.folder / "scripts" / "lint")
         self.assertEqual(result.returncode, 1)
         self.assertIn("holds no Verilog", result.stderr)
 
 
 class Synth(Planted):
-    def test_counts(self):
+    def test_counts(self) -> None:
         result, figures = self.run_script({}, "synth", "unit", "--json", "figures.json")
         self.assertEqual(result.returncode, 0, result.stderr)
         for device in ("ecp5-85", "virtex2-6000"):
@@ -179,7 +169,7 @@ class Synth(Planted):
         self.assertIn("Lattice LFE5U-85F (synth_ecp5 -nowidelut)", result.stdout)
         self.assertRegex(result.stdout, r"(?m)^unit .* 1   0.5 % +1   0.6 %$")
 
-    def test_a_family_has_areas_alone(self):
+    def test_a_family_has_areas_alone(self) -> None:
         result, figures = self.run_script(
             {}, "synth", "unit", "--device", "ecp5", "--json", "figures.json"
         )
@@ -187,7 +177,7 @@ class Synth(Planted):
         self.assertEqual(figures["devices"]["ecp5"]["unit"]["mult"], 1)
         self.assertNotIn("of the device", result.stdout)
 
-    def test_unknown_device(self):
+    def test_unknown_device(self) -> None:
         result, _ = self.run_script({}, "synth", "--device", "ecp5-86")
         self.assertEqual(result.returncode, 1)
         self.assertEqual(
@@ -198,7 +188,7 @@ class Synth(Planted):
             ),
         )
 
-    def test_what_fits_no_device_says_what_is_missing(self):
+    def test_what_fits_no_device_says_what_is_missing(self) -> None:
         large = {
             "rtl/lib/ram.v": RAM.replace("[ 7:0] addr_i", "[15:0] addr_i").replace(
                 "[0:255]", "[0:65535]"
@@ -215,50 +205,41 @@ class Synth(Planted):
         self.assertEqual(result.returncode, 0, "it fits one of the two")
         self.assertIn("ram does not fit ice40-hx8k", result.stderr)
 
-    def test_missing_yosys_names_the_package(self):
-        with tempfile.TemporaryDirectory() as name:
-            for tool in ("python3", "env"):
-                pathlib.Path(name, tool).symlink_to(shutil.which(tool))
-            result, _ = self.run_script({}, "synth", "unit", env={"PATH": name})
+    def test_missing_yosys_names_the_package(self) -> None:
+        testing.link_tools(self.folder, "python3", "env")
+        result, _ = self.run_script({}, "synth", "unit", env={"PATH": str(self.folder)})
         self.assertEqual(result.returncode, 1)
         self.assertIn("synth: yosys is not installed; Debian's package yosys has it", result.stderr)
 
-    def test_what_reads_the_same_is_synthesized_once(self):
-        with tempfile.TemporaryDirectory() as name:
-            root = pathlib.Path(name)
-            copy_scripts(root)
-            for path, text in TREE.items():
-                (root / path).parent.mkdir(parents=True, exist_ok=True)
-                (root / path).write_text(text, encoding="utf-8")
+    def test_what_reads_the_same_is_synthesized_once(self) -> None:
+        root = self.folder
+        copy_scripts(root)
+        testing.write_tree(root, TREE)
 
-            def kept():
-                result = subprocess.run(
-                    [root / "scripts/synth", "ram", "--device", "ecp5"],
-                    capture_output=True,
-                    text=True,
-                    check=True,
-                    env=os.environ | {"DYNRT_CACHE": str(root / "cache")},
-                )
-                return result.stdout, {
-                    p.name: p.stat().st_mtime_ns
-                    for p in (root / "cache").glob("area-*")
-                    if p.is_dir()
-                }
+        def kept() -> tuple[str, dict[str, int]]:
+            result = testing.run(
+                root / "scripts/synth",
+                *("ram", "--device", "ecp5"),
+                env=os.environ | {"DYNRT_CACHE": str(root / "cache")},
+            )
+            self.assertEqual(result.returncode, 0, result.stderr)
+            entries = [p for p in (root / "cache").glob("area-*") if p.is_dir()]
+            return result.stdout, {p.name: p.stat().st_mtime_ns for p in entries}
 
-            first = kept()
-            (root / "rtl/lib/ram.v").write_text("// A comment.\n" + RAM, encoding="utf-8")
-            self.assertEqual(kept(), first)
-            (root / "rtl/lib/ram.v").write_text(RAM.replace("31:0", "15:0"), encoding="utf-8")
-            self.assertEqual(len(kept()[1]), 2)
+        first = kept()
+        (root / "rtl/lib/ram.v").write_text("// A comment.\n" + RAM, encoding="utf-8")
+        self.assertEqual(kept(), first)
+        (root / "rtl/lib/ram.v").write_text(RAM.replace("31:0", "15:0"), encoding="utf-8")
+        self.assertEqual(len(kept()[1]), 2)
 
-    def test_unknown_unit(self):
+    def test_unknown_unit(self) -> None:
         result, _ = self.run_script({}, "synth", "mailbox")
         self.assertEqual(result.returncode, 1)
         self.assertEqual(
             result.stderr, "synth: there is no unit 'mailbox'; the modules are: ram, unit\n"
         )
 
-    def test_unknown_configuration(self):
+    def test_unknown_configuration(self) -> None:
         result, _ = self.run_script({}, "synth", "--config", "huge")
         self.assertEqual(result.returncode, 1)
         self.assertIn(
@@ -266,7 +247,7 @@ class Synth(Planted):
             result.stderr,
         )
 
-    def test_output_is_checked_before_the_work(self):
+    def test_output_is_checked_before_the_work(self) -> None:
         result, _ = self.run_script({}, "synth", "no_such_unit", "--json", "no/where/x.json")
         self.assertEqual(result.returncode, 1)
         self.assertEqual(
@@ -279,7 +260,7 @@ class Synth(Planted):
             result.stderr, "synth: --json rtl: cannot be written; name a file that can\n"
         )
 
-    def test_what_cannot_be_synthesized_is_a_failure(self):
+    def test_what_cannot_be_synthesized_is_a_failure(self) -> None:
         bad = UNIT.replace("  ram u_ram", "  rom u_ram")
         result, _ = self.run_script(
             {"rtl/generated/thesis/unit.v": bad}, "synth", "unit", "--device", "ecp5"

@@ -44,10 +44,10 @@ The longest path of each stage ends at
 
 
 class Placing(unittest.TestCase):
-    def test_schedule_report(self):
+    def test_schedule_report(self) -> None:
         self.assertEqual(area.schedule(REPORT), {"stages": 2, "longest_path_ns": 9.6})
 
-    def test_the_wrapper_keeps_every_bit(self):
+    def test_the_wrapper_keeps_every_bit(self) -> None:
         # Registers of both sides: 5 bits in and 1 for the way, 5 out, twice, 1 for the fold, 1
         # reset; and the unit's own 5. What nobody could see would be gone.
         with tempfile.TemporaryDirectory() as name:
@@ -72,11 +72,11 @@ class Placing(unittest.TestCase):
         )
         self.assertEqual(flip_flops, 6 + 5 + 6 + 1 + 5)
 
-    def test_no_build_is_said(self):
+    def test_no_build_is_said(self) -> None:
         with self.assertRaisesRegex(project.Failed, "no build with hlsc is in /nowhere"):
             placing.find_build(pathlib.Path("/nowhere"))
 
-    def test_unknown_device_lists_those_that_there_are(self):
+    def test_unknown_device_lists_those_that_there_are(self) -> None:
         result = subprocess.run(
             [SCRIPTS / "place", "--device", "virtex2-6000"],
             capture_output=True,
@@ -91,7 +91,7 @@ class Placing(unittest.TestCase):
         )
 
     @unittest.skipIf(shutil.which("nextpnr-ecp5"), "nextpnr-ecp5 is there")
-    def test_a_missing_tool_is_said(self):
+    def test_a_missing_tool_is_said(self) -> None:
         result = subprocess.run(
             [SCRIPTS / "place", "--device", "ecp5-85", "--build", "/nowhere"],
             capture_output=True,

@@ -5,12 +5,10 @@
 import contextlib
 import io
 import os
-import pathlib
-import tempfile
 import unittest
 from unittest import mock
 
-from dynrt_tools import project
+from dynrt_tools import project, testing
 from dynrt_tools.hardware import synthesis
 
 # Fails in its first FAILURES runs with the sentence ERROR, in its log and on stderr.
@@ -26,16 +24,12 @@ echo done > "$2"
 ABORTED = 'ABC: execution of command "berkeley-abc" -s -f /tmp/abc.script failed: return code {}.'
 
 
-class Yosys(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        program = self.folder / "yosys"
-        program.write_text(STAND_IN, encoding="utf-8")
-        program.chmod(0o755)
+class Yosys(testing.InFolder):
+    def setUp(self) -> None:
+        super().setUp()
+        testing.write_program(self.folder / "yosys", STAND_IN)
 
-    def run_yosys(self, failures, error):
+    def run_yosys(self, failures: int, error: str) -> tuple[int, str | None, str]:
         """How often it ran, the sentence with which it failed, and what stands on stderr."""
         runs, sentence, errors = self.folder / "runs", None, io.StringIO()
         runs.unlink(missing_ok=True)
@@ -54,16 +48,16 @@ class Yosys(unittest.TestCase):
                 sentence = str(failed)
         return len(runs.read_text().splitlines()), sentence, errors.getvalue()
 
-    def test_a_run_that_succeeds_is_the_only_one(self):
+    def test_a_run_that_succeeds_is_the_only_one(self) -> None:
         self.assertEqual(self.run_yosys(0, ""), (1, None, ""))
 
-    def test_after_an_abort_of_abc_it_runs_again(self):
+    def test_after_an_abort_of_abc_it_runs_again(self) -> None:
         again = "mailbox: a signal aborted ABC; Yosys runs again\n"
         for code in (134, 139):
             self.assertEqual(self.run_yosys(1, ABORTED.format(code)), (2, None, again))
         self.assertEqual(self.run_yosys(2, ABORTED.format(134)), (3, None, 2 * again))
 
-    def test_an_abort_that_repeats_is_an_error(self):
+    def test_an_abort_that_repeats_is_an_error(self) -> None:
         error = ABORTED.format(134)
         runs, sentence, _ = self.run_yosys(99, error)
         self.assertEqual(
@@ -72,11 +66,11 @@ class Yosys(unittest.TestCase):
         )
         self.assertEqual((self.folder / "failed.log").read_text(), f"ERROR: {error}\n")
 
-    def test_after_another_error_it_does_not_run_again(self):
+    def test_after_another_error_it_does_not_run_again(self) -> None:
         for error in (ABORTED.format(1), ABORTED.format(1340), "Module `\\mailbox' not found!"):
             runs, sentence, errors = self.run_yosys(1, error)
             self.assertEqual((runs, errors), (1, ""))
-            self.assertIn(error, sentence)
+            self.assertIn(error, sentence or "")
 
 
 if __name__ == "__main__":

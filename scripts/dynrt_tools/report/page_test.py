@@ -10,7 +10,9 @@ import pathlib
 import tempfile
 import unittest
 import xml.etree.ElementTree
+from typing import Any
 
+from dynrt_tools import project
 from dynrt_tools.report import browser, page, plot
 
 # One pixel.
@@ -32,7 +34,7 @@ result.id = "found";
 result.textContent = JSON.stringify({...found, asked: asked()});
 document.body.append(result);
 """
-REPORT = {
+REPORT: project.Json = {
     "size": "4x3",
     "clock_ns": 10.0,
     "device": "Lattice ECP5",
@@ -61,7 +63,7 @@ REPORT = {
 }
 
 
-def measures(missed, t, rms, psnr):
+def measures(missed: int, t: float, rms: float, psnr: float | None) -> project.Json:
     return {
         "primary": {"rays": 12, "hits": 9, "missed": missed, "double": None, "t_median": t},
         "image": {"pixels": 12, "differ": 0 if psnr is None else 3, "rms": rms, "psnr": psnr},
@@ -98,19 +100,19 @@ VARIANTS = list(REPORT["variants"])
 class Elements(html.parser.HTMLParser):
     """Every start tag with its attributes, and the text in it before the next tag."""
 
-    def __init__(self, text):
+    def __init__(self, text: str) -> None:
         super().__init__()
-        self.all = []
+        self.all: list[Any] = []  # a list of tag, attributes and text
         self.feed(text)
 
-    def handle_starttag(self, tag, attrs):
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         self.all.append([tag, dict(attrs), ""])
 
-    def handle_data(self, data):
+    def handle_data(self, data: str) -> None:
         if self.all:
             self.all[-1][2] = (self.all[-1][2] + data).strip()
 
-    def of(self, tag, **attributes):
+    def of(self, tag: str, **attributes: str) -> list[Any]:
         wanted = {key.rstrip("_"): value for key, value in attributes.items()}
         return [
             e
@@ -119,26 +121,23 @@ class Elements(html.parser.HTMLParser):
             and all(value in (e[1].get(key) or "").split() for key, value in wanted.items())
         ]
 
-    def by_id(self, name):
+    def by_id(self, name: str) -> Any:
         return next(e for e in self.all if e[1].get("id") == name)
 
 
 class PageTest(unittest.TestCase):
+    folder: pathlib.Path
+
     @classmethod
-    def setUpClass(cls):
-        cls.holder = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.holder.name)
+    def setUpClass(cls) -> None:
+        cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
         (cls.folder / "pictures").mkdir()
         for name in page.pictures_of(REPORT):
             (cls.folder / name).write_bytes(PNG)
         (cls.folder / "error.json").write_text(json.dumps(REPORT), encoding="utf-8")
         page.write_page(cls.folder / "error.json", cls.folder / "error.html")
 
-    @classmethod
-    def tearDownClass(cls):
-        cls.holder.cleanup()
-
-    def open(self, view="", probe=""):
+    def open(self, view: str = "", probe: str = "") -> tuple[Elements, Any]:
         """The page's elements in Chromium after `probe` ran, and what the probe found."""
         shown = self.folder / "shown.html"
         text = (self.folder / "error.html").read_text(encoding="utf-8")
@@ -152,12 +151,12 @@ class PageTest(unittest.TestCase):
         self.assertEqual(found.pop("asked"), [], "the page asks for something beside itself")
         return elements, found
 
-    def points(self, elements):
+    def points(self, elements: Elements) -> tuple[list[str], list[str]]:
         """Names of the variants of each plot."""
         found = [e[1]["data-variant"] for e in elements.of("circle", class_="point")]
         return found[: len(found) // 2], found[len(found) // 2 :]
 
-    def test_shows_every_variant_and_the_front(self):
+    def test_shows_every_variant_and_the_front(self) -> None:
         elements, _ = self.open()
         drawn = [v for v in VARIANTS if v != "m16_e5"]
         self.assertEqual(self.points(elements), (drawn, drawn))
@@ -181,7 +180,7 @@ class PageTest(unittest.TestCase):
         ]
         self.assertGreater(float(zero[1]["cy"]), max(others) + 10)
 
-    def test_would_tell_of_a_request(self):
+    def test_would_tell_of_a_request(self) -> None:
         for probe in (
             "document.getElementById('image').src = 'http://dynrt.example/x.png';",
             "fetch('http://dynrt.example/x.json').catch(() => 0);",
@@ -189,7 +188,7 @@ class PageTest(unittest.TestCase):
             with self.assertRaisesRegex(AssertionError, "Content Security Policy"):
                 self.open(probe=probe)
 
-    def test_an_address_is_a_view(self):
+    def test_an_address_is_a_view(self) -> None:
         elements, _ = self.open(
             "scene=b&measure=image.psnr&time=clocks&area=FF&variant=m8&sort=image.rms+down"
         )
@@ -206,7 +205,7 @@ class PageTest(unittest.TestCase):
         self.assertIn("identical", [e[2] for e in elements.of("td")])
         self.assertIn("mantissa bits 8", elements.by_id("differs")[2])
 
-    def test_does_what_a_click_asks(self):
+    def test_does_what_a_click_asks(self) -> None:
         _, found = self.open(
             probe="""
             click('circle[data-variant="m12"]');
@@ -248,7 +247,7 @@ class PageTest(unittest.TestCase):
         )
         self.assertIn("relative error of the distance", found["meaning"])
 
-    def test_without_clocks_the_other_plot_remains(self):
+    def test_without_clocks_the_other_plot_remains(self) -> None:
         report = json.loads(json.dumps(REPORT))
         for run in report["runs"]:
             run.pop("clocks", None)
@@ -262,7 +261,7 @@ class PageTest(unittest.TestCase):
         self.assertIn("no variant has figures for ms a frame", [e[2] for e in elements.of("text")])
         self.assertEqual(len(elements.of("circle", class_="point")), len(VARIANTS) - 1)
 
-    def test_where_every_run_was_refused_the_reasons_are_there(self):
+    def test_where_every_run_was_refused_the_reasons_are_there(self) -> None:
         report = json.loads(json.dumps(REPORT))
         report["runs"] = [r for r in report["runs"] if "refused" in r]
         kept = (self.folder / "error.html").read_text(encoding="utf-8")
@@ -274,7 +273,7 @@ class PageTest(unittest.TestCase):
         self.assertIn("No run gives an error", elements.by_id("meaning")[2])
         self.assertIn("exponent_bits 5 cannot hold x = 70000", [e[2] for e in elements.of("td")])
 
-    def test_the_documents_plots_are_the_pages(self):
+    def test_the_documents_plots_are_the_pages(self) -> None:
         text = plot.svg(self.folder / "error.json", "a", "image.rms", "FF")
         picture = xml.etree.ElementTree.fromstring(text)
         names = [e.get("data-variant") for e in picture.iter() if e.get("data-variant")]
@@ -283,7 +282,7 @@ class PageTest(unittest.TestCase):
         self.assertIn("prefers-color-scheme: dark", text)
         self.assertIn("FF cells", text)
 
-    def test_the_measures_are_those_of_the_document(self):
+    def test_the_measures_are_those_of_the_document(self) -> None:
         known = page.read_measures()
         self.assertIn(
             {"group": "image", "name": "psnr", "unit": "dB", "better": "more"},

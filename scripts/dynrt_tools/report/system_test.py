@@ -8,51 +8,37 @@ Usage: python3 -m dynrt_tools.report.system_test PROGRAM
 import csv
 import json
 import pathlib
-import subprocess
 import sys
-import tempfile
 import unittest
+
+from dynrt_tools import testing
 
 PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
 
 
-class Report(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+class Report(testing.InFolder):
+    def run_program(self, *arguments: str) -> testing.Result:
+        variant = ("--size", "64x48", "--variant", "m10")
+        return testing.run(PROGRAM, *arguments, *variant, cwd=self.folder)
 
-    def run_program(self, *arguments):
-        return subprocess.run(
-            [PROGRAM, *arguments, "--size", "64x48", "--variant", "m10"],
-            cwd=self.folder,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-
-    def run_report(self):
+    def run_report(self) -> dict[str, dict[str, str]]:
+        """The rows of the report, by their variants."""
         result = self.run_program("report", "error", "blocks", "--out", "report")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         with (self.folder / "report" / "error.csv").open(encoding="utf-8") as file:
             return {row["variant"]: row for row in csv.DictReader(file)}
 
-    def choose(self, bound):
-        return self.run_program(
-            "choose",
-            "blocks",
-            "--out",
-            "report",
-            "--measure",
-            "primary.t_median",
-            "--max-error",
-            bound,
-        )
+    def choose(self, bound: str) -> testing.Result:
+        asked = ("--measure", "primary.t_median", "--max-error", bound)
+        return self.run_program("choose", "blocks", "--out", "report", *asked)
 
-    def test_from_the_program_to_the_page(self):
+    def test_from_the_program_to_the_page(self) -> None:
         rows = self.run_report()
         self.assertEqual(list(rows), ["m10", "m16"])
-        of = lambda key: [float(rows[name][key]) for name in ("m10", "m16")]
+
+        def of(key: str) -> list[float]:
+            return [float(rows[name][key]) for name in ("m10", "m16")]
+
         for more, less in (("primary.t_median", 20), ("primary.t_p99", 20)):
             self.assertGreater(of(more)[0], less * of(more)[1])
         self.assertLess(of("LUT")[0], of("LUT")[1])

@@ -8,10 +8,10 @@ Usage: python3 -m dynrt_tools.specialise.system_test PROGRAM
 
 import json
 import pathlib
-import subprocess
 import sys
-import tempfile
 import unittest
+
+from dynrt_tools import project, testing
 
 PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
 SMALL = ("--size", "64x48")
@@ -35,30 +35,23 @@ BALL = {
 }
 
 
-class Specialise(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
+class Specialise(testing.InFolder):
+    def run_program(self, *arguments: str) -> testing.Result:
+        return testing.run(PROGRAM, *arguments, cwd=self.folder)
 
-    def run_program(self, *arguments):
-        return subprocess.run(
-            [PROGRAM, *arguments], cwd=self.folder, capture_output=True, text=True, check=False
-        )
-
-    def done(self, *arguments):
+    def done(self, *arguments: str) -> str:
         result = self.run_program(*arguments)
         self.assertEqual((result.returncode, result.stderr), (0, ""), arguments)
         return result.stdout
 
-    def read(self, name):
-        return json.loads((self.folder / name).read_text(encoding="utf-8"))
+    def read(self, name: str) -> project.Json:
+        return dict(project.read_json(self.folder / name))
 
-    def scene(self, name, **changes):
+    def scene(self, name: str, **changes: object) -> str:
         (self.folder / name).write_text(json.dumps(BALL | changes), encoding="utf-8")
         return name
 
-    def test_a_scene_of_one_object(self):
+    def test_a_scene_of_one_object(self) -> None:
         page = self.done("specialise", "office", *SMALL, "--out", "made", "--no-hardware")
         self.assertIn("\n  levels", page)
         stated = self.read("made/configuration.json")
@@ -83,7 +76,7 @@ class Specialise(unittest.TestCase):
             (self.folder / "special.png").read_bytes(), (self.folder / "general.png").read_bytes()
         )
 
-    def test_the_verilog_gives_the_general_cores_bits(self):
+    def test_the_verilog_gives_the_general_cores_bits(self) -> None:
         said = self.done("compare", "lamps", *SMALL, "--specialise")
         self.assertRegex(
             said,
@@ -91,7 +84,7 @@ class Specialise(unittest.TestCase):
             "model: 0 \\+ 0 \\+ 0 differ",
         )
 
-    def test_frames_that_exceed_the_core(self):
+    def test_frames_that_exceed_the_core(self) -> None:
         ball = self.scene("ball.json")
         balls = self.scene(
             "balls.json",
@@ -126,7 +119,7 @@ class Specialise(unittest.TestCase):
         self.assertEqual(lit.returncode, 2)
         self.assertIn("has no light rays; take --config whitted", lit.stderr)
 
-    def test_frames_of_a_walk_that_exceed_the_core(self):
+    def test_frames_of_a_walk_that_exceed_the_core(self) -> None:
         spread = self.scene(
             "spread.json",
             instances=[

@@ -1,0 +1,107 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Collects the results of jobs, and writes a report that is whole or as it was."""
+
+import csv
+import json
+import os
+import pathlib
+import unittest
+
+from dynrt_tools import project, testing
+from dynrt_tools.project import Failed
+from dynrt_tools.report import collect
+
+EXAMPLE = project.read_json(pathlib.Path(__file__).resolve().parent / "example.json")
+
+
+class Collect(testing.InFolder):
+    def test_names(self) -> None:
+        self.assertEqual(collect.scene_name("office"), "office")
+        self.assertEqual(collect.scene_name("/a b/c d.gltf"), "c_d")
+        self.assertEqual(collect.scene_name("maps.pk3:one"), "maps_one")
+
+    def test_csv(self) -> None:
+        collect.write_csv(self.folder / "error.csv", EXAMPLE)
+        with (self.folder / "error.csv").open(encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([r["variant"] for r in rows], ["m10", "m16"])
+        self.assertEqual(
+            (rows[0]["mantissa_bits"], rows[0]["LUT"], rows[0]["clocks"]), ("10", "14210", "40210")
+        )
+        self.assertEqual(rows[1]["primary.t_p99"], "1.5e-05")
+        self.assertEqual(rows[1]["refused"], "")
+
+    def test_collected_as_the_example(self) -> None:
+        work = self.folder / "work"
+        pictures = work / "scenes" / "blocks" / "m16" / "pictures"
+        pictures.mkdir(parents=True)
+        for kind in ("image", "truth", "difference"):
+            (pictures / f"{kind}.png").write_text(kind, encoding="utf-8")
+        one = EXAMPLE["runs"][1]
+        run = {k: one[k] for k in ("clocks", "counters", "seconds", "measures")}
+        (pictures.parent / "run.json").write_text(json.dumps(run), encoding="utf-8")
+        (work / "variants" / "m16").mkdir(parents=True)
+        of_hardware = {
+            k: EXAMPLE["variants"]["m16"][k] for k in ("area", "takes", "units", "schedule")
+        }
+        (work / "variants" / "m16" / "hardware.json").write_text(json.dumps(of_hardware), "utf-8")
+        listed = {"m16": {k: EXAMPLE["variants"]["m16"][k] for k in ("differs", "configuration")}}
+        scenes = {"blocks": {"about": EXAMPLE["scenes"]["blocks"]["about"]}}
+        report, named = collect.collect(
+            work, scenes, listed, "64x48", {"variables": {"DYNRT_CLOCK_NS": "10"}}
+        )
+        self.assertEqual(report["runs"], [one])
+        self.assertEqual(
+            {k: v for k, v in report.items() if k not in ("runs", "variants")},
+            {k: v for k, v in EXAMPLE.items() if k not in ("runs", "variants")},
+        )
+        self.assertEqual(report["variants"]["m16"], EXAMPLE["variants"]["m16"])
+        self.assertEqual(named["pictures/blocks/m16.difference.png"], pictures / "difference.png")
+
+    def test_a_built_in_scene_goes_before_a_folder_of_its_name(self) -> None:
+        (self.folder / "blocks").mkdir()
+        for name in ("office", "ball.json", "maps.pk3"):
+            (self.folder / name).write_text("", encoding="utf-8")
+        before = pathlib.Path.cwd()
+        self.addCleanup(os.chdir, before)
+        os.chdir(self.folder)
+        here = pathlib.Path.cwd()
+        for scene, path in (
+            ("blocks", "blocks"),
+            ("office", "office"),
+            ("no.obj", "no.obj"),
+            ("ball.json", f"{here}/ball.json"),
+            ("./ball.json", f"{here}/ball.json"),
+            ("maps.pk3:mine", f"{here}/maps.pk3:mine"),
+        ):
+            self.assertEqual(collect.scene_path(scene), path)
+
+    def test_a_full_disk_leaves_the_report_that_was_there(self) -> None:
+        out = self.folder / "out"
+        with collect.written_first(out) as new:
+            (new / "error.csv").write_text("old", encoding="utf-8")
+        with self.assertRaisesRegex(
+            Failed,
+            f"^--out {out}: cannot be written .the disk is full.; "
+            "a report that was there is as it was",
+        ):
+            with collect.written_first(out) as new:
+                (new / "error.csv").write_text("new", encoding="utf-8")
+                raise OSError(28, "No space left on device")
+        self.assertEqual([p.name for p in out.iterdir()], ["error.csv"])
+        self.assertEqual((out / "error.csv").read_text(encoding="utf-8"), "old")
+
+    def test_two_that_write_at_once(self) -> None:
+        out = self.folder / "out"
+        for left in (".new999999999.cut", ".newest"):  # of a process that is no more; a user's own
+            (out / left).mkdir(parents=True)
+        with collect.written_first(out) as first:
+            (first / "a").write_text("first", encoding="utf-8")
+            with collect.written_first(out) as second:
+                (second / "b").write_text("second", encoding="utf-8")
+        self.assertEqual(sorted(p.name for p in out.iterdir()), [".newest", "a", "b"])
+
+
+if __name__ == "__main__":
+    unittest.main()
