@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""What every command shares: the project's folder, progress on a terminal, files that are checked
+"""Parts that every command shares: the project's folder, progress on a terminal, files that are checked
 before the work, and tools that must be there."""
 
 import json
@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCRIPTS = ROOT / "scripts"
 
 Json = dict[str, Any]  # an object as JSON has it
-Progress = Callable[[str], None]  # shows what a command is doing
+Progress = Callable[[str], None]  # shows the present work of a command
 
 
 class Failed(Exception):

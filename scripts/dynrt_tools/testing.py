@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""What tests share: a folder of their own, trees of files, programs that stand in for others, and
+"""Parts that tests share: a folder of their own, trees of files, programs that stand in for others, and
 commands whose output they read."""
 
 import os

@@ -1,3 +1,3 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Measures dynrt and holds what was reached against what is asked."""
+"""Measures dynrt and compares each figure with its aim."""

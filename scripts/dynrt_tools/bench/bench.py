@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Measures dynrt and prints what was reached beside what is asked."""
+"""Measures dynrt and prints each figure with its aim."""
 
 
 import argparse
@@ -17,12 +17,12 @@ from dynrt_tools.project import ROOT, show_progress, write_json
 FULL_SIZE, QUICK_SIZE = "512x384", "128x96"
 
 HOW = """\
-Sets up and builds first, as scripts/demo does. Clocks are counted by the RTL and the same in every
-run. Speeds are medians of several runs in seconds of processor time, less those of an image of 2x2
-pixels: neither reading the scene nor what else the machine does is in them. The time of the tree is
-the median by the clock on the wall. The top level is built again over 50,000 turned and scaled
-boxes that stand as close as the trees of a wood, in processor time on one core. The table
-marks and explains a figure that falls short of its aim; that is no failure."""
+Sets up and builds first, as scripts/demo does. The RTL counts the clocks, which are the same in
+every run. Speeds are medians of several runs in seconds of processor time, less those of an image
+of 2x2 pixels: they contain neither the reading of the scene nor other work of the machine. The
+time of the tree is the median by the clock on the wall. The top level is built again over 50,000
+turned and scaled boxes that stand as close as the trees of a wood, in processor time on one core.
+The table marks and explains a figure that falls short of its aim; that is no failure."""
 
 
 def shared(command: str) -> subprocess.CompletedProcess[str]:
@@ -54,7 +54,9 @@ def parse(arguments: list[str]) -> argparse.Namespace:
         action="store_true",
         help=f"{QUICK_SIZE} pixels instead of {FULL_SIZE} and one run of each",
     )
-    parser.add_argument("--runs", type=int, metavar="N", help="runs of what is timed (default: 5)")
+    parser.add_argument(
+        "--runs", type=int, metavar="N", help="number of runs that a median is of (default: 5)"
+    )
     parser.add_argument(
         "--json",
         type=pathlib.Path,
@@ -73,7 +75,7 @@ def parse(arguments: list[str]) -> argparse.Namespace:
         "--scenes",
         action="store_true",
         help="instead of the table: the thesis's four kinds of scene, one frame "
-        "each, beside its frame rates",
+        "each, with the thesis's frame rates",
     )
     parser.add_argument(
         "--report",

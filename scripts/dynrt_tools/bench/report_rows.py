@@ -25,7 +25,7 @@ CAUSE = (
 def run_report(
     dynrt: Dynrt, scene: str, size: str, folder: pathlib.Path
 ) -> tuple[float, float, Json]:
-    """Minutes by the clock and of processor time, and what it wrote."""
+    """Minutes by the clock and of processor time, and the report."""
     environment = os.environ | {"DYNRT_CACHE": str(folder / "cache")}
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.monotonic()
     result = subprocess.run(

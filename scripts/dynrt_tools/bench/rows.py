@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""The rows of scripts/bench: what is asked, what was reached, and why where it falls short."""
+"""The rows of scripts/bench: each aim, the figure reached, and the cause if it falls short."""
 
 import dataclasses
 import json
@@ -26,7 +26,7 @@ YARDSTICK_NOTE = {
     "triangles": "after the mailbox",
 }
 
-# Said where a figure falls short: why, and what would mend it.
+# The cause where a figure falls short, and its remedy.
 BUSY_CAUSE = (
     "the rest of the clocks go to lines that come from memory, to emptying the caches "
     "before the frame and to its first and last packets, which weigh more the smaller "
@@ -37,8 +37,8 @@ MODEL_CAUSE = (
     "additions take the largest part of the time; doubles rounded once would give the "
     "same bits faster, but would be a second source of them"
 )
-TOP_LEVEL_CAUSE = "a slower or a busy machine: what others have in its caches counts"
-TRUTH_CAUSE = "a slower or a busy machine: what others have in its caches counts"
+TOP_LEVEL_CAUSE = "a slower or a busy machine: other programs take part of its caches"
+TRUTH_CAUSE = "a slower or a busy machine: other programs take part of its caches"
 TREE_CAUSE = (
     "the builder runs on all cores, so compare the processor time: on a busy machine the "
     "clock on the wall measures the others"
@@ -54,7 +54,7 @@ class Row:
     reached: float | None = None
     digits: int = 0
     note: str = ""
-    cause: str = ""  # why, if it falls short, and what would mend it
+    cause: str = ""  # of a figure that falls short, and its remedy
 
     @property
     def met(self) -> bool | None:
@@ -87,7 +87,7 @@ class Options:
 
 
 class Bench:
-    """Measures all rows; what was run is kept for the reader of the data."""
+    """Measures all rows; the data keep every run for their reader."""
 
     def __init__(self, dynrt: Dynrt, options: Options, progress: Progress) -> None:
         self.dynrt, self.options, self.progress = dynrt, options, progress
@@ -123,7 +123,7 @@ class Bench:
         return speed
 
     def _core_rows(self, rtl: Speed | None) -> list[Row]:
-        """How busy the core is, and what it gives."""
+        """How busy the core is, and its speed."""
         rows = [
             Row("busiest unit works, 64 packets", "%", 90, ">=", digits=1, cause=BUSY_CAUSE),
             Row("busiest unit works, 32 packets", "%", 75, ">=", digits=1, cause=BUSY_CAUSE),
@@ -275,7 +275,7 @@ class Bench:
         ]
 
     def _truth_row(self) -> Row:
-        """What `dynrt report error` judges by, of the primary rays of `office`."""
+        """The truth that `dynrt report error` judges by, for the primary rays of `office`."""
         row = Row("truth of rays, per second of two cores", "", 200_000, ">=", cause=TRUTH_CAUSE)
         self.progress("truth of rays")
         runs = self._timed(self.options.truth_bench, "primary_rays/process_time")

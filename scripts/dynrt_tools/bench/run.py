@@ -19,7 +19,7 @@ class RunFailed(Failed):
 
 @dataclasses.dataclass
 class Run:
-    """One run of dynrt: what it reported, and what it cost this machine."""
+    """One run of dynrt: its report, and its cost on this machine."""
 
     report: Json
     cpu_seconds: float  # user and system time of all its threads
@@ -45,7 +45,7 @@ class Dynrt:
                 process = subprocess.Popen(
                     command, stdout=subprocess.DEVNULL, stderr=errors, cwd=folder
                 )
-                # wait4, because subprocess does not tell what a single child used.
+                # wait4, because subprocess does not give the time of a single child.
                 _, status, usage = os.wait4(process.pid, 0)
                 process.returncode = os.waitstatus_to_exitcode(status)
                 errors.seek(0)
@@ -78,7 +78,7 @@ class Dynrt:
 
 @dataclasses.dataclass
 class Work:
-    """What a frame is made of, in tokens of the whole frame."""
+    """The work of a frame, in tokens of the whole frame."""
 
     packets: int
     steps: int  # inner nodes fetched, both levels

@@ -24,7 +24,7 @@ RUNS = (
     ("trees4000", "boxed"),
 )
 
-# What a line of each cache takes of the memory, and what a pixel does with its hit record.
+# The bytes of memory in a line of each cache, and of a pixel with its hit record.
 LINE_BYTES = {"node": 8, "list": 4, "matrix": 12}
 PIXEL_BYTES = 4 + 24
 
@@ -66,7 +66,7 @@ class Measured:
         return rays(self.frame) * PIXEL_BYTES
 
     def figures(self) -> Json:
-        """What the table shows, by its rows; numbers, so that they can be kept as data."""
+        """The rows of the table, as numbers that can be kept as data."""
         work, (name, transactions) = Work.of(self.frame), busiest(self.frame)
         low, high = THESIS[self.scene]
         rows = {
@@ -88,7 +88,7 @@ class Measured:
         return rows
 
     def waits(self) -> str:
-        """What keeps the core from more: the work itself, or lines that come from memory."""
+        """The bound of the speed: the work itself, or lines that come from memory."""
         units = self.frame["units"]
         (name, transactions), work = busiest(self.frame), Work.of(self.frame)
         share = transactions / self.frame["cycles"]
@@ -98,7 +98,7 @@ class Measured:
         )
         if name == MEMORY:
             text += (
-                "; all others wait for what the caches do not hold, which larger ones or rays "
+                "; all others wait for lines that the caches do not hold, which larger ones or rays "
                 "closer together would mend"
             )
         elif share >= FULL:

@@ -1,11 +1,11 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Compares verif/stress/golden.json and docs/results/stress.md with what `dynrt stress` gives, or
-renews them.
+"""Compares verif/stress/golden.json and docs/results/stress.md with the output of `dynrt stress`,
+or renews them.
 
 The digests of every case's hits and pixels go to golden.json. The tables of stress.md, between its
-marks, are written from the cases themselves: what each tries, on how many rays, which errors it
-counts, how many are allowed and why.
+marks, come from the cases themselves: the trial, the number of rays, the errors counted, how many of
+them are allowed and why.
 
 Usage: python3 -m dynrt_tools.bench.stress [--check] DYNRT CONFIGURATION...
 """
@@ -25,7 +25,7 @@ BEGIN, END = "<!-- cases: written by the target update-stress -->\n", "<!-- end 
 
 
 def run(program: pathlib.Path, config: str, *flags: str) -> str:
-    """What the program prints. Exit code 1 means that a case exceeds its bound, which the tests of
+    """The output of the program. Exit code 1 means that a case exceeds its bound, which the tests of
     verif/stress report."""
     done = subprocess.run(
         [program, "stress", "--config", config, *flags],
@@ -62,7 +62,7 @@ def check(wanted: dict[pathlib.Path, str]) -> None:
     for path, text in wanted.items():
         if path.read_text(encoding="utf-8") != text:
             raise project.Failed(
-                f"{path}: differs from what dynrt stress gives; build the target update-stress"
+                f"{path}: differs from the output of dynrt stress; build the target update-stress"
             )
 
 

@@ -29,7 +29,7 @@ class Step:
 
     @property
     def kind(self) -> str:
-        """What the command does."""
+        """The kind of work that the command does."""
         for kind, pattern in KINDS:
             if any(pattern.search(output) for output in self.outputs):
                 return kind
@@ -37,7 +37,7 @@ class Step:
 
 
 class Refused(Exception):
-    """What is wrong, in a sentence."""
+    """A mistake, in a sentence."""
 
 
 def read_lines(path: pathlib.Path) -> list[str]:
@@ -108,7 +108,7 @@ def main() -> int:
         type=int,
         default=20,
         metavar="N",
-        help="so many steps are listed (default: 20)",
+        help="number of steps to list (default: 20)",
     )
     parser.add_argument(
         "--since",

@@ -1,10 +1,10 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""A folder that keeps what was built, under a key of all that it was built of.
+"""A folder that keeps results of builds, each under a key of all that it was built from.
 
 An entry is there as a whole or not at all: it is built in a folder beside its place and moved there
-when it is complete. A program that wants what another one is building waits for it. The
-next build of the same thing removes what an interrupted build has left.
+when it is complete. A program waits for a result that another program is building. The next
+build of the same result removes the files that an interrupted build has left.
 """
 
 from collections.abc import Callable, Iterator
@@ -20,7 +20,9 @@ import tempfile
 
 from dynrt_tools.project import Failed
 
-Build = Callable[[pathlib.Path], pathlib.Path]  # builds in an empty folder; gives what is kept
+Build = Callable[
+    [pathlib.Path], pathlib.Path
+]  # builds in an empty folder; gives the result to keep
 PARTIAL = ".partial"
 
 
@@ -29,7 +31,7 @@ class CacheError(Failed):
 
 
 def default_folder() -> pathlib.Path:
-    """DYNRT_CACHE, or what the desktop standards give a program for such things."""
+    """DYNRT_CACHE, or the cache folder by the desktop standards."""
     if named := os.environ.get("DYNRT_CACHE"):
         return pathlib.Path(named).absolute()
     base = os.environ.get("XDG_CACHE_HOME") or pathlib.Path.home() / ".cache"
@@ -88,7 +90,7 @@ class BuildCache:
 
     @contextlib.contextmanager
     def _told(self) -> Iterator[None]:
-        """Around what writes to the cache itself."""
+        """Turns errors in writing to the cache itself into sentences."""
         try:
             yield
         except OSError as error:
@@ -141,7 +143,7 @@ class BuildCache:
             shutil.rmtree(partial, ignore_errors=True)
 
     def _built(self, build: Build, partial: pathlib.Path) -> pathlib.Path:
-        """What it gives; of what it may run into, only a full disk is the cache's."""
+        """The result of the build; of its errors, only a full disk is the cache's."""
         try:
             return pathlib.Path(build(partial))
         except OSError as error:

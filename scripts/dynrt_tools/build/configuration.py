@@ -22,8 +22,8 @@ from dynrt_tools.project import ROOT, Failed, Json, Progress, require_tool, show
 
 NAME = "loadable"  # of the configuration in the C++ and the Verilog, whatever the file's name is
 
-# What decides how it is built, beside the sources that decide what it does, and what more decides
-# what becomes of its Verilog.
+# The files that decide how a configuration is built, besides the sources that decide what it does;
+# and those that decide, besides these, its Verilog and its board.
 RULES = (
     "CMakeLists.txt",
     "cmake/*.cmake",
@@ -40,7 +40,7 @@ VERILOG_RULES = (
 )
 BOARD_RULES = ("rtl/lib/*.v", "rtl/board/*", "host/board/*.cpp")
 
-# Of each kind: the CMake target, what is kept of its build, what it is made of.
+# Of each kind: the CMake target and the files that it is made from.
 KINDS = {
     "native": {"target": NAME, "rules": RULES},
     "verilog": {"target": f"dynrt_{NAME}_core", "rules": RULES + VERILOG_RULES},
@@ -51,7 +51,7 @@ TOOLS = {"cmake": "cmake", "ninja": "ninja-build"}  # and Debian's packages that
 
 
 def find_build(named: pathlib.Path | None) -> Json:
-    """What cmake/DescribeBuild.cmake wrote of a build."""
+    """The description that cmake/DescribeBuild.cmake wrote of a build."""
     candidates = (
         [named, named / "build.json"]
         if named
@@ -67,7 +67,7 @@ def find_build(named: pathlib.Path | None) -> Json:
 
 
 def key_of(kind: str, config: Json, build: Json) -> str:
-    """Of all that the result depends on; `about` and where it is from are but text."""
+    """The key of all that the result depends on; `about` and its origin are only text."""
     said = {
         key: value
         for key, value in config.items()
@@ -83,7 +83,7 @@ def key_of(kind: str, config: Json, build: Json) -> str:
         hlsc = pathlib.Path(build["hlsc"])
         if not hlsc.is_file():
             raise Failed(
-                f"{hlsc} is not there; build the target hlsc, which lowers the units "
+                f"{hlsc} is missing; build the target hlsc, which lowers the units "
                 "(scripts/test --build-only does)"
             )
         digest.update(hlsc.read_bytes())
@@ -171,7 +171,7 @@ class Builder:
 
 
 def make(args: argparse.Namespace) -> pathlib.Path:
-    """The path of what was asked for."""
+    """The path of the result."""
     config = read_file(args.file)
     build = find_build(args.build)
     if args.expect and args.expect != fingerprint.fingerprint(build):
@@ -221,17 +221,17 @@ def main() -> int:
         dest="kind",
         action="store_const",
         const="rtl",
-        help="with the Verilated board too, not the native model alone; takes minutes",
+        help="build the Verilated board too, not only the native model; takes minutes",
     )
     kinds.add_argument(
         "--verilog",
         dest="kind",
         action="store_const",
         const="verilog",
-        help="instead, a folder with the Verilog and hlsc's reports",
+        help="make a folder with the Verilog and hlsc's reports instead",
     )
     parser.set_defaults(kind="native")
-    parser.add_argument("--out", type=pathlib.Path, metavar="PATH", help="copy it there")
+    parser.add_argument("--out", type=pathlib.Path, metavar="PATH", help="copy the result there")
     parser.add_argument(
         "--build",
         type=pathlib.Path,
@@ -249,12 +249,12 @@ def main() -> int:
     parser.add_argument(
         "--expect",
         metavar="FINGERPRINT",
-        help="for programs: refuse where the sources give another",
+        help="for programs: fail if the sources have another fingerprint",
     )
     parser.add_argument(
         "--for-program",
         action="store_true",
-        help="for programs: print what is wrong where the path would be",
+        help="for programs: print a mistake in place of the path",
     )
     args = parser.parse_args()
     try:

@@ -2,8 +2,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks that every #include points the right way between the folders of the project.
 
-Usage: scripts/check-layers [ROOT]
-
     language <- hls/cosim                (the bench that holds a unit's Verilog against a model)
     language <- hls/units
     language <- hls/compiler             (which lowers anybody's units and knows none;
@@ -17,6 +15,7 @@ folders); standard and library headers are nobody's room and always allowed.
 """
 
 
+import argparse
 import pathlib
 import re
 import sys
@@ -64,12 +63,12 @@ ROOMS = {
     },
     "rtl": set(LANGUAGE),
     **{room: {*LANGUAGE, "host", *HOST[:place]} for place, room in enumerate(HOST)},
-    "host": set(LANGUAGE),  # what belongs to no room of its own: errors
+    "host": set(LANGUAGE),  # headers of no room: errors, the folder of a test
     "verif": {*LANGUAGE, "hls/cosim", "hls/units", "hls/compiler", "host", *HOST[:-1], "rtl"},
 }
-# What a room shows to others, and to whom: the host may know the core's memory formats and frame
-# registers, the board that runs the native model may include it, and the program that writes down
-# the join may call what turns a join into a Verilog top.
+# The headers that a room shows to others, and who may include them: the host the core's memory
+# formats and frame registers, the board the native model that it runs, and the program that writes
+# down the join the function that turns a join into a Verilog top.
 PUBLISHED = {
     "hls/units/memory_format.h": "host",
     "hls/units/frame.h": "host",
@@ -136,7 +135,20 @@ def check(root: pathlib.Path) -> tuple[list[str], int]:
 
 
 def main() -> int:
-    root = pathlib.Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else project.ROOT
+    parser = argparse.ArgumentParser(
+        prog="scripts/check-layers",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument(
+        "root",
+        type=pathlib.Path,
+        nargs="?",
+        default=project.ROOT,
+        metavar="ROOT",
+        help="the project's folder (default: the folder of this script's project)",
+    )
+    root = parser.parse_args().root.resolve()
     problems, followed = check(root)
     for problem in problems:
         print(problem, file=sys.stderr)

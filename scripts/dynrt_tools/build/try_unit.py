@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """Tries one unit after a change: its native test, its lowering, Verilator's lint of its Verilog and
-its co-simulation. Builds what these need and nothing else."""
+its co-simulation. Builds only the targets that these need."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ CHECKED_IN = "thesis"  # the configuration whose Verilog is under rtl/generated
 
 
 class Refused(Exception):
-    """What is wrong, in a sentence."""
+    """A mistake, in a sentence."""
 
 
 class Failed(Exception):
-    """What a step printed before it failed."""
+    """The output of a step that failed."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -75,7 +75,7 @@ def chosen(modules: Sequence[Module], unit: str, config: str | None) -> list[Mod
 
 
 def run(command: Sequence[str | pathlib.Path]) -> str:
-    """What a command prints; raises Failed with it if the command fails."""
+    """The output of a command; raises Failed with it if the command fails."""
     result = subprocess.run(
         command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False
     )
@@ -98,7 +98,7 @@ class Trial:
         return f"native_{self.stem}" if has_test else None
 
     def steps(self) -> list[tuple[str, Callable[[], str]]]:
-        """Name and work of each step; the work gives what is worth saying."""
+        """Name and work of each step; the work gives a note about its result."""
         steps: list[tuple[str, Callable[[], str]]] = [("build", self.build_all)]
         if self.native_test:
             steps.append(("native test", self.run_native_test))
@@ -110,7 +110,7 @@ class Trial:
         ]
 
     def build_all(self) -> str:
-        """All at once, so that compilers and hlsc work beside each other."""
+        """All at once, so that compilers and hlsc work side by side."""
         targets = [m.target for m in self.modules] + [self.modules[0].cosimulation]
         if self.native_test:
             targets.append(self.native_test)
@@ -194,7 +194,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         prog="scripts/try",
         description=__doc__,
-        epilog="Exit code: 0 if every step passed, 1 if not. A wrong UNIT gets the list of units.",
+        epilog="Exit code: 0 if every step passed, 1 if not. A wrong UNIT prints the list of units.",
     )
     parser.add_argument(
         "unit", metavar="UNIT", help="a module, such as list, or the name of its header"

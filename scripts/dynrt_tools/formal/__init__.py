@@ -1,3 +1,3 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Proves what verif/formal/proofs.json states."""
+"""Proves the properties that verif/formal/proofs.json states."""

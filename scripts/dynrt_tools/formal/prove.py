@@ -1,10 +1,10 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Proves what proofs.json states.
+"""Proves the properties that proofs.json states.
 
-A proof comes out only if every property holds of every instance, if every cover statement is
+A proof succeeds only if every property holds of every instance, if every cover statement is
 reached, so that no assumption makes it empty, and if every mutation of the Verilog breaks the
-property that it is to break.
+property that it is meant to break.
 """
 
 import argparse
@@ -138,7 +138,7 @@ class Proof:
                 )
 
     def run(self) -> Json:
-        """What came out, as data; throws Broken."""
+        """The results, as data; throws Broken."""
         began = flow.seconds()
         found = instances.of(self.stated)
         proved = set()
@@ -160,7 +160,7 @@ class Proof:
 
 
 def page(stated: Json) -> str:
-    """docs/reference/proofs.md: the properties, what they are proved of and how."""
+    """docs/reference/proofs.md: the properties, their instances and the kind of each proof."""
     lines = (
         [
             "<!-- Written by scripts/prove --page from verif/formal/proofs.json. -->",
@@ -192,7 +192,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("names", nargs="*", help="proofs; none: all")
+    parser.add_argument("names", nargs="*", help="proofs (default: all)")
     parser.add_argument(
         "--work",
         type=pathlib.Path,
@@ -210,7 +210,7 @@ def main() -> int:
     parser.add_argument(
         "--check-page",
         type=pathlib.Path,
-        help="fail if the page does not state what proofs.json does",
+        help="fail if the page and proofs.json disagree",
     )
     args = parser.parse_args()
     instances.LOWERED[0] = args.lowered.resolve()
@@ -228,7 +228,7 @@ def main() -> int:
     if args.check_page:
         if args.check_page.read_text(encoding="utf-8") != page(stated):
             sys.exit(
-                f"{args.check_page} does not state what proofs.json does; the target "
+                f"{args.check_page} and proofs.json disagree; the target "
                 "formal_page writes it again"
             )
         return 0

@@ -1,3 +1,3 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""What becomes of the Verilog: lint, synthesis, placement, gates, other simulators."""
+"""Tools on the Verilog: lint, synthesis, placement, gates, other simulators."""

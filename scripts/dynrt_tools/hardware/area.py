@@ -1,14 +1,13 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""What the hardware of a configuration takes, out of the Verilog that hlsc made of it.
+"""Counts the cells that the hardware of a configuration takes, from the Verilog that hlsc made.
 
-Usage: scripts/variant_hardware FOLDER FILE.json
-
-Each unit is synthesized for itself and counted as often as the core has it; what joins them, FIFOs
-and RAMs, is synthesized with the units as black boxes. Units that do not differ between
-configurations are many, and synthesized once (synthesis.py).
+Yosys synthesizes each unit alone, and the figures count it as often as the core has it. The FIFOs
+and RAMs that join the units are synthesized with the units as black boxes. Many units are equal in
+several configurations; such a unit is synthesized once (synthesis.py).
 """
 
+import argparse
 import concurrent.futures
 import json
 import pathlib
@@ -27,7 +26,7 @@ HEAD = r"^module .*?^\);"  # of a module: its ports
 
 
 def without_comments(verilog: str) -> str:
-    """What decides the result: a comment that names another source line does not."""
+    """The text that decides the result; a comment that names another source line does not."""
     return re.sub(r"//[^\n]*", "", verilog)
 
 
@@ -77,7 +76,7 @@ def schedule(report: str) -> Json:
 
 
 def hardware(folder: pathlib.Path, family: str = FAMILY, jobs: int = 1) -> Json:
-    """Of the core in this folder: what error.json holds of a variant's hardware."""
+    """The figures of error.json about a variant's hardware, for the core in this folder."""
     parts = rtl_files.instances(folder / f"{JOIN}.v")
     instances = Counter(part.module for part in parts if part.module != rtl_files.COUNTERS)
     texts = {m: (folder / f"{m}.v").read_text(encoding="utf-8") for m in instances}
@@ -107,9 +106,16 @@ def hardware(folder: pathlib.Path, family: str = FAMILY, jobs: int = 1) -> Json:
 
 
 def main() -> None:
-    folder, output = map(pathlib.Path, sys.argv[1:])
+    parser = argparse.ArgumentParser(
+        prog="scripts/variant_hardware",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("folder", type=pathlib.Path, metavar="FOLDER", help="of the Verilog")
+    parser.add_argument("output", type=pathlib.Path, metavar="FILE.json", help="of the figures")
+    args = parser.parse_args()
     try:
-        figures = hardware(folder)
+        figures = hardware(args.folder)
     except project.Failed as error:
         sys.exit(str(error))
-    output.write_text(json.dumps(figures, indent=1), encoding="utf-8")
+    args.output.write_text(json.dumps(figures, indent=1), encoding="utf-8")

@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""FPGA families, how Yosys synthesizes for them, and devices with what they have of everything."""
+"""FPGA families, how Yosys synthesizes for them, and devices with their resources."""
 
 import re
 from typing import TypedDict
@@ -11,7 +11,7 @@ Takes = list[tuple[str, dict[str, float]]]
 
 
 class Family(TypedDict):
-    """How a family is synthesized, and what its cells are."""
+    """How a family is synthesized, and the kinds of its cells."""
 
     name: str
     synth: str
@@ -20,7 +20,7 @@ class Family(TypedDict):
 
 
 class Device(TypedDict):
-    """What a device has; `delay` is empty where hlsc has no model of its timing."""
+    """The resources of a device; `delay` is empty where hlsc has no model of its timing."""
 
     name: str
     family: str
@@ -125,7 +125,7 @@ FAMILIES: dict[str, Family] = {
 }
 COLUMNS = ("LUT", "carry", "LUT RAM", "FF", "mult", "BRAM")
 
-# What a device has. `source` is where the figures are from, `delay` hlsc's model of its timing.
+# The resources of devices. `source` is where the figures are from, `delay` hlsc's model of its timing.
 DEVICES: dict[str, Device] = {
     "ecp5-85": {
         "name": "Lattice LFE5U-85F",
@@ -186,7 +186,7 @@ def area(family: str, cells: dict[str, int]) -> dict[str, int]:
 
 
 def resources(family: str, cells: dict[str, int]) -> dict[str, float]:
-    """What the cells take of a device of the family, by resource."""
+    """The resources of a device of the family that the cells take."""
     takes = FAMILIES[family]["takes"]
     taken: dict[str, float] = dict.fromkeys((n for _, amounts in takes for n in amounts), 0)
     for cell, count in cells.items():
@@ -197,7 +197,7 @@ def resources(family: str, cells: dict[str, int]) -> dict[str, float]:
 
 
 def shortages(device: str, taken: dict[str, float]) -> list[str]:
-    """What a device lacks, a phrase for each resource."""
+    """A phrase for each resource that a device lacks."""
     has = DEVICES[device]["has"]
     return [
         f"{amount:,.0f} {resource}{'s' if amount != 1 and resource != 'FF' else ''} of "

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Writes dynrt_core.f and dynrt_board.f, lists of the Verilog that dynrt.core describes.
 
-Names are relative to the folder rtl/, where the lists are installed: there
+Names are relative to the folder rtl/, where the lists are installed. These commands read them
+there:
     verilator --lint-only -F rtl/dynrt_board.f --top-module dynrt_board
     iverilog -g2005 -s dynrt_core -f dynrt_core.f      (run in rtl/)
-read them.
 """
 
 
@@ -42,7 +42,9 @@ def main() -> int:
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
-    parser.add_argument("folder", type=pathlib.Path, metavar="FOLDER", help="where to write them")
+    parser.add_argument(
+        "folder", type=pathlib.Path, metavar="FOLDER", help="the folder that receives them"
+    )
     args = parser.parse_args()
     if not args.folder.is_dir():
         project.fail(f"there is no folder '{args.folder}'; create it or name another")

@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""docs/results/gates.md: what scripts/gates has counted, beside the thesis's tables 7.3 to 7.5."""
+"""docs/results/gates.md: the counts of scripts/gates with the thesis's tables 7.3 to 7.5."""
 
 # pylint: disable=line-too-long  # the lines of the page
 import re
@@ -38,7 +38,7 @@ Memories = list[tuple[str, gate_rule.Memory]]
 
 @dataclass
 class Row:
-    """What a row of the tables takes."""
+    """The gates and bits of a row of the tables."""
 
     logic: int
     memories: Memories
@@ -89,7 +89,7 @@ ROW = re.compile(
 
 
 def figures(text: str) -> dict[str, int]:
-    """What a document says, as summary() gives it."""
+    """The figures of a document, as summary() gives them."""
     found = {}
     for name, logic, memory in ROW.findall(text):
         found[f"{name} gates"] = int(logic.replace(",", ""))
@@ -98,7 +98,7 @@ def figures(text: str) -> dict[str, int]:
 
 
 def kinds(counts: Counts) -> dict[Place, str]:
-    """What the rows of every memory follow: `packet`, `line` or nothing."""
+    """The number that the rows of every memory follow: of packets, of lines, or none."""
 
     def rows_of(point: Point) -> dict[Place, int]:
         return {

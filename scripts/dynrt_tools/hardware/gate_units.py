@@ -128,7 +128,7 @@ def bits(packets: int, lines: int) -> int:
 
 
 def owner(name: str) -> str | None:
-    """The unit that owns a RAM of the join; None for what only joins."""
+    """The unit that owns a RAM of the join; None for a RAM that only joins units."""
     for unit in (*PACKET_UNITS, *CACHE_UNITS, *OTHER_UNITS):
         if name.startswith(unit.rams) and unit.rams:
             return unit.name

@@ -57,13 +57,13 @@ def measure(points: Iterable[tuple[int, int]], jobs: int) -> Counts:
 
 
 def check(counts: Counts) -> list[str]:
-    """What of docs/results/gates.md no longer holds, a sentence each."""
+    """A sentence for each figure of docs/results/gates.md that no longer holds."""
     written = gate_report.figures(DOCUMENT.read_text(encoding="utf-8"))
     now = gate_report.summary(counts[gate_units.PACKETS, gate_units.LINES])
     if set(written) != set(now):
         return [f"{DOCUMENT.name} has other rows: {', '.join(sorted(set(written) ^ set(now)))}"]
     return [
-        f"{DOCUMENT.name} says {said:,} for {name}, it is {now[name]:,}"
+        f"{DOCUMENT.name} says {said:,} for {name}, but the Verilog has {now[name]:,}"
         for name, said in written.items()
         if abs(said - now[name]) > TOLERANCE * max(said, now[name], 1000)
     ]
@@ -74,8 +74,8 @@ def main() -> int:
     parser.add_argument(
         "--check",
         action="store_true",
-        help="write nothing; fail if what docs/results/gates.md says of the checked-in "
-        f"Verilog has moved by more than {100 * TOLERANCE:.0f} %%",
+        help="write nothing; fail if a figure of docs/results/gates.md differs by "
+        f"more than {100 * TOLERANCE:.0f} %% from that of the checked-in Verilog",
     )
     parser.add_argument(
         "--jobs",

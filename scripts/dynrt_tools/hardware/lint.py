@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Lints all Verilog: what is written by hand in rtl/ and what hlsc made of a configuration.
+"""Lints all Verilog: the files written by hand in rtl/ and those that hlsc made of a configuration.
 
 1. Every waiver in rtl/lint/*.vlt names a rule and a file that exists, and the comment above it
    gives the reason.

@@ -1,10 +1,11 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """Records a frame of the native model and renders it again in Icarus Verilog, from the core's
-Verilog: every word that the core writes must be the model's. Icarus must read it without a word.
+Verilog: every word that the core writes must be the model's. Icarus must read it without a warning.
 
-With --netlist it is also rendered by what Yosys makes of the core for ECP5, cell by cell, which
-must take the same clocks. The cells are the models that Yosys ships, and ecp5_cells.v."""
+With --netlist, Icarus also renders it with the netlist that Yosys makes of the core for ECP5, cell
+by cell, which must take the same clocks. The cells are the models that Yosys ships and those of
+ecp5_cells.v."""
 
 import argparse
 import pathlib
@@ -124,10 +125,12 @@ def main() -> None:
         type=pathlib.Path,
         metavar="FOLDER",
         default=rtl_files.GENERATED,
-        help="of the configuration",
+        help="the Verilog of the configuration",
     )
     parser.add_argument("--work", type=pathlib.Path, required=True, metavar="FOLDER")
-    parser.add_argument("--netlist", action="store_true", help="as synthesized for ECP5, too")
+    parser.add_argument(
+        "--netlist", action="store_true", help="render it with the netlist for ECP5 too"
+    )
     args = parser.parse_args()
 
     args.work.mkdir(parents=True, exist_ok=True)

@@ -14,7 +14,7 @@ from dynrt_tools import project
 CHECKED_IN = "thesis"
 GENERATED = project.ROOT / "rtl" / "generated" / CHECKED_IN
 LIBRARY = project.ROOT / "rtl" / "lib"
-# The module that joins the units, and the one that counts what they do.
+# The module that joins the units, and the one that counts their transactions.
 CORE, COUNTERS = "dynrt_core", "hls_counters"
 INSTANCE = re.compile(r"^  (\w+)(?: #\((.*)\))? (u_\w+|counters) \($", re.MULTILINE)
 PARAMETER = re.compile(r"\.(\w+)\((\d+)\)")
@@ -50,7 +50,7 @@ def core_files(folder: pathlib.Path = GENERATED) -> list[pathlib.Path]:
 
 
 def instances(core: pathlib.Path) -> list[Instance]:
-    """What the file of the module CORE says that it consists of."""
+    """The instances that the file of the module CORE has."""
     return [
         Instance(name.removeprefix("u_"), module, dict(PARAMETER.findall(parameters)))
         for module, parameters, name in INSTANCE.findall(core.read_text(encoding="utf-8"))

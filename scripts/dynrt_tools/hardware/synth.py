@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Synthesizes the units and the whole core with Yosys and prints what each takes, of a family's
-cells and of a device."""
+"""Synthesizes the units and the whole core with Yosys and prints the cells of a
+family that each takes, or its part of a device."""
 
 import argparse
 import concurrent.futures
@@ -30,7 +30,7 @@ def print_areas(name: str, rows: dict[str, Json]) -> None:
 
 
 def print_shares(name: str, rows: dict[str, Json]) -> None:
-    """What each takes of the device, with the LUTs that carry cells and LUT RAM stand in."""
+    """The part of the device that each takes, with the LUTs of carry cells and of LUT RAM."""
     has = devices.DEVICES[name]["has"]
     width = max(len("unit"), *(len(top) for top in rows))
     print(f"\n{'of the device':<{width}}" + "".join(f"{r:>11}        " for r in has))

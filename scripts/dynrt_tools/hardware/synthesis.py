@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Runs Yosys on a module and keeps what it gives, under a key of all that it was made of: what
+"""Runs Yosys on a module and keeps its result, under a key of all that it was made from: what
 reads as the same Verilog, comments apart, is synthesized once."""
 
 import functools
@@ -60,7 +60,7 @@ def needed(top: str, files: list[pathlib.Path]) -> list[pathlib.Path]:
 
 @functools.lru_cache(maxsize=None)
 def tool_version(tool: str, flag: str, package: str) -> str:
-    """What a tool says of its version."""
+    """The version that a tool prints."""
     project.require_tool(tool, package)
     result = subprocess.run([tool, flag], capture_output=True, text=True, check=False)
     return (result.stdout + result.stderr).strip()
@@ -69,12 +69,12 @@ def tool_version(tool: str, flag: str, package: str) -> str:
 def kept(
     kind: str, said: object, files: list[pathlib.Path], make: Callable[[pathlib.Path], None]
 ) -> pathlib.Path:
-    """The folder of a result. `said` is what decides it beside the files; `make` writes it into an
+    """The folder of a result. `said` is all that decides it besides the files; `make` writes it into an
     empty folder and throws project.Failed."""
     digest = hashlib.sha256(json.dumps([kind, said], sort_keys=True).encode())
     for path in files:
         digest.update(path.name.encode() + b"\0" + _meaning(path).encode() + b"\0")
-    # What is included is part of the text: headers beside the files.
+    # Headers beside the files are part of the text, as it includes them.
     for folder in rtl_files.include_folders(files):
         for path in sorted(folder.glob("*.vh")):
             digest.update(_meaning(path).encode() + b"\0")

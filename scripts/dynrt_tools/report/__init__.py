@@ -1,3 +1,3 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""The error report: variants of the core beside the truth, and the choice among them."""
+"""The error report: variants of the core against the truth, and the choice among them."""

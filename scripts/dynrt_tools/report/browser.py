@@ -8,7 +8,7 @@ import tempfile
 
 
 def load(path: pathlib.Path, view: str = "") -> tuple[str, list[str]]:
-    """The document after its scripts have run, and what was said on the console. `view` is the part
+    """The document after its scripts have run, and the messages on the console. `view` is the part
     of the address behind "#"."""
     with tempfile.TemporaryDirectory() as profile:
         browser = subprocess.run(

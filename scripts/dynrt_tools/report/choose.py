@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finds the cheapest variant of the core that keeps an error of a scene's frame below a bound.
 
-A variant costs the time of a frame times the part of an LFE5U-85F that its core takes: of the LUTs,
-flip-flops, multipliers and block RAMs that of which it takes the largest part, as this bounds how
-many pipelines fit. Of two that cost the same that with fewer LUTs is cheaper."""
+A variant costs the time of a frame times the part of an LFE5U-85F that its core takes: the
+largest part that it takes of the LUTs, the flip-flops, the multipliers or the block RAMs, as this
+part bounds the number of pipelines that fit. If two variants cost the same, the one with fewer LUTs
+is cheaper."""
 
 import argparse
 import math
@@ -21,7 +22,7 @@ DEFAULT_MEASURE = "primary.t_p99"
 
 
 def part_of_device(variant: Json) -> tuple[float, str]:
-    """The largest part that its core takes of one of the device's resources, and of which."""
+    """The largest part that its core takes of a resource of the device, and the resource."""
     return max((variant["takes"][name] / count, name) for name, count in DEVICE["has"].items())
 
 
@@ -116,7 +117,7 @@ def table(report: Json, runs: list[Json], measure: str, bound: float) -> str:
 
 
 def check_bound(args: argparse.Namespace) -> None:
-    """What can be said before anything is measured."""
+    """Refuses a mistake in the flags before anything is measured."""
     if args.measure not in directions():
         raise Failed(
             f"--measure {args.measure}: unknown; the measures are {', '.join(directions())}"
@@ -137,10 +138,10 @@ def run_choice(args: argparse.Namespace) -> int:
             f"{number(measures_of(best)[args.measure])}, the bound being {args.max_error:g}"
         )
         return 0
-    told = [r for r in runs if measures_of(r).get(args.measure) is not None]
-    if not told:
+    measurable = [r for r in runs if measures_of(r).get(args.measure) is not None]
+    if not measurable:
         raise Failed(f"--measure {args.measure}: no variant has this figure on this scene")
-    best = min(told, key=lambda r: worse(args.measure, measures_of(r)[args.measure]))
+    best = min(measurable, key=lambda r: worse(args.measure, measures_of(r)[args.measure]))
     print(
         f"dynrt: no variant reaches {args.measure} {args.max_error:g} on this scene; the best is "
         f"{best['variant']} with {number(measures_of(best)[args.measure])}",
@@ -153,7 +154,7 @@ def main() -> int:
     parser = Parser(
         prog="dynrt choose",
         description=__doc__,
-        epilog="What `dynrt report error` has measured into the same --out is not "
+        epilog="Figures that `dynrt report error` has measured into the same --out are not "
         "measured again.",
     )
     parser.add_argument("scene", metavar="SCENE", help="a built-in scene or a file")
@@ -162,14 +163,14 @@ def main() -> int:
         type=float,
         required=True,
         metavar="E",
-        help="bound of the measure; of a psnr, what it must reach",
+        help="the bound of the measure; for a PSNR, the least value",
     )
     parser.add_argument(
         "--measure",
         default=DEFAULT_MEASURE,
         metavar="KIND.NAME",
-        help=f"which error is bounded (default: {DEFAULT_MEASURE}); an unknown one "
-        "lists those that there are",
+        help=f"the error that is bounded (default: {DEFAULT_MEASURE}); an unknown name "
+        "prints the list of measures",
     )
     add_arguments(parser)
     return guarded(run_choice, parser.parse_args())

@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Collects what the jobs of an error report left, as README.md says, and writes the report."""
+"""Collects the results of an error report's jobs, as README.md says, and writes the report."""
 
 import contextlib
 import csv
@@ -25,7 +25,7 @@ PICTURES = "pictures"
 def collect(
     folder: pathlib.Path, scenes: dict[str, Json], variants: dict[str, Json], size: str, build: Json
 ) -> tuple[Json, dict[str, pathlib.Path]]:
-    """What error.json holds, and the pictures that it names: where each is now."""
+    """The content of error.json, and the present place of each picture that it names."""
     clock_ns = float(build["variables"]["DYNRT_CLOCK_NS"])
     report: Json = {
         "size": size,
@@ -110,7 +110,7 @@ def write_csv(path: pathlib.Path, report: Json) -> None:
             )
 
 
-AS_IT_WAS = "a report that was there is as it was, and what was measured is kept"
+AS_IT_WAS = "a report that was there is as it was, and all measurements are kept"
 NEW = re.compile(r"\.new(\d+)\.")  # what a process with this number writes first
 
 
@@ -131,7 +131,7 @@ def check_writable(out: pathlib.Path, then: str = AS_IT_WAS) -> None:
 
 
 def remove_left(out: pathlib.Path) -> None:
-    """What processes that are no more have left half written."""
+    """Half-written folders of processes that have ended."""
     for left in out.glob(".new*"):
         process = NEW.match(left.name)
         if process and not pathlib.Path("/proc", process[1]).exists():
@@ -148,7 +148,7 @@ def written_first(out: pathlib.Path, then: str = AS_IT_WAS) -> Iterator[pathlib.
         new = pathlib.Path(tempfile.mkdtemp(prefix=f".new{os.getpid()}.", dir=out))
         try:
             yield new
-            # The page last: who finds the new one finds all that it shows.
+            # The page last: a reader who finds the new one finds all that it shows.
             files = sorted(
                 (p for p in new.rglob("*") if p.is_file()), key=lambda p: (p.suffix == ".html", p)
             )
@@ -183,7 +183,7 @@ def scene_path(scene: str) -> str:
 
 
 def scene_name(scene: str) -> str:
-    """What a scene is called in a report: the name of a built-in one, or its file's."""
+    """The name of a scene in a report: that of a built-in scene, or of its file."""
     return re.sub(
         r"[^A-Za-z0-9_.-]",
         "_",

@@ -19,7 +19,7 @@ PLOTS = ("time-plot", "area-plot")
 
 
 def style() -> str:
-    """What of the page's style is about plots, and the colours."""
+    """The part of the page's style that concerns plots, and the colours."""
     css = (page.PARTS / "page.css").read_text(encoding="utf-8")
     rules = re.findall(
         r"^(?::root|@media \(prefers-color-scheme: dark\)) \{.*?^\}|"
@@ -31,7 +31,7 @@ def style() -> str:
 
 
 def svg(report_path: pathlib.Path, scene: str, measure: str, area: str) -> str:
-    """Both plots beside each other."""
+    """Both plots, side by side."""
     report = read_json(report_path)
     view = urllib.parse.urlencode({"scene": scene, "measure": measure, "area": area})
     with tempfile.TemporaryDirectory() as folder:
@@ -63,7 +63,7 @@ def svg(report_path: pathlib.Path, scene: str, measure: str, area: str) -> str:
 
 
 def figures(report: project.Json, scene: str, measure: str, area: str) -> project.Json:
-    """What the points of the plots stand for, as the data of docs/results/error.md."""
+    """The figures of the plots' points, as the data of docs/results/error.md."""
     group, name = measure.split(".")
     return {
         "scene": scene,
@@ -84,40 +84,46 @@ def figures(report: project.Json, scene: str, measure: str, area: str) -> projec
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(prog="plot.py", description=__doc__)
+    parser = argparse.ArgumentParser(prog="scripts/plot_error", description=__doc__)
     parser.add_argument(
         "report",
         type=pathlib.Path,
         metavar="FILE",
-        help="error.json of a report, its pictures beside it",
+        help="error.json of a report; its pictures lie in the same folder",
     )
-    parser.add_argument("--scene", default="office", metavar="NAME")
+    parser.add_argument(
+        "--scene", default="office", metavar="NAME", help="a scene of the report (default: office)"
+    )
     parser.add_argument(
         "--measure",
         default="primary.wrong_share",
         metavar="GROUP.NAME",
-        help="one of docs/reference/measures.md (default: primary.wrong_share)",
+        help="a measure of docs/reference/measures.md (default: primary.wrong_share)",
     )
     parser.add_argument(
         "--area",
         default="LUT",
         metavar="NAME",
-        help="cells that the area is counted in (default: LUT)",
+        help="the cells that the area counts (default: LUT)",
     )
-    parser.add_argument("--out", type=pathlib.Path, required=True, metavar="FILE.svg")
+    parser.add_argument(
+        "--out", type=pathlib.Path, required=True, metavar="FILE.svg", help="the drawing"
+    )
     parser.add_argument(
         "--data",
         type=pathlib.Path,
         metavar="FILE.json",
-        help="write the figures of the points there too",
+        help="the file that receives the figures of the points",
     )
     args = parser.parse_args()
     scenes = read_json(args.report)["scenes"]
     known = [f"{m['group']}.{m['name']}" for m in page.read_measures() if m["better"] != "-"]
     if args.scene not in scenes:
-        parser.error(f"--scene {args.scene}: {args.report} has {', '.join(scenes)}")
+        parser.error(
+            f"--scene {args.scene}: unknown; {args.report} has the scenes {', '.join(scenes)}"
+        )
     if args.measure not in known:
-        parser.error(f"--measure {args.measure}: known are {', '.join(known)}")
+        parser.error(f"--measure {args.measure}: unknown; the measures are {', '.join(known)}")
     args.out.write_text(svg(args.report, args.scene, args.measure, args.area), encoding="utf-8")
     if args.data:
         report = project.read_json(args.report)

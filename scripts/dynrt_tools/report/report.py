@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Renders scenes with many variants of the core and holds each beside the truth: error, clocks and
+"""Renders scenes with many variants of the core and compares each with the truth: error, clocks and
 area of every variant as CSV and as one page with plots and pictures."""
 
 import argparse
@@ -23,7 +23,7 @@ MISTAKE = 2
 
 
 class Parser(argparse.ArgumentParser):
-    """Tells what is wrong with the flags in dynrt's way."""
+    """Reports a mistake in the flags as dynrt does."""
 
     def error(self, message: str) -> NoReturn:
         print(f"dynrt: {message}; {self.prog} --help lists what there is", file=sys.stderr)
@@ -35,7 +35,7 @@ def cores() -> int:
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What a report and a choice have in common."""
+    """The flags that a report and a choice have in common."""
     parser.add_argument("--program", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--build", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--expect", required=True, help=argparse.SUPPRESS)
@@ -83,8 +83,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=pathlib.Path("error_report"),
         metavar="FOLDER",
         help="folder of the report (default: error_report); "
-        "beside it FOLDER.work keeps what was measured, so that an interrupted "
-        "report goes on and the next one measures only what has changed",
+        "FOLDER.work beside it keeps all measurements, so that an interrupted "
+        "report goes on and the next one measures only the changes",
     )
 
 
@@ -107,7 +107,7 @@ def describe(program: pathlib.Path, scene: str, size: str) -> str:
 def measured(
     args: argparse.Namespace, scenes: list[str], hardware: bool = True
 ) -> tuple[Json, dict[str, pathlib.Path]]:
-    """Runs what has not been run yet; gives what collect() does."""
+    """Runs the jobs that have no result yet, and gives the result of collect()."""
     if args.jobs < 1:
         raise Failed(f"--jobs {args.jobs}: at least one is needed")
     variants = listed.chosen(
@@ -150,11 +150,11 @@ def run(args: argparse.Namespace) -> None:
     )
 
 
-def guarded(what: Callable[[argparse.Namespace], int | None], args: argparse.Namespace) -> int:
-    """The exit code of `what`, its mistakes as one sentence."""
+def guarded(act: Callable[[argparse.Namespace], int | None], args: argparse.Namespace) -> int:
+    """The exit code of a command, whose mistakes are one sentence each."""
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        return what(args) or 0
+        return act(args) or 0
     except Failed as error:
         print(f"dynrt: {error}", file=sys.stderr)
     except OSError as error:
@@ -168,7 +168,7 @@ def main() -> int:
     parser = Parser(
         prog="dynrt report error",
         description=__doc__,
-        epilog="scripts/dynrt_tools/report/README.md says what the report holds.",
+        epilog="scripts/dynrt_tools/report/README.md describes the report.",
     )
     parser.add_argument(
         "scene", nargs="*", metavar="SCENE", help="built-in scenes or files (default: office)"

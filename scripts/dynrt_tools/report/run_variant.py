@@ -1,13 +1,9 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Renders a scene with a variant and holds it beside the truth.
+"""Renders a scene with a variant and compares it with the truth. A scene that the variant cannot
+hold is a result too: its figures give the reason."""
 
-Usage: scripts/run_variant PROGRAM SCENE SIZE MODEL.so FIGURES.json PICTURES [SCHEDULES]
-
-A scene that the variant cannot hold is a result too: its figures say why.
-"""
-
-
+import argparse
 import json
 import pathlib
 import subprocess
@@ -17,22 +13,27 @@ MISTAKE = 2  # dynrt's exit code where the input cannot be rendered
 
 
 def main() -> None:
-    program, scene, size, model, figures, pictures, *schedules = sys.argv[1:]
-    pathlib.Path(pictures).mkdir(parents=True, exist_ok=True)
-    clocks = ["--schedule", schedules[0]] if schedules else []
+    parser = argparse.ArgumentParser(prog="scripts/run_variant", description=__doc__)
+    parser.add_argument("program", metavar="PROGRAM", help="the program dynrt")
+    parser.add_argument("scene", metavar="SCENE", help="a built-in scene or a file")
+    parser.add_argument("size", metavar="WxH", help="pixels of the image")
+    parser.add_argument("model", metavar="MODEL.so", help="the variant's native model")
+    parser.add_argument("figures", metavar="FIGURES.json", help="the file that receives the result")
+    parser.add_argument("pictures", metavar="PICTURES", help="the folder that receives the images")
+    parser.add_argument(
+        "schedules", metavar="SCHEDULES", nargs="?", help="the folder of the variant's Verilog"
+    )
+    args = parser.parse_args()
+    figures, pictures = pathlib.Path(args.figures), pathlib.Path(args.pictures)
+    pictures.mkdir(parents=True, exist_ok=True)
+    clocks = ["--schedule", args.schedules] if args.schedules else []
     result = subprocess.run(
         [
-            program,
+            args.program,
             "measure",
-            scene,
-            "--config",
-            model,
-            "--size",
-            size,
-            "--out",
-            pictures,
-            "--json",
-            figures,
+            args.scene,
+            *("--config", args.model, "--size", args.size),
+            *("--out", pictures, "--json", figures),
             *clocks,
         ],
         capture_output=True,
@@ -40,10 +41,10 @@ def main() -> None:
         check=False,
     )
     sentence = result.stderr.strip().removeprefix("dynrt: ")
-    # What cannot be written or loaded is nothing that the variant could help.
-    defect = any(path in sentence for path in (model, pictures, figures))
+    # A file that cannot be written or loaded is no property of the variant.
+    defect = any(path in sentence for path in (args.model, args.pictures, args.figures))
     if result.returncode == MISTAKE and not defect:
-        pathlib.Path(figures).write_text(json.dumps({"refused": sentence}), encoding="utf-8")
+        figures.write_text(json.dumps({"refused": sentence}), encoding="utf-8")
         return
     if result.returncode != 0:
-        sys.exit(sentence or f"{program} ended with {result.returncode}")
+        sys.exit(sentence or f"{args.program} ended with {result.returncode}")

@@ -20,7 +20,7 @@ def base_configuration(name: str) -> Json:
             raise Failed(f"--config {name}: {error}") from error
     if name.endswith(".so"):
         raise Failed(
-            f"--config {name}: a library does not tell its keys; name the file FILE.json "
+            f"--config {name}: a library does not hold its keys; name the file FILE.json "
             "that it was made of"
         )
     listed = configs.load_configurations().listed()

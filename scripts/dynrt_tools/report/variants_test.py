@@ -81,7 +81,7 @@ class Variants(testing.InFolder):
     def test_base(self) -> None:
         with self.assertRaisesRegex(Failed, "^--config x: unknown; the configurations are thesis,"):
             variants.base_configuration("x")
-        with self.assertRaisesRegex(Failed, "^--config x.so: a library does not tell its keys; "):
+        with self.assertRaisesRegex(Failed, "^--config x.so: a library does not hold its keys; "):
             variants.base_configuration("x.so")
 
     def test_base_that_a_file_states(self) -> None:

@@ -29,7 +29,7 @@ DOING = {
 
 
 def write_if_new(path: pathlib.Path, text: str) -> None:
-    """Snakemake goes by the time of a file: what is the same as before stays as it is."""
+    """Snakemake goes by the time of a file: a file whose text is the same is not written."""
     path.parent.mkdir(parents=True, exist_ok=True)
     if not path.exists() or path.read_text(encoding="utf-8") != text:
         part = path.with_name(path.name + ".part")
@@ -42,7 +42,7 @@ def content_of(path: pathlib.Path) -> str | None:
 
 
 def stop(process: subprocess.Popen[str]) -> None:
-    """Ends Snakemake and its jobs, as a terminal would; what they have not finished, it removes."""
+    """Ends Snakemake and its jobs, as a terminal would; it removes their unfinished files."""
     os.killpg(process.pid, signal.SIGINT)
     process.wait()
 
@@ -134,7 +134,7 @@ class Workflow:
             start_new_session=True,
         ) as process:
             rule = None
-            show_progress("looking what there is to do")
+            show_progress("looking for jobs")
             try:
                 for line in process.stdout or ():
                     file.write(line)
@@ -163,4 +163,4 @@ class Workflow:
             )
         text = log.read_text(encoding="utf-8")
         last = next((x for x in reversed(text.splitlines()) if x.strip()), "it printed nothing")
-        return f"the workflow failed: {last.strip()}; all that it said is in {log}"
+        return f"the workflow failed: {last.strip()}; the whole log is {log}"

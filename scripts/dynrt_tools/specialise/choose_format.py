@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Bits of the float, and how it divides, by the error that the user allows: what `dynrt choose`
+"""The bits of the float and its divider, by the error that the user allows: what `dynrt choose`
 finds among the formats."""
 
 import argparse

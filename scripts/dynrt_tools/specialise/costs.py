@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""What a core takes: of a device, in gates by the thesis's rule, and in stages."""
+"""The costs of a core: its part of a device, its gates by the thesis's rule, its stages."""
 
 import concurrent.futures
 import pathlib
@@ -8,7 +8,7 @@ import pathlib
 from dynrt_tools.hardware import area, devices, gate_count, gate_rule, synthesis
 from dynrt_tools.project import Failed, Json, Progress
 
-# What is told of both cores, and how it is called.
+# The figures that are printed of both cores, and their names.
 COSTS = {
     "LUT4": "LUTs",
     "LUT6": "LUTs",

@@ -36,13 +36,13 @@ def walk_down(clocks_of: Callable[[int], int], most: int, percent: float) -> tup
 
 
 def by_percent(percent: float, below: str, above: str = "") -> str:
-    """As text, with the word for what is below 0, and for the others."""
+    """As text, with one word for numbers below 0 and one for the others."""
     rounded = round(percent, 1)
     return f"{abs(rounded):.1f} % {below if rounded < 0 else above}".rstrip()
 
 
 def reason(curve: Curve, chosen: int, percent: float, frame: str) -> str:
-    """Why this number, with the next ones on both sides. `frame` is what was measured."""
+    """Why this number, with the next ones on both sides. `frame` is the frame that was measured."""
     most = max(curve)
     base = curve[most]
 

@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""From what a scene needs, and what was measured, to every key of a configuration with its
+"""From the needs of a scene and the measurements to every key of a configuration with its
 reason."""
 
 import pathlib

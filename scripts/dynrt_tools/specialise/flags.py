@@ -10,7 +10,7 @@ from dynrt_tools.hardware import devices
 from dynrt_tools.report import choose
 from dynrt_tools.report.report import Parser, cores
 
-# Flags of the program that say what is seen, and those that only `dynrt needs` has.
+# Flags of the program that say which view is rendered, and those that only `dynrt needs` has.
 SEEN = (
     "--size",
     "--position",
@@ -38,11 +38,12 @@ def parse(words: Iterable[str]) -> argparse.Namespace:
     parser = Parser(
         prog="dynrt specialise",
         description="Makes the smallest core that renders a "
-        "scene to the same bits as a general one: what the scene does not need is not "
-        "in its Verilog.",
-        epilog="Written into the folder: configuration.json, every key with the reason "
-        "for its value, for --config of the other commands; analysis.json, what it was "
-        "decided by and what it saves; verilog/. docs/how-to/specialise.md tells more.",
+        "scene to the same bits as a general one: its Verilog lacks the parts that the scene "
+        "does not need.",
+        epilog="The folder receives configuration.json, every key with the reason for its "
+        "value, which --config of the other commands takes; analysis.json, the figures "
+        "behind the decisions and the savings; and verilog/. docs/how-to/specialise.md "
+        "explains more.",
     )
     parser.add_argument("scene", metavar="SCENE", help="a built-in scene or a file")
     parser.add_argument(
@@ -69,15 +70,15 @@ def parse(words: Iterable[str]) -> argparse.Namespace:
     parser.add_argument(
         "--measure",
         metavar="KIND.NAME",
-        help=f"which error --max-error bounds (default: {choose.DEFAULT_MEASURE})",
+        help=f"the error that --max-error bounds (default: {choose.DEFAULT_MEASURE})",
     )
     parser.add_argument(
         "--max-slowdown",
         type=float,
         default=2,
         metavar="PERCENT",
-        help="by how much fewer packets and cache lines may slow a frame down, half "
-        "of it each (default: 2)",
+        help="the most that fewer packets and fewer cache lines may slow a frame down, "
+        "one half each (default: 2)",
     )
     parser.add_argument(
         "--keep",
@@ -91,9 +92,9 @@ def parse(words: Iterable[str]) -> argparse.Namespace:
         "--device",
         action="append",
         metavar="NAME",
-        help="a device that it must fit, one of "
-        f"{', '.join(devices.DEVICES)}; of several, one is enough (default: "
-        "ecp5-85)",
+        help="a device that the core must fit, one of "
+        f"{', '.join(devices.DEVICES)}; if several are given, it must fit one of them "
+        "(default: ecp5-85)",
     )
     parser.add_argument(
         "--no-hardware",
@@ -111,7 +112,7 @@ def parse(words: Iterable[str]) -> argparse.Namespace:
         metavar="N",
         help="compilers and synthesizers at a time (default: the number of cores)",
     )
-    scene = parser.add_argument_group("what is seen, as in `dynrt render` and `dynrt walk`")
+    scene = parser.add_argument_group("the view, as in `dynrt render` and `dynrt walk`")
     for flag in SEEN + ASKED:
         scene.add_argument(flag, action="append" if flag in SEVERAL else "store", metavar="VALUE")
     scene.add_argument("--uncompressed", action="store_true")

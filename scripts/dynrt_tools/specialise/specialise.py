@@ -40,7 +40,7 @@ class Project:
         self.build = read_json(pathlib.Path(args.build))
 
     def needs(self, general: object) -> tuple[Json, str]:
-        """What `dynrt needs` says, and its lines about the scene."""
+        """The report of `dynrt needs`, and its lines about the scene."""
         command = [
             self.args.program,
             "needs",
@@ -64,7 +64,7 @@ class Project:
             return read_json(path), about.removeprefix("scene").strip()
 
     def made(self, configuration: pathlib.Path, *kind: str) -> pathlib.Path:
-        """The path of what scripts/configuration makes of a file."""
+        """The path of the result of scripts/configuration for a file."""
         result = subprocess.run(
             [
                 SCRIPTS / "configuration",
@@ -124,7 +124,7 @@ def is_whole(entry: pathlib.Path, name: str) -> bool:
 
 
 class Specialiser:
-    """Writes the configuration of a scene and what it was decided by into a folder of the cache."""
+    """Writes the configuration of a scene and its analysis into a folder of the cache."""
 
     def __init__(
         self,
@@ -238,7 +238,7 @@ def add_costs(project: Project, result: Json, special: pathlib.Path, general: Js
 
 
 def check_outputs(out: pathlib.Path, figures: pathlib.Path | None) -> None:
-    """Refuses, before the work, what could not be written."""
+    """Refuses outputs that could not be written, before the work."""
     if figures and not figures.absolute().parent.is_dir():
         raise Failed(
             f"--json {figures}: there is no folder '{figures.parent}'; create it or name "
@@ -283,11 +283,11 @@ def write_figures(path: pathlib.Path, data: object) -> None:
 def deliver(
     out: pathlib.Path, configuration: pathlib.Path, verilog: pathlib.Path, result: Json
 ) -> None:
-    """Writes the folder, and removes what an earlier core with other units has left there."""
+    """Writes the folder, and removes the files that an earlier core with other units has left."""
     result["verilog"] = delivered(verilog)
     earlier = written_earlier(out)
     with written_first(
-        out, "what was there is as it was, and the cache keeps what was decided"
+        out, "the files that were there are as they were, and the cache keeps the decisions"
     ) as new:
         shutil.copyfile(configuration, new / "configuration.json")
         write_json(new / "analysis.json", result)
@@ -300,12 +300,12 @@ def deliver(
 
 
 def finish(project: Project, name: str, general: Json, about: str, entry: pathlib.Path) -> None:
-    """What `dynrt specialise` does with a configuration that is there."""
+    """Prints and delivers a configuration that the cache holds."""
     args = project.args
     result = read_json(analysis_of(entry))
     result["curves"] = {
-        what: {int(n): clocks for n, clocks in points.items()}
-        for what, points in result["curves"].items()
+        name: {int(n): clocks for n, clocks in points.items()}
+        for name, points in result["curves"].items()
     }
     out, special = project.out, entry / f"{project.name}.json"
     verilog = add_costs(project, result, special, general)
@@ -352,7 +352,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def for_program(args: argparse.Namespace) -> int:
-    """As scripts/configuration does: what is wrong, where the path would be."""
+    """As scripts/configuration does: a mistake in place of the path."""
     try:
         return run(args)
     except Failed as error:

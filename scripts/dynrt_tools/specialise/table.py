@@ -1,6 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""What `dynrt specialise` prints: what was left out and why, what it saves, and the curves."""
+"""The page that `dynrt specialise` prints: the parts left out with their reasons, the savings, and
+the curves."""
 
 import textwrap
 from collections.abc import Iterable, Iterator, Sequence
@@ -24,12 +25,12 @@ def aligned(rows: Sequence[Sequence[str]], right: Iterable[int] = ()) -> Iterato
         yield "  " + "  ".join(cells).rstrip()
 
 
-def value(what: Any) -> str:
-    if isinstance(what, list):
-        return ", ".join(what)
-    if isinstance(what, bool):
-        return "yes" if what else "no"
-    return str(what)
+def value(of: Any) -> str:
+    if isinstance(of, list):
+        return ", ".join(of)
+    if isinstance(of, bool):
+        return "yes" if of else "no"
+    return str(of)
 
 
 def keys_table(
@@ -55,8 +56,8 @@ def kept_text(general: str, decided: Json, changed: list[str]) -> Iterator[str]:
     )
 
 
-def number(what: float) -> str:
-    return f"{what:,.1f}" if isinstance(what, float) and what % 1 else f"{what:,.0f}"
+def number(of: float) -> str:
+    return f"{of:,.1f}" if isinstance(of, float) and of % 1 else f"{of:,.0f}"
 
 
 def costs_table(special: str, general: str, costs: Json) -> Iterator[str]:
@@ -70,9 +71,9 @@ def costs_table(special: str, general: str, costs: Json) -> Iterator[str]:
 
 
 def curve_table(curves: dict[str, dict[int, int]]) -> Iterator[str]:
-    for what, curve in curves.items():
+    for name, curve in curves.items():
         rows = [
-            (what, *(f"{n}" for n in curve)),
+            (name, *(f"{n}" for n in curve)),
             ("clocks", *(f"{clocks:,}" for clocks in curve.values())),
             (
                 "more by",
@@ -90,7 +91,7 @@ def page(scene: str, general: str, base: Json, result: Json) -> str:
     decided, changed = result["configuration"], result["left_out"]
     lines = [
         f"scene       {scene}",
-        f"core        from {general}, without what the scene does not need",
+        f"core        from {general}, without the parts that the scene does not need",
         "",
         *keys_table("here", general, decided, base, changed),
         "",
