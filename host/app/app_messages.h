@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the program itself says when something is wrong.
+// The messages of the program itself.
 #pragma once
 
 namespace dynrt::host::messages {

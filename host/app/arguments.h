@@ -15,7 +15,7 @@
 
 namespace dynrt::host {
 
-/// Which scene, and from where.
+/// The scene and the camera.
 struct SceneArguments {
   std::string scene;
   std::optional<std::string> position, look_at, up;
@@ -27,7 +27,7 @@ struct SceneArguments {
   CameraOverrides camera() const;
 };
 
-/// How it is rendered and what is written.
+/// How a frame is rendered, and the files that are written.
 struct FrameArguments {
   std::string configuration = "thesis";
   std::optional<unsigned> packets, lines, reflections;
@@ -40,11 +40,11 @@ struct FrameArguments {
 
   void add_to(CLI::App& command, const std::string& default_out,
               const std::string& about_out = "image to write, .png or .exr");
-  /// Checks everything that can be checked before there is a board, but the outputs.
+  /// Checks everything but the outputs that can be checked before a board is open.
   FrameOptions options(const std::string& size) const;
 };
 
-/// Frames of a walk, unless --frames says another number.
+/// Frames of a walk without --frames.
 inline constexpr unsigned kWalkFrames = 24;
 
 /// The part of an animation that a walk shows, in seconds.
@@ -59,7 +59,7 @@ void add_configuration_flag(CLI::App& command, std::string& configuration);
 /// Adds --json to a command.
 void add_json_flag(CLI::App& command, std::string& json);
 
-/// For flags that take a number: what is wrong with the text, or nothing.
+/// For flags that take a number: the mistake in the text, or an empty string.
 std::string not_a_count(const std::string& text);
 std::string not_a_number(const std::string& text);
 

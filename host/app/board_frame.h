@@ -11,13 +11,13 @@
 
 namespace dynrt::host {
 
-/// Throws UserError for what this build or the board's configuration lacks.
+/// Throws UserError if this build or the board's configuration lacks a part that the frame needs.
 std::unique_ptr<Board> open_board(const BoardRequest& request, const FrameOptions& options);
 
 /// With progress on the terminal.
 Frame render_on(Board& board, const FrameOptions& options, const MemoryImage& image);
 
-/// The image's file: what the user asked for, or the scene's name with .png in this folder.
+/// The image's file: the one that the user names, or the scene's name with .png in this folder.
 std::string image_name(const std::string& out, const std::string& scene);
 
 }  // namespace dynrt::host

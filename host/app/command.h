@@ -11,9 +11,9 @@ namespace dynrt::host {
 
 /// Exit codes, as cmp and diff have them.
 inline constexpr int kDone = 0;
-inline constexpr int kDifferent = 1;  ///< compare: the boards differ; stress: more than allowed
-inline constexpr int kMistake = 2;    ///< the user's, told in one sentence on stderr
-inline constexpr int kDefect = 3;     ///< dynrt's own
+inline constexpr int kDifferent = 1;  ///< compare: boards differ; stress: a bound is exceeded
+inline constexpr int kMistake = 2;    ///< the user's mistake, one sentence on stderr
+inline constexpr int kDefect = 3;     ///< a defect of dynrt
 
 struct Command {
   CLI::App* app = nullptr;

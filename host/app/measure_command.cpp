@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// dynrt measure: one frame of the native model beside the truth, as data and as pictures. What
-// `dynrt report error` does for every scene and variant.
+// dynrt measure: compares one frame of the native model with the truth, as data and as pictures.
+// `dynrt report error` does this for every scene and variant.
 #include <fmt/format.h>
 
 #include <filesystem>

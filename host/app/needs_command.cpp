@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// dynrt needs: what every key of a configuration must be for a scene, and why. Nothing is built or
-// rendered; `dynrt specialise` goes on from here.
+// dynrt needs: the value that each key of a configuration must have for a scene, and the reason. It
+// builds and renders nothing; `dynrt specialise` uses its result.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -73,8 +73,8 @@ void check_primitives(const Scene& scene, const CoreInfo& core) {
          fmt::format("{}", fmt::join(with, ", ")));
 }
 
-/// The rays and primitives that the user may ask for: of a specialised core those of the general
-/// one, as lay_out() says what exceeds it.
+/// The rays and primitives that the user may ask for. For a specialised core they are those of the
+/// general one, as lay_out() reports what exceeds the specialised core.
 CoreInfo allowed_by(const CoreInfo& core) {
   CoreInfo allowed = core;
   if (core.is_specialised() && core.general) {
@@ -85,7 +85,7 @@ CoreInfo allowed_by(const CoreInfo& core) {
   return allowed;
 }
 
-/// The core for what is said of a scene without one: the shipped numbers and every primitive.
+/// The core for figures of a scene without a board: the shipped number format and every primitive.
 CoreInfo any_core() {
   CoreInfo core;
   core.primitives = {.triangle = true, .sphere = true, .rectangle = true};

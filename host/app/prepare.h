@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// From what the user says of a scene to its memory: load it, place the camera, add lights and
-// mirrors, lay it out.
+// From the user's flags to a scene in memory: load it, place the camera, add lights and mirrors,
+// lay it out.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,7 +15,7 @@
 
 namespace dynrt::host {
 
-/// A scene in the memory, and what is reported of it.
+/// A scene in the memory, and its figures for the report.
 struct Prepared : MemoryImage {
   double load_seconds = 0;
 
@@ -26,17 +26,17 @@ struct Prepared : MemoryImage {
   std::size_t rectangles() const;
   std::size_t spheres() const;
   std::size_t instanced_triangles() const;  ///< of all instances
-  /// What the user should know: what the import took otherwise, which trees were cut.
+  /// Notes for the user: parts that the import changed, trees that were cut.
   std::vector<std::string> notes() const;
   /// The scene, its trees and the memory they take, as data and as lines of text.
   nlohmann::ordered_json json() const;
   std::string text() const;
 };
 
-/// For a core: throws UserError where it lacks one of the scene's primitives, with the
-/// configurations that have it, and what lay_out() throws; notes the lights and mirrors that it has
-/// no rays for. Without a core it is laid out for the shipped numbers, with every primitive, and
-/// neither lights nor mirrors are judged.
+/// With a core: throws UserError if the core lacks one of the scene's primitives, naming the
+/// configurations that have it, and throws the errors of lay_out(); notes the lights and mirrors
+/// that the core has no rays for. Without a core: lays the scene out for the shipped number format,
+/// with every primitive, and does not check lights and mirrors.
 Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
                  const CoreInfo* core = nullptr);
 

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The program as a user meets it: what its tests share.
+// What the tests of the whole program share.
 #pragma once
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// One line on stderr that says what is going on, rewritten a few times a second and wiped at the
-// end. Silent where stderr is no terminal.
+// A progress line on stderr, rewritten a few times a second and erased at the end. Nothing is
+// printed if stderr is not a terminal.
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,7 @@ namespace dynrt::host {
 
 class Progress {
  public:
-  /// `total` zero: there is no telling how long it takes.
+  /// `total` is zero if the number of steps is not known.
   explicit Progress(std::string what, std::uint64_t total = 0);
   ~Progress();
   Progress(const Progress&) = delete;

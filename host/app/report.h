@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is printed about a frame, as lines of text and as data.
+// The report of a frame, as lines of text and as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Runs a program in a folder of its own and keeps what it said.
+// Runs a program in its own folder and keeps its output.
 #pragma once
 
 #include <sys/wait.h>
@@ -26,7 +26,7 @@ inline std::string text_of(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// The files of a folder that may not be there yet, sorted.
+/// The files of a folder, sorted; none if there is no such folder.
 inline std::vector<std::string> names_in(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   if (!std::filesystem::exists(folder)) return names;
@@ -38,7 +38,7 @@ inline std::vector<std::string> names_in(const std::filesystem::path& folder) {
 }
 
 /// `folder` keeps its files between runs; stdout and stderr are files, so no terminal. `stdout_to`
-/// takes what would go to Outcome::out.
+/// names a file for stdout instead of Outcome::out.
 inline Outcome run_program(const std::string& program, const std::string& arguments,
                            const std::filesystem::path& folder, const std::string& stdout_to = {}) {
   namespace fs = std::filesystem;

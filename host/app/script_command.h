@@ -1,8 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Commands whose work is a workflow of many runs of this program: scripts do it, and know the
-// flags.
+// Commands that run this program many times: scripts do the work and parse the flags.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -11,8 +10,8 @@
 
 namespace dynrt::host {
 
-/// A subcommand that leaves all that follows its name, --help too, to the script at
-/// scripts/<script>, and becomes it. The function never returns unless it throws UserError.
+/// Adds a subcommand that replaces this process by scripts/<script> and passes on all its
+/// arguments, --help included.
 struct ScriptCommand {
   CLI::App* app = nullptr;
   std::function<int()> run;

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A frame on the board's VGA display: what a monitor makes of the pins, as an image and as figures.
+// A frame on the board's VGA display: the image that a monitor sees at the pins, and its figures.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -17,7 +17,7 @@ struct Shown {
   VgaMode mode;       ///< as measured
   unsigned clocks_per_pixel = 0;
   double displays_per_second = 0;
-  std::size_t differ = 0;  ///< pixels of the frame that the display has otherwise
+  std::size_t differ = 0;  ///< pixels that differ between display and frame
 
   std::string text() const;
   nlohmann::ordered_json json() const;

@@ -14,11 +14,11 @@
 
 namespace dynrt::host {
 
-/// The configuration that renders a scene without being made for it: thesis, for a scene with light
-/// or mirrors whitted, for one of other primitives than triangles primitives.
+/// The general configuration for a scene: `thesis`; `whitted` for a scene with lights or mirrors;
+/// `primitives` for a scene with other primitives than triangles.
 std::string general_configuration(const SceneArguments& scene);
 
-/// The configuration that a scene is rendered with, and the general one that stands in for it.
+/// The configuration that renders a scene, and the general one that can replace it.
 struct ChosenCore {
   std::string
       configuration;    ///< a name or a file; with --specialise from the cache, if it is there
@@ -29,23 +29,25 @@ struct SpecialiseFlags {
   bool specialise = false;
   bool general_if_exceeded = false;
 
-  /// Adds --specialise and, where frames may differ from what was analysed, --general-if-exceeded.
+  /// Adds --specialise and, if frames may differ from those that were analysed,
+  /// --general-if-exceeded.
   void add_to(CLI::App& command, bool may_exceed);
 
-  /// What to render with; builds it, where it must be. `more`: flags of scripts/specialise. Throws
-  /// UserError with the reason if it cannot be made.
+  /// The configurations to render with; builds them if needed. `more`: flags of scripts/specialise.
+  /// Throws UserError with the reason if a configuration cannot be made.
   ChosenCore choose(const SceneArguments& scene, const FrameArguments& frame,
                     const std::vector<std::string>& more = {}) const;
 
-  /// Throws what was exceeded, and what to do about it, unless the general core is to stand in.
+  /// Throws the error, with advice, unless the general core may replace the specialised one.
   void refuse_unless_general(const Exceeded& over) const;
 
  private:
   const CLI::App* command_ = nullptr;
 };
 
-/// What `prepare` gives on the board that `open` makes of a configuration; on the general one where
-/// the scene exceeds the other and the flags allow it. Gives both.
+/// Opens the board of a configuration with `open` and prepares the scene for it with `prepare`.
+/// Takes the general configuration if the scene exceeds the specialised one and the flags allow it.
+/// Returns both results.
 template <class Open, class Prepare>
 auto prepare_on(const SpecialiseFlags& flags, const ChosenCore& core, Open&& open,
                 Prepare&& prepare) {

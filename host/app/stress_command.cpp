@@ -77,7 +77,7 @@ class OtherFormat {
     return path.string();
   }
 
-  /// What is wrong with such a file, said of the flag that made it: the user has not seen its
+  /// The mistake in such a file, reported for the flag that made it, as the user has not seen its
   /// lines.
   std::string of_flag(const std::string& sentence, const std::string& file) const {
     const std::string named = "configuration " + file + ": ";

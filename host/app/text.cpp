@@ -19,8 +19,8 @@ namespace dynrt::host {
 
 namespace {
 
-/// Far enough within the shipped core's numbers for what is made of a flag's; what another core
-/// cannot hold is refused when the scene is laid out for it.
+/// Small enough that values computed from a flag stay within the shipped core's numbers. lay_out()
+/// refuses values that another core cannot hold.
 const double kLargest = std::sqrt(kShippedFormat.largest);
 
 std::vector<std::string_view> split(std::string_view text, char separator) {

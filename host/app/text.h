@@ -14,7 +14,7 @@
 
 namespace dynrt::host {
 
-/// The whole of `text` as a number, or false.
+/// Parses the whole of `text` as a number; false if it is none.
 template <class N>
 bool parse(std::string_view text, N& number) {
   const char* const end = text.data() + text.size();

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Guards the waveforms of a frame: the file is removed unless the frame was rendered, or the board
-// never finished, which is what one wants to look at. Without --trace it does nothing.
+// Guards the waveforms of a frame: removes the file on an error, unless the board never finished,
+// as the waveforms then show why. Without --trace it does nothing.
 #pragma once
 
 #include <optional>

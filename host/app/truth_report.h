@@ -1,8 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// dynrt report truth: what the primary rays of a scene really hit (host/analysis/truth), how often
-// doubles did not suffice to tell, and where and why Embree says otherwise.
+// dynrt report truth: the primitives that the primary rays of a scene really hit
+// (host/analysis/truth), how often doubles did not suffice to decide, and where and why Embree
+// finds another one.
 #pragma once
 
 #include "host/app/work_report.h"

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A scene frame after frame: objects and camera move, the top-level tree is built anew, and only
-// the words of the memory that this changes go over the bus. The objects' own trees and matrices
-// are uploaded once. A frame is rendered into the framebuffer that does not hold the one before.
+// Renders a scene frame after frame. Objects and camera move, the host rebuilds the top-level tree
+// for each frame, and only the changed words of the memory go over the bus. The objects' trees and
+// matrices are uploaded once. Two framebuffers take turns.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +16,18 @@
 
 namespace dynrt::host {
 
-/// Which moments are rendered.
+/// The moments that are rendered.
 struct WalkPlan {
   std::vector<double> times;  ///< seconds, one a frame
-  double seconds = 0;         ///< that the walk lasts
+  double seconds = 0;         ///< duration of the walk
   bool orbit = false;  ///< nothing moves by itself: the camera goes round the scene's centre once
 
-  /// Frames evenly spread from `from`, else the animation's begin, until `to`, else its end. Throws
-  /// UserError for no frames and for times that do not rise.
+  /// Frames evenly spread from `from` (default: the animation's begin) to `to` (default: its end).
+  /// Throws UserError for no frames and for times that do not rise.
   WalkPlan(const Scene& scene, unsigned frames, std::optional<double> from,
            std::optional<double> to);
 
-  /// That of moment `time`, for the scene as it is then.
+  /// The camera at `time`, for the scene at that moment.
   Camera camera(const Scene& scene, const CameraOverrides& flags, double time, unsigned width,
                 unsigned height) const;
 
@@ -35,10 +35,10 @@ struct WalkPlan {
   glm::dvec3 centre_{0.0};
 };
 
-/// The top-level tree of a frame, to whose moment the scene is moved.
+/// The top-level tree of a frame. Moves the scene to the frame's moment.
 Tree instances_at(MemoryImage& image, const WalkPlan& plan, unsigned frame);
 
-/// What is reported of a frame. `upload` is of what changed since the frame before.
+/// The figures of a frame. `upload` counts the words that changed since the previous frame.
 struct WalkRecord {
   unsigned frame = 0;
   double time = 0;
@@ -57,20 +57,20 @@ struct WalkRecord {
 
 class Walker {
  public:
-  /// The scene of `image` is moved about; `camera` is in the file's space.
+  /// Moves the scene of `image`; `camera` is in the file's space.
   Walker(Board& board, const FrameOptions& options, MemoryImage& image,
          const CameraOverrides& camera, WalkPlan plan);
 
   const WalkPlan& plan() const { return plan_; }
-  /// Of the objects' part of the memory, once.
+  /// Of the objects' part of the memory, which is uploaded once.
   const BusTraffic& scene_upload() const { return scene_upload_; }
 
   struct Result {
     Frame frame;
     WalkRecord record;
   };
-  /// Frames may be left out: then the memory is first brought to what the frame before leaves, so
-  /// that the record is the same. Throws Exceeded for a frame that the board was not made for.
+  /// Frames may be skipped: then the memory is first brought to the state after the previous frame,
+  /// so that the record is the same. Throws Exceeded for a frame that exceeds the board's core.
   Result render_frame(unsigned frame, const PixelProgress& progress);
 
  private:

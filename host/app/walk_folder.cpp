@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr char kManifest[] = "walk.json";
-/// It grows with the walk, so it is written again only after so many times what that takes; frames
-/// that it does not know of when the walk is killed are rendered again.
+/// walk.json grows with the walk, so it is rewritten only after this many times the time that
+/// writing takes. If the walk is killed, the frames that it does not list are rendered again.
 constexpr int kSavedSeldom = 10;
 
 std::string frame_name(unsigned frame) { return fmt::format("frame_{:04}.png", frame); }
@@ -156,8 +156,8 @@ std::optional<WalkRecord> WalkFolder::kept(unsigned frame, unsigned width, unsig
 
 void WalkFolder::write(const Frame& frame, const WalkRecord& record) {
   fs::create_directory(path_);
-  // Before the first picture there must be what says whose it is, and what is told of a picture
-  // must not be there before the picture.
+  // walk.json must exist before the first picture, to identify the walk, and must not list a
+  // picture before the picture exists.
   if (records_.empty()) save();
   write_image(name(record.frame), frame);
   records_[frame_name(record.frame)] = json_of(record);

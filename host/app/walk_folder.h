@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The folder that a walk's frames are written to, frame_0000.png and on, and walk.json beside them,
-// which says of which walk they are and what was measured of each. Every file is whole or not
-// there, so that an interrupted walk goes on where it stopped.
+// The folder of a walk: frame_0000.png and so on, and walk.json, which identifies the walk and
+// holds the figures of each frame. Every file is either complete or absent, so an interrupted walk
+// continues where it stopped.
 #pragma once
 
 #include <chrono>
@@ -20,29 +20,29 @@
 
 namespace dynrt::host {
 
-/// Throws UserError, before any work is done, for a place where no frames can be written.
+/// Throws UserError, before any work is done, if the folder cannot hold frames.
 void check_walk_folder(const std::string& path);
 
-/// What makes frames those of one walk, in words: flags and their values. The first whose value
-/// differs is named.
+/// Identifies a walk: its flags and their values, as text. A message names the first flag whose
+/// value differs.
 using WalkSettings = std::vector<std::pair<std::string, std::string>>;
-/// Of the setting that holds the scene's fingerprint, whose value says nothing to the user.
+/// Name of the setting that holds the scene's fingerprint. Messages do not show its value.
 inline constexpr char kSceneContent[] = "scene content";
 
 class WalkFolder {
  public:
-  /// Takes over what a walk of the same settings has left; `again`: removes what any has left. Else
-  /// throws UserError for frames of another walk. Writes nothing yet.
+  /// Reads the frames of an earlier run with the same settings; with `again`, removes the frames of
+  /// any run. Throws UserError for frames of another walk. Writes nothing yet.
   WalkFolder(std::string path, WalkSettings settings, bool again);
 
-  /// Of a frame that is already there, whole and of the right size.
+  /// The record of a frame that is already there, complete and of the right size.
   std::optional<WalkRecord> kept(unsigned frame, unsigned width, unsigned height) const;
   void write(const Frame& frame, const WalkRecord& record);
-  /// What is told of the frames; to be called after the last one.
+  /// Writes walk.json; call it after the last frame.
   void save();
 
   std::string name(unsigned frame) const;
-  void remove() const;  ///< with all that a walk writes; the folder stays if it holds more
+  void remove() const;  ///< with all files of the walk; the folder stays if it holds others
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is printed about a walk: a line a frame, and what it was like as a whole.
+// The report of a walk: one line for each frame, and a summary.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,8 +12,8 @@
 
 namespace dynrt::host {
 
-/// One number for each frame that all its work is in: while a frame is rendered the host prepares
-/// the next; what has changed goes over the bus between the two.
+/// The time of each frame with all its work: the host prepares the next frame while the core
+/// renders this one, and uploads the changed words between the two.
 double frame_seconds(const WalkRecord& record, double clock_hz);
 
 std::string walk_header();

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tables of the work that a scene makes with the core as it is and as it could have been: objects
-// that overlap (thesis 4.3), slots of the mailbox (4.3.2, 6.1.2), clipping nodes (4.2). Counted by
-// the tracer in doubles of host/analysis/counts/counts.h, which is no board.
+// Tables of the work of a scene with this core and with variants of it: objects that overlap
+// (thesis 4.3), slots of the mailbox (4.3.2, 6.1.2), clipping nodes (4.2). The tracer of
+// host/analysis/counts/counts.h counts in doubles, without a board.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -20,9 +20,9 @@ struct WorkReport {
 
 using WorkReporter = WorkReport (*)(const Prepared&, unsigned width, unsigned height);
 
-/// Four ways to treat overlapping objects beside Table 4.1, whose figures are of single rays.
+/// Four ways to treat overlapping objects, and Table 4.1, whose figures are for single rays.
 WorkReport overlap_report(const Prepared& prepared, unsigned width, unsigned height);
-/// From no slots to 32, and what is transformed again for want of them.
+/// From no slots to 32, and the repeated transformations that more slots would avoid.
 WorkReport mailbox_report(const Prepared& prepared, unsigned width, unsigned height);
 /// With and without the six clipping nodes of the scene and of objects.
 WorkReport clipping_report(const Prepared& prepared, unsigned width, unsigned height);

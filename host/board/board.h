@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The board as the host sees it. RtlBoard runs the Verilog, ModelBoard the native C++ of the same
-// units; nothing outside this folder can tell them apart, except that the model has no clock but
-// what the units' schedules say.
+// units. They look the same outside this folder, except that the model counts clocks only with the
+// units' schedules.
 #pragma once
 
 #include <cstdint>
@@ -26,16 +26,16 @@ namespace dynrt::host {
 struct Counter {
   std::string name;
   std::uint64_t value = 0;
-  bool order_independent = false;  ///< the same whatever the order in which packets are served
+  bool order_independent = false;  ///< the same for every order of the packets
 };
 
 struct FrameRun {
   std::optional<std::uint64_t> cycles;  ///< of the core's clock; the model has none of its own
-  bool scheduled = false;               ///< they are what the model makes of the units' schedules
+  bool scheduled = false;               ///< counted by the model with the units' schedules
   double seconds = 0;                   ///< of this computer's time, between start and interrupt
 };
 
-/// Told now and then how many pixels of the frame are written.
+/// Called now and then with the number of pixels of the frame that are written.
 using PixelProgress = std::function<void(std::uint64_t pixels)>;
 
 /// The board never raised its interrupt.
@@ -46,9 +46,9 @@ struct TimeoutError : UserError {
 class Board {
  public:
   virtual ~Board() = default;
-  /// What kind of board it is: "rtl" or "model".
+  /// The kind of board: "rtl" or "model".
   const std::string& name() const { return name_; }
-  /// What is known of its core.
+  /// The configuration and limits of its core.
   const CoreInfo& core() const { return core_; }
 
   /// Moves consecutive words of a bank; they must lie inside it. Not while a frame is rendered. A
@@ -59,13 +59,13 @@ class Board {
 
   virtual void configure(const FrameConfig& frame) = 0;
   virtual void start() = 0;
-  /// Waits for the interrupt; after `timeout` clocks without it or another pixel throws a
-  /// TimeoutError that tells where the units stand, and resets the board.
+  /// Waits for the interrupt. After `timeout` clocks without an interrupt or another pixel it
+  /// resets the board and throws a TimeoutError that names the state of each unit.
   virtual FrameRun wait(std::uint64_t timeout, const PixelProgress& progress) = 0;
 
-  /// Shows the picture at word `base` of bank 3 in the middle of a VGA display of 640x480 and gives
-  /// what a monitor makes of the pins; a pixel takes that many clocks, at least two. Throws
-  /// UserError if the board has no scan-out or the picture does not fit.
+  /// Shows the picture at word `base` of bank 3 in the middle of a VGA display of 640x480 and
+  /// returns the image that a monitor sees at the pins. A pixel takes the given number of clocks,
+  /// at least two. Throws UserError if the board has no scan-out or the picture does not fit.
   virtual VgaFrame display(std::uint32_t base, unsigned width, unsigned height,
                            unsigned clocks_per_pixel);
   /// Throws UserError if display() would.

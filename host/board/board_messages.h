@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the boards say when something is wrong.
+// The messages of the boards.
 #pragma once
 
 namespace dynrt::host::messages {

@@ -1,23 +1,23 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// How long a 33 MHz, 32-bit PCI bus takes for what the host moves: bursts of at most kMaxBurst
-// words, each an address phase, for a read a turnaround and the target's first-word wait, one clock
-// per word, and an idle clock. Register accesses are bursts of one.
+// The time of the host's transfers on a 33 MHz, 32-bit PCI bus: bursts of at most kMaxBurst words,
+// each an address phase, for a read a turnaround and the target's first-word wait, one clock per
+// word, and an idle clock. Register accesses are bursts of one.
 #pragma once
 
 #include <cstdint>
 
 namespace dynrt::host {
 
-/// What went over the bus, and what it would have taken on 33 MHz, 32-bit PCI.
+/// The words that went over the bus, and their time on 33 MHz, 32-bit PCI.
 struct BusTraffic {
   std::uint64_t transactions = 0;
   std::uint64_t bytes_written = 0;
   std::uint64_t bytes_read = 0;
   std::uint64_t bus_clocks = 0;
   friend bool operator==(const BusTraffic&, const BusTraffic&) = default;
-  /// What came since `before`.
+  /// The traffic since `before`.
   friend BusTraffic operator-(const BusTraffic& now, const BusTraffic& before) {
     return {now.transactions - before.transactions, now.bytes_written - before.bytes_written,
             now.bytes_read - before.bytes_read, now.bus_clocks - before.bus_clocks};

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A Verilated board, reduced to what its bus can do; VerilatedBoard implements it for every
+// A Verilated board with only the operations of its bus. VerilatedBoard implements it for every
 // Verilated class, RtlBoard uses it. The calls are coarse, so that the loop over clocks is compiled
 // together with the Verilated class.
 #pragma once
@@ -28,14 +28,14 @@ class ClockedBoard {
 
   virtual bool interrupt() const = 0;
   virtual std::uint64_t clocks() const = 0;  ///< since power-up
-  /// From now on shows the monitor every clock's VGA pins; null: nobody.
+  /// Shows the VGA pins of every clock to this monitor from now on; null: to none.
   virtual void watch(VgaMonitor* monitor) = 0;
   virtual std::uint64_t frame_writes() const = 0;  ///< words written to bank 3 since power-up
 };
 
-/// Makes one. That of the second kind is slower and shows more: it writes its waveforms to the FST
-/// file `trace` if one is named, it checks the Verilog's assertions (std::logic_error when one
-/// fails), and whatever the Verilog has not written is random from `seed`.
+/// Makes a board. The second kind is slower and shows more: it writes waveforms to the FST file
+/// `trace` if it is named, checks the Verilog's assertions (std::logic_error if one fails), and
+/// fills everything that the Verilog has not written with random bits from `seed`.
 using MakeBoard = std::unique_ptr<ClockedBoard> (*)();
 using MakeTracedBoard = std::unique_ptr<ClockedBoard> (*)(const std::string& trace, int seed);
 

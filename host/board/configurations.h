@@ -3,8 +3,8 @@
 //
 // The boards that a program has. Its table, which CMake makes, lists every configuration of
 // hls/configs/configs.json; a few are built in, with their native core and, where the Verilog was
-// built, the Verilated board. Of the others it holds the limits; they are loaded when they are
-// asked for (load_configuration.h).
+// built, the Verilated board. It holds only the limits of the others, which are loaded on first use
+// (load_configuration.h).
 #pragma once
 
 #include <functional>

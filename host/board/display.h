@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The board's scan-out with a monitor at its pins: shows pictures that lie in bank 3, whatever the
-// core does meanwhile. Two buffers: while one is shown the core renders into the other (frame_base
-// of FrameConfig); show() it, wait until it is shown(), and the first one is free.
+// The board's scan-out with a monitor at its pins. It shows pictures in bank 3 while the core
+// works. Two buffers: while one is shown the core renders into the other (frame_base of
+// FrameConfig); show() it, wait until it is shown(), and the first one is free.
 #pragma once
 
 #include "host/board/rtl_board.h"
@@ -14,7 +14,7 @@ namespace dynrt::host {
 
 class Display {
  public:
-  /// Clocks of the board that a pixel may take.
+  /// The smallest and largest number of board clocks for a pixel.
   static constexpr unsigned kLeastClocks = 2;
   static constexpr unsigned kMostClocks = 255;
 
@@ -27,14 +27,14 @@ class Display {
   Display(const Display&) = delete;
   Display& operator=(const Display&) = delete;
 
-  /// From the next vertical blank on the picture at `base`.
+  /// Shows the picture at `base` from the next vertical blank on.
   void show(std::uint32_t base);
   /// The picture that was taken in the last vertical blank.
   std::uint32_t shown();
 
-  /// What the monitor has seen whole since the display is on.
+  /// The complete pictures that the monitor has seen since the display is on.
   const std::vector<VgaFrame>& frames() const { return monitor_.frames(); }
-  /// Clocks the board until the monitor has seen another `count` of them.
+  /// Clocks the board until the monitor has seen `count` more of them.
   const VgaFrame& wait(unsigned count);
 
  private:

@@ -1,10 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a shared library with one configuration shows. Its classes are C++'s and laid out as its
-// compiler saw them, so a program may use them only if both were made of the same sources by the
-// same compiler: each carries a fingerprint of these, which is compared as text before anything
-// else is touched.
+// The symbols of a shared library with one configuration. A program may use its C++ classes only if
+// the same compiler made both from the same sources. Each carries a fingerprint of sources and
+// compiler, and the program compares the two as text before it uses anything else.
 #pragma once
 
 #include "host/board/configurations.h"

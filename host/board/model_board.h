@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The board whose core is the native C++ of the units. It has no clock, so a frame takes no cycles
-// unless the schedules of the units say how many it would, and no bus; what the host moves is
-// metered as if it went over one.
+// The board whose core is the native C++ of the units. It has no clock, so a frame has a number of
+// cycles only if the schedules of the units give it. It has no bus; transfers are counted as if
+// they went over one.
 #pragma once
 
 #include <map>
@@ -16,14 +16,14 @@
 
 namespace dynrt::host {
 
-/// What ModelBoard needs of the native core of one configuration.
+/// The interface of the native core of one configuration.
 class NativeCore {
  public:
   virtual ~NativeCore() = default;
   virtual void write(unsigned bank, std::uint32_t address,
                      std::span<const std::uint32_t> words) = 0;
   virtual void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) = 0;
-  /// With schedules clock by clock; the clocks that it took, or none.
+  /// With schedules it runs clock by clock. Returns the clocks, or none without schedules.
   virtual std::optional<std::uint64_t> render(const FrameConfig& frame,
                                               const hls::ModuleSchedules* schedule) = 0;
   virtual std::vector<Counter> counters() = 0;
@@ -32,7 +32,7 @@ using MakeNativeCore = std::unique_ptr<NativeCore> (*)();
 
 class ModelBoard final : public Board {
  public:
-  /// `schedules`, if not empty, is the folder of the schedules by which clocks are counted; throws
+  /// `schedules`, if not empty, is the folder of the schedules for counting clocks; throws
   /// UserError if they cannot be read.
   ModelBoard(CoreInfo core, std::unique_ptr<NativeCore> native, const std::string& schedules = {});
 
@@ -40,7 +40,7 @@ class ModelBoard final : public Board {
   void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override;
   void configure(const FrameConfig& frame) override;
   void start() override;
-  /// Renders; there is no clock to run out of, so `timeout` plays no part.
+  /// Renders. `timeout` has no effect, as the model has no clock.
   FrameRun wait(std::uint64_t timeout, const PixelProgress& progress) override;
   std::vector<Counter> counters() override { return native_->counters(); }
 

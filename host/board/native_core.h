@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The native core of configuration C behind the interface that ModelBoard needs.
+// The native core of configuration C behind ModelBoard's interface.
 #pragma once
 
 #include "host/board/model_board.h"

@@ -14,7 +14,7 @@ namespace dynrt::host {
 
 class RtlBoard final : public Board {
  public:
-  /// Of `core` what the board's registers say is taken from there. `counters` in the order of their
+  /// The board's registers replace the limits in `core`. `counters` are in the order of their
   /// addresses; their values are ignored.
   RtlBoard(CoreInfo core, std::unique_ptr<ClockedBoard> clocked, std::vector<Counter> counters);
 
@@ -27,8 +27,8 @@ class RtlBoard final : public Board {
                    unsigned clocks_per_pixel) override;
   std::vector<Counter> counters() override;
 
-  /// For the display (display.h): shows the monitor the VGA pins; lets clocks go by, at most until
-  /// an interrupt.
+  /// For the display (display.h): shows the VGA pins to the monitor; clocks the board, at most
+  /// until an interrupt.
   void watch(VgaMonitor* monitor) { clocked_->watch(monitor); }
   void idle(std::uint64_t clocks) { clocked_->run_until_interrupt(clocks); }
 

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The project's scripts, run by the program for what takes compilers and synthesis.
+// Runs the project's scripts for work that needs compilers and synthesis.
 #pragma once
 
 #include <string>
@@ -14,12 +14,11 @@ struct CommandOutput {
   int code = -1;     ///< -1: it did not run or was killed
 };
 
-/// Runs a command; its progress and complaints go to the terminal.
+/// Runs a command; its progress and messages go to the terminal.
 CommandOutput output_of(const std::vector<std::string>& command);
 
-/// Runs the script of that name below scripts/, told of which build it is, with --for-program: it
-/// prints the path of what it made or, where it fails, a sentence. Throws UserError with the
-/// sentence behind `what`.
+/// Runs a script of scripts/ for this build with --for-program. The script prints the path of the
+/// file that it made or, if it fails, a sentence. Throws UserError with `what` and that sentence.
 std::string made_by_script(const std::string& script, const std::vector<std::string>& arguments,
                            const std::string& what);
 

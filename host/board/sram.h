@@ -21,7 +21,7 @@ class Sram {
     for (auto& bank : banks_) bank.assign(kBankWords, 0);
   }
 
-  /// What a bank does at a clock edge with one bit of `enable` set.
+  /// The action of a bank at a clock edge with one bit of `enable` set.
   void access(unsigned bank, bool write, std::uint32_t address, std::uint32_t data) {
     std::uint32_t& word = banks_[bank][address & (kBankWords - 1)];
     if (write) {

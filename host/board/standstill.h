@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where the units of a core stand that gives nothing any more, from its counters read twice.
+// The state of each unit of a core that has stopped, from two readings of its counters.
 #pragma once
 
 #include <span>
@@ -13,7 +13,8 @@ namespace dynrt::host {
 
 /// "stalled: list 12; at work: shading 9; without input: startup 544, ..": every unit with its
 /// transactions. A unit is stalled if tokens waited for room in its outputs between the two
-/// readings, which have the same counters in the same order; else it worked, or had nothing to do.
+/// readings; else it worked or had no input. Both readings have the same counters in the same
+/// order.
 std::string where_units_stand(std::span<const Counter> before, std::span<const Counter> after);
 
 }  // namespace dynrt::host

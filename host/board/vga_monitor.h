@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A VGA monitor: makes of the pins of the board's scan-out the picture and the mode that a display
-// would see. It knows nothing of the board but the pins, and says what no display could lock to.
+// A VGA monitor: finds the picture and the mode that a display would see at the pins of the board's
+// scan-out. It knows only the pins, and reports signals that no display could lock to.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +27,7 @@ struct VgaFrame {
   VgaMode mode;                       ///< as measured
   unsigned clocks_per_pixel = 0;      ///< of the board
   std::vector<std::uint32_t> pixels;  ///< 0x00BBGGRR, row by row from the top
-  std::string fault;                  ///< what is irregular in it; the rest is then worth nothing
+  std::string fault;                  ///< the irregularity, which makes the rest invalid
 };
 
 class VgaMonitor {
@@ -58,7 +58,7 @@ class VgaMonitor {
   bool positive_vsync_;
   bool clock_ = true;     ///< as last seen
   unsigned clocks_ = 0;   ///< since it last rose
-  bool in_pulse_ = true;  ///< vertical sync of the pixel before; at first nobody knows
+  bool in_pulse_ = true;  ///< vertical sync of the previous pixel; unknown at first
   bool whole_ = false;    ///< a vertical sync pulse has begun
   std::vector<Pixel> pixels_;
   std::vector<VgaFrame> frames_;

@@ -1,11 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A scene's trees for a core. Where triangles are tested watertight two things are
-// asked of them. They are built over the corners as the core has them, rounded: a part of a
-// triangle that only rounding brought into a cell is listed there. And as the test decides with
-// rounded differences, a triangle may be hit by a ray that passes a little beside it; it is listed
-// that far around. The proof is in docs/explanation/watertight.md.
+// A scene's trees for a core. The watertight triangle test needs two things of them. They are built
+// over the core's rounded corners, so that a part of a triangle that lies in a cell only after
+// rounding is listed there. And the test decides with rounded differences, so a ray that passes a
+// little outside a triangle may hit it; the triangle is listed that far around. The proof is in
+// docs/explanation/watertight.md.
 #pragma once
 
 #include <string>
@@ -16,22 +16,22 @@
 
 namespace dynrt::host {
 
-/// The corners as the memory will hold them.
+/// The corners as the memory holds them.
 Scene with_rounded_corners(Scene scene, const MemoryFormat& format);
 
-/// For each object, in its own coordinates: how far beside a triangle a ray may pass that hits it.
-/// A ray's origin is taken to be no farther from the scene's middle than its farthest corner, the
-/// eye or a light, at any moment of its animation. The margin is at most kWidest of the object's
-/// size, which the shipped format has for rays from 64 sizes away: with a wider one the tree would
-/// no longer divide the object.
+/// For each object, in its own coordinates: the largest distance from a triangle at which a ray may
+/// still hit it. A ray's origin is taken to be no farther from the scene's middle than its farthest
+/// corner, the eye or a light, at any moment of its animation. The margin is at most kWidest of the
+/// object's size, which the shipped format has for rays from 64 sizes away: with a wider one the
+/// tree would no longer divide the object.
 std::vector<double> rounding_margins(const Scene& scene, const glm::dvec3& eye,
                                      const MemoryFormat& format);
 inline constexpr double kWidest = 1.0 / 128;
-/// The objects for which that is less than it would have to be.
+/// The objects whose margin is smaller than the proof requires.
 std::vector<std::string> beyond_margins(const Scene& scene, const glm::dvec3& eye,
                                         const MemoryFormat& format);
 
-/// The grid is the core's, whatever the options say.
+/// Uses the core's grid and ignores that of the options.
 SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const CoreInfo& core = {},
                      TreeOptions options = {});
 

@@ -1,12 +1,12 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A scene fitted to the core's numbers: one that does not lie about the origin is moved there,
-// which leaves the most digits to its coordinates, and every one is scaled by a power of two such
-// that the largest coordinate lies between 1/2 and 1, where numbers and their inverses have the
-// whole range of exponents. The same is done to every object in its own space. Both are chosen once
-// for all moments of an animation. A scene that is scaled by a power of two before it comes here
-// has the same bits in the core.
+// Fits a scene to the core's numbers. A scene far from the origin is moved there, which leaves the
+// most digits to its coordinates. Every scene is scaled by a power of two such that the largest
+// coordinate lies between 1/2 and 1, where numbers and their inverses have the whole range of
+// exponents. The same is done to every object in its own space. Both are chosen once for all
+// moments of an animation. A scene that is scaled by a power of two before it comes here has the
+// same bits in the core.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -33,12 +33,12 @@ struct Fit {
   Headroom headroom;
 };
 
-/// `camera` is one that the scene is seen by besides its own. Throws UserError for a scene that
-/// does not fit at any scale, naming what is too far away and what too small.
+/// `camera` is another camera that must see the scene. Throws UserError for a scene that fits at no
+/// scale, naming the part that is too far away and the part that is too small.
 Fit fit(const Scene& scene, const Camera& camera, const MemoryFormat& format);
 
-/// Moves the scene into its fit: objects, instances, lights, cameras and all that moves them. Light
-/// is as bright there as before.
+/// Moves the scene into the fitted space: objects, instances, lights, cameras and their motion.
+/// Lights keep their brightness.
 void move_into(const Fit& fit, Scene& scene);
 Camera moved_into(const Space& space, const Camera& camera);
 CameraOverrides moved_into(const Space& space, const CameraOverrides& flags);

@@ -12,19 +12,19 @@
 
 namespace dynrt::host {
 
-/// Where the frame registers say that the scene lies.
+/// The places of the scene's parts for the frame registers.
 struct SceneAddresses {
   std::uint32_t start_node = 0;
   std::uint32_t camera_matrix = 0;
   std::uint32_t light_matrix = 0;  ///< of light 0
   unsigned lights = 0;
   std::uint32_t colour = 0;          ///< of the first surface; of all, where the core has but one
-  std::uint32_t first_instance = 0;  ///< matrix of instance 0, or where it would be
+  std::uint32_t first_instance = 0;  ///< matrix of instance 0, or its place
 };
 
 /// The part that belongs to one frame. Throws UserError where a limit of the memory is passed, an
 /// instance has no inverse or the core's numbers cannot hold it, or the camera is beyond them; for
-/// a core of one level where there is more than one object, which is nothing but itself. Such a
+/// a core of one level if the scene is not a single object that lies in the world as it is. Such a
 /// core needs neither the instances' tree nor their matrices.
 struct FrameImage : SceneAddresses {
   MemoryPart memory;
@@ -34,7 +34,7 @@ struct FrameImage : SceneAddresses {
              const Camera& camera, unsigned width, unsigned height);
 };
 
-/// What a frame and the objects below it take of the memory.
+/// The memory that a frame and its objects take.
 struct MemoryUse {
   std::size_t nodes = 0;  ///< with the null node
   std::size_t list_entries = 0;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The one way from a scene to the words of the board's memory: fit it to the core's numbers, build
-// its trees, lay out what stands still (ObjectImage) and what belongs to the frame (FrameImage).
+// its trees, lay out the part that stands still (ObjectImage) and the part of one frame
+// (FrameImage).
 #pragma once
 
 #include <optional>
@@ -17,7 +18,7 @@
 
 namespace dynrt::host {
 
-/// From where a picture is taken, and its size in pixels.
+/// The camera of a picture, and its size in pixels.
 struct View {
   Camera camera{};
   unsigned width = 512;
@@ -25,45 +26,46 @@ struct View {
 };
 
 struct LayoutOptions {
-  /// Move and scale the scene to the core's numbers; else it lies in the core's space already.
+  /// Move and scale the scene to the core's numbers; otherwise it must already lie in the core's
+  /// space.
   bool fit = true;
-  /// Build trees that could overflow the core's stacks again, so shallow that they never do.
+  /// Rebuild trees that could overflow the core's stacks, so shallow that they cannot.
   bool spare_stacks = true;
   TreeOptions trees{};
   std::optional<BoxTreeOptions> instances{};  ///< of the top-level tree, if not those of `trees`
   std::optional<SceneTrees> built{};          ///< in place of building any
 };
 
-/// Scene and camera are those of the core's space (fit.h), the hits' distances too.
+/// Scene, camera and the distances of hits are in the core's space (fit.h).
 struct MemoryImage {
   CoreInfo core;
   Scene scene;
   View view;
   Space space;  ///< of the world
   Headroom headroom;
-  int top_depth = kMaxTreeDepth;  ///< that the top-level tree may have, in every frame
-  TreeSize top_room;              ///< and what it may take
+  int top_depth = kMaxTreeDepth;  ///< levels that the top-level tree may have
+  TreeSize top_room;              ///< memory that it may take
   SceneTrees trees;
   ObjectImage objects;
   FrameImage frame;
-  double tree_seconds = 0;  ///< that building the trees took
+  double tree_seconds = 0;  ///< time to build the trees
 
   /// All that is uploaded.
   std::vector<MemoryRun> runs() const;
-  /// What the scene needs as it is laid out.
+  /// The needs of the scene as it is laid out.
   SceneNeeds needs() const;
 };
 
-/// Throws UserError where the scene exceeds the memory, the core's numbers or parts, and Exceeded
-/// where the core was specialised for a scene that needs less. Lights are checked if the core has
-/// rays for them.
+/// Throws UserError if the scene exceeds the memory, the core's numbers or its parts, and Exceeded
+/// if the core was specialised for a scene that needs less. Lights are checked if the core has rays
+/// for them.
 MemoryImage lay_out(Scene scene, const View& view, const CoreInfo& core,
                     const LayoutOptions& options = {});
 
 /// The top-level tree of the scene as its instances stand now.
 Tree instances_of(const MemoryImage& image);
-/// What the scene, with that tree, exceeds of a specialised core; nothing for a general one.
-/// `needs` are those of the scene as it was laid out.
+/// The limit of a specialised core that the scene exceeds with that tree; nothing for a general
+/// core. `needs` are those of the scene as it was laid out.
 std::optional<Excess> excess_of_frame(const MemoryImage& image, const SceneNeeds& needs,
                                       const Tree& instances);
 /// The frame's part for that tree, seen by a camera of the core's space.

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is said of a scene that cannot be laid out in the board's memory.
+// The messages about scenes that cannot be laid out in the board's memory.
 #pragma once
 
 namespace dynrt::host::messages {

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the memory holds and a core reaches of it. All throw UserError with what is needed and what
-// there is.
+// The sizes of the memory and of the part that a core reaches. All functions throw UserError with
+// the size that the scene needs and the size that there is.
 #pragma once
 
 #include <glm/mat4x3.hpp>
@@ -14,19 +14,19 @@
 
 namespace dynrt::host {
 
-/// For a scene that the memory cannot hold, or the core not reach, whatever its trees are: with
-/// more triangles, instances, lights and camera than there are matrices.
+/// Throws if the scene has more triangles, instances, lights and cameras than the memory or the
+/// core has matrices; then no tree can make it fit.
 void check_matrices(const Scene& scene, const CoreInfo& core);
 /// The same for a number of matrices.
 void check_matrices(const Scene& scene, const CoreInfo& core, std::size_t needed);
 
-/// For more nodes or list entries than there are.
+/// Throws for more nodes or list entries than the memory has.
 void check_limits(const Scene& scene, const CoreInfo& core, const MemoryPart& part);
 
-/// For a core that has one colour for all.
+/// Throws if the surfaces have more than one colour; for a core that has one colour for all.
 void check_colours(const Scene& scene);
 
-/// Of the first surface.
+/// The colour of the first surface.
 std::uint32_t first_colour(const Scene& scene);
 
 /// The name of a kind of primitives that the scene has and the core lacks, or null.

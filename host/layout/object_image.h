@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The part of a scene's image that stands still, laid out once from the bottom of the memory: the
-// objects' trees, lists and triangle matrices.
+// The part of a scene's image that stands still: the objects' trees, lists and triangle matrices,
+// laid out once from the bottom of the memory.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@
 
 namespace dynrt::host {
 
-/// The static part. Throws UserError where a limit of the memory is passed or a triangle's matrix
-/// is beyond the core's numbers.
+/// The static part. Throws UserError if a limit of the memory is exceeded or a triangle's matrix is
+/// outside the core's numbers.
 struct ObjectImage {
   /// Where an object lies.
   struct Object {
@@ -26,7 +26,7 @@ struct ObjectImage {
     std::uint32_t clipped_root = 0;  ///< for all others
     std::uint32_t first_matrix = 0;  ///< of primitive 0, in the numbers of primitives
     Aabb box;
-    glm::dmat4 to_space{1.0};  ///< from the object as it is to the space that the core has it in
+    glm::dmat4 to_space{1.0};  ///< from the object's space to the core's space of it
   };
   std::vector<Object> objects;
   MemoryPart memory;
@@ -36,7 +36,7 @@ struct ObjectImage {
   ObjectImage(const Scene& scene, std::span<const Tree> trees, const CoreInfo& core = {});
 
   std::vector<Aabb> boxes() const;
-  /// What is left of the memory for the top-level tree.
+  /// The memory that is left for the top-level tree.
   TreeSize room_left() const;
 };
 

@@ -1,10 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether two boards did the same: every hit record, every pixel, every counter that does not
-// depend on the order in which packets are served. To the last bit. A counter that one board lacks
-// is a difference, and so is a frame without pixels or without such counters. Between boards of two
-// configurations, or of one without counters, hit records and pixels are what is compared.
+// Compares two boards to the last bit: every hit record, every pixel, every counter that does not
+// depend on the order of the packets. A counter that one board lacks is a difference, and so is a
+// frame without pixels or without such counters. If the boards have two configurations, or one
+// without counters, only hit records and pixels are compared.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a frame's counters say: how busy every unit was, how often every cache hit.
+// Figures from a frame's counters: how busy each unit was, how often each cache hit.
 #pragma once
 
 #include <optional>
@@ -33,7 +33,7 @@ struct FrameFigures {
   std::optional<double> rays_per_clock;
   std::optional<double> clocks_per_second;  ///< of the simulation
   double rays_per_second = 0;               ///< of the simulation
-  /// Onto full stacks; hits may be missing. None where nothing is counted.
+  /// Pushes onto full stacks, after which hits may be missing. None without counters.
   std::optional<std::uint64_t> dropped_pushes;
 };
 

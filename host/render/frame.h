@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a board gives back for a frame: its pixels, its hit records, its counters.
+// A board's results for a frame: its pixels, its hit records, its counters.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ struct Frame {
   unsigned packets = 0;               ///< that were allowed in flight
   unsigned lines = 0;                 ///< of each cache
   std::vector<std::uint32_t> pixels;  ///< 0x00BBGGRR, row by row from the top
-  std::vector<HitRecord> hits;        ///< one per pixel, unless they were not asked for
+  std::vector<HitRecord> hits;        ///< one per pixel, or none if the options leave them out
   std::vector<Counter> counters;
   FrameRun run;
   BusTraffic upload;   ///< of the scene, or of what changed in it

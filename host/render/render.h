@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// One frame on a board: upload, start, interrupt, read-back. The board is whichever it is.
+// Renders one frame on any board: upload, start, interrupt, read-back.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ namespace dynrt::host {
 
 enum class RayOrder : std::uint8_t { kMorton, kScanline };
 
-/// What the user chooses about a frame.
+/// The user's options for a frame.
 struct FrameOptions {
   unsigned width = 512;
   unsigned height = 384;
@@ -32,14 +32,14 @@ struct FrameOptions {
 /// The framebuffer's bank holds two images: one is shown while the next is made in the other.
 inline constexpr unsigned kFrameBuffers = 2;
 
-/// Where render() has the picture in bank 3.
+/// The place of render()'s picture in bank 3.
 inline constexpr std::uint32_t kFrameBase = 0;
 
 /// Throws UserError for a size of zero or beyond the framebuffer.
 void check_size(unsigned width, unsigned height);
 
-/// The frame's registers. Throws UserError for what the core lacks; of the scene's lights those
-/// that it has no rays for do not shine.
+/// The frame's registers. Throws UserError for options that the core lacks; lights that it has no
+/// rays for do not shine.
 FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
                          const SceneAddresses& scene);
 

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the renderer says when something is wrong.
+// The messages of the renderer.
 #pragma once
 
 namespace dynrt::host::messages {

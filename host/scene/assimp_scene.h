@@ -1,9 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What Assimp made of a file as a Scene: materials, objects, instances, the first perspective
-// camera, point lights, and the first animation of its nodes. A material that is metallic and
-// polished is a mirror. Keyframes are joined evenly, whatever interpolation the file asks for.
+// Converts Assimp's scene to a Scene: materials, objects, instances, the first perspective camera,
+// point lights, and the first animation of its nodes. A material that is metallic and polished is a
+// mirror. Values between keyframes are interpolated linearly, even if the file asks for another
+// interpolation.
 #pragma once
 
 #include <string>
@@ -14,7 +15,7 @@ struct aiScene;
 
 namespace dynrt::host {
 
-/// What Assimp's nodes mean in a file's format.
+/// The meaning of Assimp's nodes in a file's format.
 enum class AssimpForm {
   kOneMesh,  ///< nothing: the file is one object with one instance
   kNodes,    ///< instances, cameras and lights, as Assimp documents them

@@ -1,10 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A map of the game Quake 3 as it lies in its file, BSP version 46: what a picture of it needs and
-// no more (no visibility, no brushes). Everything is checked here: an index read is an index that
-// exists. Positions are the file's: z up, a unit is about an inch. Lump numbers and record sizes
-// are those of the engine's published source (qfiles.h).
+// A map of the game Quake 3 as it lies in its file, BSP version 46: the parts that a picture needs
+// (no visibility, no brushes). read_bsp checks every index. Positions are the file's: z up, a unit
+// is about an inch. Lump numbers and record sizes are those of the engine's published source
+// (qfiles.h).
 #pragma once
 
 #include <array>
@@ -63,8 +63,8 @@ struct BspMap {
   std::vector<std::string> lightmaps;
 };
 
-/// `bytes` is the whole file, `label` what messages call it. Throws UserError when it is no such
-/// file, of another version, cut off, or refers to something that it does not have.
+/// `bytes` is the whole file, `label` its name in messages. Throws UserError if the file is no such
+/// map, has another version, is cut off or has an index out of range.
 BspMap read_bsp(std::string_view bytes, const std::string& label);
 
 }  // namespace dynrt::host

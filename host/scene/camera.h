@@ -15,7 +15,7 @@ namespace dynrt::host {
 
 inline constexpr double kDefaultFieldOfView = 45.0;
 
-/// What the user asked for; what is left open comes from the scene or is framed.
+/// The user's flags; the scene or a framing camera provides the rest.
 struct CameraOverrides {
   std::optional<glm::dvec3> position;
   std::optional<glm::dvec3> look_at;
@@ -37,7 +37,7 @@ Box bounds(const Scene& scene);
 Camera look_at(const glm::dvec3& position, const glm::dvec3& target, const glm::dvec3& up,
                double field_of_view, double aspect);
 
-/// Of a camera for any image.
+/// The field of view of a camera, for any image.
 double field_of_view_of(const Camera& camera);
 
 /// Sees the whole scene, from the front, right and above (direction (0.5, 0.4, 1) from its centre).

@@ -1,9 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What Assimp gets wrong in silence: these checks read a file before Assimp does and refuse what
-// Assimp would take for another scene, never end with, or crash on. They leave everything to Assimp
-// that it reads or refuses rightly.
+// Checks for mistakes that Assimp does not report. They read a file before Assimp does and refuse
+// it if Assimp would read another scene, never end or crash. All other checks are left to Assimp.
 #pragma once
 
 #include <string>
@@ -18,20 +17,20 @@ void require_file(const std::string& path);
 /// The whole file; throws as require_file.
 std::string read_file(const std::string& path);
 
-/// Assimp reads a number up to its first strange character, drops a vertex of fewer than three
-/// numbers, which renumbers all that follow, and makes a line of a face of two. Throws UserError
-/// with the line. Gives the names of the material files that the file asks for.
+/// Assimp reads a number up to its first invalid character, drops a vertex of fewer than three
+/// numbers, which renumbers all later vertices, and turns a face of two vertices into a line.
+/// Throws UserError with the line. Returns the names of the material files that the file uses.
 std::vector<std::string> check_obj(std::string_view text, const std::string& path);
 
-/// Assimp makes up what a file that was cut off lacks, reads a number of a type that it does not
-/// know as zero, and never ends with a header that does not end. Throws UserError. Gives the text
-/// that Assimp must get in place of the file's: behind a header whose last line ends in a newline
-/// alone, Assimp skips a first byte of the data that is one too.
+/// Assimp invents the missing end of a file that was cut off, reads a number of an unknown type as
+/// zero, and never returns from a header without an end. Throws UserError. Returns the text that
+/// Assimp must read instead of the file's: after a header whose last line ends with a single
+/// newline, Assimp would skip the first byte of the data if it is a newline too.
 std::string mended_ply(std::string text, const std::string& path);
 
-/// Assimp's recursion overflows the stack where nodes are nested deeply, Assimp makes up a keyframe
-/// where an animation has none and crashes on a skin without matrices. Throws UserError for these,
-/// and for JSON that cannot be parsed with its line. `text` is a .gltf or a .glb file.
+/// Deeply nested nodes overflow the stack in Assimp's recursion, Assimp invents a keyframe for an
+/// animation without any and crashes on a skin without matrices. Throws UserError for these, and
+/// with the line for JSON that cannot be parsed. `text` is a .gltf or a .glb file.
 void check_gltf(std::string_view text, const std::string& path);
 
 }  // namespace dynrt::host

@@ -1,8 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lights that cannot light anything. For the configurations that have light rays: the others do
-// without lights, wherever they are.
+// Finds lights that cannot light anything. Only configurations with light rays need this check.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -12,16 +11,16 @@
 
 namespace dynrt::host {
 
-/// How the core knows the scene: one step of its numbers, relative to them, and the space that it
-/// is given in here.
+/// The precision of the core's numbers (one step, relative to the number) and the space in which
+/// this scene is given.
 struct CoreNumbers {
   double last_place = 0x1p-16;
   Space space{};
 };
 
-/// Throws UserError, naming the light, for one at infinity, one on a surface as far as the core's
-/// numbers can tell, and one inside a closed object that is seen from outside, as which `eye`
-/// counts unless it is inside too: a room is closed as well.
+/// Throws UserError, naming the light, for a light at infinity, a light that the core's numbers
+/// cannot tell from a surface, and a light inside a closed object. The last is allowed if `eye` is
+/// inside too, as in a closed room.
 void check_lights(const Scene& scene, const glm::dvec3& eye, const CoreNumbers& numbers = {});
 
 }  // namespace dynrt::host

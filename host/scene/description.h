@@ -13,7 +13,7 @@
 
 namespace dynrt::host {
 
-/// Where the Debian packages put their models and maps; opened only when a part asks for one.
+/// The folders of the Debian packages with models and maps; opened only if a part needs one.
 struct Packages {
   std::string furniture = kFurnitureFolder;
   std::string maps = kMapPackage;

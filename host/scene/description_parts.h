@@ -18,11 +18,11 @@ namespace dynrt::host {
 
 class PartReader {
  public:
-  /// Materials, notes and counts of what was left out go into `scene`.
+  /// Adds materials, notes and counts of left-out primitives to `scene`.
   PartReader(const JsonReader& file, const Packages& packages, Scene& scene)
       : file_(file), packages_(packages), scene_(scene) {}
 
-  /// Throws UserError when the part is not as it should be.
+  /// Throws UserError if the part has a mistake.
   Mesh read(const JsonReader& part);
 
   /// A name of the file's "colours" or three numbers in [0, 1].

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether two scenes look the same at every time: what an interrupted walk is told by when it goes
-// on. Names do not count, nor what was left out.
+// Tells whether two scenes look the same at every time, so that an interrupted walk can continue.
+// Names and left-out primitives do not count.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace dynrt::host {
 
-/// 64 bits that differ wherever triangles, colours, places, lights or motions do, but for chance.
+/// 64 bits that almost certainly differ if triangles, colours, places, lights or motions differ.
 std::uint64_t fingerprint(const Scene& scene);
 
 }  // namespace dynrt::host

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// One file of each of several formats beside OBJ, PLY and glTF, which import_test.cpp has. All hold
-// the tetrahedron of the origin and the three unit vectors.
+// One file of each of several formats; import_test.cpp tests OBJ, PLY and glTF. All hold the
+// tetrahedron of the origin and the three unit vectors.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -35,7 +35,7 @@ class Furniture {
   /// package when the folder has none.
   explicit Furniture(const std::string& folder = kFurnitureFolder);
 
-  /// Nothing when no catalogue has the id; throws UserError when its entry cannot be used.
+  /// Nothing if no catalogue has the id; throws UserError if its entry cannot be used.
   std::optional<FurnitureEntry> find(const std::string& id) const;
 
   /// One object, one instance. The object stands on y = 0, centred on x = z = 0, its front towards

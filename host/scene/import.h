@@ -4,8 +4,8 @@
 // Files that Assimp reads. A file of one mesh (OBJ, PLY, STL, OFF) becomes one object with one
 // instance. A graph of nodes keeps its instances: every node with a mesh is an Instance with the
 // transforms from the root accumulated, and nodes that name the same mesh share one object.
-// Assimp's own joining of vertices and its removal of degenerate triangles work with fixed epsilons
-// and are not asked for; MeshBuilder does both exactly.
+// Assimp joins vertices and removes degenerate triangles with fixed epsilons, so both are off;
+// MeshBuilder does both exactly.
 #pragma once
 
 #include <string>
@@ -22,14 +22,14 @@ namespace dynrt::host {
 /// The extensions that Assimp reads, sorted, each with its point.
 std::vector<std::string> assimp_extensions();
 
-/// A file on the disk. Throws UserError when its extension is none of those.
+/// Reads a file on the disk. Throws UserError if its extension is none of those.
 Scene import_file(const std::string& path);
 
-/// Whether textures give materials their mean colours (textures.h).
+/// Says whether materials get the mean colours of their textures (textures.h).
 enum class Textures { kMixed, kIgnored };
 
-/// An OBJ file in another place than the disk, such as a zip library. `files` opens the material
-/// files that it names; `text` is its content and `label` what messages call it.
+/// Reads an OBJ file that is not on the disk but, for example, in a zip library. `files` opens the
+/// material files that it names; `text` is its content and `label` its name in messages.
 Scene import_obj(Assimp::IOSystem& files, const std::string& path, const std::string& text,
                  const std::string& label, Textures textures);
 

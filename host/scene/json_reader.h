@@ -16,15 +16,15 @@
 
 namespace dynrt::host {
 
-/// Throws UserError with the line when the text of the file is not valid JSON, is no object or is
-/// nested deeper than any scene is.
+/// Throws UserError with the line if the text of the file is not valid JSON, is no object or is
+/// nested too deeply.
 nlohmann::json parse_json(std::string_view text, const std::string& path);
 
 class JsonReader {
  public:
   static JsonReader from_file(const std::string& path);
 
-  /// Throws UserError when there is another key than these.
+  /// Throws UserError if the object has any other key.
   void only(std::initializer_list<const char*> keys) const;
 
   bool has(const std::string& key) const { return json_.contains(key); }
@@ -42,7 +42,7 @@ class JsonReader {
   std::vector<JsonReader> objects(const std::string& key) const;  ///< of an array
   std::vector<std::string> keys() const;
 
-  /// The same, or what is given when the key is absent.
+  /// The same, with a default for a missing key.
   std::string text(const std::string& key, const std::string& otherwise) const;
   double number(const std::string& key, double otherwise) const;
   glm::dvec3 vector(const std::string& key, const glm::dvec3& otherwise) const;

@@ -1,8 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Files in memory for Assimp: one that we had to mend before Assimp reads it, or one out of a zip
-// library.
+// Files in memory for Assimp: a file repaired before Assimp reads it, or a file from a zip library.
 #pragma once
 
 #include <assimp/MemoryIOWrapper.h>

@@ -16,9 +16,9 @@
 
 namespace dynrt::host {
 
-/// Whether the height over the longest edge is at most 1e-7 of that edge: three points on a line
-/// come out of a file's decimals about that far from it in single precision, and what such a
-/// triangle's normal would be is chance. Slivers of an aspect of a million stay.
+/// Tells whether the height over the longest edge is at most 1e-7 of that edge. Three points on a
+/// line, read from a file's decimals in single precision, lie about that far from the line, so the
+/// normal of such a triangle would be random. Slivers with an aspect of a million stay.
 bool has_zero_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
 class MeshBuilder {

@@ -24,12 +24,11 @@ struct Placement {
   glm::dmat4 matrix() const;
 };
 
-/// "position", "turn", "rotate" and "scale" of `at`; what is missing is as in `otherwise`.
+/// "position", "turn", "rotate" and "scale" of `at`; a missing key has its value in `otherwise`.
 Placement read_placement(const JsonReader& at, const Placement& otherwise = {});
 
-/// The keys of a "motion", of which the first goes on from `start`. A turn goes round as far as it
-/// says, also more than once. Throws UserError when there is no key, times do not rise or a size is
-/// or passes zero.
+/// The keys of a "motion"; the first continues from `start`. A turn may go round more than once.
+/// Throws UserError if there is no key, times do not rise or a size is or passes zero.
 MotionNode read_motion(const JsonReader& motion, const Placement& start);
 
 /// The keys of a camera's "path"; the same holds of their times.

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Many instances of an object strewn over a rectangle, the same ones on every machine: the engine
-// std::mt19937 and std::generate_canonical are specified to the bit, the library's distributions
-// are not. Lengths in metres, the rectangle lies in the plane of x and z.
+// Scatters many instances of an object over a rectangle, the same on every machine: std::mt19937
+// and std::generate_canonical are specified to the bit, the library's distributions are not.
+// Lengths in metres, the rectangle lies in the plane of x and z.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ struct Scatter {
   const Mesh* ground = nullptr;   ///< stand on its highest triangle; none: on y = 0
 };
 
-/// Object to world: scaled, turned about y by any angle, moved. Fewer than `count` when the
-/// rectangle is too small for so many so far apart, or has no ground below it.
+/// Object to world: scaled, turned about y by any angle, moved. Returns fewer than `count` if the
+/// rectangle is too small for their distance or has no ground below it.
 std::vector<glm::dmat4> scatter(const Scatter& wanted);
 
 }  // namespace dynrt::host

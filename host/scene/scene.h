@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a scene is before it is packed for the board: objects of triangles, rectangles and
-// ellipsoids, instances of them placed in the world, lights, a camera, and how these move. All in
+// A scene before it is packed for the board: objects of triangles, rectangles and ellipsoids,
+// instances that place them in the world, lights, a camera, and the motion of these. All in
 // doubles: rounding to the core's format happens once, when the memory image is written. Lengths
 // are in the file's unit (metres in scenes/*.json), times in seconds, colours in [0, 1], angles
 // nowhere. A loaded scene has at least one primitive, finite vertices, no triangle of zero area and
@@ -24,7 +24,7 @@
 
 namespace dynrt::host {
 
-/// How much a mirror reflects that is not said to reflect more or less.
+/// The share of the light that a mirror reflects by default.
 inline constexpr double kMirrorShare = 0.8;
 
 struct Material {
@@ -87,7 +87,8 @@ struct Mesh {
            : is_rectangle(primitive) ? rectangle(primitive).material
                                      : material.at(primitive);
   }
-  /// Of a triangle, or three of a rectangle such that the last is next to both others.
+  /// The corners of a triangle, or three corners of a rectangle such that the last is next to both
+  /// others.
   std::array<glm::dvec3, 3> corners(std::size_t primitive) const {
     if (is_rectangle(primitive)) {
       const Rectangle& r = rectangle(primitive);
@@ -102,8 +103,7 @@ struct Instance {
   std::string name;
   std::uint32_t object = 0;
   glm::dmat4 transform{1.0};  ///< object to world, affine; of what moves: at time 0
-  std::optional<std::uint32_t> motion =
-      std::nullopt;  ///< what moves it, an index into Scene::motion
+  std::optional<std::uint32_t> motion = std::nullopt;  ///< index of its motion in Scene::motion
 };
 
 /// A value at a time, in seconds. Keys of a list are in order of time, no two at the same.
@@ -113,8 +113,8 @@ struct Keyframe {
   T value;
 };
 
-/// A link of the chain that places a moving instance: scaled, rotated and moved as its keys say
-/// (none of a kind: not at all), or by a fixed transform. animation.h evaluates it.
+/// A link of the chain that places a moving instance. Its keys scale, rotate and move it (no keys
+/// of a kind: no change), or it has a fixed transform. animation.h evaluates it.
 struct MotionNode {
   std::string name;
   std::optional<std::uint32_t> parent;  ///< a lower index into Scene::motion; none: the world
@@ -151,7 +151,7 @@ struct PointLight {
   glm::dvec3 colour{1.0};
 };
 
-/// What the import left out, for the report.
+/// Counts of the primitives that the import left out, for the report.
 struct ImportCounts {
   std::size_t zero_area_triangles = 0;
   std::size_t points_and_lines = 0;
@@ -167,11 +167,11 @@ struct Scene {
   std::vector<std::string> distant_lights;  ///< at infinity, so none of the above: their names
   std::vector<MotionNode> motion;
   std::optional<std::uint32_t> camera_motion =
-      std::nullopt;           ///< what moves the camera, in its place
+      std::nullopt;           ///< the motion that places the camera instead
   std::vector<PathKey> path;  ///< the same, in order of time
   glm::dvec3 path_up{0.0, 1.0, 0.0};
   ImportCounts dropped;
-  std::vector<std::string> notes;  ///< sentences for the user: what was taken otherwise than asked
+  std::vector<std::string> notes;  ///< sentences for the user: differences from the file
 };
 
 }  // namespace dynrt::host

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Textures, which the core does not render: a material with one gets one colour in place of it.
+// The core does not render textures: a material with a texture gets one colour instead.
 #pragma once
 
 #include <string>
@@ -16,8 +16,9 @@ class IOSystem;
 namespace dynrt::host {
 
 /// Multiplies the colour of every material that has a base colour texture by the mean colour of the
-/// texture. A texture lies in the file itself or in one that `files` opens, beside `path`. Notes in
-/// the scene, as `label`, how many textures there are and which of them cannot be read.
+/// texture. A texture lies in the file itself or in a file next to `path` that `files` opens. Adds
+/// notes to the scene, under the name `label`: the number of textures and those that cannot be
+/// read.
 void mix_textures(const aiScene& from, Assimp::IOSystem& files, const std::string& path,
                   const std::string& label, Scene& scene);
 

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A zip file as Assimp's file system, so that a model inside finds the material file beside it.
+// A zip file as Assimp's file system, so that a model inside finds the material file next to it.
 #pragma once
 
 #include <zip.h>
@@ -17,12 +17,12 @@ namespace dynrt::host {
 
 class ZipLibrary : public Assimp::IOSystem {
  public:
-  /// Throws UserError when it is no zip file that can be read; `remedy` ends its sentence.
+  /// Throws UserError if the zip file cannot be read; `remedy` ends its sentence.
   ZipLibrary(const std::string& path, std::string remedy);
 
   std::vector<std::string> names() const;  ///< of all files
 
-  /// Nothing when there is no such file inside; throws UserError when it cannot be unpacked.
+  /// Nothing if there is no such file inside; throws UserError if it cannot be unpacked.
   std::optional<std::string> read(const std::string& name) const;
 
   bool Exists(const char* name) const override;
