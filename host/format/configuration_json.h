@@ -19,8 +19,8 @@ Json json_of(const CoreConfiguration& configuration);
 /// The value of one key; throws std::out_of_range for an unknown one.
 Json value_of(const CoreConfiguration& configuration, std::string_view key);
 
-/// What json_of() gave. A key that is missing is as by default; throws std::invalid_argument for a
-/// value of another kind.
+/// Reads the result of json_of(). A missing key gets its default; throws std::invalid_argument for
+/// a value of another type.
 CoreConfiguration configuration_of(const Json& json);
 
 }  // namespace dynrt

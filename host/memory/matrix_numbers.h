@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a scene's primitives take of the numbers of matrices, and what their matrices say besides:
+// The matrix numbers that a scene's primitives take, and the other contents of their matrices:
 // colour and mirror.
 #pragma once
 
@@ -33,11 +33,11 @@ const Material& material_of(const Scene& scene, const Mesh& object, std::size_t 
 /// A surface's colour as its matrix holds it: 0x00BBGGRR.
 std::uint32_t colour_bits(const glm::dvec3& colour);
 
-/// A sphere is none: each of its points would need a reflection of its own.
+/// A sphere is no mirror, as each of its points would reflect differently.
 bool is_mirror(const Scene& scene, const Mesh& object, std::size_t primitive);
 
-/// Whether some triangle of the scene reflects. Then the matrix of every instance is followed by
-/// the one back to the world, and a mirror's by its reflection (thesis 6.2.3).
+/// Tells whether a triangle of the scene reflects. If so, the matrix back to the world follows the
+/// matrix of every instance, and its reflection follows a mirror's matrix (thesis 6.2.3).
 bool has_mirrors(const Scene& scene);
 
 }  // namespace dynrt::host

@@ -66,9 +66,9 @@ struct MemoryPart {
   std::vector<MemoryRun> runs() const;
 };
 
-/// What must be written to turn the memory that holds `before` into one that holds `after`. Equal
-/// words between two different ones are written too where that makes fewer, hardly longer runs.
-/// A word of the memory is `bus_words` of a run.
+/// The runs that change the memory from `before` to `after`. Equal words between two different ones
+/// are written too if that makes fewer runs that are hardly longer. A word of the memory is
+/// `bus_words` of a run.
 std::vector<MemoryRun> changed_runs(const std::vector<MemoryRun>& before,
                                     const std::vector<MemoryRun>& after, unsigned bus_words = 1);
 

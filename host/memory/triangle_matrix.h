@@ -41,7 +41,7 @@ inline std::optional<glm::dmat4x3> triangle_matrix(const std::array<glm::dvec3, 
                       -glm::dot(v, c), -glm::dot(normal, c));
 }
 
-/// A map with what belongs to it.
+/// A map with its properties.
 struct UnitMatrix {
   glm::dmat4x3 matrix;
   int ones = 0;  ///< memory-efficient: which column is (1, 1, 1)
@@ -70,15 +70,15 @@ inline UnitMatrix efficient_matrix(const glm::dmat4x3& consistent) {
   return out;
 }
 
-/// What a watertight test takes in place of a map: the corners, and the unit normal of the map of
-/// triangle_matrix.
+/// The data of the watertight test, which has no map: the corners, and the unit normal of the map
+/// of triangle_matrix.
 inline UnitMatrix corner_matrix(const std::array<glm::dvec3, 3>& triangle,
                                 const glm::dmat4x3& consistent) {
   const glm::dvec3 normal(consistent[0].z, consistent[1].z, consistent[2].z);
   return {glm::dmat4x3(triangle[0], triangle[1], triangle[2], normal)};
 }
 
-/// Where a ray enters and leaves the unit sphere; NaN if it passes by.
+/// The points where a ray enters and leaves the unit sphere; NaN if it misses the sphere.
 inline std::pair<double, double> sphere_hits(const glm::dvec3& origin,
                                              const glm::dvec3& direction) {
   const double square = glm::dot(direction, direction);
@@ -88,8 +88,8 @@ inline std::pair<double, double> sphere_hits(const glm::dvec3& origin,
   return {nearest - half, nearest + half};
 }
 
-/// A sphere's factor is its radius. For an ellipsoid, whose normals are stretched by as much as the
-/// place on it asks for, no one factor is right: it has the geometric mean of its radii.
+/// A sphere's factor is its radius. The normals of an ellipsoid are stretched differently at each
+/// point, so no factor is right for all; it has the geometric mean of its radii.
 inline UnitMatrix ellipsoid_matrix(const Ellipsoid& ellipsoid) {
   return {glm::dmat4x3(glm::inverse(ellipsoid.from_unit)), 0,
           std::cbrt(std::abs(glm::determinant(glm::dmat3(ellipsoid.from_unit))))};

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pictures after one another as one GIF, which plays over and over; and whether a picture that an
-// earlier run left is there to be used.
+// Joins pictures to a GIF that repeats for ever, and checks whether a picture of an earlier run can
+// be used.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 namespace dynrt::host {
 
 /// Joins image files of the same size. A GIF counts time in hundredths of a second, and two of them
-/// are the least that viewers keep to. Throws UserError when a picture cannot be read or the GIF
+/// are the least that viewers keep to. Throws UserError if a picture cannot be read or the GIF
 /// cannot be written.
 void write_gif(const std::string& path, std::span<const std::string> pictures,
                double pictures_per_second);

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What dynrt asks of OpenImageIO. That library brings 250 others, whose start takes a third of a
-// second, so a library of our own (openimageio.cpp) holds all that calls it, and the program loads
-// it when the first picture is written or read.
+// The functions that dynrt needs of OpenImageIO. That library loads 250 others, which takes a third
+// of a second at the start. So our own library (openimageio.cpp) contains all calls to it, and the
+// program loads it when it writes or reads the first picture.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ struct MeanColour {
 /// All throw UserError when a file cannot be written; `path` is what the message calls it.
 class ImageLibrary {
  public:
-  /// The file's extension says its format.
+  /// The file's extension gives its format.
   virtual void write(const std::string& file, const std::string& path,
                      const PictureView& picture) const = 0;
 
@@ -64,11 +64,11 @@ class ImageLibrary {
   ~ImageLibrary() = default;
 };
 
-/// Throws UserError when the file is missing or no such library.
+/// Throws UserError if the file is missing or no such library.
 const ImageLibrary& load_image_library(const std::string& path);
 
-/// Loads it at the first call; throws UserError when it cannot be loaded. It is looked for beside
-/// the program, in ../lib/dynrt from there, and where it was built.
+/// Loads it at the first call; throws UserError if it cannot be loaded. Looks for it in the
+/// program's folder, in ../lib/dynrt from there, and in the build.
 const ImageLibrary& image_library();
 
 /// The name of the function, without parameters, by which the library hands out its ImageLibrary.

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Files that are either whole or not there: each is written under a temporary name beside its own
-// and renamed when it is complete. What is unfinished is removed on an error and when the program
-// is interrupted.
+// Files that are either complete or absent: each is written under a temporary name in the same
+// folder and renamed when it is complete. An unfinished file is removed on an error and when the
+// program is interrupted.
 #pragma once
 
 #include <cstddef>
@@ -32,26 +32,26 @@ class UnfinishedFile {
   bool kept_ = false;
 };
 
-/// The name of the file that a process wrote when it was killed, if this is what it left
-/// half-written of it; else empty.
+/// If this is the half-written file of a killed process, the name of the file that it wrote; else
+/// empty.
 std::string abandoned(const std::filesystem::path& file);
 
-/// A file that the user asked for, by which flag; no path: not asked for.
+/// A file that the user asked for, and its flag; without a path: not asked for.
 struct Output {
   const char* flag;
   std::string path;
 };
 
 /// Throws UserError, before any work is done, for a folder that does not exist or cannot be
-/// written, and for two outputs of one name. Removes what killed processes have left of them.
+/// written, and for two outputs of one name. Removes their half-written files of killed processes.
 void check_outputs(std::span<const Output> outputs);
 void check_output_path(const std::string& path);
 
-/// Whether a file is there and its last bytes are these.
+/// Tells whether a file exists and ends with these bytes.
 bool ends_with(const std::string& path, std::string_view end);
 
-/// Throws UserError where a file that has been written does not end so: not every library notices
-/// that a disk is full.
+/// Throws UserError if a written file does not end with these bytes, as some libraries do not
+/// notice that a disk is full.
 void check_end(const std::string& file, std::string_view end, const std::string& path);
 
 [[noreturn]] void cannot_write(const std::string& path, const std::string& reason);

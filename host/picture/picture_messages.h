@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is said of a picture, or of any file, that cannot be written or read.
+// The messages about pictures and other files that cannot be written or read.
 #pragma once
 
 namespace dynrt::host::messages {

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A picture that somebody else owns: this room knows neither boards nor frames.
+// A picture that another object owns: this room knows neither boards nor frames.
 #pragma once
 
 #include <cstdint>

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What every key of a configuration must be for a scene, each with a sentence that says why: by its
-// rule (rules.h), or as in the general core where no scene decides it. How many packets and lines
-// pay is found by measuring, which `dynrt specialise` does after this.
+// The value that each key of a configuration must have for a scene, with a sentence that gives the
+// reason. The key's rule decides it (rules.h); a key without a rule has the general core's value.
+// `dynrt specialise` measures afterwards how many packets and cache lines pay.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -20,13 +20,13 @@ struct Decision {
   std::string reason;  ///< a sentence without its full stop
 };
 
-/// In the order of the configurations' keys. `general` is the core that renders the scene without
-/// being made for it: of what that leaves out nothing is asked for.
+/// In the order of the configurations' keys. `general` is the general core for the scene; no
+/// decision asks for a part that it lacks.
 std::vector<Decision> decide(const SceneNeeds& needs, const CoreConfiguration& general,
                              const FrameDemands& demands);
 
 nlohmann::ordered_json json_of(const std::vector<Decision>& decisions);
-/// The figures that the decisions come from.
+/// The figures behind the decisions.
 nlohmann::ordered_json json_of(const SceneNeeds& needs);
 
 }  // namespace dynrt::host

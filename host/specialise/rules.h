@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// One rule for each key of a configuration that a scene decides. What a core is specialised to
-// (decide.h) and what a frame may exceed of it (within.h) both follow from these.
+// One rule for each key of a configuration that a scene decides. Both the specialised core
+// (decide.h) and the check of later frames against it (within.h) follow from these rules.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,16 +14,15 @@
 
 namespace dynrt::host {
 
-/// What is asked of the frames, besides the scene.
+/// The options of the frames, in addition to the scene.
 struct FrameDemands {
-  unsigned reflections = 0;  ///< bounces, at most
+  unsigned reflections = 0;  ///< largest number of bounces
   bool uncompressed = false;
 };
 
 struct RuleContext {
   const SceneNeeds& needs;
-  /// The core that renders the scene without being made for it, if it is known: of what that leaves
-  /// out nothing is asked for.
+  /// The general core for the scene, if it is known; no rule asks for a part that it lacks.
   const CoreConfiguration* general = nullptr;
   FrameDemands demands{};
   bool two_levels = false;  ///< the core has them, whether the scene needs them or not
@@ -34,9 +33,9 @@ struct Need {
   std::string reason;  ///< a sentence without its full stop
 };
 
-/// When a core's value holds a need.
+/// The condition under which a core's value satisfies a need.
 enum class Holds : std::uint8_t {
-  kAlways,      ///< whatever it is: no frame can exceed it
+  kAlways,      ///< with any value: no frame can exceed it
   kFromNeedOn,  ///< a number that is not smaller
   kWithAll,     ///< a list with all that the need lists
   kUnlessSet,   ///< a flag that is set only if the need sets it

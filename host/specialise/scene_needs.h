@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a scene asks of the core that renders it: the figures that a configuration is decided by
-// (decide.h), and that a later frame is held against (within.h). Found from the scene, its trees
-// and its memory; for one that moves, from every frame together.
+// The needs of a scene: the figures that decide a configuration (decide.h), and that later frames
+// are compared with (within.h). They come from the scene, its trees and its memory; for a moving
+// scene, from all its frames.
 #pragma once
 
 #include <optional>
@@ -16,12 +16,12 @@
 namespace dynrt::host {
 
 struct SceneNeeds {
-  /// Of the tree, or of the object's tree, that asks for most.
+  /// Of the tree, or of the object's tree, that needs most.
   struct Stack {
     int pushes = 0;
     std::string tree;
   };
-  /// Items of one tree, and how many of them a packet may find again.
+  /// The items of one tree, and the number of them that a packet may find again.
   struct Repeats {
     std::size_t items = 0;
     std::size_t repeated = 0;
@@ -49,15 +49,15 @@ struct SceneNeeds {
   };
   Places still, places;
 
-  /// What both ask for.
+  /// The needs of both.
   void include(const SceneNeeds& other);
 };
 
-/// `form` is what is stored of a triangle.
+/// `form` is the form in which triangles are stored.
 SceneNeeds scene_needs(const Scene& scene, const SceneTrees& trees,
                        TriangleMatrix form = TriangleMatrix::kNormalConsistent);
 
-/// Of the same scene in another frame: what its instances and the tree over them ask for.
+/// The needs of the same scene's instances, and of the tree over them, in another frame.
 SceneNeeds frame_needs(const SceneNeeds& before, const Scene& scene, const Tree& instances);
 
 }  // namespace dynrt::host

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is said of a frame that exceeds its configuration.
+// The messages about a frame that exceeds its configuration.
 #pragma once
 
 namespace dynrt::host::messages {

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a tree asks of the core that traverses it, whatever the ray: entries of the stack, and
-// whether a packet may find an item again in another leaf, which is what a mailbox is for.
+// The needs of a tree for any ray: the stack entries, and the items that a packet may find again in
+// another leaf, which the mailbox drops.
 #pragma once
 
 #include "host/tree/tree.h"
@@ -10,8 +10,8 @@
 namespace dynrt::host {
 
 struct TreeNeeds {
-  /// Entries that are on the stack at once, at most: nodes with two children on one path, as the
-  /// farther of them waits while the nearer is traversed.
+  /// The largest number of entries on the stack: the nodes with two children on one path, as the
+  /// farther child waits while the nearer is traversed.
   int pushes = 0;
   std::size_t items = 0;     ///< different ones
   std::size_t repeated = 0;  ///< of them, those that more than one path leads to

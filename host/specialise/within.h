@@ -1,8 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether a scene, as it is in some frame, stays inside a core that was made for what was analysed
-// before.
+// Tells whether a frame of a scene fits a core that was made for the frames analysed before.
 #pragma once
 
 #include <optional>
@@ -14,7 +13,7 @@
 
 namespace dynrt::host {
 
-/// A key of the configuration, what a frame needs of it, and what the core has.
+/// A key of the configuration, the value that a frame needs, and the core's value.
 struct Excess {
   std::string key, needs, has;
 };
@@ -27,9 +26,9 @@ struct Exceeded : UserError {
   using UserError::UserError;
 };
 
-/// Throws Exceeded, with the key and both values. `frame`: how the frame is called.
+/// Throws Exceeded, with the key and both values. `frame` is the frame's name in the message.
 [[noreturn]] void refuse_excess(const Excess& over, const CoreInfo& core, const std::string& frame);
-/// Does so if there is something to refuse.
+/// The same, if there is an excess.
 void check_within(const SceneNeeds& needs, const CoreInfo& core, const std::string& frame);
 
 }  // namespace dynrt::host

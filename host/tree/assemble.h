@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// From the nodes as the recursion leaves them to a Tree: clipping nodes on top, nodes numbered
-// depth first, leaves with the same items made one, figures counted.
+// Makes a Tree of the nodes of the recursion: adds the clipping nodes, numbers the nodes depth
+// first, joins leaves with the same items and counts the figures.
 #pragma once
 
 #include <span>
@@ -25,7 +25,7 @@ struct RawTree {
   std::vector<std::uint32_t> items;
 
   TreeSize size() const { return {nodes.size() - 1, items.size()}; }
-  /// Forgets what was added since.
+  /// Forgets the nodes that were added since.
   void cut_back(const TreeSize& to) {
     nodes.resize(to.nodes + 1);
     items.resize(to.items);
@@ -33,11 +33,11 @@ struct RawTree {
 
   std::uint32_t add_inner(int axis, Code split);
   std::uint32_t add_leaf(std::span<const ItemRef> leaf_items);
-  /// Takes over another tree's nodes; returns where its node `root` now is.
+  /// Takes over another tree's nodes; returns the new index of its node `root`.
   std::uint32_t append(const RawTree& other, std::uint32_t root);
 };
 
-/// `cell` is what the clipping nodes cut out.
+/// `cell` is the box that the clipping nodes cut out.
 Tree assemble(const Grid& grid, const RawTree& raw, std::uint32_t root, const GridBox& cell);
 
 }  // namespace dynrt::host

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A k-D tree over boxes, built fast rather than perfectly: the tree over a scene's instances is
-// made anew for every frame. The surface-area heuristic counts the boxes of large sets in 16 bins
-// an axis and tries every face of small ones.
+// A k-D tree over boxes, built fast rather than perfectly, as the tree over a scene's instances is
+// rebuilt for every frame. The surface-area heuristic counts the boxes of large sets in 16 bins an
+// axis and tries every face of small ones.
 #pragma once
 
 #include <limits>
@@ -14,8 +14,8 @@
 
 namespace dynrt::host {
 
-/// What entering a box is worth: a ray that enters an instance is transformed and meets at least
-/// the clipping nodes of its object.
+/// The cost of entering a box: a ray that enters an instance is transformed and meets at least the
+/// clipping nodes of its object.
 struct BoxTreeOptions {
   Grid grid{};                ///< that the splits lie on
   double item = 8;            ///< in traversal steps
@@ -23,8 +23,8 @@ struct BoxTreeOptions {
   double depth_factor = 0.6;  ///< depth at most depth_factor * log2(boxes) + depth_extra
   double depth_extra = 10;
   int max_depth = kMaxTreeDepth;  ///< as in TreeOptions (build.h)
-  /// What the tree may take; one that would take more is built anew, less deep. Room for less than
-  /// the clipping nodes and one leaf of all boxes counts as that.
+  /// The memory that the tree may take. A tree that needs more is rebuilt, less deep. The room is
+  /// at least that of the clipping nodes and one leaf of all boxes.
   TreeSize room{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
 };
 

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The recursion that both trees share: from items with boxes on the grid to a Tree. What differs
-// between triangles and instances is how an item is cut at a plane, which is the caller's.
+// The recursion that both trees share: from items with boxes on the grid to a Tree. Triangles and
+// instances differ only in the way an item is cut at a plane, which the caller provides.
 #pragma once
 
 #include <functional>
@@ -22,17 +22,18 @@ struct TreeOptions {
   double depth_extra = 10;
   int max_depth = kMaxTreeDepth;  ///< entries of the core's stacks: no deeper tree overflows them
   int max_top_depth = kMaxTreeDepth;  ///< the same, of the tree of instances
-  /// Levels on a path that may be split although no single plane is worth its step; what turns out
-  /// not to be worth it with the levels below becomes a leaf again.
+  /// Levels on a path that may be split although no single plane is worth its step. A node that is
+  /// not worth it with the levels below becomes a leaf again.
   int patience = 4;
-  /// Sample rays, at most; there are no more than triangles. None: the surface area alone guides.
+  /// The largest number of sample rays; there are no more than triangles. Without any, only the
+  /// surface area guides the builder.
   unsigned sample_rays = 16384;
-  /// Once the leaves made list more items than these, the tree is given up.
+  /// The builder gives the tree up once its leaves list more items than this.
   std::size_t give_up_items = std::numeric_limits<std::size_t>::max();
-  /// Triangles count as so much larger on all sides.
+  /// Triangles count as larger by this on all sides.
   double margin = 0;
-  /// What the tree may take, counted before leaves with the same items are made one. Each split
-  /// divides what is free between its sides by the work that they are expected to make.
+  /// The memory that the tree may take, counted before leaves with the same items are joined. Each
+  /// split divides the free memory between its sides by their expected work.
   TreeSize room{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
 };
 
@@ -40,9 +41,9 @@ struct TreeOptions {
 /// threads.
 using CutItem = std::function<GridBox(const ItemRef& item, const GridBox& cell)>;
 
-/// Builds the tree over the content's items, of which there is at least one; its cell holds them
-/// all and is what the clipping nodes cut out. The codes are those of options.grid. The result does
-/// not depend on the number of threads.
+/// Builds the tree over the content's items (at least one). Its cell holds them all and is the box
+/// that the clipping nodes cut out. The codes are those of options.grid. The result does not depend
+/// on the number of threads.
 Tree build_tree(const CellContent& content, const TreeOptions& options, const CutItem& cut);
 
 }  // namespace dynrt::host

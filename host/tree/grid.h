@@ -19,8 +19,8 @@ using Code = std::int32_t;
 
 class Grid {
  public:
-  /// A float with more bits than these has splits that are coarser than it could: planes need no
-  /// more, and the same scene has the same trees.
+  /// A float with more bits than these gets coarser splits than it could have: planes need no more,
+  /// and the same scene keeps the same trees.
   static constexpr unsigned kMostExponentBits = 7;
   static constexpr unsigned kMostMantissaBits = 16;
 
@@ -45,7 +45,8 @@ class Grid {
   }
 
   /// The largest number at or below x, and the smallest at or above it. x is finite and at most the
-  /// largest magnitude; zero and what is closer to it than the smallest has -1 below and 0 above.
+  /// largest magnitude; zero, and numbers closer to it than the smallest, have -1 below and 0
+  /// above.
   constexpr Code floor(double x) const {
     if (x > 0) return static_cast<Code>(magnitude(x, false));
     if (x == 0) return -1;

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rays as a viewer of an object would send them, wherever the viewer is: from points within its
-// box that see some way, as in a room, and, as far as such rays leave the box again, lines from
-// outside, as for a thing to look at. Each ends where it hits the object. They guide the builder.
+// Rays that a viewer of an object would send, to guide the builder. They start at points within its
+// box that see some way, as in a room. If such rays often leave the box, lines from outside are
+// added, as for an object to look at. Each ray ends where it hits the object.
 #pragma once
 
 #include <vector>
@@ -14,7 +14,7 @@
 
 namespace dynrt::host {
 
-/// About `count` rays, the same ones every time.
+/// About `count` rays, the same in every run.
 std::vector<RaySpan> sample_rays(const Mesh& object, const Tree& tree, std::size_t count);
 
 }  // namespace dynrt::host

@@ -20,14 +20,14 @@ struct SceneTrees {
   std::vector<std::string> notes;  ///< sentences for the user: which trees were cut, and the cost
 };
 
-/// What the trees of both levels may take together.
+/// The memory that the trees of both levels may take together.
 inline constexpr TreeSize kMemoryForTrees{kMaxNodes - 1, kMaxListEntries};
 
-/// Where the trees are too large together, those of the largest objects are built again with less
-/// room and so cut; the top level keeps room to grow in the frames to come. No tree is built more
-/// than three times. What is too large even as one leaf per object is left to the memory image to
-/// refuse. Object k's triangles count as larger by margins[k], if there are any. Throws UserError
-/// as the builders do.
+/// If the trees are too large together, those of the largest objects are rebuilt with less room,
+/// hence less deep; the top level keeps room to grow in later frames. No tree is built more than
+/// three times. The memory image refuses a scene that is too large even with one leaf for each
+/// object. Object k's triangles count as larger by margins[k], if margins are given. Throws
+/// UserError as the builders do.
 SceneTrees build_scene_trees(const Scene& scene, const TreeOptions& options = {},
                              const TreeSize& limits = kMemoryForTrees,
                              std::span<const double> margins = {});

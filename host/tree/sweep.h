@@ -3,8 +3,8 @@
 //
 // Finds the plane that splits a cell at the least expected cost by the surface-area heuristic. All
 // positions are codes of the number grid. Candidates are the faces of the items' boxes and, on each
-// axis, two planes a hair off the cell's own faces: they cut walls lying on a cell's face from the
-// empty room before it, which no plane through an item's face does.
+// axis, two planes a hair off the cell's own faces: they separate walls on a cell's face from the
+// empty room before it, which no plane through an item's face can do.
 #pragma once
 
 #include <array>
@@ -18,15 +18,15 @@
 
 namespace dynrt::host {
 
-/// What the heuristic weighs.
+/// The weights of the heuristic.
 struct TreeCosts {
   double step = 1;            ///< of an inner node
   double item = 1.25;         ///< of an item in a leaf
   double empty_bonus = 0.2;   ///< part of a plane's cost forgiven where one side is empty
   double hair = 1.0 / 16384;  ///< of the cell's extent
   int hair_codes = 4;         ///< and at least so many numbers of the grid
-  /// How many sample rays (RaySpan) the surface area counts for: so many, and a share of their
-  /// number.
+  /// The number of sample rays (RaySpan) that the surface area counts for: a constant, and a share
+  /// of their number.
   double surface_rays = 16;
   double surface_share = 0.3;
 };
@@ -37,14 +37,14 @@ struct ItemRef {
   std::uint32_t item = 0;
 };
 
-/// The part of a sample ray within a cell, from where it starts to what it hits. How likely a child
-/// is to be visited is judged by the rays that reach it, and where these are few by its surface:
-/// the surface alone knows nothing of what hides behind what, nor that rays start inside a room.
+/// The part of a sample ray within a cell, from its start to its hit. The rays that reach a child
+/// give the likelihood that it is visited; if they are few, its surface does. The surface alone
+/// ignores that objects hide others and that rays start inside a room.
 struct RaySpan {
   glm::dvec3 from, to;
 };
 
-/// What lies in a cell.
+/// The items and rays in a cell.
 struct CellContent {
   GridBox cell;
   std::vector<ItemRef> items;
@@ -60,15 +60,16 @@ struct Plane {
   std::size_t right = 0;
 };
 
-/// The same plane for the same items in any order: of planes of equal cost the one of the lowest
-/// axis and split is returned. Holds the working memory of one thread.
+/// Finds the same plane for the same items in any order: of planes of equal cost, the one with the
+/// lowest axis and split. Holds the working memory of one thread.
 class PlaneSearch {
  public:
   PlaneSearch(const Grid& grid, const TreeCosts& costs) : grid_(grid), costs_(costs) {}
   Plane best(const CellContent& content);
 
  private:
-  /// More items than these are counted at kBins planes first, and then at the faces near the best.
+  /// Sets of more items are counted at kBins planes first, and then at the faces near the best
+  /// plane.
   static constexpr std::size_t kSweepLimit = 1 << 16;
   static constexpr int kBins = 512;
 
@@ -95,7 +96,7 @@ class PlaneSearch {
   double low_ = 0, extent_ = 0, cap_ = 0, rim_ = 0;  ///< of the cell along the axis
 };
 
-/// How likely a ray that meets a cell is to meet its part.
+/// The likelihood that a ray that meets a cell meets its part.
 double visit_likelihood(const Grid& grid, const CellContent& part, const CellContent& whole,
                         const TreeCosts& costs);
 

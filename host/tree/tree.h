@@ -19,8 +19,7 @@ namespace dynrt::host {
 inline constexpr std::uint32_t kNullNode = 0;  ///< an empty child; node 0 of a tree is not used
 inline constexpr std::uint8_t kLeafAxis = 3;
 inline constexpr int kClippingNodes = 6;
-inline constexpr int kMaxTreeDepth =
-    31;  ///< unless a deeper one is asked for; a core's stacks must hold it
+inline constexpr int kMaxTreeDepth = 31;  ///< default limit; a core's stacks must hold it
 
 struct TreeNode {
   std::uint8_t axis = kLeafAxis;  ///< 0, 1, 2 or kLeafAxis
@@ -30,7 +29,7 @@ struct TreeNode {
   bool is_leaf() const { return axis == kLeafAxis; }
 };
 
-/// What trees take of the board's memory; the null node is not counted.
+/// The part of the board's memory that trees take; the null node is not counted.
 struct TreeSize {
   std::size_t nodes = 0;
   std::size_t items = 0;
@@ -61,14 +60,14 @@ struct Tree {
   TreeStats stats;
 
   TreeSize size() const { return {nodes.empty() ? 0 : nodes.size() - 1, items.size()}; }
-  /// Where rays from this point start.
+  /// The node where rays from this point start.
   std::uint32_t entry(const glm::dvec3& origin) const {
     return box.holds(origin) ? root : clipped_root;
   }
 };
 
-/// Starts a tree: the null node, then the six clipping nodes around the box, the last of which goes
-/// on at the node that is added next.
+/// Starts a tree: the null node, then the six clipping nodes around the box. The last of them leads
+/// to the node that is added next.
 inline void add_clipping_nodes(Tree& tree, const Aabb& box) {
   tree.nodes.resize(1);
   tree.box = box;

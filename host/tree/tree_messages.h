@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tree builders refuse, and what they tell of trees that had to be cut.
+// The errors of the tree builders, and their notes about trees that had to be cut.
 #pragma once
 
 namespace dynrt::host::messages {
@@ -20,7 +20,7 @@ inline constexpr char kInstanceBox[] =
     "instance '{}': its box reaches {} = {:g}, outside the core's numbers; coordinates must lie "
     "within -{:.5g} and {:.5g}";
 
-// Notes, which stop nothing
+// Notes, which are no errors
 inline constexpr char kCut[] =
     "object '{}': its tree was cut to depth {} to fit the board's {} tree nodes and {} list "
     "entries; {}; fewer or smaller triangles would leave it whole";

@@ -10,7 +10,7 @@
 namespace dynrt::host {
 
 /// Item i of the tree is triangle i of the object. Throws UserError for an object without
-/// triangles, or with a coordinate that is not finite or beyond the grid's numbers.
+/// triangles, or with a coordinate that is not finite or lies outside the grid's numbers.
 Tree build_triangle_tree(const Mesh& object, const TreeOptions& options = {});
 
 }  // namespace dynrt::host

@@ -3,8 +3,8 @@
 //
 // Counts the work that a scene's trees make: a tracer in doubles that walks packets of 2x2 primary
 // rays through both levels as the core does (thesis 3.1.3, packet decision, termination, mailbox),
-// only without rounding. It judges the quality of trees, and its hits judge the trees themselves.
-// It also does what the core does not, to tell what that would cost or save: rays one by one, other
+// only without rounding. It measures the quality of trees, and its hits test the trees. It also
+// counts variants that the core does not have, to show their cost or gain: rays one by one, other
 // mailboxes, other clipping (4.2), other top levels (overlap.h).
 #pragma once
 
@@ -30,8 +30,8 @@ struct WorkCounts {
   int deepest_stack = 0;
 
   std::uint64_t steps() const { return top_steps + object_steps; }
-  /// Clocks of the busiest unit alone, with one step, one list entry and a fifth of a transformed
-  /// packet a clock.
+  /// Clocks of the busiest unit, with one step, one list entry and a fifth of a transformed packet
+  /// a clock.
   std::uint64_t bound() const;
   void add(const WorkCounts& more);
 };
@@ -42,7 +42,7 @@ struct TracedHit {
   std::uint32_t instance = 0, triangle = 0;
 };
 
-/// Where rays go through a tree's six clipping nodes.
+/// Says which rays go through a tree's six clipping nodes.
 enum class Clipping : std::uint8_t { kNever, kFromOutside, kAlways };
 
 struct TraceOptions {
@@ -57,11 +57,11 @@ struct TraceOptions {
   bool object_clip_free = false;  ///< count the clipping nodes of objects as no steps
 };
 
-/// What packets go through in the world.
+/// The structure that packets traverse in the world.
 struct TopLevel {
   Tree tree;                         ///< without nodes: nothing
   std::vector<std::uint32_t> first;  ///< instances that are entered before the tree
-  /// By node: instances that are entered where a packet comes to the node. Empty: no node has any.
+  /// By node: the instances that a packet enters when it comes to the node. Empty: no node has any.
   std::vector<std::vector<std::uint32_t>> inner;
 };
 

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Top levels for objects that overlap other than by a mailbox (thesis 4.3): the core has none of
-// them, they are counted to be compared with it.
+// Other ways than the mailbox to treat overlapping objects in the top level (thesis 4.3). The core
+// has none of them; they are counted for comparison.
 #pragma once
 
 #include <span>

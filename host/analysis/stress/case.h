@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The stress cases: scenes and rays where the numbers are hard (thesis chapters 3 to 5 with 17 bits
-// of significand), each small enough to read, each with what may go wrong and why. One table: the
-// program runs it, the tests run it, docs/results/stress.md is made from it.
+// The stress cases: scenes and rays with hard numbers (thesis chapters 3 to 5 with 17 bits of
+// significand), each small enough to read, each with the errors that are allowed and their reason.
+// The program and the tests run this one table, and docs/results/stress.md is made from it.
 #pragma once
 
 #include <functional>
@@ -20,15 +20,15 @@ namespace dynrt::host::stress {
 struct Case {
   std::string group;
   std::string name;   ///< within the group
-  std::string about;  ///< what is tried
+  std::string about;  ///< description of scene and rays
   std::function<void(Examiner&)> run;
   Allowed unit_triangle{};  ///< of cores with the thesis's triangle test (5.2)
-  std::string why{};        ///< it may: the reason for what is allowed
+  std::string why{};        ///< the reason for the allowed errors
   /// Of cores with the watertight test, where it is not the same.
   std::optional<Allowed> watertight{};
 
-  /// What is allowed on a board, and why; stated if its core computes as those that were measured.
-  /// Of cracks between triangles a watertight core has none.
+  /// The allowed errors on a board, and their reason; stated if its core computes like those that
+  /// were measured. A watertight core has no cracks between triangles.
   Allowed allowed(const CoreInfo& board) const;
   std::string why_on(const CoreInfo& board) const;
 
@@ -38,7 +38,7 @@ struct Case {
 /// All, group by group.
 std::span<const Case> cases();
 
-/// Those of a name, of a group, or all; throws UserError that lists what there is.
+/// The cases of a name or of a group, or all; throws UserError that lists the names.
 std::vector<const Case*> find_cases(std::span<const std::string> names);
 
 // One file each.

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Where a stress case is run: it has trials rendered on a board, and judges what comes back by the
-// truth or by other frames.
+// Runs a stress case: renders trials on a board and compares the results with the truth or with
+// other frames.
 #pragma once
 
 #include <functional>
@@ -22,17 +22,17 @@ namespace dynrt::host::stress {
 /// Opens the board of a configuration.
 using OpenBoard = std::function<std::unique_ptr<Board>(const std::string& configuration)>;
 
-/// The frames of a trial, and what the numbers in their records stand for.
+/// The frames of a trial, and the meaning of the numbers in their records.
 struct Rendered {
   std::vector<Frame> frames;  ///< one a shot
-  /// Which primitive a hit of a frame's record is, if it is one of the scene, which must still be
-  /// there.
+  /// The primitive that a hit of a frame's record names, if it belongs to the scene. The scene must
+  /// still exist.
   std::function<std::optional<PrimitiveId>(std::size_t frame, const HitRecord& hit)> primitive_of;
 
   std::uint64_t dropped_pushes() const;
 };
 
-/// Whether the board's core has lost hits to a full stack, by its counter.
+/// Tells from its counter whether the board's core has lost hits to a full stack.
 std::uint64_t dropped_pushes(const Frame& frame);
 
 /// A board that a case needs cannot be had.
@@ -57,7 +57,7 @@ class Boards {
 
 class Examiner {
  public:
-  /// `frames`, if there is one, is given every frame rendered: for comparing boards.
+  /// `frames`, if not null, gets every rendered frame, for comparing boards.
   explicit Examiner(Boards& boards, std::vector<Frame>* frames = nullptr)
       : boards_(boards), frames_(frames) {}
 
@@ -65,14 +65,14 @@ class Examiner {
   const MemoryFormat& numbers() { return *board().core().format; }
 
   Rendered render(const Trial& trial);
-  /// Renders, and judges by the truth.
+  /// Renders and compares with the truth.
   Rendered check(const Trial& trial);
   void judge(const Trial& trial, const Rendered& rendered);
-  /// Counts the rays of `frames` whose hits are not those of `expected`; `change`, if there is one,
-  /// makes of a hit the one that is expected in its place.
+  /// Counts the rays of `frames` whose hits differ from those of `expected`; `change`, if given,
+  /// converts a hit to the expected one.
   void expect_same(const Rendered& rendered, const Rendered& expected,
                    const std::function<HitRecord(HitRecord)>& change = {});
-  /// The host must refuse the trial with a sentence that has these words in it.
+  /// The host must refuse the trial with a message that contains these words.
   void expect_refusal(const Trial& trial, const std::string& words);
   void count(Fault fault, std::uint64_t rays) { outcome_[fault] += rays; }
 
@@ -80,9 +80,9 @@ class Examiner {
   /// The configuration that has light and reflection rays besides what the board's core has.
   std::string with_secondary_rays();
   const Outcome& outcome() const { return outcome_; }
-  /// The host has refused what it should not.
+  /// The host has refused a trial that it should accept.
   void refused(const std::string& sentence) { outcome_.refusal = sentence; }
-  /// It has refused what the board's core was not made for.
+  /// It has refused a trial that exceeds the board's specialised core.
   void exceeded(const std::string& sentence) {
     outcome_.refusal = sentence;
     outcome_.exceeds_core = true;

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What went wrong in a stress case, how often, and how often it may.
+// The errors of a stress case: their kinds, their numbers and the allowed numbers.
 #pragma once
 
 #include <array>
@@ -18,9 +18,9 @@ enum class Fault : std::uint8_t {
   kLost,       ///< hits something and is reported to hit nothing
   kInvented,   ///< hits nothing and is reported to hit something
   kWrong,      ///< is reported to hit a triangle that is not where the nearest is
-  kTwice,      ///< of triangles tested one by one more than one claims it
+  kTwice,      ///< hits more than one of several triangles that are tested one by one
   kDifferent,  ///< must give the same bits as another ray or frame and does not
-  kUnsaid,     ///< is lost by a full stack that the counter does not tell of
+  kUnsaid,     ///< is lost by a full stack that the counter does not count
   kAccepted,   ///< belongs to a scene that the host must refuse and does not
 };
 inline constexpr std::size_t kFaults = 7;
@@ -32,16 +32,16 @@ struct FaultText {
 /// In the order of Fault.
 std::span<const FaultText, kFaults> fault_texts();
 
-/// Nothing may go wrong unless a case says so.
+/// No error is allowed unless a case states it.
 struct Allowed {
   std::uint64_t lost = 0, invented = 0, wrong = 0, twice = 0;
   double distance = 0x1p-10;  ///< relative error of the hit distance, at most
-  /// Whether that is known: it was measured in the shipped format with the thesis's and with the
-  /// watertight arithmetic, and is not stated of other cores.
+  /// Says whether the bounds are known: they were measured in the shipped format with the thesis's
+  /// and with the watertight arithmetic, and other cores have no bounds.
   bool stated = true;
 
-  /// What must give the same bits, be said or be refused must always. Where nothing is stated of
-  /// the others there is no bound.
+  /// The bound of an error. It is always 0 for different bits, uncounted losses and accepted
+  /// scenes; the other errors have no bound if none is stated.
   std::optional<std::uint64_t> count(Fault fault) const;
 };
 
@@ -53,7 +53,7 @@ struct Outcome {
   std::uint64_t dropped = 0;         ///< pushes onto full stacks, as the core counts them
   std::uint64_t digest = kNoDigest;  ///< of every hit record and pixel
   double seconds = 0;
-  std::string refusal;  ///< what the host said
+  std::string refusal;  ///< the host's message
   bool refusal_expected = false;
   bool exceeds_core = false;  ///< a specialised core was made for less: the refusal has the key
 

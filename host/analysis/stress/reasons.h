@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Why things may go wrong, where that is the same in several stress cases.
+// Reasons for allowed errors that several stress cases share.
 #pragma once
 
 namespace dynrt::host::stress::reasons {

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Runs stress cases and writes what came of them: lines, data, or the table of
+// Runs stress cases and writes their results as lines, as JSON or as the table of
 // docs/results/stress.md.
 #pragma once
 
@@ -24,8 +24,8 @@ struct Result {
   bool within() const { return stress::within(outcome, allowed); }
 };
 
-/// Runs one. In a format other than the shipped one the host may refuse a scene: then it is told
-/// what does not fit. `frames`, if asked for, is given every frame rendered.
+/// Runs a case. In a format other than the shipped one the host may refuse a scene; the result then
+/// has its message. `frames`, if not null, gets every rendered frame.
 Result run_case(const Case& c, Boards& boards, std::vector<Frame>* frames = nullptr);
 
 /// "ok  slivers/fan_1e4  32 needles ..: 257 rays, 257 hit; lost 1 (of 2 allowed)".

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What stress cases are made of. Vertices lie on the core's numbers wherever that is said, so that
-// nothing but the core's own arithmetic can go wrong.
+// The shapes of stress cases. Where a comment says so, vertices lie on the core's numbers, so that
+// only the core's own arithmetic can cause errors.
 #pragma once
 
 #include <functional>

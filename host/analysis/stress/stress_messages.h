@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What dynrt stress says when something is wrong.
+// The messages of dynrt stress.
 #pragma once
 
 namespace dynrt::host::stress::messages {

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a stress case gives to the core: a scene, if need be with trees made by hand, and frames. A
-// frame of one pixel is one ray, chosen exactly; a frame whose pixels are a power of two apart is a
-// pencil of rays, each of them exact.
+// The input of a stress case: a scene, some with trees made by hand, and frames. A frame of one
+// pixel is one ray, chosen exactly; a frame whose pixels are a power of two apart is a pencil of
+// rays, each of them exact.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -25,7 +25,7 @@ struct Shot {
   FrameOptions options;
 };
 
-/// Which rays the truth is asked about.
+/// The rays whose truth is computed.
 enum class Rays : std::uint8_t {
   kOfCore,   ///< those that the core has once the camera's matrix and they themselves are rounded
   kOfCamera  ///< those that the user asked for
@@ -54,8 +54,7 @@ Shot picture(const glm::dvec3& position, const glm::dvec3& target, double field_
 /// The ray of a pixel; of the core's rays those components that stand for zero are zero.
 TruthRay ray_of(const Shot& shot, unsigned x, unsigned y, Rays rays, const MemoryFormat& numbers);
 
-/// As the host has it for dynrt's other commands: moved and scaled to fit the core's numbers
-/// (host/layout/fit.h).
+/// As in dynrt's other commands: moved and scaled to fit the core's numbers (host/layout/fit.h).
 Trial fitted(Trial trial, const MemoryFormat& numbers);
 
 /// One object, once, where it is.

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What stress cases allow a core with the watertight triangle test, where that is neither what they
-// allow the thesis's test nor the same without its cracks.
+// The bounds of stress cases for a core with the watertight triangle test, if they differ from
+// those of the thesis's test by more than its cracks.
 #pragma once
 
 #include <string>

@@ -29,8 +29,8 @@ struct CandidateBox {
   glm::dvec3 low, high;
 };
 
-/// Is offered candidates and says up to which t, in the ray's lengths, more are wanted; below
-/// the ray's `from` means that no more are.
+/// Gets each candidate and returns the largest t, in lengths of the ray's direction, up to which it
+/// wants more; a value below the ray's `from` ends the search.
 class CandidateVisitor {
  public:
   virtual ~CandidateVisitor() = default;
@@ -45,8 +45,8 @@ class CandidateTree {
   CandidateTree(const CandidateTree&) = delete;
   CandidateTree& operator=(const CandidateTree&) = delete;
 
-  /// Each candidate once at most for every ray. False, without a visit, if the ray begins too far
-  /// away for the argument above.
+  /// Visits each candidate at most once for a ray. Returns false, without a visit, if the ray
+  /// begins too far away for the argument above.
   bool visit(const TruthRay& ray, CandidateVisitor& visitor) const;
 
  private:

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Embree's own answers beside the truth. Embree intersects floats: vertices, origin and direction
-// are rounded, distances too. Where the two name different triangles that must be why, so every
-// difference is put into the class that explains it; one that none explains is a mistake of either.
+// Compares Embree's answers with the truth. Embree intersects floats: vertices, origin, direction
+// and distances are rounded. This must explain every difference, so each is put into the class that
+// explains it; a difference without a class is a mistake of Embree or of the truth.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ struct EmbreeComparison {
   std::uint64_t ties = 0;
   /// Another distance that floats cannot tell from the true one.
   std::uint64_t near_in_distance = 0;
-  /// The ray passes the edge of the primitive that one of the two alone hits nearer than floats can
+  /// Only one of the two hits the primitive, and the ray passes its edge nearer than floats can
   /// tell.
   std::uint64_t near_an_edge = 0;
   std::uint64_t unexplained = 0;
@@ -33,8 +33,8 @@ struct EmbreeComparison {
   std::string text() const;
 };
 
-/// Scenes of triangles alone. Rays whose interval is not from 0 to infinity are not for it. `hits`
-/// are the truth's of `rays`.
+/// Takes only scenes of triangles and rays with an interval from 0 to infinity. `hits` are the true
+/// hits of `rays`.
 EmbreeComparison compare_with_embree(const Truth& truth, std::span<const TruthRay> rays,
                                      std::span<const std::optional<TruthHit>> hits);
 

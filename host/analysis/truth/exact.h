@@ -29,7 +29,7 @@ struct FlatShape {
   bool rectangle = false;
 };
 
-/// What a line does with a closed flat primitive. Without a hit only `hit` means something.
+/// The meeting of a line and a closed flat primitive. Without a hit only `hit` has a meaning.
 struct Crossing {
   bool hit = false;
   HitPlace place = HitPlace::kInside;

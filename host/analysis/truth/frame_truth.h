@@ -1,11 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The truth of a frame: what all its rays really hit, and the picture that the core would make if
-// its numbers had no rounding. Rays and hits are those of Truth; brightness comes from them in
+// The truth of a frame: the primitives that its rays really hit, and the picture that the core
+// would make without rounding. Rays and hits are those of Truth; brightness comes from them in
 // doubles and goes through the rules of the shading units (units/shading.h, units/shader.h), whose
-// integers round as the core's do: what remains between this picture and the core's is the error of
-// its numbers, not that 256 levels are few. Written from those rules, not from their code.
+// integers round as the core's do. So this picture and the core's differ only by the error of the
+// core's numbers, not by the rounding to 256 levels. Written from those rules, not from their code.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace dynrt::host {
 
-/// What the picture is made with.
+/// The options of the picture.
 struct TruthShading {
   unsigned width = 512;
   unsigned height = 384;

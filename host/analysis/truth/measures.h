@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// How wrong a frame is: its hit records and pixels held against the truth. What each measure means
-// is in the one table that measures() gives; docs/reference/measures.md is checked against it.
+// Measures the errors of a frame: compares its hit records and pixels with the truth. The table of
+// measures() explains each measure, and a test compares docs/reference/measures.md with it.
 //
 // A frame gives hit records of primary rays alone. What light and reflection rays have found shows
 // in the pixels: they are judged where the primary ray has hit what it should, so that a wrong
@@ -34,7 +34,7 @@ std::span<const MeasureDefinition> measures();
 /// As rows of a Markdown table.
 std::string measures_table();
 
-/// How a board shades a frame.
+/// The way a board shades a frame.
 TruthShading shading_of(const CoreInfo& core, const FrameConfig& frame);
 
 /// Which primitive of which instance the matrices of a hit record are.
@@ -60,8 +60,8 @@ using NumberOf = std::function<double(std::uint32_t bits)>;
 nlohmann::ordered_json measure(const Truth& truth, const TruthFrame& expected, const Frame& frame,
                                const MatrixOwners& owners, const NumberOf& number);
 
-/// The picture of how the pixels differ: of each channel 16 times the distance, so that one level
-/// is seen; 0x00BBGGRR.
+/// The picture of the differences: 16 times the difference of each channel, so that one level is
+/// visible; 0x00BBGGRR.
 std::vector<std::uint32_t> difference_picture(std::span<const std::uint32_t> expected,
                                               std::span<const std::uint32_t> pixels);
 

@@ -12,8 +12,8 @@
 
 namespace dynrt::host {
 
-/// Of the distance: how far before its surface a light ray's shadows end and how far behind its
-/// surface a reflected ray begins (the margins of units/collect_hits.h).
+/// Shares of the distance: a light ray's shadows end this far before its surface, and a reflected
+/// ray begins this far behind its surface (the margins of units/collect_hits.h).
 inline constexpr double kSurfaceMargin = 1.0 / 512;
 
 /// Through the centre of pixel (x, y), x from the left and y from the top: origin and direction as

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a ray really hits, computed apart from the core, its trees and its numbers. The judge of
-// every measure of error.
+// Finds the primitives that a ray really hits, independently of the core, its trees and its
+// numbers. Every measure of error compares with it.
 //
 // A scene is taken to the world once: every vertex of every instance is transform * vertex, rounded
 // to doubles, so that triangles which share a vertex still share it. From there on nothing is
@@ -74,8 +74,8 @@ struct TruthHit {
   bool tied_with(PrimitiveId other) const;  ///< or the hit itself
 };
 
-/// Where a ray meets a primitive's plane, whether within the primitive or not. For judging what
-/// somebody else says is hit.
+/// The point where a ray meets a primitive's plane, inside or outside the primitive. For checking
+/// the hits of others.
 struct PlaneMeeting {
   double t = 0;
   double u = 0;
@@ -86,14 +86,14 @@ struct PlaneMeeting {
   double edge_distance = 0;
 };
 
-/// How the candidates of a ray are found. The result is the same (truth_test).
+/// The search for the candidates of a ray. All give the same result (truth_test).
 enum class TruthSearch : std::uint8_t {
   kAutomatic,   ///< brute force up to a few dozen primitives
   kBruteForce,  ///< every primitive
   kTree,        ///< Embree's traversal over boxes that are grown by more than its floats err
 };
 
-/// How often decisions were made, and in which arithmetic.
+/// The numbers of decisions in each arithmetic.
 struct TruthCounts {
   std::uint64_t rays = 0;
   std::uint64_t primitives = 0;  ///< tested
@@ -103,7 +103,7 @@ struct TruthCounts {
 /// Threads may share one.
 class Truth {
  public:
-  /// The scene must outlive it and stay as it is.
+  /// The scene must outlive this and must not change.
   explicit Truth(const Scene& scene, TruthSearch search = TruthSearch::kAutomatic);
   ~Truth();
   Truth(const Truth&) = delete;
@@ -112,7 +112,7 @@ class Truth {
   std::optional<TruthHit> nearest(const TruthRay& ray) const;
   /// Of many rays, on all processors.
   std::vector<std::optional<TruthHit>> nearest(std::span<const TruthRay> rays) const;
-  /// Whether the ray hits anything at all.
+  /// Tells whether the ray hits anything.
   bool any(const TruthRay& ray) const;
   /// Nothing where the ray is parallel to the plane, or passes by the ellipsoid. The ray's interval
   /// and `own` are not looked at, but the sign of t is for `hit`.

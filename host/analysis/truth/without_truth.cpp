@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Stands for candidates.cpp, exact.cpp and embree_check.cpp in a program that is built alone
-// (DYNRT_PROGRAM_ONLY), without CGAL and Embree. It renders; whoever asks for the truth is told how
-// to get it.
+// (DYNRT_PROGRAM_ONLY), without CGAL and Embree. That program renders; its commands that need the
+// truth say how to build them.
 #include "host/analysis/truth/candidates.h"
 #include "host/analysis/truth/embree_check.h"
 #include "host/analysis/truth/exact.h"
