@@ -40,7 +40,7 @@ namespace hls::cosim {
 struct Settings {
   std::uint64_t seed = 1;
   std::uint64_t transactions = 10'000;
-  bool stall_inputs = true;    ///< false: a token that is there is always offered
+  bool stall_inputs = true;    ///< false: a waiting token is always offered
   bool stall_outputs = true;   ///< false: outputs are always ready
   unsigned patience = 5'000;   ///< clocks without any progress that count as a deadlock
   unsigned reset_clocks = 64;  ///< rows of the largest register file, which the reset clears
@@ -52,7 +52,7 @@ struct Settings {
 
 struct Report {
   bool ok = false;
-  std::string text;  ///< what was run, or the first thing that went wrong
+  std::string text;  ///< a summary of the run, or its first mistake
   std::uint64_t transactions = 0;
   std::uint64_t compared = 0;  ///< tokens and rows
   std::uint64_t clocks = 0;    ///< from the first transaction to the last comparison
@@ -76,7 +76,7 @@ class ModelBench {
     }
   }
 
-  /// Changes every token (row, value) drawn for a port, after it was drawn.
+  /// Changes every random token (row, value) of a port.
   template <class T>
   void shape(const std::string& port, std::function<void(T&, Random&)> function) {
     find<PortDriver, T>(port).shape = [function = std::move(function)](TokenBits& bits,
@@ -90,25 +90,25 @@ class ModelBench {
       }
     };
   }
-  /// Which packet an In's token belongs to.
+  /// Tells the bench the packet of an In's token.
   template <class T>
   void packet(const std::string& port, std::function<std::uint64_t(const T&)> function) {
     find<InDriver, T>(port).packet_of = [function = std::move(function)](const TokenBits& bits) {
       return function(from_bits<T>(bits));
     };
   }
-  /// Is told every token that a transaction begins with; one that was only drawn may be drawn
-  /// again.
+  /// Called with every token with which a transaction begins; a token that was only drawn may be
+  /// drawn again.
   template <class T>
   void begun(const std::string& port, std::function<void(const T&)> function) {
     find<InDriver, T>(port).begun = [function = std::move(function)](const TokenBits& bits) {
       function(from_bits<T>(bits));
     };
   }
-  /// An output that random tokens need not reach; every other one must give something.
+  /// An output that random tokens need not reach; every other output must give at least one token.
   void may_be_silent(const std::string& port) { silent_.insert(port); }
 
-  /// Once per bench: the unit keeps its state.
+  /// Call it once for each bench, as the unit keeps its state.
   Report run(Settings settings) {
     if (const char* seed = std::getenv("HLS_SEED")) settings.seed = std::strtoull(seed, nullptr, 0);
     Report report;
@@ -141,7 +141,7 @@ class ModelBench {
   }
 
  private:
-  /// The pins of a port, which must be as the model has it.
+  /// The pins of a port, which must have the model's kind and width.
   PortPins take(const std::string& name, const PortInfo& type) {
     const auto found = pins_.ports.find(name);
     if (found == pins_.ports.end()) {
@@ -262,8 +262,7 @@ class ModelBench {
       const bool writes = port->kind() == PortKind::kOut || port->kind() == PortKind::kRamWrite;
       if (writes && port->compared() == 0 && !silent_.contains(port->name())) {
         throw Mismatch(
-            fmt::format("port {} gave nothing in {} transactions: the tokens do not "
-                        "reach it",
+            fmt::format("port {} gave nothing in {} transactions: the tokens do not reach it",
                         port->name(), settings.transactions));
       }
     }

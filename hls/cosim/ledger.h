@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which transactions of a co-simulated unit are under way, and which packets they hold. A
+// The transactions of a co-simulated unit that are under way, and the packets that they hold. A
 // transaction is over when its inputs were taken and everything that it writes to the outside was
 // seen. One that writes nothing is over when a later one was seen, or after `drain` clocks in which
 // no output was held up.
@@ -80,7 +80,7 @@ class Ledger {
   unsigned return_clocks_;
   std::deque<Transaction> open_;
   std::uint64_t first_ = 0;
-  std::uint64_t seen_below_ = 0;  ///< the latest transaction of which something was seen
+  std::uint64_t seen_below_ = 0;  ///< the latest transaction with a result that was seen
   std::uint64_t clock_ = 0;
   std::uint64_t free_clocks_ = 0;
   std::unordered_map<std::uint64_t, unsigned> busy_;

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a unit's Verilog is held against, seen through its ports alone: the native unit
-// (native_model.h), a netlist that is interpreted, or anything else that computes transactions.
-// Tokens, rows and values are bits here; only a port knows what they mean.
+// The model that a unit's Verilog is compared with, seen only through its ports: the native unit
+// (native_model.h), an interpreted netlist, or anything else that computes transactions. Tokens,
+// rows and values are bits here; only a port knows what they mean.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ using TokenBits = std::vector<std::uint32_t>;
 
 inline TokenBits zero_bits(unsigned width) { return TokenBits((width + 31) / 32, 0); }
 
-/// Any bits at all.
+/// Random bits.
 inline TokenBits random_bits(unsigned width, Random& random) {
   TokenBits bits = zero_bits(width);
   for (std::uint32_t& word : bits) word = static_cast<std::uint32_t>(random.next());
@@ -51,10 +51,10 @@ class ModelPort {
 
   const std::string& name() const { return name_; }
   const PortInfo& type() const { return type_; }
-  /// The C++ type of what goes through it.
+  /// The C++ type of its tokens, rows or value.
   virtual std::type_index token_type() const = 0;
 
-  /// Another value in place of the old one, such that rare cases happen.
+  /// Replaces the value by a random one, such that rare cases happen.
   virtual void randomise(TokenBits& bits, Random& random) const = 0;
   virtual std::string describe(const TokenBits& bits) const = 0;
   /// Where two values differ: left is the Verilog's, right the model's.
@@ -65,9 +65,9 @@ class ModelPort {
   virtual void give(const TokenBits& bits) = 0;
   /// A row that a RamRead reads.
   virtual void give_row(std::uint64_t address, const TokenBits& row) = 0;
-  /// What the transactions so far have written to an Out and nobody took yet, one by one.
+  /// The next token that a transaction has written to an Out and that was not taken yet.
   virtual std::optional<TokenBits> take() = 0;
-  /// The same of a RamWrite.
+  /// The same for a RamWrite.
   virtual std::optional<RowWrite> take_write() = 0;
 
  private:
@@ -79,7 +79,7 @@ class ModelPort {
 class Model {
  public:
   virtual ~Model() = default;
-  /// One transaction, of the tokens given before.
+  /// Makes one transaction with the tokens given before.
   virtual void step() = 0;
   /// In the order of the unit's members.
   const std::vector<std::unique_ptr<ModelPort>>& ports() const { return ports_; }

@@ -29,7 +29,7 @@ T from_bits(const TokenBits& bits) {
   return unpack<T>(bits.data());
 }
 
-/// What a native port is bound to, by its kind.
+/// The queue or rows that a native port is bound to, by its kind.
 template <class T, PortKind Kind>
 struct Binding;
 template <class T>

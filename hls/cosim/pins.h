@@ -91,7 +91,7 @@ struct PortPins {
   Pin valid = {}, ready = {}, enable = {}, address = {}, data = {};
 };
 
-/// What a binding header's visit fills.
+/// The pins that a binding header's visit fills in.
 struct UnitPins {
   Pin clk, rst_n;
   std::map<std::string, PortPins> ports;

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The bench's end of every kind of port: it drives the pins of the Verilated unit, hands the same
-// to the model's port, and compares what the two give, in order.
+// The bench's end of every kind of port: it drives the pins of the Verilated unit, gives the same
+// to the model's port, and compares their results in order.
 #pragma once
 
 #include <fmt/format.h>
@@ -22,14 +22,14 @@
 
 namespace hls::cosim {
 
-/// The Verilated unit does not do what the model does.
+/// The Verilated unit differs from the model.
 struct Mismatch : std::runtime_error {
   Mismatch(const std::string& text, std::optional<std::uint64_t> in = std::nullopt)
       : std::runtime_error(text), transaction(in) {}
   std::optional<std::uint64_t> transaction;
 };
 
-/// What the bench does with every port, whatever its kind.
+/// The operations of the bench that all kinds of ports share.
 class PortDriver {
  public:
   PortDriver(ModelPort& model, const PortPins& pins) : model_(model), pins_(pins) {}
@@ -38,7 +38,7 @@ class PortDriver {
   PortKind kind() const { return model_.type().kind; }
   const ModelPort& model() const { return model_; }
 
-  /// Changes what was drawn at random; set by the user.
+  /// Changes random values; set by the user.
   std::function<void(TokenBits&, Random&)> shape;
 
   /// Before the run: contents of RAMs and configuration.
@@ -49,17 +49,17 @@ class PortDriver {
   virtual void commit(std::uint64_t /*transaction*/) {}
   virtual std::size_t backlog() const { return 0; }
   virtual std::string describe(std::uint64_t /*transaction*/) const { return {}; }
-  /// Ports that write: takes over what the model wrote in a transaction.
+  /// Ports that write: takes the results of the model's transaction.
   virtual void collect(std::uint64_t /*transaction*/, Ledger&) {}
   /// One clock: set the unit's inputs; look at its outputs; the edge has come.
   virtual void drive(Random&, bool /*stall*/) {}
   virtual void observe(Ledger&) {}
   virtual void edge(Ledger&) {}
 
-  bool moved() const { return moved_; }      ///< something passed in this clock
+  bool moved() const { return moved_; }      ///< a token or row passed in this clock
   bool held_up() const { return held_up_; }  ///< an output that is offered but not taken
   std::uint64_t compared() const { return compared_; }
-  /// What it still waits for, or nothing.
+  /// Describes the token or row that it still waits for; else empty.
   virtual std::string waiting() const { return {}; }
 
  protected:
@@ -86,7 +86,7 @@ class PortDriver {
   void put(const TokenBits& bits) {
     pins_.data.set_words(bits.data(), static_cast<unsigned>(bits.size()));
   }
-  /// Where nothing is promised the unit must not care.
+  /// The unit must not depend on data that are not valid.
   void put_garbage(Random& random) { put(random_bits(pins_.type.width, random)); }
 
   ModelPort& model_;
@@ -196,8 +196,8 @@ class OutDriver : public PortDriver {
   bool ready_ = false;
 };
 
-/// A RAM of another unit, whose contents stand still. The data of an address are on the pins in one
-/// clock only, `latency` clocks after it.
+/// A RAM of another unit, whose contents do not change. The data of an address are on the pins in
+/// one clock only, `latency` clocks after it.
 class RamReadDriver : public PortDriver {
  public:
   RamReadDriver(ModelPort& model, const PortPins& pins)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Merges INPUTS streams into one, round robin: after input i has sent a token, the inputs after it
-// come first. A token that is offered stays offered until it is taken, whatever else comes. Input 0
+// come first. An offered token stays offered until it is taken, even if other tokens come. Input 0
 // is the lowest bits of valid_i, ready_o and data_i.
 //
 // Parameters:
@@ -32,7 +32,7 @@ module hls_arbiter #(
   localparam [INPUTS-1:0] ONE = {{(INPUTS - 1) {1'b0}}, 1'b1};
 
   reg     [INPUTS-1:0] after_q;  // the inputs after the one that sent last
-  reg     [INPUTS-1:0] offered_q;  // the input whose token is waiting to be taken
+  reg     [INPUTS-1:0] offered_q;  // the input whose token waits for ready_i
   wire    [INPUTS-1:0] first = valid_i & after_q;
   wire    [INPUTS-1:0] pick = (|first) ? first : valid_i;
   wire    [INPUTS-1:0] grant = (|offered_q) ? offered_q : pick & (~pick + ONE);

@@ -1,12 +1,12 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A bank of up to 256 32-bit event counters, read one at a time: data_o is the counter of the address that
-// stood two clocks before, as it was then. Counters wrap; clear_i sets all to zero.
+// A bank of up to 256 32-bit event counters, read one at a time: data_o is the value, two clocks
+// ago, of the counter that addr_i named then. Counters wrap; clear_i sets all to zero.
 //
-// Only the low bits of a counter are flip-flops that count. A row of LUT RAM holds its high bits, and
-// the highest of the low ones, as they were when its turn last came, less than half a lap of the low
-// bits ago: if that bit was one and is zero, they have wrapped since.
+// Only the low bits of a counter are flip-flops that count. A row of LUT RAM holds its high bits,
+// and a copy of the highest low bit, from the counter's last turn. That was less than half a lap of
+// the low bits ago, so if the copy is one and the bit is zero now, the low bits have wrapped since.
 //
 // Parameters:
 //   COUNTERS  events that are counted, at most 256
@@ -55,12 +55,12 @@ module hls_counters #(
     end
   endgenerate
 
-  // The high bits by the row and the highest low bit now.
+  // The high bits, from the row and the current highest low bit.
   function [HIGH-1:0] high(input written, input [HIGH:0] row, input now);
     high = written ? row[HIGH:1] + {{(HIGH - 1) {1'b0}}, row[0] && !now} : {HIGH{1'b0}};
   endfunction
 
-  // Turn by turn a counter is looked at, and a clock later its row is written.
+  // The counters take turns: each row is read, and written a clock later.
   reg [SLOT_WIDTH-1:0] slot_q, write_slot_q;
   reg write_q, write_written_q, write_top_q;
   reg [HIGH:0] write_row_q;
@@ -78,7 +78,7 @@ module hls_counters #(
     if (clear) written_q <= {COUNTERS{1'b0}};
   end
 
-  // The reader.
+  // The read port.
   wire [31:0] addr = {24'd0, addr_i};
   wire [SLOT_WIDTH-1:0] read_slot = addr_i[SLOT_WIDTH-1:0];
   reg read_q, read_written_q;

@@ -9,8 +9,8 @@
 //
 // Ports:
 //   clk_i, rst_ni  clock and synchronous reset, active low; the reset does not clear the rows
-//   data_i         the value that comes in, in every clock
-//   data_o         the value that came CLOCKS clocks before
+//   data_i         the input value, one in every clock
+//   data_o         the value of data_i CLOCKS clocks before
 `default_nettype none
 
 module hls_delay #(

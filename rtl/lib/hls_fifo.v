@@ -1,11 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// FIFO of up to DEPTH tokens with its first one in a register: a token can leave the clock after it
-// came. ready_o comes from a register and says that more than MARGIN places are free. With a MARGIN
-// a token is taken whenever it comes: the sender has promised to send no more than MARGIN once
-// ready_o is low.
-// BOUNDED promises that there are never more than DEPTH tokens in all: the FIFO is always ready.
+// FIFO of up to DEPTH tokens. The first token lies in a register and can leave the clock after it
+// came. ready_o comes from a register; it is high while more than MARGIN places are free. With a
+// MARGIN the FIFO takes every token: the sender promises to send at most MARGIN tokens after
+// ready_o falls. With BOUNDED the sender promises that there are never more than DEPTH tokens in
+// all: the FIFO is always ready.
 //
 // Parameters:
 //   WIDTH    bits of a token
@@ -37,13 +37,13 @@ module hls_fifo #(
 
   localparam ADDR_WIDTH = DEPTH > 1 ? $clog2(DEPTH) : 1;
   localparam [31:0] LAST = DEPTH - 1;
-  localparam WRAPS = DEPTH == 1 << ADDR_WIDTH;  // an address goes from LAST to 0 by itself
+  localparam WRAPS = DEPTH == 1 << ADDR_WIDTH;  // addresses wrap from LAST to 0 on their own
   localparam [31:0] SPACE = DEPTH - MARGIN - 1;
 
   reg  [     WIDTH-1:0] rows     [0:DEPTH-1];
   reg  [ADDR_WIDTH-1:0] write_q;
   reg  [ADDR_WIDTH-1:0] read_q;
-  reg                   empty_q;  // no token in rows
+  reg                   empty_q;  // the rows hold no token
   reg  [ADDR_WIDTH+1:0] space_q;  // free places less MARGIN + 1; negative: not ready
   reg                   valid_q;
   reg  [     WIDTH-1:0] data_q;

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Gives every token to all of OUTPUTS readers, in the clock in which all of them are ready. No
+// Gives every token to all OUTPUTS readers in the same clock, when all of them are ready. No
 // reader's ready may depend on its own valid.
 //
 // Parameters:
@@ -32,7 +32,8 @@ module hls_fork #(
   genvar i;
   generate
     for (i = 0; i < OUTPUTS; i = i + 1) begin : reader
-      // Its own ready is left out, so that it may depend on other things that look at valid.
+      // A reader's valid leaves out its own ready, so that this ready may depend on logic that
+      // reads valid.
       localparam [OUTPUTS-1:0] SELF = {{(OUTPUTS - 1) {1'b0}}, 1'b1} << i;
       assign valid_o[i] = valid_i && (&(ready_i | SELF));
     end

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // RAM with a write port and a synchronous read port: data comes the clock after the address. A row
-// that is written while it is read gives its old data; EXCLUSIVE promises that this never happens,
-// which saves the logic that would see to it in block RAM: an FPGA may then give anything. The reset
-// is for the assertion of that promise alone.
+// that is written while it is read gives its old data. With EXCLUSIVE the user promises that this
+// never happens, which saves logic around block RAM: an FPGA may then give any data. Only the
+// assertion of that promise uses the reset.
 //
 // Parameters:
 //   WIDTH       bits of a row
@@ -15,7 +15,7 @@
 // Ports:
 //   clk_i, rst_ni                           clock and synchronous reset, active low
 //   write_en_i, write_addr_i, write_data_i  write port
-//   read_en_i, read_addr_i                  read port; without read_en_i the data stand still
+//   read_en_i, read_addr_i                  read port; without read_en_i the data do not change
 //   read_data_o                             the row, a clock after its address
 `default_nettype none
 

@@ -1,12 +1,12 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// RAM whose rows are written whole and read a word at a time: word w of row r is read at {w, r}, data
-// comes the clock after the address. Word w is written w clocks after its row came. Until the last one
-// is, no other row may come, and of this row nothing may be read: an FPGA may then give anything.
+// RAM whose rows are written whole and read a word at a time: word w of row r is read at {w, r}, and
+// data come the clock after the address. Word w is written w clocks after its row came. Until the
+// last word is written no other row may come and no word of this row may be read: an FPGA may give
+// any data.
 //
-// Rows wait without an enable, so of several RAMs that get theirs over the same wires synthesis
-// keeps but one waiting row.
+// Waiting rows have no enable, so RAMs with the same write port share one after synthesis.
 //
 // Parameters:
 //   WIDTH      bits of a word
@@ -18,7 +18,7 @@
 // Ports:
 //   clk_i, rst_ni                           clock and synchronous reset, active low
 //   write_en_i, write_addr_i, write_data_i  write port, word 0 in the lowest bits
-//   read_en_i, read_addr_i                  read port; without read_en_i the data stand still
+//   read_en_i, read_addr_i                  read port; without read_en_i the data do not change
 //   read_data_o                             the word, a clock after its address
 `default_nettype none
 
@@ -39,7 +39,8 @@ module hls_ram_words #(
     output reg  [             WIDTH-1:0] read_data_o
 );
 
-  // Of all that follows, part w is what came w clocks ago: whether a row did, which, and its word w.
+  // In these vectors, part w belongs to the row of w clocks ago: whether one came, its number, its
+  // word w.
   reg  [           WORDS-2:0] late_q;
   reg  [(WORDS-1)*ROW_BITS-1:0] rows_q;
   wire [           WORDS-1:0] came = {late_q, write_en_i};

@@ -1,8 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Register file: read in the clock of the address, written at its end. LUT RAM where there is any.
-// Its rows start as zeros: the reset, which lasts 2^ADDR_WIDTH clocks or more, clears one a clock.
+// Register file: a row is read in the clock of its address and written at the clock's end. It
+// becomes LUT RAM on FPGAs that have it. Its rows start as zeros: the reset, which lasts
+// 2^ADDR_WIDTH clocks or more, clears one a clock.
 //
 // Parameters:
 //   WIDTH       bits of a row

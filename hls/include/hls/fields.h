@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Structs as tokens. A struct that travels through a channel or lies in a RAM names its fields
-// once,
+// once:
 //     struct ListEntry { uint<6> packet; uint<17> matrix; HLS_FIELDS(packet, matrix) };
-// and from that come its width, its packing (first field in the lowest bits), its comparison and
-// the names that a mismatch report prints. A leaf is a uint, a sint, a bool, an enum with an
-// `enum_width`, or a type with `kLeafWidth`, `leaf_bits()` and `from_leaf_bits()` (a Float);
-// leaves have at most 64 bits. Fields may be structs and std::arrays of all of these.
+// HLS_FIELDS derives its width, its packing (first field in the lowest bits), its comparison and
+// the names in a mismatch report. A leaf is a uint, a sint, a bool, an enum with an `enum_width`,
+// or a type with `kLeafWidth`, `leaf_bits()` and `from_leaf_bits()` (a Float); leaves have at most
+// 64 bits. Fields may be structs and std::arrays of all of these.
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ namespace hls {
 template <class E>
 inline constexpr unsigned enum_width = 0;
 
-/// A field that only some configurations have: absent it takes no bits, reads as T{} and drops what
-/// is written to it.
+/// A field that only some configurations have: an absent one takes no bits, reads as T{} and
+/// ignores writes.
 template <bool Present, class T>
 struct FieldIf {
   T value{};
@@ -114,8 +114,8 @@ constexpr void for_each_leaf(T& token, Visit&& visit, unsigned offset = 0) {
   }
 }
 
-/// to = from, leaf by leaf: the copy of a struct is one of bytes, padding and all, behind which the
-/// optimiser loses sight of the fields.
+/// to = from, leaf by leaf: a copy of the whole struct copies bytes and padding, and the optimiser
+/// would lose track of the fields.
 template <class T>
 constexpr void copy_leaves(T& to, const T& from) {
   if constexpr (detail::is_array<T>::value) {
@@ -161,7 +161,7 @@ constexpr L leaf_from_bits(uint<bit_width_of<L>()> bits) {
   }
 }
 
-/// Word K of a token that lies in 32-bit words of memory and whose leaves cross no such words.
+/// Word K of a token in 32-bit words of memory, of which no leaf crosses two.
 template <unsigned K, class T>
 constexpr uint<32> word_of(const T& token) {
   uint<32> word;

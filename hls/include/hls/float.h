@@ -4,13 +4,13 @@
 // Float<E, M, R>: sign, E exponent bits (bias 2^(E-1) - 1), M stored mantissa bits under a hidden
 // one. Always normalised: every bit pattern is the number (-1)^sign * 2^(exponent - bias) *
 // (1 + mantissa / 2^M); there is no zero, no infinity, no NaN (thesis, 3.1.2 and 7). An operation
-// computes the exact result, rounds it once and saturates: what is too large becomes the largest
-// magnitude, what is too small the smallest one, both with their sign; an exact zero becomes the
+// computes the exact result, rounds it once and saturates: a magnitude that is too large becomes
+// the largest, one that is too small the smallest, and the sign stays; an exact zero becomes the
 // smallest positive number.
 //
 // In hardware a Float is its bits, and FloatCircuit computes with them. The native model holds it
-// as the double of the same value and, where that is known to give the same bits, computes in
-// double: several times faster, and the proof that the circuit is right does not rest on itself.
+// as the double of the same value and computes in double if that provably gives the same bits: this
+// is several times faster, and it checks the circuit independently.
 #pragma once
 
 #include <algorithm>
@@ -63,7 +63,7 @@ class Float {
     return from_bits(Circuit::assemble(false, uint<E + M>::ones()));
   }
 
-  /// Conversion from another format, rounded and saturated as this one's results are.
+  /// Conversion from another format, rounded and saturated like a result of this one.
   template <unsigned E2, unsigned M2, Rounding R2>
   constexpr explicit Float(Float<E2, M2, R2> other) {
     if constexpr (kLowered) {
@@ -169,7 +169,8 @@ class Float {
     }
   }
 
-  /// The positive number so many steps of the mantissa above a magnitude, or below it; saturated.
+  /// The positive number that lies `Steps` of the mantissa above a magnitude, or below it;
+  /// saturated.
   template <unsigned Steps>
   constexpr Float moved_up() const {
     if constexpr (kLowered) {

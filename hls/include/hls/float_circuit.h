@@ -143,7 +143,8 @@ struct FloatCircuit {
     return (concat(a, uint<1>(0)) < concat(b, reverse)) != bool(reverse);
   }
 
-  /// The positive number so many steps of the mantissa above a magnitude, or below it; saturated.
+  /// The positive number that lies `Steps` of the mantissa above a magnitude, or below it;
+  /// saturated.
   template <unsigned Steps>
   static constexpr Bits moved_up(Bits a) {
     const auto sum = magnitude(a) + uint<E + M>(Steps);
@@ -205,8 +206,8 @@ struct FloatCircuit {
     return concat(uint<1>(1), mantissa);
   }
 
-  /// Leading zeros, and the value without them. The one counted behind the value says to LLVM that
-  /// neither the count nor the shift can exceed the width: nothing is computed for that case.
+  /// Leading zeros, and the value without them. The one appended to the value tells LLVM that
+  /// neither the count nor the shift can exceed the width, so no logic handles that case.
   template <unsigned N>
   static constexpr auto leading_zeros(uint<N> value) {
     return count_leading_zeros(concat(value, uint<1>(1)));
@@ -244,9 +245,9 @@ struct FloatCircuit {
     }
   }
 
-  /// Rounds and saturates 1.fraction * 2^(exponent + late - bias). `late` is what becomes known of
-  /// the exponent together with the fraction: it joins in the addition that rounds. `sticky` says
-  /// whether the exact number goes on behind the fraction.
+  /// Rounds and saturates 1.fraction * 2^(exponent + late - bias). `late` is the part of the
+  /// exponent that is known only with the fraction; the rounding addition adds it. `sticky` says
+  /// whether the exact number has further bits behind the fraction.
   template <unsigned X, unsigned F>
   static constexpr Bits pack(bool sign, sint<X> exponent, uint<2> late, uint<F> fraction,
                              bool sticky, bool zero) {

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What ports there are and what may happen to a row of a RAM: the one description that the native
-// model, the lowered language, hlsc, joins and test benches share.
+// The kinds of ports, and the hazards of a RAM's rows: the one description that the native model,
+// the lowered language, hlsc, joins and test benches share.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,16 @@ enum class PortKind : std::uint8_t {
   kRegisterFile,  ///< RAM inside the unit, read and written in one stage
   kRamWrite,      ///< writing end of a RAM outside the unit
   kRamRead,       ///< reading end of a RAM outside the unit
-  kConfig,        ///< value that stands still
+  kConfig,        ///< value that does not change
 };
 
-/// What may happen between a row's read and the landing of the write that follows it.
+/// The accesses that may happen between the read of a row and the write that follows it.
 enum class Hazard : std::uint8_t {
-  kExclusive,  ///< Nothing touches the row: one packet owns it. hlsc emits an assertion.
+  kExclusive,  ///< None to the row, as one packet owns it. hlsc emits an assertion.
   kStale,      ///< A later transaction may still read the old row; the unit is right either way.
 };
 
-/// What the port's type alone says of a port.
+/// The properties of a port that its type gives.
 struct PortInfo {
   PortKind kind = PortKind::kIn;
   unsigned width = 0;    ///< bits of a token, a row or a value
@@ -35,8 +35,8 @@ struct PortInfo {
   bool operator==(const PortInfo&) const = default;
 };
 
-/// What one call does on a port, for hlsc: the functions of hls/lowered/hls/ports.h are annotated
-/// with it.
+/// The effect of one call on a port, for hlsc: the annotation of the functions of
+/// hls/lowered/hls/ports.h.
 enum class PortAccess : std::uint8_t {
   kGetLeaf,      ///< a leaf of a token or a configuration value is read
   kGetRowLeaf,   ///< a leaf of a row is read

@@ -3,9 +3,9 @@
 //
 // The members that a unit is made of, as hlsc sees them: every access becomes calls of undefined
 // functions, leaf by leaf, which hlsc turns into ports. The port's kind, width, rows and latency
-// are the numbers of its base class, where hlsc finds them in the debug info; what a function does
-// on a port, with which widths, stands in its annotation.
-// hls/native/hls/ports.h has the same names for the native model and documents them.
+// are the numbers of its base class, where hlsc finds them in the debug info; a function's
+// annotation gives its effect on the port and the widths. hls/native/hls/ports.h has the same names
+// for the native model and documents them.
 #pragma once
 
 #include <type_traits>
@@ -25,8 +25,8 @@ class Port {
   char place_ = 0;
 };
 
-/// Says what a function does on a port, how wide the leaf is and how wide the address; 0 where
-/// there is none. The ABI passes an integer of 34 bits as one of 64, so types do not tell.
+/// Gives a function's effect on a port and the widths of the leaf and of the address; 0 for none.
+/// The ABI passes an integer of 34 bits as one of 64, so types do not show the width.
 #define HLS_PORT_ACCESS(ACCESS, LEAF_WIDTH, ADDRESS_WIDTH)                                      \
   [[clang::annotate("hls.port_access", static_cast<unsigned>(PortAccess::ACCESS), (LEAF_WIDTH), \
                     (ADDRESS_WIDTH))]]
@@ -138,7 +138,7 @@ class Config : lowered::Port<PortKind::kConfig, bit_width_of<T>(), 1, 0, 0> {
   T get() const { return lowered::get_token<T>(this); }
 };
 
-/// Stands where a configuration leaves a port out.
+/// Replaces a port that a configuration leaves out.
 struct Absent {};
 template <bool Present, class Port>
 using PortIf = std::conditional_t<Present, Port, Absent>;

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Tokens as words and as text, for what looks at them from outside: co-simulation, memory images,
-// comparisons. A token's bits lie in 32-bit words, lowest first, which is also how Verilator holds
-// a wide port; bits beyond the token's width are zero.
+// Tokens as words and as text, for co-simulation, memory images and comparisons. A token's bits lie
+// in 32-bit words, lowest first, which is also how Verilator holds a wide port; bits beyond the
+// token's width are zero.
 #pragma once
 
 #include <fmt/format.h>

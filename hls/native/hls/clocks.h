@@ -1,15 +1,15 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The native units in the order and at the clocks of their Verilog: what hlsc's schedules and the
-// modules of rtl/lib say about when a transaction starts, a token can be taken and an arbiter
-// chooses whom. The units compute as ever; here is only time. One tick() is one clock: whatever has
-// its tokens, and room for what it will send, takes them, works, and its tokens come to the heads
-// of their FIFOs as many clocks later as the unit has stages.
+// Runs the native units in the order and at the clocks of their Verilog. hlsc's schedules and the
+// modules of rtl/lib decide when a transaction starts, when a token can be taken and which input an
+// arbiter chooses. The units compute as always; this file adds only time. One tick() is one clock:
+// a unit with all its tokens, and room for its results, takes the tokens and works, and its results
+// come to the heads of their FIFOs as many clocks later as the unit has stages.
 //
-// Two things are as the Verilog's only on a condition: RAMs of one unit, and those between units
-// that are exclusive, are read and written at a transaction's start, which is the same by their
-// promise; and the outside takes and gives tokens in every clock in which there are any.
+// Two things equal the Verilog only on a condition. RAMs within a unit, and exclusive RAMs between
+// units, are read and written at a transaction's start; the promise of exclusive access makes this
+// the same. And the outside takes and gives tokens in every clock in which there are any.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,8 @@ class Clocks {
     std::uint64_t taken_at = kNever;
 
     bool offers(std::uint64_t now) const { return !ready.empty() && ready.front() <= now; }
-    /// As the clock found it: a place that becomes free in it can be used in the next.
+    /// The state at the clock's beginning: a place that becomes free in a clock can be used in the
+    /// next.
     bool has_room(std::uint64_t now) const {
       if (room == 0) return true;
       std::size_t waiting = taken_at == now ? 1 : 0;
@@ -48,14 +49,14 @@ class Clocks {
     }
   };
 
-  /// Moves the token at the head of a queue to where it is read; false: it is still needed.
+  /// Moves the token at the head of a queue to its reader; false: the queue still needs it.
   using Move = std::function<bool()>;
   struct Feed {
     Queue* queue;
     Move move;
   };
 
-  /// `run` makes a transaction for every token that lies before the unit.
+  /// `run` makes a transaction for every token at the unit's inputs.
   void unit(const std::string& name, const ModuleSchedule& schedule, std::function<void()> run) {
     units_.push_back({.name = name, .schedule = schedule, .run = std::move(run)});
   }
@@ -91,8 +92,8 @@ class Clocks {
   /// Takes whatever comes.
   void sink(Feed feed) { sinks_.push_back({.feeds = {std::move(feed)}}); }
 
-  /// A RAM of which rows may be read and written at the same time: `logged` writes wait, each of
-  /// which `land` makes seen by whoever reads in stage `read_stage`.
+  /// A RAM whose rows may be read and written at the same time. `logged` writes wait until `land`
+  /// shows each of them to the readers in stage `read_stage`.
   void stale_ram(const std::string& writer, const std::string& port, unsigned read_stage,
                  std::function<std::uint64_t()> logged, std::function<void()> land) {
     Unit& unit = find(writer);
@@ -108,7 +109,7 @@ class Clocks {
     unit.rams.push_back(&rams_.back());
   }
 
-  /// Until nothing moves any more.
+  /// Runs until no token moves any more.
   void run() {
     for (std::uint64_t now = next(0); now != kNever;) now = tick(now) ? now + 1 : next(now + 1);
   }
@@ -117,11 +118,11 @@ class Clocks {
   std::uint64_t stalls(const std::string& name) { return find(name).stalls; }
 
  private:
-  /// The round-robin arbiter of rtl/lib/hls_arbiter.v; of one queue it is none.
+  /// The round-robin arbiter of rtl/lib/hls_arbiter.v; with one queue there is no arbiter.
   struct Source {
     std::vector<Feed> feeds;
     std::uint32_t after = 0;  ///< the queues after the one that sent last
-    int offered = -1;         ///< the queue whose token is waiting to be taken
+    int offered = -1;         ///< the queue whose token waits for its reader
 
     int choice(std::uint64_t now) const {
       if (offered >= 0) return offered;

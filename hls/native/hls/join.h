@@ -1,11 +1,12 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// How units are joined, written once: a join connects the ports of native units so that they run as
-// the model, and records what it connected, from which the Verilog top and the block diagram are
-// made (hls/compiler/join). An arbiter merges several writers of a channel, several readers are
-// fed by a fork, a job channel is repeated, a RAM with several readers has a copy for each. A join
-// that knows the units' schedules runs them clock by clock (clocks.h): slower, to the same results.
+// The one description of how units are joined. A join connects the ports of native units so that
+// they run as the model, and records the connections, from which hls/compiler/join makes the
+// Verilog top and the block diagram. An arbiter merges several writers of a channel, several
+// readers are fed by a fork, a job channel is repeated, a RAM with several readers has a copy for
+// each. A join that knows the units' schedules runs them clock by clock (clocks.h), slower but with
+// the same results.
 #pragma once
 
 #include <algorithm>
@@ -32,15 +33,15 @@ namespace hls {
 class Join {
  public:
   Join() = default;
-  /// Units run clock by clock as these schedules say. Throws std::invalid_argument, here or when a
-  /// unit is named, where a schedule is missing.
+  /// Units run clock by clock, by these schedules. Throws std::invalid_argument, here or when a
+  /// unit is added, if a schedule is missing.
   explicit Join(ModuleSchedules schedules)
       : clocks_(std::make_unique<JoinClocks>(std::move(schedules))) {}
 
-  /// Block diagrams show the units that follow under this name.
+  /// Block diagrams show the next units under this name.
   void group(const std::string& name) { group_ = name; }
 
-  /// Makes a unit known; its Verilog module has the name `module`.
+  /// Adds a unit; its Verilog module has the name `module`.
   template <class U>
   void unit(const std::string& name, const std::string& module, U& unit) {
     UnitRecord record{name, module, {}, group_};
@@ -54,8 +55,8 @@ class Join {
     }
   }
 
-  /// One channel from any of `from` to all of `to`. `depth`, if not 0, promises that there are
-  /// never more tokens on the way in it: its FIFOs hold them all and never refuse one.
+  /// One channel from any of `from` to all of `to`. `depth`, if not 0, promises that the channel
+  /// never holds more tokens: its FIFOs hold them all and never refuse one.
   template <class T>
   void channel(const std::string& name, std::vector<Out<T>*> from, std::vector<In<T>*> to,
                unsigned depth = 0) {
@@ -166,8 +167,8 @@ class Join {
     record_.rams.push_back(std::move(record));
   }
   /// A RAM whose rows are written whole and read a word at a time, with the word's number in the
-  /// highest bits of the address. The words are written one a clock: the row that follows must not
-  /// come before the last of them is, nor may one be read that is still to be written.
+  /// highest bits of the address. One word is written in a clock: the next row must not come before
+  /// the last word is written, and a word must not be read before it is written.
   template <class T, std::size_t W, unsigned N, unsigned M, unsigned L>
   void ram_of_words(const std::string& name, RamWrite<std::array<T, W>, N>& writer,
                     std::vector<RamRead<T, M, L>*> readers) {
@@ -215,8 +216,8 @@ class Join {
         {"", {ports_.name_of(&port)}, bit_width_of<T>(), true, leaf_to_bits(value).to_u64()});
   }
 
-  /// Says of channels and units, by name, that how much they do depends on the order in which
-  /// tokens are served: two runs of the same work may count differently there.
+  /// Marks channels and units, by name, whose counts depend on the order in which tokens are
+  /// served: two runs of the same work may count differently there.
   void depends_on_order(const std::vector<std::string>& names) {
     for (const std::string& name : names) {
       bool known = false;
@@ -243,10 +244,11 @@ class Join {
     }
   }
 
-  /// The next token that the outside has put into an input comes in this clock, not before the one
-  /// before it. Only in joins with clocks, like what follows.
+  /// The next token that the outside has put into an input comes in this clock, but not before the
+  /// previous token. This function and the next ones are only for joins with clocks.
   void arrives(const std::string& input, std::uint64_t clock) { clocks_->arrives(input, clock); }
-  /// Runs clock by clock until nothing moves any more. Tokens for the outside stay where they are.
+  /// Runs clock by clock until no token moves any more. Tokens for the outside stay in their
+  /// queues.
   void run_clocks() { clocks_->run(); }
   /// The clock in which the outside can take the first token of an output.
   std::uint64_t first_of(const std::string& output) const { return clocks_->first_of(output); }
@@ -326,7 +328,7 @@ class Join {
   std::string group_;
   JoinPorts ports_;
   std::unique_ptr<JoinClocks> clocks_;  ///< null: there is no clock
-  std::deque<Process> processes_;       ///< stays where it is
+  std::deque<Process> processes_;       ///< elements keep their addresses
   std::vector<std::pair<std::string, std::function<std::uint64_t()>>> tokens_;
 };
 

@@ -31,8 +31,8 @@ class JoinPorts {
     const auto found = names_.find(port);
     if (found == names_.end()) {
       throw std::logic_error(
-          "a port is connected whose unit is not part of the join, or which the "
-          "unit does not name in HLS_PORTS");
+          "a port is connected whose unit is not part of the join, or which the unit does not name "
+          "in HLS_PORTS");
     }
     return found->second;
   }

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a join connected, as data: names, widths and ends. A port is named "unit.port".
+// The connections of a join, as data: names, widths and ends. A port is named "unit.port".
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ struct UnitRecord {
   std::string module;
   std::vector<PortRecord> ports;
   std::string group = {};        ///< under which a block diagram shows it
-  bool order_dependent = false;  ///< how often it works depends on what is served first
+  bool order_dependent = false;  ///< its counts depend on the order of service
 };
 enum class ChannelKind : std::uint8_t { kChannel, kRepeat, kInput, kOutput, kSink };
 struct ChannelRecord {
@@ -33,7 +33,7 @@ struct ChannelRecord {
   unsigned depth;  ///< the most tokens there can be; 0 if there is no such bound
   ChannelKind kind;
   unsigned repeat_width = 0;     ///< of a repeated job's count
-  bool order_dependent = false;  ///< how many tokens go by depends on what is served first
+  bool order_dependent = false;  ///< its token count depends on the order of service
 };
 struct RamRecord {
   std::string name;
@@ -77,9 +77,9 @@ struct CounterRecord {
   std::string name;
   bool order_independent;  ///< the same whatever the order in which packets are served
 };
-/// What a top counts, in the order of the addresses: tokens of every channel inside, then
-/// transactions and stalls of every unit; nothing, if it has no counters. How often a unit has to
-/// wait always depends on the order.
+/// The counters of a top, in the order of their addresses: tokens of every channel inside, then
+/// transactions and stalls of every unit; none, if the top has no counters. The stalls of a unit
+/// always depend on the order.
 inline std::vector<CounterRecord> counters_of(const JoinRecord& join) {
   std::vector<CounterRecord> counters;
   if (!join.counts) return counters;

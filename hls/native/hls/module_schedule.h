@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a simulation of clocks has to know of units that hlsc has scheduled.
+// The parts of hlsc's schedules that a simulation of clocks needs.
 #pragma once
 
 #include <map>

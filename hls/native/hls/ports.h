@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The members that a unit is made of, as the native model has them: channels are queues, RAMs are
-// arrays. hls/lowered/hls/ports.h has the same names for hlsc; which of the two a translation unit
-// sees is decided by the include path alone. A unit lists its ports once with HLS_PORTS.
+// arrays. hls/lowered/hls/ports.h has the same names for hlsc; only the include path decides which
+// of the two a translation unit sees. A unit lists its ports once with HLS_PORTS.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,8 @@
 #include "hls/fields.h"
 #include "hls/port_kind.h"
 
-/// Names the ports of a unit (channels, RAM ports, configuration), all of them; and tells, for
-/// who lowers it, the file that the unit is in.
+/// Names all ports of a unit (channels, RAM ports, configuration), and gives hlsc the file that the
+/// unit is in.
 #define HLS_PORTS(...)    \
   HLS_FIELDS(__VA_ARGS__) \
   static constexpr std::string_view hls_file() { return __FILE__; }
@@ -31,7 +31,7 @@
 namespace hls {
 
 /// An unbounded first-in first-out queue of tokens; the join bounds it in hardware. A unit mostly
-/// drains it, so the tokens lie in one row and move to its beginning when they come to its end.
+/// drains it, so the tokens lie in one array and move to its beginning when they reach its end.
 template <class T>
 class Fifo {
  public:
@@ -141,9 +141,9 @@ class RamWrite {
     if (taker_) taker_(address.to_u64(), row);
   }
   void bind(std::shared_ptr<std::vector<T>> rows) { rows_ = std::move(rows); }
-  /// Every row goes to `taker` with its number.
+  /// Gives every row with its number to `taker`.
   void bind(std::function<void(std::uint64_t, const T&)> taker) { taker_ = std::move(taker); }
-  /// From now on appends every write to `log`, for who compares them one by one.
+  /// Appends every write to `log` from now on, for tests that compare them one by one.
   void record(Log* log) { log_ = log; }
 
  private:
@@ -164,7 +164,7 @@ class RamRead {
   std::shared_ptr<std::vector<T>> rows_;
 };
 
-/// A value that the host sets between frames and that stands still during one.
+/// A value that the host sets between frames and that does not change during a frame.
 template <class T>
 class Config {
  public:
@@ -177,7 +177,7 @@ class Config {
   std::shared_ptr<T> value_;
 };
 
-/// Stands where a configuration leaves a port out.
+/// Replaces a port that a configuration leaves out.
 struct Absent {};
 template <bool Present, class Port>
 using PortIf = std::conditional_t<Present, Port, Absent>;

@@ -73,8 +73,8 @@ L random_leaf(Random& random) {
   return leaf_from_bits<L>(uint<kWidth>::from(bits));
 }
 
-/// Draws a token's leaves anew, but each with one chance in eight leaves it as it was: equal values
-/// in consecutive tokens are what mailboxes, caches and comparisons look for.
+/// Draws new leaves for a token, but keeps each with a chance of one in eight, as mailboxes, caches
+/// and comparisons need equal values in consecutive tokens.
 template <class T>
 void randomise(T& token, Random& random) {
   for_each_leaf(token, [&random]<class L>(L& leaf, unsigned) {
