@@ -3,9 +3,9 @@
 //
 // Box clip: clips the rays that enter an object to the object's box before its tree is traversed,
 // in place of six clipping nodes above the tree's root (thesis 4.2), which would take six steps of
-// the whole traversal unit. The object's matrix takes the box to the cube from -1 to 1, so nothing
-// but the rays is needed. A packet of which no ray meets the box before what it has hit already
-// goes on in the list at once.
+// the whole traversal unit. The object's matrix takes the box to the cube from -1 to 1, so the unit
+// needs only the rays. If no ray of a packet meets the box before its hit so far, the packet goes
+// on in the list at once.
 //
 // With r = 1 / d rounded once and t = (+-1 - o) r rounded twice more, t is wrong by less than two
 // steps of the mantissa; the interval is widened by four at both ends.
@@ -68,7 +68,7 @@ struct BoxClip {
     const Real leaves = direction.sign() ? low : high;
     const Real near = enters.template moved_down<kWidening>();
     if (!enters.sign() && inside.near < near) inside.near = near;
-    // Behind the ray's origin it leaves before it can have entered.
+    // Behind the ray's origin it leaves the box before it enters.
     const Real far = leaves.sign() ? Real{} : leaves.template moved_up<kWidening>();
     if (far < inside.far) inside.far = far;
   }

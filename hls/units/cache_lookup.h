@@ -3,8 +3,8 @@
 //
 // Direct-mapped cache, the looking half (thesis chapter 7): 2^0 to C::kLines lines, tagged with the
 // whole address so that the number of lines may change between frames. A hit is answered at once; a
-// miss goes to the memory and its context is put by, so nothing behind it waits. CacheFill is the
-// other half and owns the writing port of the lines. A line may be replaced while it is being
+// miss goes to the memory and its context is stored, so later requests do not wait. CacheFill is
+// the other half and owns the writing port of the lines. A line may be replaced while it is being
 // looked up: either row is right, since data and tag lie in one row.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace dynrt {
 
-/// The three caches: what a line holds, what travels with a request, and its key in the memory.
+/// The three caches: the content of a line, the context of a request, and its key in the memory.
 template <class C>
 struct NodeCache {
   using Context = StepContext<C>;

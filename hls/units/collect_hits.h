@@ -6,11 +6,11 @@
 // first stays. After a packet's last ray the list goes on, or, where the rays were new, the
 // traversal may start.
 //
-// A light ray comes from the light and ends at the surface, t = 1: what it hits before is a shadow,
+// A light ray comes from the light and ends at the surface, t = 1: a hit before that is a shadow,
 // and the surface's own triangle gives the cosine of the light. A reflected ray begins where it is
 // reflected, at the hit distance of the arriving ray (thesis 6.2.3). Neither sees the triangle that
 // it belongs to; margins relative to t keep rounding from casting a shadow or a reflection of the
-// neighbouring one. Only a sphere may lie before itself: its far side is in its own shadow.
+// neighbouring one. Only a sphere may shadow itself: its far side is in its own shadow.
 #pragma once
 
 #include "units/packet_rays.h"
@@ -23,7 +23,7 @@ struct CollectHits {
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
   /// A margin is 2^-9 of t, or four steps of a mantissa that is too short for that.
   static constexpr unsigned kMarginBits = std::min(9u, Real::kMantissaBits - 2);
-  /// What is known of a ray so far.
+  /// The state of a ray so far.
   struct Closest {
     Real t;
     hls::FieldIf<kHasSecondary<C>, RayKind> kind;
@@ -64,7 +64,7 @@ struct CollectHits {
     const RayKind kind = before.kind.get();
     const bool own =
         kind != RayKind::kPrimary && is_same(instance, from.object) && job.matrix == from.triangle;
-    // A ray that is not traced now keeps what it found when it was.
+    // A ray that is not traced now keeps its earlier result.
     const bool traced = !kHasSecondary<C> || job.active.bit(static_cast<unsigned>(in.ray.to_u64()));
     const bool before_itself =
         kind == RayKind::kLight && is_primitive<C>(Primitive::kSphere, job.primitive);
@@ -138,7 +138,7 @@ struct CollectHits {
   }
 
  private:
-  /// Where a light ray's shadows end, and how far it is followed to reach the surface's triangle.
+  /// The end of a light ray's shadows, and the end of the ray behind the surface's triangle.
   static constexpr Real kShadowEnd = Real::from_double(1.0 - 1.0 / (1u << kMarginBits));
   static constexpr Real kReach = Real::from_double(1.0 + 1.0 / (1u << kMarginBits));
 

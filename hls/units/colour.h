@@ -24,7 +24,7 @@ Brightness in_256ths(Real value) {
   return eighths >> (kOne - exponent).as_unsigned();
 }
 
-/// The colour of what was hit.
+/// The colour of the hit surface.
 template <class C>
 uint<24> surface_colour(const SurfaceColour<C>& of_hit, const FrameRegisters<C>& frame) {
   if constexpr (C::kOneColour) {

@@ -92,11 +92,11 @@ struct Core {
     if constexpr (!C::kCounters) join.leave_out_counters();
   }
 
-  /// Nothing joined yet: for who only wants to know which units there are.
+  /// Joins nothing yet: for tools that only list the units.
   Core() = default;
 
-  /// Tells join.unit(name, module, unit) every unit that configuration C has, group by group. This
-  /// is the one list of them: what it leaves out is neither joined nor lowered.
+  /// Calls join.unit(name, module, unit) for every unit of configuration C, group by group. This is
+  /// the only list of units: a unit that is not in it is neither joined nor lowered.
   template <class J>
   void name_units(J& join) {
     join.group("Ray generation and shading");
@@ -316,14 +316,14 @@ struct Core {
     join.ram("pixel_colour", shader.pixel_colour, std::vector{&shading.pixel_colour});
   }
 
-  /// Who wants to know how far away a ray's hit is.
+  /// The units that need the distance of a ray's hit.
   auto distance_readers(unsigned i) {
     std::vector readers = {&slice[i].hit_distance};
     if constexpr (kClipsToBox<C>) readers.push_back(&box_clip.hit_distance[i]);
     return readers;
   }
 
-  /// What comes to the mailbox.
+  /// The inputs of the mailbox.
   std::vector<hls::Out<MailboxEntry<C>>*> list_entries() {
     std::vector<hls::Out<MailboxEntry<C>>*> entries = {&list_lookup.reply, &list_fill.reply,
                                                        &collect_hits.start};
@@ -350,7 +350,7 @@ struct Core {
     for (unsigned i = 0; i < banks.out.size(); ++i) {
       join.bank("bank" + std::to_string(kFrameBank + i), shading.bank[i], banks.out[i]);
     }
-    // What a cache misses depends on which packet comes first, and so does what follows from it.
+    // The misses of a cache depend on the order of the packets, and so do the fetches that follow.
     join.depends_on_order({"memory_request", "memory_interface", "node_line", "node_fill",
                            "list_line", "list_fill", "column_line", "matrix_fill"});
   }

@@ -20,7 +20,7 @@ namespace dynrt {
 struct CoreCounter {
   std::string name;
   std::uint64_t value;
-  bool order_independent;  ///< the same whatever the order in which packets are served
+  bool order_independent;  ///< the same for every order of the packets
 };
 
 template <class C>

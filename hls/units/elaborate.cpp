@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Writes what the join of the core says, for one configuration: the Verilog top, the header with
-// the positions of the frame's registers, and a description as JSON. UNITS is the list that CMake
-// goes by (list_units.h): it is an error if the join has come to have others since.
+// Writes the files of the core's join for one configuration: the Verilog top, the header with the
+// positions of the frame's registers, and a description as JSON. UNITS is CMake's list of units
+// (list_units.h); it is an error if the join has other units.
 #include <cstdio>
 #include <exception>
 #include <fstream>

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the host tells the core about a frame. Every field that configuration C has is one 32-bit
-// register of the board, in this order; the registers stand still while a frame is being rendered.
+// The host's settings for a frame. Every field that configuration C has is one 32-bit register of
+// the board, in this order; the registers do not change while a frame is being rendered.
 #pragma once
 
 #include <cstddef>
@@ -47,7 +47,7 @@ struct EveryRegister {
 };
 using FrameConfig = FrameRegisters<EveryRegister>;
 
-/// Of the host's registers those that configuration C has.
+/// The host's registers that configuration C has.
 template <class C>
 FrameRegisters<C> registers_of(const FrameConfig& all) {
   const auto value = []<class F>(const F& field) {

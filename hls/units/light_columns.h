@@ -11,7 +11,7 @@
 
 namespace dynrt {
 
-/// The light that a packet's light rays come from.
+/// The light of a packet's light rays.
 template <class C>
 struct LightPower {
   typename C::Real intensity;

@@ -22,7 +22,7 @@ class UnitLines {
   template <class U>
   void unit(const std::string& /*name*/, const std::string& module, U& /*unit*/) {
     if (!modules_.insert(module).second) return;
-    // However the compiler was told the path, its end is what a header is included by.
+    // The path as an #include names it: its end, whatever path the compiler got.
     const std::string file(U::hls_file());
     text_ += config_ + "|" + module + "|" + file.substr(file.rfind("units/")) + "|" +
              hls::type_name<U>() + "\n";

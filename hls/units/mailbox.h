@@ -4,8 +4,8 @@
 // Mailbox: lets every object and every triangle through once per packet and level (thesis 4.3.2,
 // 6.1.2). Slots fill in order and are never replaced: a full mailbox lets everything new through.
 // The objects of a packet are forgotten when a new ray starts, the triangles when an object is
-// entered. A level without slots lets everything through: it has no memory, and what is listed
-// twice is met twice, to the same hits.
+// entered. A level without slots lets everything through: it has no memory, and an item that is
+// listed twice is tested twice, with the same hits.
 #pragma once
 
 #include "units/frame.h"
@@ -44,7 +44,7 @@ struct Mailbox {
     hls::FieldIf<kHasMirrors<C>, bool> distinct_origins;
     HLS_FIELDS(rays, distinct_origins)
   };
-  /// Who enters an object is asked, and who is traced where others wait.
+  /// The rays that enter an object, or those that are traced while others wait.
   static constexpr bool kKeepsTraced = kTwoLevels<C> || kHasSecondary<C>;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
 

@@ -60,7 +60,7 @@ struct MatrixStore {
     const bool complete = p.columns == last;
     if (r.context.column == uint<2>(0)) {
       if constexpr (C::kOneColour && !kTwoLevels<C>) {
-        // Nothing is read of the spare bits.
+        // The spare bits are not read.
       } else if constexpr (C::kOneColour) {
         p.extra = r.line.spare().template trunc<MatrixExtra<C>::kWidth>();
       } else {

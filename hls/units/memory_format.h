@@ -1,15 +1,15 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What lies in the board's memory: the one description that the core reads by and the host packs
-// by.
+// The layout of the board's memory: the one description for the core that reads and the host that
+// packs.
 //
 // Six banks of 2^20 words each. Banks 0 to 2 hold the scene, in words that are as wide as the
 // configuration's float R asks for, 32 bits for all of at most 24. In their lower half node n is
 // {bank 1 [n], bank 0 [n]} and list entry n is bank 2 [n]; in the upper half matrix column a is row
 // r of column a in bank r [2^19 + a], where a = 4 * matrix + column (columns 0 to 2 are the linear
-// part, column 3 the translation). What fills less than its words lies in their lowest bits. Bank 3
-// holds the framebuffer, banks 4 and 5 the hit records, in words of 32 bits.
+// part, column 3 the translation). Data with fewer bits than their words lie in the lowest bits.
+// Bank 3 holds the framebuffer, banks 4 and 5 the hit records, in words of 32 bits.
 #pragma once
 
 #include <algorithm>
@@ -49,7 +49,7 @@ inline constexpr unsigned kSpareBits = std::max(8u, (R::kLeafWidth + 2) / 3);
 template <class R>
 using SceneWord = uint<std::max(Word::kWidth, R::kLeafWidth + kSpareBits<R>)>;
 
-/// What a k-D tree node splits on; a leaf's `left` is the address of its list.
+/// The axis that a k-D tree node splits; a leaf's `left` is the address of its list.
 enum class NodeKind : unsigned char { kSplitX, kSplitY, kSplitZ, kLeaf };
 
 /// A node of the k-D tree: in the memory 40 bits and a float.
@@ -62,7 +62,7 @@ struct Node {
   HLS_FIELDS(kind, split, left, right)
 };
 
-/// What a ray is tested against once it is transformed (thesis 5.2).
+/// The unit object that a transformed ray is tested against (thesis 5.2).
 enum class Primitive : unsigned char {
   kTriangle,   ///< (0,0,0), (1,0,0), (0,1,0)
   kSphere,     ///< of radius 1 about the origin
@@ -70,7 +70,7 @@ enum class Primitive : unsigned char {
 };
 
 /// An entry of a leaf's list, 32 bits: the matrix of an object instance or of a primitive. The
-/// lowest of the reserved bits say which primitive; a core that has one alone reads none of them.
+/// lowest of the reserved bits give the primitive; a core with one kind reads none of them.
 struct ListEntry {
   MatrixIndex matrix;
   uint<14> reserved;
@@ -103,9 +103,9 @@ struct MatrixColumn {
   }
 };
 
-/// A triangle in three columns (thesis 5.1.1): the linear part has a column of three ones, which
-/// is not stored. What is stored are its other two, in their order, and the translation. The spare
-/// bits that the first two need for the number of the column of ones push the colour's blue on:
+/// A triangle in three columns (thesis 5.1.1): the linear part has a column of three ones, which is
+/// not stored. The other two are stored in their order, then the translation. The spare bits that
+/// the first two need for the number of the column of ones push the colour's blue on:
 ///
 ///        spare bits  7 to 0    15 to 8  23 to 16
 ///   stored column 0  red       green    number of the column of ones
@@ -113,13 +113,13 @@ struct MatrixColumn {
 ///   stored column 2  factor of the cosine, a float
 ///
 /// Stored triangle n begins at column 3 n, any other matrix n at column 4 n: each kind has its own
-/// numbers. Whatever else a list's entry names (a sphere) begins like a triangle and has four
-/// columns, and so has a mirror's reflection, which follows its triangle.
+/// numbers. Every other primitive of a list's entry (a sphere) begins like a triangle and has four
+/// columns, and so does a mirror's reflection, which follows its triangle.
 inline constexpr unsigned kStoredColumns = 3;
 
 /// A finished ray's hit as the core writes it, word by word into bank 4 and at the same place into
 /// bank 5: pixel p's words begin at kHitWords * p. Numbers are the bits of the core's float, of at
-/// most 32 bits; a miss has `hit` zero and the rest as it was initialised.
+/// most 32 bits; a miss has `hit` zero and its initial values in the other fields.
 struct HitPlace {
   Word t;
   Word v;

@@ -50,7 +50,7 @@ struct MemoryInterface {
     return {node.kind, node.split, node.left.template trunc<C::kAddressBits>(),
             node.right.template trunc<C::kAddressBits>()};
   }
-  /// What lies in the lowest bits.
+  /// The value in the lowest bits.
   template <class T, unsigned W>
   static T lowest(uint<W> bits) {
     return hls::from_bits<T>(bits.template trunc<hls::bit_width_of<T>()>());

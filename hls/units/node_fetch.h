@@ -20,13 +20,13 @@ namespace dynrt {
 template <class C>
 struct NodeFetch {
   using Stack = StackPointer<C>;
-  /// What is known of a packet in one level.
+  /// The state of a packet in one level.
   struct State {
     Stack stack;    ///< entries in use
     RayMask alive;  ///< rays that entered the level and have not ended in it
-    hls::FieldIf<kHasSecondary<C>, RayKind> rays{};          ///< level 0: what they are
+    hls::FieldIf<kHasSecondary<C>, RayKind> rays{};          ///< level 0: their kind
     hls::FieldIf<kSplitsPackets<C>, RayMask> waiting{};      ///< rays of the groups to come
-    hls::FieldIf<kSplitsPackets<C>, NodeAddress<C>> root{};  ///< where they begin
+    hls::FieldIf<kSplitsPackets<C>, NodeAddress<C>> root{};  ///< node where they begin
     hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};    ///< rays that have crossed others
     HLS_FIELDS(stack, alive, rays, waiting, root, crossing)
   };

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a configuration chooses between, where that is neither a number nor a yes or no
+// The choices of a configuration that are neither numbers nor yes or no
 // (hls/configs/configurations/keys.py).
 #pragma once
 
@@ -9,32 +9,32 @@
 
 namespace dynrt {
 
-/// What happens to a packet whose rays do not agree on which child comes first (thesis 3.1.3).
+/// The treatment of a packet whose rays enter the children in different orders (thesis 3.1.3).
 enum class Crossing : std::uint8_t {
   kNone,      ///< the first ray's order is taken: right for rays of one origin
   kSplit,     ///< packets are split by the signs of their rays' directions
-  kRemember,  ///< the child that is left out for now is remembered
+  kRemember,  ///< the child that is left out at first is remembered
 };
 
-/// How a ray is clipped to the box of an object that it enters (thesis 4.2).
+/// The way a ray is clipped to the box of an object that it enters (thesis 4.2).
 enum class ObjectBox : std::uint8_t {
   kNodes,  ///< by six clipping nodes of the object's tree
   kUnit,   ///< by a unit of its own, as the object's matrix takes the box to a cube
 };
 
-/// How the distance of a node's plane is found: offset over direction (thesis 6.1.1).
+/// The way the distance of a node's plane is found: offset over direction (thesis 6.1.1).
 enum class Divider : std::uint8_t {
   kDigitRecurrence,  ///< by a divider in every slice, rounded once
   kReciprocal,       ///< by the direction's reciprocal, taken once for each ray and level
 };
 
-/// What is stored of a triangle (thesis 5.1).
+/// The stored form of a triangle (thesis 5.1).
 enum class TriangleMatrix : std::uint8_t {
   kNormalConsistent,  ///< 12 numbers: the plane's normal is a row
   kMemoryEfficient,   ///< 9 numbers, and two bits that say which column is (1, 1, 1)
 };
 
-/// How a ray meets a triangle.
+/// The test of a ray against a triangle.
 enum class TriangleTest : std::uint8_t {
   kUnitTriangle,  ///< the triangle's matrix takes the ray to the unit triangle (thesis 5.2)
   kWatertight,    ///< the ray's shear takes the corners to the plane; an exact rule for the edges

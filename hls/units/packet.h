@@ -1,11 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a packet is in a configuration C (hls/configs): 2x2 rays, masks with one bit per ray, ray 0
+// The packet of a configuration C (hls/configs): 2x2 rays, masks with one bit per ray, ray 0
 // lowest; rows of the RAMs that keep something per packet, level or ray; and which parts of the
 // core C has. Level 0 is the top-level tree over object instances, level 1 the tree of one object
-// (thesis chapter 4). In a core of one level there is the tree of one object alone, which lies in
-// the world as it is: rays start in it, and no token tells its level.
+// (thesis chapter 4). A core of one level has only the tree of one object, which lies in the world
+// as it is: rays start in it, and tokens have no level.
 #pragma once
 
 #include <algorithm>
@@ -31,7 +31,7 @@ inline constexpr bool kHasMirrors = C::kReflections > 0;
 template <class C>
 inline constexpr bool kHasSecondary = kHasLights<C> || kHasMirrors<C>;
 
-/// What a configuration does about reflected rays that cross (thesis 3.1.3). No others do.
+/// The treatment of reflected rays that cross (thesis 3.1.3). No other rays cross.
 template <class C>
 inline constexpr bool kSplitsPackets = kHasMirrors<C> && C::kCrossing == Crossing::kSplit;
 template <class C>
@@ -52,8 +52,8 @@ inline constexpr bool kHasReciprocals = C::kDivider == Divider::kReciprocal;
 /// Whether no ray passes between two triangles that share an edge (units/watertight.h).
 template <class C>
 inline constexpr bool kWatertight = C::kTriangleTest == TriangleTest::kWatertight;
-/// Steps of the mantissa by which a plane's distance may be wrong: one and a half of two operations
-/// to nearest, less than three truncated (docs/explanation/watertight.md). 0: none is minded.
+/// Steps of the mantissa by which a plane's distance may be wrong: one and a half after two
+/// operations to nearest, less than three truncated (docs/explanation/watertight.md). 0: ignored.
 template <class C>
 inline constexpr unsigned kWidening = !kWatertight<C>                                     ? 0
                                       : C::Real::kRounding == hls::Rounding::kNearestEven ? 2
@@ -67,14 +67,14 @@ inline constexpr bool kPassesObjectRays = kClipsToBox<C> || kWatertight<C>;
 template <class C>
 inline constexpr bool kThreeColumns = C::kTriangleMatrix == TriangleMatrix::kMemoryEfficient;
 
-/// Whether the core must be told which primitive it meets (thesis 5.2).
+/// Whether tokens must name the primitive that a ray meets (thesis 5.2).
 template <class C>
 inline constexpr bool kHasKinds = C::kPrimitives.count() > 1;
 /// Whether the scalar product in unit space is to be scaled to be the one with the unit normal.
 template <class C>
 inline constexpr bool kScalesCosine = kThreeColumns<C> || C::kPrimitives.sphere;
 
-/// Which primitive; where there is but one, the field is not there.
+/// The kind of primitive; a core with one kind lacks the field.
 template <class C>
 using PrimitiveField = hls::FieldIf<kHasKinds<C>, Primitive>;
 template <class C>
@@ -86,18 +86,18 @@ constexpr bool is_primitive(Primitive which, const PrimitiveField<C>& field) {
   return some && (!kHasKinds<C> || field.get() == which);
 }
 
-/// What nearly all configurations have: a field as it is, or none (hls::FieldIf).
+/// A field that nearly all configurations have; the others lack it (hls::FieldIf).
 template <bool Present, class T>
 using Kept = std::conditional_t<Present, T, hls::FieldIf<false, T>>;
 
 /// The colour of a surface, 0x00BBGGRR, where surfaces have colours of their own.
 template <class C>
 using SurfaceColour = Kept<!C::kOneColour, uint<24>>;
-/// What the spare bits of a matrix say: the root of an object's tree, or a primitive's colour.
+/// The spare bits of a matrix: the root of an object's tree, or a primitive's colour.
 template <class C>
 using MatrixExtra =
     Kept<kTwoLevels<C> || !C::kOneColour, uint<C::kOneColour ? C::kAddressBits : 24>>;
-/// What belongs to an instance, where there are several.
+/// A field of an instance, in cores that have several.
 template <class C, class T>
 using OfInstance = Kept<kTwoLevels<C>, T>;
 
@@ -113,7 +113,7 @@ using ColumnAddress = uint<C::kMatrixBits + 2>;
 template <class C>
 using CoreNode = Node<typename C::Real, C::kAddressBits>;
 
-/// Of a list's entry what a core reads that has fewer bits for matrices than the memory.
+/// The part of a list's entry that a core with fewer bits for matrices than the memory reads.
 template <class C>
 struct NarrowListEntry {
   MatrixNumber<C> matrix;

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A packet's rays come through a unit one after the other, the lowest first. What belongs to one
-// ray goes to the port that has the ray's number; what belongs to the packet follows its last ray.
+// A packet's rays come through a unit one after the other, the lowest first. Data of one ray go to
+// the port with the ray's number; data of the packet follow its last ray.
 #pragma once
 
 #include "units/tokens.h"

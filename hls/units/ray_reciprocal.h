@@ -3,7 +3,7 @@
 //
 // Ray reciprocal: on the way of every ray into a level of the traversal, the reciprocals of its
 // direction's components, one a clock by one divider, so that the four slices multiply where they
-// would divide. What the slices read of a ray is its origin and these; the ray is saved before its
+// would divide. The slices read a ray's origin and these reciprocals; the ray is saved before its
 // packet can come to them, as a new ray's reset and an object's entry are sent on from here.
 //
 // A reciprocal has its component's sign, and a power of two's is exact. The range of the numbers is

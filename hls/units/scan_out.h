@@ -14,14 +14,14 @@
 namespace dynrt {
 
 /// The picture and the display's mode, in pixels and lines. Every field is one 32-bit register of
-/// the board, in this order. All but `base` stand still while pixels are asked for. A mode is given
-/// as in an X11 mode line: a line is `hdisplay` visible pixels, the front porch to `hsync_start`,
-/// the pulse to `hsync_end`, the back porch to `htotal`; and so down the display.
+/// the board, in this order. Only `base` may change while pixels are asked for. A mode is given as
+/// in an X11 mode line: a line is `hdisplay` visible pixels, the front porch to `hsync_start`, the
+/// pulse to `hsync_end`, the back porch to `htotal`; and so down the display.
 struct ScanConfig {
   uint<32> base;    ///< first word of the picture, taken over at the start of a vertical blank
   uint<32> width;   ///< of the picture, whose rows follow each other and fit the display
   uint<32> height;  ///< what lies below the display is not shown
-  uint<32> left;    ///< where it lies on the display; all around is black
+  uint<32> left;    ///< its place on the display; the rest is black
   uint<32> top;
   uint<32> hdisplay;
   uint<32> hsync_start;
@@ -41,7 +41,7 @@ struct ScanPixel {
   uint<24> colour;  ///< red lowest; black where `visible` is false
   bool hsync = false;
   bool vsync = false;
-  bool visible = false;  ///< what a converter calls not blanked
+  bool visible = false;  ///< called "not blanked" in a converter
   HLS_FIELDS(colour, hsync, vsync, visible)
 };
 
@@ -54,7 +54,7 @@ struct ScanOut {
   hls::Config<ScanConfig> config;
   hls::RamRead<Word, kBankWords, C::kSramLatency> bank;
   hls::Out<ScanPixel> pixel;
-  hls::Out<BankAddress> shown;  ///< once a vertical blank: the picture that comes next
+  hls::Out<BankAddress> shown;  ///< once in a vertical blank: the next picture
   HLS_PORTS(tick, config, bank, pixel, shown)
 
   void step() {

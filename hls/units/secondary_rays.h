@@ -80,8 +80,8 @@ struct SecondaryRays {
   }
 
  private:
-  /// After a packet has been shaded: light rays from the next light to what the other rays have
-  /// hit, after the last light the reflections, and so on; no rays at all when all is done.
+  /// After a packet has been shaded: light rays from the next light to the hits of the other rays,
+  /// after the last light the reflections, and so on; no rays when all is done.
   State next_rays(State s, const DerivationEvent<C>& d) const {
     const FrameRegisters<C> config = frame.get();
     const bool after_light = d.kind == RayKind::kLight;

@@ -1,14 +1,14 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Shader: what a packet's rays have found becomes colour, and decides which rays follow
-// (thesis 6.2): first the primary rays, then light rays from every light to what was hit, then what
-// is reflected, and so on. A packet's four rays are shaded on four clocks.
+// Shader: turns the hits of a packet's rays into colour and decides which rays follow (thesis 6.2):
+// first the primary rays, then light rays from every light to the hits, then reflected rays, and so
+// on. A packet's four rays are shaded on four clocks.
 //
 // A surface's colour times ambient light and the cosine with the arriving ray, and for every light
 // that is seen, the light's colour and intensity times cosine over distance: with d from the light
 // to the surface, |n . d| / (d . d). It is lit on the side only from which it is seen. A mirror
-// adds the part that it reflects of what the reflected ray brings, and keeps the rest.
+// adds its share of the light that the reflected ray brings, and keeps the rest.
 #pragma once
 
 #include "units/colour.h"
@@ -23,13 +23,13 @@ struct Shader {
   using Real = typename C::Real;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
   using Sum = uint<12>;  ///< a channel's sum in sixteenths
-  /// What is known of a ray's pixel.
+  /// The state of a ray's pixel.
   struct Pixel {
     std::array<Sum, 3> sum;
     SurfaceColour<C> colour;  ///< of the surface hit last
     bool towards = false;     ///< the sign of its cosine
     Brightness diffuse;       ///< how much of that surface's light reaches the eye
-    hls::FieldIf<kHasMirrors<C>, Brightness> mirror;  ///< how much of what it reflects
+    hls::FieldIf<kHasMirrors<C>, Brightness> mirror;  ///< share of it that is reflected
     HLS_FIELDS(sum, colour, towards, diffuse, mirror)
   };
 
@@ -111,7 +111,7 @@ struct Shader {
       pixel.sum[i] = over ? Sum::ones() : sum.template trunc<12>();
     }
   }
-  /// What the surface throws back of the light: the product of their channels.
+  /// The light that the surface reflects: the product of their channels.
   static uint<24> light_on(uint<24> colour, uint<24> light_colour) {
     uint<8> result[3];
     for (unsigned i = 0; i < 3; ++i) {

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Start-up: what the board sends before a frame. A number below kFirstPacket invalidates that line
-// of every cache; from kFirstPacket on the numbers free packets. The board leaves the caches the
-// time to empty themselves in between, so that no packet meets a line of an earlier frame.
+// Start-up: the tokens that the board sends before a frame. A number below kFirstPacket invalidates
+// that line of every cache; from kFirstPacket on the numbers free packets. The board leaves the
+// caches time to empty in between, so that no packet meets a line of an earlier frame.
 #pragma once
 
 #include "units/ray_generation.h"

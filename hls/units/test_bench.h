@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the units' tests share: a bench that binds every port of one unit to something the test can
+// Shared by the units' tests: a bench that binds every port of one unit to queues that the test can
 // fill and read, configurations of any size, random tokens, and a comparison that names the field.
 #pragma once
 

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The tokens that travel between the units of the core, by what they are for. C is a configuration
+// The tokens that travel between the units of the core, by purpose. C is a configuration
 // (hls/configs).
 #pragma once
 
@@ -15,7 +15,7 @@ namespace dynrt {
 
 // ---- Rays beyond the primary ones (thesis 6.2) ----
 
-/// What the rays of a packet are, each time that they are traced.
+/// The kind of a packet's rays, each time that they are traced.
 enum class RayKind : unsigned char { kPrimary, kLight, kReflection };
 
 /// The passes of the transformation that make one light or reflection ray. A light ray takes one, a
@@ -27,7 +27,7 @@ template <class C>
 inline constexpr Derivation kFirstReflection =
     kTwoLevels<C> ? Derivation::kIntoObject : Derivation::kMirror;
 
-/// Which ray a matrix of its own is for.
+/// The ray that has its own matrix.
 struct DerivedRay {
   Derivation pass = Derivation::kLight;
   RayIndex ray;
@@ -45,7 +45,7 @@ struct DerivationEvent {
   HLS_FIELDS(packet, shaded, kind, surfaces, mirrors)
 };
 
-/// Where a ray has hit a surface: where its light rays end and its reflection begins.
+/// The point where a ray has hit a surface: its light rays end there and its reflection begins.
 template <class C>
 struct SurfacePoint {
   typename C::Real t;
@@ -54,8 +54,8 @@ struct SurfacePoint {
   HLS_FIELDS(t, object, triangle)
 };
 
-/// What a ray has found. A light ray has `hit` if something lies before the surface that it is to
-/// reach, and the cosine at that surface.
+/// The result of a ray. A light ray has `hit` if something lies before the surface to which it
+/// goes, and the cosine at that surface.
 template <class C>
 struct Found {
   bool hit = false;
@@ -71,7 +71,7 @@ struct Found {
 
 // ---- Traversal (thesis 6.1.1) ----
 
-/// What the node fetch unit is to do next with a packet.
+/// The next action of the node fetch unit for a packet.
 enum class TraversalKind : unsigned char {
   kEnter,    ///< start at node `next` with the rays `active`
   kDescend,  ///< go on at node `next`
@@ -79,7 +79,7 @@ enum class TraversalKind : unsigned char {
   kPop,      ///< go on at the node remembered last
 };
 
-/// A repeated job carries how often, less one, in its lowest field.
+/// A repeated job has its number of repetitions, less one, in its lowest field.
 using RepeatCount = uint<4>;
 
 /// One of four rays that enter an object.
@@ -103,14 +103,14 @@ struct TracedRay {
   HLS_FIELDS(repeat, is_new, ray)
 };
 
-/// Where a ray is within an object's box and may hit something.
+/// The interval of a ray within an object's box, where it may hit something.
 template <class C>
 struct BoxInterval {
   typename C::Real near, far;
   HLS_FIELDS(near, far)
 };
 
-/// What a slice does to a ray's interval [near, far] before the step.
+/// The change that a slice makes to a ray's interval [near, far] before the step.
 enum class IntervalUpdate : unsigned char {
   kInit,         ///< near = where the ray starts, far = its hit distance so far
   kClipFar,      ///< far = d where both children are entered
@@ -173,7 +173,7 @@ struct SliceDecision {
   HLS_FIELDS(left_first, go_left, go_right, terminated)
 };
 
-/// A packet's stack is full: what it pushed is dropped (thesis 7).
+/// A packet's stack is full: its push is dropped (thesis 7).
 template <class C>
 struct DroppedPush {
   PacketId<C> packet;
@@ -213,8 +213,8 @@ struct MailboxEntry {
 
 enum class TransformKind : unsigned char { kCamera, kObject, kTriangle, kDerive };
 
-/// What belongs to a transformation in configurations with rays beyond the primary ones or with
-/// several primitives.
+/// Fields of a transformation in configurations with rays beyond the primary ones or with several
+/// primitives.
 template <class C>
 struct TransformExtras {
   hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};  ///< of kDerive
@@ -255,7 +255,7 @@ struct ColumnContext {
   HLS_FIELDS(packet, kind, active, column, extras, matrix)
 };
 
-/// What is kept per packet about the transformation in progress.
+/// The state of a packet's transformation in progress.
 template <class C>
 struct JobRecord {
   TransformKind kind = TransformKind::kCamera;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Traversal slice: one ray's half of a traversal step (thesis 6.1.1, figure 3.5 and section 3.1.2).
-// It holds the ray's interval [near, far] and far stack for both levels, applies what was decided
-// in the step before, and finds the distance d of the node's plane and which children the ray
+// It holds the ray's interval [near, far] and far stack for both levels, applies the decision of
+// the previous step, and finds the distance d of the node's plane and the children that the ray
 // enters. Four slices work side by side on the four rays of a packet.
 //
 // Where no triangle may be lost, d counts as a range of numbers that holds the exact distance:
@@ -23,7 +23,7 @@ struct TraversalSlice {
     Real near, far, plane;
     HLS_FIELDS(near, far, plane)
   };
-  /// What is kept of it while the near child is traversed.
+  /// The part that is kept while the near child is traversed.
   struct Pushed {
     Real far;
     hls::FieldIf<kRemembersChild<C>, Real> near;

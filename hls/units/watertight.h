@@ -80,9 +80,9 @@ EdgeSide<R> side_of(const Vector<R>& from, const Vector<R>& to) {
   return side;
 }
 
-/// What the test finds: on which side of all edges the ray's line passes, if it is one; the
-/// parameter there, and the parts of the corners a and b in the point that is met, as the unit
-/// triangle has them.
+/// The result of the test: the side of all edges on which the ray's line passes, if it is the same;
+/// the parameter there, and the weights of the corners a and b in the hit point, as for the unit
+/// triangle.
 template <class R>
 struct TriangleHit {
   bool left, right;
