@@ -271,9 +271,9 @@ def document(counts: Counts) -> str:
         "",
         *[f"{line}" for line in RULE],
         "",
-        "## What one pipeline computes with (table 7.3)",
+        "## Floating-point units of one pipeline (table 7.3)",
         "",
-        "Floating-point units, and kB with dual-port bits as two: thesis / ours.",
+        "Each entry is thesis / ours. The last column has kB, with a dual-port bit as two bits.",
         "",
         *table(("unit", "add", "multiply", "divide", "compare", "memory, kB"), complexity(base)),
         "",
@@ -282,9 +282,9 @@ def document(counts: Counts) -> str:
         *table(head, units_table(counts, PACKET_UNITS, "packet", PACKETS)),
         "",
         *(f"- `{name}`: {note}." for name, note in NOTES.items()),
-        "- Our bits per packet are of the memories whose rows grow with the packets; memory bits "
-        "are all.",
-        "- Not in the thesis's table, and not in our sums: "
+        "- Our bits per packet count the memories whose rows grow with the packets. Memory bits "
+        "count all memories.",
+        "- The thesis's table and our sums leave these out: "
         + "; ".join(
             f"{n.strip('()')} {logic:,} gates and {amount:,} bits"
             for n, (logic, amount) in others.items()
@@ -301,7 +301,7 @@ def document(counts: Counts) -> str:
         f"Total gates: thesis {there:,}, ours {here:,} "
         f"({100 * here / there:.0f} %), of them {4 * memory:,} in memories.",
         "",
-        "What the logic of the whole core is made of: "
+        "The logic of the whole core consists of "
         + ", ".join(f"{n:,} x {kind}" for kind, n in sorted(cells.items()))
         + ".",
         "",
@@ -312,9 +312,9 @@ def document(counts: Counts) -> str:
         "    thesis   " + formula("Bits_RTC(P, CL)", (0, 14007, 249)),
         "    ours     " + formula("Bits_RTC(P, CL)", fits[1]),
         "",
-        "Ours by least squares over the cores of this table, each lowered and counted. (The "
-        "thesis's",
-        "C_RTC leaves out the 17,803 logic gates of its table 7.5.)",
+        "Our formulas are a fit by least squares over the cores of this table, each lowered and "
+        "counted. The",
+        "thesis's C_RTC leaves out the 17,803 logic gates of its table 7.5.",
         "",
         *table(
             (
@@ -334,9 +334,9 @@ def document(counts: Counts) -> str:
         "",
         *FIT,
         "",
-        "## Which memory takes which bits",
+        "## The bits of each memory",
         "",
-        "Rows a packet (or a line) x bits of a row x ports, at 32 packets and 512 lines.",
+        "The column *bits* has the rows of a packet (or a line), times the bits of a row, times the ports. It is for 32 packets and 512 lines.",
         "",
         *table(("unit", "memory", "bits", "all bits"), memories_table(counts)),
         "",
@@ -347,36 +347,27 @@ def document(counts: Counts) -> str:
 
 
 RULE = (
-    "What the table leaves open is read so: a place of a carry chain is a full adder, with the LUT of "
-    "one or",
-    "two inputs that feeds it alone; a LUT of two inputs counts as one of three, an inverter as one "
-    "gate; a",
-    "flip-flop with a synchronous set or reset as one with an enable; a dual-port bit as two memory "
-    "bits;",
-    "gates that address memories are ignored, as in the thesis. The netlist is Yosys's for Virtex-II, "
-    "each unit",
-    "with the FIFO depths that it has in the core, memories counted as the source has them.",
+    "The table leaves some things open. We count them in this way: a place of a carry chain is a full adder,",
+    "together with a LUT of one or two inputs that feeds it alone. A LUT of two inputs counts as a LUT of three,",
+    "an inverter as one gate. A flip-flop with a synchronous set or reset counts as one with an enable, and a",
+    "dual-port bit as two memory bits. As in the thesis, gates that address memories do not count. The netlist is",
+    "Yosys's for Virtex-II. Each unit has the FIFO depths of the core, and memories count as the source has them.",
 )
 FIT = (
-    "What is left over is that packet numbers are in every token, so that widths go with log2 P, and "
-    "that rows",
-    "of RAM are powers of two.",
+    "The fit is not exact, because every token holds a packet number, so widths grow with log2 P, and because",
+    "rows of RAM are powers of two.",
 )
 WHY = (
-    "Why a packet takes what it takes:",
+    "Why a packet takes so many bits:",
     "",
-    "- The far stack of a ray has 64 rows a packet (32 for each level, of which 31 are used: the address "
-    "is level,",
-    "  packet and depth, without an adder), and a second port doubles it. The thesis's 2,352 bits are "
-    "24 x (62 + 2 x 18),",
-    "  what a single-port stack and 18 dual-port words would take.",
-    "- FIFOs: every one on a loop of packets holds all of them, so that no loop can deadlock and no "
-    "pipeline needs",
-    "  an enable. The thesis has none in its tables.",
-    "- Rays are kept twice: by axis for each slice, and as vectors for `send_packet`. A packet's matrix "
-    "is kept once,",
-    "  in the thesis perhaps for both levels (1,152 bits are 12 x 24, two levels, two ports).",
-    "- A line of a cache is its data, its address and, in ours, a bit that says whether it counts: one "
-    "bit more than in",
-    "  the thesis. Ours are dual-port, as lookups go on while lines arrive; the thesis's are counted once.",
+    "- The far stack of a ray has 64 rows a packet: 32 for each level, of which 31 are used, so that the address",
+    "  is level, packet and depth, without an adder. A second port doubles it. The thesis's 2,352 bits are 24 x",
+    "  (62 + 2 x 18): a single-port stack and 18 dual-port words.",
+    "- Every FIFO on a loop of packets holds all packets, so that no loop can deadlock and no pipeline needs an",
+    "  enable. The thesis's tables have no FIFOs.",
+    "- The core keeps rays twice: by axis for each slice, and as vectors for `send_packet`. It keeps a packet's",
+    "  matrix once; the thesis perhaps keeps it for both levels (1,152 bits are 12 x 24, two levels, two ports).",
+    "- A line of a cache is its data, its address and, in ours, a bit that says whether it is valid: one bit more",
+    "  than in the thesis. Our lines are dual-port, since lookups go on while lines arrive. The thesis counts its",
+    "  lines once.",
 )

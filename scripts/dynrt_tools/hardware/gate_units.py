@@ -70,7 +70,7 @@ OTHER_UNITS = (
 )
 # Notes of rows whose halves differ in what they do.
 NOTES = {
-    "DynamicRTC": "ours: what joins the units (arbiters, forks, queues) and `startup`",
+    "DynamicRTC": "in ours, the join of the units (arbiters, forks, queues) and `startup`",
     "Traversal": "in ours, part of `node_fetch`",
     "TraversalStackPointer": "in ours, part of `node_fetch`",
     "PacketEncoder": "in ours, part of `send_packet`",
