@@ -12,7 +12,7 @@ import http.server
 import pathlib
 
 from dynrt_tools import project
-from dynrt_tools.docs import links, made, site, times
+from dynrt_tools.docs import ideas, links, made, site, times
 
 PORT = 8000
 
@@ -29,11 +29,18 @@ def parse() -> argparse.Namespace:
     what.add_argument(
         "--serve", action="store_true", help="build, then serve http://localhost:8000"
     )
+    what.add_argument(
+        "--measure",
+        action="store_true",
+        help="render the frames of the page that says what each idea brings, keep their figures as "
+        "its data, and renew the pages; takes minutes",
+    )
     parser.add_argument(
         "--build",
         type=pathlib.Path,
         metavar="FOLDER",
-        help="check or renew the page of the programs too, with those of this build",
+        help="check or renew the page of the programs too, with those of this build; for --measure "
+        "the build that renders (default: build/release)",
     )
     what.add_argument(
         "--times",
@@ -76,7 +83,9 @@ def main() -> int:
             return check(args.build)
         if args.times:
             times.keep(args.times[0], pathlib.Path(args.times[1]))
-        if args.renew or args.times:
+        if args.measure:
+            ideas.measure(args.build or project.ROOT / "build" / "release")
+        if args.renew or args.times or args.measure:
             for path in made.renew(made_pages(args.build)) + made.renew_waves():
                 print(path.relative_to(project.ROOT))
             return 0

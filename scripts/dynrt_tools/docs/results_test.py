@@ -12,6 +12,9 @@ import unittest
 from dynrt_tools import project
 from dynrt_tools.docs import made, results
 
+# A percentage, or a number of thousands that is not rounded to them.
+MEASURED = re.compile(r"\d ?%|\d,(?!000)\d{3}\b")
+
 
 class Figures(unittest.TestCase):
     """A page of one template and its data."""
@@ -94,6 +97,28 @@ class Plots(unittest.TestCase):
             for label, value in zip(labels, values):
                 number = float(label.replace(",", ""))
                 self.assertAlmostEqual(number, value, delta=0.01 * abs(value), msg=name)
+
+
+class Elsewhere(unittest.TestCase):
+    """Pages without data of their own."""
+
+    def test_the_first_hour_shows_the_frame_of_the_data(self) -> None:
+        frame = results.Data(results.RESULTS / "data").load("office_thesis")["frame"]
+        text = (project.ROOT / "docs" / "first-hour.md").read_text(encoding="utf-8")
+        self.assertIn(
+            f"{frame['cycles']:,} cycles, {frame['frames_per_second']:.2f} frames per second", text
+        )
+
+    def test_they_link_to_figures_that_somebody_measured(self) -> None:
+        docs = project.ROOT / "docs"
+        pages = [*docs.glob("explanation/*.md"), *docs.glob("how-to/*.md")]
+        self.assertGreater(len(pages), 20)
+        for page in pages:
+            for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1):
+                found = MEASURED.search(line)
+                self.assertIsNone(
+                    found, f"{page}:{number}: '{found and found[0]}' belongs on a page of results"
+                )
 
 
 class Readme(unittest.TestCase):
