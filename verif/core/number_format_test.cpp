@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The configuration thesis with other floats, through the program's own path: memory, trees and hit
-// records follow the float. What is hit is held against a tracer in doubles over the same trees;
-// how far the two may be apart is stated in steps of the mantissa.
+// records follow the float. The hits are compared with a tracer in doubles over the same trees;
+// their allowed distance is stated in steps of the mantissa.
 #include <gtest/gtest.h>
 
 #include <algorithm>

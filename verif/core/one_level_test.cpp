@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Cores of one level, for one object that lies in the world as it is: no ray ever enters an object,
-// and what would be needed for it is not there. Hit records and pixels are those of two levels.
+// and the parts for it are missing. Hit records and pixels are those of two levels.
 #include "configs/reciprocal.h"
 #include "configs/thesis.h"
 #include "configs/whitted.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // There is no absolute epsilon anywhere: a scene scaled by a power of two that stays in the range
-// of the core's numbers gives the same hits bit for bit, distances scaled. That holds for the core,
-// of what lies in its memory, and through the program, which gives every scene the same place and
-// scale before it comes there: so a scene may be scaled and moved as one likes.
+// of the core's numbers gives the same hits bit for bit, distances scaled. That holds for the core
+// with scaled data in its memory, and for the program, which gives every scene the same place and
+// scale: so a scene may be scaled and moved freely.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -33,7 +33,7 @@ MemoryImage prepare(Scene scene, const Camera& camera) {
   return lay_out(std::move(scene), {camera, kWidth, kHeight}, {}, {.spare_stacks = false});
 }
 
-/// Everything that is a length, times a factor; trees and memory made anew.
+/// Everything that is a length, times a factor; trees and memory are rebuilt.
 void scale(MemoryImage& p, double factor) {
   for (Mesh& mesh : p.scene.objects) {
     for (glm::dvec3& vertex : mesh.vertices) vertex *= factor;

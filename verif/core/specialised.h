@@ -29,7 +29,7 @@ inline constexpr unsigned kWidth = 64, kHeight = 48;
 inline void paint(Scene& scene) {
   for (Material& material : scene.materials) material.diffuse = {0.3, 0.6, 0.9};
 }
-/// What all instances are, as one object.
+/// All instances as one object.
 inline void merge(Scene& scene) {
   Mesh all;
   all.name = "all";

@@ -24,7 +24,7 @@ struct ForBlocks : Thesis {
   static constexpr bool kUncompressed = false;
   static constexpr bool kCounters = false;
 };
-/// What `dynrt specialise office` makes.
+/// The core that `dynrt specialise office` makes.
 struct ForOffice : Thesis {
   static constexpr unsigned kLevels = 1;
   static constexpr unsigned kTopStackDepth = 1;

@@ -4,8 +4,8 @@
 // No ray from inside a closed mesh gets out, and none is hit twice where triangles meet: whole
 // frames of the watertight core, many of whose pixels lie on corners and edges exactly, and rays
 // that are tested with all triangles of a mesh by the units' code. The environment variable
-// DYNRT_RAYS says how many the slow tests take, millions without it, and DYNRT_SEED which.
-// docs/explanation/watertight.md has what is proved.
+// DYNRT_RAYS sets the number of rays of the slow tests (default: millions), and DYNRT_SEED their
+// seed. docs/explanation/watertight.md has the proof.
 #include "configs/watertight.h"
 
 #include <fmt/format.h>
@@ -176,7 +176,7 @@ Camera aimed_camera(const Laid& laid, int cells, unsigned face) {
           direction(0, 0, side)};
 }
 
-/// Frames until so many rays are traced; the number of rays that get out.
+/// Renders frames until this many rays are traced; returns the number of rays that get out.
 class Frames {
  public:
   Frames() : board_(make_board(configurations(), {"model", "watertight", ""})) {}

@@ -24,7 +24,7 @@ namespace {
 
 using hls::testing::Random;
 
-/// DYNRT_UPDATE_GOLDENS=1 writes the file anew.
+/// DYNRT_UPDATE_GOLDENS=1 rewrites the file.
 void expect_golden(const std::string& name, const std::string& text) {
   const std::string path = std::string(GOLDEN_FOLDER "/") + name;
   if (std::getenv("DYNRT_UPDATE_GOLDENS")) std::ofstream(path) << text;
@@ -150,8 +150,8 @@ std::map<std::uint64_t, Item> items_of(Ring& ring, const Job& job, bool second) 
   return items;
 }
 
-/// The Verilated top with what surrounds it. An id is given to a new job when all items of the one
-/// before have come.
+/// The Verilated top and its surroundings. A new job gets an id when all items of the previous job
+/// with it have come.
 class Outside {
  public:
   explicit Outside(std::uint64_t seed) : random_(seed) {

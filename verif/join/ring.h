@@ -74,7 +74,7 @@ struct Number {
   }
 };
 
-/// One side of the fork; odd values are told apart.
+/// One side of the fork; it marks odd values.
 struct Side {
   hls::In<Item> item;
   hls::Config<uint<8>> add;

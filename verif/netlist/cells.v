@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What synthesis for ECP5 makes block RAMs and multipliers of, as the core uses them.
+// Logic of the core that synthesis for ECP5 turns into block RAMs and multipliers.
 module cells (
   input clk_i,
   input write_en_i, read_en_i,

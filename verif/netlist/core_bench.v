@@ -1,10 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Renders one frame on dynrt_core, or on a netlist of that name, and compares what it wrote to
-// banks 3 to 5 word by word with what the model wrote. Runs in any simulator of Verilog-2005. The
-// folder +folder=F has, from record_frame: frame.hex, the frame's registers; scene0.hex to
-// scene2.hex; expected3.hex to expected5.hex, each as long as the macros say.
+// Renders one frame on dynrt_core, or on a netlist of that name, and compares banks 3 to 5 word by
+// word with those of the model. Runs in any simulator of Verilog-2005. The folder +folder=F has,
+// from record_frame: frame.hex, the frame's registers; scene0.hex to scene2.hex; expected3.hex to
+// expected5.hex, each as long as the macros say.
 `include "dynrt_core.vh"
 `include "sizes.vh"
 

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the ECP5's block RAM and multiplier do, as far as synth_ecp5 uses them: Yosys ships models of
-// every other cell that a netlist of ours has (ecp5/cells_sim.v), and these two as black boxes.
+// Models of the ECP5's block RAM and multiplier, as far as synth_ecp5 uses them: Yosys ships models
+// of every other cell that a netlist of ours has (ecp5/cells_sim.v), and these two as black boxes.
 // Lattice TN-02204 "ECP5 Memory Usage Guide" and TN-02205 "sysDSP Usage Guide". A use beyond that
 // ends the simulation.
 
@@ -42,8 +42,8 @@ endmodule
 // 18 Kbit, two ports of 9 or 18 bits each, or one that writes and one that reads 36 bits, on one
 // clock. In pairs of 18-bit words the lower is on the A pins.
 //
-// What Yosys does not promise is unknown, so that a picture that needs it is wrong: a word before it
-// is written, and one that a port reads while the other writes it.
+// Values that Yosys does not promise are unknown, so that a picture that needs them is wrong: a
+// word before it is written, and one that a port reads while the other writes it.
 module ecp5_block_ram (
   input DIA17, DIA16, DIA15, DIA14, DIA13, DIA12, DIA11, DIA10, DIA9, DIA8, DIA7, DIA6, DIA5,
     DIA4, DIA3, DIA2, DIA1, DIA0,

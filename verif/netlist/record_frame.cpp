@@ -1,13 +1,13 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// record_frame SCENE CONFIG WxH FOLDER: renders a frame on the native model and writes what
-// core_bench.v needs to render it elsewhere and to compare: the scene banks, the frame's registers,
-// the words of the framebuffer and of the hit records. Few cache lines, for they are cleared first,
-// and few reflections, whose packets wait for each other.
+// record_frame SCENE CONFIG WxH FOLDER: renders a frame on the native model and writes the files
+// with which core_bench.v renders and compares it: the scene banks, the frame's registers, the
+// words of the framebuffer and of the hit records. Few cache lines, for they are cleared first, and
+// few reflections, whose packets wait for each other.
 //
-// A frame that could not tell a wrong core from a right one is refused: several objects must be
-// hit, and where the core has light rays, some must be blocked and their pixels be dark for it.
+// It refuses a frame that could not show a wrong core: the rays must hit several objects, and if
+// the core has light rays, some must be blocked and darken their pixels.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ namespace {
 constexpr unsigned kLines = 16;
 constexpr unsigned kReflections = 1;
 constexpr std::uint64_t kMaxClocks = 10'000'000;
-constexpr unsigned kVisible = 8;  // levels of 256; what the core rounds is less
+constexpr unsigned kVisible = 8;  // levels of 256, more than the core's rounding
 
 std::string hex(std::span<const std::uint32_t> words) {
   std::string text;

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tests of the stress cases share: boards, the names of tests, the golden digests.
+// Shared by the tests of the stress cases: boards, the names of tests, the golden digests.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Every stress case on the model: nothing goes wrong more often than is allowed, and hits and
-// pixels are, to the last bit, those of the golden digests, whatever this was compiled with: -O3,
-// -O0, or under the sanitizers. What changes them on purpose renews them: the target update-stress.
+// Every stress case on the model: no error exceeds its bound, and hits and pixels have the golden
+// digests, to the last bit, with every compilation: -O3, -O0, or under the sanitizers. After an
+// intended change the target update-stress renews them.
 #include <fmt/format.h>
 
 #include "verif/stress/stress_boards.h"

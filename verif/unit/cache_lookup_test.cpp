@@ -16,7 +16,7 @@ namespace {
 template <class Kind>
 using CacheLookupOf = CacheLookup<C, Kind>;
 
-/// The lines hold addresses that are asked for, here and there one that belongs elsewhere.
+/// The lines hold requested addresses, and sometimes one that belongs to another line.
 template <class Kind>
 void setup(Bench<CacheLookupOf<Kind>>& bench, const Run& run) {
   using Request = typename CacheLookup<C, Kind>::Request;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A unit's RTL against its C++, for every unit alike: some runs with random stalls, and one with
-// none that also measures the throughput. Whatever the RTL has not written (RAMs, registers before
-// the reset) is random, so that a unit which relies on it is found out.
+// none that also measures the throughput. State that the RTL has not written (RAMs, registers
+// before the reset) is random, so a unit that relies on it fails.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ struct Amount {
 inline constexpr Amount kQuick{10, 20'000};
 inline constexpr Amount kSlow{20, 150'000};
 
-/// What one run is to do.
+/// The settings of one run.
 struct Run {
   unsigned number;
   bool full_speed;  ///< no stalls; the packets come in their order, so that none has to wait
@@ -73,7 +73,7 @@ void cosimulate(const char* name, Amount amount, Visit visit, Setup setup) {
   TEST(SUITE, RtlIsTheModel) { cosimulate_##MODULE(dynrt::cosim::kQuick); }            \
   TEST(SUITE, SlowRtlIsTheModel) { cosimulate_##MODULE(dynrt::cosim::kSlow); }
 
-/// A token's level; 0 where no token tells of it.
+/// A token's level; 0 if tokens have none.
 template <class Field>
 std::size_t level_of(const Field& level) {
   if constexpr (requires { level.to_u64(); }) {

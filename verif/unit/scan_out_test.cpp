@@ -9,7 +9,7 @@
 namespace dynrt::cosim {
 namespace {
 
-/// A mode so small that a run has many vertical blanks, now and then begun anew.
+/// A mode so small that a run has many vertical blanks, now and then restarted.
 void setup(Bench<ScanOut<C>>& bench, const Run&) {
   bench.shape<uint<1>>(
       "tick", [](uint<1>& first, Random& random) { first = uint<1>(random.below(5000) == 0); });

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// In the place of hls_fifo where two units are compared: what is written to it, when it is written.
+// Replaces hls_fifo where two units are compared: shows each token written to it, and when.
 `default_nettype none
 
 module hls_fifo #(

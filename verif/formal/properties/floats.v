@@ -1,8 +1,8 @@
 
-// What a float's operators are to give, from the definition of the format alone (hls/float.h): read
-// inside the lowered unit formal::Floats. Numbers are integers here, in units of the smallest one's
-// last place. The numbers beside the one that was given must not be nearer to the exact result, hence
-// none is.
+// The right results of a float's operators, from the definition of the format alone (hls/float.h):
+// read inside the lowered unit formal::Floats. Numbers are integers here, in units of the smallest
+// one's last place. The two neighbours of the result must not be nearer to the exact result, hence
+// no number is.
   localparam E = 3;
   localparam M = 3;
   localparam N = 1 + E + M;

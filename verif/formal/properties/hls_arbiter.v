@@ -52,7 +52,7 @@
     end
   end
 
-  // Writers keep what they offer.
+  // Writers keep an offered token.
   always @* begin
     assume (rst_ni == was_reset_q);
     assume (watched < INPUTS);

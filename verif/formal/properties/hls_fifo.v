@@ -36,7 +36,7 @@
     end
   end
 
-  // What the writer promises.
+  // The promise of the writer.
   always @* begin
     assume (rst_ni == was_reset_q);
     if (MARGIN > 0) assume (!(valid_i && !ready_o && late_q >= MARGIN));

@@ -32,7 +32,7 @@
     end
   end
 
-  // What the writer and the reader promise.
+  // The promises of writer and reader.
   always @* begin
     assume (rst_ni == was_reset_q);
     if (|late_q) assume (!write_en_i);

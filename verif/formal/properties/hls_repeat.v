@@ -26,7 +26,7 @@
     end
   end
 
-  // The writer keeps what it offers.
+  // The writer keeps an offered token.
   always @* begin
     assume (rst_ni == was_reset_q);
     if (held_q) assume (valid_i && data_i == held_data_q);

@@ -1,5 +1,5 @@
 
-// What a unit promises the FIFO at its output, read inside hls_fifo.
+// The promise of a unit to the FIFO at its output, read inside hls_fifo.
   reg [31:0] late_q = 0;  // tokens that came since ready_o is low
   reg was_reset_q = 1'b0;
   always @(posedge clk_i) begin
