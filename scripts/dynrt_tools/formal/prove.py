@@ -16,31 +16,35 @@ from dynrt_tools.formal import flow, instances, opened
 from dynrt_tools.project import ROOT, Json, read_json
 
 INTRODUCTION = """\
-Every line is a test of the label `formal`. A proof by induction holds for ever and for every input
-that the writer's promises allow. *Instances* are all parameters with which the core `thesis` uses the
-module, *units* its units as `hlsc` lowered them; a unit `tiny_...` is lowered with the small numbers
-and tables of [verif/formal/units/tiny.h](../../verif/formal/units/tiny.h). Each test also reaches every
-cover statement of its properties and sees each property broken by a mutation of the Verilog, so none
-holds for want of a case; a file in which no assertion is found is an error. `scripts/prove NAME`
-runs one and tells its seconds; the target `formal_page` writes this page.
+Every line of the table is a test of the label `formal`. A proof by induction holds for ever and for
+every input that the writer's promises allow. *Every instance* means all parameters with which the core
+`thesis` uses the module. *Every unit* means its units as `hlsc` lowered them. A unit `tiny_...` is
+lowered with the small numbers and tables of
+[verif/formal/units/tiny.h](../../verif/formal/units/tiny.h). Each test also reaches every cover
+statement of its properties, and sees a mutation of the Verilog break each property. So no property
+holds for want of a case. A file without an assertion is an error. `scripts/prove NAME` runs one proof
+and prints its seconds; the target `formal_page` writes this page.
 
-Together: an output of a unit is a FIFO's (`streams`), into which the unit sends no more than it may
-(`promise`), and a FIFO keeps tokens and their order (`hls_fifo`). A cache's row is written whole, from
-one token (`cache_fill`), reads as it was written (`hls_ram_1r1w`), and is answered only if its tag is
-the address asked for (`cache_lookup`).
+**How the proofs work together.** Each output of a unit is a FIFO (`streams`). The unit sends no more
+than the FIFO has room for (`promise`), and the FIFO keeps tokens and their order (`hls_fifo`). A cache
+writes a row whole, from one token (`cache_fill`). The row reads as it was written (`hls_ram_1r1w`). The
+cache answers with it only if its tag is the address of the request (`cache_lookup`).
 
-`one_stage` puts a unit beside itself as it is lowered for a clock so long that nothing but a RAM makes
-a stage. Both take the same tokens; tokens, rows and addresses that they give are the same. The FIFOs
-are wires there and what a RAM, a register file or a register holds is free, but the same for both:
-it is read and written by the same transactions, at the same rows, with the same data. That they do so
-in the same order is the promise that `HLS_ASSERT` checks of a RAM within a unit, and that the core keeps
-of one between units; a register's and a register file's is proved, as all of it lies in one stage.
-One unit is not proved so: the shading takes eight bits of a mantissa, and multiplies coordinates and
-colours of ten bits and more whatever the format, which no solver has been through yet. It is held
-against the C++ by co-simulation alone. The transformation has floats of two bits of mantissa.
+**Units in several stages.** `one_stage` compares two versions of a unit: the unit as lowered for the
+project's clock, and the unit as lowered for a clock so long that only a RAM makes a stage. Both take
+the same tokens, and the proof shows that they give the same tokens, rows and addresses. In this proof
+the FIFOs are wires. The contents of RAMs, register files and registers are free, but the same for both
+versions: the same transactions read and write them, at the same rows, with the same data. The order of
+these accesses is a promise. `HLS_ASSERT` checks it for a RAM within a unit, and the core keeps it for a
+RAM between units. For a register or a register file it is proved, since all of its accesses lie in one
+stage.
 
-A reader of `hls_fork` may see valid fall again before it was ready: when another reader, which was
-ready, is so no more. Every reader in the core is a unit or a FIFO, which remember nothing of a token
+This proof does not cover one unit. The shading takes eight bits of a mantissa and multiplies
+coordinates and colours of ten bits and more, whatever the format, which no solver has finished yet.
+Only co-simulation compares it with the C++. The transformation has floats of two bits of mantissa here.
+
+**A limit of `hls_fork`.** A reader may see valid fall again before it was ready, because another reader
+stops being ready. Every reader in the core is a unit or a FIFO, and these remember nothing of a token
 that they did not take."""
 
 
