@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The one exception for mistakes of the user: a bad file, flag or folder. The program prints its
-// message, one sentence naming the file, line or node, and exits with a non-zero code. Everything
-// else that is thrown is a defect of dynrt itself. What a folder's code can say stands in its
-// messages.h, as fmt's format strings.
+// message, one sentence naming the file, line or node, and exits with a non-zero code. Every other
+// exception is a defect of dynrt itself. A folder has the messages of its code in one header, as
+// fmt's format strings.
 #pragma once
 
 #include <fmt/format.h>

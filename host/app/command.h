@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A command of the program: its flags, and what it does. One file per command.
+// A command of the program: its flags and its work. One file per command.
 #pragma once
 
 #include <CLI/CLI.hpp>

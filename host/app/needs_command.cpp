@@ -34,8 +34,8 @@ struct Arguments {
   std::string json;
 };
 
-/// Of one frame, or of all the frames of the walk that moves the scene or is asked for, and of the
-/// scene as it is before it moves: so it is laid out first.
+/// The needs of one frame, or of all frames of a walk if the scene moves or the flags ask for one,
+/// and of the scene at rest, as it is laid out first.
 SceneNeeds needs_over_frames(Prepared& prepared, const Arguments& arguments) {
   const SceneNeeds still = prepared.needs();
   const bool moves = duration(prepared.scene) > 0;

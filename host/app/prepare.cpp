@@ -74,7 +74,7 @@ void check_primitives(const Scene& scene, const CoreInfo& core) {
 }
 
 /// The rays and primitives that the user may ask for. For a specialised core they are those of the
-/// general one, as lay_out() reports what exceeds the specialised core.
+/// general one, as lay_out() checks the limits of the specialised core.
 CoreInfo allowed_by(const CoreInfo& core) {
   CoreInfo allowed = core;
   if (core.is_specialised() && core.general) {

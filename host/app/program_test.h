@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tests of the whole program share.
+// Shared by the tests of the whole program.
 #pragma once
 
 #include <gmock/gmock.h>

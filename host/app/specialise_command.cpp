@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// dynrt specialise: the smallest core that renders a scene, its Verilog, and what it saves. `dynrt
-// needs` finds what the scene needs; a script measures, lowers and synthesizes.
+// dynrt specialise: the smallest core that renders a scene, its Verilog, and its savings. `dynrt
+// needs` finds the needs of the scene; a script measures, lowers and synthesizes.
 #include "host/app/command.h"
 #include "host/app/script_command.h"
 

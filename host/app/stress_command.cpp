@@ -133,7 +133,7 @@ int run(const Arguments& arguments) {
         return open_board(arguments, configuration, format);
       },
       arguments.configuration);
-  boards.get();  // what is wrong with it comes first
+  boards.get();  // its mistakes come first
 
   const auto begin = std::chrono::steady_clock::now();
   std::vector<stress::Result> results;

@@ -25,7 +25,7 @@ class TraceFile {
 
  private:
   std::optional<UnfinishedFile> waves_;
-  std::optional<UnfinishedFile> hierarchy_;  ///< lies beside the waveforms until they are complete
+  std::optional<UnfinishedFile> hierarchy_;  ///< temporary file until the waveforms are complete
 };
 
 }  // namespace dynrt::host

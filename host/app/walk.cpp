@@ -117,7 +117,7 @@ Walker::Result Walker::render_frame(unsigned frame, const PixelProgress& progres
   FrameOptions options = options_;
   options.hits = false;
   options.buffer = frame % kFrameBuffers;
-  held_.reset();  // for as long as it is not known what an error leaves
+  held_.reset();  // unknown while an error may interrupt the upload
   result.frame = render(board_, options, step.frame, changed, progress);
   record.cycles = result.frame.run.cycles;
   record.simulation_seconds = result.frame.run.seconds;

@@ -45,7 +45,7 @@ struct WalkRecord {
   std::optional<std::uint64_t> cycles;  ///< the model has none
   double simulation_seconds = 0;
   double tree_seconds = 0;  ///< to move the objects and build the top-level tree
-  double pack_seconds = 0;  ///< to lay it out and find what changed
+  double pack_seconds = 0;  ///< to lay it out and find the changes
   BusTraffic upload;
   std::uint64_t words = 0;             ///< of the frame's part of the memory, changed or not
   std::size_t nodes = 0, entries = 0;  ///< of the top-level tree
@@ -77,7 +77,7 @@ class Walker {
   struct Step {
     FrameImage frame;
     std::vector<MemoryRun> runs;
-    std::optional<Excess> excess;  ///< of what a board is made for
+    std::optional<Excess> excess;  ///< limits of the board's core
     double tree_seconds = 0, pack_seconds = 0;
   };
   Step step_to(unsigned frame);

@@ -44,7 +44,7 @@ struct Arguments {
   SpanArguments span;
   bool again = false;
 
-  /// The flags that decide what the frames look like and what is measured of them.
+  /// The flags that decide the frames and their figures.
   WalkSettings settings(const Scene& content) const;
 };
 
@@ -104,7 +104,7 @@ Place place_of(const Arguments& arguments) {
   return place;
 }
 
-/// A light stands still; what moves must not swallow it in any frame.
+/// A light stands still; a moving object must not enclose it in any frame.
 void check_moving_lights(const Prepared& prepared, const WalkPlan& plan, const CoreInfo& board) {
   Scene scene = prepared.scene;
   for (const double time : plan.times) {

@@ -75,7 +75,7 @@ Display::~Display() {
   try {
     board_.write_register(reg::kRegScanClocks, 0);
   } catch (const std::exception&) {
-    // Whatever ails the board has been told where it was first met.
+    // Errors of the board were reported where they occurred.
   }
 }
 

@@ -76,7 +76,7 @@ Loaded open(const std::string& path, std::string name) {
   return {std::move(name), *configuration()};
 }
 
-/// Empty for what is no JSON: a file's mistakes are told where its configuration is made.
+/// Empty if the file is no JSON: its mistakes are reported when its configuration is made.
 nlohmann::json parsed(const std::string& path) {
   std::ifstream file(path);
   return nlohmann::json::parse(file, nullptr, false);

@@ -47,7 +47,7 @@ class Sram {
 
  private:
   std::array<std::vector<std::uint32_t>, kBanks> banks_;
-  std::vector<Data> pipe_;  ///< what was read in the last `latency` clocks, a ring
+  std::vector<Data> pipe_;  ///< words read in the last `latency` clocks, a ring
   Data out_{};
   std::size_t newest_ = 0;
   std::uint64_t frame_writes_ = 0;

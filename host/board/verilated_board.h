@@ -34,7 +34,7 @@ class VerilatedBoard final : public ClockedBoard {
     if constexpr (kTraced) {
       context_->randReset(2);
       context_->randSeed(seed);
-      context_->fatalOnError(false);  // what $stop does is told by an exception
+      context_->fatalOnError(false);  // $stop throws an exception
     }
     top_ = std::make_unique<V>(context_.get());
     if constexpr (kTraced) {

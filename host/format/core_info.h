@@ -40,7 +40,7 @@ struct CoreInfo : CoreConfiguration {
   bool clips_to_box() const { return object_box == ObjectBox::kUnit; }
 };
 
-/// What the host knows of the core of struct C; its name is the table's to give.
+/// The host's knowledge of the core of struct C; the table gives its name.
 template <class C>
 CoreInfo core_info_of() {
   CoreInfo core(configuration_of<C>());

@@ -18,7 +18,7 @@ namespace dynrt::host {
 /// A word of the scene's banks, in its lowest word_bits.
 using MemoryWord = std::uint64_t;
 
-/// What the memory holds, before it is rounded.
+/// The data of the memory, before they are rounded.
 struct MemoryNode {
   NodeKind kind = NodeKind::kLeaf;
   double split = 0;
@@ -38,7 +38,7 @@ struct MemoryFormat {
   double smallest = 0;     ///< magnitudes
   double largest = 0;
 
-  /// The bits of what a number is rounded to; too large and too small ones saturate.
+  /// The bits of the rounded number; too large and too small ones saturate.
   std::uint32_t (*bits)(double number) = nullptr;
   double (*number)(std::uint32_t bits) = nullptr;
   /// Banks 0 and 1, and row by row.

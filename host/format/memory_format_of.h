@@ -78,7 +78,7 @@ inline constexpr MemoryFormat kMemoryFormatOf = {
     .unpack_column = detail::Packing<R>::unpack_column,
 };
 
-/// That of the shipped core, for what is said of a scene without a board: 17 bits of significand,
+/// The format of the shipped core, for figures of a scene without a board: 17 bits of significand,
 /// magnitudes from 2^-63 to (2 - 2^-16) 2^64.
 inline constexpr const MemoryFormat& kShippedFormat = kMemoryFormatOf<hls::Float<7, 16>>;
 

@@ -12,8 +12,8 @@ namespace dynrt::host {
 
 namespace {
 
-/// A hit lies at most so many times the distance of the triangle's farthest corner beside the ray,
-/// in units of the rounding of one operation; eight and a half are proved.
+/// The largest distance of a hit from the ray, in roundings of one operation times the distance of
+/// the triangle's farthest corner; eight and a half are proved.
 constexpr double kRoundings = 16;
 
 double largest_of(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
@@ -33,7 +33,8 @@ std::vector<std::vector<glm::dmat4>> transforms_of(const Scene& scene) {
   return transforms;
 }
 
-/// A cube about the scene, with room for whoever goes round it, that has all its rays' origins.
+/// A cube around the scene that contains the origins of all rays, with room for a camera that goes
+/// round it.
 Aabb reach_of(const Scene& scene, const glm::dvec3& eye, const std::vector<Aabb>& boxes,
               const std::vector<std::vector<glm::dmat4>>& transforms) {
   Aabb world;

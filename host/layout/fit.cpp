@@ -53,7 +53,7 @@ Aabb box_of(const Mesh& mesh) {
   return {box.low, box.high};
 }
 
-/// The largest of some numbers, and how to tell of it.
+/// The largest of some numbers, and its description for messages.
 struct Extreme {
   double value = 0;
   std::function<std::string()> tell;
@@ -119,7 +119,7 @@ class Fitter {
     fit_.world.centre = centre_of(world_);
   }
 
-  /// A place in the world; `what` is there.
+  /// A place in the world; `what` describes it.
   template <class What>
   void include(const glm::dvec3& p, What&& what) {
     const glm::dvec3 from_centre = p - fit_.world.centre;
@@ -204,7 +204,7 @@ class Fitter {
 
   void scale(const MemoryFormat& format) {
     const int bias = (1 << (format.exponent_bits - 1)) - 1;
-    const double reach = format.largest / 2;  // what the trees leave to a coordinate
+    const double reach = format.largest / 2;  // range that the trees leave to a coordinate
     const int least = exponent_of(fine_.value) - bias;
     const int most = bias - 1 - exponent_of(far_.value);
     int scale = -1 - exponent_of(geometry_);
@@ -241,7 +241,8 @@ void move_object(const Space& space, Mesh& mesh) {
   }
 }
 
-/// Between the world and what moves comes one node more, and one between that and each object.
+/// One more node goes between the world and the moving nodes, and one between those and each
+/// object.
 void move_motion(const Fit& fit, Scene& scene) {
   if (scene.motion.empty()) return;
   const auto after = [](std::optional<std::uint32_t>& index) {

@@ -19,7 +19,7 @@ namespace dynrt::host {
 
 namespace {
 
-/// What the board's memory has left, whatever of it a core reaches.
+/// The free part of the board's memory, also beyond the part that a core reaches.
 TreeSize room_for_instances(const SceneTrees& trees) {
   TreeSize room = kMemoryForTrees;
   for (const Tree& tree : trees.objects) {
@@ -45,7 +45,7 @@ TreeOptions spared(TreeOptions options, const SceneTrees& trees, const CoreConfi
   return options;
 }
 
-/// Says of which objects a watertight core may lose a ray from far away.
+/// Names the objects at which a watertight core may lose a ray from far away.
 void note_margins(MemoryImage& image) {
   if (image.core.triangle_test != TriangleTest::kWatertight) return;
   const std::vector<std::string> names =
@@ -55,8 +55,8 @@ void note_margins(MemoryImage& image) {
   image.scene.notes.push_back(fmt::format(messages::kBeyondMargin, names.front(), others));
 }
 
-/// A specialised core says more of what it cannot hold: check_within(). So it is asked for no less
-/// than the memory.
+/// For a specialised core check_within() has better messages, so here it only needs to fit the
+/// memory.
 void check_before(const Scene& scene, const CoreInfo& core) {
   if (core.is_specialised()) {
     CoreInfo whole;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr char kMatrices[] = "matrices (triangles, instances, lights and the camera)";
 
-/// Of the numbers that `bits` can tell apart, the first `unused` are nobody's.
+/// Throws if `needed` exceeds the numbers of `bits` bits, of which the first `unused` are not used.
 void check_limit(const Scene& scene, const char* what, std::size_t needed, const char* key,
                  unsigned bits, unsigned memory_bits, std::size_t unused = 0) {
   const std::size_t limit = (std::size_t{1} << bits) - unused;

@@ -20,7 +20,7 @@ namespace {
 constexpr double kFlattestBox = 1.0 / 1024;  ///< thickness of a box by its longest side
 constexpr double kBoxMargin = 1.0 / 4096;    ///< around an object's box, by its side
 
-/// How much a material reflects, in 256ths; of what reflects at all neither none nor all of it.
+/// The share that a material reflects, in 256ths; a mirror has neither 0 nor 256.
 std::uint32_t mirror_part(const Material& material) {
   if (!(material.mirror > 0)) return 0;
   return static_cast<std::uint32_t>(std::clamp(std::lround(256 * material.mirror), 1L, 255L));
@@ -43,7 +43,7 @@ glm::dmat4x3 reflection_matrix(const std::array<glm::dvec3, 3>& triangle) {
   return matrix;
 }
 
-/// What takes the box to the cube from -1 to 1, a little inwards, as the core's arithmetic may be
+/// The map of the box to the cube from -1 to 1, a little inwards, as the core's arithmetic may be
 /// off by a few steps. A flat box is given a thickness, so that the matrix has an inverse.
 glm::dmat4 box_to_cube(const Aabb& box) {
   const glm::dvec3 centre = 0.5 * (box.low + box.high);

@@ -17,7 +17,7 @@ namespace dynrt::host {
 /// Columns from one primitive's number to the next.
 std::uint32_t columns_apart(TriangleMatrix form);
 
-/// Matrices of four columns that so many numbers of primitives take.
+/// Matrices of four columns that this many numbers of primitives take.
 std::size_t matrices_taken(std::size_t numbers, TriangleMatrix form);
 
 /// Numbers that an object's primitives take.

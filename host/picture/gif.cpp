@@ -23,7 +23,7 @@ constexpr std::string_view kGifEnd = std::string_view("\0;", 2);
 
 void write_gif(const std::string& path, std::span<const std::string> pictures,
                double pictures_per_second) {
-  // OpenImageIO cuts off what is left of a hundredth: half of one keeps it from cutting too much.
+  // OpenImageIO drops fractions of a hundredth: adding half of one makes it round.
   const double hundredths = std::max(kShortest, std::round(kHundredths / pictures_per_second));
   const auto rate = static_cast<float>(kHundredths / (hundredths + 0.5));
   write_whole(path, [&](const std::string& temporary) {

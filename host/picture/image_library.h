@@ -29,7 +29,7 @@ struct PictureDifference {
   double rms = 0.0;
   double psnr = 0.0;  ///< infinite where nothing differs
   double largest = 0.0;
-  std::uint64_t beyond = 0;  ///< pixels that differ by more than was asked for
+  std::uint64_t beyond = 0;  ///< pixels that differ by more than the limit
 };
 
 /// Red, green and blue as amounts of light, 0 to 1 unless the file's numbers are above 1; or the
@@ -39,7 +39,7 @@ struct MeanColour {
   std::string error;
 };
 
-/// All throw UserError when a file cannot be written; `path` is what the message calls it.
+/// All throw UserError when a file cannot be written; `path` is its name in the message.
 class ImageLibrary {
  public:
   /// The file's extension gives its format.

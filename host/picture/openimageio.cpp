@@ -78,8 +78,8 @@ bool read(const std::string& path, Levels& levels) {
   return whole;
 }
 
-/// A file's name with the extension of what its first bytes say: OpenImageIO asks for one. TGA
-/// files begin with nothing of their own.
+/// A file's name with the extension that its first bytes indicate, as OpenImageIO needs one. TGA
+/// files have no such bytes.
 std::string name_of(std::string_view content) {
   constexpr std::pair<std::string_view, const char*> kBeginnings[] = {
       {"\x89PNG", "png"}, {"\xFF\xD8\xFF", "jpg"}, {"BM", "bmp"},   {"GIF8", "gif"},

@@ -48,13 +48,13 @@ fs::path folder_of(const fs::path& path) {
 /// The same for all names of a file, whether it is there or not.
 fs::path place_of(const fs::path& path) { return fs::weakly_canonical(fs::absolute(path)); }
 
-/// A hidden name beside `path`, of this process, with the same extension.
+/// A hidden name of this process in the folder of `path`, with the same extension.
 std::string temporary_for(const fs::path& path) {
   return folder_of(path) /
          fmt::format(".{}.{}{}", path.stem().string(), getpid(), path.extension().string());
 }
 
-/// What processes that were killed have left half-written of this file.
+/// The half-written files that killed processes have left of this file.
 void remove_abandoned(const fs::path& path) {
   std::error_code error;
   fs::directory_iterator at(folder_of(path), error);

@@ -14,7 +14,7 @@ std::string number(const MemoryFormat&, std::uint32_t value) { return fmt::forma
 std::string flag(const MemoryFormat&, std::uint32_t value) { return value ? "yes" : "no"; }
 std::string colour(std::uint32_t value) { return fmt::format("{:#08x}", value); }
 
-/// The bits of a float and what they mean.
+/// The bits of a float and their value.
 std::string real(const MemoryFormat& format, std::uint32_t bits) {
   return fmt::format("{} ({:#08x})", format.number(bits), bits);
 }

@@ -103,7 +103,7 @@ class Conversion {
     for (unsigned c = 0; c < node.mNumChildren; ++c) flatten(*node.mChildren[c], builder);
   }
 
-  // Takes over what was built, unless nothing is left of it.
+  // Takes the object that was built, unless it is empty.
   bool keep(MeshBuilder&& builder, Instance instance) {
     scene_.dropped.zero_area_triangles += builder.zero_area_triangles();
     Mesh mesh = builder.take();
@@ -143,7 +143,7 @@ class Conversion {
         fmt::format(wording::kNothingMoves, label_, animation.mName.C_Str(), moved));
   }
 
-  /// Bones move no instance, so what only they follow stands still.
+  /// Bones move no instance, so parts that only follow bones stand still.
   void rest_skins() {
     std::size_t skins = 0;
     for (unsigned m = 0; m < from_.mNumMeshes; ++m) skins += from_.mMeshes[m]->HasBones();
@@ -157,7 +157,7 @@ class Conversion {
     if (!moves) scene_.motion.clear();
   }
 
-  // `moved_by`: what moves the parent, an index into Scene::motion.
+  // `moved_by`: index of the parent's motion in Scene::motion.
   void nodes(const aiNode& node, const glm::dmat4& parent, std::optional<std::uint32_t> moved_by) {
     const glm::dmat4 transform = parent * to_glm(node.mTransformation);
     const std::string name = node.mName.C_Str();

@@ -34,7 +34,8 @@ struct Intersection {
   int side;         // from which the ray comes: 1 or -1
 };
 
-// Where the ray, or its other half, meets the triangle, or the rectangle of which it is half.
+// The point where the ray, or its other half, meets the triangle, or the rectangle of which the
+// triangle is half.
 std::optional<Intersection> intersects(const glm::dvec3& from, const glm::dvec3& along,
                                        const Corners& at, bool rectangle) {
   const glm::dvec3 u = at[0] - at[2], v = at[1] - at[2];

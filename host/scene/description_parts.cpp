@@ -64,7 +64,8 @@ void PartReader::repaint(const JsonReader& colours, Scene& model) const {
   }
 }
 
-// What "mirror" names: materials of a model, textures of a map. A map has many materials of a name.
+// The names in "mirror": materials of a model, textures of a map. A map has many materials of a
+// name.
 void PartReader::polish(const JsonReader& part, Scene& model) const {
   if (!part.has("mirror")) return;
   std::set<std::string> names;

@@ -76,7 +76,7 @@ class DroppedFaces {
   Listener listener_;
 };
 
-/// Before Assimp cuts up the faces: its triangulation ends the program on what it does not expect.
+/// Checks faces before Assimp triangulates them, as an unexpected face would end the program there.
 void check_mesh(const aiMesh& mesh, const std::string& label) {
   const std::string name = mesh.mName.C_Str();
   for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
@@ -95,7 +95,7 @@ void check_mesh(const aiMesh& mesh, const std::string& label) {
   }
 }
 
-/// What Assimp made of a file's content. `format` is what messages call its format.
+/// Assimp's scene of a file's content. `format` is the format's name in messages.
 const aiScene& read(Assimp::Importer& importer, const std::string& path, const std::string& label,
                     const std::string& format) {
   // Else Assimp puts nodes of its own between those of an FBX file, and draws skeletons.
@@ -133,7 +133,7 @@ std::string extension_of(const std::string& path) {
 
 bool is_gltf(std::string_view extension) { return extension == ".gltf" || extension == ".glb"; }
 
-/// What people call the format: OBJ, 3DS, glTF.
+/// The usual name of the format: OBJ, 3DS, glTF.
 std::string format_of(std::string_view extension) {
   if (is_gltf(extension)) return "glTF";
   std::string name(extension.substr(1));

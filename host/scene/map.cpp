@@ -26,7 +26,7 @@ namespace dynrt::host {
 
 namespace {
 
-constexpr double kOverbright = 4.0;  // what the game multiplies baked light by (2 bits)
+constexpr double kOverbright = 4.0;  // the game's factor for baked light (2 bits)
 constexpr double kEyeAboveSpawn = 26.0;
 constexpr double kFieldOfView = 74.0;  // the game's 90 across an image of 4:3
 constexpr glm::dvec3 kGrey{0.8};

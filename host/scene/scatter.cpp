@@ -75,7 +75,7 @@ std::vector<glm::dmat4> scatter(const Scatter& wanted) {
   Spots spots(wanted.apart);
   for (std::size_t tries = kTriesEach * wanted.count; placed.size() < wanted.count && tries > 0;
        --tries) {
-    // In this order, and always all four: what is refused changes nothing for those that follow.
+    // In this order, and always all four, so that a refused instance does not change later ones.
     const double x = between(wanted.from.x, wanted.to.x), z = between(wanted.from.y, wanted.to.y);
     const double turn = between(0.0, 2.0 * std::numbers::pi);
     const double size = between(wanted.scale.x, wanted.scale.y);

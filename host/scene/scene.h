@@ -57,7 +57,7 @@ struct Ellipsoid {
   }
 };
 
-/// An object: what a bottom-level tree is built over. Its primitives are numbered: the triangles
+/// An object, over which a bottom-level tree is built. Its primitives are numbered: the triangles
 /// first, then the rectangles, then the ellipsoids.
 struct Mesh {
   std::string name;

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Another space for what a file describes: its origin is the point `centre` of the file's, its unit
+// Another space for the scene of a file: its origin is the point `centre` of the file's, its unit
 // of length is `unit` of the file's, a power of two, so that only the move rounds. Directions of
 // rays and turns stay as they are; a ray's distances are in units too.
 #pragma once

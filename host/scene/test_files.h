@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the tests of host/scene share: the files of testdata/, files written for one test, and the
+// Shared by the tests of host/scene: the files of testdata/, files written for one test, and the
 // sentence of the UserError that something throws.
 #pragma once
 

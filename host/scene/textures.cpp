@@ -43,8 +43,8 @@ std::string without_percents(std::string_view uri) {
   return name;
 }
 
-/// Where a texture may lie: as the file says, and beside the file, as many a file keeps the path of
-/// the machine that it was made on.
+/// The places of a texture: the path in the file, and the folder of the file, as many files keep a
+/// path of the machine that made them.
 std::vector<std::string> places(const std::string& path, std::string name) {
   std::ranges::replace(name, '\\', '/');
   const fs::path folder = fs::path(path).parent_path();

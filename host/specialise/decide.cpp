@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What is needed, at least what the key may be and never more than the general core has.
+/// The need, limited to the key's smallest value and to the general core's value.
 Json bounded(const ConfigurationKey& key, const Json& need, const Json& general) {
   if (!need.is_number() || !general.is_number_integer()) return need;
   const auto least = static_cast<std::int64_t>(key.low);

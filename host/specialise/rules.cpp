@@ -23,7 +23,7 @@ std::string in_frames(const SceneNeeds& needs) {
   return needs.frames > 1 ? fmt::format(" in any of {} frames", needs.frames) : "";
 }
 
-/// So many that every number below `end` is one.
+/// The bits that hold every number below `end`.
 unsigned bits_for(std::size_t end) {
   return static_cast<unsigned>(std::bit_width(std::max<std::size_t>(end, 1) - 1));
 }
@@ -178,7 +178,7 @@ Need counters(const RuleContext&) {
 
 Need scan_out(const RuleContext&) { return {false, "no VGA display is asked for"}; }
 
-/// A key that stays as it is: no value, and why.
+/// A key that keeps its value: no new value, and the reason.
 Need kept(const RuleContext& c, const char* why) {
   return {{}, fmt::format("as in {}: {}", c.general->name, why)};
 }

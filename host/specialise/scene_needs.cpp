@@ -12,7 +12,7 @@ namespace {
 
 constexpr char kTopLevel[] = "instances";
 
-/// Whichever asks for more.
+/// The larger of two needs.
 void include(SceneNeeds::Stack& stack, const SceneNeeds::Stack& other) {
   if (other.pushes > stack.pushes || stack.tree.empty()) stack = other;
 }

@@ -15,7 +15,7 @@ namespace dynrt::host {
 namespace {
 
 constexpr int kBins = 16;
-constexpr std::size_t kSweepItems = 8;  ///< up to so many boxes every face is tried
+constexpr std::size_t kSweepItems = 8;  ///< up to this many boxes every face is tried
 
 /// x, y, z and a fourth lane that is not a coordinate: the three axes are one operation. Grid
 /// numbers are exact in a float.
@@ -208,7 +208,7 @@ class Builder {
     return index;
   }
 
-  /// Counts what a split adds: its children and the boxes that are on both sides.
+  /// Counts the additions of a split: its children and the boxes that are on both sides.
   void promise(const TreeSize& more) {
     promised_ = {promised_.nodes + more.nodes, promised_.items + more.items};
     outgrown_ |= promised_.nodes > room_.nodes || promised_.items > room_.items;
@@ -292,7 +292,7 @@ class Builder {
   const Grid grid_;
   const float item_, forgiven_;
   const TreeSize room_;
-  TreeSize promised_;  ///< what the tree takes if all open nodes become leaves
+  TreeSize promised_;  ///< size of the tree if all open nodes become leaves
   bool outgrown_ = false;
   int depth_ = 0;
   double whole_area_ = 0;

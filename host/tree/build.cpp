@@ -79,7 +79,7 @@ class Builder {
       r.root = out.append(right_tree, r.root);
     } else {
       l = build(left, depth - 1, patience, left_room, search, out);
-      // What the left side has not needed is the right side's.
+      // The right side gets the room that the left side has not used.
       const TreeSize now = out.size();
       const auto used = [](std::size_t to, std::size_t from) {
         return static_cast<double>(to - from);
@@ -106,8 +106,8 @@ class Builder {
     return room.nodes >= 3 && room.items >= static_cast<double>(plane.left + plane.right);
   }
 
-  /// Each side gets what it needs as a leaf, and of the rest a part that grows faster than the work
-  /// that it is expected to make: halving a long list takes more splits.
+  /// Each side gets the room of a leaf, and a part of the rest that grows faster than its expected
+  /// work: halving a long list takes more splits.
   static std::pair<Room, Room> divide(const Room& room, const CellContent& left,
                                       const CellContent& right, double p_left, double p_right) {
     const auto n_left = static_cast<double>(left.items.size());

@@ -15,7 +15,7 @@ struct Polygon {
   int count = 0;
 };
 
-/// Keeps what lies at or above (sign +1), at or below (sign -1) the plane (Sutherland, Hodgman).
+/// Keeps the part at or above (sign +1), at or below (sign -1) the plane (Sutherland, Hodgman).
 Polygon cut(const Polygon& in, int axis, double plane, double sign) {
   Polygon out;
   for (int i = 0; i < in.count; ++i) {

@@ -18,8 +18,8 @@ struct GridBox {
   std::array<Code, 3> high;
 };
 
-/// A tree's box is grown by so many numbers of the grid, so that rounding in the traversal loses no
-/// ray at its faces.
+/// A tree's box is grown by this many numbers of the grid, so that rounding in the traversal loses
+/// no ray at its faces.
 inline constexpr int kBoxGrowth = 2;
 
 /// A box rounded outward to the grid and grown by `codes` more.

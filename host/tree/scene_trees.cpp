@@ -43,10 +43,10 @@ bool fits(const TreeSize& size, const TreeSize& limits) {
   return size.nodes <= limits.nodes && size.items <= limits.items;
 }
 
-/// Divides what there is: those that want little get it, the others equal parts by their weight.
+/// Divides the room: trees that need little get it, the others equal parts by their weight.
 std::vector<std::size_t> shares(std::size_t whole, std::span<const std::size_t> wanted,
                                 std::span<const std::size_t> weights) {
-  std::vector<std::pair<double, std::size_t>> order;  // what is wanted per weight, and whose it is
+  std::vector<std::pair<double, std::size_t>> order;  // wanted room for each unit of weight, and its tree
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     order.emplace_back(static_cast<double>(wanted[k]) / static_cast<double>(weights[k]), k);
   }
@@ -148,7 +148,7 @@ class ObjectTrees {
 
   static constexpr TreeSize kTooLarge{std::numeric_limits<std::size_t>::max(),
                                       std::numeric_limits<std::size_t>::max()};
-  /// A tree that is not cut; of one that was given up it is not known what it would be.
+  /// A tree that is not cut; the size of a tree that was given up is not known.
   struct Whole {
     TreeSize size;
     TreeStats stats;

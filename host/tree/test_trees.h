@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What every tree must be, whichever builder made it.
+// The properties of every tree, made by any builder.
 #pragma once
 
 #include <gtest/gtest.h>

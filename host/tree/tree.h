@@ -54,7 +54,7 @@ struct Tree {
   std::vector<std::uint32_t> items;
   std::uint32_t root = kNullNode;          ///< where a ray starts inside the box
   std::uint32_t clipped_root = kNullNode;  ///< where any ray starts
-  Aabb box;                                ///< what the clipping nodes cut out, rounded outward
+  Aabb box;                                ///< box that the clipping nodes cut out, rounded outward
   bool cut = false;       ///< somewhere not split for want of room (TreeOptions::room)
   bool given_up = false;  ///< no nodes: it grew beyond TreeOptions::give_up_items
   TreeStats stats;

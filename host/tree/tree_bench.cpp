@@ -11,7 +11,7 @@
 namespace dynrt::host {
 namespace {
 
-/// A room with about so many triangles.
+/// A room with about this many triangles.
 void triangle_tree(benchmark::State& state) {
   const tbb::global_control one_core(tbb::global_control::max_allowed_parallelism, 1);
   const Mesh mesh = testing::room(1, static_cast<int>(state.range(0)) / 972, 16);

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The judge of the floats: what an operation on the patterns of a Float<E, M> must give, by MPFR
-// and by nothing of float.h. MPFR rounds to M + 1 bits with an unbounded exponent; the judge takes
+// The judge of the floats: the right result of an operation on the patterns of a Float<E, M>, by
+// MPFR and without float.h. MPFR rounds to M + 1 bits with an unbounded exponent; the judge takes
 // the pattern apart and puts it together, saturating. For tests only.
 #pragma once
 

@@ -67,7 +67,7 @@ class Clocks {
     unit.outputs.push_back(&queues_.back());
     return &queues_.back();
   }
-  /// What the outside sends.
+  /// A queue of tokens from outside.
   Queue* input() { return &queues_.emplace_back(); }
 
   /// Queues that an arbiter merges before an input of unit `name`.
@@ -89,7 +89,7 @@ class Clocks {
     forks_.push_back(std::move(fork));
     return forks_.back().branches;
   }
-  /// Takes whatever comes.
+  /// Takes every token.
   void sink(Feed feed) { sinks_.push_back({.feeds = {std::move(feed)}}); }
 
   /// A RAM whose rows may be read and written at the same time. `logged` writes wait until `land`

@@ -75,7 +75,7 @@ struct JoinRecord {
 
 struct CounterRecord {
   std::string name;
-  bool order_independent;  ///< the same whatever the order in which packets are served
+  bool order_independent;  ///< the same for every order of the packets
 };
 /// The counters of a top, in the order of their addresses: tokens of every channel inside, then
 /// transactions and stalls of every unit; none, if the top has no counters. The stalls of a unit

@@ -133,7 +133,7 @@ class RamWrite {
   using Data = T;
   static constexpr PortInfo kPort{PortKind::kRamWrite, bit_width_of<T>(), N};
   using Address = uint<index_width(N)>;
-  /// A row's number and what was written there.
+  /// A row's number and the row written there.
   using Log = std::vector<std::pair<std::uint64_t, T>>;
   void write(Address address, const T& row) {
     if (rows_) (*rows_)[address.to_u64()] = row;

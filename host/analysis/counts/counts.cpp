@@ -298,7 +298,8 @@ class Tracer {
         }
       }
       while (pop) {
-        // The core's stack holds no empty children: those here only count what was not fetched.
+        // The core's stack holds no empty children: those here only count nodes that were not
+        // fetched.
         while (!stack.empty() && stack.back().node == kNullNode) {
           const Mask still = stack.back().active & alive;
           bool wanted = false;

@@ -16,7 +16,7 @@ using Costs = std::map<std::uint32_t, double>;
 class Hierarchy {
  public:
   explicit Hierarchy(const Tree& plain) : plain_(plain), lists_(plain.nodes.size()) {
-    // The cell of the real root is what the clipping nodes cut out.
+    // The cell of the real root is the box that the clipping nodes cut out.
     choose(plain.root, plain.box);
     Tree& tree = top_.tree;
     add_clipping_nodes(tree, plain.box);
@@ -50,7 +50,8 @@ class Hierarchy {
     return costs;
   }
 
-  /// What is left of a subtree whose instances in `placed` are in lists above; returns its node.
+  /// Copies a subtree without the instances in `placed`, which are in lists above; returns its
+  /// node.
   std::uint32_t copy(std::uint32_t index, std::set<std::uint32_t> placed) {
     if (index == kNullNode) return kNullNode;
     const TreeNode& node = plain_.nodes[index];

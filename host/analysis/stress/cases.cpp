@@ -35,8 +35,8 @@ bool is_watertight(const CoreInfo& board) {
   return board.triangle_test == TriangleTest::kWatertight;
 }
 
-/// Whether the core computes as those two do, of which it was measured what goes wrong. On a core
-/// of one level rays lack the multiplication with an instance's matrix and its rounding.
+/// Tells whether the core computes like the two whose errors were measured. On a core of one level
+/// rays lack the multiplication with an instance's matrix and its rounding.
 bool is_measured(const CoreInfo& board) {
   const MemoryFormat& numbers = *board.format;
   return numbers.exponent_bits == kShippedFormat.exponent_bits &&

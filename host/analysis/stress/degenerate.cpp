@@ -15,7 +15,7 @@ Shot at_wall() {
   return pencil({0, 0, 0}, {-0.9375, -0.9375, 1}, {0.0625, 0, 0}, {0, 0.0625, 0}, 31, 31);
 }
 
-/// The same rays in other orders: whichever of two triangles wins, it must do so always.
+/// The same rays in other orders: the same one of two triangles must always win.
 std::vector<Shot> in_every_order(Shot shot) {
   std::vector<Shot> shots = {shot};
   shot.options.packets = 1;

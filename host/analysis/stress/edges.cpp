@@ -73,7 +73,7 @@ void run_cube_corners(Examiner& b) {
   b.check(trial);
 }
 
-/// A square beside four that are a quarter as high: three of their vertices lie on its edge.
+/// A square next to four that are a quarter as high: three of their vertices lie on its edge.
 void run_t_junctions(Examiner& b) {
   Mesh mesh;
   add_quad(mesh, {-1, -1, 1}, {1, 0, 0}, {0, 2, 0});

@@ -48,8 +48,7 @@ std::vector<Shot> all_around(const glm::dvec3& origin, unsigned side) {
   return shots;
 }
 
-/// A light in the middle of a cube of which nothing lies in shadow: rays from the light end exactly
-/// on the surface.
+/// A light in the middle of a cube without shadows: rays from the light end exactly on the surface.
 void run_light_ends(Examiner& b) {
   constexpr std::uint32_t kAmbient = 255 * 8 / 10 / 4;  // the material's 0.8, a quarter of it
   Scene scene = scene_of(cube(1.0));

@@ -77,7 +77,7 @@ class Examiner {
   void count(Fault fault, std::uint64_t rays) { outcome_[fault] += rays; }
 
   Board& board() { return boards_.get(); }
-  /// The configuration that has light and reflection rays besides what the board's core has.
+  /// The configuration with the board's core and light and reflection rays.
   std::string with_secondary_rays();
   const Outcome& outcome() const { return outcome_; }
   /// The host has refused a trial that it should accept.

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What must not change a bit: caches, packets in flight, order, compression.
+// Settings that must not change a bit: caches, packets in flight, order, compression.
 #include "host/analysis/stress/case.h"
 #include "host/analysis/stress/chains.h"
 #include "host/analysis/stress/shapes.h"

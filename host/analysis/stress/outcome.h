@@ -66,7 +66,7 @@ struct Outcome {
 
 bool within(const Outcome& outcome, const Allowed& allowed);
 
-/// "lost 2 (of 5 allowed), distance 1.2e-05 (of 1.0e-03)": what was seen or may be.
+/// "lost 2 (of 5 allowed), distance 1.2e-05 (of 1.0e-03)": the errors and their bounds.
 std::string text_of(const Outcome& outcome, const Allowed& allowed);
 
 }  // namespace dynrt::host::stress

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Triangles much longer than wide, and tiny ones beside huge ones.
+// Triangles much longer than wide, and tiny ones next to huge ones.
 #include <cmath>
 
 #include "host/analysis/stress/case.h"
@@ -118,7 +118,7 @@ Scene tiny_before_wall(const glm::dvec3& middle, double gap) {
   return scene_of(std::move(mesh));
 }
 
-/// Rays at them and beside them.
+/// Rays at them and just past them.
 Shot at_tiny(const glm::dvec3& middle) {
   const double step = kTiny / 2;
   return pencil({0, 0, 0}, middle + glm::dvec3(-20 * step, -20 * step, 1.0), {step, 0, 0},

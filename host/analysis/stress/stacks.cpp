@@ -9,7 +9,7 @@ namespace dynrt::host::stress {
 
 namespace {
 
-/// What a full stack loses the counter must tell of.
+/// The counter must count all losses of a full stack.
 void run(Examiner& b, const Trial& trial) {
   const Rendered rendered = b.check(trial);
   if (rendered.dropped_pushes() == 0) b.count(Fault::kUnsaid, b.outcome()[Fault::kLost]);

@@ -23,8 +23,8 @@ Shot shot(const Camera& camera, unsigned width, unsigned height) {
   return shot;
 }
 
-/// A direction as the transformation unit computes it (units/transformation.h): of what has no
-/// part in it a smallest number is added, which none but a component of zero notices.
+/// A direction as the transformation unit computes it (units/transformation.h): terms that are zero
+/// add a smallest number, which changes only a component of zero.
 double component(const MemoryFormat& n, double across, double x, double down, double y,
                  double first) {
   const double sum =

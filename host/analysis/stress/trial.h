@@ -47,7 +47,7 @@ Shot pencil(const glm::dvec3& origin, const glm::dvec3& first, const glm::dvec3&
             const glm::dvec3& down, unsigned width, unsigned height);
 /// One ray.
 Shot ray(const glm::dvec3& origin, const glm::dvec3& direction);
-/// A picture of what is around `target`, the camera turned towards it.
+/// A picture of the surroundings of `target`, with the camera turned towards it.
 Shot picture(const glm::dvec3& position, const glm::dvec3& target, double field_of_view,
              unsigned width, unsigned height);
 

@@ -34,7 +34,7 @@ struct SceneRelease {
 using Device = std::unique_ptr<RTCDeviceTy, DeviceRelease>;
 using EmbreeScene = std::unique_ptr<RTCSceneTy, SceneRelease>;
 
-/// What the callback needs, behind what Embree takes.
+/// Data for the callback, behind Embree's own.
 struct Query {
   RTCIntersectContext context;
   CandidateVisitor* visitor;

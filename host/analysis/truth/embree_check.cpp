@@ -15,8 +15,8 @@ namespace dynrt::host {
 
 namespace {
 
-/// What Embree's floats may be off by where coordinates and distances have magnitude 1: vertices,
-/// origin and direction by half a step of 2^-23 each, and sums and products of them by a few.
+/// The error of Embree's floats if coordinates and distances have magnitude 1: vertices, origin and
+/// direction by half a step of 2^-23 each, and sums and products of them by a few.
 constexpr double kFloatError = 0x1p-20;
 
 struct DeviceRelease {
@@ -86,7 +86,7 @@ double largest(const glm::dvec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// Which primitives could be taken for hit or for not hit, the ray being off by what floats are.
+/// The primitives whose hit is uncertain, as the ray has the error of floats.
 class Doubt {
  public:
   Doubt(const Truth& truth, const TruthRay& ray) : truth_(truth), ray_(ray) {}
@@ -152,8 +152,8 @@ EmbreeComparison compare_with_embree(const Truth& truth, std::span<const TruthRa
     }
     const Doubt doubt(truth, rays[i]);
     const bool is_hit = found && doubt.is_hit(*found);
-    // Either Embree found what is not hit, or it found nothing, or something behind, and so missed
-    // what is hit.
+    // Either Embree found a primitive that is not hit, or it missed one that is hit and found none
+    // or one behind it.
     const std::optional<PrimitiveId> missed = hit ? std::optional(hit->id) : std::nullopt;
     const auto wrong = found && !is_hit ? found : missed;
     if (hit && is_hit && doubt.about_distance(hit->id, *found)) {

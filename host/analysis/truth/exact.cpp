@@ -41,8 +41,8 @@ Triple<N> as(const glm::dvec3& v) {
   return {N(v.x), N(v.y), N(v.z)};
 }
 
-/// What a hit lies on the inner side of, where all are positive or all negative: the edge functions
-/// of a triangle; of a rectangle u, v, 1 - u and 1 - v times N . D.
+/// The functions that are all positive or all negative for a hit: the edge functions of a triangle;
+/// of a rectangle u, v, 1 - u and 1 - v times N . D.
 template <class N>
 struct Bounds {
   std::array<N, 4> values;

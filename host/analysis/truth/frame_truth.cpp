@@ -78,7 +78,7 @@ void in_parallel(std::size_t count, Body body) {
 /// Rays of one bounce, of those pixels that still have some.
 struct Wave {
   std::vector<std::uint32_t> pixel;
-  std::vector<unsigned> weight;  ///< how much of what the ray brings reaches the eye, in 256ths
+  std::vector<unsigned> weight;  ///< share of the ray's light that reaches the eye, in 256ths
   std::vector<TruthRay> rays;
   std::vector<std::optional<TruthHit>> hits;
 };
@@ -106,7 +106,7 @@ class Shading {
     for (unsigned light = 0; light < shading.lights; ++light) add_light(wave, bounce, light);
   }
 
-  /// What the mirrors of a wave reflect.
+  /// The rays that the mirrors of a wave reflect.
   Wave reflected(const Wave& wave) const {
     Wave out;
     for (std::size_t i = 0; i < wave.rays.size(); ++i) {
@@ -127,7 +127,7 @@ class Shading {
     return scene.materials[mesh.material_of(hit.id.primitive)];
   }
   Levels colour_of(const TruthHit& hit) const { return levels_of(material_of(hit).diffuse); }
-  /// Of what mirrors, neither none nor all of the light.
+  /// The share of a mirror: neither none nor all of the light.
   unsigned mirror_of(const TruthHit& hit) const {
     const Scene& scene = truth_.scene();
     const Mesh& mesh = scene.objects[scene.instances[hit.id.instance].object];

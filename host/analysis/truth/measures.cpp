@@ -109,7 +109,7 @@ struct Errors {
   std::vector<double> values;
 
   void add(double error) { values.push_back(std::abs(error)); }
-  /// What this part of them does not exceed; null where there are none.
+  /// The value that this share of them does not exceed; null if there are none.
   ordered_json quantile(double part) {
     if (values.empty()) return nullptr;
     const auto rank =
@@ -250,7 +250,7 @@ class Judge {
   /// Which of a pixel's light rays found wrong, as bits: the fewest that explain its colour.
   std::optional<unsigned> explanation(std::size_t pixel,
                                       const std::vector<const LightRayTruth*>& rays) const {
-    // What reaches the pixel whatever these rays find; the sums are cut off at white.
+    // The light that reaches the pixel without these rays; the sums are cut off at white.
     Sixteenths rest = expected_.unlimited[pixel];
     for (const LightRayTruth* ray : rays) {
       for (std::size_t k = 0; k < 3 && !ray->shadow; ++k) rest[k] -= ray->adds[k];
@@ -311,7 +311,7 @@ class Judge {
   const Frame& frame_;
   const MatrixOwners& owners_;
   const NumberOf& number_;
-  std::vector<bool> right_;  ///< of every pixel: its primary ray hit what it should
+  std::vector<bool> right_;  ///< of every pixel: its primary ray hit correctly
 };
 
 }  // namespace

@@ -4,9 +4,8 @@
 // Measures the errors of a frame: compares its hit records and pixels with the truth. The table of
 // measures() explains each measure, and a test compares docs/reference/measures.md with it.
 //
-// A frame gives hit records of primary rays alone. What light and reflection rays have found shows
-// in the pixels: they are judged where the primary ray has hit what it should, so that a wrong
-// pixel is theirs.
+// A frame has hit records of primary rays only. The pixels show the results of light and reflection
+// rays; these are judged where the primary ray hit correctly, so that a wrong pixel is their error.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +36,7 @@ std::string measures_table();
 /// The way a board shades a frame.
 TruthShading shading_of(const CoreInfo& core, const FrameConfig& frame);
 
-/// Which primitive of which instance the matrices of a hit record are.
+/// The primitive and the instance of the matrices in a hit record.
 class MatrixOwners {
  public:
   MatrixOwners(const Scene& scene, const ObjectImage& objects, const FrameImage& frame);
@@ -55,7 +54,7 @@ class MatrixOwners {
 using NumberOf = std::function<double(std::uint32_t bits)>;
 
 /// {group: {name: figure}} of all groups that the frame has: "light" only where there are light
-/// rays, "reflection" likewise. A figure that cannot be told is null. `frame` is of the size of
+/// rays, "reflection" likewise. A figure that is not known is null. `frame` is of the size of
 /// `truth` and has hit records.
 nlohmann::ordered_json measure(const Truth& truth, const TruthFrame& expected, const Frame& frame,
                                const MatrixOwners& owners, const NumberOf& number);

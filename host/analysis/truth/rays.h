@@ -20,13 +20,14 @@ inline constexpr double kSurfaceMargin = 1.0 / 512;
 /// camera_matrix() (host/layout/frame_image.h) defines them, so that t is comparable.
 TruthRay primary_ray(const Camera& camera, unsigned width, unsigned height, unsigned x, unsigned y);
 
-/// From a light to what `ray` has hit, at t = 1 (6.2.2). What lies before it is a shadow; the
-/// surface itself is not seen, unless it is an ellipsoid, whose far side is in its own shadow.
+/// From a light to the hit of `ray`, at t = 1 (6.2.2). A hit before it is a shadow; the surface
+/// itself is ignored, unless it is an ellipsoid, whose far side is in its own shadow.
 TruthRay light_ray(const Scene& scene, const PointLight& light, const TruthRay& ray,
                    const TruthHit& hit);
 
-/// What the hit triangle or rectangle reflects (6.2.3): the ray taken into the object, mirrored at
-/// the plane and taken back; it keeps t, so it starts behind the hit's. Nothing for an ellipsoid.
+/// The reflection by the hit triangle or rectangle (6.2.3): the ray taken into the object, mirrored
+/// at the plane and taken back; it keeps t, so it starts behind the hit's. Nothing for an
+/// ellipsoid.
 std::optional<TruthRay> reflection_ray(const Scene& scene, const TruthRay& ray,
                                        const TruthHit& hit);
 

@@ -57,7 +57,7 @@ Placed place(const Mesh& mesh, const glm::dmat4& transform) {
   return out;
 }
 
-/// Where a ray is within an ellipsoid, and what the core makes of it (units/intersection.h).
+/// The interval of a ray within an ellipsoid, and the core's choice (units/intersection.h).
 struct SphereMeeting {
   double first, second;  ///< NaN if the ray passes by
   double u, v;

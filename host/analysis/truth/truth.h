@@ -41,7 +41,7 @@ struct PrimitiveId {
   friend auto operator<=>(const PrimitiveId&, const PrimitiveId&) = default;
 };
 
-/// What is hit lies at from < t < to.
+/// Hits lie at from < t < to.
 struct TruthRay {
   glm::dvec3 origin{0.0};
   glm::dvec3 direction{0.0, 0.0, -1.0};  ///< of any length but zero
