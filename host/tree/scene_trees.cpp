@@ -46,7 +46,7 @@ bool fits(const TreeSize& size, const TreeSize& limits) {
 /// Divides the room: trees that need little get it, the others equal parts by their weight.
 std::vector<std::size_t> shares(std::size_t whole, std::span<const std::size_t> wanted,
                                 std::span<const std::size_t> weights) {
-  std::vector<std::pair<double, std::size_t>> order;  // wanted room for each unit of weight, and its tree
+  std::vector<std::pair<double, std::size_t>> order;  // room wanted per weight, its tree
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     order.emplace_back(static_cast<double>(wanted[k]) / static_cast<double>(weights[k]), k);
   }
