@@ -6,7 +6,7 @@ import pathlib
 from collections.abc import Callable, Mapping
 
 from dynrt_tools import project
-from dynrt_tools.docs import commands, keys, messages, registers, results, waves
+from dynrt_tools.docs import commands, keys, limits, messages, registers, results, waves
 
 MARK = "<!-- Made by scripts/docs --renew; do not edit. -->\n"
 DOCS = project.ROOT / "docs"
@@ -18,6 +18,7 @@ FROM_SOURCES: Mapping[str, Callable[[], str]] = {
     "reference/keys.md": keys.keys_page,
     "reference/configurations.md": keys.configurations_page,
     "reference/registers.md": registers.page,
+    "reference/limits.md": limits.page,
     "reference/timing.md": waves.page,
     "reference/scripts.md": commands.scripts_page,
     "reference/messages.md": messages.page,

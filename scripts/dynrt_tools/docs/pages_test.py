@@ -9,7 +9,7 @@ import tempfile
 import unittest
 
 from dynrt_tools.build import configs
-from dynrt_tools.docs import commands, keys, links, made, messages, registers, waves
+from dynrt_tools.docs import commands, keys, limits, links, made, messages, registers, waves
 
 
 def new_folder(test: unittest.TestCase) -> pathlib.Path:
@@ -102,6 +102,19 @@ class Waves(unittest.TestCase):
         (folder / "list.svg").write_text(mark, encoding="utf-8")
         self.assertEqual(waves.stale({"list": self.drawn(2)}, folder), [])
         self.assertEqual(waves.stale({"list": self.drawn(3)}, folder), ["list"])
+
+
+class Limits(unittest.TestCase):
+    """Numbers of headers."""
+
+    def test_constants_are_computed(self) -> None:
+        known = {"kA": 3}
+        self.assertEqual(limits.value("1u << kA", known), 8)
+        self.assertEqual(limits.value("20 / kA", known), 6)
+        self.assertIsNone(limits.value("f(1) + kA", known))
+
+    def test_a_pixel_takes_the_words_of_its_hit(self) -> None:
+        self.assertEqual(limits.hit_words(17), 3)
 
 
 class Texts(unittest.TestCase):
