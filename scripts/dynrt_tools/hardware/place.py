@@ -1,24 +1,40 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Places and routes units with registers around their ports, several seeds each, and holds the
-clock that they reach against the one that hlsc's delay model predicts.
+"""Places and routes units, the whole core or the board's top with registers around their ports,
+several seeds each, and holds the clock that they reach against the one that hlsc's delay model
+predicts.
 
-Units are lowered for the device's delay model. Those that do not fit the device, or all where its
-tool is missing, get Yosys's own timing for 7-series, which knows the delay of cells but not of
-wires."""
+Units are lowered for the device's delay model; the core and the board's top are the checked-in
+Verilog. A row appears when it is done, with the worst paths of its median seed: where each starts
+and ends, its time in cells and in wires, and how many registers' inputs it ends at.
+
+Units that do not fit the device, or all where its tool is missing, get Yosys's own timing for
+7-series, which knows the delay of cells but not of wires."""
 
 import argparse
 import concurrent.futures
-import json
 import os
 import pathlib
 import shutil
-import statistics
 import sys
+from dataclasses import dataclass, field
+from typing import Any
 
 from dynrt_tools import project
-from dynrt_tools.hardware import area, devices, placing, rtl_files, synthesis
+from dynrt_tools.hardware import (
+    area,
+    devices,
+    lowering,
+    place_table,
+    placers,
+    placing,
+    rtl_files,
+    synthesis,
+)
 from dynrt_tools.project import Json
+
+BOARD = "dynrt_board"
+WHOLE = (rtl_files.CORE, BOARD)  # what is placed of the checked-in Verilog
 
 
 def parse() -> argparse.Namespace:
@@ -26,29 +42,67 @@ def parse() -> argparse.Namespace:
         prog="scripts/place",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
-        epilog="The folder that DYNRT_CACHE names, else build/synth, keeps every result under a key "
-        "of its sources.",
+        epilog="""\
+The folder that DYNRT_CACHE names, else build/synth, keeps every placement under a key of the
+Verilog, the constraints, the placer's version, the seed and the flags, with its report and its
+delays. The exit code is 1 where a placement failed.""",
     )
     parser.add_argument(
         "unit",
         nargs="*",
         metavar="UNIT",
-        help="units to place (default: every unit; on ecp5-85 the whole core too)",
+        help=f"units to place, {rtl_files.CORE} for the whole core, {BOARD} for the board's top "
+        f"(default: every unit; on ecp5-85 {rtl_files.CORE} too)",
     )
     parser.add_argument(
         "--device",
         default="ice40-hx8k",
         metavar="NAME",
-        help=f"one of {', '.join(placing.TOOLS)} (default: ice40-hx8k)",
+        help=f"one of {', '.join(placers.PLACERS)} (default: ice40-hx8k)",
+    )
+    parser.add_argument(
+        "--grade",
+        default="",
+        metavar="N",
+        help="the speed grade: 6, 7 or 8 on ecp5-85 (default: 6)",
     )
     parser.add_argument(
         "--clock-ns",
-        type=float,
+        type=_positive,
         default=10.0,
         metavar="NS",
-        help="the period that hlsc schedules for (default: 10)",
+        help="the period that hlsc schedules units for (default: 10)",
     )
-    parser.add_argument("--seeds", type=int, default=5, metavar="N", help="placements (default: 5)")
+    parser.add_argument(
+        "--ask-mhz",
+        type=_positive,
+        metavar="MHZ",
+        help="the clock that the placer is asked for (default: that of --clock-ns)",
+    )
+    parser.add_argument(
+        "--seeds",
+        type=_count,
+        default=5,
+        metavar="N",
+        help="placements, of seeds 1 to N (default: 5)",
+    )
+    parser.add_argument(
+        "--copies", type=_count, default=1, metavar="N", help="of each, in one chip (default: 1)"
+    )
+    parser.add_argument(
+        "--paths",
+        type=int,
+        default=3,
+        metavar="N",
+        help="worst paths to print below a row (default: 3)",
+    )
+    parser.add_argument(
+        "--timeout",
+        type=_positive,
+        default=180,
+        metavar="MINUTES",
+        help="the time that one placement may take (default: 180)",
+    )
     parser.add_argument(
         "--build",
         type=pathlib.Path,
@@ -57,134 +111,217 @@ def parse() -> argparse.Namespace:
     )
     parser.add_argument(
         "--jobs",
-        type=int,
+        type=_count,
         default=os.cpu_count(),
         metavar="N",
         help="tools at a time (default: the number of cores)",
     )
     parser.add_argument(
-        "--json", type=pathlib.Path, metavar="FILE", help="also write the figures as data"
+        "--json",
+        type=pathlib.Path,
+        metavar="FILE",
+        help="also write the figures as data, anew after each row",
     )
     return parser.parse_args()
 
 
-def examine(unit: dict[str, str], args: argparse.Namespace, build: pathlib.Path) -> Json:
-    """All that is known of a unit on the device."""
-    name = unit["module"]
-    device = devices.DEVICES[args.device]
-    try:
-        folder = placing.lower(build, unit, args.clock_ns, device["delay"])
-    except project.Failed as error:
-        return {"unit": name, "note": f"not lowered: {error}"}
-    files = rtl_files.hand_written() + [folder / f"{name}.v"]
-    row: Json = {"unit": name} | area.schedule((folder / f"{name}.txt").read_text(encoding="utf-8"))
-    family = device["family"]
-    cells, _ = synthesis.cells(name, files, devices.FAMILIES[family]["synth"], name)
-    row["resources"] = devices.resources(family, cells)
-    short = devices.shortages(args.device, row["resources"])
-    tool = placing.TOOLS[args.device]
-    if short:
-        row["note"] = "does not fit: " + "; ".join(short)
-    elif not shutil.which(tool["program"]):
-        row["note"] = f"{tool['program']} is not on the PATH"
-    else:
+def _positive(text: str) -> float:
+    value = float(text)
+    if value <= 0:
+        raise argparse.ArgumentTypeError(f"{text} is not above 0")
+    return value
+
+
+def _count(text: str) -> int:
+    value = int(text)
+    if value < 1:
+        raise argparse.ArgumentTypeError(f"{text} is less than 1")
+    return value
+
+
+@dataclass
+class Row:
+    """What becomes one row of the table: its figures so far, and the seeds that are under way."""
+
+    name: str
+    data: Json
+    subject: placing.Subject | None = None
+    placed: list[Json] = field(default_factory=list)
+    failures: list[Json] = field(default_factory=list)
+
+    def add(self, seed: int, job: "concurrent.futures.Future[Json]", program: str) -> None:
+        """The result of a seed, or a sentence that says why there is none."""
         try:
-            row["placed"] = [
-                placing.place(args.device, name, files, seed, 1000 / args.clock_ns)
-                for seed in range(1, args.seeds + 1)
-            ]
-        except placing.DoesNotFit as error:
-            row["note"] = f"does not fit: {error}"
-    if "placed" not in row:
-        row["logic_ns"] = placing.logic_delay(name, files)
-    return row
+            self.placed.append(job.result())
+        except placers.DoesNotFit as error:
+            self.data["note"] = f"does not fit: {error}"
+        except project.Failed as error:
+            self.failures.append({"seed": seed, "error": str(error)})
+            project.show_progress("")
+            print(
+                f"place: {program} placed no {self.name} with seed {seed}: {error}", file=sys.stderr
+            )
+
+    def finish(self) -> None:
+        """Puts the seeds in their order, and in place of all that are missing Yosys's timing."""
+        self.data["placed"] = sorted(self.placed, key=lambda p: int(p["seed"]))
+        self.data["failures"] = sorted(self.failures, key=lambda f: int(f["seed"]))
+        if self.failures and not self.placed:
+            self.data["note"] = f"failed: {self.data['failures'][0]['error']}"
+        if not self.placed and self.subject and self.name not in WHOLE:
+            self.data["logic_ns"] = placing.logic_delay(self.name, list(self.subject.files))
 
 
-HEAD = (
-    "unit",
-    "stages",
-    "predicted ns",
-    "cells",
-    "MHz, median",
-    "range",
-    "placed ns",
-    "of predicted",
-)
+def prepare(name: str, args: argparse.Namespace, build: pathlib.Path | None) -> Row:
+    """A row with all that is known before the placer runs; without a subject there is no more."""
+    if name in WHOLE:
+        files = rtl_files.core_files() + (rtl_files.board() if name == BOARD else [])
+        return Row(name, {"unit": name}, placing.Subject(name, files, args.copies, True))
+    assert build is not None  # units are of a build
+    device = devices.DEVICES[args.device]
+    unit = lowering.units(build)[name]
+    try:
+        folder = lowering.lower(build, unit, args.clock_ns, device["delay"])
+    except project.Failed as error:
+        return Row(name, {"unit": name, "note": f"not lowered: {error}"})
+    files = rtl_files.hand_written() + [folder / f"{name}.v"]
+    data: Json = {"unit": name}
+    data |= area.schedule((folder / f"{name}.txt").read_text(encoding="utf-8"))
+    cells, _ = synthesis.cells(name, files, devices.FAMILIES[device["family"]]["synth"], name)
+    data["resources"] = devices.resources(device["family"], cells)
+    taken = {resource: args.copies * n for resource, n in data["resources"].items()}
+    if short := devices.shortages(args.device, taken):
+        data["note"] = "does not fit: " + "; ".join(short)
+    return Row(name, data, placing.Subject(name, files, args.copies))
 
 
-def cells_of(row: Json) -> tuple[object, ...]:
-    placed = row.get("placed")
-    if "stages" not in row:
-        return (row["unit"], "", "", "", "", "", "", row["note"])
-    if not placed:
-        return (
-            row["unit"],
-            row["stages"],
-            f"{row['longest_path_ns']:.2f}",
-            "",
-            "",
-            "",
-            "",
-            f"{row['note']}; cells alone {row['logic_ns']:.2f} ns on 7-series",
+class Run:
+    """All rows of one call, each printed and written as soon as it is done."""
+
+    def __init__(self, args: argparse.Namespace, names: list[str]) -> None:
+        self.args = args
+        self.names = names
+        self.placer = placers.PLACERS[args.device]
+        self.target = placing.Target(
+            args.device,
+            placers.grade_of(args.device, args.grade),
+            args.ask_mhz or 1000 / args.clock_ns,
+            args.timeout * 60,
         )
-    clocks = sorted(p["mhz"] for p in placed)
-    middle = statistics.median(clocks)
-    return (
-        row["unit"],
-        row["stages"],
-        f"{row['longest_path_ns']:.2f}",
-        placed[0]["cells"],
-        f"{middle:.0f}",
-        f"{clocks[0]:.0f} to {clocks[-1]:.0f}",
-        f"{1000 / middle:.2f}",
-        f"{100 * 1000 / middle / row['longest_path_ns']:.0f} %",
-    )
+        self.there = shutil.which(self.placer["program"]) is not None
+        self.done: dict[str, Row] = {}
+
+    def place(self, build: pathlib.Path | None) -> None:
+        """Places every row and seed, as many at a time as there may be."""
+        with concurrent.futures.ThreadPoolExecutor(self.args.jobs) as pool:
+            preparing = {pool.submit(prepare, n, self.args, build): n for n in self.names}
+            placements: dict[concurrent.futures.Future[Json], tuple[Row, int]] = {}
+            left: dict[str, int] = {}
+            pending: set[concurrent.futures.Future[Any]] = set(preparing)
+            while pending:
+                ready, pending = concurrent.futures.wait(
+                    pending, return_when=concurrent.futures.FIRST_COMPLETED
+                )
+                for job in ready:
+                    if job in preparing:
+                        row = job.result()
+                        seeds = self._seeds(row)
+                        left[row.name] = len(seeds)
+                        for seed in seeds:
+                            new = pool.submit(self._place, row, seed)
+                            placements[new] = row, seed
+                            pending.add(new)
+                    else:
+                        row, seed = placements[job]
+                        row.add(seed, job, self.placer["program"])
+                        left[row.name] -= 1
+                    if left[row.name] == 0:
+                        self._finish(row)
+
+    def _seeds(self, row: Row) -> range:
+        if row.subject is None or "note" in row.data:
+            return range(0)
+        if not self.there:
+            row.data["note"] = f"{self.placer['program']} is not on the PATH"
+            return range(0)
+        return range(1, self.args.seeds + 1)
+
+    def _place(self, row: Row, seed: int) -> Json:
+        assert row.subject is not None  # or it would have no seeds
+        return placing.place(
+            self.target,
+            row.subject,
+            seed,
+            lambda: project.show_progress(f"placing {row.name}, seed {seed}"),
+        )
+
+    def _finish(self, row: Row) -> None:
+        row.finish()
+        self.done[row.name] = row
+        project.show_progress("")
+        print(place_table.line(place_table.cells_of(row.data)))
+        for path in place_table.paths_of(row.data, self.args.paths):
+            print(path)
+        sys.stdout.flush()
+        if self.args.json:
+            self.write(self.args.json)
+
+    def write(self, path: pathlib.Path) -> None:
+        """The rows that are done, in the order of their names on the command line."""
+        project.write_json(
+            path,
+            {
+                "device": self.args.device,
+                "grade": self.target.grade,
+                "clock_ns": self.args.clock_ns,
+                "asked_mhz": round(self.target.mhz, 3),
+                "copies": self.args.copies,
+                "complete": len(self.done) == len(self.names),
+                "units": [self.done[n].data for n in self.names if n in self.done],
+            },
+        )
+
+    def failed(self) -> bool:
+        return not self.there or any(row.failures for row in self.done.values())
+
+
+def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
+    """The names of the rows, and the build that lowers their units where there are any."""
+    if args.unit and all(name in WHOLE for name in args.unit):
+        return list(args.unit), None
+    build = lowering.find_build(args.build)
+    units = lowering.units(build)
+    for name in args.unit:
+        if name not in units and name not in WHOLE:
+            project.fail(
+                f"there is no unit '{name}'; the units are {', '.join(units)}; "
+                f"{' and '.join(WHOLE)} are the whole core and the board's top"
+            )
+    everything = [*units, *([rtl_files.CORE] if args.device == "ecp5-85" else [])]
+    return list(dict.fromkeys(args.unit)) or everything, build
 
 
 def main() -> int:
     args = parse()
-    if args.device not in placing.TOOLS:
+    if args.device not in placers.PLACERS:
         project.fail(
             f"there is no way to place on '{args.device}'; the devices are "
-            f"{', '.join(placing.TOOLS)}"
+            f"{', '.join(placers.PLACERS)}"
         )
     if args.json:
         project.check_output("--json", args.json)
-    tool = placing.TOOLS[args.device]
-    if not shutil.which(tool["program"]):
+    placer = placers.PLACERS[args.device]
+    if not shutil.which(placer["program"]):
         print(
-            f"place: {tool['program']} is not on the PATH ({tool['where']}); what follows is "
+            f"place: {placer['program']} is not on the PATH ({placer['where']}); what follows is "
             "Yosys's own timing",
             file=sys.stderr,
         )
     try:
-        build = placing.find_build(args.build)
-        units = placing.units(build)
-        for name in args.unit:
-            if name not in units:
-                project.fail(f"there is no unit '{name}'; the units are {', '.join(units)}")
-        rows = []
-        print("".join(f"{h:<19}" if i == 0 else f"{h:>14}" for i, h in enumerate(HEAD)))
-        with concurrent.futures.ThreadPoolExecutor(max(1, args.jobs)) as pool:
-            for job in [pool.submit(examine, units[n], args, build) for n in args.unit or units]:
-                row = job.result()
-                rows.append(row)
-                print(
-                    "".join(
-                        f"{c:<19}" if i == 0 else f"{c:>14}" for i, c in enumerate(cells_of(row))
-                    ),
-                    flush=True,
-                )
-        if args.device == "ecp5-85" and not args.unit and shutil.which(tool["program"]):
-            files = rtl_files.core_files()
-            core = placing.place(args.device, "dynrt_core", files, 1, 1000 / args.clock_ns)
-            print(f"dynrt_core: {core['cells']} cells, {core['mhz']:.0f} MHz")
+        names, build = chosen(args)
+        run = Run(args, names)
+        print(place_table.line(place_table.HEAD), flush=True)
+        run.place(build)
     except project.Failed as error:
         project.fail(error)
-    if args.json:
-        args.json.write_text(
-            json.dumps({"device": args.device, "clock_ns": args.clock_ns, "units": rows}, indent=2)
-            + "\n",
-            encoding="utf-8",
-        )
-    return 0
+    return 1 if run.failed() else 0

@@ -1,28 +1,32 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""What scripts/place reads and writes around the tools, and what it says without them."""
+"""What scripts/place does around a placer: a stand-in for nextpnr writes reports that are kept
+here, or fails in the ways that a placer can."""
 
+import argparse
+import contextlib
+import functools
+import io
+import json
+import os
 import pathlib
 import shutil
 import subprocess
 import tempfile
 import unittest
+from collections.abc import Sequence
+
+from typing import Any
+from unittest import mock
 
 from dynrt_tools import project
-from dynrt_tools.hardware import area, placing
+from dynrt_tools.hardware import area, lowering, place, placers, placing, rtl_files, synthesis
+from dynrt_tools.hardware.worst_paths_test import SDF
+from dynrt_tools.project import Json
 
 SCRIPTS = project.SCRIPTS
 UNIT = """\
-// A comment with input wire none,
-module sum #(
-  parameter DEPTH = 8
-) (
-  input  wire clk_i,
-  input  wire rst_ni,
-  input  wire [3:0] a_i,
-  input  wire b_i,
-  output wire [4:0] sum_o
-);
+module sum (input clk_i, input rst_ni, input [3:0] a_i, input [3:0] b_i, output [4:0] sum_o);
   reg [4:0] sum_q;
   always @(posedge clk_i) sum_q <= rst_ni ? a_i + b_i : 5'd0;
   assign sum_o = sum_q;
@@ -41,48 +45,62 @@ stage  registers  longest path, ns  operations
 The longest path of each stage ends at
     0  the read of 'last', units/list.h:17
 """
+# Writes the SDF file of worst_paths_test and a report as nextpnr 0.11 writes it. MODE says how it
+# differs; a mode with a seed, as "no route:2", is that seed's alone.
+STAND_IN = """#!/usr/bin/python3
+import json, os, sys, time
+args = sys.argv[1:]
+if args == ["--version"]:
+    sys.exit("nextpnr-ecp5 -- Next Generation Place and Route (Version " + os.environ["VERSION"] + ")")
+value = {a: b for a, b in zip(args, args[1:]) if a.startswith("--")}
+mode, _, seed = os.environ["MODE"].partition(":")
+if seed and seed != value["--seed"]:
+    mode = ""
+with open(os.environ["RUNS"], "a") as runs:
+    runs.write(json.dumps(args) + "\\n")
+if mode == "no route":
+    sys.exit("Info: routing\\nERROR: Failed to route arc 3 of net 'a', from X1Y2 to X3Y4.")
+if mode == "full":
+    sys.exit("ERROR: Unable to place cell 'x', no Bels remaining of type 'TRELLIS_COMB'")
+if mode == "slow":
+    time.sleep(30)
+asked = 125.0 if mode == "deaf" else float(value["--freq"])
+achieved = 1000 / (7.5 if mode == "other delays" else 4.1)
+report = {
+    "utilization": {"TRELLIS_COMB": {"used": 40, "available": 83640}},
+    "fmax": {"clk": {"achieved": achieved, "constraint": asked}},
+    "critical_paths": [],
+}
+if mode == "other report":
+    del report["fmax"]
+if mode != "silent":
+    json.dump(report, open(value["--report"], "w"))
+open(value["--sdf"], "w").write(open(os.environ["SDF"]).read())
+"""
 
 
-class Placing(unittest.TestCase):
+class Texts(unittest.TestCase):
     def test_schedule_report(self) -> None:
         self.assertEqual(area.schedule(REPORT), {"stages": 2, "longest_path_ns": 9.6})
 
-    def test_the_wrapper_keeps_every_bit(self) -> None:
-        # Registers of both sides: 5 bits in and 1 for the way, 5 out, twice, 1 for the fold, 1
-        # reset; and the unit's own 5. What nobody could see would be gone.
-        with tempfile.TemporaryDirectory() as name:
-            path = pathlib.Path(name, "sum.v")
-            path.write_text(UNIT + placing.wrap("sum", UNIT), encoding="utf-8")
-            result = subprocess.run(
-                [
-                    "yosys",
-                    "-p",
-                    f"read_verilog {path}; hierarchy -check -top placed; proc; flatten; "
-                    "opt -full; splitnets; techmap; opt_clean; stat",
-                ],
-                capture_output=True,
-                text=True,
-                check=False,
-            )
-        self.assertEqual(result.returncode, 0, result.stderr)
-        flip_flops = sum(
-            int(line.split()[1])
-            for line in result.stdout[result.stdout.rindex("Number of cells") :].splitlines()
-            if "DFF" in line
-        )
-        self.assertEqual(flip_flops, 6 + 5 + 6 + 1 + 5)
-
     def test_no_build_is_said(self) -> None:
         with self.assertRaisesRegex(project.Failed, "no build with hlsc is in /nowhere"):
-            placing.find_build(pathlib.Path("/nowhere"))
+            lowering.find_build(pathlib.Path("/nowhere"))
+
+    def test_the_constraints_ask_for_no_clock(self) -> None:
+        for device in placers.PLACERS:
+            statements = [
+                line.partition("#")[0] for line in placers.constraints_text(device).splitlines()
+            ]
+            self.assertNotIn("FREQUENCY", " ".join(statements))
+
+    def script(self, *args: str) -> subprocess.CompletedProcess[str]:
+        return subprocess.run(
+            [SCRIPTS / "place", *args], capture_output=True, text=True, check=False
+        )
 
     def test_unknown_device_lists_those_that_there_are(self) -> None:
-        result = subprocess.run(
-            [SCRIPTS / "place", "--device", "virtex2-6000"],
-            capture_output=True,
-            text=True,
-            check=False,
-        )
+        result = self.script("--device", "virtex2-6000")
         self.assertEqual(result.returncode, 1)
         self.assertEqual(
             result.stderr,
@@ -90,17 +108,214 @@ class Placing(unittest.TestCase):
             "devices are ice40-hx8k, ecp5-85\n",
         )
 
+    def test_unknown_grade_lists_those_that_there_are(self) -> None:
+        result = self.script("dynrt_core", "--device", "ecp5-85", "--grade", "9")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("ecp5-85 has no such speed grade; its grades are 6, 7, 8\n", result.stderr)
+
     @unittest.skipIf(shutil.which("nextpnr-ecp5"), "nextpnr-ecp5 is there")
     def test_a_missing_tool_is_said(self) -> None:
-        result = subprocess.run(
-            [SCRIPTS / "place", "--device", "ecp5-85", "--build", "/nowhere"],
-            capture_output=True,
-            text=True,
-            check=False,
-        )
+        result = self.script("--device", "ecp5-85", "--build", "/nowhere")
         self.assertIn(
             "place: nextpnr-ecp5 is not on the PATH (Debian 12 has no package of it", result.stderr
         )
+
+
+class StandIn(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.bin = self.folder / "bin"
+        self.bin.mkdir()
+        program = self.bin / "nextpnr-ecp5"
+        program.write_text(STAND_IN, encoding="utf-8")
+        program.chmod(0o755)
+        for name, text in (("timing.sdf", SDF), ("sum.v", UNIT), ("wide.v", UNIT)):
+            text = text.replace("module sum", f"module {name.removesuffix('.v')}")
+            (self.folder / name).write_text(text, encoding="utf-8")
+
+    def called(
+        self,
+        mode: str = "",
+        version: str = "nextpnr-0.11",
+        names: Sequence[str] = ("sum",),
+        without: bool = False,
+        **flags: Any,
+    ) -> tuple[int, str, str, Json]:
+        """Exit code, output, errors and data of a call; `without` the placer on the PATH."""
+        environment = {
+            "PATH": "/usr/bin:/bin" if without else f"{self.bin}:{os.environ['PATH']}",
+            "RUNS": str(self.folder / "runs"),
+            "MODE": mode,
+            "SDF": str(self.folder / "timing.sdf"),
+            "VERSION": version,
+        }
+        data = self.folder / "place.json"
+        args: Json = {
+            "unit": list(names),
+            "device": "ecp5-85",
+            "grade": "",
+            "clock_ns": 10.0,
+            "ask_mhz": None,
+            "seeds": 3,
+            "copies": 1,
+            "paths": 3,
+            "timeout": 1.0,
+            "build": None,
+            "jobs": 1,
+            "json": data,
+        } | flags
+        synthesis.tool_version.cache_clear()
+        output, errors = io.StringIO(), io.StringIO()
+        with mock.patch.dict(os.environ, environment), mock.patch.object(
+            synthesis, "KEPT", self.folder / "kept"
+        ), mock.patch.object(
+            place, "parse", functools.partial(argparse.Namespace, **args)
+        ), mock.patch.object(
+            place, "chosen", lambda _: (list(names), None)
+        ), mock.patch.object(
+            place, "prepare", self.prepare
+        ), mock.patch.object(
+            placing, "logic_delay", lambda module, files: 2.5
+        ), contextlib.redirect_stdout(
+            output
+        ), contextlib.redirect_stderr(
+            errors
+        ):
+            code = place.main()
+        synthesis.tool_version.cache_clear()
+        return code, output.getvalue(), errors.getvalue(), project.read_json(data)
+
+    def prepare(self, name: str, args: argparse.Namespace, _: object) -> place.Row:
+        subject = placing.Subject(name, [self.folder / f"{name}.v"], args.copies)
+        return place.Row(name, {"unit": name, "stages": 2, "longest_path_ns": 3.0}, subject)
+
+    def runs(self) -> list[list[str]]:
+        path = self.folder / "runs"
+        lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+        return [json.loads(line) for line in lines]
+
+    def test_a_row_with_its_paths(self) -> None:
+        code, output, errors, data = self.called()
+        self.assertEqual((code, errors), (0, ""))
+        self.assertRegex(output, r"sum +2 +3.00 +40 +244 +244 to 244 +4.10 +137 %")
+        self.assertIn("4.10 ns = 1.10 logic + 3.00 wires, 2 levels, 1 ends", output)
+        (row,) = data["units"]
+        self.assertEqual([p["seed"] for p in row["placed"]], [1, 2, 3])
+        placed = row["placed"][0]
+        self.assertEqual((placed["placer"], placed["too_slow"]), ("nextpnr-0.11", 0))
+        self.assertEqual(len(placed["paths"][0]["hops"]), 4)
+        self.assertTrue(placed["netlist"])
+
+    def test_the_clock_asked_for_reaches_the_placer(self) -> None:
+        for asked, mhz in ((None, "100.0000"), (120.0, "120.0000")):
+            self.called(seeds=1, ask_mhz=asked)
+            run = self.runs()[-1]
+            self.assertEqual(run[run.index("--freq") + 1], mhz)
+
+    def test_a_placer_that_places_for_another_clock_is_an_error(self) -> None:
+        code, _, errors, data = self.called("deaf", seeds=1)
+        self.assertEqual(code, 1)
+        self.assertIn("was asked for 100.00 MHz and placed for 125.00 of clk", errors)
+        self.assertEqual(data["units"][0]["placed"], [])
+
+    def test_the_grade_reaches_the_placer(self) -> None:
+        for grade in ("6", "8"):
+            self.called(seeds=1, grade=grade)
+            run = self.runs()[-1]
+            self.assertEqual(run[run.index("--speed") + 1], grade)
+
+    def test_a_placement_is_not_repeated(self) -> None:
+        first = self.called()[3]
+        self.assertEqual(len(self.runs()), 3)
+        self.assertEqual(self.called()[3], first)
+        self.assertEqual(len(self.runs()), 3)
+
+    def test_what_decides_a_placement_makes_it_new(self) -> None:
+        self.called(seeds=1)
+        changes: list[Json] = [
+            {"grade": "8"},
+            {"ask_mhz": 120.0},
+            {"version": "nextpnr-0.12"},
+            {"copies": 2},
+        ]
+        for number, flags in enumerate(changes, 2):
+            self.called(seeds=1, **flags)
+            self.assertEqual(len(self.runs()), number, flags)
+        with mock.patch.object(placers, "constraints_text", lambda device: "other"):
+            self.called(seeds=1)
+        self.assertEqual(len(self.runs()), 6)
+        source = self.folder / "sum.v"
+        source.write_text(UNIT.replace("a_i + b_i", "a_i - b_i"), encoding="utf-8")
+        synthesis._text.cache_clear()  # pylint: disable=protected-access
+        synthesis._meaning.cache_clear()  # pylint: disable=protected-access
+        self.called(seeds=1)
+        self.assertEqual(len(self.runs()), 7)
+
+    def fails(self, mode: str, sentence: str, **flags: Any) -> None:
+        """One seed fails: it is named with tool and unit, and all else is there."""
+        code, output, errors, data = self.called(f"{mode}:2", names=("sum", "wide"), **flags)
+        self.assertEqual(code, 1)
+        for name in ("sum", "wide"):
+            self.assertIn(f"place: nextpnr-ecp5 placed no {name} with seed 2: {sentence}", errors)
+            self.assertRegex(output, rf"{name} +2 +3.00 +40 +244")
+        self.assertTrue(data["complete"])
+        for row in data["units"]:
+            self.assertEqual([p["seed"] for p in row["placed"]], [1, 3])
+            self.assertEqual([f["seed"] for f in row["failures"]], [2])
+
+    def test_a_design_that_is_not_routed(self) -> None:
+        self.fails("no route", "Failed to route arc 3 of net 'a', from X1Y2 to X3Y4.")
+
+    def test_a_placer_that_runs_out_of_time(self) -> None:
+        self.fails("slow", "nextpnr-ecp5 ran out of time, 5 seconds", timeout=5 / 60)
+
+    def test_a_report_that_reads_otherwise(self) -> None:
+        self.fails(
+            "other report",
+            "the report of this version of nextpnr-ecp5 reads otherwise than that of 0.4 to 0.11: "
+            "it has no 'fmax'",
+        )
+
+    def test_a_report_that_is_not_there(self) -> None:
+        self.fails("silent", "nextpnr-ecp5 wrote no report")
+
+    def test_delays_that_read_otherwise(self) -> None:
+        self.fails(
+            "other delays",
+            "the longest path in the SDF file of nextpnr-ecp5 takes 4.10 ns, and its report says "
+            "7.50",
+        )
+
+    def test_a_failure_is_not_kept(self) -> None:
+        self.called("no route", seeds=1)
+        self.assertEqual(self.called(seeds=1)[0], 0)
+
+    def test_a_design_that_is_too_large_is_no_failure(self) -> None:
+        code, output, _, data = self.called("full", seeds=1)
+        self.assertEqual(code, 0)
+        self.assertIn("does not fit: Unable to place cell 'x'", output)
+        self.assertEqual(data["units"][0]["logic_ns"], 2.5)
+
+    @unittest.skipIf(shutil.which("nextpnr-ecp5", path="/usr/bin:/bin"), "nextpnr-ecp5 is there")
+    def test_without_a_placer_the_rows_have_the_timing_of_yosys(self) -> None:
+        code, output, errors, _ = self.called(without=True)
+        self.assertEqual(code, 1)
+        self.assertIn("place: nextpnr-ecp5 is not on the PATH", errors)
+        self.assertIn("cells alone 2.50 ns on 7-series", output)
+
+
+class Whole(unittest.TestCase):
+    def test_core_and_board_are_the_checked_in_verilog(self) -> None:
+        args = argparse.Namespace(copies=2)
+        for name in place.WHOLE:
+            row = place.prepare(name, args, None)
+            assert row.subject is not None
+            files = synthesis.needed(name, list(row.subject.files))
+            self.assertIn(rtl_files.GENERATED / "list.v", files)
+            self.assertTrue(row.subject.joins)
+            self.assertEqual(row.subject.copies, 2)
 
 
 if __name__ == "__main__":

@@ -1,256 +1,201 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""What scripts/place does with one unit: lower, wrap, place, read the reports."""
+"""Makes a netlist of what is placed, lets the placer run once for each seed, and keeps what it
+gives under a key of all that it was made of."""
 
+import gzip
 import pathlib
-import re
-import subprocess
-from typing import TypedDict
+import shutil
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
 
 from dynrt_tools import project
-from dynrt_tools.hardware import devices, rtl_files, synthesis
+from dynrt_tools.hardware import (
+    devices,
+    placers,
+    source_names,
+    synthesis,
+    timing_graph,
+    worst_paths,
+    wrapper,
+)
 from dynrt_tools.project import Json, read_json, searched
 
-CONSTRAINTS = project.ROOT / "constraints"
+# How far the longest path of the SDF file may be from the period in the placer's report.
+SAME_PERIOD = 0.03
 
 
-class Tool(TypedDict):
-    """The tool that places and routes for a device."""
+@dataclass(frozen=True)
+class Target:
+    """What a module is placed on, and what the placer is asked for."""
 
-    program: str
-    cells: str
-    where: str
-    flags: list[str]
+    device: str
+    grade: str
+    mhz: float
+    timeout: float  # seconds
 
-
-# How a device's tool is called; `cells` is the logic cell in its report. The speed grade of ECP5 is
-# the slowest. The wrapper has four pins, so any package will do; that of ECP5 is the board's.
-TOOLS: dict[str, Tool] = {
-    "ice40-hx8k": {
-        "program": "nextpnr-ice40",
-        "cells": "ICESTORM_LC",
-        "where": "Debian's package nextpnr-ice40 has it, and scripts/setup installs that",
-        "flags": ["--hx8k", "--package", "ct256", "--pcf", str(CONSTRAINTS / "ice40_hx8k_evn.pcf")],
-    },
-    "ecp5-85": {
-        "program": "nextpnr-ecp5",
-        "cells": "TRELLIS_COMB",
-        "where": "Debian 12 has no package of it; build it from the nextpnr project",
-        "flags": [
-            "--85k",
-            "--package",
-            "CABGA381",
-            "--speed",
-            "6",
-            "--lpf",
-            str(CONSTRAINTS / "ulx3s_85f.lpf"),
-        ],
-    },
-}
-PORT = re.compile(r"^\s*(input|output)\s+(?:wire|reg)?\s*(?:\[(\d+):0\])?\s*(\w+)", re.MULTILINE)
-WRAPPER = "placed"
+    def said(self, seed: int) -> list[object]:
+        """All of it that decides the result beside the netlist."""
+        placer = placers.PLACERS[self.device]
+        return [
+            placer_version(self.device),
+            placer["flags"],
+            placers.constraints_text(self.device),
+            self.grade,
+            f"{self.mhz:.4f}",
+            seed,
+        ]
 
 
-class DoesNotFit(project.Failed):
-    """The tool's word that the design is too large."""
+@dataclass(frozen=True)
+class Subject:
+    """A module that is placed, with the files that it may need."""
+
+    module: str
+    files: Sequence[pathlib.Path]
+    copies: int = 1
+    joins: bool = False  # units, each of which has a name in the report
 
 
-def find_build(named: pathlib.Path | None) -> pathlib.Path:
-    folders = [named] if named else [project.ROOT / "build" / p for p in ("release", "dev")]
-    for folder in folders:
-        if (folder / "hls/compiler/hlsc").is_file() and (
-            folder / "hls/units/list_units.txt"
-        ).is_file():
-            return folder
-    raise project.Failed(
-        f"no build with hlsc is in {' or '.join(map(str, folders))}; build the "
-        "target hlsc, or name a build's folder with --build"
-    )
+def placer_version(device: str) -> str:
+    program = placers.PLACERS[device]["program"]
+    return synthesis.tool_version(program, "--version", program)
 
 
-def units(build: pathlib.Path, config: str = rtl_files.CHECKED_IN) -> dict[str, dict[str, str]]:
-    """Module, header and type of the configuration's units, by module."""
-    found = {}
-    for line in (build / "hls/units/list_units.txt").read_text(encoding="utf-8").splitlines():
-        name, module, header, kind = line.split("|")
-        if name == config:
-            found[module] = {"module": module, "header": header, "type": kind}
-    return found
-
-
-def lower(build: pathlib.Path, unit: dict[str, str], clock_ns: float, delay: str) -> pathlib.Path:
-    """The folder with the unit's Verilog and hlsc's report for a delay model."""
-    root, module = project.ROOT, unit["module"]
-    include = build / "generated" / "include"
-    hlsc = build / "hls" / "compiler" / "hlsc"
-    header = f"{rtl_files.CHECKED_IN}/{module}.h"
-    sources = sorted(
-        p
-        for folder in ("hls/lowered", "hls/include", "hls/units")
-        for p in (root / folder).rglob("*.h")
-    )
+def netlist(device: str, subject: Subject) -> pathlib.Path:
+    """The folder with the netlist of a module in its wrapper, and with the Verilog that it is of."""
+    family = devices.FAMILIES[devices.DEVICES[device]["family"]]
+    files = synthesis.needed(subject.module, list(subject.files))
+    # A wrapper of one port stands for the text of all.
+    form = wrapper.wrap("m", [wrapper.Port("a_i", "input", 1), wrapper.Port("b_o", "output", 1)])
+    said = [
+        synthesis.tool_version("yosys", "-V", "yosys"),
+        family["synth"],
+        subject.module,
+        subject.copies,
+        form,
+    ]
 
     def make(folder: pathlib.Path) -> None:
-        includes = [
-            f
-            for path in (root / "hls/lowered", root / "hls/include", root / "hls", include)
-            for f in ("-I", str(path))
-        ]
-        result = subprocess.run(
-            [
-                hlsc,
-                "--unit",
-                unit["type"],
-                "--module",
-                module,
-                "--header",
-                header,
-                *includes,
-                "--clock-ns",
-                str(clock_ns),
-                "--delay",
-                root / delay,
-                "-o",
-                folder / f"{module}.v",
-                "--report",
-                folder / f"{module}.txt",
-                "--binding",
-                folder / "ports.h",
-            ],
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        if result.returncode != 0:
-            raise project.Failed(result.stderr.strip().splitlines()[-1])
-
-    said = [
-        unit,
-        clock_ns,
-        (root / delay).read_text(encoding="utf-8"),
-        hlsc.stat().st_mtime_ns,
-        (include / "configs" / f"{rtl_files.CHECKED_IN}.h").read_text(encoding="utf-8"),
-    ]
-    return synthesis.kept("lowered", said, sources, make)
-
-
-def wrap(module: str, verilog: str) -> str:
-    """A module with four pins that has registers before every input of a module, filled through a
-    chain, and behind every output, folded into a chain that ends at a pin."""
-    body = verilog[searched(rf"^module {module}\b", verilog).end() :]
-    ports = [
-        (way, int(high or 0) + 1, name)
-        for way, high, name in PORT.findall(body[: body.index(");\n")])
-    ]
-    into = [p for p in ports if p[0] == "input" and p[2] not in ("clk_i", "rst_ni")]
-    out = [p for p in ports if p[0] == "output"]
-    inputs, outputs = sum(w for _, w, _ in into), sum(w for _, w, _ in out)
-    lines, at = [], 0
-    for _, width, name in into:
-        lines.append(f".{name}(in_q[{at + width - 1}:{at}])")
-        at += width
-    at = 0
-    for _, width, name in out:
-        lines.append(f".{name}(out[{at + width - 1}:{at}])")
-        at += width
-    return f"""module {WRAPPER} (
-  input  wire clk_i,
-  input  wire rst_ni,
-  input  wire serial_i,
-  output wire serial_o
-);
-  reg rst_q;
-  reg [{inputs}:0] in_q;
-  wire [{outputs - 1}:0] out;
-  reg [{outputs - 1}:0] out_q;
-  reg [{outputs}:0] fold_q;
-  assign serial_o = fold_q[0];
-  always @(posedge clk_i) begin
-    rst_q <= rst_ni;
-    in_q <= {{serial_i, in_q[{inputs}:1]}};
-    out_q <= out;
-    fold_q <= {{1'b0, fold_q[{outputs}:1]}} ^ {{out_q, 1'b0}};
-  end
-  {module} unit (
-    .clk_i(clk_i), .rst_ni(rst_q),
-    {", ".join(lines)});
-endmodule
-"""
-
-
-def place(device: str, module: str, files: list[pathlib.Path], seed: int, mhz: float) -> Json:
-    """Cells and clock of one placement; throws DoesNotFit."""
-    tool = TOOLS[device]
-    family = devices.FAMILIES[devices.DEVICES[device]["family"]]
-    version = synthesis.tool_version(tool["program"], "--version", tool["program"])
-    files = synthesis.needed(module, files)
-    said = [synthesis.tool_version("yosys", "-V", "yosys"), family["synth"], module]
-
-    def make_netlist(folder: pathlib.Path) -> None:
-        wrapper = folder / f"{WRAPPER}.v"
-        source = next(f for f in files if f.stem == module)
-        wrapper.write_text(wrap(module, source.read_text(encoding="utf-8")), encoding="utf-8")
+        ports = wrapper.ports(subject.module, files, folder)
+        (folder / "verilog").mkdir()
+        outer = folder / "verilog" / f"{wrapper.WRAPPER}.v"
+        outer.write_text(wrapper.wrap(subject.module, ports, subject.copies), encoding="utf-8")
         synthesis.run_yosys(
             [
-                *synthesis.read_commands([*files, wrapper]),
-                family["synth"].format(top=WRAPPER),
+                *synthesis.read_commands([*files, outer]),
+                family["synth"].format(top=wrapper.WRAPPER),
                 f"write_json {folder}/netlist.json",
             ],
             folder,
-            module,
+            subject.module,
         )
+        for file in files:
+            shutil.copyfile(file, folder / "verilog" / file.name)
 
-    netlist = (
-        synthesis.kept(
-            "netlist", [*said, wrap("m", "module m (\n  input wire a\n);\n")], files, make_netlist
-        )
-        / "netlist.json"
+    return synthesis.kept("netlist", said, files, make)
+
+
+def place(
+    target: Target,
+    subject: Subject,
+    seed: int,
+    started: Callable[[], None] = lambda: None,
+) -> Json:
+    """Cells, clock and worst paths of one placement; throws placers.PlacerFailed. `started` is
+    called where the placement is not kept from before."""
+    made_of = netlist(target.device, subject)
+
+    def make(folder: pathlib.Path) -> None:
+        started()
+        try:
+            _run(target, subject, seed, made_of, folder)
+        except project.Failed:
+            log = folder / "log"
+            if log.exists():
+                shutil.copyfile(log, failed_log(subject, seed))
+            raise
+
+    folder = synthesis.kept("placed", [*target.said(seed), made_of.name], [], make)
+    result: Json = read_json(folder / "placement.json")
+    return result
+
+
+def failed_log(subject: Subject, seed: int) -> pathlib.Path:
+    """Where the log of a placement that failed is kept."""
+    return synthesis.KEPT / f"failed-{subject.module}-{seed}.log"
+
+
+def _run(
+    target: Target, subject: Subject, seed: int, made_of: pathlib.Path, folder: pathlib.Path
+) -> None:
+    """Places and routes, and leaves report.json, timing.sdf.gz and placement.json."""
+    placer = placers.PLACERS[target.device]
+    report_file, sdf = folder / "report.json", folder / "timing.sdf"
+    placers.run(
+        [
+            placer["program"],
+            *placers.flags(target.device, target.grade),
+            *("--json", str(made_of / "netlist.json")),
+            *("--seed", str(seed)),
+            *("--freq", f"{target.mhz:.4f}"),
+            "--timing-allow-fail",
+            *("--report", str(report_file)),
+            *("--sdf", str(sdf)),
+            *("-q", "-l", str(folder / "log")),
+        ],
+        placer["program"],
+        target.timeout,
     )
-
-    def make_placement(folder: pathlib.Path) -> None:
-        result = subprocess.run(
-            [
-                tool["program"],
-                *tool["flags"],
-                "--json",
-                netlist,
-                "--seed",
-                str(seed),
-                "--freq",
-                f"{mhz:g}",
-                "--timing-allow-fail",
-                "--report",
-                folder / "report.json",
-                "-q",
-                "-l",
-                folder / "log",
-            ],
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        report = folder / "report.json"
-        if result.returncode != 0 or not report.exists():
-            errors = [line for line in result.stderr.splitlines() if line.startswith("ERROR")]
-            raise DoesNotFit(
-                errors[-1].removeprefix("ERROR: ") if errors else f"{tool['program']} failed"
-            )
-
-    folder = synthesis.kept(
-        "placed",
-        [*said, version, tool["flags"], seed, mhz, netlist.parent.name],
-        [],
-        make_placement,
-    )
-    report = read_json(folder / "report.json")
-    return {
+    report = placers.read_report(report_file, target.device, target.mhz)
+    result: Json = {
         "seed": seed,
-        "cells": report["utilization"][tool["cells"]]["used"],
-        "mhz": min(c["achieved"] for c in report["fmax"].values()),
+        "cells": report.cells,
+        "utilization": report.utilization,
+        "mhz": round(report.mhz, 2),
+        "asked_mhz": round(target.mhz, 2),
+        "placer": version_number(placer_version(target.device)),
+        "netlist": made_of.name.removeprefix("netlist-"),
     }
+    result |= _timing(sdf, made_of, subject, target, report)
+    project.write_json(folder / "placement.json", result)
 
 
-ARRIVAL = re.compile(r"Latest arrival time in '[^']*' is (\d+)")
+def _timing(
+    sdf: pathlib.Path,
+    made_of: pathlib.Path,
+    subject: Subject,
+    target: Target,
+    report: placers.Report,
+) -> Json:
+    """The worst paths, from an SDF file that is packed afterwards."""
+    program = placers.PLACERS[target.device]["program"]
+    try:
+        graph = timing_graph.read_sdf(sdf)
+    except (OSError, project.Failed) as error:
+        raise placers.PlacerFailed(f"what {program} wrote cannot be read: {error}") from error
+    names = source_names.Names(
+        made_of / "netlist.json", made_of / "verilog", subject.module, subject.joins
+    )
+    timing = worst_paths.worst(graph, names, 1000 / target.mhz)
+    if abs(timing["longest_ns"] * report.mhz / 1000 - 1) > SAME_PERIOD:
+        raise placers.PlacerFailed(
+            f"the longest path in the SDF file of {program} takes {timing['longest_ns']:.2f} ns, "
+            f"and its report says {1000 / report.mhz:.2f}; this version writes them otherwise"
+        )
+    with sdf.open("rb") as plain, gzip.open(sdf.with_suffix(".sdf.gz"), "wb") as packed:
+        shutil.copyfileobj(plain, packed)
+    sdf.unlink()
+    return timing
+
+
+def version_number(said: str) -> str:
+    """Out of a tool's sentence about its version."""
+    return searched(r"Version ([^)\s]+)", said)[1] if "Version" in said else said
+
+
+ARRIVAL = r"Latest arrival time in '[^']*' is (\d+)"
 
 
 def logic_delay(module: str, files: list[pathlib.Path]) -> float:
@@ -269,10 +214,7 @@ def logic_delay(module: str, files: list[pathlib.Path]) -> float:
             module,
         )
 
-    folder = synthesis.kept(
-        "sta", [synthesis.tool_version("yosys", "-V", "yosys"), synth, module], files, make
-    )
-    found = ARRIVAL.search((folder / "sta.txt").read_text(encoding="utf-8"))
-    if not found:
-        raise project.Failed(f"{module}: Yosys's sta names no arrival time")
-    return int(found[1]) / 1000
+    said: list[Any] = [synthesis.tool_version("yosys", "-V", "yosys"), synth, module]
+    folder = synthesis.kept("sta", said, files, make)
+    text = (folder / "sta.txt").read_text(encoding="utf-8")
+    return int(searched(ARRIVAL, text)[1]) / 1000

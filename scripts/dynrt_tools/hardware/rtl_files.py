@@ -39,6 +39,11 @@ def hand_written() -> list[pathlib.Path]:
     return sorted(p for p in (project.ROOT / "rtl").rglob("*.v") if "generated" not in p.parts)
 
 
+def board() -> list[pathlib.Path]:
+    """The board's top and its parts."""
+    return sorted((project.ROOT / "rtl" / "board").glob("*.v"))
+
+
 def units_in(folder: pathlib.Path) -> list[pathlib.Path]:
     """The Verilog that hlsc made of a configuration: the units and their join."""
     return sorted(folder.glob("*.v"))

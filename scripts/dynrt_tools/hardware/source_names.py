@@ -1,0 +1,164 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The unit, the signal and the source line that a cell of a synthesized netlist comes from."""
+
+import functools
+import pathlib
+import re
+from collections import defaultdict
+from dataclasses import dataclass
+from typing import Any
+
+from dynrt_tools import project
+from dynrt_tools.project import read_json
+
+# What placers add to the name of a cell that they pack into another one.
+PACKED = re.compile(
+    r"(?:\$(?:CCU2_COMB\d|DPRAM_COMB\d|RAMW_SLICE|RAMW_BLOCK\d)|_LC|_DFFLC|_RAM|_DSP)$"
+)
+# What Yosys adds to the name of a signal for a cell that drives it.
+DRIVES = re.compile(r"_(?:LUT4|TRELLIS_FF|L6MUX21|PFUMX|CCU2C|SB_\w+?)_[A-Z]\w*$")
+COPY = re.compile(r"copy_(\d+)\.")
+COMMENT = re.compile(r"// (units/\S+:\d+)")
+STAGE = re.compile(r"_(?:s\d+|q)$")
+BIT = re.compile(r"\[\d+\]$")
+
+
+@dataclass(frozen=True)
+class Origin:
+    """Where a cell is from. `unit` is an instance of the core or the module that is placed alone,
+    `source` a line of C++ where the Verilog names one, else of the Verilog."""
+
+    unit: str
+    signal: str
+    source: str
+
+
+class Names:
+    """Of the cells in a netlist that Yosys wrote of a module in its wrapper; `verilog` is a folder
+    with its files. A module that joins others gives its cells the names of their instances."""
+
+    def __init__(
+        self, netlist: pathlib.Path, verilog: pathlib.Path, module: str, joins: bool = False
+    ) -> None:
+        design: Any = read_json(netlist)
+        top = next(
+            m for m in design["modules"].values() if int(str(m["attributes"].get("top", "0")), 2)
+        )
+        self._module, self._verilog, self._joins = module, verilog, joins
+        self._cells: dict[str, Any] = top["cells"]
+        self._nets: dict[int, list[tuple[str, str]]] = defaultdict(list)
+        for name, net in top["netnames"].items():
+            if net["hide_name"]:
+                continue
+            source = net["attributes"].get("src", "")
+            wide = len(net["bits"]) > 1
+            for at, bit in enumerate(net["bits"]):
+                if isinstance(bit, int):
+                    self._nets[bit].append((f"{name}[{at}]" if wide else name, source))
+
+    def origin(self, placed: str, port: str = "") -> Origin:
+        """Of a placed cell, by the net at one of its ports, the output where none is named."""
+        name = placed
+        while name not in self._cells and PACKED.search(name):
+            name = PACKED.sub("", name)
+        cell = self._cells.get(name)
+        if cell is None:
+            return Origin(self._unit(name), self._plain(name), "")
+        source = cell["attributes"].get("src", "")
+        signal, declared = self._signal(cell, port, source) or (DRIVES.sub("", name), "")
+        return Origin(
+            self._unit(signal if signal.startswith(("unit.", "copy_")) else name),
+            self._plain(signal),
+            self._source(declared, source, signal),
+        )
+
+    def _signal(self, cell: Any, port: str, source: str) -> tuple[str, str] | None:
+        """The best name of the net that the cell drives, with the place of its declaration: one
+        declared in the file that the cell is from, then the innermost, then no port's."""
+        directions = cell.get("port_directions", {})
+        outs = [p for p, d in directions.items() if d == "output"]
+        bits = [
+            bit
+            for p in ([port] if port in outs else outs)
+            for bit in cell["connections"][p]
+            if isinstance(bit, int) and self._nets.get(bit)
+        ]
+        if not bits or len(outs) > 1 and port not in outs:
+            return None
+        from_file = self._innermost(source)
+
+        def rank(net: tuple[str, str]) -> tuple[bool, int, bool, str]:
+            near = self._innermost(net[1]) == from_file
+            return (not near, -net[0].count("."), BIT.sub("", net[0]).endswith("_i"), net[0])
+
+        return min(self._nets[bits[0]], key=rank)
+
+    def _unit(self, name: str) -> str:
+        """The instance that a hierarchical name is in."""
+        copied = COPY.match(name)
+        where = f" of copy {copied[1]}" if copied else ""
+        if not copied and not name.startswith("unit."):
+            return "wrapper"
+        inner = name[copied.end() if copied else len("unit.") :].removeprefix("core.")
+        first, dot, _ = inner.partition(".")
+        if not (dot and self._joins):
+            return self._module + where
+        return first.removeprefix("u_") + where
+
+    def _plain(self, name: str) -> str:
+        """A hierarchical name without the wrapper's and the unit's part."""
+        plain = DRIVES.sub("", COPY.sub("", name).removeprefix("unit.")).removeprefix("core.")
+        _, dot, rest = plain.partition(".")
+        return rest if dot and self._joins else plain
+
+    def _source(self, declared: str, driven: str, signal: str) -> str:
+        """A C++ line named beside one of the Verilog lines, else the first Verilog line."""
+        places = self._known(declared) + self._known(driven)
+        for file, line in places:
+            text = self._lines(file)[line - 1] if line <= len(self._lines(file)) else ""
+            if found := COMMENT.search(text):
+                return f"hls/{found[1]}"
+        stem = STAGE.sub("", BIT.sub("", signal.rpartition(".")[2]))
+        for file, _ in places:
+            if found := re.search(
+                rf"\b{re.escape(stem)}_s\d+ =.*{COMMENT.pattern}", self._text(file)
+            ):
+                return f"hls/{found[1]}"
+        return f"{_shown(places[0][0])}:{places[0][1]}" if places else ""
+
+    def _known(self, source: str) -> list[tuple[str, int]]:
+        """The places of an attribute `src` in the netlist's own files, the innermost first: Yosys
+        puts the lines of the instances before, and those of its own cells behind."""
+        return [p for p in reversed(_places(source)) if self._lines(p[0])]
+
+    def _innermost(self, source: str) -> str:
+        known = self._known(source)
+        return known[0][0] if known else ""
+
+    def _text(self, file: str) -> str:
+        return "\n".join(self._lines(file))
+
+    @functools.lru_cache(maxsize=None)  # pylint: disable=method-cache-max-size-none
+    def _lines(self, file: str) -> list[str]:
+        path = self._verilog / pathlib.Path(file).name
+        return path.read_text(encoding="utf-8").splitlines() if path.is_file() else []
+
+
+def _places(source: str) -> list[tuple[str, int]]:
+    """File and line of each part of an attribute `src`."""
+    found = []
+    for part in source.split("|"):
+        file, colon, place = part.rpartition(":")
+        if colon and (line := re.match(r"\d+", place)):
+            found.append((file, int(line[0])))
+    return found
+
+
+def _shown(file: str) -> str:
+    """A file as the project names it, wherever its text lay."""
+    path = pathlib.Path(file)
+    parts = path.parts
+    if path.is_relative_to(project.ROOT):
+        return path.relative_to(project.ROOT).as_posix()
+    return "/".join(parts[parts.index("rtl") :]) if "rtl" in parts else path.name

@@ -1,0 +1,160 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The longest paths of an SDF file, and the unit, signal and source line of their ends."""
+
+import pathlib
+import tempfile
+import unittest
+
+from dynrt_tools import project
+from dynrt_tools.hardware import source_names, synthesis, timing_graph, worst_paths, wrapper
+
+# Two registers and two cells between them; `g` closes a loop, which no path goes through.
+#   start.Q -1.0-> f.A ... f.F -2.0-> end.D           0.5 + 1.0 + 0.25 + 2.0 + 0.1 = 3.85
+#   start.Q -0.7-> g.A ... g.F -0.3-> f.B             0.5 + 0.7 + 0.2 + 0.3 + 0.3 + 2.0 + 0.1 = 4.1
+SDF = """\
+(DELAYFILE
+  (CELL
+    (CELLTYPE "placed")
+    (INSTANCE )
+    (DELAY
+      (ABSOLUTE
+        (INTERCONNECT clk/O start/CLK (0:0:0) (0:0:0))
+        (INTERCONNECT clk/O end\\[0\\]/CLK (0:0:0) (0:0:0))
+        (INTERCONNECT start/Q f/A (900:950:1000) (900:950:990))
+        (INTERCONNECT start/Q g/A (700:700:700) (700:700:700))
+        (INTERCONNECT g/F f/B (300:300:300) (300:300:300))
+        (INTERCONNECT f/F g/B (300:300:300) (300:300:300))
+        (INTERCONNECT f/F end\\[0\\]/D (2000:2000:2000) (1000:1000:1000))
+      )
+    )
+  )
+  (CELL
+    (CELLTYPE "LUT")
+    (INSTANCE f)
+        (IOPATH A F (250:250:250) (250:250:250))
+        (IOPATH B F (300:300:300) (300:300:300))
+  )
+  (CELL
+    (CELLTYPE "LUT")
+    (INSTANCE g)
+        (IOPATH A F (200:200:200) (200:200:200))
+        (IOPATH B F (200:200:200) (200:200:200))
+  )
+  (CELL
+    (CELLTYPE "FF")
+    (INSTANCE start)
+        (IOPATH CLK Q (500:500:500) (400:400:400))
+  )
+  (CELL
+    (CELLTYPE "FF")
+    (INSTANCE end\\[0\\])
+      (SETUPHOLD (posedge D) (posedge CLK) (100:100:100) (0:0:0))
+      (SETUPHOLD (negedge D) (posedge CLK) (100:100:100) (0:0:0))
+  )
+)
+"""
+SUM = """\
+module sum (input clk_i, input rst_ni, input [3:0] a_i, input [3:0] b_i, output [3:0] sum_o);
+  wire [3:0] added_s0 = a_i + b_i;  // units/sum.h:12
+  reg [3:0] added_s1;
+  always @(posedge clk_i)
+    added_s1 <= added_s0;
+  reg valid_q;
+  always @(posedge clk_i)
+    valid_q <= rst_ni;
+  assign sum_o = valid_q ? added_s1 : 4'd0;
+endmodule
+module dynrt_core (input clk_i, input rst_ni, input [3:0] a_i, input [3:0] b_i, output [3:0] o);
+  sum u_adder (.clk_i(clk_i), .rst_ni(rst_ni), .a_i(a_i), .b_i(b_i), .sum_o(o));
+endmodule
+"""
+
+
+class Paths(unittest.TestCase):
+    def setUp(self) -> None:
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def graph(self, text: str = SDF) -> timing_graph.Graph:
+        path = self.folder / "timing.sdf"
+        path.write_text(text, encoding="utf-8")
+        return timing_graph.read_sdf(path)
+
+    def test_the_longest_path_and_its_parts(self) -> None:
+        timing = timing_graph.Timing(self.graph())
+        ((ns, end),) = timing.endpoints()
+        self.assertEqual(end, ("end[0]", "D"))
+        self.assertAlmostEqual(ns, 4.1)
+        hops = timing.path(end)
+        self.assertEqual([h.cell for h in hops], ["start", "g", "f", "end[0]"])
+        self.assertEqual([h.into for h in hops], ["CLK", "A", "B", "D"])
+        self.assertEqual([h.fanout for h in hops], [2, 1, 2, 0])
+        self.assertAlmostEqual(sum(h.wire_ns for h in hops), 3.0)
+
+    def test_a_file_that_says_nothing_is_refused(self) -> None:
+        with self.assertRaisesRegex(project.Failed, "names no wires"):
+            self.graph("(DELAYFILE\n)\n")
+
+    def names(self, module: str, joins: bool) -> tuple[source_names.Names, list[str]]:
+        source = self.folder / "sum.v"
+        source.write_text(SUM, encoding="utf-8")
+        outer = self.folder / "placed.v"
+        ports = wrapper.ports(module, [source], self.folder)
+        outer.write_text(wrapper.wrap(module, ports, 2), encoding="utf-8")
+        netlist = self.folder / "netlist.json"
+        synthesis.run_yosys(
+            [
+                f"read_verilog {source} {outer}",
+                "synth_ice40 -top placed",
+                f"write_json {netlist}",
+            ],
+            self.folder,
+            module,
+        )
+        cells = project.read_json(netlist)["modules"]["placed"]["cells"]
+        registers = [c for c, cell in cells.items() if "DFF" in cell["type"]]
+        return source_names.Names(netlist, self.folder, module, joins), registers
+
+    def origins(self, module: str, joins: bool) -> set[source_names.Origin]:
+        names, registers = self.names(module, joins)
+        return {names.origin(f"{r}_DFFLC", "Q") for r in registers}
+
+    def test_registers_have_the_line_of_the_value_that_they_keep(self) -> None:
+        for module, joins, unit in (("sum", False, "sum"), ("dynrt_core", True, "adder")):
+            found = self.origins(module, joins)
+            for copy in (0, 1):
+                self.assertIn(
+                    source_names.Origin(
+                        f"{unit} of copy {copy}", "added_s1[2]", "hls/units/sum.h:12"
+                    ),
+                    found,
+                )
+            self.assertIn(source_names.Origin("wrapper", "rst_q", "placed.v:7"), found)
+
+    def test_without_a_cplusplus_line_the_verilog_s_is_named(self) -> None:
+        names, registers = self.names("sum", False)
+        found = [names.origin(r, "Q") for r in registers if "valid_q" in r]
+        self.assertTrue(found)
+        for origin in found:
+            self.assertEqual(origin.source, "sum.v:6")
+
+    def test_bits_of_one_path_are_one(self) -> None:
+        two = SDF.replace("end\\[0\\]", "end\\[1\\]").splitlines()
+        more = [line for line in two if "end" in line and "INTERCONNECT" in line]
+        cell = SDF[SDF.index('  (CELL\n    (CELLTYPE "FF")\n    (INSTANCE end') : -2]
+        text = SDF.replace(
+            "        (INTERCONNECT g/F", "\n".join(more) + "\n        (INTERCONNECT g/F"
+        )
+        text = text.rstrip()[:-1] + cell.replace("[0\\]", "[1\\]") + ")\n"
+        worst = worst_paths.worst(self.graph(text), self.names("sum", False)[0], 4.0)
+        self.assertEqual((worst["endpoints"], worst["too_slow"]), (2, 2))
+        self.assertEqual(len(worst["paths"]), 1)
+        path = worst["paths"][0]
+        self.assertEqual((path["endpoints"], path["levels"]), (2, 2))
+        self.assertEqual((path["logic_ns"], path["wire_ns"]), (1.1, 3.0))
+
+
+if __name__ == "__main__":
+    unittest.main()
