@@ -32,12 +32,18 @@ def units(build: pathlib.Path, config: str = rtl_files.CHECKED_IN) -> dict[str, 
     return found
 
 
-def lower(build: pathlib.Path, unit: dict[str, str], clock_ns: float, delay: str) -> pathlib.Path:
-    """The folder with the unit's Verilog and hlsc's report for a delay model."""
+def lower(
+    build: pathlib.Path,
+    unit: dict[str, str],
+    clock_ns: float,
+    delay: str,
+    config: str = rtl_files.CHECKED_IN,
+) -> pathlib.Path:
+    """The folder with the Verilog of a configuration's unit and hlsc's report for a delay model."""
     root, module = project.ROOT, unit["module"]
     include = build / "generated" / "include"
     hlsc = build / "hls" / "compiler" / "hlsc"
-    header = f"{rtl_files.CHECKED_IN}/{module}.h"
+    header = f"{config}/{module}.h"
     sources = sorted(
         p
         for folder in ("hls/lowered", "hls/include", "hls/units")
@@ -83,6 +89,6 @@ def lower(build: pathlib.Path, unit: dict[str, str], clock_ns: float, delay: str
         clock_ns,
         (root / delay).read_text(encoding="utf-8"),
         hlsc.stat().st_mtime_ns,
-        (include / "configs" / f"{rtl_files.CHECKED_IN}.h").read_text(encoding="utf-8"),
+        (include / "configs" / f"{config}.h").read_text(encoding="utf-8"),
     ]
     return synthesis.kept("lowered", said, sources, make)

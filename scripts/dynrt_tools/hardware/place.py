@@ -13,6 +13,7 @@ Units that do not fit the device, or all where its tool is missing, get Yosys's 
 
 import argparse
 import concurrent.futures
+import math
 import os
 import pathlib
 import shutil
@@ -104,10 +105,17 @@ delays. The exit code is 1 where a placement failed.""",
         help="the time that one placement may take (default: 180)",
     )
     parser.add_argument(
+        "--config",
+        default=rtl_files.CHECKED_IN,
+        metavar="NAME",
+        help=f"configuration (default: {rtl_files.CHECKED_IN}, whose core is checked in)",
+    )
+    parser.add_argument(
         "--build",
         type=pathlib.Path,
         metavar="FOLDER",
-        help="the build whose hlsc lowers (default: build/release, else build/dev)",
+        help="the build whose hlsc lowers, and which has the cores of other configurations "
+        "(default: build/release, else build/dev)",
     )
     parser.add_argument(
         "--jobs",
@@ -126,17 +134,19 @@ delays. The exit code is 1 where a placement failed.""",
 
 
 def _positive(text: str) -> float:
-    value = float(text)
-    if value <= 0:
-        raise argparse.ArgumentTypeError(f"{text} is not above 0")
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0
+    if not 0 < value < math.inf:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a number above 0")
     return value
 
 
 def _count(text: str) -> int:
-    value = int(text)
-    if value < 1:
-        raise argparse.ArgumentTypeError(f"{text} is less than 1")
-    return value
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number above 0")
+    return int(text)
 
 
 @dataclass
@@ -148,6 +158,7 @@ class Row:
     subject: placing.Subject | None = None
     placed: list[Json] = field(default_factory=list)
     failures: list[Json] = field(default_factory=list)
+    broken: bool = False  # before a placer could run
 
     def add(self, seed: int, job: "concurrent.futures.Future[Json]", program: str) -> None:
         """The result of a seed, or a sentence that says why there is none."""
@@ -175,13 +186,14 @@ class Row:
 def prepare(name: str, args: argparse.Namespace, build: pathlib.Path | None) -> Row:
     """A row with all that is known before the placer runs; without a subject there is no more."""
     if name in WHOLE:
-        files = rtl_files.core_files() + (rtl_files.board() if name == BOARD else [])
+        files = rtl_files.library() + rtl_files.generated(args)
+        files += rtl_files.board() if name == BOARD else []
         return Row(name, {"unit": name}, placing.Subject(name, files, args.copies, True))
     assert build is not None  # units are of a build
     device = devices.DEVICES[args.device]
-    unit = lowering.units(build)[name]
+    unit = lowering.units(build, args.config)[name]
     try:
-        folder = lowering.lower(build, unit, args.clock_ns, device["delay"])
+        folder = lowering.lower(build, unit, args.clock_ns, device["delay"], args.config)
     except project.Failed as error:
         return Row(name, {"unit": name, "note": f"not lowered: {error}"})
     files = rtl_files.hand_written() + [folder / f"{name}.v"]
@@ -224,7 +236,7 @@ class Run:
                 )
                 for job in ready:
                     if job in preparing:
-                        row = job.result()
+                        row = self._prepared(preparing[job], job)
                         seeds = self._seeds(row)
                         left[row.name] = len(seeds)
                         for seed in seeds:
@@ -237,6 +249,15 @@ class Run:
                         left[row.name] -= 1
                     if left[row.name] == 0:
                         self._finish(row)
+
+    @staticmethod
+    def _prepared(name: str, job: "concurrent.futures.Future[Row]") -> Row:
+        """The row that a job made, or one that says why there is none."""
+        try:
+            return job.result()
+        except project.Failed as error:
+            print(f"place: {error}", file=sys.stderr)
+            return Row(name, {"unit": name, "note": f"failed: {error}"}, broken=True)
 
     def _seeds(self, row: Row) -> range:
         if row.subject is None or "note" in row.data:
@@ -271,6 +292,7 @@ class Run:
         project.write_json(
             path,
             {
+                "config": self.args.config,
                 "device": self.args.device,
                 "grade": self.target.grade,
                 "clock_ns": self.args.clock_ns,
@@ -282,15 +304,19 @@ class Run:
         )
 
     def failed(self) -> bool:
-        return not self.there or any(row.failures for row in self.done.values())
+        return not self.there or any(row.failures or row.broken for row in self.done.values())
 
 
 def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
     """The names of the rows, and the build that lowers their units where there are any."""
+    if set(args.unit) & set(WHOLE):
+        rtl_files.generated(args)  # ends here where there is no such configuration
     if args.unit and all(name in WHOLE for name in args.unit):
-        return list(args.unit), None
+        return list(dict.fromkeys(args.unit)), None
     build = lowering.find_build(args.build)
-    units = lowering.units(build)
+    units = lowering.units(build, args.config)
+    if not units:
+        project.fail(f"--config {args.config}: the build {build} has no such configuration")
     for name in args.unit:
         if name not in units and name not in WHOLE:
             project.fail(

@@ -108,6 +108,17 @@ class Texts(unittest.TestCase):
             "devices are ice40-hx8k, ecp5-85\n",
         )
 
+    def test_counts_and_clocks_are_above_zero(self) -> None:
+        for flag, text, sentence in (
+            ("--ask-mhz", "fast", "'fast' is not a number above 0"),
+            ("--clock-ns", "-1", "'-1' is not a number above 0"),
+            ("--copies", "0", "'0' is not a whole number above 0"),
+            ("--seeds", "1.5", "'1.5' is not a whole number above 0"),
+        ):
+            result = self.script(flag, text)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn(f"argument {flag}: {sentence}", result.stderr)
+
     def test_unknown_grade_lists_those_that_there_are(self) -> None:
         result = self.script("dynrt_core", "--device", "ecp5-85", "--grade", "9")
         self.assertEqual(result.returncode, 1)
@@ -155,6 +166,7 @@ class StandIn(unittest.TestCase):
         args: Json = {
             "unit": list(names),
             "device": "ecp5-85",
+            "config": rtl_files.CHECKED_IN,
             "grade": "",
             "clock_ns": 10.0,
             "ask_mhz": None,
@@ -199,6 +211,7 @@ class StandIn(unittest.TestCase):
     def test_a_row_with_its_paths(self) -> None:
         code, output, errors, data = self.called()
         self.assertEqual((code, errors), (0, ""))
+        self.assertTrue((self.folder / "kept" / data["units"][0]["placed"][0]["run"]).is_dir())
         self.assertRegex(output, r"sum +2 +3.00 +40 +244 +244 to 244 +4.10 +137 %")
         self.assertIn("4.10 ns = 1.10 logic + 3.00 wires, 2 levels, 1 ends", output)
         (row,) = data["units"]
@@ -305,10 +318,24 @@ class StandIn(unittest.TestCase):
         self.assertIn("place: nextpnr-ecp5 is not on the PATH", errors)
         self.assertIn("cells alone 2.50 ns on 7-series", output)
 
+    def test_a_row_that_cannot_be_prepared_leaves_the_others(self) -> None:
+        prepare = self.prepare
+
+        def broken(name: str, args: argparse.Namespace, build: object) -> place.Row:
+            if name == "wide":
+                raise project.Failed("wide: Yosys failed")
+            return prepare(name, args, build)
+
+        with mock.patch.object(self, "prepare", broken):
+            code, output, errors, data = self.called(names=("wide", "sum"), seeds=1)
+        self.assertEqual((code, errors), (1, "place: wide: Yosys failed\n"))
+        self.assertRegex(output, r"sum +2 +3.00 +40 +244")
+        self.assertEqual(data["units"][0]["note"], "failed: wide: Yosys failed")
+
 
 class Whole(unittest.TestCase):
     def test_core_and_board_are_the_checked_in_verilog(self) -> None:
-        args = argparse.Namespace(copies=2)
+        args = argparse.Namespace(copies=2, config=rtl_files.CHECKED_IN, build=None)
         for name in place.WHOLE:
             row = place.prepare(name, args, None)
             assert row.subject is not None

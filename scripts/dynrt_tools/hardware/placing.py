@@ -118,8 +118,7 @@ def place(
             raise
 
     folder = synthesis.kept("placed", [*target.said(seed), made_of.name], [], make)
-    result: Json = read_json(folder / "placement.json")
-    return result
+    return {"run": folder.name, **read_json(folder / "placement.json")}
 
 
 def failed_log(subject: Subject, seed: int) -> pathlib.Path:
