@@ -15,14 +15,14 @@ HEAD = """\
 OF_UNITS = {name: key for name, key in KEYS.items() if key.constant}
 
 
-def struct_of(name: str, config: Configuration) -> str:
-    """The struct that the units take as parameter C."""
+def struct_of(name: str, config: Configuration, source: str) -> str:
+    """The struct that the units take as parameter C. `source` is the list that names it."""
     float_of = ", ".join(
         KEYS[key].kind.literal(config[key])
         for key in ("exponent_bits", "mantissa_bits", "rounding")
     )
     lines = [
-        HEAD.format("hls/configs/configs.json") + "#pragma once",
+        HEAD.format(source) + "#pragma once",
         "",
         '#include "hls/float.h"',
         '#include "units/options.h"',
@@ -157,10 +157,10 @@ def _quoted(text: str) -> str:
     return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
 
 
-def table(configs: Mapping[str, Configuration]) -> str:
-    """core_configuration.cpp: the listed configurations."""
+def table(configs: Mapping[str, Configuration], source: str) -> str:
+    """core_configuration.cpp: the configurations listed in `source`."""
     lines = [
-        HEAD.format("hls/configs/configs.json") + '#include "configs/core_configuration.h"',
+        HEAD.format(source) + '#include "configs/core_configuration.h"',
         "",
         "namespace dynrt {",
         "",
