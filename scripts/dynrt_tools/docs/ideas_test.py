@@ -44,6 +44,7 @@ class Ideas(unittest.TestCase):
         self.assertEqual(rows[0]["clocks"], 100)  # thesis
         self.assertIsNone(rows[1]["clocks"])  # compact, without schedules
         self.assertEqual(rows[0]["lines read"], 4)
+        self.assertEqual(project.read_json(data)["crossing"], {"remember": 0, "split": 0})
         self.assertEqual(rows[0]["columns in the cache"], 0.75)
 
     def test_a_frame_that_fails_is_named(self) -> None:
