@@ -7,6 +7,7 @@
 #   identity    decides whether code of two builds fits together
 #   variables   CMake's, passed on as they are
 #   hlsc        the tool; not there without RTL, for which it is not built by itself
+#   program_only  whether it is the program alone, without hlsc, CGAL and Embree
 function(dynrt_describe_build file)
   string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
   set(identity CMAKE_CXX_COMPILER CMAKE_CXX_COMPILER_VERSION CMAKE_BUILD_TYPE CMAKE_CXX_FLAGS
@@ -25,5 +26,10 @@ function(dynrt_describe_build file)
   endforeach()
   string(JSON json SET "${json}" source "\"${PROJECT_SOURCE_DIR}\"")
   string(JSON json SET "${json}" hlsc "\"${PROJECT_BINARY_DIR}/hls/compiler/hlsc\"")
+  set(program_only false)
+  if(DYNRT_PROGRAM_ONLY)
+    set(program_only true)
+  endif()
+  string(JSON json SET "${json}" program_only ${program_only})
   file(CONFIGURE OUTPUT ${file} CONTENT "@json@\n" @ONLY)
 endfunction()

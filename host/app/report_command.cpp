@@ -7,6 +7,7 @@
 
 #include <memory>
 
+#include "host/analysis/truth/require_truth.h"
 #include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/command.h"
@@ -31,6 +32,7 @@ struct Arguments {
 using Study = WorkReport (*)(const Prepared& prepared, unsigned width, unsigned height);
 
 int run(const Arguments& arguments, Study study) {
+  if (study == truth_report) require_truth();
   const auto [width, height] = parse_size(arguments.scene.size);
   for (const unsigned side : {width, height}) {
     if (side == 0 || side % 2 != 0 || side > kMaxCountedSide) {

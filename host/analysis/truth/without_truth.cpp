@@ -7,6 +7,7 @@
 #include "host/analysis/truth/candidates.h"
 #include "host/analysis/truth/embree_check.h"
 #include "host/analysis/truth/exact.h"
+#include "host/analysis/truth/require_truth.h"
 #include "host/error.h"
 
 namespace dynrt::host {
@@ -18,6 +19,8 @@ constexpr char kNoTruth[] =
     "hits; scripts/test --build-only installs both and builds the whole program";
 
 }  // namespace
+
+void require_truth() { refuse(kNoTruth); }
 
 struct CandidateTree::State {};
 CandidateTree::CandidateTree(const std::vector<std::vector<CandidateBox>>&) { refuse(kNoTruth); }

@@ -28,6 +28,7 @@ class Demo(unittest.TestCase):
         presets = json.loads((ROOT / "CMakePresets.json").read_text(encoding="utf-8"))
         program = next(p for p in presets["configurePresets"] if p["name"] == "program")
         self.assertEqual(program["cacheVariables"]["DYNRT_BUILT_IN"], demo_configuration())
+        self.assertEqual(program["cacheVariables"]["DYNRT_PROGRAM_ONLY"], "ON")
 
     def test_verilog_and_schedules_are_checked_in(self) -> None:
         lowered = BUILD / "generated" / demo_configuration()

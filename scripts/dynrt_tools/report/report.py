@@ -14,6 +14,7 @@ from collections.abc import Callable
 from typing import NoReturn
 
 from dynrt_tools.build import fingerprint
+from dynrt_tools.build.whole import require_whole
 from dynrt_tools.project import Failed, Json, read_json
 from dynrt_tools.report import variants as listed
 from dynrt_tools.report.collect import check_writable, collect, scene_name, scene_path, write
@@ -114,6 +115,7 @@ def measured(
         listed.read_variants(args.variants, listed.base_configuration(args.config)), args.variant
     )
     build = read_json(args.build)
+    require_whole(build, "measuring variants", "hlsc, CGAL and Embree")
     if fingerprint.fingerprint(build) != args.expect:
         raise Failed("the sources have changed since this program was built; build it again")
     known = {}

@@ -12,9 +12,16 @@ THESIS = variants.base_configuration("thesis")
 
 
 class CommandLine(testing.InFolder):
-    def assert_mistake(self, script: str, arguments: list[str], sentence: str) -> None:
+    def assert_mistake(
+        self, script: str, arguments: list[str], sentence: str, program_only: bool = False
+    ) -> None:
         build = self.folder / "build.json"
-        build.write_text(json.dumps({"source": str(self.folder), "identity": {}}), encoding="utf-8")
+        described = {
+            "source": str(self.folder),
+            "identity": {},
+            "program_only": program_only,
+        }
+        build.write_text(json.dumps(described), encoding="utf-8")
         given = ("--program", "dynrt", "--build", build, "--expect", "f")
         result = testing.run(project.SCRIPTS / script, *given, *arguments)
         self.assertEqual((result.returncode, result.stdout), (2, ""))
@@ -47,6 +54,17 @@ class CommandLine(testing.InFolder):
             "the following arguments are required: "
             "--max-error; dynrt choose --help lists what there is",
         )
+
+    def test_a_program_that_was_built_alone(self) -> None:
+        commands = {"report_error": list[str](), "choose": ["office", "--max-error", "1"]}
+        for script, more in commands.items():
+            self.assert_mistake(
+                script,
+                more,
+                "measuring variants needs hlsc, CGAL and Embree, and scripts/demo built this "
+                "program without; scripts/test --build-only builds the whole program",
+                program_only=True,
+            )
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ import tempfile
 
 from dynrt_tools.build import configs
 from dynrt_tools.build.cache import BuildCache
+from dynrt_tools.build.whole import require_whole
 from dynrt_tools.project import SCRIPTS, Failed, Json, read_json, show_progress, write_json
 from dynrt_tools.report.collect import check_writable, scene_name, scene_path, written_first
 from dynrt_tools.report.report import guarded
@@ -326,6 +327,7 @@ def finish(project: Project, name: str, general: Json, about: str, entry: pathli
 
 def run(args: argparse.Namespace) -> int:
     project = Project(args)
+    require_whole(project.build, "specialising a core", "hlsc")
     costs.check_devices(args.device)
     if args.jobs < 1:
         raise Failed(f"--jobs {args.jobs}: at least one is needed")

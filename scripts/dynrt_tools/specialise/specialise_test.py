@@ -207,6 +207,15 @@ class Command(testing.InFolder):
             "nowhere.obj: there is no such file", "nowhere.obj", "--no-hardware", **bare
         )
 
+    def test_a_program_that_was_built_alone(self) -> None:
+        build = json.loads(self.build.read_text(encoding="utf-8")) | {"program_only": True}
+        self.build.write_text(json.dumps(build), encoding="utf-8")
+        self.assert_refused(
+            "specialising a core needs hlsc, and scripts/demo built this program without; "
+            "scripts/test --build-only builds the whole program",
+            "nowhere.obj",
+        )
+
     def test_sources_that_are_not_the_programs(self) -> None:
         self.assert_refused(
             "the sources have changed since this program was built; build it again", "office"
