@@ -3,9 +3,9 @@
 //
 // Counts the work that a scene's trees make: a tracer in doubles that walks packets of 2x2 primary
 // rays through both levels as the core does (thesis 3.1.3, packet decision, termination, mailbox),
-// only without rounding. It measures the quality of trees, and its hits test the trees. It also
-// counts variants that the core does not have, to show their cost or gain: rays one by one, other
-// mailboxes, other clipping (4.2), other top levels (overlap.h).
+// only without rounding (packet_tracer.h). It measures the quality of trees, and its hits test the
+// trees. It also counts variants that the core does not have, to show their cost or gain: rays one
+// by one, other mailboxes, other clipping (4.2), other top levels (overlap.h).
 #pragma once
 
 #include <cstdint>
