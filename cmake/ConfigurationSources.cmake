@@ -34,25 +34,33 @@ macro(dynrt_list_configuration config)
   string(APPEND ROWS "},\n")
 endmacro()
 
-# dynrt_configuration_library(CONFIG FOLDER): the target configuration_<CONFIG>, a shared library
-# FOLDER/<CONFIG>.so as host/board/loadable.h describes it, with the fingerprint of this build.
-function(dynrt_configuration_library CONFIG folder)
-  set(target configuration_${CONFIG})
-  set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
+# dynrt_loadable_library(TARGET CONFIG SOURCE WRITTEN): a shared library with one configuration as
+# host/board/loadable.h describes it, compiled from SOURCE. WRITTEN is what is written for it now: the
+# same file, or one that a command turns into it. It has DYNRT_FINGERPRINT of the caller.
+function(dynrt_loadable_library target CONFIG source written)
   set(DECLARATIONS)
   set(ROWS)
-  set(source ${generated}/${CONFIG}_loadable.cpp)
   add_library(${target} MODULE EXCLUDE_FROM_ALL ${source})
   # Its names are its own: many such libraries have a class of the same name.
-  set_target_properties(${target} PROPERTIES PREFIX "" OUTPUT_NAME ${CONFIG}
-                        LIBRARY_OUTPUT_DIRECTORY ${folder} CXX_VISIBILITY_PRESET hidden
+  set_target_properties(${target} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden
                         VISIBILITY_INLINES_HIDDEN ON)
   target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${target} PRIVATE dynrt_units dynrt_warnings fmt::fmt)
   target_link_options(${target} PRIVATE -Wl,-Bsymbolic)
   dynrt_configuration_sources(${target} ${CONFIG})
+  configure_file(${PROJECT_SOURCE_DIR}/host/board/loadable.cpp.in ${written} @ONLY)
+endfunction()
+
+# dynrt_configuration_library(CONFIG FOLDER): the target configuration_<CONFIG>, such a library
+# FOLDER/<CONFIG>.so with the fingerprint of this build.
+function(dynrt_configuration_library CONFIG folder)
+  set(target configuration_${CONFIG})
+  set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
+  set(source ${generated}/${CONFIG}_loadable.cpp)
   set(DYNRT_FINGERPRINT "@fingerprint@")  # which the build fills in
-  configure_file(${PROJECT_SOURCE_DIR}/host/board/loadable.cpp.in ${source}.in @ONLY)
+  dynrt_loadable_library(${target} ${CONFIG} ${source} ${source}.in)
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${CONFIG}
+                        LIBRARY_OUTPUT_DIRECTORY ${folder})
   set(script ${PROJECT_SOURCE_DIR}/cmake/AddFingerprint.cmake)
   add_custom_command(
     OUTPUT ${source}

@@ -44,36 +44,37 @@ Symbol symbol(void* library, const char* name) {
   return reinterpret_cast<Symbol>(dlsym(library, name));
 }
 
-/// Whether a library is there that was made of the same sources as this program.
-bool is_of_this_build(const std::string& path) {
-  std::error_code error;
-  if (!fs::exists(path, error) || !is_whole_library(path)) return false;
-  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) return false;
-  const auto* fingerprint = symbol<const char*>(library, "dynrt_configuration_fingerprint");
-  const bool same = fingerprint != nullptr && fingerprint == this_build().fingerprint;
-  dlclose(library);
-  return same;
-}
+/// A library that fits this program stays open; of any other there is a sentence.
+struct Library {
+  const Configuration* configuration = nullptr;
+  std::string fault;
+};
 
-Loaded open(const std::string& path, std::string name) {
+Library open(const std::string& path) {
   std::error_code error;
-  if (!fs::exists(path, error)) refuse(messages::kNoConfigurationFile, path);
-  if (!is_whole_library(path)) refuse(messages::kNotALibrary, path);
+  if (!fs::exists(path, error)) return {nullptr, fmt::format(messages::kNoConfigurationFile, path)};
+  if (!is_whole_library(path)) return {nullptr, fmt::format(messages::kNotALibrary, path)};
   // An absolute path, as the loader looks for bare names elsewhere.
   void* library = dlopen(fs::absolute(path).c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) refuse(messages::kNotLoaded, path, std::string(dlerror()));
+  if (library == nullptr) {
+    return {nullptr, fmt::format(messages::kNotLoaded, path, std::string(dlerror()))};
+  }
   const auto* fingerprint = symbol<const char*>(library, "dynrt_configuration_fingerprint");
   const auto configuration = symbol<const Configuration* (*)()>(library, "dynrt_configuration");
-  if (fingerprint == nullptr || configuration == nullptr) {
-    dlclose(library);
-    refuse(messages::kForeignLibrary, path);
+  if (fingerprint != nullptr && configuration != nullptr &&
+      fingerprint == this_build().fingerprint) {
+    return {configuration(), {}};
   }
-  if (fingerprint != this_build().fingerprint) {
-    dlclose(library);
-    refuse(messages::kOtherBuild, path);
-  }
-  return {std::move(name), *configuration()};
+  const bool foreign = fingerprint == nullptr || configuration == nullptr;
+  dlclose(library);
+  return {nullptr, foreign ? fmt::format(messages::kForeignLibrary, path)
+                           : fmt::format(messages::kOtherBuild, path)};
+}
+
+Loaded loaded_from(const std::string& path, std::string name) {
+  const Library library = open(path);
+  if (library.configuration == nullptr) throw UserError(library.fault);
+  return {std::move(name), *library.configuration};
 }
 
 /// Empty if the file is no JSON: its mistakes are reported when its configuration is made.
@@ -94,7 +95,7 @@ const Configuration& load_configuration(const std::string& path, bool rtl) {
   auto& slot = loaded[{path, made && rtl}];
   if (!slot) {
     const std::string library = made ? make_configuration(path, rtl) : path;
-    slot = std::make_unique<Loaded>(open(library, fs::path(path).stem().string()));
+    slot = std::make_unique<Loaded>(loaded_from(library, fs::path(path).stem().string()));
     slot->configuration.name = slot->name;
   }
   return slot->configuration;
@@ -103,7 +104,7 @@ const Configuration& load_configuration(const std::string& path, bool rtl) {
 const Configuration& load_listed_configuration(const std::string& name, bool rtl) {
   const fs::path folder = fs::path(this_build().description).parent_path() / "configurations";
   const fs::path built = folder / (name + ".so");
-  if (is_of_this_build(built)) return load_configuration(built);
+  if (open(built).configuration != nullptr) return load_configuration(built);
   return load_configuration(folder / (name + ".json"), rtl);
 }
 
