@@ -14,7 +14,7 @@
 #include "host/app/text.h"
 #include "host/board/configurations.h"
 #include "host/error.h"
-#include "host/scene/wording.h"
+#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 

@@ -14,7 +14,7 @@
 
 #include "host/scene/camera.h"
 #include "host/scene/import.h"
-#include "host/scene/wording.h"
+#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 

@@ -22,7 +22,7 @@
 #include "host/scene/camera.h"
 #include "host/scene/import.h"
 #include "host/scene/mesh_builder.h"
-#include "host/scene/wording.h"
+#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 

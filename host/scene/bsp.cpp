@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "host/scene/wording.h"
+#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 

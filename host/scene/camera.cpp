@@ -9,7 +9,7 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
-#include "host/scene/wording.h"
+#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 

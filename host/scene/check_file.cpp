@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "host/scene/wording.h"
+#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 

@@ -6,7 +6,7 @@
 
 #include "host/scene/check_file.h"
 #include "host/scene/json_reader.h"
-#include "host/scene/wording.h"
+#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 

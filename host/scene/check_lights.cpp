@@ -14,7 +14,7 @@
 #include <optional>
 
 #include "host/scene/camera.h"
-#include "host/scene/wording.h"
+#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 

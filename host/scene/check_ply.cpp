@@ -6,8 +6,8 @@
 #include <map>
 
 #include "host/scene/check_file.h"
+#include "host/scene/scene_messages.h"
 #include "host/scene/text_lines.h"
-#include "host/scene/wording.h"
 
 namespace dynrt::host {
 

@@ -20,7 +20,7 @@
 #include "host/scene/mesh_builder.h"
 #include "host/scene/placement.h"
 #include "host/scene/scatter.h"
-#include "host/scene/wording.h"
+#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 

@@ -14,7 +14,7 @@
 #include "host/scene/generate.h"
 #include "host/scene/map.h"
 #include "host/scene/mesh_builder.h"
-#include "host/scene/wording.h"
+#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 

@@ -10,8 +10,8 @@
 #include "host/scene/camera.h"
 #include "host/scene/import.h"
 #include "host/scene/mesh_builder.h"
+#include "host/scene/scene_messages.h"
 #include "host/scene/text_lines.h"
-#include "host/scene/wording.h"
 #include "host/scene/zip_library.h"
 
 namespace dynrt::host {

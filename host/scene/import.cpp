@@ -23,10 +23,10 @@
 #include "host/scene/assimp_scene.h"
 #include "host/scene/check_file.h"
 #include "host/scene/memory_files.h"
+#include "host/scene/scene_messages.h"
 #include "host/scene/text_encoding.h"
 #include "host/scene/text_lines.h"
 #include "host/scene/textures.h"
-#include "host/scene/wording.h"
 
 #if __has_feature(address_sanitizer)
 // Assimp leaks its open file when it rejects one; LeakSanitizer asks for this by name.

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "host/scene/check_file.h"
-#include "host/scene/wording.h"
+#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 

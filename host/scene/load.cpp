@@ -13,7 +13,7 @@
 #include "host/scene/description.h"
 #include "host/scene/import.h"
 #include "host/scene/map.h"
-#include "host/scene/wording.h"
+#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 

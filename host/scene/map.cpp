@@ -18,8 +18,8 @@
 #include "host/scene/bsp.h"
 #include "host/scene/camera.h"
 #include "host/scene/mesh_builder.h"
+#include "host/scene/scene_messages.h"
 #include "host/scene/text_lines.h"
-#include "host/scene/wording.h"
 #include "host/scene/zip_library.h"
 
 namespace dynrt::host {

@@ -21,8 +21,8 @@
 
 #include "host/picture/image_library.h"
 #include "host/picture/srgb.h"
+#include "host/scene/scene_messages.h"
 #include "host/scene/text_lines.h"
-#include "host/scene/wording.h"
 
 namespace dynrt::host {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "host/scene/memory_files.h"
-#include "host/scene/wording.h"
+#include "host/scene/scene_messages.h"
 
 namespace dynrt::host {
 

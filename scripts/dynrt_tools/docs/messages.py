@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dynrt_tools import project
 
 MESSAGE = re.compile(
-    r"^inline constexpr char (k\w+)\[\] ?=\s*"  # the name
+    r"^inline constexpr (?:char (?:k\w+)\[\]|Text (?:k\w+)) ?=\s*"  # the name
     r'((?:"(?:[^"\\]|\\.)*"\s*)+);',  # its literals
     re.MULTILINE,
 )
@@ -28,7 +28,7 @@ def tables() -> Iterator[pathlib.Path]:
 
 def wordings(text: str) -> Iterator[str]:
     """The messages of a header, with … where a value stands."""
-    for _, literals in MESSAGE.findall(text):
+    for literals in MESSAGE.findall(text):
         words = "".join(json.loads(part) for part in LITERAL.findall(literals))
         yield HOLE.sub("…", words.replace("{{", "\0").replace("}}", "\1")).translate(
             {0: "{", 1: "}"}

@@ -124,6 +124,14 @@ class Texts(unittest.TestCase):
         table = 'inline constexpr char kA[] =\n    "{} takes {:.2f} ns, "\n    "{{not}} less";\n'
         self.assertEqual(list(messages.wordings(table)), ["… takes … ns, {not} less"])
 
+    def test_every_constant_of_a_table_is_on_the_page(self) -> None:
+        for path in messages.tables():
+            with self.subTest(table=path.name):
+                table = path.read_text(encoding="utf-8")
+                self.assertEqual(
+                    len(list(messages.wordings(table))), table.count("inline constexpr")
+                )
+
     def test_a_missing_build_is_named(self) -> None:
         with self.assertRaisesRegex(Exception, "commands.md:1: the page needs .*dynrt"):
             made.from_build(new_folder(self))
