@@ -103,13 +103,19 @@ class Arrival:
 
 
 class Timing:
-    """The latest arrival at every pin of a graph."""
+    """The latest arrival at every pin of a graph. With `skew` the wires of the clock count, as they
+    do for nextpnr 0.8 and later: a register that its clock reaches late starts late."""
 
-    def __init__(self, graph: Graph) -> None:
+    def __init__(self, graph: Graph, skew: bool = False) -> None:
         self.graph = graph
+        self._skew = skew
         self.fanouts = graph.fanouts()
         self._clocks = graph.clock_pins()
         self._arrivals: dict[Pin, Arrival | None] = {}
+
+    def _clock_ns(self, pin: Pin) -> float:
+        wire = self.graph.wires.get(pin)
+        return wire[1] if self._skew and wire else 0.0
 
     def _drivers(self, out: Pin) -> Iterator[Pin]:
         """The outputs whose arrival decides that of this one."""
@@ -141,7 +147,7 @@ class Timing:
         for port, delay in self.graph.arcs.get(out, ()):
             pin = (out[0], port)
             if pin in self._clocks:
-                here = Arrival(delay, port, delay, True)
+                here = Arrival(self._clock_ns(pin) + delay, port, delay, True)
             else:
                 wire = self.graph.wires.get(pin)
                 before = self._arrivals.get(wire[0]) if wire else None
@@ -155,11 +161,12 @@ class Timing:
     def endpoints(self) -> list[tuple[float, Pin]]:
         """The time of the longest path to each register's input, the longest first."""
         found = []
-        for end, (_, setup) in self.graph.setups.items():
+        for end, (clock, setup) in self.graph.setups.items():
             wire = self.graph.wires.get(end)
             before = self.arrival(wire[0]) if wire else None
             if wire and before:
-                found.append((before.ns + wire[1] + setup, end))
+                late = self._clock_ns((end[0], clock))
+                found.append((before.ns + wire[1] + setup - late, end))
         return sorted(found, reverse=True)
 
     def path(self, end: Pin) -> list[Hop]:

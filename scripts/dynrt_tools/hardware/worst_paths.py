@@ -22,10 +22,9 @@ def kind(start: source_names.Origin, end: source_names.Origin) -> tuple[str, ...
     return (start.unit, BIT.sub("", start.signal), end.unit, BIT.sub("", end.signal))
 
 
-def worst(graph: timing_graph.Graph, names: source_names.Names, asked_ns: float) -> Json:
+def worst(timing: timing_graph.Timing, names: source_names.Names, asked_ns: float) -> Json:
     """The longest period, how many registers' inputs are too slow for the one asked for, and the
     worst paths. Paths that differ only in their bits are one: its worst, and their number."""
-    timing = timing_graph.Timing(graph)
     ends = timing.endpoints()
     paths: dict[tuple[str, ...], Json] = {}
     counts: Counter[tuple[str, ...]] = Counter()
@@ -54,10 +53,10 @@ def path_of(
     start: source_names.Origin,
     end: source_names.Origin,
 ) -> Json:
-    wire = sum(hop.wire_ns for hop in hops)
+    logic, wire = sum(hop.logic_ns for hop in hops), sum(hop.wire_ns for hop in hops)
     return {
         "ns": round(ns, 3),
-        "logic_ns": round(ns - wire, 3),
+        "logic_ns": round(logic, 3),
         "wire_ns": round(wire, 3),
         "levels": len(hops) - 2,
         "from": describe(start),

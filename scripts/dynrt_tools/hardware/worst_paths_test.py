@@ -93,6 +93,13 @@ class Paths(unittest.TestCase):
         self.assertEqual([h.fanout for h in hops], [2, 1, 2, 0])
         self.assertAlmostEqual(sum(h.wire_ns for h in hops), 3.0)
 
+    def test_a_clock_that_comes_late(self) -> None:
+        late = SDF.replace("start/CLK (0:0:0)", "start/CLK (400:400:400)")
+        late = late.replace("end\\[0\\]/CLK (0:0:0)", "end\\[0\\]/CLK (100:100:100)")
+        for skew, expected in ((False, 4.1), (True, 4.1 + 0.4 - 0.1)):
+            timing = timing_graph.Timing(self.graph(late), skew)
+            self.assertAlmostEqual(timing.endpoints()[0][0], expected)
+
     def test_a_file_that_says_nothing_is_refused(self) -> None:
         with self.assertRaisesRegex(project.Failed, "names no wires"):
             self.graph("(DELAYFILE\n)\n")
@@ -148,7 +155,9 @@ class Paths(unittest.TestCase):
             "        (INTERCONNECT g/F", "\n".join(more) + "\n        (INTERCONNECT g/F"
         )
         text = text.rstrip()[:-1] + cell.replace("[0\\]", "[1\\]") + ")\n"
-        worst = worst_paths.worst(self.graph(text), self.names("sum", False)[0], 4.0)
+        worst = worst_paths.worst(
+            timing_graph.Timing(self.graph(text)), self.names("sum", False)[0], 4.0
+        )
         self.assertEqual((worst["endpoints"], worst["too_slow"]), (2, 2))
         self.assertEqual(len(worst["paths"]), 1)
         path = worst["paths"][0]
