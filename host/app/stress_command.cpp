@@ -166,22 +166,22 @@ int run(const Arguments& arguments) {
 Command add_stress_command(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand(
-      "stress", "stiff and extreme cases: what goes wrong how often, against what is allowed");
+      "stress", "run hard and extreme cases, and compare the errors of each with its bound");
   command
       ->add_option("CASE", arguments->cases,
                    fmt::format("cases by name (group/name) or whole groups ({}); default: all",
                                fmt::join(groups(), ", ")))
       ->option_text(" ");
-  command->add_flag("--list", arguments->list, "say what the cases are, and run none");
+  command->add_flag("--list", arguments->list, "list the cases without running them");
   command->add_option("--board", arguments->board, "model or rtl")->option_text("BOARD [model]");
   add_configuration_flag(*command, arguments->configuration);
   command
       ->add_option("--format", arguments->format,
-                   "bits of exponent and mantissa in place of the configuration's, which is built "
-                   "for it; nothing is stated of how much may go wrong then")
+                   "build the configuration with these bits of exponent and mantissa instead of "
+                   "its own; the cases then have no bound")
       ->option_text("E,M");
   command->add_flag("--markdown", arguments->markdown,
-                    "print the results as the table of the docs");
+                    "print the results as the table of docs/results/stress.md");
   add_json_flag(*command, arguments->json);
   return {command, [arguments] { return run(*arguments); }};
 }

@@ -42,7 +42,7 @@ std::vector<Case> camera_cases() {
   return {
       {"cameras",
        "empty_scene",
-       "a scene without an instance: refused",
+       "a scene without an instance, which the host must refuse",
        [](Examiner& b) {
          b.expect_refusal({.scene = {}, .shots = {ray({0, 0, 0}, {0, 0, 1})}}, "no instances");
        },

@@ -94,7 +94,8 @@ void run_zero_area(Examiner& b) {
 }
 
 constexpr char kThin[] =
-    "the matrix is the triangle's height's inverse, 2^20: a step of a coordinate is eight heights";
+    "the matrix holds the inverse of the triangle's height, 2^20, and a step of a coordinate is "
+    "eight heights";
 
 }  // namespace
 
@@ -102,7 +103,7 @@ std::vector<Case> degenerate_cases() {
   return {
       {"degenerate",
        "coincident_triangles",
-       "four times the same two triangles: those of the lowest numbers win, in every order",
+       "four times the same two triangles: those with the lowest numbers win, in every order",
        run_coincident_triangles,
        {},
        ""},
@@ -114,7 +115,7 @@ std::vector<Case> degenerate_cases() {
        ""},
       {"degenerate",
        "coplanar",
-       "squares that overlap in one plane: the same wins in every order",
+       "squares that overlap in one plane: the same square wins in every order",
        run_coplanar,
        {},
        ""},
@@ -126,7 +127,7 @@ std::vector<Case> degenerate_cases() {
        kThin},
       {"degenerate",
        "almost_no_area",
-       "the same of 2^-40",
+       "the same with a height of 2^-40",
        [](Examiner& b) { run_thin(b, 40); },
        {},
        ""},

@@ -147,7 +147,7 @@ void Examiner::judge_hit(const Truth& truth, const TruthRay& ray, const TruthHit
 void Examiner::expect_same(const Rendered& rendered, const Rendered& expected,
                            const std::function<HitRecord(HitRecord)>& change) {
   if (rendered.frames.size() != expected.frames.size()) {
-    throw std::logic_error("frames to be compared are not as many");
+    throw std::logic_error("the two sides have different numbers of frames");
   }
   for (std::size_t k = 0; k < rendered.frames.size(); ++k) {
     const std::vector<HitRecord>& hits = rendered.frames[k].hits;

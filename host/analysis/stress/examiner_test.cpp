@@ -144,8 +144,9 @@ TEST(Run, SaysWhereThereIsNoBound) {
   EXPECT_THAT(line_of(result), StartsWith("EXCEEDS "));
   result.allowed.stated = false;
   EXPECT_THAT(line_of(result), StartsWith("no bound "));
-  EXPECT_THAT(summary_of({&result, 1}, 1), HasSubstr("none exceed what is allowed, 1 have no bound "
-                                                     "of lost, invented and wrong rays"));
+  EXPECT_THAT(
+      summary_of({&result, 1}, 1),
+      HasSubstr("none exceed what is allowed, 1 have no bound for lost, invented and wrong rays"));
   result.outcome[Fault::kDifferent] = 1;
   EXPECT_THAT(line_of(result), StartsWith("EXCEEDS "));
 }

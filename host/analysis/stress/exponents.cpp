@@ -78,18 +78,18 @@ void run_fitted_wall(Examiner& b, double distance, double length) {
 
 std::vector<Case> exponent_cases() {
   return {
-      scaled_scene("scene_2^-20", "a room times 2^-20 gives the same bits, the distances' moved",
+      scaled_scene("scene_2^-20", "a room times 2^-20 gives the same bits, with scaled distances",
                    -20, {}, ""),
       scaled_scene("scene_2^20", "the same times 2^20", 20, {}, ""),
       {"exponents",
        "scene_2^-40",
-       "a room times 2^-40, judged by the truth alone",
+       "a room times 2^-40, compared with the truth",
        [](Examiner& b) { b.check(room(b.numbers(), 0x1p-40)); },
        {},
        ""},
       {"exponents",
        "scene_2^40",
-       "a room times 2^40, judged by the truth alone",
+       "a room times 2^40, compared with the truth",
        [](Examiner& b) { b.check(room(b.numbers(), 0x1p40)); },
        {},
        ""},
@@ -110,26 +110,26 @@ std::vector<Case> exponent_cases() {
        "a wall at 2^60, 2^62 wide",
        [](Examiner& b) { run_wall(b, 0x1p60, 1); },
        {.lost = 16},
-       "what the matrix of 2^-62 makes of directions saturates at 2^-63"},
+       "directions times the matrix of 2^-62 saturate at 2^-63"},
       {"exponents",
        "smallest_scene",
        "a wall at 2^-60, 2^-58 wide",
        [](Examiner& b) { run_wall(b, 0x1p-60, 0x1p-20); },
        {.lost = 49},
-       "there is no zero: each of a matrix adds 2^-63, and the origin comes to lie behind the "
-       "wall"},
+       "the format has no zero: each zero of a matrix adds 2^-63, which moves the origin behind "
+       "the wall"},
       {"exponents",
        "distance_too_large",
        "a wall at 2^10, rays of the length 2^-56: t is 2^66",
        [](Examiner& b) { run_wall(b, 0x1p10, 0x1p-56); },
        {.lost = 49},
-       "a distance that saturates is not nearer than nothing: no hit, never one of another sign"},
+       "a saturated distance is no nearer than no hit: the ray hits nothing, and the sign stays"},
       {"exponents",
        "distance_too_small",
        "a wall at 2^-20, rays of the length 2^50: t is 2^-70",
        [](Examiner& b) { run_wall(b, 0x1p-20, 0x1p50); },
        {.lost = 49},
-       "the distance saturates at 2^-63, where the ray is far beyond the wall: no hit"},
+       "the distance saturates at 2^-63, and there the ray is far beyond the wall: no hit"},
       {"exponents",
        "fitted_2^60",
        "the wall at 2^60, fitted to the numbers by the host",
@@ -144,7 +144,7 @@ std::vector<Case> exponent_cases() {
        ""},
       {"exponents",
        "vertex_too_far",
-       "a wall of which a vertex is beyond the numbers: refused",
+       "a wall with a vertex outside the numbers, which the host must refuse",
        [](Examiner& b) {
          b.expect_refusal(
              {.scene = scene_of(wall(2, 1, 0x1p66)), .shots = {ray({0, 0, 0}, {0, 0, 1})}},
@@ -154,7 +154,8 @@ std::vector<Case> exponent_cases() {
        ""},
       {"exponents",
        "triangle_too_small",
-       "a triangle of 2^-70: refused if it has a matrix, which is beyond; corners saturate",
+       "a triangle of 2^-70: refused if it has a matrix, which is outside the numbers; corners "
+       "saturate",
        [](Examiner& b) {
          const Trial trial{.scene = scene_of(scaled(cube(1), glm::dvec3(0x1p-70))),
                            .shots = {ray({0, 0, 1}, {0, 0, -1})}};
@@ -168,7 +169,7 @@ std::vector<Case> exponent_cases() {
        ""},
       {"exponents",
        "instance_too_small",
-       "an instance of 2^-70, whose inverse is beyond: refused",
+       "an instance of 2^-70, whose inverse is outside the numbers: refused",
        [](Examiner& b) {
          Trial trial{.scene = {}, .shots = {ray({0, 0, 4}, {0, 0, -1})}};
          add(trial.scene, cube(1), scaling(glm::dvec3(0x1p-70)));

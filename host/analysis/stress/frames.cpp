@@ -48,11 +48,11 @@ std::vector<Case> frame_cases() {
                 [](FrameOptions& o) { o.packets = o.lines = 1; }),
       same_bits("scanline", "packets line by line: the same bits",
                 [](FrameOptions& o) { o.order = RayOrder::kScanline; }),
-      same_bits("uncompressed", "every ray with an origin of its own: the same bits",
+      same_bits("uncompressed", "every ray with its own origin: the same bits",
                 [](FrameOptions& o) { o.uncompressed = true; }),
       {"frames",
        "one_slot",
-       "63 nodes of a tree in one line of 512: the same bits",
+       "63 nodes of a tree in one cache line of 512: the same bits",
        [](Examiner& b) {
          const Rendered plain = b.check(lower_chain(b.numbers(), 31));
          b.expect_same(b.check(lower_chain(b.numbers(), 31, kMostLines - 1)), plain);

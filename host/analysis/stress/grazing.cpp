@@ -51,7 +51,7 @@ Case slanting(const std::string& name, const std::string& angle, double degrees,
               const Allowed& allowed) {
   return {"grazing",
           "slanting_" + name,
-          "the same to a slanting floor, at " + angle,
+          "the same down to a slanting floor, at " + angle,
           [=](Examiner& b) {
             run(b, degrees, glm::rotate(glm::dmat4(1.0), 0.7, glm::normalize(glm::dvec3(1, 2, 3))));
           },

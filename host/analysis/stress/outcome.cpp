@@ -15,9 +15,9 @@ constexpr std::array<FaultText, kFaults> kTexts = {{
     {"lost", "rays that hit something and are reported to hit nothing"},
     {"invented", "rays that hit nothing and are reported to hit something"},
     {"wrong", "rays reported to hit a triangle that is not where the nearest is"},
-    {"twice", "rays that more than one of several triangles claims, each being tested alone"},
+    {"twice", "rays that hit more than one of several triangles, each tested alone"},
     {"different", "rays that must give the same bits as others and do not"},
-    {"unsaid", "rays lost by a full stack that the counter stack_full does not tell of"},
+    {"unsaid", "rays lost by a full stack that the counter stack_full does not count"},
     {"accepted", "rays of a scene that the host must refuse and does not"},
 }};
 

@@ -68,7 +68,7 @@ std::vector<Case> overlap_cases() {
   return {
       {"overlap",
        "hundred",
-       "a hundred spheres about one centre, each 2^-10 smaller than the last",
+       "a hundred spheres around one centre, each 2^-10 smaller than the one before",
        [](Examiner& b) {
          b.check({.scene = spheres_within(b.numbers(), 100, 0x1p-10), .shots = {at_spheres(16)}});
        },
@@ -90,7 +90,7 @@ std::vector<Case> overlap_cases() {
        ""},
       {"overlap",
        "leaf_of_9_objects",
-       "more objects in a leaf than the mailbox has slots",
+       "a leaf with more objects than the mailbox has slots",
        [](Examiner& b) { run_many_in_a_leaf(b, 9); },
        {},
        ""},

@@ -69,11 +69,12 @@ std::string summary_of(std::span<const Result> results, double seconds) {
       "{} cases, {} rays, {} hit; {} exceed what is allowed{}{}; {:.1f} s; digest {}",
       results.size(), sum(results, &Outcome::rays), sum(results, &Outcome::hits),
       exceeding == 0 ? "none" : fmt::format("{}", exceeding),
-      unbound == 0 ? ""
-                   : fmt::format(", {} have no bound of lost, invented and wrong "
-                                 "rays on this core",
-                                 unbound),
-      refused == 0 ? "" : fmt::format(", {} refused, as the core was made for less", refused),
+      unbound == 0
+          ? ""
+          : fmt::format(", {} have no bound for lost, invented and wrong rays on this core",
+                        unbound),
+      refused == 0 ? ""
+                   : fmt::format(", {} refused, as the core was made for smaller scenes", refused),
       seconds, hex(digest_of(results)));
 }
 
@@ -119,10 +120,10 @@ std::string markdown_of(std::span<const Result> results) {
   for (const Result& r : results) {
     if (r.stress->group != group) {
       group = r.stress->group;
-      fmt::format_to(std::back_inserter(text),
-                     "\n### {}\n\n| case | what is tried | rays | what goes wrong | why it may |\n"
-                     "|---|---|---|---|---|\n",
-                     group);
+      fmt::format_to(
+          std::back_inserter(text),
+          "\n### {}\n\n| case | scene and rays | rays | errors | reason |\n|---|---|---|---|---|\n",
+          group);
     }
     const std::string wrong =
         r.outcome.refusal.empty() ? text_of(r.outcome, r.allowed) : "refused, as it must be";

@@ -82,8 +82,8 @@ std::vector<Case> sliver_cases() {
       strip_case("aspect_1e4", "the same, 2^-13 wide", 0x1p-13, 0, {}, ""),
       strip_case("aspect_1e6", "the same, 2^-20 wide", 0x1p-20, 0, {}, ""),
       strip_case("aspect_1e4_off_axis",
-                 "the same, 2^-13 wide and 3/4 beside the axis, where that is "
-                 "16 steps of the numbers",
+                 "the same, 2^-13 wide and 3/4 away from the axis, where the width is 16 steps of "
+                 "the numbers",
                  0x1p-13, 0.75, {}, ""),
       {"slivers",
        "fan_1e4",

@@ -27,8 +27,10 @@ Case stack_case(const std::string& name, const std::string& about,
   return {"stacks", name, about, [make](Examiner& b) { run(b, make(b.numbers())); }, allowed, why};
 }
 
-constexpr char kWhy32[] = "the 32nd push finds 31 entries: one leaf is not entered";
-constexpr char kWhy60[] = "29 of 60 pushes find the stack full: as many leaves are not entered";
+constexpr char kWhy32[] =
+    "the 32nd push finds a full stack of 31 entries, so the ray does not enter one leaf";
+constexpr char kWhy60[] =
+    "29 of 60 pushes find the stack full, so the ray does not enter 29 leaves";
 
 }  // namespace
 
@@ -56,8 +58,8 @@ std::vector<Case> stack_cases() {
           "both_31", "both stacks filled to the last entry",
           [](const auto&) { return nested_chains(31, 31); }, {}, ""),
       stack_case(
-          "both_40", "40 planes on either level", [](const auto&) { return nested_chains(40, 40); },
-          {.lost = 25}, "9 of 40 leaves on either level are not entered"),
+          "both_40", "40 planes on each level", [](const auto&) { return nested_chains(40, 40); },
+          {.lost = 25}, "the ray does not enter 9 of 40 leaves on each level"),
       stack_case(
           "deep_objects_tree_60", "60 planes in an object's tree, on `deep`: stacks of 63 entries",
           [](const auto& n) { return on_deep(lower_chain(n, 60)); }, {}, ""),
@@ -65,7 +67,7 @@ std::vector<Case> stack_cases() {
           "deep_scenes_tree_60", "60 planes in the scene's tree, on `deep`: stacks of 63 entries",
           [](const auto& n) { return on_deep(upper_chain(n, 60)); }, {}, ""),
       stack_case(
-          "deep_both_40", "40 planes on either level, on `deep`: stacks of 63 entries",
+          "deep_both_40", "40 planes on each level, on `deep`: stacks of 63 entries",
           [](const auto&) { return on_deep(nested_chains(40, 40)); }, {}, ""),
   };
 }

@@ -12,13 +12,13 @@ namespace dynrt::host::stress {
 namespace {
 
 constexpr char kBorder[] =
-    "an edge belongs to one of its two sides, so where a surface ends half of the rays exactly "
-    "through its border pass";
+    "an edge belongs to one of its two sides, so half of the rays exactly through the border of a "
+    "surface pass it";
 constexpr char kLevel[] =
-    "all rays at thin triangles, by nature: a height that cancels to zero is the smallest number "
-    "above it, so the two long edges of a triangle that is thinner than a step fall to one side";
+    "all rays at thin triangles: a height that cancels to zero becomes the smallest number above "
+    "zero, so the two long edges of a triangle thinner than a step fall on one side";
 constexpr char kRange[] =
-    "corners and differences saturate where the matrix of the thesis's test does, at other sizes";
+    "corners and differences saturate, as the matrix of the thesis's test does at other sizes";
 
 constexpr WatertightBound kBounds[] = {
     {"slivers/fan_1e4", {.lost = 1}, kBorder},
@@ -35,7 +35,8 @@ constexpr WatertightBound kBounds[] = {
     {"far/camera_1e4", {.lost = 9, .invented = 7}, reasons::kFarEye},
     {"planes/in_box_plane",
      {.wrong = 7},
-     "there is no zero: a height of zero differs by 2^-62 from ray to floor, which meet somewhere"},
+     "the format has no zero: a height of zero differs by 2^-62 between ray and floor, so the two "
+     "meet somewhere"},
     {"grazing/slanting_hundredth_degree", {.distance = 3.4e-2}, reasons::kGrazing},
     {"ends/on_surface_outward", {.invented = 42}, reasons::kNoZero},
     {"ends/on_surface_inward", {.wrong = 42}, reasons::kNoZero},

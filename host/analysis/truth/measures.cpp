@@ -20,23 +20,22 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr MeasureDefinition kMeasures[] = {
-    {"primary", "rays", "rays", "-", "primary rays: pixels of the image"},
+    {"primary", "rays", "rays", "-", "primary rays: one for each pixel of the image"},
     {"primary", "hits", "rays", "-", "rays that truly hit something"},
-    {"primary", "missed", "rays", "less",
-     "rays that hit something, of which the record says nothing"},
-    {"primary", "false", "rays", "less", "rays that hit nothing, of which the record says a hit"},
+    {"primary", "missed", "rays", "less", "rays that hit something but whose record names no hit"},
+    {"primary", "false", "rays", "less", "rays that hit nothing but whose record names a hit"},
     {"primary", "wrong_triangle", "rays", "less",
-     "rays whose record names a primitive that is neither the nearest, nor tied with it, nor its "
+     "rays whose record names a primitive that is not the nearest, not tied with it and not its "
      "neighbour"},
     {"primary", "neighbour", "rays", "less",
      "rays whose record names another primitive that shares a vertex or an edge with the nearest"},
     {"primary", "ties", "rays", "-",
      "rays whose record names another primitive that the ray truly hits at exactly the same "
-     "distance: as right as the first"},
+     "distance, which is as right as the nearest"},
     {"primary", "wrong_share", "1", "less", "(missed + false + wrong_triangle) / rays"},
     {"primary", "double", "rays", "-",
-     "hits that two primitives claim at a shared edge: not to be seen in a frame, which records "
-     "one hit a ray; the mass test of closed meshes counts them"},
+     "rays that hit two primitives at a shared edge; a frame cannot show them, as it records one "
+     "hit for each ray, but the mass test of closed meshes counts them"},
     {"primary", "t_median", "1", "less",
      "relative error of the distance, abs(t - t') / t', where the record names the nearest "
      "primitive, one tied with it or a neighbour: the median of these rays"},
@@ -56,36 +55,36 @@ constexpr MeasureDefinition kMeasures[] = {
      "record names the nearest primitive: 99 % of these rays do not exceed it"},
     {"primary", "cosine_max", "1", "less", "error of the cosine, as cosine_p99: the largest"},
     {"light", "rays", "rays", "-",
-     "light rays: for every surface that a ray hits, one from every light"},
-    {"light", "shadows", "rays", "-", "of them, those that do not reach the surface"},
+     "light rays: one from each light for each surface that a ray hits"},
+    {"light", "shadows", "rays", "-", "light rays that do not reach the surface"},
     {"light", "judged", "rays", "-",
-     "light rays whose pixel tells what they have found: to the surface of a primary ray that hit "
-     "what it should, is no mirror, and would be seen to lack the light"},
-    {"light", "missed", "rays", "less", "of the judged: shadows that are not there in the picture"},
-    {"light", "false", "rays", "less", "of the judged: shadows in the picture where there is none"},
+     "light rays whose result the pixel shows: they go to a surface that is no mirror, that the "
+     "primary ray hit correctly, and whose colour changes visibly without the light"},
+    {"light", "missed", "rays", "less", "judged light rays whose shadow is missing in the picture"},
+    {"light", "false", "rays", "less",
+     "judged light rays with a shadow in the picture where there is none"},
     {"light", "unexplained", "pixels", "less",
-     "pixels without a mirror whose primary ray hit what it should, that are off by more than "
-     "rounding, and that no choice of shadows explains"},
+     "pixels without a mirror whose primary ray hit correctly, whose colour differs by more than "
+     "rounding, and whose difference no choice of shadows explains"},
     {"light", "wrong_share", "1", "less", "(missed + false) / judged"},
-    {"reflection", "rays", "rays", "-", "reflected rays, of all bounces"},
-    {"reflection", "hits", "rays", "-", "of them, those that hit something"},
-    {"reflection", "judged", "pixels", "-",
-     "pixels whose primary ray hit the mirror that it should"},
+    {"reflection", "rays", "rays", "-", "reflected rays of all bounces"},
+    {"reflection", "hits", "rays", "-", "reflected rays that hit something"},
+    {"reflection", "judged", "pixels", "-", "pixels whose primary ray correctly hit a mirror"},
     {"reflection", "wrong", "pixels", "less",
-     "of the judged: those that are off by more than rounding, through what the mirror shows or "
-     "through light on it"},
+     "judged pixels whose colour differs by more than rounding, from the mirrored surfaces or from "
+     "the light on the mirror"},
     {"reflection", "wrong_share", "1", "less", "wrong / judged"},
-    {"image", "pixels", "pixels", "-", "of the image"},
+    {"image", "pixels", "pixels", "-", "pixels of the image"},
     {"image", "differ", "pixels", "less", "pixels that differ from the true picture in any bit"},
     {"image", "differ_share", "1", "less", "differ / pixels"},
     {"image", "differ_by_10", "pixels", "less",
-     "pixels in which a channel is more than 10 levels of 255 off"},
+     "pixels in which a channel differs by more than 10 levels of 255"},
     {"image", "psnr", "dB", "more",
      "20 log10(1 / rms) over all channels, 1 being white; null if the pictures are the same"},
     {"image", "rms", "levels", "less",
-     "root of the mean square difference over all channels, of 255"},
-    {"image", "mean", "levels", "less", "mean difference over all channels, of 255"},
-    {"image", "largest", "levels", "less", "the largest difference of a channel, of 255"},
+     "root of the mean square difference over all channels, in levels of 255"},
+    {"image", "mean", "levels", "less", "mean difference over all channels, in levels of 255"},
+    {"image", "largest", "levels", "less", "the largest difference of a channel, in levels of 255"},
 };
 
 /// The measures of one group, each set once and in the table's order.
