@@ -58,7 +58,7 @@ TEST_F(App, RendersOnTheModel) {
   EXPECT_THAT(outcome.files, ElementsAre("blocks.png", "figures.json"));
   EXPECT_THAT(outcome.out, HasSubstr("image       blocks.png, 32x24"));
   EXPECT_THAT(outcome.out, ContainsRegex("scene       blocks: [0-9]+ triangles in 3 objects"));
-  EXPECT_THAT(outcome.out, HasSubstr("pixels      768, of which"));
+  EXPECT_THAT(outcome.out, HasSubstr("pixels      768, "));
   EXPECT_THAT(outcome.out, ContainsRegex("node cache +[0-9,]+ +[0-9.]+ %"));
 
   const auto json = nlohmann::json::parse(text_of(folder_ / "figures.json"));
@@ -176,20 +176,19 @@ TEST_F(App, ReportsCountWhatOtherCoresWouldDo) {
   EXPECT_THAT(outcome.out, HasSubstr("pixels that differ between the rows: 0\n"));
   EXPECT_EQ(nlohmann::json::parse(text_of(folder_ / "f.json"))["rows"].size(), 5);
   expect_mistake("report",
-                 "dynrt: report: which one is missing; the reports are overlap, mailbox, "
-                 "clipping, error and truth\n");
+                 "dynrt: report: name a report; the reports are overlap, mailbox, clipping, error "
+                 "and truth\n");
   expect_mistake("report paint", HasSubstr("was not expected: paint; dynrt report --help lists"));
   expect_mistake("report mailbox blocks --size 33x24",
-                 "dynrt: --size 33x24: work is counted for packets of 2x2 rays, so both must be "
-                 "even, above 0 and at most 4096\n");
+                 "dynrt: --size 33x24: dynrt counts work for packets of 2x2 rays, so both numbers "
+                 "must be even, above 0 and at most 4096\n");
 }
 
 TEST_F(App, WhatTheUserShouldKnowIsNoted) {
   fs::create_directories(folder_);
   std::ofstream(folder_ / "m.obj")
       << "mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n";
-  const std::string note =
-      "m.obj: the material file 'gone.mtl' is not there, so its materials are grey";
+  const std::string note = "m.obj: there is no material file 'gone.mtl', so its materials are grey";
   for (const std::string command : {"info m.obj",
                                     "render m.obj --config model_only --board model "
                                     "--size 8x8",

@@ -21,7 +21,7 @@ void SceneArguments::add_to(CLI::App& command, bool scene_required) {
   command
       .add_option("SCENE", scene,
                   fmt::format("a built-in scene ({}) or the path of a file: OBJ, PLY, STL, glTF, "
-                              "COLLADA, FBX and what else Assimp reads, BSP, PK3, JSON",
+                              "COLLADA, FBX or another format of Assimp, BSP, PK3, JSON",
                               fmt::join(built_in_scenes(), ", ")))
       ->required(scene_required)
       ->option_text(" ");
@@ -30,7 +30,7 @@ void SceneArguments::add_to(CLI::App& command, bool scene_required) {
                   fmt::format("pixels of the image, at most {} a side and {} in all", kMaxSide,
                               grouped(kMaxPixels)))
       ->option_text("WxH [512x384]");
-  command.add_option("--position", position, "where the camera stands; default: the scene's own")
+  command.add_option("--position", position, "position of the camera; default: the scene's own")
       ->option_text("X,Y,Z");
   command.add_option("--look-at", look_at, "the point in the middle of the image")
       ->option_text("X,Y,Z");
@@ -40,14 +40,14 @@ void SceneArguments::add_to(CLI::App& command, bool scene_required) {
       ->check(not_a_number);
   command
       .add_option("--light", lights,
-                  "add a point light; its colour is white and its intensity 1 unless given; can be "
+                  "add a point light; by default its colour is white and its intensity 1; can be "
                   "given several times")
       ->option_text("X,Y,Z[:R,G,B[:INTENSITY]]")
       ->allow_extra_args(false);
   command
       .add_option("--mirror", mirrors,
-                  fmt::format("let the materials of this name reflect this part of the light, {} "
-                              "unless given; can be given several times",
+                  fmt::format("let the materials of this name reflect this part of the light "
+                              "(default: {}); can be given several times",
                               kMirrorShare))
       ->option_text("MATERIAL[=0..1]")
       ->allow_extra_args(false);
@@ -66,28 +66,32 @@ void FrameArguments::add_to(CLI::App& command, const std::string& default_out,
                             const std::string& about_out) {
   add_configuration_flag(command, configuration);
   command.add_option("--out", out, about_out)->option_text(fmt::format("FILE [{}]", default_out));
-  command.add_option("--packets", packets, "packets of 2x2 rays in flight; default: all there are")
+  command
+      .add_option("--packets", packets,
+                  "packets of 2x2 rays in flight; default: all that the configuration has")
       ->option_text("N")
       ->check(not_a_count);
   command
-      .add_option("--lines", lines, "lines of each cache, a power of two; default: all there are")
+      .add_option("--lines", lines,
+                  "lines of each cache, a power of two; default: all that the configuration has")
       ->option_text("N")
       ->check(not_a_count);
   command
       .add_option("--reflections", reflections,
-                  "bounces of a ray, at most; default: all that the configuration has")
+                  "largest number of bounces of a ray; default: all that the configuration has")
       ->option_text("N")
       ->check(not_a_count);
   command.add_option("--order", order, "order of the packets: morton or scanline")
       ->option_text("ORDER [morton]");
-  command.add_flag("--uncompressed", uncompressed,
-                   "transform every ray's origin, eight vectors a packet instead of five");
-  command.add_option("--clock", clock_mhz, "clock that frames per second are stated for")
+  command.add_flag(
+      "--uncompressed", uncompressed,
+      "transform the origin of every ray: eight vectors for each packet instead of five");
+  command.add_option("--clock", clock_mhz, "clock of the core, for the frames per second")
       ->option_text("MHZ [85]")
       ->check(not_a_number);
   command
       .add_option("--timeout", timeout,
-                  "give up after so many clocks without a pixel or an interrupt")
+                  "stop with an error after this many clocks without a pixel or an interrupt")
       ->option_text("CLOCKS [10000000]")
       ->check(not_a_count);
   add_json_flag(command, json);
@@ -116,7 +120,7 @@ void SpanArguments::add_to(CLI::App& command) {
   command.add_option("--from", from, "time of the first frame")
       ->option_text("SECONDS [0]")
       ->check(not_a_number);
-  command.add_option("--to", to, "time of the last one; default: the animation's end")
+  command.add_option("--to", to, "time of the last frame; default: the animation's end")
       ->option_text("SECONDS")
       ->check(not_a_number);
 }
@@ -125,16 +129,15 @@ void add_configuration_flag(CLI::App& command, std::string& configuration) {
   std::vector<std::string_view> names;
   for (const Configuration& c : configurations()) names.push_back(c.name);
   command
-      .add_option(
-          "--config", configuration,
-          fmt::format("configuration of the core: {}, or a file: FILE.json with the keys of "
-                      "one, which is built, or FILE.so",
-                      fmt::join(names, ", ")))
+      .add_option("--config", configuration,
+                  fmt::format("configuration of the core: {}, or a file: FILE.json with the keys "
+                              "of a configuration, which dynrt builds, or FILE.so",
+                              fmt::join(names, ", ")))
       ->option_text("NAME|FILE [thesis]");
 }
 
 void add_json_flag(CLI::App& command, std::string& json) {
-  command.add_option("--json", json, "write the same figures as data")->option_text("FILE");
+  command.add_option("--json", json, "write the same figures as JSON")->option_text("FILE");
 }
 
 std::string not_a_count(const std::string& text) {

@@ -77,11 +77,10 @@ int run(const Arguments& arguments) {
 
 Command add_compare_command(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      program.add_subcommand("compare",
-                             "render on both boards and compare every hit record, pixel and "
-                             "counter; with --specialise, the "
-                             "Verilog made for the scene and the general core's model");
+  CLI::App* command = program.add_subcommand(
+      "compare",
+      "render on both boards and compare every hit record, pixel and counter; with --specialise, "
+      "compare the Verilog made for the scene with the model of the general core");
   arguments->scene.add_to(*command, true);
   arguments->frame.add_to(*command, "none");
   arguments->specialise.add_to(*command, false);

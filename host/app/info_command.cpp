@@ -35,7 +35,7 @@ int run(const Arguments& arguments) {
 Command add_info_command(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
-      program.add_subcommand("info", "show what a scene holds, its trees and its memory");
+      program.add_subcommand("info", "show the contents of a scene, its trees and its memory");
   arguments->scene.add_to(*command, true);
   add_json_flag(*command, arguments->json);
   return {command, [arguments] { return run(*arguments); }};

@@ -24,7 +24,7 @@ namespace {
 std::string with(unsigned CoreInfo::* some) {
   const auto names =
       names_of(configurations(), [&](const Configuration& c) { return c.core().*some > 0; });
-  return names.empty() ? "none of this build has them"
+  return names.empty() ? "no configuration of this build has them"
                        : fmt::format("take --config {}", fmt::join(names, " or --config "));
 }
 

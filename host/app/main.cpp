@@ -18,16 +18,13 @@ namespace dynrt::host {
 namespace {
 
 constexpr char kAbout[] =
-    "Renders scenes on dynrt, a ray tracing core for dynamic scenes, whose units are C++ lowered "
-    "to\n"
-    "Verilog. --board rtl runs the Verilog behind an emulated PCI board, --board model the same "
-    "C++\n"
-    "natively; both give the same bits.";
+    "Renders scenes on dynrt, a ray tracing core for dynamic scenes. Its units are written in C++, "
+    "and\nhlsc lowers them to Verilog. --board rtl runs the Verilog behind an emulated PCI board; "
+    "--board\nmodel runs the same C++ natively. Both give the same bits.";
 constexpr char kFooter[] =
-    "Exit codes: 0 done; 1 compare found a difference or stress more than is allowed; 2 a mistake "
-    "in the input or the flags; "
-    "3 a defect of dynrt.\n"
-    "Example: dynrt render office --size 256x192 --out office.png";
+    "Exit codes: 0 success; 1 compare found a difference, or a stress case exceeds its bound; 2 a "
+    "mistake in the input or the flags; 3 a defect of dynrt.\nExample: dynrt render office --size "
+    "256x192 --out office.png";
 
 int complain(const std::string& sentence, int code) {
   fmt::print(stderr, "dynrt: {}\n", sentence);

@@ -44,7 +44,7 @@ struct Expected {
 };
 
 Expected expected_of(const Frame& frame, const FrameOptions& options, const Prepared& prepared) {
-  const Progress progress("computing the truth");
+  const Progress progress("computing the exact results");
   const Truth truth(prepared.scene);
   const FrameConfig config = frame_config(frame.core, options, prepared.frame);
   Expected expected{truth_of_frame(truth, prepared.view.camera, shading_of(frame.core, config)),
@@ -114,23 +114,23 @@ int run(const Arguments& arguments) {
 Command add_measure_command(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
-      program.add_subcommand("measure", "hold a frame of the native model beside the truth");
+      program.add_subcommand("measure", "compare a frame of the native model with exact results");
   arguments->scene.add_to(*command, true);
   add_configuration_flag(*command, arguments->configuration);
   command
       ->add_option("--schedule", arguments->schedule,
-                   "count clocks by the schedules in this folder (scripts/configuration --verilog)")
+                   "count clocks with the schedules in this folder, which scripts/configuration "
+                   "--verilog writes")
       ->option_text("FOLDER");
   command
       ->add_option("--reflections", arguments->reflections,
-                   "bounces of a ray, at most; default: all that the configuration has")
+                   "largest number of bounces of a ray; default: all that the configuration has")
       ->option_text("N")
       ->check(not_a_count);
   command
-      ->add_option(
-          "--out", arguments->out,
-          "folder for the pictures: image.png, truth.png and difference.png, 16 times what "
-          "differs")
+      ->add_option("--out", arguments->out,
+                   "folder for the pictures image.png, truth.png and difference.png (16 times the "
+                   "difference)")
       ->option_text("FOLDER");
   add_json_flag(*command, arguments->json);
   return {command, [arguments] { return run(*arguments); }};

@@ -40,8 +40,8 @@ TEST_F(App, BadLightsAndMirrorsAreRefused) {
        {"1,2,3:0,0,0", "1,2,3:1,1,-1", "1,2,3:1,1,1:0", "1,2,3:1,1,1:x"}) {
     expect_mistake(render + "--light " + light,
                    "dynrt: --light " + light +
-                       ": write X,Y,Z[:R,G,B[:INTENSITY]] with a colour that is not negative nor "
-                       "black and an intensity above zero, for example 1,3,2:1,0.9,0.8:5\n");
+                       ": write X,Y,Z[:R,G,B[:INTENSITY]] with a colour that is neither negative "
+                       "nor black, and an intensity above zero, for example 1,3,2:1,0.9,0.8:5\n");
   }
   expect_mistake(render + "--light 1,2",
                  "dynrt: --light 1,2: write three numbers separated by commas, for example "
@@ -51,14 +51,14 @@ TEST_F(App, BadLightsAndMirrorsAreRefused) {
                    "dynrt: --mirror " + mirror +
                        ": write MATERIAL[=PART] with a part from 0 to 1, for example chrome=0.9\n");
   }
-  expect_mistake(
-      render + "--mirror glass",
-      testing::MatchesRegex("dynrt: scene 'blocks' has no material 'glass'; it has .*\n"));
+  expect_mistake(render + "--mirror glass",
+                 testing::MatchesRegex(
+                     "dynrt: scene 'blocks' has no material 'glass'; its materials are .*\n"));
   expect_mistake(
       render + "--light 0,1.7,0",
-      testing::MatchesRegex("dynrt: scene 'blocks': light '--light 0,1.7,0' at \\(0, 1.7, 0\\) "
-                            "lies inside 'ball as it is', which is closed and lets none "
-                            "of it out; move the light\n"));
+      testing::MatchesRegex(
+          "dynrt: scene 'blocks': light '--light 0,1.7,0' at \\(0, 1.7, 0\\) lies inside 'ball as "
+          "it is', a closed object that no light leaves; move the light\n"));
   // The configuration that has no light rays does not mind.
   EXPECT_EQ(run("info blocks --light 0,1.7,0").code, 0);
 }
@@ -67,13 +67,13 @@ TEST_F(App, ABoardThatNeverInterruptsIsATimeOut) {
   expect_mistake(
       std::string("render blocks") + kRtl + "--timeout 100",
       "dynrt: board rtl: no interrupt and no pixel for 100 clocks (a longer timeout allows more); "
-      "0 pixels are written, status 0x1, the units stand at without input: stand_in 0\n");
+      "0 pixels are written, the status is 0x1, the units: without input: stand_in 0\n");
 }
 
 TEST_F(App, BadSizesAreRefused) {
   const auto limit =
-      ": an image has 1 to 1024 pixels a side and at most 349525 in all, which is what the board's "
-      "framebuffer and hit records hold\n";
+      ": an image has 1 to 1024 pixels a side and at most 349525 in all; the board's framebuffer "
+      "and hit records hold no more\n";
   expect_mistake("render blocks --size 0x24", std::string("dynrt: --size 0x24") + limit);
   expect_mistake("render blocks --size 32x0", std::string("dynrt: --size 32x0") + limit);
   expect_mistake("compare blocks --size 1025x2", std::string("dynrt: --size 1025x2") + limit);
@@ -86,20 +86,19 @@ TEST_F(App, BadSizesAreRefused) {
 }
 
 TEST_F(App, WhatIsUnknownIsNamed) {
-  expect_mistake(
-      "render blocks --config huge",
-      "dynrt: configuration huge: unknown; this build has model_only, stand_in, lit, and a file "
-      "FILE.json or FILE.so may be named instead\n");
+  expect_mistake("render blocks --config huge",
+                 "dynrt: configuration huge: there is no such configuration; name one of "
+                 "model_only, stand_in, lit, or a file FILE.json or FILE.so\n");
   expect_mistake("render blocks --config stand_in --board fpga",
-                 "dynrt: board fpga: unknown; the boards are rtl and model\n");
+                 "dynrt: board fpga: there is no such board; the boards are rtl and model\n");
   expect_mistake("render blocks --order hilbert",
                  "dynrt: --order hilbert: unknown; the orders are morton and scanline\n");
   expect_mistake("render blocks --speed 9",
                  testing::AllOf(StartsWith("dynrt: "), HasSubstr("--speed"),
                                 HasSubstr("; dynrt render --help lists what there is\n")));
   expect_mistake("paint blocks",
-                 "dynrt: paint: unknown; the commands are render, walk, compare, info, report, "
-                 "choose, measure, stress, needs and specialise\n");
+                 "dynrt: paint: there is no such command; the commands are render, walk, compare, "
+                 "info, report, choose, measure, stress, needs and specialise\n");
   expect_mistake("stress corners --config model_only",
                  StartsWith("dynrt: there is no stress case or group 'corners'; give one of these, "
                             "or the part before the slash: slivers/aspect_1e2, "));
@@ -114,10 +113,9 @@ TEST_F(App, WhatIsUnknownIsNamed) {
 TEST_F(App, WhatTheConfigurationLacksIsRefused) {
   expect_mistake("render blocks --config stand_in --packets 5",
                  "dynrt: --packets 5: configuration stand_in holds 1 to 4 packets\n");
-  expect_mistake(
-      "render blocks --config model_only --size 8x8",
-      StartsWith("dynrt: configuration model_only: is the native model alone, so it has no "
-                 "board rtl; take one of those with Verilog, stand_in"));
+  expect_mistake("render blocks --config model_only --size 8x8",
+                 StartsWith("dynrt: configuration model_only: it has only the native model, so it "
+                            "has no board rtl; take a configuration with Verilog (stand_in)"));
   expect_mistake("render blocks --config stand_in --packets 0",
                  "dynrt: --packets 0: configuration stand_in holds 1 to 4 packets\n");
   expect_mistake(
@@ -157,17 +155,16 @@ TEST_F(App, BadCamerasAreRefused) {
 }
 
 TEST_F(App, OutputsThatCannotBeWrittenAreRefused) {
-  expect_mistake(
-      "render blocks --config stand_in --out image.jpg",
-      "dynrt: image.jpg: the image format '.jpg' is not one of dynrt's; the name must end "
-      "in .png or .exr\n");
+  expect_mistake("render blocks --config stand_in --out image.jpg",
+                 "dynrt: image.jpg: dynrt does not write the image format '.jpg'; the name must "
+                 "end in .png or .exr\n");
   expect_mistake(
       "render blocks --config stand_in --out no/where/image.png",
       "dynrt: no/where/image.png: there is no folder 'no/where'; create it or name a file "
       "elsewhere\n");
   expect_mistake("render blocks --config stand_in --out /proc/image.png",
-                 "dynrt: /proc/image.png: cannot be written (its folder takes no files); name a "
-                 "file in a folder that can\n");
+                 "dynrt: /proc/image.png: cannot write this file (its folder cannot be written); "
+                 "name a file in a folder that can be written\n");
   expect_mistake("render blocks --config stand_in --json no/where/f.json",
                  HasSubstr("no/where/f.json: there is no folder 'no/where'"));
   expect_mistake("info blocks --json no/where/f.json",
@@ -175,8 +172,8 @@ TEST_F(App, OutputsThatCannotBeWrittenAreRefused) {
   expect_mistake("render blocks --config stand_in --trace no/where/f.fst",
                  HasSubstr("no/where/f.fst: there is no folder 'no/where'"));
   expect_mistake("render blocks --config stand_in --board model --trace f.fst",
-                 "dynrt: waveforms: only board rtl has signals to record; ask for none or take "
-                 "that board\n");
+                 "dynrt: waveforms: only board rtl has signals to record; take board rtl or leave "
+                 "the waveforms out\n");
   expect_mistake("render no_such_scene --config stand_in --trace f.fst",
                  HasSubstr("no_such_scene"));
 }
@@ -187,17 +184,17 @@ TEST_F(App, OutputsAreCheckedBeforeTheSceneIsLoaded) {
   const Outcome outcome = run("render gone --config stand_in");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.err,
-            "dynrt: gone.png: cannot be written (Is a directory); name a file in a folder that "
-            "can\n");
+            "dynrt: gone.png: cannot write this file (Is a directory); name a file in a folder "
+            "that can be written\n");
 }
 
 TEST_F(App, OutputsOfOneNameAreRefused) {
   expect_mistake("render blocks --config stand_in --out a.png --json ./a.png",
-                 "dynrt: --json ./a.png: --out writes the same file; name another one\n");
+                 "dynrt: --json ./a.png: --out writes the same file; name another file\n");
   expect_mistake("render blocks --config stand_in --json blocks.png",
-                 "dynrt: --json blocks.png: --out writes the same file; name another one\n");
+                 "dynrt: --json blocks.png: --out writes the same file; name another file\n");
   expect_mistake("render blocks --config stand_in --out a.png --trace a.png",
-                 "dynrt: --trace a.png: --out writes the same file; name another one\n");
+                 "dynrt: --trace a.png: --out writes the same file; name another file\n");
 }
 
 TEST_F(App, AReportThatCannotBePrintedIsAnError) {
@@ -206,8 +203,8 @@ TEST_F(App, AReportThatCannotBePrintedIsAnError) {
     const Outcome outcome = run(arguments, "/dev/full");
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_EQ(outcome.err,
-              "dynrt: the report cannot be printed (No space left on device); free some space or "
-              "send it elsewhere\n");
+              "dynrt: cannot print the report (No space left on device); free some space or "
+              "redirect the output to another place\n");
   }
 }
 

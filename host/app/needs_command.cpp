@@ -105,20 +105,21 @@ int run(const Arguments& arguments) {
 Command add_needs_command(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand(
-      "needs", "show what every key of a configuration must be for a scene, and why");
+      "needs",
+      "show the value that each key of a configuration must have for a scene, and the reason");
   arguments->scene.add_to(*command, true);
   add_configuration_flag(*command, arguments->configuration);
   command
       ->add_option("--reflections", arguments->reflections,
-                   "bounces of a ray, at most; default: all that the configuration has")
+                   "largest number of bounces of a ray; default: all that the configuration has")
       ->option_text("N")
       ->check(not_a_count);
   command->add_flag("--uncompressed", arguments->uncompressed,
-                    "keep what renders with --uncompressed");
+                    "make a core that can also render with --uncompressed");
   command
       ->add_option("--frames", arguments->frames,
-                   fmt::format("frames of a walk that it must hold for; default: {} if the scene "
-                               "moves, else the one",
+                   fmt::format("number of frames of a walk that the core must render; default: {} "
+                               "if the scene moves, else 1",
                                kWalkFrames))
       ->option_text("N")
       ->check(not_a_count);

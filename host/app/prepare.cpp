@@ -217,9 +217,8 @@ std::string Prepared::text() const {
   text += fmt::format("memory      {:.2f} MB of nodes and lists, {:.2f} MB of matrices\n",
                       use.tree_megabytes(), use.matrix_megabytes());
   text += fmt::format(
-      "space       about ({:g}, {:g}, {:g}) in units of {:g}; the scene may grow by 2^{} and "
-      "shrink "
-      "by 2^{} until a number leaves the core's\n",
+      "space       origin ({:g}, {:g}, {:g}), unit {:g}; the core's numbers still hold the scene "
+      "if it is 2^{} times larger or 2^{} times smaller\n",
       space.centre.x, space.centre.y, space.centre.z, space.unit, headroom.up, headroom.down);
   for (const std::string& note : notes()) text += fmt::format("note        {}\n", note);
   return text;

@@ -99,23 +99,23 @@ Command add_render_command(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("render", "render a scene and write the image");
   arguments->scene.add_to(*command, true);
-  command->add_option("--board", arguments->board, "rtl: the Verilog; model: the C++ natively")
+  command
+      ->add_option("--board", arguments->board, "rtl: run the Verilog; model: run the C++ natively")
       ->option_text("BOARD [rtl]");
   command
       ->add_option("--schedule", arguments->schedule,
-                   "count the clocks of --board model by the schedules that lie beside the "
-                   "configuration's Verilog, such as build/release/generated/thesis")
+                   "count the clocks of --board model with the schedules in this folder, which "
+                   "also holds the configuration's Verilog, such as build/release/generated/thesis")
       ->option_text("FOLDER");
   command
       ->add_option("--trace", arguments->trace,
-                   "write the waveforms of the Verilog, and check its assertions; large: choose a "
-                   "small --size")
+                   "write the waveforms of the Verilog and check its assertions; the file is "
+                   "large, so choose a small --size")
       ->option_text("FILE.fst");
   command
-      ->add_option(
-          "--scan-out", arguments->scan_out,
-          "write the VGA display of 640x480 that shows the image, as a monitor makes it of "
-          "the Verilog's pins")
+      ->add_option("--scan-out", arguments->scan_out,
+                   "write the VGA display of 640x480 that shows the image, as a monitor at the "
+                   "Verilog's pins would show it")
       ->option_text("FILE.png");
   arguments->frame.add_to(*command, "SCENE.png");
   arguments->specialise.add_to(*command, true);

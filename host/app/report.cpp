@@ -58,11 +58,11 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, double 
   };
   line("board       {}, configuration {}, {} packets, {} lines in each cache", frame.board,
        frame.core.name, frame.packets, frame.lines);
-  line("pixels      {}, of which {} hit something", grouped(frame.pixels.size()),
+  line("pixels      {}, {} of them hit something", grouped(frame.pixels.size()),
        grouped(frame.hit_count()));
   if (frame.run.cycles) {
     line("frame       {} cycles{}, {:.2f} frames per second at {:g} MHz, {:.4f} rays per clock",
-         grouped(*frame.run.cycles), frame.run.scheduled ? " by the units' schedules" : "",
+         grouped(*frame.run.cycles), frame.run.scheduled ? " from the units' schedules" : "",
          figures.frames_per_second.value_or(0), clock_mhz, figures.rays_per_clock.value_or(0));
     line("simulation  {:.2f} s, {} clocks per second", frame.run.seconds,
          grouped(static_cast<std::uint64_t>(figures.clocks_per_second.value_or(0))));
@@ -77,7 +77,7 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, double 
     line(messages::kDroppedPushes, grouped(*figures.dropped_pushes), frame.core.top_stack_depth,
          frame.core.stack_depth);
   }
-  if (!frame.core.counters) line("counters    none in configuration {}", frame.core.name);
+  if (!frame.core.counters) line("counters    configuration {} has none", frame.core.name);
   return text + units_text(figures) + caches_text(figures);
 }
 

@@ -55,21 +55,24 @@ struct Subcommand {
 constexpr Subcommand kSubcommands[] = {
     {"overlap", "objects that overlap: none, hierarchical tree, mailbox, multiple scenes (4.3)",
      overlap_report},
-    {"mailbox", "what 0 to 32 slots of the mailbox save (4.3.2)", mailbox_report},
-    {"clipping", "what the clipping nodes of the scene and of objects save (4.2)", clipping_report},
-    {"truth", "what the rays really hit, by exact decisions, and where Embree says otherwise",
+    {"mailbox", "the work that 0 to 32 slots of the mailbox save (4.3.2)", mailbox_report},
+    {"clipping", "the work that the clipping nodes of the scene and of objects save (4.2)",
+     clipping_report},
+    {"truth",
+     "the primitive that each ray hits, by exact decisions, and where Embree finds another one",
      truth_report}};
 
 }  // namespace
 
 Command add_choose_command(CLI::App& program) {
   const ScriptCommand choose = add_script_command(
-      program, "choose", "the cheapest variant that keeps an error below a bound", "choose");
+      program, "choose", "find the cheapest variant that keeps an error below a bound", "choose");
   return {choose.app, choose.run};
 }
 
 Command add_report_command(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("report", "count what other cores would have to do");
+  CLI::App* command =
+      program.add_subcommand("report", "count the work of other variants of the core");
   const auto chosen = std::make_shared<std::function<int()>>();
   for (const Subcommand& subcommand : kSubcommands) {
     const auto arguments = std::make_shared<Arguments>();
@@ -78,7 +81,8 @@ Command add_report_command(CLI::App& program) {
     CLI::App* const app = command->add_subcommand(subcommand.name, subcommand.about);
     arguments->scene.add_to(*app, false);
     app->get_option("--size")
-        ->description(fmt::format("rays of the image, even and at most {} a side", kMaxCountedSide))
+        ->description(
+            fmt::format("rays of the image: two even numbers, at most {} a side", kMaxCountedSide))
         ->option_text("WxH [1024x768]");
     app->get_option("SCENE")->option_text("[conference]");
     add_json_flag(*app, arguments->json);
@@ -87,7 +91,7 @@ Command add_report_command(CLI::App& program) {
     });
   }
   const ScriptCommand error = add_script_command(
-      *command, "error", "what number formats and other variants cost in error, time and area",
+      *command, "error", "error, time and area of other number formats and variants",
       "report_error");
   error.app->callback([chosen, error] { *chosen = error.run; });
   return {command, [chosen] {

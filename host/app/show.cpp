@@ -46,7 +46,7 @@ Shown show(Board& board, const Frame& frame, double clock_mhz, const std::string
   const unsigned clocks = clocks_per_pixel(clock_mhz);
   VgaFrame display = board.display(kFrameBase, frame.width, frame.height, clocks);
   if (!display.fault.empty() || display.mode != kVga640x480) {
-    throw std::logic_error("the VGA signal is not that of 640x480: " + display.fault);
+    throw std::logic_error("the signal is not VGA of 640x480: " + display.fault);
   }
   Shown shown;
   shown.image = file;

@@ -10,8 +10,8 @@ namespace dynrt::host {
 
 Command add_specialise_command(CLI::App& program) {
   const ScriptCommand command = add_script_command(
-      program, "specialise", "make the smallest core that renders a scene, and say what it saves",
-      "specialise");
+      program, "specialise",
+      "make the smallest core that renders a scene, and show what this saves", "specialise");
   return {command.app, command.run};
 }
 

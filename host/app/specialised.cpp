@@ -50,12 +50,12 @@ std::string general_configuration(const SceneArguments& arguments) {
 void SpecialiseFlags::add_to(CLI::App& command, bool may_exceed) {
   command_ = &command;
   command.add_flag("--specialise", specialise,
-                   "use a core that is made for the scene, without what it does not need; --config "
-                   "then names the core that this starts from");
+                   "use a core made for the scene, without the parts that the scene does not need; "
+                   "--config names the general core to start from");
   if (may_exceed) {
     command.add_flag("--general-if-exceeded", general_if_exceeded,
-                     "render what a core made for another scene or for other frames cannot hold on "
-                     "a general core, instead of refusing it");
+                     "if the core was made for another scene or other frames and cannot hold this "
+                     "one, render it on a general core instead of refusing it");
   }
 }
 

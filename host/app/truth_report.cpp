@@ -64,7 +64,7 @@ WorkReport truth_report(const Prepared& prepared, unsigned width, unsigned heigh
     return mesh.primitives() == mesh.triangles.size();
   });
   if (!triangles) {
-    report.text += "Embree      not compared: the scene has rectangles or ellipsoids\n";
+    report.text += "Embree      not compared, as the scene has rectangles or ellipsoids\n";
     return report;
   }
   const EmbreeComparison embree = compare_with_embree(truth, rays, hits);
@@ -76,8 +76,8 @@ WorkReport truth_report(const Prepared& prepared, unsigned width, unsigned heigh
   report.text += "Embree      in floats, robust:\n";
   report.text += line("the same primitive, or none in both", embree.same, rays.size());
   report.text += line("another at exactly the same t", embree.ties, rays.size());
-  report.text +=
-      line("another that floats cannot tell by distance", embree.near_in_distance, rays.size());
+  report.text += line("another, at a distance that floats cannot tell apart",
+                      embree.near_in_distance, rays.size());
   report.text += line("an edge too near for floats", embree.near_an_edge, rays.size());
   report.text += line("not explained", embree.unexplained, rays.size());
   return report;

@@ -41,7 +41,7 @@ TEST(TruthReport, SaysWhatEmbreeIsNotAskedAbout) {
   const WorkReport report = report_of("unit_objects");
   EXPECT_FALSE(report.json.contains("embree"));
   EXPECT_GT(report.json["truth"]["hits"], 0);
-  EXPECT_THAT(report.text, HasSubstr("not compared: the scene has rectangles or ellipsoids"));
+  EXPECT_THAT(report.text, HasSubstr("not compared, as the scene has rectangles or ellipsoids"));
 }
 
 }  // namespace

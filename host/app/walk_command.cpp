@@ -227,18 +227,19 @@ int run(const Arguments& arguments) {
 Command add_walk_command(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand(
-      "walk", "render a scene's animation, or a way around it, frame after frame");
+      "walk", "render the frames of a scene's animation, or of a camera's way around the scene");
   arguments->scene.add_to(*command, true);
-  command->add_option("--board", arguments->board, "rtl: the Verilog; model: the C++ natively")
+  command
+      ->add_option("--board", arguments->board, "rtl: run the Verilog; model: run the C++ natively")
       ->option_text("BOARD [rtl]");
   command
       ->add_option("--frames", arguments->frames,
-                   "how many frames, evenly spread over the animation")
+                   "number of frames, evenly spread over the animation")
       ->option_text(fmt::format("N [{}]", kWalkFrames))
       ->check(not_a_count);
   arguments->span.add_to(*command);
   command->add_flag("--again", arguments->again,
-                    "do not go on with frames that are there, but replace them");
+                    "replace frames that are already there instead of keeping them");
   arguments->frame.add_to(*command, "SCENE.gif",
                           "a folder for the frames as PNG files, or a .gif file");
   arguments->specialise.add_to(*command, true);

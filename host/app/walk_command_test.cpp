@@ -17,8 +17,8 @@ TEST_F(App, WalksIntoAFolder) {
   const Outcome outcome = run(walk + "--json f.json");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.files, ElementsAre("f.json", "w"));
-  EXPECT_THAT(outcome.out, HasSubstr("note        nothing moves in the scene, nor does its camera: "
-                                     "it goes round the scene's centre once\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("note        neither the scene nor its camera moves, so the "
+                                     "camera goes once round the scene's centre\n"));
   EXPECT_THAT(outcome.out, ContainsRegex("walk        3 frames\n"));
   EXPECT_THAT(outcome.out, HasSubstr("images      w, 32x24\n"));
   const auto json = nlohmann::json::parse(text_of(folder_ / "f.json"));
@@ -31,15 +31,15 @@ TEST_F(App, WalksIntoAFolder) {
   fs::remove(folder_ / "w/frame_0001.png");
   const Outcome resumed = run(walk);
   EXPECT_EQ(resumed.code, 0) << resumed.err;
-  EXPECT_THAT(resumed.out, HasSubstr("walk        3 frames, 2 of them there already\n"));
+  EXPECT_THAT(resumed.out, HasSubstr("walk        3 frames, 2 of them rendered before\n"));
   EXPECT_EQ(text_of(folder_ / "w/frame_0001.png"), second);
   EXPECT_NE(text_of(folder_ / "w/frame_0000.png"), second);
 
   const Outcome other = run(walk + "--fov 30");
   EXPECT_EQ(other.code, 2);
   EXPECT_EQ(other.err,
-            "dynrt: w: holds frames of another walk, with --fov '' where this one has '30'; name "
-            "another --out, or give --again to start again\n");
+            "dynrt: w: the folder holds frames of another walk, with --fov '' where this walk has "
+            "'30'; name another --out, or give --again to replace them\n");
   EXPECT_EQ(run(walk + "--fov 30 --again").code, 0);
   EXPECT_NE(text_of(folder_ / "w/frame_0001.png"), second);
 }
@@ -51,7 +51,7 @@ TEST_F(App, WalksIntoAGif) {
   fs::remove(folder_ / "blocks.gif.frames/frame_0001.png");
   const Outcome outcome = run(walk);
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_THAT(outcome.out, HasSubstr("walk        2 frames, 1 of them there already\n"));
+  EXPECT_THAT(outcome.out, HasSubstr("walk        2 frames, 1 of them rendered before\n"));
   EXPECT_THAT(outcome.files, ElementsAre("blocks.gif")) << "the frames' folder is gone";
   EXPECT_TRUE(text_of(folder_ / "blocks.gif").starts_with("GIF89a"));
 }
@@ -86,8 +86,9 @@ TEST_F(App, BadWalksAreRefused) {
                  StartsWith("dynrt: --out a.JPG: a walk is written to a folder"));
   expect_mistake(std::string("walk blocks --out w --json w/walk.json") + kModel,
                  HasSubstr("w/walk"));
-  expect_mistake(std::string("walk blocks --out w --json w") + kModel,
-                 StartsWith("dynrt: --json w: lies where the walk keeps its frames"));
+  expect_mistake(
+      std::string("walk blocks --out w --json w") + kModel,
+      StartsWith("dynrt: --json w: this file lies in the folder where the walk keeps its frames"));
   expect_mistake(std::string("walk blocks --out no/where") + kModel,
                  "dynrt: no/where: there is no folder 'no'; create it or name a file elsewhere\n");
   expect_mistake(std::string("walk blocks --from 3 --to 2") + kModel,

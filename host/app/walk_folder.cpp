@@ -168,9 +168,10 @@ void WalkFolder::save() {
   const auto begin = Clock::now();
   Json settings = Json::object();
   for (const auto& [name, value] : settings_) settings[name] = value;
-  const Json json = {{"about", "frames of a walk of dynrt; the same command goes on from here"},
-                     {"settings", settings},
-                     {"frames", records_}};
+  const Json json = {
+      {"about", "frames of a walk of dynrt; the same command renders those that are missing"},
+      {"settings", settings},
+      {"frames", records_}};
   write_text(fs::path(path_) / kManifest, json.dump(1) + "\n");
   saved_ = Clock::now();
   save_takes_ = saved_ - begin;

@@ -63,7 +63,7 @@ std::string walk_line(const WalkRecord& record, double clock_hz) {
 
 std::string WalkSummary::text() const {
   std::string text = fmt::format("walk        {}", counted(records.size(), "frame"));
-  if (kept > 0) text += fmt::format(", {} of them there already", kept);
+  if (kept > 0) text += fmt::format(", {} of them rendered before", kept);
   const auto slowest = std::ranges::max_element(
       records, {}, [&](const WalkRecord& record) { return core_seconds(record, clock_hz); });
   if (slowest != records.end() && slowest->cycles) {

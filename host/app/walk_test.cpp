@@ -282,16 +282,15 @@ TEST_F(Walks, FramesOfAnotherWalkAreNamed) {
     settings[which].second = value;
     return [this, settings] { WalkFolder(path("w"), settings, false); };
   };
-  EXPECT_THAT(opening(1, "16x12"),
-              ThrowsMessage<UserError>(path("w") +
-                                       ": holds frames of another walk, with --size '8x6' where "
-                                       "this one has '16x12'; name another --out, or give --again "
-                                       "to start again"));
   EXPECT_THAT(
-      opening(2, "4567"),
-      ThrowsMessage<UserError>(path("w") + ": holds frames of the scene as it was before it was "
-                                           "changed; name another --out, or give --again to start "
-                                           "again"));
+      opening(1, "16x12"),
+      ThrowsMessage<UserError>(
+          path("w") + ": the folder holds frames of another walk, with --size '8x6' where this "
+                      "walk has '16x12'; name another --out, or give --again to replace them"));
+  EXPECT_THAT(opening(2, "4567"),
+              ThrowsMessage<UserError>(
+                  path("w") + ": the folder holds frames of an older version of the scene; name "
+                              "another --out, or give --again to replace them"));
   std::ofstream(path("w/notes.txt")) << "the user's own";
   const WalkFolder anew(path("w"), {{"SCENE", "t"}}, true);
   EXPECT_THAT(files("w"), ElementsAre("notes.txt"));
@@ -303,19 +302,19 @@ TEST_F(Walks, PicturesThatNoWalkLeftAreNotTouched) {
   EXPECT_THAT(
       [&] { WalkFolder(path("w"), kSettings, false); },
       ThrowsMessage<UserError>(
-          path("w") + ": has a frame_0000.png but no walk.json, so these are no frames of a "
-                      "walk; name another --out, or give --again to replace them"));
+          path("w") + ": the folder has a frame_0000.png but no walk.json, so dynrt did not write "
+                      "it as a walk; name another --out, or give --again to replace its frames"));
   std::ofstream(path("w/walk.json")) << "{\"settings\": {}}";
   EXPECT_THAT([&] { WalkFolder(path("w"), kSettings, false); },
               ThrowsMessage<UserError>(
-                  testing::StartsWith(path("w/walk.json") + ": is not what a walk leaves (")));
+                  testing::StartsWith(path("w/walk.json") + ": a walk did not write this file (")));
   EXPECT_THAT([&] { check_walk_folder(path("no/w")); },
               ThrowsMessage<UserError>(path("no/w") + ": there is no folder '" + path("no") +
                                        "'; create it or name a file elsewhere"));
-  EXPECT_THAT([&] { check_walk_folder(path("s.json")); },
-              ThrowsMessage<UserError>(path("s.json") +
-                                       ": cannot be written (Not a directory); name a file in a "
-                                       "folder that can"));
+  EXPECT_THAT(
+      [&] { check_walk_folder(path("s.json")); },
+      ThrowsMessage<UserError>(path("s.json") + ": cannot write this file (Not a directory); name "
+                                                "a file in a folder that can be written"));
 }
 
 TEST_F(Walks, AreSummedUp) {
@@ -329,8 +328,8 @@ TEST_F(Walks, AreSummedUp) {
   EXPECT_NEAR(frame_seconds(records[1], 100e6), 0.051001, 1e-9);
   const WalkSummary summary{records, 1, {5, 4000, 0, 66000}, 100e6};
   EXPECT_THAT(summary.text(),
-              HasSubstr("walk        2 frames, 1 of them there already: 50.00 frames per second at "
-                        "100 MHz, at least 33.33 (frame 1); 32.78 with rebuild and upload\n"));
+              HasSubstr("walk        2 frames, 1 of them rendered before: 50.00 frames per second "
+                        "at 100 MHz, at least 33.33 (frame 1); 32.78 with rebuild and upload\n"));
   EXPECT_THAT(summary.text(),
               HasSubstr("rebuild     25.00 ms for each frame\n"
                         "upload      200 of the 500 words of a frame (1.00 ms), after 1,000 words "

@@ -100,7 +100,7 @@ double per_packet(std::uint64_t count, const WorkCounts& work) {
   return static_cast<double>(count) / static_cast<double>(work.packets);
 }
 
-constexpr char kPacketsAbout[] = "per packet of 2x2; bound: clocks of the busiest unit alone";
+constexpr char kPacketsAbout[] = "per packet of 2x2; bound: clocks of the busiest unit";
 
 }  // namespace
 
@@ -152,11 +152,11 @@ WorkReport overlap_report(const Prepared& prepared, unsigned width, unsigned hei
     rows.push_back(std::move(row));
   }
   text +=
-      "\nthesis: Table 4.1, its own conference scene at 1024x768, rays one by one. Objects and "
-      "triangles\nare those transformed and intersected. The core's mailbox keeps the first 8 "
-      "objects and the\nfirst 8 triangles of a packet; the other rows have none for "
-      "triangles.\n";
-  return {counter.head("rays one by one, and packets of 2x2") + text + counter.foot(),
+      "\nThe columns of the thesis are its Table 4.1: its own conference scene at 1024x768, one "
+      "ray at a\ntime. Objects and triangles are those that are transformed and intersected. The "
+      "core's mailbox\nkeeps the first 8 objects and the first 8 triangles of a packet; the "
+      "mailboxes of the other rows\nkeep no triangles.\n";
+  return {counter.head("one ray at a time, and packets of 2x2") + text + counter.foot(),
           counter.json("overlap", std::move(rows))};
 }
 
@@ -192,8 +192,8 @@ WorkReport mailbox_report(const Prepared& prepared, unsigned width, unsigned hei
   }
   const TraceOptions core;
   text += fmt::format(
-      "\nagain: more than with slots without end. A packet that enters an object again meets "
-      "its triangles\nagain. The core has {} and {}.\n",
+      "\n\"again\" counts the tests that unlimited slots would avoid. A packet that enters an "
+      "object again\nmeets its triangles again. The core has {} and {} slots.\n",
       core.object_slots, core.triangle_slots);
   return {counter.head(kPacketsAbout) + text + counter.foot(),
           counter.json("mailbox", std::move(rows))};
@@ -213,7 +213,7 @@ WorkReport clipping_report(const Prepared& prepared, unsigned width, unsigned he
       {"objects", "objects", kNever, kAlways},
       {"the scene and objects", "both", kAlways, kAlways},
       {"both, where the camera is outside", "from_outside", kFromOutside, kFromOutside},
-      {"the same, objects for no steps", "objects_free", kFromOutside, kFromOutside, true}};
+      {"the same, object clipping free", "objects_free", kFromOutside, kFromOutside, true}};
   WorkCounter counter(prepared, width, height, std::size(kWays));
   std::string text = fmt::format("{:<34}{:>9}{:>9}{:>9}{:>11}{:>9}\n", "clipping to the boxes of",
                                  "top", "inside", "objects", "triangles", "bound");
@@ -231,9 +231,9 @@ WorkReport clipping_report(const Prepared& prepared, unsigned width, unsigned he
     rows.push_back({{"clipping", way.key}, {"packets", json_of(work)}});
   }
   text +=
-      "\ntop, inside: traversal steps of the instances' tree and of objects' trees. The host "
-      "does as the\nrow before the last: a frame starts, and an object is entered, at the six "
-      "clipping nodes only if\nthe camera is outside the box.\n";
+      "\n\"top\" and \"inside\" count the traversal steps of the instances' tree and of the "
+      "objects' trees.\nThe host works like the row before the last: a frame, or a visit of an "
+      "object, starts at the six\nclipping nodes only if the camera is outside the box.\n";
   return {counter.head(kPacketsAbout) + text + counter.foot(),
           counter.json("clipping", std::move(rows))};
 }

@@ -46,11 +46,10 @@ constexpr Configuration kTable[] = {
      }}};
 
 TEST(Configurations, RefusesSchedulesOfTheVerilog) {
-  EXPECT_THAT(
-      [] { make_board(kTable, {"rtl", "small", "", "schedules"}); },
-      ThrowsMessage<UserError>(
-          "schedules: only board model takes its clocks from them, as the Verilog has clocks of "
-          "its own; name none or take that board"));
+  EXPECT_THAT([] { make_board(kTable, {"rtl", "small", "", "schedules"}); },
+              ThrowsMessage<UserError>(
+                  "schedules: only board model counts its clocks with schedules, as the Verilog "
+                  "has clocks of its own; take board model or leave the schedules out"));
 }
 
 auto making(const BoardRequest& request) {
@@ -69,15 +68,16 @@ TEST(Configurations, MakesTheModelOfTheNamedConfiguration) {
 }
 
 TEST(Configurations, WhatIsUnknownIsNamed) {
-  EXPECT_THAT(making({.board = "fpga", .configuration = "small", .trace = ""}),
-              ThrowsMessage<UserError>("board fpga: unknown; the boards are rtl and model"));
-  EXPECT_THAT(making({.board = "model", .configuration = "huge", .trace = ""}),
-              ThrowsMessage<UserError>(
-                  "configuration huge: unknown; this build has small, large, wide, and a file "
-                  "FILE.json or FILE.so may be named instead"));
+  EXPECT_THAT(
+      making({.board = "fpga", .configuration = "small", .trace = ""}),
+      ThrowsMessage<UserError>("board fpga: there is no such board; the boards are rtl and model"));
+  EXPECT_THAT(
+      making({.board = "model", .configuration = "huge", .trace = ""}),
+      ThrowsMessage<UserError>("configuration huge: there is no such configuration; name one of "
+                               "small, large, wide, or a file FILE.json or FILE.so"));
   EXPECT_THAT(making({.board = "model", .configuration = "small", .trace = "a.fst"}),
-              ThrowsMessage<UserError>("waveforms: only board rtl has signals to record; ask for "
-                                       "none or take that board"));
+              ThrowsMessage<UserError>("waveforms: only board rtl has signals to record; take "
+                                       "board rtl or leave the waveforms out"));
   EXPECT_THAT(making({.board = "rtl", .configuration = "small", .trace = ""}),
               ThrowsMessage<UserError>(
                   "board rtl: the Verilog of configuration small is not part of this build; "
@@ -85,11 +85,10 @@ TEST(Configurations, WhatIsUnknownIsNamed) {
 }
 
 TEST(Configurations, TheRtlsMemoryHoldsNoWideFloats) {
-  EXPECT_THAT(
-      making({.board = "rtl", .configuration = "wide", .trace = ""}),
-      ThrowsMessage<UserError>("configuration wide: a float of 32 bits needs words of 43 bits in "
-                               "the memory, and the SRAM of board rtl has 32; take board "
-                               "model"));
+  EXPECT_THAT(making({.board = "rtl", .configuration = "wide", .trace = ""}),
+              ThrowsMessage<UserError>(
+                  "configuration wide: a float of 32 bits needs memory words of 43 bits, but the "
+                  "SRAM of board rtl has words of 32; take board model"));
   const auto board = make_board(kTable, {.board = "model", .configuration = "wide", .trace = ""});
   EXPECT_EQ(board->core().format->mantissa_bits, 23u);
   // Of the scene's banks a word is two of the bus.

@@ -17,7 +17,7 @@ namespace dynrt::host {
 namespace reg = registers;
 
 static_assert(hls::bit_width_of<ScanConfig>() == 32 * reg::kScanWords,
-              "ScanConfig has other fields than the board has SCAN registers");
+              "ScanConfig must have one field for each SCAN register of the board");
 
 ScanConfig scan_config(const VgaMode& m, std::uint32_t base, unsigned width, unsigned height) {
   const unsigned left = (m.hdisplay - width) / 2;
@@ -60,7 +60,7 @@ Display::Display(RtlBoard& board, const VgaMode& mode, unsigned clocks_per_pixel
   check(board_, mode, width, height);
   if (clocks_per_pixel < kLeastClocks || clocks_per_pixel > kMostClocks) {
     throw std::logic_error(
-        fmt::format("the scan-out cannot take {} clocks a pixel", clocks_per_pixel));
+        fmt::format("the scan-out cannot take {} clocks for each pixel", clocks_per_pixel));
   }
   const ScanConfig config = scan_config(mode, base, width, height);
   hls::for_each_leaf(config, [&](const hls::uint<32>& field, unsigned offset) {

@@ -87,15 +87,15 @@ TEST_F(LoadConfiguration, SaysWhyAFileIsNone) {
   expect_refused("nowhere.so", "there is no such file");
   expect_refused("nowhere.json", "there is no such file");
   constexpr char kNotWhole[] =
-      "is no whole shared library; make it again with scripts/configuration";
+      "the shared library is cut off; make it again with scripts/configuration";
   expect_refused(written("text.so", "no library"), kNotWhole);
   expect_refused(written("cut.so", of_this_build().substr(0, library_.size() - 100)), kNotWhole);
   expect_refused(written("other.so", library_),
-                 "was made of other sources or by another compiler than this program; make it "
+                 "it was made from other sources or by another compiler than this program; make it "
                  "again with scripts/configuration");
-  expect_refused(written("foreign.so", with("dynrt_configuration", "other_configuration")),
-                 "is a shared library, but no configuration of dynrt; scripts/configuration makes "
-                 "those");
+  expect_refused(
+      written("foreign.so", with("dynrt_configuration", "other_configuration")),
+      "this shared library is not a configuration of dynrt; make one with scripts/configuration");
 }
 
 TEST_F(LoadConfiguration, WhatTheScriptRefusesIsTheUsersMistake) {

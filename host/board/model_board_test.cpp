@@ -116,18 +116,19 @@ TEST_F(ScheduledBoard, GivesTheCoreTheSchedulesAndTakesItsClocks) {
 TEST_F(ScheduledBoard, RefusesWhatIsNoWholeSetOfSchedules) {
   const std::string name = folder_.string();
   EXPECT_EQ(refusal(), name +
-                           ": the folder has no schedules of hlsc; name that of a "
+                           ": the folder has no schedules of hlsc; name the folder of a "
                            "configuration's Verilog, such as build/release/generated/thesis");
   write("paste.json", R"({"module": "paste", "stages": 3, "room": 6, "ram_stages": {}})");
   EXPECT_EQ(refusal(true), name +
                                ": there is no schedule of 'copy' of configuration thesis; "
                                "name the folder of that configuration's Verilog");
   write("copy.json", R"({"module": "copy", "stages": 3, "roo)");
-  EXPECT_EQ(refusal(), name +
-                           "/copy.json: is not a whole schedule of hlsc; lower the unit again "
-                           "or remove the file");
+  EXPECT_EQ(
+      refusal(),
+      name +
+          "/copy.json: not a complete schedule of hlsc; lower the unit again or remove the file");
   write("copy.json", R"({"module": "copy", "stages": 3})");
-  EXPECT_THAT(refusal(), testing::HasSubstr("is not a whole schedule of hlsc"));
+  EXPECT_THAT(refusal(), testing::HasSubstr("not a complete schedule of hlsc"));
   std::filesystem::remove_all(folder_);
   EXPECT_THAT(refusal(), testing::HasSubstr("the folder has no schedules of hlsc"));
 }
@@ -135,11 +136,10 @@ TEST_F(ScheduledBoard, RefusesWhatIsNoWholeSetOfSchedules) {
 TEST(ModelBoard, RefusesWordsOutsideABank) {
   ModelBoard board(small(), std::make_unique<CopyingCore>());
   std::vector<std::uint32_t> words(2);
-  EXPECT_THAT(
-      [&] { board.read(1, (1u << 20) - 1, words); },
-      testing::ThrowsMessage<std::out_of_range>(
-          "board model: words 1048575 to 1048577 of bank 1 are asked for; there are 6 banks of "
-          "1048576 words"));
+  EXPECT_THAT([&] { board.read(1, (1u << 20) - 1, words); },
+              testing::ThrowsMessage<std::out_of_range>(
+                  "board model: there are no words 1048575 to 1048577 of bank 1; the board has 6 "
+                  "banks of 1048576 words"));
   EXPECT_THROW(board.write(6, 0, words), std::out_of_range);
 }
 

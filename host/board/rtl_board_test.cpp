@@ -102,11 +102,12 @@ class DeadBoard final : public ClockedBoard {
 TEST(RtlBoardErrors, ABoardThatIsNoneIsRefused) {
   EXPECT_THAT([] { RtlBoard(named("thesis"), std::make_unique<DeadBoard>(false), {}); },
               ThrowsMessage<UserError>(
-                  "board rtl: reads 0x0 as its id and 0x0 as its version, expected 0x44595254 and "
-                  "0x20001; rebuild the Verilog and the host together"));
-  EXPECT_THAT([] { RtlBoard(named("thesis"), std::make_unique<DeadBoard>(true), {}); },
-              ThrowsMessage<UserError>("board rtl: the bus waits for ever at address 0x0; the "
-                                       "Verilog below it is broken"));
+                  "board rtl: its registers give the id 0x0 and the version 0x0, but the host "
+                  "expects 0x44595254 and 0x20001; rebuild the Verilog and the host together"));
+  EXPECT_THAT(
+      [] { RtlBoard(named("thesis"), std::make_unique<DeadBoard>(true), {}); },
+      ThrowsMessage<UserError>(
+          "board rtl: the bus waits for ever at address 0x0; the Verilog behind it is broken"));
 }
 
 TEST_F(RtlBoardTest, FrameRegistersKeepWhatIsWritten) {
@@ -248,8 +249,7 @@ TEST_F(RtlBoardTest, TimeOutTellsWhereTheUnitsStandAndTheBoardRecovers) {
       [&] { board_.wait(5000, {}); },
       ThrowsMessage<TimeoutError>(
           "board rtl: no interrupt and no pixel for 5000 clocks (a longer timeout allows more); "
-          "240 pixels are written, status 0x1, the units stand at "
-          "without input: stand_in 240"));
+          "240 pixels are written, the status is 0x1, the units: without input: stand_in 240"));
   board_.configure(frame_config());
   board_.start();
   EXPECT_NO_THROW(board_.wait(5000, {}));
@@ -287,16 +287,16 @@ TEST(RtlBoardTrace, AnAssertionThatFailsIsADefect) {
     board.wait(5000, {});
   };
   EXPECT_NO_THROW(render(make_stand_in_board())) << "made for speed";
-  EXPECT_THAT([&] { render(make_stand_in_board_traced("", 1)); },
-              ThrowsMessage<std::logic_error>(testing::MatchesRegex(
-                  "the Verilog's assertion that is printed above fails in clock [0-9]+ of the "
-                  "board")));
+  EXPECT_THAT(
+      [&] { render(make_stand_in_board_traced("", 1)); },
+      ThrowsMessage<std::logic_error>(testing::MatchesRegex(
+          "an assertion of the Verilog, printed above, fails in clock [0-9]+ of the board")));
 }
 
 TEST(RtlBoardTrace, AFileThatCannotBeWrittenIsAnError) {
   EXPECT_THAT([] { make_stand_in_board_traced("/nowhere/at/all.fst", 1); },
-              ThrowsMessage<UserError>(
-                  "/nowhere/at/all.fst: cannot be written; name a file in a folder that can"));
+              ThrowsMessage<UserError>("/nowhere/at/all.fst: cannot write this file; name a file "
+                                       "in a folder that can be written"));
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ bool went_on(std::span<const Counter> before, std::span<const Counter> after,
 }  // namespace
 
 std::string where_units_stand(std::span<const Counter> before, std::span<const Counter> after) {
-  if (after.empty()) return "places unknown, as the configuration has no counters";
+  if (after.empty()) return "not known, as the configuration has no counters";
   std::vector<std::string> stalled, at_work, without_input;
   for (const Counter& counter : after) {
     if (!counter.name.ends_with(kTransactions)) continue;

@@ -32,7 +32,7 @@ TEST(Standstill, AllMayBeWithoutInput) {
 }
 
 TEST(Standstill, NothingIsKnownWithoutCounters) {
-  EXPECT_EQ(where_units_stand({}, {}), "places unknown, as the configuration has no counters");
+  EXPECT_EQ(where_units_stand({}, {}), "not known, as the configuration has no counters");
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ VgaFrame VgaMonitor::frame_of_pixels() const {
   const auto slow = std::ranges::find_if(
       pixels_, [&frame](const Pixel& p) { return p.clocks != frame.clocks_per_pixel; });
   if (slow != pixels_.end()) {
-    frame.fault = fmt::format("a pixel comes after {} clocks, another after {}",
+    frame.fault = fmt::format("one pixel comes after {} clocks, another after {}",
                               frame.clocks_per_pixel, slow->clocks);
     return frame;
   }
@@ -66,8 +66,9 @@ std::string VgaMonitor::measure_lines(VgaFrame& frame) const {
   const auto vertical = static_cast<std::size_t>(
       std::ranges::count_if(pixels_, [](const Pixel& p) { return p.vsync; }));
   if (pixels_.size() != std::size_t{m.vtotal} * m.htotal || vertical % m.htotal != 0) {
-    return fmt::format("{} lines of {} pixels are {} in all, {} of them in the vertical pulse",
-                       m.vtotal, m.htotal, pixels_.size(), vertical);
+    return fmt::format(
+        "{} lines of {} pixels have {} pixels in all, {} of them in the vertical pulse", m.vtotal,
+        m.htotal, pixels_.size(), vertical);
   }
   m.hsync_end = static_cast<unsigned>(ends[0] - begins[0]);  // from the pulse's beginning, so far
   m.vsync_end = static_cast<unsigned>(vertical / m.htotal);
@@ -79,7 +80,7 @@ std::string VgaMonitor::measure_rows(VgaFrame& frame) const {
   VgaMode& m = frame.mode;
   const auto visible = [](const Pixel& p) { return p.visible; };
   const auto first = std::ranges::find_if(pixels_, visible);
-  if (first == pixels_.end()) return "nothing is visible";
+  if (first == pixels_.end()) return "no pixel is visible";
   const auto corner = static_cast<std::size_t>(first - pixels_.begin());
   m.hdisplay =
       static_cast<unsigned>(std::find_if(first, pixels_.end(), std::not_fn(visible)) - first);
@@ -90,8 +91,10 @@ std::string VgaMonitor::measure_rows(VgaFrame& frame) const {
     const bool inside =
         i >= corner && after % m.htotal < m.hdisplay && after / m.htotal < m.vdisplay;
     const Pixel& p = pixels_[i];
-    if (p.visible != inside) return fmt::format("the visible pixels are no rectangle at {}", i);
-    if (!p.visible && p.colour != 0) return fmt::format("a colour in the blank at {}", i);
+    if (p.visible != inside)
+      return fmt::format("the visible pixels do not form a rectangle at pixel {}", i);
+    if (!p.visible && p.colour != 0)
+      return fmt::format("pixel {} has a colour but lies in the blanking", i);
     if (p.visible) frame.pixels.push_back(p.colour);
   }
   if ((pixels_.size() - corner) % m.htotal != 0) {

@@ -73,9 +73,12 @@ TEST(VgaMonitor, SaysWhatIsIrregular) {
   EXPECT_THAT(fault_of(3, 2, [](Pins& p) { p.hsync = false; }), HasSubstr("has its pulse from"));
   EXPECT_THAT(fault_of(10, 2, [](Pins& p) { p.hsync = true; }), HasSubstr("has its pulse from"));
   EXPECT_THAT(fault_of(9, 0, [](Pins& p) { p.hsync = true; }), HasSubstr("has its pulse from"));
-  EXPECT_THAT(fault_of(3, 2, [](Pins& p) { p.visible = false; }), HasSubstr("no rectangle"));
-  EXPECT_THAT(fault_of(9, 2, [](Pins& p) { p.visible = true; }), HasSubstr("no rectangle"));
-  EXPECT_EQ(fault_of(9, 2, [](Pins& p) { p.colour = 1; }), "a colour in the blank at 79");
+  EXPECT_THAT(fault_of(3, 2, [](Pins& p) { p.visible = false; }),
+              HasSubstr("do not form a rectangle"));
+  EXPECT_THAT(fault_of(9, 2, [](Pins& p) { p.visible = true; }),
+              HasSubstr("do not form a rectangle"));
+  EXPECT_EQ(fault_of(9, 2, [](Pins& p) { p.colour = 1; }),
+            "pixel 79 has a colour but lies in the blanking");
   EXPECT_THAT(fault_of(3, 2, [](Pins& p) { p.clocks = 4; }), HasSubstr("comes after 3 clocks"));
 }
 
@@ -93,7 +96,7 @@ TEST(VgaMonitor, AnotherModeMeasuresOtherwise) {
 TEST(VgaMonitor, SaysThatNothingIsVisible) {
   Signal signal(3);
   for (Pins& p : signal.pins) p.visible = false, p.colour = 0;
-  EXPECT_EQ(signal.frames().front().fault, "nothing is visible");
+  EXPECT_EQ(signal.frames().front().fault, "no pixel is visible");
 }
 
 }  // namespace

@@ -199,7 +199,7 @@ TEST(Fit, WhatFitsAtNoScaleIsNamed) {
   soup.vertices[3] = {1e10, 0, 0};
   EXPECT_THAT([&] { fit(scene, kCamera, kMemoryFormatOf<hls::Float<5, 8>>); },
               ThrowsMessage<UserError>(::testing::HasSubstr(
-                  "scene 'stiff' fits the 5 exponent bits of the core's numbers at no scale: ")));
+                  "no scale fits scene 'stiff' into the 5 exponent bits of the core's numbers: ")));
   EXPECT_NO_THROW(fit(scene, kCamera, kShippedFormat));
   scene = two_objects();
   EXPECT_THAT([&] { fit(scene, testing::camera_at({0, 0, 1e38}, {0, 0, -1}), kShippedFormat); },

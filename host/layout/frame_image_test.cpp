@@ -275,7 +275,7 @@ TEST(Image, RefusesTrianglesThatTheNumbersCannotHold) {
   add_triangle(scene.objects[0], {0, 0, 0}, {1, 0, 0}, {0, 1e-21, 0});
   EXPECT_EQ(error_of(scene),
             "object 'soup', triangle 2: its matrix has the element -1e+21, outside the core's "
-            "numbers (-3.6893e+19 to 3.6893e+19); the triangle must be less thin or less small");
+            "numbers (-3.6893e+19 to 3.6893e+19); make the triangle thicker or larger");
   Scene flat = scene_of(testing::soup(3, 2, 0.1));
   add_triangle(flat.objects[0], {0, 0, 0}, {1, 1, 1}, {2, 2, 2});
   EXPECT_EQ(error_of(flat),
@@ -286,19 +286,20 @@ TEST(Image, RefusesTransformsThatCannotBeInverted) {
   Scene scene = scene_of(testing::soup(3, 20, 0.1));
   scene.instances[0].transform = glm::scale(glm::dmat4(1), glm::dvec3(1, 0, 1));
   EXPECT_EQ(error_of(scene),
-            "instance 'one' has a transform without an inverse; it must not flatten its object");
+            "instance 'one' has a transform without an inverse; the transform must not flatten its "
+            "object");
   scene.instances[0].transform = glm::scale(glm::dmat4(1), glm::dvec3(1, 1e-30, 1));
-  EXPECT_EQ(error_of(scene),
-            "instance 'one': the inverse of its transform has the element 1e+30, outside the "
-            "core's numbers (-3.6893e+19 to 3.6893e+19); the transform must flatten its object "
-            "less");
+  EXPECT_EQ(
+      error_of(scene),
+      "instance 'one': the inverse of its transform has the element 1e+30, outside the core's "
+      "numbers (-3.6893e+19 to 3.6893e+19); let the transform flatten or shrink its object less");
 }
 
 TEST(Image, RefusesACameraBeyondTheNumbers) {
   const Scene scene = scene_of(testing::soup(3, 20, 0.1));
   EXPECT_EQ(error_of([&] { Laid(scene, testing::camera_at({0, 1e30, 0}, {0, 0, -1})); }),
             "the camera's matrix has the element 1e+30, outside the core's numbers (-3.6893e+19 to "
-            "3.6893e+19); the camera must be closer");
+            "3.6893e+19); move the camera closer to the scene");
 }
 
 TEST(Image, RefusesALightBeyondTheNumbers) {
@@ -306,7 +307,7 @@ TEST(Image, RefusesALightBeyondTheNumbers) {
   scene.lights.push_back({"star", {0, -1e30, 0}});
   EXPECT_EQ(error_of(scene),
             "light 'star' stands at y = -1e+30, outside the core's numbers (-3.6893e+19 to "
-            "3.6893e+19); it must be closer");
+            "3.6893e+19); move it closer to the scene");
 }
 
 TEST(Image, TheTopLevelHasWhatTheObjectsLeave) {

@@ -88,7 +88,8 @@ TEST(LayOut, WhatACoreLacksIsRefusedByItsName) {
   CoreInfo balls = core();
   balls.primitives = {.sphere = true};
   EXPECT_THAT([&] { lay_out(two_objects(), view(), balls); },
-              ThrowsMessage<UserError>(HasSubstr("has triangles, and configuration test lacks")));
+              ThrowsMessage<UserError>(
+                  HasSubstr("has triangles, but configuration test cannot hold them")));
 }
 
 TEST(LayOut, ASpecialisedCoreSaysWhichKeyIsExceeded) {

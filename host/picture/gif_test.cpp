@@ -66,8 +66,8 @@ TEST_F(Gif, IsWholeOrNotThere) {
   const std::vector<std::string> pictures = {picture("a.png", 1), path("gone.png")};
   EXPECT_THAT([&] { write_gif(path("w.gif"), pictures, 12); },
               ThrowsMessage<UserError>(path("gone.png") +
-                                       ": is no longer the picture that was written; remove it and "
-                                       "run the same command again"));
+                                       ": this file is no longer the picture that dynrt wrote; "
+                                       "remove it and run the same command again"));
   EXPECT_FALSE(fs::exists(path("w.gif")));
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
 }

@@ -70,7 +70,7 @@ TEST(ImageLibrary, SaysWhyItIsNotThere) {
           testing::StartsWith(
               "pictures need dynrt's library dynrt_images.so, which cannot be loaded (/gone/"),
           testing::HasSubstr("No such file"),
-          testing::EndsWith("; build it again or put it beside the program"))));
+          testing::EndsWith("; build it again or put it into the program's folder"))));
   EXPECT_THAT([] { load_image_library("libc.so.6"); },
               ThrowsMessage<UserError>(testing::HasSubstr("dynrt_image_library")));
 }

@@ -132,7 +132,7 @@ void check_output_path(const std::string& path) {
   errno = 0;
   if (std::ofstream(probe.path())) return;
   // The folder is there: this is how one that holds no files of ours, such as /proc, says so.
-  cannot_write(path, errno == ENOENT ? "its folder takes no files" : std::strerror(errno));
+  cannot_write(path, errno == ENOENT ? "its folder cannot be written" : std::strerror(errno));
 }
 
 void write_whole(const std::string& path,

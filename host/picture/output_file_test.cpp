@@ -79,9 +79,10 @@ TEST_F(OutputFile, WhatIsUnfinishedIsRemovedWhenTheProgramIsInterrupted) {
 }
 
 TEST_F(OutputFile, PlacesThatCannotBeWrittenAreRefused) {
-  EXPECT_THAT([] { check_output_path("/proc/image.json"); },
-              ThrowsMessage<UserError>("/proc/image.json: cannot be written (its folder takes no "
-                                       "files); name a file in a folder that can"));
+  EXPECT_THAT(
+      [] { check_output_path("/proc/image.json"); },
+      ThrowsMessage<UserError>("/proc/image.json: cannot write this file (its folder cannot be "
+                               "written); name a file in a folder that can be written"));
   EXPECT_THAT([&] { check_output_path(path("missing/f.json")); },
               ThrowsMessage<UserError>(path("missing/f.json") + ": there is no folder '" +
                                        path("missing") + "'; create it or name a file elsewhere"));
@@ -94,11 +95,11 @@ TEST_F(OutputFile, TwoOutputsOfOneNameAreRefused) {
   const Output outputs[] = {{"--out", path("a.png")}, {"--json", path("folder/../a.png")}};
   EXPECT_THAT([&] { check_outputs(outputs); },
               ThrowsMessage<UserError>("--json " + outputs[1].path +
-                                       ": --out writes the same file; name another one"));
+                                       ": --out writes the same file; name another file"));
   const Output relative[] = {{"--out", "a.png"}, {"--trace", "./a.png"}};
-  EXPECT_THAT([&] { check_outputs(relative); },
-              ThrowsMessage<UserError>("--trace ./a.png: --out writes the same file; name another "
-                                       "one"));
+  EXPECT_THAT(
+      [&] { check_outputs(relative); },
+      ThrowsMessage<UserError>("--trace ./a.png: --out writes the same file; name another file"));
   const Output others[] = {{"--out", path("a.png")}, {"--json", ""}, {"--trace", ""}};
   EXPECT_NO_THROW(check_outputs(others));
 }

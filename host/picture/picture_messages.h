@@ -7,17 +7,17 @@
 namespace dynrt::host::messages {
 
 inline constexpr char kExtension[] =
-    "{}: the image format '{}' is not one of dynrt's; the name must end in .png or .exr";
+    "{}: dynrt does not write the image format '{}'; the name must end in .png or .exr";
 inline constexpr char kNotAPicture[] =
-    "{}: is no longer the picture that was written; remove it and run the same command again";
-inline constexpr char kSameFile[] = "{} {}: {} writes the same file; name another one";
+    "{}: this file is no longer the picture that dynrt wrote; remove it and run the same command "
+    "again";
+inline constexpr char kSameFile[] = "{} {}: {} writes the same file; name another file";
 inline constexpr char kNoFolder[] =
     "{}: there is no folder '{}'; create it or name a file elsewhere";
 inline constexpr char kCannotWrite[] =
-    "{}: cannot be written ({}); name a file in a folder that can";
+    "{}: cannot write this file ({}); name a file in a folder that can be written";
 inline constexpr char kNoImageLibrary[] =
-    "pictures need dynrt's library {}, which cannot be loaded ({}); build it again or put it "
-    "beside "
-    "the program";
+    "pictures need dynrt's library {}, which cannot be loaded ({}); build it again or put it into "
+    "the program's folder";
 
 }  // namespace dynrt::host::messages

@@ -49,11 +49,11 @@ TEST(FrameConfig, MortonBitsCoverTheLargerSide) {
 TEST(FrameConfig, RefusesSizesThatTheBoardCannotHold) {
   for (const auto& [width, height] :
        {std::pair{0u, 10u}, {10u, 0u}, {1025u, 1u}, {1u, 1025u}, {1024u, 1024u}}) {
-    EXPECT_THAT(configuring({.width = width, .height = height}),
-                ThrowsMessage<UserError>(
-                    "--size " + std::to_string(width) + "x" + std::to_string(height) +
-                    ": an image has 1 to 1024 pixels a side and at most 349525 in all, which is "
-                    "what the board's framebuffer and hit records hold"));
+    EXPECT_THAT(
+        configuring({.width = width, .height = height}),
+        ThrowsMessage<UserError>("--size " + std::to_string(width) + "x" + std::to_string(height) +
+                                 ": an image has 1 to 1024 pixels a side and at most 349525 in "
+                                 "all; the board's framebuffer and hit records hold no more"));
   }
   EXPECT_NO_THROW(check_size(1024, 341));
 }

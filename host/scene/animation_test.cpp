@@ -141,13 +141,13 @@ TEST(Animation, NamesWhatAndWhenWhenSomethingGoesWrong) {
   Scene scene = moving();
   scene.motion[0].scale.back().value = {0, 2, 2};
   EXPECT_EQ(user_error([&] { move_to(scene, 4.5); }),
-            "m, after 4.5 seconds: node 'rolls': its transform has no inverse; no axis may be "
-            "scaled to zero and the three must not lie in one plane");
+            "m, after 4.5 seconds: node 'rolls': its transform has no inverse; its three axes must "
+            "not be zero and must not lie in one plane");
   scene = moving();
   scene.path[2].look_at = scene.path[2].position;
   EXPECT_EQ(user_error([&] { camera_at(scene, 10); }),
-            "m, after 10 seconds: the camera stands at the point that it looks at (20, 0, 20); "
-            "move one of the two");
+            "m, after 10 seconds: the camera's position and the point that it looks at are the "
+            "same (20, 0, 20); move one of the two");
 }
 
 struct Mistake {
@@ -169,26 +169,26 @@ INSTANTIATE_TEST_SUITE_P(
     All, MotionMistake,
     testing::Values(
         Mistake{"\"keys\": [{\"time\": 1},", "\"keys\": [], \"k\": [",
-                ": instances[1].motion: the key 'k' is not known; it takes keys, repeat"},
+                ": instances[1].motion: there is no key 'k' here; the keys are keys, repeat"},
         Mistake{"{\"keys\": [{\"time\": 1}, {\"time\": 3, \"position\": [5, 2, 3]},\n"
                 "                         {\"time\": 4, \"turn\": 810, \"scale\": [4, 2, 2]}]}",
                 "{\"keys\": []}",
                 ": instances[1].motion: 'keys' has no keys; it needs at least one"},
         Mistake{"{\"time\": 3, \"position\": [5, 2, 3]}", "{\"time\": 1}",
-                ": instances[1].motion.keys[1]: 'time' must be at least 0 and above that of the "
-                "key before"},
+                ": instances[1].motion.keys[1]: 'time' must be at least 0 and above the time of "
+                "the previous key"},
         Mistake{"{\"time\": 1},", "{\"time\": -1},",
-                ": instances[1].motion.keys[0]: 'time' must be at least 0 and above that of the "
-                "key before"},
+                ": instances[1].motion.keys[0]: 'time' must be at least 0 and above the time of "
+                "the previous key"},
         Mistake{"{\"time\": 1},", "{\"time\": 1, \"size\": 2},",
-                ": instances[1].motion.keys[0]: the key 'size' is not known; it takes time, "
+                ": instances[1].motion.keys[0]: there is no key 'size' here; the keys are time, "
                 "position, turn, rotate, scale"},
         Mistake{"\"turn\": 810", "\"turn\": 1e9",
                 ": instances[1].motion.keys[2]: 'turn' may change by at most 36000 degrees from "
-                "the key before"},
+                "the previous key"},
         Mistake{"[4, 2, 2]", "[4, -2, 2]",
-                ": instances[1].motion.keys[2]: 'scale' must not be zero and on no axis change its "
-                "sign from the instance's"},
+                ": instances[1].motion.keys[2]: 'scale' must not be zero, and on each axis it must "
+                "have the sign of the instance's scale"},
         Mistake{
             "{\"time\": 0}, {\"time\": 1, \"rotate\": {\"axis\": [0, 0, 2], \"degrees\": 10}},\n"
             "                         {\"time\": 2, \"rotate\": {\"axis\": [0, 0, 2], "
@@ -196,13 +196,13 @@ INSTANTIATE_TEST_SUITE_P(
             "{\"time\": 0}", ": instances[2].motion: 'repeat' needs a key later than at time 0"},
         Mistake{"\"position\": [1, 2, 3], \"turn\": 90, \"scale\": [2, 2, 2]",
                 "\"matrix\": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]",
-                ": instances[1]: an instance with a 'motion' cannot be placed by a 'matrix'; give "
-                "position, turn, rotate, scale"},
+                ": instances[1]: an instance with a 'motion' cannot have a 'matrix'; give "
+                "position, turn, rotate and scale"},
         Mistake{"\"camera\": {\"position\": [0, 0, 20], \"look_at\": [0, 0, 0], "
                 "\"field_of_view\": 40},",
                 "",
-                ": the file: a 'path' needs a 'camera', which has its field of view and what is "
-                "up"},
+                ": the file: a 'path' needs a 'camera', which gives its field of view and its up "
+                "direction"},
         Mistake{"{\"time\": 5, \"position\": [10, 0, 20], \"look_at\": [10, 0, 0]}",
                 "{\"time\": 5, \"position\": [10, 0, 20]}",
                 ": path[1]: the key 'look_at' is missing"}));

@@ -138,7 +138,7 @@ class Conversion {
   void note_rest(const aiAnimation& animation) {
     const char* moved = animation.mNumMorphMeshChannels > 0 ? "morph targets"
                         : animation.mNumMeshChannels > 0    ? "vertices"
-                                                            : "nothing that is followed";
+                                                            : "parts that dynrt does not know";
     scene_.notes.push_back(
         fmt::format(wording::kNothingMoves, label_, animation.mName.C_Str(), moved));
   }

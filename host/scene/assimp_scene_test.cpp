@@ -129,7 +129,7 @@ TEST_F(MovingGltf, NotesOtherLights) {
   EXPECT_EQ(scene.distant_lights, std::vector<std::string>{"lamp"});
   ASSERT_EQ(scene.notes.size(), 1u);
   EXPECT_EQ(scene.notes[0],
-            folder_.path("a.gltf") + ": light 'lamp' is not a point light and was left out");
+            folder_.path("a.gltf") + ": light 'lamp' is not a point light, so dynrt leaves it out");
 }
 
 TEST_F(MovingGltf, PolishedMetalIsAMirror) {
@@ -142,7 +142,8 @@ TEST_F(MovingGltf, PolishedMetalIsAMirror) {
 
 TEST_F(MovingGltf, NamesLightsThatCannotShine) {
   const std::string sentence =
-      ": light 'lamp': its position and its colour must be finite and the colour not negative";
+      ": light 'lamp': its position and its colour must be finite, and the colour must not be "
+      "negative";
   EXPECT_EQ(error(replaced(kFile, "[1, 0.5, 0.25]", "[1, -0.5, 0.25]")), sentence);
   EXPECT_EQ(error(replaced(kFile, "\"intensity\": 8", "\"intensity\": 1e200")), sentence);
   EXPECT_EQ(error(replaced(kFile, "\"translation\": [0, 5, 0]", "\"translation\": [0, 1e200, 0]")),
@@ -153,8 +154,8 @@ TEST_F(MovingGltf, NamesKeyframesThatCannotBeUsed) {
   const auto sentence = [](const char* node, int key, const char* time) {
     return std::string(": node '") + node + "': keyframe " + std::to_string(key) +
            " of its animation, at " + time +
-           " seconds, cannot be used; times must rise from at least 0, values be finite, rotations "
-           "not zero";
+           " seconds, cannot be used; times must not be negative and must rise, values must be "
+           "finite, rotations must not be zero";
   };
   const std::vector<float> good = numbers_;
   numbers_[kSlideTimes + 1] = 0;
@@ -182,10 +183,9 @@ TEST_F(MovingGltf, RendersAtRestWhatMovesNoNode) {
   EXPECT_EQ(scene.instances.size(), 2u);
   EXPECT_EQ(duration(scene), 0.0);
   ASSERT_EQ(scene.notes.size(), 1u);
-  EXPECT_EQ(scene.notes[0],
-            folder_.path("a.gltf") +
-                ": the animation 'work' moves nothing that is followed and no node, so "
-                "the scene is rendered at rest");
+  EXPECT_EQ(scene.notes[0], folder_.path("a.gltf") +
+                                ": the animation 'work' moves no node, only parts that dynrt does "
+                                "not know, so dynrt renders the scene at rest");
 }
 
 TEST_F(MovingGltf, RendersMorphTargetsAtRest) {
@@ -199,10 +199,9 @@ TEST_F(MovingGltf, RendersMorphTargetsAtRest) {
   EXPECT_EQ(scene.instances.size(), 2u);
   EXPECT_EQ(duration(scene), 0.0);
   ASSERT_EQ(scene.notes.size(), 1u);
-  EXPECT_EQ(scene.notes[0],
-            folder_.path("a.gltf") +
-                ": the animation 'work' moves morph targets and no node, so the scene "
-                "is rendered at rest");
+  EXPECT_EQ(scene.notes[0], folder_.path("a.gltf") +
+                                ": the animation 'work' moves no node, only morph targets, so "
+                                "dynrt renders the scene at rest");
 }
 
 // The arm and the base are the joints of the sled's mesh.
@@ -251,7 +250,7 @@ TEST_F(MovingGltf, NamesTheNodeWhoseAnimationHasNoFrames) {
     text.replace(at, 11, "\"count\": 0,");
   }
   EXPECT_EQ(error(text),
-            ": node 'arm': its animation has no keyframes; give it at least one or take it out");
+            ": node 'arm': its animation has no keyframes; add a keyframe or remove the animation");
 }
 
 TEST_F(MovingGltf, NotesMoreThanOneAnimation) {
@@ -261,7 +260,7 @@ TEST_F(MovingGltf, NotesMoreThanOneAnimation) {
   const Scene scene = load(replaced(kFile, "\"animations\": [{\"name\": \"work\"", second));
   ASSERT_EQ(scene.notes.size(), 1u);
   EXPECT_EQ(scene.notes[0],
-            folder_.path("a.gltf") + ": has 2 animations, of which only 'work' is used");
+            folder_.path("a.gltf") + ": the file has 2 animations; dynrt uses only 'work'");
 }
 
 }  // namespace

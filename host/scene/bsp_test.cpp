@@ -67,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, BspMistake,
     testing::Values(
         Mistake{"version", [](BspWriter& m) { m.version = 47; },
-                "is a map of version 47; only version 46, Quake 3's, is read"},
+                "the map has version 47; dynrt reads only version 46, that of Quake 3"},
         Mistake{"lump_size", [](BspWriter& m) { m.lumps[BspWriter::kModels] += "x"; },
                 "the map's models take 81 bytes, which is not a multiple of 40; the file is "
                 "damaged"},
@@ -97,13 +97,13 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"patch",
                 [](BspWriter& m) { m.face({.type = 2, .vertices = 12, .width = 4, .height = 3}); },
                 "face 7 is a patch of 4 by 3 control points and has 12; both sides must be odd and "
-                "at least 3 and their product be that number"},
+                "at least 3, and their product must be that number"},
         Mistake{"model", [](BspWriter& m) { m.model(5, 3); },
                 "model 2 uses faces 5 to 7, but there are 7; the file is damaged"},
         Mistake{"entities", [](BspWriter& m) { m.lumps[BspWriter::kEntities] = "{ \"a\" \"b"; },
-                "the list of entities ends within one; the file is damaged"},
+                "the list of entities ends inside an entity; the file is damaged"},
         Mistake{"open_entity", [](BspWriter& m) { m.lumps[BspWriter::kEntities] = "{ \"a\" "; },
-                "the list of entities ends within one; the file is damaged"}),
+                "the list of entities ends inside an entity; the file is damaged"}),
     [](const auto& info) { return info.param.name; });
 
 TEST(Bsp, NamesWhereAFileIsCutOff) {
@@ -111,10 +111,12 @@ TEST(Bsp, NamesWhereAFileIsCutOff) {
   const auto error = [&](std::size_t size) {
     return user_error([&] { read_bsp(whole.substr(0, size), "m.bsp"); });
   };
-  EXPECT_EQ(error(3), "m.bsp: is not a Quake 3 map: it must begin with 'IBSP' and the version 46");
-  EXPECT_EQ(error(7), "m.bsp: the map has 7 bytes, but its header alone has 144; it seems cut off");
+  EXPECT_EQ(error(3),
+            "m.bsp: not a Quake 3 map: the file must begin with 'IBSP' and the version 46");
+  EXPECT_EQ(error(7),
+            "m.bsp: the map has 7 bytes, fewer than the 144 of its header; it seems cut off");
   EXPECT_EQ(error(143),
-            "m.bsp: the map has 143 bytes, but its header alone has 144; it seems cut off");
+            "m.bsp: the map has 143 bytes, fewer than the 144 of its header; it seems cut off");
   EXPECT_EQ(error(whole.size() - 1), "m.bsp: the map's lightmaps lie in bytes " +
                                          std::to_string(whole.size() - 128 * 128 * 3) + " to " +
                                          std::to_string(whole.size()) + ", but it has " +

@@ -89,9 +89,10 @@ TEST(Camera, RefusesWhatSeesNothing) {
             "the camera's field of view is nan degrees; it must lie between 0 and 180");
   const glm::dvec3 p(1, 2, 3);
   EXPECT_EQ(error({.position = p, .look_at = p, .up = {}, .field_of_view = {}}),
-            "the camera stands at the point that it looks at (1, 2, 3); move one of the two");
+            "the camera's position and the point that it looks at are the same (1, 2, 3); move one "
+            "of the two");
   EXPECT_EQ(error({.position = p, .look_at = glm::dvec3(1, 9, 3), .up = {}, .field_of_view = {}}),
-            "the camera's up (0, 1, 0) is parallel to its view; give another one");
+            "the camera's up direction (0, 1, 0) is parallel to its view; give another one");
   const double inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(
       error({.position = glm::dvec3(inf, 0, 0), .look_at = {}, .up = {}, .field_of_view = {}}),

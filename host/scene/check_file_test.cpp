@@ -37,7 +37,7 @@ TEST(CheckObj, NamesTheLine) {
             "a.obj:3: a vertex needs three numbers, not '1 0.? 2'");
   EXPECT_EQ(obj("v 0 0 0\nv 1 0"), "a.obj:2: a vertex needs three numbers, not '1 0'");
   EXPECT_EQ(obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\n"),
-            "a.obj:4: a face needs at least three vertices, this one has 2");
+            "a.obj:4: a face needs at least three vertices, but this one has 2");
 }
 
 constexpr char kHeader[] =
@@ -108,11 +108,11 @@ TEST(CheckPly, JudgesABinaryBody) {
 
 TEST(CheckGltf, JudgesTheJson) {
   EXPECT_EQ(gltf("{\n\"asset\": {\n"),
-            "a.gltf:3: is not valid JSON: syntax error while parsing object key - unexpected end "
-            "of input; expected string literal");
-  EXPECT_EQ(gltf("[1, 2]"), "a.gltf:1: is not valid JSON: it must be an object, {...}");
+            "a.gltf:3: not valid JSON: syntax error while parsing object key - unexpected end of "
+            "input; expected string literal");
+  EXPECT_EQ(gltf("[1, 2]"), "a.gltf:1: not valid JSON: it must be an object, {...}");
   EXPECT_EQ(gltf("{\"a\":" + std::string(100000, '[')),
-            "a.gltf: is not a valid file: its JSON is nested deeper than 64 levels");
+            "a.gltf: not a valid file: its JSON is nested deeper than 64 levels");
 }
 
 TEST(CheckGltf, JudgesTheNodeGraph) {
@@ -128,10 +128,9 @@ TEST(CheckGltf, JudgesTheNodeGraph) {
 }
 
 TEST(CheckGltf, RefusesASkinWithoutMatrices) {
-  EXPECT_EQ(
-      gltf(R"({"skins": [{"joints": [0], "inverseBindMatrices": 3}, {"joints": [0]}]})"),
-      "a.gltf: skin 1 has no 'inverseBindMatrices', which it needs here; export the file with "
-      "them or without the skin");
+  EXPECT_EQ(gltf(R"({"skins": [{"joints": [0], "inverseBindMatrices": 3}, {"joints": [0]}]})"),
+            "a.gltf: skin 1 needs 'inverseBindMatrices' but has none; export the file with them or "
+            "without the skin");
 }
 
 TEST(CheckGltf, ReadsTheJsonOfAGlb) {
@@ -144,8 +143,7 @@ TEST(CheckGltf, ReadsTheJsonOfAGlb) {
   };
   for (const std::uint8_t version : {std::uint8_t{1}, std::uint8_t{2}}) {
     EXPECT_NO_THROW(check_gltf(glb(version, 2, "{}"), "a.gltf"));
-    EXPECT_EQ(gltf(glb(version, 2, "[]")),
-              "a.gltf:1: is not valid JSON: it must be an object, {...}");
+    EXPECT_EQ(gltf(glb(version, 2, "[]")), "a.gltf:1: not valid JSON: it must be an object, {...}");
   }
   // Assimp refuses what is cut off.
   EXPECT_NO_THROW(check_gltf(glb(2, 44, "{}"), "a.gltf"));

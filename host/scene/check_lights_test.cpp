@@ -43,8 +43,8 @@ TEST(CheckLights, NamesALightInsideAClosedObject) {
     return user_error([&] { check_lights(scene, eye); });
   };
   EXPECT_EQ(sentence(with_light(one_box(), {6.5, 0.5, 0}), kEye),
-            "scene 's': light 'lamp' at (6.5, 0.5, 0) lies inside 'case', which is closed and lets "
-            "none of it out; move the light");
+            "scene 's': light 'lamp' at (6.5, 0.5, 0) lies inside 'case', a closed object that no "
+            "light leaves; move the light");
   // Whoever is inside too sees its light.
   EXPECT_NO_THROW(check_lights(with_light(one_box(), {6.5, 0.5, 0}), {4, 0, 0}));
 }
@@ -86,8 +86,8 @@ TEST(CheckLights, NamesALightOnASurface) {
   EXPECT_TRUE(text.starts_with("scene 's': light 'lamp' at (5.5, 1, 0.25) lies on triangle "))
       << text;
   EXPECT_TRUE(
-      text.ends_with(" of 'case', nearer than the core's numbers tell apart; move it away "
-                     "from the surface"))
+      text.ends_with(" of 'case': the core's numbers cannot tell the two apart; move the light "
+                     "away from the surface"))
       << text;
   // One unit in the last place of 5.5 is 2^-14; half of one is too near, four are not.
   sentence({5.5, 1 + 0x1p-15, 0.25});
@@ -116,8 +116,8 @@ TEST(CheckLights, NamesALightAtInfinity) {
   Scene scene = one_box();
   scene.distant_lights.push_back("sun");
   EXPECT_EQ(user_error([&] { check_lights(scene, kEye); }),
-            "scene 's': light 'sun' is infinitely far away; only point lights shine here: make it "
-            "one, far away if need be, or take it out");
+            "scene 's': light 'sun' is infinitely far away, and dynrt has only point lights; make "
+            "it a point light that is far away, or remove it");
 }
 
 }  // namespace

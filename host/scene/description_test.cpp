@@ -43,8 +43,8 @@ TEST(Description, NamesMistakesInAScatter) {
     return user_error([&] { load_scene(path); }).substr(path.size());
   };
   EXPECT_EQ(error("\"apart\": 3", "\"apart\": 50"),
-            ": scatter[0]: only 3 of 30 instances of 'o' find room; scatter fewer, less far apart "
-            "or more widely");
+            ": scatter[0]: there is room for only 3 of 30 instances of 'o'; scatter fewer, closer "
+            "together or over a larger area");
   EXPECT_EQ(error("\"to\": [40, 40]", "\"to\": [40, -40]"),
             ": scatter[0]: 'from' must be below 'to' on both axes");
   EXPECT_EQ(error("[1, 2], \"clear\"", "[0, 2], \"clear\""),
@@ -78,10 +78,11 @@ TEST(Description, NamesMapsAndTexturesThatAreNotThere) {
   EXPECT_EQ(scene.objects[0].triangles.size(), 2u + 8 + 1 + 1);
   EXPECT_EQ(scene.materials.back().name, "a/textures/moss");
   EXPECT_EQ(scene.materials.back().diffuse, glm::dvec3(0, 0.8, 0));
-  EXPECT_EQ(user_error([&] { load(R"("map": "b")"); }), pk3 + ": has no map 'b'; it has a");
+  EXPECT_EQ(user_error([&] { load(R"("map": "b")"); }),
+            pk3 + ": the file has no map 'b'; its maps are a");
   EXPECT_EQ(error(R"("map": "a", "colours": {"textures/mos": [0, 1, 0]})"),
-            ": objects[0].parts[0].colours: the map has no texture 'textures/mos'; it has "
-            "textures/moss, textures/stone");
+            ": objects[0].parts[0].colours: the map has no texture 'textures/mos'; its textures "
+            "are textures/moss, textures/stone");
   EXPECT_EQ(error(R"("map": "a", "baked_light": 1)"),
             ": objects[0].parts[0]: 'baked_light' must be true or false");
   EXPECT_EQ(error(R"("map": "a", "tessellation": 33)"),
@@ -172,18 +173,19 @@ TEST(Description, NamesMistakesInPrimitives) {
       EXPECT_EQ(error.what(), path + ": objects[0].parts[0]: " + sentence);
     }
   };
-  expect_error(R"("primitive": "cone")", "'cone' is not a primitive; sphere and rectangle are");
+  expect_error(R"("primitive": "cone")",
+               "'cone' is not a primitive; the primitives are sphere and rectangle");
   expect_error(R"("primitive": "sphere")", "a sphere has either a 'radius' or three 'radii'");
   expect_error(R"("primitive": "sphere", "radius": 1, "radii": [1, 1, 1])",
                "a sphere has either a 'radius' or three 'radii'");
   expect_error(R"("primitive": "sphere", "radii": [1, 0, 1])",
                "'radii' must be three numbers above zero");
   expect_error(R"("primitive": "sphere", "radius": 1, "mirror": true)",
-               "a sphere that is a primitive cannot be a 'mirror', as every point of it would need "
-               "a reflection of its own; generate a sphere of triangles");
+               "a sphere that is a primitive cannot be a 'mirror', as each of its points would "
+               "reflect in another direction; generate a sphere of triangles");
   expect_error(
       R"("primitive": "rectangle", "corner": [0, 0, 0], "across": [1, 1, 0], "along": [2, 2, 0])",
-      "'across' and 'along' must not be zero nor lie on one line");
+      "'across' and 'along' must not be zero and must not lie on one line");
 }
 
 TEST(Description, OneInstanceOfEachObjectUnlessSaidOtherwise) {
@@ -216,10 +218,10 @@ INSTANTIATE_TEST_SUITE_P(
     All, DescriptionMistake,
     testing::Values(
         Mistake{"[0, 1, 0]}", "[0, 1, 0]},,",
-                ":2: is not valid JSON: syntax error while parsing object key - unexpected ','; "
+                ":2: not valid JSON: syntax error while parsing object key - unexpected ','; "
                 "expected string literal"},
         Mistake{"\"camera\"", "\"kamera\"",
-                ": the file: the key 'kamera' is not known; it takes about, colours, objects, "
+                ": the file: there is no key 'kamera' here; the keys are about, colours, objects, "
                 "instances, scatter, camera, path, lights"},
         Mistake{"\"objects\"", "\"about\"", ": the file: the key 'objects' is missing"},
         Mistake{"\"name\": \"b\"", "\"name\": 5", ": objects[0]: 'name' must be a text"},
@@ -233,35 +235,36 @@ INSTANTIATE_TEST_SUITE_P(
                 ": objects[0].parts[0]: a part needs one of the keys 'model', 'map', 'generate' "
                 "and 'primitive'"},
         Mistake{"\"generate\": \"box\"", "\"primitive\": \"box\"",
-                ": objects[0].parts[0]: 'box' is not a primitive; sphere and rectangle are"},
+                ": objects[0].parts[0]: 'box' is not a primitive; the primitives are sphere and "
+                "rectangle"},
         Mistake{"\"generate\": \"box\"", "\"generate\": \"cone\"",
-                ": objects[0].parts[0]: 'cone' cannot be generated; sphere, box, torus and "
-                "hills can"},
+                ": objects[0].parts[0]: dynrt cannot generate 'cone'; it generates sphere, box, "
+                "torus and hills"},
         Mistake{"\"generate\": \"box\"",
                 "\"generate\": \"sphere\", \"radius\": 1, \"subdivisions\": 99",
-                ": objects[0].parts[0]: the key 'from' is not known; it takes generate, name, "
+                ": objects[0].parts[0]: there is no key 'from' here; the keys are generate, name, "
                 "colour, mirror, radius, subdivisions, position, turn"},
         Mistake{"\"to\": [1, 1, 1]", "\"to\": [1, 0, 1]",
                 ": objects[0].parts[0]: 'from' must be below 'to' on every axis"},
         Mistake{"\"colour\": \"green\"", "\"colour\": \"grene\"",
-                ": objects[0].parts[0]: 'grene' is not one of the file's colours"},
+                ": objects[0].parts[0]: 'grene' is not a colour of this file"},
         Mistake{"\"colour\": \"green\"", "\"colour\": [0, 2, 0]",
                 ": objects[0].parts[0]: 'colour' must be three numbers from 0 to 1"},
         Mistake{"{\"object\": \"b\", \"name\": \"turned\"", "{\"object\": \"c\"",
                 ": instances[1]: there is no object 'c'"},
         Mistake{"\"look_at\": [0, 0, 0]", "\"look_at\": [0, 0, 9]",
-                ": camera: the camera stands at the point that it looks at (0, 0, 9); move one of "
-                "the two"},
+                ": camera: the camera's position and the point that it looks at are the same (0, "
+                "0, 9); move one of the two"},
         Mistake{"\"look_at\": [0, 0, 0]", "\"up\": [0, 1, 0]",
                 ": camera: the key 'look_at' is missing"},
         Mistake{"\"axis\": [0, 0, 2]", "\"axis\": [0, 0, 0]",
                 ": instances[0].rotate: 'axis' must not be zero"},
         Mistake{"\"scale\": [2, 1, 1]", "\"scale\": [2, 0, 1]",
-                ": node 'b#0': its transform has no inverse; no axis may be scaled to zero and "
-                "the three must not lie in one plane"},
+                ": node 'b#0': its transform has no inverse; its three axes must not be zero and "
+                "must not lie in one plane"},
         Mistake{"[1, 0.5, 0, 7,", "[0, 0, 1, 7,",
-                ": node 'given': its transform has no inverse; no axis may be scaled to zero and "
-                "the three must not lie in one plane"},
+                ": node 'given': its transform has no inverse; its three axes must not be zero and "
+                "must not lie in one plane"},
         Mistake{"\"parts\": [{", "\"parts\": []}, {\"name\": \"c\", \"parts\": [{",
                 ": objects[0]: the object 'b' has no parts"},
         Mistake{"  \"instances\"", "  \"instances\": [], \"about\"",
@@ -278,7 +281,7 @@ TEST(Description, NamesModelsAndMaterialsThatAreNotThere) {
             ": objects[0].parts[0]: the package sweethome3d-furniture has no model with the "
             "catalogue id 'Scopia#officechair'");
   EXPECT_EQ(error(R"("model": "Scopia#bandeja", "colours": {"glass": [1, 1, 1]})"),
-            ": objects[0].parts[0].colours: the model has no material 'glass'; it has "
+            ": objects[0].parts[0].colours: the model has no material 'glass'; its materials are "
             "DefaultMaterial, transparent");
   EXPECT_EQ(error(R"("model": "Scopia#bandeja", "size": [1, 0, 1])"),
             ": objects[0].parts[0]: 'size' must be three numbers above zero");
@@ -335,18 +338,18 @@ TEST(Description, NamesMistakesInLightsAndMirrors) {
     return user_error([&] { load_scene(path); }).substr(path.size());
   };
   EXPECT_EQ(error("[\"transparent\"]", "[\"glass\"]"),
-            ": objects[0].parts[0]: the model has no material 'glass'; it has DefaultMaterial, "
-            "transparent");
+            ": objects[0].parts[0]: the model has no material 'glass'; its materials are "
+            "DefaultMaterial, transparent");
   EXPECT_EQ(error("[\"transparent\"]", "true"),
             ": objects[0].parts[0]: 'mirror' must be a list of texts");
   EXPECT_EQ(error("\"mirror\": true", "\"mirror\": [\"plate\"]"),
             ": objects[0].parts[1]: 'mirror' must be true or false");
-  EXPECT_EQ(error("\"warm\",", "\"cold\","),
-            ": lights[0]: 'cold' is not one of the file's colours");
+  EXPECT_EQ(error("\"warm\",", "\"cold\","), ": lights[0]: 'cold' is not a colour of this file");
   EXPECT_EQ(error("\"intensity\": 10", "\"intensity\": 0"),
             ": lights[0]: 'intensity' must be a number above zero");
-  EXPECT_EQ(error("{\"position\": [4, 5, 6]}", "{\"at\": [4, 5, 6]}"),
-            ": lights[1]: the key 'at' is not known; it takes name, position, colour, intensity");
+  EXPECT_EQ(
+      error("{\"position\": [4, 5, 6]}", "{\"at\": [4, 5, 6]}"),
+      ": lights[1]: there is no key 'at' here; the keys are name, position, colour, intensity");
 }
 
 TEST(Description, NamesObjectsThatAreDoubledOrUnused) {

@@ -93,7 +93,7 @@ TEST(Formats, StlInBytes) {
   const std::string cut = folder.write("b.stl", text.substr(0, 150));
   EXPECT_EQ(
       user_error([&] { load_scene(cut); }),
-      cut + ": is not a valid STL file: Failed to determine STL storage representation for " + cut);
+      cut + ": not a valid STL file: Failed to determine STL storage representation for " + cut);
 }
 
 TEST(Formats, Collada) {
@@ -116,10 +116,10 @@ TEST(Formats, ColladaCameraWithoutAName) {
   const Scene scene = load_scene(folder.write("a.dae", text));
   EXPECT_NEAR(glm::length(scene.camera.value().up), 2 * std::tan(glm::radians(22.5)), 1e-6);
   ASSERT_EQ(scene.notes.size(), 1u);
-  EXPECT_EQ(scene.notes[0],
-            folder.path("a.dae") +
-                ": the angle of camera 'eye-node' is not read, as the camera has no "
-                "name; it is taken as 45 degrees");
+  EXPECT_EQ(
+      scene.notes[0],
+      folder.path("a.dae") +
+          ": camera 'eye-node' has no name, so dynrt cannot read its angle and takes 45 degrees");
 }
 
 TEST(Formats, ColladaWithZUp) {

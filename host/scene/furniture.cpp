@@ -50,7 +50,8 @@ Furniture::Furniture(const std::string& folder) {
 void Furniture::read_catalogue(const std::string& library) {
   const auto text = ZipLibrary(library, kRemedy).read(kCatalogue);
   if (!text)
-    wording::fail(wording::kBadLibrary, library, std::string("it has no ") + kCatalogue, kRemedy);
+    wording::fail(wording::kBadLibrary, library, std::string("it does not hold ") + kCatalogue,
+                  kRemedy);
   std::map<std::string, Keys> models;  // by the number behind '#'
   for (std::string_view rest = *text; !rest.empty();) {
     std::string_view line = trim(take_until(rest, '\n'));

@@ -121,7 +121,7 @@ TEST(Furniture, NamesWhatIsWrongInALibrary) {
   const std::string catalogue = "PluginFurnitureCatalog.properties";
   const std::string entry = "id#1=own#a\nmodel#1=/a/a.obj\nwidth#1=100\nheight#1=50\n";
   EXPECT_EQ(error({{"other.txt", "x"}}),
-            ": is not a readable zip library (it has no PluginFurnitureCatalog.properties); "
+            ": cannot read this zip library (it does not hold PluginFurnitureCatalog.properties); "
             "reinstall the package sweethome3d-furniture");
   EXPECT_EQ(error({{catalogue, entry}}),
             ": the catalogue's entry 'own#a' has no usable 'depth'; reinstall the package "
@@ -130,10 +130,10 @@ TEST(Furniture, NamesWhatIsWrongInALibrary) {
             ": the catalogue's entry 'own#a' has no usable 'modelRotation'; reinstall the package "
             "sweethome3d-furniture");
   EXPECT_EQ(error({{catalogue, entry + "depth#1=10\n"}}),
-            ": is not a readable zip library (a/a.obj is missing); reinstall the package "
+            ": cannot read this zip library (a/a.obj is missing); reinstall the package "
             "sweethome3d-furniture");
   EXPECT_EQ(error({{catalogue, entry + "depth#1=10\n"}, {"a/a.obj", "v 0 0 0\nf 1 2 3\n"}}),
-            ":a/a.obj: is not a valid OBJ file: OBJ: vertex index out of range");
+            ":a/a.obj: not a valid OBJ file: OBJ: vertex index out of range");
 }
 
 TEST(Furniture, NamesALibraryThatIsBroken) {
@@ -141,7 +141,7 @@ TEST(Furniture, NamesALibraryThatIsBroken) {
   const std::string path = folder.write("a.sh3f", "no zip");
   const std::string error = user_error([&] { Furniture furniture(folder.path("")); });
   EXPECT_EQ(error, path +
-                       ": is not a readable zip library (Not a zip archive); reinstall the package "
+                       ": cannot read this zip library (Not a zip archive); reinstall the package "
                        "sweethome3d-furniture");
 }
 

@@ -91,7 +91,7 @@ TEST(Import, NotesAMissingMaterialFile) {
   const Scene scene = load_scene(path);
   ASSERT_EQ(scene.notes.size(), 1u);
   EXPECT_EQ(scene.notes[0],
-            path + ": the material file 'cube.mtl' is not there, so its materials are grey");
+            path + ": there is no material file 'cube.mtl', so its materials are grey");
 }
 
 TEST(Import, DropsAndCountsZeroArea) {
@@ -126,21 +126,21 @@ TEST(Import, RefusesWhatIsNoSceneFile) {
   }
   const std::string letter = folder.write("a.doc", "Dear reader\n");
   EXPECT_EQ(load_error(letter).find(letter +
-                                    ": the extension '.doc' is not known; scenes are .json, .bsp "
-                                    "and .pk3 files and those that Assimp reads: .3d, .3ds, "),
+                                    ": dynrt does not read files with the extension '.doc'; it "
+                                    "reads .json, .bsp and .pk3, and through Assimp .3d, .3ds, "),
             0u);
   std::filesystem::create_directory(folder.path("d.obj"));
   EXPECT_EQ(load_error(folder.path("d.obj")),
-            folder.path("d.obj") + ": is not a file; give the path of one");
+            folder.path("d.obj") + ": this path is not a file; give the path of a file");
   const std::string short_obj = folder.write("s.obj", "v 1 2 3\n");
-  EXPECT_EQ(load_error(short_obj), short_obj + ": is not a valid OBJ file: OBJ-file is too small");
+  EXPECT_EQ(load_error(short_obj), short_obj + ": not a valid OBJ file: OBJ-file is too small");
 }
 
 TEST(Import, RefusesAFaceWithoutVertices) {
   const TestFolder folder;
   const std::string path =
       folder.write("a.ply", replaced(read_file(test_data("tetrahedron.ply")), "3 0 1 3", "0"));
-  EXPECT_EQ(load_error(path), path + ": mesh '', face 1: has no vertices; it needs three");
+  EXPECT_EQ(load_error(path), path + ": mesh '', face 1: the face has no vertices; it needs three");
 }
 
 TEST(Import, RefusesAFaceWhoseVertexIsMissing) {
@@ -149,8 +149,8 @@ TEST(Import, RefusesAFaceWhoseVertexIsMissing) {
   for (const char* face : {"3 0 1 4", "3 0 1 -1"}) {
     const std::string path = folder.write("a.ply", replaced(text, "3 0 1 3", face));
     const std::string index = std::string(face).ends_with("4") ? "4" : "4294967295";
-    EXPECT_EQ(load_error(path),
-              path + ": mesh '', face 1: uses vertex " + index + ", but the mesh has 4 vertices");
+    EXPECT_EQ(load_error(path), path + ": mesh '', face 1: the face uses vertex " + index +
+                                    ", but the mesh has 4 vertices");
   }
 }
 
@@ -163,7 +163,7 @@ TEST(Import, RefusesAVertexThatIsNotFinite) {
 
 TEST(Import, SaysWhyAFileCannotBeRead) {
   EXPECT_EQ(user_error([] { read_file("/no/such/file"); }),
-            "/no/such/file: cannot be read (No such file or directory)");
+            "/no/such/file: cannot read this file (No such file or directory)");
 }
 
 // testdata/instances.gltf with something changed, its binary file beside it.
@@ -190,34 +190,34 @@ TEST_F(GltfError, NamesTheVertexThatIsNotFinite) {
 TEST_F(GltfError, RefusesFacesWhoseVertexIsMissing) {
   binary_[48 + 2 * 4] = 77;
   EXPECT_EQ(error("\"first\"", "\"first\""),
-            ": has faces that use vertices which their mesh does not have");
+            ": some faces use vertices that their mesh does not have");
 }
 
 TEST_F(GltfError, NamesTheNodeWithoutInverse) {
   const std::string tail =
-      "its transform has no inverse; no axis may be scaled to zero and the three must not lie in "
-      "one plane";
+      "its transform has no inverse; its three axes must not be zero and must not lie in one plane";
   EXPECT_EQ(error("[-2, 1, 1]", "[1, 0, 1]"), ": node 'mirrored child': " + tail);
   EXPECT_EQ(error("\"scale\": [-2, 1, 1]",
                   "\"matrix\": [1, 2, 3, 0, 4, 5, 6, 0, 7, 8, 9, 0, 0, 0, 0, 1]"),
             ": node 'mirrored child': " + tail);
   EXPECT_EQ(error("\"scale\": [-2, 1, 1]",
                   "\"matrix\": [1, 0, 0, 0.5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]"),
-            ": node 'mirrored child': its transform is not affine; the last row must be 0 0 0 1 "
-            "and all numbers finite");
+            ": node 'mirrored child': its transform is not affine; the last row must be 0 0 0 1, "
+            "and all numbers must be finite");
 }
 
 TEST_F(GltfError, NamesTheCameraThatCannotLook) {
   EXPECT_EQ(error("\"camera\": 0,", "\"camera\": 0, \"scale\": [1, 0, 1],"),
-            ": node 'eye': the camera's up (0, 0, 0) is parallel to its view; give another one");
+            ": node 'eye': the camera's up direction (0, 0, 0) is parallel to its view; give "
+            "another one");
 }
 
 TEST_F(GltfError, PassesOnWhatAssimpRejects) {
   EXPECT_EQ(error("instances.bin", "elsewhere.bin"),
-            ": is not a valid glTF file: GLTF: could not open referenced file \"elsewhere.bin\"");
+            ": not a valid glTF file: GLTF: could not open referenced file \"elsewhere.bin\"");
   EXPECT_EQ(error("\"scene\": 0", "\"scene\": 0,,"),
-            ":5: is not valid JSON: syntax error while parsing object key - unexpected ','; "
-            "expected string literal");
+            ":5: not valid JSON: syntax error while parsing object key - unexpected ','; expected "
+            "string literal");
 }
 
 TEST_F(GltfError, NotesAnOrthographicCamera) {
@@ -229,7 +229,8 @@ TEST_F(GltfError, NotesAnOrthographicCamera) {
   const Scene scene = load_scene(folder_.write("a.gltf", text));
   EXPECT_FALSE(scene.camera);
   ASSERT_EQ(scene.notes.size(), 1u);
-  EXPECT_EQ(scene.notes[0], path_ + ": camera 'eye' is not a perspective camera and was left out");
+  EXPECT_EQ(scene.notes[0],
+            path_ + ": camera 'eye' is not a perspective camera, so dynrt leaves it out");
 }
 
 // Wherever a file is cut off (300 places of a longer one), it loads or is refused with a sentence:

@@ -83,8 +83,8 @@ TEST(Map, PlacesModelsWhereTheirEntityIs) {
   BspWriter map = small_map();
   map.lumps[BspWriter::kEntities] = R"({ "model" "*2" "origin" "0 0 1" })";
   EXPECT_EQ(user_error([&] { map_scene(map.bytes(), "m.bsp"); }),
-            "m.bsp: an entity places the model '*2' at '0 0 1'; it must be one of 2 models, '*' "
-            "and its number, at three numbers");
+            "m.bsp: an entity places the model '*2' at '0 0 1'; the model must be one of the map's "
+            "2, written as '*' and its number, and the place must be three numbers");
 }
 
 TEST(Map, CameraIsAPlayersEye) {
@@ -127,22 +127,24 @@ TEST(Map, ComesFromABspFileOrAPackage) {
   write_zip(two, {{"maps/a.bsp", bytes}, {"maps/b.bsp", bytes}});
   EXPECT_EQ(load_scene(one).name, "a");
   EXPECT_EQ(load_scene(two + ":b").name, "b");
-  EXPECT_EQ(user_error([&] { load_scene(two); }),
-            two + ": holds 2 maps; name one, such as " + two + ":a (there are a, b)");
-  EXPECT_EQ(user_error([&] { load_scene(two + ":c"); }), two + ": has no map 'c'; it has a, b");
+  EXPECT_EQ(
+      user_error([&] { load_scene(two); }),
+      two + ": the file holds 2 maps; name one of them, such as " + two + ":a (the maps are a, b)");
+  EXPECT_EQ(user_error([&] { load_scene(two + ":c"); }),
+            two + ": the file has no map 'c'; its maps are a, b");
   const std::string none = folder.path("none.pk3");
   write_zip(none, {{"textures/t.txt", "x"}});
-  EXPECT_EQ(user_error([&] { load_scene(none); }), none + ": holds no map (maps/NAME.bsp)");
+  EXPECT_EQ(user_error([&] { load_scene(none); }),
+            none + ": the file holds no map (maps/NAME.bsp)");
   const std::string text = folder.write("text.pk3", "no zip");
-  EXPECT_EQ(user_error([&] { load_scene(text); }),
-            text +
-                ": is not a readable zip library (Not a zip archive); a .pk3 file must be a zip "
-                "file");
+  EXPECT_EQ(
+      user_error([&] { load_scene(text); }),
+      text + ": cannot read this zip library (Not a zip archive); a .pk3 file must be a zip file");
   write_zip(one, {{"maps/a.bsp", bytes.substr(0, 100)}});
-  EXPECT_EQ(user_error([&] { load_scene(one); }),
-            one +
-                ":maps/a.bsp: the map has 100 bytes, but its header alone has 144; it seems cut "
-                "off");
+  EXPECT_EQ(
+      user_error([&] { load_scene(one); }),
+      one +
+          ":maps/a.bsp: the map has 100 bytes, fewer than the 144 of its header; it seems cut off");
 }
 
 TEST(Map, WithoutTrianglesIsRefused) {

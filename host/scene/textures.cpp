@@ -89,7 +89,7 @@ class MeanColours {
     const aiTexture* embedded = from_.GetEmbeddedTexture(name.c_str());
     if (embedded != nullptr && embedded->mHeight > 0) return mean_of(*embedded);
     const auto content = embedded != nullptr ? content_of(*embedded) : content_of(name);
-    if (!content) return skip(name, "is not there");
+    if (!content) return skip(name, "does not exist");
     if (content->empty()) return skip(name, "is empty");
     const MeanColour mean = image_library().mean_colour(*content);
     if (!mean.error.empty()) return skip(name, mean.error);

@@ -60,8 +60,8 @@ TEST_F(Textured, GivesAMaterialTheMeanColour) {
   EXPECT_LT(glm::length(colour(scene, "wood") - glm::dvec3(0.5, 0, 0)), 1e-6);
   const double grey = (1 + linear_of(128 / 255.0)) / 2;
   EXPECT_LT(glm::length(colour(scene, "tile") - glm::dvec3(0.5 * grey, grey, grey)), 1e-6);
-  EXPECT_THAT(scene.notes, ElementsAre(path() + ": has 2 base colour textures; a material gets the "
-                                                "mean colour of its texture"));
+  EXPECT_THAT(scene.notes, ElementsAre(path() + ": the file has 2 base colour textures; each "
+                                                "material gets the mean colour of its texture"));
 }
 
 TEST_F(Textured, TakesTheColourOfATextureForBlack) {
@@ -85,8 +85,8 @@ TEST_F(Textured, NotesTexturesThatCannotBeRead) {
   ASSERT_EQ(scene.notes.size(), 2u);
   EXPECT_THAT(scene.notes[1],
               AllOf(StartsWith(path() + ": 2 of its textures cannot be read, so their materials "
-                                        "keep their own colours: 'wood.png' ("),
-                    EndsWith("), 'tile.png' (is not there)")));
+                                        "keep the colours of the file: 'wood.png' ("),
+                    EndsWith("), 'tile.png' (does not exist)")));
   for (const std::string& note : scene.notes) EXPECT_EQ(note.find('\n'), note.npos) << note;
 }
 
@@ -132,10 +132,9 @@ TEST_F(Textured, ReadsGltfTexturesInsideTheFileAndBesideIt) {
   for (const std::string& uri : {std::string("my%20wood.png"), inside}) {
     const Scene scene = load_scene(folder_.write("a.gltf", replaced(kGltf, "IMAGE", uri)));
     EXPECT_LT(glm::length(colour(scene, "wood") - glm::dvec3(0.5, 0.25, 0.5)), 1e-6) << uri;
-    EXPECT_THAT(scene.notes,
-                ElementsAre(folder_.path("a.gltf") +
-                            ": has 1 base colour texture; a material gets the mean colour of its "
-                            "texture"));
+    EXPECT_THAT(scene.notes, ElementsAre(folder_.path("a.gltf") +
+                                         ": the file has 1 base colour texture; each material gets "
+                                         "the mean colour of its texture"));
   }
 }
 

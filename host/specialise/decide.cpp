@@ -27,7 +27,7 @@ Decision decision(const ConfigurationKey& key, const RuleContext& context) {
   const Rule* rule = rule_of(key.name);
   if (rule == nullptr) {
     return {std::string(key.name), general,
-            fmt::format("as in {}: another value would give other bits", context.general->name)};
+            fmt::format("as in {}: another value would change the bits", context.general->name)};
   }
   Need need = rule->need(context);
   return {std::string(key.name), need.value.is_null() ? general : bounded(key, need.value, general),

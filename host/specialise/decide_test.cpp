@@ -127,7 +127,7 @@ TEST(Decide, Lights) {
   expect(decision("lights", needs), 3, "the scene has 3 lights");
   needs.lights = 9;
   expect(decision("lights", needs), 8,
-         "the scene has 9 lights, of which configuration whitted lets 8 shine");
+         "the scene has 9 lights, but configuration whitted uses only 8");
 }
 
 TEST(Decide, ReflectionsAndWhatCrosses) {
@@ -136,11 +136,11 @@ TEST(Decide, ReflectionsAndWhatCrosses) {
   expect(decision("crossing", needs), "none", "no rays of a packet cross, as none is reflected");
   needs.mirror = "chrome";
   expect(decision("reflections", needs, {.reflections = 2}), 2,
-         "'chrome' is a mirror, and 2 bounces of a ray are asked for");
+         "'chrome' is a mirror, and a ray may make 2 bounces");
   expect(decision("crossing", needs, {.reflections = 2}), "remember",
          "as in whitted: reflected rays may cross");
   expect(decision("reflections", needs, {.reflections = 0}), 0,
-         "'chrome' is a mirror, but no bounces are asked for");
+         "'chrome' is a mirror, but the flags ask for no bounces");
 }
 
 TEST(Decide, Primitives) {
@@ -175,12 +175,12 @@ TEST(Decide, NeverMoreThanTheGeneralCoreHasNorLessThanTheKeyMayBe) {
 
 TEST(Decide, WhatNoSceneDecidesIsAsInTheGeneralCore) {
   const SceneNeeds needs = of_one_triangle();
-  expect(decision("packets", needs), 32, "as in whitted: how many pay is measured");
+  expect(decision("packets", needs), 32, "as in whitted: measurements decide this number");
   expect(decision("rounding", needs), "nearest_even",
-         "as in whitted: another value would give other bits");
-  expect(decision("sram_latency", needs), 3, "as in whitted: it is the board's");
-  expect(decision("counters", needs), false, "a core for use need not count what its units do");
-  expect(decision("scan_out", needs), false, "no VGA display is asked for");
+         "as in whitted: another value would change the bits");
+  expect(decision("sram_latency", needs), 3, "as in whitted: the board decides it");
+  expect(decision("counters", needs), false, "the picture does not depend on the counters");
+  expect(decision("scan_out", needs), false, "the picture does not need the VGA display");
 }
 
 TEST(Decide, EveryKeyOfTheCoreInTheTablesOrder) {

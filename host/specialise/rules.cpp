@@ -49,7 +49,7 @@ Need levels(const RuleContext& c) {
   if (has_one_level(c)) {
     return {1, "the scene is one object that stands where it is, so its tree is the only one"};
   }
-  if (c.two_levels) return {2, "the core has them"};
+  if (c.two_levels) return {2, "the core already has two levels"};
   if (c.needs.one_level) {
     return {2, fmt::format("configuration {} prepares rays where they enter an object",
                            c.general->name)};
@@ -107,7 +107,7 @@ Need lights(const RuleContext& c) {
       c.general == nullptr ? std::numeric_limits<std::size_t>::max() : c.general->lights;
   const std::size_t used = std::min(c.needs.lights, most);
   if (used < c.needs.lights) {
-    return {used, fmt::format("the scene has {}, of which configuration {} lets {} shine",
+    return {used, fmt::format("the scene has {}, but configuration {} uses only {}",
                               count(c.needs.lights, "light"), c.general->name, used)};
   }
   return {used, fmt::format("the scene has {}", count(c.needs.lights, "light"))};
@@ -117,9 +117,10 @@ Need reflections(const RuleContext& c) {
   const unsigned used = bounces(c);
   const std::string& mirror = c.needs.mirror;
   if (mirror.empty()) return {0, "no surface is a mirror"};
-  if (used == 0) return {0, fmt::format("'{}' is a mirror, but no bounces are asked for", mirror)};
-  return {used, fmt::format("'{}' is a mirror, and {} of a ray are asked for", mirror,
-                            count(used, "bounce"))};
+  if (used == 0)
+    return {0, fmt::format("'{}' is a mirror, but the flags ask for no bounces", mirror)};
+  return {used,
+          fmt::format("'{}' is a mirror, and a ray may make {}", mirror, count(used, "bounce"))};
 }
 
 Need crossing(const RuleContext& c) {
@@ -168,27 +169,27 @@ Need one_colour(const RuleContext& c) {
 Need uncompressed(const RuleContext& c) {
   if (c.demands.uncompressed) return {true, "--uncompressed asks for it"};
   return {false,
-          "every packet's primary rays have one origin, the eye, and the others are sent ray by "
-          "ray"};
+          "the primary rays of a packet share one origin, the eye; the core sends the other rays "
+          "one by one"};
 }
 
-Need counters(const RuleContext&) {
-  return {false, "a core for use need not count what its units do"};
-}
+Need counters(const RuleContext&) { return {false, "the picture does not depend on the counters"}; }
 
-Need scan_out(const RuleContext&) { return {false, "no VGA display is asked for"}; }
+Need scan_out(const RuleContext&) { return {false, "the picture does not need the VGA display"}; }
 
 /// A key that keeps its value: no new value, and the reason.
 Need kept(const RuleContext& c, const char* why) {
   return {{}, fmt::format("as in {}: {}", c.general->name, why)};
 }
 
-Need measured(const RuleContext& c) { return kept(c, "how many pay is measured"); }
+Need measured(const RuleContext& c) { return kept(c, "measurements decide this number"); }
 Need epsilon(const RuleContext& c) {
-  return kept(c, "with another value other triangles would be hit");
+  return kept(c, "with another value, rays would hit other triangles");
 }
-Need sram_latency(const RuleContext& c) { return kept(c, "it is the board's"); }
-Need object_box(const RuleContext& c) { return kept(c, "clipped otherwise, rays round otherwise"); }
+Need sram_latency(const RuleContext& c) { return kept(c, "the board decides it"); }
+Need object_box(const RuleContext& c) {
+  return kept(c, "another way of clipping would round differently");
+}
 
 constexpr Rule kRules[] = {
     {"packets", Holds::kAlways, measured},

@@ -7,8 +7,8 @@
 namespace dynrt::host::messages {
 
 inline constexpr char kExceeded[] =
-    "{} needs {} {}, and configuration {}, made for '{}', has {}; specialise again with this "
-    "scene and all its frames";
+    "{} needs {} {}, and configuration {}, made for '{}', has {}; specialise again for this scene "
+    "and all its frames";
 inline constexpr char kOrOnGeneral[] =
     "{}, or add --general-if-exceeded to render it on the general core";
 

@@ -65,8 +65,7 @@ TEST(InstanceTree, KeepsToTheTopLevelsPlace) {
 TEST(InstanceTree, RefusesASceneWithoutInstances) {
   Scene scene = testing::scene_of(testing::soup(1, 3, 0.1));
   scene.instances.clear();
-  EXPECT_EQ(error_of(scene),
-            "scene 'soup' has no instances to build a tree over; a scene must have at least one");
+  EXPECT_EQ(error_of(scene), "scene 'soup' has no instances; a scene must have at least one");
 }
 
 TEST(InstanceTree, RefusesAnInstanceBeyondTheCoresNumbers) {

@@ -7,7 +7,7 @@
 namespace dynrt::host::messages {
 
 inline constexpr char kNoTriangles[] =
-    "object '{}' has no triangles to build a tree over; an object must have at least one";
+    "object '{}' has no triangles; an object must have at least one";
 inline constexpr char kCoordinate[] =
     "object '{}', triangle {}, vertex {}: {} = {:g} is outside the core's numbers; coordinates "
     "must lie within -{:.5g} and {:.5g}";
@@ -15,18 +15,18 @@ inline constexpr char kPrimitiveBox[] =
     "object '{}', primitive {}: its box reaches {} = {:g}, outside the core's numbers; coordinates "
     "must lie within -{:.5g} and {:.5g}";
 inline constexpr char kNoInstances[] =
-    "scene '{}' has no instances to build a tree over; a scene must have at least one";
+    "scene '{}' has no instances; a scene must have at least one";
 inline constexpr char kInstanceBox[] =
     "instance '{}': its box reaches {} = {:g}, outside the core's numbers; coordinates must lie "
     "within -{:.5g} and {:.5g}";
 
 // Notes, which are no errors
 inline constexpr char kCut[] =
-    "object '{}': its tree was cut to depth {} to fit the board's {} tree nodes and {} list "
-    "entries; {}; fewer or smaller triangles would leave it whole";
+    "object '{}': its tree has only depth {}, to fit the board's {} tree nodes and {} list "
+    "entries; {}; the whole tree fits if the triangles are fewer or smaller";
 inline constexpr char kCutWork[] =
-    "a ray across the object is expected to make {:.1f} times the work of the whole tree";
+    "a ray across the object probably makes {:.1f} times the work of the whole tree";
 inline constexpr char kCutTriangles[] =
-    "a ray across the object is expected to meet {:.0f} nodes and {:.0f} triangles";
+    "a ray across the object probably meets {:.0f} nodes and {:.0f} triangles";
 
 }  // namespace dynrt::host::messages

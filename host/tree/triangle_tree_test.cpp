@@ -194,9 +194,7 @@ std::string error_of(const Mesh& mesh) {
 TEST(TriangleTree, RefusesAnObjectWithoutTriangles) {
   Mesh mesh;
   mesh.name = "nothing";
-  EXPECT_EQ(error_of(mesh),
-            "object 'nothing' has no triangles to build a tree over; an object must have at least "
-            "one");
+  EXPECT_EQ(error_of(mesh), "object 'nothing' has no triangles; an object must have at least one");
 }
 
 TEST(TriangleTree, RefusesCoordinatesBeyondTheCoresNumbers) {

@@ -83,16 +83,15 @@ TEST(OneLevel, TheInstanceTakesNoMemory) {
 TEST(OneLevel, WhatTakesTwoIsRefused) {
   const CoreInfo board = core_info_of<OneLevel<Thesis>>();
   EXPECT_EQ(refusal([&] { laid_out("blocks", board); }),
-            "scene 'blocks' has 10 instances, and the core has trees of one level, for one object "
-            "alone; take a configuration with levels 2");
+            "scene 'blocks' has 10 instances, but the core's trees have one level and hold one "
+            "object; take a configuration with levels 2");
   const auto turn = [](Scene& scene) {
     merge(scene);
     std::swap(scene.instances[0].transform[0], scene.instances[0].transform[1]);
   };
   EXPECT_EQ(refusal([&] { laid_out("blocks", board, turn); }),
-            "scene 'blocks': instance 'all' moves, turns or scales its object, and the core has "
-            "trees of one level, for an object that lies in the world as it is; take a "
-            "configuration with levels 2");
+            "scene 'blocks': instance 'all' moves, turns or scales its object, but the core's "
+            "trees have one level and cannot move an object; take a configuration with levels 2");
 }
 
 }  // namespace

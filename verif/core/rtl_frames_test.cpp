@@ -88,7 +88,8 @@ TEST_P(Frames, RtlIsTheModel) {
   expect_identical(frame, expected);
   const Frame frame_checked = render(*checked, options, scene);
   expect_identical(frame_checked, expected);
-  EXPECT_EQ(frame.run.cycles, frame_checked.run.cycles) << "what was never written has an effect";
+  EXPECT_EQ(frame.run.cycles, frame_checked.run.cycles)
+      << "a word that was never written has an effect";
 }
 
 std::string name_of(const testing::TestParamInfo<Choice>& info) {

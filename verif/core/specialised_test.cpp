@@ -73,8 +73,8 @@ TEST(Specialised, OnlyACoreOfUncompressedPacketsHasTheirRegister) {
   CoreInfo board = core_info_of<Lean<Thesis>>();
   board.name = "special";
   EXPECT_EQ(refusal([&] { frame_config(board, options, {}); }),
-            "--uncompressed: configuration special transforms one origin for all rays of a packet; "
-            "leave the flag out");
+            "--uncompressed: configuration special can only transform one origin for all rays of a "
+            "packet; leave the flag out");
 }
 
 TEST(Specialised, RegistersGoToTheirPlaces) {
@@ -149,8 +149,8 @@ TEST(Specialised, OneColourIsNotStored) {
   const CoreInfo board = core_info_of<OneColour>();
   EXPECT_THAT(refusal([&] { laid_out("blocks", board); }),
               MatchesRegex("scene 'blocks' has surfaces of the colours 0x[0-9a-f]+ and 0x[0-9a-f]+ "
-                           "[(]object '.*', 0xBBGGRR[)], and the core has one for all; take a "
-                           "configuration without one_colour"));
+                           "[(]object '.*', 0xBBGGRR[)], but the core has one colour for all; take "
+                           "a configuration without one_colour"));
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ void record(const std::string& scene, const std::string& configuration, const st
   const auto board = make_board(configurations(), {"model", configuration, ""});
   FrameOptions options;
   if (std::sscanf(size.c_str(), "%ux%u", &options.width, &options.height) != 2) {
-    refuse("{}: is no size; write the pixels as WxH, for example 16x12", size);
+    refuse("{}: not a size; write the pixels as WxH, for example 16x12", size);
   }
   options.lines = kLines;
   options.reflections = std::min(kReflections, board->core().reflections);
@@ -73,7 +73,7 @@ void record(const std::string& scene, const std::string& configuration, const st
   const FrameConfig config = frame_config(board->core(), options, image.frame);
   const unsigned objects = objects_hit(frame);
   if (objects < 2) {
-    refuse("{}: the rays of {} hit {}; record a frame that shows several", scene, size,
+    refuse("{}: the rays of {} hit {}; record a frame that shows several objects", scene, size,
            objects == 1 ? "one object" : "nothing");
   }
   std::string seen = fmt::format("{} objects hit", objects);

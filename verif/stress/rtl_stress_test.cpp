@@ -21,7 +21,7 @@ std::unique_ptr<Board> open_rtl(const std::string& configuration) {
 OpenBoard open_checked(int seed) {
   return [seed](const std::string& configuration) -> std::unique_ptr<Board> {
     const Configuration& c = find_configuration(configurations(), configuration, true);
-    if (c.traced == nullptr) throw UserError(configuration + " has no Verilog here");
+    if (c.traced == nullptr) throw UserError(configuration + " has no Verilog in this build");
     CoreInfo info = c.core();
     info.name = configuration;
     return std::make_unique<RtlBoard>(std::move(info), c.traced("", seed),
