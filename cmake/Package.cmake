@@ -11,11 +11,16 @@ set(include include/dynrt)
 install(TARGETS hlsc EXPORT dynrtTargets RUNTIME DESTINATION bin)
 install(EXPORT dynrtTargets NAMESPACE dynrt:: DESTINATION ${share}/cmake)
 foreach(folder include native lowered)
-  install(DIRECTORY hls/${folder}/hls DESTINATION ${include}/${folder} FILES_MATCHING PATTERN *.h)
+  install(DIRECTORY hls/${folder}/hls DESTINATION ${include}/${folder} FILES_MATCHING PATTERN *.h
+          PATTERN float_judge.h EXCLUDE)  # of tests; it needs MPFR
 endforeach()
 install(DIRECTORY hls/units DESTINATION ${include} FILES_MATCHING PATTERN *.h
         PATTERN test_bench.h EXCLUDE)
-install(DIRECTORY ${DYNRT_CONFIG_FOLDER} DESTINATION ${include} FILES_MATCHING PATTERN *.h)
+# Tests write configurations of their own into the same folder.
+get_property(configs GLOBAL PROPERTY DYNRT_CONFIGS)
+list(TRANSFORM configs REPLACE "(.+)" "${DYNRT_CONFIG_FOLDER}/\\1.h" OUTPUT_VARIABLE config_headers)
+install(FILES ${config_headers} ${DYNRT_CONFIG_FOLDER}/core_configuration.h
+        DESTINATION ${include}/configs)
 install(DIRECTORY hls/cosim DESTINATION ${include} FILES_MATCHING PATTERN *.h
         PATTERN example EXCLUDE)
 install(DIRECTORY hls/compiler/delay/ DESTINATION ${share}/delay FILES_MATCHING PATTERN *.json)

@@ -9,6 +9,12 @@ function(run)
   execute_process(COMMAND ${ARGV} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${work}/prefix)
+# Nothing that only tests have.
+file(GLOB_RECURSE tests_own ${work}/prefix/include/*/float_judge.h ${work}/prefix/include/*/lean.h
+     ${work}/prefix/include/*/boards.h)
+if(tests_own)
+  message(FATAL_ERROR "the package has headers that are only for tests: ${tests_own}")
+endif()
 file(COPY ${EXAMPLE}/ DESTINATION ${work}/example)
 run(${CMAKE_COMMAND} -G Ninja -S ${work}/example -B ${work}/build -DCMAKE_CXX_COMPILER=${COMPILER}
     -DCMAKE_PREFIX_PATH=${work}/prefix -DCMAKE_BUILD_TYPE=Release
