@@ -56,29 +56,33 @@ std::vector<std::string> pass_names() {
 
 void describe(CLI::App& app, Arguments& a) {
   app.add_option("--unit", a.source.unit, "C++ type of the unit, with its namespace")->required();
-  app.add_option("--header", a.source.header, "header that defines it, as it is included")
+  app.add_option("--header", a.source.header,
+                 "header that defines the unit, as an #include names it")
       ->required();
   app.add_option("--module", a.source.module, "name of the Verilog module")->required();
   app.add_option("-I", a.source.folders,
-                 "folder to look for headers in; the language's lowered folder first")
+                 "folder with headers; give the language's lowered folder first")
       ->allow_extra_args(false);
-  app.add_option("--clock-ns", a.clock_ns, "clock period to schedule for, in ns")
+  app.add_option("--clock-ns", a.clock_ns, "clock period of the schedule, in ns")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_option("--delay", a.delay, "delay model of the device family (JSON)");
-  app.add_option("-o", a.verilog, "Verilog to write, - for the terminal")->capture_default_str();
-  app.add_option("--report", a.report, "schedule report to write");
-  app.add_option("--schedule", a.schedule, "the schedule's stages as JSON to write");
-  app.add_option("--binding", a.binding, "C++ header for the test bench to write");
-  app.add_option("--depfile", a.depfile,
-                 "make rule to write: the Verilog and all it was made from");
-  app.add_option("--clang", a.source.clang, "clang to use")->capture_default_str();
+  app.add_option("-o", a.verilog, "write the Verilog to this file; - is the terminal")
+      ->capture_default_str();
+  app.add_option("--report", a.report, "write a report of the schedule to this file");
+  app.add_option("--schedule", a.schedule,
+                 "write the stages of the schedule to this file, as JSON");
+  app.add_option("--binding", a.binding, "write a C++ header for the test bench to this file");
+  app.add_option(
+      "--depfile", a.depfile,
+      "write a make rule to this file: the Verilog and every file that it was made from");
+  app.add_option("--clang", a.source.clang, "the clang to run")->capture_default_str();
   app.add_option("--clang-arg", a.source.clang_args, "argument for clang, such as -DNAME=1")
       ->allow_extra_args(false);
   app.add_flag("--dump-netlist", a.dump_netlist,
-               "print the netlist as the front end makes it, and write nothing");
+               "print the netlist that the front end makes, and write no file");
   app.add_option("--print-after", a.print_after,
-                 "print what a pass makes, as often as it runs, and write nothing")
+                 "print the netlist or IR after each run of this pass, and write no file")
       ->type_name("PASS");
   app.footer(fmt::format("Passes on LLVM's IR:\n  {}\nPasses on the netlist:\n  {}",
                          fmt::join(hlsc::ir_passes(), " "),

@@ -16,7 +16,7 @@ namespace {
 
 constexpr char kPartial[] = ".partial";
 constexpr char kCannotWrite[] =
-    "{} cannot be written: {}; give the name of a file in a folder that exists and can be written";
+    "cannot write {}: {}; name a file in a folder that exists and can be written";
 
 }  // namespace
 

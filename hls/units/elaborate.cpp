@@ -33,8 +33,8 @@ void check_units(const std::string& path, dynrt::Core<C>& core) {
   core.name_units(lines);
   if (listed.find(lines.text()) == std::string::npos) {
     throw std::runtime_error(path +
-                             ": the core has come to have other units; run cmake again, so that "
-                             "what is lowered is what is joined");
+                             ": the core's list of units has changed; run cmake again, so that the "
+                             "build lowers all units of the join");
   }
 }
 

@@ -30,8 +30,9 @@ void expect_golden(const std::string& name, const std::string& text) {
   if (std::getenv("DYNRT_UPDATE_GOLDENS")) std::ofstream(path) << text;
   std::stringstream golden;
   golden << std::ifstream(path).rdbuf();
-  EXPECT_EQ(text, golden.str()) << path << " is not what the join gives; if that is meant, run the "
-                                << "test with DYNRT_UPDATE_GOLDENS=1";
+  EXPECT_EQ(text, golden.str())
+      << path << " differs from the output of the join; if you meant this change, run the "
+      << "test with DYNRT_UPDATE_GOLDENS=1";
 }
 
 TEST(Top, IsTheGoldenOne) {
@@ -75,8 +76,8 @@ TEST(Top, NamesTheForkThatNeedsABound) {
   join.channel<Item>("item", {&number.item}, {&pair.side[0], &pair.side[1], &pair.before});
   join.output("out", pair.out);
   EXPECT_EQ(refusal(join),
-            "channel 'item' forks to 'pair.side_0', which waits for other tokens too; say how many "
-            "tokens the channel can hold");
+            "channel 'item' forks to 'pair.side_0', which also waits for other tokens; give the "
+            "number of tokens that the channel can hold");
 }
 
 TEST(Top, HeaderGivesThePositionOfEveryField) {
@@ -120,8 +121,8 @@ TEST(Top, CountsNoMoreThanItsCountersHold) {
   EXPECT_EQ(hls::counters_of(most.join.record()).size(), 256u);
   EXPECT_EQ(refusal(most.join), "none");
   EXPECT_EQ(refusal(Chain(3).join),
-            "the join has 257 counters, one for every channel inside and two for every unit; a top "
-            "counts at most 256: join fewer units, or widen the address of hls_counters");
+            "the join has 257 counters, one for each inner channel and two for each unit, but a "
+            "top has at most 256; join fewer units or widen the address of hls_counters");
 }
 
 TEST(Top, MayBeWithoutCounters) {
@@ -180,7 +181,7 @@ class Outside {
       clock();
       if (testing::Test::HasFatalFailure()) return;
       idle = before == begun_ + finished_ + items_ ? idle + 1 : 0;
-      ASSERT_LT(idle, 5000u) << "nothing moves any more";
+      ASSERT_LT(idle, 5000u) << "no token moves any more";
     }
   }
   std::uint32_t counter(unsigned address) {

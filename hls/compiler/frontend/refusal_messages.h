@@ -10,7 +10,7 @@ namespace hlsc::messages {
 inline constexpr char kClangMissing[] =
     "{} is not installed or not on the PATH; install the package clang-19 or name it with --clang";
 inline constexpr char kHeaderMissing[] =
-    "header {} is in none of the folders given with -I; add the folder that holds it";
+    "no folder given with -I holds the header {}; add the folder that holds it";
 inline constexpr char kUnitMissing[] =
     "the type {} cannot be used as a unit; give --unit the full name of a complete type that {} "
     "defines. clang says: {}";
@@ -25,7 +25,7 @@ inline constexpr char kNotAPort[] =
 inline constexpr char kBitField[] =
     "member {} is a bit-field, which hlsc cannot make a register; give it the type hls::uint<{}>";
 inline constexpr char kVirtual[] =
-    "the unit has virtual functions; a unit is a plain class, use templates instead";
+    "the unit has virtual functions, but a unit is a plain class; use templates instead";
 
 inline constexpr char kRecursion[] =
     "{} calls itself; write it as a loop with a constant bound or as a template that ends";
@@ -33,7 +33,7 @@ inline constexpr char kAssembly[] = "inline assembly cannot be lowered; write it
 inline constexpr char kVolatile[] =
     "volatile accesses cannot be lowered; make the variable a plain local or a member";
 inline constexpr char kAtomic[] =
-    "atomic operations cannot be lowered; a transaction is atomic by itself, use a plain member";
+    "atomic operations cannot be lowered; use a plain member, as a transaction is atomic by itself";
 inline constexpr char kExceptions[] =
     "exceptions cannot be lowered; return a flag or write a token instead";
 inline constexpr char kUnbounded[] =
@@ -43,7 +43,7 @@ inline constexpr char kIndirectCall[] =
     "this call goes through a pointer or a virtual function; call the function by its name or make "
     "it a template parameter";
 inline constexpr char kExternalCall[] =
-    "{} is called, whose body hlsc cannot see; define it in a header or do without it";
+    "the unit calls {}, but hlsc cannot see its body; define it in a header or do not call it";
 inline constexpr char kAllocation[] =
     "memory is allocated dynamically; use a local array or a RAM member";
 inline constexpr char kFloat[] =
@@ -70,18 +70,18 @@ inline constexpr char kOutTwice[] =
 inline constexpr char kRowReadTwice[] =
     "RAM {} can be read twice in one transaction; read the row once, or split the RAM";
 inline constexpr char kRowWrittenTwice[] =
-    "RAM {} can be written twice in one transaction; collect the row and write it once";
+    "RAM {} can be written twice in one transaction; put the row together and write it once";
 inline constexpr char kReadAfterWrite[] =
     "RAM {} can be read after it was written in the same transaction; read the row before the "
     "write and keep it in a local variable";
 inline constexpr char kUninitialised[] =
     "this condition depends on a variable that was never set; give it an initial value";
 inline constexpr char kNoEffect[] =
-    "the unit writes no token and no row and changes no register; write an Out, or look for "
-    "undefined behaviour with a build under -fsanitize=undefined";
+    "the unit writes no token and no row and changes no register; write an Out, or build the unit "
+    "with -fsanitize=undefined to look for undefined behaviour";
 inline constexpr char kLanguageMissing[] =
-    "hls/ports.h for lowering is in none of the folders given with -I; put the folder hls/lowered "
-    "of the language first";
+    "no folder given with -I holds hls/ports.h for lowering; put the folder hls/lowered of the "
+    "language first";
 inline constexpr char kOperation[] = "the operation {} cannot be lowered; rewrite this expression";
 
 }  // namespace hlsc::messages

@@ -210,10 +210,10 @@ class Top {
       const std::string to = wire(c.to[i]);
       if (waits_for_others(c.to[i])) {
         if (c.depth == 0) {
-          throw std::invalid_argument(fmt::format(
-              "channel '{}' forks to '{}', which waits for other tokens too; say how many tokens "
-              "the channel can hold",
-              c.name, c.to[i]));
+          throw std::invalid_argument(
+              fmt::format("channel '{}' forks to '{}', which also waits for other tokens; give the "
+                          "number of tokens that the channel can hold",
+                          c.name, c.to[i]));
         }
         write(
             "  hls_fifo #(.WIDTH({0}), .DEPTH({1}), .MARGIN(0)) {2}_queue (\n"
@@ -377,8 +377,8 @@ class Top {
     }
     if (counted_.size() > kMaxCounters) {
       throw std::invalid_argument(fmt::format(
-          "the join has {} counters, one for every channel inside and two for every unit; a top "
-          "counts at most {}: join fewer units, or widen the address of hls_counters",
+          "the join has {} counters, one for each inner channel and two for each unit, but a top "
+          "has at most {}; join fewer units or widen the address of hls_counters",
           counted_.size(), kMaxCounters));
     }
     write(

@@ -7,7 +7,7 @@
 namespace hlsc::messages {
 
 inline constexpr char kRowAddress[] =
-    "RAM {} is read at an address that depends on the row that is read; read it once, with an "
-    "address that is known before";
+    "the address at which RAM {} is read depends on the row that is read; read the row once, at an "
+    "address that does not depend on it";
 
 }  // namespace hlsc::messages

@@ -16,16 +16,17 @@ DelayModel load_delay_model(const std::string& path) {
   if (!file) {
     throw Error(
         {},
-        fmt::format("{}: cannot be read; name a delay model such as hls/compiler/delay/ecp5.json",
-                    path));
+        fmt::format(
+            "{}: cannot read this file; name a delay model such as hls/compiler/delay/ecp5.json",
+            path));
   }
   const auto data = nlohmann::json::parse(file, nullptr, false);
-  if (!data.is_object()) throw Error({}, fmt::format("{}: is not a JSON object", path));
+  if (!data.is_object()) throw Error({}, fmt::format("{}: not a JSON object", path));
   const auto number = [&](const char* key, double least) {
     const auto found = data.find(key);
     if (found == data.end() || !found->is_number() || found->get<double>() < least) {
-      throw Error(
-          {}, fmt::format("{}: \"{}\" is missing; give a number of at least {}", path, key, least));
+      throw Error({}, fmt::format("{}: the key \"{}\" is missing; give a number of at least {}",
+                                  path, key, least));
     }
     return found->get<double>();
   };

@@ -264,11 +264,10 @@ Netlist accumulator(unsigned width) {
 
 TEST(Schedule, RefusesARegisterWhoseFeedbackMissesTheClock) {
   EXPECT_EQ(refusal(accumulator(16), 3), "");
-  EXPECT_EQ(
-      refusal(accumulator(64), 3),
-      "unit.h:12: error: register total takes 7.30 ns from its value to its next value, which "
-      "are one stage; the clock leaves 3.00: ask for a clock of at least 7.30 ns or compute "
-      "less between them");
+  EXPECT_EQ(refusal(accumulator(64), 3),
+            "unit.h:12: error: register total needs 7.30 ns from its value to its next value, "
+            "which must be in one stage, but the clock leaves only 3.00; ask for a clock of at "
+            "least 7.30 ns or compute less between the two");
 }
 
 TEST(Schedule, RefusesARegisterFileWhoseUpdateMissesTheClock) {
@@ -279,9 +278,9 @@ TEST(Schedule, RefusesARegisterFileWhoseUpdateMissesTheClock) {
   u.out(row);
   EXPECT_EQ(refusal(u.n, 9), "");
   EXPECT_EQ(refusal(u.n, 8),
-            "unit.h:7: error: register file totals takes 8.30 ns from the row read to the row "
-            "written, which are one stage; the clock leaves 8.00: ask for a clock of at least 8.30 "
-            "ns, compute less between them or use a Ram1R1W");
+            "unit.h:7: error: register file totals needs 8.30 ns from the row that it reads to the "
+            "row that it writes, which must be in one stage, but the clock leaves only 8.00; ask "
+            "for a clock of at least 8.30 ns, compute less between the two or use a Ram1R1W");
 }
 
 TEST(Schedule, RefusesAnOperationThatFitsNoStage) {
@@ -289,8 +288,8 @@ TEST(Schedule, RefusesAnOperationThatFitsNoStage) {
   u.b.set_line({"unit.h", 20});
   u.out(u.b.add(u.in(0, 64), u.in(64, 64)));
   EXPECT_EQ(refusal(u.n, 5),
-            "unit.h:20: error: add of 64 bits needs 7.30 ns in one stage, the clock leaves 5.00; "
-            "ask for a clock of at least 7.30 ns or use a narrower operation");
+            "unit.h:20: error: add of 64 bits needs 7.30 ns in one stage, but the clock leaves "
+            "only 5.00; ask for a clock of at least 7.30 ns or use a narrower operation");
 }
 
 TEST(Schedule, RefusesAUnitWithoutEffect) {
@@ -306,7 +305,7 @@ TEST(DelayModel, RefusesWhatIsMissing) {
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.text(),
-              "hlsc: error: no_such_file.json: cannot be read; name a delay model such as "
+              "hlsc: error: no_such_file.json: cannot read this file; name a delay model such as "
               "hls/compiler/delay/ecp5.json");
   }
 }

@@ -42,12 +42,12 @@ class PortPair {
     const auto token = native_.take();
     const auto lowered = netlist_.take();
     EXPECT_EQ(token.has_value(), lowered.has_value())
-        << native_.name() << " is written by one only";
+        << native_.name() << " is written only on one side";
     if (token && lowered) expect_equal(*lowered, *token);
     const auto write = native_.take_write();
     const auto lowered_write = netlist_.take_write();
     EXPECT_EQ(write.has_value(), lowered_write.has_value())
-        << "a row of " << native_.name() << " is written by one only";
+        << "a row of " << native_.name() << " is written only on one side";
     if (write && lowered_write) {
       EXPECT_EQ(write->address, lowered_write->address) << native_.name();
       expect_equal(lowered_write->row, write->row);
@@ -96,7 +96,7 @@ void compare_unit(const Netlist& netlist, unsigned transactions, std::uint64_t s
     lowered.step();
     for (PortPair& pair : pairs) compared += pair.compare();
   }
-  EXPECT_GE(compared, transactions / 10) << "too few tokens were written to prove anything";
+  EXPECT_GE(compared, transactions / 10) << "the test compared too few tokens to prove anything";
 }
 
 }  // namespace hlsc::test

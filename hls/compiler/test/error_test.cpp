@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(Units, Refused, ::testing::ValuesIn(error_units()),
 
 TEST(RefusedInput, HeaderMissing) {
   EXPECT_EQ(error_text(source_of("errors/nowhere.h")),
-            "hlsc: error: header errors/nowhere.h is in none of the folders given with -I; add the "
+            "hlsc: error: no folder given with -I holds the header errors/nowhere.h; add the "
             "folder that holds it");
 }
 
@@ -98,10 +98,9 @@ TEST(RefusedInput, ClangMissing) {
 TEST(RefusedInput, LanguageMissing) {
   UnitSource source = source_of("errors/in_never_read.h");
   source.folders[0] = kHls + "/native";
-  EXPECT_EQ(
-      error_text(source),
-      "hlsc: error: hls/ports.h for lowering is in none of the folders given with -I; put the "
-      "folder hls/lowered of the language first");
+  EXPECT_EQ(error_text(source),
+            "hlsc: error: no folder given with -I holds hls/ports.h for lowering; put the folder "
+            "hls/lowered of the language first");
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-// error: errors/atomic_access.h:11: error: atomic operations cannot be lowered; a transaction is atomic by itself, use a plain member
+// error: errors/atomic_access.h:11: error: atomic operations cannot be lowered; use a plain member, as a transaction is atomic by itself
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-// error: errors/bounds_check.h:11: error: __throw_out_of_range_fmt() is called, whose body hlsc cannot see; define it in a header or do without it
+// error: errors/bounds_check.h:11: error: the unit calls __throw_out_of_range_fmt(), but hlsc cannot see its body; define it in a header or do not call it
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

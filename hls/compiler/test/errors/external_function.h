@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-// error: errors/external_function.h:11: error: elsewhere() is called, whose body hlsc cannot see; define it in a header or do without it
+// error: errors/external_function.h:11: error: the unit calls elsewhere(), but hlsc cannot see its body; define it in a header or do not call it
 #include "hls/ports.h"
 namespace errors {
 unsigned elsewhere(unsigned x);

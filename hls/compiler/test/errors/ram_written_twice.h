@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-// error: errors/ram_written_twice.h:12: error: RAM table can be written twice in one transaction; collect the row and write it once
+// error: errors/ram_written_twice.h:12: error: RAM table can be written twice in one transaction; put the row together and write it once
 #include "hls/ports.h"
 namespace errors {
 struct Unit {

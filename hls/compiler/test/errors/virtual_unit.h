@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-// error: errors/virtual_unit.h:6: error: the unit has virtual functions; a unit is a plain class, use templates instead
+// error: errors/virtual_unit.h:6: error: the unit has virtual functions, but a unit is a plain class; use templates instead
 #include "hls/ports.h"
 namespace errors {
 struct Unit {
