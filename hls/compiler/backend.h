@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // hlsc's back end: netlist in, Verilog module with its schedule report and test-bench header out.
-// Free of LLVM. Throws Error (error.h) where a unit cannot be lowered for the asked clock.
+// Free of LLVM. Throws Error (error.h) if a unit cannot be lowered for this clock.
 #pragma once
 
 #include <functional>
@@ -29,10 +29,10 @@ struct Lowered {
 
 Lowered lower(const Netlist& netlist, const Options& options);
 
-/// Is told the netlist after each pass, by the pass's name.
+/// Called after each pass with the pass's name and the netlist.
 using PassObserver = std::function<void(const std::string& pass, const Netlist&)>;
 
-/// The netlist after the passes, as it is scheduled.
+/// The netlist after the passes, which is then scheduled.
 Netlist optimise(const Netlist& netlist, const Options& options,
                  const PassObserver& observer = nullptr);
 

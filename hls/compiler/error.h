@@ -1,9 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What every part of hlsc throws when a unit cannot be lowered: one sentence that says what is
-// wrong and what would be right, at a line of the unit's source. The program prints it and exits
-// with 1.
+// The exception of hlsc for a unit that cannot be lowered: one sentence with the mistake and its
+// remedy, at a line of the unit's source. The program prints it and exits with 1.
 #pragma once
 
 #include <stdexcept>
@@ -21,7 +20,7 @@ class Error : public std::runtime_error {
 
   const SourceLine& where() const { return where_; }
 
-  /// "units/mailbox.h:42: error: ..."; without the place where none is known.
+  /// "units/mailbox.h:42: error: ..."; without the place if it is not known.
   std::string text() const {
     if (where_.file.empty()) return std::string("hlsc: error: ") + what();
     if (where_.line == 0) return where_.file + ": error: " + what();

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// hlsc: lowers a unit written in C++ to Verilog. `hlsc --help` lists what it takes; README.md
-// beside this file says what a unit may contain.
+// hlsc: lowers a unit written in C++ to Verilog. `hlsc --help` lists its flags; README.md in this
+// folder says which C++ a unit may use.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -38,7 +38,7 @@ struct Arguments {
   bool dump_netlist = false;
 };
 
-/// Without what was there before.
+/// Without names that came before.
 std::vector<std::string> once(const std::vector<std::string>& names) {
   std::vector<std::string> left;
   for (const std::string& name : names) {

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The files that a run writes: all of them or none. Each is written beside its place first and
-// moved there when every one could be written.
+// The files that a run writes: all of them or none. Each is first written under a temporary name in
+// the same folder, and renamed once all are written.
 #pragma once
 
 #include <string>
@@ -17,7 +17,7 @@ class OutputFiles {
   OutputFiles(const OutputFiles&) = delete;
   OutputFiles& operator=(const OutputFiles&) = delete;
 
-  /// The path "-" is the terminal, an empty one nowhere. Throws Error where the file cannot be
+  /// The path "-" is the terminal; an empty path writes nothing. Throws Error if the file cannot be
   /// written.
   void add(const std::string& path, const std::string& text);
   void commit();

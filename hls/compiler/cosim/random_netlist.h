@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A netlist of random operations over random widths with every kind of port: what the lowering is
-// tested on. Rows of RAMs are addressed by the token's lowest bits, which the bench counts up, so
-// that no transaction meets another one's row; register files and registers by anything.
+// A netlist of random operations over random widths with every kind of port, to test the lowering.
+// The token's lowest bits, which the bench counts up, address the rows of RAMs, so that no
+// transaction meets another one's row; any value may address register files.
 #pragma once
 
 #include <cstdint>

@@ -18,11 +18,10 @@ std::string emit_verilog(const Circuit& circuit, const Schedule& schedule, const
 /// Stages with their operations, register bits and longest path.
 std::string emit_report(const Circuit& circuit, const Schedule& schedule, const Options& options);
 
-/// The same for programs, as JSON: what a simulation of clocks needs of the unit
-/// (hls/native/hls/module_schedule.h).
+/// The same as JSON, for a simulation of clocks (hls/native/hls/module_schedule.h).
 std::string emit_schedule(const Circuit& circuit, const Schedule& schedule, const Options& options);
 
-/// Tokens that the FIFO of an output holds where the join does not say how many there can be.
+/// Tokens that the FIFO of an output holds if the join gives no bound.
 unsigned fifo_depth(const Schedule& schedule);
 
 /// C++ header with visit_ports_<module>(), through which a test bench reaches all ports.

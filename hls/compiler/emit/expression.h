@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Verilog expressions: how a bit of a cell is reached in a stage, and what an operation looks like.
+// Verilog expressions: the bits of a cell in a stage, and the text of each operation.
 #pragma once
 
 #include <map>
@@ -39,7 +39,7 @@ class Expressions {
   /// The bits as they are in a stage, lowest first.
   std::string bits(const std::vector<BitRef>& operand, int stage);
   std::string range(CellId cell, int stage, unsigned low, unsigned high);
-  /// What an operation computes.
+  /// The expression of an operation.
   std::string operation(CellId cell, int stage);
 
   /// "name[3:1]", for every range that nothing uses, in the order of declaration.

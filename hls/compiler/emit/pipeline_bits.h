@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which bits of a cell exist in which stage, and how they get there: by registers, one a stage, or,
-// where they are not looked at for long, by a delay (rtl/lib/hls_delay.v), which a device can hold
-// in LUT RAM.
+// The bits of a cell that exist in each stage, and their way there: registers, one a stage, or, if
+// they are not used for many stages, a delay (rtl/lib/hls_delay.v), which a device can hold in LUT
+// RAM.
 #pragma once
 
 #include <vector>
@@ -22,11 +22,11 @@ struct Carry {
   unsigned bits;  ///< of them in use
 };
 
-/// A delay, with its counter, is worth it from so many bits that go the same way.
+/// A delay, with its counter, pays from this number of bits that go the same way.
 inline constexpr unsigned kNarrowestDelay = 8;
 
 /// Ordered by stage of arrival, then by cell.
-/// What nobody looks at for more than `longest_shift` stages goes through a delay.
+/// Bits that are not used for more than `longest_shift` stages go through a delay.
 std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule, int longest_shift);
 
 }  // namespace hlsc

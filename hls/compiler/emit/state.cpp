@@ -8,7 +8,7 @@
 namespace hlsc {
 namespace {
 
-/// What of a token its FIFO has to hold: each bit that is not constant, once.
+/// The bits of a token that its FIFO must hold: each bit that is not constant, once.
 struct Stored {
   std::vector<BitRef> bits;
   std::vector<BitRef> token;  ///< the whole token, of constants and of bits of `held`

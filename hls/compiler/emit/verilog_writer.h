@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Writes one unit as a Verilog module: its head and handshake (verilog.cpp), stage by stage its
-// wires and registers (stages.cpp), then what a transaction leaves behind: registers, rows and
-// tokens (state.cpp).
+// wires and registers (stages.cpp), then the results of a transaction: registers, rows and tokens
+// (state.cpp).
 #pragma once
 
 #include <fmt/format.h>
@@ -49,7 +49,7 @@ class VerilogWriter {
   std::string bits(CellId id, std::size_t operand) {
     return expressions_.bits(c_.cells[id].operands[operand], stage(id));
   }
-  /// What happens if a transaction is in the cell's stage and its first operand is one.
+  /// The condition that a transaction is in the cell's stage and the cell's first operand is one.
   std::string enabled(CellId id) {
     const BitRef enable = c_.cells[id].operands[0][0];
     if (enable == BitRef{BitRef::kConstant, 1}) return valid(stage(id));
@@ -68,13 +68,13 @@ class VerilogWriter {
   std::string head() const;
   /// A transaction starts when every In has a token and every Out has room for all in flight.
   void handshake();
-  /// Names what nothing reads, so that the linter can tell it from a mistake.
+  /// Names the signals that nothing reads, so that the linter can tell them from mistakes.
   void mark_unused();
 
   // ---- stages (stages.cpp) ----
   void write_stage(int s);
   std::string declare(const Carry& carry, const char* kind);
-  /// One delay for all that goes from one stage to another.
+  /// One delay for all bits that go from one stage to another.
   void write_delays(const std::vector<const Carry*>& delayed);
   void write_cell(CellId id);
   /// a + b or a - b in one carry chain, whose lowest bit makes the carry.

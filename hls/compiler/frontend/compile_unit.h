@@ -16,10 +16,10 @@
 
 namespace hlsc {
 
-/// What is to be lowered, and how clang finds it.
+/// The unit to lower, and the flags with which clang finds it.
 struct UnitSource {
   std::string unit;                     ///< C++ type, with namespace and template arguments
-  std::string header;                   ///< as it would be included
+  std::string header;                   ///< as an #include names it
   std::vector<std::string> folders;     ///< include path, in order
   std::vector<std::string> clang_args;  ///< passed on, e.g. -DNAME=1
   std::string clang = "clang++-19";
@@ -27,7 +27,7 @@ struct UnitSource {
   std::string print_after;  ///< print the IR after this one of ir_passes(), for work on hlsc itself
 };
 
-/// Names of what the small source file defines: the initial unit and the call of its step().
+/// Names in the small source file: the initial unit and the call of its step().
 inline constexpr char kInitialUnit[] = "hls_initial";
 inline constexpr char kStepFunction[] = "hls_step";
 
@@ -36,7 +36,7 @@ struct CompiledUnit {
   std::vector<std::string> includes;  ///< every file that clang read, sorted, for a dependency file
 };
 
-/// Throws Error with clang's own diagnostics where clang rejects the unit.
+/// Throws Error with clang's diagnostics if clang rejects the unit.
 CompiledUnit compile_unit(const UnitSource& source, llvm::LLVMContext& context);
 
 }  // namespace hlsc

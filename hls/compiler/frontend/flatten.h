@@ -20,8 +20,7 @@ namespace hlsc {
 /// hls.udiv.iN...
 void hide_divisions(llvm::Function& function);
 
-/// Removes what only told LLVM something: assumptions, which would hold on every path once there is
-/// one.
+/// Removes assumptions, which only inform LLVM: with a single path they would claim to hold always.
 void drop_hints(llvm::Function& function);
 
 void flatten(llvm::Function& function);

@@ -16,7 +16,7 @@ class LlvmPasses {
   /// A pipeline of function passes in LLVM's syntax.
   void run(llvm::Function& function, llvm::StringRef pipeline);
 
-  /// Analyses of a function as it is now: whoever changes it calls forget().
+  /// Analyses of a function in its current state; call forget() after changing the function.
   llvm::FunctionAnalysisManager& analyses() { return functions_; }
   void forget(llvm::Function& function);
 

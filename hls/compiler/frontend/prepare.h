@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Makes one function of the unit: removes what ties the IR to a processor, turns everything into
-// internal functions that must be inlined, and writes the transaction itself: registers are loaded
+// Makes one function of the unit: removes all parts of the IR that depend on a processor, makes all
+// functions internal and always inlined, and writes the transaction itself: registers are loaded
 // into a local unit object, step() is called on it, registers are stored.
 #pragma once
 
@@ -27,8 +27,8 @@ std::vector<llvm::APInt> read_reset_values(const Transaction& transaction);
 /// Refuses conditions of variables that were never set, once locals are values.
 void refuse_uninitialised(const Transaction& transaction, const SourceLines& lines);
 
-/// Refuses what is left after inlining that is neither dataflow nor a port access: calls without a
-/// body, calls through pointers, floating point, global variables.
+/// Refuses everything that inlining leaves and that is neither dataflow nor a port access: calls
+/// without a body, calls through pointers, floating point, global variables.
 void refuse_after_inlining(const Transaction& transaction, const SourceLines& lines);
 
 }  // namespace hlsc

@@ -22,8 +22,8 @@
 namespace hlsc {
 namespace {
 
-// LLVM's passes between hlsc's own. What is left out matters as much: no -O2 (SLP vectors,
-// duplicated tails, serial select chains), no jump threading, no lookup tables.
+// LLVM's passes between hlsc's own. The passes that are left out matter as much: no -O2 (SLP
+// vectors, duplicated tails, serial select chains), no jump threading, no lookup tables.
 constexpr char kInline[] = "always-inline,function(sroa,early-cse)";
 constexpr char kFold[] =
     "simplifycfg<no-sink-common-insts>,instcombine<no-verify-fixpoint>,early-cse";

@@ -21,7 +21,7 @@ struct UnitNetlist {
 /// order.
 const std::vector<std::string>& ir_passes();
 
-/// Throws Error where the unit cannot be lowered.
+/// Throws Error if the unit cannot be lowered.
 UnitNetlist read_unit(const UnitSource& source);
 
 }  // namespace hlsc

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The wordings of everything that the front end refuses. Each says what is wrong and what would be
-// right; {} are filled in by fmt, and the tests in test/errors assert the texts.
+// The messages of the front end. Each names the mistake and its remedy; fmt fills in the {}, and
+// the tests in test/errors assert the texts.
 #pragma once
 
 namespace hlsc::messages {

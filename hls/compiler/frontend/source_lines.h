@@ -3,7 +3,7 @@
 //
 // From LLVM's debug locations to lines of the unit's own source. Code that was inlined from the
 // language's headers or the system's is placed where the unit called it, and file names are printed
-// as they would be included, so that no generated file names a folder of this machine.
+// as an #include names them, so that no generated file names a folder of the machine.
 #pragma once
 
 #include <llvm/IR/DebugInfoMetadata.h>

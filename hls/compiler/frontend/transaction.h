@@ -1,10 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The state of the lowering while the unit is LLVM IR: the function that is one transaction, what
-// is known of the unit's members, and what the calls of "endpoint" functions in it mean. An
-// endpoint is an undefined function through which a value enters (source) or leaves (sink) the
-// transaction. Sources are pure; sinks are called once each, in the exit block.
+// The state of the lowering while the unit is LLVM IR: the function that is one transaction, the
+// unit's members, and the meaning of the calls of "endpoint" functions in it. An endpoint is an
+// undefined function through which a value enters (source) or leaves (sink) the transaction.
+// Sources are pure; sinks are called once each, in the exit block.
 #pragma once
 
 #include <llvm/ADT/DenseMap.h>

@@ -23,7 +23,7 @@
 namespace hlsc {
 namespace {
 
-/// What the sinks say of one port, until all are seen.
+/// The sinks of one port, until all are seen.
 struct PortUse {
   NodeId read_enable = kNoNode;
   NodeId read_address = kNoNode;

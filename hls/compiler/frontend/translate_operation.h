@@ -16,7 +16,7 @@ namespace hlsc {
 
 using Operand = std::function<NodeId(const llvm::Value*)>;
 
-/// The instruction's value; nothing where the netlist has no such operation.
+/// The instruction's value; nothing if the netlist has no such operation.
 std::optional<NodeId> translate_operation(const llvm::Instruction& instruction, Builder& builder,
                                           const Operand& operand);
 

@@ -28,7 +28,7 @@ struct RegisterMember {
   std::uint64_t offset = 0;   ///< bytes from the unit's start
   unsigned storage_bits = 0;  ///< of the integer in memory
   unsigned width = 0;         ///< of the value
-  bool is_signed = false;     ///< how storage extends the value
+  bool is_signed = false;     ///< the way storage extends the value
   SourceLine where;
 };
 

@@ -401,7 +401,7 @@ class Top {
   const JoinRecord& join_;
   std::string name_;
   std::vector<std::string> ports_;
-  std::map<std::string, std::string> values_;  ///< what each configuration port is tied to
+  std::map<std::string, std::string> values_;  ///< the value of each configuration port
   std::vector<std::string> counted_;           ///< one condition per counter
   std::string wires_;
   std::string body_;

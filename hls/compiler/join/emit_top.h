@@ -14,17 +14,16 @@ inline constexpr unsigned kMaxCounters =
     256;  ///< of rtl/lib/hls_counters.v, whose address has 8 bits
 
 /// A Verilog-2005 module `name` that instantiates every unit and connects them through rtl/lib.
-/// Throws std::invalid_argument naming a port that nothing is connected to, or a fork without a
-/// bound to a unit that needs other tokens as well, or if there are more than kMaxCounters. A top
-/// without counters has the ports that read them all the same; they read zero.
+/// Throws std::invalid_argument that names an unconnected port, or a fork without a bound to a unit
+/// that also needs other tokens, or more than kMaxCounters counters. A top without counters still
+/// has the ports that read them; they read zero.
 std::string emit_top(const hls::JoinRecord& join, const std::string& name);
 
-/// What the values set from outside are made of, for hand-written Verilog around the top to
-/// include: `NAME_VALUE_BITS, the width of each, and `NAME_VALUE_FIELD, of each field the lowest
-/// bit.
+/// The fields of the values set from outside, for hand-written Verilog around the top to include:
+/// `NAME_VALUE_BITS, the width of each, and `NAME_VALUE_FIELD, of each field the lowest bit.
 std::string emit_header(const hls::JoinRecord& join, const std::string& name);
 
-/// Units, channels, RAMs, banks and counters, for the host, the block diagram and people's scripts.
+/// Units, channels, RAMs, banks and counters, for the host, the block diagram and users' scripts.
 std::string emit_json(const hls::JoinRecord& join, const std::string& name);
 
 }  // namespace hlsc

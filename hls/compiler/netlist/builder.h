@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Makes the nodes of a netlist, simplified as they are made: constants are folded, equal nodes
-// shared, constant shifts and masks become wiring, and an operation is only as wide as its
-// operands' known bits let its result be. For that the builder keeps, beside every node, which of
-// its bits are known and how many of its highest are copies of the sign.
+// shared, constant shifts and masks become wiring, and an operation is only as wide as its result
+// can be with the known bits of its operands. For this the builder keeps for every node the bits
+// that are known and the number of the highest bits that are copies of the sign.
 #pragma once
 
 #include <llvm/ADT/APInt.h>
@@ -24,7 +24,7 @@ class Builder {
  public:
   explicit Builder(Netlist& netlist) : net_(netlist) {}
 
-  /// The source line of the nodes that follow.
+  /// The source line of the next nodes.
   void set_line(const SourceLine& where) { where_ = where; }
   /// Gives a node a name unless it has one.
   void name(NodeId id, const std::string& name);

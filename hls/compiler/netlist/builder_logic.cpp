@@ -28,7 +28,7 @@ KnownBits known_logic(Op op, const KnownBits& a, const KnownBits& b) {
 
 enum class Source : std::uint8_t { kBoth, kFirst, kSecond, kZero, kOne };
 
-/// What a bit of `a op b` is, given what is known of both.
+/// A bit of `a op b`, given the known bits of both.
 Source bit_source(Op op, const KnownBits& a, const KnownBits& b, unsigned i) {
   const KnownBits result = known_logic(op, a, b);
   if (result.Zero[i]) return Source::kZero;

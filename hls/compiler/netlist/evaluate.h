@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What an operation computes: the reference for constant folding, for the interpreter and so for
+// The value of each operation: the reference for constant folding, for the interpreter and so for
 // every test of the lowering.
 #pragma once
 

@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Runs a netlist, transaction by transaction: what its Verilog must agree with to the last bit.
+// Runs a netlist, transaction by transaction; its Verilog must agree to the last bit.
 #pragma once
 
 #include <map>
@@ -33,7 +33,7 @@ class Interpreter {
   /// One transaction. `tokens` and the result are indexed by port; an Out that is not written has
   /// no value.
   std::vector<std::optional<Bits>> step(const std::vector<Bits>& tokens);
-  /// What the last transaction wrote to RAMs of all kinds.
+  /// The writes of the last transaction to RAMs of all kinds.
   const std::vector<WrittenRow>& written_rows() const { return written_rows_; }
 
  private:

@@ -273,8 +273,8 @@ class Rebuild {
   std::set<NodeId> rows_begun_;
 };
 
-/// Bits that each register's value is ever seen to need: assumed to be those of its reset value,
-/// then grown until what follows from the assumption does not contradict it.
+/// The bits that each register's value needs: first those of its reset value, then more until the
+/// register's next values fit.
 std::map<unsigned, unsigned> active_register_bits(const Netlist& netlist) {
   constexpr unsigned kRounds = 4;
   std::map<unsigned, unsigned> active;

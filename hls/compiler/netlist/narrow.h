@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rebuilds a netlist with every node only as wide as somebody looks at it, leaving out what nobody
-// looks at. LLVM keeps widths of the source (an i17 sum may be an i32 one); additions, products,
-// logic and muxes whose high result bits are never used do not need them.
+// Rebuilds a netlist with only the bits of each node that are used, and without unused nodes. LLVM
+// keeps widths of the source (an i17 sum may be an i32 one); additions, products, logic and muxes
+// do not need high result bits that are never used.
 #pragma once
 
 #include "netlist/netlist.h"

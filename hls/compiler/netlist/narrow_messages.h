@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The wordings of what narrowing refuses; {} are filled in by fmt. Tests assert the texts.
+// The messages of narrowing; fmt fills in the {}. Tests assert the texts.
 #pragma once
 
 namespace hlsc::messages {

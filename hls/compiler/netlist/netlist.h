@@ -34,7 +34,7 @@ class Bits {
   std::uint64_t low64() const { return word(0); }
   /// Bits [64 i +: 64]; zero above the width.
   std::uint64_t word(unsigned i) const { return i < words_.size() ? words_[i] : 0; }
-  /// What does not fit is dropped.
+  /// Bits that do not fit are dropped.
   void set_word(unsigned i, std::uint64_t value);
   unsigned words() const { return static_cast<unsigned>(words_.size()); }
   bool operator==(const Bits&) const = default;
@@ -72,7 +72,7 @@ enum class Op : std::uint8_t {
   kClz,     ///< leading zeros of the operand (its width if it is zero)
 };
 
-/// Where in the unit's source an operation came from.
+/// The place of an operation in the unit's source.
 struct SourceLine {
   std::string file;
   unsigned line = 0;
@@ -144,7 +144,7 @@ struct Netlist {
   NodeId add(Node node);
 };
 
-/// Throws std::logic_error naming the node where an invariant of this file does not hold.
+/// Throws std::logic_error that names a node for which an invariant of this file does not hold.
 void check(const Netlist& netlist);
 
 /// One line per node, for tests and --dump.

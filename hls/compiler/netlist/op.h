@@ -12,7 +12,7 @@ namespace hlsc {
 
 /// "add", "mux" ...: stem of the names of unnamed signals.
 const char* op_name(Op op);
-/// How many operands it takes; -1: one or more.
+/// The number of operands; -1: one or more.
 int operand_count(Op op);
 /// A value that is not computed from others: constant, port, register or row.
 bool is_source(Op op);

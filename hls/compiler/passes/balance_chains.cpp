@@ -61,7 +61,7 @@ class BalanceChains : public Rewrite {
   }
 
  private:
-  /// A value and what selects it: `condition`, or its complement.
+  /// A value and its selector: `condition`, or its complement.
   struct Choice {
     NodeId condition;
     bool complement;
@@ -178,8 +178,8 @@ class BalanceChains : public Rewrite {
     return open.front();
   }
 
-  /// A chain of muxes as a tree: any condition of the first part decides between the parts. Where
-  /// to part is searched for; a chain whose first conditions come last stays as it is.
+  /// A chain of muxes as a tree: any condition of the first part decides between the parts. A
+  /// search finds the place to part; a chain whose first conditions arrive last stays as it is.
   class MuxTree {
    public:
     MuxTree(BalanceChains& pass, std::vector<NodeId> conditions, std::vector<NodeId> values)

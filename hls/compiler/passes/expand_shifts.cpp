@@ -37,7 +37,7 @@ class ExpandShifts : public Rewrite {
         return made;
       }
       case Op::kMux: {
-        // A shifted zero is zero without being asked.
+        // A shifted zero stays zero.
         const auto shifted = zero_with_.find(v[2]);
         if (is_zero(v[1]) && shifted != zero_with_.end() && v[0] == zero_test(shifted->second)) {
           return v[2];

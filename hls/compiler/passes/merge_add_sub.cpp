@@ -91,7 +91,7 @@ class MergeAddSub {
       }
       const auto found = negation(mux);
       if (!found) continue;
-      // Whoever else looks at the negation must look at bits that the sum leaves as they are.
+      // Other users of the negation may only use bits that the sum does not change.
       bool only_here = slice == mux || users_[slice].size() == 1;
       for (const NodeId user : users_[mux]) {
         if (user == slice || (user == add && slice == mux)) continue;
@@ -158,7 +158,7 @@ class MergeAddSub {
     return sums_[add] = made;
   }
 
-  /// The new node; what it needs is made before it.
+  /// The new node; its operands are made before it.
   NodeId get(NodeId id) {
     if (made_[id] == kNoNode) {
       if (node(id).op == Op::kRow) {

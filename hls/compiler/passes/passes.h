@@ -10,8 +10,8 @@
 
 namespace hlsc {
 
-/// Chains of and, or, xor, and of muxes of which the first condition that holds decides, become
-/// trees in which what is known first is combined first. A loop with `break` makes such chains.
+/// Chains of and, or, xor, and of muxes whose first true condition decides, become trees that
+/// combine the earliest values first. A loop with `break` makes such chains.
 Netlist balance_chains(const Netlist& netlist);
 
 /// Divisions become digit recurrences, one subtraction a digit, without the digits that are known
@@ -29,8 +29,9 @@ Netlist split_products(const Netlist& netlist, const DelayModel& delay);
 /// between two layers. A value shifted by its own leading zeros shares the layers of the count.
 Netlist expand_shifts(const Netlist& netlist);
 
-/// An addition of a selected negation, which is what optimisers make of `s ? a - b : a + b`,
-/// becomes kAddSub: one carry chain instead of two. Last, as the builder knows no kAddSub.
+/// An addition of a selected negation, into which optimisers turn `s ? a - b : a + b`, becomes
+/// kAddSub: one carry chain instead of two. This pass is the last, as the builder does not know
+/// kAddSub.
 Netlist merge_add_sub(const Netlist& netlist);
 
 }  // namespace hlsc

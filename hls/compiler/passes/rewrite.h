@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the passes that replace nodes are made of: copies a netlist node by node through a Builder,
-// which folds, shares and narrows, and lets a pass make something else of a node.
+// The base of the passes that replace nodes: copies a netlist node by node through a Builder, which
+// folds, shares and narrows, and lets a pass replace a node.
 #pragma once
 
 #include <vector>
@@ -22,7 +22,7 @@ class Rewrite {
   Netlist run();
 
  protected:
-  /// Makes what stands for `node`, with these operands in the new netlist. As it is, a copy.
+  /// Makes the replacement of `node`, with these operands in the new netlist; by default a copy.
   virtual NodeId make(const Node& node, const std::vector<NodeId>& operands);
   const Node& node(NodeId id) const { return to_.nodes[id]; }
   bool is_zero(NodeId id) const { return builder_.known(id).isZero(); }

@@ -185,8 +185,8 @@ std::vector<Precedence> precedences(const Circuit& c, const Timing& timing) {
     const Port& p = c.netlist.ports[port];
     for (unsigned r = 0; r < c.row_read.size(); ++r) {
       if (c.netlist.row_reads[r].port != port || c.row_read[r] == BitRef::kConstant) continue;
-      // A transaction reads what was there before its own write. A row that is written in the same
-      // clock is undefined in an exclusive RAM and the old one in the others.
+      // A transaction reads the row as it was before its own write. A row that is written in the
+      // same clock is undefined in an exclusive RAM and the old one in the others.
       const bool exclusive = p.kind == PortKind::kRam && p.hazard == Hazard::kExclusive;
       all.push_back({c.row_read[r], id, exclusive ? 1 : 0});
       if (p.kind == PortKind::kRegisterFile) all.push_back({id, c.row_read[r], 0});

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the scheduler places: the netlist with its wiring (slices, concatenations, sign extensions,
-// constants) dissolved, so that every operand is a list of bits of whoever computes them. A field
-// of a token is a cell of its own. Cells are in topological order.
+// The circuit that the scheduler places: the netlist without its wiring (slices, concatenations,
+// sign extensions, constants), so that every operand is a list of bits of the cells that compute
+// them. A field of a token is a cell of its own. Cells are in topological order.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// How long things take on a device family, in ns, routing included: the data that the scheduler
-// works with. The files are in hls/compiler/delay; each names its sources.
+// The delays of a device family, in ns, routing included: the data of the scheduler. The files are
+// in hls/compiler/delay; each names its sources.
 #pragma once
 
 #include <string>
@@ -24,12 +24,12 @@ struct DelayModel {
   double ram_out = 0;              ///< a synchronous RAM's data after the clock
   double ram_in = 0;               ///< set-up of its address, data and enables
   double lut_ram = 0;              ///< address to data of a LUT RAM
-  double token_in = 0;             ///< a token's arrival at an In: what comes between FIFO and unit
+  double token_in = 0;             ///< a token's arrival at an In: the logic between FIFO and unit
   int longest_shift = 5;           ///< a value that only waits for longer goes through a RAM
   double token_out = 0;            ///< set-up of an Out's FIFO
 };
 
-/// Throws Error naming the file and what is wrong with it.
+/// Throws Error that names the file and its mistake.
 DelayModel load_delay_model(const std::string& path);
 
 }  // namespace hlsc

@@ -9,9 +9,9 @@
 // shared by several users are our groups), solved by LEMON's network simplex (Z. Kiraly, P. Kovacs,
 // "Efficient Implementations of Minimum-Cost Flow Algorithms", 2012). That scheduling is a system
 // of difference constraints: J. Cong, Z. Zhang, "An Efficient and Versatile Scheduling Algorithm
-// Based on SDC Formulation", DAC 2006. Such pairs are found beforehand for single paths; what
-// packing and joining paths still violate is found by timing the solution and added until nothing
-// is.
+// Based on SDC Formulation", DAC 2006. Such pairs are found beforehand for single paths. Packing
+// and joining paths may violate others: timing the solution finds them, and they are added until
+// there are none.
 #include <lemon/list_graph.h>
 #include <lemon/network_simplex.h>
 

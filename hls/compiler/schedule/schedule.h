@@ -15,10 +15,10 @@ namespace hlsc {
 
 struct Schedule {
   int stages = 1;          ///< clocks from the start of a transaction to its tokens in the FIFOs
-  std::vector<int> stage;  ///< of each cell; of a configuration value -1: it stands in all
+  std::vector<int> stage;  ///< of each cell; of a configuration value -1: it is in all
 };
 
-/// Every cell in the first stage that it fits, in ns of the clock period. Throws Error where an
+/// Puts every cell into the first stage that it fits; the clock period is in ns. Throws Error if an
 /// operation or a register's feedback does not fit a stage.
 Schedule schedule_asap(const Circuit& circuit, const DelayModel& delay, double clock_ns);
 
@@ -32,7 +32,7 @@ struct Precedence {
   CellId user;
   int distance;
 };
-/// All that the circuit itself demands, whatever the clock.
+/// The constraints of the circuit itself, for any clock.
 std::vector<Precedence> precedences(const Circuit& circuit, const Timing& timing);
 
 /// Bits that live in registers between stages, without valid bits, state and delays as RAM.

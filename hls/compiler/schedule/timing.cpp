@@ -102,7 +102,7 @@ double Timing::load(std::size_t loads) const {
 }
 
 void Timing::time_logic(const Cell& cell, int stage, const std::vector<int>& stages) {
-  // Bits that an operand repeats, and what selects a word.
+  // Bits that an operand repeats, and the selector of a word.
   std::vector<double> repeated;
   for (const auto& operand : cell.operands) {
     const bool scalar = operand.size() == 1;

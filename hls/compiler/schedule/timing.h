@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // When each bit of a cell arrives after its stage's clock, by the delay model. Chained logic is
-// packed into LUTs as a mapper would do it: a bit remembers the inputs of the LUT that makes it,
-// and a user that can swallow that LUT pays for one level only. Carry chains pass bits on as they
-// come.
+// packed into LUTs as a mapper would do it: a bit keeps the inputs of the LUT that makes it, and a
+// user that can absorb that LUT pays for one level only. Carry chains pass bits on as they come.
 #pragma once
 
 #include <array>
@@ -19,9 +18,9 @@ class Timing {
  public:
   Timing(const Circuit& circuit, const DelayModel& delay);
 
-  /// Computes the arrival of a cell's bits, given the stages of what it reads; what is in an
-  /// earlier stage comes out of registers. Returns when the stage may be clocked on account of this
-  /// cell: the latest bit, or the latest input and the set-up of what is written.
+  /// Computes the arrival of a cell's bits, given the stages of its operands; operands of an
+  /// earlier stage come out of registers. Returns the earliest clock edge that this cell allows:
+  /// the latest bit, or the latest input and the set-up of the write.
   double evaluate(CellId id, const std::vector<int>& stage);
   /// The bit that decided the last evaluate() of this cell, or a constant if it came from a
   /// register.
@@ -36,7 +35,7 @@ class Timing {
 
  private:
   static constexpr unsigned kMaxLeaves = 6;
-  /// How a bit is made: when, and by a LUT of which inputs (none: not by a LUT alone).
+  /// The origin of a bit: its time, and the inputs of its LUT (none: not by one LUT).
   struct Arrival {
     double at = 0;
     unsigned leaves = 0;
@@ -46,7 +45,7 @@ class Timing {
   struct Input {
     double at = 0;
     const Arrival* made = nullptr;  ///< null: out of a register
-    double load = 0;                ///< how much later it is for having many loads
+    double load = 0;                ///< additional delay for many loads
     BitRef bit;
   };
 
