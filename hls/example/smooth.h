@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A small unit of one's own: smooths what several channels measure, y += weight (x - y), in a
-// 12-bit float of one's own.
+// A small unit of your own: smooths the samples of several channels, y += weight (x - y), in your
+// own 12-bit float.
 #pragma once
 
 #include "hls/float.h"
@@ -15,7 +15,7 @@ using Channel = hls::uint<3>;
 
 struct Sample {
   Channel channel;
-  bool first = false;  ///< nothing was measured before
+  bool first = false;  ///< no sample came before
   Real value;
   HLS_FIELDS(channel, first, value)
 };

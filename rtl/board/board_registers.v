@@ -138,8 +138,8 @@ module board_registers #(
     end
   end
 
-  // A read waits beside the SRAM, so that registers and SRAM answer in order: stage s holds the
-  // read that was accepted s + 1 clocks ago.
+  // A read of a register takes as long as one of the SRAM, so that both answer in order: stage s
+  // holds the read that was accepted s + 1 clocks ago.
   reg [SRAM_LATENCY-1:0]    wait_valid_q;
   reg [SRAM_LATENCY-1:0]    wait_window_q; // of the window and not refused
   reg [26*SRAM_LATENCY-1:0] wait_addr_q;

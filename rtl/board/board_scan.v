@@ -1,11 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// What stands around the unit scan_out: the pixel clock in front of it, the pins behind it. It asks
-// for a pixel every clocks_i clocks; as the unit's latency is constant, pixels come out at the same
-// rate. The pins change with vga_clock_o low and hold still from a clock before it rises until it
-// has fallen. Fewer than two clocks a pixel switch the scan-out off: all pins are low and the unit
-// is held in reset.
+// The logic around the unit scan_out: the pixel clock before it, the pins behind it. It asks for a
+// pixel every clocks_i clocks; as the unit's latency is constant, pixels come out at the same rate.
+// The pins change with vga_clock_o low and hold still from a clock before it rises until it has
+// fallen. Fewer than two clocks a pixel switch the scan-out off: all pins are low and the unit is
+// held in reset.
 module board_scan (
   input  wire        clk_i,
   input  wire        rst_ni,

@@ -1,10 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Runs one frame: resets the core for RESET_CLOCKS and clears its counters; has it empty the lines
-// 0 .. last_line_i of every cache, waits PAUSE_CLOCKS until that has surely happened, frees the
-// packets 0 .. last_packet_i (start tokens 512 and up); and waits for the token that says that the
-// frame is complete. Between frames the core needs no clock.
+// Runs one frame: resets the core for RESET_CLOCKS and clears its counters; makes it empty the
+// lines 0 .. last_line_i of every cache, waits PAUSE_CLOCKS until this is done, frees the packets 0
+// .. last_packet_i (start tokens 512 and up); and waits for the token of the complete frame.
+// Between frames the core needs no clock.
 module board_sequencer #(
   parameter RESET_CLOCKS = 64, // the core's register files have up to 64 rows to clear
   parameter PAUSE_CLOCKS = 64
@@ -12,7 +12,7 @@ module board_sequencer #(
   input  wire        clk_i,
   input  wire        rst_ni,
   input  wire        start_i,  // ignored while busy
-  input  wire        reset_i,  // give up whatever is under way
+  input  wire        reset_i,  // give up the current frame
   input  wire [8:0]  last_line_i,
   input  wire [8:0]  last_packet_i,
   output wire        busy_o,

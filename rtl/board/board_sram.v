@@ -3,10 +3,10 @@
 //
 // Shares the six SRAM banks between the core, while a frame is being rendered, and the host's
 // window at all other times. The core reads banks 0 to 2 and writes banks 3 to 5. In bank 3, the
-// framebuffer's, the scan-out comes first: it must have its pixel in time, at most every other
+// framebuffer's, the scan-out has priority: it must get its pixel in time, at most every other
 // clock. A pixel that the core writes in the same clock is held for the next one; the core writes
 // one in four clocks at most (hls/units/shading.h), so one register is enough and the core never
-// waits. The host does: the window must not be used in a clock of the scan-out. Every pin has a
+// waits. The host waits: it must not use the window in a clock of the scan-out. Every pin has a
 // register: an access is at the pins one clock after it was asked for, and the data read is handed
 // on one clock after it came back, so a bank itself may take SRAM_LATENCY - 2 clocks (synchronous
 // SRAM: 1).
@@ -35,7 +35,7 @@ module board_sram (
   input  wire [6*32-1:0]  sram_rdata_i
 );
 
-  // What the core writes to bank 3, now or held.
+  // The core's write to bank 3, of this clock or held.
   reg         held_q;
   reg  [19:0] held_addr_q;
   reg  [31:0] held_data_q;

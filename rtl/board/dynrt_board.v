@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Top of the board: the core (dynrt_core, generated) between a register slave with an interrupt and
-// six synchronous SRAM banks of 2^20 words of 32 bits; and the scan-out (scan_out, generated), which
-// shows what lies in bank 3 whatever the core does.
+// six synchronous SRAM banks of 2^20 words of 32 bits; and the scan-out (scan_out, generated),
+// which shows the picture in bank 3 while the core works.
 //
 // core_clk_i is clk_i or, to save power between frames, clk_i behind a clock gate that
 // core_clk_en_o opens. The gate must not skew the two clocks.
@@ -116,7 +116,7 @@ module dynrt_board #(
     .sram_wdata_o(sram_wdata_o), .sram_rdata_i(sram_rdata_i)
   );
 
-  // What the done token carries says nothing; its arrival does.
+  // Only the arrival of the done token counts, not its data.
   dynrt_core core (
     .clk_i(core_clk_i), .rst_ni(core_rst_n),
     .start_valid_i(start_valid), .start_ready_o(start_ready), .start_data_i(start_data),
