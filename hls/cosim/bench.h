@@ -249,7 +249,7 @@ class ModelBench {
     return last_progress + 1;
   }
   std::string stuck(const Settings& settings) const {
-    std::string text = fmt::format("nothing moved for {} clocks", settings.patience);
+    std::string text = fmt::format("no token moved for {} clocks", settings.patience);
     for (const auto& port : ports_) {
       if (const std::string waits = port->waiting(); !waits.empty()) text += "; port " + waits;
     }
@@ -261,9 +261,8 @@ class ModelBench {
       compared += port->compared();
       const bool writes = port->kind() == PortKind::kOut || port->kind() == PortKind::kRamWrite;
       if (writes && port->compared() == 0 && !silent_.contains(port->name())) {
-        throw Mismatch(
-            fmt::format("port {} gave nothing in {} transactions: the tokens do not reach it",
-                        port->name(), settings.transactions));
+        throw Mismatch(fmt::format("port {} gave no token in {} transactions: no token reaches it",
+                                   port->name(), settings.transactions));
       }
     }
     if (compared == 0) throw Mismatch("no token was compared");

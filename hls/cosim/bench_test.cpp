@@ -82,9 +82,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Fault{3, "port last, write "}, Fault{4, "port result, token "},
                       Fault{5, "port result"},
                       Fault{6, "port result: the token changed before ready came, to packet = "},
-                      Fault{7, "port result: valid was taken back before ready came"},
-                      Fault{8, "nothing moved for 5000 clocks; port job is not taken"},
-                      Fault{9, "nothing moved for 5000 clocks; port last owes write 0 of "},
+                      Fault{7, "port result: valid fell before ready came"},
+                      Fault{8, "no token moved for 5000 clocks; port job is not taken"},
+                      Fault{9,
+                            "no token moved for 5000 clocks; port last has not made write 0 of "},
                       Fault{10, "field total: RTL "}, Fault{11, "field stamp: RTL "}));
 
 TEST(Bench, NamesFieldBothValuesAndTheTokenRead) {
@@ -103,14 +104,14 @@ TEST(Bench, TheSeedDecidesTheRun) {
 TEST(Bench, ARunThatReachesNothingFails) {
   const Report none = run(0, {.transactions = 0});
   EXPECT_FALSE(none.ok);
-  EXPECT_THAT(none.text, HasSubstr("port result gave nothing in 0 transactions"));
+  EXPECT_THAT(none.text, HasSubstr("port result gave no token in 0 transactions"));
 
   Vtally dut;
   Bench<Tally> bench = bench_of(dut);
   bench.shape<Job>("job", [](Job& job, auto&) { job.action = {}; });
   const Report report = bench.run({});
   EXPECT_FALSE(report.ok);
-  EXPECT_THAT(report.text, HasSubstr("port last gave nothing in 10000 transactions"));
+  EXPECT_THAT(report.text, HasSubstr("port last gave no token in 10000 transactions"));
 }
 
 TEST(Bench, SilentPortsMayBeNamed) {

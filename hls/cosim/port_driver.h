@@ -166,7 +166,7 @@ class OutDriver : public PortDriver {
     const bool valid = pins_.valid.get() != 0;
     const TokenBits token = get();
     if (held_up_ && !valid) {
-      throw Mismatch(fmt::format("port {}: valid was taken back before ready came", name()));
+      throw Mismatch(fmt::format("port {}: valid fell before ready came", name()));
     }
     if (held_up_ && token != held_) {
       throw Mismatch(fmt::format("port {}: the token changed before ready came, to {}", name(),
@@ -177,8 +177,8 @@ class OutDriver : public PortDriver {
     moved_ = valid && ready_;
     if (!moved_) return;
     if (expected_.empty()) {
-      throw Mismatch(fmt::format("port {}: RTL gives a token that the model does not: {}", name(),
-                                 model_.describe(token)));
+      throw Mismatch(fmt::format("port {}: RTL gives a token that the model does not give: {}",
+                                 name(), model_.describe(token)));
     }
     compare("token", token, expected_.front().second, expected_.front().first);
     ledger.seen(expected_.front().first);
@@ -186,7 +186,7 @@ class OutDriver : public PortDriver {
   }
   std::string waiting() const override {
     if (expected_.empty()) return {};
-    return fmt::format("{} owes token {} of transaction {}: {}", name(), compared_,
+    return fmt::format("{} has not given token {} of transaction {}: {}", name(), compared_,
                        expected_.front().first, model_.describe(expected_.front().second));
   }
 
@@ -265,7 +265,7 @@ class RamWriteDriver : public PortDriver {
   std::string waiting() const override {
     if (expected_.empty()) return {};
     const auto& [transaction, write] = expected_.front();
-    return fmt::format("{} owes write {} of transaction {}: row {}: {}", name(), compared_,
+    return fmt::format("{} has not made write {} of transaction {}: row {}: {}", name(), compared_,
                        transaction, write.address, model_.describe(write.row));
   }
 

@@ -31,7 +31,7 @@ class JoinPorts {
     const auto found = names_.find(port);
     if (found == names_.end()) {
       throw std::logic_error(
-          "a port is connected whose unit is not part of the join, or which the unit does not name "
+          "the join connects a port whose unit it does not have, or which the unit does not name "
           "in HLS_PORTS");
     }
     return found->second;

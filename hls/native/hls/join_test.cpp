@@ -343,8 +343,8 @@ TEST(Join, APortOfAStrangerIsAnError) {
     FAIL() << "nothing was thrown";
   } catch (const std::logic_error& error) {
     EXPECT_STREQ(error.what(),
-                 "a port is connected whose unit is not part of the join, or which the unit does "
-                 "not name in HLS_PORTS");
+                 "the join connects a port whose unit it does not have, or which the unit does not "
+                 "name in HLS_PORTS");
   }
 }
 
