@@ -18,6 +18,12 @@ PACKED = re.compile(
 )
 # What Yosys adds to the name of a signal for a cell that drives it.
 DRIVES = re.compile(r"_(?:LUT4|TRELLIS_FF|L6MUX21|PFUMX|CCU2C|SB_\w+?)_[A-Z]\w*$")
+# A name that Yosys made up of a signal and a cell beside it.
+INVENTED = re.compile(r"_(?:LUT4|TRELLIS_FF|L6MUX21|PFUMX|CCU2C|SB_[A-Z0-9]+)_[A-Z]")
+# The first line of an instance, in the Verilog of hlsc and of this project.
+INSTANCE = re.compile(r"^\s*\w+\s+(?:#\s*\(.*\)\s*)?\w+\s*\(\s*(?:\.|$)")
+# What it adds to a memory's name for a cell of it, and for an output of that.
+PART = re.compile(r"\.\d+\.\d+(?:_[A-Z]\w*)?(?:\[\d+\])?$")
 COPY = re.compile(r"copy_(\d+)\.")
 COMMENT = re.compile(r"// (units/\S+:\d+)")
 STAGE = re.compile(r"_(?:s\d+|q)$")
@@ -47,11 +53,13 @@ class Names:
         )
         self._module, self._verilog, self._joins = module, verilog, joins
         self._cells: dict[str, Any] = top["cells"]
+        self._declared: dict[str, str] = {}  # a net's place, by the instance that it is in
         self._nets: dict[int, list[tuple[str, str]]] = defaultdict(list)
         for name, net in top["netnames"].items():
             if net["hide_name"]:
                 continue
             source = net["attributes"].get("src", "")
+            self._declared.setdefault(name.rpartition(".")[0], source)
             wide = len(net["bits"]) > 1
             for at, bit in enumerate(net["bits"]):
                 if isinstance(bit, int):
@@ -74,8 +82,8 @@ class Names:
         )
 
     def _signal(self, cell: Any, port: str, source: str) -> tuple[str, str] | None:
-        """The best name of the net that the cell drives, with the place of its declaration: one
-        declared in the file that the cell is from, then the innermost, then no port's."""
+        """The best name of the net that the cell drives, with the place of its declaration: none
+        of Yosys's own, one declared in the file that the cell is from, the innermost, no port's."""
         directions = cell.get("port_directions", {})
         outs = [p for p, d in directions.items() if d == "output"]
         bits = [
@@ -88,9 +96,16 @@ class Names:
             return None
         from_file = self._innermost(source)
 
-        def rank(net: tuple[str, str]) -> tuple[bool, int, bool, str]:
+        def rank(net: tuple[str, str]) -> tuple[bool, bool, int, bool, str]:
             near = self._innermost(net[1]) == from_file
-            return (not near, -net[0].count("."), BIT.sub("", net[0]).endswith("_i"), net[0])
+            invented = bool(INVENTED.search(net[0]))
+            return (
+                invented,
+                not near,
+                -net[0].count("."),
+                BIT.sub("", net[0]).endswith(("_i", "_o")),
+                net[0],
+            )
 
         return min(self._nets[bits[0]], key=rank)
 
@@ -108,7 +123,9 @@ class Names:
 
     def _plain(self, name: str) -> str:
         """A hierarchical name without the wrapper's and the unit's part."""
-        plain = DRIVES.sub("", COPY.sub("", name).removeprefix("unit.")).removeprefix("core.")
+        plain = DRIVES.sub("", PART.sub("", COPY.sub("", name).removeprefix("unit."))).removeprefix(
+            "core."
+        )
         _, dot, rest = plain.partition(".")
         return rest if dot and self._joins else plain
 
@@ -116,8 +133,7 @@ class Names:
         """A C++ line named beside one of the Verilog lines, else the first Verilog line."""
         places = self._known(declared) + self._known(driven)
         for file, line in places:
-            text = self._lines(file)[line - 1] if line <= len(self._lines(file)) else ""
-            if found := COMMENT.search(text):
+            if found := COMMENT.search(self._line(file, line)):
                 return f"hls/{found[1]}"
         stem = STAGE.sub("", BIT.sub("", signal.rpartition(".")[2]))
         for file, _ in places:
@@ -125,12 +141,29 @@ class Names:
                 rf"\b{re.escape(stem)}_s\d+ =.*{COMMENT.pattern}", self._text(file)
             ):
                 return f"hls/{found[1]}"
+        if not places and (place := self._memory(PART.sub("", signal))):
+            places = [place]
         return f"{_shown(places[0][0])}:{places[0][1]}" if places else ""
 
+    def _memory(self, name: str) -> tuple[str, int] | None:
+        """Where a memory is declared, whose cells name no line, in the file of a net beside it."""
+        while "." in name:
+            name, _, inner = name.rpartition(".")
+            for file, _ in self._known(self._declared.get(name, "")):
+                for at, line in enumerate(self._lines(file), 1):
+                    if re.search(rf"\breg\b[^;]*\s{re.escape(inner)}\s*\[", line):
+                        return file, at
+        return None
+
     def _known(self, source: str) -> list[tuple[str, int]]:
-        """The places of an attribute `src` in the netlist's own files, the innermost first: Yosys
-        puts the lines of the instances before, and those of its own cells behind."""
-        return [p for p in reversed(_places(source)) if self._lines(p[0])]
+        """The places of an attribute `src` in the netlist's own files: first those of the thing
+        itself, then those of the instances that it is in, which Yosys lists in any order."""
+        places = [p for p in _places(source) if self._lines(p[0])]
+        return sorted(places, key=lambda p: bool(INSTANCE.match(self._line(*p))))
+
+    def _line(self, file: str, line: int) -> str:
+        lines = self._lines(file)
+        return lines[line - 1] if line <= len(lines) else ""
 
     def _innermost(self, source: str) -> str:
         known = self._known(source)

@@ -3,6 +3,7 @@
 """The longest paths of an SDF file, and the unit, signal and source line of their ends."""
 
 import pathlib
+import shutil
 import tempfile
 import unittest
 
@@ -66,7 +67,8 @@ module sum (input clk_i, input rst_ni, input [3:0] a_i, input [3:0] b_i, output 
   assign sum_o = valid_q ? added_s1 : 4'd0;
 endmodule
 module dynrt_core (input clk_i, input rst_ni, input [3:0] a_i, input [3:0] b_i, output [3:0] o);
-  sum u_adder (.clk_i(clk_i), .rst_ni(rst_ni), .a_i(a_i), .b_i(b_i), .sum_o(o));
+  sum u_adder (
+    .clk_i(clk_i), .rst_ni(rst_ni), .a_i(a_i), .b_i(b_i), .sum_o(o));
 endmodule
 """
 
@@ -146,6 +148,34 @@ class Paths(unittest.TestCase):
         self.assertTrue(found)
         for origin in found:
             self.assertEqual(origin.source, "sum.v:6")
+
+    def test_a_memory_s_cells_are_its_declaration(self) -> None:
+        source = project.ROOT / "rtl" / "lib" / "hls_fifo.v"
+        ports = wrapper.ports("hls_fifo", [source], self.folder)
+        outer = self.folder / "placed.v"
+        outer.write_text(wrapper.wrap("hls_fifo", ports), encoding="utf-8")
+        shutil.copyfile(source, self.folder / source.name)
+        netlist = self.folder / "netlist.json"
+        synthesis.run_yosys(
+            [
+                f"read_verilog {source} {outer}",
+                "synth_ecp5 -nowidelut -top placed",
+                f"write_json {netlist}",
+            ],
+            self.folder,
+            "hls_fifo",
+        )
+        cells = project.read_json(netlist)["modules"]["placed"]["cells"]
+        names = source_names.Names(netlist, self.folder, "hls_fifo")
+        rams = [name for name, cell in cells.items() if cell["type"] == "TRELLIS_DPR16X4"]
+        self.assertTrue(rams)
+        lines = source.read_text(encoding="utf-8").splitlines()
+        for ram in rams:
+            origin = names.origin(f"{ram}$DPRAM_COMB2", "F")
+            self.assertEqual((origin.unit, origin.signal), ("hls_fifo", "rows"))
+            file, _, line = origin.source.partition(":")
+            self.assertEqual(file, "rtl/lib/hls_fifo.v")
+            self.assertRegex(lines[int(line) - 1], r"reg .*rows +\[")
 
     def test_bits_of_one_path_are_one(self) -> None:
         two = SDF.replace("end\\[0\\]", "end\\[1\\]").splitlines()
