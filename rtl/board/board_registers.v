@@ -6,6 +6,8 @@
 // A word is transferred in every clock in which bus_valid_i and bus_ready_o are high. Reads are
 // pipelined and answered in order, each SRAM_LATENCY + 1 clocks after it was accepted, so a burst
 // of reads moves a word a clock as well. The bus waits only while the scan-out reads the SRAM, a clock.
+`default_nettype none
+
 module board_registers #(
   parameter PACKETS = 64,
   parameter CACHE_LINES = 512,
@@ -204,3 +206,5 @@ module board_registers #(
   end
 
 endmodule
+
+`default_nettype wire

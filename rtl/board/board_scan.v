@@ -6,6 +6,8 @@
 // The pins change with vga_clock_o low and hold still from a clock before it rises until it has
 // fallen. Fewer than two clocks a pixel switch the scan-out off: all pins are low and the unit is
 // held in reset.
+`default_nettype none
+
 module board_scan (
   input  wire        clk_i,
   input  wire        rst_ni,
@@ -77,3 +79,5 @@ module board_scan (
 `endif
 
 endmodule
+
+`default_nettype wire

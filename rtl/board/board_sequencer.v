@@ -5,6 +5,8 @@
 // lines 0 .. last_line_i of every cache, waits PAUSE_CLOCKS until this is done, frees the packets 0
 // .. last_packet_i (start tokens 512 and up); and waits for the token of the complete frame.
 // Between frames the core needs no clock.
+`default_nettype none
+
 module board_sequencer #(
   parameter RESET_CLOCKS = 64, // the core's register files have up to 64 rows to clear
   parameter PAUSE_CLOCKS = 64
@@ -93,4 +95,17 @@ module board_sequencer #(
     if (!rst_ni) cycles_o <= 64'd0;
   end
 
+`ifdef HLS_ASSERT
+  // A reset clears a row of the register files a clock; they have a row for each packet.
+  always @(posedge clk_i) begin
+    if (rst_ni && state_q == PACKETS && last_packet_i > LAST_RESET) begin
+      $display("%m: a reset of %0d clocks clears the rows of fewer packets than %0d", RESET_CLOCKS,
+               last_packet_i + 9'd1);
+      $stop;
+    end
+  end
+`endif
+
 endmodule
+
+`default_nettype wire

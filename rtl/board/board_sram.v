@@ -10,6 +10,8 @@
 // register: an access is at the pins one clock after it was asked for, and the data read is handed
 // on one clock after it came back, so a bank itself may take SRAM_LATENCY - 2 clocks (synchronous
 // SRAM: 1).
+`default_nettype none
+
 module board_sram (
   input  wire             clk_i,
   input  wire             rst_ni,
@@ -87,3 +89,5 @@ module board_sram (
 `endif
 
 endmodule
+
+`default_nettype wire

@@ -7,6 +7,7 @@
 //
 // core_clk_i is clk_i or, to save power between frames, clk_i behind a clock gate that
 // core_clk_en_o opens. The gate must not skew the two clocks.
+`default_nettype none
 `include "dynrt_core.vh"
 
 module dynrt_board #(
@@ -174,3 +175,5 @@ module dynrt_board #(
   endgenerate
 
 endmodule
+
+`default_nettype wire
