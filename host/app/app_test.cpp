@@ -185,7 +185,6 @@ TEST_F(App, ReportsCountWhatOtherCoresWouldDo) {
 }
 
 TEST_F(App, WhatTheUserShouldKnowIsNoted) {
-  fs::create_directories(folder_);
   std::ofstream(folder_ / "m.obj")
       << "mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2\n";
   const std::string note = "m.obj: there is no material file 'gone.mtl', so its materials are grey";

@@ -20,20 +20,12 @@ inline constexpr char kLit[] = " --config lit --board model --size 32x24 ";
 
 class App : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ =
-        fs::path(testing::TempDir()) /
-        (std::string("dynrt_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   Outcome run(const std::string& arguments, const std::string& stdout_to = {}) const {
-    return run_program(DYNRT_PROGRAM, arguments, folder_, stdout_to);
+    return run_program(DYNRT_PROGRAM, arguments, folder_.path(), stdout_to);
   }
   /// The user's mistake: one sentence, exit code 2, nothing left behind.
   void expect_mistake(const std::string& arguments, const testing::Matcher<std::string>& sentence) {
-    const std::vector<std::string> before = names_in(folder_);
+    const std::vector<std::string> before = names_in(folder_.path());
     const Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_THAT(outcome.err, sentence) << arguments;
@@ -42,7 +34,7 @@ class App : public testing::Test {
     EXPECT_EQ(outcome.files, before) << arguments;
   }
 
-  fs::path folder_;
+  const TestFolder folder_;
 };
 
 }  // namespace dynrt::host

@@ -6,12 +6,12 @@
 
 #include <sys/wait.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
+
+#include "host/test_folder.h"
 
 namespace dynrt::host {
 
@@ -21,28 +21,11 @@ struct Outcome {
   std::vector<std::string> files;  ///< left in the folder, sorted
 };
 
-inline std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// The files of a folder, sorted; none if there is no such folder.
-inline std::vector<std::string> names_in(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  if (!std::filesystem::exists(folder)) return names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    names.push_back(entry.path().filename().string());
-  }
-  std::ranges::sort(names);
-  return names;
-}
-
 /// `folder` keeps its files between runs; stdout and stderr are files, so no terminal. `stdout_to`
 /// names a file for stdout instead of Outcome::out.
 inline Outcome run_program(const std::string& program, const std::string& arguments,
                            const std::filesystem::path& folder, const std::string& stdout_to = {}) {
   namespace fs = std::filesystem;
-  fs::create_directories(folder);
   const fs::path out = stdout_to.empty() ? folder.string() + ".out" : stdout_to;
   const fs::path err = folder.string() + ".err";
   const std::string command = "cd '" + folder.string() + "' && '" + program + "' " + arguments +

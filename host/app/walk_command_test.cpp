@@ -59,10 +59,10 @@ TEST_F(App, WalksIntoAGif) {
 TEST_F(App, AWalkThatIsKilledGoesOn) {
   const std::string walk = std::string("walk blocks --frames 40 --out w") + kModel;
   // Killed at its second picture, without a chance to tidy up.
-  const std::string killed = "cd '" + folder_.string() + "' && { '" DYNRT_PROGRAM "' " + walk +
+  const std::string killed = "cd '" + folder_.path().string() + "' && { '" DYNRT_PROGRAM "' " +
+                             walk +
                              " > /dev/null & } && while [ ! -e w/frame_0001.png ]; do sleep 0.01; "
                              "done; kill -9 $!; wait $!";
-  fs::create_directories(folder_);
   ASSERT_NE(std::system(killed.c_str()), 0);
   EXPECT_FALSE(fs::exists(folder_ / "w/frame_0039.png"));
   const Outcome outcome = run(walk);
@@ -97,7 +97,6 @@ TEST_F(App, BadWalksAreRefused) {
 }
 
 TEST_F(App, ALightThatSomethingMovesOverIsRefused) {
-  fs::create_directories(folder_);
   std::ofstream(folder_ / "m.json") << R"({"about": "a ball passes a lamp",
     "objects": [{"name": "ball", "parts": [
       {"generate": "sphere", "colour": [1, 1, 1], "radius": 1, "subdivisions": 1}]}],

@@ -18,6 +18,7 @@
 #include "host/error.h"
 #include "host/render/fake_board.h"
 #include "host/scene/animation.h"
+#include "host/test_folder.h"
 #include "host/tree/instance_tree.h"
 
 namespace dynrt::host {
@@ -48,33 +49,18 @@ constexpr char kSliding[] = R"({
 
 class Walks : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ =
-        fs::path(testing::TempDir()) /
-        (std::string("walks_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    std::ofstream(folder_ / "s.json") << kSliding;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  void SetUp() override { folder_.write("s.json", kSliding); }
 
   Prepared prepared(const std::string& scene = "") const {
     SceneArguments arguments;
-    arguments.scene = scene.empty() ? (folder_ / "s.json").string() : scene;
+    arguments.scene = scene.empty() ? path("s.json") : scene;
     return prepare(arguments, kWidth, kHeight);
   }
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::vector<std::string> files(const std::string& name) const {
-    std::vector<std::string> files;
-    for (const auto& file : fs::directory_iterator(folder_ / name)) {
-      files.push_back(file.path().filename().string());
-    }
-    std::ranges::sort(files);
-    return files;
-  }
+  std::string path(const std::string& name) const { return folder_.path(name); }
+  std::vector<std::string> files(const std::string& name) const { return names_in(folder_ / name); }
 
   const FrameOptions options_{.width = kWidth, .height = kHeight, .timeout = 1000};
-  fs::path folder_;
+  const TestFolder folder_;
 };
 
 /// The board holds, word by word, what the scene is at the time.

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "host/error.h"
+#include "host/test_folder.h"
 
 namespace dynrt::host {
 namespace {
@@ -19,21 +20,8 @@ using testing::ThrowsMessage;
 
 class LoadConfiguration : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ =
-        fs::path(testing::TempDir()) /
-        (std::string("load_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    std::ifstream file(DYNRT_LOADABLE_LIBRARY, std::ios::binary);
-    library_.assign(std::istreambuf_iterator<char>(file), {});
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   std::string written(const std::string& name, const std::string& content) const {
-    const std::string path = (folder_ / name).string();
-    std::ofstream(path, std::ios::binary) << content;
-    return path;
+    return folder_.write(name, content);
   }
   /// The library with a text in place of another of the same length.
   std::string with(const std::string& old, const std::string& text) const {
@@ -47,8 +35,8 @@ class LoadConfiguration : public testing::Test {
     return with(std::string(32, '0'), std::string(this_build().fingerprint));
   }
 
-  fs::path folder_;
-  std::string library_;
+  const TestFolder folder_;
+  const std::string library_ = text_of(DYNRT_LOADABLE_LIBRARY);
 };
 
 TEST_F(LoadConfiguration, TakesWhatTheBuildMadeBesideTheProgram) {

@@ -5,13 +5,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 
 #include "host/format/frame_words.h"
+#include "host/test_folder.h"
 
 namespace dynrt::host {
 namespace {
@@ -78,16 +77,9 @@ TEST(ModelBoard, RendersWhatTheCoreRenders) {
 
 class ScheduledBoard : public testing::Test {
  protected:
-  ScheduledBoard() {
-    std::string name = testing::TempDir() + "dynrt-schedules-XXXXXX";
-    folder_ = mkdtemp(name.data());
-  }
-  ~ScheduledBoard() override { std::filesystem::remove_all(folder_); }
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-  }
+  void write(const std::string& name, const std::string& text) const { folder_.write(name, text); }
   ModelBoard board() const {
-    return ModelBoard(small(), std::make_unique<CopyingCore>(), folder_.string());
+    return ModelBoard(small(), std::make_unique<CopyingCore>(), folder_.path().string());
   }
   std::string refusal(bool render = false) const {
     try {
@@ -98,7 +90,7 @@ class ScheduledBoard : public testing::Test {
     }
     return "none";
   }
-  std::filesystem::path folder_;
+  const TestFolder folder_;
 };
 
 constexpr char kCopy[] =
@@ -114,7 +106,7 @@ TEST_F(ScheduledBoard, GivesTheCoreTheSchedulesAndTakesItsClocks) {
 }
 
 TEST_F(ScheduledBoard, RefusesWhatIsNoWholeSetOfSchedules) {
-  const std::string name = folder_.string();
+  const std::string name = folder_.path().string();
   EXPECT_EQ(refusal(), name +
                            ": the folder has no schedules of hlsc; name the folder of a "
                            "configuration's Verilog, such as build/release/generated/thesis");
@@ -129,7 +121,7 @@ TEST_F(ScheduledBoard, RefusesWhatIsNoWholeSetOfSchedules) {
           "/copy.json: not a complete schedule of hlsc; lower the unit again or remove the file");
   write("copy.json", R"({"module": "copy", "stages": 3})");
   EXPECT_THAT(refusal(), testing::HasSubstr("not a complete schedule of hlsc"));
-  std::filesystem::remove_all(folder_);
+  std::filesystem::remove_all(folder_.path());
   EXPECT_THAT(refusal(), testing::HasSubstr("the folder has no schedules of hlsc"));
 }
 

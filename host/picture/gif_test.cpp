@@ -12,6 +12,7 @@
 
 #include "host/error.h"
 #include "host/picture/write_image.h"
+#include "host/test_folder.h"
 
 namespace dynrt::host {
 namespace {
@@ -21,15 +22,7 @@ using testing::ThrowsMessage;
 
 class Gif : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("gif_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
   /// A picture of one colour.
   std::string picture(const std::string& name, std::uint32_t colour) const {
     const std::vector<std::uint32_t> pixels(48, colour);
@@ -37,7 +30,7 @@ class Gif : public testing::Test {
     return path(name);
   }
 
-  fs::path folder_;
+  const TestFolder folder_;
 };
 
 TEST_F(Gif, HoldsThePicturesInOrderAndTheirPace) {
@@ -69,7 +62,7 @@ TEST_F(Gif, IsWholeOrNotThere) {
                                        ": this file is no longer the picture that dynrt wrote; "
                                        "remove it and run the same command again"));
   EXPECT_FALSE(fs::exists(path("w.gif")));
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+  EXPECT_EQ(names_in(folder_.path()).size(), 1u);
 }
 
 TEST_F(Gif, APictureIsWholeIfItCanBeReadToItsEnd) {
@@ -77,7 +70,7 @@ TEST_F(Gif, APictureIsWholeIfItCanBeReadToItsEnd) {
   EXPECT_TRUE(is_whole_picture(whole, 8, 6));
   EXPECT_FALSE(is_whole_picture(whole, 6, 8));
   EXPECT_FALSE(is_whole_picture(path("gone.png"), 8, 6));
-  EXPECT_FALSE(is_whole_picture(folder_.string(), 8, 6));
+  EXPECT_FALSE(is_whole_picture(folder_.path().string(), 8, 6));
   fs::resize_file(whole, fs::file_size(whole) / 2);
   EXPECT_FALSE(is_whole_picture(whole, 8, 6));
   std::ofstream(path("text.png")) << "no picture";

@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "host/error.h"
+#include "host/test_folder.h"
 
 namespace dynrt::host {
 namespace {
@@ -18,29 +19,10 @@ using testing::ThrowsMessage;
 
 class OutputFile : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("output_file_") +
-               testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
+  std::vector<std::string> files() const { return names_in(folder_.path()); }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& file : fs::directory_iterator(folder_)) {
-      names.push_back(file.path().filename().string());
-    }
-    return names;
-  }
-  static std::string text_of(const std::string& path) {
-    std::ifstream file(path);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
-  fs::path folder_;
+  const TestFolder folder_;
 };
 
 TEST_F(OutputFile, TextIsWrittenWhole) {
@@ -62,19 +44,21 @@ TEST_F(OutputFile, NothingIsLeftOfWhatFailed) {
   EXPECT_THAT(files(), testing::ElementsAre("figures.json"));
 }
 
-TEST_F(OutputFile, WhatIsUnfinishedIsRemovedWhenTheProgramIsInterrupted) {
+/// Without the fixture, whose folder a process that is killed would leave behind.
+TEST(InterruptedProgram, RemovesItsUnfinishedFiles) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const TestFolder folder("dynrt-interrupted");
   for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
     const auto interrupted = [&] {
-      UnfinishedFile kept(path("kept"));
-      const UnfinishedFile waves(path("waves"));
-      std::ofstream(path("kept")) << "whole";
-      std::ofstream(path("waves")) << "half";
+      UnfinishedFile kept(folder.path("kept"));
+      const UnfinishedFile waves(folder.path("waves"));
+      std::ofstream(folder.path("kept")) << "whole";
+      std::ofstream(folder.path("waves")) << "half";
       kept.keep();
       std::raise(signal);
     };
     EXPECT_EXIT(interrupted(), testing::KilledBySignal(signal), "");
-    EXPECT_THAT(files(), testing::ElementsAre("kept"));
+    EXPECT_THAT(names_in(folder.path()), testing::ElementsAre("kept"));
   }
 }
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "host/error.h"
+#include "host/test_folder.h"
 
 namespace dynrt::host {
 namespace {
@@ -27,22 +28,10 @@ struct Pixels {
 
 class WriteImage : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("write_image_") +
-               testing::UnitTest::GetInstance()->current_test_info()->name());
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
+  std::size_t files() const { return names_in(folder_.path()).size(); }
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  std::size_t files() const {
-    return static_cast<std::size_t>(
-        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-  }
-
-  fs::path folder_;
+  const TestFolder folder_;
   const Pixels picture_{3, 2, {0x0000ff, 0x00ff00, 0xff0000, 0x000000, 0xffffff, 0x804020}};
 };
 

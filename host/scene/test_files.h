@@ -6,45 +6,20 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <string_view>
 
 #include "host/error.h"
 #include "host/scene/check_file.h"
+#include "host/test_folder.h"
 
 namespace dynrt::host {
 
 inline std::string test_data(const std::string& name) {
   return std::string(DYNRT_TESTDATA_FOLDER) + "/" + name;
 }
-
-/// A folder of one test's own, gone at its end.
-class TestFolder {
- public:
-  TestFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "dynrt-scene-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  TestFolder(const TestFolder&) = delete;
-  TestFolder& operator=(const TestFolder&) = delete;
-  ~TestFolder() { std::filesystem::remove_all(path_); }
-
-  std::string path(const std::string& name) const { return path_ + "/" + name; }
-
-  std::string write(const std::string& name, std::string_view text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-    return path(name);
-  }
-
- private:
-  std::string path_;
-};
 
 /// The text of the UserError; fails the test when there is none or it is no single sentence.
 inline std::string user_error(const std::function<void()>& act) {
