@@ -2,42 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Float against MPFR: every pair of every operation for formats of up to 10 bits, ten million
-// random and extreme pairs for <7, 16>, conversions and comparisons, both roundings. What is judged
-// is both the operators as the native model computes them and FloatCircuit, the hardware's.
+// random and extreme pairs for <7, 16>, comparisons, both roundings. MPFR judges both the operators
+// as the native model computes them and FloatCircuit, the hardware's.
 #include "hls/float.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
-#include "hls/float_judge.h"
+#include "hls/float_patterns.h"
 #include "hls/random.h"
 
 namespace {
 
 using hls::Float;
 using hls::Rounding;
+using hls::testing::circuit_convert;
 using hls::testing::FloatJudge;
+using hls::testing::from_pattern;
+using hls::testing::judge_of;
+using hls::testing::pattern;
 using hls::testing::Random;
-
-template <class F>
-FloatJudge judge_of() {
-  return FloatJudge(F::kExponentBits, F::kMantissaBits, F::kRounding == Rounding::kNearestEven);
-}
-template <class F>
-F from_pattern(std::uint64_t bits) {
-  return F::from_bits(F::Bits::from(bits));
-}
-template <class F>
-std::uint64_t pattern(F f) {
-  return f.bits().to_u64();
-}
-
-template <class F, unsigned E, unsigned M, Rounding R>
-std::uint64_t circuit_convert(Float<E, M, R> from) {
-  return F::Circuit::template convert<E, M, R>(from.bits()).to_u64();
-}
 
 /// All operations and comparisons of one pair, natively and by the circuit; false after the first
 /// difference, which it reports.
@@ -237,97 +222,6 @@ void check_roots() {
 TEST(Roots, NearestEven) { check_roots<Float<7, 16>>(); }
 TEST(Roots, Truncate) { check_roots<Float<7, 16, Rounding::kTruncate>>(); }
 
-/// The exact product of a pair and the rounded difference of two products, natively and by the
-/// circuit.
-template <class F, class To>
-bool wide_agrees(std::uint64_t a, std::uint64_t b, std::uint64_t c, std::uint64_t d) {
-  using Wide = typename F::Product;
-  static thread_local FloatJudge judge = judge_of<F>();
-  static thread_local FloatJudge wide = judge_of<Wide>();
-  static thread_local FloatJudge to = judge_of<To>();
-  const Wide first = exact_product(from_pattern<F>(a), from_pattern<F>(b));
-  const Wide second = exact_product(from_pattern<F>(c), from_pattern<F>(d));
-  const std::uint64_t x = wide.product_of(judge, a, b);
-  const std::uint64_t y = wide.product_of(judge, c, d);
-  const std::uint64_t difference = to.difference_of(wide, x, y);
-  const auto by_circuit =
-      Wide::Circuit::template sum_to<typename To::Circuit>(first.bits(), (-second).bits());
-  const bool agrees =
-      pattern(first) == x && pattern(second) == y &&
-      F::Circuit::exact_product(F::Bits::from(a), F::Bits::from(b)).to_u64() == x &&
-      first.to_double() == from_pattern<F>(a).to_double() * from_pattern<F>(b).to_double() &&
-      pattern(To::of_difference(first, second)) == difference && by_circuit.to_u64() == difference;
-  if (agrees) return true;
-  ADD_FAILURE() << std::hex << "0x" << a << " * 0x" << b << " - 0x" << c << " * 0x" << d << " is 0x"
-                << pattern(To::of_difference(first, second)) << ", by the circuit 0x"
-                << by_circuit.to_u64() << "; MPFR says 0x" << difference;
-  return false;
-}
-
-template <class F>
-class Products : public ::testing::Test {};
-using ProductFormats =
-    ::testing::Types<Float<2, 2>, Float<3, 3>, Float<5, 8>, Float<7, 16>, Float<8, 20>,
-                     Float<8, 23>, Float<8, 25>, Float<2, 2, Rounding::kTruncate>,
-                     Float<7, 16, Rounding::kTruncate>, Float<8, 25, Rounding::kTruncate>>;
-TYPED_TEST_SUITE(Products, ProductFormats);
-
-TYPED_TEST(Products, AreExactAndTheirDifferenceIsRoundedOnce) {
-  using F = TypeParam;
-  using Longer = Float<F::kExponentBits + 2, F::kMantissaBits, F::kRounding>;
-  constexpr unsigned kBits = F::kLeafWidth;
-  constexpr std::uint64_t kMask = ~0ull >> (64 - kBits);
-  Random random(kBits);
-  for (int i = 0; i < 200'000; ++i) {
-    const std::uint64_t a = random.next() & kMask;
-    const std::uint64_t b = random.next() & kMask;
-    std::uint64_t c = random.next() & kMask;
-    std::uint64_t d = random.next() & kMask;
-    switch (random.below(4)) {
-      case 0:  // cancelling, to nothing or nearly
-        c = (b + random.below(3) - 1) & kMask;
-        d = a;
-        break;
-      case 1:  // half way between two numbers, but for what lies far behind
-        c = (a & ~(kMask >> 2)) | (c & (kMask >> 3));
-        break;
-      default:
-        break;
-    }
-    ASSERT_TRUE((wide_agrees<F, F>(a, b, c, d)));
-    ASSERT_TRUE((wide_agrees<F, Longer>(a, b, c, d)));
-  }
-}
-
-TEST(ExactProducts, EveryFourShortNumbers) {
-  using F = Float<2, 2>;
-  for (std::uint64_t i = 0; i < 1u << (4 * F::kLeafWidth); ++i) {
-    constexpr std::uint64_t kMask = (1u << F::kLeafWidth) - 1;
-    ASSERT_TRUE((wide_agrees<F, F>(i & kMask, i >> 5 & kMask, i >> 10 & kMask, i >> 15)));
-  }
-}
-
-/// A double of the difference would lie half way between two numbers.
-TEST(ExactProducts, ADifferenceIsNotRoundedTwice) {
-  using F = Float<7, 16>;
-  const F one = F::one();
-  const F half_step = F::from_double(0x1p-17);
-  const F tiny = F::from_double(0x1p-60);
-  const auto tie = exact_product(F::from_double(1 + 0x1p-16), F::from_double(1 + 0x1p-16));
-  const auto difference =
-      F::of_difference(exact_product(one, F::from_double(1.5)),
-                       F::Product::from_double(half_step.to_double() + 0x1p-33));
-  EXPECT_EQ(difference.to_double(), 1.5 - 0x1p-16);
-  // 1 + 2^-15 + 2^-32 has its half way points at odd multiples of 2^-17.
-  EXPECT_EQ(F::of_difference(tie, exact_product(tiny, tiny)).to_double(), 1 + 0x1p-15);
-  EXPECT_EQ(
-      F::of_difference(F::Product::from_double(1 + 0x1p-17), exact_product(tiny, one)).to_double(),
-      1.0);
-  EXPECT_EQ(
-      F::of_difference(F::Product::from_double(1 + 0x1p-17), exact_product(tiny, -one)).to_double(),
-      1 + 0x1p-16);
-}
-
 template <class F, unsigned Steps>
 void check_steps(std::uint64_t bits) {
   constexpr auto kTop = static_cast<std::int64_t>(~0ull >> (64 - F::kLeafWidth + 1));
@@ -370,83 +264,6 @@ TYPED_TEST(OtherFormats, RandomPairs) {
     ASSERT_TRUE(agree<TypeParam>(judge, a, b & kMask));
     ASSERT_TRUE(root_agrees<TypeParam>(judge, a));
   }
-}
-
-template <class F>
-void check_doubles() {
-  FloatJudge judge = judge_of<F>();
-  Random random(1);
-  const auto check = [&](double d) {
-    ASSERT_EQ(pattern(F::from_double(d)), judge.from_double(d)) << std::hexfloat << d;
-  };
-  for (double d :
-       {0.0, -0.0, 1.0, -1.0, 0.5, 1e-300, -1e-300, 1e300, -1e300, 0x1p-63, 0x1.fffffp64,
-        std::numeric_limits<double>::denorm_min(), -std::numeric_limits<double>::max()}) {
-    check(d);
-  }
-  for (int i = 0; i < 500'000; ++i) {
-    const double any = std::bit_cast<double>(random.next());
-    if (std::isfinite(any)) check(any);
-    // Within the format's range, half of them at most two bits longer than its mantissa: ties.
-    const double long_one = 1 + static_cast<double>(random.next() >> 12) * 0x1p-52;
-    const double short_one = 1 + static_cast<double>(random.below(4u << F::kMantissaBits)) /
-                                     static_cast<double>(4u << F::kMantissaBits);
-    const int exponent = static_cast<int>(random.below(4 + 2 * F::kBias)) - F::kBias - 2;
-    check(std::ldexp(long_one, exponent));
-    check(-std::ldexp(short_one, exponent));
-    const float single = static_cast<float>(std::ldexp(long_one, exponent));
-    ASSERT_EQ(pattern(F::from_float(single)), judge.from_double(single));
-  }
-}
-TEST(Conversion, DoublesToNearestEven) { check_doubles<Float<7, 16>>(); }
-TEST(Conversion, DoublesTruncated) { check_doubles<Float<7, 16, Rounding::kTruncate>>(); }
-TEST(Conversion, DoublesToAShortFormat) { check_doubles<Float<4, 5>>(); }
-
-TEST(Conversion, InfinitiesAndNansSaturate) {
-  using F = Float<7, 16>;
-  const double infinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(F::from_double(infinity), F::largest());
-  EXPECT_EQ(F::from_double(-infinity), -F::largest());
-  EXPECT_EQ(abs(F::from_double(std::nan(""))), F::largest());
-}
-
-TEST(Conversion, Integers) {
-  using F = Float<7, 16>;
-  FloatJudge judge = judge_of<F>();
-  Random random(2);
-  for (int i = 0; i < 500'000; ++i) {
-    const std::uint64_t value = random.next() >> random.below(64);
-    ASSERT_EQ(pattern(F::from_uint(hls::uint<64>::from(value))), judge.from_uint(value)) << value;
-    const std::uint64_t low = value & 0x1ffff;
-    ASSERT_EQ(pattern(F::from_uint(hls::uint<17>::from(low))), judge.from_uint(low)) << low;
-    ASSERT_EQ(F::Circuit::from_uint(hls::uint<17>::from(low)).to_u64(), judge.from_uint(low))
-        << low;
-  }
-  EXPECT_EQ(F::from_uint(hls::uint<64>(0)), F::smallest());
-}
-
-TEST(Conversion, BetweenTheCoresFormats) {
-  using Wide = Float<8, 23>;
-  using F = Float<7, 16>;
-  FloatJudge wide = judge_of<Wide>();
-  FloatJudge judge = judge_of<F>();
-  Random random(3);
-  for (int i = 0; i < 500'000; ++i) {
-    const std::uint64_t bits = random.next() >> 32;
-    ASSERT_EQ(pattern(F(from_pattern<Wide>(bits))), judge.convert(wide, bits)) << std::hex << bits;
-    ASSERT_EQ(circuit_convert<F>(from_pattern<Wide>(bits)), judge.convert(wide, bits)) << bits;
-    const F f = from_pattern<F>(bits & 0xffffff);
-    ASSERT_EQ(Wide(f).to_double(), f.to_double());
-    ASSERT_EQ(F(Wide(f)), f);
-  }
-}
-
-TEST(Constants, AreWhatTheyAreCalled) {
-  using F = Float<7, 16>;
-  EXPECT_EQ(F::one().to_double(), 1.0);
-  EXPECT_EQ(F::smallest().to_double(), 0x1p-63);
-  EXPECT_EQ(F::largest().to_double(), 0x1.ffffp64);
-  EXPECT_EQ(F(), F::smallest());
 }
 
 }  // namespace

@@ -1,100 +1,34 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
+//
+// How tokens go from unit to unit: channels, forks, repeated jobs, RAMs.
 #include "hls/join.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <map>
 #include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hls/join_test_units.h"
 
 namespace {
 
 using hls::uint;
-using Byte = uint<8>;
-
-/// Adds its value to every token.
-struct Add {
-  hls::In<Byte> in;
-  hls::Config<Byte> value;
-  hls::Out<Byte> out;
-  HLS_PORTS(in, value, out)
-  void step() { out.write((in.read() + value.get()).trunc<8>()); }
-};
-/// Needs a token from both sides.
-struct Pair {
-  hls::In<Byte> in[2];
-  hls::Out<uint<16>> out;
-  HLS_PORTS(in[0], in[1], out)
-  void step() {
-    const Byte low = in[0].read();
-    out.write(hls::concat(in[1].read(), low));
-  }
-};
-struct Write {
-  hls::In<Byte> in;
-  hls::RamWrite<Byte, 256> row;
-  HLS_PORTS(in, row)
-  void step() {
-    const Byte b = in.read();
-    row.write(b, ~b);
-  }
-};
-struct Look {
-  hls::In<Byte> in;
-  hls::RamRead<Byte, 256> row;
-  hls::Out<Byte> out;
-  HLS_PORTS(in, row, out)
-  void step() { out.write(row.read(in.read())); }
-};
-struct WriteWords {
-  hls::In<Byte> in;
-  hls::RamWrite<std::array<Byte, 3>, 256> row;
-  HLS_PORTS(in, row)
-  void step() {
-    const Byte b = in.read();
-    row.write(b, {b, ~b, b ^ Byte(1)});
-  }
-};
-struct LookAtWord {
-  hls::In<uint<10>> in;
-  hls::RamRead<Byte, 768> word;
-  hls::Out<Byte> out;
-  HLS_PORTS(in, word, out)
-  void step() { out.write(word.read(in.read())); }
-};
-struct Job {
-  uint<4> repeat;
-  uint<6> name;
-  HLS_FIELDS(repeat, name)
-};
-struct NumberedJob {
-  uint<4> index;
-  bool last = false;
-  Job job;
-  HLS_FIELDS(index, last, job)
-};
-struct Send {
-  hls::In<Job> in;
-  hls::Out<Job> out;
-  HLS_PORTS(in, out)
-  void step() { out.write(in.read()); }
-};
-struct Receive {
-  hls::In<NumberedJob> in;
-  hls::Out<NumberedJob> out;
-  HLS_PORTS(in, out)
-  void step() { out.write(in.read()); }
-};
-
-template <class T>
-std::vector<std::uint64_t> values(hls::Fifo<T>& queue) {
-  std::vector<std::uint64_t> list;
-  while (!queue.empty()) list.push_back(queue.pop().to_u64());
-  return list;
-}
-using List = std::vector<std::uint64_t>;
+using hls::testing::Add;
+using hls::testing::Byte;
+using hls::testing::Job;
+using hls::testing::List;
+using hls::testing::Look;
+using hls::testing::LookAtWord;
+using hls::testing::NumberedJob;
+using hls::testing::Pair;
+using hls::testing::Receive;
+using hls::testing::Send;
+using hls::testing::values;
+using hls::testing::Write;
+using hls::testing::WriteWords;
 
 TEST(Join, SeveralWritersMeetInOneChannel) {
   Add a, b, sum;
@@ -254,86 +188,6 @@ TEST(Join, ASinkCountsAndDrops) {
   EXPECT_EQ(join.counters().at("dropped.tokens"), 7u);
 }
 
-TEST(Join, RecordsWhatItConnected) {
-  Add add;
-  Pair pair;
-  hls::Join join;
-  join.unit("add", "add", add);
-  join.unit("pair", "pair", pair);
-  join.input("left", pair.in[0]);
-  join.constant(add.value, Byte(9));
-  join.channel("sums", add.out, pair.in[1], 12);
-  const hls::JoinRecord& record = join.record();
-  ASSERT_EQ(record.units.size(), 2u);
-  EXPECT_EQ(record.units[1].module, "pair");
-  ASSERT_EQ(record.units[1].ports.size(), 3u);
-  EXPECT_EQ(record.units[1].ports[1].name, "in_1") << "a port of an array, as hlsc names it";
-  EXPECT_EQ(record.units[1].ports[2].type.kind, hls::PortKind::kOut);
-  EXPECT_EQ(record.units[1].ports[2].type.width, 16u);
-  ASSERT_EQ(record.channels.size(), 2u);
-  EXPECT_EQ(record.channels[1].from, std::vector<std::string>{"add.out"});
-  EXPECT_EQ(record.channels[1].to, std::vector<std::string>{"pair.in_1"});
-  EXPECT_EQ(record.channels[1].depth, 12u);
-  ASSERT_EQ(record.configs.size(), 1u);
-  EXPECT_TRUE(record.configs[0].constant);
-  EXPECT_EQ(record.configs[0].value, 9u);
-}
-
-TEST(Join, SaysWhichCountersDependOnTheOrder) {
-  Add add;
-  Pair pair;
-  hls::Join join;
-  join.unit("add", "add", add);
-  join.unit("pair", "pair", pair);
-  join.input("left", pair.in[0]);
-  join.channel("sums", add.out, pair.in[1]);
-  join.depends_on_order({"sums", "pair"});
-  std::map<std::string, bool> independent;
-  for (const auto& counter : hls::counters_of(join.record())) {
-    independent[counter.name] = counter.order_independent;
-  }
-  const std::map<std::string, bool> expected = {
-      {"sums.tokens", false}, {"add.transactions", true}, {"pair.transactions", false},
-      {"add.stalls", false},  {"pair.stalls", false},
-  };
-  EXPECT_EQ(independent, expected);
-  EXPECT_THROW(join.depends_on_order({"sum"}), std::logic_error);
-}
-
-struct View {
-  Byte near;
-  std::array<uint<3>, 2> pair;
-  uint<1> flag;
-  HLS_FIELDS(near, pair, flag)
-};
-struct Viewer {
-  hls::In<Byte> in;
-  hls::Config<View> view;
-  HLS_PORTS(in, view)
-  void step() { in.read(); }
-};
-
-TEST(Join, RecordsTheFieldsOfAValue) {
-  Viewer viewer;
-  hls::Join join;
-  join.unit("viewer", "viewer", viewer);
-  join.config<View>("view", std::make_shared<View>(), {&viewer.view});
-  const hls::ConfigRecord& view = join.record().configs.at(0);
-  EXPECT_EQ(view.width, 15u);
-  ASSERT_EQ(view.fields.size(), 3u);
-  EXPECT_EQ(view.fields[0].name, "near");
-  EXPECT_EQ(view.fields[1].name, "pair");
-  EXPECT_EQ(view.fields[1].offset, 8u);
-  EXPECT_EQ(view.fields[1].width, 6u);
-  EXPECT_EQ(view.fields[2].offset, 14u);
-}
-
-TEST(Join, KnowsAUnitsTypeAndFile) {
-  EXPECT_EQ(hls::type_name<Viewer>(), "(anonymous namespace)::Viewer");
-  EXPECT_EQ(hls::type_name<std::vector<uint<3>>>(), "std::vector<hls::uint<3>>");
-  EXPECT_TRUE(Viewer::hls_file().ends_with("native/hls/join_test.cpp")) << Viewer::hls_file();
-}
-
 TEST(Join, APortOfAStrangerIsAnError) {
   Add known, stranger;
   hls::Join join;
@@ -345,65 +199,6 @@ TEST(Join, APortOfAStrangerIsAnError) {
     EXPECT_STREQ(error.what(),
                  "the join connects a port whose unit it does not have, or which the unit does not "
                  "name in HLS_PORTS");
-  }
-}
-
-TEST(Clocks, TokensTakeTheStagesOfTheirUnitsAndMeetOneAtATime) {
-  Add left, right, last;
-  hls::Join join({{"add", {.stages = 3, .room = 6}}, {"slow_add", {.stages = 7, .room = 10}}});
-  join.unit("left", "add", left);
-  join.unit("right", "slow_add", right);
-  join.unit("last", "add", last);
-  auto one = std::make_shared<Byte>(Byte(1));
-  join.config("one", one, std::vector{&left.value, &right.value, &last.value});
-  auto to_left = join.input("to_left", left.in);
-  auto to_right = join.input("to_right", right.in);
-  join.channel<Byte>("both", {&left.out, &right.out}, {&last.in});
-  auto out = join.output("out", last.out);
-  // The first comes to `last` in clock 9, as one from the left does, which comes before the right
-  // in the list but after it where the left had sent last.
-  for (const unsigned clock : {0, 6, 6}) {
-    to_left->push(Byte(10));
-    join.arrives("to_left", clock);
-  }
-  to_right->push(Byte(20));
-  join.arrives("to_right", 2);
-  join.run_clocks();
-  EXPECT_EQ(values(*out), (List{12, 22, 12, 12}));
-  EXPECT_EQ(join.first_of("out"), 0u + 3 + 3);
-  EXPECT_EQ(join.counters().at("last.transactions"), 4u);
-  EXPECT_EQ(join.counters().at("both.tokens"), 4u);
-}
-
-TEST(Clocks, AUnitWithoutRoomWaits) {
-  Send send;
-  Receive receive;
-  hls::Join join({{"send", {.stages = 1, .room = 4}}, {"receive", {.stages = 1, .room = 4}}});
-  join.unit("send", "send", send);
-  join.unit("receive", "receive", receive);
-  auto in = join.input("in", send.in);
-  join.repeat("job", std::vector{&send.out}, receive.in);
-  auto out = join.output("out", receive.out);
-  for (unsigned i = 0; i < 6; ++i) {
-    in->push(Job{uint<4>(0), uint<6>::from(i)});
-    join.arrives("in", 0);
-  }
-  join.run_clocks();
-  // Nobody takes what comes out, so four tokens wait there, four before it, and it all stands.
-  EXPECT_EQ(out->size(), 4u);
-  EXPECT_EQ(join.counters().at("receive.transactions"), 4u);
-  EXPECT_EQ(join.counters().at("send.transactions"), 6u);
-  EXPECT_GT(join.counters().at("receive.stalls"), 0u);
-}
-
-TEST(Clocks, WantTheScheduleOfEveryModule) {
-  Add add;
-  hls::Join join(hls::ModuleSchedules{{"mul", {}}});
-  try {
-    join.unit("first", "add", add);
-    FAIL() << "nothing was thrown";
-  } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "there is no schedule of module 'add'");
   }
 }
 
