@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from generate_case import GENERATE, GOOD, GenerateCase, listing
+from generate_case import GENERATE, GOOD, GenerateCase
 
 
 class Written(GenerateCase):
