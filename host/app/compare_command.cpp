@@ -30,10 +30,9 @@ Frame frame_of(const BoardRequest& request, const FrameOptions& options, const P
   return render_on(*board, options, prepared);
 }
 
-Prepared prepared_for(const BoardRequest& request, const Arguments& arguments,
-                      const FrameOptions& options) {
+Prepared prepared_for(const BoardRequest& request, SceneFile& scene, const FrameOptions& options) {
   const CoreInfo info = open_board(request, options)->core();
-  return prepare(arguments.scene, options.width, options.height, &info);
+  return prepare(scene, options.width, options.height, &info);
 }
 
 int run(const Arguments& arguments) {
@@ -43,15 +42,16 @@ int run(const Arguments& arguments) {
   const Output outputs[] = {{"--out", out}, {"--json", arguments.frame.json}};
   check_outputs(outputs);
   // Unknown configurations and the like come before the work.
-  const ChosenCore core = arguments.specialise.choose(arguments.scene, arguments.frame);
+  SceneFile scene = arguments.specialise.file(arguments.scene);
+  const ChosenCore core = arguments.specialise.choose(scene, arguments.frame);
   const BoardRequest of_rtl{"rtl", core.configuration, ""};
   const BoardRequest of_model{
       "model", arguments.specialise.specialise ? core.general : core.configuration, ""};
-  const Prepared prepared = prepared_for(of_rtl, arguments, options);
+  const Prepared prepared = prepared_for(of_rtl, scene, options);
   const Frame rtl = frame_of(of_rtl, options, prepared);
-  const Frame model = frame_of(
-      of_model, options,
-      arguments.specialise.specialise ? prepared_for(of_model, arguments, options) : prepared);
+  const Frame model =
+      frame_of(of_model, options,
+               arguments.specialise.specialise ? prepared_for(of_model, scene, options) : prepared);
   const Comparison comparison = compare(rtl, model);
 
   if (!out.empty()) write_image(out, rtl);

@@ -2,24 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // dynrt needs: the value that each key of a configuration must have for a scene, and the reason. It
-// builds and renders nothing; `dynrt specialise` uses its result.
+// builds and renders nothing; `dynrt specialise` uses its result and asks it for more (analyst.h).
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iostream>
 #include <memory>
 
-#include "host/app/arguments.h"
-#include "host/app/board_frame.h"
+#include "host/app/analyst.h"
 #include "host/app/command.h"
-#include "host/app/progress.h"
-#include "host/app/specialised.h"
 #include "host/app/text.h"
-#include "host/app/walk.h"
 #include "host/picture/output_file.h"
-#include "host/scene/animation.h"
-#include "host/scene/fingerprint.h"
-#include "host/specialise/decide.h"
 
 namespace dynrt::host {
 
@@ -28,31 +22,10 @@ namespace {
 struct Arguments {
   SceneArguments scene;
   std::string configuration;
-  std::optional<unsigned> reflections, frames;
-  SpanArguments span;
-  bool uncompressed = false;
+  AnalysedFrames frames;
   std::string json;
+  bool answer = false;
 };
-
-/// The needs of one frame, or of all frames of a walk if the scene moves or the flags ask for one,
-/// and of the scene at rest, as it is laid out first.
-SceneNeeds needs_over_frames(Prepared& prepared, const Arguments& arguments) {
-  const SceneNeeds still = prepared.needs();
-  const bool moves = duration(prepared.scene) > 0;
-  if (!moves && !arguments.frames) return still;
-  const WalkPlan plan(prepared.scene, arguments.frames.value_or(kWalkFrames), arguments.span.from,
-                      arguments.span.to);
-  const auto frames = static_cast<unsigned>(plan.times.size());
-  SceneNeeds all = still;
-  Progress progress("analysing the frames", frames);
-  for (unsigned i = 0; i < frames; ++i) {
-    const Tree instances = instances_at(prepared, plan, i);
-    all.include(frame_needs(still, prepared.scene, instances));
-    progress.update(i + 1);
-  }
-  all.frames = frames;
-  return all;
-}
 
 std::string value_of(const Decision& decision) {
   if (decision.value.is_string()) return decision.value.get<std::string>();
@@ -73,30 +46,23 @@ std::string table_of(const std::vector<Decision>& decisions) {
   return text;
 }
 
-int run(const Arguments& arguments) {
-  FrameOptions options;
-  std::tie(options.width, options.height) = parse_size(arguments.scene.size);
-  check_size(options.width, options.height);
-  options.reflections = arguments.reflections;
-  if (!arguments.json.empty()) check_output_path(arguments.json);
-  const std::string general = arguments.configuration.empty()
-                                  ? general_configuration(arguments.scene)
-                                  : arguments.configuration;
-  const auto board = open_board({"model", general, ""}, options);
-  Prepared prepared = prepare(arguments.scene, options.width, options.height, &board->core());
-  const std::uint64_t content = fingerprint(prepared.scene);
-  const SceneNeeds needs = needs_over_frames(prepared, arguments);
-  const std::vector<Decision> decisions =
-      decide(needs, board->core(),
-             {arguments.reflections.value_or(board->core().reflections), arguments.uncompressed});
-  if (!arguments.json.empty()) {
-    nlohmann::ordered_json json = {{"general", general},
-                                   {"content", fmt::format("{:016x}", content)},
-                                   {"needs", json_of(needs)},
-                                   {"keys", json_of(decisions)}};
-    write_text(arguments.json, json.dump(2) + "\n");
+/// Questions on standard input, answers on standard output, until there are no more.
+int answer(const Arguments& arguments) {
+  SceneFile file(arguments.scene, true);
+  Analyst analyst(file, arguments.frames);
+  for (std::string question; std::getline(std::cin, question);) {
+    say(analyst.answer(question) + "\n");
   }
-  say(prepared.text() + table_of(decisions));
+  return kDone;
+}
+
+int run(const Arguments& arguments) {
+  if (arguments.answer) return answer(arguments);
+  if (!arguments.json.empty()) check_output_path(arguments.json);
+  SceneFile file(arguments.scene);
+  const SceneAnalysis analysis = analyse(file, arguments.configuration, arguments.frames);
+  if (!arguments.json.empty()) write_text(arguments.json, analysis.json().dump(2) + "\n");
+  say(analysis.text + table_of(analysis.decisions));
   return kDone;
 }
 
@@ -110,21 +76,23 @@ Command add_needs_command(CLI::App& program) {
   arguments->scene.add_to(*command, true);
   add_configuration_flag(*command, arguments->configuration);
   command
-      ->add_option("--reflections", arguments->reflections,
+      ->add_option("--reflections", arguments->frames.reflections,
                    "largest number of bounces of a ray; default: all that the configuration has")
       ->option_text("N")
       ->check(not_a_count);
-  command->add_flag("--uncompressed", arguments->uncompressed,
+  command->add_flag("--uncompressed", arguments->frames.uncompressed,
                     "make a core that can also render with --uncompressed");
   command
-      ->add_option("--frames", arguments->frames,
+      ->add_option("--frames", arguments->frames.frames,
                    fmt::format("number of frames of a walk that the core must render; default: {} "
                                "if the scene moves, else 1",
                                kWalkFrames))
       ->option_text("N")
       ->check(not_a_count);
-  arguments->span.add_to(*command);
+  arguments->frames.span.add_to(*command);
   add_json_flag(*command, arguments->json);
+  command->add_flag("--answer", arguments->answer, "answer the questions of scripts/specialise")
+      ->group("");  // of no list of flags: for the script alone
   return {command, [arguments] { return run(*arguments); }};
 }
 

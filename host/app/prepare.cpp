@@ -6,7 +6,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -17,7 +16,6 @@
 #include "host/app/text.h"
 #include "host/board/configurations.h"
 #include "host/layout/limits.h"
-#include "host/scene/load.h"
 #include "host/specialise/within.h"
 
 namespace dynrt::host {
@@ -25,7 +23,6 @@ namespace dynrt::host {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Seconds = std::chrono::duration<double>;
 
 Json json_of(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
@@ -94,8 +91,8 @@ CoreInfo any_core() {
 
 }  // namespace
 
-Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
-                 const CoreInfo* core) {
+Prepared prepare(SceneFile& file, unsigned width, unsigned height, const CoreInfo* core) {
+  const SceneArguments& arguments = file.arguments();
   const std::optional<CoreInfo> allowed =
       core == nullptr ? std::nullopt : std::optional(allowed_by(*core));
   const LightOverrides light(arguments.lights, arguments.mirrors, allowed ? &*allowed : nullptr);
@@ -104,24 +101,24 @@ Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned heigh
     refuse_excess({"reflections", "1", "0"}, *core, "--mirror " + arguments.mirrors.front());
   }
   const CameraOverrides flags = arguments.camera();
-  const auto begin = std::chrono::steady_clock::now();
-  Scene scene;
+  Scene scene = file.take();
+  if (allowed) check_primitives(scene, *allowed);
   View view{.width = width, .height = height};
-  {
-    const Progress progress("loading " + arguments.scene);
-    scene = load_scene(arguments.scene);
-    if (allowed) check_primitives(scene, *allowed);
-    view.camera = choose_camera(scene, flags, static_cast<int>(width), static_cast<int>(height));
-    light.add_to(scene);
-    if (core != nullptr)
-      std::ranges::move(unused_light(scene, *core), std::back_inserter(scene.notes));
-  }
-  const auto loaded = std::chrono::steady_clock::now();
+  view.camera = choose_camera(scene, flags, static_cast<int>(width), static_cast<int>(height));
+  light.add_to(scene);
+  if (core != nullptr)
+    std::ranges::move(unused_light(scene, *core), std::back_inserter(scene.notes));
   const Progress progress("building the trees");
   Prepared prepared(lay_out(std::move(scene), view, core == nullptr ? any_core() : *core,
                             {.spare_stacks = core != nullptr}));
-  prepared.load_seconds = Seconds(loaded - begin).count();
+  prepared.load_seconds = file.seconds();
   return prepared;
+}
+
+Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
+                 const CoreInfo* core) {
+  SceneFile file(arguments);
+  return prepare(file, width, height, core);
 }
 
 std::size_t Prepared::triangles() const {

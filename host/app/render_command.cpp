@@ -59,19 +59,18 @@ int run(const Arguments& arguments) {
   if (!arguments.scan_out.empty()) check_image_path(arguments.scan_out);
   check_outputs(outputs);
   TraceFile trace(arguments.trace);
-  std::vector<std::string> kept;
-  if (!arguments.scan_out.empty()) kept.emplace_back("--keep=scan_out");
+  SpecialiseWishes wishes;
+  if (!arguments.scan_out.empty()) wishes.keep.emplace_back("scan_out");
+  SceneFile scene = arguments.specialise.file(arguments.scene);
   const auto [board, prepared] = prepare_on(
-      arguments.specialise, arguments.specialise.choose(arguments.scene, arguments.frame, kept),
+      arguments.specialise, arguments.specialise.choose(scene, arguments.frame, wishes),
       [&](const std::string& configuration) {
         auto opened = open_board(
             {arguments.board, configuration, arguments.trace, arguments.schedule}, options);
         if (!arguments.scan_out.empty()) opened->check_display(options.width, options.height);
         return opened;
       },
-      [&](const CoreInfo& info) {
-        return prepare(arguments.scene, options.width, options.height, &info);
-      });
+      [&](const CoreInfo& info) { return prepare(scene, options.width, options.height, &info); });
   const Frame frame =
       traced(trace, [&, &on = *board, &what = prepared] { return render_on(on, options, what); });
 

@@ -4,13 +4,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
+#include "host/app/analyst.h"
 #include "host/board/load_configuration.h"
 #include "host/board/run_script.h"
-#include "host/memory/matrix_numbers.h"
-#include "host/scene/load.h"
 #include "host/specialise/specialise_messages.h"
 
 namespace dynrt::host {
@@ -35,18 +33,6 @@ std::vector<std::string> flags_of(const SceneArguments& scene) {
 
 }  // namespace
 
-std::string general_configuration(const SceneArguments& arguments) {
-  const Scene scene = load_scene(arguments.scene);
-  if (!arguments.lights.empty() || !arguments.mirrors.empty() || !scene.lights.empty() ||
-      has_mirrors(scene)) {
-    return "whitted";
-  }
-  const bool others = std::ranges::any_of(scene.objects, [](const Mesh& object) {
-    return !object.rectangles.empty() || !object.ellipsoids.empty();
-  });
-  return others ? "primitives" : "thesis";
-}
-
 void SpecialiseFlags::add_to(CLI::App& command, bool may_exceed) {
   command_ = &command;
   command.add_flag("--specialise", specialise,
@@ -59,19 +45,22 @@ void SpecialiseFlags::add_to(CLI::App& command, bool may_exceed) {
   }
 }
 
-ChosenCore SpecialiseFlags::choose(const SceneArguments& scene, const FrameArguments& frame,
-                                   const std::vector<std::string>& more) const {
+ChosenCore SpecialiseFlags::choose(SceneFile& scene, const FrameArguments& frame,
+                                   const SpecialiseWishes& wishes) const {
   const bool named = command_->get_option("--config")->count() > 0;
   if (!specialise) return {frame.configuration, general_of(frame.configuration)};
   const std::string general = named ? frame.configuration : general_configuration(scene);
-  std::vector<std::string> words = flags_of(scene);
-  words.push_back(scene.scene);
+  std::vector<std::string> words = flags_of(scene.arguments());
+  words.push_back(scene.arguments().scene);
   words.push_back("--program=" + std::filesystem::read_symlink("/proc/self/exe").string());
   words.push_back("--config=" + general);
   add(words, "--reflections", frame.reflections);
   if (frame.uncompressed) words.emplace_back("--uncompressed");
-  words.insert(words.end(), more.begin(), more.end());
-  return {made_by_script("specialise", words, "--specialise"), general};
+  for (const std::string& key : wishes.keep) words.push_back("--keep=" + key);
+  Analyst analyst(scene, {frame.reflections, frame.uncompressed, wishes.frames, wishes.span});
+  return {made_by_script("specialise", words, "--specialise",
+                         [&](const std::string& question) { return analyst.answer(question); }),
+          general};
 }
 
 void SpecialiseFlags::refuse_unless_general(const Exceeded& over) const {

@@ -5,24 +5,28 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "host/app/arguments.h"
+#include "host/app/scene_file.h"
 #include "host/specialise/within.h"
 
 namespace dynrt::host {
-
-/// The general configuration for a scene: `thesis`; `whitted` for a scene with lights or mirrors;
-/// `primitives` for a scene with other primitives than triangles.
-std::string general_configuration(const SceneArguments& scene);
 
 /// The configuration that renders a scene, and the general one that can replace it.
 struct ChosenCore {
   std::string
       configuration;    ///< a name or a file; with --specialise from the cache, if it is there
   std::string general;  ///< the same without --specialise, if the user named a general one
+};
+
+/// What a core that is made for a scene must have or hold besides one frame.
+struct SpecialiseWishes {
+  std::vector<std::string> keep{};   ///< keys of the configuration that stay
+  std::optional<unsigned> frames{};  ///< of a walk
+  SpanArguments span{};
 };
 
 struct SpecialiseFlags {
@@ -33,10 +37,15 @@ struct SpecialiseFlags {
   /// --general-if-exceeded.
   void add_to(CLI::App& command, bool may_exceed);
 
-  /// The configurations to render with; builds them if needed. `more`: flags of scripts/specialise.
-  /// Throws UserError with the reason if a configuration cannot be made.
-  ChosenCore choose(const SceneArguments& scene, const FrameArguments& frame,
-                    const std::vector<std::string>& more = {}) const;
+  /// The scene that these flags may ask for several times.
+  SceneFile file(const SceneArguments& scene) const {
+    return SceneFile(scene, specialise || general_if_exceeded);
+  }
+
+  /// The configurations to render with; builds them if needed. Throws UserError with the reason if
+  /// a configuration cannot be made.
+  ChosenCore choose(SceneFile& scene, const FrameArguments& frame,
+                    const SpecialiseWishes& wishes = {}) const;
 
   /// Throws the error, with advice, unless the general core may replace the specialised one.
   void refuse_unless_general(const Exceeded& over) const;

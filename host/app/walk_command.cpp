@@ -117,25 +117,17 @@ void check_moving_lights(const Prepared& prepared, const WalkPlan& plan, const C
   }
 }
 
-/// Every frame of the walk is analysed.
-std::vector<std::string> analysed_frames(const Arguments& arguments) {
-  std::vector<std::string> flags = {fmt::format("--frames={}", arguments.frames)};
-  if (arguments.span.from) flags.push_back(fmt::format("--from={}", *arguments.span.from));
-  if (arguments.span.to) flags.push_back(fmt::format("--to={}", *arguments.span.to));
-  return flags;
-}
-
 /// Renders the frames that their core was not made for, if it is allowed to.
 class GeneralWalk {
  public:
-  GeneralWalk(const Arguments& arguments, const FrameOptions& options, const ChosenCore& core,
-              const WalkPlan& plan)
-      : arguments_(arguments), options_(options), core_(core), plan_(plan) {}
+  GeneralWalk(const Arguments& arguments, SceneFile& scene, const FrameOptions& options,
+              const ChosenCore& core, const WalkPlan& plan)
+      : arguments_(arguments), scene_(scene), options_(options), core_(core), plan_(plan) {}
 
   Walker::Result render_frame(unsigned frame, const PixelProgress& progress) {
     if (!walker_) {
       board_ = open_board({arguments_.board, core_.general, ""}, options_);
-      prepared_ = prepare(arguments_.scene, options_.width, options_.height, &board_->core());
+      prepared_ = prepare(scene_, options_.width, options_.height, &board_->core());
       walker_.emplace(*board_, options_, prepared_, arguments_.scene.camera(), plan_);
     }
     Walker::Result result = walker_->render_frame(frame, progress);
@@ -145,6 +137,7 @@ class GeneralWalk {
 
  private:
   const Arguments& arguments_;
+  SceneFile& scene_;
   const FrameOptions& options_;
   const ChosenCore& core_;
   const WalkPlan& plan_;
@@ -157,16 +150,16 @@ int run(const Arguments& arguments) {
   const FrameOptions options = arguments.frame.options(arguments.scene.size);
   const Place place = place_of(arguments);
   const double clock_hz = arguments.frame.clock_mhz * 1e6;
-  const ChosenCore core =
-      arguments.specialise.choose(arguments.scene, arguments.frame, analysed_frames(arguments));
+  SceneFile scene = arguments.specialise.file(arguments.scene);
+  // Every frame of the walk is analysed.
+  const ChosenCore core = arguments.specialise.choose(
+      scene, arguments.frame, {.frames = arguments.frames, .span = arguments.span});
   auto [board, prepared] = prepare_on(
       arguments.specialise, core,
       [&](const std::string& configuration) {
         return open_board({arguments.board, configuration, ""}, options);
       },
-      [&](const CoreInfo& info) {
-        return prepare(arguments.scene, options.width, options.height, &info);
-      });
+      [&](const CoreInfo& info) { return prepare(scene, options.width, options.height, &info); });
   WalkFolder folder(place.folder(), arguments.settings(prepared.scene), arguments.again);
   const WalkPlan plan(prepared.scene, arguments.frames, arguments.span.from, arguments.span.to);
   if (!plan.orbit && board->core().lights > 0 && !prepared.scene.lights.empty()) {
@@ -177,7 +170,7 @@ int run(const Arguments& arguments) {
   say(prepared.text() + walk_header());
 
   Walker walker(*board, options, prepared, arguments.scene.camera(), plan);
-  GeneralWalk general(arguments, options, core, plan);
+  GeneralWalk general(arguments, scene, options, core, plan);
   std::vector<WalkRecord> records;
   std::vector<std::string> pictures;
   unsigned kept = 0;

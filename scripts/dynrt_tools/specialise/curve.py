@@ -4,11 +4,10 @@
 on the native model by hlsc's schedules."""
 
 import pathlib
-import subprocess
-import tempfile
 from collections.abc import Callable, Iterator
 
-from dynrt_tools.project import Failed, Progress, read_json
+from dynrt_tools.project import Progress
+from dynrt_tools.specialise.analyst import Analyst
 
 Curve = dict[int, int]  # clocks of a frame by packets or lines
 SEEN_ENOUGH = 1.5  # times the fewest clocks: slower still, nothing is measured
@@ -59,62 +58,26 @@ def reason(curve: Curve, chosen: int, percent: float, frame: str) -> str:
 
 
 class Meter:
-    """Renders a scene on the model of one configuration, with fewer packets and lines in use."""
+    """Clocks of a frame on the model of one configuration, with fewer packets and lines in use."""
 
     def __init__(
         self,
-        program: str,
-        scene: str,
-        flags: list[str],
+        analyst: Analyst,
         configuration: pathlib.Path,
         schedules: pathlib.Path,
         progress: Progress,
     ) -> None:
-        self.command: list[str | pathlib.Path] = [
-            program,
-            "render",
-            scene,
-            *flags,
-            "--board",
-            "model",
-            "--config",
-            configuration,
-            "--schedule",
-            schedules,
-        ]
+        self.analyst, self.configuration, self.schedules = analyst, configuration, schedules
         self.progress = progress
         self.known: dict[tuple[int, int], int] = {}
 
     def clocks(self, packets: int, lines: int) -> int:
         if (packets, lines) not in self.known:
             self.progress(f"measuring a frame with {packets} packets and {lines} lines")
-            self.known[packets, lines] = self._measured(packets, lines)
-        return self.known[packets, lines]
-
-    def _measured(self, packets: int, lines: int) -> int:
-        with tempfile.TemporaryDirectory() as folder:
-            figures = pathlib.Path(folder) / "figures.json"
-            result = subprocess.run(
-                [
-                    *self.command,
-                    f"--packets={packets}",
-                    f"--lines={lines}",
-                    "--json",
-                    figures,
-                    "--out",
-                    pathlib.Path(folder) / "frame.png",
-                ],
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.PIPE,
-                text=True,
-                check=False,
+            self.known[packets, lines] = self.analyst.clocks(
+                self.configuration, self.schedules, packets, lines
             )
-            if result.returncode != 0:
-                raise Failed(
-                    result.stderr.strip().removeprefix("dynrt: ")
-                    or f"rendering ended with {result.returncode}"
-                )
-            return int(read_json(figures)["frame"]["cycles"])
+        return self.known[packets, lines]
 
 
 def choose(

@@ -4,6 +4,7 @@
 commands that render, for which it prints the path of the configuration."""
 
 import argparse
+import contextlib
 import hashlib
 import json
 import math
@@ -13,6 +14,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterator
 
 from dynrt_tools.build import configs
 from dynrt_tools.build.cache import BuildCache
@@ -22,7 +24,7 @@ from dynrt_tools.report.collect import check_writable, scene_name, scene_path, w
 from dynrt_tools.report.report import guarded
 from dynrt_tools.report.variants import base_configuration
 from dynrt_tools.report.workflow import content_of
-from dynrt_tools.specialise import choose_format, costs, curve, decisions, flags, table
+from dynrt_tools.specialise import analyst, choose_format, costs, curve, decisions, flags, table
 
 DELIVERED = (".v", ".vh", ".json", ".txt")  # of a core's folder; the rest is of its build alone
 
@@ -39,30 +41,19 @@ class Project:
             ["--uncompressed"] if args.uncompressed else []
         )
         self.build = read_json(pathlib.Path(args.build))
+        self.analyst: analyst.Analyst
 
-    def needs(self, general: object) -> tuple[Json, str]:
-        """The report of `dynrt needs`, and its lines about the scene."""
-        command = [
-            self.args.program,
-            "needs",
-            self.scene,
-            *self.seen,
-            *flags.passed_on(self.args, flags.ASKED),
-        ]
-        command += [f"--config={general}"] if general else []
-        with tempfile.TemporaryDirectory() as folder:
-            path = pathlib.Path(folder) / "needs.json"
-            result = subprocess.run(
-                [*command, "--json", path],
-                stdout=subprocess.PIPE,
-                stderr=subprocess.PIPE,
-                text=True,
-                check=False,
-            )
-            if result.returncode != 0:
-                raise Failed(result.stderr.strip().removeprefix("dynrt: "))
-            about = next(x for x in result.stdout.splitlines() if x.startswith("scene "))
-            return read_json(path), about.removeprefix("scene").strip()
+    @contextlib.contextmanager
+    def asking(self) -> Iterator[None]:
+        """While the program answers."""
+        command = [self.args.program, "needs", self.scene, *self.seen]
+        command += [*flags.passed_on(self.args, flags.ASKED), "--answer"]
+        with analyst.above() if self.args.for_program else analyst.started(command) as answering:
+            self.analyst = answering
+            yield
+
+    def meter(self, configuration: pathlib.Path, verilog: pathlib.Path) -> curve.Meter:
+        return curve.Meter(self.analyst, configuration, verilog, show_progress)
 
     def made(self, configuration: pathlib.Path, *kind: str) -> pathlib.Path:
         """The path of the result of scripts/configuration for a file."""
@@ -79,6 +70,7 @@ class Project:
                 str(self.args.jobs),
                 "--for-program",
             ],
+            stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
             text=True,
             check=False,
@@ -186,9 +178,7 @@ class Specialiser:
         whole = folder / f"{self.project.name}.json"
         self.write(whole, self.decide({k: (n, "being measured") for k, n in most.items()}))
         schedules = self.project.made(whole, "--verilog")
-        meter = curve.Meter(
-            args.program, self.project.scene, self.project.seen, whole, schedules, show_progress
-        )
+        meter = self.project.meter(whole, schedules)
         frame = f"a frame of {args.size or choose_format.SIZE}"
         frame += " at time 0" if self.needs["needs"].get("frames", 1) > 1 else ""
         decided, curves = curve.choose(
@@ -201,7 +191,7 @@ def general_core(project: Project) -> tuple[str, Json, Json, str, decisions.Meas
     """Name and keys of the configuration to start from, what the scene needs of it, and what is
     decided of the float."""
     args, formats = project.args, {}
-    needs, about = project.needs(args.config)
+    needs, about = project.analyst.needs(args.config)
     name = needs["general"]
     general = base_configuration(name)
     if name.endswith(".json"):
@@ -211,7 +201,7 @@ def general_core(project: Project) -> tuple[str, Json, Json, str, decisions.Meas
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / f"{decisions.called(name)}.json"
             write_json(path, general | {key: value for key, (value, _) in formats.items()})
-            needs, about = project.needs(path)
+            needs, about = project.analyst.needs(path)
     needs["general"] = name
     return name, general, needs, about, formats
 
@@ -226,9 +216,7 @@ def add_costs(project: Project, result: Json, special: pathlib.Path, general: Js
         write_json(whole, general)
         for name, path in (("general", whole), ("special", special)):
             verilog = project.made(path, "--verilog")
-            meter = curve.Meter(
-                args.program, project.scene, project.seen, path, verilog, show_progress
-            )
+            meter = project.meter(path, verilog)
             read = read_json(path)
             packets, lines = (decisions.plain(read[key]) for key in ("packets", "lines"))
             of[name] = {"clocks": meter.clocks(packets, lines)}
@@ -338,6 +326,14 @@ def run(args: argparse.Namespace) -> int:
         check_outputs(project.out, args.json)
     if args.max_error is not None or args.hardware and not args.for_program:
         costs.check_tools()
+    with project.asking():
+        make(project)
+    return 0
+
+
+def make(project: Project) -> None:
+    """The configuration, and what the command is to do with it."""
+    args = project.args
     name, general, needs, about, formats = general_core(project)
     entry = BuildCache().get(
         project.key(needs, general, formats),
@@ -348,9 +344,8 @@ def run(args: argparse.Namespace) -> int:
     show_progress("")
     if args.for_program:
         print(entry / f"{project.name}.json")
-        return 0
+        return
     finish(project, name, general, about, entry)
-    return 0
 
 
 def for_program(args: argparse.Namespace) -> int:

@@ -8,6 +8,7 @@ import io
 import json
 import os
 import pathlib
+import subprocess
 import textwrap
 import unittest
 
@@ -117,25 +118,33 @@ class Command(testing.InFolder):
 
     def setUp(self) -> None:
         super().setUp()
+        keys = {key: {"value": value, "reason": "as it is"} for key, value in THESIS.items()}
+        self.needs = {
+            "general": "thesis",
+            "content": "0",
+            "needs": {"scene": "office"},
+            "keys": keys,
+            "about": "office: 2 triangles",
+        }
+        self.refusal = {"refused": "nowhere.obj: there is no such file"}
+        (self.folder / "needs.json").write_text(json.dumps(self.needs), encoding="utf-8")
         self.program = self.folder / "dynrt"
         testing.write_program(
             self.program,
             textwrap.dedent(
-                """\
-            #!/usr/bin/python3
-            import json, pathlib, sys
-            if "nowhere.obj" in sys.argv:
-                sys.exit("dynrt: nowhere.obj: there is no such file")
-            here = pathlib.Path(__file__).resolve().parent
-            needs = {"general": "thesis", "content": "0", "needs": {"scene": "office"},
-                     "keys": json.loads((here / "keys.json").read_text())}
-            pathlib.Path(sys.argv[sys.argv.index("--json") + 1]).write_text(json.dumps(needs))
-            print("scene       office: 2 triangles")
-            """
+                f"""\
+                #!/usr/bin/python3
+                import pathlib, sys
+                if "--fov=wide" in sys.argv:
+                    sys.exit("dynrt: --fov: wide is not a finite number")
+                for question in sys.stdin:
+                    if "nowhere.obj" in sys.argv:
+                        print({json.dumps(json.dumps(self.refusal))}, flush=True)
+                    else:
+                        print(pathlib.Path({str(self.folder / "needs.json")!r}).read_text(), flush=True)
+                """
             ),
         )
-        keys = {key: {"value": value, "reason": "as it is"} for key, value in THESIS.items()}
-        (self.folder / "keys.json").write_text(json.dumps(keys), encoding="utf-8")
         self.build = self.folder / "build.json"
         self.build.write_text(
             json.dumps(
@@ -149,16 +158,37 @@ class Command(testing.InFolder):
             encoding="utf-8",
         )
 
+    def command(self, *words: str) -> list[str | pathlib.Path]:
+        given: list[str | pathlib.Path] = ["--program", self.program, "--build", self.build]
+        given += ["--expect", "0"]
+        return [project.SCRIPTS / "specialise", *words, *given]
+
+    def environment(self, **more: str) -> dict[str, str]:
+        return os.environ | {"DYNRT_CACHE": str(self.folder / "cache")} | more
+
     def run_on(self, *words: str, **environment: str) -> testing.Result:
-        given = ("--program", self.program, "--build", self.build, "--expect", "0")
-        kept = {"DYNRT_CACHE": str(self.folder / "cache")}
         return testing.run(
-            project.SCRIPTS / "specialise",
-            *words,
-            *given,
-            cwd=self.folder,
-            env=os.environ | kept | environment,
+            *self.command(*words), cwd=self.folder, env=self.environment(**environment)
         )
+
+    def run_for_program(self, scene: str) -> tuple[int, str]:
+        """The test is the program that runs the script and answers it: exit code and output."""
+        said = ""
+        with subprocess.Popen(
+            self.command(scene, "--for-program"),
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            text=True,
+            cwd=self.folder,
+            env=self.environment(),
+        ) as process:
+            for line in process.stdout or ():
+                if line.startswith("? "):
+                    answer = self.refusal if scene == "nowhere.obj" else self.needs
+                    print(json.dumps(answer), file=process.stdin, flush=True)
+                else:
+                    said += line
+        return process.returncode, said
 
     def assert_refused(self, sentence: str, *words: str, **environment: str) -> None:
         result = self.run_on(*words, **environment)
@@ -167,6 +197,7 @@ class Command(testing.InFolder):
 
     def test_mistakes(self) -> None:
         self.assert_refused("nowhere.obj: there is no such file", "nowhere.obj")
+        self.assert_refused("--fov: wide is not a finite number", "office", "--fov", "wide")
         self.assert_refused(
             "--device fpga: unknown; the devices are ecp5-85, .*", "office", "--device", "fpga"
         )
@@ -231,35 +262,40 @@ class Command(testing.InFolder):
         )
 
     def test_programs_read_the_sentence_where_the_path_would_be(self) -> None:
-        result = self.run_on("nowhere.obj", "--for-program")
         self.assertEqual(
-            (result.returncode, result.stdout, result.stderr),
-            (1, "nowhere.obj: there is no such file\n", ""),
+            self.run_for_program("nowhere.obj"), (1, "nowhere.obj: there is no such file\n")
+        )
+
+    def test_a_program_that_ends_before_it_answers(self) -> None:
+        result = self.run_on("office", "--for-program")
+        self.assertEqual(
+            (result.returncode, result.stdout.splitlines()[-1], result.stderr),
+            (1, "the program that analyses the scene has ended", ""),
         )
 
     def test_what_is_there_whole_is_taken_and_what_was_cut_off_is_not(self) -> None:
-        first = self.run_on("office", "--for-program")  # fails, but where it would be is known
-        self.assertEqual(first.returncode, 1)
+        first, _ = self.run_for_program("office")  # fails, but where it would be is known
+        self.assertEqual(first, 1)
         locks = list((self.folder / "cache").glob("specialised-*.lock"))
         self.assertEqual(len(locks), 1)
         entry = locks[0].with_suffix("")
         partial = entry.with_name(entry.name + ".cut.partial")
         partial.mkdir()
         (partial / "office.json").write_text("{", encoding="utf-8")
-        again = self.run_on("office", "--for-program")
-        self.assertEqual(again.returncode, 1)
+        again, _ = self.run_for_program("office")
+        self.assertEqual(again, 1)
         self.assertFalse(partial.exists())
         entry.mkdir()
         (entry / "analysis").mkdir()
         for name in ("office.json", "analysis/analysis.json"):
             (entry / name).write_text("", encoding="utf-8")  # as a machine without power leaves it
-            self.assertEqual(self.run_on("office", "--for-program").returncode, 1)
+            self.assertEqual(self.run_for_program("office")[0], 1)
             self.assertFalse(entry.exists())
             (entry / "analysis").mkdir(parents=True)
             for good in ("office.json", "analysis/analysis.json"):
                 (entry / good).write_text("{}", encoding="utf-8")
-        whole = self.run_on("office", "--for-program")
-        self.assertEqual((whole.returncode, whole.stdout), (0, f"{entry / 'office.json'}\n"))
+        whole = self.run_for_program("office")
+        self.assertEqual(whole, (0, f"{entry / 'office.json'}\n"))
 
 
 if __name__ == "__main__":

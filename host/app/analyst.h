@@ -1,0 +1,51 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Answers what scripts/specialise asks about a scene, so that the script builds and this program
+// analyses and renders, with the scene in memory.
+#pragma once
+
+#include <string>
+
+#include "host/app/board_frame.h"
+#include "host/app/scene_analysis.h"
+
+namespace dynrt::host {
+
+/// Clocks of a frame on the native model, by the schedules of a core's Verilog.
+class FrameClocks {
+ public:
+  FrameClocks(SceneFile& file, const AnalysedFrames& frames);
+
+  std::uint64_t count(const std::string& configuration, const std::string& schedules,
+                      unsigned packets, unsigned lines);
+
+ private:
+  SceneFile& file_;
+  FrameArguments frame_;
+  std::string configuration_;  ///< that the scene was last laid out for
+  Prepared prepared_;
+};
+
+/// A question is a line of JSON, and so is its answer; {"refused": SENTENCE} for what the user has
+/// to mend.
+///   {"ask": "needs", "configuration": NAME}    what `dynrt needs --json` writes, and "about";
+///                                              without a name of the general configuration
+///   {"ask": "clocks", "configuration": FILE, "schedules": FOLDER, "packets": N, "lines": N}
+///                                              {"clocks": N}
+class Analyst {
+ public:
+  /// The scene should be kept (SceneFile), as every question needs it.
+  Analyst(SceneFile& file, AnalysedFrames frames);
+
+  std::string answer(const std::string& question);
+
+ private:
+  nlohmann::ordered_json answered(const nlohmann::ordered_json& question);
+
+  SceneFile& file_;
+  AnalysedFrames frames_;
+  FrameClocks clocks_;
+};
+
+}  // namespace dynrt::host
