@@ -1,12 +1,20 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 #
-# What `cmake --install` gives to other projects: hlsc, the language's headers, the core's units, the
-# bench that co-simulates, the Verilog with lists of its files, and a CMake package that ties them
-# together (dynrtConfig.cmake).
+# What `cmake --install` gives: the program dynrt, and for other projects hlsc, the language's headers,
+# the core's units, the bench that co-simulates, the Verilog with lists of its files, and a CMake
+# package that ties them together (dynrtConfig.cmake).
 include(CMakePackageConfigHelpers)
 set(share share/dynrt)
 set(include include/dynrt)
+
+# The program looks for the rest beside itself (host/program_part.h). It holds the configurations of
+# DYNRT_BUILT_IN; of the others those go along that are built. For all else that it makes, such as a
+# core for one scene, it needs the folder that it was built from.
+install(TARGETS dynrt RUNTIME DESTINATION bin)
+install(TARGETS dynrt_images LIBRARY DESTINATION lib/dynrt)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/configurations DESTINATION lib/dynrt)
+install(DIRECTORY scenes DESTINATION ${share} FILES_MATCHING PATTERN *.json PATTERN CREDITS.md)
 
 install(TARGETS hlsc EXPORT dynrtTargets RUNTIME DESTINATION bin)
 install(EXPORT dynrtTargets NAMESPACE dynrt:: DESTINATION ${share}/cmake)

@@ -1,8 +1,9 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 # cmake -DBUILD=.. -DEXAMPLE=.. -DCOMPILER=.. -P TryPackage.cmake
-# Installs a build into a fresh folder, builds a copy of the example project with that alone and runs
-# it; Verilator reads the installed board by the list of its files.
+# Installs a build into a fresh folder, renders with the installed program, builds a copy of the
+# example project with what is installed alone and runs it; Verilator reads the installed board by the
+# list of its files.
 set(work ${BUILD}/package_test)
 file(REMOVE_RECURSE ${work})
 function(run)
@@ -15,6 +16,7 @@ file(GLOB_RECURSE tests_own ${work}/prefix/include/*/float_judge.h ${work}/prefi
 if(tests_own)
   message(FATAL_ERROR "the package has headers that are only for tests: ${tests_own}")
 endif()
+run(${work}/prefix/bin/dynrt compare blocks --size 32x32 --out ${work}/blocks.png)
 file(COPY ${EXAMPLE}/ DESTINATION ${work}/example)
 run(${CMAKE_COMMAND} -G Ninja -S ${work}/example -B ${work}/build -DCMAKE_CXX_COMPILER=${COMPILER}
     -DCMAKE_PREFIX_PATH=${work}/prefix -DCMAKE_BUILD_TYPE=Release

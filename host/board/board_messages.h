@@ -29,6 +29,8 @@ inline constexpr char kNoConfiguration[] =
     "FILE.so";
 inline constexpr char kNoConfigurationFile[] = "configuration {}: there is no such file";
 inline constexpr char kNotMade[] = "{}: {}";
+inline constexpr char kNoScriptToMake[] =
+    "{}: is made by {}, which is not there; the program needs the folder that it was built from";
 inline constexpr char kNotALibrary[] =
     "configuration {}: the shared library is cut off; make it again with scripts/configuration";
 inline constexpr char kNotLoaded[] = "configuration {}: cannot load it: {}";

@@ -16,6 +16,7 @@
 
 #include "host/board/board_messages.h"
 #include "host/error.h"
+#include "host/program_part.h"
 
 namespace dynrt::host {
 
@@ -102,7 +103,9 @@ const Configuration& load_configuration(const std::string& path, bool rtl) {
 }
 
 const Configuration& load_listed_configuration(const std::string& name, bool rtl) {
-  const fs::path folder = fs::path(this_build().description).parent_path() / "configurations";
+  const fs::path folder =
+      program_part(fs::path(this_build().description).parent_path() / "configurations",
+                   "lib/dynrt/configurations");
   const fs::path built = folder / (name + ".so");
   if (open(built).configuration != nullptr) return load_configuration(built);
   return load_configuration(folder / (name + ".json"), rtl);

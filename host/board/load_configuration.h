@@ -21,8 +21,8 @@ bool is_configuration_file(std::string_view name);
 const Configuration& load_configuration(const std::string& path, bool rtl = false);
 
 /// A configuration that hls/configs/configs.json lists and the program does not hold: the library
-/// that the build made beside it (its folder `configurations`) if that is not older than the
-/// program's sources, else one that is made now.
+/// that the build made beside it (its folder `configurations`, installed or not) if that is not
+/// older than the program's sources, else one that is made now.
 const Configuration& load_listed_configuration(const std::string& name, bool rtl);
 
 /// The origin of a specialised configuration, from its JSON file: made_for, made_from and, if it is

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <filesystem>
 #include <string_view>
 #include <utility>
 
@@ -110,6 +111,10 @@ std::string made_by_script(const std::string& script, const std::vector<std::str
        {std::string_view("--build"), build.description, std::string_view("--expect"),
         build.fingerprint, std::string_view("--for-program")}) {
     command.emplace_back(word);
+  }
+  std::error_code error;
+  if (!std::filesystem::exists(command.front(), error)) {
+    refuse(messages::kNoScriptToMake, what, command.front());
   }
   const CommandOutput output = output_of(command, answer);
   if (output.code != 0) {

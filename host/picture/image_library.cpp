@@ -9,6 +9,7 @@
 
 #include "host/error.h"
 #include "host/picture/picture_messages.h"
+#include "host/program_part.h"
 
 namespace dynrt::host {
 
@@ -20,10 +21,8 @@ fs::path find_library() {
   const fs::path built = DYNRT_IMAGES_LIBRARY;
   std::error_code unknown;
   const fs::path program = fs::read_symlink("/proc/self/exe", unknown).parent_path();
-  for (const fs::path& folder : {program, program / ".." / "lib" / "dynrt"}) {
-    if (fs::exists(folder / built.filename(), unknown)) return folder / built.filename();
-  }
-  return built;
+  if (fs::exists(program / built.filename(), unknown)) return program / built.filename();
+  return program_part(built, "lib/dynrt/" + built.filename().string());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "host/program_part.h"
 #include "host/scene/check_file.h"
 #include "host/scene/description.h"
 #include "host/scene/import.h"
@@ -20,13 +21,20 @@ namespace dynrt::host {
 namespace fs = std::filesystem;
 
 namespace {
+
 constexpr std::string_view kMapInPackage = ".pk3:";
+
+const fs::path& scenes_folder() {
+  static const fs::path folder = program_part(DYNRT_SCENES_FOLDER, "share/dynrt/scenes");
+  return folder;
 }
+
+}  // namespace
 
 std::vector<std::string> built_in_scenes() {
   std::vector<std::string> names;
   std::error_code missing;
-  for (const auto& file : fs::directory_iterator(DYNRT_SCENES_FOLDER, missing)) {
+  for (const auto& file : fs::directory_iterator(scenes_folder(), missing)) {
     if (file.path().extension() == ".json") names.push_back(file.path().stem().string());
   }
   std::sort(names.begin(), names.end());
@@ -36,7 +44,7 @@ std::vector<std::string> built_in_scenes() {
 Scene load_scene(const std::string& name_or_path) {
   const std::vector<std::string> names = built_in_scenes();
   if (std::find(names.begin(), names.end(), name_or_path) != names.end()) {
-    return load_description((fs::path(DYNRT_SCENES_FOLDER) / (name_or_path + ".json")).string());
+    return load_description((scenes_folder() / (name_or_path + ".json")).string());
   }
   if (const auto colon = name_or_path.rfind(kMapInPackage); colon != name_or_path.npos) {
     const auto name = colon + kMapInPackage.size();
