@@ -22,6 +22,7 @@
 
 #include "host/scene/assimp_scene.h"
 #include "host/scene/check_file.h"
+#include "host/scene/crash_guard.h"
 #include "host/scene/memory_files.h"
 #include "host/scene/scene_messages.h"
 #include "host/scene/text_encoding.h"
@@ -141,6 +142,10 @@ std::string format_of(std::string_view extension) {
   return name;
 }
 
+std::string crash_of(const std::string& label, std::string_view extension) {
+  return fmt::format(wording::kCrash, label, format_of(extension));
+}
+
 AssimpForm form_of(std::string_view extension) {
   constexpr std::array<std::string_view, 4> kOfOneMesh = {".obj", ".ply", ".stl", ".off"};
   if (is_gltf(extension)) return AssimpForm::kGltf;
@@ -220,6 +225,7 @@ Scene import_obj(Assimp::IOSystem& files, const std::string& path, const std::st
   const std::string utf8 = to_utf8(text);
   const std::vector<std::string> material_files = check_obj(utf8, label);
   OneFileReplaced decoded(files, path, utf8);
+  const CrashGuard guard(crash_of(label, ".obj"));
   Assimp::Importer importer;
   const Lend lend(importer, decoded);
   Scene scene = convert(importer, path, label, textures);
@@ -234,6 +240,7 @@ Scene import_file(const std::string& path) {
     wording::fail(wording::kExtension, path, extension, fmt::format("{}", fmt::join(known, ", ")));
   }
   Assimp::DefaultIOSystem disk;
+  const CrashGuard guard(crash_of(path, extension));  // until the importer has tidied up
   Assimp::Importer importer;
   if (extension == ".obj") {
     return import_obj(disk, path, read_file(path), path, Textures::kMixed);

@@ -23,6 +23,9 @@ inline constexpr char kExtension[] =
 inline constexpr char kRejected[] = "{}: not a valid {} file: {}";
 inline constexpr char kNotOfFormat[] =
     "{}: not a valid {} file: it has another format or is cut off";
+inline constexpr char kCrash[] =
+    "{}: is damaged: Assimp crashed while it read this {} file; export it again, or in another "
+    "format";
 
 // What an import gives
 inline constexpr char kVertexNotFinite[] =
