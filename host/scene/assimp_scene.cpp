@@ -150,11 +150,7 @@ class Conversion {
     if (skins == 0 || from_.mNumAnimations == 0) return;
     scene_.notes.push_back(fmt::format(wording::kSkins, label_, skins, skins == 1 ? "" : "es",
                                        skins == 1 ? "a skin" : "skins"));
-    const bool moves = scene_.camera_motion.has_value() ||
-                       std::ranges::any_of(scene_.instances, [](const Instance& instance) {
-                         return instance.motion.has_value();
-                       });
-    if (!moves) scene_.motion.clear();
+    rest_if_nothing_moves(scene_);
   }
 
   // `moved_by`: index of the parent's motion in Scene::motion.
@@ -307,6 +303,14 @@ class Conversion {
 };
 
 }  // namespace
+
+void rest_if_nothing_moves(Scene& scene) {
+  const bool moves = scene.camera_motion.has_value() ||
+                     std::ranges::any_of(scene.instances, [](const Instance& instance) {
+                       return instance.motion.has_value();
+                     });
+  if (!moves) scene.motion.clear();
+}
 
 Scene convert_assimp(const aiScene& from, const std::string& label, AssimpForm form) {
   return Conversion(from, label, form).run();

@@ -26,4 +26,7 @@ enum class AssimpForm {
 /// be used.
 Scene convert_assimp(const aiScene& from, const std::string& label, AssimpForm form);
 
+/// Drops the animation if it moves neither an instance nor the camera: an animation of bones.
+void rest_if_nothing_moves(Scene& scene);
+
 }  // namespace dynrt::host

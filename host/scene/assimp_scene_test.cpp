@@ -242,6 +242,15 @@ TEST_F(MovingGltf, RendersSkinsAtRest) {
             folder_.path("a.gltf") +
                 ": 4 meshes with skins cannot follow the animation of bones, so dynrt "
                 "renders them at rest");
+
+  // The format allows a skin without matrices.
+  const Scene bare = load(replaced(text, ", \"inverseBindMatrices\": 7", ""));
+  EXPECT_EQ(bare.instances.size(), 1u);
+  EXPECT_EQ(duration(bare), 0.0);
+  ASSERT_EQ(bare.notes.size(), 1u);
+  EXPECT_EQ(bare.notes[0], folder_.path("a.gltf") +
+                               ": dynrt leaves out 1 skin without 'inverseBindMatrices' and "
+                               "renders its meshes at rest");
 }
 
 TEST_F(MovingGltf, NamesTheNodeWhoseAnimationHasNoFrames) {

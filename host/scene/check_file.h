@@ -5,6 +5,7 @@
 // it if Assimp would read another scene, never end or crash. All other checks are left to Assimp.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,9 +29,15 @@ std::vector<std::string> check_obj(std::string_view text, const std::string& pat
 /// newline, Assimp would skip the first byte of the data if it is a newline too.
 std::string mended_ply(std::string text, const std::string& path);
 
-/// Deeply nested nodes overflow the stack in Assimp's recursion, Assimp invents a keyframe for an
-/// animation without any and crashes on a skin without matrices. Throws UserError for these, and
-/// with the line for JSON that cannot be parsed. `text` is a .gltf or a .glb file.
-void check_gltf(std::string_view text, const std::string& path);
+struct MendedGltf {
+  std::string text;            ///< Assimp must read this instead of the file's
+  std::size_t bare_skins = 0;  ///< skins without matrices, which no node of `text` has any more
+};
+
+/// Deeply nested nodes overflow the stack in Assimp's recursion, and Assimp invents a keyframe for
+/// an animation without any. Throws UserError for these, and with the line for JSON that cannot be
+/// parsed. Assimp crashes on a skin without matrices, so it gets a text without such skins. `text`
+/// is a .gltf or a .glb file.
+MendedGltf mended_gltf(std::string text, const std::string& path);
 
 }  // namespace dynrt::host

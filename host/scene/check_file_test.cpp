@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "host/scene/test_files.h"
 
 namespace dynrt::host {
@@ -18,7 +20,7 @@ std::string ply(const std::string& text) {
 }
 
 std::string gltf(std::string_view text) {
-  return user_error([&] { check_gltf(text, "a.gltf"); });
+  return user_error([&] { mended_gltf(std::string(text), "a.gltf"); });
 }
 
 TEST(CheckObj, TakesWhatIsRight) {
@@ -121,16 +123,36 @@ TEST(CheckGltf, JudgesTheNodeGraph) {
             "graph");
   std::string chain = R"({"nodes": [)";
   for (int n = 0; n < 256; ++n) chain += "{\"children\": [" + std::to_string(n + 1) + "]},";
-  EXPECT_NO_THROW(check_gltf(replaced(chain, R"("children": [256])", "") + "{}]}", "a.gltf"));
+  EXPECT_NO_THROW(mended_gltf(replaced(chain, R"("children": [256])", "") + "{}]}", "a.gltf"));
   EXPECT_EQ(gltf(chain + R"({"name": "deep"}]})"),
             "a.gltf: node 'deep' lies more than 256 levels deep or inside itself; flatten the "
             "node graph");
 }
 
-TEST(CheckGltf, RefusesASkinWithoutMatrices) {
-  EXPECT_EQ(gltf(R"({"skins": [{"joints": [0], "inverseBindMatrices": 3}, {"joints": [0]}]})"),
-            "a.gltf: skin 1 needs 'inverseBindMatrices' but has none; export the file with them or "
-            "without the skin");
+constexpr char kSkins[] =
+    R"({"nodes": [{"skin": 0}, {"skin": 1}, {"skin": 1, "mesh": 2}], )"
+    R"("skins": [{"joints": [0], "inverseBindMatrices": 3}, {"joints": [0]}]})";
+
+TEST(CheckGltf, TakesAwaySkinsWithoutMatrices) {
+  const MendedGltf mended = mended_gltf(kSkins, "a.gltf");
+  EXPECT_EQ(mended.bare_skins, 1u);
+  EXPECT_EQ(nlohmann::json::parse(mended.text)["nodes"],
+            nlohmann::json::parse(R"([{"skin": 0}, {}, {"mesh": 2}])"));
+  const std::string same = R"({ "nodes": [{"skin": 0}], "skins": [{"inverseBindMatrices": 3}]})";
+  EXPECT_EQ(mended_gltf(same, "a.gltf").text, same);
+}
+
+TEST(CheckGltf, TakesThemAwayInAGlb) {
+  const auto glb = [](const std::string& json, const std::string& rest) {
+    const auto word = [](std::size_t n) {
+      return std::string{static_cast<char>(n & 255), static_cast<char>(n >> 8), 0, 0};
+    };
+    return "glTF" + word(2) + word(20 + json.size() + rest.size()) + word(json.size()) + "JSON" +
+           json + rest;
+  };
+  std::string json = mended_gltf(kSkins, "a.gltf").text;
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  EXPECT_EQ(mended_gltf(glb(kSkins, "the buffer"), "a.glb").text, glb(json, "the buffer"));
 }
 
 TEST(CheckGltf, ReadsTheJsonOfAGlb) {
@@ -142,12 +164,12 @@ TEST(CheckGltf, ReadsTheJsonOfAGlb) {
     return bytes + "JSON" + std::string(text);
   };
   for (const std::uint8_t version : {std::uint8_t{1}, std::uint8_t{2}}) {
-    EXPECT_NO_THROW(check_gltf(glb(version, 2, "{}"), "a.gltf"));
+    EXPECT_NO_THROW(mended_gltf(glb(version, 2, "{}"), "a.gltf"));
     EXPECT_EQ(gltf(glb(version, 2, "[]")), "a.gltf:1: not valid JSON: it must be an object, {...}");
   }
   // Assimp refuses what is cut off.
-  EXPECT_NO_THROW(check_gltf(glb(2, 44, "{}"), "a.gltf"));
-  EXPECT_NO_THROW(check_gltf(glb(2, 2, "{}").substr(0, 19), "a.gltf"));
+  EXPECT_NO_THROW(mended_gltf(glb(2, 44, "{}"), "a.gltf"));
+  EXPECT_NO_THROW(mended_gltf(glb(2, 2, "{}").substr(0, 19), "a.gltf"));
 }
 
 }  // namespace

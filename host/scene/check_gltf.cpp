@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
 
 #include "host/scene/check_file.h"
 #include "host/scene/json_reader.h"
@@ -20,6 +22,10 @@ std::uint32_t little_endian(std::string_view text, std::size_t at) {
     value |= static_cast<std::uint32_t>(static_cast<unsigned char>(text[at + b])) << (8 * b);
   }
   return value;
+}
+
+void put_little_endian(std::string& text, std::size_t at, std::size_t value) {
+  for (std::size_t b = 0; b < 4; ++b) text[at + b] = static_cast<char>(value >> (8 * b) & 0xFF);
 }
 
 /// The JSON chunk of a GLB file: 12 bytes of header (magic, version, length), then the chunk's
@@ -84,29 +90,49 @@ void check_keyframes(const nlohmann::json& json, const std::string& path) {
   }
 }
 
-/// Assimp 5.2 crashes where a skin has none, which the format allows.
-void check_skins(const nlohmann::json& json, const std::string& path) {
-  const auto skins = json.find("skins");
-  if (skins == json.end() || !skins->is_array()) return;
-  for (std::size_t s = 0; s < skins->size(); ++s) {
-    const nlohmann::json& skin = (*skins)[s];
-    if (skin.is_object() && !skin.contains("inverseBindMatrices")) {
-      wording::fail(wording::kSkinWithoutMatrices, path, s);
-    }
+/// Takes the skins without matrices from the nodes; Assimp 5.2 crashes on such a skin, which the
+/// format allows. Returns their number.
+std::size_t take_bare_skins(nlohmann::json& json) {
+  std::set<nlohmann::json> bare;
+  const auto nodes = json.find("nodes");
+  if (nodes == json.end() || !nodes->is_array()) return 0;
+  for (nlohmann::json& node : *nodes) {
+    const nlohmann::json& skin = element(json, "skins", "skin", node);
+    if (!skin.is_object() || skin.contains("inverseBindMatrices")) continue;
+    bare.insert(node["skin"]);
+    node.erase("skin");
   }
+  return bare.size();
+}
+
+/// A GLB file with another JSON chunk. The chunk's length is a multiple of 4, as GLB 2 demands.
+std::string with_json_chunk(std::string_view glb, std::string json) {
+  constexpr std::size_t kTotal = 8, kLength = 12, kHeader = 20;
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  std::string_view after = glb.substr(kHeader + little_endian(glb, kLength));
+  std::string mended(glb.substr(0, kHeader));
+  mended += json;
+  mended += after;
+  put_little_endian(mended, kTotal, mended.size());
+  put_little_endian(mended, kLength, json.size());
+  return mended;
 }
 
 }  // namespace
 
-void check_gltf(std::string_view text, const std::string& path) {
-  if (text.starts_with("glTF")) text = json_chunk(text);
-  if (text.empty()) return;
-  const nlohmann::json json = parse_json(text, path);
+MendedGltf mended_gltf(std::string text, const std::string& path) {
+  const bool is_binary = text.starts_with("glTF");
+  const std::string_view source = is_binary ? json_chunk(text) : std::string_view(text);
+  if (source.empty()) return {.text = std::move(text)};
+  nlohmann::json json = parse_json(source, path);
   const auto nodes = json.find("nodes");
   if (nodes != json.end() && nodes->is_array()) check_depth(*nodes, path);
-  if (!json.is_object()) return;
+  if (!json.is_object()) return {.text = std::move(text)};
   check_keyframes(json, path);
-  check_skins(json, path);
+  const std::size_t bare_skins = take_bare_skins(json);
+  if (bare_skins == 0) return {.text = std::move(text)};
+  return {.text = is_binary ? with_json_chunk(text, json.dump()) : json.dump(),
+          .bare_skins = bare_skins};
 }
 
 }  // namespace dynrt::host

@@ -233,6 +233,25 @@ Scene import_obj(Assimp::IOSystem& files, const std::string& path, const std::st
   return scene;
 }
 
+namespace {
+
+Scene import_gltf(Assimp::IOSystem& disk, const std::string& path) {
+  const MendedGltf gltf = mended_gltf(read_file(path), path);
+  OneFileReplaced mended(disk, path, gltf.text);
+  Assimp::Importer importer;
+  const Lend lend(importer, mended);
+  Scene scene = convert(importer, path, path);
+  if (gltf.bare_skins > 0) {
+    rest_if_nothing_moves(scene);
+    const bool one = gltf.bare_skins == 1;
+    scene.notes.push_back(fmt::format(wording::kBareSkins, path, gltf.bare_skins, one ? "" : "s",
+                                      one ? "its" : "their"));
+  }
+  return scene;
+}
+
+}  // namespace
+
 Scene import_file(const std::string& path) {
   const std::string extension = extension_of(path);
   const std::vector<std::string> known = assimp_extensions();
@@ -251,8 +270,8 @@ Scene import_file(const std::string& path) {
     const Lend lend(importer, mended);
     return convert(importer, path, path);
   }
+  if (is_gltf(extension)) return import_gltf(disk, path);
   require_file(path);
-  if (is_gltf(extension)) check_gltf(read_file(path), path);
   return convert(importer, path, path);
 }
 

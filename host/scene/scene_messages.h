@@ -71,6 +71,8 @@ inline constexpr char kNothingMoves[] =
     "{}: the animation '{}' moves no node, only {}, so dynrt renders the scene at rest";
 inline constexpr char kSkins[] =
     "{}: {} mesh{} with {} cannot follow the animation of bones, so dynrt renders them at rest";
+inline constexpr char kBareSkins[] =
+    "{}: dynrt leaves out {} skin{} without 'inverseBindMatrices' and renders {} meshes at rest";
 inline constexpr char kLightNotPoint[] =
     "{}: light '{}' is not a point light, so dynrt leaves it out";
 inline constexpr char kCameraNotPerspective[] =
@@ -99,9 +101,6 @@ inline constexpr char kPlyShort[] =
     "{}:{}: the line has fewer numbers than element '{}' has properties";
 
 // glTF
-inline constexpr char kSkinWithoutMatrices[] =
-    "{}: skin {} needs 'inverseBindMatrices' but has none; export the file with them or without "
-    "the skin";
 inline constexpr char kNodesDeep[] =
     "{}: node '{}' lies more than {} levels deep or inside itself; flatten the node graph";
 
