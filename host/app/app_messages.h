@@ -17,7 +17,7 @@ inline constexpr char kStdout[] =
 inline constexpr char kOrder[] = "--order {}: unknown; the orders are morton and scanline";
 inline constexpr char kClock[] = "--clock {}: the clock is a number of MHz above zero";
 inline constexpr char kTimeoutZero[] = "--timeout 0: the board needs at least one clock";
-inline constexpr char kNoPrimitive[] =
+inline constexpr char kLacksPrimitive[] =
     "--config {}: the configuration has no {}, but the scene '{}' contains them; these "
     "configurations have all that the scene needs: {}";
 inline constexpr char kCommand[] =

@@ -66,7 +66,7 @@ void check_primitives(const Scene& scene, const CoreInfo& core) {
   const auto with = names_of(configurations(), [&](const Configuration& c) {
     return missing_primitive(scene, c.core()) == nullptr;
   });
-  refuse(messages::kNoPrimitive, core.name, missing, scene.name,
+  refuse(messages::kLacksPrimitive, core.name, missing, scene.name,
          fmt::format("{}", fmt::join(with, ", ")));
 }
 
