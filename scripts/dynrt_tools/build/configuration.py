@@ -17,34 +17,17 @@ from typing import Any, TextIO
 from dynrt_tools.project import read_json
 from dynrt_tools.build import fingerprint
 from dynrt_tools.build.cache import BuildCache, full_disk
-from dynrt_tools.build.configs import read_file
+from dynrt_tools.build.configs import load_configurations, read_file
 from dynrt_tools.project import ROOT, Failed, Json, Progress, require_tool, show_progress
 
 NAME = "loadable"  # of the configuration in the C++ and the Verilog, whatever the file's name is
 
-# The files that decide how a configuration is built, besides the sources that decide what it does;
-# and those that decide, besides these, its Verilog and its board.
-RULES = (
-    "CMakeLists.txt",
-    "cmake/*.cmake",
-    "hls/CMakeLists.txt",
-    "hls/configs/CMakeLists.txt",
-    "host/board/CMakeLists.txt",
-)
-VERILOG_RULES = (
-    "hls/lowered/**/*.h",
-    "hls/units/CMakeLists.txt",
-    "hls/units/*.cpp*",
-    "hls/compiler/join/*",
-    "hls/compiler/delay/*.json",
-)
-BOARD_RULES = ("rtl/lib/*.v", "rtl/board/*", "host/board/*.cpp")
-
-# Of each kind: the CMake target and the files that it is made from.
-KINDS = {
-    "native": {"target": NAME, "rules": RULES},
-    "verilog": {"target": f"dynrt_{NAME}_core", "rules": RULES + VERILOG_RULES},
-    "rtl": {"target": NAME, "rules": RULES + VERILOG_RULES + BOARD_RULES},
+# Of each kind: the CMake target, and the parts of a core (cmake/core_sources.json) that it is made
+# from, besides the code, which its fingerprint covers.
+KINDS: dict[str, dict[str, Any]] = {
+    "native": {"target": NAME, "parts": ["build"]},
+    "verilog": {"target": f"dynrt_{NAME}_core", "parts": ["build", "verilog"]},
+    "rtl": {"target": NAME, "parts": ["build", "verilog", "board"]},
 }
 LIBRARY = "configuration.so"
 TOOLS = {"cmake": "cmake", "ninja": "ninja-build"}  # and Debian's packages that have them
@@ -67,18 +50,16 @@ def find_build(named: pathlib.Path | None) -> Json:
 
 
 def key_of(kind: str, config: Json, build: Json) -> str:
-    """The key of all that the result depends on; `about` and its origin are only text."""
-    said = {
-        key: value
-        for key, value in config.items()
-        if key not in ("about", "made_for", "made_from", "rtl")
-    }
+    """The key of all that the result depends on: of a configuration, what decides its core."""
+    keys = load_configurations().KEYS
+    said = {key: value for key, value in config.items() if keys[key].of_core}
     digest = hashlib.sha256(
         json.dumps(
             [kind, said, build["variables"], fingerprint.fingerprint(build)], sort_keys=True
         ).encode()
     )
-    fingerprint.add_files(digest, pathlib.Path(build["source"]), KINDS[kind]["rules"])
+    for part in KINDS[kind]["parts"]:
+        fingerprint.add_files(digest, pathlib.Path(build["source"]), part)
     if kind != "native":
         hlsc = pathlib.Path(build["hlsc"])
         if not hlsc.is_file():

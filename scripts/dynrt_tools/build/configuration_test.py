@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import shutil
+import subprocess
 import unittest
 
 from dynrt_tools import project, testing
@@ -86,7 +87,7 @@ class Configuration(testing.InFolder):
         self.hlsc.unlink()
         self.assert_refused(
             THESIS,
-            f"{self.hlsc} is not there; build the target hlsc, which lowers "
+            f"{self.hlsc} is missing; build the target hlsc, which lowers "
             "the units (scripts/test --build-only does)",
             "--verilog",
         )
@@ -178,6 +179,23 @@ class Configuration(testing.InFolder):
         self.assertNotEqual(fingerprint.fingerprint(other), first)
         (moved / "host/board/board.h").write_text("changed", encoding="utf-8")
         self.assertNotEqual(fingerprint.fingerprint(self.build | {"source": str(moved)}), first)
+
+    def test_cmake_and_scripts_know_a_core_by_the_same_files(self) -> None:
+        script = self.folder / "list.cmake"
+        script.write_text(
+            f"include({project.ROOT}/cmake/CoreSources.cmake)\n"
+            "dynrt_core_sources(files ${PART})\n"
+            'list(JOIN files "\n" files)\nfile(WRITE ${OUTPUT} "${files}\n")\n',
+            encoding="utf-8",
+        )
+        output = self.folder / "files.txt"
+        for part in ("code", "build", "verilog", "board"):
+            subprocess.run(
+                ["cmake", f"-DPART={part}", f"-DOUTPUT={output}", "-P", script], check=True
+            )
+            listed = sorted(map(pathlib.Path, output.read_text(encoding="utf-8").split("\n")[:-1]))
+            self.assertGreater(len(listed), 1)
+            self.assertEqual(listed, fingerprint.files_of(project.ROOT, part))
 
 
 if __name__ == "__main__":

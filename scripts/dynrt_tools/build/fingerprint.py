@@ -9,26 +9,21 @@ import argparse
 import hashlib
 import json
 import pathlib
-from collections.abc import Iterable
 
-from dynrt_tools.project import Json, read_json
+from dynrt_tools.project import ROOT, Json, read_json
 
-SOURCES = (
-    "hls/include/**/*.h",
-    "hls/native/**/*.h",
-    "hls/units/**/*.h",
-    "host/board/*.h",
-    "host/board/*.in",
-    "host/format/*.h",
-    "host/error.h",
-    "hls/configs/generate",
-    "hls/configs/configurations/*.py",
-)
+# The patterns of each part of what a core is made of; CMake reads the same file.
+PARTS: dict[str, list[str]] = read_json(ROOT / "cmake" / "core_sources.json")
 
 
-def add_files(digest: "hashlib._Hash", root: pathlib.Path, patterns: Iterable[str]) -> None:
-    """Name and content of every file that matches."""
-    for path in sorted({p for pattern in patterns for p in root.glob(pattern) if p.is_file()}):
+def files_of(root: pathlib.Path, part: str) -> list[pathlib.Path]:
+    """The files of a part, sorted, each once."""
+    return sorted({p for pattern in PARTS[part] for p in root.glob(pattern) if p.is_file()})
+
+
+def add_files(digest: "hashlib._Hash", root: pathlib.Path, part: str) -> None:
+    """Name and content of every file of a part."""
+    for path in files_of(root, part):
         content = path.read_bytes()
         digest.update(f"{path.relative_to(root).as_posix()} {len(content)}\n".encode())
         digest.update(content)
@@ -36,7 +31,7 @@ def add_files(digest: "hashlib._Hash", root: pathlib.Path, patterns: Iterable[st
 
 def fingerprint(build: Json) -> str:
     digest = hashlib.sha256(json.dumps(build["identity"], sort_keys=True).encode())
-    add_files(digest, pathlib.Path(build["source"]), SOURCES)
+    add_files(digest, pathlib.Path(build["source"]), "code")
     return digest.hexdigest()[:32]
 
 

@@ -7,10 +7,12 @@ import pathlib
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from dynrt_tools.build.configs import load_configurations
 from dynrt_tools.project import Failed, Json
 
 Measured = dict[str, tuple[Any, str]]  # by key: a value and its reason
-TEXTS = ("about", "made_for", "made_from", "rtl")  # of a configuration, and nothing of its core
+KEYS = load_configurations().KEYS
+TEXTS = [name for name, key in KEYS.items() if not key.of_core]  # of a configuration alone
 
 
 def plain(stated: Any) -> Any:
