@@ -31,6 +31,8 @@ inline constexpr char kCountedSize[] =
 inline constexpr char kNoScript[] =
     "{}: cannot run this script: {}; the program needs the source folder that it was built from";
 inline constexpr char kUsage[] = "{}; dynrt {}--help lists what there is";
+inline constexpr char kOrOnGeneral[] =
+    "{}, or add --general-if-exceeded to render it on the general core";
 
 // Light and mirrors
 inline constexpr char kLightText[] =

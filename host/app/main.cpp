@@ -12,6 +12,7 @@
 #include "host/app/command.h"
 #include "host/app/text.h"
 #include "host/error.h"
+#include "host/render/frame_refused.h"
 
 namespace dynrt::host {
 
@@ -38,6 +39,14 @@ std::string one_sentence(std::string text) {
   }
   while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
   return text;
+}
+
+/// Names the flag that gave the option. A command without the flag, such as stress, chose it
+/// itself.
+std::string with_flag(const FrameRefused& refused, const CLI::App& command) {
+  const std::string flag = "--" + refused.option;
+  const bool has_flag = command.get_option_no_throw(flag) != nullptr;
+  return has_flag ? fmt::format("{}: {}", flag, refused.what()) : refused.what();
 }
 
 int run(int argc, char** argv) {
@@ -69,7 +78,12 @@ int run(int argc, char** argv) {
     return complain(fmt::format(messages::kUsage, one_sentence(error.what()), parsed), kMistake);
   }
   for (const Command& command : commands) {
-    if (command.app->parsed()) return command.run();
+    if (!command.app->parsed()) continue;
+    try {
+      return command.run();
+    } catch (const FrameRefused& refused) {
+      return complain(with_flag(refused, *command.app), kMistake);
+    }
   }
   return kMistake;
 }

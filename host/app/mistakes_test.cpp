@@ -22,7 +22,7 @@ TEST_F(App, LightsAndMirrorsWithoutRaysForThemAreRefused) {
   mistake("--reflections 1", "reflected rays");
   expect_mistake(
       std::string("render blocks") + kLit + "--reflections 8",
-      "dynrt: --reflections 8: configuration lit traces at most 7 reflections of a ray\n");
+      "dynrt: --reflections: configuration lit traces at most 7 reflections of a ray, not 8\n");
   const Outcome lamps = run(std::string("render lamps") + kModel);
   EXPECT_EQ(lamps.code, 0);
   EXPECT_THAT(lamps.out,
@@ -71,13 +71,15 @@ TEST_F(App, ABoardThatNeverInterruptsIsATimeOut) {
 }
 
 TEST_F(App, BadSizesAreRefused) {
-  const auto limit =
-      ": an image has 1 to 1024 pixels a side and at most 349525 in all; the board's framebuffer "
-      "and hit records hold no more\n";
-  expect_mistake("render blocks --size 0x24", std::string("dynrt: --size 0x24") + limit);
-  expect_mistake("render blocks --size 32x0", std::string("dynrt: --size 32x0") + limit);
-  expect_mistake("compare blocks --size 1025x2", std::string("dynrt: --size 1025x2") + limit);
-  expect_mistake("info blocks --size 1024x1024", std::string("dynrt: --size 1024x1024") + limit);
+  const auto sentence = [](const std::string& size) {
+    return "dynrt: --size: an image of " + size +
+           " pixels is impossible: it has 1 to 1024 pixels a side and at most 349525 in all; the "
+           "board's framebuffer and hit records hold no more\n";
+  };
+  expect_mistake("render blocks --size 0x24", sentence("0x24"));
+  expect_mistake("render blocks --size 32x0", sentence("32x0"));
+  expect_mistake("compare blocks --size 1025x2", sentence("1025x2"));
+  expect_mistake("info blocks --size 1024x1024", sentence("1024x1024"));
   for (const std::string size : {"32", "x24", "32x24x3", "-1x2", "99999999999x1"}) {
     expect_mistake(
         "render blocks --size=" + size,
@@ -112,15 +114,15 @@ TEST_F(App, WhatIsUnknownIsNamed) {
 
 TEST_F(App, WhatTheConfigurationLacksIsRefused) {
   expect_mistake("render blocks --config stand_in --packets 5",
-                 "dynrt: --packets 5: configuration stand_in holds 1 to 4 packets\n");
+                 "dynrt: --packets: configuration stand_in holds 1 to 4 packets, not 5\n");
   expect_mistake("render blocks --config model_only --size 8x8",
                  StartsWith("dynrt: configuration model_only: it has only the native model, so it "
                             "has no board rtl; take a configuration with Verilog (stand_in)"));
   expect_mistake("render blocks --config stand_in --packets 0",
-                 "dynrt: --packets 0: configuration stand_in holds 1 to 4 packets\n");
+                 "dynrt: --packets: configuration stand_in holds 1 to 4 packets, not 0\n");
   expect_mistake(
       "render blocks --config stand_in --lines 3",
-      "dynrt: --lines 3: the caches of configuration stand_in have 1, 2, 4 up to 16 lines\n");
+      "dynrt: --lines: the caches of configuration stand_in have 1, 2, 4 up to 16 lines, not 3\n");
   expect_mistake("render blocks --config stand_in --clock 0",
                  "dynrt: --clock 0: the clock is a number of MHz above zero\n");
   expect_mistake("render blocks --config stand_in --clock inf",

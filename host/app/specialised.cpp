@@ -7,9 +7,9 @@
 #include <filesystem>
 
 #include "host/app/analyst.h"
+#include "host/app/app_messages.h"
 #include "host/board/load_configuration.h"
 #include "host/board/run_script.h"
-#include "host/specialise/specialise_messages.h"
 
 namespace dynrt::host {
 

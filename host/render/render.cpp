@@ -8,6 +8,7 @@
 #include "hls/bits.h"
 #include "host/error.h"
 #include "host/format/frame_words.h"
+#include "host/render/frame_refused.h"
 #include "host/render/render_messages.h"
 #include "units/memory_format.h"
 
@@ -50,12 +51,18 @@ std::vector<HitRecord> read_hits(Board& board, std::size_t pixels) {
   return hits;
 }
 
+template <class... Args>
+[[noreturn]] void refuse_option(const char* option, fmt::format_string<const Args&...> message,
+                                const Args&... args) {
+  throw FrameRefused(option, fmt::format(message, args...));
+}
+
 }  // namespace
 
 void check_size(unsigned width, unsigned height) {
   const std::uint64_t pixels = std::uint64_t{width} * height;
   if (width == 0 || height == 0 || width > kMaxSide || height > kMaxSide || pixels > kMaxPixels) {
-    refuse(messages::kSize, width, height, kMaxSide, kMaxPixels);
+    refuse_option("size", messages::kSize, width, height, kMaxSide, kMaxPixels);
   }
 }
 
@@ -65,14 +72,14 @@ FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
   const unsigned packets = options.packets.value_or(core.packets);
   const unsigned lines = options.lines.value_or(core.lines);
   if (packets == 0 || packets > core.packets) {
-    refuse(messages::kPackets, packets, core.name, core.packets);
+    refuse_option("packets", messages::kPackets, core.name, core.packets, packets);
   }
   if (options.uncompressed && !core.uncompressed) {
     if (core.is_specialised()) refuse_excess({"uncompressed", "true", "false"}, core, "the frame");
-    refuse(messages::kUncompressed, core.name);
+    refuse_option("uncompressed", messages::kUncompressed, core.name);
   }
   if (!std::has_single_bit(lines) || lines > core.lines) {
-    refuse(messages::kLines, lines, core.name, core.lines);
+    refuse_option("lines", messages::kLines, core.name, core.lines, lines);
   }
   const unsigned packet_side = (std::max(options.width, options.height) + 1) / 2;
   FrameConfig frame;
@@ -97,7 +104,7 @@ FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
   frame.ambient = to_word(lights > 0 ? kAmbient : kFullAmbient);
   const unsigned reflections = options.reflections.value_or(core.reflections);
   if (reflections > core.reflections) {
-    refuse(messages::kReflections, reflections, core.name, core.reflections);
+    refuse_option("reflections", messages::kReflections, core.name, core.reflections, reflections);
   }
   frame.reflections = to_word(reflections);
   return frame;

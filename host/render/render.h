@@ -35,11 +35,11 @@ inline constexpr unsigned kFrameBuffers = 2;
 /// The place of render()'s picture in bank 3.
 inline constexpr std::uint32_t kFrameBase = 0;
 
-/// Throws UserError for a size of zero or beyond the framebuffer.
+/// Throws FrameRefused for a size of zero or beyond the framebuffer.
 void check_size(unsigned width, unsigned height);
 
-/// The frame's registers. Throws UserError for options that the core lacks; lights that it has no
-/// rays for do not shine.
+/// The frame's registers. Throws FrameRefused for options that the core lacks; lights that it has
+/// no rays for do not shine.
 FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
                          const SceneAddresses& scene);
 

@@ -1,21 +1,21 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The messages of the renderer.
+// The messages of the renderer. The program puts the flag before them, if the command has one.
 #pragma once
 
 namespace dynrt::host::messages {
 
 inline constexpr char kSize[] =
-    "--size {}x{}: an image has 1 to {} pixels a side and at most {} in all; the board's "
-    "framebuffer and hit records hold no more";
-inline constexpr char kPackets[] = "--packets {}: configuration {} holds 1 to {} packets";
+    "an image of {}x{} pixels is impossible: it has 1 to {} pixels a side and at most {} in all; "
+    "the board's framebuffer and hit records hold no more";
+inline constexpr char kPackets[] = "configuration {} holds 1 to {} packets, not {}";
 inline constexpr char kLines[] =
-    "--lines {}: the caches of configuration {} have 1, 2, 4 up to {} lines";
+    "the caches of configuration {} have 1, 2, 4 up to {} lines, not {}";
 inline constexpr char kUncompressed[] =
-    "--uncompressed: configuration {} can only transform one origin for all rays of a packet; "
-    "leave the flag out";
+    "configuration {} transforms one origin for all rays of a packet and cannot transform one for "
+    "each ray; take another configuration";
 inline constexpr char kReflections[] =
-    "--reflections {}: configuration {} traces at most {} reflections of a ray";
+    "configuration {} traces at most {} reflections of a ray, not {}";
 
 }  // namespace dynrt::host::messages

@@ -49,30 +49,31 @@ TEST(FrameConfig, MortonBitsCoverTheLargerSide) {
 TEST(FrameConfig, RefusesSizesThatTheBoardCannotHold) {
   for (const auto& [width, height] :
        {std::pair{0u, 10u}, {10u, 0u}, {1025u, 1u}, {1u, 1025u}, {1024u, 1024u}}) {
-    EXPECT_THAT(
-        configuring({.width = width, .height = height}),
-        ThrowsMessage<UserError>("--size " + std::to_string(width) + "x" + std::to_string(height) +
-                                 ": an image has 1 to 1024 pixels a side and at most 349525 in "
-                                 "all; the board's framebuffer and hit records hold no more"));
+    EXPECT_THAT(configuring({.width = width, .height = height}),
+                ThrowsMessage<UserError>("an image of " + std::to_string(width) + "x" +
+                                         std::to_string(height) +
+                                         " pixels is impossible: it has 1 to 1024 pixels a side "
+                                         "and at most 349525 in all; "
+                                         "the board's framebuffer and hit records hold no more"));
   }
   EXPECT_NO_THROW(check_size(1024, 341));
 }
 
 TEST(FrameConfig, RefusesWhatTheConfigurationLacks) {
   EXPECT_THAT(configuring({.packets = 0}),
-              ThrowsMessage<UserError>("--packets 0: configuration small holds 1 to 8 packets"));
+              ThrowsMessage<UserError>("configuration small holds 1 to 8 packets, not 0"));
   EXPECT_THAT(configuring({.packets = 9}),
-              ThrowsMessage<UserError>("--packets 9: configuration small holds 1 to 8 packets"));
+              ThrowsMessage<UserError>("configuration small holds 1 to 8 packets, not 9"));
   EXPECT_THAT(configuring({.lines = 32}),
               ThrowsMessage<UserError>(
-                  "--lines 32: the caches of configuration small have 1, 2, 4 up to 16 lines"));
+                  "the caches of configuration small have 1, 2, 4 up to 16 lines, not 32"));
   EXPECT_THAT(configuring({.lines = 3}),
               ThrowsMessage<UserError>(
-                  "--lines 3: the caches of configuration small have 1, 2, 4 up to 16 lines"));
+                  "the caches of configuration small have 1, 2, 4 up to 16 lines, not 3"));
   EXPECT_NO_THROW(configuring({.packets = 1, .lines = 1})());
-  EXPECT_THAT(configuring({.reflections = 1}),
-              ThrowsMessage<UserError>(
-                  "--reflections 1: configuration small traces at most 0 reflections of a ray"));
+  EXPECT_THAT(
+      configuring({.reflections = 1}),
+      ThrowsMessage<UserError>("configuration small traces at most 0 reflections of a ray, not 1"));
 }
 
 TEST(Render, UploadsRendersAndReadsBack) {

@@ -162,7 +162,7 @@ TEST(Decide, OneColour) {
 TEST(Decide, UncompressedPacketsOnlyWhereAskedFor) {
   EXPECT_EQ(decision("uncompressed", of_one_triangle()).value, false);
   expect(decision("uncompressed", of_one_triangle(), {.uncompressed = true}), true,
-         "--uncompressed asks for it");
+         "the frames transform the origin of each ray");
 }
 
 TEST(Decide, NeverMoreThanTheGeneralCoreHasNorLessThanTheKeyMayBe) {

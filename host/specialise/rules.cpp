@@ -167,7 +167,7 @@ Need one_colour(const RuleContext& c) {
 }
 
 Need uncompressed(const RuleContext& c) {
-  if (c.demands.uncompressed) return {true, "--uncompressed asks for it"};
+  if (c.demands.uncompressed) return {true, "the frames transform the origin of each ray"};
   return {false,
           "the primary rays of a packet share one origin, the eye; the core sends the other rays "
           "one by one"};

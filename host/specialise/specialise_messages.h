@@ -9,7 +9,5 @@ namespace dynrt::host::messages {
 inline constexpr char kExceeded[] =
     "{} needs {} {}, and configuration {}, made for '{}', has {}; specialise again for this scene "
     "and all its frames";
-inline constexpr char kOrOnGeneral[] =
-    "{}, or add --general-if-exceeded to render it on the general core";
 
 }  // namespace dynrt::host::messages

@@ -73,8 +73,8 @@ TEST(Specialised, OnlyACoreOfUncompressedPacketsHasTheirRegister) {
   CoreInfo board = core_info_of<Lean<Thesis>>();
   board.name = "special";
   EXPECT_EQ(refusal([&] { frame_config(board, options, {}); }),
-            "--uncompressed: configuration special can only transform one origin for all rays of a "
-            "packet; leave the flag out");
+            "configuration special transforms one origin for all rays of a packet and cannot "
+            "transform one for each ray; take another configuration");
 }
 
 TEST(Specialised, RegistersGoToTheirPlaces) {
