@@ -143,7 +143,7 @@ class Clocks {
       feed.queue->ready.pop_front();
       feed.queue->taken_at = now;
       offered = -1;
-      after = ~0u << (chosen + 1);
+      after = ~1u << chosen;
     }
   };
   struct Ram {

@@ -69,6 +69,26 @@ TEST(Clocks, AUnitWithoutRoomWaits) {
   EXPECT_GT(join.counters().at("receive.stalls"), 0u);
 }
 
+/// With as many inputs as the mask has bits; the sanitizer watches the shift.
+TEST(Clocks, AfterTheLastOf32InputsComesTheFirst) {
+  hls::Clocks clocks;
+  clocks.unit("reader", {}, [] {});
+  std::vector<unsigned> order, expected;
+  std::vector<hls::Clocks::Feed> feeds;
+  for (unsigned i = 0; i < 32; ++i) {
+    hls::Clocks::Queue* queue = clocks.input();
+    queue->ready = {0, 1};
+    feeds.push_back({queue, [&order, i] {
+                       order.push_back(i);
+                       return true;
+                     }});
+  }
+  clocks.feed("reader", feeds);
+  clocks.run();
+  for (unsigned i = 0; i < 64; ++i) expected.push_back(i % 32);
+  EXPECT_EQ(order, expected);
+}
+
 TEST(Clocks, WantTheScheduleOfEveryModule) {
   Add add;
   hls::Join join(hls::ModuleSchedules{{"mul", {}}});
