@@ -28,7 +28,6 @@ class Interpreter {
   void set_config(unsigned port, const Bits& value) { config_[port] = value; }
   /// Contents of a RAM, register file or RAM end, by row; all zero at first.
   std::vector<Bits>& rows(unsigned port) { return rows_.at(port); }
-  const Bits& register_value(unsigned index) const { return registers_.at(index); }
 
   /// One transaction. `tokens` and the result are indexed by port; an Out that is not written has
   /// no value.
