@@ -39,7 +39,7 @@ std::uint64_t FrameClocks::count(const std::string& configuration, const std::st
     prepared_ = prepare(file_, options.width, options.height, &board->core());
     configuration_ = configuration;
   }
-  const Frame frame = render_on(*board, options, prepared_);
+  const Frame frame = render_on(*board, options, *prepared_);
   if (!frame.run.cycles) throw std::logic_error("the model counted no clocks by " + schedules);
   return *frame.run.cycles;
 }

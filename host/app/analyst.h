@@ -5,6 +5,7 @@
 // analyses and renders, with the scene in memory.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "host/app/board_frame.h"
@@ -24,7 +25,7 @@ class FrameClocks {
   SceneFile& file_;
   FrameArguments frame_;
   std::string configuration_;  ///< that the scene was last laid out for
-  Prepared prepared_;
+  std::optional<Prepared> prepared_;
 };
 
 /// A question is a line of JSON, and so is its answer; {"refused": SENTENCE} for what the user has

@@ -34,7 +34,7 @@ TEST(Frames, EveryFrameOnOneBoardIsTheModels) {
     SceneArguments arguments;
     arguments.scene = step.scene;
     arguments.field_of_view = step.field_of_view;
-    const Prepared prepared = prepare(arguments, kWidth, kHeight);
+    const Prepared prepared = prepare(arguments, kWidth, kHeight, &model->core());
     FrameOptions options;
     options.width = kWidth;
     options.height = kHeight;
@@ -60,11 +60,11 @@ TEST(Frames, AWalkOnTheVerilogIsTheModels) {
   options.width = kWidth;
   options.height = kHeight;
   options.timeout = 1'000'000;
-  Prepared for_rtl = prepare(arguments, kWidth, kHeight);
-  Prepared for_model = for_rtl;
-  const WalkPlan plan(for_rtl.scene, 3, {}, {});
   const auto rtl_board = make_board(configurations(), {"rtl", "thesis", ""});
   const auto model_board = make_board(configurations(), {"model", "thesis", ""});
+  Prepared for_rtl = prepare(arguments, kWidth, kHeight, &rtl_board->core());
+  Prepared for_model = for_rtl;
+  const WalkPlan plan(for_rtl.scene, 3, {}, {});
   Walker rtl(*rtl_board, options, for_rtl, {}, plan);
   Walker model(*model_board, options, for_model, {}, plan);
   std::vector<std::uint32_t> before;

@@ -82,9 +82,11 @@ CoreInfo allowed_by(const CoreInfo& core) {
   return allowed;
 }
 
-/// The core for figures of a scene without a board: the shipped number format and every primitive.
+/// The core for figures of a scene without a board: the shipped number format, every primitive and
+/// stacks for every tree.
 CoreInfo any_core() {
   CoreInfo core;
+  core.stack_depth = core.top_stack_depth = kMaxTreeDepth;
   core.primitives = {.triangle = true, .sphere = true, .rectangle = true};
   return core;
 }
@@ -109,8 +111,7 @@ Prepared prepare(SceneFile& file, unsigned width, unsigned height, const CoreInf
   if (core != nullptr)
     std::ranges::move(unused_light(scene, *core), std::back_inserter(scene.notes));
   const Progress progress("building the trees");
-  Prepared prepared(lay_out(std::move(scene), view, core == nullptr ? any_core() : *core,
-                            {.spare_stacks = core != nullptr}));
+  Prepared prepared(lay_out(std::move(scene), view, core == nullptr ? any_core() : *core));
   prepared.load_seconds = file.seconds();
   return prepared;
 }

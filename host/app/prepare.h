@@ -19,7 +19,6 @@ namespace dynrt::host {
 struct Prepared : MemoryImage {
   double load_seconds = 0;
 
-  Prepared() = default;
   explicit Prepared(MemoryImage image) : MemoryImage(std::move(image)) {}
 
   std::size_t triangles() const;  ///< of all objects, each counted once

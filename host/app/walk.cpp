@@ -85,7 +85,9 @@ Walker::Walker(Board& board, const FrameOptions& options, MemoryImage& image,
       image_(image),
       camera_(moved_into(image.space, camera)),
       plan_(std::move(plan)),
-      needs_(image.needs()) {}
+      needs_(image.needs()) {
+  check_laid_out_for(image, board.core());
+}
 
 Walker::Result Walker::render_frame(unsigned frame, const PixelProgress& progress) {
   if (!held_) upload_scene();
@@ -98,7 +100,7 @@ Walker::Result Walker::render_frame(unsigned frame, const PixelProgress& progres
   }
   Step step = step_to(frame);
   if (step.excess) {
-    refuse_excess(*step.excess, image_.core,
+    refuse_excess(*step.excess, image_.core(),
                   fmt::format("frame {} of {}", frame, plan_.times.size()));
   }
   const auto begin = Clock::now();

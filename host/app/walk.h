@@ -57,7 +57,8 @@ struct WalkRecord {
 
 class Walker {
  public:
-  /// Moves the scene of `image`; `camera` is in the file's space.
+  /// Moves the scene of `image`; `camera` is in the file's space. Throws UserError for an image
+  /// that was laid out for another core.
   Walker(Board& board, const FrameOptions& options, MemoryImage& image,
          const CameraOverrides& camera, WalkPlan plan);
 

@@ -128,7 +128,7 @@ class GeneralWalk {
     if (!walker_) {
       board_ = open_board({arguments_.board, core_.general, ""}, options_);
       prepared_ = prepare(scene_, options_.width, options_.height, &board_->core());
-      walker_.emplace(*board_, options_, prepared_, arguments_.scene.camera(), plan_);
+      walker_.emplace(*board_, options_, *prepared_, arguments_.scene.camera(), plan_);
     }
     Walker::Result result = walker_->render_frame(frame, progress);
     result.record.general = true;
@@ -142,7 +142,7 @@ class GeneralWalk {
   const ChosenCore& core_;
   const WalkPlan& plan_;
   std::unique_ptr<Board> board_;
-  Prepared prepared_;
+  std::optional<Prepared> prepared_;
   std::optional<Walker> walker_;
 };
 

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <fstream>
 #include <glm/geometric.hpp>
-#include <iterator>
 
 #include "host/app/prepare.h"
 #include "host/app/walk_folder.h"
@@ -19,7 +18,6 @@
 #include "host/render/fake_board.h"
 #include "host/scene/animation.h"
 #include "host/test_folder.h"
-#include "host/tree/instance_tree.h"
 
 namespace dynrt::host {
 
@@ -54,7 +52,8 @@ class Walks : public testing::Test {
   Prepared prepared(const std::string& scene = "") const {
     SceneArguments arguments;
     arguments.scene = scene.empty() ? path("s.json") : scene;
-    return prepare(arguments, kWidth, kHeight);
+    const CoreInfo core = small_core();
+    return prepare(arguments, kWidth, kHeight, &core);
   }
   std::string path(const std::string& name) const { return folder_.path(name); }
   std::vector<std::string> files(const std::string& name) const { return names_in(folder_ / name); }
@@ -63,15 +62,12 @@ class Walks : public testing::Test {
   const TestFolder folder_;
 };
 
-/// The board holds, word by word, what the scene is at the time.
+/// The board holds, word by word, the scene as it is laid out for its core at that time.
 void expect_scene(const FakeBoard& board, Prepared scene, double time) {
   move_to(scene.scene, time);
-  const Tree top = build_instance_tree(scene.scene, scene.objects.boxes());
-  const Camera camera = choose_camera(scene.scene, {}, kWidth, kHeight);
-  const FrameImage image(scene.scene, scene.objects, top, camera, kWidth, kHeight);
-  std::vector<MemoryRun> runs = scene.objects.memory.runs();
-  std::ranges::move(image.memory.runs(), std::back_inserter(runs));
-  for (const MemoryRun& run : runs) {
+  const View view{choose_camera(scene.scene, {}, kWidth, kHeight), kWidth, kHeight};
+  const MemoryImage image = lay_out(scene.scene, view, board.core(), {.fit = false});
+  for (const MemoryRun& run : image.runs()) {
     const auto* words = board.memory.at(run.bank).data() + run.address;
     EXPECT_TRUE(std::equal(run.words.begin(), run.words.end(), words))
         << "bank " << run.bank << " from " << run.address;
@@ -153,10 +149,10 @@ std::string scattering() {
 TEST_F(Walks, AFrameThatExceedsItsCoreIsRefusedAndTheNextIsNot) {
   std::ofstream(folder_ / "t.json") << scattering();
   Prepared scene = prepared(path("t.json"));
-  FakeBoard board;
-  scene.core = small_core();
-  scene.core.made_for = "t";
-  scene.core.top_stack_depth = 0;
+  CoreInfo& core = scene.objects.core;
+  core.made_for = "t";
+  core.top_stack_depth = 0;
+  FakeBoard board(core);
   // There and back again.
   WalkPlan plan(scene.scene, 3, {}, {});
   plan.times = {0, 4, 0};
@@ -168,7 +164,7 @@ TEST_F(Walks, AFrameThatExceedsItsCoreIsRefusedAndTheNextIsNot) {
                                  HasSubstr("and configuration small, made for 't', has 0"))));
   EXPECT_NO_THROW(walker.render_frame(2, {}));
   // A core that was made for no scene renders them all, with a shallower tree if it must.
-  scene.core.made_for = CoreInfo().made_for;
+  core.made_for = small_core().made_for;
   EXPECT_NO_THROW(walker.render_frame(1, {}));
 }
 

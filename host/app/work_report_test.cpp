@@ -49,12 +49,12 @@ TEST_P(CountedWork, IsThatOfTheCore) {
   constexpr double kTolerance = 0.01;
   SceneArguments arguments;
   arguments.scene = GetParam();
-  const Prepared prepared = prepare(arguments, kWidth, kHeight);
   FrameOptions options;
   options.width = kWidth;
   options.height = kHeight;
   options.timeout = 10'000'000;
   const auto board = open_board({"model", "thesis", ""}, options);
+  const Prepared prepared = prepare(arguments, kWidth, kHeight, &board->core());
   const WorkCounts core = work_of(render_on(*board, options, prepared));
   const WorkCounts counted =
       trace_frame(prepared.scene, prepared.trees, prepared.view.camera, kWidth, kHeight).work;
@@ -79,10 +79,10 @@ using Json = nlohmann::ordered_json;
 
 class Reports : public testing::Test {
  protected:
-  Reports() {
+  static Prepared conference() {
     SceneArguments arguments;
     arguments.scene = "conference";
-    prepared_ = prepare(arguments, kWidth, kHeight);
+    return prepare(arguments, kWidth, kHeight);
   }
   /// The figure of each row, which are all of the same picture.
   static std::map<std::string, double> figures(const Json& report, const std::string& key,
@@ -97,7 +97,7 @@ class Reports : public testing::Test {
   }
 
   static constexpr unsigned kWidth = 64, kHeight = 48;
-  Prepared prepared_;
+  const Prepared prepared_ = conference();
 };
 
 TEST_F(Reports, EveryTreatmentOfOverlapBeatsNone) {

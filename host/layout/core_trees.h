@@ -32,7 +32,7 @@ std::vector<std::string> beyond_margins(const Scene& scene, const glm::dvec3& ey
                                         const MemoryFormat& format);
 
 /// Uses the core's grid and ignores that of the options.
-SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const CoreInfo& core = {},
+SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const CoreInfo& core,
                      TreeOptions options = {});
 
 }  // namespace dynrt::host

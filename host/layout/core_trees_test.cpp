@@ -17,7 +17,7 @@ namespace {
 using testing::two_objects;
 
 CoreInfo watertight() {
-  CoreInfo core;
+  CoreInfo core = testing::test_core();
   core.triangle_test = TriangleTest::kWatertight;
   return core;
 }

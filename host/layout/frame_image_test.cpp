@@ -21,6 +21,7 @@ using testing::add_triangle;
 using testing::expect_near;
 using testing::Laid;
 using testing::scene_of;
+using testing::test_core;
 using testing::two_objects;
 
 /// Compares a tree with what lies at an address, node by node and entry by entry.
@@ -226,7 +227,7 @@ TEST(Image, RefusesMoreMatricesThanThereArePlaces) {
   Scene scene = scene_of(testing::soup(2, 10, 0.1));
   scene.instances.resize(kMaxMatrices, scene.instances[0]);
   EXPECT_EQ(
-      error_of([&] { ObjectImage(scene, {}); }),
+      error_of([&] { ObjectImage(scene, {}, test_core()); }),
       "scene 'soup' needs 131083 matrices (triangles, instances, lights and the camera), 11 more "
       "than the 131072 that the board's memory holds; use fewer or smaller objects");
 }
@@ -244,7 +245,7 @@ TEST(Image, RefusesMoreListEntriesThanThereArePlaces) {
   const Scene scene = scene_of(testing::soup(2, 10, 0.1));
   const std::vector<Tree> trees{long_leaf(kMaxListEntries + 3)};
   EXPECT_EQ(
-      error_of([&] { ObjectImage(scene, trees); }),
+      error_of([&] { ObjectImage(scene, trees, test_core()); }),
       "scene 'soup' needs 524291 list entries, 3 more than the 524288 that the board's memory "
       "holds; use fewer or smaller objects");
 }
@@ -253,14 +254,14 @@ TEST(Image, RefusesMoreNodesThanThereArePlaces) {
   const Scene scene = scene_of(testing::soup(2, 10, 0.1));
   std::vector<Tree> trees{long_leaf(1)};
   trees[0].nodes.resize(kMaxNodes + 7, trees[0].nodes[1]);
-  EXPECT_EQ(error_of([&] { ObjectImage(scene, trees); }),
+  EXPECT_EQ(error_of([&] { ObjectImage(scene, trees, test_core()); }),
             "scene 'soup' needs 524294 tree nodes, 7 more than the 524287 that the board's memory "
             "holds; use fewer or smaller objects");
 }
 
 TEST(Image, RefusesWhatTheFramePartAddsBeyondTheLimit) {
   const Scene scene = scene_of(testing::soup(2, 10, 0.1));
-  ObjectImage objects(scene, build_scene_trees(scene).objects);
+  ObjectImage objects(scene, build_scene_trees(scene).objects, test_core());
   objects.memory.first_node += kMaxNodes - 3 - objects.memory.end_node();
   EXPECT_EQ(error_of([&] {
               FrameImage(scene, objects, build_instance_tree(scene, objects.boxes()),

@@ -8,9 +8,11 @@
 #include <chrono>
 #include <cmath>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 #include "host/error.h"
+#include "host/format/configuration_json.h"
 #include "host/layout/layout_messages.h"
 #include "host/layout/limits.h"
 #include "host/specialise/tree_needs.h"
@@ -47,9 +49,9 @@ TreeOptions spared(TreeOptions options, const SceneTrees& trees, const CoreConfi
 
 /// Names the objects at which a watertight core may lose a ray from far away.
 void note_margins(MemoryImage& image) {
-  if (image.core.triangle_test != TriangleTest::kWatertight) return;
+  if (image.core().triangle_test != TriangleTest::kWatertight) return;
   const std::vector<std::string> names =
-      beyond_margins(image.scene, image.view.camera.position, *image.core.format);
+      beyond_margins(image.scene, image.view.camera.position, *image.core().format);
   if (names.empty()) return;
   const std::string others = names.size() == 1 ? "" : fmt::format(" and {} more", names.size() - 1);
   image.scene.notes.push_back(fmt::format(messages::kBeyondMargin, names.front(), others));
@@ -59,8 +61,9 @@ void note_margins(MemoryImage& image) {
 /// memory.
 void check_before(const Scene& scene, const CoreInfo& core) {
   if (core.is_specialised()) {
-    CoreInfo whole;
-    whole.triangle_matrix = core.triangle_matrix;
+    CoreInfo whole = core;
+    whole.levels = 2;
+    whole.matrix_bits = kMatrixBits;
     check_matrices(scene, whole);
     return;
   }
@@ -70,10 +73,17 @@ void check_before(const Scene& scene, const CoreInfo& core) {
   check_matrices(scene, core);
 }
 
+/// The keys on which no word of the memory depends. Any other key counts, so that a new one cannot
+/// be forgotten.
+constexpr std::string_view kBesideTheMemory[] = {
+    "packets",      "lines",        "object_slots", "triangle_slots", "epsilon",
+    "sram_latency", "lights",       "reflections",  "scan_out",       "crossing",
+    "divider",      "uncompressed", "counters"};
+
 void place(MemoryImage& image, Scene scene, const View& view, const LayoutOptions& options) {
   image.view = view;
   if (options.fit) {
-    const Fit fitted = fit(scene, view.camera, *image.core.format);
+    const Fit fitted = fit(scene, view.camera, *image.core().format);
     move_into(fitted, scene);
     image.space = fitted.world;
     image.headroom = fitted.headroom;
@@ -89,15 +99,15 @@ void build_trees(MemoryImage& image, const LayoutOptions& options) {
   }
   const auto begin = std::chrono::steady_clock::now();
   const glm::dvec3& eye = image.view.camera.position;
-  image.trees = trees_for(image.scene, eye, image.core, options.trees);
+  image.trees = trees_for(image.scene, eye, image.core(), options.trees);
   // A specialised core has the stacks that the trees of its general core ask for.
   const CoreConfiguration* stacks =
-      image.core.is_specialised() ? image.core.general.get() : &image.core;
+      image.core().is_specialised() ? image.core().general.get() : &image.core();
   if (options.spare_stacks && stacks != nullptr) {
     const TreeOptions shallow = spared(options.trees, image.trees, *stacks);
     image.top_depth = shallow.max_top_depth;
     if (shallow.max_depth < kMaxTreeDepth || shallow.max_top_depth < kMaxTreeDepth) {
-      image.trees = trees_for(image.scene, eye, image.core, shallow);
+      image.trees = trees_for(image.scene, eye, image.core(), shallow);
     }
   }
   image.tree_seconds =
@@ -109,8 +119,7 @@ void build_trees(MemoryImage& image, const LayoutOptions& options) {
 MemoryImage lay_out(Scene scene, const View& view, const CoreInfo& core,
                     const LayoutOptions& options) {
   check_before(scene, core);
-  MemoryImage image;
-  image.core = core;
+  MemoryImage image(core);
   place(image, std::move(scene), view, options);
   if (core.lights > 0 && options.fit) {
     check_lights(image.scene, image.view.camera.position, core_numbers(core, image.space));
@@ -132,24 +141,37 @@ MemoryImage lay_out(Scene scene, const View& view, const CoreInfo& core,
   return image;
 }
 
+void check_laid_out_for(const MemoryImage& image, const CoreInfo& core) {
+  for_each_key(core, [&](const ConfigurationKey& key, const auto&) {
+    if (!key.of_core ||
+        std::ranges::find(kBesideTheMemory, key.name) != std::end(kBesideTheMemory)) {
+      return;
+    }
+    const Json laid = value_of(image.core(), key.name);
+    const Json has = value_of(core, key.name);
+    if (laid == has) return;
+    refuse(messages::kAnotherCore, image.scene.name, key.name, laid.dump(), core.name, has.dump());
+  });
+}
+
 std::vector<MemoryRun> MemoryImage::runs() const {
   std::vector<MemoryRun> runs = objects.memory.runs();
   std::ranges::move(frame.memory.runs(), std::back_inserter(runs));
   return runs;
 }
 
-SceneNeeds MemoryImage::needs() const { return scene_needs(scene, trees, core.triangle_matrix); }
+SceneNeeds MemoryImage::needs() const { return scene_needs(scene, trees, core().triangle_matrix); }
 
 Tree instances_of(const MemoryImage& image) {
   return build_instance_tree(
       image.scene, image.objects.boxes(),
-      {.grid = Grid(*image.core.format), .max_depth = image.top_depth, .room = image.top_room});
+      {.grid = Grid(*image.core().format), .max_depth = image.top_depth, .room = image.top_room});
 }
 
 std::optional<Excess> excess_of_frame(const MemoryImage& image, const SceneNeeds& needs,
                                       const Tree& instances) {
-  if (!image.core.is_specialised()) return std::nullopt;
-  return excess(frame_needs(needs, image.scene, instances), image.core);
+  if (!image.core().is_specialised()) return std::nullopt;
+  return excess(frame_needs(needs, image.scene, instances), image.core());
 }
 
 FrameImage frame_of(const MemoryImage& image, const Tree& instances, const Camera& camera) {

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/layout/core_trees.h"
@@ -38,7 +39,6 @@ struct LayoutOptions {
 
 /// Scene, camera and the distances of hits are in the core's space (fit.h).
 struct MemoryImage {
-  CoreInfo core;
   Scene scene;
   View view;
   Space space;  ///< of the world
@@ -50,6 +50,11 @@ struct MemoryImage {
   FrameImage frame;
   double tree_seconds = 0;  ///< time to build the trees
 
+  /// Of no scene yet.
+  explicit MemoryImage(CoreInfo core) : objects(std::move(core)) {}
+
+  /// The core that it is laid out for.
+  const CoreInfo& core() const { return objects.core; }
   /// All that is uploaded.
   std::vector<MemoryRun> runs() const;
   /// The needs of the scene as it is laid out.
@@ -61,6 +66,10 @@ struct MemoryImage {
 /// for them.
 MemoryImage lay_out(Scene scene, const View& view, const CoreInfo& core,
                     const LayoutOptions& options = {});
+
+/// Throws UserError, with the key, if an image for one core would be another for the core that is
+/// to render it.
+void check_laid_out_for(const MemoryImage& image, const CoreInfo& core);
 
 /// The top-level tree of the scene as its instances stand now.
 Tree instances_of(const MemoryImage& image);

@@ -17,16 +17,7 @@ using testing::scene_of;
 using ::testing::ThrowsMessage;
 using testing::two_objects;
 
-/// A core with room for every stack.
-CoreInfo core() {
-  CoreInfo core;
-  core.name = "test";
-  core.packets = 8;
-  core.lines = 16;
-  core.stack_depth = 63;
-  core.top_stack_depth = 63;
-  return core;
-}
+CoreInfo core() { return testing::test_core(); }
 
 View view() {
   const Scene scene = two_objects();

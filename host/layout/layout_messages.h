@@ -15,6 +15,9 @@ inline constexpr char kOutOfReach[] =
 inline constexpr char kNoPrimitive[] =
     "scene '{}' has {}, but configuration {} cannot hold them; take a configuration whose key "
     "primitives lists them";
+inline constexpr char kAnotherCore[] =
+    "scene '{}' is laid out for a core with {} {}, and configuration {} has {}; lay it out for the "
+    "core that renders it";
 inline constexpr char kBeyondMargin[] =
     "object '{}'{} is small for the scene: a ray that starts many times its size away may miss it "
     "at an edge that lies in a plane of its tree, although the watertight test would hit it";

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/mat4x4.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "host/format/core_info.h"
@@ -17,8 +18,8 @@
 
 namespace dynrt::host {
 
-/// The static part. Throws UserError if a limit of the memory is exceeded or a triangle's matrix is
-/// outside the core's numbers.
+/// The static part. It holds the core that the whole image is laid out for. Throws UserError if a
+/// limit of the memory is exceeded or a triangle's matrix is outside the core's numbers.
 struct ObjectImage {
   /// Where an object lies.
   struct Object {
@@ -32,8 +33,9 @@ struct ObjectImage {
   MemoryPart memory;
   CoreInfo core;
 
-  ObjectImage() = default;
-  ObjectImage(const Scene& scene, std::span<const Tree> trees, const CoreInfo& core = {});
+  /// Of no objects yet.
+  explicit ObjectImage(CoreInfo core) : core(std::move(core)) {}
+  ObjectImage(const Scene& scene, std::span<const Tree> trees, const CoreInfo& core);
 
   std::vector<Aabb> boxes() const;
   /// The memory that is left for the top-level tree.

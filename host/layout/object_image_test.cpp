@@ -14,6 +14,7 @@ namespace dynrt::host {
 namespace {
 
 using testing::expect_near;
+using testing::test_core;
 using testing::two_objects;
 
 /// What a core makes of a triangle stored in three columns, by the text of memory_format.h.
@@ -44,13 +45,13 @@ Expanded expand(const SceneMemory& memory, std::uint32_t number) {
 }
 
 CoreInfo three_columns() {
-  CoreInfo core;
+  CoreInfo core = test_core();
   core.triangle_matrix = TriangleMatrix::kMemoryEfficient;
   return core;
 }
 
 CoreInfo clipping_to_boxes() {
-  CoreInfo core;
+  CoreInfo core = test_core();
   core.object_box = ObjectBox::kUnit;
   return core;
 }
@@ -59,7 +60,7 @@ TEST(ObjectImage, TrianglesInThreeColumns) {
   Scene scene = two_objects();
   const SceneTrees trees = build_scene_trees(scene);
   const ObjectImage objects(scene, trees.objects, three_columns());
-  const ObjectImage four(scene, trees.objects);
+  const ObjectImage four(scene, trees.objects, test_core());
   EXPECT_EQ(objects.memory.columns.size() * 4, four.memory.columns.size() * 3);
   SceneMemory memory;
   memory.write(objects.memory.runs());

@@ -16,6 +16,17 @@
 
 namespace dynrt::host::testing {
 
+/// A core with room for every stack.
+inline CoreInfo test_core(const MemoryFormat& format = kShippedFormat) {
+  CoreInfo core(format);
+  core.name = "test";
+  core.packets = 8;
+  core.lines = 16;
+  core.stack_depth = 63;
+  core.top_stack_depth = 63;
+  return core;
+}
+
 inline Scene two_objects() {
   Scene scene = scene_of(soup(1, 200, 0.3));
   scene.materials.push_back({"orange", {1.0, 0.5, 0.0}});
@@ -43,7 +54,7 @@ struct Laid {
   Laid(Scene s, const Camera& camera, const MemoryFormat& format = kShippedFormat)
       : scene(std::move(s)),
         trees(build_scene_trees(scene, {.grid = Grid(format)})),
-        objects(scene, trees.objects, CoreInfo(format)),
+        objects(scene, trees.objects, test_core(format)),
         frame(scene, objects, trees.instances, camera, 512, 384),
         memory(format) {
     memory.write(objects.memory.runs());

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <utility>
 
 #include "host/board/board.h"
 
@@ -30,7 +31,7 @@ class FakeBoard final : public Board {
   FrameConfig frame;
   std::uint64_t timeout = 0;
 
-  FakeBoard() : Board("rtl", small_core()) {
+  explicit FakeBoard(CoreInfo core = small_core()) : Board("rtl", std::move(core)) {
     for (unsigned bank = 0; bank < 6; ++bank) memory[bank].resize(1u << 20);
   }
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override {

@@ -137,6 +137,7 @@ Frame render(Board& board, const FrameOptions& options, const SceneAddresses& sc
 
 Frame render(Board& board, const FrameOptions& options, const MemoryImage& image,
              const PixelProgress& progress) {
+  check_laid_out_for(image, board.core());
   return render(board, options, image.frame, image.runs(), progress);
 }
 

@@ -46,7 +46,8 @@ FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
 /// Renders; `memory` is uploaded first.
 Frame render(Board& board, const FrameOptions& options, const SceneAddresses& scene,
              std::span<const MemoryRun> memory, const PixelProgress& progress = {});
-/// Uploads the whole image and renders it; `options` has the image's size.
+/// Uploads the whole image and renders it; `options` has the image's size. Throws UserError for an
+/// image that was laid out for another core.
 Frame render(Board& board, const FrameOptions& options, const MemoryImage& image,
              const PixelProgress& progress = {});
 

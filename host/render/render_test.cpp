@@ -12,6 +12,7 @@
 namespace dynrt::host {
 namespace {
 
+using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 const CoreInfo kBoard = small_core();
@@ -74,6 +75,29 @@ TEST(FrameConfig, RefusesWhatTheConfigurationLacks) {
   EXPECT_THAT(
       configuring({.reflections = 1}),
       ThrowsMessage<UserError>("configuration small traces at most 0 reflections of a ray, not 1"));
+}
+
+TEST(Render, RefusesAnImageThatWasLaidOutForAnotherCore) {
+  FakeBoard board;
+  const auto rendering = [&](const std::function<void(CoreInfo&)>& change) {
+    CoreInfo core = small_core();
+    change(core);
+    MemoryImage image(core);
+    image.scene.name = "s";
+    return [&board, image] { render(board, {.width = 3, .height = 2}, image); };
+  };
+  EXPECT_THAT(
+      rendering([](CoreInfo& core) { core.triangle_matrix = TriangleMatrix::kMemoryEfficient; }),
+      ThrowsMessage<UserError>(
+          "scene 's' is laid out for a core with triangle_matrix \"memory_efficient\", and "
+          "configuration small has \"normal_consistent\"; lay it out for the core that renders "
+          "it"));
+  EXPECT_THAT(rendering([](CoreInfo& core) { core.levels = 1; }),
+              ThrowsMessage<UserError>(HasSubstr("with levels 1, and configuration small has 2")));
+  EXPECT_THAT(rendering([](CoreInfo& core) { core = CoreInfo(); }),
+              ThrowsMessage<UserError>(HasSubstr("with stack_depth 0,")));
+  EXPECT_NO_THROW(rendering([](CoreInfo& core) { core.packets = core.lines = 1; })())
+      << "no word of the memory depends on them";
 }
 
 TEST(Render, UploadsRendersAndReadsBack) {

@@ -17,28 +17,30 @@ namespace {
 /// Rays that cross where the order matters are rare: one pixel in a thousand.
 constexpr unsigned kWidth = 64, kHeight = 48;
 
-MemoryImage rings_and_mirrors() { return laid_out("lamps", kWidth, kHeight); }
+/// Rings and mirrors.
+constexpr char kScene[] = "lamps";
 
-void make_trees_of_one_leaf(MemoryImage& scene) {
-  TreeOptions options;
-  options.depth_factor = 0;
-  options.depth_extra = 0;
-  scene.trees = build_scene_trees(scene.scene, options);
-  for (const Tree& tree : scene.trees.objects) ASSERT_EQ(tree.stats.leaves, 1u);
-  scene.objects = ObjectImage(scene.scene, scene.trees.objects);
-  scene.trees.instances = build_instance_tree(scene.scene, scene.objects.boxes(),
-                                              {.depth_factor = 0, .depth_extra = 0});
-  scene.frame = FrameImage(scene.scene, scene.objects, scene.trees.instances, scene.view.camera,
-                           kWidth, kHeight);
-  ASSERT_EQ(scene.trees.instances.stats.leaves, 1u);
+LayoutOptions trees_of_one_leaf() {
+  LayoutOptions layout;
+  layout.trees.depth_factor = layout.trees.depth_extra = 0;
+  layout.instances = BoxTreeOptions{.depth_factor = 0, .depth_extra = 0};
+  return layout;
 }
 
-std::vector<std::uint32_t> pixels(const char* configuration, const MemoryImage& scene) {
-  const auto board = make_board(configurations(), {"model", configuration, ""});
+void expect_one_leaf(const SceneTrees& trees) {
+  for (const Tree& tree : trees.objects) ASSERT_EQ(tree.stats.leaves, 1u);
+  ASSERT_EQ(trees.instances.stats.leaves, 1u);
+}
+
+std::vector<std::uint32_t> pixels(Board& board, const MemoryImage& scene) {
   FrameOptions options;
   options.width = kWidth;
   options.height = kHeight;
-  return render(*board, options, scene).pixels;
+  return render(board, options, scene).pixels;
+}
+std::vector<std::uint32_t> pixels(const char* configuration) {
+  const auto board = make_board(configurations(), {"model", configuration, ""});
+  return pixels(*board, laid_out(kScene, kWidth, kHeight, board->core()));
 }
 
 std::size_t differing(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
@@ -52,23 +54,23 @@ std::size_t differing(const std::vector<std::uint32_t>& a, const std::vector<std
 class Crossing : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    MemoryImage scene = rings_and_mirrors();
-    split_scene_ = scene;
-    make_trees_of_one_leaf(scene);
-    truth_ = pixels("whitted", scene);
+    const auto board = make_board(configurations(), {"model", "whitted", ""});
+    const MemoryImage scene =
+        laid_out(kScene, kWidth, kHeight, board->core(), {}, trees_of_one_leaf());
+    expect_one_leaf(scene.trees);
+    truth_ = pixels(*board, scene);
   }
-  static inline MemoryImage split_scene_;
   static inline std::vector<std::uint32_t> truth_;
 };
 
 TEST_F(Crossing, TheFirstRaysOrderMissesCloserHits) {
-  EXPECT_GT(differing(pixels("whitted_naive", split_scene_), truth_), 0u);
+  EXPECT_GT(differing(pixels("whitted_naive"), truth_), 0u);
 }
 TEST_F(Crossing, RememberingTheOtherChildMissesNone) {
-  EXPECT_EQ(differing(pixels("whitted", split_scene_), truth_), 0u);
+  EXPECT_EQ(differing(pixels("whitted"), truth_), 0u);
 }
 TEST_F(Crossing, SplittingPacketsByDirectionMissesNone) {
-  EXPECT_EQ(differing(pixels("whitted_split", split_scene_), truth_), 0u);
+  EXPECT_EQ(differing(pixels("whitted_split"), truth_), 0u);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -27,43 +28,44 @@ using testing::scene_of;
 
 constexpr unsigned kWidth = 48, kHeight = 36;
 
-MemoryImage prepared(const std::string& name) { return laid_out(name, kWidth, kHeight); }
-
-MemoryImage prepare(Scene scene, const Camera& camera) {
-  return lay_out(std::move(scene), {camera, kWidth, kHeight}, {}, {.spare_stacks = false});
+std::unique_ptr<Board> model(const char* configuration) {
+  return make_board(configurations(), {"model", configuration, ""});
 }
 
-/// Everything that is a length, times a factor; trees and memory are rebuilt.
-void scale(MemoryImage& p, double factor) {
-  for (Mesh& mesh : p.scene.objects) {
+MemoryImage prepare(Scene scene, const Camera& camera, const Board& board) {
+  return lay_out(std::move(scene), {camera, kWidth, kHeight}, board.core());
+}
+
+/// The scene in the core's space with everything that is a length times a factor.
+MemoryImage scaled_image(const MemoryImage& plain, double factor) {
+  Scene scene = plain.scene;
+  for (Mesh& mesh : scene.objects) {
     for (glm::dvec3& vertex : mesh.vertices) vertex *= factor;
   }
-  for (Instance& instance : p.scene.instances) {
+  for (Instance& instance : scene.instances) {
     for (int axis = 0; axis < 3; ++axis) instance.transform[3][axis] *= factor;
   }
-  p.view.camera.position *= factor;
-  p.trees = build_scene_trees(p.scene);
-  p.objects = ObjectImage(p.scene, p.trees.objects);
-  p.frame = FrameImage(p.scene, p.objects, p.trees.instances, p.view.camera, kWidth, kHeight);
+  View view = plain.view;
+  view.camera.position *= factor;
+  return lay_out(std::move(scene), view, plain.core(), {.fit = false});
 }
 
-Frame frame(const MemoryImage& p, const char* configuration = "thesis") {
-  const auto board = make_board(configurations(), {"model", configuration, ""});
+Frame frame(Board& board, const MemoryImage& p) {
   FrameOptions options;
   options.width = kWidth;
   options.height = kHeight;
-  return render(*board, options, p);
+  return render(board, options, p);
 }
-std::vector<HitRecord> hits(const MemoryImage& p) { return frame(p).hits; }
 
 class Scale : public ::testing::TestWithParam<std::tuple<std::string, int>> {};
 
 TEST_P(Scale, TheHitsAreTheSame) {
   const auto& [name, exponent] = GetParam();
-  MemoryImage p = prepared(name);
-  const std::vector<HitRecord> plain = hits(p);
-  scale(p, std::exp2(exponent));
-  const std::vector<HitRecord> scaled = hits(p);
+  const auto board = model("thesis");
+  const MemoryImage image = laid_out(name, kWidth, kHeight, board->core());
+  const std::vector<HitRecord> plain = frame(*board, image).hits;
+  const std::vector<HitRecord> scaled =
+      frame(*board, scaled_image(image, std::exp2(exponent))).hits;
   ASSERT_EQ(plain.size(), scaled.size());
   std::size_t count = 0;
   for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -113,10 +115,9 @@ Camera elsewhere(Camera camera, double factor, const glm::dvec3& to) {
 }
 
 /// Renders both and expects every bit to be the same.
-void expect_same_frame(const MemoryImage& one, const MemoryImage& other,
-                       const char* configuration) {
-  const Frame left = frame(one, configuration);
-  const Frame right = frame(other, configuration);
+void expect_same_frame(Board& board, const MemoryImage& one, const MemoryImage& other) {
+  const Frame left = frame(board, one);
+  const Frame right = frame(board, other);
   EXPECT_GT(left.hit_count(), left.hits.size() / 20);
   EXPECT_EQ(left.hits, right.hits);
   EXPECT_EQ(left.pixels, right.pixels);
@@ -130,13 +131,15 @@ TEST_P(Program, AFileInOtherUnitsIsTheSamePicture) {
        {std::pair{"blocks", "thesis"}, std::pair{"lamps", "whitted"}}) {
     const Scene scene = load_scene(name);
     const Camera camera = choose_camera(scene, {}, kWidth, kHeight);
-    const MemoryImage plain = prepare(scene, camera);
-    const MemoryImage scaled = prepare(elsewhere(scene, factor, {}), elsewhere(camera, factor, {}));
+    const auto board = model(configuration);
+    const MemoryImage plain = prepare(scene, camera, *board);
+    const MemoryImage scaled =
+        prepare(elsewhere(scene, factor, {}), elsewhere(camera, factor, {}), *board);
     EXPECT_EQ(scaled.space.unit, factor * plain.space.unit);
     EXPECT_EQ(scaled.headroom.up, plain.headroom.up);
     EXPECT_EQ(scaled.headroom.down, plain.headroom.down);
     SCOPED_TRACE(name);
-    expect_same_frame(plain, scaled, configuration);
+    expect_same_frame(*board, plain, scaled);
   }
 }
 INSTANTIATE_TEST_SUITE_P(Units, Program, ::testing::Values(-60, -20, -7, 1, 20, 60));
@@ -152,10 +155,11 @@ Scene ball_at(const glm::dvec3& centre) {
 TEST(Place, ASceneFarAwayIsThePictureOfTheOneAtTheOrigin) {
   const glm::dvec3 far(148376, 1234, -223423);
   const Camera camera = camera_at({0.25, 0.5, 4}, {0, 0, -1});
-  const MemoryImage at_origin = prepare(ball_at({}), camera);
+  const auto board = model("thesis");
+  const MemoryImage at_origin = prepare(ball_at({}), camera, *board);
   const Camera there = elsewhere(camera, 1, far);
-  expect_same_frame(at_origin, prepare(ball_at(far), there), "thesis");
-  expect_same_frame(at_origin, prepare(elsewhere(ball_at({}), 1, far), there), "thesis");
+  expect_same_frame(*board, at_origin, prepare(ball_at(far), there, *board));
+  expect_same_frame(*board, at_origin, prepare(elsewhere(ball_at({}), 1, far), there, *board));
 }
 
 }  // namespace

@@ -42,14 +42,9 @@ class Rendering {
         blocks,
         {.position = position, .look_at = glm::dvec3(0, 0.5, 0), .up = {}, .field_of_view = {}},
         kWidth, kHeight);
-    const MemoryImage scene =
-        lay_out(blocks, {camera, kWidth, kHeight}, {}, {.spare_stacks = false});
-    for (const auto* memory : {&scene.objects.memory, &scene.frame.memory}) {
-      for (const MemoryRun& run : memory->runs()) board_.write(run.bank, run.address, run.words);
-    }
-    FrameConfig frame = frame_config(
-        board_.core(), options_,
-        {.start_node = scene.frame.start_node, .camera_matrix = scene.frame.camera_matrix});
+    const MemoryImage scene = lay_out(blocks, {camera, kWidth, kHeight}, board_.core());
+    for (const MemoryRun& run : scene.runs()) board_.write(run.bank, run.address, run.words);
+    FrameConfig frame = frame_config(board_.core(), options_, scene.frame);
     frame.frame_base = Word::from(base);
     board_.configure(frame);
     board_.start();

@@ -24,9 +24,4 @@ inline MemoryImage laid_out(const std::string& name, unsigned width, unsigned he
   return lay_out(std::move(scene), {camera, width, height}, core, options);
 }
 
-/// For a core with the shipped numbers and stacks of any depth.
-inline MemoryImage laid_out(const std::string& name, unsigned width, unsigned height) {
-  return laid_out(name, width, height, {}, {}, {.spare_stacks = false});
-}
-
 }  // namespace dynrt::host

@@ -96,20 +96,10 @@ double blur(const Place& place) { return 2 * glm::length(place.shift) * 0x1p-16;
 
 class Laid {
  public:
-  Laid(const ClosedMesh& closed, const Place& place) : place_(place) {
-    Mesh mesh = closed.mesh;
-    for (glm::dvec3& v : mesh.vertices) v = place.scale * (v + place.shift);
-    p_.scene.name = "closed";
-    p_.scene.materials = {{"grey"}};
-    p_.scene.objects = {std::move(mesh)};
-    p_.scene.instances = {{"closed", 0, place.instance}};
-    for (const glm::dvec3& middle : place.others) {
-      p_.scene.instances.push_back(
-          {"other", 0, place.instance * glm::translate(glm::dmat4(1.0), place.scale * middle)});
-    }
-    p_.trees = trees_for(p_.scene, world(glm::dvec3(0.0)), core());
-    p_.objects = ObjectImage(p_.scene, p_.trees.objects, core());
-  }
+  Laid(const ClosedMesh& closed, const Place& place, const CoreInfo& core)
+      : place_(place),
+        p_(lay_out(scene_of(closed, place), {.camera = {.position = world(glm::dvec3(0.0))}}, core,
+                   {.fit = false})) {}
 
   glm::dvec3 world(const glm::dvec3& in_mesh) const {
     return place_.instance * glm::dvec4(place_.scale * (in_mesh + place_.shift), 1.0);
@@ -119,8 +109,8 @@ class Laid {
   }
 
   std::vector<HitRecord> hits(Board& board, const Camera& camera, unsigned width, unsigned height) {
-    p_.view.camera = camera;
-    p_.frame = FrameImage(p_.scene, p_.objects, p_.trees.instances, camera, width, height);
+    p_.view = {camera, width, height};
+    p_.frame = frame_of(p_, p_.trees.instances, camera);
     FrameOptions options;
     options.width = width;
     options.height = height;
@@ -138,13 +128,22 @@ class Laid {
     return missed;
   }
 
-  static CoreInfo core() {
-    CoreInfo core;
-    core.triangle_test = TriangleTest::kWatertight;
-    return core;
+ private:
+  static Scene scene_of(const ClosedMesh& closed, const Place& place) {
+    Mesh mesh = closed.mesh;
+    for (glm::dvec3& v : mesh.vertices) v = place.scale * (v + place.shift);
+    Scene scene;
+    scene.name = "closed";
+    scene.materials = {{"grey"}};
+    scene.objects = {std::move(mesh)};
+    scene.instances = {{"closed", 0, place.instance}};
+    for (const glm::dvec3& middle : place.others) {
+      scene.instances.push_back(
+          {"other", 0, place.instance * glm::translate(glm::dmat4(1.0), place.scale * middle)});
+    }
+    return scene;
   }
 
- private:
   Place place_;
   MemoryImage p_;
 };
@@ -190,7 +189,7 @@ class Frames {
       SCOPED_TRACE(fmt::format(
           "mesh {}, shift {:.3g} {:.3g} {:.3g}, scale {:g}, {} others, seed {}", n % meshes.size(),
           place.shift.x, place.shift.y, place.shift.z, place.scale, place.others.size(), seed + n));
-      Laid laid(closed, place);
+      Laid laid(closed, place, board_->core());
       const double room = std::max(0.0, closed.inside - blur(place));
       for (unsigned i = 0; i < 4; ++i) {
         const glm::dvec3 eye = i == 0 ? glm::dvec3(0.0) : room * in_ball(random);
@@ -241,11 +240,11 @@ TEST(Watertight, AScaledMeshHasTheSameHits) {
   for (const ClosedMesh& closed : {closed_meshes()[1], closed_meshes()[5]}) {
     const Camera camera{
         glm::dvec3(0.125, -0.0625, 0.25), {1.5, 0.1, 0.2}, {0, 1.5, 0.3}, {0.3, 0.2, -1}};
-    const auto plain = Laid(closed, {}).hits(*board, camera, kWidth, kHeight);
+    const auto plain = Laid(closed, {}, board->core()).hits(*board, camera, kWidth, kHeight);
     for (const int exponent : {-20, -9, 1, 20}) {
       Camera scaled = camera;
       scaled.position *= std::exp2(exponent);
-      Laid laid(closed, {.scale = std::exp2(exponent)});
+      Laid laid(closed, {.scale = std::exp2(exponent)}, board->core());
       const auto found = laid.hits(*board, scaled, kWidth, kHeight);
       ASSERT_EQ(found.size(), plain.size());
       for (std::size_t i = 0; i < plain.size(); ++i) {

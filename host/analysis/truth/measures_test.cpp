@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "host/format/memory_format_of.h"
+#include "host/layout/test_scene.h"
 #include "host/memory/matrix_numbers.h"
 #include "host/scene/camera.h"
 #include "host/tree/scene_trees.h"
@@ -92,7 +93,7 @@ class MeasuresTest : public ::testing::Test {
   const Camera camera_ =
       look_at({0, 3, 8}, {0, 1, 0}, {0, 1, 0}, 45, static_cast<double>(kWidth) / kHeight);
   const SceneTrees trees_ = build_scene_trees(scene_);
-  const ObjectImage objects_{scene_, trees_.objects};
+  const ObjectImage objects_{scene_, trees_.objects, testing::test_core()};
   const FrameImage image_{scene_, objects_, trees_.instances, camera_, kWidth, kHeight};
   const Truth truth_{scene_};
   TruthShading shading_;
