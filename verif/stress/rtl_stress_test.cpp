@@ -14,12 +14,20 @@
 namespace dynrt::host::stress {
 namespace {
 
+/// Whether the table says that this build makes Verilog of a configuration.
+bool has_rtl(const std::string& configuration) {
+  const Configuration* row = row_of(configuration);
+  return row != nullptr && row->lowered;
+}
+
 std::unique_ptr<Board> open_rtl(const std::string& configuration) {
+  if (!has_rtl(configuration)) return nullptr;
   return make_board(configurations(), {"rtl", configuration, ""});
 }
 
 OpenBoard open_checked(int seed) {
   return [seed](const std::string& configuration) -> std::unique_ptr<Board> {
+    if (!has_rtl(configuration)) return nullptr;
     const Configuration& c = find_configuration(configurations(), configuration, true);
     if (c.traced == nullptr) throw UserError(configuration + " has no Verilog in this build");
     CoreInfo info = c.core();

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/analysis/stress/examiner.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
 
+#include "host/analysis/stress/stress_messages.h"
 #include "host/analysis/truth/measures.h"
 #include "host/error.h"
 #include "host/layout/lay_out.h"
@@ -46,8 +49,9 @@ Board& Boards::get(const std::string& configuration) {
   try {
     board = open_(configuration);
   } catch (const UserError& error) {
-    throw NoBoard(error.what());
+    throw BoardError(error.what());
   }
+  if (!board) throw NoBoard(fmt::format(messages::kNotInTable, configuration));
   return *board;
 }
 
@@ -167,7 +171,7 @@ void Examiner::expect_refusal(const Trial& trial, const std::string& words) {
   try {
     render(trial);
     outcome_[Fault::kAccepted] += rays;
-  } catch (const NoBoard&) {
+  } catch (const BoardError&) {
     throw;
   } catch (const Exceeded&) {
     throw;

@@ -19,7 +19,8 @@
 
 namespace dynrt::host::stress {
 
-/// Opens the board of a configuration.
+/// Opens the board of a configuration. Returns null if the table of configurations lacks it, and
+/// throws UserError if its board cannot be made.
 using OpenBoard = std::function<std::unique_ptr<Board>(const std::string& configuration)>;
 
 /// The frames of a trial, and the meaning of the numbers in their records.
@@ -35,12 +36,16 @@ struct Rendered {
 /// Tells from its counter whether the board's core has lost hits to a full stack.
 std::uint64_t dropped_pushes(const Frame& frame);
 
-/// A board that a case needs cannot be had.
-struct NoBoard : UserError {
+/// A board that a case needs cannot be made: no fault of the case's, and no refusal of its scene.
+struct BoardError : UserError {
   using UserError::UserError;
 };
+/// The table of configurations lacks the board's.
+struct NoBoard : BoardError {
+  using BoardError::BoardError;
+};
 
-/// The boards that were opened so far; cases share them. Throws NoBoard.
+/// The boards that were opened so far; cases share them. Throws BoardError.
 class Boards {
  public:
   Boards(OpenBoard open, std::string configuration)

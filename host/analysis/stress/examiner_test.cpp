@@ -137,6 +137,34 @@ TEST(Examiner, CountsWhatTheHostShouldHaveRefused) {
   EXPECT_EQ(examiner.outcome()[Fault::kAccepted], kRays);
 }
 
+/// Has the thesis's board alone; the others fail as the given function does.
+Boards thesis_and(const OpenBoard& others) {
+  return {[others](const std::string& name) {
+            if (name != "thesis") return others(name);
+            return make_board(configurations(), {"model", name, ""});
+          },
+          "thesis"};
+}
+
+TEST(Boards, OneThatCannotBeMadeIsNeitherLackingNorARefusal) {
+  const std::vector<std::string> needs_whitted = {"ends/light_at_surface"};
+  const Case& c = *find_cases(needs_whitted).at(0);
+  Boards lacking = thesis_and([](const std::string&) { return nullptr; });
+  EXPECT_THAT([&] { run_case(c, lacking); },
+              ThrowsMessage<NoBoard>("this build's table of configurations lacks 'whitted'"));
+  Boards broken = thesis_and([](const std::string& name) -> std::unique_ptr<Board> {
+    throw UserError(name + ": the compiler failed");
+  });
+  try {
+    run_case(c, broken);
+    ADD_FAILURE() << "the failure is taken for a result";
+  } catch (const NoBoard& error) {
+    ADD_FAILURE() << "tests would skip: " << error.what();
+  } catch (const BoardError& error) {
+    EXPECT_STREQ(error.what(), "whitted: the compiler failed");
+  }
+}
+
 TEST(Run, SaysWhereThereIsNoBound) {
   Result result{&cases()[0], {}, {}, ""};
   result.outcome.rays = 9;

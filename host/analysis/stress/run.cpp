@@ -35,7 +35,7 @@ Result run_case(const Case& c, Boards& boards, std::vector<Frame>* frames) {
   Examiner examiner(boards, frames);
   try {
     c.run(examiner);
-  } catch (const NoBoard&) {
+  } catch (const BoardError&) {
     throw;
   } catch (const Exceeded& error) {
     examiner.exceeded(error.what());

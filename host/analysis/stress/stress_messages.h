@@ -11,6 +11,7 @@ inline constexpr char kFormat[] =
 inline constexpr char kFormatOfFile[] =
     "--format: --config {} is a file, which has its own format; name a configuration";
 inline constexpr char kNotListed[] = "--format: there is no configuration '{}'";
+inline constexpr char kNotInTable[] = "this build's table of configurations lacks '{}'";
 inline constexpr char kNoCase[] =
     "there is no stress case or group '{}'; give one of these, or the part before the slash: {}";
 
