@@ -11,11 +11,12 @@
 #include <fstream>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 
 #include "host/board/board_messages.h"
 #include "host/error.h"
+#include "host/format/configuration_json.h"
 #include "host/program_part.h"
 
 namespace dynrt::host {
@@ -78,10 +79,26 @@ Loaded loaded_from(const std::string& path, std::string name) {
   return {std::move(name), *library.configuration};
 }
 
-/// Empty if the file is no JSON: its mistakes are reported when its configuration is made.
-nlohmann::json parsed(const std::string& path) {
+/// The keys that a JSON file states, and its stem as their name; none if it cannot be read: its
+/// mistakes are reported when its configuration is made.
+std::optional<CoreConfiguration> stated_in(const std::string& path) {
   std::ifstream file(path);
-  return nlohmann::json::parse(file, nullptr, false);
+  try {
+    CoreConfiguration stated = configuration_of(Json::parse(file));
+    stated.name = fs::path(path).stem().string();
+    return stated;
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+/// A configuration that is listed or that a JSON file states; none if it is neither.
+std::optional<CoreConfiguration> configuration_called(const std::string& name) {
+  if (name.ends_with(".json")) return stated_in(name);
+  const auto listed = listed_configurations();
+  const auto found = std::ranges::find(listed, name, &CoreConfiguration::name);
+  if (found == listed.end()) return std::nullopt;
+  return *found;
 }
 
 }  // namespace
@@ -112,19 +129,20 @@ const Configuration& load_listed_configuration(const std::string& name, bool rtl
 }
 
 void add_origin(CoreInfo& core, const std::string& path) {
-  const auto json = parsed(path);
-  if (!json.is_object()) return;
-  core.made_for = json.value("made_for", core.made_for);
-  core.made_from = json.value("made_from", core.made_from);
-  const auto listed = listed_configurations();
-  const auto general = std::ranges::find(listed, core.made_from, &CoreConfiguration::name);
-  if (general != listed.end()) core.general = std::make_shared<CoreConfiguration>(*general);
+  const auto stated = stated_in(path);
+  if (!stated) return;
+  core.made_for = stated->made_for;
+  core.made_from = stated->made_from;
+  if (const auto general = configuration_called(core.made_from)) {
+    core.general = std::make_shared<CoreConfiguration>(*general);
+  }
 }
 
 std::string general_of(const std::string& configuration) {
   if (!configuration.ends_with(".json")) return configuration;
-  const auto json = parsed(configuration);
-  return json.is_object() ? json.value("made_from", configuration) : configuration;
+  const auto stated = stated_in(configuration);
+  const bool made = stated && stated->made_from != CoreConfiguration{}.made_from;
+  return made ? stated->made_from : configuration;
 }
 
 }  // namespace dynrt::host

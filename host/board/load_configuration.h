@@ -25,8 +25,8 @@ const Configuration& load_configuration(const std::string& path, bool rtl = fals
 /// older than the program's sources, else one that is made now.
 const Configuration& load_listed_configuration(const std::string& name, bool rtl);
 
-/// The origin of a specialised configuration, from its JSON file: made_for, made_from and, if it is
-/// listed, the general configuration.
+/// The origin of a specialised configuration, from its JSON file: made_for, made_from and the
+/// general configuration, which is listed or stated by another JSON file.
 void add_origin(CoreInfo& core, const std::string& path);
 /// The configuration that a JSON file was specialised from; for other files and names, the same
 /// name.

@@ -86,6 +86,38 @@ TEST_F(LoadConfiguration, SaysWhyAFileIsNone) {
       "this shared library is not a configuration of dynrt; make one with scripts/configuration");
 }
 
+TEST_F(LoadConfiguration, KnowsTheGeneralConfigurationOfAFile) {
+  const std::string mine = written(
+      "mine.json", R"({"like": "thesis", "stack_depth": {"value": 40, "reason": "deep trees"}})");
+  const std::string special =
+      written("special.json", R"({"made_for": {"value": "sail", "reason": "it was asked for"},
+                                  "made_from": ")" +
+                                  mine + R"(", "stack_depth": 3})");
+  CoreInfo core;
+  core.name = "special";
+  add_origin(core, special);
+  EXPECT_EQ(core.name, "special");
+  EXPECT_EQ(core.made_for, "sail");
+  EXPECT_EQ(core.made_from, mine);
+  ASSERT_NE(core.general, nullptr);
+  EXPECT_EQ(core.general->name, "mine");
+  EXPECT_EQ(core.general->stack_depth, 40u);
+  EXPECT_EQ(core.general->packets, 32u);
+  EXPECT_EQ(general_of(special), mine);
+  EXPECT_EQ(general_of(mine), mine);
+  EXPECT_EQ(general_of("thesis"), "thesis");
+}
+
+TEST_F(LoadConfiguration, KnowsTheListedConfigurationThatAFileWasMadeFrom) {
+  const std::string special =
+      written("special.json", R"({"made_for": "sail", "made_from": "whitted"})");
+  CoreInfo core;
+  add_origin(core, special);
+  ASSERT_NE(core.general, nullptr);
+  EXPECT_EQ(core.general->lights, 8u);
+  EXPECT_EQ(general_of(special), "whitted");
+}
+
 TEST_F(LoadConfiguration, WhatTheScriptRefusesIsTheUsersMistake) {
   const std::string path = written("mine.json", R"({"packets": 0})");
   EXPECT_THAT([&] { load_configuration(path); },

@@ -46,6 +46,21 @@ void read(const Json& json, Value& value) {
   }
 }
 
+/// The value of a key, which may stand beside its reason.
+const Json& without_reason(const Json& stated) {
+  return stated.is_object() ? stated.at("value") : stated;
+}
+
+/// What a configuration has before its own keys are read.
+CoreConfiguration base_of(const Json& json) {
+  const auto like = json.find("like");
+  if (like == json.end()) return {};
+  const auto listed = listed_configurations();
+  const auto found = std::ranges::find(listed, like->get<std::string>(), &CoreConfiguration::name);
+  if (found == listed.end()) throw std::invalid_argument("like " + like->dump());
+  return inherited_from(*found);
+}
+
 }  // namespace
 
 Json json_of(const CoreConfiguration& configuration) {
@@ -66,13 +81,13 @@ Json value_of(const CoreConfiguration& configuration, std::string_view name) {
 }
 
 CoreConfiguration configuration_of(const Json& json) {
-  CoreConfiguration configuration;
+  CoreConfiguration configuration = base_of(json);
   configuration.name = json.value("name", "");
   for_each_key(configuration, [&](const ConfigurationKey& key, auto& value) {
     const auto stated = json.find(key.name);
     if (stated == json.end()) return;
     try {
-      read(*stated, value);
+      read(without_reason(*stated), value);
     } catch (const std::exception& error) {
       throw std::invalid_argument("key '" + std::string(key.name) + "': " + error.what());
     }

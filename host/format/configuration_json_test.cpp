@@ -29,6 +29,33 @@ TEST(ConfigurationJson, WritesValuesAsTheTableHasThem) {
   EXPECT_THROW(value_of(*found, "lihgts"), std::out_of_range);
 }
 
+TEST(ConfigurationJson, ReadsAValueBesideItsReason) {
+  const auto read = configuration_of(Json::parse(
+      R"({"made_for": {"value": "office", "reason": "it was asked for"},
+          "packets": {"value": 7, "reason": "more cost area"},
+          "primitives": {"value": ["sphere"], "reason": "the scene has no others"}})"));
+  EXPECT_EQ(read.made_for, "office");
+  EXPECT_EQ(read.packets, 7u);
+  EXPECT_FALSE(read.primitives.triangle);
+  EXPECT_TRUE(read.primitives.sphere);
+  EXPECT_THROW(configuration_of(Json::parse(R"({"packets": {"reason": "none"}})")),
+               std::invalid_argument);
+}
+
+TEST(ConfigurationJson, IsLikeAListedConfiguration) {
+  const auto listed = listed_configurations();
+  const auto thesis = std::ranges::find(listed, "thesis", &CoreConfiguration::name);
+  ASSERT_NE(thesis, listed.end());
+  ASSERT_TRUE(thesis->scan_out);
+  const auto read = configuration_of(Json::parse(R"({"like": "thesis", "packets": 4})"));
+  CoreConfiguration expected = *thesis;
+  expected.name = expected.about = "";
+  expected.scan_out = false;  // which is not inherited
+  expected.packets = 4;
+  EXPECT_EQ(read, expected);
+  EXPECT_THROW(configuration_of(Json{{"like", "thesys"}}), std::invalid_argument);
+}
+
 TEST(ConfigurationJson, RefusesWhatIsOfAnotherKind) {
   EXPECT_THROW(configuration_of(Json{{"rounding", "up"}}), std::invalid_argument);
   EXPECT_THROW(configuration_of(Json{{"packets", "many"}}), std::invalid_argument);

@@ -171,4 +171,19 @@ def table(configs: Mapping[str, Configuration], source: str) -> str:
         members = [f'.name = "{called}"']
         members += [f".{name} = {key.kind.literal(config[name])}" for name, key in KEYS.items()]
         lines += ["      {" + ",\n       ".join(members) + "},"]
-    return "\n".join(lines + ["  };", "  return kTable;", "}", "", "}  // namespace dynrt", ""])
+    lines += ["  };", "  return kTable;", "}", "", *_inherited_from(), "}  // namespace dynrt", ""]
+    return "\n".join(lines)
+
+
+def _inherited_from() -> list[str]:
+    """The function that host/format/configuration_json.h declares."""
+    own = ["name", *(name for name, key in KEYS.items() if not key.inherited)]
+    return [
+        "CoreConfiguration inherited_from(const CoreConfiguration& other) {",
+        "  const CoreConfiguration defaults;",
+        "  CoreConfiguration configuration = other;",
+        *(f"  configuration.{name} = defaults.{name};" for name in own),
+        "  return configuration;",
+        "}",
+        "",
+    ]
