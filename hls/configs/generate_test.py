@@ -4,10 +4,9 @@
 
 import json
 import shutil
-import subprocess
 import unittest
 
-from generate_case import GENERATE, GOOD, GenerateCase
+from generate_case import GOOD, GenerateCase
 
 
 class Written(GenerateCase):
@@ -126,35 +125,6 @@ class Written(GenerateCase):
             lit, tiny | {"name": "lit", "about": "lit", "lights": 3, "scan_out": False}
         )
         self.assertEqual(far, lit | {"name": "far", "about": "far", "packets": 2})
-
-    def test_a_new_key_changes_no_other_file(self) -> None:
-        """The struct, the object at run time and its JSON have a key once keys.py has it."""
-        copy = self.folder / "configs"
-        shutil.copytree(GENERATE.parent, copy, ignore=shutil.ignore_patterns("__pycache__"))
-        keys = copy / "configurations" / "keys.py"
-        text = keys.read_text(encoding="utf-8")
-        self.assertIn("KEYS: dict[str, Key] = {\n", text)
-        keys.write_text(
-            text.replace(
-                "KEYS: dict[str, Key] = {\n",
-                'KEYS: dict[str, Key] = {\n    "ways": Key(Whole(1, 4), '
-                '"kWays", "of each cache", 1),\n',
-            ),
-            encoding="utf-8",
-        )
-        subprocess.run([copy / "generate", copy / "configs.json", self.out], check=True)
-        self.assertIn(
-            "  /// of each cache\n  static constexpr unsigned kWays = 1;\n",
-            (self.out / "full.h").read_text(encoding="utf-8"),
-        )
-        header = (self.out / "core_configuration.h").read_text(encoding="utf-8")
-        for line in (
-            "unsigned ways{1};",
-            "configuration.ways = C::kWays;",
-            'visit(ConfigurationKey{"ways", "of each cache", true, false, 1}, ',
-        ):
-            self.assertIn(line, header)
-        self.assertIn(".ways = 1", (self.out / "core_configuration.cpp").read_text("utf-8"))
 
 
 if __name__ == "__main__":

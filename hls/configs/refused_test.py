@@ -6,16 +6,17 @@ import json
 import shutil
 import unittest
 
+from configurations import KEYS
 from generate_case import GOOD, GenerateCase, listing
 
 
 class Refused(GenerateCase):
     def test_values_out_of_range(self) -> None:
         self.assert_key_refused(
-            "packets", 200, "(packets in flight) is 200; " "it must be a whole number from 1 to 64"
+            "packets", 200, "(packets in flight) is 200; it must be a whole number from 1 to 64"
         )
         self.assert_key_refused(
-            "lines", 500, "(lines of each cache) is 500; " "it must be a power of two from 1 to 512"
+            "lines", 500, "(lines of each cache) is 500; it must be a power of two from 1 to 512"
         )
         self.assert_key_refused(
             "stack_depth",
@@ -38,7 +39,7 @@ class Refused(GenerateCase):
         self.assert_key_refused(
             "reflections",
             16,
-            "(bounces of a ray, at most) is 16; " "it must be a whole number from 0 to 15",
+            "(bounces of a ray, at most) is 16; it must be a whole number from 0 to 15",
         )
         self.assert_key_refused(
             "epsilon",
@@ -57,7 +58,7 @@ class Refused(GenerateCase):
         wide = GOOD | {"exponent_bits": 8, "mantissa_bits": 24}
         self.assert_refused(
             listing(wide, "wide"),
-            "configuration 'wide': a float of 1 + 8 + 24 = 33 bits; it must have " "32 at most",
+            "configuration 'wide': a float of 1 + 8 + 24 = 33 bits; it must have 32 at most",
         )
         widest = GOOD | {"exponent_bits": 8, "mantissa_bits": 23}
         self.assertEqual(self.run_on(listing(widest, "widest")).returncode, 0)
@@ -66,15 +67,15 @@ class Refused(GenerateCase):
         self.assert_key_refused(
             "mantissa_bits",
             "x",
-            "(stored mantissa bits of the float) is " '"x"; it must be a whole number from 8 to 29',
+            '(stored mantissa bits of the float) is "x"; it must be a whole number from 8 to 29',
         )
         self.assert_key_refused(
             "packets",
             True,
-            "(packets in flight) is true; " "it must be a whole number from 1 to 64",
+            "(packets in flight) is true; it must be a whole number from 1 to 64",
         )
         self.assert_key_refused(
-            "packets", 4.0, "(packets in flight) is 4.0; " "it must be a whole number from 1 to 64"
+            "packets", 4.0, "(packets in flight) is 4.0; it must be a whole number from 1 to 64"
         )
         self.assert_key_refused(
             "rtl",
@@ -163,7 +164,7 @@ class Refused(GenerateCase):
             (
                 "triangle_test",
                 "watertight",
-                "unit_triangle, as a ray's shear is made when it " "enters an object",
+                "unit_triangle, as a ray's shear is made when it enters an object",
             ),
         ):
             self.assert_refused(
@@ -176,15 +177,10 @@ class Refused(GenerateCase):
     def test_keys(self) -> None:
         self.assert_refused(
             listing({"lihgts": 1}),
-            "configuration 'tiny': unknown key 'lihgts'; the keys are about, "
-            "made_for, made_from, rtl, packets, lines, levels, stack_depth, top_stack_depth, object_slots, "
-            "triangle_slots, exponent_bits, mantissa_bits, rounding, epsilon, "
-            "sram_latency, lights, reflections, scan_out, crossing, object_box, "
-            "divider, triangle_matrix, primitives, triangle_test, address_bits, "
-            "matrix_bits, uncompressed, one_colour, counters",
+            f"configuration 'tiny': unknown key 'lihgts'; the keys are {', '.join(KEYS)}",
         )
         self.assert_refused(
-            json.dumps([{"name": "tiny"} | {k: GOOD[k] for k in GOOD if k != "lines"}]),
+            json.dumps([{"name": "tiny"} | {k: v for k, v in GOOD.items() if k != "lines"}]),
             "configuration 'tiny': lacks the key 'lines' (lines of each cache), "
             "a power of two from 1 to 512",
         )
@@ -224,16 +220,16 @@ class Refused(GenerateCase):
             entry = json.dumps({"about": "me", "name": "me", "like": like}, indent=1)
             self.assert_refused(
                 f"[{first},\n{entry}]",
-                f"configuration 'me': is like {named}; the " "configurations before it are tiny",
+                f"configuration 'me': is like {named}; the configurations before it are tiny",
                 line=5,
             )
         self.assert_refused(
             f'[{first},\n{{"name": "me", "like": "tiny"}}]',
-            "configuration 'me': lacks the key 'about' (what it is for), a " "sentence",
+            "configuration 'me': lacks the key 'about' (what it is for), a sentence",
             line=2,
         )
         self.assert_refused(
-            f"[{first},\n{first}]", "configuration 'tiny' is there twice; leave " "one", line=2
+            f"[{first},\n{first}]", "configuration 'tiny' is there twice; leave one", line=2
         )
 
     def test_a_mistake_names_its_line(self) -> None:
