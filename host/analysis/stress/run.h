@@ -24,8 +24,9 @@ struct Result {
   bool within() const { return stress::within(outcome, allowed); }
 };
 
-/// Runs a case. Throws BoardError if a board that it needs cannot be made. In a format other than the shipped one the host may refuse a scene; the result then
-/// has its message. `frames`, if not null, gets every rendered frame.
+/// Runs a case. Throws BoardError if a board that it needs cannot be made. In a format other than
+/// the shipped one the host may refuse a scene; the result then has its message. `frames`, if not
+/// null, gets every rendered frame.
 Result run_case(const Case& c, Boards& boards, std::vector<Frame>* frames = nullptr);
 
 /// "ok  slivers/fan_1e4  32 needles ..: 257 rays, 257 hit; lost 1 (of 2 allowed)".
