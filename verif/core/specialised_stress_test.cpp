@@ -1,8 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The stress cases on cores that were made for a scene: each case gives the general core's hits or
-// is refused with the key that the core lacks.
+// The stress cases on cores that were made for a scene: each case gives the general core's hit
+// records or is refused with the key that the core lacks. The keys of the core for
+// `office` are those that the rules of host/specialise decide.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -10,6 +12,8 @@
 #include "configs/thesis.h"
 #include "core/specialised.h"
 #include "host/analysis/stress/run.h"
+#include "host/format/configuration_json.h"
+#include "host/specialise/decide.h"
 
 namespace dynrt::host::specialised {
 namespace {
@@ -17,7 +21,7 @@ namespace {
 using Thesis = config::thesis;
 using ::testing::ContainsRegex;
 
-/// Of two levels, with short stacks and few addresses.
+/// Of two levels, with short stacks and few addresses: for `blocks`.
 struct ForBlocks : Thesis {
   static constexpr unsigned kTopStackDepth = 10;
   static constexpr unsigned kStackDepth = 20;
@@ -26,7 +30,7 @@ struct ForBlocks : Thesis {
   static constexpr bool kUncompressed = false;
   static constexpr bool kCounters = false;
 };
-/// The core that `dynrt specialise office` makes.
+/// Of one level: for `office`.
 struct ForOffice : Thesis {
   static constexpr unsigned kLevels = 1;
   static constexpr unsigned kTopStackDepth = 1;
@@ -49,27 +53,67 @@ std::unique_ptr<Board> made_for(const std::string& scene) {
   return std::make_unique<ModelBoard>(std::move(core), std::make_unique<NativeCoreOf<C>>());
 }
 
-struct Tally {
-  std::size_t cases = 0, refused = 0, hits = 0, other = 0;
-};
+/// Hits of two cores lie in one place if their distances are no farther apart than this many steps
+/// of the mantissa; the two triangles of an edge that a ray grazes do.
+constexpr std::uint32_t kSameSteps = 16;
 
-std::size_t other_hits(const std::vector<Frame>& found, const std::vector<Frame>& expected) {
-  std::size_t other = 0;
-  for (std::size_t f = 0; f < found.size(); ++f) {
-    for (std::size_t i = 0; i < found[f].hits.size(); ++i) {
-      const HitRecord& a = found[f].hits[i];
-      const HitRecord& b = expected.at(f).hits.at(i);
-      other += a.hit != b.hit || (a.hit && a.triangle != b.triangle);
+/// The records of a special core beside those of the general one.
+struct Tally {
+  std::size_t cases = 0, refused = 0, records = 0, hits = 0;
+  std::size_t other_bits = 0;  ///< the same triangle in the same place, with other bits
+  std::size_t neighbours = 0;  ///< another triangle in the same place
+  std::size_t lost = 0, invented = 0;
+  std::size_t wrong = 0;          ///< in another place
+  std::size_t other_objects = 0;  ///< of another instance
+
+  std::size_t different() const {
+    return other_bits + neighbours + lost + invented + wrong + other_objects;
+  }
+  void take(const HitRecord& found, const HitRecord& expected) {
+    ++records;
+    hits += expected.hit;
+    if (found == expected) return;
+    if (!found.hit || !expected.hit) {
+      ++(found.hit ? invented : lost);
+    } else if (found.object != expected.object) {
+      ++other_objects;
+    } else if (std::max(found.t, expected.t) - std::min(found.t, expected.t) > kSameSteps) {
+      ++wrong;
+    } else {
+      ++(found.triangle == expected.triangle ? other_bits : neighbours);
     }
   }
-  return other;
+  void take(const std::vector<Frame>& found, const std::vector<Frame>& expected) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (std::size_t f = 0; f < found.size(); ++f) {
+      ASSERT_EQ(found[f].hits.size(), expected[f].hits.size());
+      for (std::size_t i = 0; i < found[f].hits.size(); ++i) {
+        take(found[f].hits[i], expected[f].hits[i]);
+      }
+    }
+  }
+};
+
+/// Struct C has what the rules decide of every key for a scene in the picture's usual size.
+template <class C>
+void expect_decided(const std::string& scene) {
+  CoreInfo general = core_info_of<Thesis>();
+  general.name = "thesis";
+  const View usual;
+  const MemoryImage image = host::laid_out(scene, usual.width, usual.height, general);
+  const std::vector<Decision> decisions = decide(image.needs(), general, {});
+  EXPECT_GT(decisions.size(), 20u);
+  const CoreInfo special = core_info_of<C>();
+  for (const Decision& one : decisions) {
+    EXPECT_EQ(value_of(special, one.key), one.value) << one.key << ": " << one.reason;
+  }
 }
 
 template <class C>
 Tally run_all(const std::string& scene) {
   const auto general_board = [](const std::string& name) {
-    const bool listed = std::ranges::find(configurations(), name, &Configuration::name) !=
-                        configurations().end();
+    const bool listed =
+        std::ranges::find(configurations(), name, &Configuration::name) != configurations().end();
     return listed ? make_board(configurations(), {"model", name, ""}) : nullptr;
   };
   stress::Boards general(general_board, "thesis");
@@ -86,6 +130,7 @@ Tally run_all(const std::string& scene) {
     } catch (const stress::NoBoard&) {
       continue;  // of a configuration that the table lacks
     }
+    SCOPED_TRACE(c->full_name());
     const stress::Result result = stress::run_case(*c, special, &found);
     ++tally.cases;
     EXPECT_TRUE(result.within()) << stress::line_of(result);
@@ -96,18 +141,26 @@ Tally run_all(const std::string& scene) {
                                 "', has "));
       continue;
     }
-    tally.hits += result.outcome.hits;
-    tally.other += other_hits(found, expected);
+    tally.take(found, expected);
   }
+  fmt::print(
+      "{}: {} cases, {} refused; of {} records {} with other bits, {} of a neighbour, {} lost, {} "
+      "invented, {} wrong, {} of another object\n",
+      scene, tally.cases, tally.refused, tally.records, tally.other_bits, tally.neighbours,
+      tally.lost, tally.invented, tally.wrong, tally.other_objects);
   return tally;
 }
 
-TEST(SpecialisedStress, ACoreOfTwoLevelsGivesTheGeneralCoresHits) {
+TEST(SpecialisedStress, TheOfficesCoreIsThatWhichTheRulesDecide) {
+  expect_decided<ForOffice>("office");
+}
+
+TEST(SpecialisedStress, ACoreOfTwoLevelsGivesTheGeneralCoresRecords) {
   const Tally tally = run_all<ForBlocks>("blocks");
   EXPECT_GT(tally.refused, 0u);
   EXPECT_GT(tally.cases - tally.refused, tally.cases / 2);
   EXPECT_GT(tally.hits, 10'000u);
-  EXPECT_EQ(tally.other, 0u);
+  EXPECT_EQ(tally.different(), 0u);
 }
 
 // Rays of a core of one level are not multiplied with an instance's matrix, so that those that
@@ -117,7 +170,12 @@ TEST(SpecialisedStress, ACoreOfOneLevelGivesTheGeneralCoresHits) {
   EXPECT_GT(tally.refused, 0u);
   EXPECT_GT(tally.cases - tally.refused, tally.cases / 4);
   EXPECT_GT(tally.hits, 1000u);
-  EXPECT_LE(50 * tally.other, tally.hits);
+  EXPECT_EQ(tally.other_objects, 0u);
+  // Measured over all cases; their causes are not proved.
+  EXPECT_LE(tally.lost, 2u);
+  EXPECT_LE(tally.invented, 49u);
+  EXPECT_LE(tally.wrong, 1u);
+  EXPECT_LE(tally.neighbours, 278u);
 }
 
 }  // namespace
