@@ -212,6 +212,8 @@ TEST(Formats, AreThoseOfAssimp) {
        {".3ds", ".blend", ".dae", ".fbx", ".glb", ".gltf", ".obj", ".off", ".ply", ".stl", ".x"}) {
     EXPECT_TRUE(std::ranges::binary_search(extensions, expected)) << expected;
   }
+  // Its importer does not end on a file that is cut off.
+  EXPECT_FALSE(std::ranges::binary_search(extensions, std::string(".ogex")));
 }
 
 TEST(Formats, TakeExtensionsInCapitals) {

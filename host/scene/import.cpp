@@ -216,6 +216,8 @@ std::vector<std::string> assimp_extensions() {
   std::vector<std::string> extensions;
   std::string_view rest = list.C_Str();
   while (!rest.empty()) extensions.emplace_back(take_until(rest, ';').substr(1));
+  // Of a file that is cut off Assimp's importer of OpenGEX reads for ever.
+  std::erase(extensions, ".ogex");
   std::ranges::sort(extensions);
   return extensions;
 }
