@@ -1,7 +1,8 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DDIR=.. -DPREFIX=.. -DSHARDS=n -P GatherVerilated.cmake
-# Spreads the C++ that Verilator wrote to DIR over shard_fast_0..n-1.cpp and shard_slow.cpp.
+# cmake -DDIR=.. -DPREFIX=.. -DSHARDS=n -DSLOW_FILE=ON|OFF -P GatherVerilated.cmake
+# Spreads the C++ that Verilator wrote to DIR over shard_fast_0..n-1.cpp and shard_slow.cpp; without a
+# SLOW_FILE the first one holds what runs seldom too.
 include(${DIR}/${PREFIX}.cmake)
 
 # What every file may include.
@@ -37,9 +38,13 @@ foreach(file ${${PREFIX}_CLASSES_FAST})
   list(APPEND shard_${shard} ${file})
   math(EXPR index "${index} + 1")
 endforeach()
+set(slow ${${PREFIX}_CLASSES_SLOW} ${${PREFIX}_SUPPORT_FAST} ${${PREFIX}_SUPPORT_SLOW})
+if(SLOW_FILE)
+  write_shard(shard_slow.cpp ${slow})
+else()
+  list(APPEND shard_0 ${slow})
+endif()
 math(EXPR last "${SHARDS} - 1")
 foreach(shard RANGE ${last})
   write_shard(shard_fast_${shard}.cpp ${shard_${shard}})
 endforeach()
-write_shard(shard_slow.cpp ${${PREFIX}_CLASSES_SLOW} ${${PREFIX}_SUPPORT_FAST}
-            ${${PREFIX}_SUPPORT_SLOW})

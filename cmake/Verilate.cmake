@@ -7,8 +7,9 @@
 # Makes the static library TARGET with the Verilated class PREFIX (header PREFIX.h) of a module.
 # Verilator's own verilate() runs Verilator while CMake configures, when generated Verilog does not
 # exist yet; this one runs it during the build. The names of the C++ files that Verilator writes are
-# not known beforehand, so they are gathered into files whose names are: one for what runs seldom,
-# n (default 1) for what runs every clock.
+# not known beforehand, so they are gathered into files whose names are: n (default 1) for what runs
+# every clock, and with FAST one for what runs seldom, which is not optimised. Without FAST one file
+# holds all: Verilator's headers take longer to parse than a unit takes to optimise.
 #   FAST   for the whole core: -O3, unknown values are 0, no assertions. Without it: compiles quickly,
 #          checks hlsc's assertions (HLS_ASSERT), and unknown values are random when the bench asks
 #          for it (VerilatedContext::randReset(2)), so that a unit which relies on a value it never
@@ -70,7 +71,11 @@ function(dynrt_verilate target)
   foreach(shard RANGE ${last})
     list(APPEND fast_files ${dir}/shard_fast_${shard}.cpp)
   endforeach()
-  set(slow_file ${dir}/shard_slow.cpp)
+  set(slow_file)
+  if(arg_FAST)
+    set(slow_file ${dir}/shard_slow.cpp)
+    set_source_files_properties(${slow_file} PROPERTIES COMPILE_OPTIONS -O0)
+  endif()
   file(GLOB primitives CONFIGURE_DEPENDS ${HLS_RTL_LIB}/*.v)
   add_custom_command(
     OUTPUT ${fast_files} ${slow_file}
@@ -78,14 +83,13 @@ function(dynrt_verilate target)
     COMMAND ${CMAKE_COMMAND} -E env VERILATOR_ROOT=${VERILATOR_ROOT}
             ${VERILATOR_BIN} ${flags} ${arg_ARGS} ${arg_SOURCES}
     COMMAND ${CMAKE_COMMAND} -DDIR=${dir} -DPREFIX=${arg_PREFIX} -DSHARDS=${arg_SHARDS}
-            -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/GatherVerilated.cmake
+            -DSLOW_FILE=${arg_FAST} -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/GatherVerilated.cmake
     DEPENDS ${arg_SOURCES} ${arg_HEADERS} ${primitives} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/GatherVerilated.cmake
     COMMENT "Verilating ${arg_TOP}"
     VERBATIM COMMAND_EXPAND_LISTS)
 
   add_library(${target} STATIC EXCLUDE_FROM_ALL ${fast_files} ${slow_file})
   set_source_files_properties(${fast_files} PROPERTIES COMPILE_OPTIONS ${optimise})
-  set_source_files_properties(${slow_file} PROPERTIES COMPILE_OPTIONS -O0)
   # Generated code: its own warnings are nobody's to mend. RelWithDebInfo's -g would double its size.
   target_compile_options(${target} PRIVATE -w -g0 ${VERILATOR_CFLAGS})
   target_compile_definitions(${target} PRIVATE VM_COVERAGE=0 VM_SC=0 VM_TRACE=$<BOOL:${arg_TRACE}>

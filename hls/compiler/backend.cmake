@@ -30,6 +30,7 @@ target_include_directories(hlsc_backend SYSTEM PRIVATE ${LEMON_INCLUDE_DIRS})
 target_link_libraries(hlsc_backend PUBLIC hlsc_netlist
                       PRIVATE ${LEMON_LIBRARIES} fmt::fmt nlohmann_json::nlohmann_json
                               dynrt_warnings)
+hlsc_headers(hlsc_backend)
 
 add_subdirectory(cosim)
 
@@ -37,6 +38,7 @@ add_executable(hlsc_passes_test passes/passes_test.cpp)
 target_compile_definitions(hlsc_passes_test
                            PRIVATE DELAY_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/delay")
 target_link_libraries(hlsc_passes_test PRIVATE hlsc_random dynrt_warnings GTest::gtest_main)
+dynrt_quick_tests(hlsc_passes_test)
 dynrt_discover_tests(hlsc_passes_test PROPERTIES LABELS lower)
 
 add_executable(hlsc_schedule_test schedule/schedule_test.cpp)
@@ -44,6 +46,7 @@ target_compile_definitions(hlsc_schedule_test
                            PRIVATE DELAY_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/delay")
 target_link_libraries(hlsc_schedule_test PRIVATE hlsc_random dynrt_warnings GTest::gmock
                                                  GTest::gtest_main)
+dynrt_quick_tests(hlsc_schedule_test)
 dynrt_discover_tests(hlsc_schedule_test PROPERTIES LABELS lower)
 
 add_executable(hlsc_emit_test emit/emit_test.cpp)
@@ -52,4 +55,5 @@ target_compile_definitions(hlsc_emit_test
                                    GOLDEN_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/emit/golden")
 target_link_libraries(hlsc_emit_test PRIVATE hlsc_random dynrt_warnings GTest::gmock
                                              GTest::gtest_main)
+dynrt_quick_tests(hlsc_emit_test)
 dynrt_discover_tests(hlsc_emit_test PROPERTIES LABELS lower)
