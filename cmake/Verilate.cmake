@@ -8,8 +8,8 @@
 # Verilator's own verilate() runs Verilator while CMake configures, when generated Verilog does not
 # exist yet; this one runs it during the build. The names of the C++ files that Verilator writes are
 # not known beforehand, so they are gathered into files whose names are: n (default 1) for what runs
-# every clock, and with FAST one for what runs seldom, which is not optimised. Without FAST one file
-# holds all: Verilator's headers take longer to parse than a unit takes to optimise.
+# every clock, and one for what runs seldom, which is not optimised. A unit is one file: Verilator's
+# headers take longer to parse than all of it to optimise.
 #   FAST   for the whole core: -O3, unknown values are 0, no assertions. Without it: compiles quickly,
 #          checks hlsc's assertions (HLS_ASSERT), and unknown values are random when the bench asks
 #          for it (VerilatedContext::randReset(2)), so that a unit which relies on a value it never
@@ -72,7 +72,9 @@ function(dynrt_verilate target)
     list(APPEND fast_files ${dir}/shard_fast_${shard}.cpp)
   endforeach()
   set(slow_file)
-  if(arg_FAST)
+  set(of_a_core OFF)
+  if(arg_FAST OR arg_SHARDS GREATER 1)
+    set(of_a_core ON)
     set(slow_file ${dir}/shard_slow.cpp)
     set_source_files_properties(${slow_file} PROPERTIES COMPILE_OPTIONS -O0)
   endif()
@@ -83,7 +85,7 @@ function(dynrt_verilate target)
     COMMAND ${CMAKE_COMMAND} -E env VERILATOR_ROOT=${VERILATOR_ROOT}
             ${VERILATOR_BIN} ${flags} ${arg_ARGS} ${arg_SOURCES}
     COMMAND ${CMAKE_COMMAND} -DDIR=${dir} -DPREFIX=${arg_PREFIX} -DSHARDS=${arg_SHARDS}
-            -DSLOW_FILE=${arg_FAST} -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/GatherVerilated.cmake
+            -DSLOW_FILE=${of_a_core} -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/GatherVerilated.cmake
     DEPENDS ${arg_SOURCES} ${arg_HEADERS} ${primitives} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/GatherVerilated.cmake
     COMMENT "Verilating ${arg_TOP}"
     VERBATIM COMMAND_EXPAND_LISTS)
