@@ -80,8 +80,10 @@ Json json_of(const WalkRecord& record) {
           {"general", record.general}};
 }
 
-void check_walk_folder(const std::string& path) {
+void check_walk_folder(const std::string& folder) {
   std::error_code unreachable;
+  // "frames/" and "frames" are one folder.
+  const std::string path = (fs::path(folder) / "").parent_path().string();
   if (!fs::exists(path, unreachable)) return check_output_path(path);
   if (!fs::is_directory(path, unreachable)) cannot_write(path, std::strerror(ENOTDIR));
   check_output_path(fs::path(path) / kManifest);

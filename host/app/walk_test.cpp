@@ -290,6 +290,7 @@ TEST_F(Walks, PicturesThatNoWalkLeftAreNotTouched) {
   EXPECT_THAT([&] { WalkFolder(path("w"), kSettings, false); },
               ThrowsMessage<UserError>(
                   testing::StartsWith(path("w/walk.json") + ": a walk did not write this file (")));
+  EXPECT_NO_THROW(check_walk_folder(path("fresh/")));
   EXPECT_THAT([&] { check_walk_folder(path("no/w")); },
               ThrowsMessage<UserError>(path("no/w") + ": there is no folder '" + path("no") +
                                        "'; create it or name a file elsewhere"));

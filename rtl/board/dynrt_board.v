@@ -11,7 +11,8 @@
 `include "dynrt_core.vh"
 
 module dynrt_board #(
-  parameter PACKETS = 64,      // packets in flight of the core below
+  // Those of the checked-in core, thesis; another core takes its own.
+  parameter PACKETS = 32,      // packets in flight of the core below
   parameter CACHE_LINES = 512, // lines of each of its caches
   parameter SCAN_OUT = 1,      // 0: without the scan-out, the VGA pins stay low
   parameter SRAM_LATENCY = 3   // clocks from the core's address to its data; the banks' own plus 2

@@ -3,6 +3,7 @@
 """Holds dynrt.core, the description for FuseSoC, and the file lists made from it against the
 Verilog that is there."""
 
+import json
 import pathlib
 import re
 import subprocess
@@ -61,6 +62,19 @@ class CoreFile(testing.InFolder):
                 if f.endswith(".v")
             )
             self.assertRegex(text, rf"\nmodule {target['toplevel']}\b", name)
+
+    def test_the_board_is_made_for_the_core_that_is_listed(self) -> None:
+        listed = json.loads((ROOT / "hls/configs/configs.json").read_text(encoding="utf-8"))
+        thesis = next(c for c in listed if c["name"] == "thesis")
+        board = (ROOT / "rtl/board/dynrt_board.v").read_text(encoding="utf-8")
+        for parameter, key in (
+            ("PACKETS", "packets"),
+            ("CACHE_LINES", "lines"),
+            ("SCAN_OUT", "scan_out"),
+            ("SRAM_LATENCY", "sram_latency"),
+        ):
+            stated = project.searched(rf"parameter {parameter} = (\d+)", board)
+            self.assertEqual(int(stated[1]), int(thesis[key]), parameter)
 
     def test_file_lists_name_what_is_there(self) -> None:
         subprocess.run([ROOT / "scripts/file_lists", self.folder], check=True)
