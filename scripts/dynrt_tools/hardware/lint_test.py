@@ -233,11 +233,13 @@ class Synth(Planted):
         self.assertEqual(len(kept()[1]), 2)
 
     def test_unknown_unit(self) -> None:
-        result, _ = self.run_script({}, "synth", "mailbox")
-        self.assertEqual(result.returncode, 1)
-        self.assertEqual(
-            result.stderr, "synth: there is no unit 'mailbox'; the modules are: ram, unit\n"
-        )
+        for name, question in (("mailbox", ""), ("units", " (did you mean unit?)")):
+            result, _ = self.run_script({}, "synth", name)
+            self.assertEqual(result.returncode, 1)
+            self.assertEqual(
+                result.stderr,
+                f"synth: there is no unit '{name}'{question}; the modules are: ram, unit\n",
+            )
 
     def test_unknown_configuration(self) -> None:
         result, _ = self.run_script({}, "synth", "--config", "huge")

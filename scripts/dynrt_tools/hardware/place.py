@@ -46,7 +46,7 @@ def parse() -> argparse.Namespace:
         epilog="""\
 The folder that DYNRT_CACHE names, else build/synth, keeps every placement under a key of the
 Verilog, the constraints, the placer's version, the seed and the flags, with its report and its
-delays. The exit code is 1 where a placement failed.""",
+delays. The exit code is 1 where a placement failed, or a unit could not be lowered for the clock.""",
     )
     parser.add_argument(
         "unit",
@@ -195,7 +195,7 @@ def prepare(name: str, args: argparse.Namespace, build: pathlib.Path | None) -> 
     try:
         folder = lowering.lower(build, unit, args.clock_ns, device["delay"], args.config)
     except project.Failed as error:
-        return Row(name, {"unit": name, "note": f"not lowered: {error}"})
+        return Row(name, {"unit": name, "note": f"not lowered: {error}"}, broken=True)
     files = rtl_files.hand_written() + [folder / f"{name}.v"]
     data: Json = {"unit": name}
     data |= area.schedule((folder / f"{name}.txt").read_text(encoding="utf-8"))
@@ -320,7 +320,8 @@ def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
     for name in args.unit:
         if name not in units and name not in WHOLE:
             project.fail(
-                f"there is no unit '{name}'; the units are {', '.join(units)}; "
+                f"there is no unit '{name}'{rtl_files.meant(name, units)}; the units are "
+                f"{', '.join(units)}; "
                 f"{' and '.join(WHOLE)} are the whole core and the board's top"
             )
     everything = [*units, *([rtl_files.CORE] if args.device == "ecp5-85" else [])]

@@ -20,7 +20,16 @@ from typing import Any
 from unittest import mock
 
 from dynrt_tools import project
-from dynrt_tools.hardware import area, lowering, place, placers, placing, rtl_files, synthesis
+from dynrt_tools.hardware import (
+    area,
+    lowering,
+    lowering,
+    place,
+    placers,
+    placing,
+    rtl_files,
+    synthesis,
+)
 from dynrt_tools.hardware.worst_paths_test import SDF
 from dynrt_tools.project import Json
 
@@ -331,6 +340,23 @@ class StandIn(unittest.TestCase):
         self.assertEqual((code, errors), (1, "place: wide: Yosys failed\n"))
         self.assertRegex(output, r"sum +2 +3.00 +40 +244")
         self.assertEqual(data["units"][0]["note"], "failed: wide: Yosys failed")
+
+
+class Lowering(unittest.TestCase):
+    """What becomes of a unit before a placer runs."""
+
+    def test_a_unit_that_no_schedule_brings_to_the_clock_is_a_failure(self) -> None:
+        args = argparse.Namespace(
+            device="ecp5-85", config=rtl_files.CHECKED_IN, clock_ns=0.1, copies=1
+        )
+        unit = {"sum": {"module": "sum", "header": "sum.h", "type": "Sum"}}
+        refusal = project.Failed("sum.h:3: takes 2.35 ns")
+        with mock.patch.object(lowering, "units", lambda *_: unit), mock.patch.object(
+            lowering, "lower", side_effect=refusal
+        ):
+            row = place.prepare("sum", args, pathlib.Path("build"))
+        self.assertTrue(row.broken)
+        self.assertEqual(row.data["note"], "not lowered: sum.h:3: takes 2.35 ns")
 
 
 class Whole(unittest.TestCase):

@@ -3,6 +3,7 @@
 """Which Verilog files belong together, and which instances the core consists of."""
 
 import argparse
+import difflib
 import pathlib
 import re
 from collections.abc import Iterable
@@ -27,6 +28,14 @@ class Instance:
     name: str
     module: str
     parameters: dict[str, str]
+
+
+def meant(name: str, known: Iterable[str]) -> str:
+    """A question with the names that look like a wrong one, or nothing: a unit's module may be called
+    after more than its header, as packet_mailbox of mailbox.h."""
+    names = sorted(known)
+    close = [k for k in names if name in k or k in name] or difflib.get_close_matches(name, names)
+    return f" (did you mean {' or '.join(close)}?)" if close else ""
 
 
 def library() -> list[pathlib.Path]:

@@ -134,7 +134,10 @@ def main() -> int:  # pylint: disable=too-many-branches
     known = synthesis.modules(files)
     for top in tops:
         if top not in known:
-            project.fail(f"there is no unit '{top}'; the modules are: {', '.join(sorted(known))}")
+            project.fail(
+                f"there is no unit '{top}'{rtl_files.meant(top, known)}; the modules are: "
+                f"{', '.join(sorted(known))}"
+            )
 
     figures: dict[str, dict[str, Json]] = {name: {} for name in names}
     failed = False
