@@ -20,16 +20,7 @@ from typing import Any
 from unittest import mock
 
 from dynrt_tools import project
-from dynrt_tools.hardware import (
-    area,
-    lowering,
-    lowering,
-    place,
-    placers,
-    placing,
-    rtl_files,
-    synthesis,
-)
+from dynrt_tools.hardware import area, lowering, place, placers, placing, rtl_files, synthesis
 from dynrt_tools.hardware.worst_paths_test import SDF
 from dynrt_tools.project import Json
 
