@@ -8,8 +8,19 @@ import re
 import tempfile
 import unittest
 
+from dynrt_tools import project
 from dynrt_tools.build import configs
-from dynrt_tools.docs import commands, keys, limits, links, made, messages, registers, waves
+from dynrt_tools.docs import (
+    commands,
+    keys,
+    limits,
+    links,
+    made,
+    messages,
+    registers,
+    unit_sheet,
+    waves,
+)
 
 
 def new_folder(test: unittest.TestCase) -> pathlib.Path:
@@ -131,6 +142,18 @@ class Texts(unittest.TestCase):
                 self.assertEqual(
                     len(list(messages.wordings(table))), table.count("inline constexpr")
                 )
+
+    def test_a_port_is_on_the_page_as_in_its_verilog(self) -> None:
+        folder = project.ROOT / "rtl/generated/thesis"
+        found = {
+            module: list(unit_sheet.signals((folder / f"{module}.v").read_text(encoding="utf-8")))
+            for module in ("matrix_fetch", "traversal_slice", "memory_interface", "shading")
+        }
+        self.assertIn(("in", "job", "37"), found["matrix_fetch"])
+        self.assertIn(("reads", "ray", "256 x 48"), found["traversal_slice"])
+        self.assertIn(("steady", "lane", "2"), found["traversal_slice"])
+        self.assertIn(("reads", "bank_2", "1,048,576 x 32"), found["memory_interface"])
+        self.assertIn(("writes", "bank_0", "1,048,576 x 32"), found["shading"])
 
     def test_a_missing_build_is_named(self) -> None:
         with self.assertRaisesRegex(Exception, "commands.md:1: the page needs .*dynrt"):

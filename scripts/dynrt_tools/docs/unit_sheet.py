@@ -22,13 +22,21 @@ RAM = re.compile(
     r"hls_(ram_1r1w|register_file) #\(\.WIDTH\((\d+)\), \.ROWS\((\d+)\).*?\) "
     r"(\w+)_(?:ram|file) \("
 )
+PORT = re.compile(r"^  (?:input|output) +wire (?:\[(\d+):0\] )?(\w+),?$", re.MULTILINE)
 SOURCE = re.compile(r"\b(units/\w+\.h)\b")
 HEAD = """# The units of the core
 
 Configuration `{config}`, scheduled for {clock}.
-Every unit starts a transaction on every clock; *latency* is the clocks from its inputs to its
-outputs, the FIFO at each output not counted. Widths are in bits, RAMs in rows x bits. Made by
-`scripts/unit_sheet`; the target `units` renews it.
+Every unit starts a transaction on every clock. *Latency* is the clocks from a token at its input to the
+tokens that stand behind the FIFOs of its outputs: its stages. Widths are in bits, RAMs in rows x bits as
+the unit addresses them.
+
+A channel `x` that comes **in** is `x_valid_i`, `x_ready_o` and `x_data_i` in Verilog; one that goes **out** is
+`x_valid_o`, `x_ready_i` and `x_data_o`. A RAM `x` that the unit **reads** is `x_en_o`, `x_addr_o` and
+`x_data_i`; one that it **writes** has `x_data_o`. A **steady** value `x` is `x_i`, which stands still during a
+frame. Each module also has `clk_i`, `rst_ni`, and for the counters `fire_o` (a transaction starts) and
+`stall_o` (one could, but an output has no room). `scripts/unit_sheet` makes this page; the target `units`
+renews it.
 
 | unit | latency | registers between stages | RAM inside |
 |---|---|---|---|
@@ -46,25 +54,40 @@ def field(report: str, name: str) -> str:
     return found[1]
 
 
-def signals(join: Json, unit: str) -> Iterator[tuple[str, str, str, str]]:
-    """The unit's channels and shared RAMs: kind, the port's name, width, the other ends."""
+def other_ends(join: Json, unit: str) -> dict[str, str]:
+    """What stands at the other end of each of the unit's ports, by the port's name."""
+    found = {}
     for channel in join["channels"]:
-        for ends, others, kind in (("to", "from", "in"), ("from", "to", "out")):
+        for ends, others in (("to", "from"), ("from", "to")):
             for end in channel[ends]:
                 if end.startswith(unit + "."):
-                    yield (
-                        kind,
-                        end.split(".")[1],
-                        str(channel["width"]),
-                        others_of(channel[others], "the board"),
-                    )
+                    found[end.split(".")[1]] = others_of(channel[others], "the board")
     for ram in join["rams"]:
-        size = f"{ram['rows']} x {ram['width']}"
-        if ram["writer"].startswith(unit + "."):
-            yield "writes", ram["writer"].split(".")[1], size, others_of(ram["readers"], "a bank")
-        for reader in ram["readers"]:
-            if reader.startswith(unit + "."):
-                yield "reads", reader.split(".")[1], size, others_of([ram["writer"]], "a bank")
+        for end in [ram["writer"], *ram["readers"]]:
+            if end.startswith(unit + "."):
+                others = ram["readers"] if end == ram["writer"] else [ram["writer"]]
+                found[end.split(".")[1]] = others_of(others, "a bank")
+    for bank in join["banks"]:
+        if bank["port"].startswith(unit + "."):
+            found[bank["port"].split(".")[1]] = f"{bank['name']} of the board"
+    return found
+
+
+def signals(verilog: str) -> Iterator[tuple[str, str, str]]:
+    """The ports of a module without those that each has: kind, name, width."""
+    bits = {name: int(high or 0) + 1 for high, name in PORT.findall(verilog)}
+    for name in bits:
+        stem = re.sub(r"_(valid_[io]|en_o|i)$", "", name)
+        if name.endswith("_valid_i"):
+            yield "in", stem, str(bits.get(f"{stem}_data_i", 0))
+        elif name.endswith("_valid_o"):
+            yield "out", stem, str(bits.get(f"{stem}_data_o", 0))
+        elif name.endswith("_en_o"):
+            kind = "reads" if f"{stem}_data_i" in bits else "writes"
+            word = bits[f"{stem}_data_i" if kind == "reads" else f"{stem}_data_o"]
+            yield kind, stem, f"{1 << bits.get(f'{stem}_addr_o', 0):,} x {word}"
+        elif name.endswith("_i") and not re.search(r"_(data|ready)_i$|^(clk|rst_n)", name):
+            yield "steady", stem, str(bits[name])
 
 
 def others_of(ends: Iterable[str], outside: str) -> str:
@@ -81,6 +104,7 @@ def page(folder: pathlib.Path) -> str:
         report = (folder / f"{module}.txt").read_text(encoding="utf-8")
         verilog = (folder / f"{module}.v").read_text(encoding="utf-8")
         clock = field(report, "clock")
+        others = other_ends(join, unit)
         rams = [
             f"`{name}` {rows_} x {width}{' (LUT)' if kind == 'register_file' else ''}"
             for kind, width, rows_, name in RAM.findall(verilog)
@@ -99,7 +123,8 @@ def page(folder: pathlib.Path) -> str:
             "| | signal | bits | other end |\n|---|---|---|---|\n"
             + "".join(
                 f"| {kind} | `{name}` | {width} | {other} |\n"
-                for kind, name, width, other in signals(join, unit)
+                for kind, name, width in signals(verilog)
+                for other in (others.get(name, "the frame" if name == "frame" else "the join"),)
             )
         )
     return HEAD.format(config=folder.name, clock=clock) + "\n".join(rows) + "\n" + "".join(sections)
