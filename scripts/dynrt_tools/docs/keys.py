@@ -32,7 +32,8 @@ def keys_page() -> str:
         "# Keys of a configuration",
         "",
         "Each configuration of `hls/configs/configs.json` has these keys. "
-        "[A configuration of your own](../how-to/configuration.md) shows how to write one.",
+        "[A configuration of your own](../how-to/configuration.md) shows how to write one: a file "
+        "of yours needs neither `name` nor `about`.",
         "",
         "| key | meaning | values | default |",
         "|---|---|---|---|",

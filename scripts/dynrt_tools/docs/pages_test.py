@@ -72,6 +72,9 @@ class Pages(unittest.TestCase):
 
     def test_every_register_and_format_is_there(self) -> None:
         page = registers.page()
+        self.assertIn("| `WINDOW_BANK_LOW` | `22` | Byte address", page)
+        self.assertIn("| `positive_syncs` | `0x234` |", page)
+        self.assertIn("| 74 | `memory_interface.stalls` |", page)
         for name in ("packets", "uncompressed", "object", "REG_FRAME", "kMaxMatrices"):
             self.assertIn(f"| `{name}` |", page)
         for struct in ("Node", "ListEntry", "MatrixWord", "HitPlace", "HitSurface"):

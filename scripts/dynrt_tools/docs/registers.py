@@ -7,15 +7,19 @@ import re
 from collections.abc import Iterator
 
 from dynrt_tools import project
+from dynrt_tools.project import Json, read_json
 
 FRAME = "hls/units/frame.h"
 MEMORY = "hls/units/memory_format.h"
 PLACES = "rtl/generated/thesis/dynrt_core.vh"
 BOARD = "rtl/board/dynrt_registers.vh"
+SCAN = "hls/units/scan_out.h"
+JOIN = "rtl/generated/thesis/dynrt_core.json"
 FIELD = re.compile(r"(?:hls::uint<32>|hls::FieldIf<([^;]*?), hls::uint<32>>)\s+(\w+);")
 PLACE = re.compile(r"^`define DYNRT_CORE_FRAME_(\w+) (\d+)$", re.MULTILINE)
 REGISTER = re.compile(r"^localparam (?:\[\S+\] )?(\w+) = (\S+?);(?: *// *(.*))?$", re.MULTILINE)
 HEX = "'h"
+SCANNED = re.compile(r"uint<32> (\w+);(?: *///< *(.*))?")
 CONSTANT = re.compile(r"^inline constexpr unsigned (\w+)\s*=\s*([^;]+);(?:\s*///<\s*(.*))?$", re.M)
 STRUCT = re.compile(
     r"((?:^///[^\n]*\n)*)(?:^template[^\n]*\n)?^struct (\w+) \{\n(.*?)^\};", re.M | re.S
@@ -66,9 +70,40 @@ def comment_of(text: str) -> str:
 
 
 def board_table(text: str) -> list[str]:
+    """The constants of the board's map; one without a comment of its own has that above it."""
     lines = ["| name | value | meaning |", "|---|---|---|"]
-    for name, value, meaning in REGISTER.findall(text):
-        lines.append(f"| `{name}` | `{value.rpartition(HEX)[2]}` | {meaning} |")
+    above = ""
+    for line in text.splitlines():
+        found = REGISTER.match(line)
+        if not found:
+            above = line.removeprefix("//").strip()
+            continue
+        name, value, meaning = found.groups()
+        shown = f"0x{value.rpartition(HEX)[2]}" if HEX in value else value
+        lines.append(f"| `{name}` | `{shown}` | {meaning or above} |")
+    return lines
+
+
+def scan_table(text: str) -> list[str]:
+    """The registers of the scan-out, from the struct that it reads them as."""
+    struct = text.partition("struct ScanConfig {")[2].partition("HLS_FIELDS")[0]
+    first = int(register("REG_SCAN"), 16)
+    lines = ["| register | address | meaning |", "|---|---|---|"]
+    for place, (name, meaning) in enumerate(SCANNED.findall(struct)):
+        lines.append(f"| `{name}` | `0x{first + 4 * place:03x}` | {meaning} |")
+    return lines
+
+
+def register(name: str) -> str:
+    """The address of a register of the board, in hexadecimal."""
+    values = {n: str(v).rpartition(HEX)[2] for n, v, _ in REGISTER.findall(source(BOARD))}
+    return values[name]
+
+
+def counters_table(join: Json) -> list[str]:
+    lines = ["| number | counter |", "|---|---|"]
+    for number, counter in enumerate(join["counters"]):
+        lines.append(f"| {number} | `{counter['name']}` |")
     return lines
 
 
@@ -117,10 +152,30 @@ def page() -> str:
         "",
         "## Registers of the board",
         "",
-        f"{link(BOARD)} defines them. `R`: the host reads it, `W`: it writes it. Addresses are of "
-        "bytes, in hexadecimal.",
+        f"{link(BOARD)} defines them. `R`: the host reads it, `W`: it writes it. A value that begins "
+        "with 0x is the byte address of a register, or what one holds; the others are numbers of "
+        "bits and sizes. In hardware the host's side is a bus with valid and ready "
+        f"({link('rtl/board/board_registers.v')} describes it); the emulated board counts its "
+        "transactions as those of a PCI bus.",
         "",
         *board_table(source(BOARD)),
+        "",
+        "## Registers of the display",
+        "",
+        f"{link(SCAN)} defines them. The timing is that of a VGA display, in pixels and lines: "
+        "what is seen ends at `hdisplay`, the pulse lasts from `hsync_start` to `hsync_end`, and "
+        "the line ends at `htotal`; the same for lines.",
+        "",
+        *scan_table(source(SCAN)),
+        "",
+        "## Counters",
+        "",
+        "The host writes a number to `REG_COUNTER_ADDRESS` and reads the count from "
+        f"`REG_COUNTER_DATA`. These are the numbers in `thesis` ({link(JOIN)}). `tokens` counts "
+        "the tokens of a channel, `transactions` those that a unit has started, and `stalls` the "
+        "clocks in which a unit had its tokens but an output had no room.",
+        "",
+        *counters_table(read_json(project.ROOT / JOIN)),
         "",
         "## Memory",
         "",
