@@ -24,6 +24,8 @@ RAM = re.compile(
 )
 PORT = re.compile(r"^  (?:input|output) +wire (?:\[(\d+):0\] )?(\w+),?$", re.MULTILINE)
 SOURCE = re.compile(r"\b(units/\w+\.h)\b")
+# The unit that stands beside the core on the board.
+BESIDE = "scan_out"
 HEAD = """# The units of the core
 
 Configuration `{config}`, scheduled for {clock}.
@@ -35,8 +37,9 @@ A channel `x` that comes **in** is `x_valid_i`, `x_ready_o` and `x_data_i` in Ve
 `x_valid_o`, `x_ready_i` and `x_data_o`. A RAM `x` that the unit **reads** is `x_en_o`, `x_addr_o` and
 `x_data_i`; one that it **writes** has `x_data_o`. A **steady** value `x` is `x_i`, which stands still during a
 frame. Each module also has `clk_i`, `rst_ni`, and for the counters `fire_o` (a transaction starts) and
-`stall_o` (one could, but an output has no room). `scripts/unit_sheet` makes this page; the target `units`
-renews it.
+`stall_o` (one could, but an output has no room). The parameters `X_DEPTH` and `X_BOUNDED` size the FIFO of the
+output `x` ([Timing](timing.md) explains them). The last unit, `scan_out`, stands beside the core on the board.
+`scripts/unit_sheet` makes this page; the target `units` renews it.
 
 | unit | latency | registers between stages | RAM inside |
 |---|---|---|---|
@@ -97,14 +100,15 @@ def others_of(ends: Iterable[str], outside: str) -> str:
 
 def page(folder: pathlib.Path) -> str:
     join = read_json(folder / "dynrt_core.json")
-    # Units of one module, the four slices, are one row.
-    units = {unit["module"]: unit["name"] for unit in reversed(join["units"])}
+    # Units of one module, the four slices, are one row. No join has the unit beside the core.
+    units = {BESIDE: BESIDE} | {unit["module"]: unit["name"] for unit in reversed(join["units"])}
     rows, sections, clock = [], [], ""
     for module, unit in reversed(units.items()):
         report = (folder / f"{module}.txt").read_text(encoding="utf-8")
         verilog = (folder / f"{module}.v").read_text(encoding="utf-8")
         clock = field(report, "clock")
         others = other_ends(join, unit)
+        outside = "the board" if unit == BESIDE else "the join"
         rams = [
             f"`{name}` {rows_} x {width}{' (LUT)' if kind == 'register_file' else ''}"
             for kind, width, rows_, name in RAM.findall(verilog)
@@ -124,7 +128,7 @@ def page(folder: pathlib.Path) -> str:
             + "".join(
                 f"| {kind} | `{name}` | {width} | {other} |\n"
                 for kind, name, width in signals(verilog)
-                for other in (others.get(name, "the frame" if name == "frame" else "the join"),)
+                for other in (others.get(name, "the frame" if name == "frame" else outside),)
             )
         )
     return HEAD.format(config=folder.name, clock=clock) + "\n".join(rows) + "\n" + "".join(sections)

@@ -148,6 +148,16 @@ def page() -> str:
         "diagrams come from the schedules in `rtl/generated/thesis` and show outputs as if each "
         "transaction wrote all of them; a unit may write none. [Units](units.md) has the widths "
         "and the other ends.",
+        "",
+        "Pipelines never stall, so the FIFO of an output must take every token that is on its way. "
+        "There are two ways to ensure that:",
+        "",
+        "- **Room.** A transaction starts only while the FIFO holds fewer tokens than the unit's "
+        "*room*: `X_DEPTH`, the FIFO's places, less its `MARGIN`, the tokens that later stages may "
+        "still send. Each section states the room of the FIFO that hlsc chooses.",
+        "- **Bound.** The join, `hls/units/core.h`, may promise that a channel never holds more "
+        "than so many tokens, such as one for each packet. The Verilog top then gives the FIFO so "
+        "many places and sets `X_BOUNDED` to 1, and no transaction waits for that output.",
     ]
     for name, drawn in diagrams().items():
         schedule = project.read_json(GENERATED / f"{name}.json")
@@ -159,7 +169,7 @@ def page() -> str:
             "",
             f"{stages} stage{'' if stages == 1 else 's'} of {schedule['clock_ns']:g} ns "
             f"({schedule['device']}). A transaction starts only while the FIFO of each output "
-            f"holds fewer than {schedule['room']} tokens, where the join promises no bound.",
+            f"holds fewer than {schedule['room']} tokens, except for an output with a bound.",
             "",
             f"![Timing of {name}](waves/{name}.svg)",
         ]
