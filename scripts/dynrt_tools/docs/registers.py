@@ -154,9 +154,8 @@ def page() -> str:
         "",
         f"{link(BOARD)} defines them. `R`: the host reads it, `W`: it writes it. A value that begins "
         "with 0x is the byte address of a register, or what one holds; the others are numbers of "
-        "bits and sizes. In hardware the host's side is a bus with valid and ready "
-        f"({link('rtl/board/board_registers.v')} describes it); the emulated board counts its "
-        "transactions as those of a PCI bus.",
+        "bits and sizes. [Another board](../how-to/board.md#the-bus-of-the-host) describes the bus "
+        "over which the host reaches them.",
         "",
         *board_table(source(BOARD)),
         "",
@@ -171,7 +170,8 @@ def page() -> str:
         "## Counters",
         "",
         "The host writes a number to `REG_COUNTER_ADDRESS` and reads the count from "
-        f"`REG_COUNTER_DATA`. These are the numbers in `thesis` ({link(JOIN)}). `tokens` counts "
+        f"`REG_COUNTER_DATA`. These are the numbers in `thesis` ({link(JOIN)}); a build has those of "
+        "another configuration in `generated/CONFIG/dynrt_core.json`. `tokens` counts "
         "the tokens of a channel, `transactions` those that a unit has started, and `stalls` the "
         "clocks in which a unit had its tokens but an output had no room.",
         "",
