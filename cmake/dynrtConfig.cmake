@@ -3,6 +3,7 @@
 #
 # find_package(dynrt) gives
 #   dynrt::hls      the language's headers, for the native model
+#   dynrt::join     the library of joins of units (hls/join.h)
 #   dynrt::cosim    the bench that runs a unit's Verilog against its C++ (cosim/bench.h)
 #   dynrt::hlsc     the compiler
 #   dynrt_add_unit(NAME HEADER scale.h TYPE "example::Scale" [CLOCK_NS n] [DELAY ecp5|file.json])
@@ -38,6 +39,10 @@ target_include_directories(dynrt::hls INTERFACE ${DYNRT_INCLUDE_FOLDER}/include
                            ${DYNRT_INCLUDE_FOLDER}/native)
 target_compile_features(dynrt::hls INTERFACE cxx_std_20)
 target_link_libraries(dynrt::hls INTERFACE fmt::fmt)
+add_library(dynrt::join STATIC IMPORTED)
+set_target_properties(dynrt::join PROPERTIES IMPORTED_LOCATION
+                      ${dynrt_share}/../../lib/dynrt/libhls_join.a)
+target_link_libraries(dynrt::join INTERFACE dynrt::hls)
 add_library(dynrt::cosim INTERFACE IMPORTED)
 target_include_directories(dynrt::cosim INTERFACE ${DYNRT_INCLUDE_FOLDER})
 target_link_libraries(dynrt::cosim INTERFACE dynrt::hls)

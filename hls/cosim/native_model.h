@@ -46,18 +46,18 @@ struct Binding<T, PortKind::kConfig> {
 };
 template <class T>
 struct Binding<T, PortKind::kRamRead> {
-  std::shared_ptr<std::vector<T>> rows = std::make_shared<std::vector<T>>();
+  Rows<T> rows;
   /// As many rows as the address has values.
   template <class Port>
   void bind(Port& port) {
-    rows->resize(std::size_t{1} << Port::Address::kWidth);
+    rows = Rows<T>(std::size_t{1} << Port::Address::kWidth);
     port.bind(rows);
   }
 };
 template <class T>
 struct Binding<T, PortKind::kRamWrite> {
-  std::vector<std::pair<std::uint64_t, T>> log;
-  void bind(auto& port) { port.record(&log); }
+  std::shared_ptr<WriteLog<T>> log = std::make_shared<WriteLog<T>>();
+  void bind(auto& port) { port.bind_taker(&log_write<T>, log); }
 };
 
 template <class Port>
@@ -94,7 +94,7 @@ class NativePort : public ModelPort {
   }
   void give_row(std::uint64_t address, const TokenBits& row) override {
     if constexpr (kKind == PortKind::kRamRead) {
-      (*bound_.rows)[address] = from_bits<T>(row);
+      bound_.rows[address] = from_bits<T>(row);
     } else {
       refuse();
     }
@@ -107,9 +107,9 @@ class NativePort : public ModelPort {
   }
   std::optional<RowWrite> take_write() override {
     if constexpr (kKind == PortKind::kRamWrite) {
-      if (!bound_.log.empty()) {
-        RowWrite write{bound_.log.front().first, cosim::to_bits(bound_.log.front().second)};
-        bound_.log.erase(bound_.log.begin());
+      if (!bound_.log->empty()) {
+        RowWrite write{bound_.log->front().first, cosim::to_bits(bound_.log->front().second)};
+        bound_.log->erase(bound_.log->begin());
         return write;
       }
     }
@@ -129,7 +129,7 @@ class NativeModel : public Model {
   NativeModel() {
     const std::vector<std::string> names = split_names(Unit::hls_field_names());
     std::size_t index = 0;
-    std::apply([&](auto&... port) { (add(names[index++], port), ...); }, unit_->hls_fields());
+    unit_->hls_visit([&](auto&... port) { (add(names[index++], port), ...); });
   }
   void step() override { unit_->step(); }
 

@@ -32,8 +32,8 @@ class Cache {
     hit_ = join_.output("hit", lookup_.reply);
     filled_ = join_.output("filled", fill_.reply);
     miss_ = join_.output("miss", lookup_.miss);
-    join_.ram("lines", fill_.lines, std::vector{&lookup_.lines}, hls::Hazard::kStale);
-    join_.ram("waiting", lookup_.waiting, std::vector{&fill_.waiting});
+    join_.ram<hls::Hazard::kStale>("lines", fill_.lines, std::array{&lookup_.lines});
+    join_.ram("waiting", lookup_.waiting, std::array{&fill_.waiting});
   }
   void request(const Request& r) {
     lookup_.request.queue()->push(r);

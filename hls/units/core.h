@@ -41,7 +41,7 @@ namespace dynrt {
 template <class C>
 struct Banks {
   template <class W>
-  using Bank = std::shared_ptr<std::vector<W>>;
+  using Bank = hls::Rows<W>;
   std::array<Bank<SceneWord<typename C::Real>>, kSceneBanks> scene;
   std::array<Bank<Word>, kBanks - kFrameBank> out;
 };
@@ -162,19 +162,19 @@ struct Core {
                                 {&startup.free, &ray_generation.skipped, &shading.free},
                                 {&ray_generation.free}, kAll);
     join.ram("pixel_position", ray_generation.position,
-             std::vector{&send_packet.position, &shading.position});
+             std::array{&send_packet.position, &shading.position});
     if constexpr (kHasSecondary<C>) {
-      join.repeat("shade_job", std::vector{&node_fetch.top_done}, shader.job, kAll);
-      join.repeat("write_job", std::vector{&secondary_rays.finished}, shading.job, kAll);
+      join.repeat("shade_job", hls::Writers{&node_fetch.top_done}, shader.job, kAll);
+      join.repeat("write_job", hls::Writers{&secondary_rays.finished}, shading.job, kAll);
     } else {
-      join.repeat("shade_job", std::vector{&node_fetch.top_done}, shading.job, kAll);
+      join.repeat("shade_job", hls::Writers{&node_fetch.top_done}, shading.job, kAll);
     }
-    join.ram("hit_record", collect_hits.hit, std::vector{&shading.hit});
+    join.ram("hit_record", collect_hits.hit, std::array{&shading.hit});
   }
 
   void join_traversal(hls::Join& join) {
-    std::vector<hls::Out<TraversalEvent<C>>*> events = {&packet_decision.event, &node_fetch.again,
-                                                        &list.finished, &mailbox.start};
+    hls::Writers<TraversalEvent<C>> events = {&packet_decision.event, &node_fetch.again,
+                                              &list.finished, &mailbox.start};
     if constexpr (kClipsToBox<C>) {
       events.push_back(&box_clip.enter_object);
     } else if constexpr (kTwoLevels<C> && kHasReciprocals<C>) {
@@ -198,7 +198,7 @@ struct Core {
       join.ram("distance_" + std::to_string(i), collect_hits.distance[i], distance_readers(i));
       if constexpr (kSplitsPackets<C>) {
         join.ram("signs_" + std::to_string(i), packet_decoder.signs[i],
-                 std::vector{&node_fetch.signs[i]});
+                 std::array{&node_fetch.signs[i]});
       }
     }
     join.sink("stack_full", node_fetch.dropped);
@@ -208,9 +208,9 @@ struct Core {
   void join_rays(hls::Join& join, unsigned i) {
     const std::string name = "ray_" + std::to_string(i);
     if constexpr (kReadsAxes<C>) {
-      join.ram_of_words(name, rays_written(i), std::vector{&slice[i].ray});
+      join.ram_of_words(name, rays_written(i), std::array{&slice[i].ray});
     } else {
-      join.ram(name, rays_written(i), std::vector{&slice[i].ray});
+      join.ram(name, rays_written(i), std::array{&slice[i].ray});
     }
   }
   auto& rays_written(unsigned i) {
@@ -222,7 +222,7 @@ struct Core {
   }
 
   void join_lists(hls::Join& join) {
-    std::vector<hls::Out<ListJob<C>>*> jobs = {&packet_decision.leaf};
+    hls::Writers<ListJob<C>> jobs = {&packet_decision.leaf};
     if constexpr (kTwoLevels<C>) jobs.push_back(&node_fetch.object_done);
     if constexpr (Mailbox<C>::kHasObjects || Mailbox<C>::kHasTriangles) {
       jobs.push_back(&mailbox.seen);
@@ -232,11 +232,11 @@ struct Core {
     join.channel<ListJob<C>>("list_job", jobs, {&list.job}, kAll);
     join.channel("list_request", list.request, list_lookup.request, kAll);
     join.channel<MailboxEntry<C>>("list_entry", list_entries(), {&mailbox.entry}, kAll);
-    join.ram("last_entry", mailbox.last, std::vector{&list.last});
+    join.ram("last_entry", mailbox.last, std::array{&list.last});
   }
 
   void join_transformation(hls::Join& join) {
-    std::vector<hls::Out<TransformJob<C>>*> jobs = {&mailbox.fresh, &ray_generation.job};
+    hls::Writers<TransformJob<C>> jobs = {&mailbox.fresh, &ray_generation.job};
     if constexpr (kHasSecondary<C>) jobs.push_back(&secondary_rays.job);
     join.repeat("transform_job", jobs, matrix_fetch.job, kAll);
     join.channel("column_request", matrix_fetch.request, matrix_lookup.request);
@@ -251,23 +251,23 @@ struct Core {
     }
     for (unsigned c = 0; c < 4; ++c) {
       join.ram("column_" + std::to_string(c), matrix_store.column[c],
-               std::vector{&transformation.column[c]});
+               std::array{&transformation.column[c]});
     }
     join.ram("job_record", matrix_store.record,
-             std::vector{&packet_decoder.record, &collect_hits.record});
+             std::array{&packet_decoder.record, &collect_hits.record});
     if constexpr (kTwoLevels<C>) {
-      join.ram("object", matrix_store.object, std::vector{&collect_hits.object});
+      join.ram("object", matrix_store.object, std::array{&collect_hits.object});
     }
-    join.repeat("send_job", std::vector{&matrix_store.ready}, send_packet.job, kAll);
+    join.repeat("send_job", hls::Writers{&matrix_store.ready}, send_packet.job, kAll);
     std::vector vectors = {&send_packet.vectors};
     if constexpr (kHasLights<C>) vectors.push_back(&shader.vectors);
     join.ram("ray_vectors", packet_decoder.vectors, vectors);
     join.channel("packet_vector", send_packet.vector, transformation.vector);
     join.channel("transformed", transformation.transformed, packet_decoder.vector);
-    std::vector unit_rays = {&packet_decoder.unit_ray};
+    hls::Writers unit_rays = {&packet_decoder.unit_ray};
     if constexpr (kHasReciprocals<C>) {
       // Four rays come in five clocks and take twelve; the transformation must not wait for them.
-      join.repeat("traced_ray", std::vector{&packet_decoder.traced}, ray_reciprocal.traced,
+      join.repeat("traced_ray", hls::Writers{&packet_decoder.traced}, ray_reciprocal.traced,
                   kRays * kAll);
       unit_rays.push_back(&ray_reciprocal.reset);
     }
@@ -278,12 +278,12 @@ struct Core {
         join.channel("object_ray", packet_decoder.object_ray, box_clip.ray);
       }
       for (unsigned i = 0; i < kRays; ++i) {
-        join.ram("box_" + std::to_string(i), box_clip.interval[i], std::vector{&slice[i].box});
+        join.ram("box_" + std::to_string(i), box_clip.interval[i], std::array{&slice[i].box});
       }
     }
     if constexpr (kWatertight<C>) {
       join.channel("object_ray", packet_decoder.object_ray, ray_shear.ray);
-      join.ram("ray_map", ray_shear.map, std::vector{&transformation.map});
+      join.ram("ray_map", ray_shear.map, std::array{&transformation.map});
     }
     join.channel<UnitRay<C>>("unit_ray", unit_rays, {&intersection.unit_ray});
     join.channel("candidate", intersection.candidate, collect_hits.candidate);
@@ -291,13 +291,13 @@ struct Core {
 
   /// Light and reflection rays (thesis 6.2).
   void join_secondary(hls::Join& join) {
-    std::vector<hls::Out<DerivationEvent<C>>*> derive = {&shader.derive, &collect_hits.derived};
+    hls::Writers<DerivationEvent<C>> derive = {&shader.derive, &collect_hits.derived};
     std::vector surface = {&secondary_rays.surface, &collect_hits.surface};
     std::vector<hls::RamRead<Ray<typename C::Real>, kRayRows<C>>*> arriving;
     if constexpr (kHasLights<C>) {
       arriving.push_back(&light_columns.arriving);
       surface.push_back(&send_packet.surface);
-      join.ram("light", light_columns.light, std::vector{&shader.light});
+      join.ram("light", light_columns.light, std::array{&shader.light});
     }
     if constexpr (kHasMirrors<C>) {
       if constexpr (kTwoLevels<C>) derive.push_back(&packet_decoder.derived);
@@ -311,9 +311,9 @@ struct Core {
     join.channel<DerivationEvent<C>>("derive", derive, {&secondary_rays.derive}, kAll);
     join.ram("arriving_ray", packet_decoder.arriving, arriving);
     join.ram("surface_point", shader.surface, surface);
-    join.ram("traced", secondary_rays.traced, std::vector{&shader.traced});
-    join.ram("found", collect_hits.found, std::vector{&shader.found});
-    join.ram("pixel_colour", shader.pixel_colour, std::vector{&shading.pixel_colour});
+    join.ram("traced", secondary_rays.traced, std::array{&shader.traced});
+    join.ram("found", collect_hits.found, std::array{&shader.found});
+    join.ram("pixel_colour", shader.pixel_colour, std::array{&shading.pixel_colour});
   }
 
   /// The units that need the distance of a ray's hit.
@@ -324,9 +324,9 @@ struct Core {
   }
 
   /// The inputs of the mailbox.
-  std::vector<hls::Out<MailboxEntry<C>>*> list_entries() {
-    std::vector<hls::Out<MailboxEntry<C>>*> entries = {&list_lookup.reply, &list_fill.reply,
-                                                       &collect_hits.start};
+  hls::Writers<MailboxEntry<C>> list_entries() {
+    hls::Writers<MailboxEntry<C>> entries = {&list_lookup.reply, &list_fill.reply,
+                                             &collect_hits.start};
     if constexpr (kHasSecondary<C>) entries.push_back(&secondary_rays.start);
     return entries;
   }
@@ -357,8 +357,8 @@ struct Core {
 
   template <class Lookup, class Fill>
   static void join_cache(hls::Join& join, const std::string& name, Lookup& lookup, Fill& fill) {
-    join.ram(name + "_lines", fill.lines, std::vector{&lookup.lines}, hls::Hazard::kStale);
-    join.ram(name + "_waiting", lookup.waiting, std::vector{&fill.waiting});
+    join.ram<hls::Hazard::kStale>(name + "_lines", fill.lines, std::array{&lookup.lines});
+    join.ram(name + "_waiting", lookup.waiting, std::array{&fill.waiting});
   }
 };
 

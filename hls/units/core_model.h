@@ -27,9 +27,7 @@ template <class C>
 class CoreModel {
  public:
   CoreModel() {
-    const auto make = [](auto& bank) {
-      bank = std::make_shared<std::remove_cvref_t<decltype(*bank)>>(kBankWords);
-    };
+    const auto make = []<class Bank>(Bank& bank) { bank = Bank(kBankWords); };
     for (auto& bank : banks_.scene) make(bank);
     for (auto& bank : banks_.out) make(bank);
   }

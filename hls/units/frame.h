@@ -5,9 +5,6 @@
 // the board, in this order; the registers do not change while a frame is being rendered.
 #pragma once
 
-#include <cstddef>
-#include <utility>
-
 #include "hls/fields.h"
 
 namespace dynrt {
@@ -58,10 +55,8 @@ FrameRegisters<C> registers_of(const FrameConfig& all) {
     }
   };
   FrameRegisters<C> some;
-  [&, to = some.hls_fields(),
-   from = all.hls_fields()]<std::size_t... I>(std::index_sequence<I...>) {
-    ((std::get<I>(to) = value(std::get<I>(from))), ...);
-  }(std::make_index_sequence<std::tuple_size_v<decltype(all.hls_fields())>>());
+  some.hls_visit(
+      [&](auto&... to) { all.hls_visit([&](const auto&... from) { ((to = value(from)), ...); }); });
   return some;
 }
 

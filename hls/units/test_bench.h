@@ -44,7 +44,7 @@ class Bench {
  public:
   Bench() {
     join_.unit("unit", "unit", unit);
-    std::apply([this](auto&... port) { (this->bind(port), ...); }, unit.hls_fields());
+    unit.hls_visit([this](auto&... port) { (this->bind(port), ...); });
   }
 
   Unit unit;
@@ -72,12 +72,12 @@ class Bench {
     return tokens.empty() ? T{} : tokens.front();
   }
   template <class T, unsigned N>
-  std::vector<T>& rows(hls::RamWrite<T, N>& port) {
-    return *std::static_pointer_cast<std::vector<T>>(bound_.at(&port));
+  hls::Rows<T>& rows(hls::RamWrite<T, N>& port) {
+    return *std::static_pointer_cast<hls::Rows<T>>(bound_.at(&port));
   }
   template <class T, unsigned N, unsigned L>
-  std::vector<T>& rows(hls::RamRead<T, N, L>& port) {
-    return *std::static_pointer_cast<std::vector<T>>(bound_.at(&port));
+  hls::Rows<T>& rows(hls::RamRead<T, N, L>& port) {
+    return *std::static_pointer_cast<hls::Rows<T>>(bound_.at(&port));
   }
   template <class T>
   T& value(hls::Config<T>& port) {
@@ -104,8 +104,8 @@ class Bench {
   }
   template <class T, unsigned N, class Port>
   void bind_rows(Port& port) {
-    auto rows = std::make_shared<std::vector<T>>(N);
-    join_.bank("ram", port, rows);
+    auto rows = std::make_shared<hls::Rows<T>>(N);
+    join_.bank("ram", port, *rows);
     bound_[&port] = rows;
   }
   template <class T>

@@ -13,7 +13,7 @@ template <class C>
 class NativeCoreOf final : public NativeCore {
  public:
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override {
-    with_bank(bank, [&]<unsigned W>(std::vector<uint<W>>& to) {
+    with_bank(bank, [&]<unsigned W>(hls::Rows<uint<W>>& to) {
       constexpr unsigned kParts = (W + 31) / 32;
       for (std::size_t i = 0; i < words.size() / kParts; ++i) {
         std::uint64_t word = 0;
@@ -25,7 +25,7 @@ class NativeCoreOf final : public NativeCore {
     });
   }
   void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override {
-    with_bank(bank, [&]<unsigned W>(const std::vector<uint<W>>& from) {
+    with_bank(bank, [&]<unsigned W>(const hls::Rows<uint<W>>& from) {
       constexpr unsigned kParts = (W + 31) / 32;
       for (std::size_t i = 0; i < words.size(); ++i) {
         words[i] =
@@ -49,9 +49,9 @@ class NativeCoreOf final : public NativeCore {
   template <class Do>
   void with_bank(unsigned bank, Do&& action) {
     if (bank < kSceneBanks) {
-      action(*core_.banks().scene[bank]);
+      action(core_.banks().scene[bank]);
     } else {
-      action(*core_.banks().out.at(bank - kSceneBanks));
+      action(core_.banks().out.at(bank - kSceneBanks));
     }
   }
 

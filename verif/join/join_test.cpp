@@ -69,7 +69,7 @@ TEST(Top, NamesTheForkThatNeedsABound) {
   join.unit("number", "number", number);
   join.unit("pair", "pair", pair);
   join.input("job", number.job);
-  join.bank("salt", number.bank, std::make_shared<std::vector<uint<32>>>(kItems));
+  join.bank("salt", number.bank, hls::Rows<uint<32>>(kItems));
   for (auto* note : {&number.note, &pair.note}) {
     join.bank("note", *note, std::make_shared<std::vector<Value>>(16));
   }
@@ -158,7 +158,7 @@ class Outside {
   explicit Outside(std::uint64_t seed) : random_(seed) {
     context_.randReset(2);
     context_.randSeed(static_cast<int>(seed) + 1);
-    for (auto& word : *ring_.salt) word = uint<32>::from(random_.next());
+    for (auto& word : ring_.salt) word = uint<32>::from(random_.next());
     *ring_.add = uint<8>::from(random_.next());
     top_.add_i = static_cast<std::uint8_t>(ring_.add->to_u64());
     top_.counter_clear_i = 0;
@@ -222,7 +222,7 @@ class Outside {
     if (!reset && top_.result_en_o) result_[top_.result_addr_o] = top_.result_data_o;
     salt_.pop_front();
     salt_.push_back(std::nullopt);
-    if (top_.salt_en_o && !reset) salt_.back() = (*ring_.salt)[top_.salt_addr_o].to_u64();
+    if (top_.salt_en_o && !reset) salt_.back() = ring_.salt[top_.salt_addr_o].to_u64();
     top_.clk_i = 1;
     top_.eval();
   }

@@ -21,8 +21,8 @@ struct Ring {
   Round round;
 
   hls::Join join;
-  std::shared_ptr<std::vector<uint<32>>> salt = std::make_shared<std::vector<uint<32>>>(kItems);
-  std::shared_ptr<std::vector<uint<32>>> result = std::make_shared<std::vector<uint<32>>>(kItems);
+  hls::Rows<uint<32>> salt = hls::Rows<uint<32>>(kItems);
+  hls::Rows<uint<32>> result = hls::Rows<uint<32>>(kItems);
   std::shared_ptr<uint<8>> add = std::make_shared<uint<8>>();
   std::shared_ptr<hls::Fifo<Job>> job[2];
   std::shared_ptr<hls::Fifo<Item>> done;
@@ -40,7 +40,7 @@ struct Ring {
     job[0] = join.input("job_0", enter[0].job);
     job[1] = join.input("job_1", enter[1].job);
     join.channel<Job>("entered", {&enter[0].out, &enter[1].out}, {&store.job});
-    join.repeat("numbered", std::vector{&store.out}, number.job, 16);
+    join.repeat("numbered", hls::Writers{&store.out}, number.job, 16);
     join.channel<Item>("item", {&number.item}, {&side[0].item, &side[1].item, &pair.before},
                        kItems);
     join.config("add", add, std::vector{&side[0].add});
@@ -51,7 +51,7 @@ struct Ring {
     join.sink("odd_right", side[1].odd);
     join.channel<Item>("round", {&pair.out, &round.again}, {&round.item}, kItems);
     done = join.output("done", round.done);
-    join.ram("note", store.note, std::vector{&number.note, &pair.note});
+    join.ram("note", store.note, std::array{&number.note, &pair.note});
     join.bank("salt", number.bank, salt);
     join.bank("result", round.result, result);
   }

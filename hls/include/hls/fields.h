@@ -12,16 +12,23 @@
 
 #include <array>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
 #include "hls/int.h"
 
-/// Names the fields of a token, all of them, in packing order.
-#define HLS_FIELDS(...)                                               \
-  constexpr auto hls_fields() { return std::tie(__VA_ARGS__); }       \
-  constexpr auto hls_fields() const { return std::tie(__VA_ARGS__); } \
+/// Names the fields of a token, all of them, in packing order. hls_visit(visit) calls
+/// visit(field...) with all of them at once: a std::tuple of references would take the compiler as
+/// long as the unit.
+#define HLS_FIELDS(...)                                                      \
+  template <class Visit>                                                     \
+  [[gnu::nodebug]] constexpr decltype(auto) hls_visit(Visit&& visit) {       \
+    return visit(__VA_ARGS__);                                               \
+  }                                                                          \
+  template <class Visit>                                                     \
+  [[gnu::nodebug]] constexpr decltype(auto) hls_visit(Visit&& visit) const { \
+    return visit(__VA_ARGS__);                                               \
+  }                                                                          \
   static constexpr std::string_view hls_field_names() { return #__VA_ARGS__; }
 
 namespace hls {
@@ -45,8 +52,10 @@ struct FieldIf<false, T> {
   constexpr FieldIf() = default;
   constexpr FieldIf(const T&) {}
   constexpr T get() const { return T{}; }
-  constexpr auto hls_fields() { return std::tuple<>{}; }
-  constexpr auto hls_fields() const { return std::tuple<>{}; }
+  template <class Visit>
+  constexpr decltype(auto) hls_visit(Visit&& visit) const {
+    return visit();
+  }
   static constexpr std::string_view hls_field_names() { return {}; }
 };
 
@@ -66,7 +75,7 @@ struct is_array<std::array<T, N>> : std::true_type {};
 }  // namespace detail
 
 template <class T>
-concept Struct = requires(T& t) { t.hls_fields(); };
+concept Struct = requires { T::hls_field_names(); };
 template <class T>
 concept CustomLeaf = requires { T::kLeafWidth; };
 
@@ -86,9 +95,10 @@ constexpr unsigned bit_width_of() {
     return T::kLeafWidth;
   } else {
     static_assert(Struct<T>, "a token's struct names its fields with HLS_FIELDS");
-    return []<class... F>(std::type_identity<std::tuple<F&...>>) {
-      return (0u + ... + bit_width_of<std::remove_const_t<F>>());
-    }(std::type_identity<decltype(std::declval<T&>().hls_fields())>{});
+    return decltype(std::declval<T&>().hls_visit([](auto&... field) {
+      return std::integral_constant<
+          unsigned, (0u + ... + bit_width_of<std::remove_cvref_t<decltype(field)>>())>{};
+    }))::value;
   }
 }
 
@@ -101,13 +111,11 @@ constexpr void for_each_leaf(T& token, Visit&& visit, unsigned offset = 0) {
       for_each_leaf(token[i], visit, offset + i * bit_width_of<typename Plain::value_type>());
     }
   } else if constexpr (Struct<Plain>) {
-    std::apply(
-        [&](auto&... field) {
-          ((for_each_leaf(field, visit, offset),
-            offset += bit_width_of<std::remove_cvref_t<decltype(field)>>()),
-           ...);
-        },
-        token.hls_fields());
+    token.hls_visit([&](auto&... field) {
+      ((for_each_leaf(field, visit, offset),
+        offset += bit_width_of<std::remove_cvref_t<decltype(field)>>()),
+       ...);
+    });
   } else {
     static_assert(bit_width_of<Plain>() <= 64, "a leaf has at most 64 bits");
     visit(token, offset);
@@ -121,10 +129,9 @@ constexpr void copy_leaves(T& to, const T& from) {
   if constexpr (detail::is_array<T>::value) {
     for (unsigned i = 0; i < std::tuple_size_v<T>; ++i) copy_leaves(to[i], from[i]);
   } else if constexpr (Struct<T>) {
-    [target = to.hls_fields(),
-     source = from.hls_fields()]<std::size_t... I>(std::index_sequence<I...>) {
-      (copy_leaves(std::get<I>(target), std::get<I>(source)), ...);
-    }(std::make_index_sequence<std::tuple_size_v<decltype(to.hls_fields())>>());
+    to.hls_visit([&from](auto&... target) {
+      from.hls_visit([&](const auto&... source) { (copy_leaves(target, source), ...); });
+    });
   } else {
     to = from;
   }

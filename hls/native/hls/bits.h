@@ -62,16 +62,14 @@ void for_each_named_leaf(const T& token, Visit&& visit, const std::string& path)
     }
   } else if constexpr (Struct<T>) {
     std::string_view names = T::hls_field_names();
-    std::apply(
-        [&](const auto&... field) {
-          const auto visit_field = [&](const auto& f) {
-            const std::string_view name = next_name(names);
-            for_each_named_leaf(
-                f, visit, path.empty() ? std::string(name) : fmt::format("{}.{}", path, name));
-          };
-          (visit_field(field), ...);
-        },
-        token.hls_fields());
+    token.hls_visit([&](const auto&... field) {
+      const auto visit_field = [&](const auto& f) {
+        const std::string_view name = next_name(names);
+        for_each_named_leaf(f, visit,
+                            path.empty() ? std::string(name) : fmt::format("{}.{}", path, name));
+      };
+      (visit_field(field), ...);
+    });
   } else {
     visit(token, path);
   }

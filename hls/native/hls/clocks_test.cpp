@@ -55,7 +55,7 @@ TEST(Clocks, AUnitWithoutRoomWaits) {
   join.unit("send", "send", send);
   join.unit("receive", "receive", receive);
   auto in = join.input("in", send.in);
-  join.repeat("job", std::vector{&send.out}, receive.in);
+  join.repeat("job", hls::Writers{&send.out}, receive.in);
   auto out = join.output("out", receive.out);
   for (unsigned i = 0; i < 6; ++i) {
     in->push(Job{uint<4>(0), uint<6>::from(i)});

@@ -44,156 +44,95 @@ class Join {
   /// Adds a unit; its Verilog module has the name `module`.
   template <class U>
   void unit(const std::string& name, const std::string& module, U& unit) {
-    UnitRecord record{name, module, {}, group_};
-    ports_.add(record, unit);
-    record_.units.push_back(std::move(record));
-    processes_.push_back(
-        {name, 0, [&unit](std::uint64_t& transactions) { return run_unit(unit, transactions); }});
-    if (clocks_) {
-      clocks_->unit(name, module,
-                    [&process = processes_.back()] { process.run(process.transactions); });
-    }
+    const auto run = [](void* u, std::uint64_t& transactions) {
+      return run_unit(*static_cast<U*>(u), transactions);
+    };
+    unit.hls_visit([&](auto&... port) {
+      add_unit(name, module, &unit, run, U::hls_field_names(), {port_of(port)...});
+    });
   }
 
   /// One channel from any of `from` to all of `to`. `depth`, if not 0, promises that the channel
   /// never holds more tokens: its FIFOs hold them all and never refuse one.
   template <class T>
-  void channel(const std::string& name, std::vector<Out<T>*> from, std::vector<In<T>*> to,
+  void channel(const std::string& name, const Writers<T>& from, const Readers<T>& to,
                unsigned depth = 0) {
-    ChannelRecord record{name, {}, {}, bit_width_of<T>(), depth, ChannelKind::kChannel};
-    for (In<T>* in : to) {
-      record.to.push_back(ports_.name_of(in));
-      in->bind(std::make_shared<Fifo<T>>());
-    }
-    for (Out<T>* out : from) record.from.push_back(ports_.name_of(out));
-    if (clocks_) {
-      clocks_->channel(ports_, from, to, depth);
-    } else {
-      for (Out<T>* out : from) {
-        for (In<T>* in : to) out->bind(in->queue());
-      }
-    }
-    count(record, [queues = to] {
-      return queues.empty() ? std::uint64_t{0} : queues.front()->queue()->pushed();
-    });
+    add_channel(name, from.ends(), to.ends(), token_type<T>(), depth);
   }
   template <class T>
   void channel(const std::string& name, Out<T>& from, In<T>& to, unsigned depth = 0) {
-    channel<T>(name, {&from}, {&to}, depth);
+    add_channel(name, {&from}, {&to}, token_type<T>(), depth);
   }
 
   /// Sends every job `job.repeat` + 1 times, numbered from 0.
   template <class Job, class Numbered>
-  void repeat(const std::string& name, std::vector<Out<Job>*> from, In<Numbered>& to,
+  void repeat(const std::string& name, const Writers<Job>& from, In<Numbered>& to,
               unsigned depth = 0) {
-    auto jobs = std::make_shared<Fifo<Job>>();
     to.bind(std::make_shared<Fifo<Numbered>>());
-    ChannelRecord record{
-        name, {}, {ports_.name_of(&to)}, bit_width_of<Job>(), depth, ChannelKind::kRepeat};
-    record.repeat_width = bit_width_of<decltype(Job::repeat)>();
-    for (Out<Job>* out : from) record.from.push_back(ports_.name_of(out));
-    if (clocks_) {
-      clocks_->repeat(ports_, from, to, jobs, depth);
-    } else {
-      for (Out<Job>* out : from) out->bind(jobs);
-      processes_.push_back({"", 0, [jobs, out = to.queue()](std::uint64_t&) {
-                              bool progress = false;
-                              for (; !jobs->empty(); progress = true) {
-                                const Job job = jobs->pop();
-                                std::uint64_t number = 0;
-                                while (!send_numbered(job, number++, *out)) {
-                                }
-                              }
-                              return progress;
-                            }});
-    }
-    count(record, [jobs] { return jobs->pushed(); });
+    add_repeat(name, from.ends(), to, token_type<Job>(), bit_width_of<decltype(Job::repeat)>(),
+               &send_numbered<Job, Numbered>, depth);
   }
 
   /// A channel that the outside writes.
   template <class T>
   std::shared_ptr<Fifo<T>> input(const std::string& name, In<T>& to) {
-    to.bind(std::make_shared<Fifo<T>>());
-    record_.channels.push_back(
-        {name, {}, {ports_.name_of(&to)}, bit_width_of<T>(), 0, ChannelKind::kInput});
-    return clocks_ ? clocks_->input(ports_, name, to) : to.queue();
+    return std::static_pointer_cast<Fifo<T>>(add_input(name, to, token_type<T>()));
   }
   /// A channel that the outside reads.
   template <class T>
   std::shared_ptr<Fifo<T>> output(const std::string& name, Out<T>& from) {
-    auto queue = std::make_shared<Fifo<T>>();
-    record_.channels.push_back(
-        {name, {ports_.name_of(&from)}, {}, bit_width_of<T>(), 0, ChannelKind::kOutput});
-    if (clocks_) {
-      clocks_->output(ports_, name, from, queue);
-    } else {
-      from.bind(queue);
-    }
-    return queue;
+    return std::static_pointer_cast<Fifo<T>>(add_output(name, from, token_type<T>()));
   }
   /// A channel whose tokens are counted and dropped.
   template <class T>
   void sink(const std::string& name, Out<T>& from) {
-    auto queue = std::make_shared<Fifo<T>>();
-    if (clocks_) {
-      clocks_->sink(ports_, from, queue);
-    } else {
-      from.bind(queue);
-      processes_.push_back({"", 0, [queue](std::uint64_t&) {
-                              while (!queue->empty()) queue->pop();
-                              return false;
-                            }});
-    }
-    ChannelRecord record{name, {ports_.name_of(&from)}, {}, bit_width_of<T>(),
-                         0,    ChannelKind::kSink};
-    count(record, [queue] { return queue->pushed(); });
+    add_sink(name, from, token_type<T>());
   }
 
-  /// A RAM between units: one writer, a copy for each reader.
-  template <class T, unsigned N, unsigned L>
-  void ram(const std::string& name, RamWrite<T, N>& writer, std::vector<RamRead<T, N, L>*> readers,
-           Hazard hazard = Hazard::kExclusive) {
-    RamRecord record{name, ports_.name_of(&writer), {}, bit_width_of<T>(), N, hazard};
-    auto rows = std::make_shared<std::vector<T>>(N);
-    if (clocks_ && hazard == Hazard::kStale) {
-      clocks_->stale_ram(ports_, writer, *readers.at(0), rows);
-    } else {
-      writer.bind(rows);
+  /// A RAM between units: one writer, a copy for each of `readers`, a container of RamRead<T, N,
+  /// L>*. A stale one has one reader.
+  template <Hazard H = Hazard::kExclusive, class T, unsigned N>
+  void ram(const std::string& name, RamWrite<T, N>& writer, const auto& readers) {
+    const Rows<T> rows(N);
+    add_ram({name, {}, {}, bit_width_of<T>(), N, H}, &writer, bind_readers<N>(readers, rows));
+    if constexpr (H == Hazard::kStale) {
+      if (clocks_) {
+        const auto log = std::make_shared<WriteLog<T>>();
+        writer.bind_taker(&log_write<T>, log);
+        const auto land = [log, rows] {
+          rows[log->front().first] = log->front().second;
+          log->erase(log->begin());
+        };
+        clocks_->stale_ram(ports_,
+                           {&writer, *readers.begin(), [log] { return log->size(); }, land});
+        return;
+      }
     }
-    for (auto* reader : readers) {
-      record.readers.push_back(ports_.name_of(reader));
-      reader->bind(rows);
-    }
-    record_.rams.push_back(std::move(record));
+    writer.bind(rows);
   }
   /// A RAM whose rows are written whole and read a word at a time, with the word's number in the
   /// highest bits of the address. One word is written in a clock: the next row must not come before
   /// the last word is written, and a word must not be read before it is written.
-  template <class T, std::size_t W, unsigned N, unsigned M, unsigned L>
+  template <class T, std::size_t W, unsigned N>
   void ram_of_words(const std::string& name, RamWrite<std::array<T, W>, N>& writer,
-                    std::vector<RamRead<T, M, L>*> readers) {
-    static_assert(W > 1 && M == W * N && std::has_single_bit(N), "an address is word, row");
-    RamRecord record{name, ports_.name_of(&writer), {}, bit_width_of<std::array<T, W>>(),
-                     N,    Hazard::kExclusive,      W};
-    auto words = std::make_shared<std::vector<T>>(M);
-    writer.bind([words](std::uint64_t row, const std::array<T, W>& written) {
-      for (std::size_t w = 0; w < W; ++w) (*words)[w * N + row] = written[w];
-    });
-    for (auto* reader : readers) {
-      record.readers.push_back(ports_.name_of(reader));
-      reader->bind(words);
-    }
-    record_.rams.push_back(std::move(record));
+                    const auto& readers) {
+    static_assert(W > 1 && std::has_single_bit(N), "an address is word, row");
+    const Rows<T> words(W * N);
+    add_ram({name, {}, {}, bit_width_of<std::array<T, W>>(), N, Hazard::kExclusive, W}, &writer,
+            bind_readers<W * N>(readers, words));
+    const auto take = [](void* to, std::uint64_t row, const std::array<T, W>& written) {
+      for (std::size_t w = 0; w < W; ++w) static_cast<T*>(to)[w * N + row] = written[w];
+    };
+    writer.bind_taker(take, words.memory());
   }
   /// A reading or writing port that leaves the chip, on a bank that the outside owns.
   template <class T, unsigned N, unsigned L>
-  void bank(const std::string& name, RamRead<T, N, L>& reader,
-            std::shared_ptr<std::vector<T>> rows) {
+  void bank(const std::string& name, RamRead<T, N, L>& reader, Rows<T> rows) {
     reader.bind(std::move(rows));
     record_.banks.push_back({name, ports_.name_of(&reader), bit_width_of<T>(), N, false});
   }
   template <class T, unsigned N>
-  void bank(const std::string& name, RamWrite<T, N>& writer, std::shared_ptr<std::vector<T>> rows) {
+  void bank(const std::string& name, RamWrite<T, N>& writer, Rows<T> rows) {
     writer.bind(std::move(rows));
     record_.banks.push_back({name, ports_.name_of(&writer), bit_width_of<T>(), N, true});
   }
@@ -218,31 +157,13 @@ class Join {
 
   /// Marks channels and units, by name, whose counts depend on the order in which tokens are
   /// served: two runs of the same work may count differently there.
-  void depends_on_order(const std::vector<std::string>& names) {
-    for (const std::string& name : names) {
-      bool known = false;
-      const auto mark = [&](auto& records) {
-        for (auto& record : records) {
-          if (record.name == name) known = record.order_dependent = true;
-        }
-      };
-      mark(record_.channels);
-      mark(record_.units);
-      if (!known) throw std::logic_error("no channel and no unit has the name " + name);
-    }
-  }
+  void depends_on_order(const std::vector<std::string>& names);
 
   /// Says that the top has no counters.
   void leave_out_counters() { record_.counts = false; }
 
   /// Runs every unit until none has work left.
-  void run() {
-    bool progress = true;
-    while (progress) {
-      progress = false;
-      for (Process& process : processes_) progress |= process.run(process.transactions);
-    }
-  }
+  void run();
 
   /// The next token that the outside has put into an input comes in this clock, but not before the
   /// previous token. This function and the next ones are only for joins with clocks.
@@ -255,25 +176,56 @@ class Join {
 
   /// Transactions of every unit ("unit.transactions") and tokens of every channel
   /// ("channel.tokens"), and with clocks the stalls of every unit ("unit.stalls").
-  std::map<std::string, std::uint64_t> counters() const {
-    std::map<std::string, std::uint64_t> values;
-    for (const Process& process : processes_) {
-      if (process.name.empty()) continue;
-      values[process.name + ".transactions"] = process.transactions;
-      if (clocks_) values[process.name + ".stalls"] = clocks_->stalls(process.name);
-    }
-    for (const auto& [name, tokens] : tokens_) values[name + ".tokens"] = tokens();
-    return values;
-  }
+  std::map<std::string, std::uint64_t> counters() const;
 
   const JoinRecord& record() const { return record_; }
 
  private:
+  /// Works until an input is empty, and counts; false if there was nothing to do.
+  using Run = std::function<bool(std::uint64_t& transactions)>;
   struct Process {
-    std::string name;
+    std::string name;  ///< of its unit; empty: what stands between units
     std::uint64_t transactions;
-    std::function<bool(std::uint64_t&)> run;
+    Run run;
   };
+
+  /// Binds ports that read N rows; gives their addresses.
+  template <unsigned N, class T>
+  static std::vector<const void*> bind_readers(const auto& readers, const Rows<T>& rows) {
+    std::vector<const void*> ports;
+    for (auto* reader : readers) {
+      static_assert(std::remove_pointer_t<decltype(reader)>::kPort.rows == N);
+      reader->bind(rows);
+      ports.push_back(reader);
+    }
+    return ports;
+  }
+
+  void add_unit(const std::string& name, const std::string& module, void* unit,
+                bool (*run)(void* unit, std::uint64_t&), std::string_view port_names,
+                std::initializer_list<PortOfUnit> ports);
+  void add_channel(const std::string& name, const std::vector<OutEnd*>& from,
+                   const std::vector<InEnd*>& to, TokenType type, unsigned depth);
+  void add_repeat(const std::string& name, const std::vector<OutEnd*>& from, const InEnd& to,
+                  TokenType type, unsigned repeat_width, SendNumbered send, unsigned depth);
+  std::shared_ptr<TokenQueue> add_input(const std::string& name, InEnd& to, TokenType type);
+  std::shared_ptr<TokenQueue> add_output(const std::string& name, OutEnd& from, TokenType type);
+  void add_ram(RamRecord record, const void* writer, const std::vector<const void*>& readers);
+  void add_sink(const std::string& name, OutEnd& from, TokenType type);
+  void count(const ChannelRecord& record, std::function<std::uint64_t()> tokens);
+
+  template <class Job, class Numbered>
+  static bool send_numbered(TokenQueue& jobs, std::uint64_t number, TokenQueue& numbered) {
+    auto& from = static_cast<Fifo<Job>&>(jobs);
+    const Job& job = from.front();
+    Numbered token;
+    token.job = job;
+    token.index = decltype(token.index)::from(number);
+    token.last = number == job.repeat.to_u64();
+    static_cast<Fifo<Numbered>&>(numbered).push(token);
+    if (token.last) from.pop();
+    return token.last;
+  }
 
   /// Runs a unit until an input is empty; false if one was. Flattened: `step` and all that it calls
   /// is compiled into the loop.
@@ -290,8 +242,7 @@ class Join {
   /// How often a unit can step before it must look at its inputs again.
   template <class U>
   static std::size_t transactions_ready(U& unit) {
-    return std::apply([](auto&... port) { return std::min({tokens_ready(port)...}); },
-                      unit.hls_fields());
+    return unit.hls_visit([](auto&... port) { return std::min({tokens_ready(port)...}); });
   }
   template <class P>
   static std::size_t tokens_ready(P& port) {
@@ -313,15 +264,10 @@ class Join {
         offset += width;
       };
       T value{};
-      std::apply([&](auto&... field) { (add(bit_width_of<std::decay_t<decltype(field)>>()), ...); },
-                 value.hls_fields());
+      value.hls_visit(
+          [&](auto&... field) { (add(bit_width_of<std::decay_t<decltype(field)>>()), ...); });
     }
     return fields;
-  }
-
-  void count(const ChannelRecord& record, std::function<std::uint64_t()> tokens) {
-    record_.channels.push_back(record);
-    tokens_.emplace_back(record.name, std::move(tokens));
   }
 
   JoinRecord record_;

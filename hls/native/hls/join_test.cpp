@@ -104,7 +104,7 @@ TEST(Join, ARepeatedJobIsNumberedAndItsLastOneSaysSo) {
   join.unit("receive", "receive", receive);
   const auto in_a = join.input("in_a", a.in);
   const auto in_b = join.input("in_b", b.in);
-  join.repeat("jobs", std::vector{&a.out, &b.out}, receive.in);
+  join.repeat("jobs", hls::Writers{&a.out, &b.out}, receive.in);
   const auto out = join.output("out", receive.out);
   in_a->push(Job{2, 11});
   in_a->push(Job{0, 12});
@@ -140,7 +140,7 @@ TEST(Join, ARamHasOneWriterAndManyReaders) {
   const auto in = join.input("in", write.in);
   const auto in_left = join.input("in_left", left.in);
   const auto in_right = join.input("in_right", right.in);
-  join.ram("rows", write.row, std::vector{&left.row, &right.row});
+  join.ram("rows", write.row, std::array{&left.row, &right.row});
   const auto out_left = join.output("out_left", left.out);
   const auto out_right = join.output("out_right", right.out);
   in->push(Byte(3));
@@ -161,7 +161,7 @@ TEST(Join, ARamOfWordsIsWrittenByRowsAndReadByWords) {
   auto rows = join.input("rows", writer.in);
   auto addresses = join.input("addresses", reader.in);
   auto words = join.output("words", reader.out);
-  join.ram_of_words("table", writer.row, std::vector{&reader.word});
+  join.ram_of_words("table", writer.row, std::array{&reader.word});
   rows->push(5);
   rows->push(9);
   join.run();

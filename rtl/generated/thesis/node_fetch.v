@@ -141,18 +141,18 @@ module node_fetch #(
   wire [4:0] state_stack_s2 = mux_1_s2 + 5'd1;  // units/node_fetch.h:96
   wire not_7_s2 = ~event_6_s2;
   wire and_4_s2 = event_6_s2 & event_7_s2;
-  wire [4:0] mux_4_s2 = event_6_s2 ? (finished_s2 ? add_1_s2 : mux_1_s2) : ({5{full_s2}} | state_stack_s2);
-  wire [4:0] mux_5_s2 = event_7_s2 ? mux_4_s2 : mux_1_s2;
-  wire [4:0] mux_6_s2 = ~{5{enter_s2}} & mux_5_s2;
-  wire [1:0] mux_7_s2 = {~full_s2 | and_1_s2, full_s2 ? 1'd1 : 1'd0};
+  wire [1:0] mux_3_s2 = {~full_s2 | and_1_s2, full_s2 ? 1'd1 : 1'd0};
   wire not_9_s2 = ~event_7_s2;
   wire or_4_s2 = enter_s2 | (event_6_s2 | not_9_s2);
-  wire [2:0] mux_8_s2 = {event_7_s2 ? 1'd1 : 1'd0, ~event_7_s2 & and_1_s2, event_7_s2 ? 1'd0 : 1'd1};
-  wire [2:0] mux_9_s2 = ~{3{enter_s2}} & mux_8_s2;
-  wire [2:0] mux_10_s2 = {or_4_s2 & mux_9_s2[2], or_4_s2 ? mux_9_s2[1:0] : mux_7_s2};
-  wire [3:0] mux_12_s2 = enter_s2 ? e_both_s2 : (and_4_s2 ? context_both_s2 : e_both_s2);
-  wire [3:0] mux_14_s2 = enter_s2 ? e_active_s2 : (and_4_s2 ? active_s2 : e_active_s2);
-  wire [4:0] mux_15_s2 = and_4_s2 ? add_1_s2 : mux_1_s2;
+  wire [2:0] mux_4_s2 = {event_7_s2 ? 1'd1 : 1'd0, ~event_7_s2 & and_1_s2, event_7_s2 ? 1'd0 : 1'd1};
+  wire [2:0] mux_5_s2 = ~{3{enter_s2}} & mux_4_s2;
+  wire [2:0] mux_6_s2 = {or_4_s2 & mux_5_s2[2], or_4_s2 ? mux_5_s2[1:0] : mux_3_s2};
+  wire [3:0] mux_8_s2 = enter_s2 ? e_both_s2 : (and_4_s2 ? context_both_s2 : e_both_s2);
+  wire [3:0] mux_10_s2 = enter_s2 ? e_active_s2 : (and_4_s2 ? active_s2 : e_active_s2);
+  wire [4:0] mux_11_s2 = and_4_s2 ? add_1_s2 : mux_1_s2;
+  wire [4:0] mux_12_s2 = ~{5{enter_s2}} & mux_11_s2;
+  wire [4:0] mux_14_s2 = event_6_s2 ? (finished_s2 ? add_1_s2 : mux_1_s2) : ({5{full_s2}} | state_stack_s2);
+  wire [4:0] mux_15_s2 = event_7_s2 ? mux_14_s2 : mux_1_s2;
   wire [4:0] mux_16_s2 = ~{5{enter_s2}} & mux_15_s2;
   wire [18:0] mux_18_s2 = enter_s2 ? e_next_s2 : (and_4_s2 ? address_s2 : e_next_s2);
 
@@ -161,7 +161,7 @@ module node_fetch #(
     .BOUNDED(REQUEST_BOUNDED)) request_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && (fetch_s2 | (not_7_s2 | not_9_s2))), .ready_o(request_room),
-    .data_i({mux_18_s2, mux_16_s2, mux_14_s2, mux_12_s2, mux_10_s2, e_level_s2, e_packet_s2}),
+    .data_i({mux_18_s2, mux_12_s2, mux_10_s2, mux_8_s2, mux_6_s2, e_level_s2, e_packet_s2}),
     .valid_o(request_valid_o), .ready_i(request_ready_i), .data_o(request_data_o));
   wire [5:0] again_stored;
   hls_fifo #(.WIDTH(6), .DEPTH(AGAIN_DEPTH), .MARGIN(AGAIN_BOUNDED ? 0 : 2),
@@ -200,7 +200,7 @@ module node_fetch #(
   hls_ram_1r1w #(.WIDTH(9), .ROWS(64), .EXCLUSIVE(1)) states_ram (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .write_en_i(states_write), .write_addr_i(states_write_addr),
-    .write_data_i({state_alive_3_s2, mux_6_s2}),
+    .write_data_i({state_alive_3_s2, mux_16_s2}),
     .read_en_i(states_read), .read_addr_i(states_read_addr), .read_data_o(states_row));
 `ifdef HLS_ASSERT
   reg [6:0] states_reads [1:2];  // enables and addresses of the clocks before

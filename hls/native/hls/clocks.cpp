@@ -1,0 +1,172 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "hls/clocks.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace hls {
+
+void Clocks::unit(const std::string& name, const ModuleSchedule& schedule,
+                  std::function<void()> run) {
+  units_.push_back({.name = name, .schedule = schedule, .run = std::move(run)});
+}
+
+Clocks::Queue* Clocks::output(const std::string& name, std::function<std::uint64_t()> pushed,
+                              bool bounded) {
+  Unit& unit = find(name);
+  queues_.push_back({.pushed = std::move(pushed), .room = bounded ? 0 : unit.schedule.room});
+  unit.outputs.push_back(&queues_.back());
+  return &queues_.back();
+}
+
+void Clocks::feed(const std::string& name, std::vector<Feed> feeds) {
+  find(name).sources.push_back({.feeds = std::move(feeds)});
+}
+
+std::vector<Clocks::Queue*> Clocks::fork(std::vector<Feed> feeds,
+                                         const std::vector<std::string>& readers,
+                                         std::size_t queues, unsigned depth) {
+  Fork fork{.source = {.feeds = std::move(feeds)}};
+  for (const std::string& name : readers) {
+    fork.readers.push_back(&find(name));
+    find(name).waits_for_fork = true;
+  }
+  for (std::size_t i = 0; i < queues; ++i) {
+    fork.branches.push_back(&queues_.emplace_back(Queue{.room = depth}));
+  }
+  forks_.push_back(std::move(fork));
+  return forks_.back().branches;
+}
+
+void Clocks::sink(Feed feed) { sinks_.push_back({.feeds = {std::move(feed)}}); }
+
+void Clocks::stale_ram(const std::string& writer, const std::string& port, unsigned read_stage,
+                       std::function<std::uint64_t()> logged, std::function<void()> land) {
+  Unit& unit = find(writer);
+  const auto stage = unit.schedule.ram_stages.find(port);
+  if (stage == unit.schedule.ram_stages.end()) {
+    throw std::invalid_argument("the schedule of unit '" + writer + "' does not say in which " +
+                                "stage it writes '" + port + "'");
+  }
+  const unsigned written = stage->second + 1;
+  rams_.push_back({.after = written > read_stage ? written - read_stage : 0,
+                   .logged = std::move(logged),
+                   .land = std::move(land)});
+  unit.rams.push_back(&rams_.back());
+}
+
+void Clocks::run() {
+  for (std::uint64_t now = next(0); now != kNever;) now = tick(now) ? now + 1 : next(now + 1);
+}
+
+bool Clocks::Queue::has_room(std::uint64_t now) const {
+  if (room == 0) return true;
+  std::size_t waiting = taken_at == now ? 1 : 0;
+  for (auto at = ready.begin(); at != ready.end() && *at <= now; ++at) ++waiting;
+  return waiting < room;
+}
+
+int Clocks::Source::choice(std::uint64_t now) const {
+  if (offered >= 0) return offered;
+  int first = -1;
+  for (int i = 0; i < static_cast<int>(feeds.size()); ++i) {
+    if (!feeds[static_cast<std::size_t>(i)].queue->offers(now)) continue;
+    if (after >> i & 1) return i;
+    if (first < 0) first = i;
+  }
+  return first;
+}
+
+void Clocks::Source::take(std::uint64_t now, int chosen) {
+  Feed& feed = feeds[static_cast<std::size_t>(chosen)];
+  if (!feed.move()) {
+    offered = chosen;
+    return;
+  }
+  feed.queue->ready.pop_front();
+  feed.queue->taken_at = now;
+  offered = -1;
+  after = ~1u << chosen;
+}
+
+bool Clocks::Unit::has_room(std::uint64_t now) const {
+  return std::ranges::all_of(outputs, [now](const Queue* q) { return q->has_room(now); });
+}
+
+Clocks::Unit& Clocks::find(const std::string& name) {
+  const auto found = std::ranges::find(units_, name, &Unit::name);
+  if (found == units_.end()) throw std::logic_error("no unit has the name " + name);
+  return *found;
+}
+
+bool Clocks::tick(std::uint64_t now) {
+  bool moved = false;
+  for (Ram& ram : rams_) {
+    for (; !ram.due.empty() && ram.due.front() <= now; ram.due.pop_front()) ram.land();
+  }
+  for (Source& sink : sinks_) {
+    if (sink.feeds[0].queue->offers(now)) {
+      sink.take(now, 0);
+      moved = true;
+    }
+  }
+  for (Fork& fork : forks_) moved |= pass(fork, now);
+  for (Unit& unit : units_) moved |= fire(unit, now);
+  return moved;
+}
+
+bool Clocks::pass(Fork& fork, std::uint64_t now) {
+  const int chosen = fork.source.choice(now);
+  if (chosen < 0) return false;
+  const bool ready =
+      std::ranges::all_of(fork.readers, [now](const Unit* u) { return u->has_room(now); }) &&
+      std::ranges::all_of(fork.branches, [now](const Queue* q) { return q->has_room(now); });
+  if (!ready) {
+    fork.source.offered = chosen;
+    return false;
+  }
+  fork.source.take(now, chosen);
+  for (Unit* reader : fork.readers) reader->forked_at = now;
+  for (Queue* branch : fork.branches) branch->ready.push_back(now + 1);
+  return true;
+}
+
+bool Clocks::fire(Unit& unit, std::uint64_t now) {
+  if (unit.waits_for_fork) {
+    if (unit.forked_at != now) return false;
+  } else {
+    bool tokens = true;
+    for (Source& source : unit.sources) tokens &= source.choice(now) >= 0;
+    const bool room = unit.has_room(now);
+    if (!tokens || !room) {
+      unit.stalls += tokens;
+      for (Source& source : unit.sources) source.offered = source.choice(now);
+      return false;
+    }
+    for (Source& source : unit.sources) source.take(now, source.choice(now));
+  }
+  unit.run();
+  for (Queue* queue : unit.outputs) {
+    for (const std::uint64_t pushed = queue->pushed(); queue->sent < pushed; ++queue->sent) {
+      queue->ready.push_back(now + unit.schedule.stages);
+    }
+  }
+  for (Ram* ram : unit.rams) {
+    while (ram->due.size() < ram->logged()) ram->due.push_back(now + ram->after);
+  }
+  return true;
+}
+
+std::uint64_t Clocks::next(std::uint64_t now) const {
+  std::uint64_t soonest = kNever;
+  for (const Queue& queue : queues_) {
+    if (!queue.ready.empty() && queue.ready.front() >= now) {
+      soonest = std::min(soonest, queue.ready.front());
+    }
+  }
+  return soonest;
+}
+
+}  // namespace hls
