@@ -66,10 +66,13 @@ class Ram1R1W {
   using Address = uint<index_width(N)>;
   T read(Address address) const { return rows_[address.to_u64()]; }
   void write(Address address, const T& row) { rows_[address.to_u64()] = row; }
-  void clear() { rows_.fill(T{}); }
+  void clear() { rows_ = Rows<T>(N); }
+  Ram1R1W() = default;
+  Ram1R1W(const Ram1R1W&) = delete;  // a copy would share the rows
+  Ram1R1W& operator=(const Ram1R1W&) = delete;
 
  private:
-  std::array<T, N> rows_{};
+  Rows<T> rows_{N};
 };
 
 /// A RAM small enough for LUTs, read and written in one stage, so that consecutive transactions on
