@@ -49,6 +49,13 @@ inline constexpr char kLightsTooMany[] =
 inline constexpr char kMirrorsUnused[] =
     "the scene has {}, but configuration {} has no reflected rays; {}";
 
+// Stress cases
+inline constexpr char kFormatText[] =
+    "--format {}: write the bits of exponent and mantissa, for example 7,12";
+inline constexpr char kFormatOfFile[] =
+    "--format: --config {} is a file, which has its own format; name a configuration";
+inline constexpr char kFormatNotListed[] = "--format: there is no configuration '{}'";
+
 // Frames
 inline constexpr char kDroppedPushes[] =
     "warning     {} pushes onto full stacks (of {} entries in the top-level tree, {} in objects) "

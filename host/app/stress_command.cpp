@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "host/analysis/stress/run.h"
-#include "host/analysis/stress/stress_messages.h"
 #include "host/analysis/truth/require_truth.h"
+#include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/command.h"
 #include "host/app/progress.h"
@@ -47,7 +47,7 @@ class OtherFormat {
     const std::size_t comma = format.find(',');
     if (comma == std::string::npos || !parse(format.substr(0, comma), exponent_bits_) ||
         !parse(format.substr(comma + 1), mantissa_bits_)) {
-      refuse(stress::messages::kFormat, format);
+      refuse(messages::kFormatText, format);
     }
     std::string pattern = (std::filesystem::temp_directory_path() / "dynrt-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder");
@@ -63,11 +63,11 @@ class OtherFormat {
   /// The file of a configuration of the table, with its format changed.
   std::string file(const std::string& configuration) const {
     if (is_configuration_file(configuration)) {
-      refuse(stress::messages::kFormatOfFile, configuration);
+      refuse(messages::kFormatOfFile, configuration);
     }
     const auto listed = listed_configurations();
     if (std::ranges::find(listed, configuration, &CoreConfiguration::name) == listed.end()) {
-      refuse(stress::messages::kNotListed, configuration);
+      refuse(messages::kFormatNotListed, configuration);
     }
     const nlohmann::ordered_json keys{{"like", configuration},
                                       {"exponent_bits", exponent_bits_},

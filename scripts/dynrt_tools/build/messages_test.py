@@ -1,7 +1,8 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Looks for messages of one name and namespace in two tables *_messages.h. The linker would keep one
-text of the two without a word, and the other's program would print it."""
+"""Looks for messages of one name and namespace in two tables *_messages.h: the linker would keep one
+text of the two without a word, and the other's program would print it. And for messages below the
+program, host/app, that name one of its flags: other programs use that code, and have other flags."""
 
 import pathlib
 import re
@@ -12,6 +13,11 @@ from dynrt_tools import project, testing
 ROOMS = ("host", "hls", "verif")
 NAMESPACE = re.compile(r"^namespace ([\w:]+) \{$", re.MULTILINE)
 MESSAGE = re.compile(r"^inline constexpr \w[\w:]* (\w+)(?:\[\])? *=", re.MULTILINE)
+
+COMMENT = re.compile(r"^\s*//.*")
+LITERAL = re.compile(r'"((?:[^"\\]|\\.)*)"')
+SCRIPT = re.compile(r"scripts/\w+(?: --?[\w-]+)*")
+FLAG = re.compile(r"(?!^--[\w-]+$)(?:^|.*?[\s'(])(--[a-z][\w-]*)")
 
 
 def messages_of(root: pathlib.Path) -> list[tuple[str, str]]:
@@ -38,6 +44,26 @@ def repeated(messages: list[tuple[str, str]]) -> list[str]:
     return sentences
 
 
+def messages_with_flags(root: pathlib.Path) -> list[str]:
+    """A sentence for each text with the flag of a program below host/app. A flag that stands alone
+    is an argument for a script, and one behind a script's name is that script's."""
+    sentences = []
+    for path in sorted((root / "host").rglob("*")):
+        name = path.relative_to(root).as_posix()
+        if path.suffix not in (".h", ".cpp", ".in") or path.stem.endswith("_test"):
+            continue
+        if name.startswith("host/app/"):
+            continue
+        for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), start=1):
+            for text in LITERAL.findall(COMMENT.sub("", line)):
+                if flag := FLAG.search(SCRIPT.sub("", text)):
+                    sentences.append(
+                        f"{name}:{number}: a message names the flag {flag[1]}, which only host/app "
+                        "knows; name the value, or move the message there"
+                    )
+    return sentences
+
+
 class Messages(testing.InFolder):
     def test_no_two_have_one_name(self) -> None:
         found = messages_of(project.ROOT)
@@ -59,6 +85,28 @@ class Messages(testing.InFolder):
             [
                 "host/b/b_messages.h:3: our::messages::kNone stands in host/a/a_messages.h:3 too; "
                 "rename one"
+            ],
+        )
+
+    def test_none_below_the_program_names_a_flag(self) -> None:
+        self.assertEqual(messages_with_flags(project.ROOT), [])
+
+    def test_a_flag_below_the_program_is_found(self) -> None:
+        testing.write_tree(
+            self.folder,
+            {
+                "host/app/a_messages.h": 'char kA[] = "--size {}: too large";\n',
+                "host/board/a_test.cpp": 'expect("--size 3: too large");\n',
+                "host/board/b_messages.h": 'char kB[] =\n    "{}: no such board; give --board";\n',
+                "host/board/run.cpp": 'run("scripts/test --build-only", "--rtl");\n// "--size 3: x"\n',
+                "host/render/c.cpp": 'throw UserError("--size 0: write more");\n',
+            },
+        )
+        self.assertEqual(
+            [sentence.partition(", which")[0] for sentence in messages_with_flags(self.folder)],
+            [
+                "host/board/b_messages.h:2: a message names the flag --board",
+                "host/render/c.cpp:1: a message names the flag --size",
             ],
         )
 
