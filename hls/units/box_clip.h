@@ -12,6 +12,7 @@
 #pragma once
 
 #include "units/packet_rays.h"
+#include "units/traversal_tokens.h"
 
 namespace dynrt {
 

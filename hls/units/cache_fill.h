@@ -6,6 +6,7 @@
 #pragma once
 
 #include "units/cache_lookup.h"
+#include "units/memory_tokens.h"
 
 namespace dynrt {
 

@@ -13,7 +13,11 @@
 // neighbouring one. Only a sphere may shadow itself: its far side is in its own shadow.
 #pragma once
 
+#include "units/intersection_tokens.h"
 #include "units/packet_rays.h"
+#include "units/shading_tokens.h"
+#include "units/transformation_tokens.h"
+#include "units/traversal_tokens.h"
 
 namespace dynrt {
 

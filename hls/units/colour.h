@@ -5,7 +5,7 @@
 #pragma once
 
 #include "units/frame.h"
-#include "units/tokens.h"
+#include "units/packet.h"
 
 namespace dynrt {
 

@@ -18,7 +18,7 @@
 // factor that the scalar product lacks.
 #pragma once
 
-#include "units/tokens.h"
+#include "units/intersection_tokens.h"
 
 namespace dynrt {
 

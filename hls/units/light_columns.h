@@ -7,7 +7,9 @@
 // that makes the ray are origin and direction of the ray that hit the surface.
 #pragma once
 
-#include "units/tokens.h"
+#include "units/memory_tokens.h"
+#include "units/shading_tokens.h"
+#include "units/transformation_tokens.h"
 
 namespace dynrt {
 

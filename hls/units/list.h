@@ -5,7 +5,8 @@
 // list one by one; after the last one the packet goes back to the traversal.
 #pragma once
 
-#include "units/tokens.h"
+#include "units/memory_tokens.h"
+#include "units/traversal_tokens.h"
 
 namespace dynrt {
 

@@ -9,7 +9,9 @@
 #pragma once
 
 #include "units/frame.h"
-#include "units/tokens.h"
+#include "units/shading_tokens.h"
+#include "units/transformation_tokens.h"
+#include "units/traversal_tokens.h"
 
 namespace dynrt {
 

@@ -6,7 +6,10 @@
 // where triangles are stored in three (5.1.1), for those.
 #pragma once
 
-#include "units/tokens.h"
+#include "units/memory_tokens.h"
+#include "units/repeated.h"
+#include "units/shading_tokens.h"
+#include "units/transformation_tokens.h"
 
 namespace dynrt {
 

@@ -8,7 +8,8 @@
 #pragma once
 
 #include "units/frame.h"
-#include "units/tokens.h"
+#include "units/memory_tokens.h"
+#include "units/transformation_tokens.h"
 
 namespace dynrt {
 

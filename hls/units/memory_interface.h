@@ -7,7 +7,7 @@
 #pragma once
 
 #include "hls/cast.h"
-#include "units/tokens.h"
+#include "units/memory_tokens.h"
 
 namespace dynrt {
 

@@ -13,7 +13,9 @@
 // hit in one child may lie behind a hit in the other.
 #pragma once
 
-#include "units/tokens.h"
+#include "units/memory_tokens.h"
+#include "units/shading_tokens.h"
+#include "units/traversal_tokens.h"
 
 namespace dynrt {
 

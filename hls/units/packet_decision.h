@@ -7,7 +7,7 @@
 // reflected rays some may, and these cross the others (thesis 3.1.3).
 #pragma once
 
-#include "units/tokens.h"
+#include "units/traversal_tokens.h"
 
 namespace dynrt {
 

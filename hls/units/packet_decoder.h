@@ -8,8 +8,12 @@
 // it is ready.
 #pragma once
 
+#include "units/intersection_tokens.h"
 #include "units/packet_rays.h"
 #include "units/send_packet.h"
+#include "units/shading_tokens.h"
+#include "units/transformation_tokens.h"
+#include "units/traversal_tokens.h"
 
 namespace dynrt {
 

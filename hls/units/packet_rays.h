@@ -5,7 +5,7 @@
 // the port with the ray's number; data of the packet follow its last ray.
 #pragma once
 
-#include "units/tokens.h"
+#include "units/traversal_tokens.h"
 
 namespace dynrt {
 

@@ -12,7 +12,10 @@
 // along such a component.
 #pragma once
 
+#include "units/intersection_tokens.h"
 #include "units/packet_rays.h"
+#include "units/repeated.h"
+#include "units/traversal_tokens.h"
 
 namespace dynrt {
 

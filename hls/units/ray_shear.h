@@ -7,6 +7,8 @@
 #pragma once
 
 #include "units/packet_rays.h"
+#include "units/traversal_tokens.h"
+#include "units/watertight.h"
 
 namespace dynrt {
 

@@ -10,7 +10,9 @@
 // watertight test each ray's direction is sent three times, once for each corner of the triangle.
 #pragma once
 
-#include "units/tokens.h"
+#include "units/repeated.h"
+#include "units/shading_tokens.h"
+#include "units/transformation_tokens.h"
 
 namespace dynrt {
 

@@ -14,7 +14,9 @@
 #include "units/colour.h"
 #include "units/frame.h"
 #include "units/light_columns.h"
+#include "units/repeated.h"
 #include "units/send_packet.h"
+#include "units/shading_tokens.h"
 
 namespace dynrt {
 

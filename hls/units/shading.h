@@ -10,8 +10,10 @@
 
 #include "units/colour.h"
 #include "units/frame.h"
+#include "units/intersection_tokens.h"
 #include "units/ray_generation.h"
-#include "units/tokens.h"
+#include "units/repeated.h"
+#include "units/shading_tokens.h"
 
 namespace dynrt {
 

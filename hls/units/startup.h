@@ -6,8 +6,8 @@
 // caches time to empty in between, so that no packet meets a line of an earlier frame.
 #pragma once
 
+#include "units/memory_tokens.h"
 #include "units/ray_generation.h"
-#include "units/tokens.h"
 
 namespace dynrt {
 

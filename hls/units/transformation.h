@@ -11,7 +11,8 @@
 // the normal meanwhile.
 #pragma once
 
-#include "units/tokens.h"
+#include "units/transformation_tokens.h"
+#include "units/watertight.h"
 
 namespace dynrt {
 

@@ -10,7 +10,7 @@
 // kWidening steps of the mantissa up and down.
 #pragma once
 
-#include "units/tokens.h"
+#include "units/traversal_tokens.h"
 
 namespace dynrt {
 

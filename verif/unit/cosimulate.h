@@ -13,7 +13,7 @@
 
 #include DYNRT_CONFIG_HEADER
 #include "cosim/bench.h"
-#include "units/tokens.h"
+#include "units/packet.h"
 
 namespace dynrt::cosim {
 

@@ -1,0 +1,47 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tokens of the intersection and the hits that it finds (thesis 6.1.4, 5.2). C is a configuration
+// (hls/configs).
+#pragma once
+
+#include <type_traits>
+
+#include "units/packet.h"
+#include "units/watertight.h"
+
+namespace dynrt {
+
+template <class C>
+struct UnitRay {
+  PacketId<C> packet;
+  RayIndex ray;
+  bool reset = false;  ///< not a test: the ray is new and has no hit yet
+  /// The ray in unit space, or the triangle in the ray's.
+  std::conditional_t<kWatertight<C>, MappedTriangle<typename C::Real>, Ray<typename C::Real>> unit;
+  PrimitiveField<C> primitive{};
+  hls::FieldIf<kScalesCosine<C>, typename C::Real> cosine_factor{};
+  HLS_FIELDS(packet, ray, reset, unit, primitive, cosine_factor)
+};
+
+template <class C>
+struct HitCandidate {
+  PacketId<C> packet;
+  RayIndex ray;
+  bool reset = false;
+  bool hit = false;
+  typename C::Real t, u, v, cosine;
+  HLS_FIELDS(packet, ray, reset, hit, t, u, v, cosine)
+};
+
+template <class C>
+struct HitRecord {
+  bool hit = false;
+  typename C::Real t, u, v, cosine;
+  OfInstance<C, MatrixNumber<C>> object;
+  MatrixNumber<C> triangle;
+  SurfaceColour<C> colour;
+  HLS_FIELDS(hit, t, u, v, cosine, object, triangle, colour)
+};
+
+}  // namespace dynrt

@@ -1,0 +1,81 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tokens of the caches and of the memory behind them (thesis 7). C is a configuration
+// (hls/configs).
+#pragma once
+
+#include <algorithm>
+
+#include "units/packet.h"
+#include "units/transformation_tokens.h"
+#include "units/traversal_tokens.h"
+
+namespace dynrt {
+
+/// `AddressBits` are those of the core's nodes or columns.
+template <class Context, unsigned AddressBits = kAddressBits>
+struct CacheRequest {
+  Context context;
+  uint<AddressBits> address;
+  HLS_FIELDS(context, address)
+};
+
+/// Data is Line, the bits of a node, a list entry or a matrix column.
+template <class Context, class Line, unsigned AddressBits = kAddressBits>
+struct CacheReply {
+  Context context;
+  uint<AddressBits> address;
+  Line line;
+  HLS_FIELDS(context, address, line)
+};
+
+template <class Line, unsigned AddressBits = kAddressBits>
+struct CacheRow {
+  bool valid = false;
+  uint<AddressBits> tag;
+  Line line;
+  HLS_FIELDS(valid, tag, line)
+};
+
+enum class MemoryKind : unsigned char { kNode, kList, kColumn };
+
+/// `key` names the request within its cache: the packet, or packet and column.
+template <class C>
+struct MemoryRequest {
+  MemoryKind kind = MemoryKind::kNode;
+  uint<2 + PacketId<C>::kWidth> key;
+  uint<std::max(NodeAddress<C>::kWidth, ColumnAddress<C>::kWidth)> address;
+  HLS_FIELDS(kind, key, address)
+};
+
+/// A line for a cache: the answer to a request, or the order to invalidate a line.
+template <class C, class Line, unsigned AddressBits = kAddressBits>
+struct CacheLine {
+  bool invalidate = false;
+  uint<2 + PacketId<C>::kWidth> key;
+  uint<AddressBits> address;
+  Line line;
+  HLS_FIELDS(invalidate, key, address, line)
+};
+template <class C>
+using NodeLine = CacheLine<C, CoreNode<C>, NodeAddress<C>::kWidth>;
+template <class C>
+using ListLine = CacheLine<C, CoreListEntry<C>, NodeAddress<C>::kWidth>;
+template <class C>
+using ColumnLine = CacheLine<C, MatrixColumn<typename C::Real>, ColumnAddress<C>::kWidth>;
+
+template <class C>
+using NodeRequest = CacheRequest<StepContext<C>, NodeAddress<C>::kWidth>;
+template <class C>
+using ListRequest = CacheRequest<ListContext<C>, NodeAddress<C>::kWidth>;
+template <class C>
+using ColumnRequest = CacheRequest<ColumnContext<C>, ColumnAddress<C>::kWidth>;
+template <class C>
+using ColumnReply =
+    CacheReply<ColumnContext<C>, MatrixColumn<typename C::Real>, ColumnAddress<C>::kWidth>;
+
+}  // namespace dynrt
+
+template <>
+inline constexpr unsigned hls::enum_width<dynrt::MemoryKind> = 2;

@@ -1,0 +1,96 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tokens of the transformation (thesis 6.1.3). C is a configuration (hls/configs).
+#pragma once
+
+#include "units/packet.h"
+#include "units/repeated.h"
+#include "units/shading_tokens.h"
+
+namespace dynrt {
+
+enum class TransformKind : unsigned char { kCamera, kObject, kTriangle, kDerive };
+
+/// Fields of a transformation in configurations with rays beyond the primary ones or with several
+/// primitives.
+template <class C>
+struct TransformExtras {
+  hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};  ///< of kDerive
+  hls::FieldIf<kHasMirrors<C>, bool>
+      distinct_origins{};         ///< the packet's rays have no common origin
+  PrimitiveField<C> primitive{};  ///< of kTriangle
+  HLS_FIELDS(derived, distinct_origins, primitive)
+};
+
+template <class C>
+struct TransformJob {
+  RepeatCount repeat = 3;  ///< columns of the matrix in the memory, less one
+  PacketId<C> packet;
+  TransformKind kind = TransformKind::kCamera;
+  RayMask active;
+  MatrixNumber<C> matrix;
+  TransformExtras<C> extras{};
+  HLS_FIELDS(repeat, packet, kind, active, matrix, extras)
+};
+
+template <class C>
+struct ColumnContext {
+  PacketId<C> packet;
+  TransformKind kind = TransformKind::kCamera;
+  RayMask active;
+  uint<2> column;  ///< as it is stored
+  TransformExtras<C> extras{};
+  hls::FieldIf<kThreeColumns<C>, MatrixNumber<C>> matrix{};  ///< otherwise the address has it
+  HLS_FIELDS(packet, kind, active, column, extras, matrix)
+};
+
+/// The state of a packet's transformation in progress.
+template <class C>
+struct JobRecord {
+  TransformKind kind = TransformKind::kCamera;
+  RayMask active;
+  MatrixNumber<C> matrix;
+  MatrixExtra<C> extra;
+  hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
+  hls::FieldIf<kHasMirrors<C>, uint<8>> mirror{};  ///< of a triangle
+  hls::FieldIf<kSplitsPackets<C>, bool>
+      distinct_origins{};  ///< the packet's rays have no common origin
+  PrimitiveField<C> primitive{};
+  hls::FieldIf<kScalesCosine<C>, typename C::Real> cosine_factor{};
+  HLS_FIELDS(kind, active, matrix, extra, derived, mirror, distinct_origins, primitive,
+             cosine_factor)
+};
+
+template <class C>
+struct SendJob {
+  /// Vectors less one: 4 of a compressed packet, 7 of another, 1 of one ray, 11 of all corners.
+  RepeatCount repeat;
+  PacketId<C> packet;
+  TransformKind kind = TransformKind::kCamera;
+  hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
+  HLS_FIELDS(repeat, packet, kind, derived)
+};
+
+/// A corner of a triangle, or kNoCorner.
+using Corner = uint<2>;
+inline constexpr unsigned kNoCorner = 3;
+
+/// One vector on its way through the transformation. Compressed packets send the common origin and
+/// four directions, others four pairs of origin and direction. To map a triangle's corners a ray's
+/// direction is sent once for each (units/watertight.h).
+template <class C>
+struct PacketVector {
+  PacketId<C> packet;
+  bool point = false;  ///< a point is translated, a direction is not (thesis 4.4)
+  RayIndex ray;        ///< 0 for a common origin
+  Vector<typename C::Real> vector;
+  hls::FieldIf<kWatertight<C>, Corner> corner = Corner(kNoCorner);
+  hls::FieldIf<kWatertight<C>, typename C::Real> cosine{};  ///< with a corner that is mapped
+  HLS_FIELDS(packet, point, ray, vector, corner, cosine)
+};
+
+}  // namespace dynrt
+
+template <>
+inline constexpr unsigned hls::enum_width<dynrt::TransformKind> = 2;

@@ -1,0 +1,154 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Tokens of the traversal (thesis 6.1.1), and of the list and the mailbox that it leads to (6.1.2).
+// C is a configuration (hls/configs).
+#pragma once
+
+#include "units/packet.h"
+#include "units/repeated.h"
+#include "units/shading_tokens.h"
+
+namespace dynrt {
+
+/// The next action of the node fetch unit for a packet.
+enum class TraversalKind : unsigned char {
+  kEnter,    ///< start at node `next` with the rays `active`
+  kDescend,  ///< go on at node `next`
+  kPush,     ///< go on at node `next` and remember node `pushed`
+  kPop,      ///< go on at the node remembered last
+};
+
+/// One of four rays that enter an object.
+template <class C>
+struct ObjectRay {
+  PacketId<C> packet;
+  RayIndex ray;
+  RayMask active;                      ///< of the packet's rays, those that are traced
+  OfInstance<C, NodeAddress<C>> root;  ///< of the object's tree
+  hls::FieldIf<kSplitsPackets<C>, bool> distinct_origins{};
+  Ray<typename C::Real> in_object;
+  HLS_FIELDS(packet, ray, active, root, distinct_origins, in_object)
+};
+
+/// A ray whose direction is yet to be inverted, one axis at a time.
+template <class C>
+struct TracedRay {
+  RepeatCount repeat = 2;        ///< axes less one
+  OfInstance<C, bool> is_new{};  ///< it enters the top level, not an object
+  ObjectRay<C> ray;
+  HLS_FIELDS(repeat, is_new, ray)
+};
+
+/// The interval of a ray within an object's box, where it may hit something.
+template <class C>
+struct BoxInterval {
+  typename C::Real near, far;
+  HLS_FIELDS(near, far)
+};
+
+/// The change that a slice makes to a ray's interval [near, far] before the step.
+enum class IntervalUpdate : unsigned char {
+  kInit,         ///< near = where the ray starts, far = its hit distance so far
+  kClipFar,      ///< far = d where both children are entered
+  kClipFarPush,  ///< the same, after pushing far
+  kClipNear,     ///< near = d where both are entered and the near child is empty
+  kPop,          ///< near = far and far = popped where both were entered
+};
+
+template <class C>
+struct TraversalEvent {
+  PacketId<C> packet;
+  LevelField<C> level;
+  TraversalKind kind = TraversalKind::kPop;
+  NodeAddress<C> next;
+  RayMask active;          ///< rays that go to `next`
+  bool clip_near = false;  ///< kDescend: the near child was empty, so near = d rather than far = d
+  NodeAddress<C> pushed;
+  RayMask pushed_active;
+  RayMask both;                                    ///< rays that enter both children
+  RayMask terminated;                              ///< rays found to have ended in this level
+  hls::FieldIf<kHasSecondary<C>, RayKind> rays{};  ///< kEnter, level 0: what they are
+  hls::FieldIf<kSplitsPackets<C>, bool>
+      distinct_origins{};  ///< kEnter: the rays have no common origin
+  /// Rays that enter both children in the other order; they are not in `both`.
+  hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
+  HLS_FIELDS(packet, level, kind, next, active, clip_near, pushed, pushed_active, both, terminated,
+             rays, distinct_origins, crossing)
+};
+
+/// Everything about a step but the node itself; travels with the node's address and data.
+template <class C>
+struct StepContext {
+  PacketId<C> packet;
+  LevelField<C> level;
+  IntervalUpdate update = IntervalUpdate::kInit;
+  RayMask both;
+  RayMask active;
+  StackPointer<C> stack;  ///< the far stack's entry to push to or to pop from
+  /// kPop: rays that entered both children in the other order.
+  hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
+  HLS_FIELDS(packet, level, update, both, active, stack, crossing)
+};
+
+template <class C>
+struct Step {
+  StepContext<C> context;
+  CoreNode<C> node;
+  HLS_FIELDS(context, node)
+};
+
+/// The signs of a ray's direction along x, y and z.
+using DirectionSigns = uint<3>;
+
+/// One ray's traversal decision (thesis 3.1.2).
+struct SliceDecision {
+  bool left_first = false;
+  bool go_left = false;
+  bool go_right = false;
+  bool terminated = false;  ///< its hit lies before the node's interval
+  HLS_FIELDS(left_first, go_left, go_right, terminated)
+};
+
+/// A packet's stack is full: its push is dropped (thesis 7).
+template <class C>
+struct DroppedPush {
+  PacketId<C> packet;
+  HLS_FIELDS(packet)
+};
+
+// ---- List and mailbox (thesis 6.1.2) ----
+
+template <class C>
+struct ListJob {
+  PacketId<C> packet;
+  LevelField<C> level;
+  bool first = false;  ///< start at `address`; otherwise go on after the last entry read
+  NodeAddress<C> address;
+  HLS_FIELDS(packet, level, first, address)
+};
+
+template <class C>
+struct ListContext {
+  PacketId<C> packet;
+  LevelField<C> level;
+  HLS_FIELDS(packet, level)
+};
+
+template <class C>
+struct MailboxEntry {
+  PacketId<C> packet;
+  LevelField<C> level;
+  bool clear = false;  ///< new rays: forget the packet's objects and start the traversal
+  RayMask active;      ///< of new rays: those that are to be traced
+  hls::FieldIf<kHasSecondary<C>, RayKind> kind{};  ///< of new rays
+  CoreListEntry<C> entry;
+  HLS_FIELDS(packet, level, clear, active, kind, entry)
+};
+
+}  // namespace dynrt
+
+template <>
+inline constexpr unsigned hls::enum_width<dynrt::TraversalKind> = 2;
+template <>
+inline constexpr unsigned hls::enum_width<dynrt::IntervalUpdate> = 3;
