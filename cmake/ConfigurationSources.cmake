@@ -40,7 +40,10 @@ endmacro()
 function(dynrt_loadable_library target CONFIG source written)
   set(DECLARATIONS)
   set(ROWS)
-  add_library(${target} MODULE EXCLUDE_FROM_ALL ${source})
+  # The program's own table has no keys of a configuration that a file states, so each library has its
+  # table.
+  add_library(${target} MODULE EXCLUDE_FROM_ALL ${source}
+              ${DYNRT_CONFIG_FOLDER}/core_configuration.cpp)
   # Its names are its own: many such libraries have a class of the same name.
   set_target_properties(${target} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden
                         VISIBILITY_INLINES_HIDDEN ON)

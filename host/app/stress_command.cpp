@@ -65,8 +65,7 @@ class OtherFormat {
     if (is_configuration_file(configuration)) {
       refuse(messages::kFormatOfFile, configuration);
     }
-    const auto listed = listed_configurations();
-    if (std::ranges::find(listed, configuration, &CoreConfiguration::name) == listed.end()) {
+    if (listed_configuration(configuration) == nullptr) {
       refuse(messages::kFormatNotListed, configuration);
     }
     const nlohmann::ordered_json keys{{"like", configuration},

@@ -48,8 +48,11 @@ class Board {
   virtual ~Board() = default;
   /// The kind of board: "rtl" or "model".
   const std::string& name() const { return name_; }
-  /// The configuration and limits of its core.
+  /// The configuration and limits of its core, every key.
   const CoreInfo& core() const { return core_; }
+  /// Tells whether display() can show a picture. The key scan_out is not enough: only Verilog has
+  /// pins.
+  virtual bool has_scan_out() const { return false; }
 
   /// Moves consecutive words of a bank; they must lie inside it. Not while a frame is rendered. A
   /// word of the scene's banks is format->bus_words() of them, the lowest bits first.

@@ -62,7 +62,7 @@ std::unique_ptr<Board> make_board(std::span<const Configuration> table,
   const Configuration& configuration = find_configuration(table, request.configuration, rtl);
   CoreInfo core = configuration.core();
   core.name = configuration.name;
-  if (request.configuration.ends_with(".json")) add_origin(core, request.configuration);
+  add_general(core);
   if (!rtl) {
     if (!request.trace.empty()) refuse(messages::kNoTrace);
     return std::make_unique<ModelBoard>(std::move(core), configuration.native(), request.schedule);

@@ -29,6 +29,7 @@ CoreInfo limits() {
   info.stack_depth = 5;
   info.lights = 6;
   info.reflections = 7;
+  info.scan_out = true;
   return info;
 }
 
@@ -65,6 +66,16 @@ TEST(Configurations, MakesTheModelOfTheNamedConfiguration) {
   EXPECT_EQ(board->core().stack_depth, 5u);
   EXPECT_EQ(board->core().lights, 6u);
   EXPECT_EQ(board->core().reflections, 7u);
+}
+
+TEST(Configurations, TheModelShowsNoPicture) {
+  const auto board = make_board(kTable, {.board = "model", .configuration = "small", .trace = ""});
+  EXPECT_TRUE(board->core().scan_out);
+  EXPECT_FALSE(board->has_scan_out());
+  EXPECT_THAT([&] { board->check_display(8, 8); },
+              ThrowsMessage<UserError>(
+                  "board model of configuration small has no scan-out; take board rtl and a "
+                  "configuration with the key scan_out, such as thesis"));
 }
 
 TEST(Configurations, WhatIsUnknownIsNamed) {

@@ -44,7 +44,7 @@ ScanConfig scan_config(const VgaMode& m, std::uint32_t base, unsigned width, uns
 namespace {
 
 void check(const Board& board, const VgaMode& mode, unsigned width, unsigned height) {
-  if (!board.core().scan_out) refuse(messages::kNoScanOut, board.name(), board.core().name);
+  if (!board.has_scan_out()) refuse(messages::kNoScanOut, board.name(), board.core().name);
   if (width > mode.hdisplay || height > mode.vdisplay) {
     refuse(messages::kDisplaySize, width, height, mode.hdisplay, mode.vdisplay);
   }

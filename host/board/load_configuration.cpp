@@ -5,7 +5,6 @@
 #include <dlfcn.h>
 #include <elf.h>
 
-#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -95,10 +94,8 @@ std::optional<CoreConfiguration> stated_in(const std::string& path) {
 /// A configuration that is listed or that a JSON file states; none if it is neither.
 std::optional<CoreConfiguration> configuration_called(const std::string& name) {
   if (name.ends_with(".json")) return stated_in(name);
-  const auto listed = listed_configurations();
-  const auto found = std::ranges::find(listed, name, &CoreConfiguration::name);
-  if (found == listed.end()) return std::nullopt;
-  return *found;
+  const CoreConfiguration* listed = listed_configuration(name);
+  return listed == nullptr ? std::nullopt : std::optional(*listed);
 }
 
 }  // namespace
@@ -128,21 +125,18 @@ const Configuration& load_listed_configuration(const std::string& name, bool rtl
   return load_configuration(folder / (name + ".json"), rtl);
 }
 
-void add_origin(CoreInfo& core, const std::string& path) {
-  const auto stated = stated_in(path);
-  if (!stated) return;
-  core.made_for = stated->made_for;
-  core.made_from = stated->made_from;
+void add_general(CoreInfo& core) {
   if (const auto general = configuration_called(core.made_from)) {
     core.general = std::make_shared<CoreConfiguration>(*general);
   }
 }
 
 std::string general_of(const std::string& configuration) {
-  if (!configuration.ends_with(".json")) return configuration;
-  const auto stated = stated_in(configuration);
-  const bool made = stated && stated->made_from != CoreConfiguration{}.made_from;
-  return made ? stated->made_from : configuration;
+  std::optional<CoreConfiguration> special;
+  if (configuration.ends_with(".json")) special = stated_in(configuration);
+  if (configuration.ends_with(".so")) special = load_configuration(configuration).core();
+  const bool made = special && special->made_from != CoreConfiguration{}.made_from;
+  return made ? special->made_from : configuration;
 }
 
 }  // namespace dynrt::host

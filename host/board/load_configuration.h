@@ -25,11 +25,10 @@ const Configuration& load_configuration(const std::string& path, bool rtl = fals
 /// older than the program's sources, else one that is made now.
 const Configuration& load_listed_configuration(const std::string& name, bool rtl);
 
-/// The origin of a specialised configuration, from its JSON file: made_for, made_from and the
-/// general configuration, which is listed or stated by another JSON file.
-void add_origin(CoreInfo& core, const std::string& path);
-/// The configuration that a JSON file was specialised from; for other files and names, the same
-/// name.
+/// Adds the configuration that a core was specialised from, which is listed or stated by a JSON
+/// file; nothing if there is none.
+void add_general(CoreInfo& core);
+/// The configuration that a file was specialised from; for other files and names, the same name.
 std::string general_of(const std::string& configuration);
 
 /// The shared library for a JSON file with the keys of a configuration, from the cache if it is

@@ -67,6 +67,16 @@ TEST_F(LoadConfiguration, IsNamedByItsFileAndKept) {
   EXPECT_EQ(board->core().packets, 3u);
 }
 
+TEST_F(LoadConfiguration, KnowsWhatALibraryWasMadeFrom) {
+  const std::string path = written("special.so", of_this_build());
+  const auto board = make_board({}, {"model", path, ""});
+  EXPECT_TRUE(board->core().is_specialised());
+  EXPECT_EQ(board->core().made_for, "sail");
+  ASSERT_NE(board->core().general, nullptr);
+  EXPECT_EQ(board->core().general->lights, 8u);
+  EXPECT_EQ(general_of(path), "whitted");
+}
+
 TEST_F(LoadConfiguration, SaysWhyAFileIsNone) {
   const auto expect_refused = [](const std::string& path, const std::string& what) {
     EXPECT_THAT([&] { load_configuration(path); },
@@ -95,10 +105,8 @@ TEST_F(LoadConfiguration, KnowsTheGeneralConfigurationOfAFile) {
                                   mine + R"(", "stack_depth": 3})");
   CoreInfo core;
   core.name = "special";
-  add_origin(core, special);
-  EXPECT_EQ(core.name, "special");
-  EXPECT_EQ(core.made_for, "sail");
-  EXPECT_EQ(core.made_from, mine);
+  core.made_from = mine;
+  add_general(core);
   ASSERT_NE(core.general, nullptr);
   EXPECT_EQ(core.general->name, "mine");
   EXPECT_EQ(core.general->stack_depth, 40u);
@@ -112,7 +120,8 @@ TEST_F(LoadConfiguration, KnowsTheListedConfigurationThatAFileWasMadeFrom) {
   const std::string special =
       written("special.json", R"({"made_for": "sail", "made_from": "whitted"})");
   CoreInfo core;
-  add_origin(core, special);
+  core.made_from = "whitted";
+  add_general(core);
   ASSERT_NE(core.general, nullptr);
   EXPECT_EQ(core.general->lights, 8u);
   EXPECT_EQ(general_of(special), "whitted");

@@ -23,6 +23,7 @@ class RtlBoard final : public Board {
   void configure(const FrameConfig& frame) override;
   void start() override;
   FrameRun wait(std::uint64_t timeout, const PixelProgress& progress) override;
+  bool has_scan_out() const override { return core().scan_out; }
   VgaFrame display(std::uint32_t base, unsigned width, unsigned height,
                    unsigned clocks_per_pixel) override;
   std::vector<Counter> counters() override;

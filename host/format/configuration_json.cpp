@@ -55,10 +55,9 @@ const Json& without_reason(const Json& stated) {
 CoreConfiguration base_of(const Json& json) {
   const auto like = json.find("like");
   if (like == json.end()) return {};
-  const auto listed = listed_configurations();
-  const auto found = std::ranges::find(listed, like->get<std::string>(), &CoreConfiguration::name);
-  if (found == listed.end()) throw std::invalid_argument("like " + like->dump());
-  return inherited_from(*found);
+  const CoreConfiguration* listed = listed_configuration(like->get<std::string>());
+  if (listed == nullptr) throw std::invalid_argument("like " + like->dump());
+  return inherited_from(*listed);
 }
 
 }  // namespace

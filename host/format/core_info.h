@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -40,13 +41,20 @@ struct CoreInfo : CoreConfiguration {
   bool clips_to_box() const { return object_box == ObjectBox::kUnit; }
 };
 
-/// The host's knowledge of the core of struct C; the table gives its name.
+/// The host's knowledge of the core of struct C, which a test may have made: the keys that the
+/// units know are those of C.
 template <class C>
-CoreInfo core_info_of() {
-  CoreInfo core(configuration_of<C>());
+CoreInfo core_info_of(CoreConfiguration keys = configuration_of<C>()) {
+  CoreInfo core(std::move(keys));
   core.format = &kMemoryFormatOf<typename C::Real>;
   core.frame_words = frame_words_of<C>;
   return core;
+}
+
+/// The host's knowledge of the core of a listed configuration, whose struct is C: every key.
+template <class C>
+CoreInfo core_info_of_listed(std::string_view name) {
+  return core_info_of<C>(*listed_configuration(name));
 }
 
 }  // namespace dynrt::host

@@ -142,6 +142,8 @@ def header() -> str:
         "",
         "/// The configurations of the table that this build was made of, in its order.",
         "std::span<const CoreConfiguration> listed_configurations();",
+        "/// The one with this name, with every key; null if there is none.",
+        "const CoreConfiguration* listed_configuration(std::string_view name);",
         "",
         "}  // namespace dynrt",
         "",
@@ -171,8 +173,21 @@ def table(configs: Mapping[str, Configuration], source: str) -> str:
         members = [f'.name = "{called}"']
         members += [f".{name} = {key.kind.literal(config[name])}" for name, key in KEYS.items()]
         lines += ["      {" + ",\n       ".join(members) + "},"]
-    lines += ["  };", "  return kTable;", "}", "", *_inherited_from(), "}  // namespace dynrt", ""]
+    lines += ["  };", "  return kTable;", "}", ""]
+    lines += [*_listed_configuration(), *_inherited_from(), "}  // namespace dynrt", ""]
     return "\n".join(lines)
+
+
+def _listed_configuration() -> list[str]:
+    return [
+        "const CoreConfiguration* listed_configuration(std::string_view name) {",
+        "  for (const CoreConfiguration& listed : listed_configurations()) {",
+        "    if (listed.name == name) return &listed;",
+        "  }",
+        "  return nullptr;",
+        "}",
+        "",
+    ]
 
 
 def _inherited_from() -> list[str]:

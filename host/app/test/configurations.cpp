@@ -22,6 +22,9 @@ std::unique_ptr<NativeCore> make_lit_core() {
   return std::make_unique<NativeCoreOf<config::whitted>>();
 }
 
+CoreInfo thesis_info() { return core_info_of_listed<config::thesis>("thesis"); }
+CoreInfo whitted_info() { return core_info_of_listed<config::whitted>("whitted"); }
+
 std::string_view stand_in_json() {
   return R"({"counters": [{"name": "stand_in.transactions", "order_independent": true},
                           {"name": "start.tokens", "order_independent": true}]})";
@@ -31,14 +34,14 @@ std::string_view stand_in_json() {
 
 std::span<const Configuration> configurations() {
   static constexpr Configuration kTable[] = {
-      {.name = "model_only", .core = core_info_of<config::thesis>, .native = make_core},
+      {.name = "model_only", .core = thesis_info, .native = make_core},
       {.name = "stand_in",
-       .core = core_info_of<config::thesis>,
+       .core = thesis_info,
        .native = make_core,
        .rtl = make_stand_in_board,
        .traced = make_stand_in_board_traced,
        .core_json = stand_in_json},
-      {.name = "lit", .core = core_info_of<config::whitted>, .native = make_lit_core},
+      {.name = "lit", .core = whitted_info, .native = make_lit_core},
   };
   return kTable;
 }

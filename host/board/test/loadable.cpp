@@ -22,6 +22,8 @@ class IdleCore final : public NativeCore {
 CoreInfo info() {
   CoreInfo info;
   info.packets = 3;
+  info.made_for = "sail";
+  info.made_from = "whitted";
   return info;
 }
 

@@ -50,9 +50,14 @@ def find_build(named: pathlib.Path | None) -> Json:
 
 
 def key_of(kind: str, config: Json, build: Json) -> str:
-    """The key of all that the result depends on: of a configuration, what decides its core."""
+    """The key of all that the result depends on. A library hands out every key of its configuration;
+    the Verilog depends on those alone that decide the core."""
     keys = load_configurations().KEYS
-    said = {key: value for key, value in config.items() if keys[key].of_core}
+    said = {
+        key: value
+        for key, value in config.items()
+        if keys[key].of_core or (kind != "verilog" and key != "rtl")
+    }
     digest = hashlib.sha256(
         json.dumps(
             [kind, said, build["variables"], fingerprint.fingerprint(build)], sort_keys=True

@@ -159,7 +159,9 @@ class Configuration(testing.InFolder):
             return configuration.key_of(kind, THESIS | keys, self.build)
 
         native, verilog = key(), key("verilog")
-        self.assertEqual(key(about="other words"), native)
+        self.assertNotEqual(key(made_for="a sail"), native)  # which the library hands out
+        self.assertEqual(key("verilog", made_for="a sail"), verilog)
+        self.assertEqual(key(rtl=False), native)  # the kind decides that
         self.assertNotEqual(native, verilog)
         self.assertNotEqual(key(mantissa_bits=15), native)
         (self.source / "rtl/lib/fifo.v").write_text("changed", encoding="utf-8")
