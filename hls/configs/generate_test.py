@@ -6,7 +6,7 @@ import json
 import shutil
 import unittest
 
-from generate_case import GOOD, GenerateCase
+from generate_case import GENERATE, GOOD, GenerateCase
 
 
 class Written(GenerateCase):
@@ -109,6 +109,14 @@ class Written(GenerateCase):
         )
         self.assertEqual((self.out / "tiny.h").stat().st_mtime_ns, before)
         self.assertIn("kPackets = 8;", (self.out / "other.h").read_text(encoding="utf-8"))
+
+    def test_the_first_of_the_project_ships(self) -> None:
+        self.written()
+        first = json.loads((GENERATE.parent / "configs.json").read_text(encoding="utf-8"))[0]
+        text = (self.out / "shipped.h").read_text(encoding="utf-8")
+        self.assertIn("from hls/configs/configs.json; do not edit.\n", text)
+        float_of = f"{first['exponent_bits']}, {first['mantissa_bits']}"
+        self.assertIn(f"struct shipped {{\n  using Real = hls::Float<{float_of}, ", text)
 
     def test_a_configuration_is_like_another(self) -> None:
         self.run_on(

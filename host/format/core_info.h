@@ -21,7 +21,7 @@ namespace dynrt::host {
 struct CoreInfo : CoreConfiguration {
   const MemoryFormat* format = &kShippedFormat;  ///< its numbers, and how its memory holds them
   /// The words of its FRAME registers.
-  std::vector<std::uint32_t> (*frame_words)(const FrameConfig&) = frame_words_of<ShippedRegisters>;
+  std::vector<std::uint32_t> (*frame_words)(const FrameConfig&) = frame_words_of<config::shipped>;
   /// The configuration that it was specialised from, if it was.
   std::shared_ptr<const CoreConfiguration> general = {};
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "configs/shipped.h"
 #include "units/frame.h"
 
 namespace dynrt::host {
@@ -24,14 +25,9 @@ std::vector<std::uint32_t> frame_words_of(const FrameConfig& frame) {
   return words;
 }
 
-/// Of the configurations that ship.
-struct ShippedRegisters {
-  static constexpr bool kUncompressed = true;
-  static constexpr bool kOneColour = false;
-  static constexpr unsigned kLevels = 2;
-};
+/// Of the first configuration of hls/configs/configs.json.
 inline constexpr unsigned kShippedFrameWords =
-    hls::bit_width_of<FrameRegisters<ShippedRegisters>>() / 32;
+    hls::bit_width_of<FrameRegisters<config::shipped>>() / 32;
 
 /// A register's value from a host number.
 inline hls::uint<32> to_word(std::uint32_t value) { return hls::uint<32>::from(value); }

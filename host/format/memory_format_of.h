@@ -4,6 +4,7 @@
 // The memory format of one float R.
 #pragma once
 
+#include "configs/shipped.h"
 #include "hls/cast.h"
 #include "host/format/memory_format.h"
 
@@ -78,8 +79,8 @@ inline constexpr MemoryFormat kMemoryFormatOf = {
     .unpack_column = detail::Packing<R>::unpack_column,
 };
 
-/// The format of the shipped core, for figures of a scene without a board: 17 bits of significand,
-/// magnitudes from 2^-63 to (2 - 2^-16) 2^64.
-inline constexpr const MemoryFormat& kShippedFormat = kMemoryFormatOf<hls::Float<7, 16>>;
+/// The format of the first configuration of hls/configs/configs.json, for figures of a scene
+/// without a board.
+inline constexpr const MemoryFormat& kShippedFormat = kMemoryFormatOf<config::shipped::Real>;
 
 }  // namespace dynrt::host
