@@ -57,9 +57,9 @@ class CoreModel {
     const std::map<std::string, std::uint64_t> values = join.counters();
     counters_.clear();
     for (const hls::CounterRecord& counter : hls::counters_of(join.record())) {
-      const auto value = values.find(counter.name);
+      const auto value = values.find(counter.name());
       if (value == values.end()) continue;  // stalls, if there is no clock
-      counters_.push_back({counter.name, value->second, counter.order_independent});
+      counters_.push_back({value->first, value->second, counter.order_independent});
     }
     if (core->done->size() != 1) {
       throw std::logic_error("the core came to rest before the frame was complete");

@@ -14,14 +14,13 @@
 
 #include "host/analysis/counts/counts.h"
 #include "host/app/board_frame.h"
+#include "host/render/figures.h"
 
 namespace dynrt::host {
 namespace {
 
 std::uint64_t count(const Frame& frame, const std::string& name) {
-  for (const Counter& counter : frame.counters) {
-    if (counter.name == name) return counter.value;
-  }
+  if (const auto value = value_of(frame, name)) return *value;
   ADD_FAILURE() << "the core has no counter " << name;
   return 0;
 }

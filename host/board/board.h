@@ -22,7 +22,7 @@
 
 namespace dynrt::host {
 
-/// One of the core's counters, named unit.what, e.g. "traversal.transactions".
+/// One of the core's counters, named as hls/counter_name.h names it.
 struct Counter {
   std::string name;
   std::uint64_t value = 0;

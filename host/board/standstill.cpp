@@ -8,11 +8,13 @@
 #include <string_view>
 #include <vector>
 
+#include "hls/counter_name.h"
+
 namespace dynrt::host {
 
 namespace {
 
-constexpr std::string_view kTransactions = ".transactions";
+constexpr std::string_view kTransactions = hls::suffix_of(hls::Counted::kTransactions);
 
 /// Whether the counter `name` went on between the readings.
 bool went_on(std::span<const Counter> before, std::span<const Counter> after,
@@ -31,9 +33,9 @@ std::string where_units_stand(std::span<const Counter> before, std::span<const C
   for (const Counter& counter : after) {
     if (!counter.name.ends_with(kTransactions)) continue;
     const std::string unit = counter.name.substr(0, counter.name.size() - kTransactions.size());
-    auto& group = went_on(before, after, unit + ".stalls") ? stalled
-                  : went_on(before, after, counter.name)   ? at_work
-                                                           : without_input;
+    auto& group = went_on(before, after, hls::counter_name(unit, hls::Counted::kStalls)) ? stalled
+                  : went_on(before, after, counter.name)                                 ? at_work
+                                                         : without_input;
     group.push_back(fmt::format("{} {}", unit, counter.value));
   }
   std::vector<std::string> groups;

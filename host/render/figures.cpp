@@ -5,19 +5,14 @@
 #include <algorithm>
 #include <string_view>
 
+#include "hls/counter_name.h"
+#include "host/render/counter_names.h"
+
 namespace dynrt::host {
 
 namespace {
 
-constexpr std::string_view kTransactions = ".transactions";
-constexpr std::string_view kStalls = ".stalls";
-constexpr const char* kCaches[] = {"node", "list", "matrix"};
-
-std::optional<std::uint64_t> value_of(const Frame& frame, const std::string& name) {
-  const auto found = std::ranges::find(frame.counters, name, &Counter::name);
-  if (found == frame.counters.end()) return std::nullopt;
-  return found->value;
-}
+constexpr std::string_view kTransactions = hls::suffix_of(hls::Counted::kTransactions);
 
 std::vector<UnitFigures> units_of(const Frame& frame) {
   std::vector<UnitFigures> units;
@@ -29,7 +24,8 @@ std::vector<UnitFigures> units_of(const Frame& frame) {
     if (frame.run.cycles && *frame.run.cycles > 0) {
       const auto cycles = static_cast<double>(*frame.run.cycles);
       unit.utilisation = static_cast<double>(counter.value) / cycles;
-      if (const auto stalls = value_of(frame, unit.name + std::string(kStalls))) {
+      if (const auto stalls =
+              value_of(frame, hls::counter_name(unit.name, hls::Counted::kStalls))) {
         unit.stalled = static_cast<double>(*stalls) / cycles;
       }
     }
@@ -45,12 +41,12 @@ std::vector<UnitFigures> units_of(const Frame& frame) {
 /// each line.
 std::vector<CacheFigures> caches_of(const Frame& frame) {
   std::vector<CacheFigures> caches;
-  for (const char* name : kCaches) {
-    const auto lookups = value_of(frame, std::string(name) + "_lookup.transactions");
-    const auto fills = value_of(frame, std::string(name) + "_fill.transactions");
+  for (const counters::OfCache& of : counters::kCaches) {
+    const auto lookups = value_of(frame, of.lookups);
+    const auto fills = value_of(frame, of.fills);
     if (!lookups || !fills) continue;
     CacheFigures cache;
-    cache.name = name;
+    cache.name = of.cache;
     cache.lookups = *lookups;
     cache.misses = *fills - std::min<std::uint64_t>(*fills, frame.lines);
     if (cache.lookups > 0) {
@@ -63,11 +59,17 @@ std::vector<CacheFigures> caches_of(const Frame& frame) {
 
 }  // namespace
 
+std::optional<std::uint64_t> value_of(const Frame& frame, std::string_view counter) {
+  const auto found = std::ranges::find(frame.counters, counter, &Counter::name);
+  if (found == frame.counters.end()) return std::nullopt;
+  return found->value;
+}
+
 FrameFigures figures_of(const Frame& frame, double clock_hz) {
   FrameFigures figures;
   figures.units = units_of(frame);
   figures.caches = caches_of(frame);
-  figures.dropped_pushes = value_of(frame, "stack_full.tokens");
+  figures.dropped_pushes = value_of(frame, counters::kDroppedPushes);
   const auto rays = static_cast<double>(frame.pixels.size());
   if (frame.run.cycles && *frame.run.cycles > 0) {
     const auto cycles = static_cast<double>(*frame.run.cycles);

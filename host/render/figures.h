@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/render/frame.h"
@@ -36,6 +37,9 @@ struct FrameFigures {
   /// Pushes onto full stacks, after which hits may be missing. None without counters.
   std::optional<std::uint64_t> dropped_pushes;
 };
+
+/// The value of a counter; none if the frame has no such counter.
+std::optional<std::uint64_t> value_of(const Frame& frame, std::string_view counter);
 
 /// `clock_hz`: the core's clock for frames per second.
 FrameFigures figures_of(const Frame& frame, double clock_hz);

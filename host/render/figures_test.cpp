@@ -4,6 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "host/board/configurations.h"
+#include "host/render/counter_names.h"
+#include "host/test_folder.h"
+
 namespace dynrt::host {
 namespace {
 
@@ -48,6 +54,19 @@ TEST(Figures, DroppedPushesAreTokensOfFullStacks) {
   EXPECT_FALSE(figures_of(frame, 85e6).dropped_pushes);  // nothing counts them
   frame.counters.push_back({"stack_full.tokens", 29});
   EXPECT_EQ(figures_of(frame, 85e6).dropped_pushes, 29u);
+}
+
+TEST(Figures, TheCoreHasTheirCounters) {
+  const std::vector<Counter> counters = counters_of(text_of(DYNRT_THESIS_CORE));
+  ASSERT_FALSE(counters.empty());
+  const auto expect_counter = [&](std::string_view name) {
+    EXPECT_NE(std::ranges::find(counters, name, &Counter::name), counters.end()) << name;
+  };
+  expect_counter(counters::kDroppedPushes);
+  for (const counters::OfCache& of : counters::kCaches) {
+    expect_counter(of.lookups);
+    expect_counter(of.fills);
+  }
 }
 
 TEST(Figures, Speeds) {

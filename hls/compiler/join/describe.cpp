@@ -42,7 +42,7 @@ std::string emit_json(const hls::JoinRecord& join, const std::string& name) {
   }
   Json counters = Json::array();
   for (const auto& c : hls::counters_of(join)) {
-    counters.push_back({{"name", c.name}, {"order_independent", c.order_independent}});
+    counters.push_back({{"name", c.name()}, {"order_independent", c.order_independent}});
   }
   const Json top = {{"module", name}, {"units", units}, {"channels", channels},
                     {"rams", rams},   {"banks", banks}, {"counters", counters}};

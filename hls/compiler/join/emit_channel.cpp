@@ -53,12 +53,10 @@ class Channel {
       case ChannelKind::kSink:
         top_.write("  assign {0}_ready = 1'b1;\n  wire {0}_unused = &{{1'b0, {0}_data}};\n",
                    source);
-        break;
+        return;
       default:
         deliver(c, source);
-        break;
     }
-    top_.counted.push_back(fmt::format("{0}_all_valid && {0}_all_ready", c.name));
   }
 
  private:

@@ -18,6 +18,8 @@ namespace hlsc {
 namespace {
 
 using hls::ChannelRecord;
+using hls::Counted;
+using hls::CounterRecord;
 using hls::JoinRecord;
 using hls::PortKind;
 using hls::PortRecord;
@@ -180,9 +182,20 @@ class Top {
     return "";
   }
 
+  /// The condition on which a counter goes on.
+  static std::string condition_of(const CounterRecord& counter) {
+    switch (counter.what) {
+      case Counted::kTokens:
+        return fmt::format("{0}_all_valid && {0}_all_ready", counter.of);
+      case Counted::kTransactions:
+        return counter.of + "_fire";
+      case Counted::kStalls:
+        return counter.of + "_stall";
+    }
+    return {};
+  }
+
   void count() {
-    for (const UnitRecord& unit : join_.units) top_.counted.push_back(unit.name + "_fire");
-    for (const UnitRecord& unit : join_.units) top_.counted.push_back(unit.name + "_stall");
     top_.ports.push_back("  input  wire counter_clear_i");
     top_.ports.push_back("  input  wire [7:0] counter_addr_i");
     top_.ports.push_back("  output wire [31:0] counter_data_o");
@@ -196,19 +209,20 @@ class Top {
       top_.write("}};\n");
       return;
     }
-    if (top_.counted.size() > kMaxCounters) {
+    const std::vector<CounterRecord> counters = counters_of(join_);
+    if (counters.size() > kMaxCounters) {
       throw std::invalid_argument(fmt::format(
           "the join has {} counters, one for each inner channel and two for each unit, but a top "
           "has at most {}; join fewer units or widen the address of hls_counters",
-          top_.counted.size(), kMaxCounters));
+          counters.size(), kMaxCounters));
     }
     top_.write(
         "\n  hls_counters #(.COUNTERS({})) counters (\n"
         "    .clk_i(clk_i), .rst_ni(rst_ni), .clear_i(counter_clear_i),\n"
         "    .addr_i(counter_addr_i), .data_o(counter_data_o),\n    .event_i({{",
-        top_.counted.size());
-    for (auto it = top_.counted.rbegin(); it != top_.counted.rend(); ++it) {
-      top_.write("{}\n      {}", it == top_.counted.rbegin() ? "" : ",", *it);
+        counters.size());
+    for (auto it = counters.rbegin(); it != counters.rend(); ++it) {
+      top_.write("{}\n      {}", it == counters.rbegin() ? "" : ",", condition_of(*it));
     }
     top_.write("}}));\n");
   }

@@ -48,7 +48,6 @@ inline std::vector<std::string> wires(const std::vector<std::string>& ports, con
 
 struct TopText {
   std::vector<std::string> ports;
-  std::vector<std::string> counted;  ///< one condition per counter
   std::string wires;
   std::string body;
 

@@ -143,10 +143,14 @@ std::map<std::string, std::uint64_t> Join::counters() const {
   std::map<std::string, std::uint64_t> values;
   for (const Process& process : processes_) {
     if (process.name.empty()) continue;
-    values[process.name + ".transactions"] = process.transactions;
-    if (clocks_) values[process.name + ".stalls"] = clocks_->stalls(process.name);
+    values[counter_name(process.name, Counted::kTransactions)] = process.transactions;
+    if (clocks_) {
+      values[counter_name(process.name, Counted::kStalls)] = clocks_->stalls(process.name);
+    }
   }
-  for (const auto& [name, tokens] : tokens_) values[name + ".tokens"] = tokens();
+  for (const auto& [name, tokens] : tokens_) {
+    values[counter_name(name, Counted::kTokens)] = tokens();
+  }
   return values;
 }
 

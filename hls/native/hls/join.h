@@ -23,6 +23,7 @@
 #include <string>
 #include <vector>
 
+#include "hls/counter_name.h"
 #include "hls/join_clocks.h"
 #include "hls/join_ports.h"
 #include "hls/join_record.h"
@@ -174,8 +175,8 @@ class Join {
   /// The clock in which the outside can take the first token of an output.
   std::uint64_t first_of(const std::string& output) const { return clocks_->first_of(output); }
 
-  /// Transactions of every unit ("unit.transactions") and tokens of every channel
-  /// ("channel.tokens"), and with clocks the stalls of every unit ("unit.stalls").
+  /// By their names: transactions of every unit, tokens of every channel, and with clocks the
+  /// stalls of every unit.
   std::map<std::string, std::uint64_t> counters() const;
 
   const JoinRecord& record() const { return record_; }

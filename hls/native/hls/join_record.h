@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hls/counter_name.h"
 #include "hls/ports.h"
 
 namespace hls {
@@ -74,8 +75,10 @@ struct JoinRecord {
 };
 
 struct CounterRecord {
-  std::string name;
+  std::string of;  ///< a channel or a unit
+  Counted what;
   bool order_independent;  ///< the same for every order of the packets
+  std::string name() const { return counter_name(of, what); }
 };
 /// The counters of a top, in the order of their addresses: tokens of every channel inside, then
 /// transactions and stalls of every unit; none, if the top has no counters. The stalls of a unit
@@ -85,13 +88,15 @@ inline std::vector<CounterRecord> counters_of(const JoinRecord& join) {
   if (!join.counts) return counters;
   for (const ChannelRecord& c : join.channels) {
     if (c.kind != ChannelKind::kInput && c.kind != ChannelKind::kOutput) {
-      counters.push_back({c.name + ".tokens", !c.order_dependent});
+      counters.push_back({c.name, Counted::kTokens, !c.order_dependent});
     }
   }
   for (const UnitRecord& unit : join.units) {
-    counters.push_back({unit.name + ".transactions", !unit.order_dependent});
+    counters.push_back({unit.name, Counted::kTransactions, !unit.order_dependent});
   }
-  for (const UnitRecord& unit : join.units) counters.push_back({unit.name + ".stalls", false});
+  for (const UnitRecord& unit : join.units) {
+    counters.push_back({unit.name, Counted::kStalls, false});
+  }
   return counters;
 }
 

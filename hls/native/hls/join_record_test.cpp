@@ -56,7 +56,7 @@ TEST(Join, SaysWhichCountersDependOnTheOrder) {
   join.depends_on_order({"sums", "pair"});
   std::map<std::string, bool> independent;
   for (const auto& counter : hls::counters_of(join.record())) {
-    independent[counter.name] = counter.order_independent;
+    independent[counter.name()] = counter.order_independent;
   }
   const std::map<std::string, bool> expected = {
       {"sums.tokens", false}, {"add.transactions", true}, {"pair.transactions", false},

@@ -13,6 +13,8 @@
 #include "host/analysis/truth/measures.h"
 #include "host/error.h"
 #include "host/layout/lay_out.h"
+#include "host/render/counter_names.h"
+#include "host/render/figures.h"
 #include "host/render/render.h"
 
 namespace dynrt::host::stress {
@@ -24,17 +26,13 @@ constexpr std::uint64_t kTimeout = 10'000'000;
 /// Another triangle's hit is as good as the nearest's where it lies no farther apart than this many
 /// steps of the mantissa: the neighbour at an edge.
 constexpr double kSameSteps = 16;
-constexpr char kDroppedPushes[] = "stack_full.tokens";
 
 View view_of(const Shot& shot) { return {shot.camera, shot.options.width, shot.options.height}; }
 
 }  // namespace
 
 std::uint64_t dropped_pushes(const Frame& frame) {
-  for (const Counter& counter : frame.counters) {
-    if (counter.name == kDroppedPushes) return counter.value;
-  }
-  return 0;  // a core without the counter tells of none
+  return value_of(frame, counters::kDroppedPushes).value_or(0);  // of a core without counters none
 }
 
 std::uint64_t Rendered::dropped_pushes() const {
