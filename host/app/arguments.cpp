@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "host/app/app_messages.h"
+#include "host/app/scene_flags.h"
 #include "host/app/text.h"
 #include "host/error.h"
 #include "host/scene/load.h"
@@ -25,39 +26,19 @@ void SceneArguments::add_to(CLI::App& command, bool scene_required) {
                               fmt::join(built_in_scenes(), ", ")))
       ->required(scene_required)
       ->option_text(" ");
-  command
-      .add_option("--size", size,
-                  fmt::format("pixels of the image, at most {} a side and {} in all", kMaxSide,
-                              grouped(kMaxPixels)))
-      ->option_text("WxH [512x384]");
-  command.add_option("--position", position, "position of the camera; default: the scene's own")
-      ->option_text("X,Y,Z");
-  command.add_option("--look-at", look_at, "the point in the middle of the image")
-      ->option_text("X,Y,Z");
-  command.add_option("--up", up, "the direction that is up in the image")->option_text("X,Y,Z");
-  command.add_option("--fov", field_of_view, "vertical field of view")
-      ->option_text("DEGREES")
-      ->check(not_a_number);
-  command
-      .add_option("--light", lights,
-                  "add a point light; by default its colour is white and its intensity 1; can be "
-                  "given several times")
-      ->option_text("X,Y,Z[:R,G,B[:INTENSITY]]")
-      ->allow_extra_args(false);
-  command
-      .add_option("--mirror", mirrors,
-                  fmt::format("let the materials of this name reflect this part of the light "
-                              "(default: {}); can be given several times",
-                              kMirrorShare))
-      ->option_text("MATERIAL[=0..1]")
-      ->allow_extra_args(false);
+  add_scene_flags(command, *this);
 }
 
 CameraOverrides SceneArguments::camera() const {
+  using Given = std::optional<std::string> SceneArguments::*;
+  const auto vector = [this](Given value) -> std::optional<glm::dvec3> {
+    if (!(this->*value)) return std::nullopt;
+    return parse_vector(name_of(value), *(this->*value));
+  };
   CameraOverrides flags;
-  if (position) flags.position = parse_vector("--position", *position);
-  if (look_at) flags.look_at = parse_vector("--look-at", *look_at);
-  if (up) flags.up = parse_vector("--up", *up);
+  flags.position = vector(&SceneArguments::position);
+  flags.look_at = vector(&SceneArguments::look_at);
+  flags.up = vector(&SceneArguments::up);
   flags.field_of_view = field_of_view;
   return flags;
 }

@@ -12,6 +12,7 @@
 
 #include "host/app/analyst.h"
 #include "host/app/command.h"
+#include "host/app/scene_flags.h"
 #include "host/app/text.h"
 #include "host/picture/output_file.h"
 
@@ -91,6 +92,9 @@ Command add_needs_command(CLI::App& program) {
       ->check(not_a_count);
   arguments->frames.span.add_to(*command);
   add_json_flag(*command, arguments->json);
+  const auto list = [command] { throw CLI::CallForVersion(listed_flags(*command), 0); };
+  command->add_flag_callback("--list-flags", list, "list the flags for scripts/specialise")
+      ->group("");  // before a scene is asked for, as --help
   command->add_flag("--answer", arguments->answer, "answer the questions of scripts/specialise")
       ->group("");  // of no list of flags: for the script alone
   return {command, [arguments] { return run(*arguments); }};

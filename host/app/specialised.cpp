@@ -8,6 +8,7 @@
 
 #include "host/app/analyst.h"
 #include "host/app/app_messages.h"
+#include "host/app/scene_flags.h"
 #include "host/board/load_configuration.h"
 #include "host/board/run_script.h"
 
@@ -18,17 +19,6 @@ namespace {
 template <class Value>
 void add(std::vector<std::string>& words, const char* flag, const std::optional<Value>& value) {
   if (value) words.push_back(fmt::format("{}={}", flag, *value));
-}
-
-std::vector<std::string> flags_of(const SceneArguments& scene) {
-  std::vector<std::string> words = {"--size=" + scene.size};
-  add(words, "--position", scene.position);
-  add(words, "--look-at", scene.look_at);
-  add(words, "--up", scene.up);
-  add(words, "--fov", scene.field_of_view);
-  for (const std::string& light : scene.lights) words.push_back("--light=" + light);
-  for (const std::string& mirror : scene.mirrors) words.push_back("--mirror=" + mirror);
-  return words;
 }
 
 }  // namespace
@@ -50,7 +40,7 @@ ChosenCore SpecialiseFlags::choose(SceneFile& scene, const FrameArguments& frame
   const bool named = command_->get_option("--config")->count() > 0;
   if (!specialise) return {frame.configuration, general_of(frame.configuration)};
   const std::string general = named ? frame.configuration : general_configuration(scene);
-  std::vector<std::string> words = flags_of(scene.arguments());
+  std::vector<std::string> words = words_of(scene.arguments());
   words.push_back(scene.arguments().scene);
   words.push_back("--program=" + std::filesystem::read_symlink("/proc/self/exe").string());
   words.push_back("--config=" + general);

@@ -16,6 +16,7 @@
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
 #include "host/app/progress.h"
+#include "host/app/scene_flags.h"
 #include "host/app/specialised.h"
 #include "host/app/text.h"
 #include "host/app/walk_folder.h"
@@ -50,26 +51,23 @@ struct Arguments {
 
 WalkSettings Arguments::settings(const Scene& content) const {
   const auto text = [](const auto& value) { return value ? fmt::format("{}", *value) : ""; };
-  return {{"SCENE", scene.scene},
-          {"--frames", fmt::format("{}", frames)},
-          {"--from", text(span.from)},
-          {"--to", text(span.to)},
-          {"--size", scene.size},
-          {"--position", text(scene.position)},
-          {"--look-at", text(scene.look_at)},
-          {"--up", text(scene.up)},
-          {"--fov", text(scene.field_of_view)},
-          {"--light", fmt::format("{}", fmt::join(scene.lights, " "))},
-          {"--mirror", fmt::format("{}", fmt::join(scene.mirrors, " "))},
-          {"--reflections", text(frame.reflections)},
-          {"--board", board},
-          {"--config", frame.configuration},
-          {"--specialise", specialise.specialise ? "yes" : "no"},
-          {"--packets", text(frame.packets)},
-          {"--lines", text(frame.lines)},
-          {"--order", frame.order},
-          {"--uncompressed", frame.uncompressed ? "yes" : "no"},
-          {kSceneContent, fmt::format("{:016x}", fingerprint(content))}};
+  WalkSettings settings = {{"SCENE", scene.scene},
+                           {"--frames", fmt::format("{}", frames)},
+                           {"--from", text(span.from)},
+                           {"--to", text(span.to)}};
+  for (const SceneFlag& flag : scene_flags()) {
+    settings.emplace_back(flag.name, fmt::format("{}", fmt::join(flag.given(scene), " ")));
+  }
+  settings.insert(settings.end(), {{"--reflections", text(frame.reflections)},
+                                   {"--board", board},
+                                   {"--config", frame.configuration},
+                                   {"--specialise", specialise.specialise ? "yes" : "no"},
+                                   {"--packets", text(frame.packets)},
+                                   {"--lines", text(frame.lines)},
+                                   {"--order", frame.order},
+                                   {"--uncompressed", frame.uncompressed ? "yes" : "no"},
+                                   {kSceneContent, fmt::format("{:016x}", fingerprint(content))}});
+  return settings;
 }
 
 struct Place {

@@ -71,7 +71,7 @@ TEST(Top, NamesTheForkThatNeedsABound) {
   join.input("job", number.job);
   join.bank("salt", number.bank, hls::Rows<uint<32>>(kItems));
   for (auto* note : {&number.note, &pair.note}) {
-    join.bank("note", *note, std::make_shared<std::vector<Value>>(16));
+    join.bank("note", *note, hls::Rows<Value>(16));
   }
   join.channel<Item>("item", {&number.item}, {&pair.side[0], &pair.side[1], &pair.before});
   join.output("out", pair.out);
@@ -266,10 +266,10 @@ TEST(Top, DoesWhatTheNativeJoinDoes) {
     const auto counters = hls::counters_of(outside.ring().join.record());
     unsigned compared = 0;
     for (unsigned i = 0; i < counters.size(); ++i) {
-      const auto found = native.find(counters[i].name);
+      const auto found = native.find(counters[i].name());
       if (found == native.end()) continue;  // stalls are the RTL's own
       ++compared;
-      EXPECT_EQ(outside.counter(i), found->second) << counters[i].name;
+      EXPECT_EQ(outside.counter(i), found->second) << counters[i].name();
     }
     EXPECT_EQ(compared, native.size());
   }

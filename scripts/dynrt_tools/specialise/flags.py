@@ -3,38 +3,77 @@
 """The flags of `dynrt specialise`, and which of them go on to the program."""
 
 import argparse
+import dataclasses
+import json
 import pathlib
-from collections.abc import Iterable
+import subprocess
+from collections.abc import Iterable, Sequence
 
 from dynrt_tools.hardware import devices
 from dynrt_tools.report import choose
 from dynrt_tools.report.report import Parser, cores
 
-# Flags of the program that say which view is rendered, and those that only `dynrt needs` has.
-SEEN = (
-    "--size",
-    "--position",
-    "--look-at",
-    "--up",
-    "--fov",
-    "--light",
-    "--mirror",
-    "--reflections",
-)
-ASKED = ("--frames", "--from", "--to")
-SEVERAL = ("--light", "--mirror")
+OWN = ("--config", "--json")  # which `dynrt needs` has too, in another sense
 
 
-def joined(words: Iterable[str]) -> list[str]:
+@dataclasses.dataclass(frozen=True)
+class Flag:
+    """A flag of `dynrt needs` that `dynrt specialise` takes too (host/app/scene_flags.h)."""
+
+    name: str
+    value: str  # what stands for it in the help; empty if the flag has none
+    several: bool
+    of_frame: bool  # `dynrt render` has it too
+
+    def add_to(self, parser: argparse._ActionsContainer) -> None:
+        if not self.value:
+            parser.add_argument(self.name, action="store_true")
+            return
+        action = "append" if self.several else "store"
+        parser.add_argument(self.name, action=action, metavar=self.value)
+
+    def passed_on(self, args: argparse.Namespace) -> list[str]:
+        """As the program takes what is given of it."""
+        given = getattr(args, self.name.removeprefix("--").replace("-", "_"))
+        if given is None or given is False:
+            return []
+        if given is True:
+            return [self.name]
+        return [f"{self.name}={one}" for one in (given if self.several else [given])]
+
+
+def listed(program: str | None) -> list[Flag]:
+    """The program knows its flags."""
+    if program is None:
+        return []
+    text = subprocess.run(
+        [program, "needs", "--list-flags"], stdout=subprocess.PIPE, text=True, check=True
+    ).stdout
+    flags = [Flag(**flag) for flag in json.loads(text)]
+    return [flag for flag in flags if flag.name not in OWN]
+
+
+def program_of(words: Sequence[str]) -> str | None:
+    """The program that runs the script."""
+    parser = argparse.ArgumentParser(add_help=False, allow_abbrev=False)
+    parser.add_argument("--program")
+    program: str | None = parser.parse_known_args(words)[0].program
+    return program
+
+
+def joined(words: Iterable[str], flags: Iterable[Flag]) -> list[str]:
     """The same words with every value behind its flag's =, as values may begin with a minus."""
     words, found = list(words), []
+    with_value = {flag.name for flag in flags if flag.value}
     while words:
         word = words.pop(0)
-        found.append(f"{word}={words.pop(0)}" if word in SEEN + ASKED and words else word)
+        found.append(f"{word}={words.pop(0)}" if word in with_value and words else word)
     return found
 
 
-def parse(words: Iterable[str]) -> argparse.Namespace:
+def parse(words: Sequence[str]) -> argparse.Namespace:
+    """The values of the flags; `flags` are those that are the program's too."""
+    flags = listed(program_of(words))
     parser = Parser(
         prog="dynrt specialise",
         description="Makes the smallest core that renders a "
@@ -113,22 +152,20 @@ def parse(words: Iterable[str]) -> argparse.Namespace:
         help="compilers and synthesizers at a time (default: the number of cores)",
     )
     scene = parser.add_argument_group("the view, as in `dynrt render` and `dynrt walk`")
-    for flag in SEEN + ASKED:
-        scene.add_argument(flag, action="append" if flag in SEVERAL else "store", metavar="VALUE")
-    scene.add_argument("--uncompressed", action="store_true")
-    for flag in ("--program", "--build", "--expect"):  # from the program
-        parser.add_argument(flag, required=True, help=argparse.SUPPRESS)
+    for flag in flags:
+        flag.add_to(scene)
+    for name in ("--program", "--build", "--expect"):  # from the program
+        parser.add_argument(name, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--for-program", action="store_true", help=argparse.SUPPRESS)
-    args = parser.parse_args(joined(words))
+    args = parser.parse_args(joined(words, flags))
+    args.flags = flags
     args.device = args.device or ["ecp5-85"]
     return args
 
 
-def passed_on(args: argparse.Namespace, names: Iterable[str]) -> list[str]:
-    """These flags as the program takes them."""
-    words = []
-    for name in names:
-        value = getattr(args, name.removeprefix("--").replace("-", "_"))
-        for one in value if isinstance(value, list) else [value] if value is not None else []:
-            words.append(f"{name}={one}")
-    return words
+def passed_on(args: argparse.Namespace, of_frame: bool) -> list[str]:
+    """Those of the flags that are given and choose a frame, or those that choose the frames of a walk,
+    as the program takes them."""
+    return [
+        word for flag in args.flags if flag.of_frame == of_frame for word in flag.passed_on(args)
+    ]

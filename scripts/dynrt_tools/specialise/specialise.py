@@ -37,9 +37,7 @@ class Project:
         self.scene = scene_path(args.scene)
         self.name = scene_name(args.scene)
         self.out = args.out or pathlib.Path(f"{self.name}.specialised")
-        self.seen = flags.passed_on(args, flags.SEEN) + (
-            ["--uncompressed"] if args.uncompressed else []
-        )
+        self.seen = flags.passed_on(args, of_frame=True)
         self.build = read_json(pathlib.Path(args.build))
         self.analyst: analyst.Analyst
 
@@ -47,7 +45,7 @@ class Project:
     def asking(self) -> Iterator[None]:
         """While the program answers."""
         command = [self.args.program, "needs", self.scene, *self.seen]
-        command += [*flags.passed_on(self.args, flags.ASKED), "--answer"]
+        command += [*flags.passed_on(self.args, of_frame=False), "--answer"]
         with analyst.above() if self.args.for_program else analyst.started(command) as answering:
             self.analyst = answering
             yield

@@ -20,23 +20,54 @@ from dynrt_tools.specialise import flags, specialise
 THESIS = configs.load_configurations().listed()["thesis"]
 
 
-class Flags(unittest.TestCase):
-    GIVEN = ["--program", "p", "--build", "b", "--expect", "e"]
+# What the program lists (host/app/scene_flags.h), in part.
+LISTED = [
+    {"name": "--size", "value": "WxH [512x384]", "several": False, "of_frame": True},
+    {"name": "--position", "value": "X,Y,Z", "several": False, "of_frame": True},
+    {"name": "--fov", "value": "DEGREES", "several": False, "of_frame": True},
+    {"name": "--light", "value": "X,Y,Z", "several": True, "of_frame": True},
+    {"name": "--uncompressed", "value": "", "several": False, "of_frame": True},
+    {"name": "--config", "value": "NAME", "several": False, "of_frame": True},
+    {"name": "--frames", "value": "N", "several": False, "of_frame": False},
+]
+
+
+class Flags(testing.InFolder):
+    GIVEN: list[str]
+
+    def setUp(self) -> None:
+        super().setUp()
+        program = self.folder / "dynrt"
+        testing.write_program(program, f"#!/bin/sh\ncat <<'END'\n{json.dumps(LISTED)}\nEND\n")
+        self.GIVEN = ["--program", str(program), "--build", "b", "--expect", "e"]
 
     def test_values_may_begin_with_a_minus(self) -> None:
         args = flags.parse(
             ["office", "--position", "-1,2,3", "--light", "0,1,0", "--light=-1,1,0", *self.GIVEN]
         )
         self.assertEqual(
-            flags.passed_on(args, flags.SEEN),
+            flags.passed_on(args, of_frame=True),
             ["--position=-1,2,3", "--light=0,1,0", "--light=-1,1,0"],
         )
-        self.assertEqual(flags.passed_on(args, flags.ASKED), [])
+        self.assertEqual(flags.passed_on(args, of_frame=False), [])
+
+    def test_flags_of_the_program_go_on_to_it(self) -> None:
+        words = ["office", "--uncompressed", "--frames=3", "--config=full", "--keep=lines"]
+        args = flags.parse([*words, *self.GIVEN])
+        self.assertEqual(flags.passed_on(args, of_frame=True), ["--uncompressed"])
+        self.assertEqual(flags.passed_on(args, of_frame=False), ["--frames=3"])
+        self.assertEqual((args.config, args.keep), ("full", ["lines"]))
+
+    def test_without_a_program(self) -> None:
+        with self.assertRaises(SystemExit), contextlib.redirect_stderr(io.StringIO()) as said:
+            flags.parse(["office"])
+        self.assertIn("required: --program", said.getvalue())
 
     def test_help_has_no_flags_that_are_the_programs(self) -> None:
         with self.assertRaises(SystemExit), contextlib.redirect_stdout(io.StringIO()) as said:
-            flags.parse(["--help"])
+            flags.parse(["--help", *self.GIVEN])
         self.assertIn("--max-error", said.getvalue())
+        self.assertIn("--position X,Y,Z", said.getvalue())
         for hidden in ("--program", "--build", "--expect", "--for-program", "SUPPRESS"):
             self.assertNotIn(hidden, said.getvalue())
 
@@ -135,6 +166,8 @@ class Command(testing.InFolder):
                 f"""\
                 #!/usr/bin/python3
                 import pathlib, sys
+                if "--list-flags" in sys.argv:
+                    sys.exit(print({json.dumps(json.dumps(LISTED))}))
                 if "--fov=wide" in sys.argv:
                     sys.exit("dynrt: --fov: wide is not a finite number")
                 for question in sys.stdin:
