@@ -33,17 +33,17 @@ LISTED = [
 
 
 class Flags(testing.InFolder):
-    GIVEN: list[str]
+    given: list[str]
 
     def setUp(self) -> None:
         super().setUp()
         program = self.folder / "dynrt"
         testing.write_program(program, f"#!/bin/sh\ncat <<'END'\n{json.dumps(LISTED)}\nEND\n")
-        self.GIVEN = ["--program", str(program), "--build", "b", "--expect", "e"]
+        self.given = ["--program", str(program), "--build", "b", "--expect", "e"]
 
     def test_values_may_begin_with_a_minus(self) -> None:
         args = flags.parse(
-            ["office", "--position", "-1,2,3", "--light", "0,1,0", "--light=-1,1,0", *self.GIVEN]
+            ["office", "--position", "-1,2,3", "--light", "0,1,0", "--light=-1,1,0", *self.given]
         )
         self.assertEqual(
             flags.passed_on(args, of_frame=True),
@@ -53,7 +53,7 @@ class Flags(testing.InFolder):
 
     def test_flags_of_the_program_go_on_to_it(self) -> None:
         words = ["office", "--uncompressed", "--frames=3", "--config=full", "--keep=lines"]
-        args = flags.parse([*words, *self.GIVEN])
+        args = flags.parse([*words, *self.given])
         self.assertEqual(flags.passed_on(args, of_frame=True), ["--uncompressed"])
         self.assertEqual(flags.passed_on(args, of_frame=False), ["--frames=3"])
         self.assertEqual((args.config, args.keep), ("full", ["lines"]))
@@ -65,7 +65,7 @@ class Flags(testing.InFolder):
 
     def test_help_has_no_flags_that_are_the_programs(self) -> None:
         with self.assertRaises(SystemExit), contextlib.redirect_stdout(io.StringIO()) as said:
-            flags.parse(["--help", *self.GIVEN])
+            flags.parse(["--help", *self.given])
         self.assertIn("--max-error", said.getvalue())
         self.assertIn("--position X,Y,Z", said.getvalue())
         for hidden in ("--program", "--build", "--expect", "--for-program", "SUPPRESS"):
@@ -73,7 +73,7 @@ class Flags(testing.InFolder):
 
     def test_unknown_flags_are_told_in_a_sentence(self) -> None:
         with self.assertRaises(SystemExit), contextlib.redirect_stderr(io.StringIO()) as said:
-            flags.parse(["office", "--speed", "9", *self.GIVEN])
+            flags.parse(["office", "--speed", "9", *self.given])
         self.assertIn(
             "dynrt: unrecognized arguments: --speed 9; dynrt specialise --help lists",
             said.getvalue(),
