@@ -3,7 +3,7 @@
 //
 // The one exception for mistakes of the user: a bad file, flag or folder. The program prints its
 // message, one sentence naming the file, line or node, and exits with a non-zero code. Every other
-// exception is a defect of dynrt itself. A folder has the messages of its code in one header, as
+// exception is a defect of dynrt itself. A room has its messages in one header, *_messages.h, as
 // fmt's format strings.
 #pragma once
 

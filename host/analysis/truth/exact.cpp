@@ -52,7 +52,7 @@ struct Bounds {
 };
 
 template <class N>
-N fall_of(const Line& line, const FlatShape& shape) {
+N determinant_of(const Line& line, const FlatShape& shape) {
   const auto& [a, b, c] = shape.corners;
   return dot(as<N>(line.direction), product(difference<N>(a, c), difference<N>(b, c)));
 }
@@ -68,13 +68,13 @@ Bounds<N> bounds_of(const Line& line, const FlatShape& shape) {
   const N of_a = dot(product(direction, to_b), to_c);
   const N of_b = -dot(by_a, to_c);
   if (!shape.rectangle) return {{of_a, of_b, dot(by_a, to_b), N(0)}, 3};
-  const N fall = fall_of<N>(line, shape);
-  return {{of_a, of_b, fall - of_a, fall - of_b}, 4};
+  const N determinant = determinant_of<N>(line, shape);
+  return {{of_a, of_b, determinant - of_a, determinant - of_b}, 4};
 }
 
 template <class N>
 struct Quotient {
-  N height, fall;  ///< t is height / fall
+  N numerator, denominator;  ///< of t
 };
 
 template <class N>
@@ -89,7 +89,7 @@ int sign_of(const Exact& x) { return static_cast<int>(CGAL::sign(x)); }
 struct Signs {
   unsigned positive = 0, negative = 0, zero = 0;
   void add(int sign) { ++(sign > 0 ? positive : sign < 0 ? negative : zero); }
-  bool apart() const { return positive > 0 && negative > 0; }
+  bool mixed() const { return positive > 0 && negative > 0; }
 };
 
 bool is_narrow(const Interval& x, double scale) {
@@ -101,11 +101,11 @@ double middle(const Interval& x) { return 0.5 * (x.inf() + x.sup()); }
 std::optional<PlaneValues> quick_values(const Line& line, const FlatShape& shape) {
   const RoundUpwards rounding;
   const Quotient<Interval> quotient = t_of<Interval>(line, shape);
-  if (quotient.fall.do_overlap(Interval(0))) return std::nullopt;
+  if (quotient.denominator.do_overlap(Interval(0))) return std::nullopt;
   const Bounds<Interval> bounds = bounds_of<Interval>(line, shape);
-  const Interval t = quotient.height / quotient.fall;
-  const Interval u = bounds.values[0] / quotient.fall;
-  const Interval v = bounds.values[1] / quotient.fall;
+  const Interval t = quotient.numerator / quotient.denominator;
+  const Interval u = bounds.values[0] / quotient.denominator;
+  const Interval v = bounds.values[1] / quotient.denominator;
   if (!is_narrow(t, 0) || !is_narrow(u, 1) || !is_narrow(v, 1)) return std::nullopt;
   return PlaneValues{middle(t), middle(u), middle(v)};
 }
@@ -126,14 +126,14 @@ Crossing cross(const Line& line, const FlatShape& shape, std::uint64_t& exact) {
     } else {
       open = true;
     }
-    if (signs.apart()) return {};
+    if (signs.mixed()) return {};
   }
   if (open) {
     ++exact;
     const Bounds<Exact> all = bounds_of<Exact>(line, shape);
     signs = {};
     for (std::size_t i = 0; i < all.count; ++i) signs.add(sign_of(all.values[i]));
-    if (signs.apart() || signs.zero == all.count) return {};
+    if (signs.mixed() || signs.zero == all.count) return {};
   }
   Crossing crossing;
   crossing.hit = true;
@@ -141,7 +141,7 @@ Crossing cross(const Line& line, const FlatShape& shape, std::uint64_t& exact) {
                    : signs.zero == 1 ? HitPlace::kEdge
                                      : HitPlace::kVertex;
   const Quotient<Interval> t = t_of<Interval>(line, shape);
-  const Interval value = t.height / t.fall;
+  const Interval value = t.numerator / t.denominator;
   crossing.t_low = value.inf();
   crossing.t_high = value.sup();
   return crossing;
@@ -149,24 +149,24 @@ Crossing cross(const Line& line, const FlatShape& shape, std::uint64_t& exact) {
 
 int compare_t(const Line& line, const FlatShape& shape, double value) {
   const Quotient<Exact> t = t_of<Exact>(line, shape);
-  return sign_of(t.height - Exact(value) * t.fall) * sign_of(t.fall);
+  return sign_of(t.numerator - Exact(value) * t.denominator) * sign_of(t.denominator);
 }
 
 int compare_t(const Line& line, const FlatShape& a, const FlatShape& b) {
   const Quotient<Exact> first = t_of<Exact>(line, a);
   const Quotient<Exact> second = t_of<Exact>(line, b);
-  return sign_of(first.height * second.fall - second.height * first.fall) * sign_of(first.fall) *
-         sign_of(second.fall);
+  return sign_of(first.numerator * second.denominator - second.numerator * first.denominator) *
+         sign_of(first.denominator) * sign_of(second.denominator);
 }
 
 std::optional<PlaneValues> plane_values(const Line& line, const FlatShape& shape) {
   if (const auto values = quick_values(line, shape)) return values;
   const Quotient<Exact> t = t_of<Exact>(line, shape);
-  if (sign_of(t.fall) == 0) return std::nullopt;
+  if (sign_of(t.denominator) == 0) return std::nullopt;
   const Bounds<Exact> bounds = bounds_of<Exact>(line, shape);
-  return PlaneValues{CGAL::to_double(Exact(t.height / t.fall)),
-                     CGAL::to_double(Exact(bounds.values[0] / t.fall)),
-                     CGAL::to_double(Exact(bounds.values[1] / t.fall))};
+  return PlaneValues{CGAL::to_double(Exact(t.numerator / t.denominator)),
+                     CGAL::to_double(Exact(bounds.values[0] / t.denominator)),
+                     CGAL::to_double(Exact(bounds.values[1] / t.denominator))};
 }
 
 }  // namespace dynrt::host

@@ -58,13 +58,13 @@ Placed place(const Mesh& mesh, const glm::dmat4& transform) {
 }
 
 /// The interval of a ray within an ellipsoid, and the core's choice (units/intersection.h).
-struct SphereMeeting {
+struct SphereIntersection {
   double first, second;  ///< NaN if the ray passes by
   double u, v;
   double cosine;  ///< at the second; minus this at the first
 };
 
-SphereMeeting meet_sphere(const UnitMatrix& unit, const TruthRay& ray) {
+SphereIntersection intersect_sphere(const UnitMatrix& unit, const TruthRay& ray) {
   const glm::dvec3 o = unit.matrix * glm::dvec4(ray.origin, 1.0);
   const glm::dvec3 d = unit.matrix * glm::dvec4(ray.direction, 0.0);
   const auto [first, second] = sphere_hits(o, d);
@@ -204,7 +204,7 @@ class Truth::State::Search : public CandidateVisitor {
     out.place = best.place;
     for (std::size_t i = 1; i < nearest_.size(); ++i) out.ties.push_back(nearest_[i].id);
     if (best.ellipsoid) {
-      const SphereMeeting intersection = meet_sphere(state_.ellipsoid(best.id), ray_);
+      const SphereIntersection intersection = intersect_sphere(state_.ellipsoid(best.id), ray_);
       out.t = best.t_low;
       out.u = intersection.u;
       out.v = intersection.v;
@@ -243,7 +243,7 @@ class Truth::State::Search : public CandidateVisitor {
     take(now);
   }
   void try_ellipsoid(PrimitiveId id) {
-    const SphereMeeting intersection = meet_sphere(state_.ellipsoid(id), ray_);
+    const SphereIntersection intersection = intersect_sphere(state_.ellipsoid(id), ray_);
     for (const double t : {intersection.first, intersection.second}) {
       if (!(t > ray_.from && t < ray_.to)) continue;
       take({id, HitPlace::kInside, true, t, t});
@@ -327,10 +327,10 @@ bool Truth::any(const TruthRay& ray) const {
   return search.found();
 }
 
-std::optional<PlaneMeeting> Truth::intersect(const TruthRay& ray, PrimitiveId id) const {
-  PlaneMeeting out;
+std::optional<PlaneIntersection> Truth::intersect(const TruthRay& ray, PrimitiveId id) const {
+  PlaneIntersection out;
   if (state_->is_ellipsoid(id)) {
-    const SphereMeeting intersection = meet_sphere(state_->ellipsoid(id), ray);
+    const SphereIntersection intersection = intersect_sphere(state_->ellipsoid(id), ray);
     if (std::isnan(intersection.first)) return std::nullopt;
     const bool enters = intersection.first > 0;
     out.t = enters ? intersection.first : intersection.second;

@@ -76,7 +76,7 @@ struct TruthHit {
 
 /// The point where a ray meets a primitive's plane, inside or outside the primitive. For checking
 /// the hits of others.
-struct PlaneMeeting {
+struct PlaneIntersection {
   double t = 0;
   double u = 0;
   double v = 0;
@@ -116,7 +116,7 @@ class Truth {
   bool any(const TruthRay& ray) const;
   /// Nothing where the ray is parallel to the plane, or passes by the ellipsoid. The ray's interval
   /// and `own` are not looked at, but the sign of t is for `hit`.
-  std::optional<PlaneMeeting> intersect(const TruthRay& ray, PrimitiveId id) const;
+  std::optional<PlaneIntersection> intersect(const TruthRay& ray, PrimitiveId id) const;
 
   /// Corners in the world: of a triangle, or of a rectangle those of Mesh::corners.
   std::array<glm::dvec3, 3> corners(PrimitiveId id) const;

@@ -228,10 +228,10 @@ TEST_F(WholeNumbersTest, HitsAreThoseOfAnotherExactArithmetic) {
     const Point c = corner[2] - origin;
     const int signs[] = {sign(det(direction, b, c)), sign(det(direction, c, a)),
                          sign(det(direction, a, b))};
-    const int fall = sign(det(direction, corner[0] - corner[2], corner[1] - corner[2]));
-    const int t = fall * sign(det(a, b, c));
-    const bool within = std::ranges::all_of(signs, [&](int s) { return s * fall >= 0; });
-    const bool hit = fall != 0 && within && t > 0;
+    const int determinant = sign(det(direction, corner[0] - corner[2], corner[1] - corner[2]));
+    const int t = determinant * sign(det(a, b, c));
+    const bool within = std::ranges::all_of(signs, [&](int s) { return s * determinant >= 0; });
+    const bool hit = determinant != 0 && within && t > 0;
 
     const Scene scene =
         scene_of(triangle(glm::dvec3(corner[0]), glm::dvec3(corner[1]), glm::dvec3(corner[2])));
