@@ -26,7 +26,7 @@ struct BoxClip {
   hls::Out<TraversalEvent<C>> enter_object;
   hls::Out<ListJob<C>> missed;
   hls::RamRead<Real, kPackets> hit_distance[kRays];
-  hls::PortIf<kHasMirrors<C>, hls::RamRead<Real, kPackets>> start_distance[kRays];
+  hls::OptionalPort<kHasMirrors<C>, hls::RamRead<Real, kPackets>> start_distance[kRays];
   hls::RamWrite<BoxInterval<C>, kPackets> interval[kRays];
   HLS_PORTS(ray, enter_object, missed, hit_distance[0], hit_distance[1], hit_distance[2],
             hit_distance[3], start_distance[0], start_distance[1], start_distance[2],

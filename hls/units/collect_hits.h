@@ -30,24 +30,24 @@ struct CollectHits {
   /// The state of a ray so far.
   struct Closest {
     Real t;
-    hls::FieldIf<kHasSecondary<C>, RayKind> kind;
-    hls::FieldIf<kHasMirrors<C>, Real> start;  ///< of a reflected ray
-    hls::FieldIf<kHasLights<C>, bool> shadow;  ///< of a light ray
-    hls::FieldIf<kHasLights<C>, Real> cosine;  ///< of a light ray with the surface's normal
+    hls::OptionalField<kHasSecondary<C>, RayKind> kind;
+    hls::OptionalField<kHasMirrors<C>, Real> start;  ///< of a reflected ray
+    hls::OptionalField<kHasLights<C>, bool> shadow;  ///< of a light ray
+    hls::OptionalField<kHasLights<C>, Real> cosine;  ///< of a light ray with the surface's normal
     HLS_FIELDS(t, kind, start, shadow, cosine)
   };
 
   hls::In<HitCandidate<C>> candidate;
   hls::RamRead<JobRecord<C>, kPackets> record;
-  hls::PortIf<kTwoLevels<C>, hls::RamRead<MatrixNumber<C>, kPackets>> object;
+  hls::OptionalPort<kTwoLevels<C>, hls::RamRead<MatrixNumber<C>, kPackets>> object;
   hls::Out<ListJob<C>> go_on;
   hls::Out<MailboxEntry<C>> start;
   hls::RamWrite<Real, kPackets> distance[kRays];
   hls::RamWrite<HitRecord<C>, kRayRows<C>> hit;  ///< of primary rays
-  hls::PortIf<kHasSecondary<C>, hls::Out<DerivationEvent<C>>> derived;
-  hls::PortIf<kHasSecondary<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
-  hls::PortIf<kHasSecondary<C>, hls::RamWrite<Found<C>, kRayRows<C>>> found;
-  hls::PortIf<kHasMirrors<C>, hls::RamWrite<Real, kPackets>> start_distance[kRays];
+  hls::OptionalPort<kHasSecondary<C>, hls::Out<DerivationEvent<C>>> derived;
+  hls::OptionalPort<kHasSecondary<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
+  hls::OptionalPort<kHasSecondary<C>, hls::RamWrite<Found<C>, kRayRows<C>>> found;
+  hls::OptionalPort<kHasMirrors<C>, hls::RamWrite<Real, kPackets>> start_distance[kRays];
   hls::Ram1R1W<Closest, kRayRows<C>> closest;
   HLS_PORTS(candidate, record, object, go_on, start, distance[0], distance[1], distance[2],
             distance[3], hit, derived, surface, found, start_distance[0], start_distance[1],
@@ -59,7 +59,7 @@ struct CollectHits {
     OfInstance<C, MatrixNumber<C>> instance;
     if constexpr (kTwoLevels<C>) instance = object.read(in.packet);
     const RayRow<C> row = ray_row<C>(in.packet, in.ray);
-    const bool alone = kHasSecondary<C> && job.kind == TransformKind::kDerive;
+    const bool alone = kHasSecondary<C> && job.kind == TransformKind::kSecondary;
     SurfacePoint<C> from;
     if constexpr (kHasSecondary<C>) from = surface.read(row);
 
@@ -162,7 +162,7 @@ struct CollectHits {
     return t.template moved_up<(1u << (Real::kMantissaBits - kMarginBits))>();
   }
   static Closest begin(const JobRecord<C>& job, const SurfacePoint<C>& from) {
-    const bool alone = kHasSecondary<C> && job.kind == TransformKind::kDerive;
+    const bool alone = kHasSecondary<C> && job.kind == TransformKind::kSecondary;
     const bool light = alone && is_light(job);
     Closest c;
     c.t = light ? kShadowEnd : Real::largest();

@@ -127,7 +127,7 @@ Found<LitSpheres> lit_at(Primitive primitive, double t) {
   bench.rows(bench.unit.surface)[0] = {Real::one(), 7, 9};
   bench.rows(bench.unit.object)[0] = 7;
   JobRecord<LitSpheres> job;
-  job.kind = TransformKind::kDerive;
+  job.kind = TransformKind::kSecondary;
   job.derived = DerivedRay{Derivation::kLight, 0};
   job.matrix = 9;
   job.active = 1;

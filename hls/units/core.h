@@ -66,15 +66,15 @@ struct Core {
   SendPacket<C> send_packet;
   Transformation<C> transformation;
   PacketDecoder<C> packet_decoder;
-  hls::PortIf<kHasReciprocals<C>, RayReciprocal<C>> ray_reciprocal;
-  hls::PortIf<kClipsToBox<C>, BoxClip<C>> box_clip;
-  hls::PortIf<kWatertight<C>, RayShear<C>> ray_shear;
+  hls::OptionalPort<kHasReciprocals<C>, RayReciprocal<C>> ray_reciprocal;
+  hls::OptionalPort<kClipsToBox<C>, BoxClip<C>> box_clip;
+  hls::OptionalPort<kWatertight<C>, RayShear<C>> ray_shear;
   Intersection<C> intersection;
   CollectHits<C> collect_hits;
   Shading<C> shading;
-  hls::PortIf<kHasSecondary<C>, Shader<C>> shader;
-  hls::PortIf<kHasSecondary<C>, SecondaryRays<C>> secondary_rays;
-  hls::PortIf<kHasLights<C>, LightColumns<C>> light_columns;
+  hls::OptionalPort<kHasSecondary<C>, Shader<C>> shader;
+  hls::OptionalPort<kHasSecondary<C>, SecondaryRays<C>> secondary_rays;
+  hls::OptionalPort<kHasLights<C>, LightColumns<C>> light_columns;
   MemoryInterface<C> memory_interface;
 
   std::shared_ptr<hls::Fifo<uint<10>>> start;

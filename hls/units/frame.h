@@ -23,13 +23,13 @@ struct FrameRegisters {
   hls::uint<32> frame_base;     ///< first word of the framebuffer in bank 3
   hls::uint<32> write_hits;     ///< 1: hit records are written to banks 4 and 5
   /// 1: every ray's origin is transformed, not one for the packet
-  hls::FieldIf<C::kUncompressed, hls::uint<32>> uncompressed;
+  hls::OptionalField<C::kUncompressed, hls::uint<32>> uncompressed;
   hls::uint<32> ambient;       ///< light that reaches every surface, 0 to 256 (all of it)
   hls::uint<32> lights;        ///< point lights, at most the configuration's number
   hls::uint<32> light_matrix;  ///< index of the first light's matrix
   hls::uint<32> reflections;   ///< bounces, at most the configuration's number
-  hls::FieldIf<C::kOneColour, hls::uint<32>> colour;  ///< of every surface, 0x00BBGGRR
-  hls::FieldIf<C::kLevels == 1, hls::uint<32>>
+  hls::OptionalField<C::kOneColour, hls::uint<32>> colour;  ///< of every surface, 0x00BBGGRR
+  hls::OptionalField<C::kLevels == 1, hls::uint<32>>
       object;  ///< number of the one there is, for its hits
   HLS_FIELDS(packets, line_mask, width, height, scanline, morton_bits, start_node, camera_matrix,
              background, frame_base, write_hits, uncompressed, ambient, lights, light_matrix,

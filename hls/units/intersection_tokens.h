@@ -20,7 +20,7 @@ struct UnitRay {
   /// The ray in unit space, or the triangle in the ray's.
   std::conditional_t<kWatertight<C>, MappedTriangle<typename C::Real>, Ray<typename C::Real>> unit;
   PrimitiveField<C> primitive{};
-  hls::FieldIf<kScalesCosine<C>, typename C::Real> cosine_factor{};
+  hls::OptionalField<kScalesCosine<C>, typename C::Real> cosine_factor{};
   HLS_FIELDS(packet, ray, reset, unit, primitive, cosine_factor)
 };
 

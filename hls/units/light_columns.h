@@ -37,7 +37,7 @@ struct LightColumns {
     Column c = fetched.read();
     const DerivedRay derived = c.context.extras.derived.get();
     const bool is_light =
-        c.context.kind == TransformKind::kDerive && derived.pass == Derivation::kLight;
+        c.context.kind == TransformKind::kSecondary && derived.pass == Derivation::kLight;
     const bool first = c.context.column == uint<2>(0);
     const Ray<Real> ray = arriving.read(ray_row<C>(c.context.packet, derived.ray));
     if (is_light && first) {

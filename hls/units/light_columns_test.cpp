@@ -56,7 +56,7 @@ TEST_F(LightColumnsTest, ALightRaysMatrixTakesTheArrivingRayAndTheLightsPlace) {
                       c.row[2].value.to_double()};
   };
   const auto light = [&](unsigned number, const MatrixColumn<Real>& line) {
-    return values(through(TransformKind::kDerive, Derivation::kLight, number, line));
+    return values(through(TransformKind::kSecondary, Derivation::kLight, number, line));
   };
   EXPECT_EQ(light(0, power), (std::array{1.0, 2.0, 3.0})) << "origin of the ray that arrived";
   EXPECT_EQ(light(1, column_of(0, 0, 0)), (std::array{4.0, 5.0, 6.0})) << "its direction";
@@ -76,7 +76,7 @@ TEST_F(LightColumnsTest, AllOtherColumnsPassUnchanged) {
     }
     for (const Derivation pass :
          {Derivation::kIntoObject, Derivation::kMirror, Derivation::kOutOfObject}) {
-      EXPECT_TRUE(test::same(through(TransformKind::kDerive, pass, number, line), line));
+      EXPECT_TRUE(test::same(through(TransformKind::kSecondary, pass, number, line), line));
     }
   }
   EXPECT_TRUE(test::same(bench_.rows(bench_.unit.light)[5], LightPower<C>{}));

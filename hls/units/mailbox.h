@@ -43,7 +43,7 @@ struct Mailbox {
   /// The packet's rays that are traced.
   struct Traced {
     RayMask rays;
-    hls::FieldIf<kHasMirrors<C>, bool> distinct_origins;
+    hls::OptionalField<kHasMirrors<C>, bool> distinct_origins;
     HLS_FIELDS(rays, distinct_origins)
   };
   /// The rays that enter an object, or those that are traced while others wait.
@@ -53,12 +53,12 @@ struct Mailbox {
   hls::In<MailboxEntry<C>> entry;
   hls::Config<FrameRegisters<C>> frame;
   hls::Out<TransformJob<C>> fresh;
-  hls::PortIf<kHasObjects || kHasTriangles, hls::Out<ListJob<C>>> seen;
+  hls::OptionalPort<kHasObjects || kHasTriangles, hls::Out<ListJob<C>>> seen;
   hls::Out<TraversalEvent<C>> start;
   hls::RamWrite<bool, kLevelRows<C>> last;
-  hls::PortIf<kHasObjects, hls::Ram1R1W<Slots<C::kObjectSlots>, kPackets>> objects;
-  hls::PortIf<kHasTriangles, hls::Ram1R1W<Slots<C::kTriangleSlots>, kPackets>> triangles;
-  hls::PortIf<kKeepsTraced, hls::Ram1R1W<Traced, kPackets>> traced;
+  hls::OptionalPort<kHasObjects, hls::Ram1R1W<Slots<C::kObjectSlots>, kPackets>> objects;
+  hls::OptionalPort<kHasTriangles, hls::Ram1R1W<Slots<C::kTriangleSlots>, kPackets>> triangles;
+  hls::OptionalPort<kKeepsTraced, hls::Ram1R1W<Traced, kPackets>> traced;
   HLS_PORTS(entry, frame, fresh, seen, start, last)
 
   void step() {

@@ -26,7 +26,7 @@ struct MatrixFetch {
                                    column,       j.job.extras, j.job.matrix};
     ColumnAddress<C> address = hls::concat(j.job.matrix, column);
     if constexpr (kThreeColumns<C>) {
-      const bool mirror = kHasMirrors<C> && j.job.kind == TransformKind::kDerive &&
+      const bool mirror = kHasMirrors<C> && j.job.kind == TransformKind::kSecondary &&
                           j.job.extras.derived.get().pass == Derivation::kMirror;
       if (j.job.kind == TransformKind::kTriangle || mirror) {
         address = ColumnAddress<C>::from(

@@ -44,7 +44,7 @@ TEST(MatrixFetch, TrianglesAndMirrorsBeginEveryThreeColumns) {
     bench.feed(bench.unit.job, repeated);
     bench.run();
     const bool three = job.kind == TransformKind::kTriangle ||
-                       (job.kind == TransformKind::kDerive &&
+                       (job.kind == TransformKind::kSecondary &&
                         job.extras.derived.get().pass == Derivation::kMirror);
     const CacheRequest<ColumnContext<Compact>> expected{
         {job.packet, job.kind, job.active, uint<2>::from(index), job.extras, job.matrix},

@@ -19,19 +19,19 @@ struct MatrixStore {
   using Real = typename C::Real;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
   struct Progress {
-    uint<2> columns;                               ///< of this job that have arrived
-    MatrixExtra<C> extra;                          ///< spare bits of column 0
-    hls::FieldIf<kHasMirrors<C>, uint<8>> mirror;  ///< spare bits of column 1
-    hls::FieldIf<kScalesCosine<C>, Real> cosine_factor;
+    uint<2> columns;                                     ///< of this job that have arrived
+    MatrixExtra<C> extra;                                ///< spare bits of column 0
+    hls::OptionalField<kHasMirrors<C>, uint<8>> mirror;  ///< spare bits of column 1
+    hls::OptionalField<kScalesCosine<C>, Real> cosine_factor;
     HLS_FIELDS(columns, extra, mirror, cosine_factor)
   };
 
   hls::In<ColumnReply<C>> reply;
-  hls::PortIf<C::kUncompressed, hls::Config<FrameRegisters<C>>> frame;
+  hls::OptionalPort<C::kUncompressed, hls::Config<FrameRegisters<C>>> frame;
   hls::Out<SendJob<C>> ready;
   hls::RamWrite<Vector<Real>, kPackets> column[4];
   hls::RamWrite<JobRecord<C>, kPackets> record;
-  hls::PortIf<kTwoLevels<C>, hls::RamWrite<MatrixNumber<C>, kPackets>> object;
+  hls::OptionalPort<kTwoLevels<C>, hls::RamWrite<MatrixNumber<C>, kPackets>> object;
   hls::RegisterFile<Progress, kPackets> progress;
   HLS_PORTS(reply, frame, ready, column[0], column[1], column[2], column[3], record, object)
 
@@ -103,7 +103,7 @@ struct MatrixStore {
       if constexpr (C::kUncompressed) {
         distinct_origins = frame.get().uncompressed.get().template bit<0>() || distinct_origins;
       }
-      const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kDerive;
+      const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kSecondary;
       const bool corners = kWatertight<C> && r.context.kind == TransformKind::kTriangle;
       send.repeat = corners            ? RepeatCount(11)
                     : one_ray          ? RepeatCount(1)

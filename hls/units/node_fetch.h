@@ -26,17 +26,17 @@ struct NodeFetch {
   struct State {
     Stack stack;    ///< entries in use
     RayMask alive;  ///< rays that entered the level and have not ended in it
-    hls::FieldIf<kHasSecondary<C>, RayKind> rays{};          ///< level 0: their kind
-    hls::FieldIf<kSplitsPackets<C>, RayMask> waiting{};      ///< rays of the groups to come
-    hls::FieldIf<kSplitsPackets<C>, NodeAddress<C>> root{};  ///< node where they begin
-    hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};    ///< rays that have crossed others
+    hls::OptionalField<kHasSecondary<C>, RayKind> rays{};          ///< level 0: their kind
+    hls::OptionalField<kSplitsPackets<C>, RayMask> waiting{};      ///< rays of the groups to come
+    hls::OptionalField<kSplitsPackets<C>, NodeAddress<C>> root{};  ///< node where they begin
+    hls::OptionalField<kRemembersChild<C>, RayMask> crossing{};  ///< rays that have crossed others
     HLS_FIELDS(stack, alive, rays, waiting, root, crossing)
   };
   struct Entry {
     NodeAddress<C> node;
     RayMask active;
     RayMask both;
-    hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
+    hls::OptionalField<kRemembersChild<C>, RayMask> crossing{};
     HLS_FIELDS(node, active, both, crossing)
   };
 
@@ -44,9 +44,9 @@ struct NodeFetch {
   hls::Out<NodeRequest<C>> request;
   hls::Out<TraversalEvent<C>> again;  ///< a popped node that no living ray enters: pop once more
   hls::Out<ShadeJob<C>> top_done;
-  hls::PortIf<kTwoLevels<C>, hls::Out<ListJob<C>>> object_done;
+  hls::OptionalPort<kTwoLevels<C>, hls::Out<ListJob<C>>> object_done;
   hls::Out<DroppedPush<C>> dropped;
-  hls::PortIf<kSplitsPackets<C>, hls::RamRead<DirectionSigns, kLevelRows<C>>> signs[kRays];
+  hls::OptionalPort<kSplitsPackets<C>, hls::RamRead<DirectionSigns, kLevelRows<C>>> signs[kRays];
   hls::Ram1R1W<State, kLevelRows<C>> states;
   hls::Ram1R1W<Entry, kStackRows<C>> stack;
   HLS_PORTS(event, request, again, top_done, object_done, dropped, signs[0], signs[1], signs[2],

@@ -39,7 +39,7 @@ inline constexpr bool kRemembersChild = kHasMirrors<C> && C::kCrossing == Crossi
 
 /// Whether a packet's rays may have origins of their own when it is transformed.
 template <class C>
-inline constexpr bool kHasPacketsApart = C::kUncompressed || kHasMirrors<C>;
+inline constexpr bool kHasDistinctOrigins = C::kUncompressed || kHasMirrors<C>;
 
 /// Whether a unit clips rays to the box of an object that they enter (thesis 4.2).
 template <class C>
@@ -76,7 +76,7 @@ inline constexpr bool kScalesCosine = kThreeColumns<C> || C::kPrimitives.sphere;
 
 /// The kind of primitive; a core with one kind lacks the field.
 template <class C>
-using PrimitiveField = hls::FieldIf<kHasKinds<C>, Primitive>;
+using PrimitiveField = hls::OptionalField<kHasKinds<C>, Primitive>;
 template <class C>
 constexpr bool is_primitive(Primitive which, const PrimitiveField<C>& field) {
   constexpr Primitives kSome = C::kPrimitives;
@@ -86,20 +86,20 @@ constexpr bool is_primitive(Primitive which, const PrimitiveField<C>& field) {
   return some && (!kHasKinds<C> || field.get() == which);
 }
 
-/// A field that nearly all configurations have; the others lack it (hls::FieldIf).
+/// A field that nearly all configurations have; the others lack it (hls::OptionalField).
 template <bool Present, class T>
-using Kept = std::conditional_t<Present, T, hls::FieldIf<false, T>>;
+using UsualField = std::conditional_t<Present, T, hls::OptionalField<false, T>>;
 
 /// The colour of a surface, 0x00BBGGRR, where surfaces have colours of their own.
 template <class C>
-using SurfaceColour = Kept<!C::kOneColour, uint<24>>;
+using SurfaceColour = UsualField<!C::kOneColour, uint<24>>;
 /// The spare bits of a matrix: the root of an object's tree, or a primitive's colour.
 template <class C>
 using MatrixExtra =
-    Kept<kTwoLevels<C> || !C::kOneColour, uint<C::kOneColour ? C::kAddressBits : 24>>;
+    UsualField<kTwoLevels<C> || !C::kOneColour, uint<C::kOneColour ? C::kAddressBits : 24>>;
 /// A field of an instance, in cores that have several.
 template <class C, class T>
-using OfInstance = Kept<kTwoLevels<C>, T>;
+using OfInstance = UsualField<kTwoLevels<C>, T>;
 
 /// Numbers as the core has them on their way, in as many bits as the configuration's scenes take:
 /// where a node or a list's entry lies, a matrix, one of its columns.
@@ -153,7 +153,7 @@ inline constexpr unsigned kRayRows = 1u << RayRow<C>::kWidth;
 
 /// The level in a token, where there are two.
 template <class C>
-using LevelField = Kept<kTwoLevels<C>, Level>;
+using LevelField = UsualField<kTwoLevels<C>, Level>;
 /// Whether it is the tree of instances.
 template <class C>
 constexpr bool is_top(LevelField<C> level) {

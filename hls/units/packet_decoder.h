@@ -25,18 +25,18 @@ struct PacketDecoder {
   hls::In<PacketVector<C>> vector;
   hls::RamRead<JobRecord<C>, kPackets> record;
   hls::Out<UnitRay<C>> unit_ray;
-  hls::PortIf<kTwoLevels<C> && !kPassesObjectRays<C> && !kHasReciprocals<C>,
-              hls::Out<TraversalEvent<C>>>
+  hls::OptionalPort<kTwoLevels<C> && !kPassesObjectRays<C> && !kHasReciprocals<C>,
+                    hls::Out<TraversalEvent<C>>>
       enter_object;
-  hls::PortIf<kPassesObjectRays<C> && !kHasReciprocals<C>, hls::Out<ObjectRay<C>>> object_ray;
-  hls::PortIf<kHasReciprocals<C>, hls::Out<TracedRay<C>>> traced;
-  hls::PortIf<!kHasReciprocals<C>, hls::RamWrite<RayByAxis<Real>, kLevelRows<C>>> ray[kRays];
-  hls::PortIf<kSplitsPackets<C>, hls::RamWrite<DirectionSigns, kLevelRows<C>>> signs[kRays];
+  hls::OptionalPort<kPassesObjectRays<C> && !kHasReciprocals<C>, hls::Out<ObjectRay<C>>> object_ray;
+  hls::OptionalPort<kHasReciprocals<C>, hls::Out<TracedRay<C>>> traced;
+  hls::OptionalPort<!kHasReciprocals<C>, hls::RamWrite<RayByAxis<Real>, kLevelRows<C>>> ray[kRays];
+  hls::OptionalPort<kSplitsPackets<C>, hls::RamWrite<DirectionSigns, kLevelRows<C>>> signs[kRays];
   hls::RamWrite<Vector<Real>, kVectorRows<C>> vectors;
   /// The world rays, each with its origin; light rays, which nothing is derived from, left out.
-  hls::PortIf<kHasSecondary<C>, hls::RamWrite<Ray<Real>, kRayRows<C>>> arriving;
+  hls::OptionalPort<kHasSecondary<C>, hls::RamWrite<Ray<Real>, kRayRows<C>>> arriving;
   /// A pass that is not a ray's last.
-  hls::PortIf<kTwoLevels<C> && kHasMirrors<C>, hls::Out<DerivationEvent<C>>> derived;
+  hls::OptionalPort<kTwoLevels<C> && kHasMirrors<C>, hls::Out<DerivationEvent<C>>> derived;
   HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, traced, ray[0], ray[1], ray[2],
             ray[3], signs[0], signs[1], signs[2], signs[3], vectors, arriving, derived)
 
@@ -47,7 +47,7 @@ struct PacketDecoder {
     const Ray<Real> r{origin_, in.vector};
 
     const bool triangle = job.kind == TransformKind::kTriangle;
-    const bool alone = kHasSecondary<C> && job.kind == TransformKind::kDerive;
+    const bool alone = kHasSecondary<C> && job.kind == TransformKind::kSecondary;
     const Derivation pass = job.derived.get().pass;
     const bool light = kHasLights<C> && alone && pass == Derivation::kLight;
     const bool between = kTwoLevels<C> && kHasMirrors<C> && alone &&
@@ -128,8 +128,8 @@ struct PacketDecoder {
   }
   Vector<Real> origin_;  ///< of the packet, whose vectors come one after the other
   /// Of the triangle that is being mapped.
-  hls::FieldIf<kWatertight<C>, Vector<Real>> first_corner_;
-  hls::FieldIf<kWatertight<C>, Vector<Real>> second_corner_;
+  hls::OptionalField<kWatertight<C>, Vector<Real>> first_corner_;
+  hls::OptionalField<kWatertight<C>, Vector<Real>> second_corner_;
 };
 
 }  // namespace dynrt

@@ -25,8 +25,8 @@ struct RayReciprocal {
 
   hls::In<Repeated<TracedRay<C>>> traced;
   hls::Out<UnitRay<C>> reset;
-  hls::PortIf<kTwoLevels<C> && !kClipsToBox<C>, hls::Out<TraversalEvent<C>>> enter_object;
-  hls::PortIf<kClipsToBox<C>, hls::Out<ObjectRay<C>>> object_ray;  ///< with the reciprocals
+  hls::OptionalPort<kTwoLevels<C> && !kClipsToBox<C>, hls::Out<TraversalEvent<C>>> enter_object;
+  hls::OptionalPort<kClipsToBox<C>, hls::Out<ObjectRay<C>>> object_ray;  ///< with the reciprocals
   hls::RamWrite<RayByAxis<Real>, kLevelRows<C>> ray[kRays];
   HLS_PORTS(traced, reset, enter_object, object_ray, ray[0], ray[1], ray[2], ray[3])
 

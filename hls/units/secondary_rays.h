@@ -73,7 +73,7 @@ struct SecondaryRays {
     } else {
       TransformJob<C> transform;
       transform.packet = d.packet;
-      transform.kind = TransformKind::kDerive;
+      transform.kind = TransformKind::kSecondary;
       transform.active = s.rays;
       transform.matrix = matrix(s, point);
       transform.extras.derived = DerivedRay{s.pass, ray};

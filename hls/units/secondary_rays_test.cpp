@@ -53,7 +53,7 @@ class SecondaryRaysTest : public testing::Test {
   void expect_job(const Answer& answer, Derivation pass, unsigned ray, unsigned matrix,
                   unsigned rays) {
     ASSERT_TRUE(answer.job);
-    EXPECT_EQ(answer.job->kind, TransformKind::kDerive);
+    EXPECT_EQ(answer.job->kind, TransformKind::kSecondary);
     EXPECT_EQ(answer.job->packet, PacketId<C>(kPacket));
     EXPECT_EQ(answer.job->extras.derived.get().pass, pass);
     EXPECT_EQ(answer.job->extras.derived.get().ray, RayIndex::from(ray));

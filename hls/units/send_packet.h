@@ -32,16 +32,16 @@ struct SendPacket {
   hls::Out<PacketVector<C>> vector;
   hls::RamRead<Vector<Real>, kVectorRows<C>> vectors;
   hls::RamRead<PixelPosition, kPackets> position;
-  hls::PortIf<kHasLights<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
-  hls::PortIf<kHasMirrors<C>, hls::RamRead<Ray<Real>, kRayRows<C>>> arriving;
+  hls::OptionalPort<kHasLights<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
+  hls::OptionalPort<kHasMirrors<C>, hls::RamRead<Ray<Real>, kRayRows<C>>> arriving;
   HLS_PORTS(job, vector, vectors, position, surface, arriving)
 
   void step() {
     const Repeated<SendJob<C>> j = job.read();
     const bool corners = kWatertight<C> && j.job.kind == TransformKind::kTriangle;
-    const bool alone = kHasSecondary<C> && j.job.kind == TransformKind::kDerive;
+    const bool alone = kHasSecondary<C> && j.job.kind == TransformKind::kSecondary;
     const bool compressed =
-        kHasPacketsApart<C> ? j.job.repeat == RepeatCount(4) : !corners && !alone;
+        kHasDistinctOrigins<C> ? j.job.repeat == RepeatCount(4) : !corners && !alone;
     const DerivedRay derived = j.job.derived.get();
     const bool point =
         !corners && (compressed ? j.index == RepeatCount{} : !j.index.template bit<0>());

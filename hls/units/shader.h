@@ -31,7 +31,7 @@ struct Shader {
     SurfaceColour<C> colour;  ///< of the surface hit last
     bool towards = false;     ///< the sign of its cosine
     Brightness diffuse;       ///< how much of that surface's light reaches the eye
-    hls::FieldIf<kHasMirrors<C>, Brightness> mirror;  ///< share of it that is reflected
+    hls::OptionalField<kHasMirrors<C>, Brightness> mirror;  ///< share of it that is reflected
     HLS_FIELDS(sum, colour, towards, diffuse, mirror)
   };
 
@@ -40,8 +40,8 @@ struct Shader {
   hls::RamRead<Found<C>, kRayRows<C>> found;
   hls::RamWrite<SurfacePoint<C>, kRayRows<C>> surface;
   hls::RamWrite<uint<24>, kRayRows<C>> pixel_colour;
-  hls::PortIf<kHasLights<C>, hls::RamRead<LightPower<C>, kPackets>> light;
-  hls::PortIf<kHasLights<C>, hls::RamRead<Vector<Real>, kVectorRows<C>>> vectors;
+  hls::OptionalPort<kHasLights<C>, hls::RamRead<LightPower<C>, kPackets>> light;
+  hls::OptionalPort<kHasLights<C>, hls::RamRead<Vector<Real>, kVectorRows<C>>> vectors;
   hls::RamRead<RayMask, kPackets> traced;  ///< of rays that are not primary, those that were traced
   hls::Out<DerivationEvent<C>> derive;
   hls::Ram1R1W<Pixel, kRayRows<C>> pixels;

@@ -30,7 +30,7 @@ struct Shading {
   hls::RamRead<HitRecord<C>, kRayRows<C>> hit;
   hls::RamRead<PixelPosition, kPackets> position;
   hls::RamWrite<Word, kBankWords> bank[3];  ///< banks 3, 4 and 5 of the board
-  hls::PortIf<kHasSecondary<C>, hls::RamRead<uint<24>, kRayRows<C>>> pixel_colour;
+  hls::OptionalPort<kHasSecondary<C>, hls::RamRead<uint<24>, kRayRows<C>>> pixel_colour;
   HLS_PORTS(job, frame, free, hit, position, bank[0], bank[1], bank[2], pixel_colour)
 
   void step() {

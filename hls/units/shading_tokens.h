@@ -59,7 +59,7 @@ struct Found {
   OfInstance<C, MatrixNumber<C>> object;
   MatrixNumber<C> triangle;
   SurfaceColour<C> colour;
-  hls::FieldIf<kHasMirrors<C>, uint<8>>
+  hls::OptionalField<kHasMirrors<C>, uint<8>>
       mirror{};  ///< part of the light that is reflected, in 256ths
   HLS_FIELDS(hit, cosine, t, object, triangle, colour, mirror)
 };
@@ -75,7 +75,7 @@ template <class C>
 struct ShadeJob {
   RepeatCount repeat;  ///< steps less one: 3 to shade four rays, 15 to write their pixels and hits
   PacketId<C> packet;
-  hls::FieldIf<kHasSecondary<C>, RayKind> kind{};
+  hls::OptionalField<kHasSecondary<C>, RayKind> kind{};
   HLS_FIELDS(repeat, packet, kind)
 };
 

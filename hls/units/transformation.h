@@ -24,7 +24,7 @@ struct Transformation {
   hls::In<PacketVector<C>> vector;
   hls::Out<PacketVector<C>> transformed;
   hls::RamRead<Vector<Real>, kPackets> column[4];
-  hls::PortIf<kWatertight<C>, hls::RamRead<RayMap<Real>, kRayRows<C>>> map;
+  hls::OptionalPort<kWatertight<C>, hls::RamRead<RayMap<Real>, kRayRows<C>>> map;
   HLS_PORTS(vector, transformed, column[0], column[1], column[2], column[3], map)
 
   void step() {

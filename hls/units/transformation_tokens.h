@@ -10,14 +10,14 @@
 
 namespace dynrt {
 
-enum class TransformKind : unsigned char { kCamera, kObject, kTriangle, kDerive };
+enum class TransformKind : unsigned char { kCamera, kObject, kTriangle, kSecondary };
 
 /// Fields of a transformation in configurations with rays beyond the primary ones or with several
 /// primitives.
 template <class C>
 struct TransformExtras {
-  hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};  ///< of kDerive
-  hls::FieldIf<kHasMirrors<C>, bool>
+  hls::OptionalField<kHasSecondary<C>, DerivedRay> derived{};  ///< of kSecondary
+  hls::OptionalField<kHasMirrors<C>, bool>
       distinct_origins{};         ///< the packet's rays have no common origin
   PrimitiveField<C> primitive{};  ///< of kTriangle
   HLS_FIELDS(derived, distinct_origins, primitive)
@@ -41,7 +41,7 @@ struct ColumnContext {
   RayMask active;
   uint<2> column;  ///< as it is stored
   TransformExtras<C> extras{};
-  hls::FieldIf<kThreeColumns<C>, MatrixNumber<C>> matrix{};  ///< otherwise the address has it
+  hls::OptionalField<kThreeColumns<C>, MatrixNumber<C>> matrix{};  ///< otherwise the address has it
   HLS_FIELDS(packet, kind, active, column, extras, matrix)
 };
 
@@ -52,12 +52,12 @@ struct JobRecord {
   RayMask active;
   MatrixNumber<C> matrix;
   MatrixExtra<C> extra;
-  hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
-  hls::FieldIf<kHasMirrors<C>, uint<8>> mirror{};  ///< of a triangle
-  hls::FieldIf<kSplitsPackets<C>, bool>
+  hls::OptionalField<kHasSecondary<C>, DerivedRay> derived{};
+  hls::OptionalField<kHasMirrors<C>, uint<8>> mirror{};  ///< of a triangle
+  hls::OptionalField<kSplitsPackets<C>, bool>
       distinct_origins{};  ///< the packet's rays have no common origin
   PrimitiveField<C> primitive{};
-  hls::FieldIf<kScalesCosine<C>, typename C::Real> cosine_factor{};
+  hls::OptionalField<kScalesCosine<C>, typename C::Real> cosine_factor{};
   HLS_FIELDS(kind, active, matrix, extra, derived, mirror, distinct_origins, primitive,
              cosine_factor)
 };
@@ -68,7 +68,7 @@ struct SendJob {
   RepeatCount repeat;
   PacketId<C> packet;
   TransformKind kind = TransformKind::kCamera;
-  hls::FieldIf<kHasSecondary<C>, DerivedRay> derived{};
+  hls::OptionalField<kHasSecondary<C>, DerivedRay> derived{};
   HLS_FIELDS(repeat, packet, kind, derived)
 };
 
@@ -85,8 +85,8 @@ struct PacketVector {
   bool point = false;  ///< a point is translated, a direction is not (thesis 4.4)
   RayIndex ray;        ///< 0 for a common origin
   Vector<typename C::Real> vector;
-  hls::FieldIf<kWatertight<C>, Corner> corner = Corner(kNoCorner);
-  hls::FieldIf<kWatertight<C>, typename C::Real> cosine{};  ///< with a corner that is mapped
+  hls::OptionalField<kWatertight<C>, Corner> corner = Corner(kNoCorner);
+  hls::OptionalField<kWatertight<C>, typename C::Real> cosine{};  ///< with a corner that is mapped
   HLS_FIELDS(packet, point, ray, vector, corner, cosine)
 };
 

@@ -26,7 +26,7 @@ struct TraversalSlice {
   /// The part that is kept while the near child is traversed.
   struct Pushed {
     Real far;
-    hls::FieldIf<kRemembersChild<C>, Real> near;
+    hls::OptionalField<kRemembersChild<C>, Real> near;
     HLS_FIELDS(far, near)
   };
 
@@ -38,8 +38,8 @@ struct TraversalSlice {
                      hls::RamRead<RayByAxis<Real>, kLevelRows<C>>>
       ray;
   hls::RamRead<Real, (1u << PacketId<C>::kWidth)> hit_distance;
-  hls::PortIf<kHasMirrors<C>, hls::RamRead<Real, (1u << PacketId<C>::kWidth)>> start_distance;
-  hls::PortIf<kClipsToBox<C>, hls::RamRead<BoxInterval<C>, (1u << PacketId<C>::kWidth)>> box;
+  hls::OptionalPort<kHasMirrors<C>, hls::RamRead<Real, (1u << PacketId<C>::kWidth)>> start_distance;
+  hls::OptionalPort<kClipsToBox<C>, hls::RamRead<BoxInterval<C>, (1u << PacketId<C>::kWidth)>> box;
   hls::Ram1R1W<Interval, kLevelRows<C>> interval;
   hls::Ram1R1W<Pushed, kStackRows<C>> far_stack;
   HLS_PORTS(step_in, lane, decision, ray, hit_distance, start_distance, box)

@@ -26,7 +26,7 @@ struct ObjectRay {
   RayIndex ray;
   RayMask active;                      ///< of the packet's rays, those that are traced
   OfInstance<C, NodeAddress<C>> root;  ///< of the object's tree
-  hls::FieldIf<kSplitsPackets<C>, bool> distinct_origins{};
+  hls::OptionalField<kSplitsPackets<C>, bool> distinct_origins{};
   Ray<typename C::Real> in_object;
   HLS_FIELDS(packet, ray, active, root, distinct_origins, in_object)
 };
@@ -66,13 +66,13 @@ struct TraversalEvent {
   bool clip_near = false;  ///< kDescend: the near child was empty, so near = d rather than far = d
   NodeAddress<C> pushed;
   RayMask pushed_active;
-  RayMask both;                                    ///< rays that enter both children
-  RayMask terminated;                              ///< rays found to have ended in this level
-  hls::FieldIf<kHasSecondary<C>, RayKind> rays{};  ///< kEnter, level 0: what they are
-  hls::FieldIf<kSplitsPackets<C>, bool>
+  RayMask both;                                          ///< rays that enter both children
+  RayMask terminated;                                    ///< rays found to have ended in this level
+  hls::OptionalField<kHasSecondary<C>, RayKind> rays{};  ///< kEnter, level 0: what they are
+  hls::OptionalField<kSplitsPackets<C>, bool>
       distinct_origins{};  ///< kEnter: the rays have no common origin
   /// Rays that enter both children in the other order; they are not in `both`.
-  hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
+  hls::OptionalField<kRemembersChild<C>, RayMask> crossing{};
   HLS_FIELDS(packet, level, kind, next, active, clip_near, pushed, pushed_active, both, terminated,
              rays, distinct_origins, crossing)
 };
@@ -87,7 +87,7 @@ struct StepContext {
   RayMask active;
   StackPointer<C> stack;  ///< the far stack's entry to push to or to pop from
   /// kPop: rays that entered both children in the other order.
-  hls::FieldIf<kRemembersChild<C>, RayMask> crossing{};
+  hls::OptionalField<kRemembersChild<C>, RayMask> crossing{};
   HLS_FIELDS(packet, level, update, both, active, stack, crossing)
 };
 
@@ -141,7 +141,7 @@ struct MailboxEntry {
   LevelField<C> level;
   bool clear = false;  ///< new rays: forget the packet's objects and start the traversal
   RayMask active;      ///< of new rays: those that are to be traced
-  hls::FieldIf<kHasSecondary<C>, RayKind> kind{};  ///< of new rays
+  hls::OptionalField<kHasSecondary<C>, RayKind> kind{};  ///< of new rays
   CoreListEntry<C> entry;
   HLS_FIELDS(packet, level, clear, active, kind, entry)
 };

@@ -13,7 +13,7 @@ void setup(Bench<LightColumns<C>>& bench, const Run&) {
   using Column = LightColumns<C>::Column;
   bench.shape<Column>("fetched", [](Column& c, Random& random) {
     if (random.below(2) == 0) {
-      c.context.kind = TransformKind::kDerive;
+      c.context.kind = TransformKind::kSecondary;
       c.context.extras.derived = DerivedRay{Derivation::kLight, number_below<2>(random, kRays)};
     }
   });

@@ -16,7 +16,7 @@ void setup(Bench<PacketDecoder<C>>& bench, const Run&) {
   bench.shape<JobRecord<C>>("record", [](JobRecord<C>& record, Random& random) {
     record.kind = any_of<TransformKind>(random, 3);
     // Half of them, so that every pass of a derived ray is among the few rows.
-    if (kHasSecondary<C> && random.below(2) == 0) record.kind = TransformKind::kDerive;
+    if (kHasSecondary<C> && random.below(2) == 0) record.kind = TransformKind::kSecondary;
   });
 }
 

@@ -13,7 +13,7 @@ void setup(Bench<SendPacket<C>>& bench, const Run&) {
   using Job = Repeated<SendJob<C>>;
   bench.shape<Job>("job", [](Job& j, Random& random) {
     j.job.kind = any_of<TransformKind>(random, kHasSecondary<C> ? 4 : 3);
-    j.job.repeat = j.job.kind == TransformKind::kDerive                       ? RepeatCount(1)
+    j.job.repeat = j.job.kind == TransformKind::kSecondary                    ? RepeatCount(1)
                    : kWatertight<C> && j.job.kind == TransformKind::kTriangle ? RepeatCount(11)
                    : random.below(2) == 0                                     ? RepeatCount(4)
                                                                               : RepeatCount(7);

@@ -40,17 +40,17 @@ inline constexpr unsigned enum_width = 0;
 /// A field that only some configurations have: an absent one takes no bits, reads as T{} and
 /// ignores writes.
 template <bool Present, class T>
-struct FieldIf {
+struct OptionalField {
   T value{};
-  constexpr FieldIf() = default;
-  constexpr FieldIf(const T& t) : value(t) {}
+  constexpr OptionalField() = default;
+  constexpr OptionalField(const T& t) : value(t) {}
   constexpr T get() const { return value; }
   HLS_FIELDS(value)
 };
 template <class T>
-struct FieldIf<false, T> {
-  constexpr FieldIf() = default;
-  constexpr FieldIf(const T&) {}
+struct OptionalField<false, T> {
+  constexpr OptionalField() = default;
+  constexpr OptionalField(const T&) {}
   constexpr T get() const { return T{}; }
   template <class Visit>
   constexpr decltype(auto) hls_visit(Visit&& visit) const {

@@ -99,7 +99,7 @@ TEST(Fields, BitsAreTheLeafsOwn) {
 template <bool Present>
 struct Optional {
   hls::uint<3> first;
-  hls::FieldIf<Present, hls::uint<5>> maybe;
+  hls::OptionalField<Present, hls::uint<5>> maybe;
   hls::uint<2> last;
   HLS_FIELDS(first, maybe, last)
 };

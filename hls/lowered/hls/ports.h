@@ -141,6 +141,6 @@ class Config : lowered::Port<PortKind::kConfig, bit_width_of<T>(), 1, 0, 0> {
 /// Replaces a port that a configuration leaves out.
 struct Absent {};
 template <bool Present, class Port>
-using PortIf = std::conditional_t<Present, Port, Absent>;
+using OptionalPort = std::conditional_t<Present, Port, Absent>;
 
 }  // namespace hls

@@ -143,6 +143,6 @@ class Config {
 /// Replaces a port that a configuration leaves out.
 struct Absent {};
 template <bool Present, class Port>
-using PortIf = std::conditional_t<Present, Port, Absent>;
+using OptionalPort = std::conditional_t<Present, Port, Absent>;
 
 }  // namespace hls

@@ -15,7 +15,7 @@ PLACES = "rtl/generated/thesis/dynrt_core.vh"
 BOARD = "rtl/board/dynrt_registers.vh"
 SCAN = "hls/units/scan_out.h"
 JOIN = "rtl/generated/thesis/dynrt_core.json"
-FIELD = re.compile(r"(?:hls::uint<32>|hls::FieldIf<([^;]*?), hls::uint<32>>)\s+(\w+);")
+FIELD = re.compile(r"(?:hls::uint<32>|hls::OptionalField<([^;]*?), hls::uint<32>>)\s+(\w+);")
 PLACE = re.compile(r"^`define DYNRT_CORE_FRAME_(\w+) (\d+)$", re.MULTILINE)
 REGISTER = re.compile(r"^localparam (?:\[\S+\] )?(\w+) = (\S+?);(?: *// *(.*))?$", re.MULTILINE)
 HEX = "'h"

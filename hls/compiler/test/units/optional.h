@@ -11,16 +11,16 @@ namespace samples {
 template <bool Tagged>
 struct OptionalToken {
   hls::uint<6> value;
-  hls::FieldIf<Tagged, hls::uint<4>> tag;
+  hls::OptionalField<Tagged, hls::uint<4>> tag;
   HLS_FIELDS(value, tag)
 };
 
 template <bool Tagged>
 struct Optional {
   hls::In<OptionalToken<Tagged>> in;
-  hls::PortIf<Tagged, hls::In<hls::uint<4>>> mask;
+  hls::OptionalPort<Tagged, hls::In<hls::uint<4>>> mask;
   hls::Out<OptionalToken<Tagged>> out;
-  hls::PortIf<Tagged, hls::RegisterFile<hls::uint<4>, 64>> tags;
+  hls::OptionalPort<Tagged, hls::RegisterFile<hls::uint<4>, 64>> tags;
   HLS_PORTS(in, mask, out)
 
   void step() {
