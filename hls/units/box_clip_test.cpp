@@ -32,7 +32,7 @@ class Box : public testing::Test {
     bench_.run();
   }
   BoxInterval<C> interval(unsigned ray) { return bench_.rows(bench_.unit.interval[ray])[5]; }
-  test::Bench<BoxClip<C>> bench_;
+  test::UnitBench<BoxClip<C>> bench_;
 };
 
 const Vec kAlongX{Real::one(), Real{}, Real{}};

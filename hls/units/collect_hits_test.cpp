@@ -8,9 +8,9 @@ namespace dynrt {
 namespace {
 
 using C = test::Config<8>;
-using Bench = test::Bench<CollectHits<C>>;
+using UnitBench = test::UnitBench<CollectHits<C>>;
 
-void feed(Bench& bench, const HitCandidate<C>& in) {
+void feed(UnitBench& bench, const HitCandidate<C>& in) {
   bench.feed(bench.unit.candidate, in);
   bench.run();
 }
@@ -31,12 +31,12 @@ HitCandidate<C> candidate(unsigned packet, unsigned ray, double t, bool hit = tr
   in.u = Real::from_double(t / 4);
   return in;
 }
-HitRecord<C> stored(Bench& bench, unsigned packet, unsigned ray) {
+HitRecord<C> stored(UnitBench& bench, unsigned packet, unsigned ray) {
   return bench.rows(bench.unit.hit)[packet * 4 + ray];
 }
 
 TEST(CollectHits, ANewRayHasNoHitAndThenStarts) {
-  Bench bench;
+  UnitBench bench;
   bench.rows(bench.unit.record)[6].active = 0b0011;
   for (unsigned ray = 0; ray < kRays; ++ray) {
     EXPECT_TRUE(bench.take(bench.unit.start).empty());
@@ -55,7 +55,7 @@ TEST(CollectHits, ANewRayHasNoHitAndThenStarts) {
 }
 
 TEST(CollectHits, AfterTheLastRayTheListGoesOn) {
-  Bench bench;
+  UnitBench bench;
   for (unsigned ray = 0; ray < kRays; ++ray) {
     EXPECT_TRUE(bench.take(bench.unit.go_on).empty());
     feed(bench, candidate(2, ray, 1, ray % 2 == 0));
@@ -65,7 +65,7 @@ TEST(CollectHits, AfterTheLastRayTheListGoesOn) {
 }
 
 TEST(CollectHits, OfEqualDistancesTheFirstStays) {
-  Bench bench;
+  UnitBench bench;
   feed(bench, reset(1, 0));
   bench.rows(bench.unit.record)[1].matrix = 100;
   feed(bench, candidate(1, 0, 5));
@@ -77,7 +77,7 @@ TEST(CollectHits, OfEqualDistancesTheFirstStays) {
 }
 
 TEST(CollectHits, KeepsTheClosestHitOfEveryRay) {
-  Bench bench;
+  UnitBench bench;
   test::Random random(61);
   HitRecord<C> best[C::kPackets][kRays];
   for (unsigned i = 0; i < C::kPackets * kRays; ++i) {
@@ -123,7 +123,7 @@ struct LitSpheres : C {
 
 /// A light ray to a surface, t = 1, that meets the surface's own primitive at some t.
 Found<LitSpheres> lit_at(Primitive primitive, double t) {
-  test::Bench<CollectHits<LitSpheres>> bench;
+  test::UnitBench<CollectHits<LitSpheres>> bench;
   bench.rows(bench.unit.surface)[0] = {Real::one(), 7, 9};
   bench.rows(bench.unit.object)[0] = 7;
   JobRecord<LitSpheres> job;

@@ -21,7 +21,7 @@ Vec vec(double x, double y, double z) {
 }
 template <class Config = C>
 HitCandidate<Config> intersect(const Vec& origin, const Vec& direction) {
-  test::Bench<Intersection<Config>> bench;
+  test::UnitBench<Intersection<Config>> bench;
   bench.feed(bench.unit.unit_ray, UnitRay<Config>{3, 2, false, {origin, direction}});
   bench.run();
   const HitCandidate<Config> out = bench.take_one(bench.unit.candidate);
@@ -84,7 +84,7 @@ TEST(Intersection, ARayInTheTrianglesPlaneSaturatesAndMisses) {
 }
 
 TEST(Intersection, ANewRayPassesWithoutATest) {
-  test::Bench<Intersection<C>> bench;
+  test::UnitBench<Intersection<C>> bench;
   bench.feed(bench.unit.unit_ray, UnitRay<C>{3, 1, true, {vec(0.25, 0.25, 1), vec(0, 0, -1)}});
   bench.run();
   const auto out = bench.take_one(bench.unit.candidate);
@@ -95,7 +95,7 @@ TEST(Intersection, ANewRayPassesWithoutATest) {
 
 TEST(Intersection, AgreesWithDoubleArithmetic) {
   test::Random random(52);
-  test::Bench<Intersection<C>> bench;
+  test::UnitBench<Intersection<C>> bench;
   const auto real = [&random](double range) {
     return Real::from_double((static_cast<double>(random.next() >> 11) * 0x1p-52 - 1) * range);
   };
@@ -133,7 +133,7 @@ struct Every : C {
 };
 HitCandidate<Every> intersect(Primitive primitive, const Vec& origin, const Vec& direction,
                               double factor = 1) {
-  test::Bench<Intersection<Every>> bench;
+  test::UnitBench<Intersection<Every>> bench;
   UnitRay<Every> ray{0, 0, false, {origin, direction}};
   ray.primitive = primitive;
   ray.cosine_factor = Real::from_double(factor);

@@ -42,7 +42,7 @@ class LightColumnsTest : public testing::Test {
     EXPECT_TRUE(test::same(out.context, c.context));
     return out.line;
   }
-  test::Bench<LightColumns<C>> bench_;
+  test::UnitBench<LightColumns<C>> bench_;
 };
 
 TEST_F(LightColumnsTest, ALightRaysMatrixTakesTheArrivingRayAndTheLightsPlace) {

@@ -8,19 +8,19 @@ namespace dynrt {
 namespace {
 
 using C = test::Config<8>;
-using Bench = test::Bench<List<C>>;
+using UnitBench = test::UnitBench<List<C>>;
 
-void first(Bench& bench, unsigned packet, unsigned level, unsigned address) {
+void first(UnitBench& bench, unsigned packet, unsigned level, unsigned address) {
   bench.feed(bench.unit.job, ListJob<C>{PacketId<C>::from(packet), Level::from(level), true,
                                         Address::from(address)});
   bench.run();
 }
-void go_on(Bench& bench, unsigned packet, unsigned level) {
+void go_on(UnitBench& bench, unsigned packet, unsigned level) {
   bench.feed(bench.unit.job, ListJob<C>{PacketId<C>::from(packet), Level::from(level), false, {}});
   bench.run();
 }
 /// The entry read last was, or was not, the list's last: what the mailbox notes.
-void note_last(Bench& bench, unsigned packet, unsigned level, bool last) {
+void note_last(UnitBench& bench, unsigned packet, unsigned level, bool last) {
   bench.rows(bench.unit.last)[level * 8 + packet] = last;
 }
 CacheRequest<ListContext<C>> request(unsigned packet, unsigned level, unsigned address) {
@@ -28,7 +28,7 @@ CacheRequest<ListContext<C>> request(unsigned packet, unsigned level, unsigned a
 }
 
 TEST(List, ReadsAListUpToItsLastEntry) {
-  Bench bench;
+  UnitBench bench;
   note_last(bench, 2, 1, true);  // of the list before
   first(bench, 2, 1, 700);
   EXPECT_TRUE(test::same(bench.take_one(bench.unit.request), request(2, 1, 700)));
@@ -53,7 +53,7 @@ TEST(List, PacketsAndLevelsDoNotMeet) {
     unsigned address = 0, left = 0;
   };
   Walk walks[2][C::kPackets];
-  Bench bench;
+  UnitBench bench;
   test::Random random(12);
   unsigned finished = 0;
   for (unsigned n = 0; n < 100'000; ++n) {

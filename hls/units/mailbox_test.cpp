@@ -11,7 +11,7 @@ namespace dynrt {
 namespace {
 
 using C = test::Config<8>;
-using Bench = test::Bench<Mailbox<C>>;
+using UnitBench = test::UnitBench<Mailbox<C>>;
 constexpr unsigned kSlots = C::kObjectSlots;  ///< of triangles too
 
 MailboxEntry<C> entry(unsigned packet, unsigned level, unsigned matrix, bool last = false) {
@@ -32,7 +32,7 @@ MailboxEntry<C> new_rays(unsigned packet) {
   return e;
 }
 /// Whether the mailbox lets the entry through; if not, it sends the packet back to the list.
-bool fresh(Bench& bench, const MailboxEntry<C>& e) {
+bool fresh(UnitBench& bench, const MailboxEntry<C>& e) {
   bench.feed(bench.unit.entry, e);
   bench.run();
   const auto jobs = bench.take(bench.unit.fresh);
@@ -51,7 +51,7 @@ bool fresh(Bench& bench, const MailboxEntry<C>& e) {
   EXPECT_EQ(bench.rows(bench.unit.last)[level_row<C>(e.level, e.packet).to_u64()], e.entry.last);
   return !jobs.empty();
 }
-void clear(Bench& bench, unsigned packet) {
+void clear(UnitBench& bench, unsigned packet) {
   bench.feed(bench.unit.entry, new_rays(packet));
   bench.run();
   EXPECT_TRUE(bench.take(bench.unit.fresh).empty());
@@ -61,7 +61,7 @@ void clear(Bench& bench, unsigned packet) {
 
 TEST(Mailbox, LetsEachMatrixThroughOnce) {
   for (const unsigned level : {0, 1}) {
-    Bench bench;
+    UnitBench bench;
     clear(bench, 4);
     for (unsigned round = 0; round < 3; ++round) {
       for (unsigned i = 0; i < kSlots; ++i) {
@@ -72,7 +72,7 @@ TEST(Mailbox, LetsEachMatrixThroughOnce) {
 }
 
 TEST(Mailbox, MatrixZeroIsNotInAnEmptyMailbox) {
-  Bench bench;
+  UnitBench bench;
   clear(bench, 0);
   EXPECT_TRUE(fresh(bench, entry(0, 1, 0)));
   EXPECT_FALSE(fresh(bench, entry(0, 1, 0)));
@@ -80,7 +80,7 @@ TEST(Mailbox, MatrixZeroIsNotInAnEmptyMailbox) {
 
 TEST(Mailbox, AFullOneLetsEverythingNewThrough) {
   for (const unsigned level : {0, 1}) {
-    Bench bench;
+    UnitBench bench;
     clear(bench, 1);
     for (unsigned i = 0; i < kSlots; ++i) fresh(bench, entry(1, level, 100 + i));
     EXPECT_TRUE(fresh(bench, entry(1, level, 300)));
@@ -92,7 +92,7 @@ TEST(Mailbox, AFullOneLetsEverythingNewThrough) {
 }
 
 TEST(Mailbox, ANewRayForgetsTheObjectsAndStartsTheTraversal) {
-  Bench bench;
+  UnitBench bench;
   bench.value(bench.unit.frame).start_node = 4242;
   clear(bench, 5);
   clear(bench, 6);
@@ -114,7 +114,7 @@ TEST(Mailbox, ANewRayForgetsTheObjectsAndStartsTheTraversal) {
 }
 
 TEST(Mailbox, ANewObjectForgetsTheTriangles) {
-  Bench bench;
+  UnitBench bench;
   clear(bench, 2);
   EXPECT_TRUE(fresh(bench, entry(2, 0, 1)));
   EXPECT_TRUE(fresh(bench, entry(2, 1, 50)));
@@ -129,7 +129,7 @@ TEST(Mailbox, AgreesWithSetsOnRandomEntries) {
     std::set<unsigned> objects, triangles;
   };
   Seen seen[C::kPackets];
-  Bench bench;
+  UnitBench bench;
   test::Random random(612);
   unsigned known = 0, full = 0;
   for (unsigned n = 0; n < 100'000; ++n) {
@@ -158,7 +158,7 @@ TEST(Mailbox, AgreesWithSetsOnRandomEntries) {
 /// How many of `count` entries that are the same the mailbox lets through.
 template <class Config>
 unsigned let_through(unsigned level, unsigned count) {
-  test::Bench<Mailbox<Config>> bench;
+  test::UnitBench<Mailbox<Config>> bench;
   MailboxEntry<Config> begin;
   begin.clear = true;
   bench.feed(bench.unit.entry, begin);
@@ -199,7 +199,7 @@ TEST(Mailbox, ALevelWithoutSlotsHasNoMemoryAndLetsEverythingThrough) {
 
 template <class Config>
 TransformJob<Config> job_of(const MailboxEntry<Config>& e) {
-  test::Bench<Mailbox<Config>> bench;
+  test::UnitBench<Mailbox<Config>> bench;
   bench.feed(bench.unit.entry, e);
   bench.run();
   return bench.take_one(bench.unit.fresh);

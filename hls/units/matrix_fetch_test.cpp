@@ -10,7 +10,7 @@ namespace {
 using C = test::Config<>;
 
 TEST(MatrixFetch, AsksForTheFourColumnsOfTheMatrix) {
-  test::Bench<MatrixFetch<C>> bench;
+  test::UnitBench<MatrixFetch<C>> bench;
   test::Random random(613);
   for (unsigned n = 0; n < 1000; ++n) {
     auto job = test::random_token<TransformJob<C>>(random);
@@ -34,7 +34,7 @@ struct Compact : test::Config<> {
 };
 
 TEST(MatrixFetch, TrianglesAndMirrorsBeginEveryThreeColumns) {
-  test::Bench<MatrixFetch<Compact>> bench;
+  test::UnitBench<MatrixFetch<Compact>> bench;
   test::Random random(614);
   for (unsigned n = 0; n < 3000; ++n) {
     auto job = test::random_token<TransformJob<Compact>>(random);

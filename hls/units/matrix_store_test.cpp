@@ -10,7 +10,7 @@ namespace dynrt {
 namespace {
 
 using C = test::Config<8>;
-using Bench = test::Bench<MatrixStore<C>>;
+using UnitBench = test::UnitBench<MatrixStore<C>>;
 
 struct Job {
   TransformKind kind;
@@ -30,7 +30,7 @@ struct Job {
   }
 };
 
-void send(Bench& bench, unsigned packet, Job& job) {
+void send(UnitBench& bench, unsigned packet, Job& job) {
   const unsigned column = job.order[job.sent++];
   const ColumnContext<C> context{PacketId<C>::from(packet), job.kind, job.active,
                                  uint<2>::from(column)};
@@ -41,7 +41,7 @@ void send(Bench& bench, unsigned packet, Job& job) {
 }
 
 TEST(MatrixStore, TakesTheColumnsOfManyPacketsInAnyOrder) {
-  Bench bench;
+  UnitBench bench;
   test::Random random(45);
   std::vector<Job> jobs;
   MatrixIndex objects[C::kPackets];
@@ -88,7 +88,7 @@ struct Compact : C {
 
 /// Triangles in three columns among spheres and objects in four, their columns in any order.
 TEST(MatrixStore, ExpandsTrianglesToFourColumns) {
-  test::Bench<MatrixStore<Compact>> bench;
+  test::UnitBench<MatrixStore<Compact>> bench;
   test::Random random(511);
   std::array<unsigned, 3> seen{};
   for (unsigned n = 0; n < 3000; ++n) {

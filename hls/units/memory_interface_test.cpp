@@ -8,9 +8,9 @@ namespace dynrt {
 namespace {
 
 using C = test::Config<8>;
-using Bench = test::Bench<MemoryInterface<C>>;
+using UnitBench = test::UnitBench<MemoryInterface<C>>;
 
-void fill_banks(Bench& bench) {
+void fill_banks(UnitBench& bench) {
   test::Random random(6);
   for (unsigned i = 0; i < kSceneBanks; ++i) {
     for (Word& word : bench.rows(bench.unit.bank[i])) word = Word::from(random.next());
@@ -24,7 +24,7 @@ std::vector<std::uint64_t> words(const T& token) {
 }
 
 TEST(MemoryInterface, ReadsEveryKindFromItsBanks) {
-  Bench bench;
+  UnitBench bench;
   fill_banks(bench);
   test::Random random(7);
   unsigned counts[3] = {};
@@ -75,7 +75,7 @@ TYPED_TEST_SUITE(MemoryOf, Floats);
 TYPED_TEST(MemoryOf, TheFloatIsItsFields) {
   using In = test::Config<8, 512, 31, 8, TypeParam>;
   using Scene = SceneWord<TypeParam>;
-  test::Bench<MemoryInterface<In>> bench;
+  test::UnitBench<MemoryInterface<In>> bench;
   const auto row = [&](unsigned bank, unsigned word) -> Scene& {
     return bench.rows(bench.unit.bank[bank])[word];
   };
@@ -112,7 +112,7 @@ struct Narrow : C {
 };
 
 TEST(MemoryInterface, NarrowsNumbersToThoseOfTheCore) {
-  test::Bench<MemoryInterface<Narrow>> bench;
+  test::UnitBench<MemoryInterface<Narrow>> bench;
   const auto row = [&](unsigned bank, unsigned word) -> SceneWord<Real>& {
     return bench.rows(bench.unit.bank[bank])[word];
   };

@@ -10,7 +10,7 @@ namespace dynrt {
 namespace {
 
 using C = test::Config<8>;
-using Bench = test::Bench<NodeFetch<C>>;
+using UnitBench = test::UnitBench<NodeFetch<C>>;
 using Request = CacheRequest<StepContext<C>>;
 
 TraversalEvent<C> event(TraversalKind kind, unsigned packet, unsigned level) {
@@ -42,12 +42,12 @@ TraversalEvent<C> pop(unsigned packet, unsigned level, unsigned terminated = 0) 
   return e;
 }
 
-Request step(Bench& bench, const TraversalEvent<C>& e) {
+Request step(UnitBench& bench, const TraversalEvent<C>& e) {
   bench.feed(bench.unit.event, e);
   bench.run();
   return bench.take_one(bench.unit.request);
 }
-void expect_quiet(Bench& bench) {
+void expect_quiet(UnitBench& bench) {
   EXPECT_TRUE(bench.take(bench.unit.request).empty());
   EXPECT_TRUE(bench.take(bench.unit.again).empty());
   EXPECT_TRUE(bench.take(bench.unit.top_done).empty());
@@ -56,7 +56,7 @@ void expect_quiet(Bench& bench) {
 }
 
 TEST(NodeFetch, EntersAtTheNodeGivenWithFreshIntervals) {
-  Bench bench;
+  UnitBench bench;
   const Request r = step(bench, enter(3, 1, 4711, 0b0110));
   EXPECT_EQ(r.address, Address(4711));
   EXPECT_EQ(r.context.packet, PacketId<C>(3));
@@ -67,7 +67,7 @@ TEST(NodeFetch, EntersAtTheNodeGivenWithFreshIntervals) {
 }
 
 TEST(NodeFetch, GoesOnInOneChildAndClipsTheEndThatWasPassed) {
-  Bench bench;
+  UnitBench bench;
   step(bench, enter(0, 0, 1));
   TraversalEvent<C> go = event(TraversalKind::kDescend, 0, 0);
   go.next = 5;
@@ -85,7 +85,7 @@ TEST(NodeFetch, GoesOnInOneChildAndClipsTheEndThatWasPassed) {
 }
 
 TEST(NodeFetch, PopsWhatWasPushedLastFirst) {
-  Bench bench;
+  UnitBench bench;
   step(bench, enter(2, 0, 1));
   for (unsigned i = 0; i < C::kStackDepth; ++i) {
     const Request r = step(bench, push(2, 0, 100 + i, 200 + i, 1 + i % 15, i % 16));
@@ -110,7 +110,7 @@ TEST(NodeFetch, PopsWhatWasPushedLastFirst) {
 }
 
 TEST(NodeFetch, AFullStackDropsThePushAndCountsIt) {
-  Bench bench;
+  UnitBench bench;
   step(bench, enter(1, 1, 1));
   for (unsigned i = 0; i < C::kStackDepth; ++i) step(bench, push(1, 1, 100, 200 + i));
   const Request r = step(bench, push(1, 1, 300, 400));
@@ -122,7 +122,7 @@ TEST(NodeFetch, AFullStackDropsThePushAndCountsIt) {
 }
 
 TEST(NodeFetch, ALevelEndsWhenNoRayIsAlive) {
-  Bench bench;
+  UnitBench bench;
   step(bench, enter(4, 1, 1, 0b1011));
   step(bench, push(4, 1, 2, 3));
   step(bench, push(4, 1, 2, 4));
@@ -138,7 +138,7 @@ TEST(NodeFetch, ALevelEndsWhenNoRayIsAlive) {
 }
 
 TEST(NodeFetch, APoppedNodeThatNoLivingRayEntersIsPassedOver) {
-  Bench bench;
+  UnitBench bench;
   step(bench, enter(5, 0, 1));
   step(bench, push(5, 0, 2, 3, 0b0100));
   step(bench, push(5, 0, 2, 4, 0b0011));
@@ -215,7 +215,7 @@ class Reference {
 
 template <class C>
 void traverse_at_random() {
-  test::Bench<NodeFetch<C>> bench;
+  test::UnitBench<NodeFetch<C>> bench;
   Reference<C> reference;
   test::Random random(20041);
   unsigned counts[5] = {};
@@ -303,7 +303,7 @@ struct Crosses : Mirrors {
 using Split = Crosses<Crossing::kSplit>;
 
 TEST(NodeFetch, ASplitPacketEntersOnceForEachGroupOfSigns) {
-  test::Bench<NodeFetch<Split>> bench;
+  test::UnitBench<NodeFetch<Split>> bench;
   const LevelRow<Split> row = level_row<Split>(Level(1), PacketId<Split>(6));
   const unsigned signs[kRays] = {0b101, 0b001, 0b101, 0b001};
   for (unsigned i = 0; i < kRays; ++i) {
@@ -341,7 +341,7 @@ TEST(NodeFetch, ASplitPacketEntersOnceForEachGroupOfSigns) {
 }
 
 TEST(NodeFetch, APacketOfOneOriginIsNotSplit) {
-  test::Bench<NodeFetch<Split>> bench;
+  test::UnitBench<NodeFetch<Split>> bench;
   bench.rows(bench.unit.signs[2])[0] = 0b111;
   TraversalEvent<Split> e;
   e.kind = TraversalKind::kEnter;
@@ -354,7 +354,7 @@ TEST(NodeFetch, APacketOfOneOriginIsNotSplit) {
 
 TEST(NodeFetch, ARayThatCrossedOthersEndsNoMoreInItsLevel) {
   using Remember = Crosses<Crossing::kRemember>;
-  test::Bench<NodeFetch<Remember>> bench;
+  test::UnitBench<NodeFetch<Remember>> bench;
   const auto send = [&](TraversalKind kind, unsigned crossing, unsigned terminated) {
     TraversalEvent<Remember> e;
     e.kind = kind;

@@ -8,10 +8,10 @@ namespace dynrt {
 namespace {
 
 using C = test::Config<>;
-using Bench = test::Bench<PacketDecision<C>>;
+using UnitBench = test::UnitBench<PacketDecision<C>>;
 using Decisions = std::array<SliceDecision, kRays>;
 
-void feed(Bench& bench, const Step<C>& step, const Decisions& decisions) {
+void feed(UnitBench& bench, const Step<C>& step, const Decisions& decisions) {
   bench.feed(bench.unit.step_in, step);
   for (unsigned i = 0; i < kRays; ++i) bench.feed(bench.unit.slice[i], decisions[i]);
   bench.run();
@@ -29,7 +29,7 @@ Step<C> inner_node(unsigned active = 15) {
 Decisions all(SliceDecision d) { return {d, d, d, d}; }
 
 TraversalEvent<C> decide(const Step<C>& step, const Decisions& decisions) {
-  Bench bench;
+  UnitBench bench;
   feed(bench, step, decisions);
   EXPECT_TRUE(bench.take(bench.unit.leaf).empty());
   const TraversalEvent<C> e = bench.take_one(bench.unit.event);
@@ -110,7 +110,7 @@ TEST(PacketDecision, ALeafGoesToTheListUnlessAllItsRaysHaveTerminated) {
   s.node.kind = NodeKind::kLeaf;
   Decisions decisions = all({});
   decisions[0].terminated = true;
-  Bench bench;
+  UnitBench bench;
   feed(bench, s, decisions);
   EXPECT_TRUE(bench.take(bench.unit.event).empty());
   const ListJob<C> expected{9, 1, true, 1001};
@@ -167,7 +167,7 @@ RayMask mask(const bool (&bits)[kRays]) {
 }
 
 TEST(PacketDecision, AgreesWithAPlainReferenceOnRandomDecisions) {
-  Bench bench;
+  UnitBench bench;
   test::Random random(31);
   unsigned kinds[4] = {}, leaves = 0;
   for (unsigned n = 0; n < 300'000; ++n) {
@@ -215,7 +215,7 @@ struct Remembers : test::Config<8> {
 };
 
 TEST(PacketDecision, TellsTheRaysThatCrossTheFirstOfThoseThatEnterBoth) {
-  test::Bench<PacketDecision<Remembers>> bench;
+  test::UnitBench<PacketDecision<Remembers>> bench;
   Step<Remembers> s;
   s.context.active = 15;
   s.node.kind = NodeKind::kSplitY;

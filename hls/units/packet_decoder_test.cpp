@@ -8,7 +8,7 @@ namespace dynrt {
 namespace {
 
 using C = test::Config<8>;
-using Bench = test::Bench<PacketDecoder<C>>;
+using UnitBench = test::UnitBench<PacketDecoder<C>>;
 using Vec = Vector<Real>;
 
 struct Packet {
@@ -22,7 +22,7 @@ Packet random_packet(test::Random& random, bool common_origin) {
 }
 
 /// Sends a packet's vectors in the order of SendPacket.
-void feed(Bench& bench, PacketId<C> id, const Packet& packet, bool compressed) {
+void feed(UnitBench& bench, PacketId<C> id, const Packet& packet, bool compressed) {
   for (unsigned ray = 0; ray < kRays; ++ray) {
     const RayIndex index = RayIndex::from(ray);
     if (!compressed || ray == 0) {
@@ -39,7 +39,7 @@ std::vector<UnitRay<C>> unit_rays(PacketId<C> id, const Packet& packet, bool res
   }
   return rays;
 }
-void expect_saved(Bench& bench, unsigned level, PacketId<C> id, const Packet& packet,
+void expect_saved(UnitBench& bench, unsigned level, PacketId<C> id, const Packet& packet,
                   bool compressed) {
   const std::uint64_t row = level * 8 + id.to_u64();
   for (unsigned ray = 0; ray < kRays; ++ray) {
@@ -60,7 +60,7 @@ class Decoder : public testing::TestWithParam<bool> {
     r = {kind, 0b0111, 1234, uint<24>::from(0xfa0000u | 54321u)};
   }
   bool compressed() const { return GetParam(); }
-  Bench bench_;
+  UnitBench bench_;
   test::Random random_{614};
 };
 
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Packet, Decoder, testing::Bool(), [](const auto& info) 
 });
 
 TEST(PacketDecoder, APacketAfterAnotherHasItsOwnOrigin) {
-  Bench bench;
+  UnitBench bench;
   test::Random random(3);
   for (unsigned n = 0; n < 200; ++n) {
     const PacketId<C> id = PacketId<C>::from(test::below(random, C::kPackets));

@@ -62,7 +62,7 @@ class Generator {
   std::size_t dones() const { return dones_; }
 
  private:
-  test::Bench<RayGeneration<C>> bench_;
+  test::UnitBench<RayGeneration<C>> bench_;
   std::size_t dones_ = 0;
 };
 

@@ -47,7 +47,7 @@ class Reciprocals : public testing::Test {
             {r[0].direction, r[1].direction, r[2].direction}};
   }
   const Vec kOrigin{real(1), real(2), real(3)};
-  test::Bench<RayReciprocal<Config>> bench_;
+  test::UnitBench<RayReciprocal<Config>> bench_;
 };
 using RayReciprocals = Reciprocals<C>;
 using BoxedRayReciprocals = Reciprocals<Boxed>;

@@ -63,7 +63,7 @@ class ScanOutTest : public testing::Test {
     }
     return pixels;
   }
-  test::Bench<ScanOut<C>> bench_;
+  test::UnitBench<ScanOut<C>> bench_;
 };
 
 TEST_F(ScanOutTest, ShowsThePictureFromTheFirstVerticalBlankOn) {

@@ -86,7 +86,7 @@ class SecondaryRaysTest : public testing::Test {
     }
     return answer;
   }
-  test::Bench<SecondaryRays<C>> bench_;
+  test::UnitBench<SecondaryRays<C>> bench_;
 };
 
 TEST_F(SecondaryRaysTest, WithoutLightsAndMirrorsThePixelsAreComplete) {

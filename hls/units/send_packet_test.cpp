@@ -8,7 +8,7 @@ namespace dynrt {
 namespace {
 
 using C = test::Config<8>;
-using Bench = test::Bench<SendPacket<C>>;
+using UnitBench = test::UnitBench<SendPacket<C>>;
 using Vec = Vector<Real>;
 
 struct Sent {
@@ -22,7 +22,7 @@ std::vector<Sent> order(bool compressed) {
           {true, 2}, {false, 2}, {true, 3}, {false, 3}};
 }
 
-std::vector<PacketVector<C>> send(Bench& bench, unsigned packet, TransformKind kind,
+std::vector<PacketVector<C>> send(UnitBench& bench, unsigned packet, TransformKind kind,
                                   bool compressed) {
   const unsigned repeat = compressed ? 4 : 7;
   const SendJob<C> job{RepeatCount::from(repeat), PacketId<C>::from(packet), kind};
@@ -33,13 +33,13 @@ std::vector<PacketVector<C>> send(Bench& bench, unsigned packet, TransformKind k
   return bench.take(bench.unit.vector);
 }
 
-void fill(Bench& bench) {
+void fill(UnitBench& bench) {
   test::Random random(8);
   for (Vec& row : bench.rows(bench.unit.vectors)) row = test::random_token<Vec>(random);
 }
 
 TEST(SendPacket, SendsTheStoredVectorsOfTheLevelThatIsLeft) {
-  Bench bench;
+  UnitBench bench;
   fill(bench);
   const auto stored = [&bench](unsigned level, unsigned packet, unsigned number) {
     return bench.rows(bench.unit.vectors)[(level * 8 + packet) * 8 + number];
@@ -60,7 +60,7 @@ TEST(SendPacket, SendsTheStoredVectorsOfTheLevelThatIsLeft) {
 }
 
 TEST(SendPacket, TheCameraTransformsPrePrimaryRays) {
-  Bench bench;
+  UnitBench bench;
   fill(bench);
   for (const auto& [x, y] : {std::pair{0u, 0u}, {1022u, 1020u}, {510u, 2u}}) {
     bench.rows(bench.unit.position)[5] = {uint<10>::from(x), uint<10>::from(y)};

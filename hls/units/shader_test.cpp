@@ -66,7 +66,7 @@ class ShaderTest : public testing::Test {
     const uint<24> colour = bench_.rows(bench_.unit.pixel_colour)[kPacket * kRays + ray];
     return static_cast<unsigned>(channel(colour, number).to_u64());
   }
-  test::Bench<Shader<C>> bench_;
+  test::UnitBench<Shader<C>> bench_;
 };
 
 TEST_F(ShaderTest, APrimaryRayBringsAmbientLightTimesCosine) {

@@ -10,7 +10,7 @@ namespace dynrt {
 namespace {
 
 using C = test::Config<8>;
-using Bench = test::Bench<Shading<C>>;
+using UnitBench = test::UnitBench<Shading<C>>;
 
 constexpr std::uint32_t kUntouched = 0xdeadbeef;
 
@@ -47,7 +47,7 @@ class ShadingTest : public testing::Test {
     for (const Word w : bench_.rows(bench_.unit.bank[bank])) count += w.to_u64() != kUntouched;
     return count;
   }
-  Bench bench_;
+  UnitBench bench_;
 };
 
 std::uint64_t shaded(std::uint64_t colour, double cosine) {

@@ -11,7 +11,7 @@ using C = test::Config<64, 512>;
 
 void check(unsigned packets, unsigned lines) {
   SCOPED_TRACE(testing::Message() << packets << " packets, " << lines << " lines");
-  test::Bench<Startup<C>> bench;
+  test::UnitBench<Startup<C>> bench;
   for (unsigned n = 0; n < lines; ++n) bench.feed(bench.unit.number, uint<10>::from(n));
   for (unsigned n = 0; n < packets; ++n) {
     bench.feed(bench.unit.number, uint<10>::from(kFirstPacket + n));

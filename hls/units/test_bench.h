@@ -40,9 +40,9 @@ struct Config : config::thesis {
 
 /// A unit alone, run as the join runs it.
 template <class Unit>
-class Bench {
+class UnitBench {
  public:
-  Bench() {
+  UnitBench() {
     join_.unit("unit", "unit", unit);
     unit.hls_visit([this](auto&... port) { (this->bind(port), ...); });
   }

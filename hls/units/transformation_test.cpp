@@ -10,7 +10,7 @@ namespace dynrt {
 namespace {
 
 using C = test::Config<8>;
-using Bench = test::Bench<Transformation<C>>;
+using UnitBench = test::UnitBench<Transformation<C>>;
 using Vec = Vector<Real>;
 
 std::array<Real, 3> parts(const Vec& v) { return {v.x, v.y, v.z}; }
@@ -18,7 +18,7 @@ Vec vec(double x, double y, double z) {
   return {Real::from_double(x), Real::from_double(y), Real::from_double(z)};
 }
 
-PacketVector<C> transform(Bench& bench, const PacketVector<C>& in) {
+PacketVector<C> transform(UnitBench& bench, const PacketVector<C>& in) {
   bench.feed(bench.unit.vector, in);
   bench.run();
   const PacketVector<C> out = bench.take_one(bench.unit.transformed);
@@ -29,7 +29,7 @@ PacketVector<C> transform(Bench& bench, const PacketVector<C>& in) {
 }
 
 TEST(Transformation, APointIsTranslatedADirectionIsNot) {
-  Bench bench;
+  UnitBench bench;
   bench.rows(bench.unit.column[0])[2] = vec(0, 2, 0);
   bench.rows(bench.unit.column[1])[2] = vec(-3, 0, 0);
   bench.rows(bench.unit.column[2])[2] = vec(0, 0, 0.5);
@@ -51,7 +51,7 @@ Real moderate(test::Random& random) {
 }
 
 TEST(Transformation, IsTheMatrixProductUpToRounding) {
-  Bench bench;
+  UnitBench bench;
   test::Random random(9);
   for (unsigned n = 0; n < 100'000; ++n) {
     const unsigned packet = test::below(random, C::kPackets);

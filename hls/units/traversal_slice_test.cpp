@@ -11,7 +11,7 @@ namespace {
 
 using C = test::Config<8>;
 using Slice = TraversalSlice<C>;
-using Bench = test::Bench<Slice>;
+using UnitBench = test::UnitBench<Slice>;
 using Vec = Vector<Real>;
 
 Real real(double value) { return Real::from_double(value); }
@@ -29,12 +29,12 @@ Step<C> step(IntervalUpdate update, double split, bool both, unsigned stack = 0,
   s.node.split = real(split);
   return s;
 }
-SliceDecision decide(Bench& bench, const Step<C>& s) {
+SliceDecision decide(UnitBench& bench, const Step<C>& s) {
   bench.feed(bench.unit.step_in, s);
   bench.run();
   return bench.take_one(bench.unit.decision);
 }
-void set_ray(Bench& bench, const Step<C>& s, const Ray<Real>& ray) {
+void set_ray(UnitBench& bench, const Step<C>& s, const Ray<Real>& ray) {
   const LevelRow<C> row = level_row<C>(s.context.level, s.context.packet);
   for (unsigned axis = 0; axis < 3; ++axis) {
     bench.rows(bench.unit.ray)[axis_row<C>(row, uint<2>::from(axis)).to_u64()] = by_axis(ray)[axis];
@@ -58,7 +58,7 @@ class AlongX : public testing::Test {
   }
   const double kSmallest = Real::smallest().to_double();
   const double kLargest = Real::largest().to_double();
-  Bench bench_;
+  UnitBench bench_;
 };
 
 TEST_F(AlongX, StartsWithTheRayUpToItsHit) {
@@ -126,7 +126,7 @@ TEST_F(AlongX, TheLaneChoosesTheRaysBit) {
 }
 
 TEST(TraversalSlice, TheAxisIsTheNodes) {
-  Bench bench;
+  UnitBench bench;
   const Ray<Real> ray{{real(1), real(2), real(3)}, {real(1), real(-2), real(4)}};
   const double expected[] = {9.0, -4.0, 1.75};
   for (unsigned axis = 0; axis < 3; ++axis) {
@@ -148,7 +148,7 @@ Vec random_vector(test::Random& random) {
 }
 
 TEST(TraversalSlice, DecidesAsDoubleArithmeticDoes) {
-  Bench bench;
+  UnitBench bench;
   test::Random random(312);
   unsigned decided = 0, left = 0, right = 0, both = 0, terminated = 0;
   for (unsigned n = 0; n < 200'000; ++n) {
@@ -192,7 +192,7 @@ TEST(TraversalSlice, DecidesAsDoubleArithmeticDoes) {
 }
 
 TEST(TraversalSlice, ARayAlongThePlaneStaysOnItsSide) {
-  Bench bench;
+  UnitBench bench;
   for (const bool backward : {false, true}) {
     for (const double origin : {-5.0, 5.0}) {
       Step<C> s = step(IntervalUpdate::kClipFar, 1, false);
@@ -208,7 +208,7 @@ TEST(TraversalSlice, ARayAlongThePlaneStaysOnItsSide) {
 }
 
 TEST(TraversalSlice, AnOriginInThePlaneHasTheLeftChildFirst) {
-  Bench bench;
+  UnitBench bench;
   for (const double direction : {-1.0, 1.0}) {
     Step<C> s = step(IntervalUpdate::kInit, 3, false);
     set_ray(bench, s, {{real(3), {}, {}}, {real(direction), {}, {}}});
@@ -225,7 +225,7 @@ TEST(TraversalSlice, KeepsPacketsAndLevelsApart) {
     Real stack[C::kStackDepth];
   };
   State states[2][C::kPackets] = {};
-  Bench bench;
+  UnitBench bench;
   test::Random random(77);
   for (unsigned n = 0; n < 100'000; ++n) {
     const bool first = n < 16;  // every interval starts somewhere
@@ -274,7 +274,7 @@ struct Remembers : test::Config<8> {
 
 TEST(TraversalSlice, ARayThatCrossedOthersPopsTheIntervalOfTheParent) {
   using Crossed = TraversalSlice<Remembers>;
-  test::Bench<Crossed> bench;
+  test::UnitBench<Crossed> bench;
   for (auto& row : bench.rows(bench.unit.ray)) row.fill({{}, Real::one()});
   bench.rows(bench.unit.hit_distance)[0] = Real::largest();
   bench.rows(bench.unit.start_distance)[0] = real(1);

@@ -141,11 +141,11 @@ TEST(Intersect, OneTriangleOfAFanIsHit) {
 
 /// A packet's way from its rays in an object to the tests of a triangle, unit by unit.
 struct Chain {
-  test::Bench<RayShear<C>> shear;
-  test::Bench<SendPacket<C>> send;
-  test::Bench<Transformation<C>> transformation;
-  test::Bench<PacketDecoder<C>> decoder;
-  test::Bench<Intersection<C>> intersection;
+  test::UnitBench<RayShear<C>> shear;
+  test::UnitBench<SendPacket<C>> send;
+  test::UnitBench<Transformation<C>> transformation;
+  test::UnitBench<PacketDecoder<C>> decoder;
+  test::UnitBench<Intersection<C>> intersection;
 
   std::vector<HitCandidate<C>> run(const std::array<Ray<Real>, kRays>& rays,
                                    const std::array<Vec, 4>& columns) {
@@ -264,7 +264,7 @@ class WidenedSlice : public testing::Test {
     return bench_.take_one(bench_.unit.decision);
   }
   auto interval() { return bench_.unit.interval.read(level_row<C>(Level(0), PacketId<C>(kRow))); }
-  test::Bench<TraversalSlice<C>> bench_;
+  test::UnitBench<TraversalSlice<C>> bench_;
 };
 
 constexpr unsigned kK = 2;

@@ -303,7 +303,7 @@ class AllTriangles {
  private:
   std::vector<glm::uvec3> triangles_;
   std::vector<Vec> corners_, mapped_;
-  test::Bench<Transformation<C>> bench_;
+  test::UnitBench<Transformation<C>> bench_;
 };
 
 /// A direction: at a corner, an edge's middle, along an axis or plane, or anywhere.

@@ -170,8 +170,8 @@ def main() -> int:  # pylint: disable=too-many-return-statements
             size,
             args.runs or (1 if args.quick else 5),
             reports,
-            host / "tree" / "tree_bench",
-            host / "truth" / "truth_bench",
+            host / "tree" / "tree_benchmark",
+            host / "analysis" / "truth" / "truth_benchmark",
         )
         bench = Bench(dynrt, options, show_progress)
         rows = bench.rows()

@@ -113,8 +113,8 @@ class Bench(testing.InFolder):
         rows, _ = self.rows()
         row = rows["top level of 50,000 instances"]
         self.assertIsNone(row["reached"])
-        self.assertIn("tree_bench is not built", row["note"])
-        program = self.folder / "host" / "tree" / "tree_bench"
+        self.assertIn("tree_benchmark is not built", row["note"])
+        program = self.folder / "host" / "tree" / "tree_benchmark"
         program.parent.mkdir(parents=True)
         runs = [{"run_type": "iteration", "cpu_time": ms} for ms in (24.5, 40, 26)]
         runs.append({"run_type": "aggregate", "cpu_time": 99})
@@ -131,8 +131,8 @@ class Bench(testing.InFolder):
         rows, _ = self.rows()
         row = rows["truth of rays, per second of two cores"]
         self.assertIsNone(row["reached"])
-        self.assertIn("truth_bench is not built", row["note"])
-        program = self.folder / "host" / "truth" / "truth_bench"
+        self.assertIn("truth_benchmark is not built", row["note"])
+        program = self.folder / "host" / "analysis" / "truth" / "truth_benchmark"
         program.parent.mkdir(parents=True)
         runs = [
             {

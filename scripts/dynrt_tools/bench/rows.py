@@ -82,8 +82,8 @@ class Options:
     size: str
     runs: int
     reports: pathlib.Path  # folder of hlsc's schedule reports of CONFIG
-    tree_bench: pathlib.Path  # the program that times the trees alone
-    truth_bench: pathlib.Path  # the program that times the truth of rays
+    tree_benchmark: pathlib.Path  # the program that times the trees alone
+    truth_benchmark: pathlib.Path  # the program that times the truth of rays
 
 
 class Bench:
@@ -278,9 +278,9 @@ class Bench:
         """The truth that `dynrt report error` judges by, for the primary rays of `office`."""
         row = Row("truth of rays, per second of two cores", "", 200_000, ">=", cause=TRUTH_CAUSE)
         self.progress("truth of rays")
-        runs = self._timed(self.options.truth_bench, "primary_rays/process_time")
+        runs = self._timed(self.options.truth_benchmark, "primary_rays/process_time")
         if runs is None:
-            row.note = f"{self.options.truth_bench} is not built"
+            row.note = f"{self.options.truth_benchmark} is not built"
             return row
         speeds = [2 * run["rays"] / (run["cpu_time"] * 1e-3) for run in runs]
         row.reached = statistics.median(speeds)
@@ -292,12 +292,12 @@ class Bench:
         return row
 
     def _top_level_row(self) -> Row:
-        """The tree over 50,000 instances, as host/tree/tree_bench.cpp strews them."""
+        """The tree over 50,000 instances, as host/tree/tree_benchmark.cpp strews them."""
         row = Row("top level of 50,000 instances", "ms", 33, "<=", digits=1, cause=TOP_LEVEL_CAUSE)
         self.progress("top level of 50,000 instances")
-        runs = self._timed(self.options.tree_bench, "instance_tree/50000")
+        runs = self._timed(self.options.tree_benchmark, "instance_tree/50000")
         if runs is None:
-            row.note = f"{self.options.tree_bench} is not built"
+            row.note = f"{self.options.tree_benchmark} is not built"
             return row
         times = [run["cpu_time"] for run in runs]
         row.reached = statistics.median(times)
