@@ -119,23 +119,23 @@ module collect_hits #(
   wire [16:0] job_matrix_s2 = record_data_i[22:6];
   wire [23:0] job_extra_s2 = record_data_i[46:23];
   wire [16:0] instance_s2 = object_data_i;
-  wire [23:0] or_1_s2 = candidate_9_s2 | closest_s2;  // units/collect_hits.h:71
-  wire xor_1_s2 = or_1_s2[23] ^ ({candidate_9_s2, 1'd0} < {closest_s2, or_1_s2[23]});  // units/collect_hits.h:71
+  wire [23:0] or_1_s2 = candidate_9_s2 | closest_s2;  // units/collect_hits.h:75
+  wire xor_1_s2 = or_1_s2[23] ^ ({candidate_9_s2, 1'd0} < {closest_s2, or_1_s2[23]});  // units/collect_hits.h:75
   wire closer_s2 = in_hit_s2 & xor_1_s2;
-  wire [23:0] mux_1_s2 = {~in_reset_s2 & closest_s2[23], {23{in_reset_s2}} | closest_s2[22:0]};  // units/collect_hits.h:75
-  wire [23:0] mux_2_s2 = closer_s2 ? candidate_9_s2 : mux_1_s2;  // units/collect_hits.h:76
+  wire [23:0] mux_1_s2 = {~in_reset_s2 & closest_s2[23], {23{in_reset_s2}} | closest_s2[22:0]};  // units/collect_hits.h:79
+  wire [23:0] mux_2_s2 = closer_s2 ? candidate_9_s2 : mux_1_s2;  // units/collect_hits.h:80
   wire [23:0] mux_3_s2 = ~{24{in_reset_s2}} & in_u_s2;
   wire [23:0] mux_4_s2 = ~{24{in_reset_s2}} & in_v_s2;
   wire [23:0] mux_5_s2 = ~{24{in_reset_s2}} & in_cosine_s2;
   wire [16:0] mux_6_s2 = ~{17{in_reset_s2}} & instance_s2;
   wire [16:0] mux_7_s2 = ~{17{in_reset_s2}} & job_matrix_s2;
   wire [23:0] mux_8_s2 = ~{24{in_reset_s2}} & job_extra_s2;
-  wire or_2_s2 = in_reset_s2 | closer_s2;  // units/collect_hits.h:93
-  wire [23:0] mux_9_s2 = {~in_reset_s2 & mux_2_s2[23], {23{in_reset_s2}} | mux_2_s2[22:0]};  // units/collect_hits.h:93
+  wire or_2_s2 = in_reset_s2 | closer_s2;  // units/collect_hits.h:97
+  wire [23:0] mux_9_s2 = {~in_reset_s2 & mux_2_s2[23], {23{in_reset_s2}} | mux_2_s2[22:0]};  // units/collect_hits.h:97
   wire not_1_s2 = ~candidate_5_s2;
   wire not_2_s2 = ~candidate_6_s2;
-  wire [23:0] mux_10_s2 = {~in_reset_s2 & candidate_9_s2[23], {23{in_reset_s2}} | candidate_9_s2[22:0]};  // units/collect_hits.h:98
-  wire eq_1_s2 = {candidate_6_s2, candidate_5_s2} == 2'd3;  // units/collect_hits.h:124
+  wire [23:0] mux_10_s2 = {~in_reset_s2 & candidate_9_s2[23], {23{in_reset_s2}} | candidate_9_s2[22:0]};  // units/collect_hits.h:102
+  wire eq_1_s2 = {candidate_6_s2, candidate_5_s2} == 2'd3;  // units/collect_hits.h:128
   wire not_3_s2 = ~in_reset_s2;
   wire [3:0] job_active_s2 = record_data_i[5:2];
 

@@ -45,7 +45,7 @@ module list_lookup #(
   wire [4:0] r_context_packet_s0 = request_data_i[4:0];
   wire [8:0] request_6_s0 = request_data_i[14:6];
   wire [9:0] request_15_s0 = request_data_i[24:15];
-  wire [8:0] line_s0 = frame_32_config & request_6_s0;  // units/cache_lookup.h:75
+  wire [8:0] line_s0 = frame_32_config & request_6_s0;  // units/cache_lookup.h:77
   wire request_5_s0 = request_data_i[5];
 
   // ---- stage 1 ----
@@ -85,8 +85,8 @@ module list_lookup #(
     lines_20_s2 <= lines_20_s1;
     request_5_s2 <= request_5_s1;
   end
-  wire and_1_s2 = lines_0_s2 & eq_1_s2;  // units/cache_lookup.h:77
-  wire not_1_s2 = ~and_1_s2;  // units/cache_lookup.h:76
+  wire and_1_s2 = lines_0_s2 & eq_1_s2;  // units/cache_lookup.h:79
+  wire not_1_s2 = ~and_1_s2;  // units/cache_lookup.h:78
 
   // ---- state, rows and tokens written ----
   wire [37:0] reply_stored;

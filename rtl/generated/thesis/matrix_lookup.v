@@ -46,7 +46,7 @@ module matrix_lookup #(
   wire [1:0] request_11_s0 = request_data_i[12:11];
   wire [8:0] request_13_s0 = request_data_i[21:13];
   wire [9:0] request_22_s0 = request_data_i[31:22];
-  wire [8:0] line_s0 = frame_32_config & request_13_s0;  // units/cache_lookup.h:75
+  wire [8:0] line_s0 = frame_32_config & request_13_s0;  // units/cache_lookup.h:77
   wire [5:0] request_5_s0 = request_data_i[10:5];
 
   // ---- stage 1 ----
@@ -90,8 +90,8 @@ module matrix_lookup #(
     lines_20_s2 <= lines_20_s1;
     request_5_s2 <= request_5_s1;
   end
-  wire and_1_s2 = row_valid_s2 & eq_1_s2;  // units/cache_lookup.h:77
-  wire not_1_s2 = ~and_1_s2;  // units/cache_lookup.h:76
+  wire and_1_s2 = row_valid_s2 & eq_1_s2;  // units/cache_lookup.h:79
+  wire not_1_s2 = ~and_1_s2;  // units/cache_lookup.h:78
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(128), .DEPTH(REPLY_DEPTH), .MARGIN(REPLY_BOUNDED ? 0 : 2),

@@ -91,11 +91,11 @@ module node_fetch #(
   wire [8:0] states_row;
   wire [4:0] states_0_s1 = states_row[4:0];
   wire [3:0] state_alive_s1 = states_row[8:5];
-  wire enter_s1 = {event_7_s1, event_6_s1} == 2'd0;  // units/node_fetch.h:58
-  wire [4:0] mux_1_s1 = ~{5{enter_s1}} & states_0_s1;  // units/node_fetch.h:60
-  wire [3:0] state_alive_2_s1 = enter_s1 ? e_active_s1 : state_alive_s1;  // units/node_fetch.h:60
-  wire [3:0] state_alive_3_s1 = state_alive_2_s1 & (~e_terminated_s1);  // units/node_fetch.h:68
-  wire [4:0] add_1_s1 = mux_1_s1 + 5'd31;  // units/node_fetch.h:70
+  wire enter_s1 = {event_7_s1, event_6_s1} == 2'd0;  // units/node_fetch.h:60
+  wire [4:0] mux_1_s1 = ~{5{enter_s1}} & states_0_s1;  // units/node_fetch.h:62
+  wire [3:0] state_alive_2_s1 = enter_s1 ? e_active_s1 : state_alive_s1;  // units/node_fetch.h:62
+  wire [3:0] state_alive_3_s1 = state_alive_2_s1 & (~e_terminated_s1);  // units/node_fetch.h:70
+  wire [4:0] add_1_s1 = mux_1_s1 + 5'd31;  // units/node_fetch.h:72
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -132,13 +132,13 @@ module node_fetch #(
   wire [18:0] address_s2 = stack_row[18:0];
   wire [3:0] stack_19_s2 = stack_row[22:19];
   wire [3:0] context_both_s2 = stack_row[26:23];
-  wire and_1_s2 = e_clip_near_s2 & ({event_7_s2, event_6_s2} == 2'd1);  // units/node_fetch.h:79
-  wire finished_s2 = (~(mux_1_s2 == 5'd0)) & (~(state_alive_3_s2 == 4'd0));  // units/node_fetch.h:101
-  wire [3:0] active_s2 = state_alive_3_s2 & stack_19_s2;  // units/node_fetch.h:101
+  wire and_1_s2 = e_clip_near_s2 & ({event_7_s2, event_6_s2} == 2'd1);  // units/node_fetch.h:81
+  wire finished_s2 = (~(mux_1_s2 == 5'd0)) & (~(state_alive_3_s2 == 4'd0));  // units/node_fetch.h:103
+  wire [3:0] active_s2 = state_alive_3_s2 & stack_19_s2;  // units/node_fetch.h:103
   wire eq_4_s2 = active_s2 == 4'd0;
-  wire fetch_s2 = finished_s2 & (~eq_4_s2);  // units/node_fetch.h:102
-  wire full_s2 = mux_1_s2 == 5'd31;  // units/node_fetch.h:88
-  wire [4:0] state_stack_s2 = mux_1_s2 + 5'd1;  // units/node_fetch.h:96
+  wire fetch_s2 = finished_s2 & (~eq_4_s2);  // units/node_fetch.h:104
+  wire full_s2 = mux_1_s2 == 5'd31;  // units/node_fetch.h:90
+  wire [4:0] state_stack_s2 = mux_1_s2 + 5'd1;  // units/node_fetch.h:98
   wire not_7_s2 = ~event_6_s2;
   wire and_4_s2 = event_6_s2 & event_7_s2;
   wire [1:0] mux_3_s2 = {~full_s2 | and_1_s2, full_s2 ? 1'd1 : 1'd0};

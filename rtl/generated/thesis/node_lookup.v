@@ -45,7 +45,7 @@ module node_lookup #(
   wire [4:0] request_0_s0 = request_data_i[4:0];
   wire [8:0] request_22_s0 = request_data_i[30:22];
   wire [9:0] request_31_s0 = request_data_i[40:31];
-  wire [8:0] line_s0 = frame_32_config & request_22_s0;  // units/cache_lookup.h:75
+  wire [8:0] line_s0 = frame_32_config & request_22_s0;  // units/cache_lookup.h:77
   wire [16:0] request_5_s0 = request_data_i[21:5];
 
   // ---- stage 1 ----
@@ -85,8 +85,8 @@ module node_lookup #(
     lines_20_s2 <= lines_20_s1;
     request_5_s2 <= request_5_s1;
   end
-  wire and_1_s2 = row_valid_s2 & eq_1_s2;  // units/cache_lookup.h:77
-  wire not_1_s2 = ~and_1_s2;  // units/cache_lookup.h:76
+  wire and_1_s2 = row_valid_s2 & eq_1_s2;  // units/cache_lookup.h:79
+  wire not_1_s2 = ~and_1_s2;  // units/cache_lookup.h:78
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(86), .DEPTH(REPLY_DEPTH), .MARGIN(REPLY_BOUNDED ? 0 : 2),

@@ -161,58 +161,58 @@ module packet_mailbox #(
     entry_42_s2 <= entry_42_s1;
     entry_7_s2 <= entry_7_s1;
   end
-  wire eq_1_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd0;  // units/mailbox.h:28
-  wire found_s2 = (~eq_1_s2) & (matrix_s2 == object_slots_slot_0_s2);  // units/mailbox.h:28
+  wire eq_1_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd0;  // units/mailbox.h:30
+  wire found_s2 = (~eq_1_s2) & (matrix_s2 == object_slots_slot_0_s2);  // units/mailbox.h:30
   wire found_2_s2 = matrix_s2 == object_slots_slot_1_s2;
-  wire and_1_s2 = (~({objects_3_s2, objects_2_s2, objects_1_s2} == 3'd0)) & found_2_s2;  // units/mailbox.h:28
-  wire lt_1_s2 = 4'd2 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:28
+  wire and_1_s2 = (~({objects_3_s2, objects_2_s2, objects_1_s2} == 3'd0)) & found_2_s2;  // units/mailbox.h:30
+  wire lt_1_s2 = 4'd2 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:30
   wire found_3_s2 = matrix_s2 == object_slots_slot_2_s2;
   wire found_4_s2 = matrix_s2 == object_slots_slot_3_s2;
-  wire lt_2_s2 = 4'd4 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:28
+  wire lt_2_s2 = 4'd4 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:30
   wire found_5_s2 = matrix_s2 == object_slots_slot_4_s2;
-  wire lt_3_s2 = 4'd5 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:28
+  wire lt_3_s2 = 4'd5 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:30
   wire found_6_s2 = matrix_s2 == object_slots_slot_5_s2;
-  wire lt_4_s2 = 4'd6 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:28
+  wire lt_4_s2 = 4'd6 < {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2};  // units/mailbox.h:30
   wire found_7_s2 = matrix_s2 == object_slots_slot_6_s2;
-  wire eq_6_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd0;  // units/mailbox.h:28
-  wire found_8_s2 = (~eq_6_s2) & (matrix_s2 == triangle_slots_slot_0_s2);  // units/mailbox.h:28
+  wire eq_6_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd0;  // units/mailbox.h:30
+  wire found_8_s2 = (~eq_6_s2) & (matrix_s2 == triangle_slots_slot_0_s2);  // units/mailbox.h:30
   wire found_9_s2 = matrix_s2 == triangle_slots_slot_1_s2;
-  wire and_8_s2 = (~({triangles_3_s2, triangles_2_s2, triangles_1_s2} == 3'd0)) & found_9_s2;  // units/mailbox.h:28
-  wire lt_5_s2 = 4'd2 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:28
+  wire and_8_s2 = (~({triangles_3_s2, triangles_2_s2, triangles_1_s2} == 3'd0)) & found_9_s2;  // units/mailbox.h:30
+  wire lt_5_s2 = 4'd2 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:30
   wire found_10_s2 = matrix_s2 == triangle_slots_slot_2_s2;
   wire found_11_s2 = matrix_s2 == triangle_slots_slot_3_s2;
-  wire lt_6_s2 = 4'd4 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:28
+  wire lt_6_s2 = 4'd4 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:30
   wire found_12_s2 = matrix_s2 == triangle_slots_slot_4_s2;
-  wire lt_7_s2 = 4'd5 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:28
+  wire lt_7_s2 = 4'd5 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:30
   wire found_13_s2 = matrix_s2 == triangle_slots_slot_5_s2;
-  wire lt_8_s2 = 4'd6 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:28
+  wire lt_8_s2 = 4'd6 < {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2};  // units/mailbox.h:30
   wire found_14_s2 = matrix_s2 == triangle_slots_slot_6_s2;
-  wire or_2_s2 = ((~({triangles_3_s2, triangles_2_s2} == 2'd0)) & found_11_s2) | (triangles_3_s2 & (matrix_s2 == triangle_slots_slot_7_s2));  // units/mailbox.h:68
-  wire or_6_s2 = ((lt_5_s2 & found_10_s2) | (lt_6_s2 & found_12_s2)) | ((lt_7_s2 & found_13_s2) | (lt_8_s2 & found_14_s2));  // units/mailbox.h:68
-  wire or_9_s2 = ((~({objects_3_s2, objects_2_s2} == 2'd0)) & found_4_s2) | (objects_3_s2 & (matrix_s2 == object_slots_slot_7_s2));  // units/mailbox.h:68
-  wire or_13_s2 = ((lt_1_s2 & found_3_s2) | (lt_2_s2 & found_5_s2)) | ((lt_3_s2 & found_6_s2) | (lt_4_s2 & found_7_s2));  // units/mailbox.h:68
-  wire or_14_s2 = ((found_s2 | and_1_s2) | or_9_s2) | or_13_s2;  // units/mailbox.h:68
-  wire known_s2 = top_s2 ? (((found_8_s2 | and_8_s2) | or_2_s2) | or_6_s2) : or_14_s2;  // units/mailbox.h:68
-  wire [1:0] mux_1_s2 = top_s2 ? 2'd2 : 2'd1;  // units/mailbox.h:113
-  wire eq_11_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd1;  // units/mailbox.h:34
-  wire eq_12_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd2;  // units/mailbox.h:34
-  wire eq_13_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd3;  // units/mailbox.h:34
-  wire eq_14_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd4;  // units/mailbox.h:34
-  wire eq_15_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd5;  // units/mailbox.h:34
-  wire eq_16_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd6;  // units/mailbox.h:34
-  wire eq_17_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd7;  // units/mailbox.h:34
-  wire eq_18_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd8;  // units/mailbox.h:36
+  wire or_2_s2 = ((~({triangles_3_s2, triangles_2_s2} == 2'd0)) & found_11_s2) | (triangles_3_s2 & (matrix_s2 == triangle_slots_slot_7_s2));  // units/mailbox.h:70
+  wire or_6_s2 = ((lt_5_s2 & found_10_s2) | (lt_6_s2 & found_12_s2)) | ((lt_7_s2 & found_13_s2) | (lt_8_s2 & found_14_s2));  // units/mailbox.h:70
+  wire or_9_s2 = ((~({objects_3_s2, objects_2_s2} == 2'd0)) & found_4_s2) | (objects_3_s2 & (matrix_s2 == object_slots_slot_7_s2));  // units/mailbox.h:70
+  wire or_13_s2 = ((lt_1_s2 & found_3_s2) | (lt_2_s2 & found_5_s2)) | ((lt_3_s2 & found_6_s2) | (lt_4_s2 & found_7_s2));  // units/mailbox.h:70
+  wire or_14_s2 = ((found_s2 | and_1_s2) | or_9_s2) | or_13_s2;  // units/mailbox.h:70
+  wire known_s2 = top_s2 ? (((found_8_s2 | and_8_s2) | or_2_s2) | or_6_s2) : or_14_s2;  // units/mailbox.h:70
+  wire [1:0] mux_1_s2 = top_s2 ? 2'd2 : 2'd1;  // units/mailbox.h:115
+  wire eq_11_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd1;  // units/mailbox.h:36
+  wire eq_12_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd2;  // units/mailbox.h:36
+  wire eq_13_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd3;  // units/mailbox.h:36
+  wire eq_14_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd4;  // units/mailbox.h:36
+  wire eq_15_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd5;  // units/mailbox.h:36
+  wire eq_16_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd6;  // units/mailbox.h:36
+  wire eq_17_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd7;  // units/mailbox.h:36
+  wire eq_18_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} == 4'd8;  // units/mailbox.h:38
   wire [3:0] add_1_s2 = {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} + 4'd1;
-  wire eq_19_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd1;  // units/mailbox.h:34
-  wire eq_20_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd2;  // units/mailbox.h:34
-  wire eq_21_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd3;  // units/mailbox.h:34
-  wire eq_22_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd4;  // units/mailbox.h:34
-  wire eq_23_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd5;  // units/mailbox.h:34
-  wire eq_24_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd6;  // units/mailbox.h:34
-  wire eq_25_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd7;  // units/mailbox.h:34
-  wire eq_26_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd8;  // units/mailbox.h:36
+  wire eq_19_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd1;  // units/mailbox.h:36
+  wire eq_20_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd2;  // units/mailbox.h:36
+  wire eq_21_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd3;  // units/mailbox.h:36
+  wire eq_22_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd4;  // units/mailbox.h:36
+  wire eq_23_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd5;  // units/mailbox.h:36
+  wire eq_24_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd6;  // units/mailbox.h:36
+  wire eq_25_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd7;  // units/mailbox.h:36
+  wire eq_26_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} == 4'd8;  // units/mailbox.h:38
   wire [3:0] add_2_s2 = {triangles_3_s2, triangles_2_s2, triangles_1_s2, triangles_0_s2} + 4'd1;
-  wire [3:0] mux_11_s2 = {eq_26_s2 | add_2_s2[3], ~{3{eq_26_s2}} & add_2_s2[2:0]};  // units/mailbox.h:36
+  wire [3:0] mux_11_s2 = {eq_26_s2 | add_2_s2[3], ~{3{eq_26_s2}} & add_2_s2[2:0]};  // units/mailbox.h:38
   wire not_7_s2 = ~entry_6_s2;
   wire or_15_s2 = entry_6_s2 | known_s2;
   wire [3:0] mux_12_s2 = (top_s2 | or_14_s2) ? {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} : ({eq_18_s2 | add_1_s2[3], ~{3{eq_18_s2}} & add_1_s2[2:0]});

@@ -54,10 +54,10 @@ module ray_generation #(
   wire [7:0] frame_0_config = frame_i[7:0];
 
   // ---- stage 0 ----
-  wire [16:0] mux_3_s0 = frame_164_config ? 17'h10000 : 17'd1;  // units/ray_generation.h:44
-  wire [16:0] mux_4_s0 = {frame_163_config ? mux_3_s0[8:0] : mux_3_s0[16:8], ~{8{frame_163_config}} & mux_3_s0[7:0]};  // units/ray_generation.h:44
-  wire [16:0] mux_5_s0 = {frame_162_config ? mux_4_s0[12:0] : mux_4_s0[16:4], ~{4{frame_162_config}} & mux_4_s0[3:0]};  // units/ray_generation.h:44
-  wire [18:0] mux_6_s0 = {{2{frame_161_config}} & mux_5_s0[16:15], frame_161_config ? mux_5_s0[14:0] : mux_5_s0[16:2], ~{2{frame_161_config}} & mux_5_s0[1:0]};  // units/ray_generation.h:44
+  wire [16:0] mux_3_s0 = frame_164_config ? 17'h10000 : 17'd1;  // units/ray_generation.h:45
+  wire [16:0] mux_4_s0 = {frame_163_config ? mux_3_s0[8:0] : mux_3_s0[16:8], ~{8{frame_163_config}} & mux_3_s0[7:0]};  // units/ray_generation.h:45
+  wire [16:0] mux_5_s0 = {frame_162_config ? mux_4_s0[12:0] : mux_4_s0[16:4], ~{4{frame_162_config}} & mux_4_s0[3:0]};  // units/ray_generation.h:45
+  wire [18:0] mux_6_s0 = {{2{frame_161_config}} & mux_5_s0[16:15], frame_161_config ? mux_5_s0[14:0] : mux_5_s0[16:2], ~{2{frame_161_config}} & mux_5_s0[1:0]};  // units/ray_generation.h:45
   wire [4:0] f_s0 = free_data_i;
 
   // ---- stage 1 ----
@@ -73,19 +73,19 @@ module ray_generation #(
   reg  [8:0] scan_x_q;
   reg  [9:0] scan_y_q;
   reg  [7:0] returned_q;
-  wire [10:0] add_1_s1 = last_x_config + 11'd1;  // units/ray_generation.h:73
-  wire [10:0] add_2_s1 = last_y_config + 11'd1;  // units/ray_generation.h:73
+  wire [10:0] add_1_s1 = last_x_config + 11'd1;  // units/ray_generation.h:74
+  wire [10:0] add_2_s1 = last_y_config + 11'd1;  // units/ray_generation.h:74
   wire [8:0] mux_1_s1 = frame_128_config ? scan_x_q : {counter_q[16], counter_q[14], counter_q[12], counter_q[10], counter_q[8], counter_q[6], counter_q[4], counter_q[2], counter_q[0]};
   wire [8:0] mux_2_s1 = frame_128_config ? scan_y_q[8:0] : {counter_q[17], counter_q[15], counter_q[13], counter_q[11], counter_q[9], counter_q[7], counter_q[5], counter_q[3], counter_q[1]};
-  wire [18:0] mux_7_s1 = {frame_160_config ? mux_6_s1[17:0] : mux_6_s1[18:1], ~frame_160_config & mux_6_s1[0]};  // units/ray_generation.h:44
-  wire over_s1 = frame_128_config ? (scan_y_q == add_2_s1[10:1]) : (~((counter_q & mux_7_s1) == 19'd0));  // units/ray_generation.h:43
-  wire inside_s1 = ({1'd0, mux_1_s1} < add_1_s1[10:1]) & ({1'd0, mux_2_s1} < add_2_s1[10:1]);  // units/ray_generation.h:45
-  wire line_end_s1 = add_1_s1[10:1] == ({1'd0, scan_x_q} + 10'd1);  // units/ray_generation.h:52
-  wire [8:0] add_4_s1 = scan_x_q + 9'd1;  // units/ray_generation.h:53
-  wire x1_s1 = {1'd0, mux_1_s1, 1'd1} < last_x_config;  // units/ray_generation.h:87
-  wire y1_s1 = {1'd0, mux_2_s1, 1'd1} < last_y_config;  // units/ray_generation.h:88
-  wire and_2_s1 = x1_s1 & y1_s1;  // units/ray_generation.h:89
-  wire [7:0] add_5_s1 = returned_q + 8'd1;  // units/ray_generation.h:48
+  wire [18:0] mux_7_s1 = {frame_160_config ? mux_6_s1[17:0] : mux_6_s1[18:1], ~frame_160_config & mux_6_s1[0]};  // units/ray_generation.h:45
+  wire over_s1 = frame_128_config ? (scan_y_q == add_2_s1[10:1]) : (~((counter_q & mux_7_s1) == 19'd0));  // units/ray_generation.h:44
+  wire inside_s1 = ({1'd0, mux_1_s1} < add_1_s1[10:1]) & ({1'd0, mux_2_s1} < add_2_s1[10:1]);  // units/ray_generation.h:46
+  wire line_end_s1 = add_1_s1[10:1] == ({1'd0, scan_x_q} + 10'd1);  // units/ray_generation.h:53
+  wire [8:0] add_4_s1 = scan_x_q + 9'd1;  // units/ray_generation.h:54
+  wire x1_s1 = {1'd0, mux_1_s1, 1'd1} < last_x_config;  // units/ray_generation.h:88
+  wire y1_s1 = {1'd0, mux_2_s1, 1'd1} < last_y_config;  // units/ray_generation.h:89
+  wire and_2_s1 = x1_s1 & y1_s1;  // units/ray_generation.h:90
+  wire [7:0] add_5_s1 = returned_q + 8'd1;  // units/ray_generation.h:49
   wire not_2_s1 = ~over_s1;
   wire and_4_s1 = inside_s1 & not_2_s1;
   wire and_5_s1 = line_end_s1 & not_2_s1;

@@ -82,10 +82,10 @@ module shading #(
   wire [16:0] hit_97_s1 = hit_data_i[113:97];
   wire [16:0] hit_114_s1 = hit_data_i[130:114];
   wire position_0_s1 = position_data_i[0];
-  wire or_1_s1 = job_2_s1 | position_0_s1;  // units/shading.h:42
+  wire or_1_s1 = job_2_s1 | position_0_s1;  // units/shading.h:44
   wire [8:0] position_1_s1 = position_data_i[9:1];
   wire position_10_s1 = position_data_i[10];
-  wire or_2_s1 = job_3_s1 | position_10_s1;  // units/shading.h:43
+  wire or_2_s1 = job_3_s1 | position_10_s1;  // units/shading.h:45
   wire [8:0] position_11_s1 = position_data_i[19:11];
   wire lt_3_s1 = {hit_95_s1, hit_89_s1} < 7'd63;  // units/colour.h:21
   wire [5:0] not_1_s1 = ~hit_89_s1;  // units/colour.h:24
@@ -99,11 +99,11 @@ module shading #(
   wire [7:0] hit_139_s1 = hit_data_i[146:139];
   wire [7:0] hit_131_s1 = hit_data_i[138:131];
   wire eq_1_s1 = word_s1 == 2'd0;
-  wire eq_3_s1 = word_s1 == 2'd1;  // units/shading.h:80
-  wire [31:0] mux_9_s1 = {~eq_3_s1 & h_hit_s1, eq_3_s1 ? 7'd0 : 7'd0, {7{eq_3_s1}} & hit_49_s1[23:17], eq_3_s1 ? hit_49_s1[16:0] : hit_97_s1};  // units/shading.h:62
-  wire [31:0] mux_10_s1 = {~{8{eq_1_s1}} & mux_9_s1[31:24], eq_1_s1 ? hit_1_s1 : mux_9_s1[23:0]};  // units/shading.h:62
-  wire [23:0] mux_11_s1 = {{7{eq_3_s1}} & {hit_96_s1, hit_95_s1, hit_89_s1[5:1]}, eq_3_s1 ? {hit_89_s1[0], hit_81_s1, hit_73_s1} : hit_114_s1};  // units/shading.h:79
-  wire [23:0] mux_12_s1 = eq_1_s1 ? hit_25_s1 : mux_11_s1;  // units/shading.h:79
+  wire eq_3_s1 = word_s1 == 2'd1;  // units/shading.h:82
+  wire [31:0] mux_9_s1 = {~eq_3_s1 & h_hit_s1, eq_3_s1 ? 7'd0 : 7'd0, {7{eq_3_s1}} & hit_49_s1[23:17], eq_3_s1 ? hit_49_s1[16:0] : hit_97_s1};  // units/shading.h:64
+  wire [31:0] mux_10_s1 = {~{8{eq_1_s1}} & mux_9_s1[31:24], eq_1_s1 ? hit_1_s1 : mux_9_s1[23:0]};  // units/shading.h:64
+  wire [23:0] mux_11_s1 = {{7{eq_3_s1}} & {hit_96_s1, hit_95_s1, hit_89_s1[5:1]}, eq_3_s1 ? {hit_89_s1[0], hit_81_s1, hit_73_s1} : hit_114_s1};  // units/shading.h:81
+  wire [23:0] mux_12_s1 = eq_1_s1 ? hit_25_s1 : mux_11_s1;  // units/shading.h:81
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -146,8 +146,8 @@ module shading #(
     mux_12_s2 <= mux_12_s1;
     j_last_s2 <= j_last_s1;
   end
-  wire lt_2_s2 = {1'd0, position_11_s2, or_2_s2} < frame_96_config;  // units/shading.h:44
-  wire [19:0] mul_1_s2 = {position_11_s2, or_2_s2} * frame_64_config;  // units/shading.h:46
+  wire lt_2_s2 = {1'd0, position_11_s2, or_2_s2} < frame_96_config;  // units/shading.h:46
+  wire [19:0] mul_1_s2 = {position_11_s2, or_2_s2} * frame_64_config;  // units/shading.h:48
   wire [8:0] mux_6_s2 = {~not_1_s2 & mux_5_s2[8], not_1_s2 ? mux_5_s2[8:1] : mux_5_s2[7:0]};  // units/colour.h:24
   wire [8:0] mux_7_s2 = ~{9{lt_4_s2}} & mux_6_s2;  // units/colour.h:43
   wire [8:0] mux_8_s2 = {~lt_3_s2 | mux_7_s2[8], {8{lt_3_s2}} & mux_7_s2[7:0]};  // units/colour.h:43
@@ -187,15 +187,15 @@ module shading #(
     mux_12_s3 <= mux_12_s2;
     j_last_s3 <= j_last_s2;
   end
-  wire inside_s3 = ({1'd0, position_1_s3, or_1_s3} < frame_64_config) & lt_2_s3;  // units/shading.h:44
-  wire [19:0] pixel_s3 = mul_1_s3 + {10'd0, position_1_s3, or_1_s3};  // units/shading.h:46
+  wire inside_s3 = ({1'd0, position_1_s3, or_1_s3} < frame_64_config) & lt_2_s3;  // units/shading.h:46
+  wire [19:0] pixel_s3 = mul_1_s3 + {10'd0, position_1_s3, or_1_s3};  // units/shading.h:48
   wire [15:0] mul_2_s3 = hit_147_s3 * mux_8_s3;  // units/colour.h:43
   wire [15:0] mul_3_s3 = mux_8_s3 * hit_139_s3;  // units/colour.h:43
   wire [15:0] mul_4_s3 = mux_8_s3 * hit_131_s3;  // units/colour.h:43
-  wire and_1_s3 = inside_s3 & eq_1_s3;  // units/shading.h:55
-  wire [19:0] add_1_s3 = pixel_s3 + frame_288_config;  // units/shading.h:55
-  wire and_3_s3 = inside_s3 & ((~(word_s3 == 2'd3)) & frame_320_config);  // units/shading.h:59
-  wire [19:0] at_s3 = ({pixel_s3[17:0], 2'd0} - pixel_s3) + {18'd0, word_s3};  // units/shading.h:60
+  wire and_1_s3 = inside_s3 & eq_1_s3;  // units/shading.h:57
+  wire [19:0] add_1_s3 = pixel_s3 + frame_288_config;  // units/shading.h:57
+  wire and_3_s3 = inside_s3 & ((~(word_s3 == 2'd3)) & frame_320_config);  // units/shading.h:61
+  wire [19:0] at_s3 = ({pixel_s3[17:0], 2'd0} - pixel_s3) + {18'd0, word_s3};  // units/shading.h:62
 
   // ---- stage 4 ----
   reg valid_s4;

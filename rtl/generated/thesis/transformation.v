@@ -84,49 +84,49 @@ module transformation #(
   end
   wire [15:0] column_2_0_s1 = column_2_data_i[15:0];
   wire [6:0] column_2_16_s1 = column_2_data_i[22:16];
-  wire [7:0] add_1_s1 = {1'd0, column_2_16_s1} + {1'd0, vector_72_s1};  // units/transformation.h:48
+  wire [7:0] add_1_s1 = {1'd0, column_2_16_s1} + {1'd0, vector_72_s1};  // units/transformation.h:49
   wire column_2_23_s1 = column_2_data_i[23];
-  wire xor_1_s1 = column_2_23_s1 ^ vector_79_s1;  // units/transformation.h:48
+  wire xor_1_s1 = column_2_23_s1 ^ vector_79_s1;  // units/transformation.h:49
   wire [15:0] column_2_24_s1 = column_2_data_i[39:24];
   wire [6:0] column_2_40_s1 = column_2_data_i[46:40];
-  wire [7:0] add_6_s1 = {1'd0, vector_72_s1} + {1'd0, column_2_40_s1};  // units/transformation.h:48
+  wire [7:0] add_6_s1 = {1'd0, vector_72_s1} + {1'd0, column_2_40_s1};  // units/transformation.h:49
   wire column_2_47_s1 = column_2_data_i[47];
-  wire xor_4_s1 = vector_79_s1 ^ column_2_47_s1;  // units/transformation.h:48
+  wire xor_4_s1 = vector_79_s1 ^ column_2_47_s1;  // units/transformation.h:49
   wire [15:0] column_2_48_s1 = column_2_data_i[63:48];
   wire [6:0] column_2_64_s1 = column_2_data_i[70:64];
-  wire [7:0] add_11_s1 = {1'd0, vector_72_s1} + {1'd0, column_2_64_s1};  // units/transformation.h:48
+  wire [7:0] add_11_s1 = {1'd0, vector_72_s1} + {1'd0, column_2_64_s1};  // units/transformation.h:49
   wire column_2_71_s1 = column_2_data_i[71];
-  wire xor_7_s1 = vector_79_s1 ^ column_2_71_s1;  // units/transformation.h:48
+  wire xor_7_s1 = vector_79_s1 ^ column_2_71_s1;  // units/transformation.h:49
   wire [6:0] column_0_64_s1 = column_0_data_i[70:64];
-  wire [7:0] add_16_s1 = {1'd0, column_0_64_s1} + {1'd0, vector_24_s1};  // units/transformation.h:49
+  wire [7:0] add_16_s1 = {1'd0, column_0_64_s1} + {1'd0, vector_24_s1};  // units/transformation.h:50
   wire [15:0] column_0_48_s1 = column_0_data_i[63:48];
   wire [6:0] column_1_64_s1 = column_1_data_i[70:64];
-  wire [7:0] add_19_s1 = {1'd0, column_1_64_s1} + {1'd0, vector_48_s1};  // units/transformation.h:49
+  wire [7:0] add_19_s1 = {1'd0, column_1_64_s1} + {1'd0, vector_48_s1};  // units/transformation.h:50
   wire [15:0] column_1_48_s1 = column_1_data_i[63:48];
   wire column_1_71_s1 = column_1_data_i[71];
-  wire xor_10_s1 = column_1_71_s1 ^ vector_55_s1;  // units/transformation.h:49
+  wire xor_10_s1 = column_1_71_s1 ^ vector_55_s1;  // units/transformation.h:50
   wire column_0_71_s1 = column_0_data_i[71];
-  wire xor_11_s1 = column_0_71_s1 ^ vector_31_s1;  // units/transformation.h:49
+  wire xor_11_s1 = column_0_71_s1 ^ vector_31_s1;  // units/transformation.h:50
   wire [6:0] column_0_40_s1 = column_0_data_i[46:40];
-  wire [7:0] add_24_s1 = {1'd0, vector_24_s1} + {1'd0, column_0_40_s1};  // units/transformation.h:49
+  wire [7:0] add_24_s1 = {1'd0, vector_24_s1} + {1'd0, column_0_40_s1};  // units/transformation.h:50
   wire [15:0] column_0_24_s1 = column_0_data_i[39:24];
   wire [6:0] column_1_40_s1 = column_1_data_i[46:40];
-  wire [7:0] add_27_s1 = {1'd0, vector_48_s1} + {1'd0, column_1_40_s1};  // units/transformation.h:49
+  wire [7:0] add_27_s1 = {1'd0, vector_48_s1} + {1'd0, column_1_40_s1};  // units/transformation.h:50
   wire [15:0] column_1_24_s1 = column_1_data_i[39:24];
   wire column_1_47_s1 = column_1_data_i[47];
-  wire xor_14_s1 = vector_55_s1 ^ column_1_47_s1;  // units/transformation.h:49
+  wire xor_14_s1 = vector_55_s1 ^ column_1_47_s1;  // units/transformation.h:50
   wire column_0_47_s1 = column_0_data_i[47];
-  wire xor_15_s1 = vector_31_s1 ^ column_0_47_s1;  // units/transformation.h:49
+  wire xor_15_s1 = vector_31_s1 ^ column_0_47_s1;  // units/transformation.h:50
   wire [6:0] column_0_16_s1 = column_0_data_i[22:16];
-  wire [7:0] add_34_s1 = {1'd0, vector_24_s1} + {1'd0, column_0_16_s1};  // units/transformation.h:49
+  wire [7:0] add_34_s1 = {1'd0, vector_24_s1} + {1'd0, column_0_16_s1};  // units/transformation.h:50
   wire [15:0] column_0_0_s1 = column_0_data_i[15:0];
   wire [6:0] column_1_16_s1 = column_1_data_i[22:16];
-  wire [7:0] add_37_s1 = {1'd0, vector_48_s1} + {1'd0, column_1_16_s1};  // units/transformation.h:49
+  wire [7:0] add_37_s1 = {1'd0, vector_48_s1} + {1'd0, column_1_16_s1};  // units/transformation.h:50
   wire [15:0] column_1_0_s1 = column_1_data_i[15:0];
   wire column_1_23_s1 = column_1_data_i[23];
-  wire xor_20_s1 = vector_55_s1 ^ column_1_23_s1;  // units/transformation.h:49
+  wire xor_20_s1 = vector_55_s1 ^ column_1_23_s1;  // units/transformation.h:50
   wire column_0_23_s1 = column_0_data_i[23];
-  wire xor_21_s1 = vector_31_s1 ^ column_0_23_s1;  // units/transformation.h:49
+  wire xor_21_s1 = vector_31_s1 ^ column_0_23_s1;  // units/transformation.h:50
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -199,15 +199,15 @@ module transformation #(
     xor_21_s2 <= xor_21_s1;
     vector_6_s2 <= vector_6_s1;
   end
-  wire [33:0] mul_1_s2 = {1'd1, column_2_0_s2} * {1'd1, vector_56_s2};  // units/transformation.h:48
-  wire [33:0] mul_2_s2 = {1'd1, vector_56_s2} * {1'd1, column_2_24_s2};  // units/transformation.h:48
-  wire [33:0] mul_3_s2 = {1'd1, vector_56_s2} * {1'd1, column_2_48_s2};  // units/transformation.h:48
-  wire [33:0] mul_4_s2 = {1'd1, column_0_48_s2} * {1'd1, vector_8_s2};  // units/transformation.h:49
-  wire [33:0] mul_5_s2 = {1'd1, column_1_48_s2} * {1'd1, vector_32_s2};  // units/transformation.h:49
-  wire [33:0] mul_6_s2 = {1'd1, vector_8_s2} * {1'd1, column_0_24_s2};  // units/transformation.h:49
-  wire [33:0] mul_7_s2 = {1'd1, vector_32_s2} * {1'd1, column_1_24_s2};  // units/transformation.h:49
-  wire [33:0] mul_8_s2 = {1'd1, vector_8_s2} * {1'd1, column_0_0_s2};  // units/transformation.h:49
-  wire [33:0] mul_9_s2 = {1'd1, vector_32_s2} * {1'd1, column_1_0_s2};  // units/transformation.h:49
+  wire [33:0] mul_1_s2 = {1'd1, column_2_0_s2} * {1'd1, vector_56_s2};  // units/transformation.h:49
+  wire [33:0] mul_2_s2 = {1'd1, vector_56_s2} * {1'd1, column_2_24_s2};  // units/transformation.h:49
+  wire [33:0] mul_3_s2 = {1'd1, vector_56_s2} * {1'd1, column_2_48_s2};  // units/transformation.h:49
+  wire [33:0] mul_4_s2 = {1'd1, column_0_48_s2} * {1'd1, vector_8_s2};  // units/transformation.h:50
+  wire [33:0] mul_5_s2 = {1'd1, column_1_48_s2} * {1'd1, vector_32_s2};  // units/transformation.h:50
+  wire [33:0] mul_6_s2 = {1'd1, vector_8_s2} * {1'd1, column_0_24_s2};  // units/transformation.h:50
+  wire [33:0] mul_7_s2 = {1'd1, vector_32_s2} * {1'd1, column_1_24_s2};  // units/transformation.h:50
+  wire [33:0] mul_8_s2 = {1'd1, vector_8_s2} * {1'd1, column_0_0_s2};  // units/transformation.h:50
+  wire [33:0] mul_9_s2 = {1'd1, vector_32_s2} * {1'd1, column_1_0_s2};  // units/transformation.h:50
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -280,76 +280,76 @@ module transformation #(
   wire [15:0] column_3_48_s3 = column_3_data_i[63:48];
   wire [6:0] column_3_64_s3 = column_3_data_i[70:64];
   wire column_3_71_s3 = column_3_data_i[71];
-  wire not_1_s3 = ~mul_1_s3[33];  // units/transformation.h:48
-  wire [17:0] mux_1_s3 = {mul_1_s3[33] ? mul_1_s3[32:16] : mul_1_s3[31:15], mul_1_s3[33] & mul_1_s3[15]};  // units/transformation.h:48
-  wire [2:0] add_2_s3 = {1'd0, add_1_s3[7:6]} + 3'd7;  // units/transformation.h:48
-  wire and_1_s3 = mux_1_s3[1] & (((~(mul_1_s3[14:0] == 15'd0)) | mux_1_s3[0]) | mux_1_s3[2]);  // units/transformation.h:48
-  wire [24:0] add_3_s3 = {add_2_s3, add_1_s3[5:0], 15'd0, and_1_s3} + {7'd0, mul_1_s3[33], not_1_s3, mux_1_s3[17:2]};  // units/transformation.h:48
-  wire [22:0] mux_2_s3 = {23{add_3_s3[23]}} | add_3_s3[22:0];  // units/transformation.h:48
-  wire [22:0] mux_3_s3 = ~{23{add_3_s3[24]}} & mux_2_s3;  // units/transformation.h:48
+  wire not_1_s3 = ~mul_1_s3[33];  // units/transformation.h:49
+  wire [17:0] mux_1_s3 = {mul_1_s3[33] ? mul_1_s3[32:16] : mul_1_s3[31:15], mul_1_s3[33] & mul_1_s3[15]};  // units/transformation.h:49
+  wire [2:0] add_2_s3 = {1'd0, add_1_s3[7:6]} + 3'd7;  // units/transformation.h:49
+  wire and_1_s3 = mux_1_s3[1] & (((~(mul_1_s3[14:0] == 15'd0)) | mux_1_s3[0]) | mux_1_s3[2]);  // units/transformation.h:49
+  wire [24:0] add_3_s3 = {add_2_s3, add_1_s3[5:0], 15'd0, and_1_s3} + {7'd0, mul_1_s3[33], not_1_s3, mux_1_s3[17:2]};  // units/transformation.h:49
+  wire [22:0] mux_2_s3 = {23{add_3_s3[23]}} | add_3_s3[22:0];  // units/transformation.h:49
+  wire [22:0] mux_3_s3 = ~{23{add_3_s3[24]}} & mux_2_s3;  // units/transformation.h:49
   wire [15:0] column_3_0_s3 = column_3_data_i[15:0];
   wire [6:0] column_3_16_s3 = column_3_data_i[22:16];
   wire column_3_23_s3 = column_3_data_i[23];
-  wire not_12_s3 = ~mul_2_s3[33];  // units/transformation.h:48
-  wire [17:0] mux_27_s3 = {mul_2_s3[33] ? mul_2_s3[32:16] : mul_2_s3[31:15], mul_2_s3[33] & mul_2_s3[15]};  // units/transformation.h:48
-  wire [2:0] add_7_s3 = {1'd0, add_6_s3[7:6]} + 3'd7;  // units/transformation.h:48
-  wire and_16_s3 = mux_27_s3[1] & (((~(mul_2_s3[14:0] == 15'd0)) | mux_27_s3[0]) | mux_27_s3[2]);  // units/transformation.h:48
-  wire [24:0] add_8_s3 = {add_7_s3, add_6_s3[5:0], 15'd0, and_16_s3} + {7'd0, mul_2_s3[33], not_12_s3, mux_27_s3[17:2]};  // units/transformation.h:48
-  wire [22:0] mux_28_s3 = {23{add_8_s3[23]}} | add_8_s3[22:0];  // units/transformation.h:48
-  wire [22:0] mux_29_s3 = ~{23{add_8_s3[24]}} & mux_28_s3;  // units/transformation.h:48
-  wire not_23_s3 = ~mul_3_s3[33];  // units/transformation.h:48
-  wire [17:0] mux_53_s3 = {mul_3_s3[33] ? mul_3_s3[32:16] : mul_3_s3[31:15], mul_3_s3[33] & mul_3_s3[15]};  // units/transformation.h:48
-  wire [2:0] add_12_s3 = {1'd0, add_11_s3[7:6]} + 3'd7;  // units/transformation.h:48
-  wire and_31_s3 = mux_53_s3[1] & (((~(mul_3_s3[14:0] == 15'd0)) | mux_53_s3[0]) | mux_53_s3[2]);  // units/transformation.h:48
-  wire [24:0] add_13_s3 = {add_12_s3, add_11_s3[5:0], 15'd0, and_31_s3} + {7'd0, mul_3_s3[33], not_23_s3, mux_53_s3[17:2]};  // units/transformation.h:48
-  wire [22:0] mux_54_s3 = {23{add_13_s3[23]}} | add_13_s3[22:0];  // units/transformation.h:48
-  wire [22:0] mux_55_s3 = ~{23{add_13_s3[24]}} & mux_54_s3;  // units/transformation.h:48
-  wire [2:0] add_17_s3 = {1'd0, add_16_s3[7:6]} + 3'd7;  // units/transformation.h:49
-  wire not_34_s3 = ~mul_4_s3[33];  // units/transformation.h:49
-  wire [17:0] mux_79_s3 = {mul_4_s3[33] ? mul_4_s3[32:16] : mul_4_s3[31:15], mul_4_s3[33] & mul_4_s3[15]};  // units/transformation.h:49
-  wire and_46_s3 = mux_79_s3[1] & (((~(mul_4_s3[14:0] == 15'd0)) | mux_79_s3[0]) | mux_79_s3[2]);  // units/transformation.h:49
-  wire [24:0] add_18_s3 = {add_17_s3, add_16_s3[5:0], 15'd0, and_46_s3} + {7'd0, mul_4_s3[33], not_34_s3, mux_79_s3[17:2]};  // units/transformation.h:49
-  wire [22:0] mux_80_s3 = {23{add_18_s3[23]}} | add_18_s3[22:0];  // units/transformation.h:49
-  wire [22:0] mux_81_s3 = ~{23{add_18_s3[24]}} & mux_80_s3;  // units/transformation.h:49
-  wire [2:0] add_20_s3 = {1'd0, add_19_s3[7:6]} + 3'd7;  // units/transformation.h:49
-  wire not_36_s3 = ~mul_5_s3[33];  // units/transformation.h:49
-  wire [17:0] mux_82_s3 = {mul_5_s3[33] ? mul_5_s3[32:16] : mul_5_s3[31:15], mul_5_s3[33] & mul_5_s3[15]};  // units/transformation.h:49
-  wire and_47_s3 = mux_82_s3[1] & (((~(mul_5_s3[14:0] == 15'd0)) | mux_82_s3[0]) | mux_82_s3[2]);  // units/transformation.h:49
-  wire [24:0] add_21_s3 = {add_20_s3, add_19_s3[5:0], 15'd0, and_47_s3} + {7'd0, mul_5_s3[33], not_36_s3, mux_82_s3[17:2]};  // units/transformation.h:49
-  wire [22:0] mux_83_s3 = {23{add_21_s3[23]}} | add_21_s3[22:0];  // units/transformation.h:49
-  wire [22:0] mux_84_s3 = ~{23{add_21_s3[24]}} & mux_83_s3;  // units/transformation.h:49
-  wire [2:0] add_25_s3 = {1'd0, add_24_s3[7:6]} + 3'd7;  // units/transformation.h:49
-  wire not_47_s3 = ~mul_6_s3[33];  // units/transformation.h:49
-  wire [17:0] mux_107_s3 = {mul_6_s3[33] ? mul_6_s3[32:16] : mul_6_s3[31:15], mul_6_s3[33] & mul_6_s3[15]};  // units/transformation.h:49
-  wire or_44_s3 = ((~(mul_6_s3[14:0] == 15'd0)) | mux_107_s3[0]) | mux_107_s3[2];  // units/transformation.h:49
-  wire and_62_s3 = mux_107_s3[1] & or_44_s3;  // units/transformation.h:49
-  wire [24:0] add_26_s3 = {add_25_s3, add_24_s3[5:0], 15'd0, and_62_s3} + {7'd0, mul_6_s3[33], not_47_s3, mux_107_s3[17:2]};  // units/transformation.h:49
-  wire [22:0] mux_108_s3 = {23{add_26_s3[23]}} | add_26_s3[22:0];  // units/transformation.h:49
-  wire [22:0] mux_109_s3 = ~{23{add_26_s3[24]}} & mux_108_s3;  // units/transformation.h:49
-  wire [2:0] add_28_s3 = {1'd0, add_27_s3[7:6]} + 3'd7;  // units/transformation.h:49
-  wire not_49_s3 = ~mul_7_s3[33];  // units/transformation.h:49
-  wire [17:0] mux_110_s3 = {mul_7_s3[33] ? mul_7_s3[32:16] : mul_7_s3[31:15], mul_7_s3[33] & mul_7_s3[15]};  // units/transformation.h:49
-  wire or_46_s3 = ((~(mul_7_s3[14:0] == 15'd0)) | mux_110_s3[0]) | mux_110_s3[2];  // units/transformation.h:49
-  wire and_63_s3 = mux_110_s3[1] & or_46_s3;  // units/transformation.h:49
-  wire [24:0] add_29_s3 = {add_28_s3, add_27_s3[5:0], 15'd0, and_63_s3} + {7'd0, mul_7_s3[33], not_49_s3, mux_110_s3[17:2]};  // units/transformation.h:49
-  wire [22:0] mux_111_s3 = {23{add_29_s3[23]}} | add_29_s3[22:0];  // units/transformation.h:49
-  wire [22:0] mux_112_s3 = ~{23{add_29_s3[24]}} & mux_111_s3;  // units/transformation.h:49
-  wire [2:0] add_35_s3 = {1'd0, add_34_s3[7:6]} + 3'd7;  // units/transformation.h:49
-  wire not_69_s3 = ~mul_8_s3[33];  // units/transformation.h:49
-  wire [17:0] mux_157_s3 = {mul_8_s3[33] ? mul_8_s3[32:16] : mul_8_s3[31:15], mul_8_s3[33] & mul_8_s3[15]};  // units/transformation.h:49
-  wire or_64_s3 = ((~(mul_8_s3[14:0] == 15'd0)) | mux_157_s3[0]) | mux_157_s3[2];  // units/transformation.h:49
-  wire and_92_s3 = mux_157_s3[1] & or_64_s3;  // units/transformation.h:49
-  wire [24:0] add_36_s3 = {add_35_s3, add_34_s3[5:0], 15'd0, and_92_s3} + {7'd0, mul_8_s3[33], not_69_s3, mux_157_s3[17:2]};  // units/transformation.h:49
-  wire [22:0] mux_158_s3 = {23{add_36_s3[23]}} | add_36_s3[22:0];  // units/transformation.h:49
-  wire [22:0] mux_159_s3 = ~{23{add_36_s3[24]}} & mux_158_s3;  // units/transformation.h:49
-  wire [2:0] add_38_s3 = {1'd0, add_37_s3[7:6]} + 3'd7;  // units/transformation.h:49
-  wire not_71_s3 = ~mul_9_s3[33];  // units/transformation.h:49
-  wire [17:0] mux_160_s3 = {mul_9_s3[33] ? mul_9_s3[32:16] : mul_9_s3[31:15], mul_9_s3[33] & mul_9_s3[15]};  // units/transformation.h:49
-  wire or_66_s3 = ((~(mul_9_s3[14:0] == 15'd0)) | mux_160_s3[0]) | mux_160_s3[2];  // units/transformation.h:49
-  wire and_93_s3 = mux_160_s3[1] & or_66_s3;  // units/transformation.h:49
-  wire [24:0] add_39_s3 = {add_38_s3, add_37_s3[5:0], 15'd0, and_93_s3} + {7'd0, mul_9_s3[33], not_71_s3, mux_160_s3[17:2]};  // units/transformation.h:49
-  wire [22:0] mux_161_s3 = {23{add_39_s3[23]}} | add_39_s3[22:0];  // units/transformation.h:49
-  wire [22:0] mux_162_s3 = ~{23{add_39_s3[24]}} & mux_161_s3;  // units/transformation.h:49
+  wire not_12_s3 = ~mul_2_s3[33];  // units/transformation.h:49
+  wire [17:0] mux_27_s3 = {mul_2_s3[33] ? mul_2_s3[32:16] : mul_2_s3[31:15], mul_2_s3[33] & mul_2_s3[15]};  // units/transformation.h:49
+  wire [2:0] add_7_s3 = {1'd0, add_6_s3[7:6]} + 3'd7;  // units/transformation.h:49
+  wire and_16_s3 = mux_27_s3[1] & (((~(mul_2_s3[14:0] == 15'd0)) | mux_27_s3[0]) | mux_27_s3[2]);  // units/transformation.h:49
+  wire [24:0] add_8_s3 = {add_7_s3, add_6_s3[5:0], 15'd0, and_16_s3} + {7'd0, mul_2_s3[33], not_12_s3, mux_27_s3[17:2]};  // units/transformation.h:49
+  wire [22:0] mux_28_s3 = {23{add_8_s3[23]}} | add_8_s3[22:0];  // units/transformation.h:49
+  wire [22:0] mux_29_s3 = ~{23{add_8_s3[24]}} & mux_28_s3;  // units/transformation.h:49
+  wire not_23_s3 = ~mul_3_s3[33];  // units/transformation.h:49
+  wire [17:0] mux_53_s3 = {mul_3_s3[33] ? mul_3_s3[32:16] : mul_3_s3[31:15], mul_3_s3[33] & mul_3_s3[15]};  // units/transformation.h:49
+  wire [2:0] add_12_s3 = {1'd0, add_11_s3[7:6]} + 3'd7;  // units/transformation.h:49
+  wire and_31_s3 = mux_53_s3[1] & (((~(mul_3_s3[14:0] == 15'd0)) | mux_53_s3[0]) | mux_53_s3[2]);  // units/transformation.h:49
+  wire [24:0] add_13_s3 = {add_12_s3, add_11_s3[5:0], 15'd0, and_31_s3} + {7'd0, mul_3_s3[33], not_23_s3, mux_53_s3[17:2]};  // units/transformation.h:49
+  wire [22:0] mux_54_s3 = {23{add_13_s3[23]}} | add_13_s3[22:0];  // units/transformation.h:49
+  wire [22:0] mux_55_s3 = ~{23{add_13_s3[24]}} & mux_54_s3;  // units/transformation.h:49
+  wire [2:0] add_17_s3 = {1'd0, add_16_s3[7:6]} + 3'd7;  // units/transformation.h:50
+  wire not_34_s3 = ~mul_4_s3[33];  // units/transformation.h:50
+  wire [17:0] mux_79_s3 = {mul_4_s3[33] ? mul_4_s3[32:16] : mul_4_s3[31:15], mul_4_s3[33] & mul_4_s3[15]};  // units/transformation.h:50
+  wire and_46_s3 = mux_79_s3[1] & (((~(mul_4_s3[14:0] == 15'd0)) | mux_79_s3[0]) | mux_79_s3[2]);  // units/transformation.h:50
+  wire [24:0] add_18_s3 = {add_17_s3, add_16_s3[5:0], 15'd0, and_46_s3} + {7'd0, mul_4_s3[33], not_34_s3, mux_79_s3[17:2]};  // units/transformation.h:50
+  wire [22:0] mux_80_s3 = {23{add_18_s3[23]}} | add_18_s3[22:0];  // units/transformation.h:50
+  wire [22:0] mux_81_s3 = ~{23{add_18_s3[24]}} & mux_80_s3;  // units/transformation.h:50
+  wire [2:0] add_20_s3 = {1'd0, add_19_s3[7:6]} + 3'd7;  // units/transformation.h:50
+  wire not_36_s3 = ~mul_5_s3[33];  // units/transformation.h:50
+  wire [17:0] mux_82_s3 = {mul_5_s3[33] ? mul_5_s3[32:16] : mul_5_s3[31:15], mul_5_s3[33] & mul_5_s3[15]};  // units/transformation.h:50
+  wire and_47_s3 = mux_82_s3[1] & (((~(mul_5_s3[14:0] == 15'd0)) | mux_82_s3[0]) | mux_82_s3[2]);  // units/transformation.h:50
+  wire [24:0] add_21_s3 = {add_20_s3, add_19_s3[5:0], 15'd0, and_47_s3} + {7'd0, mul_5_s3[33], not_36_s3, mux_82_s3[17:2]};  // units/transformation.h:50
+  wire [22:0] mux_83_s3 = {23{add_21_s3[23]}} | add_21_s3[22:0];  // units/transformation.h:50
+  wire [22:0] mux_84_s3 = ~{23{add_21_s3[24]}} & mux_83_s3;  // units/transformation.h:50
+  wire [2:0] add_25_s3 = {1'd0, add_24_s3[7:6]} + 3'd7;  // units/transformation.h:50
+  wire not_47_s3 = ~mul_6_s3[33];  // units/transformation.h:50
+  wire [17:0] mux_107_s3 = {mul_6_s3[33] ? mul_6_s3[32:16] : mul_6_s3[31:15], mul_6_s3[33] & mul_6_s3[15]};  // units/transformation.h:50
+  wire or_44_s3 = ((~(mul_6_s3[14:0] == 15'd0)) | mux_107_s3[0]) | mux_107_s3[2];  // units/transformation.h:50
+  wire and_62_s3 = mux_107_s3[1] & or_44_s3;  // units/transformation.h:50
+  wire [24:0] add_26_s3 = {add_25_s3, add_24_s3[5:0], 15'd0, and_62_s3} + {7'd0, mul_6_s3[33], not_47_s3, mux_107_s3[17:2]};  // units/transformation.h:50
+  wire [22:0] mux_108_s3 = {23{add_26_s3[23]}} | add_26_s3[22:0];  // units/transformation.h:50
+  wire [22:0] mux_109_s3 = ~{23{add_26_s3[24]}} & mux_108_s3;  // units/transformation.h:50
+  wire [2:0] add_28_s3 = {1'd0, add_27_s3[7:6]} + 3'd7;  // units/transformation.h:50
+  wire not_49_s3 = ~mul_7_s3[33];  // units/transformation.h:50
+  wire [17:0] mux_110_s3 = {mul_7_s3[33] ? mul_7_s3[32:16] : mul_7_s3[31:15], mul_7_s3[33] & mul_7_s3[15]};  // units/transformation.h:50
+  wire or_46_s3 = ((~(mul_7_s3[14:0] == 15'd0)) | mux_110_s3[0]) | mux_110_s3[2];  // units/transformation.h:50
+  wire and_63_s3 = mux_110_s3[1] & or_46_s3;  // units/transformation.h:50
+  wire [24:0] add_29_s3 = {add_28_s3, add_27_s3[5:0], 15'd0, and_63_s3} + {7'd0, mul_7_s3[33], not_49_s3, mux_110_s3[17:2]};  // units/transformation.h:50
+  wire [22:0] mux_111_s3 = {23{add_29_s3[23]}} | add_29_s3[22:0];  // units/transformation.h:50
+  wire [22:0] mux_112_s3 = ~{23{add_29_s3[24]}} & mux_111_s3;  // units/transformation.h:50
+  wire [2:0] add_35_s3 = {1'd0, add_34_s3[7:6]} + 3'd7;  // units/transformation.h:50
+  wire not_69_s3 = ~mul_8_s3[33];  // units/transformation.h:50
+  wire [17:0] mux_157_s3 = {mul_8_s3[33] ? mul_8_s3[32:16] : mul_8_s3[31:15], mul_8_s3[33] & mul_8_s3[15]};  // units/transformation.h:50
+  wire or_64_s3 = ((~(mul_8_s3[14:0] == 15'd0)) | mux_157_s3[0]) | mux_157_s3[2];  // units/transformation.h:50
+  wire and_92_s3 = mux_157_s3[1] & or_64_s3;  // units/transformation.h:50
+  wire [24:0] add_36_s3 = {add_35_s3, add_34_s3[5:0], 15'd0, and_92_s3} + {7'd0, mul_8_s3[33], not_69_s3, mux_157_s3[17:2]};  // units/transformation.h:50
+  wire [22:0] mux_158_s3 = {23{add_36_s3[23]}} | add_36_s3[22:0];  // units/transformation.h:50
+  wire [22:0] mux_159_s3 = ~{23{add_36_s3[24]}} & mux_158_s3;  // units/transformation.h:50
+  wire [2:0] add_38_s3 = {1'd0, add_37_s3[7:6]} + 3'd7;  // units/transformation.h:50
+  wire not_71_s3 = ~mul_9_s3[33];  // units/transformation.h:50
+  wire [17:0] mux_160_s3 = {mul_9_s3[33] ? mul_9_s3[32:16] : mul_9_s3[31:15], mul_9_s3[33] & mul_9_s3[15]};  // units/transformation.h:50
+  wire or_66_s3 = ((~(mul_9_s3[14:0] == 15'd0)) | mux_160_s3[0]) | mux_160_s3[2];  // units/transformation.h:50
+  wire and_93_s3 = mux_160_s3[1] & or_66_s3;  // units/transformation.h:50
+  wire [24:0] add_39_s3 = {add_38_s3, add_37_s3[5:0], 15'd0, and_93_s3} + {7'd0, mul_9_s3[33], not_71_s3, mux_160_s3[17:2]};  // units/transformation.h:50
+  wire [22:0] mux_161_s3 = {23{add_39_s3[23]}} | add_39_s3[22:0];  // units/transformation.h:50
+  wire [22:0] mux_162_s3 = ~{23{add_39_s3[24]}} & mux_161_s3;  // units/transformation.h:50
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -416,36 +416,36 @@ module transformation #(
     xor_21_s4 <= xor_21_s3;
     vector_6_s4 <= vector_6_s3;
   end
-  wire lt_1_s4 = mux_3_s4 < {column_3_16_s4, column_3_0_s4};  // units/transformation.h:49
-  wire [6:0] mux_4_s4 = lt_1_s4 ? (column_3_16_s4 - mux_3_s4[22:16]) : (mux_3_s4[22:16] - column_3_16_s4);  // units/transformation.h:49
-  wire [15:0] mux_6_s4 = lt_1_s4 ? mux_3_s4[15:0] : column_3_0_s4;  // units/transformation.h:49
-  wire eq_6_s4 = mux_4_s4[6:5] == 2'd0;  // units/transformation.h:49
-  wire lt_2_s4 = mux_29_s4 < {column_3_40_s4, column_3_24_s4};  // units/transformation.h:49
-  wire [6:0] mux_30_s4 = lt_2_s4 ? (column_3_40_s4 - mux_29_s4[22:16]) : (mux_29_s4[22:16] - column_3_40_s4);  // units/transformation.h:49
-  wire [15:0] mux_32_s4 = lt_2_s4 ? mux_29_s4[15:0] : column_3_24_s4;  // units/transformation.h:49
-  wire eq_20_s4 = mux_30_s4[6:5] == 2'd0;  // units/transformation.h:49
-  wire lt_3_s4 = mux_55_s4 < {column_3_64_s4, column_3_48_s4};  // units/transformation.h:49
-  wire [6:0] mux_56_s4 = lt_3_s4 ? (column_3_64_s4 - mux_55_s4[22:16]) : (mux_55_s4[22:16] - column_3_64_s4);  // units/transformation.h:49
-  wire [15:0] mux_58_s4 = lt_3_s4 ? mux_55_s4[15:0] : column_3_48_s4;  // units/transformation.h:49
-  wire eq_34_s4 = mux_56_s4[6:5] == 2'd0;  // units/transformation.h:49
-  wire lt_4_s4 = mux_81_s4 < mux_84_s4;  // units/transformation.h:49
-  wire [23:0] mux_85_s4 = lt_4_s4 ? {xor_10_s4, mux_84_s4} : {xor_11_s4, mux_81_s4};  // units/transformation.h:49
-  wire [6:0] mux_86_s4 = lt_4_s4 ? (mux_84_s4[22:16] - mux_81_s4[22:16]) : (mux_81_s4[22:16] - mux_84_s4[22:16]);  // units/transformation.h:49
-  wire eq_45_s4 = mux_86_s4[6:5] == 2'd0;  // units/transformation.h:49
-  wire [15:0] mux_87_s4 = lt_4_s4 ? mux_81_s4[15:0] : mux_84_s4[15:0];  // units/transformation.h:49
-  wire xor_12_s4 = xor_10_s4 ^ xor_11_s4;  // units/transformation.h:49
-  wire lt_5_s4 = mux_109_s4 < mux_112_s4;  // units/transformation.h:49
-  wire [23:0] mux_113_s4 = lt_5_s4 ? {xor_14_s4, mux_112_s4} : {xor_15_s4, mux_109_s4};  // units/transformation.h:49
-  wire [6:0] mux_114_s4 = lt_5_s4 ? (mux_112_s4[22:16] - mux_109_s4[22:16]) : (mux_109_s4[22:16] - mux_112_s4[22:16]);  // units/transformation.h:49
-  wire eq_60_s4 = mux_114_s4[6:5] == 2'd0;  // units/transformation.h:49
-  wire [15:0] mux_115_s4 = lt_5_s4 ? mux_109_s4[15:0] : mux_112_s4[15:0];  // units/transformation.h:49
-  wire xor_16_s4 = xor_14_s4 ^ xor_15_s4;  // units/transformation.h:49
-  wire lt_7_s4 = mux_159_s4 < mux_162_s4;  // units/transformation.h:49
-  wire [23:0] mux_163_s4 = lt_7_s4 ? {xor_20_s4, mux_162_s4} : {xor_21_s4, mux_159_s4};  // units/transformation.h:49
-  wire [6:0] mux_164_s4 = lt_7_s4 ? (mux_162_s4[22:16] - mux_159_s4[22:16]) : (mux_159_s4[22:16] - mux_162_s4[22:16]);  // units/transformation.h:49
-  wire eq_88_s4 = mux_164_s4[6:5] == 2'd0;  // units/transformation.h:49
-  wire [15:0] mux_165_s4 = lt_7_s4 ? mux_159_s4[15:0] : mux_162_s4[15:0];  // units/transformation.h:49
-  wire xor_22_s4 = xor_20_s4 ^ xor_21_s4;  // units/transformation.h:49
+  wire lt_1_s4 = mux_3_s4 < {column_3_16_s4, column_3_0_s4};  // units/transformation.h:50
+  wire [6:0] mux_4_s4 = lt_1_s4 ? (column_3_16_s4 - mux_3_s4[22:16]) : (mux_3_s4[22:16] - column_3_16_s4);  // units/transformation.h:50
+  wire [15:0] mux_6_s4 = lt_1_s4 ? mux_3_s4[15:0] : column_3_0_s4;  // units/transformation.h:50
+  wire eq_6_s4 = mux_4_s4[6:5] == 2'd0;  // units/transformation.h:50
+  wire lt_2_s4 = mux_29_s4 < {column_3_40_s4, column_3_24_s4};  // units/transformation.h:50
+  wire [6:0] mux_30_s4 = lt_2_s4 ? (column_3_40_s4 - mux_29_s4[22:16]) : (mux_29_s4[22:16] - column_3_40_s4);  // units/transformation.h:50
+  wire [15:0] mux_32_s4 = lt_2_s4 ? mux_29_s4[15:0] : column_3_24_s4;  // units/transformation.h:50
+  wire eq_20_s4 = mux_30_s4[6:5] == 2'd0;  // units/transformation.h:50
+  wire lt_3_s4 = mux_55_s4 < {column_3_64_s4, column_3_48_s4};  // units/transformation.h:50
+  wire [6:0] mux_56_s4 = lt_3_s4 ? (column_3_64_s4 - mux_55_s4[22:16]) : (mux_55_s4[22:16] - column_3_64_s4);  // units/transformation.h:50
+  wire [15:0] mux_58_s4 = lt_3_s4 ? mux_55_s4[15:0] : column_3_48_s4;  // units/transformation.h:50
+  wire eq_34_s4 = mux_56_s4[6:5] == 2'd0;  // units/transformation.h:50
+  wire lt_4_s4 = mux_81_s4 < mux_84_s4;  // units/transformation.h:50
+  wire [23:0] mux_85_s4 = lt_4_s4 ? {xor_10_s4, mux_84_s4} : {xor_11_s4, mux_81_s4};  // units/transformation.h:50
+  wire [6:0] mux_86_s4 = lt_4_s4 ? (mux_84_s4[22:16] - mux_81_s4[22:16]) : (mux_81_s4[22:16] - mux_84_s4[22:16]);  // units/transformation.h:50
+  wire eq_45_s4 = mux_86_s4[6:5] == 2'd0;  // units/transformation.h:50
+  wire [15:0] mux_87_s4 = lt_4_s4 ? mux_81_s4[15:0] : mux_84_s4[15:0];  // units/transformation.h:50
+  wire xor_12_s4 = xor_10_s4 ^ xor_11_s4;  // units/transformation.h:50
+  wire lt_5_s4 = mux_109_s4 < mux_112_s4;  // units/transformation.h:50
+  wire [23:0] mux_113_s4 = lt_5_s4 ? {xor_14_s4, mux_112_s4} : {xor_15_s4, mux_109_s4};  // units/transformation.h:50
+  wire [6:0] mux_114_s4 = lt_5_s4 ? (mux_112_s4[22:16] - mux_109_s4[22:16]) : (mux_109_s4[22:16] - mux_112_s4[22:16]);  // units/transformation.h:50
+  wire eq_60_s4 = mux_114_s4[6:5] == 2'd0;  // units/transformation.h:50
+  wire [15:0] mux_115_s4 = lt_5_s4 ? mux_109_s4[15:0] : mux_112_s4[15:0];  // units/transformation.h:50
+  wire xor_16_s4 = xor_14_s4 ^ xor_15_s4;  // units/transformation.h:50
+  wire lt_7_s4 = mux_159_s4 < mux_162_s4;  // units/transformation.h:50
+  wire [23:0] mux_163_s4 = lt_7_s4 ? {xor_20_s4, mux_162_s4} : {xor_21_s4, mux_159_s4};  // units/transformation.h:50
+  wire [6:0] mux_164_s4 = lt_7_s4 ? (mux_162_s4[22:16] - mux_159_s4[22:16]) : (mux_159_s4[22:16] - mux_162_s4[22:16]);  // units/transformation.h:50
+  wire eq_88_s4 = mux_164_s4[6:5] == 2'd0;  // units/transformation.h:50
+  wire [15:0] mux_165_s4 = lt_7_s4 ? mux_159_s4[15:0] : mux_162_s4[15:0];  // units/transformation.h:50
+  wire xor_22_s4 = xor_20_s4 ^ xor_21_s4;  // units/transformation.h:50
 
   // ---- stage 5 ----
   reg valid_s5;
@@ -542,80 +542,80 @@ module transformation #(
     xor_22_s5 <= xor_22_s4;
     vector_6_s5 <= vector_6_s4;
   end
-  wire [23:0] mux_5_s5 = lt_1_s5 ? {column_3_23_s5, column_3_16_s5, column_3_0_s5} : {xor_1_s5, mux_3_s5};  // units/transformation.h:49
-  wire xor_2_s5 = xor_1_s5 ^ column_3_23_s5;  // units/transformation.h:49
-  wire [18:0] mux_7_s5 = {mux_4_s5[4] ? 1'd0 : 1'd1, ~{15{mux_4_s5[4]}} & mux_6_s5[15:1], mux_4_s5[4] | mux_6_s5[0], {2{mux_4_s5[4]}} & mux_6_s5[15:14]};  // units/transformation.h:49
-  wire [18:0] mux_8_s5 = {~{8{mux_4_s5[3]}} & mux_7_s5[18:11], mux_4_s5[3] ? mux_7_s5[18:8] : mux_7_s5[10:0]};  // units/transformation.h:49
-  wire [18:0] mux_9_s5 = {~{4{mux_4_s5[2]}} & mux_8_s5[18:15], mux_4_s5[2] ? mux_8_s5[18:4] : mux_8_s5[14:0]};  // units/transformation.h:49
-  wire [18:0] mux_10_s5 = {~{2{mux_4_s5[1]}} & mux_9_s5[18:17], mux_4_s5[1] ? mux_9_s5[18:2] : mux_9_s5[16:0]};  // units/transformation.h:49
-  wire [18:0] mux_11_s5 = {~mux_4_s5[0] & mux_10_s5[18], mux_4_s5[0] ? mux_10_s5[18:1] : mux_10_s5[17:0]};  // units/transformation.h:49
-  wire or_4_s5 = (mux_4_s5[3] & (~(mux_7_s5[7:0] == 8'd0))) | ((mux_4_s5[4] & (~(mux_6_s5[13:0] == 14'd0))) | (~eq_6_s5));  // units/transformation.h:49
-  wire or_5_s5 = (mux_4_s5[2] & (~(mux_8_s5[3:0] == 4'd0))) | (mux_4_s5[0] & mux_10_s5[0]);  // units/transformation.h:49
-  wire or_7_s5 = or_5_s5 | ((mux_4_s5[1] & (~(mux_9_s5[1:0] == 2'd0))) | or_4_s5);  // units/transformation.h:49
-  wire [18:0] mux_12_s5 = {19{eq_6_s5}} & mux_11_s5;  // units/transformation.h:49
-  wire [19:0] xor_3_s5 = {mux_12_s5, or_7_s5} ^ {20{xor_2_s5}};  // units/transformation.h:49
-  wire [21:0] add_4_s5 = {2'd1, mux_5_s5[15:0], 4'd1} + {xor_2_s5, xor_3_s5, xor_2_s5};  // units/transformation.h:49
-  wire [23:0] mux_31_s5 = lt_2_s5 ? {column_3_47_s5, column_3_40_s5, column_3_24_s5} : {xor_4_s5, mux_29_s5};  // units/transformation.h:49
-  wire xor_5_s5 = xor_4_s5 ^ column_3_47_s5;  // units/transformation.h:49
-  wire [18:0] mux_33_s5 = {mux_30_s5[4] ? 1'd0 : 1'd1, ~{15{mux_30_s5[4]}} & mux_32_s5[15:1], mux_30_s5[4] | mux_32_s5[0], {2{mux_30_s5[4]}} & mux_32_s5[15:14]};  // units/transformation.h:49
-  wire [18:0] mux_34_s5 = {~{8{mux_30_s5[3]}} & mux_33_s5[18:11], mux_30_s5[3] ? mux_33_s5[18:8] : mux_33_s5[10:0]};  // units/transformation.h:49
-  wire [18:0] mux_35_s5 = {~{4{mux_30_s5[2]}} & mux_34_s5[18:15], mux_30_s5[2] ? mux_34_s5[18:4] : mux_34_s5[14:0]};  // units/transformation.h:49
-  wire [18:0] mux_36_s5 = {~{2{mux_30_s5[1]}} & mux_35_s5[18:17], mux_30_s5[1] ? mux_35_s5[18:2] : mux_35_s5[16:0]};  // units/transformation.h:49
-  wire [18:0] mux_37_s5 = {~mux_30_s5[0] & mux_36_s5[18], mux_30_s5[0] ? mux_36_s5[18:1] : mux_36_s5[17:0]};  // units/transformation.h:49
-  wire or_14_s5 = (mux_30_s5[3] & (~(mux_33_s5[7:0] == 8'd0))) | ((mux_30_s5[4] & (~(mux_32_s5[13:0] == 14'd0))) | (~eq_20_s5));  // units/transformation.h:49
-  wire or_15_s5 = (mux_30_s5[2] & (~(mux_34_s5[3:0] == 4'd0))) | (mux_30_s5[0] & mux_36_s5[0]);  // units/transformation.h:49
-  wire or_17_s5 = or_15_s5 | ((mux_30_s5[1] & (~(mux_35_s5[1:0] == 2'd0))) | or_14_s5);  // units/transformation.h:49
-  wire [18:0] mux_38_s5 = {19{eq_20_s5}} & mux_37_s5;  // units/transformation.h:49
-  wire [19:0] xor_6_s5 = {mux_38_s5, or_17_s5} ^ {20{xor_5_s5}};  // units/transformation.h:49
-  wire [21:0] add_9_s5 = {2'd1, mux_31_s5[15:0], 4'd1} + {xor_5_s5, xor_6_s5, xor_5_s5};  // units/transformation.h:49
-  wire [23:0] mux_57_s5 = lt_3_s5 ? {column_3_71_s5, column_3_64_s5, column_3_48_s5} : {xor_7_s5, mux_55_s5};  // units/transformation.h:49
-  wire xor_8_s5 = xor_7_s5 ^ column_3_71_s5;  // units/transformation.h:49
-  wire [18:0] mux_59_s5 = {mux_56_s5[4] ? 1'd0 : 1'd1, ~{15{mux_56_s5[4]}} & mux_58_s5[15:1], mux_56_s5[4] | mux_58_s5[0], {2{mux_56_s5[4]}} & mux_58_s5[15:14]};  // units/transformation.h:49
-  wire [18:0] mux_60_s5 = {~{8{mux_56_s5[3]}} & mux_59_s5[18:11], mux_56_s5[3] ? mux_59_s5[18:8] : mux_59_s5[10:0]};  // units/transformation.h:49
-  wire [18:0] mux_61_s5 = {~{4{mux_56_s5[2]}} & mux_60_s5[18:15], mux_56_s5[2] ? mux_60_s5[18:4] : mux_60_s5[14:0]};  // units/transformation.h:49
-  wire [18:0] mux_62_s5 = {~{2{mux_56_s5[1]}} & mux_61_s5[18:17], mux_56_s5[1] ? mux_61_s5[18:2] : mux_61_s5[16:0]};  // units/transformation.h:49
-  wire [18:0] mux_63_s5 = {~mux_56_s5[0] & mux_62_s5[18], mux_56_s5[0] ? mux_62_s5[18:1] : mux_62_s5[17:0]};  // units/transformation.h:49
-  wire or_24_s5 = (mux_56_s5[3] & (~(mux_59_s5[7:0] == 8'd0))) | ((mux_56_s5[4] & (~(mux_58_s5[13:0] == 14'd0))) | (~eq_34_s5));  // units/transformation.h:49
-  wire or_25_s5 = (mux_56_s5[2] & (~(mux_60_s5[3:0] == 4'd0))) | (mux_56_s5[0] & mux_62_s5[0]);  // units/transformation.h:49
-  wire or_27_s5 = or_25_s5 | ((mux_56_s5[1] & (~(mux_61_s5[1:0] == 2'd0))) | or_24_s5);  // units/transformation.h:49
-  wire [18:0] mux_64_s5 = {19{eq_34_s5}} & mux_63_s5;  // units/transformation.h:49
-  wire [19:0] xor_9_s5 = {mux_64_s5, or_27_s5} ^ {20{xor_8_s5}};  // units/transformation.h:49
-  wire [21:0] add_14_s5 = {2'd1, mux_57_s5[15:0], 4'd1} + {xor_8_s5, xor_9_s5, xor_8_s5};  // units/transformation.h:49
-  wire [18:0] mux_88_s5 = {mux_86_s5[4] ? 1'd0 : 1'd1, ~{15{mux_86_s5[4]}} & mux_87_s5[15:1], mux_86_s5[4] | mux_87_s5[0], {2{mux_86_s5[4]}} & mux_87_s5[15:14]};  // units/transformation.h:49
-  wire [18:0] mux_89_s5 = {~{8{mux_86_s5[3]}} & mux_88_s5[18:11], mux_86_s5[3] ? mux_88_s5[18:8] : mux_88_s5[10:0]};  // units/transformation.h:49
-  wire [18:0] mux_90_s5 = {~{4{mux_86_s5[2]}} & mux_89_s5[18:15], mux_86_s5[2] ? mux_89_s5[18:4] : mux_89_s5[14:0]};  // units/transformation.h:49
-  wire [18:0] mux_91_s5 = {~{2{mux_86_s5[1]}} & mux_90_s5[18:17], mux_86_s5[1] ? mux_90_s5[18:2] : mux_90_s5[16:0]};  // units/transformation.h:49
-  wire [18:0] mux_92_s5 = {~mux_86_s5[0] & mux_91_s5[18], mux_86_s5[0] ? mux_91_s5[18:1] : mux_91_s5[17:0]};  // units/transformation.h:49
-  wire [18:0] mux_93_s5 = {19{eq_45_s5}} & mux_92_s5;  // units/transformation.h:49
-  wire or_36_s5 = (mux_86_s5[3] & (~(mux_88_s5[7:0] == 8'd0))) | ((~eq_45_s5) | (mux_86_s5[4] & (~(mux_87_s5[13:0] == 14'd0))));  // units/transformation.h:49
-  wire or_37_s5 = (mux_86_s5[2] & (~(mux_89_s5[3:0] == 4'd0))) | (mux_86_s5[0] & mux_91_s5[0]);  // units/transformation.h:49
-  wire or_39_s5 = or_37_s5 | ((mux_86_s5[1] & (~(mux_90_s5[1:0] == 2'd0))) | or_36_s5);  // units/transformation.h:49
-  wire [19:0] xor_13_s5 = {mux_93_s5, or_39_s5} ^ {20{xor_12_s5}};  // units/transformation.h:49
-  wire [21:0] add_22_s5 = {2'd1, mux_85_s5[15:0], 4'd1} + {xor_12_s5, xor_13_s5, xor_12_s5};  // units/transformation.h:49
-  wire [18:0] mux_116_s5 = {mux_114_s5[4] ? 1'd0 : 1'd1, ~{15{mux_114_s5[4]}} & mux_115_s5[15:1], mux_114_s5[4] | mux_115_s5[0], {2{mux_114_s5[4]}} & mux_115_s5[15:14]};  // units/transformation.h:49
-  wire [18:0] mux_117_s5 = {~{8{mux_114_s5[3]}} & mux_116_s5[18:11], mux_114_s5[3] ? mux_116_s5[18:8] : mux_116_s5[10:0]};  // units/transformation.h:49
-  wire [18:0] mux_118_s5 = {~{4{mux_114_s5[2]}} & mux_117_s5[18:15], mux_114_s5[2] ? mux_117_s5[18:4] : mux_117_s5[14:0]};  // units/transformation.h:49
-  wire [18:0] mux_119_s5 = {~{2{mux_114_s5[1]}} & mux_118_s5[18:17], mux_114_s5[1] ? mux_118_s5[18:2] : mux_118_s5[16:0]};  // units/transformation.h:49
-  wire [18:0] mux_120_s5 = {~mux_114_s5[0] & mux_119_s5[18], mux_114_s5[0] ? mux_119_s5[18:1] : mux_119_s5[17:0]};  // units/transformation.h:49
-  wire [18:0] mux_121_s5 = {19{eq_60_s5}} & mux_120_s5;  // units/transformation.h:49
-  wire or_47_s5 = (~eq_60_s5) | (mux_114_s5[4] & (~(mux_115_s5[13:0] == 14'd0)));  // units/transformation.h:49
-  wire or_49_s5 = (mux_114_s5[2] & (~(mux_117_s5[3:0] == 4'd0))) | (mux_114_s5[0] & mux_119_s5[0]);  // units/transformation.h:49
-  wire or_50_s5 = (mux_114_s5[1] & (~(mux_118_s5[1:0] == 2'd0))) | ((mux_114_s5[3] & (~(mux_116_s5[7:0] == 8'd0))) | or_47_s5);  // units/transformation.h:49
-  wire or_51_s5 = or_49_s5 | or_50_s5;  // units/transformation.h:49
-  wire [19:0] xor_17_s5 = {mux_121_s5, or_51_s5} ^ {20{xor_16_s5}};  // units/transformation.h:49
-  wire [21:0] add_30_s5 = {2'd1, mux_113_s5[15:0], 4'd1} + {xor_16_s5, xor_17_s5, xor_16_s5};  // units/transformation.h:49
-  wire [18:0] mux_166_s5 = {mux_164_s5[4] ? 1'd0 : 1'd1, ~{15{mux_164_s5[4]}} & mux_165_s5[15:1], mux_164_s5[4] | mux_165_s5[0], {2{mux_164_s5[4]}} & mux_165_s5[15:14]};  // units/transformation.h:49
-  wire [18:0] mux_167_s5 = {~{8{mux_164_s5[3]}} & mux_166_s5[18:11], mux_164_s5[3] ? mux_166_s5[18:8] : mux_166_s5[10:0]};  // units/transformation.h:49
-  wire [18:0] mux_168_s5 = {~{4{mux_164_s5[2]}} & mux_167_s5[18:15], mux_164_s5[2] ? mux_167_s5[18:4] : mux_167_s5[14:0]};  // units/transformation.h:49
-  wire [18:0] mux_169_s5 = {~{2{mux_164_s5[1]}} & mux_168_s5[18:17], mux_164_s5[1] ? mux_168_s5[18:2] : mux_168_s5[16:0]};  // units/transformation.h:49
-  wire [18:0] mux_170_s5 = {~mux_164_s5[0] & mux_169_s5[18], mux_164_s5[0] ? mux_169_s5[18:1] : mux_169_s5[17:0]};  // units/transformation.h:49
-  wire [18:0] mux_171_s5 = {19{eq_88_s5}} & mux_170_s5;  // units/transformation.h:49
-  wire or_67_s5 = (~eq_88_s5) | (mux_164_s5[4] & (~(mux_165_s5[13:0] == 14'd0)));  // units/transformation.h:49
-  wire or_69_s5 = (mux_164_s5[2] & (~(mux_167_s5[3:0] == 4'd0))) | (mux_164_s5[0] & mux_169_s5[0]);  // units/transformation.h:49
-  wire or_70_s5 = (mux_164_s5[1] & (~(mux_168_s5[1:0] == 2'd0))) | ((mux_164_s5[3] & (~(mux_166_s5[7:0] == 8'd0))) | or_67_s5);  // units/transformation.h:49
-  wire or_71_s5 = or_69_s5 | or_70_s5;  // units/transformation.h:49
-  wire [19:0] xor_23_s5 = {mux_171_s5, or_71_s5} ^ {20{xor_22_s5}};  // units/transformation.h:49
-  wire [21:0] add_40_s5 = {2'd1, mux_163_s5[15:0], 4'd1} + {xor_22_s5, xor_23_s5, xor_22_s5};  // units/transformation.h:49
+  wire [23:0] mux_5_s5 = lt_1_s5 ? {column_3_23_s5, column_3_16_s5, column_3_0_s5} : {xor_1_s5, mux_3_s5};  // units/transformation.h:50
+  wire xor_2_s5 = xor_1_s5 ^ column_3_23_s5;  // units/transformation.h:50
+  wire [18:0] mux_7_s5 = {mux_4_s5[4] ? 1'd0 : 1'd1, ~{15{mux_4_s5[4]}} & mux_6_s5[15:1], mux_4_s5[4] | mux_6_s5[0], {2{mux_4_s5[4]}} & mux_6_s5[15:14]};  // units/transformation.h:50
+  wire [18:0] mux_8_s5 = {~{8{mux_4_s5[3]}} & mux_7_s5[18:11], mux_4_s5[3] ? mux_7_s5[18:8] : mux_7_s5[10:0]};  // units/transformation.h:50
+  wire [18:0] mux_9_s5 = {~{4{mux_4_s5[2]}} & mux_8_s5[18:15], mux_4_s5[2] ? mux_8_s5[18:4] : mux_8_s5[14:0]};  // units/transformation.h:50
+  wire [18:0] mux_10_s5 = {~{2{mux_4_s5[1]}} & mux_9_s5[18:17], mux_4_s5[1] ? mux_9_s5[18:2] : mux_9_s5[16:0]};  // units/transformation.h:50
+  wire [18:0] mux_11_s5 = {~mux_4_s5[0] & mux_10_s5[18], mux_4_s5[0] ? mux_10_s5[18:1] : mux_10_s5[17:0]};  // units/transformation.h:50
+  wire or_4_s5 = (mux_4_s5[3] & (~(mux_7_s5[7:0] == 8'd0))) | ((mux_4_s5[4] & (~(mux_6_s5[13:0] == 14'd0))) | (~eq_6_s5));  // units/transformation.h:50
+  wire or_5_s5 = (mux_4_s5[2] & (~(mux_8_s5[3:0] == 4'd0))) | (mux_4_s5[0] & mux_10_s5[0]);  // units/transformation.h:50
+  wire or_7_s5 = or_5_s5 | ((mux_4_s5[1] & (~(mux_9_s5[1:0] == 2'd0))) | or_4_s5);  // units/transformation.h:50
+  wire [18:0] mux_12_s5 = {19{eq_6_s5}} & mux_11_s5;  // units/transformation.h:50
+  wire [19:0] xor_3_s5 = {mux_12_s5, or_7_s5} ^ {20{xor_2_s5}};  // units/transformation.h:50
+  wire [21:0] add_4_s5 = {2'd1, mux_5_s5[15:0], 4'd1} + {xor_2_s5, xor_3_s5, xor_2_s5};  // units/transformation.h:50
+  wire [23:0] mux_31_s5 = lt_2_s5 ? {column_3_47_s5, column_3_40_s5, column_3_24_s5} : {xor_4_s5, mux_29_s5};  // units/transformation.h:50
+  wire xor_5_s5 = xor_4_s5 ^ column_3_47_s5;  // units/transformation.h:50
+  wire [18:0] mux_33_s5 = {mux_30_s5[4] ? 1'd0 : 1'd1, ~{15{mux_30_s5[4]}} & mux_32_s5[15:1], mux_30_s5[4] | mux_32_s5[0], {2{mux_30_s5[4]}} & mux_32_s5[15:14]};  // units/transformation.h:50
+  wire [18:0] mux_34_s5 = {~{8{mux_30_s5[3]}} & mux_33_s5[18:11], mux_30_s5[3] ? mux_33_s5[18:8] : mux_33_s5[10:0]};  // units/transformation.h:50
+  wire [18:0] mux_35_s5 = {~{4{mux_30_s5[2]}} & mux_34_s5[18:15], mux_30_s5[2] ? mux_34_s5[18:4] : mux_34_s5[14:0]};  // units/transformation.h:50
+  wire [18:0] mux_36_s5 = {~{2{mux_30_s5[1]}} & mux_35_s5[18:17], mux_30_s5[1] ? mux_35_s5[18:2] : mux_35_s5[16:0]};  // units/transformation.h:50
+  wire [18:0] mux_37_s5 = {~mux_30_s5[0] & mux_36_s5[18], mux_30_s5[0] ? mux_36_s5[18:1] : mux_36_s5[17:0]};  // units/transformation.h:50
+  wire or_14_s5 = (mux_30_s5[3] & (~(mux_33_s5[7:0] == 8'd0))) | ((mux_30_s5[4] & (~(mux_32_s5[13:0] == 14'd0))) | (~eq_20_s5));  // units/transformation.h:50
+  wire or_15_s5 = (mux_30_s5[2] & (~(mux_34_s5[3:0] == 4'd0))) | (mux_30_s5[0] & mux_36_s5[0]);  // units/transformation.h:50
+  wire or_17_s5 = or_15_s5 | ((mux_30_s5[1] & (~(mux_35_s5[1:0] == 2'd0))) | or_14_s5);  // units/transformation.h:50
+  wire [18:0] mux_38_s5 = {19{eq_20_s5}} & mux_37_s5;  // units/transformation.h:50
+  wire [19:0] xor_6_s5 = {mux_38_s5, or_17_s5} ^ {20{xor_5_s5}};  // units/transformation.h:50
+  wire [21:0] add_9_s5 = {2'd1, mux_31_s5[15:0], 4'd1} + {xor_5_s5, xor_6_s5, xor_5_s5};  // units/transformation.h:50
+  wire [23:0] mux_57_s5 = lt_3_s5 ? {column_3_71_s5, column_3_64_s5, column_3_48_s5} : {xor_7_s5, mux_55_s5};  // units/transformation.h:50
+  wire xor_8_s5 = xor_7_s5 ^ column_3_71_s5;  // units/transformation.h:50
+  wire [18:0] mux_59_s5 = {mux_56_s5[4] ? 1'd0 : 1'd1, ~{15{mux_56_s5[4]}} & mux_58_s5[15:1], mux_56_s5[4] | mux_58_s5[0], {2{mux_56_s5[4]}} & mux_58_s5[15:14]};  // units/transformation.h:50
+  wire [18:0] mux_60_s5 = {~{8{mux_56_s5[3]}} & mux_59_s5[18:11], mux_56_s5[3] ? mux_59_s5[18:8] : mux_59_s5[10:0]};  // units/transformation.h:50
+  wire [18:0] mux_61_s5 = {~{4{mux_56_s5[2]}} & mux_60_s5[18:15], mux_56_s5[2] ? mux_60_s5[18:4] : mux_60_s5[14:0]};  // units/transformation.h:50
+  wire [18:0] mux_62_s5 = {~{2{mux_56_s5[1]}} & mux_61_s5[18:17], mux_56_s5[1] ? mux_61_s5[18:2] : mux_61_s5[16:0]};  // units/transformation.h:50
+  wire [18:0] mux_63_s5 = {~mux_56_s5[0] & mux_62_s5[18], mux_56_s5[0] ? mux_62_s5[18:1] : mux_62_s5[17:0]};  // units/transformation.h:50
+  wire or_24_s5 = (mux_56_s5[3] & (~(mux_59_s5[7:0] == 8'd0))) | ((mux_56_s5[4] & (~(mux_58_s5[13:0] == 14'd0))) | (~eq_34_s5));  // units/transformation.h:50
+  wire or_25_s5 = (mux_56_s5[2] & (~(mux_60_s5[3:0] == 4'd0))) | (mux_56_s5[0] & mux_62_s5[0]);  // units/transformation.h:50
+  wire or_27_s5 = or_25_s5 | ((mux_56_s5[1] & (~(mux_61_s5[1:0] == 2'd0))) | or_24_s5);  // units/transformation.h:50
+  wire [18:0] mux_64_s5 = {19{eq_34_s5}} & mux_63_s5;  // units/transformation.h:50
+  wire [19:0] xor_9_s5 = {mux_64_s5, or_27_s5} ^ {20{xor_8_s5}};  // units/transformation.h:50
+  wire [21:0] add_14_s5 = {2'd1, mux_57_s5[15:0], 4'd1} + {xor_8_s5, xor_9_s5, xor_8_s5};  // units/transformation.h:50
+  wire [18:0] mux_88_s5 = {mux_86_s5[4] ? 1'd0 : 1'd1, ~{15{mux_86_s5[4]}} & mux_87_s5[15:1], mux_86_s5[4] | mux_87_s5[0], {2{mux_86_s5[4]}} & mux_87_s5[15:14]};  // units/transformation.h:50
+  wire [18:0] mux_89_s5 = {~{8{mux_86_s5[3]}} & mux_88_s5[18:11], mux_86_s5[3] ? mux_88_s5[18:8] : mux_88_s5[10:0]};  // units/transformation.h:50
+  wire [18:0] mux_90_s5 = {~{4{mux_86_s5[2]}} & mux_89_s5[18:15], mux_86_s5[2] ? mux_89_s5[18:4] : mux_89_s5[14:0]};  // units/transformation.h:50
+  wire [18:0] mux_91_s5 = {~{2{mux_86_s5[1]}} & mux_90_s5[18:17], mux_86_s5[1] ? mux_90_s5[18:2] : mux_90_s5[16:0]};  // units/transformation.h:50
+  wire [18:0] mux_92_s5 = {~mux_86_s5[0] & mux_91_s5[18], mux_86_s5[0] ? mux_91_s5[18:1] : mux_91_s5[17:0]};  // units/transformation.h:50
+  wire [18:0] mux_93_s5 = {19{eq_45_s5}} & mux_92_s5;  // units/transformation.h:50
+  wire or_36_s5 = (mux_86_s5[3] & (~(mux_88_s5[7:0] == 8'd0))) | ((~eq_45_s5) | (mux_86_s5[4] & (~(mux_87_s5[13:0] == 14'd0))));  // units/transformation.h:50
+  wire or_37_s5 = (mux_86_s5[2] & (~(mux_89_s5[3:0] == 4'd0))) | (mux_86_s5[0] & mux_91_s5[0]);  // units/transformation.h:50
+  wire or_39_s5 = or_37_s5 | ((mux_86_s5[1] & (~(mux_90_s5[1:0] == 2'd0))) | or_36_s5);  // units/transformation.h:50
+  wire [19:0] xor_13_s5 = {mux_93_s5, or_39_s5} ^ {20{xor_12_s5}};  // units/transformation.h:50
+  wire [21:0] add_22_s5 = {2'd1, mux_85_s5[15:0], 4'd1} + {xor_12_s5, xor_13_s5, xor_12_s5};  // units/transformation.h:50
+  wire [18:0] mux_116_s5 = {mux_114_s5[4] ? 1'd0 : 1'd1, ~{15{mux_114_s5[4]}} & mux_115_s5[15:1], mux_114_s5[4] | mux_115_s5[0], {2{mux_114_s5[4]}} & mux_115_s5[15:14]};  // units/transformation.h:50
+  wire [18:0] mux_117_s5 = {~{8{mux_114_s5[3]}} & mux_116_s5[18:11], mux_114_s5[3] ? mux_116_s5[18:8] : mux_116_s5[10:0]};  // units/transformation.h:50
+  wire [18:0] mux_118_s5 = {~{4{mux_114_s5[2]}} & mux_117_s5[18:15], mux_114_s5[2] ? mux_117_s5[18:4] : mux_117_s5[14:0]};  // units/transformation.h:50
+  wire [18:0] mux_119_s5 = {~{2{mux_114_s5[1]}} & mux_118_s5[18:17], mux_114_s5[1] ? mux_118_s5[18:2] : mux_118_s5[16:0]};  // units/transformation.h:50
+  wire [18:0] mux_120_s5 = {~mux_114_s5[0] & mux_119_s5[18], mux_114_s5[0] ? mux_119_s5[18:1] : mux_119_s5[17:0]};  // units/transformation.h:50
+  wire [18:0] mux_121_s5 = {19{eq_60_s5}} & mux_120_s5;  // units/transformation.h:50
+  wire or_47_s5 = (~eq_60_s5) | (mux_114_s5[4] & (~(mux_115_s5[13:0] == 14'd0)));  // units/transformation.h:50
+  wire or_49_s5 = (mux_114_s5[2] & (~(mux_117_s5[3:0] == 4'd0))) | (mux_114_s5[0] & mux_119_s5[0]);  // units/transformation.h:50
+  wire or_50_s5 = (mux_114_s5[1] & (~(mux_118_s5[1:0] == 2'd0))) | ((mux_114_s5[3] & (~(mux_116_s5[7:0] == 8'd0))) | or_47_s5);  // units/transformation.h:50
+  wire or_51_s5 = or_49_s5 | or_50_s5;  // units/transformation.h:50
+  wire [19:0] xor_17_s5 = {mux_121_s5, or_51_s5} ^ {20{xor_16_s5}};  // units/transformation.h:50
+  wire [21:0] add_30_s5 = {2'd1, mux_113_s5[15:0], 4'd1} + {xor_16_s5, xor_17_s5, xor_16_s5};  // units/transformation.h:50
+  wire [18:0] mux_166_s5 = {mux_164_s5[4] ? 1'd0 : 1'd1, ~{15{mux_164_s5[4]}} & mux_165_s5[15:1], mux_164_s5[4] | mux_165_s5[0], {2{mux_164_s5[4]}} & mux_165_s5[15:14]};  // units/transformation.h:50
+  wire [18:0] mux_167_s5 = {~{8{mux_164_s5[3]}} & mux_166_s5[18:11], mux_164_s5[3] ? mux_166_s5[18:8] : mux_166_s5[10:0]};  // units/transformation.h:50
+  wire [18:0] mux_168_s5 = {~{4{mux_164_s5[2]}} & mux_167_s5[18:15], mux_164_s5[2] ? mux_167_s5[18:4] : mux_167_s5[14:0]};  // units/transformation.h:50
+  wire [18:0] mux_169_s5 = {~{2{mux_164_s5[1]}} & mux_168_s5[18:17], mux_164_s5[1] ? mux_168_s5[18:2] : mux_168_s5[16:0]};  // units/transformation.h:50
+  wire [18:0] mux_170_s5 = {~mux_164_s5[0] & mux_169_s5[18], mux_164_s5[0] ? mux_169_s5[18:1] : mux_169_s5[17:0]};  // units/transformation.h:50
+  wire [18:0] mux_171_s5 = {19{eq_88_s5}} & mux_170_s5;  // units/transformation.h:50
+  wire or_67_s5 = (~eq_88_s5) | (mux_164_s5[4] & (~(mux_165_s5[13:0] == 14'd0)));  // units/transformation.h:50
+  wire or_69_s5 = (mux_164_s5[2] & (~(mux_167_s5[3:0] == 4'd0))) | (mux_164_s5[0] & mux_169_s5[0]);  // units/transformation.h:50
+  wire or_70_s5 = (mux_164_s5[1] & (~(mux_168_s5[1:0] == 2'd0))) | ((mux_164_s5[3] & (~(mux_166_s5[7:0] == 8'd0))) | or_67_s5);  // units/transformation.h:50
+  wire or_71_s5 = or_69_s5 | or_70_s5;  // units/transformation.h:50
+  wire [19:0] xor_23_s5 = {mux_171_s5, or_71_s5} ^ {20{xor_22_s5}};  // units/transformation.h:50
+  wire [21:0] add_40_s5 = {2'd1, mux_163_s5[15:0], 4'd1} + {xor_22_s5, xor_23_s5, xor_22_s5};  // units/transformation.h:50
 
   // ---- stage 6 ----
   reg valid_s6;
@@ -664,105 +664,105 @@ module transformation #(
     add_40_s6 <= add_40_s5[21:1];
     vector_6_s6 <= vector_6_s5;
   end
-  wire not_8_s6 = ~(add_4_s6[21:2] == 20'd0);  // units/transformation.h:49
-  wire eq_8_s6 = add_4_s6[21:18] == 4'd0;  // units/transformation.h:49
-  wire eq_10_s6 = add_4_s6[13:10] == 4'd0;  // units/transformation.h:49
-  wire eq_12_s6 = add_4_s6[5:2] == 4'd0;  // units/transformation.h:49
-  wire and_7_s6 = eq_8_s6 & (add_4_s6[17:14] == 4'd0);  // units/transformation.h:49
-  wire and_9_s6 = and_7_s6 & (eq_10_s6 & (add_4_s6[9:6] == 4'd0));  // units/transformation.h:49
-  wire [19:0] mux_13_s6 = {and_9_s6 ? add_4_s6[5:2] : add_4_s6[21:18], ~{16{and_9_s6}} & add_4_s6[17:2]};  // units/transformation.h:49
-  wire mux_15_s6 = and_9_s6 ? eq_12_s6 : and_7_s6;  // units/transformation.h:49
-  wire [19:0] mux_16_s6 = {mux_15_s6 ? mux_13_s6[11:0] : mux_13_s6[19:8], ~{8{mux_15_s6}} & mux_13_s6[7:0]};  // units/transformation.h:49
-  wire mux_17_s6 = mux_15_s6 ? (eq_10_s6 | and_9_s6) : (and_9_s6 ? eq_12_s6 : eq_8_s6);  // units/transformation.h:49
-  wire and_10_s6 = not_8_s6 & mux_15_s6;  // units/transformation.h:49
-  wire [19:0] mux_18_s6 = {mux_17_s6 ? mux_16_s6[15:0] : mux_16_s6[19:4], ~{4{mux_17_s6}} & mux_16_s6[3:0]};  // units/transformation.h:49
-  wire eq_13_s6 = mux_18_s6[19:18] == 2'd0;  // units/transformation.h:49
-  wire [19:0] mux_19_s6 = {eq_13_s6 ? mux_18_s6[17:0] : mux_18_s6[19:2], ~{2{eq_13_s6}} & mux_18_s6[1:0]};  // units/transformation.h:49
-  wire and_11_s6 = not_8_s6 & eq_13_s6;  // units/transformation.h:49
-  wire and_12_s6 = not_8_s6 & (~mux_19_s6[19]);  // units/transformation.h:49
-  wire [19:0] mux_20_s6 = {and_10_s6 ? mux_13_s6[11:0] : mux_13_s6[19:8], ~{8{and_10_s6}} & mux_13_s6[7:0]};  // units/transformation.h:49
-  wire not_19_s6 = ~(add_9_s6[21:2] == 20'd0);  // units/transformation.h:49
-  wire eq_22_s6 = add_9_s6[21:18] == 4'd0;  // units/transformation.h:49
-  wire eq_24_s6 = add_9_s6[13:10] == 4'd0;  // units/transformation.h:49
-  wire eq_26_s6 = add_9_s6[5:2] == 4'd0;  // units/transformation.h:49
-  wire and_22_s6 = eq_22_s6 & (add_9_s6[17:14] == 4'd0);  // units/transformation.h:49
-  wire and_24_s6 = and_22_s6 & (eq_24_s6 & (add_9_s6[9:6] == 4'd0));  // units/transformation.h:49
-  wire [19:0] mux_39_s6 = {and_24_s6 ? add_9_s6[5:2] : add_9_s6[21:18], ~{16{and_24_s6}} & add_9_s6[17:2]};  // units/transformation.h:49
-  wire mux_41_s6 = and_24_s6 ? eq_26_s6 : and_22_s6;  // units/transformation.h:49
-  wire [19:0] mux_42_s6 = {mux_41_s6 ? mux_39_s6[11:0] : mux_39_s6[19:8], ~{8{mux_41_s6}} & mux_39_s6[7:0]};  // units/transformation.h:49
-  wire mux_43_s6 = mux_41_s6 ? (eq_24_s6 | and_24_s6) : (and_24_s6 ? eq_26_s6 : eq_22_s6);  // units/transformation.h:49
-  wire and_25_s6 = not_19_s6 & mux_41_s6;  // units/transformation.h:49
-  wire [19:0] mux_44_s6 = {mux_43_s6 ? mux_42_s6[15:0] : mux_42_s6[19:4], ~{4{mux_43_s6}} & mux_42_s6[3:0]};  // units/transformation.h:49
-  wire eq_27_s6 = mux_44_s6[19:18] == 2'd0;  // units/transformation.h:49
-  wire [19:0] mux_45_s6 = {eq_27_s6 ? mux_44_s6[17:0] : mux_44_s6[19:2], ~{2{eq_27_s6}} & mux_44_s6[1:0]};  // units/transformation.h:49
-  wire and_26_s6 = not_19_s6 & eq_27_s6;  // units/transformation.h:49
-  wire and_27_s6 = not_19_s6 & (~mux_45_s6[19]);  // units/transformation.h:49
-  wire [19:0] mux_46_s6 = {and_25_s6 ? mux_39_s6[11:0] : mux_39_s6[19:8], ~{8{and_25_s6}} & mux_39_s6[7:0]};  // units/transformation.h:49
-  wire not_30_s6 = ~(add_14_s6[21:2] == 20'd0);  // units/transformation.h:49
-  wire eq_36_s6 = add_14_s6[21:18] == 4'd0;  // units/transformation.h:49
-  wire eq_38_s6 = add_14_s6[13:10] == 4'd0;  // units/transformation.h:49
-  wire eq_40_s6 = add_14_s6[5:2] == 4'd0;  // units/transformation.h:49
-  wire and_37_s6 = eq_36_s6 & (add_14_s6[17:14] == 4'd0);  // units/transformation.h:49
-  wire and_39_s6 = and_37_s6 & (eq_38_s6 & (add_14_s6[9:6] == 4'd0));  // units/transformation.h:49
-  wire [19:0] mux_65_s6 = {and_39_s6 ? add_14_s6[5:2] : add_14_s6[21:18], ~{16{and_39_s6}} & add_14_s6[17:2]};  // units/transformation.h:49
-  wire mux_67_s6 = and_39_s6 ? eq_40_s6 : and_37_s6;  // units/transformation.h:49
-  wire [19:0] mux_68_s6 = {mux_67_s6 ? mux_65_s6[11:0] : mux_65_s6[19:8], ~{8{mux_67_s6}} & mux_65_s6[7:0]};  // units/transformation.h:49
-  wire mux_69_s6 = mux_67_s6 ? (eq_38_s6 | and_39_s6) : (and_39_s6 ? eq_40_s6 : eq_36_s6);  // units/transformation.h:49
-  wire and_40_s6 = not_30_s6 & mux_67_s6;  // units/transformation.h:49
-  wire [19:0] mux_70_s6 = {mux_69_s6 ? mux_68_s6[15:0] : mux_68_s6[19:4], ~{4{mux_69_s6}} & mux_68_s6[3:0]};  // units/transformation.h:49
-  wire eq_41_s6 = mux_70_s6[19:18] == 2'd0;  // units/transformation.h:49
-  wire [19:0] mux_71_s6 = {eq_41_s6 ? mux_70_s6[17:0] : mux_70_s6[19:2], ~{2{eq_41_s6}} & mux_70_s6[1:0]};  // units/transformation.h:49
-  wire and_41_s6 = not_30_s6 & eq_41_s6;  // units/transformation.h:49
-  wire and_42_s6 = not_30_s6 & (~mux_71_s6[19]);  // units/transformation.h:49
-  wire [19:0] mux_72_s6 = {and_40_s6 ? mux_65_s6[11:0] : mux_65_s6[19:8], ~{8{and_40_s6}} & mux_65_s6[7:0]};  // units/transformation.h:49
-  wire not_43_s6 = ~(add_22_s6[21:2] == 20'd0);  // units/transformation.h:49
-  wire eq_51_s6 = add_22_s6[21:18] == 4'd0;  // units/transformation.h:49
-  wire eq_53_s6 = add_22_s6[13:10] == 4'd0;  // units/transformation.h:49
-  wire eq_55_s6 = add_22_s6[5:2] == 4'd0;  // units/transformation.h:49
-  wire and_53_s6 = eq_51_s6 & (add_22_s6[17:14] == 4'd0);  // units/transformation.h:49
-  wire and_55_s6 = and_53_s6 & (eq_53_s6 & (add_22_s6[9:6] == 4'd0));  // units/transformation.h:49
-  wire [19:0] mux_94_s6 = {and_55_s6 ? add_22_s6[5:2] : add_22_s6[21:18], ~{16{and_55_s6}} & add_22_s6[17:2]};  // units/transformation.h:49
-  wire mux_96_s6 = and_55_s6 ? eq_55_s6 : and_53_s6;  // units/transformation.h:49
-  wire [19:0] mux_97_s6 = {mux_96_s6 ? mux_94_s6[11:0] : mux_94_s6[19:8], ~{8{mux_96_s6}} & mux_94_s6[7:0]};  // units/transformation.h:49
-  wire mux_98_s6 = mux_96_s6 ? (eq_53_s6 | and_55_s6) : (and_55_s6 ? eq_55_s6 : eq_51_s6);  // units/transformation.h:49
-  wire and_56_s6 = not_43_s6 & mux_96_s6;  // units/transformation.h:49
-  wire [19:0] mux_99_s6 = {mux_98_s6 ? mux_97_s6[15:0] : mux_97_s6[19:4], ~{4{mux_98_s6}} & mux_97_s6[3:0]};  // units/transformation.h:49
-  wire eq_56_s6 = mux_99_s6[19:18] == 2'd0;  // units/transformation.h:49
-  wire [19:0] mux_100_s6 = {eq_56_s6 ? mux_99_s6[17:0] : mux_99_s6[19:2], ~{2{eq_56_s6}} & mux_99_s6[1:0]};  // units/transformation.h:49
-  wire and_57_s6 = not_43_s6 & eq_56_s6;  // units/transformation.h:49
-  wire and_58_s6 = not_43_s6 & (~mux_100_s6[19]);  // units/transformation.h:49
-  wire not_56_s6 = ~(add_30_s6[21:2] == 20'd0);  // units/transformation.h:49
-  wire eq_66_s6 = add_30_s6[21:18] == 4'd0;  // units/transformation.h:49
-  wire eq_68_s6 = add_30_s6[13:10] == 4'd0;  // units/transformation.h:49
-  wire eq_70_s6 = add_30_s6[5:2] == 4'd0;  // units/transformation.h:49
-  wire and_69_s6 = eq_66_s6 & (add_30_s6[17:14] == 4'd0);  // units/transformation.h:49
-  wire and_71_s6 = and_69_s6 & (eq_68_s6 & (add_30_s6[9:6] == 4'd0));  // units/transformation.h:49
-  wire [19:0] mux_122_s6 = {and_71_s6 ? add_30_s6[5:2] : add_30_s6[21:18], ~{16{and_71_s6}} & add_30_s6[17:2]};  // units/transformation.h:49
-  wire mux_124_s6 = and_71_s6 ? eq_70_s6 : and_69_s6;  // units/transformation.h:49
-  wire [19:0] mux_125_s6 = {mux_124_s6 ? mux_122_s6[11:0] : mux_122_s6[19:8], ~{8{mux_124_s6}} & mux_122_s6[7:0]};  // units/transformation.h:49
-  wire mux_126_s6 = mux_124_s6 ? (eq_68_s6 | and_71_s6) : (and_71_s6 ? eq_70_s6 : eq_66_s6);  // units/transformation.h:49
-  wire and_72_s6 = not_56_s6 & mux_124_s6;  // units/transformation.h:49
-  wire [19:0] mux_127_s6 = {mux_126_s6 ? mux_125_s6[15:0] : mux_125_s6[19:4], ~{4{mux_126_s6}} & mux_125_s6[3:0]};  // units/transformation.h:49
-  wire eq_71_s6 = mux_127_s6[19:18] == 2'd0;  // units/transformation.h:49
-  wire [19:0] mux_128_s6 = {eq_71_s6 ? mux_127_s6[17:0] : mux_127_s6[19:2], ~{2{eq_71_s6}} & mux_127_s6[1:0]};  // units/transformation.h:49
-  wire and_73_s6 = not_56_s6 & eq_71_s6;  // units/transformation.h:49
-  wire and_74_s6 = not_56_s6 & (~mux_128_s6[19]);  // units/transformation.h:49
-  wire not_78_s6 = ~(add_40_s6[21:2] == 20'd0);  // units/transformation.h:49
-  wire eq_94_s6 = add_40_s6[21:18] == 4'd0;  // units/transformation.h:49
-  wire eq_96_s6 = add_40_s6[13:10] == 4'd0;  // units/transformation.h:49
-  wire eq_98_s6 = add_40_s6[5:2] == 4'd0;  // units/transformation.h:49
-  wire and_99_s6 = eq_94_s6 & (add_40_s6[17:14] == 4'd0);  // units/transformation.h:49
-  wire and_101_s6 = and_99_s6 & (eq_96_s6 & (add_40_s6[9:6] == 4'd0));  // units/transformation.h:49
-  wire [19:0] mux_172_s6 = {and_101_s6 ? add_40_s6[5:2] : add_40_s6[21:18], ~{16{and_101_s6}} & add_40_s6[17:2]};  // units/transformation.h:49
-  wire mux_174_s6 = and_101_s6 ? eq_98_s6 : and_99_s6;  // units/transformation.h:49
-  wire [19:0] mux_175_s6 = {mux_174_s6 ? mux_172_s6[11:0] : mux_172_s6[19:8], ~{8{mux_174_s6}} & mux_172_s6[7:0]};  // units/transformation.h:49
-  wire mux_176_s6 = mux_174_s6 ? (eq_96_s6 | and_101_s6) : (and_101_s6 ? eq_98_s6 : eq_94_s6);  // units/transformation.h:49
-  wire and_102_s6 = not_78_s6 & mux_174_s6;  // units/transformation.h:49
-  wire [19:0] mux_177_s6 = {mux_176_s6 ? mux_175_s6[15:0] : mux_175_s6[19:4], ~{4{mux_176_s6}} & mux_175_s6[3:0]};  // units/transformation.h:49
-  wire eq_99_s6 = mux_177_s6[19:18] == 2'd0;  // units/transformation.h:49
-  wire [19:0] mux_178_s6 = {eq_99_s6 ? mux_177_s6[17:0] : mux_177_s6[19:2], ~{2{eq_99_s6}} & mux_177_s6[1:0]};  // units/transformation.h:49
-  wire and_103_s6 = not_78_s6 & eq_99_s6;  // units/transformation.h:49
-  wire and_104_s6 = not_78_s6 & (~mux_178_s6[19]);  // units/transformation.h:49
+  wire not_8_s6 = ~(add_4_s6[21:2] == 20'd0);  // units/transformation.h:50
+  wire eq_8_s6 = add_4_s6[21:18] == 4'd0;  // units/transformation.h:50
+  wire eq_10_s6 = add_4_s6[13:10] == 4'd0;  // units/transformation.h:50
+  wire eq_12_s6 = add_4_s6[5:2] == 4'd0;  // units/transformation.h:50
+  wire and_7_s6 = eq_8_s6 & (add_4_s6[17:14] == 4'd0);  // units/transformation.h:50
+  wire and_9_s6 = and_7_s6 & (eq_10_s6 & (add_4_s6[9:6] == 4'd0));  // units/transformation.h:50
+  wire [19:0] mux_13_s6 = {and_9_s6 ? add_4_s6[5:2] : add_4_s6[21:18], ~{16{and_9_s6}} & add_4_s6[17:2]};  // units/transformation.h:50
+  wire mux_15_s6 = and_9_s6 ? eq_12_s6 : and_7_s6;  // units/transformation.h:50
+  wire [19:0] mux_16_s6 = {mux_15_s6 ? mux_13_s6[11:0] : mux_13_s6[19:8], ~{8{mux_15_s6}} & mux_13_s6[7:0]};  // units/transformation.h:50
+  wire mux_17_s6 = mux_15_s6 ? (eq_10_s6 | and_9_s6) : (and_9_s6 ? eq_12_s6 : eq_8_s6);  // units/transformation.h:50
+  wire and_10_s6 = not_8_s6 & mux_15_s6;  // units/transformation.h:50
+  wire [19:0] mux_18_s6 = {mux_17_s6 ? mux_16_s6[15:0] : mux_16_s6[19:4], ~{4{mux_17_s6}} & mux_16_s6[3:0]};  // units/transformation.h:50
+  wire eq_13_s6 = mux_18_s6[19:18] == 2'd0;  // units/transformation.h:50
+  wire [19:0] mux_19_s6 = {eq_13_s6 ? mux_18_s6[17:0] : mux_18_s6[19:2], ~{2{eq_13_s6}} & mux_18_s6[1:0]};  // units/transformation.h:50
+  wire and_11_s6 = not_8_s6 & eq_13_s6;  // units/transformation.h:50
+  wire and_12_s6 = not_8_s6 & (~mux_19_s6[19]);  // units/transformation.h:50
+  wire [19:0] mux_20_s6 = {and_10_s6 ? mux_13_s6[11:0] : mux_13_s6[19:8], ~{8{and_10_s6}} & mux_13_s6[7:0]};  // units/transformation.h:50
+  wire not_19_s6 = ~(add_9_s6[21:2] == 20'd0);  // units/transformation.h:50
+  wire eq_22_s6 = add_9_s6[21:18] == 4'd0;  // units/transformation.h:50
+  wire eq_24_s6 = add_9_s6[13:10] == 4'd0;  // units/transformation.h:50
+  wire eq_26_s6 = add_9_s6[5:2] == 4'd0;  // units/transformation.h:50
+  wire and_22_s6 = eq_22_s6 & (add_9_s6[17:14] == 4'd0);  // units/transformation.h:50
+  wire and_24_s6 = and_22_s6 & (eq_24_s6 & (add_9_s6[9:6] == 4'd0));  // units/transformation.h:50
+  wire [19:0] mux_39_s6 = {and_24_s6 ? add_9_s6[5:2] : add_9_s6[21:18], ~{16{and_24_s6}} & add_9_s6[17:2]};  // units/transformation.h:50
+  wire mux_41_s6 = and_24_s6 ? eq_26_s6 : and_22_s6;  // units/transformation.h:50
+  wire [19:0] mux_42_s6 = {mux_41_s6 ? mux_39_s6[11:0] : mux_39_s6[19:8], ~{8{mux_41_s6}} & mux_39_s6[7:0]};  // units/transformation.h:50
+  wire mux_43_s6 = mux_41_s6 ? (eq_24_s6 | and_24_s6) : (and_24_s6 ? eq_26_s6 : eq_22_s6);  // units/transformation.h:50
+  wire and_25_s6 = not_19_s6 & mux_41_s6;  // units/transformation.h:50
+  wire [19:0] mux_44_s6 = {mux_43_s6 ? mux_42_s6[15:0] : mux_42_s6[19:4], ~{4{mux_43_s6}} & mux_42_s6[3:0]};  // units/transformation.h:50
+  wire eq_27_s6 = mux_44_s6[19:18] == 2'd0;  // units/transformation.h:50
+  wire [19:0] mux_45_s6 = {eq_27_s6 ? mux_44_s6[17:0] : mux_44_s6[19:2], ~{2{eq_27_s6}} & mux_44_s6[1:0]};  // units/transformation.h:50
+  wire and_26_s6 = not_19_s6 & eq_27_s6;  // units/transformation.h:50
+  wire and_27_s6 = not_19_s6 & (~mux_45_s6[19]);  // units/transformation.h:50
+  wire [19:0] mux_46_s6 = {and_25_s6 ? mux_39_s6[11:0] : mux_39_s6[19:8], ~{8{and_25_s6}} & mux_39_s6[7:0]};  // units/transformation.h:50
+  wire not_30_s6 = ~(add_14_s6[21:2] == 20'd0);  // units/transformation.h:50
+  wire eq_36_s6 = add_14_s6[21:18] == 4'd0;  // units/transformation.h:50
+  wire eq_38_s6 = add_14_s6[13:10] == 4'd0;  // units/transformation.h:50
+  wire eq_40_s6 = add_14_s6[5:2] == 4'd0;  // units/transformation.h:50
+  wire and_37_s6 = eq_36_s6 & (add_14_s6[17:14] == 4'd0);  // units/transformation.h:50
+  wire and_39_s6 = and_37_s6 & (eq_38_s6 & (add_14_s6[9:6] == 4'd0));  // units/transformation.h:50
+  wire [19:0] mux_65_s6 = {and_39_s6 ? add_14_s6[5:2] : add_14_s6[21:18], ~{16{and_39_s6}} & add_14_s6[17:2]};  // units/transformation.h:50
+  wire mux_67_s6 = and_39_s6 ? eq_40_s6 : and_37_s6;  // units/transformation.h:50
+  wire [19:0] mux_68_s6 = {mux_67_s6 ? mux_65_s6[11:0] : mux_65_s6[19:8], ~{8{mux_67_s6}} & mux_65_s6[7:0]};  // units/transformation.h:50
+  wire mux_69_s6 = mux_67_s6 ? (eq_38_s6 | and_39_s6) : (and_39_s6 ? eq_40_s6 : eq_36_s6);  // units/transformation.h:50
+  wire and_40_s6 = not_30_s6 & mux_67_s6;  // units/transformation.h:50
+  wire [19:0] mux_70_s6 = {mux_69_s6 ? mux_68_s6[15:0] : mux_68_s6[19:4], ~{4{mux_69_s6}} & mux_68_s6[3:0]};  // units/transformation.h:50
+  wire eq_41_s6 = mux_70_s6[19:18] == 2'd0;  // units/transformation.h:50
+  wire [19:0] mux_71_s6 = {eq_41_s6 ? mux_70_s6[17:0] : mux_70_s6[19:2], ~{2{eq_41_s6}} & mux_70_s6[1:0]};  // units/transformation.h:50
+  wire and_41_s6 = not_30_s6 & eq_41_s6;  // units/transformation.h:50
+  wire and_42_s6 = not_30_s6 & (~mux_71_s6[19]);  // units/transformation.h:50
+  wire [19:0] mux_72_s6 = {and_40_s6 ? mux_65_s6[11:0] : mux_65_s6[19:8], ~{8{and_40_s6}} & mux_65_s6[7:0]};  // units/transformation.h:50
+  wire not_43_s6 = ~(add_22_s6[21:2] == 20'd0);  // units/transformation.h:50
+  wire eq_51_s6 = add_22_s6[21:18] == 4'd0;  // units/transformation.h:50
+  wire eq_53_s6 = add_22_s6[13:10] == 4'd0;  // units/transformation.h:50
+  wire eq_55_s6 = add_22_s6[5:2] == 4'd0;  // units/transformation.h:50
+  wire and_53_s6 = eq_51_s6 & (add_22_s6[17:14] == 4'd0);  // units/transformation.h:50
+  wire and_55_s6 = and_53_s6 & (eq_53_s6 & (add_22_s6[9:6] == 4'd0));  // units/transformation.h:50
+  wire [19:0] mux_94_s6 = {and_55_s6 ? add_22_s6[5:2] : add_22_s6[21:18], ~{16{and_55_s6}} & add_22_s6[17:2]};  // units/transformation.h:50
+  wire mux_96_s6 = and_55_s6 ? eq_55_s6 : and_53_s6;  // units/transformation.h:50
+  wire [19:0] mux_97_s6 = {mux_96_s6 ? mux_94_s6[11:0] : mux_94_s6[19:8], ~{8{mux_96_s6}} & mux_94_s6[7:0]};  // units/transformation.h:50
+  wire mux_98_s6 = mux_96_s6 ? (eq_53_s6 | and_55_s6) : (and_55_s6 ? eq_55_s6 : eq_51_s6);  // units/transformation.h:50
+  wire and_56_s6 = not_43_s6 & mux_96_s6;  // units/transformation.h:50
+  wire [19:0] mux_99_s6 = {mux_98_s6 ? mux_97_s6[15:0] : mux_97_s6[19:4], ~{4{mux_98_s6}} & mux_97_s6[3:0]};  // units/transformation.h:50
+  wire eq_56_s6 = mux_99_s6[19:18] == 2'd0;  // units/transformation.h:50
+  wire [19:0] mux_100_s6 = {eq_56_s6 ? mux_99_s6[17:0] : mux_99_s6[19:2], ~{2{eq_56_s6}} & mux_99_s6[1:0]};  // units/transformation.h:50
+  wire and_57_s6 = not_43_s6 & eq_56_s6;  // units/transformation.h:50
+  wire and_58_s6 = not_43_s6 & (~mux_100_s6[19]);  // units/transformation.h:50
+  wire not_56_s6 = ~(add_30_s6[21:2] == 20'd0);  // units/transformation.h:50
+  wire eq_66_s6 = add_30_s6[21:18] == 4'd0;  // units/transformation.h:50
+  wire eq_68_s6 = add_30_s6[13:10] == 4'd0;  // units/transformation.h:50
+  wire eq_70_s6 = add_30_s6[5:2] == 4'd0;  // units/transformation.h:50
+  wire and_69_s6 = eq_66_s6 & (add_30_s6[17:14] == 4'd0);  // units/transformation.h:50
+  wire and_71_s6 = and_69_s6 & (eq_68_s6 & (add_30_s6[9:6] == 4'd0));  // units/transformation.h:50
+  wire [19:0] mux_122_s6 = {and_71_s6 ? add_30_s6[5:2] : add_30_s6[21:18], ~{16{and_71_s6}} & add_30_s6[17:2]};  // units/transformation.h:50
+  wire mux_124_s6 = and_71_s6 ? eq_70_s6 : and_69_s6;  // units/transformation.h:50
+  wire [19:0] mux_125_s6 = {mux_124_s6 ? mux_122_s6[11:0] : mux_122_s6[19:8], ~{8{mux_124_s6}} & mux_122_s6[7:0]};  // units/transformation.h:50
+  wire mux_126_s6 = mux_124_s6 ? (eq_68_s6 | and_71_s6) : (and_71_s6 ? eq_70_s6 : eq_66_s6);  // units/transformation.h:50
+  wire and_72_s6 = not_56_s6 & mux_124_s6;  // units/transformation.h:50
+  wire [19:0] mux_127_s6 = {mux_126_s6 ? mux_125_s6[15:0] : mux_125_s6[19:4], ~{4{mux_126_s6}} & mux_125_s6[3:0]};  // units/transformation.h:50
+  wire eq_71_s6 = mux_127_s6[19:18] == 2'd0;  // units/transformation.h:50
+  wire [19:0] mux_128_s6 = {eq_71_s6 ? mux_127_s6[17:0] : mux_127_s6[19:2], ~{2{eq_71_s6}} & mux_127_s6[1:0]};  // units/transformation.h:50
+  wire and_73_s6 = not_56_s6 & eq_71_s6;  // units/transformation.h:50
+  wire and_74_s6 = not_56_s6 & (~mux_128_s6[19]);  // units/transformation.h:50
+  wire not_78_s6 = ~(add_40_s6[21:2] == 20'd0);  // units/transformation.h:50
+  wire eq_94_s6 = add_40_s6[21:18] == 4'd0;  // units/transformation.h:50
+  wire eq_96_s6 = add_40_s6[13:10] == 4'd0;  // units/transformation.h:50
+  wire eq_98_s6 = add_40_s6[5:2] == 4'd0;  // units/transformation.h:50
+  wire and_99_s6 = eq_94_s6 & (add_40_s6[17:14] == 4'd0);  // units/transformation.h:50
+  wire and_101_s6 = and_99_s6 & (eq_96_s6 & (add_40_s6[9:6] == 4'd0));  // units/transformation.h:50
+  wire [19:0] mux_172_s6 = {and_101_s6 ? add_40_s6[5:2] : add_40_s6[21:18], ~{16{and_101_s6}} & add_40_s6[17:2]};  // units/transformation.h:50
+  wire mux_174_s6 = and_101_s6 ? eq_98_s6 : and_99_s6;  // units/transformation.h:50
+  wire [19:0] mux_175_s6 = {mux_174_s6 ? mux_172_s6[11:0] : mux_172_s6[19:8], ~{8{mux_174_s6}} & mux_172_s6[7:0]};  // units/transformation.h:50
+  wire mux_176_s6 = mux_174_s6 ? (eq_96_s6 | and_101_s6) : (and_101_s6 ? eq_98_s6 : eq_94_s6);  // units/transformation.h:50
+  wire and_102_s6 = not_78_s6 & mux_174_s6;  // units/transformation.h:50
+  wire [19:0] mux_177_s6 = {mux_176_s6 ? mux_175_s6[15:0] : mux_175_s6[19:4], ~{4{mux_176_s6}} & mux_175_s6[3:0]};  // units/transformation.h:50
+  wire eq_99_s6 = mux_177_s6[19:18] == 2'd0;  // units/transformation.h:50
+  wire [19:0] mux_178_s6 = {eq_99_s6 ? mux_177_s6[17:0] : mux_177_s6[19:2], ~{2{eq_99_s6}} & mux_177_s6[1:0]};  // units/transformation.h:50
+  wire and_103_s6 = not_78_s6 & eq_99_s6;  // units/transformation.h:50
+  wire and_104_s6 = not_78_s6 & (~mux_178_s6[19]);  // units/transformation.h:50
 
   // ---- stage 7 ----
   reg valid_s7;
@@ -883,72 +883,72 @@ module transformation #(
     and_104_s7 <= and_104_s6;
     vector_6_s7 <= vector_6_s6;
   end
-  wire [19:0] mux_21_s7 = {mux_17_s7 ? mux_20_s7[15:0] : mux_20_s7[19:4], ~{4{mux_17_s7}} & mux_20_s7[3:0]};  // units/transformation.h:49
-  wire [19:0] mux_22_s7 = {and_11_s7 ? mux_21_s7[17:0] : mux_21_s7[19:2], ~{2{and_11_s7}} & mux_21_s7[1:0]};  // units/transformation.h:49
-  wire [19:0] mux_23_s7 = {and_12_s7 ? mux_22_s7[18:0] : mux_22_s7[19:1], ~and_12_s7 & mux_22_s7[0]};  // units/transformation.h:49
-  wire [8:0] sub_3_s7 = {2'd0, mux_5_s7[22:16]} - {4'd0, and_9_s7, and_10_s7, mux_17_s7, and_11_s7, and_12_s7};  // units/transformation.h:49
-  wire and_13_s7 = mux_23_s7[2] & ((~(mux_23_s7[1:0] == 2'd0)) | (add_4_s7 | mux_23_s7[3]));  // units/transformation.h:49
-  wire [24:0] add_5_s7 = {sub_3_s7, 15'd0, and_13_s7} + {8'd0, mux_23_s7[19:3]};  // units/transformation.h:49
-  wire and_14_s7 = mux_23_s7[19] & (~add_5_s7[24]);  // units/transformation.h:49
-  wire and_15_s7 = mux_23_s7[19] & mux_5_s7[23];  // units/transformation.h:49
-  wire [22:0] mux_24_s7 = {23{add_5_s7[23]}} | add_5_s7[22:0];  // units/transformation.h:49
-  wire [22:0] mux_25_s7 = {23{and_14_s7}} & mux_24_s7;  // units/transformation.h:49
+  wire [19:0] mux_21_s7 = {mux_17_s7 ? mux_20_s7[15:0] : mux_20_s7[19:4], ~{4{mux_17_s7}} & mux_20_s7[3:0]};  // units/transformation.h:50
+  wire [19:0] mux_22_s7 = {and_11_s7 ? mux_21_s7[17:0] : mux_21_s7[19:2], ~{2{and_11_s7}} & mux_21_s7[1:0]};  // units/transformation.h:50
+  wire [19:0] mux_23_s7 = {and_12_s7 ? mux_22_s7[18:0] : mux_22_s7[19:1], ~and_12_s7 & mux_22_s7[0]};  // units/transformation.h:50
+  wire [8:0] sub_3_s7 = {2'd0, mux_5_s7[22:16]} - {4'd0, and_9_s7, and_10_s7, mux_17_s7, and_11_s7, and_12_s7};  // units/transformation.h:50
+  wire and_13_s7 = mux_23_s7[2] & ((~(mux_23_s7[1:0] == 2'd0)) | (add_4_s7 | mux_23_s7[3]));  // units/transformation.h:50
+  wire [24:0] add_5_s7 = {sub_3_s7, 15'd0, and_13_s7} + {8'd0, mux_23_s7[19:3]};  // units/transformation.h:50
+  wire and_14_s7 = mux_23_s7[19] & (~add_5_s7[24]);  // units/transformation.h:50
+  wire and_15_s7 = mux_23_s7[19] & mux_5_s7[23];  // units/transformation.h:50
+  wire [22:0] mux_24_s7 = {23{add_5_s7[23]}} | add_5_s7[22:0];  // units/transformation.h:50
+  wire [22:0] mux_25_s7 = {23{and_14_s7}} & mux_24_s7;  // units/transformation.h:50
   wire [23:0] mux_26_s7 = in_point_s7 ? {and_15_s7, mux_25_s7} : {xor_1_s7, mux_3_s7};
-  wire [19:0] mux_47_s7 = {mux_43_s7 ? mux_46_s7[15:0] : mux_46_s7[19:4], ~{4{mux_43_s7}} & mux_46_s7[3:0]};  // units/transformation.h:49
-  wire [19:0] mux_48_s7 = {and_26_s7 ? mux_47_s7[17:0] : mux_47_s7[19:2], ~{2{and_26_s7}} & mux_47_s7[1:0]};  // units/transformation.h:49
-  wire [19:0] mux_49_s7 = {and_27_s7 ? mux_48_s7[18:0] : mux_48_s7[19:1], ~and_27_s7 & mux_48_s7[0]};  // units/transformation.h:49
-  wire [8:0] sub_6_s7 = {2'd0, mux_31_s7[22:16]} - {4'd0, and_24_s7, and_25_s7, mux_43_s7, and_26_s7, and_27_s7};  // units/transformation.h:49
-  wire and_28_s7 = mux_49_s7[2] & ((~(mux_49_s7[1:0] == 2'd0)) | (add_9_s7 | mux_49_s7[3]));  // units/transformation.h:49
-  wire [24:0] add_10_s7 = {sub_6_s7, 15'd0, and_28_s7} + {8'd0, mux_49_s7[19:3]};  // units/transformation.h:49
-  wire and_29_s7 = mux_49_s7[19] & (~add_10_s7[24]);  // units/transformation.h:49
-  wire and_30_s7 = mux_49_s7[19] & mux_31_s7[23];  // units/transformation.h:49
-  wire [22:0] mux_50_s7 = {23{add_10_s7[23]}} | add_10_s7[22:0];  // units/transformation.h:49
-  wire [22:0] mux_51_s7 = {23{and_29_s7}} & mux_50_s7;  // units/transformation.h:49
+  wire [19:0] mux_47_s7 = {mux_43_s7 ? mux_46_s7[15:0] : mux_46_s7[19:4], ~{4{mux_43_s7}} & mux_46_s7[3:0]};  // units/transformation.h:50
+  wire [19:0] mux_48_s7 = {and_26_s7 ? mux_47_s7[17:0] : mux_47_s7[19:2], ~{2{and_26_s7}} & mux_47_s7[1:0]};  // units/transformation.h:50
+  wire [19:0] mux_49_s7 = {and_27_s7 ? mux_48_s7[18:0] : mux_48_s7[19:1], ~and_27_s7 & mux_48_s7[0]};  // units/transformation.h:50
+  wire [8:0] sub_6_s7 = {2'd0, mux_31_s7[22:16]} - {4'd0, and_24_s7, and_25_s7, mux_43_s7, and_26_s7, and_27_s7};  // units/transformation.h:50
+  wire and_28_s7 = mux_49_s7[2] & ((~(mux_49_s7[1:0] == 2'd0)) | (add_9_s7 | mux_49_s7[3]));  // units/transformation.h:50
+  wire [24:0] add_10_s7 = {sub_6_s7, 15'd0, and_28_s7} + {8'd0, mux_49_s7[19:3]};  // units/transformation.h:50
+  wire and_29_s7 = mux_49_s7[19] & (~add_10_s7[24]);  // units/transformation.h:50
+  wire and_30_s7 = mux_49_s7[19] & mux_31_s7[23];  // units/transformation.h:50
+  wire [22:0] mux_50_s7 = {23{add_10_s7[23]}} | add_10_s7[22:0];  // units/transformation.h:50
+  wire [22:0] mux_51_s7 = {23{and_29_s7}} & mux_50_s7;  // units/transformation.h:50
   wire [23:0] mux_52_s7 = in_point_s7 ? {and_30_s7, mux_51_s7} : {xor_4_s7, mux_29_s7};
-  wire [19:0] mux_73_s7 = {mux_69_s7 ? mux_72_s7[15:0] : mux_72_s7[19:4], ~{4{mux_69_s7}} & mux_72_s7[3:0]};  // units/transformation.h:49
-  wire [19:0] mux_74_s7 = {and_41_s7 ? mux_73_s7[17:0] : mux_73_s7[19:2], ~{2{and_41_s7}} & mux_73_s7[1:0]};  // units/transformation.h:49
-  wire [19:0] mux_75_s7 = {and_42_s7 ? mux_74_s7[18:0] : mux_74_s7[19:1], ~and_42_s7 & mux_74_s7[0]};  // units/transformation.h:49
-  wire [8:0] sub_9_s7 = {2'd0, mux_57_s7[22:16]} - {4'd0, and_39_s7, and_40_s7, mux_69_s7, and_41_s7, and_42_s7};  // units/transformation.h:49
-  wire and_43_s7 = mux_75_s7[2] & ((~(mux_75_s7[1:0] == 2'd0)) | (add_14_s7 | mux_75_s7[3]));  // units/transformation.h:49
-  wire [24:0] add_15_s7 = {sub_9_s7, 15'd0, and_43_s7} + {8'd0, mux_75_s7[19:3]};  // units/transformation.h:49
-  wire and_44_s7 = mux_75_s7[19] & (~add_15_s7[24]);  // units/transformation.h:49
-  wire and_45_s7 = mux_75_s7[19] & mux_57_s7[23];  // units/transformation.h:49
-  wire [22:0] mux_76_s7 = {23{add_15_s7[23]}} | add_15_s7[22:0];  // units/transformation.h:49
-  wire [22:0] mux_77_s7 = {23{and_44_s7}} & mux_76_s7;  // units/transformation.h:49
+  wire [19:0] mux_73_s7 = {mux_69_s7 ? mux_72_s7[15:0] : mux_72_s7[19:4], ~{4{mux_69_s7}} & mux_72_s7[3:0]};  // units/transformation.h:50
+  wire [19:0] mux_74_s7 = {and_41_s7 ? mux_73_s7[17:0] : mux_73_s7[19:2], ~{2{and_41_s7}} & mux_73_s7[1:0]};  // units/transformation.h:50
+  wire [19:0] mux_75_s7 = {and_42_s7 ? mux_74_s7[18:0] : mux_74_s7[19:1], ~and_42_s7 & mux_74_s7[0]};  // units/transformation.h:50
+  wire [8:0] sub_9_s7 = {2'd0, mux_57_s7[22:16]} - {4'd0, and_39_s7, and_40_s7, mux_69_s7, and_41_s7, and_42_s7};  // units/transformation.h:50
+  wire and_43_s7 = mux_75_s7[2] & ((~(mux_75_s7[1:0] == 2'd0)) | (add_14_s7 | mux_75_s7[3]));  // units/transformation.h:50
+  wire [24:0] add_15_s7 = {sub_9_s7, 15'd0, and_43_s7} + {8'd0, mux_75_s7[19:3]};  // units/transformation.h:50
+  wire and_44_s7 = mux_75_s7[19] & (~add_15_s7[24]);  // units/transformation.h:50
+  wire and_45_s7 = mux_75_s7[19] & mux_57_s7[23];  // units/transformation.h:50
+  wire [22:0] mux_76_s7 = {23{add_15_s7[23]}} | add_15_s7[22:0];  // units/transformation.h:50
+  wire [22:0] mux_77_s7 = {23{and_44_s7}} & mux_76_s7;  // units/transformation.h:50
   wire [23:0] mux_78_s7 = in_point_s7 ? {and_45_s7, mux_77_s7} : {xor_7_s7, mux_55_s7};
-  wire [19:0] mux_101_s7 = {and_56_s7 ? mux_94_s7[11:0] : mux_94_s7[19:8], ~{8{and_56_s7}} & mux_94_s7[7:0]};  // units/transformation.h:49
-  wire [19:0] mux_102_s7 = {mux_98_s7 ? mux_101_s7[15:0] : mux_101_s7[19:4], ~{4{mux_98_s7}} & mux_101_s7[3:0]};  // units/transformation.h:49
-  wire [19:0] mux_103_s7 = {and_57_s7 ? mux_102_s7[17:0] : mux_102_s7[19:2], ~{2{and_57_s7}} & mux_102_s7[1:0]};  // units/transformation.h:49
-  wire [19:0] mux_104_s7 = {and_58_s7 ? mux_103_s7[18:0] : mux_103_s7[19:1], ~and_58_s7 & mux_103_s7[0]};  // units/transformation.h:49
-  wire and_59_s7 = mux_85_s7[23] & mux_104_s7[19];  // units/transformation.h:49
-  wire [8:0] sub_12_s7 = {2'd0, mux_85_s7[22:16]} - {4'd0, and_55_s7, and_56_s7, mux_98_s7, and_57_s7, and_58_s7};  // units/transformation.h:49
-  wire and_60_s7 = mux_104_s7[2] & ((~(mux_104_s7[1:0] == 2'd0)) | (add_22_s7 | mux_104_s7[3]));  // units/transformation.h:49
-  wire [24:0] add_23_s7 = {sub_12_s7, 15'd0, and_60_s7} + {8'd0, mux_104_s7[19:3]};  // units/transformation.h:49
-  wire and_61_s7 = mux_104_s7[19] & (~add_23_s7[24]);  // units/transformation.h:49
-  wire [22:0] mux_105_s7 = {23{add_23_s7[23]}} | add_23_s7[22:0];  // units/transformation.h:49
-  wire [22:0] mux_106_s7 = {23{and_61_s7}} & mux_105_s7;  // units/transformation.h:49
-  wire [8:0] sub_15_s7 = {2'd0, mux_113_s7[22:16]} - {4'd0, and_71_s7, and_72_s7, mux_126_s7, and_73_s7, and_74_s7};  // units/transformation.h:49
-  wire [19:0] mux_129_s7 = {and_72_s7 ? mux_122_s7[11:0] : mux_122_s7[19:8], ~{8{and_72_s7}} & mux_122_s7[7:0]};  // units/transformation.h:49
-  wire [19:0] mux_130_s7 = {mux_126_s7 ? mux_129_s7[15:0] : mux_129_s7[19:4], ~{4{mux_126_s7}} & mux_129_s7[3:0]};  // units/transformation.h:49
-  wire [19:0] mux_131_s7 = {and_73_s7 ? mux_130_s7[17:0] : mux_130_s7[19:2], ~{2{and_73_s7}} & mux_130_s7[1:0]};  // units/transformation.h:49
-  wire [19:0] mux_132_s7 = {and_74_s7 ? mux_131_s7[18:0] : mux_131_s7[19:1], ~and_74_s7 & mux_131_s7[0]};  // units/transformation.h:49
-  wire and_75_s7 = mux_132_s7[2] & ((~(mux_132_s7[1:0] == 2'd0)) | (add_30_s7 | mux_132_s7[3]));  // units/transformation.h:49
-  wire [24:0] add_31_s7 = {sub_15_s7, 15'd0, and_75_s7} + {8'd0, mux_132_s7[19:3]};  // units/transformation.h:49
-  wire and_76_s7 = (~add_31_s7[24]) & mux_132_s7[19];  // units/transformation.h:49
-  wire [22:0] mux_133_s7 = {23{add_31_s7[23]}} | add_31_s7[22:0];  // units/transformation.h:49
-  wire [22:0] mux_134_s7 = {23{and_76_s7}} & mux_133_s7;  // units/transformation.h:49
-  wire and_77_s7 = mux_132_s7[19] & mux_113_s7[23];  // units/transformation.h:49
-  wire [8:0] sub_21_s7 = {2'd0, mux_163_s7[22:16]} - {4'd0, and_101_s7, and_102_s7, mux_176_s7, and_103_s7, and_104_s7};  // units/transformation.h:49
-  wire [19:0] mux_179_s7 = {and_102_s7 ? mux_172_s7[11:0] : mux_172_s7[19:8], ~{8{and_102_s7}} & mux_172_s7[7:0]};  // units/transformation.h:49
-  wire [19:0] mux_180_s7 = {mux_176_s7 ? mux_179_s7[15:0] : mux_179_s7[19:4], ~{4{mux_176_s7}} & mux_179_s7[3:0]};  // units/transformation.h:49
-  wire [19:0] mux_181_s7 = {and_103_s7 ? mux_180_s7[17:0] : mux_180_s7[19:2], ~{2{and_103_s7}} & mux_180_s7[1:0]};  // units/transformation.h:49
-  wire [19:0] mux_182_s7 = {and_104_s7 ? mux_181_s7[18:0] : mux_181_s7[19:1], ~and_104_s7 & mux_181_s7[0]};  // units/transformation.h:49
-  wire and_105_s7 = mux_182_s7[2] & ((~(mux_182_s7[1:0] == 2'd0)) | (add_40_s7 | mux_182_s7[3]));  // units/transformation.h:49
-  wire [24:0] add_41_s7 = {sub_21_s7, 15'd0, and_105_s7} + {8'd0, mux_182_s7[19:3]};  // units/transformation.h:49
-  wire and_106_s7 = (~add_41_s7[24]) & mux_182_s7[19];  // units/transformation.h:49
-  wire [22:0] mux_183_s7 = {23{add_41_s7[23]}} | add_41_s7[22:0];  // units/transformation.h:49
-  wire [22:0] mux_184_s7 = {23{and_106_s7}} & mux_183_s7;  // units/transformation.h:49
-  wire and_107_s7 = mux_182_s7[19] & mux_163_s7[23];  // units/transformation.h:49
+  wire [19:0] mux_101_s7 = {and_56_s7 ? mux_94_s7[11:0] : mux_94_s7[19:8], ~{8{and_56_s7}} & mux_94_s7[7:0]};  // units/transformation.h:50
+  wire [19:0] mux_102_s7 = {mux_98_s7 ? mux_101_s7[15:0] : mux_101_s7[19:4], ~{4{mux_98_s7}} & mux_101_s7[3:0]};  // units/transformation.h:50
+  wire [19:0] mux_103_s7 = {and_57_s7 ? mux_102_s7[17:0] : mux_102_s7[19:2], ~{2{and_57_s7}} & mux_102_s7[1:0]};  // units/transformation.h:50
+  wire [19:0] mux_104_s7 = {and_58_s7 ? mux_103_s7[18:0] : mux_103_s7[19:1], ~and_58_s7 & mux_103_s7[0]};  // units/transformation.h:50
+  wire and_59_s7 = mux_85_s7[23] & mux_104_s7[19];  // units/transformation.h:50
+  wire [8:0] sub_12_s7 = {2'd0, mux_85_s7[22:16]} - {4'd0, and_55_s7, and_56_s7, mux_98_s7, and_57_s7, and_58_s7};  // units/transformation.h:50
+  wire and_60_s7 = mux_104_s7[2] & ((~(mux_104_s7[1:0] == 2'd0)) | (add_22_s7 | mux_104_s7[3]));  // units/transformation.h:50
+  wire [24:0] add_23_s7 = {sub_12_s7, 15'd0, and_60_s7} + {8'd0, mux_104_s7[19:3]};  // units/transformation.h:50
+  wire and_61_s7 = mux_104_s7[19] & (~add_23_s7[24]);  // units/transformation.h:50
+  wire [22:0] mux_105_s7 = {23{add_23_s7[23]}} | add_23_s7[22:0];  // units/transformation.h:50
+  wire [22:0] mux_106_s7 = {23{and_61_s7}} & mux_105_s7;  // units/transformation.h:50
+  wire [8:0] sub_15_s7 = {2'd0, mux_113_s7[22:16]} - {4'd0, and_71_s7, and_72_s7, mux_126_s7, and_73_s7, and_74_s7};  // units/transformation.h:50
+  wire [19:0] mux_129_s7 = {and_72_s7 ? mux_122_s7[11:0] : mux_122_s7[19:8], ~{8{and_72_s7}} & mux_122_s7[7:0]};  // units/transformation.h:50
+  wire [19:0] mux_130_s7 = {mux_126_s7 ? mux_129_s7[15:0] : mux_129_s7[19:4], ~{4{mux_126_s7}} & mux_129_s7[3:0]};  // units/transformation.h:50
+  wire [19:0] mux_131_s7 = {and_73_s7 ? mux_130_s7[17:0] : mux_130_s7[19:2], ~{2{and_73_s7}} & mux_130_s7[1:0]};  // units/transformation.h:50
+  wire [19:0] mux_132_s7 = {and_74_s7 ? mux_131_s7[18:0] : mux_131_s7[19:1], ~and_74_s7 & mux_131_s7[0]};  // units/transformation.h:50
+  wire and_75_s7 = mux_132_s7[2] & ((~(mux_132_s7[1:0] == 2'd0)) | (add_30_s7 | mux_132_s7[3]));  // units/transformation.h:50
+  wire [24:0] add_31_s7 = {sub_15_s7, 15'd0, and_75_s7} + {8'd0, mux_132_s7[19:3]};  // units/transformation.h:50
+  wire and_76_s7 = (~add_31_s7[24]) & mux_132_s7[19];  // units/transformation.h:50
+  wire [22:0] mux_133_s7 = {23{add_31_s7[23]}} | add_31_s7[22:0];  // units/transformation.h:50
+  wire [22:0] mux_134_s7 = {23{and_76_s7}} & mux_133_s7;  // units/transformation.h:50
+  wire and_77_s7 = mux_132_s7[19] & mux_113_s7[23];  // units/transformation.h:50
+  wire [8:0] sub_21_s7 = {2'd0, mux_163_s7[22:16]} - {4'd0, and_101_s7, and_102_s7, mux_176_s7, and_103_s7, and_104_s7};  // units/transformation.h:50
+  wire [19:0] mux_179_s7 = {and_102_s7 ? mux_172_s7[11:0] : mux_172_s7[19:8], ~{8{and_102_s7}} & mux_172_s7[7:0]};  // units/transformation.h:50
+  wire [19:0] mux_180_s7 = {mux_176_s7 ? mux_179_s7[15:0] : mux_179_s7[19:4], ~{4{mux_176_s7}} & mux_179_s7[3:0]};  // units/transformation.h:50
+  wire [19:0] mux_181_s7 = {and_103_s7 ? mux_180_s7[17:0] : mux_180_s7[19:2], ~{2{and_103_s7}} & mux_180_s7[1:0]};  // units/transformation.h:50
+  wire [19:0] mux_182_s7 = {and_104_s7 ? mux_181_s7[18:0] : mux_181_s7[19:1], ~and_104_s7 & mux_181_s7[0]};  // units/transformation.h:50
+  wire and_105_s7 = mux_182_s7[2] & ((~(mux_182_s7[1:0] == 2'd0)) | (add_40_s7 | mux_182_s7[3]));  // units/transformation.h:50
+  wire [24:0] add_41_s7 = {sub_21_s7, 15'd0, and_105_s7} + {8'd0, mux_182_s7[19:3]};  // units/transformation.h:50
+  wire and_106_s7 = (~add_41_s7[24]) & mux_182_s7[19];  // units/transformation.h:50
+  wire [22:0] mux_183_s7 = {23{add_41_s7[23]}} | add_41_s7[22:0];  // units/transformation.h:50
+  wire [22:0] mux_184_s7 = {23{and_106_s7}} & mux_183_s7;  // units/transformation.h:50
+  wire and_107_s7 = mux_182_s7[19] & mux_163_s7[23];  // units/transformation.h:50
 
   // ---- stage 8 ----
   reg valid_s8;
@@ -979,24 +979,24 @@ module transformation #(
     and_107_s8 <= and_107_s7;
     vector_6_s8 <= vector_6_s7;
   end
-  wire lt_6_s8 = mux_134_s8 < mux_52_s8[22:0];  // units/transformation.h:49
-  wire [23:0] mux_135_s8 = lt_6_s8 ? mux_52_s8 : {and_77_s8, mux_134_s8};  // units/transformation.h:49
-  wire [6:0] mux_136_s8 = lt_6_s8 ? (mux_52_s8[22:16] - mux_134_s8[22:16]) : (mux_134_s8[22:16] - mux_52_s8[22:16]);  // units/transformation.h:49
-  wire eq_73_s8 = mux_136_s8[6:5] == 2'd0;  // units/transformation.h:49
-  wire [15:0] mux_137_s8 = lt_6_s8 ? mux_134_s8[15:0] : mux_52_s8[15:0];  // units/transformation.h:49
-  wire xor_18_s8 = and_77_s8 ^ mux_52_s8[23];  // units/transformation.h:49
-  wire lt_8_s8 = mux_184_s8 < mux_26_s8[22:0];  // units/transformation.h:49
-  wire [23:0] mux_185_s8 = lt_8_s8 ? mux_26_s8 : {and_107_s8, mux_184_s8};  // units/transformation.h:49
-  wire [6:0] mux_186_s8 = lt_8_s8 ? (mux_26_s8[22:16] - mux_184_s8[22:16]) : (mux_184_s8[22:16] - mux_26_s8[22:16]);  // units/transformation.h:49
-  wire eq_101_s8 = mux_186_s8[6:5] == 2'd0;  // units/transformation.h:49
-  wire [15:0] mux_187_s8 = lt_8_s8 ? mux_184_s8[15:0] : mux_26_s8[15:0];  // units/transformation.h:49
-  wire xor_24_s8 = and_107_s8 ^ mux_26_s8[23];  // units/transformation.h:49
-  wire lt_9_s8 = mux_106_s8 < mux_78_s8[22:0];  // units/transformation.h:49
-  wire [6:0] mux_207_s8 = lt_9_s8 ? (mux_78_s8[22:16] - mux_106_s8[22:16]) : (mux_106_s8[22:16] - mux_78_s8[22:16]);  // units/transformation.h:49
-  wire [23:0] mux_208_s8 = lt_9_s8 ? mux_78_s8 : {and_59_s8, mux_106_s8};  // units/transformation.h:49
-  wire [15:0] mux_209_s8 = lt_9_s8 ? mux_106_s8[15:0] : mux_78_s8[15:0];  // units/transformation.h:49
-  wire xor_26_s8 = and_59_s8 ^ mux_78_s8[23];  // units/transformation.h:49
-  wire eq_118_s8 = mux_207_s8[6:5] == 2'd0;  // units/transformation.h:49
+  wire lt_6_s8 = mux_134_s8 < mux_52_s8[22:0];  // units/transformation.h:50
+  wire [23:0] mux_135_s8 = lt_6_s8 ? mux_52_s8 : {and_77_s8, mux_134_s8};  // units/transformation.h:50
+  wire [6:0] mux_136_s8 = lt_6_s8 ? (mux_52_s8[22:16] - mux_134_s8[22:16]) : (mux_134_s8[22:16] - mux_52_s8[22:16]);  // units/transformation.h:50
+  wire eq_73_s8 = mux_136_s8[6:5] == 2'd0;  // units/transformation.h:50
+  wire [15:0] mux_137_s8 = lt_6_s8 ? mux_134_s8[15:0] : mux_52_s8[15:0];  // units/transformation.h:50
+  wire xor_18_s8 = and_77_s8 ^ mux_52_s8[23];  // units/transformation.h:50
+  wire lt_8_s8 = mux_184_s8 < mux_26_s8[22:0];  // units/transformation.h:50
+  wire [23:0] mux_185_s8 = lt_8_s8 ? mux_26_s8 : {and_107_s8, mux_184_s8};  // units/transformation.h:50
+  wire [6:0] mux_186_s8 = lt_8_s8 ? (mux_26_s8[22:16] - mux_184_s8[22:16]) : (mux_184_s8[22:16] - mux_26_s8[22:16]);  // units/transformation.h:50
+  wire eq_101_s8 = mux_186_s8[6:5] == 2'd0;  // units/transformation.h:50
+  wire [15:0] mux_187_s8 = lt_8_s8 ? mux_184_s8[15:0] : mux_26_s8[15:0];  // units/transformation.h:50
+  wire xor_24_s8 = and_107_s8 ^ mux_26_s8[23];  // units/transformation.h:50
+  wire lt_9_s8 = mux_106_s8 < mux_78_s8[22:0];  // units/transformation.h:50
+  wire [6:0] mux_207_s8 = lt_9_s8 ? (mux_78_s8[22:16] - mux_106_s8[22:16]) : (mux_106_s8[22:16] - mux_78_s8[22:16]);  // units/transformation.h:50
+  wire [23:0] mux_208_s8 = lt_9_s8 ? mux_78_s8 : {and_59_s8, mux_106_s8};  // units/transformation.h:50
+  wire [15:0] mux_209_s8 = lt_9_s8 ? mux_106_s8[15:0] : mux_78_s8[15:0];  // units/transformation.h:50
+  wire xor_26_s8 = and_59_s8 ^ mux_78_s8[23];  // units/transformation.h:50
+  wire eq_118_s8 = mux_207_s8[6:5] == 2'd0;  // units/transformation.h:50
 
   // ---- stage 9 ----
   reg valid_s9;
@@ -1039,42 +1039,42 @@ module transformation #(
     eq_118_s9 <= eq_118_s8;
     vector_6_s9 <= vector_6_s8;
   end
-  wire [18:0] mux_138_s9 = {mux_136_s9[4] ? 1'd0 : 1'd1, ~{15{mux_136_s9[4]}} & mux_137_s9[15:1], mux_136_s9[4] | mux_137_s9[0], {2{mux_136_s9[4]}} & mux_137_s9[15:14]};  // units/transformation.h:49
-  wire [18:0] mux_139_s9 = {~{8{mux_136_s9[3]}} & mux_138_s9[18:11], mux_136_s9[3] ? mux_138_s9[18:8] : mux_138_s9[10:0]};  // units/transformation.h:49
-  wire [18:0] mux_140_s9 = {~{4{mux_136_s9[2]}} & mux_139_s9[18:15], mux_136_s9[2] ? mux_139_s9[18:4] : mux_139_s9[14:0]};  // units/transformation.h:49
-  wire [18:0] mux_141_s9 = {~{2{mux_136_s9[1]}} & mux_140_s9[18:17], mux_136_s9[1] ? mux_140_s9[18:2] : mux_140_s9[16:0]};  // units/transformation.h:49
-  wire [18:0] mux_142_s9 = {~mux_136_s9[0] & mux_141_s9[18], mux_136_s9[0] ? mux_141_s9[18:1] : mux_141_s9[17:0]};  // units/transformation.h:49
-  wire [18:0] mux_143_s9 = {19{eq_73_s9}} & mux_142_s9;  // units/transformation.h:49
-  wire or_55_s9 = (~eq_73_s9) | (mux_136_s9[4] & (~(mux_137_s9[13:0] == 14'd0)));  // units/transformation.h:49
-  wire or_57_s9 = (mux_136_s9[2] & (~(mux_139_s9[3:0] == 4'd0))) | (mux_136_s9[0] & mux_141_s9[0]);  // units/transformation.h:49
-  wire or_58_s9 = (mux_136_s9[1] & (~(mux_140_s9[1:0] == 2'd0))) | ((mux_136_s9[3] & (~(mux_138_s9[7:0] == 8'd0))) | or_55_s9);  // units/transformation.h:49
-  wire or_59_s9 = or_57_s9 | or_58_s9;  // units/transformation.h:49
-  wire [19:0] xor_19_s9 = {mux_143_s9, or_59_s9} ^ {20{xor_18_s9}};  // units/transformation.h:49
-  wire [21:0] add_32_s9 = {2'd1, mux_135_s9[15:0], 4'd1} + {xor_18_s9, xor_19_s9, xor_18_s9};  // units/transformation.h:49
-  wire [18:0] mux_188_s9 = {mux_186_s9[4] ? 1'd0 : 1'd1, ~{15{mux_186_s9[4]}} & mux_187_s9[15:1], mux_186_s9[4] | mux_187_s9[0], {2{mux_186_s9[4]}} & mux_187_s9[15:14]};  // units/transformation.h:49
-  wire [18:0] mux_189_s9 = {~{8{mux_186_s9[3]}} & mux_188_s9[18:11], mux_186_s9[3] ? mux_188_s9[18:8] : mux_188_s9[10:0]};  // units/transformation.h:49
-  wire [18:0] mux_190_s9 = {~{4{mux_186_s9[2]}} & mux_189_s9[18:15], mux_186_s9[2] ? mux_189_s9[18:4] : mux_189_s9[14:0]};  // units/transformation.h:49
-  wire [18:0] mux_191_s9 = {~{2{mux_186_s9[1]}} & mux_190_s9[18:17], mux_186_s9[1] ? mux_190_s9[18:2] : mux_190_s9[16:0]};  // units/transformation.h:49
-  wire [18:0] mux_192_s9 = {~mux_186_s9[0] & mux_191_s9[18], mux_186_s9[0] ? mux_191_s9[18:1] : mux_191_s9[17:0]};  // units/transformation.h:49
-  wire [18:0] mux_193_s9 = {19{eq_101_s9}} & mux_192_s9;  // units/transformation.h:49
-  wire or_75_s9 = (~eq_101_s9) | (mux_186_s9[4] & (~(mux_187_s9[13:0] == 14'd0)));  // units/transformation.h:49
-  wire or_77_s9 = (mux_186_s9[2] & (~(mux_189_s9[3:0] == 4'd0))) | (mux_186_s9[0] & mux_191_s9[0]);  // units/transformation.h:49
-  wire or_78_s9 = (mux_186_s9[1] & (~(mux_190_s9[1:0] == 2'd0))) | ((mux_186_s9[3] & (~(mux_188_s9[7:0] == 8'd0))) | or_75_s9);  // units/transformation.h:49
-  wire or_79_s9 = or_77_s9 | or_78_s9;  // units/transformation.h:49
-  wire [19:0] xor_25_s9 = {mux_193_s9, or_79_s9} ^ {20{xor_24_s9}};  // units/transformation.h:49
-  wire [21:0] add_42_s9 = {2'd1, mux_185_s9[15:0], 4'd1} + {xor_24_s9, xor_25_s9, xor_24_s9};  // units/transformation.h:49
-  wire [18:0] mux_210_s9 = {mux_207_s9[4] ? 1'd0 : 1'd1, ~{15{mux_207_s9[4]}} & mux_209_s9[15:1], mux_207_s9[4] | mux_209_s9[0], {2{mux_207_s9[4]}} & mux_209_s9[15:14]};  // units/transformation.h:49
-  wire [18:0] mux_211_s9 = {~{8{mux_207_s9[3]}} & mux_210_s9[18:11], mux_207_s9[3] ? mux_210_s9[18:8] : mux_210_s9[10:0]};  // units/transformation.h:49
-  wire [18:0] mux_212_s9 = {~{4{mux_207_s9[2]}} & mux_211_s9[18:15], mux_207_s9[2] ? mux_211_s9[18:4] : mux_211_s9[14:0]};  // units/transformation.h:49
-  wire [18:0] mux_213_s9 = {~{2{mux_207_s9[1]}} & mux_212_s9[18:17], mux_207_s9[1] ? mux_212_s9[18:2] : mux_212_s9[16:0]};  // units/transformation.h:49
-  wire [18:0] mux_214_s9 = {~mux_207_s9[0] & mux_213_s9[18], mux_207_s9[0] ? mux_213_s9[18:1] : mux_213_s9[17:0]};  // units/transformation.h:49
-  wire or_83_s9 = (mux_207_s9[4] & (~(mux_209_s9[13:0] == 14'd0))) | (~eq_118_s9);  // units/transformation.h:49
-  wire or_85_s9 = (mux_207_s9[2] & (~(mux_211_s9[3:0] == 4'd0))) | (mux_207_s9[0] & mux_213_s9[0]);  // units/transformation.h:49
-  wire or_86_s9 = (mux_207_s9[1] & (~(mux_212_s9[1:0] == 2'd0))) | ((mux_207_s9[3] & (~(mux_210_s9[7:0] == 8'd0))) | or_83_s9);  // units/transformation.h:49
-  wire or_87_s9 = or_85_s9 | or_86_s9;  // units/transformation.h:49
-  wire [18:0] mux_215_s9 = {19{eq_118_s9}} & mux_214_s9;  // units/transformation.h:49
-  wire [19:0] xor_27_s9 = {mux_215_s9, or_87_s9} ^ {20{xor_26_s9}};  // units/transformation.h:49
-  wire [21:0] add_44_s9 = {2'd1, mux_208_s9[15:0], 4'd1} + {xor_26_s9, xor_27_s9, xor_26_s9};  // units/transformation.h:49
+  wire [18:0] mux_138_s9 = {mux_136_s9[4] ? 1'd0 : 1'd1, ~{15{mux_136_s9[4]}} & mux_137_s9[15:1], mux_136_s9[4] | mux_137_s9[0], {2{mux_136_s9[4]}} & mux_137_s9[15:14]};  // units/transformation.h:50
+  wire [18:0] mux_139_s9 = {~{8{mux_136_s9[3]}} & mux_138_s9[18:11], mux_136_s9[3] ? mux_138_s9[18:8] : mux_138_s9[10:0]};  // units/transformation.h:50
+  wire [18:0] mux_140_s9 = {~{4{mux_136_s9[2]}} & mux_139_s9[18:15], mux_136_s9[2] ? mux_139_s9[18:4] : mux_139_s9[14:0]};  // units/transformation.h:50
+  wire [18:0] mux_141_s9 = {~{2{mux_136_s9[1]}} & mux_140_s9[18:17], mux_136_s9[1] ? mux_140_s9[18:2] : mux_140_s9[16:0]};  // units/transformation.h:50
+  wire [18:0] mux_142_s9 = {~mux_136_s9[0] & mux_141_s9[18], mux_136_s9[0] ? mux_141_s9[18:1] : mux_141_s9[17:0]};  // units/transformation.h:50
+  wire [18:0] mux_143_s9 = {19{eq_73_s9}} & mux_142_s9;  // units/transformation.h:50
+  wire or_55_s9 = (~eq_73_s9) | (mux_136_s9[4] & (~(mux_137_s9[13:0] == 14'd0)));  // units/transformation.h:50
+  wire or_57_s9 = (mux_136_s9[2] & (~(mux_139_s9[3:0] == 4'd0))) | (mux_136_s9[0] & mux_141_s9[0]);  // units/transformation.h:50
+  wire or_58_s9 = (mux_136_s9[1] & (~(mux_140_s9[1:0] == 2'd0))) | ((mux_136_s9[3] & (~(mux_138_s9[7:0] == 8'd0))) | or_55_s9);  // units/transformation.h:50
+  wire or_59_s9 = or_57_s9 | or_58_s9;  // units/transformation.h:50
+  wire [19:0] xor_19_s9 = {mux_143_s9, or_59_s9} ^ {20{xor_18_s9}};  // units/transformation.h:50
+  wire [21:0] add_32_s9 = {2'd1, mux_135_s9[15:0], 4'd1} + {xor_18_s9, xor_19_s9, xor_18_s9};  // units/transformation.h:50
+  wire [18:0] mux_188_s9 = {mux_186_s9[4] ? 1'd0 : 1'd1, ~{15{mux_186_s9[4]}} & mux_187_s9[15:1], mux_186_s9[4] | mux_187_s9[0], {2{mux_186_s9[4]}} & mux_187_s9[15:14]};  // units/transformation.h:50
+  wire [18:0] mux_189_s9 = {~{8{mux_186_s9[3]}} & mux_188_s9[18:11], mux_186_s9[3] ? mux_188_s9[18:8] : mux_188_s9[10:0]};  // units/transformation.h:50
+  wire [18:0] mux_190_s9 = {~{4{mux_186_s9[2]}} & mux_189_s9[18:15], mux_186_s9[2] ? mux_189_s9[18:4] : mux_189_s9[14:0]};  // units/transformation.h:50
+  wire [18:0] mux_191_s9 = {~{2{mux_186_s9[1]}} & mux_190_s9[18:17], mux_186_s9[1] ? mux_190_s9[18:2] : mux_190_s9[16:0]};  // units/transformation.h:50
+  wire [18:0] mux_192_s9 = {~mux_186_s9[0] & mux_191_s9[18], mux_186_s9[0] ? mux_191_s9[18:1] : mux_191_s9[17:0]};  // units/transformation.h:50
+  wire [18:0] mux_193_s9 = {19{eq_101_s9}} & mux_192_s9;  // units/transformation.h:50
+  wire or_75_s9 = (~eq_101_s9) | (mux_186_s9[4] & (~(mux_187_s9[13:0] == 14'd0)));  // units/transformation.h:50
+  wire or_77_s9 = (mux_186_s9[2] & (~(mux_189_s9[3:0] == 4'd0))) | (mux_186_s9[0] & mux_191_s9[0]);  // units/transformation.h:50
+  wire or_78_s9 = (mux_186_s9[1] & (~(mux_190_s9[1:0] == 2'd0))) | ((mux_186_s9[3] & (~(mux_188_s9[7:0] == 8'd0))) | or_75_s9);  // units/transformation.h:50
+  wire or_79_s9 = or_77_s9 | or_78_s9;  // units/transformation.h:50
+  wire [19:0] xor_25_s9 = {mux_193_s9, or_79_s9} ^ {20{xor_24_s9}};  // units/transformation.h:50
+  wire [21:0] add_42_s9 = {2'd1, mux_185_s9[15:0], 4'd1} + {xor_24_s9, xor_25_s9, xor_24_s9};  // units/transformation.h:50
+  wire [18:0] mux_210_s9 = {mux_207_s9[4] ? 1'd0 : 1'd1, ~{15{mux_207_s9[4]}} & mux_209_s9[15:1], mux_207_s9[4] | mux_209_s9[0], {2{mux_207_s9[4]}} & mux_209_s9[15:14]};  // units/transformation.h:50
+  wire [18:0] mux_211_s9 = {~{8{mux_207_s9[3]}} & mux_210_s9[18:11], mux_207_s9[3] ? mux_210_s9[18:8] : mux_210_s9[10:0]};  // units/transformation.h:50
+  wire [18:0] mux_212_s9 = {~{4{mux_207_s9[2]}} & mux_211_s9[18:15], mux_207_s9[2] ? mux_211_s9[18:4] : mux_211_s9[14:0]};  // units/transformation.h:50
+  wire [18:0] mux_213_s9 = {~{2{mux_207_s9[1]}} & mux_212_s9[18:17], mux_207_s9[1] ? mux_212_s9[18:2] : mux_212_s9[16:0]};  // units/transformation.h:50
+  wire [18:0] mux_214_s9 = {~mux_207_s9[0] & mux_213_s9[18], mux_207_s9[0] ? mux_213_s9[18:1] : mux_213_s9[17:0]};  // units/transformation.h:50
+  wire or_83_s9 = (mux_207_s9[4] & (~(mux_209_s9[13:0] == 14'd0))) | (~eq_118_s9);  // units/transformation.h:50
+  wire or_85_s9 = (mux_207_s9[2] & (~(mux_211_s9[3:0] == 4'd0))) | (mux_207_s9[0] & mux_213_s9[0]);  // units/transformation.h:50
+  wire or_86_s9 = (mux_207_s9[1] & (~(mux_212_s9[1:0] == 2'd0))) | ((mux_207_s9[3] & (~(mux_210_s9[7:0] == 8'd0))) | or_83_s9);  // units/transformation.h:50
+  wire or_87_s9 = or_85_s9 | or_86_s9;  // units/transformation.h:50
+  wire [18:0] mux_215_s9 = {19{eq_118_s9}} & mux_214_s9;  // units/transformation.h:50
+  wire [19:0] xor_27_s9 = {mux_215_s9, or_87_s9} ^ {20{xor_26_s9}};  // units/transformation.h:50
+  wire [21:0] add_44_s9 = {2'd1, mux_208_s9[15:0], 4'd1} + {xor_26_s9, xor_27_s9, xor_26_s9};  // units/transformation.h:50
 
   // ---- stage 10 ----
   reg valid_s10;
@@ -1099,57 +1099,57 @@ module transformation #(
     add_44_s10 <= add_44_s9[21:1];
     vector_6_s10 <= vector_6_s9;
   end
-  wire not_65_s10 = ~(add_32_s10[21:2] == 20'd0);  // units/transformation.h:49
-  wire eq_79_s10 = add_32_s10[21:18] == 4'd0;  // units/transformation.h:49
-  wire eq_81_s10 = add_32_s10[13:10] == 4'd0;  // units/transformation.h:49
-  wire eq_83_s10 = add_32_s10[5:2] == 4'd0;  // units/transformation.h:49
-  wire and_83_s10 = eq_79_s10 & (add_32_s10[17:14] == 4'd0);  // units/transformation.h:49
-  wire and_85_s10 = and_83_s10 & (eq_81_s10 & (add_32_s10[9:6] == 4'd0));  // units/transformation.h:49
-  wire [19:0] mux_144_s10 = {and_85_s10 ? add_32_s10[5:2] : add_32_s10[21:18], ~{16{and_85_s10}} & add_32_s10[17:2]};  // units/transformation.h:49
-  wire mux_146_s10 = and_85_s10 ? eq_83_s10 : and_83_s10;  // units/transformation.h:49
-  wire [19:0] mux_147_s10 = {mux_146_s10 ? mux_144_s10[11:0] : mux_144_s10[19:8], ~{8{mux_146_s10}} & mux_144_s10[7:0]};  // units/transformation.h:49
-  wire mux_148_s10 = mux_146_s10 ? (eq_81_s10 | and_85_s10) : (and_85_s10 ? eq_83_s10 : eq_79_s10);  // units/transformation.h:49
-  wire and_86_s10 = not_65_s10 & mux_146_s10;  // units/transformation.h:49
-  wire [19:0] mux_149_s10 = {mux_148_s10 ? mux_147_s10[15:0] : mux_147_s10[19:4], ~{4{mux_148_s10}} & mux_147_s10[3:0]};  // units/transformation.h:49
-  wire eq_84_s10 = mux_149_s10[19:18] == 2'd0;  // units/transformation.h:49
-  wire [19:0] mux_150_s10 = {eq_84_s10 ? mux_149_s10[17:0] : mux_149_s10[19:2], ~{2{eq_84_s10}} & mux_149_s10[1:0]};  // units/transformation.h:49
-  wire and_87_s10 = not_65_s10 & eq_84_s10;  // units/transformation.h:49
-  wire and_88_s10 = not_65_s10 & (~mux_150_s10[19]);  // units/transformation.h:49
-  wire [19:0] mux_151_s10 = {and_86_s10 ? mux_144_s10[11:0] : mux_144_s10[19:8], ~{8{and_86_s10}} & mux_144_s10[7:0]};  // units/transformation.h:49
-  wire not_87_s10 = ~(add_42_s10[21:2] == 20'd0);  // units/transformation.h:49
-  wire eq_107_s10 = add_42_s10[21:18] == 4'd0;  // units/transformation.h:49
-  wire eq_109_s10 = add_42_s10[13:10] == 4'd0;  // units/transformation.h:49
-  wire eq_111_s10 = add_42_s10[5:2] == 4'd0;  // units/transformation.h:49
-  wire and_113_s10 = eq_107_s10 & (add_42_s10[17:14] == 4'd0);  // units/transformation.h:49
-  wire and_115_s10 = and_113_s10 & (eq_109_s10 & (add_42_s10[9:6] == 4'd0));  // units/transformation.h:49
-  wire [19:0] mux_194_s10 = {and_115_s10 ? add_42_s10[5:2] : add_42_s10[21:18], ~{16{and_115_s10}} & add_42_s10[17:2]};  // units/transformation.h:49
-  wire mux_196_s10 = and_115_s10 ? eq_111_s10 : and_113_s10;  // units/transformation.h:49
-  wire [19:0] mux_197_s10 = {mux_196_s10 ? mux_194_s10[11:0] : mux_194_s10[19:8], ~{8{mux_196_s10}} & mux_194_s10[7:0]};  // units/transformation.h:49
-  wire mux_198_s10 = mux_196_s10 ? (eq_109_s10 | and_115_s10) : (and_115_s10 ? eq_111_s10 : eq_107_s10);  // units/transformation.h:49
-  wire and_116_s10 = not_87_s10 & mux_196_s10;  // units/transformation.h:49
-  wire [19:0] mux_199_s10 = {mux_198_s10 ? mux_197_s10[15:0] : mux_197_s10[19:4], ~{4{mux_198_s10}} & mux_197_s10[3:0]};  // units/transformation.h:49
-  wire eq_112_s10 = mux_199_s10[19:18] == 2'd0;  // units/transformation.h:49
-  wire [19:0] mux_200_s10 = {eq_112_s10 ? mux_199_s10[17:0] : mux_199_s10[19:2], ~{2{eq_112_s10}} & mux_199_s10[1:0]};  // units/transformation.h:49
-  wire and_117_s10 = not_87_s10 & eq_112_s10;  // units/transformation.h:49
-  wire and_118_s10 = not_87_s10 & (~mux_200_s10[19]);  // units/transformation.h:49
-  wire [19:0] mux_201_s10 = {and_116_s10 ? mux_194_s10[11:0] : mux_194_s10[19:8], ~{8{and_116_s10}} & mux_194_s10[7:0]};  // units/transformation.h:49
-  wire not_96_s10 = ~(add_44_s10[21:2] == 20'd0);  // units/transformation.h:49
-  wire eq_120_s10 = add_44_s10[21:18] == 4'd0;  // units/transformation.h:49
-  wire eq_122_s10 = add_44_s10[13:10] == 4'd0;  // units/transformation.h:49
-  wire eq_124_s10 = add_44_s10[5:2] == 4'd0;  // units/transformation.h:49
-  wire and_127_s10 = eq_120_s10 & (add_44_s10[17:14] == 4'd0);  // units/transformation.h:49
-  wire and_129_s10 = and_127_s10 & (eq_122_s10 & (add_44_s10[9:6] == 4'd0));  // units/transformation.h:49
-  wire [19:0] mux_216_s10 = {and_129_s10 ? add_44_s10[5:2] : add_44_s10[21:18], ~{16{and_129_s10}} & add_44_s10[17:2]};  // units/transformation.h:49
-  wire mux_218_s10 = and_129_s10 ? eq_124_s10 : and_127_s10;  // units/transformation.h:49
-  wire [19:0] mux_219_s10 = {mux_218_s10 ? mux_216_s10[11:0] : mux_216_s10[19:8], ~{8{mux_218_s10}} & mux_216_s10[7:0]};  // units/transformation.h:49
-  wire mux_220_s10 = mux_218_s10 ? (eq_122_s10 | and_129_s10) : (and_129_s10 ? eq_124_s10 : eq_120_s10);  // units/transformation.h:49
-  wire and_130_s10 = not_96_s10 & mux_218_s10;  // units/transformation.h:49
-  wire [19:0] mux_221_s10 = {mux_220_s10 ? mux_219_s10[15:0] : mux_219_s10[19:4], ~{4{mux_220_s10}} & mux_219_s10[3:0]};  // units/transformation.h:49
-  wire eq_125_s10 = mux_221_s10[19:18] == 2'd0;  // units/transformation.h:49
-  wire [19:0] mux_222_s10 = {eq_125_s10 ? mux_221_s10[17:0] : mux_221_s10[19:2], ~{2{eq_125_s10}} & mux_221_s10[1:0]};  // units/transformation.h:49
-  wire and_131_s10 = not_96_s10 & eq_125_s10;  // units/transformation.h:49
-  wire and_132_s10 = not_96_s10 & (~mux_222_s10[19]);  // units/transformation.h:49
-  wire [19:0] mux_223_s10 = {and_130_s10 ? mux_216_s10[11:0] : mux_216_s10[19:8], ~{8{and_130_s10}} & mux_216_s10[7:0]};  // units/transformation.h:49
+  wire not_65_s10 = ~(add_32_s10[21:2] == 20'd0);  // units/transformation.h:50
+  wire eq_79_s10 = add_32_s10[21:18] == 4'd0;  // units/transformation.h:50
+  wire eq_81_s10 = add_32_s10[13:10] == 4'd0;  // units/transformation.h:50
+  wire eq_83_s10 = add_32_s10[5:2] == 4'd0;  // units/transformation.h:50
+  wire and_83_s10 = eq_79_s10 & (add_32_s10[17:14] == 4'd0);  // units/transformation.h:50
+  wire and_85_s10 = and_83_s10 & (eq_81_s10 & (add_32_s10[9:6] == 4'd0));  // units/transformation.h:50
+  wire [19:0] mux_144_s10 = {and_85_s10 ? add_32_s10[5:2] : add_32_s10[21:18], ~{16{and_85_s10}} & add_32_s10[17:2]};  // units/transformation.h:50
+  wire mux_146_s10 = and_85_s10 ? eq_83_s10 : and_83_s10;  // units/transformation.h:50
+  wire [19:0] mux_147_s10 = {mux_146_s10 ? mux_144_s10[11:0] : mux_144_s10[19:8], ~{8{mux_146_s10}} & mux_144_s10[7:0]};  // units/transformation.h:50
+  wire mux_148_s10 = mux_146_s10 ? (eq_81_s10 | and_85_s10) : (and_85_s10 ? eq_83_s10 : eq_79_s10);  // units/transformation.h:50
+  wire and_86_s10 = not_65_s10 & mux_146_s10;  // units/transformation.h:50
+  wire [19:0] mux_149_s10 = {mux_148_s10 ? mux_147_s10[15:0] : mux_147_s10[19:4], ~{4{mux_148_s10}} & mux_147_s10[3:0]};  // units/transformation.h:50
+  wire eq_84_s10 = mux_149_s10[19:18] == 2'd0;  // units/transformation.h:50
+  wire [19:0] mux_150_s10 = {eq_84_s10 ? mux_149_s10[17:0] : mux_149_s10[19:2], ~{2{eq_84_s10}} & mux_149_s10[1:0]};  // units/transformation.h:50
+  wire and_87_s10 = not_65_s10 & eq_84_s10;  // units/transformation.h:50
+  wire and_88_s10 = not_65_s10 & (~mux_150_s10[19]);  // units/transformation.h:50
+  wire [19:0] mux_151_s10 = {and_86_s10 ? mux_144_s10[11:0] : mux_144_s10[19:8], ~{8{and_86_s10}} & mux_144_s10[7:0]};  // units/transformation.h:50
+  wire not_87_s10 = ~(add_42_s10[21:2] == 20'd0);  // units/transformation.h:50
+  wire eq_107_s10 = add_42_s10[21:18] == 4'd0;  // units/transformation.h:50
+  wire eq_109_s10 = add_42_s10[13:10] == 4'd0;  // units/transformation.h:50
+  wire eq_111_s10 = add_42_s10[5:2] == 4'd0;  // units/transformation.h:50
+  wire and_113_s10 = eq_107_s10 & (add_42_s10[17:14] == 4'd0);  // units/transformation.h:50
+  wire and_115_s10 = and_113_s10 & (eq_109_s10 & (add_42_s10[9:6] == 4'd0));  // units/transformation.h:50
+  wire [19:0] mux_194_s10 = {and_115_s10 ? add_42_s10[5:2] : add_42_s10[21:18], ~{16{and_115_s10}} & add_42_s10[17:2]};  // units/transformation.h:50
+  wire mux_196_s10 = and_115_s10 ? eq_111_s10 : and_113_s10;  // units/transformation.h:50
+  wire [19:0] mux_197_s10 = {mux_196_s10 ? mux_194_s10[11:0] : mux_194_s10[19:8], ~{8{mux_196_s10}} & mux_194_s10[7:0]};  // units/transformation.h:50
+  wire mux_198_s10 = mux_196_s10 ? (eq_109_s10 | and_115_s10) : (and_115_s10 ? eq_111_s10 : eq_107_s10);  // units/transformation.h:50
+  wire and_116_s10 = not_87_s10 & mux_196_s10;  // units/transformation.h:50
+  wire [19:0] mux_199_s10 = {mux_198_s10 ? mux_197_s10[15:0] : mux_197_s10[19:4], ~{4{mux_198_s10}} & mux_197_s10[3:0]};  // units/transformation.h:50
+  wire eq_112_s10 = mux_199_s10[19:18] == 2'd0;  // units/transformation.h:50
+  wire [19:0] mux_200_s10 = {eq_112_s10 ? mux_199_s10[17:0] : mux_199_s10[19:2], ~{2{eq_112_s10}} & mux_199_s10[1:0]};  // units/transformation.h:50
+  wire and_117_s10 = not_87_s10 & eq_112_s10;  // units/transformation.h:50
+  wire and_118_s10 = not_87_s10 & (~mux_200_s10[19]);  // units/transformation.h:50
+  wire [19:0] mux_201_s10 = {and_116_s10 ? mux_194_s10[11:0] : mux_194_s10[19:8], ~{8{and_116_s10}} & mux_194_s10[7:0]};  // units/transformation.h:50
+  wire not_96_s10 = ~(add_44_s10[21:2] == 20'd0);  // units/transformation.h:50
+  wire eq_120_s10 = add_44_s10[21:18] == 4'd0;  // units/transformation.h:50
+  wire eq_122_s10 = add_44_s10[13:10] == 4'd0;  // units/transformation.h:50
+  wire eq_124_s10 = add_44_s10[5:2] == 4'd0;  // units/transformation.h:50
+  wire and_127_s10 = eq_120_s10 & (add_44_s10[17:14] == 4'd0);  // units/transformation.h:50
+  wire and_129_s10 = and_127_s10 & (eq_122_s10 & (add_44_s10[9:6] == 4'd0));  // units/transformation.h:50
+  wire [19:0] mux_216_s10 = {and_129_s10 ? add_44_s10[5:2] : add_44_s10[21:18], ~{16{and_129_s10}} & add_44_s10[17:2]};  // units/transformation.h:50
+  wire mux_218_s10 = and_129_s10 ? eq_124_s10 : and_127_s10;  // units/transformation.h:50
+  wire [19:0] mux_219_s10 = {mux_218_s10 ? mux_216_s10[11:0] : mux_216_s10[19:8], ~{8{mux_218_s10}} & mux_216_s10[7:0]};  // units/transformation.h:50
+  wire mux_220_s10 = mux_218_s10 ? (eq_122_s10 | and_129_s10) : (and_129_s10 ? eq_124_s10 : eq_120_s10);  // units/transformation.h:50
+  wire and_130_s10 = not_96_s10 & mux_218_s10;  // units/transformation.h:50
+  wire [19:0] mux_221_s10 = {mux_220_s10 ? mux_219_s10[15:0] : mux_219_s10[19:4], ~{4{mux_220_s10}} & mux_219_s10[3:0]};  // units/transformation.h:50
+  wire eq_125_s10 = mux_221_s10[19:18] == 2'd0;  // units/transformation.h:50
+  wire [19:0] mux_222_s10 = {eq_125_s10 ? mux_221_s10[17:0] : mux_221_s10[19:2], ~{2{eq_125_s10}} & mux_221_s10[1:0]};  // units/transformation.h:50
+  wire and_131_s10 = not_96_s10 & eq_125_s10;  // units/transformation.h:50
+  wire and_132_s10 = not_96_s10 & (~mux_222_s10[19]);  // units/transformation.h:50
+  wire [19:0] mux_223_s10 = {and_130_s10 ? mux_216_s10[11:0] : mux_216_s10[19:8], ~{8{and_130_s10}} & mux_216_s10[7:0]};  // units/transformation.h:50
 
   // ---- stage 11 ----
   reg valid_s11;
@@ -1210,39 +1210,39 @@ module transformation #(
     mux_223_s11 <= mux_223_s10;
     vector_6_s11 <= vector_6_s10;
   end
-  wire [19:0] mux_152_s11 = {mux_148_s11 ? mux_151_s11[15:0] : mux_151_s11[19:4], ~{4{mux_148_s11}} & mux_151_s11[3:0]};  // units/transformation.h:49
-  wire [19:0] mux_153_s11 = {and_87_s11 ? mux_152_s11[17:0] : mux_152_s11[19:2], ~{2{and_87_s11}} & mux_152_s11[1:0]};  // units/transformation.h:49
-  wire [19:0] mux_154_s11 = {and_88_s11 ? mux_153_s11[18:0] : mux_153_s11[19:1], ~and_88_s11 & mux_153_s11[0]};  // units/transformation.h:49
-  wire and_89_s11 = mux_135_s11[23] & mux_154_s11[19];  // units/transformation.h:49
-  wire [8:0] sub_18_s11 = {2'd0, mux_135_s11[22:16]} - {4'd0, and_85_s11, and_86_s11, mux_148_s11, and_87_s11, and_88_s11};  // units/transformation.h:49
-  wire or_62_s11 = (~(mux_154_s11[1:0] == 2'd0)) | (add_32_s11 | mux_154_s11[3]);  // units/transformation.h:49
-  wire and_90_s11 = mux_154_s11[2] & or_62_s11;  // units/transformation.h:49
-  wire [24:0] add_33_s11 = {sub_18_s11, 15'd0, and_90_s11} + {8'd0, mux_154_s11[19:3]};  // units/transformation.h:49
-  wire and_91_s11 = mux_154_s11[19] & (~add_33_s11[24]);  // units/transformation.h:49
-  wire [22:0] mux_155_s11 = {23{add_33_s11[23]}} | add_33_s11[22:0];  // units/transformation.h:49
-  wire [22:0] mux_156_s11 = {23{and_91_s11}} & mux_155_s11;  // units/transformation.h:49
-  wire [19:0] mux_202_s11 = {mux_198_s11 ? mux_201_s11[15:0] : mux_201_s11[19:4], ~{4{mux_198_s11}} & mux_201_s11[3:0]};  // units/transformation.h:49
-  wire [19:0] mux_203_s11 = {and_117_s11 ? mux_202_s11[17:0] : mux_202_s11[19:2], ~{2{and_117_s11}} & mux_202_s11[1:0]};  // units/transformation.h:49
-  wire [19:0] mux_204_s11 = {and_118_s11 ? mux_203_s11[18:0] : mux_203_s11[19:1], ~and_118_s11 & mux_203_s11[0]};  // units/transformation.h:49
-  wire and_119_s11 = mux_185_s11[23] & mux_204_s11[19];  // units/transformation.h:49
-  wire [8:0] sub_24_s11 = {2'd0, mux_185_s11[22:16]} - {4'd0, and_115_s11, and_116_s11, mux_198_s11, and_117_s11, and_118_s11};  // units/transformation.h:49
-  wire or_82_s11 = (~(mux_204_s11[1:0] == 2'd0)) | (add_42_s11 | mux_204_s11[3]);  // units/transformation.h:49
-  wire and_120_s11 = mux_204_s11[2] & or_82_s11;  // units/transformation.h:49
-  wire [24:0] add_43_s11 = {sub_24_s11, 15'd0, and_120_s11} + {8'd0, mux_204_s11[19:3]};  // units/transformation.h:49
-  wire and_121_s11 = mux_204_s11[19] & (~add_43_s11[24]);  // units/transformation.h:49
-  wire [22:0] mux_205_s11 = {23{add_43_s11[23]}} | add_43_s11[22:0];  // units/transformation.h:49
-  wire [22:0] mux_206_s11 = {23{and_121_s11}} & mux_205_s11;  // units/transformation.h:49
-  wire [19:0] mux_224_s11 = {mux_220_s11 ? mux_223_s11[15:0] : mux_223_s11[19:4], ~{4{mux_220_s11}} & mux_223_s11[3:0]};  // units/transformation.h:49
-  wire [19:0] mux_225_s11 = {and_131_s11 ? mux_224_s11[17:0] : mux_224_s11[19:2], ~{2{and_131_s11}} & mux_224_s11[1:0]};  // units/transformation.h:49
-  wire [19:0] mux_226_s11 = {and_132_s11 ? mux_225_s11[18:0] : mux_225_s11[19:1], ~and_132_s11 & mux_225_s11[0]};  // units/transformation.h:49
-  wire [8:0] sub_27_s11 = {2'd0, mux_208_s11[22:16]} - {4'd0, and_129_s11, and_130_s11, mux_220_s11, and_131_s11, and_132_s11};  // units/transformation.h:49
-  wire or_90_s11 = (~(mux_226_s11[1:0] == 2'd0)) | (add_44_s11 | mux_226_s11[3]);  // units/transformation.h:49
-  wire and_133_s11 = mux_226_s11[2] & or_90_s11;  // units/transformation.h:49
-  wire [24:0] add_45_s11 = {sub_27_s11, 15'd0, and_133_s11} + {8'd0, mux_226_s11[19:3]};  // units/transformation.h:49
-  wire and_134_s11 = mux_226_s11[19] & (~add_45_s11[24]);  // units/transformation.h:49
-  wire and_135_s11 = mux_226_s11[19] & mux_208_s11[23];  // units/transformation.h:49
-  wire [22:0] mux_227_s11 = {23{add_45_s11[23]}} | add_45_s11[22:0];  // units/transformation.h:49
-  wire [22:0] mux_228_s11 = {23{and_134_s11}} & mux_227_s11;  // units/transformation.h:49
+  wire [19:0] mux_152_s11 = {mux_148_s11 ? mux_151_s11[15:0] : mux_151_s11[19:4], ~{4{mux_148_s11}} & mux_151_s11[3:0]};  // units/transformation.h:50
+  wire [19:0] mux_153_s11 = {and_87_s11 ? mux_152_s11[17:0] : mux_152_s11[19:2], ~{2{and_87_s11}} & mux_152_s11[1:0]};  // units/transformation.h:50
+  wire [19:0] mux_154_s11 = {and_88_s11 ? mux_153_s11[18:0] : mux_153_s11[19:1], ~and_88_s11 & mux_153_s11[0]};  // units/transformation.h:50
+  wire and_89_s11 = mux_135_s11[23] & mux_154_s11[19];  // units/transformation.h:50
+  wire [8:0] sub_18_s11 = {2'd0, mux_135_s11[22:16]} - {4'd0, and_85_s11, and_86_s11, mux_148_s11, and_87_s11, and_88_s11};  // units/transformation.h:50
+  wire or_62_s11 = (~(mux_154_s11[1:0] == 2'd0)) | (add_32_s11 | mux_154_s11[3]);  // units/transformation.h:50
+  wire and_90_s11 = mux_154_s11[2] & or_62_s11;  // units/transformation.h:50
+  wire [24:0] add_33_s11 = {sub_18_s11, 15'd0, and_90_s11} + {8'd0, mux_154_s11[19:3]};  // units/transformation.h:50
+  wire and_91_s11 = mux_154_s11[19] & (~add_33_s11[24]);  // units/transformation.h:50
+  wire [22:0] mux_155_s11 = {23{add_33_s11[23]}} | add_33_s11[22:0];  // units/transformation.h:50
+  wire [22:0] mux_156_s11 = {23{and_91_s11}} & mux_155_s11;  // units/transformation.h:50
+  wire [19:0] mux_202_s11 = {mux_198_s11 ? mux_201_s11[15:0] : mux_201_s11[19:4], ~{4{mux_198_s11}} & mux_201_s11[3:0]};  // units/transformation.h:50
+  wire [19:0] mux_203_s11 = {and_117_s11 ? mux_202_s11[17:0] : mux_202_s11[19:2], ~{2{and_117_s11}} & mux_202_s11[1:0]};  // units/transformation.h:50
+  wire [19:0] mux_204_s11 = {and_118_s11 ? mux_203_s11[18:0] : mux_203_s11[19:1], ~and_118_s11 & mux_203_s11[0]};  // units/transformation.h:50
+  wire and_119_s11 = mux_185_s11[23] & mux_204_s11[19];  // units/transformation.h:50
+  wire [8:0] sub_24_s11 = {2'd0, mux_185_s11[22:16]} - {4'd0, and_115_s11, and_116_s11, mux_198_s11, and_117_s11, and_118_s11};  // units/transformation.h:50
+  wire or_82_s11 = (~(mux_204_s11[1:0] == 2'd0)) | (add_42_s11 | mux_204_s11[3]);  // units/transformation.h:50
+  wire and_120_s11 = mux_204_s11[2] & or_82_s11;  // units/transformation.h:50
+  wire [24:0] add_43_s11 = {sub_24_s11, 15'd0, and_120_s11} + {8'd0, mux_204_s11[19:3]};  // units/transformation.h:50
+  wire and_121_s11 = mux_204_s11[19] & (~add_43_s11[24]);  // units/transformation.h:50
+  wire [22:0] mux_205_s11 = {23{add_43_s11[23]}} | add_43_s11[22:0];  // units/transformation.h:50
+  wire [22:0] mux_206_s11 = {23{and_121_s11}} & mux_205_s11;  // units/transformation.h:50
+  wire [19:0] mux_224_s11 = {mux_220_s11 ? mux_223_s11[15:0] : mux_223_s11[19:4], ~{4{mux_220_s11}} & mux_223_s11[3:0]};  // units/transformation.h:50
+  wire [19:0] mux_225_s11 = {and_131_s11 ? mux_224_s11[17:0] : mux_224_s11[19:2], ~{2{and_131_s11}} & mux_224_s11[1:0]};  // units/transformation.h:50
+  wire [19:0] mux_226_s11 = {and_132_s11 ? mux_225_s11[18:0] : mux_225_s11[19:1], ~and_132_s11 & mux_225_s11[0]};  // units/transformation.h:50
+  wire [8:0] sub_27_s11 = {2'd0, mux_208_s11[22:16]} - {4'd0, and_129_s11, and_130_s11, mux_220_s11, and_131_s11, and_132_s11};  // units/transformation.h:50
+  wire or_90_s11 = (~(mux_226_s11[1:0] == 2'd0)) | (add_44_s11 | mux_226_s11[3]);  // units/transformation.h:50
+  wire and_133_s11 = mux_226_s11[2] & or_90_s11;  // units/transformation.h:50
+  wire [24:0] add_45_s11 = {sub_27_s11, 15'd0, and_133_s11} + {8'd0, mux_226_s11[19:3]};  // units/transformation.h:50
+  wire and_134_s11 = mux_226_s11[19] & (~add_45_s11[24]);  // units/transformation.h:50
+  wire and_135_s11 = mux_226_s11[19] & mux_208_s11[23];  // units/transformation.h:50
+  wire [22:0] mux_227_s11 = {23{add_45_s11[23]}} | add_45_s11[22:0];  // units/transformation.h:50
+  wire [22:0] mux_228_s11 = {23{and_134_s11}} & mux_227_s11;  // units/transformation.h:50
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(80), .DEPTH(TRANSFORMED_DEPTH), .MARGIN(TRANSFORMED_BOUNDED ? 0 : 11),
