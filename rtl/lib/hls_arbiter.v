@@ -6,8 +6,8 @@
 // is the lowest bits of valid_i, ready_o and data_i.
 //
 // Parameters:
-//   INPUTS  streams that come in
-//   WIDTH   bits of a token
+//   INPUTS  streams that come in, at least 1
+//   WIDTH   bits of a token, at least 1
 //
 // Ports:
 //   clk_i, rst_ni             clock and synchronous reset, active low
@@ -29,7 +29,17 @@ module hls_arbiter #(
     output reg  [       WIDTH-1:0] data_o
 );
 
-  localparam [INPUTS-1:0] ONE = {{(INPUTS - 1) {1'b0}}, 1'b1};
+  // A module that does not exist, and whose name is the message, stops elaboration.
+  generate
+    if (INPUTS < 1) begin : bad_inputs
+      hls_arbiter_INPUTS_must_be_at_least_1 stop ();
+    end
+    if (WIDTH < 1) begin : bad_width
+      hls_arbiter_WIDTH_must_be_at_least_1 stop ();
+    end
+  endgenerate
+
+  localparam [INPUTS-1:0] ONE = 1;
 
   reg     [INPUTS-1:0] after_q;  // the inputs after the one that sent last
   reg     [INPUTS-1:0] offered_q;  // the input whose token waits for ready_i

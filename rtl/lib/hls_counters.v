@@ -9,7 +9,7 @@
 // the low bits ago, so if the copy is one and the bit is zero now, the low bits have wrapped since.
 //
 // Parameters:
-//   COUNTERS  events that are counted, at most 256
+//   COUNTERS  events that are counted, 1 to 256
 //
 // Ports:
 //   clk_i, rst_ni  clock and synchronous reset, active low; the reset clears the counters too
@@ -29,6 +29,13 @@ module hls_counters #(
     output reg  [31:0]         data_o,
     input  wire [COUNTERS-1:0] event_i
 );
+
+  // A module that does not exist, and whose name is the message, stops elaboration.
+  generate
+    if (COUNTERS < 1 || COUNTERS > 256) begin : bad_counters
+      hls_counters_COUNTERS_must_be_1_to_256 stop ();
+    end
+  endgenerate
 
   localparam LOW = $clog2(COUNTERS + 4) + 1;  // half of them count what happens between two turns
   localparam HIGH = 32 - LOW;

@@ -4,7 +4,7 @@
 // Delay of CLOCKS clocks (at least 3): a ring of CLOCKS - 1 rows in LUT RAM and an output register.
 //
 // Parameters:
-//   WIDTH   bits of the value
+//   WIDTH   bits of the value, at least 1
 //   CLOCKS  clocks from data_i to data_o, at least 3
 //
 // Ports:
@@ -22,6 +22,16 @@ module hls_delay #(
     input  wire [WIDTH-1:0] data_i,
     output reg  [WIDTH-1:0] data_o
 );
+
+  // A module that does not exist, and whose name is the message, stops elaboration.
+  generate
+    if (WIDTH < 1) begin : bad_width
+      hls_delay_WIDTH_must_be_at_least_1 stop ();
+    end
+    if (CLOCKS < 3) begin : bad_clocks
+      hls_delay_CLOCKS_must_be_at_least_3 stop ();
+    end
+  endgenerate
 
   localparam ADDR_WIDTH = $clog2(CLOCKS - 1);
   localparam [31:0] LAST = CLOCKS - 2;

@@ -8,10 +8,10 @@
 // all: the FIFO is always ready.
 //
 // Parameters:
-//   WIDTH    bits of a token
-//   DEPTH    places, more than MARGIN
-//   MARGIN   tokens that may still come once ready_o is low
-//   BOUNDED  1: the sender promises that there are never more than DEPTH tokens
+//   WIDTH    bits of a token, at least 1
+//   DEPTH    places, at least 1
+//   MARGIN   tokens that may still come once ready_o is low, at least 0 and fewer than DEPTH
+//   BOUNDED  1: the sender promises that there are never more than DEPTH tokens; else 0
 //
 // Ports:
 //   clk_i, rst_ni             clock and synchronous reset, active low
@@ -21,7 +21,7 @@
 
 module hls_fifo #(
     parameter WIDTH  = 8,
-    parameter DEPTH  = 16,  // more than MARGIN
+    parameter DEPTH  = 16,
     parameter MARGIN = 0,
     parameter BOUNDED = 0
 ) (
@@ -34,6 +34,21 @@ module hls_fifo #(
     input  wire             ready_i,
     output wire [WIDTH-1:0] data_o
 );
+
+  // A module that does not exist, and whose name is the message, stops elaboration.
+  generate
+    if (WIDTH < 1) begin : bad_width
+      hls_fifo_WIDTH_must_be_at_least_1 stop ();
+    end
+    if (DEPTH < 1) begin : bad_depth
+      hls_fifo_DEPTH_must_be_at_least_1 stop ();
+    end else if (MARGIN < 0 || MARGIN >= DEPTH) begin : bad_margin
+      hls_fifo_MARGIN_must_be_0_to_DEPTH_minus_1 stop ();
+    end
+    if (BOUNDED != 0 && BOUNDED != 1) begin : bad_bounded
+      hls_fifo_BOUNDED_must_be_0_or_1 stop ();
+    end
+  endgenerate
 
   localparam ADDR_WIDTH = DEPTH > 1 ? $clog2(DEPTH) : 1;
   localparam [31:0] LAST = DEPTH - 1;

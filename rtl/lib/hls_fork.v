@@ -5,8 +5,8 @@
 // reader's ready may depend on its own valid.
 //
 // Parameters:
-//   OUTPUTS  readers
-//   WIDTH    bits of a token
+//   OUTPUTS  readers, at least 1
+//   WIDTH    bits of a token, at least 1
 //
 // Ports:
 //   valid_i, ready_o, data_i  the stream that comes in
@@ -25,6 +25,16 @@ module hls_fork #(
     input  wire [OUTPUTS-1:0] ready_i,
     output wire [  WIDTH-1:0] data_o
 );
+
+  // A module that does not exist, and whose name is the message, stops elaboration.
+  generate
+    if (OUTPUTS < 1) begin : bad_outputs
+      hls_fork_OUTPUTS_must_be_at_least_1 stop ();
+    end
+    if (WIDTH < 1) begin : bad_width
+      hls_fork_WIDTH_must_be_at_least_1 stop ();
+    end
+  endgenerate
 
   assign ready_o = &ready_i;
   assign data_o  = data_i;

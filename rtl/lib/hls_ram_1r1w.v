@@ -7,9 +7,9 @@
 // assertion of that promise uses the reset.
 //
 // Parameters:
-//   WIDTH       bits of a row
-//   ROWS        number of rows
-//   EXCLUSIVE   1: the user promises never to read a row in the clock that writes it
+//   WIDTH       bits of a row, at least 1
+//   ROWS        number of rows, at least 1
+//   EXCLUSIVE   1: the user promises never to read a row in the clock that writes it; else 0
 //   ADDR_WIDTH  bits of an address; follows from ROWS, leave it as it is
 //
 // Ports:
@@ -34,6 +34,22 @@ module hls_ram_1r1w #(
     input  wire [ADDR_WIDTH-1:0] read_addr_i,
     output reg  [     WIDTH-1:0] read_data_o
 );
+
+  // A module that does not exist, and whose name is the message, stops elaboration.
+  generate
+    if (WIDTH < 1) begin : bad_width
+      hls_ram_1r1w_WIDTH_must_be_at_least_1 stop ();
+    end
+    if (ROWS < 1) begin : bad_rows
+      hls_ram_1r1w_ROWS_must_be_at_least_1 stop ();
+    end
+    if (EXCLUSIVE != 0 && EXCLUSIVE != 1) begin : bad_exclusive
+      hls_ram_1r1w_EXCLUSIVE_must_be_0_or_1 stop ();
+    end
+    if (ADDR_WIDTH != (ROWS > 1 ? $clog2(ROWS) : 1)) begin : bad_addr_width
+      hls_ram_1r1w_ADDR_WIDTH_must_follow_from_ROWS stop ();
+    end
+  endgenerate
 
   generate
     if (EXCLUSIVE != 0) begin : exclusive

@@ -9,8 +9,8 @@
 // Waiting rows have no enable, so RAMs with the same write port share one after synthesis.
 //
 // Parameters:
-//   WIDTH      bits of a word
-//   WORDS      words of a row
+//   WIDTH      bits of a word, at least 1
+//   WORDS      words of a row, at least 2
 //   ROWS       number of rows, a power of two
 //   ROW_BITS   bits of the number of a row; follows from ROWS, leave it as it is
 //   WORD_BITS  bits of the number of a word; follows from WORDS, leave it as it is
@@ -25,7 +25,7 @@
 module hls_ram_words #(
     parameter WIDTH = 8,
     parameter WORDS = 3,
-    parameter ROWS = 16,  // a power of two
+    parameter ROWS = 16,
     parameter ROW_BITS = ROWS > 1 ? $clog2(ROWS) : 1,
     parameter WORD_BITS = WORDS > 1 ? $clog2(WORDS) : 1
 ) (
@@ -38,6 +38,25 @@ module hls_ram_words #(
     input  wire [ROW_BITS+WORD_BITS-1:0] read_addr_i,
     output reg  [             WIDTH-1:0] read_data_o
 );
+
+  // A module that does not exist, and whose name is the message, stops elaboration.
+  generate
+    if (WIDTH < 1) begin : bad_width
+      hls_ram_words_WIDTH_must_be_at_least_1 stop ();
+    end
+    if (WORDS < 2) begin : bad_words
+      hls_ram_words_WORDS_must_be_at_least_2 stop ();
+    end
+    if (ROWS < 1 || (ROWS & (ROWS - 1)) != 0) begin : bad_rows
+      hls_ram_words_ROWS_must_be_a_power_of_two stop ();
+    end
+    if (ROW_BITS != (ROWS > 1 ? $clog2(ROWS) : 1)) begin : bad_row_bits
+      hls_ram_words_ROW_BITS_must_follow_from_ROWS stop ();
+    end
+    if (WORD_BITS != (WORDS > 1 ? $clog2(WORDS) : 1)) begin : bad_word_bits
+      hls_ram_words_WORD_BITS_must_follow_from_WORDS stop ();
+    end
+  endgenerate
 
   // In these vectors, part w belongs to the row of w clocks ago: whether one came, its number, its
   // word w.

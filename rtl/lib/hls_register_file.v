@@ -6,8 +6,8 @@
 // 2^ADDR_WIDTH clocks or more, clears one a clock.
 //
 // Parameters:
-//   WIDTH       bits of a row
-//   ROWS        number of rows
+//   WIDTH       bits of a row, at least 1
+//   ROWS        number of rows, at least 1
 //   ADDR_WIDTH  bits of an address; follows from ROWS, leave it as it is
 //
 // Ports:
@@ -29,6 +29,19 @@ module hls_register_file #(
     input  wire [ADDR_WIDTH-1:0] read_addr_i,
     output wire [     WIDTH-1:0] read_data_o
 );
+
+  // A module that does not exist, and whose name is the message, stops elaboration.
+  generate
+    if (WIDTH < 1) begin : bad_width
+      hls_register_file_WIDTH_must_be_at_least_1 stop ();
+    end
+    if (ROWS < 1) begin : bad_rows
+      hls_register_file_ROWS_must_be_at_least_1 stop ();
+    end
+    if (ADDR_WIDTH != (ROWS > 1 ? $clog2(ROWS) : 1)) begin : bad_addr_width
+      hls_register_file_ADDR_WIDTH_must_follow_from_ROWS stop ();
+    end
+  endgenerate
 
   reg [WIDTH-1:0] rows[0:ROWS-1];
   reg [ADDR_WIDTH-1:0] clear_q;

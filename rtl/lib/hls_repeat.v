@@ -5,8 +5,8 @@
 // (lowest) and a last flag put below it.
 //
 // Parameters:
-//   WIDTH        bits of a job
-//   COUNT_WIDTH  bits of the count, the lowest of the job
+//   WIDTH        bits of a job, at least COUNT_WIDTH
+//   COUNT_WIDTH  bits of the count, the lowest of the job; at least 1
 //
 // Ports:
 //   clk_i, rst_ni             clock and synchronous reset, active low
@@ -27,6 +27,16 @@ module hls_repeat #(
     input  wire                         ready_i,
     output wire [WIDTH+COUNT_WIDTH:0]   data_o
 );
+
+  // A module that does not exist, and whose name is the message, stops elaboration.
+  generate
+    if (COUNT_WIDTH < 1) begin : bad_count_width
+      hls_repeat_COUNT_WIDTH_must_be_at_least_1 stop ();
+    end
+    if (WIDTH < COUNT_WIDTH) begin : bad_width
+      hls_repeat_WIDTH_must_be_at_least_COUNT_WIDTH stop ();
+    end
+  endgenerate
 
   reg [COUNT_WIDTH-1:0] number_q;
 
