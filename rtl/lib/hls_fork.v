@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Gives every token to all OUTPUTS readers in the same clock, when all of them are ready. No
-// reader's ready may depend on its own valid.
+// reader's ready may depend on its own valid. It is logic alone, hence without clock and reset.
 //
 // Parameters:
 //   OUTPUTS  readers, at least 1

@@ -1,7 +1,8 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """The comment at the head of a module of rtl/lib explains all its parameters and ports: below
-"Parameters:" or "Ports:", a line "names  what they are", several names divided by commas."""
+"Parameters:" or "Ports:", a line "names  what they are", several names divided by commas. The line of
+a parameter says which values it may have."""
 
 import re
 import unittest
@@ -13,6 +14,9 @@ DECLARED = re.compile(
     r"^\s*(parameter|input|output|inout)\b[^,)\n/]*?(\w+)\s*(?:=.*)?,?\s*(?://.*)?$"
 )
 DOCUMENTED = re.compile(r"^//   (\w+(?:, \w+)*)  +\S")
+RANGE = re.compile(
+    r"at least \w+$|at least 0 and fewer|\d+ to \d+|else 0$|power of two|follows from"
+)
 
 
 def declarations(text: str) -> dict[str, list[str]]:
@@ -37,9 +41,15 @@ def documented(text: str) -> dict[str, list[str]]:
     return found
 
 
+def without_range(text: str) -> list[str]:
+    """The parameters whose line does not say which values they may have."""
+    lines = text.partition("// Parameters:\n")[2].partition("//\n")[0].splitlines()
+    return [line.split()[1] for line in lines if not RANGE.search(line)]
+
+
 def problems(name: str, text: str) -> list[str]:
     """What the comment lacks or has too much, as sentences."""
-    listed = []
+    listed = [f"{name}: the line of {n} does not say its range" for n in without_range(text)]
     explained = documented(text)
     for section, names in declarations(text).items():
         known = explained.get(section, [])
@@ -68,10 +78,11 @@ class DocumentedTest(unittest.TestCase):
         """A port and a parameter without a line, and a line without a port."""
         text = (FOLDER / "hls_fork.v").read_text(encoding="utf-8")
         bad = text.replace("//   valid_i, ready_o, data_i", "//   valid_i, ready_o, gone_i")
-        bad = bad.replace("//   WIDTH", "//  WIDTH")
+        bad = bad.replace("//   WIDTH", "//  WIDTH").replace("readers, at least 1", "readers")
         self.assertEqual(
             problems("hls_fork.v", bad),
             [
+                "hls_fork.v: the line of OUTPUTS does not say its range",
                 'hls_fork.v: WIDTH is not explained below "// Parameters:"',
                 'hls_fork.v: data_i is not explained below "// Ports:"',
                 'hls_fork.v: gone_i, explained below "// Ports:", does not exist',
