@@ -61,6 +61,7 @@ class Board {
   virtual void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) = 0;
 
   virtual void configure(const FrameConfig& frame) = 0;
+  /// Throws UserError if the board refuses: the core has not the packets or the cache lines.
   virtual void start() = 0;
   /// Waits for the interrupt. After `timeout` clocks without an interrupt or another pixel it
   /// resets the board and throws a TimeoutError that names the state of each unit.

@@ -22,6 +22,9 @@ inline constexpr char kFrameWords[] =
 inline constexpr char kRefused[] =
     "board {}: it refused an access during the frame; the SRAM and the frame's registers belong to "
     "the core until the interrupt";
+inline constexpr char kRefusedStart[] =
+    "board {}: it refused to start a frame with {} packets and {} cache lines; its core takes 1 to "
+    "{} packets, and a power of two of at most {} lines";
 inline constexpr char kOutsideBank[] =
     "board {}: there are no words {} to {} of bank {}; the board has {} banks of {} words";
 inline constexpr char kNoConfiguration[] =

@@ -7,6 +7,7 @@
 
 #include "host/board/board_messages.h"
 #include "host/board/check_range.h"
+#include "host/board/check_start.h"
 #include "host/board/read_schedule.h"
 #include "host/error.h"
 
@@ -35,7 +36,10 @@ void ModelBoard::configure(const FrameConfig& frame) {
   frame_ = frame;
 }
 
-void ModelBoard::start() { meter_.write(1); }
+void ModelBoard::start() {
+  meter_.write(1);
+  if (!can_render(core_, frame_)) refuse_start(*this, frame_);
+}
 
 FrameRun ModelBoard::wait(std::uint64_t /*timeout*/, const PixelProgress& progress) {
   const auto begin = std::chrono::steady_clock::now();

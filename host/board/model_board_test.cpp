@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/board/model_board.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -59,6 +60,7 @@ TEST(ModelBoard, RendersWhatTheCoreRenders) {
   const std::vector<std::uint32_t> words = {5, 6, 7, 8};
   board.write(0, 0, words);
   FrameConfig frame;
+  frame.packets = to_word(8);
   frame.width = to_word(2);
   frame.height = to_word(2);
   board.configure(frame);
@@ -123,6 +125,25 @@ TEST_F(ScheduledBoard, RefusesWhatIsNoWholeSetOfSchedules) {
   EXPECT_THAT(refusal(), testing::HasSubstr("not a complete schedule of hlsc"));
   std::filesystem::remove_all(folder_.path());
   EXPECT_THAT(refusal(), testing::HasSubstr("the folder has no schedules of hlsc"));
+}
+
+TEST(ModelBoard, RefusesToStartWhatTheCoreCannotRender) {
+  ModelBoard board(small(), std::make_unique<CopyingCore>());
+  FrameConfig frame;
+  for (const auto& [packets, lines] : {std::pair{0u, 1u}, {9u, 1u}, {8u, 64u}, {8u, 3u}}) {
+    frame.packets = to_word(packets);
+    frame.line_mask = to_word(lines - 1);
+    board.configure(frame);
+    EXPECT_THAT([&] { board.start(); },
+                testing::ThrowsMessage<UserError>(fmt::format(
+                    "board model: it refused to start a frame with {} packets and {} cache lines; "
+                    "its core takes 1 to 8 packets, and a power of two of at most 32 lines",
+                    packets, lines)));
+  }
+  frame.packets = to_word(8);
+  frame.line_mask = to_word(31);
+  board.configure(frame);
+  EXPECT_NO_THROW(board.start());
 }
 
 TEST(ModelBoard, RefusesWordsOutsideABank) {

@@ -9,6 +9,7 @@
 
 #include "host/board/board_messages.h"
 #include "host/board/check_range.h"
+#include "host/board/check_start.h"
 #include "host/board/registers.h"
 #include "host/board/standstill.h"
 #include "host/error.h"
@@ -74,24 +75,30 @@ void RtlBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint32_
 }
 
 void RtlBoard::configure(const FrameConfig& frame) {
-  pixels_ = frame.width.to_u64() * frame.height.to_u64();
+  frame_ = frame;
   burst_write(reg::kRegFrame, core_.frame_words(frame));
 }
 
 void RtlBoard::start() {
   frame_writes_at_start_ = clocked_->frame_writes();
   write_register(reg::kRegControl, 1u << reg::kControlStart);
+  const std::uint32_t status = read_register(reg::kRegStatus);
+  if (!(status >> reg::kStatusRefused & 1)) return;
+  if (status >> reg::kStatusBusy & 1)
+    throw std::logic_error(fmt::format(messages::kRefused, name()));
+  refuse_start(*this, frame_);
 }
 
 FrameRun RtlBoard::wait(std::uint64_t timeout, const PixelProgress& progress) {
   const auto begin = std::chrono::steady_clock::now();
+  const std::uint64_t pixels = frame_.width.to_u64() * frame_.height.to_u64();
   std::uint64_t written = 0;
   std::uint64_t left = timeout;
   while (!clocked_->interrupt() && left > 0) {
     const std::uint64_t step = std::min(left, kClocksPerReport);
     clocked_->run_until_interrupt(step);
     // A core that writes pixels for ever is stuck as well.
-    const std::uint64_t now = std::min(clocked_->frame_writes() - frame_writes_at_start_, pixels_);
+    const std::uint64_t now = std::min(clocked_->frame_writes() - frame_writes_at_start_, pixels);
     left = now > written ? timeout : left - step;
     written = now;
     if (progress) progress(written);

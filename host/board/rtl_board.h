@@ -46,7 +46,7 @@ class RtlBoard final : public Board {
 
   std::unique_ptr<ClockedBoard> clocked_;
   std::vector<Counter> counters_;
-  std::uint64_t pixels_ = 0;  ///< of the frame
+  FrameConfig frame_;  ///< the one that the FRAME registers hold
   std::uint64_t frame_writes_at_start_ = 0;
 };
 

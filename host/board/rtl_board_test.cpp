@@ -5,6 +5,7 @@
 // the SRAM, the interrupt and the time-out.
 #include "host/board/rtl_board.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -75,8 +76,8 @@ class RtlBoardTest : public testing::Test {
 TEST_F(RtlBoardTest, SaysWhatItIs) {
   EXPECT_EQ(board_.name(), "rtl");
   EXPECT_EQ(board_.core().name, "stand_in");
-  EXPECT_EQ(board_.core().packets, 4u);
-  EXPECT_EQ(board_.core().lines, 16u);
+  EXPECT_EQ(board_.core().packets, 64u);
+  EXPECT_EQ(board_.core().lines, 512u);
   EXPECT_EQ(board_.read_register(reg::kRegId), reg::kIdValue);
   EXPECT_EQ(board_.read_register(reg::kRegVersion), reg::kVersionValue);
   EXPECT_EQ(board_.read_register(reg::kRegStatus), 0u);
@@ -103,7 +104,7 @@ TEST(RtlBoardErrors, ABoardThatIsNoneIsRefused) {
   EXPECT_THAT([] { RtlBoard(named("thesis"), std::make_unique<DeadBoard>(false), {}); },
               ThrowsMessage<UserError>(
                   "board rtl: its registers give the id 0x0 and the version 0x0, but the host "
-                  "expects 0x44595254 and 0x20001; rebuild the Verilog and the host together"));
+                  "expects 0x44595254 and 0x20002; rebuild the Verilog and the host together"));
   EXPECT_THAT(
       [] { RtlBoard(named("thesis"), std::make_unique<DeadBoard>(true), {}); },
       ThrowsMessage<UserError>(
@@ -240,6 +241,52 @@ TEST_F(RtlBoardTest, RefusesTheHostWhileBusy) {
   board_.write_register(reg::kRegFrame, 99);
   EXPECT_EQ(board_.read_register(reg::kRegFrame), 4u);
   EXPECT_EQ(board_.read_register(reg::kRegStatus), kBusy | 1u << reg::kStatusRefused);
+}
+
+TEST_F(RtlBoardTest, RefusesToStartWhatTheCoreCannotRender) {
+  constexpr char kNoPackets[] =
+      "board rtl: it refused to start a frame with 0 packets and 16 cache lines; its core takes 1 "
+      "to "
+      "64 packets, and a power of two of at most 512 lines";
+  FrameConfig frame = frame_config();
+  for (const auto& [packets, lines] : {std::pair{0u, kLines},
+                                       {65u, kLines},
+                                       {512u + 4, kLines},
+                                       {0x10004u, kLines},
+                                       {4u, 3u},
+                                       {4u, 513u},
+                                       {4u, 1024u},
+                                       {4u, 0u}}) {
+    SCOPED_TRACE(fmt::format("{} packets, {} lines", packets, lines));
+    frame.packets = to_word(packets);
+    frame.line_mask = to_word(lines - 1);
+    board_.configure(frame);
+    EXPECT_THAT([&] { board_.start(); },
+                ThrowsMessage<UserError>(HasSubstr("it refused to start a frame with")));
+    EXPECT_EQ(board_.read_register(reg::kRegStatus), 1u << reg::kStatusRefused);
+    board_.idle(1000);
+    EXPECT_EQ(board_.read_register(reg::kRegStatus), 1u << reg::kStatusRefused) << "it started";
+    EXPECT_EQ(board_.read_register(reg::kRegIrqPending), 0u);
+  }
+  frame.packets = to_word(0);
+  frame.line_mask = to_word(kLines - 1);
+  board_.configure(frame);
+  EXPECT_THAT([&] { board_.start(); }, ThrowsMessage<UserError>(kNoPackets));
+  board_.write_register(reg::kRegControl, 1u << reg::kControlReset);
+  board_.idle(100);
+  EXPECT_EQ(board_.read_register(reg::kRegStatus), 0u) << "a reset clears it";
+  EXPECT_THAT([&] { board_.start(); }, ThrowsMessage<UserError>(kNoPackets));
+  board_.configure(frame_config());
+  board_.start();
+  board_.wait(5000, {});
+  EXPECT_EQ(board_.read_register(reg::kRegStatus), 1u << reg::kStatusDone) << "a start clears it";
+}
+
+TEST_F(RtlBoardTest, RefusesToStartTwice) {
+  board_.configure(frame_config(kHang));
+  board_.start();
+  EXPECT_THAT([&] { board_.start(); },
+              ThrowsMessage<std::logic_error>(HasSubstr("it refused an access during the frame")));
 }
 
 TEST_F(RtlBoardTest, TimeOutTellsWhereTheUnitsStandAndTheBoardRecovers) {

@@ -29,6 +29,7 @@ module board_registers #(
   // sequencer
   output wire        start_o,
   output wire        reset_o,
+  input  wire        frame_ok_i,  // the core can render the frame of the FRAME registers
   input  wire        busy_i,
   input  wire        done_i,      // a pulse at the end of a frame
   input  wire [63:0] cycles_i,
@@ -71,7 +72,8 @@ module board_registers #(
   wire        in_scan = SCAN_OUT != 0 && bus_addr_i[25:6] == REG_SCAN[25:6];
   wire        is_control = write && bus_addr_i == REG_CONTROL;
 
-  assign start_o = is_control && bus_wdata_i[CONTROL_START] && !busy_i;
+  wire asks_start = is_control && bus_wdata_i[CONTROL_START];
+  assign start_o = asks_start && !busy_i && frame_ok_i;
   assign reset_o = is_control && bus_wdata_i[CONTROL_RESET];
 
   wire window_ok = in_window && bank_exists && !busy_i;
@@ -79,7 +81,8 @@ module board_registers #(
   assign window_we_o = bus_write_i;
   assign window_addr_o = bus_addr_i[WINDOW_WORD_LOW +: 20];
   assign window_wdata_o = bus_wdata_i;
-  wire refuse = accept && (in_window ? !window_ok : bus_write_i && in_frame && busy_i);
+  wire refuse = (accept && (in_window ? !window_ok : bus_write_i && in_frame && busy_i)) ||
+                (asks_start && !start_o);
 
   // State.
   reg                      irq_enable_q;

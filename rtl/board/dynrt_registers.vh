@@ -3,11 +3,16 @@
 //
 // The register map of the board, the one source of it: board_registers.v includes this file and
 // cmake/RegisterMap.cmake makes the host's registers.h from it. Byte addresses of 32-bit registers;
-// R read, W write. A write to a FRAME register or to the SRAM window while a frame is being rendered
-// is refused: it has no effect and sets STATUS.refused. A refused read of the window gives zero.
+// R read, W write.
+//
+// What the board refuses has no effect and sets STATUS.refused, until the next start that it accepts
+// or the next reset. While a frame is being rendered it refuses a start, a write to a FRAME register
+// and each access to the SRAM window, of which a refused read gives zero. It refuses a start too if
+// the core cannot render the frame: `packets` is 0 or more than LIMITS says, or `line_mask` + 1 is not
+// a power of two or more than LIMITS says.
 
 localparam [31:0] ID_VALUE = 32'h44595254;      // "DYRT"
-localparam [31:0] VERSION_VALUE = 32'h00020001; // map 2.1: major in the upper half, minor below
+localparam [31:0] VERSION_VALUE = 32'h00020002; // map 2.2: major in the upper half, minor below
 
 localparam [25:0] REG_ID = 26'h000;              // R  ID_VALUE
 localparam [25:0] REG_VERSION = 26'h004;         // R  VERSION_VALUE
@@ -31,12 +36,12 @@ localparam [25:0] REG_SCAN = 26'h200;            // RW first of the SCAN registe
 localparam FRAME_WORD_BITS = 6; // there is room for 2^6 FRAME registers
 localparam SCAN_WORDS = 14;     // SCAN registers
 
-localparam CONTROL_START = 0; // reset the core, clear its counters, render a frame
+localparam CONTROL_START = 0; // reset the core, clear its counters, render a frame; may be refused
 localparam CONTROL_RESET = 1; // reset the core and give up the frame; no interrupt follows
 
 localparam STATUS_BUSY = 0;    // a frame is being rendered or the core is being reset
 localparam STATUS_DONE = 1;    // the last frame that was started is complete
-localparam STATUS_REFUSED = 2; // an access was refused since the last start or reset
+localparam STATUS_REFUSED = 2; // an access or a start was refused since the last start or reset
 
 // Byte address of a word of the SRAM: {1, bank [24:22], word [21:2], 00}.
 localparam WINDOW_BIT = 25;

@@ -16,6 +16,8 @@
 #include "core/scenes.h"
 #include "host/board/configurations.h"
 #include "host/board/rtl_board.h"
+#include "host/error.h"
+#include "host/format/frame_words.h"
 #include "host/render/compare.h"
 #include "host/render/render.h"
 
@@ -106,6 +108,49 @@ INSTANTIATE_TEST_SUITE_P(Every, Frames,
                                           testing::Bool(), testing::Values(1, 5, kAll),
                                           testing::Values(1, 2, kAll)),
                          name_of);
+
+class Starts : public testing::TestWithParam<std::string> {};
+
+/// The board's message if it refuses to start the frame with these packets; empty: it starts.
+std::string refusal(Board& board, FrameConfig frame, unsigned packets) {
+  frame.packets = to_word(packets);
+  board.configure(frame);
+  try {
+    board.start();
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Without packets no ray comes to an end, and the core has no place for one packet more than it
+/// has.
+TEST_P(Starts, ABoardRefusesPacketsThatTheCoreHasNot) {
+  const auto rtl = make_checked_board(GetParam(), 1);
+  const auto model = make_scheduled_model(GetParam());
+  FrameOptions options;
+  options.width = 12;
+  options.height = 8;
+  options.timeout = 10'000'000;
+  const MemoryImage scene = prepare_scene(scene_for(model->core()), options, model->core());
+  const FrameConfig frame = frame_config(model->core(), options, scene.frame);
+  const unsigned most = model->core().packets;
+  for (const unsigned packets : {0u, most + 1}) {
+    for (Board* board : {rtl.get(), model.get()}) {
+      EXPECT_EQ(
+          refusal(*board, frame, packets),
+          fmt::format("board {}: it refused to start a frame with {} packets and {} cache "
+                      "lines; its core takes 1 to {} packets, and a power of two of at most "
+                      "{} lines",
+                      board->name(), packets, model->core().lines, most, model->core().lines));
+    }
+  }
+  const Frame expected = render(*model, options, scene);
+  expect_identical(render(*rtl, options, scene), expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, Starts, testing::ValuesIn(names_with_rtl()),
+                         [](const auto& info) { return info.param; });
 
 class Assertions : public testing::TestWithParam<std::string> {};
 

@@ -159,6 +159,8 @@ def page() -> str:
         "",
         *board_table(source(BOARD)),
         "",
+        comment_of(source(BOARD)).partition("\n\n")[2],
+        "",
         "## Registers of the display",
         "",
         f"{link(SCAN)} defines them. The timing is that of a VGA display, in pixels and lines: "
