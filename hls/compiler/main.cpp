@@ -8,7 +8,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
@@ -23,11 +25,17 @@ namespace {
 constexpr char kNoDelay[] =
     "--delay is missing; name a delay model such as hls/compiler/delay/ecp5.json";
 
+constexpr char kClock[] =
+    "--clock-ns {}: this is no period of a clock; give the ns from edge to edge, a number above 0 "
+    "such as {}";
+
 constexpr char kNoPass[] = "there is no pass '{}'; --print-after takes one of {}";
+
+constexpr char kUsualClock[] = "10";
 
 struct Arguments {
   hlsc::UnitSource source;
-  double clock_ns = 10;
+  std::string clock_ns = kUsualClock;
   std::string delay;
   std::string verilog = "-";
   std::string report;
@@ -64,7 +72,7 @@ void describe(CLI::App& app, Arguments& a) {
                  "folder with headers; give the language's lowered folder first")
       ->allow_extra_args(false);
   app.add_option("--clock-ns", a.clock_ns, "clock period of the schedule, in ns")
-      ->check(CLI::PositiveNumber)
+      ->type_name("NS")
       ->capture_default_str();
   app.add_option("--delay", a.delay, "delay model of the device family (JSON)");
   app.add_option("-o", a.verilog, "write the Verilog to this file; - is the terminal")
@@ -104,7 +112,17 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+double parse_period(const std::string& text) {
+  char* end = nullptr;
+  const double period = std::strtod(text.c_str(), &end);
+  if (text.empty() || *end != '\0' || !std::isfinite(period) || period <= 0) {
+    throw hlsc::Error({}, fmt::format(kClock, text, kUsualClock));
+  }
+  return period;
+}
+
 void run(const Arguments& a) {
+  const double clock_ns = parse_period(a.clock_ns);
   const std::string& shown = a.print_after;
   if (!shown.empty() && !contains(pass_names(), shown)) {
     throw hlsc::Error({}, fmt::format(kNoPass, shown, fmt::join(pass_names(), ", ")));
@@ -116,7 +134,7 @@ void run(const Arguments& a) {
   const hlsc::UnitNetlist unit = hlsc::read_unit(source);
   if (a.dump_netlist) fmt::print("{}", hlsc::to_text(unit.netlist));
   if (a.dump_netlist || ir_alone) return;
-  const hlsc::Options options{a.clock_ns, hlsc::load_delay_model(a.delay)};
+  const hlsc::Options options{clock_ns, hlsc::load_delay_model(a.delay)};
   if (!shown.empty()) {
     hlsc::optimise(unit.netlist, options, [&shown](const std::string& pass, const auto& netlist) {
       if (pass == shown) fmt::print("; after {}\n{}", pass, hlsc::to_text(netlist));

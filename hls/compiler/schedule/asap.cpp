@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
 
 #include "error.h"
 #include "schedule/schedule.h"
@@ -37,11 +40,18 @@ std::vector<Loop> state_loops(const Circuit& c) {
   return loops;
 }
 
+/// What does not fit the clock: the wording of its message, its name, its time within a stage.
+struct TooSlow {
+  const char* message;
+  std::string name;
+  double needs;
+  SourceLine where;
+};
+
 class Asap {
  public:
   Asap(const Circuit& circuit, const DelayModel& delay, double clock_ns)
       : c_(circuit),
-        delay_(delay),
         available_(clock_ns - delay.clock_overhead),
         timing_(circuit, delay),
         before_(circuit.cells.size()),
@@ -86,8 +96,7 @@ class Asap {
         late = timing_.evaluate(id, stage_);
       }
       if (late > available_) {
-        throw Error(c_.where(id), fmt::format(messages::kTooSlow, c_.describe(id), late, available_,
-                                              late + delay_.clock_overhead));
+        throw TooSlow{messages::kTooSlow, c_.describe(id), late, c_.where(id)};
       }
     }
   }
@@ -114,11 +123,8 @@ class Asap {
     const bool is_register = c_.cells[loop.write].kind == CellKind::kRegisterWrite;
     const std::string& name = is_register ? c_.netlist.registers[c_.cells[loop.write].index].name
                                           : c_.port_of(loop.write).name;
-    const double clock = late + delay_.clock_overhead;
-    throw Error(c_.where(loop.write),
-                is_register
-                    ? fmt::format(messages::kRegisterFeedback, name, late, available_, clock)
-                    : fmt::format(messages::kFileFeedback, name, late, available_, clock));
+    throw TooSlow{is_register ? messages::kRegisterFeedback : messages::kFileFeedback, name, late,
+                  c_.where(loop.write)};
   }
 
   bool reaches(CellId from, CellId to) const {
@@ -156,13 +162,37 @@ class Asap {
   }
 
   const Circuit& c_;
-  const DelayModel& delay_;
   double available_;
   Timing timing_;
   std::vector<std::vector<Precedence>> before_;
   std::vector<int> least_;
   std::vector<int> stage_;
 };
+
+bool fits(const Circuit& circuit, const DelayModel& delay, double clock_ns) {
+  try {
+    Asap(circuit, delay, clock_ns).run();
+    return true;
+  } catch (const TooSlow&) {
+    return false;
+  }
+}
+
+/// The least period of the whole circuit, above one that it misses, to a hundredth of a ns.
+double least_period(const Circuit& circuit, const DelayModel& delay, double missed_ns) {
+  constexpr double kSteps = 100;
+  const auto fits_after = [&](long steps) {
+    return fits(circuit, delay, static_cast<double>(steps) / kSteps);
+  };
+  long missed = std::lround(std::floor(missed_ns * kSteps));
+  long met = std::max(missed, 1l) * 2;
+  while (!fits_after(met)) missed = std::exchange(met, 2 * met);
+  while (met - missed > 1) {
+    const long middle = missed + (met - missed) / 2;
+    (fits_after(middle) ? met : missed) = middle;
+  }
+  return static_cast<double>(met) / kSteps;
+}
 
 }  // namespace
 
@@ -201,7 +231,13 @@ std::vector<Precedence> precedences(const Circuit& c, const Timing& timing) {
 }
 
 Schedule schedule_asap(const Circuit& circuit, const DelayModel& delay, double clock_ns) {
-  return Asap(circuit, delay, clock_ns).run();
+  try {
+    return Asap(circuit, delay, clock_ns).run();
+  } catch (const TooSlow& slow) {
+    throw Error(slow.where, fmt::format(fmt::runtime(slow.message), slow.name, slow.needs, clock_ns,
+                                        std::max(0.0, clock_ns - delay.clock_overhead),
+                                        least_period(circuit, delay, clock_ns)));
+  }
 }
 
 }  // namespace hlsc

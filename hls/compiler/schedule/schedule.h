@@ -19,7 +19,7 @@ struct Schedule {
 };
 
 /// Puts every cell into the first stage that it fits; the clock period is in ns. Throws Error if an
-/// operation or a register's feedback does not fit a stage.
+/// operation or a register's feedback does not fit a stage, with the least period that does.
 Schedule schedule_asap(const Circuit& circuit, const DelayModel& delay, double clock_ns);
 
 /// Moves cells between the stages of a schedule so that fewer bits are carried from stage to stage.

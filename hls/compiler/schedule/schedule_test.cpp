@@ -266,8 +266,9 @@ TEST(Schedule, RefusesARegisterWhoseFeedbackMissesTheClock) {
   EXPECT_EQ(refusal(accumulator(16), 3), "");
   EXPECT_EQ(refusal(accumulator(64), 3),
             "unit.h:12: error: register total needs 7.30 ns from its value to its next value, "
-            "which must be in one stage, but the clock leaves only 3.00; ask for a clock of at "
-            "least 7.30 ns or compute less between the two");
+            "which must be in one stage, but --clock-ns 3 leaves 3.00; give --clock-ns 7.30, the "
+            "least that this unit reaches, or compute less between the two");
+  EXPECT_EQ(refusal(accumulator(64), 7.3), "");
 }
 
 TEST(Schedule, RefusesARegisterFileWhoseUpdateMissesTheClock) {
@@ -279,8 +280,9 @@ TEST(Schedule, RefusesARegisterFileWhoseUpdateMissesTheClock) {
   EXPECT_EQ(refusal(u.n, 9), "");
   EXPECT_EQ(refusal(u.n, 8),
             "unit.h:7: error: register file totals needs 8.30 ns from the row that it reads to the "
-            "row that it writes, which must be in one stage, but the clock leaves only 8.00; ask "
-            "for a clock of at least 8.30 ns, compute less between the two or use a Ram1R1W");
+            "row that it writes, which must be in one stage, but --clock-ns 8 leaves 8.00; give "
+            "--clock-ns 8.30, the least that this unit reaches, compute less between the two or "
+            "use a Ram1R1W");
 }
 
 TEST(Schedule, RefusesAnOperationThatFitsNoStage) {
@@ -288,8 +290,18 @@ TEST(Schedule, RefusesAnOperationThatFitsNoStage) {
   u.b.set_line({"unit.h", 20});
   u.out(u.b.add(u.in(0, 64), u.in(64, 64)));
   EXPECT_EQ(refusal(u.n, 5),
-            "unit.h:20: error: add of 64 bits needs 7.30 ns in one stage, but the clock leaves "
-            "only 5.00; ask for a clock of at least 7.30 ns or use a narrower operation");
+            "unit.h:20: error: add of 64 bits needs 7.30 ns in one stage, but --clock-ns 5 leaves "
+            "5.00; give --clock-ns 7.30, the least that this unit reaches, or use a narrower "
+            "operation");
+}
+
+TEST(Schedule, NamesTheLeastPeriodOfTheUnitNotOfTheFirstOperationThatMisses) {
+  Unit u(160);
+  u.b.set_line({"unit.h", 20});
+  u.out(u.b.add(u.in(0, 16), u.in(16, 16)));
+  u.out(u.b.add(u.in(32, 64), u.in(96, 64)));
+  EXPECT_THAT(refusal(u.n, 0.001),
+              HasSubstr("but --clock-ns 0.001 leaves 0.00; give --clock-ns 7.30, the least"));
 }
 
 TEST(Schedule, RefusesAUnitWithoutEffect) {
