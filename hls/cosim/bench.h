@@ -43,7 +43,7 @@ struct Settings {
   bool stall_inputs = true;    ///< false: a waiting token is always offered
   bool stall_outputs = true;   ///< false: outputs are always ready
   unsigned patience = 5'000;   ///< clocks without any progress that count as a deadlock
-  unsigned reset_clocks = 64;  ///< rows of the largest register file, which the reset clears
+  unsigned reset_clocks = 64;  ///< at least the rows of the largest register file, which it clears
   unsigned drain = 200;        ///< more clocks than the unit has stages
   unsigned return_clocks = 2;  ///< least clocks from a packet's leaving to its coming back
   /// For waveforms: called after every eval.

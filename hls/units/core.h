@@ -92,6 +92,9 @@ struct Core {
     if constexpr (!C::kCounters) join.leave_out_counters();
   }
 
+  static_assert(C::kPackets <= kResetClocks, "the reset before a frame clears no more rows");
+  static_assert(C::kLines <= kFirstPacket, "start tokens have no numbers for more lines");
+
   /// Joins nothing yet: for tools that only list the units.
   Core() = default;
 

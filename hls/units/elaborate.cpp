@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Writes the files of the core's join for one configuration: the Verilog top, the header with the
-// positions of the frame's registers, and a description as JSON. UNITS is CMake's list of units
-// (list_units.h); it is an error if the join has other units.
+// positions of the frame's registers and the numbers of its start, and a description as JSON. UNITS
+// is CMake's list of units (list_units.h); it is an error if the join has other units.
 #include <cstdio>
 #include <exception>
 #include <fstream>
@@ -15,6 +15,8 @@
 #include DYNRT_CONFIG_HEADER
 #include "join/emit_top.h"
 #include "units/list_units.h"
+#include "units/scan_out.h"
+#include "units/start.h"
 
 namespace {
 
@@ -24,6 +26,18 @@ void write(const std::string& path, const std::string& text) {
   std::ofstream file(path);
   file << text;
   if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
+}
+
+/// What the Verilog around the core takes from the units besides the fields of a frame.
+std::string board_macros() {
+  const auto define = [](const std::string& name, unsigned value) {
+    return "`define DYNRT_CORE_" + name + " " + std::to_string(value) + "\n";
+  };
+  return "\n// The start of a frame (hls/units/start.h).\n" +
+         define("RESET_CLOCKS", dynrt::kResetClocks) + define("FIRST_PACKET", dynrt::kFirstPacket) +
+         define("START_PAUSE", dynrt::kStartPause) +
+         "\n// The SCAN registers (hls/units/scan_out.h).\n" +
+         define("SCAN_WORDS", dynrt::kScanWords);
 }
 
 void check_units(const std::string& path, dynrt::Core<C>& core) {
@@ -51,7 +65,7 @@ int main(int argc, char** argv) {
     check_units(argv[1], *core);
     const std::string top = argv[2];
     write(top + ".v", hlsc::emit_top(join.record(), "dynrt_core"));
-    write(top + ".vh", hlsc::emit_header(join.record(), "dynrt_core"));
+    write(top + ".vh", hlsc::emit_header(join.record(), "dynrt_core") + board_macros());
     write(top + ".json", hlsc::emit_json(join.record(), "dynrt_core"));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "elaborate: %s\n", error.what());

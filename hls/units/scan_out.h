@@ -109,4 +109,7 @@ struct ScanOut {
   bool lit_ = false;  ///< a vertical blank has been; until then there is no picture
 };
 
+/// Registers of the display.
+inline constexpr unsigned kScanWords = hls::bit_width_of<ScanConfig>() / 32;
+
 }  // namespace dynrt

@@ -1,19 +1,19 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Start-up: the tokens that the board sends before a frame. A number below kFirstPacket invalidates
-// that line of every cache; from kFirstPacket on the numbers free packets. The board leaves the
-// caches time to empty in between, so that no packet meets a line of an earlier frame.
+// Start-up: the tokens that the board sends before a frame (units/start.h). A number below
+// kFirstPacket invalidates that line of every cache; from kFirstPacket on the numbers free packets.
+// The board leaves the caches time to empty in between, so that no packet meets a line of an
+// earlier frame.
 #pragma once
 
 #include "units/memory_tokens.h"
 #include "units/ray_generation.h"
+#include "units/start.h"
 
 namespace dynrt {
 
-inline constexpr unsigned kFirstPacket = 1u << 9;
-/// Clocks that the board waits between lines and packets (rtl/board/board_sequencer.v).
-inline constexpr unsigned kStartPause = 64;
+static_assert(kFirstPacket == 1u << 9, "the highest bit of a token tells packets from lines");
 
 template <class C>
 struct Startup {

@@ -16,9 +16,6 @@ namespace dynrt::host {
 
 namespace reg = registers;
 
-static_assert(hls::bit_width_of<ScanConfig>() == 32 * reg::kScanWords,
-              "ScanConfig must have one field for each SCAN register of the board");
-
 ScanConfig scan_config(const VgaMode& m, std::uint32_t base, unsigned width, unsigned height) {
   const unsigned left = (m.hdisplay - width) / 2;
   const unsigned top = (m.vdisplay - height) / 2;

@@ -161,7 +161,7 @@ TEST_F(DisplayTest, KeepsItsRegistersAndTakesThemDuringAFrame) {
   start(Words(kPixels, 0), kFront);
   for (std::uint32_t i = 0; i < 16; ++i) board_.write_register(reg::kRegScan + 4 * i, 100 + i);
   for (std::uint32_t i = 0; i < 16; ++i) {
-    EXPECT_EQ(board_.read_register(reg::kRegScan + 4 * i), i < reg::kScanWords ? 100 + i : 0) << i;
+    EXPECT_EQ(board_.read_register(reg::kRegScan + 4 * i), i < kScanWords ? 100 + i : 0) << i;
   }
   board_.wait(100'000, {});  // nothing was refused
 }

@@ -14,6 +14,7 @@
 #include "host/board/standstill.h"
 #include "host/error.h"
 #include "host/format/frame_words.h"
+#include "units/scan_out.h"
 
 namespace dynrt::host {
 
@@ -46,8 +47,8 @@ RtlBoard::RtlBoard(CoreInfo core, std::unique_ptr<ClockedBoard> clocked,
   const std::size_t expected = core_.frame_words({}).size();
   if (words != expected) refuse(messages::kFrameWords, name(), words, expected);
   const std::uint32_t scan_words = read_register(reg::kRegScanWords);
-  if (scan_words != 0 && scan_words != reg::kScanWords) {
-    refuse(messages::kScanWords, name(), scan_words, reg::kScanWords);
+  if (scan_words != 0 && scan_words != kScanWords) {
+    refuse(messages::kScanWords, name(), scan_words, kScanWords);
   }
   core_.scan_out = scan_words != 0;
   const std::uint32_t limits = read_register(reg::kRegLimits);

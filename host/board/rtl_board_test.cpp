@@ -17,6 +17,7 @@
 #include "host/board/test/named.h"
 #include "host/error.h"
 #include "host/format/frame_words.h"
+#include "units/start.h"
 
 namespace dynrt::host {
 
@@ -36,7 +37,6 @@ constexpr std::uint32_t kFrameBase = 1000;
 constexpr std::uint32_t kLines = 16;
 constexpr std::uint32_t kPackets = 4;
 constexpr std::uint32_t kTokens = kLines + kPackets;
-constexpr std::uint32_t kPause = 64;  ///< clocks between the two kinds of tokens
 constexpr std::uint32_t kHang = 0xdeadbeef;
 constexpr std::uint32_t kViolation = 0x00badbad;  ///< of an assertion
 
@@ -165,8 +165,8 @@ TEST_F(RtlBoardTest, RendersAndInterrupts) {
     EXPECT_EQ(pixels, kPixels);
     // Tokens and pixels go by at one a clock.
     ASSERT_TRUE(run.cycles.has_value());
-    EXPECT_GE(*run.cycles, kTokens + kPause + kPixels);
-    EXPECT_LE(*run.cycles, kTokens + kPause + kPixels + 10);
+    EXPECT_GE(*run.cycles, kTokens + kStartPause + kPixels);
+    EXPECT_LE(*run.cycles, kTokens + kStartPause + kPixels + 10);
     EXPECT_EQ(board_.read_register(reg::kRegStatus), 1u << reg::kStatusDone);
     EXPECT_EQ(board_.read_register(reg::kRegIrqPending), 0u);
 

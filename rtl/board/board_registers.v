@@ -7,11 +7,13 @@
 // pipelined and answered in order, each SRAM_LATENCY + 1 clocks after it was accepted, so a burst
 // of reads moves a word a clock as well. The bus waits only while the scan-out reads the SRAM, a clock.
 `default_nettype none
+`include "dynrt_core.vh"
 
 module board_registers #(
   parameter PACKETS = 64,
   parameter CACHE_LINES = 512,
-  parameter FRAME_WORDS = 12, // at most 2^FRAME_WORD_BITS of the register map
+  parameter FRAME_WORDS = `DYNRT_CORE_FRAME_BITS / 32, // at most 2^FRAME_WORD_BITS of the register map
+  parameter SCAN_WORDS = `DYNRT_CORE_SCAN_WORDS,       // at most 16
   parameter SRAM_LATENCY = 3,
   parameter SCAN_OUT = 1      // 1: there is a scan-out
 ) (
@@ -38,9 +40,9 @@ module board_registers #(
   output reg  [7:0]  counter_addr_o,
   input  wire [31:0] counter_data_i,
   output wire        counter_fetch_o, // the core needs its clock to fetch a counter
-  // scan-out, 14 registers of 32 bits: the SCAN_WORDS of the register map
+  // scan-out
   output reg  [7:0]  scan_clocks_o,
-  output wire [14*32-1:0] scan_o,
+  output wire [32*SCAN_WORDS-1:0] scan_o,
   input  wire [19:0] scan_shown_i,
   input  wire [31:0] scan_frames_i,
   input  wire        scan_en_i,       // it reads the SRAM in this clock

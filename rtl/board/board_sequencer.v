@@ -3,13 +3,15 @@
 //
 // Runs one frame: resets the core for RESET_CLOCKS and clears its counters; makes it empty the
 // lines 0 .. last_line_i of every cache, waits PAUSE_CLOCKS until this is done, frees the packets 0
-// .. last_packet_i (start tokens 512 and up); and waits for the token of the complete frame.
-// Between frames the core needs no clock.
+// .. last_packet_i (start tokens FIRST_PACKET and up); and waits for the token of the complete frame.
+// Between frames the core needs no clock. The numbers come from hls/units/start.h.
 `default_nettype none
+`include "dynrt_core.vh"
 
 module board_sequencer #(
-  parameter RESET_CLOCKS = 64, // the core's register files have up to 64 rows to clear
-  parameter PAUSE_CLOCKS = 64
+  parameter RESET_CLOCKS = `DYNRT_CORE_RESET_CLOCKS,
+  parameter PAUSE_CLOCKS = `DYNRT_CORE_START_PAUSE,
+  parameter FIRST_PACKET = `DYNRT_CORE_FIRST_PACKET
 ) (
   input  wire        clk_i,
   input  wire        rst_ni,
@@ -43,7 +45,7 @@ module board_sequencer #(
   assign core_rst_no = rst_ni && state_q != RESET;
   assign counter_clear_o = state_q == RESET;
   assign start_valid_o = state_q == LINES || state_q == PACKETS;
-  assign start_data_o = {state_q == PACKETS, count_q};
+  assign start_data_o = {1'b0, count_q} | (state_q == PACKETS ? FIRST_PACKET[9:0] : 10'd0);
   assign done_ready_o = state_q == PACKETS || state_q == RUN;
   assign done_o = done_ready_o && done_valid_i && !reset_i;
 

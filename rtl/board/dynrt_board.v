@@ -70,7 +70,7 @@ module dynrt_board #(
   wire [3*32-1:0] core_wdata;
 
   wire [7:0]       scan_clocks;
-  wire [14*32-1:0] scan;
+  wire [32*`DYNRT_CORE_SCAN_WORDS-1:0] scan;
   wire [19:0]      scan_shown;
   wire [31:0]      scan_frames;
   wire             scan_en;

@@ -34,7 +34,6 @@ localparam [25:0] REG_FRAME = 26'h100;           // RW first of the FRAME regist
 localparam [25:0] REG_SCAN = 26'h200;            // RW first of the SCAN registers (hls/units/scan_out.h)
 
 localparam FRAME_WORD_BITS = 6; // there is room for 2^6 FRAME registers
-localparam SCAN_WORDS = 14;     // SCAN registers
 
 localparam CONTROL_START = 0; // reset the core, clear its counters, render a frame; may be refused
 localparam CONTROL_RESET = 1; // reset the core and give up the frame; no interrupt follows

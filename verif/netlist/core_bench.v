@@ -11,8 +11,6 @@
 module core_bench;
   localparam FRAME_WORDS = `DYNRT_CORE_FRAME_BITS / 32;
   localparam BANK_WORDS = 1 << 20;
-  localparam RESET_CLOCKS = 64; // the core's register files have up to 64 rows to clear
-  localparam PAUSE_CLOCKS = 64;
 
   reg clk = 0;
   always #5 clk = !clk;
@@ -121,11 +119,11 @@ module core_bench;
     $readmemh({folder, "/expected4.hex"}, expected4);
     $readmemh({folder, "/expected5.hex"}, expected5);
     for (i = 0; i < FRAME_WORDS; i = i + 1) frame[32*i +: 32] = frame_words[i];
-    for (i = 0; i < RESET_CLOCKS; i = i + 1) @(posedge clk);
+    for (i = 0; i < `DYNRT_CORE_RESET_CLOCKS; i = i + 1) @(posedge clk);
     #1 rst_n = 1;
     for (i = 0; i <= frame[`DYNRT_CORE_FRAME_LINE_MASK +: 9]; i = i + 1) give(i);
-    for (i = 0; i < PAUSE_CLOCKS; i = i + 1) @(posedge clk);
-    for (i = 0; i < frame[`DYNRT_CORE_FRAME_PACKETS +: 9]; i = i + 1) give(512 + i);
+    for (i = 0; i < `DYNRT_CORE_START_PAUSE; i = i + 1) @(posedge clk);
+    for (i = 0; i < frame[`DYNRT_CORE_FRAME_PACKETS +: 9]; i = i + 1) give(`DYNRT_CORE_FIRST_PACKET + i);
     while (!done_valid && clocks < `MAX_CLOCKS) @(posedge clk);
     if (!done_valid) begin
       $display("not done after %0d clocks", clocks);

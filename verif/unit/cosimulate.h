@@ -14,6 +14,7 @@
 #include DYNRT_CONFIG_HEADER
 #include "cosim/bench.h"
 #include "units/packet.h"
+#include "units/start.h"
 
 namespace dynrt::cosim {
 
@@ -53,7 +54,8 @@ void cosimulate(const char* name, Amount amount, Visit visit, Setup setup) {
     const Report report = bench.run({.seed = seed,
                                      .transactions = amount.transactions,
                                      .stall_inputs = !run.full_speed,
-                                     .stall_outputs = !run.full_speed});
+                                     .stall_outputs = !run.full_speed,
+                                     .reset_clocks = kResetClocks});
     ASSERT_TRUE(report.ok) << report.text;
     ASSERT_EQ(report.transactions, amount.transactions);
     if (run.full_speed) {

@@ -61,7 +61,7 @@ module dynrt_core (
   reg  [20*LATENCY-1:0] word_q;
 
   wire fed = tokens_q == lines + packets;
-  wire [31:0] token = tokens_q < lines ? tokens_q : 32'd512 + tokens_q - lines;
+  wire [31:0] token = tokens_q < lines ? tokens_q : `DYNRT_CORE_FIRST_PACKET + tokens_q - lines;
   wire pace = !frame_i[`DYNRT_CORE_FRAME_SCANLINE] || pace_q == 2'd0;
   wire issue = fed && pace && {44'd0, next_q} < words;
   wire write = valid_q[LATENCY-1];

@@ -18,3 +18,11 @@
 `define DYNRT_CORE_FRAME_LIGHTS 416
 `define DYNRT_CORE_FRAME_LIGHT_MATRIX 448
 `define DYNRT_CORE_FRAME_REFLECTIONS 480
+
+// The start of a frame (hls/units/start.h).
+`define DYNRT_CORE_RESET_CLOCKS 64
+`define DYNRT_CORE_FIRST_PACKET 512
+`define DYNRT_CORE_START_PAUSE 64
+
+// The SCAN registers (hls/units/scan_out.h).
+`define DYNRT_CORE_SCAN_WORDS 14

@@ -75,6 +75,7 @@ PUBLISHED = {
     "hls/units/options.h": "host",
     "hls/units/core_model.h": "host/board",
     "hls/units/scan_out.h": "host/board",
+    "hls/units/start.h": "host/board",
     "hls/compiler/join/emit_top.h": "hls/units/elaborate.cpp",
 }
 # Where the compiler looks, after the folder of the including file.
