@@ -46,7 +46,9 @@ def parse() -> argparse.Namespace:
         epilog="""\
 The folder that DYNRT_CACHE names, else build/synth, keeps every placement under a key of the
 Verilog, the constraints, the placer's version, the seed and the flags, with its report and its
-delays. The exit code is 1 where a placement failed, or a unit could not be lowered for the clock.""",
+delays. The exit code is 1 if a row was not placed: its tool is missing, it failed, ran out of time, does
+not fit the device or cannot be lowered for the clock. It is 1 too if a single seed failed. The other
+rows are complete in each case.""",
     )
     parser.add_argument(
         "unit",
@@ -92,7 +94,7 @@ delays. The exit code is 1 where a placement failed, or a unit could not be lowe
     )
     parser.add_argument(
         "--paths",
-        type=int,
+        type=_whole,
         default=3,
         metavar="N",
         help="worst paths to print below a row (default: 3)",
@@ -143,6 +145,12 @@ def _positive(text: str) -> float:
     return value
 
 
+def _whole(text: str) -> int:
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number")
+    return int(text)
+
+
 def _count(text: str) -> int:
     if not text.isdecimal() or int(text) < 1:
         raise argparse.ArgumentTypeError(f"'{text}' is not a whole number above 0")
@@ -158,7 +166,6 @@ class Row:
     subject: placing.Subject | None = None
     placed: list[Json] = field(default_factory=list)
     failures: list[Json] = field(default_factory=list)
-    broken: bool = False  # before a placer could run
 
     def add(self, seed: int, job: "concurrent.futures.Future[Json]", program: str) -> None:
         """The result of a seed, or a sentence that says why there is none."""
@@ -180,7 +187,14 @@ class Row:
         if self.failures and not self.placed:
             self.data["note"] = f"failed: {self.data['failures'][0]['error']}"
         if not self.placed and self.subject and self.name not in WHOLE:
-            self.data["logic_ns"] = placing.logic_delay(self.name, list(self.subject.files))
+            try:
+                self.data["logic_ns"] = placing.logic_delay(self.name, list(self.subject.files))
+            except project.Failed as error:
+                print(f"place: no timing of {self.name} by Yosys: {error}", file=sys.stderr)
+
+    def reason(self) -> str:
+        """Why no seed of it is placed, or nothing."""
+        return "" if self.placed else str(self.data.get("note") or "no seed was placed")
 
 
 def prepare(name: str, args: argparse.Namespace, build: pathlib.Path | None) -> Row:
@@ -195,7 +209,7 @@ def prepare(name: str, args: argparse.Namespace, build: pathlib.Path | None) -> 
     try:
         folder = lowering.lower(build, unit, args.clock_ns, device["delay"], args.config)
     except project.Failed as error:
-        return Row(name, {"unit": name, "note": f"not lowered: {error}"}, broken=True)
+        return Row(name, {"unit": name, "note": f"not lowered: {error}"})
     files = rtl_files.hand_written() + [folder / f"{name}.v"]
     data: Json = {"unit": name}
     data |= area.schedule((folder / f"{name}.txt").read_text(encoding="utf-8"))
@@ -257,7 +271,7 @@ class Run:
             return job.result()
         except project.Failed as error:
             print(f"place: {error}", file=sys.stderr)
-            return Row(name, {"unit": name, "note": f"failed: {error}"}, broken=True)
+            return Row(name, {"unit": name, "note": f"failed: {error}"})
 
     def _seeds(self, row: Row) -> range:
         if row.subject is None or "note" in row.data:
@@ -304,7 +318,15 @@ class Run:
         )
 
     def failed(self) -> bool:
-        return not self.there or any(row.failures or row.broken for row in self.done.values())
+        """Whether a row has no placement, or lacks one of a seed."""
+        return any(row.failures or not row.placed for row in self.done.values())
+
+    def summary(self) -> str:
+        """A sentence with every row that has no placement, or nothing."""
+        missing = [row for row in self.done.values() if not row.placed]
+        reasons = "; ".join(f"{row.name} ({row.reason()})" for row in missing)
+        count = f"{len(missing)} of {len(self.done)} rows"
+        return f"not placed are {count}: {reasons}" if missing else ""
 
 
 def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
@@ -328,27 +350,37 @@ def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
     return list(dict.fromkeys(args.unit)) or everything, build
 
 
-def main() -> int:
-    args = parse()
+def check(args: argparse.Namespace) -> None:
+    """Ends the command if a flag is wrong in itself; `chosen` checks the names."""
     if args.device not in placers.PLACERS:
         project.fail(
             f"there is no way to place on '{args.device}'; the devices are "
             f"{', '.join(placers.PLACERS)}"
         )
+    placers.grade_of(args.device, args.grade)
+    if args.build and not args.build.is_dir():
+        project.fail(f"--build {args.build}: there is no such folder; name that of a build")
     if args.json:
         project.check_output("--json", args.json)
-    placer = placers.PLACERS[args.device]
-    if not shutil.which(placer["program"]):
-        print(
-            f"place: {placer['program']} is not on the PATH ({placer['where']}); what follows is "
-            "Yosys's own timing",
-            file=sys.stderr,
-        )
+
+
+def main() -> int:
+    args = parse()
     try:
+        check(args)
         names, build = chosen(args)
-        run = Run(args, names)
-        print(place_table.line(place_table.HEAD), flush=True)
-        run.place(build)
     except project.Failed as error:
         project.fail(error)
-    return 1 if run.failed() else 0
+    run = Run(args, names)
+    if not run.there:
+        print(
+            f"place: {run.placer['program']} is not on the PATH ({run.placer['where']}); what "
+            "follows is Yosys's own timing",
+            file=sys.stderr,
+        )
+    print(place_table.line(place_table.HEAD), flush=True)
+    run.place(build)
+    if run.failed():
+        print(f"place: {run.summary() or 'not every seed was placed'}", file=sys.stderr)
+        return 1
+    return 0

@@ -14,12 +14,12 @@ import shutil
 import subprocess
 import tempfile
 import unittest
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from typing import Any
 from unittest import mock
 
-from dynrt_tools import project
+from dynrt_tools import project, testing
 from dynrt_tools.hardware import area, lowering, place, placers, placing, rtl_files, synthesis
 from dynrt_tools.hardware.worst_paths_test import SDF
 from dynrt_tools.project import Json
@@ -114,22 +114,61 @@ class Texts(unittest.TestCase):
             ("--clock-ns", "-1", "'-1' is not a number above 0"),
             ("--copies", "0", "'0' is not a whole number above 0"),
             ("--seeds", "1.5", "'1.5' is not a whole number above 0"),
+            ("--paths", "-1", "'-1' is not a whole number"),
         ):
             result = self.script(flag, text)
             self.assertEqual(result.returncode, 2)
             self.assertIn(f"argument {flag}: {sentence}", result.stderr)
 
+    def refused(self, *args: str) -> str:
+        """The one sentence of a call that began no work."""
+        result = self.script(*args)
+        self.assertEqual((result.returncode, result.stdout), (1, ""))
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        return result.stderr
+
     def test_unknown_grade_lists_those_that_there_are(self) -> None:
-        result = self.script("dynrt_core", "--device", "ecp5-85", "--grade", "9")
-        self.assertEqual(result.returncode, 1)
-        self.assertIn("ecp5-85 has no such speed grade; its grades are 6, 7, 8\n", result.stderr)
+        self.assertEqual(
+            self.refused("dynrt_core", "--device", "ecp5-85", "--grade", "9"),
+            "place: --grade 9: ecp5-85 has no such speed grade; its grades are 6, 7, 8\n",
+        )
+
+    def test_names_are_checked_before_the_work(self) -> None:
+        with tempfile.TemporaryDirectory() as name:
+            testing.write_tree(
+                pathlib.Path(name),
+                {
+                    "hls/compiler/hlsc": "",
+                    "hls/units/list_units.txt": "thesis|list|units/list.h|dynrt::List\n",
+                },
+            )
+            self.assertRegex(
+                self.refused("dynrt_core", "lists", "--build", name),
+                "there is no unit 'lists' .did you mean list..; the units are list; dynrt_core",
+            )
+            self.assertIn(
+                f"--config none: the build {name} has no such configuration",
+                self.refused("list", "--config", "none", "--build", name),
+            )
+        self.assertIn(
+            "--build /nowhere: there is no such folder",
+            self.refused("dynrt_core", "--device", "ecp5-85", "--build", "/nowhere"),
+        )
 
     @unittest.skipIf(shutil.which("nextpnr-ecp5"), "nextpnr-ecp5 is there")
     def test_a_missing_tool_is_said(self) -> None:
-        result = self.script("--device", "ecp5-85", "--build", "/nowhere")
+        result = self.script("dynrt_core", "dynrt_board", "--device", "ecp5-85")
+        self.assertEqual(result.returncode, 1)
+        first, last = result.stderr.splitlines()
         self.assertIn(
-            "place: nextpnr-ecp5 is not on the PATH (Debian 12 has no package of it", result.stderr
+            "place: nextpnr-ecp5 is not on the PATH (Debian 12 has no package of it", first
         )
+        self.assertEqual(
+            last,
+            "place: not placed are 2 of 2 rows: dynrt_core (nextpnr-ecp5 is not on the PATH); "
+            "dynrt_board (nextpnr-ecp5 is not on the PATH)",
+        )
+        self.assertRegex(result.stdout, "\ndynrt_core .*\ndynrt_board .*is not on the PATH")
 
 
 class StandIn(unittest.TestCase):
@@ -152,6 +191,7 @@ class StandIn(unittest.TestCase):
         version: str = "nextpnr-0.11",
         names: Sequence[str] = ("sum",),
         without: bool = False,
+        timing: Callable[..., float] = lambda module, files: 2.5,
         **flags: Any,
     ) -> tuple[int, str, str, Json]:
         """Exit code, output, errors and data of a call; `without` the placer on the PATH."""
@@ -189,7 +229,7 @@ class StandIn(unittest.TestCase):
         ), mock.patch.object(
             place, "prepare", self.prepare
         ), mock.patch.object(
-            placing, "logic_delay", lambda module, files: 2.5
+            placing, "logic_delay", timing
         ), contextlib.redirect_stdout(
             output
         ), contextlib.redirect_stderr(
@@ -221,23 +261,18 @@ class StandIn(unittest.TestCase):
         self.assertEqual(len(placed["paths"][0]["hops"]), 4)
         self.assertTrue(placed["netlist"])
 
-    def test_the_clock_asked_for_reaches_the_placer(self) -> None:
-        for asked, mhz in ((None, "100.0000"), (120.0, "120.0000")):
-            self.called(seeds=1, ask_mhz=asked)
+    def test_clock_and_grade_reach_the_placer(self) -> None:
+        for asked, mhz, grade in ((None, "100.0000", "6"), (120.0, "120.0000", "8")):
+            self.called(seeds=1, ask_mhz=asked, grade=grade)
             run = self.runs()[-1]
             self.assertEqual(run[run.index("--freq") + 1], mhz)
+            self.assertEqual(run[run.index("--speed") + 1], grade)
 
     def test_a_placer_that_places_for_another_clock_is_an_error(self) -> None:
         code, _, errors, data = self.called("deaf", seeds=1)
         self.assertEqual(code, 1)
         self.assertIn("was asked for 100.00 MHz and placed for 125.00 of clk", errors)
         self.assertEqual(data["units"][0]["placed"], [])
-
-    def test_the_grade_reaches_the_placer(self) -> None:
-        for grade in ("6", "8"):
-            self.called(seeds=1, grade=grade)
-            run = self.runs()[-1]
-            self.assertEqual(run[run.index("--speed") + 1], grade)
 
     def test_a_placement_is_not_repeated(self) -> None:
         first = self.called()[3]
@@ -305,9 +340,10 @@ class StandIn(unittest.TestCase):
         self.called("no route", seeds=1)
         self.assertEqual(self.called(seeds=1)[0], 0)
 
-    def test_a_design_that_is_too_large_is_no_failure(self) -> None:
-        code, output, _, data = self.called("full", seeds=1)
-        self.assertEqual(code, 0)
+    def test_a_design_that_is_too_large_is_not_placed(self) -> None:
+        code, output, errors, data = self.called("full", seeds=1)
+        self.assertEqual(code, 1)
+        self.assertIn("not placed are 1 of 1 rows: sum (does not fit: Unable to place", errors)
         self.assertIn("does not fit: Unable to place cell 'x'", output)
         self.assertEqual(data["units"][0]["logic_ns"], 2.5)
 
@@ -328,9 +364,24 @@ class StandIn(unittest.TestCase):
 
         with mock.patch.object(self, "prepare", broken):
             code, output, errors, data = self.called(names=("wide", "sum"), seeds=1)
-        self.assertEqual((code, errors), (1, "place: wide: Yosys failed\n"))
+        self.assertEqual(code, 1)
+        self.assertEqual(
+            errors,
+            "place: wide: Yosys failed\n"
+            "place: not placed are 1 of 2 rows: wide (failed: wide: Yosys failed)\n",
+        )
         self.assertRegex(output, r"sum +2 +3.00 +40 +244")
         self.assertEqual(data["units"][0]["note"], "failed: wide: Yosys failed")
+
+    def test_a_row_without_yosys_s_timing_leaves_the_others(self) -> None:
+        refused = mock.Mock(side_effect=project.Failed("wide: Yosys failed"))
+        code, output, errors, data = self.called(
+            "full", names=("wide", "sum"), timing=refused, seeds=1
+        )
+        self.assertEqual(code, 1)
+        self.assertIn("place: no timing of wide by Yosys: wide: Yosys failed", errors)
+        self.assertRegex(output, "\nwide .*\nsum ")
+        self.assertTrue(data["complete"])
 
 
 class Lowering(unittest.TestCase):
@@ -346,7 +397,7 @@ class Lowering(unittest.TestCase):
             lowering, "lower", side_effect=refusal
         ):
             row = place.prepare("sum", args, pathlib.Path("build"))
-        self.assertTrue(row.broken)
+        self.assertIsNone(row.subject)
         self.assertEqual(row.data["note"], "not lowered: sum.h:3: takes 2.35 ns")
 
 
