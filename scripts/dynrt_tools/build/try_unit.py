@@ -14,7 +14,7 @@ import sys
 import time
 from collections.abc import Callable, Sequence
 
-from dynrt_tools import project
+from dynrt_tools import project, unit_names
 
 ROOT = project.ROOT
 CHECKED_IN = "thesis"  # the configuration whose Verilog is under rtl/generated
@@ -59,10 +59,11 @@ def read_modules(build: pathlib.Path) -> list[Module]:
 
 def chosen(modules: Sequence[Module], unit: str, config: str | None) -> list[Module]:
     """The modules of one header in one configuration: the named one, else the first that has it."""
-    named = [m for m in modules if unit in (m.name, m.stem)]
-    if not named:
-        names = sorted({m.name for m in modules})
-        raise Refused(f"there is no unit '{unit}'; the units are {', '.join(names)}")
+    headers = {m.name: m.stem for m in modules}
+    names = unit_names.modules_of(unit, headers)
+    if not names:
+        raise Refused(unit_names.unknown(unit, headers))
+    named = [m for m in modules if m.name in names]
     config = config or named[0].config
     found = [m for m in modules if m.config == config and m.stem == named[0].stem]
     if not found:

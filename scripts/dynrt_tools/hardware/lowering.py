@@ -5,7 +5,7 @@
 import pathlib
 import subprocess
 
-from dynrt_tools import project
+from dynrt_tools import project, unit_names
 from dynrt_tools.hardware import rtl_files, synthesis
 
 
@@ -30,6 +30,11 @@ def units(build: pathlib.Path, config: str = rtl_files.CHECKED_IN) -> dict[str, 
         if name == config:
             found[module] = {"module": module, "header": header, "type": kind}
     return found
+
+
+def headers(units_: dict[str, dict[str, str]]) -> dict[str, str]:
+    """The header's name of each unit, by module."""
+    return {m: unit_names.header_name(unit["header"]) for m, unit in units_.items()}
 
 
 def lower(

@@ -21,7 +21,7 @@ import sys
 from dataclasses import dataclass, field
 from typing import Any
 
-from dynrt_tools import project
+from dynrt_tools import project, unit_names
 from dynrt_tools.hardware import (
     area,
     devices,
@@ -54,7 +54,7 @@ rows are complete in each case.""",
         "unit",
         nargs="*",
         metavar="UNIT",
-        help=f"units to place, {rtl_files.CORE} for the whole core, {BOARD} for the board's top "
+        help=f"units to place, by module or header, {rtl_files.CORE} for the whole core, {BOARD} for the board's top "
         f"(default: every unit; on ecp5-85 {rtl_files.CORE} too)",
     )
     parser.add_argument(
@@ -339,15 +339,13 @@ def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
     units = lowering.units(build, args.config)
     if not units:
         project.fail(f"--config {args.config}: the build {build} has no such configuration")
-    for name in args.unit:
-        if name not in units and name not in WHOLE:
-            project.fail(
-                f"there is no unit '{name}'{rtl_files.meant(name, units)}; the units are "
-                f"{', '.join(units)}; "
-                f"{' and '.join(WHOLE)} are the whole core and the board's top"
-            )
+    names = unit_names.all_modules_of(
+        args.unit,
+        lowering.headers(units) | {name: name for name in WHOLE},
+        f"; {' and '.join(WHOLE)} are the whole core and the board's top",
+    )
     everything = [*units, *([rtl_files.CORE] if args.device == "ecp5-85" else [])]
-    return list(dict.fromkeys(args.unit)) or everything, build
+    return names or everything, build
 
 
 def check(args: argparse.Namespace) -> None:

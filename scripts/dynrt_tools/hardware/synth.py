@@ -10,7 +10,7 @@ import os
 import pathlib
 import sys
 
-from dynrt_tools import project
+from dynrt_tools import project, unit_names
 from dynrt_tools.hardware import devices, rtl_files, synthesis
 from dynrt_tools.project import Json
 
@@ -73,7 +73,8 @@ def parse() -> argparse.Namespace:
         "unit",
         nargs="*",
         metavar="UNIT",
-        help="modules to synthesize (default: every unit, then the whole core)",
+        help="units to synthesize, by module or header, or other modules of the core and the board "
+        "(default: every unit, then the whole core)",
     )
     rtl_files.add_arguments(parser)
     parser.add_argument(
@@ -104,6 +105,15 @@ def parse() -> argparse.Namespace:
     return parser.parse_args()
 
 
+def chosen(args: argparse.Namespace, unit_files: list[pathlib.Path]) -> list[str]:
+    """The modules to synthesize; throws Failed for a name that is none's."""
+    units = sorted(m for m in synthesis.modules(unit_files) if m != args.core)
+    names = args.unit or [*units, *([] if args.units_only else [args.core])]
+    known = synthesis.modules(rtl_files.hand_written() + unit_files)
+    headers = {m: m for m in known} | rtl_files.headers(unit_files)
+    return unit_names.all_modules_of(names, headers)
+
+
 def synthesize(name: str, top: str, files: list[pathlib.Path]) -> Json:
     family = devices.family_of(name)
     cells, seconds = synthesis.cells(
@@ -128,16 +138,10 @@ def main() -> int:  # pylint: disable=too-many-branches
         project.check_output("--json", args.json)
     unit_files = rtl_files.generated(args)
     files = rtl_files.hand_written() + unit_files
-    tops = args.unit or sorted(m for m in synthesis.modules(unit_files) if m != args.core)
-    if not args.unit and not args.units_only:
-        tops.append(args.core)
-    known = synthesis.modules(files)
-    for top in tops:
-        if top not in known:
-            project.fail(
-                f"there is no unit '{top}'{rtl_files.meant(top, known)}; the modules are: "
-                f"{', '.join(sorted(known))}"
-            )
+    try:
+        tops = chosen(args, unit_files)
+    except project.Failed as error:
+        project.fail(error)
 
     figures: dict[str, dict[str, Json]] = {name: {} for name in names}
     failed = False
