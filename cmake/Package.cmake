@@ -41,15 +41,16 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/dynrtConfigVersion.cmake
 install(FILES cmake/dynrtConfig.cmake ${PROJECT_BINARY_DIR}/dynrtConfigVersion.cmake
         DESTINATION ${share}/cmake)
 
-# The Verilog that is checked in. A list names its files relative to its own folder, as -F of
-# Verilator and -f of others, run there, read it.
+# The Verilog that is checked in. The prefix may be moved, so a list names its files relative to its own
+# folder, as -F of Verilator and -f of others, run there, read it.
 set(rtl ${share}/rtl)
-install(DIRECTORY rtl/lib rtl/board rtl/generated DESTINATION ${rtl}
-        FILES_MATCHING PATTERN *.v PATTERN *.vh)
+install(DIRECTORY rtl/lib rtl/board rtl/generated rtl/lint DESTINATION ${rtl}
+        FILES_MATCHING PATTERN *.v PATTERN *.vh PATTERN *.vlt)
 install(FILES constraints/dynrt_board.sdc DESTINATION ${rtl})
-set(lists ${PROJECT_BINARY_DIR}/dynrt_core.f ${PROJECT_BINARY_DIR}/dynrt_board.f)
+set(lists ${PROJECT_BINARY_DIR}/dynrt_core.f ${PROJECT_BINARY_DIR}/dynrt_board.f
+    ${PROJECT_BINARY_DIR}/dynrt_lint.f)
 add_custom_command(OUTPUT ${lists}
-  COMMAND ${PROJECT_SOURCE_DIR}/scripts/file_lists ${PROJECT_BINARY_DIR}
+  COMMAND ${PROJECT_SOURCE_DIR}/scripts/file_lists --relative ${PROJECT_BINARY_DIR}
   DEPENDS scripts/dynrt_tools/hardware/file_lists.py dynrt.core VERBATIM)
 add_custom_target(file_lists ALL DEPENDS ${lists})
 install(FILES ${lists} DESTINATION ${rtl})

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # cmake -DBUILD=.. -DEXAMPLE=.. -DCOMPILER=.. -P TryPackage.cmake
 # Installs a build into a fresh folder, renders with the installed program, builds a copy of the
-# example project with what is installed alone and runs it; Verilator reads the installed board by the
+# example project with what is installed alone and runs it; Verilator lints the installed board by the
 # list of its files.
 set(work ${BUILD}/package_test)
 file(REMOVE_RECURSE ${work})
@@ -23,5 +23,5 @@ run(${CMAKE_COMMAND} -G Ninja -S ${work}/example -B ${work}/build -DCMAKE_CXX_CO
     -DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 run(${CMAKE_COMMAND} --build ${work}/build)
 run(${work}/build/example)
-run(verilator --lint-only -F ${work}/prefix/share/dynrt/rtl/dynrt_board.f --top-module dynrt_board)
+run(verilator --lint-only -F ${work}/prefix/share/dynrt/rtl/dynrt_lint.f)
 file(REMOVE_RECURSE ${work})

@@ -76,14 +76,45 @@ class CoreFile(testing.InFolder):
             stated = project.searched(rf"parameter {parameter} = (\d+)", board)
             self.assertEqual(int(stated[1]), int(thesis[key]), parameter)
 
+    def lists(self, *flags: str) -> dict[str, list[str]]:
+        """The lines of each list that the command writes."""
+        subprocess.run([ROOT / "scripts/file_lists", *flags, self.folder], check=True)
+        names = ("dynrt_core.f", "dynrt_board.f", "dynrt_lint.f")
+        return {n: (self.folder / n).read_text(encoding="utf-8").splitlines() for n in names}
+
     def test_file_lists_name_what_is_there(self) -> None:
-        subprocess.run([ROOT / "scripts/file_lists", self.folder], check=True)
-        for name, at_least in (("dynrt_core.f", 25), ("dynrt_board.f", 30)):
-            lines = (self.folder / name).read_text(encoding="utf-8").splitlines()
-            sources = [line for line in lines if not line.startswith("+incdir+")]
-            self.assertGreater(len(sources), at_least, name)
-            for line in lines:
-                self.assertTrue((ROOT / "rtl" / line.removeprefix("+incdir+")).exists(), line)
+        for flags, start in (((), pathlib.Path("/")), (("--relative",), ROOT / "rtl")):
+            lists = self.lists(*flags)
+            self.assertLess(len(lists["dynrt_core.f"]), len(lists["dynrt_board.f"]))
+            self.assertGreater(len(lists["dynrt_core.f"]), 25)
+            for name, lines in lists.items():
+                for line in lines:
+                    path = pathlib.Path(line.removeprefix("+incdir+"))
+                    if not line.startswith("-"):
+                        self.assertEqual(path.is_absolute(), not flags, f"{name}: {line}")
+                        self.assertTrue((start / path).exists(), f"{name}: {line}")
+
+    def test_tools_read_the_lists_from_any_folder(self) -> None:
+        self.lists()
+        for command in (
+            "verilator --lint-only -f {}/dynrt_lint.f",
+            "verilator --lint-only -f {}/dynrt_board.f --top-module dynrt_board",
+            "iverilog -g2005 -t null -s dynrt_core -f {}/dynrt_core.f",
+        ):
+            words = command.format(self.folder).split()
+            for place in (self.folder, ROOT, ROOT / "rtl"):
+                result = testing.run(*words, cwd=place)
+                self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+
+    def test_the_lint_list_needs_its_waivers(self) -> None:
+        self.lists()
+        path = self.folder / "dynrt_lint.f"
+        lines = path.read_text(encoding="utf-8").splitlines()
+        without = [line for line in lines if not line.endswith(".vlt")]
+        self.assertLess(len(without), len(lines))
+        path.write_text("\n".join(without), encoding="utf-8")
+        result = testing.run("verilator", "--lint-only", "-f", path)
+        self.assertIn("PINCONNECTEMPTY", result.stderr)
 
 
 if __name__ == "__main__":

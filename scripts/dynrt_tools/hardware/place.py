@@ -54,7 +54,8 @@ rows are complete in each case.""",
         "unit",
         nargs="*",
         metavar="UNIT",
-        help=f"units to place, by module or header, {rtl_files.CORE} for the whole core, {BOARD} for the board's top "
+        help=f"units to place, by module or header, {rtl_files.CORE} for the whole core, {BOARD} for "
+        "the board's top "
         f"(default: every unit; on ecp5-85 {rtl_files.CORE} too)",
     )
     parser.add_argument(

@@ -144,7 +144,8 @@ class Texts(unittest.TestCase):
             )
             self.assertRegex(
                 self.refused("dynrt_core", "lists", "--build", name),
-                "there is no unit 'lists' .did you mean list..; the units are dynrt_board, dynrt_core, list; dynrt_core",
+                "there is no unit 'lists' .did you mean list..; the units are dynrt_board, dynrt_core, "
+                "list; dynrt_core",
             )
             self.assertIn(
                 f"--config none: the build {name} has no such configuration",
