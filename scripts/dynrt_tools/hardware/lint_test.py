@@ -238,7 +238,7 @@ class Synth(Planted):
             self.assertEqual(result.returncode, 1)
             self.assertEqual(
                 result.stderr,
-                f"synth: there is no unit '{name}'{question}; the modules are: ram, unit\n",
+                f"synth: there is no unit '{name}'{question}; the units are ram, unit\n",
             )
 
     def test_unknown_configuration(self) -> None:
