@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """The four kinds of scene that the thesis measures, on our RTL, beside its frame rates."""
 
-import concurrent.futures
 import dataclasses
 import os
 
 from dynrt_tools.bench.rows import CLOCK_MHZ, CONFIG
 from dynrt_tools.bench.run import Dynrt, Work, busiest, rays
+from dynrt_tools.command import Pool
 from dynrt_tools.project import Json, Progress
 
 # The thesis's typical frame rates at 512x384 and 85 MHz (chapter 10) of scenes like these; for its
@@ -140,7 +140,7 @@ def measure(dynrt: Dynrt, size: str, full_size: str, progress: Progress) -> list
         )
 
     progress(f"rtl, {size}: {', '.join(THESIS)}")
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+    with Pool(os.cpu_count()) as pool:
         # The longest first; the order of the table is the thesis's.
         return list(pool.map(one, reversed(RUNS)))[::-1]
 

@@ -18,6 +18,7 @@ import sys
 import tempfile
 
 from dynrt_tools import project
+from dynrt_tools.command import guarded
 
 GOLDEN = project.ROOT / "verif" / "stress" / "golden.json"
 PAGE = project.ROOT / "docs" / "results" / "stress.md"
@@ -94,4 +95,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    guarded(main)

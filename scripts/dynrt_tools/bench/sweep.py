@@ -4,7 +4,6 @@
 the frame rate that follows, and how often the caches hit with more and more lines. Each as a CSV
 and as an SVG."""
 
-import concurrent.futures
 import csv
 import os
 import pathlib
@@ -14,6 +13,7 @@ from matplotlib import pyplot
 
 from dynrt_tools.bench.rows import CLOCK_MHZ, CONFIG
 from dynrt_tools.bench.run import Dynrt
+from dynrt_tools.command import Pool
 from dynrt_tools.project import Json, Progress
 
 PACKETS = (1, 2, 4, 8, 16, 24, 32, 48, 64)
@@ -52,7 +52,7 @@ def measure(
         }
 
     rows = []
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+    with Pool(os.cpu_count()) as pool:
         for result in pool.map(row, values):
             rows.append(result)
             progress(f"{flag}: {len(rows)} of {len(values)}")

@@ -8,7 +8,6 @@ several configurations; such a unit is synthesized once (synthesis.py).
 """
 
 import argparse
-import concurrent.futures
 import json
 import pathlib
 import re
@@ -17,6 +16,7 @@ import tempfile
 from collections import Counter
 
 from dynrt_tools import project
+from dynrt_tools.command import Pool
 from dynrt_tools.hardware import devices, rtl_files, synthesis
 from dynrt_tools.project import Json
 
@@ -84,7 +84,7 @@ def hardware(folder: pathlib.Path, family: str = FAMILY, jobs: int = 1) -> Json:
     for name in (f"{JOIN}.v", f"{JOIN}.vh"):
         join[name] = without_comments((folder / name).read_text(encoding="utf-8"))
     sources = {m: {f"{m}.v": without_comments(text)} for m, text in texts.items()} | {JOIN: join}
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+    with Pool(jobs) as pool:
         found = {m: pool.submit(cells_of, m, files, family) for m, files in sources.items()}
         cells = {m: one.result() for m, one in found.items()}
     units = {}

@@ -4,7 +4,6 @@
 beside ours, and the formulas C_RTC(P, CL) and Bits_RTC(P, CL) fitted to ours."""
 
 import argparse
-import concurrent.futures
 import json
 import os
 import pathlib
@@ -12,6 +11,7 @@ import subprocess
 from collections.abc import Iterable
 
 from dynrt_tools import project
+from dynrt_tools.command import Pool
 from dynrt_tools.hardware import gate_count, gate_report, gate_units, rtl_files
 from dynrt_tools.hardware.gate_report import Counts
 
@@ -44,7 +44,7 @@ def measure(points: Iterable[tuple[int, int]], jobs: int) -> Counts:
     folder = project.ROOT / "build" / "configurations"
     folder.mkdir(parents=True, exist_ok=True)
     counts = {}
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+    with Pool(jobs) as pool:
         for packets, lines in points:
             project.show_progress(f"counting {packets} packets, {lines} lines")
             if (packets, lines) == (gate_units.PACKETS, gate_units.LINES):

@@ -9,7 +9,6 @@
 """
 
 import argparse
-import concurrent.futures
 import fnmatch
 import os
 import pathlib
@@ -18,6 +17,7 @@ import subprocess
 import sys
 
 from dynrt_tools import project
+from dynrt_tools.command import Pool
 from dynrt_tools.hardware import rtl_files
 
 WAIVER = re.compile(r'lint_off\s+-rule\s+(\w+)\s+-file\s+"([^"]+)"(\s+-match\s+"[^"]*")?\s*$')
@@ -89,7 +89,7 @@ def main() -> int:
     sources = by_hand + rtl_files.generated(args)
 
     problems = check_waivers(root, sources)
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+    with Pool(os.cpu_count()) as pool:
         jobs = {
             f"verilator: {os.path.relpath(f, root)}": pool.submit(verilator, root, f, sources)
             for f in sources

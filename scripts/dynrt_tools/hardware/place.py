@@ -22,6 +22,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from dynrt_tools import project, unit_names
+from dynrt_tools.command import Pool
 from dynrt_tools.hardware import (
     area,
     devices,
@@ -240,7 +241,7 @@ class Run:
 
     def place(self, build: pathlib.Path | None) -> None:
         """Places every row and seed, as many at a time as there may be."""
-        with concurrent.futures.ThreadPoolExecutor(self.args.jobs) as pool:
+        with Pool(self.args.jobs) as pool:
             preparing = {pool.submit(prepare, n, self.args, build): n for n in self.names}
             placements: dict[concurrent.futures.Future[Json], tuple[Row, int]] = {}
             left: dict[str, int] = {}

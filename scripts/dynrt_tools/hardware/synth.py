@@ -4,13 +4,13 @@
 family that each takes, or its part of a device."""
 
 import argparse
-import concurrent.futures
 import json
 import os
 import pathlib
 import sys
 
 from dynrt_tools import project, unit_names
+from dynrt_tools.command import Pool
 from dynrt_tools.hardware import devices, rtl_files, synthesis
 from dynrt_tools.project import Json
 
@@ -145,7 +145,7 @@ def main() -> int:  # pylint: disable=too-many-branches
 
     figures: dict[str, dict[str, Json]] = {name: {} for name in names}
     failed = False
-    with concurrent.futures.ThreadPoolExecutor(max(1, args.jobs)) as pool:
+    with Pool(max(1, args.jobs)) as pool:
         # The core takes longest, so it starts first.
         jobs = {(n, t): pool.submit(synthesize, n, t, files) for t in reversed(tops) for n in names}
         for name in names:

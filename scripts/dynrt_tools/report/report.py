@@ -15,6 +15,7 @@ from typing import NoReturn
 
 from dynrt_tools.build import fingerprint
 from dynrt_tools.build.whole import require_whole
+from dynrt_tools.command import INTERRUPTED
 from dynrt_tools.project import Failed, Json, read_json
 from dynrt_tools.report import variants as listed
 from dynrt_tools.report.collect import check_writable, collect, scene_name, scene_path, write
@@ -163,6 +164,7 @@ def guarded(act: Callable[[argparse.Namespace], int | None], args: argparse.Name
         print(f"dynrt: {error.filename or args.out}: {error.strerror}", file=sys.stderr)
     except KeyboardInterrupt:
         print("\ndynrt: interrupted; the same command goes on from here", file=sys.stderr)
+        return INTERRUPTED
     return MISTAKE
 
 

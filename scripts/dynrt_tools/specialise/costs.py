@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The costs of a core: its part of a device, its gates by the thesis's rule, its stages."""
 
-import concurrent.futures
 import pathlib
 
+from dynrt_tools.command import Pool
 from dynrt_tools.hardware import area, devices, gate_count, gate_rule, synthesis
 from dynrt_tools.project import Failed, Json, Progress
 
@@ -23,7 +23,7 @@ COSTS = {
 
 
 def gates_of(folder: pathlib.Path, jobs: int) -> Json:
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+    with Pool(jobs) as pool:
         counts = gate_count.count_core(sorted(folder.glob("*.v")), pool).values()
     bits = sum(count.bits for count in counts)
     return {
