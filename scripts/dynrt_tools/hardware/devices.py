@@ -92,9 +92,9 @@ FAMILIES: dict[str, Family] = {
             "BRAM": r"RAMB\w*$",
         },
         "takes": [
-            (r"(LUT[1-6]|INV|SRL\w+|RAM(32|64)X1S)$", {"LUT6": 1}),
-            (r"RAM(32|64)X1D$", {"LUT6": 2}),
-            (r"RAM(32M|64M|128X1D|256X1S)$", {"LUT6": 4}),
+            (r"(LUT[1-6]|INV|SRL\w+|RAM32X1S|RAM64X1S)$", {"LUT6": 1}),
+            (r"(RAM32X1D|RAM64X1D)$", {"LUT6": 2}),
+            (r"(RAM32M|RAM64M|RAM128X1D|RAM256X1S)$", {"LUT6": 4}),
             (r"(FD|LD)\w*$", {"FF": 1}),
             (r"RAMB36\w*$", {"block RAM": 1}),
             (r"RAMB18\w*$", {"block RAM": 0.5}),
@@ -113,7 +113,7 @@ FAMILIES: dict[str, Family] = {
             "BRAM": r"RAMB16\w*$",
         },
         "takes": [
-            (r"(LUT[1-4]|INV|SRL16E?|RAM16X1S)(_\d+)?$", {"LUT4": 1}),
+            (r"(LUT[1-4]|INV|SRL16|SRL16E|RAM16X1S)(_\d+)?$", {"LUT4": 1}),
             (r"(RAM16X1D|RAM32X1S)(_\d+)?$", {"LUT4": 2}),
             (r"(RAM32X1D|RAM64X1S)(_\d+)?$", {"LUT4": 4}),
             (r"(RAM64X1D|RAM128X1S)(_\d+)?$", {"LUT4": 8}),
@@ -194,6 +194,26 @@ def resources(family: str, cells: dict[str, int]) -> dict[str, float]:
         for resource, amount in next(amounts, {}).items():
             taken[resource] += amount * count
     return taken
+
+
+def _cells_of(pattern: str) -> str:
+    """The types of cells that a pattern of `cells` or `takes` means, in a reader's words."""
+    names = pattern.replace(r"(_\d+)?", "").rstrip("$")
+    return re.sub(r"\\w[*+]", "*", names).strip("()").replace("|", ", ")
+
+
+def formula(family: str) -> str:
+    """How many LUTs of a device the cells take, as a sum over the types of cells: what `resources`
+    computes of them."""
+    takes = FAMILIES[family]["takes"]
+    lut = next(iter(takes[0][1]))
+    terms = []
+    for pattern, amounts in takes:
+        if amount := amounts.get(lut):
+            cells = _cells_of(pattern)
+            cells = f"({cells})" if "," in cells else cells
+            terms.append(cells if amount == 1 else f"{amount:g} x {cells}")
+    return f"{lut} of the device = {' + '.join(terms)}"
 
 
 def shortages(device: str, taken: dict[str, float]) -> list[str]:

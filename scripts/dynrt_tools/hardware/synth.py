@@ -27,6 +27,7 @@ def print_areas(name: str, rows: dict[str, Json]) -> None:
             + "".join(f"{row['area'][c]:>9}" for c in devices.COLUMNS)
             + f"{row['seconds']:>9.0f}"
         )
+    print("each column counts cells of Yosys; LUT has those of logic alone")
 
 
 def print_shares(name: str, rows: dict[str, Json]) -> None:
@@ -44,6 +45,7 @@ def print_shares(name: str, rows: dict[str, Json]) -> None:
                 for r, n in has.items()
             )
         )
+    print(f"{devices.formula(devices.family_of(name))}, in cells of Yosys")
 
 
 def misfits(names: list[str], figures: dict[str, dict[str, Json]]) -> tuple[list[str], set[str]]:
@@ -173,7 +175,12 @@ def main() -> int:  # pylint: disable=too-many-branches
         }
         args.json.write_text(
             json.dumps(
-                {"config": args.config, "devices": parts["area"], "resources": parts["resources"]},
+                {
+                    "config": args.config,
+                    "counted": {n: devices.formula(devices.family_of(n)) for n in names},
+                    "devices": parts["area"],
+                    "resources": parts["resources"],
+                },
                 indent=2,
             )
             + "\n",
