@@ -24,14 +24,14 @@ def terms(formula: str) -> dict[str, float]:
 
 class Formula(unittest.TestCase):
     def test_each_family_s_is_what_is_counted(self) -> None:
-        for family in devices.FAMILIES:
+        for family, facts in devices.FAMILIES.items():
             formula = devices.formula(family)
             lut = formula.partition(" ")[0]
             for cell, amount in terms(formula).items():
                 taken = devices.resources(family, {cell: 1})
                 self.assertEqual(taken[lut], amount, f"{family}: {cell}")
             shown = formula.count(" x ") + 1
-            counted = [a for _, amounts in devices.FAMILIES[family]["takes"] for a in amounts]
+            counted = [a for _, amounts in facts["takes"] for a in amounts]
             self.assertEqual(shown, counted.count(lut), family)
 
     def test_ecp5(self) -> None:

@@ -169,6 +169,8 @@ class Synth(Planted):
         self.assertIn("Lattice LFE5U-85F (synth_ecp5 -nowidelut)", result.stdout)
         formula = "LUT4 of the device = LUT4 + 2 x CCU2C + 6 x TRELLIS_DPR16X4"
         self.assertEqual(figures["counted"]["ecp5-85"], formula)
+        share = figures["shares"]["ecp5-85"]["unit"]["block RAM"]
+        self.assertEqual(share, round(100 / figures["has"]["ecp5-85"]["block RAM"], 1))
         self.assertIn(f"\n{formula}, in cells of Yosys\n", result.stdout)
         self.assertRegex(result.stdout, r"(?m)^LUT4 of the device = \(LUT\[1-4\], INV, SRL16")
         self.assertRegex(result.stdout, r"(?m)^unit .* 1   0.5 % +1   0.6 %$")

@@ -27,6 +27,7 @@ from dynrt_tools.hardware import (
     area,
     devices,
     lowering,
+    place_record,
     place_table,
     placers,
     placing,
@@ -133,6 +134,12 @@ rows are complete in each case.""",
         type=pathlib.Path,
         metavar="FILE",
         help="also write the figures as data, anew after each row",
+    )
+    parser.add_argument(
+        "--record",
+        type=pathlib.Path,
+        metavar="FILE",
+        help="also write the few of them that docs/results/devices.md shows",
     )
     return parser.parse_args()
 
@@ -301,23 +308,23 @@ class Run:
             print(path)
         sys.stdout.flush()
         if self.args.json:
-            self.write(self.args.json)
+            project.write_json(self.args.json, self.data())
+        if self.args.record:
+            record = place_record.summary(self.data(), self.args.seeds)
+            project.write_json(self.args.record, record)
 
-    def write(self, path: pathlib.Path) -> None:
+    def data(self) -> Json:
         """The rows that are done, in the order of their names on the command line."""
-        project.write_json(
-            path,
-            {
-                "config": self.args.config,
-                "device": self.args.device,
-                "grade": self.target.grade,
-                "clock_ns": self.args.clock_ns,
-                "asked_mhz": round(self.target.mhz, 3),
-                "copies": self.args.copies,
-                "complete": len(self.done) == len(self.names),
-                "units": [self.done[n].data for n in self.names if n in self.done],
-            },
-        )
+        return {
+            "config": self.args.config,
+            "device": self.args.device,
+            "grade": self.target.grade,
+            "clock_ns": self.args.clock_ns,
+            "asked_mhz": round(self.target.mhz, 3),
+            "copies": self.args.copies,
+            "complete": len(self.done) == len(self.names),
+            "units": [self.done[n].data for n in self.names if n in self.done],
+        }
 
     def failed(self) -> bool:
         """Whether a row has no placement, or lacks one of a seed."""
@@ -360,8 +367,9 @@ def check(args: argparse.Namespace) -> None:
     placers.grade_of(args.device, args.grade)
     if args.build and not args.build.is_dir():
         project.fail(f"--build {args.build}: there is no such folder; name that of a build")
-    if args.json:
-        project.check_output("--json", args.json)
+    for flag in ("json", "record"):
+        if path := getattr(args, flag):
+            project.check_output(f"--{flag}", path)
 
 
 def main() -> int:

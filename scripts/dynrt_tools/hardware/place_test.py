@@ -218,6 +218,7 @@ class StandIn(unittest.TestCase):
             "build": None,
             "jobs": 1,
             "json": data,
+            "record": self.folder / "record.json",
         } | flags
         synthesis.tool_version.cache_clear()
         output, errors = io.StringIO(), io.StringIO()
@@ -254,6 +255,11 @@ class StandIn(unittest.TestCase):
         self.assertEqual((code, errors), (0, ""))
         self.assertTrue((self.folder / "kept" / data["units"][0]["placed"][0]["run"]).is_dir())
         self.assertRegex(output, r"sum +2 +3.00 +40 +244 +244 to 244 +4.10 +137 %")
+        record = project.read_json(self.folder / "record.json")
+        shown = {"stages": 2, "predicted, ns": 3.0, "cells": 40, "MHz, median": 244}
+        shown |= {"range low": 244, "range high": 244, "placed, ns": 4.1, "of predicted": 137}
+        self.assertEqual(record["units"], {"sum": shown})
+        self.assertEqual(record["lowered"], {"units": 1, "of": 1, "stages": 2})
         self.assertIn("4.10 ns = 1.10 logic + 3.00 wires, 2 levels, 1 ends", output)
         (row,) = data["units"]
         self.assertEqual([p["seed"] for p in row["placed"]], [1, 2, 3])
@@ -347,6 +353,9 @@ class StandIn(unittest.TestCase):
         self.assertIn("not placed are 1 of 1 rows: sum (does not fit: Unable to place", errors)
         self.assertIn("does not fit: Unable to place cell 'x'", output)
         self.assertEqual(data["units"][0]["logic_ns"], 2.5)
+        record = project.read_json(self.folder / "record.json")
+        self.assertEqual((record["units"], record["longest path by Yosys, ns"]), ({}, 2.5))
+        self.assertIn("does not fit", record["not placed"]["sum"]["reason"])
 
     @unittest.skipIf(shutil.which("nextpnr-ecp5", path="/usr/bin:/bin"), "nextpnr-ecp5 is there")
     def test_without_a_placer_the_rows_have_the_timing_of_yosys(self) -> None:

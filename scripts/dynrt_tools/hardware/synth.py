@@ -48,6 +48,17 @@ def print_shares(name: str, rows: dict[str, Json]) -> None:
     print(f"{devices.formula(devices.family_of(name))}, in cells of Yosys")
 
 
+def shares(name: str, rows: dict[str, Json]) -> Json:
+    """The part of the device that each module takes, in percent, and that of its logic alone."""
+    has = devices.DEVICES[name]["has"]
+    luts = next(iter(has.values()))
+    return {
+        top: {r: round(100 * row["resources"].get(r, 0) / n, 1) for r, n in has.items() if n}
+        | {"logic alone": round(100 * row["area"]["LUT"] / luts, 1)}
+        for top, row in rows.items()
+    }
+
+
 def misfits(names: list[str], figures: dict[str, dict[str, Json]]) -> tuple[list[str], set[str]]:
     """A sentence for every module that a device cannot hold, and those that none of them holds."""
     sentences, nowhere = [], set()
@@ -180,6 +191,9 @@ def main() -> int:  # pylint: disable=too-many-branches
                     "counted": {n: devices.formula(devices.family_of(n)) for n in names},
                     "devices": parts["area"],
                     "resources": parts["resources"],
+                    "has": {n: devices.DEVICES[n]["has"] for n in names if n in devices.DEVICES},
+                    "shares": {n: shares(n, figures[n]) for n in names if n in devices.DEVICES},
+                    "latency": rtl_files.latencies(unit_files),
                 },
                 indent=2,
             )

@@ -1,0 +1,65 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The figures of scripts/place that docs/results/devices.md shows, out of its whole data."""
+
+import re
+import statistics
+
+from dynrt_tools.hardware import devices, place_table
+from dynrt_tools.project import Json
+
+TAKES = re.compile(r"takes ([\d.]+) ns")  # hlsc's sentence about a path that is too long
+
+
+def placed(row: Json) -> Json:
+    """The columns of a row that was placed."""
+    clocks = sorted(p["mhz"] for p in row["placed"])
+    period, predicted = 1000 / statistics.median(clocks), row.get("longest_path_ns")
+    return {
+        "stages": row.get("stages"),
+        "predicted, ns": predicted,
+        "cells": place_table.middle(row["placed"])["cells"],
+        "MHz, median": round(statistics.median(clocks)),
+        "range low": round(clocks[0]),
+        "range high": round(clocks[-1]),
+        "placed, ns": round(period, 2),
+        "of predicted": round(100 * period / predicted) if predicted else None,
+    }
+
+
+def missing(row: Json, device: str) -> Json:
+    """Why a row was not placed, what it takes of the device, and hlsc's path that is too long."""
+    note = row.get("note") or "no seed was placed"
+    long = TAKES.search(note)
+    return {
+        "reason": note,
+        "takes": row.get("resources"),
+        "there are": devices.DEVICES[device]["has"],
+        "path, ns": float(long[1]) if long else None,
+    }
+
+
+def summary(data: Json, seeds: int) -> Json:
+    """What the page needs of the data that --json writes."""
+    rows = data["units"]
+    found = {row["unit"]: placed(row) for row in rows if row.get("placed")}
+    parts = [u["of predicted"] for u in found.values() if u["of predicted"]]
+    lowered = [row for row in rows if "stages" in row]
+    cells = [row["logic_ns"] for row in rows if "logic_ns" in row]
+    device = data["device"]
+    return {
+        **{key: data[key] for key in ("config", "device", "grade", "clock_ns", "complete")},
+        "seeds": seeds,
+        "units": found,
+        "of predicted": {
+            "mean": round(statistics.mean(parts)) if parts else None,
+            "median": round(statistics.median(parts)) if parts else None,
+        },
+        "not placed": {r["unit"]: missing(r, device) for r in rows if not r.get("placed")},
+        "lowered": {
+            "units": len(lowered),
+            "of": len(rows),
+            "stages": sum(row["stages"] for row in lowered),
+        },
+        "longest path by Yosys, ns": max(cells, default=None),
+    }
