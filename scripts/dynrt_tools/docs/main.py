@@ -12,7 +12,7 @@ import http.server
 import pathlib
 
 from dynrt_tools import project
-from dynrt_tools.docs import ideas, links, made, site, times
+from dynrt_tools.docs import ideas, links, made, record, site, times
 
 PORT = 8000
 
@@ -34,6 +34,12 @@ def parse() -> argparse.Namespace:
         action="store_true",
         help="render the frames of the page that says what each idea brings, keep their figures as "
         "its data, and renew the pages; takes minutes",
+    )
+    what.add_argument(
+        "--record",
+        metavar="PAGE",
+        help="measure the data of a page of docs/results again with the commands of its last table, "
+        f"and renew the pages; takes minutes to hours; PAGE is one of {', '.join(record.pages())}",
     )
     parser.add_argument(
         "--build",
@@ -85,7 +91,9 @@ def main() -> int:
             times.keep(args.times[0], pathlib.Path(args.times[1]))
         if args.measure:
             ideas.measure(args.build or project.ROOT / "build" / "release")
-        if args.renew or args.times or args.measure:
+        if args.record:
+            record.record(args.record)
+        if args.renew or args.times or args.measure or args.record:
             for path in made.renew(made_pages(args.build)) + made.renew_waves():
                 print(path.relative_to(project.ROOT))
             return 0

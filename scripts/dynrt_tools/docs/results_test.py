@@ -142,7 +142,7 @@ class Readme(unittest.TestCase):
         prototype = expected["office", "full"][1]
         expected["office", "thesis"] = f"{frame['frames_per_second']:.1f}", prototype
         self.assertEqual(shown, expected)
-        share = data.figure("devices", "rows/LUT4, all/share")
+        share = round(data.figure("synth", "shares/ecp5-85/dynrt_core/LUT4"))
         self.assertIn(f"`thesis` takes {share} % of the LUTs", text)
 
 

@@ -36,8 +36,7 @@ from dynrt_tools.hardware import (
 )
 from dynrt_tools.project import Json
 
-BOARD = "dynrt_board"
-WHOLE = (rtl_files.CORE, BOARD)  # what is placed of the checked-in Verilog
+WHOLE = (rtl_files.CORE, rtl_files.BOARD)  # what is placed of the checked-in Verilog
 
 
 def parse() -> argparse.Namespace:
@@ -56,8 +55,8 @@ rows are complete in each case.""",
         "unit",
         nargs="*",
         metavar="UNIT",
-        help=f"units to place, by module or header, {rtl_files.CORE} for the whole core, {BOARD} for "
-        "the board's top "
+        help=f"units to place, by module or header, {rtl_files.CORE} for the whole core, "
+        f"{rtl_files.BOARD} for the board's top "
         f"(default: every unit; on ecp5-85 {rtl_files.CORE} too)",
     )
     parser.add_argument(
@@ -210,7 +209,7 @@ def prepare(name: str, args: argparse.Namespace, build: pathlib.Path | None) -> 
     """A row with all that is known before the placer runs; without a subject there is no more."""
     if name in WHOLE:
         files = rtl_files.library() + rtl_files.generated(args)
-        files += rtl_files.board() if name == BOARD else []
+        files += rtl_files.board() if name == rtl_files.BOARD else []
         return Row(name, {"unit": name}, placing.Subject(name, files, args.copies, True))
     assert build is not None  # units are of a build
     device = devices.DEVICES[args.device]

@@ -5,7 +5,7 @@
 import re
 import statistics
 
-from dynrt_tools.hardware import devices, place_table
+from dynrt_tools.hardware import devices, place_table, rtl_files
 from dynrt_tools.project import Json
 
 TAKES = re.compile(r"takes ([\d.]+) ns")  # hlsc's sentence about a path that is too long
@@ -44,7 +44,8 @@ def summary(data: Json, seeds: int) -> Json:
     rows = data["units"]
     found = {row["unit"]: placed(row) for row in rows if row.get("placed")}
     parts = [u["of predicted"] for u in found.values() if u["of predicted"]]
-    lowered = [row for row in rows if "stages" in row]
+    units = [row for row in rows if row["unit"] not in (rtl_files.CORE, rtl_files.BOARD)]
+    lowered = [row for row in units if "stages" in row]
     cells = [row["logic_ns"] for row in rows if "logic_ns" in row]
     device = data["device"]
     return {
@@ -58,7 +59,7 @@ def summary(data: Json, seeds: int) -> Json:
         "not placed": {r["unit"]: missing(r, device) for r in rows if not r.get("placed")},
         "lowered": {
             "units": len(lowered),
-            "of": len(rows),
+            "of": len(units),
             "stages": sum(row["stages"] for row in lowered),
         },
         "longest path by Yosys, ns": max(cells, default=None),

@@ -220,7 +220,7 @@ def add_costs(project: Project, result: Json, special: pathlib.Path, general: Js
             of[name] = {"clocks": meter.clocks(packets, lines)}
             if args.hardware:
                 of[name] |= costs.costs_of(verilog, args.device[0], args.jobs, show_progress)
-    result["costs"] = of
+    result["costs"] = of | {"less": costs.less(of["general"], of["special"])}
     return verilog
 
 

@@ -1,0 +1,51 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Measures the data of a page of results again: runs the commands that docs/results/data/runs.json
+names for them, one after another, from the project's folder."""
+
+import re
+import subprocess
+
+from dynrt_tools import project
+from dynrt_tools.docs import results
+
+TEMPLATES = results.RESULTS / "templates"
+# Pages that a command writes itself, without data and template.
+WRITTEN = {
+    "gates": "scripts/gates",
+    "stress": "cmake --build build/release --target update-stress",
+}
+
+
+def data_of(page: str) -> list[str]:
+    """The data that a page's template shows, in its order."""
+    text = (TEMPLATES / f"{page}.md").read_text(encoding="utf-8")
+    return list(dict.fromkeys(found[1] for found in results.FIGURE.finditer(text)))
+
+
+def pages() -> list[str]:
+    return sorted([*(path.stem for path in TEMPLATES.glob("*.md")), *WRITTEN])
+
+
+def commands(page: str) -> list[tuple[str, list[int]]]:
+    """The commands of a page, each with the exit codes that are no failure."""
+    if page in WRITTEN:
+        return [(WRITTEN[page], [0])]
+    if page not in pages():
+        raise project.Failed(f"--record {page}: unknown; the pages are {', '.join(pages())}")
+    runs = project.read_json(results.RESULTS / "data" / "runs.json")
+    return [(runs[name]["command"], runs[name].get("codes", [0])) for name in data_of(page)]
+
+
+def parts(command: str) -> list[list[str]]:
+    """The words of each call in a command."""
+    return [call.split() for call in re.split(" && ", command)]
+
+
+def record(page: str) -> None:
+    """Runs the commands of a page; throws Failed for the first that fails."""
+    for command, codes in commands(page):
+        print(command, flush=True)
+        code = subprocess.run(command, shell=True, cwd=project.ROOT, check=False).returncode
+        if code not in codes:
+            raise project.Failed(f"'{command}' ends with {code}; the data of {page} are not whole")
