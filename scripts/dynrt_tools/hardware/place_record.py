@@ -8,7 +8,7 @@ import statistics
 from dynrt_tools.hardware import devices, place_table, rtl_files
 from dynrt_tools.project import Json
 
-TAKES = re.compile(r"takes ([\d.]+) ns")  # hlsc's sentence about a path that is too long
+LEAST = re.compile(r"a clock of at least ([\d.]+) ns")  # as hlsc refuses a unit for a shorter one
 
 
 def placed(row: Json) -> Json:
@@ -28,14 +28,14 @@ def placed(row: Json) -> Json:
 
 
 def missing(row: Json, device: str) -> Json:
-    """Why a row was not placed, what it takes of the device, and hlsc's path that is too long."""
+    """Why a row was not placed, what it takes of the device, and the clock that hlsc asks for."""
     note = row.get("note") or "no seed was placed"
-    long = TAKES.search(note)
+    least = LEAST.search(note)
     return {
         "reason": note,
         "takes": row.get("resources"),
         "there are": devices.DEVICES[device]["has"],
-        "path, ns": float(long[1]) if long else None,
+        "least clock, ns": float(least[1]) if least else None,
     }
 
 

@@ -20,7 +20,16 @@ from typing import Any
 from unittest import mock
 
 from dynrt_tools import project, testing
-from dynrt_tools.hardware import area, lowering, place, placers, placing, rtl_files, synthesis
+from dynrt_tools.hardware import (
+    area,
+    lowering,
+    place,
+    place_record,
+    placers,
+    placing,
+    rtl_files,
+    synthesis,
+)
 from dynrt_tools.hardware.worst_paths_test import SDF
 from dynrt_tools.project import Json
 
@@ -409,6 +418,17 @@ class Lowering(unittest.TestCase):
             row = place.prepare("sum", args, pathlib.Path("build"))
         self.assertIsNone(row.subject)
         self.assertEqual(row.data["note"], "not lowered: sum.h:3: takes 2.35 ns")
+
+
+class Record(unittest.TestCase):
+    def test_the_clock_that_hlsc_asks_for(self) -> None:
+        said = (
+            "not lowered: units/ray_generation.h:93: error: register counter_ needs 9.92 ns from its "
+            "value to its next value, which must be in one stage, but the clock leaves only 8.80; "
+            "ask for a clock of at least 11.12 ns or compute less between the two"
+        )
+        missing = place_record.missing({"unit": "ray_generation", "note": said}, "ice40-hx8k")
+        self.assertEqual((missing["least clock, ns"], missing["reason"]), (11.12, said))
 
 
 class Whole(unittest.TestCase):

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dynrt_tools.build import configs
 from dynrt_tools.project import Failed, Json
 from dynrt_tools.specialise import decisions, table
+from dynrt_tools.specialise.costs import less
 
 GENERATE = configs.load_configurations()
 LISTED = GENERATE.listed()
@@ -122,6 +123,13 @@ class Table(unittest.TestCase):
         self.assertRegex(page, r"(?m)^  packets +32 +16$")
         self.assertIn("as in thesis: ", page)
         self.assertLessEqual(max(map(len, page.splitlines())), table.WIDTH + 4)
+
+
+class Less(unittest.TestCase):
+    def test_it_is_a_part_of_the_general_core(self) -> None:
+        general: dict[str, int] = {"LUT4": 400, "multiplier": 0, "stages": 95}
+        special: dict[str, int] = {"LUT4": 300, "multiplier": 0, "stages": 95}
+        self.assertEqual(less(general, special), {"LUT4": 25.0, "stages": 0.0})
 
 
 if __name__ == "__main__":
