@@ -30,6 +30,9 @@ inline constexpr char kOutsideBank[] =
 inline constexpr char kNoConfiguration[] =
     "configuration {}: there is no such configuration; name one of {}, or a file FILE.json or "
     "FILE.so";
+inline constexpr char kConfigurationFolder[] =
+    "configuration {}: this is a folder, but a configuration is a file; name one, such as the "
+    "{} that dynrt specialise writes";
 inline constexpr char kNoConfigurationFile[] = "configuration {}: there is no such file";
 inline constexpr char kNotMade[] = "{}: {}";
 inline constexpr char kNoScriptToMake[] =

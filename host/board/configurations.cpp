@@ -6,7 +6,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "host/board/board_messages.h"
 #include "host/board/load_configuration.h"
@@ -30,13 +32,25 @@ bool has_rtl(const Configuration& configuration) {
   return configuration.rtl != nullptr || configuration.lowered;
 }
 
+/// Throws UserError for a folder: a user may name the one that dynrt specialise has written.
+void refuse_folder(const std::string& name) {
+  std::error_code unreachable;
+  if (!std::filesystem::is_directory(name, unreachable)) return;
+  refuse(messages::kConfigurationFolder, name,
+         (std::filesystem::path(name) / "configuration.json").string());
+}
+
 }  // namespace
 
 const Configuration& find_configuration(std::span<const Configuration> table,
                                         const std::string& name, bool rtl) {
-  if (is_configuration_file(name)) return load_configuration(name, rtl);
+  if (is_configuration_file(name)) {
+    refuse_folder(name);
+    return load_configuration(name, rtl);
+  }
   const auto found = std::ranges::find(table, name, &Configuration::name);
   if (found == table.end()) {
+    refuse_folder(name);
     refuse(messages::kNoConfiguration, name, list_of(table, any));
   }
   if (found->native != nullptr || found->rtl != nullptr) return *found;

@@ -5,7 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "host/error.h"
+#include "host/test_folder.h"
 
 namespace dynrt::host {
 namespace {
@@ -93,6 +96,19 @@ TEST(Configurations, WhatIsUnknownIsNamed) {
               ThrowsMessage<UserError>(
                   "board rtl: the Verilog of configuration small is not part of this build; "
                   "configure with -DDYNRT_RTL=ON or take board model"));
+}
+
+TEST(Configurations, AFolderIsNoConfiguration) {
+  const TestFolder folder;
+  for (const char* name : {"made", "made.json"}) {
+    const std::string path = folder.path(name);
+    std::filesystem::create_directory(path);
+    EXPECT_THAT(making({.board = "model", .configuration = path, .trace = ""}),
+                ThrowsMessage<UserError>(
+                    "configuration " + path +
+                    ": this is a folder, but a configuration is a file; name one, such as the " +
+                    path + "/configuration.json that dynrt specialise writes"));
+  }
 }
 
 TEST(Configurations, TheRtlsMemoryHoldsNoWideFloats) {

@@ -130,8 +130,11 @@ TEST(Import, RefusesWhatIsNoSceneFile) {
                                     "reads .json, .bsp and .pk3, and through Assimp .3d, .3ds, "),
             0u);
   std::filesystem::create_directory(folder.path("d.obj"));
-  EXPECT_EQ(load_error(folder.path("d.obj")),
-            folder.path("d.obj") + ": this path is not a file; give the path of a file");
+  EXPECT_EQ(
+      load_error(folder.path("d.obj")),
+      folder.path("d.obj") +
+          ": this is a folder, but a scene is a file; give the path of a file in it, such as " +
+          folder.path("d.obj") + "/model.obj");
   const std::string short_obj = folder.write("s.obj", "v 1 2 3\n");
   EXPECT_EQ(load_error(short_obj), short_obj + ": not a valid OBJ file: OBJ-file is too small");
 }

@@ -54,6 +54,10 @@ Scene load_scene(const std::string& name_or_path) {
   if (!fs::exists(name_or_path, unreachable)) {
     wording::fail(wording::kUnknownScene, name_or_path, fmt::format("{}", fmt::join(names, ", ")));
   }
+  if (fs::is_directory(name_or_path, unreachable)) {
+    wording::fail(wording::kSceneFolder, name_or_path,
+                  (fs::path(name_or_path) / "model.obj").string());
+  }
   const std::string extension = fs::path(name_or_path).extension().string();
   if (extension == ".json") return load_description(name_or_path);
   if (extension == ".bsp") return map_scene(read_file(name_or_path), name_or_path);

@@ -16,6 +16,8 @@ inline constexpr char kUnknownScene[] =
     "there is no scene '{}': give a built-in name ({}) or the path of a file";
 inline constexpr char kUnreadable[] = "{}: cannot read this file ({})";
 inline constexpr char kNotAFile[] = "{}: this path is not a file; give the path of a file";
+inline constexpr char kSceneFolder[] =
+    "{}: this is a folder, but a scene is a file; give the path of a file in it, such as {}";
 inline constexpr char kEmptyFile[] = "{}: the file is empty";
 inline constexpr char kExtension[] =
     "{}: dynrt does not read files with the extension '{}'; it reads .json, .bsp and .pk3, and "
