@@ -17,6 +17,10 @@ inline constexpr char kStdout[] =
 inline constexpr char kOrder[] = "--order {}: unknown; the orders are morton and scanline";
 inline constexpr char kClock[] = "--clock {}: the clock is a number of MHz above zero";
 inline constexpr char kTimeoutZero[] = "--timeout 0: the board needs at least one clock";
+inline constexpr char kTimeoutOfModel[] =
+    "--timeout {}: board model has no clock that could run out; take board rtl or leave the "
+    "timeout "
+    "out";
 inline constexpr char kLacksPrimitive[] =
     "--config {}: the configuration has no {}, but the scene '{}' contains them; these "
     "configurations have all that the scene needs: {}";
@@ -60,6 +64,11 @@ inline constexpr char kFormatNotListed[] = "--format: there is no configuration 
 inline constexpr char kDroppedPushes[] =
     "warning     {} pushes onto full stacks (of {} entries in the top-level tree, {} in objects) "
     "were dropped: hits may be missing; use a configuration with deeper stacks, such as deep";
+
+inline constexpr char kNoHit[] =
+    "no ray hits anything; the scene lies between ({:.4g}, {:.4g}, {:.4g}) and ({:.4g}, {:.4g}, "
+    "{:.4g}), and this camera sees all of it: --position {:.4g},{:.4g},{:.4g} --look-at "
+    "{:.4g},{:.4g},{:.4g}";
 
 // Walks
 inline constexpr char kFrames[] = "--frames {}: a walk has 1 to {} frames";

@@ -226,6 +226,23 @@ TEST_F(App, WhatTheUserShouldKnowIsNoted) {
   }
 }
 
+TEST_F(App, ACameraThatSeesNothingIsNoted) {
+  std::ofstream(folder_ / "m.obj") << "v 10 0 0\nv 12 0 0\nv 10 3 0\nf 1 2 3\n";
+  const std::string render = std::string("render m.obj") + kModel;
+  const std::string away = " --position 11,1,50 --look-at 11,1,90";
+  const Outcome outcome = run(render + away + " --json f.json");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.out,
+              HasSubstr("\nnote        no ray hits anything; the scene lies between "
+                        "(10, 0, 0) and (12, 3, 0), and this camera sees all of it: "));
+  const auto json = nlohmann::json::parse(text_of(folder_ / "f.json"));
+  const std::string note = json["scene"]["notes"].at(0);
+  const std::string camera = note.substr(note.find("--position"));
+  const Outcome mended = run(render + camera + " --json f.json");
+  EXPECT_THAT(mended.out, testing::Not(HasSubstr("no ray hits")));
+  EXPECT_GT(nlohmann::json::parse(text_of(folder_ / "f.json"))["frame"]["hits"], 50);
+}
+
 TEST_F(App, FlagsOfLightAndMirrorChangeTheImage) {
   const std::string render = std::string("render blocks") + kLit;
   const std::string kFlags[] = {"",

@@ -72,8 +72,9 @@ void FrameArguments::add_to(CLI::App& command, const std::string& default_out,
       ->check(not_a_number);
   command
       .add_option("--timeout", timeout,
-                  "stop with an error after this many clocks without a pixel or an interrupt")
-      ->option_text("CLOCKS [10000000]")
+                  "stop with an error after this many clocks of board rtl without a pixel or an "
+                  "interrupt")
+      ->option_text(fmt::format("CLOCKS [{}]", kTimeout))
       ->check(not_a_count);
   add_json_flag(command, json);
 }
@@ -92,9 +93,13 @@ FrameOptions FrameArguments::options(const std::string& size) const {
     refuse(messages::kOrder, order);
   }
   if (!(clock_mhz > 0)) refuse(messages::kClock, clock_mhz);
-  if (timeout == 0) refuse(messages::kTimeoutZero);
-  options.timeout = timeout;
+  options.timeout = timeout.value_or(kTimeout);
+  if (options.timeout == 0) refuse(messages::kTimeoutZero);
   return options;
+}
+
+void FrameArguments::check_timeout(const std::string& board) const {
+  if (timeout && board == "model") refuse(messages::kTimeoutOfModel, *timeout);
 }
 
 void SpanArguments::add_to(CLI::App& command) {

@@ -27,6 +27,9 @@ struct SceneArguments {
   CameraOverrides camera() const;
 };
 
+/// Without a pixel or an interrupt, after which a frame is given up.
+inline constexpr std::uint64_t kTimeout = 10'000'000;
+
 /// How a frame is rendered, and the files that are written.
 struct FrameArguments {
   std::string configuration = "thesis";
@@ -34,7 +37,7 @@ struct FrameArguments {
   std::string order = "morton";
   bool uncompressed = false;
   double clock_mhz = 85;
-  std::uint64_t timeout = 10'000'000;
+  std::optional<std::uint64_t> timeout;  ///< clocks; without the flag kTimeout
   std::string out;
   std::string json;
 
@@ -42,6 +45,8 @@ struct FrameArguments {
               const std::string& about_out = "image to write, .png or .exr");
   /// Checks everything but the outputs that can be checked before a board is open.
   FrameOptions options(const std::string& size) const;
+  /// Throws UserError for a timeout on a board that has no clock.
+  void check_timeout(const std::string& board) const;
 };
 
 /// Frames of a walk without --frames.

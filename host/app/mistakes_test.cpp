@@ -70,6 +70,28 @@ TEST_F(App, ABoardThatNeverInterruptsIsATimeOut) {
       "0 pixels are written, the status is 0x1, the units: without input: stand_in 0\n");
 }
 
+TEST_F(App, ATimeOutNeedsAClock) {
+  for (const std::string command : {"render", "walk"}) {
+    expect_mistake(command + " blocks" + kModel + "--timeout 100",
+                   "dynrt: --timeout 100: board model has no clock that could run out; take board "
+                   "rtl or leave the timeout out\n");
+  }
+}
+
+TEST_F(App, FoldersAreNoFiles) {
+  fs::create_directories(folder_ / "models");
+  fs::create_directories(folder_ / "made.json");
+  expect_mistake(std::string("render models") + kModel,
+                 "dynrt: models: this is a folder, but a scene is a file; give the path of a file "
+                 "in it, such as models/model.obj\n");
+  for (const std::string folder : {"models", "made.json"}) {
+    expect_mistake("render blocks --board model --config " + folder,
+                   "dynrt: configuration " + folder +
+                       ": this is a folder, but a configuration is a file; name one, such as the " +
+                       folder + "/configuration.json that dynrt specialise writes\n");
+  }
+}
+
 TEST_F(App, BadSizesAreRefused) {
   const auto sentence = [](const std::string& size) {
     return "dynrt: --size: an image of " + size +

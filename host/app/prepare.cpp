@@ -228,4 +228,16 @@ std::vector<std::string> Prepared::notes() const {
   return all;
 }
 
+void Prepared::note_no_hit() {
+  const Box box = bounds(scene);
+  const double aspect = static_cast<double>(view.width) / view.height;
+  const Camera camera = host::frame(box, {0, 1, 0}, field_of_view_of(view.camera), aspect);
+  const glm::dvec3 low = space.outside(box.low);
+  const glm::dvec3 high = space.outside(box.high);
+  const glm::dvec3 from = space.outside(camera.position);
+  const glm::dvec3 to = (low + high) / 2.0;
+  scene.notes.push_back(fmt::format(messages::kNoHit, low.x, low.y, low.z, high.x, high.y, high.z,
+                                    from.x, from.y, from.z, to.x, to.y, to.z));
+}
+
 }  // namespace dynrt::host

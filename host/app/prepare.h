@@ -27,6 +27,8 @@ struct Prepared : MemoryImage {
   std::size_t instanced_triangles() const;  ///< of all instances
   /// Notes for the user: parts that the import changed, trees that were cut.
   std::vector<std::string> notes() const;
+  /// Adds a note with the scene's bounds and a camera that sees all of it.
+  void note_no_hit();
   /// The scene, its trees and the memory they take, as data and as lines of text.
   nlohmann::ordered_json json() const;
   std::string text() const;

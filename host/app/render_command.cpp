@@ -50,6 +50,7 @@ Frame traced(TraceFile& trace, Render&& render) {
 
 int run(const Arguments& arguments) {
   const FrameOptions options = arguments.frame.options(arguments.scene.size);
+  arguments.frame.check_timeout(arguments.board);
   const std::string out = image_name(arguments.frame.out, arguments.scene.scene);
   check_image_path(out);
   const Output outputs[] = {{"--out", out},
@@ -62,7 +63,7 @@ int run(const Arguments& arguments) {
   SpecialiseWishes wishes;
   if (!arguments.scan_out.empty()) wishes.keep.emplace_back("scan_out");
   SceneFile scene = arguments.specialise.file(arguments.scene);
-  const auto [board, prepared] = prepare_on(
+  auto [board, prepared] = prepare_on(
       arguments.specialise, arguments.specialise.choose(scene, arguments.frame, wishes),
       [&](const std::string& configuration) {
         auto opened = open_board(
@@ -74,6 +75,7 @@ int run(const Arguments& arguments) {
   const Frame frame =
       traced(trace, [&, &on = *board, &what = prepared] { return render_on(on, options, what); });
 
+  if (frame.hit_count() == 0) prepared.note_no_hit();
   write_image(out, frame);
   std::optional<Shown> shown;
   if (!arguments.scan_out.empty()) {

@@ -146,6 +146,7 @@ class GeneralWalk {
 
 int run(const Arguments& arguments) {
   const FrameOptions options = arguments.frame.options(arguments.scene.size);
+  arguments.frame.check_timeout(arguments.board);
   const Place place = place_of(arguments);
   const double clock_hz = arguments.frame.clock_mhz * 1e6;
   SceneFile scene = arguments.specialise.file(arguments.scene);
