@@ -72,8 +72,7 @@ void FrameArguments::add_to(CLI::App& command, const std::string& default_out,
       ->check(not_a_number);
   command
       .add_option("--timeout", timeout,
-                  "stop with an error after this many clocks of board rtl without a pixel or an "
-                  "interrupt")
+                  "stop with an error after this many clocks without a pixel or an interrupt")
       ->option_text(fmt::format("CLOCKS [{}]", kTimeout))
       ->check(not_a_count);
   add_json_flag(command, json);
