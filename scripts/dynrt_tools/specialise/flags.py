@@ -30,7 +30,8 @@ class Flag:
             parser.add_argument(self.name, action="store_true")
             return
         action = "append" if self.several else "store"
-        parser.add_argument(self.name, action=action, metavar=self.value)
+        value = self.value.partition(" ")[0]  # without the default, which the program has
+        parser.add_argument(self.name, action=action, metavar=value)
 
     def passed_on(self, args: argparse.Namespace) -> list[str]:
         """As the program takes what is given of it."""
