@@ -72,11 +72,11 @@ class UnitBench {
     return tokens.empty() ? T{} : tokens.front();
   }
   template <class T, unsigned N>
-  hls::Rows<T>& rows(hls::RamWrite<T, N>& port) {
+  const hls::Rows<T>& rows(hls::RamWrite<T, N>& port) {
     return *std::static_pointer_cast<hls::Rows<T>>(bound_.at(&port));
   }
   template <class T, unsigned N, unsigned L>
-  hls::Rows<T>& rows(hls::RamRead<T, N, L>& port) {
+  const hls::Rows<T>& rows(hls::RamRead<T, N, L>& port) {
     return *std::static_pointer_cast<hls::Rows<T>>(bound_.at(&port));
   }
   template <class T>

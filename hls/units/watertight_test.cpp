@@ -4,6 +4,7 @@
 // The watertight test, function by function and through the units that have it.
 #include "units/watertight.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -162,7 +163,8 @@ struct Chain {
     }
     shear.run();
     EXPECT_EQ(shear.take_one(shear.unit.enter_object).next, Address(99));
-    transformation.rows(transformation.unit.map) = shear.rows(shear.unit.map);
+    std::ranges::copy(shear.rows(shear.unit.map),
+                      transformation.rows(transformation.unit.map).begin());
     for (unsigned c = 0; c < 4; ++c) {
       transformation.rows(transformation.unit.column[c])[kPacket] = columns[c];
     }
