@@ -10,7 +10,6 @@
 #include <optional>
 
 #include "host/analysis/truth/measures.h"
-#include "host/analysis/truth/require_truth.h"
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
@@ -74,7 +73,6 @@ std::string text_of(const nlohmann::ordered_json& measures) {
 }
 
 int run(const Arguments& arguments) {
-  require_truth();
   FrameOptions options;
   std::tie(options.width, options.height) = parse_size(arguments.scene.size);
   check_size(options.width, options.height);

@@ -7,7 +7,6 @@
 
 #include <memory>
 
-#include "host/analysis/truth/require_truth.h"
 #include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/command.h"

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "host/analysis/stress/run.h"
-#include "host/analysis/truth/require_truth.h"
 #include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/command.h"
@@ -125,7 +124,6 @@ int list(std::span<const stress::Case* const> cases) {
 int run(const Arguments& arguments) {
   const std::vector<const stress::Case*> cases = stress::find_cases(arguments.cases);
   if (arguments.list) return list(cases);
-  require_truth();
   if (!arguments.json.empty()) check_output_path(arguments.json);
   std::optional<OtherFormat> format;
   if (!arguments.format.empty()) format.emplace(arguments.format);

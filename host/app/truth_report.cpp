@@ -22,6 +22,8 @@ std::string line(const std::string& name, std::uint64_t count, std::uint64_t of)
 
 }  // namespace
 
+void require_truth() {}  // it is here
+
 WorkReport truth_report(const Prepared& prepared, unsigned width, unsigned height) {
   std::vector<TruthRay> rays;
   rays.reserve(std::size_t{width} * height);

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/analysis/truth/require_truth.h"
 
 namespace dynrt::host {
 
@@ -112,7 +111,6 @@ std::optional<PlaneValues> quick_values(const Line& line, const FlatShape& shape
 
 }  // namespace
 
-void require_truth() {}  // it is here
 
 Crossing cross(const Line& line, const FlatShape& shape, std::uint64_t& exact) {
   const RoundUpwards rounding;
