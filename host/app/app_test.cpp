@@ -125,7 +125,8 @@ TEST_F(App, TheOrderOfRaysAndThePacketsInFlightDoNotChangeTheImage) {
 
 TEST_F(App, RendersOnTheVerilogWithWaveforms) {
   const Outcome outcome = run(std::string("render blocks") + kRtl +
-                              "--out image.exr --trace waves.fst --json f.json --clock 100");
+                              "--out image.exr --trace waves.fst --json f.json --clock 100 "
+                              "--packets 4 --lines 16");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.files, ElementsAre("f.json", "image.exr", "waves.fst"));
   EXPECT_THAT(outcome.out, ContainsRegex("frame       [0-9,]+ cycles, [0-9.]+ frames per second at "

@@ -135,16 +135,16 @@ TEST_F(App, WhatIsUnknownIsNamed) {
 }
 
 TEST_F(App, WhatTheConfigurationLacksIsRefused) {
-  expect_mistake("render blocks --config stand_in --packets 5",
-                 "dynrt: --packets: configuration stand_in holds 1 to 4 packets, not 5\n");
+  expect_mistake("render blocks --config stand_in --packets 65",
+                 "dynrt: --packets: configuration stand_in holds 1 to 64 packets, not 65\n");
   expect_mistake("render blocks --config model_only --size 8x8",
                  StartsWith("dynrt: configuration model_only: it has only the native model, so it "
                             "has no board rtl; take a configuration with Verilog (stand_in)"));
   expect_mistake("render blocks --config stand_in --packets 0",
-                 "dynrt: --packets: configuration stand_in holds 1 to 4 packets, not 0\n");
+                 "dynrt: --packets: configuration stand_in holds 1 to 64 packets, not 0\n");
   expect_mistake(
       "render blocks --config stand_in --lines 3",
-      "dynrt: --lines: the caches of configuration stand_in have 1, 2, 4 up to 16 lines, not 3\n");
+      "dynrt: --lines: the caches of configuration stand_in have 1, 2, 4 up to 512 lines, not 3\n");
   expect_mistake("render blocks --config stand_in --clock 0",
                  "dynrt: --clock 0: the clock is a number of MHz above zero\n");
   expect_mistake("render blocks --config stand_in --clock inf",
