@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 
-
 namespace dynrt::host {
 
 namespace {
@@ -110,7 +109,6 @@ std::optional<PlaneValues> quick_values(const Line& line, const FlatShape& shape
 }
 
 }  // namespace
-
 
 Crossing cross(const Line& line, const FlatShape& shape, std::uint64_t& exact) {
   const RoundUpwards rounding;
