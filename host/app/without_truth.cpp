@@ -20,10 +20,7 @@ constexpr char kNoTruth[] =
 Command refused_command(CLI::App& program, const char* name, const char* about) {
   CLI::App* command = program.add_subcommand(name, about);
   command->allow_extras();  // whatever its flags are, the sentence is the same
-  return {command, [] {
-            require_truth();
-            return kMistake;
-          }};
+  return {command, []() -> int { refuse(kNoTruth); }};
 }
 
 }  // namespace

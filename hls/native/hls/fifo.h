@@ -133,7 +133,6 @@ class InEnd {
 /// is bound to.
 class OutEnd {
  public:
-  bool bound() const { return !tokens_.empty(); }
   const std::vector<std::shared_ptr<TokenQueue>>& tokens() const { return tokens_; }
   /// `queue` holds tokens of this end's type.
   void bind_tokens(std::shared_ptr<TokenQueue> queue) { tokens_.push_back(std::move(queue)); }

@@ -16,14 +16,16 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <map>
 #include <memory>
-#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
-#include "hls/counter_name.h"
 #include "hls/join_clocks.h"
 #include "hls/join_ports.h"
 #include "hls/join_record.h"

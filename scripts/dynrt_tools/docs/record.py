@@ -3,7 +3,6 @@
 """Measures the data of a page of results again: runs the commands that docs/results/data/runs.json
 names for them, one after another, from the project's folder."""
 
-import re
 import subprocess
 
 from dynrt_tools import project
@@ -35,11 +34,6 @@ def commands(page: str) -> list[tuple[str, list[int]]]:
         raise project.Failed(f"--record {page}: unknown; the pages are {', '.join(pages())}")
     runs = project.read_json(results.RESULTS / "data" / "runs.json")
     return [(runs[name]["command"], runs[name].get("codes", [0])) for name in data_of(page)]
-
-
-def parts(command: str) -> list[list[str]]:
-    """The words of each call in a command."""
-    return [call.split() for call in re.split(" && ", command)]
 
 
 def record(page: str) -> None:

@@ -54,7 +54,7 @@ class Commands(unittest.TestCase):
     def test_each_is_one_that_its_program_takes(self) -> None:
         reference = REFERENCE.read_text(encoding="utf-8")
         for name, run in RUNS.items():
-            for words in record.parts(run["command"]):
+            for words in map(str.split, run["command"].split(" && ")):
                 with self.subTest(f"{name}: {' '.join(words)}"):
                     if words[0].startswith("scripts/"):
                         self.assertRaises(Parsed, parse_script, words)

@@ -200,10 +200,6 @@ class Row:
             except project.Failed as error:
                 print(f"place: no timing of {self.name} by Yosys: {error}", file=sys.stderr)
 
-    def reason(self) -> str:
-        """Why no seed of it is placed, or nothing."""
-        return "" if self.placed else str(self.data.get("note") or "no seed was placed")
-
 
 def prepare(name: str, args: argparse.Namespace, build: pathlib.Path | None) -> Row:
     """A row with all that is known before the placer runs; without a subject there is no more."""
@@ -332,7 +328,7 @@ class Run:
     def summary(self) -> str:
         """A sentence with every row that has no placement, or nothing."""
         missing = [row for row in self.done.values() if not row.placed]
-        reasons = "; ".join(f"{row.name} ({row.reason()})" for row in missing)
+        reasons = "; ".join(f"{row.name} ({place_record.reason(row.data)})" for row in missing)
         count = f"{len(missing)} of {len(self.done)} rows"
         return f"not placed are {count}: {reasons}" if missing else ""
 

@@ -8,7 +8,8 @@ import statistics
 from dynrt_tools.hardware import devices, place_table, rtl_files
 from dynrt_tools.project import Json
 
-LEAST = re.compile(r"a clock of at least ([\d.]+) ns")  # as hlsc refuses a unit for a shorter one
+# As hlsc refuses a unit for a shorter one (hls/compiler/schedule/timing_messages.h).
+LEAST = re.compile(r"give --clock-ns ([\d.]+), the least that this unit reaches")
 
 
 def placed(row: Json) -> Json:
@@ -27,12 +28,16 @@ def placed(row: Json) -> Json:
     }
 
 
+def reason(row: Json) -> str:
+    """Why a row has no placement."""
+    return str(row.get("note") or "no seed was placed")
+
+
 def missing(row: Json, device: str) -> Json:
     """Why a row was not placed, what it takes of the device, and the clock that hlsc asks for."""
-    note = row.get("note") or "no seed was placed"
-    least = LEAST.search(note)
+    least = LEAST.search(reason(row))
     return {
-        "reason": note,
+        "reason": reason(row),
         "takes": row.get("resources"),
         "there are": devices.DEVICES[device]["has"],
         "least clock, ns": float(least[1]) if least else None,

@@ -4,7 +4,6 @@
 family that each takes, or its part of a device."""
 
 import argparse
-import json
 import os
 import pathlib
 import sys
@@ -184,20 +183,16 @@ def main() -> int:  # pylint: disable=too-many-branches
             key: {n: {top: row[key] for top, row in rows.items()} for n, rows in figures.items()}
             for key in ("area", "resources")
         }
-        args.json.write_text(
-            json.dumps(
-                {
-                    "config": args.config,
-                    "counted": {n: devices.formula(devices.family_of(n)) for n in names},
-                    "devices": parts["area"],
-                    "resources": parts["resources"],
-                    "has": {n: devices.DEVICES[n]["has"] for n in names if n in devices.DEVICES},
-                    "shares": {n: shares(n, figures[n]) for n in names if n in devices.DEVICES},
-                    "latency": rtl_files.latencies(unit_files),
-                },
-                indent=2,
-            )
-            + "\n",
-            encoding="utf-8",
+        project.write_json(
+            args.json,
+            {
+                "config": args.config,
+                "counted": {n: devices.formula(devices.family_of(n)) for n in names},
+                "devices": parts["area"],
+                "resources": parts["resources"],
+                "has": {n: devices.DEVICES[n]["has"] for n in names if n in devices.DEVICES},
+                "shares": {n: shares(n, figures[n]) for n in names if n in devices.DEVICES},
+                "latency": rtl_files.latencies(unit_files),
+            },
         )
     return 1 if failed or nowhere else 0
