@@ -47,7 +47,8 @@ Lowered lower(const Netlist& netlist, const Options& options) {
   check(netlist);
   const Netlist optimised = optimise(netlist, options);
   check(optimised);
-  const Circuit circuit(optimised);
+  Circuit circuit(optimised);
+  mark_still(circuit, options.delay, options.clock_ns);
   const Schedule asap = schedule_asap(circuit, options.delay, options.clock_ns);
   const Schedule schedule = minimise_registers(circuit, options.delay, options.clock_ns, asap);
   Lowered lowered;

@@ -76,10 +76,11 @@ struct CacheLookup {
     using Index = uint<hls::index_width(C::kLines)>;
     const Index line = Index::from((r.address.raw() & frame.get().line_mask.raw()));
     const Row row = lines.read(line);
-    if (row.valid && row.tag == r.address) {
+    // Only who misses reads it; written always, it need not wait for the comparison.
+    waiting.write(Kind::key(r.context), r.context);
+    if (hls::concat(row.tag, uint<1>(row.valid)) == hls::concat(r.address, uint<1>(1))) {
       reply.write(Kind::reply(r.context, r.address, row.line));
     } else {
-      waiting.write(Kind::key(r.context), r.context);
       miss.write(MemoryRequest<C>{Kind::kKind, Kind::key(r.context), r.address});
     }
   }

@@ -41,7 +41,7 @@ class CoreModel {
     hls::Join join = schedule ? hls::Join(*schedule) : hls::Join();
     const auto core = std::make_unique<Core<C>>(join, banks_);
     *core->frame = registers_of<C>(config);
-    std::uint64_t clock = 0;
+    std::uint64_t clock = kResetRegister;
     const auto send = [&](std::uint64_t number) {
       core->start->push(uint<10>::from(number));
       if (schedule) join.arrives("start", clock++);

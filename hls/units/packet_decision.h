@@ -34,13 +34,13 @@ struct PacketDecision {
     const RayMask right = active & go_right;
     const RayMask both = left & right;
 
-    const bool left_is_near = first(both == RayMask{} ? active : both, left_first);
-    const RayMask near = left_is_near ? left : right;
-    const RayMask far = left_is_near ? right : left;
-    const NodeAddress<C> near_node = left_is_near ? s.node.left : s.node.right;
-    const NodeAddress<C> far_node = left_is_near ? s.node.right : s.node.left;
-    const bool enter_near = near != RayMask{} && near_node != NodeAddress<C>{};
-    const bool enter_far = far != RayMask{} && far_node != NodeAddress<C>{};
+    // Which child is near is known late: what does not need it is computed for left and right.
+    const bool enter_left = left != RayMask{} && s.node.left != NodeAddress<C>{};
+    const bool enter_right = right != RayMask{} && s.node.right != NodeAddress<C>{};
+    const bool left_is_near =
+        both == RayMask{} ? first(active, left_first) : first(both, left_first);
+    const bool enter_near = left_is_near ? enter_left : enter_right;
+    const bool next_is_left = left_is_near ? enter_left : !enter_right;
 
     const bool is_leaf = s.node.kind == NodeKind::kLeaf;
     if (is_leaf && active != RayMask{}) {
@@ -54,14 +54,14 @@ struct PacketDecision {
       TraversalEvent<C> e;
       e.packet = s.context.packet;
       e.level = s.context.level;
-      e.kind = is_leaf || !(enter_near || enter_far) ? TraversalKind::kPop
-               : enter_near && enter_far             ? TraversalKind::kPush
-                                                     : TraversalKind::kDescend;
-      e.next = enter_near ? near_node : far_node;
-      e.active = enter_near ? near : far;
+      e.kind = is_leaf || !(enter_left || enter_right) ? TraversalKind::kPop
+               : enter_left && enter_right             ? TraversalKind::kPush
+                                                       : TraversalKind::kDescend;
+      e.next = next_is_left ? s.node.left : s.node.right;
+      e.active = next_is_left ? left : right;
       e.clip_near = !enter_near;
-      e.pushed = far_node;
-      e.pushed_active = far;
+      e.pushed = left_is_near ? s.node.right : s.node.left;
+      e.pushed_active = left_is_near ? right : left;
       if constexpr (kRemembersChild<C>) {
         const RayMask order = left_is_near ? left_first : ~left_first;
         e.both = both & order;

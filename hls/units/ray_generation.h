@@ -23,6 +23,7 @@ template <class C>
 struct RayGeneration {
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
   static constexpr unsigned kSideBits = 9;  ///< of a packet position: images up to 1024 x 1024
+  static constexpr unsigned kCounterBits = 2 * kSideBits;
 
   hls::In<FreePacket<C>> free;
   hls::Config<FrameRegisters<C>> frame;
@@ -41,16 +42,19 @@ struct RayGeneration {
     const bool scanline = config.scanline.template bit<0>();
     const uint<kSideBits> x = scanline ? scan_x_ : morton(0);
     const uint<kSideBits> y = scanline ? scan_y_.template trunc<kSideBits>() : morton(1);
-    const bool over = scanline ? scan_y_ == rows
-                               : counter_.bit(static_cast<unsigned>(config.morton_bits.raw() & 31));
     const bool inside = x.template zext<10>() < columns && y.template zext<10>() < rows;
 
-    if (over) {
+    if (over_) {
       returned_ = hls::next(returned_);
       if (returned_ == config.packets.template trunc<8>()) done.write(1);
     } else {
+      const uint<kCounterBits> from_first_bit = uint<kCounterBits>::ones()
+                                                << config.morton_bits.template trunc<5>();
+      const bool morton_end = (counter_ | from_first_bit) == uint<kCounterBits>::ones();
+      const bool line_end = line_end_ || columns == 1;
+      line_end_ = uint<1>(!line_end && scan_x_.template zext<10>() == before(before(columns)));
+      over_ = uint<1>(scanline ? line_end && scan_y_ == before(rows) : morton_end);
       counter_ = hls::next(counter_);
-      const bool line_end = scan_x_ + uint<1>(1) == columns;
       if (line_end) scan_y_ = hls::next(scan_y_);
       scan_x_ = line_end ? uint<kSideBits>{} : hls::next(scan_x_);
 
@@ -73,6 +77,7 @@ struct RayGeneration {
   static uint<10> halved(Word side) {
     return hls::next(side.template trunc<11>()).template bits<10, 1>();
   }
+  static uint<10> before(uint<10> value) { return (value + uint<10>::ones()).template trunc<10>(); }
   /// Every second bit of the counter, from bit `first`.
   uint<kSideBits> morton(unsigned first) const {
     uint<kSideBits> side;
@@ -91,9 +96,12 @@ struct RayGeneration {
                        hls::concat(uint<1>(x1), uint<1>(1)));
   }
 
-  uint<2 * kSideBits + 1> counter_;  ///< Morton: packets handed out or passed over
+  uint<kCounterBits> counter_;  ///< Morton: packets handed out or passed over
   uint<kSideBits> scan_x_;
   uint<kSideBits + 1> scan_y_;  ///< reaches the number of rows
+  // Both are known a transaction ahead, so that the loops are short.
+  uint<1> line_end_;  ///< scan_x_ is the last column, but not the only one
+  uint<1> over_;      ///< no packet is left
   uint<8> returned_;
 };
 

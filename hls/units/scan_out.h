@@ -89,15 +89,15 @@ struct ScanOut {
       if (inside) next_ = after(next_);
       lit_ = lit;
     }
-    const Position right = after(column);
-    const Position below = after(line);
-    const bool line_ends = right == position(c.htotal);
-    column_ = line_ends ? Position(0) : right;
-    line_ = !line_ends ? line : below == position(c.vtotal) ? Position(0) : below;
+    const bool line_ends = column == before(position(c.htotal));
+    column_ = line_ends ? Position(0) : after(column);
+    const bool all_ends = line == before(position(c.vtotal));
+    line_ = !line_ends ? line : all_ends ? Position(0) : after(line);
   }
 
  private:
   static Position position(uint<32> field) { return field.template trunc<12>(); }
+  static Position before(Position p) { return (p + Position::ones()).template trunc<12>(); }
   template <unsigned W>
   static uint<W> after(uint<W> value) {
     return (value + uint<1>(1)).template trunc<W>();

@@ -56,8 +56,9 @@ module board_registers #(
 
 `include "dynrt_registers.vh"
 
-  // Clocks that the core gets to fetch a counter, which takes two; less than a read takes to be answered.
-  localparam [1:0] COUNTER_CLOCKS = 2'd3;
+  // Clocks that the core gets to fetch a counter, which takes three; no more than a read takes to be
+  // answered.
+  localparam [2:0] COUNTER_CLOCKS = 3'd4;
   localparam BANKS = 6;
 
   // Decode.
@@ -92,12 +93,12 @@ module board_registers #(
   reg                      done_q;
   reg                      refused_q;
   reg [32*FRAME_WORDS-1:0] frame_q;
-  reg [1:0]                fetch_q;
+  reg [2:0]                fetch_q;
   reg [32*SCAN_WORDS-1:0]  scan_q;
 
   assign irq_o = irq_enable_q && irq_pending_q;
   assign frame_o = frame_q;
-  assign counter_fetch_o = fetch_q != 2'd0;
+  assign counter_fetch_o = fetch_q != 3'd0;
   assign scan_o = scan_q;
   assign bus_ready_o = !scan_en_i;
 
@@ -114,8 +115,8 @@ module board_registers #(
     if (write && bus_addr_i == REG_COUNTER_ADDRESS) begin
       counter_addr_o <= bus_wdata_i[7:0];
       fetch_q <= COUNTER_CLOCKS;
-    end else if (fetch_q != 2'd0) begin
-      fetch_q <= fetch_q - 2'd1;
+    end else if (fetch_q != 3'd0) begin
+      fetch_q <= fetch_q - 3'd1;
     end
     if (write && in_frame && !busy_i) begin
       for (i = 0; i < FRAME_WORDS; i = i + 1)
@@ -139,7 +140,7 @@ module board_registers #(
       refused_q <= 1'b0;
       frame_q <= {32*FRAME_WORDS{1'b0}};
       counter_addr_o <= 8'd0;
-      fetch_q <= 2'd0;
+      fetch_q <= 3'd0;
       scan_q <= {32*SCAN_WORDS{1'b0}};
       scan_clocks_o <= 8'd0;
     end

@@ -1,16 +1,18 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Merges INPUTS streams into one, round robin: after input i has sent a token, the inputs after it
-// come first. An offered token stays offered until it is taken, even if other tokens come. Input 0
-// is the lowest bits of valid_i, ready_o and data_i.
+// Merges INPUTS streams into one, round robin. The grant is a register, so that no input's valid is
+// on the way of the data: in each clock the granted input may send, and the next waiting input
+// after it, if there is one, gets the grant for the clock that follows. The grant stays where no
+// other input waits: a lone stream sends in every clock, and a token that comes without the grant
+// waits for one clock. Input 0 is the lowest bits of valid_i, ready_o and data_i.
 //
 // Parameters:
 //   INPUTS  streams that come in, at least 1
 //   WIDTH   bits of a token, at least 1
 //
 // Ports:
-//   clk_i, rst_ni             clock and synchronous reset, active low
+//   clk_i, rst_ni             clock and synchronous reset, active low; it grants input 0
 //   valid_i, ready_o, data_i  the streams that come in, one bit (one token) for each
 //   valid_o, ready_i, data_o  the stream that goes out
 `default_nettype none
@@ -41,31 +43,34 @@ module hls_arbiter #(
 
   localparam [INPUTS-1:0] ONE = 1;
 
-  reg     [INPUTS-1:0] after_q;  // the inputs after the one that sent last
-  reg     [INPUTS-1:0] offered_q;  // the input whose token waits for ready_i
-  wire    [INPUTS-1:0] first = valid_i & after_q;
-  wire    [INPUTS-1:0] pick = (|first) ? first : valid_i;
-  wire    [INPUTS-1:0] grant = (|offered_q) ? offered_q : pick & (~pick + ONE);
+  reg     [INPUTS-1:0] grant_q;  // one bit is set
+  reg     [INPUTS-1:0] after;  // the inputs after the granted one
+  reg     [INPUTS-1:0] next;  // the first of those that wait
+  reg                  found, passed;
+  wire    [INPUTS-1:0] waiting = valid_i & ~grant_q;
+  wire    [INPUTS-1:0] first = waiting & after;
+  wire    [INPUTS-1:0] pick = (|first) ? first : waiting;
   integer              i;
 
-  assign valid_o = |valid_i;
-  assign ready_o = grant & {INPUTS{ready_i}};
+  assign valid_o = |(valid_i & grant_q);
+  assign ready_o = grant_q & {INPUTS{ready_i}};
 
   always @* begin
     data_o = {WIDTH{1'b0}};
+    passed = 1'b0;
+    found = 1'b0;
     for (i = 0; i < INPUTS; i = i + 1) begin
-      data_o = data_o | (data_i[i*WIDTH+:WIDTH] & {WIDTH{grant[i]}});
+      data_o = data_o | (data_i[i*WIDTH+:WIDTH] & {WIDTH{grant_q[i]}});
+      after[i] = passed;
+      passed = passed || grant_q[i];
+      next[i] = pick[i] && !found;
+      found = found || pick[i];
     end
   end
 
   always @(posedge clk_i) begin
-    if (!rst_ni) after_q <= {INPUTS{1'b0}};
-    else if (valid_o && ready_i) after_q <= ~(grant | (grant - ONE));
-  end
-
-  always @(posedge clk_i) begin
-    if (!rst_ni) offered_q <= {INPUTS{1'b0}};
-    else offered_q <= ready_i ? {INPUTS{1'b0}} : grant;
+    if (!rst_ni) grant_q <= ONE;
+    else if (ready_i && |waiting) grant_q <= next;
   end
 
 endmodule

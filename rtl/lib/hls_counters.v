@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// A bank of up to 256 32-bit event counters, read one at a time: data_o is the value, two clocks
+// A bank of up to 256 32-bit event counters, read one at a time: data_o is the value, three clocks
 // ago, of the counter that addr_i named then. Counters wrap; clear_i sets all to zero.
 //
 // Only the low bits of a counter are flip-flops that count. A row of LUT RAM holds its high bits,
@@ -15,7 +15,7 @@
 //   clk_i, rst_ni  clock and synchronous reset, active low; the reset clears the counters too
 //   clear_i        sets all counters to zero
 //   addr_i         the counter to read
-//   data_o         its value, two clocks later; zero where there is no counter
+//   data_o         its value, three clocks later; zero where there is no counter
 //   event_i        bit i counts up counter i
 `default_nettype none
 
@@ -43,17 +43,17 @@ module hls_counters #(
   localparam [31:0] LAST = COUNTERS - 1;
 
   wire clear = clear_i || !rst_ni;
-  wire [LOW-1:0] low[0:COUNTERS-1];
+  wire [COUNTERS*LOW-1:0] low;  // of all counters, counter 0 lowest
   wire [COUNTERS-1:0] top;  // the highest low bits
   (* ram_style = "distributed" *)
   reg [HIGH:0] rows[0:COUNTERS-1];
-  reg [COUNTERS-1:0] written_q;  // rows that count: written since they were cleared
+  reg written_q;  // each row was written since the clear; before that no low bits have wrapped
 
   genvar i;
   generate
     for (i = 0; i < COUNTERS; i = i + 1) begin : counter
       reg [LOW-1:0] low_q;
-      assign low[i] = low_q;
+      assign low[i*LOW+:LOW] = low_q;
       assign top[i] = low_q[LOW-1];
       always @(posedge clk_i) begin
         if (clear) low_q <= {LOW{1'b0}};
@@ -72,30 +72,52 @@ module hls_counters #(
   reg write_q, write_written_q, write_top_q;
   reg [HIGH:0] write_row_q;
   always @(posedge clk_i) begin
-    slot_q <= !rst_ni || slot_q == LAST[SLOT_WIDTH-1:0] ? {SLOT_WIDTH{1'b0}} : slot_q + 1'b1;
+    slot_q <= clear || slot_q == LAST[SLOT_WIDTH-1:0] ? {SLOT_WIDTH{1'b0}} : slot_q + 1'b1;
     write_q <= !clear;
     write_slot_q <= slot_q;
-    write_written_q <= written_q[slot_q];
+    write_written_q <= written_q;
     write_row_q <= rows[slot_q];
     write_top_q <= top[slot_q];
     if (write_q) begin
       rows[write_slot_q] <= {high(write_written_q, write_row_q, write_top_q), write_top_q};
-      written_q[write_slot_q] <= 1'b1;
+      if (write_slot_q == LAST[SLOT_WIDTH-1:0]) written_q <= 1'b1;
     end
-    if (clear) written_q <= {COUNTERS{1'b0}};
+    if (clear) written_q <= 1'b0;
   end
 
-  // The read port.
-  wire [31:0] addr = {24'd0, addr_i};
-  wire [SLOT_WIDTH-1:0] read_slot = addr_i[SLOT_WIDTH-1:0];
-  reg read_q, read_written_q;
-  reg [HIGH:0] read_row_q;
+  // The read port: low bits of a counter of each group, those of one group, the sum.
+  localparam GROUP = 8;
+  localparam GROUPS = (COUNTERS + GROUP - 1) / GROUP;
+  localparam GROUP_BITS = GROUPS > 1 ? $clog2(GROUPS) : 1;
+  reg [7:0] group_addr_q;
+  reg group_written_q, read_q, read_written_q;
+  reg [HIGH:0] group_row_q, read_row_q;
   reg [LOW-1:0] read_low_q;
+  wire [31:0] group_addr = {24'd0, group_addr_q};
+  wire [LOW-1:0] group_low[0:GROUPS-1];
+
+  generate
+    for (i = 0; i < GROUPS; i = i + 1) begin : group
+      reg [LOW-1:0] picked, low_q;
+      assign group_low[i] = low_q;
+      integer k;
+      always @* begin
+        picked = {LOW{1'b0}};
+        for (k = i * GROUP; k < COUNTERS && k < (i + 1) * GROUP; k = k + 1)
+          if (addr_i[2:0] == k[2:0]) picked = picked | low[k*LOW+:LOW];
+      end
+      always @(posedge clk_i) low_q <= picked;
+    end
+  endgenerate
+
   always @(posedge clk_i) begin
-    read_q <= addr < COUNTERS;
-    read_written_q <= written_q[read_slot];
-    read_row_q <= rows[read_slot];
-    read_low_q <= low[read_slot];
+    group_addr_q <= addr_i;
+    group_written_q <= written_q;
+    group_row_q <= rows[addr_i[SLOT_WIDTH-1:0]];
+    read_q <= group_addr < COUNTERS;
+    read_written_q <= group_written_q;
+    read_row_q <= group_row_q;
+    read_low_q <= group_low[group_addr_q[3+:GROUP_BITS]];
     data_o <= read_q ? {high(read_written_q, read_row_q, read_low_q[LOW-1]), read_low_q} : 32'd0;
   end
 

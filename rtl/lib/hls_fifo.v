@@ -77,8 +77,10 @@ module hls_fifo #(
   assign valid_o = valid_q;
   assign data_o  = data_q;
 
+  // A row is always free, since one of DEPTH tokens is in the register. So it takes data_i in every
+  // clock, and whether it keeps them comes late to the pointers alone.
   always @(posedge clk_i) begin
-    if (store) rows[write_q] <= data_i;
+    rows[write_q] <= data_i;
     if (refill) data_q <= empty_q ? data_i : rows[read_q];
   end
 

@@ -68,7 +68,7 @@ TEST(Latency, OfAQueueBehindAForkIsThatOfTheClockedModel) {
   hls::Clocks clocks;
   hls::Clocks::Queue* input = clocks.input();
   input->ready.push_back(kSent);
-  const auto branches = clocks.fork({{input, [] { return true; }}}, {}, 1, kDepth);
+  const auto branches = clocks.fork({input, [] { return true; }}, {}, 1, kDepth);
   clocks.run();
   ASSERT_EQ(branches.at(0)->ready.size(), 1u);
 

@@ -18,7 +18,7 @@
 namespace dynrt::rtl {
 namespace {
 
-TEST(HlsCounters, CountTheirEventsAndAreReadTwoClocksLater) {
+TEST(HlsCounters, CountTheirEventsAndAreReadThreeClocksLater) {
   VerilatedContext context;
   context.randReset(2);
   Vhls_counters v(&context);  // 5 counters
@@ -33,7 +33,7 @@ TEST(HlsCounters, CountTheirEventsAndAreReadTwoClocksLater) {
     v.event_i = random() % 32;
     v.addr_i = static_cast<unsigned char>(random() % 4 ? random() % 5 : random() % 256);
     settle(v);
-    if (expected.size() == 2) {
+    if (expected.size() == 3) {
       ASSERT_EQ(v.data_o, expected.front()) << t;
       expected.pop_front();
     }

@@ -40,7 +40,7 @@ void Expressions::declare(CellId cell, int stage, Signal s) {
 }
 
 Signal& Expressions::signal(CellId cell, int stage) {
-  if (c_.cells[cell].kind == CellKind::kConfig) stage = -1;
+  if (c_.still[cell] && stage >= 0) stage = kStill;
   const auto found = index_.find({cell, stage});
   if (found == index_.end()) {
     throw std::logic_error(

@@ -31,7 +31,9 @@ class Expressions {
  public:
   explicit Expressions(const Circuit& circuit);
 
-  /// `stage` -1: the signal holds the cell in every stage.
+  /// Of a still cell: its register, and what the register takes.
+  static constexpr int kStill = -1;
+  static constexpr int kStillNext = -2;
   void declare(CellId cell, int stage, Signal signal);
   /// The cell is written into its only user's expression.
   void inline_as(CellId cell, std::string text) { inlined_[cell] = std::move(text); }

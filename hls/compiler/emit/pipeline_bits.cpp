@@ -28,7 +28,7 @@ std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule, int
   std::map<std::pair<int, int>, unsigned> width;  // of all that goes from one stage to another
   for (CellId id = 0; id < circuit.cells.size(); ++id) {
     const Cell& cell = circuit.cells[id];
-    if (cell.kind == CellKind::kConfig) continue;
+    if (circuit.still[id]) continue;
     int from = stage[id];
     for (const int to : looked_at[id]) {
       Carry carry{id, from, to, cell.width, 0, 0};

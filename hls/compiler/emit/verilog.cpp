@@ -15,6 +15,7 @@ std::string VerilogWriter::upper(std::string text) {
 std::string VerilogWriter::text() {
   find_inlined();
   handshake();
+  write_still();
   for (int stage = 0; stage < schedule_.stages; ++stage) write_stage(stage);
   out("\n  // ---- state, rows and tokens written ----\n");
   for (unsigned i = 0; i < n_.registers.size(); ++i) write_register(i);
@@ -108,13 +109,39 @@ void VerilogWriter::handshake() {
     out("  assign {}_ready_o = room{};\n", p.name, others == "1'b1" ? "" : " && " + others);
   }
   out("  assign fire_o = valid_s0;\n  assign stall_o = tokens && !room;\n");
+}
+
+void VerilogWriter::write_still() {
+  std::vector<bool> held(c_.cells.size(), false);
   for (CellId id = 0; id < c_.cells.size(); ++id) {
+    if (c_.still[id]) continue;
+    for (const auto& operand : c_.cells[id].operands) {
+      for (const BitRef& b : operand) {
+        if (!b.is_constant()) held[b.cell] = c_.still[b.cell];
+      }
+    }
+  }
+  for (CellId id = 0; id < c_.cells.size(); ++id) {
+    if (!c_.still[id]) continue;
     const Cell& cell = c_.cells[id];
-    if (cell.kind != CellKind::kConfig) continue;
-    const std::string name = stems_[id] + "_config";
-    out("  wire {}{} = {};\n", bit_range(cell.width), name,
-        part_of(id, c_.port_of(id).name + "_i"));
-    expressions_.declare(id, -1, {name, 0, cell.width - 1, 0, cell.width == 1});
+    const std::string range = bit_range(cell.width);
+    const bool is_port = cell.kind == CellKind::kConfig;
+    const Signal next{stems_[id] + "_config", 0, cell.width - 1, 0, cell.width == 1};
+    std::string value;
+    if (is_port) {
+      value = part_of(id, c_.port_of(id).name + "_i");
+    } else if (c_.op(id) == Op::kAddSub) {
+      value = add_sub(id);
+    } else {
+      value = expressions_.operation(id, Expressions::kStillNext);
+    }
+    out("  wire {}{} = {};{}\n", range, next.name, value, comment(id));
+    expressions_.declare(id, Expressions::kStillNext, next);
+    if (!held[id]) continue;
+    const Signal still{stems_[id] + "_still", 0, cell.width - 1, 0, cell.width == 1};
+    out("  reg  {0}{1};\n  always @(posedge clk_i) {1} <= {2};\n", range, still.name,
+        expressions_.range(id, Expressions::kStillNext, 0, cell.width - 1));
+    expressions_.declare(id, Expressions::kStill, still);
   }
 }
 

@@ -47,7 +47,8 @@ class VerilogWriter {
   static std::string upper(std::string text);
   static std::string valid(int stage) { return fmt::format("valid_s{}", stage); }
   std::string bits(CellId id, std::size_t operand) {
-    return expressions_.bits(c_.cells[id].operands[operand], stage(id));
+    const int stage = c_.still[id] ? Expressions::kStillNext : this->stage(id);
+    return expressions_.bits(c_.cells[id].operands[operand], stage);
   }
   /// The condition that a transaction is in the cell's stage and the cell's first operand is one.
   std::string enabled(CellId id) {
@@ -68,6 +69,8 @@ class VerilogWriter {
   std::string head() const;
   /// A transaction starts when every In has a token and every Out has room for all in flight.
   void handshake();
+  /// What depends on configuration alone: computed beforehand, into registers.
+  void write_still();
   /// Names the signals that nothing reads, so that the linter can tell them from mistakes.
   void mark_unused();
 

@@ -36,8 +36,9 @@ class Channel {
         const std::string to = wire(c.to.front());
         top_.stream(to, c.width);
         top_.write(
-            "\n  // channel {0}\n  assign {1}_valid = {0}_valid_i;\n"
-            "  assign {0}_ready_o = {1}_ready;\n  assign {1}_data = {0}_data_i;\n",
+            "\n  // channel {0}\n  assign {1}_valid = {0}_valid_i && !join_reset_q;\n"
+            "  assign {0}_ready_o = {1}_ready && !join_reset_q;\n"
+            "  assign {1}_data = {0}_data_i;\n",
             c.name, to);
         return;
       }
@@ -67,13 +68,25 @@ class Channel {
       pass(from, source, from);
       return;
     }
+    const std::string merged = c.name + "_merged";
+    top_.stream(merged, c.width);
     top_.write(
         "  hls_arbiter #(.INPUTS({0}), .WIDTH({1})) {2}_arbiter (\n"
-        "    .clk_i(clk_i), .rst_ni(rst_ni),\n"
+        "    .clk_i(clk_i), .rst_ni(!join_reset_q),\n"
         "    .valid_i({3}),\n    .ready_o({4}),\n    .data_i({5}),\n"
         "    .valid_o({6}_valid), .ready_i({6}_ready), .data_o({6}_data));\n",
         c.from.size(), c.width, c.name, concatenation(wires(c.from, "_valid")),
-        concatenation(wires(c.from, "_ready")), concatenation(wires(c.from, "_data")), source);
+        concatenation(wires(c.from, "_ready")), concatenation(wires(c.from, "_data")), merged);
+    buffer(merged, source, c.width);
+  }
+
+  void buffer(const std::string& from, const std::string& to, unsigned width) {
+    top_.write(
+        "  hls_buffer #(.WIDTH({0})) {2}_buffer (\n"
+        "    .clk_i(clk_i), .rst_ni(!join_reset_q),\n"
+        "    .valid_i({1}_valid), .ready_o({1}_ready), .data_i({1}_data),\n"
+        "    .valid_o({2}_valid), .ready_i({2}_ready), .data_o({2}_data));\n",
+        width, from, to);
   }
 
   /// A repeated job has its number and a last flag below it.
@@ -82,7 +95,7 @@ class Channel {
     top_.stream(repeated, c.width + c.repeat_width + 1);
     top_.write(
         "  hls_repeat #(.WIDTH({0}), .COUNT_WIDTH({1})) {2}_repeat (\n"
-        "    .clk_i(clk_i), .rst_ni(rst_ni),\n"
+        "    .clk_i(clk_i), .rst_ni(!join_reset_q),\n"
         "    .valid_i({3}_valid), .ready_o({3}_ready), .data_i({3}_data),\n"
         "    .valid_o({4}_valid), .ready_i({4}_ready), .data_o({4}_data));\n",
         c.width, c.repeat_width, c.name, source, repeated);
@@ -92,12 +105,14 @@ class Channel {
   void deliver(const ChannelRecord& c, const std::string& source) {
     const unsigned width = c.kind == ChannelKind::kRepeat ? c.width + c.repeat_width + 1 : c.width;
     for (const std::string& port : c.to) top_.stream(wire(port), width);
-    if (c.to.size() == 1) {
-      const std::string to = wire(c.to.front());
-      pass(source, to, source);
-      return;
+    if (c.to.size() > 1) {
+      fork(c, source, width);
+    } else if (c.kind != ChannelKind::kRepeat && waits_for_others(c.to.front())) {
+      // So that no path leads from all the writers of a unit's channels to all of them.
+      buffer(source, wire(c.to.front()), width);
+    } else {
+      pass(source, wire(c.to.front()), source);
     }
-    fork(c, source, width);
   }
 
   /// Every branch of a fork has a queue of its own, so that one reader may run ahead of another.
@@ -129,7 +144,7 @@ class Channel {
         }
         top_.write(
             "  hls_fifo #(.WIDTH({0}), .DEPTH({1}), .MARGIN(0)) {2}_queue (\n"
-            "    .clk_i(clk_i), .rst_ni(rst_ni),\n"
+            "    .clk_i(clk_i), .rst_ni(!join_reset_q),\n"
             "    .valid_i({3}_valid), .ready_o({3}_ready), .data_i({4}_branch_data),\n"
             "    .valid_o({2}_valid), .ready_i({2}_ready), .data_o({2}_data));\n",
             width, c.depth, to, branches[i], c.name);

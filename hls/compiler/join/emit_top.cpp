@@ -31,6 +31,7 @@ class Top {
 
   std::string text() {
     check_connected();
+    reset("join_reset");
     for (const ChannelRecord& channel : join_.channels) emit_channel(join_, channel, top_);
     for (const hls::RamRecord& ram : join_.rams) connect(ram);
     for (const hls::BankRecord& bank : join_.banks) connect(bank);
@@ -78,7 +79,7 @@ class Top {
                    range(bits + word_bits), range(ram.width / ram.words));
       top_.write("  {} {}_ram_{} (\n", ram_module(ram), ram.name, i);
       top_.write(
-          "    .clk_i(clk_i), .rst_ni(rst_ni),\n"
+          "    .clk_i(clk_i), .rst_ni(!join_reset_q),\n"
           "    .write_en_i({0}_en), .write_addr_i({0}_addr), .write_data_i({0}_data),\n"
           "    .read_en_i({1}_en), .read_addr_i({1}_addr), .read_data_o({1}_data));\n",
           w, r);
@@ -121,7 +122,16 @@ class Top {
     }
   }
 
+  /// A register of the reset. Without the attribute synthesis would merge them into one, whose
+  /// wires would be the longest of the chip. It holds the inverse, as flip-flops want it, and is
+  /// set before the first clock.
+  void reset(const std::string& name) {
+    top_.declare("  reg {0}_q = 1'b1;\n  (* keep *) always @(posedge clk_i) {0}_q <= !rst_ni;\n",
+                 name);
+  }
+
   void instantiate(const UnitRecord& unit) {
+    reset(unit.name + "_reset");
     top_.declare("  wire {0}_fire, {0}_stall;\n", unit.name);
     std::string pins;
     const auto pin = [&pins](const std::string& port, const std::string& signal) {
@@ -164,7 +174,7 @@ class Top {
       }
     }
     top_.write(
-        "\n  {0}{3} u_{1} (\n    .clk_i(clk_i), .rst_ni(rst_ni){2},\n"
+        "\n  {0}{3} u_{1} (\n    .clk_i(clk_i), .rst_ni(!{1}_reset_q){2},\n"
         "    .fire_o({1}_fire), .stall_o({1}_stall));\n",
         unit.module, unit.name, pins, parameters);
   }
@@ -216,9 +226,10 @@ class Top {
           "has at most {}; join fewer units or widen the address of hls_counters",
           counters.size(), kMaxCounters));
     }
+    reset("counters_reset");
     top_.write(
         "\n  hls_counters #(.COUNTERS({})) counters (\n"
-        "    .clk_i(clk_i), .rst_ni(rst_ni), .clear_i(counter_clear_i),\n"
+        "    .clk_i(clk_i), .rst_ni(!counters_reset_q), .clear_i(counter_clear_i),\n"
         "    .addr_i(counter_addr_i), .data_o(counter_data_o),\n    .event_i({{",
         counters.size());
     for (auto it = counters.rbegin(); it != counters.rend(); ++it) {

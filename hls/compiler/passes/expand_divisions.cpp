@@ -10,7 +10,7 @@ namespace {
 
 class ExpandDivisions : public Rewrite {
  public:
-  ExpandDivisions(const Netlist& from, bool restoring) : Rewrite(from), restoring_(restoring) {}
+  ExpandDivisions(const Netlist& from, const DelayModel& delay) : Rewrite(from), delay_(delay) {}
 
  private:
   NodeId make(const Node& n, const std::vector<NodeId>& v) override {
@@ -30,8 +30,10 @@ class ExpandDivisions : public Rewrite {
         skipped == 0 ? builder_.constant(1, 0) : builder_.slice(a, width - skipped, skipped);
     // One bit for the sign of the difference, one for the next bit of the dividend.
     const unsigned work = divisor_width + 1;
-    return restoring_ ? restoring(a, b, head, width - skipped, work)
-                      : non_restoring(a, b, head, width - skipped, work);
+    const unsigned digits = width - skipped;
+    if (delay_.free_add_sub) return non_restoring(a, b, head, digits, work);
+    return delay_.division_digits == 2 ? two_digits(a, b, head, digits, work)
+                                       : restoring(a, b, head, digits, work);
   }
 
   /// The remainder is below the divisor, so remainder and next bit less divisor fit `work` bits.
@@ -44,6 +46,38 @@ class ExpandDivisions : public Rewrite {
       missing.push_back(too_small);
       const NodeId kept = builder_.mux(too_small, next, difference);
       rest = builder_.trunc(kept, std::max(1u, work - 1));
+    }
+    return quotient(missing);
+  }
+
+  /// Two digits of a restoring division in the time of one, by three differences at once (radix 4;
+  /// M. Ercegovac, T. Lang, "Digital Arithmetic", 2004, chapter 5, without redundancy).
+  NodeId two_digits(NodeId a, NodeId b, NodeId rest, unsigned digits, unsigned work) {
+    std::vector<NodeId> missing;  // digits, inverted
+    if (digits % 2 == 1) {
+      const NodeId next =
+          builder_.zext(builder_.concat({rest, builder_.slice(a, digits - 1, 1)}), work);
+      const NodeId difference = builder_.sub(next, builder_.zext(b, work));
+      missing.push_back(builder_.slice(difference, work - 1, 1));
+      rest = builder_.trunc(builder_.mux(missing.back(), next, difference), std::max(1u, work - 1));
+    }
+    const unsigned wide = work + 1;
+    const NodeId once = builder_.zext(b, wide);
+    const NodeId twice = builder_.concat({builder_.zext(b, work), builder_.constant(1, 0)});
+    const NodeId thrice = builder_.add(once, twice);
+    for (unsigned i = digits / 2; i-- > 0;) {
+      const NodeId next = builder_.zext(builder_.concat({rest, builder_.slice(a, 2 * i, 2)}), wide);
+      const auto less = [&](NodeId multiple) {
+        return builder_.sub(builder_.zext(next, wide + 1), builder_.zext(multiple, wide + 1));
+      };
+      const NodeId less_1 = less(once), less_2 = less(twice), less_3 = less(thrice);
+      const auto below = [&](NodeId difference) { return builder_.slice(difference, wide, 1); };
+      const NodeId below_1 = below(less_1), below_2 = below(less_2), below_3 = below(less_3);
+      missing.push_back(below_2);
+      missing.push_back(builder_.mux(below_2, below_1, below_3));
+      const auto low = [&](NodeId value) { return builder_.trunc(value, std::max(1u, work - 1)); };
+      rest = builder_.mux(below_2, builder_.mux(below_1, low(next), low(less_1)),
+                          builder_.mux(below_3, low(less_2), low(less_3)));
     }
     return quotient(missing);
   }
@@ -69,13 +103,13 @@ class ExpandDivisions : public Rewrite {
     return builder_.invert(builder_.concat(missing));
   }
 
-  bool restoring_;
+  const DelayModel& delay_;
 };
 
 }  // namespace
 
 Netlist expand_divisions(const Netlist& netlist, const DelayModel& delay) {
-  return ExpandDivisions(netlist, !delay.free_add_sub).run();
+  return ExpandDivisions(netlist, delay).run();
 }
 
 }  // namespace hlsc

@@ -21,10 +21,12 @@
 namespace hlsc {
 namespace {
 
-DelayModel device(unsigned multiplier_width, bool free_add_sub = false) {
+DelayModel device(unsigned multiplier_width, bool free_add_sub = false,
+                  unsigned division_digits = 1) {
   DelayModel d = load_delay_model(std::string(DELAY_FOLDER) + "/ecp5.json");
   d.multiplier_width = multiplier_width;
   d.free_add_sub = free_add_sub;
+  d.division_digits = division_digits;
   return d;
 }
 
@@ -90,6 +92,10 @@ void expect_equal_on_random_netlists(const Pass& pass) {
 
 TEST(Passes, ExpandDivisionsComputesTheSame) {
   expect_equal_on_random_netlists([](const Netlist& n) { return expand_divisions(n, device(18)); });
+}
+TEST(Passes, ExpandDivisionsByTwoDigitsComputesTheSame) {
+  expect_equal_on_random_netlists(
+      [](const Netlist& n) { return expand_divisions(n, device(18, false, 2)); });
 }
 TEST(Passes, ExpandDivisionsWithoutRestoringComputesTheSame) {
   expect_equal_on_random_netlists(
@@ -216,6 +222,9 @@ TEST(ExpandDivisions, SkipsDigitsThatAreKnownToBeZero) {
   EXPECT_EQ(count(after, Op::kSub), 19u);
   expect_equal(before, after, 1, 2000);
   expect_equal(before, expand_divisions(before, device(18, true)), 1, 2000);
+  const Netlist by_two = expand_divisions(before, device(18, false, 2));
+  EXPECT_EQ(count(by_two, Op::kSub), 1u + 9 * 3);
+  expect_equal(before, by_two, 1, 2000);
 }
 
 TEST(ExpandDivisions, UsesOneAddSubADigitWhereThatIsFree) {

@@ -69,6 +69,8 @@ class Asap {
       settled = true;
       for (const Loop& loop : loops) {
         if (stage_[loop.write] <= stage_[loop.read]) continue;
+        // Loops that share logic can drive each other on for ever.
+        if (stage_[loop.write] > static_cast<int>(c_.cells.size())) throw too_slow(loop, 0);
         least_[loop.read] = stage_[loop.write];
         settled = false;
       }
@@ -81,7 +83,7 @@ class Asap {
   void place() {
     for (CellId id = 0; id < c_.cells.size(); ++id) {
       const Cell& cell = c_.cells[id];
-      if (cell.kind == CellKind::kConfig) {
+      if (c_.still[id]) {
         stage_[id] = -1;
         timing_.evaluate(id, stage_);
         continue;
@@ -120,11 +122,15 @@ class Asap {
       late = timing_.evaluate(id, stage);
     }
     if (stage[loop.write] != 1 || late <= available_) return;
+    throw too_slow(loop, late);
+  }
+
+  TooSlow too_slow(const Loop& loop, double late) const {
     const bool is_register = c_.cells[loop.write].kind == CellKind::kRegisterWrite;
     const std::string& name = is_register ? c_.netlist.registers[c_.cells[loop.write].index].name
                                           : c_.port_of(loop.write).name;
-    throw TooSlow{is_register ? messages::kRegisterFeedback : messages::kFileFeedback, name, late,
-                  c_.where(loop.write)};
+    return {is_register ? messages::kRegisterFeedback : messages::kFileFeedback, name, late,
+            c_.where(loop.write)};
   }
 
   bool reaches(CellId from, CellId to) const {
@@ -196,10 +202,25 @@ double least_period(const Circuit& circuit, const DelayModel& delay, double miss
 
 }  // namespace
 
+void mark_still(Circuit& c, const DelayModel& delay, double clock_ns) {
+  Timing timing(c, delay);
+  const std::vector<int> stage(c.cells.size(), -1);
+  for (CellId id = 0; id < c.cells.size(); ++id) {
+    const Cell& cell = c.cells[id];
+    if (c.still[id]) timing.evaluate(id, stage);
+    if (cell.kind != CellKind::kOperation || c.is_multiply(id)) continue;
+    bool still = true;
+    for (const auto& operand : cell.operands) {
+      for (const BitRef& b : operand) still = still && (b.is_constant() || c.still[b.cell]);
+    }
+    c.still[id] = still && timing.evaluate(id, stage) <= clock_ns - delay.clock_overhead;
+  }
+}
+
 std::vector<Precedence> precedences(const Circuit& c, const Timing& timing) {
   std::vector<Precedence> all;
   for (CellId of = 0; of < c.cells.size(); ++of) {
-    if (c.cells[of].kind == CellKind::kConfig) continue;
+    if (c.still[of]) continue;
     for (const CellId user : c.users[of]) all.push_back({of, user, timing.separation(of, user)});
   }
   for (CellId id = 0; id < c.cells.size(); ++id) {
@@ -234,9 +255,12 @@ Schedule schedule_asap(const Circuit& circuit, const DelayModel& delay, double c
   try {
     return Asap(circuit, delay, clock_ns).run();
   } catch (const TooSlow& slow) {
-    throw Error(slow.where, fmt::format(fmt::runtime(slow.message), slow.name, slow.needs, clock_ns,
-                                        std::max(0.0, clock_ns - delay.clock_overhead),
-                                        least_period(circuit, delay, clock_ns)));
+    const double least = least_period(circuit, delay, clock_ns);
+    // A loop that shares logic with others needs more than it needs alone.
+    throw Error(slow.where,
+                fmt::format(fmt::runtime(slow.message), slow.name,
+                            std::max(slow.needs, least - delay.clock_overhead), clock_ns,
+                            std::max(0.0, clock_ns - delay.clock_overhead), least));
   }
 }
 

@@ -61,6 +61,7 @@ class CircuitBuilder {
     for (unsigned i = 0; i < n_.token_writes.size(); ++i) {
       sink(CellKind::kTokenWrite, i, {n_.token_writes[i].enable, n_.token_writes[i].data});
     }
+    for (const Cell& cell : c_.cells) c_.still.push_back(cell.kind == CellKind::kConfig);
     c_.users.resize(c_.cells.size());
     for (CellId id = 0; id < c_.cells.size(); ++id) {
       const Cell& cell = c_.cells[id];

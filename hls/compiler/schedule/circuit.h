@@ -27,7 +27,7 @@ struct BitRef {
 
 enum class CellKind : std::uint8_t {
   kToken,          ///< bits of In port `index`; in stage 0
-  kConfig,         ///< bits of Config port `index`; in every stage
+  kConfig,         ///< bits of Config port `index`; still
   kRegister,       ///< register `index` before the transaction
   kRow,            ///< bits of the row of row read `index`
   kOperation,      ///< netlist node `node`
@@ -58,6 +58,9 @@ struct Circuit {
   std::vector<CellId> row_read;        ///< cell of each row read, or BitRef::kConstant
   std::vector<CellId> register_read;   ///< cell of each register, or BitRef::kConstant
   std::vector<CellId> register_write;  ///< the same
+  /// Cells that stand still while transactions run, so that one register has each of them for all
+  /// stages: Config ports, and what mark_still() adds.
+  std::vector<bool> still;
 
   Op op(CellId id) const { return netlist.nodes[cells[id].node].op; }
   bool is_multiply(CellId id) const {

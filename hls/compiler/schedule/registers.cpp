@@ -45,7 +45,7 @@ std::vector<Group> bit_groups(const Circuit& c) {
   std::vector<Group> groups;
   for (CellId id = 0; id < c.cells.size(); ++id) {
     const Cell& cell = c.cells[id];
-    if (cell.kind == CellKind::kConfig) continue;
+    if (c.still[id]) continue;
     std::map<std::vector<CellId>, long> count;
     for (unsigned i = 0; i < cell.width; ++i) ++count[users[cell.first_bit + i]];
     for (const auto& [list, width] : count) {
@@ -90,7 +90,7 @@ class Minimiser {
     std::vector<int> stage(c_.cells.size(), 0);
     for (CellId id = 0; id < c_.cells.size(); ++id) timing_.evaluate(id, stage);
     for (CellId first = static_cast<CellId>(c_.cells.size()); first-- > 0;) {
-      if (c_.cells[first].kind == CellKind::kConfig) continue;
+      if (c_.still[first]) continue;
       std::set<CellId> open{first};
       std::vector<CellId> cone;
       while (!open.empty()) {
@@ -132,9 +132,8 @@ class Minimiser {
     for (CellId id = 0; id < c_.cells.size(); ++id) {
       const CellKind kind = c_.cells[id].kind;
       at_least(variable[id], zero, kind == CellKind::kTokenWrite ? last_ : 0);
-      at_least(zero, variable[id],
-               kind == CellKind::kToken || kind == CellKind::kConfig ? 0 : -last_);
-      if (!pinned_.contains(id) || kind == CellKind::kConfig) continue;
+      at_least(zero, variable[id], kind == CellKind::kToken || c_.still[id] ? 0 : -last_);
+      if (!pinned_.contains(id) || c_.still[id]) continue;
       at_least(variable[id], zero, asap_[id]);
       at_least(zero, variable[id], -asap_[id]);
     }
@@ -158,7 +157,7 @@ class Minimiser {
     }
     const long origin = simplex.potential(zero);
     for (CellId id = 0; id < c_.cells.size(); ++id) {
-      if (c_.cells[id].kind == CellKind::kConfig) continue;
+      if (c_.still[id]) continue;
       schedule_.stage[id] = static_cast<int>(origin - simplex.potential(variable[id]));
     }
   }
@@ -167,7 +166,7 @@ class Minimiser {
   bool add_violations() {
     bool found = false;
     for (CellId id = 0; id < c_.cells.size(); ++id) {
-      if (c_.cells[id].kind == CellKind::kConfig) continue;
+      if (c_.still[id]) continue;
       if (timing_.evaluate(id, schedule_.stage) <= available_) continue;
       const std::vector<CellId> path = critical_path(id);
       found = true;

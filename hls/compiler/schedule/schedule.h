@@ -15,8 +15,11 @@ namespace hlsc {
 
 struct Schedule {
   int stages = 1;          ///< clocks from the start of a transaction to its tokens in the FIFOs
-  std::vector<int> stage;  ///< of each cell; of a configuration value -1: it is in all
+  std::vector<int> stage;  ///< of each cell; of a still one -1: it is in all
 };
+
+/// Marks operations on Config ports alone as still, as far as they fit between two registers.
+void mark_still(Circuit& circuit, const DelayModel& delay, double clock_ns);
 
 /// Puts every cell into the first stage that it fits; the clock period is in ns. Throws Error if an
 /// operation or a register's feedback does not fit a stage, with the least period that does.

@@ -57,9 +57,9 @@ struct Unit {
 };
 
 /// Arrival of what the only token write writes, all in one stage.
-double arrival(const Netlist& n) {
+double arrival(const Netlist& n, const DelayModel& delay = round_numbers()) {
   const Circuit c(n);
-  Timing timing(c, round_numbers());
+  Timing timing(c, delay);
   const std::vector<int> stage(c.cells.size(), 0);
   double last = 0;
   for (CellId id = 0; id < c.cells.size(); ++id) last = timing.evaluate(id, stage);
@@ -98,6 +98,37 @@ TEST(Timing, EqualityIsATree) {
   Unit u(64);
   u.out(u.b.equal(u.in(0, 32), u.in(32, 32)));
   EXPECT_DOUBLE_EQ(arrival(u.n), 3.0);  // 2 pairs a LUT, then 4 to 1, 4 to 1
+}
+
+TEST(Timing, ASignalWithManyReadersComesLaterToAllOfThem) {
+  DelayModel delay = round_numbers();
+  delay.fanout_two = 0.25;
+  delay.fanout = 0.5;
+  const auto after_readers = [&delay](unsigned readers) {
+    Unit u(1 + readers);
+    std::vector<NodeId> read;
+    for (unsigned i = 0; i < readers; ++i) {
+      read.push_back(u.b.logic(Op::kXor, u.in(0, 1), u.in(1 + i, 1)));
+    }
+    u.out(u.b.concat(read));
+    return arrival(u.n, delay);
+  };
+  EXPECT_DOUBLE_EQ(after_readers(1), 1.0);
+  EXPECT_DOUBLE_EQ(after_readers(2), 1.25);
+  EXPECT_DOUBLE_EQ(after_readers(8), 1.25);
+  EXPECT_DOUBLE_EQ(after_readers(32), 1 + 0.25 + 2 * 0.5) << "two doublings of eight";
+}
+
+TEST(Timing, TheConditionOfATokenComesEarlierThanItsData) {
+  DelayModel delay = round_numbers();
+  delay.token_out = 0.5;
+  delay.token_enable = 3;
+  Unit u(4);
+  const NodeId data = u.b.logic(Op::kXor, u.in(0, 1), u.in(1, 1));
+  u.n.token_writes.push_back({u.port(PortKind::kOut, "out", 1), u.b.constant(1, 1), data});
+  EXPECT_DOUBLE_EQ(arrival(u.n, delay), 1 + 0.5);
+  u.n.token_writes[0].enable = u.b.logic(Op::kAnd, u.in(2, 1), u.in(3, 1));
+  EXPECT_DOUBLE_EQ(arrival(u.n, delay), 1 + 3);
 }
 
 /// Nothing that the circuit demands is violated, and every stage fits the clock.
@@ -243,6 +274,44 @@ TEST(Schedule, PutsRegistersAroundAMultiplier) {
   EXPECT_EQ(s.stages, 3);
 }
 
+/// The stage of a sum of configuration, to which a token is added; -1: it is still.
+int stage_of_scale(double clock_ns) {
+  Unit u(16);
+  const unsigned scales = u.port(PortKind::kConfig, "scales", 32);
+  const NodeId scale =
+      u.b.add(u.b.source(Op::kConfig, scales, 0, 16), u.b.source(Op::kConfig, scales, 16, 16));
+  u.out(u.b.add(u.in(0, 16), scale));
+  Circuit c(u.n);
+  mark_still(c, round_numbers(), clock_ns);
+  const Schedule s =
+      minimise_registers(c, round_numbers(), clock_ns, schedule_asap(c, round_numbers(), clock_ns));
+  EXPECT_EQ(s.stages, 1);
+  for (CellId id = 0; id < c.cells.size(); ++id) {
+    if (c.cells[id].kind == CellKind::kOperation) return s.stage[id];
+  }
+  return 100;
+}
+
+TEST(Schedule, ComputesBeforehandWhatDependsOnConfigurationAlone) {
+  EXPECT_EQ(stage_of_scale(2.6), -1);
+}
+
+TEST(Schedule, RefusesLoopsThatShareLogicAndDoNotFitTogether) {
+  Unit u(32);
+  for (const char* name : {"first", "second"}) {
+    u.n.registers.push_back({name, 16, Bits(16, 0), kNoNode, {"unit.h", 12}});
+  }
+  const NodeId first = u.b.source(Op::kRegister, 0, 0, 16);
+  const NodeId second = u.b.source(Op::kRegister, 1, 0, 16);
+  const NodeId sum = u.b.add(first, u.in(0, 16));
+  u.n.registers[0].next = u.b.logic(Op::kXor, second, u.in(16, 16));
+  u.n.registers[1].next = u.b.add(sum, sum);
+  u.out(sum);
+  Circuit c(u.n);
+  EXPECT_NO_THROW(schedule_asap(c, round_numbers(), 3.7));
+  EXPECT_THROW(schedule_asap(c, round_numbers(), 2.6), Error) << "and comes to an end";
+}
+
 std::string refusal(const Netlist& n, double clock_ns) {
   try {
     const Circuit c(n);
@@ -277,11 +346,11 @@ TEST(Schedule, RefusesARegisterFileWhoseUpdateMissesTheClock) {
   const NodeId row = u.read(file, u.in(0, 4));
   u.write(file, u.in(0, 4), u.b.add(row, u.in(4, 64)));
   u.out(row);
-  EXPECT_EQ(refusal(u.n, 9), "");
+  EXPECT_EQ(refusal(u.n, 10), "");
   EXPECT_EQ(refusal(u.n, 8),
-            "unit.h:7: error: register file totals needs 8.30 ns from the row that it reads to the "
+            "unit.h:7: error: register file totals needs 9.30 ns from the row that it reads to the "
             "row that it writes, which must be in one stage, but --clock-ns 8 leaves 8.00; give "
-            "--clock-ns 8.30, the least that this unit reaches, compute less between the two or "
+            "--clock-ns 9.30, the least that this unit reaches, compute less between the two or "
             "use a Ram1R1W");
 }
 

@@ -12,7 +12,34 @@
 namespace hlsc {
 
 Timing::Timing(const Circuit& circuit, const DelayModel& delay)
-    : c_(circuit), d_(delay), bits_(circuit.bits), critical_(circuit.cells.size()) {}
+    : c_(circuit),
+      d_(delay),
+      load_(circuit.bits),
+      bits_(circuit.bits),
+      critical_(circuit.cells.size()) {
+  count_loads();
+}
+
+/// A signal that many cells take comes later. All its readers count, whatever their stages: these
+/// are not known yet, and in a later stage the load is a register.
+void Timing::count_loads() {
+  std::vector<unsigned> loads(c_.bits);
+  for (const Cell& cell : c_.cells) {
+    for (const auto& operand : cell.operands) {
+      const unsigned lanes = operand.size() == 1 ? std::max(cell.width, 1u) : 1;
+      for (const BitRef& bit : operand) {
+        if (!bit.is_constant()) loads[c_.cells[bit.cell].first_bit + bit.bit] += lanes;
+      }
+    }
+  }
+  for (unsigned i = 0; i < c_.bits; ++i) load_[i] = load(loads[i]);
+}
+
+double Timing::load(unsigned loads) const {
+  return (loads > 1 ? d_.fanout_two : 0.0) + (loads > 8 ? d_.fanout * std::log2(loads / 8.0) : 0.0);
+}
+
+double Timing::load(BitRef bit) const { return load_[c_.cells[bit.cell].first_bit + bit.bit]; }
 
 int Timing::separation(CellId producer, CellId user) const {
   if (c_.is_multiply(producer)) return 1;
@@ -23,19 +50,27 @@ int Timing::separation(CellId producer, CellId user) const {
 
 Timing::Input Timing::input(BitRef bit, int stage, const std::vector<int>& stages) const {
   const Cell& cell = c_.cells[bit.cell];
-  if (cell.kind == CellKind::kConfig || stages[bit.cell] < stage) return {0, nullptr, 0, bit};
+  if (stages[bit.cell] < stage) return {load(bit), nullptr, bit};
   const Arrival& made = bits_[cell.first_bit + bit.bit];
-  return {made.at, &made, 0, bit};
+  return {made.at + load(bit), &made, bit};
+}
+
+Timing::Input Timing::latest(const std::vector<BitRef>& operand, int stage,
+                             const std::vector<int>& stages) const {
+  Input last;
+  for (const BitRef& bit : operand) {
+    if (bit.is_constant()) continue;
+    const Input in = input(bit, stage, stages);
+    if (in.at > last.at) last = in;
+  }
+  return last;
 }
 
 Timing::Input Timing::latest(const Cell& cell, int stage, const std::vector<int>& stages) const {
   Input last;
   for (const auto& operand : cell.operands) {
-    for (const BitRef& bit : operand) {
-      if (bit.is_constant()) continue;
-      const Input in = input(bit, stage, stages);
-      if (in.at > last.at) last = in;
-    }
+    const Input in = latest(operand, stage, stages);
+    if (in.at > last.at) last = in;
   }
   return last;
 }
@@ -74,15 +109,14 @@ Timing::Arrival Timing::logic(const Input* inputs, unsigned count) const {
     for (unsigned i = 0; i < count && fits; ++i) {
       const Input& in = inputs[i];
       if ((choice >> i & 1) == 0) {
-        take(c_.cells[in.bit.cell].first_bit + in.bit.bit, in.at + in.load,
-             in.made ? in.bit : BitRef{});
+        take(c_.cells[in.bit.cell].first_bit + in.bit.bit, in.at, in.made ? in.bit : BitRef{});
         continue;
       }
       fits = in.made != nullptr && in.made->leaves > 0;
       if (!fits) break;
       // When the swallowed LUT's inputs came is known from its own arrival.
       for (unsigned k = 0; k < in.made->leaves && fits; ++k) {
-        take(in.made->leaf[k], in.made->at - d_.lut + in.load, in.bit);
+        take(in.made->leaf[k], in.made->at - d_.lut, in.bit);
       }
     }
     if (!fits) continue;
@@ -96,31 +130,21 @@ Timing::Arrival Timing::logic(const Input* inputs, unsigned count) const {
   return best;
 }
 
-/// A signal that many LUTs take comes later.
-double Timing::load(std::size_t loads) const {
-  return loads > 8 ? d_.fanout * std::log2(static_cast<double>(loads) / 8.0) : 0.0;
-}
-
-void Timing::time_logic(const Cell& cell, int stage, const std::vector<int>& stages) {
-  // Bits that an operand repeats, and the selector of a word.
-  std::vector<double> repeated;
-  for (const auto& operand : cell.operands) {
-    const bool scalar = operand.size() == 1;
-    const auto same = std::count(operand.begin(), operand.end(), operand.back());
-    repeated.push_back(load(scalar ? cell.width : static_cast<std::size_t>(same)));
-  }
+void Timing::time_logic(const Cell& cell, Op op, int stage, const std::vector<int>& stages) {
   for (unsigned i = 0; i < cell.width; ++i) {
     std::array<Input, 3> inputs;
     unsigned count = 0;
-    for (std::size_t k = 0; k < cell.operands.size(); ++k) {
-      const auto& operand = cell.operands[k];
+    for (const auto& operand : cell.operands) {
       const BitRef bit = operand[operand.size() == 1 ? 0 : i];
-      if (bit.is_constant()) continue;
-      inputs[count] = input(bit, stage, stages);
-      if (bit == operand.back()) inputs[count].load = repeated[k];
-      ++count;
+      if (!bit.is_constant()) inputs[count++] = input(bit, stage, stages);
     }
-    bits_[cell.first_bit + i] = logic(inputs.data(), count);
+    Arrival& a = bits_[cell.first_bit + i];
+    const Arrival* made = inputs[0].made;
+    if (op == Op::kNot && made != nullptr && made->leaves == 0) {
+      a = {inputs[0].at, 0, {}, inputs[0].bit};  // what makes the bit makes its inverse as well
+    } else {
+      a = logic(inputs.data(), count);
+    }
   }
 }
 
@@ -133,7 +157,7 @@ void Timing::time_sum(const Cell& cell, Op op, int stage, const std::vector<int>
   BitRef select_bit;
   if (variable && !cell.operands[2][0].is_constant()) {
     const Input s = input(cell.operands[2][0], stage, stages);
-    select = s.at + load(cell.width);
+    select = s.at;
     if (s.made != nullptr) select_bit = s.bit;
     carry = select + d_.carry_start;
     carry_source = select_bit;
@@ -235,36 +259,54 @@ Timing::Arrival Timing::equal(const Cell& cell, int stage, const std::vector<int
     return std::tie(a.at, a.inputs, a.source.cell, a.source.bit) <
            std::tie(b.at, b.inputs, b.source.cell, b.source.bit);
   };
-  while (parts.size() > 1 || parts.front().inputs > 1) {
-    std::sort(parts.begin(), parts.end(), earlier);
-    Part merged{0, 0, {}};
-    std::size_t taken = 0;
-    while (taken < parts.size() && merged.inputs + parts[taken].inputs <= d_.lut_inputs) {
-      merged.inputs += parts[taken].inputs;
-      if (parts[taken].at >= merged.at) {
-        merged.at = parts[taken].at;
-        merged.source = parts[taken].source;
-      }
-      ++taken;
-    }
-    parts.erase(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(taken));
-    parts.push_back({merged.at + d_.lut, 1, merged.source});
+  // LUTs of whole bits, then a tree whose first LUT takes so few that the others are full.
+  std::vector<Part> tree;
+  std::sort(parts.begin(), parts.end(), earlier);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool two = i + 1 < parts.size() && parts[i].inputs + parts[i + 1].inputs <= d_.lut_inputs;
+    i += two ? 1 : 0;
+    tree.push_back({parts[i].at + d_.lut, 1, parts[i].source});
+  }
+  while (tree.size() > 1) {
+    const std::size_t rest = (tree.size() - 1) % (d_.lut_inputs - 1);
+    const auto taken = static_cast<std::ptrdiff_t>(rest == 0 ? d_.lut_inputs : rest + 1);
+    std::partial_sort(tree.begin(), tree.begin() + taken, tree.end(), earlier);
+    const Part last = tree[static_cast<std::size_t>(taken) - 1];
+    tree.erase(tree.begin(), tree.begin() + taken);
+    tree.push_back({last.at + d_.lut, 1, last.source});
   }
   Arrival a;
-  a.at = parts.front().at;
-  a.source = parts.front().source;
+  a.at = tree.front().at;
+  a.source = tree.front().source;
   return a;
+}
+
+bool Timing::is_of_luts(const Port& ram) const {
+  if (ram.kind == PortKind::kRegisterFile) return true;
+  return ram.latency <= 1 &&
+         (ram.rows <= d_.lut_ram_rows || ram.rows * ram.width <= d_.lut_ram_bits);
+}
+
+/// The clock that a write allows, by the set-up of its condition, which a LUT joins with the valid
+/// bit of its stage, and that of its address and data.
+double Timing::written(CellId id, const std::vector<int>& stages, double enable, double other) {
+  const Cell& cell = c_.cells[id];
+  double needs = 0;
+  for (const auto& operand : cell.operands) {
+    const Input last = latest(operand, stages[id], stages);
+    const bool first = &operand == &cell.operands.front() && cell.operands.size() > 1;
+    const double late = last.at + (first ? enable : other);
+    if (late <= needs || last.bit.is_constant()) continue;
+    needs = late;
+    critical_[id] = last.made != nullptr ? last.bit : BitRef{};
+  }
+  return needs;
 }
 
 double Timing::evaluate(CellId id, const std::vector<int>& stages) {
   const Cell& cell = c_.cells[id];
   const int stage = stages[id];
   const auto from = [](const Input& in) { return in.made != nullptr ? in.bit : BitRef{}; };
-  const auto written = [&](double set_up) {
-    const Input last = latest(cell, stage, stages);
-    critical_[id] = from(last);
-    return last.at + set_up;
-  };
   switch (cell.kind) {
     case CellKind::kToken:
       set_all(cell, d_.token_in, {});
@@ -274,7 +316,7 @@ double Timing::evaluate(CellId id, const std::vector<int>& stages) {
       set_all(cell, 0, {});
       return 0;
     case CellKind::kRow: {
-      double at = d_.ram_out;
+      double at = is_of_luts(c_.port_of(id)) ? 0 : d_.ram_out;
       BitRef source;
       if (c_.port_of(id).kind == PortKind::kRegisterFile) {
         const CellId read = c_.row_read[cell.index];
@@ -287,13 +329,21 @@ double Timing::evaluate(CellId id, const std::vector<int>& stages) {
       return at;
     }
     case CellKind::kTokenWrite:
-      return written(d_.token_out);
+      return written(id, stages, d_.token_enable, d_.token_out);
     case CellKind::kRowRead:
-      return written(c_.port_of(id).kind == PortKind::kRegisterFile ? d_.lut_ram : d_.ram_in);
-    case CellKind::kRowWrite:
-      return written(d_.ram_in);
+      if (c_.port_of(id).kind == PortKind::kRegisterFile) {
+        return written(id, stages, 0, d_.lut_ram);
+      }
+      if (is_of_luts(c_.port_of(id))) return written(id, stages, d_.lut, d_.lut_ram);
+      return written(id, stages, d_.lut + d_.ram_in, d_.ram_in);
+    case CellKind::kRowWrite: {
+      const Port& ram = c_.port_of(id);
+      if (!is_of_luts(ram)) return written(id, stages, d_.lut + d_.ram_in, d_.ram_in);
+      // Every two bits of a row have a write enable of their own.
+      return written(id, stages, 2 * d_.lut + load(ram.width / 2), d_.lut);
+    }
     case CellKind::kRegisterWrite:
-      return written(0);
+      return written(id, stages, 0, 0);
     case CellKind::kOperation:
       break;
   }
@@ -304,7 +354,7 @@ double Timing::evaluate(CellId id, const std::vector<int>& stages) {
     case Op::kXor:
     case Op::kNot:
     case Op::kMux:
-      time_logic(cell, stage, stages);
+      time_logic(cell, op, stage, stages);
       break;
     case Op::kAdd:
     case Op::kSub:

@@ -45,22 +45,28 @@ class Timing {
   struct Input {
     double at = 0;
     const Arrival* made = nullptr;  ///< null: out of a register
-    double load = 0;                ///< additional delay for many loads
     BitRef bit;
   };
 
   Input input(BitRef bit, int stage, const std::vector<int>& stages) const;
   void set_all(const Cell& cell, double at, BitRef source);
   Arrival logic(const Input* inputs, unsigned count) const;
-  void time_logic(const Cell& cell, int stage, const std::vector<int>& stages);
+  void time_logic(const Cell& cell, Op op, int stage, const std::vector<int>& stages);
   void time_sum(const Cell& cell, Op op, int stage, const std::vector<int>& stages);
   Arrival compare(const Cell& cell, int stage, const std::vector<int>& stages) const;
   Arrival equal(const Cell& cell, int stage, const std::vector<int>& stages) const;
   Input latest(const Cell& cell, int stage, const std::vector<int>& stages) const;
-  double load(std::size_t loads) const;
+  Input latest(const std::vector<BitRef>& operand, int stage, const std::vector<int>& stages) const;
+  double written(CellId id, const std::vector<int>& stages, double enable, double other);
+  void count_loads();
+  double load(unsigned loads) const;
+  double load(BitRef bit) const;
+  /// A register file, or a RAM on the chip that synthesis makes of LUTs.
+  bool is_of_luts(const Port& ram) const;
 
   const Circuit& c_;
   const DelayModel& d_;
+  std::vector<double> load_;  ///< by the number of the bit: its way to its loads beyond that to one
   std::vector<Arrival> bits_;  ///< by the number of the bit
   std::vector<BitRef> critical_;
 };

@@ -21,14 +21,20 @@ Clocks::Queue* Clocks::output(const std::string& name, std::function<std::uint64
   return &queues_.back();
 }
 
-void Clocks::feed(const std::string& name, std::vector<Feed> feeds) {
-  find(name).sources.push_back({.feeds = std::move(feeds)});
+void Clocks::feed(const std::string& name, Feed feed) {
+  find(name).feeds.push_back(std::move(feed));
 }
 
-std::vector<Clocks::Queue*> Clocks::fork(std::vector<Feed> feeds,
-                                         const std::vector<std::string>& readers,
+Clocks::Queue* Clocks::merge(std::vector<Feed> feeds) {
+  constexpr unsigned kPlaces = 2;  // of hls_buffer.v
+  Queue* buffer = &queues_.emplace_back(Queue{.room = kPlaces});
+  arbiters_.push_back({.feeds = std::move(feeds), .buffer = buffer});
+  return buffer;
+}
+
+std::vector<Clocks::Queue*> Clocks::fork(Feed feed, const std::vector<std::string>& readers,
                                          std::size_t queues, unsigned depth) {
-  Fork fork{.source = {.feeds = std::move(feeds)}};
+  Fork fork{.feed = std::move(feed)};
   for (const std::string& name : readers) {
     fork.readers.push_back(&find(name));
     find(name).waits_for_fork = true;
@@ -40,7 +46,7 @@ std::vector<Clocks::Queue*> Clocks::fork(std::vector<Feed> feeds,
   return forks_.back().branches;
 }
 
-void Clocks::sink(Feed feed) { sinks_.push_back({.feeds = {std::move(feed)}}); }
+void Clocks::sink(Feed feed) { sinks_.push_back(std::move(feed)); }
 
 void Clocks::stale_ram(const std::string& writer, const std::string& port, unsigned read_stage,
                        std::function<std::uint64_t()> logged, std::function<void()> land) {
@@ -68,27 +74,10 @@ bool Clocks::Queue::has_room(std::uint64_t now) const {
   return waiting < room;
 }
 
-int Clocks::Source::choice(std::uint64_t now) const {
-  if (offered >= 0) return offered;
-  int first = -1;
-  for (int i = 0; i < static_cast<int>(feeds.size()); ++i) {
-    if (!feeds[static_cast<std::size_t>(i)].queue->offers(now)) continue;
-    if (after >> i & 1) return i;
-    if (first < 0) first = i;
-  }
-  return first;
-}
-
-void Clocks::Source::take(std::uint64_t now, int chosen) {
-  Feed& feed = feeds[static_cast<std::size_t>(chosen)];
-  if (!feed.move()) {
-    offered = chosen;
-    return;
-  }
-  feed.queue->ready.pop_front();
-  feed.queue->taken_at = now;
-  offered = -1;
-  after = ~1u << chosen;
+void Clocks::Feed::take(std::uint64_t now) const {
+  if (!move()) return;
+  queue->ready.pop_front();
+  queue->taken_at = now;
 }
 
 bool Clocks::Unit::has_room(std::uint64_t now) const {
@@ -106,28 +95,42 @@ bool Clocks::tick(std::uint64_t now) {
   for (Ram& ram : rams_) {
     for (; !ram.due.empty() && ram.due.front() <= now; ram.due.pop_front()) ram.land();
   }
-  for (Source& sink : sinks_) {
-    if (sink.feeds[0].queue->offers(now)) {
-      sink.take(now, 0);
+  for (const Feed& sink : sinks_) {
+    if (sink.queue->offers(now)) {
+      sink.take(now);
       moved = true;
     }
   }
+  for (Arbiter& arbiter : arbiters_) moved |= arbitrate(arbiter, now);
   for (Fork& fork : forks_) moved |= pass(fork, now);
   for (Unit& unit : units_) moved |= fire(unit, now);
   return moved;
 }
 
+bool Clocks::arbitrate(Arbiter& arbiter, std::uint64_t now) {
+  if (!arbiter.buffer->has_room(now)) return false;
+  const std::size_t sender = arbiter.granted;
+  const std::size_t count = arbiter.feeds.size();
+  for (std::size_t after = 1; after < count; ++after) {
+    const std::size_t other = (sender + after) % count;
+    if (!arbiter.feeds[other].queue->offers(now)) continue;
+    arbiter.granted = other;
+    break;
+  }
+  const Feed& feed = arbiter.feeds[sender];
+  if (!feed.queue->offers(now)) return arbiter.granted != sender;
+  feed.take(now);
+  arbiter.buffer->ready.push_back(now + 1);
+  return true;
+}
+
 bool Clocks::pass(Fork& fork, std::uint64_t now) {
-  const int chosen = fork.source.choice(now);
-  if (chosen < 0) return false;
+  if (!fork.feed.queue->offers(now)) return false;
   const bool ready =
       std::ranges::all_of(fork.readers, [now](const Unit* u) { return u->has_room(now); }) &&
       std::ranges::all_of(fork.branches, [now](const Queue* q) { return q->has_room(now); });
-  if (!ready) {
-    fork.source.offered = chosen;
-    return false;
-  }
-  fork.source.take(now, chosen);
+  if (!ready) return false;
+  fork.feed.take(now);
   for (Unit* reader : fork.readers) reader->forked_at = now;
   for (Queue* branch : fork.branches) branch->ready.push_back(now + 1);
   return true;
@@ -137,15 +140,12 @@ bool Clocks::fire(Unit& unit, std::uint64_t now) {
   if (unit.waits_for_fork) {
     if (unit.forked_at != now) return false;
   } else {
-    bool tokens = true;
-    for (Source& source : unit.sources) tokens &= source.choice(now) >= 0;
+    const bool tokens =
+        std::ranges::all_of(unit.feeds, [now](const Feed& f) { return f.queue->offers(now); });
     const bool room = unit.has_room(now);
-    if (!tokens || !room) {
-      unit.stalls += tokens;
-      for (Source& source : unit.sources) source.offered = source.choice(now);
-      return false;
-    }
-    for (Source& source : unit.sources) source.take(now, source.choice(now));
+    unit.stalls += tokens && !room;
+    if (!tokens || !room) return false;
+    for (const Feed& feed : unit.feeds) feed.take(now);
   }
   unit.run();
   for (Queue* queue : unit.outputs) {

@@ -46,6 +46,9 @@ class Clocks {
   struct Feed {
     Queue* queue;
     Move move;
+
+    /// Takes the token at the head.
+    void take(std::uint64_t now) const;
   };
 
   /// `run` makes a transaction for every token at the unit's inputs.
@@ -55,12 +58,14 @@ class Clocks {
   /// A queue of tokens from outside.
   Queue* input() { return &queues_.emplace_back(); }
 
-  /// Queues that an arbiter merges before an input of unit `name`.
-  void feed(const std::string& name, std::vector<Feed> feeds);
-  /// The same before a fork to inputs of `readers`, each the only one of its unit, and to queues of
-  /// `depth` tokens; move() moves a token to all of them.
-  std::vector<Queue*> fork(std::vector<Feed> feeds, const std::vector<std::string>& readers,
-                           std::size_t queues, unsigned depth);
+  /// The queue before an input of unit `name`.
+  void feed(const std::string& name, Feed feed);
+  /// The buffer behind `feeds`, whose move() moves a token to it; several share it by an arbiter.
+  Queue* merge(std::vector<Feed> feeds);
+  /// The queue before a fork to inputs of `readers`, each the only one of its unit, and to queues
+  /// of `depth` tokens; move() moves a token to all of them.
+  std::vector<Queue*> fork(Feed feed, const std::vector<std::string>& readers, std::size_t queues,
+                           unsigned depth);
   /// Takes every token.
   void sink(Feed feed);
 
@@ -76,14 +81,11 @@ class Clocks {
   std::uint64_t stalls(const std::string& name) { return find(name).stalls; }
 
  private:
-  /// The round-robin arbiter of rtl/lib/hls_arbiter.v; with one queue there is no arbiter.
-  struct Source {
+  /// The round-robin arbiter of rtl/lib/hls_arbiter.v, with an hls_buffer.v behind it.
+  struct Arbiter {
     std::vector<Feed> feeds;
-    std::uint32_t after = 0;  ///< the queues after the one that sent last
-    int offered = -1;         ///< the queue whose token waits for its reader
-
-    int choice(std::uint64_t now) const;
-    void take(std::uint64_t now, int chosen);
+    Queue* buffer;
+    std::size_t granted = 0;  ///< the queue that may send
   };
   struct Ram {
     unsigned after;  ///< clocks from the writing transaction's start to the first that sees the row
@@ -95,7 +97,7 @@ class Clocks {
     std::string name;
     ModuleSchedule schedule;
     std::function<void()> run;
-    std::vector<Source> sources = {};
+    std::vector<Feed> feeds = {};
     std::vector<Queue*> outputs = {};
     std::vector<Ram*> rams = {};
     bool waits_for_fork = false;       ///< a fork brings its tokens
@@ -105,7 +107,7 @@ class Clocks {
     bool has_room(std::uint64_t now) const;
   };
   struct Fork {
-    Source source;
+    Feed feed;
     std::vector<Unit*> readers = {};
     std::vector<Queue*> branches = {};
   };
@@ -113,6 +115,7 @@ class Clocks {
   Unit& find(const std::string& name);
 
   bool tick(std::uint64_t now);
+  static bool arbitrate(Arbiter& arbiter, std::uint64_t now);
   static bool pass(Fork& fork, std::uint64_t now);
   static bool fire(Unit& unit, std::uint64_t now);
   /// The first clock from `now` on in which a token can be taken that could not before.
@@ -121,8 +124,9 @@ class Clocks {
   std::deque<Unit> units_;
   std::deque<Queue> queues_;
   std::deque<Ram> rams_;
+  std::vector<Arbiter> arbiters_;
   std::vector<Fork> forks_;
-  std::vector<Source> sinks_;
+  std::vector<Feed> sinks_;
 };
 
 }  // namespace hls

@@ -46,37 +46,50 @@ void JoinClocks::channel(const JoinPorts& ports, const std::vector<OutEnd*>& fro
       waiting_readers.push_back(unit);
     }
   }
-  std::vector<Clocks::Feed> feeds;
-  for (OutEnd* out : from) {
-    const Tokens queue = type.make_queue();
-    feeds.push_back({output(ports, *out, queue, depth), mover(queue, targets)});
-  }
+  const Source source = merge(ports, from, type, depth);
+  const Clocks::Feed feed{source.queue, mover(source.tokens, targets)};
   if (to.size() == 1) {
-    clocks_.feed(readers.front(), std::move(feeds));
+    if (ports.inputs_of(readers.front()) == 1) {
+      clocks_.feed(readers.front(), feed);
+    } else {
+      const Tokens buffered = type.make_queue();
+      Clocks::Queue* buffer = clocks_.merge({{source.queue, mover(source.tokens, {buffered})}});
+      clocks_.feed(readers.front(), {buffer, mover(buffered, targets)});
+    }
     return;
   }
-  const auto branches = clocks_.fork(std::move(feeds), readers, waiting.size(), depth);
+  const auto branches = clocks_.fork(feed, readers, waiting.size(), depth);
   for (std::size_t i = 0; i < branches.size(); ++i) {
-    clocks_.feed(waiting_readers[i], {{branches[i], mover(waiting[i], {behind[i]})}});
+    clocks_.feed(waiting_readers[i], {branches[i], mover(waiting[i], {behind[i]})});
   }
 }
 
 void JoinClocks::repeat(const JoinPorts& ports, const std::vector<OutEnd*>& from, const InEnd& to,
                         TokenType type, SendNumbered send, std::shared_ptr<std::uint64_t> sent,
                         unsigned depth) {
-  const auto number = std::make_shared<std::uint64_t>(0);
-  std::vector<Clocks::Feed> feeds;
+  const Source source = merge(ports, from, type, depth);
+  const auto move = [jobs = source.tokens, sent, send, numbered = to.tokens(),
+                     number = std::uint64_t{0}]() mutable {
+    if (number == 0) ++*sent;
+    const bool last = send(*jobs, number++, *numbered);
+    if (last) number = 0;
+    return last;
+  };
+  clocks_.feed(ports.unit_of(&to), {source.queue, move});
+}
+
+JoinClocks::Source JoinClocks::merge(const JoinPorts& ports, const std::vector<OutEnd*>& from,
+                                     TokenType type, unsigned depth) {
+  std::vector<Source> sources;
   for (OutEnd* out : from) {
-    const Tokens jobs = type.make_queue();
-    feeds.push_back(
-        {output(ports, *out, jobs, depth), [jobs, number, sent, send, numbered = to.tokens()] {
-           if (*number == 0) ++*sent;
-           const bool last = send(*jobs, (*number)++, *numbered);
-           if (last) *number = 0;
-           return last;
-         }});
+    const Tokens tokens = type.make_queue();
+    sources.push_back({output(ports, *out, tokens, depth), tokens});
   }
-  clocks_.feed(ports.unit_of(&to), std::move(feeds));
+  if (sources.size() == 1) return sources.front();
+  const Tokens merged = type.make_queue();
+  std::vector<Clocks::Feed> feeds;
+  for (const Source& s : sources) feeds.push_back({s.queue, mover(s.tokens, {merged})});
+  return {clocks_.merge(std::move(feeds)), merged};
 }
 
 void JoinClocks::stale_ram(const JoinPorts& ports, StaleRam ram) {
@@ -91,7 +104,7 @@ Tokens JoinClocks::input(const JoinPorts& ports, const std::string& name, const 
                          TokenType type) {
   Tokens queue = type.make_queue();
   ends_[name] = clocks_.input();
-  clocks_.feed(ports.unit_of(&to), {{ends_[name], mover(queue, {to.tokens()})}});
+  clocks_.feed(ports.unit_of(&to), {ends_[name], mover(queue, {to.tokens()})});
   return queue;
 }
 void JoinClocks::output(const JoinPorts& ports, const std::string& name, OutEnd& from,

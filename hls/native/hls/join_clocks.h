@@ -59,6 +59,14 @@ class JoinClocks {
   std::uint64_t stalls(const std::string& unit) { return clocks_.stalls(unit); }
 
  private:
+  /// Where a channel's tokens come from.
+  struct Source {
+    Clocks::Queue* queue;
+    Tokens tokens;
+  };
+  /// All of `from`, with an arbiter where there are several.
+  Source merge(const JoinPorts& ports, const std::vector<OutEnd*>& from, TokenType type,
+               unsigned depth);
   Clocks::Queue* output(const JoinPorts& ports, OutEnd& out, const Tokens& queue, unsigned depth);
 
   ModuleSchedules schedules_;

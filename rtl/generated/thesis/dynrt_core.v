@@ -33,6 +33,8 @@ module dynrt_core (
   input  wire [7:0] counter_addr_i,
   output wire [31:0] counter_data_o
 );
+  reg join_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) join_reset_q <= !rst_ni;
   wire startup__number_valid, startup__number_ready;
   wire [9:0] startup__number_data;
   wire done_all_valid, done_all_ready;
@@ -47,6 +49,8 @@ module dynrt_core (
   wire [4:0] ray_generation__skipped_data;
   wire shading__free_valid, shading__free_ready;
   wire [4:0] shading__free_data;
+  wire free_packet_merged_valid, free_packet_merged_ready;
+  wire [4:0] free_packet_merged_data;
   wire ray_generation__free_valid, ray_generation__free_ready;
   wire [4:0] ray_generation__free_data;
   wire shade_job_all_valid, shade_job_all_ready;
@@ -69,6 +73,8 @@ module dynrt_core (
   wire [62:0] mailbox__start_data;
   wire packet_decoder__enter_object_valid, packet_decoder__enter_object_ready;
   wire [62:0] packet_decoder__enter_object_data;
+  wire traversal_event_merged_valid, traversal_event_merged_ready;
+  wire [62:0] traversal_event_merged_data;
   wire node_fetch__event_valid, node_fetch__event_ready;
   wire [62:0] node_fetch__event_data;
   wire node_request_all_valid, node_request_all_ready;
@@ -83,6 +89,8 @@ module dynrt_core (
   wire [85:0] node_lookup__reply_data;
   wire node_fill__reply_valid, node_fill__reply_ready;
   wire [85:0] node_fill__reply_data;
+  wire step_merged_valid, step_merged_ready;
+  wire [85:0] step_merged_data;
   wire slice_0__step_in_valid, slice_0__step_in_ready;
   wire [85:0] slice_0__step_in_data;
   wire slice_1__step_in_valid, slice_1__step_in_ready;
@@ -137,6 +145,8 @@ module dynrt_core (
   wire [25:0] mailbox__seen_data;
   wire collect_hits__go_on_valid, collect_hits__go_on_ready;
   wire [25:0] collect_hits__go_on_data;
+  wire list_job_merged_valid, list_job_merged_ready;
+  wire [25:0] list_job_merged_data;
   wire list__job_valid, list__job_ready;
   wire [25:0] list__job_data;
   wire list_request_all_valid, list_request_all_ready;
@@ -153,6 +163,8 @@ module dynrt_core (
   wire [42:0] list_fill__reply_data;
   wire collect_hits__start_valid, collect_hits__start_ready;
   wire [42:0] collect_hits__start_data;
+  wire list_entry_merged_valid, list_entry_merged_ready;
+  wire [42:0] list_entry_merged_data;
   wire mailbox__entry_valid, mailbox__entry_ready;
   wire [42:0] mailbox__entry_data;
   wire transform_job_all_valid, transform_job_all_ready;
@@ -161,6 +173,8 @@ module dynrt_core (
   wire [31:0] mailbox__fresh_data;
   wire ray_generation__job_valid, ray_generation__job_ready;
   wire [31:0] ray_generation__job_data;
+  wire transform_job_merged_valid, transform_job_merged_ready;
+  wire [31:0] transform_job_merged_data;
   wire transform_job_repeated_valid, transform_job_repeated_ready;
   wire [36:0] transform_job_repeated_data;
   wire matrix_fetch__job_valid, matrix_fetch__job_ready;
@@ -177,6 +191,8 @@ module dynrt_core (
   wire [127:0] matrix_lookup__reply_data;
   wire matrix_fill__reply_valid, matrix_fill__reply_ready;
   wire [127:0] matrix_fill__reply_data;
+  wire matrix_column_merged_valid, matrix_column_merged_ready;
+  wire [127:0] matrix_column_merged_data;
   wire matrix_store__reply_valid, matrix_store__reply_ready;
   wire [127:0] matrix_store__reply_data;
   wire send_job_all_valid, send_job_all_ready;
@@ -219,6 +235,8 @@ module dynrt_core (
   wire [27:0] list_lookup__miss_data;
   wire matrix_lookup__miss_valid, matrix_lookup__miss_ready;
   wire [27:0] matrix_lookup__miss_data;
+  wire memory_request_merged_valid, memory_request_merged_ready;
+  wire [27:0] memory_request_merged_data;
   wire memory_interface__request_valid, memory_interface__request_ready;
   wire [27:0] memory_interface__request_data;
   wire node_line_all_valid, node_line_all_ready;
@@ -227,6 +245,8 @@ module dynrt_core (
   wire [90:0] memory_interface__node_data;
   wire startup__node_valid, startup__node_ready;
   wire [90:0] startup__node_data;
+  wire node_line_merged_valid, node_line_merged_ready;
+  wire [90:0] node_line_merged_data;
   wire node_fill__fill_valid, node_fill__fill_ready;
   wire [90:0] node_fill__fill_data;
   wire list_line_all_valid, list_line_all_ready;
@@ -235,6 +255,8 @@ module dynrt_core (
   wire [58:0] memory_interface__list_data;
   wire startup__list_valid, startup__list_ready;
   wire [58:0] startup__list_data;
+  wire list_line_merged_valid, list_line_merged_ready;
+  wire [58:0] list_line_merged_data;
   wire list_fill__fill_valid, list_fill__fill_ready;
   wire [58:0] list_fill__fill_data;
   wire column_line_all_valid, column_line_all_ready;
@@ -243,6 +265,8 @@ module dynrt_core (
   wire [122:0] memory_interface__column_data;
   wire startup__column_valid, startup__column_ready;
   wire [122:0] startup__column_data;
+  wire column_line_merged_valid, column_line_merged_ready;
+  wire [122:0] column_line_merged_data;
   wire matrix_fill__fill_valid, matrix_fill__fill_ready;
   wire [122:0] matrix_fill__fill_data;
   wire ray_generation__position_en;
@@ -413,36 +437,88 @@ module dynrt_core (
   wire shading__bank_2_en;
   wire [19:0] shading__bank_2_addr;
   wire [31:0] shading__bank_2_data;
+  reg startup_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) startup_reset_q <= !rst_ni;
   wire startup_fire, startup_stall;
+  reg ray_generation_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) ray_generation_reset_q <= !rst_ni;
   wire ray_generation_fire, ray_generation_stall;
+  reg node_fetch_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) node_fetch_reset_q <= !rst_ni;
   wire node_fetch_fire, node_fetch_stall;
+  reg node_lookup_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) node_lookup_reset_q <= !rst_ni;
   wire node_lookup_fire, node_lookup_stall;
+  reg node_fill_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) node_fill_reset_q <= !rst_ni;
   wire node_fill_fire, node_fill_stall;
+  reg slice_0_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) slice_0_reset_q <= !rst_ni;
   wire slice_0_fire, slice_0_stall;
+  reg slice_1_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) slice_1_reset_q <= !rst_ni;
   wire slice_1_fire, slice_1_stall;
+  reg slice_2_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) slice_2_reset_q <= !rst_ni;
   wire slice_2_fire, slice_2_stall;
+  reg slice_3_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) slice_3_reset_q <= !rst_ni;
   wire slice_3_fire, slice_3_stall;
+  reg packet_decision_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) packet_decision_reset_q <= !rst_ni;
   wire packet_decision_fire, packet_decision_stall;
+  reg list_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) list_reset_q <= !rst_ni;
   wire list_fire, list_stall;
+  reg list_lookup_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) list_lookup_reset_q <= !rst_ni;
   wire list_lookup_fire, list_lookup_stall;
+  reg list_fill_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) list_fill_reset_q <= !rst_ni;
   wire list_fill_fire, list_fill_stall;
+  reg mailbox_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) mailbox_reset_q <= !rst_ni;
   wire mailbox_fire, mailbox_stall;
+  reg matrix_fetch_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) matrix_fetch_reset_q <= !rst_ni;
   wire matrix_fetch_fire, matrix_fetch_stall;
+  reg matrix_lookup_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) matrix_lookup_reset_q <= !rst_ni;
   wire matrix_lookup_fire, matrix_lookup_stall;
+  reg matrix_fill_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) matrix_fill_reset_q <= !rst_ni;
   wire matrix_fill_fire, matrix_fill_stall;
+  reg matrix_store_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) matrix_store_reset_q <= !rst_ni;
   wire matrix_store_fire, matrix_store_stall;
+  reg send_packet_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) send_packet_reset_q <= !rst_ni;
   wire send_packet_fire, send_packet_stall;
+  reg transformation_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) transformation_reset_q <= !rst_ni;
   wire transformation_fire, transformation_stall;
+  reg packet_decoder_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) packet_decoder_reset_q <= !rst_ni;
   wire packet_decoder_fire, packet_decoder_stall;
+  reg intersection_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) intersection_reset_q <= !rst_ni;
   wire intersection_fire, intersection_stall;
+  reg collect_hits_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) collect_hits_reset_q <= !rst_ni;
   wire collect_hits_fire, collect_hits_stall;
+  reg shading_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) shading_reset_q <= !rst_ni;
   wire shading_fire, shading_stall;
+  reg memory_interface_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) memory_interface_reset_q <= !rst_ni;
   wire memory_interface_fire, memory_interface_stall;
+  reg counters_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) counters_reset_q <= !rst_ni;
 
 
   // channel start
-  assign startup__number_valid = start_valid_i;
-  assign start_ready_o = startup__number_ready;
+  assign startup__number_valid = start_valid_i && !join_reset_q;
+  assign start_ready_o = startup__number_ready && !join_reset_q;
   assign startup__number_data = start_data_i;
 
   // channel done
@@ -455,10 +531,14 @@ module dynrt_core (
 
   // channel free_packet
   hls_arbiter #(.INPUTS(3), .WIDTH(5)) free_packet_arbiter (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({shading__free_valid, ray_generation__skipped_valid, startup__free_valid}),
     .ready_o({shading__free_ready, ray_generation__skipped_ready, startup__free_ready}),
     .data_i({shading__free_data, ray_generation__skipped_data, startup__free_data}),
+    .valid_o(free_packet_merged_valid), .ready_i(free_packet_merged_ready), .data_o(free_packet_merged_data));
+  hls_buffer #(.WIDTH(5)) free_packet_all_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(free_packet_merged_valid), .ready_o(free_packet_merged_ready), .data_i(free_packet_merged_data),
     .valid_o(free_packet_all_valid), .ready_i(free_packet_all_ready), .data_o(free_packet_all_data));
   assign ray_generation__free_valid = free_packet_all_valid;
   assign free_packet_all_ready = ray_generation__free_ready;
@@ -469,7 +549,7 @@ module dynrt_core (
   assign node_fetch__top_done_ready = shade_job_all_ready;
   assign shade_job_all_data = node_fetch__top_done_data;
   hls_repeat #(.WIDTH(9), .COUNT_WIDTH(4)) shade_job_repeat (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i(shade_job_all_valid), .ready_o(shade_job_all_ready), .data_i(shade_job_all_data),
     .valid_o(shade_job_repeated_valid), .ready_i(shade_job_repeated_ready), .data_o(shade_job_repeated_data));
   assign shading__job_valid = shade_job_repeated_valid;
@@ -478,10 +558,14 @@ module dynrt_core (
 
   // channel traversal_event
   hls_arbiter #(.INPUTS(5), .WIDTH(63)) traversal_event_arbiter (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({packet_decoder__enter_object_valid, mailbox__start_valid, list__finished_valid, node_fetch__again_valid, packet_decision__event_valid}),
     .ready_o({packet_decoder__enter_object_ready, mailbox__start_ready, list__finished_ready, node_fetch__again_ready, packet_decision__event_ready}),
     .data_i({packet_decoder__enter_object_data, mailbox__start_data, list__finished_data, node_fetch__again_data, packet_decision__event_data}),
+    .valid_o(traversal_event_merged_valid), .ready_i(traversal_event_merged_ready), .data_o(traversal_event_merged_data));
+  hls_buffer #(.WIDTH(63)) traversal_event_all_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(traversal_event_merged_valid), .ready_o(traversal_event_merged_ready), .data_i(traversal_event_merged_data),
     .valid_o(traversal_event_all_valid), .ready_i(traversal_event_all_ready), .data_o(traversal_event_all_data));
   assign node_fetch__event_valid = traversal_event_all_valid;
   assign traversal_event_all_ready = node_fetch__event_ready;
@@ -497,10 +581,14 @@ module dynrt_core (
 
   // channel step
   hls_arbiter #(.INPUTS(2), .WIDTH(86)) step_arbiter (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({node_fill__reply_valid, node_lookup__reply_valid}),
     .ready_o({node_fill__reply_ready, node_lookup__reply_ready}),
     .data_i({node_fill__reply_data, node_lookup__reply_data}),
+    .valid_o(step_merged_valid), .ready_i(step_merged_ready), .data_o(step_merged_data));
+  hls_buffer #(.WIDTH(86)) step_all_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(step_merged_valid), .ready_o(step_merged_ready), .data_i(step_merged_data),
     .valid_o(step_all_valid), .ready_i(step_all_ready), .data_o(step_all_data));
   hls_fork #(.OUTPUTS(5), .WIDTH(86)) step_fork (
     .valid_i(step_all_valid), .ready_o(step_all_ready), .data_i(step_all_data),
@@ -520,7 +608,7 @@ module dynrt_core (
   assign slice_3__step_in_branch_ready = slice_3__step_in_ready;
   assign slice_3__step_in_data = step_branch_data;
   hls_fifo #(.WIDTH(86), .DEPTH(32), .MARGIN(0)) packet_decision__step_in_queue (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i(packet_decision__step_in_branch_valid), .ready_o(packet_decision__step_in_branch_ready), .data_i(step_branch_data),
     .valid_o(packet_decision__step_in_valid), .ready_i(packet_decision__step_in_ready), .data_o(packet_decision__step_in_data));
 
@@ -528,33 +616,37 @@ module dynrt_core (
   assign decision_0_all_valid = slice_0__decision_valid;
   assign slice_0__decision_ready = decision_0_all_ready;
   assign decision_0_all_data = slice_0__decision_data;
-  assign packet_decision__slice_0_valid = decision_0_all_valid;
-  assign decision_0_all_ready = packet_decision__slice_0_ready;
-  assign packet_decision__slice_0_data = decision_0_all_data;
+  hls_buffer #(.WIDTH(4)) packet_decision__slice_0_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(decision_0_all_valid), .ready_o(decision_0_all_ready), .data_i(decision_0_all_data),
+    .valid_o(packet_decision__slice_0_valid), .ready_i(packet_decision__slice_0_ready), .data_o(packet_decision__slice_0_data));
 
   // channel decision_1
   assign decision_1_all_valid = slice_1__decision_valid;
   assign slice_1__decision_ready = decision_1_all_ready;
   assign decision_1_all_data = slice_1__decision_data;
-  assign packet_decision__slice_1_valid = decision_1_all_valid;
-  assign decision_1_all_ready = packet_decision__slice_1_ready;
-  assign packet_decision__slice_1_data = decision_1_all_data;
+  hls_buffer #(.WIDTH(4)) packet_decision__slice_1_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(decision_1_all_valid), .ready_o(decision_1_all_ready), .data_i(decision_1_all_data),
+    .valid_o(packet_decision__slice_1_valid), .ready_i(packet_decision__slice_1_ready), .data_o(packet_decision__slice_1_data));
 
   // channel decision_2
   assign decision_2_all_valid = slice_2__decision_valid;
   assign slice_2__decision_ready = decision_2_all_ready;
   assign decision_2_all_data = slice_2__decision_data;
-  assign packet_decision__slice_2_valid = decision_2_all_valid;
-  assign decision_2_all_ready = packet_decision__slice_2_ready;
-  assign packet_decision__slice_2_data = decision_2_all_data;
+  hls_buffer #(.WIDTH(4)) packet_decision__slice_2_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(decision_2_all_valid), .ready_o(decision_2_all_ready), .data_i(decision_2_all_data),
+    .valid_o(packet_decision__slice_2_valid), .ready_i(packet_decision__slice_2_ready), .data_o(packet_decision__slice_2_data));
 
   // channel decision_3
   assign decision_3_all_valid = slice_3__decision_valid;
   assign slice_3__decision_ready = decision_3_all_ready;
   assign decision_3_all_data = slice_3__decision_data;
-  assign packet_decision__slice_3_valid = decision_3_all_valid;
-  assign decision_3_all_ready = packet_decision__slice_3_ready;
-  assign packet_decision__slice_3_data = decision_3_all_data;
+  hls_buffer #(.WIDTH(4)) packet_decision__slice_3_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(decision_3_all_valid), .ready_o(decision_3_all_ready), .data_i(decision_3_all_data),
+    .valid_o(packet_decision__slice_3_valid), .ready_i(packet_decision__slice_3_ready), .data_o(packet_decision__slice_3_data));
 
   // channel stack_full
   assign stack_full_all_valid = node_fetch__dropped_valid;
@@ -565,10 +657,14 @@ module dynrt_core (
 
   // channel list_job
   hls_arbiter #(.INPUTS(4), .WIDTH(26)) list_job_arbiter (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({collect_hits__go_on_valid, mailbox__seen_valid, node_fetch__object_done_valid, packet_decision__leaf_valid}),
     .ready_o({collect_hits__go_on_ready, mailbox__seen_ready, node_fetch__object_done_ready, packet_decision__leaf_ready}),
     .data_i({collect_hits__go_on_data, mailbox__seen_data, node_fetch__object_done_data, packet_decision__leaf_data}),
+    .valid_o(list_job_merged_valid), .ready_i(list_job_merged_ready), .data_o(list_job_merged_data));
+  hls_buffer #(.WIDTH(26)) list_job_all_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(list_job_merged_valid), .ready_o(list_job_merged_ready), .data_i(list_job_merged_data),
     .valid_o(list_job_all_valid), .ready_i(list_job_all_ready), .data_o(list_job_all_data));
   assign list__job_valid = list_job_all_valid;
   assign list_job_all_ready = list__job_ready;
@@ -584,10 +680,14 @@ module dynrt_core (
 
   // channel list_entry
   hls_arbiter #(.INPUTS(3), .WIDTH(43)) list_entry_arbiter (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({collect_hits__start_valid, list_fill__reply_valid, list_lookup__reply_valid}),
     .ready_o({collect_hits__start_ready, list_fill__reply_ready, list_lookup__reply_ready}),
     .data_i({collect_hits__start_data, list_fill__reply_data, list_lookup__reply_data}),
+    .valid_o(list_entry_merged_valid), .ready_i(list_entry_merged_ready), .data_o(list_entry_merged_data));
+  hls_buffer #(.WIDTH(43)) list_entry_all_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(list_entry_merged_valid), .ready_o(list_entry_merged_ready), .data_i(list_entry_merged_data),
     .valid_o(list_entry_all_valid), .ready_i(list_entry_all_ready), .data_o(list_entry_all_data));
   assign mailbox__entry_valid = list_entry_all_valid;
   assign list_entry_all_ready = mailbox__entry_ready;
@@ -595,13 +695,17 @@ module dynrt_core (
 
   // channel transform_job
   hls_arbiter #(.INPUTS(2), .WIDTH(32)) transform_job_arbiter (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({ray_generation__job_valid, mailbox__fresh_valid}),
     .ready_o({ray_generation__job_ready, mailbox__fresh_ready}),
     .data_i({ray_generation__job_data, mailbox__fresh_data}),
+    .valid_o(transform_job_merged_valid), .ready_i(transform_job_merged_ready), .data_o(transform_job_merged_data));
+  hls_buffer #(.WIDTH(32)) transform_job_all_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(transform_job_merged_valid), .ready_o(transform_job_merged_ready), .data_i(transform_job_merged_data),
     .valid_o(transform_job_all_valid), .ready_i(transform_job_all_ready), .data_o(transform_job_all_data));
   hls_repeat #(.WIDTH(32), .COUNT_WIDTH(4)) transform_job_repeat (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i(transform_job_all_valid), .ready_o(transform_job_all_ready), .data_i(transform_job_all_data),
     .valid_o(transform_job_repeated_valid), .ready_i(transform_job_repeated_ready), .data_o(transform_job_repeated_data));
   assign matrix_fetch__job_valid = transform_job_repeated_valid;
@@ -618,10 +722,14 @@ module dynrt_core (
 
   // channel matrix_column
   hls_arbiter #(.INPUTS(2), .WIDTH(128)) matrix_column_arbiter (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({matrix_fill__reply_valid, matrix_lookup__reply_valid}),
     .ready_o({matrix_fill__reply_ready, matrix_lookup__reply_ready}),
     .data_i({matrix_fill__reply_data, matrix_lookup__reply_data}),
+    .valid_o(matrix_column_merged_valid), .ready_i(matrix_column_merged_ready), .data_o(matrix_column_merged_data));
+  hls_buffer #(.WIDTH(128)) matrix_column_all_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(matrix_column_merged_valid), .ready_o(matrix_column_merged_ready), .data_i(matrix_column_merged_data),
     .valid_o(matrix_column_all_valid), .ready_i(matrix_column_all_ready), .data_o(matrix_column_all_data));
   assign matrix_store__reply_valid = matrix_column_all_valid;
   assign matrix_column_all_ready = matrix_store__reply_ready;
@@ -632,7 +740,7 @@ module dynrt_core (
   assign matrix_store__ready_ready = send_job_all_ready;
   assign send_job_all_data = matrix_store__ready_data;
   hls_repeat #(.WIDTH(11), .COUNT_WIDTH(4)) send_job_repeat (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i(send_job_all_valid), .ready_o(send_job_all_ready), .data_i(send_job_all_data),
     .valid_o(send_job_repeated_valid), .ready_i(send_job_repeated_ready), .data_o(send_job_repeated_data));
   assign send_packet__job_valid = send_job_repeated_valid;
@@ -673,10 +781,14 @@ module dynrt_core (
 
   // channel memory_request
   hls_arbiter #(.INPUTS(3), .WIDTH(28)) memory_request_arbiter (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({matrix_lookup__miss_valid, list_lookup__miss_valid, node_lookup__miss_valid}),
     .ready_o({matrix_lookup__miss_ready, list_lookup__miss_ready, node_lookup__miss_ready}),
     .data_i({matrix_lookup__miss_data, list_lookup__miss_data, node_lookup__miss_data}),
+    .valid_o(memory_request_merged_valid), .ready_i(memory_request_merged_ready), .data_o(memory_request_merged_data));
+  hls_buffer #(.WIDTH(28)) memory_request_all_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(memory_request_merged_valid), .ready_o(memory_request_merged_ready), .data_i(memory_request_merged_data),
     .valid_o(memory_request_all_valid), .ready_i(memory_request_all_ready), .data_o(memory_request_all_data));
   assign memory_interface__request_valid = memory_request_all_valid;
   assign memory_request_all_ready = memory_interface__request_ready;
@@ -684,10 +796,14 @@ module dynrt_core (
 
   // channel node_line
   hls_arbiter #(.INPUTS(2), .WIDTH(91)) node_line_arbiter (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({startup__node_valid, memory_interface__node_valid}),
     .ready_o({startup__node_ready, memory_interface__node_ready}),
     .data_i({startup__node_data, memory_interface__node_data}),
+    .valid_o(node_line_merged_valid), .ready_i(node_line_merged_ready), .data_o(node_line_merged_data));
+  hls_buffer #(.WIDTH(91)) node_line_all_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(node_line_merged_valid), .ready_o(node_line_merged_ready), .data_i(node_line_merged_data),
     .valid_o(node_line_all_valid), .ready_i(node_line_all_ready), .data_o(node_line_all_data));
   assign node_fill__fill_valid = node_line_all_valid;
   assign node_line_all_ready = node_fill__fill_ready;
@@ -695,10 +811,14 @@ module dynrt_core (
 
   // channel list_line
   hls_arbiter #(.INPUTS(2), .WIDTH(59)) list_line_arbiter (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({startup__list_valid, memory_interface__list_valid}),
     .ready_o({startup__list_ready, memory_interface__list_ready}),
     .data_i({startup__list_data, memory_interface__list_data}),
+    .valid_o(list_line_merged_valid), .ready_i(list_line_merged_ready), .data_o(list_line_merged_data));
+  hls_buffer #(.WIDTH(59)) list_line_all_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(list_line_merged_valid), .ready_o(list_line_merged_ready), .data_i(list_line_merged_data),
     .valid_o(list_line_all_valid), .ready_i(list_line_all_ready), .data_o(list_line_all_data));
   assign list_fill__fill_valid = list_line_all_valid;
   assign list_line_all_ready = list_fill__fill_ready;
@@ -706,10 +826,14 @@ module dynrt_core (
 
   // channel column_line
   hls_arbiter #(.INPUTS(2), .WIDTH(123)) column_line_arbiter (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({startup__column_valid, memory_interface__column_valid}),
     .ready_o({startup__column_ready, memory_interface__column_ready}),
     .data_i({startup__column_data, memory_interface__column_data}),
+    .valid_o(column_line_merged_valid), .ready_i(column_line_merged_ready), .data_o(column_line_merged_data));
+  hls_buffer #(.WIDTH(123)) column_line_all_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(column_line_merged_valid), .ready_o(column_line_merged_ready), .data_i(column_line_merged_data),
     .valid_o(column_line_all_valid), .ready_i(column_line_all_ready), .data_o(column_line_all_data));
   assign matrix_fill__fill_valid = column_line_all_valid;
   assign column_line_all_ready = matrix_fill__fill_ready;
@@ -717,153 +841,153 @@ module dynrt_core (
 
   // RAM pixel_position
   hls_ram_1r1w #(.WIDTH(20), .ROWS(32), .EXCLUSIVE(1)) pixel_position_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(ray_generation__position_en), .write_addr_i(ray_generation__position_addr), .write_data_i(ray_generation__position_data),
     .read_en_i(send_packet__position_en), .read_addr_i(send_packet__position_addr), .read_data_o(send_packet__position_data));
   hls_ram_1r1w #(.WIDTH(20), .ROWS(32), .EXCLUSIVE(1)) pixel_position_ram_1 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(ray_generation__position_en), .write_addr_i(ray_generation__position_addr), .write_data_i(ray_generation__position_data),
     .read_en_i(shading__position_en), .read_addr_i(shading__position_addr), .read_data_o(shading__position_data));
 
   // RAM hit_record
   hls_ram_1r1w #(.WIDTH(155), .ROWS(128), .EXCLUSIVE(1)) hit_record_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(collect_hits__hit_en), .write_addr_i(collect_hits__hit_addr), .write_data_i(collect_hits__hit_data),
     .read_en_i(shading__hit_en), .read_addr_i(shading__hit_addr), .read_data_o(shading__hit_data));
 
   // RAM ray_0
   hls_ram_words #(.WIDTH(48), .WORDS(3), .ROWS(64)) ray_0_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(packet_decoder__ray_0_en), .write_addr_i(packet_decoder__ray_0_addr), .write_data_i(packet_decoder__ray_0_data),
     .read_en_i(slice_0__ray_en), .read_addr_i(slice_0__ray_addr), .read_data_o(slice_0__ray_data));
 
   // RAM distance_0
   hls_ram_1r1w #(.WIDTH(24), .ROWS(32), .EXCLUSIVE(1)) distance_0_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(collect_hits__distance_0_en), .write_addr_i(collect_hits__distance_0_addr), .write_data_i(collect_hits__distance_0_data),
     .read_en_i(slice_0__hit_distance_en), .read_addr_i(slice_0__hit_distance_addr), .read_data_o(slice_0__hit_distance_data));
 
   // RAM ray_1
   hls_ram_words #(.WIDTH(48), .WORDS(3), .ROWS(64)) ray_1_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(packet_decoder__ray_1_en), .write_addr_i(packet_decoder__ray_1_addr), .write_data_i(packet_decoder__ray_1_data),
     .read_en_i(slice_1__ray_en), .read_addr_i(slice_1__ray_addr), .read_data_o(slice_1__ray_data));
 
   // RAM distance_1
   hls_ram_1r1w #(.WIDTH(24), .ROWS(32), .EXCLUSIVE(1)) distance_1_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(collect_hits__distance_1_en), .write_addr_i(collect_hits__distance_1_addr), .write_data_i(collect_hits__distance_1_data),
     .read_en_i(slice_1__hit_distance_en), .read_addr_i(slice_1__hit_distance_addr), .read_data_o(slice_1__hit_distance_data));
 
   // RAM ray_2
   hls_ram_words #(.WIDTH(48), .WORDS(3), .ROWS(64)) ray_2_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(packet_decoder__ray_2_en), .write_addr_i(packet_decoder__ray_2_addr), .write_data_i(packet_decoder__ray_2_data),
     .read_en_i(slice_2__ray_en), .read_addr_i(slice_2__ray_addr), .read_data_o(slice_2__ray_data));
 
   // RAM distance_2
   hls_ram_1r1w #(.WIDTH(24), .ROWS(32), .EXCLUSIVE(1)) distance_2_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(collect_hits__distance_2_en), .write_addr_i(collect_hits__distance_2_addr), .write_data_i(collect_hits__distance_2_data),
     .read_en_i(slice_2__hit_distance_en), .read_addr_i(slice_2__hit_distance_addr), .read_data_o(slice_2__hit_distance_data));
 
   // RAM ray_3
   hls_ram_words #(.WIDTH(48), .WORDS(3), .ROWS(64)) ray_3_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(packet_decoder__ray_3_en), .write_addr_i(packet_decoder__ray_3_addr), .write_data_i(packet_decoder__ray_3_data),
     .read_en_i(slice_3__ray_en), .read_addr_i(slice_3__ray_addr), .read_data_o(slice_3__ray_data));
 
   // RAM distance_3
   hls_ram_1r1w #(.WIDTH(24), .ROWS(32), .EXCLUSIVE(1)) distance_3_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(collect_hits__distance_3_en), .write_addr_i(collect_hits__distance_3_addr), .write_data_i(collect_hits__distance_3_data),
     .read_en_i(slice_3__hit_distance_en), .read_addr_i(slice_3__hit_distance_addr), .read_data_o(slice_3__hit_distance_data));
 
   // RAM last_entry
   hls_ram_1r1w #(.WIDTH(1), .ROWS(64), .EXCLUSIVE(1)) last_entry_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(mailbox__last_en), .write_addr_i(mailbox__last_addr), .write_data_i(mailbox__last_data),
     .read_en_i(list__last_en), .read_addr_i(list__last_addr), .read_data_o(list__last_data));
 
   // RAM column_0
   hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .EXCLUSIVE(1)) column_0_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__column_0_en), .write_addr_i(matrix_store__column_0_addr), .write_data_i(matrix_store__column_0_data),
     .read_en_i(transformation__column_0_en), .read_addr_i(transformation__column_0_addr), .read_data_o(transformation__column_0_data));
 
   // RAM column_1
   hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .EXCLUSIVE(1)) column_1_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__column_1_en), .write_addr_i(matrix_store__column_1_addr), .write_data_i(matrix_store__column_1_data),
     .read_en_i(transformation__column_1_en), .read_addr_i(transformation__column_1_addr), .read_data_o(transformation__column_1_data));
 
   // RAM column_2
   hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .EXCLUSIVE(1)) column_2_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__column_2_en), .write_addr_i(matrix_store__column_2_addr), .write_data_i(matrix_store__column_2_data),
     .read_en_i(transformation__column_2_en), .read_addr_i(transformation__column_2_addr), .read_data_o(transformation__column_2_data));
 
   // RAM column_3
   hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .EXCLUSIVE(1)) column_3_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__column_3_en), .write_addr_i(matrix_store__column_3_addr), .write_data_i(matrix_store__column_3_data),
     .read_en_i(transformation__column_3_en), .read_addr_i(transformation__column_3_addr), .read_data_o(transformation__column_3_data));
 
   // RAM job_record
   hls_ram_1r1w #(.WIDTH(47), .ROWS(32), .EXCLUSIVE(1)) job_record_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__record_en), .write_addr_i(matrix_store__record_addr), .write_data_i(matrix_store__record_data),
     .read_en_i(packet_decoder__record_en), .read_addr_i(packet_decoder__record_addr), .read_data_o(packet_decoder__record_data));
   hls_ram_1r1w #(.WIDTH(47), .ROWS(32), .EXCLUSIVE(1)) job_record_ram_1 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__record_en), .write_addr_i(matrix_store__record_addr), .write_data_i(matrix_store__record_data),
     .read_en_i(collect_hits__record_en), .read_addr_i(collect_hits__record_addr), .read_data_o(collect_hits__record_data));
 
   // RAM object
   hls_ram_1r1w #(.WIDTH(17), .ROWS(32), .EXCLUSIVE(1)) object_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__object_en), .write_addr_i(matrix_store__object_addr), .write_data_i(matrix_store__object_data),
     .read_en_i(collect_hits__object_en), .read_addr_i(collect_hits__object_addr), .read_data_o(collect_hits__object_data));
 
   // RAM ray_vectors
   hls_ram_1r1w #(.WIDTH(72), .ROWS(512), .EXCLUSIVE(1)) ray_vectors_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(packet_decoder__vectors_en), .write_addr_i(packet_decoder__vectors_addr), .write_data_i(packet_decoder__vectors_data),
     .read_en_i(send_packet__vectors_en), .read_addr_i(send_packet__vectors_addr), .read_data_o(send_packet__vectors_data));
 
   // RAM node_lines
   hls_ram_1r1w #(.WIDTH(84), .ROWS(512), .EXCLUSIVE(0)) node_lines_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(node_fill__lines_en), .write_addr_i(node_fill__lines_addr), .write_data_i(node_fill__lines_data),
     .read_en_i(node_lookup__lines_en), .read_addr_i(node_lookup__lines_addr), .read_data_o(node_lookup__lines_data));
 
   // RAM node_waiting
   hls_ram_1r1w #(.WIDTH(22), .ROWS(128), .EXCLUSIVE(1)) node_waiting_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(node_lookup__waiting_en), .write_addr_i(node_lookup__waiting_addr), .write_data_i(node_lookup__waiting_data),
     .read_en_i(node_fill__waiting_en), .read_addr_i(node_fill__waiting_addr), .read_data_o(node_fill__waiting_data));
 
   // RAM list_lines
   hls_ram_1r1w #(.WIDTH(52), .ROWS(512), .EXCLUSIVE(0)) list_lines_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(list_fill__lines_en), .write_addr_i(list_fill__lines_addr), .write_data_i(list_fill__lines_data),
     .read_en_i(list_lookup__lines_en), .read_addr_i(list_lookup__lines_addr), .read_data_o(list_lookup__lines_data));
 
   // RAM list_waiting
   hls_ram_1r1w #(.WIDTH(6), .ROWS(128), .EXCLUSIVE(1)) list_waiting_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(list_lookup__waiting_en), .write_addr_i(list_lookup__waiting_addr), .write_data_i(list_lookup__waiting_data),
     .read_en_i(list_fill__waiting_en), .read_addr_i(list_fill__waiting_addr), .read_data_o(list_fill__waiting_data));
 
   // RAM matrix_lines
   hls_ram_1r1w #(.WIDTH(116), .ROWS(512), .EXCLUSIVE(0)) matrix_lines_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_fill__lines_en), .write_addr_i(matrix_fill__lines_addr), .write_data_i(matrix_fill__lines_data),
     .read_en_i(matrix_lookup__lines_en), .read_addr_i(matrix_lookup__lines_addr), .read_data_o(matrix_lookup__lines_data));
 
   // RAM matrix_waiting
   hls_ram_1r1w #(.WIDTH(13), .ROWS(128), .EXCLUSIVE(1)) matrix_waiting_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_lookup__waiting_en), .write_addr_i(matrix_lookup__waiting_addr), .write_data_i(matrix_lookup__waiting_data),
     .read_en_i(matrix_fill__waiting_en), .read_addr_i(matrix_fill__waiting_addr), .read_data_o(matrix_fill__waiting_data));
 
@@ -898,7 +1022,7 @@ module dynrt_core (
   assign bank5_data_o = shading__bank_2_data;
 
   startup #(.FREE_DEPTH(32), .FREE_BOUNDED(1)) u_startup (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!startup_reset_q),
     .number_valid_i(startup__number_valid),
     .number_ready_o(startup__number_ready),
     .number_data_i(startup__number_data),
@@ -917,7 +1041,7 @@ module dynrt_core (
     .fire_o(startup_fire), .stall_o(startup_stall));
 
   ray_generation #(.JOB_DEPTH(32), .JOB_BOUNDED(1), .SKIPPED_DEPTH(32), .SKIPPED_BOUNDED(1)) u_ray_generation (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!ray_generation_reset_q),
     .free_valid_i(ray_generation__free_valid),
     .free_ready_o(ray_generation__free_ready),
     .free_data_i(ray_generation__free_data),
@@ -937,7 +1061,7 @@ module dynrt_core (
     .fire_o(ray_generation_fire), .stall_o(ray_generation_stall));
 
   node_fetch #(.REQUEST_DEPTH(32), .REQUEST_BOUNDED(1), .AGAIN_DEPTH(32), .AGAIN_BOUNDED(1), .TOP_DONE_DEPTH(32), .TOP_DONE_BOUNDED(1), .OBJECT_DONE_DEPTH(32), .OBJECT_DONE_BOUNDED(1)) u_node_fetch (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!node_fetch_reset_q),
     .event_valid_i(node_fetch__event_valid),
     .event_ready_o(node_fetch__event_ready),
     .event_data_i(node_fetch__event_data),
@@ -959,7 +1083,7 @@ module dynrt_core (
     .fire_o(node_fetch_fire), .stall_o(node_fetch_stall));
 
   node_lookup #(.REPLY_DEPTH(32), .REPLY_BOUNDED(1)) u_node_lookup (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!node_lookup_reset_q),
     .request_valid_i(node_lookup__request_valid),
     .request_ready_o(node_lookup__request_ready),
     .request_data_i(node_lookup__request_data),
@@ -979,7 +1103,7 @@ module dynrt_core (
     .fire_o(node_lookup_fire), .stall_o(node_lookup_stall));
 
   node_fill #(.REPLY_DEPTH(32), .REPLY_BOUNDED(1)) u_node_fill (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!node_fill_reset_q),
     .fill_valid_i(node_fill__fill_valid),
     .fill_ready_o(node_fill__fill_ready),
     .fill_data_i(node_fill__fill_data),
@@ -996,7 +1120,7 @@ module dynrt_core (
     .fire_o(node_fill_fire), .stall_o(node_fill_stall));
 
   traversal_slice #(.DECISION_DEPTH(32), .DECISION_BOUNDED(1)) u_slice_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!slice_0_reset_q),
     .step_in_valid_i(slice_0__step_in_valid),
     .step_in_ready_o(slice_0__step_in_ready),
     .step_in_data_i(slice_0__step_in_data),
@@ -1013,7 +1137,7 @@ module dynrt_core (
     .fire_o(slice_0_fire), .stall_o(slice_0_stall));
 
   traversal_slice #(.DECISION_DEPTH(32), .DECISION_BOUNDED(1)) u_slice_1 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!slice_1_reset_q),
     .step_in_valid_i(slice_1__step_in_valid),
     .step_in_ready_o(slice_1__step_in_ready),
     .step_in_data_i(slice_1__step_in_data),
@@ -1030,7 +1154,7 @@ module dynrt_core (
     .fire_o(slice_1_fire), .stall_o(slice_1_stall));
 
   traversal_slice #(.DECISION_DEPTH(32), .DECISION_BOUNDED(1)) u_slice_2 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!slice_2_reset_q),
     .step_in_valid_i(slice_2__step_in_valid),
     .step_in_ready_o(slice_2__step_in_ready),
     .step_in_data_i(slice_2__step_in_data),
@@ -1047,7 +1171,7 @@ module dynrt_core (
     .fire_o(slice_2_fire), .stall_o(slice_2_stall));
 
   traversal_slice #(.DECISION_DEPTH(32), .DECISION_BOUNDED(1)) u_slice_3 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!slice_3_reset_q),
     .step_in_valid_i(slice_3__step_in_valid),
     .step_in_ready_o(slice_3__step_in_ready),
     .step_in_data_i(slice_3__step_in_data),
@@ -1064,7 +1188,7 @@ module dynrt_core (
     .fire_o(slice_3_fire), .stall_o(slice_3_stall));
 
   packet_decision #(.EVENT_DEPTH(32), .EVENT_BOUNDED(1), .LEAF_DEPTH(32), .LEAF_BOUNDED(1)) u_packet_decision (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!packet_decision_reset_q),
     .step_in_valid_i(packet_decision__step_in_valid),
     .step_in_ready_o(packet_decision__step_in_ready),
     .step_in_data_i(packet_decision__step_in_data),
@@ -1089,7 +1213,7 @@ module dynrt_core (
     .fire_o(packet_decision_fire), .stall_o(packet_decision_stall));
 
   list #(.REQUEST_DEPTH(32), .REQUEST_BOUNDED(1), .FINISHED_DEPTH(32), .FINISHED_BOUNDED(1)) u_list (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!list_reset_q),
     .job_valid_i(list__job_valid),
     .job_ready_o(list__job_ready),
     .job_data_i(list__job_data),
@@ -1105,7 +1229,7 @@ module dynrt_core (
     .fire_o(list_fire), .stall_o(list_stall));
 
   list_lookup #(.REPLY_DEPTH(32), .REPLY_BOUNDED(1)) u_list_lookup (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!list_lookup_reset_q),
     .request_valid_i(list_lookup__request_valid),
     .request_ready_o(list_lookup__request_ready),
     .request_data_i(list_lookup__request_data),
@@ -1125,7 +1249,7 @@ module dynrt_core (
     .fire_o(list_lookup_fire), .stall_o(list_lookup_stall));
 
   list_fill #(.REPLY_DEPTH(32), .REPLY_BOUNDED(1)) u_list_fill (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!list_fill_reset_q),
     .fill_valid_i(list_fill__fill_valid),
     .fill_ready_o(list_fill__fill_ready),
     .fill_data_i(list_fill__fill_data),
@@ -1142,7 +1266,7 @@ module dynrt_core (
     .fire_o(list_fill_fire), .stall_o(list_fill_stall));
 
   packet_mailbox #(.FRESH_DEPTH(32), .FRESH_BOUNDED(1), .SEEN_DEPTH(32), .SEEN_BOUNDED(1), .START_DEPTH(32), .START_BOUNDED(1)) u_mailbox (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!mailbox_reset_q),
     .entry_valid_i(mailbox__entry_valid),
     .entry_ready_o(mailbox__entry_ready),
     .entry_data_i(mailbox__entry_data),
@@ -1162,7 +1286,7 @@ module dynrt_core (
     .fire_o(mailbox_fire), .stall_o(mailbox_stall));
 
   matrix_fetch u_matrix_fetch (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!matrix_fetch_reset_q),
     .job_valid_i(matrix_fetch__job_valid),
     .job_ready_o(matrix_fetch__job_ready),
     .job_data_i(matrix_fetch__job_data),
@@ -1172,7 +1296,7 @@ module dynrt_core (
     .fire_o(matrix_fetch_fire), .stall_o(matrix_fetch_stall));
 
   matrix_lookup u_matrix_lookup (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!matrix_lookup_reset_q),
     .request_valid_i(matrix_lookup__request_valid),
     .request_ready_o(matrix_lookup__request_ready),
     .request_data_i(matrix_lookup__request_data),
@@ -1192,7 +1316,7 @@ module dynrt_core (
     .fire_o(matrix_lookup_fire), .stall_o(matrix_lookup_stall));
 
   matrix_fill u_matrix_fill (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!matrix_fill_reset_q),
     .fill_valid_i(matrix_fill__fill_valid),
     .fill_ready_o(matrix_fill__fill_ready),
     .fill_data_i(matrix_fill__fill_data),
@@ -1209,7 +1333,7 @@ module dynrt_core (
     .fire_o(matrix_fill_fire), .stall_o(matrix_fill_stall));
 
   matrix_store #(.READY_DEPTH(32), .READY_BOUNDED(1)) u_matrix_store (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!matrix_store_reset_q),
     .reply_valid_i(matrix_store__reply_valid),
     .reply_ready_o(matrix_store__reply_ready),
     .reply_data_i(matrix_store__reply_data),
@@ -1238,7 +1362,7 @@ module dynrt_core (
     .fire_o(matrix_store_fire), .stall_o(matrix_store_stall));
 
   send_packet u_send_packet (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!send_packet_reset_q),
     .job_valid_i(send_packet__job_valid),
     .job_ready_o(send_packet__job_ready),
     .job_data_i(send_packet__job_data),
@@ -1254,7 +1378,7 @@ module dynrt_core (
     .fire_o(send_packet_fire), .stall_o(send_packet_stall));
 
   transformation u_transformation (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!transformation_reset_q),
     .vector_valid_i(transformation__vector_valid),
     .vector_ready_o(transformation__vector_ready),
     .vector_data_i(transformation__vector_data),
@@ -1276,7 +1400,7 @@ module dynrt_core (
     .fire_o(transformation_fire), .stall_o(transformation_stall));
 
   packet_decoder #(.ENTER_OBJECT_DEPTH(32), .ENTER_OBJECT_BOUNDED(1)) u_packet_decoder (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!packet_decoder_reset_q),
     .vector_valid_i(packet_decoder__vector_valid),
     .vector_ready_o(packet_decoder__vector_ready),
     .vector_data_i(packet_decoder__vector_data),
@@ -1307,7 +1431,7 @@ module dynrt_core (
     .fire_o(packet_decoder_fire), .stall_o(packet_decoder_stall));
 
   intersection u_intersection (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!intersection_reset_q),
     .unit_ray_valid_i(intersection__unit_ray_valid),
     .unit_ray_ready_o(intersection__unit_ray_ready),
     .unit_ray_data_i(intersection__unit_ray_data),
@@ -1317,7 +1441,7 @@ module dynrt_core (
     .fire_o(intersection_fire), .stall_o(intersection_stall));
 
   collect_hits #(.GO_ON_DEPTH(32), .GO_ON_BOUNDED(1), .START_DEPTH(32), .START_BOUNDED(1)) u_collect_hits (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!collect_hits_reset_q),
     .candidate_valid_i(collect_hits__candidate_valid),
     .candidate_ready_o(collect_hits__candidate_ready),
     .candidate_data_i(collect_hits__candidate_data),
@@ -1351,7 +1475,7 @@ module dynrt_core (
     .fire_o(collect_hits_fire), .stall_o(collect_hits_stall));
 
   shading #(.FREE_DEPTH(32), .FREE_BOUNDED(1)) u_shading (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!shading_reset_q),
     .job_valid_i(shading__job_valid),
     .job_ready_o(shading__job_ready),
     .job_data_i(shading__job_data),
@@ -1377,7 +1501,7 @@ module dynrt_core (
     .fire_o(shading_fire), .stall_o(shading_stall));
 
   memory_interface u_memory_interface (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!memory_interface_reset_q),
     .request_valid_i(memory_interface__request_valid),
     .request_ready_o(memory_interface__request_ready),
     .request_data_i(memory_interface__request_data),
@@ -1402,7 +1526,7 @@ module dynrt_core (
     .fire_o(memory_interface_fire), .stall_o(memory_interface_stall));
 
   hls_counters #(.COUNTERS(75)) counters (
-    .clk_i(clk_i), .rst_ni(rst_ni), .clear_i(counter_clear_i),
+    .clk_i(clk_i), .rst_ni(!counters_reset_q), .clear_i(counter_clear_i),
     .addr_i(counter_addr_i), .data_o(counter_data_o),
     .event_i({
       memory_interface_stall,

@@ -13,9 +13,11 @@ from dynrt_tools.bench.run import Dynrt, Work
 from dynrt_tools.project import read_json
 
 # The units of the loop in their order. A schedule's stages are the clocks from a transaction's
-# start to its token at the head of the unit's FIFO; the arbiter and the fork behind it are
-# combinational.
+# start to its token at the head of the unit's FIFO.
 LOOP = ("node_fetch", "node_lookup", "traversal_slice", "packet_decision")
+# A clock each in the buffers behind the arbiters of these channels. A lone packet finds the grant
+# where it left it.
+ARBITERS = ("step", "traversal_event")
 
 
 @dataclasses.dataclass
@@ -25,7 +27,7 @@ class Schedule:
 
     @property
     def clocks(self) -> int:
-        return sum(self.stages.values())
+        return sum(self.stages.values()) + len(ARBITERS)
 
 
 def scheduled(folder: pathlib.Path) -> Schedule | None:

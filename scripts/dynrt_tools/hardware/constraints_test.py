@@ -77,7 +77,7 @@ class ConstraintsTest(unittest.TestCase):
 
     def test_the_period_is_that_of_the_schedules(self) -> None:
         cmake = (project.ROOT / "cmake" / "HlsUnit.cmake").read_text(encoding="utf-8")
-        scheduled = project.searched(r"set\(DYNRT_CLOCK_NS (\d+)", cmake)
+        scheduled = project.searched(r"set\(DYNRT_CLOCK_NS ([\d.]+)", cmake)
         period = project.searched(r"^set period_ns ([\d.]+)$", self.text)
         self.assertEqual(float(period[1]), float(scheduled[1]))
 

@@ -39,6 +39,7 @@ WIDTH = at_least("WIDTH", 1)
 ROWS = at_least("ROWS", 1)
 RULES = {
     "hls_arbiter": (at_least("INPUTS", 1), WIDTH),
+    "hls_buffer": (WIDTH,),
     "hls_counters": (Rule("COUNTERS", "must_be_1_to_256", ({"COUNTERS": 0}, {"COUNTERS": 257})),),
     "hls_delay": (WIDTH, at_least("CLOCKS", 3)),
     "hls_fifo": (
@@ -69,6 +70,7 @@ RULES = {
 # Values at the ends of the ranges, and between.
 GOOD: dict[str, tuple[Values, ...]] = {
     "hls_arbiter": ({}, {"INPUTS": 1, "WIDTH": 1}, {"INPUTS": 5, "WIDTH": 90}),
+    "hls_buffer": ({}, {"WIDTH": 1}, {"WIDTH": 90}),
     "hls_counters": ({}, {"COUNTERS": 2}, {"COUNTERS": 256}),
     "hls_delay": ({}, {"WIDTH": 1, "CLOCKS": 3}, {"WIDTH": 50, "CLOCKS": 12}),
     "hls_fifo": (

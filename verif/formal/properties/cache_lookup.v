@@ -1,7 +1,7 @@
 
 // Properties of a cache's lookup, read inside the unit. A row of the cache is {line, address,
 // valid}, as units/cache_fill.h writes it, a request {address, context}, a reply {line, ..,
-// context}; the row comes the clock after the request.
+// context}; the row comes the clock after the request. The frame's registers stand still.
   localparam ADDRESS = 19;
   localparam LINE = $bits(lines_data_i) - ADDRESS - 1;
   localparam REQUEST = $bits(request_data_i);
@@ -11,6 +11,7 @@
   wire [REPLY-1:0] replied = WRITTEN_DATA(reply);  // what is written to the FIFO of the replies
   wire replied_valid = WRITTEN_VALID(reply);
   wire missed_valid = WRITTEN_VALID(miss);  // whether something is written to that of the misses
+  (* anyconst *) wire [511:0] frame;
   reg was_reset_q = 1'b0;
   wire fired = request_valid_i && request_ready_o && rst_ni;
   reg [LATENCY-2:0] fired_q = 0;
@@ -28,7 +29,10 @@
   wire [ADDRESS-1:0] address = requests[REQUEST*LATENCY-1-:ADDRESS];
   wire [LINE+ADDRESS:0] row = rows[(LINE+ADDRESS+1)*(LATENCY-2)+:LINE+ADDRESS+1];
 
-  always @* assume (was_reset_q || !rst_ni);
+  always @* begin
+    assume (was_reset_q || !rst_ni);
+    assume (frame_i == frame);
+  end
   always @* if (was_reset_q) begin
     if (replied_valid) begin
       of_its_own_address: assert (row[0] && row[ADDRESS:1] == address);

@@ -95,11 +95,21 @@
   // Why it holds: what is in a slot was let through.
   wire [ROW-1:0] slots = level ? triangles_q : objects_q;
   wire holds_any = level ? entered_q[packet] : cleared_q[packet];
-  integer s;
+  integer s, later;
+  reg pending;  // the watched one has come, and its row may be written before its tokens
+  always @* begin
+    pending = 1'b0;
+    for (later = 1; later < LATENCY; later = later + 1) begin
+      if (entries[(ENTRY+1)*later+ENTRY] && !entries[(ENTRY+1)*later+PACKET+1] &&
+          entries[(ENTRY+1)*later+:PACKET] == packet && entries[(ENTRY+1)*later+PACKET] == level &&
+          entries[(ENTRY+1)*later+PACKET+6+:MATRIX] == matrix) pending = 1'b1;
+    end
+  end
   always @* if (was_reset_q) begin
     assert (!entered_q[packet] || cleared_q[packet]);
     for (s = 0; s < SLOTS; s = s + 1) begin
-      if (holds_any && slots[COUNT-1:0] > s && slots[COUNT+MATRIX*s+:MATRIX] == matrix) assert (let_through_q);
+      if (holds_any && slots[COUNT-1:0] > s && slots[COUNT+MATRIX*s+:MATRIX] == matrix)
+        assert (let_through_q || pending);
     end
   end
 

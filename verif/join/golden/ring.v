@@ -24,6 +24,8 @@ module ring (
   input  wire [7:0] counter_addr_i,
   output wire [31:0] counter_data_o
 );
+  reg join_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) join_reset_q <= !rst_ni;
   wire enter_0__job_valid, enter_0__job_ready;
   wire [22:0] enter_0__job_data;
   wire enter_1__job_valid, enter_1__job_ready;
@@ -34,6 +36,8 @@ module ring (
   wire [22:0] enter_0__out_data;
   wire enter_1__out_valid, enter_1__out_ready;
   wire [22:0] enter_1__out_data;
+  wire entered_merged_valid, entered_merged_ready;
+  wire [22:0] entered_merged_data;
   wire store__job_valid, store__job_ready;
   wire [22:0] store__job_data;
   wire numbered_all_valid, numbered_all_ready;
@@ -84,6 +88,8 @@ module ring (
   wire [23:0] pair__out_data;
   wire round__again_valid, round__again_ready;
   wire [23:0] round__again_data;
+  wire round_merged_valid, round_merged_ready;
+  wire [23:0] round_merged_data;
   wire round__item_valid, round__item_ready;
   wire [23:0] round__item_data;
   wire done_all_valid, done_all_ready;
@@ -105,32 +111,54 @@ module ring (
   wire round__result_en;
   wire [6:0] round__result_addr;
   wire [31:0] round__result_data;
+  reg enter_0_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) enter_0_reset_q <= !rst_ni;
   wire enter_0_fire, enter_0_stall;
+  reg enter_1_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) enter_1_reset_q <= !rst_ni;
   wire enter_1_fire, enter_1_stall;
+  reg store_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) store_reset_q <= !rst_ni;
   wire store_fire, store_stall;
+  reg number_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) number_reset_q <= !rst_ni;
   wire number_fire, number_stall;
+  reg side_0_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) side_0_reset_q <= !rst_ni;
   wire side_0_fire, side_0_stall;
+  reg side_1_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) side_1_reset_q <= !rst_ni;
   wire side_1_fire, side_1_stall;
+  reg pair_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) pair_reset_q <= !rst_ni;
   wire pair_fire, pair_stall;
+  reg round_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) round_reset_q <= !rst_ni;
   wire round_fire, round_stall;
+  reg counters_reset_q = 1'b1;
+  (* keep *) always @(posedge clk_i) counters_reset_q <= !rst_ni;
 
 
   // channel job_0
-  assign enter_0__job_valid = job_0_valid_i;
-  assign job_0_ready_o = enter_0__job_ready;
+  assign enter_0__job_valid = job_0_valid_i && !join_reset_q;
+  assign job_0_ready_o = enter_0__job_ready && !join_reset_q;
   assign enter_0__job_data = job_0_data_i;
 
   // channel job_1
-  assign enter_1__job_valid = job_1_valid_i;
-  assign job_1_ready_o = enter_1__job_ready;
+  assign enter_1__job_valid = job_1_valid_i && !join_reset_q;
+  assign job_1_ready_o = enter_1__job_ready && !join_reset_q;
   assign enter_1__job_data = job_1_data_i;
 
   // channel entered
   hls_arbiter #(.INPUTS(2), .WIDTH(23)) entered_arbiter (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({enter_1__out_valid, enter_0__out_valid}),
     .ready_o({enter_1__out_ready, enter_0__out_ready}),
     .data_i({enter_1__out_data, enter_0__out_data}),
+    .valid_o(entered_merged_valid), .ready_i(entered_merged_ready), .data_o(entered_merged_data));
+  hls_buffer #(.WIDTH(23)) entered_all_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(entered_merged_valid), .ready_o(entered_merged_ready), .data_i(entered_merged_data),
     .valid_o(entered_all_valid), .ready_i(entered_all_ready), .data_o(entered_all_data));
   assign store__job_valid = entered_all_valid;
   assign entered_all_ready = store__job_ready;
@@ -141,7 +169,7 @@ module ring (
   assign store__out_ready = numbered_all_ready;
   assign numbered_all_data = store__out_data;
   hls_repeat #(.WIDTH(23), .COUNT_WIDTH(3)) numbered_repeat (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i(numbered_all_valid), .ready_o(numbered_all_ready), .data_i(numbered_all_data),
     .valid_o(numbered_repeated_valid), .ready_i(numbered_repeated_ready), .data_o(numbered_repeated_data));
   assign number__job_valid = numbered_repeated_valid;
@@ -164,7 +192,7 @@ module ring (
   assign side_1__item_branch_ready = side_1__item_ready;
   assign side_1__item_data = item_branch_data;
   hls_fifo #(.WIDTH(24), .DEPTH(128), .MARGIN(0)) pair__before_queue (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i(pair__before_branch_valid), .ready_o(pair__before_branch_ready), .data_i(item_branch_data),
     .valid_o(pair__before_valid), .ready_i(pair__before_ready), .data_o(pair__before_data));
 
@@ -172,17 +200,19 @@ module ring (
   assign left_all_valid = side_0__out_valid;
   assign side_0__out_ready = left_all_ready;
   assign left_all_data = side_0__out_data;
-  assign pair__side_0_valid = left_all_valid;
-  assign left_all_ready = pair__side_0_ready;
-  assign pair__side_0_data = left_all_data;
+  hls_buffer #(.WIDTH(24)) pair__side_0_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(left_all_valid), .ready_o(left_all_ready), .data_i(left_all_data),
+    .valid_o(pair__side_0_valid), .ready_i(pair__side_0_ready), .data_o(pair__side_0_data));
 
   // channel right
   assign right_all_valid = side_1__out_valid;
   assign side_1__out_ready = right_all_ready;
   assign right_all_data = side_1__out_data;
-  assign pair__side_1_valid = right_all_valid;
-  assign right_all_ready = pair__side_1_ready;
-  assign pair__side_1_data = right_all_data;
+  hls_buffer #(.WIDTH(24)) pair__side_1_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(right_all_valid), .ready_o(right_all_ready), .data_i(right_all_data),
+    .valid_o(pair__side_1_valid), .ready_i(pair__side_1_ready), .data_o(pair__side_1_data));
 
   // channel odd_left
   assign odd_left_all_valid = side_0__odd_valid;
@@ -200,10 +230,14 @@ module ring (
 
   // channel round
   hls_arbiter #(.INPUTS(2), .WIDTH(24)) round_arbiter (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({round__again_valid, pair__out_valid}),
     .ready_o({round__again_ready, pair__out_ready}),
     .data_i({round__again_data, pair__out_data}),
+    .valid_o(round_merged_valid), .ready_i(round_merged_ready), .data_o(round_merged_data));
+  hls_buffer #(.WIDTH(24)) round_all_buffer (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(round_merged_valid), .ready_o(round_merged_ready), .data_i(round_merged_data),
     .valid_o(round_all_valid), .ready_i(round_all_ready), .data_o(round_all_data));
   assign round__item_valid = round_all_valid;
   assign round_all_ready = round__item_ready;
@@ -219,11 +253,11 @@ module ring (
 
   // RAM note
   hls_ram_1r1w #(.WIDTH(16), .ROWS(16), .EXCLUSIVE(1)) note_ram_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(store__note_en), .write_addr_i(store__note_addr), .write_data_i(store__note_data),
     .read_en_i(number__note_en), .read_addr_i(number__note_addr), .read_data_o(number__note_data));
   hls_ram_1r1w #(.WIDTH(16), .ROWS(16), .EXCLUSIVE(1)) note_ram_1 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(store__note_en), .write_addr_i(store__note_addr), .write_data_i(store__note_data),
     .read_en_i(pair__note_en), .read_addr_i(pair__note_addr), .read_data_o(pair__note_data));
 
@@ -238,7 +272,7 @@ module ring (
   assign result_data_o = round__result_data;
 
   ring_enter u_enter_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!enter_0_reset_q),
     .job_valid_i(enter_0__job_valid),
     .job_ready_o(enter_0__job_ready),
     .job_data_i(enter_0__job_data),
@@ -248,7 +282,7 @@ module ring (
     .fire_o(enter_0_fire), .stall_o(enter_0_stall));
 
   ring_enter u_enter_1 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!enter_1_reset_q),
     .job_valid_i(enter_1__job_valid),
     .job_ready_o(enter_1__job_ready),
     .job_data_i(enter_1__job_data),
@@ -258,7 +292,7 @@ module ring (
     .fire_o(enter_1_fire), .stall_o(enter_1_stall));
 
   ring_store #(.OUT_DEPTH(16), .OUT_BOUNDED(1)) u_store (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!store_reset_q),
     .job_valid_i(store__job_valid),
     .job_ready_o(store__job_ready),
     .job_data_i(store__job_data),
@@ -271,7 +305,7 @@ module ring (
     .fire_o(store_fire), .stall_o(store_stall));
 
   ring_number #(.ITEM_DEPTH(128), .ITEM_BOUNDED(1)) u_number (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!number_reset_q),
     .job_valid_i(number__job_valid),
     .job_ready_o(number__job_ready),
     .job_data_i(number__job_data),
@@ -287,7 +321,7 @@ module ring (
     .fire_o(number_fire), .stall_o(number_stall));
 
   ring_side u_side_0 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!side_0_reset_q),
     .item_valid_i(side_0__item_valid),
     .item_ready_o(side_0__item_ready),
     .item_data_i(side_0__item_data),
@@ -301,7 +335,7 @@ module ring (
     .fire_o(side_0_fire), .stall_o(side_0_stall));
 
   ring_side u_side_1 (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!side_1_reset_q),
     .item_valid_i(side_1__item_valid),
     .item_ready_o(side_1__item_ready),
     .item_data_i(side_1__item_data),
@@ -315,7 +349,7 @@ module ring (
     .fire_o(side_1_fire), .stall_o(side_1_stall));
 
   ring_pair #(.OUT_DEPTH(128), .OUT_BOUNDED(1)) u_pair (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!pair_reset_q),
     .side_0_valid_i(pair__side_0_valid),
     .side_0_ready_o(pair__side_0_ready),
     .side_0_data_i(pair__side_0_data),
@@ -334,7 +368,7 @@ module ring (
     .fire_o(pair_fire), .stall_o(pair_stall));
 
   ring_round #(.AGAIN_DEPTH(128), .AGAIN_BOUNDED(1)) u_round (
-    .clk_i(clk_i), .rst_ni(rst_ni),
+    .clk_i(clk_i), .rst_ni(!round_reset_q),
     .item_valid_i(round__item_valid),
     .item_ready_o(round__item_ready),
     .item_data_i(round__item_data),
@@ -350,7 +384,7 @@ module ring (
     .fire_o(round_fire), .stall_o(round_stall));
 
   hls_counters #(.COUNTERS(24)) counters (
-    .clk_i(clk_i), .rst_ni(rst_ni), .clear_i(counter_clear_i),
+    .clk_i(clk_i), .rst_ni(!counters_reset_q), .clear_i(counter_clear_i),
     .addr_i(counter_addr_i), .data_o(counter_data_o),
     .event_i({
       round_stall,
