@@ -5,7 +5,7 @@
 import re
 import unittest
 
-from dynrt_tools.project import ROOT
+from dynrt_tools.project import ROOT, read_json
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -34,6 +34,19 @@ class Readme(unittest.TestCase):
         self.assertGreater(len(names), 8)
         for name in names:
             self.assertTrue((ROOT / name).exists(), name)
+
+    def test_frame_rates_are_those_of_the_results(self) -> None:
+        data = ROOT / "docs" / "results" / "data"
+        measured = {
+            (row["scene"], row["configuration"]): row["frames per second at 85 MHz"]
+            for row in read_json(data / "scenes.json")["scenes"]
+        }
+        frame = read_json(data / "office_thesis.json")["frame"]
+        measured["office", "thesis"] = 85e6 / frame["cycles"]
+        rows = re.findall(r"^\| `(\w+)`.*?\| `(\w+)` \| ([\d.]+) \|", README, re.MULTILINE)
+        self.assertEqual(len(rows), 5)
+        for scene, configuration, shown in rows:
+            self.assertAlmostEqual(float(shown), measured[scene, configuration], delta=0.051)
 
 
 if __name__ == "__main__":

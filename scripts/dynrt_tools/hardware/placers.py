@@ -39,7 +39,7 @@ PLACERS: dict[str, Placer] = {
     "ecp5-85": {
         "program": "nextpnr-ecp5",
         "cell": "TRELLIS_COMB",
-        "where": "Debian 12 has no package of it; build it from the nextpnr project",
+        "where": "Debian 12 has no package of it, Debian 13 has; or build it from the nextpnr project",
         "flags": ["--85k", "--package", "CABGA381"],
         "constraints": ("--lpf", "ulx3s_85f.lpf"),
         "grades": ("6", "7", "8"),
