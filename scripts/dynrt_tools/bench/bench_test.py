@@ -166,7 +166,7 @@ class Bench(testing.InFolder):
                 json.dumps({"clock_ns": 10.0, "stages": number + 5})
             )
         rows, text = self.rows()
-        self.assertEqual(rows["traversal round trip, scheduled"]["reached"], 5 + 6 + 7 + 8 + 2)
+        self.assertEqual(rows["traversal round trip, scheduled"]["reached"], 5 + 6 + 7 + 8 + 3)
         self.assertIn("traversal_slice 7", text)
 
     def test_clocks_by_the_schedules(self) -> None:

@@ -15,9 +15,9 @@ from dynrt_tools.project import read_json
 # The units of the loop in their order. A schedule's stages are the clocks from a transaction's
 # start to its token at the head of the unit's FIFO.
 LOOP = ("node_fetch", "node_lookup", "traversal_slice", "packet_decision")
-# A clock each in the buffers behind the arbiters of these channels. A lone packet finds the grant
-# where it left it.
-ARBITERS = ("step", "traversal_event")
+# The channels of the loop with a buffer, which takes a clock: behind an arbiter, whose grant a lone
+# packet finds where it left it, and before packet_decision, which waits for all slices.
+BUFFERS = ("step", "decision", "traversal_event")
 
 
 @dataclasses.dataclass
@@ -27,7 +27,7 @@ class Schedule:
 
     @property
     def clocks(self) -> int:
-        return sum(self.stages.values()) + len(ARBITERS)
+        return sum(self.stages.values()) + len(BUFFERS)
 
 
 def scheduled(folder: pathlib.Path) -> Schedule | None:
