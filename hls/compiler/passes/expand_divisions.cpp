@@ -36,16 +36,20 @@ class ExpandDivisions : public Rewrite {
                                        : restoring(a, b, head, digits, work);
   }
 
-  /// The remainder is below the divisor, so remainder and next bit less divisor fit `work` bits.
+  /// The remainder after one more bit of the dividend. It is below the divisor, so remainder and
+  /// next bit less divisor fit `work` bits.
+  NodeId one_digit(NodeId rest, NodeId bit, NodeId b, unsigned work, std::vector<NodeId>& missing) {
+    const NodeId next = builder_.zext(builder_.concat({rest, bit}), work);
+    const NodeId difference = builder_.sub(next, builder_.zext(b, work));
+    const NodeId too_small = builder_.slice(difference, work - 1, 1);
+    missing.push_back(too_small);
+    return builder_.trunc(builder_.mux(too_small, next, difference), std::max(1u, work - 1));
+  }
+
   NodeId restoring(NodeId a, NodeId b, NodeId rest, unsigned digits, unsigned work) {
     std::vector<NodeId> missing;  // digits, inverted
     for (unsigned i = digits; i-- > 0;) {
-      const NodeId next = builder_.zext(builder_.concat({rest, builder_.slice(a, i, 1)}), work);
-      const NodeId difference = builder_.sub(next, builder_.zext(b, work));
-      const NodeId too_small = builder_.slice(difference, work - 1, 1);
-      missing.push_back(too_small);
-      const NodeId kept = builder_.mux(too_small, next, difference);
-      rest = builder_.trunc(kept, std::max(1u, work - 1));
+      rest = one_digit(rest, builder_.slice(a, i, 1), b, work, missing);
     }
     return quotient(missing);
   }
@@ -55,11 +59,7 @@ class ExpandDivisions : public Rewrite {
   NodeId two_digits(NodeId a, NodeId b, NodeId rest, unsigned digits, unsigned work) {
     std::vector<NodeId> missing;  // digits, inverted
     if (digits % 2 == 1) {
-      const NodeId next =
-          builder_.zext(builder_.concat({rest, builder_.slice(a, digits - 1, 1)}), work);
-      const NodeId difference = builder_.sub(next, builder_.zext(b, work));
-      missing.push_back(builder_.slice(difference, work - 1, 1));
-      rest = builder_.trunc(builder_.mux(missing.back(), next, difference), std::max(1u, work - 1));
+      rest = one_digit(rest, builder_.slice(a, digits - 1, 1), b, work, missing);
     }
     const unsigned wide = work + 1;
     const NodeId once = builder_.zext(b, wide);

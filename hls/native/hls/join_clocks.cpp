@@ -46,16 +46,11 @@ void JoinClocks::channel(const JoinPorts& ports, const std::vector<OutEnd*>& fro
       waiting_readers.push_back(unit);
     }
   }
-  const Source source = merge(ports, from, type, depth);
+  Source source = merge(ports, from, type, depth);
+  if (to.size() == 1 && ports.inputs_of(readers.front()) > 1) source = buffer({source}, type);
   const Clocks::Feed feed{source.queue, mover(source.tokens, targets)};
   if (to.size() == 1) {
-    if (ports.inputs_of(readers.front()) == 1) {
-      clocks_.feed(readers.front(), feed);
-    } else {
-      const Tokens buffered = type.make_queue();
-      Clocks::Queue* buffer = clocks_.merge({{source.queue, mover(source.tokens, {buffered})}});
-      clocks_.feed(readers.front(), {buffer, mover(buffered, targets)});
-    }
+    clocks_.feed(readers.front(), feed);
     return;
   }
   const auto branches = clocks_.fork(feed, readers, waiting.size(), depth);
@@ -85,11 +80,14 @@ JoinClocks::Source JoinClocks::merge(const JoinPorts& ports, const std::vector<O
     const Tokens tokens = type.make_queue();
     sources.push_back({output(ports, *out, tokens, depth), tokens});
   }
-  if (sources.size() == 1) return sources.front();
-  const Tokens merged = type.make_queue();
+  return sources.size() == 1 ? sources.front() : buffer(sources, type);
+}
+
+JoinClocks::Source JoinClocks::buffer(const std::vector<Source>& sources, TokenType type) {
+  const Tokens buffered = type.make_queue();
   std::vector<Clocks::Feed> feeds;
-  for (const Source& s : sources) feeds.push_back({s.queue, mover(s.tokens, {merged})});
-  return {clocks_.merge(std::move(feeds)), merged};
+  for (const Source& s : sources) feeds.push_back({s.queue, mover(s.tokens, {buffered})});
+  return {clocks_.merge(std::move(feeds)), buffered};
 }
 
 void JoinClocks::stale_ram(const JoinPorts& ports, StaleRam ram) {

@@ -67,6 +67,8 @@ class JoinClocks {
   /// All of `from`, with an arbiter where there are several.
   Source merge(const JoinPorts& ports, const std::vector<OutEnd*>& from, TokenType type,
                unsigned depth);
+  /// A buffer behind sources, with an arbiter where there are several.
+  Source buffer(const std::vector<Source>& sources, TokenType type);
   Clocks::Queue* output(const JoinPorts& ports, OutEnd& out, const Tokens& queue, unsigned depth);
 
   ModuleSchedules schedules_;

@@ -26,8 +26,11 @@
   wire done_level = done[PACKET];
   wire done_clear = done[PACKET+1];
   wire [MATRIX-1:0] done_matrix = done[PACKET+6+:MATRIX];
-  wire is_watched = done_fired && !done_clear && done_packet == packet && done_level == level &&
-      done_matrix == matrix;
+  function of_watched(input [ENTRY:0] entry);
+    of_watched = entry[ENTRY] && !entry[PACKET+1] && entry[PACKET-1:0] == packet &&
+        entry[PACKET] == level && entry[PACKET+6+:MATRIX] == matrix;
+  endfunction
+  wire is_watched = of_watched(done);
 
   wire fresh_valid = WRITTEN_VALID(fresh);
   wire [FRESH-1:0] fresh = WRITTEN_DATA(fresh);
@@ -100,9 +103,7 @@
   always @* begin
     pending = 1'b0;
     for (later = 1; later < LATENCY; later = later + 1) begin
-      if (entries[(ENTRY+1)*later+ENTRY] && !entries[(ENTRY+1)*later+PACKET+1] &&
-          entries[(ENTRY+1)*later+:PACKET] == packet && entries[(ENTRY+1)*later+PACKET] == level &&
-          entries[(ENTRY+1)*later+PACKET+6+:MATRIX] == matrix) pending = 1'b1;
+      if (of_watched(entries[(ENTRY+1)*later+:ENTRY+1])) pending = 1'b1;
     end
   end
   always @* if (was_reset_q) begin
