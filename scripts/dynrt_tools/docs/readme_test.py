@@ -48,6 +48,19 @@ class Readme(unittest.TestCase):
         for scene, configuration, shown in rows:
             self.assertAlmostEqual(float(shown), measured[scene, configuration], delta=0.051)
 
+    def test_the_placed_clock_is_that_of_the_results(self) -> None:
+        data = ROOT / "docs" / "results" / "data"
+        core = read_json(data / "place_core.json")["units"]["dynrt_core"]
+        cycles = read_json(data / "office_thesis.json")["frame"]["cycles"]
+        synth = read_json(data / "synth.json")
+        share = (
+            synth["resources"]["ecp5-85"]["dynrt_core"]["LUT4"] / synth["has"]["ecp5-85"]["LUT4"]
+        )
+        text = README.replace("\n", " ")
+        self.assertIn(f"`thesis` reaches {core['MHz, median']} MHz", text)
+        self.assertIn(f"that makes {1e9 / core['placed, ns'] / cycles:.1f} frames", text)
+        self.assertIn(f"`thesis` takes {round(100 * share)} % of the LUTs", text)
+
 
 if __name__ == "__main__":
     unittest.main()

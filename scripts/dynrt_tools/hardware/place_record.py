@@ -16,10 +16,12 @@ def placed(row: Json) -> Json:
     """The columns of a row that was placed."""
     clocks = sorted(p["mhz"] for p in row["placed"])
     period, predicted = 1000 / statistics.median(clocks), row.get("longest_path_ns")
+    middle = place_table.middle(row["placed"])
     return {
         "stages": row.get("stages"),
         "predicted, ns": predicted,
-        "cells": place_table.middle(row["placed"])["cells"],
+        "cells": middle["cells"],
+        "ends too slow": middle["too_slow"],
         "MHz, median": round(statistics.median(clocks)),
         "range low": round(clocks[0]),
         "range high": round(clocks[-1]),

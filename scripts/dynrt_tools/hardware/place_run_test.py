@@ -148,8 +148,14 @@ class StandIn(unittest.TestCase):
         self.assertTrue((self.folder / "kept" / data["units"][0]["placed"][0]["run"]).is_dir())
         self.assertRegex(output, r"sum +2 +3.00 +40 +244 +244 to 244 +4.10 +137 %")
         record = project.read_json(self.folder / "record.json")
-        shown = {"stages": 2, "predicted, ns": 3.0, "cells": 40, "MHz, median": 244}
-        shown |= {"range low": 244, "range high": 244, "placed, ns": 4.1, "of predicted": 137}
+        shown = {"stages": 2, "predicted, ns": 3.0, "cells": 40, "ends too slow": 0}
+        shown |= {
+            "MHz, median": 244,
+            "range low": 244,
+            "range high": 244,
+            "placed, ns": 4.1,
+            "of predicted": 137,
+        }
         self.assertEqual(record["units"], {"sum": shown})
         self.assertEqual(record["lowered"], {"units": 1, "of": 1, "stages": 2})
         self.assertIn("4.10 ns = 1.10 logic + 3.00 wires, 2 levels, 1 ends", output)
