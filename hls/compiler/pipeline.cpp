@@ -49,8 +49,10 @@ Lowered lower(const Netlist& netlist, const Options& options) {
   check(optimised);
   Circuit circuit(optimised);
   mark_still(circuit, options.delay, options.clock_ns);
-  const Schedule asap = schedule_asap(circuit, options.delay, options.clock_ns);
-  const Schedule schedule = minimise_registers(circuit, options.delay, options.clock_ns, asap);
+  const int stages = schedule_asap(circuit, options.delay, options.clock_ns).stages;
+  const double tight = tightest_period(circuit, options.delay, options.clock_ns, stages);
+  const Schedule asap = schedule_asap(circuit, options.delay, tight);
+  const Schedule schedule = minimise_registers(circuit, options.delay, tight, asap);
   Lowered lowered;
   lowered.verilog = emit_verilog(circuit, schedule, options);
   lowered.report = emit_report(circuit, schedule, options);

@@ -49,15 +49,21 @@ module hls_counters #(
   reg [HIGH:0] rows[0:COUNTERS-1];
   reg written_q;  // each row was written since the clear; before that no low bits have wrapped
 
-  genvar i;
+  genvar i, k;
   generate
     for (i = 0; i < COUNTERS; i = i + 1) begin : counter
       reg [LOW-1:0] low_q;
+      // Without a carry chain, which would take more LUTs: a bit flips where all below it are ones.
+      wire [LOW-1:0] flips;
+      assign flips[0] = 1'b1;
+      for (k = 1; k < LOW; k = k + 1) begin : others
+        assign flips[k] = &low_q[k-1:0];
+      end
       assign low[i*LOW+:LOW] = low_q;
       assign top[i] = low_q[LOW-1];
       always @(posedge clk_i) begin
         if (clear) low_q <= {LOW{1'b0}};
-        else if (event_i[i]) low_q <= low_q + 1'b1;
+        else if (event_i[i]) low_q <= low_q ^ flips;
       end
     end
   endgenerate
@@ -100,11 +106,11 @@ module hls_counters #(
     for (i = 0; i < GROUPS; i = i + 1) begin : group
       reg [LOW-1:0] picked, low_q;
       assign group_low[i] = low_q;
-      integer k;
+      integer at;
       always @* begin
         picked = {LOW{1'b0}};
-        for (k = i * GROUP; k < COUNTERS && k < (i + 1) * GROUP; k = k + 1)
-          if (addr_i[2:0] == k[2:0]) picked = picked | low[k*LOW+:LOW];
+        for (at = i * GROUP; at < COUNTERS && at < (i + 1) * GROUP; at = at + 1)
+          if (addr_i[2:0] == at[2:0]) picked = picked | low[at*LOW+:LOW];
       end
       always @(posedge clk_i) low_q <= picked;
     end

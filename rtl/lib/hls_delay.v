@@ -44,9 +44,19 @@ module hls_delay #(
     data_o <= rows[row_q];
   end
 
+  // Without a carry chain, which would take more LUTs: a bit flips where all below it are ones.
+  wire [ADDR_WIDTH-1:0] flips;
+  genvar i;
+  generate
+    assign flips[0] = 1'b1;
+    for (i = 1; i < ADDR_WIDTH; i = i + 1) begin : others
+      assign flips[i] = &row_q[i-1:0];
+    end
+  endgenerate
+
   always @(posedge clk_i) begin
     if (!rst_ni || row_q == LAST[ADDR_WIDTH-1:0]) row_q <= {ADDR_WIDTH{1'b0}};
-    else row_q <= row_q + 1'b1;
+    else row_q <= row_q ^ flips;
   end
 
 endmodule

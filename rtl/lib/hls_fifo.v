@@ -68,10 +68,26 @@ module hls_fifo #(
   wire                  refill = !valid_q || ready_i;
   wire                  take = refill && !empty_q;
   wire                  store = push && !(refill && empty_q);
+  // Counters so narrow take fewer LUTs than a carry chain with its ends: a bit flips where all below
+  // it are ones, or in counting down zeros.
+  wire [ADDR_WIDTH-1:0] write_flips;
+  wire [ADDR_WIDTH-1:0] read_flips;
+  wire [ADDR_WIDTH+1:0] space_flips;
+  genvar i;
+  generate
+    assign {write_flips[0], read_flips[0], space_flips[0]} = 3'b111;
+    for (i = 1; i < ADDR_WIDTH; i = i + 1) begin : pointer
+      assign write_flips[i] = &write_q[i-1:0];
+      assign read_flips[i] = &read_q[i-1:0];
+    end
+    for (i = 1; i < ADDR_WIDTH + 2; i = i + 1) begin : space
+      assign space_flips[i] = &(space_q[i-1:0] ^ {i{push}});
+    end
+  endgenerate
   wire [ADDR_WIDTH-1:0] write_next =
-      !WRAPS && write_q == LAST[ADDR_WIDTH-1:0] ? {ADDR_WIDTH{1'b0}} : write_q + 1'b1;
+      !WRAPS && write_q == LAST[ADDR_WIDTH-1:0] ? {ADDR_WIDTH{1'b0}} : write_q ^ write_flips;
   wire [ADDR_WIDTH-1:0] read_next =
-      !WRAPS && read_q == LAST[ADDR_WIDTH-1:0] ? {ADDR_WIDTH{1'b0}} : read_q + 1'b1;
+      !WRAPS && read_q == LAST[ADDR_WIDTH-1:0] ? {ADDR_WIDTH{1'b0}} : read_q ^ read_flips;
 
   assign ready_o = BOUNDED != 0 || !space_q[ADDR_WIDTH+1];
   assign valid_o = valid_q;
@@ -95,8 +111,7 @@ module hls_fifo #(
       if (store) write_q <= write_next;
       if (take) read_q <= read_next;
       if (store != take) empty_q <= take && read_next == write_q;
-      // One adder: 1 more, or 1 less.
-      if (push != pop) space_q <= space_q + {{(ADDR_WIDTH + 1) {push}}, 1'b1};
+      if (push != pop) space_q <= space_q ^ space_flips;
       if (refill) valid_q <= push || !empty_q;
     end
   end

@@ -43,6 +43,7 @@ module hls_register_file #(
     end
   endgenerate
 
+  (* ram_style = "distributed" *)
   reg [WIDTH-1:0] rows[0:ROWS-1];
   reg [ADDR_WIDTH-1:0] clear_q;
 

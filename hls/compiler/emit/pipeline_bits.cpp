@@ -46,18 +46,22 @@ std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule, int
     }
   }
   std::vector<Carry> steps;
-  for (Carry carry : all) {
-    const int from = carry.from;
-    const int to = carry.to;
+  const auto step = [&steps](Carry carry, int from, int to) {
+    carry.from = from;
+    carry.to = to;
+    steps.push_back(carry);
+  };
+  for (const Carry& carry : all) {
+    const auto [from, to] = std::pair(carry.from, carry.to);
     if (to - from > longest_shift && width[{from, to}] >= kNarrowestDelay) {
-      steps.push_back(carry);
+      // The delay lies anywhere: registers at both ends have the ways to it and from it in clocks
+      // of their own.
+      step(carry, from, from + 1);
+      step(carry, from + 1, to - 1);
+      step(carry, to - 1, to);
       continue;
     }
-    for (int s = from; s < to; ++s) {
-      carry.from = s;
-      carry.to = s + 1;
-      steps.push_back(carry);
-    }
+    for (int s = from; s < to; ++s) step(carry, s, s + 1);
   }
   std::sort(steps.begin(), steps.end(), [](const Carry& a, const Carry& b) {
     return std::tie(a.to, a.cell, a.from) < std::tie(b.to, b.cell, b.from);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -175,20 +176,21 @@ class Asap {
   std::vector<int> stage_;
 };
 
-bool fits(const Circuit& circuit, const DelayModel& delay, double clock_ns) {
+/// The stages that a circuit takes at a period, or none if one is too short.
+std::optional<int> stages_at(const Circuit& circuit, const DelayModel& delay, double clock_ns) {
   try {
-    Asap(circuit, delay, clock_ns).run();
-    return true;
+    return Asap(circuit, delay, clock_ns).run().stages;
   } catch (const TooSlow&) {
-    return false;
+    return std::nullopt;
   }
 }
 
-/// The least period of the whole circuit, above one that it misses, to a hundredth of a ns.
+constexpr double kSteps = 100;  ///< of a ns, in which periods are searched for
+
+/// The least period of the whole circuit, above one that it misses.
 double least_period(const Circuit& circuit, const DelayModel& delay, double missed_ns) {
-  constexpr double kSteps = 100;
   const auto fits_after = [&](long steps) {
-    return fits(circuit, delay, static_cast<double>(steps) / kSteps);
+    return stages_at(circuit, delay, static_cast<double>(steps) / kSteps).has_value();
   };
   long missed = std::lround(std::floor(missed_ns * kSteps));
   long met = std::max(missed, 1l) * 2;
@@ -262,6 +264,17 @@ Schedule schedule_asap(const Circuit& circuit, const DelayModel& delay, double c
                             std::max(slow.needs, least - delay.clock_overhead), clock_ns,
                             std::max(0.0, clock_ns - delay.clock_overhead), least));
   }
+}
+
+double tightest_period(const Circuit& circuit, const DelayModel& delay, double clock_ns,
+                       int stages) {
+  double met = clock_ns;
+  double missed = 0;
+  while (met - missed > 1 / kSteps) {
+    const double middle = (met + missed) / 2;
+    (stages_at(circuit, delay, middle).value_or(stages + 1) <= stages ? met : missed) = middle;
+  }
+  return met;
 }
 
 }  // namespace hlsc

@@ -49,7 +49,7 @@ DelayModel load_delay_model(const std::string& path) {
   m.lut_ram = number("lut_ram", 0);
   m.lut_ram_rows = static_cast<unsigned>(number("lut_ram_rows", 0));
   m.lut_ram_bits = static_cast<unsigned>(number("lut_ram_bits", 0));
-  m.longest_shift = static_cast<int>(number("longest_shift", 3));
+  m.longest_shift = static_cast<int>(number("longest_shift", 4));
   m.token_in = number("token_in", 0);
   m.token_out = number("token_out", 0);
   m.token_enable = number("token_enable", 0);

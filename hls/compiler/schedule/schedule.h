@@ -25,6 +25,12 @@ void mark_still(Circuit& circuit, const DelayModel& delay, double clock_ns);
 /// operation or a register's feedback does not fit a stage, with the least period that does.
 Schedule schedule_asap(const Circuit& circuit, const DelayModel& delay, double clock_ns);
 
+/// The least period, at most this one and to a hundredth of a ns, at which the circuit takes no
+/// more than this many stages. To schedule for it costs no clock, and leaves the rest of the period
+/// to wires that are longer than those of the model.
+double tightest_period(const Circuit& circuit, const DelayModel& delay, double clock_ns,
+                       int stages);
+
 /// Moves cells between the stages of a schedule so that fewer bits are carried from stage to stage.
 Schedule minimise_registers(const Circuit& circuit, const DelayModel& delay, double clock_ns,
                             const Schedule& asap);

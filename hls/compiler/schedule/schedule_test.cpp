@@ -147,6 +147,26 @@ void expect_valid(const Circuit& c, const DelayModel& delay, double clock_ns, co
   }
 }
 
+TEST(Schedule, TightestPeriodNeedsNoMoreStagesAndAShorterOneDoes) {
+  unsigned tighter = 0;
+  for (std::uint32_t seed = 3000; seed < 3040; ++seed) {
+    const Options options = random_options(seed, DELAY_FOLDER);
+    const Netlist n = optimise(random_netlist(seed), options);
+    const Circuit c(n);
+    SCOPED_TRACE(seed);
+    const int stages = schedule_asap(c, options.delay, options.clock_ns).stages;
+    const double tight = tightest_period(c, options.delay, options.clock_ns, stages);
+    EXPECT_LE(tight, options.clock_ns);
+    EXPECT_EQ(schedule_asap(c, options.delay, tight).stages, stages);
+    tighter += tight < options.clock_ns - 0.1 ? 1 : 0;
+    try {
+      EXPECT_GT(schedule_asap(c, options.delay, tight - 0.01).stages, stages);
+    } catch (const Error&) {  // or no number of stages is enough
+    }
+  }
+  EXPECT_GT(tighter, 20u);
+}
+
 TEST(Schedule, IsValidAndNeedsFewerRegistersThanTheFirstOne) {
   unsigned long first = 0;
   unsigned long least = 0;

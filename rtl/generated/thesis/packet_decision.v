@@ -84,7 +84,7 @@ module packet_decision #(
   wire [3:0] and_1_s0 = (d_go_left_4_s0 ? {1'd1, mux_6_s0} : {1'd0, mux_6_s0}) & active_s0;  // units/packet_decision.h:33
   wire [3:0] and_2_s0 = mux_11_s0 & active_s0;  // units/packet_decision.h:34
   wire [3:0] both_s0 = mux_11_s0 & and_1_s0;  // units/packet_decision.h:35
-  wire eq_2_s0 = step_in_48_s0 == 19'd0;  // units/packet_decision.h:38
+  wire enter_left_s0 = (~(and_1_s0 == 4'd0)) & (~(step_in_48_s0 == 19'd0));  // units/packet_decision.h:38
   wire eq_4_s0 = step_in_67_s0 == 19'd0;  // units/packet_decision.h:39
   wire eq_5_s0 = both_s0 == 4'd0;  // units/packet_decision.h:41
   wire mux_13_s0 = active_s0[1] ? mux_8_s0[1] : (active_s0[2] ? mux_8_s0[2] : d_left_first_4_s0);  // units/packet_decision.h:41
@@ -103,7 +103,7 @@ module packet_decision #(
   reg  [3:0] and_1_s1;
   reg  [3:0] and_2_s1;
   reg  [3:0] both_s1;
-  reg  eq_2_s1;
+  reg  enter_left_s1;
   reg  eq_4_s1;
   reg  eq_5_s1;
   reg  mux_14_s1;
@@ -119,7 +119,7 @@ module packet_decision #(
     and_1_s1 <= and_1_s0;
     and_2_s1 <= and_2_s0;
     both_s1 <= both_s0;
-    eq_2_s1 <= eq_2_s0;
+    enter_left_s1 <= enter_left_s0;
     eq_4_s1 <= eq_4_s0;
     eq_5_s1 <= eq_5_s0;
     mux_14_s1 <= mux_14_s0;
@@ -129,7 +129,6 @@ module packet_decision #(
     e_terminated_s1 <= e_terminated_s0;
     step_in_0_s1 <= step_in_0_s0;
   end
-  wire enter_left_s1 = (~(and_1_s1 == 4'd0)) & (~eq_2_s1);  // units/packet_decision.h:38
   wire enter_right_s1 = (~(and_2_s1 == 4'd0)) & (~eq_4_s1);  // units/packet_decision.h:39
   wire left_is_near_s1 = eq_5_s1 ? mux_14_s1 : mux_17_s1;  // units/packet_decision.h:41
   wire is_leaf_s1 = ~eq_6_s1;  // units/packet_decision.h:45

@@ -97,10 +97,13 @@ module scan_out #(
   end
   reg  [11:0] column_q;
   reg  [11:0] line_q;
+  reg  lit_q;
   wire [11:0] mux_1_s1 = ~{12{first_s1}} & line_q;  // units/scan_out.h:64
+  wire lit_2_s1 = lit_q & (~first_s1);  // units/scan_out.h:65
   wire [11:0] mux_2_s1 = ~{12{first_s1}} & column_q;  // units/scan_out.h:67
   wire [11:0] y_s1 = mux_1_s1 - config_128_still;  // units/scan_out.h:68
   wire row_visible_s1 = mux_1_s1 < config_288_still;  // units/scan_out.h:69
+  wire and_1_s1 = lit_2_s1 & row_visible_s1;  // units/scan_out.h:70
   wire [11:0] x_s1 = mux_2_s1 - config_96_still;  // units/scan_out.h:67
   wire lt_1_s1 = x_s1 < config_32_still;  // units/scan_out.h:70
   wire lt_2_s1 = y_s1 < config_64_still;  // units/scan_out.h:70
@@ -117,8 +120,8 @@ module scan_out #(
 
   // ---- stage 2 ----
   reg valid_s2;
-  reg  first_s2;
   reg  row_visible_s2;
+  reg  and_1_s2;
   reg  lt_1_s2;
   reg  lt_2_s2;
   reg  and_3_s2;
@@ -128,8 +131,8 @@ module scan_out #(
   reg  and_5_s2;
   always @(posedge clk_i) begin
     valid_s2 <= rst_ni && valid_s1;
-    first_s2 <= first_s1;
     row_visible_s2 <= row_visible_s1;
+    and_1_s2 <= and_1_s1;
     lt_1_s2 <= lt_1_s1;
     lt_2_s2 <= lt_2_s1;
     and_3_s2 <= and_3_s1;
@@ -138,13 +141,10 @@ module scan_out #(
     or_1_s2 <= or_1_s1;
     and_5_s2 <= and_5_s1;
   end
-  reg  lit_q;
-  wire lit_2_s2 = lit_q & (~first_s2);  // units/scan_out.h:65
-  wire inside_s2 = lt_2_s2 & ((lit_2_s2 & row_visible_s2) & lt_1_s2);
+  wire inside_s2 = lt_2_s2 & (and_1_s2 & lt_1_s2);
   reg  [19:0] next_q;
   wire visible_s2 = row_visible_s2 & lt_3_s2;  // units/scan_out.h:74
   wire and_4_s2 = inside_s2 & lt_3_s2;  // units/scan_out.h:77
-  wire xor_1_s2 = vsync_s2 ^ not_3_still;  // units/scan_out.h:79
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -152,7 +152,7 @@ module scan_out #(
   reg  and_3_s3;
   reg  visible_s3;
   reg  and_4_s3;
-  reg  xor_1_s3;
+  reg  vsync_s3;
   reg  or_1_s3;
   always @(posedge clk_i) begin
     valid_s3 <= rst_ni && valid_s2;
@@ -160,7 +160,7 @@ module scan_out #(
     and_3_s3 <= and_3_s2;
     visible_s3 <= visible_s2;
     and_4_s3 <= and_4_s2;
-    xor_1_s3 <= xor_1_s2;
+    vsync_s3 <= vsync_s2;
     or_1_s3 <= or_1_s2;
   end
 
@@ -170,7 +170,7 @@ module scan_out #(
   reg  and_3_s4;
   reg  visible_s4;
   reg  and_4_s4;
-  reg  xor_1_s4;
+  reg  vsync_s4;
   reg  or_1_s4;
   always @(posedge clk_i) begin
     valid_s4 <= rst_ni && valid_s3;
@@ -178,7 +178,7 @@ module scan_out #(
     and_3_s4 <= and_3_s3;
     visible_s4 <= visible_s3;
     and_4_s4 <= and_4_s3;
-    xor_1_s4 <= xor_1_s3;
+    vsync_s4 <= vsync_s3;
     or_1_s4 <= or_1_s3;
   end
 
@@ -188,7 +188,7 @@ module scan_out #(
   reg  and_3_s5;
   reg  visible_s5;
   reg  and_4_s5;
-  reg  xor_1_s5;
+  reg  vsync_s5;
   reg  or_1_s5;
   always @(posedge clk_i) begin
     valid_s5 <= rst_ni && valid_s4;
@@ -196,7 +196,7 @@ module scan_out #(
     and_3_s5 <= and_3_s4;
     visible_s5 <= visible_s4;
     and_4_s5 <= and_4_s4;
-    xor_1_s5 <= xor_1_s4;
+    vsync_s5 <= vsync_s4;
     or_1_s5 <= or_1_s4;
   end
   wire [23:0] bank_0_s5 = bank_data_i[23:0];
@@ -208,7 +208,7 @@ module scan_out #(
   reg  and_3_s6;
   reg  visible_s6;
   reg  and_4_s6;
-  reg  xor_1_s6;
+  reg  vsync_s6;
   reg  or_1_s6;
   always @(posedge clk_i) begin
     valid_s6 <= rst_ni && valid_s5;
@@ -217,10 +217,11 @@ module scan_out #(
     and_3_s6 <= and_3_s5;
     visible_s6 <= visible_s5;
     and_4_s6 <= and_4_s5;
-    xor_1_s6 <= xor_1_s5;
+    vsync_s6 <= vsync_s5;
     or_1_s6 <= or_1_s5;
   end
   wire [23:0] mux_3_s6 = {24{and_4_s6}} & bank_0_s6;  // units/scan_out.h:77
+  wire xor_1_s6 = vsync_s6 ^ not_3_still;  // units/scan_out.h:79
   wire xor_2_s6 = config_416_still ^ or_1_s6;  // units/scan_out.h:78
 
   // ---- state, rows and tokens written ----
@@ -238,7 +239,7 @@ module scan_out #(
   end
   always @(posedge clk_i) begin
     if (!rst_ni) lit_q <= 1'd0;
-    else if (valid_s2) lit_q <= (lit_2_s2 | and_5_s2);
+    else if (valid_s1) lit_q <= (lit_2_s1 | and_5_s1);
   end
   assign bank_en_o = valid_s2 && inside_s2;
   assign bank_addr_o = next_q;
