@@ -16,6 +16,11 @@ inline constexpr char kStdout[] =
     "cannot print the report ({}); free some space or redirect the output to another place";
 inline constexpr char kOrder[] = "--order {}: unknown; the orders are morton and scanline";
 inline constexpr char kClock[] = "--clock {}: the clock is a number of MHz above zero";
+inline constexpr char kNotPlacedOn[] =
+    "--device {}: no core was placed on such a device, so it has no clock; those with a clock: {}";
+inline constexpr char kNotPlacedOfGrade[] =
+    "--grade {}: no core was placed on {} of this grade, so it has no clock; those with a clock: "
+    "{}";
 inline constexpr char kTimeoutZero[] = "--timeout 0: the board needs at least one clock";
 inline constexpr char kTimeoutOfModel[] =
     "--timeout {}: board model has no clock that could run out; take board rtl or leave the "

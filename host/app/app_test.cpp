@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What the program does and says.
+#include <fmt/format.h>
+
 #include <map>
 
 #include "host/app/program_test.h"
@@ -28,7 +30,7 @@ TEST_F(App, HelpTellsEverything) {
        {"--board",    "--config", "--size",     "--out",     "--trace",  "--packets",
         "--lines",    "--order",  "--position", "--look-at", "--up",     "--fov",
         "--json",     "--clock",  "--timeout",  "--light",   "--mirror", "--reflections",
-        "--scan-out", "office",   "stand_in"}) {
+        "--scan-out", "--device", "--grade",    "ecp5-85",   "office",   "stand_in"}) {
     EXPECT_THAT(render.out, HasSubstr(flag));
   }
 }
@@ -94,8 +96,8 @@ TEST_F(App, RendersOnTheModel) {
 }
 
 TEST_F(App, ShowsTheImageOnTheDisplay) {
-  const Outcome outcome =
-      run(std::string("render blocks") + kRtl + "--scan-out display.png --json figures.json");
+  const Outcome outcome = run(std::string("render blocks") + kRtl +
+                              "--scan-out display.png --json figures.json --clock 85");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.files, ElementsAre("blocks.png", "display.png", "figures.json"));
   EXPECT_THAT(outcome.out,
@@ -130,13 +132,44 @@ TEST_F(App, RendersOnTheVerilogWithWaveforms) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.files, ElementsAre("f.json", "image.exr", "waves.fst"));
   EXPECT_THAT(outcome.out, ContainsRegex("frame       [0-9,]+ cycles, [0-9.]+ frames per second at "
-                                         "100 MHz, [0-9.]+ rays per clock"));
+                                         "100 MHz, [0-9.]+ rays per clock\n"
+                                         "clock       100 MHz, as --clock says\n"));
   EXPECT_THAT(outcome.out, ContainsRegex("simulation  [0-9.]+ s, [0-9,]+ clocks per second"));
   EXPECT_THAT(outcome.out, ContainsRegex("bus         [0-9,]+ bytes written"));
   const auto json = nlohmann::json::parse(text_of(folder_ / "f.json"));
   // One word a clock, so all but the start-up does work.
   EXPECT_EQ(json["frame"]["units"]["stand_in"]["transactions"], 768);
   EXPECT_GT(json["frame"]["units"]["stand_in"]["utilisation"], 0.8);
+}
+
+TEST_F(App, StatesFramesAtThePlacedClock) {
+  const auto kept = nlohmann::json::parse(text_of(DYNRT_PLACEMENT));
+  const auto& core = kept["units"]["dynrt_core"];
+  const double mhz = core["MHz, median"].get<double>();
+  const Outcome outcome = run(std::string("render blocks") + kRtl + "--json f.json");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr(fmt::format(" frames per second at {:g} MHz, ", mhz)));
+  EXPECT_THAT(outcome.out,
+              HasSubstr(fmt::format("\nclock       {:g} MHz, placed: thesis on Lattice LFE5U-85F, "
+                                    "grade 6; stand_in was not placed and may miss it\n",
+                                    mhz)));
+  const auto frame = nlohmann::json::parse(text_of(folder_ / "f.json"))["frame"];
+  EXPECT_EQ(frame["clock_hz"], mhz * 1e6);
+  EXPECT_DOUBLE_EQ(frame["frames_per_second"].get<double>(),
+                   mhz * 1e6 / frame["cycles"].get<double>());
+  const auto& clock = frame["clock"];
+  EXPECT_EQ(clock["mhz"], mhz);
+  EXPECT_EQ(clock["placed"], true);
+  EXPECT_EQ(clock["of_this_configuration"], false);
+  EXPECT_EQ(clock["configuration"], kept["config"]);
+  EXPECT_EQ(clock["device"], kept["device"]);
+  EXPECT_EQ(clock["grade"], kept["grade"]);
+  EXPECT_EQ(clock["lowest_mhz"], core["range low"]);
+  EXPECT_EQ(clock["highest_mhz"], core["range high"]);
+  EXPECT_EQ(clock["seeds"], kept["seeds"]);
+  EXPECT_EQ(clock["placer"], core["placer"]);
+  EXPECT_EQ(clock["verilog"], core["verilog"]);
+  EXPECT_THAT(clock["command"].get<std::string>(), StartsWith("scripts/place dynrt_core "));
 }
 
 TEST_F(App, CompareFindsTheStandInsDifferences) {

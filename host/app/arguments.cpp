@@ -67,9 +67,7 @@ void FrameArguments::add_to(CLI::App& command, const std::string& default_out,
   command.add_flag(
       "--uncompressed", uncompressed,
       "transform the origin of every ray: eight vectors for each packet instead of five");
-  command.add_option("--clock", clock_mhz, "clock of the core, for the frames per second")
-      ->option_text("MHZ [85]")
-      ->check(not_a_number);
+  clock.add_to(command);
   command
       .add_option("--timeout", timeout,
                   "stop with an error after this many clocks without a pixel or an interrupt")
@@ -91,7 +89,7 @@ FrameOptions FrameArguments::options(const std::string& size) const {
   } else if (order != "morton") {
     refuse(messages::kOrder, order);
   }
-  if (!(clock_mhz > 0)) refuse(messages::kClock, clock_mhz);
+  clock.check();
   options.timeout = timeout.value_or(kTimeout);
   if (options.timeout == 0) refuse(messages::kTimeoutZero);
   return options;

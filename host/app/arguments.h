@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "host/app/core_clock.h"
 #include "host/board/configurations.h"
 #include "host/render/render.h"
 #include "host/scene/camera.h"
@@ -36,7 +37,7 @@ struct FrameArguments {
   std::optional<unsigned> packets, lines, reflections;
   std::string order = "morton";
   bool uncompressed = false;
-  double clock_mhz = 85;
+  ClockFlags clock;
   std::optional<std::uint64_t> timeout;  ///< clocks; without the flag kTimeout
   std::string out;
   std::string json;

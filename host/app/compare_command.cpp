@@ -55,20 +55,20 @@ int run(const Arguments& arguments) {
   const Comparison comparison = compare(rtl, model);
 
   if (!out.empty()) write_image(out, rtl);
-  const double clock_mhz = arguments.frame.clock_mhz;
-  const FrameFigures rtl_figures = figures_of(rtl, clock_mhz * 1e6);
-  const FrameFigures model_figures = figures_of(model, clock_mhz * 1e6);
+  const CoreClock clock = arguments.frame.clock.clock_of(rtl.core);
+  const FrameFigures rtl_figures = figures_of(rtl, clock.hz());
+  const FrameFigures model_figures = figures_of(model, clock.hz());
   if (!arguments.frame.json.empty()) {
     nlohmann::ordered_json json = {{"image", out}, {"scene", prepared.json()}};
-    json["rtl"] = report_json(rtl, rtl_figures, clock_mhz);
-    json["model"] = report_json(model, model_figures, clock_mhz);
+    json["rtl"] = report_json(rtl, rtl_figures, clock);
+    json["model"] = report_json(model, model_figures, clock);
     json["comparison"] = comparison_json(comparison);
     write_text(arguments.frame.json, json.dump(2) + "\n");
   }
   const std::string image =
       out.empty() ? "" : fmt::format("image       {}, {}x{}\n", out, rtl.width, rtl.height);
   say(fmt::format("{}{}{}model       {:.2f} s, {:.0f} rays per second\n{}", image, prepared.text(),
-                  report_text(rtl, rtl_figures, clock_mhz), model.run.seconds,
+                  report_text(rtl, rtl_figures, clock), model.run.seconds,
                   model_figures.rays_per_second, comparison_text(comparison, "rtl", "model")));
   return comparison.identical() ? kDone : kDifferent;
 }

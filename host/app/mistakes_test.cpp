@@ -150,6 +150,12 @@ TEST_F(App, WhatTheConfigurationLacksIsRefused) {
   expect_mistake("render blocks --config stand_in --clock inf",
                  "dynrt: --clock: inf is not a finite number; dynrt render --help lists what there "
                  "is\n");
+  expect_mistake("render blocks --config stand_in --device ecp5-25",
+                 StartsWith("dynrt: --device ecp5-25: no core was placed on such a device, so it "
+                            "has no clock; those with a clock: ecp5-85"));
+  expect_mistake("walk blocks --config stand_in --grade 9",
+                 StartsWith("dynrt: --grade 9: no core was placed on ecp5-85 of this grade, so it "
+                            "has no clock; those with a clock: 6"));
   for (const std::string flag : {"--packets", "--lines", "--timeout"}) {
     expect_mistake("render blocks --config stand_in " + flag + "=-1",
                    "dynrt: " + flag +

@@ -77,20 +77,20 @@ int run(const Arguments& arguments) {
 
   if (frame.hit_count() == 0) prepared.note_no_hit();
   write_image(out, frame);
+  const CoreClock clock = arguments.frame.clock.clock_of(frame.core);
   std::optional<Shown> shown;
   if (!arguments.scan_out.empty()) {
-    shown = show(*board, frame, arguments.frame.clock_mhz, arguments.scan_out);
+    shown = show(*board, frame, clock.mhz, arguments.scan_out);
   }
-  const FrameFigures figures = figures_of(frame, arguments.frame.clock_mhz * 1e6);
+  const FrameFigures figures = figures_of(frame, clock.hz());
   if (!arguments.frame.json.empty()) {
     nlohmann::ordered_json json = {{"image", out}, {"scene", prepared.json()}};
-    json["frame"] = report_json(frame, figures, arguments.frame.clock_mhz);
+    json["frame"] = report_json(frame, figures, clock);
     if (shown) json["scan_out"] = shown->json();
     write_text(arguments.frame.json, json.dump(2) + "\n");
   }
   say(fmt::format("image       {}, {}x{}\n{}{}{}", out, frame.width, frame.height, prepared.text(),
-                  report_text(frame, figures, arguments.frame.clock_mhz),
-                  shown ? shown->text() : ""));
+                  report_text(frame, figures, clock), shown ? shown->text() : ""));
   return kDone;
 }
 

@@ -16,8 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMega = 1e6;
-
 Json value_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
 
 double bus_seconds(const Frame& frame) {
@@ -50,7 +48,7 @@ std::string caches_text(const FrameFigures& figures) {
 
 }  // namespace
 
-std::string report_text(const Frame& frame, const FrameFigures& figures, double clock_mhz) {
+std::string report_text(const Frame& frame, const FrameFigures& figures, const CoreClock& clock) {
   std::string text;
   const auto line = [&text]<class... A>(fmt::format_string<A...> format, A&&... args) {
     fmt::format_to(std::back_inserter(text), format, std::forward<A>(args)...);
@@ -63,7 +61,8 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, double 
   if (frame.run.cycles) {
     line("frame       {} cycles{}, {:.2f} frames per second at {:g} MHz, {:.4f} rays per clock",
          grouped(*frame.run.cycles), frame.run.scheduled ? " from the units' schedules" : "",
-         figures.frames_per_second.value_or(0), clock_mhz, figures.rays_per_clock.value_or(0));
+         figures.frames_per_second.value_or(0), clock.mhz, figures.rays_per_clock.value_or(0));
+    text += clock.text();
     line("simulation  {:.2f} s, {} clocks per second", frame.run.seconds,
          grouped(static_cast<std::uint64_t>(figures.clocks_per_second.value_or(0))));
   } else {
@@ -81,7 +80,7 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, double 
   return text + units_text(figures) + caches_text(figures);
 }
 
-Json report_json(const Frame& frame, const FrameFigures& figures, double clock_mhz) {
+Json report_json(const Frame& frame, const FrameFigures& figures, const CoreClock& clock) {
   Json units = Json::object();
   for (const UnitFigures& unit : figures.units) {
     units[unit.name] = {{"transactions", unit.transactions},
@@ -104,7 +103,8 @@ Json report_json(const Frame& frame, const FrameFigures& figures, double clock_m
           {"hits", frame.hit_count()},
           {"cycles", frame.run.cycles ? Json(*frame.run.cycles) : Json()},
           {"cycles_by_schedule", frame.run.scheduled},
-          {"clock_hz", clock_mhz * kMega},
+          {"clock_hz", clock.hz()},
+          {"clock", clock.json()},
           {"frames_per_second", value_or_null(figures.frames_per_second)},
           {"rays_per_clock", value_or_null(figures.rays_per_clock)},
           {"simulation",

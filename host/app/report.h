@@ -7,14 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "host/app/core_clock.h"
 #include "host/render/compare.h"
 #include "host/render/figures.h"
 
 namespace dynrt::host {
 
-std::string report_text(const Frame& frame, const FrameFigures& figures, double clock_mhz);
+std::string report_text(const Frame& frame, const FrameFigures& figures, const CoreClock& clock);
 nlohmann::ordered_json report_json(const Frame& frame, const FrameFigures& figures,
-                                   double clock_mhz);
+                                   const CoreClock& clock);
 
 std::string comparison_text(const Comparison& comparison, const std::string& left,
                             const std::string& right);

@@ -148,7 +148,6 @@ int run(const Arguments& arguments) {
   const FrameOptions options = arguments.frame.options(arguments.scene.size);
   arguments.frame.check_timeout(arguments.board);
   const Place place = place_of(arguments);
-  const double clock_hz = arguments.frame.clock_mhz * 1e6;
   SceneFile scene = arguments.specialise.file(arguments.scene);
   // Every frame of the walk is analysed.
   const ChosenCore core = arguments.specialise.choose(
@@ -159,6 +158,7 @@ int run(const Arguments& arguments) {
         return open_board({arguments.board, configuration, ""}, options);
       },
       [&](const CoreInfo& info) { return prepare(scene, options.width, options.height, &info); });
+  const CoreClock clock = arguments.frame.clock.clock_of(board->core());
   WalkFolder folder(place.folder(), arguments.settings(prepared.scene), arguments.again);
   const WalkPlan plan(prepared.scene, arguments.frames, arguments.span.from, arguments.span.to);
   if (!plan.orbit && board->core().lights > 0 && !prepared.scene.lights.empty()) {
@@ -194,12 +194,12 @@ int run(const Arguments& arguments) {
       folder.write(result.frame, result.record);
       records.push_back(result.record);
     }
-    say(walk_line(records.back(), clock_hz));
+    say(walk_line(records.back(), clock.hz()));
   }
 
   if (kept < arguments.frames) folder.save();
 
-  const WalkSummary summary{records, kept, walker.scene_upload(), clock_hz};
+  const WalkSummary summary{records, kept, walker.scene_upload(), clock};
   if (!arguments.frame.json.empty()) {
     json["walk"] = summary.json();
     write_text(arguments.frame.json, json.dump(2) + "\n");

@@ -16,8 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMega = 1e6;
-
 double host_seconds(const WalkRecord& record) { return record.tree_seconds + record.pack_seconds; }
 
 double core_seconds(const WalkRecord& record, double clock_hz) {
@@ -62,20 +60,23 @@ std::string walk_line(const WalkRecord& record, double clock_hz) {
 }
 
 std::string WalkSummary::text() const {
+  const double clock_hz = clock.hz();
   std::string text = fmt::format("walk        {}", counted(records.size(), "frame"));
   if (kept > 0) text += fmt::format(", {} of them rendered before", kept);
   const auto slowest = std::ranges::max_element(
       records, {}, [&](const WalkRecord& record) { return core_seconds(record, clock_hz); });
-  if (slowest != records.end() && slowest->cycles) {
+  const bool clocked = slowest != records.end() && slowest->cycles;
+  if (clocked) {
     const double core = mean(records, [&](const auto& r) { return core_seconds(r, clock_hz); });
     const double all = mean(records, [&](const auto& r) { return frame_seconds(r, clock_hz); });
     text += fmt::format(
         ": {:.2f} frames per second at {:g} MHz, at least {:.2f} (frame {}); {:.2f} with rebuild "
         "and upload",
-        1 / core, clock_hz / kMega, 1 / core_seconds(*slowest, clock_hz), slowest->frame, 1 / all);
+        1 / core, clock.mhz, 1 / core_seconds(*slowest, clock_hz), slowest->frame, 1 / all);
   }
-  text +=
-      fmt::format("\nrebuild     {} for each frame\n", milliseconds(mean(records, host_seconds)));
+  text += '\n';
+  if (clocked) text += clock.text();
+  text += fmt::format("rebuild     {} for each frame\n", milliseconds(mean(records, host_seconds)));
   const auto changing = later(records);
   text +=
       fmt::format("upload      {} of the {} words of a frame ({})",
@@ -91,6 +92,7 @@ std::string WalkSummary::text() const {
 }
 
 Json WalkSummary::json() const {
+  const double clock_hz = clock.hz();
   Json frames = Json::array();
   bool clocked = !records.empty();
   for (const WalkRecord& record : records) {
@@ -106,6 +108,7 @@ Json WalkSummary::json() const {
   };
   return {
       {"clock_hz", clock_hz},
+      {"clock", clock.json()},
       {"kept", kept},
       {"frames_per_second", rate([&](const WalkRecord& r) { return core_seconds(r, clock_hz); })},
       {"frames_per_second_with_upload",

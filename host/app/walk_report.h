@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 
+#include "host/app/core_clock.h"
 #include "host/app/walk.h"
 
 namespace dynrt::host {
@@ -23,7 +24,7 @@ struct WalkSummary {
   std::span<const WalkRecord> records;
   unsigned kept = 0;  ///< frames that were there already
   BusTraffic scene_upload;
-  double clock_hz = 0;
+  CoreClock clock;
 
   std::string text() const;
   nlohmann::ordered_json json() const;

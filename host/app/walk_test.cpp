@@ -309,10 +309,11 @@ TEST_F(Walks, AreSummedUp) {
   EXPECT_NEAR(frame_seconds(records[1], 100e6), 0.031, 1e-9);
   records[1].tree_seconds = 0.05;  // the core waits for the host
   EXPECT_NEAR(frame_seconds(records[1], 100e6), 0.051001, 1e-9);
-  const WalkSummary summary{records, 1, {5, 4000, 0, 66000}, 100e6};
+  const WalkSummary summary{records, 1, {5, 4000, 0, 66000}, {.mhz = 100}};
   EXPECT_THAT(summary.text(),
               HasSubstr("walk        2 frames, 1 of them rendered before: 50.00 frames per second "
-                        "at 100 MHz, at least 33.33 (frame 1); 32.78 with rebuild and upload\n"));
+                        "at 100 MHz, at least 33.33 (frame 1); 32.78 with rebuild and upload\n"
+                        "clock       100 MHz, as --clock says\n"));
   EXPECT_THAT(summary.text(),
               HasSubstr("rebuild     25.00 ms for each frame\n"
                         "upload      200 of the 500 words of a frame (1.00 ms), after 1,000 words "
@@ -320,6 +321,7 @@ TEST_F(Walks, AreSummedUp) {
   const auto json = summary.json();
   EXPECT_EQ(json["frames"].size(), 2u);
   EXPECT_NEAR(json["frames_per_second"].get<double>(), 50, 1e-9);
+  EXPECT_EQ(json["clock"], (nlohmann::ordered_json{{"mhz", 100}, {"placed", false}}));
   EXPECT_NEAR(json["frames"][1]["frames_per_second"].get<double>(), 100.0 / 3, 1e-9);
   records[0].cycles.reset();
   EXPECT_TRUE(summary.json()["frames_per_second"].is_null());

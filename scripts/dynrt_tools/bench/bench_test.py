@@ -9,6 +9,7 @@ from typing import Any
 
 from dynrt_tools import testing
 from dynrt_tools.bench.run import Work
+from dynrt_tools.hardware import placed_clocks
 from dynrt_tools.project import SCRIPTS
 
 BENCH = SCRIPTS / "bench"
@@ -95,6 +96,12 @@ class Bench(testing.InFolder):
         self.assertIs(rows["busiest unit works, 64 packets"]["met"], False)
         self.assertEqual(rows["busiest unit works, 32 packets"]["reached"], 50)
         self.assertAlmostEqual(rows["rays per clock"]["reached"], 512 * 384 / (1.25 * 3030))
+        clock = placed_clocks.of("full")
+        placed = rows["frames per second, placed"]
+        rate = placed_clocks.frames_per_second(1.25 * 3030, clock.mhz)
+        self.assertEqual(placed["reached"], rate if clock.configuration == "full" else None)
+        self.assertIn(clock.of_core("full"), placed["note"])
+        self.assertAlmostEqual(rows["frames per second at 85 MHz"]["reached"], 85e6 / 1.25 / 3030)
         self.assertEqual(rows["steps per packet"]["reached"], 30)
         self.assertIs(rows["steps per packet"]["met"], True)
         self.assertEqual(rows["objects per packet"]["reached"], 0.1)
@@ -190,6 +197,15 @@ class Bench(testing.InFolder):
         self.assertEqual(result.returncode, 0, result.stderr)
         with open(self.folder / "plots" / "packets.csv", encoding="utf-8") as file:
             packets = {row["packets"]: row for row in csv.DictReader(file)}
+        placed = f"frames per second at {placed_clocks.of('full').mhz:g} MHz"
+        for row in packets.values():
+            self.assertAlmostEqual(
+                float(row["frames per second at 85 MHz"]), 85e6 / float(row["clocks"])
+            )
+            rate = placed_clocks.frames_per_second(
+                float(row["clocks"]), placed_clocks.of("full").mhz
+            )
+            self.assertAlmostEqual(float(row[placed]), rate)
         self.assertEqual(list(packets), ["1", "2", "4", "8", "16", "24", "32", "48", "64"])
         self.assertEqual(packets["32"]["traversal usage"], "0.5")
         with open(self.folder / "plots" / "lines.csv", encoding="utf-8") as file:
@@ -223,6 +239,11 @@ class Bench(testing.InFolder):
         self.assertEqual(
             trees["frames per second at 85 MHz"], round(85e6 / (1.25 * 3030 * 2000), 2)
         )
+        clock = placed_clocks.of("boxed")
+        rate = f"{placed_clocks.frames_per_second(1.25 * 3030 * 2000, clock.mhz):.2f}"
+        own = clock.configuration == "boxed"
+        self.assertEqual(trees["frames per second, placed"], rate if own else f"({rate})")
+        self.assertIn(f"\nFrames per second, placed: {clock.of_core('boxed')}.\n", result.stdout)
         self.assertEqual(trees["beside the thesis"], "within")
         self.assertRegex(
             result.stdout, r"\nthesis +20 to 30 +17 to 25( +17 to 20){2}( +8 to 14){2}\n"

@@ -11,9 +11,10 @@ from collections.abc import Sequence
 
 from matplotlib import pyplot
 
-from dynrt_tools.bench.rows import CLOCK_MHZ, CONFIG
+from dynrt_tools.bench.rows import CONFIG
 from dynrt_tools.bench.run import Dynrt
 from dynrt_tools.command import Pool
+from dynrt_tools.hardware import placed_clocks
 from dynrt_tools.project import Json, Progress
 
 PACKETS = (1, 2, 4, 8, 16, 24, 32, 48, 64)
@@ -27,13 +28,22 @@ UNITS = {
 }
 
 
+def rates(cycles: float) -> dict[str, float]:
+    """Frames per second at the placed clock and at the thesis's."""
+    clocks = placed_clocks.of(CONFIG).mhz, placed_clocks.THESIS_MHZ
+    return {
+        f"frames per second at {mhz:g} MHz": placed_clocks.frames_per_second(cycles, mhz)
+        for mhz in clocks
+    }
+
+
 def columns(frame: Json) -> dict[str, float]:
     """A row of either table but for what was varied."""
     usage = {f"{name} usage": frame["units"][unit]["utilisation"] for name, unit in UNITS.items()}
     hits = {f"{name} cache hits": cache["hit_rate"] for name, cache in frame["caches"].items()}
     return {
         "clocks": frame["cycles"],
-        "frames per second": CLOCK_MHZ * 1e6 / frame["cycles"],
+        **rates(frame["cycles"]),
         **usage,
         **hits,
     }
@@ -111,10 +121,10 @@ def run(dynrt: Dynrt, scene: str, size: str, folder: pathlib.Path, progress: Pro
     )
     plot(
         folder / "frame_rate.svg",
-        f"Frame rate at {CLOCK_MHZ} MHz, {about}, {LINES[-1]} lines",
+        f"Frame rate, {about}, {LINES[-1]} lines",
         packets,
         "packets",
-        ["frames per second"],
+        [name for name in packets[0] if name.startswith("frames per second")],
         1,
         "frames per second",
         None,
@@ -132,6 +142,7 @@ def run(dynrt: Dynrt, scene: str, size: str, folder: pathlib.Path, progress: Pro
         100,
     )
     progress("")
+    print(f"Frames per second are {placed_clocks.of(CONFIG).of_core(CONFIG)}.")
     print(
         "\n".join(
             str(folder / name)

@@ -5,7 +5,8 @@
 import re
 import unittest
 
-from dynrt_tools.project import ROOT, read_json
+from dynrt_tools.hardware import placed_clocks
+from dynrt_tools.project import ROOT
 
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -35,31 +36,15 @@ class Readme(unittest.TestCase):
         for name in names:
             self.assertTrue((ROOT / name).exists(), name)
 
-    def test_frame_rates_are_those_of_the_results(self) -> None:
-        data = ROOT / "docs" / "results" / "data"
-        measured = {
-            (row["scene"], row["configuration"]): row["frames per second at 85 MHz"]
-            for row in read_json(data / "scenes.json")["scenes"]
-        }
-        frame = read_json(data / "office_thesis.json")["frame"]
-        measured["office", "thesis"] = 85e6 / frame["cycles"]
-        rows = re.findall(r"^\| `(\w+)`.*?\| `(\w+)` \| ([\d.]+) \|", README, re.MULTILINE)
-        self.assertEqual(len(rows), 5)
-        for scene, configuration, shown in rows:
-            self.assertAlmostEqual(float(shown), measured[scene, configuration], delta=0.051)
-
     def test_the_placed_clock_is_that_of_the_results(self) -> None:
-        data = ROOT / "docs" / "results" / "data"
-        core = read_json(data / "place_core.json")["units"]["dynrt_core"]
-        cycles = read_json(data / "office_thesis.json")["frame"]["cycles"]
-        synth = read_json(data / "synth.json")
-        share = (
-            synth["resources"]["ecp5-85"]["dynrt_core"]["LUT4"] / synth["has"]["ecp5-85"]["LUT4"]
-        )
+        clock = placed_clocks.of("thesis")
         text = README.replace("\n", " ")
-        self.assertIn(f"`thesis` reaches {core['MHz, median']} MHz", text)
-        self.assertIn(f"that makes {1e9 / core['placed, ns'] / cycles:.1f} frames", text)
-        self.assertIn(f"`thesis` takes {round(100 * share)} % of the LUTs", text)
+        self.assertIn(f"| placed, {clock.mhz:g} MHz | at the thesis's 85 MHz |", text)
+        self.assertIn(f"`thesis` reaches {clock.mhz:g} MHz, the median of three seeds", text)
+        self.assertEqual(clock.seeds, 3)
+        self.assertEqual(clock.where, "Lattice LFE5U-85F, grade 6")  # "the slowest grade"
+        for core in ("full", "boxed"):  # "were not placed"
+            self.assertEqual(placed_clocks.of(core), clock)
 
 
 if __name__ == "__main__":

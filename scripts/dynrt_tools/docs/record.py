@@ -1,12 +1,15 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """Measures the data of a page of results again: runs the commands that docs/results/data/runs.json
-names for them, one after another, from the project's folder."""
+names for them, one after another, from the project's folder. Frames per second follow from clocks and
+the placed clock, so they are not kept: when the clock changes, no data are old."""
 
+import pathlib
 import subprocess
 
 from dynrt_tools import project
 from dynrt_tools.docs import results
+from dynrt_tools.hardware import placed_clocks
 
 TEMPLATES = results.RESULTS / "templates"
 # Pages that a command writes itself, without data and template.
@@ -19,7 +22,7 @@ WRITTEN = {
 def data_of(page: str) -> list[str]:
     """The data that a page's template shows, in its order."""
     text = (TEMPLATES / f"{page}.md").read_text(encoding="utf-8")
-    return list(dict.fromkeys(found[1] for found in results.FIGURE.finditer(text)))
+    return results.named(text)
 
 
 def pages() -> list[str]:
@@ -43,3 +46,13 @@ def record(page: str) -> None:
         code = subprocess.run(command, shell=True, cwd=project.ROOT, check=False).returncode
         if code not in codes:
             raise project.Failed(f"'{command}' ends with {code}; the data of {page} are not whole")
+    for name in data_of(page) if page not in WRITTEN else []:
+        drop_rates(results.RESULTS / "data" / f"{name}.json")
+
+
+def drop_rates(path: pathlib.Path) -> None:
+    """Takes the figures out of kept data that a clock in MHz decides."""
+    data = project.read_json(path)
+    kept = placed_clocks.without_rates(data)
+    if kept != data:
+        project.write_json(path, kept)

@@ -5,18 +5,29 @@
 docs/results/templates/NAME.md is Markdown in which {{DATA:PATH|FORMAT}} stands for a figure of
 docs/results/data/DATA.json. PATH leads through the data by /; in a list, words joined by + select
 the entry that has all of them as values; A&B is the sum of two figures and A%B their ratio. FORMAT
-is Python's, such as "," or ".1f"; it may begin with *FACTOR. Where the data have null the page says
+is Python's, such as "," or ".1f"; it may begin with *FACTOR, or with @CONFIGURATION or @MHZ, which
+makes frames per second of the clocks of a frame: at the placed clock, in brackets where it is that of
+another configuration, or at a stated one. {{placed:CONFIGURATION/FIELD}} is a field of the placed
+clock itself (hardware/placed_clocks.py). Where the data have null the page says
 "not measured". {{DATA:command}} is the command that measures the data again.
 """
 
+import dataclasses
 import pathlib
 import re
 from typing import Any
 
 from dynrt_tools import project
+from dynrt_tools.hardware import placed_clocks
 
 RESULTS = project.ROOT / "docs" / "results"
 FIGURE = re.compile(r"\{\{(\w+):([^|}]+)(?:\|([^}]*))?\}\}")
+PLACED = "placed"  # a name that is none of a file
+
+
+def named(text: str) -> list[str]:
+    """The data that a template shows, in its order."""
+    return list(dict.fromkeys(f[1] for f in FIGURE.finditer(text) if f[1] != PLACED))
 
 
 class Data:
@@ -60,6 +71,13 @@ class Data:
         """The figure at a path."""
         if path == "command":
             return project.read_json(self.folder / "runs.json")[name][path]
+        if name == PLACED:
+            configuration, _, field = path.partition("/")
+            clock = placed_clocks.of(configuration)
+            fields = dataclasses.asdict(clock) | {"where": clock.where}
+            if field not in fields:
+                raise project.Failed(f"a placed clock has no '{field}'; it has {', '.join(fields)}")
+            return fields[field]
         value = self.load(name)
         for step in path.split("/"):
             if value is None:
@@ -90,10 +108,21 @@ def shown(value: Any, form: str) -> str:
     """A figure as the page shows it; the data have null for one that is not measured."""
     if value is None:
         return "not measured"
+    if rate := re.match(r"@([\w.]+) ?", form):
+        return rate_of(value, rate[1], form[rate.end() :])
     factor = re.match(r"\*([\d.e+-]+) ?", form)
     if factor:
         value, form = value * float(factor[1]), form[factor.end() :]
     return format(value, form)
+
+
+def rate_of(cycles: float, clock: str, form: str) -> str:
+    """Frames per second at the placed clock of a configuration, or at one in MHz."""
+    if re.fullmatch(r"[\d.]+", clock):
+        return format(placed_clocks.frames_per_second(cycles, float(clock)), form)
+    placed = placed_clocks.of(clock)
+    text = format(placed_clocks.frames_per_second(cycles, placed.mhz), form)
+    return text if placed.configuration == clock else f"({text})"
 
 
 def filled(template: pathlib.Path, data: Data) -> str:
@@ -108,8 +137,7 @@ def filled(template: pathlib.Path, data: Data) -> str:
         except (project.Failed, ValueError, TypeError) as error:
             where = f"docs/results/templates/{template.name}:{number}"
             raise project.Failed(f"{where}: {error}") from error
-    names = dict.fromkeys(found[1] for found in FIGURE.finditer(text))
-    return "\n".join(lines + data.sources(list(names))) + "\n"
+    return "\n".join(lines + data.sources(named(text))) + "\n"
 
 
 def pages(results: pathlib.Path = RESULTS) -> dict[str, str]:

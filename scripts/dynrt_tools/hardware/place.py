@@ -192,6 +192,8 @@ class Row:
         """Puts the seeds in their order, and in place of all that are missing Yosys's timing."""
         self.data["placed"] = sorted(self.placed, key=lambda p: int(p["seed"]))
         self.data["failures"] = sorted(self.failures, key=lambda f: int(f["seed"]))
+        if self.placed and self.subject and self.name in WHOLE:
+            self.data["verilog"] = synthesis.verilog_digest(self.name, list(self.subject.files))
         if self.failures and not self.placed:
             self.data["note"] = f"failed: {self.data['failures'][0]['error']}"
         if not self.placed and self.subject and self.name not in WHOLE:

@@ -58,6 +58,14 @@ def needed(top: str, files: list[pathlib.Path]) -> list[pathlib.Path]:
     return [f for f in files if f in seen]
 
 
+def verilog_digest(top: str, files: list[pathlib.Path]) -> str:
+    """A hash of a module's Verilog, which comments and spaces do not change."""
+    found = hashlib.sha256()
+    for path in needed(top, files):
+        found.update(f"{path.name}{_meaning(path)}\n".encode())
+    return found.hexdigest()[:16]
+
+
 @functools.lru_cache(maxsize=None)
 def tool_version(tool: str, flag: str, package: str) -> str:
     """The version that a tool prints."""

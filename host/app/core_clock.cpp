@@ -1,0 +1,123 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/app/core_clock.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "host/app/app_messages.h"
+#include "host/app/arguments.h"
+#include "host/app/placed_clocks_table.h"
+#include "host/error.h"
+
+namespace dynrt::host {
+
+namespace {
+
+/// The values of a field in the table's order, each once, of the placements that fit.
+template <class Fits>
+std::string listed(std::string_view PlacedClock::* field, Fits&& fits) {
+  std::vector<std::string_view> names;
+  for (const PlacedClock& clock : placed_clocks()) {
+    if (fits(clock) && std::ranges::count(names, clock.*field) == 0) names.push_back(clock.*field);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string all_devices() {
+  return listed(&PlacedClock::device, [](const PlacedClock&) { return true; });
+}
+
+std::string grades_of(std::string_view device) {
+  return listed(&PlacedClock::grade, [&](const PlacedClock& c) { return c.device == device; });
+}
+
+/// A file may have the name of a listed configuration and other keys.
+bool is_core(const PlacedClock& clock, const CoreConfiguration& core) {
+  const CoreConfiguration* listed = listed_configuration(std::string(clock.configuration));
+  return listed != nullptr && *listed == core;
+}
+
+}  // namespace
+
+std::span<const PlacedClock> placed_clocks() { return kPlacedClocks; }
+
+std::string CoreClock::text() const {
+  if (placed == nullptr) return fmt::format("clock       {:g} MHz, as --clock says\n", mhz);
+  if (own) {
+    return fmt::format(
+        "clock       {:g} MHz, placed: {} on {}, median of {} seeds ({:g} to {:g} MHz)\n", mhz,
+        placed->configuration, placed->where, placed->seeds, placed->lowest_mhz,
+        placed->highest_mhz);
+  }
+  return fmt::format("clock       {:g} MHz, placed: {} on {}; {} was not placed and may miss it\n",
+                     mhz, placed->configuration, placed->where, configuration);
+}
+
+nlohmann::ordered_json CoreClock::json() const {
+  nlohmann::ordered_json json = {{"mhz", mhz}, {"placed", placed != nullptr}};
+  if (placed == nullptr) return json;
+  json.update({{"device", placed->device},
+               {"grade", placed->grade},
+               {"configuration", placed->configuration},
+               {"of_this_configuration", own},
+               {"lowest_mhz", placed->lowest_mhz},
+               {"highest_mhz", placed->highest_mhz},
+               {"seeds", placed->seeds},
+               {"placer", placed->placer},
+               {"verilog", placed->verilog},
+               {"command", placed->command}});
+  return json;
+}
+
+void ClockFlags::add_to(CLI::App& command) {
+  command
+      .add_option("--device", device,
+                  fmt::format("FPGA at whose placed clock frames per second are stated: {}; "
+                              "a configuration that was not placed gets the clock of {}",
+                              all_devices(), placed_clocks().front().configuration))
+      ->option_text(fmt::format("NAME [{}]", device));
+  command
+      .add_option("--grade", grade,
+                  fmt::format("speed grade of the device; of {}: {}", device, grades_of(device)))
+      ->option_text(fmt::format("N [{}]", placed_clocks().front().grade));
+  command
+      .add_option("--clock", mhz,
+                  "clock of the core for frames per second, in place of a placed one")
+      ->option_text("MHZ")
+      ->check(not_a_number);
+}
+
+void ClockFlags::check() const {
+  if (mhz && !(*mhz > 0)) refuse(messages::kClock, *mhz);
+  first_on_device();
+}
+
+CoreClock ClockFlags::clock_of(const CoreInfo& core) const {
+  const PlacedClock& first = first_on_device();
+  if (mhz) return {.mhz = *mhz};
+  const auto own = std::ranges::find_if(placed_clocks(), [&](const PlacedClock& c) {
+    return c.device == first.device && c.grade == first.grade && is_core(c, core);
+  });
+  const bool placed = own != placed_clocks().end();
+  const PlacedClock& clock = placed ? *own : first;
+  return {.mhz = clock.mhz, .placed = &clock, .own = placed, .configuration = core.name};
+}
+
+const PlacedClock& ClockFlags::first_on_device() const {
+  const auto clocks = placed_clocks();
+  const auto on = std::ranges::find(clocks, device, &PlacedClock::device);
+  if (on == clocks.end()) refuse(messages::kNotPlacedOn, device, all_devices());
+  if (!grade) return *on;
+  const auto of_grade = std::ranges::find_if(
+      clocks, [&](const PlacedClock& c) { return c.device == device && c.grade == *grade; });
+  if (of_grade == clocks.end()) {
+    refuse(messages::kNotPlacedOfGrade, *grade, device, grades_of(device));
+  }
+  return *of_grade;
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,83 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/app/core_clock.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "host/error.h"
+
+namespace dynrt::host {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+CoreInfo core_of(std::string_view configuration) {
+  return CoreInfo(*listed_configuration(configuration));
+}
+
+/// The one that every other configuration gets without flags.
+const PlacedClock& first() { return placed_clocks().front(); }
+
+TEST(CoreClock, IsThatOfThePlacedConfiguration) {
+  const CoreClock clock = ClockFlags{}.clock_of(core_of(first().configuration));
+  EXPECT_TRUE(clock.own);
+  EXPECT_EQ(clock.mhz, first().mhz);
+  EXPECT_EQ(clock.text(),
+            fmt::format("clock       {:g} MHz, placed: {} on {}, median of {} seeds ({:g} to {:g} "
+                        "MHz)\n",
+                        first().mhz, first().configuration, first().where, first().seeds,
+                        first().lowest_mhz, first().highest_mhz));
+  EXPECT_EQ(clock.json()["of_this_configuration"], true);
+  EXPECT_EQ(clock.json()["command"], first().command);
+}
+
+TEST(CoreClock, OfAnotherCoreIsSaidToBeSo) {
+  CoreInfo core = core_of(first().configuration);
+  ++core.packets;  // as a file of this name may have it
+  const CoreClock clock = ClockFlags{}.clock_of(core);
+  EXPECT_FALSE(clock.own);
+  EXPECT_EQ(clock.mhz, first().mhz);
+  EXPECT_THAT(clock.text(), HasSubstr(fmt::format("; {} was not placed and may miss it\n",
+                                                  first().configuration)));
+  EXPECT_EQ(clock.json()["of_this_configuration"], false);
+}
+
+TEST(CoreClock, MayBeGiven) {
+  ClockFlags flags;
+  flags.mhz = 85;
+  EXPECT_EQ(flags.clock_of(core_of("thesis")).text(), "clock       85 MHz, as --clock says\n");
+  flags.device = "none";
+  EXPECT_THROW(flags.check(), UserError);
+}
+
+TEST(CoreClock, EveryPlacementIsFound) {
+  for (const PlacedClock& placed : placed_clocks()) {
+    ClockFlags flags;
+    flags.device = placed.device;
+    flags.grade = placed.grade;
+    EXPECT_NO_THROW(flags.check());
+    const CoreClock clock = flags.clock_of(core_of(placed.configuration));
+    EXPECT_EQ(clock.placed, &placed);
+    EXPECT_TRUE(clock.own);
+  }
+}
+
+TEST(CoreClock, DevicesAndGradesWithoutAPlacementAreRefused) {
+  ClockFlags flags;
+  flags.device = "ice40-hx8k";
+  EXPECT_THAT([&] { flags.check(); },
+              ThrowsMessage<UserError>(HasSubstr("--device ice40-hx8k: no core was placed on such "
+                                                 "a device, so it has no clock; those with a "
+                                                 "clock: ecp5-85")));
+  flags = {};
+  flags.grade = "5";
+  EXPECT_THAT([&] { flags.check(); },
+              ThrowsMessage<UserError>(HasSubstr("--grade 5: no core was placed on ecp5-85 of this "
+                                                 "grade")));
+}
+
+}  // namespace
+}  // namespace dynrt::host
