@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -175,29 +176,16 @@ class Asap {
   std::vector<int> stage_;
 };
 
-bool fits(const Circuit& circuit, const DelayModel& delay, double clock_ns) {
+/// What misses this period, if anything does. The circuit's still cells may be those of another.
+std::optional<TooSlow> miss(const Circuit& circuit, const DelayModel& delay, double clock_ns) {
+  Circuit c(circuit.netlist);
+  mark_still(c, delay, clock_ns);
   try {
-    Asap(circuit, delay, clock_ns).run();
-    return true;
-  } catch (const TooSlow&) {
-    return false;
+    Asap(c, delay, clock_ns).run();
+    return std::nullopt;
+  } catch (const TooSlow& slow) {
+    return slow;
   }
-}
-
-/// The least period of the whole circuit, above one that it misses, to a hundredth of a ns.
-double least_period(const Circuit& circuit, const DelayModel& delay, double missed_ns) {
-  constexpr double kSteps = 100;
-  const auto fits_after = [&](long steps) {
-    return fits(circuit, delay, static_cast<double>(steps) / kSteps);
-  };
-  long missed = std::lround(std::floor(missed_ns * kSteps));
-  long met = std::max(missed, 1l) * 2;
-  while (!fits_after(met)) missed = std::exchange(met, 2 * met);
-  while (met - missed > 1) {
-    const long middle = missed + (met - missed) / 2;
-    (fits_after(middle) ? met : missed) = middle;
-  }
-  return static_cast<double>(met) / kSteps;
 }
 
 }  // namespace
@@ -249,6 +237,25 @@ std::vector<Precedence> precedences(const Circuit& c, const Timing& timing) {
     all.push_back({c.register_write[i], c.register_read[i], 0});
   }
   return all;
+}
+
+double least_period(const Circuit& circuit, const DelayModel& delay, double missed_ns) {
+  constexpr double kSteps = 100;
+  constexpr double kForEverNs = 1e6;
+  if (const auto never = miss(circuit, delay, kForEverNs)) {
+    throw Error(never->where, fmt::format(messages::kNoClock, never->name));
+  }
+  const auto fits_after = [&](long steps) {
+    return !miss(circuit, delay, static_cast<double>(steps) / kSteps);
+  };
+  long missed = std::lround(std::floor(missed_ns * kSteps));
+  long met = std::max(missed, 1l) * 2;
+  while (!fits_after(met)) missed = std::exchange(met, 2 * met);
+  while (met - missed > 1) {
+    const long middle = missed + (met - missed) / 2;
+    (fits_after(middle) ? met : missed) = middle;
+  }
+  return static_cast<double>(met) / kSteps;
 }
 
 Schedule schedule_asap(const Circuit& circuit, const DelayModel& delay, double clock_ns) {
