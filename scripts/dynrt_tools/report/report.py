@@ -136,7 +136,7 @@ def measured(
             {name: scene["path"] for name, scene in known.items()}, variants, args.size, hardware
         )
         workflow.run(args.jobs, args.slurm)
-        return collect(folder, known, variants, args.size, build)
+        return collect(folder, known, variants, args.size)
 
 
 def run(args: argparse.Namespace) -> None:
