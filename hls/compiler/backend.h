@@ -29,6 +29,9 @@ struct Lowered {
 
 Lowered lower(const Netlist& netlist, const Options& options);
 
+/// The least period for which a netlist can be lowered, in ns.
+double least_period(const Netlist& netlist, const DelayModel& delay);
+
 /// Called after each pass with the pass's name and the netlist.
 using PassObserver = std::function<void(const std::string& pass, const Netlist&)>;
 

@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,11 +28,12 @@ constexpr char kNoDelay[] =
 
 constexpr char kClock[] =
     "--clock-ns {}: this is no period of a clock; give the ns from edge to edge, a number above 0 "
-    "such as {}";
+    "such as {}, or {} for the shortest that the unit reaches";
 
 constexpr char kNoPass[] = "there is no pass '{}'; --print-after takes one of {}";
 
 constexpr char kUsualClock[] = "10";
+constexpr char kLeast[] = "least";
 
 struct Arguments {
   hlsc::UnitSource source;
@@ -71,7 +73,8 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_option("-I", a.source.folders,
                  "folder with headers; give the language's lowered folder first")
       ->allow_extra_args(false);
-  app.add_option("--clock-ns", a.clock_ns, "clock period of the schedule, in ns")
+  app.add_option("--clock-ns", a.clock_ns,
+                 "clock period of the schedule, in ns; least: the shortest that the unit reaches")
       ->type_name("NS")
       ->capture_default_str();
   app.add_option("--delay", a.delay, "delay model of the device family (JSON)");
@@ -112,17 +115,19 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-double parse_period(const std::string& text) {
+/// Nothing if the unit says it.
+std::optional<double> parse_period(const std::string& text) {
+  if (text == kLeast) return std::nullopt;
   char* end = nullptr;
   const double period = std::strtod(text.c_str(), &end);
   if (text.empty() || *end != '\0' || !std::isfinite(period) || period <= 0) {
-    throw hlsc::Error({}, fmt::format(kClock, text, kUsualClock));
+    throw hlsc::Error({}, fmt::format(kClock, text, kUsualClock, kLeast));
   }
   return period;
 }
 
 void run(const Arguments& a) {
-  const double clock_ns = parse_period(a.clock_ns);
+  const std::optional<double> clock_ns = parse_period(a.clock_ns);
   const std::string& shown = a.print_after;
   if (!shown.empty() && !contains(pass_names(), shown)) {
     throw hlsc::Error({}, fmt::format(kNoPass, shown, fmt::join(pass_names(), ", ")));
@@ -134,13 +139,14 @@ void run(const Arguments& a) {
   const hlsc::UnitNetlist unit = hlsc::read_unit(source);
   if (a.dump_netlist) fmt::print("{}", hlsc::to_text(unit.netlist));
   if (a.dump_netlist || ir_alone) return;
-  const hlsc::Options options{clock_ns, hlsc::load_delay_model(a.delay)};
+  hlsc::Options options{clock_ns.value_or(0), hlsc::load_delay_model(a.delay)};
   if (!shown.empty()) {
     hlsc::optimise(unit.netlist, options, [&shown](const std::string& pass, const auto& netlist) {
       if (pass == shown) fmt::print("; after {}\n{}", pass, hlsc::to_text(netlist));
     });
     return;
   }
+  if (!clock_ns) options.clock_ns = hlsc::least_period(unit.netlist, options.delay);
   const hlsc::Lowered lowered = hlsc::lower(unit.netlist, options);
   hlsc::OutputFiles files;
   files.add(a.verilog, lowered.verilog);

@@ -43,6 +43,12 @@ Netlist optimise(const Netlist& netlist, const Options& options, const PassObser
   return n;
 }
 
+double least_period(const Netlist& netlist, const DelayModel& delay) {
+  check(netlist);
+  const Netlist optimised = optimise(netlist, {0, delay});
+  return least_period(Circuit(optimised), delay, 0);
+}
+
 Lowered lower(const Netlist& netlist, const Options& options) {
   check(netlist);
   const Netlist optimised = optimise(netlist, options);

@@ -176,6 +176,8 @@ class Asap {
   std::vector<int> stage_;
 };
 
+constexpr double kSteps = 100;  ///< of a ns, in which periods are searched for
+
 /// The stages that a circuit takes at a period, or none if one is too short.
 std::optional<int> stages_at(const Circuit& circuit, const DelayModel& delay, double clock_ns) {
   try {
@@ -185,21 +187,16 @@ std::optional<int> stages_at(const Circuit& circuit, const DelayModel& delay, do
   }
 }
 
-constexpr double kSteps = 100;  ///< of a ns, in which periods are searched for
-
-/// The least period of the whole circuit, above one that it misses.
-double least_period(const Circuit& circuit, const DelayModel& delay, double missed_ns) {
-  const auto fits_after = [&](long steps) {
-    return stages_at(circuit, delay, static_cast<double>(steps) / kSteps).has_value();
-  };
-  long missed = std::lround(std::floor(missed_ns * kSteps));
-  long met = std::max(missed, 1l) * 2;
-  while (!fits_after(met)) missed = std::exchange(met, 2 * met);
-  while (met - missed > 1) {
-    const long middle = missed + (met - missed) / 2;
-    (fits_after(middle) ? met : missed) = middle;
+/// What misses this period, if anything does. The circuit's still cells may be those of another.
+std::optional<TooSlow> miss(const Circuit& circuit, const DelayModel& delay, double clock_ns) {
+  Circuit c(circuit.netlist);
+  mark_still(c, delay, clock_ns);
+  try {
+    Asap(c, delay, clock_ns).run();
+    return std::nullopt;
+  } catch (const TooSlow& slow) {
+    return slow;
   }
-  return static_cast<double>(met) / kSteps;
 }
 
 }  // namespace
@@ -251,6 +248,24 @@ std::vector<Precedence> precedences(const Circuit& c, const Timing& timing) {
     all.push_back({c.register_write[i], c.register_read[i], 0});
   }
   return all;
+}
+
+double least_period(const Circuit& circuit, const DelayModel& delay, double missed_ns) {
+  constexpr double kForEverNs = 1e6;
+  if (const auto never = miss(circuit, delay, kForEverNs)) {
+    throw Error(never->where, fmt::format(messages::kNoClock, never->name));
+  }
+  const auto fits_after = [&](long steps) {
+    return !miss(circuit, delay, static_cast<double>(steps) / kSteps);
+  };
+  long missed = std::lround(std::floor(missed_ns * kSteps));
+  long met = std::max(missed, 1l) * 2;
+  while (!fits_after(met)) missed = std::exchange(met, 2 * met);
+  while (met - missed > 1) {
+    const long middle = missed + (met - missed) / 2;
+    (fits_after(middle) ? met : missed) = middle;
+  }
+  return static_cast<double>(met) / kSteps;
 }
 
 Schedule schedule_asap(const Circuit& circuit, const DelayModel& delay, double clock_ns) {

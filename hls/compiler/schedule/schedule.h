@@ -31,6 +31,10 @@ Schedule schedule_asap(const Circuit& circuit, const DelayModel& delay, double c
 double tightest_period(const Circuit& circuit, const DelayModel& delay, double clock_ns,
                        int stages);
 
+/// The least period for which schedule_asap finds a schedule, above one that it misses (0: any), in
+/// hundredths of a ns. The circuit need not be marked for a period.
+double least_period(const Circuit& circuit, const DelayModel& delay, double missed_ns);
+
 /// Moves cells between the stages of a schedule so that fewer bits are carried from stage to stage.
 Schedule minimise_registers(const Circuit& circuit, const DelayModel& delay, double clock_ns,
                             const Schedule& asap);

@@ -393,6 +393,33 @@ TEST(Schedule, NamesTheLeastPeriodOfTheUnitNotOfTheFirstOperationThatMisses) {
               HasSubstr("but --clock-ns 0.001 leaves 0.00; give --clock-ns 7.30, the least"));
 }
 
+double least_period(const Netlist& n) { return least_period(Circuit(n), round_numbers(), 0); }
+
+TEST(Schedule, FindsTheLeastPeriodThatAUnitReaches) {
+  const double least = least_period(accumulator(64));
+  EXPECT_DOUBLE_EQ(least, 7.3);
+  EXPECT_EQ(refusal(accumulator(64), least), "");
+  EXPECT_NE(refusal(accumulator(64), least - 0.01), "");
+}
+
+TEST(Schedule, MoreBitsNeedALongerPeriod) {
+  EXPECT_LT(least_period(accumulator(16)), least_period(accumulator(64)));
+}
+
+TEST(Schedule, RefusesARegisterWhoseFeedbackFitsNoClock) {
+  Unit u(16);
+  u.n.registers.push_back({"product", 16, Bits(16, 0), kNoNode, {"unit.h", 12}});
+  const NodeId product = u.b.source(Op::kRegister, 0, 0, 16);
+  u.n.registers[0].next = u.b.mul(product, u.in(0, 16));
+  u.out(product);
+  const std::string said =
+      "unit.h:12: error: no clock is long enough for product: its next value must be in the stage "
+      "of its value, and what lies between the two, such as a multiplication, takes a stage of its "
+      "own; compute that before or after";
+  EXPECT_EQ(refusal(u.n, 10), said);
+  EXPECT_EQ(refusal(u.n, 1000), said);
+}
+
 TEST(Schedule, RefusesAUnitWithoutEffect) {
   Unit u(8);
   u.n.source = "unit.h";

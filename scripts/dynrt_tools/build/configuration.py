@@ -6,6 +6,7 @@ FILE.so."""
 import argparse
 import hashlib
 import json
+import math
 import os
 import pathlib
 import re
@@ -30,6 +31,8 @@ KINDS: dict[str, dict[str, Any]] = {
     "rtl": {"target": NAME, "parts": ["build", "verilog", "board"]},
 }
 LIBRARY = "configuration.so"
+CLOCK = "DYNRT_CLOCK_NS"
+LEAST = "least"  # a period: the shortest that every unit reaches, as hlsc says it of one
 TOOLS = {"cmake": "cmake", "ninja": "ninja-build"}  # and Debian's packages that have them
 
 
@@ -76,6 +79,34 @@ def key_of(kind: str, config: Json, build: Json) -> str:
     return digest.hexdigest()[:40]
 
 
+def longest_period(folder: pathlib.Path) -> str:
+    """Of the schedules in this folder, in ns."""
+    return str(max(read_json(path)["clock_ns"] for path in folder.glob("*.json")))
+
+
+def at_period(build: Json, clock: str | None) -> Json:
+    """A build that schedules units for this period; without one, for its own."""
+    if not clock:
+        return build
+    return build | {"variables": build["variables"] | {CLOCK: clock}}
+
+
+def period(text: str) -> str:
+    """A period as --clock-ns takes it: a number of ns, always written in the same way, or LEAST."""
+    if text == LEAST:
+        return text
+    try:
+        number = float(text)
+    except ValueError:
+        number = 0
+    if not 0 < number < math.inf:
+        raise Failed(
+            f"--clock-ns {text}: this is no period of a clock; give the ns from edge to edge, a "
+            f"number above 0 such as 8.33, or {LEAST} for the shortest that all units reach"
+        )
+    return f"{number:g}"
+
+
 class Builder:
     """Runs CMake for one configuration."""
 
@@ -86,6 +117,23 @@ class Builder:
     def __call__(self, folder: pathlib.Path) -> pathlib.Path:
         for tool, package in TOOLS.items():
             require_tool(tool, package)
+        tree = folder / "build"
+        target, clock = KINDS[self.kind]["target"], self.build["variables"][CLOCK]
+        if self.kind != "native" and clock == LEAST:
+            self._build(folder, "verilog", LEAST)  # each unit for the shortest that it reaches
+            clock = longest_period(tree / "generated" / NAME)
+        self._build(folder, target, clock)
+        if self.kind == "verilog":
+            made = tree / "generated" / NAME
+            shutil.rmtree(made / "fresh", ignore_errors=True)
+            return made
+        made = folder / "made"
+        made.mkdir()
+        (tree / "host" / "board" / f"{NAME}.so").rename(made / LIBRARY)
+        return made
+
+    def _build(self, folder: pathlib.Path, target: str, clock: str) -> None:
+        """A target of the project, its units scheduled for this period."""
         configs, tree, log = folder / "configs.json", folder / "build", folder / "log"
         stated = self.config | {"rtl": self.kind != "native"}
         configs.write_text(json.dumps([{"name": NAME, **stated}]), encoding="utf-8")
@@ -95,6 +143,7 @@ class Builder:
             "DYNRT_RTL": "OFF" if self.kind == "native" else "ON",
             "DYNRT_HLSC": self.build["hlsc"],
             "DYNRT_FINGERPRINT": fingerprint.fingerprint(self.build),
+            CLOCK: clock,
         }
         with log.open("w", encoding="utf-8") as file:
             self._run(
@@ -117,21 +166,13 @@ class Builder:
                     "--build",
                     tree,
                     "--target",
-                    KINDS[self.kind]["target"],
+                    target,
                     "--parallel",
                     str(self.jobs),
                 ],
                 file,
                 log,
             )
-        if self.kind == "verilog":
-            made = tree / "generated" / NAME
-            shutil.rmtree(made / "fresh", ignore_errors=True)
-            return made
-        made = folder / "made"
-        made.mkdir()
-        (tree / "host" / "board" / f"{NAME}.so").rename(made / LIBRARY)
-        return made
 
     def _run(self, command: list[Any], file: TextIO, log: pathlib.Path) -> None:
         with subprocess.Popen(
@@ -159,7 +200,7 @@ class Builder:
 def make(args: argparse.Namespace) -> pathlib.Path:
     """The path of the result."""
     config = read_file(args.file)
-    build = find_build(args.build)
+    build = at_period(find_build(args.build), args.clock_ns and period(args.clock_ns))
     if args.expect and args.expect != fingerprint.fingerprint(build):
         raise Failed("the sources have changed since this program was built; build it again")
 
@@ -217,6 +258,12 @@ def main() -> int:
         help="make a folder with the Verilog and hlsc's reports instead",
     )
     parser.set_defaults(kind="native")
+    parser.add_argument(
+        "--clock-ns",
+        metavar="NS",
+        help="schedule the units for this period; least: the shortest that all units reach "
+        "(default: that of the build)",
+    )
     parser.add_argument("--out", type=pathlib.Path, metavar="PATH", help="copy the result there")
     parser.add_argument(
         "--build",

@@ -10,6 +10,8 @@ import pathlib
 import shutil
 import subprocess
 import unittest
+from typing import Any
+from unittest import mock
 
 from dynrt_tools import project, testing
 from dynrt_tools.build import configuration, fingerprint
@@ -92,6 +94,38 @@ class Configuration(testing.InFolder):
             "--verilog",
         )
 
+    def test_refused_periods(self) -> None:
+        for text in ("0", "-3", "ten", "nan", "inf", "10ns"):
+            self.assert_refused(
+                THESIS,
+                f"--clock-ns {text}: this is no period of a clock; give the ns from edge to edge, "
+                "a number above 0 such as 8.33, or least for the shortest that all units reach",
+                f"--clock-ns={text}",
+            )
+
+    def test_the_least_period_is_that_of_the_unit_that_needs_the_longest(self) -> None:
+        built: list[tuple[str, ...]] = []
+
+        def pretend(_: configuration.Builder, command: list[Any], *_logs: object) -> None:
+            if "--build" in command:
+                built[-1] += (command[command.index("--target") + 1],)
+                return
+            said = [str(word) for word in command]
+            found = dict(w[2:].split("=") for w in said if w.startswith("-DDYNRT_CL"))
+            built.append((found["DYNRT_CLOCK_NS"],))
+            if found["DYNRT_CLOCK_NS"] == "least":
+                periods = {"a": 7.9, "b": 8.1, "c": 1.91}
+                folder = "build/generated/loadable"
+                testing.write_tree(
+                    self.folder,
+                    {f"{folder}/{u}.json": json.dumps({"clock_ns": p}) for u, p in periods.items()},
+                )
+
+        build = configuration.at_period(self.build, "least")
+        with mock.patch.object(configuration.Builder, "_run", pretend):
+            configuration.Builder("verilog", THESIS, build, 1, lambda text: None)(self.folder)
+        self.assertEqual(built, [("least", "verilog"), ("8.1", "dynrt_loadable_core")])
+
     def test_programs_read_the_sentence_where_the_path_would_be(self) -> None:
         result = self.run_on(THESIS, "--expect", "0", "--for-program")
         self.assertEqual((result.returncode, result.stderr), (1, ""))
@@ -164,6 +198,9 @@ class Configuration(testing.InFolder):
         self.assertEqual(key(rtl=False), native)  # the kind decides that
         self.assertNotEqual(native, verilog)
         self.assertNotEqual(key(mantissa_bits=15), native)
+        slower = configuration.at_period(self.build, configuration.period("12.50"))
+        self.assertEqual(slower["variables"]["DYNRT_CLOCK_NS"], "12.5")
+        self.assertNotEqual(configuration.key_of("verilog", THESIS, slower), verilog)
         (self.source / "rtl/lib/fifo.v").write_text("changed", encoding="utf-8")
         self.assertEqual((key(), key("verilog")), (native, verilog))
         self.hlsc.write_text("changed", encoding="utf-8")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A core in an odd number format, truncated: its RTL gives the model's frame, and takes the very
 clocks that the model counts by hlsc's schedules. The model alone judges the formats of an error
-report; this is one of them through the Verilog.
+report; this is one of them through the Verilog, scheduled as a report schedules it.
 
 Usage: python3 -m dynrt_tools.build.other_format_test PROGRAM BUILD
 """
@@ -29,7 +29,8 @@ def run(*command: str | pathlib.Path) -> str:
 
 def configuration(kind: str) -> str:
     """The file of the core, a library."""
-    return run(project.SCRIPTS / "configuration", STATED, kind, "--build", BUILD)
+    script = project.SCRIPTS / "configuration"
+    return run(script, STATED, kind, "--clock-ns", "least", "--build", BUILD)
 
 
 def cycles(*flags: str) -> int:

@@ -75,6 +75,11 @@ def schedule(report: str) -> Json:
     return {"stages": stages, "longest_path_ns": max(map(float, paths))}
 
 
+def period(report: str) -> float:
+    """For which hlsc scheduled a unit, in ns, out of its report."""
+    return float(project.searched(r"^clock +([0-9.]+) ns", report)[1])
+
+
 def hardware(folder: pathlib.Path, family: str = FAMILY, jobs: int = 1) -> Json:
     """The figures of error.json about a variant's hardware, for the core in this folder."""
     parts = rtl_files.instances(folder / f"{JOIN}.v")
@@ -87,20 +92,19 @@ def hardware(folder: pathlib.Path, family: str = FAMILY, jobs: int = 1) -> Json:
     with Pool(jobs) as pool:
         found = {m: pool.submit(cells_of, m, files, family) for m, files in sources.items()}
         cells = {m: one.result() for m, one in found.items()}
-    units = {}
+    units, periods = {}, []
     for module, count in instances.items():
         report = (folder / f"{module}.txt").read_text(encoding="utf-8")
+        periods.append(period(report))
         units[module] = {**figures_of(family, cells[module], count), **schedule(report)}
     units[JOIN] = figures_of(family, cells[JOIN], 1)
-    longest = max(u["longest_path_ns"] for u in units.values() if "stages" in u)
     return {
         "area": total(units, "area"),
         "takes": total(units, "takes"),
         "units": units,
         "schedule": {
             "stages": sum(u.get("stages", 0) for u in units.values()),
-            "longest_path_ns": longest,
-            "clock_mhz": round(1000 / longest, 2),
+            "clock_ns": max(periods),
         },
     }
 

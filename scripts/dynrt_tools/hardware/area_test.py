@@ -48,7 +48,7 @@ class Area(testing.InFolder):
         self.assertEqual(figures["area"]["LUT"], 2 * one["area"]["LUT"] + join["area"]["LUT"])
         self.assertEqual(figures["takes"]["FF"], 2)
         self.assertEqual(
-            figures["schedule"], {"stages": 2, "longest_path_ns": 9.9, "clock_mhz": 101.01}
+            (figures["schedule"], one["longest_path_ns"]), ({"stages": 2, "clock_ns": 10.0}, 9.9)
         )
 
 

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finds the cheapest variant of the core that keeps an error of a scene's frame below a bound.
 
-A variant costs the time of a frame times the part of an LFE5U-85F that its core takes: the
+Each variant runs at the shortest period for which hlsc can schedule all its units. A variant costs
+the time of a frame at that period times the part of an LFE5U-85F that its core takes: the
 largest part that it takes of the LUTs, the flip-flops, the multipliers or the block RAMs, as this
 part bounds the number of pipelines that fit. If two variants cost the same, the one with fewer LUTs
 is cheaper."""
@@ -14,7 +15,7 @@ import sys
 from dynrt_tools.hardware import devices
 from dynrt_tools.project import Failed, Json
 from dynrt_tools.report import page
-from dynrt_tools.report.collect import measures_of
+from dynrt_tools.report.collect import clock_ns, measures_of
 from dynrt_tools.report.report import MISTAKE, Parser, add_arguments, guarded, measured
 
 DEVICE = devices.DEVICES["ecp5-85"]
@@ -82,6 +83,7 @@ def table(report: Json, runs: list[Json], measure: str, bound: float) -> str:
             "mult",
             "BRAM",
             "clocks",
+            "clock, ns",
             "ms",
             f"part of {DEVICE['name']}",
             "cost",
@@ -100,6 +102,7 @@ def table(report: Json, runs: list[Json], measure: str, bound: float) -> str:
                 str(area["mult"]),
                 str(area["BRAM"]),
                 str(run.get("clocks", "-")),
+                number(clock_ns(variant)),
                 number(run.get("frame_ms")),
                 f"{100 * part:.1f} % of {resource}s",
                 number(cost(variant, run)[0]),

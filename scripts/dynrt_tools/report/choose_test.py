@@ -5,6 +5,7 @@
 import argparse
 import math
 import pathlib
+import re
 import unittest
 
 from dynrt_tools import project
@@ -30,6 +31,15 @@ class Choose(unittest.TestCase):
         self.assertEqual(
             choose.cost(EXAMPLE["variants"]["m16"], EXAMPLE["runs"][1]), (part * 0.40188, 19980)
         )
+
+    def test_the_table_says_the_period_of_each_variant(self) -> None:
+        runs, _ = choose.choose(EXAMPLE, "primary.t_p99", 1e-3)
+        heads, *rows = (
+            re.split("  +", line)
+            for line in choose.table(EXAMPLE, runs, "primary.t_p99", 1e-3).splitlines()
+        )
+        at = heads.index("clock, ns")
+        self.assertEqual([(row[0], row[at]) for row in rows], [("m10", "8.5"), ("m16", "10")])
 
     def test_of_a_psnr_more_is_better_and_none_means_no_difference(self) -> None:
         self.assertEqual(self.chosen("image.psnr", 60)[1], ["m16"])

@@ -23,13 +23,11 @@ PICTURES = "pictures"
 
 
 def collect(
-    folder: pathlib.Path, scenes: dict[str, Json], variants: dict[str, Json], size: str, build: Json
+    folder: pathlib.Path, scenes: dict[str, Json], variants: dict[str, Json], size: str
 ) -> tuple[Json, dict[str, pathlib.Path]]:
     """The content of error.json, and the present place of each picture that it names."""
-    clock_ns = float(build["variables"]["DYNRT_CLOCK_NS"])
     report: Json = {
         "size": size,
-        "clock_ns": clock_ns,
         "device": FAMILIES[FAMILY]["name"],
         "reference": next(n for n, v in variants.items() if not v["differs"]),
         "scenes": {},
@@ -60,9 +58,14 @@ def collect(
                     goal = run[kind] = f"{PICTURES}/{scene}/{name}{suffix}.png"
                 pictures[goal] = picture
             if "clocks" in run:
-                run["frame_ms"] = run["clocks"] * clock_ns / 1e6
+                run["frame_ms"] = run["clocks"] * clock_ns(report["variants"][name]) / 1e6
             report["runs"].append({"scene": scene, "variant": name, **run})
     return report, pictures
+
+
+def clock_ns(variant: Json) -> float:
+    """The period for which its units are scheduled."""
+    return float(variant["schedule"]["clock_ns"])
 
 
 def measures_of(run: Json) -> dict[str, Any]:
@@ -85,7 +88,7 @@ def write_csv(path: pathlib.Path, report: Json) -> None:
                 "variant",
                 *keys,
                 *COLUMNS,
-                "clock_mhz",
+                "clock_ns",
                 "clocks",
                 "frame_ms",
                 *measures,
@@ -101,7 +104,7 @@ def write_csv(path: pathlib.Path, report: Json) -> None:
                     run["variant"],
                     *(variant["configuration"].get(k) for k in keys),
                     *(area.get(c) for c in COLUMNS),
-                    variant.get("schedule", {}).get("clock_mhz"),
+                    variant.get("schedule", {}).get("clock_ns"),
                     run.get("clocks"),
                     run.get("frame_ms"),
                     *(found.get(m) for m in measures),

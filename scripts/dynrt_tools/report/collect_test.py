@@ -3,7 +3,6 @@
 """Collects the results of jobs, and writes a report that is whole or as it was."""
 
 import csv
-import json
 import os
 import pathlib
 import unittest
@@ -29,35 +28,46 @@ class Collect(testing.InFolder):
         self.assertEqual(
             (rows[0]["mantissa_bits"], rows[0]["LUT"], rows[0]["clocks"]), ("10", "14210", "40210")
         )
+        self.assertEqual([r["clock_ns"] for r in rows], ["8.5", "10.0"])
         self.assertEqual(rows[1]["primary.t_p99"], "1.5e-05")
         self.assertEqual(rows[1]["refused"], "")
 
-    def test_collected_as_the_example(self) -> None:
-        work = self.folder / "work"
-        pictures = work / "scenes" / "blocks" / "m16" / "pictures"
+    def leave_results(self, work: pathlib.Path, run: project.Json) -> None:
+        """As the jobs of a variant of the example leave them."""
+        pictures = work / "scenes" / "blocks" / run["variant"] / "pictures"
         pictures.mkdir(parents=True)
         for kind in ("image", "truth", "difference"):
             (pictures / f"{kind}.png").write_text(kind, encoding="utf-8")
-        one = EXAMPLE["runs"][1]
-        run = {k: one[k] for k in ("clocks", "counters", "seconds", "measures")}
-        (pictures.parent / "run.json").write_text(json.dumps(run), encoding="utf-8")
-        (work / "variants" / "m16").mkdir(parents=True)
-        of_hardware = {
-            k: EXAMPLE["variants"]["m16"][k] for k in ("area", "takes", "units", "schedule")
+        figures = {k: run[k] for k in ("clocks", "counters", "seconds", "measures")}
+        project.write_json(pictures.parent / "run.json", figures)
+        variant = EXAMPLE["variants"][run["variant"]]
+        hardware = work / "variants" / run["variant"] / "hardware.json"
+        hardware.parent.mkdir(parents=True)
+        project.write_json(
+            hardware, {k: variant[k] for k in ("area", "takes", "units", "schedule")}
+        )
+
+    def test_collected_as_the_example(self) -> None:
+        work = self.folder / "work"
+        for run in EXAMPLE["runs"]:
+            self.leave_results(work, run)
+        listed = {
+            name: {k: variant[k] for k in ("differs", "configuration")}
+            for name, variant in EXAMPLE["variants"].items()
         }
-        (work / "variants" / "m16" / "hardware.json").write_text(json.dumps(of_hardware), "utf-8")
-        listed = {"m16": {k: EXAMPLE["variants"]["m16"][k] for k in ("differs", "configuration")}}
         scenes = {"blocks": {"about": EXAMPLE["scenes"]["blocks"]["about"]}}
-        report, named = collect.collect(
-            work, scenes, listed, "64x48", {"variables": {"DYNRT_CLOCK_NS": "10"}}
-        )
-        self.assertEqual(report["runs"], [one])
+        report, named = collect.collect(work, scenes, listed, "64x48")
+        self.assertEqual(report, EXAMPLE)
         self.assertEqual(
-            {k: v for k, v in report.items() if k not in ("runs", "variants")},
-            {k: v for k, v in EXAMPLE.items() if k not in ("runs", "variants")},
+            named["pictures/blocks/m16.difference.png"],
+            work / "scenes/blocks/m16/pictures/difference.png",
         )
-        self.assertEqual(report["variants"]["m16"], EXAMPLE["variants"]["m16"])
-        self.assertEqual(named["pictures/blocks/m16.difference.png"], pictures / "difference.png")
+
+    def test_the_time_is_the_clocks_at_the_period_of_the_variant(self) -> None:
+        periods = {name: collect.clock_ns(v) for name, v in EXAMPLE["variants"].items()}
+        self.assertLess(periods["m10"], periods["m16"])
+        for run in EXAMPLE["runs"]:
+            self.assertEqual(run["frame_ms"], run["clocks"] * periods[run["variant"]] / 1e6)
 
     def test_a_built_in_scene_goes_before_a_folder_of_its_name(self) -> None:
         (self.folder / "blocks").mkdir()

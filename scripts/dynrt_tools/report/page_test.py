@@ -36,7 +36,6 @@ document.body.append(result);
 """
 REPORT: project.Json = {
     "size": "4x3",
-    "clock_ns": 10.0,
     "device": "Lattice ECP5",
     "reference": "m16",
     "scenes": {
@@ -48,7 +47,7 @@ REPORT: project.Json = {
             "differs": differs,
             "configuration": {},
             "area": {"LUT": lut, "FF": 5 * lut},
-            "schedule": {"stages": 100, "longest_path_ns": 9.5, "clock_mhz": 105.2},
+            "schedule": {"stages": 100, "clock_ns": 8.5 if lut < 200 else 10.0},
         }
         for name, differs, lut in (
             ("m8", {"mantissa_bits": 8}, 100),
@@ -83,7 +82,7 @@ for scene in ("a", "b"):
                 "scene": scene,
                 "variant": variant,
                 "clocks": clocks,
-                "frame_ms": clocks * 1e-5,
+                "frame_ms": clocks * REPORT["variants"][variant]["schedule"]["clock_ns"] / 1e6,
                 "image": f"pictures/{variant}.png",
                 "difference": f"pictures/{variant}.difference.png",
                 "counters": {},
@@ -167,6 +166,7 @@ class PageTest(unittest.TestCase):
         front = [e[1]["data-variant"] for e in elements.of("circle", class_="on-front")]
         self.assertEqual(front, 2 * ["m8", "m12", "m16", "m23"])
         self.assertIn("a </script> scene", elements.by_id("about")[2])
+        self.assertIn("; clocks of 8.5 to 10 ns; ", elements.by_id("about")[2])
         for picture in ("image", "truth", "difference"):
             self.assertTrue(elements.by_id(picture)[1]["src"].startswith("data:image/png;base64,"))
         # An error of 0 has no place on a logarithmic axis but one of its own.
@@ -237,7 +237,7 @@ class PageTest(unittest.TestCase):
         self.assertEqual(found["row"], "m23")
         self.assertEqual(found["up"], ["m16", "m23", "m12", "m12_truncate", "m8", "m16_e5"])
         self.assertEqual(found["down"], ["m8", "m12_truncate", "m12", "m16", "m23", "m16_e5"])
-        for part in ("m8", "mantissa bits 8", "1,000", "12.5 levels", "LUT"):
+        for part in ("m8", "mantissa bits 8", "1,000", "clock, ns\t8.5", "12.5 levels", "LUT"):
             self.assertIn(part, found["tip"])
         self.assertTrue(found["hidden"])
         # Neither what is no error nor what no run can tell.
@@ -281,6 +281,14 @@ class PageTest(unittest.TestCase):
         self.assertIn("svg .front {", text)
         self.assertIn("prefers-color-scheme: dark", text)
         self.assertIn("FF cells", text)
+        self.assertIn(">a, 4x3, clocks of 8.5 to 10 ns, area on ", text)
+
+    def test_the_data_of_the_plots_say_each_period(self) -> None:
+        drawn = plot.figures(REPORT, "a", "image.rms", "FF")["variants"]
+        self.assertEqual(
+            {point["variant"]: point["clock, ns"] for point in drawn},
+            {"m8": 8.5, "m12": 8.5, "m16": 10.0, "m23": 10.0, "m12_truncate": 8.5},
+        )
 
     def test_the_measures_are_those_of_the_document(self) -> None:
         known = page.read_measures()

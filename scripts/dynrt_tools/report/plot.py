@@ -12,6 +12,7 @@ import urllib.parse
 from dynrt_tools import project
 from dynrt_tools.project import read_json, searched
 from dynrt_tools.report import browser, page
+from dynrt_tools.report.collect import clock_ns
 
 WIDTH, HEIGHT = 640, 430  # of a plot, as page.js has it
 MARGIN, HEAD = 24, 34
@@ -30,6 +31,18 @@ def style() -> str:
     return "\n".join(rules)
 
 
+def drawn(report: project.Json, scene: str) -> list[project.Json]:
+    """The runs of a scene that have a point."""
+    return [r for r in report["runs"] if r["scene"] == scene and "refused" not in r]
+
+
+def periods(report: project.Json, scene: str) -> str:
+    """Of the variants that are drawn, in words."""
+    found = {clock_ns(report["variants"][run["variant"]]) for run in drawn(report, scene)}
+    least, most = min(found), max(found)
+    return f"clock of {least:g} ns" if least == most else f"clocks of {least:g} to {most:g} ns"
+
+
 def svg(report_path: pathlib.Path, scene: str, measure: str, area: str) -> str:
     """Both plots, side by side."""
     report = read_json(report_path)
@@ -46,8 +59,8 @@ def svg(report_path: pathlib.Path, scene: str, measure: str, area: str) -> str:
     width = 2 * WIDTH + 3 * MARGIN
     height = HEIGHT + HEAD
     title = (
-        f"{scene}, {report['size']}, clock of {report['clock_ns']:g} ns, area on "
-        f"{report['device']}; dashed: the front, which no other variant beats in both"
+        f"{scene}, {report['size']}, {periods(report, scene)}, area on {report['device']}; "
+        "dashed: the front, which no other variant beats in both"
     )
     panels = "\n".join(
         f'<g transform="translate({MARGIN + i * (WIDTH + MARGIN)},{HEAD})">{plot}</g>'
@@ -68,17 +81,16 @@ def figures(report: project.Json, scene: str, measure: str, area: str) -> projec
     return {
         "scene": scene,
         "size": report["size"],
-        "clock, ns": report["clock_ns"],
         "device": report["device"],
         "variants": [
             {
                 "variant": run["variant"],
+                "clock, ns": clock_ns(report["variants"][run["variant"]]),
                 "frame, ms": run["frame_ms"],
                 area: report["variants"][run["variant"]]["area"][area],
                 measure: run["measures"][group][name],
             }
-            for run in report["runs"]
-            if run["scene"] == scene and "refused" not in run
+            for run in drawn(report, scene)
         ],
     }
 

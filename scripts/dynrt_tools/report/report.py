@@ -1,7 +1,8 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""Renders scenes with many variants of the core and compares each with the truth: error, clocks and
-area of every variant as CSV and as one page with plots and pictures."""
+"""Renders scenes with many variants of the core and compares each with the truth: error, time and
+area of every variant as CSV and as one page with plots and pictures. Each variant runs at the
+shortest period for which hlsc can schedule all its units."""
 
 import argparse
 import os
@@ -136,7 +137,7 @@ def measured(
             {name: scene["path"] for name, scene in known.items()}, variants, args.size, hardware
         )
         workflow.run(args.jobs, args.slurm)
-        return collect(folder, known, variants, args.size, build)
+        return collect(folder, known, variants, args.size)
 
 
 def run(args: argparse.Namespace) -> None:

@@ -44,9 +44,13 @@ class Report(testing.InFolder):
         self.assertLess(of("LUT")[0], of("LUT")[1])
         for clocks in of("clocks"):
             self.assertGreater(clocks, 10000)
-        self.assertEqual(of("clock_mhz"), [100.0, 100.0])
+        for clocks, period, time in zip(of("clocks"), of("clock_ns"), of("frame_ms")):
+            self.assertAlmostEqual(time, clocks * period / 1e6)
 
         report = json.loads((self.folder / "report" / "error.json").read_text(encoding="utf-8"))
+        narrow, wide = (report["variants"][name]["schedule"] for name in ("m10", "m16"))
+        self.assertLessEqual(narrow["clock_ns"], wide["clock_ns"])
+        self.assertLess(narrow["stages"], wide["stages"])
         for run in report["runs"]:
             for picture in (run["image"], run["difference"]):
                 self.assertTrue((self.folder / "report" / picture).is_file())

@@ -28,6 +28,8 @@ CONFIGURATION = (
     PRETEND
     + """
 out = pathlib.Path(args[args.index("--out") + 1])
+if "--verilog" in args and args[args.index("--clock-ns") + 1] != "least":
+    sys.exit("not the shortest period")
 out.mkdir(parents=True) if "--verilog" in args else out.write_text("model")
 """
 )

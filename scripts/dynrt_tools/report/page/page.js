@@ -35,7 +35,7 @@ function figure(run, key) {
   if (key === "variant") return run.variant;
   if (key === "differs") return describe(run.variant);
   if (key.startsWith("area.")) return (variant.area || {})[key.slice(5)] ?? null;
-  if (key === "clock_mhz") return (variant.schedule || {}).clock_mhz ?? null;
+  if (key === "clock_ns") return (variant.schedule || {}).clock_ns ?? null;
   if (key === "frame_ms" || key === "clocks") return run[key] ?? null;
   const [group, name] = key.split(".");
   const value = ((run.measures || {})[group] || {})[name];
@@ -55,6 +55,12 @@ function text(value) {
   const size = Math.abs(value);
   return size >= 1000 ? d3.format(",.0f")(value)
        : size >= 0.001 ? String(+value.toPrecision(4)) : value.toExponential(2);
+}
+/// The periods of the variants, if they are known.
+function clocks_text() {
+  const [least, most] = d3.extent(runs(), (run) => figure(run, "clock_ns"));
+  return least === undefined ? "" : least === most ? `clock of ${least} ns; `
+                                                   : `clocks of ${least} to ${most} ns; `;
 }
 const with_unit = (value, unit) =>
     unit && unit !== "1" && value !== null ? `${text(value)} ${unit}` : text(value);
@@ -228,7 +234,7 @@ function show_tip(p, element, m) {
   const area = (key) => [key, figure(p.run, `area.${key}`)];
   const rows = [[`${m.group} ${m.name}`, Number.isFinite(p.y) ? with_unit(p.y, m.unit) : "identical"],
                 ["clocks", figure(p.run, "clocks")], ["ms a frame", figure(p.run, "frame_ms")],
-                ["clock, MHz", figure(p.run, "clock_mhz")], ...areas.map(area),
+                ["clock, ns", figure(p.run, "clock_ns")], ...areas.map(area),
                 ...["primary.wrong_share", "primary.t_median", "image.differ_share", "image.psnr"]
                     .filter((k) => k !== m.key && measures.some((n) => n.key === k))
                     .map((k) => [k.replace(".", " "), figure(p.run, k)])];
@@ -259,7 +265,7 @@ const columns = [
   {key: "differs", group: "variant", name: "what differs", words: true},
   {key: "clocks", group: "time", name: "clocks", better: "less"},
   {key: "frame_ms", group: "time", name: "ms a frame", better: "less"},
-  {key: "clock_mhz", group: "time", name: "clock, MHz", better: "more"},
+  {key: "clock_ns", group: "time", name: "clock, ns", better: "less"},
   ...areas.map((a) => ({key: `area.${a}`, group: "area", name: a, better: "less"})),
   ...measures.map((m) => ({key: m.key, group: m.group, name: m.name, meaning: m.meaning,
                            unit: m.unit, better: m.better}))];
@@ -328,8 +334,8 @@ function show() {
   hide_tip();
   const m = measure();
   const scene = report.scenes[state.scene];
-  by_id("about").textContent = `${scene.about}; ${report.size} pixels; clock of ` +
-      `${report.clock_ns} ns; area on ${report.device}; reference ${report.reference}`;
+  by_id("about").textContent = `${scene.about}; ${report.size} pixels; ` +
+      `${clocks_text()}area on ${report.device}; reference ${report.reference}`;
   const plain = (names) => names.map((n) => ({value: n, text: n}));
   options("scene", plain(Object.keys(report.scenes)), state.scene, "scene");
   options("area", areas.map((a) => ({value: a, text: a})), state.area, "area");
