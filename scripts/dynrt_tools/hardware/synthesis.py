@@ -39,7 +39,7 @@ def _text(path: pathlib.Path) -> str:
 
 
 @functools.lru_cache(maxsize=None)
-def _meaning(path: pathlib.Path) -> str:
+def meaning(path: pathlib.Path) -> str:
     """A file's text without comments and what they leave behind."""
     text = re.sub(r"\s+", " ", COMMENT.sub(" ", _text(path))).strip()
     return f" {text} "
@@ -54,7 +54,7 @@ def needed(top: str, files: list[pathlib.Path]) -> list[pathlib.Path]:
         if path is None or path in seen:
             continue
         seen.add(path)
-        todo += set(re.findall(r"\w+", _meaning(path))) & defines.keys()
+        todo += set(re.findall(r"\w+", meaning(path))) & defines.keys()
     return [f for f in files if f in seen]
 
 
@@ -73,11 +73,11 @@ def kept(
     empty folder and throws project.Failed."""
     digest = hashlib.sha256(json.dumps([kind, said], sort_keys=True).encode())
     for path in files:
-        digest.update(path.name.encode() + b"\0" + _meaning(path).encode() + b"\0")
+        digest.update(path.name.encode() + b"\0" + meaning(path).encode() + b"\0")
     # Headers beside the files are part of the text, as it includes them.
     for folder in rtl_files.include_folders(files):
         for path in sorted(folder.glob("*.vh")):
-            digest.update(_meaning(path).encode() + b"\0")
+            digest.update(meaning(path).encode() + b"\0")
 
     def build(partial: pathlib.Path) -> pathlib.Path:
         folder = partial / "result"
