@@ -6,7 +6,8 @@ docs/results/templates/NAME.md is Markdown in which {{DATA:PATH|FORMAT}} stands 
 docs/results/data/DATA.json. PATH leads through the data by /; in a list, words joined by + select
 the entry that has all of them as values; A&B is the sum of two figures and A%B their ratio. FORMAT
 is Python's, such as "," or ".1f"; it may begin with *FACTOR. Where the data have null the page says
-"not measured". {{DATA:command}} is the command that measures the data again.
+"not measured". {{DATA:command}} is the command that measures the data again. What fit_page.TEXTS names
+in place of a PATH is a text about placements: {{DATA:placements}} is a table of them.
 """
 
 import pathlib
@@ -14,6 +15,7 @@ import re
 from typing import Any
 
 from dynrt_tools import project
+from dynrt_tools.hardware import fit_page
 
 RESULTS = project.ROOT / "docs" / "results"
 FIGURE = re.compile(r"\{\{(\w+):([^|}]+)(?:\|([^}]*))?\}\}")
@@ -60,6 +62,8 @@ class Data:
         """The figure at a path."""
         if path == "command":
             return project.read_json(self.folder / "runs.json")[name][path]
+        if path in fit_page.TEXTS:
+            return fit_page.TEXTS[path](self.load(name))
         value = self.load(name)
         for step in path.split("/"):
             if value is None:

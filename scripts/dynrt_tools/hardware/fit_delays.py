@@ -7,6 +7,7 @@ delay model of that time, and predicts when the signals arrive that limited the 
 then get the values that make the least squares of the relative misses least. No placer is needed."""
 
 import argparse
+import json
 import os
 import pathlib
 import sys
@@ -58,10 +59,16 @@ listed with the reason. The exit code is 1 if a file or hlsc fails.""",
         "their plot to docs/pictures",
     )
     parser.add_argument(
-        "--json",
+        "--out",
         type=pathlib.Path,
         metavar="FOLDER",
-        help="write the residuals and the plot into this folder instead",
+        help="write residuals and plot into this folder, not into docs",
+    )
+    parser.add_argument(
+        "--json",
+        type=pathlib.Path,
+        metavar="FILE",
+        help="also write the residuals of all models as one list",
     )
     parser.add_argument(
         "--worst",
@@ -103,6 +110,12 @@ def chosen(files: Sequence[pathlib.Path]) -> dict[pathlib.Path, list[pathlib.Pat
     return groups
 
 
+def file_of(name: str) -> pathlib.Path:
+    """The kept placement of this name in docs/results/data."""
+    path = DATA / f"{name}.json"
+    return path if path.exists() else DATA / "placed" / path.name
+
+
 def is_kept(path: pathlib.Path) -> bool:
     """Whether a file of the results is a kept placement, and no other record of scripts/place."""
     return "ends" in project.read_json(path)
@@ -124,11 +137,17 @@ class Fit:
         self.cases = [fit_case.Case(path, build, args.jobs) for path in files]
         self.bounds = fitting.TIMES[fit_data.family_of(self.cases[0].kept["device"])]
         self.start = model_file.read(model)
+        self._known: dict[str, dict[str, fit_case.Result]] = {}
 
     def results(self, model: fitting.Model) -> dict[str, fit_case.Result]:
         """Every case by a model."""
-        project.show_progress(f"predicting by {self.path.name}")
-        return {case.name: case.evaluate(model, list(self.bounds)) for case in self.cases}
+        key = json.dumps(model, sort_keys=True)
+        if key not in self._known:
+            project.show_progress(f"{self.path.name}, model {len(self._known) + 1} of about 6")
+            self._known[key] = {
+                case.name: case.evaluate(model, list(self.bounds)) for case in self.cases
+            }
+        return self._known[key]
 
     def run(self) -> fitting.Model:
         """The constants that fit best."""
@@ -139,9 +158,16 @@ class Fit:
         return fitting.fit(samples, self.start, self.bounds)
 
     def warn(self) -> None:
-        """Names the placements whose signals may have other predictions by now."""
+        """Names the placements that say little: of other signals by now, or without haste."""
         project.show_progress("")
         for case in self.cases:
+            asked = 1000 / case.kept["asked_mhz"]
+            if case.period < kept_placement.LIMITS * asked:
+                print(
+                    f"fit-delays: {case.name} takes {case.period:.2f} ns, and the placer was asked "
+                    f"for {asked:.2f}, so it need not hurry; place it with a higher --ask-mhz",
+                    file=sys.stderr,
+                )
             if not case.of_present_verilog():
                 print(
                     f"fit-delays: {case.name} is of an earlier Verilog of {case.kept['unit']}; place "
@@ -160,8 +186,11 @@ class Fit:
 
 def main() -> int:
     args = parse()
-    if args.json and not args.json.is_dir():
-        project.fail(f"--json {args.json}: there is no such folder; create it or name another")
+    if args.out and not args.out.is_dir():
+        project.fail(f"--out {args.out}: there is no such folder; create it or name another")
+    if args.json:
+        project.check_output("--json", args.json)
+    every = []
     try:
         for model, files in chosen(args.kept).items():
             fit = Fit(model, files, args)
@@ -172,10 +201,13 @@ def main() -> int:
             if args.write:
                 model_file.write(model, fitted, fit.cases)
                 data = fit.data(fitted, fitted)
-            if args.json or args.record or args.write:
+            every.append(data)
+            if args.out or args.record or args.write:
                 name = data_name(model)
-                fit_data.write((args.json or DATA) / name, data)
-                fit_plot.draw((args.json or PICTURES) / name.replace(".json", ".svg"), data)
+                fit_data.write((args.out or DATA) / name, data)
+                fit_plot.draw((args.out or PICTURES) / name.replace(".json", ".svg"), data)
+        if args.json:
+            project.write_json(args.json, every)
     except project.Failed as error:
         project.show_progress("")
         print(f"fit-delays: {error}", file=sys.stderr)

@@ -53,7 +53,7 @@ class Called(testing.InFolder):
         start = {"unit": "sum", "signal": "out_fifo.read_q"}
         return {
             **{"unit": "sum", "config": "thesis", "device": "ecp5-85", "grade": "6", "placer": "1"},
-            **{"clock_ns": 8.0, "mhz": [1000 / 9], "limits": 0.5},
+            **{"clock_ns": 8.0, "asked_mhz": 125.0, "seeds": 1, "mhz": [1000 / 9], "limits": 0.5},
             "verilog": kept_placement.hash_of("sum", [self.folder / "build/hls/compiler/sum.v"]),
             "model": kept_placement.constants(project.ROOT / "hls/compiler/delay/ecp5.json"),
             "ends": [
@@ -70,8 +70,11 @@ class Called(testing.InFolder):
         return testing.run(project.SCRIPTS / "fit-delays", build, "--jobs=1", *words)
 
     def test_constants_before_and_after(self) -> None:
-        done = self.call(self.kept, "--json", self.folder)
+        all_of = f"--json={self.folder / 'all.json'}"
+        done = self.call(self.kept, "--out", self.folder, all_of)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
+        every = project.read_json(self.folder / "all.json")
+        self.assertEqual([data["model"] for data in every], ["hls/compiler/delay/ecp5.json"])
         self.assertRegex(done.stdout, r"ram_out +6\.4 +[678]\.\d+")
         self.assertIn("Not predicted are 1 of 3 limiting ends:", done.stdout)
         self.assertRegex(done.stdout, r"1 end at a FIFO's pointers.*sum: out_fifo.space_q")
@@ -89,18 +92,25 @@ class Called(testing.InFolder):
     def test_two_runs_draw_the_same(self) -> None:
         drawn = []
         for _ in range(2):
-            self.call(self.kept, "--json", self.folder)
+            self.call(self.kept, "--out", self.folder)
             drawn.append((self.folder / "fit_ecp5.svg").read_bytes())
         self.assertEqual(drawn[0], drawn[1])
 
     def test_an_earlier_verilog_is_named(self) -> None:
         (self.hlsc.parent / "sum.v").write_text(VERILOG.replace("clk_i", "clock_i"), "utf-8")
-        done = self.call(self.kept, "--json", self.folder)
+        done = self.call(self.kept, "--out", self.folder)
         self.assertEqual(done.returncode, 0)
         self.assertIn(
             "fit-delays: place_sum is of an earlier Verilog of sum; place it again", done.stderr
         )
         self.assertEqual(project.read_json(self.folder / "fit_ecp5.json")["earlier"], ["place_sum"])
+
+    def test_a_placement_without_haste_is_named(self) -> None:
+        self.kept.write_text(self.kept.read_text("utf-8").replace("125.0", "100.0"), "utf-8")
+        self.assertEqual(self.call(self.kept).stderr, "")
+        self.kept.write_text(self.kept.read_text("utf-8").replace("100.0", "80.0"), "utf-8")
+        said = "place_sum takes 9.00 ns, and the placer was asked for 12.50, so it need not hurry"
+        self.assertIn(said, self.call(self.kept).stderr)
 
     def fails(self, said: str, *words: testing.Word) -> None:
         done = self.call(*words)
@@ -128,7 +138,8 @@ class Called(testing.InFolder):
         self.fails("hlsc has no delay model of 'virtex2-6000'", self.kept)
 
     def test_no_folder_to_write_into(self) -> None:
-        self.fails("--json", self.kept, "--json", self.folder / "nowhere")
+        self.fails("--out", self.kept, "--out", self.folder / "nowhere")
+        self.fails("--json", self.kept, "--json", self.folder / "nowhere" / "fit.json")
 
 
 class Model(testing.InFolder):

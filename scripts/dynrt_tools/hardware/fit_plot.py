@@ -25,7 +25,7 @@ def draw(path: pathlib.Path, data: Json) -> None:
             [end["placed"] for end in ends], [end["predicted"] for end in ends], s=12, label=kind
         )
     axes.set(
-        title=f"{data['model']}: the ends that limit, within 10 % in the band",
+        title=f"{pathlib.Path(data['model']).name}: ends that limit; the band is 10 %",
         xlabel="placed, ns (median of the seeds)",
         ylabel="predicted, ns",
         xlim=(low, high),

@@ -21,7 +21,10 @@ from dynrt_tools.project import Json, read_json
 # An end limits if its path takes this share of the period.
 LIMITS = 0.85
 SCHEDULED = re.compile(r"^// Scheduled for ([\d.]+) ns on", re.MULTILINE)
-HAS = ("unit", "config", "device", "grade", "placer", "clock_ns", "verilog", "model", "ends", "mhz")
+HAS = (
+    *("unit", "config", "device", "grade", "placer", "seeds", "mhz", "asked_mhz", "clock_ns"),
+    *("verilog", "model", "ends"),
+)
 
 
 def hash_of(module: str, files: Sequence[pathlib.Path]) -> str:
@@ -99,7 +102,7 @@ def of_row(row: Json, subject: placing.Subject, said: Json) -> Json:
         "asked_mhz": placements[0]["asked_mhz"],
         "seeds": len(placements),
         "mhz": [p["mhz"] for p in placements],
-        "figures": place_record.placed(row),
+        "units": {row["unit"]: place_record.placed(row)},
         "verilog": hash_of(subject.module, subject.files),
         "model": {"file": model, **constants(project.ROOT / model)},
         "limits": LIMITS,
@@ -149,8 +152,8 @@ def of_checked_in(kept: Json) -> bool:
     return whole and kept["config"] == rtl_files.CHECKED_IN
 
 
-def is_current(kept: Json) -> bool:
-    """Whether the checked-in Verilog is still that which was placed."""
-    files = rtl_files.core_files()
+def is_current(kept: Json, folder: pathlib.Path = rtl_files.GENERATED) -> bool:
+    """Whether the core whose generated Verilog is in the folder is still that which was placed."""
+    files = rtl_files.core_files(folder)
     files += rtl_files.board() if kept["unit"] == rtl_files.BOARD else []
     return bool(kept["verilog"] == hash_of(kept["unit"], files))

@@ -36,12 +36,12 @@ class Predictor:
         self._build, self._jobs = build, jobs
         self._kept = kept
         self._units = lowering.units(build, kept["config"])
-        whole = kept["unit"] in (rtl_files.CORE, rtl_files.BOARD)
-        if whole:
-            folder = rtl_files.GENERATED
-            if kept["config"] != rtl_files.CHECKED_IN:
-                folder = build / "generated" / kept["config"]
-            core = folder / f"{rtl_files.CORE}.v"
+        self._whole = kept["unit"] in (rtl_files.CORE, rtl_files.BOARD)
+        self._folder = rtl_files.GENERATED
+        if kept["config"] != rtl_files.CHECKED_IN:
+            self._folder = build / "generated" / kept["config"]
+        if self._whole:
+            core = self._folder / f"{rtl_files.CORE}.v"
             if not core.is_file():
                 raise project.Failed(
                     f"{core}: there is no such file; build the configuration '{kept['config']}'"
@@ -104,6 +104,6 @@ class Predictor:
 
     def of_present_verilog(self) -> bool:
         """Whether the placement is of the Verilog that there is now; after times() alone."""
-        if kept_placement.of_checked_in(self._kept):
-            return kept_placement.is_current(self._kept)
+        if self._whole:
+            return kept_placement.is_current(self._kept, self._folder)
         return bool(self._kept["verilog"] == self.hashes.get(self._kept["unit"]))
