@@ -180,7 +180,7 @@ class Fit:
         by_model, by_fit = self.results(model), self.results(fitted)
         project.show_progress("")
         pairs = {case.name: (case, by_model[case.name]) for case in self.cases}
-        name = self.path.relative_to(project.ROOT).as_posix()
+        name = model_file.base_of(self.path).relative_to(project.ROOT).as_posix()
         return fit_data.of_cases(name, model, fitted, pairs, by_fit)
 
 

@@ -89,6 +89,15 @@ class Called(testing.InFolder):
         self.assertEqual(data["earlier"], [])
         self.assertIn("<svg", (self.folder / "fit_ecp5.svg").read_text(encoding="utf-8"))
 
+    def test_another_grade_starts_from_the_model_of_its_family(self) -> None:
+        self.kept.write_text(
+            self.kept.read_text("utf-8").replace('"grade": "6"', '"grade": "8"'), "utf-8"
+        )
+        done = self.call(self.kept, "--out", self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        model = project.read_json(self.folder / "fit_ecp5_8.json")["model"]
+        self.assertTrue((project.ROOT / model).exists(), model)
+
     def test_two_runs_draw_the_same(self) -> None:
         drawn = []
         for _ in range(2):
