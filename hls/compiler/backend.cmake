@@ -14,6 +14,7 @@ add_library(hlsc_backend STATIC
   emit/schedule_json.cpp
   emit/stages.cpp
   emit/state.cpp
+  emit/timing_json.cpp
   emit/verilog.cpp
   passes/balance_chains.cpp
   passes/expand_divisions.cpp
@@ -53,7 +54,7 @@ add_executable(hlsc_emit_test emit/emit_test.cpp)
 target_compile_definitions(hlsc_emit_test
                            PRIVATE DELAY_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/delay"
                                    GOLDEN_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/emit/golden")
-target_link_libraries(hlsc_emit_test PRIVATE hlsc_random dynrt_warnings GTest::gmock
-                                             GTest::gtest_main)
+target_link_libraries(hlsc_emit_test PRIVATE hlsc_random nlohmann_json::nlohmann_json dynrt_warnings
+                                             GTest::gmock GTest::gtest_main)
 dynrt_quick_tests(hlsc_emit_test)
 dynrt_discover_tests(hlsc_emit_test PROPERTIES LABELS lower)

@@ -17,12 +17,14 @@ namespace hlsc {
 struct Options {
   double clock_ns = 10;
   DelayModel delay;
+  std::vector<DelayModel> time_by{};  ///< further models that time the schedule, not make it
 };
 
 struct Lowered {
   std::string verilog;
   std::string report;    ///< stages, operations and register bits per stage
   std::string schedule;  ///< the report for programs, as JSON
+  std::string timing;    ///< when each register and each write gets its value, as JSON
   std::string binding;   ///< C++ header: visit_ports_<module>()
   unsigned latency = 0;  ///< clocks from a transaction's start to its tokens leaving
 };

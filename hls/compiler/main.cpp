@@ -32,6 +32,9 @@ constexpr char kClock[] =
 
 constexpr char kNoPass[] = "there is no pass '{}'; --print-after takes one of {}";
 
+constexpr char kTimeByAlone[] =
+    "--time-by {}: nothing shows its times; name the file that receives them with --timing";
+
 constexpr char kUsualClock[] = "10";
 constexpr char kLeast[] = "least";
 
@@ -42,6 +45,8 @@ struct Arguments {
   std::string verilog = "-";
   std::string report;
   std::string schedule;
+  std::string timing;
+  std::vector<std::string> time_by;
   std::string binding;
   std::string depfile;
   std::string print_after;
@@ -83,6 +88,11 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_option("--report", a.report, "write a report of the schedule to this file");
   app.add_option("--schedule", a.schedule,
                  "write the stages of the schedule to this file, as JSON");
+  app.add_option("--timing", a.timing,
+                 "write when each register and RAM port gets its value to this file, as JSON");
+  app.add_option("--time-by", a.time_by,
+                 "a further delay model, which --timing shows and the schedule does not use")
+      ->allow_extra_args(false);
   app.add_option("--binding", a.binding, "write a C++ header for the test bench to this file");
   app.add_option(
       "--depfile", a.depfile,
@@ -133,13 +143,17 @@ void run(const Arguments& a) {
     throw hlsc::Error({}, fmt::format(kNoPass, shown, fmt::join(pass_names(), ", ")));
   }
   const bool ir_alone = contains(hlsc::ir_passes(), shown);
+  if (!a.time_by.empty() && a.timing.empty()) {
+    throw hlsc::Error({}, fmt::format(kTimeByAlone, a.time_by.front()));
+  }
   if (!a.dump_netlist && !ir_alone && a.delay.empty()) throw hlsc::Error({}, kNoDelay);
   hlsc::UnitSource source = a.source;
   if (ir_alone) source.print_after = shown;
   const hlsc::UnitNetlist unit = hlsc::read_unit(source);
   if (a.dump_netlist) fmt::print("{}", hlsc::to_text(unit.netlist));
   if (a.dump_netlist || ir_alone) return;
-  hlsc::Options options{clock_ns.value_or(0), hlsc::load_delay_model(a.delay)};
+  hlsc::Options options{clock_ns.value_or(0), hlsc::load_delay_model(a.delay), {}};
+  for (const std::string& path : a.time_by) options.time_by.push_back(hlsc::load_delay_model(path));
   if (!shown.empty()) {
     hlsc::optimise(unit.netlist, options, [&shown](const std::string& pass, const auto& netlist) {
       if (pass == shown) fmt::print("; after {}\n{}", pass, hlsc::to_text(netlist));
@@ -152,6 +166,7 @@ void run(const Arguments& a) {
   files.add(a.verilog, lowered.verilog);
   files.add(a.report, lowered.report);
   files.add(a.schedule, lowered.schedule);
+  files.add(a.timing, lowered.timing);
   files.add(a.binding, lowered.binding);
   files.add(a.depfile, make_rule(a.verilog, unit.includes));
   files.commit();

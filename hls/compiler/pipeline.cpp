@@ -63,6 +63,7 @@ Lowered lower(const Netlist& netlist, const Options& options) {
   lowered.verilog = emit_verilog(circuit, schedule, options);
   lowered.report = emit_report(circuit, schedule, options);
   lowered.schedule = emit_schedule(circuit, schedule, options);
+  lowered.timing = emit_timing(circuit, schedule, options);
   lowered.binding = emit_binding(netlist);
   lowered.latency = static_cast<unsigned>(schedule.stages);
   return lowered;

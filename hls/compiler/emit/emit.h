@@ -21,6 +21,10 @@ std::string emit_report(const Circuit& circuit, const Schedule& schedule, const 
 /// The same as JSON, for a simulation of clocks (hls/native/hls/module_schedule.h).
 std::string emit_schedule(const Circuit& circuit, const Schedule& schedule, const Options& options);
 
+/// When each register and each port of a FIFO or RAM gets its value, by the schedule's delay model
+/// and by those of `time_by`, as JSON.
+std::string emit_timing(const Circuit& circuit, const Schedule& schedule, const Options& options);
+
 /// Tokens that the FIFO of an output holds if the join gives no bound.
 unsigned fifo_depth(const Schedule& schedule);
 

@@ -6,9 +6,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
+#include <stdexcept>
 
 #include "backend.h"
 #include "cosim/random_netlist.h"
@@ -124,6 +128,88 @@ TEST(Emit, ReportsStagesOperationsAndRegisters) {
   EXPECT_THAT(lowered.report, HasSubstr("stages     " + std::to_string(lowered.latency) + "\n"));
   EXPECT_THAT(lowered.report, HasSubstr("8 of state"));
   EXPECT_THAT(lowered.report, HasSubstr("1 mul"));
+}
+
+nlohmann::json timing_of(const Options& o) {
+  return nlohmann::json::parse(lower(example(), o).timing);
+}
+
+const nlohmann::json& end_of(const nlohmann::json& timing, const std::string& signal) {
+  for (const auto& end : timing["ends"]) {
+    if (end["signal"] == signal) return end;
+  }
+  throw std::out_of_range(signal);
+}
+
+TEST(Timing, NamesEndsAsTheVerilogDoes) {
+  const Lowered lowered = lower(example(), options());
+  for (const auto& end : nlohmann::json::parse(lowered.timing)["ends"]) {
+    const auto signal = end["signal"].get<std::string>();
+    const std::size_t dot = signal.find('.');
+    EXPECT_THAT(lowered.verilog, HasSubstr(" " + signal.substr(0, dot)));
+    if (dot != std::string::npos) {
+      EXPECT_THAT(lowered.verilog, HasSubstr("." + signal.substr(dot + 1) + "("));
+    }
+  }
+}
+
+TEST(Timing, HasEveryRegisterOfTheVerilog) {
+  const Lowered lowered = lower(example(), options());
+  const nlohmann::json timing = nlohmann::json::parse(lowered.timing);
+  const std::regex declaration("  reg +(?:\\[.*?\\] )?(\\w+);");
+  auto found = std::sregex_iterator(lowered.verilog.begin(), lowered.verilog.end(), declaration);
+  int count = 0;
+  for (; found != std::sregex_iterator(); ++found, ++count) {
+    EXPECT_NO_THROW(end_of(timing, (*found)[1])) << (*found)[1];
+  }
+  EXPECT_GT(count, 5);
+}
+
+TEST(Timing, HasEveryPortOfFifosAndRams) {
+  const nlohmann::json timing = timing_of(options());
+  for (const char* signal :
+       {"total_fifo.valid_i", "total_fifo.data_i", "alarm_fifo.valid_i", "totals_ram.read_en_i",
+        "totals_ram.read_addr_i", "totals_ram.write_en_i", "totals_ram.write_addr_i",
+        "totals_ram.write_data_i", "limit_en_o", "limit_addr_o", "last_en_o", "last_addr_o",
+        "last_data_o", "sample_ready_o", "valid_s1"}) {
+    EXPECT_NO_THROW(end_of(timing, signal)) << signal;
+  }
+}
+
+TEST(Timing, TimesOneScheduleByOtherModels) {
+  Options o = options();
+  const Lowered before = lower(example(), o);
+  o.time_by.push_back(o.delay);
+  o.time_by.back().token_out += 0.5;
+  o.time_by.back().name = "slow tokens";
+  const Lowered lowered = lower(example(), o);
+  EXPECT_EQ(lowered.verilog, before.verilog);
+  EXPECT_EQ(lowered.report, before.report);
+  const nlohmann::json timing = nlohmann::json::parse(lowered.timing);
+  EXPECT_EQ(timing["models"], nlohmann::json({"Lattice ECP5, speed grade 6", "slow tokens"}));
+  for (const auto& end : timing["ends"]) {
+    const bool data = end["signal"] == "total_fifo.data_i" || end["signal"] == "alarm_fifo.data_i";
+    EXPECT_NEAR(end["ns"][1].get<double>() - end["ns"][0].get<double>(), data ? 0.5 : 0, 1e-6)
+        << end["signal"];
+  }
+}
+
+TEST(Timing, IsLongestWhereTheReportIs) {
+  for (std::uint32_t seed = 3000; seed < 3020; ++seed) {
+    const Lowered lowered = lower(random_netlist(seed), random_options(seed, DELAY_FOLDER));
+    double longest = 0;
+    for (const auto& end : nlohmann::json::parse(lowered.timing)["ends"]) {
+      if (end["kind"] == "valid" || end["kind"] == "ready" || end["kind"] == "delay") continue;
+      longest = std::max(longest, end["ns"][0].get<double>());
+    }
+    const std::regex row("\n +\\d+ +\\d+ +([\\d.]+)");
+    double reported = 0;
+    for (auto found = std::sregex_iterator(lowered.report.begin(), lowered.report.end(), row);
+         found != std::sregex_iterator(); ++found) {
+      reported = std::max(reported, std::stod((*found)[1]));
+    }
+    EXPECT_LE(longest, reported + 0.0051) << seed;
+  }
 }
 
 TEST(Emit, DelaysThatAreLongAreRams) {

@@ -287,15 +287,45 @@ bool Timing::is_of_luts(const Port& ram) const {
          (ram.rows <= d_.lut_ram_rows || ram.rows * ram.width <= d_.lut_ram_bits);
 }
 
-/// The clock that a write allows, by the set-up of its condition, which a LUT joins with the valid
-/// bit of its stage, and that of its address and data.
-double Timing::written(CellId id, const std::vector<int>& stages, double enable, double other) {
+Timing::SetUp Timing::set_up(CellId write) const {
+  switch (c_.cells[write].kind) {
+    case CellKind::kTokenWrite:
+      return {d_.token_enable, d_.token_out};
+    case CellKind::kRowRead: {
+      const Port& ram = c_.port_of(write);
+      if (ram.kind == PortKind::kRegisterFile) return {0, d_.lut_ram};
+      if (is_of_luts(ram)) return {d_.lut, d_.lut_ram};
+      return {d_.lut + d_.ram_in, d_.ram_in};
+    }
+    case CellKind::kRowWrite: {
+      const Port& ram = c_.port_of(write);
+      if (!is_of_luts(ram)) return {d_.lut + d_.ram_in, d_.ram_in};
+      // Every two bits of a row have a write enable of their own.
+      return {2 * d_.lut + load(ram.width / 2), d_.lut};
+    }
+    default:
+      return {};
+  }
+}
+
+double Timing::set_up_of(CellId write, std::size_t operand) const {
+  const SetUp needs = set_up(write);
+  return operand == 0 && c_.cells[write].operands.size() > 1 ? needs.enable : needs.other;
+}
+
+double Timing::operand_needs(CellId write, std::size_t operand,
+                             const std::vector<int>& stages) const {
+  const Input last = latest(c_.cells[write].operands[operand], stages[write], stages);
+  return last.at + set_up_of(write, operand);
+}
+
+/// The clock that a write allows.
+double Timing::written(CellId id, const std::vector<int>& stages) {
   const Cell& cell = c_.cells[id];
   double needs = 0;
-  for (const auto& operand : cell.operands) {
-    const Input last = latest(operand, stages[id], stages);
-    const bool first = &operand == &cell.operands.front() && cell.operands.size() > 1;
-    const double late = last.at + (first ? enable : other);
+  for (std::size_t i = 0; i < cell.operands.size(); ++i) {
+    const Input last = latest(cell.operands[i], stages[id], stages);
+    const double late = last.at + set_up_of(id, i);
     if (late <= needs || last.bit.is_constant()) continue;
     needs = late;
     critical_[id] = last.made != nullptr ? last.bit : BitRef{};
@@ -329,21 +359,10 @@ double Timing::evaluate(CellId id, const std::vector<int>& stages) {
       return at;
     }
     case CellKind::kTokenWrite:
-      return written(id, stages, d_.token_enable, d_.token_out);
     case CellKind::kRowRead:
-      if (c_.port_of(id).kind == PortKind::kRegisterFile) {
-        return written(id, stages, 0, d_.lut_ram);
-      }
-      if (is_of_luts(c_.port_of(id))) return written(id, stages, d_.lut, d_.lut_ram);
-      return written(id, stages, d_.lut + d_.ram_in, d_.ram_in);
-    case CellKind::kRowWrite: {
-      const Port& ram = c_.port_of(id);
-      if (!is_of_luts(ram)) return written(id, stages, d_.lut + d_.ram_in, d_.ram_in);
-      // Every two bits of a row have a write enable of their own.
-      return written(id, stages, 2 * d_.lut + load(ram.width / 2), d_.lut);
-    }
+    case CellKind::kRowWrite:
     case CellKind::kRegisterWrite:
-      return written(id, stages, 0, 0);
+      return written(id, stages);
     case CellKind::kOperation:
       break;
   }

@@ -22,6 +22,10 @@ class Timing {
   /// earlier stage come out of registers. Returns the earliest clock edge that this cell allows:
   /// the latest bit, or the latest input and the set-up of the write.
   double evaluate(CellId id, const std::vector<int>& stage);
+  /// When a bit of a cell that has been evaluated arrives after its stage's clock.
+  double arrival(BitRef bit) const { return bits_[c_.cells[bit.cell].first_bit + bit.bit].at; }
+  /// The clock that one operand of a write allows: its latest bit and its set-up.
+  double operand_needs(CellId write, std::size_t operand, const std::vector<int>& stage) const;
   /// The bit that decided the last evaluate() of this cell, or a constant if it came from a
   /// register.
   BitRef critical_input(CellId id) const { return critical_[id]; }
@@ -57,7 +61,14 @@ class Timing {
   Arrival equal(const Cell& cell, int stage, const std::vector<int>& stages) const;
   Input latest(const Cell& cell, int stage, const std::vector<int>& stages) const;
   Input latest(const std::vector<BitRef>& operand, int stage, const std::vector<int>& stages) const;
-  double written(CellId id, const std::vector<int>& stages, double enable, double other);
+  /// What the writes of a cell need beyond the arrival of their operands.
+  struct SetUp {
+    double enable = 0;  ///< of the condition, which a LUT joins with the valid bit of its stage
+    double other = 0;   ///< of address and data
+  };
+  SetUp set_up(CellId write) const;
+  double set_up_of(CellId write, std::size_t operand) const;
+  double written(CellId id, const std::vector<int>& stages);
   void count_loads();
   double load(unsigned loads) const;
   double load(BitRef bit) const;

@@ -22,6 +22,7 @@ SCRIPTS = (
     "synth",
     "gates",
     "place",
+    "fit-delays",
     "bench",
     "file_lists",
     "docs",

@@ -9,7 +9,8 @@ is Python's, such as "," or ".1f"; it may begin with *FACTOR, or with @CONFIGURA
 makes frames per second of the clocks of a frame: at the placed clock, in brackets where it is that of
 another configuration, or at a stated one. {{placed:CONFIGURATION/FIELD}} is a field of the placed
 clock itself (hardware/placed_clocks.py). Where the data have null the page says
-"not measured". {{DATA:command}} is the command that measures the data again.
+"not measured". {{DATA:command}} is the command that measures the data again. What fit_page.TEXTS
+names in place of a PATH is a text about placements: {{DATA:placements}} is a table of them.
 """
 
 import dataclasses
@@ -18,7 +19,7 @@ import re
 from typing import Any
 
 from dynrt_tools import project
-from dynrt_tools.hardware import placed_clocks
+from dynrt_tools.hardware import fit_page, placed_clocks
 
 RESULTS = project.ROOT / "docs" / "results"
 FIGURE = re.compile(r"\{\{(\w+):([^|}]+)(?:\|([^}]*))?\}\}")
@@ -78,6 +79,8 @@ class Data:
             if field not in fields:
                 raise project.Failed(f"a placed clock has no '{field}'; it has {', '.join(fields)}")
             return fields[field]
+        if path in fit_page.TEXTS:
+            return fit_page.TEXTS[path](self.load(name))
         value = self.load(name)
         for step in path.split("/"):
             if value is None:

@@ -4,9 +4,12 @@
 
 import pathlib
 import subprocess
+from collections.abc import Sequence
 
 from dynrt_tools import project, unit_names
 from dynrt_tools.hardware import rtl_files, synthesis
+
+Words = list[str | pathlib.Path]  # of a command
 
 
 def find_build(named: pathlib.Path | None) -> pathlib.Path:
@@ -37,6 +40,42 @@ def headers(units_: dict[str, dict[str, str]]) -> dict[str, str]:
     return {m: unit_names.header_name(unit["header"]) for m, unit in units_.items()}
 
 
+def command(
+    build: pathlib.Path,
+    unit: dict[str, str],
+    clock_ns: float,
+    delay: pathlib.Path,
+    config: str = rtl_files.CHECKED_IN,
+) -> Words:
+    """hlsc for a configuration's unit, without the files that it shall write."""
+    root = project.ROOT
+    folders = [root / "hls/lowered", root / "hls/include", root / "hls"]
+    includes = [f"-I{path}" for path in [*folders, _includes(build)]]
+    return [
+        _hlsc(build),
+        *("--unit", unit["type"], "--module", unit["module"]),
+        *("--header", f"{config}/{unit['module']}.h"),
+        *includes,
+        *("--clock-ns", str(clock_ns), "--delay", delay),
+    ]
+
+
+def _hlsc(build: pathlib.Path) -> pathlib.Path:
+    return build / "hls" / "compiler" / "hlsc"
+
+
+def _includes(build: pathlib.Path) -> pathlib.Path:
+    return build / "generated" / "include"
+
+
+def run(arguments: Sequence[str | pathlib.Path]) -> None:
+    """Runs hlsc; throws project.Failed with what it says."""
+    result = subprocess.run(arguments, capture_output=True, text=True, check=False)
+    if result.returncode != 0:
+        lines = result.stderr.strip().splitlines()
+        raise project.Failed(lines[-1] if lines else f"hlsc ended with {result.returncode}")
+
+
 def lower(
     build: pathlib.Path,
     unit: dict[str, str],
@@ -46,9 +85,6 @@ def lower(
 ) -> pathlib.Path:
     """The folder with the Verilog of a configuration's unit and hlsc's report for a delay model."""
     root, module = project.ROOT, unit["module"]
-    include = build / "generated" / "include"
-    hlsc = build / "hls" / "compiler" / "hlsc"
-    header = f"{config}/{module}.h"
     sources = sorted(
         p
         for folder in ("hls/lowered", "hls/include", "hls/units")
@@ -56,44 +92,20 @@ def lower(
     )
 
     def make(folder: pathlib.Path) -> None:
-        includes = [
-            f
-            for path in (root / "hls/lowered", root / "hls/include", root / "hls", include)
-            for f in ("-I", str(path))
-        ]
-        result = subprocess.run(
+        run(
             [
-                hlsc,
-                "--unit",
-                unit["type"],
-                "--module",
-                module,
-                "--header",
-                header,
-                *includes,
-                "--clock-ns",
-                str(clock_ns),
-                "--delay",
-                root / delay,
-                "-o",
-                folder / f"{module}.v",
-                "--report",
-                folder / f"{module}.txt",
-                "--binding",
-                folder / "ports.h",
-            ],
-            capture_output=True,
-            text=True,
-            check=False,
+                *command(build, unit, clock_ns, root / delay, config),
+                *("-o", folder / f"{module}.v"),
+                *("--report", folder / f"{module}.txt"),
+                *("--binding", folder / "ports.h"),
+            ]
         )
-        if result.returncode != 0:
-            raise project.Failed(result.stderr.strip().splitlines()[-1])
 
     said = [
         unit,
         clock_ns,
         (root / delay).read_text(encoding="utf-8"),
-        hlsc.stat().st_mtime_ns,
-        (include / "configs" / f"{config}.h").read_text(encoding="utf-8"),
+        _hlsc(build).stat().st_mtime_ns,
+        (_includes(build) / "configs" / f"{config}.h").read_text(encoding="utf-8"),
     ]
     return synthesis.kept("lowered", said, sources, make)

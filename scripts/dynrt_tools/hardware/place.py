@@ -26,6 +26,7 @@ from dynrt_tools.command import Pool
 from dynrt_tools.hardware import (
     area,
     devices,
+    kept_placement,
     lowering,
     place_record,
     place_table,
@@ -140,6 +141,12 @@ rows are complete in each case.""",
         metavar="FILE",
         help="also write the few of them that docs/results/devices.md shows",
     )
+    parser.add_argument(
+        "--keep",
+        metavar="FILE",
+        help="also keep the clocks and the ends that limit them, for scripts/fit-delays; {unit} in "
+        "the name stands for each unit's",
+    )
     return parser.parse_args()
 
 
@@ -192,8 +199,6 @@ class Row:
         """Puts the seeds in their order, and in place of all that are missing Yosys's timing."""
         self.data["placed"] = sorted(self.placed, key=lambda p: int(p["seed"]))
         self.data["failures"] = sorted(self.failures, key=lambda f: int(f["seed"]))
-        if self.placed and self.subject and self.name in WHOLE:
-            self.data["verilog"] = synthesis.verilog_digest(self.name, list(self.subject.files))
         if self.failures and not self.placed:
             self.data["note"] = f"failed: {self.data['failures'][0]['error']}"
         if not self.placed and self.subject and self.name not in WHOLE:
@@ -309,6 +314,9 @@ class Run:
         if self.args.record:
             record = place_record.summary(self.data(), self.args.seeds)
             project.write_json(self.args.record, record)
+        if self.args.keep and row.placed and row.subject:
+            file = pathlib.Path(self.args.keep.replace("{unit}", row.name))
+            kept_placement.write(file, kept_placement.of_row(row.data, row.subject, self.data()))
 
     def data(self) -> Json:
         """The rows that are done, in the order of their names on the command line."""
@@ -362,11 +370,18 @@ def check(args: argparse.Namespace) -> None:
             f"{', '.join(placers.PLACERS)}"
         )
     placers.grade_of(args.device, args.grade)
+    if args.keep and len(args.unit) != 1 and "{unit}" not in args.keep:
+        project.fail(
+            f"--keep {args.keep}: a file keeps one placed thing; write {{unit}} in its name, or "
+            "name one UNIT"
+        )
     if args.build and not args.build.is_dir():
         project.fail(f"--build {args.build}: there is no such folder; name that of a build")
     for flag in ("json", "record"):
         if path := getattr(args, flag):
             project.check_output(f"--{flag}", path)
+    if args.keep:
+        project.check_output("--keep", pathlib.Path(args.keep))
 
 
 def main() -> int:

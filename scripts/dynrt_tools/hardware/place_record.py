@@ -5,20 +5,18 @@
 import re
 import statistics
 
-from dynrt_tools.hardware import devices, place_table, placers, rtl_files
+from dynrt_tools.hardware import devices, place_table, rtl_files
 from dynrt_tools.project import Json
 
 # As hlsc refuses a unit for a shorter one (hls/compiler/schedule/timing_messages.h).
 LEAST = re.compile(r"give --clock-ns ([\d.]+), the least that this unit reaches")
 
 
-def placed(row: Json, program: str) -> Json:
-    """The columns of a row that was placed; of the whole core also what was placed, by which tool."""
+def placed(row: Json) -> Json:
+    """The columns of a row that was placed."""
     clocks = sorted(p["mhz"] for p in row["placed"])
     period, predicted = 1000 / statistics.median(clocks), row.get("longest_path_ns")
     middle = place_table.middle(row["placed"])
-    version = middle["placer"].removeprefix("nextpnr-")
-    of_core = {"placer": f"{program} {version}", "verilog": row.get("verilog")}
     return {
         "stages": row.get("stages"),
         "predicted, ns": predicted,
@@ -29,7 +27,6 @@ def placed(row: Json, program: str) -> Json:
         "range high": round(clocks[-1]),
         "placed, ns": round(period, 2),
         "of predicted": round(100 * period / predicted) if predicted else None,
-        **(of_core if "verilog" in row else {}),
     }
 
 
@@ -52,8 +49,7 @@ def missing(row: Json, device: str) -> Json:
 def summary(data: Json, seeds: int) -> Json:
     """What the page needs of the data that --json writes."""
     rows = data["units"]
-    program = placers.PLACERS[data["device"]]["program"]
-    found = {row["unit"]: placed(row, program) for row in rows if row.get("placed")}
+    found = {row["unit"]: placed(row) for row in rows if row.get("placed")}
     parts = [u["of predicted"] for u in found.values() if u["of predicted"]]
     units = [row for row in rows if row["unit"] not in (rtl_files.CORE, rtl_files.BOARD)]
     lowered = [row for row in units if "stages" in row]
@@ -62,7 +58,6 @@ def summary(data: Json, seeds: int) -> Json:
     return {
         **{key: data[key] for key in ("config", "device", "grade", "clock_ns", "complete")},
         "seeds": seeds,
-        "copies": data["copies"],
         "units": found,
         "of predicted": {
             "mean": round(statistics.mean(parts)) if parts else None,

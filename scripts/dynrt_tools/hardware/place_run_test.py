@@ -19,7 +19,7 @@ from typing import Any
 from unittest import mock
 
 from dynrt_tools import project
-from dynrt_tools.hardware import place, placers, placing, rtl_files, synthesis
+from dynrt_tools.hardware import kept_placement, place, placers, placing, rtl_files, synthesis
 from dynrt_tools.hardware.worst_paths_test import SDF
 from dynrt_tools.project import Json
 
@@ -111,6 +111,7 @@ class StandIn(unittest.TestCase):
             "jobs": 1,
             "json": data,
             "record": self.folder / "record.json",
+            "keep": None,
         } | flags
         synthesis.tool_version.cache_clear()
         output, errors = io.StringIO(), io.StringIO()
@@ -166,6 +167,29 @@ class StandIn(unittest.TestCase):
         self.assertEqual(len(placed["paths"][0]["hops"]), 4)
         self.assertTrue(placed["netlist"])
 
+    def test_a_placement_is_kept(self) -> None:
+        source = self.folder / "sum.v"
+        source.write_text(f"// Scheduled for 3.5 ns on x: y\n{UNIT}", encoding="utf-8")
+        self.called(keep=str(self.folder / "{unit}.json"))
+        kept = kept_placement.read(self.folder / "sum.json")
+        shown = {key: kept[key] for key in ("unit", "device", "grade", "copies", "placer", "seeds")}
+        self.assertEqual(
+            shown,
+            {
+                "unit": "sum",
+                "device": "ecp5-85",
+                "grade": "6",
+                "copies": 1,
+                "placer": "nextpnr-0.11",
+                "seeds": 3,
+            },
+        )
+        self.assertEqual((kept["clock_ns"], kept["promised_ns"]), (3.5, 3.0))
+        self.assertAlmostEqual(kept_placement.period(kept), 4.1, delta=0.01)
+        self.assertEqual(kept["verilog"], kept_placement.hash_of("sum", [source]))
+        (end,) = kept_placement.that_limit(kept)
+        self.assertEqual((end["ns"], end["median"]), ([4.1, 4.1, 4.1], 4.1))
+
     def test_clock_and_grade_reach_the_placer(self) -> None:
         for asked, mhz, grade in ((None, "100.0000", "6"), (120.0, "120.0000", "8")):
             self.called(seeds=1, ask_mhz=asked, grade=grade)
@@ -202,7 +226,7 @@ class StandIn(unittest.TestCase):
         source = self.folder / "sum.v"
         source.write_text(UNIT.replace("a_i + b_i", "a_i - b_i"), encoding="utf-8")
         synthesis._text.cache_clear()  # pylint: disable=protected-access
-        synthesis._meaning.cache_clear()  # pylint: disable=protected-access
+        synthesis.meaning.cache_clear()
         self.called(seeds=1)
         self.assertEqual(len(self.runs()), 7)
 

@@ -3,7 +3,7 @@
 """The clocks that cores reached when they were placed and routed. Every figure of frames per second
 comes from here: those of the program dynrt, of the scripts and of the pages.
 
-Each file docs/results/data/place_core*.json is one placement that `scripts/place --record` wrote; the
+Each file docs/results/data/place_core*.json is one placement that `scripts/place --keep` wrote; the
 command stands in runs.json. This module alone knows how they are kept."""
 
 import pathlib
@@ -37,7 +37,7 @@ class PlacedClock:
     highest_mhz: float
     seeds: int
     placer: str  # with its version
-    verilog: str  # synthesis.verilog_digest of what was placed
+    verilog: str  # kept_placement.hash_of what was placed
     command: str
 
     @property
@@ -75,8 +75,8 @@ def _read(path: pathlib.Path, data: Json) -> PlacedClock:
             lowest_mhz=core["range low"],
             highest_mhz=core["range high"],
             seeds=data["seeds"],
-            placer=core["placer"],
-            verilog=core["verilog"],
+            placer=f"{placers.PLACERS[data['device']]['program']} {data['placer']}",
+            verilog=data["verilog"],
             command=command,
         )
     except KeyError as error:
@@ -107,7 +107,7 @@ def load(folder: pathlib.Path = DATA) -> list[PlacedClock]:
             f"'{twice[1]}'; keep one"
         )
     if not clocks:
-        raise project.Failed(f"{folder}: has no {FILES}; scripts/place --record writes one")
+        raise project.Failed(f"{folder}: has no {FILES}; scripts/place --keep writes one")
     return clocks
 
 

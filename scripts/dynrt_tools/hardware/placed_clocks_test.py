@@ -9,13 +9,10 @@ import unittest
 
 from dynrt_tools import project, testing
 from dynrt_tools.hardware import (
-    place,
-    place_record,
+    kept_placement,
     placed_clocks,
     placed_clocks_header,
-    placing,
     rtl_files,
-    synthesis,
 )
 from dynrt_tools.project import Json
 
@@ -28,8 +25,8 @@ class Reading(testing.InFolder):
     def write(self, name: str, mhz: float, config: str, grade: str = "6", **more: object) -> None:
         """Keeps a placement and its command."""
         core = {"MHz, median": mhz, "range low": mhz - 1, "range high": mhz + 2}
-        core |= {"placer": "nextpnr-ecp5 0.7", "verilog": "0123"}  # type: ignore[dict-item]
         data: Json = {"device": "ecp5-85", "grade": grade, "config": config, "seeds": 3}
+        data |= {"placer": "0.7", "verilog": "0123"}
         data["units"] = {rtl_files.CORE: core}
         (self.folder / f"{name}.json").write_text(json.dumps(data | more), encoding="utf-8")
         self.runs[name] = {"command": f"place {name}", "measured": "today"}
@@ -65,7 +62,7 @@ class Reading(testing.InFolder):
         self.assertEqual(clock.of_core("full"), f"{placed}; full was not placed and may miss it")
 
     def test_data_that_are_not_whole_are_refused(self) -> None:
-        self.refused(r"has no place_core\*\.json; scripts/place --record writes one")
+        self.refused(r"has no place_core\*\.json; scripts/place --keep writes one")
         self.write("place_core", 100, "thesis", units={})
         self.refused("place_core.json: has no placement of dynrt_core; 'place place_core' makes it")
         self.write("place_core", 100, "thesis", units={"dynrt_core": {"MHz, median": 3}})
@@ -96,7 +93,7 @@ class Kept(unittest.TestCase):
         self.assertEqual((first.device, first.grade), ("ecp5-85", "6"))
         self.assertEqual(first.configuration, "thesis")
         self.assertRegex(first.placer, r"^nextpnr-ecp5 \d")
-        self.assertRegex(first.verilog, r"^[0-9a-f]{16}$")
+        self.assertRegex(first.verilog, r"^[0-9a-f]{64}$")
         self.assertLessEqual(first.lowest_mhz, first.mhz)
         self.assertLessEqual(first.mhz, first.highest_mhz)
 
@@ -109,43 +106,26 @@ class Kept(unittest.TestCase):
         )
 
 
-class Recorded(unittest.TestCase):
-    """What scripts/place --record writes of the core."""
+class Kept(unittest.TestCase):
+    """What scripts/place --keep writes of the core."""
 
     def test_it_can_be_read(self) -> None:
-        subject = placing.Subject(rtl_files.CORE, rtl_files.core_files())
-        row = place.Row(rtl_files.CORE, {"unit": rtl_files.CORE}, subject)
-        seeds = {1: 101.4, 2: 108.2, 3: 99.8}
-        row.placed = [
-            {"seed": seed, "mhz": mhz, "cells": 9, "too_slow": 1, "placer": "nextpnr-0.11"}
-            for seed, mhz in seeds.items()
-        ]
-        row.finish()
-        run = {"config": "full", "device": "ecp5-85", "grade": "8", "clock_ns": 8.33, "copies": 1}
-        record = place_record.summary(run | {"complete": True, "units": [row.data]}, len(seeds))
+        about = {"unit": rtl_files.CORE, "config": "full", "device": "ecp5-85", "grade": "8"}
+        placed: Json = {"MHz, median": 101, "range low": 100, "range high": 108}
+        kept: Json = {
+            **about,
+            **{"placer": "0.11", "seeds": 3, "copies": 1, "verilog": "4f" * 32},
+            "units": {rtl_files.CORE: placed},
+            "ends": [],
+        }
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
-            project.write_json(folder / "place_core_full.json", record)
+            kept_placement.write(folder / "place_core_full.json", kept)
             project.write_json(folder / "runs.json", {"place_core_full": {"command": "place"}})
             (clock,) = placed_clocks.load(folder)
         self.assertEqual((clock.configuration, clock.grade, clock.seeds), ("full", "8", 3))
         self.assertEqual((clock.lowest_mhz, clock.mhz, clock.highest_mhz), (100, 101, 108))
-        self.assertEqual(clock.placer, "nextpnr-ecp5 0.11")
-        digest = synthesis.verilog_digest(rtl_files.CORE, rtl_files.core_files())
-        self.assertEqual(clock.verilog, digest)
-
-
-class Digest(testing.InFolder):
-    def test_comments_do_not_change_it(self) -> None:
-        file = self.folder / "m.v"
-        digests = []
-        for text in ("module m;\nendmodule\n", "module m;  // why\nendmodule\n", "module m(a);\n"):
-            file.write_text(text, encoding="utf-8")
-            synthesis._text.cache_clear()  # pylint: disable=protected-access
-            synthesis._meaning.cache_clear()  # pylint: disable=protected-access
-            digests.append(synthesis.verilog_digest("m", [file]))
-        self.assertEqual(digests[0], digests[1])
-        self.assertNotEqual(digests[0], digests[2])
+        self.assertEqual((clock.placer, clock.verilog), ("nextpnr-ecp5 0.11", "4f" * 32))
 
 
 if __name__ == "__main__":

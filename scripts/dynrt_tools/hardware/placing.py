@@ -174,7 +174,7 @@ def _timing(
         graph = timing_graph.read_sdf(sdf)
     except (OSError, project.Failed) as error:
         raise placers.PlacerFailed(f"what {program} wrote cannot be read: {error}") from error
-    timing, longest = _agreeing(graph, report)
+    timing, longest = agreeing(graph, report.mhz)
     if timing is None:
         raise placers.PlacerFailed(
             f"the longest path in the SDF file of {program} takes {longest:.2f} ns, "
@@ -189,16 +189,14 @@ def _timing(
     return worst_paths.worst(timing, names, 1000 / target.mhz)
 
 
-def _agreeing(
-    graph: timing_graph.Graph, report: placers.Report
-) -> tuple[timing_graph.Timing | None, float]:
-    """The timing, without the clock's skew or with it, that has the period of the report, and the
+def agreeing(graph: timing_graph.Graph, mhz: float) -> tuple[timing_graph.Timing | None, float]:
+    """The timing, without the clock's skew or with it, that has the period of this clock, and the
     longest path."""
     longest = 0.0
     for skew in (False, True):
         timing = timing_graph.Timing(graph, skew)
         longest = max((period for period, _ in timing.endpoints()), default=0.0)
-        if abs(longest * report.mhz / 1000 - 1) <= SAME_PERIOD:
+        if abs(longest * mhz / 1000 - 1) <= SAME_PERIOD:
             return timing, longest
     return None, longest
 

@@ -28,6 +28,9 @@ COPY = re.compile(r"copy_(\d+)\.")
 COMMENT = re.compile(r"// (units/\S+:\d+)")
 STAGE = re.compile(r"_(?:s\d+|q)$")
 BIT = re.compile(r"\[\d+\]$")
+# How hlsc and the primitives name a register, where a net has more names.
+REGISTER = re.compile(r"_(?:s\d+|q|still)(?:\[\d+\])?$")
+FLIP_FLOP = re.compile(r"^(?:TRELLIS_FF$|SB_DFF)")
 
 
 @dataclass(frozen=True)
@@ -53,6 +56,13 @@ class Names:
         )
         self._module, self._verilog, self._joins = module, verilog, joins
         self._cells: dict[str, Any] = top["cells"]
+        self._flip_flops = {  # by the bit that they take
+            bit: cell
+            for cell in self._cells.values()
+            if FLIP_FLOP.match(cell["type"])
+            for port in ("D", "DI")
+            for bit in cell["connections"].get(port, ())
+        }
         self._declared: dict[str, str] = {}  # a net's place, by the instance that it is in
         self._nets: dict[int, list[tuple[str, str]]] = defaultdict(list)
         for name, net in top["netnames"].items():
@@ -67,23 +77,52 @@ class Names:
 
     def origin(self, placed: str, port: str = "") -> Origin:
         """Of a placed cell, by the net at one of its ports, the output where none is named."""
+        name, cell = self._found(placed)
+        return self._origin(name, cell, port)
+
+    def register(self, placed: str) -> Origin:
+        """Of the flip-flop or memory that a path ends at. A placer that packs a flip-flop behind
+        a LUT calls both by the LUT's name."""
+        name, cell = self._found(placed)
+        if cell is not None and not FLIP_FLOP.match(cell["type"]):
+            behind = [self._flip_flops.get(bit) for bit in cell["connections"].get("O", ())]
+            cell = next((ff for ff in behind if ff), None)
+        if cell is None:  # a memory: its outputs have the names of those who read them
+            source = self._source(
+                "", self._cells.get(name, {"attributes": {}})["attributes"].get("src", ""), name
+            )
+            return Origin(self._unit(name), self._plain(name), source)
+        return self._origin(name, cell, "", REGISTER)
+
+    def _found(self, placed: str) -> tuple[str, Any]:
+        """The netlist's cell that a placed one is of, None where there is none."""
         name = placed
         while name not in self._cells and PACKED.search(name):
             name = PACKED.sub("", name)
-        cell = self._cells.get(name)
+        return name, self._cells.get(name)
+
+    def _origin(
+        self, name: str, cell: Any, port: str, preferred: re.Pattern[str] = re.compile("")
+    ) -> Origin:
         if cell is None:
             return Origin(self._unit(name), self._plain(name), "")
         source = cell["attributes"].get("src", "")
-        signal, declared = self._signal(cell, port, source) or (DRIVES.sub("", name), "")
+        signal, declared = self._signal(cell, port, source, preferred) or (
+            DRIVES.sub("", name),
+            "",
+        )
         return Origin(
             self._unit(signal if signal.startswith(("unit.", "copy_")) else name),
             self._plain(signal),
             self._source(declared, source, signal),
         )
 
-    def _signal(self, cell: Any, port: str, source: str) -> tuple[str, str] | None:
+    def _signal(
+        self, cell: Any, port: str, source: str, preferred: re.Pattern[str]
+    ) -> tuple[str, str] | None:
         """The best name of the net that the cell drives, with the place of its declaration: none
-        of Yosys's own, one declared in the file that the cell is from, the innermost, no port's."""
+        of Yosys's own, one declared in the file that the cell is from, one that is preferred, the
+        innermost, no port's."""
         directions = cell.get("port_directions", {})
         outs = [p for p, d in directions.items() if d == "output"]
         bits = [
@@ -96,12 +135,13 @@ class Names:
             return None
         from_file = self._innermost(source)
 
-        def rank(net: tuple[str, str]) -> tuple[bool, bool, int, bool, str]:
+        def rank(net: tuple[str, str]) -> tuple[bool, bool, bool, int, bool, str]:
             near = self._innermost(net[1]) == from_file
             invented = bool(INVENTED.search(net[0]))
             return (
                 invented,
                 not near,
+                not preferred.search(net[0]),
                 -net[0].count("."),
                 BIT.sub("", net[0]).endswith(("_i", "_o")),
                 net[0],

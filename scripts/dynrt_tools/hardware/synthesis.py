@@ -39,7 +39,7 @@ def _text(path: pathlib.Path) -> str:
 
 
 @functools.lru_cache(maxsize=None)
-def _meaning(path: pathlib.Path) -> str:
+def meaning(path: pathlib.Path) -> str:
     """A file's text without comments and what they leave behind."""
     text = re.sub(r"\s+", " ", COMMENT.sub(" ", _text(path))).strip()
     return f" {text} "
@@ -54,16 +54,8 @@ def needed(top: str, files: list[pathlib.Path]) -> list[pathlib.Path]:
         if path is None or path in seen:
             continue
         seen.add(path)
-        todo += set(re.findall(r"\w+", _meaning(path))) & defines.keys()
+        todo += set(re.findall(r"\w+", meaning(path))) & defines.keys()
     return [f for f in files if f in seen]
-
-
-def verilog_digest(top: str, files: list[pathlib.Path]) -> str:
-    """A hash of a module's Verilog, which comments and spaces do not change."""
-    found = hashlib.sha256()
-    for path in needed(top, files):
-        found.update(f"{path.name}{_meaning(path)}\n".encode())
-    return found.hexdigest()[:16]
 
 
 @functools.lru_cache(maxsize=None)
@@ -81,11 +73,11 @@ def kept(
     empty folder and throws project.Failed."""
     digest = hashlib.sha256(json.dumps([kind, said], sort_keys=True).encode())
     for path in files:
-        digest.update(path.name.encode() + b"\0" + _meaning(path).encode() + b"\0")
+        digest.update(path.name.encode() + b"\0" + meaning(path).encode() + b"\0")
     # Headers beside the files are part of the text, as it includes them.
     for folder in rtl_files.include_folders(files):
         for path in sorted(folder.glob("*.vh")):
-            digest.update(_meaning(path).encode() + b"\0")
+            digest.update(meaning(path).encode() + b"\0")
 
     def build(partial: pathlib.Path) -> pathlib.Path:
         folder = partial / "result"

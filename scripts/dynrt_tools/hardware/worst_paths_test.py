@@ -142,6 +142,25 @@ class Paths(unittest.TestCase):
                 )
             self.assertIn(source_names.Origin("wrapper", "rst_q", "placed.v:7"), found)
 
+    def test_a_flip_flop_behind_a_lut_of_its_name_is_found(self) -> None:
+        names, registers = self.names("sum", False)
+        cells = project.read_json(self.folder / "netlist.json")["modules"]["placed"]["cells"]
+        luts = {
+            cell["connections"]["O"][0]: lut
+            for lut, cell in cells.items()
+            if cell["type"] == "SB_LUT4"
+        }
+        packed = [
+            (register, luts[bit])
+            for register in registers
+            if (bit := cells[register]["connections"]["D"][0]) in luts
+        ]
+        self.assertGreater(len(packed), 3)
+        for register, lut in packed:
+            self.assertEqual(names.register(f"{lut}_LC"), names.register(f"{register}_DFFLC"))
+        signals = {names.register(f"{register}_DFFLC").signal for register in registers}
+        self.assertIn("added_s1[2]", signals)
+
     def test_without_a_cplusplus_line_the_verilog_s_is_named(self) -> None:
         names, registers = self.names("sum", False)
         found = [names.origin(r, "Q") for r in registers if "valid_q" in r]

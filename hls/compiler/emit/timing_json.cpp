@@ -1,0 +1,183 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The ends of a unit's paths under their Verilog names, so that a placement's can be held against
+// them: registers by their own name, ports of a FIFO or RAM as INSTANCE.PORT.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "emit/emit.h"
+#include "emit/names.h"
+#include "emit/pipeline_bits.h"
+
+namespace hlsc {
+namespace {
+
+struct End {
+  const char* kind = "";
+  double ns = 0;
+  SourceLine where;
+};
+using Ends = std::map<std::string, End>;  ///< by the signal's name
+
+class EndTimes {
+ public:
+  EndTimes(const Circuit& c, const Schedule& schedule, const Options& options, const DelayModel& d)
+      : c_(c), schedule_(schedule), d_(d), stems_(signal_stems(c)), timing_(c, d) {
+    for (CellId id = 0; id < c_.cells.size(); ++id) timing_.evaluate(id, schedule_.stage);
+    for (CellId id = 0; id < c_.cells.size(); ++id) add_cell(id);
+    for (const Carry& carry : carries(c, schedule, options.delay.longest_shift)) add(carry);
+    add_handshake();
+  }
+
+  Ends ends() { return std::move(ends_); }
+
+ private:
+  /// Where several values go to one end, the last of them counts.
+  void add(const std::string& signal, const char* kind, double ns, const SourceLine& where) {
+    End& end = ends_[signal];
+    if (end.kind[0] != '\0' && ns + d_.clock_overhead <= end.ns) return;
+    end = {kind, ns + d_.clock_overhead, where};
+  }
+
+  void add(const Carry& carry) {
+    double late = 0;
+    if (schedule_.stage[carry.cell] == carry.from) {
+      for (unsigned i = carry.low; i <= carry.high; ++i) {
+        late = std::max(late, timing_.arrival({carry.cell, i}));
+      }
+    }
+    const SourceLine where = c_.where(carry.cell);
+    const std::string to = "_s" + std::to_string(carry.to);
+    if (carry.to - carry.from == 1) {
+      add(stems_[carry.cell] + to, "register", late, where);
+    } else {
+      const std::string delay = "delay_s" + std::to_string(carry.from) + to;
+      add(delay + ".data_i", "delay", late, where);
+      add(delay + ".data_o", "delay", d_.lut_ram, where);
+    }
+  }
+
+  void add_cell(CellId id) {
+    const Cell& cell = c_.cells[id];
+    switch (cell.kind) {
+      case CellKind::kRegisterWrite:
+        add(stems_[c_.register_read[cell.index]] + "_q", "state",
+            timing_.operand_needs(id, 0, schedule_.stage), c_.where(id));
+        break;
+      case CellKind::kTokenWrite:
+        add_operands(id, "token", c_.port_of(id).name + "_fifo.", {"valid_i", "data_i"});
+        break;
+      case CellKind::kRowRead:
+      case CellKind::kRowWrite:
+        add_access(id, cell.kind == CellKind::kRowRead ? "read" : "write");
+        break;
+      default:
+        if (c_.still[id] && cell.width > 0) add_still(id);
+        break;
+    }
+  }
+
+  void add_still(CellId id) {
+    double late = 0;
+    for (unsigned i = 0; i < c_.cells[id].width; ++i) {
+      late = std::max(late, timing_.arrival({id, i}));
+    }
+    add(stems_[id] + "_still", "still", late, c_.where(id));
+  }
+
+  void add_access(CellId id, const std::string& access) {
+    const Port& port = c_.port_of(id);
+    const char* kind = access == "read" ? "row read" : "row write";
+    if (port.kind == PortKind::kRamRead || port.kind == PortKind::kRamWrite) {
+      add_operands(id, kind, port.name + "_", {"en_o", "addr_o", "data_o"});
+    } else {
+      const char* instance = port.kind == PortKind::kRegisterFile ? "_file." : "_ram.";
+      add_operands(id, kind, port.name + instance,
+                   {access + "_en_i", access + "_addr_i", access + "_data_i"});
+    }
+  }
+
+  /// A condition that is always true leaves the valid bit of its stage, a register.
+  void add_operands(CellId id, const char* kind, const std::string& stem,
+                    const std::vector<std::string>& ports) {
+    const auto& operands = c_.cells[id].operands;
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      const bool constant = std::all_of(operands[i].begin(), operands[i].end(),
+                                        [](const BitRef& b) { return b.is_constant(); });
+      if (constant && i > 0) continue;
+      add(stem + ports[i], kind, timing_.operand_needs(id, i, schedule_.stage), c_.where(id));
+    }
+  }
+
+  /// A transaction starts when every In has a token and every Out has room; its valid bit then goes
+  /// from stage to stage, and each In's FIFO lets its token go.
+  void add_handshake() {
+    unsigned in = 0;
+    unsigned out = 0;
+    for (const Port& p : c_.netlist.ports) in += p.kind == PortKind::kIn ? 1 : 0;
+    for (const Cell& cell : c_.cells) out += cell.kind == CellKind::kTokenWrite ? 1 : 0;
+    const SourceLine unit{c_.netlist.source, 0};
+    if (schedule_.stages > 1) {
+      add("valid_s1", "valid", (in > 0 ? d_.token_in : 0) + d_.lut * levels(in + out), unit);
+    }
+    for (int s = 2; s < schedule_.stages; ++s) add("valid_s" + std::to_string(s), "valid", 0, unit);
+    for (const Port& p : c_.netlist.ports) {
+      if (p.kind != PortKind::kIn) continue;
+      add(p.name + "_ready_o", "ready",
+          (in > 1 ? d_.token_in : 0) + d_.lut * levels(in - 1 + out) + d_.token_enable, p.where);
+    }
+  }
+
+  /// Of LUTs that make one condition of several.
+  unsigned levels(unsigned conditions) const {
+    unsigned count = 0;
+    for (; conditions > 1; ++count) {
+      conditions = (conditions + d_.lut_inputs - 1) / d_.lut_inputs;
+    }
+    return count;
+  }
+
+  const Circuit& c_;
+  const Schedule& schedule_;
+  const DelayModel& d_;
+  std::vector<std::string> stems_;
+  Timing timing_;
+  Ends ends_;
+};
+
+}  // namespace
+
+std::string emit_timing(const Circuit& c, const Schedule& schedule, const Options& options) {
+  using Json = nlohmann::ordered_json;
+  std::vector<const DelayModel*> models{&options.delay};
+  for (const DelayModel& d : options.time_by) models.push_back(&d);
+  Json names = Json::array();
+  std::vector<Ends> times;
+  for (const DelayModel* model : models) {
+    names.push_back(model->name);
+    times.push_back(EndTimes(c, schedule, options, *model).ends());
+  }
+  std::string ends;  // one a line
+  for (const auto& [signal, end] : times.front()) {
+    Json ns = Json::array();
+    for (const Ends& by : times) ns.push_back(std::round(by.at(signal).ns * 1e9) / 1e9);
+    const std::string source = end.where.line == 0
+                                   ? end.where.file
+                                   : end.where.file + ":" + std::to_string(end.where.line);
+    const Json line = {{"signal", signal}, {"kind", end.kind}, {"source", source}, {"ns", ns}};
+    ends += (ends.empty() ? "\n    " : ",\n    ") + line.dump();
+  }
+  return fmt::format(
+      "{{\n  \"unit\": {},\n  \"module\": {},\n  \"clock_ns\": {},\n  \"models\": {},\n"
+      "  \"ends\": [{}\n  ]\n}}\n",
+      Json(c.netlist.unit).dump(), Json(c.netlist.module).dump(), Json(options.clock_ns).dump(),
+      names.dump(), ends);
+}
+
+}  // namespace hlsc

@@ -1,0 +1,159 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""A kept placement: what is known of one thing that was placed from several seeds, in a file that is
+small enough for the repository.
+
+It has the clocks, the ends of paths that limit them, the placer, and a hash of the Verilog, by which
+a test knows whether the placement is of the present one. It also has the delay model that hlsc
+scheduled the Verilog by, so that the schedule can be made again when the model has changed."""
+
+import hashlib
+import json
+import pathlib
+import re
+import statistics
+from collections.abc import Sequence
+
+from dynrt_tools import project
+from dynrt_tools.hardware import devices, place_record, placed_ends, placing, rtl_files, synthesis
+from dynrt_tools.project import Json, read_json
+
+# An end limits if its path takes this share of the period.
+LIMITS = 0.85
+SCHEDULED = re.compile(r"^// Scheduled for ([\d.]+) ns on", re.MULTILINE)
+HAS = (
+    *("unit", "config", "device", "grade", "placer", "seeds", "mhz", "asked_mhz", "clock_ns"),
+    *("verilog", "model", "ends"),
+)
+
+
+def hash_of(module: str, files: Sequence[pathlib.Path]) -> str:
+    """Of the Verilog that a module needs, comments apart."""
+    digest = hashlib.sha256()
+    for path in sorted(synthesis.needed(module, list(files)), key=lambda p: p.name):
+        digest.update(path.name.encode() + b"\0" + synthesis.meaning(path).encode() + b"\0")
+    return digest.hexdigest()
+
+
+def constants(model: pathlib.Path) -> dict[str, float]:
+    """The numbers of a delay model."""
+    return {k: v for k, v in read_json(model).items() if k not in ("name", "comment")}
+
+
+def scheduled_for(files: Sequence[pathlib.Path]) -> float:
+    """The period that hlsc scheduled the units among the files for, in ns: the longest."""
+    clocks = [m[1] for f in files if (m := SCHEDULED.search(f.read_text(encoding="utf-8")))]
+    if not clocks:
+        raise project.Failed("no unit is among the files; their periods would be in their heads")
+    return max(map(float, clocks))
+
+
+def limiting(
+    by_seed: Sequence[dict[placed_ends.End, Json]], periods: Sequence[float]
+) -> list[Json]:
+    """The ends that limit in one placement or in the median, the worst first."""
+    least = LIMITS * statistics.median(periods)
+    found = []
+    for end in {end for ends in by_seed for end in ends}:
+        times = [ends[end]["ns"] if end in ends else None for ends in by_seed]
+        middle = median(times)
+        in_one = any(ns and ns >= LIMITS * period for ns, period in zip(times, periods))
+        if not in_one and middle < least:
+            continue
+        known = [ends[end] for ends in by_seed if end in ends]
+        about = _nearest(known, middle)
+        found.append(
+            {
+                "unit": end.unit,
+                "signal": end.signal,
+                "port": end.port,
+                "source": about["source"],
+                "from": about["from"],
+                "ns": times,
+                "median": middle,
+            }
+        )
+    return sorted(found, key=lambda e: (-e["median"], e["unit"], e["signal"], e["port"]))
+
+
+def _nearest(ends: Sequence[Json], ns: float) -> Json:
+    """The end whose time is nearest."""
+    return min(ends, key=lambda end: abs(float(end["ns"]) - ns))
+
+
+def median(times: Sequence[float | None]) -> float:
+    """Of the placements; one in which the end is not slow enough to be listed counts as least."""
+    return round(statistics.median(ns or 0.0 for ns in times), 3)
+
+
+def of_row(row: Json, subject: placing.Subject, said: Json) -> Json:
+    """What is kept of a row of scripts/place; `said` is what the whole call was for."""
+    placements = row["placed"]
+    model = devices.DEVICES[said["device"]]["delay"]
+    joined = "longest_path_ns" not in row
+    clock = scheduled_for(synthesis.needed(subject.module, list(subject.files)))
+    by_seed = [placed_ends.read(synthesis.KEPT / p["run"], subject) for p in placements]
+    return {
+        "unit": row["unit"],
+        **{key: said[key] for key in ("config", "device", "grade", "copies")},
+        "placer": placements[0]["placer"],
+        "clock_ns": clock,
+        "promised_ns": clock if joined else row["longest_path_ns"],
+        "asked_mhz": placements[0]["asked_mhz"],
+        "seeds": len(placements),
+        "mhz": [p["mhz"] for p in placements],
+        "units": {row["unit"]: place_record.placed(row)},
+        "verilog": hash_of(subject.module, subject.files),
+        "model": {"file": model, **constants(project.ROOT / model)},
+        "limits": LIMITS,
+        "ends": limiting(by_seed, [1000 / p["mhz"] for p in placements]),
+    }
+
+
+def write(path: pathlib.Path, kept: Json) -> None:
+    """As JSON with an end in each line, so that a new placement can be compared with the old."""
+    text = json.dumps({**kept, "ends": []}, indent=2)
+    ends = ",\n".join(f"    {json.dumps(end)}" for end in kept["ends"])
+    path.write_text(text.replace('"ends": []', f'"ends": [\n{ends}\n  ]') + "\n", encoding="utf-8")
+
+
+def read(path: pathlib.Path) -> Json:
+    """A kept placement; throws project.Failed with the file and the correction."""
+    try:
+        kept: Json = read_json(path)
+        missing = [key for key in HAS if key not in kept]
+    except (OSError, ValueError, TypeError) as error:
+        why = error.strerror if isinstance(error, OSError) else error
+        raise project.Failed(
+            f"{path}: cannot be read ({why}); name a file that scripts/place --keep wrote"
+        ) from error
+    if missing:
+        raise project.Failed(
+            f"{path}: is no kept placement, as it has no '{missing[0]}'; name a file that "
+            "scripts/place --keep wrote"
+        )
+    return kept
+
+
+def period(kept: Json) -> float:
+    """The median of its seeds, in ns."""
+    return 1000 / float(statistics.median(kept["mhz"]))
+
+
+def that_limit(kept: Json) -> list[Json]:
+    """The ends that limit the median, which a delay model is judged by."""
+    least = kept.get("limits", LIMITS) * period(kept)
+    return [end for end in kept["ends"] if end["median"] >= least]
+
+
+def of_checked_in(kept: Json) -> bool:
+    """Whether it is of the checked-in Verilog, so that no build is needed to compare."""
+    whole = kept["unit"] in (rtl_files.CORE, rtl_files.BOARD)
+    return whole and kept["config"] == rtl_files.CHECKED_IN
+
+
+def is_current(kept: Json, folder: pathlib.Path = rtl_files.GENERATED) -> bool:
+    """Whether the core whose generated Verilog is in the folder is still that which was placed."""
+    files = rtl_files.core_files(folder)
+    files += rtl_files.board() if kept["unit"] == rtl_files.BOARD else []
+    return bool(kept["verilog"] == hash_of(kept["unit"], files))

@@ -1,0 +1,98 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The ends of a placement's paths by the signals of the Verilog: the bits of one are one end, with
+the time of its worst."""
+
+import gzip
+import pathlib
+import re
+import shutil
+import tempfile
+from dataclasses import dataclass
+
+from dynrt_tools import project
+from dynrt_tools.hardware import placing, source_names, timing_graph
+from dynrt_tools.project import Json, read_json
+
+# How much of the longest path an end takes that is looked at. An end that limits in one placement
+# takes more than this in the others.
+LEAST_SHARE = 0.6
+BIT = re.compile(r"\[\d+\]$")
+RESET = re.compile(r"(?:reset|rst)_q$")
+
+# The ports of a memory's cells: of LUT RAM and block RAM of ECP5, of block RAM of iCE40. Yosys
+# writes by port A of a DP16KD and reads by port B.
+MEMORY = {
+    "write_data": re.compile(r"WD|DIA\d+|WDATA_\d+"),
+    "write_addr": re.compile(r"WAD\d|ADA\d+|WADDR_\d+"),
+    "write_en": re.compile(r"WRE|WEA|CEA|WE|WCLKE"),
+    "read_addr": re.compile(r"ADB\d+|RADDR_\d+"),
+    "read_en": re.compile(r"CEB|OCEB|RE|RCLKE"),
+}
+MEMORY_CELL = re.compile(r"\.rows$|\.rows\.")
+
+
+@dataclass(frozen=True)
+class End:
+    """What the bits of one end have in common. `port` is that of a memory, "reset" where the path
+    comes from the register of a reset, else empty."""
+
+    unit: str
+    signal: str
+    port: str
+
+
+def port_of(signal: str, pin: str) -> str:
+    """Of a memory's cell; empty for a flip-flop, whose inputs are one end."""
+    if not MEMORY_CELL.search(signal):
+        return ""
+    return next((name for name, pins in MEMORY.items() if pins.fullmatch(pin)), "")
+
+
+def ends_of(timing: timing_graph.Timing, names: source_names.Names) -> dict[End, Json]:
+    """Every end that takes long, with its time, the start of its path and its line."""
+    found: dict[End, Json] = {}
+    endpoints = timing.endpoints()
+    least = LEAST_SHARE * endpoints[0][0] if endpoints else 0
+    for ns, pin in endpoints:
+        if ns < least:
+            break
+        last = names.register(pin[0])
+        first = timing.path(pin)[0]
+        start = names.origin(first.cell, first.out)
+        signal, began = BIT.sub("", last.signal), BIT.sub("", start.signal)
+        port = "reset" if RESET.search(began) else port_of(signal, pin[1])
+        found.setdefault(
+            End(last.unit, signal, port),
+            {
+                "ns": round(ns, 3),
+                "source": last.source,
+                "from": {"unit": start.unit, "signal": began},
+            },
+        )
+    return found
+
+
+def read(folder: pathlib.Path, subject: placing.Subject) -> dict[End, Json]:
+    """The ends of a placement that is kept in a folder, whose netlist is kept beside it."""
+    made_of = folder.parent / f"netlist-{read_json(folder / 'placement.json')['netlist']}"
+    with tempfile.TemporaryDirectory() as scratch:
+        sdf = pathlib.Path(scratch) / "timing.sdf"
+        try:
+            with gzip.open(folder / "timing.sdf.gz") as packed, sdf.open("wb") as plain:
+                shutil.copyfileobj(packed, plain)
+            graph = timing_graph.read_sdf(sdf)
+        except OSError as error:
+            raise project.Failed(
+                f"{folder}: its delays cannot be read ({error.strerror or error}); remove the "
+                "folder and place again"
+            ) from error
+    names = source_names.Names(
+        made_of / "netlist.json", made_of / "verilog", subject.module, subject.joins
+    )
+    timing = placing.agreeing(graph, float(read_json(folder / "placement.json")["mhz"]))[0]
+    if timing is None:
+        raise project.Failed(
+            f"{folder}: its delays are not those of its report; remove the folder and place again"
+        )
+    return ends_of(timing, names)

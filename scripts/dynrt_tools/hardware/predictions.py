@@ -1,0 +1,109 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""When hlsc predicts the ends of a kept placement, by any delay model.
+
+hlsc makes the schedule of the placement again, by the delay model that the placement keeps, and
+times it by the others; so the Verilog that the times are of is the one that was placed."""
+
+import json
+import pathlib
+import tempfile
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from dynrt_tools import project
+from dynrt_tools.command import Pool
+from dynrt_tools.hardware import joining, kept_placement, lowering, rtl_files
+from dynrt_tools.project import Json, read_json
+
+Model = dict[str, float]
+READY = "*_ready_o"
+
+
+@dataclass(frozen=True)
+class Predicted:
+    """An end of a unit's paths: what it is, its line, and its time by each model."""
+
+    kind: str
+    source: str
+    ns: tuple[float, ...]
+
+
+class Predictor:
+    """Of a kept placement, with the hlsc of a build."""
+
+    def __init__(self, kept: Json, build: pathlib.Path, jobs: int = 1) -> None:
+        self._build, self._jobs = build, jobs
+        self._kept = kept
+        self._units = lowering.units(build, kept["config"])
+        self._whole = kept["unit"] in (rtl_files.CORE, rtl_files.BOARD)
+        self._folder = rtl_files.GENERATED
+        if kept["config"] != rtl_files.CHECKED_IN:
+            self._folder = build / "generated" / kept["config"]
+        if self._whole:
+            core = self._folder / f"{rtl_files.CORE}.v"
+            if not core.is_file():
+                raise project.Failed(
+                    f"{core}: there is no such file; build the configuration '{kept['config']}'"
+                )
+            self.joined = joining.Joined.of_core(core)
+        else:
+            self.joined = joining.Joined({kept["unit"]: kept["unit"]})
+        self.modules = sorted(set(self.joined.modules.values()) & self._units.keys())
+        if not self.modules:
+            raise project.Failed(
+                f"the build {build} has no unit '{kept['unit']}' of the configuration "
+                f"'{kept['config']}'; name a build that has with --build"
+            )
+        self.hashes: dict[str, str] = {}  # of the lowered Verilog, by module
+
+    def times(self, models: Sequence[Model]) -> dict[joining.Place, Predicted]:
+        """Every end of every instance, by the models. `*_ready_o` is the latest of a unit's."""
+        with tempfile.TemporaryDirectory() as scratch, Pool(self._jobs) as pool:
+            folder = pathlib.Path(scratch)
+            files = []
+            for i, model in enumerate([self._scheduled_by(), *models]):
+                files.append(folder / f"model_{i}.json")
+                files[-1].write_text(json.dumps(model), encoding="utf-8")
+            found = dict(
+                zip(self.modules, pool.map(lambda m: self._unit(m, files, folder), self.modules))
+            )
+        times = {}
+        for instance, module in self.joined.modules.items():
+            ends = found.get(module, {})
+            for signal, end in ends.items():
+                times[joining.Place(instance, signal)] = end
+            ready = [e for signal, e in ends.items() if signal.endswith("_ready_o")]
+            if ready:
+                times[joining.Place(instance, READY)] = max(ready, key=lambda e: e.ns)
+        return times
+
+    def _scheduled_by(self) -> Model:
+        return {k: v for k, v in self._kept["model"].items() if k != "file"}
+
+    def _unit(
+        self, module: str, models: list[pathlib.Path], folder: pathlib.Path
+    ) -> dict[str, Predicted]:
+        verilog, timing = folder / f"{module}.v", folder / f"{module}.json"
+        others = [f"--time-by={path}" for path in models[1:]]
+        made = lowering.command(
+            self._build,
+            self._units[module],
+            self._kept["clock_ns"],
+            models[0],
+            self._kept["config"],
+        )
+        lowering.run([*made, *others, "-o", verilog, "--timing", timing])
+        if self._kept["unit"] == module:
+            files = rtl_files.hand_written() + [verilog]
+            self.hashes[module] = kept_placement.hash_of(module, files)
+        return {
+            end["signal"]: Predicted(end["kind"], end["source"], tuple(end["ns"][1:]))
+            for end in read_json(timing)["ends"]
+        }
+
+    def of_present_verilog(self) -> bool:
+        """Whether the placement is of the Verilog that there is now; after times() alone."""
+        if self._whole:
+            return kept_placement.is_current(self._kept, self._folder)
+        return bool(self._kept["verilog"] == self.hashes.get(self._kept["unit"]))
