@@ -17,6 +17,8 @@ from typing import Any
 from dynrt_tools.project import Failed
 
 COVER = re.compile(r"^(\s*(?:if \(.*\) )?)(\w+): cover \((.*)\);$", re.MULTILINE)
+STAGE = re.compile(r"_s(\d+)\b")
+LAST_STAGE = 40
 PREPARE = (
     "async2sync; opt -keepdc -fast; dffunmap; setundef -undriven -anyseq; opt_clean; "
     "tee -o assertions.txt select -list t:$assert"
@@ -95,14 +97,26 @@ def covers_as_assertions(properties: str) -> str:
 
 
 def mutated(verilog: str, mutation: dict[str, str]) -> str:
-    """The Verilog with one text in another's place; throws Broken."""
-    times = verilog.count(mutation["from"])
-    if times != 1:
-        raise Broken(
-            f"a mutation's text is {times} times in {mutation['in']}, "
-            f"it must be there once: {mutation['from']}"
-        )
-    return verilog.replace(mutation["from"], mutation["to"])
+    """The Verilog with one text in another's place; throws Broken.
+
+    A schedule decides in which stage a text stands: if it is not there once, its stages (_s1) all
+    count from the nearest one where it is.
+    """
+    source, place = mutation["from"], mutation["in"]
+    for shift in sorted(range(-LAST_STAGE, LAST_STAGE + 1), key=abs):
+        if verilog.count(later(source, shift)) == 1:
+            return verilog.replace(later(source, shift), later(mutation["to"], shift))
+        if not STAGE.search(source):
+            break
+    raise Broken(
+        f"a mutation's text is {verilog.count(source)} times in {place}, "
+        f"it must be there once: {source}"
+    )
+
+
+def later(text: str, shift: int) -> str:
+    """A text of the stages that are so many later."""
+    return STAGE.sub(lambda stage: f"_s{int(stage[1]) + shift}", text)
 
 
 class Design:

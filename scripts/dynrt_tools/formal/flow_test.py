@@ -47,6 +47,15 @@ class Flow(testing.InFolder):
             with self.assertRaisesRegex(flow.Broken, "it must be there once"):
                 flow.mutated(COUNTER, {"in": "counter.v", "from": text, "to": ""})
 
+    def test_a_mutation_finds_its_stage(self) -> None:
+        text = "assign a = b_s3 & c_s4;\nassign d = b_s3;\n"
+        mutation = {"in": "counter.v", "from": "b_s1 & c_s2", "to": "~b_s1 & c_s2"}
+        self.assertEqual(
+            flow.mutated(text, mutation), "assign a = ~b_s3 & c_s4;\nassign d = b_s3;\n"
+        )
+        with self.assertRaisesRegex(flow.Broken, "it must be there once"):
+            flow.mutated(text, {**mutation, "from": "b_s1 & c_s3"})
+
     def test_covers_become_assertions_that_they_are_not_reached(self) -> None:
         text = "  always @* begin\n    nine: cover (count_q == 9);\n  end\n"
         self.assertEqual(flow.covers(text), ["nine"])
