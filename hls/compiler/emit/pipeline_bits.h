@@ -26,8 +26,8 @@ struct Carry {
 inline constexpr unsigned kNarrowestDelay = 8;
 
 /// Ordered by stage of arrival, then by cell.
-/// Bits that are not used for more than `longest_shift` stages go through a delay, which lies between
-/// two registers.
+/// Bits that are not used for more than `longest_shift` stages go through a delay, which lies
+/// between two registers.
 std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule, int longest_shift);
 
 }  // namespace hlsc

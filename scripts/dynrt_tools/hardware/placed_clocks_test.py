@@ -106,7 +106,7 @@ class Kept(unittest.TestCase):
         )
 
 
-class Kept(unittest.TestCase):
+class KeptByPlace(unittest.TestCase):
     """What scripts/place --keep writes of the core."""
 
     def test_it_can_be_read(self) -> None:
