@@ -55,6 +55,11 @@ module hls_fifo #(
   localparam WRAPS = DEPTH == 1 << ADDR_WIDTH;  // addresses wrap from LAST to 0 on their own
   localparam [31:0] SPACE = DEPTH - MARGIN - 1;
 
+  // Data of block RAM come late for the multiplexer before data_q.
+  // verilator lint_off UNUSEDPARAM
+  localparam RAM_STYLE = DEPTH <= 64 ? "distributed" : "auto";
+  // verilator lint_on UNUSEDPARAM
+  (* ram_style = RAM_STYLE *)
   reg  [     WIDTH-1:0] rows     [0:DEPTH-1];
   reg  [ADDR_WIDTH-1:0] write_q;
   reg  [ADDR_WIDTH-1:0] read_q;

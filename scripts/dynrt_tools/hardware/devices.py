@@ -33,6 +33,7 @@ class Device(TypedDict):
 #   synth    Yosys's command. Without -nowidelut Yosys 0.23 takes the multiplexers behind the LUTs for
 #            free and builds 2 to 3 times the LUTs; -noiopad, because a unit's ports are not pins;
 #            flattened, since its stat -json is no JSON where there is a hierarchy.
+#            iCE40 has no RAM of LUTs, and Yosys refuses a memory that asks for one.
 #   cells    the columns of the table, each a pattern of cells
 #   takes    what a cell takes of the device's resources, the first pattern that fits:
 #            ECP5: a CCU2C takes both LUTs of a slice; a TRELLIS_DPR16X4 the four of two slices, and
@@ -65,7 +66,7 @@ FAMILIES: dict[str, Family] = {
     },
     "ice40": {
         "name": "Lattice iCE40",
-        "synth": "synth_ice40 -top {top}",
+        "synth": "hierarchy -top {top}; setattr -unset ram_style m:*; synth_ice40 -top {top}",
         "cells": {
             "LUT": r"SB_LUT4$",
             "carry": r"SB_CARRY$",

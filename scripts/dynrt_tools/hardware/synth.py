@@ -18,7 +18,7 @@ def print_areas(name: str, rows: dict[str, Json]) -> None:
     family = devices.FAMILIES[devices.family_of(name)]
     title = devices.DEVICES[name]["name"] if name in devices.DEVICES else family["name"]
     width = max(len("unit"), *(len(top) for top in rows))
-    print(f"\n{title} ({family['synth'].split(' -top')[0]})")
+    print(f"\n{title} ({family['synth'].split('; ')[-1].split(' -top')[0]})")
     print(f"{'unit':<{width}}" + "".join(f"{c:>9}" for c in devices.COLUMNS) + f"{'seconds':>9}")
     for top, row in rows.items():
         print(
