@@ -236,7 +236,7 @@ class Generator {
 Netlist random_netlist(std::uint32_t seed) { return Generator(seed).run(); }
 
 Options random_options(std::uint32_t seed, const char* delay_folder) {
-  const double clocks[] = {8.5, 9, 10, 14};
+  const double clocks[] = {9, 9.5, 10, 14};
   const char* devices[] = {"ecp5.json", "ice40-hx.json"};
   Options options;
   options.delay = load_delay_model(std::string(delay_folder) + "/" + devices[seed / 4 % 2]);

@@ -283,8 +283,8 @@ Timing::Arrival Timing::equal(const Cell& cell, int stage, const std::vector<int
 
 bool Timing::is_of_luts(const Port& ram) const {
   if (ram.kind == PortKind::kRegisterFile) return true;
-  return ram.latency <= 1 &&
-         (ram.rows <= d_.lut_ram_rows || ram.rows * ram.width <= d_.lut_ram_bits);
+  const unsigned width = (ram.width + kLutRamWidth - 1) / kLutRamWidth * kLutRamWidth;
+  return ram.latency <= 1 && (ram.rows <= d_.lut_ram_rows || ram.rows * width <= d_.lut_ram_bits);
 }
 
 Timing::SetUp Timing::set_up(CellId write) const {
