@@ -22,8 +22,9 @@ def state(kept: Json) -> str:
 def placements(data: Json) -> str:
     """A row for each placement that a model was fitted to."""
     lines = [
-        "| placement | seeds | limiting ends | predicted | within 10 % | placed, ns | hlsc, ns | of |",
-        "|---|---:|---:|---:|---:|---:|---:|---|",
+        "| placement | core | seeds | limiting ends | predicted | within 10 % | placed, ns "
+        "| hlsc, ns | of |",
+        "|---|---|---:|---:|---:|---:|---:|---|",
     ]
     for row in data["placements"]:
         kept = kept_placement.read(fit_delays.file_of(row["placement"]))
@@ -31,9 +32,9 @@ def placements(data: Json) -> str:
         if kept_placement.of_checked_in(kept):
             verilog = state(kept)
         lines.append(
-            f"| `{row['unit']}` | {kept['seeds']} | {row['limiting']} | {row['predicted']} | "
-            f"{_percent(row['within'])} | {row['placed, ns']:.2f} | {row['promised, ns']:.2f} | "
-            f"{verilog} |"
+            f"| `{row['unit']}` | `{kept['config']}` | {kept['seeds']} | {row['limiting']} | "
+            f"{row['predicted']} | {_percent(row['within'])} | {row['placed, ns']:.2f} | "
+            f"{row['promised, ns']:.2f} | {verilog} |"
         )
     return "\n".join(lines)
 

@@ -223,12 +223,26 @@ class StandIn(unittest.TestCase):
         with mock.patch.object(placers, "constraints_text", lambda device: "other"):
             self.called(seeds=1)
         self.assertEqual(len(self.runs()), 6)
-        source = self.folder / "sum.v"
-        source.write_text(UNIT.replace("a_i + b_i", "a_i - b_i"), encoding="utf-8")
-        synthesis._text.cache_clear()  # pylint: disable=protected-access
-        synthesis.meaning.cache_clear()
+        self.write_unit("a_i - b_i")
         self.called(seeds=1)
         self.assertEqual(len(self.runs()), 7)
+
+    def test_verilog_of_the_same_netlist_is_not_placed_again(self) -> None:
+        first = self.called(seeds=1)[3]
+        self.write_unit("\n(a_i + b_i)")
+        second = self.called(seeds=1)[3]
+        self.assertEqual(len(self.runs()), 1)
+        runs = [data["units"][0]["placed"][0].pop("run") for data in (first, second)]
+        self.assertNotEqual(*runs)  # the lines of its paths are those of the text
+        self.assertEqual(
+            first["units"][0]["placed"][0]["mhz"], second["units"][0]["placed"][0]["mhz"]
+        )
+
+    def write_unit(self, expression: str) -> None:
+        source = self.folder / "sum.v"
+        source.write_text(UNIT.replace("a_i + b_i", expression), encoding="utf-8")
+        synthesis._text.cache_clear()  # pylint: disable=protected-access
+        synthesis.meaning.cache_clear()
 
     def fails(self, mode: str, sentence: str, **flags: Any) -> None:
         """One seed fails: it is named with tool and unit, and all else is there."""

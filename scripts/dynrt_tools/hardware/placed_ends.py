@@ -3,11 +3,8 @@
 """The ends of a placement's paths by the signals of the Verilog: the bits of one are one end, with
 the time of its worst."""
 
-import gzip
 import pathlib
 import re
-import shutil
-import tempfile
 from dataclasses import dataclass
 
 from dynrt_tools import project
@@ -74,25 +71,22 @@ def ends_of(timing: timing_graph.Timing, names: source_names.Names) -> dict[End,
 
 
 def read(folder: pathlib.Path, subject: placing.Subject) -> dict[End, Json]:
-    """The ends of a placement that is kept in a folder, whose netlist is kept beside it."""
-    made_of = folder.parent / f"netlist-{read_json(folder / 'placement.json')['netlist']}"
-    with tempfile.TemporaryDirectory() as scratch:
-        sdf = pathlib.Path(scratch) / "timing.sdf"
-        try:
-            with gzip.open(folder / "timing.sdf.gz") as packed, sdf.open("wb") as plain:
-                shutil.copyfileobj(packed, plain)
-            graph = timing_graph.read_sdf(sdf)
-        except OSError as error:
-            raise project.Failed(
-                f"{folder}: its delays cannot be read ({error.strerror or error}); remove the "
-                "folder and place again"
-            ) from error
+    """The ends of a placement that is kept in a folder, beside its netlist and what the placer left."""
+    kept = read_json(folder / "placement.json")
+    made_of, routed = (folder.parent / kept[part] for part in ("netlist", "routed"))
+    try:
+        graph = timing_graph.read_sdf(routed / "timing.sdf.gz")
+    except OSError as error:
+        raise project.Failed(
+            f"{routed}: its delays cannot be read ({error.strerror or error}); remove the "
+            "folder and place again"
+        ) from error
     names = source_names.Names(
         made_of / "netlist.json", made_of / "verilog", subject.module, subject.joins
     )
-    timing = placing.agreeing(graph, float(read_json(folder / "placement.json")["mhz"]))[0]
+    timing = placing.agreeing(graph, float(kept["mhz"]))[0]
     if timing is None:
         raise project.Failed(
-            f"{folder}: its delays are not those of its report; remove the folder and place again"
+            f"{routed}: its delays are not those of its report; remove the folder and place again"
         )
     return ends_of(timing, names)

@@ -4,7 +4,9 @@
 gives under a key of all that it was made of."""
 
 import gzip
+import hashlib
 import pathlib
+import re
 import shutil
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -24,6 +26,7 @@ from dynrt_tools.project import Json, read_json, searched
 
 # How far the longest path of the SDF file may be from the period in the placer's report.
 SAME_PERIOD = 0.03
+SOURCE = re.compile(r'"src": "[^"]*"')
 
 
 @dataclass(frozen=True)
@@ -107,18 +110,32 @@ def place(
     called where the placement is not kept from before."""
     made_of = netlist(target.device, subject)
 
-    def make(folder: pathlib.Path) -> None:
+    def route(folder: pathlib.Path) -> None:
         started()
         try:
-            _run(target, subject, seed, made_of, folder)
+            _route(target, seed, made_of, folder)
         except project.Failed:
             log = folder / "log"
             if log.exists():
                 shutil.copyfile(log, failed_log(subject, seed))
             raise
 
-    folder = synthesis.kept("placed", [*target.said(seed), made_of.name], [], make)
+    # Verilog that synthesis makes the same netlist of is placed the same.
+    routed = synthesis.kept("routed", [*target.said(seed), netlist_hash(made_of)], [], route)
+
+    def read(folder: pathlib.Path) -> None:
+        project.write_json(
+            folder / "placement.json", {"seed": seed, **_read(target, subject, made_of, routed)}
+        )
+
+    folder = synthesis.kept("placed", [routed.name, made_of.name], [], read)
     return {"run": folder.name, **read_json(folder / "placement.json")}
+
+
+def netlist_hash(made_of: pathlib.Path) -> str:
+    """Of a netlist apart from the places in the source that its parts come from."""
+    text = (made_of / "netlist.json").read_text(encoding="utf-8")
+    return hashlib.sha256(SOURCE.sub("", text).encode()).hexdigest()
 
 
 def failed_log(subject: Subject, seed: int) -> pathlib.Path:
@@ -126,39 +143,47 @@ def failed_log(subject: Subject, seed: int) -> pathlib.Path:
     return synthesis.KEPT / f"failed-{subject.module}-{seed}.log"
 
 
-def _run(
-    target: Target, subject: Subject, seed: int, made_of: pathlib.Path, folder: pathlib.Path
-) -> None:
-    """Places and routes, and leaves report.json, timing.sdf.gz and placement.json."""
-    placer = placers.PLACERS[target.device]
-    report_file, sdf = folder / "report.json", folder / "timing.sdf"
+def _route(target: Target, seed: int, made_of: pathlib.Path, folder: pathlib.Path) -> None:
+    """Places and routes, and leaves report.json and timing.sdf.gz."""
+    program = placers.PLACERS[target.device]["program"]
+    report, sdf = folder / "report.json", folder / "timing.sdf"
     placers.run(
         [
-            placer["program"],
+            program,
             *placers.flags(target.device, target.grade),
             *("--json", str(made_of / "netlist.json")),
             *("--seed", str(seed)),
             *("--freq", f"{target.mhz:.4f}"),
             "--timing-allow-fail",
-            *("--report", str(report_file)),
+            *("--report", str(report)),
             *("--sdf", str(sdf)),
             *("-q", "-l", str(folder / "log")),
         ],
-        placer["program"],
+        program,
         target.timeout,
     )
-    report = placers.read_report(report_file, target.device, target.mhz)
-    result: Json = {
-        "seed": seed,
+    placers.read_report(report, target.device, target.mhz)
+    try:
+        with sdf.open("rb") as plain, gzip.open(folder / "timing.sdf.gz", "wb") as packed:
+            shutil.copyfileobj(plain, packed)
+        sdf.unlink()
+    except OSError as error:
+        raise placers.PlacerFailed(f"what {program} wrote cannot be read: {error}") from error
+
+
+def _read(target: Target, subject: Subject, made_of: pathlib.Path, routed: pathlib.Path) -> Json:
+    """Clock, cells and worst paths of what the placer left."""
+    report = placers.read_report(routed / "report.json", target.device, target.mhz)
+    return {
         "cells": report.cells,
         "utilization": report.utilization,
         "mhz": round(report.mhz, 2),
         "asked_mhz": round(target.mhz, 2),
         "placer": version_number(placer_version(target.device)),
-        "netlist": made_of.name.removeprefix("netlist-"),
+        "netlist": made_of.name,
+        "routed": routed.name,
+        **_timing(routed / "timing.sdf.gz", made_of, subject, target, report),
     }
-    result |= _timing(sdf, made_of, subject, target, report)
-    project.write_json(folder / "placement.json", result)
 
 
 def _timing(
@@ -168,7 +193,7 @@ def _timing(
     target: Target,
     report: placers.Report,
 ) -> Json:
-    """The worst paths, from an SDF file that is packed afterwards."""
+    """The worst paths, from a packed SDF file."""
     program = placers.PLACERS[target.device]["program"]
     try:
         graph = timing_graph.read_sdf(sdf)
@@ -183,9 +208,6 @@ def _timing(
     names = source_names.Names(
         made_of / "netlist.json", made_of / "verilog", subject.module, subject.joins
     )
-    with sdf.open("rb") as plain, gzip.open(sdf.with_suffix(".sdf.gz"), "wb") as packed:
-        shutil.copyfileobj(plain, packed)
-    sdf.unlink()
     return worst_paths.worst(timing, names, 1000 / target.mhz)
 
 

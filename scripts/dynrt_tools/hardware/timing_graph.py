@@ -3,11 +3,13 @@
 """The delays of a placed and routed design, read from the SDF file that the placer wrote, and the
 longest path to every register."""
 
+import gzip
 import pathlib
 import re
 from collections import defaultdict
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import TextIO
 
 from dynrt_tools import project
 
@@ -68,10 +70,16 @@ def _ns(*picoseconds: str) -> float:
     return max(map(float, picoseconds)) / 1000
 
 
+def _opened(path: pathlib.Path) -> TextIO:
+    if path.suffix == ".gz":
+        return gzip.open(path, "rt", encoding="utf-8")
+    return path.open(encoding="utf-8")
+
+
 def read_sdf(path: pathlib.Path) -> Graph:
-    """The graph of a file that nextpnr wrote."""
+    """The graph of a file that nextpnr wrote, packed or not."""
     graph, cell, kind = Graph(), "", ""
-    with path.open(encoding="utf-8") as file:
+    with _opened(path) as file:
         for line in file:
             if match := WIRE.match(line):
                 driver, end, _, rise, _, fall = match.groups()
