@@ -17,6 +17,7 @@ REFERENCE = project.ROOT / "docs" / "reference" / "commands.md"
 # Data that a command writes without naming the file.
 OWN = {
     "fit_ecp5": "scripts/fit-delays --record",
+    "fit_ecp5_8": "scripts/fit-delays --record",
     "fit_ice40_hx": "scripts/fit-delays --record",
     "ideas": "scripts/docs --measure",
     "build": "scripts/docs --times",

@@ -4,9 +4,9 @@
 several seeds each, and holds the clock that they reach against the one that hlsc's delay model
 predicts.
 
-Units are lowered for the device's delay model; the core and the board's top are the checked-in
-Verilog. A row appears when it is done, with the worst paths of its median seed: where each starts
-and ends, its time in cells and in wires, and how many registers' inputs it ends at.
+Units are lowered for the delay model of device and grade; the core and the board's top are the
+checked-in Verilog. A row appears when it is done, with the worst paths of its median seed: where
+each starts and ends, its time in cells and in wires, and how many registers' inputs it ends at.
 
 Units that do not fit the device, or all where its tool is missing, get Yosys's own timing for
 7-series, which knows the delay of cells but not of wires."""
@@ -28,6 +28,7 @@ from dynrt_tools.hardware import (
     devices,
     kept_placement,
     lowering,
+    model_file,
     place_record,
     place_table,
     placers,
@@ -47,7 +48,7 @@ def parse() -> argparse.Namespace:
         formatter_class=argparse.RawDescriptionHelpFormatter,
         epilog="""\
 The folder that DYNRT_CACHE names, else build/synth, keeps every placement under a key of the
-Verilog, the constraints, the placer's version, the seed and the flags, with its report and its
+netlist, the constraints, the placer's version, the seed and the flags, with its report and its
 delays. The exit code is 1 if a row was not placed: its tool is missing, it failed, ran out of time, does
 not fit the device or cannot be lowered for the clock. It is 1 too if a single seed failed. The other
 rows are complete in each case.""",
@@ -215,17 +216,19 @@ def prepare(name: str, args: argparse.Namespace, build: pathlib.Path | None) -> 
         files += rtl_files.board() if name == rtl_files.BOARD else []
         return Row(name, {"unit": name}, placing.Subject(name, files, args.copies, True))
     assert build is not None  # units are of a build
-    device = devices.DEVICES[args.device]
+    grade = placers.grade_of(args.device, args.grade)
+    model = model_file.base_of(model_file.path_of(args.device, grade))
     unit = lowering.units(build, args.config)[name]
     try:
-        folder = lowering.lower(build, unit, args.clock_ns, device["delay"], args.config)
+        folder = lowering.lower(build, unit, args.clock_ns, str(model), args.config)
     except project.Failed as error:
         return Row(name, {"unit": name, "note": f"not lowered: {error}"})
     files = rtl_files.hand_written() + [folder / f"{name}.v"]
     data: Json = {"unit": name}
     data |= area.schedule((folder / f"{name}.txt").read_text(encoding="utf-8"))
-    cells, _ = synthesis.cells(name, files, devices.FAMILIES[device["family"]]["synth"], name)
-    data["resources"] = devices.resources(device["family"], cells)
+    family = devices.DEVICES[args.device]["family"]
+    cells, _ = synthesis.cells(name, files, devices.FAMILIES[family]["synth"], name)
+    data["resources"] = devices.resources(family, cells)
     taken = {resource: args.copies * n for resource, n in data["resources"].items()}
     if short := devices.shortages(args.device, taken):
         data["note"] = "does not fit: " + "; ".join(short)

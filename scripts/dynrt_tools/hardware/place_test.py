@@ -136,14 +136,15 @@ class Lowering(unittest.TestCase):
 
     def test_a_unit_that_no_schedule_brings_to_the_clock_is_a_failure(self) -> None:
         args = argparse.Namespace(
-            device="ecp5-85", config=rtl_files.CHECKED_IN, clock_ns=0.1, copies=1
+            device="ecp5-85", grade="8", config=rtl_files.CHECKED_IN, clock_ns=0.1, copies=1
         )
         unit = {"sum": {"module": "sum", "header": "sum.h", "type": "Sum"}}
         refusal = project.Failed("sum.h:3: takes 2.35 ns")
         with mock.patch.object(lowering, "units", lambda *_: unit), mock.patch.object(
             lowering, "lower", side_effect=refusal
-        ):
+        ) as lower:
             row = place.prepare("sum", args, pathlib.Path("build"))
+        self.assertEqual(pathlib.Path(lower.call_args.args[3]).name, "ecp5-8.json")
         self.assertIsNone(row.subject)
         self.assertEqual(row.data["note"], "not lowered: sum.h:3: takes 2.35 ns")
 
