@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "cosim/model.h"
-#include "hls/join_record.h"
+#include "hls/join_ports.h"
 #include "hls/ports.h"
 
 namespace hls::cosim {
@@ -127,14 +127,11 @@ template <class Unit>
 class NativeModel : public Model {
  public:
   NativeModel() {
-    const std::vector<std::string> names = split_names(Unit::hls_field_names());
-    std::size_t index = 0;
-    unit_->hls_visit([&](auto&... port) { (add(names[index++], port), ...); });
+    for_each_port(*unit_, [this](const std::string& name, auto& port) { this->add(name, port); });
   }
   void step() override { unit_->step(); }
 
  private:
-  void add(const std::string&, Absent&) {}
   template <class Port>
   void add(const std::string& name, Port& port) {
     ports_.push_back(std::make_unique<NativePort<Port>>(name, port));

@@ -25,31 +25,28 @@ struct BoxClip {
   hls::In<ObjectRay<C>> ray;
   hls::Out<TraversalEvent<C>> enter_object;
   hls::Out<ListJob<C>> missed;
-  hls::RamRead<Real, kPackets> hit_distance[kRays];
-  hls::OptionalPort<kHasMirrors<C>, hls::RamRead<Real, kPackets>> start_distance[kRays];
-  hls::RamWrite<BoxInterval<C>, kPackets> interval[kRays];
-  HLS_PORTS(ray, enter_object, missed, hit_distance[0], hit_distance[1], hit_distance[2],
-            hit_distance[3], start_distance[0], start_distance[1], start_distance[2],
-            start_distance[3], interval[0], interval[1], interval[2], interval[3])
+  hls::RamRead<Real, kPackets> hit_distance[kRays<C>];
+  hls::OptionalPort<kHasMirrors<C>, hls::RamRead<Real, kPackets>> start_distance[kRays<C>];
+  hls::RamWrite<BoxInterval<C>, kPackets> interval[kRays<C>];
+  HLS_PORTS(ray, enter_object, missed, hit_distance, start_distance, interval)
 
   void step() {
     const ObjectRay<C> in = ray.read();
-    Real hit[kRays], start[kRays];
-    for (unsigned i = 0; i < kRays; ++i) {
+    Real hit[kRays<C>], start[kRays<C>];
+    for (unsigned i = 0; i < kRays<C>; ++i) {
       hit[i] = hit_distance[i].read(in.packet);
       if constexpr (kHasMirrors<C>) start[i] = start_distance[i].read(in.packet);
     }
-    BoxInterval<C> inside{pick(in.ray, start), pick(in.ray, hit)};
+    BoxInterval<C> inside{of_ray(start, in.ray), of_ray(hit, in.ray)};
     clip(inside, in.in_object.origin.x, in.in_object.direction.x);
     clip(inside, in.in_object.origin.y, in.in_object.direction.y);
     clip(inside, in.in_object.origin.z, in.in_object.direction.z);
     write_of_ray(interval, in.ray, in.packet, inside);
 
-    // The lowest ray comes first, so the bits move in from above.
-    entering_ = hls::concat(uint<1>(inside.near < inside.far), entering_.template bits<3, 1>());
-    const RayMask entering = entering_ & in.active;
-    if (in.ray == kLastRay) {
-      if (entering != RayMask{}) {
+    entering_ = with_next_ray(entering_, inside.near < inside.far);
+    const RayMask<C> entering = entering_ & in.active;
+    if (in.ray == kLastRay<C>) {
+      if (entering != RayMask<C>{}) {
         enter_object.write(enter_tree(in, entering));
       } else {
         ListJob<C> go_on;
@@ -73,12 +70,8 @@ struct BoxClip {
     const Real far = leaves.sign() ? Real{} : leaves.template moved_up<kWidening>();
     if (far < inside.far) inside.far = far;
   }
-  static Real pick(RayIndex ray, const Real (&of)[kRays]) {
-    return ray.template bit<1>() ? (ray.template bit<0>() ? of[3] : of[2])
-                                 : (ray.template bit<0>() ? of[1] : of[0]);
-  }
 
-  RayMask entering_;  ///< of the packet, whose rays come one after the other
+  RayMask<C> entering_;  ///< of the packet, whose rays come one after the other
 };
 
 }  // namespace dynrt

@@ -18,14 +18,14 @@ Real real(double value) { return Real::from_double(value); }
 class Box : public testing::Test {
  protected:
   Box() {
-    for (unsigned i = 0; i < kRays; ++i) hit(i, Real::largest());
+    for (unsigned i = 0; i < kRays<C>; ++i) hit(i, Real::largest());
   }
   void hit(unsigned ray, Real t) { bench_.rows(bench_.unit.hit_distance[ray])[5] = t; }
   void send(unsigned ray, const Vec& origin, const Vec& direction, unsigned active = 15) {
     ObjectRay<C> r;
     r.packet = 5;
-    r.ray = RayIndex::from(ray);
-    r.active = RayMask::from(active);
+    r.ray = RayIndex<C>::from(ray);
+    r.active = RayMask<C>::from(active);
     r.root = 1234;
     r.in_object = {origin, direction};
     bench_.feed(bench_.unit.ray, r);
@@ -47,7 +47,7 @@ TEST_F(Box, APacketEntersWithTheRaysThatMeetTheBox) {
   EXPECT_EQ(e.packet, PacketId<C>(5));
   EXPECT_EQ(e.level, Level(1));
   EXPECT_EQ(e.next, Address(1234));
-  EXPECT_EQ(e.active, RayMask(0b1001)) << "ray 1 passes the box, ray 2 has it behind";
+  EXPECT_EQ(e.active, RayMask<C>(0b1001)) << "ray 1 passes the box, ray 2 has it behind";
   EXPECT_TRUE(bench_.take(bench_.unit.missed).empty());
   EXPECT_NEAR(interval(0).near.to_double(), 2, 1e-3);
   EXPECT_LT(interval(0).near.to_double(), 2);
@@ -56,7 +56,7 @@ TEST_F(Box, APacketEntersWithTheRaysThatMeetTheBox) {
 }
 
 TEST_F(Box, APacketThatMissesTheBoxGoesOnInTheList) {
-  for (unsigned i = 0; i < kRays; ++i) send(i, {real(-3), real(2), real(0.5)}, kAlongX);
+  for (unsigned i = 0; i < kRays<C>; ++i) send(i, {real(-3), real(2), real(0.5)}, kAlongX);
   EXPECT_TRUE(bench_.take(bench_.unit.enter_object).empty());
   const ListJob<C> job = bench_.take_one(bench_.unit.missed);
   EXPECT_EQ(job.packet, PacketId<C>(5));
@@ -65,24 +65,24 @@ TEST_F(Box, APacketThatMissesTheBoxGoesOnInTheList) {
 }
 
 TEST_F(Box, ABoxBehindTheHitIsNotEntered) {
-  for (unsigned i = 0; i < kRays; ++i) {
+  for (unsigned i = 0; i < kRays<C>; ++i) {
     hit(i, real(i == 2 ? 2.5 : 1.5));
     send(i, {real(-3), real(0.5), real(0.5)}, kAlongX);
   }
-  EXPECT_EQ(bench_.take_one(bench_.unit.enter_object).active, RayMask(0b0100));
+  EXPECT_EQ(bench_.take_one(bench_.unit.enter_object).active, RayMask<C>(0b0100));
   EXPECT_EQ(interval(2).far, real(2.5));
 }
 
 TEST_F(Box, RaysThatAreNotTracedDoNotEnter) {
-  for (unsigned i = 0; i < kRays; ++i) {
+  for (unsigned i = 0; i < kRays<C>; ++i) {
     send(i, {real(-3), real(0.5), real(0.5)}, kAlongX, 0b0110);
   }
-  EXPECT_EQ(bench_.take_one(bench_.unit.enter_object).active, RayMask(0b0110));
+  EXPECT_EQ(bench_.take_one(bench_.unit.enter_object).active, RayMask<C>(0b0110));
 }
 
 TEST_F(Box, ARayFromInsideStartsAtOnce) {
-  for (unsigned i = 0; i < kRays; ++i) send(i, {real(0.25), real(-0.5), real(0.5)}, kAlongX);
-  EXPECT_EQ(bench_.take_one(bench_.unit.enter_object).active, RayMask(0b1111));
+  for (unsigned i = 0; i < kRays<C>; ++i) send(i, {real(0.25), real(-0.5), real(0.5)}, kAlongX);
+  EXPECT_EQ(bench_.take_one(bench_.unit.enter_object).active, RayMask<C>(0b1111));
   EXPECT_EQ(interval(3).near, Real{});
   EXPECT_NEAR(interval(3).far.to_double(), 0.75, 1e-3);
 }
@@ -106,7 +106,7 @@ TEST_F(Box, NoPartOfTheBoxIsLost) {
       near = std::max(near, std::min(a, b));
       far = std::min(far, std::max(a, b));
     }
-    for (unsigned i = 0; i < kRays; ++i) send(i, o, d);
+    for (unsigned i = 0; i < kRays<C>; ++i) send(i, o, d);
     const bool enters = !bench_.take(bench_.unit.enter_object).empty();
     bench_.take(bench_.unit.missed);
     if (near <= far && far > 1e-9) {

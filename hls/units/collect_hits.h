@@ -42,16 +42,15 @@ struct CollectHits {
   hls::OptionalPort<kTwoLevels<C>, hls::RamRead<MatrixNumber<C>, kPackets>> object;
   hls::Out<ListJob<C>> go_on;
   hls::Out<MailboxEntry<C>> start;
-  hls::RamWrite<Real, kPackets> distance[kRays];
+  hls::RamWrite<Real, kPackets> distance[kRays<C>];
   hls::RamWrite<HitRecord<C>, kRayRows<C>> hit;  ///< of primary rays
   hls::OptionalPort<kHasSecondary<C>, hls::Out<DerivationEvent<C>>> derived;
   hls::OptionalPort<kHasSecondary<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
   hls::OptionalPort<kHasSecondary<C>, hls::RamWrite<Found<C>, kRayRows<C>>> found;
-  hls::OptionalPort<kHasMirrors<C>, hls::RamWrite<Real, kPackets>> start_distance[kRays];
+  hls::OptionalPort<kHasMirrors<C>, hls::RamWrite<Real, kPackets>> start_distance[kRays<C>];
   hls::Ram1R1W<Closest, kRayRows<C>> closest;
-  HLS_PORTS(candidate, record, object, go_on, start, distance[0], distance[1], distance[2],
-            distance[3], hit, derived, surface, found, start_distance[0], start_distance[1],
-            start_distance[2], start_distance[3])
+  HLS_PORTS(candidate, record, object, go_on, start, distance, hit, derived, surface, found,
+            start_distance)
 
   void step() {
     const HitCandidate<C> in = candidate.read();
@@ -112,8 +111,8 @@ struct CollectHits {
       if (in.reset || closer || lit) found.write(row, f);
     }
     if constexpr (kHasMirrors<C>) {
-      for (unsigned i = 0; i < kRays; ++i) {
-        if (in.reset && in.ray == RayIndex::from(i)) {
+      for (unsigned i = 0; i < kRays<C>; ++i) {
+        if (in.reset && in.ray == RayIndex<C>::from(i)) {
           start_distance[i].write(in.packet, begun.start.get());
         }
       }
@@ -125,7 +124,7 @@ struct CollectHits {
         go_on_deriving.packet = in.packet;
         derived.write(go_on_deriving);
       }
-    } else if (in.ray == kLastRay) {
+    } else if (in.ray == kLastRay<C>) {
       if (in.reset) {
         MailboxEntry<C> begin_packet;
         begin_packet.packet = in.packet;

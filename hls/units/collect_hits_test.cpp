@@ -17,7 +17,7 @@ void feed(UnitBench& bench, const HitCandidate<C>& in) {
 HitCandidate<C> reset(unsigned packet, unsigned ray) {
   HitCandidate<C> in;
   in.packet = PacketId<C>::from(packet);
-  in.ray = RayIndex::from(ray);
+  in.ray = RayIndex<C>::from(ray);
   in.reset = true;
   in.t = Real::one();
   return in;
@@ -25,7 +25,7 @@ HitCandidate<C> reset(unsigned packet, unsigned ray) {
 HitCandidate<C> candidate(unsigned packet, unsigned ray, double t, bool hit = true) {
   HitCandidate<C> in;
   in.packet = PacketId<C>::from(packet);
-  in.ray = RayIndex::from(ray);
+  in.ray = RayIndex<C>::from(ray);
   in.hit = hit;
   in.t = Real::from_double(t);
   in.u = Real::from_double(t / 4);
@@ -38,7 +38,7 @@ HitRecord<C> stored(UnitBench& bench, unsigned packet, unsigned ray) {
 TEST(CollectHits, ANewRayHasNoHitAndThenStarts) {
   UnitBench bench;
   bench.rows(bench.unit.record)[6].active = 0b0011;
-  for (unsigned ray = 0; ray < kRays; ++ray) {
+  for (unsigned ray = 0; ray < kRays<C>; ++ray) {
     EXPECT_TRUE(bench.take(bench.unit.start).empty());
     feed(bench, reset(6, ray));
     HitRecord<C> none;
@@ -56,7 +56,7 @@ TEST(CollectHits, ANewRayHasNoHitAndThenStarts) {
 
 TEST(CollectHits, AfterTheLastRayTheListGoesOn) {
   UnitBench bench;
-  for (unsigned ray = 0; ray < kRays; ++ray) {
+  for (unsigned ray = 0; ray < kRays<C>; ++ray) {
     EXPECT_TRUE(bench.take(bench.unit.go_on).empty());
     feed(bench, candidate(2, ray, 1, ray % 2 == 0));
   }
@@ -79,18 +79,18 @@ TEST(CollectHits, OfEqualDistancesTheFirstStays) {
 TEST(CollectHits, KeepsTheClosestHitOfEveryRay) {
   UnitBench bench;
   test::Random random(61);
-  HitRecord<C> best[C::kPackets][kRays];
-  for (unsigned i = 0; i < C::kPackets * kRays; ++i) {
+  HitRecord<C> best[C::kPackets][kRays<C>];
+  for (unsigned i = 0; i < C::kPackets * kRays<C>; ++i) {
     feed(bench, reset(i / 4, i % 4));
     best[i / 4][i % 4].t = Real::largest();
   }
   unsigned closer = 0, farther = 0, equal = 0, resets = 0;
   for (unsigned n = 0; n < 100'000; ++n) {
     const unsigned packet = test::below(random, C::kPackets);
-    const unsigned ray = test::below(random, kRays);
+    const unsigned ray = test::below(random, kRays<C>);
     auto in = test::random_token<HitCandidate<C>>(random);
     in.packet = PacketId<C>::from(packet);
-    in.ray = RayIndex::from(ray);
+    in.ray = RayIndex<C>::from(ray);
     in.reset = test::chance(random, 5);
     in.hit = !in.reset && test::chance(random, 70);
     in.t = Real::from_double(test::below(random, 50));
@@ -128,7 +128,7 @@ Found<LitSpheres> lit_at(Primitive primitive, double t) {
   bench.rows(bench.unit.object)[0] = 7;
   JobRecord<LitSpheres> job;
   job.kind = TransformKind::kSecondary;
-  job.derived = DerivedRay{Derivation::kLight, 0};
+  job.derived = DerivedRay<LitSpheres>{Derivation::kLight, 0};
   job.matrix = 9;
   job.active = 1;
   bench.rows(bench.unit.record)[0] = job;

@@ -53,7 +53,7 @@ struct Core {
   NodeFetch<C> node_fetch;
   CacheLookup<C, NodeCache<C>> node_lookup;
   CacheFill<C, NodeCache<C>> node_fill;
-  TraversalSlice<C> slice[kRays];
+  TraversalSlice<C> slice[kRays<C>];
   PacketDecision<C> packet_decision;
   List<C> list;
   CacheLookup<C, ListCache<C>> list_lookup;
@@ -109,7 +109,7 @@ struct Core {
     join.unit("node_fetch", "node_fetch", node_fetch);
     join.unit("node_lookup", "node_lookup", node_lookup);
     join.unit("node_fill", "node_fill", node_fill);
-    for (unsigned i = 0; i < kRays; ++i) {
+    for (unsigned i = 0; i < kRays<C>; ++i) {
       join.unit("slice_" + std::to_string(i), "traversal_slice", slice[i]);
     }
     join.unit("packet_decision", "packet_decision", packet_decision);
@@ -189,12 +189,12 @@ struct Core {
     }
     join.channel<TraversalEvent<C>>("traversal_event", events, {&node_fetch.event}, kAll);
     join.channel("node_request", node_fetch.request, node_lookup.request, kAll);
-    join.channel<Step<C>>("step", {&node_lookup.reply, &node_fill.reply},
-                          {&slice[0].step_in, &slice[1].step_in, &slice[2].step_in,
-                           &slice[3].step_in, &packet_decision.step_in},
-                          kAll);
-    for (unsigned i = 0; i < kRays; ++i) {
-      join.constant(slice[i].lane, RayIndex::from(i));
+    hls::Readers<Step<C>> steps = {};
+    for (TraversalSlice<C>& one : slice) steps.push_back(&one.step_in);
+    steps.push_back(&packet_decision.step_in);
+    join.channel<Step<C>>("step", {&node_lookup.reply, &node_fill.reply}, steps, kAll);
+    for (unsigned i = 0; i < kRays<C>; ++i) {
+      join.constant(slice[i].lane, RayIndex<C>::from(i));
       join.channel("decision_" + std::to_string(i), slice[i].decision, packet_decision.slice[i],
                    kAll);
       join_rays(join, i);
@@ -269,9 +269,9 @@ struct Core {
     join.channel("transformed", transformation.transformed, packet_decoder.vector);
     hls::Writers unit_rays = {&packet_decoder.unit_ray};
     if constexpr (kHasReciprocals<C>) {
-      // Four rays come in five clocks and take twelve; the transformation must not wait for them.
+      // A ray comes with each clock and takes three; the transformation must not wait for them.
       join.repeat("traced_ray", hls::Writers{&packet_decoder.traced}, ray_reciprocal.traced,
-                  kRays * kAll);
+                  kRays<C> * kAll);
       unit_rays.push_back(&ray_reciprocal.reset);
     }
     if constexpr (kClipsToBox<C>) {
@@ -280,7 +280,7 @@ struct Core {
       } else {
         join.channel("object_ray", packet_decoder.object_ray, box_clip.ray);
       }
-      for (unsigned i = 0; i < kRays; ++i) {
+      for (unsigned i = 0; i < kRays<C>; ++i) {
         join.ram("box_" + std::to_string(i), box_clip.interval[i], std::array{&slice[i].box});
       }
     }
@@ -305,7 +305,7 @@ struct Core {
     if constexpr (kHasMirrors<C>) {
       if constexpr (kTwoLevels<C>) derive.push_back(&packet_decoder.derived);
       arriving.push_back(&send_packet.arriving);
-      for (unsigned i = 0; i < kRays; ++i) {
+      for (unsigned i = 0; i < kRays<C>; ++i) {
         std::vector readers = {&slice[i].start_distance};
         if constexpr (kClipsToBox<C>) readers.push_back(&box_clip.start_distance[i]);
         join.ram("start_distance_" + std::to_string(i), collect_hits.start_distance[i], readers);

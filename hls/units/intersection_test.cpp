@@ -26,7 +26,7 @@ HitCandidate<Config> intersect(const Vec& origin, const Vec& direction) {
   bench.run();
   const HitCandidate<Config> out = bench.take_one(bench.unit.candidate);
   EXPECT_EQ(out.packet, PacketId<Config>(3));
-  EXPECT_EQ(out.ray, RayIndex(2));
+  EXPECT_EQ(out.ray, RayIndex<C>(2));
   EXPECT_FALSE(out.reset);
   return out;
 }
@@ -90,7 +90,7 @@ TEST(Intersection, ANewRayPassesWithoutATest) {
   const auto out = bench.take_one(bench.unit.candidate);
   EXPECT_TRUE(out.reset);
   EXPECT_FALSE(out.hit);
-  EXPECT_EQ(out.ray, RayIndex(1));
+  EXPECT_EQ(out.ray, RayIndex<C>(1));
 }
 
 TEST(Intersection, AgreesWithDoubleArithmetic) {

@@ -15,7 +15,7 @@ namespace dynrt {
 template <class C>
 struct UnitRay {
   PacketId<C> packet;
-  RayIndex ray;
+  RayIndex<C> ray;
   bool reset = false;  ///< not a test: the ray is new and has no hit yet
   /// The ray in unit space, or the triangle in the ray's.
   std::conditional_t<kWatertight<C>, MappedTriangle<typename C::Real>, Ray<typename C::Real>> unit;
@@ -27,7 +27,7 @@ struct UnitRay {
 template <class C>
 struct HitCandidate {
   PacketId<C> packet;
-  RayIndex ray;
+  RayIndex<C> ray;
   bool reset = false;
   bool hit = false;
   typename C::Real t, u, v, cosine;

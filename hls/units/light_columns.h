@@ -35,7 +35,7 @@ struct LightColumns {
 
   void step() {
     Column c = fetched.read();
-    const DerivedRay derived = c.context.extras.derived.get();
+    const DerivedRay<C> derived = c.context.extras.derived.get();
     const bool is_light =
         c.context.kind == TransformKind::kSecondary && derived.pass == Derivation::kLight;
     const bool first = c.context.column == uint<2>(0);

@@ -23,8 +23,8 @@ class LightColumnsTest : public testing::Test {
  protected:
   LightColumnsTest() {
     const auto real = [](double v) { return Real::from_double(v); };
-    bench_.rows(bench_.unit.arriving)[5 * kRays + 2] = {{real(1), real(2), real(3)},
-                                                        {real(4), real(5), real(6)}};
+    bench_.rows(bench_.unit.arriving)[5 * kRays<C> + 2] = {{real(1), real(2), real(3)},
+                                                           {real(4), real(5), real(6)}};
   }
   MatrixColumn<Real> through(TransformKind kind, Derivation pass, unsigned number,
                              MatrixColumn<Real> line) {
@@ -32,7 +32,7 @@ class LightColumnsTest : public testing::Test {
     c.context.packet = 5;
     c.context.kind = kind;
     c.context.column = uint<2>::from(number);
-    c.context.extras.derived = DerivedRay{pass, RayIndex(2)};
+    c.context.extras.derived = DerivedRay<C>{pass, RayIndex<C>(2)};
     c.address = Address::from(40 + number);
     c.line = line;
     bench_.feed(bench_.unit.fetched, c);

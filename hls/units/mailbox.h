@@ -42,7 +42,7 @@ struct Mailbox {
   static constexpr bool kHasTriangles = C::kTriangleSlots > 0;
   /// The packet's rays that are traced.
   struct Traced {
-    RayMask rays;
+    RayMask<C> rays;
     hls::OptionalField<kHasMirrors<C>, bool> distinct_origins;
     HLS_FIELDS(rays, distinct_origins)
   };

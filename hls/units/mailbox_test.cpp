@@ -23,7 +23,7 @@ MailboxEntry<C> entry(unsigned packet, unsigned level, unsigned matrix, bool las
   return e;
 }
 /// Rays that are traced; another set for every packet.
-RayMask traced(PacketId<C> packet) { return RayMask::from(7 + packet.to_u64()); }
+RayMask<C> traced(PacketId<C> packet) { return RayMask<C>::from(7 + packet.to_u64()); }
 MailboxEntry<C> new_rays(unsigned packet) {
   MailboxEntry<C> e;
   e.packet = PacketId<C>::from(packet);
@@ -219,9 +219,9 @@ TEST(Mailbox, TellsWhichPrimitiveAndOfHowManyColumns) {
     e.entry.set_primitive(primitive);
     const TransformJob<Everything> job = job_of(e);
     EXPECT_EQ(job.extras.primitive.get(), primitive);
-    EXPECT_EQ(job.repeat, RepeatCount::from(columns - 1));
+    EXPECT_EQ(job.repeat, RepeatCount<C>::from(columns - 1));
   }
-  EXPECT_EQ(job_of(MailboxEntry<Everything>{}).repeat, RepeatCount(3)) << "an object has four";
+  EXPECT_EQ(job_of(MailboxEntry<Everything>{}).repeat, RepeatCount<C>(3)) << "an object has four";
 }
 
 }  // namespace

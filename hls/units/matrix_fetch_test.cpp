@@ -16,7 +16,7 @@ TEST(MatrixFetch, AsksForTheFourColumnsOfTheMatrix) {
     auto job = test::random_token<TransformJob<C>>(random);
     job.repeat = 3;
     for (unsigned i = 0; i < 4; ++i) {
-      bench.feed(bench.unit.job, Repeated<TransformJob<C>>{RepeatCount::from(i), i == 3, job});
+      bench.feed(bench.unit.job, Repeated<TransformJob<C>>{RepeatCount<C>::from(i), i == 3, job});
     }
     bench.run();
     std::vector<CacheRequest<ColumnContext<C>>> expected;
@@ -40,7 +40,7 @@ TEST(MatrixFetch, TrianglesAndMirrorsBeginEveryThreeColumns) {
     auto job = test::random_token<TransformJob<Compact>>(random);
     job.kind = static_cast<TransformKind>(test::below(random, 4));
     const unsigned index = test::below(random, 4);
-    const Repeated<TransformJob<Compact>> repeated{RepeatCount::from(index), index == 3, job};
+    const Repeated<TransformJob<Compact>> repeated{RepeatCount<C>::from(index), index == 3, job};
     bench.feed(bench.unit.job, repeated);
     bench.run();
     const bool three = job.kind == TransformKind::kTriangle ||

@@ -33,7 +33,7 @@ struct MatrixStore {
   hls::RamWrite<JobRecord<C>, kPackets> record;
   hls::OptionalPort<kTwoLevels<C>, hls::RamWrite<MatrixNumber<C>, kPackets>> object;
   hls::RegisterFile<Progress, kPackets> progress;
-  HLS_PORTS(reply, frame, ready, column[0], column[1], column[2], column[3], record, object)
+  HLS_PORTS(reply, frame, ready, column, record, object)
 
   void step() {
     const auto r = reply.read();
@@ -105,10 +105,10 @@ struct MatrixStore {
       }
       const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kSecondary;
       const bool corners = kWatertight<C> && r.context.kind == TransformKind::kTriangle;
-      send.repeat = corners            ? RepeatCount(11)
-                    : one_ray          ? RepeatCount(1)
-                    : distinct_origins ? RepeatCount(7)
-                                       : RepeatCount(4);
+      send.repeat = corners            ? RepeatCount<C>(3 * kRays<C> - 1)
+                    : one_ray          ? RepeatCount<C>(1)
+                    : distinct_origins ? RepeatCount<C>(2 * kRays<C> - 1)
+                                       : RepeatCount<C>(kRays<C>);
       send.packet = packet;
       send.kind = r.context.kind;
       send.derived = derived;

@@ -14,7 +14,7 @@ using UnitBench = test::UnitBench<MatrixStore<C>>;
 
 struct Job {
   TransformKind kind;
-  RayMask active;
+  RayMask<C> active;
   unsigned matrix;
   std::array<MatrixColumn<Real>, 4> columns;
   std::array<unsigned, 4> order;
@@ -22,7 +22,7 @@ struct Job {
 
   explicit Job(test::Random& random)
       : kind(static_cast<TransformKind>(test::below(random, 3))),
-        active(test::random_token<RayMask>(random)),
+        active(test::random_token<RayMask<C>>(random)),
         matrix(test::below(random, kMaxMatrices)),
         columns(test::random_token<std::array<MatrixColumn<Real>, 4>>(random)),
         order{0, 1, 2, 3} {
@@ -59,8 +59,8 @@ TEST(MatrixStore, TakesTheColumnsOfManyPacketsInAnyOrder) {
     }
     ++complete;
     extra_last += job.order[3] == 0;
-    const SendJob<C> ready{uncompressed ? RepeatCount(7) : RepeatCount(4), PacketId<C>::from(p),
-                           job.kind};
+    const SendJob<C> ready{uncompressed ? RepeatCount<C>(7) : RepeatCount<C>(4),
+                           PacketId<C>::from(p), job.kind};
     ASSERT_TRUE(test::same(bench.take_one(bench.unit.ready), ready));
     for (unsigned c = 0; c < 4; ++c) {
       const auto& row = job.columns[c].row;

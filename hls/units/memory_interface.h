@@ -19,7 +19,7 @@ struct MemoryInterface {
   hls::Out<ListLine<C>> list;
   hls::Out<ColumnLine<C>> column;
   hls::RamRead<SceneWord<Real>, kBankWords, C::kSramLatency> bank[kSceneBanks];
-  HLS_PORTS(request, node, list, column, bank[0], bank[1], bank[2])
+  HLS_PORTS(request, node, list, column, bank)
 
   void step() {
     const MemoryRequest<C> r = request.read();

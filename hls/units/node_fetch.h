@@ -24,19 +24,20 @@ struct NodeFetch {
   using Stack = StackPointer<C>;
   /// The state of a packet in one level.
   struct State {
-    Stack stack;    ///< entries in use
-    RayMask alive;  ///< rays that entered the level and have not ended in it
+    Stack stack;       ///< entries in use
+    RayMask<C> alive;  ///< rays that entered the level and have not ended in it
     hls::OptionalField<kHasSecondary<C>, RayKind> rays{};          ///< level 0: their kind
-    hls::OptionalField<kSplitsPackets<C>, RayMask> waiting{};      ///< rays of the groups to come
+    hls::OptionalField<kSplitsPackets<C>, RayMask<C>> waiting{};   ///< rays of the groups to come
     hls::OptionalField<kSplitsPackets<C>, NodeAddress<C>> root{};  ///< node where they begin
-    hls::OptionalField<kRemembersChild<C>, RayMask> crossing{};  ///< rays that have crossed others
+    hls::OptionalField<kRemembersChild<C>, RayMask<C>>
+        crossing{};  ///< rays that have crossed others
     HLS_FIELDS(stack, alive, rays, waiting, root, crossing)
   };
   struct Entry {
     NodeAddress<C> node;
-    RayMask active;
-    RayMask both;
-    hls::OptionalField<kRemembersChild<C>, RayMask> crossing{};
+    RayMask<C> active;
+    RayMask<C> both;
+    hls::OptionalField<kRemembersChild<C>, RayMask<C>> crossing{};
     HLS_FIELDS(node, active, both, crossing)
   };
 
@@ -46,11 +47,10 @@ struct NodeFetch {
   hls::Out<ShadeJob<C>> top_done;
   hls::OptionalPort<kTwoLevels<C>, hls::Out<ListJob<C>>> object_done;
   hls::Out<DroppedPush<C>> dropped;
-  hls::OptionalPort<kSplitsPackets<C>, hls::RamRead<DirectionSigns, kLevelRows<C>>> signs[kRays];
+  hls::OptionalPort<kSplitsPackets<C>, hls::RamRead<DirectionSigns, kLevelRows<C>>> signs[kRays<C>];
   hls::Ram1R1W<State, kLevelRows<C>> states;
   hls::Ram1R1W<Entry, kStackRows<C>> stack;
-  HLS_PORTS(event, request, again, top_done, object_done, dropped, signs[0], signs[1], signs[2],
-            signs[3])
+  HLS_PORTS(event, request, again, top_done, object_done, dropped, signs)
 
   void step() {
     const TraversalEvent<C> e = event.read();
@@ -58,14 +58,14 @@ struct NodeFetch {
     State state = states.read(row);
 
     const bool enter = e.kind == TraversalKind::kEnter;
-    const RayMask entering = enter ? first_group(e, row) : RayMask{};
+    const RayMask<C> entering = enter ? first_group(e, row) : RayMask<C>{};
     if (enter) {
       state.stack = 0;
       state.alive = entering;
       state.rays = e.rays;
       state.waiting = e.active & ~entering;
       state.root = e.next;
-      state.crossing = RayMask{};
+      state.crossing = RayMask<C>{};
     }
     state.alive = state.alive & ~(e.terminated & ~state.crossing.get());
 
@@ -99,13 +99,13 @@ struct NodeFetch {
         state.crossing = state.crossing.get() | e.crossing.get();
       }
     } else if (e.kind == TraversalKind::kPop) {
-      const bool finished = state.stack == Stack{} || state.alive == RayMask{};
-      const RayMask active = popped.active & state.alive;
-      fetch = !finished && active != RayMask{};
+      const bool finished = state.stack == Stack{} || state.alive == RayMask<C>{};
+      const RayMask<C> active = popped.active & state.alive;
+      fetch = !finished && active != RayMask<C>{};
       if (!finished) {
         state.stack = below;
       }
-      if (finished && state.waiting.get() != RayMask{}) {
+      if (finished && state.waiting.get() != RayMask<C>{}) {
         TraversalEvent<C> next_group;
         next_group.packet = e.packet;
         next_group.level = e.level;
@@ -137,17 +137,17 @@ struct NodeFetch {
  private:
   /// The rays that enter a level first: all, or where the packet is split, the lowest and those
   /// whose directions have its signs.
-  RayMask first_group(const TraversalEvent<C>& e, LevelRow<C> row) {
-    RayMask group = e.active;
+  RayMask<C> first_group(const TraversalEvent<C>& e, LevelRow<C> row) {
+    RayMask<C> group = e.active;
     if constexpr (kSplitsPackets<C>) {
-      DirectionSigns of[kRays];
-      for (unsigned i = 0; i < kRays; ++i) of[i] = signs[i].read(row);
-      const DirectionSigns lowest = e.active.template bit<0>()   ? of[0]
-                                    : e.active.template bit<1>() ? of[1]
-                                    : e.active.template bit<2>() ? of[2]
-                                                                 : of[3];
-      for (unsigned i = 0; i < kRays; ++i) {
-        if (e.distinct_origins.get() && of[i] != lowest) group = group & ~RayMask::from(1u << i);
+      DirectionSigns of[kRays<C>];
+      for (unsigned i = 0; i < kRays<C>; ++i) of[i] = signs[i].read(row);
+      DirectionSigns lowest = of[kRays<C> - 1];
+      for (unsigned i = kRays<C> - 1; i-- > 0;) {
+        if (e.active.bit(i)) lowest = of[i];
+      }
+      for (unsigned i = 0; i < kRays<C>; ++i) {
+        if (e.distinct_origins.get() && of[i] != lowest) group = group & ~RayMask<C>::from(1u << i);
       }
     }
     return group;
@@ -155,7 +155,7 @@ struct NodeFetch {
   void finish(const TraversalEvent<C>& e, const State& state) {
     if (!kTwoLevels<C> || is_top<C>(e.level)) {
       ShadeJob<C> shade;
-      shade.repeat = kHasSecondary<C> ? RepeatCount(3) : RepeatCount(15);
+      shade.repeat = kHasSecondary<C> ? kRays<C> - 1 : 4 * kRays<C> - 1;
       shade.packet = e.packet;
       shade.kind = state.rays;
       top_done.write(shade);

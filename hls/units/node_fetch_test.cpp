@@ -23,7 +23,7 @@ TraversalEvent<C> event(TraversalKind kind, unsigned packet, unsigned level) {
 TraversalEvent<C> enter(unsigned packet, unsigned level, unsigned node, unsigned active = 15) {
   TraversalEvent<C> e = event(TraversalKind::kEnter, packet, level);
   e.next = Address::from(node);
-  e.active = RayMask::from(active);
+  e.active = RayMask<C>::from(active);
   return e;
 }
 TraversalEvent<C> push(unsigned packet, unsigned level, unsigned next, unsigned pushed,
@@ -32,13 +32,13 @@ TraversalEvent<C> push(unsigned packet, unsigned level, unsigned next, unsigned 
   e.next = Address::from(next);
   e.active = 15;
   e.pushed = Address::from(pushed);
-  e.pushed_active = RayMask::from(pushed_active);
-  e.both = RayMask::from(both);
+  e.pushed_active = RayMask<C>::from(pushed_active);
+  e.both = RayMask<C>::from(both);
   return e;
 }
 TraversalEvent<C> pop(unsigned packet, unsigned level, unsigned terminated = 0) {
   TraversalEvent<C> e = event(TraversalKind::kPop, packet, level);
-  e.terminated = RayMask::from(terminated);
+  e.terminated = RayMask<C>::from(terminated);
   return e;
 }
 
@@ -61,7 +61,7 @@ TEST(NodeFetch, EntersAtTheNodeGivenWithFreshIntervals) {
   EXPECT_EQ(r.address, Address(4711));
   EXPECT_EQ(r.context.packet, PacketId<C>(3));
   EXPECT_EQ(r.context.level, Level(1));
-  EXPECT_EQ(r.context.active, RayMask(0b0110));
+  EXPECT_EQ(r.context.active, RayMask<C>(0b0110));
   EXPECT_EQ(r.context.update, IntervalUpdate::kInit);
   expect_quiet(bench);
 }
@@ -75,8 +75,8 @@ TEST(NodeFetch, GoesOnInOneChildAndClipsTheEndThatWasPassed) {
   go.both = 2;
   Request r = step(bench, go);
   EXPECT_EQ(r.address, Address(5));
-  EXPECT_EQ(r.context.active, RayMask(3));
-  EXPECT_EQ(r.context.both, RayMask(2));
+  EXPECT_EQ(r.context.active, RayMask<C>(3));
+  EXPECT_EQ(r.context.both, RayMask<C>(2));
   EXPECT_EQ(r.context.update, IntervalUpdate::kClipFar);
   go.clip_near = true;
   r = step(bench, go);
@@ -92,15 +92,15 @@ TEST(NodeFetch, PopsWhatWasPushedLastFirst) {
     EXPECT_EQ(r.address, Address::from(100 + i));
     EXPECT_EQ(r.context.update, IntervalUpdate::kClipFarPush);
     EXPECT_EQ(r.context.stack, StackPointer<C>::from(i)) << "the far stack's row to push to";
-    EXPECT_EQ(r.context.both, RayMask::from(i % 16));
+    EXPECT_EQ(r.context.both, RayMask<C>::from(i % 16));
   }
   for (unsigned i = C::kStackDepth; i-- > 0;) {
     const Request r = step(bench, pop(2, 0));
     EXPECT_EQ(r.address, Address::from(200 + i));
     EXPECT_EQ(r.context.update, IntervalUpdate::kPop);
     EXPECT_EQ(r.context.stack, StackPointer<C>::from(i)) << "the far stack's row to pop from";
-    EXPECT_EQ(r.context.active, RayMask::from(1 + i % 15));
-    EXPECT_EQ(r.context.both, RayMask::from(i % 16));
+    EXPECT_EQ(r.context.active, RayMask<C>::from(1 + i % 15));
+    EXPECT_EQ(r.context.both, RayMask<C>::from(i % 16));
   }
   expect_quiet(bench);
   bench.feed(bench.unit.event, pop(2, 0));
@@ -126,7 +126,7 @@ TEST(NodeFetch, ALevelEndsWhenNoRayIsAlive) {
   step(bench, enter(4, 1, 1, 0b1011));
   step(bench, push(4, 1, 2, 3));
   step(bench, push(4, 1, 2, 4));
-  EXPECT_EQ(step(bench, pop(4, 1, 0b0011)).context.active, RayMask(0b1000))
+  EXPECT_EQ(step(bench, pop(4, 1, 0b0011)).context.active, RayMask<C>(0b1000))
       << "only living rays enter a popped node, and only those that entered the level";
   bench.feed(bench.unit.event, pop(4, 1, 0b1000));
   bench.run();
@@ -172,14 +172,14 @@ class Reference {
     Request r{{e.packet, e.level, IntervalUpdate::kInit, e.both, e.active, {}}, e.next};
     r.context.stack = StackPointer<C>::from(s.stack.size());
     if (e.kind == TraversalKind::kPop) {
-      s.busy = !s.stack.empty() && s.alive != RayMask{};
+      s.busy = !s.stack.empty() && s.alive != RayMask<C>{};
       if (!s.busy && e.level == Level{}) a.top_done.push_back({15, e.packet});
       if (!s.busy && e.level != Level{}) a.object_done.push_back({e.packet, 0, false, {}});
       if (!s.busy) return a;
       const TraversalEvent<C> entry = s.stack.back();
       s.stack.pop_back();
-      const RayMask active = entry.pushed_active & s.alive;
-      if (active == RayMask{}) {
+      const RayMask<C> active = entry.pushed_active & s.alive;
+      if (active == RayMask<C>{}) {
         a.again.push_back({});
         a.again[0].packet = e.packet;
         a.again[0].level = e.level;
@@ -207,7 +207,7 @@ class Reference {
  private:
   struct State {
     bool busy = false;
-    RayMask alive;
+    RayMask<C> alive;
     std::vector<TraversalEvent<C>> stack;
   };
   State states_[C::kPackets][2];
@@ -305,8 +305,8 @@ using Split = Crosses<Crossing::kSplit>;
 TEST(NodeFetch, ASplitPacketEntersOnceForEachGroupOfSigns) {
   test::UnitBench<NodeFetch<Split>> bench;
   const LevelRow<Split> row = level_row<Split>(Level(1), PacketId<Split>(6));
-  const unsigned signs[kRays] = {0b101, 0b001, 0b101, 0b001};
-  for (unsigned i = 0; i < kRays; ++i) {
+  const unsigned signs[kRays<C>] = {0b101, 0b001, 0b101, 0b001};
+  for (unsigned i = 0; i < kRays<C>; ++i) {
     bench.rows(bench.unit.signs[i])[row.to_u64()] = DirectionSigns::from(signs[i]);
   }
   TraversalEvent<Split> e;
@@ -321,7 +321,7 @@ TEST(NodeFetch, ASplitPacketEntersOnceForEachGroupOfSigns) {
     bench.run();
   };
   next(e);
-  EXPECT_EQ(bench.take_one(bench.unit.request).context.active, RayMask(0b1010))
+  EXPECT_EQ(bench.take_one(bench.unit.request).context.active, RayMask<C>(0b1010))
       << "ray 1 is the lowest, and ray 3 has its signs";
 
   TraversalEvent<Split> done;
@@ -333,7 +333,7 @@ TEST(NodeFetch, ASplitPacketEntersOnceForEachGroupOfSigns) {
   next(second);
   const auto request = bench.take_one(bench.unit.request);
   EXPECT_EQ(request.address, Address(77)) << "from the root";
-  EXPECT_EQ(request.context.active, RayMask(0b0100));
+  EXPECT_EQ(request.context.active, RayMask<C>(0b0100));
   EXPECT_EQ(request.context.update, IntervalUpdate::kInit);
   next(done);
   EXPECT_EQ(bench.take_one(bench.unit.object_done).packet, PacketId<Split>(6));
@@ -349,7 +349,7 @@ TEST(NodeFetch, APacketOfOneOriginIsNotSplit) {
   e.active = 0b1111;
   bench.feed(bench.unit.event, e);
   bench.run();
-  EXPECT_EQ(bench.take_one(bench.unit.request).context.active, RayMask(0b1111));
+  EXPECT_EQ(bench.take_one(bench.unit.request).context.active, RayMask<C>(0b1111));
 }
 
 TEST(NodeFetch, ARayThatCrossedOthersEndsNoMoreInItsLevel) {
@@ -362,9 +362,9 @@ TEST(NodeFetch, ARayThatCrossedOthersEndsNoMoreInItsLevel) {
     e.active = 15;
     e.pushed = 3;
     e.pushed_active = 15;
-    e.both = RayMask::from(15 & ~crossing);
-    e.crossing = RayMask::from(crossing);
-    e.terminated = RayMask::from(terminated);
+    e.both = RayMask<C>::from(15 & ~crossing);
+    e.crossing = RayMask<C>::from(crossing);
+    e.terminated = RayMask<C>::from(terminated);
     bench.feed(bench.unit.event, e);
     bench.run();
     return bench.take_one(bench.unit.request).context;
@@ -372,12 +372,14 @@ TEST(NodeFetch, ARayThatCrossedOthersEndsNoMoreInItsLevel) {
   send(TraversalKind::kEnter, 0, 0);
   send(TraversalKind::kPush, 0b0010, 0);
   const auto popped = send(TraversalKind::kPop, 0, 0b0011);
-  EXPECT_EQ(popped.active, RayMask(0b1110)) << "ray 0 has ended, ray 1 has to see the other child";
-  EXPECT_EQ(popped.crossing.get(), RayMask(0b0010));
-  EXPECT_EQ(popped.both, RayMask(0b1101));
+  EXPECT_EQ(popped.active, RayMask<C>(0b1110))
+      << "ray 0 has ended, ray 1 has to see the other child";
+  EXPECT_EQ(popped.crossing.get(), RayMask<C>(0b0010));
+  EXPECT_EQ(popped.both, RayMask<C>(0b1101));
   send(TraversalKind::kEnter, 0, 0);
   send(TraversalKind::kPush, 0, 0);
-  EXPECT_EQ(send(TraversalKind::kPop, 0, 0b0010).active, RayMask(0b1101)) << "new rays, new mask";
+  EXPECT_EQ(send(TraversalKind::kPop, 0, 0b0010).active, RayMask<C>(0b1101))
+      << "new rays, new mask";
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The packet of a configuration C (hls/configs): 2x2 rays, masks with one bit per ray, ray 0
-// lowest; rows of the RAMs that keep something per packet, level or ray; and which parts of the
-// core C has. Level 0 is the top-level tree over object instances, level 1 the tree of one object
-// (thesis chapter 4). A core of one level has only the tree of one object, which lies in the world
-// as it is: rays start in it, and tokens have no level.
+// The packet of a configuration C (hls/configs): 2x2, 4x2 or 4x4 rays, masks with one bit per ray,
+// ray 0 lowest; rows of the RAMs that keep something per packet, level or ray; and which parts of
+// the core C has. Level 0 is the top-level tree over object instances, level 1 the tree of one
+// object (thesis chapter 4). A core of one level has only the tree of one object, which lies in the
+// world as it is: rays start in it, and tokens have no level.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,9 @@
 
 namespace dynrt {
 
-inline constexpr unsigned kRays = 4;  ///< rays per packet
+/// Rays per packet.
+template <class C>
+inline constexpr unsigned kRays = C::kPacketRays;
 
 /// Whether there is a tree over instances above the trees of objects.
 template <class C>
@@ -138,14 +140,19 @@ constexpr CoreListEntry<C> core_entry(const ListEntry& entry) {
 template <class C>
 using PacketId = uint<hls::index_width(C::kPackets)>;
 using Level = uint<1>;
-using RayMask = uint<kRays>;
-using RayIndex = uint<2>;
+template <class C>
+using RayMask = uint<kRays<C>>;
+/// Bits of a ray's number in its packet, row by row.
+template <class C>
+inline constexpr unsigned kRayBits = hls::index_width(kRays<C>);
+template <class C>
+using RayIndex = uint<kRayBits<C>>;
 
 /// Row of a RAM with one row for every ray.
 template <class C>
-using RayRow = uint<PacketId<C>::kWidth + 2>;
+using RayRow = uint<PacketId<C>::kWidth + kRayBits<C>>;
 template <class C>
-constexpr RayRow<C> ray_row(PacketId<C> packet, RayIndex ray) {
+constexpr RayRow<C> ray_row(PacketId<C> packet, RayIndex<C> ray) {
   return hls::concat(packet, ray);
 }
 template <class C>

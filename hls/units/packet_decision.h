@@ -1,7 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Packet decision: joins the four rays' decisions into the packet's (thesis 3.1.3). A child is
+// Packet decision: joins the rays' decisions into the packet's (thesis 3.1.3). A child is
 // entered if one active ray enters it and it is not empty; the order is that of the first ray that
 // enters both children, or of the first active one. Rays with a common origin never disagree; of
 // reflected rays some may, and these cross the others (thesis 3.1.3).
@@ -14,36 +14,36 @@ namespace dynrt {
 template <class C>
 struct PacketDecision {
   hls::In<Step<C>> step_in;
-  hls::In<SliceDecision> slice[kRays];
+  hls::In<SliceDecision> slice[kRays<C>];
   hls::Out<TraversalEvent<C>> event;
   hls::Out<ListJob<C>> leaf;
-  HLS_PORTS(step_in, slice[0], slice[1], slice[2], slice[3], event, leaf)
+  HLS_PORTS(step_in, slice, event, leaf)
 
   void step() {
     const Step<C> s = step_in.read();
-    RayMask terminated, go_left, go_right, left_first;
-    for (unsigned i = 0; i < kRays; ++i) {
+    RayMask<C> terminated, go_left, go_right, left_first;
+    for (unsigned i = 0; i < kRays<C>; ++i) {
       const SliceDecision d = slice[i].read();
       set(terminated, i, d.terminated);
       set(go_left, i, d.go_left);
       set(go_right, i, d.go_right);
       set(left_first, i, d.left_first);
     }
-    const RayMask active = s.context.active & ~terminated;
-    const RayMask left = active & go_left;
-    const RayMask right = active & go_right;
-    const RayMask both = left & right;
+    const RayMask<C> active = s.context.active & ~terminated;
+    const RayMask<C> left = active & go_left;
+    const RayMask<C> right = active & go_right;
+    const RayMask<C> both = left & right;
 
     // Which child is near is known late: what does not need it is computed for left and right.
-    const bool enter_left = left != RayMask{} && s.node.left != NodeAddress<C>{};
-    const bool enter_right = right != RayMask{} && s.node.right != NodeAddress<C>{};
+    const bool enter_left = left != RayMask<C>{} && s.node.left != NodeAddress<C>{};
+    const bool enter_right = right != RayMask<C>{} && s.node.right != NodeAddress<C>{};
     const bool left_is_near =
-        both == RayMask{} ? first(active, left_first) : first(both, left_first);
+        both == RayMask<C>{} ? first(active, left_first) : first(both, left_first);
     const bool enter_near = left_is_near ? enter_left : enter_right;
     const bool next_is_left = left_is_near ? enter_left : !enter_right;
 
     const bool is_leaf = s.node.kind == NodeKind::kLeaf;
-    if (is_leaf && active != RayMask{}) {
+    if (is_leaf && active != RayMask<C>{}) {
       ListJob<C> job;
       job.packet = s.context.packet;
       job.level = s.context.level;
@@ -63,7 +63,7 @@ struct PacketDecision {
       e.pushed = left_is_near ? s.node.right : s.node.left;
       e.pushed_active = left_is_near ? right : left;
       if constexpr (kRemembersChild<C>) {
-        const RayMask order = left_is_near ? left_first : ~left_first;
+        const RayMask<C> order = left_is_near ? left_first : ~left_first;
         e.both = both & order;
         e.crossing = both & ~order;
       } else {
@@ -75,15 +75,17 @@ struct PacketDecision {
   }
 
  private:
-  static void set(RayMask& mask, unsigned i, bool value) {
-    if (value) mask = mask | RayMask::from(1u << i);
+  static void set(RayMask<C>& mask, unsigned i, bool value) {
+    if (value) mask = mask | RayMask<C>::from(1u << i);
   }
-  /// The bit of `values` at the lowest set bit of `mask`.
-  static bool first(RayMask mask, RayMask values) {
-    return mask.bit<0>()   ? values.bit<0>()
-           : mask.bit<1>() ? values.bit<1>()
-           : mask.bit<2>() ? values.bit<2>()
-                           : values.bit<3>();
+  /// The bit of `values` at the lowest set bit of `mask`, from bit I on.
+  template <unsigned I = 0>
+  static bool first(RayMask<C> mask, RayMask<C> values) {
+    if constexpr (I == kRays<C> - 1) {
+      return values.template bit<I>();
+    } else {
+      return mask.template bit<I>() ? values.template bit<I>() : first<I + 1>(mask, values);
+    }
   }
 };
 

@@ -9,11 +9,11 @@ namespace {
 
 using C = test::Config<>;
 using UnitBench = test::UnitBench<PacketDecision<C>>;
-using Decisions = std::array<SliceDecision, kRays>;
+using Decisions = std::array<SliceDecision, kRays<C>>;
 
 void feed(UnitBench& bench, const Step<C>& step, const Decisions& decisions) {
   bench.feed(bench.unit.step_in, step);
-  for (unsigned i = 0; i < kRays; ++i) bench.feed(bench.unit.slice[i], decisions[i]);
+  for (unsigned i = 0; i < kRays<C>; ++i) bench.feed(bench.unit.slice[i], decisions[i]);
   bench.run();
 }
 
@@ -21,7 +21,7 @@ Step<C> inner_node(unsigned active = 15) {
   Step<C> s;
   s.context.packet = 9;
   s.context.level = 1;
-  s.context.active = RayMask::from(active);
+  s.context.active = RayMask<C>::from(active);
   s.node = {NodeKind::kSplitY, {}, 1001, 2002};
   return s;
 }
@@ -44,8 +44,8 @@ TEST(PacketDecision, GoesIntoTheOnlyChildThatIsEntered) {
       const TraversalEvent<C> e = decide(inner_node(), all({left_first, left, !left, false}));
       EXPECT_EQ(e.kind, TraversalKind::kDescend);
       EXPECT_EQ(e.next, left ? Address(1001) : Address(2002));
-      EXPECT_EQ(e.active, RayMask(15));
-      EXPECT_EQ(e.both, RayMask(0));
+      EXPECT_EQ(e.active, RayMask<C>(15));
+      EXPECT_EQ(e.both, RayMask<C>(0));
     }
   }
 }
@@ -56,9 +56,9 @@ TEST(PacketDecision, PushesTheFarChildWhereBothAreEntered) {
     EXPECT_EQ(e.kind, TraversalKind::kPush);
     EXPECT_EQ(e.next, left_first ? Address(1001) : Address(2002));
     EXPECT_EQ(e.pushed, left_first ? Address(2002) : Address(1001));
-    EXPECT_EQ(e.active, RayMask(0b0111));
-    EXPECT_EQ(e.pushed_active, RayMask(0b0111));
-    EXPECT_EQ(e.both, RayMask(0b0111));
+    EXPECT_EQ(e.active, RayMask<C>(0b0111));
+    EXPECT_EQ(e.pushed_active, RayMask<C>(0b0111));
+    EXPECT_EQ(e.both, RayMask<C>(0b0111));
   }
 }
 
@@ -72,10 +72,10 @@ TEST(PacketDecision, RaysMayPart) {
   const TraversalEvent<C> e = decide(inner_node(0b0111), decisions);
   EXPECT_EQ(e.kind, TraversalKind::kPush);
   EXPECT_EQ(e.next, Address(1001));
-  EXPECT_EQ(e.active, RayMask(0b0011));
+  EXPECT_EQ(e.active, RayMask<C>(0b0011));
   EXPECT_EQ(e.pushed, Address(2002));
-  EXPECT_EQ(e.pushed_active, RayMask(0b0111));
-  EXPECT_EQ(e.both, RayMask(0b0011));
+  EXPECT_EQ(e.pushed_active, RayMask<C>(0b0111));
+  EXPECT_EQ(e.both, RayMask<C>(0b0011));
 }
 
 TEST(PacketDecision, AnEmptyChildIsNeverEntered) {
@@ -85,7 +85,7 @@ TEST(PacketDecision, AnEmptyChildIsNeverEntered) {
     const TraversalEvent<C> right = decide(s, all({left_first, true, true, false}));
     EXPECT_EQ(right.kind, TraversalKind::kDescend);
     EXPECT_EQ(right.next, Address(2002));
-    EXPECT_EQ(right.both, RayMask(15)) << "the rays' intervals are clipped at the plane";
+    EXPECT_EQ(right.both, RayMask<C>(15)) << "the rays' intervals are clipped at the plane";
     EXPECT_EQ(right.clip_near, left_first) << "at the end that the empty child had";
     EXPECT_EQ(decide(s, all({left_first, true, false, false})).kind, TraversalKind::kPop);
     s.node.right = 0;
@@ -98,11 +98,11 @@ TEST(PacketDecision, TerminatedRaysEnterNothing) {
   decisions[0].terminated = true;
   decisions[3].terminated = true;
   TraversalEvent<C> e = decide(inner_node(0b0111), decisions);
-  EXPECT_EQ(e.active, RayMask(0b0110));
-  EXPECT_EQ(e.terminated, RayMask(0b0001)) << "of the active rays";
+  EXPECT_EQ(e.active, RayMask<C>(0b0110));
+  EXPECT_EQ(e.terminated, RayMask<C>(0b0001)) << "of the active rays";
   e = decide(inner_node(0b1001), decisions);
   EXPECT_EQ(e.kind, TraversalKind::kPop);
-  EXPECT_EQ(e.terminated, RayMask(0b1001));
+  EXPECT_EQ(e.terminated, RayMask<C>(0b1001));
 }
 
 TEST(PacketDecision, ALeafGoesToTheListUnlessAllItsRaysHaveTerminated) {
@@ -118,7 +118,7 @@ TEST(PacketDecision, ALeafGoesToTheListUnlessAllItsRaysHaveTerminated) {
   decisions[2].terminated = true;
   const TraversalEvent<C> e = decide(s, decisions);
   EXPECT_EQ(e.kind, TraversalKind::kPop);
-  EXPECT_EQ(e.terminated, RayMask(0b0101));
+  EXPECT_EQ(e.terminated, RayMask<C>(0b0101));
 }
 
 /// Ray by ray, without masks.
@@ -127,23 +127,24 @@ struct Reference {
   TraversalKind kind = TraversalKind::kPop;
   Address next, pushed;
   bool clip_near = false;
-  bool active[kRays] = {}, pushed_active[kRays] = {}, both[kRays] = {}, terminated[kRays] = {};
+  bool active[kRays<C>] = {}, pushed_active[kRays<C>] = {}, both[kRays<C>] = {},
+       terminated[kRays<C>] = {};
 
   Reference(const Step<C>& s, const Decisions& d) {
-    bool alive[kRays], any = false, decided = false, left_first = false;
-    for (unsigned i = 0; i < kRays; ++i) {
+    bool alive[kRays<C>], any = false, decided = false, left_first = false;
+    for (unsigned i = 0; i < kRays<C>; ++i) {
       terminated[i] = s.context.active.bit(i) && d[i].terminated;
       alive[i] = s.context.active.bit(i) && !d[i].terminated;
       both[i] = alive[i] && d[i].go_left && d[i].go_right;
       any = any || alive[i];
       if (both[i] && !decided) left_first = d[i].left_first, decided = true;
     }
-    for (unsigned i = 0; i < kRays; ++i) {
+    for (unsigned i = 0; i < kRays<C>; ++i) {
       if (alive[i] && !decided) left_first = d[i].left_first, decided = true;
     }
     leaf = s.node.kind == NodeKind::kLeaf && any;
     bool enter_left = false, enter_right = false;
-    for (unsigned i = 0; i < kRays; ++i) {
+    for (unsigned i = 0; i < kRays<C>; ++i) {
       enter_left = enter_left || (alive[i] && d[i].go_left);
       enter_right = enter_right || (alive[i] && d[i].go_right);
     }
@@ -155,15 +156,15 @@ struct Reference {
     clip_near = go_left != left_first;
     next = go_left ? s.node.left : s.node.right;
     pushed = go_left ? s.node.right : s.node.left;
-    for (unsigned i = 0; i < kRays; ++i) {
+    for (unsigned i = 0; i < kRays<C>; ++i) {
       active[i] = alive[i] && (go_left ? d[i].go_left : d[i].go_right);
       pushed_active[i] = alive[i] && (go_left ? d[i].go_right : d[i].go_left);
     }
   }
 };
 
-RayMask mask(const bool (&bits)[kRays]) {
-  return RayMask::from(bits[0] + 2u * bits[1] + 4u * bits[2] + 8u * bits[3]);
+RayMask<C> mask(const bool (&bits)[kRays<C>]) {
+  return RayMask<C>::from(bits[0] + 2u * bits[1] + 4u * bits[2] + 8u * bits[3]);
 }
 
 TEST(PacketDecision, AgreesWithAPlainReferenceOnRandomDecisions) {
@@ -223,8 +224,8 @@ TEST(PacketDecision, TellsTheRaysThatCrossTheFirstOfThoseThatEnterBoth) {
   s.node.right = 20;
   bench.feed(bench.unit.step_in, s);
   // Ray 0 enters one child only; of the others ray 2 comes from the other side.
-  const bool left_first[kRays] = {false, true, false, true};
-  for (unsigned i = 0; i < kRays; ++i) {
+  const bool left_first[kRays<C>] = {false, true, false, true};
+  for (unsigned i = 0; i < kRays<C>; ++i) {
     SliceDecision d;
     d.left_first = left_first[i];
     d.go_left = true;
@@ -235,10 +236,10 @@ TEST(PacketDecision, TellsTheRaysThatCrossTheFirstOfThoseThatEnterBoth) {
   const auto e = bench.take_one(bench.unit.event);
   EXPECT_EQ(e.kind, TraversalKind::kPush);
   EXPECT_EQ(e.next, Address(10)) << "the order of ray 1";
-  EXPECT_EQ(e.active, RayMask(0b1111));
-  EXPECT_EQ(e.pushed_active, RayMask(0b1110));
-  EXPECT_EQ(e.both, RayMask(0b1010));
-  EXPECT_EQ(e.crossing.get(), RayMask(0b0100));
+  EXPECT_EQ(e.active, RayMask<C>(0b1111));
+  EXPECT_EQ(e.pushed_active, RayMask<C>(0b1110));
+  EXPECT_EQ(e.both, RayMask<C>(0b1010));
+  EXPECT_EQ(e.crossing.get(), RayMask<C>(0b0100));
 }
 
 }  // namespace

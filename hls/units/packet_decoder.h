@@ -30,15 +30,17 @@ struct PacketDecoder {
       enter_object;
   hls::OptionalPort<kPassesObjectRays<C> && !kHasReciprocals<C>, hls::Out<ObjectRay<C>>> object_ray;
   hls::OptionalPort<kHasReciprocals<C>, hls::Out<TracedRay<C>>> traced;
-  hls::OptionalPort<!kHasReciprocals<C>, hls::RamWrite<RayByAxis<Real>, kLevelRows<C>>> ray[kRays];
-  hls::OptionalPort<kSplitsPackets<C>, hls::RamWrite<DirectionSigns, kLevelRows<C>>> signs[kRays];
+  hls::OptionalPort<!kHasReciprocals<C>, hls::RamWrite<RayByAxis<Real>, kLevelRows<C>>>
+      ray[kRays<C>];
+  hls::OptionalPort<kSplitsPackets<C>, hls::RamWrite<DirectionSigns, kLevelRows<C>>>
+      signs[kRays<C>];
   hls::RamWrite<Vector<Real>, kVectorRows<C>> vectors;
   /// The world rays, each with its origin; light rays, which nothing is derived from, left out.
   hls::OptionalPort<kHasSecondary<C>, hls::RamWrite<Ray<Real>, kRayRows<C>>> arriving;
   /// A pass that is not a ray's last.
   hls::OptionalPort<kTwoLevels<C> && kHasMirrors<C>, hls::Out<DerivationEvent<C>>> derived;
-  HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, traced, ray[0], ray[1], ray[2],
-            ray[3], signs[0], signs[1], signs[2], signs[3], vectors, arriving, derived)
+  HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, traced, ray, signs, vectors,
+            arriving, derived)
 
   void step() {
     const PacketVector<C> in = vector.read();
@@ -56,7 +58,7 @@ struct PacketDecoder {
     const Level level = uint<1>(job.kind == TransformKind::kObject || between);
     const LevelRow<C> row = level_row<C>(level, in.packet);
     // All light rays of a packet have one origin, the light, and lie like a compressed packet.
-    const RayIndex slot = light && in.point ? RayIndex{} : in.ray;
+    const RayIndex<C> slot = light && in.point ? RayIndex<C>{} : in.ray;
     if (!triangle) {
       vectors.write(hls::concat(row, hls::concat(slot, uint<1>(!in.point))), in.vector);
     }
@@ -71,8 +73,8 @@ struct PacketDecoder {
       }
     }
     if (!in.point) {
-      for (unsigned i = 0; i < kRays; ++i) {
-        if (!triangle && in.ray == RayIndex::from(i)) {
+      for (unsigned i = 0; i < kRays<C>; ++i) {
+        if (!triangle && in.ray == RayIndex<C>::from(i)) {
           if constexpr (!kHasReciprocals<C>) ray[i].write(row, by_axis(r));
           if constexpr (kSplitsPackets<C>) signs[i].write(row, signs_of(in.vector));
         }
@@ -119,7 +121,7 @@ struct PacketDecoder {
       return;
     } else if constexpr (kPassesObjectRays<C>) {
       object_ray.write(in_object(in, job, r));
-    } else if (in.ray == kLastRay) {
+    } else if (in.ray == kLastRay<C>) {
       enter_object.write(enter_tree(in_object(in, job, r), job.active));
     }
   }

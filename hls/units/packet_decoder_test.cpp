@@ -12,19 +12,19 @@ using UnitBench = test::UnitBench<PacketDecoder<C>>;
 using Vec = Vector<Real>;
 
 struct Packet {
-  std::array<Vec, kRays> origin, direction;
+  std::array<Vec, kRays<C>> origin, direction;
 };
 Packet random_packet(test::Random& random, bool common_origin) {
-  Packet p{test::random_token<std::array<Vec, kRays>>(random),
-           test::random_token<std::array<Vec, kRays>>(random)};
+  Packet p{test::random_token<std::array<Vec, kRays<C>>>(random),
+           test::random_token<std::array<Vec, kRays<C>>>(random)};
   if (common_origin) p.origin.fill(p.origin[0]);
   return p;
 }
 
 /// Sends a packet's vectors in the order of SendPacket.
 void feed(UnitBench& bench, PacketId<C> id, const Packet& packet, bool compressed) {
-  for (unsigned ray = 0; ray < kRays; ++ray) {
-    const RayIndex index = RayIndex::from(ray);
+  for (unsigned ray = 0; ray < kRays<C>; ++ray) {
+    const RayIndex<C> index = RayIndex<C>::from(ray);
     if (!compressed || ray == 0) {
       bench.feed(bench.unit.vector, PacketVector<C>{id, true, index, packet.origin[ray]});
     }
@@ -34,15 +34,16 @@ void feed(UnitBench& bench, PacketId<C> id, const Packet& packet, bool compresse
 }
 std::vector<UnitRay<C>> unit_rays(PacketId<C> id, const Packet& packet, bool reset) {
   std::vector<UnitRay<C>> rays;
-  for (unsigned ray = 0; ray < kRays; ++ray) {
-    rays.push_back({id, RayIndex::from(ray), reset, {packet.origin[ray], packet.direction[ray]}});
+  for (unsigned ray = 0; ray < kRays<C>; ++ray) {
+    rays.push_back(
+        {id, RayIndex<C>::from(ray), reset, {packet.origin[ray], packet.direction[ray]}});
   }
   return rays;
 }
 void expect_saved(UnitBench& bench, unsigned level, PacketId<C> id, const Packet& packet,
                   bool compressed) {
   const std::uint64_t row = level * 8 + id.to_u64();
-  for (unsigned ray = 0; ray < kRays; ++ray) {
+  for (unsigned ray = 0; ray < kRays<C>; ++ray) {
     const Ray<Real> expected{packet.origin[ray], packet.direction[ray]};
     EXPECT_TRUE(test::same(bench.rows(bench.unit.ray[ray])[row], by_axis(expected))) << ray;
     const auto& vectors = bench.rows(bench.unit.vectors);

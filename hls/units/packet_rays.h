@@ -9,19 +9,37 @@
 
 namespace dynrt {
 
-inline constexpr RayIndex kLastRay = RayIndex(kRays - 1);
+template <class C>
+inline constexpr RayIndex<C> kLastRay = RayIndex<C>(kRays<C> - 1);
 
 /// Writes a row through the port of the ray.
-template <class Port, class Address, class Row>
-void write_of_ray(Port (&ports)[kRays], RayIndex ray, Address address, const Row& row) {
-  for (unsigned i = 0; i < kRays; ++i) {
-    if (ray == RayIndex::from(i)) ports[i].write(address, row);
+template <class Port, unsigned N, class Index, class Address, class Row>
+void write_of_ray(Port (&ports)[N], Index ray, Address address, const Row& row) {
+  for (unsigned i = 0; i < N; ++i) {
+    if (ray == Index::from(i)) ports[i].write(address, row);
   }
+}
+
+/// Of the values of a packet's rays, that of the ray.
+template <class T, unsigned N, class Index>
+T of_ray(const T (&values)[N], Index ray) {
+  T value = values[N - 1];
+  for (unsigned i = N - 1; i-- > 0;) {
+    if (ray == Index::from(i)) value = values[i];
+  }
+  return value;
+}
+
+/// A bit for each ray of a packet, once all have come: the lowest comes first, so bits move in from
+/// above.
+template <unsigned N>
+uint<N> with_next_ray(uint<N> mask, bool bit) {
+  return hls::concat(uint<1>(bit), mask.template bits<N - 1, 1>());
 }
 
 /// The packet of a ray enters the object's tree with its rays `active`.
 template <class C>
-TraversalEvent<C> enter_tree(const ObjectRay<C>& ray, RayMask active) {
+TraversalEvent<C> enter_tree(const ObjectRay<C>& ray, RayMask<C> active) {
   TraversalEvent<C> enter;
   enter.packet = ray.packet;
   enter.level = 1;

@@ -1,11 +1,13 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Ray generation: gives a free packet the next 2x2 pixels of the image, in Morton order (thesis
+// Ray generation: gives a free packet the next pixels of the image, in Morton order (thesis
 // chapter 7: counter bits ... y1 x1 y0 x0) or line by line, and has the camera's matrix applied to
 // it. Morton positions outside the image are passed over. When the image is used up the unit keeps
 // the packets that come back; with the last of them the frame is complete.
 #pragma once
+
+#include <algorithm>
 
 #include "units/frame.h"
 #include "units/shading_tokens.h"
@@ -22,7 +24,12 @@ struct FreePacket {
 template <class C>
 struct RayGeneration {
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
-  static constexpr unsigned kSideBits = 9;  ///< of a packet position: images up to 1024 x 1024
+  static constexpr unsigned kColumns = packet_columns(kRays<C>);
+  static constexpr unsigned kRows = packet_rows(kRays<C>);
+  static constexpr unsigned kColumnBits = hls::index_width(kColumns);
+  static constexpr unsigned kRowBits = hls::index_width(kRows);
+  /// Of a packet's position: images up to 1024 x 1024.
+  static constexpr unsigned kSideBits = 10 - std::min(kColumnBits, kRowBits);
   static constexpr unsigned kCounterBits = 2 * kSideBits;
 
   hls::In<FreePacket<C>> free;
@@ -36,8 +43,8 @@ struct RayGeneration {
   void step() {
     const FreePacket<C> f = free.read();
     const FrameRegisters<C> config = frame.get();
-    const uint<10> columns = halved(config.width);
-    const uint<10> rows = halved(config.height);
+    const uint<10> columns = packets_of<kColumnBits>(config.width);
+    const uint<10> rows = packets_of<kRowBits>(config.height);
 
     const bool scanline = config.scanline.template bit<0>();
     const uint<kSideBits> x = scanline ? scan_x_ : morton(0);
@@ -59,7 +66,7 @@ struct RayGeneration {
       scan_x_ = line_end ? uint<kSideBits>{} : hls::next(scan_x_);
 
       if (inside) {
-        const PixelPosition p{hls::concat(x, uint<1>(0)), hls::concat(y, uint<1>(0))};
+        const PixelPosition p{pixel<kColumnBits>(x), pixel<kRowBits>(y)};
         position.write(f.packet, p);
         TransformJob<C> camera;
         camera.packet = f.packet;
@@ -74,8 +81,15 @@ struct RayGeneration {
   }
 
  private:
-  static uint<10> halved(Word side) {
-    return hls::next(side.template trunc<11>()).template bits<10, 1>();
+  /// Packets along a side of the image, whose edge one may cross.
+  template <unsigned Bits>
+  static uint<10> packets_of(Word side) {
+    const auto rounded = side.template trunc<11>() + uint<11>((1u << Bits) - 1);
+    return rounded.template trunc<11>().template bits<10, Bits>().template zext<10>();
+  }
+  template <unsigned Bits>
+  static uint<10> pixel(uint<kSideBits> packet) {
+    return hls::concat(packet, uint<Bits>(0)).template trunc<10>();
   }
   static uint<10> before(uint<10> value) { return (value + uint<10>::ones()).template trunc<10>(); }
   /// Every second bit of the counter, from bit `first`.
@@ -87,13 +101,17 @@ struct RayGeneration {
     return side;
   }
   /// The rays of a packet whose pixels lie in the image.
-  static RayMask mask(PixelPosition p, const FrameRegisters<C>& config) {
+  static RayMask<C> mask(PixelPosition p, const FrameRegisters<C>& config) {
     const uint<11> last_x = config.width.template trunc<11>();
     const uint<11> last_y = config.height.template trunc<11>();
-    const bool x1 = (p.x | uint<10>(1)).template zext<11>() < last_x;
-    const bool y1 = (p.y | uint<10>(1)).template zext<11>() < last_y;
-    return hls::concat(hls::concat(uint<1>(x1 && y1), uint<1>(y1)),
-                       hls::concat(uint<1>(x1), uint<1>(1)));
+    RayMask<C> inside;
+    for (unsigned i = 0; i < kRays<C>; ++i) {
+      const PixelPosition at = pixel_of<C>(p, RayIndex<C>::from(i));
+      const bool x1 = i % kColumns == 0 || at.x.template zext<11>() < last_x;
+      const bool y1 = i < kColumns || at.y.template zext<11>() < last_y;
+      inside = hls::concat(uint<1>(x1 && y1), inside.template bits<kRays<C> - 1, 1>());
+    }
+    return inside;
   }
 
   uint<kCounterBits> counter_;  ///< Morton: packets handed out or passed over

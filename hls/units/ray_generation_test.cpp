@@ -20,7 +20,7 @@ struct Image {
 
 struct Packet {
   unsigned x, y;
-  RayMask active;
+  RayMask<C> active;
 };
 
 /// 2 ceil(log2(larger side / 2)), sides counted in whole packets.
@@ -76,7 +76,7 @@ std::vector<Packet> frame(const Image& image) {
   while (packets.size() <= all) {
     for (const auto& job : generator.run()) {
       EXPECT_EQ(job.kind, TransformKind::kCamera);
-      EXPECT_EQ(job.repeat, RepeatCount(3));
+      EXPECT_EQ(job.repeat, RepeatCount<C>(3));
       EXPECT_EQ(job.matrix, MatrixIndex(77));
       packets.push_back(generator.packet_of(job));
       under_way.push_back(job);
@@ -98,7 +98,7 @@ void expect_every_pixel_once(const Image& image) {
   std::vector<unsigned char> seen(std::size_t{image.width} * image.height);
   std::size_t outside = 0;
   for (const Packet& packet : frame(image)) {
-    for (unsigned ray = 0; ray < kRays; ++ray) {
+    for (unsigned ray = 0; ray < kRays<C>; ++ray) {
       if (!packet.active.bit(ray)) continue;
       const unsigned x = packet.x + (ray & 1);
       const unsigned y = packet.y + (ray >> 1);

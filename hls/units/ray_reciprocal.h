@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Ray reciprocal: on the way of every ray into a level of the traversal, the reciprocals of its
-// direction's components, one a clock by one divider, so that the four slices multiply where they
+// direction's components, one a clock by one divider, so that the slices multiply where they
 // would divide. The slices read a ray's origin and these reciprocals; the ray is saved before its
 // packet can come to them, as a new ray's reset and an object's entry are sent on from here.
 //
@@ -27,18 +27,20 @@ struct RayReciprocal {
   hls::Out<UnitRay<C>> reset;
   hls::OptionalPort<kTwoLevels<C> && !kClipsToBox<C>, hls::Out<TraversalEvent<C>>> enter_object;
   hls::OptionalPort<kClipsToBox<C>, hls::Out<ObjectRay<C>>> object_ray;  ///< with the reciprocals
-  hls::RamWrite<RayByAxis<Real>, kLevelRows<C>> ray[kRays];
-  HLS_PORTS(traced, reset, enter_object, object_ray, ray[0], ray[1], ray[2], ray[3])
+  hls::RamWrite<RayByAxis<Real>, kLevelRows<C>> ray[kRays<C>];
+  HLS_PORTS(traced, reset, enter_object, object_ray, ray)
 
   void step() {
     const Repeated<TracedRay<C>> j = traced.read();
     const ObjectRay<C>& in = j.job.ray;
     const Vector<Real>& d = in.in_object.direction;
-    const Real component = j.index == RepeatCount(0) ? d.x : j.index == RepeatCount(1) ? d.y : d.z;
+    const Real component = j.index == RepeatCount<C>(0)   ? d.x
+                           : j.index == RepeatCount<C>(1) ? d.y
+                                                          : d.z;
     const Real reciprocal = Real::one() / component;
     const Ray<Real> saved{in.in_object.origin, {x_, y_, reciprocal}};
-    if (j.index == RepeatCount(0)) x_ = reciprocal;
-    if (j.index == RepeatCount(1)) y_ = reciprocal;
+    if (j.index == RepeatCount<C>(0)) x_ = reciprocal;
+    if (j.index == RepeatCount<C>(1)) y_ = reciprocal;
 
     if (j.last) {
       const bool is_new = starts(j.job);
@@ -71,7 +73,7 @@ struct RayReciprocal {
       ObjectRay<C> out = in;
       out.in_object = saved;
       object_ray.write(out);
-    } else if (in.ray == kLastRay) {
+    } else if (in.ray == kLastRay<C>) {
       enter_object.write(enter_tree(in, in.active));
     }
   }

@@ -29,12 +29,12 @@ class Reciprocals : public testing::Test {
     Repeated<TracedRay<Config>> traced;
     traced.job.is_new = is_new;
     traced.job.ray.packet = 5;
-    traced.job.ray.ray = RayIndex::from(ray);
-    traced.job.ray.active = RayMask(0b1011);
+    traced.job.ray.ray = RayIndex<C>::from(ray);
+    traced.job.ray.active = RayMask<C>(0b1011);
     traced.job.ray.root = 1234;
     traced.job.ray.in_object = {kOrigin, direction};
     for (unsigned axis = 0; axis <= traced.job.repeat.to_u64(); ++axis) {
-      traced.index = RepeatCount::from(axis);
+      traced.index = RepeatCount<C>::from(axis);
       traced.last = axis == traced.job.repeat.to_u64();
       bench_.feed(bench_.unit.traced, traced);
     }
@@ -57,7 +57,7 @@ TEST_F(RayReciprocals, ANewRayIsSavedForTheTopLevelBeforeItsReset) {
   const UnitRay<C> reset = bench_.take_one(bench_.unit.reset);
   EXPECT_TRUE(reset.reset);
   EXPECT_EQ(reset.packet, PacketId<C>(5));
-  EXPECT_EQ(reset.ray, RayIndex(2));
+  EXPECT_EQ(reset.ray, RayIndex<C>(2));
   EXPECT_TRUE(bench_.take(bench_.unit.enter_object).empty());
   const Ray<Real> ray = saved(0, 2);
   EXPECT_EQ(ray.origin.y, real(2));
@@ -67,7 +67,7 @@ TEST_F(RayReciprocals, ANewRayIsSavedForTheTopLevelBeforeItsReset) {
 }
 
 TEST_F(RayReciprocals, APacketEntersAnObjectAfterItsLastRay) {
-  for (unsigned ray = 0; ray < kRays; ++ray) {
+  for (unsigned ray = 0; ray < kRays<C>; ++ray) {
     EXPECT_TRUE(bench_.take(bench_.unit.enter_object).empty()) << ray;
     send(false, ray, {real(ray + 1), real(4), real(4)});
   }
@@ -76,17 +76,17 @@ TEST_F(RayReciprocals, APacketEntersAnObjectAfterItsLastRay) {
   EXPECT_EQ(e.packet, PacketId<C>(5));
   EXPECT_EQ(e.level, Level(1));
   EXPECT_EQ(e.next, Address(1234));
-  EXPECT_EQ(e.active, RayMask(0b1011));
+  EXPECT_EQ(e.active, RayMask<C>(0b1011));
   EXPECT_TRUE(bench_.take(bench_.unit.reset).empty());
   EXPECT_EQ(saved(1, 1).direction.x, real(0.5));
   EXPECT_EQ(saved(1, 3).direction.x, real(0.25));
 }
 
 TEST_F(BoxedRayReciprocals, GoOnToTheBoxWithEveryRay) {
-  for (unsigned ray = 0; ray < kRays; ++ray) send(false, ray, {real(2), real(4), real(-8)});
+  for (unsigned ray = 0; ray < kRays<C>; ++ray) send(false, ray, {real(2), real(4), real(-8)});
   const auto rays = bench_.take(bench_.unit.object_ray);
-  ASSERT_EQ(rays.size(), kRays);
-  EXPECT_EQ(rays[3].ray, RayIndex(3));
+  ASSERT_EQ(rays.size(), kRays<C>);
+  EXPECT_EQ(rays[3].ray, RayIndex<C>(3));
   EXPECT_EQ(rays[3].root, Address(1234));
   EXPECT_EQ(rays[3].in_object.origin.z, real(3));
   EXPECT_EQ(rays[3].in_object.direction.z, real(-0.125));

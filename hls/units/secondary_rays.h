@@ -20,11 +20,11 @@ struct SecondaryRays {
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
   struct State {
     RayKind kind = RayKind::kLight;
-    RayMask rays;     ///< to be traced
-    RayMask missing;  ///< of them, not yet made; the lowest is being made
+    RayMask<C> rays;     ///< to be traced
+    RayMask<C> missing;  ///< of them, not yet made; the lowest is being made
     Derivation pass = Derivation::kLight;
-    RayMask surfaces;  ///< rays that have hit something, for light rays to go there
-    RayMask mirrors;   ///< of them, those that are reflected when all lights have been
+    RayMask<C> surfaces;  ///< rays that have hit something, for light rays to go there
+    RayMask<C> mirrors;   ///< of them, those that are reflected when all lights have been
     uint<4> light;
     uint<4> bounces;
     HLS_FIELDS(kind, rays, missing, pass, surfaces, mirrors, light, bounces)
@@ -33,7 +33,7 @@ struct SecondaryRays {
   hls::In<DerivationEvent<C>> derive;
   hls::Config<FrameRegisters<C>> frame;
   hls::RamRead<SurfacePoint<C>, kRayRows<C>> surface;
-  hls::RamWrite<RayMask, kPackets> traced;
+  hls::RamWrite<RayMask<C>, kPackets> traced;
   hls::Out<TransformJob<C>> job;
   hls::Out<MailboxEntry<C>> start;
   hls::Out<ShadeJob<C>> finished;  ///< no more rays: the pixels are complete
@@ -50,20 +50,20 @@ struct SecondaryRays {
     } else if (kTwoLevels<C> && kHasMirrors<C> && s.pass == Derivation::kMirror) {
       s.pass = Derivation::kOutOfObject;
     } else {
-      s.missing = s.missing & RayMask::from(s.missing.raw() - 1);
+      s.missing = s.missing & RayMask<C>::from(s.missing.raw() - 1);
       s.pass = first_pass(s.kind);
     }
     states.write(d.packet, s);
     if (d.shaded) traced.write(d.packet, s.rays);
 
-    const RayIndex ray = lowest(s.missing);
+    const RayIndex<C> ray = lowest(s.missing);
     const SurfacePoint<C> point = surface.read(ray_row<C>(d.packet, ray));
-    if (d.shaded && s.rays == RayMask{}) {
+    if (d.shaded && s.rays == RayMask<C>{}) {
       ShadeJob<C> done;
-      done.repeat = 15;
+      done.repeat = 4 * kRays<C> - 1;
       done.packet = d.packet;
       finished.write(done);
-    } else if (s.missing == RayMask{}) {
+    } else if (s.missing == RayMask<C>{}) {
       MailboxEntry<C> begin;
       begin.packet = d.packet;
       begin.clear = true;
@@ -76,7 +76,7 @@ struct SecondaryRays {
       transform.kind = TransformKind::kSecondary;
       transform.active = s.rays;
       transform.matrix = matrix(s, point);
-      transform.extras.derived = DerivedRay{s.pass, ray};
+      transform.extras.derived = DerivedRay<C>{s.pass, ray};
       job.write(transform);
     }
   }
@@ -91,16 +91,16 @@ struct SecondaryRays {
     if (!after_light) {
       const bool last = s.bounces == config.reflections.template trunc<4>();
       s.surfaces = d.surfaces;
-      s.mirrors = last ? RayMask{} : d.mirrors;
+      s.mirrors = last ? RayMask<C>{} : d.mirrors;
     }
     s.light = after_light ? hls::next(s.light) : uint<4>(0);
     const bool lights = kHasLights<C> && s.light < config.lights.template trunc<4>();
-    if (lights && s.surfaces != RayMask{}) {
+    if (lights && s.surfaces != RayMask<C>{}) {
       s.kind = RayKind::kLight;
       s.rays = s.surfaces;
     } else {
       s.kind = RayKind::kReflection;
-      s.rays = kHasMirrors<C> ? s.mirrors : RayMask{};
+      s.rays = kHasMirrors<C> ? s.mirrors : RayMask<C>{};
       s.bounces = hls::next(s.bounces);
     }
     s.missing = s.rays;
@@ -111,11 +111,12 @@ struct SecondaryRays {
     return kHasMirrors<C> && kind == RayKind::kReflection ? kFirstReflection<C>
                                                           : Derivation::kLight;
   }
-  static RayIndex lowest(RayMask mask) {
-    return mask.bit<0>()   ? RayIndex(0)
-           : mask.bit<1>() ? RayIndex(1)
-           : mask.bit<2>() ? RayIndex(2)
-                           : RayIndex(3);
+  static RayIndex<C> lowest(RayMask<C> mask) {
+    RayIndex<C> ray(kRays<C> - 1);
+    for (unsigned i = kRays<C> - 1; i-- > 0;) {
+      if (mask.bit(i)) ray = RayIndex<C>::from(i);
+    }
+    return ray;
   }
   /// An instance's way back to the world and a triangle's mirror lie behind their own matrices.
   MatrixNumber<C> matrix(const State& s, const SurfacePoint<C>& point) const {

@@ -26,8 +26,8 @@ class SecondaryRaysTest : public testing::Test {
  protected:
   SecondaryRaysTest() {
     bench_.value(bench_.unit.frame).light_matrix = kFirstLight;
-    for (unsigned ray = 0; ray < kRays; ++ray) {
-      auto& point = bench_.rows(bench_.unit.surface)[kPacket * kRays + ray];
+    for (unsigned ray = 0; ray < kRays<C>; ++ray) {
+      auto& point = bench_.rows(bench_.unit.surface)[kPacket * kRays<C> + ray];
       point.object = MatrixIndex::from(100 + 10 * ray);
       point.triangle = MatrixIndex::from(200 + 10 * ray);
     }
@@ -41,8 +41,8 @@ class SecondaryRaysTest : public testing::Test {
     d.packet = kPacket;
     d.shaded = true;
     d.kind = kind;
-    d.surfaces = RayMask::from(surfaces);
-    d.mirrors = RayMask::from(mirrors);
+    d.surfaces = RayMask<C>::from(surfaces);
+    d.mirrors = RayMask<C>::from(mirrors);
     return send(d);
   }
   Answer pass_done() {
@@ -56,16 +56,16 @@ class SecondaryRaysTest : public testing::Test {
     EXPECT_EQ(answer.job->kind, TransformKind::kSecondary);
     EXPECT_EQ(answer.job->packet, PacketId<C>(kPacket));
     EXPECT_EQ(answer.job->extras.derived.get().pass, pass);
-    EXPECT_EQ(answer.job->extras.derived.get().ray, RayIndex::from(ray));
+    EXPECT_EQ(answer.job->extras.derived.get().ray, RayIndex<C>::from(ray));
     EXPECT_EQ(answer.job->matrix, MatrixIndex::from(matrix));
-    EXPECT_EQ(answer.job->active, RayMask::from(rays));
+    EXPECT_EQ(answer.job->active, RayMask<C>::from(rays));
   }
   void expect_start(const Answer& answer, RayKind kind, unsigned rays) {
     ASSERT_TRUE(answer.start);
     EXPECT_TRUE(answer.start->clear);
     EXPECT_EQ(answer.start->kind.get(), kind);
-    EXPECT_EQ(answer.start->active, RayMask::from(rays));
-    EXPECT_EQ(bench_.rows(bench_.unit.traced)[kPacket], RayMask::from(rays));
+    EXPECT_EQ(answer.start->active, RayMask<C>::from(rays));
+    EXPECT_EQ(bench_.rows(bench_.unit.traced)[kPacket], RayMask<C>::from(rays));
   }
 
  private:
@@ -80,7 +80,7 @@ class SecondaryRaysTest : public testing::Test {
     if (!jobs.empty()) answer.job = jobs.front();
     if (!starts.empty()) answer.start = starts.front();
     for (const ShadeJob<C>& job : finished) {
-      EXPECT_EQ(job.repeat, RepeatCount(15));
+      EXPECT_EQ(job.repeat, RepeatCount<C>(15));
       EXPECT_EQ(job.packet, PacketId<C>(kPacket));
       answer.finished = true;
     }

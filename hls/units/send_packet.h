@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Send packet: reads the rays of a packet and sends them to the transformation one vector a clock
-// (thesis 6.1.3). A compressed packet is its common origin and four directions, five vectors; any
-// other is four pairs of origin and direction, eight. The camera transforms the pre-primary rays
-// (0, 0, 0) and (x, y, 1) of section 6.2.1, an object the packet's world rays, a triangle its rays
-// in the object. A ray with a matrix of its own is sent alone: a light's transforms the ray (0, 0,
-// 0), (1, t, -1) of section 6.2.2, a reflection's the ray that is reflected (6.2.3). For a
-// watertight test each ray's direction is sent three times, once for each corner of the triangle.
+// (thesis 6.1.3). A compressed packet is its common origin and a direction for each ray; any other
+// is a pair of origin and direction for each. The camera transforms the pre-primary rays (0, 0, 0)
+// and (x, y, 1) of section 6.2.1, an object the packet's world rays, a triangle its rays in the
+// object. A ray with a matrix of its own is sent alone: a light's transforms the ray (0, 0, 0), (1,
+// t, -1) of section 6.2.2, a reflection's the ray that is reflected (6.2.3). For a watertight test
+// each ray's direction is sent three times, once for each corner of the triangle.
 #pragma once
 
 #include "units/repeated.h"
@@ -19,7 +19,7 @@ namespace dynrt {
 /// Row of the vector store: level, packet and the vector's number in the uncompressed order
 /// (2 * ray is the origin, 2 * ray + 1 the direction).
 template <class C>
-using VectorRow = uint<LevelRow<C>::kWidth + 3>;
+using VectorRow = uint<LevelRow<C>::kWidth + kRayBits<C> + 1>;
 template <class C>
 inline constexpr unsigned kVectorRows = 1u << VectorRow<C>::kWidth;
 
@@ -41,28 +41,26 @@ struct SendPacket {
     const bool corners = kWatertight<C> && j.job.kind == TransformKind::kTriangle;
     const bool alone = kHasSecondary<C> && j.job.kind == TransformKind::kSecondary;
     const bool compressed =
-        kHasDistinctOrigins<C> ? j.job.repeat == RepeatCount(4) : !corners && !alone;
-    const DerivedRay derived = j.job.derived.get();
+        kHasDistinctOrigins<C> ? j.job.repeat == RepeatCount<C>(kRays<C>) : !corners && !alone;
+    const DerivedRay<C> derived = j.job.derived.get();
     const bool point =
-        !corners && (compressed ? j.index == RepeatCount{} : !j.index.template bit<0>());
-    const RayIndex ray = corners       ? ray_of(j.index)
-                         : alone       ? derived.ray
-                         : !compressed ? j.index.template bits<2, 1>()
-                         : point       ? RayIndex{}
-                                       : RayIndex::from(j.index.raw() - 1);
+        !corners && (compressed ? j.index == RepeatCount<C>{} : !j.index.template bit<0>());
+    const RayIndex<C> ray = corners       ? ray_of(j.index)
+                            : alone       ? derived.ray
+                            : !compressed ? j.index.template bits<kRayBits<C>, 1>()
+                            : point       ? RayIndex<C>{}
+                                          : RayIndex<C>::from(j.index.raw() - 1);
 
     // Of a ray alone the passes after the first find it in the object.
     const Level level = uint<1>(j.job.kind == TransformKind::kTriangle || alone);
-    const uint<3> number = hls::concat(ray, uint<1>(!point));
+    const uint<kRayBits<C> + 1> number = hls::concat(ray, uint<1>(!point));
     const Vector<Real> stored =
         vectors.read(hls::concat(level_row<C>(level, j.job.packet), number));
 
-    const PixelPosition p = position.read(j.job.packet);
-    const uint<10> x = p.x | ray.template bits<0, 0>().template zext<10>();
-    const uint<10> y = p.y | ray.template bits<1, 1>().template zext<10>();
+    const PixelPosition p = pixel_of<C>(position.read(j.job.packet), ray);
     const Vector<Real> pre_primary =
         point ? Vector<Real>{Real{}, Real{}, Real{}}
-              : Vector<Real>{Real::from_uint(x), Real::from_uint(y), Real::from_double(1.0)};
+              : Vector<Real>{Real::from_uint(p.x), Real::from_uint(p.y), Real::from_double(1.0)};
 
     Vector<Real> out = j.job.kind == TransformKind::kCamera ? pre_primary : stored;
     if constexpr (kHasLights<C>) {
@@ -82,14 +80,15 @@ struct SendPacket {
 
  private:
   /// Of three corners for each ray.
-  static RayIndex ray_of(RepeatCount index) {
-    return index < RepeatCount(3)   ? RayIndex(0)
-           : index < RepeatCount(6) ? RayIndex(1)
-           : index < RepeatCount(9) ? RayIndex(2)
-                                    : RayIndex(3);
+  static RayIndex<C> ray_of(RepeatCount<C> index) {
+    RayIndex<C> ray(kRays<C> - 1);
+    for (unsigned i = kRays<C> - 1; i-- > 0;) {
+      if (index < RepeatCount<C>::from(3 * (i + 1))) ray = RayIndex<C>::from(i);
+    }
+    return ray;
   }
-  static Corner corner_of(RepeatCount index) {
-    const RayIndex ray = ray_of(index);
+  static Corner corner_of(RepeatCount<C> index) {
+    const RayIndex<C> ray = ray_of(index);
     return Corner::from((index - (ray + hls::concat(ray, uint<1>(0)))).raw());
   }
 };

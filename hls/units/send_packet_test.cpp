@@ -25,9 +25,9 @@ std::vector<Sent> order(bool compressed) {
 std::vector<PacketVector<C>> send(UnitBench& bench, unsigned packet, TransformKind kind,
                                   bool compressed) {
   const unsigned repeat = compressed ? 4 : 7;
-  const SendJob<C> job{RepeatCount::from(repeat), PacketId<C>::from(packet), kind};
+  const SendJob<C> job{RepeatCount<C>::from(repeat), PacketId<C>::from(packet), kind};
   for (unsigned i = 0; i <= repeat; ++i) {
-    bench.feed(bench.unit.job, Repeated<SendJob<C>>{RepeatCount::from(i), i == repeat, job});
+    bench.feed(bench.unit.job, Repeated<SendJob<C>>{RepeatCount<C>::from(i), i == repeat, job});
   }
   bench.run();
   return bench.take(bench.unit.vector);
@@ -50,7 +50,7 @@ TEST(SendPacket, SendsTheStoredVectorsOfTheLevelThatIsLeft) {
         const unsigned level = kind == TransformKind::kTriangle;
         std::vector<PacketVector<C>> expected;
         for (const Sent& s : order(compressed)) {
-          expected.push_back({PacketId<C>::from(packet), s.point, RayIndex::from(s.ray),
+          expected.push_back({PacketId<C>::from(packet), s.point, RayIndex<C>::from(s.ray),
                               stored(level, packet, 2 * s.ray + !s.point)});
         }
         EXPECT_TRUE(test::same(send(bench, packet, kind, compressed), expected));
@@ -68,7 +68,7 @@ TEST(SendPacket, TheCameraTransformsPrePrimaryRays) {
     for (const Sent& s : order(true)) {
       const Vec direction{Real::from_double(x + (s.ray & 1)), Real::from_double(y + (s.ray >> 1)),
                           Real::one()};
-      expected.push_back({5, s.point, RayIndex::from(s.ray), s.point ? Vec{} : direction});
+      expected.push_back({5, s.point, RayIndex<C>::from(s.ray), s.point ? Vec{} : direction});
     }
     EXPECT_TRUE(test::same(send(bench, 5, TransformKind::kCamera, true), expected));
   }

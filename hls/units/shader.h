@@ -3,7 +3,7 @@
 //
 // Shader: turns the hits of a packet's rays into colour and decides which rays follow (thesis 6.2):
 // first the primary rays, then light rays from every light to the hits, then reflected rays, and so
-// on. A packet's four rays are shaded on four clocks.
+// on. A ray is shaded on a clock.
 //
 // A surface's colour times ambient light and the cosine with the arriving ray, and for every light
 // that is seen, the light's colour and intensity times cosine over distance: with d from the light
@@ -14,6 +14,7 @@
 #include "units/colour.h"
 #include "units/frame.h"
 #include "units/light_columns.h"
+#include "units/packet_rays.h"
 #include "units/repeated.h"
 #include "units/send_packet.h"
 #include "units/shading_tokens.h"
@@ -42,7 +43,8 @@ struct Shader {
   hls::RamWrite<uint<24>, kRayRows<C>> pixel_colour;
   hls::OptionalPort<kHasLights<C>, hls::RamRead<LightPower<C>, kPackets>> light;
   hls::OptionalPort<kHasLights<C>, hls::RamRead<Vector<Real>, kVectorRows<C>>> vectors;
-  hls::RamRead<RayMask, kPackets> traced;  ///< of rays that are not primary, those that were traced
+  hls::RamRead<RayMask<C>, kPackets>
+      traced;  ///< of rays that are not primary, those that were traced
   hls::Out<DerivationEvent<C>> derive;
   hls::Ram1R1W<Pixel, kRayRows<C>> pixels;
   HLS_PORTS(job, frame, found, surface, pixel_colour, light, vectors, traced, derive)
@@ -51,7 +53,7 @@ struct Shader {
     const Repeated<ShadeJob<C>> j = job.read();
     const FrameRegisters<C> config = frame.get();
     const PacketId<C> packet = j.job.packet;
-    const RayIndex ray = j.index.template trunc<2>();
+    const RayIndex<C> ray = j.index.template trunc<kRayBits<C>>();
     const RayRow<C> row = ray_row<C>(packet, ray);
     const Found<C> f = found.read(row);
     Pixel pixel = pixels.read(row);
@@ -98,9 +100,8 @@ struct Shader {
                                         hls::concat(pixel.sum[1].template bits<11, 4>(),
                                                     pixel.sum[0].template bits<11, 4>())));
 
-    // The lowest ray comes first, so the bits move in from above.
-    surfaces_ = hls::concat(uint<1>(surface_hit), surfaces_.template bits<3, 1>());
-    mirrors_ = hls::concat(uint<1>(mirrors), mirrors_.template bits<3, 1>());
+    surfaces_ = with_next_ray(surfaces_, surface_hit);
+    mirrors_ = with_next_ray(mirrors_, mirrors);
     if (j.last) derive.write(DerivationEvent<C>{packet, true, kind, surfaces_, mirrors_});
   }
 
@@ -124,8 +125,8 @@ struct Shader {
     return hls::concat(result[2], hls::concat(result[1], result[0]));
   }
 
-  RayMask surfaces_;  ///< of the packet, whose rays come one after the other
-  RayMask mirrors_;
+  RayMask<C> surfaces_;  ///< of the packet, whose rays come one after the other
+  RayMask<C> mirrors_;
 };
 
 }  // namespace dynrt

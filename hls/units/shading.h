@@ -31,21 +31,20 @@ struct Shading {
   hls::RamRead<PixelPosition, kPackets> position;
   hls::RamWrite<Word, kBankWords> bank[3];  ///< banks 3, 4 and 5 of the board
   hls::OptionalPort<kHasSecondary<C>, hls::RamRead<uint<24>, kRayRows<C>>> pixel_colour;
-  HLS_PORTS(job, frame, free, hit, position, bank[0], bank[1], bank[2], pixel_colour)
+  HLS_PORTS(job, frame, free, hit, position, bank, pixel_colour)
 
   void step() {
     const Repeated<ShadeJob<C>> j = job.read();
     const FrameRegisters<C> config = frame.get();
-    const RayIndex ray = j.index.template bits<3, 2>();
+    const RayIndex<C> ray = j.index.template bits<kRayBits<C> + 1, 2>();
     const uint<2> word = j.index.template bits<1, 0>();
     const HitRecord<C> h = hit.read(ray_row<C>(j.job.packet, ray));
-    const PixelPosition p = position.read(j.job.packet);
+    const PixelPosition p = pixel_of<C>(position.read(j.job.packet), ray);
 
-    const uint<10> x = p.x | ray.template bits<0, 0>().template zext<10>();
-    const uint<10> y = p.y | ray.template bits<1, 1>().template zext<10>();
-    const bool inside = x.template zext<11>() < config.width.template trunc<11>() &&
-                        y.template zext<11>() < config.height.template trunc<11>();
-    const BankAddress pixel = BankAddress::from((y * config.width.template trunc<11>() + x).raw());
+    const bool inside = p.x.template zext<11>() < config.width.template trunc<11>() &&
+                        p.y.template zext<11>() < config.height.template trunc<11>();
+    const BankAddress pixel =
+        BankAddress::from((p.y * config.width.template trunc<11>() + p.x).raw());
 
     Word colour;
     if constexpr (kHasSecondary<C>) {

@@ -37,7 +37,7 @@ class ShadingTest : public testing::Test {
     job.packet = PacketId<C>::from(packet);
     for (unsigned i = 0; i < 16; ++i) {
       EXPECT_TRUE(bench_.take(bench_.unit.free).empty());
-      bench_.feed(bench_.unit.job, Repeated<ShadeJob<C>>{RepeatCount::from(i), i == 15, job});
+      bench_.feed(bench_.unit.job, Repeated<ShadeJob<C>>{RepeatCount<C>::from(i), i == 15, job});
       bench_.run();
     }
     EXPECT_EQ(bench_.take_one(bench_.unit.free).packet, job.packet);
@@ -67,14 +67,14 @@ TEST_F(ShadingTest, ColourTimesCosineAtMostOne) {
                                  -17 + static_cast<int>(random.next() % 2)));
   }
   for (std::size_t i = 0; i < cosines.size(); i += 4) {
-    for (unsigned ray = 0; ray < kRays && i + ray < cosines.size(); ++ray) {
+    for (unsigned ray = 0; ray < kRays<C> && i + ray < cosines.size(); ++ray) {
       HitRecord<C>& h = hit(3, ray);
       h = test::random_token<HitRecord<C>>(random);
       h.hit = true;
       h.cosine = Real::from_double(cosines[i + ray]);
     }
     shade(3, 10, 20);
-    for (unsigned ray = 0; ray < kRays; ++ray) {
+    for (unsigned ray = 0; ray < kRays<C>; ++ray) {
       const HitRecord<C> h = hit(3, ray);
       EXPECT_EQ(word(0, (20 + ray / 2) * 640 + 10 + ray % 2),
                 shaded(h.colour.to_u64(), h.cosine.to_double()))
@@ -100,9 +100,10 @@ TEST_F(ShadingTest, WithoutHitRecordsOnlyPixelsAreWritten) {
 TEST_F(ShadingTest, HitRecordsAreSixWordsInTwoBanks) {
   test::Random random(9);
   frame().write_hits = 1;
-  for (unsigned ray = 0; ray < kRays; ++ray) hit(5, ray) = test::random_token<HitRecord<C>>(random);
+  for (unsigned ray = 0; ray < kRays<C>; ++ray)
+    hit(5, ray) = test::random_token<HitRecord<C>>(random);
   shade(5, 636, 478);
-  for (unsigned ray = 0; ray < kRays; ++ray) {
+  for (unsigned ray = 0; ray < kRays<C>; ++ray) {
     const HitRecord<C> h = hit(5, ray);
     const std::uint64_t at = 3 * ((478 + ray / 2) * 640 + 636 + ray % 2);
     EXPECT_EQ(word(1, at), h.t.bits().to_u64());

@@ -5,6 +5,7 @@
 // lights and by reflection. C is a configuration (hls/configs).
 #pragma once
 
+#include "units/frame.h"
 #include "units/packet.h"
 #include "units/repeated.h"
 
@@ -23,9 +24,10 @@ inline constexpr Derivation kFirstReflection =
     kTwoLevels<C> ? Derivation::kIntoObject : Derivation::kMirror;
 
 /// The ray that has its own matrix.
+template <class C>
 struct DerivedRay {
   Derivation pass = Derivation::kLight;
-  RayIndex ray;
+  RayIndex<C> ray;
   HLS_FIELDS(pass, ray)
 };
 
@@ -35,8 +37,8 @@ struct DerivationEvent {
   PacketId<C> packet;
   bool shaded = false;
   RayKind kind = RayKind::kPrimary;  ///< of the shaded rays
-  RayMask surfaces;                  ///< of the shaded rays, those that have hit something
-  RayMask mirrors;                   ///< of them, those that are reflected
+  RayMask<C> surfaces;               ///< of the shaded rays, those that have hit something
+  RayMask<C> mirrors;                ///< of them, those that are reflected
   HLS_FIELDS(packet, shaded, kind, surfaces, mirrors)
 };
 
@@ -64,16 +66,22 @@ struct Found {
   HLS_FIELDS(hit, cosine, t, object, triangle, colour, mirror)
 };
 
-/// A packet's place in the image: the pixel of ray 0; ray r is at (x + (r & 1), y + (r >> 1)).
+/// A packet's place in the image: the pixel of ray 0; the others follow row by row.
 struct PixelPosition {
   uint<10> x;
   uint<10> y;
   HLS_FIELDS(x, y)
 };
+template <class C>
+PixelPosition pixel_of(const PixelPosition& packet, RayIndex<C> ray) {
+  constexpr unsigned kColumnBits = hls::index_width(packet_columns(kRays<C>));
+  return {packet.x | ray.template bits<kColumnBits - 1, 0>().template zext<10>(),
+          packet.y | ray.template bits<kRayBits<C> - 1, kColumnBits>().template zext<10>()};
+}
 
 template <class C>
 struct ShadeJob {
-  RepeatCount repeat;  ///< steps less one: 3 to shade four rays, 15 to write their pixels and hits
+  RepeatCount<C> repeat;  ///< steps less one: 1 to shade a ray, 4 to write its pixel and its hit
   PacketId<C> packet;
   hls::OptionalField<kHasSecondary<C>, RayKind> kind{};
   HLS_FIELDS(repeat, packet, kind)

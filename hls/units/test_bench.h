@@ -44,7 +44,7 @@ class UnitBench {
  public:
   UnitBench() {
     join_.unit("unit", "unit", unit);
-    unit.hls_visit([this](auto&... port) { (this->bind(port), ...); });
+    hls::for_each_port(unit, [this](const std::string&, auto& port) { this->bind(port); });
   }
 
   Unit unit;
@@ -85,7 +85,6 @@ class UnitBench {
   }
 
  private:
-  void bind(hls::Absent&) {}
   template <class T>
   void bind(hls::In<T>& port) {
     join_.input("in", port);

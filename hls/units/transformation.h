@@ -25,7 +25,7 @@ struct Transformation {
   hls::Out<PacketVector<C>> transformed;
   hls::RamRead<Vector<Real>, kPackets> column[4];
   hls::OptionalPort<kWatertight<C>, hls::RamRead<RayMap<Real>, kRayRows<C>>> map;
-  HLS_PORTS(vector, transformed, column[0], column[1], column[2], column[3], map)
+  HLS_PORTS(vector, transformed, column, map)
 
   void step() {
     const PacketVector<C> in = vector.read();

@@ -16,7 +16,7 @@ enum class TransformKind : unsigned char { kCamera, kObject, kTriangle, kSeconda
 /// primitives.
 template <class C>
 struct TransformExtras {
-  hls::OptionalField<kHasSecondary<C>, DerivedRay> derived{};  ///< of kSecondary
+  hls::OptionalField<kHasSecondary<C>, DerivedRay<C>> derived{};  ///< of kSecondary
   hls::OptionalField<kHasMirrors<C>, bool>
       distinct_origins{};         ///< the packet's rays have no common origin
   PrimitiveField<C> primitive{};  ///< of kTriangle
@@ -25,10 +25,10 @@ struct TransformExtras {
 
 template <class C>
 struct TransformJob {
-  RepeatCount repeat = 3;  ///< columns of the matrix in the memory, less one
+  RepeatCount<C> repeat = 3;  ///< columns of the matrix in the memory, less one
   PacketId<C> packet;
   TransformKind kind = TransformKind::kCamera;
-  RayMask active;
+  RayMask<C> active;
   MatrixNumber<C> matrix;
   TransformExtras<C> extras{};
   HLS_FIELDS(repeat, packet, kind, active, matrix, extras)
@@ -38,7 +38,7 @@ template <class C>
 struct ColumnContext {
   PacketId<C> packet;
   TransformKind kind = TransformKind::kCamera;
-  RayMask active;
+  RayMask<C> active;
   uint<2> column;  ///< as it is stored
   TransformExtras<C> extras{};
   hls::OptionalField<kThreeColumns<C>, MatrixNumber<C>> matrix{};  ///< otherwise the address has it
@@ -49,10 +49,10 @@ struct ColumnContext {
 template <class C>
 struct JobRecord {
   TransformKind kind = TransformKind::kCamera;
-  RayMask active;
+  RayMask<C> active;
   MatrixNumber<C> matrix;
   MatrixExtra<C> extra;
-  hls::OptionalField<kHasSecondary<C>, DerivedRay> derived{};
+  hls::OptionalField<kHasSecondary<C>, DerivedRay<C>> derived{};
   hls::OptionalField<kHasMirrors<C>, uint<8>> mirror{};  ///< of a triangle
   hls::OptionalField<kSplitsPackets<C>, bool>
       distinct_origins{};  ///< the packet's rays have no common origin
@@ -64,11 +64,12 @@ struct JobRecord {
 
 template <class C>
 struct SendJob {
-  /// Vectors less one: 4 of a compressed packet, 7 of another, 1 of one ray, 11 of all corners.
-  RepeatCount repeat;
+  /// Vectors less one. They are one and one more for each ray of a compressed packet, two for each
+  /// of another, two of a ray alone, three for each ray of all corners.
+  RepeatCount<C> repeat;
   PacketId<C> packet;
   TransformKind kind = TransformKind::kCamera;
-  hls::OptionalField<kHasSecondary<C>, DerivedRay> derived{};
+  hls::OptionalField<kHasSecondary<C>, DerivedRay<C>> derived{};
   HLS_FIELDS(repeat, packet, kind, derived)
 };
 
@@ -77,13 +78,13 @@ using Corner = uint<2>;
 inline constexpr unsigned kNoCorner = 3;
 
 /// One vector on its way through the transformation. Compressed packets send the common origin and
-/// four directions, others four pairs of origin and direction. To map a triangle's corners a ray's
-/// direction is sent once for each (units/watertight.h).
+/// a direction for each ray, others pairs of origin and direction. To map a triangle's corners a
+/// ray's direction is sent once for each (units/watertight.h).
 template <class C>
 struct PacketVector {
   PacketId<C> packet;
   bool point = false;  ///< a point is translated, a direction is not (thesis 4.4)
-  RayIndex ray;        ///< 0 for a common origin
+  RayIndex<C> ray;     ///< 0 for a common origin
   Vector<typename C::Real> vector;
   hls::OptionalField<kWatertight<C>, Corner> corner = Corner(kNoCorner);
   hls::OptionalField<kWatertight<C>, typename C::Real> cosine{};  ///< with a corner that is mapped

@@ -4,7 +4,7 @@
 // Traversal slice: one ray's half of a traversal step (thesis 6.1.1, figure 3.5 and section 3.1.2).
 // It holds the ray's interval [near, far] and far stack for both levels, applies the decision of
 // the previous step, and finds the distance d of the node's plane and the children that the ray
-// enters. Four slices work side by side on the four rays of a packet.
+// enters. A slice for each ray of a packet works beside the others.
 //
 // Where no triangle may be lost, d counts as a range of numbers that holds the exact distance:
 // kWidening steps of the mantissa up and down.
@@ -31,7 +31,7 @@ struct TraversalSlice {
   };
 
   hls::In<Step<C>> step_in;
-  hls::Config<RayIndex> lane;  ///< which ray of the packet this slice serves
+  hls::Config<RayIndex<C>> lane;  ///< which ray of the packet this slice serves
   hls::Out<SliceDecision> decision;
   /// With its direction's reciprocals, if there are such.
   std::conditional_t<kReadsAxes<C>, hls::RamRead<RayAxis<Real>, kAxisRows<C>>,

@@ -22,7 +22,7 @@ Step<C> step(IntervalUpdate update, double split, bool both, unsigned stack = 0,
   s.context.packet = 3;
   s.context.level = Level::from(level);
   s.context.update = update;
-  s.context.both = RayMask::from(both ? 15 : 0);
+  s.context.both = RayMask<C>::from(both ? 15 : 0);
   s.context.active = 15;
   s.context.stack = StackPointer<C>::from(stack);
   s.node.kind = NodeKind::kSplitX;
@@ -112,14 +112,14 @@ TEST_F(AlongX, TerminatesWhereTheHitLiesBeforeTheInterval) {
 
 TEST_F(AlongX, TheLaneChoosesTheRaysBit) {
   using enum IntervalUpdate;
-  for (unsigned lane = 0; lane < kRays; ++lane) {
-    bench_.value(bench_.unit.lane) = RayIndex::from(lane);
+  for (unsigned lane = 0; lane < kRays<C>; ++lane) {
+    bench_.value(bench_.unit.lane) = RayIndex<C>::from(lane);
     decide(bench_, step(kInit, 10, false));
     Step<C> s = step(kClipFar, 20, false);
-    s.context.both = RayMask::from(15u ^ (1u << lane));
+    s.context.both = RayMask<C>::from(15u ^ (1u << lane));
     decide(bench_, s);
     expect(0, kSmallest, kLargest, 20);
-    s.context.both = RayMask::from(1u << lane);
+    s.context.both = RayMask<C>::from(1u << lane);
     decide(bench_, s);
     expect(0, kSmallest, 20, 20);
   }
@@ -281,8 +281,8 @@ TEST(TraversalSlice, ARayThatCrossedOthersPopsTheIntervalOfTheParent) {
   const auto decide = [&](IntervalUpdate update, double split, bool both, bool crossing) {
     Step<Remembers> s;
     s.context.update = update;
-    s.context.both = RayMask::from(both);
-    s.context.crossing = RayMask::from(crossing);
+    s.context.both = RayMask<C>::from(both);
+    s.context.crossing = RayMask<C>::from(crossing);
     s.node.kind = NodeKind::kSplitX;
     s.node.split = real(split);
     bench.feed(bench.unit.step_in, s);

@@ -19,12 +19,12 @@ enum class TraversalKind : unsigned char {
   kPop,      ///< go on at the node remembered last
 };
 
-/// One of four rays that enter an object.
+/// One of the rays that enter an object.
 template <class C>
 struct ObjectRay {
   PacketId<C> packet;
-  RayIndex ray;
-  RayMask active;                      ///< of the packet's rays, those that are traced
+  RayIndex<C> ray;
+  RayMask<C> active;                   ///< of the packet's rays, those that are traced
   OfInstance<C, NodeAddress<C>> root;  ///< of the object's tree
   hls::OptionalField<kSplitsPackets<C>, bool> distinct_origins{};
   Ray<typename C::Real> in_object;
@@ -34,7 +34,7 @@ struct ObjectRay {
 /// A ray whose direction is yet to be inverted, one axis at a time.
 template <class C>
 struct TracedRay {
-  RepeatCount repeat = 2;        ///< axes less one
+  RepeatCount<C> repeat = 2;     ///< axes less one
   OfInstance<C, bool> is_new{};  ///< it enters the top level, not an object
   ObjectRay<C> ray;
   HLS_FIELDS(repeat, is_new, ray)
@@ -62,17 +62,17 @@ struct TraversalEvent {
   LevelField<C> level;
   TraversalKind kind = TraversalKind::kPop;
   NodeAddress<C> next;
-  RayMask active;          ///< rays that go to `next`
+  RayMask<C> active;       ///< rays that go to `next`
   bool clip_near = false;  ///< kDescend: the near child was empty, so near = d rather than far = d
   NodeAddress<C> pushed;
-  RayMask pushed_active;
-  RayMask both;                                          ///< rays that enter both children
-  RayMask terminated;                                    ///< rays found to have ended in this level
+  RayMask<C> pushed_active;
+  RayMask<C> both;                                       ///< rays that enter both children
+  RayMask<C> terminated;                                 ///< rays found to have ended in this level
   hls::OptionalField<kHasSecondary<C>, RayKind> rays{};  ///< kEnter, level 0: what they are
   hls::OptionalField<kSplitsPackets<C>, bool>
       distinct_origins{};  ///< kEnter: the rays have no common origin
   /// Rays that enter both children in the other order; they are not in `both`.
-  hls::OptionalField<kRemembersChild<C>, RayMask> crossing{};
+  hls::OptionalField<kRemembersChild<C>, RayMask<C>> crossing{};
   HLS_FIELDS(packet, level, kind, next, active, clip_near, pushed, pushed_active, both, terminated,
              rays, distinct_origins, crossing)
 };
@@ -83,11 +83,11 @@ struct StepContext {
   PacketId<C> packet;
   LevelField<C> level;
   IntervalUpdate update = IntervalUpdate::kInit;
-  RayMask both;
-  RayMask active;
+  RayMask<C> both;
+  RayMask<C> active;
   StackPointer<C> stack;  ///< the far stack's entry to push to or to pop from
   /// kPop: rays that entered both children in the other order.
-  hls::OptionalField<kRemembersChild<C>, RayMask> crossing{};
+  hls::OptionalField<kRemembersChild<C>, RayMask<C>> crossing{};
   HLS_FIELDS(packet, level, update, both, active, stack, crossing)
 };
 
@@ -140,7 +140,7 @@ struct MailboxEntry {
   PacketId<C> packet;
   LevelField<C> level;
   bool clear = false;  ///< new rays: forget the packet's objects and start the traversal
-  RayMask active;      ///< of new rays: those that are to be traced
+  RayMask<C> active;   ///< of new rays: those that are to be traced
   hls::OptionalField<kHasSecondary<C>, RayKind> kind{};  ///< of new rays
   CoreListEntry<C> entry;
   HLS_FIELDS(packet, level, clear, active, kind, entry)

@@ -148,13 +148,13 @@ struct Chain {
   test::UnitBench<PacketDecoder<C>> decoder;
   test::UnitBench<Intersection<C>> intersection;
 
-  std::vector<HitCandidate<C>> run(const std::array<Ray<Real>, kRays>& rays,
+  std::vector<HitCandidate<C>> run(const std::array<Ray<Real>, kRays<C>>& rays,
                                    const std::array<Vec, 4>& columns) {
     constexpr unsigned kPacket = 5;
-    for (unsigned r = 0; r < kRays; ++r) {
+    for (unsigned r = 0; r < kRays<C>; ++r) {
       ObjectRay<C> ray;
       ray.packet = kPacket;
-      ray.ray = RayIndex::from(r);
+      ray.ray = RayIndex<C>::from(r);
       ray.active = 15;
       ray.root = 99;
       ray.in_object = rays[r];
@@ -170,7 +170,7 @@ struct Chain {
     }
     const SendJob<C> job{11, kPacket, TransformKind::kTriangle};
     for (unsigned i = 0; i < 12; ++i) {
-      send.feed(send.unit.job, Repeated<SendJob<C>>{RepeatCount::from(i), i == 11, job});
+      send.feed(send.unit.job, Repeated<SendJob<C>>{RepeatCount<C>::from(i), i == 11, job});
     }
     send.run();
     for (const auto& v : send.take(send.unit.vector)) {
@@ -198,13 +198,13 @@ TEST(Chain, FindsWhatTheFormulaFinds) {
   Chain chain;
   unsigned hits = 0;
   for (unsigned n = 0; n < 20'000; ++n) {
-    std::array<Ray<Real>, kRays> rays;
+    std::array<Ray<Real>, kRays<C>> rays;
     for (auto& ray : rays) ray = {vec(unit(), unit(), unit()), vec(unit(), unit(), unit())};
     std::array<Vec, 4> columns;
     for (Vec& column : columns) column = vec(unit(), unit(), unit());
     const auto found = chain.run(rays, columns);
-    ASSERT_EQ(found.size(), kRays);
-    for (unsigned r = 0; r < kRays; ++r) {
+    ASSERT_EQ(found.size(), kRays<C>);
+    for (unsigned r = 0; r < kRays<C>; ++r) {
       using V = std::array<double, 3>;
       const auto of = [](const Vec& v) {
         return V{v.x.to_double(), v.y.to_double(), v.z.to_double()};
@@ -226,7 +226,7 @@ TEST(Chain, FindsWhatTheFormulaFinds) {
       const double u = dot(s, p) / det, v = dot(d, q) / det, t = dot(b, q) / det;
       const double inside = std::min({u, v, 1 - u - v, t});
       if (std::abs(inside) < 0.01) continue;
-      ASSERT_EQ(found[r].ray, RayIndex::from(r));
+      ASSERT_EQ(found[r].ray, RayIndex<C>::from(r));
       ASSERT_EQ(found[r].hit, inside > 0) << n;
       ASSERT_NEAR(found[r].cosine.to_double(), dot(d, of(columns[3])), 1e-4);
       if (inside < 0) continue;
@@ -257,7 +257,7 @@ class WidenedSlice : public testing::Test {
     Step<C> s;
     s.context.packet = kRow;
     s.context.update = update;
-    s.context.both = RayMask::from(both ? 15u : 0u);
+    s.context.both = RayMask<C>::from(both ? 15u : 0u);
     s.context.active = 15;
     s.node.kind = NodeKind::kSplitX;
     s.node.split = split;

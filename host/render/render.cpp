@@ -81,7 +81,12 @@ FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
   if (!std::has_single_bit(lines) || lines > core.lines) {
     refuse_option("lines", messages::kLines, core.name, core.lines, lines);
   }
-  const unsigned packet_side = (std::max(options.width, options.height) + 1) / 2;
+  const auto packets_along = [](unsigned side, unsigned pixels) {
+    return (side + pixels - 1) / pixels;
+  };
+  const unsigned packet_side =
+      std::max(packets_along(options.width, packet_columns(core.packet_rays)),
+               packets_along(options.height, packet_rows(core.packet_rays)));
   FrameConfig frame;
   frame.packets = to_word(packets);
   frame.line_mask = to_word(lines - 1);

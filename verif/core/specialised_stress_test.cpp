@@ -36,7 +36,7 @@ struct Transformation<host::specialised::KeepsIdentity<Base>> {
   hls::In<PacketVector<C>> vector;
   hls::Out<PacketVector<C>> transformed;
   hls::RamRead<Vector<Real>, kPackets> column[4];
-  HLS_PORTS(vector, transformed, column[0], column[1], column[2], column[3])
+  HLS_PORTS(vector, transformed, column)
 
   void step() {
     const PacketVector<C> in = vector.read();

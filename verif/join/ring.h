@@ -95,7 +95,7 @@ struct Pair {
   hls::In<Item> before;
   hls::RamRead<Value, 16> note;
   hls::Out<Item> out;
-  HLS_PORTS(side[0], side[1], before, note, out)
+  HLS_PORTS(side, before, note, out)
   void step() {
     Item i = side[0].read();
     const Item other = side[1].read();

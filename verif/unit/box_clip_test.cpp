@@ -17,8 +17,8 @@ void setup(Bench<BoxClip<C>>& bench, const Run&) {
   auto next = std::make_shared<unsigned>(0);
   auto packet = std::make_shared<PacketId<C>>();
   bench.shape<ObjectRay<C>>("ray", [next, packet](ObjectRay<C>& r, Random& random) {
-    r.ray = RayIndex::from(*next % kRays);
-    if (*next % kRays == 0) *packet = number_below<PacketId<C>::kWidth>(random, C::kPackets);
+    r.ray = RayIndex<C>::from(*next % kRays<C>);
+    if (*next % kRays<C> == 0) *packet = number_below<PacketId<C>::kWidth>(random, C::kPackets);
     r.packet = *packet;
     ++*next;
     // Near the box more often than anywhere in the range of the numbers.

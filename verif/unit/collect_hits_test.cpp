@@ -13,7 +13,7 @@ namespace {
 
 using Candidate = HitCandidate<C>;
 
-std::uint64_t row(const Candidate& in) { return in.packet.to_u64() * kRays + in.ray.to_u64(); }
+std::uint64_t row(const Candidate& in) { return in.packet.to_u64() * kRays<C> + in.ray.to_u64(); }
 
 /// A ray is new before it has hits; some hits are equally far.
 class Stimulus {
@@ -29,7 +29,7 @@ class Stimulus {
 
  private:
   Packets packets_;
-  bool known_[C::kPackets * kRays] = {};
+  bool known_[C::kPackets * kRays<C>] = {};
 };
 
 void setup(Bench<CollectHits<C>>& bench, const Run& run) {

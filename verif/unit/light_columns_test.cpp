@@ -14,7 +14,8 @@ void setup(Bench<LightColumns<C>>& bench, const Run&) {
   bench.shape<Column>("fetched", [](Column& c, Random& random) {
     if (random.below(2) == 0) {
       c.context.kind = TransformKind::kSecondary;
-      c.context.extras.derived = DerivedRay{Derivation::kLight, number_below<2>(random, kRays)};
+      c.context.extras.derived =
+          DerivedRay<C>{Derivation::kLight, number_below<kRayBits<C>>(random, kRays<C>)};
     }
   });
 }

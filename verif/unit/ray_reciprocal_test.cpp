@@ -24,13 +24,13 @@ void setup(Bench<RayReciprocal<C>>& bench, const Run&) {
                                      : job->ray.packet;
       const bool is_new = *next % 12 == 0 ? random.below(2) == 0 : job->is_new;
       *job = t.job;
-      job->repeat = RepeatCount(2);
+      job->repeat = RepeatCount<C>(2);
       job->is_new = is_new;
       job->ray.packet = packet;
-      job->ray.ray = RayIndex::from(*next / 3 % kRays);
+      job->ray.ray = RayIndex<C>::from(*next / 3 % kRays<C>);
     }
     t.job = *job;
-    t.index = RepeatCount::from(axis);
+    t.index = RepeatCount<C>::from(axis);
     t.last = axis == 2;
     ++*next;
   });

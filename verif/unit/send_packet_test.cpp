@@ -13,10 +13,11 @@ void setup(Bench<SendPacket<C>>& bench, const Run&) {
   using Job = Repeated<SendJob<C>>;
   bench.shape<Job>("job", [](Job& j, Random& random) {
     j.job.kind = any_of<TransformKind>(random, kHasSecondary<C> ? 4 : 3);
-    j.job.repeat = j.job.kind == TransformKind::kSecondary                    ? RepeatCount(1)
-                   : kWatertight<C> && j.job.kind == TransformKind::kTriangle ? RepeatCount(11)
-                   : random.below(2) == 0                                     ? RepeatCount(4)
-                                                                              : RepeatCount(7);
+    j.job.repeat = j.job.kind == TransformKind::kSecondary ? RepeatCount<C>(1)
+                   : kWatertight<C> && j.job.kind == TransformKind::kTriangle
+                       ? RepeatCount<C>(3 * kRays<C> - 1)
+                   : random.below(2) == 0 ? RepeatCount<C>(kRays<C>)
+                                          : RepeatCount<C>(2 * kRays<C> - 1);
     j.index = number_below<4>(random, j.job.repeat.to_u64() + 1);
     j.last = j.index == j.job.repeat;
   });

@@ -13,7 +13,9 @@ namespace {
 
 using Job = Repeated<ShadeJob<C>>;
 
-std::uint64_t row(const Job& j) { return j.job.packet.to_u64() * kRays + j.index.to_u64() % kRays; }
+std::uint64_t row(const Job& j) {
+  return j.job.packet.to_u64() * kRays<C> + j.index.to_u64() % kRays<C>;
+}
 
 /// A ray is a primary one first.
 class Stimulus {
@@ -21,15 +23,15 @@ class Stimulus {
   explicit Stimulus(const Run& run) : packets_(run) {}
   void draw(Job& j, Random& random) {
     j.job.packet = packets_.next(random);
-    j.index = number_below<4>(random, kRays);
-    j.last = j.index == RepeatCount(kRays - 1);
+    j.index = number_below<kRayBits<C> + 2>(random, kRays<C>);
+    j.last = j.index == RepeatCount<C>(kRays<C> - 1);
     j.job.kind = known_[row(j)] ? any_of<RayKind>(random, 3) : RayKind::kPrimary;
   }
   void begun(const Job& j) { known_[row(j)] = true; }
 
  private:
   Packets packets_;
-  bool known_[C::kPackets * kRays] = {};
+  bool known_[C::kPackets * kRays<C>] = {};
 };
 
 void setup(Bench<Shader<C>>& bench, const Run& run) {

@@ -69,6 +69,12 @@ KEYS: dict[str, Key] = {
         of_core=False,
     ),
     "packets": Key(Whole(1, 64), "kPackets", "packets in flight"),
+    "packet_rays": Key(
+        Whole(4, 16, power_of_two=True),
+        "kPacketRays",
+        "rays of a packet: 4 are 2x2 pixels, 8 are 4x2, 16 are 4x4",
+        4,
+    ),
     "lines": Key(Whole(1, 512, power_of_two=True), "kLines", "lines of each cache"),
     "levels": Key(
         Whole(1, 2),

@@ -52,7 +52,7 @@ struct Tally {
   hls::Out<uint<5>> copy[2];
   hls::RamWrite<uint<16>, 16> last;
   hls::Ram1R1W<uint<16>, 16> totals;
-  HLS_PORTS(job, extra, offset, table, result, copy[0], copy[1], last)
+  HLS_PORTS(job, extra, offset, table, result, copy, last)
 
   void step() {
     const Job j = job.read();

@@ -161,6 +161,7 @@ class Readers {
   Readers(std::initializer_list<In<T>*> ends) {
     for (In<T>* end : ends) ends_.push_back(end);
   }
+  void push_back(In<T>* end) { ends_.push_back(end); }
   const std::vector<InEnd*>& ends() const { return ends_; }
 
  private:

@@ -17,10 +17,9 @@ std::vector<std::string> names_of(const JoinPorts& ports, const auto& ends) {
 }  // namespace
 
 void Join::add_unit(const std::string& name, const std::string& module, void* unit,
-                    bool (*run)(void*, std::uint64_t&), std::string_view port_names,
-                    std::initializer_list<PortOfUnit> ports) {
+                    bool (*run)(void*, std::uint64_t&), const std::vector<PortOfUnit>& ports) {
   UnitRecord record{name, module, {}, group_};
-  ports_.add(record, port_names, ports);
+  ports_.add(record, ports);
   record_.units.push_back(std::move(record));
   Process& process = processes_.emplace_back(
       Process{name, 0, [unit, run](std::uint64_t& count) { return run(unit, count); }});

@@ -50,9 +50,11 @@ class Join {
     const auto run = [](void* u, std::uint64_t& transactions) {
       return run_unit(*static_cast<U*>(u), transactions);
     };
-    unit.hls_visit([&](auto&... port) {
-      add_unit(name, module, &unit, run, U::hls_field_names(), {port_of(port)...});
+    std::vector<PortOfUnit> ports;
+    for_each_port(unit, [&ports]<class P>(const std::string& port_name, P& port) {
+      ports.push_back({port_name, &port, P::kPort});
     });
+    add_unit(name, module, &unit, run, ports);
   }
 
   /// One channel from any of `from` to all of `to`. `depth`, if not 0, promises that the channel
@@ -205,8 +207,7 @@ class Join {
   }
 
   void add_unit(const std::string& name, const std::string& module, void* unit,
-                bool (*run)(void* unit, std::uint64_t&), std::string_view port_names,
-                std::initializer_list<PortOfUnit> ports);
+                bool (*run)(void* unit, std::uint64_t&), const std::vector<PortOfUnit>& ports);
   void add_channel(const std::string& name, const std::vector<OutEnd*>& from,
                    const std::vector<InEnd*>& to, TokenType type, unsigned depth);
   void add_repeat(const std::string& name, const std::vector<OutEnd*>& from, const InEnd& to,
@@ -254,6 +255,12 @@ class Join {
     } else {
       return std::numeric_limits<std::size_t>::max();
     }
+  }
+  template <class P, std::size_t N>
+  static std::size_t tokens_ready(P (&ports)[N]) {
+    std::size_t ready = tokens_ready(ports[0]);
+    for (std::size_t i = 1; i < N; ++i) ready = std::min(ready, tokens_ready(ports[i]));
+    return ready;
   }
 
   template <class T>

@@ -6,15 +6,10 @@
 
 namespace hls {
 
-void JoinPorts::add(UnitRecord& record, std::string_view names,
-                    std::initializer_list<PortOfUnit> ports) {
-  const std::vector<std::string> name = split_names(names);
-  auto next = name.begin();
+void JoinPorts::add(UnitRecord& record, const std::vector<PortOfUnit>& ports) {
   for (const PortOfUnit& port : ports) {
-    const std::string& member = *next++;
-    if (!port.address) continue;
-    names_[port.address] = record.name + "." + member;
-    record.ports.push_back({member, port.type});
+    names_[port.address] = record.name + "." + port.name;
+    record.ports.push_back({port.name, port.type});
     if (port.type.kind == PortKind::kIn) ++inputs_[record.name];
   }
 }

@@ -4,10 +4,10 @@
 // The names of the ports of a join: a port is called "unit.port".
 #pragma once
 
-#include <initializer_list>
+#include <cstddef>
 #include <map>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "hls/join_record.h"
 #include "hls/ports.h"
@@ -15,19 +15,40 @@
 namespace hls {
 
 struct PortOfUnit {
-  const void* address;  ///< null: the configuration leaves this port out
+  std::string name;
+  const void* address;
   PortInfo type;
 };
-inline PortOfUnit port_of(const Absent&) { return {}; }
-template <class P>
-PortOfUnit port_of(const P& port) {
-  return {&port, P::kPort};
+
+namespace detail {
+template <class Port, class Visit>
+void visit_port(const std::string& name, Port& port, Visit& visit) {
+  visit(name, port);
+}
+/// The configuration leaves this port out.
+template <class Visit>
+void visit_port(const std::string&, Absent&, Visit&) {}
+template <class Port, std::size_t N, class Visit>
+void visit_port(const std::string& name, Port (&ports)[N], Visit& visit) {
+  for (std::size_t i = 0; i < N; ++i) {
+    visit_port(name + "_" + std::to_string(i), ports[i], visit);
+  }
+}
+}  // namespace detail
+
+/// Calls visit(name, port) for every port of a unit, in the order of HLS_PORTS and with the names
+/// that hlsc gives them: those of an array are name_0, name_1 and so on.
+template <class Unit, class Visit>
+void for_each_port(Unit& unit, Visit&& visit) {
+  const std::vector<std::string> names = split_names(Unit::hls_field_names());
+  auto name = names.begin();
+  unit.hls_visit([&](auto&... member) { (detail::visit_port(*name++, member, visit), ...); });
 }
 
 class JoinPorts {
  public:
-  /// Makes a unit's ports, which `names` lists in their order, known and adds them to its record.
-  void add(UnitRecord& record, std::string_view names, std::initializer_list<PortOfUnit> ports);
+  /// Makes a unit's ports known and adds them to its record.
+  void add(UnitRecord& record, const std::vector<PortOfUnit>& ports);
 
   const std::string& name_of(const void* port) const;
   /// The unit that a port belongs to.

@@ -108,15 +108,13 @@ std::string type_name() {
   return std::string(name.substr(begin, name.size() - 1 - begin));
 }
 
-/// "entry, slot[0], slot[1]" as {"entry", "slot_0", "slot_1"}: the names that hlsc gives the ports.
+/// "entry, slot" as {"entry", "slot"}.
 inline std::vector<std::string> split_names(std::string_view list) {
   std::vector<std::string> names(1);
   for (const char c : list) {
     if (c == ',') {
       names.emplace_back();
-    } else if (c == '[') {
-      names.back() += '_';
-    } else if (c != ' ' && c != '\n' && c != ']') {
+    } else if (c != ' ' && c != '\n') {
       names.back() += c;
     }
   }

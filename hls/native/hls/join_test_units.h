@@ -26,7 +26,7 @@ struct Add {
 struct Pair {
   In<Byte> in[2];
   Out<uint<16>> out;
-  HLS_PORTS(in[0], in[1], out)
+  HLS_PORTS(in, out)
   void step() {
     const Byte low = in[0].read();
     out.write(concat(in[1].read(), low));

@@ -19,8 +19,8 @@
 #include "hls/port_kind.h"
 #include "hls/rows.h"
 
-/// Names all ports of a unit (channels, RAM ports, configuration), and gives hlsc the file that the
-/// unit is in.
+/// Names all ports of a unit (channels, RAM ports, configuration, arrays of one kind), and gives
+/// hlsc the file that the unit is in.
 #define HLS_PORTS(...)    \
   HLS_FIELDS(__VA_ARGS__) \
   static constexpr std::string_view hls_file() { return __FILE__; }

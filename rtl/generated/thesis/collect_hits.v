@@ -116,8 +116,8 @@ module collect_hits #(
     in_packet_s2 <= in_packet_s1;
     closest_s2 <= closest_s1;
   end
-  wire [23:0] or_1_s2 = candidate_9_s2 | closest_s2;  // units/collect_hits.h:75
-  wire lt_1_s2 = {candidate_9_s2, 1'd0} < {closest_s2, or_1_s2[23]};  // units/collect_hits.h:75
+  wire [23:0] or_1_s2 = candidate_9_s2 | closest_s2;  // units/collect_hits.h:74
+  wire lt_1_s2 = {candidate_9_s2, 1'd0} < {closest_s2, or_1_s2[23]};  // units/collect_hits.h:74
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -152,20 +152,20 @@ module collect_hits #(
   wire [23:0] job_extra_s3 = record_data_i[46:23];
   wire [16:0] instance_s3 = object_data_i;
   wire closer_s3 = in_hit_s3 & (or_1_s3 ^ lt_1_s3);
-  wire [23:0] mux_1_s3 = {~in_reset_s3 & closest_s3[23], {23{in_reset_s3}} | closest_s3[22:0]};  // units/collect_hits.h:79
-  wire [23:0] mux_2_s3 = closer_s3 ? candidate_9_s3 : mux_1_s3;  // units/collect_hits.h:80
+  wire [23:0] mux_1_s3 = {~in_reset_s3 & closest_s3[23], {23{in_reset_s3}} | closest_s3[22:0]};  // units/collect_hits.h:78
+  wire [23:0] mux_2_s3 = closer_s3 ? candidate_9_s3 : mux_1_s3;  // units/collect_hits.h:79
   wire [23:0] mux_3_s3 = ~{24{in_reset_s3}} & in_u_s3;
   wire [23:0] mux_4_s3 = ~{24{in_reset_s3}} & in_v_s3;
   wire [23:0] mux_5_s3 = ~{24{in_reset_s3}} & in_cosine_s3;
   wire [16:0] mux_6_s3 = ~{17{in_reset_s3}} & instance_s3;
   wire [16:0] mux_7_s3 = ~{17{in_reset_s3}} & job_matrix_s3;
   wire [23:0] mux_8_s3 = ~{24{in_reset_s3}} & job_extra_s3;
-  wire or_2_s3 = in_reset_s3 | closer_s3;  // units/collect_hits.h:97
-  wire [23:0] mux_9_s3 = {~in_reset_s3 & mux_2_s3[23], {23{in_reset_s3}} | mux_2_s3[22:0]};  // units/collect_hits.h:97
+  wire or_2_s3 = in_reset_s3 | closer_s3;  // units/collect_hits.h:96
+  wire [23:0] mux_9_s3 = {~in_reset_s3 & mux_2_s3[23], {23{in_reset_s3}} | mux_2_s3[22:0]};  // units/collect_hits.h:96
   wire not_1_s3 = ~candidate_5_s3;
   wire not_2_s3 = ~candidate_6_s3;
-  wire [23:0] mux_10_s3 = {~in_reset_s3 & candidate_9_s3[23], {23{in_reset_s3}} | candidate_9_s3[22:0]};  // units/collect_hits.h:102
-  wire eq_1_s3 = {candidate_6_s3, candidate_5_s3} == 2'd3;  // units/collect_hits.h:128
+  wire [23:0] mux_10_s3 = {~in_reset_s3 & candidate_9_s3[23], {23{in_reset_s3}} | candidate_9_s3[22:0]};  // units/collect_hits.h:101
+  wire eq_1_s3 = {candidate_6_s3, candidate_5_s3} == 2'd3;  // units/collect_hits.h:127
   wire not_3_s3 = ~in_reset_s3;
   wire [3:0] job_active_s3 = record_data_i[5:2];
 

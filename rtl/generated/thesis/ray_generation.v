@@ -45,42 +45,42 @@ module ray_generation #(
   wire [10:0] last_x_config = frame_i[74:64];
   reg  [10:0] last_x_still;
   always @(posedge clk_i) last_x_still <= last_x_config;
-  wire [10:0] add_1_config = last_x_config + 11'd1;  // units/ray_generation.h:78
+  wire [10:0] add_1_config = last_x_config + 11'd1;  // units/ray_generation.h:87
   reg  [10:0] add_1_still;
   always @(posedge clk_i) add_1_still <= add_1_config;
   wire [10:0] last_y_config = frame_i[106:96];
   reg  [10:0] last_y_still;
   always @(posedge clk_i) last_y_still <= last_y_config;
-  wire [10:0] add_2_config = last_y_config + 11'd1;  // units/ray_generation.h:78
+  wire [10:0] add_2_config = last_y_config + 11'd1;  // units/ray_generation.h:87
   reg  [10:0] add_2_still;
   always @(posedge clk_i) add_2_still <= add_2_config;
   wire frame_128_config = frame_i[128];
   reg  frame_128_still;
   always @(posedge clk_i) frame_128_still <= frame_128_config;
-  wire scanline_config = ~frame_128_config;  // units/ray_generation.h:42
+  wire scanline_config = ~frame_128_config;  // units/ray_generation.h:49
   reg  scanline_still;
   always @(posedge clk_i) scanline_still <= scanline_config;
   wire frame_161_config = frame_i[161];
   wire frame_162_config = frame_i[162];
   wire frame_163_config = frame_i[163];
   wire frame_164_config = frame_i[164];
-  wire lt_3_config = 5'd17 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, 1'd0};  // units/ray_generation.h:52
-  wire not_1_config = ~frame_164_config;  // units/ray_generation.h:52
-  wire [16:0] mux_3_config = {~frame_163_config | not_1_config, frame_163_config ? {8{not_1_config}} : {8{not_1_config}}, ~{8{frame_163_config}} & {8{not_1_config}}};  // units/ray_generation.h:52
-  wire [17:0] mux_4_config = {frame_162_config ? mux_3_config[13:0] : {mux_3_config[16], mux_3_config[16:4]}, ~{4{frame_162_config}} & mux_3_config[3:0]};  // units/ray_generation.h:52
-  wire [17:0] mux_5_config = {frame_161_config ? mux_4_config[15:0] : mux_4_config[17:2], ~{2{frame_161_config}} & mux_4_config[1:0]};  // units/ray_generation.h:52
+  wire lt_3_config = 5'd17 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, 1'd0};  // units/ray_generation.h:59
+  wire not_1_config = ~frame_164_config;  // units/ray_generation.h:59
+  wire [16:0] mux_3_config = {~frame_163_config | not_1_config, frame_163_config ? {8{not_1_config}} : {8{not_1_config}}, ~{8{frame_163_config}} & {8{not_1_config}}};  // units/ray_generation.h:59
+  wire [17:0] mux_4_config = {frame_162_config ? mux_3_config[13:0] : {mux_3_config[16], mux_3_config[16:4]}, ~{4{frame_162_config}} & mux_3_config[3:0]};  // units/ray_generation.h:59
+  wire [17:0] mux_5_config = {frame_161_config ? mux_4_config[15:0] : mux_4_config[17:2], ~{2{frame_161_config}} & mux_4_config[1:0]};  // units/ray_generation.h:59
   wire frame_160_config = frame_i[160];
-  wire [17:0] mux_6_config = {frame_160_config ? mux_5_config[16:0] : mux_5_config[17:1], ~frame_160_config & mux_5_config[0]};  // units/ray_generation.h:52
-  wire [17:0] mux_7_config = ~{18{lt_3_config}} & mux_6_config;  // units/ray_generation.h:52
+  wire [17:0] mux_6_config = {frame_160_config ? mux_5_config[16:0] : mux_5_config[17:1], ~frame_160_config & mux_5_config[0]};  // units/ray_generation.h:59
+  wire [17:0] mux_7_config = ~{18{lt_3_config}} & mux_6_config;  // units/ray_generation.h:59
   reg  [17:0] mux_7_still;
   always @(posedge clk_i) mux_7_still <= mux_7_config;
-  wire eq_1_config = add_1_config[10:1] == 10'd1;  // units/ray_generation.h:54
+  wire eq_1_config = add_1_config[10:1] == 10'd1;  // units/ray_generation.h:61
   reg  eq_1_still;
   always @(posedge clk_i) eq_1_still <= eq_1_config;
-  wire [8:0] add_3_config = add_1_config[10:2] + 9'd511;  // units/ray_generation.h:80
+  wire [8:0] add_3_config = add_1_config[10:2] + 9'd511;  // units/ray_generation.h:94
   reg  [8:0] add_3_still;
   always @(posedge clk_i) add_3_still <= add_3_config;
-  wire [9:0] add_4_config = add_2_config[10:1] + 10'd1023;  // units/ray_generation.h:80
+  wire [9:0] add_4_config = add_2_config[10:1] + 10'd1023;  // units/ray_generation.h:94
   reg  [9:0] add_4_still;
   always @(posedge clk_i) add_4_still <= add_4_config;
   wire [16:0] camera_matrix_config = frame_i[240:224];
@@ -99,15 +99,15 @@ module ray_generation #(
   reg  [7:0] returned_q;
   wire [8:0] mux_1_s0 = frame_128_still ? scan_x_q : {counter_q[16], counter_q[14], counter_q[12], counter_q[10], counter_q[8], counter_q[6], counter_q[4], counter_q[2], counter_q[0]};
   wire [8:0] mux_2_s0 = frame_128_still ? scan_y_q[8:0] : {counter_q[17], counter_q[15], counter_q[13], counter_q[11], counter_q[9], counter_q[7], counter_q[5], counter_q[3], counter_q[1]};
-  wire inside_s0 = ({1'd0, mux_1_s0} < add_1_still[10:1]) & ({1'd0, mux_2_s0} < add_2_still[10:1]);  // units/ray_generation.h:45
-  wire morton_end_s0 = (counter_q | mux_7_still) == 18'h3ffff;  // units/ray_generation.h:53
-  wire line_end_2_s0 = line_end_q | eq_1_still;  // units/ray_generation.h:54
+  wire inside_s0 = ({1'd0, mux_1_s0} < add_1_still[10:1]) & ({1'd0, mux_2_s0} < add_2_still[10:1]);  // units/ray_generation.h:52
+  wire morton_end_s0 = (counter_q | mux_7_still) == 18'h3ffff;  // units/ray_generation.h:60
+  wire line_end_2_s0 = line_end_q | eq_1_still;  // units/ray_generation.h:61
   wire and_1_s0 = ({1'd0, scan_x_q} == {add_3_still, add_1_still[1]}) & (~line_end_2_s0);
   wire and_2_s0 = line_end_2_s0 & (frame_128_still ? (scan_y_q == add_4_still) : morton_end_s0);
   wire or_2_s0 = scanline_still | line_end_2_s0;
   wire [9:0] add_5_s0 = scan_y_q + {9'd0, or_2_s0};
-  wire [8:0] add_6_s0 = scan_x_q + 9'd1;  // units/ray_generation.h:59
-  wire [7:0] add_7_s0 = returned_q + 8'd1;  // units/ray_generation.h:48
+  wire [8:0] add_6_s0 = scan_x_q + 9'd1;  // units/ray_generation.h:66
+  wire [7:0] add_7_s0 = returned_q + 8'd1;  // units/ray_generation.h:55
   wire and_4_s0 = over_q & (add_7_s0 == frame_0_still);
   wire not_3_s0 = ~over_q;
   wire and_5_s0 = inside_s0 & not_3_s0;
@@ -133,9 +133,9 @@ module ray_generation #(
     or_3_s1 <= or_3_s0;
     f_s1 <= f_s0;
   end
-  wire x1_s1 = {1'd0, mux_1_s1, 1'd1} < last_x_still;  // units/ray_generation.h:93
-  wire y1_s1 = {1'd0, mux_2_s1, 1'd1} < last_y_still;  // units/ray_generation.h:94
-  wire and_3_s1 = x1_s1 & y1_s1;  // units/ray_generation.h:95
+  wire x1_s1 = {1'd0, mux_1_s1, 1'd1} < last_x_still;  // units/ray_generation.h:110
+  wire y1_s1 = {1'd0, mux_2_s1, 1'd1} < last_y_still;  // units/ray_generation.h:111
+  wire and_3_s1 = x1_s1 & y1_s1;  // units/ray_generation.h:112
 
   // ---- state, rows and tokens written ----
   always @(posedge clk_i) begin

@@ -92,10 +92,10 @@ module shading #(
   wire [16:0] hit_97_s1 = hit_data_i[113:97];
   wire [16:0] hit_114_s1 = hit_data_i[130:114];
   wire position_0_s1 = position_data_i[0];
-  wire or_1_s1 = job_2_s1 | position_0_s1;  // units/shading.h:44
+  wire or_1_s1 = job_2_s1 | position_0_s1;  // units/shading_tokens.h:78
   wire [8:0] position_1_s1 = position_data_i[9:1];
   wire position_10_s1 = position_data_i[10];
-  wire or_2_s1 = job_3_s1 | position_10_s1;  // units/shading.h:45
+  wire or_2_s1 = job_3_s1 | position_10_s1;  // units/shading_tokens.h:79
   wire [8:0] position_11_s1 = position_data_i[19:11];
   wire [7:0] hit_147_s1 = hit_data_i[154:147];
   wire [7:0] hit_139_s1 = hit_data_i[146:139];
@@ -148,8 +148,8 @@ module shading #(
     hit_131_s2 <= hit_131_s1;
     j_last_s2 <= j_last_s1;
   end
-  wire lt_2_s2 = {1'd0, position_11_s2, or_2_s2} < frame_96_still;  // units/shading.h:46
-  wire [19:0] mul_1_s2 = {position_11_s2, or_2_s2} * frame_64_still;  // units/shading.h:48
+  wire lt_2_s2 = {1'd0, position_11_s2, or_2_s2} < frame_96_still;  // units/shading.h:44
+  wire [19:0] mul_1_s2 = {position_11_s2, or_2_s2} * frame_64_still;  // units/shading.h:47
   wire lt_3_s2 = {hit_95_s2, hit_89_s2} < 7'd63;  // units/colour.h:21
   wire [5:0] not_1_s2 = ~hit_89_s2;  // units/colour.h:24
   wire lt_4_s2 = hit_89_s2 < 6'd55;  // units/colour.h:24
@@ -162,11 +162,11 @@ module shading #(
   wire [8:0] mux_7_s2 = ~{9{lt_4_s2}} & mux_6_s2;  // units/colour.h:43
   wire [8:0] mux_8_s2 = {~lt_3_s2 | mux_7_s2[8], {8{lt_3_s2}} & mux_7_s2[7:0]};  // units/colour.h:43
   wire eq_1_s2 = word_s2 == 2'd0;
-  wire eq_3_s2 = word_s2 == 2'd1;  // units/shading.h:82
-  wire [31:0] mux_9_s2 = {~eq_3_s2 & h_hit_s2, eq_3_s2 ? 7'd0 : 7'd0, {7{eq_3_s2}} & hit_49_s2[23:17], eq_3_s2 ? hit_49_s2[16:0] : hit_97_s2};  // units/shading.h:64
-  wire [31:0] mux_10_s2 = {~{8{eq_1_s2}} & mux_9_s2[31:24], eq_1_s2 ? hit_1_s2 : mux_9_s2[23:0]};  // units/shading.h:64
-  wire [23:0] mux_11_s2 = {{7{eq_3_s2}} & {hit_96_s2, hit_95_s2, hit_89_s2[5:1]}, eq_3_s2 ? {hit_89_s2[0], hit_81_s2, hit_73_s2} : hit_114_s2};  // units/shading.h:81
-  wire [23:0] mux_12_s2 = eq_1_s2 ? hit_25_s2 : mux_11_s2;  // units/shading.h:81
+  wire eq_3_s2 = word_s2 == 2'd1;  // units/shading.h:81
+  wire [31:0] mux_9_s2 = {~eq_3_s2 & h_hit_s2, eq_3_s2 ? 7'd0 : 7'd0, {7{eq_3_s2}} & hit_49_s2[23:17], eq_3_s2 ? hit_49_s2[16:0] : hit_97_s2};  // units/shading.h:63
+  wire [31:0] mux_10_s2 = {~{8{eq_1_s2}} & mux_9_s2[31:24], eq_1_s2 ? hit_1_s2 : mux_9_s2[23:0]};  // units/shading.h:63
+  wire [23:0] mux_11_s2 = {{7{eq_3_s2}} & {hit_96_s2, hit_95_s2, hit_89_s2[5:1]}, eq_3_s2 ? {hit_89_s2[0], hit_81_s2, hit_73_s2} : hit_114_s2};  // units/shading.h:80
+  wire [23:0] mux_12_s2 = eq_1_s2 ? hit_25_s2 : mux_11_s2;  // units/shading.h:80
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -203,15 +203,15 @@ module shading #(
     mux_12_s3 <= mux_12_s2;
     j_last_s3 <= j_last_s2;
   end
-  wire inside_s3 = ({1'd0, position_1_s3, or_1_s3} < frame_64_still) & lt_2_s3;  // units/shading.h:46
-  wire [19:0] pixel_s3 = mul_1_s3 + {10'd0, position_1_s3, or_1_s3};  // units/shading.h:48
+  wire inside_s3 = ({1'd0, position_1_s3, or_1_s3} < frame_64_still) & lt_2_s3;  // units/shading.h:44
+  wire [19:0] pixel_s3 = mul_1_s3 + {10'd0, position_1_s3, or_1_s3};  // units/shading.h:47
   wire [15:0] mul_2_s3 = hit_147_s3 * mux_8_s3;  // units/colour.h:43
   wire [15:0] mul_3_s3 = mux_8_s3 * hit_139_s3;  // units/colour.h:43
   wire [15:0] mul_4_s3 = mux_8_s3 * hit_131_s3;  // units/colour.h:43
-  wire and_1_s3 = inside_s3 & eq_1_s3;  // units/shading.h:57
-  wire [19:0] add_1_s3 = pixel_s3 + frame_288_still;  // units/shading.h:57
-  wire and_3_s3 = inside_s3 & ((~(word_s3 == 2'd3)) & frame_320_still);  // units/shading.h:61
-  wire [19:0] at_s3 = ({pixel_s3[17:0], 2'd0} - pixel_s3) + {18'd0, word_s3};  // units/shading.h:62
+  wire and_1_s3 = inside_s3 & eq_1_s3;  // units/shading.h:56
+  wire [19:0] add_1_s3 = pixel_s3 + frame_288_still;  // units/shading.h:56
+  wire and_3_s3 = inside_s3 & ((~(word_s3 == 2'd3)) & frame_320_still);  // units/shading.h:60
+  wire [19:0] at_s3 = ({pixel_s3[17:0], 2'd0} - pixel_s3) + {18'd0, word_s3};  // units/shading.h:61
 
   // ---- stage 4 ----
   reg valid_s4;

@@ -22,7 +22,7 @@ from dynrt_tools.project import Json, read_json
 
 # Which box of the picture stands for which units of the join.
 MERGED = [
-    (re.compile(r"slice_\d"), "traversal_slice"),
+    (re.compile(r"slice_\d+"), "traversal_slice"),
     (re.compile(r"(\w+)_(lookup|fill)"), r"\1_cache"),
     (re.compile(r"bank[0-2]"), "scene_banks"),
     (re.compile(r"bank3"), "frame_bank"),

@@ -94,7 +94,7 @@ def signals(verilog: str) -> Iterator[tuple[str, str, str]]:
 
 
 def others_of(ends: Iterable[str], outside: str) -> str:
-    names = dict.fromkeys(re.sub(r"^slice_\d$", "slice", end.split(".")[0]) for end in ends)
+    names = dict.fromkeys(re.sub(r"^slice_\d+$", "slice", end.split(".")[0]) for end in ends)
     return ", ".join(f"`{name}`" for name in names) or outside
 
 

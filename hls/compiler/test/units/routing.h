@@ -23,7 +23,7 @@ struct Routing {
   hls::Out<Packet> small;
   hls::Out<Packet> large;
   hls::Out<uint<10>> lane[3];
-  HLS_PORTS(left, right, small, large, lane[0], lane[1], lane[2])
+  HLS_PORTS(left, right, small, large, lane)
 
   void step() {
     Packet p = left.read();
