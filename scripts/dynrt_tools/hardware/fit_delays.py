@@ -8,12 +8,11 @@ then get the values that make the least squares of the relative misses least. No
 
 import argparse
 import json
-import os
 import pathlib
 import sys
 from collections.abc import Sequence
 
-from dynrt_tools import project
+from dynrt_tools import options, project
 from dynrt_tools.hardware import (
     fit_case,
     fit_data,
@@ -83,13 +82,7 @@ listed with the reason. The exit code is 1 if a file or hlsc fails.""",
         metavar="FOLDER",
         help="the build whose hlsc predicts (default: build/release, else build/dev)",
     )
-    parser.add_argument(
-        "--jobs",
-        type=int,
-        default=os.cpu_count() or 1,
-        metavar="N",
-        help="units to lower at a time (default: the number of cores)",
-    )
+    options.add_jobs(parser, "units to lower")
     return parser.parse_args()
 
 

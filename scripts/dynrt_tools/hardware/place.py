@@ -13,15 +13,13 @@ Units that do not fit the device, or all where its tool is missing, get Yosys's 
 
 import argparse
 import concurrent.futures
-import math
-import os
 import pathlib
 import shutil
 import sys
 from dataclasses import dataclass, field
 from typing import Any
 
-from dynrt_tools import project, unit_names
+from dynrt_tools import options, project, unit_names
 from dynrt_tools.command import Pool
 from dynrt_tools.hardware import (
     area,
@@ -75,37 +73,41 @@ rows are complete in each case.""",
     )
     parser.add_argument(
         "--clock-ns",
-        type=_positive,
+        type=options.positive,
         default=10.0,
         metavar="NS",
         help="the period that hlsc schedules units for (default: 10)",
     )
     parser.add_argument(
         "--ask-mhz",
-        type=_positive,
+        type=options.positive,
         metavar="MHZ",
         help="the clock that the placer is asked for (default: that of --clock-ns)",
     )
     parser.add_argument(
         "--seeds",
-        type=_count,
+        type=options.count,
         default=5,
         metavar="N",
         help="placements, of seeds 1 to N (default: 5)",
     )
     parser.add_argument(
-        "--copies", type=_count, default=1, metavar="N", help="of each, in one chip (default: 1)"
+        "--copies",
+        type=options.count,
+        default=1,
+        metavar="N",
+        help="of each, in one chip (default: 1)",
     )
     parser.add_argument(
         "--paths",
-        type=_whole,
+        type=options.whole,
         default=3,
         metavar="N",
         help="worst paths to print below a row (default: 3)",
     )
     parser.add_argument(
         "--timeout",
-        type=_positive,
+        type=options.positive,
         default=180,
         metavar="MINUTES",
         help="the time that one placement may take (default: 180)",
@@ -123,13 +125,7 @@ rows are complete in each case.""",
         help="the build whose hlsc lowers, and which has the cores of other configurations "
         "(default: build/release, else build/dev)",
     )
-    parser.add_argument(
-        "--jobs",
-        type=_count,
-        default=os.cpu_count(),
-        metavar="N",
-        help="tools at a time (default: the number of cores)",
-    )
+    options.add_jobs(parser, "tools")
     parser.add_argument(
         "--json",
         type=pathlib.Path,
@@ -149,28 +145,6 @@ rows are complete in each case.""",
         "the name stands for each unit's",
     )
     return parser.parse_args()
-
-
-def _positive(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = 0
-    if not 0 < value < math.inf:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a number above 0")
-    return value
-
-
-def _whole(text: str) -> int:
-    if not text.isdecimal():
-        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number")
-    return int(text)
-
-
-def _count(text: str) -> int:
-    if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number above 0")
-    return int(text)
 
 
 @dataclass
