@@ -4,7 +4,6 @@
 constants that make its prediction. So a test can hold the constants of the model to the placements
 without a placer and without hlsc."""
 
-import json
 import math
 import pathlib
 from collections import Counter
@@ -121,15 +120,7 @@ def family_of(device: str) -> str:
 
 
 def write(path: pathlib.Path, data: Json) -> None:
-    """As JSON with an end in each line."""
-    lists = {"ends": data["ends"], "without prediction": data["without prediction"]}
-    text = json.dumps({**data, **{key: [] for key in lists}}, indent=2)
-    for key, entries in lists.items():
-        lines = ",\n".join(f"    {json.dumps(entry)}" for entry in entries)
-        text = text.replace(
-            f'"{key}": []', f'"{key}": [\n{lines}\n  ]' if entries else f'"{key}": []'
-        )
-    path.write_text(text + "\n", encoding="utf-8")
+    project.write_rows(path, data, "ends", "without prediction")
 
 
 def check(data: Json, model: fitting.Model, where: str) -> list[str]:

@@ -8,7 +8,6 @@ a test knows whether the placement is of the present one. It also has the delay 
 scheduled the Verilog by, so that the schedule can be made again when the model has changed."""
 
 import hashlib
-import json
 import pathlib
 import re
 import statistics
@@ -111,10 +110,7 @@ def of_row(row: Json, subject: placing.Subject, said: Json) -> Json:
 
 
 def write(path: pathlib.Path, kept: Json) -> None:
-    """As JSON with an end in each line, so that a new placement can be compared with the old."""
-    text = json.dumps({**kept, "ends": []}, indent=2)
-    ends = ",\n".join(f"    {json.dumps(end)}" for end in kept["ends"])
-    path.write_text(text.replace('"ends": []', f'"ends": [\n{ends}\n  ]') + "\n", encoding="utf-8")
+    project.write_rows(path, kept, "ends")
 
 
 def read(path: pathlib.Path) -> Json:
