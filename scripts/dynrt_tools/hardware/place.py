@@ -36,8 +36,6 @@ from dynrt_tools.hardware import (
 )
 from dynrt_tools.project import Json
 
-WHOLE = (rtl_files.CORE, rtl_files.BOARD)  # what is placed of the checked-in Verilog
-
 
 def parse() -> argparse.Namespace:
     parser = argparse.ArgumentParser(
@@ -176,7 +174,7 @@ class Row:
         self.data["failures"] = sorted(self.failures, key=lambda f: int(f["seed"]))
         if self.failures and not self.placed:
             self.data["note"] = f"failed: {self.data['failures'][0]['error']}"
-        if not self.placed and self.subject and self.name not in WHOLE:
+        if not self.placed and self.subject and self.name not in rtl_files.WHOLE:
             try:
                 self.data["logic_ns"] = placing.logic_delay(self.name, list(self.subject.files))
             except project.Failed as error:
@@ -185,7 +183,7 @@ class Row:
 
 def prepare(name: str, args: argparse.Namespace, build: pathlib.Path | None) -> Row:
     """A row with all that is known before the placer runs; without a subject there is no more."""
-    if name in WHOLE:
+    if name in rtl_files.WHOLE:
         files = rtl_files.library() + rtl_files.generated(args)
         files += rtl_files.board() if name == rtl_files.BOARD else []
         return Row(name, {"unit": name}, placing.Subject(name, files, args.copies, True))
@@ -322,9 +320,9 @@ class Run:
 
 def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
     """The names of the rows, and the build that lowers their units where there are any."""
-    if set(args.unit) & set(WHOLE):
+    if set(args.unit) & set(rtl_files.WHOLE):
         rtl_files.generated(args)  # ends here where there is no such configuration
-    if args.unit and all(name in WHOLE for name in args.unit):
+    if args.unit and all(name in rtl_files.WHOLE for name in args.unit):
         return list(dict.fromkeys(args.unit)), None
     build = lowering.find_build(args.build)
     units = lowering.units(build, args.config)
@@ -332,8 +330,8 @@ def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
         project.fail(f"--config {args.config}: the build {build} has no such configuration")
     names = unit_names.all_modules_of(
         args.unit,
-        lowering.headers(units) | {name: name for name in WHOLE},
-        f"; {' and '.join(WHOLE)} are the whole core and the board's top",
+        lowering.headers(units) | {name: name for name in rtl_files.WHOLE},
+        f"; {' and '.join(rtl_files.WHOLE)} are the whole core and the board's top",
     )
     everything = [*units, *([rtl_files.CORE] if args.device == "ecp5-85" else [])]
     return names or everything, build

@@ -169,7 +169,7 @@ class Record(unittest.TestCase):
 class Whole(unittest.TestCase):
     def test_core_and_board_are_the_checked_in_verilog(self) -> None:
         args = argparse.Namespace(copies=2, config=rtl_files.CHECKED_IN, build=None)
-        for name in place.WHOLE:
+        for name in rtl_files.WHOLE:
             row = place.prepare(name, args, None)
             assert row.subject is not None
             files = synthesis.needed(name, list(row.subject.files))

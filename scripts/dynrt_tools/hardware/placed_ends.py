@@ -14,7 +14,6 @@ from dynrt_tools.project import Json, read_json
 # How much of the longest path an end takes that is looked at. An end that limits in one placement
 # takes more than this in the others.
 LEAST_SHARE = 0.6
-BIT = re.compile(r"\[\d+\]$")
 RESET = re.compile(r"(?:reset|rst)_q$")
 
 # The ports of a memory's cells: of LUT RAM and block RAM of ECP5, of block RAM of iCE40. Yosys
@@ -57,7 +56,8 @@ def ends_of(timing: timing_graph.Timing, names: source_names.Names) -> dict[End,
         last = names.register(pin[0])
         first = timing.path(pin)[0]
         start = names.origin(first.cell, first.out)
-        signal, began = BIT.sub("", last.signal), BIT.sub("", start.signal)
+        signal = source_names.BIT.sub("", last.signal)
+        began = source_names.BIT.sub("", start.signal)
         port = "reset" if RESET.search(began) else port_of(signal, pin[1])
         found.setdefault(
             End(last.unit, signal, port),

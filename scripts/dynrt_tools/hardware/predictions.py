@@ -13,11 +13,8 @@ from dataclasses import dataclass
 
 from dynrt_tools import project
 from dynrt_tools.command import Pool
-from dynrt_tools.hardware import joining, kept_placement, lowering, rtl_files
+from dynrt_tools.hardware import fitting, joining, kept_placement, lowering, rtl_files
 from dynrt_tools.project import Json, read_json
-
-Model = dict[str, float]
-READY = "*_ready_o"
 
 
 @dataclass(frozen=True)
@@ -32,11 +29,11 @@ class Predicted:
 class Predictor:
     """Of a kept placement, with the hlsc of a build."""
 
-    def __init__(self, kept: Json, build: pathlib.Path, jobs: int = 1) -> None:
+    def __init__(self, kept: Json, build: pathlib.Path, jobs: int) -> None:
         self._build, self._jobs = build, jobs
         self._kept = kept
         self._units = lowering.units(build, kept["config"])
-        self._whole = kept["unit"] in (rtl_files.CORE, rtl_files.BOARD)
+        self._whole = kept["unit"] in rtl_files.WHOLE
         self._folder = rtl_files.GENERATED
         if kept["config"] != rtl_files.CHECKED_IN:
             self._folder = build / "generated" / kept["config"]
@@ -57,12 +54,12 @@ class Predictor:
             )
         self.hashes: dict[str, str] = {}  # of the lowered Verilog, by module
 
-    def times(self, models: Sequence[Model]) -> dict[joining.Place, Predicted]:
-        """Every end of every instance, by the models. `*_ready_o` is the latest of a unit's."""
+    def times(self, models: Sequence[fitting.Model]) -> dict[joining.Place, Predicted]:
+        """Every end of every instance, by the models. joining.READY is the latest of a unit's."""
         with tempfile.TemporaryDirectory() as scratch, Pool(self._jobs) as pool:
             folder = pathlib.Path(scratch)
             files = []
-            for i, model in enumerate([self._scheduled_by(), *models]):
+            for i, model in enumerate([self._kept["model"], *models]):
                 files.append(folder / f"model_{i}.json")
                 files[-1].write_text(json.dumps(model), encoding="utf-8")
             found = dict(
@@ -73,13 +70,10 @@ class Predictor:
             ends = found.get(module, {})
             for signal, end in ends.items():
                 times[joining.Place(instance, signal)] = end
-            ready = [e for signal, e in ends.items() if signal.endswith("_ready_o")]
+            ready = [e for signal, e in ends.items() if signal.endswith(joining.READY[1:])]
             if ready:
-                times[joining.Place(instance, READY)] = max(ready, key=lambda e: e.ns)
+                times[joining.Place(instance, joining.READY)] = max(ready, key=lambda e: e.ns)
         return times
-
-    def _scheduled_by(self) -> Model:
-        return {k: v for k, v in self._kept["model"].items() if k != "file"}
 
     def _unit(
         self, module: str, models: list[pathlib.Path], folder: pathlib.Path
