@@ -93,8 +93,8 @@ def median(times: Sequence[float | None]) -> float:
 def of_row(row: Json, subject: placing.Subject, said: Json) -> Json:
     """What is kept of a row of scripts/place; `said` is what the whole call was for."""
     placements = row["placed"]
-    model = devices.DEVICES[said["device"]]["delay"]
-    by_seed = [placed_ends.read(synthesis.KEPT / p["run"], subject) for p in placements]
+    model = row.get("delay") or devices.DEVICES[said["device"]]["delay"]
+    by_seed = [placing.ends_of(p["run"]) for p in placements]
     return {
         "unit": row["unit"],
         **{key: said[key] for key in ("config", "device", "grade", "copies")},

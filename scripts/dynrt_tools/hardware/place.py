@@ -46,8 +46,8 @@ def parse() -> argparse.Namespace:
 The folder that DYNRT_CACHE names, else build/synth, keeps every placement under a key of the
 netlist, the constraints, the placer's version, the seed and the flags, with its report and its
 delays. The exit code is 1 if a row was not placed: its tool is missing, it failed, ran out of time, does
-not fit the device or cannot be lowered for the clock. It is 1 too if a single seed failed. The other
-rows are complete in each case.""",
+not fit the device or cannot be lowered for the clock. It is 1 too if a single seed failed or a row
+cannot be kept. The other rows are complete in each case.""",
     )
     parser.add_argument(
         "unit",
@@ -154,6 +154,7 @@ class Row:
     subject: placing.Subject | None = None
     placed: list[Json] = field(default_factory=list)
     failures: list[Json] = field(default_factory=list)
+    kept: bool = True  # where --keep asks for it
 
     def add(self, seed: int, job: "concurrent.futures.Future[Json]", program: str) -> None:
         """The result of a seed, or a sentence that says why there is none."""
@@ -190,13 +191,14 @@ def prepare(name: str, args: argparse.Namespace, build: pathlib.Path | None) -> 
     assert build is not None  # units are of a build
     grade = placers.grade_of(args.device, args.grade)
     model = model_file.base_of(model_file.path_of(args.device, grade))
+    delay = model.relative_to(project.ROOT).as_posix()
     unit = lowering.units(build, args.config)[name]
     try:
-        folder = lowering.lower(build, unit, args.clock_ns, str(model), args.config)
+        folder = lowering.lower(build, unit, args.clock_ns, delay, args.config)
     except project.Failed as error:
         return Row(name, {"unit": name, "note": f"not lowered: {error}"})
     files = rtl_files.hand_written() + [folder / f"{name}.v"]
-    data: Json = {"unit": name}
+    data: Json = {"unit": name, "delay": delay}
     data |= area.schedule((folder / f"{name}.txt").read_text(encoding="utf-8"))
     family = devices.DEVICES[args.device]["family"]
     cells, _ = synthesis.cells(name, files, devices.FAMILIES[family]["synth"], name)
@@ -290,8 +292,16 @@ class Run:
             record = place_record.summary(self.data(), self.args.seeds)
             project.write_json(self.args.record, record)
         if self.args.keep and row.placed and row.subject:
-            file = pathlib.Path(self.args.keep.replace("{unit}", row.name))
-            kept_placement.write(file, kept_placement.of_row(row.data, row.subject, self.data()))
+            self._keep(row, row.subject)
+
+    def _keep(self, row: Row, subject: placing.Subject) -> None:
+        """Writes the kept placement of a row, or a sentence that says why there is none."""
+        file = pathlib.Path(self.args.keep.replace("{unit}", row.name))
+        try:
+            kept_placement.write(file, kept_placement.of_row(row.data, subject, self.data()))
+        except project.Failed as error:
+            row.kept = False
+            print(f"place: {row.name} is placed and not kept: {error}", file=sys.stderr)
 
     def data(self) -> Json:
         """The rows that are done, in the order of their names on the command line."""
@@ -307,15 +317,19 @@ class Run:
         }
 
     def failed(self) -> bool:
-        """Whether a row has no placement, or lacks one of a seed."""
-        return any(row.failures or not row.placed for row in self.done.values())
+        """Whether a row has no placement, lacks one of a seed, or is not kept."""
+        return any(row.failures or not (row.placed and row.kept) for row in self.done.values())
 
     def summary(self) -> str:
-        """A sentence with every row that has no placement, or nothing."""
-        missing = [row for row in self.done.values() if not row.placed]
+        """A sentence with every row that has no placement, in the order of the names, or else with
+        those of which a part is missing."""
+        rows = [self.done[name] for name in self.names]
+        missing = [row for row in rows if not row.placed]
         reasons = "; ".join(f"{row.name} ({place_record.reason(row.data)})" for row in missing)
-        count = f"{len(missing)} of {len(self.done)} rows"
-        return f"not placed are {count}: {reasons}" if missing else ""
+        if missing:
+            return f"not placed are {len(missing)} of {len(rows)} rows: {reasons}"
+        unkept = ", ".join(row.name for row in rows if not row.kept)
+        return f"not kept are {unkept}" if unkept else "not every seed was placed"
 
 
 def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
@@ -376,6 +390,6 @@ def main() -> int:
     print(place_table.line(place_table.HEAD), flush=True)
     run.place(build)
     if run.failed():
-        print(f"place: {run.summary() or 'not every seed was placed'}", file=sys.stderr)
+        print(f"place: {run.summary()}", file=sys.stderr)
         return 1
     return 0
