@@ -8,7 +8,7 @@ import shutil
 import unittest
 
 from dynrt_tools import project, testing
-from dynrt_tools.hardware import kept_placement, model_file
+from dynrt_tools.hardware import kept_placement, model_file, rtl_files
 from dynrt_tools.project import Json
 
 # Times two ends by any model: after 3 LUTs, and behind a RAM. The Verilog is that of the folder.
@@ -111,6 +111,23 @@ class Called(testing.InFolder):
         self.assertIn(
             "fit-delays: place_sum is of an earlier Verilog of sum; place it again", done.stderr
         )
+        self.assertEqual(project.read_json(self.folder / "fit_ecp5.json")["earlier"], ["place_sum"])
+
+    def test_a_core_that_hlsc_makes_otherwise_is_named(self) -> None:
+        build = self.folder / "build"
+        core = f"module {rtl_files.CORE} (input clk_i);\n  sum u_adder (\n    .clk_i(clk_i));\nendmodule\n"
+        units = {f"{rtl_files.CORE}.v": core, "sum.v": VERILOG}
+        testing.write_tree(build / "generated" / "small", units)
+        testing.write_tree(build, {"hls/units/list_units.txt": "small|sum|units/sum.h|Sum\n"})
+        kept = project.read_json(self.kept) | {"unit": rtl_files.CORE, "config": "small"}
+        files = rtl_files.core_files(build / "generated" / "small")
+        kept["verilog"] = kept_placement.hash_of(rtl_files.CORE, files)
+        kept_placement.write(self.kept, kept)
+        self.assertEqual(self.call(self.kept).stderr, "")
+        (self.hlsc.parent / "sum.v").write_text(VERILOG.replace("clk_i", "clock_i"), "utf-8")
+        done = self.call(self.kept, "--out", self.folder)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("place_sum is of an earlier Verilog of dynrt_core", done.stderr)
         self.assertEqual(project.read_json(self.folder / "fit_ecp5.json")["earlier"], ["place_sum"])
 
     def test_a_placement_without_haste_is_named(self) -> None:

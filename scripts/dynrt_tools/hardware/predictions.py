@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from dynrt_tools import project
 from dynrt_tools.command import Pool
-from dynrt_tools.hardware import fitting, joining, kept_placement, lowering, rtl_files
+from dynrt_tools.hardware import fitting, joining, kept_placement, lowering, rtl_files, synthesis
 from dynrt_tools.project import Json, read_json
 
 
@@ -52,7 +52,7 @@ class Predictor:
                 f"the build {build} has no unit '{kept['unit']}' of the configuration "
                 f"'{kept['config']}'; name a build that has with --build"
             )
-        self.hashes: dict[str, str] = {}  # of the lowered Verilog, by module
+        self._same = True  # every module that was lowered again is that of the placed Verilog
 
     def times(self, models: Sequence[fitting.Model]) -> dict[joining.Place, Predicted]:
         """Every end of every instance, by the models. joining.READY is the latest of a unit's."""
@@ -88,16 +88,24 @@ class Predictor:
             self._kept["config"],
         )
         lowering.run([*made, *others, "-o", verilog, "--timing", timing])
-        if self._kept["unit"] == module:
-            files = rtl_files.hand_written() + [verilog]
-            self.hashes[module] = kept_placement.hash_of(module, files)
+        if not self._is_placed(module, verilog):
+            self._same = False  # by any thread; none sets it back
         return {
             end["signal"]: Predicted(end["kind"], end["source"], tuple(end["ns"][1:]))
             for end in read_json(timing)["ends"]
         }
 
-    def of_present_verilog(self) -> bool:
-        """Whether the placement is of the Verilog that there is now; after times() alone."""
+    def _is_placed(self, module: str, verilog: pathlib.Path) -> bool:
+        """Whether a module that was lowered again is that of the placement: of a core's by the core
+        that there is, which of_present_verilog() holds against the placed one."""
         if self._whole:
-            return kept_placement.is_current(self._kept, self._folder)
-        return bool(self._kept["verilog"] == self.hashes.get(self._kept["unit"]))
+            there = self._folder / verilog.name
+            return there.is_file() and synthesis.meaning(verilog) == synthesis.meaning(there)
+        files = rtl_files.hand_written() + [verilog]
+        return bool(self._kept["verilog"] == kept_placement.hash_of(module, files))
+
+    def of_present_verilog(self) -> bool:
+        """Whether the placement is of the Verilog that there is now, and the times are of that too;
+        after times() alone."""
+        current = not self._whole or kept_placement.is_current(self._kept, self._folder)
+        return current and self._same
