@@ -89,7 +89,8 @@ def chosen(files: Sequence[pathlib.Path]) -> dict[pathlib.Path, list[pathlib.Pat
         files = [path for path in found if kept_placement.is_kept(path)]
     if not files:
         raise project.Failed(
-            f"{kept_placement.DATA}: no kept placement is there; make one with 'scripts/place UNIT --keep FILE'"
+            f"{kept_placement.DATA}: no kept placement is there; make one with "
+            "'scripts/place UNIT --keep FILE'"
         )
     groups: dict[pathlib.Path, list[pathlib.Path]] = {}
     for path in files:

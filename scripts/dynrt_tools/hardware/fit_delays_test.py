@@ -115,7 +115,9 @@ class Called(testing.InFolder):
 
     def test_a_core_that_hlsc_makes_otherwise_is_named(self) -> None:
         build = self.folder / "build"
-        core = f"module {rtl_files.CORE} (input clk_i);\n  sum u_adder (\n    .clk_i(clk_i));\nendmodule\n"
+        core = VERILOG.replace("sum", rtl_files.CORE).replace(
+            "endmodule", "  sum u_adder (\n    .clk_i(clk_i));\nendmodule"
+        )
         units = {f"{rtl_files.CORE}.v": core, "sum.v": VERILOG}
         testing.write_tree(build / "generated" / "small", units)
         testing.write_tree(build, {"hls/units/list_units.txt": "small|sum|units/sum.h|Sum\n"})

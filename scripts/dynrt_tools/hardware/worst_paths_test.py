@@ -174,7 +174,7 @@ class Paths(unittest.TestCase):
         escaped = re.sub(r"(\W)", r"\\\1", f"{lut}_LC")
         text = SDF.replace("end\\[0\\]", escaped)
         worst = worst_paths.worst(timing_graph.Timing(self.graph(text)), names, 5.0)
-        (path,) = worst["paths"]
+        path = worst["paths"][0]
         said = names.register(f"{register}_DFFLC")
         for end in (path["to"], path["hops"][-1]):
             self.assertEqual((end["unit"], end["signal"]), (said.unit, said.signal))
