@@ -41,6 +41,16 @@ def write_json(path: pathlib.Path, data: object) -> None:
     path.write_text(json.dumps(data, indent=2) + "\n", encoding="utf-8")
 
 
+def write_rows(path: pathlib.Path, data: Json, *lists: str) -> None:
+    """As JSON with each entry of these lists in its line, so that two files can be compared."""
+    text = json.dumps({**data, **{name: [] for name in lists}}, indent=2)
+    for name in lists:
+        rows = ",\n".join(f"    {json.dumps(row)}" for row in data[name])
+        if rows:
+            text = text.replace(f'\n  "{name}": []', f'\n  "{name}": [\n{rows}\n  ]')
+    path.write_text(text + "\n", encoding="utf-8")
+
+
 def searched(pattern: str, text: str, flags: re.RegexFlag = re.MULTILINE) -> re.Match[str]:
     """The first match of a pattern that must be in the text."""
     match = re.search(pattern, text, flags)

@@ -8,7 +8,7 @@ import os
 from dynrt_tools.bench.rows import CONFIG
 from dynrt_tools.bench.run import Dynrt, Work, busiest, rays
 from dynrt_tools.command import Pool
-from dynrt_tools.hardware.placed_clocks import THESIS_MHZ, frames_per_second, of
+from dynrt_tools.hardware.placed_clocks import THESIS_MHZ, frames_per_second, of, rate_text
 from dynrt_tools.project import Json, Progress
 
 # The thesis's typical frame rates at 512x384 and THESIS_MHZ (chapter 10) of scenes like these; for its
@@ -49,9 +49,7 @@ class Measured:
     @property
     def placed(self) -> str:
         """Frames per second at the placed clock; in brackets if it is that of another core."""
-        clock = of(self.config)
-        rate = f"{frames_per_second(self.frame['cycles'], clock.mhz):.2f}"
-        return rate if clock.configuration == self.config else f"({rate})"
+        return rate_text(self.frame["cycles"], self.config, ".2f")
 
     @property
     def verdict(self) -> str:

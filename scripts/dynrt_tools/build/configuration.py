@@ -15,6 +15,7 @@ import subprocess
 import sys
 from typing import Any, TextIO
 
+from dynrt_tools import options
 from dynrt_tools.project import read_json
 from dynrt_tools.build import fingerprint
 from dynrt_tools.build.cache import BuildCache, full_disk
@@ -272,13 +273,7 @@ def main() -> int:
         help="the build whose program will load it (default: build/release, else "
         "build/dev or build/model)",
     )
-    parser.add_argument(
-        "--jobs",
-        type=int,
-        default=os.cpu_count(),
-        metavar="N",
-        help="compilers at a time (default: the number of cores)",
-    )
+    options.add_jobs(parser, "compilers")
     parser.add_argument(
         "--expect",
         metavar="FINGERPRINT",

@@ -123,9 +123,7 @@ def rate_of(cycles: float, clock: str, form: str) -> str:
     """Frames per second at the placed clock of a configuration, or at one in MHz."""
     if re.fullmatch(r"[\d.]+", clock):
         return format(placed_clocks.frames_per_second(cycles, float(clock)), form)
-    placed = placed_clocks.of(clock)
-    text = format(placed_clocks.frames_per_second(cycles, placed.mhz), form)
-    return text if placed.configuration == clock else f"({text})"
+    return placed_clocks.rate_text(cycles, clock, form)
 
 
 def filled(template: pathlib.Path, data: Data) -> str:

@@ -99,18 +99,20 @@ def covers_as_assertions(properties: str) -> str:
 def mutated(verilog: str, mutation: dict[str, str]) -> str:
     """The Verilog with one text in another's place; throws Broken.
 
-    A schedule decides in which stage a text stands: if it is not there once, its stages (_s1) all
-    count from the nearest one where it is.
+    A schedule decides in which stage a text stands: if it is not there, its stages (_s1) all count
+    from the nearest one where it is.
     """
     source, place = mutation["from"], mutation["in"]
     for shift in sorted(range(-LAST_STAGE, LAST_STAGE + 1), key=abs):
-        if verilog.count(later(source, shift)) == 1:
-            return verilog.replace(later(source, shift), later(mutation["to"], shift))
-        if not STAGE.search(source):
+        text = later(source, shift)
+        times = verilog.count(text)
+        if times == 1:
+            return verilog.replace(text, later(mutation["to"], shift))
+        if times or not STAGE.search(source):
             break
     raise Broken(
-        f"a mutation's text is {verilog.count(source)} times in {place}, "
-        f"it must be there once: {source}"
+        f"a mutation's text is {times} times in {place}, it must be there once: "
+        f"{text if times else source}"
     )
 
 

@@ -56,6 +56,12 @@ class Flow(testing.InFolder):
         with self.assertRaisesRegex(flow.Broken, "it must be there once"):
             flow.mutated(text, {**mutation, "from": "b_s1 & c_s3"})
 
+    def test_a_text_that_stands_twice_in_its_stage_is_looked_for_in_no_other(self) -> None:
+        text = "assign a = b_s1;\nassign d = b_s1;\nassign e = b_s2;\n"
+        mutation = {"in": "counter.v", "from": "= b_s1", "to": "= ~b_s1"}
+        with self.assertRaisesRegex(flow.Broken, "is 2 times in counter.v, .*: = b_s1$"):
+            flow.mutated(text, mutation)
+
     def test_covers_become_assertions_that_they_are_not_reached(self) -> None:
         text = "  always @* begin\n    nine: cover (count_q == 9);\n  end\n"
         self.assertEqual(flow.covers(text), ["nine"])

@@ -10,10 +10,6 @@ from dataclasses import dataclass, field
 from dynrt_tools.hardware import fitting, joining, kept_placement, predictions
 from dynrt_tools.project import Json
 
-Model = fitting.Model
-# Ends of the longest predicted time that count as the promise, and are kept for the test of it.
-PROMISED = 12
-
 
 @dataclass(frozen=True)
 class Row:
@@ -35,7 +31,7 @@ class Result:
 
     rows: list[Row] = field(default_factory=list)
     unpredicted: list[tuple[Json, str]] = field(default_factory=list)
-    promised: list[tuple[joining.Place, fitting.Sample]] = field(default_factory=list)
+    promised: float = 0.0  # the longest predicted time of any end
 
 
 class Case:
@@ -52,7 +48,7 @@ class Case:
         """After evaluate() alone."""
         return self._predictor.of_present_verilog()
 
-    def evaluate(self, model: Model, names: Sequence[str]) -> Result:
+    def evaluate(self, model: fitting.Model, names: Sequence[str]) -> Result:
         """All ends by a model, with the counts of the constants of these names."""
         times = self._predictor.times([*fitting.beside(model, names), model])
 
@@ -71,12 +67,5 @@ class Case:
             latest = max(known, key=lambda place: times[place].ns[-1])
             about = times[latest]
             result.rows.append(Row(end, about.kind, about.source, sample(latest, end["median"])))
-        worst = sorted(times, key=lambda p: (-times[p].ns[-1], p.unit, p.signal))
-        result.promised = [(p, sample(p, self.period)) for p in worst[:PROMISED]]
+        result.promised = max(end.ns[-1] for end in times.values())
         return result
-
-
-def within(rows: Sequence[Row], part: float = 0.1) -> float | None:
-    """The share of the ends whose prediction is that near to the placed time."""
-    near = sum(abs(row.miss()) <= part for row in rows)
-    return near / len(rows) if rows else None

@@ -4,18 +4,15 @@
 constants that make its prediction. So a test can hold the constants of the model to the placements
 without a placer and without hlsc."""
 
-import json
-import math
 import pathlib
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from dynrt_tools import project
-from dynrt_tools.hardware import fit_case, fitting, kept_placement
+from dynrt_tools.hardware import devices, fit_case, fitting, kept_placement
 from dynrt_tools.project import Json
 
 NEAR = 0.1  # a prediction is good within this part of the placed time
-ROUND = 4
 
 
 def of_cases(
@@ -26,11 +23,10 @@ def of_cases(
     after: Mapping[str, fit_case.Result],
 ) -> Json:
     """The data of a model: `results` by its constants, `after` by those that the fit found."""
-    family = family_of(next(iter(results.values()))[0].kept["device"])
+    family = devices.family_of(next(iter(results.values()))[0].kept["device"])
     bounds = fitting.TIMES[family]
     placements = []
     for name, (case, result) in results.items():
-        promised = result.promised[0][1].predicted
         placements.append(
             {
                 "placement": name,
@@ -38,24 +34,17 @@ def of_cases(
                 "device": case.kept["device"],
                 "grade": case.kept["grade"],
                 "placed, ns": round(case.period, 3),
-                "promised, ns": round(promised, 3),
-                "promised by the fit, ns": round(after[name].promised[0][1].predicted, 3),
-                "missed": round(case.period / promised - 1, ROUND),
+                "promised, ns": round(result.promised, 3),
+                "promised by the fit, ns": round(after[name].promised, 3),
                 "limiting": len(case.ends),
                 "predicted": len(result.rows),
-                "within": share(result.rows),
-                "within by the fit": share(after[name].rows),
-                "longest": [
-                    {"unit": p.unit, "signal": p.signal, "counts": s.counts}
-                    for p, s in result.promised
-                ],
+                "within": share(row.miss() for row in result.rows),
+                "within by the fit": share(row.miss() for row in after[name].rows),
             }
         )
     rows = [row for _, result in results.values() for row in result.rows]
     fit_rows = [row for result in after.values() for row in result.rows]
     reasons = Counter(why for _, r in results.values() for _, why in r.unpredicted)
-    missed = max(p["missed"] for p in placements)
-    near = share(rows)
     return {
         "model": model_file,
         "constants": {
@@ -67,16 +56,10 @@ def of_cases(
             }
             for name, (least, most) in bounds.items()
         },
-        "within": near,
-        "within by the fit": share(fit_rows),
-        "missed": missed,
+        "within": share(row.miss() for row in rows),
+        "within by the fit": share(row.miss() for row in fit_rows),
         "limiting": sum(p["limiting"] for p in placements),
         "predicted": len(rows),
-        # What no change of a constant may make worse.
-        "bound": {
-            "within": None if near is None else math.floor(near * 1000) / 1000,
-            "missed": math.ceil(missed * 1000) / 1000,
-        },
         "placements": placements,
         # Placed units whose Verilog hlsc now lowers otherwise. What is checked in tells by itself.
         "earlier": [
@@ -109,61 +92,11 @@ def _named(placement: str, end: Json) -> Json:
     return {"placement": placement, **{k: end[k] for k in ("unit", "signal", "port")}}
 
 
-def share(rows: list[fit_case.Row]) -> float | None:
-    """Within NEAR, rounded; None where there are none."""
-    part = fit_case.within(rows, NEAR)
-    return None if part is None else round(part, ROUND)
-
-
-def family_of(device: str) -> str:
-    """The key of fitting.TIMES."""
-    return "ecp5" if device.startswith("ecp5") else "ice40"
+def share(misses: Iterable[float]) -> float | None:
+    """Of misses, the part within NEAR, rounded; None where there are none."""
+    near = [abs(miss) <= NEAR for miss in misses]
+    return round(sum(near) / len(near), 4) if near else None
 
 
 def write(path: pathlib.Path, data: Json) -> None:
-    """As JSON with an end in each line."""
-    lists = {"ends": data["ends"], "without prediction": data["without prediction"]}
-    text = json.dumps({**data, **{key: [] for key in lists}}, indent=2)
-    for key, entries in lists.items():
-        lines = ",\n".join(f"    {json.dumps(entry)}" for entry in entries)
-        text = text.replace(
-            f'"{key}": []', f'"{key}": [\n{lines}\n  ]' if entries else f'"{key}": []'
-        )
-    path.write_text(text + "\n", encoding="utf-8")
-
-
-def check(data: Json, model: fitting.Model, where: str) -> list[str]:
-    """A sentence for each way in which a model's constants do not hold what the data record."""
-    renew = "run scripts/fit-delays --record after a change, or take the change back"
-    found = [
-        f"{data['model']}: {name} is {model[name]}, and the residuals of {where} are those of "
-        f"{constant['value']}; {renew}"
-        for name, constant in data["constants"].items()
-        if model[name] != constant["value"]
-    ]
-    ends = data["ends"]
-    near = [abs(fitting.total(e["counts"], model) / e["placed"] - 1) <= NEAR for e in ends]
-    part = round(sum(near) / len(near), ROUND) if near else None
-    bound = data["bound"]
-    if part is not None and part < bound["within"]:
-        found.append(
-            f"{data['model']}: {100 * part:.1f} % of the {len(near)} limiting ends in {where} are "
-            f"within {100 * NEAR:.0f} % of their placed time; its bound is "
-            f"{100 * bound['within']:.1f} %; {renew}"
-        )
-    for placement in data["placements"]:
-        promised = max(fitting.total(e["counts"], model) for e in placement["longest"])
-        missed = round(placement["placed, ns"] / promised - 1, ROUND)
-        if missed > bound["missed"]:
-            found.append(
-                f"{data['model']}: {placement['placement']} takes {placement['placed, ns']} ns, "
-                f"which misses the promised {promised:.2f} ns by {100 * missed:.1f} %; the bound in "
-                f"{where} is {100 * bound['missed']:.1f} %; {renew}"
-            )
-    return found
-
-
-def model_of(data: Json) -> fitting.Model:
-    """The present constants of the model that the data are of."""
-    path = project.ROOT / data["model"]
-    return {k: float(v) for k, v in project.read_json(path).items() if k in data["constants"]}
+    project.write_rows(path, data, "ends", "without prediction")

@@ -3,23 +3,52 @@
 """Holds the delay models to the kept placements, without a placer: by the residuals that
 scripts/fit-delays --record leaves in docs/results/data."""
 
-import copy
 import unittest
 
 from dynrt_tools import project
-from dynrt_tools.hardware import fit_data, fit_delays, kept_placement, model_file
-from dynrt_tools.project import Json
+from dynrt_tools.hardware import fit_data, fit_delays, fitting, kept_placement, model_file
 
-FITS = sorted(fit_delays.DATA.glob("fit_*.json"))
+FITS = sorted(kept_placement.DATA.glob("fit_*.json"))
+# The least part of the predictions that are good, and the most by which a placement takes longer than
+# hlsc promises. --record leaves them as they are: what makes a model worse fails here.
+BOUNDS = {
+    "fit_ecp5": (0.972, 0.067),
+    "fit_ecp5_8": (0.954, 0.015),
+    "fit_ice40_hx": (0.658, 0.236),
+}
+RENEW = "run scripts/fit-delays --record after a change, or take the change back"
 
 
 class Models(unittest.TestCase):
-    def test_each_holds_what_its_data_record(self) -> None:
+    def test_the_data_are_of_the_present_constants(self) -> None:
         self.assertTrue(FITS)
         for path in FITS:
             data = project.read_json(path)
-            where = path.relative_to(project.ROOT).as_posix()
-            self.assertEqual(fit_data.check(data, fit_data.model_of(data), where), [])
+            model = model_file.read(project.ROOT / data["model"])
+            for name, constant in data["constants"].items():
+                where = f"{name} of {data['model']} and of {path.name}; {RENEW}"
+                self.assertEqual(model[name], constant["value"], where)
+
+    def test_no_model_is_worse_than_its_bounds(self) -> None:
+        self.assertEqual({path.stem for path in FITS}, BOUNDS.keys())
+        for path in FITS:
+            data = project.read_json(path)
+            good, missed = BOUNDS[path.stem]
+            misses = [end["predicted"] / end["placed"] - 1 for end in data["ends"]]
+            part = fit_data.share(misses)
+            self.assertEqual(part, data["within"], path)
+            self.assertGreaterEqual(part or 0, good, path)
+            for placement in data["placements"]:
+                late = placement["placed, ns"] / placement["promised, ns"] - 1
+                self.assertLessEqual(late, missed, f"{path}: {placement['placement']}")
+
+    def test_the_counts_of_an_end_make_its_prediction(self) -> None:
+        for path in FITS:
+            data = project.read_json(path)
+            model = {name: c["value"] for name, c in data["constants"].items()}
+            for end in data["ends"]:
+                made = fitting.total(end["counts"], model)
+                self.assertAlmostEqual(made, end["predicted"], delta=0.005, msg=(path, end))
 
     def test_each_is_of_kept_placements(self) -> None:
         groups = fit_delays.chosen([])
@@ -27,7 +56,7 @@ class Models(unittest.TestCase):
             {fit_delays.data_name(model) for model in groups}, {path.name for path in FITS}
         )
         for model, files in groups.items():
-            data = project.read_json(fit_delays.DATA / fit_delays.data_name(model))
+            data = project.read_json(kept_placement.DATA / fit_delays.data_name(model))
             self.assertEqual(project.ROOT / data["model"], model_file.base_of(model))
             placements = {p["placement"]: p for p in data["placements"]}
             self.assertEqual(placements.keys(), {path.stem for path in files})
@@ -46,55 +75,6 @@ class Models(unittest.TestCase):
                 len(data["ends"]) + len(data["without prediction"]), data["limiting"], path
             )
             self.assertEqual(sum(data["not predicted"].values()), len(data["without prediction"]))
-
-
-class Changed(unittest.TestCase):
-    """What check() says of two ends of 2 and 6 ns; of 3 constants each takes two."""
-
-    MODEL = {"clock_overhead": 1.0, "lut": 1.0, "carry_start": 2.0}
-    DATA: Json = {
-        "model": "m.json",
-        "constants": {name: {"value": value} for name, value in MODEL.items()},
-        "bound": {"within": 1.0, "missed": 0.05},
-        "ends": [
-            {"placed": 2.1, "counts": {"clock_overhead": 1, "lut": 1}},
-            {"placed": 6.2, "counts": {"clock_overhead": 1, "lut": 3, "carry_start": 1}},
-        ],
-        "placements": [
-            {
-                "placement": "p",
-                "placed, ns": 6.2,
-                "longest": [{"counts": {"clock_overhead": 1, "lut": 3, "carry_start": 1}}],
-            }
-        ],
-    }
-
-    def said(self, data: Json | None = None, **constants: float) -> str:
-        return "\n".join(fit_data.check(data or self.DATA, {**self.MODEL, **constants}, "f.json"))
-
-    def test_the_same_constants_hold(self) -> None:
-        self.assertEqual(self.said(), "")
-
-    def test_another_constant_is_named(self) -> None:
-        self.assertIn(
-            "m.json: lut is 1.6, and the residuals of f.json are those of 1.0; run",
-            self.said(lut=1.6),
-        )
-
-    def test_fewer_ends_within_the_bound_are_an_error(self) -> None:
-        self.assertIn(
-            "m.json: 0.0 % of the 2 limiting ends in f.json are within 10 %", self.said(lut=1.6)
-        )
-        self.assertIn("m.json: 50.0 % of the 2", self.said(carry_start=1.0))
-
-    def test_a_promise_that_is_missed_by_more_is_an_error(self) -> None:
-        said = self.said(carry_start=1.0)
-        self.assertIn("p takes 6.2 ns, which misses the promised 5.00 ns by 24.0 %", said)
-        self.assertNotIn("misses", self.said(carry_start=2.2))
-
-    def test_without_ends_the_constants_count_alone(self) -> None:
-        data: Json = copy.deepcopy(self.DATA) | {"ends": [], "placements": []}
-        self.assertEqual(self.said(data), "")
 
 
 if __name__ == "__main__":

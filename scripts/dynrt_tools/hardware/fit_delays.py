@@ -8,13 +8,13 @@ then get the values that make the least squares of the relative misses least. No
 
 import argparse
 import json
-import os
 import pathlib
 import sys
 from collections.abc import Sequence
 
-from dynrt_tools import project
+from dynrt_tools import options, project
 from dynrt_tools.hardware import (
+    devices,
     fit_case,
     fit_data,
     fit_plot,
@@ -25,7 +25,6 @@ from dynrt_tools.hardware import (
     model_file,
 )
 
-DATA = project.ROOT / "docs" / "results" / "data"
 PICTURES = project.ROOT / "docs" / "pictures"
 
 
@@ -65,12 +64,6 @@ listed with the reason. The exit code is 1 if a file or hlsc fails.""",
         help="write residuals and plot into this folder, not into docs",
     )
     parser.add_argument(
-        "--json",
-        type=pathlib.Path,
-        metavar="FILE",
-        help="also write the residuals of all models as one list",
-    )
-    parser.add_argument(
         "--worst",
         type=int,
         default=12,
@@ -83,24 +76,21 @@ listed with the reason. The exit code is 1 if a file or hlsc fails.""",
         metavar="FOLDER",
         help="the build whose hlsc predicts (default: build/release, else build/dev)",
     )
-    parser.add_argument(
-        "--jobs",
-        type=int,
-        default=os.cpu_count() or 1,
-        metavar="N",
-        help="units to lower at a time (default: the number of cores)",
-    )
+    options.add_jobs(parser, "units to lower")
     return parser.parse_args()
 
 
 def chosen(files: Sequence[pathlib.Path]) -> dict[pathlib.Path, list[pathlib.Path]]:
     """The kept placements by the model that they are to fit."""
     if not files:
-        found = sorted([*DATA.glob("place_*.json"), *DATA.glob("placed/*.json")])
-        files = [path for path in found if is_kept(path)]
+        found = sorted(
+            [*kept_placement.DATA.glob("place_*.json"), *kept_placement.DATA.glob("placed/*.json")]
+        )
+        files = [path for path in found if kept_placement.is_kept(path)]
     if not files:
         raise project.Failed(
-            f"{DATA}: no kept placement is there; make one with 'scripts/place UNIT --keep FILE'"
+            f"{kept_placement.DATA}: no kept placement is there; make one with "
+            "'scripts/place UNIT --keep FILE'"
         )
     groups: dict[pathlib.Path, list[pathlib.Path]] = {}
     for path in files:
@@ -108,17 +98,6 @@ def chosen(files: Sequence[pathlib.Path]) -> dict[pathlib.Path, list[pathlib.Pat
         model = model_file.path_of(kept["device"], kept["grade"])
         groups.setdefault(model, []).append(path)
     return groups
-
-
-def file_of(name: str) -> pathlib.Path:
-    """The kept placement of this name in docs/results/data."""
-    path = DATA / f"{name}.json"
-    return path if path.exists() else DATA / "placed" / path.name
-
-
-def is_kept(path: pathlib.Path) -> bool:
-    """Whether a file of the results is a kept placement, and no other record of scripts/place."""
-    return "ends" in project.read_json(path)
 
 
 def data_name(model: pathlib.Path) -> str:
@@ -135,7 +114,7 @@ class Fit:
         build = lowering.find_build(args.build)
         self.path = model
         self.cases = [fit_case.Case(path, build, args.jobs) for path in files]
-        self.bounds = fitting.TIMES[fit_data.family_of(self.cases[0].kept["device"])]
+        self.bounds = fitting.TIMES[devices.family_of(self.cases[0].kept["device"])]
         self.start = model_file.read(model)
         self._known: dict[str, dict[str, fit_case.Result]] = {}
 
@@ -156,6 +135,10 @@ class Fit:
             return [row.sample for result in self.results(model).values() for row in result.rows]
 
         return fitting.fit(samples, self.start, self.bounds)
+
+    def placed(self) -> str:
+        """The placements with their clocks, in words."""
+        return ", ".join(f"{case.name} ({1000 / case.period:.0f} MHz)" for case in self.cases)
 
     def warn(self) -> None:
         """Names the placements that say little: of other signals by now, or without haste."""
@@ -188,9 +171,6 @@ def main() -> int:
     args = parse()
     if args.out and not args.out.is_dir():
         project.fail(f"--out {args.out}: there is no such folder; create it or name another")
-    if args.json:
-        project.check_output("--json", args.json)
-    every = []
     try:
         for model, files in chosen(args.kept).items():
             fit = Fit(model, files, args)
@@ -199,15 +179,12 @@ def main() -> int:
             data = fit.data(fit.start, fitted)
             print(fit_table.text(data, args.worst), flush=True)
             if args.write:
-                model_file.write(model, fitted, fit.cases)
+                model_file.write(model, fitted, fit.placed())
                 data = fit.data(fitted, fitted)
-            every.append(data)
             if args.out or args.record or args.write:
                 name = data_name(model)
-                fit_data.write((args.out or DATA) / name, data)
+                fit_data.write((args.out or kept_placement.DATA) / name, data)
                 fit_plot.draw((args.out or PICTURES) / name.replace(".json", ".svg"), data)
-        if args.json:
-            project.write_json(args.json, every)
     except project.Failed as error:
         project.show_progress("")
         print(f"fit-delays: {error}", file=sys.stderr)

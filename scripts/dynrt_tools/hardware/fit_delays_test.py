@@ -8,7 +8,7 @@ import shutil
 import unittest
 
 from dynrt_tools import project, testing
-from dynrt_tools.hardware import kept_placement, model_file
+from dynrt_tools.hardware import kept_placement, model_file, rtl_files
 from dynrt_tools.project import Json
 
 # Times two ends by any model: after 3 LUTs, and behind a RAM. The Verilog is that of the folder.
@@ -55,7 +55,7 @@ class Called(testing.InFolder):
             **{"unit": "sum", "config": "thesis", "device": "ecp5-85", "grade": "6", "placer": "1"},
             **{"clock_ns": 8.0, "asked_mhz": 125.0, "seeds": 1, "mhz": [1000 / 9], "limits": 0.5},
             "verilog": kept_placement.hash_of("sum", [self.folder / "build/hls/compiler/sum.v"]),
-            "model": kept_placement.constants(project.ROOT / "hls/compiler/delay/ecp5.json"),
+            "model": model_file.constants(project.ROOT / "hls/compiler/delay/ecp5.json"),
             "ends": [
                 {
                     **{"unit": "sum", "signal": signal, "port": "", "source": "sum.v:1"},
@@ -70,16 +70,14 @@ class Called(testing.InFolder):
         return testing.run(project.SCRIPTS / "fit-delays", build, "--jobs=1", *words)
 
     def test_constants_before_and_after(self) -> None:
-        all_of = f"--json={self.folder / 'all.json'}"
-        done = self.call(self.kept, "--out", self.folder, all_of)
+        done = self.call(self.kept, "--out", self.folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        every = project.read_json(self.folder / "all.json")
-        self.assertEqual([data["model"] for data in every], ["hls/compiler/delay/ecp5.json"])
-        before = kept_placement.constants(project.ROOT / "hls/compiler/delay/ecp5.json")["ram_out"]
+        before = model_file.constants(project.ROOT / "hls/compiler/delay/ecp5.json")["ram_out"]
         self.assertRegex(done.stdout, rf"ram_out +{before:g} +[5678]\.\d+")
         self.assertIn("Not predicted are 1 of 3 limiting ends:", done.stdout)
         self.assertRegex(done.stdout, r"1 end at a FIFO's pointers.*sum: out_fifo.space_q")
         data = project.read_json(self.folder / "fit_ecp5.json")
+        self.assertEqual(data["model"], "hls/compiler/delay/ecp5.json")
         self.assertEqual((data["limiting"], data["predicted"]), (3, 2))
         by_signal = {end["signal"]: end for end in data["ends"]}
         self.assertEqual(by_signal["near_s1"]["counts"], {"clock_overhead": 1.0, "lut": 3.0})
@@ -92,12 +90,12 @@ class Called(testing.InFolder):
 
     def test_another_grade_starts_from_the_model_of_its_family(self) -> None:
         self.kept.write_text(
-            self.kept.read_text("utf-8").replace('"grade": "6"', '"grade": "8"'), "utf-8"
+            self.kept.read_text("utf-8").replace('"grade": "6"', '"grade": "7"'), "utf-8"
         )
         done = self.call(self.kept, "--out", self.folder)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        model = project.read_json(self.folder / "fit_ecp5_8.json")["model"]
-        self.assertTrue((project.ROOT / model).exists(), model)
+        model = project.read_json(self.folder / "fit_ecp5_7.json")["model"]
+        self.assertEqual(model, "hls/compiler/delay/ecp5.json")
 
     def test_two_runs_draw_the_same(self) -> None:
         drawn = []
@@ -113,6 +111,25 @@ class Called(testing.InFolder):
         self.assertIn(
             "fit-delays: place_sum is of an earlier Verilog of sum; place it again", done.stderr
         )
+        self.assertEqual(project.read_json(self.folder / "fit_ecp5.json")["earlier"], ["place_sum"])
+
+    def test_a_core_that_hlsc_makes_otherwise_is_named(self) -> None:
+        build = self.folder / "build"
+        core = VERILOG.replace("sum", rtl_files.CORE).replace(
+            "endmodule", "  sum u_adder (\n    .clk_i(clk_i));\nendmodule"
+        )
+        units = {f"{rtl_files.CORE}.v": core, "sum.v": VERILOG}
+        testing.write_tree(build / "generated" / "small", units)
+        testing.write_tree(build, {"hls/units/list_units.txt": "small|sum|units/sum.h|Sum\n"})
+        kept = project.read_json(self.kept) | {"unit": rtl_files.CORE, "config": "small"}
+        files = rtl_files.core_files(build / "generated" / "small")
+        kept["verilog"] = kept_placement.hash_of(rtl_files.CORE, files)
+        kept_placement.write(self.kept, kept)
+        self.assertEqual(self.call(self.kept).stderr, "")
+        (self.hlsc.parent / "sum.v").write_text(VERILOG.replace("clk_i", "clock_i"), "utf-8")
+        done = self.call(self.kept, "--out", self.folder)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("place_sum is of an earlier Verilog of dynrt_core", done.stderr)
         self.assertEqual(project.read_json(self.folder / "fit_ecp5.json")["earlier"], ["place_sum"])
 
     def test_a_placement_without_haste_is_named(self) -> None:
@@ -149,7 +166,6 @@ class Called(testing.InFolder):
 
     def test_no_folder_to_write_into(self) -> None:
         self.fails("--out", self.kept, "--out", self.folder / "nowhere")
-        self.fails("--json", self.kept, "--json", self.folder / "nowhere" / "fit.json")
 
 
 class Model(testing.InFolder):
@@ -161,18 +177,26 @@ class Model(testing.InFolder):
     def test_constants_are_written_in_their_lines(self) -> None:
         before = self.path.read_text(encoding="utf-8")
         model = model_file.read(self.path)
-        model_file.write(self.path, {**model, "lut": 1.23}, [])
+        model_file.write(self.path, {**model, "lut": 1.23}, "a, b")
         text = self.path.read_text(encoding="utf-8")
         self.assertEqual(model_file.read(self.path), {**model, "lut": 1.23})
-        changed = set(text.splitlines()) - set(before.splitlines())
-        self.assertIn('  "lut": 1.23,', changed)
-        self.assertLessEqual(len(changed), 3)  # the line before the new comment gets a comma
-        model_file.write(self.path, model, [])
-        self.assertEqual(self.path.read_text(encoding="utf-8").count(model_file.FITTED), 1)
+        self.assertEqual(
+            set(text.splitlines()) - set(before.splitlines()),
+            {'  "lut": 1.23,', f'    "{model_file.FITTED} to a, b.",'},
+        )
+
+    def test_what_a_file_says_of_its_fit_is_written_anew(self) -> None:
+        for path in sorted((project.ROOT / "hls/compiler/delay").glob("*.json")):
+            copy = self.folder / path.name
+            shutil.copyfile(path, copy)
+            model_file.write(copy, model_file.read(path), "a")
+            comment = project.read_json(path)["comment"]
+            expected = [comment[0], f"{model_file.FITTED} to a.", *comment[2:]]
+            self.assertEqual(project.read_json(copy)["comment"], expected, path)
 
     def test_a_grade_starts_from_that_of_its_family(self) -> None:
         path = self.folder / "ecp5-8.json"
-        model_file.write(path, {**model_file.read(path), "lut": 0.9}, [])
+        model_file.write(path, {**model_file.read(path), "lut": 0.9}, "a")
         data = json.loads(path.read_text(encoding="utf-8"))
         self.assertEqual((data["name"], data["lut"]), ("Lattice ECP5, speed grade 8", 0.9))
         self.assertEqual(model_file.read(path)["lut"], 0.9)

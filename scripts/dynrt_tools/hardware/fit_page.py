@@ -4,7 +4,7 @@
 whether a placement is of the Verilog that there is now."""
 
 from dynrt_tools import project
-from dynrt_tools.hardware import fit_delays, kept_placement
+from dynrt_tools.hardware import fit_table, kept_placement
 from dynrt_tools.project import Json
 
 PRESENT, EARLIER = "the present Verilog", "an earlier Verilog"
@@ -12,8 +12,6 @@ PRESENT, EARLIER = "the present Verilog", "an earlier Verilog"
 
 def state(kept: Json) -> str:
     """Which Verilog the placement of a core or a board is of."""
-    if "verilog" not in kept:
-        return "a Verilog of which no hash was kept"
     if not kept_placement.of_checked_in(kept):
         raise project.Failed(f"only a build knows the Verilog of {kept['unit']}, {kept['config']}")
     return PRESENT if kept_placement.is_current(kept) else EARLIER
@@ -27,20 +25,16 @@ def placements(data: Json) -> str:
         "|---|---|---:|---:|---:|---:|---:|---|",
     ]
     for row in data["placements"]:
-        kept = kept_placement.read(fit_delays.file_of(row["placement"]))
+        kept = kept_placement.read(kept_placement.file_of(row["placement"]))
         verilog = EARLIER if row["placement"] in data["earlier"] else PRESENT
         if kept_placement.of_checked_in(kept):
             verilog = state(kept)
         lines.append(
             f"| `{row['unit']}` | `{kept['config']}` | {kept['seeds']} | {row['limiting']} | "
-            f"{row['predicted']} | {_percent(row['within'])} | {row['placed, ns']:.2f} | "
+            f"{row['predicted']} | {fit_table.percent(row['within'])} | {row['placed, ns']:.2f} | "
             f"{row['promised, ns']:.2f} | {verilog} |"
         )
     return "\n".join(lines)
-
-
-def _percent(part: float | None) -> str:
-    return "-" if part is None else f"{100 * part:.0f} %"
 
 
 def constants(data: Json) -> str:

@@ -32,7 +32,8 @@ def _constants(data: Json) -> list[str]:
     return lines
 
 
-def _percent(part: float | None) -> str:
+def percent(part: float | None) -> str:
+    """A share in words, of which there is none where nothing was predicted."""
     return "-" if part is None else f"{100 * part:.0f} %"
 
 
@@ -50,8 +51,8 @@ def _placements(data: Json) -> list[str]:
                 p["placement"],
                 p["limiting"],
                 p["predicted"],
-                _percent(p["within"]),
-                _percent(p["within by the fit"]),
+                percent(p["within"]),
+                percent(p["within by the fit"]),
                 f"{p['placed, ns']:.2f}",
                 f"{p['promised, ns']:.2f}",
                 f"{p['promised by the fit, ns']:.2f}",

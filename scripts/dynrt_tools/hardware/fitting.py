@@ -10,6 +10,8 @@ longest, hence the fit takes several steps."""
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 Model = dict[str, float]
 Counts = dict[str, float]
 
@@ -108,14 +110,11 @@ def step(
     samples: Sequence[Sample], model: Model, start: Model, bounds: dict[str, tuple[float, float]]
 ) -> Model:
     """The constants at which the least squares are least if every end keeps its counts."""
-    # The pages of results need this module's tables on machines that have no numpy.
-    import numpy as np  # pylint: disable=import-outside-toplevel
-
     names = list(bounds)
     rows, wants = [], []
     for s in samples:
         weight = 1 / (MISS * s.placed)
-        fixed = s.predicted - sum(s.counts.get(n, 0.0) * model[n] for n in names)
+        fixed = s.predicted - total(s.counts, model)
         rows.append([weight * s.counts.get(n, 0.0) for n in names])
         wants.append(weight * (s.placed - fixed))
     for i, n in enumerate(names):

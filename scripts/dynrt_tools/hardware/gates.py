@@ -10,7 +10,7 @@ import pathlib
 import subprocess
 from collections.abc import Iterable
 
-from dynrt_tools import project
+from dynrt_tools import options, project
 from dynrt_tools.command import Pool
 from dynrt_tools.hardware import gate_count, gate_report, gate_units, rtl_files
 from dynrt_tools.hardware.gate_report import Counts
@@ -77,13 +77,7 @@ def main() -> int:
         help="write nothing; fail if a figure of docs/results/gates.md differs by "
         f"more than {100 * TOLERANCE:.0f} %% from that of the checked-in Verilog",
     )
-    parser.add_argument(
-        "--jobs",
-        type=int,
-        default=os.cpu_count(),
-        metavar="N",
-        help="Yosys processes at a time (default: the number of cores)",
-    )
+    options.add_jobs(parser, "Yosys processes")
     parser.add_argument(
         "--out",
         type=pathlib.Path,
@@ -94,7 +88,7 @@ def main() -> int:
     args = parser.parse_args()
     thesis = (gate_units.PACKETS, gate_units.LINES)
     try:
-        counts = measure((thesis,) if args.check else (thesis, *POINTS), max(1, args.jobs))
+        counts = measure((thesis,) if args.check else (thesis, *POINTS), args.jobs)
     except project.Failed as error:
         project.fail(error)
     if args.check:

@@ -21,6 +21,8 @@ PIN = re.compile(r"\.(\w+)_(en|addr|data)_i\((\w+?)__(\w+)_(?:en|addr|data)\)")
 
 WRAPPED = re.compile(r"(?:in_q|out_q|fold_q)$")  # registers of the wrapper
 
+READY = "*_ready_o"  # the latest of a unit's
+
 # Why an end has no prediction.
 WRAPPER = "the wrapper of scripts/place"
 RESET = "a reset"
@@ -114,5 +116,5 @@ def _of_fifo(end: Json, stem: str, inner: str, joined: Joined) -> list[Place] | 
     if own:
         return POINTERS
     if start in joined.modules:
-        return [Place(start, "*_ready_o")]
+        return [Place(start, READY)]
     return TAKEN

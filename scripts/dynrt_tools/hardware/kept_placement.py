@@ -8,22 +8,31 @@ a test knows whether the placement is of the present one. It also has the delay 
 scheduled the Verilog by, so that the schedule can be made again when the model has changed."""
 
 import hashlib
-import json
 import pathlib
 import re
 import statistics
 from collections.abc import Sequence
 
 from dynrt_tools import project
-from dynrt_tools.hardware import devices, place_record, placed_ends, placing, rtl_files, synthesis
+from dynrt_tools.hardware import (
+    devices,
+    model_file,
+    place_record,
+    placed_clocks,
+    placed_ends,
+    placing,
+    rtl_files,
+    synthesis,
+)
 from dynrt_tools.project import Json, read_json
 
+DATA = placed_clocks.DATA
 # An end limits if its path takes this share of the period.
 LIMITS = 0.85
 SCHEDULED = re.compile(r"^// Scheduled for ([\d.]+) ns on", re.MULTILINE)
 HAS = (
     *("unit", "config", "device", "grade", "placer", "seeds", "mhz", "asked_mhz", "clock_ns"),
-    *("verilog", "model", "ends"),
+    *("verilog", "model", "limits", "ends"),
 )
 
 
@@ -33,11 +42,6 @@ def hash_of(module: str, files: Sequence[pathlib.Path]) -> str:
     for path in sorted(synthesis.needed(module, list(files)), key=lambda p: p.name):
         digest.update(path.name.encode() + b"\0" + synthesis.meaning(path).encode() + b"\0")
     return digest.hexdigest()
-
-
-def constants(model: pathlib.Path) -> dict[str, float]:
-    """The numbers of a delay model."""
-    return {k: v for k, v in read_json(model).items() if k not in ("name", "comment")}
 
 
 def scheduled_for(files: Sequence[pathlib.Path]) -> float:
@@ -89,32 +93,26 @@ def median(times: Sequence[float | None]) -> float:
 def of_row(row: Json, subject: placing.Subject, said: Json) -> Json:
     """What is kept of a row of scripts/place; `said` is what the whole call was for."""
     placements = row["placed"]
-    model = devices.DEVICES[said["device"]]["delay"]
-    joined = "longest_path_ns" not in row
-    clock = scheduled_for(synthesis.needed(subject.module, list(subject.files)))
-    by_seed = [placed_ends.read(synthesis.KEPT / p["run"], subject) for p in placements]
+    model = row.get("delay") or devices.DEVICES[said["device"]]["delay"]
+    by_seed = [placing.ends_of(p["run"]) for p in placements]
     return {
         "unit": row["unit"],
         **{key: said[key] for key in ("config", "device", "grade", "copies")},
         "placer": placements[0]["placer"],
-        "clock_ns": clock,
-        "promised_ns": clock if joined else row["longest_path_ns"],
+        "clock_ns": scheduled_for(synthesis.needed(subject.module, list(subject.files))),
         "asked_mhz": placements[0]["asked_mhz"],
         "seeds": len(placements),
         "mhz": [p["mhz"] for p in placements],
         "units": {row["unit"]: place_record.placed(row)},
         "verilog": hash_of(subject.module, subject.files),
-        "model": {"file": model, **constants(project.ROOT / model)},
+        "model": model_file.constants(project.ROOT / model),
         "limits": LIMITS,
         "ends": limiting(by_seed, [1000 / p["mhz"] for p in placements]),
     }
 
 
 def write(path: pathlib.Path, kept: Json) -> None:
-    """As JSON with an end in each line, so that a new placement can be compared with the old."""
-    text = json.dumps({**kept, "ends": []}, indent=2)
-    ends = ",\n".join(f"    {json.dumps(end)}" for end in kept["ends"])
-    path.write_text(text.replace('"ends": []', f'"ends": [\n{ends}\n  ]') + "\n", encoding="utf-8")
+    project.write_rows(path, kept, "ends")
 
 
 def read(path: pathlib.Path) -> Json:
@@ -135,6 +133,17 @@ def read(path: pathlib.Path) -> Json:
     return kept
 
 
+def file_of(name: str) -> pathlib.Path:
+    """The kept placement of this name in docs/results/data."""
+    path = DATA / f"{name}.json"
+    return path if path.exists() else DATA / "placed" / path.name
+
+
+def is_kept(path: pathlib.Path) -> bool:
+    """Whether a file of the results is a kept placement, and no other record of scripts/place."""
+    return "ends" in read_json(path)
+
+
 def period(kept: Json) -> float:
     """The median of its seeds, in ns."""
     return 1000 / float(statistics.median(kept["mhz"]))
@@ -142,14 +151,13 @@ def period(kept: Json) -> float:
 
 def that_limit(kept: Json) -> list[Json]:
     """The ends that limit the median, which a delay model is judged by."""
-    least = kept.get("limits", LIMITS) * period(kept)
+    least = kept["limits"] * period(kept)
     return [end for end in kept["ends"] if end["median"] >= least]
 
 
 def of_checked_in(kept: Json) -> bool:
     """Whether it is of the checked-in Verilog, so that no build is needed to compare."""
-    whole = kept["unit"] in (rtl_files.CORE, rtl_files.BOARD)
-    return whole and kept["config"] == rtl_files.CHECKED_IN
+    return kept["unit"] in rtl_files.WHOLE and kept["config"] == rtl_files.CHECKED_IN
 
 
 def is_current(kept: Json, folder: pathlib.Path = rtl_files.GENERATED) -> bool:

@@ -13,15 +13,13 @@ Units that do not fit the device, or all where its tool is missing, get Yosys's 
 
 import argparse
 import concurrent.futures
-import math
-import os
 import pathlib
 import shutil
 import sys
 from dataclasses import dataclass, field
 from typing import Any
 
-from dynrt_tools import project, unit_names
+from dynrt_tools import options, project, unit_names
 from dynrt_tools.command import Pool
 from dynrt_tools.hardware import (
     area,
@@ -38,8 +36,6 @@ from dynrt_tools.hardware import (
 )
 from dynrt_tools.project import Json
 
-WHOLE = (rtl_files.CORE, rtl_files.BOARD)  # what is placed of the checked-in Verilog
-
 
 def parse() -> argparse.Namespace:
     parser = argparse.ArgumentParser(
@@ -50,8 +46,8 @@ def parse() -> argparse.Namespace:
 The folder that DYNRT_CACHE names, else build/synth, keeps every placement under a key of the
 netlist, the constraints, the placer's version, the seed and the flags, with its report and its
 delays. The exit code is 1 if a row was not placed: its tool is missing, it failed, ran out of time, does
-not fit the device or cannot be lowered for the clock. It is 1 too if a single seed failed. The other
-rows are complete in each case.""",
+not fit the device or cannot be lowered for the clock. It is 1 too if a single seed failed or a row
+cannot be kept. The other rows are complete in each case.""",
     )
     parser.add_argument(
         "unit",
@@ -75,37 +71,41 @@ rows are complete in each case.""",
     )
     parser.add_argument(
         "--clock-ns",
-        type=_positive,
+        type=options.positive,
         default=10.0,
         metavar="NS",
         help="the period that hlsc schedules units for (default: 10)",
     )
     parser.add_argument(
         "--ask-mhz",
-        type=_positive,
+        type=options.positive,
         metavar="MHZ",
         help="the clock that the placer is asked for (default: that of --clock-ns)",
     )
     parser.add_argument(
         "--seeds",
-        type=_count,
+        type=options.count,
         default=5,
         metavar="N",
         help="placements, of seeds 1 to N (default: 5)",
     )
     parser.add_argument(
-        "--copies", type=_count, default=1, metavar="N", help="of each, in one chip (default: 1)"
+        "--copies",
+        type=options.count,
+        default=1,
+        metavar="N",
+        help="of each, in one chip (default: 1)",
     )
     parser.add_argument(
         "--paths",
-        type=_whole,
+        type=options.whole,
         default=3,
         metavar="N",
         help="worst paths to print below a row (default: 3)",
     )
     parser.add_argument(
         "--timeout",
-        type=_positive,
+        type=options.positive,
         default=180,
         metavar="MINUTES",
         help="the time that one placement may take (default: 180)",
@@ -123,13 +123,7 @@ rows are complete in each case.""",
         help="the build whose hlsc lowers, and which has the cores of other configurations "
         "(default: build/release, else build/dev)",
     )
-    parser.add_argument(
-        "--jobs",
-        type=_count,
-        default=os.cpu_count(),
-        metavar="N",
-        help="tools at a time (default: the number of cores)",
-    )
+    options.add_jobs(parser, "tools")
     parser.add_argument(
         "--json",
         type=pathlib.Path,
@@ -151,28 +145,6 @@ rows are complete in each case.""",
     return parser.parse_args()
 
 
-def _positive(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = 0
-    if not 0 < value < math.inf:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a number above 0")
-    return value
-
-
-def _whole(text: str) -> int:
-    if not text.isdecimal():
-        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number")
-    return int(text)
-
-
-def _count(text: str) -> int:
-    if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"'{text}' is not a whole number above 0")
-    return int(text)
-
-
 @dataclass
 class Row:
     """What becomes one row of the table: its figures so far, and the seeds that are under way."""
@@ -182,6 +154,7 @@ class Row:
     subject: placing.Subject | None = None
     placed: list[Json] = field(default_factory=list)
     failures: list[Json] = field(default_factory=list)
+    kept: bool = True  # where --keep asks for it
 
     def add(self, seed: int, job: "concurrent.futures.Future[Json]", program: str) -> None:
         """The result of a seed, or a sentence that says why there is none."""
@@ -202,7 +175,7 @@ class Row:
         self.data["failures"] = sorted(self.failures, key=lambda f: int(f["seed"]))
         if self.failures and not self.placed:
             self.data["note"] = f"failed: {self.data['failures'][0]['error']}"
-        if not self.placed and self.subject and self.name not in WHOLE:
+        if not self.placed and self.subject and self.name not in rtl_files.WHOLE:
             try:
                 self.data["logic_ns"] = placing.logic_delay(self.name, list(self.subject.files))
             except project.Failed as error:
@@ -211,20 +184,21 @@ class Row:
 
 def prepare(name: str, args: argparse.Namespace, build: pathlib.Path | None) -> Row:
     """A row with all that is known before the placer runs; without a subject there is no more."""
-    if name in WHOLE:
+    if name in rtl_files.WHOLE:
         files = rtl_files.library() + rtl_files.generated(args)
         files += rtl_files.board() if name == rtl_files.BOARD else []
         return Row(name, {"unit": name}, placing.Subject(name, files, args.copies, True))
     assert build is not None  # units are of a build
     grade = placers.grade_of(args.device, args.grade)
     model = model_file.base_of(model_file.path_of(args.device, grade))
+    delay = model.relative_to(project.ROOT).as_posix()
     unit = lowering.units(build, args.config)[name]
     try:
-        folder = lowering.lower(build, unit, args.clock_ns, str(model), args.config)
+        folder = lowering.lower(build, unit, args.clock_ns, delay, args.config)
     except project.Failed as error:
         return Row(name, {"unit": name, "note": f"not lowered: {error}"})
     files = rtl_files.hand_written() + [folder / f"{name}.v"]
-    data: Json = {"unit": name}
+    data: Json = {"unit": name, "delay": delay}
     data |= area.schedule((folder / f"{name}.txt").read_text(encoding="utf-8"))
     family = devices.DEVICES[args.device]["family"]
     cells, _ = synthesis.cells(name, files, devices.FAMILIES[family]["synth"], name)
@@ -318,8 +292,16 @@ class Run:
             record = place_record.summary(self.data(), self.args.seeds)
             project.write_json(self.args.record, record)
         if self.args.keep and row.placed and row.subject:
-            file = pathlib.Path(self.args.keep.replace("{unit}", row.name))
-            kept_placement.write(file, kept_placement.of_row(row.data, row.subject, self.data()))
+            self._keep(row, row.subject)
+
+    def _keep(self, row: Row, subject: placing.Subject) -> None:
+        """Writes the kept placement of a row, or a sentence that says why there is none."""
+        file = pathlib.Path(self.args.keep.replace("{unit}", row.name))
+        try:
+            kept_placement.write(file, kept_placement.of_row(row.data, subject, self.data()))
+        except project.Failed as error:
+            row.kept = False
+            print(f"place: {row.name} is placed and not kept: {error}", file=sys.stderr)
 
     def data(self) -> Json:
         """The rows that are done, in the order of their names on the command line."""
@@ -335,22 +317,26 @@ class Run:
         }
 
     def failed(self) -> bool:
-        """Whether a row has no placement, or lacks one of a seed."""
-        return any(row.failures or not row.placed for row in self.done.values())
+        """Whether a row has no placement, lacks one of a seed, or is not kept."""
+        return any(row.failures or not (row.placed and row.kept) for row in self.done.values())
 
     def summary(self) -> str:
-        """A sentence with every row that has no placement, or nothing."""
-        missing = [row for row in self.done.values() if not row.placed]
+        """A sentence with every row that has no placement, in the order of the names, or else with
+        those of which a part is missing."""
+        rows = [self.done[name] for name in self.names]
+        missing = [row for row in rows if not row.placed]
         reasons = "; ".join(f"{row.name} ({place_record.reason(row.data)})" for row in missing)
-        count = f"{len(missing)} of {len(self.done)} rows"
-        return f"not placed are {count}: {reasons}" if missing else ""
+        if missing:
+            return f"not placed are {len(missing)} of {len(rows)} rows: {reasons}"
+        unkept = ", ".join(row.name for row in rows if not row.kept)
+        return f"not kept are {unkept}" if unkept else "not every seed was placed"
 
 
 def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
     """The names of the rows, and the build that lowers their units where there are any."""
-    if set(args.unit) & set(WHOLE):
+    if set(args.unit) & set(rtl_files.WHOLE):
         rtl_files.generated(args)  # ends here where there is no such configuration
-    if args.unit and all(name in WHOLE for name in args.unit):
+    if args.unit and all(name in rtl_files.WHOLE for name in args.unit):
         return list(dict.fromkeys(args.unit)), None
     build = lowering.find_build(args.build)
     units = lowering.units(build, args.config)
@@ -358,8 +344,8 @@ def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
         project.fail(f"--config {args.config}: the build {build} has no such configuration")
     names = unit_names.all_modules_of(
         args.unit,
-        lowering.headers(units) | {name: name for name in WHOLE},
-        f"; {' and '.join(WHOLE)} are the whole core and the board's top",
+        lowering.headers(units) | {name: name for name in rtl_files.WHOLE},
+        f"; {' and '.join(rtl_files.WHOLE)} are the whole core and the board's top",
     )
     everything = [*units, *([rtl_files.CORE] if args.device == "ecp5-85" else [])]
     return names or everything, build
@@ -404,6 +390,6 @@ def main() -> int:
     print(place_table.line(place_table.HEAD), flush=True)
     run.place(build)
     if run.failed():
-        print(f"place: {run.summary() or 'not every seed was placed'}", file=sys.stderr)
+        print(f"place: {run.summary()}", file=sys.stderr)
         return 1
     return 0

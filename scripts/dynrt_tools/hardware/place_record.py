@@ -51,7 +51,7 @@ def summary(data: Json, seeds: int) -> Json:
     rows = data["units"]
     found = {row["unit"]: placed(row) for row in rows if row.get("placed")}
     parts = [u["of predicted"] for u in found.values() if u["of predicted"]]
-    units = [row for row in rows if row["unit"] not in (rtl_files.CORE, rtl_files.BOARD)]
+    units = [row for row in rows if row["unit"] not in rtl_files.WHOLE]
     lowered = [row for row in units if "stages" in row]
     cells = [row["logic_ns"] for row in rows if "logic_ns" in row]
     device = data["device"]

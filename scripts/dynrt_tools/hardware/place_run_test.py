@@ -5,7 +5,9 @@ here, or fails in the ways that a placer can."""
 
 import argparse
 import contextlib
+import errno
 import functools
+import gzip
 import io
 import json
 import os
@@ -19,7 +21,15 @@ from typing import Any
 from unittest import mock
 
 from dynrt_tools import project
-from dynrt_tools.hardware import kept_placement, place, placers, placing, rtl_files, synthesis
+from dynrt_tools.hardware import (
+    kept_placement,
+    model_file,
+    place,
+    placers,
+    placing,
+    rtl_files,
+    synthesis,
+)
 from dynrt_tools.hardware.worst_paths_test import SDF
 from dynrt_tools.project import Json
 
@@ -60,12 +70,14 @@ if mode == "other report":
     del report["fmax"]
 if mode != "silent":
     json.dump(report, open(value["--report"], "w"))
-open(value["--sdf"], "w").write(open(os.environ["SDF"]).read())
+if mode != "no delays":
+    open(value["--sdf"], "w").write(open(os.environ["SDF"]).read())
 """
 
 
 class StandIn(unittest.TestCase):
     def setUp(self) -> None:
+        self.delay: Json = {}  # the model of a row that is no core
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
@@ -136,7 +148,8 @@ class StandIn(unittest.TestCase):
 
     def prepare(self, name: str, args: argparse.Namespace, _: object) -> place.Row:
         subject = placing.Subject(name, [self.folder / f"{name}.v"], args.copies)
-        return place.Row(name, {"unit": name, "stages": 2, "longest_path_ns": 3.0}, subject)
+        data = {"unit": name, "stages": 2, "longest_path_ns": 3.0, **self.delay}
+        return place.Row(name, data, subject)
 
     def runs(self) -> list[list[str]]:
         path = self.folder / "runs"
@@ -184,11 +197,39 @@ class StandIn(unittest.TestCase):
                 "seeds": 3,
             },
         )
-        self.assertEqual((kept["clock_ns"], kept["promised_ns"]), (3.5, 3.0))
+        self.assertEqual(kept["clock_ns"], 3.5)
+        self.assertEqual(kept["model"], self.model("ecp5.json"))
         self.assertAlmostEqual(kept_placement.period(kept), 4.1, delta=0.01)
         self.assertEqual(kept["verilog"], kept_placement.hash_of("sum", [source]))
         (end,) = kept_placement.that_limit(kept)
         self.assertEqual((end["ns"], end["median"]), ([4.1, 4.1, 4.1], 4.1))
+
+    @staticmethod
+    def model(name: str) -> dict[str, float]:
+        return model_file.constants(project.ROOT / "hls/compiler/delay" / name)
+
+    def test_what_is_kept_has_the_model_that_its_row_was_lowered_by(self) -> None:
+        (self.folder / "sum.v").write_text(f"// Scheduled for 3.5 ns on x: y\n{UNIT}", "utf-8")
+        self.delay = {"delay": "hls/compiler/delay/ecp5-8.json"}
+        self.called(seeds=1, grade="8", keep=str(self.folder / "{unit}.json"))
+        kept = kept_placement.read(self.folder / "sum.json")
+        self.assertEqual(kept["model"], self.model("ecp5-8.json"))
+
+    def test_a_row_that_cannot_be_kept_leaves_the_others(self) -> None:
+        (self.folder / "sum.v").write_text(f"// Scheduled for 3.5 ns on x: y\n{UNIT}", "utf-8")
+        code, output, errors, data = self.called(
+            names=("wide", "sum"), seeds=1, keep=str(self.folder / "{unit}.json")
+        )
+        self.assertEqual(code, 1)
+        self.assertEqual(
+            errors,
+            "place: wide is placed and not kept: no unit is among the files; their periods would be "
+            "in their heads\nplace: not kept are wide\n",
+        )
+        self.assertRegex(output, r"sum +2 +3.00 +40 +244")
+        self.assertTrue(data["complete"])
+        self.assertEqual(kept_placement.read(self.folder / "sum.json")["unit"], "sum")
+        self.assertFalse((self.folder / "wide.json").exists())
 
     def test_clock_and_grade_reach_the_placer(self) -> None:
         for asked, mhz, grade in ((None, "100.0000", "6"), (120.0, "120.0000", "8")):
@@ -271,6 +312,22 @@ class StandIn(unittest.TestCase):
 
     def test_a_report_that_is_not_there(self) -> None:
         self.fails("silent", "nextpnr-ecp5 wrote no report")
+
+    def test_delays_that_are_not_there(self) -> None:
+        code, _, errors, _ = self.called("no delays", seeds=1)
+        self.assertEqual(code, 1)
+        self.assertRegex(
+            errors, "placed no sum with seed 1: .*/timing.sdf: No such file or directory\n"
+        )
+
+    def test_a_full_disk_is_said_as_such(self) -> None:
+        full = OSError(errno.ENOSPC, "No space left on device")
+        with mock.patch.object(gzip, "open", side_effect=full):
+            code, _, errors, _ = self.called(seeds=1)
+        self.assertEqual(code, 1)
+        self.assertRegex(
+            errors, "placed no sum with seed 1: the disk that holds the cache .* is full"
+        )
 
     def test_delays_that_read_otherwise(self) -> None:
         self.fails(

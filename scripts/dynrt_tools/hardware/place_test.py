@@ -128,25 +128,41 @@ class Texts(unittest.TestCase):
             "place: not placed are 2 of 2 rows: dynrt_core (nextpnr-ecp5 is not on the PATH); "
             "dynrt_board (nextpnr-ecp5 is not on the PATH)",
         )
-        self.assertRegex(result.stdout, "\ndynrt_core .*\ndynrt_board .*is not on the PATH")
+        for name in ("dynrt_core", "dynrt_board"):
+            self.assertRegex(result.stdout, f"\n{name} .*is not on the PATH")
 
 
 class Lowering(unittest.TestCase):
     """What becomes of a unit before a placer runs."""
 
-    def test_a_unit_that_no_schedule_brings_to_the_clock_is_a_failure(self) -> None:
+    UNIT = {"sum": {"module": "sum", "header": "sum.h", "type": "Sum"}}
+
+    @staticmethod
+    def prepared(grade: str) -> place.Row:
         args = argparse.Namespace(
-            device="ecp5-85", grade="8", config=rtl_files.CHECKED_IN, clock_ns=0.1, copies=1
+            device="ecp5-85", grade=grade, config=rtl_files.CHECKED_IN, clock_ns=0.1, copies=1
         )
-        unit = {"sum": {"module": "sum", "header": "sum.h", "type": "Sum"}}
+        return place.prepare("sum", args, pathlib.Path("build"))
+
+    def test_a_unit_that_no_schedule_brings_to_the_clock_is_a_failure(self) -> None:
         refusal = project.Failed("sum.h:3: takes 2.35 ns")
-        with mock.patch.object(lowering, "units", lambda *_: unit), mock.patch.object(
+        with mock.patch.object(lowering, "units", lambda *_: self.UNIT), mock.patch.object(
             lowering, "lower", side_effect=refusal
         ) as lower:
-            row = place.prepare("sum", args, pathlib.Path("build"))
+            row = self.prepared("8")
         self.assertEqual(pathlib.Path(lower.call_args.args[3]).name, "ecp5-8.json")
         self.assertIsNone(row.subject)
         self.assertEqual(row.data["note"], "not lowered: sum.h:3: takes 2.35 ns")
+
+    def test_its_row_names_the_model_that_it_was_lowered_by(self) -> None:
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (folder / "sum.txt").write_text(REPORT, encoding="utf-8")
+        with mock.patch.object(lowering, "units", lambda *_: self.UNIT), mock.patch.object(
+            lowering, "lower", lambda *_: folder
+        ), mock.patch.object(synthesis, "cells", lambda *_: ({}, 0.0)):
+            models = {grade: self.prepared(grade).data["delay"] for grade in ("", "7", "8")}
+        first = "hls/compiler/delay/ecp5.json"
+        self.assertEqual(models, {"": first, "7": first, "8": "hls/compiler/delay/ecp5-8.json"})
 
 
 class Record(unittest.TestCase):
@@ -169,7 +185,7 @@ class Record(unittest.TestCase):
 class Whole(unittest.TestCase):
     def test_core_and_board_are_the_checked_in_verilog(self) -> None:
         args = argparse.Namespace(copies=2, config=rtl_files.CHECKED_IN, build=None)
-        for name in place.WHOLE:
+        for name in rtl_files.WHOLE:
             row = place.prepare(name, args, None)
             assert row.subject is not None
             files = synthesis.needed(name, list(row.subject.files))

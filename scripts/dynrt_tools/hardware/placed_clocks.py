@@ -41,13 +41,10 @@ class PlacedClock:
     command: str
 
     @property
-    def device_name(self) -> str:
-        return devices.DEVICES[self.device]["name"]
-
-    @property
     def where(self) -> str:
         """The device and its grade in words."""
-        return self.device_name + (f", grade {self.grade}" if self.grade else "")
+        name = devices.DEVICES[self.device]["name"]
+        return name + (f", grade {self.grade}" if self.grade else "")
 
     def of_core(self, configuration: str) -> str:
         """What the clock is for a configuration, in words."""
@@ -122,6 +119,14 @@ def of(configuration: str, clocks: list[PlacedClock] | None = None) -> PlacedClo
 
 def frames_per_second(cycles: float, mhz: float) -> float:
     return mhz * 1e6 / cycles
+
+
+def rate_text(cycles: float, configuration: str, form: str) -> str:
+    """Frames per second of a configuration at its placed clock; in brackets if that is the clock of
+    another core."""
+    clock = of(configuration)
+    text = format(frames_per_second(cycles, clock.mhz), form)
+    return text if clock.configuration == configuration else f"({text})"
 
 
 def without_rates(data: object) -> object:

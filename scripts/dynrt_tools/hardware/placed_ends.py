@@ -3,18 +3,17 @@
 """The ends of a placement's paths by the signals of the Verilog: the bits of one are one end, with
 the time of its worst."""
 
+import dataclasses
 import pathlib
 import re
-from dataclasses import dataclass
 
 from dynrt_tools import project
-from dynrt_tools.hardware import placing, source_names, timing_graph
-from dynrt_tools.project import Json, read_json
+from dynrt_tools.hardware import source_names, timing_graph
+from dynrt_tools.project import Json
 
 # How much of the longest path an end takes that is looked at. An end that limits in one placement
 # takes more than this in the others.
 LEAST_SHARE = 0.6
-BIT = re.compile(r"\[\d+\]$")
 RESET = re.compile(r"(?:reset|rst)_q$")
 
 # The ports of a memory's cells: of LUT RAM and block RAM of ECP5, of block RAM of iCE40. Yosys
@@ -29,7 +28,7 @@ MEMORY = {
 MEMORY_CELL = re.compile(r"\.rows$|\.rows\.")
 
 
-@dataclass(frozen=True)
+@dataclasses.dataclass(frozen=True)
 class End:
     """What the bits of one end have in common. `port` is that of a memory, "reset" where the path
     comes from the register of a reset, else empty."""
@@ -57,7 +56,8 @@ def ends_of(timing: timing_graph.Timing, names: source_names.Names) -> dict[End,
         last = names.register(pin[0])
         first = timing.path(pin)[0]
         start = names.origin(first.cell, first.out)
-        signal, began = BIT.sub("", last.signal), BIT.sub("", start.signal)
+        signal = source_names.BIT.sub("", last.signal)
+        began = source_names.BIT.sub("", start.signal)
         port = "reset" if RESET.search(began) else port_of(signal, pin[1])
         found.setdefault(
             End(last.unit, signal, port),
@@ -70,23 +70,13 @@ def ends_of(timing: timing_graph.Timing, names: source_names.Names) -> dict[End,
     return found
 
 
-def read(folder: pathlib.Path, subject: placing.Subject) -> dict[End, Json]:
-    """The ends of a placement that is kept in a folder, beside its netlist and what the placer left."""
-    kept = read_json(folder / "placement.json")
-    made_of, routed = (folder.parent / kept[part] for part in ("netlist", "routed"))
-    try:
-        graph = timing_graph.read_sdf(routed / "timing.sdf.gz")
-    except OSError as error:
-        raise project.Failed(
-            f"{routed}: its delays cannot be read ({error.strerror or error}); remove the "
-            "folder and place again"
-        ) from error
-    names = source_names.Names(
-        made_of / "netlist.json", made_of / "verilog", subject.module, subject.joins
-    )
-    timing = placing.agreeing(graph, float(kept["mhz"]))[0]
-    if timing is None:
-        raise project.Failed(
-            f"{routed}: its delays are not those of its report; remove the folder and place again"
-        )
-    return ends_of(timing, names)
+def write(path: pathlib.Path, ends: dict[End, Json]) -> None:
+    rows = [{**dataclasses.asdict(end), **about} for end, about in ends.items()]
+    project.write_json(path, rows)
+
+
+def read(path: pathlib.Path) -> dict[End, Json]:
+    """What write() left."""
+    names = [field.name for field in dataclasses.fields(End)]
+    rows = project.read_json(path)
+    return {End(*(row.pop(name) for name in names)): row for row in rows}

@@ -3,6 +3,7 @@
 """Makes a netlist of what is placed, lets the placer run once for each seed, and keeps what it
 gives under a key of all that it was made of."""
 
+import functools
 import gzip
 import hashlib
 import pathlib
@@ -15,6 +16,7 @@ from typing import Any
 from dynrt_tools import project
 from dynrt_tools.hardware import (
     devices,
+    placed_ends,
     placers,
     source_names,
     synthesis,
@@ -26,6 +28,7 @@ from dynrt_tools.project import Json, read_json, searched
 
 # How far the longest path of the SDF file may be from the period in the placer's report.
 SAME_PERIOD = 0.03
+ENDS = "ends.json"  # of the paths, beside the other figures of a placement
 SOURCE = re.compile(r'"src": "[^"]*"')
 
 
@@ -106,8 +109,8 @@ def place(
     seed: int,
     started: Callable[[], None] = lambda: None,
 ) -> Json:
-    """Cells, clock and worst paths of one placement; throws placers.PlacerFailed. `started` is
-    called where the placement is not kept from before."""
+    """Cells, clock and worst paths of one placement; throws project.Failed. `started` is called where
+    the placement is not kept from before."""
     made_of = netlist(target.device, subject)
 
     def route(folder: pathlib.Path) -> None:
@@ -124,14 +127,20 @@ def place(
     routed = synthesis.kept("routed", [*target.said(seed), netlist_hash(made_of)], [], route)
 
     def read(folder: pathlib.Path) -> None:
-        project.write_json(
-            folder / "placement.json", {"seed": seed, **_read(target, subject, made_of, routed)}
-        )
+        about, ends = _read(target, subject, made_of, routed)
+        project.write_json(folder / "placement.json", {"seed": seed, **about})
+        placed_ends.write(folder / ENDS, ends)
 
-    folder = synthesis.kept("placed", [routed.name, made_of.name], [], read)
+    folder = synthesis.kept("timed", [routed.name, made_of.name], [], read)
     return {"run": folder.name, **read_json(folder / "placement.json")}
 
 
+def ends_of(run: str) -> dict[placed_ends.End, Json]:
+    """The ends of the paths of a placement that place() has made."""
+    return placed_ends.read(synthesis.KEPT / run / ENDS)
+
+
+@functools.lru_cache(maxsize=None)  # the folder's name is a key of what it holds
 def netlist_hash(made_of: pathlib.Path) -> str:
     """Of a netlist apart from the places in the source that its parts come from."""
     text = (made_of / "netlist.json").read_text(encoding="utf-8")
@@ -163,18 +172,21 @@ def _route(target: Target, seed: int, made_of: pathlib.Path, folder: pathlib.Pat
         target.timeout,
     )
     placers.read_report(report, target.device, target.mhz)
-    try:
-        with sdf.open("rb") as plain, gzip.open(folder / "timing.sdf.gz", "wb") as packed:
-            shutil.copyfileobj(plain, packed)
-        sdf.unlink()
-    except OSError as error:
-        raise placers.PlacerFailed(f"what {program} wrote cannot be read: {error}") from error
+    with sdf.open("rb") as plain, gzip.open(folder / "timing.sdf.gz", "wb") as packed:
+        shutil.copyfileobj(plain, packed)
+    sdf.unlink()
 
 
-def _read(target: Target, subject: Subject, made_of: pathlib.Path, routed: pathlib.Path) -> Json:
-    """Clock, cells and worst paths of what the placer left."""
+def _read(
+    target: Target, subject: Subject, made_of: pathlib.Path, routed: pathlib.Path
+) -> tuple[Json, dict[placed_ends.End, Json]]:
+    """Clock, cells and worst paths of what the placer left, and the ends of all long paths."""
     report = placers.read_report(routed / "report.json", target.device, target.mhz)
-    return {
+    timing = _timing(routed / "timing.sdf.gz", target, report)
+    names = source_names.Names(
+        made_of / "netlist.json", made_of / "verilog", subject.module, subject.joins
+    )
+    about = {
         "cells": report.cells,
         "utilization": report.utilization,
         "mhz": round(report.mhz, 2),
@@ -182,36 +194,28 @@ def _read(target: Target, subject: Subject, made_of: pathlib.Path, routed: pathl
         "placer": version_number(placer_version(target.device)),
         "netlist": made_of.name,
         "routed": routed.name,
-        **_timing(routed / "timing.sdf.gz", made_of, subject, target, report),
+        **worst_paths.worst(timing, names, 1000 / target.mhz),
     }
+    return about, placed_ends.ends_of(timing, names)
 
 
-def _timing(
-    sdf: pathlib.Path,
-    made_of: pathlib.Path,
-    subject: Subject,
-    target: Target,
-    report: placers.Report,
-) -> Json:
-    """The worst paths, from a packed SDF file."""
+def _timing(sdf: pathlib.Path, target: Target, report: placers.Report) -> timing_graph.Timing:
+    """The delays of a packed SDF file that agree with the report."""
     program = placers.PLACERS[target.device]["program"]
     try:
         graph = timing_graph.read_sdf(sdf)
     except (OSError, project.Failed) as error:
         raise placers.PlacerFailed(f"what {program} wrote cannot be read: {error}") from error
-    timing, longest = agreeing(graph, report.mhz)
+    timing, longest = _agreeing(graph, report.mhz)
     if timing is None:
         raise placers.PlacerFailed(
             f"the longest path in the SDF file of {program} takes {longest:.2f} ns, "
             f"and its report says {1000 / report.mhz:.2f}; this version writes them otherwise"
         )
-    names = source_names.Names(
-        made_of / "netlist.json", made_of / "verilog", subject.module, subject.joins
-    )
-    return worst_paths.worst(timing, names, 1000 / target.mhz)
+    return timing
 
 
-def agreeing(graph: timing_graph.Graph, mhz: float) -> tuple[timing_graph.Timing | None, float]:
+def _agreeing(graph: timing_graph.Graph, mhz: float) -> tuple[timing_graph.Timing | None, float]:
     """The timing, without the clock's skew or with it, that has the period of this clock, and the
     longest path."""
     longest = 0.0

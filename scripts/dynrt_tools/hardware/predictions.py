@@ -13,11 +13,8 @@ from dataclasses import dataclass
 
 from dynrt_tools import project
 from dynrt_tools.command import Pool
-from dynrt_tools.hardware import joining, kept_placement, lowering, rtl_files
+from dynrt_tools.hardware import fitting, joining, kept_placement, lowering, rtl_files, synthesis
 from dynrt_tools.project import Json, read_json
-
-Model = dict[str, float]
-READY = "*_ready_o"
 
 
 @dataclass(frozen=True)
@@ -32,11 +29,11 @@ class Predicted:
 class Predictor:
     """Of a kept placement, with the hlsc of a build."""
 
-    def __init__(self, kept: Json, build: pathlib.Path, jobs: int = 1) -> None:
+    def __init__(self, kept: Json, build: pathlib.Path, jobs: int) -> None:
         self._build, self._jobs = build, jobs
         self._kept = kept
         self._units = lowering.units(build, kept["config"])
-        self._whole = kept["unit"] in (rtl_files.CORE, rtl_files.BOARD)
+        self._whole = kept["unit"] in rtl_files.WHOLE
         self._folder = rtl_files.GENERATED
         if kept["config"] != rtl_files.CHECKED_IN:
             self._folder = build / "generated" / kept["config"]
@@ -55,14 +52,14 @@ class Predictor:
                 f"the build {build} has no unit '{kept['unit']}' of the configuration "
                 f"'{kept['config']}'; name a build that has with --build"
             )
-        self.hashes: dict[str, str] = {}  # of the lowered Verilog, by module
+        self._same = True  # every module that was lowered again is that of the placed Verilog
 
-    def times(self, models: Sequence[Model]) -> dict[joining.Place, Predicted]:
-        """Every end of every instance, by the models. `*_ready_o` is the latest of a unit's."""
+    def times(self, models: Sequence[fitting.Model]) -> dict[joining.Place, Predicted]:
+        """Every end of every instance, by the models. joining.READY is the latest of a unit's."""
         with tempfile.TemporaryDirectory() as scratch, Pool(self._jobs) as pool:
             folder = pathlib.Path(scratch)
             files = []
-            for i, model in enumerate([self._scheduled_by(), *models]):
+            for i, model in enumerate([self._kept["model"], *models]):
                 files.append(folder / f"model_{i}.json")
                 files[-1].write_text(json.dumps(model), encoding="utf-8")
             found = dict(
@@ -73,13 +70,10 @@ class Predictor:
             ends = found.get(module, {})
             for signal, end in ends.items():
                 times[joining.Place(instance, signal)] = end
-            ready = [e for signal, e in ends.items() if signal.endswith("_ready_o")]
+            ready = [e for signal, e in ends.items() if signal.endswith(joining.READY[1:])]
             if ready:
-                times[joining.Place(instance, READY)] = max(ready, key=lambda e: e.ns)
+                times[joining.Place(instance, joining.READY)] = max(ready, key=lambda e: e.ns)
         return times
-
-    def _scheduled_by(self) -> Model:
-        return {k: v for k, v in self._kept["model"].items() if k != "file"}
 
     def _unit(
         self, module: str, models: list[pathlib.Path], folder: pathlib.Path
@@ -94,16 +88,24 @@ class Predictor:
             self._kept["config"],
         )
         lowering.run([*made, *others, "-o", verilog, "--timing", timing])
-        if self._kept["unit"] == module:
-            files = rtl_files.hand_written() + [verilog]
-            self.hashes[module] = kept_placement.hash_of(module, files)
+        if not self._is_placed(module, verilog):
+            self._same = False  # by any thread; none sets it back
         return {
             end["signal"]: Predicted(end["kind"], end["source"], tuple(end["ns"][1:]))
             for end in read_json(timing)["ends"]
         }
 
-    def of_present_verilog(self) -> bool:
-        """Whether the placement is of the Verilog that there is now; after times() alone."""
+    def _is_placed(self, module: str, verilog: pathlib.Path) -> bool:
+        """Whether a module that was lowered again is that of the placement: of a core's by the core
+        that there is, which of_present_verilog() holds against the placed one."""
         if self._whole:
-            return kept_placement.is_current(self._kept, self._folder)
-        return bool(self._kept["verilog"] == self.hashes.get(self._kept["unit"]))
+            there = self._folder / verilog.name
+            return there.is_file() and synthesis.meaning(verilog) == synthesis.meaning(there)
+        files = rtl_files.hand_written() + [verilog]
+        return bool(self._kept["verilog"] == kept_placement.hash_of(module, files))
+
+    def of_present_verilog(self) -> bool:
+        """Whether the placement is of the Verilog that there is now, and the times are of that too;
+        after times() alone."""
+        current = not self._whole or kept_placement.is_current(self._kept, self._folder)
+        return current and self._same

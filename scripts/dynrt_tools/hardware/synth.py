@@ -4,11 +4,10 @@
 family that each takes, or its part of a device."""
 
 import argparse
-import os
 import pathlib
 import sys
 
-from dynrt_tools import project, unit_names
+from dynrt_tools import options, project, unit_names
 from dynrt_tools.command import Pool
 from dynrt_tools.hardware import devices, rtl_files, synthesis
 from dynrt_tools.project import Json
@@ -104,13 +103,7 @@ def parse() -> argparse.Namespace:
         help="the module that holds the whole core (default: dynrt_core)",
     )
     parser.add_argument("--units-only", action="store_true", help="leave out the whole core")
-    parser.add_argument(
-        "--jobs",
-        type=int,
-        default=os.cpu_count(),
-        metavar="N",
-        help="Yosys processes at a time (default: the number of cores)",
-    )
+    options.add_jobs(parser, "Yosys processes")
     parser.add_argument(
         "--json", type=pathlib.Path, metavar="FILE", help="also write the figures as data"
     )
@@ -157,7 +150,7 @@ def main() -> int:  # pylint: disable=too-many-branches
 
     figures: dict[str, dict[str, Json]] = {name: {} for name in names}
     failed = False
-    with Pool(max(1, args.jobs)) as pool:
+    with Pool(args.jobs) as pool:
         # The core takes longest, so it starts first.
         jobs = {(n, t): pool.submit(synthesize, n, t, files) for t in reversed(tops) for n in names}
         for name in names:

@@ -31,7 +31,7 @@ def worst(timing: timing_graph.Timing, names: source_names.Names, asked_ns: floa
     for ns, end in ends[:WALKED]:
         hops = timing.path(end)
         start = names.origin(hops[0].cell, hops[0].out)
-        finish = names.origin(end[0])
+        finish = names.register(end[0])
         group = kind(start, finish)
         counts[group] += 1
         if group not in paths and len(paths) < KEPT_PATHS:
@@ -63,7 +63,7 @@ def path_of(
         "to": {**describe(end), "pin": hops[-1].into},
         "hops": [
             {
-                **describe(names.origin(hop.cell, hop.out)),
+                **describe(end if hop is hops[-1] else names.origin(hop.cell, hop.out)),
                 "cell": hop.cell,
                 "pin": hop.into,
                 "logic_ns": round(hop.logic_ns, 3),

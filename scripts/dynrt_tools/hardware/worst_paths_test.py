@@ -3,6 +3,7 @@
 """The longest paths of an SDF file, and the unit, signal and source line of their ends."""
 
 import pathlib
+import re
 import shutil
 import tempfile
 import unittest
@@ -160,6 +161,25 @@ class Paths(unittest.TestCase):
             self.assertEqual(names.register(f"{lut}_LC"), names.register(f"{register}_DFFLC"))
         signals = {names.register(f"{register}_DFFLC").signal for register in registers}
         self.assertIn("added_s1[2]", signals)
+
+    def test_a_path_ends_at_the_flip_flop_that_is_packed_behind_a_lut(self) -> None:
+        names, registers = self.names("sum", False)
+        cells = project.read_json(self.folder / "netlist.json")["modules"]["placed"]["cells"]
+        behind = {cells[r]["connections"]["D"][0]: r for r in registers}
+        lut, register = next(
+            (name, behind[cell["connections"]["O"][0]])
+            for name, cell in cells.items()
+            if cell["type"] == "SB_LUT4" and cell["connections"]["O"][0] in behind
+        )
+        escaped = re.sub(r"(\W)", r"\\\1", f"{lut}_LC")
+        text = SDF.replace("end\\[0\\]", escaped)
+        worst = worst_paths.worst(timing_graph.Timing(self.graph(text)), names, 5.0)
+        path = worst["paths"][0]
+        said = names.register(f"{register}_DFFLC")
+        for end in (path["to"], path["hops"][-1]):
+            self.assertEqual((end["unit"], end["signal"]), (said.unit, said.signal))
+            self.assertEqual(end["source"], said.source)
+        self.assertNotEqual(said, names.origin(f"{lut}_LC"))
 
     def test_without_a_cplusplus_line_the_verilog_s_is_named(self) -> None:
         names, registers = self.names("sum", False)
