@@ -11,6 +11,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
@@ -143,7 +144,9 @@ const nlohmann::json& end_of(const nlohmann::json& timing, const std::string& si
 
 TEST(Timing, NamesEndsAsTheVerilogDoes) {
   const Lowered lowered = lower(example(), options());
-  for (const auto& end : nlohmann::json::parse(lowered.timing)["ends"]) {
+  const nlohmann::json timing = nlohmann::json::parse(lowered.timing);
+  EXPECT_GT(timing["ends"].size(), 5u);
+  for (const auto& end : timing["ends"]) {
     const auto signal = end["signal"].get<std::string>();
     const std::size_t dot = signal.find('.');
     EXPECT_THAT(lowered.verilog, HasSubstr(" " + signal.substr(0, dot)));
@@ -195,11 +198,14 @@ TEST(Timing, TimesOneScheduleByOtherModels) {
 }
 
 TEST(Timing, IsLongestWhereTheReportIs) {
+  const std::set<std::string> unreported{"valid", "ready", "delay", "still"};
   for (std::uint32_t seed = 3000; seed < 3020; ++seed) {
     const Lowered lowered = lower(random_netlist(seed), random_options(seed, DELAY_FOLDER));
+    const nlohmann::json timing = nlohmann::json::parse(lowered.timing);
+    EXPECT_GT(timing["ends"].size(), 5u);
     double longest = 0;
-    for (const auto& end : nlohmann::json::parse(lowered.timing)["ends"]) {
-      if (end["kind"] == "valid" || end["kind"] == "ready" || end["kind"] == "delay") continue;
+    for (const auto& end : timing["ends"]) {
+      if (unreported.contains(end["kind"].get<std::string>())) continue;
       longest = std::max(longest, end["ns"][0].get<double>());
     }
     const std::regex row("\n +\\d+ +\\d+ +([\\d.]+)");
@@ -208,7 +214,7 @@ TEST(Timing, IsLongestWhereTheReportIs) {
          found != std::sregex_iterator(); ++found) {
       reported = std::max(reported, std::stod((*found)[1]));
     }
-    EXPECT_LE(longest, reported + 0.0051) << seed;
+    EXPECT_NEAR(longest, reported, 0.0051) << seed;
   }
 }
 
