@@ -50,7 +50,7 @@ target_link_libraries(hlsc_schedule_test PRIVATE hlsc_random dynrt_warnings GTes
 dynrt_quick_tests(hlsc_schedule_test)
 dynrt_discover_tests(hlsc_schedule_test PROPERTIES LABELS lower)
 
-add_executable(hlsc_emit_test emit/emit_test.cpp)
+add_executable(hlsc_emit_test emit/emit_test.cpp emit/timing_json_test.cpp)
 target_compile_definitions(hlsc_emit_test
                            PRIVATE DELAY_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/delay"
                                    GOLDEN_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/emit/golden")

@@ -69,4 +69,17 @@ std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule, int
   return steps;
 }
 
+std::vector<bool> held_still(const Circuit& circuit) {
+  std::vector<bool> held(circuit.cells.size(), false);
+  for (CellId id = 0; id < circuit.cells.size(); ++id) {
+    if (circuit.still[id]) continue;
+    for (const auto& operand : circuit.cells[id].operands) {
+      for (const BitRef& b : operand) {
+        if (!b.is_constant()) held[b.cell] = circuit.still[b.cell];
+      }
+    }
+  }
+  return held;
+}
+
 }  // namespace hlsc
