@@ -26,7 +26,8 @@ add_library(hlsc_backend STATIC
   schedule/circuit.cpp
   schedule/delay_model.cpp
   schedule/registers.cpp
-  schedule/timing.cpp)
+  schedule/timing.cpp
+  schedule/timing_operations.cpp)
 target_include_directories(hlsc_backend SYSTEM PRIVATE ${LEMON_INCLUDE_DIRS})
 target_link_libraries(hlsc_backend PUBLIC hlsc_netlist
                       PRIVATE ${LEMON_LIBRARIES} fmt::fmt nlohmann_json::nlohmann_json
@@ -42,7 +43,7 @@ target_link_libraries(hlsc_passes_test PRIVATE hlsc_random dynrt_warnings GTest:
 dynrt_quick_tests(hlsc_passes_test)
 dynrt_discover_tests(hlsc_passes_test PROPERTIES LABELS lower)
 
-add_executable(hlsc_schedule_test schedule/schedule_test.cpp)
+add_executable(hlsc_schedule_test schedule/schedule_test.cpp schedule/timing_test.cpp)
 target_compile_definitions(hlsc_schedule_test
                            PRIVATE DELAY_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/delay")
 target_link_libraries(hlsc_schedule_test PRIVATE hlsc_random dynrt_warnings GTest::gmock
@@ -50,7 +51,7 @@ target_link_libraries(hlsc_schedule_test PRIVATE hlsc_random dynrt_warnings GTes
 dynrt_quick_tests(hlsc_schedule_test)
 dynrt_discover_tests(hlsc_schedule_test PROPERTIES LABELS lower)
 
-add_executable(hlsc_emit_test emit/emit_test.cpp)
+add_executable(hlsc_emit_test emit/emit_test.cpp emit/timing_json_test.cpp)
 target_compile_definitions(hlsc_emit_test
                            PRIVATE DELAY_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/delay"
                                    GOLDEN_FOLDER="${CMAKE_CURRENT_SOURCE_DIR}/emit/golden")

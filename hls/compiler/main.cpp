@@ -152,7 +152,7 @@ void run(const Arguments& a) {
   const hlsc::UnitNetlist unit = hlsc::read_unit(source);
   if (a.dump_netlist) fmt::print("{}", hlsc::to_text(unit.netlist));
   if (a.dump_netlist || ir_alone) return;
-  hlsc::Options options{clock_ns.value_or(0), hlsc::load_delay_model(a.delay), {}};
+  hlsc::Options options{clock_ns.value_or(0), hlsc::load_delay_model(a.delay)};
   for (const std::string& path : a.time_by) options.time_by.push_back(hlsc::load_delay_model(path));
   if (!shown.empty()) {
     hlsc::optimise(unit.netlist, options, [&shown](const std::string& pass, const auto& netlist) {

@@ -55,8 +55,7 @@ Lowered lower(const Netlist& netlist, const Options& options) {
   check(optimised);
   Circuit circuit(optimised);
   mark_still(circuit, options.delay, options.clock_ns);
-  const int stages = schedule_asap(circuit, options.delay, options.clock_ns).stages;
-  const double tight = tightest_period(circuit, options.delay, options.clock_ns, stages);
+  const double tight = tightest_period(circuit, options.delay, options.clock_ns);
   const Schedule asap = schedule_asap(circuit, options.delay, tight);
   const Schedule schedule = minimise_registers(circuit, options.delay, tight, asap);
   Lowered lowered;

@@ -37,7 +37,7 @@ std::string grades_of(std::string_view device) {
 
 /// A file may have the name of a listed configuration and other keys.
 bool is_core(const PlacedClock& clock, const CoreConfiguration& core) {
-  const CoreConfiguration* listed = listed_configuration(std::string(clock.configuration));
+  const CoreConfiguration* listed = listed_configuration(clock.configuration);
   return listed != nullptr && *listed == core;
 }
 
@@ -53,8 +53,10 @@ std::string CoreClock::text() const {
         placed->configuration, placed->where, placed->seeds, placed->lowest_mhz,
         placed->highest_mhz);
   }
+  const bool same_name = configuration == placed->configuration;
   return fmt::format("clock       {:g} MHz, placed: {} on {}; {} was not placed and may miss it\n",
-                     mhz, placed->configuration, placed->where, configuration);
+                     mhz, placed->configuration, placed->where,
+                     same_name ? "this core has other keys," : configuration);
 }
 
 nlohmann::ordered_json CoreClock::json() const {
@@ -97,8 +99,8 @@ void ClockFlags::check() const {
 }
 
 CoreClock ClockFlags::clock_of(const CoreInfo& core) const {
-  const PlacedClock& first = first_on_device();
   if (mhz) return {.mhz = *mhz};
+  const PlacedClock& first = first_on_device();
   const auto own = std::ranges::find_if(placed_clocks(), [&](const PlacedClock& c) {
     return c.device == first.device && c.grade == first.grade && is_core(c, core);
   });

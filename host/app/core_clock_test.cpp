@@ -35,13 +35,24 @@ TEST(CoreClock, IsThatOfThePlacedConfiguration) {
 }
 
 TEST(CoreClock, OfAnotherCoreIsSaidToBeSo) {
+  CoreInfo other = core_of(first().configuration);
+  ++other.packets;
+  other.name = "other";
+  EXPECT_THAT(ClockFlags{}.clock_of(other).text(),
+              HasSubstr(fmt::format("placed: {} on {}; other was not placed and may miss it\n",
+                                    first().configuration, first().where)));
+}
+
+TEST(CoreClock, OfAFileWithTheNameOfAPlacedConfigurationIsSaidToBeOfOtherKeys) {
   CoreInfo core = core_of(first().configuration);
-  ++core.packets;  // as a file of this name may have it
+  ++core.packets;
   const CoreClock clock = ClockFlags{}.clock_of(core);
   EXPECT_FALSE(clock.own);
   EXPECT_EQ(clock.mhz, first().mhz);
-  EXPECT_THAT(clock.text(), HasSubstr(fmt::format("; {} was not placed and may miss it\n",
-                                                  first().configuration)));
+  EXPECT_THAT(clock.text(),
+              HasSubstr(fmt::format("placed: {} on {}; this core has other keys, was not placed "
+                                    "and may miss it\n",
+                                    first().configuration, first().where)));
   EXPECT_EQ(clock.json()["of_this_configuration"], false);
 }
 

@@ -45,7 +45,7 @@ module hls_counters #(
   wire clear = clear_i || !rst_ni;
   wire [COUNTERS*LOW-1:0] low;  // of all counters, counter 0 lowest
   wire [COUNTERS-1:0] top;  // the highest low bits
-  (* ram_style = "distributed" *)
+  (* ram_style = "distributed" *)  // an FPGA without LUT RAM: docs/how-to/fpga.md
   reg [HIGH:0] rows[0:COUNTERS-1];
   reg written_q;  // each row was written since the clear; before that no low bits have wrapped
 

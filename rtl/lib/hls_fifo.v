@@ -59,7 +59,7 @@ module hls_fifo #(
   // verilator lint_off UNUSEDPARAM
   localparam RAM_STYLE = DEPTH <= 64 ? "distributed" : "auto";
   // verilator lint_on UNUSEDPARAM
-  (* ram_style = RAM_STYLE *)
+  (* ram_style = RAM_STYLE *)  // an FPGA without LUT RAM: docs/how-to/fpga.md
   reg  [     WIDTH-1:0] rows     [0:DEPTH-1];
   reg  [ADDR_WIDTH-1:0] write_q;
   reg  [ADDR_WIDTH-1:0] read_q;

@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Register file: a row is read in the clock of its address and written at the clock's end. It
-// becomes LUT RAM on FPGAs that have it. Its rows start as zeros: the reset, which lasts
-// 2^ADDR_WIDTH clocks or more, clears one a clock.
+// Register file: a row is read in the clock of its address and written at the clock's end. It asks
+// for LUT RAM, as no block RAM reads in the same clock. Its rows start as zeros: the reset, which
+// lasts 2^ADDR_WIDTH clocks or more, clears one a clock.
 //
 // Parameters:
 //   WIDTH       bits of a row, at least 1
@@ -43,7 +43,7 @@ module hls_register_file #(
     end
   endgenerate
 
-  (* ram_style = "distributed" *)
+  (* ram_style = "distributed" *)  // an FPGA without LUT RAM: docs/how-to/fpga.md
   reg [WIDTH-1:0] rows[0:ROWS-1];
   reg [ADDR_WIDTH-1:0] clear_q;
 

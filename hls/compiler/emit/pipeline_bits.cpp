@@ -46,27 +46,35 @@ std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule, int
     }
   }
   std::vector<Carry> steps;
-  const auto step = [&steps](Carry carry, int from, int to) {
-    carry.from = from;
-    carry.to = to;
-    steps.push_back(carry);
-  };
-  for (const Carry& carry : all) {
-    const auto [from, to] = std::pair(carry.from, carry.to);
-    if (to - from > longest_shift && width[{from, to}] >= kNarrowestDelay) {
-      // The delay lies anywhere: registers at both ends have the ways to it and from it in clocks
-      // of their own.
-      step(carry, from, from + 1);
-      step(carry, from + 1, to - 1);
-      step(carry, to - 1, to);
-      continue;
+  for (Carry carry : all) {
+    const int end = carry.to;
+    const bool delayed =
+        end - carry.from > longest_shift && width[{carry.from, end}] >= kNarrowestDelay;
+    // The delay lies anywhere: registers at both ends have the ways to it and from it in clocks of
+    // their own.
+    const int delay_from = carry.from + 1;
+    for (; carry.from < end; carry.from = carry.to) {
+      carry.to = delayed && carry.from == delay_from ? end - 1 : carry.from + 1;
+      steps.push_back(carry);
     }
-    for (int s = from; s < to; ++s) step(carry, s, s + 1);
   }
   std::sort(steps.begin(), steps.end(), [](const Carry& a, const Carry& b) {
     return std::tie(a.to, a.cell, a.from) < std::tie(b.to, b.cell, b.from);
   });
   return steps;
+}
+
+std::vector<bool> held_still(const Circuit& circuit) {
+  std::vector<bool> held(circuit.cells.size(), false);
+  for (CellId id = 0; id < circuit.cells.size(); ++id) {
+    if (circuit.still[id]) continue;
+    for (const auto& operand : circuit.cells[id].operands) {
+      for (const BitRef& b : operand) {
+        if (!b.is_constant()) held[b.cell] = circuit.still[b.cell];
+      }
+    }
+  }
+  return held;
 }
 
 }  // namespace hlsc

@@ -30,4 +30,8 @@ inline constexpr unsigned kNarrowestDelay = 8;
 /// between two registers.
 std::vector<Carry> carries(const Circuit& circuit, const Schedule& schedule, int longest_shift);
 
+/// Of each cell: whether it is still and a cell that is not still takes it, so that a register has
+/// it.
+std::vector<bool> held_still(const Circuit& circuit);
+
 }  // namespace hlsc

@@ -28,7 +28,12 @@ using Ends = std::map<std::string, End>;  ///< by the signal's name
 class EndTimes {
  public:
   EndTimes(const Circuit& c, const Schedule& schedule, const Options& options, const DelayModel& d)
-      : c_(c), schedule_(schedule), d_(d), stems_(signal_stems(c)), timing_(c, d) {
+      : c_(c),
+        schedule_(schedule),
+        d_(d),
+        stems_(signal_stems(c)),
+        held_still_(held_still(c)),
+        timing_(c, d) {
     for (CellId id = 0; id < c_.cells.size(); ++id) timing_.evaluate(id, schedule_.stage);
     for (CellId id = 0; id < c_.cells.size(); ++id) add_cell(id);
     for (const Carry& carry : carries(c, schedule, options.delay.longest_shift)) add(carry);
@@ -45,22 +50,25 @@ class EndTimes {
     end = {kind, ns + d_.clock_overhead, where};
   }
 
-  void add(const Carry& carry) {
+  /// When the last of bits [low, high] of a cell arrives.
+  double latest(CellId id, unsigned low, unsigned high) const {
     double late = 0;
-    if (schedule_.stage[carry.cell] == carry.from) {
-      for (unsigned i = carry.low; i <= carry.high; ++i) {
-        late = std::max(late, timing_.arrival({carry.cell, i}));
-      }
-    }
+    for (unsigned i = low; i <= high; ++i) late = std::max(late, timing_.arrival({id, i}));
+    return late;
+  }
+
+  void add(const Carry& carry) {
     const SourceLine where = c_.where(carry.cell);
     const std::string to = "_s" + std::to_string(carry.to);
-    if (carry.to - carry.from == 1) {
-      add(stems_[carry.cell] + to, "register", late, where);
-    } else {
+    if (carry.to - carry.from > 1) {  // a delay, with a register before it
       const std::string delay = "delay_s" + std::to_string(carry.from) + to;
-      add(delay + ".data_i", "delay", late, where);
+      add(delay + ".data_i", "delay", 0, where);
       add(delay + ".data_o", "delay", d_.lut_ram, where);
+      return;
     }
+    const bool made_here = schedule_.stage[carry.cell] == carry.from;
+    add(stems_[carry.cell] + to, "register",
+        made_here ? latest(carry.cell, carry.low, carry.high) : 0, where);
   }
 
   void add_cell(CellId id) {
@@ -78,17 +86,10 @@ class EndTimes {
         add_access(id, cell.kind == CellKind::kRowRead ? "read" : "write");
         break;
       default:
-        if (c_.still[id] && cell.width > 0) add_still(id);
+        if (!held_still_[id]) break;
+        add(stems_[id] + "_still", "still", latest(id, 0, cell.width - 1), c_.where(id));
         break;
     }
-  }
-
-  void add_still(CellId id) {
-    double late = 0;
-    for (unsigned i = 0; i < c_.cells[id].width; ++i) {
-      late = std::max(late, timing_.arrival({id, i}));
-    }
-    add(stems_[id] + "_still", "still", late, c_.where(id));
   }
 
   void add_access(CellId id, const std::string& access) {
@@ -97,20 +98,31 @@ class EndTimes {
     if (port.kind == PortKind::kRamRead || port.kind == PortKind::kRamWrite) {
       add_operands(id, kind, port.name + "_", {"en_o", "addr_o", "data_o"});
     } else {
-      const char* instance = port.kind == PortKind::kRegisterFile ? "_file." : "_ram.";
-      add_operands(id, kind, port.name + instance,
-                   {access + "_en_i", access + "_addr_i", access + "_data_i"});
+      if (!is_read(port)) return;
+      const bool is_file = port.kind == PortKind::kRegisterFile;
+      const std::string enable = is_file && access == "read" ? "" : access + "_en_i";
+      add_operands(id, kind, port.name + (is_file ? "_file." : "_ram."),
+                   {enable, access + "_addr_i", access + "_data_i"});
     }
   }
 
-  /// A condition that is always true leaves the valid bit of its stage, a register.
+  /// A RAM on the chip that nothing reads is left out.
+  bool is_read(const Port& ram) const {
+    const auto& reads = c_.row_read;
+    return std::any_of(reads.begin(), reads.end(), [&](CellId read) {
+      return read != BitRef::kConstant && &c_.port_of(read) == &ram;
+    });
+  }
+
+  /// Operands without a port go nowhere: every clock reads a register file. A condition that is
+  /// always true leaves the valid bit of its stage, a register.
   void add_operands(CellId id, const char* kind, const std::string& stem,
                     const std::vector<std::string>& ports) {
     const auto& operands = c_.cells[id].operands;
     for (std::size_t i = 0; i < operands.size(); ++i) {
       const bool constant = std::all_of(operands[i].begin(), operands[i].end(),
                                         [](const BitRef& b) { return b.is_constant(); });
-      if (constant && i > 0) continue;
+      if ((constant && i > 0) || ports[i].empty()) continue;
       add(stem + ports[i], kind, timing_.operand_needs(id, i, schedule_.stage), c_.where(id));
     }
   }
@@ -147,6 +159,7 @@ class EndTimes {
   const Schedule& schedule_;
   const DelayModel& d_;
   std::vector<std::string> stems_;
+  std::vector<bool> held_still_;
   Timing timing_;
   Ends ends_;
 };

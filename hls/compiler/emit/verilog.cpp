@@ -112,15 +112,7 @@ void VerilogWriter::handshake() {
 }
 
 void VerilogWriter::write_still() {
-  std::vector<bool> held(c_.cells.size(), false);
-  for (CellId id = 0; id < c_.cells.size(); ++id) {
-    if (c_.still[id]) continue;
-    for (const auto& operand : c_.cells[id].operands) {
-      for (const BitRef& b : operand) {
-        if (!b.is_constant()) held[b.cell] = c_.still[b.cell];
-      }
-    }
-  }
+  const std::vector<bool> held = held_still(c_);
   for (CellId id = 0; id < c_.cells.size(); ++id) {
     if (!c_.still[id]) continue;
     const Cell& cell = c_.cells[id];

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -178,6 +179,16 @@ class Asap {
 
 constexpr double kSteps = 100;  ///< of a ns, in which periods are searched for
 
+/// The least value that fits, to a step, between one that is missed and one that is met.
+template <class T, class Fits>
+T bisect(T missed, T met, T step, Fits&& fits) {
+  while (met - missed > step) {
+    const T middle = std::midpoint(missed, met);
+    (fits(middle) ? met : missed) = middle;
+  }
+  return met;
+}
+
 /// The stages that a circuit takes at a period, or none if one is too short.
 std::optional<int> stages_at(const Circuit& circuit, const DelayModel& delay, double clock_ns) {
   try {
@@ -261,11 +272,7 @@ double least_period(const Circuit& circuit, const DelayModel& delay, double miss
   long missed = std::lround(std::floor(missed_ns * kSteps));
   long met = std::max(missed, 1l) * 2;
   while (!fits_after(met)) missed = std::exchange(met, 2 * met);
-  while (met - missed > 1) {
-    const long middle = missed + (met - missed) / 2;
-    (fits_after(middle) ? met : missed) = middle;
-  }
-  return static_cast<double>(met) / kSteps;
+  return static_cast<double>(bisect(missed, met, 1l, fits_after)) / kSteps;
 }
 
 Schedule schedule_asap(const Circuit& circuit, const DelayModel& delay, double clock_ns) {
@@ -281,15 +288,11 @@ Schedule schedule_asap(const Circuit& circuit, const DelayModel& delay, double c
   }
 }
 
-double tightest_period(const Circuit& circuit, const DelayModel& delay, double clock_ns,
-                       int stages) {
-  double met = clock_ns;
-  double missed = 0;
-  while (met - missed > 1 / kSteps) {
-    const double middle = (met + missed) / 2;
-    (stages_at(circuit, delay, middle).value_or(stages + 1) <= stages ? met : missed) = middle;
-  }
-  return met;
+double tightest_period(const Circuit& circuit, const DelayModel& delay, double clock_ns) {
+  const int stages = schedule_asap(circuit, delay, clock_ns).stages;
+  return bisect(0.0, clock_ns, 1 / kSteps, [&](double period) {
+    return stages_at(circuit, delay, period).value_or(stages + 1) <= stages;
+  });
 }
 
 }  // namespace hlsc

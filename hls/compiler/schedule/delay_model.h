@@ -9,8 +9,6 @@
 
 namespace hlsc {
 
-inline constexpr unsigned kLutRamWidth = 4;  ///< bits of a row of LUTs that are a RAM
-
 struct DelayModel {
   std::string name;
   double clock_overhead = 0;  ///< from the clock to a register's output, set-up, skew
@@ -29,7 +27,7 @@ struct DelayModel {
   double ram_in = 0;               ///< set-up of its address, data and enables
   double lut_ram = 0;              ///< address to data of a LUT RAM
   /// Synthesis makes a RAM of LUTs if it has no more rows, or no more bits, its width rounded up to
-  /// kLutRamWidth. A register is then behind it, and `lut_ram` before that.
+  /// that of a RAM of LUTs. A register is then behind it, and `lut_ram` before that.
   unsigned lut_ram_rows = 0;
   unsigned lut_ram_bits = 0;
   int longest_shift = 5;    ///< a value that only waits for longer goes through a RAM

@@ -25,11 +25,12 @@ void mark_still(Circuit& circuit, const DelayModel& delay, double clock_ns);
 /// operation or a register's feedback does not fit a stage, with the least period that does.
 Schedule schedule_asap(const Circuit& circuit, const DelayModel& delay, double clock_ns);
 
-/// The least period, at most this one and to a hundredth of a ns, at which the circuit takes no
-/// more than this many stages. To schedule for it costs no clock, and leaves the rest of the period
-/// to wires that are longer than those of the model.
-double tightest_period(const Circuit& circuit, const DelayModel& delay, double clock_ns,
-                       int stages);
+/// The least period, to a hundredth of a ns, at which the circuit takes no more stages than at this
+/// one. To schedule for it costs no clock, and leaves the rest of the period to wires that are
+/// longer than those of the model. It does not hold for paths between still cells: which cells are
+/// still is decided before, so these paths have the period that mark_still() was given. Throws
+/// Error as schedule_asap does.
+double tightest_period(const Circuit& circuit, const DelayModel& delay, double clock_ns);
 
 /// The least period for which schedule_asap finds a schedule, above one that it misses (0: any), in
 /// hundredths of a ns. The circuit need not be marked for a period.

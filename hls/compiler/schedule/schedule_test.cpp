@@ -5,131 +5,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <optional>
 #include <random>
 
 #include "backend.h"
 #include "cosim/random_netlist.h"
 #include "error.h"
 #include "netlist/builder.h"
+#include "schedule/test_unit.h"
 
 namespace hlsc {
 namespace {
 
 using testing::HasSubstr;
-
-/// Round numbers: a LUT takes 1 ns, a carry chain 1 and 0.1 for each bit, tokens come at once.
-DelayModel round_numbers() {
-  DelayModel d;
-  d.name = "round numbers";
-  d.lut = 1;
-  d.carry_start = 1;
-  d.carry_bit = 0.1;
-  d.compare_out = 1;
-  d.multiply = 3;
-  d.ram_out = 2;
-  d.lut_ram = 1;
-  return d;
-}
-
-struct Unit {
-  Netlist n;
-  Builder b{n};
-
-  explicit Unit(unsigned width) { port(PortKind::kIn, "in", width); }
-  unsigned port(PortKind kind, const char* name, unsigned width, unsigned rows = 1,
-                unsigned latency = 0, Hazard hazard = Hazard::kExclusive) {
-    n.ports.push_back({kind, name, width, rows, latency, hazard, {"unit.h", 7}});
-    return static_cast<unsigned>(n.ports.size() - 1);
-  }
-  NodeId in(unsigned low, unsigned width) { return b.source(Op::kToken, 0, low, width); }
-  void out(NodeId data, const char* name = "out") {
-    n.token_writes.push_back({port(PortKind::kOut, name, b.width(data)), b.constant(1, 1), data});
-  }
-  NodeId read(unsigned port, NodeId address) {
-    n.row_reads.push_back({port, b.constant(1, 1), address});
-    return b.source(Op::kRow, static_cast<unsigned>(n.row_reads.size() - 1), 0,
-                    n.ports[port].width);
-  }
-  void write(unsigned port, NodeId address, NodeId data) {
-    n.row_writes.push_back({port, b.constant(1, 1), address, data});
-  }
-};
-
-/// Arrival of what the only token write writes, all in one stage.
-double arrival(const Netlist& n, const DelayModel& delay = round_numbers()) {
-  const Circuit c(n);
-  Timing timing(c, delay);
-  const std::vector<int> stage(c.cells.size(), 0);
-  double last = 0;
-  for (CellId id = 0; id < c.cells.size(); ++id) last = timing.evaluate(id, stage);
-  return last;
-}
-
-TEST(Timing, ChainedLogicCostsALevelForFourInputs) {
-  for (const auto& [inputs, levels] : {std::pair{4u, 1.0}, {5u, 2.0}, {7u, 2.0}, {8u, 3.0}}) {
-    Unit u(inputs);
-    NodeId chain = u.in(0, 1);
-    for (unsigned i = 1; i < inputs; ++i) chain = u.b.logic(Op::kXor, chain, u.in(i, 1));
-    u.out(chain);
-    EXPECT_DOUBLE_EQ(arrival(u.n), levels) << inputs << " inputs";
-  }
-}
-
-TEST(Timing, AMuxOfMuxedInputsIsOneLevelWhereOneLutHoldsIt) {
-  Unit u(20);
-  const NodeId inner = u.b.mux(u.in(0, 1), u.in(2, 8), u.in(10, 8));
-  u.out(u.b.logic(Op::kAnd, inner, u.b.sext(u.in(1, 1), 8)));
-  EXPECT_DOUBLE_EQ(arrival(u.n), 1.0);
-}
-
-TEST(Timing, CarryChainsPassBitsOnAsTheyCome) {
-  Unit u(48);
-  const NodeId sum = u.b.add(u.in(0, 16), u.in(16, 16));
-  u.out(sum);
-  const double one = arrival(u.n);
-  EXPECT_NEAR(one, 1 + 15 * 0.1, 1e-9);
-  Unit v(48);
-  v.out(v.b.add(v.b.add(v.in(0, 16), v.in(16, 16)), v.in(32, 16)));
-  EXPECT_NEAR(arrival(v.n), one + 1, 1e-9);
-}
-
-TEST(Timing, EqualityIsATree) {
-  Unit u(64);
-  u.out(u.b.equal(u.in(0, 32), u.in(32, 32)));
-  EXPECT_DOUBLE_EQ(arrival(u.n), 3.0);  // 2 pairs a LUT, then 4 to 1, 4 to 1
-}
-
-TEST(Timing, ASignalWithManyReadersComesLaterToAllOfThem) {
-  DelayModel delay = round_numbers();
-  delay.fanout_two = 0.25;
-  delay.fanout = 0.5;
-  const auto after_readers = [&delay](unsigned readers) {
-    Unit u(1 + readers);
-    std::vector<NodeId> read;
-    for (unsigned i = 0; i < readers; ++i) {
-      read.push_back(u.b.logic(Op::kXor, u.in(0, 1), u.in(1 + i, 1)));
-    }
-    u.out(u.b.concat(read));
-    return arrival(u.n, delay);
-  };
-  EXPECT_DOUBLE_EQ(after_readers(1), 1.0);
-  EXPECT_DOUBLE_EQ(after_readers(2), 1.25);
-  EXPECT_DOUBLE_EQ(after_readers(8), 1.25);
-  EXPECT_DOUBLE_EQ(after_readers(32), 1 + 0.25 + 2 * 0.5) << "two doublings of eight";
-}
-
-TEST(Timing, TheConditionOfATokenComesEarlierThanItsData) {
-  DelayModel delay = round_numbers();
-  delay.token_out = 0.5;
-  delay.token_enable = 3;
-  Unit u(4);
-  const NodeId data = u.b.logic(Op::kXor, u.in(0, 1), u.in(1, 1));
-  u.n.token_writes.push_back({u.port(PortKind::kOut, "out", 1), u.b.constant(1, 1), data});
-  EXPECT_DOUBLE_EQ(arrival(u.n, delay), 1 + 0.5);
-  u.n.token_writes[0].enable = u.b.logic(Op::kAnd, u.in(2, 1), u.in(3, 1));
-  EXPECT_DOUBLE_EQ(arrival(u.n, delay), 1 + 3);
-}
 
 /// Nothing that the circuit demands is violated, and every stage fits the clock.
 void expect_valid(const Circuit& c, const DelayModel& delay, double clock_ns, const Schedule& s) {
@@ -155,7 +42,7 @@ TEST(Schedule, TightestPeriodNeedsNoMoreStagesAndAShorterOneDoes) {
     const Circuit c(n);
     SCOPED_TRACE(seed);
     const int stages = schedule_asap(c, options.delay, options.clock_ns).stages;
-    const double tight = tightest_period(c, options.delay, options.clock_ns, stages);
+    const double tight = tightest_period(c, options.delay, options.clock_ns);
     EXPECT_LE(tight, options.clock_ns);
     EXPECT_EQ(schedule_asap(c, options.delay, tight).stages, stages);
     tighter += tight < options.clock_ns - 0.1 ? 1 : 0;

@@ -48,6 +48,8 @@ module example #(
   wire [7:0] value_s0 = sample_data_i[11:4];
   wire [15:0] mul_1_s0 = value_s0 * scale_still;  // units/example.h:32
   wire sample_12_s0 = sample_data_i[12];
+  wire [7:0] sums_row;
+  wire [7:0] sums_s0 = sums_row;
 
   // ---- stage 1 ----
   reg valid_s1;
@@ -65,24 +67,24 @@ module example #(
   wire [15:0] limit_s1 = limit_data_i;
   wire [15:0] after_s1 = totals_s1 + mul_1_s1;  // units/example.h:33
   wire lt_1_s1 = limit_s1 < after_s1;  // units/example.h:33
-  reg  [7:0] count_q;
 
   // ---- stage 2 ----
   reg valid_s2;
   reg  [15:0] after_s2;
   reg  lt_1_s2;
-  reg  [7:7] count_s2;
+  reg  sample_12_s2;
   always @(posedge clk_i) begin
     valid_s2 <= rst_ni && valid_s1;
     after_s2 <= after_s1;
     lt_1_s2 <= lt_1_s1;
-    count_s2 <= count_q[7];
+    sample_12_s2 <= sample_12_s1;
   end
+  reg  [7:0] count_q;
 
   // ---- state, rows and tokens written ----
   always @(posedge clk_i) begin
     if (!rst_ni) count_q <= 8'd3;
-    else if (valid_s1) count_q <= (count_q + {7'd0, sample_12_s1});
+    else if (valid_s2) count_q <= (count_q + {7'd0, sample_12_s2});
   end
   hls_fifo #(.WIDTH(16), .DEPTH(TOTAL_DEPTH), .MARGIN(TOTAL_BOUNDED ? 0 : 2),
     .BOUNDED(TOTAL_BOUNDED)) total_fifo (
@@ -94,7 +96,7 @@ module example #(
     .BOUNDED(ALARM_BOUNDED)) alarm_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .valid_i(valid_s2 && lt_1_s2), .ready_o(alarm_room),
-    .data_i(count_s2),
+    .data_i(count_q[7]),
     .valid_o(alarm_valid_o), .ready_i(alarm_ready_i), .data_o(alarm_data_o));
   wire totals_write = valid_s1;
   wire [3:0] totals_write_addr = sample_0_s1;
@@ -128,6 +130,13 @@ module example #(
   assign last_en_o = valid_s0;
   assign last_addr_o = sample_0_s0;
   assign last_data_o = value_s0;
+  wire sums_write = valid_s0;
+  wire [3:0] sums_write_addr = sample_0_s0;
+  hls_register_file #(.WIDTH(8), .ROWS(16)) sums_file (
+    .clk_i(clk_i), .rst_ni(rst_ni),
+    .write_en_i(sums_write), .write_addr_i(sums_write_addr),
+    .write_data_i((value_s0 + sums_s0)),
+    .read_addr_i(sample_0_s0), .read_data_o(sums_row));
 
   wire unused = &{1'b0,
     sample_data_i[13]};
