@@ -45,7 +45,7 @@ struct BoxClip {
 
     entering_ = with_next_ray(entering_, inside.near < inside.far);
     const RayMask<C> entering = entering_ & in.active;
-    if (in.ray == kLastRay<C>) {
+    if (is_last_ray<C>(in.ray, in.last)) {
       if (entering != RayMask<C>{}) {
         enter_object.write(enter_tree(in, entering));
       } else {

@@ -35,7 +35,7 @@ struct ListCache {
   static constexpr MemoryKind kKind = MemoryKind::kList;
   static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) { return c.packet; }
   static constexpr Reply reply(const Context& c, Address, const Line& line) {
-    return {c.packet, c.level, false, {}, {}, line};
+    return {c.packet, c.level, false, c.active.get(), {}, line};
   }
 };
 template <class C>

@@ -124,7 +124,7 @@ struct CollectHits {
         go_on_deriving.packet = in.packet;
         derived.write(go_on_deriving);
       }
-    } else if (in.ray == kLastRay<C>) {
+    } else if (is_last_ray<C>(in.ray, in.last)) {
       if (in.reset) {
         MailboxEntry<C> begin_packet;
         begin_packet.packet = in.packet;

@@ -36,6 +36,7 @@ struct Intersection {
     out.packet = in.packet;
     out.ray = in.ray;
     out.reset = in.reset;
+    out.last = in.last;
     if constexpr (kWatertight<C>) {
       const TriangleHit<Real> found = intersect(in.unit);
       out.hit = !in.reset && found.hit();

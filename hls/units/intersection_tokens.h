@@ -21,7 +21,8 @@ struct UnitRay {
   std::conditional_t<kWatertight<C>, MappedTriangle<typename C::Real>, Ray<typename C::Real>> unit;
   PrimitiveField<C> primitive{};
   hls::OptionalField<kScalesCosine<C>, typename C::Real> cosine_factor{};
-  HLS_FIELDS(packet, ray, reset, unit, primitive, cosine_factor)
+  [[no_unique_address]] LastRay<C> last{};
+  HLS_FIELDS(packet, ray, reset, unit, primitive, cosine_factor, last)
 };
 
 template <class C>
@@ -31,7 +32,8 @@ struct HitCandidate {
   bool reset = false;
   bool hit = false;
   typename C::Real t, u, v, cosine;
-  HLS_FIELDS(packet, ray, reset, hit, t, u, v, cosine)
+  [[no_unique_address]] LastRay<C> last{};
+  HLS_FIELDS(packet, ray, reset, hit, t, u, v, cosine, last)
 };
 
 template <class C>

@@ -17,6 +17,7 @@ struct List {
   hls::Out<TraversalEvent<C>> finished;
   hls::RamRead<bool, kLevelRows<C>> last;  ///< whether the entry read last was the list's last
   hls::Ram1R1W<NodeAddress<C>, kLevelRows<C>> next;
+  hls::OptionalPort<kSendsActive<C>, hls::Ram1R1W<RayMask<C>, kLevelRows<C>>> leaf_rays;
   HLS_PORTS(job, request, finished, last)
 
   void step() {
@@ -33,7 +34,12 @@ struct List {
       pop.level = j.level;
       finished.write(pop);
     } else {
-      request.write(ListRequest<C>{ListContext<C>{j.packet, j.level}, address});
+      ListContext<C> context{j.packet, j.level};
+      if constexpr (kSendsActive<C>) {
+        context.active = j.first ? j.active.get() : leaf_rays.read(row);
+        if (j.first) leaf_rays.write(row, j.active.get());
+      }
+      request.write(ListRequest<C>{context, address});
     }
   }
 };

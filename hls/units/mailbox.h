@@ -22,7 +22,9 @@ struct Mailbox {
     using Count = uint<hls::index_width(N + 1)>;
     Count used;
     std::array<MatrixNumber<C>, N> slot;
-    HLS_FIELDS(used, slot)
+    /// By slot, the rays that have met the item.
+    [[no_unique_address]] hls::OptionalField<kSendsActive<C>, std::array<RayMask<C>, N>> met{};
+    HLS_FIELDS(used, slot, met)
 
     bool holds(MatrixNumber<C> matrix) const {
       bool found = false;
@@ -37,6 +39,20 @@ struct Mailbox {
       }
       if (used != Count::from(N)) used = hls::next(used);
     }
+    /// Of the rays, those that have not met the item; if it is theirs, they have from now on.
+    RayMask<C> meet(MatrixNumber<C> matrix, RayMask<C> rays, bool theirs) {
+      RayMask<C> before;
+      bool found = false;
+      for (unsigned i = 0; i < N; ++i) {
+        const bool here = used > Count::from(i) && slot[i] == matrix;
+        const bool free = used == Count::from(i);
+        found = found || here;
+        if (here) before = before | met.value[i];
+        if (theirs && (here || free)) met.value[i] = free ? rays : met.value[i] | rays;
+      }
+      if (theirs && !found) insert(matrix);
+      return rays & ~before;
+    }
   };
   static constexpr bool kHasObjects = kTwoLevels<C> && C::kObjectSlots > 0;
   static constexpr bool kHasTriangles = C::kTriangleSlots > 0;
@@ -47,7 +63,8 @@ struct Mailbox {
     HLS_FIELDS(rays, distinct_origins)
   };
   /// The rays that enter an object, or those that are traced while others wait.
-  static constexpr bool kKeepsTraced = kTwoLevels<C> || kHasSecondary<C>;
+  static constexpr bool kKeepsTraced =
+      kSendsActive<C> ? kHasMirrors<C> : kTwoLevels<C> || kHasSecondary<C>;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
 
   hls::In<MailboxEntry<C>> entry;
@@ -66,8 +83,16 @@ struct Mailbox {
     Slots<C::kObjectSlots> object_slots = slots_of<C::kObjectSlots>(objects, e.packet);
     Slots<C::kTriangleSlots> triangle_slots = slots_of<C::kTriangleSlots>(triangles, e.packet);
     const bool top = is_top<C>(e.level);
-    const bool known =
-        top ? object_slots.holds(e.entry.matrix) : triangle_slots.holds(e.entry.matrix);
+    RayMask<C> newly;  // where the mailbox knows the rays apart, those that have not met the item
+    if constexpr (kSendsActive<C>) {
+      const bool item = !e.clear;
+      const RayMask<C> object = object_slots.meet(e.entry.matrix, e.active, item && top);
+      const RayMask<C> triangle = triangle_slots.meet(e.entry.matrix, e.active, item && !top);
+      newly = top ? object : triangle;
+    }
+    const bool known = kSendsActive<C> ? newly == RayMask<C>{}
+                       : top           ? object_slots.holds(e.entry.matrix)
+                                       : triangle_slots.holds(e.entry.matrix);
 
     Traced packet;
     if constexpr (kKeepsTraced) packet = traced.read(e.packet);
@@ -103,8 +128,8 @@ struct Mailbox {
         job.packet = e.packet;
         job.kind = top ? TransformKind::kObject : TransformKind::kTriangle;
         // All traced rays enter an object, not only those in this leaf: one that comes to it in a
-        // later leaf would find it in the mailbox.
-        job.active = packet.rays;
+        // later leaf would find it in the mailbox, unless that knows the rays apart.
+        job.active = kSendsActive<C> ? newly : packet.rays;
         job.extras.distinct_origins = packet.distinct_origins;
         job.matrix = e.entry.matrix;
         job.extras.primitive = e.entry.primitive();
@@ -114,10 +139,10 @@ struct Mailbox {
         }
         fresh.write(job);
         if (top) {
-          object_slots.insert(e.entry.matrix);
+          if constexpr (!kSendsActive<C>) object_slots.insert(e.entry.matrix);
           triangle_slots.used = 0;
         } else {
-          triangle_slots.insert(e.entry.matrix);
+          if constexpr (!kSendsActive<C>) triangle_slots.insert(e.entry.matrix);
         }
       }
     }

@@ -224,5 +224,64 @@ TEST(Mailbox, TellsWhichPrimitiveAndOfHowManyColumns) {
   EXPECT_EQ(job_of(MailboxEntry<Everything>{}).repeat, RepeatCount<C>(3)) << "an object has four";
 }
 
+struct ActiveRays : test::Config<8> {
+  static constexpr RaysSent kRaysSent = RaysSent::kActive;
+};
+
+/// A mailbox that knows a packet's rays apart.
+class MailboxOfActiveRays : public testing::Test {
+ protected:
+  MailboxOfActiveRays() { clear(); }
+  void clear() {
+    MailboxEntry<ActiveRays> e;
+    e.active = 0b1111;
+    e.clear = true;
+    bench_.feed(bench_.unit.entry, e);
+    bench_.run();
+    EXPECT_EQ(bench_.take_one(bench_.unit.start).active, RayMask<ActiveRays>(0b1111));
+  }
+  /// Of the active rays, those that are let through to the item.
+  unsigned meet(unsigned level, unsigned matrix, unsigned active) {
+    MailboxEntry<ActiveRays> e;
+    e.level = Level::from(level);
+    e.entry.matrix = MatrixIndex::from(matrix);
+    e.active = RayMask<ActiveRays>::from(active);
+    bench_.feed(bench_.unit.entry, e);
+    bench_.run();
+    const auto jobs = bench_.take(bench_.unit.fresh);
+    EXPECT_EQ(jobs.size() + bench_.take(bench_.unit.seen).size(), 1u);
+    return jobs.empty() ? 0 : static_cast<unsigned>(jobs[0].active.to_u64());
+  }
+  test::UnitBench<Mailbox<ActiveRays>> bench_;
+};
+
+TEST_F(MailboxOfActiveRays, LetsEachRayThroughOnce) {
+  for (const unsigned level : {0u, 1u}) {
+    EXPECT_EQ(meet(level, 7, 0b0011), 0b0011u);
+    EXPECT_EQ(meet(level, 9, 0b1000), 0b1000u);
+    EXPECT_EQ(meet(level, 7, 0b0110), 0b0100u);
+    EXPECT_EQ(meet(level, 7, 0b0111), 0u) << "all have met it";
+    EXPECT_EQ(meet(level, 7, 0b1111), 0b1000u);
+    EXPECT_EQ(meet(level, 9, 0b1001), 0b0001u);
+  }
+}
+
+TEST_F(MailboxOfActiveRays, ForgetsWithNewRaysAndTrianglesWithAnObject) {
+  EXPECT_EQ(meet(0, 7, 0b0011), 0b0011u);
+  EXPECT_EQ(meet(1, 5, 0b0011), 0b0011u);
+  EXPECT_EQ(meet(0, 7, 0b1100), 0b1100u) << "others enter the object";
+  EXPECT_EQ(meet(1, 5, 0b0011), 0b0011u);
+  clear();
+  EXPECT_EQ(meet(0, 7, 0b0011), 0b0011u);
+}
+
+TEST_F(MailboxOfActiveRays, AFullMailboxLetsEveryRayThrough) {
+  for (unsigned i = 0; i < ActiveRays::kTriangleSlots; ++i) {
+    EXPECT_EQ(meet(1, 100 + i, 0b0001), 0b0001u);
+  }
+  for (unsigned round = 0; round < 2; ++round) EXPECT_EQ(meet(1, 50, 0b1111), 0b1111u);
+  EXPECT_EQ(meet(1, 100, 0b0011), 0b0010u) << "what is in a slot stays there";
+}
+
 }  // namespace
 }  // namespace dynrt

@@ -105,10 +105,23 @@ struct MatrixStore {
       }
       const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kSecondary;
       const bool corners = kWatertight<C> && r.context.kind == TransformKind::kTriangle;
-      send.repeat = corners            ? RepeatCount<C>(3 * kRays<C> - 1)
-                    : one_ray          ? RepeatCount<C>(1)
-                    : distinct_origins ? RepeatCount<C>(2 * kRays<C> - 1)
-                                       : RepeatCount<C>(kRays<C>);
+      if constexpr (kSendsActive<C>) {
+        // Every ray of a new packet begins, as its pixel is written.
+        send.sent =
+            r.context.kind == TransformKind::kCamera ? RayMask<C>::ones() : r.context.active;
+        send.pairs = distinct_origins && !one_ray && !corners;
+        const RepeatCount<C> rays = number_of(send.sent.get());
+        const auto pairs = RepeatCount<C>::from((rays + rays).raw());
+        send.repeat = one_ray            ? RepeatCount<C>(1)
+                      : corners          ? RepeatCount<C>::from((pairs + rays).raw() - 1)
+                      : distinct_origins ? RepeatCount<C>::from(pairs.raw() - 1)
+                                         : rays;
+      } else {
+        send.repeat = corners            ? RepeatCount<C>(3 * kRays<C> - 1)
+                      : one_ray          ? RepeatCount<C>(1)
+                      : distinct_origins ? RepeatCount<C>(2 * kRays<C> - 1)
+                                         : RepeatCount<C>(kRays<C>);
+      }
       send.packet = packet;
       send.kind = r.context.kind;
       send.derived = derived;
@@ -117,6 +130,13 @@ struct MatrixStore {
   }
 
  private:
+  static RepeatCount<C> number_of(RayMask<C> mask) {
+    RepeatCount<C> rays;
+    for (unsigned i = 0; i < kRays<C>; ++i) {
+      if (mask.bit(i)) rays = hls::next(rays);
+    }
+    return rays;
+  }
   static constexpr Vector<Real> kOnes{Real::one(), Real::one(), Real::one()};
 
   static bool three(const ColumnContext<C>& context) {

@@ -28,6 +28,12 @@ enum class Divider : std::uint8_t {
   kReciprocal,       ///< by the direction's reciprocal, taken once for each ray and level
 };
 
+/// The rays of a packet that enter an object or meet a triangle (thesis 4.3.2: all).
+enum class RaysSent : std::uint8_t {
+  kTraced,  ///< all that are traced: an item of any leaf is met once
+  kActive,  ///< those that are in the leaf: an item is met again by others in a later leaf
+};
+
 /// The stored form of a triangle (thesis 5.1).
 enum class TriangleMatrix : std::uint8_t {
   kNormalConsistent,  ///< 12 numbers: the plane's normal is a row

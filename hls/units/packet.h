@@ -43,6 +43,10 @@ inline constexpr bool kRemembersChild = kHasMirrors<C> && C::kCrossing == Crossi
 template <class C>
 inline constexpr bool kHasDistinctOrigins = C::kUncompressed || kHasMirrors<C>;
 
+/// Whether the transformation gets those rays alone that are in a leaf.
+template <class C>
+inline constexpr bool kSendsActive = C::kRaysSent == RaysSent::kActive;
+
 /// Whether a unit clips rays to the box of an object that they enter (thesis 4.2).
 template <class C>
 inline constexpr bool kClipsToBox = C::kObjectBox == ObjectBox::kUnit;
@@ -147,6 +151,17 @@ template <class C>
 inline constexpr unsigned kRayBits = hls::index_width(kRays<C>);
 template <class C>
 using RayIndex = uint<kRayBits<C>>;
+
+/// The rays that are in a leaf, where the others are left out, and whether a token is of the last
+/// of them. Where all are sent the last is the highest.
+template <class C>
+using LeafRays = hls::OptionalField<kSendsActive<C>, RayMask<C>>;
+template <class C>
+using LastRay = hls::OptionalField<kSendsActive<C>, bool>;
+template <class C>
+constexpr bool is_last_ray(RayIndex<C> ray, const LastRay<C>& last) {
+  return kSendsActive<C> ? last.get() : ray == RayIndex<C>(kRays<C> - 1);
+}
 
 /// Row of a RAM with one row for every ray.
 template <class C>

@@ -49,6 +49,7 @@ struct PacketDecision {
       job.level = s.context.level;
       job.first = true;
       job.address = s.node.left;
+      job.active = active;
       leaf.write(job);
     } else {
       TraversalEvent<C> e;

@@ -91,13 +91,15 @@ struct PacketDecoder {
         test.packet = in.packet;
         test.ray = in.ray;
         test.reset = is_new;
+        test.last = in.last;
         test.unit = {first_corner_.get(), second_corner_.get(), in.vector, in.cosine.get()};
         if (is_new || (triangle && in.corner.get() == Corner(2))) unit_ray.write(test);
         if (in.corner.get() == Corner(0)) first_corner_ = in.vector;
         if (in.corner.get() == Corner(1)) second_corner_ = in.vector;
         if (object) enter(in, job, r);
       } else if (triangle || (is_new && !kHasReciprocals<C>)) {
-        unit_ray.write(UnitRay<C>{in.packet, in.ray, is_new, r, job.primitive, job.cosine_factor});
+        unit_ray.write(
+            UnitRay<C>{in.packet, in.ray, is_new, r, job.primitive, job.cosine_factor, in.last});
       } else if (object && !kHasReciprocals<C>) {
         enter(in, job, r);
       }
@@ -114,14 +116,14 @@ struct PacketDecoder {
   }
   static ObjectRay<C> in_object(const PacketVector<C>& in, const JobRecord<C>& job,
                                 const Ray<Real>& r) {
-    return {in.packet, in.ray, job.active, root_of(job), job.distinct_origins, r};
+    return {in.packet, in.ray, job.active, root_of(job), in.last, job.distinct_origins, r};
   }
   void enter(const PacketVector<C>& in, const JobRecord<C>& job, const Ray<Real>& r) {
     if constexpr (kHasReciprocals<C> || !kTwoLevels<C>) {
       return;
     } else if constexpr (kPassesObjectRays<C>) {
       object_ray.write(in_object(in, job, r));
-    } else if (in.ray == kLastRay<C>) {
+    } else if (is_last_ray<C>(in.ray, in.last)) {
       enter_object.write(enter_tree(in_object(in, job, r), job.active));
     }
   }

@@ -9,9 +9,6 @@
 
 namespace dynrt {
 
-template <class C>
-inline constexpr RayIndex<C> kLastRay = RayIndex<C>(kRays<C> - 1);
-
 /// Writes a row through the port of the ray.
 template <class Port, unsigned N, class Index, class Address, class Row>
 void write_of_ray(Port (&ports)[N], Index ray, Address address, const Row& row) {
@@ -35,6 +32,20 @@ T of_ray(const T (&values)[N], Index ray) {
 template <unsigned N>
 uint<N> with_next_ray(uint<N> mask, bool bit) {
   return hls::concat(uint<1>(bit), mask.template bits<N - 1, 1>());
+}
+
+/// The lowest ray of a mask that has one.
+template <class C>
+RayIndex<C> lowest_ray(RayMask<C> mask) {
+  RayIndex<C> ray(kRays<C> - 1);
+  for (unsigned i = kRays<C> - 1; i-- > 0;) {
+    if (mask.bit(i)) ray = RayIndex<C>::from(i);
+  }
+  return ray;
+}
+template <unsigned N>
+uint<N> without_lowest(uint<N> mask) {
+  return mask & uint<N>::from(mask.raw() - 1);
 }
 
 /// The packet of a ray enters the object's tree with its rays `active`.

@@ -51,6 +51,7 @@ struct RayReciprocal {
         first.packet = in.packet;
         first.ray = in.ray;
         first.reset = true;
+        first.last = in.last;
         reset.write(first);
       } else {
         enter(in, saved);
@@ -73,7 +74,7 @@ struct RayReciprocal {
       ObjectRay<C> out = in;
       out.in_object = saved;
       object_ray.write(out);
-    } else if (in.ray == kLastRay<C>) {
+    } else if (is_last_ray<C>(in.ray, in.last)) {
       enter_object.write(enter_tree(in, in.active));
     }
   }

@@ -24,7 +24,7 @@ struct RayShear {
   void step() {
     const ObjectRay<C> in = ray.read();
     map.write(ray_row<C>(in.packet, in.ray), ray_map(in.in_object));
-    if (in.ray == kLastRay<C>) enter_object.write(enter_tree(in, in.active));
+    if (is_last_ray<C>(in.ray, in.last)) enter_object.write(enter_tree(in, in.active));
   }
 };
 

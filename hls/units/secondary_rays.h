@@ -9,6 +9,7 @@
 #pragma once
 
 #include "units/frame.h"
+#include "units/packet_rays.h"
 #include "units/shading_tokens.h"
 #include "units/transformation_tokens.h"
 #include "units/traversal_tokens.h"
@@ -50,13 +51,13 @@ struct SecondaryRays {
     } else if (kTwoLevels<C> && kHasMirrors<C> && s.pass == Derivation::kMirror) {
       s.pass = Derivation::kOutOfObject;
     } else {
-      s.missing = s.missing & RayMask<C>::from(s.missing.raw() - 1);
+      s.missing = without_lowest(s.missing);
       s.pass = first_pass(s.kind);
     }
     states.write(d.packet, s);
     if (d.shaded) traced.write(d.packet, s.rays);
 
-    const RayIndex<C> ray = lowest(s.missing);
+    const RayIndex<C> ray = lowest_ray<C>(s.missing);
     const SurfacePoint<C> point = surface.read(ray_row<C>(d.packet, ray));
     if (d.shaded && s.rays == RayMask<C>{}) {
       ShadeJob<C> done;
@@ -111,13 +112,7 @@ struct SecondaryRays {
     return kHasMirrors<C> && kind == RayKind::kReflection ? kFirstReflection<C>
                                                           : Derivation::kLight;
   }
-  static RayIndex<C> lowest(RayMask<C> mask) {
-    RayIndex<C> ray(kRays<C> - 1);
-    for (unsigned i = kRays<C> - 1; i-- > 0;) {
-      if (mask.bit(i)) ray = RayIndex<C>::from(i);
-    }
-    return ray;
-  }
+
   /// An instance's way back to the world and a triangle's mirror lie behind their own matrices.
   MatrixNumber<C> matrix(const State& s, const SurfacePoint<C>& point) const {
     const MatrixNumber<C> light =

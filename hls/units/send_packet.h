@@ -10,6 +10,7 @@
 // each ray's direction is sent three times, once for each corner of the triangle.
 #pragma once
 
+#include "units/packet_rays.h"
 #include "units/repeated.h"
 #include "units/shading_tokens.h"
 #include "units/transformation_tokens.h"
@@ -40,16 +41,18 @@ struct SendPacket {
     const Repeated<SendJob<C>> j = job.read();
     const bool corners = kWatertight<C> && j.job.kind == TransformKind::kTriangle;
     const bool alone = kHasSecondary<C> && j.job.kind == TransformKind::kSecondary;
-    const bool compressed =
-        kHasDistinctOrigins<C> ? j.job.repeat == RepeatCount<C>(kRays<C>) : !corners && !alone;
+    const bool compressed = kSendsActive<C>          ? !corners && !alone && !j.job.pairs.get()
+                            : kHasDistinctOrigins<C> ? j.job.repeat == RepeatCount<C>(kRays<C>)
+                                                     : !corners && !alone;
     const DerivedRay<C> derived = j.job.derived.get();
     const bool point =
         !corners && (compressed ? j.index == RepeatCount<C>{} : !j.index.template bit<0>());
-    const RayIndex<C> ray = corners       ? ray_of(j.index)
-                            : alone       ? derived.ray
-                            : !compressed ? j.index.template bits<kRayBits<C>, 1>()
-                            : point       ? RayIndex<C>{}
-                                          : RayIndex<C>::from(j.index.raw() - 1);
+    const RayIndex<C> ray = kSendsActive<C> && !alone ? next_active(j, point, compressed, corners)
+                            : corners                 ? ray_of(j.index)
+                            : alone                   ? derived.ray
+                            : !compressed             ? j.index.template bits<kRayBits<C>, 1>()
+                            : point                   ? RayIndex<C>{}
+                                                      : RayIndex<C>::from(j.index.raw() - 1);
 
     // Of a ray alone the passes after the first find it in the object.
     const Level level = uint<1>(j.job.kind == TransformKind::kTriangle || alone);
@@ -75,10 +78,19 @@ struct SendPacket {
     }
     PacketVector<C> sent{j.job.packet, point, ray, out};
     if (corners) sent.corner = corner_of(j.index);
+    sent.last = j.last;
     vector.write(sent);
   }
 
  private:
+  /// Of the rays that are sent, the one whose turn it is; 0 for a common origin.
+  RayIndex<C> next_active(const Repeated<SendJob<C>>& j, bool point, bool compressed,
+                          bool corners) {
+    const RayMask<C> left = j.index == RepeatCount<C>{} ? j.job.sent.get() : left_.get();
+    const bool ends = corners ? corner_of(j.index) == Corner(2) : !point;
+    left_ = ends ? without_lowest(left) : left;
+    return point && compressed ? RayIndex<C>{} : lowest_ray<C>(left);
+  }
   /// Of three corners for each ray.
   static RayIndex<C> ray_of(RepeatCount<C> index) {
     RayIndex<C> ray(kRays<C> - 1);
@@ -91,6 +103,8 @@ struct SendPacket {
     const RayIndex<C> ray = ray_of(index);
     return Corner::from((index - (ray + hls::concat(ray, uint<1>(0)))).raw());
   }
+
+  LeafRays<C> left_;  ///< of the packet, whose vectors are sent one after the other
 };
 
 }  // namespace dynrt

@@ -70,7 +70,10 @@ struct SendJob {
   PacketId<C> packet;
   TransformKind kind = TransformKind::kCamera;
   hls::OptionalField<kHasSecondary<C>, DerivedRay<C>> derived{};
-  HLS_FIELDS(repeat, packet, kind, derived)
+  [[no_unique_address]] LeafRays<C> sent{};
+  [[no_unique_address]] hls::OptionalField<kSendsActive<C>, bool>
+      pairs{};  ///< each of them has an origin of its own
+  HLS_FIELDS(repeat, packet, kind, derived, sent, pairs)
 };
 
 /// A corner of a triangle, or kNoCorner.
@@ -86,9 +89,10 @@ struct PacketVector {
   bool point = false;  ///< a point is translated, a direction is not (thesis 4.4)
   RayIndex<C> ray;     ///< 0 for a common origin
   Vector<typename C::Real> vector;
+  [[no_unique_address]] LastRay<C> last{};
   hls::OptionalField<kWatertight<C>, Corner> corner = Corner(kNoCorner);
   hls::OptionalField<kWatertight<C>, typename C::Real> cosine{};  ///< with a corner that is mapped
-  HLS_FIELDS(packet, point, ray, vector, corner, cosine)
+  HLS_FIELDS(packet, point, ray, vector, last, corner, cosine)
 };
 
 }  // namespace dynrt

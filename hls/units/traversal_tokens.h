@@ -26,9 +26,10 @@ struct ObjectRay {
   RayIndex<C> ray;
   RayMask<C> active;                   ///< of the packet's rays, those that are traced
   OfInstance<C, NodeAddress<C>> root;  ///< of the object's tree
+  [[no_unique_address]] LastRay<C> last{};
   hls::OptionalField<kSplitsPackets<C>, bool> distinct_origins{};
   Ray<typename C::Real> in_object;
-  HLS_FIELDS(packet, ray, active, root, distinct_origins, in_object)
+  HLS_FIELDS(packet, ray, active, root, last, distinct_origins, in_object)
 };
 
 /// A ray whose direction is yet to be inverted, one axis at a time.
@@ -125,14 +126,16 @@ struct ListJob {
   LevelField<C> level;
   bool first = false;  ///< start at `address`; otherwise go on after the last entry read
   NodeAddress<C> address;
-  HLS_FIELDS(packet, level, first, address)
+  [[no_unique_address]] LeafRays<C> active{};  ///< of the first
+  HLS_FIELDS(packet, level, first, address, active)
 };
 
 template <class C>
 struct ListContext {
   PacketId<C> packet;
   LevelField<C> level;
-  HLS_FIELDS(packet, level)
+  [[no_unique_address]] LeafRays<C> active{};
+  HLS_FIELDS(packet, level, active)
 };
 
 template <class C>
@@ -140,7 +143,7 @@ struct MailboxEntry {
   PacketId<C> packet;
   LevelField<C> level;
   bool clear = false;  ///< new rays: forget the packet's objects and start the traversal
-  RayMask<C> active;   ///< of new rays: those that are to be traced
+  RayMask<C> active;   ///< of new rays: those that are to be traced; else those in the leaf
   hls::OptionalField<kHasSecondary<C>, RayKind> kind{};  ///< of new rays
   CoreListEntry<C> entry;
   HLS_FIELDS(packet, level, clear, active, kind, entry)

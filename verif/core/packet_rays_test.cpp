@@ -8,6 +8,7 @@
 #include "configs/thesis.h"
 #include "configs/watertight.h"
 #include "configs/whitted.h"
+#include "configs/whitted_split.h"
 #include "core/specialised.h"
 
 namespace dynrt::host::specialised {
@@ -16,6 +17,12 @@ namespace {
 template <class General, unsigned Rays>
 struct Packets : General {
   static constexpr unsigned kPacketRays = Rays;
+};
+
+/// Only rays that are in a leaf meet what it lists.
+template <class General, unsigned Rays>
+struct Active : Packets<General, Rays> {
+  static constexpr RaysSent kRaysSent = RaysSent::kActive;
 };
 
 template <class General>
@@ -35,6 +42,14 @@ TEST(PacketRays, LightAndReflectedRaysDoTooWhereTheyCross) {
 
 TEST(PacketRays, CornersAreMappedForEachRay) {
   expect_as_of_four<config::watertight>("watertight", "blocks");
+}
+
+TEST(PacketRays, RaysThatAreNotInALeafMissNothing) {
+  expect_as_general<Active<config::thesis, 4>>("thesis", "blocks");
+  expect_as_general<Active<config::thesis, 8>>("thesis", "office");
+  expect_as_general<Active<config::whitted, 8>>("whitted", "lamps");
+  expect_as_general<Active<config::whitted_split, 8>>("whitted_split", "lamps");
+  expect_as_general<Active<config::watertight, 16>>("watertight", "blocks");
 }
 
 TEST(PacketRays, EdgesOfTheImageCutPackets) {
@@ -61,15 +76,24 @@ TEST(PacketRays, EdgesOfTheImageCutPackets) {
   }
 }
 
+std::uint64_t count_of(const Frame& frame, const std::string& counter) {
+  const auto found = std::ranges::find(frame.counters, counter, &Counter::name);
+  return found == frame.counters.end() ? 0 : found->value;
+}
+
 TEST(PacketRays, APacketOfEightIsShadedForTwoOfFour) {
-  const auto packets = [](const Frame& frame) {
-    const auto found = std::ranges::find(frame.counters, "shade_job.tokens", &Counter::name);
-    return found == frame.counters.end() ? 0 : found->value;
-  };
   const Frame four = expect_as_general<config::thesis>("thesis", "blocks");
   const Frame eight = expect_as_general<Packets<config::thesis, 8>>("thesis", "blocks");
-  EXPECT_EQ(packets(four), kWidth * kHeight / 4);
-  EXPECT_EQ(packets(eight), kWidth * kHeight / 8);
+  EXPECT_EQ(count_of(four, "shade_job.tokens"), kWidth * kHeight / 4);
+  EXPECT_EQ(count_of(eight, "shade_job.tokens"), kWidth * kHeight / 8);
+}
+
+TEST(PacketRays, RaysThatAreNotInALeafAreNotTransformed) {
+  const Frame all = expect_as_general<Packets<config::thesis, 8>>("thesis", "office");
+  const Frame active = expect_as_general<Active<config::thesis, 8>>("thesis", "office");
+  const std::uint64_t vectors = count_of(all, "transformation.transactions");
+  EXPECT_GT(vectors, kWidth * kHeight);
+  EXPECT_LT(count_of(active, "transformation.transactions"), vectors - vectors / 8);
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ MATRICES = Choice(
     "TriangleMatrix",
     {"normal_consistent": "kNormalConsistent", "memory_efficient": "kMemoryEfficient"},
 )
+RAYS_SENT = Choice("RaysSent", {"traced": "kTraced", "active": "kActive"})
 TRIANGLE_TESTS = Choice(
     "TriangleTest", {"unit_triangle": "kUnitTriangle", "watertight": "kWatertight"}
 )
@@ -74,6 +75,13 @@ KEYS: dict[str, Key] = {
         "kPacketRays",
         "rays of a packet: 4 are 2x2 pixels, 8 are 4x2, 16 are 4x4",
         4,
+    ),
+    "rays_sent": Key(
+        RAYS_SENT,
+        "kRaysSent",
+        "which rays of a packet enter an object or meet a triangle: all that are traced, or those that "
+        "are in the leaf; the mailbox then remembers for each item which rays it had",
+        "traced",
     ),
     "lines": Key(Whole(1, 512, power_of_two=True), "kLines", "lines of each cache"),
     "levels": Key(
@@ -175,6 +183,7 @@ class Rule:
     why: str
 
 
+BOX_UNIT = ("object_box", "unit")
 WATERTIGHT = ("triangle_test", "watertight")
 ONE_LEVEL = ("levels", 1)
 RULES = (
@@ -185,6 +194,13 @@ RULES = (
         lambda v: v == "unit_triangle",
         "unit_triangle",
         "a ray's shear is made when it enters an object",
+    ),
+    Rule(
+        *BOX_UNIT,
+        "rays_sent",
+        lambda v: v == "traced",
+        "traced",
+        "the unit that clips to a box waits for every ray of a packet",
     ),
     Rule(
         *WATERTIGHT,
