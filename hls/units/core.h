@@ -269,9 +269,13 @@ struct Core {
     join.channel("transformed", transformation.transformed, packet_decoder.vector);
     hls::Writers unit_rays = {&packet_decoder.unit_ray};
     if constexpr (kHasReciprocals<C>) {
-      // A ray comes with each clock and takes three; the transformation must not wait for them.
-      join.repeat("traced_ray", hls::Writers{&packet_decoder.traced}, ray_reciprocal.traced,
-                  kRays<C> * kAll);
+      if constexpr (kInvertsAtOnce<C>) {
+        join.channel("traced_ray", packet_decoder.traced, ray_reciprocal.traced);
+      } else {
+        // A ray comes with each clock and takes three; the transformation must not wait for them.
+        join.repeat("traced_ray", hls::Writers{&packet_decoder.traced}, ray_reciprocal.traced,
+                    kRays<C> * kAll);
+      }
       unit_rays.push_back(&ray_reciprocal.reset);
     }
     if constexpr (kClipsToBox<C>) {

@@ -24,8 +24,9 @@ enum class ObjectBox : std::uint8_t {
 
 /// The way the distance of a node's plane is found: offset over direction (thesis 6.1.1).
 enum class Divider : std::uint8_t {
-  kDigitRecurrence,  ///< by a divider in every slice, rounded once
-  kReciprocal,       ///< by the direction's reciprocal, taken once for each ray and level
+  kDigitRecurrence,   ///< by a divider in every slice, rounded once
+  kReciprocal,        ///< by the direction's reciprocal, taken once for each ray and level
+  kThreeReciprocals,  ///< the same, all three components of a ray in a clock
 };
 
 /// The rays of a packet that enter an object or meet a triangle (thesis 4.3.2: all).

@@ -53,7 +53,10 @@ inline constexpr bool kClipsToBox = C::kObjectBox == ObjectBox::kUnit;
 
 /// Whether the traversal knows the reciprocals of the directions instead of the directions.
 template <class C>
-inline constexpr bool kHasReciprocals = C::kDivider == Divider::kReciprocal;
+inline constexpr bool kHasReciprocals = C::kDivider != Divider::kDigitRecurrence;
+/// Whether a ray's three reciprocals are made side by side.
+template <class C>
+inline constexpr bool kInvertsAtOnce = C::kDivider == Divider::kThreeReciprocals;
 
 /// Whether no ray passes between two triangles that share an edge (units/watertight.h).
 template <class C>
@@ -260,10 +263,11 @@ constexpr RayByAxis<R> by_axis(const Ray<R>& ray) {
 }
 
 /// Whether a slice reads one axis of its ray, whose axes are then written one after the other. A
-/// slice's ray may follow another after five clocks, or three where a unit makes reciprocals; of
-/// rays that are transformed alone, after two.
+/// slice's ray may follow another after five clocks, or three where a unit makes reciprocals one by
+/// one; of rays that are transformed alone, or with few others of their packet, after two.
 template <class C>
-inline constexpr bool kReadsAxes = kHasReciprocals<C> || !kHasSecondary<C>;
+inline constexpr bool kReadsAxes =
+    !kSendsActive<C> && !kInvertsAtOnce<C> && (kHasReciprocals<C> || !kHasSecondary<C>);
 /// Row of such an axis, 0 to 2.
 template <class C>
 using AxisRow = uint<LevelRow<C>::kWidth + 2>;

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Ray reciprocal: on the way of every ray into a level of the traversal, the reciprocals of its
-// direction's components, one a clock by one divider, so that the slices multiply where they
-// would divide. The slices read a ray's origin and these reciprocals; the ray is saved before its
-// packet can come to them, as a new ray's reset and an object's entry are sent on from here.
+// direction's components, one a clock by one divider or a ray a clock by three, so that the slices
+// multiply where they would divide. The slices read a ray's origin and these reciprocals; the ray
+// is saved before its packet can come to them, as a new ray's reset and an object's entry are sent
+// on from here.
 //
 // A reciprocal has its component's sign, and a power of two's is exact. The range of the numbers is
 // not symmetric: of magnitudes from 2^-bias to 2^bias the reciprocal lies within, that of a larger
@@ -23,7 +24,8 @@ template <class C>
 struct RayReciprocal {
   using Real = typename C::Real;
 
-  hls::In<Repeated<TracedRay<C>>> traced;
+  std::conditional_t<kInvertsAtOnce<C>, hls::In<TracedRay<C>>, hls::In<Repeated<TracedRay<C>>>>
+      traced;
   hls::Out<UnitRay<C>> reset;
   hls::OptionalPort<kTwoLevels<C> && !kClipsToBox<C>, hls::Out<TraversalEvent<C>>> enter_object;
   hls::OptionalPort<kClipsToBox<C>, hls::Out<ObjectRay<C>>> object_ray;  ///< with the reciprocals
@@ -31,7 +33,18 @@ struct RayReciprocal {
   HLS_PORTS(traced, reset, enter_object, object_ray, ray)
 
   void step() {
-    const Repeated<TracedRay<C>> j = traced.read();
+    if constexpr (kInvertsAtOnce<C>) {
+      const TracedRay<C> in = traced.read();
+      const Ray<Real>& r = in.ray.in_object;
+      const Vector<Real>& d = r.direction;
+      pass_on(in, {r.origin, {Real::one() / d.x, Real::one() / d.y, Real::one() / d.z}});
+    } else {
+      step_of_axis(traced.read());
+    }
+  }
+
+ private:
+  void step_of_axis(const Repeated<TracedRay<C>>& j) {
     const ObjectRay<C>& in = j.job.ray;
     const Vector<Real>& d = in.in_object.direction;
     const Real component = j.index == RepeatCount<C>(0)   ? d.x
@@ -42,24 +55,24 @@ struct RayReciprocal {
     if (j.index == RepeatCount<C>(0)) x_ = reciprocal;
     if (j.index == RepeatCount<C>(1)) y_ = reciprocal;
 
-    if (j.last) {
-      const bool is_new = starts(j.job);
-      const Level level = uint<1>(!is_new);
-      write_of_ray(ray, in.ray, level_row<C>(level, in.packet), by_axis(saved));
-      if (is_new) {
-        UnitRay<C> first;
-        first.packet = in.packet;
-        first.ray = in.ray;
-        first.reset = true;
-        first.last = in.last;
-        reset.write(first);
-      } else {
-        enter(in, saved);
-      }
+    if (j.last) pass_on(j.job, saved);
+  }
+  void pass_on(const TracedRay<C>& traced_ray, const Ray<Real>& saved) {
+    const ObjectRay<C>& in = traced_ray.ray;
+    const bool is_new = starts(traced_ray);
+    const Level level = uint<1>(!is_new);
+    write_of_ray(ray, in.ray, level_row<C>(level, in.packet), by_axis(saved));
+    if (is_new) {
+      UnitRay<C> first;
+      first.packet = in.packet;
+      first.ray = in.ray;
+      first.reset = true;
+      first.last = in.last;
+      reset.write(first);
+    } else {
+      enter(in, saved);
     }
   }
-
- private:
   static bool starts(const TracedRay<C>& ray) {
     if constexpr (kTwoLevels<C>) {
       return ray.is_new;

@@ -111,6 +111,8 @@ std::vector<std::string> beyond_margins(const Scene& scene, const glm::dvec3& ey
 SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const CoreInfo& core,
                      TreeOptions options) {
   options.grid = Grid(*core.format);
+  options.costs.item = core.item_cost;
+  options.object_cost = core.object_cost;
   if (core.triangle_test != TriangleTest::kWatertight) return build_scene_trees(scene, options);
   return build_scene_trees(with_rounded_corners(scene, *core.format), options, kMemoryForTrees,
                            rounding_margins(scene, eye, *core.format));

@@ -31,7 +31,7 @@ inline constexpr double kWidest = 1.0 / 128;
 std::vector<std::string> beyond_margins(const Scene& scene, const glm::dvec3& eye,
                                         const MemoryFormat& format);
 
-/// Uses the core's grid and ignores that of the options.
+/// Uses the core's grid and costs and ignores those of the options.
 SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const CoreInfo& core,
                      TreeOptions options = {});
 

@@ -76,9 +76,9 @@ void check_before(const Scene& scene, const CoreInfo& core) {
 /// The keys on which no word of the memory depends. Any other key counts, so that a new one cannot
 /// be forgotten.
 constexpr std::string_view kBesideTheMemory[] = {
-    "packets",      "lines",        "object_slots", "triangle_slots", "epsilon",
-    "sram_latency", "lights",       "reflections",  "scan_out",       "crossing",
-    "divider",      "uncompressed", "counters"};
+    "packets",        "packet_rays", "rays_sent",    "lines",        "object_slots",
+    "triangle_slots", "epsilon",     "sram_latency", "lights",       "reflections",
+    "scan_out",       "crossing",    "divider",      "uncompressed", "counters"};
 
 void place(MemoryImage& image, Scene scene, const View& view, const LayoutOptions& options) {
   image.view = view;
@@ -163,9 +163,11 @@ std::vector<MemoryRun> MemoryImage::runs() const {
 SceneNeeds MemoryImage::needs() const { return scene_needs(scene, trees, core().triangle_matrix); }
 
 Tree instances_of(const MemoryImage& image) {
-  return build_instance_tree(
-      image.scene, image.objects.boxes(),
-      {.grid = Grid(*image.core().format), .max_depth = image.top_depth, .room = image.top_room});
+  return build_instance_tree(image.scene, image.objects.boxes(),
+                             {.grid = Grid(*image.core().format),
+                              .item = image.core().object_cost,
+                              .max_depth = image.top_depth,
+                              .room = image.top_room});
 }
 
 std::optional<Excess> excess_of_frame(const MemoryImage& image, const SceneNeeds& needs,

@@ -17,6 +17,7 @@ namespace dynrt::host {
 struct TreeOptions {
   Grid grid{};  ///< that the splits lie on
   TreeCosts costs{};
+  double object_cost = 8;  ///< of entering an object, in steps, for the tree of instances
   /// The tree's depth is at most depth_factor * log2(items) + depth_extra, and max_depth.
   double depth_factor = 1;
   double depth_extra = 10;

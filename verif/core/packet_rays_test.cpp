@@ -5,6 +5,7 @@
 // whichever rays travel with it, and the image's edges may cut a packet anywhere.
 #include <algorithm>
 
+#include "configs/reciprocal.h"
 #include "configs/thesis.h"
 #include "configs/watertight.h"
 #include "configs/whitted.h"
@@ -50,6 +51,16 @@ TEST(PacketRays, RaysThatAreNotInALeafMissNothing) {
   expect_as_general<Active<config::whitted, 8>>("whitted", "lamps");
   expect_as_general<Active<config::whitted_split, 8>>("whitted_split", "lamps");
   expect_as_general<Active<config::watertight, 16>>("watertight", "blocks");
+}
+
+template <class General>
+struct AtOnce : General {
+  static constexpr Divider kDivider = Divider::kThreeReciprocals;
+};
+
+TEST(PacketRays, ReciprocalsAreTheSameOneByOneAndAtOnce) {
+  expect_as_general<AtOnce<config::reciprocal>>("reciprocal", "blocks");
+  expect_as_general<AtOnce<Active<config::reciprocal, 8>>>("reciprocal", "office");
 }
 
 TEST(PacketRays, EdgesOfTheImageCutPackets) {

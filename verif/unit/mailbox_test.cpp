@@ -23,6 +23,8 @@ class Stimulus {
     e.clear = known == Known::kNothing || random.below(40) == 0;
     e.level = Level::from(known == Known::kTriangles && !e.clear && random.below(8) != 0);
     e.entry.matrix = number_below<C::kMatrixBits>(random, 12);
+    // A leaf is reached by some ray.
+    if (e.active == RayMask<C>{}) e.active = RayMask<C>(1);
   }
   void begun(const Entry& e) {
     Known& known = known_[e.packet.to_u64()];

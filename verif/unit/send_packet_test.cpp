@@ -18,7 +18,7 @@ void setup(Bench<SendPacket<C>>& bench, const Run&) {
                        ? RepeatCount<C>(3 * kRays<C> - 1)
                    : random.below(2) == 0 ? RepeatCount<C>(kRays<C>)
                                           : RepeatCount<C>(2 * kRays<C> - 1);
-    j.index = number_below<4>(random, j.job.repeat.to_u64() + 1);
+    j.index = number_below<RepeatCount<C>::kWidth>(random, j.job.repeat.to_u64() + 1);
     j.last = j.index == j.job.repeat;
   });
 }

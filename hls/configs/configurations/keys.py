@@ -33,7 +33,14 @@ class Key:
 ROUNDINGS = Choice("hls::Rounding", {"nearest_even": "kNearestEven", "truncate": "kTruncate"})
 CROSSINGS = Choice("Crossing", {"none": "kNone", "split": "kSplit", "remember": "kRemember"})
 OBJECT_BOXES = Choice("ObjectBox", {"nodes": "kNodes", "unit": "kUnit"})
-DIVIDERS = Choice("Divider", {"digit_recurrence": "kDigitRecurrence", "reciprocal": "kReciprocal"})
+DIVIDERS = Choice(
+    "Divider",
+    {
+        "digit_recurrence": "kDigitRecurrence",
+        "reciprocal": "kReciprocal",
+        "three_reciprocals": "kThreeReciprocals",
+    },
+)
 MATRICES = Choice(
     "TriangleMatrix",
     {"normal_consistent": "kNormalConsistent", "memory_efficient": "kMemoryEfficient"},
@@ -166,6 +173,20 @@ KEYS: dict[str, Key] = {
         "kOneColour",
         "whether every surface has the same colour, which the frame states",
         False,
+    ),
+    "item_cost": Key(
+        Number(0.25, 16),
+        None,
+        "cost of a primitive in a leaf, in steps of the traversal, that objects' trees are built for",
+        1.25,
+        of_core=False,
+    ),
+    "object_cost": Key(
+        Number(1, 256),
+        None,
+        "cost of entering an object, in steps of the traversal, that the top-level tree is built for",
+        8,
+        of_core=False,
     ),
     "counters": Key(Flag(), "kCounters", "whether the core counts what its units do", True),
 }

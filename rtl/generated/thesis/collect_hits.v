@@ -165,7 +165,7 @@ module collect_hits #(
   wire not_1_s3 = ~candidate_5_s3;
   wire not_2_s3 = ~candidate_6_s3;
   wire [23:0] mux_10_s3 = {~in_reset_s3 & candidate_9_s3[23], {23{in_reset_s3}} | candidate_9_s3[22:0]};  // units/collect_hits.h:101
-  wire eq_1_s3 = {candidate_6_s3, candidate_5_s3} == 2'd3;  // units/collect_hits.h:127
+  wire eq_1_s3 = {candidate_6_s3, candidate_5_s3} == 2'd3;  // units/packet.h:166
   wire not_3_s3 = ~in_reset_s3;
   wire [3:0] job_active_s3 = record_data_i[5:2];
 

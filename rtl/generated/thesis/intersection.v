@@ -48,17 +48,17 @@ module intersection #(
   wire [14:0] unit_ray_129_s0 = unit_ray_data_i[143:129];
   wire [6:0] unit_ray_144_s0 = unit_ray_data_i[150:144];
   wire unit_ray_151_s0 = unit_ray_data_i[151];
-  wire [17:0] sub_1_s0 = {2'd1, unit_ray_56_s0} - {2'd1, unit_ray_129_s0, unit_ray_128_s0};  // units/intersection.h:65
-  wire [16:0] mux_1_s0 = {sub_1_s0[17] | sub_1_s0[16], sub_1_s0[17] ? unit_ray_56_s0 : sub_1_s0[15:0]};  // units/intersection.h:65
-  wire [17:0] add_1_s0 = {2'd1, unit_ray_129_s0, unit_ray_128_s0} + {3'd1, unit_ray_129_s0};  // units/intersection.h:65
-  wire [19:0] sub_2_s0 = {1'd0, mux_1_s0, 2'd0} - {4'd1, unit_ray_129_s0, unit_ray_128_s0};  // units/intersection.h:65
-  wire [18:0] sub_3_s0 = {1'd0, mux_1_s0, 1'd0} - {3'd1, unit_ray_129_s0, unit_ray_128_s0};  // units/intersection.h:65
-  wire [19:0] sub_4_s0 = {1'd0, mux_1_s0, 2'd0} - {1'd0, add_1_s0, unit_ray_128_s0};  // units/intersection.h:65
-  wire [23:0] xor_1_s0 = {unit_ray_79_s0, unit_ray_72_s0, unit_ray_56_s0} ^ {unit_ray_151_s0, unit_ray_144_s0, unit_ray_129_s0, unit_ray_128_s0};  // units/intersection.h:65
-  wire [23:0] xor_2_s0 = {unit_ray_103_s0, unit_ray_96_s0, unit_ray_80_s0} ^ xor_1_s0;  // units/intersection.h:66
-  wire [23:0] xor_3_s0 = {unit_ray_31_s0, unit_ray_24_s0, unit_ray_8_s0} ^ xor_2_s0;  // units/intersection.h:66
-  wire [23:0] xor_5_s0 = {unit_ray_127_s0, unit_ray_120_s0, unit_ray_104_s0} ^ xor_1_s0;  // units/intersection.h:67
-  wire [23:0] xor_6_s0 = {unit_ray_55_s0, unit_ray_48_s0, unit_ray_32_s0} ^ xor_5_s0;  // units/intersection.h:67
+  wire [17:0] sub_1_s0 = {2'd1, unit_ray_56_s0} - {2'd1, unit_ray_129_s0, unit_ray_128_s0};  // units/intersection.h:66
+  wire [16:0] mux_1_s0 = {sub_1_s0[17] | sub_1_s0[16], sub_1_s0[17] ? unit_ray_56_s0 : sub_1_s0[15:0]};  // units/intersection.h:66
+  wire [17:0] add_1_s0 = {2'd1, unit_ray_129_s0, unit_ray_128_s0} + {3'd1, unit_ray_129_s0};  // units/intersection.h:66
+  wire [19:0] sub_2_s0 = {1'd0, mux_1_s0, 2'd0} - {4'd1, unit_ray_129_s0, unit_ray_128_s0};  // units/intersection.h:66
+  wire [18:0] sub_3_s0 = {1'd0, mux_1_s0, 1'd0} - {3'd1, unit_ray_129_s0, unit_ray_128_s0};  // units/intersection.h:66
+  wire [19:0] sub_4_s0 = {1'd0, mux_1_s0, 2'd0} - {1'd0, add_1_s0, unit_ray_128_s0};  // units/intersection.h:66
+  wire [23:0] xor_1_s0 = {unit_ray_79_s0, unit_ray_72_s0, unit_ray_56_s0} ^ {unit_ray_151_s0, unit_ray_144_s0, unit_ray_129_s0, unit_ray_128_s0};  // units/intersection.h:66
+  wire [23:0] xor_2_s0 = {unit_ray_103_s0, unit_ray_96_s0, unit_ray_80_s0} ^ xor_1_s0;  // units/intersection.h:67
+  wire [23:0] xor_3_s0 = {unit_ray_31_s0, unit_ray_24_s0, unit_ray_8_s0} ^ xor_2_s0;  // units/intersection.h:67
+  wire [23:0] xor_5_s0 = {unit_ray_127_s0, unit_ray_120_s0, unit_ray_104_s0} ^ xor_1_s0;  // units/intersection.h:68
+  wire [23:0] xor_6_s0 = {unit_ray_55_s0, unit_ray_48_s0, unit_ray_32_s0} ^ xor_5_s0;  // units/intersection.h:68
   wire [6:0] unit_ray_0_s0 = unit_ray_data_i[6:0];
 
   // ---- stage 1 ----
@@ -122,16 +122,16 @@ module intersection #(
     xor_6_s1 <= xor_6_s0[23];
     unit_ray_0_s1 <= unit_ray_0_s0;
   end
-  wire mux_2_s1 = sub_3_s1[18] ? sub_2_s1[19] : sub_4_s1[19];  // units/intersection.h:65
-  wire [16:0] mux_3_s1 = {sub_2_s1[19] ? mux_1_s1 : sub_2_s1[16:2], ~{2{sub_2_s1[19]}} & sub_2_s1[1:0]};  // units/intersection.h:65
-  wire [16:0] mux_4_s1 = {sub_4_s1[19] ? sub_3_s1[15:0] : sub_4_s1[16:1], ~sub_4_s1[19] & sub_4_s1[0]};  // units/intersection.h:65
-  wire [16:0] mux_5_s1 = sub_3_s1[18] ? mux_3_s1 : mux_4_s1;  // units/intersection.h:65
-  wire [19:0] sub_5_s1 = {1'd0, mux_5_s1, 2'd0} - {4'd1, unit_ray_129_s1, unit_ray_128_s1};  // units/intersection.h:65
-  wire [18:0] sub_6_s1 = {1'd0, mux_5_s1, 1'd0} - {3'd1, unit_ray_129_s1, unit_ray_128_s1};  // units/intersection.h:65
-  wire [19:0] sub_7_s1 = {1'd0, mux_5_s1, 2'd0} - {1'd0, add_1_s1, unit_ray_128_s1};  // units/intersection.h:65
-  wire mux_6_s1 = sub_6_s1[18] ? sub_5_s1[19] : sub_7_s1[19];  // units/intersection.h:65
-  wire [16:0] mux_7_s1 = {sub_5_s1[19] ? mux_5_s1[14:0] : sub_5_s1[16:2], ~{2{sub_5_s1[19]}} & sub_5_s1[1:0]};  // units/intersection.h:65
-  wire [16:0] mux_8_s1 = {sub_7_s1[19] ? sub_6_s1[15:0] : sub_7_s1[16:1], ~sub_7_s1[19] & sub_7_s1[0]};  // units/intersection.h:65
+  wire mux_2_s1 = sub_3_s1[18] ? sub_2_s1[19] : sub_4_s1[19];  // units/intersection.h:66
+  wire [16:0] mux_3_s1 = {sub_2_s1[19] ? mux_1_s1 : sub_2_s1[16:2], ~{2{sub_2_s1[19]}} & sub_2_s1[1:0]};  // units/intersection.h:66
+  wire [16:0] mux_4_s1 = {sub_4_s1[19] ? sub_3_s1[15:0] : sub_4_s1[16:1], ~sub_4_s1[19] & sub_4_s1[0]};  // units/intersection.h:66
+  wire [16:0] mux_5_s1 = sub_3_s1[18] ? mux_3_s1 : mux_4_s1;  // units/intersection.h:66
+  wire [19:0] sub_5_s1 = {1'd0, mux_5_s1, 2'd0} - {4'd1, unit_ray_129_s1, unit_ray_128_s1};  // units/intersection.h:66
+  wire [18:0] sub_6_s1 = {1'd0, mux_5_s1, 1'd0} - {3'd1, unit_ray_129_s1, unit_ray_128_s1};  // units/intersection.h:66
+  wire [19:0] sub_7_s1 = {1'd0, mux_5_s1, 2'd0} - {1'd0, add_1_s1, unit_ray_128_s1};  // units/intersection.h:66
+  wire mux_6_s1 = sub_6_s1[18] ? sub_5_s1[19] : sub_7_s1[19];  // units/intersection.h:66
+  wire [16:0] mux_7_s1 = {sub_5_s1[19] ? mux_5_s1[14:0] : sub_5_s1[16:2], ~{2{sub_5_s1[19]}} & sub_5_s1[1:0]};  // units/intersection.h:66
+  wire [16:0] mux_8_s1 = {sub_7_s1[19] ? sub_6_s1[15:0] : sub_7_s1[16:1], ~sub_7_s1[19] & sub_7_s1[0]};  // units/intersection.h:66
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -164,14 +164,14 @@ module intersection #(
     xor_3_s2 <= xor_3_s1;
     xor_6_s2 <= xor_6_s1;
   end
-  wire [16:0] mux_9_s2 = sub_6_s2 ? mux_7_s2 : mux_8_s2;  // units/intersection.h:65
-  wire [19:0] sub_8_s2 = {1'd0, mux_9_s2, 2'd0} - {4'd1, unit_ray_129_s2, unit_ray_128_s2};  // units/intersection.h:65
-  wire [18:0] sub_9_s2 = {1'd0, mux_9_s2, 1'd0} - {3'd1, unit_ray_129_s2, unit_ray_128_s2};  // units/intersection.h:65
-  wire [19:0] sub_10_s2 = {1'd0, mux_9_s2, 2'd0} - {1'd0, add_1_s2, unit_ray_128_s2};  // units/intersection.h:65
-  wire mux_10_s2 = sub_9_s2[18] ? sub_8_s2[19] : sub_10_s2[19];  // units/intersection.h:65
-  wire [16:0] mux_11_s2 = {sub_8_s2[19] ? mux_9_s2[14:0] : sub_8_s2[16:2], ~{2{sub_8_s2[19]}} & sub_8_s2[1:0]};  // units/intersection.h:65
-  wire [16:0] mux_12_s2 = {sub_10_s2[19] ? sub_9_s2[15:0] : sub_10_s2[16:1], ~sub_10_s2[19] & sub_10_s2[0]};  // units/intersection.h:65
-  wire [16:0] mux_13_s2 = sub_9_s2[18] ? mux_11_s2 : mux_12_s2;  // units/intersection.h:65
+  wire [16:0] mux_9_s2 = sub_6_s2 ? mux_7_s2 : mux_8_s2;  // units/intersection.h:66
+  wire [19:0] sub_8_s2 = {1'd0, mux_9_s2, 2'd0} - {4'd1, unit_ray_129_s2, unit_ray_128_s2};  // units/intersection.h:66
+  wire [18:0] sub_9_s2 = {1'd0, mux_9_s2, 1'd0} - {3'd1, unit_ray_129_s2, unit_ray_128_s2};  // units/intersection.h:66
+  wire [19:0] sub_10_s2 = {1'd0, mux_9_s2, 2'd0} - {1'd0, add_1_s2, unit_ray_128_s2};  // units/intersection.h:66
+  wire mux_10_s2 = sub_9_s2[18] ? sub_8_s2[19] : sub_10_s2[19];  // units/intersection.h:66
+  wire [16:0] mux_11_s2 = {sub_8_s2[19] ? mux_9_s2[14:0] : sub_8_s2[16:2], ~{2{sub_8_s2[19]}} & sub_8_s2[1:0]};  // units/intersection.h:66
+  wire [16:0] mux_12_s2 = {sub_10_s2[19] ? sub_9_s2[15:0] : sub_10_s2[16:1], ~sub_10_s2[19] & sub_10_s2[0]};  // units/intersection.h:66
+  wire [16:0] mux_13_s2 = sub_9_s2[18] ? mux_11_s2 : mux_12_s2;  // units/intersection.h:66
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -206,13 +206,13 @@ module intersection #(
     xor_3_s3 <= xor_3_s2;
     xor_6_s3 <= xor_6_s2;
   end
-  wire [19:0] sub_11_s3 = {1'd0, mux_13_s3, 2'd0} - {4'd1, unit_ray_129_s3, unit_ray_128_s3};  // units/intersection.h:65
-  wire [18:0] sub_12_s3 = {1'd0, mux_13_s3, 1'd0} - {3'd1, unit_ray_129_s3, unit_ray_128_s3};  // units/intersection.h:65
-  wire [19:0] sub_13_s3 = {1'd0, mux_13_s3, 2'd0} - {1'd0, add_1_s3, unit_ray_128_s3};  // units/intersection.h:65
-  wire mux_14_s3 = sub_12_s3[18] ? sub_11_s3[19] : sub_13_s3[19];  // units/intersection.h:65
-  wire [16:0] mux_15_s3 = {sub_11_s3[19] ? mux_13_s3[14:0] : sub_11_s3[16:2], ~{2{sub_11_s3[19]}} & sub_11_s3[1:0]};  // units/intersection.h:65
-  wire [16:0] mux_16_s3 = {sub_13_s3[19] ? sub_12_s3[15:0] : sub_13_s3[16:1], ~sub_13_s3[19] & sub_13_s3[0]};  // units/intersection.h:65
-  wire [16:0] mux_17_s3 = sub_12_s3[18] ? mux_15_s3 : mux_16_s3;  // units/intersection.h:65
+  wire [19:0] sub_11_s3 = {1'd0, mux_13_s3, 2'd0} - {4'd1, unit_ray_129_s3, unit_ray_128_s3};  // units/intersection.h:66
+  wire [18:0] sub_12_s3 = {1'd0, mux_13_s3, 1'd0} - {3'd1, unit_ray_129_s3, unit_ray_128_s3};  // units/intersection.h:66
+  wire [19:0] sub_13_s3 = {1'd0, mux_13_s3, 2'd0} - {1'd0, add_1_s3, unit_ray_128_s3};  // units/intersection.h:66
+  wire mux_14_s3 = sub_12_s3[18] ? sub_11_s3[19] : sub_13_s3[19];  // units/intersection.h:66
+  wire [16:0] mux_15_s3 = {sub_11_s3[19] ? mux_13_s3[14:0] : sub_11_s3[16:2], ~{2{sub_11_s3[19]}} & sub_11_s3[1:0]};  // units/intersection.h:66
+  wire [16:0] mux_16_s3 = {sub_13_s3[19] ? sub_12_s3[15:0] : sub_13_s3[16:1], ~sub_13_s3[19] & sub_13_s3[0]};  // units/intersection.h:66
+  wire [16:0] mux_17_s3 = sub_12_s3[18] ? mux_15_s3 : mux_16_s3;  // units/intersection.h:66
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -251,13 +251,13 @@ module intersection #(
     xor_3_s4 <= xor_3_s3;
     xor_6_s4 <= xor_6_s3;
   end
-  wire [19:0] sub_14_s4 = {1'd0, mux_17_s4, 2'd0} - {4'd1, unit_ray_129_s4, unit_ray_128_s4};  // units/intersection.h:65
-  wire [18:0] sub_15_s4 = {1'd0, mux_17_s4, 1'd0} - {3'd1, unit_ray_129_s4, unit_ray_128_s4};  // units/intersection.h:65
-  wire [19:0] sub_16_s4 = {1'd0, mux_17_s4, 2'd0} - {1'd0, add_1_s4, unit_ray_128_s4};  // units/intersection.h:65
-  wire mux_18_s4 = sub_15_s4[18] ? sub_14_s4[19] : sub_16_s4[19];  // units/intersection.h:65
-  wire [16:0] mux_19_s4 = {sub_14_s4[19] ? mux_17_s4[14:0] : sub_14_s4[16:2], ~{2{sub_14_s4[19]}} & sub_14_s4[1:0]};  // units/intersection.h:65
-  wire [16:0] mux_20_s4 = {sub_16_s4[19] ? sub_15_s4[15:0] : sub_16_s4[16:1], ~sub_16_s4[19] & sub_16_s4[0]};  // units/intersection.h:65
-  wire [16:0] mux_21_s4 = sub_15_s4[18] ? mux_19_s4 : mux_20_s4;  // units/intersection.h:65
+  wire [19:0] sub_14_s4 = {1'd0, mux_17_s4, 2'd0} - {4'd1, unit_ray_129_s4, unit_ray_128_s4};  // units/intersection.h:66
+  wire [18:0] sub_15_s4 = {1'd0, mux_17_s4, 1'd0} - {3'd1, unit_ray_129_s4, unit_ray_128_s4};  // units/intersection.h:66
+  wire [19:0] sub_16_s4 = {1'd0, mux_17_s4, 2'd0} - {1'd0, add_1_s4, unit_ray_128_s4};  // units/intersection.h:66
+  wire mux_18_s4 = sub_15_s4[18] ? sub_14_s4[19] : sub_16_s4[19];  // units/intersection.h:66
+  wire [16:0] mux_19_s4 = {sub_14_s4[19] ? mux_17_s4[14:0] : sub_14_s4[16:2], ~{2{sub_14_s4[19]}} & sub_14_s4[1:0]};  // units/intersection.h:66
+  wire [16:0] mux_20_s4 = {sub_16_s4[19] ? sub_15_s4[15:0] : sub_16_s4[16:1], ~sub_16_s4[19] & sub_16_s4[0]};  // units/intersection.h:66
+  wire [16:0] mux_21_s4 = sub_15_s4[18] ? mux_19_s4 : mux_20_s4;  // units/intersection.h:66
 
   // ---- stage 5 ----
   reg valid_s5;
@@ -300,13 +300,13 @@ module intersection #(
     xor_3_s5 <= xor_3_s4;
     xor_6_s5 <= xor_6_s4;
   end
-  wire [19:0] sub_17_s5 = {1'd0, mux_21_s5, 2'd0} - {4'd1, unit_ray_129_s5, unit_ray_128_s5};  // units/intersection.h:65
-  wire [18:0] sub_18_s5 = {1'd0, mux_21_s5, 1'd0} - {3'd1, unit_ray_129_s5, unit_ray_128_s5};  // units/intersection.h:65
-  wire [19:0] sub_19_s5 = {1'd0, mux_21_s5, 2'd0} - {1'd0, add_1_s5, unit_ray_128_s5};  // units/intersection.h:65
-  wire mux_22_s5 = sub_18_s5[18] ? sub_17_s5[19] : sub_19_s5[19];  // units/intersection.h:65
-  wire [16:0] mux_23_s5 = {sub_17_s5[19] ? mux_21_s5[14:0] : sub_17_s5[16:2], ~{2{sub_17_s5[19]}} & sub_17_s5[1:0]};  // units/intersection.h:65
-  wire [16:0] mux_24_s5 = {sub_19_s5[19] ? sub_18_s5[15:0] : sub_19_s5[16:1], ~sub_19_s5[19] & sub_19_s5[0]};  // units/intersection.h:65
-  wire [16:0] mux_25_s5 = sub_18_s5[18] ? mux_23_s5 : mux_24_s5;  // units/intersection.h:65
+  wire [19:0] sub_17_s5 = {1'd0, mux_21_s5, 2'd0} - {4'd1, unit_ray_129_s5, unit_ray_128_s5};  // units/intersection.h:66
+  wire [18:0] sub_18_s5 = {1'd0, mux_21_s5, 1'd0} - {3'd1, unit_ray_129_s5, unit_ray_128_s5};  // units/intersection.h:66
+  wire [19:0] sub_19_s5 = {1'd0, mux_21_s5, 2'd0} - {1'd0, add_1_s5, unit_ray_128_s5};  // units/intersection.h:66
+  wire mux_22_s5 = sub_18_s5[18] ? sub_17_s5[19] : sub_19_s5[19];  // units/intersection.h:66
+  wire [16:0] mux_23_s5 = {sub_17_s5[19] ? mux_21_s5[14:0] : sub_17_s5[16:2], ~{2{sub_17_s5[19]}} & sub_17_s5[1:0]};  // units/intersection.h:66
+  wire [16:0] mux_24_s5 = {sub_19_s5[19] ? sub_18_s5[15:0] : sub_19_s5[16:1], ~sub_19_s5[19] & sub_19_s5[0]};  // units/intersection.h:66
+  wire [16:0] mux_25_s5 = sub_18_s5[18] ? mux_23_s5 : mux_24_s5;  // units/intersection.h:66
 
   // ---- stage 6 ----
   reg valid_s6;
@@ -353,13 +353,13 @@ module intersection #(
     xor_3_s6 <= xor_3_s5;
     xor_6_s6 <= xor_6_s5;
   end
-  wire [19:0] sub_20_s6 = {1'd0, mux_25_s6, 2'd0} - {4'd1, unit_ray_129_s6, unit_ray_128_s6};  // units/intersection.h:65
-  wire [18:0] sub_21_s6 = {1'd0, mux_25_s6, 1'd0} - {3'd1, unit_ray_129_s6, unit_ray_128_s6};  // units/intersection.h:65
-  wire [19:0] sub_22_s6 = {1'd0, mux_25_s6, 2'd0} - {1'd0, add_1_s6, unit_ray_128_s6};  // units/intersection.h:65
-  wire mux_26_s6 = sub_21_s6[18] ? sub_20_s6[19] : sub_22_s6[19];  // units/intersection.h:65
-  wire [16:0] mux_27_s6 = {sub_20_s6[19] ? mux_25_s6[14:0] : sub_20_s6[16:2], ~{2{sub_20_s6[19]}} & sub_20_s6[1:0]};  // units/intersection.h:65
-  wire [16:0] mux_28_s6 = {sub_22_s6[19] ? sub_21_s6[15:0] : sub_22_s6[16:1], ~sub_22_s6[19] & sub_22_s6[0]};  // units/intersection.h:65
-  wire [16:0] mux_29_s6 = sub_21_s6[18] ? mux_27_s6 : mux_28_s6;  // units/intersection.h:65
+  wire [19:0] sub_20_s6 = {1'd0, mux_25_s6, 2'd0} - {4'd1, unit_ray_129_s6, unit_ray_128_s6};  // units/intersection.h:66
+  wire [18:0] sub_21_s6 = {1'd0, mux_25_s6, 1'd0} - {3'd1, unit_ray_129_s6, unit_ray_128_s6};  // units/intersection.h:66
+  wire [19:0] sub_22_s6 = {1'd0, mux_25_s6, 2'd0} - {1'd0, add_1_s6, unit_ray_128_s6};  // units/intersection.h:66
+  wire mux_26_s6 = sub_21_s6[18] ? sub_20_s6[19] : sub_22_s6[19];  // units/intersection.h:66
+  wire [16:0] mux_27_s6 = {sub_20_s6[19] ? mux_25_s6[14:0] : sub_20_s6[16:2], ~{2{sub_20_s6[19]}} & sub_20_s6[1:0]};  // units/intersection.h:66
+  wire [16:0] mux_28_s6 = {sub_22_s6[19] ? sub_21_s6[15:0] : sub_22_s6[16:1], ~sub_22_s6[19] & sub_22_s6[0]};  // units/intersection.h:66
+  wire [16:0] mux_29_s6 = sub_21_s6[18] ? mux_27_s6 : mux_28_s6;  // units/intersection.h:66
 
   // ---- stage 7 ----
   reg valid_s7;
@@ -417,13 +417,13 @@ module intersection #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({unit_ray_72_s1, unit_ray_144_s1, sub_1_s1}),
     .data_o({unit_ray_72_s7, unit_ray_144_s7, sub_1_s7}));
-  wire [19:0] sub_23_s7 = {1'd0, mux_29_s7, 2'd0} - {4'd1, unit_ray_129_s7, unit_ray_128_s7};  // units/intersection.h:65
-  wire [18:0] sub_24_s7 = {1'd0, mux_29_s7, 1'd0} - {3'd1, unit_ray_129_s7, unit_ray_128_s7};  // units/intersection.h:65
-  wire [19:0] sub_25_s7 = {1'd0, mux_29_s7, 2'd0} - {1'd0, add_1_s7, unit_ray_128_s7};  // units/intersection.h:65
-  wire mux_30_s7 = sub_24_s7[18] ? sub_23_s7[19] : sub_25_s7[19];  // units/intersection.h:65
-  wire [16:0] mux_31_s7 = {sub_23_s7[19] ? mux_29_s7[14:0] : sub_23_s7[16:2], ~{2{sub_23_s7[19]}} & sub_23_s7[1:0]};  // units/intersection.h:65
-  wire [16:0] mux_32_s7 = {sub_25_s7[19] ? sub_24_s7[15:0] : sub_25_s7[16:1], ~sub_25_s7[19] & sub_25_s7[0]};  // units/intersection.h:65
-  wire [16:0] mux_33_s7 = sub_24_s7[18] ? mux_31_s7 : mux_32_s7;  // units/intersection.h:65
+  wire [19:0] sub_23_s7 = {1'd0, mux_29_s7, 2'd0} - {4'd1, unit_ray_129_s7, unit_ray_128_s7};  // units/intersection.h:66
+  wire [18:0] sub_24_s7 = {1'd0, mux_29_s7, 1'd0} - {3'd1, unit_ray_129_s7, unit_ray_128_s7};  // units/intersection.h:66
+  wire [19:0] sub_25_s7 = {1'd0, mux_29_s7, 2'd0} - {1'd0, add_1_s7, unit_ray_128_s7};  // units/intersection.h:66
+  wire mux_30_s7 = sub_24_s7[18] ? sub_23_s7[19] : sub_25_s7[19];  // units/intersection.h:66
+  wire [16:0] mux_31_s7 = {sub_23_s7[19] ? mux_29_s7[14:0] : sub_23_s7[16:2], ~{2{sub_23_s7[19]}} & sub_23_s7[1:0]};  // units/intersection.h:66
+  wire [16:0] mux_32_s7 = {sub_25_s7[19] ? sub_24_s7[15:0] : sub_25_s7[16:1], ~sub_25_s7[19] & sub_25_s7[0]};  // units/intersection.h:66
+  wire [16:0] mux_33_s7 = sub_24_s7[18] ? mux_31_s7 : mux_32_s7;  // units/intersection.h:66
 
   // ---- stage 8 ----
   reg valid_s8;
@@ -484,13 +484,13 @@ module intersection #(
     xor_3_s8 <= xor_3_s7;
     xor_6_s8 <= xor_6_s7;
   end
-  wire [19:0] sub_26_s8 = {1'd0, mux_33_s8, 2'd0} - {4'd1, unit_ray_129_s8, unit_ray_128_s8};  // units/intersection.h:65
-  wire [18:0] sub_27_s8 = {1'd0, mux_33_s8, 1'd0} - {3'd1, unit_ray_129_s8, unit_ray_128_s8};  // units/intersection.h:65
-  wire [19:0] sub_28_s8 = {1'd0, mux_33_s8, 2'd0} - {1'd0, add_1_s8, unit_ray_128_s8};  // units/intersection.h:65
-  wire mux_34_s8 = sub_27_s8[18] ? sub_26_s8[19] : sub_28_s8[19];  // units/intersection.h:65
-  wire [18:0] not_1_s8 = ~{sub_1_s8, sub_3_s8, mux_2_s8, sub_6_s8, mux_6_s8, sub_9_s8, mux_10_s8, sub_12_s8, mux_14_s8, sub_15_s8, mux_18_s8, sub_18_s8, mux_22_s8, sub_21_s8, mux_26_s8, sub_24_s8, mux_30_s8, sub_27_s8[18], mux_34_s8};  // units/intersection.h:65
-  wire [16:0] mux_35_s8 = not_1_s8[18] ? not_1_s8[17:1] : not_1_s8[16:0];  // units/intersection.h:65
-  wire [7:0] sub_29_s8 = {1'd0, unit_ray_72_s8} - {1'd0, unit_ray_144_s8};  // units/intersection.h:65
+  wire [19:0] sub_26_s8 = {1'd0, mux_33_s8, 2'd0} - {4'd1, unit_ray_129_s8, unit_ray_128_s8};  // units/intersection.h:66
+  wire [18:0] sub_27_s8 = {1'd0, mux_33_s8, 1'd0} - {3'd1, unit_ray_129_s8, unit_ray_128_s8};  // units/intersection.h:66
+  wire [19:0] sub_28_s8 = {1'd0, mux_33_s8, 2'd0} - {1'd0, add_1_s8, unit_ray_128_s8};  // units/intersection.h:66
+  wire mux_34_s8 = sub_27_s8[18] ? sub_26_s8[19] : sub_28_s8[19];  // units/intersection.h:66
+  wire [18:0] not_1_s8 = ~{sub_1_s8, sub_3_s8, mux_2_s8, sub_6_s8, mux_6_s8, sub_9_s8, mux_10_s8, sub_12_s8, mux_14_s8, sub_15_s8, mux_18_s8, sub_18_s8, mux_22_s8, sub_21_s8, mux_26_s8, sub_24_s8, mux_30_s8, sub_27_s8[18], mux_34_s8};  // units/intersection.h:66
+  wire [16:0] mux_35_s8 = not_1_s8[18] ? not_1_s8[17:1] : not_1_s8[16:0];  // units/intersection.h:66
+  wire [7:0] sub_29_s8 = {1'd0, unit_ray_72_s8} - {1'd0, unit_ray_144_s8};  // units/intersection.h:66
 
   // ---- stage 9 ----
   reg valid_s9;
@@ -523,10 +523,10 @@ module intersection #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({unit_ray_80_s1, unit_ray_104_s1}),
     .data_o({unit_ray_80_s9, unit_ray_104_s9}));
-  wire [7:0] add_2_s9 = {sub_29_s9[7], sub_29_s9[7:1]} + 8'd31;  // units/intersection.h:65
-  wire [24:0] add_3_s9 = {add_2_s9, sub_29_s9[0], 15'd0, mux_35_s9[0]} + {8'd0, not_1_s9, mux_35_s9[16:1]};  // units/intersection.h:65
-  wire [22:0] mux_36_s9 = {23{add_3_s9[23]}} | add_3_s9[22:0];  // units/intersection.h:65
-  wire [22:0] mux_37_s9 = ~{23{add_3_s9[24]}} & mux_36_s9;  // units/intersection.h:65
+  wire [7:0] add_2_s9 = {sub_29_s9[7], sub_29_s9[7:1]} + 8'd31;  // units/intersection.h:66
+  wire [24:0] add_3_s9 = {add_2_s9, sub_29_s9[0], 15'd0, mux_35_s9[0]} + {8'd0, not_1_s9, mux_35_s9[16:1]};  // units/intersection.h:66
+  wire [22:0] mux_36_s9 = {23{add_3_s9[23]}} | add_3_s9[22:0];  // units/intersection.h:66
+  wire [22:0] mux_37_s9 = ~{23{add_3_s9[24]}} & mux_36_s9;  // units/intersection.h:66
 
   // ---- stage 10 ----
   reg valid_s10;
@@ -553,8 +553,8 @@ module intersection #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({unit_ray_96_s1, unit_ray_120_s1}),
     .data_o({unit_ray_96_s10, unit_ray_120_s10}));
-  wire [33:0] mul_1_s10 = {1'd1, mux_37_s10[15:0]} * {1'd1, unit_ray_80_s10};  // units/intersection.h:66
-  wire [33:0] mul_2_s10 = {1'd1, mux_37_s10[15:0]} * {1'd1, unit_ray_104_s10};  // units/intersection.h:67
+  wire [33:0] mul_1_s10 = {1'd1, mux_37_s10[15:0]} * {1'd1, unit_ray_80_s10};  // units/intersection.h:67
+  wire [33:0] mul_2_s10 = {1'd1, mux_37_s10[15:0]} * {1'd1, unit_ray_104_s10};  // units/intersection.h:68
 
   // ---- stage 11 ----
   reg valid_s11;
@@ -579,14 +579,14 @@ module intersection #(
     mul_2_s11 <= mul_2_s10;
     xor_6_s11 <= xor_6_s10;
   end
-  wire [17:0] mux_38_s11 = {mul_1_s11[33] ? mul_1_s11[32:16] : mul_1_s11[31:15], mul_1_s11[33] & mul_1_s11[15]};  // units/intersection.h:66
-  wire [7:0] add_4_s11 = {1'd0, mux_37_s11[22:16]} + {1'd0, unit_ray_96_s11};  // units/intersection.h:66
-  wire or_2_s11 = ((~(mul_1_s11[14:0] == 15'd0)) | mux_38_s11[0]) | mux_38_s11[2];  // units/intersection.h:66
-  wire and_1_s11 = mux_38_s11[1] & or_2_s11;  // units/intersection.h:66
-  wire [17:0] mux_63_s11 = {mul_2_s11[33] ? mul_2_s11[32:16] : mul_2_s11[31:15], mul_2_s11[33] & mul_2_s11[15]};  // units/intersection.h:67
-  wire [7:0] add_9_s11 = {1'd0, mux_37_s11[22:16]} + {1'd0, unit_ray_120_s11};  // units/intersection.h:67
-  wire or_12_s11 = ((~(mul_2_s11[14:0] == 15'd0)) | mux_63_s11[0]) | mux_63_s11[2];  // units/intersection.h:67
-  wire and_16_s11 = mux_63_s11[1] & or_12_s11;  // units/intersection.h:67
+  wire [17:0] mux_38_s11 = {mul_1_s11[33] ? mul_1_s11[32:16] : mul_1_s11[31:15], mul_1_s11[33] & mul_1_s11[15]};  // units/intersection.h:67
+  wire [7:0] add_4_s11 = {1'd0, mux_37_s11[22:16]} + {1'd0, unit_ray_96_s11};  // units/intersection.h:67
+  wire or_2_s11 = ((~(mul_1_s11[14:0] == 15'd0)) | mux_38_s11[0]) | mux_38_s11[2];  // units/intersection.h:67
+  wire and_1_s11 = mux_38_s11[1] & or_2_s11;  // units/intersection.h:67
+  wire [17:0] mux_63_s11 = {mul_2_s11[33] ? mul_2_s11[32:16] : mul_2_s11[31:15], mul_2_s11[33] & mul_2_s11[15]};  // units/intersection.h:68
+  wire [7:0] add_9_s11 = {1'd0, mux_37_s11[22:16]} + {1'd0, unit_ray_120_s11};  // units/intersection.h:68
+  wire or_12_s11 = ((~(mul_2_s11[14:0] == 15'd0)) | mux_63_s11[0]) | mux_63_s11[2];  // units/intersection.h:68
+  wire and_16_s11 = mux_63_s11[1] & or_12_s11;  // units/intersection.h:68
 
   // ---- stage 12 ----
   reg valid_s12;
@@ -631,16 +631,16 @@ module intersection #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({unit_ray_8_s1, unit_ray_24_s1, unit_ray_31_s1, unit_ray_32_s1, unit_ray_48_s1, unit_ray_55_s1, xor_2_s1, xor_5_s1}),
     .data_o({unit_ray_8_s12, unit_ray_24_s12, unit_ray_31_s12, unit_ray_32_s12, unit_ray_48_s12, unit_ray_55_s12, xor_2_s12, xor_5_s12}));
-  wire not_2_s12 = ~mul_1_s12;  // units/intersection.h:66
-  wire [2:0] add_5_s12 = {1'd0, add_4_s12[7:6]} + 3'd7;  // units/intersection.h:66
-  wire [24:0] add_6_s12 = {add_5_s12, add_4_s12[5:0], 15'd0, and_1_s12} + {7'd0, mul_1_s12, not_2_s12, mux_38_s12};  // units/intersection.h:66
-  wire [22:0] mux_39_s12 = {23{add_6_s12[23]}} | add_6_s12[22:0];  // units/intersection.h:66
-  wire [22:0] mux_40_s12 = ~{23{add_6_s12[24]}} & mux_39_s12;  // units/intersection.h:66
-  wire not_16_s12 = ~mul_2_s12;  // units/intersection.h:67
-  wire [2:0] add_10_s12 = {1'd0, add_9_s12[7:6]} + 3'd7;  // units/intersection.h:67
-  wire [24:0] add_11_s12 = {add_10_s12, add_9_s12[5:0], 15'd0, and_16_s12} + {7'd0, mul_2_s12, not_16_s12, mux_63_s12};  // units/intersection.h:67
-  wire [22:0] mux_64_s12 = {23{add_11_s12[23]}} | add_11_s12[22:0];  // units/intersection.h:67
-  wire [22:0] mux_65_s12 = ~{23{add_11_s12[24]}} & mux_64_s12;  // units/intersection.h:67
+  wire not_2_s12 = ~mul_1_s12;  // units/intersection.h:67
+  wire [2:0] add_5_s12 = {1'd0, add_4_s12[7:6]} + 3'd7;  // units/intersection.h:67
+  wire [24:0] add_6_s12 = {add_5_s12, add_4_s12[5:0], 15'd0, and_1_s12} + {7'd0, mul_1_s12, not_2_s12, mux_38_s12};  // units/intersection.h:67
+  wire [22:0] mux_39_s12 = {23{add_6_s12[23]}} | add_6_s12[22:0];  // units/intersection.h:67
+  wire [22:0] mux_40_s12 = ~{23{add_6_s12[24]}} & mux_39_s12;  // units/intersection.h:67
+  wire not_16_s12 = ~mul_2_s12;  // units/intersection.h:68
+  wire [2:0] add_10_s12 = {1'd0, add_9_s12[7:6]} + 3'd7;  // units/intersection.h:68
+  wire [24:0] add_11_s12 = {add_10_s12, add_9_s12[5:0], 15'd0, and_16_s12} + {7'd0, mul_2_s12, not_16_s12, mux_63_s12};  // units/intersection.h:68
+  wire [22:0] mux_64_s12 = {23{add_11_s12[23]}} | add_11_s12[22:0];  // units/intersection.h:68
+  wire [22:0] mux_65_s12 = ~{23{add_11_s12[24]}} & mux_64_s12;  // units/intersection.h:68
 
   // ---- stage 13 ----
   reg valid_s13;
@@ -675,16 +675,16 @@ module intersection #(
     mux_65_s13 <= mux_65_s12;
     xor_6_s13 <= xor_6_s12;
   end
-  wire not_5_s13 = ~xor_2_s13;  // units/intersection.h:66
-  wire lt_1_s13 = mux_40_s13 < {unit_ray_24_s13, unit_ray_8_s13};  // units/intersection.h:66
-  wire [6:0] mux_41_s13 = lt_1_s13 ? (unit_ray_24_s13 - mux_40_s13[22:16]) : (mux_40_s13[22:16] - unit_ray_24_s13);  // units/intersection.h:66
-  wire [23:0] mux_42_s13 = lt_1_s13 ? {unit_ray_31_s13, unit_ray_24_s13, unit_ray_8_s13} : {not_5_s13, mux_40_s13};  // units/intersection.h:66
-  wire [15:0] mux_43_s13 = lt_1_s13 ? mux_40_s13[15:0] : unit_ray_8_s13;  // units/intersection.h:66
-  wire not_18_s13 = ~xor_5_s13;  // units/intersection.h:67
-  wire lt_2_s13 = mux_65_s13 < {unit_ray_48_s13, unit_ray_32_s13};  // units/intersection.h:67
-  wire [6:0] mux_66_s13 = lt_2_s13 ? (unit_ray_48_s13 - mux_65_s13[22:16]) : (mux_65_s13[22:16] - unit_ray_48_s13);  // units/intersection.h:67
-  wire [23:0] mux_67_s13 = lt_2_s13 ? {unit_ray_55_s13, unit_ray_48_s13, unit_ray_32_s13} : {not_18_s13, mux_65_s13};  // units/intersection.h:67
-  wire [15:0] mux_68_s13 = lt_2_s13 ? mux_65_s13[15:0] : unit_ray_32_s13;  // units/intersection.h:67
+  wire not_5_s13 = ~xor_2_s13;  // units/intersection.h:67
+  wire lt_1_s13 = mux_40_s13 < {unit_ray_24_s13, unit_ray_8_s13};  // units/intersection.h:67
+  wire [6:0] mux_41_s13 = lt_1_s13 ? (unit_ray_24_s13 - mux_40_s13[22:16]) : (mux_40_s13[22:16] - unit_ray_24_s13);  // units/intersection.h:67
+  wire [23:0] mux_42_s13 = lt_1_s13 ? {unit_ray_31_s13, unit_ray_24_s13, unit_ray_8_s13} : {not_5_s13, mux_40_s13};  // units/intersection.h:67
+  wire [15:0] mux_43_s13 = lt_1_s13 ? mux_40_s13[15:0] : unit_ray_8_s13;  // units/intersection.h:67
+  wire not_18_s13 = ~xor_5_s13;  // units/intersection.h:68
+  wire lt_2_s13 = mux_65_s13 < {unit_ray_48_s13, unit_ray_32_s13};  // units/intersection.h:68
+  wire [6:0] mux_66_s13 = lt_2_s13 ? (unit_ray_48_s13 - mux_65_s13[22:16]) : (mux_65_s13[22:16] - unit_ray_48_s13);  // units/intersection.h:68
+  wire [23:0] mux_67_s13 = lt_2_s13 ? {unit_ray_55_s13, unit_ray_48_s13, unit_ray_32_s13} : {not_18_s13, mux_65_s13};  // units/intersection.h:68
+  wire [15:0] mux_68_s13 = lt_2_s13 ? mux_65_s13[15:0] : unit_ray_32_s13;  // units/intersection.h:68
 
   // ---- stage 14 ----
   reg valid_s14;
@@ -711,32 +711,32 @@ module intersection #(
     mux_68_s14 <= mux_68_s13;
     xor_6_s14 <= xor_6_s13;
   end
-  wire not_6_s14 = ~xor_3_s14;  // units/intersection.h:66
-  wire [18:0] mux_44_s14 = {mux_41_s14[4] ? 1'd0 : 1'd1, ~{15{mux_41_s14[4]}} & mux_43_s14[15:1], mux_41_s14[4] | mux_43_s14[0], {2{mux_41_s14[4]}} & mux_43_s14[15:14]};  // units/intersection.h:66
-  wire [18:0] mux_45_s14 = {~{8{mux_41_s14[3]}} & mux_44_s14[18:11], mux_41_s14[3] ? mux_44_s14[18:8] : mux_44_s14[10:0]};  // units/intersection.h:66
-  wire [18:0] mux_46_s14 = {~{4{mux_41_s14[2]}} & mux_45_s14[18:15], mux_41_s14[2] ? mux_45_s14[18:4] : mux_45_s14[14:0]};  // units/intersection.h:66
-  wire [18:0] mux_47_s14 = {~{2{mux_41_s14[1]}} & mux_46_s14[18:17], mux_41_s14[1] ? mux_46_s14[18:2] : mux_46_s14[16:0]};  // units/intersection.h:66
-  wire [18:0] mux_48_s14 = {~mux_41_s14[0] & mux_47_s14[18], mux_41_s14[0] ? mux_47_s14[18:1] : mux_47_s14[17:0]};  // units/intersection.h:66
-  wire eq_6_s14 = mux_41_s14[6:5] == 2'd0;  // units/intersection.h:66
-  wire or_3_s14 = (mux_41_s14[4] & (~(mux_43_s14[13:0] == 14'd0))) | (~eq_6_s14);  // units/intersection.h:66
-  wire or_5_s14 = (mux_41_s14[2] & (~(mux_45_s14[3:0] == 4'd0))) | (mux_41_s14[0] & mux_47_s14[0]);  // units/intersection.h:66
-  wire or_6_s14 = (mux_41_s14[1] & (~(mux_46_s14[1:0] == 2'd0))) | ((mux_41_s14[3] & (~(mux_44_s14[7:0] == 8'd0))) | or_3_s14);  // units/intersection.h:66
-  wire or_7_s14 = or_5_s14 | or_6_s14;  // units/intersection.h:66
-  wire [18:0] mux_49_s14 = {19{eq_6_s14}} & mux_48_s14;  // units/intersection.h:66
-  wire [19:0] xor_4_s14 = {mux_49_s14, or_7_s14} ^ {20{not_6_s14}};  // units/intersection.h:66
-  wire not_19_s14 = ~xor_6_s14;  // units/intersection.h:67
-  wire [18:0] mux_69_s14 = {mux_66_s14[4] ? 1'd0 : 1'd1, ~{15{mux_66_s14[4]}} & mux_68_s14[15:1], mux_66_s14[4] | mux_68_s14[0], {2{mux_66_s14[4]}} & mux_68_s14[15:14]};  // units/intersection.h:67
-  wire [18:0] mux_70_s14 = {~{8{mux_66_s14[3]}} & mux_69_s14[18:11], mux_66_s14[3] ? mux_69_s14[18:8] : mux_69_s14[10:0]};  // units/intersection.h:67
-  wire [18:0] mux_71_s14 = {~{4{mux_66_s14[2]}} & mux_70_s14[18:15], mux_66_s14[2] ? mux_70_s14[18:4] : mux_70_s14[14:0]};  // units/intersection.h:67
-  wire [18:0] mux_72_s14 = {~{2{mux_66_s14[1]}} & mux_71_s14[18:17], mux_66_s14[1] ? mux_71_s14[18:2] : mux_71_s14[16:0]};  // units/intersection.h:67
-  wire [18:0] mux_73_s14 = {~mux_66_s14[0] & mux_72_s14[18], mux_66_s14[0] ? mux_72_s14[18:1] : mux_72_s14[17:0]};  // units/intersection.h:67
-  wire eq_20_s14 = mux_66_s14[6:5] == 2'd0;  // units/intersection.h:67
-  wire or_13_s14 = (mux_66_s14[4] & (~(mux_68_s14[13:0] == 14'd0))) | (~eq_20_s14);  // units/intersection.h:67
-  wire or_15_s14 = (mux_66_s14[2] & (~(mux_70_s14[3:0] == 4'd0))) | (mux_66_s14[0] & mux_72_s14[0]);  // units/intersection.h:67
-  wire or_16_s14 = (mux_66_s14[1] & (~(mux_71_s14[1:0] == 2'd0))) | ((mux_66_s14[3] & (~(mux_69_s14[7:0] == 8'd0))) | or_13_s14);  // units/intersection.h:67
-  wire or_17_s14 = or_15_s14 | or_16_s14;  // units/intersection.h:67
-  wire [18:0] mux_74_s14 = {19{eq_20_s14}} & mux_73_s14;  // units/intersection.h:67
-  wire [19:0] xor_7_s14 = {mux_74_s14, or_17_s14} ^ {20{not_19_s14}};  // units/intersection.h:67
+  wire not_6_s14 = ~xor_3_s14;  // units/intersection.h:67
+  wire [18:0] mux_44_s14 = {mux_41_s14[4] ? 1'd0 : 1'd1, ~{15{mux_41_s14[4]}} & mux_43_s14[15:1], mux_41_s14[4] | mux_43_s14[0], {2{mux_41_s14[4]}} & mux_43_s14[15:14]};  // units/intersection.h:67
+  wire [18:0] mux_45_s14 = {~{8{mux_41_s14[3]}} & mux_44_s14[18:11], mux_41_s14[3] ? mux_44_s14[18:8] : mux_44_s14[10:0]};  // units/intersection.h:67
+  wire [18:0] mux_46_s14 = {~{4{mux_41_s14[2]}} & mux_45_s14[18:15], mux_41_s14[2] ? mux_45_s14[18:4] : mux_45_s14[14:0]};  // units/intersection.h:67
+  wire [18:0] mux_47_s14 = {~{2{mux_41_s14[1]}} & mux_46_s14[18:17], mux_41_s14[1] ? mux_46_s14[18:2] : mux_46_s14[16:0]};  // units/intersection.h:67
+  wire [18:0] mux_48_s14 = {~mux_41_s14[0] & mux_47_s14[18], mux_41_s14[0] ? mux_47_s14[18:1] : mux_47_s14[17:0]};  // units/intersection.h:67
+  wire eq_6_s14 = mux_41_s14[6:5] == 2'd0;  // units/intersection.h:67
+  wire or_3_s14 = (mux_41_s14[4] & (~(mux_43_s14[13:0] == 14'd0))) | (~eq_6_s14);  // units/intersection.h:67
+  wire or_5_s14 = (mux_41_s14[2] & (~(mux_45_s14[3:0] == 4'd0))) | (mux_41_s14[0] & mux_47_s14[0]);  // units/intersection.h:67
+  wire or_6_s14 = (mux_41_s14[1] & (~(mux_46_s14[1:0] == 2'd0))) | ((mux_41_s14[3] & (~(mux_44_s14[7:0] == 8'd0))) | or_3_s14);  // units/intersection.h:67
+  wire or_7_s14 = or_5_s14 | or_6_s14;  // units/intersection.h:67
+  wire [18:0] mux_49_s14 = {19{eq_6_s14}} & mux_48_s14;  // units/intersection.h:67
+  wire [19:0] xor_4_s14 = {mux_49_s14, or_7_s14} ^ {20{not_6_s14}};  // units/intersection.h:67
+  wire not_19_s14 = ~xor_6_s14;  // units/intersection.h:68
+  wire [18:0] mux_69_s14 = {mux_66_s14[4] ? 1'd0 : 1'd1, ~{15{mux_66_s14[4]}} & mux_68_s14[15:1], mux_66_s14[4] | mux_68_s14[0], {2{mux_66_s14[4]}} & mux_68_s14[15:14]};  // units/intersection.h:68
+  wire [18:0] mux_70_s14 = {~{8{mux_66_s14[3]}} & mux_69_s14[18:11], mux_66_s14[3] ? mux_69_s14[18:8] : mux_69_s14[10:0]};  // units/intersection.h:68
+  wire [18:0] mux_71_s14 = {~{4{mux_66_s14[2]}} & mux_70_s14[18:15], mux_66_s14[2] ? mux_70_s14[18:4] : mux_70_s14[14:0]};  // units/intersection.h:68
+  wire [18:0] mux_72_s14 = {~{2{mux_66_s14[1]}} & mux_71_s14[18:17], mux_66_s14[1] ? mux_71_s14[18:2] : mux_71_s14[16:0]};  // units/intersection.h:68
+  wire [18:0] mux_73_s14 = {~mux_66_s14[0] & mux_72_s14[18], mux_66_s14[0] ? mux_72_s14[18:1] : mux_72_s14[17:0]};  // units/intersection.h:68
+  wire eq_20_s14 = mux_66_s14[6:5] == 2'd0;  // units/intersection.h:68
+  wire or_13_s14 = (mux_66_s14[4] & (~(mux_68_s14[13:0] == 14'd0))) | (~eq_20_s14);  // units/intersection.h:68
+  wire or_15_s14 = (mux_66_s14[2] & (~(mux_70_s14[3:0] == 4'd0))) | (mux_66_s14[0] & mux_72_s14[0]);  // units/intersection.h:68
+  wire or_16_s14 = (mux_66_s14[1] & (~(mux_71_s14[1:0] == 2'd0))) | ((mux_66_s14[3] & (~(mux_69_s14[7:0] == 8'd0))) | or_13_s14);  // units/intersection.h:68
+  wire or_17_s14 = or_15_s14 | or_16_s14;  // units/intersection.h:68
+  wire [18:0] mux_74_s14 = {19{eq_20_s14}} & mux_73_s14;  // units/intersection.h:68
+  wire [19:0] xor_7_s14 = {mux_74_s14, or_17_s14} ^ {20{not_19_s14}};  // units/intersection.h:68
 
   // ---- stage 15 ----
   reg valid_s15;
@@ -759,26 +759,26 @@ module intersection #(
     not_19_s15 <= not_19_s14;
     xor_7_s15 <= xor_7_s14;
   end
-  wire [21:0] add_7_s15 = {2'd1, mux_42_s15[15:0], 4'd1} + {not_6_s15, xor_4_s15, not_6_s15};  // units/intersection.h:66
-  wire eq_7_s15 = add_7_s15[21:2] == 20'd0;  // units/intersection.h:66
-  wire eq_8_s15 = add_7_s15[21:18] == 4'd0;  // units/intersection.h:66
-  wire eq_10_s15 = add_7_s15[13:10] == 4'd0;  // units/intersection.h:66
-  wire eq_12_s15 = add_7_s15[5:2] == 4'd0;  // units/intersection.h:66
-  wire and_7_s15 = eq_8_s15 & (add_7_s15[17:14] == 4'd0);  // units/intersection.h:66
-  wire and_9_s15 = and_7_s15 & (eq_10_s15 & (add_7_s15[9:6] == 4'd0));  // units/intersection.h:66
-  wire [19:0] mux_50_s15 = {and_9_s15 ? add_7_s15[5:2] : add_7_s15[21:18], ~{16{and_9_s15}} & add_7_s15[17:2]};  // units/intersection.h:66
-  wire mux_51_s15 = and_9_s15 ? eq_12_s15 : eq_8_s15;  // units/intersection.h:66
-  wire mux_52_s15 = and_9_s15 ? eq_12_s15 : and_7_s15;  // units/intersection.h:66
-  wire [21:0] add_12_s15 = {2'd1, mux_67_s15[15:0], 4'd1} + {not_19_s15, xor_7_s15, not_19_s15};  // units/intersection.h:67
-  wire eq_21_s15 = add_12_s15[21:2] == 20'd0;  // units/intersection.h:67
-  wire eq_22_s15 = add_12_s15[21:18] == 4'd0;  // units/intersection.h:67
-  wire eq_24_s15 = add_12_s15[13:10] == 4'd0;  // units/intersection.h:67
-  wire eq_26_s15 = add_12_s15[5:2] == 4'd0;  // units/intersection.h:67
-  wire and_22_s15 = eq_22_s15 & (add_12_s15[17:14] == 4'd0);  // units/intersection.h:67
-  wire and_24_s15 = and_22_s15 & (eq_24_s15 & (add_12_s15[9:6] == 4'd0));  // units/intersection.h:67
-  wire [19:0] mux_75_s15 = {and_24_s15 ? add_12_s15[5:2] : add_12_s15[21:18], ~{16{and_24_s15}} & add_12_s15[17:2]};  // units/intersection.h:67
-  wire mux_76_s15 = and_24_s15 ? eq_26_s15 : eq_22_s15;  // units/intersection.h:67
-  wire mux_77_s15 = and_24_s15 ? eq_26_s15 : and_22_s15;  // units/intersection.h:67
+  wire [21:0] add_7_s15 = {2'd1, mux_42_s15[15:0], 4'd1} + {not_6_s15, xor_4_s15, not_6_s15};  // units/intersection.h:67
+  wire eq_7_s15 = add_7_s15[21:2] == 20'd0;  // units/intersection.h:67
+  wire eq_8_s15 = add_7_s15[21:18] == 4'd0;  // units/intersection.h:67
+  wire eq_10_s15 = add_7_s15[13:10] == 4'd0;  // units/intersection.h:67
+  wire eq_12_s15 = add_7_s15[5:2] == 4'd0;  // units/intersection.h:67
+  wire and_7_s15 = eq_8_s15 & (add_7_s15[17:14] == 4'd0);  // units/intersection.h:67
+  wire and_9_s15 = and_7_s15 & (eq_10_s15 & (add_7_s15[9:6] == 4'd0));  // units/intersection.h:67
+  wire [19:0] mux_50_s15 = {and_9_s15 ? add_7_s15[5:2] : add_7_s15[21:18], ~{16{and_9_s15}} & add_7_s15[17:2]};  // units/intersection.h:67
+  wire mux_51_s15 = and_9_s15 ? eq_12_s15 : eq_8_s15;  // units/intersection.h:67
+  wire mux_52_s15 = and_9_s15 ? eq_12_s15 : and_7_s15;  // units/intersection.h:67
+  wire [21:0] add_12_s15 = {2'd1, mux_67_s15[15:0], 4'd1} + {not_19_s15, xor_7_s15, not_19_s15};  // units/intersection.h:68
+  wire eq_21_s15 = add_12_s15[21:2] == 20'd0;  // units/intersection.h:68
+  wire eq_22_s15 = add_12_s15[21:18] == 4'd0;  // units/intersection.h:68
+  wire eq_24_s15 = add_12_s15[13:10] == 4'd0;  // units/intersection.h:68
+  wire eq_26_s15 = add_12_s15[5:2] == 4'd0;  // units/intersection.h:68
+  wire and_22_s15 = eq_22_s15 & (add_12_s15[17:14] == 4'd0);  // units/intersection.h:68
+  wire and_24_s15 = and_22_s15 & (eq_24_s15 & (add_12_s15[9:6] == 4'd0));  // units/intersection.h:68
+  wire [19:0] mux_75_s15 = {and_24_s15 ? add_12_s15[5:2] : add_12_s15[21:18], ~{16{and_24_s15}} & add_12_s15[17:2]};  // units/intersection.h:68
+  wire mux_76_s15 = and_24_s15 ? eq_26_s15 : eq_22_s15;  // units/intersection.h:68
+  wire mux_77_s15 = and_24_s15 ? eq_26_s15 : and_22_s15;  // units/intersection.h:68
 
   // ---- stage 16 ----
   reg valid_s16;
@@ -821,36 +821,36 @@ module intersection #(
     mux_76_s16 <= mux_76_s15;
     mux_77_s16 <= mux_77_s15;
   end
-  wire not_12_s16 = ~eq_7_s16;  // units/intersection.h:66
-  wire [19:0] mux_53_s16 = {mux_52_s16 ? mux_50_s16[11:0] : mux_50_s16[19:8], ~{8{mux_52_s16}} & mux_50_s16[7:0]};  // units/intersection.h:66
-  wire mux_54_s16 = mux_52_s16 ? (eq_10_s16 | and_9_s16) : mux_51_s16;  // units/intersection.h:66
-  wire and_10_s16 = not_12_s16 & mux_52_s16;  // units/intersection.h:66
-  wire [19:0] mux_55_s16 = {mux_54_s16 ? mux_53_s16[15:0] : mux_53_s16[19:4], ~{4{mux_54_s16}} & mux_53_s16[3:0]};  // units/intersection.h:66
-  wire eq_13_s16 = mux_55_s16[19:18] == 2'd0;  // units/intersection.h:66
-  wire [19:0] mux_56_s16 = {eq_13_s16 ? mux_55_s16[17:0] : mux_55_s16[19:2], ~{2{eq_13_s16}} & mux_55_s16[1:0]};  // units/intersection.h:66
-  wire and_11_s16 = not_12_s16 & eq_13_s16;  // units/intersection.h:66
-  wire and_12_s16 = not_12_s16 & (~mux_56_s16[19]);  // units/intersection.h:66
-  wire [19:0] mux_57_s16 = {and_10_s16 ? mux_50_s16[11:0] : mux_50_s16[19:8], ~{8{and_10_s16}} & mux_50_s16[7:0]};  // units/intersection.h:66
-  wire [19:0] mux_58_s16 = {mux_54_s16 ? mux_57_s16[15:0] : mux_57_s16[19:4], ~{4{mux_54_s16}} & mux_57_s16[3:0]};  // units/intersection.h:66
-  wire [19:0] mux_59_s16 = {and_11_s16 ? mux_58_s16[17:0] : mux_58_s16[19:2], ~{2{and_11_s16}} & mux_58_s16[1:0]};  // units/intersection.h:66
-  wire [19:0] mux_60_s16 = {and_12_s16 ? mux_59_s16[18:0] : mux_59_s16[19:1], ~and_12_s16 & mux_59_s16[0]};  // units/intersection.h:66
-  wire [8:0] sub_32_s16 = {2'd0, mux_42_s16[22:16]} - {4'd0, and_9_s16, and_10_s16, mux_54_s16, and_11_s16, and_12_s16};  // units/intersection.h:66
-  wire eq_14_s16 = mux_60_s16[1:0] == 2'd0;  // units/intersection.h:66
-  wire not_25_s16 = ~eq_21_s16;  // units/intersection.h:67
-  wire [19:0] mux_78_s16 = {mux_77_s16 ? mux_75_s16[11:0] : mux_75_s16[19:8], ~{8{mux_77_s16}} & mux_75_s16[7:0]};  // units/intersection.h:67
-  wire mux_79_s16 = mux_77_s16 ? (eq_24_s16 | and_24_s16) : mux_76_s16;  // units/intersection.h:67
-  wire and_25_s16 = not_25_s16 & mux_77_s16;  // units/intersection.h:67
-  wire [19:0] mux_80_s16 = {mux_79_s16 ? mux_78_s16[15:0] : mux_78_s16[19:4], ~{4{mux_79_s16}} & mux_78_s16[3:0]};  // units/intersection.h:67
-  wire eq_27_s16 = mux_80_s16[19:18] == 2'd0;  // units/intersection.h:67
-  wire [19:0] mux_81_s16 = {eq_27_s16 ? mux_80_s16[17:0] : mux_80_s16[19:2], ~{2{eq_27_s16}} & mux_80_s16[1:0]};  // units/intersection.h:67
-  wire and_26_s16 = not_25_s16 & eq_27_s16;  // units/intersection.h:67
-  wire and_27_s16 = not_25_s16 & (~mux_81_s16[19]);  // units/intersection.h:67
-  wire [19:0] mux_82_s16 = {and_25_s16 ? mux_75_s16[11:0] : mux_75_s16[19:8], ~{8{and_25_s16}} & mux_75_s16[7:0]};  // units/intersection.h:67
-  wire [19:0] mux_83_s16 = {mux_79_s16 ? mux_82_s16[15:0] : mux_82_s16[19:4], ~{4{mux_79_s16}} & mux_82_s16[3:0]};  // units/intersection.h:67
-  wire [19:0] mux_84_s16 = {and_26_s16 ? mux_83_s16[17:0] : mux_83_s16[19:2], ~{2{and_26_s16}} & mux_83_s16[1:0]};  // units/intersection.h:67
-  wire [19:0] mux_85_s16 = {and_27_s16 ? mux_84_s16[18:0] : mux_84_s16[19:1], ~and_27_s16 & mux_84_s16[0]};  // units/intersection.h:67
-  wire [8:0] sub_35_s16 = {2'd0, mux_67_s16[22:16]} - {4'd0, and_24_s16, and_25_s16, mux_79_s16, and_26_s16, and_27_s16};  // units/intersection.h:67
-  wire eq_28_s16 = mux_85_s16[1:0] == 2'd0;  // units/intersection.h:67
+  wire not_12_s16 = ~eq_7_s16;  // units/intersection.h:67
+  wire [19:0] mux_53_s16 = {mux_52_s16 ? mux_50_s16[11:0] : mux_50_s16[19:8], ~{8{mux_52_s16}} & mux_50_s16[7:0]};  // units/intersection.h:67
+  wire mux_54_s16 = mux_52_s16 ? (eq_10_s16 | and_9_s16) : mux_51_s16;  // units/intersection.h:67
+  wire and_10_s16 = not_12_s16 & mux_52_s16;  // units/intersection.h:67
+  wire [19:0] mux_55_s16 = {mux_54_s16 ? mux_53_s16[15:0] : mux_53_s16[19:4], ~{4{mux_54_s16}} & mux_53_s16[3:0]};  // units/intersection.h:67
+  wire eq_13_s16 = mux_55_s16[19:18] == 2'd0;  // units/intersection.h:67
+  wire [19:0] mux_56_s16 = {eq_13_s16 ? mux_55_s16[17:0] : mux_55_s16[19:2], ~{2{eq_13_s16}} & mux_55_s16[1:0]};  // units/intersection.h:67
+  wire and_11_s16 = not_12_s16 & eq_13_s16;  // units/intersection.h:67
+  wire and_12_s16 = not_12_s16 & (~mux_56_s16[19]);  // units/intersection.h:67
+  wire [19:0] mux_57_s16 = {and_10_s16 ? mux_50_s16[11:0] : mux_50_s16[19:8], ~{8{and_10_s16}} & mux_50_s16[7:0]};  // units/intersection.h:67
+  wire [19:0] mux_58_s16 = {mux_54_s16 ? mux_57_s16[15:0] : mux_57_s16[19:4], ~{4{mux_54_s16}} & mux_57_s16[3:0]};  // units/intersection.h:67
+  wire [19:0] mux_59_s16 = {and_11_s16 ? mux_58_s16[17:0] : mux_58_s16[19:2], ~{2{and_11_s16}} & mux_58_s16[1:0]};  // units/intersection.h:67
+  wire [19:0] mux_60_s16 = {and_12_s16 ? mux_59_s16[18:0] : mux_59_s16[19:1], ~and_12_s16 & mux_59_s16[0]};  // units/intersection.h:67
+  wire [8:0] sub_32_s16 = {2'd0, mux_42_s16[22:16]} - {4'd0, and_9_s16, and_10_s16, mux_54_s16, and_11_s16, and_12_s16};  // units/intersection.h:67
+  wire eq_14_s16 = mux_60_s16[1:0] == 2'd0;  // units/intersection.h:67
+  wire not_25_s16 = ~eq_21_s16;  // units/intersection.h:68
+  wire [19:0] mux_78_s16 = {mux_77_s16 ? mux_75_s16[11:0] : mux_75_s16[19:8], ~{8{mux_77_s16}} & mux_75_s16[7:0]};  // units/intersection.h:68
+  wire mux_79_s16 = mux_77_s16 ? (eq_24_s16 | and_24_s16) : mux_76_s16;  // units/intersection.h:68
+  wire and_25_s16 = not_25_s16 & mux_77_s16;  // units/intersection.h:68
+  wire [19:0] mux_80_s16 = {mux_79_s16 ? mux_78_s16[15:0] : mux_78_s16[19:4], ~{4{mux_79_s16}} & mux_78_s16[3:0]};  // units/intersection.h:68
+  wire eq_27_s16 = mux_80_s16[19:18] == 2'd0;  // units/intersection.h:68
+  wire [19:0] mux_81_s16 = {eq_27_s16 ? mux_80_s16[17:0] : mux_80_s16[19:2], ~{2{eq_27_s16}} & mux_80_s16[1:0]};  // units/intersection.h:68
+  wire and_26_s16 = not_25_s16 & eq_27_s16;  // units/intersection.h:68
+  wire and_27_s16 = not_25_s16 & (~mux_81_s16[19]);  // units/intersection.h:68
+  wire [19:0] mux_82_s16 = {and_25_s16 ? mux_75_s16[11:0] : mux_75_s16[19:8], ~{8{and_25_s16}} & mux_75_s16[7:0]};  // units/intersection.h:68
+  wire [19:0] mux_83_s16 = {mux_79_s16 ? mux_82_s16[15:0] : mux_82_s16[19:4], ~{4{mux_79_s16}} & mux_82_s16[3:0]};  // units/intersection.h:68
+  wire [19:0] mux_84_s16 = {and_26_s16 ? mux_83_s16[17:0] : mux_83_s16[19:2], ~{2{and_26_s16}} & mux_83_s16[1:0]};  // units/intersection.h:68
+  wire [19:0] mux_85_s16 = {and_27_s16 ? mux_84_s16[18:0] : mux_84_s16[19:1], ~and_27_s16 & mux_84_s16[0]};  // units/intersection.h:68
+  wire [8:0] sub_35_s16 = {2'd0, mux_67_s16[22:16]} - {4'd0, and_24_s16, and_25_s16, mux_79_s16, and_26_s16, and_27_s16};  // units/intersection.h:68
+  wire eq_28_s16 = mux_85_s16[1:0] == 2'd0;  // units/intersection.h:68
 
   // ---- stage 17 ----
   reg valid_s17;
@@ -881,18 +881,18 @@ module intersection #(
     sub_35_s17 <= sub_35_s16;
     eq_28_s17 <= eq_28_s16;
   end
-  wire and_13_s17 = mux_60_s17[2] & ((~eq_14_s17) | (add_7_s17 | mux_60_s17[3]));  // units/intersection.h:66
-  wire [24:0] add_8_s17 = {sub_32_s17, 15'd0, and_13_s17} + {8'd0, mux_60_s17[19:3]};  // units/intersection.h:66
-  wire and_14_s17 = mux_60_s17[19] & (~add_8_s17[24]);  // units/intersection.h:66
-  wire and_15_s17 = mux_60_s17[19] & mux_42_s17;  // units/intersection.h:66
-  wire [22:0] mux_61_s17 = {23{add_8_s17[23]}} | add_8_s17[22:0];  // units/intersection.h:66
-  wire [22:0] mux_62_s17 = {23{and_14_s17}} & mux_61_s17;  // units/intersection.h:66
-  wire and_28_s17 = mux_85_s17[2] & ((~eq_28_s17) | (add_12_s17 | mux_85_s17[3]));  // units/intersection.h:67
-  wire [24:0] add_13_s17 = {sub_35_s17, 15'd0, and_28_s17} + {8'd0, mux_85_s17[19:3]};  // units/intersection.h:67
-  wire and_29_s17 = mux_85_s17[19] & (~add_13_s17[24]);  // units/intersection.h:67
-  wire and_30_s17 = mux_85_s17[19] & mux_67_s17;  // units/intersection.h:67
-  wire [22:0] mux_86_s17 = {23{add_13_s17[23]}} | add_13_s17[22:0];  // units/intersection.h:67
-  wire [22:0] mux_87_s17 = {23{and_29_s17}} & mux_86_s17;  // units/intersection.h:67
+  wire and_13_s17 = mux_60_s17[2] & ((~eq_14_s17) | (add_7_s17 | mux_60_s17[3]));  // units/intersection.h:67
+  wire [24:0] add_8_s17 = {sub_32_s17, 15'd0, and_13_s17} + {8'd0, mux_60_s17[19:3]};  // units/intersection.h:67
+  wire and_14_s17 = mux_60_s17[19] & (~add_8_s17[24]);  // units/intersection.h:67
+  wire and_15_s17 = mux_60_s17[19] & mux_42_s17;  // units/intersection.h:67
+  wire [22:0] mux_61_s17 = {23{add_8_s17[23]}} | add_8_s17[22:0];  // units/intersection.h:67
+  wire [22:0] mux_62_s17 = {23{and_14_s17}} & mux_61_s17;  // units/intersection.h:67
+  wire and_28_s17 = mux_85_s17[2] & ((~eq_28_s17) | (add_12_s17 | mux_85_s17[3]));  // units/intersection.h:68
+  wire [24:0] add_13_s17 = {sub_35_s17, 15'd0, and_28_s17} + {8'd0, mux_85_s17[19:3]};  // units/intersection.h:68
+  wire and_29_s17 = mux_85_s17[19] & (~add_13_s17[24]);  // units/intersection.h:68
+  wire and_30_s17 = mux_85_s17[19] & mux_67_s17;  // units/intersection.h:68
+  wire [22:0] mux_86_s17 = {23{add_13_s17[23]}} | add_13_s17[22:0];  // units/intersection.h:68
+  wire [22:0] mux_87_s17 = {23{and_29_s17}} & mux_86_s17;  // units/intersection.h:68
 
   // ---- stage 18 ----
   reg valid_s18;
@@ -911,9 +911,9 @@ module intersection #(
     and_30_s18 <= and_30_s17;
     mux_87_s18 <= mux_87_s17;
   end
-  wire lt_3_s18 = mux_62_s18 < mux_87_s18;  // units/intersection.h:90
-  wire [6:0] mux_88_s18 = lt_3_s18 ? (mux_87_s18[22:16] - mux_62_s18[22:16]) : (mux_62_s18[22:16] - mux_87_s18[22:16]);  // units/intersection.h:90
-  wire [15:0] mux_90_s18 = lt_3_s18 ? mux_62_s18[15:0] : mux_87_s18[15:0];  // units/intersection.h:90
+  wire lt_3_s18 = mux_62_s18 < mux_87_s18;  // units/intersection.h:91
+  wire [6:0] mux_88_s18 = lt_3_s18 ? (mux_87_s18[22:16] - mux_62_s18[22:16]) : (mux_62_s18[22:16] - mux_87_s18[22:16]);  // units/intersection.h:91
+  wire [15:0] mux_90_s18 = lt_3_s18 ? mux_62_s18[15:0] : mux_87_s18[15:0];  // units/intersection.h:91
 
   // ---- stage 19 ----
   reg valid_s19;
@@ -938,17 +938,17 @@ module intersection #(
     mux_88_s19 <= mux_88_s18;
     mux_90_s19 <= mux_90_s18;
   end
-  wire [18:0] mux_91_s19 = {mux_88_s19[4] ? 1'd0 : 1'd1, ~{15{mux_88_s19[4]}} & mux_90_s19[15:1], mux_88_s19[4] | mux_90_s19[0], {2{mux_88_s19[4]}} & mux_90_s19[15:14]};  // units/intersection.h:90
-  wire [18:0] mux_92_s19 = {~{8{mux_88_s19[3]}} & mux_91_s19[18:11], mux_88_s19[3] ? mux_91_s19[18:8] : mux_91_s19[10:0]};  // units/intersection.h:90
-  wire [18:0] mux_93_s19 = {~{4{mux_88_s19[2]}} & mux_92_s19[18:15], mux_88_s19[2] ? mux_92_s19[18:4] : mux_92_s19[14:0]};  // units/intersection.h:90
-  wire [18:0] mux_94_s19 = {~{2{mux_88_s19[1]}} & mux_93_s19[18:17], mux_88_s19[1] ? mux_93_s19[18:2] : mux_93_s19[16:0]};  // units/intersection.h:90
-  wire [18:0] mux_95_s19 = {~mux_88_s19[0] & mux_94_s19[18], mux_88_s19[0] ? mux_94_s19[18:1] : mux_94_s19[17:0]};  // units/intersection.h:90
-  wire eq_35_s19 = mux_88_s19[6:5] == 2'd0;  // units/intersection.h:90
-  wire or_24_s19 = (mux_88_s19[4] & (~(mux_90_s19[13:0] == 14'd0))) | (~eq_35_s19);  // units/intersection.h:90
-  wire or_26_s19 = (mux_88_s19[2] & (~(mux_92_s19[3:0] == 4'd0))) | (mux_88_s19[0] & mux_94_s19[0]);  // units/intersection.h:90
-  wire or_27_s19 = (mux_88_s19[1] & (~(mux_93_s19[1:0] == 2'd0))) | ((mux_88_s19[3] & (~(mux_91_s19[7:0] == 8'd0))) | or_24_s19);  // units/intersection.h:90
-  wire or_28_s19 = or_26_s19 | or_27_s19;  // units/intersection.h:90
-  wire [18:0] mux_96_s19 = {19{eq_35_s19}} & mux_95_s19;  // units/intersection.h:90
+  wire [18:0] mux_91_s19 = {mux_88_s19[4] ? 1'd0 : 1'd1, ~{15{mux_88_s19[4]}} & mux_90_s19[15:1], mux_88_s19[4] | mux_90_s19[0], {2{mux_88_s19[4]}} & mux_90_s19[15:14]};  // units/intersection.h:91
+  wire [18:0] mux_92_s19 = {~{8{mux_88_s19[3]}} & mux_91_s19[18:11], mux_88_s19[3] ? mux_91_s19[18:8] : mux_91_s19[10:0]};  // units/intersection.h:91
+  wire [18:0] mux_93_s19 = {~{4{mux_88_s19[2]}} & mux_92_s19[18:15], mux_88_s19[2] ? mux_92_s19[18:4] : mux_92_s19[14:0]};  // units/intersection.h:91
+  wire [18:0] mux_94_s19 = {~{2{mux_88_s19[1]}} & mux_93_s19[18:17], mux_88_s19[1] ? mux_93_s19[18:2] : mux_93_s19[16:0]};  // units/intersection.h:91
+  wire [18:0] mux_95_s19 = {~mux_88_s19[0] & mux_94_s19[18], mux_88_s19[0] ? mux_94_s19[18:1] : mux_94_s19[17:0]};  // units/intersection.h:91
+  wire eq_35_s19 = mux_88_s19[6:5] == 2'd0;  // units/intersection.h:91
+  wire or_24_s19 = (mux_88_s19[4] & (~(mux_90_s19[13:0] == 14'd0))) | (~eq_35_s19);  // units/intersection.h:91
+  wire or_26_s19 = (mux_88_s19[2] & (~(mux_92_s19[3:0] == 4'd0))) | (mux_88_s19[0] & mux_94_s19[0]);  // units/intersection.h:91
+  wire or_27_s19 = (mux_88_s19[1] & (~(mux_93_s19[1:0] == 2'd0))) | ((mux_88_s19[3] & (~(mux_91_s19[7:0] == 8'd0))) | or_24_s19);  // units/intersection.h:91
+  wire or_28_s19 = or_26_s19 | or_27_s19;  // units/intersection.h:91
+  wire [18:0] mux_96_s19 = {19{eq_35_s19}} & mux_95_s19;  // units/intersection.h:91
 
   // ---- stage 20 ----
   reg valid_s20;
@@ -973,15 +973,15 @@ module intersection #(
     or_28_s20 <= or_28_s19;
     mux_96_s20 <= mux_96_s19;
   end
-  wire [23:0] mux_89_s20 = lt_3_s20 ? {and_30_s20, mux_87_s20} : {and_15_s20, mux_62_s20};  // units/intersection.h:90
-  wire xor_8_s20 = and_15_s20 ^ and_30_s20;  // units/intersection.h:90
-  wire [19:0] xor_9_s20 = {mux_96_s20, or_28_s20} ^ {20{xor_8_s20}};  // units/intersection.h:90
-  wire [21:0] add_14_s20 = {2'd1, mux_89_s20[15:0], 4'd1} + {xor_8_s20, xor_9_s20, xor_8_s20};  // units/intersection.h:90
-  wire eq_37_s20 = add_14_s20[21:18] == 4'd0;  // units/intersection.h:90
-  wire eq_39_s20 = add_14_s20[13:10] == 4'd0;  // units/intersection.h:90
-  wire eq_41_s20 = add_14_s20[5:2] == 4'd0;  // units/intersection.h:90
-  wire and_38_s20 = eq_37_s20 & (add_14_s20[17:14] == 4'd0);  // units/intersection.h:90
-  wire and_39_s20 = eq_39_s20 & (add_14_s20[9:6] == 4'd0);  // units/intersection.h:90
+  wire [23:0] mux_89_s20 = lt_3_s20 ? {and_30_s20, mux_87_s20} : {and_15_s20, mux_62_s20};  // units/intersection.h:91
+  wire xor_8_s20 = and_15_s20 ^ and_30_s20;  // units/intersection.h:91
+  wire [19:0] xor_9_s20 = {mux_96_s20, or_28_s20} ^ {20{xor_8_s20}};  // units/intersection.h:91
+  wire [21:0] add_14_s20 = {2'd1, mux_89_s20[15:0], 4'd1} + {xor_8_s20, xor_9_s20, xor_8_s20};  // units/intersection.h:91
+  wire eq_37_s20 = add_14_s20[21:18] == 4'd0;  // units/intersection.h:91
+  wire eq_39_s20 = add_14_s20[13:10] == 4'd0;  // units/intersection.h:91
+  wire eq_41_s20 = add_14_s20[5:2] == 4'd0;  // units/intersection.h:91
+  wire and_38_s20 = eq_37_s20 & (add_14_s20[17:14] == 4'd0);  // units/intersection.h:91
+  wire and_39_s20 = eq_39_s20 & (add_14_s20[9:6] == 4'd0);  // units/intersection.h:91
 
   // ---- stage 21 ----
   reg valid_s21;
@@ -1014,21 +1014,21 @@ module intersection #(
     and_38_s21 <= and_38_s20;
     and_39_s21 <= and_39_s20;
   end
-  wire not_36_s21 = ~(add_14_s21[21:2] == 20'd0);  // units/intersection.h:90
-  wire and_40_s21 = and_38_s21 & and_39_s21;  // units/intersection.h:90
-  wire [19:0] mux_97_s21 = {and_40_s21 ? add_14_s21[5:2] : add_14_s21[21:18], ~{16{and_40_s21}} & add_14_s21[17:2]};  // units/intersection.h:90
-  wire mux_99_s21 = and_40_s21 ? eq_41_s21 : and_38_s21;  // units/intersection.h:90
-  wire [19:0] mux_100_s21 = {mux_99_s21 ? mux_97_s21[11:0] : mux_97_s21[19:8], ~{8{mux_99_s21}} & mux_97_s21[7:0]};  // units/intersection.h:90
-  wire mux_101_s21 = mux_99_s21 ? (eq_39_s21 | and_40_s21) : (and_40_s21 ? eq_41_s21 : eq_37_s21);  // units/intersection.h:90
-  wire and_41_s21 = not_36_s21 & mux_99_s21;  // units/intersection.h:90
-  wire [19:0] mux_102_s21 = {mux_101_s21 ? mux_100_s21[15:0] : mux_100_s21[19:4], ~{4{mux_101_s21}} & mux_100_s21[3:0]};  // units/intersection.h:90
-  wire eq_42_s21 = mux_102_s21[19:18] == 2'd0;  // units/intersection.h:90
-  wire [19:0] mux_103_s21 = {eq_42_s21 ? mux_102_s21[17:0] : mux_102_s21[19:2], ~{2{eq_42_s21}} & mux_102_s21[1:0]};  // units/intersection.h:90
-  wire and_42_s21 = not_36_s21 & eq_42_s21;  // units/intersection.h:90
-  wire and_43_s21 = not_36_s21 & (~mux_103_s21[19]);  // units/intersection.h:90
-  wire [19:0] mux_104_s21 = {and_41_s21 ? mux_97_s21[11:0] : mux_97_s21[19:8], ~{8{and_41_s21}} & mux_97_s21[7:0]};  // units/intersection.h:90
-  wire [19:0] mux_105_s21 = {mux_101_s21 ? mux_104_s21[15:0] : mux_104_s21[19:4], ~{4{mux_101_s21}} & mux_104_s21[3:0]};  // units/intersection.h:90
-  wire [19:0] mux_106_s21 = {and_42_s21 ? mux_105_s21[17:0] : mux_105_s21[19:2], ~{2{and_42_s21}} & mux_105_s21[1:0]};  // units/intersection.h:90
+  wire not_36_s21 = ~(add_14_s21[21:2] == 20'd0);  // units/intersection.h:91
+  wire and_40_s21 = and_38_s21 & and_39_s21;  // units/intersection.h:91
+  wire [19:0] mux_97_s21 = {and_40_s21 ? add_14_s21[5:2] : add_14_s21[21:18], ~{16{and_40_s21}} & add_14_s21[17:2]};  // units/intersection.h:91
+  wire mux_99_s21 = and_40_s21 ? eq_41_s21 : and_38_s21;  // units/intersection.h:91
+  wire [19:0] mux_100_s21 = {mux_99_s21 ? mux_97_s21[11:0] : mux_97_s21[19:8], ~{8{mux_99_s21}} & mux_97_s21[7:0]};  // units/intersection.h:91
+  wire mux_101_s21 = mux_99_s21 ? (eq_39_s21 | and_40_s21) : (and_40_s21 ? eq_41_s21 : eq_37_s21);  // units/intersection.h:91
+  wire and_41_s21 = not_36_s21 & mux_99_s21;  // units/intersection.h:91
+  wire [19:0] mux_102_s21 = {mux_101_s21 ? mux_100_s21[15:0] : mux_100_s21[19:4], ~{4{mux_101_s21}} & mux_100_s21[3:0]};  // units/intersection.h:91
+  wire eq_42_s21 = mux_102_s21[19:18] == 2'd0;  // units/intersection.h:91
+  wire [19:0] mux_103_s21 = {eq_42_s21 ? mux_102_s21[17:0] : mux_102_s21[19:2], ~{2{eq_42_s21}} & mux_102_s21[1:0]};  // units/intersection.h:91
+  wire and_42_s21 = not_36_s21 & eq_42_s21;  // units/intersection.h:91
+  wire and_43_s21 = not_36_s21 & (~mux_103_s21[19]);  // units/intersection.h:91
+  wire [19:0] mux_104_s21 = {and_41_s21 ? mux_97_s21[11:0] : mux_97_s21[19:8], ~{8{and_41_s21}} & mux_97_s21[7:0]};  // units/intersection.h:91
+  wire [19:0] mux_105_s21 = {mux_101_s21 ? mux_104_s21[15:0] : mux_104_s21[19:4], ~{4{mux_101_s21}} & mux_104_s21[3:0]};  // units/intersection.h:91
+  wire [19:0] mux_106_s21 = {and_42_s21 ? mux_105_s21[17:0] : mux_105_s21[19:2], ~{2{and_42_s21}} & mux_105_s21[1:0]};  // units/intersection.h:91
 
   // ---- stage 22 ----
   reg valid_s22;
@@ -1063,15 +1063,15 @@ module intersection #(
     and_43_s22 <= and_43_s21;
     mux_106_s22 <= mux_106_s21;
   end
-  wire [19:0] mux_107_s22 = {and_43_s22 ? mux_106_s22[18:0] : mux_106_s22[19:1], ~and_43_s22 & mux_106_s22[0]};  // units/intersection.h:90
-  wire [8:0] sub_38_s22 = {2'd0, mux_89_s22[22:16]} - {4'd0, and_40_s22, and_41_s22, mux_101_s22, and_42_s22, and_43_s22};  // units/intersection.h:90
-  wire or_31_s22 = (~(mux_107_s22[1:0] == 2'd0)) | (add_14_s22 | mux_107_s22[3]);  // units/intersection.h:90
-  wire and_44_s22 = mux_107_s22[2] & or_31_s22;  // units/intersection.h:90
-  wire [24:0] add_15_s22 = {sub_38_s22, 15'd0, and_44_s22} + {8'd0, mux_107_s22[19:3]};  // units/intersection.h:90
-  wire and_45_s22 = mux_107_s22[19] & (~add_15_s22[24]);  // units/intersection.h:90
-  wire and_46_s22 = mux_107_s22[19] & mux_89_s22[23];  // units/intersection.h:90
-  wire [22:0] mux_108_s22 = {23{add_15_s22[23]}} | add_15_s22[22:0];  // units/intersection.h:90
-  wire [22:0] mux_109_s22 = {23{and_45_s22}} & mux_108_s22;  // units/intersection.h:90
+  wire [19:0] mux_107_s22 = {and_43_s22 ? mux_106_s22[18:0] : mux_106_s22[19:1], ~and_43_s22 & mux_106_s22[0]};  // units/intersection.h:91
+  wire [8:0] sub_38_s22 = {2'd0, mux_89_s22[22:16]} - {4'd0, and_40_s22, and_41_s22, mux_101_s22, and_42_s22, and_43_s22};  // units/intersection.h:91
+  wire or_31_s22 = (~(mux_107_s22[1:0] == 2'd0)) | (add_14_s22 | mux_107_s22[3]);  // units/intersection.h:91
+  wire and_44_s22 = mux_107_s22[2] & or_31_s22;  // units/intersection.h:91
+  wire [24:0] add_15_s22 = {sub_38_s22, 15'd0, and_44_s22} + {8'd0, mux_107_s22[19:3]};  // units/intersection.h:91
+  wire and_45_s22 = mux_107_s22[19] & (~add_15_s22[24]);  // units/intersection.h:91
+  wire and_46_s22 = mux_107_s22[19] & mux_89_s22[23];  // units/intersection.h:91
+  wire [22:0] mux_108_s22 = {23{add_15_s22[23]}} | add_15_s22[22:0];  // units/intersection.h:91
+  wire [22:0] mux_109_s22 = {23{and_45_s22}} & mux_108_s22;  // units/intersection.h:91
 
   // ---- stage 23 ----
   reg valid_s23;
@@ -1112,11 +1112,11 @@ module intersection #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({mux_37_s12}),
     .data_o({mux_37_s23}));
-  wire not_4_s23 = ~xor_1_s23;  // units/intersection.h:66
-  wire or_22_s23 = (in_reset_s23 | not_4_s23) | (and_15_s23 & (~({and_15_s23, mux_62_s23} == 24'd0)));  // units/intersection.h:86
-  wire or_23_s23 = or_22_s23 | (and_30_s23 & (~({and_30_s23, mux_87_s23} == 24'd0)));  // units/intersection.h:86
-  wire xor_10_s23 = and_46_s23 ^ ({and_46_s23, mux_109_s23, and_46_s23} < 25'h07e0001);  // units/intersection.h:90
-  wire out_hit_s23 = xor_10_s23 & (~or_23_s23);  // units/intersection.h:47
+  wire not_4_s23 = ~xor_1_s23;  // units/intersection.h:67
+  wire or_22_s23 = (in_reset_s23 | not_4_s23) | (and_15_s23 & (~({and_15_s23, mux_62_s23} == 24'd0)));  // units/intersection.h:87
+  wire or_23_s23 = or_22_s23 | (and_30_s23 & (~({and_30_s23, mux_87_s23} == 24'd0)));  // units/intersection.h:87
+  wire xor_10_s23 = and_46_s23 ^ ({and_46_s23, mux_109_s23, and_46_s23} < 25'h07e0001);  // units/intersection.h:91
+  wire out_hit_s23 = xor_10_s23 & (~or_23_s23);  // units/intersection.h:48
 
   // ---- stage 24 ----
   reg valid_s24;

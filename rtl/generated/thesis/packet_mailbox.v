@@ -51,7 +51,7 @@ module packet_mailbox #(
   wire top_s0 = entry_data_i[5];
   wire entry_6_s0 = entry_data_i[6];
   wire [16:0] matrix_s0 = entry_data_i[27:11];
-  wire [1:0] mux_1_s0 = top_s0 ? 2'd2 : 2'd1;  // units/mailbox.h:115
+  wire [1:0] mux_1_s0 = top_s0 ? 2'd2 : 2'd1;  // units/mailbox.h:140
   wire not_7_s0 = ~entry_6_s0;
   wire or_17_s0 = top_s0 | entry_6_s0;
   wire entry_42_s0 = entry_data_i[42];
@@ -104,68 +104,68 @@ module packet_mailbox #(
   wire [16:0] triangle_slots_slot_5_s1 = triangles_row[105:89];
   wire [16:0] triangle_slots_slot_6_s1 = triangles_row[122:106];
   wire [16:0] triangle_slots_slot_7_s1 = triangles_row[139:123];
-  wire eq_1_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd0;  // units/mailbox.h:30
-  wire found_s1 = (~eq_1_s1) & (matrix_s1 == object_slots_slot_0_s1);  // units/mailbox.h:30
+  wire eq_1_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd0;  // units/mailbox.h:32
+  wire found_s1 = (~eq_1_s1) & (matrix_s1 == object_slots_slot_0_s1);  // units/mailbox.h:32
   wire found_2_s1 = matrix_s1 == object_slots_slot_1_s1;
-  wire and_1_s1 = (~({objects_3_s1, objects_2_s1, objects_1_s1} == 3'd0)) & found_2_s1;  // units/mailbox.h:30
-  wire lt_1_s1 = 4'd2 < {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1};  // units/mailbox.h:30
+  wire and_1_s1 = (~({objects_3_s1, objects_2_s1, objects_1_s1} == 3'd0)) & found_2_s1;  // units/mailbox.h:32
+  wire lt_1_s1 = 4'd2 < {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1};  // units/mailbox.h:32
   wire found_3_s1 = matrix_s1 == object_slots_slot_2_s1;
   wire found_4_s1 = matrix_s1 == object_slots_slot_3_s1;
-  wire lt_2_s1 = 4'd4 < {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1};  // units/mailbox.h:30
+  wire lt_2_s1 = 4'd4 < {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1};  // units/mailbox.h:32
   wire found_5_s1 = matrix_s1 == object_slots_slot_4_s1;
-  wire lt_3_s1 = 4'd5 < {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1};  // units/mailbox.h:30
+  wire lt_3_s1 = 4'd5 < {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1};  // units/mailbox.h:32
   wire found_6_s1 = matrix_s1 == object_slots_slot_5_s1;
-  wire lt_4_s1 = 4'd6 < {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1};  // units/mailbox.h:30
+  wire lt_4_s1 = 4'd6 < {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1};  // units/mailbox.h:32
   wire found_7_s1 = matrix_s1 == object_slots_slot_6_s1;
-  wire eq_6_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd0;  // units/mailbox.h:30
-  wire found_8_s1 = (~eq_6_s1) & (matrix_s1 == triangle_slots_slot_0_s1);  // units/mailbox.h:30
+  wire eq_6_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd0;  // units/mailbox.h:32
+  wire found_8_s1 = (~eq_6_s1) & (matrix_s1 == triangle_slots_slot_0_s1);  // units/mailbox.h:32
   wire found_9_s1 = matrix_s1 == triangle_slots_slot_1_s1;
-  wire and_8_s1 = (~({triangles_3_s1, triangles_2_s1, triangles_1_s1} == 3'd0)) & found_9_s1;  // units/mailbox.h:30
-  wire lt_5_s1 = 4'd2 < {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1};  // units/mailbox.h:30
+  wire and_8_s1 = (~({triangles_3_s1, triangles_2_s1, triangles_1_s1} == 3'd0)) & found_9_s1;  // units/mailbox.h:32
+  wire lt_5_s1 = 4'd2 < {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1};  // units/mailbox.h:32
   wire found_10_s1 = matrix_s1 == triangle_slots_slot_2_s1;
   wire found_11_s1 = matrix_s1 == triangle_slots_slot_3_s1;
-  wire lt_6_s1 = 4'd4 < {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1};  // units/mailbox.h:30
+  wire lt_6_s1 = 4'd4 < {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1};  // units/mailbox.h:32
   wire found_12_s1 = matrix_s1 == triangle_slots_slot_4_s1;
-  wire lt_7_s1 = 4'd5 < {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1};  // units/mailbox.h:30
+  wire lt_7_s1 = 4'd5 < {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1};  // units/mailbox.h:32
   wire found_13_s1 = matrix_s1 == triangle_slots_slot_5_s1;
-  wire lt_8_s1 = 4'd6 < {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1};  // units/mailbox.h:30
+  wire lt_8_s1 = 4'd6 < {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1};  // units/mailbox.h:32
   wire found_14_s1 = matrix_s1 == triangle_slots_slot_6_s1;
-  wire or_1_s1 = found_8_s1 | and_8_s1;  // units/mailbox.h:70
-  wire or_2_s1 = ((~({triangles_3_s1, triangles_2_s1} == 2'd0)) & found_11_s1) | (triangles_3_s1 & (matrix_s1 == triangle_slots_slot_7_s1));  // units/mailbox.h:70
-  wire or_3_s1 = (lt_5_s1 & found_10_s1) | (lt_6_s1 & found_12_s1);  // units/mailbox.h:70
-  wire or_4_s1 = (lt_7_s1 & found_13_s1) | (lt_8_s1 & found_14_s1);  // units/mailbox.h:70
-  wire or_8_s1 = found_s1 | and_1_s1;  // units/mailbox.h:70
-  wire or_9_s1 = ((~({objects_3_s1, objects_2_s1} == 2'd0)) & found_4_s1) | (objects_3_s1 & (matrix_s1 == object_slots_slot_7_s1));  // units/mailbox.h:70
-  wire or_10_s1 = (lt_1_s1 & found_3_s1) | (lt_2_s1 & found_5_s1);  // units/mailbox.h:70
-  wire or_11_s1 = (lt_3_s1 & found_6_s1) | (lt_4_s1 & found_7_s1);  // units/mailbox.h:70
-  wire [16:0] mux_2_s1 = eq_1_s1 ? matrix_s1 : object_slots_slot_0_s1;  // units/mailbox.h:36
-  wire eq_11_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd1;  // units/mailbox.h:36
-  wire [16:0] mux_3_s1 = eq_11_s1 ? matrix_s1 : object_slots_slot_1_s1;  // units/mailbox.h:36
-  wire eq_12_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd2;  // units/mailbox.h:36
-  wire [16:0] mux_4_s1 = eq_12_s1 ? matrix_s1 : object_slots_slot_2_s1;  // units/mailbox.h:36
-  wire eq_13_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd3;  // units/mailbox.h:36
-  wire [16:0] mux_5_s1 = eq_13_s1 ? matrix_s1 : object_slots_slot_3_s1;  // units/mailbox.h:36
-  wire eq_14_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd4;  // units/mailbox.h:36
-  wire [16:0] mux_6_s1 = eq_14_s1 ? matrix_s1 : object_slots_slot_4_s1;  // units/mailbox.h:36
-  wire eq_15_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd5;  // units/mailbox.h:36
-  wire [16:0] mux_7_s1 = eq_15_s1 ? matrix_s1 : object_slots_slot_5_s1;  // units/mailbox.h:36
-  wire eq_16_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd6;  // units/mailbox.h:36
-  wire [16:0] mux_8_s1 = eq_16_s1 ? matrix_s1 : object_slots_slot_6_s1;  // units/mailbox.h:36
-  wire eq_17_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd7;  // units/mailbox.h:36
-  wire [16:0] mux_9_s1 = eq_17_s1 ? matrix_s1 : object_slots_slot_7_s1;  // units/mailbox.h:36
-  wire eq_18_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd8;  // units/mailbox.h:38
+  wire or_1_s1 = found_8_s1 | and_8_s1;  // units/mailbox.h:94
+  wire or_2_s1 = ((~({triangles_3_s1, triangles_2_s1} == 2'd0)) & found_11_s1) | (triangles_3_s1 & (matrix_s1 == triangle_slots_slot_7_s1));  // units/mailbox.h:94
+  wire or_3_s1 = (lt_5_s1 & found_10_s1) | (lt_6_s1 & found_12_s1);  // units/mailbox.h:94
+  wire or_4_s1 = (lt_7_s1 & found_13_s1) | (lt_8_s1 & found_14_s1);  // units/mailbox.h:94
+  wire or_8_s1 = found_s1 | and_1_s1;  // units/mailbox.h:94
+  wire or_9_s1 = ((~({objects_3_s1, objects_2_s1} == 2'd0)) & found_4_s1) | (objects_3_s1 & (matrix_s1 == object_slots_slot_7_s1));  // units/mailbox.h:94
+  wire or_10_s1 = (lt_1_s1 & found_3_s1) | (lt_2_s1 & found_5_s1);  // units/mailbox.h:94
+  wire or_11_s1 = (lt_3_s1 & found_6_s1) | (lt_4_s1 & found_7_s1);  // units/mailbox.h:94
+  wire [16:0] mux_2_s1 = eq_1_s1 ? matrix_s1 : object_slots_slot_0_s1;  // units/mailbox.h:38
+  wire eq_11_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd1;  // units/mailbox.h:38
+  wire [16:0] mux_3_s1 = eq_11_s1 ? matrix_s1 : object_slots_slot_1_s1;  // units/mailbox.h:38
+  wire eq_12_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd2;  // units/mailbox.h:38
+  wire [16:0] mux_4_s1 = eq_12_s1 ? matrix_s1 : object_slots_slot_2_s1;  // units/mailbox.h:38
+  wire eq_13_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd3;  // units/mailbox.h:38
+  wire [16:0] mux_5_s1 = eq_13_s1 ? matrix_s1 : object_slots_slot_3_s1;  // units/mailbox.h:38
+  wire eq_14_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd4;  // units/mailbox.h:38
+  wire [16:0] mux_6_s1 = eq_14_s1 ? matrix_s1 : object_slots_slot_4_s1;  // units/mailbox.h:38
+  wire eq_15_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd5;  // units/mailbox.h:38
+  wire [16:0] mux_7_s1 = eq_15_s1 ? matrix_s1 : object_slots_slot_5_s1;  // units/mailbox.h:38
+  wire eq_16_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd6;  // units/mailbox.h:38
+  wire [16:0] mux_8_s1 = eq_16_s1 ? matrix_s1 : object_slots_slot_6_s1;  // units/mailbox.h:38
+  wire eq_17_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd7;  // units/mailbox.h:38
+  wire [16:0] mux_9_s1 = eq_17_s1 ? matrix_s1 : object_slots_slot_7_s1;  // units/mailbox.h:38
+  wire eq_18_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} == 4'd8;  // units/mailbox.h:40
   wire [3:0] add_1_s1 = {objects_3_s1, objects_2_s1, objects_1_s1, objects_0_s1} + 4'd1;
-  wire [3:0] mux_10_s1 = {eq_18_s1 | add_1_s1[3], ~{3{eq_18_s1}} & add_1_s1[2:0]};  // units/mailbox.h:38
-  wire eq_19_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd1;  // units/mailbox.h:36
-  wire eq_20_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd2;  // units/mailbox.h:36
-  wire eq_21_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd3;  // units/mailbox.h:36
-  wire eq_22_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd4;  // units/mailbox.h:36
-  wire eq_23_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd5;  // units/mailbox.h:36
-  wire eq_24_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd6;  // units/mailbox.h:36
-  wire eq_25_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd7;  // units/mailbox.h:36
-  wire eq_26_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd8;  // units/mailbox.h:38
+  wire [3:0] mux_10_s1 = {eq_18_s1 | add_1_s1[3], ~{3{eq_18_s1}} & add_1_s1[2:0]};  // units/mailbox.h:40
+  wire eq_19_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd1;  // units/mailbox.h:38
+  wire eq_20_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd2;  // units/mailbox.h:38
+  wire eq_21_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd3;  // units/mailbox.h:38
+  wire eq_22_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd4;  // units/mailbox.h:38
+  wire eq_23_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd5;  // units/mailbox.h:38
+  wire eq_24_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd6;  // units/mailbox.h:38
+  wire eq_25_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd7;  // units/mailbox.h:38
+  wire eq_26_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} == 4'd8;  // units/mailbox.h:40
   wire [3:0] add_2_s1 = {triangles_3_s1, triangles_2_s1, triangles_1_s1, triangles_0_s1} + 4'd1;
-  wire [3:0] mux_11_s1 = {eq_26_s1 | add_2_s1[3], ~{3{eq_26_s1}} & add_2_s1[2:0]};  // units/mailbox.h:38
+  wire [3:0] mux_11_s1 = {eq_26_s1 | add_2_s1[3], ~{3{eq_26_s1}} & add_2_s1[2:0]};  // units/mailbox.h:40
   wire [3:0] mux_21_s1 = {4{top_s1}} & mux_11_s1;
   wire [16:0] mux_22_s1 = (top_s1 & eq_6_s1) ? matrix_s1 : triangle_slots_slot_0_s1;
   wire [16:0] mux_24_s1 = (top_s1 & eq_19_s1) ? matrix_s1 : triangle_slots_slot_1_s1;
@@ -301,8 +301,8 @@ module packet_mailbox #(
     packet_rays_s2 <= packet_rays_s1;
     entry_7_s2 <= entry_7_s1;
   end
-  wire or_14_s2 = (or_8_s2 | or_9_s2) | (or_10_s2 | or_11_s2);  // units/mailbox.h:70
-  wire known_s2 = top_s2 ? ((or_1_s2 | or_2_s2) | (or_3_s2 | or_4_s2)) : or_14_s2;  // units/mailbox.h:70
+  wire or_14_s2 = (or_8_s2 | or_9_s2) | (or_10_s2 | or_11_s2);  // units/mailbox.h:94
+  wire known_s2 = top_s2 ? ((or_1_s2 | or_2_s2) | (or_3_s2 | or_4_s2)) : or_14_s2;  // units/mailbox.h:94
   wire or_15_s2 = entry_6_s2 | known_s2;
   wire [3:0] mux_12_s2 = (top_s2 | or_14_s2) ? {objects_3_s2, objects_2_s2, objects_1_s2, objects_0_s2} : mux_10_s2;
   wire [3:0] object_slots_used_s2 = ~{4{entry_6_s2}} & mux_12_s2;

@@ -9,7 +9,7 @@ import pathlib
 import subprocess
 import sys
 
-from dynrt_tools.bench import report_rows, scenes
+from dynrt_tools.bench import levers, report_rows, scenes
 from dynrt_tools.bench.rows import CONFIG, Bench, Options, Row
 from dynrt_tools.bench.run import Dynrt, RunFailed
 from dynrt_tools.project import ROOT, show_progress, write_json
@@ -78,6 +78,12 @@ def parse(arguments: list[str]) -> argparse.Namespace:
         "each, with the thesis's frame rates",
     )
     parser.add_argument(
+        "--levers",
+        action="store_true",
+        help="instead of the table: the four kinds of scene with one key after another of "
+        "the configuration fast, from the native model's exact clocks",
+    )
+    parser.add_argument(
         "--report",
         action="store_true",
         help="instead of the table: how long `dynrt report error` takes when "
@@ -97,7 +103,9 @@ def parse(arguments: list[str]) -> argparse.Namespace:
             f"--json {args.json}: there is no folder '{args.json.parent}'; create it or "
             "name a file elsewhere"
         )
-    tables = [f"--{name}" for name in ("scenes", "sweep", "report") if getattr(args, name)]
+    tables = [
+        f"--{name}" for name in ("scenes", "levers", "sweep", "report") if getattr(args, name)
+    ]
     if len(tables) > 1:
         parser.error(f"{' and '.join(tables[:2])} are two tables; ask for one of them")
     return args
@@ -152,6 +160,13 @@ def main() -> int:  # pylint: disable=too-many-return-statements
                 write_json(args.json, {"size": size, "scenes": [m.data() for m in measured]})
             print(f"{size} pixels\n")
             print(scenes.report(measured))
+            return 0
+        if args.levers:
+            steps = levers.measure(dynrt, size, show_progress)
+            show_progress("")
+            if args.json:
+                write_json(args.json, {"size": size, "levers": steps})
+            print(f"{size} pixels, rays a clock, busiest unit\n\n{levers.table(steps)}")
             return 0
         if args.report:
             rows = report_rows.rows(dynrt, scene, size, FULL_SIZE, show_progress)

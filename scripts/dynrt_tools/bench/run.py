@@ -58,6 +58,12 @@ class Dynrt:
     def info(self, scene: str) -> Run:
         return self._run(["info", scene])
 
+    def measure(self, scene: str, config: str, schedule: pathlib.Path, size: str) -> Json:
+        """Clocks, counters and errors of a frame of the native model."""
+        return self._run(
+            ["measure", scene, "--config", config, "--schedule", str(schedule), "--size", size]
+        ).report
+
     def render(self, scene: str, board: str, config: str, size: str, *flags: str) -> Run:
         return self._run(
             [

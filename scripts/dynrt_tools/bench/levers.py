@@ -1,0 +1,103 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""What each key that makes `fast` another core than `full` brings: frames of the clock-exact model,
+with one key more for each row, in the order of hls/configs/configs.json."""
+
+import dataclasses
+import pathlib
+import subprocess
+import tempfile
+
+from dynrt_tools.bench.run import Dynrt, RunFailed
+from dynrt_tools.project import ROOT, SCRIPTS, Json, Progress, read_json, write_json
+
+BASE, FAST = "full", "fast"
+SCENES = ("office", "cistern", "conference", "trees4000")
+NO_LEVER = {"name", "like", "about", "rtl", "counters"}
+
+
+@dataclasses.dataclass
+class Lever:
+    """A key with its value, and all keys so far."""
+
+    name: str
+    value: object
+    keys: Json
+
+
+def levers(configurations: list[Json]) -> list[Lever]:
+    """Nothing first, then key by key."""
+    fast = next(one for one in configurations if one["name"] == FAST)
+    if fast["like"] != BASE:
+        raise RunFailed(
+            f"{FAST} is like {fast['like']}, not like {BASE}, so no key is a step to it"
+        )
+    found = [Lever(BASE, None, {})]
+    for key, value in fast.items():
+        if key not in NO_LEVER:
+            found.append(Lever(key, value, {**found[-1].keys, key: value}))
+    return found
+
+
+def frame_of(size: str, measured: Json) -> Json:
+    """The figures of a frame that the table shows."""
+    width, height = map(int, size.split("x"))
+    clocks = measured["clocks"]
+    work = {
+        name.removesuffix(".transactions"): count
+        for name, count in measured["counters"].items()
+        if name.endswith(".transactions")
+    }
+    busiest = max(work, key=lambda unit: work[unit])
+    return {
+        "clocks": clocks,
+        "rays per clock": width * height / clocks,
+        "busiest unit": busiest,
+        "use": work[busiest] / clocks,
+        "wrong hits": measured["measures"]["primary"]["wrong_share"],
+    }
+
+
+def schedules(program: pathlib.Path, config: pathlib.Path) -> pathlib.Path:
+    """The folder of a configuration's Verilog and schedules."""
+    done = subprocess.run(
+        [SCRIPTS / "configuration", config, "--verilog", "--build", program.parent],
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        check=False,
+    )
+    if done.returncode:
+        raise RunFailed(done.stderr.strip())
+    return pathlib.Path(done.stdout.split()[-1])
+
+
+def measure(dynrt: Dynrt, size: str, progress: Progress) -> list[Json]:
+    """A row for each lever, with each scene's frame."""
+    rows = []
+    steps = levers(read_json(ROOT / "hls" / "configs" / "configs.json"))
+    with tempfile.TemporaryDirectory() as name:
+        for number, lever in enumerate(steps, 1):
+            config = pathlib.Path(name) / f"step_{number}.json"
+            write_json(config, {"like": BASE, "about": lever.name, **lever.keys})
+            folder = schedules(dynrt.program, config)
+            row: Json = {"lever": lever.name, "value": lever.value}
+            for scene in SCENES:
+                progress(f"{lever.name}, step {number} of {len(steps)}: {scene}")
+                row[scene] = frame_of(size, dynrt.measure(scene, str(config), folder, size))
+            rows.append(row)
+    return rows
+
+
+def table(rows: list[Json]) -> str:
+    """Rays a clock of each scene, and the busiest unit's share of the clocks."""
+    lines = [f"{'':24}" + "".join(f"{scene:>24}" for scene in SCENES)]
+    for row in rows:
+        value = "" if row["value"] is None else f" {row['value']}"
+        cells = [
+            f"{row[scene]['rays per clock']:.4f} {row[scene]['busiest unit'][:12]:>12} "
+            f"{100 * row[scene]['use']:3.0f}%"
+            for scene in SCENES
+        ]
+        lines.append(f"{row['lever'] + value:24}" + "".join(f"{cell:>24}" for cell in cells))
+    return "\n".join(lines)

@@ -1,0 +1,63 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The steps from `full` to `fast`, and the figures of a frame."""
+
+import unittest
+
+from dynrt_tools.bench import levers
+from dynrt_tools.bench.run import RunFailed
+from dynrt_tools.project import ROOT, read_json
+
+CONFIGURATIONS = [
+    {"name": "full", "packets": 64},
+    {"name": "fast", "like": "full", "about": "a", "rtl": False, "lines": 8, "lights": 2},
+]
+MEASURED = {
+    "clocks": 4000,
+    "counters": {"list.transactions": 10, "slice_0.transactions": 3000, "step.tokens": 9000},
+    "measures": {"primary": {"wrong_share": 0.01}},
+}
+
+
+class Levers(unittest.TestCase):
+    def test_each_step_has_one_key_more(self) -> None:
+        steps = levers.levers(CONFIGURATIONS)
+        self.assertEqual([step.name for step in steps], ["full", "lines", "lights"])
+        self.assertEqual(
+            [step.keys for step in steps], [{}, {"lines": 8}, {"lines": 8, "lights": 2}]
+        )
+
+    def test_fast_comes_from_full(self) -> None:
+        with self.assertRaisesRegex(RunFailed, "fast is like thesis, not like full"):
+            levers.levers([{"name": "fast", "like": "thesis"}])
+
+    def test_the_last_step_is_fast(self) -> None:
+        shipped = read_json(ROOT / "hls" / "configs" / "configs.json")
+        fast = next(one for one in shipped if one["name"] == "fast")
+        last = levers.levers(shipped)[-1].keys
+        self.assertTrue(last)
+        self.assertEqual(last, {key: fast[key] for key in last})
+        self.assertEqual(set(fast) - set(last) - levers.NO_LEVER, set())
+
+    def test_figures_are_of_the_unit_with_most_transactions(self) -> None:
+        frame = levers.frame_of("40x30", MEASURED)
+        self.assertEqual(frame["busiest unit"], "slice_0")
+        self.assertEqual(frame["use"], 0.75)
+        self.assertEqual(frame["rays per clock"], 0.3)
+        self.assertEqual(frame["wrong hits"], 0.01)
+
+    def test_the_table_has_a_line_for_each_step(self) -> None:
+        frame = levers.frame_of("40x30", MEASURED)
+        rows = [
+            {"lever": name, "value": value, **{scene: frame for scene in levers.SCENES}}
+            for name, value in (("full", None), ("lines", 8))
+        ]
+        lines = levers.table(rows).splitlines()
+        self.assertEqual(len(lines), 3)
+        self.assertIn("office", lines[0])
+        self.assertIn("lines 8", lines[2])
+        self.assertIn("0.3000", lines[2])
+
+
+if __name__ == "__main__":
+    unittest.main()
