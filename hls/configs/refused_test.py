@@ -158,6 +158,14 @@ class Refused(GenerateCase):
                 f"'{key}' must be {wants}; it is {json.dumps(value)}",
             )
 
+    def test_the_box_unit_takes_every_ray(self) -> None:
+        self.assert_refused(
+            listing({"object_box": "unit", "rays_sent": "active"}),
+            "configuration 'tiny': with object_box \"unit\" the key 'rays_sent' must be traced, as "
+            'the unit that clips to a box waits for every ray of a packet; it is "active"',
+        )
+        self.assertIn("kActive", self.written(rays_sent="active"))
+
     def test_one_level(self) -> None:
         for key, value, wants in (
             ("object_box", "unit", "nodes, as no object is entered"),

@@ -49,7 +49,7 @@ void FrameArguments::add_to(CLI::App& command, const std::string& default_out,
   command.add_option("--out", out, about_out)->option_text(fmt::format("FILE [{}]", default_out));
   command
       .add_option("--packets", packets,
-                  "packets of 2x2 rays in flight; default: all that the configuration has")
+                  "packets of rays in flight; default: all that the configuration has")
       ->option_text("N")
       ->check(not_a_count);
   command
@@ -64,9 +64,8 @@ void FrameArguments::add_to(CLI::App& command, const std::string& default_out,
       ->check(not_a_count);
   command.add_option("--order", order, "order of the packets: morton or scanline")
       ->option_text("ORDER [morton]");
-  command.add_flag(
-      "--uncompressed", uncompressed,
-      "transform the origin of every ray: eight vectors for each packet instead of five");
+  command.add_flag("--uncompressed", uncompressed,
+                   "transform the origin of every ray instead of one for each packet");
   clock.add_to(command);
   command
       .add_option("--timeout", timeout,

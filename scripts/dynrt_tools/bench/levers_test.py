@@ -6,7 +6,7 @@ import unittest
 
 from dynrt_tools.bench import levers
 from dynrt_tools.bench.run import RunFailed
-from dynrt_tools.project import ROOT, read_json
+from dynrt_tools.project import ROOT, Json, read_json
 
 CONFIGURATIONS = [
     {"name": "full", "packets": 64},
@@ -48,7 +48,7 @@ class Levers(unittest.TestCase):
 
     def test_the_table_has_a_line_for_each_step(self) -> None:
         frame = levers.frame_of("40x30", MEASURED)
-        rows = [
+        rows: list[Json] = [
             {"lever": name, "value": value, **{scene: frame for scene in levers.SCENES}}
             for name, value in (("full", None), ("lines", 8))
         ]

@@ -1,18 +1,23 @@
 
 // Properties of the mailbox, read inside the unit with its RAMs opened. One matrix of one packet and
-// level is watched, any of them. An entry is {last, matrix, active, clear, level, packet}, a job that
-// is let through {matrix, active, kind, packet, repeat}.
+// level is watched, any of them, and where the mailbox knows a packet's rays apart, one ray. An entry is
+// {last, matrix, active, clear, level, packet}, a job that is let through {matrix, active, kind, packet,
+// repeat}.
   localparam ENTRY = $bits(entry_data_i);
   localparam FRESH = $bits(fresh_data_o);
   localparam PACKET = $bits(objects_write_addr_o);  // bits of a packet's number
   localparam PACKETS = 1 << PACKET;
   localparam MATRIX = FRESH - PACKET - 10;
-  localparam ROW = $bits(objects_row_i);  // {matrices, how many of them}
-  localparam SLOTS = ROW / MATRIX;
-  localparam COUNT = ROW % MATRIX;
+  localparam ROW = $bits(objects_row_i);  // {rays that have met it, matrices, how many of them}
+  localparam SLOTS = 2;
+  localparam COUNT = 2;
+  localparam RAYS = 4;
+  localparam KNOWS_RAYS = ROW == COUNT + SLOTS * (MATRIX + RAYS);
+  localparam HAS_ROW = KNOWS_RAYS || ROW == COUNT + SLOTS * MATRIX;
   (* anyconst *) wire [PACKET-1:0] packet;
   (* anyconst *) wire level;
   (* anyconst *) wire [MATRIX-1:0] matrix;
+  (* anyconst *) wire [1:0] ray;
   (* anyconst *) wire [511:0] frame;
   reg was_reset_q = 1'b0;
 
@@ -28,12 +33,15 @@
   wire [MATRIX-1:0] done_matrix = done[PACKET+6+:MATRIX];
   function of_watched(input [ENTRY:0] entry);
     of_watched = entry[ENTRY] && !entry[PACKET+1] && entry[PACKET-1:0] == packet &&
-        entry[PACKET] == level && entry[PACKET+6+:MATRIX] == matrix;
+        entry[PACKET] == level && entry[PACKET+6+:MATRIX] == matrix &&
+        (!KNOWS_RAYS || entry[PACKET+2+ray]);
   endfunction
   wire is_watched = of_watched(done);
 
   wire fresh_valid = WRITTEN_VALID(fresh);
   wire [FRESH-1:0] fresh = WRITTEN_DATA(fresh);
+  wire [RAYS-1:0] fresh_rays = fresh[PACKET+6+:RAYS];
+  wire lets_through = fresh_valid && (!KNOWS_RAYS || fresh_rays[ray]);
   wire seen_valid = WRITTEN_VALID(seen);
   wire start_valid = WRITTEN_VALID(start);
 
@@ -51,7 +59,7 @@
     if (done_fired && fresh_valid) begin
       if (!done_level) entered_q[done_packet] <= 1'b1;
       if (!done_level && done_packet == packet && level) let_through_q <= 1'b0;
-      if (is_watched) let_through_q <= 1'b1;
+      if (is_watched && lets_through) let_through_q <= 1'b1;
     end
   end
 
@@ -89,9 +97,11 @@
   end
 
   always @* if (was_reset_q) begin
-    if (is_watched && !let_through_q) never_drops_what_is_new: assert (fresh_valid);
+    has_two_slots: assert (HAS_ROW);
+    if (is_watched && !let_through_q) never_drops_what_is_new: assert (lets_through);
     if (fresh_valid) lets_through_what_came: assert (done_fired && !done_clear &&
-        fresh[FRESH-1-:MATRIX] == done_matrix);
+        fresh[FRESH-1-:MATRIX] == done_matrix &&
+        (!KNOWS_RAYS || (fresh_rays & ~done[PACKET+2+:RAYS]) == 0));
     one_of_three: assert ({1'b0, fresh_valid} + seen_valid + start_valid == {1'b0, done_fired});
   end
 
@@ -109,7 +119,8 @@
   always @* if (was_reset_q) begin
     assert (!entered_q[packet] || cleared_q[packet]);
     for (s = 0; s < SLOTS; s = s + 1) begin
-      if (holds_any && slots[COUNT-1:0] > s && slots[COUNT+MATRIX*s+:MATRIX] == matrix)
+      if (holds_any && slots[COUNT-1:0] > s && slots[COUNT+MATRIX*s+:MATRIX] == matrix &&
+          (!KNOWS_RAYS || slots[COUNT+MATRIX*SLOTS+RAYS*s+ray]))
         assert (let_through_q || pending);
     end
   end

@@ -23,6 +23,11 @@ struct TinyMailbox : Tiny {
   static constexpr unsigned kMatrixBits = 4;
 };
 
+/// The same, of a mailbox that knows a packet's rays apart.
+struct TinyMailboxOfRays : TinyMailbox {
+  static constexpr dynrt::RaysSent kRaysSent = dynrt::RaysSent::kActive;
+};
+
 /// Of the transformation: nine products and nine sums.
 struct Tinier : Tiny {
   using Real = hls::Float<2, 2>;
