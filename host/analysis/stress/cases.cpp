@@ -43,7 +43,8 @@ bool is_measured(const CoreInfo& board) {
          numbers.mantissa_bits == kShippedFormat.mantissa_bits &&
          numbers.rounding == kShippedFormat.rounding && board.levels == 2 &&
          !board.clips_to_box() && board.divider == Divider::kDigitRecurrence &&
-         board.triangle_matrix == TriangleMatrix::kNormalConsistent;
+         board.triangle_matrix == TriangleMatrix::kNormalConsistent &&
+         board.rays_sent == RaysSent::kTraced;
 }
 
 /// Reasons that hold for the thesis's test alone.

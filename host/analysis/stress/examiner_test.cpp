@@ -179,6 +179,17 @@ TEST(Run, SaysWhereThereIsNoBound) {
   EXPECT_THAT(line_of(result), StartsWith("EXCEEDS "));
 }
 
+TEST(Cases, HaveBoundsForCoresThatWereMeasured) {
+  const Case& c = cases()[0];
+  CoreInfo core;
+  EXPECT_TRUE(c.allowed(core).stated);
+  core.rays_sent = RaysSent::kActive;
+  EXPECT_FALSE(c.allowed(core).stated) << "a ray may pass the leaf of its triangle";
+  core.rays_sent = RaysSent::kTraced;
+  core.divider = Divider::kThreeReciprocals;
+  EXPECT_FALSE(c.allowed(core).stated);
+}
+
 TEST(Cases, AreFortyAndMoreNamedApart) {
   std::set<std::string> names;
   for (const Case& c : cases()) {
