@@ -4,7 +4,10 @@
 // What the program does and says.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <vector>
 
 #include "host/app/program_test.h"
 #include "host/app/scene_flags.h"
@@ -144,8 +147,10 @@ TEST_F(App, RendersOnTheVerilogWithWaveforms) {
 
 TEST_F(App, StatesFramesAtThePlacedClock) {
   const auto kept = nlohmann::json::parse(text_of(DYNRT_PLACEMENT));
-  const auto& core = kept["units"]["dynrt_core"];
-  const double mhz = core["MHz, median"].get<double>();
+  auto seeds = kept["mhz"].get<std::vector<double>>();
+  std::ranges::sort(seeds);
+  const auto shown = [](double mhz) { return std::round(10 * mhz) / 10; };
+  const double mhz = shown(seeds[seeds.size() / 2]);
   const Outcome outcome = run(std::string("render blocks") + kRtl + "--json f.json");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr(fmt::format(" frames per second at {:g} MHz, ", mhz)));
@@ -164,8 +169,8 @@ TEST_F(App, StatesFramesAtThePlacedClock) {
   EXPECT_EQ(clock["configuration"], kept["config"]);
   EXPECT_EQ(clock["device"], kept["device"]);
   EXPECT_EQ(clock["grade"], kept["grade"]);
-  EXPECT_EQ(clock["lowest_mhz"], core["range low"]);
-  EXPECT_EQ(clock["highest_mhz"], core["range high"]);
+  EXPECT_EQ(clock["lowest_mhz"], shown(seeds.front()));
+  EXPECT_EQ(clock["highest_mhz"], shown(seeds.back()));
   EXPECT_EQ(clock["seeds"], kept["seeds"]);
   EXPECT_EQ(clock["placer"], "nextpnr-ecp5 " + kept["placer"].get<std::string>());
   EXPECT_EQ(clock["verilog"], kept["verilog"]);

@@ -8,6 +8,7 @@ command stands in runs.json. This module alone knows how they are kept."""
 
 import pathlib
 import re
+import statistics
 from dataclasses import dataclass
 
 from dynrt_tools import project
@@ -23,6 +24,8 @@ THESIS_MHZ = 85  # the clock of the thesis's prototype, beside which figures are
 
 # Figures that follow from counted clocks and a clock in MHz. Kept data leave them out.
 RATE = re.compile(r"clock|clock_hz|(frames|displays)[ _]per[ _]second.*")
+
+DIGITS = 1  # of a clock in MHz, behind the point
 
 
 @dataclass(frozen=True)
@@ -58,8 +61,7 @@ def _read(path: pathlib.Path, data: Json) -> PlacedClock:
     if path.stem not in runs:
         raise project.Failed(f"{path.name}: runs.json names no command that measured it; add one")
     command = runs[path.stem]["command"]
-    core = data["units"].get(rtl_files.CORE)
-    if not core:
+    if rtl_files.CORE not in data["units"]:
         raise project.Failed(
             f"{path.name}: has no placement of {rtl_files.CORE}; '{command}' makes it"
         )
@@ -68,9 +70,9 @@ def _read(path: pathlib.Path, data: Json) -> PlacedClock:
             device=data["device"],
             grade=data["grade"],
             configuration=data["config"],
-            mhz=core["MHz, median"],
-            lowest_mhz=core["range low"],
-            highest_mhz=core["range high"],
+            mhz=round(statistics.median(data["mhz"]), DIGITS),
+            lowest_mhz=round(min(data["mhz"]), DIGITS),
+            highest_mhz=round(max(data["mhz"]), DIGITS),
             seeds=data["seeds"],
             placer=f"{placers.PLACERS[data['device']]['program']} {data['placer']}",
             verilog=data["verilog"],

@@ -24,10 +24,10 @@ class Reading(testing.InFolder):
 
     def write(self, name: str, mhz: float, config: str, grade: str = "6", **more: object) -> None:
         """Keeps a placement and its command."""
-        core = {"MHz, median": mhz, "range low": mhz - 1, "range high": mhz + 2}
         data: Json = {"device": "ecp5-85", "grade": grade, "config": config, "seeds": 3}
+        data["mhz"] = [mhz + 2, mhz - 1.04, mhz]
         data |= {"placer": "0.7", "verilog": "0123"}
-        data["units"] = {rtl_files.CORE: core}
+        data["units"] = {rtl_files.CORE: {}}
         (self.folder / f"{name}.json").write_text(json.dumps(data | more), encoding="utf-8")
         self.runs[name] = {"command": f"place {name}", "measured": "today"}
         (self.folder / "runs.json").write_text(json.dumps(self.runs), encoding="utf-8")
@@ -65,8 +65,11 @@ class Reading(testing.InFolder):
         self.refused(r"has no place_core\*\.json; scripts/place --keep writes one")
         self.write("place_core", 100, "thesis", units={})
         self.refused("place_core.json: has no placement of dynrt_core; 'place place_core' makes it")
-        self.write("place_core", 100, "thesis", units={"dynrt_core": {"MHz, median": 3}})
-        self.refused("place_core.json: has no 'range low'; 'place place_core' writes it")
+        self.write("place_core", 100, "thesis")
+        data = project.read_json(self.folder / "place_core.json")
+        del data["mhz"]
+        project.write_json(self.folder / "place_core.json", data)
+        self.refused("place_core.json: has no 'mhz'; 'place place_core' writes it")
         self.write("place_core", 100, "thesis")
         self.write("place_core_2", 101, "thesis")
         self.refused("two files of .* have a placement of thesis on ecp5-85, grade '6'; keep one")
@@ -111,11 +114,11 @@ class KeptByPlace(unittest.TestCase):
 
     def test_it_can_be_read(self) -> None:
         about = {"unit": rtl_files.CORE, "config": "full", "device": "ecp5-85", "grade": "8"}
-        placed: Json = {"MHz, median": 101, "range low": 100, "range high": 108}
         kept: Json = {
             **about,
             **{"placer": "0.11", "seeds": 3, "copies": 1, "verilog": "4f" * 32},
-            "units": {rtl_files.CORE: placed},
+            "mhz": [108.04, 100, 101.26],
+            "units": {rtl_files.CORE: {}},
             "ends": [],
         }
         with tempfile.TemporaryDirectory() as name:
@@ -124,7 +127,7 @@ class KeptByPlace(unittest.TestCase):
             project.write_json(folder / "runs.json", {"place_core_full": {"command": "place"}})
             (clock,) = placed_clocks.load(folder)
         self.assertEqual((clock.configuration, clock.grade, clock.seeds), ("full", "8", 3))
-        self.assertEqual((clock.lowest_mhz, clock.mhz, clock.highest_mhz), (100, 101, 108))
+        self.assertEqual((clock.lowest_mhz, clock.mhz, clock.highest_mhz), (100, 101.3, 108))
         self.assertEqual((clock.placer, clock.verilog), ("nextpnr-ecp5 0.11", "4f" * 32))
 
 
