@@ -147,13 +147,15 @@ void run(const Arguments& a) {
     throw hlsc::Error({}, fmt::format(kTimeByAlone, a.time_by.front()));
   }
   if (!a.dump_netlist && !ir_alone && a.delay.empty()) throw hlsc::Error({}, kNoDelay);
+  hlsc::Options options{clock_ns.value_or(0), {}};
+  if (!a.delay.empty()) options.delay = hlsc::load_delay_model(a.delay);
+  for (const std::string& path : a.time_by) options.time_by.push_back(hlsc::load_delay_model(path));
   hlsc::UnitSource source = a.source;
+  if (!options.delay.has_multipliers()) source.clang_args.emplace_back("-DHLS_HARD_MULTIPLIERS=0");
   if (ir_alone) source.print_after = shown;
   const hlsc::UnitNetlist unit = hlsc::read_unit(source);
   if (a.dump_netlist) fmt::print("{}", hlsc::to_text(unit.netlist));
   if (a.dump_netlist || ir_alone) return;
-  hlsc::Options options{clock_ns.value_or(0), hlsc::load_delay_model(a.delay)};
-  for (const std::string& path : a.time_by) options.time_by.push_back(hlsc::load_delay_model(path));
   if (!shown.empty()) {
     hlsc::optimise(unit.netlist, options, [&shown](const std::string& pass, const auto& netlist) {
       if (pass == shown) fmt::print("; after {}\n{}", pass, hlsc::to_text(netlist));

@@ -9,22 +9,40 @@ module cells (
   input [35:0] write_data_i,
   output [35:0] wide_o, exclusive_o,
   output [8:0] narrow_o,
+  output reg [35:0] registered_wide_o,
+  output reg [8:0] registered_narrow_o,
   input signed [17:0] a_i, b_i,
   output signed [35:0] signed_o,
-  output [31:0] unsigned_o
+  output [31:0] unsigned_o,
+  output reg signed [35:0] registered_o
 );
-  hls_ram_1r1w #(.WIDTH(36), .ROWS(512)) wide (
+  hls_ram_1r1w #(.WIDTH(36), .ROWS(512), .TORN(1)) wide (
     .clk_i(clk_i), .rst_ni(1'b1), .write_en_i(write_en_i), .write_addr_i(write_addr_i[8:0]),
     .write_data_i(write_data_i), .read_en_i(read_en_i), .read_addr_i(read_addr_i[8:0]),
     .read_data_o(wide_o));
-  hls_ram_1r1w #(.WIDTH(36), .ROWS(512), .EXCLUSIVE(1)) exclusive (
+  hls_ram_1r1w #(.WIDTH(36), .ROWS(512)) exclusive (
     .clk_i(clk_i), .rst_ni(1'b1), .write_en_i(write_en_i), .write_addr_i(write_addr_i[8:0]),
     .write_data_i(write_data_i), .read_en_i(read_en_i), .read_addr_i(read_addr_i[8:0]),
     .read_data_o(exclusive_o));
-  hls_ram_1r1w #(.WIDTH(9), .ROWS(2048)) narrow (
+  hls_ram_1r1w #(.WIDTH(9), .ROWS(2048), .TORN(1)) narrow (
     .clk_i(clk_i), .rst_ni(1'b1), .write_en_i(write_en_i), .write_addr_i(write_addr_i),
     .write_data_i(write_data_i[8:0]), .read_en_i(read_en_i), .read_addr_i(read_addr_i),
     .read_data_o(narrow_o));
+  wire [35:0] registered_wide;
+  wire [8:0] registered_narrow;
+  hls_ram_1r1w #(.WIDTH(36), .ROWS(512)) wide_behind (
+    .clk_i(clk_i), .rst_ni(1'b1), .write_en_i(write_en_i), .write_addr_i(write_addr_i[8:0]),
+    .write_data_i(write_data_i), .read_en_i(read_en_i), .read_addr_i(read_addr_i[8:0]),
+    .read_data_o(registered_wide));
+  hls_ram_1r1w #(.WIDTH(9), .ROWS(2048)) narrow_behind (
+    .clk_i(clk_i), .rst_ni(1'b1), .write_en_i(write_en_i), .write_addr_i(write_addr_i),
+    .write_data_i(write_data_i[8:0]), .read_en_i(read_en_i), .read_addr_i(read_addr_i),
+    .read_data_o(registered_narrow));
+  always @(posedge clk_i) begin
+    registered_wide_o <= registered_wide;
+    registered_narrow_o <= registered_narrow;
+  end
   assign signed_o = a_i * b_i;
   assign unsigned_o = a_i[15:0] * b_i[15:0];
+  always @(posedge clk_i) registered_o <= a_i * $signed(write_data_i[17:0]);
 endmodule

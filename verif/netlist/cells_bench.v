@@ -1,23 +1,24 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Holds the module `cells` against its netlist, `gates`, with random inputs. A row of an exclusive
-// RAM that is read while it is written must be unknown in the netlist.
+// Holds the module `cells` against its netlist, `gates`, with random inputs. A row that is read while
+// it is written must be unknown in the netlist, and its lowest bit tell where it may be torn.
 module cells_bench;
   localparam CLOCKS = 20000;
   localparam FILLED = 2000; // clocks after which every row that is read was written
 
-  reg clk = 0, write_en, read_en, collides = 0;
+  reg clk = 0, write_en, read_en, collides = 0, collided = 0;
   reg [10:0] write_addr, read_addr;
   reg [35:0] write_data;
   reg [17:0] a, b;
-  wire [35:0] wide0, wide1, exclusive0, exclusive1, signed0, signed1;
-  wire [8:0] narrow0, narrow1;
+  wire [35:0] wide0, wide1, exclusive0, exclusive1, signed0, signed1, registered0, registered1;
+  wire [35:0] registered_wide0, registered_wide1;
+  wire [8:0] narrow0, narrow1, registered_narrow0, registered_narrow1;
   wire [31:0] unsigned0, unsigned1;
   cells rtl (clk, write_en, read_en, write_addr, read_addr, write_data, wide0, exclusive0, narrow0,
-             a, b, signed0, unsigned0);
+             registered_wide0, registered_narrow0, a, b, signed0, unsigned0, registered0);
   gates net (clk, write_en, read_en, write_addr, read_addr, write_data, wide1, exclusive1, narrow1,
-             a, b, signed1, unsigned1);
+             registered_wide1, registered_narrow1, a, b, signed1, unsigned1, registered1);
 
   integer i, different = 0, compared = 0, collisions = 0;
   initial begin
@@ -28,15 +29,20 @@ module cells_bench;
       write_data = {$random, $random};
       a = $random;
       b = $random;
+      collided = collides; // in the clock of the row that the registers behind hold
       if (read_en) collides = write_en && write_addr == read_addr;
       #5 clk = 1;
       #5 clk = 0;
       #1 if (i >= FILLED) begin
         compared = compared + (^{wide0, narrow0} !== 1'bx);
         collisions = collisions + collides;
-        different = different + ({wide0, narrow0, signed0, unsigned0} !==
-                                 {wide1, narrow1, signed1, unsigned1}) +
-                    (exclusive1 !== (collides ? 36'bx : exclusive0));
+        different = different +
+          ({signed0, unsigned0, registered0} !== {signed1, unsigned1, registered1}) +
+          ({wide1[0], narrow1[0]} !== {2{collides}}) +
+          ({wide1[35:1], narrow1[8:1], exclusive1} !==
+           (collides ? 79'bx : {wide0[35:1], narrow0[8:1], exclusive0})) +
+          ({registered_wide1, registered_narrow1} !==
+           (collided ? 45'bx : {registered_wide0, registered_narrow0}));
       end
     end
     $display("%0d clocks compared, %0d different, %0d collisions", compared, different, collisions);

@@ -74,7 +74,7 @@ class Generator {
 
   unsigned port(PortKind kind, const char* name, unsigned width, unsigned rows = 1,
                 unsigned latency = 0) {
-    n_.ports.push_back({kind, name, width, rows, latency, Hazard::kExclusive, {}});
+    n_.ports.push_back({kind, name, width, rows, latency, {}});
     return static_cast<unsigned>(n_.ports.size() - 1);
   }
   NodeId node(Op op, unsigned width, std::vector<NodeId> operands, unsigned low = 0) {

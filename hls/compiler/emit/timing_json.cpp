@@ -66,7 +66,8 @@ class EndTimes {
       add(delay + ".data_o", "delay", d_.lut_ram, where);
       return;
     }
-    const bool made_here = schedule_.stage[carry.cell] == carry.from;
+    const bool made_here =
+        schedule_.stage[carry.cell] == carry.from && !timing_.waits_in_block(carry.cell);
     add(stems_[carry.cell] + to, "register",
         made_here ? latest(carry.cell, carry.low, carry.high) : 0, where);
   }

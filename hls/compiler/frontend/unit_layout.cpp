@@ -193,7 +193,6 @@ class Reader {
     made.width = number(1);
     made.rows = number(2);
     made.latency = number(3);
-    made.hazard = static_cast<Hazard>(number(4));
     made.where = where_;
     layout_.ports.push_back({made, offset});
   }

@@ -89,7 +89,6 @@ struct Node {
   SourceLine where;
 };
 
-using hls::Hazard;
 using hls::PortKind;
 
 /// A member of the unit: channel end, RAM, RAM end or configuration value.
@@ -99,7 +98,6 @@ struct Port {
   unsigned width = 0;    ///< of a token, row or value
   unsigned rows = 1;     ///< of a RAM
   unsigned latency = 0;  ///< clocks from a RAM's address to its data; 0 for a register file
-  Hazard hazard = Hazard::kExclusive;
   SourceLine where;
 };
 

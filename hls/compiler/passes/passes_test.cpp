@@ -25,6 +25,7 @@ DelayModel device(unsigned multiplier_width, bool free_add_sub = false,
                   unsigned division_digits = 1) {
   DelayModel d = load_delay_model(std::string(DELAY_FOLDER) + "/ecp5.json");
   d.multiplier_width = multiplier_width;
+  d.unsigned_multiplier_width = multiplier_width - 1;
   d.free_add_sub = free_add_sub;
   d.division_digits = division_digits;
   return d;
@@ -123,11 +124,11 @@ struct Unit {
 
   explicit Unit(unsigned width) {
     n.module = "unit";
-    n.ports.push_back({PortKind::kIn, "in", width, 1, 0, Hazard::kExclusive, {}});
+    n.ports.push_back({PortKind::kIn, "in", width, 1, 0, {}});
   }
   NodeId in(unsigned low, unsigned width) { return b.source(Op::kToken, 0, low, width); }
   Netlist out(NodeId data) {
-    n.ports.push_back({PortKind::kOut, "out", b.width(data), 1, 0, Hazard::kExclusive, {}});
+    n.ports.push_back({PortKind::kOut, "out", b.width(data), 1, 0, {}});
     n.token_writes.push_back({1, b.constant(1, 1), data});
     return n;
   }
@@ -243,6 +244,30 @@ TEST(SplitProducts, LeavesAProductThatFitsOneMultiplier) {
   const Netlist after = split_products(u.out(product), device(18));
   EXPECT_EQ(count(after, Op::kMul), 1u);
   EXPECT_EQ(count(after, Op::kAdd), 0u);
+}
+
+/// Additions that a product of two factors of 18 bits takes.
+unsigned sums_of_18(bool first_signed, bool second_signed, unsigned unsigned_width) {
+  Unit u(36);
+  const auto wide = [&](unsigned low, bool is_signed) {
+    const NodeId in = u.in(low, 18);
+    return is_signed ? u.b.sext(in, 36) : u.b.zext(in, 36);
+  };
+  DelayModel delay = device(18);
+  delay.unsigned_multiplier_width = unsigned_width;
+  const NodeId product = u.b.mul(wide(0, first_signed), wide(18, second_signed));
+  const Netlist before = u.out(product);
+  const Netlist after = split_products(before, delay);
+  expect_equal(before, after, 1, 500);
+  return count(after, Op::kAdd);
+}
+
+TEST(SplitProducts, KnowsTheWidthOfUnsignedFactors) {
+  EXPECT_EQ(sums_of_18(true, true, 18), 0u);
+  EXPECT_EQ(sums_of_18(false, false, 18), 0u);
+  EXPECT_GT(sums_of_18(false, false, 17), 0u);
+  EXPECT_GT(sums_of_18(true, false, 18), 0u) << "a sign bit makes the second 19 bits wide";
+  EXPECT_EQ(sums_of_18(true, false, 18), sums_of_18(false, true, 18));
 }
 
 TEST(SplitProducts, SplitsAWiderOne) {

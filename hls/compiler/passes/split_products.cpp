@@ -9,11 +9,14 @@ namespace hlsc {
 namespace {
 
 constexpr unsigned kMaxDigits = 3;  ///< of a constant factor that becomes additions
-constexpr unsigned kMinHard = 4;    ///< narrower factors are not worth a hard multiplier
 
 class SplitProducts : public Rewrite {
  public:
-  SplitProducts(const Netlist& from, unsigned hard_width) : Rewrite(from), hard_(hard_width) {}
+  SplitProducts(const Netlist& from, const DelayModel& delay)
+      : Rewrite(from),
+        has_hard_(delay.has_multipliers()),
+        hard_(delay.multiplier_width),
+        hard_unsigned_(delay.unsigned_multiplier_width) {}
 
  private:
   struct Factor {
@@ -35,11 +38,18 @@ class SplitProducts : public Rewrite {
   Factor factor(NodeId id) const {
     const unsigned plain = std::max(1u, builder_.active_bits(id));
     const unsigned with_sign = builder_.signed_bits(id);
-    // An unsigned number takes a sign bit more in a signed multiplier.
     if (plain + 1 <= with_sign || plain < builder_.width(id)) return {id, plain, false};
     return {id, with_sign, true};
   }
-  bool fits(const Factor& f) const { return f.width + (f.is_signed ? 0 : 1) <= hard_; }
+  /// The width that a hard multiplier must have for a factor: an unsigned one takes a sign bit more
+  /// where the other is signed.
+  static unsigned needs(const Factor& factor, const Factor& other) {
+    return factor.width + (!factor.is_signed && other.is_signed ? 1 : 0);
+  }
+  bool fits(const Factor& wider, const Factor& other) const {
+    const bool are_unsigned = !wider.is_signed && !other.is_signed;
+    return needs(wider, other) <= (are_unsigned ? hard_unsigned_ : hard_);
+  }
 
   NodeId product(NodeId a, NodeId b) {
     const unsigned w = builder_.width(a);
@@ -50,10 +60,9 @@ class SplitProducts : public Rewrite {
     }
     Factor x = factor(a);
     Factor y = factor(b);
-    if (x.width < y.width) std::swap(x, y);
-    const bool none = hard_ < kMinHard;
-    if (y.width < kMinHard || none) return by_rows(x.id, y, w);
-    if (!fits(x)) return by_halves(x, y.id, w);
+    if (needs(x, y) < needs(y, x)) std::swap(x, y);
+    if (y.width < DelayModel::kLeastMultiplier || !has_hard_) return by_rows(x.id, y, w);
+    if (!fits(x, y)) return by_halves(x, y.id, w);
     return builder_.mul(a, b);
   }
 
@@ -126,13 +135,15 @@ class SplitProducts : public Rewrite {
     return last.negative ? builder_.sub(builder_.constant(w, 0), last.id) : last.id;
   }
 
+  bool has_hard_;
   unsigned hard_;
+  unsigned hard_unsigned_;
 };
 
 }  // namespace
 
 Netlist split_products(const Netlist& netlist, const DelayModel& delay) {
-  return SplitProducts(netlist, delay.multiplier_width).run();
+  return SplitProducts(netlist, delay).run();
 }
 
 }  // namespace hlsc

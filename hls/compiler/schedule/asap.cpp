@@ -84,9 +84,8 @@ class Asap {
  private:
   void place() {
     for (CellId id = 0; id < c_.cells.size(); ++id) {
-      const Cell& cell = c_.cells[id];
       if (c_.still[id]) {
-        stage_[id] = -1;
+        stage_[id] = kElsewhere;
         timing_.evaluate(id, stage_);
         continue;
       }
@@ -94,8 +93,8 @@ class Asap {
       for (const Precedence& p : before_[id]) stage = std::max(stage, stage_[p.of] + p.distance);
       stage_[id] = stage;
       double late = timing_.evaluate(id, stage_);
-      if (late <= available_) continue;
-      if (cell.kind == CellKind::kOperation || !c_.is_source(id)) {
+      // One stage on, all comes out of registers; two on, none of these is that of a block.
+      for (unsigned moved = 0; moved < 2 && late > available_ && !c_.is_source(id); ++moved) {
         ++stage_[id];
         late = timing_.evaluate(id, stage_);
       }
@@ -107,7 +106,7 @@ class Asap {
 
   /// The time from a state's value to its next one must fit, whatever else comes out of registers.
   void check_feedback(const Loop& loop) {
-    std::vector<int> stage(c_.cells.size(), 0);
+    std::vector<int> stage(c_.cells.size(), kElsewhere);
     double late = 0;
     timing_.evaluate(loop.read, stage);
     stage[loop.read] = 1;
@@ -214,7 +213,7 @@ std::optional<TooSlow> miss(const Circuit& circuit, const DelayModel& delay, dou
 
 void mark_still(Circuit& c, const DelayModel& delay, double clock_ns) {
   Timing timing(c, delay);
-  const std::vector<int> stage(c.cells.size(), -1);
+  const std::vector<int> stage(c.cells.size(), kElsewhere);
   for (CellId id = 0; id < c.cells.size(); ++id) {
     const Cell& cell = c.cells[id];
     if (c.still[id]) timing.evaluate(id, stage);
@@ -246,10 +245,9 @@ std::vector<Precedence> precedences(const Circuit& c, const Timing& timing) {
     const Port& p = c.netlist.ports[port];
     for (unsigned r = 0; r < c.row_read.size(); ++r) {
       if (c.netlist.row_reads[r].port != port || c.row_read[r] == BitRef::kConstant) continue;
-      // A transaction reads the row as it was before its own write. A row that is written in the
-      // same clock is undefined in an exclusive RAM and the old one in the others.
-      const bool exclusive = p.kind == PortKind::kRam && p.hazard == Hazard::kExclusive;
-      all.push_back({c.row_read[r], id, exclusive ? 1 : 0});
+      // A transaction reads the row as it was before its own write. A RAM's row that is written in
+      // the same clock is undefined.
+      all.push_back({c.row_read[r], id, p.kind == PortKind::kRam ? 1 : 0});
       if (p.kind == PortKind::kRegisterFile) all.push_back({id, c.row_read[r], 0});
     }
   }

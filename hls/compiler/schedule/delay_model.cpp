@@ -43,7 +43,9 @@ DelayModel load_delay_model(const std::string& path) {
   m.free_add_sub = number("free_add_sub", 0) != 0;
   m.division_digits = static_cast<unsigned>(number("division_digits", 1));
   m.multiply = number("multiply", 0);
+  m.block_register = number("block_register", 0);
   m.multiplier_width = static_cast<unsigned>(number("multiplier_width", 2));
+  m.unsigned_multiplier_width = static_cast<unsigned>(number("unsigned_multiplier_width", 1));
   m.ram_out = number("ram_out", 0);
   m.ram_in = number("ram_in", 0);
   m.lut_ram = number("lut_ram", 0);

@@ -21,11 +21,13 @@ struct DelayModel {
   double compare_out = 0;        ///< a carry chain's last carry to a signal
   bool free_add_sub = false;     ///< add or subtract by a signal costs no LUT before the chain
   unsigned division_digits = 1;  ///< of a quotient in one step; 2 takes half as much logic again
-  double multiply = 0;           ///< a hard multiplier, from register to register
-  unsigned multiplier_width = 18;  ///< of its signed operands
-  double ram_out = 0;              ///< a synchronous RAM's data after the clock
-  double ram_in = 0;               ///< set-up of its address, data and enables
-  double lut_ram = 0;              ///< address to data of a LUT RAM
+  double multiply = 0;           ///< a register to a hard multiplier and through it
+  double block_register = 0;     ///< how much later a register in a block's output is than others
+  unsigned multiplier_width = 18;           ///< of its signed operands
+  unsigned unsigned_multiplier_width = 17;  ///< of its operands where both are unsigned
+  double ram_out = 0;                       ///< a synchronous RAM's data after the clock
+  double ram_in = 0;                        ///< set-up of its address, data and enables
+  double lut_ram = 0;                       ///< address to data of a LUT RAM
   /// Synthesis makes a RAM of LUTs if it has no more rows, or no more bits, its width rounded up to
   /// that of a RAM of LUTs. A register is then behind it, and `lut_ram` before that.
   unsigned lut_ram_rows = 0;
@@ -34,6 +36,9 @@ struct DelayModel {
   double token_in = 0;      ///< the way of a token from another unit's FIFO
   double token_out = 0;     ///< set-up of a token's data at an Out's FIFO
   double token_enable = 0;  ///< set-up of the condition on which the FIFO takes it
+
+  static constexpr unsigned kLeastMultiplier = 4;  ///< narrower ones are not worth their place
+  bool has_multipliers() const { return multiplier_width >= kLeastMultiplier; }
 };
 
 /// Throws Error that names the file and its mistake.

@@ -77,38 +77,48 @@ class Minimiser {
   }
 
  private:
-  /// False if the first schedule has both in one stage.
-  bool keep_apart(CellId of, CellId user) {
-    if (asap_[of] >= asap_[user]) return false;
+  /// False if the first schedule has the two nearer to each other than these stages.
+  bool keep_apart(CellId of, CellId user, int stages) {
+    if (asap_[user] - asap_[of] < stages) return false;
     apart_[of].insert(user);
-    pairs_.push_back({of, user, 1});
+    pairs_.push_back({of, user, stages});
     return true;
   }
 
-  /// For each cell, the nearest ones behind it that cannot share a stage with it.
+  /// For each cell, the nearest ones behind it that cannot share a stage with it; for a block,
+  /// those too that cannot be in the stage behind it.
   void find_long_paths() {
-    std::vector<int> stage(c_.cells.size(), 0);
+    std::vector<int> stage(c_.cells.size(), kElsewhere);
     for (CellId id = 0; id < c_.cells.size(); ++id) timing_.evaluate(id, stage);
     for (CellId first = static_cast<CellId>(c_.cells.size()); first-- > 0;) {
       if (c_.still[first]) continue;
-      std::set<CellId> open{first};
-      std::vector<CellId> cone;
-      while (!open.empty()) {
-        const CellId id = *open.begin();
-        open.erase(open.begin());
-        stage[id] = 1;
-        cone.push_back(id);
-        if (timing_.evaluate(id, stage) > available_ && id != first) {
-          stage[id] = 0;
-          if (!implied(first, id)) keep_apart(first, id);
-          continue;
-        }
-        for (const CellId user : c_.users[id]) {
-          if (timing_.separation(id, user) == 0) open.insert(user);
-        }
-      }
-      for (const CellId id : cone) stage[id] = 0;
+      find_long_paths(first, {first}, 1, stage);
+      if (!timing_.is_block(first)) continue;
+      stage[first] = 0;
+      find_long_paths(first, {c_.users[first].begin(), c_.users[first].end()}, 2, stage);
+      stage[first] = kElsewhere;
     }
+  }
+
+  /// In stage 1 are the `open` cells and what they lead to, as far as the clock allows. `stage` is
+  /// as before at the end.
+  void find_long_paths(CellId first, std::set<CellId> open, int stages, std::vector<int>& stage) {
+    std::vector<CellId> cone;
+    while (!open.empty()) {
+      const CellId id = *open.begin();
+      open.erase(open.begin());
+      stage[id] = 1;
+      cone.push_back(id);
+      if (timing_.evaluate(id, stage) > available_ && id != first) {
+        stage[id] = kElsewhere;
+        if (stages > 1 || !implied(first, id)) keep_apart(first, id, stages);
+        continue;
+      }
+      for (const CellId user : c_.users[id]) {
+        if (timing_.separation(id, user) == 0) open.insert(user);
+      }
+    }
+    for (const CellId id : cone) stage[id] = kElsewhere;
   }
 
   bool implied(CellId of, CellId user) const {
@@ -170,19 +180,22 @@ class Minimiser {
       if (timing_.evaluate(id, schedule_.stage) <= available_) continue;
       const std::vector<CellId> path = critical_path(id);
       found = true;
-      if (keep_apart(path.front(), id)) continue;
+      const int stages = schedule_.stage[path.front()] < schedule_.stage[id] ? 2 : 1;
+      if (keep_apart(path.front(), id, stages)) continue;
       pin(path);
       return true;
     }
     return found;
   }
 
-  /// The cells of this stage on the latest path to a cell.
+  /// The cells of this stage on the latest path to a cell, and the block in the stage before if the
+  /// path starts at one.
   std::vector<CellId> critical_path(CellId id) const {
     std::vector<CellId> path{id};
     for (BitRef from = timing_.critical_input(id); !from.is_constant();
          from = timing_.critical_input(from)) {
       path.insert(path.begin(), from.cell);
+      if (schedule_.stage[from.cell] < schedule_.stage[id]) break;
     }
     return path;
   }

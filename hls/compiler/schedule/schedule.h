@@ -13,9 +13,13 @@
 
 namespace hlsc {
 
+/// The stage of cells that do not matter to a path: all they give comes out of registers that are
+/// far behind their blocks. Still cells are in it.
+constexpr int kElsewhere = -1;
+
 struct Schedule {
   int stages = 1;          ///< clocks from the start of a transaction to its tokens in the FIFOs
-  std::vector<int> stage;  ///< of each cell; of a still one -1: it is in all
+  std::vector<int> stage;  ///< of each cell; of a still one kElsewhere: it is in all
 };
 
 /// Marks operations on Config ports alone as still, as far as they fit between two registers.

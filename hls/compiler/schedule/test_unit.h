@@ -18,6 +18,7 @@ inline DelayModel round_numbers() {
   d.carry_bit = 0.1;
   d.compare_out = 1;
   d.multiply = 3;
+  d.block_register = 0.5;
   d.ram_out = 2;
   d.lut_ram = 1;
   return d;
@@ -29,8 +30,8 @@ struct Unit {
 
   explicit Unit(unsigned width) { port(PortKind::kIn, "in", width); }
   unsigned port(PortKind kind, const char* name, unsigned width, unsigned rows = 1,
-                unsigned latency = 0, Hazard hazard = Hazard::kExclusive) {
-    n.ports.push_back({kind, name, width, rows, latency, hazard, {"unit.h", 7}});
+                unsigned latency = 0) {
+    n.ports.push_back({kind, name, width, rows, latency, {"unit.h", 7}});
     return static_cast<unsigned>(n.ports.size() - 1);
   }
   NodeId in(unsigned low, unsigned width) { return b.source(Op::kToken, 0, low, width); }

@@ -55,9 +55,12 @@ int Timing::separation(CellId producer, CellId user) const {
 
 Timing::Input Timing::input(BitRef bit, int stage, const std::vector<int>& stages) const {
   const Cell& cell = c_.cells[bit.cell];
-  if (stages[bit.cell] < stage) return {load(bit), nullptr, bit};
+  if (stages[bit.cell] == stage - 1 && is_block(bit.cell)) {
+    return {load(bit) + d_.block_register, nullptr, bit, bit};
+  }
+  if (stages[bit.cell] < stage) return {load(bit), nullptr, bit, {}};
   const Arrival& made = bits_[cell.first_bit + bit.bit];
-  return {made.at + load(bit), &made, bit};
+  return {made.at + load(bit), &made, bit, bit};
 }
 
 Timing::Input Timing::latest(const std::vector<BitRef>& operand, int stage,
@@ -91,6 +94,7 @@ void Timing::set_all(const Cell& cell, double at, BitRef source) {
 
 bool Timing::is_of_luts(const Port& ram) const {
   if (ram.kind == PortKind::kRegisterFile) return true;
+  if (hls::asks_for_block_ram(ram.width, ram.rows)) return false;
   const unsigned width = (ram.width + kLutRamWidth - 1) / kLutRamWidth * kLutRamWidth;
   return ram.latency <= 1 && (ram.rows <= d_.lut_ram_rows || ram.rows * width <= d_.lut_ram_bits);
 }
@@ -127,6 +131,11 @@ double Timing::operand_needs(CellId write, std::size_t operand,
   return last.at + set_up_of(write, operand);
 }
 
+bool Timing::is_block(CellId id) const {
+  if (c_.is_multiply(id)) return true;
+  return c_.cells[id].kind == CellKind::kRow && !is_of_luts(c_.port_of(id));
+}
+
 /// The clock that a write allows.
 double Timing::written(CellId id, const std::vector<int>& stages) {
   const Cell& cell = c_.cells[id];
@@ -136,7 +145,7 @@ double Timing::written(CellId id, const std::vector<int>& stages) {
     const double late = last.at + set_up_of(id, i);
     if (late <= needs || last.bit.is_constant()) continue;
     needs = late;
-    critical_[id] = last.made != nullptr ? last.bit : BitRef{};
+    critical_[id] = last.source;
   }
   return needs;
 }
@@ -144,7 +153,6 @@ double Timing::written(CellId id, const std::vector<int>& stages) {
 double Timing::evaluate(CellId id, const std::vector<int>& stages) {
   const Cell& cell = c_.cells[id];
   const int stage = stages[id];
-  const auto from = [](const Input& in) { return in.made != nullptr ? in.bit : BitRef{}; };
   switch (cell.kind) {
     case CellKind::kToken:
       set_all(cell, d_.token_in, {});
@@ -160,11 +168,11 @@ double Timing::evaluate(CellId id, const std::vector<int>& stages) {
         const CellId read = c_.row_read[cell.index];
         const Input last = latest(c_.cells[read], stages[read], stages);
         at = last.at + d_.lut_ram;
-        source = from(last);
+        source = last.source;
       }
       set_all(cell, at, source);
       critical_[id] = source;
-      return at;
+      return waits_in_block(id) ? 0 : at;
     }
     case CellKind::kTokenWrite:
     case CellKind::kRowRead:
@@ -197,7 +205,7 @@ double Timing::evaluate(CellId id, const std::vector<int>& stages) {
       break;
     case Op::kMul: {
       const Input last = latest(cell, stage, stages);
-      set_all(cell, last.at + d_.multiply, from(last));
+      set_all(cell, last.at + d_.multiply, last.source);
       break;
     }
     default:

@@ -26,8 +26,8 @@ class Timing {
   double arrival(BitRef bit) const { return bits_[c_.cells[bit.cell].first_bit + bit.bit].at; }
   /// The clock that one operand of a write allows: its latest bit and its set-up.
   double operand_needs(CellId write, std::size_t operand, const std::vector<int>& stage) const;
-  /// The bit that decided the last evaluate() of this cell, or a constant if it came from a
-  /// register.
+  /// The bit that decided the last evaluate() of this cell: one of its stage, or of a block of the
+  /// stage before; or a constant if it came from another register.
   BitRef critical_input(CellId id) const { return critical_[id]; }
   /// The same for one bit.
   BitRef critical_input(BitRef bit) const {
@@ -36,6 +36,13 @@ class Timing {
 
   /// Stages that must lie between the two: hard multipliers have registers on both sides.
   int separation(CellId producer, CellId user) const;
+  /// A multiplier or a RAM on the chip whose own register is behind its output. In the stage that
+  /// follows, such a value comes later than one of a register among LUTs.
+  bool is_block(CellId id) const;
+  /// A RAM's row that waits in the RAM's own register, to which it has no way.
+  bool waits_in_block(CellId id) const {
+    return d_.block_register > 0 && c_.cells[id].kind == CellKind::kRow && is_block(id);
+  }
 
  private:
   static constexpr unsigned kMaxLeaves = 6;
@@ -50,6 +57,7 @@ class Timing {
     double at = 0;
     const Arrival* made = nullptr;  ///< null: out of a register
     BitRef bit;
+    BitRef source;  ///< the bit, if it is of this stage or of a block of the stage before
   };
 
   Input input(BitRef bit, int stage, const std::vector<int>& stages) const;

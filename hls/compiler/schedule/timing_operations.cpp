@@ -35,7 +35,7 @@ Timing::Arrival Timing::logic(const Input* inputs, unsigned count) const {
     for (unsigned i = 0; i < count && fits; ++i) {
       const Input& in = inputs[i];
       if ((choice >> i & 1) == 0) {
-        take(c_.cells[in.bit.cell].first_bit + in.bit.bit, in.at, in.made ? in.bit : BitRef{});
+        take(c_.cells[in.bit.cell].first_bit + in.bit.bit, in.at, in.source);
         continue;
       }
       fits = in.made != nullptr && in.made->leaves > 0;
@@ -84,7 +84,7 @@ void Timing::time_sum(const Cell& cell, Op op, int stage, const std::vector<int>
   if (variable && !cell.operands[2][0].is_constant()) {
     const Input s = input(cell.operands[2][0], stage, stages);
     select = s.at;
-    if (s.made != nullptr) select_bit = s.bit;
+    select_bit = s.source;
     carry = select + d_.carry_start;
     carry_source = select_bit;
   }
@@ -103,7 +103,7 @@ void Timing::time_sum(const Cell& cell, Op op, int stage, const std::vector<int>
       Input in;
       if (!bit.is_constant()) in = input(bit, stage, stages);
       double arrival = in.at;
-      BitRef from = in.made != nullptr ? in.bit : BitRef{};
+      BitRef from = in.source;
       if (variable && k == 1) {
         if (select > arrival) {
           arrival = select;
@@ -141,7 +141,7 @@ Timing::Arrival Timing::compare(const Cell& cell, int stage, const std::vector<i
       if (inputs.size() <= d_.lut_inputs) inputs.push_back(in);
       if (in.at + d_.carry_start > carry) {
         carry = in.at + d_.carry_start;
-        source = in.made != nullptr ? in.bit : BitRef{};
+        source = in.source;
       }
     }
     carry += d_.carry_bit;
@@ -173,7 +173,7 @@ Timing::Arrival Timing::equal(const Cell& cell, int stage, const std::vector<int
       ++part.inputs;
       if (in.at > part.at) {
         part.at = in.at;
-        part.source = in.made != nullptr ? in.bit : BitRef{};
+        part.source = in.source;
       }
     }
     if (part.inputs > 0) parts.push_back(part);

@@ -96,10 +96,18 @@ double row_arrival(unsigned rows, unsigned width, const DelayModel& delay) {
   const std::vector<int> stage(c.cells.size(), 0);
   double row = -1;
   for (CellId id = 0; id < c.cells.size(); ++id) {
-    const double at = timing.evaluate(id, stage);
-    if (c.cells[id].kind == CellKind::kRow) row = at;
+    timing.evaluate(id, stage);
+    if (c.cells[id].kind == CellKind::kRow) row = timing.arrival({id, 0});
   }
   return row;
+}
+
+TEST(Timing, AWideRamOfFewRowsIsBlockRam) {
+  DelayModel delay = round_numbers();
+  delay.lut_ram_rows = 32;
+  EXPECT_DOUBLE_EQ(row_arrival(32, 63, delay), 0) << "LUT RAM, with a register behind it";
+  EXPECT_DOUBLE_EQ(row_arrival(32, 64, delay), delay.ram_out);
+  EXPECT_DOUBLE_EQ(row_arrival(31, 64, delay), 0);
 }
 
 TEST(Timing, ARamOfFewBitsIsOfLutsByItsWidthRoundedUp) {
@@ -109,6 +117,40 @@ TEST(Timing, ARamOfFewBitsIsOfLutsByItsWidthRoundedUp) {
   EXPECT_DOUBLE_EQ(row_arrival(64, 21, delay), delay.ram_out) << "block RAM: 24 bits wide";
   delay.lut_ram_bits = 64 * 21;
   EXPECT_DOUBLE_EQ(row_arrival(64, 21, delay), delay.ram_out) << "block RAM: 24 bits wide";
+}
+
+/// When the inverse of a source arrives, a number of stages behind it.
+double behind(unsigned stages, NodeId (*source)(Unit&), CellKind kind, const DelayModel& delay) {
+  Unit u(16);
+  u.out(u.b.invert(source(u)));
+  const Circuit c(u.n);
+  Timing timing(c, delay);
+  std::vector<int> stage(c.cells.size(), static_cast<int>(stages));
+  double last = 0;
+  for (CellId id = 0; id < c.cells.size(); ++id) {
+    const bool is_source =
+        kind == CellKind::kOperation ? c.is_multiply(id) : c.cells[id].kind == kind;
+    if (is_source) stage[id] = 0;
+    last = timing.evaluate(id, stage);
+  }
+  return last;
+}
+
+TEST(Timing, ARegisterInABlockComesLaterThanOneAmongLuts) {
+  DelayModel delay = round_numbers();
+  const auto product = [](Unit& u) {
+    return u.b.mul(u.b.zext(u.in(0, 8), 16), u.b.zext(u.in(8, 8), 16));
+  };
+  const auto row = [](Unit& u) {
+    return u.read(u.port(PortKind::kRam, "slots", 64, 64, 1), u.in(0, 6));
+  };
+  const auto token = [](Unit& u) { return u.in(0, 8); };
+  const double late = delay.lut + delay.block_register;
+  EXPECT_DOUBLE_EQ(behind(1, product, CellKind::kOperation, delay), late);
+  EXPECT_DOUBLE_EQ(behind(2, product, CellKind::kOperation, delay), delay.lut);
+  EXPECT_DOUBLE_EQ(behind(1, row, CellKind::kRow, delay), late);
+  EXPECT_DOUBLE_EQ(behind(2, row, CellKind::kRow, delay), delay.lut);
+  EXPECT_DOUBLE_EQ(behind(1, token, CellKind::kToken, delay), delay.lut);
 }
 
 }  // namespace

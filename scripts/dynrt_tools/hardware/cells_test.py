@@ -1,26 +1,40 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""The models in ecp5_cells.v do what the Verilog does that Yosys makes such cells of. Takes the
-folder to work in."""
+"""The models in ecp5_cells.v do what the Verilog does that Yosys makes such cells of, products and
+block RAM with the registers that scripts/place moves into them too. Takes the folder to work in."""
 
 import pathlib
 import sys
 
 from dynrt_tools import project
-from dynrt_tools.hardware import replay, synthesis
+from dynrt_tools.hardware import block_registers, replay, synthesis
+
+# Blocks that take the registers behind the outputs `registered_*` of cells.v.
+MOVED = {block_registers.MULTIPLIER: 1, block_registers.BLOCK_RAM: 2}
 
 
 def main() -> None:
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     ram = project.ROOT / "rtl/lib/hls_ram_1r1w.v"
-    used = ["select -assert-min 3 t:DP16KD", "select -assert-min 2 t:MULT18X18D"]
+    used = ["select -assert-min 3 t:DP16KD", "select -assert-min 3 t:MULT18X18D"]
     try:
         synthesis.run_yosys(
             [
                 *synthesis.read_commands([ram, replay.HERE / "cells.v"]),
                 "synth_ecp5 -nowidelut -top cells",
                 *used,
+                f"write_json {folder / 'cells.json'}",
+            ],
+            folder,
+            "cells",
+        )
+        moved = block_registers.pack(folder / "cells.json")
+        if moved != MOVED:
+            sys.exit(f"cells_test: moved registers into {dict(moved)}; right were {MOVED}")
+        synthesis.run_yosys(
+            [
+                f"read_json {folder / 'cells.json'}",
                 *replay.for_icarus("cells"),
                 "rename cells gates",
                 f"write_verilog -noattr {folder / 'gates.v'}",

@@ -4,17 +4,26 @@
 scripts/fit-delays --record leaves in docs/results/data."""
 
 import unittest
+from typing import NamedTuple
 
 from dynrt_tools import project
 from dynrt_tools.hardware import fit_data, fit_delays, fitting, kept_placement, model_file
 
 FITS = sorted(kept_placement.DATA.glob("fit_*.json"))
-# The least part of the predictions that are good, and the most by which a placement takes longer than
-# hlsc promises. --record leaves them as they are: what makes a model worse fails here.
+
+
+class Bounds(NamedTuple):
+    """--record leaves them as they are: what makes a model worse fails here."""
+
+    good: float  # the least part of the predictions
+    late: float  # the most by which a placement takes longer than hlsc promises
+    predicted: float  # the least part of a placement's ends that limit
+
+
 BOUNDS = {
-    "fit_ecp5": (0.972, 0.067),
-    "fit_ecp5_8": (0.954, 0.015),
-    "fit_ice40_hx": (0.658, 0.236),
+    "fit_ecp5": Bounds(good=0.731, late=0.025, predicted=0.9),
+    "fit_ecp5_8": Bounds(good=0.913, late=0.015, predicted=0.63),
+    "fit_ice40_hx": Bounds(good=0.7, late=0.236, predicted=0.9),
 }
 RENEW = "run scripts/fit-delays --record after a change, or take the change back"
 
@@ -33,14 +42,20 @@ class Models(unittest.TestCase):
         self.assertEqual({path.stem for path in FITS}, BOUNDS.keys())
         for path in FITS:
             data = project.read_json(path)
-            good, missed = BOUNDS[path.stem]
+            bounds = BOUNDS[path.stem]
             misses = [end["predicted"] / end["placed"] - 1 for end in data["ends"]]
             part = fit_data.share(misses)
             self.assertEqual(part, data["within"], path)
-            self.assertGreaterEqual(part or 0, good, path)
+            self.assertGreaterEqual(part or 0, bounds.good, path)
             for placement in data["placements"]:
+                # hlsc promises for the present Verilog, and predicts other ends of an earlier one.
+                if placement["placement"] in data["earlier"]:
+                    continue
+                where = f"{path}: {placement['placement']}"
                 late = placement["placed, ns"] / placement["promised, ns"] - 1
-                self.assertLessEqual(late, missed, f"{path}: {placement['placement']}")
+                self.assertLessEqual(late, bounds.late, where)
+                least = bounds.predicted * placement["limiting"]
+                self.assertGreaterEqual(placement["predicted"], least, where)
 
     def test_the_counts_of_an_end_make_its_prediction(self) -> None:
         for path in FITS:

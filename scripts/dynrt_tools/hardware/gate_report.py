@@ -363,7 +363,7 @@ WHY = (
     "- The far stack of a ray has 64 rows a packet: 32 for each level, of which 31 are used, so that the address",
     "  is level, packet and depth, without an adder. A second port doubles it. The thesis's 2,352 bits are 24 x",
     "  (62 + 2 x 18): a single-port stack and 18 dual-port words.",
-    "- Every FIFO on a loop of packets holds all packets, so that no loop can deadlock and no pipeline needs an",
+    "- Most FIFOs on a loop of packets hold all packets, so that no loop can deadlock and no pipeline needs an",
     "  enable. The thesis's tables have no FIFOs.",
     "- The core keeps rays twice: by axis for each slice, and as vectors for `send_packet`. It keeps a packet's",
     "  matrix once; the thesis perhaps keeps it for both levels (1,152 bits are 12 x 24, two levels, two ports).",

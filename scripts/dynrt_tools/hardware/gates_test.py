@@ -26,7 +26,7 @@ def ram(rows: int, width: int, read: list[int], write: list[int] | None = None) 
         "type": "$mem_v2",
         "connections": {"RD_ADDR": read, "WR_ADDR": write or []},
         "parameters": {
-            "MEMID": "\\u.any.rows",
+            "MEMID": "\\u.torn.rows",
             "SIZE": f"{rows:b}",
             "WIDTH": f"{width:b}",
             "ABITS": f"{address:b}",

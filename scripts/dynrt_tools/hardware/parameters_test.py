@@ -53,7 +53,7 @@ RULES = {
         flag("BOUNDED"),
     ),
     "hls_fork": (at_least("OUTPUTS", 1), WIDTH),
-    "hls_ram_1r1w": (WIDTH, ROWS, flag("EXCLUSIVE"), follows("ADDR_WIDTH", "ROWS")),
+    "hls_ram_1r1w": (WIDTH, ROWS, flag("BLOCK"), flag("TORN"), follows("ADDR_WIDTH", "ROWS")),
     "hls_ram_words": (
         WIDTH,
         at_least("WORDS", 2),
@@ -80,7 +80,7 @@ GOOD: dict[str, tuple[Values, ...]] = {
         {"DEPTH": 128, "BOUNDED": 1},
     ),
     "hls_fork": ({}, {"OUTPUTS": 1, "WIDTH": 1}, {"OUTPUTS": 5, "WIDTH": 86}),
-    "hls_ram_1r1w": ({}, {"WIDTH": 1, "ROWS": 1}, {"ROWS": 10, "EXCLUSIVE": 1}),
+    "hls_ram_1r1w": ({}, {"WIDTH": 1, "ROWS": 1}, {"ROWS": 10, "BLOCK": 1, "TORN": 1}),
     "hls_ram_words": ({}, {"WIDTH": 1, "WORDS": 2, "ROWS": 1}, {"WORDS": 4, "ROWS": 64}),
     "hls_register_file": ({}, {"WIDTH": 1, "ROWS": 1}, {"ROWS": 10}),
     "hls_repeat": ({}, {"WIDTH": 1, "COUNT_WIDTH": 1}, {"WIDTH": 32, "COUNT_WIDTH": 4}),

@@ -22,6 +22,7 @@ from unittest import mock
 
 from dynrt_tools import project
 from dynrt_tools.hardware import (
+    block_registers,
     kept_placement,
     model_file,
     place,
@@ -278,6 +279,12 @@ class StandIn(unittest.TestCase):
         self.assertEqual(
             first["units"][0]["placed"][0]["mhz"], second["units"][0]["placed"][0]["mhz"]
         )
+
+    def test_another_packer_makes_the_netlist_new(self) -> None:
+        first = self.called(seeds=1)[3]
+        with mock.patch.object(block_registers, "version", lambda: "another"):
+            second = self.called(seeds=1)[3]
+        self.assertNotEqual(*(d["units"][0]["placed"][0]["netlist"] for d in (first, second)))
 
     def write_unit(self, expression: str) -> None:
         source = self.folder / "sum.v"

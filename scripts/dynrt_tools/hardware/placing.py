@@ -15,6 +15,7 @@ from typing import Any
 
 from dynrt_tools import project
 from dynrt_tools.hardware import (
+    block_registers,
     devices,
     placed_ends,
     placers,
@@ -73,6 +74,7 @@ def netlist(device: str, subject: Subject) -> pathlib.Path:
     """The folder with the netlist of a module in its wrapper, and with the Verilog that it is of."""
     family = devices.FAMILIES[devices.DEVICES[device]["family"]]
     files = synthesis.needed(subject.module, list(subject.files))
+    packs = devices.DEVICES[device]["family"] == "ecp5"
     # A wrapper of one port stands for the text of all.
     form = wrapper.wrap("m", [wrapper.Port("a_i", "input", 1), wrapper.Port("b_o", "output", 1)])
     said = [
@@ -81,6 +83,7 @@ def netlist(device: str, subject: Subject) -> pathlib.Path:
         subject.module,
         subject.copies,
         form,
+        block_registers.version() if packs else "",
     ]
 
     def make(folder: pathlib.Path) -> None:
@@ -97,6 +100,8 @@ def netlist(device: str, subject: Subject) -> pathlib.Path:
             folder,
             subject.module,
         )
+        if packs:
+            block_registers.pack(folder / "netlist.json")
         for file in files:
             shutil.copyfile(file, folder / "verilog" / file.name)
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from dynrt_tools import project
+from dynrt_tools.hardware import block_registers
 from dynrt_tools.project import read_json
 
 # What placers add to the name of a cell that they pack into another one.
@@ -56,6 +57,7 @@ class Names:
         )
         self._module, self._verilog, self._joins = module, verilog, joins
         self._cells: dict[str, Any] = top["cells"]
+        self._loads = block_registers.loads_of(top)
         self._flip_flops = {  # by the bit that they take
             bit: cell
             for cell in self._cells.values()
@@ -84,6 +86,8 @@ class Names:
         """Of the flip-flop or memory that a path ends at. A placer that packs a flip-flop behind
         a LUT calls both by the LUT's name."""
         name, cell = self._found(placed)
+        if cell is not None and cell["type"] == block_registers.MULTIPLIER:
+            return self._origin(name, cell, self._lowest_read(cell), REGISTER)
         if cell is not None and not FLIP_FLOP.match(cell["type"]):
             behind = [self._flip_flops.get(bit) for bit in cell["connections"].get("O", ())]
             cell = next((ff for ff in behind if ff), None)
@@ -93,6 +97,16 @@ class Names:
             )
             return Origin(self._unit(name), self._plain(name), source)
         return self._origin(name, cell, "", REGISTER)
+
+    def _lowest_read(self, cell: Any) -> str:
+        """The port of the lowest bit in a multiplier's register: a bit that nobody reads is not in
+        it, and its net has the name of the product."""
+        ports = [
+            port
+            for port, bits in cell["connections"].items()
+            if re.match(block_registers.PRODUCT.bits, port) and bits and self._loads[bits[0]]
+        ]
+        return min(ports, key=lambda port: int(port[1:]), default="")
 
     def _found(self, placed: str) -> tuple[str, Any]:
         """The netlist's cell that a placed one is of, None where there is none."""

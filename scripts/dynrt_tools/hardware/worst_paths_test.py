@@ -9,7 +9,14 @@ import tempfile
 import unittest
 
 from dynrt_tools import project
-from dynrt_tools.hardware import source_names, synthesis, timing_graph, worst_paths, wrapper
+from dynrt_tools.hardware import (
+    block_registers,
+    source_names,
+    synthesis,
+    timing_graph,
+    worst_paths,
+    wrapper,
+)
 
 # Two registers and two cells between them; `g` closes a loop, which no path goes through.
 #   start.Q -1.0-> f.A ... f.F -2.0-> end.D           0.5 + 1.0 + 0.25 + 2.0 + 0.1 = 3.85
@@ -70,6 +77,20 @@ endmodule
 module dynrt_core (input clk_i, input rst_ni, input [3:0] a_i, input [3:0] b_i, output [3:0] o);
   sum u_adder (
     .clk_i(clk_i), .rst_ni(rst_ni), .a_i(a_i), .b_i(b_i), .sum_o(o));
+endmodule
+"""
+
+SCALED = """\
+module scaled (input clk_i, input rst_ni, input [17:0] a_i, input [17:0] b_i, output [17:0] o);
+  reg [17:0] a_s1, b_s1, estimate_s2;
+  wire [35:0] mul_s1 = a_s1 * b_s1;  // units/scaled.h:8
+  wire [17:0] estimate_s1 = mul_s1[35:18];  // units/scaled.h:9
+  always @(posedge clk_i) begin
+    a_s1 <= a_i;
+    b_s1 <= b_i;
+    estimate_s2 <= estimate_s1;
+  end
+  assign o = estimate_s2;
 endmodule
 """
 
@@ -187,6 +208,35 @@ class Paths(unittest.TestCase):
         self.assertTrue(found)
         for origin in found:
             self.assertEqual(origin.source, "sum.v:6")
+
+    def test_a_register_in_a_multiplier_has_the_name_of_its_lowest_bit(self) -> None:
+        source = self.folder / "scaled.v"
+        source.write_text(SCALED, encoding="utf-8")
+        ports = wrapper.ports("scaled", [source], self.folder)
+        outer = self.folder / "placed.v"
+        outer.write_text(wrapper.wrap("scaled", ports), encoding="utf-8")
+        netlist = self.folder / "netlist.json"
+        synthesis.run_yosys(
+            [
+                f"read_verilog {source} {outer}",
+                "synth_ecp5 -nowidelut -top placed",
+                f"write_json {netlist}",
+            ],
+            self.folder,
+            "scaled",
+        )
+        moved = block_registers.pack(netlist)
+        self.assertEqual(moved, {block_registers.MULTIPLIER: 1})
+        cells = project.read_json(netlist)["modules"]["placed"]["cells"]
+        names = source_names.Names(netlist, self.folder, "scaled")
+        (multiplier,) = (
+            name for name, cell in cells.items() if cell["type"] == block_registers.MULTIPLIER
+        )
+        self.assertEqual(
+            names.register(multiplier),
+            source_names.Origin("scaled", "estimate_s2[0]", "hls/units/scaled.h:8"),
+            "a path ends at the product",
+        )
 
     def test_a_memory_s_cells_are_its_declaration(self) -> None:
         source = project.ROOT / "rtl" / "lib" / "hls_fifo.v"
