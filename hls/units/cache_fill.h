@@ -29,7 +29,7 @@ struct CacheFill {
     using Index = uint<hls::index_width(C::kLines)>;
     const Index line = Index::from((f.address.raw() & frame.get().line_mask.raw()));
     const Context context = waiting.read(f.key);
-    lines.write(line, Row{!f.invalidate, f.address, f.line});
+    lines.write(line, Row{false, !f.invalidate, f.address, f.line});
     if (!f.invalidate) reply.write(Kind::reply(context, f.address, f.line));
   }
 };

@@ -4,8 +4,8 @@
 // Direct-mapped cache, the looking half (thesis chapter 7): 2^0 to C::kLines lines, tagged with the
 // whole address so that the number of lines may change between frames. A hit is answered at once; a
 // miss goes to the memory and its context is stored, so later requests do not wait. CacheFill is
-// the other half and owns the writing port of the lines. A line may be replaced while it is being
-// looked up: either row is right, since data and tag lie in one row.
+// the other half and owns the writing port of the lines. A line that is replaced while it is looked
+// up is a miss.
 #pragma once
 
 #include "units/frame.h"
@@ -15,7 +15,8 @@
 
 namespace dynrt {
 
-/// The three caches: the content of a line, the context of a request, and its key in the memory.
+/// The three caches: the content of a line, the context of a request, its key in the memory, and
+/// whether the reply is known without the line.
 template <class C>
 struct NodeCache {
   using Context = StepContext<C>;
@@ -24,7 +25,16 @@ struct NodeCache {
   using Reply = Step<C>;
   static constexpr MemoryKind kKind = MemoryKind::kNode;
   static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) { return c.packet; }
-  static constexpr Reply reply(const Context& c, Address, const Line& line) { return {c, line}; }
+  static constexpr bool is_known(Address address) { return is_list<C>(address); }
+  /// A pointer to a list stands for the leaf.
+  static constexpr Reply reply(const Context& c, Address address, const Line& line) {
+    Reply step{c, line};
+    if (is_known(address)) {
+      step.node.kind = NodeKind::kLeaf;
+      step.node.left = list_address<C>(address);
+    }
+    return step;
+  }
 };
 template <class C>
 struct ListCache {
@@ -34,6 +44,7 @@ struct ListCache {
   using Reply = MailboxEntry<C>;
   static constexpr MemoryKind kKind = MemoryKind::kList;
   static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) { return c.packet; }
+  static constexpr bool is_known(Address) { return false; }
   static constexpr Reply reply(const Context& c, Address, const Line& line) {
     return {c.packet, c.level, false, c.active.get(), {}, line};
   }
@@ -48,6 +59,7 @@ struct MatrixCache {
   static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) {
     return hls::concat(c.column, c.packet);
   }
+  static constexpr bool is_known(Address) { return false; }
   static constexpr Reply reply(const Context& c, Address address, const Line& line) {
     return {c, address, line};
   }
@@ -78,7 +90,9 @@ struct CacheLookup {
     const Row row = lines.read(line);
     // Only who misses reads it; written always, it need not wait for the comparison.
     waiting.write(Kind::key(r.context), r.context);
-    if (hls::concat(row.tag, uint<1>(row.valid)) == hls::concat(r.address, uint<1>(1))) {
+    if (Kind::is_known(r.address) ||
+        hls::concat(hls::concat(row.tag, uint<1>(row.valid)), uint<1>(row.torn)) ==
+            hls::concat(r.address, uint<2>(0b10))) {
       reply.write(Kind::reply(r.context, r.address, row.line));
     } else {
       miss.write(MemoryRequest<C>{Kind::kKind, Kind::key(r.context), r.address});

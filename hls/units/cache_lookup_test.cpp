@@ -32,7 +32,7 @@ class Cache {
     hit_ = join_.output("hit", lookup_.reply);
     filled_ = join_.output("filled", fill_.reply);
     miss_ = join_.output("miss", lookup_.miss);
-    join_.ram<hls::Hazard::kStale>("lines", fill_.lines, std::array{&lookup_.lines});
+    join_.ram<hls::Hazard::kTorn>("lines", fill_.lines, std::array{&lookup_.lines});
     join_.ram("waiting", lookup_.waiting, std::array{&fill_.waiting});
   }
   void request(const Request& r) {

@@ -32,6 +32,7 @@ inline constexpr unsigned kAddressBits = 19;
 inline constexpr unsigned kMaxNodes = 1u
                                       << kAddressBits;  ///< of which number 0 is the null address
 inline constexpr unsigned kMaxListEntries = 1u << kAddressBits;
+inline constexpr unsigned kListStep = 2;  ///< of the lists' beginnings, where nodes point to them
 inline constexpr unsigned kMatrixBits = 17;
 inline constexpr unsigned kMaxMatrices = 1u << kMatrixBits;
 inline constexpr unsigned kColumnBase = 1u << kAddressBits;  ///< first word of the matrix columns
@@ -51,6 +52,12 @@ using SceneWord = uint<std::max(Word::kWidth, R::kLeafWidth + kSpareBits<R>)>;
 
 /// The axis that a k-D tree node splits; a leaf's `left` is the address of its list.
 enum class NodeKind : unsigned char { kSplitX, kSplitY, kSplitZ, kLeaf };
+
+/// The part along the axis that an inner node splits.
+template <class T>
+constexpr T of_split_axis(NodeKind kind, const T& x, const T& y, const T& z) {
+  return kind == NodeKind::kSplitX ? x : kind == NodeKind::kSplitY ? y : z;
+}
 
 /// A node of the k-D tree: in the memory 40 bits and a float.
 template <class R, unsigned AddressBits = kAddressBits>

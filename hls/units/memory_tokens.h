@@ -32,10 +32,11 @@ struct CacheReply {
 
 template <class Line, unsigned AddressBits = kAddressBits>
 struct CacheRow {
+  bool torn = false;  ///< hls::Hazard::kTorn
   bool valid = false;
   uint<AddressBits> tag;
   Line line;
-  HLS_FIELDS(valid, tag, line)
+  HLS_FIELDS(torn, valid, tag, line)
 };
 
 enum class MemoryKind : unsigned char { kNode, kList, kColumn };

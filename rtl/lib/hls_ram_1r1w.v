@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // RAM with a write port and a synchronous read port: data comes the clock after the address. A row
-// that is written while it is read gives its old data. With EXCLUSIVE the user promises that this
-// never happens, which saves logic around block RAM: an FPGA may then give any data. Only the
-// assertion of that promise uses the reset.
+// that is read while it is written may be any data in an FPGA. Either the user promises that this
+// never happens, and only the assertion of that promise uses the reset; or the lowest bit that is
+// read is one then and zero else, whatever was written there.
 //
 // Parameters:
-//   WIDTH       bits of a row, at least 1
+//   WIDTH       bits of a row, of which TORN takes one; at least 1
 //   ROWS        number of rows, at least 1
-//   EXCLUSIVE   1: the user promises never to read a row in the clock that writes it; else 0
+//   BLOCK       1 asks for block RAM, 0 leaves it to synthesis; 0 to 1
+//   TORN        1 for the lowest bit that tells, 0 for the promise; 0 to 1
 //   ADDR_WIDTH  bits of an address; follows from ROWS, leave it as it is
 //
 // Ports:
@@ -22,7 +23,8 @@
 module hls_ram_1r1w #(
     parameter WIDTH = 8,
     parameter ROWS = 16,
-    parameter EXCLUSIVE = 0,
+    parameter BLOCK = 0,
+    parameter TORN = 0,
     parameter ADDR_WIDTH = ROWS > 1 ? $clog2(ROWS) : 1
 ) (
     input  wire                  clk_i,
@@ -32,45 +34,62 @@ module hls_ram_1r1w #(
     input  wire [     WIDTH-1:0] write_data_i,
     input  wire                  read_en_i,
     input  wire [ADDR_WIDTH-1:0] read_addr_i,
-    output reg  [     WIDTH-1:0] read_data_o
+    output wire [     WIDTH-1:0] read_data_o
 );
 
   // A module that does not exist, and whose name is the message, stops elaboration.
   generate
-    if (WIDTH < 1) begin : bad_width
-      hls_ram_1r1w_WIDTH_must_be_at_least_1 stop ();
+    if (WIDTH < 1 + TORN) begin : bad_width
+      hls_ram_1r1w_WIDTH_must_be_at_least_1_beside_TORN stop ();
     end
     if (ROWS < 1) begin : bad_rows
       hls_ram_1r1w_ROWS_must_be_at_least_1 stop ();
     end
-    if (EXCLUSIVE != 0 && EXCLUSIVE != 1) begin : bad_exclusive
-      hls_ram_1r1w_EXCLUSIVE_must_be_0_or_1 stop ();
+    if (BLOCK != 0 && BLOCK != 1) begin : bad_block
+      hls_ram_1r1w_BLOCK_must_be_0_or_1 stop ();
+    end
+    if (TORN != 0 && TORN != 1) begin : bad_torn
+      hls_ram_1r1w_TORN_must_be_0_or_1 stop ();
     end
     if (ADDR_WIDTH != (ROWS > 1 ? $clog2(ROWS) : 1)) begin : bad_addr_width
       hls_ram_1r1w_ADDR_WIDTH_must_follow_from_ROWS stop ();
     end
   endgenerate
 
+  // verilator lint_off UNUSEDPARAM
+  localparam STYLE = BLOCK != 0 ? "block" : "auto";
+  // verilator lint_on UNUSEDPARAM
+
   generate
-    if (EXCLUSIVE != 0) begin : exclusive
-      (* no_rw_check *)
+    if (TORN != 0) begin : torn
+      (* no_rw_check, ram_style = STYLE *)
+      reg [WIDTH-1:1] rows[0:ROWS-1];
+      reg [WIDTH-1:1] row_q;
+      reg torn_q;
+      always @(posedge clk_i) begin
+        if (write_en_i) rows[write_addr_i] <= write_data_i[WIDTH-1:1];
+        if (read_en_i) begin
+          row_q <= rows[read_addr_i];
+          torn_q <= write_en_i && write_addr_i == read_addr_i;
+        end
+      end
+      assign read_data_o = {row_q, torn_q};
+      wire unused = &{1'b0, write_data_i[0]};
+    end else begin : exclusive
+      (* no_rw_check, ram_style = STYLE *)
       reg [WIDTH-1:0] rows[0:ROWS-1];
+      reg [WIDTH-1:0] row_q;
       always @(posedge clk_i) begin
         if (write_en_i) rows[write_addr_i] <= write_data_i;
-        if (read_en_i) read_data_o <= rows[read_addr_i];
+        if (read_en_i) row_q <= rows[read_addr_i];
       end
-    end else begin : any
-      reg [WIDTH-1:0] rows[0:ROWS-1];
-      always @(posedge clk_i) begin
-        if (write_en_i) rows[write_addr_i] <= write_data_i;
-        if (read_en_i) read_data_o <= rows[read_addr_i];
-      end
+      assign read_data_o = row_q;
     end
   endgenerate
 
 `ifdef HLS_ASSERT
   always @(posedge clk_i) begin
-    if (EXCLUSIVE != 0 && rst_ni && write_en_i && read_en_i && write_addr_i == read_addr_i) begin
+    if (TORN == 0 && rst_ni && write_en_i && read_en_i && write_addr_i == read_addr_i) begin
       $display("%m: row %0d is written while it is read", write_addr_i);
       $stop;
     end

@@ -30,7 +30,9 @@ void setup(Bench<CacheLookupOf<Kind>>& bench, const Run& run) {
   });
   bench.template shape<Row>("lines", [lines, number = 0u](Row& row, Random& random) mutable {
     const unsigned row_number = number++;
-    row.valid = row_number == 0 || random.below(8) != 0;  // a cache may have one line
+    // A cache may have one line.
+    row.valid = row_number == 0 || random.below(8) != 0;
+    row.torn = row_number != 0 && random.below(8) == 0;
     row.tag = Address::from(row_number % lines + lines * random.below(3));
     if (random.below(8) == 0) row.tag = number_below<kAddressBits>(random, 3 * lines);
   });

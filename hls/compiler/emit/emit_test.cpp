@@ -79,8 +79,8 @@ TEST(Emit, DelaysThatAreLongAreRams) {
   Netlist n;
   Builder b(n);
   n.module = "passing";
-  n.ports.push_back({PortKind::kIn, "in", 72, 1, 0, Hazard::kExclusive, {}});
-  n.ports.push_back({PortKind::kOut, "out", 72, 1, 0, Hazard::kExclusive, {}});
+  n.ports.push_back({PortKind::kIn, "in", 72, 1, 0, {}});
+  n.ports.push_back({PortKind::kOut, "out", 72, 1, 0, {}});
   const NodeId divisor = b.concat({b.constant(1, 1), b.source(Op::kToken, 0, 24, 16)});
   const NodeId quotient =
       b.udiv(b.concat({b.source(Op::kToken, 0, 0, 24), b.constant(16, 0)}), divisor);

@@ -20,8 +20,7 @@ inline Netlist example() {
   n.source = "units/example.h";
   const auto port = [&n](PortKind kind, const char* name, unsigned width, unsigned rows = 1,
                          unsigned latency = 0) {
-    n.ports.push_back(
-        {kind, name, width, rows, latency, Hazard::kExclusive, {"units/example.h", 20}});
+    n.ports.push_back({kind, name, width, rows, latency, {"units/example.h", 20}});
     return static_cast<unsigned>(n.ports.size() - 1);
   };
   const unsigned sample = port(PortKind::kIn, "sample", 14);

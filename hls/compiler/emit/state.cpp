@@ -125,14 +125,14 @@ void VerilogWriter::write_ram(unsigned index) {
         p.width, p.rows, p.name, write_pins, read_address, p.name);
     return;
   }
-  const bool exclusive = p.hazard == Hazard::kExclusive;
   out("  wire {0}_read = {1};\n  wire {2}{0}_read_addr = {3};\n", p.name, read_enable,
       bit_range(address), read_address);
-  out("  hls_ram_1r1w #(.WIDTH({0}), .ROWS({1}), .EXCLUSIVE({2})) {3}_ram (\n"
-      "    .clk_i(clk_i), .rst_ni(rst_ni),\n    {4},\n"
-      "    .read_en_i({3}_read), .read_addr_i({3}_read_addr), .read_data_o({3}_row));\n",
-      p.width, p.rows, exclusive ? 1 : 0, p.name, write_pins);
-  if (exclusive && written) assert_exclusive(p, address, stage(write) - stage(read));
+  out("  hls_ram_1r1w #(.WIDTH({0}), .ROWS({1}){4}) {2}_ram (\n"
+      "    .clk_i(clk_i), .rst_ni(rst_ni),\n    {3},\n"
+      "    .read_en_i({2}_read), .read_addr_i({2}_read_addr), .read_data_o({2}_row));\n",
+      p.width, p.rows, p.name, write_pins,
+      hls::asks_for_block_ram(p.width, p.rows) ? ", .BLOCK(1)" : "");
+  if (written) assert_exclusive(p, address, stage(write) - stage(read));
 }
 
 void VerilogWriter::assert_exclusive(const Port& p, unsigned address, int distance) {

@@ -90,8 +90,9 @@ class Top {
       return fmt::format("hls_ram_words #(.WIDTH({}), .WORDS({}), .ROWS({}))",
                          ram.width / ram.words, ram.words, ram.rows);
     }
-    return fmt::format("hls_ram_1r1w #(.WIDTH({}), .ROWS({}), .EXCLUSIVE({}))", ram.width, ram.rows,
-                       ram.hazard == hls::Hazard::kExclusive ? 1 : 0);
+    return fmt::format("hls_ram_1r1w #(.WIDTH({}), .ROWS({}){}{})", ram.width, ram.rows,
+                       hls::asks_for_block_ram(ram.width, ram.rows) ? ", .BLOCK(1)" : "",
+                       ram.hazard == hls::Hazard::kTorn ? ", .TORN(1)" : "");
   }
 
   void connect(const hls::BankRecord& bank) {
@@ -179,10 +180,12 @@ class Top {
         unit.module, unit.name, pins, parameters);
   }
 
-  /// A channel that says how many tokens it can ever hold gets FIFOs that hold them all.
+  /// A channel that says how many tokens it can ever hold gets FIFOs that hold them all, if its
+  /// writers shall not wait.
   std::string depth_parameters(const std::string& port, const std::string& name) const {
     for (const ChannelRecord& c : join_.channels) {
-      if (c.depth == 0 || std::find(c.from.begin(), c.from.end(), port) == c.from.end()) continue;
+      const bool holds_all = c.depth != 0 && c.fifos == hls::WriterFifos::kHoldAll;
+      if (!holds_all || std::find(c.from.begin(), c.from.end(), port) == c.from.end()) continue;
       std::string upper = name;
       for (char& letter : upper) {
         letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));

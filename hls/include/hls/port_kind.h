@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The kinds of ports, and the hazards of a RAM's rows: the one description that the native model,
-// the lowered language, hlsc, joins and test benches share.
+// The kinds of ports, and the hazards of a RAM between units: the one description that the native
+// model, the lowered language, hlsc, joins and test benches share.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +20,17 @@ enum class PortKind : std::uint8_t {
   kConfig,        ///< value that does not change
 };
 
-/// The accesses that may happen between the read of a row and the write that follows it.
+/// What a reader may see of a row in the clock that writes it.
 enum class Hazard : std::uint8_t {
-  kExclusive,  ///< None to the row, as one packet owns it. hlsc emits an assertion.
-  kStale,      ///< A later transaction may still read the old row; the unit is right either way.
+  kExclusive,  ///< Nothing: nobody reads it then, as one packet owns it. The RAM asserts that.
+  kTorn,       ///< A torn row, of which its lowest bit tells; its other bits are of no meaning.
 };
+
+/// Whether a RAM asks for block RAM even if it has few rows, as LUTs are what an FPGA runs out of
+/// first. Synthesis decides for the others.
+constexpr bool asks_for_block_ram(unsigned width, unsigned rows) {
+  return width >= 64 && rows >= 32;
+}
 
 /// The properties of a port that its type gives.
 struct PortInfo {

@@ -19,8 +19,8 @@ namespace hls {
 
 namespace lowered {
 
-/// Kind, token or row width in bits, rows (1 for channels), latency in clocks, hazard policy.
-template <PortKind Kind, unsigned Width, unsigned Rows, unsigned Latency, unsigned Policy>
+/// Kind, token or row width in bits, rows (1 for channels), latency in clocks.
+template <PortKind Kind, unsigned Width, unsigned Rows, unsigned Latency>
 class Port {
   char place_ = 0;
 };
@@ -85,14 +85,14 @@ void put_row(const void* port, A address, const T& row) {
 }  // namespace lowered
 
 template <class T>
-class In : lowered::Port<PortKind::kIn, bit_width_of<T>(), 1, 0, 0> {
+class In : lowered::Port<PortKind::kIn, bit_width_of<T>(), 1, 0> {
  public:
   using Data = T;
   T read() { return lowered::get_token<T>(this); }
 };
 
 template <class T>
-class Out : lowered::Port<PortKind::kOut, bit_width_of<T>(), 1, 0, 0> {
+class Out : lowered::Port<PortKind::kOut, bit_width_of<T>(), 1, 0> {
  public:
   using Data = T;
   void write(const T& token) {
@@ -101,8 +101,8 @@ class Out : lowered::Port<PortKind::kOut, bit_width_of<T>(), 1, 0, 0> {
   }
 };
 
-template <class T, unsigned N, Hazard H = Hazard::kExclusive>
-class Ram1R1W : lowered::Port<PortKind::kRam, bit_width_of<T>(), N, 1, static_cast<unsigned>(H)> {
+template <class T, unsigned N>
+class Ram1R1W : lowered::Port<PortKind::kRam, bit_width_of<T>(), N, 1> {
  public:
   using Address = uint<index_width(N)>;
   T read(Address address) const { return lowered::get_row<T>(this, address); }
@@ -110,7 +110,7 @@ class Ram1R1W : lowered::Port<PortKind::kRam, bit_width_of<T>(), N, 1, static_ca
 };
 
 template <class T, unsigned N>
-class RegisterFile : lowered::Port<PortKind::kRegisterFile, bit_width_of<T>(), N, 0, 0> {
+class RegisterFile : lowered::Port<PortKind::kRegisterFile, bit_width_of<T>(), N, 0> {
  public:
   using Address = uint<index_width(N)>;
   T read(Address address) const { return lowered::get_row<T>(this, address); }
@@ -118,21 +118,21 @@ class RegisterFile : lowered::Port<PortKind::kRegisterFile, bit_width_of<T>(), N
 };
 
 template <class T, unsigned N>
-class RamWrite : lowered::Port<PortKind::kRamWrite, bit_width_of<T>(), N, 1, 0> {
+class RamWrite : lowered::Port<PortKind::kRamWrite, bit_width_of<T>(), N, 1> {
  public:
   using Address = uint<index_width(N)>;
   void write(Address address, const T& row) { lowered::put_row(this, address, row); }
 };
 
 template <class T, unsigned N, unsigned Latency = 1>
-class RamRead : lowered::Port<PortKind::kRamRead, bit_width_of<T>(), N, Latency, 0> {
+class RamRead : lowered::Port<PortKind::kRamRead, bit_width_of<T>(), N, Latency> {
  public:
   using Address = uint<index_width(N)>;
   T read(Address address) const { return lowered::get_row<T>(this, address); }
 };
 
 template <class T>
-class Config : lowered::Port<PortKind::kConfig, bit_width_of<T>(), 1, 0, 0> {
+class Config : lowered::Port<PortKind::kConfig, bit_width_of<T>(), 1, 0> {
  public:
   using Data = T;
   T get() const { return lowered::get_token<T>(this); }

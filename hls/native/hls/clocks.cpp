@@ -48,17 +48,23 @@ std::vector<Clocks::Queue*> Clocks::fork(Feed feed, const std::vector<std::strin
 
 void Clocks::sink(Feed feed) { sinks_.push_back(std::move(feed)); }
 
-void Clocks::stale_ram(const std::string& writer, const std::string& port, unsigned read_stage,
-                       std::function<std::uint64_t()> logged, std::function<void()> land) {
+void Clocks::torn_ram(const std::string& writer, const std::string& port, unsigned read_stage,
+                      std::function<std::uint64_t()> logged, std::function<void(std::size_t)> tear,
+                      std::function<void()> land) {
   Unit& unit = find(writer);
   const auto stage = unit.schedule.ram_stages.find(port);
   if (stage == unit.schedule.ram_stages.end()) {
     throw std::invalid_argument("the schedule of unit '" + writer + "' does not say in which " +
                                 "stage it writes '" + port + "'");
   }
-  const unsigned written = stage->second + 1;
-  rams_.push_back({.after = written > read_stage ? written - read_stage : 0,
+  if (stage->second < read_stage) {
+    throw std::invalid_argument("unit '" + writer + "' writes '" + port + "' in stage " +
+                                std::to_string(stage->second) + ", before its reader reads it in " +
+                                std::to_string(read_stage) + "; such rows are not counted");
+  }
+  rams_.push_back({.after = stage->second + 1 - read_stage,
                    .logged = std::move(logged),
+                   .tear = std::move(tear),
                    .land = std::move(land)});
   unit.rams.push_back(&rams_.back());
 }
@@ -80,6 +86,14 @@ void Clocks::Feed::take(std::uint64_t now) const {
   queue->taken_at = now;
 }
 
+void Clocks::Ram::land_until(std::uint64_t now) {
+  for (; !due.empty() && due.front() <= now; due.pop_front()) land();
+}
+
+void Clocks::Ram::tear_at(std::uint64_t now) const {
+  for (std::size_t i = 0; i < due.size() && due[i] <= now + 1; ++i) tear(i);
+}
+
 bool Clocks::Unit::has_room(std::uint64_t now) const {
   return std::ranges::all_of(outputs, [now](const Queue* q) { return q->has_room(now); });
 }
@@ -92,9 +106,7 @@ Clocks::Unit& Clocks::find(const std::string& name) {
 
 bool Clocks::tick(std::uint64_t now) {
   bool moved = false;
-  for (Ram& ram : rams_) {
-    for (; !ram.due.empty() && ram.due.front() <= now; ram.due.pop_front()) ram.land();
-  }
+  for (Ram& ram : rams_) ram.land_until(now);
   for (const Feed& sink : sinks_) {
     if (sink.queue->offers(now)) {
       sink.take(now);
@@ -103,7 +115,10 @@ bool Clocks::tick(std::uint64_t now) {
   }
   for (Arbiter& arbiter : arbiters_) moved |= arbitrate(arbiter, now);
   for (Fork& fork : forks_) moved |= pass(fork, now);
-  for (Unit& unit : units_) moved |= fire(unit, now);
+  // Readers see in the same clock that a row is torn.
+  for (Unit& unit : units_) moved |= !unit.rams.empty() && fire(unit, now);
+  for (const Ram& ram : rams_) ram.tear_at(now);
+  for (Unit& unit : units_) moved |= unit.rams.empty() && fire(unit, now);
   return moved;
 }
 

@@ -69,10 +69,12 @@ class Clocks {
   /// Takes every token.
   void sink(Feed feed);
 
-  /// A RAM whose rows may be read and written at the same time. `logged` writes wait until `land`
-  /// shows each of them to the readers in stage `read_stage`.
-  void stale_ram(const std::string& writer, const std::string& port, unsigned read_stage,
-                 std::function<std::uint64_t()> logged, std::function<void()> land);
+  /// A RAM whose rows may be read in the clock that writes them. `logged` writes wait until `land`
+  /// shows each of them to the readers in stage `read_stage`; in the clock before, `tear` marks the
+  /// row of one, counted from the first that waits.
+  void torn_ram(const std::string& writer, const std::string& port, unsigned read_stage,
+                std::function<std::uint64_t()> logged, std::function<void(std::size_t)> tear,
+                std::function<void()> land);
 
   /// Runs until no token moves any more.
   void run();
@@ -90,8 +92,13 @@ class Clocks {
   struct Ram {
     unsigned after;  ///< clocks from the writing transaction's start to the first that sees the row
     std::function<std::uint64_t()> logged;
+    std::function<void(std::size_t)> tear;
     std::function<void()> land;
     std::deque<std::uint64_t> due = {};
+
+    void land_until(std::uint64_t now);
+    /// Of the rows that are written in this clock.
+    void tear_at(std::uint64_t now) const;
   };
   struct Unit {
     std::string name;

@@ -4,6 +4,8 @@
 // Clocks of a join whose units have schedules.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -17,9 +19,12 @@ using hls::testing::Add;
 using hls::testing::Byte;
 using hls::testing::Job;
 using hls::testing::List;
+using hls::testing::LookTorn;
+using hls::testing::Pair;
 using hls::testing::Receive;
 using hls::testing::Send;
 using hls::testing::values;
+using hls::testing::WriteTorn;
 
 TEST(Clocks, TokensTakeTheStagesOfTheirUnitsAndMeetOneAtATime) {
   Add left, right, last;
@@ -67,6 +72,59 @@ TEST(Clocks, AUnitWithoutRoomWaits) {
   EXPECT_EQ(join.counters().at("receive.transactions"), 4u);
   EXPECT_EQ(join.counters().at("send.transactions"), 6u);
   EXPECT_GT(join.counters().at("receive.stalls"), 0u);
+}
+
+/// Stalls of a writer with room for two tokens, of which none is taken before clock 20.
+std::uint64_t stalls_of_a_writer(hls::WriterFifos fifos) {
+  Add add;
+  Pair pair;
+  hls::Join join({{"add", {.stages = 1, .room = 2}}, {"pair", {.stages = 1, .room = 12}}});
+  join.unit("add", "add", add);
+  join.unit("pair", "pair", pair);
+  join.constant(add.value, Byte(1));
+  auto in = join.input("in", add.in);
+  auto late = join.input("late", pair.in[0]);
+  join.channel<Byte>("sums", {&add.out}, {&pair.in[1]}, 12, fifos);
+  auto out = join.output("out", pair.out);
+  for (unsigned i = 0; i < 6; ++i) {
+    in->push(Byte::from(i));
+    join.arrives("in", 0);
+    late->push(Byte(0));
+    join.arrives("late", 20);
+  }
+  join.run_clocks();
+  EXPECT_EQ(values(*out), (List{256, 512, 768, 1024, 1280, 1536}));
+  return join.counters().at("add.stalls");
+}
+
+TEST(Clocks, OnlyAShortFifoMakesItsWriterWait) {
+  EXPECT_EQ(stalls_of_a_writer(hls::WriterFifos::kHoldAll), 0u);
+  EXPECT_GT(stalls_of_a_writer(hls::WriterFifos::kShort), 0u);
+}
+
+TEST(Clocks, ARowThatIsReadInTheClockThatWritesItIsTorn) {
+  WriteTorn write;
+  LookTorn look;
+  hls::Join join({{"write", {.stages = 2, .room = 4, .ram_stages = {{"row", 1}}}},
+                  {"look", {.stages = 1, .room = 4, .ram_stages = {{"row", 0}}}}});
+  join.unit("write", "write", write);
+  join.unit("look", "look", look);
+  auto to_write = join.input("to_write", write.in);
+  auto to_look = join.input("to_look", look.in);
+  auto out = join.output("out", look.out);
+  join.ram<hls::Hazard::kTorn>("rows", write.row, std::array{&look.row});
+  to_write->push(Byte(7));
+  join.arrives("to_write", 4);  // the row is written in clock 5
+  for (const unsigned clock : {4, 5, 6}) {
+    to_look->push(Byte(7));
+    join.arrives("to_look", clock);
+  }
+  join.run_clocks();
+  const List rows = values(*out);
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_EQ(rows[0], 0u) << "as it was";
+  EXPECT_EQ(rows[1] & 1, 1u) << "torn";
+  EXPECT_EQ(rows[2], 2u * 0xf8) << "as it is written, and no longer torn";
 }
 
 TEST(Clocks, AfterTheLastOf32InputsComesTheFirst) {

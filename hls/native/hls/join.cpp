@@ -35,12 +35,14 @@ void Join::add_ram(RamRecord record, const void* writer, const std::vector<const
 }
 
 void Join::add_channel(const std::string& name, const std::vector<OutEnd*>& from,
-                       const std::vector<InEnd*>& to, TokenType type, unsigned depth) {
-  const ChannelRecord record{name,  names_of(ports_, from), names_of(ports_, to), type.width,
-                             depth, ChannelKind::kChannel};
+                       const std::vector<InEnd*>& to, TokenType type, unsigned depth,
+                       WriterFifos fifos) {
+  const ChannelRecord record{
+      name, names_of(ports_, from), names_of(ports_, to), type.width, depth, ChannelKind::kChannel,
+      fifos};
   for (InEnd* in : to) in->bind_tokens(type.make_queue());
   if (clocks_) {
-    clocks_->channel(ports_, from, to, type, depth);
+    clocks_->channel(ports_, from, to, type, depth, fifos);
   } else {
     for (OutEnd* out : from) {
       for (const InEnd* in : to) out->bind_tokens(in->tokens());

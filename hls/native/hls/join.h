@@ -58,15 +58,16 @@ class Join {
   }
 
   /// One channel from any of `from` to all of `to`. `depth`, if not 0, promises that the channel
-  /// never holds more tokens: its FIFOs hold them all and never refuse one.
+  /// never holds more tokens: its FIFOs hold them all and never refuse one, but those of the
+  /// writers if they shall be short.
   template <class T>
   void channel(const std::string& name, const Writers<T>& from, const Readers<T>& to,
-               unsigned depth = 0) {
-    add_channel(name, from.ends(), to.ends(), token_type<T>(), depth);
+               unsigned depth = 0, WriterFifos fifos = WriterFifos::kHoldAll) {
+    add_channel(name, from.ends(), to.ends(), token_type<T>(), depth, fifos);
   }
   template <class T>
   void channel(const std::string& name, Out<T>& from, In<T>& to, unsigned depth = 0) {
-    add_channel(name, {&from}, {&to}, token_type<T>(), depth);
+    add_channel(name, {&from}, {&to}, token_type<T>(), depth, WriterFifos::kHoldAll);
   }
 
   /// Sends every job `job.repeat` + 1 times, numbered from 0.
@@ -95,21 +96,23 @@ class Join {
   }
 
   /// A RAM between units: one writer, a copy for each of `readers`, a container of RamRead<T, N,
-  /// L>*. A stale one has one reader.
+  /// L>*. One whose rows may be torn has one reader, and `torn` is the lowest field of its rows.
   template <Hazard H = Hazard::kExclusive, class T, unsigned N>
   void ram(const std::string& name, RamWrite<T, N>& writer, const auto& readers) {
     const Rows<T> rows(N);
     add_ram({name, {}, {}, bit_width_of<T>(), N, H}, &writer, bind_readers<N>(readers, rows));
-    if constexpr (H == Hazard::kStale) {
+    if constexpr (H == Hazard::kTorn) {
+      expect_lowest_field(name, fields_of<T>(), "torn");
       if (clocks_) {
         const auto log = std::make_shared<WriteLog<T>>();
         writer.bind_taker(&log_write<T>, log);
+        const auto tear = [log, rows](std::size_t i) { rows[(*log)[i].first].torn = true; };
         const auto land = [log, rows] {
           rows[log->front().first] = log->front().second;
           log->erase(log->begin());
         };
-        clocks_->stale_ram(ports_,
-                           {&writer, *readers.begin(), [log] { return log->size(); }, land});
+        clocks_->torn_ram(ports_,
+                          {&writer, *readers.begin(), [log] { return log->size(); }, tear, land});
         return;
       }
     }
@@ -209,7 +212,8 @@ class Join {
   void add_unit(const std::string& name, const std::string& module, void* unit,
                 bool (*run)(void* unit, std::uint64_t&), const std::vector<PortOfUnit>& ports);
   void add_channel(const std::string& name, const std::vector<OutEnd*>& from,
-                   const std::vector<InEnd*>& to, TokenType type, unsigned depth);
+                   const std::vector<InEnd*>& to, TokenType type, unsigned depth,
+                   WriterFifos fifos);
   void add_repeat(const std::string& name, const std::vector<OutEnd*>& from, const InEnd& to,
                   TokenType type, unsigned repeat_width, SendNumbered send, unsigned depth);
   std::shared_ptr<TokenQueue> add_input(const std::string& name, InEnd& to, TokenType type);
@@ -278,6 +282,14 @@ class Join {
           [&](auto&... field) { (add(bit_width_of<std::decay_t<decltype(field)>>()), ...); });
     }
     return fields;
+  }
+
+  /// Throws std::invalid_argument unless the lowest bit of a RAM's rows has this name.
+  static void expect_lowest_field(const std::string& ram, const std::vector<FieldRecord>& fields,
+                                  const std::string& name) {
+    if (!fields.empty() && fields.front().name == name && fields.front().width == 1) return;
+    throw std::invalid_argument("join: rows of the RAM '" + ram + "' may be torn; make the bit '" +
+                                name + "' the first of their fields");
   }
 
   JoinRecord record_;

@@ -30,7 +30,8 @@ void JoinClocks::unit(const std::string& name, const std::string& module,
 }
 
 void JoinClocks::channel(const JoinPorts& ports, const std::vector<OutEnd*>& from,
-                         const std::vector<InEnd*>& to, TokenType type, unsigned depth) {
+                         const std::vector<InEnd*>& to, TokenType type, unsigned depth,
+                         WriterFifos fifos) {
   // A reader that waits for other tokens too has a queue of its own behind the fork.
   std::vector<Tokens> targets, waiting, behind;
   std::vector<std::string> readers, waiting_readers;
@@ -46,7 +47,7 @@ void JoinClocks::channel(const JoinPorts& ports, const std::vector<OutEnd*>& fro
       waiting_readers.push_back(unit);
     }
   }
-  Source source = merge(ports, from, type, depth);
+  Source source = merge(ports, from, type, fifos == WriterFifos::kShort ? 0 : depth);
   if (to.size() == 1 && ports.inputs_of(readers.front()) > 1) source = buffer({source}, type);
   const Clocks::Feed feed{source.queue, mover(source.tokens, targets)};
   if (to.size() == 1) {
@@ -90,12 +91,12 @@ JoinClocks::Source JoinClocks::buffer(const std::vector<Source>& sources, TokenT
   return {clocks_.merge(std::move(feeds)), buffered};
 }
 
-void JoinClocks::stale_ram(const JoinPorts& ports, StaleRam ram) {
+void JoinClocks::torn_ram(const JoinPorts& ports, TornRam ram) {
   const auto& stages = schedules_.at(modules_.at(ports.unit_of(ram.reader))).ram_stages;
   const auto stage = stages.find(ports.member_of(ram.reader));
-  clocks_.stale_ram(ports.unit_of(ram.writer), ports.member_of(ram.writer),
-                    stage == stages.end() ? 0 : stage->second, std::move(ram.logged),
-                    std::move(ram.land));
+  clocks_.torn_ram(ports.unit_of(ram.writer), ports.member_of(ram.writer),
+                   stage == stages.end() ? 0 : stage->second, std::move(ram.logged),
+                   std::move(ram.tear), std::move(ram.land));
 }
 
 Tokens JoinClocks::input(const JoinPorts& ports, const std::string& name, const InEnd& to,

@@ -22,11 +22,12 @@ namespace hls {
 /// that was its last.
 using SendNumbered = bool (*)(TokenQueue& jobs, std::uint64_t number, TokenQueue& numbered);
 
-/// A RAM whose rows are read and written at the same time.
-struct StaleRam {
+/// A RAM whose rows may be read in the clock that writes them.
+struct TornRam {
   const void* writer;                     ///< its port
   const void* reader;                     ///< its port
   std::function<std::uint64_t()> logged;  ///< writes that no reader sees yet
+  std::function<void(std::size_t)> tear;  ///< marks the row of one of them as torn
   std::function<void()> land;             ///< shows the first of them
 };
 
@@ -40,12 +41,12 @@ class JoinClocks {
   void unit(const std::string& name, const std::string& module, std::function<void()> run);
   /// One channel from any of `from` to all of `to`, whose queues are bound.
   void channel(const JoinPorts& ports, const std::vector<OutEnd*>& from,
-               const std::vector<InEnd*>& to, TokenType type, unsigned depth);
+               const std::vector<InEnd*>& to, TokenType type, unsigned depth, WriterFifos fifos);
   /// `sent` counts the jobs that were sent for the first time.
   void repeat(const JoinPorts& ports, const std::vector<OutEnd*>& from, const InEnd& to,
               TokenType type, SendNumbered send, std::shared_ptr<std::uint64_t> sent,
               unsigned depth);
-  void stale_ram(const JoinPorts& ports, StaleRam ram);
+  void torn_ram(const JoinPorts& ports, TornRam ram);
   /// A queue whose tokens go to `to`.
   Tokens input(const JoinPorts& ports, const std::string& name, const InEnd& to, TokenType type);
   void output(const JoinPorts& ports, const std::string& name, OutEnd& from, const Tokens& queue);

@@ -26,6 +26,11 @@ struct UnitRecord {
   bool order_dependent = false;  ///< its counts depend on the order of service
 };
 enum class ChannelKind : std::uint8_t { kChannel, kRepeat, kInput, kOutput, kSink };
+/// The FIFOs of a channel's writers, if the channel has a bound.
+enum class WriterFifos : std::uint8_t {
+  kHoldAll,  ///< never refuse a token
+  kShort,    ///< refuse tokens when full, so that the writers wait
+};
 struct ChannelRecord {
   std::string name;
   std::vector<std::string> from;
@@ -33,6 +38,7 @@ struct ChannelRecord {
   unsigned width;
   unsigned depth;  ///< the most tokens there can be; 0 if there is no such bound
   ChannelKind kind;
+  WriterFifos fifos = WriterFifos::kHoldAll;
   unsigned repeat_width = 0;     ///< of a repeated job's count
   bool order_dependent = false;  ///< its token count depends on the order of service
 };

@@ -48,6 +48,30 @@ struct Look {
   HLS_PORTS(in, row, out)
   void step() { out.write(row.read(in.read())); }
 };
+struct TornRow {
+  bool torn = false;
+  Byte value;
+  HLS_FIELDS(torn, value)
+};
+struct WriteTorn {
+  In<Byte> in;
+  RamWrite<TornRow, 256> row;
+  HLS_PORTS(in, row)
+  void step() {
+    const Byte b = in.read();
+    row.write(b, TornRow{false, ~b});
+  }
+};
+struct LookTorn {
+  In<Byte> in;
+  RamRead<TornRow, 256> row;
+  Out<uint<9>> out;
+  HLS_PORTS(in, row, out)
+  void step() {
+    const TornRow r = row.read(in.read());
+    out.write(concat(r.value, uint<1>(r.torn)));
+  }
+};
 struct WriteWords {
   In<Byte> in;
   RamWrite<std::array<Byte, 3>, 256> row;

@@ -58,7 +58,7 @@ class Out : public OutEnd {
 
 /// A synchronous RAM of N rows with one read and one write port: a read and a write per
 /// transaction.
-template <class T, unsigned N, Hazard H = Hazard::kExclusive>
+template <class T, unsigned N>
 class Ram1R1W {
  public:
   using Address = uint<index_width(N)>;

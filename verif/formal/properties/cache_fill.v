@@ -1,9 +1,9 @@
 
 // Properties of a cache's fill, read inside the unit. What it writes to the row of a line, {line,
-// address, valid}, comes from one token, {line, address, .., invalidate}. The frame's registers stand
-// still.
+// address, valid, torn}, comes from one token, {line, address, .., invalidate}. The frame's registers
+// stand still.
   localparam ADDRESS = 19;
-  localparam LINE = $bits(lines_data_o) - ADDRESS - 1;
+  localparam LINE = $bits(lines_data_o) - ADDRESS - 2;
   localparam FILL = $bits(fill_data_i);
   localparam INDEX = $bits(lines_addr_o);
 
@@ -27,11 +27,11 @@
   always @* if (was_reset_q) begin
     written_when_taken: assert (lines_en_o == taken[WRITTEN_IN]);
     if (lines_en_o) begin
-      line_and_tag_of_one_token: assert (lines_data_o == {fill[FILL-1-:LINE+ADDRESS], !fill[0]});
+      line_and_tag_of_one_token: assert (lines_data_o == {fill[FILL-1-:LINE+ADDRESS], !fill[0], 1'b0});
       where_the_lookup_looks: assert (lines_addr_o ==
           (fill[FILL-LINE-ADDRESS+:INDEX] & frame[32+:INDEX]));
     end
   end
   always @* begin
-    fills_a_line: cover (was_reset_q && lines_en_o && lines_data_o[0] && lines_addr_o != 0);
+    fills_a_line: cover (was_reset_q && lines_en_o && lines_data_o[1] && lines_addr_o != 0);
   end

@@ -252,11 +252,11 @@ module ring (
   assign done_data_o = done_all_data;
 
   // RAM note
-  hls_ram_1r1w #(.WIDTH(16), .ROWS(16), .EXCLUSIVE(1)) note_ram_0 (
+  hls_ram_1r1w #(.WIDTH(16), .ROWS(16)) note_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(store__note_en), .write_addr_i(store__note_addr), .write_data_i(store__note_data),
     .read_en_i(number__note_en), .read_addr_i(number__note_addr), .read_data_o(number__note_data));
-  hls_ram_1r1w #(.WIDTH(16), .ROWS(16), .EXCLUSIVE(1)) note_ram_1 (
+  hls_ram_1r1w #(.WIDTH(16), .ROWS(16)) note_ram_1 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(store__note_en), .write_addr_i(store__note_addr), .write_data_i(store__note_data),
     .read_en_i(pair__note_en), .read_addr_i(pair__note_addr), .read_data_o(pair__note_data));
@@ -304,7 +304,7 @@ module ring (
     .note_data_o(store__note_data),
     .fire_o(store_fire), .stall_o(store_stall));
 
-  ring_number #(.ITEM_DEPTH(128), .ITEM_BOUNDED(1)) u_number (
+  ring_number u_number (
     .clk_i(clk_i), .rst_ni(!number_reset_q),
     .job_valid_i(number__job_valid),
     .job_ready_o(number__job_ready),
