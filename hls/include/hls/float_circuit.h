@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // FloatCircuit<E, M, R>: the operations of Float<E, M, R> as the hardware has them, from bits to
-// bits. Plain integer arithmetic, no tables, no branches, in widths that are the least that round
-// correctly. Float<7, 16>'s significand fits a signed 18x18 multiplier.
+// bits. Plain integer arithmetic, no branches, in widths that are the least that round correctly.
+// Float<7, 16>'s significand fits a signed 18x18 multiplier.
 #pragma once
 
 #include <bit>
 #include <cstdint>
 
 #include "hls/int.h"
+#include "hls/reciprocal.h"
+
+// hlsc says 0 for a device without hard multipliers. The bits of a result are the same.
+#ifndef HLS_HARD_MULTIPLIERS
+#define HLS_HARD_MULTIPLIERS 1
+#endif
 
 namespace hls {
 
@@ -98,6 +104,7 @@ struct FloatCircuit {
   static constexpr Bits quotient(Bits a, Bits b) {
     // Nearest-even needs one quotient bit behind the mantissa and no remainder: M + 1 bits over
     // M + 1 bits never lie half way between two numbers.
+    if constexpr (kQuotientOfProducts) return quotient_by_products(a, b);
     constexpr unsigned kX = E + 2;
     constexpr unsigned kK = R == Rounding::kNearestEven ? M + 2 : M + 1;
     const auto quotient = concat(with_hidden(mantissa(a)), uint<kK>(0)) / with_hidden(mantissa(b));
@@ -192,6 +199,81 @@ struct FloatCircuit {
   template <unsigned E2, unsigned M2, Rounding R2>
   friend struct FloatCircuit;
 
+  static constexpr bool kQuotientOfProducts =
+      HLS_HARD_MULTIPLIERS != 0 && M >= kLeastReciprocal && M <= kMostReciprocal;
+
+  /// The quotient as a product with the divisor's reciprocal, which is too small by a few units of
+  /// its last place; the remainder says by how many. The divisor's part needs three products, and
+  /// the dividend's two.
+  static constexpr Bits quotient_by_products(Bits a, Bits b) {
+    using Reciprocal = SignificandReciprocal<M>;
+    constexpr bool kNearest = R == Rounding::kNearestEven;
+    constexpr unsigned kX = E + 2;
+    constexpr unsigned kF = kNearest ? M + 1 : M;  // bits of the quotient behind the point
+    const uint<M + 1> x = with_hidden(mantissa(a));
+    const uint<M + 1> y = with_hidden(mantissa(b));
+    const auto reciprocal = Reciprocal::below(y);
+    // Of a dividend in [y, 2 y) the quotient lies in [1, 2).
+    const bool below = x < y;
+    const uint<M + 2> dividend = select(below, concat(x, uint<1>(0)), concat(uint<1>(0), x));
+    constexpr unsigned kPoint = M + Reciprocal::kFractionBits;
+    const auto estimate = (dividend * reciprocal).template bits<kPoint, kPoint - kF>();
+    static_assert(2 * Reciprocal::kError + 1 < 4, "less than four units are missing");
+
+    // The remainder is less than four times the divisor: its low bits say it, and its sign after a
+    // multiple was taken away. An odd estimate to nearest is rounded up anyway, as a quotient never
+    // lies half way; up again if two units are missing. An even one goes up if one is, twice if
+    // three are.
+    constexpr unsigned kRest = M + 4;
+    const uint<kRest> whole = concat(dividend.template trunc<kRest - kF>(), uint<kF>(0));
+    const uint<kRest> product = (estimate * y).template trunc<kRest>();
+    const bool odd = kNearest && estimate.template bit<0>();
+    const uint<kRest> once = y;
+    const uint<kRest> twice = concat(y, uint<1>(0));
+    const uint<kRest> more =
+        kNearest ? select(odd, twice, (once + twice).template trunc<kRest>()) : twice;
+    const bool first = odd || reaches(whole, product, once);
+    const bool second = reaches(whole, product, more);
+
+    const auto bias = sint<kX>(kBias - 1) + uint<1>(!below).to_signed();
+    const auto exponents = (exponent(a) - exponent(b)) + bias;
+    return assemble(sign(a) != sign(b),
+                    rounded_quotient(exponents.template trunc<kX>(), estimate, first, second));
+  }
+  /// The magnitude of estimate * 2^(exponent - bias) rounded up by a unit, and by one more, with
+  /// which the estimate lies in [1, 2]. So the exponent alone says whether the result is in range,
+  /// but for two cases: what reaches the smallest number from below is zero either way, and what
+  /// reaches the largest number, or goes beyond, becomes the largest.
+  template <unsigned X, unsigned F1>
+  static constexpr uint<E + M> rounded_quotient(sint<X> exponent, uint<F1> estimate, bool once,
+                                                bool twice) {
+    constexpr unsigned kF = F1 - 1;
+    const uint<X> result = exponent.as_unsigned();
+    const bool under = result.template bit<X - 1>();
+    const bool beyond = result.template bit<E>();
+    const bool last = result.template trunc<E>() == uint<E>::ones();
+    const bool leading = estimate.template bit<kF>();
+    const uint<M> kept = estimate.template bits<kF - 1, kF - M>();
+    const bool nearly = leading && kept.template bits<M - 1, 1>() == uint<M - 1>::ones();
+    const bool over = beyond || (last && nearly && (kept.template bit<0>() || once));
+
+    // One addition takes both up, the second as a carry: no logic is before it.
+    const auto base =
+        concat(concat(result.template trunc<E>(), uint<1>(once).template zext<M>()), uint<1>(1));
+    const auto above = select(leading, uint<E>(0), uint<E>::ones());
+    const auto added = concat(concat(above, kept), uint<1>(twice));
+    const auto total = (base + added).template bits<E + M, 1>();
+    const uint<E + M> clamped = select(over, uint<E + M>::ones(), total);
+    return select(under, uint<E + M>(0), clamped);
+  }
+  /// Whether whole - product is at least `multiple`; it is known modulo 2^W and the difference lies
+  /// within half of that. The sign of product + multiple - whole - 1 says so without an inverter.
+  template <unsigned W>
+  static constexpr bool reaches(uint<W> whole, uint<W> product, uint<W> multiple) {
+    const auto below = (multiple + ~whole).template trunc<W>();
+    return (product + below).template bit<W - 1>();
+  }
+
   /// An exponent as another format's.
   template <class To, unsigned X>
   static constexpr sint<X> rebias(sint<X> exponent) {
@@ -252,7 +334,7 @@ struct FloatCircuit {
   static constexpr Bits pack(bool sign, sint<X> exponent, uint<2> late, uint<F> fraction,
                              bool sticky, bool zero) {
     uint<M> kept;
-    uint<1> up(0);
+    bool up = false;
     if constexpr (F <= M) {
       kept = uint<M>::of_raw(
           static_cast<typename uint<M>::Raw>(fraction.template zext<M>().raw() << (M - F)));
@@ -264,11 +346,11 @@ struct FloatCircuit {
           const bool ones = fraction.template trunc<F - M - 1>() != uint<F - M - 1>(0);
           beyond = beyond || ones;
         }
-        const uint<1> half(fraction.template bit<F - M - 1>());
-        up = half & (uint<1>(beyond) | kept.template trunc<1>());
+        const bool half = fraction.template bit<F - M - 1>();
+        up = half && (beyond || kept.template bit<0>());
       }
     }
-    const auto base = concat(concat(exponent.as_unsigned(), uint<M - 1>(0)), up);
+    const auto base = concat(exponent.as_unsigned(), uint<1>(up).template zext<M>());
     const auto total = (base + concat(late, kept)).template trunc<X + M>();
     const bool negative = total.template bit<X + M - 1>();
     const bool under = negative || zero;
