@@ -141,8 +141,12 @@ class Refused(GenerateCase):
             (
                 "divider",
                 "reciprocal",
-                "digit_recurrence, as a ray's shear is made of its "
-                "direction, not of reciprocals",
+                "quotient, as a ray's shear is made of its direction, not of reciprocals",
+            ),
+            (
+                "camera",
+                "own_unit",
+                "transformation, as a triangle's corners come on the way of the other rays",
             ),
             ("epsilon", 0.25, "0, as edges are decided exactly"),
             (
@@ -165,6 +169,14 @@ class Refused(GenerateCase):
             'the unit that clips to a box waits for every ray of a packet; it is "active"',
         )
         self.assertIn("kActive", self.written(rays_sent="active"))
+
+    def test_reflected_rays_have_no_common_origin(self) -> None:
+        self.assert_refused(
+            listing({"origins": "common", "reflections": 2}),
+            "configuration 'tiny': with origins \"common\" the key 'reflections' must be 0, as the "
+            "reflected rays of a packet start at points of their own; it is 2",
+        )
+        self.assertIn("kCommon", self.written(origins="common", lights=2))
 
     def test_one_level(self) -> None:
         for key, value, wants in (

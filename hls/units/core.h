@@ -3,7 +3,9 @@
 //
 // The core: every unit once, and how they are joined (thesis figures 6.1 and 7.3). The native
 // model, the Verilog top and the block diagram all come from this constructor. A packet is in one
-// place at a time, so a channel that holds all packets can never be the end of a deadlock.
+// place at a time, so a channel that holds all packets can never be the end of a deadlock. Nor can
+// one whose reader writes into such channels alone: it empties whatever the others do, so that
+// short FIFOs do for its writers.
 #pragma once
 
 #include <memory>
@@ -12,6 +14,7 @@
 #include "units/box_clip.h"
 #include "units/cache_fill.h"
 #include "units/cache_lookup.h"
+#include "units/camera_rays.h"
 #include "units/collect_hits.h"
 #include "units/intersection.h"
 #include "units/light_columns.h"
@@ -23,6 +26,7 @@
 #include "units/node_fetch.h"
 #include "units/packet_decision.h"
 #include "units/packet_decoder.h"
+#include "units/plane_offset.h"
 #include "units/ray_generation.h"
 #include "units/ray_reciprocal.h"
 #include "units/ray_shear.h"
@@ -33,6 +37,7 @@
 #include "units/startup.h"
 #include "units/transformation.h"
 #include "units/traversal_slice.h"
+#include "units/unit_decoder.h"
 
 namespace dynrt {
 
@@ -53,6 +58,7 @@ struct Core {
   NodeFetch<C> node_fetch;
   CacheLookup<C, NodeCache<C>> node_lookup;
   CacheFill<C, NodeCache<C>> node_fill;
+  hls::OptionalPort<kCommonOrigin<C>, PlaneOffset<C>> plane_offset;
   TraversalSlice<C> slice[kRays<C>];
   PacketDecision<C> packet_decision;
   List<C> list;
@@ -65,6 +71,8 @@ struct Core {
   MatrixStore<C> matrix_store;
   SendPacket<C> send_packet;
   Transformation<C> transformation;
+  hls::OptionalPort<kOwnCamera<C>, CameraRays<C>> camera_rays;
+  hls::OptionalPort<kOwnCamera<C>, UnitDecoder<C>> unit_decoder;
   PacketDecoder<C> packet_decoder;
   hls::OptionalPort<kHasReciprocals<C>, RayReciprocal<C>> ray_reciprocal;
   hls::OptionalPort<kClipsToBox<C>, BoxClip<C>> box_clip;
@@ -109,6 +117,7 @@ struct Core {
     join.unit("node_fetch", "node_fetch", node_fetch);
     join.unit("node_lookup", "node_lookup", node_lookup);
     join.unit("node_fill", "node_fill", node_fill);
+    if constexpr (kCommonOrigin<C>) join.unit("plane_offset", "plane_offset", plane_offset);
     for (unsigned i = 0; i < kRays<C>; ++i) {
       join.unit("slice_" + std::to_string(i), "traversal_slice", slice[i]);
     }
@@ -125,6 +134,10 @@ struct Core {
     join.unit("matrix_store", "matrix_store", matrix_store);
     join.unit("send_packet", "send_packet", send_packet);
     join.unit("transformation", "transformation", transformation);
+    if constexpr (kOwnCamera<C>) {
+      join.unit("camera_rays", "camera_rays", camera_rays);
+      join.unit("unit_decoder", "unit_decoder", unit_decoder);
+    }
     join.unit("packet_decoder", "packet_decoder", packet_decoder);
     if constexpr (kHasReciprocals<C>) {
       join.unit("ray_reciprocal", "ray_reciprocal", ray_reciprocal);
@@ -148,13 +161,18 @@ struct Core {
 
  private:
   static constexpr unsigned kAll = C::kPackets;  ///< tokens that a channel of packets can hold
+  static constexpr auto kShort = hls::WriterFifos::kShort;
 
   void join_frame(hls::Join& join) {
     std::vector<hls::Config<FrameRegisters<C>>*> readers = {
         &ray_generation.frame, &node_lookup.frame, &node_fill.frame,
         &list_lookup.frame,    &list_fill.frame,   &matrix_lookup.frame,
         &matrix_fill.frame,    &mailbox.frame,     &shading.frame};
-    if constexpr (C::kUncompressed) readers.push_back(&matrix_store.frame);
+    if constexpr (C::kUncompressed) {
+      readers.push_back(&matrix_store.frame);
+      if constexpr (kOwnCamera<C>) readers.push_back(&camera_rays.frame);
+    }
+    if constexpr (kMainFirst<C>) readers.push_back(&node_fetch.frame);
     if constexpr (kHasSecondary<C>) {
       readers.insert(readers.end(), {&shader.frame, &secondary_rays.frame});
     }
@@ -165,7 +183,7 @@ struct Core {
                                 {&startup.free, &ray_generation.skipped, &shading.free},
                                 {&ray_generation.free}, kAll);
     join.ram("pixel_position", ray_generation.position,
-             std::array{&send_packet.position, &shading.position});
+             std::array{&pixel_reader().position, &shading.position});
     if constexpr (kHasSecondary<C>) {
       join.repeat("shade_job", hls::Writers{&node_fetch.top_done}, shader.job, kAll);
       join.repeat("write_job", hls::Writers{&secondary_rays.finished}, shading.job, kAll);
@@ -173,6 +191,14 @@ struct Core {
       join.repeat("shade_job", hls::Writers{&node_fetch.top_done}, shading.job, kAll);
     }
     join.ram("hit_record", collect_hits.hit, std::array{&shading.hit});
+  }
+
+  auto& pixel_reader() {
+    if constexpr (kOwnCamera<C>) {
+      return camera_rays;
+    } else {
+      return send_packet;
+    }
   }
 
   void join_traversal(hls::Join& join) {
@@ -192,7 +218,14 @@ struct Core {
     hls::Readers<Step<C>> steps = {};
     for (TraversalSlice<C>& one : slice) steps.push_back(&one.step_in);
     steps.push_back(&packet_decision.step_in);
-    join.channel<Step<C>>("step", {&node_lookup.reply, &node_fill.reply}, steps, kAll);
+    const hls::Writers<Step<C>> nodes = {&node_lookup.reply, &node_fill.reply};
+    if constexpr (kCommonOrigin<C>) {
+      join.channel<Step<C>>("step", nodes, {&plane_offset.step_in});
+      join.channel<Step<C>>("offset", {&plane_offset.offset}, steps, kAll, kShort);
+      join.ram("origin", origins_written(), std::array{&plane_offset.origin});
+    } else {
+      join.channel<Step<C>>("step", nodes, steps, kAll, kShort);
+    }
     for (unsigned i = 0; i < kRays<C>; ++i) {
       join.constant(slice[i].lane, RayIndex<C>::from(i));
       join.channel("decision_" + std::to_string(i), slice[i].decision, packet_decision.slice[i],
@@ -224,6 +257,14 @@ struct Core {
     }
   }
 
+  auto& origins_written() {
+    if constexpr (kHasReciprocals<C>) {
+      return ray_reciprocal.origin;
+    } else {
+      return packet_decoder.origin;
+    }
+  }
+
   void join_lists(hls::Join& join) {
     hls::Writers<ListJob<C>> jobs = {&packet_decision.leaf};
     if constexpr (kTwoLevels<C>) jobs.push_back(&node_fetch.object_done);
@@ -234,8 +275,11 @@ struct Core {
     if constexpr (kClipsToBox<C>) jobs.push_back(&box_clip.missed);
     join.channel<ListJob<C>>("list_job", jobs, {&list.job}, kAll);
     join.channel("list_request", list.request, list_lookup.request, kAll);
-    join.channel<MailboxEntry<C>>("list_entry", list_entries(), {&mailbox.entry}, kAll);
+    join.channel<MailboxEntry<C>>("list_entry", list_entries(), {&mailbox.entry});
     join.ram("last_entry", mailbox.last, std::array{&list.last});
+    if constexpr (kPointsToLists<C>) {
+      join.ram("after_leaf", packet_decision.after, std::array{&list.after});
+    }
   }
 
   void join_transformation(hls::Join& join) {
@@ -253,11 +297,13 @@ struct Core {
                            {&matrix_store.reply});
     }
     for (unsigned c = 0; c < 4; ++c) {
-      join.ram("column_" + std::to_string(c), matrix_store.column[c],
-               std::array{&transformation.column[c]});
+      std::vector readers = {&transformation.column[c]};
+      if constexpr (kOwnCamera<C>) readers.push_back(&camera_rays.column[c]);
+      join.ram("column_" + std::to_string(c), matrix_store.column[c], readers);
     }
-    join.ram("job_record", matrix_store.record,
-             std::array{&packet_decoder.record, &collect_hits.record});
+    std::vector records = {&packet_decoder.record, &collect_hits.record};
+    if constexpr (kOwnCamera<C> && kMarksUnitRays<C>) records.push_back(&unit_decoder.record);
+    join.ram("job_record", matrix_store.record, records);
     if constexpr (kTwoLevels<C>) {
       join.ram("object", matrix_store.object, std::array{&collect_hits.object});
     }
@@ -266,8 +312,16 @@ struct Core {
     if constexpr (kHasLights<C>) vectors.push_back(&shader.vectors);
     join.ram("ray_vectors", packet_decoder.vectors, vectors);
     join.channel("packet_vector", send_packet.vector, transformation.vector);
-    join.channel("transformed", transformation.transformed, packet_decoder.vector);
-    hls::Writers unit_rays = {&packet_decoder.unit_ray};
+    hls::Writers<PacketVector<C>> rays = {&transformation.transformed};
+    hls::Writers<UnitRay<C>> unit_rays = {};
+    if constexpr (kOwnCamera<C>) {
+      join.repeat("camera_job", hls::Writers{&matrix_store.camera}, camera_rays.job, kAll);
+      rays.push_back(&camera_rays.vector);
+      join.channel("in_unit_space", transformation.in_unit_space, unit_decoder.vector);
+      unit_rays.push_back(&unit_decoder.unit_ray);
+    }
+    join.channel<PacketVector<C>>("transformed", rays, {&packet_decoder.vector});
+    if constexpr (kDecodesUnitRays<C>) unit_rays.push_back(&packet_decoder.unit_ray);
     if constexpr (kHasReciprocals<C>) {
       if constexpr (kInvertsAtOnce<C>) {
         join.channel("traced_ray", packet_decoder.traced, ray_reciprocal.traced);
@@ -364,7 +418,7 @@ struct Core {
 
   template <class Lookup, class Fill>
   static void join_cache(hls::Join& join, const std::string& name, Lookup& lookup, Fill& fill) {
-    join.ram<hls::Hazard::kStale>(name + "_lines", fill.lines, std::array{&lookup.lines});
+    join.ram<hls::Hazard::kTorn>(name + "_lines", fill.lines, std::array{&lookup.lines});
     join.ram(name + "_waiting", lookup.waiting, std::array{&fill.waiting});
   }
 };

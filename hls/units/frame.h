@@ -35,9 +35,11 @@ struct FrameRegisters {
   hls::OptionalField<C::kOneColour, hls::uint<32>> colour;  ///< of every surface, 0x00BBGGRR
   hls::OptionalField<C::kLevels == 1, hls::uint<32>>
       object;  ///< number of the one there is, for its hits
+  /// node where rays go on that come from the start node, the leaf of the main object; 0: none
+  hls::OptionalField<C::kMainFirst, hls::uint<32>> others_node;
   HLS_FIELDS(packets, line_mask, width, height, scanline, morton_bits, start_node, camera_matrix,
              background, frame_base, write_hits, uncompressed, ambient, lights, light_matrix,
-             reflections, colour, object)
+             reflections, colour, object, others_node)
 };
 
 /// No core: the host fills every register that some configuration has.
@@ -45,6 +47,7 @@ struct EveryRegister {
   static constexpr bool kUncompressed = true;
   static constexpr bool kOneColour = true;
   static constexpr unsigned kLevels = 1;
+  static constexpr bool kMainFirst = true;
 };
 using FrameConfig = FrameRegisters<EveryRegister>;
 

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "units/packet.h"
+#include "units/transformation_tokens.h"
 #include "units/watertight.h"
 
 namespace dynrt {
@@ -24,6 +25,15 @@ struct UnitRay {
   [[no_unique_address]] LastRay<C> last{};
   HLS_FIELDS(packet, ray, reset, unit, primitive, cosine_factor, last)
 };
+
+/// Whether a unit ray has more than its packet's vectors say.
+template <class C>
+inline constexpr bool kMarksUnitRays = kHasKinds<C> || kScalesCosine<C>;
+template <class C>
+constexpr UnitRay<C> unit_ray_of(const PacketVector<C>& in, const JobRecord<C>& job, bool reset,
+                                 const Ray<typename C::Real>& ray) {
+  return {in.packet, in.ray, reset, ray, job.primitive, job.cosine_factor, in.last};
+}
 
 template <class C>
 struct HitCandidate {

@@ -48,6 +48,28 @@ TEST(List, ReadsAListUpToItsLastEntry) {
   EXPECT_TRUE(test::same(bench.take_one(bench.unit.finished), pop));
 }
 
+struct WithPointers : C {
+  static constexpr Leaves kLeaves = Leaves::kPointers;
+};
+
+TEST(List, WhereLeavesHaveNoNodesTheOtherChildFollows) {
+  test::UnitBench<List<WithPointers>> bench;
+  bench.rows(bench.unit.last)[8 + 2] = true;
+  const auto after = [&](const AfterLeaf<WithPointers>& leaf) {
+    bench.rows(bench.unit.after)[8 + 2] = leaf;
+    bench.feed(bench.unit.job, {2, 1, false, {}});
+    bench.run();
+    return bench.take_one(bench.unit.finished);
+  };
+  const TraversalEvent<WithPointers> far = after({true, 2002, 0b0111, 0b0011});
+  EXPECT_EQ(far.kind, TraversalKind::kDescend);
+  EXPECT_TRUE(far.clip_near) << "from the plane on, as if the near child had been empty";
+  EXPECT_EQ(far.next, Address(2002));
+  EXPECT_EQ(far.active, RayMask<C>(0b0111));
+  EXPECT_EQ(far.both, RayMask<C>(0b0011));
+  EXPECT_EQ(after({}).kind, TraversalKind::kPop);
+}
+
 TEST(List, PacketsAndLevelsDoNotMeet) {
   struct Walk {
     unsigned address = 0, left = 0;

@@ -29,11 +29,12 @@ struct MatrixStore {
   hls::In<ColumnReply<C>> reply;
   hls::OptionalPort<C::kUncompressed, hls::Config<FrameRegisters<C>>> frame;
   hls::Out<SendJob<C>> ready;
+  hls::OptionalPort<kOwnCamera<C>, hls::Out<CameraJob<C>>> camera;
   hls::RamWrite<Vector<Real>, kPackets> column[4];
   hls::RamWrite<JobRecord<C>, kPackets> record;
   hls::OptionalPort<kTwoLevels<C>, hls::RamWrite<MatrixNumber<C>, kPackets>> object;
   hls::RegisterFile<Progress, kPackets> progress;
-  HLS_PORTS(reply, frame, ready, column, record, object)
+  HLS_PORTS(reply, frame, ready, camera, column, record, object)
 
   void step() {
     const auto r = reply.read();
@@ -59,32 +60,37 @@ struct MatrixStore {
     Progress p = progress.read(packet);
     const uint<2> last = stored_three ? uint<2>(kStoredColumns - 1) : uint<2>(3);
     const bool complete = p.columns == last;
-    if (r.context.column == uint<2>(0)) {
-      if constexpr (C::kOneColour && !kTwoLevels<C>) {
-        // The spare bits are not read.
-      } else if constexpr (C::kOneColour) {
+    if constexpr (C::kOneColour && !kTwoLevels<C>) {
+      // The spare bits are not read.
+    } else if constexpr (C::kOneColour || !kThreeColumns<C>) {
+      if (r.context.column == uint<2>(0)) {
         p.extra = r.line.spare().template trunc<MatrixExtra<C>::kWidth>();
-      } else {
-        p.extra = stored_three ? hls::concat(p.extra.template bits<23, 16>(),
-                                             r.line.spare().template trunc<16>())
-                               : r.line.spare().template trunc<24>();
       }
+    } else {
+      // The row is behind one choice: its loop is short.
+      const bool first = r.context.column == uint<2>(0);
+      const bool second = r.context.column == uint<2>(1);
+      const bool brings_high = stored_three ? second : first;
+      const uint<8> high = stored_three ? r.line.spare().template bits<15, 8>()
+                                        : r.line.spare().template bits<23, 16>();
+      p.extra =
+          hls::concat(brings_high ? high : p.extra.template bits<23, 16>(),
+                      first ? r.line.spare().template trunc<16>() : p.extra.template trunc<16>());
     }
-    if (r.context.column == uint<2>(1)) {
-      p.mirror = r.line.spare().template trunc<8>();
-      if constexpr (!C::kOneColour) {
-        if (stored_three) {
-          p.extra =
-              hls::concat(r.line.spare().template bits<15, 8>(), p.extra.template trunc<16>());
-        }
-      }
-    }
+    if (r.context.column == uint<2>(1)) p.mirror = r.line.spare().template trunc<8>();
     if constexpr (kScalesCosine<C>) {
       if (r.context.column == last) {
         p.cosine_factor = Real::from_bits(r.line.spare().template trunc<Real::kLeafWidth>());
       }
     }
-    p.columns = stored_three && complete ? uint<2>(0) : hls::next(p.columns);
+    if constexpr (kThreeColumns<C>) {
+      // Without an adder, for the loop's sake.
+      const bool low = p.columns.template bit<0>();
+      const bool high = p.columns.template bit<1>();
+      p.columns = complete ? uint<2>(0) : hls::concat(uint<1>(high != low), uint<1>(!low));
+    } else {
+      p.columns = hls::next(p.columns);
+    }
     progress.write(packet, p);
 
     if (complete) {
@@ -125,7 +131,13 @@ struct MatrixStore {
       send.packet = packet;
       send.kind = r.context.kind;
       send.derived = derived;
-      ready.write(send);
+      const bool beside = kOwnCamera<C> && send.kind == TransformKind::kCamera;
+      if constexpr (kOwnCamera<C>) {
+        CameraJob<C> rays;
+        rays.packet = packet;
+        if (beside) camera.write(rays);
+      }
+      if (!beside) ready.write(send);
     }
   }
 

@@ -4,7 +4,8 @@
 // Node fetch: the traversal's memory interface (thesis 6.1.1). It holds the node stack of each
 // packet and level and turns what was decided about a packet into the next node's address. A full
 // stack drops the push and goes on (thesis chapter 7); each drop is a token of `dropped`. A level
-// ends when no ray of it is alive or its stack is empty.
+// ends when no ray of it is alive or its stack is empty. In the upper level rays may first enter
+// the main object, whose leaf is no part of the tree (thesis 4.3.3): then they enter the tree.
 //
 // Of reflected rays that would traverse two children in different orders (thesis 3.1.3), a
 // configuration may split the packet: rays whose directions' signs differ traverse the level one
@@ -13,6 +14,7 @@
 // hit in one child may lie behind a hit in the other.
 #pragma once
 
+#include "units/frame.h"
 #include "units/memory_tokens.h"
 #include "units/shading_tokens.h"
 #include "units/traversal_tokens.h"
@@ -31,7 +33,9 @@ struct NodeFetch {
     hls::OptionalField<kSplitsPackets<C>, NodeAddress<C>> root{};  ///< node where they begin
     hls::OptionalField<kRemembersChild<C>, RayMask<C>>
         crossing{};  ///< rays that have crossed others
-    HLS_FIELDS(stack, alive, rays, waiting, root, crossing)
+    [[no_unique_address]] hls::OptionalField<kMainFirst<C>, bool>
+        main{};  ///< level 0: they are in the main object's leaf
+    HLS_FIELDS(stack, alive, rays, waiting, root, crossing, main)
   };
   struct Entry {
     NodeAddress<C> node;
@@ -48,9 +52,10 @@ struct NodeFetch {
   hls::OptionalPort<kTwoLevels<C>, hls::Out<ListJob<C>>> object_done;
   hls::Out<DroppedPush<C>> dropped;
   hls::OptionalPort<kSplitsPackets<C>, hls::RamRead<DirectionSigns, kLevelRows<C>>> signs[kRays<C>];
+  hls::OptionalPort<kMainFirst<C>, hls::Config<FrameRegisters<C>>> frame;
   hls::Ram1R1W<State, kLevelRows<C>> states;
   hls::Ram1R1W<Entry, kStackRows<C>> stack;
-  HLS_PORTS(event, request, again, top_done, object_done, dropped, signs)
+  HLS_PORTS(event, request, again, top_done, object_done, dropped, signs, frame)
 
   void step() {
     const TraversalEvent<C> e = event.read();
@@ -66,6 +71,9 @@ struct NodeFetch {
       state.waiting = e.active & ~entering;
       state.root = e.next;
       state.crossing = RayMask<C>{};
+      if constexpr (kMainFirst<C>) {
+        state.main = is_top<C>(e.level) && !e.others.get() && others() != NodeAddress<C>{};
+      }
     }
     state.alive = state.alive & ~(e.terminated & ~state.crossing.get());
 
@@ -81,6 +89,12 @@ struct NodeFetch {
     context.update = e.kind == TraversalKind::kDescend && e.clip_near ? IntervalUpdate::kClipNear
                                                                       : IntervalUpdate::kClipFar;
     NodeAddress<C> address = e.next;
+    if constexpr (kPointsToLists<C> && kRemembersChild<C>) {
+      // After a leaf whose sibling did not go to the stack.
+      if (e.kind == TraversalKind::kDescend) {
+        state.crossing = state.crossing.get() | e.crossing.get();
+      }
+    }
 
     bool fetch = true;
     if (enter) {
@@ -115,6 +129,8 @@ struct NodeFetch {
         next_group.rays = state.rays;
         next_group.distinct_origins = true;
         again.write(next_group);
+      } else if (finished && state.main.get()) {
+        enter_others(e, state);
       } else if (finished) {
         finish(e, state);
       } else if (!fetch) {
@@ -135,6 +151,25 @@ struct NodeFetch {
   }
 
  private:
+  /// The root of the tree over all objects but the main one.
+  NodeAddress<C> others() const {
+    if constexpr (kMainFirst<C>) {
+      return NodeAddress<C>::from(frame.get().others_node.get().raw());
+    } else {
+      return {};
+    }
+  }
+  void enter_others(const TraversalEvent<C>& e, const State& state) {
+    TraversalEvent<C> enter;
+    enter.packet = e.packet;
+    enter.level = e.level;
+    enter.kind = TraversalKind::kEnter;
+    enter.next = others();
+    enter.active = state.alive;
+    enter.rays = state.rays;
+    enter.others = true;
+    again.write(enter);
+  }
   /// The rays that enter a level first: all, or where the packet is split, the lowest and those
   /// whose directions have its signs.
   RayMask<C> first_group(const TraversalEvent<C>& e, LevelRow<C> row) {

@@ -24,9 +24,27 @@ enum class ObjectBox : std::uint8_t {
 
 /// The way the distance of a node's plane is found: offset over direction (thesis 6.1.1).
 enum class Divider : std::uint8_t {
-  kDigitRecurrence,   ///< by a divider in every slice, rounded once
+  kQuotient,          ///< by a division in every slice, rounded once
   kReciprocal,        ///< by the direction's reciprocal, taken once for each ray and level
   kThreeReciprocals,  ///< the same, all three components of a ray in a clock
+};
+
+/// The origins of a packet's rays in the traversal.
+enum class Origins : std::uint8_t {
+  kEach,    ///< every slice has its ray's, and subtracts it from the plane
+  kCommon,  ///< one for all, subtracted once for the packet: reflected rays have none
+};
+
+/// The way a packet's camera rays are made.
+enum class CameraSource : std::uint8_t {
+  kTransformation,  ///< as pre-primary rays that the transformation maps (thesis 6.2.1)
+  kOwnUnit,         ///< beside it, by units/camera_rays.h
+};
+
+/// The way a leaf of a tree is known (units/packet.h has the pointers).
+enum class Leaves : std::uint8_t {
+  kNodes,     ///< by a node of its own, which has the address of its list
+  kPointers,  ///< by the pointer of the node above, which is to the list
 };
 
 /// The rays of a packet that enter an object or meet a triangle (thesis 4.3.2: all).

@@ -25,6 +25,10 @@ inline constexpr unsigned kRays = C::kPacketRays;
 template <class C>
 inline constexpr bool kTwoLevels = C::kLevels == 2;
 
+/// Whether rays enter the main object of a scene before the tree over the others (thesis 4.3.3).
+template <class C>
+inline constexpr bool kMainFirst = kTwoLevels<C> && C::kMainFirst;
+
 /// Whether a configuration traces rays beyond the primary ones (thesis 6.2.2, 6.2.3).
 template <class C>
 inline constexpr bool kHasLights = C::kLights > 0;
@@ -53,10 +57,24 @@ inline constexpr bool kClipsToBox = C::kObjectBox == ObjectBox::kUnit;
 
 /// Whether the traversal knows the reciprocals of the directions instead of the directions.
 template <class C>
-inline constexpr bool kHasReciprocals = C::kDivider != Divider::kDigitRecurrence;
+inline constexpr bool kHasReciprocals = C::kDivider != Divider::kQuotient;
 /// Whether a ray's three reciprocals are made side by side.
 template <class C>
 inline constexpr bool kInvertsAtOnce = C::kDivider == Divider::kThreeReciprocals;
+
+/// Whether the rays of a packet start at one point, as those of a camera and of a light do.
+template <class C>
+inline constexpr bool kCommonOrigin = C::kOrigins == Origins::kCommon;
+
+/// Whether camera rays are made beside the transformation, and rays in unit space are put together
+/// apart from the others.
+template <class C>
+inline constexpr bool kOwnCamera = C::kCamera == CameraSource::kOwnUnit;
+
+/// Whether the packet decoder gives rays to the intersection: those of triangles, or, without
+/// reciprocals, the resets of new ones.
+template <class C>
+inline constexpr bool kDecodesUnitRays = !kOwnCamera<C> || !kHasReciprocals<C>;
 
 /// Whether no ray passes between two triangles that share an edge (units/watertight.h).
 template <class C>
@@ -110,14 +128,28 @@ using MatrixExtra =
 template <class C, class T>
 using OfInstance = UsualField<kTwoLevels<C>, T>;
 
+/// Whether a child that is a leaf is known by the pointer to it, which is to its list.
+template <class C>
+inline constexpr bool kPointsToLists = C::kLeaves == Leaves::kPointers;
+
 /// Numbers as the core has them on their way, in as many bits as the configuration's scenes take:
-/// where a node or a list's entry lies, a matrix, one of its columns.
+/// where a node or a list's entry lies, a matrix, one of its columns. A pointer to a list has the
+/// highest bit set, and the others are half its address, as such lists begin at even addresses.
 template <class C>
 using NodeAddress = uint<C::kAddressBits>;
 template <class C>
 using MatrixNumber = uint<C::kMatrixBits>;
 template <class C>
 using ColumnAddress = uint<C::kMatrixBits + 2>;
+
+template <class C>
+constexpr bool is_list(NodeAddress<C> pointer) {
+  return kPointsToLists<C> && pointer.template bit<C::kAddressBits - 1>();
+}
+template <class C>
+constexpr NodeAddress<C> list_address(NodeAddress<C> pointer) {
+  return hls::concat(pointer.template trunc<C::kAddressBits - 1>(), uint<1>(0));
+}
 
 template <class C>
 using CoreNode = Node<typename C::Real, C::kAddressBits>;
@@ -260,6 +292,20 @@ constexpr RayByAxis<R> by_axis(const Ray<R>& ray) {
   return {{{ray.origin.x, ray.direction.x},
            {ray.origin.y, ray.direction.y},
            {ray.origin.z, ray.direction.z}}};
+}
+
+/// What a slice has of its ray along an axis: where the origin is common, the direction alone.
+template <class C>
+using SliceAxis = std::conditional_t<kCommonOrigin<C>, typename C::Real, RayAxis<typename C::Real>>;
+template <class C>
+using SliceRay = std::array<SliceAxis<C>, 3>;
+template <class C>
+constexpr SliceRay<C> slice_ray(const Ray<typename C::Real>& ray) {
+  if constexpr (kCommonOrigin<C>) {
+    return {ray.direction.x, ray.direction.y, ray.direction.z};
+  } else {
+    return by_axis(ray);
+  }
 }
 
 /// Whether a slice reads one axis of its ray, whose axes are then written one after the other. A

@@ -4,7 +4,8 @@
 // Packet decision: joins the rays' decisions into the packet's (thesis 3.1.3). A child is
 // entered if one active ray enters it and it is not empty; the order is that of the first ray that
 // enters both children, or of the first active one. Rays with a common origin never disagree; of
-// reflected rays some may, and these cross the others (thesis 3.1.3).
+// reflected rays some may, and these cross the others (thesis 3.1.3). A leaf that its parent knows
+// costs no step: the packet goes from the step of the parent to the list.
 #pragma once
 
 #include "units/traversal_tokens.h"
@@ -17,7 +18,8 @@ struct PacketDecision {
   hls::In<SliceDecision> slice[kRays<C>];
   hls::Out<TraversalEvent<C>> event;
   hls::Out<ListJob<C>> leaf;
-  HLS_PORTS(step_in, slice, event, leaf)
+  hls::OptionalPort<kPointsToLists<C>, hls::RamWrite<AfterLeaf<C>, kLevelRows<C>>> after;
+  HLS_PORTS(step_in, slice, event, leaf, after)
 
   void step() {
     const Step<C> s = step_in.read();
@@ -51,6 +53,9 @@ struct PacketDecision {
       job.address = s.node.left;
       job.active = active;
       leaf.write(job);
+      if constexpr (kPointsToLists<C>) {
+        after.write(level_row<C>(job.level, job.packet), AfterLeaf<C>{});
+      }
     } else {
       TraversalEvent<C> e;
       e.packet = s.context.packet;
@@ -71,11 +76,36 @@ struct PacketDecision {
         e.both = both;
       }
       e.terminated = s.context.active & terminated;
-      event.write(e);
+      if constexpr (kPointsToLists<C>) {
+        const bool left_is_leaf = enter_left && is_list<C>(s.node.left);
+        const bool right_is_leaf = enter_right && is_list<C>(s.node.right);
+        go_on(e, !is_leaf && (next_is_left ? left_is_leaf : right_is_leaf));
+      } else {
+        event.write(e);
+      }
     }
   }
 
  private:
+  /// Where the nodes above know the leaves: a leaf's list is read at once, and the other child
+  /// waits beside the stack.
+  void go_on(TraversalEvent<C> e, bool next_is_leaf) {
+    const bool push = e.kind == TraversalKind::kPush;
+    if (!push) e.crossing = hls::OptionalField<kRemembersChild<C>, RayMask<C>>{};
+    if (next_is_leaf) {
+      ListJob<C> job;
+      job.packet = e.packet;
+      job.level = e.level;
+      job.first = true;
+      job.address = list_address<C>(e.next);
+      job.active = e.active;
+      leaf.write(job);
+      after.write(level_row<C>(e.level, e.packet),
+                  AfterLeaf<C>{push, e.pushed, e.pushed_active, e.both, e.crossing});
+    } else {
+      event.write(e);
+    }
+  }
   static void set(RayMask<C>& mask, unsigned i, bool value) {
     if (value) mask = mask | RayMask<C>::from(1u << i);
   }

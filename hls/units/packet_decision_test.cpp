@@ -121,6 +121,55 @@ TEST(PacketDecision, ALeafGoesToTheListUnlessAllItsRaysHaveTerminated) {
   EXPECT_EQ(e.terminated, RayMask<C>(0b0101));
 }
 
+struct WithPointers : C {
+  static constexpr Leaves kLeaves = Leaves::kPointers;
+};
+constexpr unsigned kMark = 1u << (C::kAddressBits - 1);  // of a pointer to a list
+
+/// An inner node whose children are leaves if asked, every ray alike.
+test::UnitBench<PacketDecision<WithPointers>> decide_between(unsigned left, unsigned right,
+                                                             SliceDecision d) {
+  test::UnitBench<PacketDecision<WithPointers>> bench;
+  Step<WithPointers> s;
+  s.context.packet = 9;
+  s.context.level = 1;
+  s.context.active = RayMask<C>(0b0111);
+  s.node = {NodeKind::kSplitY, {}, Address::from(left), Address::from(right)};
+  bench.feed(bench.unit.step_in, s);
+  for (unsigned i = 0; i < kRays<C>; ++i) bench.feed(bench.unit.slice[i], d);
+  bench.run();
+  return bench;
+}
+constexpr unsigned kRow = 32 + 9;  // level 1, packet 9
+
+TEST(PacketDecision, ALeafThatItsParentKnowsIsReadAtOnceAndTheOtherChildWaits) {
+  for (const bool left_first : {false, true}) {
+    const unsigned list = kMark | 350;
+    auto bench = left_first ? decide_between(list, 2002, {left_first, true, true, false})
+                            : decide_between(2002, list, {left_first, true, true, false});
+    EXPECT_TRUE(bench.take(bench.unit.event).empty());
+    const ListJob<WithPointers> job = bench.take_one(bench.unit.leaf);
+    EXPECT_TRUE(job.first);
+    EXPECT_EQ(job.address, Address(700)) << "lists begin at even addresses";
+    const AfterLeaf<WithPointers> after = bench.rows(bench.unit.after)[kRow];
+    EXPECT_TRUE(test::same(after, {true, 2002, 0b0111, 0b0111}));
+  }
+}
+
+TEST(PacketDecision, AfterTheOnlyChildThatIsEnteredThePacketPops) {
+  auto bench = decide_between(kMark | 350, 2002, {true, true, false, false});
+  EXPECT_EQ(bench.take_one(bench.unit.leaf).address, Address(700));
+  EXPECT_FALSE(bench.rows(bench.unit.after)[kRow].other_child);
+}
+
+TEST(PacketDecision, AFarLeafGoesToTheStack) {
+  auto bench = decide_between(1001, kMark | 350, {true, true, true, false});
+  EXPECT_TRUE(bench.take(bench.unit.leaf).empty());
+  const TraversalEvent<WithPointers> e = bench.take_one(bench.unit.event);
+  EXPECT_EQ(e.kind, TraversalKind::kPush);
+  EXPECT_EQ(e.pushed, Address(kMark | 350));
+}
+
 /// Ray by ray, without masks.
 struct Reference {
   bool leaf = false;

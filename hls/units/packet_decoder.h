@@ -3,9 +3,9 @@
 //
 // Packet decoder: puts a packet's transformed vectors together again (thesis 6.1.3). World and
 // object rays are saved for the traversal and for later transformations; rays in unit triangle
-// space, or the triangle's corners that were mapped to a ray's, go to the intersection. A camera's
-// rays are new: the intersection passes a reset for each, as for every light and reflected ray when
-// it is ready.
+// space, or the triangle's corners that were mapped to a ray's, go to the intersection, unless a
+// unit of their own does that (units/unit_decoder.h). A camera's rays are new: the intersection
+// passes a reset for each, as for every light and reflected ray when it is ready.
 #pragma once
 
 #include "units/intersection_tokens.h"
@@ -24,14 +24,16 @@ struct PacketDecoder {
 
   hls::In<PacketVector<C>> vector;
   hls::RamRead<JobRecord<C>, kPackets> record;
-  hls::Out<UnitRay<C>> unit_ray;
+  hls::OptionalPort<kDecodesUnitRays<C>, hls::Out<UnitRay<C>>> unit_ray;
   hls::OptionalPort<kTwoLevels<C> && !kPassesObjectRays<C> && !kHasReciprocals<C>,
                     hls::Out<TraversalEvent<C>>>
       enter_object;
   hls::OptionalPort<kPassesObjectRays<C> && !kHasReciprocals<C>, hls::Out<ObjectRay<C>>> object_ray;
   hls::OptionalPort<kHasReciprocals<C>, hls::Out<TracedRay<C>>> traced;
-  hls::OptionalPort<!kHasReciprocals<C>, hls::RamWrite<RayByAxis<Real>, kLevelRows<C>>>
-      ray[kRays<C>];
+  hls::OptionalPort<!kHasReciprocals<C>, hls::RamWrite<SliceRay<C>, kLevelRows<C>>> ray[kRays<C>];
+  hls::OptionalPort<kCommonOrigin<C> && !kHasReciprocals<C>,
+                    hls::RamWrite<Vector<Real>, kLevelRows<C>>>
+      origin;
   hls::OptionalPort<kSplitsPackets<C>, hls::RamWrite<DirectionSigns, kLevelRows<C>>>
       signs[kRays<C>];
   hls::RamWrite<Vector<Real>, kVectorRows<C>> vectors;
@@ -39,16 +41,15 @@ struct PacketDecoder {
   hls::OptionalPort<kHasSecondary<C>, hls::RamWrite<Ray<Real>, kRayRows<C>>> arriving;
   /// A pass that is not a ray's last.
   hls::OptionalPort<kTwoLevels<C> && kHasMirrors<C>, hls::Out<DerivationEvent<C>>> derived;
-  HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, traced, ray, signs, vectors,
+  HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, traced, ray, origin, signs, vectors,
             arriving, derived)
 
   void step() {
     const PacketVector<C> in = vector.read();
     const JobRecord<C> job = record.read(in.packet);
-    if (in.point) origin_ = in.vector;
-    const Ray<Real> r{origin_, in.vector};
+    const Ray<Real> r{origin_of(in, job.kind), in.vector};
 
-    const bool triangle = job.kind == TransformKind::kTriangle;
+    const bool triangle = !kOwnCamera<C> && job.kind == TransformKind::kTriangle;
     const bool alone = kHasSecondary<C> && job.kind == TransformKind::kSecondary;
     const Derivation pass = job.derived.get().pass;
     const bool light = kHasLights<C> && alone && pass == Derivation::kLight;
@@ -73,9 +74,12 @@ struct PacketDecoder {
       }
     }
     if (!in.point) {
+      if constexpr (kCommonOrigin<C> && !kHasReciprocals<C>) {
+        if (!triangle) origin.write(row, r.origin);
+      }
       for (unsigned i = 0; i < kRays<C>; ++i) {
         if (!triangle && in.ray == RayIndex<C>::from(i)) {
-          if constexpr (!kHasReciprocals<C>) ray[i].write(row, by_axis(r));
+          if constexpr (!kHasReciprocals<C>) ray[i].write(row, slice_ray<C>(r));
           if constexpr (kSplitsPackets<C>) signs[i].write(row, signs_of(in.vector));
         }
       }
@@ -97,16 +101,30 @@ struct PacketDecoder {
         if (in.corner.get() == Corner(0)) first_corner_ = in.vector;
         if (in.corner.get() == Corner(1)) second_corner_ = in.vector;
         if (object) enter(in, job, r);
-      } else if (triangle || (is_new && !kHasReciprocals<C>)) {
-        unit_ray.write(
-            UnitRay<C>{in.packet, in.ray, is_new, r, job.primitive, job.cosine_factor, in.last});
-      } else if (object && !kHasReciprocals<C>) {
-        enter(in, job, r);
+      } else {
+        if constexpr (kDecodesUnitRays<C>) {
+          if (triangle || (is_new && !kHasReciprocals<C>)) {
+            unit_ray.write(unit_ray_of(in, job, is_new, r));
+          }
+        }
+        if (object && !kHasReciprocals<C>) enter(in, job, r);
       }
     }
   }
 
  private:
+  /// Of a camera's rays, whose vectors come between those of another packet, and of all others.
+  Vector<Real> origin_of(const PacketVector<C>& in, TransformKind kind) {
+    if constexpr (kOwnCamera<C>) {
+      const bool camera = kind == TransformKind::kCamera;
+      if (in.point && camera) camera_origin_ = in.vector;
+      if (in.point && !camera) origin_ = in.vector;
+      return camera ? camera_origin_.get() : origin_;
+    } else {
+      if (in.point) origin_ = in.vector;
+      return origin_;
+    }
+  }
   static OfInstance<C, NodeAddress<C>> root_of(const JobRecord<C>& job) {
     if constexpr (kTwoLevels<C>) {
       return job.extra.template trunc<C::kAddressBits>();
@@ -131,6 +149,7 @@ struct PacketDecoder {
     return hls::concat(uint<1>(v.z.sign()), hls::concat(uint<1>(v.y.sign()), uint<1>(v.x.sign())));
   }
   Vector<Real> origin_;  ///< of the packet, whose vectors come one after the other
+  hls::OptionalField<kOwnCamera<C>, Vector<Real>> camera_origin_;
   /// Of the triangle that is being mapped.
   hls::OptionalField<kWatertight<C>, Vector<Real>> first_corner_;
   hls::OptionalField<kWatertight<C>, Vector<Real>> second_corner_;

@@ -55,9 +55,7 @@ struct RayGeneration {
       returned_ = hls::next(returned_);
       if (returned_ == config.packets.template trunc<8>()) done.write(1);
     } else {
-      const uint<kCounterBits> from_first_bit = uint<kCounterBits>::ones()
-                                                << config.morton_bits.template trunc<5>();
-      const bool morton_end = (counter_ | from_first_bit) == uint<kCounterBits>::ones();
+      const bool morton_end = counter_ == last_packet(config.morton_bits.template trunc<5>());
       const bool line_end = line_end_ || columns == 1;
       line_end_ = uint<1>(!line_end && scan_x_.template zext<10>() == before(before(columns)));
       over_ = uint<1>(scanline ? line_end && scan_y_ == before(rows) : morton_end);
@@ -99,6 +97,16 @@ struct RayGeneration {
       if (counter_.bit(2 * i + first)) side = side | uint<kSideBits>::from(1u << i);
     }
     return side;
+  }
+  /// Ones in the lowest `bits`, made bit by bit: a shift would come out inverted, which is logic
+  /// more in the loop of over_.
+  static uint<kCounterBits> last_packet(uint<5> bits) {
+    uint<kCounterBits> last;
+    for (unsigned i = 0; i < kCounterBits; ++i) {
+      last =
+          hls::concat(uint<1>(bits > uint<5>::from(i)), last.template bits<kCounterBits - 1, 1>());
+    }
+    return last;
   }
   /// The rays of a packet whose pixels lie in the image.
   static RayMask<C> mask(PixelPosition p, const FrameRegisters<C>& config) {

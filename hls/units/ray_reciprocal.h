@@ -29,8 +29,9 @@ struct RayReciprocal {
   hls::Out<UnitRay<C>> reset;
   hls::OptionalPort<kTwoLevels<C> && !kClipsToBox<C>, hls::Out<TraversalEvent<C>>> enter_object;
   hls::OptionalPort<kClipsToBox<C>, hls::Out<ObjectRay<C>>> object_ray;  ///< with the reciprocals
-  hls::RamWrite<RayByAxis<Real>, kLevelRows<C>> ray[kRays<C>];
-  HLS_PORTS(traced, reset, enter_object, object_ray, ray)
+  hls::RamWrite<SliceRay<C>, kLevelRows<C>> ray[kRays<C>];
+  hls::OptionalPort<kCommonOrigin<C>, hls::RamWrite<Vector<Real>, kLevelRows<C>>> origin;
+  HLS_PORTS(traced, reset, enter_object, object_ray, ray, origin)
 
   void step() {
     if constexpr (kInvertsAtOnce<C>) {
@@ -61,7 +62,9 @@ struct RayReciprocal {
     const ObjectRay<C>& in = traced_ray.ray;
     const bool is_new = starts(traced_ray);
     const Level level = uint<1>(!is_new);
-    write_of_ray(ray, in.ray, level_row<C>(level, in.packet), by_axis(saved));
+    const LevelRow<C> row = level_row<C>(level, in.packet);
+    write_of_ray(ray, in.ray, row, slice_ray<C>(saved));
+    if constexpr (kCommonOrigin<C>) origin.write(row, saved.origin);
     if (is_new) {
       UnitRay<C> first;
       first.packet = in.packet;

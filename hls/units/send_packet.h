@@ -32,7 +32,7 @@ struct SendPacket {
   hls::In<Repeated<SendJob<C>>> job;
   hls::Out<PacketVector<C>> vector;
   hls::RamRead<Vector<Real>, kVectorRows<C>> vectors;
-  hls::RamRead<PixelPosition, kPackets> position;
+  hls::OptionalPort<!kOwnCamera<C>, hls::RamRead<PixelPosition, kPackets>> position;
   hls::OptionalPort<kHasLights<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
   hls::OptionalPort<kHasMirrors<C>, hls::RamRead<Ray<Real>, kRayRows<C>>> arriving;
   HLS_PORTS(job, vector, vectors, position, surface, arriving)
@@ -60,12 +60,14 @@ struct SendPacket {
     const Vector<Real> stored =
         vectors.read(hls::concat(level_row<C>(level, j.job.packet), number));
 
-    const PixelPosition p = pixel_of<C>(position.read(j.job.packet), ray);
-    const Vector<Real> pre_primary =
-        point ? Vector<Real>{Real{}, Real{}, Real{}}
-              : Vector<Real>{Real::from_uint(p.x), Real::from_uint(p.y), Real::from_double(1.0)};
-
-    Vector<Real> out = j.job.kind == TransformKind::kCamera ? pre_primary : stored;
+    Vector<Real> out = stored;
+    if constexpr (!kOwnCamera<C>) {
+      const PixelPosition p = pixel_of<C>(position.read(j.job.packet), ray);
+      const Vector<Real> pre_primary =
+          point ? Vector<Real>{Real{}, Real{}, Real{}}
+                : Vector<Real>{Real::from_uint(p.x), Real::from_uint(p.y), Real::from_double(1.0)};
+      if (j.job.kind == TransformKind::kCamera) out = pre_primary;
+    }
     if constexpr (kHasLights<C>) {
       const Real t = surface.read(ray_row<C>(j.job.packet, ray)).t;
       const Vector<Real> pre_light =
@@ -79,6 +81,7 @@ struct SendPacket {
     PacketVector<C> sent{j.job.packet, point, ray, out};
     if (corners) sent.corner = corner_of(j.index);
     sent.last = j.last;
+    sent.to_unit = j.job.kind == TransformKind::kTriangle;
     vector.write(sent);
   }
 

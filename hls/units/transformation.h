@@ -23,9 +23,10 @@ struct Transformation {
 
   hls::In<PacketVector<C>> vector;
   hls::Out<PacketVector<C>> transformed;
+  hls::OptionalPort<kOwnCamera<C>, hls::Out<PacketVector<C>>> in_unit_space;
   hls::RamRead<Vector<Real>, kPackets> column[4];
   hls::OptionalPort<kWatertight<C>, hls::RamRead<RayMap<Real>, kRayRows<C>>> map;
-  HLS_PORTS(vector, transformed, column, map)
+  HLS_PORTS(vector, transformed, in_unit_space, column, map)
 
   void step() {
     const PacketVector<C> in = vector.read();
@@ -41,7 +42,11 @@ struct Transformation {
       out.vector.y = component(in, c0.y, c1.y, c2.y, n.y);
       out.vector.z = component(in, c0.z, c1.z, c2.z, n.z);
     }
-    transformed.write(out);
+    const bool to_unit = kOwnCamera<C> && in.to_unit.get();
+    if constexpr (kOwnCamera<C>) {
+      if (to_unit) in_unit_space.write(out);
+    }
+    if (!to_unit) transformed.write(out);
   }
 
  private:

@@ -76,6 +76,14 @@ struct SendJob {
   HLS_FIELDS(repeat, packet, kind, derived, sent, pairs)
 };
 
+/// A packet whose camera rays are made beside the transformation.
+template <class C>
+struct CameraJob {
+  RepeatCount<C> repeat = 3 * kRays<C> - 1;  ///< components of directions, less one
+  PacketId<C> packet;
+  HLS_FIELDS(repeat, packet)
+};
+
 /// A corner of a triangle, or kNoCorner.
 using Corner = uint<2>;
 inline constexpr unsigned kNoCorner = 3;
@@ -92,7 +100,9 @@ struct PacketVector {
   [[no_unique_address]] LastRay<C> last{};
   hls::OptionalField<kWatertight<C>, Corner> corner = Corner(kNoCorner);
   hls::OptionalField<kWatertight<C>, typename C::Real> cosine{};  ///< with a corner that is mapped
-  HLS_FIELDS(packet, point, ray, vector, last, corner, cosine)
+  [[no_unique_address]] hls::OptionalField<kOwnCamera<C>, bool>
+      to_unit{};  ///< by a triangle's matrix
+  HLS_FIELDS(packet, point, ray, vector, last, corner, cosine, to_unit)
 };
 
 }  // namespace dynrt

@@ -6,6 +6,8 @@
 // the previous step, and finds the distance d of the node's plane and the children that the ray
 // enters. A slice for each ray of a packet works beside the others.
 //
+// Where a packet's rays start at one point, the plane comes as its distance from there.
+//
 // Where no triangle may be lost, d counts as a range of numbers that holds the exact distance:
 // kWidening steps of the mantissa up and down.
 #pragma once
@@ -34,8 +36,8 @@ struct TraversalSlice {
   hls::Config<RayIndex<C>> lane;  ///< which ray of the packet this slice serves
   hls::Out<SliceDecision> decision;
   /// With its direction's reciprocals, if there are such.
-  std::conditional_t<kReadsAxes<C>, hls::RamRead<RayAxis<Real>, kAxisRows<C>>,
-                     hls::RamRead<RayByAxis<Real>, kLevelRows<C>>>
+  std::conditional_t<kReadsAxes<C>, hls::RamRead<SliceAxis<C>, kAxisRows<C>>,
+                     hls::RamRead<SliceRay<C>, kLevelRows<C>>>
       ray;
   hls::RamRead<Real, (1u << PacketId<C>::kWidth)> hit_distance;
   hls::OptionalPort<kHasMirrors<C>, hls::RamRead<Real, (1u << PacketId<C>::kWidth)>> start_distance;
@@ -93,9 +95,9 @@ struct TraversalSlice {
       far = popped.far;
     }
 
-    const RayAxis<Real> r = along_axis(s.node.kind, row);
-    const Real offset = s.node.split - r.origin;
-    const Real d = distance(offset, r.direction, s.node.split == r.origin);
+    const SliceAxis<C> r = along_axis(s.node.kind, row);
+    const Real offset = offset_of(s, r);
+    const Real d = distance(offset, direction_of(r), starts_in_plane(s, r));
     Real d_low = d;
     Real d_high = d;
     Real plane = d;
@@ -133,24 +135,46 @@ struct TraversalSlice {
     if (kWidening<C> > 0 && in_plane) return direction.sign() ? -Real{} : Real{};
     return kHasReciprocals<C> ? offset * direction : offset / direction;
   }
+  static Real offset_of(const Step<C>& s, const SliceAxis<C>& r) {
+    if constexpr (kCommonOrigin<C>) {
+      return s.node.split;
+    } else {
+      return s.node.split - r.origin;
+    }
+  }
+  static bool starts_in_plane(const Step<C>& s, const SliceAxis<C>& r) {
+    if constexpr (kCommonOrigin<C>) {
+      return s.in_plane.get();
+    } else {
+      return s.node.split == r.origin;
+    }
+  }
+  static Real direction_of(const SliceAxis<C>& r) {
+    if constexpr (kCommonOrigin<C>) {
+      return r;
+    } else {
+      return r.direction;
+    }
+  }
   bool is_crossing(const StepContext<C>& c) const {
     return c.crossing.get().bit(static_cast<unsigned>(lane.get().raw()));
   }
   /// The ray along the axis that a node splits.
-  RayAxis<Real> along_axis(NodeKind kind, LevelRow<C> row) const {
+  SliceAxis<C> along_axis(NodeKind kind, LevelRow<C> row) const {
     const uint<2> axis = kind == NodeKind::kSplitX   ? uint<2>(0)
                          : kind == NodeKind::kSplitY ? uint<2>(1)
                                                      : uint<2>(2);
     if constexpr (kReadsAxes<C>) {
       return ray.read(axis_row<C>(row, axis));
     } else {
-      const RayByAxis<Real> r = ray.read(row);
-      return {of_axis(kind, r[0].origin, r[1].origin, r[2].origin),
-              of_axis(kind, r[0].direction, r[1].direction, r[2].direction)};
+      const SliceRay<C> r = ray.read(row);
+      if constexpr (kCommonOrigin<C>) {
+        return of_split_axis(kind, r[0], r[1], r[2]);
+      } else {
+        return {of_split_axis(kind, r[0].origin, r[1].origin, r[2].origin),
+                of_split_axis(kind, r[0].direction, r[1].direction, r[2].direction)};
+      }
     }
-  }
-  static Real of_axis(NodeKind kind, const Real& x, const Real& y, const Real& z) {
-    return kind == NodeKind::kSplitX ? x : kind == NodeKind::kSplitY ? y : z;
   }
 };
 

@@ -72,10 +72,12 @@ struct TraversalEvent {
   hls::OptionalField<kHasSecondary<C>, RayKind> rays{};  ///< kEnter, level 0: what they are
   hls::OptionalField<kSplitsPackets<C>, bool>
       distinct_origins{};  ///< kEnter: the rays have no common origin
+  [[no_unique_address]] hls::OptionalField<kMainFirst<C>, bool>
+      others{};  ///< kEnter, level 0: after the main object
   /// Rays that enter both children in the other order; they are not in `both`.
   hls::OptionalField<kRemembersChild<C>, RayMask<C>> crossing{};
   HLS_FIELDS(packet, level, kind, next, active, clip_near, pushed, pushed_active, both, terminated,
-             rays, distinct_origins, crossing)
+             rays, distinct_origins, others, crossing)
 };
 
 /// Everything about a step but the node itself; travels with the node's address and data.
@@ -92,11 +94,15 @@ struct StepContext {
   HLS_FIELDS(packet, level, update, both, active, stack, crossing)
 };
 
+/// Where a packet's rays start at one point, the node's plane is given to the slices as its
+/// distance from there (units/plane_offset.h).
 template <class C>
 struct Step {
   StepContext<C> context;
   CoreNode<C> node;
-  HLS_FIELDS(context, node)
+  [[no_unique_address]] hls::OptionalField<kCommonOrigin<C> && kWatertight<C>, bool>
+      in_plane{};  ///< the rays start in it
+  HLS_FIELDS(context, node, in_plane)
 };
 
 /// The signs of a ray's direction along x, y and z.
@@ -116,6 +122,17 @@ template <class C>
 struct DroppedPush {
   PacketId<C> packet;
   HLS_FIELDS(packet)
+};
+
+/// What follows a leaf: where the nodes above know it, the other child need not go to the stack.
+template <class C>
+struct AfterLeaf {
+  bool other_child = false;  ///< go on there; otherwise pop
+  NodeAddress<C> next;
+  RayMask<C> active;
+  RayMask<C> both;
+  hls::OptionalField<kRemembersChild<C>, RayMask<C>> crossing{};
+  HLS_FIELDS(other_child, next, active, both, crossing)
 };
 
 // ---- List and mailbox (thesis 6.1.2) ----

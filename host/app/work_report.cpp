@@ -39,7 +39,7 @@ Json json_of(const WorkCounts& work) {
 class WorkCounter {
  public:
   WorkCounter(const Prepared& prepared, unsigned width, unsigned height, unsigned runs)
-      : plain{prepared.trees.instances, {}, {}},
+      : plain{prepared.trees.instances, {}},
         prepared_(prepared),
         width_(width),
         height_(height),

@@ -14,41 +14,58 @@ Primitive kind_of(const Mesh& object, std::size_t primitive) {
                                           : Primitive::kTriangle;
 }
 
+/// Appends the lists of leaves. Returns, by node, the address of a leaf's.
+std::vector<std::uint32_t> add_lists(MemoryPart& part, const Tree& tree,
+                                     std::span<const std::uint32_t> matrix_of, const Mesh* object) {
+  const unsigned step = tree.leaves == Leaves::kPointers ? kListStep : 1;
+  std::vector<std::uint32_t> address(tree.nodes.size());
+  for (std::size_t i = 1; i < tree.nodes.size(); ++i) {
+    const TreeNode& leaf = tree.nodes[i];
+    if (!leaf.is_leaf()) continue;
+    while (part.end_entry() % step != 0) part.entries.emplace_back();
+    address[i] = part.end_entry();
+    for (std::uint32_t k = 0; k < leaf.right; ++k) {
+      const std::uint32_t item = tree.items[leaf.left + k];
+      ListEntry entry;
+      entry.matrix = MatrixIndex::from(matrix_of[item]);
+      if (object != nullptr) entry.set_primitive(kind_of(*object, item));
+      entry.last = k + 1 == leaf.right;
+      part.entries.push_back(entry);
+    }
+  }
+  return address;
+}
+
 }  // namespace
 
-std::uint32_t add_tree(MemoryPart& part, const Tree& tree, std::span<const std::uint32_t> matrix_of,
-                       const Mesh* object, const glm::dmat4& to_space) {
-  const std::uint32_t base = part.end_node() - 1;
-  const std::uint32_t list_base = part.end_entry();
-  const auto child = [&](std::uint32_t index) { return index == kNullNode ? 0 : base + index; };
+std::vector<std::uint32_t> add_tree(MemoryPart& part, const Tree& tree, unsigned address_bits,
+                                    std::span<const std::uint32_t> matrix_of, const Mesh* object,
+                                    const glm::dmat4& to_space) {
+  const bool pointers = tree.leaves == Leaves::kPointers;
+  const std::vector<std::uint32_t> list = add_lists(part, tree, matrix_of, object);
+  std::vector<std::uint32_t> pointer(tree.nodes.size());
+  std::uint32_t next = part.end_node();
+  for (std::size_t i = 1; i < tree.nodes.size(); ++i) {
+    const bool to_list = pointers && tree.nodes[i].is_leaf();
+    pointer[i] = to_list ? 1u << (address_bits - 1) | list[i] / kListStep : next++;
+  }
   part.nodes.reserve(part.nodes.size() + tree.nodes.size());
   for (std::size_t i = 1; i < tree.nodes.size(); ++i) {
     const TreeNode& from = tree.nodes[i];
+    if (from.is_leaf() && pointers) continue;
     MemoryNode node;
     node.kind = static_cast<NodeKind>(from.axis);
     if (from.is_leaf()) {
-      node.left = list_base + from.left;
+      node.left = list[i];
     } else {
       const int k = from.axis;
       node.split = to_space[k][k] * from.split + to_space[3][k];
-      node.left = child(from.left);
-      node.right = child(from.right);
+      node.left = pointer[from.left];
+      node.right = pointer[from.right];
     }
     part.nodes.push_back(node);
   }
-  const std::size_t first = part.entries.size();
-  for (const std::uint32_t item : tree.items) {
-    ListEntry entry;
-    entry.matrix = MatrixIndex::from(matrix_of[item]);
-    if (object != nullptr) entry.set_primitive(kind_of(*object, item));
-    part.entries.push_back(entry);
-  }
-  for (const TreeNode& node : tree.nodes) {
-    if (node.is_leaf() && node.right > 0) {
-      part.entries[first + node.left + node.right - 1].last = true;
-    }
-  }
-  return base;
+  return pointer;
 }
 
 }  // namespace dynrt::host

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "host/layout/limits.h"
 #include "host/scene/animation.h"
 
 namespace dynrt::host {
@@ -108,13 +109,25 @@ std::vector<std::string> beyond_margins(const Scene& scene, const glm::dvec3& ey
   return names;
 }
 
+TreeSize memory_for_trees(const CoreInfo& core) {
+  CoreConfiguration whole = core;
+  whole.address_bits = kAddressBits;
+  const TreeSize ends = address_ends(whole);
+  return {ends.nodes - 1, ends.items};
+}
+
 SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const CoreInfo& core,
                      TreeOptions options) {
   options.grid = Grid(*core.format);
   options.costs.item = core.item_cost;
   options.object_cost = core.object_cost;
-  if (core.triangle_test != TriangleTest::kWatertight) return build_scene_trees(scene, options);
-  return build_scene_trees(with_rounded_corners(scene, *core.format), options, kMemoryForTrees,
+  options.leaves = core.leaves;
+  options.main_first = core.main_first;
+  const TreeSize memory = memory_for_trees(core);
+  if (core.triangle_test != TriangleTest::kWatertight) {
+    return build_scene_trees(scene, options, memory);
+  }
+  return build_scene_trees(with_rounded_corners(scene, *core.format), options, memory,
                            rounding_margins(scene, eye, *core.format));
 }
 

@@ -31,6 +31,9 @@ inline constexpr double kWidest = 1.0 / 128;
 std::vector<std::string> beyond_margins(const Scene& scene, const glm::dvec3& eye,
                                         const MemoryFormat& format);
 
+/// The memory that the trees of both levels may take together.
+TreeSize memory_for_trees(const CoreInfo& core);
+
 /// Uses the core's grid and costs and ignores those of the options.
 SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const CoreInfo& core,
                      TreeOptions options = {});

@@ -43,16 +43,20 @@ std::uint32_t root_of_all(const Scene& scene, const ObjectImage& objects, const 
   return entry_of(objects.objects.at(instance.object), camera.position);
 }
 
-/// Appends the tree of instances and their matrices, whose first is the next. Returns the node
-/// where the camera's rays start.
-std::uint32_t add_instances(MemoryPart& part, const Scene& scene, const ObjectImage& objects,
-                            const Tree& instances, const Camera& camera) {
+/// Where the camera's rays start, and then those that have met the main object.
+struct Starts {
+  std::uint32_t first = 0, others = 0;
+};
+
+/// Appends the tree of instances and their matrices, whose first is the next.
+Starts add_instances(MemoryPart& part, const Scene& scene, const ObjectImage& objects,
+                     const Tree& instances, const Camera& camera) {
   const MemoryFormat& format = *part.format;
   const std::uint32_t stride = has_mirrors(scene) ? 2 : 1;
   const std::uint32_t first = part.end_matrix();
   std::vector<std::uint32_t> matrix_of(scene.instances.size());
   for (std::uint32_t i = 0; i < matrix_of.size(); ++i) matrix_of[i] = first + stride * i;
-  const std::uint32_t base = add_tree(part, instances, matrix_of, nullptr);
+  const auto address = add_tree(part, instances, objects.core.address_bits, matrix_of, nullptr);
   check_limits(scene, objects.core, part);
   check_matrices(scene, objects.core, first + stride * scene.instances.size());
   part.columns.reserve(4 * (stride * scene.instances.size() + 1 + scene.lights.size()));
@@ -73,7 +77,9 @@ std::uint32_t add_instances(MemoryPart& part, const Scene& scene, const ObjectIm
       part.add(to_columns(glm::dmat4x3(back), 0));
     }
   }
-  return base + instances.entry(camera.position);
+  const std::uint32_t entry = address[instances.entry(camera.position)];
+  if (instances.main_leaf == kNullNode) return {entry, 0};
+  return {address[instances.main_leaf], entry};
 }
 
 }  // namespace
@@ -92,7 +98,9 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
   if (objects.core.levels == 1) {
     start_node = root_of_all(scene, objects, camera);
   } else {
-    start_node = add_instances(memory, scene, objects, instances, camera);
+    const Starts starts = add_instances(memory, scene, objects, instances, camera);
+    start_node = starts.first;
+    others_node = starts.others;
   }
   check_limits(scene, objects.core, memory);
   check_matrices(scene, objects.core, memory.end_matrix() + 1 + scene.lights.size());

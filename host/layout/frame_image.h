@@ -15,6 +15,8 @@ namespace dynrt::host {
 /// The places of the scene's parts for the frame registers.
 struct SceneAddresses {
   std::uint32_t start_node = 0;
+  std::uint32_t others_node =
+      0;  ///< where rays start that have met the main object, if there is one
   std::uint32_t camera_matrix = 0;
   std::uint32_t light_matrix = 0;  ///< of light 0
   unsigned lights = 0;

@@ -176,6 +176,29 @@ TEST(Image, ACameraInsideABoxStartsAtTheRealRoot) {
             inside.objects.objects[1].clipped_root);
 }
 
+TEST(Image, RaysStartInTheMainObjectsLeaf) {
+  const Scene scene = two_objects();
+  std::vector<Aabb> boxes{{glm::dvec3(-100), glm::dvec3(100)}, {glm::dvec3(-1), glm::dvec3(1)}};
+  CoreInfo core = testing::test_core();
+  core.leaves = Leaves::kPointers;
+  SceneTrees trees = build_scene_trees(scene, {.leaves = Leaves::kPointers});
+  trees.instances =
+      build_instance_tree(scene, boxes, {.leaves = Leaves::kPointers, .main_first = true});
+  const ObjectImage objects(scene, trees.objects, core);
+  const FrameImage frame(scene, objects, trees.instances,
+                         testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}), 64, 48);
+  SceneMemory memory;
+  memory.write(frame.memory.runs());
+  constexpr std::uint32_t kMark = 1u << (kAddressBits - 1);
+  ASSERT_GE(frame.start_node, kMark);
+  const ListEntry main = memory.entry((frame.start_node - kMark) * kListStep);
+  EXPECT_TRUE(main.last);
+  const std::uint32_t item =
+      trees.instances.items[trees.instances.nodes[trees.instances.main_leaf].left];
+  EXPECT_EQ(main.matrix.to_u64(), frame.first_instance + item);
+  EXPECT_EQ(frame.others_node, frame.memory.first_node + trees.instances.entry({0.1, 0.2, 20}) - 1);
+}
+
 TEST(Image, TheCameraMatrixSamplesPixelCentres) {
   const Camera camera = testing::camera_at({1, 2, 3}, {0.3, -0.2, -1});
   const glm::dmat4x3 m = camera_matrix(camera, 512, 384);

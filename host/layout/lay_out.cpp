@@ -22,8 +22,8 @@ namespace dynrt::host {
 namespace {
 
 /// The free part of the board's memory, also beyond the part that a core reaches.
-TreeSize room_for_instances(const SceneTrees& trees) {
-  TreeSize room = kMemoryForTrees;
+TreeSize room_for_instances(const SceneTrees& trees, const CoreInfo& core) {
+  TreeSize room = memory_for_trees(core);
   for (const Tree& tree : trees.objects) {
     room.nodes -= std::min(room.nodes, tree.size().nodes);
     room.items -= std::min(room.items, tree.size().items);
@@ -76,9 +76,9 @@ void check_before(const Scene& scene, const CoreInfo& core) {
 /// The keys on which no word of the memory depends. Any other key counts, so that a new one cannot
 /// be forgotten.
 constexpr std::string_view kBesideTheMemory[] = {
-    "packets",        "packet_rays", "rays_sent",    "lines",        "object_slots",
-    "triangle_slots", "epsilon",     "sram_latency", "lights",       "reflections",
-    "scan_out",       "crossing",    "divider",      "uncompressed", "counters"};
+    "packets", "packet_rays",  "rays_sent", "lines",        "object_slots", "triangle_slots",
+    "epsilon", "sram_latency", "lights",    "reflections",  "scan_out",     "crossing",
+    "divider", "origins",      "camera",    "uncompressed", "counters"};
 
 void place(MemoryImage& image, Scene scene, const View& view, const LayoutOptions& options) {
   image.view = view;
@@ -131,10 +131,12 @@ MemoryImage lay_out(Scene scene, const View& view, const CoreInfo& core,
   }
   image.objects = ObjectImage(image.scene, image.trees.objects, core);
   image.top_room =
-      core.is_specialised() ? room_for_instances(image.trees) : image.objects.room_left();
+      core.is_specialised() ? room_for_instances(image.trees, core) : image.objects.room_left();
   if (options.instances && !options.built) {
     BoxTreeOptions instances = *options.instances;
     instances.grid = Grid(*core.format);
+    instances.leaves = core.leaves;
+    instances.main_first = core.main_first;
     image.trees.instances = build_instance_tree(image.scene, image.objects.boxes(), instances);
   }
   image.frame = frame_of(image, image.trees.instances, image.view.camera);
@@ -165,6 +167,8 @@ SceneNeeds MemoryImage::needs() const { return scene_needs(scene, trees, core().
 Tree instances_of(const MemoryImage& image) {
   return build_instance_tree(image.scene, image.objects.boxes(),
                              {.grid = Grid(*image.core().format),
+                              .leaves = image.core().leaves,
+                              .main_first = image.core().main_first,
                               .item = image.core().object_cost,
                               .max_depth = image.top_depth,
                               .room = image.top_room});

@@ -14,10 +14,9 @@ namespace {
 
 constexpr char kMatrices[] = "matrices (triangles, instances, lights and the camera)";
 
-/// Throws if `needed` exceeds the numbers of `bits` bits, of which the first `unused` are not used.
-void check_limit(const Scene& scene, const char* what, std::size_t needed, const char* key,
-                 unsigned bits, unsigned memory_bits, std::size_t unused = 0) {
-  const std::size_t limit = (std::size_t{1} << bits) - unused;
+/// Throws if `needed` exceeds the limit that follows from a key's number of bits.
+void check_limit(const Scene& scene, const char* what, std::size_t needed, std::size_t limit,
+                 const char* key, unsigned bits, unsigned memory_bits) {
   if (needed <= limit) return;
   if (bits == memory_bits) {
     refuse(messages::kTooMany, scene.name, needed, what, needed - limit, limit);
@@ -28,13 +27,22 @@ void check_limit(const Scene& scene, const char* what, std::size_t needed, const
 }  // namespace
 
 void check_matrices(const Scene& scene, const CoreInfo& core, std::size_t needed) {
-  check_limit(scene, kMatrices, needed, "matrix_bits", core.matrix_bits, kMatrixBits);
+  check_limit(scene, kMatrices, needed, std::size_t{1} << core.matrix_bits, "matrix_bits",
+              core.matrix_bits, kMatrixBits);
+}
+
+TreeSize address_ends(const CoreConfiguration& core) {
+  const std::size_t all = std::size_t{1} << core.address_bits;
+  return {core.leaves == Leaves::kPointers ? all / 2 : all, all};
 }
 
 void check_limits(const Scene& scene, const CoreInfo& core, const MemoryPart& part) {
-  constexpr char kKey[] = "address_bits";
-  check_limit(scene, "tree nodes", part.end_node() - 1, kKey, core.address_bits, kAddressBits, 1);
-  check_limit(scene, "list entries", part.end_entry(), kKey, core.address_bits, kAddressBits);
+  const TreeSize ends = address_ends(core);
+  const auto check = [&](const char* what, std::size_t needed, std::size_t limit) {
+    check_limit(scene, what, needed, limit, "address_bits", core.address_bits, kAddressBits);
+  };
+  check("tree nodes", part.end_node() - 1, ends.nodes - 1);  // node 0 is the null node
+  check("list entries", part.end_entry(), ends.items);
 }
 
 void check_matrices(const Scene& scene, const CoreInfo& core) {

@@ -11,6 +11,7 @@
 #include "host/format/core_info.h"
 #include "host/memory/memory.h"
 #include "host/scene/scene.h"
+#include "host/tree/tree.h"
 
 namespace dynrt::host {
 
@@ -20,7 +21,9 @@ void check_matrices(const Scene& scene, const CoreInfo& core);
 /// The same for a number of matrices.
 void check_matrices(const Scene& scene, const CoreInfo& core, std::size_t needed);
 
-/// Throws for more nodes or list entries than the memory has.
+/// The ends of the addresses that a core has for nodes and list entries.
+TreeSize address_ends(const CoreConfiguration& core);
+/// Throws for more nodes or list entries than that.
 void check_limits(const Scene& scene, const CoreInfo& core, const MemoryPart& part);
 
 /// Throws if the surfaces have more than one colour; for a core that has one colour for all.

@@ -100,9 +100,9 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
     const auto matrix_of = matrix_numbers(scene, mesh, first_matrix, core.triangle_matrix);
     const glm::dmat4 to_space = core.clips_to_box() ? box_to_cube(tree.box) : glm::dmat4(1.0);
     const glm::dmat4 from_space = glm::inverse(to_space);
-    const std::uint32_t base = add_tree(memory, tree, matrix_of, &mesh, to_space);
+    const auto address = add_tree(memory, tree, core.address_bits, matrix_of, &mesh, to_space);
     const std::uint32_t outside = core.clips_to_box() ? tree.root : tree.clipped_root;
-    objects.push_back({base + tree.root, base + outside, first_matrix, tree.box, to_space});
+    objects.push_back({address[tree.root], address[outside], first_matrix, tree.box, to_space});
     check_limits(scene, core, memory);
     for (std::size_t i = 0; i < mesh.primitives(); ++i) {
       const bool three = stored_in_three(mesh, i, core.triangle_matrix);
@@ -127,9 +127,9 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
 }
 
 TreeSize ObjectImage::room_left() const {
-  const std::size_t reach = std::size_t{1} << core.address_bits;
-  const auto left = [reach](std::size_t used) { return reach - std::min(used, reach); };
-  return {left(memory.end_node()), left(memory.end_entry())};
+  const TreeSize ends = address_ends(core);
+  const auto left = [](std::size_t end, std::size_t used) { return end - std::min(used, end); };
+  return {left(ends.nodes, memory.end_node()), left(ends.items, memory.end_entry())};
 }
 
 std::vector<Aabb> ObjectImage::boxes() const {

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
+#include <utility>
 
+#include "host/layout/core_trees.h"
 #include "host/layout/test_scene.h"
 
 namespace dynrt::host {
@@ -146,6 +148,55 @@ TEST(ObjectImage, MirrorsAndSpheresReachIntoTheNextNumbers) {
   }
   EXPECT_GT(spheres, 0u);
   EXPECT_EQ(spheres + triangles, objects.memory.entries.size());
+}
+
+/// Follows the pointers of a tree whose leaves have no nodes; returns the leaves that it found.
+unsigned follow(const SceneMemory& memory, const Tree& tree, std::uint32_t index,
+                std::uint32_t pointer, std::uint32_t first_matrix) {
+  const TreeNode& expected = tree.nodes[index];
+  constexpr std::uint32_t kMark = 1u << (kAddressBits - 1);
+  EXPECT_EQ((pointer & kMark) != 0, expected.is_leaf()) << "node " << index;
+  if (!expected.is_leaf()) {
+    const MemoryNode node = memory.node(pointer);
+    unsigned leaves = 0;
+    for (const auto& [child, to] :
+         {std::pair{expected.left, node.left}, {expected.right, node.right}}) {
+      if (child == kNullNode) {
+        EXPECT_EQ(to, 0u);
+      } else {
+        leaves += follow(memory, tree, child, to, first_matrix);
+      }
+    }
+    return leaves;
+  }
+  std::uint32_t address = (pointer & ~kMark) * kListStep;
+  for (std::uint32_t i = 0; i < expected.right; ++i) {
+    const ListEntry entry = memory.entry(address++);
+    EXPECT_EQ(entry.matrix.to_u64(), first_matrix + tree.items[expected.left + i]);
+    EXPECT_EQ(entry.last, i + 1 == expected.right) << "node " << index << ", entry " << i;
+  }
+  return 1;
+}
+
+TEST(ObjectImage, NodesPointToTheListsOfLeaves) {
+  const Scene scene = two_objects();
+  CoreInfo core = test_core();
+  core.leaves = Leaves::kPointers;
+  const SceneTrees trees = trees_for(scene, glm::dvec3(0, 0, 9), core);
+  const ObjectImage objects(scene, trees.objects, core);
+  SceneMemory memory;
+  memory.write(objects.memory.runs());
+  TreeSize sum{1, 0};
+  for (std::size_t k = 0; k < trees.objects.size(); ++k) {
+    const Tree& tree = trees.objects[k];
+    const ObjectImage::Object& object = objects.objects[k];
+    EXPECT_EQ(follow(memory, tree, tree.clipped_root, object.clipped_root, object.first_matrix),
+              tree.stats.leaf_links);
+    sum.nodes += tree.size().nodes;
+    sum.items += tree.size().items;
+  }
+  EXPECT_EQ(objects.memory.end_node(), sum.nodes) << "leaves take no nodes";
+  EXPECT_LE(objects.memory.end_entry(), sum.items);
 }
 
 /// Objects whose boxes are the cube from -1 to 1: everything that meets in the core must have moved

@@ -106,6 +106,7 @@ FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
   frame.light_matrix = to_word(scene.light_matrix);
   frame.colour = to_word(scene.colour);
   frame.object = to_word(scene.first_instance);
+  frame.others_node = to_word(scene.others_node);
   frame.ambient = to_word(lights > 0 ? kAmbient : kFullAmbient);
   const unsigned reflections = options.reflections.value_or(core.reflections);
   if (reflections > core.reflections) {

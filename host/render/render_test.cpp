@@ -22,7 +22,8 @@ auto configuring(const FrameOptions& options) {
 }
 
 TEST(FrameConfig, TakesAllThatTheConfigurationHas) {
-  const FrameConfig frame = frame_config(kBoard, {.width = 512, .height = 384}, {77, 99});
+  const FrameConfig frame =
+      frame_config(kBoard, {.width = 512, .height = 384}, {.start_node = 77, .camera_matrix = 99});
   EXPECT_EQ(frame.packets.to_u64(), 8u);
   EXPECT_EQ(frame.line_mask.to_u64(), 15u);
   EXPECT_EQ(frame.width.to_u64(), 512u);
@@ -96,8 +97,12 @@ TEST(Render, RefusesAnImageThatWasLaidOutForAnotherCore) {
               ThrowsMessage<UserError>(HasSubstr("with levels 1, and configuration small has 2")));
   EXPECT_THAT(rendering([](CoreInfo& core) { core = CoreInfo(); }),
               ThrowsMessage<UserError>(HasSubstr("with stack_depth 0,")));
-  EXPECT_NO_THROW(rendering([](CoreInfo& core) { core.packets = core.lines = 1; })())
-      << "no word of the memory depends on them";
+  const auto beside_the_memory = [](CoreInfo& core) {
+    core.packets = core.lines = 1;
+    core.origins = Origins::kCommon;
+    core.camera = CameraSource::kOwnUnit;
+  };
+  EXPECT_NO_THROW(rendering(beside_the_memory)()) << "no word of the memory depends on them";
 }
 
 TEST(Render, UploadsRendersAndReadsBack) {

@@ -98,6 +98,16 @@ TEST(Decide, AMailboxIsWhereAnItemIsListedTwice) {
   EXPECT_GT(decision("triangle_slots", needs_of(scene_of(room(1, 6, 6)))).value, 8);
 }
 
+TEST(Decide, AMainObjectIsMetFirstWhereThereIsOne) {
+  SceneNeeds needs = needs_of(many_sails());
+  expect(decision("main_first", needs), false,
+         "no instance nearly fills the scene, so rays enter none before the others");
+  needs.main_first = true;
+  CoreConfiguration first = whitted();
+  first.main_first = true;
+  EXPECT_EQ(decision("main_first", needs, {}, first).value, true);
+}
+
 TEST(Decide, SplitPacketsComeToEveryLeafAgain) {
   SceneNeeds needs = needs_of(many_sails());
   needs.mirror = "chrome";
@@ -113,6 +123,12 @@ TEST(Decide, BitsOfAddressesAndMatrices) {
   expect(decision("address_bits", needs), 4, "the trees take 16 nodes and 2 list entries");
   needs.places.entries = 17;
   EXPECT_EQ(decision("address_bits", needs).value, 5);
+  CoreConfiguration pointers = whitted();
+  pointers.leaves = Leaves::kPointers;
+  needs.places.nodes = 17;
+  EXPECT_EQ(decision("address_bits", needs, {}, pointers).value, 6) << "a bit marks lists";
+  needs.places.entries = 65;
+  EXPECT_EQ(decision("address_bits", needs, {}, pointers).value, 7);
   needs.places.matrices = 4096;
   expect(decision("matrix_bits", needs), 12,
          "primitives, instances, lights and camera take the numbers 0 to 4095");

@@ -146,7 +146,9 @@ Need primitives(const RuleContext& c) {
 
 Need addresses(const RuleContext& c) {
   const SceneNeeds::Places& places = c.needs.places;
-  return {bits_for(std::max(places.nodes, places.entries)),
+  // A pointer to a list has a bit more than the nodes' addresses (units/packet.h).
+  const unsigned mark = c.leaves == Leaves::kPointers ? 1 : 0;
+  return {std::max(bits_for(places.nodes) + mark, bits_for(places.entries)),
           fmt::format(
               "the trees take {} and {}{}", count(places.nodes, "node"),
               places.entries == 1 ? "1 list entry" : fmt::format("{} list entries", places.entries),
@@ -171,6 +173,12 @@ Need uncompressed(const RuleContext& c) {
   return {false,
           "the primary rays of a packet share one origin, the eye; the core sends the other rays "
           "one by one"};
+}
+
+Need main_first(const RuleContext& c) {
+  if (c.needs.main_first)
+    return {{}, fmt::format("as in {}: one instance nearly fills the scene", c.general->name)};
+  return {false, "no instance nearly fills the scene, so rays enter none before the others"};
 }
 
 Need counters(const RuleContext&) { return {false, "the picture does not depend on the counters"}; }
@@ -207,6 +215,7 @@ constexpr Rule kRules[] = {
     {"primitives", Holds::kWithAll, primitives},
     {"one_colour", Holds::kUnlessSet, one_colour},
     {"uncompressed", Holds::kAlways, uncompressed},
+    {"main_first", Holds::kAlways, main_first},
     {"counters", Holds::kAlways, counters},
     {"scan_out", Holds::kAlways, scan_out},
     {"epsilon", Holds::kAlways, epsilon},

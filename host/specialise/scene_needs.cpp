@@ -54,6 +54,7 @@ void SceneNeeds::include(const SceneNeeds& other) {
   objects = std::max(objects, other.objects);
   instances = std::max(instances, other.instances);
   one_level = one_level && other.one_level;
+  main_first = main_first || other.main_first;
   host::include(top_stack, other.top_stack);
   host::include(object_stack, other.object_stack);
   host::include(instance_repeats, other.instance_repeats);
@@ -73,6 +74,7 @@ SceneNeeds frame_needs(const SceneNeeds& before, const Scene& scene, const Tree&
   SceneNeeds needs = before;
   needs.frames = 1;
   needs.one_level = stands_as_it_is(scene);
+  needs.main_first = instances.main_leaf != kNullNode;
   needs.instances = scene.instances.size();
   needs.lights = scene.lights.size();
   const TreeNeeds top = tree_needs(instances);

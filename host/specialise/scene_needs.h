@@ -36,6 +36,7 @@ struct SceneNeeds {
   std::size_t objects = 0, instances = 0;
   /// One object, one instance, and nothing to transform between the two, in any frame.
   bool one_level = false;
+  bool main_first = false;  ///< rays enter one instance before the tree, in some frame
   Stack top_stack, object_stack;
   Repeats instance_repeats, primitive_repeats;
   Counts primitives;

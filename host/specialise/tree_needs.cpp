@@ -14,7 +14,7 @@ TreeNeeds tree_needs(const Tree& tree) {
   enum : std::uint8_t { kNever, kOnce, kAgain };
   TreeNeeds needs;
   std::vector<std::uint8_t> found;  // by item
-  std::vector<Visit> open{{tree.clipped_root, 0}};
+  std::vector<Visit> open{{tree.clipped_root, 0}, {tree.main_leaf, 0}};
   while (!open.empty()) {
     const Visit visit = open.back();
     open.pop_back();

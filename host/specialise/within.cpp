@@ -40,8 +40,10 @@ std::string text_of(const Json& value) {
 }  // namespace
 
 std::optional<Excess> excess(const SceneNeeds& needs, const CoreInfo& core) {
-  const RuleContext context{
-      .needs = needs, .general = core.general.get(), .two_levels = core.levels == 2};
+  const RuleContext context{.needs = needs,
+                            .general = core.general.get(),
+                            .leaves = core.leaves,
+                            .two_levels = core.levels == 2};
   for (const Rule& rule : rules()) {
     if (rule.holds == Holds::kAlways) continue;
     const Json need = rule.need(context).value;

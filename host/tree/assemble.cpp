@@ -94,6 +94,7 @@ class Assembler {
     tree_.items.insert(tree_.items.end(), items.begin(), items.end());
     ++tree_.stats.leaves;
     tree_.stats.items += items.size();
+    tree_.stats.list_places += list_places(items.size());
     tree_.stats.longest_list = std::max(tree_.stats.longest_list, items.size());
     return known->second;
   }

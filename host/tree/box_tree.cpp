@@ -204,6 +204,7 @@ class Builder {
     stats.expected_leaves += p;
     stats.expected_items += p * static_cast<double>(count);
     stats.items += count;
+    stats.list_places += list_places(count);
     stats.longest_list = std::max(stats.longest_list, count);
     return index;
   }
@@ -304,7 +305,9 @@ class Builder {
 }  // namespace
 
 Tree build_box_tree(std::span<const Aabb> boxes, const BoxTreeOptions& options) {
-  return Builder(options).run(boxes, options);
+  Tree tree = Builder(options).run(boxes, options);
+  tree.leaves = options.leaves;
+  return tree;
 }
 
 }  // namespace dynrt::host

@@ -17,10 +17,12 @@ namespace dynrt::host {
 /// The cost of entering a box: a ray that enters an instance is transformed and meets at least the
 /// clipping nodes of its object.
 struct BoxTreeOptions {
-  Grid grid{};                ///< that the splits lie on
-  double item = 8;            ///< in traversal steps
-  double empty_bonus = 0.2;   ///< part of a plane's cost forgiven where one side is empty
-  double depth_factor = 0.6;  ///< depth at most depth_factor * log2(boxes) + depth_extra
+  Grid grid{};                     ///< that the splits lie on
+  Leaves leaves = Leaves::kNodes;  ///< as the memory has them
+  bool main_first = false;         ///< of instances: the main one is kept apart
+  double item = 8;                 ///< in traversal steps
+  double empty_bonus = 0.2;        ///< part of a plane's cost forgiven where one side is empty
+  double depth_factor = 0.6;       ///< depth at most depth_factor * log2(boxes) + depth_extra
   double depth_extra = 10;
   int max_depth = kMaxTreeDepth;  ///< as in TreeOptions (build.h)
   /// The memory that the tree may take. A tree that needs more is rebuilt, less deep. The room is

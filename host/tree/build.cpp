@@ -207,6 +207,7 @@ Tree build_tree(const CellContent& content, const TreeOptions& options, const Cu
     return tree;
   }
   Tree tree = assemble(options.grid, raw, whole.root, content.cell);
+  tree.leaves = options.leaves;
   tree.cut = builder.cut();
   return tree;
 }

@@ -9,15 +9,18 @@
 #include <limits>
 #include <vector>
 
+#include "host/tree/box_tree.h"
 #include "host/tree/sweep.h"
 #include "host/tree/tree.h"
 
 namespace dynrt::host {
 
 struct TreeOptions {
-  Grid grid{};  ///< that the splits lie on
+  Grid grid{};                     ///< that the splits lie on
+  Leaves leaves = Leaves::kNodes;  ///< as the memory has them
   TreeCosts costs{};
-  double object_cost = 8;  ///< of entering an object, in steps, for the tree of instances
+  double object_cost = BoxTreeOptions{}.item;  ///< for the tree of instances
+  bool main_first = false;                     ///< the same
   /// The tree's depth is at most depth_factor * log2(items) + depth_extra, and max_depth.
   double depth_factor = 1;
   double depth_extra = 10;

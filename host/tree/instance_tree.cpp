@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "host/error.h"
 #include "host/tree/grid.h"
@@ -22,6 +24,32 @@ Aabb transformed_box(const Aabb& box, const glm::dmat4& transform) {
   }
   return out;
 }
+
+namespace {
+
+/// Of the rays that meet the scene's box, the part that meets the main instance's, at least.
+constexpr double kMainPart = 0.5;
+
+/// Of convex bodies, as many rays meet each as it has surface.
+std::optional<std::uint32_t> main_instance(std::span<const Aabb> boxes) {
+  if (boxes.size() < 2) return std::nullopt;
+  Aabb whole;
+  for (const Aabb& box : boxes) whole.include(box);
+  const auto largest = std::ranges::max_element(boxes, {}, half_area);
+  if (half_area(*largest) < kMainPart * half_area(whole)) return std::nullopt;
+  return static_cast<std::uint32_t>(largest - boxes.begin());
+}
+
+void add_main_leaf(Tree& tree, std::uint32_t item) {
+  tree.main_leaf = static_cast<std::uint32_t>(tree.nodes.size());
+  tree.nodes.push_back({kLeafAxis, 0, static_cast<std::uint32_t>(tree.items.size()), 1});
+  tree.items.push_back(item);
+  ++tree.stats.leaves;
+  ++tree.stats.items;
+  tree.stats.list_places += list_places(1);
+}
+
+}  // namespace
 
 Tree build_instance_tree(const Scene& scene, std::span<const Aabb> object_boxes,
                          const BoxTreeOptions& options) {
@@ -44,7 +72,23 @@ Tree build_instance_tree(const Scene& scene, std::span<const Aabb> object_boxes,
   BoxTreeOptions within = options;
   within.room = {std::min(options.room.nodes, most.nodes),
                  std::min(options.room.items, most.items)};
-  return build_box_tree(boxes, within);
+  const std::optional<std::uint32_t> main =
+      options.main_first ? main_instance(boxes) : std::nullopt;
+  return main ? build_beside_main(std::move(boxes), *main, within) : build_box_tree(boxes, within);
+}
+
+Tree build_beside_main(std::vector<Aabb> boxes, std::uint32_t main, const BoxTreeOptions& options) {
+  boxes.erase(boxes.begin() + main);
+  BoxTreeOptions within = options;
+  within.room.nodes -= 1;
+  within.room.items -= list_places(1);
+  Tree tree;
+  tree.nodes.resize(1);
+  tree.leaves = options.leaves;
+  if (!boxes.empty()) tree = build_box_tree(boxes, within);
+  for (std::uint32_t& item : tree.items) item += item >= main;
+  add_main_leaf(tree, main);
+  return tree;
 }
 
 }  // namespace dynrt::host

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include "host/scene/scene.h"
 #include "host/tree/box_tree.h"
@@ -27,10 +29,17 @@ constexpr TreeSize top_level_room(std::size_t instances) {
   return {room, room};
 }
 
-/// Item i of the tree is instance i of the scene; object_boxes[k] is the box of object k's tree.
+/// Item i of the tree is instance i of the scene; object_boxes[k] is the box of object k's tree. If
+/// the options ask for it, the instance with the largest box is the main scene, which rays enter
+/// first (4.3.3), provided that most of the rays that meet the scene's box meet its box.
 /// The tree respects options.room and top_level_room(). Throws UserError for a scene without
 /// instances, or with an instance that reaches outside the core's numbers.
 Tree build_instance_tree(const Scene& scene, std::span<const Aabb> object_boxes,
                          const BoxTreeOptions& options = {});
+
+/// The tree over all boxes but the main item's, which has the tree's main leaf; without other boxes
+/// there is nothing else.
+Tree build_beside_main(std::vector<Aabb> boxes, std::uint32_t main,
+                       const BoxTreeOptions& options = {});
 
 }  // namespace dynrt::host

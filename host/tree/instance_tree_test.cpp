@@ -41,6 +41,32 @@ std::string error_of(const Scene& scene) {
   return "no error";
 }
 
+TEST(InstanceTree, TheMainInstanceIsMetBeforeTheTree) {
+  Scene scene = testing::scene_of(testing::soup(1, 10, 0.1));
+  const std::vector<Aabb> boxes{{glm::dvec3(-1), glm::dvec3(1)}};
+  const auto add = [&](double size, double x) {
+    const glm::dmat4 m = glm::translate(glm::dmat4(1), glm::dvec3(x, 0, 0));
+    scene.instances.push_back({"i", 0, glm::scale(m, glm::dvec3(size))});
+  };
+  scene.instances.clear();
+  add(1, 5);
+  add(10, 0);
+  add(1, -5);
+  BoxTreeOptions options{.leaves = Leaves::kPointers, .main_first = true};
+  const Tree tree = build_instance_tree(scene, boxes, options);
+  const TreeNode& main = tree.nodes[tree.main_leaf];
+  EXPECT_EQ(main.right, 1u);
+  EXPECT_EQ(tree.items[main.left], 1u);
+  std::vector<std::uint32_t> others(tree.items.begin(), tree.items.begin() + main.left);
+  std::ranges::sort(others);
+  EXPECT_EQ(others, (std::vector<std::uint32_t>{0, 2}));
+  scene.instances[1].transform = glm::dmat4(1);
+  EXPECT_EQ(build_instance_tree(scene, boxes, options).main_leaf, kNullNode) << "none is so large";
+  options.main_first = false;
+  add(10, 0);
+  EXPECT_EQ(build_instance_tree(scene, boxes, options).main_leaf, kNullNode);
+}
+
 TEST(InstanceTree, KeepsToTheTopLevelsPlace) {
   Scene scene = testing::scene_of(testing::soup(1, 10, 0.1));
   const std::vector<Aabb> boxes{{glm::dvec3(-1), glm::dvec3(1)}};

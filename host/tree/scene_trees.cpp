@@ -169,9 +169,12 @@ SceneTrees build_scene_trees(const Scene& scene, const TreeOptions& options, con
   std::vector<Aabb> boxes;
   for (const Tree& tree : objects.trees()) boxes.push_back(tree.box);
   SceneTrees trees;
-  trees.instances = build_instance_tree(
-      scene, boxes,
-      {.grid = options.grid, .item = options.object_cost, .max_depth = options.max_top_depth});
+  trees.instances = build_instance_tree(scene, boxes,
+                                        {.grid = options.grid,
+                                         .leaves = options.leaves,
+                                         .main_first = options.main_first,
+                                         .item = options.object_cost,
+                                         .max_depth = options.max_top_depth});
   const TreeSize top = trees.instances.size();
   if (!objects.fit({less(limits.nodes, top.nodes), less(limits.items, top.items)})) {
     const TreeSize room = top_level_room(scene.instances.size());

@@ -13,6 +13,8 @@
 #include <vector>
 
 #include "host/tree/aabb.h"
+#include "units/memory_format.h"
+#include "units/options.h"
 
 namespace dynrt::host {
 
@@ -42,8 +44,9 @@ struct TreeStats {
   std::size_t empty_children = 0;
   std::size_t items = 0;  ///< list entries
   std::size_t longest_list = 0;
-  int depth = 0;              ///< of the real root's subtree, a leaf alone being 0
-  double expected_steps = 0;  ///< by the surface area, for a ray that meets the box
+  std::size_t list_places = 0;  ///< of the entries, where each list begins at an even one
+  int depth = 0;                ///< of the real root's subtree, a leaf alone being 0
+  double expected_steps = 0;    ///< by the surface area, for a ray that meets the box
   double expected_leaves = 0;
   double expected_items = 0;
 };
@@ -54,17 +57,28 @@ struct Tree {
   std::vector<std::uint32_t> items;
   std::uint32_t root = kNullNode;          ///< where a ray starts inside the box
   std::uint32_t clipped_root = kNullNode;  ///< where any ray starts
+  std::uint32_t main_leaf = kNullNode;     ///< of an item that rays meet before they start there
   Aabb box;                                ///< box that the clipping nodes cut out, rounded outward
-  bool cut = false;       ///< somewhere not split for want of room (TreeOptions::room)
-  bool given_up = false;  ///< no nodes: it grew beyond TreeOptions::give_up_items
+  bool cut = false;                ///< somewhere not split for want of room (TreeOptions::room)
+  bool given_up = false;           ///< no nodes: it grew beyond TreeOptions::give_up_items
+  Leaves leaves = Leaves::kNodes;  ///< as the memory has them
   TreeStats stats;
 
-  TreeSize size() const { return {nodes.empty() ? 0 : nodes.size() - 1, items.size()}; }
+  TreeSize size() const {
+    const std::size_t all = nodes.empty() ? 0 : nodes.size() - 1;
+    if (leaves == Leaves::kNodes) return {all, items.size()};
+    return {all - stats.leaves, stats.list_places};
+  }
   /// The node where rays from this point start.
   std::uint32_t entry(const glm::dvec3& origin) const {
     return box.holds(origin) ? root : clipped_root;
   }
 };
+
+/// The entries that a list takes, where lists begin at every kListStep-th.
+constexpr std::size_t list_places(std::size_t items) {
+  return (items + kListStep - 1) / kListStep * kListStep;
+}
 
 /// Starts a tree: the null node, then the six clipping nodes around the box. The last of them leads
 /// to the node that is added next.

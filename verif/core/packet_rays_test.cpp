@@ -26,6 +26,11 @@ struct Active : Packets<General, Rays> {
   static constexpr RaysSent kRaysSent = RaysSent::kActive;
 };
 
+std::uint64_t count_of(const Frame& frame, const std::string& counter) {
+  const auto found = std::ranges::find(frame.counters, counter, &Counter::name);
+  return found == frame.counters.end() ? 0 : found->value;
+}
+
 template <class General>
 void expect_as_of_four(const char* configuration, const std::string& scene) {
   expect_as_general<Packets<General, 8>>(configuration, scene);
@@ -63,6 +68,32 @@ TEST(PacketRays, ReciprocalsAreTheSameOneByOneAndAtOnce) {
   expect_as_general<AtOnce<Active<config::reciprocal, 8>>>("reciprocal", "office");
 }
 
+template <class General>
+struct PointsToLists : General {
+  static constexpr Leaves kLeaves = Leaves::kPointers;
+};
+
+TEST(PacketRays, LeavesWithoutNodesAreMetAsThoseWithNodes) {
+  expect_as_general<PointsToLists<config::thesis>>("thesis", "blocks");
+  expect_as_general<PointsToLists<Active<config::thesis, 8>>>("thesis", "office");
+  expect_as_general<PointsToLists<config::whitted>>("whitted", "lamps");
+  expect_as_general<PointsToLists<config::whitted_split>>("whitted_split", "lamps");
+  expect_as_general<PointsToLists<config::watertight>>("watertight", "blocks");
+}
+
+template <class General>
+struct MainFirst : General {
+  static constexpr bool kMainFirst = true;
+};
+
+TEST(PacketRays, WithTheMainObjectFirstTheSameIsHit) {
+  const Frame tree = expect_as_general<config::thesis>("thesis", "conference");
+  const Frame main = expect_as_general<MainFirst<config::thesis>>("thesis", "conference");
+  EXPECT_LT(count_of(main, "list.transactions"), count_of(tree, "list.transactions"));
+  expect_as_general<MainFirst<PointsToLists<Active<config::thesis, 8>>>>("thesis", "conference");
+  expect_as_general<MainFirst<config::whitted>>("whitted", "lamps");
+}
+
 TEST(PacketRays, EdgesOfTheImageCutPackets) {
   const auto four = board_of<config::thesis>();
   const auto sixteen = board_of<Packets<config::thesis, 16>>();
@@ -87,16 +118,19 @@ TEST(PacketRays, EdgesOfTheImageCutPackets) {
   }
 }
 
-std::uint64_t count_of(const Frame& frame, const std::string& counter) {
-  const auto found = std::ranges::find(frame.counters, counter, &Counter::name);
-  return found == frame.counters.end() ? 0 : found->value;
-}
-
 TEST(PacketRays, APacketOfEightIsShadedForTwoOfFour) {
   const Frame four = expect_as_general<config::thesis>("thesis", "blocks");
   const Frame eight = expect_as_general<Packets<config::thesis, 8>>("thesis", "blocks");
   EXPECT_EQ(count_of(four, "shade_job.tokens"), kWidth * kHeight / 4);
   EXPECT_EQ(count_of(eight, "shade_job.tokens"), kWidth * kHeight / 8);
+}
+
+TEST(PacketRays, ALeafWithoutNodeCostsNoStep) {
+  const Frame nodes = expect_as_general<config::thesis>("thesis", "office");
+  const Frame pointers = expect_as_general<PointsToLists<config::thesis>>("thesis", "office");
+  for (const char* counter : {"node_fetch.transactions", "slice_0.transactions"}) {
+    EXPECT_LT(count_of(pointers, counter), count_of(nodes, counter)) << counter;
+  }
 }
 
 TEST(PacketRays, RaysThatAreNotInALeafAreNotTransformed) {

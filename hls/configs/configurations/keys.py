@@ -36,11 +36,14 @@ OBJECT_BOXES = Choice("ObjectBox", {"nodes": "kNodes", "unit": "kUnit"})
 DIVIDERS = Choice(
     "Divider",
     {
-        "digit_recurrence": "kDigitRecurrence",
+        "quotient": "kQuotient",
         "reciprocal": "kReciprocal",
         "three_reciprocals": "kThreeReciprocals",
     },
 )
+ORIGINS = Choice("Origins", {"each": "kEach", "common": "kCommon"})
+CAMERAS = Choice("CameraSource", {"transformation": "kTransformation", "own_unit": "kOwnUnit"})
+LEAVES = Choice("Leaves", {"nodes": "kNodes", "pointers": "kPointers"})
 MATRICES = Choice(
     "TriangleMatrix",
     {"normal_consistent": "kNormalConsistent", "memory_efficient": "kMemoryEfficient"},
@@ -147,7 +150,27 @@ KEYS: dict[str, Key] = {
         DIVIDERS,
         "kDivider",
         "how the traversal finds the distance of a plane",
-        "digit_recurrence",
+        "quotient",
+    ),
+    "origins": Key(
+        ORIGINS,
+        "kOrigins",
+        "whether each ray of a packet has an origin in the traversal, or all have one, which is "
+        "subtracted from a plane once",
+        "each",
+    ),
+    "camera": Key(
+        CAMERAS,
+        "kCamera",
+        "what makes camera rays: the transformation, or a unit beside it",
+        "transformation",
+    ),
+    "leaves": Key(
+        LEAVES,
+        "kLeaves",
+        "how the traversal knows a leaf: by a node of its own, or by the pointer of the node above it, "
+        "which then is that of the list",
+        "nodes",
     ),
     "triangle_matrix": Key(
         MATRICES, "kTriangleMatrix", "what is stored of a triangle", "normal_consistent"
@@ -188,6 +211,13 @@ KEYS: dict[str, Key] = {
         8,
         of_core=False,
     ),
+    "main_first": Key(
+        Flag(),
+        "kMainFirst",
+        "whether rays enter the scene's main object, whose box nearly fills it, before they come to "
+        "the tree over the others",
+        False,
+    ),
     "counters": Key(Flag(), "kCounters", "whether the core counts what its units do", True),
 }
 
@@ -207,6 +237,8 @@ class Rule:
 BOX_UNIT = ("object_box", "unit")
 WATERTIGHT = ("triangle_test", "watertight")
 ONE_LEVEL = ("levels", 1)
+MAIN_FIRST = ("main_first", True)
+COMMON_ORIGIN = ("origins", "common")
 RULES = (
     Rule(*ONE_LEVEL, "object_box", lambda v: v == "nodes", "nodes", "no object is entered"),
     Rule(
@@ -215,6 +247,20 @@ RULES = (
         lambda v: v == "unit_triangle",
         "unit_triangle",
         "a ray's shear is made when it enters an object",
+    ),
+    Rule(
+        *MAIN_FIRST,
+        "crossing",
+        lambda v: v != "split",
+        "none or remember",
+        "the groups of a split packet would each begin with the main object",
+    ),
+    Rule(
+        *COMMON_ORIGIN,
+        "reflections",
+        lambda v: v == 0,
+        "0",
+        "the reflected rays of a packet start at points of their own",
     ),
     Rule(
         *BOX_UNIT,
@@ -247,9 +293,16 @@ RULES = (
     Rule(
         *WATERTIGHT,
         "divider",
-        lambda v: v == "digit_recurrence",
-        "digit_recurrence",
+        lambda v: v == "quotient",
+        "quotient",
         "a ray's shear is made of its direction, not of reciprocals",
+    ),
+    Rule(
+        *WATERTIGHT,
+        "camera",
+        lambda v: v == "transformation",
+        "transformation",
+        "a triangle's corners come on the way of the other rays",
     ),
     Rule(*WATERTIGHT, "epsilon", lambda v: v == 0, "0", "edges are decided exactly"),
     Rule(

@@ -66,8 +66,7 @@ TracedFrame trace_frame(const Scene& scene, std::span<const Tree> objects, const
 
 TracedFrame trace_frame(const Scene& scene, const SceneTrees& trees, const Camera& camera,
                         unsigned width, unsigned height, const TraceOptions& options) {
-  return trace_frame(scene, trees.objects, {trees.instances, {}, {}}, camera, width, height,
-                     options);
+  return trace_frame(scene, trees.objects, {trees.instances, {}}, camera, width, height, options);
 }
 
 }  // namespace dynrt::host

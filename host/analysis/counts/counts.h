@@ -59,8 +59,7 @@ struct TraceOptions {
 
 /// The structure that packets traverse in the world.
 struct TopLevel {
-  Tree tree;                         ///< without nodes: nothing
-  std::vector<std::uint32_t> first;  ///< instances that are entered before the tree
+  Tree tree;  ///< without nodes: nothing
   /// By node: the instances that a packet enters when it comes to the node. Empty: no node has any.
   std::vector<std::vector<std::uint32_t>> inner;
 };

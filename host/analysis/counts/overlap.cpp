@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 namespace dynrt::host {
 
@@ -107,13 +108,7 @@ TopLevel main_scene_first(const Scene& scene, std::span<const Aabb> object_boxes
   }
   const auto largest = std::ranges::max_element(boxes, {}, half_area);
   const auto main = static_cast<std::uint32_t>(largest - boxes.begin());
-  boxes.erase(largest);
-  TopLevel top;
-  top.first.push_back(main);
-  if (boxes.empty()) return top;
-  top.tree = build_box_tree(boxes);
-  for (std::uint32_t& item : top.tree.items) item += item >= main;
-  return top;
+  return {build_beside_main(std::move(boxes), main), {}};
 }
 
 }  // namespace dynrt::host

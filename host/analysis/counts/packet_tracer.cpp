@@ -73,9 +73,10 @@ void PacketTracer<kRays>::packet(unsigned x, unsigned y, unsigned width, unsigne
     ++work_.objects;
     object(instance, rays);
   };
-  for (const std::uint32_t instance : scene_.top.first) enter(instance);
+  const Tree& top = scene_.top.tree;
+  if (top.main_leaf != kNullNode) enter(top.items[top.nodes[top.main_leaf].left]);
   if (scene_.top_start != kNullNode) {
-    traverse(scene_.top.tree, scene_.top_start, rays, true, enter);
+    traverse(top, scene_.top_start, rays, true, enter);
   }
   for (int i = 0; i < kRays; ++i) {
     const std::size_t pixel =

@@ -42,7 +42,7 @@ bool is_measured(const CoreInfo& board) {
   return numbers.exponent_bits == kShippedFormat.exponent_bits &&
          numbers.mantissa_bits == kShippedFormat.mantissa_bits &&
          numbers.rounding == kShippedFormat.rounding && board.levels == 2 &&
-         !board.clips_to_box() && board.divider == Divider::kDigitRecurrence &&
+         !board.clips_to_box() && board.divider == Divider::kQuotient &&
          board.triangle_matrix == TriangleMatrix::kNormalConsistent &&
          board.rays_sent == RaysSent::kTraced;
 }

@@ -1,0 +1,56 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Cores that make camera rays beside the transformation: every ray has the hit and the pixel that
+// it has where the transformation makes it.
+#include "configs/reciprocal.h"
+#include "configs/thesis.h"
+#include "core/specialised.h"
+
+namespace dynrt::host::specialised {
+namespace {
+
+template <class General>
+struct Own : General {
+  static constexpr CameraSource kCamera = CameraSource::kOwnUnit;
+};
+/// As `fast`: packets of eight, of which the rays in a leaf are sent.
+struct Eight : config::reciprocal {
+  static constexpr unsigned kPacketRays = 8;
+  static constexpr RaysSent kRaysSent = RaysSent::kActive;
+};
+struct Lit : config::thesis {
+  static constexpr unsigned kLights = 2;
+  static constexpr unsigned kReflections = 1;
+};
+
+TEST(OwnCamera, RaysHitWhatTransformedOnesHit) {
+  expect_as_general<Own<config::thesis>>("thesis", "blocks");
+  expect_as_general<Own<Eight>>("reciprocal", "blocks");
+}
+
+TEST(OwnCamera, RaysOfAnUncompressedFrameHaveAnOriginEach) {
+  const auto general = make_board(configurations(), {"model", "thesis", ""});
+  const auto special = board_of<Own<Eight>>();
+  FrameOptions options = small_frame();
+  options.uncompressed = true;
+  const Frame frame = render(*special, options, laid_out("blocks", special->core(), {}));
+  const Comparison comparison =
+      compare(frame, render(*general, options, laid_out("blocks", general->core(), {})));
+  EXPECT_GT(comparison.hits, comparison.pixels / 8);
+  EXPECT_EQ(comparison.different_hits + comparison.different_pixels, 0u)
+      << comparison.first->text("special", "thesis");
+}
+
+TEST(OwnCamera, LightAndMirrorsStartFromItsHits) {
+  const auto general = board_of<Lit>();
+  const auto special = board_of<Own<Lit>>();
+  const Frame frame = rendered(*special, "lamps", {});
+  const Comparison comparison = compare(frame, rendered(*general, "lamps", {}));
+  EXPECT_GT(comparison.hits, comparison.pixels / 8);
+  EXPECT_EQ(comparison.different_hits + comparison.different_pixels, 0u)
+      << comparison.first->text("special", "general");
+}
+
+}  // namespace
+}  // namespace dynrt::host::specialised
