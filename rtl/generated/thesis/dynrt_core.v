@@ -385,10 +385,10 @@ module dynrt_core (
   wire [71:0] send_packet__vectors_data;
   wire node_fill__lines_en;
   wire [8:0] node_fill__lines_addr;
-  wire [83:0] node_fill__lines_data;
+  wire [84:0] node_fill__lines_data;
   wire node_lookup__lines_en;
   wire [8:0] node_lookup__lines_addr;
-  wire [83:0] node_lookup__lines_data;
+  wire [84:0] node_lookup__lines_data;
   wire node_lookup__waiting_en;
   wire [6:0] node_lookup__waiting_addr;
   wire [21:0] node_lookup__waiting_data;
@@ -397,10 +397,10 @@ module dynrt_core (
   wire [21:0] node_fill__waiting_data;
   wire list_fill__lines_en;
   wire [8:0] list_fill__lines_addr;
-  wire [51:0] list_fill__lines_data;
+  wire [52:0] list_fill__lines_data;
   wire list_lookup__lines_en;
   wire [8:0] list_lookup__lines_addr;
-  wire [51:0] list_lookup__lines_data;
+  wire [52:0] list_lookup__lines_data;
   wire list_lookup__waiting_en;
   wire [6:0] list_lookup__waiting_addr;
   wire [5:0] list_lookup__waiting_data;
@@ -409,10 +409,10 @@ module dynrt_core (
   wire [5:0] list_fill__waiting_data;
   wire matrix_fill__lines_en;
   wire [8:0] matrix_fill__lines_addr;
-  wire [115:0] matrix_fill__lines_data;
+  wire [116:0] matrix_fill__lines_data;
   wire matrix_lookup__lines_en;
   wire [8:0] matrix_lookup__lines_addr;
-  wire [115:0] matrix_lookup__lines_data;
+  wire [116:0] matrix_lookup__lines_data;
   wire matrix_lookup__waiting_en;
   wire [6:0] matrix_lookup__waiting_addr;
   wire [12:0] matrix_lookup__waiting_data;
@@ -840,17 +840,17 @@ module dynrt_core (
   assign matrix_fill__fill_data = column_line_all_data;
 
   // RAM pixel_position
-  hls_ram_1r1w #(.WIDTH(20), .ROWS(32), .EXCLUSIVE(1)) pixel_position_ram_0 (
+  hls_ram_1r1w #(.WIDTH(20), .ROWS(32)) pixel_position_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(ray_generation__position_en), .write_addr_i(ray_generation__position_addr), .write_data_i(ray_generation__position_data),
     .read_en_i(send_packet__position_en), .read_addr_i(send_packet__position_addr), .read_data_o(send_packet__position_data));
-  hls_ram_1r1w #(.WIDTH(20), .ROWS(32), .EXCLUSIVE(1)) pixel_position_ram_1 (
+  hls_ram_1r1w #(.WIDTH(20), .ROWS(32)) pixel_position_ram_1 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(ray_generation__position_en), .write_addr_i(ray_generation__position_addr), .write_data_i(ray_generation__position_data),
     .read_en_i(shading__position_en), .read_addr_i(shading__position_addr), .read_data_o(shading__position_data));
 
   // RAM hit_record
-  hls_ram_1r1w #(.WIDTH(155), .ROWS(128), .EXCLUSIVE(1)) hit_record_ram_0 (
+  hls_ram_1r1w #(.WIDTH(155), .ROWS(128), .BLOCK(1)) hit_record_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(collect_hits__hit_en), .write_addr_i(collect_hits__hit_addr), .write_data_i(collect_hits__hit_data),
     .read_en_i(shading__hit_en), .read_addr_i(shading__hit_addr), .read_data_o(shading__hit_data));
@@ -862,7 +862,7 @@ module dynrt_core (
     .read_en_i(slice_0__ray_en), .read_addr_i(slice_0__ray_addr), .read_data_o(slice_0__ray_data));
 
   // RAM distance_0
-  hls_ram_1r1w #(.WIDTH(24), .ROWS(32), .EXCLUSIVE(1)) distance_0_ram_0 (
+  hls_ram_1r1w #(.WIDTH(24), .ROWS(32)) distance_0_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(collect_hits__distance_0_en), .write_addr_i(collect_hits__distance_0_addr), .write_data_i(collect_hits__distance_0_data),
     .read_en_i(slice_0__hit_distance_en), .read_addr_i(slice_0__hit_distance_addr), .read_data_o(slice_0__hit_distance_data));
@@ -874,7 +874,7 @@ module dynrt_core (
     .read_en_i(slice_1__ray_en), .read_addr_i(slice_1__ray_addr), .read_data_o(slice_1__ray_data));
 
   // RAM distance_1
-  hls_ram_1r1w #(.WIDTH(24), .ROWS(32), .EXCLUSIVE(1)) distance_1_ram_0 (
+  hls_ram_1r1w #(.WIDTH(24), .ROWS(32)) distance_1_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(collect_hits__distance_1_en), .write_addr_i(collect_hits__distance_1_addr), .write_data_i(collect_hits__distance_1_data),
     .read_en_i(slice_1__hit_distance_en), .read_addr_i(slice_1__hit_distance_addr), .read_data_o(slice_1__hit_distance_data));
@@ -886,7 +886,7 @@ module dynrt_core (
     .read_en_i(slice_2__ray_en), .read_addr_i(slice_2__ray_addr), .read_data_o(slice_2__ray_data));
 
   // RAM distance_2
-  hls_ram_1r1w #(.WIDTH(24), .ROWS(32), .EXCLUSIVE(1)) distance_2_ram_0 (
+  hls_ram_1r1w #(.WIDTH(24), .ROWS(32)) distance_2_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(collect_hits__distance_2_en), .write_addr_i(collect_hits__distance_2_addr), .write_data_i(collect_hits__distance_2_data),
     .read_en_i(slice_2__hit_distance_en), .read_addr_i(slice_2__hit_distance_addr), .read_data_o(slice_2__hit_distance_data));
@@ -898,95 +898,95 @@ module dynrt_core (
     .read_en_i(slice_3__ray_en), .read_addr_i(slice_3__ray_addr), .read_data_o(slice_3__ray_data));
 
   // RAM distance_3
-  hls_ram_1r1w #(.WIDTH(24), .ROWS(32), .EXCLUSIVE(1)) distance_3_ram_0 (
+  hls_ram_1r1w #(.WIDTH(24), .ROWS(32)) distance_3_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(collect_hits__distance_3_en), .write_addr_i(collect_hits__distance_3_addr), .write_data_i(collect_hits__distance_3_data),
     .read_en_i(slice_3__hit_distance_en), .read_addr_i(slice_3__hit_distance_addr), .read_data_o(slice_3__hit_distance_data));
 
   // RAM last_entry
-  hls_ram_1r1w #(.WIDTH(1), .ROWS(64), .EXCLUSIVE(1)) last_entry_ram_0 (
+  hls_ram_1r1w #(.WIDTH(1), .ROWS(64)) last_entry_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(mailbox__last_en), .write_addr_i(mailbox__last_addr), .write_data_i(mailbox__last_data),
     .read_en_i(list__last_en), .read_addr_i(list__last_addr), .read_data_o(list__last_data));
 
   // RAM column_0
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .EXCLUSIVE(1)) column_0_ram_0 (
+  hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .BLOCK(1)) column_0_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__column_0_en), .write_addr_i(matrix_store__column_0_addr), .write_data_i(matrix_store__column_0_data),
     .read_en_i(transformation__column_0_en), .read_addr_i(transformation__column_0_addr), .read_data_o(transformation__column_0_data));
 
   // RAM column_1
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .EXCLUSIVE(1)) column_1_ram_0 (
+  hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .BLOCK(1)) column_1_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__column_1_en), .write_addr_i(matrix_store__column_1_addr), .write_data_i(matrix_store__column_1_data),
     .read_en_i(transformation__column_1_en), .read_addr_i(transformation__column_1_addr), .read_data_o(transformation__column_1_data));
 
   // RAM column_2
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .EXCLUSIVE(1)) column_2_ram_0 (
+  hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .BLOCK(1)) column_2_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__column_2_en), .write_addr_i(matrix_store__column_2_addr), .write_data_i(matrix_store__column_2_data),
     .read_en_i(transformation__column_2_en), .read_addr_i(transformation__column_2_addr), .read_data_o(transformation__column_2_data));
 
   // RAM column_3
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .EXCLUSIVE(1)) column_3_ram_0 (
+  hls_ram_1r1w #(.WIDTH(72), .ROWS(32), .BLOCK(1)) column_3_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__column_3_en), .write_addr_i(matrix_store__column_3_addr), .write_data_i(matrix_store__column_3_data),
     .read_en_i(transformation__column_3_en), .read_addr_i(transformation__column_3_addr), .read_data_o(transformation__column_3_data));
 
   // RAM job_record
-  hls_ram_1r1w #(.WIDTH(47), .ROWS(32), .EXCLUSIVE(1)) job_record_ram_0 (
+  hls_ram_1r1w #(.WIDTH(47), .ROWS(32)) job_record_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__record_en), .write_addr_i(matrix_store__record_addr), .write_data_i(matrix_store__record_data),
     .read_en_i(packet_decoder__record_en), .read_addr_i(packet_decoder__record_addr), .read_data_o(packet_decoder__record_data));
-  hls_ram_1r1w #(.WIDTH(47), .ROWS(32), .EXCLUSIVE(1)) job_record_ram_1 (
+  hls_ram_1r1w #(.WIDTH(47), .ROWS(32)) job_record_ram_1 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__record_en), .write_addr_i(matrix_store__record_addr), .write_data_i(matrix_store__record_data),
     .read_en_i(collect_hits__record_en), .read_addr_i(collect_hits__record_addr), .read_data_o(collect_hits__record_data));
 
   // RAM object
-  hls_ram_1r1w #(.WIDTH(17), .ROWS(32), .EXCLUSIVE(1)) object_ram_0 (
+  hls_ram_1r1w #(.WIDTH(17), .ROWS(32)) object_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__object_en), .write_addr_i(matrix_store__object_addr), .write_data_i(matrix_store__object_data),
     .read_en_i(collect_hits__object_en), .read_addr_i(collect_hits__object_addr), .read_data_o(collect_hits__object_data));
 
   // RAM ray_vectors
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(512), .EXCLUSIVE(1)) ray_vectors_ram_0 (
+  hls_ram_1r1w #(.WIDTH(72), .ROWS(512), .BLOCK(1)) ray_vectors_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(packet_decoder__vectors_en), .write_addr_i(packet_decoder__vectors_addr), .write_data_i(packet_decoder__vectors_data),
     .read_en_i(send_packet__vectors_en), .read_addr_i(send_packet__vectors_addr), .read_data_o(send_packet__vectors_data));
 
   // RAM node_lines
-  hls_ram_1r1w #(.WIDTH(84), .ROWS(512), .EXCLUSIVE(0)) node_lines_ram_0 (
+  hls_ram_1r1w #(.WIDTH(85), .ROWS(512), .BLOCK(1), .TORN(1)) node_lines_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(node_fill__lines_en), .write_addr_i(node_fill__lines_addr), .write_data_i(node_fill__lines_data),
     .read_en_i(node_lookup__lines_en), .read_addr_i(node_lookup__lines_addr), .read_data_o(node_lookup__lines_data));
 
   // RAM node_waiting
-  hls_ram_1r1w #(.WIDTH(22), .ROWS(128), .EXCLUSIVE(1)) node_waiting_ram_0 (
+  hls_ram_1r1w #(.WIDTH(22), .ROWS(128)) node_waiting_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(node_lookup__waiting_en), .write_addr_i(node_lookup__waiting_addr), .write_data_i(node_lookup__waiting_data),
     .read_en_i(node_fill__waiting_en), .read_addr_i(node_fill__waiting_addr), .read_data_o(node_fill__waiting_data));
 
   // RAM list_lines
-  hls_ram_1r1w #(.WIDTH(52), .ROWS(512), .EXCLUSIVE(0)) list_lines_ram_0 (
+  hls_ram_1r1w #(.WIDTH(53), .ROWS(512), .TORN(1)) list_lines_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(list_fill__lines_en), .write_addr_i(list_fill__lines_addr), .write_data_i(list_fill__lines_data),
     .read_en_i(list_lookup__lines_en), .read_addr_i(list_lookup__lines_addr), .read_data_o(list_lookup__lines_data));
 
   // RAM list_waiting
-  hls_ram_1r1w #(.WIDTH(6), .ROWS(128), .EXCLUSIVE(1)) list_waiting_ram_0 (
+  hls_ram_1r1w #(.WIDTH(6), .ROWS(128)) list_waiting_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(list_lookup__waiting_en), .write_addr_i(list_lookup__waiting_addr), .write_data_i(list_lookup__waiting_data),
     .read_en_i(list_fill__waiting_en), .read_addr_i(list_fill__waiting_addr), .read_data_o(list_fill__waiting_data));
 
   // RAM matrix_lines
-  hls_ram_1r1w #(.WIDTH(116), .ROWS(512), .EXCLUSIVE(0)) matrix_lines_ram_0 (
+  hls_ram_1r1w #(.WIDTH(117), .ROWS(512), .BLOCK(1), .TORN(1)) matrix_lines_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_fill__lines_en), .write_addr_i(matrix_fill__lines_addr), .write_data_i(matrix_fill__lines_data),
     .read_en_i(matrix_lookup__lines_en), .read_addr_i(matrix_lookup__lines_addr), .read_data_o(matrix_lookup__lines_data));
 
   // RAM matrix_waiting
-  hls_ram_1r1w #(.WIDTH(13), .ROWS(128), .EXCLUSIVE(1)) matrix_waiting_ram_0 (
+  hls_ram_1r1w #(.WIDTH(13), .ROWS(128)) matrix_waiting_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_lookup__waiting_en), .write_addr_i(matrix_lookup__waiting_addr), .write_data_i(matrix_lookup__waiting_data),
     .read_en_i(matrix_fill__waiting_en), .read_addr_i(matrix_fill__waiting_addr), .read_data_o(matrix_fill__waiting_data));
@@ -1082,7 +1082,7 @@ module dynrt_core (
     .dropped_data_o(node_fetch__dropped_data),
     .fire_o(node_fetch_fire), .stall_o(node_fetch_stall));
 
-  node_lookup #(.REPLY_DEPTH(32), .REPLY_BOUNDED(1)) u_node_lookup (
+  node_lookup u_node_lookup (
     .clk_i(clk_i), .rst_ni(!node_lookup_reset_q),
     .request_valid_i(node_lookup__request_valid),
     .request_ready_o(node_lookup__request_ready),
@@ -1102,7 +1102,7 @@ module dynrt_core (
     .waiting_data_o(node_lookup__waiting_data),
     .fire_o(node_lookup_fire), .stall_o(node_lookup_stall));
 
-  node_fill #(.REPLY_DEPTH(32), .REPLY_BOUNDED(1)) u_node_fill (
+  node_fill u_node_fill (
     .clk_i(clk_i), .rst_ni(!node_fill_reset_q),
     .fill_valid_i(node_fill__fill_valid),
     .fill_ready_o(node_fill__fill_ready),
@@ -1228,7 +1228,7 @@ module dynrt_core (
     .last_data_i(list__last_data),
     .fire_o(list_fire), .stall_o(list_stall));
 
-  list_lookup #(.REPLY_DEPTH(32), .REPLY_BOUNDED(1)) u_list_lookup (
+  list_lookup u_list_lookup (
     .clk_i(clk_i), .rst_ni(!list_lookup_reset_q),
     .request_valid_i(list_lookup__request_valid),
     .request_ready_o(list_lookup__request_ready),
@@ -1248,7 +1248,7 @@ module dynrt_core (
     .waiting_data_o(list_lookup__waiting_data),
     .fire_o(list_lookup_fire), .stall_o(list_lookup_stall));
 
-  list_fill #(.REPLY_DEPTH(32), .REPLY_BOUNDED(1)) u_list_fill (
+  list_fill u_list_fill (
     .clk_i(clk_i), .rst_ni(!list_fill_reset_q),
     .fill_valid_i(list_fill__fill_valid),
     .fill_ready_o(list_fill__fill_ready),
@@ -1440,7 +1440,7 @@ module dynrt_core (
     .candidate_data_o(intersection__candidate_data),
     .fire_o(intersection_fire), .stall_o(intersection_stall));
 
-  collect_hits #(.GO_ON_DEPTH(32), .GO_ON_BOUNDED(1), .START_DEPTH(32), .START_BOUNDED(1)) u_collect_hits (
+  collect_hits #(.GO_ON_DEPTH(32), .GO_ON_BOUNDED(1)) u_collect_hits (
     .clk_i(clk_i), .rst_ni(!collect_hits_reset_q),
     .candidate_valid_i(collect_hits__candidate_valid),
     .candidate_ready_o(collect_hits__candidate_ready),

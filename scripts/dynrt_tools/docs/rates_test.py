@@ -48,9 +48,9 @@ def follows(figure: str) -> bool:
 def problems(text: str) -> list[str]:
     """The figures of a page that follow from nothing."""
     flat = text.replace("\n", " ")
-    clocks = {f"{mhz:g}" for mhz in (THESIS_MHZ, *(c.mhz for c in placed_clocks.load()))}
+    clocks = {float(mhz) for mhz in (THESIS_MHZ, *(c.mhz for c in placed_clocks.load()))}
     wrong = [m[0] for m in RATE.finditer(flat) if not follows(m[1])]
-    return wrong + [m[0] for m in AT.finditer(flat) if m[1] not in clocks]
+    return wrong + [m[0] for m in AT.finditer(flat) if float(m[1]) not in clocks]
 
 
 class Rates(unittest.TestCase):
