@@ -120,17 +120,13 @@ struct NodeFetch {
         state.stack = below;
       }
       if (finished && state.waiting.get() != RayMask<C>{}) {
-        TraversalEvent<C> next_group;
-        next_group.packet = e.packet;
-        next_group.level = e.level;
-        next_group.kind = TraversalKind::kEnter;
-        next_group.next = state.root.get();
-        next_group.active = state.waiting.get();
-        next_group.rays = state.rays;
+        TraversalEvent<C> next_group = enter_again(e, state, state.root.get(), state.waiting.get());
         next_group.distinct_origins = true;
         again.write(next_group);
       } else if (finished && state.main.get()) {
-        enter_others(e, state);
+        TraversalEvent<C> tree = enter_again(e, state, others(), state.alive);
+        tree.others = true;
+        again.write(tree);
       } else if (finished) {
         finish(e, state);
       } else if (!fetch) {
@@ -159,16 +155,17 @@ struct NodeFetch {
       return {};
     }
   }
-  void enter_others(const TraversalEvent<C>& e, const State& state) {
+  /// The packet enters its level once more.
+  static TraversalEvent<C> enter_again(const TraversalEvent<C>& e, const State& state,
+                                       NodeAddress<C> next, RayMask<C> active) {
     TraversalEvent<C> enter;
     enter.packet = e.packet;
     enter.level = e.level;
     enter.kind = TraversalKind::kEnter;
-    enter.next = others();
-    enter.active = state.alive;
+    enter.next = next;
+    enter.active = active;
     enter.rays = state.rays;
-    enter.others = true;
-    again.write(enter);
+    return enter;
   }
   /// The rays that enter a level first: all, or where the packet is split, the lowest and those
   /// whose directions have its signs.

@@ -72,9 +72,10 @@ def placer_version(device: str) -> str:
 
 def netlist(device: str, subject: Subject) -> pathlib.Path:
     """The folder with the netlist of a module in its wrapper, and with the Verilog that it is of."""
-    family = devices.FAMILIES[devices.DEVICES[device]["family"]]
+    name = devices.DEVICES[device]["family"]
+    family = devices.FAMILIES[name]
+    packs = name == "ecp5"
     files = synthesis.needed(subject.module, list(subject.files))
-    packs = devices.DEVICES[device]["family"] == "ecp5"
     # A wrapper of one port stands for the text of all.
     form = wrapper.wrap("m", [wrapper.Port("a_i", "input", 1), wrapper.Port("b_o", "output", 1)])
     said = [
