@@ -201,226 +201,27 @@ struct Core {
     }
   }
 
-  void join_traversal(hls::Join& join) {
-    hls::Writers<TraversalEvent<C>> events = {&packet_decision.event, &node_fetch.again,
-                                              &list.finished, &mailbox.start};
-    if constexpr (kClipsToBox<C>) {
-      events.push_back(&box_clip.enter_object);
-    } else if constexpr (kTwoLevels<C> && kHasReciprocals<C>) {
-      events.push_back(&ray_reciprocal.enter_object);
-    } else if constexpr (kWatertight<C>) {
-      events.push_back(&ray_shear.enter_object);
-    } else if constexpr (kTwoLevels<C>) {
-      events.push_back(&packet_decoder.enter_object);
-    }
-    join.channel<TraversalEvent<C>>("traversal_event", events, {&node_fetch.event}, kAll);
-    join.channel("node_request", node_fetch.request, node_lookup.request, kAll);
-    hls::Readers<Step<C>> steps = {};
-    for (TraversalSlice<C>& one : slice) steps.push_back(&one.step_in);
-    steps.push_back(&packet_decision.step_in);
-    const hls::Writers<Step<C>> nodes = {&node_lookup.reply, &node_fill.reply};
-    if constexpr (kCommonOrigin<C>) {
-      join.channel<Step<C>>("step", nodes, {&plane_offset.step_in});
-      join.channel<Step<C>>("offset", {&plane_offset.offset}, steps, kAll, kShort);
-      join.ram("origin", origins_written(), std::array{&plane_offset.origin});
-    } else {
-      join.channel<Step<C>>("step", nodes, steps, kAll, kShort);
-    }
-    for (unsigned i = 0; i < kRays<C>; ++i) {
-      join.constant(slice[i].lane, RayIndex<C>::from(i));
-      join.channel("decision_" + std::to_string(i), slice[i].decision, packet_decision.slice[i],
-                   kAll);
-      join_rays(join, i);
-      join.ram("distance_" + std::to_string(i), collect_hits.distance[i], distance_readers(i));
-      if constexpr (kSplitsPackets<C>) {
-        join.ram("signs_" + std::to_string(i), packet_decoder.signs[i],
-                 std::array{&node_fetch.signs[i]});
-      }
-    }
-    join.sink("stack_full", node_fetch.dropped);
-  }
-
+  void join_traversal(hls::Join& join);
   /// The rays that a slice reads.
-  void join_rays(hls::Join& join, unsigned i) {
-    const std::string name = "ray_" + std::to_string(i);
-    if constexpr (kReadsAxes<C>) {
-      join.ram_of_words(name, rays_written(i), std::array{&slice[i].ray});
-    } else {
-      join.ram(name, rays_written(i), std::array{&slice[i].ray});
-    }
-  }
-  auto& rays_written(unsigned i) {
-    if constexpr (kHasReciprocals<C>) {
-      return ray_reciprocal.ray[i];
-    } else {
-      return packet_decoder.ray[i];
-    }
-  }
-
-  auto& origins_written() {
-    if constexpr (kHasReciprocals<C>) {
-      return ray_reciprocal.origin;
-    } else {
-      return packet_decoder.origin;
-    }
-  }
-
-  void join_lists(hls::Join& join) {
-    hls::Writers<ListJob<C>> jobs = {&packet_decision.leaf};
-    if constexpr (kTwoLevels<C>) jobs.push_back(&node_fetch.object_done);
-    if constexpr (Mailbox<C>::kHasObjects || Mailbox<C>::kHasTriangles) {
-      jobs.push_back(&mailbox.seen);
-    }
-    jobs.push_back(&collect_hits.go_on);
-    if constexpr (kClipsToBox<C>) jobs.push_back(&box_clip.missed);
-    join.channel<ListJob<C>>("list_job", jobs, {&list.job}, kAll);
-    join.channel("list_request", list.request, list_lookup.request, kAll);
-    join.channel<MailboxEntry<C>>("list_entry", list_entries(), {&mailbox.entry});
-    join.ram("last_entry", mailbox.last, std::array{&list.last});
-    if constexpr (kPointsToLists<C>) {
-      join.ram("after_leaf", packet_decision.after, std::array{&list.after});
-    }
-  }
-
-  void join_transformation(hls::Join& join) {
-    hls::Writers<TransformJob<C>> jobs = {&mailbox.fresh, &ray_generation.job};
-    if constexpr (kHasSecondary<C>) jobs.push_back(&secondary_rays.job);
-    join.repeat("transform_job", jobs, matrix_fetch.job, kAll);
-    join.channel("column_request", matrix_fetch.request, matrix_lookup.request);
-    using Column = typename MatrixCache<C>::Reply;
-    if constexpr (kHasLights<C>) {
-      join.channel<Column>("matrix_column", {&matrix_lookup.reply, &matrix_fill.reply},
-                           {&light_columns.fetched});
-      join.channel("stored_column", light_columns.column, matrix_store.reply);
-    } else {
-      join.channel<Column>("matrix_column", {&matrix_lookup.reply, &matrix_fill.reply},
-                           {&matrix_store.reply});
-    }
-    for (unsigned c = 0; c < 4; ++c) {
-      std::vector readers = {&transformation.column[c]};
-      if constexpr (kOwnCamera<C>) readers.push_back(&camera_rays.column[c]);
-      join.ram("column_" + std::to_string(c), matrix_store.column[c], readers);
-    }
-    std::vector records = {&packet_decoder.record, &collect_hits.record};
-    if constexpr (kOwnCamera<C> && kMarksUnitRays<C>) records.push_back(&unit_decoder.record);
-    join.ram("job_record", matrix_store.record, records);
-    if constexpr (kTwoLevels<C>) {
-      join.ram("object", matrix_store.object, std::array{&collect_hits.object});
-    }
-    join.repeat("send_job", hls::Writers{&matrix_store.ready}, send_packet.job, kAll);
-    std::vector vectors = {&send_packet.vectors};
-    if constexpr (kHasLights<C>) vectors.push_back(&shader.vectors);
-    join.ram("ray_vectors", packet_decoder.vectors, vectors);
-    join.channel("packet_vector", send_packet.vector, transformation.vector);
-    hls::Writers<PacketVector<C>> rays = {&transformation.transformed};
-    hls::Writers<UnitRay<C>> unit_rays = {};
-    if constexpr (kOwnCamera<C>) {
-      join.repeat("camera_job", hls::Writers{&matrix_store.camera}, camera_rays.job, kAll);
-      rays.push_back(&camera_rays.vector);
-      join.channel("in_unit_space", transformation.in_unit_space, unit_decoder.vector);
-      unit_rays.push_back(&unit_decoder.unit_ray);
-    }
-    join.channel<PacketVector<C>>("transformed", rays, {&packet_decoder.vector});
-    if constexpr (kDecodesUnitRays<C>) unit_rays.push_back(&packet_decoder.unit_ray);
-    if constexpr (kHasReciprocals<C>) {
-      if constexpr (kInvertsAtOnce<C>) {
-        join.channel("traced_ray", packet_decoder.traced, ray_reciprocal.traced);
-      } else {
-        // A ray comes with each clock and takes three; the transformation must not wait for them.
-        join.repeat("traced_ray", hls::Writers{&packet_decoder.traced}, ray_reciprocal.traced,
-                    kRays<C> * kAll);
-      }
-      unit_rays.push_back(&ray_reciprocal.reset);
-    }
-    if constexpr (kClipsToBox<C>) {
-      if constexpr (kHasReciprocals<C>) {
-        join.channel("object_ray", ray_reciprocal.object_ray, box_clip.ray);
-      } else {
-        join.channel("object_ray", packet_decoder.object_ray, box_clip.ray);
-      }
-      for (unsigned i = 0; i < kRays<C>; ++i) {
-        join.ram("box_" + std::to_string(i), box_clip.interval[i], std::array{&slice[i].box});
-      }
-    }
-    if constexpr (kWatertight<C>) {
-      join.channel("object_ray", packet_decoder.object_ray, ray_shear.ray);
-      join.ram("ray_map", ray_shear.map, std::array{&transformation.map});
-    }
-    join.channel<UnitRay<C>>("unit_ray", unit_rays, {&intersection.unit_ray});
-    join.channel("candidate", intersection.candidate, collect_hits.candidate);
-  }
-
-  /// Light and reflection rays (thesis 6.2).
-  void join_secondary(hls::Join& join) {
-    hls::Writers<DerivationEvent<C>> derive = {&shader.derive, &collect_hits.derived};
-    std::vector surface = {&secondary_rays.surface, &collect_hits.surface};
-    std::vector<hls::RamRead<Ray<typename C::Real>, kRayRows<C>>*> arriving;
-    if constexpr (kHasLights<C>) {
-      arriving.push_back(&light_columns.arriving);
-      surface.push_back(&send_packet.surface);
-      join.ram("light", light_columns.light, std::array{&shader.light});
-    }
-    if constexpr (kHasMirrors<C>) {
-      if constexpr (kTwoLevels<C>) derive.push_back(&packet_decoder.derived);
-      arriving.push_back(&send_packet.arriving);
-      for (unsigned i = 0; i < kRays<C>; ++i) {
-        std::vector readers = {&slice[i].start_distance};
-        if constexpr (kClipsToBox<C>) readers.push_back(&box_clip.start_distance[i]);
-        join.ram("start_distance_" + std::to_string(i), collect_hits.start_distance[i], readers);
-      }
-    }
-    join.channel<DerivationEvent<C>>("derive", derive, {&secondary_rays.derive}, kAll);
-    join.ram("arriving_ray", packet_decoder.arriving, arriving);
-    join.ram("surface_point", shader.surface, surface);
-    join.ram("traced", secondary_rays.traced, std::array{&shader.traced});
-    join.ram("found", collect_hits.found, std::array{&shader.found});
-    join.ram("pixel_colour", shader.pixel_colour, std::array{&shading.pixel_colour});
-  }
-
+  void join_rays(hls::Join& join, unsigned i);
+  auto& rays_written(unsigned i);
+  auto& origins_written();
   /// The units that need the distance of a ray's hit.
-  auto distance_readers(unsigned i) {
-    std::vector readers = {&slice[i].hit_distance};
-    if constexpr (kClipsToBox<C>) readers.push_back(&box_clip.hit_distance[i]);
-    return readers;
-  }
-
+  auto distance_readers(unsigned i);
+  void join_lists(hls::Join& join);
   /// The inputs of the mailbox.
-  hls::Writers<MailboxEntry<C>> list_entries() {
-    hls::Writers<MailboxEntry<C>> entries = {&list_lookup.reply, &list_fill.reply,
-                                             &collect_hits.start};
-    if constexpr (kHasSecondary<C>) entries.push_back(&secondary_rays.start);
-    return entries;
-  }
-
-  void join_memory(hls::Join& join, const Banks<C>& banks) {
-    join.channel<MemoryRequest<C>>("memory_request",
-                                   {&node_lookup.miss, &list_lookup.miss, &matrix_lookup.miss},
-                                   {&memory_interface.request});
-    join.channel<NodeLine<C>>("node_line", {&memory_interface.node, &startup.node},
-                              {&node_fill.fill});
-    join.channel<ListLine<C>>("list_line", {&memory_interface.list, &startup.list},
-                              {&list_fill.fill});
-    join.channel<ColumnLine<C>>("column_line", {&memory_interface.column, &startup.column},
-                                {&matrix_fill.fill});
-    join_cache(join, "node", node_lookup, node_fill);
-    join_cache(join, "list", list_lookup, list_fill);
-    join_cache(join, "matrix", matrix_lookup, matrix_fill);
-    for (unsigned i = 0; i < kSceneBanks; ++i) {
-      join.bank("bank" + std::to_string(i), memory_interface.bank[i], banks.scene[i]);
-    }
-    for (unsigned i = 0; i < banks.out.size(); ++i) {
-      join.bank("bank" + std::to_string(kFrameBank + i), shading.bank[i], banks.out[i]);
-    }
-    // The misses of a cache depend on the order of the packets, and so do the fetches that follow.
-    join.depends_on_order({"memory_request", "memory_interface", "node_line", "node_fill",
-                           "list_line", "list_fill", "column_line", "matrix_fill"});
-  }
-
+  hls::Writers<MailboxEntry<C>> list_entries();
+  void join_transformation(hls::Join& join);
+  /// Light and reflection rays (thesis 6.2).
+  void join_secondary(hls::Join& join);
+  void join_memory(hls::Join& join, const Banks<C>& banks);
   template <class Lookup, class Fill>
-  static void join_cache(hls::Join& join, const std::string& name, Lookup& lookup, Fill& fill) {
-    join.ram<hls::Hazard::kTorn>(name + "_lines", fill.lines, std::array{&lookup.lines});
-    join.ram(name + "_waiting", lookup.waiting, std::array{&fill.waiting});
-  }
+  static void join_cache(hls::Join& join, const std::string& name, Lookup& lookup, Fill& fill);
 };
 
 }  // namespace dynrt
+
+#include "units/core_memory.h"
+#include "units/core_secondary.h"
+#include "units/core_transformation.h"
+#include "units/core_traversal.h"

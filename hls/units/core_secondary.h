@@ -1,0 +1,38 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The joins of light and reflection rays (thesis 6.2).
+#pragma once
+
+#include "units/core.h"
+
+namespace dynrt {
+
+template <class C>
+void Core<C>::join_secondary(hls::Join& join) {
+  hls::Writers<DerivationEvent<C>> derive = {&shader.derive, &collect_hits.derived};
+  std::vector surface = {&secondary_rays.surface, &collect_hits.surface};
+  std::vector<hls::RamRead<Ray<typename C::Real>, kRayRows<C>>*> arriving;
+  if constexpr (kHasLights<C>) {
+    arriving.push_back(&light_columns.arriving);
+    surface.push_back(&send_packet.surface);
+    join.ram("light", light_columns.light, std::array{&shader.light});
+  }
+  if constexpr (kHasMirrors<C>) {
+    if constexpr (kTwoLevels<C>) derive.push_back(&packet_decoder.derived);
+    arriving.push_back(&send_packet.arriving);
+    for (unsigned i = 0; i < kRays<C>; ++i) {
+      std::vector readers = {&slice[i].start_distance};
+      if constexpr (kClipsToBox<C>) readers.push_back(&box_clip.start_distance[i]);
+      join.ram("start_distance_" + std::to_string(i), collect_hits.start_distance[i], readers);
+    }
+  }
+  join.channel<DerivationEvent<C>>("derive", derive, {&secondary_rays.derive}, kAll);
+  join.ram("arriving_ray", packet_decoder.arriving, arriving);
+  join.ram("surface_point", shader.surface, surface);
+  join.ram("traced", secondary_rays.traced, std::array{&shader.traced});
+  join.ram("found", collect_hits.found, std::array{&shader.found});
+  join.ram("pixel_colour", shader.pixel_colour, std::array{&shading.pixel_colour});
+}
+
+}  // namespace dynrt

@@ -1,0 +1,80 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The joins from the jobs of the transformation to the intersection's candidates.
+#pragma once
+
+#include "units/core.h"
+
+namespace dynrt {
+
+template <class C>
+void Core<C>::join_transformation(hls::Join& join) {
+  hls::Writers<TransformJob<C>> jobs = {&mailbox.fresh, &ray_generation.job};
+  if constexpr (kHasSecondary<C>) jobs.push_back(&secondary_rays.job);
+  join.repeat("transform_job", jobs, matrix_fetch.job, kAll);
+  join.channel("column_request", matrix_fetch.request, matrix_lookup.request);
+  using Column = typename MatrixCache<C>::Reply;
+  if constexpr (kHasLights<C>) {
+    join.channel<Column>("matrix_column", {&matrix_lookup.reply, &matrix_fill.reply},
+                         {&light_columns.fetched});
+    join.channel("stored_column", light_columns.column, matrix_store.reply);
+  } else {
+    join.channel<Column>("matrix_column", {&matrix_lookup.reply, &matrix_fill.reply},
+                         {&matrix_store.reply});
+  }
+  for (unsigned c = 0; c < 4; ++c) {
+    std::vector readers = {&transformation.column[c]};
+    if constexpr (kOwnCamera<C>) readers.push_back(&camera_rays.column[c]);
+    join.ram("column_" + std::to_string(c), matrix_store.column[c], readers);
+  }
+  std::vector records = {&packet_decoder.record, &collect_hits.record};
+  if constexpr (kOwnCamera<C> && kMarksUnitRays<C>) records.push_back(&unit_decoder.record);
+  join.ram("job_record", matrix_store.record, records);
+  if constexpr (kTwoLevels<C>) {
+    join.ram("object", matrix_store.object, std::array{&collect_hits.object});
+  }
+  join.repeat("send_job", hls::Writers{&matrix_store.ready}, send_packet.job, kAll);
+  std::vector vectors = {&send_packet.vectors};
+  if constexpr (kHasLights<C>) vectors.push_back(&shader.vectors);
+  join.ram("ray_vectors", packet_decoder.vectors, vectors);
+  join.channel("packet_vector", send_packet.vector, transformation.vector);
+  hls::Writers<PacketVector<C>> rays = {&transformation.transformed};
+  hls::Writers<UnitRay<C>> unit_rays = {};
+  if constexpr (kOwnCamera<C>) {
+    join.repeat("camera_job", hls::Writers{&matrix_store.camera}, camera_rays.job, kAll);
+    rays.push_back(&camera_rays.vector);
+    join.channel("in_unit_space", transformation.in_unit_space, unit_decoder.vector);
+    unit_rays.push_back(&unit_decoder.unit_ray);
+  }
+  join.channel<PacketVector<C>>("transformed", rays, {&packet_decoder.vector});
+  if constexpr (kDecodesUnitRays<C>) unit_rays.push_back(&packet_decoder.unit_ray);
+  if constexpr (kHasReciprocals<C>) {
+    if constexpr (kInvertsAtOnce<C>) {
+      join.channel("traced_ray", packet_decoder.traced, ray_reciprocal.traced);
+    } else {
+      // A ray comes with each clock and takes three; the transformation must not wait for them.
+      join.repeat("traced_ray", hls::Writers{&packet_decoder.traced}, ray_reciprocal.traced,
+                  kRays<C> * kAll);
+    }
+    unit_rays.push_back(&ray_reciprocal.reset);
+  }
+  if constexpr (kClipsToBox<C>) {
+    if constexpr (kHasReciprocals<C>) {
+      join.channel("object_ray", ray_reciprocal.object_ray, box_clip.ray);
+    } else {
+      join.channel("object_ray", packet_decoder.object_ray, box_clip.ray);
+    }
+    for (unsigned i = 0; i < kRays<C>; ++i) {
+      join.ram("box_" + std::to_string(i), box_clip.interval[i], std::array{&slice[i].box});
+    }
+  }
+  if constexpr (kWatertight<C>) {
+    join.channel("object_ray", packet_decoder.object_ray, ray_shear.ray);
+    join.ram("ray_map", ray_shear.map, std::array{&transformation.map});
+  }
+  join.channel<UnitRay<C>>("unit_ray", unit_rays, {&intersection.unit_ray});
+  join.channel("candidate", intersection.candidate, collect_hits.candidate);
+}
+
+}  // namespace dynrt

@@ -1,0 +1,112 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The joins of the traversal and of the lists in its leaves.
+#pragma once
+
+#include "units/core.h"
+
+namespace dynrt {
+
+template <class C>
+void Core<C>::join_traversal(hls::Join& join) {
+  hls::Writers<TraversalEvent<C>> events = {&packet_decision.event, &node_fetch.again,
+                                            &list.finished, &mailbox.start};
+  if constexpr (kClipsToBox<C>) {
+    events.push_back(&box_clip.enter_object);
+  } else if constexpr (kTwoLevels<C> && kHasReciprocals<C>) {
+    events.push_back(&ray_reciprocal.enter_object);
+  } else if constexpr (kWatertight<C>) {
+    events.push_back(&ray_shear.enter_object);
+  } else if constexpr (kTwoLevels<C>) {
+    events.push_back(&packet_decoder.enter_object);
+  }
+  join.channel<TraversalEvent<C>>("traversal_event", events, {&node_fetch.event}, kAll);
+  join.channel("node_request", node_fetch.request, node_lookup.request, kAll);
+  hls::Readers<Step<C>> steps = {};
+  for (TraversalSlice<C>& one : slice) steps.push_back(&one.step_in);
+  steps.push_back(&packet_decision.step_in);
+  const hls::Writers<Step<C>> nodes = {&node_lookup.reply, &node_fill.reply};
+  if constexpr (kCommonOrigin<C>) {
+    join.channel<Step<C>>("step", nodes, {&plane_offset.step_in});
+    join.channel<Step<C>>("offset", {&plane_offset.offset}, steps, kAll, kShort);
+    join.ram("origin", origins_written(), std::array{&plane_offset.origin});
+  } else {
+    join.channel<Step<C>>("step", nodes, steps, kAll, kShort);
+  }
+  for (unsigned i = 0; i < kRays<C>; ++i) {
+    join.constant(slice[i].lane, RayIndex<C>::from(i));
+    join.channel("decision_" + std::to_string(i), slice[i].decision, packet_decision.slice[i],
+                 kAll);
+    join_rays(join, i);
+    join.ram("distance_" + std::to_string(i), collect_hits.distance[i], distance_readers(i));
+    if constexpr (kSplitsPackets<C>) {
+      join.ram("signs_" + std::to_string(i), packet_decoder.signs[i],
+               std::array{&node_fetch.signs[i]});
+    }
+  }
+  join.sink("stack_full", node_fetch.dropped);
+}
+
+template <class C>
+void Core<C>::join_rays(hls::Join& join, unsigned i) {
+  const std::string name = "ray_" + std::to_string(i);
+  if constexpr (kReadsAxes<C>) {
+    join.ram_of_words(name, rays_written(i), std::array{&slice[i].ray});
+  } else {
+    join.ram(name, rays_written(i), std::array{&slice[i].ray});
+  }
+}
+
+template <class C>
+auto& Core<C>::rays_written(unsigned i) {
+  if constexpr (kHasReciprocals<C>) {
+    return ray_reciprocal.ray[i];
+  } else {
+    return packet_decoder.ray[i];
+  }
+}
+
+template <class C>
+auto& Core<C>::origins_written() {
+  if constexpr (kHasReciprocals<C>) {
+    return ray_reciprocal.origin;
+  } else {
+    return packet_decoder.origin;
+  }
+}
+
+template <class C>
+auto Core<C>::distance_readers(unsigned i) {
+  std::vector readers = {&slice[i].hit_distance};
+  if constexpr (kClipsToBox<C>) readers.push_back(&box_clip.hit_distance[i]);
+  return readers;
+}
+
+template <class C>
+void Core<C>::join_lists(hls::Join& join) {
+  hls::Writers<ListJob<C>> jobs = {&packet_decision.leaf};
+  if constexpr (kTwoLevels<C>) jobs.push_back(&node_fetch.object_done);
+  if constexpr (Mailbox<C>::kHasObjects || Mailbox<C>::kHasTriangles) {
+    jobs.push_back(&mailbox.seen);
+  }
+  jobs.push_back(&collect_hits.go_on);
+  if constexpr (kClipsToBox<C>) jobs.push_back(&box_clip.missed);
+  join.channel<ListJob<C>>("list_job", jobs, {&list.job}, kAll);
+  join.channel("list_request", list.request, list_lookup.request, kAll);
+  join.channel<MailboxEntry<C>>("list_entry", list_entries(), {&mailbox.entry});
+  join.ram("last_entry", mailbox.last, std::array{&list.last});
+  if constexpr (kPointsToLists<C>) {
+    join.ram("after_leaf", packet_decision.after, std::array{&list.after});
+  }
+}
+
+template <class C>
+hls::Writers<MailboxEntry<C>> Core<C>::list_entries() {
+  hls::Writers<MailboxEntry<C>> entries = {&list_lookup.reply, &list_fill.reply,
+                                           &collect_hits.start};
+  if constexpr (kHasSecondary<C>) entries.push_back(&secondary_rays.start);
+  return entries;
+}
+
+}  // namespace dynrt
