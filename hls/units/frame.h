@@ -15,13 +15,14 @@ constexpr unsigned packet_rows(unsigned rays) { return rays / packet_columns(ray
 
 template <class C>
 struct FrameRegisters {
-  hls::uint<32> packets;      ///< packets in flight, 1 to the configuration's number
-  hls::uint<32> line_mask;    ///< cache lines - 1: 2^0 to 2^9 lines
-  hls::uint<32> width;        ///< pixels
-  hls::uint<32> height;       ///< pixels
-  hls::uint<32> scanline;     ///< 0: Morton order of packets, 1: line by line
-  hls::uint<32> morton_bits;  ///< bits of the packet counter: 2 ceil(log2(larger side in packets))
-  hls::uint<32> start_node;   ///< node of the uppermost tree where every ray starts
+  hls::uint<32> packets;    ///< packets in flight, 1 to the configuration's number
+  hls::uint<32> line_mask;  ///< cache lines - 1: 2^0 to 2^9 lines
+  hls::uint<32> width;      ///< pixels
+  hls::uint<32> height;     ///< pixels
+  hls::uint<32> scanline;   ///< 0: Morton order of packets, 1: line by line
+  /// bits of the packet counter: 2 ceil(log2(larger side in pixels)) - log2(rays of a packet)
+  hls::uint<32> morton_bits;
+  hls::uint<32> start_node;     ///< node of the uppermost tree where every ray starts
   hls::uint<32> camera_matrix;  ///< index of the matrix from pixel coordinates to the world
   hls::uint<32> background;     ///< colour where nothing is hit, 0x00BBGGRR
   hls::uint<32> frame_base;     ///< first word of the framebuffer in bank 3

@@ -3,8 +3,9 @@
 //
 // Ray generation: gives a free packet the next pixels of the image, in Morton order (thesis
 // chapter 7: counter bits ... y1 x1 y0 x0) or line by line, and has the camera's matrix applied to
-// it. Morton positions outside the image are passed over. When the image is used up the unit keeps
-// the packets that come back; with the last of them the frame is complete.
+// it. Morton positions outside the image are passed over, a whole block of them by two packets.
+// When the image is used up the unit keeps the packets that come back; with the last of them the
+// frame is complete.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +31,10 @@ struct RayGeneration {
   static constexpr unsigned kRowBits = hls::index_width(kRows);
   /// Of a packet's position: images up to 1024 x 1024.
   static constexpr unsigned kSideBits = 10 - std::min(kColumnBits, kRowBits);
-  static constexpr unsigned kCounterBits = 2 * kSideBits;
+  /// The curve goes through pixels, and those of a packet are one point of it.
+  static constexpr unsigned kCounterBits = 2 * 10 - kRayBits<C>;
+  /// Of the counter within a block of 64 packets.
+  static constexpr unsigned kBlockBits = 6;
 
   hls::In<FreePacket<C>> free;
   hls::Config<FrameRegisters<C>> frame;
@@ -47,23 +51,23 @@ struct RayGeneration {
     const uint<10> rows = packets_of<kRowBits>(config.height);
 
     const bool scanline = config.scanline.template bit<0>();
-    const uint<kSideBits> x = scanline ? scan_x_ : morton(0);
-    const uint<kSideBits> y = scanline ? scan_y_.template trunc<kSideBits>() : morton(1);
-    const bool inside = x.template zext<10>() < columns && y.template zext<10>() < rows;
+    const uint<kSideBits> x = scanline ? scan_x_ : morton<kColumnBits>(0);
+    const uint<kSideBits> y = scanline ? scan_y_.template trunc<kSideBits>() : morton<kRowBits>(1);
+    const bool in_width = x.template zext<10>() < columns;
+    const bool in_height = y.template zext<10>() < rows;
 
     if (over_) {
       returned_ = hls::next(returned_);
       if (returned_ == config.packets.template trunc<8>()) done.write(1);
     } else {
-      const bool morton_end = counter_ == last_packet(config.morton_bits.template trunc<5>());
       const bool line_end = line_end_ || columns == 1;
+      const bool morton_end = next_of_curve(config);
       line_end_ = uint<1>(!line_end && scan_x_.template zext<10>() == before(before(columns)));
       over_ = uint<1>(scanline ? line_end && scan_y_ == before(rows) : morton_end);
-      counter_ = hls::next(counter_);
       if (line_end) scan_y_ = hls::next(scan_y_);
       scan_x_ = line_end ? uint<kSideBits>{} : hls::next(scan_x_);
 
-      if (inside) {
+      if (in_width && in_height) {
         const PixelPosition p{pixel<kColumnBits>(x), pixel<kRowBits>(y)};
         position.write(f.packet, p);
         TransformJob<C> camera;
@@ -76,9 +80,24 @@ struct RayGeneration {
         skipped.write(f);
       }
     }
+    in_width_ = uint<1>(in_width);
+    in_height_ = uint<1>(in_height);
   }
 
  private:
+  /// Counts on along the Morton curve; true at its end. A block that begins outside the image lies
+  /// outside, for it begins at its corner with the least x and y.
+  bool next_of_curve(const FrameRegisters<C>& config) {
+    const uint<kCounterBits> last = last_packet(config.morton_bits.template trunc<5>());
+    const bool morton_end = counter_ == last;
+    const auto block = counter_.template bits<kCounterBits - 1, kBlockBits>();
+    const bool last_block = block == last.template bits<kCounterBits - 1, kBlockBits>();
+    const bool pass_over = begun_ && !(in_width_ && in_height_);
+    begun_ =
+        uint<1>(!last_block && counter_.template bits<kBlockBits - 1, 0>() == uint<kBlockBits>(0));
+    counter_ = pass_over ? hls::concat(hls::next(block), uint<kBlockBits>(0)) : hls::next(counter_);
+    return morton_end;
+  }
   /// Packets along a side of the image, whose edge one may cross.
   template <unsigned Bits>
   static uint<10> packets_of(Word side) {
@@ -90,11 +109,14 @@ struct RayGeneration {
     return hls::concat(packet, uint<Bits>(0)).template trunc<10>();
   }
   static uint<10> before(uint<10> value) { return (value + uint<10>::ones()).template trunc<10>(); }
-  /// Every second bit of the counter, from bit `first`.
-  uint<kSideBits> morton(unsigned first) const {
+  /// A packet's x (axis 0) or y (1), whose lowest bit is bit `Low` of its pixels': every second bit
+  /// of the counter.
+  template <unsigned Low>
+  uint<kSideBits> morton(unsigned axis) const {
     uint<kSideBits> side;
-    for (unsigned i = 0; i < kSideBits; ++i) {
-      if (counter_.bit(2 * i + first)) side = side | uint<kSideBits>::from(1u << i);
+    for (unsigned i = 0; i < 10 - Low; ++i) {
+      const unsigned bit = 2 * (i + Low) + axis - kRayBits<C>;
+      if (counter_.bit(bit)) side = side | uint<kSideBits>::from(1u << i);
     }
     return side;
   }
@@ -125,7 +147,10 @@ struct RayGeneration {
   uint<kCounterBits> counter_;  ///< Morton: packets handed out or passed over
   uint<kSideBits> scan_x_;
   uint<kSideBits + 1> scan_y_;  ///< reaches the number of rows
-  // Both are known a transaction ahead, so that the loops are short.
+  // These are known a transaction ahead, so that the loops are short.
+  uint<1> begun_;     ///< Morton: the packet before began a block, and not the last one
+  uint<1> in_width_;  ///< the packet before lay in the image
+  uint<1> in_height_;
   uint<1> line_end_;  ///< scan_x_ is the last column, but not the only one
   uint<1> over_;      ///< no packet is left
   uint<8> returned_;

@@ -48,6 +48,17 @@ TEST(FrameConfig, MortonBitsCoverTheLargerSide) {
   EXPECT_EQ(bits(1024, 100), 18u);
 }
 
+TEST(FrameConfig, MortonBitsCountPacketsOfEightRays) {
+  CoreInfo core = kBoard;
+  core.packet_rays = 8;
+  const auto bits = [&core](unsigned width, unsigned height) {
+    return frame_config(core, {.width = width, .height = height}, {}).morton_bits.to_u64();
+  };
+  EXPECT_EQ(bits(1, 1), 1u) << "a square of four pixels a side has two packets";
+  EXPECT_EQ(bits(5, 4), 3u);
+  EXPECT_EQ(bits(512, 384), 15u);
+}
+
 TEST(FrameConfig, RefusesSizesThatTheBoardCannotHold) {
   for (const auto& [width, height] :
        {std::pair{0u, 10u}, {10u, 0u}, {1025u, 1u}, {1u, 1025u}, {1024u, 1024u}}) {

@@ -3,6 +3,7 @@
 #include "units/ray_generation.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "Vray_generation.h"
 #include "ray_generation_ports.h"
@@ -21,13 +22,12 @@ void setup(Bench<RayGeneration<C>>& bench, const Run& run) {
     const std::uint64_t limit = large ? 1024 : 60;
     const std::uint64_t width = 1 + random.below(limit);
     const std::uint64_t height = large ? 1024 : 1 + random.below(limit);
-    std::uint64_t bits = 0;
-    while ((2u << bits) < std::max(width, height)) ++bits;
+    const std::uint64_t side = std::max({width, height, std::uint64_t{packet_columns(kRays<C>)}});
     frame.packets = Word::from(1 + random.below(C::kPackets));
     frame.width = Word::from(width);
     frame.height = Word::from(height);
     frame.scanline = Word::from(scanline);
-    frame.morton_bits = Word::from(2 * bits);
+    frame.morton_bits = Word::from(2u * std::bit_width(side - 1) - kRayBits<C>);
   });
 }
 
