@@ -187,7 +187,7 @@ struct NodeFetch {
   void finish(const TraversalEvent<C>& e, const State& state) {
     if (!kTwoLevels<C> || is_top<C>(e.level)) {
       ShadeJob<C> shade;
-      shade.repeat = kHasSecondary<C> ? kRays<C> - 1 : 4 * kRays<C> - 1;
+      shade.repeat = kHasSecondary<C> ? RepeatCount<C>(kRays<C> - 1) : kLastWrite<C>;
       shade.packet = e.packet;
       shade.kind = state.rays;
       top_done.write(shade);

@@ -214,7 +214,7 @@ class Reference {
     r.context.stack = StackPointer<C>::from(s.stack.size());
     if (e.kind == TraversalKind::kPop) {
       s.busy = !s.stack.empty() && s.alive != RayMask<C>{};
-      if (!s.busy && e.level == Level{}) a.top_done.push_back({15, e.packet});
+      if (!s.busy && e.level == Level{}) a.top_done.push_back({3 * 4 - 1, e.packet});
       if (!s.busy && e.level != Level{}) a.object_done.push_back({e.packet, 0, false, {}});
       if (!s.busy) return a;
       const TraversalEvent<C> entry = s.stack.back();

@@ -61,7 +61,7 @@ struct SecondaryRays {
     const SurfacePoint<C> point = surface.read(ray_row<C>(d.packet, ray));
     if (d.shaded && s.rays == RayMask<C>{}) {
       ShadeJob<C> done;
-      done.repeat = 4 * kRays<C> - 1;
+      done.repeat = kLastWrite<C>;
       done.packet = d.packet;
       finished.write(done);
     } else if (s.missing == RayMask<C>{}) {

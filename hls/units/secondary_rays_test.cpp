@@ -80,7 +80,7 @@ class SecondaryRaysTest : public testing::Test {
     if (!jobs.empty()) answer.job = jobs.front();
     if (!starts.empty()) answer.start = starts.front();
     for (const ShadeJob<C>& job : finished) {
-      EXPECT_EQ(job.repeat, RepeatCount<C>(15));
+      EXPECT_EQ(job.repeat, kLastWrite<C>);
       EXPECT_EQ(job.packet, PacketId<C>(kPacket));
       answer.finished = true;
     }

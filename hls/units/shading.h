@@ -3,9 +3,11 @@
 //
 // Shading: the eye light of the thesis's prototype (chapter 7): the triangle's colour times the
 // scalar product of ray direction and normal, at most one; or, where there are light or reflection
-// rays, the colour that the shader has found. It takes four clocks a ray, in which it writes the
-// pixel to bank 3 and, if asked, the hit record of the primary ray to banks 4 and 5; after a
-// packet's last ray the packet is free.
+// rays, the colour that the shader has found. It takes three clocks a ray: if asked, it writes the
+// hit records of the primary rays to banks 4 and 5, three words to each, first those of all rays,
+// then the second, then the third. In the first two rounds it writes the pixels of every second ray
+// to bank 3, so that the bank has a clock for the display between two pixels. After a packet's last
+// step the packet is free.
 #pragma once
 
 #include "units/colour.h"
@@ -36,8 +38,8 @@ struct Shading {
   void step() {
     const Repeated<ShadeJob<C>> j = job.read();
     const FrameRegisters<C> config = frame.get();
-    const RayIndex<C> ray = j.index.template bits<kRayBits<C> + 1, 2>();
-    const uint<2> word = j.index.template bits<1, 0>();
+    const RayIndex<C> ray = j.index.template bits<kRayBits<C> - 1, 0>();
+    const uint<2> word = j.index.template bits<kRayBits<C> + 1, kRayBits<C>>();
     const HitRecord<C> h = hit.read(ray_row<C>(j.job.packet, ray));
     const PixelPosition p = pixel_of<C>(position.read(j.job.packet), ray);
 
@@ -53,11 +55,11 @@ struct Shading {
       colour = h.hit ? Word(eye_light(surface_colour<C>(h.colour, config), in_256ths(h.cosine)))
                      : config.background;
     }
-    if (inside && word == uint<2>(0)) {
+    if (inside && word == ray.template bits<0, 0>().template zext<2>()) {
       bank[0].write(BankAddress::from((pixel + config.frame_base.template trunc<20>()).raw()),
                     colour);
     }
-    if (inside && word != uint<2>(3) && config.write_hits.template bit<0>()) {
+    if (inside && config.write_hits.template bit<0>()) {
       const BankAddress at = BankAddress::from((pixel + pixel.template shl<1>() + word).raw());
       bank[1].write(
           at, hit_word(HitPlace{h.t.bits(), h.v.bits(), object_of(h, config), 0, h.hit}, word));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "units/shading.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "units/test_bench.h"
@@ -35,9 +36,10 @@ class ShadingTest : public testing::Test {
     bench_.rows(bench_.unit.position)[packet] = {uint<10>::from(x), uint<10>::from(y)};
     ShadeJob<C> job;
     job.packet = PacketId<C>::from(packet);
-    for (unsigned i = 0; i < 16; ++i) {
+    const unsigned last = static_cast<unsigned>(kLastWrite<C>.to_u64());
+    for (unsigned i = 0; i <= last; ++i) {
       EXPECT_TRUE(bench_.take(bench_.unit.free).empty());
-      bench_.feed(bench_.unit.job, Repeated<ShadeJob<C>>{RepeatCount<C>::from(i), i == 15, job});
+      bench_.feed(bench_.unit.job, Repeated<ShadeJob<C>>{RepeatCount<C>::from(i), i == last, job});
       bench_.run();
     }
     EXPECT_EQ(bench_.take_one(bench_.unit.free).packet, job.packet);
@@ -130,6 +132,43 @@ TEST_F(ShadingTest, RaysOutsideTheImageWriteNothing) {
   shade(0, 4, 2);
   EXPECT_EQ(touched(0), 5u) << "the corner";
   EXPECT_EQ(touched(1), 15u);
+}
+
+/// Which steps of two packets write a pixel, in their order.
+template <class Of>
+std::vector<bool> steps_with_pixels() {
+  test::UnitBench<Shading<Of>> bench;
+  bench.value(bench.unit.frame).width = 64;
+  bench.value(bench.unit.frame).height = 64;
+  std::vector<bool> written;
+  for (unsigned packet = 0; packet < 2; ++packet) {
+    bench.rows(bench.unit.position)[packet] = {uint<10>::from(4 * packet), {}};
+    ShadeJob<Of> job;
+    job.packet = PacketId<Of>::from(packet);
+    for (RepeatCount<Of> i; i <= kLastWrite<Of>; i = hls::next(i)) {
+      auto& pixels = bench.rows(bench.unit.bank[0]);
+      std::ranges::fill(pixels, Word::from(kUntouched));
+      bench.feed(bench.unit.job, Repeated<ShadeJob<Of>>{i, i == kLastWrite<Of>, job});
+      bench.run();
+      written.push_back(std::ranges::count(pixels, Word::from(kUntouched)) != std::ssize(pixels));
+    }
+  }
+  return written;
+}
+
+template <unsigned Rays>
+struct PacketsOf : C {
+  static constexpr unsigned kPacketRays = Rays;
+};
+template <class Of>
+class PacketSizes : public testing::Test {};
+using Sizes = testing::Types<PacketsOf<4>, PacketsOf<8>, PacketsOf<16>>;
+TYPED_TEST_SUITE(PacketSizes, Sizes);
+
+TYPED_TEST(PacketSizes, AClockAtLeastLiesBetweenTwoPixels) {
+  const std::vector<bool> written = steps_with_pixels<TypeParam>();
+  EXPECT_EQ(std::ranges::count(written, true), 2 * kRays<TypeParam>);
+  for (std::size_t i = 1; i < written.size(); ++i) EXPECT_FALSE(written[i - 1] && written[i]) << i;
 }
 
 TEST_F(ShadingTest, TheFrameLiesAtItsBase) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "units/frame.h"
+#include "units/memory_format.h"
 #include "units/packet.h"
 #include "units/repeated.h"
 
@@ -81,11 +82,15 @@ PixelPosition pixel_of(const PixelPosition& packet, RayIndex<C> ray) {
 
 template <class C>
 struct ShadeJob {
-  RepeatCount<C> repeat;  ///< steps less one: 1 to shade a ray, 4 to write its pixel and its hit
+  RepeatCount<C> repeat;  ///< steps less one: one to shade a ray, else kLastWrite
   PacketId<C> packet;
   hls::OptionalField<kHasSecondary<C>, RayKind> kind{};
   HLS_FIELDS(repeat, packet, kind)
 };
+
+/// The last of the steps that write a packet's pixels and hits: one for each word of a hit record.
+template <class C>
+inline constexpr RepeatCount<C> kLastWrite = RepeatCount<C>(kHitWords * kRays<C> - 1);
 
 }  // namespace dynrt
 

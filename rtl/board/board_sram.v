@@ -5,7 +5,7 @@
 // window at all other times. The core reads banks 0 to 2 and writes banks 3 to 5. In bank 3, the
 // framebuffer's, the scan-out has priority: it must get its pixel in time, at most every other
 // clock. A pixel that the core writes in the same clock is held for the next one; the core writes
-// one in four clocks at most (hls/units/shading.h), so one register is enough and the core never
+// one in two clocks at most (hls/units/shading.h), so one register is enough and the core never
 // waits. The host waits: it must not use the window in a clock of the scan-out. Every pin has a
 // register: an access is at the pins one clock after it was asked for, and the data read is handed
 // on one clock after it came back, so a bank itself may take SRAM_LATENCY - 2 clocks (synchronous

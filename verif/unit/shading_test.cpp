@@ -11,8 +11,10 @@ namespace {
 
 void setup(Bench<Shading<C>>& bench, const Run& run) {
   using Job = Repeated<ShadeJob<C>>;
-  bench.shape<Job>("job",
-                   [](Job& j, Random&) { j.last = j.index == RepeatCount<C>(4 * kRays<C> - 1); });
+  bench.shape<Job>("job", [](Job& j, Random& random) {
+    j.index = number_below<RepeatCount<C>::kWidth>(random, kLastWrite<C>.to_u64() + 1);
+    j.last = j.index == kLastWrite<C>;
+  });
   const bool write_hits = run.number % 3 != 1;
   bench.shape<FrameRegisters<C>>("frame", [write_hits](FrameRegisters<C>& frame, Random& random) {
     frame.width = Word::from(200 + random.below(825));

@@ -5,8 +5,9 @@
 // It waits for all start tokens in order (lines, packets), then for word p of frame words width * height it reads
 // banks 0 to 2 at p and writes
 //   bank 3 [frame_base + p] = bank 0 ^ bank 1, bank 4 [p] = bank 2, bank 5 [p] = ~bank 0
-// one word a clock, or, where frame word scanline is 1, one in four clocks, as shading does. Counters: 0 the words written, 1 the start tokens. A background of 32'hdeadbeef
-// makes it hang after the last write, one of 32'h00badbad violates an assertion.
+// one word a clock, or, where frame word scanline is 1, one in two clocks, as shading does.
+// Counters: 0 the words written, 1 the start tokens. A background of 32'hdeadbeef makes it hang after
+// the last write, one of 32'h00badbad violates an assertion.
 `include "dynrt_core.vh"
 
 module dynrt_core (
@@ -55,14 +56,14 @@ module dynrt_core (
   reg  [31:0] tokens_q;
   reg  [19:0] next_q;
   reg         done_q;
-  reg  [1:0]  pace_q;
+  reg         pace_q;
   reg  [31:0] written_q;
   reg  [LATENCY-1:0]    valid_q;
   reg  [20*LATENCY-1:0] word_q;
 
   wire fed = tokens_q == lines + packets;
   wire [31:0] token = tokens_q < lines ? tokens_q : `DYNRT_CORE_FIRST_PACKET + tokens_q - lines;
-  wire pace = !frame_i[`DYNRT_CORE_FRAME_SCANLINE] || pace_q == 2'd0;
+  wire pace = !frame_i[`DYNRT_CORE_FRAME_SCANLINE] || !pace_q;
   wire issue = fed && pace && {44'd0, next_q} < words;
   wire write = valid_q[LATENCY-1];
   wire [19:0] word = word_q[20*(LATENCY-1) +: 20];
@@ -89,7 +90,7 @@ module dynrt_core (
   always @(posedge clk_i) begin
     // A token out of order is never counted, so the board's test sees a hang.
     if (start_valid_i && {22'd0, start_data_i} == token) tokens_q <= tokens_q + 32'd1;
-    pace_q <= pace_q + 2'd1;
+    pace_q <= !pace_q;
     if (issue) next_q <= next_q + 20'd1;
     if (write) written_q <= written_q + 32'd1;
     if (done_valid_o && done_ready_i) done_q <= 1'b1;
@@ -105,7 +106,7 @@ module dynrt_core (
       tokens_q <= 32'd0;
       next_q <= 20'd0;
       done_q <= 1'b0;
-      pace_q <= 2'd0;
+      pace_q <= 1'b0;
       valid_q <= {LATENCY{1'b0}};
     end
   end

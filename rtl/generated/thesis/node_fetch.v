@@ -258,7 +258,7 @@ module node_fetch #(
     .valid_i(valid_s4 && and_9_s4), .ready_o(top_done_room),
     .data_i(e_packet_s4),
     .valid_o(top_done_valid_o), .ready_i(top_done_ready_i), .data_o(top_done_stored));
-  assign top_done_data_o = {top_done_stored, 4'd15};
+  assign top_done_data_o = {top_done_stored, 4'd11};
   wire [4:0] object_done_stored;
   hls_fifo #(.WIDTH(5), .DEPTH(OBJECT_DONE_DEPTH), .MARGIN(OBJECT_DONE_BOUNDED ? 0 : 4),
     .BOUNDED(OBJECT_DONE_BOUNDED)) object_done_fifo (

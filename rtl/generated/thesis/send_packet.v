@@ -67,12 +67,12 @@ module send_packet #(
   end
   wire [1:0] mux_3_s1 = compressed_s1 ? (~{2{point_s1}} & add_1_s1) : {job_2_s1, job_1_s1};
   wire position_10_s1 = position_data_i[10];
-  wire or_1_s1 = mux_3_s1[1] | position_10_s1;  // units/shading_tokens.h:79
+  wire or_1_s1 = mux_3_s1[1] | position_10_s1;  // units/shading_tokens.h:80
   wire position_11_s1 = position_data_i[11];
   wire [3:0] position_12_s1 = position_data_i[15:12];
   wire [3:0] position_16_s1 = position_data_i[19:16];
   wire position_0_s1 = position_data_i[0];
-  wire or_2_s1 = mux_3_s1[0] | position_0_s1;  // units/shading_tokens.h:78
+  wire or_2_s1 = mux_3_s1[0] | position_0_s1;  // units/shading_tokens.h:79
   wire position_1_s1 = position_data_i[1];
   wire [3:0] position_2_s1 = position_data_i[5:2];
   wire [3:0] position_6_s1 = position_data_i[9:6];
