@@ -3,12 +3,13 @@
 """Parts that every command shares: the project's folder, progress on a terminal, files that are checked
 before the work, and tools that must be there."""
 
+import hashlib
 import json
 import pathlib
 import re
 import shutil
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any, NoReturn
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -35,6 +36,14 @@ def show_progress(text: str) -> None:
 
 def read_json(path: pathlib.Path) -> Any:
     return json.loads(path.read_text(encoding="utf-8"))
+
+
+def hash_of_files(paths: Iterable[pathlib.Path]) -> str:
+    """Of what stands in files, in their order."""
+    digest = hashlib.sha256()
+    for path in paths:
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
 
 
 def write_json(path: pathlib.Path, data: object) -> None:

@@ -8,7 +8,6 @@ A register moves if each bit of the block's output goes to one flip-flop and now
 block's clock, and none has an enable, a reset or an initial value of one, as the stages of hlsc have
 it."""
 
-import hashlib
 import pathlib
 import re
 from collections import Counter
@@ -16,6 +15,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from dynrt_tools import project
 from dynrt_tools.project import read_json, write_json
 
 FLIP_FLOP, MULTIPLIER, BLOCK_RAM = "TRELLIS_FF", "MULT18X18D", "DP16KD"
@@ -58,7 +58,7 @@ WIDE = 36  # bits of a port that has the outputs of both
 
 def version() -> str:
     """Of this file: what is made of a netlist depends on all of it."""
-    return hashlib.sha256(pathlib.Path(__file__).read_bytes()).hexdigest()
+    return project.hash_of_files([pathlib.Path(__file__)])
 
 
 def pack(netlist: pathlib.Path) -> Counter[str]:

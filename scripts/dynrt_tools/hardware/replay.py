@@ -3,8 +3,8 @@
 """Records a frame of the native model and renders it again in Icarus Verilog, from the core's
 Verilog: every word that the core writes must be the model's. Icarus must read it without a warning.
 
-With --netlist, Icarus also renders it with the netlist that Yosys makes of the core for ECP5, cell
-by cell, which must take the same clocks. The cells are the models that Yosys ships and those of
+With --netlist, Icarus also renders it with the netlist that scripts/place places on ECP5, cell by
+cell, which must take the same clocks. The cells are the models that Yosys ships and those of
 ecp5_cells.v."""
 
 import argparse
@@ -16,7 +16,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from dynrt_tools import project
-from dynrt_tools.hardware import devices, rtl_files, synthesis
+from dynrt_tools.hardware import block_registers, devices, rtl_files, synthesis
 
 HERE = project.ROOT / "verif" / "netlist"
 
@@ -84,28 +84,42 @@ def icarus(
 
 
 def netlist(sources: list[pathlib.Path]) -> list[str | pathlib.Path]:
-    """The files of the core as synth_ecp5 leaves it, with its cells."""
+    """The files of the core as scripts/place gives it to the placer, with its cells."""
     synth = devices.FAMILIES["ecp5"]["synth"]
+    what = f"the netlist of {rtl_files.CORE}"
 
     def make(folder: pathlib.Path) -> None:
+        design = folder / "netlist.json"
         synthesis.run_yosys(
             [
                 *synthesis.read_commands(files),
                 synth.format(top=rtl_files.CORE),
                 "check -assert",
+                f"write_json {design}",
+            ],
+            folder,
+            what,
+        )
+        if not block_registers.pack(design):
+            raise project.Failed(
+                f"{what}: no register moved into a block; scripts/place moves some"
+            )
+        synthesis.run_yosys(
+            [
+                f"read_json {design}",
                 *for_icarus(rtl_files.CORE),
                 f"write_verilog -noattr {folder / 'netlist.v'}",
             ],
             folder,
-            f"the netlist of {rtl_files.CORE}",
+            what,
         )
+        design.unlink()
 
     try:
         version = synthesis.tool_version("yosys", "-V", "yosys")
         files = synthesis.needed(rtl_files.CORE, sources)
-        folder = synthesis.kept(
-            "netlist", [version, synth, for_icarus(rtl_files.CORE)], files, make
-        )
+        said = [version, synth, block_registers.version(), for_icarus(rtl_files.CORE)]
+        folder = synthesis.kept("netlist", said, files, make)
     except project.Failed as error:
         sys.exit(f"replay: {error}")
     cells = shipped_cells()
