@@ -155,7 +155,7 @@ def page() -> str:
         "- **Room.** A transaction starts only while the FIFO holds fewer tokens than the unit's "
         "*room*: `X_DEPTH`, the FIFO's places, less its `MARGIN`, the tokens that later stages may "
         "still send. Each section states the room of the FIFO that hlsc chooses.",
-        "- **Bound.** The join, `hls/units/core.h`, may promise that a channel never holds more "
+        "- **Bound.** The join may promise that a channel never holds more "
         "than so many tokens, such as one for each packet. The Verilog top then gives the FIFO so "
         "many places and sets `X_BOUNDED` to 1, and no transaction waits for that output.",
     ]

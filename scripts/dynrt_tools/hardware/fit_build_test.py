@@ -41,7 +41,7 @@ class Predictions(unittest.TestCase):
         else:
             self.assertEqual(name in data["earlier"], not present, RENEW)
         if not present:
-            return
+            self.skipTest(f"{name} is of an earlier Verilog, of which hlsc predicts nothing now")
         predicted = {named(row.end): row.sample.predicted for row in result.rows}
         kept = {named(e): e["predicted"] for e in data["ends"] if e["placement"] == name}
         self.assertEqual(kept.keys(), predicted.keys(), RENEW)

@@ -145,7 +145,7 @@ class Fit:
         project.show_progress("")
         for case in self.cases:
             asked = 1000 / case.kept["asked_mhz"]
-            if case.period < kept_placement.LIMITS * asked:
+            if case.period < asked:
                 print(
                     f"fit-delays: {case.name} takes {case.period:.2f} ns, and the placer was asked "
                     f"for {asked:.2f}, so it need not hurry; place it with a higher --ask-mhz",

@@ -133,10 +133,9 @@ class Called(testing.InFolder):
         self.assertEqual(project.read_json(self.folder / "fit_ecp5.json")["earlier"], ["place_sum"])
 
     def test_a_placement_without_haste_is_named(self) -> None:
-        self.kept.write_text(self.kept.read_text("utf-8").replace("125.0", "100.0"), "utf-8")
         self.assertEqual(self.call(self.kept).stderr, "")
-        self.kept.write_text(self.kept.read_text("utf-8").replace("100.0", "80.0"), "utf-8")
-        said = "place_sum takes 9.00 ns, and the placer was asked for 12.50, so it need not hurry"
+        self.kept.write_text(self.kept.read_text("utf-8").replace("125.0", "100.0"), "utf-8")
+        said = "place_sum takes 9.00 ns, and the placer was asked for 10.00, so it need not hurry"
         self.assertIn(said, self.call(self.kept).stderr)
 
     def fails(self, said: str, *words: testing.Word) -> None:

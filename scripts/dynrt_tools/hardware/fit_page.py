@@ -20,7 +20,7 @@ def state(kept: Json) -> str:
 def placements(data: Json) -> str:
     """A row for each placement that a model was fitted to."""
     lines = [
-        "| placement | core | seeds | limiting ends | predicted | within 10 % | placed, ns "
+        "| unit | configuration | seeds | limiting ends | predicted | within 10 % | placed, ns "
         "| hlsc, ns | of |",
         "|---|---|---:|---:|---:|---:|---:|---|",
     ]

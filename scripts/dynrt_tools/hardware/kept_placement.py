@@ -99,6 +99,7 @@ def of_row(row: Json, subject: placing.Subject, said: Json) -> Json:
         "unit": row["unit"],
         **{key: said[key] for key in ("config", "device", "grade", "copies")},
         "placer": placements[0]["placer"],
+        "tools": placing.tools(said["device"]),
         "clock_ns": scheduled_for(synthesis.needed(subject.module, list(subject.files))),
         "asked_mhz": placements[0]["asked_mhz"],
         "seeds": len(placements),

@@ -123,11 +123,13 @@ def place(
         started()
         try:
             _route(target, seed, made_of, folder)
-        except project.Failed:
+        except placers.PlacerFailed as error:
             log = folder / "log"
-            if log.exists():
-                shutil.copyfile(log, failed_log(subject, seed))
-            raise
+            if not log.exists():
+                raise
+            kept = failed_log(target, subject, seed)
+            shutil.copyfile(log, kept)
+            raise type(error)(f"{error}; its log is {kept}") from error
 
     # Verilog that synthesis makes the same netlist of is placed the same.
     routed = synthesis.kept("routed", [*target.said(seed), netlist_hash(made_of)], [], route)
@@ -137,8 +139,24 @@ def place(
         project.write_json(folder / "placement.json", {"seed": seed, **about})
         placed_ends.write(folder / ENDS, ends)
 
-    folder = synthesis.kept("timed", [routed.name, made_of.name], [], read)
+    folder = synthesis.kept("timed", [routed.name, made_of.name, readers()], [], read)
     return {"run": folder.name, **read_json(folder / "placement.json")}
+
+
+def readers() -> str:
+    """Of the modules that read what a placer leaves."""
+    modules = (placed_ends, source_names, timing_graph, worst_paths)
+    return project.hash_of_files([pathlib.Path(str(m.__file__)) for m in modules])
+
+
+def tools(device: str) -> Json:
+    """What decides a placement beside the Verilog, the clock asked for and the seed."""
+    packs = devices.DEVICES[device]["family"] == "ecp5"
+    return {
+        "yosys": synthesis.tool_version("yosys", "-V", "yosys").split(" (")[0],
+        "packer": block_registers.version()[:16] if packs else "",
+        "flags": placers.PLACERS[device]["flags"],
+    }
 
 
 def ends_of(run: str) -> dict[placed_ends.End, Json]:
@@ -153,9 +171,9 @@ def netlist_hash(made_of: pathlib.Path) -> str:
     return hashlib.sha256(SOURCE.sub("", text).encode()).hexdigest()
 
 
-def failed_log(subject: Subject, seed: int) -> pathlib.Path:
+def failed_log(target: Target, subject: Subject, seed: int) -> pathlib.Path:
     """Where the log of a placement that failed is kept."""
-    return synthesis.KEPT / f"failed-{subject.module}-{seed}.log"
+    return synthesis.KEPT / f"failed-{subject.module}-{target.device}-{seed}.log"
 
 
 def _route(target: Target, seed: int, made_of: pathlib.Path, folder: pathlib.Path) -> None:
