@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The board's scan-out around the stand-in core of test/dynrt_core.v, which writes a pixel every
-// two clocks, the fastest that shading does: what a monitor makes of the pins is what lies in bank 3, whatever
-// core and host do meanwhile. The board is the one that checks the Verilog's assertions.
+// two clocks, the fastest that shading does: what a monitor makes of the pins is what lies in bank
+// 3, whatever core and host do meanwhile. The board is the one that checks the Verilog's
+// assertions.
 #include "host/board/display.h"
 
 #include <gmock/gmock.h>

@@ -11,7 +11,9 @@ import unittest
 from dynrt_tools import project, testing
 from dynrt_tools.hardware import (
     kept_placement,
+    placed_clocks,
     placed_ends,
+    placing,
     source_names,
     synthesis,
     timing_graph,
@@ -53,6 +55,18 @@ class Limiting(unittest.TestCase):
     def test_of_what_is_kept_the_median_s_are_judged(self) -> None:
         kept = {"mhz": [100, 125, 80], "limits": 0.85, "ends": [{"median": 8.5}, {"median": 8.4}]}
         self.assertEqual(kept_placement.that_limit(kept), [{"median": 8.5}])
+
+
+class Kept(unittest.TestCase):
+    def test_cores_were_placed_as_the_script_places_now(self) -> None:
+        files = sorted(kept_placement.DATA.glob(placed_clocks.FILES))
+        self.assertTrue(files)
+        for path in files:
+            kept = kept_placement.read(path)
+            again = (
+                f"{path.name}: made with other tools or flags; its command in runs.json renews it"
+            )
+            self.assertEqual(kept["tools"], placing.tools(kept["device"]), again)
 
 
 class Names(unittest.TestCase):

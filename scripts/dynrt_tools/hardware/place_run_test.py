@@ -259,7 +259,8 @@ class StandIn(unittest.TestCase):
             {"version": "nextpnr-0.12"},
             {"copies": 2},
         ]
-        other = {**placers.PLACERS["ecp5-85"], "flags": ["--85k"]}
+        other = placers.PLACERS["ecp5-85"].copy()
+        other["flags"] = ["--85k"]
         for number, flags in enumerate(changes, 2):
             self.called(seeds=1, **flags)
             self.assertEqual(len(self.runs()), number, flags)
