@@ -221,7 +221,7 @@ struct Core {
 
 }  // namespace dynrt
 
-#include "units/core_memory.h"
-#include "units/core_secondary.h"
-#include "units/core_transformation.h"
-#include "units/core_traversal.h"
+#include "units/join_memory.h"
+#include "units/join_secondary.h"
+#include "units/join_transformation.h"
+#include "units/join_traversal.h"
