@@ -11,12 +11,6 @@ namespace dynrt {
 namespace {
 
 using Four = test::Config<64>;
-struct Eight : Four {
-  static constexpr unsigned kPacketRays = 8;
-};
-struct Sixteen : Four {
-  static constexpr unsigned kPacketRays = 16;
-};
 
 struct Image {
   unsigned width, height;
@@ -139,8 +133,7 @@ void expect_every_pixel_once(const Image& image) {
 
 template <class C>
 class RayGenerationTest : public testing::Test {};
-using PacketSizes = testing::Types<Four, Eight, Sixteen>;
-TYPED_TEST_SUITE(RayGenerationTest, PacketSizes);
+TYPED_TEST_SUITE(RayGenerationTest, test::PacketSizes<Four>);
 
 TYPED_TEST(RayGenerationTest, MakesEveryPixelOnce) {
   for (const bool scanline : {false, true}) {

@@ -156,16 +156,11 @@ std::vector<bool> steps_with_pixels() {
   return written;
 }
 
-template <unsigned Rays>
-struct PacketsOf : C {
-  static constexpr unsigned kPacketRays = Rays;
-};
 template <class Of>
-class PacketSizes : public testing::Test {};
-using Sizes = testing::Types<PacketsOf<4>, PacketsOf<8>, PacketsOf<16>>;
-TYPED_TEST_SUITE(PacketSizes, Sizes);
+class ShadingOfPackets : public testing::Test {};
+TYPED_TEST_SUITE(ShadingOfPackets, test::PacketSizes<C>);
 
-TYPED_TEST(PacketSizes, AClockAtLeastLiesBetweenTwoPixels) {
+TYPED_TEST(ShadingOfPackets, AClockAtLeastLiesBetweenTwoPixels) {
   const std::vector<bool> written = steps_with_pixels<TypeParam>();
   EXPECT_EQ(std::ranges::count(written, true), 2 * kRays<TypeParam>);
   for (std::size_t i = 1; i < written.size(); ++i) EXPECT_FALSE(written[i - 1] && written[i]) << i;

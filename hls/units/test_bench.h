@@ -38,6 +38,14 @@ struct Config : config::thesis {
   static constexpr unsigned kTriangleSlots = Slots;
 };
 
+/// Configuration C with packets of another size, and a typed test's list of all sizes.
+template <class C, unsigned Rays>
+struct PacketsOf : C {
+  static constexpr unsigned kPacketRays = Rays;
+};
+template <class C>
+using PacketSizes = testing::Types<PacketsOf<C, 4>, PacketsOf<C, 8>, PacketsOf<C, 16>>;
+
 /// A unit alone, run as the join runs it.
 template <class Unit>
 class UnitBench {
