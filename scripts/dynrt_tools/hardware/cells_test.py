@@ -19,29 +19,14 @@ def main() -> None:
     ram = project.ROOT / "rtl/lib/hls_ram_1r1w.v"
     used = ["select -assert-min 3 t:DP16KD", "select -assert-min 3 t:MULT18X18D"]
     try:
-        synthesis.run_yosys(
-            [
-                *synthesis.read_commands([ram, replay.HERE / "cells.v"]),
-                "synth_ecp5 -nowidelut -top cells",
-                *used,
-                f"write_json {folder / 'cells.json'}",
-            ],
-            folder,
-            "cells",
-        )
-        moved = block_registers.pack(folder / "cells.json")
+        design = [
+            *synthesis.read_commands([ram, replay.HERE / "cells.v"]),
+            "synth_ecp5 -nowidelut -top cells",
+            *used,
+        ]
+        moved = replay.packed(folder, "cells", design, ["rename cells gates"], "gates.v")
         if moved != MOVED:
             sys.exit(f"cells_test: moved registers into {dict(moved)}; right were {MOVED}")
-        synthesis.run_yosys(
-            [
-                f"read_json {folder / 'cells.json'}",
-                *replay.for_icarus("cells"),
-                "rename cells gates",
-                f"write_verilog -noattr {folder / 'gates.v'}",
-            ],
-            folder,
-            "cells",
-        )
     except project.Failed as error:
         sys.exit(f"cells_test: {error}")
     shipped = replay.shipped_cells()

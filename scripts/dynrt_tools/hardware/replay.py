@@ -12,6 +12,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+from collections import Counter
 from collections.abc import Iterable
 from typing import Any
 
@@ -50,6 +51,28 @@ def for_icarus(top: str) -> list[str]:
     ]
 
 
+def packed(
+    folder: pathlib.Path, top: str, design: list[str], then: list[str], verilog: str
+) -> Counter[str]:
+    """Writes a file of Verilog for Icarus: the netlist that the commands `design` make, with registers
+    moved into blocks as scripts/place does; gives how many moved, by the block's type."""
+    netlist_file, what = folder / "netlist.json", f"the netlist of {top}"
+    synthesis.run_yosys([*design, f"write_json {netlist_file}"], folder, what)
+    moved = block_registers.pack(netlist_file)
+    synthesis.run_yosys(
+        [
+            f"read_json {netlist_file}",
+            *for_icarus(top),
+            *then,
+            f"write_verilog -noattr {folder / verilog}",
+        ],
+        folder,
+        what,
+    )
+    netlist_file.unlink()
+    return moved
+
+
 def shipped_cells() -> pathlib.Path:
     """The folder of Yosys's own models."""
     return pathlib.Path(shutil.which("yosys") or "").resolve().parent.parent / "share/yosys/ecp5"
@@ -86,34 +109,17 @@ def icarus(
 def netlist(sources: list[pathlib.Path]) -> list[str | pathlib.Path]:
     """The files of the core as scripts/place gives it to the placer, with its cells."""
     synth = devices.FAMILIES["ecp5"]["synth"]
-    what = f"the netlist of {rtl_files.CORE}"
 
     def make(folder: pathlib.Path) -> None:
-        design = folder / "netlist.json"
-        synthesis.run_yosys(
-            [
-                *synthesis.read_commands(files),
-                synth.format(top=rtl_files.CORE),
-                "check -assert",
-                f"write_json {design}",
-            ],
-            folder,
-            what,
-        )
-        if not block_registers.pack(design):
+        design = [
+            *synthesis.read_commands(files),
+            synth.format(top=rtl_files.CORE),
+            "check -assert",
+        ]
+        if not packed(folder, rtl_files.CORE, design, [], "netlist.v"):
             raise project.Failed(
-                f"{what}: no register moved into a block; scripts/place moves some"
+                f"{rtl_files.CORE}: no register moved into a block; scripts/place moves some"
             )
-        synthesis.run_yosys(
-            [
-                f"read_json {design}",
-                *for_icarus(rtl_files.CORE),
-                f"write_verilog -noattr {folder / 'netlist.v'}",
-            ],
-            folder,
-            what,
-        )
-        design.unlink()
 
     try:
         version = synthesis.tool_version("yosys", "-V", "yosys")

@@ -4,7 +4,6 @@
 
 import contextlib
 import fcntl
-import hashlib
 import json
 import os
 import pathlib
@@ -14,7 +13,7 @@ import signal
 import subprocess
 from collections.abc import Iterator
 
-from dynrt_tools.project import SCRIPTS, Failed, Json, read_json, show_progress
+from dynrt_tools.project import SCRIPTS, Failed, Json, hash_of_files, read_json, show_progress
 
 HERE = pathlib.Path(__file__).resolve().parent
 STEP = re.compile(r"^(\d+) of (\d+) steps")
@@ -38,7 +37,7 @@ def write_if_new(path: pathlib.Path, text: str) -> None:
 
 
 def content_of(path: pathlib.Path) -> str | None:
-    return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
+    return hash_of_files([path]) if path.is_file() else None
 
 
 def stop(process: subprocess.Popen[str]) -> None:
