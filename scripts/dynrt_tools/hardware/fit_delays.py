@@ -86,7 +86,7 @@ def chosen(files: Sequence[pathlib.Path]) -> dict[pathlib.Path, list[pathlib.Pat
         found = sorted(
             [*kept_placement.DATA.glob("place_*.json"), *kept_placement.DATA.glob("placed/*.json")]
         )
-        files = [path for path in found if kept_placement.is_kept(path)]
+        files = [path for path in found if kept_placement.is_for_a_fit(path)]
     if not files:
         raise project.Failed(
             f"{kept_placement.DATA}: no kept placement is there; make one with "

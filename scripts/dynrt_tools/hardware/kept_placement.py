@@ -140,9 +140,11 @@ def file_of(name: str) -> pathlib.Path:
     return path if path.exists() else DATA / "placed" / path.name
 
 
-def is_kept(path: pathlib.Path) -> bool:
-    """Whether a file of the results is a kept placement, and no other record of scripts/place."""
-    return "ends" in read_json(path)
+def is_for_a_fit(path: pathlib.Path) -> bool:
+    """Whether a file of the results is a kept placement, and no other record of scripts/place, of
+    what hlsc predicts: no board, nor several cores."""
+    kept = read_json(path)
+    return "ends" in kept and kept["unit"] != rtl_files.BOARD and kept["copies"] == 1
 
 
 def period(kept: Json) -> float:

@@ -259,15 +259,13 @@ class StandIn(unittest.TestCase):
             {"version": "nextpnr-0.12"},
             {"copies": 2},
         ]
-        other = placers.PLACERS["ecp5-85"].copy()
-        other["flags"] = ["--85k"]
         for number, flags in enumerate(changes, 2):
             self.called(seeds=1, **flags)
             self.assertEqual(len(self.runs()), number, flags)
         with mock.patch.object(placers, "constraints_text", lambda device: "other"):
             self.called(seeds=1)
         self.assertEqual(len(self.runs()), 6)
-        with mock.patch.dict(placers.PLACERS, {"ecp5-85": other}):
+        with mock.patch.dict(placers.PLACERS["ecp5-85"], flags=["--85k"]):
             self.called(seeds=1)
         self.assertEqual(len(self.runs()), 7)
         self.write_unit("a_i - b_i")

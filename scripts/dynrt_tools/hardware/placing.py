@@ -123,13 +123,15 @@ def place(
         started()
         try:
             _route(target, seed, made_of, folder)
+        except placers.DoesNotFit:
+            raise  # what the tool says is all, and results keep it, so it names no file
         except placers.PlacerFailed as error:
             log = folder / "log"
             if not log.exists():
                 raise
             kept = failed_log(target, subject, seed)
             shutil.copyfile(log, kept)
-            raise type(error)(f"{error}; its log is {kept}") from error
+            raise placers.PlacerFailed(f"{error}; its log is {kept}") from error
 
     # Verilog that synthesis makes the same netlist of is placed the same.
     routed = synthesis.kept("routed", [*target.said(seed), netlist_hash(made_of)], [], route)
