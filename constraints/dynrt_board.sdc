@@ -1,7 +1,7 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 #
-# Timing of rtl/board/dynrt_board.v for any tool that reads SDC: the 8.5 ns that hlsc schedules the
+# Timing of rtl/board/dynrt_board.v for any tool that reads SDC: the 8.33 ns that hlsc schedules the
 # units of the checked-in configuration for. core_clk_i is clk_i, gated while the core is idle; on a
 # device without a clock gate both are one net.
 #
@@ -9,8 +9,8 @@
 # other device: half, as no device is chosen. Change it here for all pins. For one group of pins, put
 # in its command what the other device's data sheet says and add the wire: its setup time for an
 # output, the time from its clock to its data for an input.
-set period_ns 8.5
-set outside_ns 4.25
+set period_ns 8.33
+set outside_ns 4.16
 
 create_clock -name clk -period $period_ns [get_ports clk_i]
 create_clock -name core_clk -period $period_ns [get_ports core_clk_i]

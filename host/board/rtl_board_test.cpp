@@ -200,13 +200,14 @@ TEST_F(RtlBoardTest, InterruptIsPendingUntilAcknowledgedAndCanBeMasked) {
   const auto clocked = make_stand_in_board();
   clocked->reset();
   clocked->run_until_interrupt(100);  // the core's reset
-  const auto put = [&](std::uint32_t address, std::uint32_t value) {
-    ASSERT_TRUE(clocked->write(address, {&value, 1}));
-  };
   const auto get = [&](std::uint32_t address) {
     std::uint32_t value = 0;
     EXPECT_TRUE(clocked->read(address, {&value, 1}));
     return value;
+  };
+  const auto put = [&](std::uint32_t address, std::uint32_t value) {
+    ASSERT_TRUE(clocked->write(address, {&value, 1}));
+    get(reg::kRegId);  // a register has the value a clock after the bus took it
   };
   put(reg::kRegFrame, 1);
   put(reg::kRegFrame + 8, 1);

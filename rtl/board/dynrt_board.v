@@ -76,13 +76,7 @@ module dynrt_board #(
   wire             scan_en;
   wire [19:0]      scan_addr;
 
-  // The packets and the cache lines that the frame uses, and whether the core has them.
-  wire [31:0] packets = frame[`DYNRT_CORE_FRAME_PACKETS +: 32];
-  wire [31:0] line_mask = frame[`DYNRT_CORE_FRAME_LINE_MASK +: 32];
-  wire [8:0]  last_packet = packets[8:0] - 9'd1;
-  wire [8:0]  last_line = line_mask[8:0];
-  wire        frame_ok = packets != 32'd0 && packets <= PACKETS && line_mask < CACHE_LINES &&
-                         (line_mask & (line_mask + 32'd1)) == 32'd0;
+  wire [8:0]  last_packet, last_line;
 
   assign core_clk_en_o = !rst_ni || busy || counter_fetch;
 
@@ -94,7 +88,8 @@ module dynrt_board #(
     .bus_valid_i(bus_valid_i), .bus_write_i(bus_write_i), .bus_addr_i(bus_addr_i),
     .bus_wdata_i(bus_wdata_i), .bus_ready_o(bus_ready_o), .bus_rvalid_o(bus_rvalid_o),
     .bus_rdata_o(bus_rdata_o), .irq_o(irq_o),
-    .start_o(start), .reset_o(reset), .frame_ok_i(frame_ok), .busy_i(busy), .done_i(done), .cycles_i(cycles),
+    .start_o(start), .reset_o(reset), .last_packet_o(last_packet),
+    .last_line_o(last_line), .busy_i(busy), .done_i(done), .cycles_i(cycles),
     .frame_o(frame), .counter_addr_o(counter_addr), .counter_data_i(counter_data),
     .counter_fetch_o(counter_fetch),
     .scan_clocks_o(scan_clocks), .scan_o(scan), .scan_shown_i(scan_shown),
