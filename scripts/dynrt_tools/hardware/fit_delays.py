@@ -172,8 +172,9 @@ def main() -> int:
     if args.out and not args.out.is_dir():
         project.fail(f"--out {args.out}: there is no such folder; create it or name another")
     try:
-        for model, files in chosen(args.kept).items():
-            fit = Fit(model, files, args)
+        # All files are read before a model is written.
+        for fit in [Fit(model, files, args) for model, files in chosen(args.kept).items()]:
+            model = fit.path
             fitted = fit.run()
             fit.warn()
             data = fit.data(fit.start, fitted)

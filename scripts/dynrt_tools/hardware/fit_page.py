@@ -22,7 +22,7 @@ def placements(data: Json) -> str:
     lines = [
         "| unit | configuration | seeds | limiting ends | predicted | within 10 % | placed, ns "
         "| hlsc, ns | of |",
-        "|---|---|---:|---:|---:|---:|---:|---|",
+        "|---|---|---:|---:|---:|---:|---:|---:|---|",
     ]
     for row in data["placements"]:
         kept = kept_placement.read(kept_placement.file_of(row["placement"]))

@@ -80,7 +80,8 @@ cannot be kept. The other rows are complete in each case.""",
         "--ask-mhz",
         type=options.positive,
         metavar="MHZ",
-        help="the clock that the placer is asked for (default: that of --clock-ns)",
+        help="the clock that the placer is asked for (default: that of --clock-ns; where units are "
+        "not among what is placed, that of the core's Verilog)",
     )
     parser.add_argument(
         "--seeds",
@@ -145,6 +146,9 @@ cannot be kept. The other rows are complete in each case.""",
     return parser.parse_args()
 
 
+NO_FIT = "does not fit: "
+
+
 @dataclass
 class Row:
     """What becomes one row of the table: its figures so far, and the seeds that are under way."""
@@ -160,13 +164,13 @@ class Row:
         """The result of a seed, or a sentence that says why there is none."""
         try:
             self.placed.append(job.result())
-        except placers.DoesNotFit as error:
-            self.data["note"] = f"does not fit: {error}"
         except project.Failed as error:
-            self.failures.append({"seed": seed, "error": str(error)})
+            fits = not isinstance(error, placers.DoesNotFit)
+            said = str(error) if fits else f"{NO_FIT}{error}"
+            self.failures.append({"seed": seed, "error": said})
             project.show_progress("")
             print(
-                f"place: {program} placed no {self.name} with seed {seed}: {error}", file=sys.stderr
+                f"place: {program} placed no {self.name} with seed {seed}: {said}", file=sys.stderr
             )
 
     def finish(self) -> None:
@@ -174,7 +178,8 @@ class Row:
         self.data["placed"] = sorted(self.placed, key=lambda p: int(p["seed"]))
         self.data["failures"] = sorted(self.failures, key=lambda f: int(f["seed"]))
         if self.failures and not self.placed:
-            self.data["note"] = f"failed: {self.data['failures'][0]['error']}"
+            first = self.data["failures"][0]["error"]
+            self.data["note"] = first if first.startswith(NO_FIT) else f"failed: {first}"
         if not self.placed and self.subject and self.name not in rtl_files.WHOLE:
             try:
                 self.data["logic_ns"] = placing.logic_delay(self.name, list(self.subject.files))
@@ -205,7 +210,7 @@ def prepare(name: str, args: argparse.Namespace, build: pathlib.Path | None) -> 
     data["resources"] = devices.resources(family, cells)
     taken = {resource: args.copies * n for resource, n in data["resources"].items()}
     if short := devices.shortages(args.device, taken):
-        data["note"] = "does not fit: " + "; ".join(short)
+        data["note"] = NO_FIT + "; ".join(short)
     return Row(name, data, placing.Subject(name, files, args.copies))
 
 
@@ -219,11 +224,17 @@ class Run:
         self.target = placing.Target(
             args.device,
             placers.grade_of(args.device, args.grade),
-            args.ask_mhz or 1000 / args.clock_ns,
+            args.ask_mhz or 1000 / self._period(),
             args.timeout * 60,
         )
         self.there = shutil.which(self.placer["program"]) is not None
         self.done: dict[str, Row] = {}
+
+    def _period(self) -> float:
+        """Of the Verilog that is there already, where nothing else is placed."""
+        if set(self.names) <= set(rtl_files.WHOLE):
+            return kept_placement.scheduled_for(rtl_files.generated(self.args))
+        return float(self.args.clock_ns)
 
     def place(self, build: pathlib.Path | None) -> None:
         """Places every row and seed, as many at a time as there may be."""
@@ -257,7 +268,7 @@ class Run:
         """The row that a job made, or one that says why there is none."""
         try:
             return job.result()
-        except project.Failed as error:
+        except (project.Failed, OSError) as error:
             print(f"place: {error}", file=sys.stderr)
             return Row(name, {"unit": name, "note": f"failed: {error}"})
 
@@ -286,18 +297,24 @@ class Run:
         for path in place_table.paths_of(row.data, self.args.paths):
             print(path)
         sys.stdout.flush()
-        if self.args.json:
-            project.write_json(self.args.json, self.data())
-        if self.args.record:
-            record = place_record.summary(self.data(), self.args.seeds)
-            project.write_json(self.args.record, record)
-        if self.args.keep and row.placed and row.subject:
-            self._keep(row, row.subject)
+        try:
+            if self.args.json:
+                project.write_json(self.args.json, self.data())
+            if self.args.record:
+                record = place_record.summary(self.data(), self.args.seeds)
+                project.write_json(self.args.record, record)
+            if self.args.keep and row.placed and row.subject:
+                self._keep(row, row.subject)
+        except OSError as error:
+            row.kept = False
+            print(f"place: {row.name} is placed and not kept: {error}", file=sys.stderr)
 
     def _keep(self, row: Row, subject: placing.Subject) -> None:
         """Writes the kept placement of a row, or a sentence that says why there is none."""
         file = pathlib.Path(self.args.keep.replace("{unit}", row.name))
         try:
+            if row.failures:
+                raise project.Failed(f"not every seed was; {file} stays as it is")
             kept_placement.write(file, kept_placement.of_row(row.data, subject, self.data()))
         except project.Failed as error:
             row.kept = False
@@ -342,12 +359,14 @@ def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
     units = lowering.units(build, args.config)
     if not units:
         project.fail(f"--config {args.config}: the build {build} has no such configuration")
+    everything = [*units, *([rtl_files.CORE] if args.device == "ecp5-85" else [])]
     names = unit_names.all_modules_of(
         args.unit,
         lowering.headers(units) | {name: name for name in rtl_files.WHOLE},
         f"; {' and '.join(rtl_files.WHOLE)} are the whole core and the board's top",
     )
-    everything = [*units, *([rtl_files.CORE] if args.device == "ecp5-85" else [])]
+    if rtl_files.CORE in (names or everything):
+        rtl_files.generated(args)  # ends here too
     return names or everything, build
 
 
@@ -359,11 +378,6 @@ def check(args: argparse.Namespace) -> None:
             f"{', '.join(placers.PLACERS)}"
         )
     placers.grade_of(args.device, args.grade)
-    if args.keep and len(args.unit) != 1 and "{unit}" not in args.keep:
-        project.fail(
-            f"--keep {args.keep}: a file keeps one placed thing; write {{unit}} in its name, or "
-            "name one UNIT"
-        )
     if args.build and not args.build.is_dir():
         project.fail(f"--build {args.build}: there is no such folder; name that of a build")
     for flag in ("json", "record"):
@@ -380,6 +394,11 @@ def main() -> int:
         names, build = chosen(args)
     except project.Failed as error:
         project.fail(error)
+    if args.keep and len(names) != 1 and "{unit}" not in args.keep:
+        project.fail(
+            f"--keep {args.keep}: a file keeps one placed thing; write {{unit}} in its name, or "
+            "name one UNIT"
+        )
     run = Run(args, names)
     if not run.there:
         print(

@@ -57,6 +57,7 @@ def summary(data: Json, seeds: int) -> Json:
     device = data["device"]
     return {
         **{key: data[key] for key in ("config", "device", "grade", "clock_ns", "complete")},
+        "placer": next((p["placer"] for row in rows for p in row.get("placed", ())), None),
         "seeds": seeds,
         "units": found,
         "of predicted": {
