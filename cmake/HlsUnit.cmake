@@ -21,7 +21,7 @@
 # With DYNRT_RTL off (preset asan) only the model is made.
 
 option(DYNRT_RTL "lower the units to Verilog and Verilate them" ON)
-set(DYNRT_CLOCK_NS 8.5 CACHE STRING "clock period that hlsc schedules for, in ns")
+set(DYNRT_CLOCK_NS 8.33 CACHE STRING "clock period that hlsc schedules for, in ns")
 set(DYNRT_DELAY_MODEL hls/compiler/delay/ecp5.json CACHE STRING
     "delay model that hlsc schedules with, relative to the project's folder")
 set(HLS_COMPILER hlsc)

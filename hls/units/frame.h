@@ -5,6 +5,8 @@
 // the board, in this order; the registers do not change while a frame is being rendered.
 #pragma once
 
+#include <bit>
+
 #include "hls/fields.h"
 
 namespace dynrt {
@@ -12,6 +14,15 @@ namespace dynrt {
 /// The pixels of a packet's rays: 2x2, 4x2 or 4x4.
 constexpr unsigned packet_columns(unsigned rays) { return rays == 4 ? 2 : 4; }
 constexpr unsigned packet_rows(unsigned rays) { return rays / packet_columns(rays); }
+
+/// Bits of the counter of an image's packets. Their Morton curve fills a square of pixels that has
+/// room for the larger side, and for one packet.
+constexpr unsigned morton_bits(unsigned width, unsigned height, unsigned rays) {
+  const unsigned pixels = width > height ? width : height;
+  const unsigned side = pixels > packet_columns(rays) ? pixels : packet_columns(rays);
+  return 2u * static_cast<unsigned>(std::bit_width(side - 1)) -
+         static_cast<unsigned>(std::countr_zero(rays));
+}
 
 template <class C>
 struct FrameRegisters {

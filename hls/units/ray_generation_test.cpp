@@ -24,13 +24,6 @@ struct Packet {
   RayMask<C> active;
 };
 
-/// Of the square of pixels that the curve fills, which has room for a packet.
-template <class C>
-unsigned morton_bits(unsigned width, unsigned height) {
-  unsigned bits = 0;
-  while ((1u << bits) < std::max({width, height, packet_columns(kRays<C>)})) ++bits;
-  return 2 * bits - kRayBits<C>;
-}
 template <class C>
 std::size_t packets_of(const Image& image) {
   const unsigned columns = packet_columns(kRays<C>), rows = packet_rows(kRays<C>);
@@ -46,7 +39,7 @@ class Generator {
     frame.width = Word::from(image.width);
     frame.height = Word::from(image.height);
     frame.scanline = Word::from(image.scanline);
-    frame.morton_bits = Word::from(morton_bits<C>(image.width, image.height));
+    frame.morton_bits = Word::from(morton_bits(image.width, image.height, kRays<C>));
     frame.camera_matrix = 77;
     for (unsigned p = 0; p < image.packets; ++p) give_back(PacketId<C>::from(p));
   }

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
+#include <tuple>
 #include <vector>
 
 #include "host/app/program_test.h"
@@ -146,18 +148,27 @@ TEST_F(App, RendersOnTheVerilogWithWaveforms) {
 }
 
 TEST_F(App, StatesFramesAtThePlacedClock) {
-  const auto kept = nlohmann::json::parse(text_of(DYNRT_PLACEMENT));
-  auto seeds = kept["mhz"].get<std::vector<double>>();
-  std::ranges::sort(seeds);
-  const auto shown = [](double mhz) { return std::round(10 * mhz) / 10; };
-  const double mhz = shown((seeds[seeds.size() / 2] + seeds[(seeds.size() - 1) / 2]) / 2);
+  // The stand-in gets the slowest of the clocks on the default device and grade.
+  const auto shown = [](double mhz) { return std::nearbyint(10 * mhz) / 10; };
+  nlohmann::json kept;
+  std::vector<double> seeds;
+  double mhz = 1e9;
+  for (const auto& file : std::filesystem::directory_iterator(DYNRT_PLACEMENTS)) {
+    if (!file.path().filename().string().starts_with("place_core")) continue;
+    const auto one = nlohmann::json::parse(text_of(file.path()));
+    auto its = one["mhz"].get<std::vector<double>>();
+    std::ranges::sort(its);
+    const double median = shown((its[its.size() / 2] + its[(its.size() - 1) / 2]) / 2);
+    if (one["grade"] != "6" || median >= mhz) continue;
+    std::tie(mhz, kept, seeds) = std::tie(median, one, its);
+  }
   const Outcome outcome = run(std::string("render blocks") + kRtl + "--json f.json");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr(fmt::format(" frames per second at {:g} MHz, ", mhz)));
   EXPECT_THAT(outcome.out,
-              HasSubstr(fmt::format("\nclock       {:g} MHz, placed: thesis on Lattice LFE5U-85F, "
+              HasSubstr(fmt::format("\nclock       {:g} MHz, placed: {} on Lattice LFE5U-85F, "
                                     "grade 6; stand_in was not placed and may miss it\n",
-                                    mhz)));
+                                    mhz, kept["config"].get<std::string>())));
   const auto frame = nlohmann::json::parse(text_of(folder_ / "f.json"))["frame"];
   EXPECT_EQ(frame["clock_hz"], mhz * 1e6);
   EXPECT_DOUBLE_EQ(frame["frames_per_second"].get<double>(),

@@ -53,7 +53,8 @@ std::string CoreClock::text() const {
         placed->configuration, placed->where, placed->seeds, placed->lowest_mhz,
         placed->highest_mhz);
   }
-  const bool same_name = configuration == placed->configuration;
+  const bool same_name = std::ranges::find(placed_clocks(), configuration,
+                                           &PlacedClock::configuration) != placed_clocks().end();
   return fmt::format("clock       {:g} MHz, placed: {} on {}; {} was not placed and may miss it\n",
                      mhz, placed->configuration, placed->where,
                      same_name ? "this core has other keys," : configuration);
@@ -79,8 +80,8 @@ void ClockFlags::add_to(CLI::App& command) {
   command
       .add_option("--device", device,
                   fmt::format("FPGA at whose placed clock frames per second are stated: {}; "
-                              "a configuration that was not placed gets the clock of {}",
-                              all_devices(), placed_clocks().front().configuration))
+                              "a configuration that was not placed gets the slowest clock there",
+                              all_devices()))
       ->option_text(fmt::format("NAME [{}]", device));
   command
       .add_option("--grade", grade,
@@ -100,13 +101,14 @@ void ClockFlags::check() const {
 
 CoreClock ClockFlags::clock_of(const CoreInfo& core) const {
   if (mhz) return {.mhz = *mhz};
-  const PlacedClock& first = first_on_device();
-  const auto own = std::ranges::find_if(placed_clocks(), [&](const PlacedClock& c) {
-    return c.device == first.device && c.grade == first.grade && is_core(c, core);
-  });
-  const bool placed = own != placed_clocks().end();
-  const PlacedClock& clock = placed ? *own : first;
-  return {.mhz = clock.mhz, .placed = &clock, .own = placed, .configuration = core.name};
+  const PlacedClock* clock = &first_on_device();
+  bool own = false;
+  for (const PlacedClock& c : placed_clocks()) {
+    if (own || c.device != clock->device || c.grade != clock->grade) continue;
+    own = is_core(c, core);
+    if (own || c.mhz < clock->mhz) clock = &c;
+  }
+  return {.mhz = clock->mhz, .placed = clock, .own = own, .configuration = core.name};
 }
 
 const PlacedClock& ClockFlags::first_on_device() const {

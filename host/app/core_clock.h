@@ -36,8 +36,8 @@ struct ClockFlags {
   /// Throws UserError for a clock that none can have, and for a device or grade that no core was
   /// placed on.
   void check() const;
-  /// The clock of a core: the one given, else that of its placement, else that of the configuration
-  /// that stands in.
+  /// The clock of a core: the one given, else that of its placement, else the slowest that a core
+  /// reached on the device.
   CoreClock clock_of(const CoreInfo& core) const;
 
  private:

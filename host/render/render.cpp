@@ -81,16 +81,13 @@ FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
   if (!std::has_single_bit(lines) || lines > core.lines) {
     refuse_option("lines", messages::kLines, core.name, core.lines, lines);
   }
-  // The square that the Morton curve fills has room for one packet.
-  const unsigned side = std::max({options.width, options.height, packet_columns(core.packet_rays)});
-  const unsigned curve_bits = 2 * static_cast<unsigned>(std::bit_width(side - 1));
   FrameConfig frame;
   frame.packets = to_word(packets);
   frame.line_mask = to_word(lines - 1);
   frame.width = to_word(options.width);
   frame.height = to_word(options.height);
   frame.scanline = to_word(options.order == RayOrder::kScanline);
-  frame.morton_bits = to_word(curve_bits - std::countr_zero(core.packet_rays));
+  frame.morton_bits = to_word(morton_bits(options.width, options.height, core.packet_rays));
   frame.start_node = to_word(scene.start_node);
   frame.camera_matrix = to_word(scene.camera_matrix);
   frame.background = to_word(options.background);

@@ -4,13 +4,16 @@
 // RAM with a write port and a synchronous read port: data comes the clock after the address. A row
 // that is read while it is written may be any data in an FPGA. Either the user promises that this
 // never happens, and only the assertion of that promise uses the reset; or the lowest bit that is
-// read is one then and zero else, whatever was written there.
+// read is one then and zero else, whatever was written there. More than 2,048 rows lie in memories
+// of 4 bits, of which a block RAM of ECP5 holds 4,096 rows: synthesis would take blocks of 2,048
+// rows and a multiplexer behind them, and a stage behind that cannot be the register in a block.
 //
 // Parameters:
 //   WIDTH       bits of a row, of which TORN takes one; at least 1
 //   ROWS        number of rows, at least 1
 //   BLOCK       1 asks for block RAM, 0 leaves it to synthesis; 0 to 1
 //   TORN        1 for the lowest bit that tells, 0 for the promise; 0 to 1
+//   COLUMN      bits of a row in one memory, without TORN; at least 1
 //   ADDR_WIDTH  bits of an address; follows from ROWS, leave it as it is
 //
 // Ports:
@@ -25,6 +28,7 @@ module hls_ram_1r1w #(
     parameter ROWS = 16,
     parameter BLOCK = 0,
     parameter TORN = 0,
+    parameter COLUMN = ROWS > 2048 && WIDTH > 4 ? 4 : WIDTH,
     parameter ADDR_WIDTH = ROWS > 1 ? $clog2(ROWS) : 1
 ) (
     input  wire                  clk_i,
@@ -51,6 +55,9 @@ module hls_ram_1r1w #(
     if (TORN != 0 && TORN != 1) begin : bad_torn
       hls_ram_1r1w_TORN_must_be_0_or_1 stop ();
     end
+    if (COLUMN < 1 && WIDTH >= 1) begin : bad_column
+      hls_ram_1r1w_COLUMN_must_be_at_least_1 stop ();
+    end
     if (ADDR_WIDTH != (ROWS > 1 ? $clog2(ROWS) : 1)) begin : bad_addr_width
       hls_ram_1r1w_ADDR_WIDTH_must_follow_from_ROWS stop ();
     end
@@ -76,14 +83,19 @@ module hls_ram_1r1w #(
       assign read_data_o = {row_q, torn_q};
       wire unused = &{1'b0, write_data_i[0]};
     end else begin : exclusive
-      (* no_rw_check, ram_style = STYLE *)
-      reg [WIDTH-1:0] rows[0:ROWS-1];
-      reg [WIDTH-1:0] row_q;
-      always @(posedge clk_i) begin
-        if (write_en_i) rows[write_addr_i] <= write_data_i;
-        if (read_en_i) row_q <= rows[read_addr_i];
+      localparam STEP = COLUMN < 1 ? WIDTH : COLUMN;  // the loop ends for a bad one too
+      genvar low;
+      for (low = 0; low < WIDTH; low = low + STEP) begin : column
+        localparam BITS = low + STEP > WIDTH ? WIDTH - low : STEP;
+        (* no_rw_check, ram_style = STYLE *)
+        reg [BITS-1:0] rows[0:ROWS-1];
+        reg [BITS-1:0] row_q;
+        always @(posedge clk_i) begin
+          if (write_en_i) rows[write_addr_i] <= write_data_i[low+:BITS];
+          if (read_en_i) row_q <= rows[read_addr_i];
+        end
+        assign read_data_o[low+:BITS] = row_q;
       end
-      assign read_data_o = row_q;
     end
   endgenerate
 

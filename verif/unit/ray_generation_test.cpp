@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "units/ray_generation.h"
 
-#include <algorithm>
-#include <bit>
-
 #include "Vray_generation.h"
 #include "ray_generation_ports.h"
 #include "unit/cosimulate.h"
@@ -19,15 +16,14 @@ void setup(Bench<RayGeneration<C>>& bench, const Run& run) {
   if (large) bench.may_be_silent("done");
   bench.may_be_silent("skipped");
   bench.shape<FrameRegisters<C>>("frame", [=](FrameRegisters<C>& frame, Random& random) {
-    const std::uint64_t limit = large ? 1024 : 60;
-    const std::uint64_t width = 1 + random.below(limit);
-    const std::uint64_t height = large ? 1024 : 1 + random.below(limit);
-    const std::uint64_t side = std::max({width, height, std::uint64_t{packet_columns(kRays<C>)}});
+    const unsigned limit = large ? 1024 : 60;
+    const auto width = static_cast<unsigned>(1 + random.below(limit));
+    const auto height = large ? 1024u : static_cast<unsigned>(1 + random.below(limit));
     frame.packets = Word::from(1 + random.below(C::kPackets));
     frame.width = Word::from(width);
     frame.height = Word::from(height);
     frame.scanline = Word::from(scanline);
-    frame.morton_bits = Word::from(2u * std::bit_width(side - 1) - kRayBits<C>);
+    frame.morton_bits = Word::from(morton_bits(width, height, kRays<C>));
   });
 }
 

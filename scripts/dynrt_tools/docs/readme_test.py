@@ -47,7 +47,8 @@ class Readme(unittest.TestCase):
         full = placed_clocks.of("full")
         self.assertIn(f"`full` reaches {full.mhz:g} MHz.", README.replace("\n", " "))
         self.assertEqual((full.configuration, full.seeds), ("full", 3))
-        self.assertEqual(placed_clocks.of("boxed"), thesis)  # "was not placed"
+        boxed = placed_clocks.of("boxed")
+        self.assertEqual(boxed.mhz, min(thesis.mhz, full.mhz))  # "the slower of the two"
 
 
 if __name__ == "__main__":

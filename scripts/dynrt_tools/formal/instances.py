@@ -137,7 +137,8 @@ def is_unit(module: str) -> bool:
 
 
 def of(stated: Json) -> list[Instance]:
-    """The instances of a proof: all that the core has of a primitive, or all its units."""
+    """The instances of a proof: all that the core has of a primitive, and those that stand for what
+    other cores have of it; or all its units."""
     if stated["of"] == "units" or isinstance(stated["of"], list):
         names = stated["of"]
         if names == "units":
@@ -145,6 +146,7 @@ def of(stated: Json) -> list[Instance]:
         found = [unit(m, {}, stated) for m in names]
     else:
         found = [primitive(m, p) for m, p in core() if m == stated["of"]]
+        found += [primitive(stated["of"], p) for p in stated.get("besides", [])]
     if not found:
         raise flow.Broken(f"the core has no {stated['of']}")
     return sorted({i.label: i for i in found}.values(), key=lambda i: i.label)

@@ -131,8 +131,10 @@ class Proof:
         if spared:
             raise flow.Broken(f"{self.name}: no mutation breaks {', '.join(sorted(spared))}")
         for number, mutation in enumerate(mutations, 1):
+            other = mutation.get("parameters")
+            broken = instances.primitive(self.stated["of"], other) if other else instance
             design = self.design(
-                instance, f"mutation{number}", keep=mutation["breaks"], mutation=mutation
+                broken, f"mutation{number}", keep=mutation["breaks"], mutation=mutation
             )
             passed, _ = design.holds(self.example["clocks"])
             if passed:

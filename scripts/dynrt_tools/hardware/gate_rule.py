@@ -128,7 +128,9 @@ def memory(name: str, cell: Json) -> Memory:
 
 def tidy(memid: str) -> str:
     """The name of the FIFO, RAM or register file that a memory is the rows of."""
-    return re.sub(r"(\.(exclusive|torn))?\.rows$", "", memid.lstrip("\\")).replace("\\", "")
+    return re.sub(r"(\.(exclusive\.column\[\d+\]|torn))?\.rows$", "", memid.lstrip("\\")).replace(
+        "\\", ""
+    )
 
 
 def fit(points: Sequence[tuple[int, int]], values: Sequence[float]) -> tuple[float, ...]:

@@ -31,15 +31,27 @@ DATA = placed_clocks.DATA
 LIMITS = 0.85
 SCHEDULED = re.compile(r"^// Scheduled for ([\d.]+) ns on", re.MULTILINE)
 HAS = (
-    *("unit", "config", "device", "grade", "placer", "seeds", "mhz", "asked_mhz", "clock_ns"),
+    *(
+        "unit",
+        "config",
+        "device",
+        "grade",
+        "copies",
+        "placer",
+        "seeds",
+        "mhz",
+        "asked_mhz",
+        "clock_ns",
+    ),
     *("verilog", "model", "limits", "ends"),
 )
 
 
 def hash_of(module: str, files: Sequence[pathlib.Path]) -> str:
-    """Of the Verilog that a module needs, comments apart."""
+    """A hash of the Verilog that a module needs and of the headers beside it, without comments."""
     digest = hashlib.sha256()
-    for path in sorted(synthesis.needed(module, list(files)), key=lambda p: p.name):
+    needed = synthesis.needed(module, list(files))
+    for path in sorted([*needed, *synthesis.headers_beside(needed)], key=lambda p: p.name):
         digest.update(path.name.encode() + b"\0" + synthesis.meaning(path).encode() + b"\0")
     return digest.hexdigest()
 
@@ -143,8 +155,14 @@ def file_of(name: str) -> pathlib.Path:
 def is_for_a_fit(path: pathlib.Path) -> bool:
     """Whether a file of the results is a kept placement, and no other record of scripts/place, of
     what hlsc predicts: no board, nor several cores."""
-    kept = read_json(path)
-    return "ends" in kept and kept["unit"] != rtl_files.BOARD and kept["copies"] == 1
+    try:
+        record = read_json(path)
+    except ValueError as error:
+        raise project.Failed(f"{path}: cannot be read ({error}); make it again") from error
+    if "ends" not in record:
+        return False
+    kept = read(path)
+    return bool(kept["unit"] != rtl_files.BOARD and kept["copies"] == 1)
 
 
 def period(kept: Json) -> float:

@@ -18,8 +18,6 @@ from dynrt_tools.project import Json
 DATA = project.ROOT / "docs" / "results" / "data"
 FILES = "place_core*.json"
 DEVICE = "ecp5-85"  # that figures are for where no other is named, at its default grade
-# Whose clock stands in for that of a configuration without a placement, and every output says so.
-STAND_IN = rtl_files.CHECKED_IN
 THESIS_MHZ = 85  # the clock of the thesis's prototype, beside which figures are compared with it
 
 # Figures that follow from counted clocks and a clock in MHz. Kept data leave them out.
@@ -88,14 +86,14 @@ def _order(clock: PlacedClock) -> tuple[object, ...]:
         clock.device != DEVICE,
         clock.device,
         grades.index(clock.grade) if clock.grade in grades else len(grades),
-        clock.configuration != STAND_IN,
+        clock.configuration != rtl_files.CHECKED_IN,
         clock.configuration,
     )
 
 
 def load(folder: pathlib.Path = DATA) -> list[PlacedClock]:
     """Every placement of one core alone: the default device and grade first, and of each device and
-    grade STAND_IN first."""
+    grade the checked-in configuration first."""
     files = {path: project.read_json(path) for path in folder.glob(FILES)}
     alone = {path: data for path, data in files.items() if data.get("copies", 1) == 1}
     clocks = sorted((_read(path, data) for path, data in alone.items()), key=_order)
@@ -111,12 +109,13 @@ def load(folder: pathlib.Path = DATA) -> list[PlacedClock]:
 
 
 def of(configuration: str, clocks: list[PlacedClock] | None = None) -> PlacedClock:
-    """The clock of a configuration on the default device and grade, or else that of STAND_IN there,
-    whose `configuration` says so."""
+    """The clock of a configuration on the default device and grade. Where it was not placed the
+    slowest clock there stands in, whose `configuration` says so."""
     clocks = clocks or load()
     first = clocks[0]
     there = [c for c in clocks if (c.device, c.grade) == (first.device, first.grade)]
-    return next((c for c in there if c.configuration == configuration), first)
+    slowest = min(there, key=lambda clock: clock.mhz)
+    return next((c for c in there if c.configuration == configuration), slowest)
 
 
 def frames_per_second(cycles: float, mhz: float) -> float:

@@ -52,7 +52,8 @@ class Reading(testing.InFolder):
         self.assertEqual(first.command, "place place_core")
         self.assertEqual(first.where, "Lattice LFE5U-85F, grade 6")
         self.assertEqual(placed_clocks.of("boxed", clocks).mhz, 90)
-        self.assertEqual(placed_clocks.of("full", clocks), first)
+        self.assertEqual(placed_clocks.of("thesis", clocks), first)
+        self.assertEqual(placed_clocks.of("full", clocks).configuration, "boxed")  # the slowest
 
     def test_a_configuration_without_a_placement_is_named(self) -> None:
         self.write("place_core", 100, "thesis")

@@ -26,6 +26,8 @@ MEMORY = {
     "read_en": re.compile(r"CEB|OCEB|RE|RCLKE"),
 }
 MEMORY_CELL = re.compile(r"\.rows$|\.rows\.")
+# The columns of a RAM are of one row.
+COLUMN = re.compile(r"\.column\[\d+\](?=\.)")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -36,6 +38,11 @@ class End:
     unit: str
     signal: str
     port: str
+
+
+def name_of(signal: str) -> str:
+    """What the bits of a signal have in common."""
+    return COLUMN.sub("", source_names.BIT.sub("", signal))
 
 
 def port_of(signal: str, pin: str) -> str:
@@ -56,8 +63,7 @@ def ends_of(timing: timing_graph.Timing, names: source_names.Names) -> dict[End,
         last = names.register(pin[0])
         first = timing.path(pin)[0]
         start = names.origin(first.cell, first.out)
-        signal = source_names.BIT.sub("", last.signal)
-        began = source_names.BIT.sub("", start.signal)
+        signal, began = name_of(last.signal), name_of(start.signal)
         port = "reset" if RESET.search(began) else port_of(signal, pin[1])
         found.setdefault(
             End(last.unit, signal, port),

@@ -66,6 +66,11 @@ def tool_version(tool: str, flag: str, package: str) -> str:
     return (result.stdout + result.stderr).strip()
 
 
+def headers_beside(files: Sequence[pathlib.Path]) -> list[pathlib.Path]:
+    """The headers beside Verilog files, which are part of the text, as it includes them."""
+    return [h for folder in rtl_files.include_folders(files) for h in sorted(folder.glob("*.vh"))]
+
+
 def kept(
     kind: str, said: object, files: list[pathlib.Path], make: Callable[[pathlib.Path], None]
 ) -> pathlib.Path:
@@ -74,10 +79,8 @@ def kept(
     digest = hashlib.sha256(json.dumps([kind, said], sort_keys=True).encode())
     for path in files:
         digest.update(path.name.encode() + b"\0" + meaning(path).encode() + b"\0")
-    # Headers beside the files are part of the text, as it includes them.
-    for folder in rtl_files.include_folders(files):
-        for path in sorted(folder.glob("*.vh")):
-            digest.update(meaning(path).encode() + b"\0")
+    for path in headers_beside(files):
+        digest.update(meaning(path).encode() + b"\0")
 
     def build(partial: pathlib.Path) -> pathlib.Path:
         folder = partial / "result"

@@ -38,7 +38,12 @@
     if (TORN != 0) begin : in_torn
       always @* if (written_q) assert (torn.rows[watched] == value_q[WIDTH-1:1]);
     end else begin : in_exclusive
-      always @* if (written_q) assert (exclusive.rows[watched] == value_q);
+      genvar low;
+      for (low = 0; low < WIDTH; low = low + COLUMN) begin : column
+        wire [WIDTH-1:0] rest = value_q >> low;
+        always @* if (written_q)
+          assert (exclusive.column[low].rows[watched] == rest[exclusive.column[low].BITS-1:0]);
+      end
     end
   endgenerate
 
