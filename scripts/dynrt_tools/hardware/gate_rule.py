@@ -18,6 +18,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy
+from dynrt_tools.hardware import source_names
 from dynrt_tools.project import Failed, Json
 
 FULL_ADDER, FLIP_FLOP, FLIP_FLOP_ENABLED = 9, 6, 8
@@ -128,9 +129,8 @@ def memory(name: str, cell: Json) -> Memory:
 
 def tidy(memid: str) -> str:
     """The name of the FIFO, RAM or register file that a memory is the rows of."""
-    return re.sub(r"(\.(exclusive\.column\[\d+\]|torn))?\.rows$", "", memid.lstrip("\\")).replace(
-        "\\", ""
-    )
+    row = source_names.of_row(memid.lstrip("\\"))
+    return re.sub(r"(\.(exclusive|torn))?\.rows$", "", row).replace("\\", "")
 
 
 def fit(points: Sequence[tuple[int, int]], values: Sequence[float]) -> tuple[float, ...]:

@@ -16,23 +16,19 @@ import concurrent.futures
 import pathlib
 import shutil
 import sys
-from dataclasses import dataclass, field
 from typing import Any
 
 from dynrt_tools import options, project, unit_names
 from dynrt_tools.command import Pool
 from dynrt_tools.hardware import (
-    area,
-    devices,
     kept_placement,
     lowering,
-    model_file,
     place_record,
+    place_row,
     place_table,
     placers,
     placing,
     rtl_files,
-    synthesis,
 )
 from dynrt_tools.project import Json
 
@@ -146,74 +142,6 @@ cannot be kept. The other rows are complete in each case.""",
     return parser.parse_args()
 
 
-NO_FIT = "does not fit: "
-
-
-@dataclass
-class Row:
-    """What becomes one row of the table: its figures so far, and the seeds that are under way."""
-
-    name: str
-    data: Json
-    subject: placing.Subject | None = None
-    placed: list[Json] = field(default_factory=list)
-    failures: list[Json] = field(default_factory=list)
-    kept: bool = True  # where --keep asks for it
-
-    def add(self, seed: int, job: "concurrent.futures.Future[Json]", program: str) -> None:
-        """The result of a seed, or a sentence that says why there is none."""
-        try:
-            self.placed.append(job.result())
-        except project.Failed as error:
-            fits = not isinstance(error, placers.DoesNotFit)
-            said = str(error) if fits else f"{NO_FIT}{error}"
-            self.failures.append({"seed": seed, "error": said})
-            project.show_progress("")
-            print(
-                f"place: {program} placed no {self.name} with seed {seed}: {said}", file=sys.stderr
-            )
-
-    def finish(self) -> None:
-        """Puts the seeds in their order, and in place of all that are missing Yosys's timing."""
-        self.data["placed"] = sorted(self.placed, key=lambda p: int(p["seed"]))
-        self.data["failures"] = sorted(self.failures, key=lambda f: int(f["seed"]))
-        if self.failures and not self.placed:
-            first = self.data["failures"][0]["error"]
-            self.data["note"] = first if first.startswith(NO_FIT) else f"failed: {first}"
-        if not self.placed and self.subject and self.name not in rtl_files.WHOLE:
-            try:
-                self.data["logic_ns"] = placing.logic_delay(self.name, list(self.subject.files))
-            except project.Failed as error:
-                print(f"place: no timing of {self.name} by Yosys: {error}", file=sys.stderr)
-
-
-def prepare(name: str, args: argparse.Namespace, build: pathlib.Path | None) -> Row:
-    """A row with all that is known before the placer runs; without a subject there is no more."""
-    if name in rtl_files.WHOLE:
-        files = rtl_files.library() + rtl_files.generated(args)
-        files += rtl_files.board() if name == rtl_files.BOARD else []
-        return Row(name, {"unit": name}, placing.Subject(name, files, args.copies, True))
-    assert build is not None  # units are of a build
-    grade = placers.grade_of(args.device, args.grade)
-    model = model_file.base_of(model_file.path_of(args.device, grade))
-    delay = model.relative_to(project.ROOT).as_posix()
-    unit = lowering.units(build, args.config)[name]
-    try:
-        folder = lowering.lower(build, unit, args.clock_ns, delay, args.config)
-    except project.Failed as error:
-        return Row(name, {"unit": name, "note": f"not lowered: {error}"})
-    files = rtl_files.hand_written() + [folder / f"{name}.v"]
-    data: Json = {"unit": name, "delay": delay}
-    data |= area.schedule((folder / f"{name}.txt").read_text(encoding="utf-8"))
-    family = devices.DEVICES[args.device]["family"]
-    cells, _ = synthesis.cells(name, files, devices.FAMILIES[family]["synth"], name)
-    data["resources"] = devices.resources(family, cells)
-    taken = {resource: args.copies * n for resource, n in data["resources"].items()}
-    if short := devices.shortages(args.device, taken):
-        data["note"] = NO_FIT + "; ".join(short)
-    return Row(name, data, placing.Subject(name, files, args.copies))
-
-
 class Run:
     """All rows of one call, each printed and written as soon as it is done."""
 
@@ -228,7 +156,7 @@ class Run:
             args.timeout * 60,
         )
         self.there = shutil.which(self.placer["program"]) is not None
-        self.done: dict[str, Row] = {}
+        self.done: dict[str, place_row.Row] = {}
 
     def _period(self) -> float:
         """Of the Verilog that is there already, where nothing else is placed."""
@@ -239,8 +167,8 @@ class Run:
     def place(self, build: pathlib.Path | None) -> None:
         """Places every row and seed, as many at a time as there may be."""
         with Pool(self.args.jobs) as pool:
-            preparing = {pool.submit(prepare, n, self.args, build): n for n in self.names}
-            placements: dict[concurrent.futures.Future[Json], tuple[Row, int]] = {}
+            preparing = {pool.submit(place_row.prepare, n, self.args, build): n for n in self.names}
+            placements: dict[concurrent.futures.Future[Json], tuple[place_row.Row, int]] = {}
             left: dict[str, int] = {}
             pending: set[concurrent.futures.Future[Any]] = set(preparing)
             while pending:
@@ -264,15 +192,15 @@ class Run:
                         self._finish(row)
 
     @staticmethod
-    def _prepared(name: str, job: "concurrent.futures.Future[Row]") -> Row:
+    def _prepared(name: str, job: "concurrent.futures.Future[place_row.Row]") -> place_row.Row:
         """The row that a job made, or one that says why there is none."""
         try:
             return job.result()
         except (project.Failed, OSError) as error:
             print(f"place: {error}", file=sys.stderr)
-            return Row(name, {"unit": name, "note": f"failed: {error}"})
+            return place_row.Row(name, {"unit": name, "note": f"failed: {error}"})
 
-    def _seeds(self, row: Row) -> range:
+    def _seeds(self, row: place_row.Row) -> range:
         if row.subject is None or "note" in row.data:
             return range(0)
         if not self.there:
@@ -280,7 +208,7 @@ class Run:
             return range(0)
         return range(1, self.args.seeds + 1)
 
-    def _place(self, row: Row, seed: int) -> Json:
+    def _place(self, row: place_row.Row, seed: int) -> Json:
         assert row.subject is not None  # or it would have no seeds
         return placing.place(
             self.target,
@@ -289,7 +217,7 @@ class Run:
             lambda: project.show_progress(f"placing {row.name}, seed {seed}"),
         )
 
-    def _finish(self, row: Row) -> None:
+    def _finish(self, row: place_row.Row) -> None:
         row.finish()
         self.done[row.name] = row
         project.show_progress("")
@@ -309,7 +237,7 @@ class Run:
             row.kept = False
             print(f"place: {row.name} is placed and not kept: {error}", file=sys.stderr)
 
-    def _keep(self, row: Row, subject: placing.Subject) -> None:
+    def _keep(self, row: place_row.Row, subject: placing.Subject) -> None:
         """Writes the kept placement of a row, or a sentence that says why there is none."""
         file = pathlib.Path(self.args.keep.replace("{unit}", row.name))
         try:
@@ -359,15 +287,15 @@ def chosen(args: argparse.Namespace) -> tuple[list[str], pathlib.Path | None]:
     units = lowering.units(build, args.config)
     if not units:
         project.fail(f"--config {args.config}: the build {build} has no such configuration")
-    everything = [*units, *([rtl_files.CORE] if args.device == "ecp5-85" else [])]
     names = unit_names.all_modules_of(
         args.unit,
         lowering.headers(units) | {name: name for name in rtl_files.WHOLE},
         f"; {' and '.join(rtl_files.WHOLE)} are the whole core and the board's top",
     )
-    if rtl_files.CORE in (names or everything):
-        rtl_files.generated(args)  # ends here too
-    return names or everything, build
+    if not names and args.device == "ecp5-85":
+        rtl_files.generated(args)  # as above
+        return [*units, rtl_files.CORE], build
+    return names or list(units), build
 
 
 def check(args: argparse.Namespace) -> None:

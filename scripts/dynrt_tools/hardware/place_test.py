@@ -15,8 +15,8 @@ from dynrt_tools import project, testing
 from dynrt_tools.hardware import (
     area,
     lowering,
-    place,
     place_record,
+    place_row,
     placers,
     rtl_files,
     synthesis,
@@ -138,11 +138,11 @@ class Lowering(unittest.TestCase):
     UNIT = {"sum": {"module": "sum", "header": "sum.h", "type": "Sum"}}
 
     @staticmethod
-    def prepared(grade: str) -> place.Row:
+    def prepared(grade: str) -> place_row.Row:
         args = argparse.Namespace(
             device="ecp5-85", grade=grade, config=rtl_files.CHECKED_IN, clock_ns=0.1, copies=1
         )
-        return place.prepare("sum", args, pathlib.Path("build"))
+        return place_row.prepare("sum", args, pathlib.Path("build"))
 
     def test_a_unit_that_no_schedule_brings_to_the_clock_is_a_failure(self) -> None:
         refusal = project.Failed("sum.h:3: takes 2.35 ns")
@@ -186,7 +186,7 @@ class Whole(unittest.TestCase):
     def test_core_and_board_are_the_checked_in_verilog(self) -> None:
         args = argparse.Namespace(copies=2, config=rtl_files.CHECKED_IN, build=None)
         for name in rtl_files.WHOLE:
-            row = place.prepare(name, args, None)
+            row = place_row.prepare(name, args, None)
             assert row.subject is not None
             files = synthesis.needed(name, list(row.subject.files))
             self.assertIn(rtl_files.GENERATED / "list.v", files)

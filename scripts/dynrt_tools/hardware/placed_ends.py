@@ -26,8 +26,6 @@ MEMORY = {
     "read_en": re.compile(r"CEB|OCEB|RE|RCLKE"),
 }
 MEMORY_CELL = re.compile(r"\.rows$|\.rows\.")
-# The columns of a RAM are of one row.
-COLUMN = re.compile(r"\.column\[\d+\](?=\.)")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -42,7 +40,7 @@ class End:
 
 def name_of(signal: str) -> str:
     """What the bits of a signal have in common."""
-    return COLUMN.sub("", source_names.BIT.sub("", signal))
+    return source_names.of_row(source_names.BIT.sub("", signal))
 
 
 def port_of(signal: str, pin: str) -> str:

@@ -29,6 +29,8 @@ COPY = re.compile(r"copy_(\d+)\.")
 COMMENT = re.compile(r"// (units/\S+:\d+)")
 STAGE = re.compile(r"_(?:s\d+|q)$")
 BIT = re.compile(r"\[\d+\]$")
+# The columns that hls_ram_1r1w divides a row into.
+COLUMN = re.compile(r"\.column\[\d+\](?=\.)")
 # How hlsc and the primitives name a register, where a net has more names.
 REGISTER = re.compile(r"_(?:s\d+|q|still)(?:\[\d+\])?$")
 FLIP_FLOP = re.compile(r"^(?:TRELLIS_FF$|SB_DFF)")
@@ -42,6 +44,11 @@ class Origin:
     unit: str
     signal: str
     source: str
+
+
+def of_row(signal: str) -> str:
+    """A signal of a RAM by its row, and not by a column of that."""
+    return COLUMN.sub("", signal)
 
 
 class Names:
