@@ -101,14 +101,16 @@ void ClockFlags::check() const {
 
 CoreClock ClockFlags::clock_of(const CoreInfo& core) const {
   if (mhz) return {.mhz = *mhz};
-  const PlacedClock* clock = &first_on_device();
-  bool own = false;
+  const PlacedClock& first = first_on_device();
+  const PlacedClock* slowest = &first;
   for (const PlacedClock& c : placed_clocks()) {
-    if (own || c.device != clock->device || c.grade != clock->grade) continue;
-    own = is_core(c, core);
-    if (own || c.mhz < clock->mhz) clock = &c;
+    if (c.device != first.device || c.grade != first.grade) continue;
+    if (is_core(c, core)) {
+      return {.mhz = c.mhz, .placed = &c, .own = true, .configuration = core.name};
+    }
+    if (c.mhz < slowest->mhz) slowest = &c;
   }
-  return {.mhz = clock->mhz, .placed = clock, .own = own, .configuration = core.name};
+  return {.mhz = slowest->mhz, .placed = slowest, .own = false, .configuration = core.name};
 }
 
 const PlacedClock& ClockFlags::first_on_device() const {

@@ -3,9 +3,6 @@
 //
 // The board's registers alone, with a transfer on the bus in every clock: order, refusals, the
 // start and the reset of a frame. The other ports of the Verilog are the test's.
-#include <gtest/gtest.h>
-#include <verilated.h>
-
 #include <deque>
 #include <map>
 #include <random>
@@ -13,11 +10,12 @@
 #include "Vboard_registers.h"
 #include "Vboard_registers_slow.h"
 #include "host/board/registers.h"
+#include "rtl/lib/lib_test.h"
 
-namespace dynrt::host {
+namespace dynrt::rtl {
 namespace {
 
-namespace reg = registers;
+namespace reg = host::registers;
 
 constexpr std::uint32_t kFrameWord = reg::kRegFrame + 4 * 2;
 constexpr std::uint32_t kPackets = reg::kRegFrame;
@@ -38,11 +36,7 @@ struct Slow {
 template <class T>
 class BoardRegisters : public testing::Test {
  protected:
-  BoardRegisters() {
-    v_.rst_ni = 0;
-    idle(3);
-    v_.rst_ni = 1;
-  }
+  BoardRegisters() { reset(v_); }
   void write(std::uint32_t address, std::uint32_t value) { transfer(true, address, value); }
   /// The read is answered while the bus goes on.
   void read(std::uint32_t address, std::uint32_t expected) {
@@ -51,19 +45,18 @@ class BoardRegisters : public testing::Test {
   }
   void idle(unsigned clocks) {
     v_.bus_valid_i = 0;
-    for (unsigned i = 0; i < clocks; ++i) clock();
+    for (unsigned i = 0; i < clocks; ++i) step();
   }
-  /// All answers have come.
-  void settle() {
+  /// Waits until all answers have come.
+  void all_answered() {
     idle(T::kLatency + 4);
     EXPECT_TRUE(answers_.empty());
   }
   /// One clock; true if the bus was ready in it. A frame that starts makes the board busy.
-  bool clock() {
-    v_.clk_i = 0;
+  bool step() {
     v_.busy_i = busy_;
     v_.counter_data_i = counters_.size() == 3 ? counters_.front() : 0;
-    v_.eval();
+    settle(v_);
     const bool ready = v_.bus_ready_o;
     if (counters_.size() == 3) counters_.pop_front();
     counters_.push_back(1000u + v_.counter_addr_o);
@@ -78,8 +71,7 @@ class BoardRegisters : public testing::Test {
         answers_.pop_front();
       }
     }
-    v_.clk_i = 1;
-    v_.eval();
+    clock(v_);
     ++clock_;
     return ready;
   }
@@ -88,7 +80,7 @@ class BoardRegisters : public testing::Test {
     v_.bus_write_i = is_write;
     v_.bus_addr_i = address;
     v_.bus_wdata_i = value;
-    while (!clock()) {
+    while (!step()) {
     }
   }
   void good_frame() {
@@ -129,7 +121,7 @@ TYPED_TEST(BoardRegisters, AReadSeesEveryWriteBeforeItAndNoneBehindIt) {
       this->read(address, value);
     }
   }
-  this->settle();
+  this->all_answered();
 }
 
 TYPED_TEST(BoardRegisters, AStartTakesTheFrameThatWasWrittenJustBefore) {
@@ -146,7 +138,7 @@ TYPED_TEST(BoardRegisters, AStartTakesTheFrameThatWasWrittenJustBefore) {
   this->write(kLineMask, 7);
   this->write(reg::kRegControl, kStart);
   this->read(reg::kRegStatus, 1u << reg::kStatusBusy);
-  this->settle();
+  this->all_answered();
   EXPECT_EQ(this->begun_, 1u);
   EXPECT_EQ(this->v_.last_packet_o, 3u);
   EXPECT_EQ(this->v_.last_line_o, 7u);
@@ -160,7 +152,7 @@ TYPED_TEST(BoardRegisters, WhatComesBehindAStartIsRefused) {
     this->write(address, 22);
     this->read(kFrameWord, 11);
     this->read(reg::kRegStatus, 1u << reg::kStatusBusy | 1u << reg::kStatusRefused);
-    this->settle();
+    this->all_answered();
     this->busy_ = false;
   }
 }
@@ -181,13 +173,13 @@ TYPED_TEST(BoardRegisters, NoInterruptFollowsAReset) {
     this->interrupts_ = 0;
     for (unsigned t = 0; t < 10; ++t) {
       this->v_.done_i = t == ends;
-      this->clock();
+      this->step();
       this->v_.bus_valid_i = 0;
     }
     EXPECT_EQ(this->interrupts_, 0u);
     this->busy_ = false;
     this->read(reg::kRegIrqPending, 0);
-    this->settle();
+    this->all_answered();
   }
 }
 
@@ -199,8 +191,8 @@ TYPED_TEST(BoardRegisters, AFrameThatEndsInterrupts) {
   this->idle(2);
   EXPECT_GT(this->interrupts_, 0u);
   this->read(reg::kRegStatus, 1u << reg::kStatusDone);
-  this->settle();
+  this->all_answered();
 }
 
 }  // namespace
-}  // namespace dynrt::host
+}  // namespace dynrt::rtl
