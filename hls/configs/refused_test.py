@@ -170,6 +170,52 @@ class Refused(GenerateCase):
         )
         self.assertIn("kActive", self.written(rays_sent="active"))
 
+    def test_a_box_in_the_world_is_seen_from_the_eye(self) -> None:
+        good = {
+            "object_box": "world",
+            "origins": "common",
+            "rays_sent": "active",
+            "divider": "three_reciprocals",
+        }
+        self.assertIn("ObjectBox kObjectBox = ObjectBox::kWorld", self.written(**good))
+        shutil.rmtree(self.out)
+        for key, value, wants in (
+            (
+                "origins",
+                "each",
+                "common, as an object's box is stored as it lies from the point where all rays "
+                "start",
+            ),
+            (
+                "lights",
+                1,
+                "0, as an object's box is stored as it lies from the eye, and light rays start "
+                "elsewhere",
+            ),
+            (
+                "rays_sent",
+                "traced",
+                "active, as rays that miss an object's box do not enter the object, but others of "
+                "their packet do",
+            ),
+            (
+                "divider",
+                "reciprocal",
+                "three_reciprocals, as a ray is tested with the reciprocals of its direction in "
+                "the world, written all at once",
+            ),
+        ):
+            self.assert_refused(
+                listing(good | {key: value}),
+                f"configuration 'tiny': with object_box \"world\" the key '{key}' must be {wants}; "
+                f"it is {json.dumps(value)}",
+            )
+        self.assert_refused(
+            listing(good | {"levels": 1}),
+            "configuration 'tiny': with levels 1 the key 'object_box' must be nodes, as no object "
+            'is entered; it is "world"',
+        )
+
     def test_reflected_rays_have_no_common_origin(self) -> None:
         self.assert_refused(
             listing({"origins": "common", "reflections": 2}),

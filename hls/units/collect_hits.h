@@ -43,13 +43,14 @@ struct CollectHits {
   hls::Out<ListJob<C>> go_on;
   hls::Out<MailboxEntry<C>> start;
   hls::RamWrite<Real, kPackets> distance[kRays<C>];
+  hls::OptionalPort<kTestsWorldBox<C>, hls::RamWrite<Real, kRayRows<C>>> reach;  ///< the distances
   hls::RamWrite<HitRecord<C>, kRayRows<C>> hit;  ///< of primary rays
   hls::OptionalPort<kHasSecondary<C>, hls::Out<DerivationEvent<C>>> derived;
   hls::OptionalPort<kHasSecondary<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
   hls::OptionalPort<kHasSecondary<C>, hls::RamWrite<Found<C>, kRayRows<C>>> found;
   hls::OptionalPort<kHasMirrors<C>, hls::RamWrite<Real, kPackets>> start_distance[kRays<C>];
   hls::Ram1R1W<Closest, kRayRows<C>> closest;
-  HLS_PORTS(candidate, record, object, go_on, start, distance, hit, derived, surface, found,
+  HLS_PORTS(candidate, record, object, go_on, start, distance, reach, hit, derived, surface, found,
             start_distance)
 
   void step() {
@@ -95,8 +96,9 @@ struct CollectHits {
     }
     if (in.reset || closer || lit) closest.write(row, now);
     if (in.reset || closer) {
-      const Real reach = in.reset && alone && is_light(job) ? kReach : now.t;
-      write_of_ray(distance, in.ray, in.packet, reach);
+      const Real far = in.reset && alone && is_light(job) ? kReach : now.t;
+      write_of_ray(distance, in.ray, in.packet, far);
+      if constexpr (kTestsWorldBox<C>) reach.write(row, far);
     }
     if ((in.reset && !alone) || (closer && kind == RayKind::kPrimary)) hit.write(row, best);
     if constexpr (kHasSecondary<C>) {

@@ -155,5 +155,36 @@ TEST(CollectHits, TheFarSideOfASphereIsInItsOwnShadow) {
   EXPECT_FALSE(lit_at(Primitive::kTriangle, 0.5).hit) << "a triangle does not lie before itself";
 }
 
+struct WorldBoxes : test::Config<8> {
+  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
+};
+
+TEST(CollectHits, GivesEveryRaysDistanceToTheTestOfBoxes) {
+  test::UnitBench<CollectHits<WorldBoxes>> bench;
+  const auto reach = [&bench](unsigned packet, unsigned ray) {
+    return bench.rows(bench.unit.reach)[packet * 4 + ray];
+  };
+  const auto send = [&bench](unsigned ray, double t, bool hit, bool is_new) {
+    HitCandidate<WorldBoxes> in;
+    in.packet = 6;
+    in.ray = RayIndex<WorldBoxes>::from(ray);
+    in.reset = is_new;
+    in.hit = hit;
+    in.t = Real::from_double(t);
+    bench.feed(bench.unit.candidate, in);
+    bench.run();
+  };
+  send(2, 1, false, true);
+  EXPECT_EQ(reach(6, 2), Real::largest());
+  send(2, 5, true, false);
+  EXPECT_EQ(reach(6, 2), Real::from_double(5));
+  send(2, 7, true, false);
+  send(2, 3, false, false);
+  EXPECT_EQ(reach(6, 2), Real::from_double(5)) << "neither is a closer hit";
+  send(2, 2, true, false);
+  EXPECT_EQ(reach(6, 2), bench.rows(bench.unit.distance[2])[6]);
+  EXPECT_EQ(reach(6, 2), Real::from_double(2));
+}
+
 }  // namespace
 }  // namespace dynrt

@@ -38,6 +38,7 @@
 #include "units/transformation.h"
 #include "units/traversal_slice.h"
 #include "units/unit_decoder.h"
+#include "units/world_box.h"
 
 namespace dynrt {
 
@@ -76,6 +77,7 @@ struct Core {
   PacketDecoder<C> packet_decoder;
   hls::OptionalPort<kHasReciprocals<C>, RayReciprocal<C>> ray_reciprocal;
   hls::OptionalPort<kClipsToBox<C>, BoxClip<C>> box_clip;
+  hls::OptionalPort<kTestsWorldBox<C>, WorldBox<C>> world_box;
   hls::OptionalPort<kWatertight<C>, RayShear<C>> ray_shear;
   Intersection<C> intersection;
   CollectHits<C> collect_hits;
@@ -143,6 +145,7 @@ struct Core {
       join.unit("ray_reciprocal", "ray_reciprocal", ray_reciprocal);
     }
     if constexpr (kClipsToBox<C>) join.unit("box_clip", "box_clip", box_clip);
+    if constexpr (kTestsWorldBox<C>) join.unit("world_box", "world_box", world_box);
     if constexpr (kWatertight<C>) join.unit("ray_shear", "ray_shear", ray_shear);
     join.group("Intersection");
     join.unit("intersection", "intersection", intersection);
@@ -168,10 +171,9 @@ struct Core {
         &ray_generation.frame, &node_lookup.frame, &node_fill.frame,
         &list_lookup.frame,    &list_fill.frame,   &matrix_lookup.frame,
         &matrix_fill.frame,    &mailbox.frame,     &shading.frame};
-    if constexpr (C::kUncompressed) {
-      readers.push_back(&matrix_store.frame);
-      if constexpr (kOwnCamera<C>) readers.push_back(&camera_rays.frame);
-    }
+    if constexpr (C::kUncompressed || kTestsWorldBox<C>) readers.push_back(&matrix_store.frame);
+    if constexpr (C::kUncompressed && kOwnCamera<C>) readers.push_back(&camera_rays.frame);
+    if constexpr (kTestsWorldBox<C>) readers.push_back(&matrix_fetch.frame);
     if constexpr (kMainFirst<C>) readers.push_back(&node_fetch.frame);
     if constexpr (kHasSecondary<C>) {
       readers.insert(readers.end(), {&shader.frame, &secondary_rays.frame});

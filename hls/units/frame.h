@@ -8,6 +8,7 @@
 #include <bit>
 
 #include "hls/fields.h"
+#include "units/options.h"
 
 namespace dynrt {
 
@@ -49,9 +50,11 @@ struct FrameRegisters {
       object;  ///< number of the one there is, for its hits
   /// node where rays go on that come from the start node, the leaf of the main object; 0: none
   hls::OptionalField<C::kMainFirst, hls::uint<32>> others_node;
+  hls::OptionalField<C::kObjectBox == ObjectBox::kWorld, hls::uint<32>>
+      box_column;  ///< column of an object's box, less the number of the object's matrix
   HLS_FIELDS(packets, line_mask, width, height, scanline, morton_bits, start_node, camera_matrix,
              background, frame_base, write_hits, uncompressed, ambient, lights, light_matrix,
-             reflections, colour, object, others_node)
+             reflections, colour, object, others_node, box_column)
 };
 
 /// No core: the host fills every register that some configuration has.
@@ -60,6 +63,7 @@ struct EveryRegister {
   static constexpr bool kOneColour = true;
   static constexpr unsigned kLevels = 1;
   static constexpr bool kMainFirst = true;
+  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
 };
 using FrameConfig = FrameRegisters<EveryRegister>;
 

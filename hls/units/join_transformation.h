@@ -12,6 +12,7 @@ template <class C>
 void Core<C>::join_transformation(hls::Join& join) {
   hls::Writers<TransformJob<C>> jobs = {&mailbox.fresh, &ray_generation.job};
   if constexpr (kHasSecondary<C>) jobs.push_back(&secondary_rays.job);
+  if constexpr (kTestsWorldBox<C>) jobs.push_back(&world_box.enter);
   join.repeat("transform_job", jobs, matrix_fetch.job, kAll);
   join.channel("column_request", matrix_fetch.request, matrix_lookup.request);
   using Column = typename MatrixCache<C>::Reply;
@@ -33,6 +34,12 @@ void Core<C>::join_transformation(hls::Join& join) {
   join.ram("job_record", matrix_store.record, records);
   if constexpr (kTwoLevels<C>) {
     join.ram("object", matrix_store.object, std::array{&collect_hits.object});
+  }
+  if constexpr (kTestsWorldBox<C>) {
+    join.repeat("box_job", hls::Writers{&matrix_store.box}, world_box.job, kAll);
+    join.ram("boxed_object", matrix_store.boxed, std::array{&world_box.object});
+    join.ram("world_reciprocal", ray_reciprocal.in_world, std::array{&world_box.reciprocal});
+    join.ram("reach", collect_hits.reach, std::array{&world_box.reach});
   }
   join.repeat("send_job", hls::Writers{&matrix_store.ready}, send_packet.job, kAll);
   std::vector vectors = {&send_packet.vectors};

@@ -92,6 +92,7 @@ void Core<C>::join_lists(hls::Join& join) {
   }
   jobs.push_back(&collect_hits.go_on);
   if constexpr (kClipsToBox<C>) jobs.push_back(&box_clip.missed);
+  if constexpr (kTestsWorldBox<C>) jobs.push_back(&world_box.missed);
   join.channel<ListJob<C>>("list_job", jobs, {&list.job}, kAll);
   join.channel("list_request", list.request, list_lookup.request, kAll);
   join.channel<MailboxEntry<C>>("list_entry", list_entries(), {&mailbox.entry});

@@ -126,7 +126,9 @@ struct Mailbox {
       } else {
         TransformJob<C> job;
         job.packet = e.packet;
-        job.kind = top ? TransformKind::kObject : TransformKind::kTriangle;
+        job.kind = !top                ? TransformKind::kTriangle
+                   : kTestsWorldBox<C> ? TransformKind::kBox
+                                       : TransformKind::kObject;
         // All traced rays enter an object, not only those in this leaf: one that comes to it in a
         // later leaf would find it in the mailbox, unless that knows the rays apart.
         job.active = kSendsActive<C> ? newly : packet.rays;
@@ -137,6 +139,7 @@ struct Mailbox {
             !is_primitive<C>(Primitive::kSphere, job.extras.primitive)) {
           job.repeat = kStoredColumns - 1;
         }
+        if (kTestsWorldBox<C> && top) job.repeat = 0;
         fresh.write(job);
         if (top) {
           if constexpr (!kSendsActive<C>) object_slots.insert(e.entry.matrix);

@@ -224,6 +224,23 @@ TEST(Mailbox, TellsWhichPrimitiveAndOfHowManyColumns) {
   EXPECT_EQ(job_of(MailboxEntry<Everything>{}).repeat, RepeatCount<C>(3)) << "an object has four";
 }
 
+struct WorldBoxes : C {
+  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
+};
+
+TEST(Mailbox, AsksForTheBoxOfAnObjectBeforeItIsEntered) {
+  MailboxEntry<WorldBoxes> e;
+  e.entry.matrix = 17;
+  const TransformJob<WorldBoxes> object = job_of(e);
+  EXPECT_EQ(object.kind, TransformKind::kBox);
+  EXPECT_EQ(object.repeat, RepeatCount<WorldBoxes>(0)) << "one column";
+  EXPECT_EQ(object.matrix, MatrixIndex(17));
+  e.level = 1;
+  const TransformJob<WorldBoxes> triangle = job_of(e);
+  EXPECT_EQ(triangle.kind, TransformKind::kTriangle);
+  EXPECT_EQ(triangle.repeat, RepeatCount<WorldBoxes>(3));
+}
+
 struct ActiveRays : test::Config<8> {
   static constexpr RaysSent kRaysSent = RaysSent::kActive;
 };

@@ -3,9 +3,11 @@
 //
 // Matrix fetch: asks the matrix cache for the columns of an object's, a triangle's or the camera's
 // matrix, one a clock (the reading half of the thesis's load matrix unit, 6.1.3): for all four, or,
-// where triangles are stored in three (5.1.1), for those.
+// where triangles are stored in three (5.1.1), for those. An object's box in the world is one
+// column (units/world_box.h).
 #pragma once
 
+#include "units/frame.h"
 #include "units/memory_tokens.h"
 #include "units/repeated.h"
 #include "units/shading_tokens.h"
@@ -16,8 +18,9 @@ namespace dynrt {
 template <class C>
 struct MatrixFetch {
   hls::In<Repeated<TransformJob<C>>> job;
+  hls::OptionalPort<kTestsWorldBox<C>, hls::Config<FrameRegisters<C>>> frame;
   hls::Out<ColumnRequest<C>> request;
-  HLS_PORTS(job, request)
+  HLS_PORTS(job, frame, request)
 
   void step() {
     const Repeated<TransformJob<C>> j = job.read();
@@ -31,6 +34,11 @@ struct MatrixFetch {
       if (j.job.kind == TransformKind::kTriangle || mirror) {
         address = ColumnAddress<C>::from(
             (j.job.matrix + hls::concat(j.job.matrix, uint<1>(0)) + column).raw());
+      }
+    }
+    if constexpr (kTestsWorldBox<C>) {
+      if (j.job.kind == TransformKind::kBox) {
+        address = ColumnAddress<C>::from((j.job.matrix + first_box<C>(frame.get())).raw());
       }
     }
     request.write(ColumnRequest<C>{context, address});

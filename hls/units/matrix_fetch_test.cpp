@@ -53,5 +53,25 @@ TEST(MatrixFetch, TrianglesAndMirrorsBeginEveryThreeColumns) {
   }
 }
 
+struct WorldBoxes : test::Config<8> {
+  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
+};
+
+TEST(MatrixFetch, ABoxIsOneColumnBehindTheMatrices) {
+  test::UnitBench<MatrixFetch<WorldBoxes>> bench;
+  bench.value(bench.unit.frame).box_column = Word(5000);
+  const auto address_of = [&bench](TransformKind kind) {
+    Repeated<TransformJob<WorldBoxes>> j;
+    j.job.kind = kind;
+    j.job.matrix = 123;
+    bench.feed(bench.unit.job, j);
+    bench.run();
+    return bench.take_one(bench.unit.request).address;
+  };
+  EXPECT_EQ(address_of(TransformKind::kBox), ColumnAddress<WorldBoxes>(5123));
+  EXPECT_EQ(address_of(TransformKind::kObject), ColumnAddress<WorldBoxes>(4 * 123));
+  EXPECT_EQ(address_of(TransformKind::kTriangle), ColumnAddress<WorldBoxes>(4 * 123));
+}
+
 }  // namespace
 }  // namespace dynrt

@@ -4,7 +4,8 @@
 // Matrix store: keeps one matrix per packet for the transformation, column by column as the cache
 // delivers them in any order, and sends the packet on when all are there (the storing half of the
 // thesis's load matrix unit, 6.1.3). A triangle stored in three columns (5.1.1) is kept in four:
-// the first of them brings the column of ones along.
+// the first of them brings the column of ones along. An object's box in the world is a single
+// column, which is no part of a matrix and goes another way (units/world_box.h).
 #pragma once
 
 #include "units/frame.h"
@@ -27,14 +28,16 @@ struct MatrixStore {
   };
 
   hls::In<ColumnReply<C>> reply;
-  hls::OptionalPort<C::kUncompressed, hls::Config<FrameRegisters<C>>> frame;
+  hls::OptionalPort<C::kUncompressed || kTestsWorldBox<C>, hls::Config<FrameRegisters<C>>> frame;
   hls::Out<SendJob<C>> ready;
   hls::OptionalPort<kOwnCamera<C>, hls::Out<CameraJob<C>>> camera;
   hls::RamWrite<Vector<Real>, kPackets> column[4];
   hls::RamWrite<JobRecord<C>, kPackets> record;
   hls::OptionalPort<kTwoLevels<C>, hls::RamWrite<MatrixNumber<C>, kPackets>> object;
+  hls::OptionalPort<kTestsWorldBox<C>, hls::Out<BoxJob<C>>> box;
+  hls::OptionalPort<kTestsWorldBox<C>, hls::RamWrite<BoxedObject<C>, kPackets>> boxed;
   hls::RegisterFile<Progress, kPackets> progress;
-  HLS_PORTS(reply, frame, ready, camera, column, record, object)
+  HLS_PORTS(reply, frame, ready, camera, column, record, object, box, boxed)
 
   void step() {
     const auto r = reply.read();
@@ -77,6 +80,7 @@ struct MatrixStore {
           hls::concat(brings_high ? high : p.extra.template bits<23, 16>(),
                       first ? r.line.spare().template trunc<16>() : p.extra.template trunc<16>());
     }
+    const bool is_box = kTestsWorldBox<C> && r.context.kind == TransformKind::kBox;
     if (r.context.column == uint<2>(1)) p.mirror = r.line.spare().template trunc<8>();
     if constexpr (kScalesCosine<C>) {
       if (r.context.column == last) {
@@ -91,9 +95,18 @@ struct MatrixStore {
     } else {
       p.columns = hls::next(p.columns);
     }
-    progress.write(packet, p);
+    if (!is_box) progress.write(packet, p);
 
-    if (complete) {
+    if constexpr (kTestsWorldBox<C>) {
+      const auto behind = (r.address - first_box<C>(frame.get())).as_unsigned();
+      const auto rays = RepeatCount<C>::from(number_of(r.context.active).raw() - 1);
+      if (is_box) {
+        boxed.write(packet, BoxedObject<C>{behind.template trunc<C::kMatrixBits>(),
+                                           r.context.active, slabs_of(r.line)});
+        box.write(BoxJob<C>{rays, packet});
+      }
+    }
+    if (complete && !is_box) {
       const MatrixNumber<C> matrix = kThreeColumns<C>
                                          ? r.context.matrix.get()
                                          : r.address.template bits<C::kMatrixBits + 1, 2>();

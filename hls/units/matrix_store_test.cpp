@@ -148,5 +148,61 @@ TEST(MatrixStore, ExpandsTrianglesToFourColumns) {
   for (const unsigned count : seen) EXPECT_GT(count, 100u);
 }
 
+struct WorldBoxes : test::Config<8> {
+  static constexpr unsigned kPacketRays = 8;
+  static constexpr RaysSent kRaysSent = RaysSent::kActive;
+  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
+};
+
+/// The box comes alone, between the matrices of its packet.
+TEST(MatrixStore, PassesAnObjectsBoxOnToItsTest) {
+  using Reply = ColumnReply<WorldBoxes>;
+  test::UnitBench<MatrixStore<WorldBoxes>> bench;
+  test::Random random(8);
+  constexpr unsigned kFirstBox = 5000, kPacket = 3;
+  bench.value(bench.unit.frame).box_column = Word(kFirstBox);
+  const auto send = [&](TransformKind kind, RayMask<WorldBoxes> active, unsigned column,
+                        unsigned address) {
+    Reply reply = test::random_token<Reply>(random);
+    reply.context.packet = kPacket;
+    reply.context.kind = kind;
+    reply.context.active = active;
+    reply.context.column = uint<2>::from(column);
+    reply.address = ColumnAddress<WorldBoxes>::from(address);
+    bench.feed(bench.unit.reply, reply);
+    bench.run();
+    return reply;
+  };
+  for (unsigned round = 0; round < 3; ++round) {
+    const Reply box = send(TransformKind::kBox, 0b10110000, 0, kFirstBox + 1234);
+    EXPECT_TRUE(bench.take(bench.unit.ready).empty());
+    const BoxJob<WorldBoxes> job = bench.take_one(bench.unit.box);
+    EXPECT_TRUE(test::same(job, BoxJob<WorldBoxes>{RepeatCount<WorldBoxes>(2), kPacket}));
+    const BoxedObject<WorldBoxes>& boxed = bench.rows(bench.unit.boxed)[kPacket];
+    EXPECT_EQ(boxed.matrix, MatrixNumber<WorldBoxes>(1234));
+    EXPECT_EQ(boxed.rays, RayMask<WorldBoxes>(0b10110000));
+    EXPECT_TRUE(test::same(boxed.slabs, slabs_of(box.line)));
+    for (unsigned column = 0; column < 4; ++column) {
+      EXPECT_TRUE(bench.take(bench.unit.ready).empty()) << "the box is no column of the matrix";
+      send(TransformKind::kObject, 0b10000000, column, 4 * 1234 + column);
+    }
+    EXPECT_EQ(bench.take_one(bench.unit.ready).kind, TransformKind::kObject);
+    EXPECT_EQ(bench.rows(bench.unit.object)[kPacket], MatrixNumber<WorldBoxes>(1234));
+    EXPECT_TRUE(bench.take(bench.unit.box).empty());
+  }
+}
+
+/// The bounds lie in the words where the host puts them: the lower one in the lowest bits.
+TEST(MatrixStore, ReadsTwoBoundsOfEveryWord) {
+  MatrixColumn<Real> column;
+  const Bound<Real> low = Bound<Real>::from_double(-1.5), high = Bound<Real>::from_double(0.75);
+  const auto bits = hls::concat(high.bits(), low.bits());
+  column.row[1].value = Real::from_bits(bits.trunc<Real::kLeafWidth>());
+  column.row[1].spare = bits.bits<31, 24>();
+  const WorldBoxSlabs<Real> slabs = slabs_of(column);
+  EXPECT_EQ(slabs[1].low, low);
+  EXPECT_EQ(slabs[1].high, high);
+}
+
 }  // namespace
 }  // namespace dynrt

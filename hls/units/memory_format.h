@@ -110,6 +110,35 @@ struct MatrixColumn {
   }
 };
 
+/// The box of an object instance in the world, for cores that test it: one column, two bounds of
+/// an axis in each word, where other columns have a coefficient and its spare bits. Bounds are the
+/// distances of the box's sides from the eye, rounded outwards to as many bits of the mantissa as a
+/// word has room for: 8 beside 7 bits of an exponent. The box of the instance with matrix n is the
+/// column n + FrameRegisters::box_column.
+template <class R>
+inline constexpr unsigned kBoundMantissaBits =
+    hls::bit_width_of<MatrixWord<R>>() / 2 - 1 - R::kExponentBits;
+template <class R>
+using Bound = hls::Float<R::kExponentBits, kBoundMantissaBits<R>, hls::Rounding::kTruncate>;
+template <class R>
+struct Slab {
+  Bound<R> low, high;
+  HLS_FIELDS(low, high)
+};
+template <class R>
+using WorldBoxSlabs = std::array<Slab<R>, 3>;
+template <class R>
+constexpr WorldBoxSlabs<R> slabs_of(const MatrixColumn<R>& column) {
+  WorldBoxSlabs<R> slabs;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    constexpr unsigned kWidth = Bound<R>::kLeafWidth;
+    const auto word = hls::concat(column.row[axis].spare, column.row[axis].value.bits());
+    slabs[axis] = {Bound<R>::from_bits(word.template trunc<kWidth>()),
+                   Bound<R>::from_bits(word.template bits<2 * kWidth - 1, kWidth>())};
+  }
+  return slabs;
+}
+
 /// A triangle in three columns (thesis 5.1.1): the linear part has a column of three ones, which is
 /// not stored. The other two are stored in their order, then the translation. The spare bits that
 /// the first two need for the number of the column of ones push the colour's blue on:

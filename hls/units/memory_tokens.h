@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "units/frame.h"
 #include "units/packet.h"
 #include "units/transformation_tokens.h"
 #include "units/traversal_tokens.h"
@@ -65,6 +66,12 @@ template <class C>
 using ListLine = CacheLine<C, CoreListEntry<C>, NodeAddress<C>::kWidth>;
 template <class C>
 using ColumnLine = CacheLine<C, MatrixColumn<typename C::Real>, ColumnAddress<C>::kWidth>;
+
+/// The column of the box of an object whose matrix had the number 0.
+template <class C>
+ColumnAddress<C> first_box(const FrameRegisters<C>& frame) {
+  return frame.box_column.get().template trunc<ColumnAddress<C>::kWidth>();
+}
 
 template <class C>
 using NodeRequest = CacheRequest<StepContext<C>, NodeAddress<C>::kWidth>;

@@ -55,6 +55,10 @@ inline constexpr bool kSendsActive = C::kRaysSent == RaysSent::kActive;
 template <class C>
 inline constexpr bool kClipsToBox = C::kObjectBox == ObjectBox::kUnit;
 
+/// Whether rays that miss an object's box in the world do not enter the object.
+template <class C>
+inline constexpr bool kTestsWorldBox = C::kObjectBox == ObjectBox::kWorld;
+
 /// Whether the traversal knows the reciprocals of the directions instead of the directions.
 template <class C>
 inline constexpr bool kHasReciprocals = C::kDivider != Divider::kQuotient;

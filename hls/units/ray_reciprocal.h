@@ -31,7 +31,9 @@ struct RayReciprocal {
   hls::OptionalPort<kClipsToBox<C>, hls::Out<ObjectRay<C>>> object_ray;  ///< with the reciprocals
   hls::RamWrite<SliceRay<C>, kLevelRows<C>> ray[kRays<C>];
   hls::OptionalPort<kCommonOrigin<C>, hls::RamWrite<Vector<Real>, kLevelRows<C>>> origin;
-  HLS_PORTS(traced, reset, enter_object, object_ray, ray, origin)
+  /// Of every ray in the world, whichever it is.
+  hls::OptionalPort<kTestsWorldBox<C>, hls::RamWrite<Vector<Real>, kRayRows<C>>> in_world;
+  HLS_PORTS(traced, reset, enter_object, object_ray, ray, origin, in_world)
 
   void step() {
     if constexpr (kInvertsAtOnce<C>) {
@@ -65,6 +67,9 @@ struct RayReciprocal {
     const LevelRow<C> row = level_row<C>(level, in.packet);
     write_of_ray(ray, in.ray, row, slice_ray<C>(saved));
     if constexpr (kCommonOrigin<C>) origin.write(row, saved.origin);
+    if constexpr (kTestsWorldBox<C>) {
+      if (is_new) in_world.write(ray_row<C>(in.packet, in.ray), saved.direction);
+    }
     if (is_new) {
       UnitRay<C> first;
       first.packet = in.packet;

@@ -118,5 +118,34 @@ TEST_F(RayReciprocals, SaturateForDirectionsAboveTheRangesMiddleAlone) {
   EXPECT_EQ(saved(0, 0).direction.y, Real::smallest());
 }
 
+struct WorldBoxes : test::Config<8> {
+  static constexpr unsigned kPacketRays = 8;
+  static constexpr RaysSent kRaysSent = RaysSent::kActive;
+  static constexpr Divider kDivider = Divider::kThreeReciprocals;
+  static constexpr Origins kOrigins = Origins::kCommon;
+  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
+};
+
+TEST(RayReciprocalsAtOnce, KeepThoseOfTheWorldForTheTestOfBoxes) {
+  test::UnitBench<RayReciprocal<WorldBoxes>> bench;
+  const auto send = [&bench](bool is_new, unsigned ray, const Vec& direction) {
+    TracedRay<WorldBoxes> traced;
+    traced.is_new = is_new;
+    traced.ray.packet = 5;
+    traced.ray.ray = RayIndex<WorldBoxes>::from(ray);
+    traced.ray.in_object.direction = direction;
+    bench.feed(bench.unit.traced, traced);
+    bench.run();
+  };
+  for (unsigned ray = 0; ray < kRays<WorldBoxes>; ++ray) {
+    send(true, ray, {real(1u << ray), real(-4), real(0.5)});
+  }
+  send(false, 2, {real(3), real(3), real(3)});
+  for (unsigned ray = 0; ray < kRays<WorldBoxes>; ++ray) {
+    const Vec world{real(std::ldexp(1, -static_cast<int>(ray))), real(-0.25), real(2)};
+    EXPECT_TRUE(test::same(bench.rows(bench.unit.in_world)[8 * 5 + ray], world)) << ray;
+  }
+}
+
 }  // namespace
 }  // namespace dynrt

@@ -10,7 +10,14 @@
 
 namespace dynrt {
 
-enum class TransformKind : unsigned char { kCamera, kObject, kTriangle, kSecondary };
+enum class TransformKind : unsigned char {
+  kCamera,
+  kObject,
+  kTriangle,
+  kSecondary,
+  kBox =
+      kSecondary,  ///< no transformation: an object's box is fetched. Such cores have no kSecondary
+};
 
 /// Fields of a transformation in configurations with rays beyond the primary ones or with several
 /// primitives.
@@ -74,6 +81,21 @@ struct SendJob {
   [[no_unique_address]] hls::OptionalField<kSendsActive<C>, bool>
       pairs{};  ///< each of them has an origin of its own
   HLS_FIELDS(repeat, packet, kind, derived, sent, pairs)
+};
+
+/// An object whose box a packet's rays are tested against, one ray a clock.
+template <class C>
+struct BoxJob {
+  RepeatCount<C> repeat;  ///< rays less one
+  PacketId<C> packet;
+  HLS_FIELDS(repeat, packet)
+};
+template <class C>
+struct BoxedObject {
+  MatrixNumber<C> matrix;  ///< the object's
+  RayMask<C> rays;         ///< to be tested
+  WorldBoxSlabs<typename C::Real> slabs;
+  HLS_FIELDS(matrix, rays, slabs)
 };
 
 /// A packet whose camera rays are made beside the transformation.

@@ -46,6 +46,10 @@ struct MemoryFormat {
   MemoryNode (*unpack_node)(const std::array<MemoryWord, 2>& words) = nullptr;
   std::array<MemoryWord, 3> (*pack_column)(const MemoryColumn& column) = nullptr;
   MemoryColumn (*unpack_column)(const std::array<MemoryWord, 3>& words) = nullptr;
+  /// An object's box in the world, by the distances of its corners from the eye, which are rounded
+  /// outwards; those beyond the bounds that a column can hold saturate.
+  MemoryColumn (*box_column)(const std::array<double, 3>& low,
+                             const std::array<double, 3>& high) = nullptr;
 
   double round(double x) const { return number(bits(x)); }
   bool holds(double x) const { return x >= -largest && x <= largest; }

@@ -54,8 +54,23 @@ struct Packing {
     }
     return column;
   }
+  static MemoryColumn box_column(const std::array<double, 3>& low,
+                                 const std::array<double, 3>& high) {
+    std::array<MemoryWord, 3> words;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      words[axis] =
+          hls::to_bits(Slab<R>{-bound_above(-low[axis]), bound_above(high[axis])}).to_u64();
+    }
+    return unpack_column(words);
+  }
 
  private:
+  /// The smallest that is not below. Conversion goes towards zero, which is no number.
+  static Bound<R> bound_above(double x) {
+    const auto bound = Bound<R>::from_double(x);
+    if (bound.to_double() >= x) return bound;
+    return bound.sign() ? -bound : bound.template moved_up<1>();
+  }
   using Spare = uint<kSpareBits<R>>;
   using Used = uint<hls::bit_width_of<MatrixWord<R>>()>;
   static R from(std::uint32_t bits) { return R::from_bits(R::Bits::from(bits)); }
@@ -77,6 +92,7 @@ inline constexpr MemoryFormat kMemoryFormatOf = {
     .unpack_node = detail::Packing<R>::unpack_node,
     .pack_column = detail::Packing<R>::pack_column,
     .unpack_column = detail::Packing<R>::unpack_column,
+    .box_column = detail::Packing<R>::box_column,
 };
 
 /// The format of the first configuration of hls/configs/configs.json, for figures of a scene

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
+#include <tuple>
 
 #include "host/format/memory_format_of.h"
 
@@ -91,6 +93,50 @@ TYPED_TEST(Formats, GetBackWhatTheyPack) {
     const MemoryColumn again = format.unpack_column(rows);
     ASSERT_EQ(again.value, column.value);
     ASSERT_EQ(again.spare, column.spare);
+  }
+}
+
+/// The bounds that units/world_box.h reads.
+template <class R>
+WorldBoxSlabs<R> slabs_in(const MemoryFormat& format, const MemoryColumn& column) {
+  MatrixColumn<R> words;
+  const auto rows = format.pack_column(column);
+  for (unsigned r = 0; r < 3; ++r) {
+    using Bits = uint<hls::bit_width_of<MatrixWord<R>>()>;
+    words.row[r] = hls::from_bits<MatrixWord<R>>(Bits::from(rows[r]));
+  }
+  return slabs_of(words);
+}
+
+TYPED_TEST(Formats, RoundBoxesOutwards) {
+  const MemoryFormat& format = this->kFormat;
+  using B = Bound<TypeParam>;
+  const auto check = [&](double low, double high) {
+    const auto slab = slabs_in<TypeParam>(format, format.box_column({low, -1, 1}, {high, 1, 2}))[0];
+    ASSERT_LE(slab.low.to_double(), low);
+    ASSERT_GE(slab.high.to_double(), high);
+    // To the next number, of which none lies between the smallest ones.
+    const double least = 2 * B::smallest().to_double();
+    const double step = std::ldexp(1.0, -static_cast<int>(B::kMantissaBits));
+    ASSERT_GE(slab.low.to_double(), low - std::max(step * std::abs(low), least)) << low;
+    ASSERT_LE(slab.high.to_double(), high + std::max(step * std::abs(high), least)) << high;
+  };
+  std::uniform_real_distribution<double> mantissa(-2, 2);
+  std::uniform_int_distribution<int> exponent(-18, 13);
+  for (int i = 0; i < 10'000; ++i) {
+    const double low = std::ldexp(mantissa(this->random_), exponent(this->random_));
+    check(low, low + std::abs(std::ldexp(mantissa(this->random_), exponent(this->random_))));
+  }
+  check(0, 0);
+  check(-1, 1);
+  check(std::ldexp(-1.0, -300), std::ldexp(1.0, -300));
+  check(std::ldexp(1.0, -300), 2);
+  check(-2, std::ldexp(-1.0, -300));
+  const auto slabs = slabs_in<TypeParam>(format, format.box_column({1, -2, 0.5}, {3, -1, 4}));
+  for (const auto& [slab, low, high] :
+       {std::tuple(slabs[0], 1.0, 3.0), {slabs[1], -2.0, -1.0}, {slabs[2], 0.5, 4.0}}) {
+    EXPECT_EQ(slab.low.to_double(), low) << "axis by axis, and exact where they can be";
+    EXPECT_EQ(slab.high.to_double(), high);
   }
 }
 

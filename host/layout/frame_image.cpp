@@ -3,6 +3,7 @@
 #include "host/layout/frame_image.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/matrix.hpp>
 
@@ -11,6 +12,7 @@
 #include "host/layout/layout_messages.h"
 #include "host/layout/limits.h"
 #include "host/memory/matrix_numbers.h"
+#include "host/tree/instance_tree.h"
 
 namespace dynrt::host {
 
@@ -41,6 +43,41 @@ std::uint32_t root_of_all(const Scene& scene, const ObjectImage& objects, const 
     refuse(messages::kNotAsItIs, scene.name, instance.name);
   }
   return entry_of(objects.objects.at(instance.object), camera.position);
+}
+
+/// An instance's box in the world is larger than the instance by this many roundings of the
+/// farthest coordinate, as a ray is not quite in the object where it is in the world: the matrix
+/// and five operations on each coordinate are rounded.
+constexpr double kBoxRoundings = 16;
+
+/// The box as the core tests it (units/world_box.h), for rays from the eye.
+MemoryColumn box_column_of(const MemoryFormat& format, const Aabb& box, const glm::dvec3& eye) {
+  double farthest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double x : {box.low[axis], box.high[axis], eye[axis]}) {
+      farthest = std::max(farthest, std::abs(x));
+    }
+  }
+  const double rounding = std::ldexp(1.0, -static_cast<int>(format.mantissa_bits) - 1);
+  const double margin = kBoxRoundings * rounding * farthest;
+  std::array<double, 3> low, high;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double from = format.round(eye[axis]);
+    low[axis] = box.low[axis] - margin - from;
+    high[axis] = box.high[axis] + margin - from;
+  }
+  return format.box_column(low, high);
+}
+
+/// Appends the boxes of all instances, as far apart as their matrices.
+void add_boxes(MemoryPart& part, const Scene& scene, const ObjectImage& objects,
+               const glm::dvec3& eye) {
+  const std::uint32_t stride = has_mirrors(scene) ? 2 : 1;
+  for (const Instance& instance : scene.instances) {
+    const Aabb box = transformed_box(objects.objects.at(instance.object).box, instance.transform);
+    part.columns.push_back(box_column_of(*part.format, box, eye));
+    part.columns.resize(part.columns.size() + stride - 1);
+  }
 }
 
 /// Where the camera's rays start, and then those that have met the main object.
@@ -103,7 +140,8 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
     others_node = starts.others;
   }
   check_limits(scene, objects.core, memory);
-  check_matrices(scene, objects.core, memory.end_matrix() + 1 + scene.lights.size());
+  check_matrices(scene, objects.core,
+                 memory.end_matrix() + 1 + scene.lights.size() + boxes_in(scene, objects.core));
 
   const glm::dmat4x3 from_pixels = dynrt::host::camera_matrix(camera, width, height);
   if (const auto element = out_of_range(format, from_pixels)) {
@@ -120,6 +158,10 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
       }
     }
     memory.add(light_columns(light));
+  }
+  if (objects.core.tests_world_box()) {
+    box_column = memory.end_column() - first_instance;
+    add_boxes(memory, scene, objects, camera.position);
   }
 }
 

@@ -22,6 +22,8 @@ struct SceneAddresses {
   unsigned lights = 0;
   std::uint32_t colour = 0;          ///< of the first surface; of all, where the core has but one
   std::uint32_t first_instance = 0;  ///< matrix of instance 0, or its place
+  std::uint32_t box_column =
+      0;  ///< column of an instance's box less the instance's matrix, if the core tests boxes
 };
 
 /// The part that belongs to one frame. Throws UserError where a limit of the memory is passed, an

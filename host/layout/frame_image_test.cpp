@@ -160,6 +160,49 @@ TEST(Image, MirrorsAndLightsHaveMatricesOfTheirOwn) {
   EXPECT_EQ(extra_bits(light), 128u | 255u << 8 | 64u << 16);
 }
 
+/// The corners of every instance lie in its box, seen from the eye, and the boxes are not wide.
+TEST(Image, BoxesInTheWorldFollowTheLights) {
+  Scene scene = two_objects();
+  scene.lights.push_back({"lamp", {1, 2, 3}, {2, 4, 1}});
+  CoreInfo core = test_core();
+  core.object_box = ObjectBox::kWorld;
+  const glm::dvec3 eye(0.1, 0.2, 20);
+  const Camera camera = testing::camera_at(eye, {0, 0, -1});
+  const SceneTrees trees = build_scene_trees(scene);
+  const ObjectImage objects(scene, trees.objects, core);
+  const FrameImage frame(scene, objects, trees.instances, camera, 320, 240);
+  ASSERT_EQ(frame.box_column + frame.first_instance, 4 * (frame.light_matrix + 1));
+  SceneMemory memory(*core.format);
+  memory.write(frame.memory.runs());
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const MemoryColumn column = memory.column(frame.box_column + frame.first_instance + i);
+    glm::dvec3 low(1e9), high(-1e9);
+    for (const glm::dvec3& v : scene.objects[instance.object].vertices) {
+      const glm::dvec3 seen = glm::dvec3(instance.transform * glm::dvec4(v, 1)) - eye;
+      low = glm::min(low, seen);
+      high = glm::max(high, seen);
+    }
+    // A bound is the upper 16 bits of a number.
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::uint32_t bits = core.format->bits(column.value[static_cast<unsigned>(axis)]) |
+                                 static_cast<std::uint32_t>(column.spare >> (8 * axis) & 255) << 24;
+      const double from = core.format->number((bits & 0xffff) << 8);
+      const double to = core.format->number(bits >> 16 << 8);
+      EXPECT_LT(from, low[axis]) << i;
+      EXPECT_GT(to, high[axis]) << i;
+      const double box = high[axis] - low[axis];
+      EXPECT_LT(to - from, 2.5 * box + 0.3) << i;
+    }
+  }
+  EXPECT_EQ(memory_use(frame).matrices, frame.light_matrix + 3) << "five boxes in two matrices";
+  core.object_box = ObjectBox::kNodes;
+  const ObjectImage without(scene, trees.objects, core);
+  const FrameImage plain(scene, without, trees.instances, camera, 320, 240);
+  EXPECT_EQ(plain.memory.end_column(), 4 * (plain.light_matrix + 1));
+  EXPECT_EQ(plain.first_instance, frame.first_instance) << "hits keep their numbers";
+}
+
 TEST(Image, NodeZeroIsNeverUsed) {
   const Laid laid(two_objects(), testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}));
   EXPECT_EQ(laid.objects.memory.first_node, 1u);

@@ -162,7 +162,9 @@ std::vector<MemoryRun> MemoryImage::runs() const {
   return runs;
 }
 
-SceneNeeds MemoryImage::needs() const { return scene_needs(scene, trees, core().triangle_matrix); }
+SceneNeeds MemoryImage::needs() const {
+  return scene_needs(scene, trees, core().triangle_matrix, core().object_box);
+}
 
 Tree instances_of(const MemoryImage& image) {
   return build_instance_tree(image.scene, image.objects.boxes(),

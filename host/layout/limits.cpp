@@ -31,6 +31,10 @@ void check_matrices(const Scene& scene, const CoreInfo& core, std::size_t needed
               core.matrix_bits, kMatrixBits);
 }
 
+std::size_t boxes_in(const Scene& scene, const CoreInfo& core) {
+  return core.tests_world_box() ? matrices_of_boxes(scene) : 0;
+}
+
 TreeSize address_ends(const CoreConfiguration& core) {
   const std::size_t all = std::size_t{1} << core.address_bits;
   return {core.leaves == Leaves::kPointers ? all / 2 : all, all};
@@ -52,7 +56,8 @@ void check_matrices(const Scene& scene, const CoreInfo& core) {
   }
   const std::size_t of_instance = core.levels == 1 ? 0 : has_mirrors(scene) ? 2 : 1;
   const std::size_t matrices = matrices_taken(numbers, core.triangle_matrix) +
-                               scene.instances.size() * of_instance + 1 + scene.lights.size();
+                               scene.instances.size() * of_instance + 1 + scene.lights.size() +
+                               boxes_in(scene, core);
   check_matrices(scene, core, std::max(numbers, matrices));
 }
 

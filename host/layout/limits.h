@@ -21,6 +21,9 @@ void check_matrices(const Scene& scene, const CoreInfo& core);
 /// The same for a number of matrices.
 void check_matrices(const Scene& scene, const CoreInfo& core, std::size_t needed);
 
+/// The matrices that the boxes of the scene's instances take, if the core tests them.
+std::size_t boxes_in(const Scene& scene, const CoreInfo& core);
+
 /// The ends of the addresses that a core has for nodes and list entries.
 TreeSize address_ends(const CoreConfiguration& core);
 /// Throws for more nodes or list entries than that.

@@ -73,4 +73,8 @@ bool has_mirrors(const Scene& scene) {
   return false;
 }
 
+std::size_t matrices_of_boxes(const Scene& scene) {
+  return (scene.instances.size() * (has_mirrors(scene) ? 2 : 1) + 3) / 4;
+}
+
 }  // namespace dynrt::host

@@ -40,4 +40,8 @@ bool is_mirror(const Scene& scene, const Mesh& object, std::size_t primitive);
 /// matrix of every instance, and its reflection follows a mirror's matrix (thesis 6.2.3).
 bool has_mirrors(const Scene& scene);
 
+/// Matrices of four columns that the boxes of all instances take in the world: a column for each
+/// of the instances' numbers.
+std::size_t matrices_of_boxes(const Scene& scene);
+
 }  // namespace dynrt::host

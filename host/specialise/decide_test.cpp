@@ -69,6 +69,14 @@ TEST(Decide, Levels) {
   boxed.object_box = ObjectBox::kUnit;
   expect(decision("levels", of_one_triangle(), {}, boxed), 2,
          "configuration whitted prepares rays where they enter an object");
+  CoreConfiguration world = whitted();
+  world.object_box = ObjectBox::kWorld;
+  expect(decision("levels", of_one_triangle(), {}, world), 1,
+         "the scene is one object that stands where it is, so its tree is the only one");
+  expect(decision("object_box", of_one_triangle(), {}, world), "nodes",
+         "no object is entered, so none has a box to be tested before");
+  expect(decision("object_box", needs_of(many_sails()), {}, world), "world",
+         "as in whitted: another way of clipping would round differently");
   EXPECT_EQ(decision("top_stack_depth", of_one_triangle()).reason,
             "there is no tree over the objects");
 }

@@ -32,7 +32,7 @@ unsigned bits_for(std::size_t end) {
 /// (RULES in hls/configs/configurations/keys.py).
 bool has_one_level(const RuleContext& c) {
   if (!c.needs.one_level || c.two_levels) return false;
-  return c.general == nullptr || (c.general->object_box == ObjectBox::kNodes &&
+  return c.general == nullptr || (c.general->object_box != ObjectBox::kUnit &&
                                   c.general->triangle_test == TriangleTest::kUnitTriangle);
 }
 
@@ -196,6 +196,9 @@ Need epsilon(const RuleContext& c) {
 }
 Need sram_latency(const RuleContext& c) { return kept(c, "the board decides it"); }
 Need object_box(const RuleContext& c) {
+  if (c.general->object_box == ObjectBox::kWorld && has_one_level(c)) {
+    return {"nodes", "no object is entered, so none has a box to be tested before"};
+  }
   return kept(c, "another way of clipping would round differently");
 }
 

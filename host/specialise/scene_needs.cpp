@@ -83,12 +83,15 @@ SceneNeeds frame_needs(const SceneNeeds& before, const Scene& scene, const Tree&
   const std::size_t of_instance = has_mirrors(scene) ? 2 : 1;
   needs.places = {needs.still.nodes + instances.size().nodes,
                   needs.still.entries + instances.size().items,
-                  needs.still.matrices + of_instance * scene.instances.size() + 1 + needs.lights};
+                  needs.still.matrices + of_instance * scene.instances.size() + 1 + needs.lights +
+                      (needs.world_boxes ? matrices_of_boxes(scene) : 0)};
   return needs;
 }
 
-SceneNeeds scene_needs(const Scene& scene, const SceneTrees& trees, TriangleMatrix form) {
+SceneNeeds scene_needs(const Scene& scene, const SceneTrees& trees, TriangleMatrix form,
+                       ObjectBox box) {
   SceneNeeds needs;
+  needs.world_boxes = box == ObjectBox::kWorld;
   needs.scene = scene.name;
   needs.objects = scene.objects.size();
   needs.still.nodes = 1;  // the null node

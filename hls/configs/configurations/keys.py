@@ -32,7 +32,7 @@ class Key:
 
 ROUNDINGS = Choice("hls::Rounding", {"nearest_even": "kNearestEven", "truncate": "kTruncate"})
 CROSSINGS = Choice("Crossing", {"none": "kNone", "split": "kSplit", "remember": "kRemember"})
-OBJECT_BOXES = Choice("ObjectBox", {"nodes": "kNodes", "unit": "kUnit"})
+OBJECT_BOXES = Choice("ObjectBox", {"nodes": "kNodes", "unit": "kUnit", "world": "kWorld"})
 DIVIDERS = Choice(
     "Divider",
     {
@@ -235,6 +235,7 @@ class Rule:
 
 
 BOX_UNIT = ("object_box", "unit")
+WORLD_BOX = ("object_box", "world")
 WATERTIGHT = ("triangle_test", "watertight")
 ONE_LEVEL = ("levels", 1)
 MAIN_FIRST = ("main_first", True)
@@ -268,6 +269,34 @@ RULES = (
         lambda v: v == "traced",
         "traced",
         "the unit that clips to a box waits for every ray of a packet",
+    ),
+    Rule(
+        *WORLD_BOX,
+        "origins",
+        lambda v: v == "common",
+        "common",
+        "an object's box is stored as it lies from the point where all rays start",
+    ),
+    Rule(
+        *WORLD_BOX,
+        "lights",
+        lambda v: v == 0,
+        "0",
+        "an object's box is stored as it lies from the eye, and light rays start elsewhere",
+    ),
+    Rule(
+        *WORLD_BOX,
+        "rays_sent",
+        lambda v: v == "active",
+        "active",
+        "rays that miss an object's box do not enter the object, but others of their packet do",
+    ),
+    Rule(
+        *WORLD_BOX,
+        "divider",
+        lambda v: v == "three_reciprocals",
+        "three_reciprocals",
+        "a ray is tested with the reciprocals of its direction in the world, written all at once",
     ),
     Rule(
         *WATERTIGHT,

@@ -1,0 +1,107 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// World box: tests which rays of a packet meet the box of an object in the world, one ray a clock,
+// before the object is entered. Rays that miss it, or meet it only behind their hit so far, do not
+// enter; if none is left, the packet goes on in the list at once. To enter takes four columns, a
+// vector for each ray through the transformation, and six clipping nodes; a test takes one column.
+//
+// All rays start at the eye, and the box is stored as it lies from there (memory_format.h), so a
+// side's distance along a ray is one product with a reciprocal of the ray's direction.
+//
+// No ray that meets the box is rejected. With m bits of the mantissa, a reciprocal is wrong by at
+// most 2^-(m+1) of itself, and the product is truncated by less than 2^-m. Truncation moves a
+// distance towards the eye, which is right where a ray enters. So of a ray that meets the box the
+// distance where it enters exceeds the one where it leaves by less than 2 * 2^-m, which is at most
+// four steps, and these are added where it leaves. A product that saturates to the largest number
+// stays in the order of the others. Only for a component of a direction above half of the numbers'
+// range is the reciprocal too large (ray_reciprocal.h); a camera has no such directions.
+#pragma once
+
+#include "units/packet_rays.h"
+#include "units/repeated.h"
+#include "units/transformation_tokens.h"
+#include "units/traversal_tokens.h"
+
+namespace dynrt {
+
+template <class C>
+struct WorldBox {
+  using Real = typename C::Real;
+  /// The same numbers, but a result is truncated, which takes no adder.
+  using Distance = hls::Float<Real::kExponentBits, Real::kMantissaBits, hls::Rounding::kTruncate>;
+  static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
+  static constexpr unsigned kSteps = 4;  ///< of the mantissa, added where a ray leaves
+
+  hls::In<Repeated<BoxJob<C>>> job;  ///< once for each ray
+  hls::Out<TransformJob<C>> enter;
+  hls::Out<ListJob<C>> missed;
+  hls::RamRead<BoxedObject<C>, kPackets> object;
+  hls::RamRead<Vector<Real>, kRayRows<C>> reciprocal;  ///< of directions
+  hls::RamRead<Real, kRayRows<C>> reach;               ///< hit distances so far
+  HLS_PORTS(job, enter, missed, object, reciprocal, reach)
+
+  void step() {
+    const Repeated<BoxJob<C>> j = job.read();
+    const PacketId<C> packet = j.job.packet;
+    const BoxedObject<C> o = object.read(packet);
+    const bool first = j.index == RepeatCount<C>{};
+
+    const RayMask<C> left = first ? o.rays : left_;
+    left_ = without_lowest(left);
+    const RayRow<C> row = ray_row<C>(packet, lowest_ray<C>(left));
+    const Vector<Real> r = reciprocal.read(row);
+    const Distance hit = Distance::from_bits(reach.read(row).bits());
+
+    const Interval x = along(o.slabs[0], r.x);
+    const Interval y = along(o.slabs[1], r.y);
+    const Interval z = along(o.slabs[2], r.z);
+    const Distance near = larger(larger(x.near, y.near), z.near);
+    const Distance far = smaller(smaller(x.far, y.far), smaller(z.far, hit));
+    const bool behind = x.behind || y.behind || z.behind;
+    const bool meets = !behind && !(far.template moved_up<kSteps>() < near);
+
+    const RayMask<C> before = first ? RayMask<C>{} : meeting_;
+    const RayMask<C> meeting = meets ? before | (left & ~without_lowest(left)) : before;
+    meeting_ = meeting;
+    if (j.last) {
+      if (meeting != RayMask<C>{}) {
+        TransformJob<C> into;
+        into.packet = packet;
+        into.kind = TransformKind::kObject;
+        into.active = meeting;
+        into.matrix = o.matrix;
+        enter.write(into);
+      } else {
+        ListJob<C> go_on;
+        go_on.packet = packet;
+        missed.write(go_on);
+      }
+    }
+  }
+
+ private:
+  /// The part of a ray between two sides of the box; `behind` where both lie behind the eye.
+  struct Interval {
+    Distance near, far;
+    bool behind;
+  };
+  static Interval along(const Slab<Real>& slab, Real reciprocal) {
+    const bool down = reciprocal.sign();
+    const Distance enters = distance(down ? slab.high : slab.low, reciprocal);
+    const Distance leaves = distance(down ? slab.low : slab.high, reciprocal);
+    return {enters.sign() ? Distance{} : enters, leaves, leaves.sign()};
+  }
+  static Distance distance(Bound<Real> bound, Real reciprocal) {
+    using Padding = uint<Real::kMantissaBits - kBoundMantissaBits<Real>>;
+    return Distance::from_bits(hls::concat(bound.bits(), Padding(0))) *
+           Distance::from_bits(reciprocal.bits());
+  }
+  static Distance larger(Distance a, Distance b) { return a < b ? b : a; }
+  static Distance smaller(Distance a, Distance b) { return b < a ? b : a; }
+
+  RayMask<C> left_;     ///< rays of the packet that are yet to be tested
+  RayMask<C> meeting_;  ///< of those that have been, the ones that meet the box
+};
+
+}  // namespace dynrt
