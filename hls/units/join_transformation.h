@@ -39,6 +39,9 @@ void Core<C>::join_transformation(hls::Join& join) {
     join.repeat("box_job", hls::Writers{&matrix_store.box}, world_box.job, kAll);
     join.ram("boxed_object", matrix_store.boxed, std::array{&world_box.object});
     join.ram("world_reciprocal", ray_reciprocal.in_world, std::array{&world_box.reciprocal});
+    for (unsigned i = 0; i < kRays<C>; ++i) {
+      join.ram("box_" + std::to_string(i), world_box.interval[i], std::array{&slice[i].box});
+    }
     join.ram("reach", collect_hits.reach, std::array{&world_box.reach});
   }
   join.repeat("send_job", hls::Writers{&matrix_store.ready}, send_packet.job, kAll);

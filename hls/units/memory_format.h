@@ -110,19 +110,38 @@ struct MatrixColumn {
   }
 };
 
-/// The box of an object instance in the world, for cores that test it: one column, two bounds of
-/// an axis in each word, where other columns have a coefficient and its spare bits. Bounds are the
-/// distances of the box's sides from the eye, rounded outwards to as many bits of the mantissa as a
-/// word has room for: 8 beside 7 bits of an exponent. The box of the instance with matrix n is the
-/// column n + FrameRegisters::box_column.
+/// A side of a box, for cores that test boxes in the world: with as many bits of the mantissa as
+/// leave two of them room in a word of a matrix column, 8 beside 7 of the exponent.
 template <class R>
 inline constexpr unsigned kBoundMantissaBits =
     hls::bit_width_of<MatrixWord<R>>() / 2 - 1 - R::kExponentBits;
 template <class R>
 using Bound = hls::Float<R::kExponentBits, kBoundMantissaBits<R>, hls::Rounding::kTruncate>;
+
+/// The same number with more bits of the mantissa; truncated, with fewer.
+template <class R, class From>
+constexpr R longer(From number) {
+  if constexpr (R::kMantissaBits == From::kMantissaBits) {
+    return R::from_bits(number.bits());
+  } else {
+    return R::from_bits(
+        hls::concat(number.bits(), uint<R::kMantissaBits - From::kMantissaBits>(0)));
+  }
+}
+template <class R, class From>
+constexpr R shorter(From number) {
+  constexpr unsigned kDropped = From::kMantissaBits - R::kMantissaBits;
+  return R::from_bits(number.bits().template bits<From::kLeafWidth - 1, kDropped>());
+}
+
+/// The extent of an object instance in the world along one axis: where its sides lie from the eye,
+/// rounded outwards. Those of the three axes are the words of a column, in place of a coefficient
+/// and its spare bits. The box of the instance with matrix n is column n +
+/// FrameRegisters::box_column.
 template <class R>
 struct Slab {
-  Bound<R> low, high;
+  Bound<R> low;
+  Bound<R> high;
   HLS_FIELDS(low, high)
 };
 template <class R>

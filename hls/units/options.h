@@ -20,7 +20,7 @@ enum class Crossing : std::uint8_t {
 enum class ObjectBox : std::uint8_t {
   kNodes,  ///< by six clipping nodes of the object's tree
   kUnit,   ///< by a unit of its own, as the object's matrix takes the box to a cube
-  kWorld,  ///< as by kNodes, but a unit tests the box in the world before the object is entered
+  kWorld,  ///< by a unit that tests the box in the world before the object is entered
 };
 
 /// The way the distance of a node's plane is found: offset over direction (thesis 6.1.1).

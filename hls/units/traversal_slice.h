@@ -41,7 +41,7 @@ struct TraversalSlice {
       ray;
   hls::RamRead<Real, (1u << PacketId<C>::kWidth)> hit_distance;
   hls::OptionalPort<kHasMirrors<C>, hls::RamRead<Real, (1u << PacketId<C>::kWidth)>> start_distance;
-  hls::OptionalPort<kClipsToBox<C>, hls::RamRead<BoxInterval<C>, (1u << PacketId<C>::kWidth)>> box;
+  hls::OptionalPort<kKnowsInterval<C>, hls::RamRead<SliceBox<C>, (1u << PacketId<C>::kWidth)>> box;
   hls::Ram1R1W<Interval, kLevelRows<C>> interval;
   hls::Ram1R1W<Pushed, kStackRows<C>> far_stack;
   HLS_PORTS(step_in, lane, decision, ray, hit_distance, start_distance, box)
@@ -69,8 +69,8 @@ struct TraversalSlice {
         near = Real{};
       }
       far = hit;
-      if constexpr (kClipsToBox<C>) {
-        const BoxInterval<C> inside = box.read(c.packet);
+      if constexpr (kKnowsInterval<C>) {
+        const BoxInterval<C> inside = interval_of<C>(box.read(c.packet));
         if (c.level == Level(1)) {
           near = inside.near;
           far = inside.far;

@@ -299,5 +299,37 @@ TEST(TraversalSlice, ARayThatCrossedOthersPopsTheIntervalOfTheParent) {
   EXPECT_EQ(other_child.far, Real::largest());
 }
 
+struct WorldBoxes : test::Config<8> {
+  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
+};
+
+TEST(TraversalSliceOfBoxes, BeginsAnObjectWithTheIntervalInItsBox) {
+  test::UnitBench<TraversalSlice<WorldBoxes>> bench;
+  for (auto& row : bench.rows(bench.unit.ray)) row = {{}, Real::one()};
+  bench.rows(bench.unit.hit_distance)[3] = real(100);
+  using Distance = BoxDistance<Real>;
+  bench.rows(bench.unit.box)[3] = {Distance::from_double(4).magnitude(),
+                                   Distance::from_double(8).magnitude()};
+  const auto begin = [&bench](double split, unsigned level) {
+    Step<WorldBoxes> s;
+    s.context.packet = 3;
+    s.context.level = Level::from(level);
+    s.context.update = IntervalUpdate::kInit;
+    s.context.active = 15;
+    s.node.kind = NodeKind::kSplitX;
+    s.node.split = real(split);
+    bench.feed(bench.unit.step_in, s);
+    bench.run();
+    return bench.take_one(bench.unit.decision);
+  };
+  EXPECT_FALSE(begin(3.9, 1).go_left) << "it enters the box behind the plane";
+  EXPECT_TRUE(begin(3.9, 1).go_right);
+  EXPECT_TRUE(begin(6, 1).go_left && begin(6, 1).go_right);
+  EXPECT_FALSE(begin(8.1, 1).go_right) << "it leaves the box before the plane";
+  for (const double split : {3.9, 8.1}) {
+    EXPECT_TRUE(begin(split, 0).go_left && begin(split, 0).go_right) << "the world has no box";
+  }
+}
+
 }  // namespace
 }  // namespace dynrt

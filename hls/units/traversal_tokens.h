@@ -5,6 +5,9 @@
 // C is a configuration (hls/configs).
 #pragma once
 
+#include <algorithm>
+#include <type_traits>
+
 #include "units/packet.h"
 #include "units/repeated.h"
 #include "units/shading_tokens.h"
@@ -47,6 +50,41 @@ struct BoxInterval {
   typename C::Real near, far;
   HLS_FIELDS(near, far)
 };
+
+/// Distances along a ray in a core that tests boxes in the world: truncated numbers of so many bits
+/// that the magnitudes of two fill a row of block RAM, 36, if the bounds of boxes have no more.
+template <class R>
+inline constexpr unsigned kDistanceMantissaBits =
+    std::min(R::kMantissaBits, std::max(18u - R::kExponentBits, kBoundMantissaBits<R>));
+template <class R>
+using BoxDistance =
+    hls::Float<R::kExponentBits, kDistanceMantissaBits<R>, hls::Rounding::kTruncate>;
+/// Such an interval, by its ends' magnitudes. It is not negative.
+template <class C>
+struct CoarseInterval {
+  using Distance = BoxDistance<typename C::Real>;
+  using Magnitude = uint<Distance::kLeafWidth - 1>;
+  Magnitude near, far;
+  HLS_FIELDS(near, far)
+};
+template <class C>
+constexpr BoxInterval<C> interval_of(const CoarseInterval<C>& coarse) {
+  using Distance = BoxDistance<typename C::Real>;
+  const auto end = [](auto magnitude) {
+    return longer<typename C::Real>(Distance::from_bits(hls::concat(uint<1>(0), magnitude)));
+  };
+  return {end(coarse.near), end(coarse.far)};
+}
+template <class C>
+constexpr BoxInterval<C> interval_of(const BoxInterval<C>& interval) {
+  return interval;
+}
+
+/// What a slice knows of its ray's way through the box of an object that it enters.
+template <class C>
+inline constexpr bool kKnowsInterval = kClipsToBox<C> || kTestsWorldBox<C>;
+template <class C>
+using SliceBox = std::conditional_t<kTestsWorldBox<C>, CoarseInterval<C>, BoxInterval<C>>;
 
 /// The change that a slice makes to a ray's interval [near, far] before the step.
 enum class IntervalUpdate : unsigned char {

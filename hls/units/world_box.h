@@ -5,17 +5,19 @@
 // before the object is entered. Rays that miss it, or meet it only behind their hit so far, do not
 // enter; if none is left, the packet goes on in the list at once. To enter takes four columns, a
 // vector for each ray through the transformation, and six clipping nodes; a test takes one column.
+// The object's traversal begins with the rays' intervals in the box, so that most objects need no
+// clipping nodes.
 //
 // All rays start at the eye, and the box is stored as it lies from there (memory_format.h), so a
 // side's distance along a ray is one product with a reciprocal of the ray's direction.
 //
-// No ray that meets the box is rejected. With m bits of the mantissa, a reciprocal is wrong by at
-// most 2^-(m+1) of itself, and the product is truncated by less than 2^-m. Truncation moves a
-// distance towards the eye, which is right where a ray enters. So of a ray that meets the box the
-// distance where it enters exceeds the one where it leaves by less than 2 * 2^-m, which is at most
-// four steps, and these are added where it leaves. A product that saturates to the largest number
-// stays in the order of the others. Only for a component of a direction above half of the numbers'
-// range is the reciprocal too large (ray_reciprocal.h); a camera has no such directions.
+// No ray that meets the box is rejected. Distances have fewer bits of the mantissa, m, than the
+// core's numbers, whose reciprocals are rounded to nearest. Both the reciprocal and the product are
+// truncated by less than 2^-m of themselves. That moves a distance towards the eye, which is right
+// where a ray enters, and wrong where it leaves, by at most five steps with the rounding; these
+// are added there. A product that saturates stays in the order of the others. Only for a component
+// of a direction above half of the numbers' range is the reciprocal too large (ray_reciprocal.h); a
+// camera has no such directions.
 #pragma once
 
 #include "units/packet_rays.h"
@@ -28,10 +30,9 @@ namespace dynrt {
 template <class C>
 struct WorldBox {
   using Real = typename C::Real;
-  /// The same numbers, but a result is truncated, which takes no adder.
-  using Distance = hls::Float<Real::kExponentBits, Real::kMantissaBits, hls::Rounding::kTruncate>;
+  using Distance = BoxDistance<Real>;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
-  static constexpr unsigned kSteps = 4;  ///< of the mantissa, added where a ray leaves
+  static constexpr unsigned kSteps = 5;  ///< of the mantissa, added where a ray leaves
 
   hls::In<Repeated<BoxJob<C>>> job;  ///< once for each ray
   hls::Out<TransformJob<C>> enter;
@@ -39,7 +40,8 @@ struct WorldBox {
   hls::RamRead<BoxedObject<C>, kPackets> object;
   hls::RamRead<Vector<Real>, kRayRows<C>> reciprocal;  ///< of directions
   hls::RamRead<Real, kRayRows<C>> reach;               ///< hit distances so far
-  HLS_PORTS(job, enter, missed, object, reciprocal, reach)
+  hls::RamWrite<CoarseInterval<C>, kPackets> interval[kRays<C>];
+  HLS_PORTS(job, enter, missed, object, reciprocal, reach, interval)
 
   void step() {
     const Repeated<BoxJob<C>> j = job.read();
@@ -49,17 +51,20 @@ struct WorldBox {
 
     const RayMask<C> left = first ? o.rays : left_;
     left_ = without_lowest(left);
-    const RayRow<C> row = ray_row<C>(packet, lowest_ray<C>(left));
+    const RayIndex<C> ray = lowest_ray<C>(left);
+    const RayRow<C> row = ray_row<C>(packet, ray);
     const Vector<Real> r = reciprocal.read(row);
-    const Distance hit = Distance::from_bits(reach.read(row).bits());
+    const Distance hit = shorter<Distance>(reach.read(row));
 
     const Interval x = along(o.slabs[0], r.x);
     const Interval y = along(o.slabs[1], r.y);
     const Interval z = along(o.slabs[2], r.z);
     const Distance near = larger(larger(x.near, y.near), z.near);
-    const Distance far = smaller(smaller(x.far, y.far), smaller(z.far, hit));
+    const Distance far =
+        smaller(smaller(x.far, y.far), smaller(z.far, hit)).template moved_up<kSteps>();
     const bool behind = x.behind || y.behind || z.behind;
-    const bool meets = !behind && !(far.template moved_up<kSteps>() < near);
+    const bool meets = !behind && !(far < near);
+    write_of_ray(interval, ray, packet, CoarseInterval<C>{near.magnitude(), far.magnitude()});
 
     const RayMask<C> before = first ? RayMask<C>{} : meeting_;
     const RayMask<C> meeting = meets ? before | (left & ~without_lowest(left)) : before;
@@ -93,9 +98,7 @@ struct WorldBox {
     return {enters.sign() ? Distance{} : enters, leaves, leaves.sign()};
   }
   static Distance distance(Bound<Real> bound, Real reciprocal) {
-    using Padding = uint<Real::kMantissaBits - kBoundMantissaBits<Real>>;
-    return Distance::from_bits(hls::concat(bound.bits(), Padding(0))) *
-           Distance::from_bits(reciprocal.bits());
+    return longer<Distance>(bound) * shorter<Distance>(reciprocal);
   }
   static Distance larger(Distance a, Distance b) { return a < b ? b : a; }
   static Distance smaller(Distance a, Distance b) { return b < a ? b : a; }

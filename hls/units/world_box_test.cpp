@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "units/test_bench.h"
@@ -65,6 +66,9 @@ class WorldBoxes : public testing::Test {
         jobs[0], TransformJob<C>{3, kPacket, TransformKind::kObject, jobs[0].active, kObject}));
     return static_cast<unsigned>(jobs[0].active.to_u64());
   }
+  BoxInterval<C> interval(unsigned ray) {
+    return interval_of<C>(bench_.rows(bench_.unit.interval[ray])[kPacket]);
+  }
   /// Whether a ray alone enters.
   bool enters(const Vec& direction, double hit = 1e9) {
     ray(3, direction, hit);
@@ -102,10 +106,10 @@ TEST_F(WorldBoxes, EveryAxisAndDirectionCounts) {
 }
 
 TEST_F(WorldBoxes, ABoxBehindTheHitIsNotEntered) {
-  EXPECT_FALSE(enters({0, 0, 1}, 1.99));
+  EXPECT_FALSE(enters({0, 0, 1}, 1.98));
   EXPECT_TRUE(enters({0, 0, 1}, 2));
   EXPECT_TRUE(enters({0, 0, 1}, 3));
-  EXPECT_FALSE(enters({0, 0, 0.5}, 3.99)) << "distances are in lengths of the direction";
+  EXPECT_FALSE(enters({0, 0, 0.5}, 3.96)) << "distances are in lengths of the direction";
   EXPECT_TRUE(enters({0, 0, 0.5}, 4.01));
 }
 
@@ -117,6 +121,24 @@ TEST_F(WorldBoxes, ARayFromInsideEnters) {
 }
 
 /// Zero is the smallest number, of either sign.
+TEST_F(WorldBoxes, TheTraversalBeginsWithTheIntervalInTheBox) {
+  ray(0, {0.1, 0.2, 1});
+  ray(1, {0.1, 0.2, 1}, 3);
+  ray(2, {0.45, 0.1, -1});
+  ray(3, {0.4, 0.1, 1});
+  EXPECT_EQ(enter(0b1011), 0b1011u);
+  for (const auto& [ray, near, far] : {std::tuple(0u, 2.0, 4.0), {1u, 2.0, 3.0}, {3u, 2.0, 2.5}}) {
+    EXPECT_LE(interval(ray).near.to_double(), near) << ray;
+    EXPECT_GE(interval(ray).far.to_double(), far) << ray;
+    EXPECT_NEAR(interval(ray).near.to_double(), near, 5e-3) << ray;
+    EXPECT_NEAR(interval(ray).far.to_double(), far, 2e-2) << ray;
+  }
+  box({-1, -1, -1}, {1, 1, 1});
+  EXPECT_EQ(enter(0b0100), 0b0100u);
+  EXPECT_EQ(interval(2).near, Real{}) << "from inside it starts at once";
+  EXPECT_NEAR(interval(2).far.to_double(), 1, 5e-3);
+}
+
 TEST_F(WorldBoxes, ARayAlongAnAxisMeetsWhatLiesThere) {
   for (const double zero : {0.0, -1e-30}) {
     box({-1, -1, 2}, {1, 1, 4});
@@ -132,10 +154,10 @@ TEST_F(WorldBoxes, ARayAlongAnAxisMeetsWhatLiesThere) {
 TEST_F(WorldBoxes, ARayThatGrazesAnEdgeEnters) {
   // Through the edges at (1, 2), where it leaves along x as it enters along z, and at (1, 4).
   EXPECT_TRUE(enters({0.5, 0, 1}));
-  EXPECT_FALSE(enters({0.5 * (1 + 1e-3), 0, 1}));
+  EXPECT_FALSE(enters({0.5 * (1 + 5e-3), 0, 1}));
   box({1, -1, 2}, {2, 1, 4});
   EXPECT_TRUE(enters({0.25, 0, 1})) << "it enters along x as it leaves along z";
-  EXPECT_FALSE(enters({0.25 * (1 - 1e-3), 0, 1}));
+  EXPECT_FALSE(enters({0.25 * (1 - 5e-3), 0, 1}));
   // Where the reciprocals and the products are rounded.
   test::Random random(5);
   for (unsigned n = 0; n < 20'000; ++n) {
@@ -174,9 +196,14 @@ TEST_F(WorldBoxes, NoRayThatMeetsTheBoxIsRejected) {
     if (near <= far && near <= hit && far > 0) {
       ++met;
       ASSERT_TRUE(entered) << "ray " << n;
+      const double from = interval(3).near.to_double(), to = interval(3).far.to_double();
+      ASSERT_LE(from, std::max(near * (1 + 0x1p-17), Real{}.to_double()));
+      ASSERT_GE(to, std::min(far, hit));
+      ASSERT_GE(from, near * (1 - 0x1p-9)) << "no wider than its bits ask for";
+      ASSERT_LE(to, std::min(far, hit) * (1 + 6 * 0x1p-11));
     } else {
       ++missed;
-      if (entered && (near > far * (1 + 1e-4) || near > hit * (1 + 1e-4))) ++wide;
+      if (entered && (near > far * (1 + 8 * 0x1p-11) || near > hit * (1 + 8 * 0x1p-11))) ++wide;
     }
   }
   EXPECT_GT(met, 10'000u);

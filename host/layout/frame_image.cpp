@@ -69,6 +69,22 @@ MemoryColumn box_column_of(const MemoryFormat& format, const Aabb& box, const gl
   return format.box_column(low, high);
 }
 
+/// The core clips the rays of an object to its box in the world. If that is larger than the
+/// object's own by more than this, which is turned with it, the six clipping nodes save more steps
+/// than they take.
+constexpr double kLooseBox = 1.3;
+
+double volume(const Aabb& box) {
+  const glm::dvec3 extent = box.extent();
+  return extent.x * extent.y * extent.z;
+}
+
+/// Whether the box in the world clips the rays of an instance well enough without those nodes.
+bool is_tight(const Instance& instance, const Aabb& box) {
+  const double scale = std::abs(glm::determinant(glm::dmat3(instance.transform)));
+  return volume(transformed_box(box, instance.transform)) <= kLooseBox * scale * volume(box);
+}
+
 /// Appends the boxes of all instances, as far apart as their matrices.
 void add_boxes(MemoryPart& part, const Scene& scene, const ObjectImage& objects,
                const glm::dvec3& eye) {
@@ -108,7 +124,8 @@ Starts add_instances(MemoryPart& part, const Scene& scene, const ObjectImage& ob
       refuse(messages::kInstanceRange, instance.name, *element, format.largest, format.largest);
     }
     const glm::dvec3 eye(inverse * glm::dvec4(camera.position, 1.0));
-    part.add(to_columns(matrix, entry_of(object, eye)));
+    const bool clipped = objects.core.tests_world_box() && is_tight(instance, object.box);
+    part.add(to_columns(matrix, clipped ? object.root : entry_of(object, eye)));
     if (stride == 2) {
       const glm::dmat4 back = instance.transform * glm::inverse(object.to_space);
       part.add(to_columns(glm::dmat4x3(back), 0));

@@ -203,6 +203,33 @@ TEST(Image, BoxesInTheWorldFollowTheLights) {
   EXPECT_EQ(plain.first_instance, frame.first_instance) << "hits keep their numbers";
 }
 
+TEST(Image, ABoxInTheWorldTakesThePlaceOfTheNodesUnlessItIsLoose) {
+  Scene scene = two_objects();
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const glm::dmat4 moved =
+        glm::translate(glm::dmat4(1), glm::dvec3(4.0 * static_cast<double>(i), 0, 0));
+    scene.instances[i].transform =
+        i % 2 == 0 ? moved : glm::rotate(moved, 0.7, glm::dvec3(0, 1, 0));
+  }
+  const SceneTrees trees = build_scene_trees(scene);
+  for (const ObjectBox key : {ObjectBox::kNodes, ObjectBox::kWorld}) {
+    CoreInfo core = test_core();
+    core.object_box = key;
+    const ObjectImage objects(scene, trees.objects, core);
+    const Camera camera = testing::camera_at({0.1, 30, 20}, {0, 0, -1});
+    const FrameImage frame(scene, objects, trees.instances, camera, 320, 240);
+    SceneMemory memory(*core.format);
+    memory.write(frame.memory.runs());
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+      const ObjectImage::Object& object = objects.objects[scene.instances[i].object];
+      const bool without = key == ObjectBox::kWorld && i % 2 == 0;
+      EXPECT_EQ(extra_bits(memory.matrix(frame.first_instance + i)),
+                without ? object.root : object.clipped_root)
+          << i;
+    }
+  }
+}
+
 TEST(Image, NodeZeroIsNeverUsed) {
   const Laid laid(two_objects(), testing::camera_at({0.1, 0.2, 20}, {0, 0, -1}));
   EXPECT_EQ(laid.objects.memory.first_node, 1u);
