@@ -224,6 +224,21 @@ class Refused(GenerateCase):
         )
         self.assertIn("kCommon", self.written(origins="common", lights=2))
 
+    def test_only_rays_of_one_origin_find_their_way_back(self) -> None:
+        self.assert_refused(
+            listing({"stack_entries": 8}),
+            "configuration 'tiny': with origins \"each\" the key 'stack_entries' must be 64, as a "
+            "packet that starts again finds its way by the order of a node's children, which only "
+            "rays of one origin share; it is 8",
+        )
+        self.assert_refused(
+            listing({"origins": "common", "stack_entries": 6}),
+            "configuration 'tiny': key 'stack_entries' (entries that each stack of a packet keeps; "
+            "for an older one it starts again at the root) is 6; it must be a power of two from 2 "
+            "to 64",
+        )
+        self.assertIn("kStackEntries = 8", self.written(origins="common", stack_entries=8))
+
     def test_one_level(self) -> None:
         for key, value, wants in (
             ("object_box", "unit", "nodes, as no object is entered"),

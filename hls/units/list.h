@@ -51,6 +51,7 @@ struct List {
   static void go_on_after(const AfterLeaf<C>& leaf, TraversalEvent<C>& e) {
     e.kind = leaf.other_child ? TraversalKind::kDescend : TraversalKind::kPop;
     e.clip_near = true;
+    e.is_fork = leaf.other_child;
     e.next = leaf.next;
     e.active = leaf.active;
     e.both = leaf.both;

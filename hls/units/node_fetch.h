@@ -4,8 +4,10 @@
 // Node fetch: the traversal's memory interface (thesis 6.1.1). It holds the node stack of each
 // packet and level and turns what was decided about a packet into the next node's address. A full
 // stack drops the push and goes on (thesis chapter 7); each drop is a token of `dropped`. A level
-// ends when no ray of it is alive or its stack is empty. In the upper level rays may first enter
-// the main object, whose leaf is no part of the tree (thesis 4.3.3): then they enter the tree.
+// ends when no ray of it is alive or its stack is empty. A stack may keep only its latest entries;
+// then a packet comes back to the others from the root (units/restart_trail.h). In the upper level
+// rays may first enter the main object, whose leaf is no part of the tree (thesis 4.3.3): then they
+// enter the tree.
 //
 // Of reflected rays that would traverse two children in different orders (thesis 3.1.3), a
 // configuration may split the packet: rays whose directions' signs differ traverse the level one
@@ -26,16 +28,18 @@ struct NodeFetch {
   using Stack = StackPointer<C>;
   /// The state of a packet in one level.
   struct State {
-    Stack stack;       ///< entries in use
+    Stack stack;       ///< entries in use; of a ring, the next one
     RayMask<C> alive;  ///< rays that entered the level and have not ended in it
-    hls::OptionalField<kHasSecondary<C>, RayKind> rays{};          ///< level 0: their kind
-    hls::OptionalField<kSplitsPackets<C>, RayMask<C>> waiting{};   ///< rays of the groups to come
-    hls::OptionalField<kSplitsPackets<C>, NodeAddress<C>> root{};  ///< node where they begin
+    hls::OptionalField<kHasSecondary<C>, RayKind> rays{};         ///< level 0: their kind
+    hls::OptionalField<kSplitsPackets<C>, RayMask<C>> waiting{};  ///< rays of the groups to come
+    hls::OptionalField<kSplitsPackets<C> || kRestarts<C>, NodeAddress<C>>
+        root{};  ///< node where they begin
     hls::OptionalField<kRemembersChild<C>, RayMask<C>>
         crossing{};  ///< rays that have crossed others
     [[no_unique_address]] hls::OptionalField<kMainFirst<C>, bool>
         main{};  ///< level 0: they are in the main object's leaf
-    HLS_FIELDS(stack, alive, rays, waiting, root, crossing, main)
+    [[no_unique_address]] hls::OptionalField<kRestarts<C>, RestartTrail<C>> trail{};
+    HLS_FIELDS(stack, alive, rays, waiting, root, crossing, main, trail)
   };
   struct Entry {
     NodeAddress<C> node;
@@ -71,6 +75,7 @@ struct NodeFetch {
       state.waiting = e.active & ~entering;
       state.root = e.next;
       state.crossing = RayMask<C>{};
+      if constexpr (kRestarts<C>) state.trail = RestartTrail<C>::at_root(e.level);
       if constexpr (kMainFirst<C>) {
         state.main = is_top<C>(e.level) && !e.others.get() && others() != NodeAddress<C>{};
       }
@@ -96,13 +101,13 @@ struct NodeFetch {
       }
     }
 
+    const bool is_lost = kRestarts<C> && state.trail.get().is_lost();
     bool fetch = true;
     if (enter) {
       context.update = IntervalUpdate::kInit;
       context.active = entering;
     } else if (e.kind == TraversalKind::kPush) {
-      const bool full = state.stack == (is_top<C>(e.level) ? Stack::from(C::kTopStackDepth)
-                                                           : Stack::from(C::kStackDepth));
+      const bool full = is_full(e, state);
       if (full) {
         dropped.write(DroppedPush<C>{e.packet});
       } else {
@@ -113,10 +118,10 @@ struct NodeFetch {
         state.crossing = state.crossing.get() | e.crossing.get();
       }
     } else if (e.kind == TraversalKind::kPop) {
-      const bool finished = state.stack == Stack{} || state.alive == RayMask<C>{};
-      const RayMask<C> active = popped.active & state.alive;
+      const bool finished = is_empty(state) || state.alive == RayMask<C>{};
+      const RayMask<C> active = is_lost ? state.alive : popped.active & state.alive;
       fetch = !finished && active != RayMask<C>{};
-      if (!finished) {
+      if (!finished && !is_lost) {
         state.stack = below;
       }
       if (finished && state.waiting.get() != RayMask<C>{}) {
@@ -135,18 +140,54 @@ struct NodeFetch {
         once_more.level = e.level;
         again.write(once_more);
       }
-      context.update = IntervalUpdate::kPop;
+      context.update = is_lost ? IntervalUpdate::kInit : IntervalUpdate::kPop;
       context.both = popped.both;
       context.crossing = popped.crossing;
       context.active = active;
       context.stack = below;
-      address = popped.node;
+      address = is_lost ? state.root.get() : popped.node;
+    }
+    if constexpr (kRestarts<C>) {
+      state.trail = followed(e, state.trail.get());
+      context.way_back = state.trail.get().way_back();
     }
     states.write(row, state);
     if (fetch) request.write(NodeRequest<C>{context, address});
   }
 
  private:
+  static bool is_full(const TraversalEvent<C>& e, const State& state) {
+    if constexpr (kRestarts<C>) {
+      return state.trail.get().is_too_deep();
+    } else {
+      return state.stack ==
+             (is_top<C>(e.level) ? Stack::from(C::kTopStackDepth) : Stack::from(C::kStackDepth));
+    }
+  }
+  static bool is_empty(const State& state) {
+    if constexpr (kRestarts<C>) {
+      return state.trail.get().is_done();
+    } else {
+      return state.stack == Stack{};
+    }
+  }
+  /// The trail, once the event has happened.
+  static RestartTrail<C> followed(const TraversalEvent<C>& e, RestartTrail<C> trail) {
+    switch (e.kind) {
+      case TraversalKind::kPush:
+        if (!trail.is_too_deep()) trail.push();
+        break;
+      case TraversalKind::kDescend:
+        trail.descend(e.is_fork.get(), e.clip_near);
+        break;
+      case TraversalKind::kPop:
+        trail.pop(e.level);
+        break;
+      case TraversalKind::kEnter:
+        break;
+    }
+    return trail;
+  }
   /// The root of the tree over all objects but the main one.
   NodeAddress<C> others() const {
     if constexpr (kMainFirst<C>) {

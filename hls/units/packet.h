@@ -242,12 +242,21 @@ inline constexpr unsigned kLevelRows = C::kLevels * (1u << PacketId<C>::kWidth);
 /// Entries of a packet's stack at each level, and how many of them are in use.
 template <class C>
 inline constexpr unsigned kStackDepths[2] = {kTwoLevels<C> ? C::kTopStackDepth : 0, C::kStackDepth};
+/// Whether a stack keeps only its latest entries, in a ring; to find the others a packet starts
+/// again at the root (units/restart_trail.h).
 template <class C>
-using StackPointer = uint<hls::index_width(std::max(kStackDepths<C>[0], kStackDepths<C>[1]) + 1)>;
+inline constexpr bool kRestarts =
+    C::kStackEntries < std::max(kStackDepths<C>[0], kStackDepths<C>[1]);
+/// The number of an entry; without restarts, how many are in use.
+template <class C>
+using StackPointer = uint<hls::index_width(
+    kRestarts<C> ? C::kStackEntries : std::max(kStackDepths<C>[0], kStackDepths<C>[1]) + 1)>;
 
 /// Bits of the number of an entry in a packet's part of a RAM.
 template <class C>
-inline constexpr unsigned kStackBits = hls::index_width(kStackDepths<C>[0] + kStackDepths<C>[1]);
+inline constexpr unsigned kStackBits =
+    kRestarts<C> ? C::kLevels - 1 + StackPointer<C>::kWidth
+                 : hls::index_width(kStackDepths<C>[0] + kStackDepths<C>[1]);
 /// Whether a packet's stacks lie in one piece of that RAM. Those of two levels do where it takes
 /// fewer rows than a piece for each; then they grow towards each other.
 template <class C>

@@ -41,8 +41,11 @@ struct PacketDecision {
     const bool enter_right = right != RayMask<C>{} && s.node.right != NodeAddress<C>{};
     const bool left_is_near =
         both == RayMask<C>{} ? first(active, left_first) : first(both, left_first);
-    const bool enter_near = left_is_near ? enter_left : enter_right;
-    const bool next_is_left = left_is_near ? enter_left : !enter_right;
+    // A near child may have been traversed before the packet came back.
+    const bool enter_left_near = enter_left && !is_done(s, enter_right);
+    const bool enter_right_near = enter_right && !is_done(s, enter_left);
+    const bool enter_near = left_is_near ? enter_left_near : enter_right_near;
+    const bool next_is_left = left_is_near ? enter_left_near : !enter_right_near;
 
     const bool is_leaf = s.node.kind == NodeKind::kLeaf;
     if (is_leaf && active != RayMask<C>{}) {
@@ -60,9 +63,12 @@ struct PacketDecision {
       TraversalEvent<C> e;
       e.packet = s.context.packet;
       e.level = s.context.level;
-      e.kind = is_leaf || !(enter_left || enter_right) ? TraversalKind::kPop
-               : enter_left && enter_right             ? TraversalKind::kPush
-                                                       : TraversalKind::kDescend;
+      const bool left_now = left_is_near ? enter_left_near : enter_left;
+      const bool right_now = left_is_near ? enter_right : enter_right_near;
+      e.kind = is_leaf || !(left_now || right_now) ? TraversalKind::kPop
+               : left_now && right_now             ? TraversalKind::kPush
+                                                   : TraversalKind::kDescend;
+      e.is_fork = is_fork(s);
       e.next = next_is_left ? s.node.left : s.node.right;
       e.active = next_is_left ? left : right;
       e.clip_near = !enter_near;
@@ -87,6 +93,14 @@ struct PacketDecision {
   }
 
  private:
+  static bool is_fork(const Step<C>& s) {
+    return s.node.left != NodeAddress<C>{} && s.node.right != NodeAddress<C>{};
+  }
+  /// Whether a child that is the near one has been traversed before the packet came back.
+  static bool is_done(const Step<C>& s, bool enter_other) {
+    const WayBack way = s.context.way_back.get();
+    return kRestarts<C> && is_fork(s) && (way.near_done || (way.in_far && enter_other));
+  }
   /// Where the nodes above know the leaves: a leaf's list is read at once, and the other child
   /// waits beside the stack.
   void go_on(TraversalEvent<C> e, bool next_is_leaf) {

@@ -10,6 +10,7 @@
 
 #include "units/packet.h"
 #include "units/repeated.h"
+#include "units/restart_trail.h"
 #include "units/shading_tokens.h"
 
 namespace dynrt {
@@ -114,8 +115,10 @@ struct TraversalEvent {
       others{};  ///< kEnter, level 0: after the main object
   /// Rays that enter both children in the other order; they are not in `both`.
   hls::OptionalField<kRemembersChild<C>, RayMask<C>> crossing{};
+  [[no_unique_address]] hls::OptionalField<kRestarts<C>, bool>
+      is_fork{};  ///< kDescend: out of a node with two children
   HLS_FIELDS(packet, level, kind, next, active, clip_near, pushed, pushed_active, both, terminated,
-             rays, distinct_origins, others, crossing)
+             rays, distinct_origins, others, crossing, is_fork)
 };
 
 /// Everything about a step but the node itself; travels with the node's address and data.
@@ -129,7 +132,8 @@ struct StepContext {
   StackPointer<C> stack;  ///< the far stack's entry to push to or to pop from
   /// kPop: rays that entered both children in the other order.
   hls::OptionalField<kRemembersChild<C>, RayMask<C>> crossing{};
-  HLS_FIELDS(packet, level, update, both, active, stack, crossing)
+  [[no_unique_address]] hls::OptionalField<kRestarts<C>, WayBack> way_back{};
+  HLS_FIELDS(packet, level, update, both, active, stack, crossing, way_back)
 };
 
 /// Where a packet's rays start at one point, the node's plane is given to the slices as its

@@ -106,6 +106,12 @@ KEYS: dict[str, Key] = {
     "top_stack_depth": Key(
         Whole(1, 63), "kTopStackDepth", "entries of a packet's stack in the top-level tree", 31
     ),
+    "stack_entries": Key(
+        Whole(2, 64, power_of_two=True),
+        "kStackEntries",
+        "entries that each stack of a packet keeps; for an older one it starts again at the root",
+        64,
+    ),
     "object_slots": Key(
         Whole(0, 32),
         "kObjectSlots",
@@ -240,6 +246,7 @@ WATERTIGHT = ("triangle_test", "watertight")
 ONE_LEVEL = ("levels", 1)
 MAIN_FIRST = ("main_first", True)
 COMMON_ORIGIN = ("origins", "common")
+OWN_ORIGINS = ("origins", "each")
 RULES = (
     Rule(*ONE_LEVEL, "object_box", lambda v: v == "nodes", "nodes", "no object is entered"),
     Rule(
@@ -262,6 +269,14 @@ RULES = (
         lambda v: v == 0,
         "0",
         "the reflected rays of a packet start at points of their own",
+    ),
+    Rule(
+        *OWN_ORIGINS,
+        "stack_entries",
+        lambda v: v == 64,
+        "64",
+        "a packet that starts again finds its way by the order of a node's children, which only "
+        "rays of one origin share",
     ),
     Rule(
         *BOX_UNIT,

@@ -1,0 +1,99 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Restart trail: the way back of a packet whose stack keeps only its latest entries (Laine,
+// "Restart Trail for Stackless BVH Traversal", HPG 2010). A fork is a node with two children. Of
+// each fork above its node a packet remembers one bit: whether the far child still waits. If the
+// stack has lost the entry that is due, the packet starts again at the root, passes the same forks,
+// goes to the far child of the last that waits, and on from there.
+//
+// At a fork that waits, the way back is in the near child; at another it is in the only child that
+// the packet entered, or in the far one. Hits have become nearer since and rays have ended, so a
+// child may be left out now, but none comes in: the rays have one origin, which alone decides the
+// order of the children, and their intervals have not grown.
+//   - Where the far child is left out, it need not wait any more.
+//   - Where the near child of a fork that waits is left out, the way is in no child that is
+//   entered:
+//     the far child is new. What waited below is behind, and each bit is written as it is passed.
+//   - Where the near child alone is entered and the way may be in the far one, that near child has
+//     been traversed, and to do some of it again costs time and no hit.
+// Read from the root, a fork that waits as 0 and another as 1, the bits are a number that grows
+// with every fork that is left, so the traversal ends.
+#pragma once
+
+#include <algorithm>
+
+#include "units/packet.h"
+
+namespace dynrt {
+
+/// What the decision at a node must know of the way back.
+struct WayBack {
+  bool in_far = false;     ///< of two children that are entered, it is in the far one
+  bool near_done = false;  ///< the near one is not entered: the way ends here
+  HLS_FIELDS(in_far, near_done)
+};
+
+template <class C>
+struct RestartTrail {
+  static constexpr unsigned kForks = std::max(kStackDepths<C>[0], kStackDepths<C>[1]);
+  /// A bit for each fork of a path, the root's highest. The lowest is for all that are too deep.
+  using Forks = uint<kForks + 1>;
+  using Count = uint<hls::index_width(C::kStackEntries + 1)>;
+
+  Forks waiting;             ///< forks whose near child is being traversed
+  Forks here;                ///< one bit: the fork that the packet is at or comes to next
+  bool on_way_back = false;  ///< the last fork that waits has not been found again
+  Count kept;                ///< entries that the stack still has
+  HLS_FIELDS(waiting, here, on_way_back, kept)
+
+  static RestartTrail at_root(LevelField<C> level) {
+    RestartTrail trail;
+    trail.here = root(level);
+    return trail;
+  }
+  bool is_too_deep() const { return here.template bit<0>(); }
+  bool is_done() const { return above() == Forks{}; }
+  /// Whether the stack has lost the entry that is due.
+  bool is_lost() const { return kept == Count{}; }
+
+  WayBack way_back() const {
+    const bool waits = (waiting & here) != Forks{};
+    const bool is_last = (waiting & below(here)) == Forks{};
+    return {on_way_back && !waits, on_way_back && waits && is_last};
+  }
+  /// Into the near child, while the far one goes to the stack.
+  void push() {
+    waiting = waiting | here;
+    here = here.template shr<1>();
+    if (kept != Count::from(C::kStackEntries)) kept = hls::next(kept);
+  }
+  /// Into one child of a node, which is a fork or not.
+  void descend(bool is_fork, bool is_far) {
+    if (is_fork) {
+      if (is_far && (waiting & here) != Forks{}) on_way_back = false;
+      waiting = waiting & ~here;
+      if (!is_too_deep()) here = here.template shr<1>();
+    }
+  }
+  /// Out of a leaf or a node that no ray goes on from: into the far child that is due, or to the
+  /// root.
+  void pop(LevelField<C> level) {
+    const Forks due = above();
+    const Forks earlier = due & below(due);
+    on_way_back = is_lost();
+    waiting = is_lost() ? due : earlier;
+    here = is_lost() ? root(level) : (due ^ earlier).template shr<1>();
+    if (!is_lost()) kept = Count::from(kept.raw() - 1);
+  }
+
+ private:
+  static Forks root(LevelField<C> level) {
+    return Forks::from(1ull << (is_top<C>(level) ? kStackDepths<C>[0] : kStackDepths<C>[1]));
+  }
+  /// The bits below the lowest of `forks`, and those above it.
+  static Forks below(Forks forks) { return Forks::from(forks.raw() - 1); }
+  Forks above() const { return waiting & ~(here | below(here)); }
+};
+
+}  // namespace dynrt

@@ -1,0 +1,79 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Cores whose stacks keep a few entries: every ray has the hit and the pixel that it has with whole
+// stacks, though packets start again at the root.
+#include <string_view>
+
+#include "configs/reciprocal.h"
+#include "configs/thesis.h"
+#include "configs/watertight.h"
+#include "core/specialised.h"
+
+namespace dynrt::host::specialised {
+namespace {
+
+/// As `fast`.
+struct Eight : config::reciprocal {
+  static constexpr unsigned kPacketRays = 8;
+  static constexpr RaysSent kRaysSent = RaysSent::kActive;
+  static constexpr Divider kDivider = Divider::kThreeReciprocals;
+  static constexpr Origins kOrigins = Origins::kCommon;
+  static constexpr Leaves kLeaves = Leaves::kPointers;
+  static constexpr bool kMainFirst = true;
+};
+struct Boxed : Eight {
+  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
+};
+struct Watertight : config::watertight {
+  static constexpr Origins kOrigins = Origins::kCommon;
+};
+struct Lit : config::thesis {
+  static constexpr Origins kOrigins = Origins::kCommon;
+  static constexpr unsigned kLights = 2;
+};
+template <class General, unsigned Entries>
+struct Short : General {
+  static constexpr unsigned kStackEntries = Entries;
+};
+
+/// Steps of the traversal.
+std::uint64_t steps(const Frame& frame) {
+  for (const Counter& counter : frame.counters) {
+    if (counter.name == "node_request.tokens") return counter.value;
+  }
+  ADD_FAILURE() << "no steps are counted";
+  return 0;
+}
+
+/// With so few entries that packets start again, and with as many as `fast` has.
+template <class C>
+void expect_as_whole(const std::string& scene) {
+  const Frame whole = rendered(*board_of<C>(), scene, {});
+  const auto expect_same = [&](const Frame& frame) {
+    const Comparison comparison = compare(frame, whole);
+    EXPECT_GT(comparison.hits, comparison.pixels / 8);
+    EXPECT_EQ(comparison.different_hits + comparison.different_pixels, 0u)
+        << scene << ": " << comparison.first->text("with short stacks", "with whole ones");
+  };
+  const Frame two = rendered(*board_of<Short<C, 2>>(), scene, {});
+  expect_same(two);
+  EXPECT_GT(steps(two), steps(whole)) << "no packet started again";
+  const Frame eight = rendered(*board_of<Short<C, 8>>(), scene, {});
+  expect_same(eight);
+  EXPECT_LT(steps(eight), steps(two));
+}
+
+TEST(ShortStack, RaysHitWhatTheyHitWithWholeStacks) {
+  for (const char* scene : {"blocks", "office", "conference", "trees4000"}) {
+    expect_as_whole<Eight>(scene);
+  }
+  expect_as_whole<Boxed>("conference");
+}
+
+TEST(ShortStack, TheRaysOfALightToo) { expect_as_whole<Lit>("lamps"); }
+
+TEST(ShortStack, NoRayPassesBetweenTriangles) { expect_as_whole<Watertight>("office"); }
+
+}  // namespace
+}  // namespace dynrt::host::specialised
