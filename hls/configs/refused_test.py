@@ -224,6 +224,30 @@ class Refused(GenerateCase):
         )
         self.assertIn("kCommon", self.written(origins="common", lights=2))
 
+    def test_the_main_object_comes_by_a_list_and_its_rays(self) -> None:
+        good = {"main_first": True, "leaves": "pointers", "rays_sent": "active"}
+        self.assertIn("kMainFirst = true", self.written(**good))
+        shutil.rmtree(self.out)
+        for key, value, wants in (
+            (
+                "leaves",
+                "nodes",
+                "pointers, as rays start in the list of the main object, whose address only a "
+                "pointer has",
+            ),
+            (
+                "rays_sent",
+                "traced",
+                "active, as the list knows which rays go on to the other objects where it knows "
+                "those in a leaf",
+            ),
+        ):
+            self.assert_refused(
+                listing(good | {key: value}),
+                f"configuration 'tiny': with main_first true the key '{key}' must be {wants}; "
+                f"it is {json.dumps(value)}",
+            )
+
     def test_only_rays_of_one_origin_find_their_way_back(self) -> None:
         self.assert_refused(
             listing({"stack_entries": 8}),

@@ -174,7 +174,7 @@ struct Core {
     if constexpr (C::kUncompressed || kTestsWorldBox<C>) readers.push_back(&matrix_store.frame);
     if constexpr (C::kUncompressed && kOwnCamera<C>) readers.push_back(&camera_rays.frame);
     if constexpr (kTestsWorldBox<C>) readers.push_back(&matrix_fetch.frame);
-    if constexpr (kMainFirst<C>) readers.push_back(&node_fetch.frame);
+    if constexpr (kMainFirst<C>) readers.push_back(&list.frame);
     if constexpr (kHasSecondary<C>) {
       readers.insert(readers.end(), {&shader.frame, &secondary_rays.frame});
     }

@@ -48,7 +48,8 @@ struct FrameRegisters {
   hls::OptionalField<C::kOneColour, hls::uint<32>> colour;  ///< of every surface, 0x00BBGGRR
   hls::OptionalField<C::kLevels == 1, hls::uint<32>>
       object;  ///< number of the one there is, for its hits
-  /// node where rays go on that come from the start node, the leaf of the main object; 0: none
+  /// node where rays go on that have met the main object, whose list the start node then points to;
+  /// 0: no object is the main one
   hls::OptionalField<C::kMainFirst, hls::uint<32>> others_node;
   hls::OptionalField<C::kObjectBox == ObjectBox::kWorld, hls::uint<32>>
       box_column;  ///< column of an object's box, less the number of the object's matrix

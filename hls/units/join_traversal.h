@@ -87,7 +87,7 @@ template <class C>
 void Core<C>::join_lists(hls::Join& join) {
   hls::Writers<ListJob<C>> jobs = {&packet_decision.leaf};
   if constexpr (kTwoLevels<C>) jobs.push_back(&node_fetch.object_done);
-  if constexpr (Mailbox<C>::kHasObjects || Mailbox<C>::kHasTriangles) {
+  if constexpr (Mailbox<C>::kHasObjects || Mailbox<C>::kHasTriangles || kMainFirst<C>) {
     jobs.push_back(&mailbox.seen);
   }
   jobs.push_back(&collect_hits.go_on);

@@ -3,9 +3,12 @@
 //
 // List: an address counter per packet and level (thesis 6.1.2). It reads the entries of a leaf's
 // list one by one; after the last one the packet goes back to the traversal: it pops, or where a
-// leaf has no node, it goes on to the other child of the node above.
+// leaf has no node, it goes on to the other child of the node above. Where rays meet the main
+// object first, its list is no part of a tree (thesis 4.3.3): they enter the tree over the others
+// then.
 #pragma once
 
+#include "units/frame.h"
 #include "units/memory_tokens.h"
 #include "units/traversal_tokens.h"
 
@@ -13,14 +16,23 @@ namespace dynrt {
 
 template <class C>
 struct List {
+  /// The rays that are in a leaf, and what its list is.
+  struct Leaf {
+    RayMask<C> active;
+    [[no_unique_address]] hls::OptionalField<kMainFirst<C>, bool> main{};
+    hls::OptionalField<kMainFirst<C> && kHasSecondary<C>, RayKind> rays{};
+    HLS_FIELDS(active, main, rays)
+  };
+
   hls::In<ListJob<C>> job;
   hls::Out<ListRequest<C>> request;
   hls::Out<TraversalEvent<C>> finished;
   hls::RamRead<bool, kLevelRows<C>> last;  ///< whether the entry read last was the list's last
   hls::OptionalPort<kPointsToLists<C>, hls::RamRead<AfterLeaf<C>, kLevelRows<C>>> after;
   hls::Ram1R1W<NodeAddress<C>, kLevelRows<C>> next;
-  hls::OptionalPort<kSendsActive<C>, hls::Ram1R1W<RayMask<C>, kLevelRows<C>>> leaf_rays;
-  HLS_PORTS(job, request, finished, last, after)
+  hls::OptionalPort<kMainFirst<C>, hls::Config<FrameRegisters<C>>> frame;
+  hls::OptionalPort<kSendsActive<C>, hls::Ram1R1W<Leaf, kLevelRows<C>>> leaf;
+  HLS_PORTS(job, request, finished, last, after, frame)
 
   void step() {
     const ListJob<C> j = job.read();
@@ -29,19 +41,32 @@ struct List {
     const bool at_end = !j.first && last.read(row);
     const NodeAddress<C> address = j.first ? j.address : following;
     next.write(row, hls::next(address));
+    Leaf here{j.active.get(), j.main, j.rays};
+    if constexpr (kSendsActive<C>) {
+      const Leaf begun = leaf.read(row);
+      if (j.first) {
+        leaf.write(row, here);
+      } else {
+        here = begun;
+      }
+    }
 
     if (at_end) {
       TraversalEvent<C> go_on;
       go_on.packet = j.packet;
       go_on.level = j.level;
-      if constexpr (kPointsToLists<C>) go_on_after(after.read(row), go_on);
+      bool main = false;
+      if constexpr (kMainFirst<C>) {
+        main = here.main.get();
+        if (main) enter_others(here, go_on);
+      }
+      if constexpr (kPointsToLists<C>) {
+        if (!main) go_on_after(after.read(row), go_on);
+      }
       finished.write(go_on);
     } else {
       ListContext<C> context{j.packet, j.level};
-      if constexpr (kSendsActive<C>) {
-        context.active = j.first ? j.active.get() : leaf_rays.read(row);
-        if (j.first) leaf_rays.write(row, j.active.get());
-      }
+      context.active = here.active;
       request.write(ListRequest<C>{context, address});
     }
   }
@@ -56,6 +81,12 @@ struct List {
     e.active = leaf.active;
     e.both = leaf.both;
     e.crossing = leaf.crossing;
+  }
+  void enter_others(const Leaf& main, TraversalEvent<C>& e) const {
+    e.kind = TraversalKind::kEnter;
+    e.next = NodeAddress<C>::from(frame.get().others_node.get().raw());
+    e.active = main.active;
+    e.rays = main.rays.get();
   }
 };
 

@@ -70,6 +70,38 @@ TEST(List, WhereLeavesHaveNoNodesTheOtherChildFollows) {
   EXPECT_EQ(after({}).kind, TraversalKind::kPop);
 }
 
+struct MainFirst : WithPointers {
+  static constexpr RaysSent kRaysSent = RaysSent::kActive;
+  static constexpr bool kMainFirst = true;
+};
+
+TEST(List, FromTheMainObjectRaysGoOnToTheTreeOverTheOthers) {
+  test::UnitBench<List<MainFirst>> bench;
+  bench.value(bench.unit.frame).others_node = Word::from(4711);
+  bench.rows(bench.unit.after)[2] = {true, 2002, 0b0111, 0b0011};
+  const auto begin_list = [&](bool main) {
+    bench.rows(bench.unit.last)[2] = false;
+    bench.feed(bench.unit.job, {2, 0, true, 700, RayMask<C>(0b1011), main});
+    bench.run();
+    EXPECT_EQ(bench.take_one(bench.unit.request).context.active.get(), RayMask<C>(0b1011));
+  };
+  const auto end = [&] {
+    bench.rows(bench.unit.last)[2] = true;
+    bench.feed(bench.unit.job, {2, 0, false, {}});
+    bench.run();
+    return bench.take_one(bench.unit.finished);
+  };
+  begin_list(true);
+  TraversalEvent<MainFirst> enter;
+  enter.packet = 2;
+  enter.kind = TraversalKind::kEnter;
+  enter.next = 4711;
+  enter.active = 0b1011;
+  EXPECT_TRUE(test::same(end(), enter));
+  begin_list(false);
+  EXPECT_EQ(end().next, Address(2002)) << "from another list to the child beside it";
+}
+
 TEST(List, PacketsAndLevelsDoNotMeet) {
   struct Walk {
     unsigned address = 0, left = 0;

@@ -5,7 +5,8 @@
 // 6.1.2). Slots fill in order and are never replaced: a full mailbox lets everything new through.
 // The objects of a packet are forgotten when a new ray starts, the triangles when an object is
 // entered. A level without slots lets everything through: it has no memory, and an item that is
-// listed twice is tested twice, with the same hits.
+// listed twice is tested twice, with the same hits. New rays enter the tree, or first the list of
+// the main object, which is no part of it.
 #pragma once
 
 #include "units/frame.h"
@@ -70,7 +71,7 @@ struct Mailbox {
   hls::In<MailboxEntry<C>> entry;
   hls::Config<FrameRegisters<C>> frame;
   hls::Out<TransformJob<C>> fresh;
-  hls::OptionalPort<kHasObjects || kHasTriangles, hls::Out<ListJob<C>>> seen;
+  hls::OptionalPort<kHasObjects || kHasTriangles || kMainFirst<C>, hls::Out<ListJob<C>>> seen;
   hls::Out<TraversalEvent<C>> start;
   hls::RamWrite<bool, kLevelRows<C>> last;
   hls::OptionalPort<kHasObjects, hls::Ram1R1W<Slots<C::kObjectSlots>, kPackets>> objects;
@@ -106,14 +107,7 @@ struct Mailbox {
       if constexpr (kKeepsTraced) {
         traced.write(e.packet, Traced{e.active, e.kind.get() == RayKind::kReflection});
       }
-      TraversalEvent<C> enter;
-      enter.packet = e.packet;
-      enter.kind = TraversalKind::kEnter;
-      enter.next = NodeAddress<C>::from(frame.get().start_node.raw());
-      enter.active = e.active;
-      enter.rays = e.kind;
-      enter.distinct_origins = e.kind.get() == RayKind::kReflection;
-      start.write(enter);
+      begin(e);
     } else {
       last.write(level_row<C>(e.level, e.packet), e.entry.last);
       if (known) {
@@ -154,6 +148,29 @@ struct Mailbox {
   }
 
  private:
+  void begin(const MailboxEntry<C>& e) {
+    const auto start_node = NodeAddress<C>::from(frame.get().start_node.raw());
+    bool main = false;
+    if constexpr (kMainFirst<C>) {
+      main = NodeAddress<C>::from(frame.get().others_node.get().raw()) != NodeAddress<C>{};
+      ListJob<C> meet_main;
+      meet_main.packet = e.packet;
+      meet_main.first = true;
+      meet_main.address = list_address<C>(start_node);
+      meet_main.active = e.active;
+      meet_main.main = true;
+      meet_main.rays = e.kind.get();
+      if (main) seen.write(meet_main);
+    }
+    TraversalEvent<C> enter;
+    enter.packet = e.packet;
+    enter.kind = TraversalKind::kEnter;
+    enter.next = start_node;
+    enter.active = e.active;
+    enter.rays = e.kind;
+    enter.distinct_origins = e.kind.get() == RayKind::kReflection;
+    if (!main) start.write(enter);
+  }
   template <unsigned N, class Ram>
   static Slots<N> slots_of(const Ram& ram, PacketId<C> packet) {
     if constexpr (std::is_same_v<Ram, hls::Absent>) {

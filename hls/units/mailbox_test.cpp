@@ -241,6 +241,36 @@ TEST(Mailbox, AsksForTheBoxOfAnObjectBeforeItIsEntered) {
   EXPECT_EQ(triangle.repeat, RepeatCount<WorldBoxes>(3));
 }
 
+struct MainFirst : test::Config<8> {
+  static constexpr RaysSent kRaysSent = RaysSent::kActive;
+  static constexpr Leaves kLeaves = Leaves::kPointers;
+  static constexpr bool kMainFirst = true;
+};
+
+TEST(Mailbox, NewRaysMeetTheMainObjectFirst) {
+  test::UnitBench<Mailbox<MainFirst>> bench;
+  FrameRegisters<MainFirst>& frame = bench.value(bench.unit.frame);
+  frame.start_node = Word::from((1u << (C::kAddressBits - 1)) | 350);
+  const auto begin = [&bench] {
+    MailboxEntry<MainFirst> e;
+    e.packet = 5;
+    e.active = 0b0110;
+    e.clear = true;
+    bench.feed(bench.unit.entry, e);
+    bench.run();
+    EXPECT_TRUE(bench.take(bench.unit.fresh).empty());
+  };
+  begin();
+  EXPECT_EQ(bench.take_one(bench.unit.start).active, RayMask<C>(0b0110))
+      << "where there is none they enter the tree";
+  EXPECT_TRUE(bench.take(bench.unit.seen).empty());
+  frame.others_node = Word::from(12);
+  begin();
+  EXPECT_TRUE(bench.take(bench.unit.start).empty());
+  EXPECT_TRUE(test::same(bench.take_one(bench.unit.seen),
+                         ListJob<MainFirst>{5, 0, true, 700, RayMask<C>(0b0110), true}));
+}
+
 struct ActiveRays : test::Config<8> {
   static constexpr RaysSent kRaysSent = RaysSent::kActive;
 };

@@ -5,9 +5,7 @@
 // packet and level and turns what was decided about a packet into the next node's address. A full
 // stack drops the push and goes on (thesis chapter 7); each drop is a token of `dropped`. A level
 // ends when no ray of it is alive or its stack is empty. A stack may keep only its latest entries;
-// then a packet comes back to the others from the root (units/restart_trail.h). In the upper level
-// rays may first enter the main object, whose leaf is no part of the tree (thesis 4.3.3): then they
-// enter the tree.
+// then a packet comes back to the others from the root (units/restart_trail.h).
 //
 // Of reflected rays that would traverse two children in different orders (thesis 3.1.3), a
 // configuration may split the packet: rays whose directions' signs differ traverse the level one
@@ -16,7 +14,6 @@
 // hit in one child may lie behind a hit in the other.
 #pragma once
 
-#include "units/frame.h"
 #include "units/memory_tokens.h"
 #include "units/shading_tokens.h"
 #include "units/traversal_tokens.h"
@@ -36,10 +33,8 @@ struct NodeFetch {
         root{};  ///< node where they begin
     hls::OptionalField<kRemembersChild<C>, RayMask<C>>
         crossing{};  ///< rays that have crossed others
-    [[no_unique_address]] hls::OptionalField<kMainFirst<C>, bool>
-        main{};  ///< level 0: they are in the main object's leaf
     [[no_unique_address]] hls::OptionalField<kRestarts<C>, RestartTrail<C>> trail{};
-    HLS_FIELDS(stack, alive, rays, waiting, root, crossing, main, trail)
+    HLS_FIELDS(stack, alive, rays, waiting, root, crossing, trail)
   };
   struct Entry {
     NodeAddress<C> node;
@@ -56,10 +51,9 @@ struct NodeFetch {
   hls::OptionalPort<kTwoLevels<C>, hls::Out<ListJob<C>>> object_done;
   hls::Out<DroppedPush<C>> dropped;
   hls::OptionalPort<kSplitsPackets<C>, hls::RamRead<DirectionSigns, kLevelRows<C>>> signs[kRays<C>];
-  hls::OptionalPort<kMainFirst<C>, hls::Config<FrameRegisters<C>>> frame;
   hls::Ram1R1W<State, kLevelRows<C>> states;
   hls::Ram1R1W<Entry, kStackRows<C>> stack;
-  HLS_PORTS(event, request, again, top_done, object_done, dropped, signs, frame)
+  HLS_PORTS(event, request, again, top_done, object_done, dropped, signs)
 
   void step() {
     const TraversalEvent<C> e = event.read();
@@ -76,9 +70,6 @@ struct NodeFetch {
       state.root = e.next;
       state.crossing = RayMask<C>{};
       if constexpr (kRestarts<C>) state.trail = RestartTrail<C>::at_root(e.level);
-      if constexpr (kMainFirst<C>) {
-        state.main = is_top<C>(e.level) && !e.others.get() && others() != NodeAddress<C>{};
-      }
     }
     state.alive = state.alive & ~(e.terminated & ~state.crossing.get());
 
@@ -125,13 +116,7 @@ struct NodeFetch {
         state.stack = below;
       }
       if (finished && state.waiting.get() != RayMask<C>{}) {
-        TraversalEvent<C> next_group = enter_again(e, state, state.root.get(), state.waiting.get());
-        next_group.distinct_origins = true;
-        again.write(next_group);
-      } else if (finished && state.main.get()) {
-        TraversalEvent<C> tree = enter_again(e, state, others(), state.alive);
-        tree.others = true;
-        again.write(tree);
+        again.write(next_group(e, state));
       } else if (finished) {
         finish(e, state);
       } else if (!fetch) {
@@ -188,24 +173,16 @@ struct NodeFetch {
     }
     return trail;
   }
-  /// The root of the tree over all objects but the main one.
-  NodeAddress<C> others() const {
-    if constexpr (kMainFirst<C>) {
-      return NodeAddress<C>::from(frame.get().others_node.get().raw());
-    } else {
-      return {};
-    }
-  }
-  /// The packet enters its level once more.
-  static TraversalEvent<C> enter_again(const TraversalEvent<C>& e, const State& state,
-                                       NodeAddress<C> next, RayMask<C> active) {
+  /// The packet enters its level once more, with the rays that waited.
+  static TraversalEvent<C> next_group(const TraversalEvent<C>& e, const State& state) {
     TraversalEvent<C> enter;
     enter.packet = e.packet;
     enter.level = e.level;
     enter.kind = TraversalKind::kEnter;
-    enter.next = next;
-    enter.active = active;
+    enter.next = state.root.get();
+    enter.active = state.waiting.get();
     enter.rays = state.rays;
+    enter.distinct_origins = true;
     return enter;
   }
   /// The rays that enter a level first: all, or where the packet is split, the lowest and those

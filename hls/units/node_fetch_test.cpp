@@ -137,47 +137,6 @@ TEST(NodeFetch, ALevelEndsWhenNoRayIsAlive) {
   expect_quiet(bench);
 }
 
-struct MainFirst : C {
-  static constexpr bool kMainFirst = true;
-};
-
-/// The node that follows the start node of the upper level once its rays have popped, or none.
-std::vector<TraversalEvent<MainFirst>> after_start(unsigned others, unsigned level) {
-  test::UnitBench<NodeFetch<MainFirst>> bench;
-  bench.value(bench.unit.frame).others_node = Word::from(others);
-  TraversalEvent<MainFirst> e;
-  e.packet = 4;
-  e.level = Level::from(level);
-  e.kind = TraversalKind::kEnter;
-  e.next = 7;
-  e.active = 0b1011;
-  bench.feed(bench.unit.event, e);
-  e.kind = TraversalKind::kPop;
-  bench.feed(bench.unit.event, e);
-  bench.run();
-  const auto again = bench.take(bench.unit.again);
-  EXPECT_EQ(bench.take(bench.unit.top_done).size() + bench.take(bench.unit.object_done).size(),
-            again.empty() ? 1u : 0u);
-  if (again.size() == 1) {
-    bench.feed(bench.unit.event, again[0]);
-    bench.feed(bench.unit.event, e);
-    bench.run();
-    EXPECT_EQ(bench.take_one(bench.unit.top_done).packet, PacketId<C>(4)) << "this time it ends";
-    EXPECT_TRUE(bench.take(bench.unit.again).empty());
-  }
-  return again;
-}
-
-TEST(NodeFetch, FromTheMainObjectRaysGoOnToTheTreeOverTheOthers) {
-  const auto again = after_start(4711, 0);
-  ASSERT_EQ(again.size(), 1u);
-  EXPECT_EQ(again[0].kind, TraversalKind::kEnter);
-  EXPECT_EQ(again[0].next, Address(4711));
-  EXPECT_EQ(again[0].active, RayMask<C>(0b1011));
-  EXPECT_TRUE(after_start(0, 0).empty()) << "where no object is the main one";
-  EXPECT_TRUE(after_start(4711, 1).empty()) << "in an object";
-}
-
 TEST(NodeFetch, APoppedNodeThatNoLivingRayEntersIsPassedOver) {
   UnitBench bench;
   step(bench, enter(5, 0, 1));

@@ -111,14 +111,12 @@ struct TraversalEvent {
   hls::OptionalField<kHasSecondary<C>, RayKind> rays{};  ///< kEnter, level 0: what they are
   hls::OptionalField<kSplitsPackets<C>, bool>
       distinct_origins{};  ///< kEnter: the rays have no common origin
-  [[no_unique_address]] hls::OptionalField<kMainFirst<C>, bool>
-      others{};  ///< kEnter, level 0: after the main object
   /// Rays that enter both children in the other order; they are not in `both`.
   hls::OptionalField<kRemembersChild<C>, RayMask<C>> crossing{};
   [[no_unique_address]] hls::OptionalField<kRestarts<C>, bool>
       is_fork{};  ///< kDescend: out of a node with two children
   HLS_FIELDS(packet, level, kind, next, active, clip_near, pushed, pushed_active, both, terminated,
-             rays, distinct_origins, others, crossing, is_fork)
+             rays, distinct_origins, crossing, is_fork)
 };
 
 /// Everything about a step but the node itself; travels with the node's address and data.
@@ -186,7 +184,10 @@ struct ListJob {
   bool first = false;  ///< start at `address`; otherwise go on after the last entry read
   NodeAddress<C> address;
   [[no_unique_address]] LeafRays<C> active{};  ///< of the first
-  HLS_FIELDS(packet, level, first, address, active)
+  /// Of the first: the list has the main object alone, and what its rays are.
+  [[no_unique_address]] hls::OptionalField<kMainFirst<C>, bool> main{};
+  hls::OptionalField<kMainFirst<C> && kHasSecondary<C>, RayKind> rays{};
+  HLS_FIELDS(packet, level, first, address, active, main, rays)
 };
 
 template <class C>

@@ -88,10 +88,11 @@ struct MainFirst : General {
 
 TEST(PacketRays, WithTheMainObjectFirstTheSameIsHit) {
   const Frame tree = expect_as_general<config::thesis>("thesis", "conference");
-  const Frame main = expect_as_general<MainFirst<config::thesis>>("thesis", "conference");
+  const Frame main = expect_as_general<MainFirst<PointsToLists<Active<config::thesis, 4>>>>(
+      "thesis", "conference");
   EXPECT_LT(count_of(main, "list.transactions"), count_of(tree, "list.transactions"));
   expect_as_general<MainFirst<PointsToLists<Active<config::thesis, 8>>>>("thesis", "conference");
-  expect_as_general<MainFirst<config::whitted>>("whitted", "lamps");
+  expect_as_general<MainFirst<PointsToLists<Active<config::whitted, 4>>>>("whitted", "lamps");
 }
 
 TEST(PacketRays, EdgesOfTheImageCutPackets) {

@@ -264,6 +264,20 @@ RULES = (
         "the groups of a split packet would each begin with the main object",
     ),
     Rule(
+        *MAIN_FIRST,
+        "leaves",
+        lambda v: v == "pointers",
+        "pointers",
+        "rays start in the list of the main object, whose address only a pointer has",
+    ),
+    Rule(
+        *MAIN_FIRST,
+        "rays_sent",
+        lambda v: v == "active",
+        "active",
+        "the list knows which rays go on to the other objects where it knows those in a leaf",
+    ),
+    Rule(
         *COMMON_ORIGIN,
         "reflections",
         lambda v: v == 0,
