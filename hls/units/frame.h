@@ -48,8 +48,7 @@ struct FrameRegisters {
   hls::OptionalField<C::kOneColour, hls::uint<32>> colour;  ///< of every surface, 0x00BBGGRR
   hls::OptionalField<C::kLevels == 1, hls::uint<32>>
       object;  ///< number of the one there is, for its hits
-  /// node where rays go on that have met the main object, whose list the start node then points to;
-  /// 0: no object is the main one
+  /// node where rays go on from the end of a list that the start node points to; 0: nowhere
   hls::OptionalField<C::kMainFirst, hls::uint<32>> others_node;
   hls::OptionalField<C::kObjectBox == ObjectBox::kWorld, hls::uint<32>>
       box_column;  ///< column of an object's box, less the number of the object's matrix

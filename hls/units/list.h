@@ -41,14 +41,11 @@ struct List {
     const bool at_end = !j.first && last.read(row);
     const NodeAddress<C> address = j.first ? j.address : following;
     next.write(row, hls::next(address));
-    Leaf here{j.active.get(), j.main, j.rays};
+    Leaf here;
     if constexpr (kSendsActive<C>) {
-      const Leaf begun = leaf.read(row);
-      if (j.first) {
-        leaf.write(row, here);
-      } else {
-        here = begun;
-      }
+      const Leaf begins{j.active.get(), j.main, j.rays};
+      here = j.first ? begins : leaf.read(row);
+      if (j.first) leaf.write(row, begins);
     }
 
     if (at_end) {

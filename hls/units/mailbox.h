@@ -149,27 +149,29 @@ struct Mailbox {
 
  private:
   void begin(const MailboxEntry<C>& e) {
-    const auto start_node = NodeAddress<C>::from(frame.get().start_node.raw());
-    bool main = false;
-    if constexpr (kMainFirst<C>) {
-      main = NodeAddress<C>::from(frame.get().others_node.get().raw()) != NodeAddress<C>{};
-      ListJob<C> meet_main;
-      meet_main.packet = e.packet;
-      meet_main.first = true;
-      meet_main.address = list_address<C>(start_node);
-      meet_main.active = e.active;
-      meet_main.main = true;
-      meet_main.rays = e.kind.get();
-      if (main) seen.write(meet_main);
-    }
     TraversalEvent<C> enter;
     enter.packet = e.packet;
     enter.kind = TraversalKind::kEnter;
-    enter.next = start_node;
+    enter.next = NodeAddress<C>::from(frame.get().start_node.raw());
     enter.active = e.active;
     enter.rays = e.kind;
     enter.distinct_origins = e.kind.get() == RayKind::kReflection;
-    if (!main) start.write(enter);
+    if constexpr (kMainFirst<C>) {
+      ListJob<C> meet_main;
+      meet_main.packet = e.packet;
+      meet_main.first = true;
+      meet_main.address = list_address<C>(enter.next);
+      meet_main.active = e.active;
+      meet_main.main = true;
+      meet_main.rays = e.kind.get();
+      if (is_list<C>(enter.next)) {
+        seen.write(meet_main);
+      } else {
+        start.write(enter);
+      }
+    } else {
+      start.write(enter);
+    }
   }
   template <unsigned N, class Ram>
   static Slots<N> slots_of(const Ram& ram, PacketId<C> packet) {

@@ -249,8 +249,8 @@ struct MainFirst : test::Config<8> {
 
 TEST(Mailbox, NewRaysMeetTheMainObjectFirst) {
   test::UnitBench<Mailbox<MainFirst>> bench;
-  FrameRegisters<MainFirst>& frame = bench.value(bench.unit.frame);
-  frame.start_node = Word::from((1u << (C::kAddressBits - 1)) | 350);
+  hls::uint<32>& start_node = bench.value(bench.unit.frame).start_node;
+  start_node = 350;
   const auto begin = [&bench] {
     MailboxEntry<MainFirst> e;
     e.packet = 5;
@@ -262,9 +262,9 @@ TEST(Mailbox, NewRaysMeetTheMainObjectFirst) {
   };
   begin();
   EXPECT_EQ(bench.take_one(bench.unit.start).active, RayMask<C>(0b0110))
-      << "where there is none they enter the tree";
+      << "where the start node is no list they enter the tree";
   EXPECT_TRUE(bench.take(bench.unit.seen).empty());
-  frame.others_node = Word::from(12);
+  start_node = Word::from((1u << (C::kAddressBits - 1)) | 350);
   begin();
   EXPECT_TRUE(bench.take(bench.unit.start).empty());
   EXPECT_TRUE(test::same(bench.take_one(bench.unit.seen),

@@ -5,7 +5,8 @@
 // packet and level and turns what was decided about a packet into the next node's address. A full
 // stack drops the push and goes on (thesis chapter 7); each drop is a token of `dropped`. A level
 // ends when no ray of it is alive or its stack is empty. A stack may keep only its latest entries;
-// then a packet comes back to the others from the root (units/restart_trail.h).
+// then a packet comes back to the others from the root (units/restart_trail.h). Where rays meet the
+// main object first, a level ends at once that they enter at the null node: there are no others.
 //
 // Of reflected rays that would traverse two children in different orders (thesis 3.1.3), a
 // configuration may split the packet: rays whose directions' signs differ traverse the level one
@@ -94,7 +95,10 @@ struct NodeFetch {
 
     const bool is_lost = kRestarts<C> && state.trail.get().is_lost();
     bool fetch = true;
-    if (enter) {
+    if (kMainFirst<C> && enter && e.next == NodeAddress<C>{}) {
+      fetch = false;
+      finish(e, state);
+    } else if (enter) {
       context.update = IntervalUpdate::kInit;
       context.active = entering;
     } else if (e.kind == TraversalKind::kPush) {

@@ -137,6 +137,29 @@ TEST(NodeFetch, ALevelEndsWhenNoRayIsAlive) {
   expect_quiet(bench);
 }
 
+struct MainFirst : C {
+  static constexpr RaysSent kRaysSent = RaysSent::kActive;
+  static constexpr Leaves kLeaves = Leaves::kPointers;
+  static constexpr bool kMainFirst = true;
+};
+
+TEST(NodeFetch, WhereNoObjectsFollowTheMainOneTheLevelEnds) {
+  test::UnitBench<NodeFetch<MainFirst>> bench;
+  TraversalEvent<MainFirst> e;
+  e.packet = 4;
+  e.kind = TraversalKind::kEnter;
+  e.active = 0b1011;
+  bench.feed(bench.unit.event, e);
+  bench.run();
+  EXPECT_EQ(bench.take_one(bench.unit.top_done).packet, PacketId<C>(4));
+  EXPECT_TRUE(bench.take(bench.unit.request).empty());
+  e.next = 7;
+  bench.feed(bench.unit.event, e);
+  bench.run();
+  EXPECT_EQ(bench.take_one(bench.unit.request).address, Address(7));
+  EXPECT_TRUE(bench.take(bench.unit.top_done).empty());
+}
+
 TEST(NodeFetch, APoppedNodeThatNoLivingRayEntersIsPassedOver) {
   UnitBench bench;
   step(bench, enter(5, 0, 1));

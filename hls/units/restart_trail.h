@@ -36,64 +36,68 @@ struct WayBack {
 
 template <class C>
 struct RestartTrail {
-  static constexpr unsigned kForks = std::max(kStackDepths<C>[0], kStackDepths<C>[1]);
-  /// A bit for each fork of a path, the root's highest. The lowest is for all that are too deep.
-  using Forks = uint<kForks + 1>;
+  /// A bit for each fork of the longest path, the root's highest.
+  using Forks = uint<std::max(kStackDepths<C>[0], kStackDepths<C>[1])>;
   using Count = uint<hls::index_width(C::kStackEntries + 1)>;
 
   Forks waiting;             ///< forks whose near child is being traversed
-  Forks here;                ///< one bit: the fork that the packet is at or comes to next
+  Forks passed;              ///< the highest bits: forks above the packet's node
   bool on_way_back = false;  ///< the last fork that waits has not been found again
   Count kept;                ///< entries that the stack still has
-  HLS_FIELDS(waiting, here, on_way_back, kept)
+  HLS_FIELDS(waiting, passed, on_way_back, kept)
 
   static RestartTrail at_root(LevelField<C> level) {
     RestartTrail trail;
-    trail.here = root(level);
+    trail.passed = root(level);
     return trail;
   }
-  bool is_too_deep() const { return here.template bit<0>(); }
-  bool is_done() const { return above() == Forks{}; }
+  bool is_too_deep() const { return passed.template bit<0>(); }
+  bool is_done() const { return due() == Forks{}; }
   /// Whether the stack has lost the entry that is due.
   bool is_lost() const { return kept == Count{}; }
 
   WayBack way_back() const {
-    const bool waits = (waiting & here) != Forks{};
-    const bool is_last = (waiting & below(here)) == Forks{};
+    const bool waits = (waiting & here()) != Forks{};
+    const bool is_last = (waiting & ~passed_next()) == Forks{};
     return {on_way_back && !waits, on_way_back && waits && is_last};
   }
   /// Into the near child, while the far one goes to the stack.
   void push() {
-    waiting = waiting | here;
-    here = here.template shr<1>();
+    waiting = waiting | here();
+    passed = passed_next();
     if (kept != Count::from(C::kStackEntries)) kept = hls::next(kept);
   }
   /// Into one child of a node, which is a fork or not.
   void descend(bool is_fork, bool is_far) {
     if (is_fork) {
-      if (is_far && (waiting & here) != Forks{}) on_way_back = false;
-      waiting = waiting & ~here;
-      if (!is_too_deep()) here = here.template shr<1>();
+      if (is_far && (waiting & here()) != Forks{}) on_way_back = false;
+      waiting = waiting & ~here();
+      passed = passed_next();
     }
   }
   /// Out of a leaf or a node that no ray goes on from: into the far child that is due, or to the
   /// root.
   void pop(LevelField<C> level) {
-    const Forks due = above();
-    const Forks earlier = due & below(due);
+    const Forks before = due();
+    const auto less = Forks::from(before.raw() - 1);
+    const Forks up_to_last = before ^ less;
     on_way_back = is_lost();
-    waiting = is_lost() ? due : earlier;
-    here = is_lost() ? root(level) : (due ^ earlier).template shr<1>();
+    waiting = is_lost() ? before : before & less;
+    passed = is_lost() ? root(level) : ~up_to_last.template shr<1>();
     if (!is_lost()) kept = Count::from(kept.raw() - 1);
   }
 
  private:
-  static Forks root(LevelField<C> level) {
-    return Forks::from(1ull << (is_top<C>(level) ? kStackDepths<C>[0] : kStackDepths<C>[1]));
+  static Forks highest(unsigned count) {
+    return Forks::from(~((1ull << (Forks::kWidth - count)) - 1));
   }
-  /// The bits below the lowest of `forks`, and those above it.
-  static Forks below(Forks forks) { return Forks::from(forks.raw() - 1); }
-  Forks above() const { return waiting & ~(here | below(here)); }
+  static Forks root(LevelField<C> level) {
+    return highest(Forks::kWidth - (is_top<C>(level) ? kStackDepths<C>[0] : kStackDepths<C>[1]));
+  }
+  Forks passed_next() const { return passed.template shr<1>() | highest(1); }
+  /// The fork that the packet is at or comes to next; none where the path is too deep.
+  Forks here() const { return passed_next() & ~passed; }
+  Forks due() const { return waiting & passed; }
 };
 
 }  // namespace dynrt

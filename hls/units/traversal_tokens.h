@@ -186,7 +186,7 @@ struct ListJob {
   [[no_unique_address]] LeafRays<C> active{};  ///< of the first
   /// Of the first: the list has the main object alone, and what its rays are.
   [[no_unique_address]] hls::OptionalField<kMainFirst<C>, bool> main{};
-  hls::OptionalField<kMainFirst<C> && kHasSecondary<C>, RayKind> rays{};
+  [[no_unique_address]] hls::OptionalField<kMainFirst<C> && kHasSecondary<C>, RayKind> rays{};
   HLS_FIELDS(packet, level, first, address, active, main, rays)
 };
 
