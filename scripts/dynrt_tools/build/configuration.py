@@ -133,8 +133,8 @@ class Builder:
         (tree / "host" / "board" / f"{NAME}.so").rename(made / LIBRARY)
         return made
 
-    def _build(self, folder: pathlib.Path, target: str, clock: str) -> None:
-        """A target of the project, its units scheduled for this period."""
+    def configure(self, folder: pathlib.Path, clock: str) -> pathlib.Path:
+        """Where CMake can build its targets, units scheduled for this period."""
         configs, tree, log = folder / "configs.json", folder / "build", folder / "log"
         stated = self.config | {"rtl": self.kind != "native"}
         configs.write_text(json.dumps([{"name": NAME, **stated}]), encoding="utf-8")
@@ -161,6 +161,11 @@ class Builder:
                 file,
                 log,
             )
+        return tree
+
+    def _build(self, folder: pathlib.Path, target: str, clock: str) -> None:
+        tree, log = self.configure(folder, clock), folder / "log"
+        with log.open("a", encoding="utf-8") as file:
             self._run(
                 [
                     "cmake",
