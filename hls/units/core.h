@@ -165,6 +165,9 @@ struct Core {
  private:
   static constexpr unsigned kAll = C::kPackets;  ///< tokens that a channel of packets can hold
   static constexpr auto kShort = hls::WriterFifos::kShort;
+  /// Steps that packet_decision keeps while the slices take them. The decision waits for nothing
+  /// else, so steps wait as long as a slice takes: 8 clocks with reciprocals, and two of its FIFO.
+  static constexpr unsigned kSteps = kCommonOrigin<C> && kHasReciprocals<C> ? 16 : kAll;
 
   void join_frame(hls::Join& join) {
     std::vector<hls::Config<FrameRegisters<C>>*> readers = {

@@ -29,7 +29,7 @@ void Core<C>::join_traversal(hls::Join& join) {
   const hls::Writers<Step<C>> nodes = {&node_lookup.reply, &node_fill.reply};
   if constexpr (kCommonOrigin<C>) {
     join.channel<Step<C>>("step", nodes, {&plane_offset.step_in});
-    join.channel<Step<C>>("offset", {&plane_offset.offset}, steps, kAll, kShort);
+    join.channel<Step<C>>("offset", {&plane_offset.offset}, steps, kSteps, kShort);
     join.ram("origin", origins_written(), std::array{&plane_offset.origin});
   } else {
     join.channel<Step<C>>("step", nodes, steps, kAll, kShort);
@@ -37,7 +37,7 @@ void Core<C>::join_traversal(hls::Join& join) {
   for (unsigned i = 0; i < kRays<C>; ++i) {
     join.constant(slice[i].lane, RayIndex<C>::from(i));
     join.channel("decision_" + std::to_string(i), slice[i].decision, packet_decision.slice[i],
-                 kAll);
+                 kSteps);
     join_rays(join, i);
     join.ram("distance_" + std::to_string(i), collect_hits.distance[i], distance_readers(i));
     if constexpr (kSplitsPackets<C>) {
