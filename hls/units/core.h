@@ -6,6 +6,11 @@
 // place at a time, so a channel that holds all packets can never be the end of a deadlock. Nor can
 // one whose reader writes into such channels alone: it empties whatever the others do, so that
 // short FIFOs do for its writers.
+//
+// `node_fetch` is such a reader. Where one FIFO on each loop is to hold all packets, its own are
+// these: node_fetch.request, .again, .top_done and .object_done. Then `list`, which waits for its
+// events to be taken, drains too; so do `packet_decision`, which waits for both, and the units that
+// send packets into an object.
 #pragma once
 
 #include <memory>
@@ -164,9 +169,12 @@ struct Core {
 
  private:
   static constexpr unsigned kAll = C::kPackets;  ///< tokens that a channel of packets can hold
-  static constexpr auto kShort = hls::WriterFifos::kShort;
-  /// Steps that packet_decision keeps while the slices take them. The decision waits for nothing
-  /// else, so steps wait as long as a slice takes: 8 clocks with reciprocals, and two of its FIFO.
+  static constexpr auto kShort = hls::WriterFifo::kShort;
+  /// Of a writer that waits for units alone that drain (file comment), where the key allows it.
+  static constexpr auto kDrained =
+      C::kPacketFifos == PacketFifos::kOne ? kShort : hls::WriterFifo::kHoldsAll;
+  /// Steps that packet_decision keeps while the slices take them, which is 8 clocks with
+  /// reciprocals, and four of FIFOs and buffers.
   static constexpr unsigned kSteps = kCommonOrigin<C> && kHasReciprocals<C> ? 16 : kAll;
 
   void join_frame(hls::Join& join) {

@@ -10,29 +10,36 @@ namespace dynrt {
 
 template <class C>
 void Core<C>::join_traversal(hls::Join& join) {
-  hls::Writers<TraversalEvent<C>> events = {&packet_decision.event, &node_fetch.again,
-                                            &list.finished, &mailbox.start};
+  hls::Writers<TraversalEvent<C>> events = {};
+  events.push_back(&packet_decision.event, kDrained);
+  events.push_back(&node_fetch.again);
+  events.push_back(&list.finished, kDrained);
+  events.push_back(&mailbox.start, kDrained);
   if constexpr (kClipsToBox<C>) {
-    events.push_back(&box_clip.enter_object);
+    events.push_back(&box_clip.enter_object, kDrained);
   } else if constexpr (kTwoLevels<C> && kHasReciprocals<C>) {
-    events.push_back(&ray_reciprocal.enter_object);
+    events.push_back(&ray_reciprocal.enter_object, kDrained);
   } else if constexpr (kWatertight<C>) {
-    events.push_back(&ray_shear.enter_object);
+    events.push_back(&ray_shear.enter_object, kDrained);
   } else if constexpr (kTwoLevels<C>) {
-    events.push_back(&packet_decoder.enter_object);
+    events.push_back(&packet_decoder.enter_object, kDrained);
   }
   join.channel<TraversalEvent<C>>("traversal_event", events, {&node_fetch.event}, kAll);
   join.channel("node_request", node_fetch.request, node_lookup.request, kAll);
   hls::Readers<Step<C>> steps = {};
   for (TraversalSlice<C>& one : slice) steps.push_back(&one.step_in);
   steps.push_back(&packet_decision.step_in);
-  const hls::Writers<Step<C>> nodes = {&node_lookup.reply, &node_fill.reply};
+  hls::Writers<Step<C>> nodes = {};
+  nodes.push_back(&node_lookup.reply, kShort);
+  nodes.push_back(&node_fill.reply, kShort);
   if constexpr (kCommonOrigin<C>) {
     join.channel<Step<C>>("step", nodes, {&plane_offset.step_in});
-    join.channel<Step<C>>("offset", {&plane_offset.offset}, steps, kSteps, kShort);
+    hls::Writers<Step<C>> offsets = {};
+    offsets.push_back(&plane_offset.offset, kShort);
+    join.channel<Step<C>>("offset", offsets, steps, kSteps);
     join.ram("origin", origins_written(), std::array{&plane_offset.origin});
   } else {
-    join.channel<Step<C>>("step", nodes, steps, kAll, kShort);
+    join.channel<Step<C>>("step", nodes, steps, kAll);
   }
   for (unsigned i = 0; i < kRays<C>; ++i) {
     join.constant(slice[i].lane, RayIndex<C>::from(i));
@@ -85,10 +92,11 @@ auto Core<C>::distance_readers(unsigned i) {
 
 template <class C>
 void Core<C>::join_lists(hls::Join& join) {
-  hls::Writers<ListJob<C>> jobs = {&packet_decision.leaf};
+  hls::Writers<ListJob<C>> jobs = {};
+  jobs.push_back(&packet_decision.leaf, kDrained);
   if constexpr (kTwoLevels<C>) jobs.push_back(&node_fetch.object_done);
   if constexpr (Mailbox<C>::kHasObjects || Mailbox<C>::kHasTriangles || kMainFirst<C>) {
-    jobs.push_back(&mailbox.seen);
+    jobs.push_back(&mailbox.seen, kDrained);
   }
   jobs.push_back(&collect_hits.go_on);
   if constexpr (kClipsToBox<C>) jobs.push_back(&box_clip.missed);

@@ -54,6 +54,12 @@ enum class RaysSent : std::uint8_t {
   kActive,  ///< those that are in the leaf: an item is met again by others in a later leaf
 };
 
+/// The FIFOs of writers on a loop of packets that hold all of them (units/core.h).
+enum class PacketFifos : std::uint8_t {
+  kAll,  ///< each, so that no writer waits
+  kOne,  ///< one on each loop
+};
+
 /// The stored form of a triangle (thesis 5.1).
 enum class TriangleMatrix : std::uint8_t {
   kNormalConsistent,  ///< 12 numbers: the plane's normal is a row

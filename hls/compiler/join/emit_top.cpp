@@ -180,12 +180,12 @@ class Top {
         unit.module, unit.name, pins, parameters);
   }
 
-  /// A channel that says how many tokens it can ever hold gets FIFOs that hold them all, if its
-  /// writers shall not wait.
+  /// A channel that says how many tokens it can ever hold gets FIFOs that hold them all, but those
+  /// of writers that are to be short.
   std::string depth_parameters(const std::string& port, const std::string& name) const {
     for (const ChannelRecord& c : join_.channels) {
-      const bool holds_all = c.depth != 0 && c.fifos == hls::WriterFifos::kHoldAll;
-      if (!holds_all || std::find(c.from.begin(), c.from.end(), port) == c.from.end()) continue;
+      const bool writes = std::find(c.from.begin(), c.from.end(), port) != c.from.end();
+      if (!writes || !c.holds_all(port)) continue;
       std::string upper = name;
       for (char& letter : upper) {
         letter = static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));

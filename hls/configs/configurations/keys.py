@@ -44,6 +44,7 @@ DIVIDERS = Choice(
 ORIGINS = Choice("Origins", {"each": "kEach", "common": "kCommon"})
 CAMERAS = Choice("CameraSource", {"transformation": "kTransformation", "own_unit": "kOwnUnit"})
 LEAVES = Choice("Leaves", {"nodes": "kNodes", "pointers": "kPointers"})
+PACKET_FIFOS = Choice("PacketFifos", {"all": "kAll", "one": "kOne"})
 MATRICES = Choice(
     "TriangleMatrix",
     {"normal_consistent": "kNormalConsistent", "memory_efficient": "kMemoryEfficient"},
@@ -202,6 +203,12 @@ KEYS: dict[str, Key] = {
         "kOneColour",
         "whether every surface has the same colour, which the frame states",
         False,
+    ),
+    "packet_fifos": Key(
+        PACKET_FIFOS,
+        "kPacketFifos",
+        "which FIFOs of the traversal hold every packet in flight: all, or one on each loop",
+        "all",
     ),
     "item_cost": Key(
         Number(0.25, 16),

@@ -75,7 +75,7 @@ TEST(Clocks, AUnitWithoutRoomWaits) {
 }
 
 /// Stalls of a writer with room for two tokens, of which none is taken before clock 20.
-std::uint64_t stalls_of_a_writer(hls::WriterFifos fifos) {
+std::uint64_t stalls_of_a_writer(hls::WriterFifo fifo) {
   Add add;
   Pair pair;
   hls::Join join({{"add", {.stages = 1, .room = 2}}, {"pair", {.stages = 1, .room = 12}}});
@@ -84,7 +84,9 @@ std::uint64_t stalls_of_a_writer(hls::WriterFifos fifos) {
   join.constant(add.value, Byte(1));
   auto in = join.input("in", add.in);
   auto late = join.input("late", pair.in[0]);
-  join.channel<Byte>("sums", {&add.out}, {&pair.in[1]}, 12, fifos);
+  hls::Writers<Byte> sums = {};
+  sums.push_back(&add.out, fifo);
+  join.channel<Byte>("sums", sums, {&pair.in[1]}, 12);
   auto out = join.output("out", pair.out);
   for (unsigned i = 0; i < 6; ++i) {
     in->push(Byte::from(i));
@@ -98,8 +100,8 @@ std::uint64_t stalls_of_a_writer(hls::WriterFifos fifos) {
 }
 
 TEST(Clocks, OnlyAShortFifoMakesItsWriterWait) {
-  EXPECT_EQ(stalls_of_a_writer(hls::WriterFifos::kHoldAll), 0u);
-  EXPECT_GT(stalls_of_a_writer(hls::WriterFifos::kShort), 0u);
+  EXPECT_EQ(stalls_of_a_writer(hls::WriterFifo::kHoldsAll), 0u);
+  EXPECT_GT(stalls_of_a_writer(hls::WriterFifo::kShort), 0u);
 }
 
 TEST(Clocks, ARowThatIsReadInTheClockThatWritesItIsTorn) {

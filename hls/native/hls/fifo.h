@@ -141,6 +141,12 @@ class OutEnd {
   std::vector<std::shared_ptr<TokenQueue>> tokens_;
 };
 
+/// The FIFO of a writer, if its channel has a bound.
+enum class WriterFifo : std::uint8_t {
+  kHoldsAll,  ///< never refuses a token
+  kShort,     ///< refuses tokens when full, so that the writer waits
+};
+
 /// The writing ends of one channel, all of the same type.
 template <class T>
 class Writers {
@@ -148,11 +154,16 @@ class Writers {
   Writers(std::initializer_list<Out<T>*> ends) {
     for (Out<T>* end : ends) push_back(end);
   }
-  void push_back(Out<T>* end) { ends_.push_back(end); }
+  void push_back(Out<T>* end, WriterFifo fifo = WriterFifo::kHoldsAll) {
+    ends_.push_back(end);
+    if (fifo == WriterFifo::kShort) short_fifos_.push_back(end);
+  }
   const std::vector<OutEnd*>& ends() const { return ends_; }
+  /// Those of them whose FIFOs are short.
+  const std::vector<OutEnd*>& short_fifos() const { return short_fifos_; }
 
  private:
-  std::vector<OutEnd*> ends_;
+  std::vector<OutEnd*> ends_, short_fifos_;
 };
 /// The reading ends of one channel.
 template <class T>

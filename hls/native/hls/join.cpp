@@ -36,13 +36,13 @@ void Join::add_ram(RamRecord record, const void* writer, const std::vector<const
 
 void Join::add_channel(const std::string& name, const std::vector<OutEnd*>& from,
                        const std::vector<InEnd*>& to, TokenType type, unsigned depth,
-                       WriterFifos fifos) {
+                       const std::vector<OutEnd*>& short_fifos) {
   const ChannelRecord record{
-      name, names_of(ports_, from), names_of(ports_, to), type.width, depth, ChannelKind::kChannel,
-      fifos};
+      name,  names_of(ports_, from), names_of(ports_, to),         type.width,
+      depth, ChannelKind::kChannel,  names_of(ports_, short_fifos)};
   for (InEnd* in : to) in->bind_tokens(type.make_queue());
   if (clocks_) {
-    clocks_->channel(ports_, from, to, type, depth, fifos);
+    clocks_->channel(ports_, from, to, type, depth, short_fifos);
   } else {
     for (OutEnd* out : from) {
       for (const InEnd* in : to) out->bind_tokens(in->tokens());

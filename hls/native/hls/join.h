@@ -58,16 +58,16 @@ class Join {
   }
 
   /// One channel from any of `from` to all of `to`. `depth`, if not 0, promises that the channel
-  /// never holds more tokens: its FIFOs hold them all and never refuse one, but those of the
-  /// writers if they shall be short.
+  /// never holds more tokens: its FIFOs hold them all and never refuse one, but those of writers
+  /// that are to be short.
   template <class T>
   void channel(const std::string& name, const Writers<T>& from, const Readers<T>& to,
-               unsigned depth = 0, WriterFifos fifos = WriterFifos::kHoldAll) {
-    add_channel(name, from.ends(), to.ends(), token_type<T>(), depth, fifos);
+               unsigned depth = 0) {
+    add_channel(name, from.ends(), to.ends(), token_type<T>(), depth, from.short_fifos());
   }
   template <class T>
   void channel(const std::string& name, Out<T>& from, In<T>& to, unsigned depth = 0) {
-    add_channel(name, {&from}, {&to}, token_type<T>(), depth, WriterFifos::kHoldAll);
+    add_channel(name, {&from}, {&to}, token_type<T>(), depth, {});
   }
 
   /// Sends every job `job.repeat` + 1 times, numbered from 0.
@@ -213,7 +213,7 @@ class Join {
                 bool (*run)(void* unit, std::uint64_t&), const std::vector<PortOfUnit>& ports);
   void add_channel(const std::string& name, const std::vector<OutEnd*>& from,
                    const std::vector<InEnd*>& to, TokenType type, unsigned depth,
-                   WriterFifos fifos);
+                   const std::vector<OutEnd*>& short_fifos);
   void add_repeat(const std::string& name, const std::vector<OutEnd*>& from, const InEnd& to,
                   TokenType type, unsigned repeat_width, SendNumbered send, unsigned depth);
   std::shared_ptr<TokenQueue> add_input(const std::string& name, InEnd& to, TokenType type);

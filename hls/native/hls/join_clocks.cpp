@@ -31,7 +31,7 @@ void JoinClocks::unit(const std::string& name, const std::string& module,
 
 void JoinClocks::channel(const JoinPorts& ports, const std::vector<OutEnd*>& from,
                          const std::vector<InEnd*>& to, TokenType type, unsigned depth,
-                         WriterFifos fifos) {
+                         const std::vector<OutEnd*>& short_fifos) {
   // A reader that waits for other tokens too has a queue of its own behind the fork.
   std::vector<Tokens> targets, waiting, behind;
   std::vector<std::string> readers, waiting_readers;
@@ -47,7 +47,7 @@ void JoinClocks::channel(const JoinPorts& ports, const std::vector<OutEnd*>& fro
       waiting_readers.push_back(unit);
     }
   }
-  Source source = merge(ports, from, type, fifos == WriterFifos::kShort ? 0 : depth);
+  Source source = merge(ports, from, type, depth, short_fifos);
   if (to.size() == 1 && ports.inputs_of(readers.front()) > 1) source = buffer({source}, type);
   const Clocks::Feed feed{source.queue, mover(source.tokens, targets)};
   if (to.size() == 1) {
@@ -63,7 +63,7 @@ void JoinClocks::channel(const JoinPorts& ports, const std::vector<OutEnd*>& fro
 void JoinClocks::repeat(const JoinPorts& ports, const std::vector<OutEnd*>& from, const InEnd& to,
                         TokenType type, SendNumbered send, std::shared_ptr<std::uint64_t> sent,
                         unsigned depth) {
-  const Source source = merge(ports, from, type, depth);
+  const Source source = merge(ports, from, type, depth, {});
   const auto move = [jobs = source.tokens, sent, send, numbered = to.tokens(),
                      number = std::uint64_t{0}]() mutable {
     if (number == 0) ++*sent;
@@ -75,11 +75,13 @@ void JoinClocks::repeat(const JoinPorts& ports, const std::vector<OutEnd*>& from
 }
 
 JoinClocks::Source JoinClocks::merge(const JoinPorts& ports, const std::vector<OutEnd*>& from,
-                                     TokenType type, unsigned depth) {
+                                     TokenType type, unsigned depth,
+                                     const std::vector<OutEnd*>& short_fifos) {
   std::vector<Source> sources;
   for (OutEnd* out : from) {
     const Tokens tokens = type.make_queue();
-    sources.push_back({output(ports, *out, tokens, depth), tokens});
+    const bool is_short = std::ranges::find(short_fifos, out) != short_fifos.end();
+    sources.push_back({output(ports, *out, tokens, is_short ? 0 : depth), tokens});
   }
   return sources.size() == 1 ? sources.front() : buffer(sources, type);
 }

@@ -41,7 +41,8 @@ class JoinClocks {
   void unit(const std::string& name, const std::string& module, std::function<void()> run);
   /// One channel from any of `from` to all of `to`, whose queues are bound.
   void channel(const JoinPorts& ports, const std::vector<OutEnd*>& from,
-               const std::vector<InEnd*>& to, TokenType type, unsigned depth, WriterFifos fifos);
+               const std::vector<InEnd*>& to, TokenType type, unsigned depth,
+               const std::vector<OutEnd*>& short_fifos);
   /// `sent` counts the jobs that were sent for the first time.
   void repeat(const JoinPorts& ports, const std::vector<OutEnd*>& from, const InEnd& to,
               TokenType type, SendNumbered send, std::shared_ptr<std::uint64_t> sent,
@@ -67,7 +68,7 @@ class JoinClocks {
   };
   /// All of `from`, with an arbiter where there are several.
   Source merge(const JoinPorts& ports, const std::vector<OutEnd*>& from, TokenType type,
-               unsigned depth);
+               unsigned depth, const std::vector<OutEnd*>& short_fifos);
   /// A buffer behind sources, with an arbiter where there are several.
   Source buffer(const std::vector<Source>& sources, TokenType type);
   Clocks::Queue* output(const JoinPorts& ports, OutEnd& out, const Tokens& queue, unsigned depth);

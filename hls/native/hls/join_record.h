@@ -4,6 +4,7 @@
 // The connections of a join, as data: names, widths and ends. A port is named "unit.port".
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -26,11 +27,6 @@ struct UnitRecord {
   bool order_dependent = false;  ///< its counts depend on the order of service
 };
 enum class ChannelKind : std::uint8_t { kChannel, kRepeat, kInput, kOutput, kSink };
-/// The FIFOs of a channel's writers, if the channel has a bound.
-enum class WriterFifos : std::uint8_t {
-  kHoldAll,  ///< never refuse a token
-  kShort,    ///< refuse tokens when full, so that the writers wait
-};
 struct ChannelRecord {
   std::string name;
   std::vector<std::string> from;
@@ -38,9 +34,14 @@ struct ChannelRecord {
   unsigned width;
   unsigned depth;  ///< the most tokens there can be; 0 if there is no such bound
   ChannelKind kind;
-  WriterFifos fifos = WriterFifos::kHoldAll;
-  unsigned repeat_width = 0;     ///< of a repeated job's count
-  bool order_dependent = false;  ///< its token count depends on the order of service
+  std::vector<std::string> short_fifos = {};  ///< the writers that have one all the same
+  unsigned repeat_width = 0;                  ///< of a repeated job's count
+  bool order_dependent = false;               ///< its token count depends on the order of service
+
+  /// Whether the FIFO of a writer never refuses a token.
+  bool holds_all(const std::string& writer) const {
+    return depth != 0 && std::ranges::find(short_fifos, writer) == short_fifos.end();
+  }
 };
 struct RamRecord {
   std::string name;
