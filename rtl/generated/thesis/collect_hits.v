@@ -116,7 +116,7 @@ module collect_hits #(
     in_packet_s2 <= in_packet_s1;
     closest_s2 <= closest_s1;
   end
-  wire [23:0] or_1_s2 = candidate_9_s2 | closest_s2;  // units/collect_hits.h:74
+  wire [23:0] or_1_s2 = candidate_9_s2 | closest_s2;  // units/collect_hits.h:75
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -146,7 +146,7 @@ module collect_hits #(
     or_1_s3 <= or_1_s2[23];
   end
   wire closer_s3 = in_hit_s3 & (or_1_s3 ^ ({candidate_9_s3, 1'd0} < {closest_s3, or_1_s3}));
-  wire or_2_s3 = in_reset_s3 | closer_s3;  // units/collect_hits.h:96
+  wire or_2_s3 = in_reset_s3 | closer_s3;  // units/collect_hits.h:97
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -178,19 +178,19 @@ module collect_hits #(
   wire [16:0] job_matrix_s4 = record_data_i[22:6];
   wire [23:0] job_extra_s4 = record_data_i[46:23];
   wire [16:0] instance_s4 = object_data_i;
-  wire [23:0] mux_1_s4 = {~in_reset_s4 & closest_s4[23], {23{in_reset_s4}} | closest_s4[22:0]};  // units/collect_hits.h:78
-  wire [23:0] mux_2_s4 = closer_s4 ? candidate_9_s4 : mux_1_s4;  // units/collect_hits.h:79
+  wire [23:0] mux_1_s4 = {~in_reset_s4 & closest_s4[23], {23{in_reset_s4}} | closest_s4[22:0]};  // units/collect_hits.h:79
+  wire [23:0] mux_2_s4 = closer_s4 ? candidate_9_s4 : mux_1_s4;  // units/collect_hits.h:80
   wire [23:0] mux_3_s4 = ~{24{in_reset_s4}} & in_u_s4;
   wire [23:0] mux_4_s4 = ~{24{in_reset_s4}} & in_v_s4;
   wire [23:0] mux_5_s4 = ~{24{in_reset_s4}} & in_cosine_s4;
   wire [16:0] mux_6_s4 = ~{17{in_reset_s4}} & instance_s4;
   wire [16:0] mux_7_s4 = ~{17{in_reset_s4}} & job_matrix_s4;
   wire [23:0] mux_8_s4 = ~{24{in_reset_s4}} & job_extra_s4;
-  wire [23:0] mux_9_s4 = {~in_reset_s4 & mux_2_s4[23], {23{in_reset_s4}} | mux_2_s4[22:0]};  // units/collect_hits.h:96
+  wire [23:0] mux_9_s4 = {~in_reset_s4 & mux_2_s4[23], {23{in_reset_s4}} | mux_2_s4[22:0]};  // units/collect_hits.h:97
   wire not_1_s4 = ~candidate_5_s4;
   wire not_2_s4 = ~candidate_6_s4;
-  wire [23:0] mux_10_s4 = {~in_reset_s4 & candidate_9_s4[23], {23{in_reset_s4}} | candidate_9_s4[22:0]};  // units/collect_hits.h:101
-  wire eq_1_s4 = {candidate_6_s4, candidate_5_s4} == 2'd3;  // units/packet.h:198
+  wire [23:0] mux_10_s4 = {~in_reset_s4 & candidate_9_s4[23], {23{in_reset_s4}} | candidate_9_s4[22:0]};  // units/collect_hits.h:103
+  wire eq_1_s4 = {candidate_6_s4, candidate_5_s4} == 2'd3;  // units/packet.h:202
   wire not_3_s4 = ~in_reset_s4;
   wire [3:0] job_active_s4 = record_data_i[5:2];
 

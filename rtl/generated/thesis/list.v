@@ -38,7 +38,7 @@ module list #(
 
   // ---- stage 0 ----
   wire j_first_s0 = job_data_i[6];
-  wire not_1_s0 = ~j_first_s0;  // units/list.h:29
+  wire not_1_s0 = ~j_first_s0;  // units/list.h:41
   wire [5:0] row_s0 = job_data_i[5:0];
   wire [18:0] j_address_s0 = job_data_i[25:7];
 
@@ -56,10 +56,10 @@ module list #(
     j_address_s1 <= j_address_s0;
   end
   wire last_s1 = last_data_i;
-  wire at_end_s1 = not_1_s1 & last_s1;  // units/list.h:29
+  wire at_end_s1 = not_1_s1 & last_s1;  // units/list.h:41
   wire [18:0] next_row;
   wire [18:0] following_s1 = next_row;
-  wire [18:0] address_s1 = j_first_s1 ? j_address_s1 : following_s1;  // units/list.h:29
+  wire [18:0] address_s1 = j_first_s1 ? j_address_s1 : following_s1;  // units/list.h:41
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(25), .DEPTH(REQUEST_DEPTH), .MARGIN(REQUEST_BOUNDED ? 0 : 1),

@@ -91,13 +91,13 @@ module node_fetch #(
   wire [8:0] states_row;
   wire [4:0] states_0_s1 = states_row[4:0];
   wire [3:0] state_alive_s1 = states_row[8:5];
-  wire enter_s1 = {event_7_s1, event_6_s1} == 2'd0;  // units/node_fetch.h:65
-  wire [4:0] mux_1_s1 = ~{5{enter_s1}} & states_0_s1;  // units/node_fetch.h:67
-  wire [3:0] state_alive_2_s1 = enter_s1 ? e_active_s1 : state_alive_s1;  // units/node_fetch.h:67
-  wire [3:0] state_alive_3_s1 = state_alive_2_s1 & (~e_terminated_s1);  // units/node_fetch.h:78
-  wire [4:0] add_1_s1 = mux_1_s1 + 5'd31;  // units/node_fetch.h:80
-  wire eq_2_s1 = mux_1_s1 == 5'd0;  // units/node_fetch.h:116
-  wire full_s1 = mux_1_s1 == 5'd31;  // units/node_fetch.h:104
+  wire enter_s1 = {event_7_s1, event_6_s1} == 2'd0;  // units/node_fetch.h:64
+  wire [4:0] mux_1_s1 = ~{5{enter_s1}} & states_0_s1;  // units/node_fetch.h:66
+  wire [3:0] state_alive_2_s1 = enter_s1 ? e_active_s1 : state_alive_s1;  // units/node_fetch.h:66
+  wire [3:0] state_alive_3_s1 = state_alive_2_s1 & (~e_terminated_s1);  // units/node_fetch.h:75
+  wire [4:0] add_1_s1 = mux_1_s1 + 5'd31;  // units/node_fetch.h:77
+  wire eq_2_s1 = mux_1_s1 == 5'd0;  // units/node_fetch.h:160
+  wire full_s1 = mux_1_s1 == 5'd31;  // units/node_fetch.h:152
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -224,7 +224,7 @@ module node_fetch #(
     mux_11_s4 <= mux_11_s3;
     mux_18_s4 <= mux_18_s3;
   end
-  wire and_1_s4 = e_clip_near_s4 & ({event_7_s4, event_6_s4} == 2'd1);  // units/node_fetch.h:89
+  wire and_1_s4 = e_clip_near_s4 & ({event_7_s4, event_6_s4} == 2'd1);  // units/node_fetch.h:86
   wire fetch_s4 = finished_s4 & (~eq_4_s4);  // units/node_fetch.h:118
   wire not_7_s4 = ~event_6_s4;
   wire [1:0] mux_3_s4 = {~full_s4 | and_1_s4, full_s4 ? 1'd1 : 1'd0};
