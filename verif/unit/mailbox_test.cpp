@@ -46,6 +46,15 @@ void setup(Bench<Mailbox<C>>& bench, const Run& run) {
   bench.packet<Entry>("entry", [](const Entry& e) { return e.packet.to_u64(); });
   bench.shape<Entry>("entry", [stimulus](Entry& e, Random& random) { stimulus->draw(e, random); });
   bench.begun<Entry>("entry", [stimulus](const Entry& e) { stimulus->begun(e); });
+  if constexpr (kMainFirst<C>) {
+    // In every other run all new rays go to a list first, and none enters the tree at once.
+    const bool list = run.number % 2 == 1;
+    if (list) bench.may_be_silent("start");
+    bench.shape<FrameRegisters<C>>("frame", [list](FrameRegisters<C>& frame, Random&) {
+      const std::uint64_t pointer = std::uint64_t{1} << (C::kAddressBits - 1);
+      frame.start_node = Word::from(list ? pointer | 5 : 5);
+    });
+  }
 }
 
 DYNRT_COSIM(Mailbox, Mailbox<C>, packet_mailbox, setup)
