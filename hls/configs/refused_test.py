@@ -115,7 +115,12 @@ class Refused(GenerateCase):
             )
 
     def test_what_a_watertight_test_asks_of_other_keys(self) -> None:
-        good = {"triangle_test": "watertight", "epsilon": 0.0, "exponent_bits": 7}
+        good = {
+            "triangle_test": "watertight",
+            "epsilon": 0.0,
+            "exponent_bits": 7,
+            "origins": "common",
+        }
         self.assertIn(
             "static constexpr TriangleTest kTriangleTest = TriangleTest::kWatertight;",
             self.written(**good),
@@ -137,6 +142,12 @@ class Refused(GenerateCase):
                 "unit",
                 "nodes, as corners are rounded before an object's tree is "
                 "built, not scaled after",
+            ),
+            (
+                "stack_entries",
+                8,
+                "64, as the widened distance of a plane depends on the hit so far, so a packet "
+                "that starts again might take another way",
             ),
             (
                 "divider",

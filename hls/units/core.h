@@ -7,10 +7,10 @@
 // one whose reader writes into such channels alone: it empties whatever the others do, so that
 // short FIFOs do for its writers.
 //
-// `node_fetch` is such a reader. Where one FIFO on each loop is to hold all packets, its own are
-// these: node_fetch.request, .again, .top_done and .object_done. Then `list`, which waits for its
-// events to be taken, drains too; so do `packet_decision`, which waits for both, and the units that
-// send packets into an object.
+// `node_fetch` waits for no one, as its FIFOs hold all packets, and `list` for it alone, as
+// list.request holds all. So the FIFOs of traversal events may be short, those of node_fetch aside,
+// and of list jobs those of `packet_decision` and `mailbox`, whose `fresh` holds all. All other
+// FIFOs of packets hold all.
 #pragma once
 
 #include <memory>
@@ -170,11 +170,11 @@ struct Core {
  private:
   static constexpr unsigned kAll = C::kPackets;  ///< tokens that a channel of packets can hold
   static constexpr auto kShort = hls::WriterFifo::kShort;
-  /// Of a writer that waits for units alone that drain (file comment), where the key allows it.
+  /// The FIFO of a writer whose reader always takes its tokens in the end (file comment).
   static constexpr auto kDrained =
       C::kPacketFifos == PacketFifos::kOne ? kShort : hls::WriterFifo::kHoldsAll;
-  /// Steps that packet_decision keeps while the slices take them, which is 8 clocks with
-  /// reciprocals, and four of FIFOs and buffers.
+  /// Steps that wait for the slices' decisions, of which a FIFO never holds more. A slice with
+  /// reciprocals takes 8 clocks, FIFOs and buffers four; more would cost speed, not hits.
   static constexpr unsigned kSteps = kCommonOrigin<C> && kHasReciprocals<C> ? 16 : kAll;
 
   void join_frame(hls::Join& join) {

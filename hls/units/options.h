@@ -54,10 +54,10 @@ enum class RaysSent : std::uint8_t {
   kActive,  ///< those that are in the leaf: an item is met again by others in a later leaf
 };
 
-/// The FIFOs of writers on a loop of packets that hold all of them (units/core.h).
+/// The FIFOs of traversal events and list jobs that hold every packet (units/core.h).
 enum class PacketFifos : std::uint8_t {
   kAll,  ///< each, so that no writer waits
-  kOne,  ///< one on each loop
+  kOne,  ///< those of node_fetch and others that it takes to keep each loop moving
 };
 
 /// The stored form of a triangle (thesis 5.1).

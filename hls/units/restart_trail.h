@@ -10,15 +10,15 @@
 // At a fork that waits, the way back is in the near child; at another it is in the only child that
 // the packet entered, or in the far one. Hits have become nearer since and rays have ended, so a
 // child may be left out now, but none comes in: the rays have one origin, which alone decides the
-// order of the children, and their intervals have not grown.
+// order of the children, and where planes are not widened their intervals have not grown.
 //   - Where the far child is left out, it need not wait any more.
-//   - Where the near child of a fork that waits is left out, the way is in no child that is
-//   entered:
-//     the far child is new. What waited below is behind, and each bit is written as it is passed.
+//   - Where the near child of a fork that waits is left out, no ray has anything left in it. The
+//     packet goes to the far child, which is new, and the way back ends. The bits of deeper forks
+//     are stale then; each is written again before it counts.
 //   - Where the near child alone is entered and the way may be in the far one, that near child has
 //     been traversed, and to do some of it again costs time and no hit.
 // Read from the root, a fork that waits as 0 and another as 1, the bits are a number that grows
-// with every fork that is left, so the traversal ends.
+// with every fork that is left, so the traversal ends (verif/formal/properties/trail.v).
 #pragma once
 
 #include <algorithm>

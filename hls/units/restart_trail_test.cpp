@@ -6,7 +6,10 @@
 // and lose children behind it stand in for the slices.
 #include "units/restart_trail.h"
 
+#include <array>
 #include <limits>
+#include <set>
+#include <vector>
 
 #include "units/list.h"
 #include "units/node_fetch.h"
@@ -95,10 +98,11 @@ struct Walked {
 template <class C>
 class Walk {
  public:
-  explicit Walk(const RandomTree& tree) : tree_(tree) {
+  explicit Walk(const RandomTree& tree, unsigned level = 0) : tree_(tree), level_(level) {
     walked_.hit.fill(std::numeric_limits<unsigned>::max());
     TraversalEvent<C> enter;
     enter.packet = 3;
+    enter.level = Level::from(level_);
     enter.kind = TraversalKind::kEnter;
     enter.next = NodeAddress<C>::from(RandomTree::kRoot);
     enter.active = RayMask<C>::ones();
@@ -116,7 +120,8 @@ class Walk {
     fetch_.run();
     walked_.dropped += fetch_.take(fetch_.unit.dropped).size();
     for (const TraversalEvent<C>& again : fetch_.take(fetch_.unit.again)) next_ = again;
-    if (!fetch_.take(fetch_.unit.top_done).empty()) done_ = true;
+    done_ =
+        fetch_.take(fetch_.unit.top_done).size() + fetch_.take(fetch_.unit.object_done).size() > 0;
     for (const auto& request : fetch_.take(fetch_.unit.request)) {
       step(request.context, request.address);
       entered_ = true;
@@ -159,18 +164,21 @@ class Walk {
       walked_.visits.push_back({number, ray});
       walked_.hit[ray] = std::min(walked_.hit[ray], tree_.node(number).hit[ray]);
     }
-    list_.rows(list_.unit.last)[3] = true;
+    const std::size_t row = 8 * level_ + 3;
+    list_.rows(list_.unit.last)[row] = true;
     if constexpr (kPointsToLists<C>) {
-      list_.rows(list_.unit.after)[3] = decision_.rows(decision_.unit.after)[3];
+      list_.rows(list_.unit.after)[row] = decision_.rows(decision_.unit.after)[row];
     }
     ListJob<C> at_end;
     at_end.packet = 3;
+    at_end.level = Level::from(level_);
     list_.feed(list_.unit.job, at_end);
     list_.run();
     next_ = list_.take_one(list_.unit.finished);
   }
 
   const RandomTree& tree_;
+  unsigned level_;
   test::UnitBench<NodeFetch<C>> fetch_;
   test::UnitBench<PacketDecision<C>> decision_;
   test::UnitBench<List<C>> list_;
@@ -187,13 +195,13 @@ struct SendsOfPointers : WholeOfPointers {
 };
 
 template <class General, unsigned Entries>
-void expect_the_visits_of_a_whole_stack(unsigned hits) {
+void expect_the_visits_of_a_whole_stack(unsigned hits, unsigned level = 0) {
   unsigned restarts = 0;
   std::size_t visits = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     const RandomTree tree(seed, hits);
-    const Walked whole = Walk<General>(tree).walked();
-    const Walked few = Walk<Short<General, Entries>>(tree).walked();
+    const Walked whole = Walk<General>(tree, level).walked();
+    const Walked few = Walk<Short<General, Entries>>(tree, level).walked();
     ASSERT_EQ(whole.restarts + whole.dropped + few.dropped, 0u);
     restarts += few.restarts;
     visits += whole.visits.size();
@@ -223,6 +231,32 @@ TEST(RestartTrail, AndWherePointersLeadToLists) {
     expect_the_visits_of_a_whole_stack<SendsOfPointers, 2>(hits);
     expect_the_visits_of_a_whole_stack<SendsOfPointers, 4>(hits);
   }
+}
+
+template <unsigned Top, unsigned Bottom>
+struct Depths : SendsOfPointers {
+  static constexpr unsigned kTopStackDepth = Top;
+  static constexpr unsigned kStackDepth = Bottom;
+};
+
+TEST(RestartTrail, EachLevelHasPathsOfItsOwnLength) {
+  expect_the_visits_of_a_whole_stack<Depths<kDepth, kDepth>, 2>(5, 1);
+  expect_the_visits_of_a_whole_stack<Depths<kDepth, 15>, 2>(5, 0);
+  expect_the_visits_of_a_whole_stack<Depths<15, kDepth>, 2>(5, 1);
+}
+
+TEST(RestartTrail, ATreeThatIsTooDeepDropsPushesAndComesToItsEnd) {
+  unsigned dropped = 0, restarts = 0;
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    const RandomTree tree(seed, 5);
+    for (const Walked& walked : {Walk<Short<Depths<4, 6>, 2>>(tree, 0).walked(),
+                                 Walk<Short<Depths<4, 6>, 2>>(tree, 1).walked()}) {
+      dropped += walked.dropped;
+      restarts += walked.restarts;
+    }
+  }
+  EXPECT_GT(dropped, 200u);
+  EXPECT_GT(restarts, 200u);
 }
 
 }  // namespace

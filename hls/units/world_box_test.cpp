@@ -120,7 +120,6 @@ TEST_F(WorldBoxes, ARayFromInsideEnters) {
   EXPECT_TRUE(enters({0, 0, -1}, 1e-6)) << "whatever it has hit";
 }
 
-/// Zero is the smallest number, of either sign.
 TEST_F(WorldBoxes, TheTraversalBeginsWithTheIntervalInTheBox) {
   ray(0, {0.1, 0.2, 1});
   ray(1, {0.1, 0.2, 1}, 3);
@@ -139,6 +138,7 @@ TEST_F(WorldBoxes, TheTraversalBeginsWithTheIntervalInTheBox) {
   EXPECT_NEAR(interval(2).far.to_double(), 1, 5e-3);
 }
 
+/// Zero is the smallest number, of either sign.
 TEST_F(WorldBoxes, ARayAlongAnAxisMeetsWhatLiesThere) {
   for (const double zero : {0.0, -1e-30}) {
     box({-1, -1, 2}, {1, 1, 4});

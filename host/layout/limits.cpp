@@ -13,6 +13,8 @@ namespace dynrt::host {
 namespace {
 
 constexpr char kMatrices[] = "matrices (triangles, instances, lights and the camera)";
+constexpr char kMatricesWithBoxes[] =
+    "matrices (triangles, instances, their boxes, lights and the camera)";
 
 /// Throws if `needed` exceeds the limit that follows from a key's number of bits.
 void check_limit(const Scene& scene, const char* what, std::size_t needed, std::size_t limit,
@@ -27,8 +29,8 @@ void check_limit(const Scene& scene, const char* what, std::size_t needed, std::
 }  // namespace
 
 void check_matrices(const Scene& scene, const CoreInfo& core, std::size_t needed) {
-  check_limit(scene, kMatrices, needed, std::size_t{1} << core.matrix_bits, "matrix_bits",
-              core.matrix_bits, kMatrixBits);
+  check_limit(scene, core.tests_world_box() ? kMatricesWithBoxes : kMatrices, needed,
+              std::size_t{1} << core.matrix_bits, "matrix_bits", core.matrix_bits, kMatrixBits);
 }
 
 std::size_t boxes_in(const Scene& scene, const CoreInfo& core) {

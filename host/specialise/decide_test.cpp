@@ -116,6 +116,17 @@ TEST(Decide, AMainObjectIsMetFirstWhereThereIsOne) {
   EXPECT_EQ(decision("main_first", needs, {}, first).value, true);
 }
 
+TEST(Decide, WhatChangesNoHitStays) {
+  CoreConfiguration fast = whitted();
+  fast.stack_entries = 8;
+  for (const char* key : {"stack_entries", "packet_fifos"}) {
+    const Decision kept = decision(key, of_one_triangle(), {}, fast);
+    EXPECT_EQ(kept.reason, "as in whitted: hits and pixels do not depend on it") << key;
+  }
+  expect(decision("stack_entries", of_one_triangle(), {}, fast), 8,
+         "as in whitted: hits and pixels do not depend on it");
+}
+
 TEST(Decide, SplitPacketsComeToEveryLeafAgain) {
   SceneNeeds needs = needs_of(many_sails());
   needs.mirror = "chrome";

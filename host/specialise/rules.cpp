@@ -157,8 +157,9 @@ Need addresses(const RuleContext& c) {
 
 Need matrices(const RuleContext& c) {
   return {bits_for(c.needs.places.matrices),
-          fmt::format("primitives, instances, lights and camera take the numbers 0 to {}{}",
-                      c.needs.places.matrices - 1, in_frames(c.needs))};
+          fmt::format("primitives, instances, {}lights and camera take the numbers 0 to {}{}",
+                      c.needs.world_boxes ? "their boxes, " : "", c.needs.places.matrices - 1,
+                      in_frames(c.needs))};
 }
 
 Need one_colour(const RuleContext& c) {
@@ -194,6 +195,7 @@ Need measured(const RuleContext& c) { return kept(c, "measurements decide this n
 Need epsilon(const RuleContext& c) {
   return kept(c, "with another value, rays would hit other triangles");
 }
+Need hits_stay(const RuleContext& c) { return kept(c, "hits and pixels do not depend on it"); }
 Need sram_latency(const RuleContext& c) { return kept(c, "the board decides it"); }
 Need object_box(const RuleContext& c) {
   if (c.general->object_box == ObjectBox::kWorld && has_one_level(c)) {
@@ -224,6 +226,8 @@ constexpr Rule kRules[] = {
     {"epsilon", Holds::kAlways, epsilon},
     {"sram_latency", Holds::kAlways, sram_latency},
     {"object_box", Holds::kAlways, object_box},
+    {"stack_entries", Holds::kAlways, hits_stay},
+    {"packet_fifos", Holds::kAlways, hits_stay},
 };
 
 }  // namespace

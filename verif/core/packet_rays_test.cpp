@@ -93,6 +93,8 @@ TEST(PacketRays, WithTheMainObjectFirstTheSameIsHit) {
   EXPECT_LT(count_of(main, "list.transactions"), count_of(tree, "list.transactions"));
   expect_as_general<MainFirst<PointsToLists<Active<config::thesis, 8>>>>("thesis", "conference");
   expect_as_general<MainFirst<PointsToLists<Active<config::whitted, 4>>>>("whitted", "lamps");
+  // Rays start in a list here too, but no tree over others follows.
+  expect_as_general<MainFirst<PointsToLists<Active<config::thesis, 4>>>>("thesis", "blocks", merge);
 }
 
 TEST(PacketRays, EdgesOfTheImageCutPackets) {

@@ -7,7 +7,6 @@
 
 #include "configs/reciprocal.h"
 #include "configs/thesis.h"
-#include "configs/watertight.h"
 #include "core/specialised.h"
 
 namespace dynrt::host::specialised {
@@ -24,9 +23,6 @@ struct Eight : config::reciprocal {
 };
 struct Boxed : Eight {
   static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
-};
-struct Watertight : config::watertight {
-  static constexpr Origins kOrigins = Origins::kCommon;
 };
 struct Lit : config::thesis {
   static constexpr Origins kOrigins = Origins::kCommon;
@@ -72,8 +68,6 @@ TEST(ShortStack, RaysHitWhatTheyHitWithWholeStacks) {
 }
 
 TEST(ShortStack, TheRaysOfALightToo) { expect_as_whole<Lit>("lamps"); }
-
-TEST(ShortStack, NoRayPassesBetweenTriangles) { expect_as_whole<Watertight>("office"); }
 
 }  // namespace
 }  // namespace dynrt::host::specialised

@@ -24,6 +24,8 @@ class Stimulus {
     if (!entered(e) || choice == 0) {
       e.kind = TraversalKind::kEnter;
       e.terminated = 0;
+      // No objects beside the main one.
+      if (kMainFirst<C> && random.below(4) == 0) e.next = 0;
     } else if (choice < (deep ? 92 : 50)) {
       e.kind = TraversalKind::kPush;
     } else {

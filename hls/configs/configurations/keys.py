@@ -357,6 +357,14 @@ RULES = (
     ),
     Rule(
         *WATERTIGHT,
+        "stack_entries",
+        lambda v: v == 64,
+        "64",
+        "the widened distance of a plane depends on the hit so far, so a packet that starts again "
+        "might take another way",
+    ),
+    Rule(
+        *WATERTIGHT,
         "divider",
         lambda v: v == "quotient",
         "quotient",
