@@ -92,13 +92,13 @@ def measure(dynrt: Dynrt, size: str, progress: Progress) -> list[Json]:
 
 def table(rows: list[Json]) -> str:
     """Rays a clock of each scene, and the busiest unit's share of the clocks."""
-    lines = [f"{'':26}" + "".join(f"{scene:>28}" for scene in SCENES)]
+    lines = [f"{'':26}" + "".join(f"{scene:>30}" for scene in SCENES)]
     for row in rows:
         value = "" if row["value"] is None else f" {row['value']}"
         cells = [
-            f"{row[scene]['rays per clock']:.4f} {row[scene]['busiest unit']:>15} "
+            f"{row[scene]['rays per clock']:.4f} {row[scene]['busiest unit']:>16} "
             f"{100 * row[scene]['use']:3.0f}%"
             for scene in SCENES
         ]
-        lines.append(f"{row['lever'] + value:26}" + "".join(f"{cell:>28}" for cell in cells))
+        lines.append(f"{row['lever'] + value:26}" + "".join(f"{cell:>30}" for cell in cells))
     return "\n".join(lines)
