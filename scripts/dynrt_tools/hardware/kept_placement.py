@@ -29,6 +29,7 @@ from dynrt_tools.project import Json, read_json
 DATA = placed_clocks.DATA
 # An end limits if its path takes this share of the period.
 LIMITS = 0.85
+SEEDS_OF_A_MEDIAN = 3  # at least; the clocks of single seeds lie up to 12 % apart
 SCHEDULED = re.compile(r"^// Scheduled for ([\d.]+) ns on", re.MULTILINE)
 HAS = (
     *(
@@ -154,7 +155,7 @@ def file_of(name: str) -> pathlib.Path:
 
 def is_for_a_fit(path: pathlib.Path) -> bool:
     """Whether a file of the results is a kept placement, and no other record of scripts/place, of
-    what hlsc predicts: no board, nor several cores."""
+    what hlsc predicts: no board, nor several cores. A seed or two say too little."""
     try:
         record = read_json(path)
     except ValueError as error:
@@ -162,7 +163,11 @@ def is_for_a_fit(path: pathlib.Path) -> bool:
     if "ends" not in record:
         return False
     kept = read(path)
-    return bool(kept["unit"] != rtl_files.BOARD and kept["copies"] == 1)
+    return bool(
+        kept["unit"] != rtl_files.BOARD
+        and kept["copies"] == 1
+        and len(kept["mhz"]) >= SEEDS_OF_A_MEDIAN
+    )
 
 
 def period(kept: Json) -> float:

@@ -168,6 +168,20 @@ class Files(testing.InFolder):
         self.assertEqual(kept_placement.read(path), kept)
         self.assertIn('\n    {"signal": "a"},\n', path.read_text(encoding="utf-8"))
 
+    def test_a_fit_takes_cores_and_units_with_a_median(self) -> None:
+        path = self.folder / "kept.json"
+        good: Json = {key: 1 for key in kept_placement.HAS}
+        good |= {"unit": "list", "mhz": [1.0, 2.0, 3.0], "ends": []}
+        cases: list[tuple[Json, bool]] = [
+            ({}, True),
+            ({"mhz": [1.0, 2.0]}, False),
+            ({"copies": 2}, False),
+            ({"unit": "dynrt_board"}, False),
+        ]
+        for change, fits in cases:
+            kept_placement.write(path, good | change)
+            self.assertEqual(kept_placement.is_for_a_fit(path), fits, change)
+
     def test_a_file_that_is_none_is_refused(self) -> None:
         path = self.folder / "kept.json"
         cases = {
