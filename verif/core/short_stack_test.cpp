@@ -5,24 +5,18 @@
 // stacks, though packets start again at the root.
 #include <string_view>
 
-#include "configs/reciprocal.h"
+#include "configs/fast.h"
 #include "configs/thesis.h"
 #include "core/specialised.h"
 
 namespace dynrt::host::specialised {
 namespace {
 
-/// As `fast`.
-struct Eight : config::reciprocal {
-  static constexpr unsigned kPacketRays = 8;
-  static constexpr RaysSent kRaysSent = RaysSent::kActive;
-  static constexpr Divider kDivider = Divider::kThreeReciprocals;
-  static constexpr Origins kOrigins = Origins::kCommon;
-  static constexpr Leaves kLeaves = Leaves::kPointers;
-  static constexpr bool kMainFirst = true;
+struct Whole : config::fast {
+  static constexpr unsigned kStackEntries = 64;
 };
-struct Boxed : Eight {
-  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
+struct WholeWithoutBoxes : Whole {
+  static constexpr ObjectBox kObjectBox = ObjectBox::kNodes;
 };
 struct Lit : config::thesis {
   static constexpr Origins kOrigins = Origins::kCommon;
@@ -62,9 +56,9 @@ void expect_as_whole(const std::string& scene) {
 
 TEST(ShortStack, RaysHitWhatTheyHitWithWholeStacks) {
   for (const char* scene : {"blocks", "office", "conference", "trees4000"}) {
-    expect_as_whole<Eight>(scene);
+    expect_as_whole<WholeWithoutBoxes>(scene);
   }
-  expect_as_whole<Boxed>("conference");
+  expect_as_whole<Whole>("conference");
 }
 
 TEST(ShortStack, TheRaysOfALightToo) { expect_as_whole<Lit>("lamps"); }

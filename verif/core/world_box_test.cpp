@@ -5,18 +5,14 @@
 // hit and the pixel that it has without the test, and fewer objects are entered.
 #include <string_view>
 
-#include "configs/reciprocal.h"
+#include "configs/fast.h"
 #include "core/specialised.h"
 
 namespace dynrt::host::specialised {
 namespace {
 
-/// As `fast`: packets of eight from one origin, of which the rays in a leaf are sent.
-struct Eight : config::reciprocal {
-  static constexpr unsigned kPacketRays = 8;
-  static constexpr RaysSent kRaysSent = RaysSent::kActive;
-  static constexpr Divider kDivider = Divider::kThreeReciprocals;
-  static constexpr Origins kOrigins = Origins::kCommon;
+struct Eight : config::fast {
+  static constexpr ObjectBox kObjectBox = ObjectBox::kNodes;
 };
 template <class General>
 struct World : General {
