@@ -26,11 +26,6 @@ struct Active : Packets<General, Rays> {
   static constexpr RaysSent kRaysSent = RaysSent::kActive;
 };
 
-std::uint64_t count_of(const Frame& frame, const std::string& counter) {
-  const auto found = std::ranges::find(frame.counters, counter, &Counter::name);
-  return found == frame.counters.end() ? 0 : found->value;
-}
-
 template <class General>
 void expect_as_of_four(const char* configuration, const std::string& scene) {
   expect_as_general<Packets<General, 8>>(configuration, scene);

@@ -3,8 +3,6 @@
 //
 // Cores whose stacks keep a few entries: every ray has the hit and the pixel that it has with whole
 // stacks, though packets start again at the root.
-#include <string_view>
-
 #include "configs/fast.h"
 #include "configs/thesis.h"
 #include "core/specialised.h"
@@ -27,24 +25,14 @@ struct Short : General {
   static constexpr unsigned kStackEntries = Entries;
 };
 
-/// Steps of the traversal.
-std::uint64_t steps(const Frame& frame) {
-  for (const Counter& counter : frame.counters) {
-    if (counter.name == "node_request.tokens") return counter.value;
-  }
-  ADD_FAILURE() << "no steps are counted";
-  return 0;
-}
+std::uint64_t steps(const Frame& frame) { return count_of(frame, "node_request.tokens"); }
 
 /// With so few entries that packets start again, and with as many as `fast` has.
 template <class C>
 void expect_as_whole(const std::string& scene) {
   const Frame whole = rendered(*board_of<C>(), scene, {});
   const auto expect_same = [&](const Frame& frame) {
-    const Comparison comparison = compare(frame, whole);
-    EXPECT_GT(comparison.hits, comparison.pixels / 8);
-    EXPECT_EQ(comparison.different_hits + comparison.different_pixels, 0u)
-        << scene << ": " << comparison.first->text("with short stacks", "with whole ones");
+    expect_same_picture(frame, whole, scene, "with short stacks", "with whole ones");
   };
   const Frame two = rendered(*board_of<Short<C, 2>>(), scene, {});
   expect_same(two);

@@ -7,11 +7,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <glm/vec4.hpp>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -71,6 +73,23 @@ std::unique_ptr<Board> board_of() {
 
 inline Frame rendered(Board& board, const std::string& scene, const ChangeScene& change) {
   return render(board, small_frame(), laid_out(scene, board.core(), change));
+}
+
+/// A counter of a frame.
+inline std::uint64_t count_of(const Frame& frame, std::string_view name) {
+  const auto found = std::ranges::find(frame.counters, name, &Counter::name);
+  if (found != frame.counters.end()) return found->value;
+  ADD_FAILURE() << "no counter " << name;
+  return 0;
+}
+
+/// Every ray of two cores' frames has the same hit and the same pixel, and many hit something.
+inline void expect_same_picture(const Frame& frame, const Frame& expected, const std::string& scene,
+                                const char* core, const char* expected_core) {
+  const Comparison comparison = compare(frame, expected);
+  EXPECT_GT(comparison.hits, comparison.pixels / 8);
+  EXPECT_EQ(comparison.different_hits + comparison.different_pixels, 0u)
+      << scene << ": " << comparison.first->text(core, expected_core);
 }
 
 /// The specialised core C against that of a configuration by name.

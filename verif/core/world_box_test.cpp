@@ -3,8 +3,6 @@
 //
 // Cores that test an object's box in the world before a packet enters the object: every ray has the
 // hit and the pixel that it has without the test, and fewer objects are entered.
-#include <string_view>
-
 #include "configs/fast.h"
 #include "core/specialised.h"
 
@@ -27,14 +25,6 @@ struct FewSlots : Eight {
   static constexpr unsigned kObjectSlots = 1;
 };
 
-std::uint64_t count_of(const Frame& frame, std::string_view name) {
-  for (const Counter& counter : frame.counters) {
-    if (counter.name == name) return counter.value;
-  }
-  ADD_FAILURE() << "no counter " << name;
-  return 0;
-}
-
 /// As without the test; gives the frame.
 template <class C>
 Frame expect_as_without(const std::string& scene, const ChangeScene& change = {}) {
@@ -42,10 +32,7 @@ Frame expect_as_without(const std::string& scene, const ChangeScene& change = {}
   const auto with = board_of<World<C>>();
   const Frame frame = rendered(*with, scene, change);
   const Frame expected = rendered(*without, scene, change);
-  const Comparison comparison = compare(frame, expected);
-  EXPECT_GT(comparison.hits, comparison.pixels / 8);
-  EXPECT_EQ(comparison.different_hits + comparison.different_pixels, 0u)
-      << scene << ": " << comparison.first->text("with boxes", "without");
+  expect_same_picture(frame, expected, scene, "with boxes", "without");
   EXPECT_LE(count_of(frame, "traced_ray.tokens"), count_of(expected, "traced_ray.tokens"));
   return frame;
 }
