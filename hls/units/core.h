@@ -9,8 +9,9 @@
 //
 // `node_fetch` waits for no one, as its FIFOs hold all packets, and `list` for it alone, as
 // list.request holds all. So the FIFOs of traversal events may be short, those of node_fetch aside,
-// and of list jobs those of `packet_decision` and `mailbox`, whose `fresh` holds all. All other
-// FIFOs of packets hold all.
+// and of list jobs those of `packet_decision` and `mailbox`. On the loops of the transformation
+// mailbox.fresh and matrix_store.box hold all, and what else goes to it may be short; so may its
+// jobs, unless they wait for columns of lights. A test finds units that wait in a circle.
 #pragma once
 
 #include <memory>
@@ -171,7 +172,7 @@ struct Core {
   static constexpr unsigned kAll = C::kPackets;  ///< tokens that a channel of packets can hold
   static constexpr auto kShort = hls::WriterFifo::kShort;
   /// The FIFO of a writer whose reader always takes its tokens in the end (file comment).
-  static constexpr auto kDrained =
+  static constexpr auto kShortIfAsked =
       C::kPacketFifos == PacketFifos::kOne ? kShort : hls::WriterFifo::kHoldsAll;
   /// Steps that wait for the slices' decisions, of which a FIFO never holds more. A slice with
   /// reciprocals takes 8 clocks, FIFOs and buffers four; more would cost speed, not hits.

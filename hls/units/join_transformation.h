@@ -10,9 +10,10 @@ namespace dynrt {
 
 template <class C>
 void Core<C>::join_transformation(hls::Join& join) {
-  hls::Writers<TransformJob<C>> jobs = {&mailbox.fresh, &ray_generation.job};
+  hls::Writers<TransformJob<C>> jobs = {&mailbox.fresh};
+  jobs.push_back(&ray_generation.job, kShortIfAsked);
   if constexpr (kHasSecondary<C>) jobs.push_back(&secondary_rays.job);
-  if constexpr (kTestsWorldBox<C>) jobs.push_back(&world_box.enter);
+  if constexpr (kTestsWorldBox<C>) jobs.push_back(&world_box.enter, kShortIfAsked);
   join.repeat("transform_job", jobs, matrix_fetch.job, kAll);
   join.channel("column_request", matrix_fetch.request, matrix_lookup.request);
   using Column = typename MatrixCache<C>::Reply;
@@ -44,7 +45,8 @@ void Core<C>::join_transformation(hls::Join& join) {
     }
     join.ram("reach", collect_hits.reach, std::array{&world_box.reach});
   }
-  join.repeat("send_job", hls::Writers{&matrix_store.ready}, send_packet.job, kAll);
+  constexpr auto kReady = kHasLights<C> ? hls::WriterFifo::kHoldsAll : kShortIfAsked;
+  join.repeat("send_job", hls::Writers(&matrix_store.ready, kReady), send_packet.job, kAll);
   std::vector vectors = {&send_packet.vectors};
   if constexpr (kHasLights<C>) vectors.push_back(&shader.vectors);
   join.ram("ray_vectors", packet_decoder.vectors, vectors);
@@ -52,7 +54,8 @@ void Core<C>::join_transformation(hls::Join& join) {
   hls::Writers<PacketVector<C>> rays = {&transformation.transformed};
   hls::Writers<UnitRay<C>> unit_rays = {};
   if constexpr (kOwnCamera<C>) {
-    join.repeat("camera_job", hls::Writers{&matrix_store.camera}, camera_rays.job, kAll);
+    join.repeat("camera_job", hls::Writers(&matrix_store.camera, kShortIfAsked), camera_rays.job,
+                kAll);
     rays.push_back(&camera_rays.vector);
     join.channel("in_unit_space", transformation.in_unit_space, unit_decoder.vector);
     unit_rays.push_back(&unit_decoder.unit_ray);

@@ -11,18 +11,18 @@ namespace dynrt {
 template <class C>
 void Core<C>::join_traversal(hls::Join& join) {
   hls::Writers<TraversalEvent<C>> events = {};
-  events.push_back(&packet_decision.event, kDrained);
+  events.push_back(&packet_decision.event, kShortIfAsked);
   events.push_back(&node_fetch.again);
-  events.push_back(&list.finished, kDrained);
-  events.push_back(&mailbox.start, kDrained);
+  events.push_back(&list.finished, kShortIfAsked);
+  events.push_back(&mailbox.start, kShortIfAsked);
   if constexpr (kClipsToBox<C>) {
-    events.push_back(&box_clip.enter_object, kDrained);
+    events.push_back(&box_clip.enter_object, kShortIfAsked);
   } else if constexpr (kTwoLevels<C> && kHasReciprocals<C>) {
-    events.push_back(&ray_reciprocal.enter_object, kDrained);
+    events.push_back(&ray_reciprocal.enter_object, kShortIfAsked);
   } else if constexpr (kWatertight<C>) {
-    events.push_back(&ray_shear.enter_object, kDrained);
+    events.push_back(&ray_shear.enter_object, kShortIfAsked);
   } else if constexpr (kTwoLevels<C>) {
-    events.push_back(&packet_decoder.enter_object, kDrained);
+    events.push_back(&packet_decoder.enter_object, kShortIfAsked);
   }
   join.channel<TraversalEvent<C>>("traversal_event", events, {&node_fetch.event}, kAll);
   join.channel("node_request", node_fetch.request, node_lookup.request, kAll);
@@ -34,9 +34,7 @@ void Core<C>::join_traversal(hls::Join& join) {
   nodes.push_back(&node_fill.reply, kShort);
   if constexpr (kCommonOrigin<C>) {
     join.channel<Step<C>>("step", nodes, {&plane_offset.step_in});
-    hls::Writers<Step<C>> offsets = {};
-    offsets.push_back(&plane_offset.offset, kShort);
-    join.channel<Step<C>>("offset", offsets, steps, kSteps);
+    join.channel<Step<C>>("offset", hls::Writers(&plane_offset.offset, kShort), steps, kSteps);
     join.ram("origin", origins_written(), std::array{&plane_offset.origin});
   } else {
     join.channel<Step<C>>("step", nodes, steps, kAll);
@@ -93,10 +91,10 @@ auto Core<C>::distance_readers(unsigned i) {
 template <class C>
 void Core<C>::join_lists(hls::Join& join) {
   hls::Writers<ListJob<C>> jobs = {};
-  jobs.push_back(&packet_decision.leaf, kDrained);
+  jobs.push_back(&packet_decision.leaf, kShortIfAsked);
   if constexpr (kTwoLevels<C>) jobs.push_back(&node_fetch.object_done);
   if constexpr (Mailbox<C>::kHasObjects || Mailbox<C>::kHasTriangles || kMainFirst<C>) {
-    jobs.push_back(&mailbox.seen, kDrained);
+    jobs.push_back(&mailbox.seen, kShortIfAsked);
   }
   jobs.push_back(&collect_hits.go_on);
   if constexpr (kClipsToBox<C>) jobs.push_back(&box_clip.missed);

@@ -41,9 +41,8 @@ struct Ring {
     job[1] = join.input("job_1", enter[1].job);
     join.channel<Job>("entered", {&enter[0].out, &enter[1].out}, {&store.job});
     join.repeat("numbered", hls::Writers{&store.out}, number.job, 16);
-    hls::Writers<Item> items = {};
-    items.push_back(&number.item, hls::WriterFifo::kShort);
-    join.channel<Item>("item", items, {&side[0].item, &side[1].item, &pair.before}, kItems);
+    join.channel<Item>("item", hls::Writers(&number.item, hls::WriterFifo::kShort),
+                       {&side[0].item, &side[1].item, &pair.before}, kItems);
     join.config("add", add, std::vector{&side[0].add});
     join.constant(side[1].add, uint<8>(77));
     join.channel("left", side[0].out, pair.side[0]);

@@ -84,9 +84,7 @@ std::uint64_t stalls_of_a_writer(hls::WriterFifo fifo) {
   join.constant(add.value, Byte(1));
   auto in = join.input("in", add.in);
   auto late = join.input("late", pair.in[0]);
-  hls::Writers<Byte> sums = {};
-  sums.push_back(&add.out, fifo);
-  join.channel<Byte>("sums", sums, {&pair.in[1]}, 12);
+  join.channel<Byte>("sums", hls::Writers(&add.out, fifo), {&pair.in[1]}, 12);
   auto out = join.output("out", pair.out);
   for (unsigned i = 0; i < 6; ++i) {
     in->push(Byte::from(i));

@@ -154,6 +154,7 @@ class Writers {
   Writers(std::initializer_list<Out<T>*> ends) {
     for (Out<T>* end : ends) push_back(end);
   }
+  Writers(Out<T>* end, WriterFifo fifo) { push_back(end, fifo); }
   void push_back(Out<T>* end, WriterFifo fifo = WriterFifo::kHoldsAll) {
     ends_.push_back(end);
     if (fifo == WriterFifo::kShort) short_fifos_.push_back(end);

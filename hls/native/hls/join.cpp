@@ -54,13 +54,14 @@ void Join::add_channel(const std::string& name, const std::vector<OutEnd*>& from
 }
 
 void Join::add_repeat(const std::string& name, const std::vector<OutEnd*>& from, const InEnd& to,
-                      TokenType type, unsigned repeat_width, SendNumbered send, unsigned depth) {
-  ChannelRecord record{name,  names_of(ports_, from), {ports_.name_of(&to)}, type.width,
-                       depth, ChannelKind::kRepeat};
+                      TokenType type, unsigned repeat_width, SendNumbered send, unsigned depth,
+                      const std::vector<OutEnd*>& short_fifos) {
+  ChannelRecord record{name,  names_of(ports_, from), {ports_.name_of(&to)},        type.width,
+                       depth, ChannelKind::kRepeat,   names_of(ports_, short_fifos)};
   record.repeat_width = repeat_width;
   if (clocks_) {
     const auto sent = std::make_shared<std::uint64_t>(0);
-    clocks_->repeat(ports_, from, to, type, send, sent, depth);
+    clocks_->repeat(ports_, from, to, type, send, sent, depth, short_fifos);
     count(record, [sent] { return *sent; });
     return;
   }

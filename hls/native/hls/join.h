@@ -76,7 +76,7 @@ class Join {
               unsigned depth = 0) {
     to.bind(std::make_shared<Fifo<Numbered>>());
     add_repeat(name, from.ends(), to, token_type<Job>(), bit_width_of<decltype(Job::repeat)>(),
-               &send_numbered<Job, Numbered>, depth);
+               &send_numbered<Job, Numbered>, depth, from.short_fifos());
   }
 
   /// A channel that the outside writes.
@@ -215,7 +215,8 @@ class Join {
                    const std::vector<InEnd*>& to, TokenType type, unsigned depth,
                    const std::vector<OutEnd*>& short_fifos);
   void add_repeat(const std::string& name, const std::vector<OutEnd*>& from, const InEnd& to,
-                  TokenType type, unsigned repeat_width, SendNumbered send, unsigned depth);
+                  TokenType type, unsigned repeat_width, SendNumbered send, unsigned depth,
+                  const std::vector<OutEnd*>& short_fifos);
   std::shared_ptr<TokenQueue> add_input(const std::string& name, InEnd& to, TokenType type);
   std::shared_ptr<TokenQueue> add_output(const std::string& name, OutEnd& from, TokenType type);
   void add_ram(RamRecord record, const void* writer, const std::vector<const void*>& readers);

@@ -62,8 +62,8 @@ void JoinClocks::channel(const JoinPorts& ports, const std::vector<OutEnd*>& fro
 
 void JoinClocks::repeat(const JoinPorts& ports, const std::vector<OutEnd*>& from, const InEnd& to,
                         TokenType type, SendNumbered send, std::shared_ptr<std::uint64_t> sent,
-                        unsigned depth) {
-  const Source source = merge(ports, from, type, depth, {});
+                        unsigned depth, const std::vector<OutEnd*>& short_fifos) {
+  const Source source = merge(ports, from, type, depth, short_fifos);
   const auto move = [jobs = source.tokens, sent, send, numbered = to.tokens(),
                      number = std::uint64_t{0}]() mutable {
     if (number == 0) ++*sent;

@@ -46,7 +46,7 @@ class JoinClocks {
   /// `sent` counts the jobs that were sent for the first time.
   void repeat(const JoinPorts& ports, const std::vector<OutEnd*>& from, const InEnd& to,
               TokenType type, SendNumbered send, std::shared_ptr<std::uint64_t> sent,
-              unsigned depth);
+              unsigned depth, const std::vector<OutEnd*>& short_fifos);
   void torn_ram(const JoinPorts& ports, TornRam ram);
   /// A queue whose tokens go to `to`.
   Tokens input(const JoinPorts& ports, const std::string& name, const InEnd& to, TokenType type);
