@@ -21,7 +21,8 @@ class Refused(GenerateCase):
         self.assert_key_refused(
             "stack_depth",
             -3,
-            "(entries of a packet's stack in an object's tree) is -3; "
+            "(entries of a packet's stack in an object's tree; where stack_entries are fewer, nodes "
+            "with two children on a path) is -3; "
             "it must be a whole number from 1 to 63",
         )
         self.assert_key_refused(

@@ -3,9 +3,9 @@
 //
 // List: an address counter per packet and level (thesis 6.1.2). It reads the entries of a leaf's
 // list one by one; after the last one the packet goes back to the traversal: it pops, or where a
-// leaf has no node, it goes on to the other child of the node above. Where rays meet the main
-// object first, its list is no part of a tree (thesis 4.3.3): they enter the tree over the others
-// then.
+// leaf has no node, it goes on to the other child of the node above. Where the start node is a
+// list, that of the main object (thesis 4.3.3) or the only one, rays enter the tree over the other
+// objects after it.
 #pragma once
 
 #include "units/frame.h"
@@ -19,9 +19,9 @@ struct List {
   /// The rays that are in a leaf, and what its list is.
   struct Leaf {
     RayMask<C> active;
-    [[no_unique_address]] hls::OptionalField<kMainFirst<C>, bool> main{};
+    [[no_unique_address]] hls::OptionalField<kMainFirst<C>, bool> is_start{};
     hls::OptionalField<kMainFirst<C> && kHasSecondary<C>, RayKind> rays{};
-    HLS_FIELDS(active, main, rays)
+    HLS_FIELDS(active, is_start, rays)
   };
 
   hls::In<ListJob<C>> job;
@@ -43,7 +43,7 @@ struct List {
     next.write(row, hls::next(address));
     Leaf here;
     if constexpr (kSendsActive<C>) {
-      const Leaf begins{j.active.get(), j.main, j.rays};
+      const Leaf begins{j.active.get(), j.is_start, j.rays};
       here = j.first ? begins : leaf.read(row);
       if (j.first) leaf.write(row, begins);
     }
@@ -52,13 +52,13 @@ struct List {
       TraversalEvent<C> go_on;
       go_on.packet = j.packet;
       go_on.level = j.level;
-      bool main = false;
+      bool is_start = false;
       if constexpr (kMainFirst<C>) {
-        main = here.main.get();
-        if (main) enter_others(here, go_on);
+        is_start = here.is_start.get();
+        if (is_start) enter_others(here, go_on);
       }
       if constexpr (kPointsToLists<C>) {
-        if (!main) go_on_after(after.read(row), go_on);
+        if (!is_start) go_on_after(after.read(row), go_on);
       }
       finished.write(go_on);
     } else {
@@ -79,11 +79,12 @@ struct List {
     e.both = leaf.both;
     e.crossing = leaf.crossing;
   }
-  void enter_others(const Leaf& main, TraversalEvent<C>& e) const {
+  /// From the list where rays start: the main object's, or the only leaf of the tree.
+  void enter_others(const Leaf& start, TraversalEvent<C>& e) const {
     e.kind = TraversalKind::kEnter;
     e.next = NodeAddress<C>::from(frame.get().others_node.get().raw());
-    e.active = main.active;
-    e.rays = main.rays.get();
+    e.active = start.active;
+    e.rays = start.rays.get();
   }
 };
 

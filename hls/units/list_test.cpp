@@ -79,9 +79,9 @@ TEST(List, FromTheMainObjectRaysGoOnToTheTreeOverTheOthers) {
   test::UnitBench<List<MainFirst>> bench;
   bench.value(bench.unit.frame).others_node = Word::from(4711);
   bench.rows(bench.unit.after)[2] = {true, 2002, 0b0111, 0b0011};
-  const auto begin_list = [&](bool main) {
+  const auto begin_list = [&](bool is_start) {
     bench.rows(bench.unit.last)[2] = false;
-    bench.feed(bench.unit.job, {2, 0, true, 700, RayMask<C>(0b1011), main});
+    bench.feed(bench.unit.job, {2, 0, true, 700, RayMask<C>(0b1011), is_start});
     bench.run();
     EXPECT_EQ(bench.take_one(bench.unit.request).context.active.get(), RayMask<C>(0b1011));
   };

@@ -5,8 +5,8 @@
 // 6.1.2). Slots fill in order and are never replaced: a full mailbox lets everything new through.
 // The objects of a packet are forgotten when a new ray starts, the triangles when an object is
 // entered. A level without slots lets everything through: it has no memory, and an item that is
-// listed twice is tested twice, with the same hits. New rays enter the tree, or first the list of
-// the main object, which is no part of it.
+// listed twice is tested twice, with the same hits. New rays enter the tree, or go to the list
+// that the start node is.
 #pragma once
 
 #include "units/frame.h"
@@ -157,15 +157,15 @@ struct Mailbox {
     enter.rays = e.kind;
     enter.distinct_origins = e.kind.get() == RayKind::kReflection;
     if constexpr (kMainFirst<C>) {
-      ListJob<C> meet_main;
-      meet_main.packet = e.packet;
-      meet_main.first = true;
-      meet_main.address = list_address<C>(enter.next);
-      meet_main.active = e.active;
-      meet_main.main = true;
-      meet_main.rays = e.kind.get();
+      ListJob<C> start_list;
+      start_list.packet = e.packet;
+      start_list.first = true;
+      start_list.address = list_address<C>(enter.next);
+      start_list.active = e.active;
+      start_list.is_start = true;
+      start_list.rays = e.kind.get();
       if (is_list<C>(enter.next)) {
-        seen.write(meet_main);
+        seen.write(start_list);
       } else {
         start.write(enter);
       }

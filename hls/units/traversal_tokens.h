@@ -184,10 +184,10 @@ struct ListJob {
   bool first = false;  ///< start at `address`; otherwise go on after the last entry read
   NodeAddress<C> address;
   [[no_unique_address]] LeafRays<C> active{};  ///< of the first
-  /// Of the first: the list has the main object alone, and what its rays are.
-  [[no_unique_address]] hls::OptionalField<kMainFirst<C>, bool> main{};
+  /// Of the first: whether the start node points to the list, and what its rays are.
+  [[no_unique_address]] hls::OptionalField<kMainFirst<C>, bool> is_start{};
   [[no_unique_address]] hls::OptionalField<kMainFirst<C> && kHasSecondary<C>, RayKind> rays{};
-  HLS_FIELDS(packet, level, first, address, active, main, rays)
+  HLS_FIELDS(packet, level, first, address, active, is_start, rays)
 };
 
 template <class C>

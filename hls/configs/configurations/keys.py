@@ -102,10 +102,13 @@ KEYS: dict[str, Key] = {
         2,
     ),
     "stack_depth": Key(
-        Whole(1, 63), "kStackDepth", "entries of a packet's stack in an object's tree"
+        Whole(1, 63),
+        "kStackDepth",
+        "entries of a packet's stack in an object's tree; where stack_entries are fewer, nodes with "
+        "two children on a path",
     ),
     "top_stack_depth": Key(
-        Whole(1, 63), "kTopStackDepth", "entries of a packet's stack in the top-level tree", 31
+        Whole(1, 63), "kTopStackDepth", "the same in the top-level tree", 31
     ),
     "stack_entries": Key(
         Whole(2, 64, power_of_two=True),
@@ -207,7 +210,8 @@ KEYS: dict[str, Key] = {
     "packet_fifos": Key(
         PACKET_FIFOS,
         "kPacketFifos",
-        "which FIFOs of the traversal hold every packet in flight: all, or one on each loop",
+        "which FIFOs of packets hold every packet in flight: all, or most are short and those alone "
+        "do that it takes to keep each loop of units moving",
         "all",
     ),
     "item_cost": Key(
