@@ -35,7 +35,7 @@ struct CameraRays {
     const Real m1 = component(column[1].read(packet));
     const Real m2 = component(column[2].read(packet));
     const Vector<Real> origin = column[3].read(packet);
-    const Real made = (m0 * Real::from_uint(p.x) + m1 * Real::from_uint(p.y)) + m2;
+    const Real made = sum(m0, Real::from_uint(p.x), m1, Real::from_uint(p.y), m2);
 
     // The origin goes first, with the ray's first component, which is not sent.
     PacketVector<C> out{packet, axis_ == uint<2>(0), ray_, {x_, y_, made}};
@@ -51,6 +51,13 @@ struct CameraRays {
   }
 
  private:
+  static Real sum(Real m0, Real x, Real m1, Real y, Real m2) {
+    if constexpr (kFusesSums<C>) {
+      return Real::of_dot({m0, m1}, {x, y}, m2, true);
+    } else {
+      return (m0 * x + m1 * y) + m2;
+    }
+  }
   Real component(const Vector<Real>& v) const {
     return axis_ == uint<2>(0) ? v.x : axis_ == uint<2>(1) ? v.y : v.z;
   }

@@ -14,8 +14,12 @@ struct C : test::Config<8> {
   static constexpr RaysSent kRaysSent = RaysSent::kActive;
   static constexpr CameraSource kCamera = CameraSource::kOwnUnit;
 };
+struct Fused : C {
+  static constexpr Sums kSums = Sums::kFused;
+};
 /// Whose transformation makes the camera's rays.
-struct Thesis : C {
+template <class Config>
+struct ByTransformation : Config {
   static constexpr CameraSource kCamera = CameraSource::kTransformation;
 };
 using Vec = Vector<Real>;
@@ -28,41 +32,43 @@ const std::array<Vec, 4> kMatrix{vec(0.003, 0.0007, -0.001), vec(-0.0002, -0.004
 constexpr unsigned kPacket = 5;
 const PixelPosition kPixel{200, 118};
 
-class CameraRaysTest : public testing::Test {
- protected:
-  CameraRaysTest() {
-    for (unsigned c = 0; c < 4; ++c) bench_.rows(bench_.unit.column[c])[kPacket] = kMatrix[c];
-    bench_.rows(bench_.unit.position)[kPacket] = kPixel;
+/// The unit with one packet.
+template <class Config>
+class CameraBench : public test::UnitBench<CameraRays<Config>> {
+ public:
+  CameraBench() {
+    for (unsigned c = 0; c < 4; ++c) this->rows(this->unit.column[c])[kPacket] = kMatrix[c];
+    this->rows(this->unit.position)[kPacket] = kPixel;
   }
-  /// The vectors of a packet.
-  std::vector<PacketVector<C>> sent() {
-    CameraJob<C> job;
+  /// The vectors of the packet.
+  std::vector<PacketVector<Config>> sent() {
+    CameraJob<Config> job;
     job.packet = kPacket;
-    for (unsigned i = 0; i < 3 * kRays<C>; ++i) {
-      bench_.feed(bench_.unit.job,
-                  Repeated<CameraJob<C>>{RepeatCount<C>::from(i), i + 1 == 3 * kRays<C>, job});
+    for (unsigned i = 0; i < 3 * kRays<Config>; ++i) {
+      this->feed(this->unit.job, Repeated<CameraJob<Config>>{RepeatCount<Config>::from(i),
+                                                             i + 1 == 3 * kRays<Config>, job});
     }
-    bench_.run();
-    return bench_.take(bench_.unit.vector);
+    this->run();
+    return this->take(this->unit.vector);
   }
-  test::UnitBench<CameraRays<C>> bench_;
 };
 
 /// The vectors that the transformation makes of the same packet.
-std::vector<PacketVector<Thesis>> transformed() {
-  test::UnitBench<SendPacket<Thesis>> send;
-  test::UnitBench<Transformation<Thesis>> transformation;
+template <class Config>
+std::vector<PacketVector<Config>> transformed() {
+  test::UnitBench<SendPacket<Config>> send;
+  test::UnitBench<Transformation<Config>> transformation;
   send.rows(send.unit.position)[kPacket] = kPixel;
   for (unsigned c = 0; c < 4; ++c) {
     transformation.rows(transformation.unit.column[c])[kPacket] = kMatrix[c];
   }
-  SendJob<Thesis> job;
+  SendJob<Config> job;
   job.packet = kPacket;
-  job.sent = RayMask<Thesis>::ones();
-  job.repeat = RepeatCount<Thesis>(kRays<Thesis>);
-  for (unsigned i = 0; i <= kRays<Thesis>; ++i) {
+  job.sent = RayMask<Config>::ones();
+  job.repeat = RepeatCount<Config>(kRays<Config>);
+  for (unsigned i = 0; i <= kRays<Config>; ++i) {
     send.feed(send.unit.job,
-              Repeated<SendJob<Thesis>>{RepeatCount<Thesis>::from(i), i == kRays<Thesis>, job});
+              Repeated<SendJob<Config>>{RepeatCount<Config>::from(i), i == kRays<Config>, job});
   }
   send.run();
   for (const auto& vector : send.take(send.unit.vector)) {
@@ -72,12 +78,14 @@ std::vector<PacketVector<Thesis>> transformed() {
   return transformation.take(transformation.unit.transformed);
 }
 
-TEST_F(CameraRaysTest, HaveTheBitsThatTheTransformationGivesThem) {
-  const auto expected = transformed();
-  ASSERT_EQ(expected.size(), kRays<C> + 1);
+template <class Config>
+void expect_the_bits_of_the_transformation() {
+  const auto expected = transformed<ByTransformation<Config>>();
+  ASSERT_EQ(expected.size(), kRays<Config> + 1);
+  CameraBench<Config> bench;
   // The second packet begins where the first ended.
   for (unsigned packet = 0; packet < 2; ++packet) {
-    const auto got = sent();
+    const auto got = bench.sent();
     ASSERT_EQ(got.size(), expected.size());
     for (unsigned i = 0; i < got.size(); ++i) {
       EXPECT_EQ(got[i].packet, expected[i].packet) << i;
@@ -89,9 +97,15 @@ TEST_F(CameraRaysTest, HaveTheBitsThatTheTransformationGivesThem) {
   }
 }
 
-TEST_F(CameraRaysTest, HaveAnOriginEachInAnUncompressedFrame) {
-  bench_.value(bench_.unit.frame).uncompressed = Word(1);
-  const auto got = sent();
+TEST(CameraRays, HaveTheBitsThatTheTransformationGivesThem) {
+  expect_the_bits_of_the_transformation<C>();
+}
+TEST(CameraRays, HaveThemWhereSumsAreFusedToo) { expect_the_bits_of_the_transformation<Fused>(); }
+
+TEST(CameraRays, HaveAnOriginEachInAnUncompressedFrame) {
+  CameraBench<C> bench;
+  bench.value(bench.unit.frame).uncompressed = Word(1);
+  const auto got = bench.sent();
   ASSERT_EQ(got.size(), 2 * kRays<C>);
   for (unsigned i = 0; i < got.size(); ++i) {
     EXPECT_EQ(got[i].point, i % 2 == 0) << i;

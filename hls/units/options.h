@@ -42,6 +42,12 @@ enum class CameraSource : std::uint8_t {
   kOwnUnit,         ///< beside it, by units/camera_rays.h
 };
 
+/// The addition of a transformation's products.
+enum class Sums : std::uint8_t {
+  kRounded,  ///< every product and every sum is rounded
+  kFused,    ///< the sum is rounded once (hls/dot_circuit.h)
+};
+
 /// The way a leaf of a tree is known (units/packet.h has the pointers).
 enum class Leaves : std::uint8_t {
   kNodes,     ///< by a node of its own, which has the address of its list

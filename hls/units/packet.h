@@ -70,6 +70,10 @@ inline constexpr bool kInvertsAtOnce = C::kDivider == Divider::kThreeReciprocals
 template <class C>
 inline constexpr bool kCommonOrigin = C::kOrigins == Origins::kCommon;
 
+/// Whether the sum of a transformation's products is rounded once.
+template <class C>
+inline constexpr bool kFusesSums = C::kSums == Sums::kFused;
+
 /// Whether camera rays are made beside the transformation, and rays in unit space are put together
 /// apart from the others.
 template <class C>

@@ -3,7 +3,7 @@
 //
 // Transformation: applies the packet's stored 3x4 affine matrix to one vector a clock with nine
 // multipliers and nine adders (thesis 6.1.3). A point is translated, a direction is not (4.4). Each
-// component is (m0 x + m1 y) + (m2 z + n), every operation rounded once.
+// component is (m0 x + m1 y) + (m2 z + n), every operation rounded once, or a fused dot product.
 //
 // Where triangles are tested watertight, columns 0 to 2 of a triangle are its corners and column 3
 // is its normal. The ray's map takes one corner (units/watertight.h): three subtractions more, and
@@ -51,6 +51,9 @@ struct Transformation {
 
  private:
   static Real component(const PacketVector<C>& in, Real m0, Real m1, Real m2, Real n) {
+    if constexpr (kFusesSums<C>) {
+      return Real::of_dot({m0, m1, m2}, {in.vector.x, in.vector.y, in.vector.z}, n, in.point);
+    }
     const Real last = m2 * in.vector.z;
     return (m0 * in.vector.x + m1 * in.vector.y) + (in.point ? last + n : last);
   }

@@ -11,6 +11,9 @@ namespace {
 
 using C = test::Config<8>;
 using UnitBench = test::UnitBench<Transformation<C>>;
+struct Fused : C {
+  static constexpr Sums kSums = Sums::kFused;
+};
 using Vec = Vector<Real>;
 
 std::array<Real, 3> parts(const Vec& v) { return {v.x, v.y, v.z}; }
@@ -50,17 +53,23 @@ Real moderate(test::Random& random) {
   return Real::from_bits(Real::Bits::from(bits | (53 + random.next() % 21) << 16));
 }
 
-TEST(Transformation, IsTheMatrixProductUpToRounding) {
-  UnitBench bench;
+/// Random products of a matrix are off by at most so many halves of a unit in the last place, of
+/// the sum of the terms' magnitudes.
+template <class Config>
+void expect_near_the_matrix_product(double halves) {
+  test::UnitBench<Transformation<Config>> bench;
   test::Random random(9);
   for (unsigned n = 0; n < 100'000; ++n) {
-    const unsigned packet = test::below(random, C::kPackets);
+    const unsigned packet = test::below(random, Config::kPackets);
     const auto vector = [&random] {
       return Vec{moderate(random), moderate(random), moderate(random)};
     };
     for (auto& column : bench.unit.column) bench.rows(column)[packet] = vector();
-    const PacketVector<C> in{PacketId<C>::from(packet), test::chance(random, 50), 3, vector()};
-    const auto out = parts(transform(bench, in).vector);
+    const PacketVector<Config> in{PacketId<Config>::from(packet), test::chance(random, 50), 3,
+                                  vector()};
+    bench.feed(bench.unit.vector, in);
+    bench.run();
+    const auto out = parts(bench.take_one(bench.unit.transformed).vector);
     for (unsigned row = 0; row < 3; ++row) {
       double sum = 0, size = 0;
       const auto add = [&](double term) { sum += term, size += std::abs(term); };
@@ -69,10 +78,16 @@ TEST(Transformation, IsTheMatrixProductUpToRounding) {
         add(parts(bench.rows(bench.unit.column[c])[packet])[row].to_double() * v[c].to_double());
       }
       if (in.point) add(parts(bench.rows(bench.unit.column[3])[packet])[row].to_double());
-      // Three roundings at most on any way through the sum, of half a unit in the last place.
-      ASSERT_NEAR(out[row].to_double(), sum, size * 3.1 * 0x1p-17);
+      ASSERT_NEAR(out[row].to_double(), sum, size * halves * 0x1p-17);
     }
   }
+}
+
+TEST(Transformation, IsTheMatrixProductUpToThreeRoundings) {
+  expect_near_the_matrix_product<C>(3.1);
+}
+TEST(Transformation, FusedIsOffByOneRoundingAndWhatTheTermsLose) {
+  expect_near_the_matrix_product<Fused>(1.5);
 }
 
 }  // namespace

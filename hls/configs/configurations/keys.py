@@ -43,6 +43,7 @@ DIVIDERS = Choice(
 )
 ORIGINS = Choice("Origins", {"each": "kEach", "common": "kCommon"})
 CAMERAS = Choice("CameraSource", {"transformation": "kTransformation", "own_unit": "kOwnUnit"})
+SUMS = Choice("Sums", {"rounded": "kRounded", "fused": "kFused"})
 LEAVES = Choice("Leaves", {"nodes": "kNodes", "pointers": "kPointers"})
 PACKET_FIFOS = Choice("PacketFifos", {"all": "kAll", "one": "kOne"})
 MATRICES = Choice(
@@ -174,6 +175,13 @@ KEYS: dict[str, Key] = {
         "kCamera",
         "what makes camera rays: the transformation, or a unit beside it",
         "transformation",
+    ),
+    "sums": Key(
+        SUMS,
+        "kSums",
+        "how the products of a transformation are added: each operation is rounded, or their sum is "
+        "rounded once",
+        "rounded",
     ),
     "leaves": Key(
         LEAVES,
@@ -380,6 +388,13 @@ RULES = (
         lambda v: v == "transformation",
         "transformation",
         "a triangle's corners come on the way of the other rays",
+    ),
+    Rule(
+        *WATERTIGHT,
+        "sums",
+        lambda v: v == "rounded",
+        "rounded",
+        "a product of a triangle's corner is used without the others",
     ),
     Rule(*WATERTIGHT, "epsilon", lambda v: v == 0, "0", "edges are decided exactly"),
     Rule(

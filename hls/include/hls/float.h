@@ -21,6 +21,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "hls/dot_circuit.h"
 #include "hls/float_circuit.h"
 #include "hls/int.h"
 #include "hls/target.h"
@@ -168,6 +169,21 @@ class Float {
       return Float(rounded(to_odd(a.value_, -b.value_)));
     }
   }
+  /// a[0] b[0] + ... + a[N - 1] b[N - 1], and `addend` where `adds`, rounded once. Each term is cut
+  /// towards zero to a multiple of 2^(x - kKept) (hls/dot_circuit.h), x being the largest sum of
+  /// two factors' exponents, or the addend's exponent: the result is off by at most half a unit of
+  /// its last place and N + 1 such multiples.
+  template <unsigned N>
+  static constexpr Float of_dot(const Float (&a)[N], const Float (&b)[N], Float addend, bool adds) {
+    using Dot = DotCircuit<E, M, R, N>;
+    if constexpr (kInDouble && E <= 9) {
+      return of_dot_in_double<Dot::kKept>(a, b, addend, adds);
+    } else {
+      Bits x[N], y[N];
+      for (unsigned i = 0; i < N; ++i) x[i] = a[i].bits(), y[i] = b[i].bits();
+      return from_bits(Dot::dot(x, y, addend.bits(), adds));
+    }
+  }
 
   /// The positive number that lies `Steps` of the mantissa above a magnitude, or below it;
   /// saturated.
@@ -237,6 +253,26 @@ class Float {
   /// Of the magnitude's double.
   constexpr std::uint64_t pattern() const {
     return std::bit_cast<std::uint64_t>(value_) & ~kSignBit;
+  }
+  /// Multiples of 2^(x - Kept) as integers, whose sum is exact.
+  template <unsigned Kept, unsigned N>
+  static constexpr Float of_dot_in_double(const Float (&a)[N], const Float (&b)[N], Float addend,
+                                          bool adds) {
+    int largest = adds ? addend.unbiased() : 2 * -kBias;
+    for (unsigned i = 0; i < N; ++i) {
+      largest = std::max(largest, a[i].unbiased() + b[i].unbiased());
+    }
+    const double scale = power_of_two(static_cast<int>(Kept) - largest);
+    std::int64_t sum = adds ? static_cast<std::int64_t>(addend.value_ * scale) : 0;
+    for (unsigned i = 0; i < N; ++i) {
+      sum += static_cast<std::int64_t>(a[i].value_ * b[i].value_ * scale);
+    }
+    return Float(
+        rounded(static_cast<double>(sum) * power_of_two(largest - static_cast<int>(Kept))));
+  }
+  constexpr int unbiased() const { return static_cast<int>(pattern() >> 52) - 1023; }
+  static constexpr double power_of_two(int exponent) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
   }
   /// a + b in a double whose last bit is set if the sum is not exact: rounded again to less, this
   /// gives what rounding the exact sum would (Boldo, Melquiond, "Emulation of FMA and correctly

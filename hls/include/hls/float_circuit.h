@@ -198,6 +198,8 @@ struct FloatCircuit {
  private:
   template <unsigned E2, unsigned M2, Rounding R2>
   friend struct FloatCircuit;
+  template <unsigned E2, unsigned M2, Rounding R2, unsigned N>
+  friend struct DotCircuit;
 
   static constexpr bool kQuotientOfProducts =
       HLS_HARD_MULTIPLIERS != 0 && M >= kLeastReciprocal && M <= kMostReciprocal;
