@@ -26,6 +26,7 @@
 #include "units/light_columns.h"
 #include "units/list.h"
 #include "units/mailbox.h"
+#include "units/mailbox_of_rays.h"
 #include "units/matrix_fetch.h"
 #include "units/matrix_store.h"
 #include "units/memory_interface.h"
@@ -71,7 +72,7 @@ struct Core {
   List<C> list;
   CacheLookup<C, ListCache<C>> list_lookup;
   CacheFill<C, ListCache<C>> list_fill;
-  Mailbox<C> mailbox;
+  std::conditional_t<kSendsActive<C>, MailboxOfRays<C>, Mailbox<C>> mailbox;
   MatrixFetch<C> matrix_fetch;
   CacheLookup<C, MatrixCache<C>> matrix_lookup;
   CacheFill<C, MatrixCache<C>> matrix_fill;

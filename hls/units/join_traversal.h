@@ -93,7 +93,7 @@ void Core<C>::join_lists(hls::Join& join) {
   hls::Writers<ListJob<C>> jobs = {};
   jobs.push_back(&packet_decision.leaf, kShortIfAsked);
   if constexpr (kTwoLevels<C>) jobs.push_back(&node_fetch.object_done);
-  if constexpr (Mailbox<C>::kHasObjects || Mailbox<C>::kHasTriangles || kMainFirst<C>) {
+  if constexpr (decltype(mailbox)::kAnswersLists) {
     jobs.push_back(&mailbox.seen, kShortIfAsked);
   }
   jobs.push_back(&collect_hits.go_on);

@@ -229,51 +229,51 @@ module packet_mailbox #(
     entry_42_s3 <= entry_42_s2;
     entry_7_s3 <= entry_7_s2;
   end
-  wire eq_1_s3 = {objects_3_s3, objects_2_s3, objects_1_s3, objects_0_s3} == 4'd0;  // units/mailbox.h:33
-  wire found_s3 = (~eq_1_s3) & (matrix_s3 == object_slots_slot_0_s3);  // units/mailbox.h:33
+  wire eq_1_s3 = {objects_3_s3, objects_2_s3, objects_1_s3, objects_0_s3} == 4'd0;  // units/mailbox.h:27
+  wire found_s3 = (~eq_1_s3) & (matrix_s3 == object_slots_slot_0_s3);  // units/mailbox.h:27
   wire found_2_s3 = matrix_s3 == object_slots_slot_1_s3;
-  wire and_1_s3 = (~({objects_3_s3, objects_2_s3, objects_1_s3} == 3'd0)) & found_2_s3;  // units/mailbox.h:33
-  wire lt_1_s3 = 4'd2 < {objects_3_s3, objects_2_s3, objects_1_s3, objects_0_s3};  // units/mailbox.h:33
+  wire and_1_s3 = (~({objects_3_s3, objects_2_s3, objects_1_s3} == 3'd0)) & found_2_s3;  // units/mailbox.h:27
+  wire lt_1_s3 = 4'd2 < {objects_3_s3, objects_2_s3, objects_1_s3, objects_0_s3};  // units/mailbox.h:27
   wire found_3_s3 = matrix_s3 == object_slots_slot_2_s3;
   wire found_4_s3 = matrix_s3 == object_slots_slot_3_s3;
-  wire lt_2_s3 = 4'd4 < {objects_3_s3, objects_2_s3, objects_1_s3, objects_0_s3};  // units/mailbox.h:33
+  wire lt_2_s3 = 4'd4 < {objects_3_s3, objects_2_s3, objects_1_s3, objects_0_s3};  // units/mailbox.h:27
   wire found_5_s3 = matrix_s3 == object_slots_slot_4_s3;
-  wire lt_3_s3 = 4'd5 < {objects_3_s3, objects_2_s3, objects_1_s3, objects_0_s3};  // units/mailbox.h:33
+  wire lt_3_s3 = 4'd5 < {objects_3_s3, objects_2_s3, objects_1_s3, objects_0_s3};  // units/mailbox.h:27
   wire found_6_s3 = matrix_s3 == object_slots_slot_5_s3;
-  wire lt_4_s3 = 4'd6 < {objects_3_s3, objects_2_s3, objects_1_s3, objects_0_s3};  // units/mailbox.h:33
+  wire lt_4_s3 = 4'd6 < {objects_3_s3, objects_2_s3, objects_1_s3, objects_0_s3};  // units/mailbox.h:27
   wire found_7_s3 = matrix_s3 == object_slots_slot_6_s3;
-  wire eq_6_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd0;  // units/mailbox.h:33
-  wire found_8_s3 = (~eq_6_s3) & (matrix_s3 == triangle_slots_slot_0_s3);  // units/mailbox.h:33
+  wire eq_6_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd0;  // units/mailbox.h:27
+  wire found_8_s3 = (~eq_6_s3) & (matrix_s3 == triangle_slots_slot_0_s3);  // units/mailbox.h:27
   wire found_9_s3 = matrix_s3 == triangle_slots_slot_1_s3;
-  wire and_8_s3 = (~({triangles_3_s3, triangles_2_s3, triangles_1_s3} == 3'd0)) & found_9_s3;  // units/mailbox.h:33
-  wire lt_5_s3 = 4'd2 < {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3};  // units/mailbox.h:33
+  wire and_8_s3 = (~({triangles_3_s3, triangles_2_s3, triangles_1_s3} == 3'd0)) & found_9_s3;  // units/mailbox.h:27
+  wire lt_5_s3 = 4'd2 < {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3};  // units/mailbox.h:27
   wire found_10_s3 = matrix_s3 == triangle_slots_slot_2_s3;
   wire found_11_s3 = matrix_s3 == triangle_slots_slot_3_s3;
-  wire lt_6_s3 = 4'd4 < {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3};  // units/mailbox.h:33
+  wire lt_6_s3 = 4'd4 < {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3};  // units/mailbox.h:27
   wire found_12_s3 = matrix_s3 == triangle_slots_slot_4_s3;
-  wire lt_7_s3 = 4'd5 < {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3};  // units/mailbox.h:33
+  wire lt_7_s3 = 4'd5 < {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3};  // units/mailbox.h:27
   wire found_13_s3 = matrix_s3 == triangle_slots_slot_5_s3;
-  wire lt_8_s3 = 4'd6 < {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3};  // units/mailbox.h:33
+  wire lt_8_s3 = 4'd6 < {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3};  // units/mailbox.h:27
   wire found_14_s3 = matrix_s3 == triangle_slots_slot_6_s3;
-  wire or_2_s3 = ((~({triangles_3_s3, triangles_2_s3} == 2'd0)) & found_11_s3) | (triangles_3_s3 & (matrix_s3 == triangle_slots_slot_7_s3));  // units/mailbox.h:95
-  wire or_6_s3 = ((lt_5_s3 & found_10_s3) | (lt_6_s3 & found_12_s3)) | ((lt_7_s3 & found_13_s3) | (lt_8_s3 & found_14_s3));  // units/mailbox.h:95
-  wire or_7_s3 = ((found_8_s3 | and_8_s3) | or_2_s3) | or_6_s3;  // units/mailbox.h:95
-  wire or_9_s3 = ((~({objects_3_s3, objects_2_s3} == 2'd0)) & found_4_s3) | (objects_3_s3 & (matrix_s3 == object_slots_slot_7_s3));  // units/mailbox.h:95
-  wire or_13_s3 = ((lt_1_s3 & found_3_s3) | (lt_2_s3 & found_5_s3)) | ((lt_3_s3 & found_6_s3) | (lt_4_s3 & found_7_s3));  // units/mailbox.h:95
-  wire or_14_s3 = ((found_s3 | and_1_s3) | or_9_s3) | or_13_s3;  // units/mailbox.h:95
-  wire eq_18_s3 = {objects_3_s3, objects_2_s3, objects_1_s3, objects_0_s3} == 4'd8;  // units/mailbox.h:41
+  wire or_2_s3 = ((~({triangles_3_s3, triangles_2_s3} == 2'd0)) & found_11_s3) | (triangles_3_s3 & (matrix_s3 == triangle_slots_slot_7_s3));  // units/mailbox.h:68
+  wire or_6_s3 = ((lt_5_s3 & found_10_s3) | (lt_6_s3 & found_12_s3)) | ((lt_7_s3 & found_13_s3) | (lt_8_s3 & found_14_s3));  // units/mailbox.h:68
+  wire or_7_s3 = ((found_8_s3 | and_8_s3) | or_2_s3) | or_6_s3;  // units/mailbox.h:68
+  wire or_9_s3 = ((~({objects_3_s3, objects_2_s3} == 2'd0)) & found_4_s3) | (objects_3_s3 & (matrix_s3 == object_slots_slot_7_s3));  // units/mailbox.h:68
+  wire or_13_s3 = ((lt_1_s3 & found_3_s3) | (lt_2_s3 & found_5_s3)) | ((lt_3_s3 & found_6_s3) | (lt_4_s3 & found_7_s3));  // units/mailbox.h:68
+  wire or_14_s3 = ((found_s3 | and_1_s3) | or_9_s3) | or_13_s3;  // units/mailbox.h:68
+  wire eq_18_s3 = {objects_3_s3, objects_2_s3, objects_1_s3, objects_0_s3} == 4'd8;  // units/mailbox.h:35
   wire [3:0] add_1_s3 = {objects_3_s3, objects_2_s3, objects_1_s3, objects_0_s3} + 4'd1;
-  wire [3:0] mux_10_s3 = {eq_18_s3 | add_1_s3[3], ~{3{eq_18_s3}} & add_1_s3[2:0]};  // units/mailbox.h:41
-  wire eq_19_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd1;  // units/mailbox.h:39
-  wire eq_20_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd2;  // units/mailbox.h:39
-  wire eq_21_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd3;  // units/mailbox.h:39
-  wire eq_22_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd4;  // units/mailbox.h:39
-  wire eq_23_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd5;  // units/mailbox.h:39
-  wire eq_24_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd6;  // units/mailbox.h:39
-  wire eq_25_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd7;  // units/mailbox.h:39
-  wire eq_26_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd8;  // units/mailbox.h:41
+  wire [3:0] mux_10_s3 = {eq_18_s3 | add_1_s3[3], ~{3{eq_18_s3}} & add_1_s3[2:0]};  // units/mailbox.h:35
+  wire eq_19_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd1;  // units/mailbox.h:33
+  wire eq_20_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd2;  // units/mailbox.h:33
+  wire eq_21_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd3;  // units/mailbox.h:33
+  wire eq_22_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd4;  // units/mailbox.h:33
+  wire eq_23_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd5;  // units/mailbox.h:33
+  wire eq_24_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd6;  // units/mailbox.h:33
+  wire eq_25_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd7;  // units/mailbox.h:33
+  wire eq_26_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} == 4'd8;  // units/mailbox.h:35
   wire [3:0] add_2_s3 = {triangles_3_s3, triangles_2_s3, triangles_1_s3, triangles_0_s3} + 4'd1;
-  wire [3:0] mux_11_s3 = {eq_26_s3 | add_2_s3[3], ~{3{eq_26_s3}} & add_2_s3[2:0]};  // units/mailbox.h:41
+  wire [3:0] mux_11_s3 = {eq_26_s3 | add_2_s3[3], ~{3{eq_26_s3}} & add_2_s3[2:0]};  // units/mailbox.h:35
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -366,15 +366,15 @@ module packet_mailbox #(
     entry_42_s4 <= entry_42_s3;
     entry_7_s4 <= entry_7_s3;
   end
-  wire known_s4 = top_s4 ? or_7_s4 : or_14_s4;  // units/mailbox.h:95
-  wire [1:0] mux_1_s4 = top_s4 ? 2'd2 : 2'd1;  // units/mailbox.h:137
-  wire eq_11_s4 = {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} == 4'd1;  // units/mailbox.h:39
-  wire eq_12_s4 = {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} == 4'd2;  // units/mailbox.h:39
-  wire eq_13_s4 = {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} == 4'd3;  // units/mailbox.h:39
-  wire eq_14_s4 = {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} == 4'd4;  // units/mailbox.h:39
-  wire eq_15_s4 = {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} == 4'd5;  // units/mailbox.h:39
-  wire eq_16_s4 = {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} == 4'd6;  // units/mailbox.h:39
-  wire eq_17_s4 = {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} == 4'd7;  // units/mailbox.h:39
+  wire known_s4 = top_s4 ? or_7_s4 : or_14_s4;  // units/mailbox.h:68
+  wire [1:0] mux_1_s4 = top_s4 ? 2'd2 : 2'd1;  // units/mailbox.h:91
+  wire eq_11_s4 = {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} == 4'd1;  // units/mailbox.h:33
+  wire eq_12_s4 = {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} == 4'd2;  // units/mailbox.h:33
+  wire eq_13_s4 = {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} == 4'd3;  // units/mailbox.h:33
+  wire eq_14_s4 = {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} == 4'd4;  // units/mailbox.h:33
+  wire eq_15_s4 = {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} == 4'd5;  // units/mailbox.h:33
+  wire eq_16_s4 = {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} == 4'd6;  // units/mailbox.h:33
+  wire eq_17_s4 = {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} == 4'd7;  // units/mailbox.h:33
   wire not_7_s4 = ~entry_6_s4;
   wire or_15_s4 = entry_6_s4 | known_s4;
   wire [3:0] mux_12_s4 = (top_s4 | or_14_s4) ? {objects_3_s4, objects_2_s4, objects_1_s4, objects_0_s4} : mux_10_s4;

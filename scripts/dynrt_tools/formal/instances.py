@@ -88,14 +88,15 @@ def unit(module: str, parameters: dict[str, Any], stated: Json) -> Instance:
 
 
 def with_file(module: str, parameters: dict[str, Any], stated: Json) -> Instance:
-    """A unit with a file of properties: in its FIFOs, once for each output channel if the text says
-    CHANNEL, or as it is, opened if that is stated. LATENCY in it is the unit's."""
+    """A unit with a file of properties, or several: in its FIFOs, once for each output channel if the
+    text says CHANNEL, or as it is, opened if that is stated. LATENCY in it is the unit's."""
     folder = LOWERED[0] if stated.get("lowered") else GENERATED
     sources = [*rtl_files.library(), folder / f"{module}.v"]
     if not sources[-1].exists():
         raise flow.Broken(f"{sources[-1]} is missing; the target formal_units makes it")
     verilog = sources[-1].read_text(encoding="utf-8")
-    properties = (PROPERTIES / f"{stated['file']}.v").read_text(encoding="utf-8")
+    files = [stated["file"]] if isinstance(stated["file"], str) else stated["file"]
+    properties = "".join((PROPERTIES / f"{f}.v").read_text(encoding="utf-8") for f in files)
     for word, text in stated.get("words", {}).items():
         properties = properties.replace(word, text)
     if "inside" in stated:

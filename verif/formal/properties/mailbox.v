@@ -1,19 +1,16 @@
 
-// Properties of the mailbox, read inside the unit with its RAMs opened. One matrix of one packet and
+// Properties of a mailbox, read inside the unit with its RAMs opened. One matrix of one packet and
 // level is watched, any of them, and where the mailbox knows a packet's rays apart, one ray. An entry is
 // {last, matrix, active, clear, level, packet}, a job that is let through {matrix, active, kind, packet,
-// repeat}.
+// repeat}. The file of its rows says why they hold.
   localparam ENTRY = $bits(entry_data_i);
   localparam FRESH = $bits(fresh_data_o);
-  localparam PACKET = $bits(objects_write_addr_o);  // bits of a packet's number
+  localparam PACKET = PACKET_BITS;  // of a packet's number
   localparam PACKETS = 1 << PACKET;
   localparam MATRIX = FRESH - PACKET - 10;
-  localparam ROW = $bits(objects_row_i);  // {rays that have met it, matrices, how many of them}
   localparam SLOTS = 2;
   localparam COUNT = 2;
   localparam RAYS = 4;
-  localparam KNOWS_RAYS = ROW == COUNT + SLOTS * (MATRIX + RAYS);
-  localparam HAS_ROW = KNOWS_RAYS || ROW == COUNT + SLOTS * MATRIX;
   (* anyconst *) wire [PACKET-1:0] packet;
   (* anyconst *) wire level;
   (* anyconst *) wire [MATRIX-1:0] matrix;
@@ -80,49 +77,12 @@
     end
   end
 
-  // The rows of the watched packet, as the RAMs hold them.
-  reg [ROW-1:0] objects_q;
-  reg [ROW-1:0] triangles_q;
-  reg read_objects_q = 1'b0;
-  reg read_triangles_q = 1'b0;
-  always @(posedge clk_i) begin
-    if (objects_write_en_o && objects_write_addr_o == packet) objects_q <= objects_write_data_o;
-    if (triangles_write_en_o && triangles_write_addr_o == packet) triangles_q <= triangles_write_data_o;
-    read_objects_q <= objects_read_en_o && objects_read_addr_o == packet;
-    read_triangles_q <= triangles_read_en_o && triangles_read_addr_o == packet;
-  end
-  always @* begin
-    if (read_objects_q) assume (objects_row_i == objects_q);
-    if (read_triangles_q) assume (triangles_row_i == triangles_q);
-  end
-
   always @* if (was_reset_q) begin
-    has_two_slots: assert (HAS_ROW);
     if (is_watched && !let_through_q) never_drops_what_is_new: assert (lets_through);
     if (fresh_valid) lets_through_what_came: assert (done_fired && !done_clear &&
         fresh[FRESH-1-:MATRIX] == done_matrix &&
         (!KNOWS_RAYS || (fresh_rays & ~done[PACKET+2+:RAYS]) == 0));
     one_of_three: assert ({1'b0, fresh_valid} + seen_valid + start_valid == {1'b0, done_fired});
-  end
-
-  // Why it holds: what is in a slot was let through.
-  wire [ROW-1:0] slots = level ? triangles_q : objects_q;
-  wire holds_any = level ? entered_q[packet] : cleared_q[packet];
-  integer s, later;
-  reg pending;  // the watched one has come, and its row may be written before its tokens
-  always @* begin
-    pending = 1'b0;
-    for (later = 1; later < LATENCY; later = later + 1) begin
-      if (of_watched(entries[(ENTRY+1)*later+:ENTRY+1])) pending = 1'b1;
-    end
-  end
-  always @* if (was_reset_q) begin
-    assert (!entered_q[packet] || cleared_q[packet]);
-    for (s = 0; s < SLOTS; s = s + 1) begin
-      if (holds_any && slots[COUNT-1:0] > s && slots[COUNT+MATRIX*s+:MATRIX] == matrix &&
-          (!KNOWS_RAYS || slots[COUNT+MATRIX*SLOTS+RAYS*s+ray]))
-        assert (let_through_q || pending);
-    end
   end
 
   always @* begin
