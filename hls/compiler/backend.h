@@ -17,6 +17,7 @@ namespace hlsc {
 struct Options {
   double clock_ns = 10;
   DelayModel delay;
+  unsigned room = 4;  ///< tokens that a FIFO takes beyond those in the pipeline, at least
   std::vector<DelayModel> time_by{};  ///< further models that time the schedule, not make it
 };
 

@@ -35,12 +35,16 @@ constexpr char kNoPass[] = "there is no pass '{}'; --print-after takes one of {}
 constexpr char kTimeByAlone[] =
     "--time-by {}: nothing shows its times; name the file that receives them with --timing";
 
+constexpr unsigned kLeastRoom = 4;  // so many keep a pipeline going that nothing behind it holds up
+constexpr unsigned kMostRoom = 1024;
+
 constexpr char kUsualClock[] = "10";
 constexpr char kLeast[] = "least";
 
 struct Arguments {
   hlsc::UnitSource source;
   std::string clock_ns = kUsualClock;
+  unsigned room = kLeastRoom;
   std::string delay;
   std::string verilog = "-";
   std::string report;
@@ -81,6 +85,10 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_option("--clock-ns", a.clock_ns,
                  "clock period of the schedule, in ns; least: the shortest that the unit reaches")
       ->type_name("NS")
+      ->capture_default_str();
+  app.add_option("--room", a.room,
+                 "tokens that each FIFO takes beyond those in the pipeline, at least")
+      ->check(CLI::Range(kLeastRoom, kMostRoom))
       ->capture_default_str();
   app.add_option("--delay", a.delay, "delay model of the device family (JSON)");
   app.add_option("-o", a.verilog, "write the Verilog to this file; - is the terminal")
@@ -147,7 +155,7 @@ void run(const Arguments& a) {
     throw hlsc::Error({}, fmt::format(kTimeByAlone, a.time_by.front()));
   }
   if (!a.dump_netlist && !ir_alone && a.delay.empty()) throw hlsc::Error({}, kNoDelay);
-  hlsc::Options options{clock_ns.value_or(0), {}};
+  hlsc::Options options{clock_ns.value_or(0), {}, a.room};
   if (!a.delay.empty()) options.delay = hlsc::load_delay_model(a.delay);
   for (const std::string& path : a.time_by) options.time_by.push_back(hlsc::load_delay_model(path));
   hlsc::UnitSource source = a.source;

@@ -25,8 +25,9 @@ std::string emit_schedule(const Circuit& circuit, const Schedule& schedule, cons
 /// and by those of `time_by`, as JSON.
 std::string emit_timing(const Circuit& circuit, const Schedule& schedule, const Options& options);
 
-/// Tokens that the FIFO of an output holds if the join gives no bound.
-unsigned fifo_depth(const Schedule& schedule);
+/// Tokens that the FIFO of an output holds if the join gives no bound: a power of two, as many as
+/// the pipeline and `room` more, at least.
+unsigned fifo_depth(const Schedule& schedule, unsigned room);
 
 /// C++ header with visit_ports_<module>(), through which a test bench reaches all ports.
 std::string emit_binding(const Netlist& netlist);

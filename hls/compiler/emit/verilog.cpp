@@ -44,9 +44,9 @@ std::string VerilogWriter::head() const {
         port("output", 1, p.name + "_valid_o");
         port("input ", 1, p.name + "_ready_i");
         port("output", p.width, p.name + "_data_o");
-        parameters +=
-            fmt::format("{0}  parameter {1}_DEPTH = {2},\n  parameter {1}_BOUNDED = 0",
-                        parameters.empty() ? "" : ",\n", upper(p.name), fifo_depth(schedule_));
+        parameters += fmt::format("{0}  parameter {1}_DEPTH = {2},\n  parameter {1}_BOUNDED = 0",
+                                  parameters.empty() ? "" : ",\n", upper(p.name),
+                                  fifo_depth(schedule_, options_.room));
         break;
       }
       case PortKind::kRamRead:

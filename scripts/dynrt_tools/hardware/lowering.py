@@ -26,12 +26,13 @@ def find_build(named: pathlib.Path | None) -> pathlib.Path:
 
 
 def units(build: pathlib.Path, config: str = rtl_files.CHECKED_IN) -> dict[str, dict[str, str]]:
-    """Module, header and type of the configuration's units, by module."""
+    """Module, header and type of the configuration's units, and the room where it is stated, by
+    module."""
     found = {}
     for line in (build / "hls/units/list_units.txt").read_text(encoding="utf-8").splitlines():
-        name, module, header, kind = line.split("|")
+        name, *fields = line.split("|")
         if name == config:
-            found[module] = {"module": module, "header": header, "type": kind}
+            found[fields[0]] = dict(zip(("module", "header", "type", "room"), fields))
     return found
 
 
@@ -57,6 +58,7 @@ def command(
         *("--header", f"{config}/{unit['module']}.h"),
         *includes,
         *("--clock-ns", str(clock_ns), "--delay", delay),
+        *(("--room", unit["room"]) if "room" in unit else ()),
     ]
 
 
