@@ -15,9 +15,9 @@ import time
 from collections.abc import Callable, Sequence
 
 from dynrt_tools import project, unit_names
+from dynrt_tools.hardware import rtl_files
 
 ROOT = project.ROOT
-CHECKED_IN = "thesis"  # the configuration whose Verilog is under rtl/generated
 
 
 class Refused(Exception):
@@ -40,7 +40,7 @@ class Module:
     @property
     def target(self) -> str:
         """The CMake target that lowers it."""
-        prefix = "" if self.config == CHECKED_IN else f"{self.config}_"
+        prefix = "" if self.config == rtl_files.CHECKED_IN else f"{self.config}_"
         return f"{prefix}{self.name}_verilog"
 
 
@@ -59,13 +59,12 @@ def read_modules(build: pathlib.Path) -> list[Module]:
 
 def chosen(modules: Sequence[Module], unit: str, config: str | None) -> list[Module]:
     """The modules of one header in one configuration: the named one, else the first that has it."""
-    headers = {m.name: m.stem for m in modules}
-    names = unit_names.modules_of(unit, headers)
-    if not names:
-        raise Refused(unit_names.unknown(unit, headers))
-    named = [m for m in modules if m.name in names]
+    named = [m for m in modules if unit in (m.name, m.stem)]
+    if not named:
+        raise Refused(unit_names.unknown(unit, {m.name: m.stem for m in reversed(modules)}))
     config = config or named[0].config
-    found = [m for m in modules if m.config == config and m.stem == named[0].stem]
+    stems = [m.stem for m in named if m.config == config]
+    found = [m for m in modules if m.config == config and m.stem in stems]
     if not found:
         having = dict.fromkeys(m.config for m in named)
         raise Refused(
@@ -126,21 +125,19 @@ class Trial:
     def describe_lowering(self) -> str:
         """The Verilog is there; says whether it is the one that is checked in."""
         names = [f"{m.name}.v" for m in self.modules]
-        stale = [
-            name for name in names if self.config == CHECKED_IN and not self.is_checked_in(name)
-        ]
+        checked_in = rtl_files.checked_in(self.config)
+        stale = [name for name in names if checked_in and not self.is_same(checked_in / name)]
         text = ", ".join(names)
         if stale:
             text += (
-                f"; {', '.join(stale)} under rtl/generated is another, "
+                f"; {', '.join(stale)} under rtl/generated/{self.config} is another, "
                 f"ninja -C {self.build} update-generated renews it"
             )
         return text
 
-    def is_checked_in(self, name: str) -> bool:
-        """Whether rtl/generated has the same file."""
-        old = ROOT / "rtl" / "generated" / CHECKED_IN / name
-        new = self.build / "generated" / CHECKED_IN / name
+    def is_same(self, old: pathlib.Path) -> bool:
+        """Whether a checked-in file is what the build has."""
+        new = self.build / "generated" / self.config / old.name
         return old.is_file() and old.read_bytes() == new.read_bytes()
 
     def lint(self) -> str:

@@ -17,6 +17,7 @@ MODULES = [
     Module("thesis", "node_lookup", "cache_lookup", "cosim_cache_lookup"),
     Module("thesis", "list_lookup", "cache_lookup", "cosim_cache_lookup"),
     Module("whitted", "shader", "shader", "cosim_whitted_shader"),
+    Module("fast", "list", "quick_list", "cosim_fast_quick_list"),
 ]
 
 
@@ -46,9 +47,17 @@ class TryUnit(testing.InFolder):
 
     def test_first_configuration_that_has_the_unit(self) -> None:
         """Not thesis alone."""
-        self.assertEqual(chosen(MODULES, "shader", None), MODULES[3:])
+        self.assertEqual(chosen(MODULES, "shader", None), MODULES[3:4])
         self.assertEqual(MODULES[3].target, "whitted_shader_verilog")
         self.assertEqual(MODULES[0].target, "list_verilog")
+
+    def test_a_module_may_have_another_header_in_another_configuration(self) -> None:
+        """Either name finds it there."""
+        self.assertEqual(chosen(MODULES, "list", None), MODULES[:1])
+        self.assertEqual(chosen(MODULES, "list", "fast"), MODULES[4:])
+        self.assertEqual(chosen(MODULES, "quick_list", None), MODULES[4:])
+        with self.assertRaisesRegex(Refused, "'thesis' has no co-simulation of unit 'quick_list'"):
+            chosen(MODULES, "quick_list", "thesis")
 
     def test_unknown_names_are_refused(self) -> None:
         """With those that there are."""
