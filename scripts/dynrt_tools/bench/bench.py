@@ -12,6 +12,7 @@ import sys
 from dynrt_tools.bench import levers, report_rows, scenes
 from dynrt_tools.bench.rows import CONFIG, Bench, Options, Row
 from dynrt_tools.bench.run import Dynrt, RunFailed
+from dynrt_tools.build import configs
 from dynrt_tools.project import ROOT, show_progress, write_json
 
 FULL_SIZE, QUICK_SIZE = "512x384", "128x96"
@@ -48,6 +49,12 @@ def parse(arguments: list[str]) -> argparse.Namespace:
         default="office",
         metavar="SCENE",
         help="a built-in name or a file (default: office)",
+    )
+    parser.add_argument(
+        "--config",
+        metavar="NAME",
+        help=f"configuration of the table and of --sweep, one of hls/configs/configs.json (default: "
+        f"{CONFIG})",
     )
     parser.add_argument(
         "--quick",
@@ -108,6 +115,15 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     ]
     if len(tables) > 1:
         parser.error(f"{' and '.join(tables[:2])} are two tables; ask for one of them")
+    if args.config and tables and not args.sweep:
+        parser.error(
+            f"--config {args.config}: {tables[0]} has its own configurations; leave one out"
+        )
+    args.config = args.config or CONFIG
+    listed = configs.load_configurations().listed()
+    if args.config not in listed:
+        parser.error(f"--config {args.config}: unknown; the configurations are {', '.join(listed)}")
+    args.limits = {"name": args.config, **listed[args.config]}
     return args
 
 
@@ -151,7 +167,7 @@ def main() -> int:  # pylint: disable=too-many-return-statements
             # It needs matplotlib, which takes long to load.
             from dynrt_tools.bench import sweep  # pylint: disable=import-outside-toplevel
 
-            sweep.run(dynrt, scene, size, args.sweep, show_progress)
+            sweep.run(dynrt, scene, args.limits, size, args.sweep, show_progress)
             return 0
         if args.scenes:
             measured = scenes.measure(dynrt, size, FULL_SIZE, show_progress)
@@ -178,12 +194,14 @@ def main() -> int:  # pylint: disable=too-many-return-statements
                 )
             print_rows(rows)
             return 0
-        reports = dynrt.program.parent / "generated" / CONFIG
+        reports = dynrt.program.parent / "generated" / args.config
         host = dynrt.program.parent / "host"
         options = Options(
             scene,
             size,
             args.runs or (1 if args.quick else 5),
+            args.config,
+            args.limits["packets"],
             reports,
             host / "tree" / "tree_benchmark",
             host / "analysis" / "truth" / "truth_benchmark",
@@ -200,14 +218,14 @@ def main() -> int:  # pylint: disable=too-many-return-statements
         data = {
             "scene": args.scene,
             "size": size,
-            "configuration": CONFIG,
+            "configuration": args.config,
             "machine": machine,
             "rows": [row.data() for row in rows],
             "frames": bench.frames,
         }
         write_json(args.json, data)
     print(
-        f"scene {args.scene}, {size} pixels, configuration {CONFIG}; "
+        f"scene {args.scene}, {size} pixels, configuration {args.config}; "
         f"{machine['cores']} cores, load {machine['load']:.1f}\n"
     )
     print_rows(rows)

@@ -14,7 +14,8 @@ from dynrt_tools.project import read_json
 
 # The units of the loop in their order. A schedule's stages are the clocks from a transaction's
 # start to its token at the head of the unit's FIFO.
-LOOP = ("node_fetch", "node_lookup", "traversal_slice", "packet_decision")
+LOOP = ("node_fetch", "node_lookup", "plane_offset", "traversal_slice", "packet_decision")
+OPTIONAL = ("plane_offset",)  # where the rays of a packet have one origin
 # The channels of the loop with a buffer, which takes a clock: behind an arbiter, whose grant a lone
 # packet finds where it left it, and before packet_decision, which waits for all slices.
 BUFFERS = ("step", "decision", "traversal_event")
@@ -36,6 +37,8 @@ def scheduled(folder: pathlib.Path) -> Schedule | None:
     for unit in LOOP:
         path = pathlib.Path(folder, f"{unit}.json")
         if not path.exists():
+            if unit in OPTIONAL:
+                continue
             return None
         schedule = read_json(path)
         stages[unit] = schedule["stages"]
@@ -85,4 +88,4 @@ def measured(dynrt: Dynrt, config: str) -> float:
             "the two avenues differ in more than the nodes on the way; "
             "their trees must have changed"
         )
-    return float(many["cycles"] - few["cycles"]) / (Work.of(many).steps - Work.of(few).steps)
+    return float(many["cycles"] - few["cycles"]) / (Work.of(many).nodes - Work.of(few).nodes)

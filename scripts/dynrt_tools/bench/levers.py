@@ -13,7 +13,7 @@ from dynrt_tools.project import ROOT, SCRIPTS, Json, Progress, read_json, write_
 
 BASE, FAST = "full", "fast"
 SCENES = ("office", "cistern", "conference", "trees4000")
-NO_LEVER = {"name", "like", "about", "rtl", "counters"}
+NO_LEVER = {"name", "like", "about", "rtl", "counters", "scan_out"}
 
 
 @dataclasses.dataclass

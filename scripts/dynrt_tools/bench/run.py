@@ -10,6 +10,7 @@ import subprocess
 import tempfile
 from collections.abc import Callable
 
+from dynrt_tools.build import configs
 from dynrt_tools.project import Failed, Json, Progress, read_json
 
 
@@ -82,42 +83,58 @@ class Dynrt:
         )
 
 
+# The keys of cores whose counters say how many triangles and objects packets meet: each of four rays
+# goes through the transformation for every item, and a leaf is a node.
+TELLING = {
+    "packet_rays": 4,
+    "rays_sent": "traced",
+    "leaves": "nodes",
+    "object_box": "nodes",
+    "lights": 0,
+    "reflections": 0,
+    "triangle_test": "unit_triangle",
+}
+
+
 @dataclasses.dataclass
 class Work:
-    """The work of a frame, in tokens of the whole frame."""
+    """The work of a frame, in tokens of the whole frame. What the counters of a core do not say is
+    None."""
 
     packets: int
-    steps: int  # inner nodes fetched, both levels
-    leaf_fetches: int  # leaves fetched by a packet with a living ray
+    nodes: int  # fetched, both levels
     list_entries: int  # entries read, both levels
-    triangles: int  # packets transformed to a triangle, after the mailbox
-    objects: int  # packets transformed to an object, after the mailbox
+    vectors: int  # through the transformation
+    steps: int | None = None  # inner nodes fetched
+    leaf_fetches: int | None = None  # leaves fetched by a packet with a living ray
+    triangles: int | None = None  # packets transformed to a triangle, after the mailbox
+    objects: int | None = None  # packets transformed to an object, after the mailbox
 
     @staticmethod
     def of(frame: Json) -> "Work":
         tokens = frame["counters"]
         packets = tokens["shade_job.tokens"]
+        nodes = tokens["node_lookup.transactions"]
         entries = tokens["list_lookup.transactions"]
+        vectors = tokens.get("transformation.transactions", 0)
+        listed = configs.load_configurations().listed().get(frame["configuration"])
+        if listed is None or any(listed[key] != value for key, value in TELLING.items()):
+            return Work(packets, nodes, entries, vectors)
         # Four candidates for every triangle, and four that reset the hits of a new packet.
         triangles = tokens["collect_hits.transactions"] // 4 - packets
         objects = tokens["transform_job.tokens"] - triangles - packets
         seen = entries - triangles - objects
         # The list gets a job for every leaf, entry already seen, triangle done and object done.
         leaves = tokens["list_job.tokens"] - seen - triangles - objects
-        steps = tokens["node_lookup.transactions"] - leaves
-        return Work(packets, steps, leaves, entries, triangles, objects)
+        return Work(packets, nodes, entries, vectors, nodes - leaves, leaves, triangles, objects)
 
     def bound(self) -> int:
-        """Clocks of the busiest unit alone: a node, a list entry or a vector a clock; a transformed
-        packet is five vectors, and every packet is transformed by the camera once."""
-        return max(
-            self.steps + self.leaf_fetches,
-            5 * (self.triangles + self.objects + self.packets),
-            self.list_entries,
-        )
+        """Clocks of the busiest unit alone: a node, a list entry or a vector a clock."""
+        return max(self.nodes, self.vectors, self.list_entries)
 
-    def per_packet(self, name: str) -> float:
-        return float(getattr(self, name)) / self.packets
+    def per_packet(self, name: str) -> float | None:
+        value = getattr(self, name)
+        return None if value is None else float(value) / self.packets
 
 
 def busiest(frame: Json) -> tuple[str, int]:

@@ -5,7 +5,6 @@
 import dataclasses
 import os
 
-from dynrt_tools.bench.rows import CONFIG
 from dynrt_tools.bench.run import Dynrt, Work, busiest, rays
 from dynrt_tools.command import Pool
 from dynrt_tools.hardware.placed_clocks import THESIS_MHZ, frames_per_second, of, rate_text
@@ -15,15 +14,8 @@ from dynrt_tools.project import Json, Progress
 # Gael, a game level, stands `cistern`.
 THESIS = {"office": (20, 30), "cistern": (17, 25), "conference": (17, 20), "trees4000": (8, 14)}
 
-# Scenes of several objects are measured on the core that clips to their boxes too.
-RUNS = (
-    ("office", CONFIG),
-    ("cistern", CONFIG),
-    ("conference", CONFIG),
-    ("conference", "boxed"),
-    ("trees4000", CONFIG),
-    ("trees4000", "boxed"),
-)
+# The largest core that the thesis simulates, and the fastest of this project.
+RUNS = tuple((scene, config) for scene in THESIS for config in ("full", "fast"))
 
 # The bytes of memory in a line of each cache, and of a pixel with its hit record.
 LINE_BYTES = {"node": 8, "list": 4, "matrix": 12}
@@ -87,8 +79,9 @@ class Measured:
             "busiest unit": name,
             "works, % of the clocks": round(100 * transactions / self.frame["cycles"], 1),
         }
-        for figure in ("steps", "leaf_fetches", "list_entries", "objects", "triangles"):
-            rows[f"{figure.replace('_', ' ')} per packet"] = round(work.per_packet(figure), 2)
+        for figure in ("nodes", "list_entries", "objects", "triangles"):
+            each = work.per_packet(figure)
+            rows[f"{figure.replace('_', ' ')} per packet"] = "-" if each is None else round(each, 2)
         for cache, counts in self.frame["caches"].items():
             rows[f"{cache} cache hits, %"] = round(100 * counts["hit_rate"], 2)
         rows["bytes read per frame"] = self.read_bytes()

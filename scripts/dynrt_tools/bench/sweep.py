@@ -11,7 +11,6 @@ from collections.abc import Sequence
 
 from matplotlib import pyplot
 
-from dynrt_tools.bench.rows import CONFIG
 from dynrt_tools.bench.run import Dynrt
 from dynrt_tools.command import Pool
 from dynrt_tools.hardware import placed_clocks
@@ -28,29 +27,35 @@ UNITS = {
 }
 
 
-def rates(cycles: float) -> dict[str, float]:
+def rates(cycles: float, config: str) -> dict[str, float]:
     """Frames per second at the placed clock and at the thesis's."""
-    clocks = placed_clocks.of(CONFIG).mhz, placed_clocks.THESIS_MHZ
+    clocks = placed_clocks.of(config).mhz, placed_clocks.THESIS_MHZ
     return {
         f"frames per second at {mhz:g} MHz": placed_clocks.frames_per_second(cycles, mhz)
         for mhz in clocks
     }
 
 
-def columns(frame: Json) -> dict[str, float]:
+def columns(frame: Json, config: str) -> dict[str, float]:
     """A row of either table but for what was varied."""
     usage = {f"{name} usage": frame["units"][unit]["utilisation"] for name, unit in UNITS.items()}
     hits = {f"{name} cache hits": cache["hit_rate"] for name, cache in frame["caches"].items()}
     return {
         "clocks": frame["cycles"],
-        **rates(frame["cycles"]),
+        **rates(frame["cycles"], config),
         **usage,
         **hits,
     }
 
 
 def measure(
-    dynrt: Dynrt, scene: str, size: str, flag: str, values: Sequence[int], progress: Progress
+    dynrt: Dynrt,
+    scene: str,
+    config: str,
+    size: str,
+    flag: str,
+    values: Sequence[int],
+    progress: Progress,
 ) -> list[dict[str, float]]:
     """One frame for each value, as many at a time as there are cores, which the clocks of the core
     do not depend on."""
@@ -58,7 +63,9 @@ def measure(
     def row(value: int) -> dict[str, float]:
         return {
             flag: value,
-            **columns(dynrt.render(scene, "rtl", CONFIG, size, f"--{flag}", str(value)).frame),
+            **columns(
+                dynrt.render(scene, "rtl", config, size, f"--{flag}", str(value)).frame, config
+            ),
         }
 
     rows = []
@@ -103,15 +110,20 @@ def plot(
     pyplot.close(figure)
 
 
-def run(dynrt: Dynrt, scene: str, size: str, folder: pathlib.Path, progress: Progress) -> None:
+def run(
+    dynrt: Dynrt, scene: str, core: Json, size: str, folder: pathlib.Path, progress: Progress
+) -> None:
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
+    config = core["name"]
+    numbers = [number for number in PACKETS if number <= core["packets"]]
+    each = [number for number in LINES if number <= core["lines"]]
     about = f"{pathlib.Path(scene).stem}, {size}"
-    packets = measure(dynrt, scene, size, "packets", PACKETS, progress)
+    packets = measure(dynrt, scene, config, size, "packets", numbers, progress)
     write_csv(folder / "packets.csv", packets)
     plot(
         folder / "usage.svg",
-        f"Usage of units, {about}, {LINES[-1]} lines",
+        f"Usage of units, {about}, {each[-1]} lines",
         packets,
         "packets",
         [f"{name} usage" for name in UNITS],
@@ -121,7 +133,7 @@ def run(dynrt: Dynrt, scene: str, size: str, folder: pathlib.Path, progress: Pro
     )
     plot(
         folder / "frame_rate.svg",
-        f"Frame rate, {about}, {LINES[-1]} lines",
+        f"Frame rate, {about}, {each[-1]} lines",
         packets,
         "packets",
         [name for name in packets[0] if name.startswith("frames per second")],
@@ -129,11 +141,11 @@ def run(dynrt: Dynrt, scene: str, size: str, folder: pathlib.Path, progress: Pro
         "frames per second",
         None,
     )
-    lines = measure(dynrt, scene, size, "lines", LINES, progress)
+    lines = measure(dynrt, scene, config, size, "lines", each, progress)
     write_csv(folder / "lines.csv", lines)
     plot(
         folder / "hit_rate.svg",
-        f"Cache hit rate, {about}, {PACKETS[-1]} packets",
+        f"Cache hit rate, {about}, {numbers[-1]} packets",
         lines,
         "lines",
         [name for name in lines[0] if name.endswith("cache hits")],
@@ -142,7 +154,7 @@ def run(dynrt: Dynrt, scene: str, size: str, folder: pathlib.Path, progress: Pro
         100,
     )
     progress("")
-    print(f"Frames per second are {placed_clocks.of(CONFIG).of_core(CONFIG)}.")
+    print(f"Frames per second are {placed_clocks.of(config).of_core(config)}.")
     print(
         "\n".join(
             str(folder / name)
