@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # add_hls_unit(NAME mailbox SOURCE units/mailbox.h TYPE "dynrt::Mailbox<dynrt::config::thesis>"
-#              CONFIG thesis [CLOCK_NS n] [DELAY file] [FAST] [TRACE] [SHARDS n])
+#              CONFIG thesis [CLOCK_NS n] [DELAY file] [ROOM n] [FAST] [TRACE] [SHARDS n])
 #
 # Everything that belongs to one unit. SOURCE is its header as it is included, DELAY is relative to
 # the project's folder; the configuration comes from configs/<CONFIG>.h, which a custom command of
@@ -13,11 +13,12 @@
 #                  <NAME>_ports.h for the test bench
 #   <NAME>_rtl     library with the Verilated class V<NAME> (FAST, TRACE, SHARDS: Verilate.cmake),
 #                  whose name is the same for every configuration, so link only one of them
-#   test           generated.<NAME>, label lint, for CONFIG thesis: fails when rtl/generated/thesis/
-#                  <NAME>.v is not what hlsc writes now (the target update-generated renews it);
-#                  generated.<NAME>.json the same of its schedule
-# CLOCK_NS and DELAY default to the cache variables DYNRT_CLOCK_NS and DYNRT_DELAY_MODEL.
-# For a CONFIG other than thesis the target names begin with "<CONFIG>_".
+#   test           generated.<NAME>, label lint, for a CONFIG that is checked in: fails when
+#                  rtl/generated/<CONFIG>/<NAME>.v is not what hlsc writes now (the target
+#                  update-generated renews it); generated.<NAME>.json the same of its schedule
+# CLOCK_NS and DELAY default to the cache variables DYNRT_CLOCK_NS and DYNRT_DELAY_MODEL, ROOM to
+# the default of hlsc --room.
+# For a CONFIG other than thesis the names of targets and tests begin with "<CONFIG>_".
 # With DYNRT_RTL off (preset asan) only the model is made.
 
 option(DYNRT_RTL "lower the units to Verilog and Verilate them" ON)
@@ -29,17 +30,24 @@ set(HLS_LANGUAGE ${PROJECT_SOURCE_DIR}/hls/lowered ${PROJECT_SOURCE_DIR}/hls/inc
 add_custom_target(verilog ALL)
 add_custom_target(update-generated)
 
-# dynrt_checked_in(FILE TARGET): FILE, which TARGET makes, is also checked in under
-# rtl/generated/thesis. The target update-generated renews it, the test generated.<stem> (label lint;
-# with its extension if that is not .v) fails when it is stale.
-function(dynrt_checked_in file target)
-  if(NOT DYNRT_RTL)
+# The configurations whose Verilog is checked in, for readers and builds without LLVM: the thesis's
+# and the one that programs take.
+set(DYNRT_CHECKED_IN thesis fast)
+
+# dynrt_checked_in(CONFIG FILE TARGET): FILE, which TARGET makes, is also checked in under
+# rtl/generated/<CONFIG>, if such a configuration is. The target update-generated renews it, the test
+# generated.<stem> (label lint; with its extension if that is not .v) fails when it is stale.
+function(dynrt_checked_in config file target)
+  if(NOT DYNRT_RTL OR NOT config IN_LIST DYNRT_CHECKED_IN)
     return()
   endif()
   add_dependencies(verilog ${target})
   get_filename_component(name ${file} NAME)
   string(REGEX REPLACE "[.]v$" "" stem ${name})
-  set(folder ${PROJECT_SOURCE_DIR}/rtl/generated/thesis)
+  if(NOT config STREQUAL "thesis")
+    set(stem ${config}_${stem})
+  endif()
+  set(folder ${PROJECT_SOURCE_DIR}/rtl/generated/${config})
   add_custom_target(update_${stem}
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
     COMMAND ${CMAKE_COMMAND} -E copy_if_different ${file} ${folder})
@@ -53,7 +61,7 @@ endfunction()
 
 function(add_hls_unit)
   cmake_parse_arguments(PARSE_ARGV 0 arg "FAST;TRACE"
-                        "NAME;SOURCE;TYPE;CONFIG;CLOCK_NS;DELAY;SHARDS" "")
+                        "NAME;SOURCE;TYPE;CONFIG;CLOCK_NS;DELAY;ROOM;SHARDS" "")
   foreach(needed NAME SOURCE TYPE CONFIG)
     if(NOT arg_${needed})
       message(FATAL_ERROR "add_hls_unit(${arg_NAME}): ${needed} is missing")
@@ -89,7 +97,8 @@ function(add_hls_unit)
   set(stem ${dir}/${arg_NAME})
   hls_lower(MODULE ${arg_NAME} HEADER ${arg_CONFIG}/${arg_NAME}.h TYPE ${arg_TYPE} FOLDER ${dir}
             INCLUDES ${PROJECT_SOURCE_DIR}/hls ${PROJECT_BINARY_DIR}/generated/include
-            CLOCK_NS ${clock} DELAY ${PROJECT_SOURCE_DIR}/${delay} DEPENDS ${config_header}
+            CLOCK_NS ${clock} DELAY ${PROJECT_SOURCE_DIR}/${delay} ROOM ${arg_ROOM}
+            DEPENDS ${config_header}
             ROOT ${PROJECT_SOURCE_DIR})
   add_custom_target(${id}_verilog DEPENDS ${stem}.v)
   add_dependencies(verilog ${id}_verilog)
@@ -108,8 +117,6 @@ function(add_hls_unit)
   add_dependencies(${id}_rtl ${id}_verilog)
   target_link_libraries(${id}_rtl PUBLIC ${id}_model)
 
-  if(arg_CONFIG STREQUAL "thesis")
-    dynrt_checked_in(${stem}.v ${id}_verilog)
-    dynrt_checked_in(${stem}.json ${id}_verilog)
-  endif()
+  dynrt_checked_in(${arg_CONFIG} ${stem}.v ${id}_verilog)
+  dynrt_checked_in(${arg_CONFIG} ${stem}.json ${id}_verilog)
 endfunction()

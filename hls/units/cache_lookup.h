@@ -74,6 +74,7 @@ struct CacheLookup {
   using Line = typename Kind::Line;
   using Request = CacheRequest<Context, Kind::Address::kWidth>;
   using Row = CacheRow<Line, Kind::Address::kWidth>;
+  static constexpr unsigned kRoom = kRoomForBursts<C>;
 
   hls::In<Request> request;
   hls::Config<FrameRegisters<C>> frame;

@@ -10,8 +10,8 @@
 // `node_fetch` waits for no one, as its FIFOs hold all packets, and `list` for it alone, as
 // list.request holds all. So the FIFOs of traversal events may be short, those of node_fetch aside,
 // and of list jobs those of `packet_decision` and `mailbox`. On the loops of the transformation
-// mailbox.fresh and matrix_store.box hold all, and what else goes to it may be short; so may its
-// jobs, unless they wait for columns of lights. A test finds units that wait in a circle.
+// mailbox.fresh and matrix_store.box hold all, and other jobs for matrices may be short. So may the
+// jobs of `matrix_store`, unless columns of lights come first. A test finds units in a circle.
 #pragma once
 
 #include <memory>

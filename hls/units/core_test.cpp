@@ -36,6 +36,9 @@ template <class General>
 struct OneLevel : General {
   static constexpr unsigned kLevels = 1;
 };
+struct OneLevelFast : OneLevel<config::fast> {
+  static constexpr ObjectBox kObjectBox = ObjectBox::kNodes;
+};
 struct Lit : config::fast {
   static constexpr ObjectBox kObjectBox = ObjectBox::kNodes;
   static constexpr unsigned kLights = 2;
@@ -102,7 +105,8 @@ using Cores =
                    config::whitted_split, config::fast, OneFifo<config::thesis>,
                    OneFifo<config::boxed>, OneFifo<config::watertight>, OneFifo<config::whitted>,
                    OneFifo<config::whitted_split>, OneFifo<config::primitives>, OneFifo<Lit>,
-                   OneFifo<CommonOrigin<config::watertight>>, OneFifo<OneLevel<config::whitted>>>;
+                   OneFifo<CommonOrigin<config::watertight>>, OneFifo<OneLevel<config::whitted>>,
+                   OneLevelFast>;
 TYPED_TEST_SUITE(Circles, Cores);
 
 TYPED_TEST(Circles, NoUnitsWaitForEachOther) { expect_no_circle<TypeParam>(); }

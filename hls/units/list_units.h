@@ -3,6 +3,7 @@
 //
 // The units of a configuration, one line for each module:
 //   thesis|list|units/list.h|dynrt::List<dynrt::config::thesis>
+// A unit may have a constant kRoom, which goes to hlsc's --room and is one more field then.
 #pragma once
 
 #include <cstdio>
@@ -25,7 +26,9 @@ class UnitLines {
     // The path as an #include names it: its end, whatever path the compiler got.
     const std::string file(U::hls_file());
     text_ += config_ + "|" + module + "|" + file.substr(file.rfind("units/")) + "|" +
-             hls::type_name<U>() + "\n";
+             hls::type_name<U>();
+    if constexpr (requires { U::kRoom; }) text_ += "|" + std::to_string(U::kRoom);
+    text_ += "\n";
   }
   const std::string& text() const { return text_; }
 

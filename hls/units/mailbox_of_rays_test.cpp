@@ -130,6 +130,53 @@ TEST(MailboxOfRays, AgreesWithMapsOnRandomEntries) {
   EXPECT_GT(full, 1'000u);
 }
 
+struct OneLevel : C {
+  static constexpr unsigned kLevels = 1;
+};
+
+TEST(MailboxOfRays, OfOneLevelKnowsItsTriangles) {
+  test::UnitBench<MailboxOfRays<OneLevel>> bench;
+  MailboxEntry<OneLevel> e;
+  e.active = RayMask<OneLevel>(0b0011);
+  e.clear = true;
+  const auto let_through = [&] {
+    bench.feed(bench.unit.entry, e);
+    bench.run();
+    bench.take(bench.unit.start);
+    bench.take(bench.unit.seen);
+    const auto jobs = bench.take(bench.unit.fresh);
+    if (!jobs.empty()) EXPECT_EQ(jobs[0].kind, TransformKind::kTriangle);
+    return jobs.size();
+  };
+  EXPECT_EQ(let_through(), 0u);
+  e.clear = false;
+  EXPECT_EQ(let_through(), 1u);
+  EXPECT_EQ(let_through(), 0u);
+  e.clear = true;
+  EXPECT_EQ(let_through(), 0u);
+  e.clear = false;
+  EXPECT_EQ(let_through(), 1u) << "new rays have met nothing";
+}
+
+struct Mirrors : C {
+  static constexpr unsigned kReflections = 2;
+  static constexpr Crossing kCrossing = Crossing::kSplit;
+};
+
+TEST(MailboxOfRays, RemembersWhetherRaysAreReflected) {
+  test::UnitBench<MailboxOfRays<Mirrors>> bench;
+  for (const bool reflected : {true, false}) {
+    MailboxEntry<Mirrors> e = entry<Mirrors>(0, 5, 0b1111);
+    e.clear = true;
+    e.kind = reflected ? RayKind::kReflection : RayKind::kPrimary;
+    bench.feed(bench.unit.entry, e);
+    bench.feed(bench.unit.entry, entry<Mirrors>(0, 5, 0b0001));
+    bench.run();
+    EXPECT_EQ(bench.take_one(bench.unit.start).distinct_origins.get(), reflected);
+    EXPECT_EQ(bench.take_one(bench.unit.fresh).extras.distinct_origins.get(), reflected);
+  }
+}
+
 struct NoObjects : C {
   static constexpr unsigned kObjectSlots = 0;
 };

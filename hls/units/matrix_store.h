@@ -19,6 +19,7 @@ template <class C>
 struct MatrixStore {
   using Real = typename C::Real;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
+  static constexpr unsigned kRoom = kRoomForBursts<C>;
   struct Progress {
     uint<2> columns;                                     ///< of this job that have arrived
     MatrixExtra<C> extra;                                ///< spare bits of column 0

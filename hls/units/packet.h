@@ -70,6 +70,11 @@ inline constexpr bool kInvertsAtOnce = C::kDivider == Divider::kThreeReciprocals
 template <class C>
 inline constexpr bool kCommonOrigin = C::kOrigins == Origins::kCommon;
 
+/// Tokens that the FIFOs of a unit take beyond those in its pipeline, at least, where bursts come
+/// through: columns of a matrix, rays of a packet, decisions behind nodes that come from memory.
+template <class C>
+inline constexpr unsigned kRoomForBursts = C::kPacketFifos == PacketFifos::kOne ? 12 : 4;
+
 /// Whether the sum of a transformation's products is rounded once.
 template <class C>
 inline constexpr bool kFusesSums = C::kSums == Sums::kFused;

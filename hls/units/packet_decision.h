@@ -14,6 +14,8 @@ namespace dynrt {
 
 template <class C>
 struct PacketDecision {
+  static constexpr unsigned kRoom = kRoomForBursts<C>;
+
   hls::In<Step<C>> step_in;
   hls::In<SliceDecision> slice[kRays<C>];
   hls::Out<TraversalEvent<C>> event;

@@ -20,6 +20,7 @@ template <class C>
 struct Transformation {
   using Real = typename C::Real;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
+  static constexpr unsigned kRoom = kRoomForBursts<C>;
 
   hls::In<PacketVector<C>> vector;
   hls::Out<PacketVector<C>> transformed;

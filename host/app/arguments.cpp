@@ -115,7 +115,8 @@ void add_configuration_flag(CLI::App& command, std::string& configuration) {
                   fmt::format("configuration of the core: {}, or a file: FILE.json with the keys "
                               "of a configuration, which dynrt builds, or FILE.so",
                               fmt::join(names, ", ")))
-      ->option_text("NAME|FILE [thesis]");
+      ->option_text(configuration.empty() ? "NAME|FILE"
+                                          : fmt::format("NAME|FILE [{}]", configuration));
 }
 
 void add_json_flag(CLI::App& command, std::string& json) {

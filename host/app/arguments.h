@@ -33,7 +33,7 @@ inline constexpr std::uint64_t kTimeout = 10'000'000;
 
 /// How a frame is rendered, and the files that are written.
 struct FrameArguments {
-  std::string configuration = "thesis";
+  std::string configuration = kDefaultConfiguration;
   std::optional<unsigned> packets, lines, reflections;
   std::string order = "morton";
   bool uncompressed = false;

@@ -24,7 +24,7 @@ namespace {
 
 struct Arguments {
   SceneArguments scene;
-  std::string configuration = "thesis";
+  std::string configuration = kDefaultConfiguration;
   std::string schedule;
   std::optional<unsigned> reflections;
   std::string out;

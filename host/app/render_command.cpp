@@ -106,7 +106,7 @@ Command add_render_command(CLI::App& program) {
   command
       ->add_option("--schedule", arguments->schedule,
                    "count the clocks of --board model with the schedules in this folder, which "
-                   "also holds the configuration's Verilog, such as build/release/generated/thesis")
+                   "also holds the configuration's Verilog, such as build/release/generated/fast")
       ->option_text("FOLDER");
   command
       ->add_option("--trace", arguments->trace,

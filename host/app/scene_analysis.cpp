@@ -50,7 +50,7 @@ std::string general_configuration(SceneFile& file) {
   const bool others = std::ranges::any_of(scene.objects, [](const Mesh& object) {
     return !object.rectangles.empty() || !object.ellipsoids.empty();
   });
-  return others ? "primitives" : "thesis";
+  return others ? "primitives" : kDefaultConfiguration;
 }
 
 SceneAnalysis analyse(SceneFile& file, const std::string& configuration,

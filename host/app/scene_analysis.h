@@ -15,7 +15,7 @@
 
 namespace dynrt::host {
 
-/// The configuration that renders a scene without being made for it: thesis, for a scene with light
+/// The configuration that renders a scene without being made for it: fast, for a scene with light
 /// or mirrors whitted, for one of other primitives than triangles primitives.
 std::string general_configuration(SceneFile& file);
 

@@ -63,7 +63,7 @@ inline constexpr char kScheduleOfRtl[] =
     "its own; take board model or leave the schedules out";
 inline constexpr char kNoSchedule[] =
     "{}: the folder has no schedules of hlsc; name the folder of a configuration's Verilog, such "
-    "as build/release/generated/thesis";
+    "as build/release/generated/fast";
 inline constexpr char kBadSchedule[] =
     "{}: not a complete schedule of hlsc; lower the unit again or remove the file";
 inline constexpr char kIncompleteSchedule[] =

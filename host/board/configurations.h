@@ -31,9 +31,12 @@ struct Configuration {
       nullptr;  ///< the core as its join describes it: dynrt_core.json
 };
 
+/// The configuration that frames are rendered with where no other is named.
+inline constexpr const char* kDefaultConfiguration = "fast";
+
 struct BoardRequest {
   std::string board = "rtl";
-  std::string configuration = "thesis";  ///< a name of the table, FILE.so or FILE.json
+  std::string configuration = kDefaultConfiguration;  ///< a name of the table, FILE.so or FILE.json
   std::string trace;                     ///< an FST file, or empty
   std::string schedule = {};  ///< of the model: the folder of its units' schedules, or empty
 };

@@ -111,7 +111,7 @@ TEST_F(ScheduledBoard, RefusesWhatIsNoWholeSetOfSchedules) {
   const std::string name = folder_.path().string();
   EXPECT_EQ(refusal(), name +
                            ": the folder has no schedules of hlsc; name the folder of a "
-                           "configuration's Verilog, such as build/release/generated/thesis");
+                           "configuration's Verilog, such as build/release/generated/fast");
   write("paste.json", R"({"module": "paste", "stages": 3, "room": 6, "ram_stages": {}})");
   EXPECT_EQ(refusal(true), name +
                                ": there is no schedule of 'copy' of configuration thesis; "

@@ -63,8 +63,9 @@ template <class F>
 class DotProducts : public ::testing::Test {};
 using Formats =
     ::testing::Types<Float<2, 2>, Float<3, 3>, Float<5, 8>, Float<7, 8>, Float<7, 16>, Float<8, 20>,
-                     Float<8, 23>, Float<8, 29>, Float<10, 16>, Float<2, 2, Rounding::kTruncate>,
-                     Float<7, 16, Rounding::kTruncate>>;
+                     Float<8, 23>, Float<8, 29>, Float<9, 24>, Float<10, 16>,
+                     Float<2, 2, Rounding::kTruncate>, Float<7, 16, Rounding::kTruncate>,
+                     Float<9, 12, Rounding::kTruncate>>;
 TYPED_TEST_SUITE(DotProducts, Formats);
 
 TYPED_TEST(DotProducts, AreThoseOfTheirDefinitionAndNearTheExactSum) {

@@ -21,7 +21,7 @@ of the host and `hls/configs/configs.json`.
 
 | limit | number | beyond it |
 |---|---:|---|
-| nodes of all trees | {nodes:,} | the host cuts the trees of the largest objects, and a note names them |
+| nodes of all trees | {nodes:,}; {nodes_of_pointers:,} where pointers are to leaves, as in `fast` | the host cuts the trees of the largest objects, and a note names them |
 | list entries of all trees | {entries:,} | the same |
 | matrices: triangles, instances, lights and the camera | {matrices:,} | the host refuses the scene |
 | pixels of a side | {side:,} | the host refuses the size |
@@ -99,6 +99,7 @@ def page() -> str:
     return PAGE.format(
         memory=MEMORY,
         nodes=memory["kMaxNodes"] - 1,
+        nodes_of_pointers=memory["kMaxNodes"] // 2 - 1,
         entries=memory["kMaxListEntries"],
         matrices=memory["kMaxMatrices"],
         side=memory["kMaxSide"],

@@ -123,8 +123,11 @@ class Elsewhere(unittest.TestCase):
     """Pages without data of their own."""
 
     def test_the_first_hour_shows_the_frame_of_the_data(self) -> None:
-        cycles = results.Data(results.RESULTS / "data").load("office_thesis")["frame"]["cycles"]
-        clock = placed_clocks.of("thesis")
+        rows = results.Data(results.RESULTS / "data").load("scenes")["scenes"]
+        shown = ("office", "fast")
+        row = next(row for row in rows if (row["scene"], row["configuration"]) == shown)
+        cycles = row["clocks per frame"]
+        clock = placed_clocks.of("fast")
         text = (project.ROOT / "docs" / "first-hour.md").read_text(encoding="utf-8")
         rate = placed_clocks.frames_per_second(cycles, clock.mhz)
         self.assertIn(
@@ -132,7 +135,7 @@ class Elsewhere(unittest.TestCase):
             text,
         )
         self.assertIn(
-            f"\nclock       {clock.mhz:g} MHz, placed: thesis on {clock.where}, median of "
+            f"\nclock       {clock.mhz:g} MHz, placed: fast on {clock.where}, median of "
             f"{clock.seeds} seeds ({clock.lowest_mhz:g} to {clock.highest_mhz:g} MHz)\n",
             text,
         )
@@ -164,13 +167,10 @@ class Readme(unittest.TestCase):
         def rates(core: str, cycles: float) -> tuple[str, str]:
             return results.rate_of(cycles, core, ".1f"), results.rate_of(cycles, "85", ".1f")
 
-        for scene in ("office", "cistern", "conference", "trees4000"):
-            best = min(
-                (row for row in rows if row["scene"] == scene),
-                key=lambda row: float(row["clocks per frame"]),
-            )
-            core, cycles = best["configuration"], best["clocks per frame"]
-            expected[scene, core] = *rates(core, cycles), best["thesis"]
+        for row in rows:
+            scene, core, cycles = row["scene"], row["configuration"], row["clocks per frame"]
+            if core == "fast" or scene == "office":
+                expected[scene, core] = *rates(core, cycles), row["thesis"]
         prototype = expected["office", "full"][-1]
         cycles = data.load("office_thesis")["frame"]["cycles"]
         expected["office", "thesis"] = *rates("thesis", cycles), prototype

@@ -183,11 +183,12 @@ def that_limit(kept: Json) -> list[Json]:
 
 def of_checked_in(kept: Json) -> bool:
     """Whether it is of the checked-in Verilog, so that no build is needed to compare."""
-    return kept["unit"] in rtl_files.WHOLE and kept["config"] == rtl_files.CHECKED_IN
+    return kept["unit"] in rtl_files.WHOLE and rtl_files.checked_in(kept["config"]) is not None
 
 
-def is_current(kept: Json, folder: pathlib.Path = rtl_files.GENERATED) -> bool:
-    """Whether the core whose generated Verilog is in the folder is still that which was placed."""
-    files = rtl_files.core_files(folder)
+def is_current(kept: Json, folder: pathlib.Path | None = None) -> bool:
+    """Whether the core whose generated Verilog is in the folder (default: that which is checked in)
+    is still that which was placed."""
+    files = rtl_files.core_files(folder or rtl_files.checked_in(kept["config"]))
     files += rtl_files.board() if kept["unit"] == rtl_files.BOARD else []
     return bool(kept["verilog"] == hash_of(kept["unit"], files))

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 
 from dynrt_tools import project, unit_names
 
-# The one configuration whose generated Verilog is checked in.
+# The configuration that the commands for hardware take. Its Verilog is checked in, as is that of the
+# one that programs take (cmake/HlsUnit.cmake).
 CHECKED_IN = "thesis"
 GENERATED = project.ROOT / "rtl" / "generated" / CHECKED_IN
 LIBRARY = project.ROOT / "rtl" / "lib"
@@ -79,6 +80,12 @@ def instances(core: pathlib.Path) -> list[Instance]:
     ]
 
 
+def checked_in(config: str) -> pathlib.Path | None:
+    """The folder with the checked-in Verilog of a configuration, if it has any."""
+    folder = GENERATED.parent / config
+    return folder if folder.is_dir() else None
+
+
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The flags that choose a configuration."""
     parser.add_argument(
@@ -101,16 +108,21 @@ def generated(args: argparse.Namespace) -> list[pathlib.Path]:
     builds = (
         [args.build] if args.build else [project.ROOT / "build" / p for p in ("release", "dev")]
     )
-    folders = [GENERATED] if args.config == CHECKED_IN else []
-    folders += [build / "generated" / args.config for build in builds]
+    there = checked_in(args.config)
+    folders = ([there] if there else []) + [build / "generated" / args.config for build in builds]
     files: list[pathlib.Path] = next((found for f in folders if (found := units_in(f))), [])
     if not files:
         project.fail(
-            f"there is no generated Verilog of configuration '{args.config}'; '{CHECKED_IN}' is "
-            f"checked in, a build puts that of the others into "
+            f"there is no generated Verilog of configuration '{args.config}'; "
+            f"{_all_checked_in()} checked in, a build puts that of the others into "
             f"{' or '.join(str(b) for b in builds)}"
         )
     return files
+
+
+def _all_checked_in() -> str:
+    names = sorted(f.name for f in GENERATED.parent.iterdir() if f.is_dir())
+    return " and ".join(f"'{name}'" for name in names) + (" is" if len(names) == 1 else " are")
 
 
 def include_folders(files: Iterable[pathlib.Path]) -> list[pathlib.Path]:

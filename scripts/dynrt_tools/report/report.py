@@ -17,7 +17,7 @@ from typing import NoReturn
 from dynrt_tools.build import fingerprint
 from dynrt_tools.build.whole import require_whole
 from dynrt_tools.command import INTERRUPTED
-from dynrt_tools.project import Failed, Json, read_json
+from dynrt_tools.project import ROOT, Failed, Json, read_json
 from dynrt_tools.report import variants as listed
 from dynrt_tools.report.collect import check_writable, collect, scene_name, scene_path, write
 from dynrt_tools.report.workflow import Workflow
@@ -113,9 +113,10 @@ def measured(
     """Runs the jobs that have no result yet, and gives the result of collect()."""
     if args.jobs < 1:
         raise Failed(f"--jobs {args.jobs}: at least one is needed")
-    variants = listed.chosen(
-        listed.read_variants(args.variants, listed.base_configuration(args.config)), args.variant
-    )
+    base = listed.base_configuration(args.config)
+    # The lists of the project are for every core; of a user's list each variant is meant.
+    own = args.variants.resolve().is_relative_to(ROOT / "scripts")
+    variants = listed.chosen(listed.read_variants(args.variants, base, own), args.variant)
     build = read_json(args.build)
     require_whole(build, "measuring variants", "hlsc, CGAL and Embree")
     if fingerprint.fingerprint(build) != args.expect:

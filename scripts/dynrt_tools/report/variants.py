@@ -29,9 +29,10 @@ def base_configuration(name: str) -> Json:
     return dict(listed[name])
 
 
-def read_variants(path: pathlib.Path, base: Json) -> dict[str, Json]:
+def read_variants(path: pathlib.Path, base: Json, leave_out: bool = False) -> dict[str, Json]:
     """By name, in the file's order: every key of its configuration, and those that differ from
-    `base`. One of them, the reference, differs in none."""
+    `base`. One of them, the reference, differs in none. With `leave_out` those are left out whose
+    keys the base's exclude; else they are refused."""
     generate = configs.load_configurations()
     try:
         listed = generate.parse(path)
@@ -47,6 +48,8 @@ def read_variants(path: pathlib.Path, base: Json) -> dict[str, Json]:
             try:
                 config = generate.checked("variant", {**base, **differs, "about": name})
             except generate.Refused as error:
+                if leave_out:
+                    continue
                 sentence = str(error).removeprefix("configuration 'variant'")
                 raise generate.Refused(f"variant '{name}'{sentence}") from error
             variants[name] = {"configuration": config, "differs": differs}

@@ -45,6 +45,17 @@ class Variants(testing.InFolder):
         self.assertEqual({"quotient", "reciprocal"}, values("divider"))
         self.assertEqual({"unit_triangle", "watertight"}, values("triangle_test"))
 
+    def test_a_list_for_every_core_leaves_out_what_one_excludes(self) -> None:
+        formats = project.ROOT / "scripts" / "dynrt_tools" / "specialise" / "formats.json"
+        fast = variants.base_configuration("fast")
+        with self.assertRaisesRegex(Failed, "variant 'm14_reciprocal'.*three_reciprocals"):
+            variants.read_variants(formats, fast)
+        read = variants.read_variants(formats, fast, leave_out=True)
+        self.assertLess({"m8", "m16", "m20", "m16_e6"}, set(read))
+        self.assertNotIn("m14_reciprocal", read)
+        whole = variants.read_variants(formats, THESIS, leave_out=True)
+        self.assertEqual(whole, variants.read_variants(formats, THESIS))
+
     def test_refused(self) -> None:
         self.assert_refused(
             {"a": {}, "b": {"mantissa": 10}},

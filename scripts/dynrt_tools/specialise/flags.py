@@ -96,7 +96,7 @@ def parse(words: Sequence[str]) -> argparse.Namespace:
         "--config",
         metavar="NAME",
         help="configuration to start from, or a FILE.json "
-        "with one (default: thesis; for a scene with lights or mirrors whitted, for "
+        "with one (default: fast; for a scene with lights or mirrors whitted, for "
         "one of other primitives than triangles primitives)",
     )
     parser.add_argument(

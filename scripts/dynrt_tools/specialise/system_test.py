@@ -55,7 +55,7 @@ class Specialise(testing.InFolder):
         page = self.done("specialise", "office", *SMALL, "--out", "made", "--no-hardware")
         self.assertIn("\n  levels", page)
         stated = self.read("made/configuration.json")
-        self.assertEqual((stated["made_for"], stated["made_from"]), ("office", "thesis"))
+        self.assertEqual((stated["made_for"], stated["made_from"]), ("office", "fast"))
         for key, one in stated.items():
             if isinstance(one, dict):
                 self.assertGreater(len(one["reason"]), 10, key)
@@ -65,7 +65,7 @@ class Specialise(testing.InFolder):
             f"pushes at most {stated['stack_depth']['value']}", stated["stack_depth"]["reason"]
         )
         analysis = self.read("made/analysis.json")
-        self.assertEqual(max(map(int, analysis["curves"]["packets"])), 32)
+        self.assertEqual(max(map(int, analysis["curves"]["packets"])), 64)
         self.assertGreater(analysis["costs"]["special"]["clocks"], 1000)
         self.assertTrue((self.folder / "made/verilog/dynrt_core.v").is_file())
 
@@ -114,7 +114,7 @@ class Specialise(testing.InFolder):
             "and configuration configuration, made for 'ball', has 1;",
         )
         said = self.done("render", balls, *mine, "--general-if-exceeded")
-        self.assertIn("configuration thesis", said)
+        self.assertIn("configuration fast", said)
         lit = self.run_program("render", ball, *mine, "--light", "0,5,9")
         self.assertEqual(lit.returncode, 2)
         self.assertIn("has no light rays; take --config whitted", lit.stderr)
