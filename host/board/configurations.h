@@ -37,7 +37,7 @@ inline constexpr const char* kDefaultConfiguration = "fast";
 struct BoardRequest {
   std::string board = "rtl";
   std::string configuration = kDefaultConfiguration;  ///< a name of the table, FILE.so or FILE.json
-  std::string trace;                     ///< an FST file, or empty
+  std::string trace;                                  ///< an FST file, or empty
   std::string schedule = {};  ///< of the model: the folder of its units' schedules, or empty
 };
 

@@ -108,9 +108,7 @@ KEYS: dict[str, Key] = {
         "entries of a packet's stack in an object's tree; where stack_entries are fewer, nodes with "
         "two children on a path",
     ),
-    "top_stack_depth": Key(
-        Whole(1, 63), "kTopStackDepth", "the same in the top-level tree", 31
-    ),
+    "top_stack_depth": Key(Whole(1, 63), "kTopStackDepth", "the same in the top-level tree", 31),
     "stack_entries": Key(
         Whole(2, 64, power_of_two=True),
         "kStackEntries",

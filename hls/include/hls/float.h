@@ -171,8 +171,8 @@ class Float {
   }
   /// a[0] b[0] + ... + a[N - 1] b[N - 1], and `addend` where `adds`, rounded once. Each term is cut
   /// towards zero to a multiple of 2^(x - kKept) (hls/dot_circuit.h), x being the largest sum of
-  /// two factors' exponents, or the addend's exponent. The result is off by at most one rounding and
-  /// N + 1 such multiples, unless it saturates.
+  /// two factors' exponents, or the addend's exponent. The result is off by at most one rounding
+  /// and N + 1 such multiples, unless it saturates.
   template <unsigned N>
   static constexpr Float of_dot(const Float (&a)[N], const Float (&b)[N], Float addend, bool adds) {
     using Dot = DotCircuit<E, M, R, N>;

@@ -75,9 +75,10 @@ def configurations_page() -> str:
         "# Configurations",
         "",
         "`hls/configs/configs.json` lists them. *Verilog*: builds make its Verilog too; the others "
-        "run as C++ alone. The Verilog of `thesis` and that of `fast`, which programs take where no "
-        "other is named, are checked in, under `rtl/generated`, for readers without LLVM. A frame may use fewer packets and lines "
-        "than its configuration has (`--packets`, `--lines`).",
+        "run as C++ alone. The Verilog of `thesis` and that of `fast`, which frames are rendered "
+        "with where no other is named, are checked in, under `rtl/generated`, for readers without "
+        "LLVM. A frame may use fewer packets and lines than its configuration has (`--packets`, "
+        "`--lines`).",
         "",
         "| configuration | Verilog | what it is for |",
         "|---|---|---|",

@@ -189,6 +189,6 @@ def of_checked_in(kept: Json) -> bool:
 def is_current(kept: Json, folder: pathlib.Path | None = None) -> bool:
     """Whether the core whose generated Verilog is in the folder (default: that which is checked in)
     is still that which was placed."""
-    files = rtl_files.core_files(folder or rtl_files.checked_in(kept["config"]))
+    files = rtl_files.core_files(folder or rtl_files.GENERATED.parent / kept["config"])
     files += rtl_files.board() if kept["unit"] == rtl_files.BOARD else []
     return bool(kept["verilog"] == hash_of(kept["unit"], files))
