@@ -91,7 +91,7 @@ def _no_unit(end: Json, joined: Joined) -> str:
         return RESET
     if unit == "wrapper" or WRAPPED.match(end["signal"]):
         return WRAPPER
-    if unit == "counters":
+    if unit == rtl_files.COUNTERS_INSTANCE:
         return COUNTERS
     return "" if unit in joined.modules or unit in joined.rams else JOIN
 

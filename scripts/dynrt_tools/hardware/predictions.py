@@ -34,9 +34,8 @@ class Predictor:
         self._kept = kept
         self._units = lowering.units(build, kept["config"])
         self._whole = kept["unit"] in rtl_files.WHOLE
-        self._folder = rtl_files.GENERATED
-        if kept["config"] != rtl_files.CHECKED_IN:
-            self._folder = build / "generated" / kept["config"]
+        checked_in = rtl_files.checked_in(kept["config"])
+        self._folder = checked_in or build / "generated" / kept["config"]
         if self._whole:
             core = self._folder / f"{rtl_files.CORE}.v"
             if not core.is_file():

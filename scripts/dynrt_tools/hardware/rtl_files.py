@@ -13,10 +13,12 @@ from dynrt_tools import project, unit_names
 # The configuration that the commands for hardware take. Its Verilog is checked in, as is that of the
 # one that programs take (cmake/HlsUnit.cmake).
 CHECKED_IN = "thesis"
-GENERATED = project.ROOT / "rtl" / "generated" / CHECKED_IN
+ALL_GENERATED = project.ROOT / "rtl" / "generated"
+GENERATED = ALL_GENERATED / CHECKED_IN
 LIBRARY = project.ROOT / "rtl" / "lib"
 # The module that joins the units, and the one that counts their transactions.
 CORE, COUNTERS = "dynrt_core", "hls_counters"
+COUNTERS_INSTANCE = "counters"
 BOARD = "dynrt_board"  # the top of the board
 WHOLE = (CORE, BOARD)  # what consists of units
 INSTANCE = re.compile(r"^  (\w+)(?: #\((.*)\))? (u_\w+|counters) \($", re.MULTILINE)
@@ -82,7 +84,7 @@ def instances(core: pathlib.Path) -> list[Instance]:
 
 def checked_in(config: str) -> pathlib.Path | None:
     """The folder with the checked-in Verilog of a configuration, if it has any."""
-    folder = GENERATED.parent / config
+    folder = ALL_GENERATED / config
     return folder if folder.is_dir() else None
 
 
@@ -121,7 +123,7 @@ def generated(args: argparse.Namespace) -> list[pathlib.Path]:
 
 
 def _all_checked_in() -> str:
-    names = sorted(f.name for f in GENERATED.parent.iterdir() if f.is_dir())
+    names = sorted(f.name for f in ALL_GENERATED.iterdir() if f.is_dir())
     return " and ".join(f"'{name}'" for name in names) + (" is" if len(names) == 1 else " are")
 
 
