@@ -14,10 +14,14 @@
 
 namespace hlsc {
 
+/// Tokens that a FIFO takes beyond those in the pipeline, at least: so many keep a pipeline going
+/// that nothing behind it holds up.
+inline constexpr unsigned kLeastRoom = 4;
+
 struct Options {
   double clock_ns = 10;
   DelayModel delay;
-  unsigned room = 4;  ///< tokens that a FIFO takes beyond those in the pipeline, at least
+  unsigned room = kLeastRoom;         ///< the same for this unit
   std::vector<DelayModel> time_by{};  ///< further models that time the schedule, not make it
 };
 

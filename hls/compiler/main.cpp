@@ -35,7 +35,6 @@ constexpr char kNoPass[] = "there is no pass '{}'; --print-after takes one of {}
 constexpr char kTimeByAlone[] =
     "--time-by {}: nothing shows its times; name the file that receives them with --timing";
 
-constexpr unsigned kLeastRoom = 4;  // so many keep a pipeline going that nothing behind it holds up
 constexpr unsigned kMostRoom = 1024;
 
 constexpr char kUsualClock[] = "10";
@@ -44,7 +43,7 @@ constexpr char kLeast[] = "least";
 struct Arguments {
   hlsc::UnitSource source;
   std::string clock_ns = kUsualClock;
-  unsigned room = kLeastRoom;
+  unsigned room = hlsc::kLeastRoom;
   std::string delay;
   std::string verilog = "-";
   std::string report;
@@ -88,7 +87,7 @@ void describe(CLI::App& app, Arguments& a) {
       ->capture_default_str();
   app.add_option("--room", a.room,
                  "tokens that each FIFO takes beyond those in the pipeline, at least")
-      ->check(CLI::Range(kLeastRoom, kMostRoom))
+      ->check(CLI::Range(hlsc::kLeastRoom, kMostRoom))
       ->capture_default_str();
   app.add_option("--delay", a.delay, "delay model of the device family (JSON)");
   app.add_option("-o", a.verilog, "write the Verilog to this file; - is the terminal")

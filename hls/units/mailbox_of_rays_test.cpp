@@ -26,7 +26,7 @@ MailboxEntry<Config> entry(unsigned level, unsigned matrix, unsigned active, uns
 
 /// A mailbox, with new rays in every packet.
 template <class Config>
-class Bench {
+class Bench : public test::UnitBench<MailboxOfRays<Config>> {
  public:
   Bench() {
     for (unsigned packet = 0; packet < Config::kPackets; ++packet) clear(packet);
@@ -34,25 +34,24 @@ class Bench {
   void clear(unsigned packet = 0) {
     MailboxEntry<Config> e = entry<Config>(0, 0, 0b1111, packet);
     e.clear = true;
-    bench.feed(bench.unit.entry, e);
-    bench.run();
-    EXPECT_EQ(bench.take_one(bench.unit.start).active, RayMask<Config>(0b1111));
+    this->feed(this->unit.entry, e);
+    this->run();
+    EXPECT_EQ(this->take_one(this->unit.start).active, RayMask<Config>(0b1111));
   }
   /// Of the active rays, those that are let through to the item.
   unsigned meet(unsigned level, unsigned matrix, unsigned active, unsigned packet = 0) {
     const MailboxEntry<Config> e = entry<Config>(level, matrix, active, packet);
-    bench.feed(bench.unit.entry, e);
-    bench.run();
-    const auto jobs = bench.take(bench.unit.fresh);
+    this->feed(this->unit.entry, e);
+    this->run();
+    const auto jobs = this->take(this->unit.fresh);
     std::size_t tokens = jobs.size();
     if constexpr (MailboxOfRays<Config>::kAnswersLists) {
-      tokens += bench.take(bench.unit.seen).size();
+      tokens += this->take(this->unit.seen).size();
     }
     EXPECT_EQ(tokens, 1u);
     if (!jobs.empty()) EXPECT_EQ(jobs[0].matrix, MatrixIndex::from(matrix));
     return jobs.empty() ? 0 : static_cast<unsigned>(jobs[0].active.to_u64());
   }
-  test::UnitBench<MailboxOfRays<Config>> bench;
 };
 
 TEST(MailboxOfRays, LetsEachRayThroughOnce) {
@@ -201,9 +200,9 @@ TEST(MailboxOfRays, ALevelWithoutSlotsLetsEverythingThrough) {
 template <class Config>
 TransformJob<Config> job_of(const MailboxEntry<Config>& e) {
   Bench<Config> bench;
-  bench.bench.feed(bench.bench.unit.entry, e);
-  bench.bench.run();
-  return bench.bench.take_one(bench.bench.unit.fresh);
+  bench.feed(bench.unit.entry, e);
+  bench.run();
+  return bench.take_one(bench.unit.fresh);
 }
 
 struct WorldBoxes : C {

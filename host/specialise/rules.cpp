@@ -29,7 +29,7 @@ unsigned bits_for(std::size_t end) {
 }
 
 /// Whether the scene is rendered with one tree alone, and the general core's parts allow it
-/// (RULES in hls/configs/configurations/keys.py).
+/// (RULES in hls/configs/configurations/rules.py).
 bool has_one_level(const RuleContext& c) {
   if (!c.needs.one_level || c.two_levels) return false;
   return c.general == nullptr || (c.general->object_box != ObjectBox::kUnit &&

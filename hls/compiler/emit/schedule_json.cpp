@@ -6,10 +6,18 @@
 
 namespace hlsc {
 
+namespace {
+
+/// The margin of the FIFOs (rtl/lib/hls_fifo.v): tokens that may be in the pipeline.
+unsigned in_pipeline(const Schedule& schedule) {
+  return static_cast<unsigned>(schedule.stages) - 1;
+}
+
+}  // namespace
+
 unsigned fifo_depth(const Schedule& schedule, unsigned room) {
-  const unsigned in_pipeline = static_cast<unsigned>(schedule.stages) - 1;
   unsigned depth = 1;
-  while (depth < in_pipeline + room) depth *= 2;
+  while (depth < in_pipeline(schedule) + room) depth *= 2;
   return depth;
 }
 
@@ -24,15 +32,13 @@ std::string emit_schedule(const Circuit& c, const Schedule& schedule, const Opti
       rams[port.name] = schedule.stage[id];
     }
   }
-  const Json json = {
-      {"unit", c.netlist.unit},
-      {"module", c.netlist.module},
-      {"clock_ns", options.clock_ns},
-      {"device", options.delay.name},
-      {"stages", schedule.stages},
-      // The margin of the FIFOs (rtl/lib/hls_fifo.v) is all stages but one.
-      {"room", fifo_depth(schedule, options.room) - (static_cast<unsigned>(schedule.stages) - 1)},
-      {"ram_stages", rams}};
+  const Json json = {{"unit", c.netlist.unit},
+                     {"module", c.netlist.module},
+                     {"clock_ns", options.clock_ns},
+                     {"device", options.delay.name},
+                     {"stages", schedule.stages},
+                     {"room", fifo_depth(schedule, options.room) - in_pipeline(schedule)},
+                     {"ram_stages", rams}};
   return json.dump(2) + "\n";
 }
 

@@ -1,9 +1,9 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""The configurations of the core: their keys (keys.py), read from JSON (reading.py) and written as
-C++ (cpp.py)."""
+"""The configurations of the core: their keys (keys.py) and what these ask of each other (rules.py),
+read from JSON (reading.py) and written as C++ (cpp.py)."""
 
-from configurations.keys import KEYS, RULES, Key
+from configurations.keys import KEYS, Key
 from configurations.reading import (
     LISTED,
     Configuration,
@@ -15,6 +15,7 @@ from configurations.reading import (
     read,
     read_one,
 )
+from configurations.rules import RULES
 
 __all__ = [
     "KEYS",

@@ -13,8 +13,9 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from configurations.keys import FLOAT_BITS, KEYS, RULES
+from configurations.keys import KEYS
 from configurations.kinds import Sentence
+from configurations.rules import FLOAT_BITS, RULES
 
 LISTED = pathlib.Path(__file__).resolve().parent.parent / "configs.json"
 NAME = re.compile(r"[a-z][a-z0-9_]*")

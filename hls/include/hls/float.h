@@ -176,7 +176,7 @@ class Float {
   template <unsigned N>
   static constexpr Float of_dot(const Float (&a)[N], const Float (&b)[N], Float addend, bool adds) {
     using Dot = DotCircuit<E, M, R, N>;
-    if constexpr (kInDouble && E <= 9) {
+    if constexpr (kInDouble && E <= 9) {  // so that doubles hold the scales too
       return of_dot_in_double<Dot::kKept>(a, b, addend, adds);
     } else {
       Bits x[N], y[N];

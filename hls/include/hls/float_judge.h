@@ -22,9 +22,9 @@ class FloatJudge {
         bias_((1L << (exponent_bits - 1)) - 1),
         rounding_(nearest ? MPFR_RNDN : MPFR_RNDZ) {
     mpfr_inits2(static_cast<mpfr_prec_t>(m_ + 1), a_, b_, result_, nullptr);
-    mpfr_inits2(kSumBits, sum_, term_, product_, nullptr);
+    mpfr_inits2(kSumBits, sum_, term_, cut_, nullptr);
   }
-  ~FloatJudge() { mpfr_clears(a_, b_, result_, sum_, term_, product_, nullptr); }
+  ~FloatJudge() { mpfr_clears(a_, b_, result_, sum_, term_, cut_, nullptr); }
   FloatJudge(const FloatJudge&) = delete;
   FloatJudge& operator=(const FloatJudge&) = delete;
 
@@ -65,9 +65,9 @@ class FloatJudge {
     mpfr_sub(sum_, sum_, a_, MPFR_RNDN);
     const long rounding = mpfr_get_exp(a_) - 1 - static_cast<long>(m_);
     mpfr_set_ui_2exp(term_, 1, rounding_ == MPFR_RNDN ? rounding - 1 : rounding, MPFR_RNDN);
-    mpfr_set_ui_2exp(product_, terms + 1,
+    mpfr_set_ui_2exp(cut_, terms + 1,
                      largest_exponent(a, b, terms, addend) - static_cast<long>(kept), MPFR_RNDN);
-    mpfr_add(term_, term_, product_, MPFR_RNDN);
+    mpfr_add(term_, term_, cut_, MPFR_RNDN);
     return mpfr_cmpabs(sum_, term_) <= 0;
   }
   /// Less than, equal to or greater than 0 as a is to b.
@@ -168,7 +168,7 @@ class FloatJudge {
   unsigned e_, m_;
   long bias_;
   mpfr_rnd_t rounding_;
-  mpfr_t a_, b_, result_, sum_, term_, product_;
+  mpfr_t a_, b_, result_, sum_, term_, cut_;
 };
 
 }  // namespace hls::testing

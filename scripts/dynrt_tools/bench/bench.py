@@ -123,7 +123,7 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     listed = configs.load_configurations().listed()
     if args.config not in listed:
         parser.error(f"--config {args.config}: unknown; the configurations are {', '.join(listed)}")
-    args.limits = {"name": args.config, **listed[args.config]}
+    args.core = listed[args.config]
     return args
 
 
@@ -167,7 +167,7 @@ def main() -> int:  # pylint: disable=too-many-return-statements
             # It needs matplotlib, which takes long to load.
             from dynrt_tools.bench import sweep  # pylint: disable=import-outside-toplevel
 
-            sweep.run(dynrt, scene, args.limits, size, args.sweep, show_progress)
+            sweep.run(dynrt, scene, args.config, args.core, size, args.sweep, show_progress)
             return 0
         if args.scenes:
             measured = scenes.measure(dynrt, size, FULL_SIZE, show_progress)
@@ -201,7 +201,7 @@ def main() -> int:  # pylint: disable=too-many-return-statements
             size,
             args.runs or (1 if args.quick else 5),
             args.config,
-            args.limits["packets"],
+            args.core["packets"],
             reports,
             host / "tree" / "tree_benchmark",
             host / "analysis" / "truth" / "truth_benchmark",

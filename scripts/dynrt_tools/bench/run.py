@@ -3,6 +3,7 @@
 """Runs the program dynrt for scripts/bench and turns its counters into the work of a frame."""
 
 import dataclasses
+import functools
 import os
 import pathlib
 import statistics
@@ -96,6 +97,13 @@ TELLING = {
 }
 
 
+@functools.cache
+def _tells(configuration: str) -> bool:
+    """Whether the counters of this configuration say so; of one that is not listed nobody knows."""
+    listed = configs.load_configurations().listed().get(configuration)
+    return listed is not None and all(listed[key] == value for key, value in TELLING.items())
+
+
 @dataclasses.dataclass
 class Work:
     """The work of a frame, in tokens of the whole frame. What the counters of a core do not say is
@@ -117,8 +125,7 @@ class Work:
         nodes = tokens["node_lookup.transactions"]
         entries = tokens["list_lookup.transactions"]
         vectors = tokens.get("transformation.transactions", 0)
-        listed = configs.load_configurations().listed().get(frame["configuration"])
-        if listed is None or any(listed[key] != value for key, value in TELLING.items()):
+        if not _tells(frame["configuration"]):
             return Work(packets, nodes, entries, vectors)
         # Four candidates for every triangle, and four that reset the hits of a new packet.
         triangles = tokens["collect_hits.transactions"] // 4 - packets

@@ -111,11 +111,17 @@ def plot(
 
 
 def run(
-    dynrt: Dynrt, scene: str, core: Json, size: str, folder: pathlib.Path, progress: Progress
+    dynrt: Dynrt,
+    scene: str,
+    config: str,
+    core: Json,
+    size: str,
+    folder: pathlib.Path,
+    progress: Progress,
 ) -> None:
+    """`core` holds the keys of the configuration."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    config = core["name"]
     numbers = [number for number in PACKETS if number <= core["packets"]]
     each = [number for number in LINES if number <= core["lines"]]
     about = f"{pathlib.Path(scene).stem}, {size}"

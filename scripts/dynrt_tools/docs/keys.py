@@ -9,8 +9,8 @@ from dynrt_tools.build import configs
 
 
 def described() -> Any:
-    """The module that describes each key: KEYS by name, RULES between them."""
-    return configs.load_configurations().keys
+    """The package that describes each key: KEYS by name, RULES between them."""
+    return configs.load_configurations()
 
 
 def configurations() -> dict[str, dict[str, Any]]:
@@ -27,7 +27,7 @@ def shown(value: object) -> str:
 
 def keys_page() -> str:
     """Each key with its values, its default and its meaning."""
-    module = described()
+    package = described()
     lines = [
         "# Keys of a configuration",
         "",
@@ -40,7 +40,7 @@ def keys_page() -> str:
         "| `name` | how commands name it | letters, digits and `_` | must be stated |",
         "| `like` | the configuration from which all other keys come | a name | none |",
     ]
-    for name, key in module.KEYS.items():
+    for name, key in package.KEYS.items():
         default = "must be stated" if key.required else shown(key.default)
         if not key.inherited:
             default += "; not inherited"
@@ -52,7 +52,7 @@ def keys_page() -> str:
         "| if | then | because |",
         "|---|---|---|",
     ]
-    for rule in module.RULES:
+    for rule in package.RULES:
         lines.append(
             f"| `{rule.key}` is {shown(rule.value)} | `{rule.other}` is {rule.wants} | {rule.why} |"
         )

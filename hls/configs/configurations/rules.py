@@ -1,0 +1,168 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""What the value of a key asks of another key."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Rule:
+    """What a key's value asks of another key."""
+
+    key: str
+    value: object
+    other: str
+    allows: Callable[[object], bool]  # of the other's value
+    wants: str
+    why: str
+
+
+BOX_UNIT = ("object_box", "unit")
+WORLD_BOX = ("object_box", "world")
+WATERTIGHT = ("triangle_test", "watertight")
+ONE_LEVEL = ("levels", 1)
+MAIN_FIRST = ("main_first", True)
+COMMON_ORIGIN = ("origins", "common")
+OWN_ORIGINS = ("origins", "each")
+RULES = (
+    Rule(*ONE_LEVEL, "object_box", lambda v: v == "nodes", "nodes", "no object is entered"),
+    Rule(
+        *ONE_LEVEL,
+        "triangle_test",
+        lambda v: v == "unit_triangle",
+        "unit_triangle",
+        "a ray's shear is made when it enters an object",
+    ),
+    Rule(
+        *MAIN_FIRST,
+        "crossing",
+        lambda v: v != "split",
+        "none or remember",
+        "the groups of a split packet would each begin with the main object",
+    ),
+    Rule(
+        *MAIN_FIRST,
+        "leaves",
+        lambda v: v == "pointers",
+        "pointers",
+        "rays start in the list of the main object, whose address only a pointer has",
+    ),
+    Rule(
+        *MAIN_FIRST,
+        "rays_sent",
+        lambda v: v == "active",
+        "active",
+        "the list knows which rays go on to the other objects where it knows those in a leaf",
+    ),
+    Rule(
+        *COMMON_ORIGIN,
+        "reflections",
+        lambda v: v == 0,
+        "0",
+        "the reflected rays of a packet start at points of their own",
+    ),
+    Rule(
+        *OWN_ORIGINS,
+        "stack_entries",
+        lambda v: v == 64,
+        "64",
+        "a packet that starts again finds its way by the order of a node's children, which only "
+        "rays of one origin share",
+    ),
+    Rule(
+        *BOX_UNIT,
+        "rays_sent",
+        lambda v: v == "traced",
+        "traced",
+        "the unit that clips to a box waits for every ray of a packet",
+    ),
+    Rule(
+        *WORLD_BOX,
+        "origins",
+        lambda v: v == "common",
+        "common",
+        "an object's box is stored as it lies from the point where all rays start",
+    ),
+    Rule(
+        *WORLD_BOX,
+        "lights",
+        lambda v: v == 0,
+        "0",
+        "an object's box is stored as it lies from the eye, and light rays start elsewhere",
+    ),
+    Rule(
+        *WORLD_BOX,
+        "rays_sent",
+        lambda v: v == "active",
+        "active",
+        "rays that miss an object's box do not enter the object, but others of their packet do",
+    ),
+    Rule(
+        *WORLD_BOX,
+        "divider",
+        lambda v: v == "three_reciprocals",
+        "three_reciprocals",
+        "a ray is tested with the reciprocals of its direction in the world, written all at once",
+    ),
+    Rule(
+        *WATERTIGHT,
+        "triangle_matrix",
+        lambda v: v == "normal_consistent",
+        "normal_consistent",
+        "corners and normal take four columns",
+    ),
+    Rule(
+        *WATERTIGHT,
+        "primitives",
+        lambda v: v == ["triangle"],
+        '["triangle"]',
+        "only triangles are mapped to the ray",
+    ),
+    Rule(
+        *WATERTIGHT,
+        "object_box",
+        lambda v: v == "nodes",
+        "nodes",
+        "corners are rounded before an object's tree is built, not scaled after",
+    ),
+    Rule(
+        *WATERTIGHT,
+        "stack_entries",
+        lambda v: v == 64,
+        "64",
+        "the widened distance of a plane depends on the hit so far, so a packet that starts again "
+        "might take another way",
+    ),
+    Rule(
+        *WATERTIGHT,
+        "divider",
+        lambda v: v == "quotient",
+        "quotient",
+        "a ray's shear is made of its direction, not of reciprocals",
+    ),
+    Rule(
+        *WATERTIGHT,
+        "camera",
+        lambda v: v == "transformation",
+        "transformation",
+        "a triangle's corners come on the way of the other rays",
+    ),
+    Rule(
+        *WATERTIGHT,
+        "sums",
+        lambda v: v == "rounded",
+        "rounded",
+        "a product of a triangle's corner is used without the others",
+    ),
+    Rule(*WATERTIGHT, "epsilon", lambda v: v == 0, "0", "edges are decided exactly"),
+    Rule(
+        *WATERTIGHT,
+        "exponent_bits",
+        lambda v: v in (7, 8),
+        "7 or 8",
+        "ordinary coordinates must not saturate, and the model holds a product, which takes two "
+        "bits more, in a double",
+    ),
+)
+FLOAT_BITS = 32  # of a float with its sign, at most: a hit record has a word for each
