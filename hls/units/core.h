@@ -80,12 +80,12 @@ struct Core {
   SendPacket<C> send_packet;
   Transformation<C> transformation;
   hls::OptionalPort<kOwnCamera<C>, CameraRays<C>> camera_rays;
-  hls::OptionalPort<kOwnCamera<C>, UnitDecoder<C>> unit_decoder;
+  hls::OptionalPort<kPairsUnitRays<C>, UnitDecoder<C>> unit_decoder;
   PacketDecoder<C> packet_decoder;
   hls::OptionalPort<kHasReciprocals<C>, RayReciprocal<C>> ray_reciprocal;
   hls::OptionalPort<kClipsToBox<C>, BoxClip<C>> box_clip;
   hls::OptionalPort<kTestsWorldBox<C>, WorldBox<C>> world_box;
-  hls::OptionalPort<kWatertight<C>, RayShear<C>> ray_shear;
+  hls::OptionalPort<kMapsCorners<C>, RayShear<C>> ray_shear;
   Intersection<C> intersection;
   CollectHits<C> collect_hits;
   Shading<C> shading;
@@ -145,15 +145,15 @@ struct Core {
     join.unit("transformation", "transformation", transformation);
     if constexpr (kOwnCamera<C>) {
       join.unit("camera_rays", "camera_rays", camera_rays);
-      join.unit("unit_decoder", "unit_decoder", unit_decoder);
     }
+    if constexpr (kPairsUnitRays<C>) join.unit("unit_decoder", "unit_decoder", unit_decoder);
     join.unit("packet_decoder", "packet_decoder", packet_decoder);
     if constexpr (kHasReciprocals<C>) {
       join.unit("ray_reciprocal", "ray_reciprocal", ray_reciprocal);
     }
     if constexpr (kClipsToBox<C>) join.unit("box_clip", "box_clip", box_clip);
     if constexpr (kTestsWorldBox<C>) join.unit("world_box", "world_box", world_box);
-    if constexpr (kWatertight<C>) join.unit("ray_shear", "ray_shear", ray_shear);
+    if constexpr (kMapsCorners<C>) join.unit("ray_shear", "ray_shear", ray_shear);
     join.group("Intersection");
     join.unit("intersection", "intersection", intersection);
     join.unit("collect_hits", "collect_hits", collect_hits);

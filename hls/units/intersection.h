@@ -12,7 +12,8 @@
 // with the normal. That 1 - p.p is taken at p and not at o keeps the digits of a small sphere far
 // away. The nearer hit counts unless it lies behind the ray's origin; u and v are p's x and y.
 //
-// Of a watertight configuration the triangle comes to the ray instead (units/watertight.h).
+// Of a watertight configuration the triangle comes to the ray instead (units/watertight.h,
+// units/plane_map.h).
 //
 // Where the plane's or the sphere's normal has not length one in the world, the matrix brings the
 // factor that the scalar product lacks.
@@ -38,7 +39,7 @@ struct Intersection {
     out.reset = in.reset;
     out.last = in.last;
     if constexpr (kWatertight<C>) {
-      const TriangleHit<Real> found = intersect(in.unit);
+      const auto found = intersect(in.unit);
       out.hit = !in.reset && found.hit();
       out.t = found.t;
       out.u = found.u;

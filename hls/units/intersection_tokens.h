@@ -8,18 +8,24 @@
 #include <type_traits>
 
 #include "units/packet.h"
+#include "units/plane_hit.h"
 #include "units/transformation_tokens.h"
 #include "units/watertight.h"
 
 namespace dynrt {
+
+/// The ray in unit space, or the triangle in the ray's.
+template <class C>
+using UnitTest = std::conditional_t<
+    kMapsCorners<C>, MappedTriangle<typename C::Real>,
+    std::conditional_t<kMapsBlocks<C>, PlaneTriangle<typename C::Real>, Ray<typename C::Real>>>;
 
 template <class C>
 struct UnitRay {
   PacketId<C> packet;
   RayIndex<C> ray;
   bool reset = false;  ///< not a test: the ray is new and has no hit yet
-  /// The ray in unit space, or the triangle in the ray's.
-  std::conditional_t<kWatertight<C>, MappedTriangle<typename C::Real>, Ray<typename C::Real>> unit;
+  UnitTest<C> unit;
   PrimitiveField<C> primitive{};
   hls::OptionalField<kScalesCosine<C>, typename C::Real> cosine_factor{};
   [[no_unique_address]] LastRay<C> last{};

@@ -31,7 +31,7 @@ void Core<C>::join_transformation(hls::Join& join) {
     join.ram("column_" + std::to_string(c), matrix_store.column[c], readers);
   }
   std::vector records = {&packet_decoder.record, &collect_hits.record};
-  if constexpr (kOwnCamera<C> && kMarksUnitRays<C>) records.push_back(&unit_decoder.record);
+  if constexpr (kPairsUnitRays<C> && kMarksUnitRays<C>) records.push_back(&unit_decoder.record);
   join.ram("job_record", matrix_store.record, records);
   if constexpr (kTwoLevels<C>) {
     join.ram("object", matrix_store.object, std::array{&collect_hits.object});
@@ -57,8 +57,14 @@ void Core<C>::join_transformation(hls::Join& join) {
     join.repeat("camera_job", hls::Writers(&matrix_store.camera, kShortIfAsked), camera_rays.job,
                 kAll);
     rays.push_back(&camera_rays.vector);
+  }
+  if constexpr (kPairsUnitRays<C>) {
     join.channel("in_unit_space", transformation.in_unit_space, unit_decoder.vector);
     unit_rays.push_back(&unit_decoder.unit_ray);
+  }
+  if constexpr (kMapsBlocks<C>) {
+    join.ram("plane_map", ray_reciprocal.map, std::array{&transformation.plane_map});
+    unit_rays.push_back(&transformation.in_plane);
   }
   join.channel<PacketVector<C>>("transformed", rays, {&packet_decoder.vector});
   if constexpr (kDecodesUnitRays<C>) unit_rays.push_back(&packet_decoder.unit_ray);
@@ -82,7 +88,7 @@ void Core<C>::join_transformation(hls::Join& join) {
       join.ram("box_" + std::to_string(i), box_clip.interval[i], std::array{&slice[i].box});
     }
   }
-  if constexpr (kWatertight<C>) {
+  if constexpr (kMapsCorners<C>) {
     join.channel("object_ray", packet_decoder.object_ray, ray_shear.ray);
     join.ram("ray_map", ray_shear.map, std::array{&transformation.map});
   }

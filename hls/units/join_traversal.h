@@ -19,7 +19,7 @@ void Core<C>::join_traversal(hls::Join& join) {
     events.push_back(&box_clip.enter_object, kShortIfAsked);
   } else if constexpr (kTwoLevels<C> && kHasReciprocals<C>) {
     events.push_back(&ray_reciprocal.enter_object, kShortIfAsked);
-  } else if constexpr (kWatertight<C>) {
+  } else if constexpr (kMapsCorners<C>) {
     events.push_back(&ray_shear.enter_object, kShortIfAsked);
   } else if constexpr (kTwoLevels<C>) {
     events.push_back(&packet_decoder.enter_object, kShortIfAsked);
@@ -35,7 +35,9 @@ void Core<C>::join_traversal(hls::Join& join) {
   if constexpr (kCommonOrigin<C>) {
     join.channel<Step<C>>("step", nodes, {&plane_offset.step_in});
     join.channel<Step<C>>("offset", hls::Writers(&plane_offset.offset, kShort), steps, kSteps);
-    join.ram("origin", origins_written(), std::array{&plane_offset.origin});
+    std::vector origins = {&plane_offset.origin};
+    if constexpr (kMapsBlocks<C>) origins.push_back(&matrix_store.origin);
+    join.ram("origin", origins_written(), origins);
   } else {
     join.channel<Step<C>>("step", nodes, steps, kAll);
   }

@@ -5,11 +5,13 @@
 // delivers them in any order, and sends the packet on when all are there (the storing half of the
 // thesis's load matrix unit, 6.1.3). A triangle stored in three columns (5.1.1) is kept in four:
 // the first of them brings the column of ones along. An object's box in the world is a single
-// column, which is no part of a matrix and goes another way (units/world_box.h).
+// column, which is no part of a matrix and goes another way (units/world_box.h). Corners that a
+// plane map will take have the origin of the packet's rays subtracted (units/plane_map.h).
 #pragma once
 
 #include "units/frame.h"
 #include "units/memory_tokens.h"
+#include "units/plane_map.h"
 #include "units/transformation_tokens.h"
 
 namespace dynrt {
@@ -30,6 +32,8 @@ struct MatrixStore {
 
   hls::In<ColumnReply<C>> reply;
   hls::OptionalPort<C::kUncompressed || kTestsWorldBox<C>, hls::Config<FrameRegisters<C>>> frame;
+  hls::OptionalPort<kMapsBlocks<C>, hls::RamRead<Vector<Real>, kLevelRows<C>>>
+      origin;  ///< of a packet's rays
   hls::Out<SendJob<C>> ready;
   hls::OptionalPort<kOwnCamera<C>, hls::Out<CameraJob<C>>> camera;
   hls::RamWrite<Vector<Real>, kPackets> column[4];
@@ -38,12 +42,12 @@ struct MatrixStore {
   hls::OptionalPort<kTestsWorldBox<C>, hls::Out<BoxJob<C>>> box;
   hls::OptionalPort<kTestsWorldBox<C>, hls::RamWrite<BoxedObject<C>, kPackets>> boxed;
   hls::RegisterFile<Progress, kPackets> progress;
-  HLS_PORTS(reply, frame, ready, camera, column, record, object, box, boxed)
+  HLS_PORTS(reply, frame, origin, ready, camera, column, record, object, box, boxed)
 
   void step() {
     const auto r = reply.read();
     const PacketId<C> packet = r.context.packet;
-    const Vector<Real> values{r.line.row[0].value, r.line.row[1].value, r.line.row[2].value};
+    const Vector<Real> values = stored(r);
     const bool stored_three = three(r.context);
     if constexpr (kThreeColumns<C>) {
       const uint<2> ones = r.line.spare().template bits<17, 16>();
@@ -124,20 +128,23 @@ struct MatrixStore {
         distinct_origins = frame.get().uncompressed.get().template bit<0>() || distinct_origins;
       }
       const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kSecondary;
-      const bool corners = kWatertight<C> && r.context.kind == TransformKind::kTriangle;
+      const bool corners = kMapsCorners<C> && r.context.kind == TransformKind::kTriangle;
+      const bool blocks = kMapsBlocks<C> && r.context.kind == TransformKind::kTriangle;
       if constexpr (kSendsActive<C>) {
         // Every ray of a new packet begins, as its pixel is written.
         send.sent =
             r.context.kind == TransformKind::kCamera ? RayMask<C>::ones() : r.context.active;
-        send.pairs = distinct_origins && !one_ray && !corners;
+        send.pairs = distinct_origins && !one_ray && !corners && !blocks;
         const RepeatCount<C> rays = number_of(send.sent.get());
         const auto pairs = RepeatCount<C>::from((rays + rays).raw());
         send.repeat = one_ray            ? RepeatCount<C>(1)
                       : corners          ? RepeatCount<C>::from((pairs + rays).raw() - 1)
+                      : blocks           ? RepeatCount<C>::from(rays.raw() - 1)
                       : distinct_origins ? RepeatCount<C>::from(pairs.raw() - 1)
                                          : rays;
       } else {
         send.repeat = corners            ? RepeatCount<C>(3 * kRays<C> - 1)
+                      : blocks           ? RepeatCount<C>(kRays<C> - 1)
                       : one_ray          ? RepeatCount<C>(1)
                       : distinct_origins ? RepeatCount<C>(2 * kRays<C> - 1)
                                          : RepeatCount<C>(kRays<C>);
@@ -156,6 +163,19 @@ struct MatrixStore {
   }
 
  private:
+  /// The column; of a corner, how it lies from the origin of the packet's rays.
+  Vector<Real> stored(const ColumnReply<C>& r) const {
+    const Vector<Real> values{r.line.row[0].value, r.line.row[1].value, r.line.row[2].value};
+    if constexpr (kMapsBlocks<C>) {
+      const Vector<Real> from = origin.read(level_row<C>(Level(1), r.context.packet));
+      const Vector<Real> way{values.x - from.x, values.y - from.y, values.z - from.z};
+      const bool normal = r.context.column == uint<2>(3);
+      if (r.context.kind == TransformKind::kTriangle && !normal) {
+        return as_column(block_vector(way));
+      }
+    }
+    return values;
+  }
   static RepeatCount<C> number_of(RayMask<C> mask) {
     RepeatCount<C> rays;
     for (unsigned i = 0; i < kRays<C>; ++i) {

@@ -76,7 +76,9 @@ enum class TriangleMatrix : std::uint8_t {
 enum class TriangleTest : std::uint8_t {
   kUnitTriangle,  ///< the triangle's matrix takes the ray to the unit triangle (thesis 5.2)
   kWatertight,    ///< the ray's shear takes the corners to the plane; an exact rule for the edges
+  kWatertightCommon,  ///< the same where a packet's rays have one origin, in integers
 };
+constexpr bool is_watertight(TriangleTest test) { return test != TriangleTest::kUnitTriangle; }
 
 /// The unit objects that are intersected (thesis 5.2).
 struct Primitives {

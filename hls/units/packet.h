@@ -84,24 +84,39 @@ inline constexpr bool kFusesSums = C::kSums == Sums::kFused;
 template <class C>
 inline constexpr bool kOwnCamera = C::kCamera == CameraSource::kOwnUnit;
 
+/// Whether such a pair of origin and direction is what the triangle test gets.
+template <class C>
+inline constexpr bool kPairsUnitRays =
+    kOwnCamera<C> && C::kTriangleTest == TriangleTest::kUnitTriangle;
+
 /// Whether the packet decoder gives rays to the intersection: those of triangles, or, without
 /// reciprocals, the resets of new ones.
 template <class C>
 inline constexpr bool kDecodesUnitRays = !kOwnCamera<C> || !kHasReciprocals<C>;
 
-/// Whether no ray passes between two triangles that share an edge (units/watertight.h).
+/// Whether no ray passes between two triangles that share an edge; whether the map of each ray then
+/// takes the corners (units/watertight.h), or corners from which the packet's origin has been
+/// subtracted (units/plane_map.h).
 template <class C>
-inline constexpr bool kWatertight = C::kTriangleTest == TriangleTest::kWatertight;
-/// Steps of the mantissa by which a plane's distance may be wrong: one and a half after two
-/// operations to nearest, less than three truncated (docs/explanation/watertight.md). 0: ignored.
+inline constexpr bool kWatertight = is_watertight(C::kTriangleTest);
 template <class C>
-inline constexpr unsigned kWidening = !kWatertight<C>                                     ? 0
-                                      : C::Real::kRounding == hls::Rounding::kNearestEven ? 2
-                                                                                          : 3;
+inline constexpr bool kMapsCorners = C::kTriangleTest == TriangleTest::kWatertight;
+template <class C>
+inline constexpr bool kMapsBlocks = C::kTriangleTest == TriangleTest::kWatertightCommon;
+/// Steps of the mantissa by which a plane's distance may be wrong: one for each operation before
+/// the last and a half for that, rounded to nearest; twice as many truncated
+/// (docs/explanation/watertight.md). 0: ignored.
+template <class C>
+inline constexpr unsigned kDistanceOperations = kHasReciprocals<C> ? 3 : 2;
+template <class C>
+inline constexpr unsigned kWidening =
+    !kWatertight<C>                                     ? 0
+    : C::Real::kRounding == hls::Rounding::kNearestEven ? kDistanceOperations<C>
+                                                        : 2 * kDistanceOperations<C> - 1;
 
 /// Whether rays that enter an object go through further units before their traversal begins.
 template <class C>
-inline constexpr bool kPassesObjectRays = kClipsToBox<C> || kWatertight<C>;
+inline constexpr bool kPassesObjectRays = kClipsToBox<C> || kMapsCorners<C>;
 
 /// Whether triangles are stored in three columns (thesis 5.1.1).
 template <class C>

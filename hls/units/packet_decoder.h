@@ -90,7 +90,7 @@ struct PacketDecoder {
         trace.ray = in_object(in, job, r);
         if (is_new || object) traced.write(trace);
       }
-      if constexpr (kWatertight<C>) {
+      if constexpr (kMapsCorners<C>) {
         UnitRay<C> test;
         test.packet = in.packet;
         test.ray = in.ray;
@@ -151,8 +151,8 @@ struct PacketDecoder {
   Vector<Real> origin_;  ///< of the packet, whose vectors come one after the other
   hls::OptionalField<kOwnCamera<C>, Vector<Real>> camera_origin_;
   /// Of the triangle that is being mapped.
-  hls::OptionalField<kWatertight<C>, Vector<Real>> first_corner_;
-  hls::OptionalField<kWatertight<C>, Vector<Real>> second_corner_;
+  hls::OptionalField<kMapsCorners<C>, Vector<Real>> first_corner_;
+  hls::OptionalField<kMapsCorners<C>, Vector<Real>> second_corner_;
 };
 
 }  // namespace dynrt

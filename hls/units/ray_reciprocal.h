@@ -15,6 +15,7 @@
 
 #include "units/intersection_tokens.h"
 #include "units/packet_rays.h"
+#include "units/plane_map.h"
 #include "units/repeated.h"
 #include "units/traversal_tokens.h"
 
@@ -33,7 +34,9 @@ struct RayReciprocal {
   hls::OptionalPort<kCommonOrigin<C>, hls::RamWrite<Vector<Real>, kLevelRows<C>>> origin;
   /// Of every ray in the world, whichever it is.
   hls::OptionalPort<kTestsWorldBox<C>, hls::RamWrite<Vector<Real>, kRayRows<C>>> in_world;
-  HLS_PORTS(traced, reset, enter_object, object_ray, ray, origin, in_world)
+  /// Of every ray in the object that it entered last.
+  hls::OptionalPort<kMapsBlocks<C>, hls::RamWrite<PlaneMap<Real>, kRayRows<C>>> map;
+  HLS_PORTS(traced, reset, enter_object, object_ray, ray, origin, in_world, map)
 
   void step() {
     if constexpr (kInvertsAtOnce<C>) {
@@ -69,6 +72,12 @@ struct RayReciprocal {
     if constexpr (kCommonOrigin<C>) origin.write(row, saved.origin);
     if constexpr (kTestsWorldBox<C>) {
       if (is_new) in_world.write(ray_row<C>(in.packet, in.ray), saved.direction);
+    }
+    if constexpr (kMapsBlocks<C>) {
+      if (!is_new) {
+        map.write(ray_row<C>(in.packet, in.ray),
+                  plane_map(in.in_object.direction, saved.direction));
+      }
     }
     if (is_new) {
       UnitRay<C> first;

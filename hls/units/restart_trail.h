@@ -10,7 +10,7 @@
 // At a fork that waits, the way back is in the near child; at another it is in the only child that
 // the packet entered, or in the far one. Hits have become nearer since and rays have ended, so a
 // child may be left out now, but none comes in: the rays have one origin, which alone decides the
-// order of the children, and where planes are not widened their intervals have not grown.
+// order of the children, and their intervals are made of the same planes as before.
 //   - Where the far child is left out, it need not wait any more.
 //   - Where the near child of a fork that waits is left out, no ray has anything left in it. The
 //     packet goes to the far child, which is new, and the way back ends. The bits of deeper forks

@@ -7,7 +7,8 @@
 // and (x, y, 1) of section 6.2.1, an object the packet's world rays, a triangle its rays in the
 // object. A ray with a matrix of its own is sent alone: a light's transforms the ray (0, 0, 0), (1,
 // t, -1) of section 6.2.2, a reflection's the ray that is reflected (6.2.3). For a watertight test
-// each ray's direction is sent three times, once for each corner of the triangle.
+// each ray's direction is sent three times, once for each corner of the triangle; once, without an
+// origin, where the corners have that subtracted already.
 #pragma once
 
 #include "units/packet_rays.h"
@@ -39,17 +40,19 @@ struct SendPacket {
 
   void step() {
     const Repeated<SendJob<C>> j = job.read();
-    const bool corners = kWatertight<C> && j.job.kind == TransformKind::kTriangle;
+    const bool corners = kMapsCorners<C> && j.job.kind == TransformKind::kTriangle;
+    const bool blocks = kMapsBlocks<C> && j.job.kind == TransformKind::kTriangle;
     const bool alone = kHasSecondary<C> && j.job.kind == TransformKind::kSecondary;
     const bool compressed = kSendsActive<C>          ? !corners && !alone && !j.job.pairs.get()
                             : kHasDistinctOrigins<C> ? j.job.repeat == RepeatCount<C>(kRays<C>)
                                                      : !corners && !alone;
     const DerivedRay<C> derived = j.job.derived.get();
-    const bool point =
-        !corners && (compressed ? j.index == RepeatCount<C>{} : !j.index.template bit<0>());
+    const bool point = !corners && !blocks &&
+                       (compressed ? j.index == RepeatCount<C>{} : !j.index.template bit<0>());
     const RayIndex<C> ray = kSendsActive<C> && !alone ? next_active(j, point, compressed, corners)
                             : corners                 ? ray_of(j.index)
                             : alone                   ? derived.ray
+                            : blocks                  ? j.index.template trunc<kRayBits<C>>()
                             : !compressed             ? j.index.template bits<kRayBits<C>, 1>()
                             : point                   ? RayIndex<C>{}
                                                       : RayIndex<C>::from(j.index.raw() - 1);

@@ -8,9 +8,12 @@
 // Where triangles are tested watertight, columns 0 to 2 of a triangle are its corners and column 3
 // is its normal. The ray's map takes one corner (units/watertight.h): three subtractions more, and
 // the multipliers of column 2. Those of the other columns find the direction's scalar product with
-// the normal meanwhile.
+// the normal meanwhile. A plane map takes all three in a clock (units/plane_map.h), and one row of
+// the multipliers finds that product.
 #pragma once
 
+#include "units/intersection_tokens.h"
+#include "units/plane_map.h"
 #include "units/transformation_tokens.h"
 #include "units/watertight.h"
 
@@ -24,10 +27,12 @@ struct Transformation {
 
   hls::In<PacketVector<C>> vector;
   hls::Out<PacketVector<C>> transformed;
-  hls::OptionalPort<kOwnCamera<C>, hls::Out<PacketVector<C>>> in_unit_space;
+  hls::OptionalPort<kPairsUnitRays<C>, hls::Out<PacketVector<C>>> in_unit_space;
+  hls::OptionalPort<kMapsBlocks<C>, hls::Out<UnitRay<C>>> in_plane;
   hls::RamRead<Vector<Real>, kPackets> column[4];
-  hls::OptionalPort<kWatertight<C>, hls::RamRead<RayMap<Real>, kRayRows<C>>> map;
-  HLS_PORTS(vector, transformed, in_unit_space, column, map)
+  hls::OptionalPort<kMapsCorners<C>, hls::RamRead<RayMap<Real>, kRayRows<C>>> map;
+  hls::OptionalPort<kMapsBlocks<C>, hls::RamRead<PlaneMap<Real>, kRayRows<C>>> plane_map;
+  HLS_PORTS(vector, transformed, in_unit_space, in_plane, column, map, plane_map)
 
   void step() {
     const PacketVector<C> in = vector.read();
@@ -36,16 +41,31 @@ struct Transformation {
     const Vector<Real> c2 = column[2].read(in.packet);
     const Vector<Real> n = column[3].read(in.packet);
     PacketVector<C> out = in;
-    if constexpr (kWatertight<C>) {
+    if constexpr (kMapsCorners<C>) {
       map_or_transform(in, c0, c1, c2, n, out);
     } else {
       out.vector.x = component(in, c0.x, c1.x, c2.x, n.x);
       out.vector.y = component(in, c0.y, c1.y, c2.y, n.y);
-      out.vector.z = component(in, c0.z, c1.z, c2.z, n.z);
+      // Of a triangle that a plane map takes, the scalar product with the normal.
+      const bool corners = kMapsBlocks<C> && in.to_unit.get();
+      out.vector.z =
+          component(in, corners ? n.x : c0.z, corners ? n.y : c1.z, corners ? n.z : c2.z, n.z);
     }
     const bool to_unit = kOwnCamera<C> && in.to_unit.get();
-    if constexpr (kOwnCamera<C>) {
+    if constexpr (kPairsUnitRays<C>) {
       if (to_unit) in_unit_space.write(out);
+    }
+    if constexpr (kMapsBlocks<C>) {
+      const PlaneMap<Real> m = plane_map.read(ray_row<C>(in.packet, in.ray));
+      UnitRay<C> test;
+      test.packet = in.packet;
+      test.ray = in.ray;
+      test.last = in.last;
+      test.unit = plane_triangle(map_corner(m, block_of(c0)), map_corner(m, block_of(c1)),
+                                 map_corner(m, block_of(c2)));
+      test.unit.per_height = m.per_height;
+      test.unit.cosine = out.vector.z;
+      if (to_unit) in_plane.write(test);
     }
     if (!to_unit) transformed.write(out);
   }

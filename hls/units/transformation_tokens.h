@@ -120,8 +120,8 @@ struct PacketVector {
   RayIndex<C> ray;     ///< 0 for a common origin
   Vector<typename C::Real> vector;
   [[no_unique_address]] LastRay<C> last{};
-  hls::OptionalField<kWatertight<C>, Corner> corner = Corner(kNoCorner);
-  hls::OptionalField<kWatertight<C>, typename C::Real> cosine{};  ///< with a corner that is mapped
+  hls::OptionalField<kMapsCorners<C>, Corner> corner = Corner(kNoCorner);
+  hls::OptionalField<kMapsCorners<C>, typename C::Real> cosine{};  ///< with a corner that is mapped
   [[no_unique_address]] hls::OptionalField<kOwnCamera<C>, bool>
       to_unit{};  ///< by a triangle's matrix
   HLS_FIELDS(packet, point, ray, vector, last, corner, cosine, to_unit)

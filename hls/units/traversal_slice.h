@@ -9,7 +9,8 @@
 // Where a packet's rays start at one point, the plane comes as its distance from there.
 //
 // Where no triangle may be lost, d counts as a range of numbers that holds the exact distance:
-// kWidening steps of the mantissa up and down.
+// kWidening steps of the mantissa up and down. The interval is kept as much wider, so that d itself
+// is compared with its ends; a child that both ends of d bound is twice as much wider.
 #pragma once
 
 #include "units/traversal_tokens.h"
@@ -19,8 +20,7 @@ namespace dynrt {
 template <class C>
 struct TraversalSlice {
   using Real = typename C::Real;
-  /// A ray's interval within the node entered last, and the distance of that node's plane: where
-  /// it is widened, its upper end within the interval.
+  /// A ray's interval within the node entered last, and the distance of that node's plane.
   struct Interval {
     Real near, far, plane;
     HLS_FIELDS(near, far, plane)
@@ -62,6 +62,8 @@ struct TraversalSlice {
 
     Real near = before.near;
     Real far = before.far;
+    Real end;
+    if constexpr (kWidening<C> > 0) end = widened_end(c.update, before);
     if (c.update == IntervalUpdate::kInit) {
       if constexpr (kHasMirrors<C>) {
         near = start_distance.read(c.packet);
@@ -79,14 +81,14 @@ struct TraversalSlice {
     } else if (both) {
       switch (c.update) {
         case IntervalUpdate::kClipNear:
-          near = lowered(before.plane);
+          near = kWidening<C> > 0 ? end : before.plane;
           break;
         case IntervalUpdate::kPop:
-          near = lowered(before.far);
+          near = kWidening<C> > 0 ? end : before.far;
           far = popped.far;
           break;
         default:
-          far = before.plane;
+          far = kWidening<C> > 0 ? end : before.plane;
           break;
       }
     } else if (kRemembersChild<C> && c.update == IntervalUpdate::kPop && is_crossing(c)) {
@@ -98,19 +100,10 @@ struct TraversalSlice {
     const SliceAxis<C> r = along_axis(s.node.kind, row);
     const Real offset = offset_of(s, r);
     const Real d = distance(offset, direction_of(r), starts_in_plane(s, r));
-    Real d_low = d;
-    Real d_high = d;
-    Real plane = d;
-    if constexpr (kWidening<C> > 0) {
-      d_low = d.template moved_down<kWidening<C>>();
-      d_high = d.template moved_up<kWidening<C>>();
-      plane = d_high < far ? d_high : far;
-    }
-
     const bool left_first = !offset.sign();
     const bool behind = d.sign();
-    const bool go_near = behind || !(d_high < near);
-    const bool go_far = !behind && !(far < d_low);
+    const bool go_near = behind || !(d < near);
+    const bool go_far = !behind && !(far < d);
 
     SliceDecision out;
     out.left_first = left_first;
@@ -118,17 +111,20 @@ struct TraversalSlice {
     out.go_right = left_first ? go_far : go_near;
     out.terminated = c.update != IntervalUpdate::kInit && hit < near;
     decision.write(out);
-    interval.write(row, Interval{near, far, plane});
+    interval.write(row, Interval{near, far, d});
   }
 
  private:
-  /// The lower end of a plane's distance, from the upper one.
-  static Real lowered(Real upper) {
-    if constexpr (kWidening<C> > 0) {
-      return upper.template moved_down<2 * kWidening<C>>();
-    } else {
-      return upper;
-    }
+  /// Where both children are entered: the far end of the near one, or the near end of the far one,
+  /// which after a pop is known by the far end that the near one had. One addition for all.
+  static Real widened_end(IntervalUpdate update, const Interval& before) {
+    constexpr int kWider = 2 * kWidening<C>;
+    using Steps = sint<hls::index_width(2 * kWider + 1) + 1>;
+    const bool pops = update == IntervalUpdate::kPop;
+    const Real end = pops ? before.far : before.plane;
+    return end.moved(pops                                  ? Steps(-2 * kWider)
+                     : update == IntervalUpdate::kClipNear ? Steps(-kWider)
+                                                           : Steps(kWider));
   }
   /// From an origin in the plane no offset but zero is right, and no number is zero.
   static Real distance(Real offset, Real direction, bool in_plane) {

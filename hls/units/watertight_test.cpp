@@ -275,41 +275,35 @@ static_assert(kWidening<C> == kK);
 TEST_F(WidenedSlice, TheNearChildEndsBehindThePlaneAndTheFarOneBeginsBeforeIt) {
   decide(IntervalUpdate::kInit, real(10), false);
   decide(IntervalUpdate::kClipFarPush, real(4));
-  EXPECT_EQ(interval().far, real(10).moved_up<kK>());
+  EXPECT_EQ(interval().far, real(10).moved_up<2 * kK>());
   EXPECT_EQ(interval().near, Real::smallest());
   decide(IntervalUpdate::kPop, real(20));
-  EXPECT_EQ(interval().near, real(10).moved_down<kK>());
+  EXPECT_EQ(interval().near, real(10).moved_down<2 * kK>());
   EXPECT_EQ(interval().far, Real::largest());
   decide(IntervalUpdate::kClipNear, real(30));
-  EXPECT_EQ(interval().near, real(20).moved_down<kK>());
+  EXPECT_EQ(interval().near, real(20).moved_down<2 * kK>());
 }
 
-TEST_F(WidenedSlice, TheIntervalNeverGrowsBeyondItsFarEnd) {
-  bench_.rows(bench_.unit.hit_distance)[kRow] = real(10);
+TEST_F(WidenedSlice, APlaneWithinTheWidenedIntervalDividesIt) {
   decide(IntervalUpdate::kInit, real(10), false);
-  decide(IntervalUpdate::kClipFarPush, real(10));
-  EXPECT_EQ(interval().far, real(10));
-  decide(IntervalUpdate::kPop, real(20));
-  EXPECT_EQ(interval().near, real(10).moved_down<2 * kK>());
-}
-
-TEST_F(WidenedSlice, APlaneWithinTwoStepsOfAnEndDividesTheInterval) {
-  bench_.rows(bench_.unit.hit_distance)[kRow] = real(10);
-  decide(IntervalUpdate::kInit, real(1), false);
-  EXPECT_TRUE(decide(IntervalUpdate::kClipNear, real(10).moved_up<kK>()).go_right);
-  EXPECT_FALSE(decide(IntervalUpdate::kClipFar, real(10).moved_up<kK + 1>(), false).go_right);
-  // The near end is 1 less two steps.
-  EXPECT_TRUE(decide(IntervalUpdate::kClipFar, real(1).moved_down<2 * kK>(), false).go_left);
-  EXPECT_FALSE(decide(IntervalUpdate::kClipFar, real(1).moved_down<2 * kK + 1>(), false).go_left);
+  decide(IntervalUpdate::kClipFar, real(1));
+  const Real far = real(10).moved_up<2 * kK>();
+  EXPECT_TRUE(decide(IntervalUpdate::kClipFar, far, false).go_right);
+  EXPECT_FALSE(decide(IntervalUpdate::kClipFar, far.moved_up<1>(), false).go_right);
+  decide(IntervalUpdate::kClipFar, real(1), false);
+  decide(IntervalUpdate::kClipNear, real(1));
+  const Real near = real(1).moved_down<2 * kK>();
+  EXPECT_TRUE(decide(IntervalUpdate::kClipFar, near, false).go_left);
+  EXPECT_FALSE(decide(IntervalUpdate::kClipFar, near.moved_down<1>(), false).go_left);
 }
 
 TEST_F(WidenedSlice, ARayEndsWhereItsHitLiesBeforeTheWidenedInterval) {
   decide(IntervalUpdate::kInit, real(10), false);
-  bench_.rows(bench_.unit.hit_distance)[kRow] = real(10).moved_down<kK>();
+  bench_.rows(bench_.unit.hit_distance)[kRow] = real(10).moved_down<2 * kK>();
   EXPECT_FALSE(decide(IntervalUpdate::kClipNear, real(20)).terminated);
   bench_.rows(bench_.unit.hit_distance)[kRow] = Real::largest();
   decide(IntervalUpdate::kInit, real(10), false);
-  bench_.rows(bench_.unit.hit_distance)[kRow] = real(10).moved_down<kK + 1>();
+  bench_.rows(bench_.unit.hit_distance)[kRow] = real(10).moved_down<2 * kK + 1>();
   EXPECT_TRUE(decide(IntervalUpdate::kClipNear, real(20)).terminated);
 }
 

@@ -159,6 +159,7 @@ Json Prepared::json() const {
   }
   const Box box = bounds(scene);
   const MemoryUse use = memory_use(frame);
+  const TreeSize ends = address_ends(core());
   return {{"name", scene.name},
           {"triangles", triangles()},
           {"rectangles", rectangles()},
@@ -185,9 +186,9 @@ Json Prepared::json() const {
           {"instance_tree", json_of("instances", trees.instances)},
           {"memory",
            {{"nodes", use.nodes},
-            {"node_limit", kMaxNodes},
+            {"node_limit", ends.nodes},
             {"list_entries", use.list_entries},
-            {"list_entry_limit", kMaxListEntries},
+            {"list_entry_limit", ends.items},
             {"matrices", use.matrices},
             {"matrix_limit", kMaxMatrices}}},
           {"load_seconds", load_seconds},

@@ -14,7 +14,7 @@ namespace dynrt::host {
 namespace {
 
 /// The largest distance of a hit from the ray, in roundings of one operation times the distance of
-/// the triangle's farthest corner; eight and a half are proved.
+/// the triangle's farthest corner; twelve are proved.
 constexpr double kRoundings = 16;
 
 double largest_of(const glm::dvec3& v) { return std::max({v.x, v.y, v.z}); }
@@ -25,7 +25,16 @@ Aabb box_of(const Mesh& object) {
   return box;
 }
 
-double widest_margin(const Mesh& object) { return kWidest * largest_of(box_of(object).extent()); }
+double widest_margin(const Mesh& object) {
+  double sides = 0;
+  for (std::size_t i = 0; i < object.triangles.size(); ++i) {
+    Aabb box;
+    for (const glm::dvec3& corner : object.corners(i)) box.include(corner);
+    sides += largest_of(box.extent());
+  }
+  return std::min(kWidest * largest_of(box_of(object).extent()),
+                  kWidestOfTriangle * sides / static_cast<double>(object.triangles.size()));
+}
 
 /// Where instances are at the moments of the scene's animation.
 std::vector<std::vector<glm::dmat4>> transforms_of(const Scene& scene) {
@@ -124,7 +133,7 @@ SceneTrees trees_for(const Scene& scene, const glm::dvec3& eye, const CoreInfo& 
   options.leaves = core.leaves;
   options.main_first = core.main_first;
   const TreeSize memory = memory_for_trees(core);
-  if (core.triangle_test != TriangleTest::kWatertight) {
+  if (!is_watertight(core.triangle_test)) {
     return build_scene_trees(scene, options, memory);
   }
   return build_scene_trees(with_rounded_corners(scene, *core.format), options, memory,

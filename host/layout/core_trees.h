@@ -22,11 +22,12 @@ Scene with_rounded_corners(Scene scene, const MemoryFormat& format);
 /// For each object, in its own coordinates: the largest distance from a triangle at which a ray may
 /// still hit it. A ray's origin is taken to be no farther from the scene's middle than its farthest
 /// corner, the eye or a light, at any moment of its animation. The margin is at most kWidest of the
-/// object's size, which the shipped format has for rays from 64 sizes away: with a wider one the
-/// tree would no longer divide the object.
+/// object's size, which the shipped format has for rays from 64 sizes away, and kWidestOfTriangle
+/// of its triangles' mean size: with a wider one the tree would no longer divide the object.
 std::vector<double> rounding_margins(const Scene& scene, const glm::dvec3& eye,
                                      const MemoryFormat& format);
 inline constexpr double kWidest = 1.0 / 128;
+inline constexpr double kWidestOfTriangle = 1.0 / 16;
 /// The objects whose margin is smaller than the proof requires.
 std::vector<std::string> beyond_margins(const Scene& scene, const glm::dvec3& eye,
                                         const MemoryFormat& format);

@@ -49,7 +49,7 @@ TreeOptions spared(TreeOptions options, const SceneTrees& trees, const CoreConfi
 
 /// Names the objects at which a watertight core may lose a ray from far away.
 void note_margins(MemoryImage& image) {
-  if (image.core().triangle_test != TriangleTest::kWatertight) return;
+  if (!is_watertight(image.core().triangle_test)) return;
   const std::vector<std::string> names =
       beyond_margins(image.scene, image.view.camera.position, *image.core().format);
   if (names.empty()) return;

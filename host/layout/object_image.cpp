@@ -71,10 +71,9 @@ UnitMatrix unit_matrix(const CoreInfo& core, const Mesh& mesh, std::size_t primi
     const auto matrix = triangle_matrix(mesh.corners(primitive));
     if (!matrix) refuse(messages::kFlatTriangle, mesh.name, primitive);
     const glm::dmat4x3 in_space = *matrix * from_space;
-    unit = core.triangle_test == TriangleTest::kWatertight
-               ? corner_matrix(mesh.corners(primitive), in_space)
-           : three ? efficient_matrix(in_space)
-                   : UnitMatrix{in_space};
+    unit = is_watertight(core.triangle_test) ? corner_matrix(mesh.corners(primitive), in_space)
+           : three                           ? efficient_matrix(in_space)
+                                             : UnitMatrix{in_space};
   }
   if (const auto element = out_of_range(format, unit.matrix)) {
     if (sphere) refuse(messages::kSphereRange, mesh.name, primitive, *element, largest, largest);

@@ -23,6 +23,8 @@ constexpr std::size_t kMadePerKept = 4;
 constexpr double kWellUsed = 0.75;
 /// of which so much is asked for.
 constexpr double kAskedAgain = 0.95;
+/// Parts of an item's cost that make smaller trees; the first that fits counts.
+constexpr double kSmallerCosts[] = {0.5, 0.25};
 
 std::size_t part_of(std::size_t whole, double part) {
   return static_cast<std::size_t>(static_cast<double>(whole) * part);
@@ -117,7 +119,25 @@ class ObjectTrees {
     return options;
   }
 
+  /// The better of a tree that stops where its room ends, so that it is coarse in places, and of
+  /// one that is coarser everywhere, as if items cost less.
   Tree cut(std::size_t object, const TreeSize& room) const {
+    Tree best = stopped(object, room);
+    for (const double part : kSmallerCosts) {
+      TreeOptions options = options_of(object);
+      options.costs.item *= part;
+      Tree tree = build_triangle_tree(scene_.objects[object], options);
+      if (tree.given_up || !fits(tree.size(), room)) continue;
+      if (work(tree.stats) < work(best.stats)) {
+        best = std::move(tree);
+        best.cut = true;
+      }
+      break;
+    }
+    return best;
+  }
+
+  Tree stopped(std::size_t object, const TreeSize& room) const {
     TreeOptions options = options_of(object);
     options.room = room;
     Tree tree = build_triangle_tree(scene_.objects[object], options);
@@ -133,11 +153,11 @@ class ObjectTrees {
     return fits(larger.size(), room) ? larger : tree;
   }
 
+  double work(const TreeStats& stats) const {
+    return options_.costs.step * stats.expected_steps + options_.costs.item * stats.expected_items;
+  }
+
   std::string cost_of_cut(std::size_t object) const {
-    const auto work = [&](const TreeStats& stats) {
-      return options_.costs.step * stats.expected_steps +
-             options_.costs.item * stats.expected_items;
-    };
     const TreeStats& now = trees_[object].stats;
     const Whole& whole = whole_[object];
     if (whole.size.items == kTooLarge.items) {

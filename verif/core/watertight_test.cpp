@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // No ray from inside a closed mesh gets out, and none is hit twice where triangles meet: whole
-// frames of the watertight core, many of whose pixels lie on corners and edges exactly, and rays
+// frames of the watertight cores, many of whose pixels lie on corners and edges exactly, and rays
 // that are tested with all triangles of a mesh by the units' code. The environment variable
 // DYNRT_RAYS sets the number of rays of the slow tests (default: millions), and DYNRT_SEED their
 // seed. docs/explanation/watertight.md has the proof.
@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "configs/fast_watertight.h"
 #include "core/closed_meshes.h"
 #include "hls/random.h"
 #include "host/board/configurations.h"
@@ -29,7 +30,8 @@ namespace dynrt::host {
 namespace {
 
 using hls::testing::Random;
-using C = config::watertight;
+using Real = config::watertight::Real;
+static_assert(std::is_same_v<Real, config::fast_watertight::Real>);
 
 std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
   const char* wanted = std::getenv(name);
@@ -178,7 +180,8 @@ Camera aimed_camera(const Laid& laid, int cells, unsigned face) {
 /// Renders frames until this many rays are traced; returns the number of rays that get out.
 class Frames {
  public:
-  Frames() : board_(make_board(configurations(), {"model", "watertight", ""})) {}
+  explicit Frames(const std::string& configuration)
+      : board_(make_board(configurations(), {"model", configuration, ""})) {}
 
   void run(std::uint64_t rays, unsigned width, unsigned height, std::uint64_t seed) {
     const std::vector<ClosedMesh> meshes = closed_meshes();
@@ -217,26 +220,28 @@ class Frames {
   std::uint64_t traced_ = 0, missed_ = 0;
 };
 
-bool in_this_build() {
-  return std::ranges::find(configurations(), "watertight", &Configuration::name) !=
-         configurations().end();
-}
+class Watertight : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    if (std::ranges::find(configurations(), GetParam(), &Configuration::name) ==
+        configurations().end()) {
+      GTEST_SKIP() << "this build has no configuration " << GetParam();
+    }
+  }
+};
+INSTANTIATE_TEST_SUITE_P(Configurations, Watertight,
+                         testing::Values("watertight", "fast_watertight"),
+                         [](const auto& info) { return std::string(info.param); });
 
-TEST(Watertight, NoRayGetsOutOfAClosedMesh) {
-  if (!in_this_build()) GTEST_SKIP() << "this build has no configuration watertight";
-  Frames().run(60'000, 32, 24, 1);
-}
-
-TEST(Watertight, SlowNoRayGetsOutOfAClosedMesh) {
-  if (!in_this_build()) GTEST_SKIP() << "this build has no configuration watertight";
-  Frames().run(rays_wanted(20'000'000), 1024, 341, slow_seed());
+TEST_P(Watertight, NoRayGetsOutOfAClosedMesh) { Frames(GetParam()).run(60'000, 32, 24, 1); }
+TEST_P(Watertight, SlowNoRayGetsOutOfAClosedMesh) {
+  Frames(GetParam()).run(rays_wanted(20'000'000), 1024, 341, slow_seed());
 }
 
 /// There is no absolute epsilon: a mesh scaled by a power of two has the same hits bit for bit.
-TEST(Watertight, AScaledMeshHasTheSameHits) {
-  if (!in_this_build()) GTEST_SKIP() << "this build has no configuration watertight";
+TEST_P(Watertight, AScaledMeshHasTheSameHits) {
   constexpr unsigned kWidth = 48, kHeight = 32;
-  const auto board = make_board(configurations(), {"model", "watertight", ""});
+  const auto board = make_board(configurations(), {"model", GetParam(), ""});
   for (const ClosedMesh& closed : {closed_meshes()[1], closed_meshes()[5]}) {
     const Camera camera{
         glm::dvec3(0.125, -0.0625, 0.25), {1.5, 0.1, 0.2}, {0, 1.5, 0.3}, {0.3, 0.2, -1}};
@@ -249,7 +254,7 @@ TEST(Watertight, AScaledMeshHasTheSameHits) {
       ASSERT_EQ(found.size(), plain.size());
       for (std::size_t i = 0; i < plain.size(); ++i) {
         HitRecord expected = plain[i];
-        expected.t += static_cast<std::uint32_t>(exponent) << C::Real::kMantissaBits;
+        expected.t += static_cast<std::uint32_t>(exponent) << Real::kMantissaBits;
         ASSERT_TRUE(expected.hit);
         ASSERT_EQ(found[i], expected) << "by 2^" << exponent << ", pixel " << i;
       }
@@ -257,63 +262,106 @@ TEST(Watertight, AScaledMeshHasTheSameHits) {
   }
 }
 
-/// One ray and all triangles of a mesh, by the code of the units.
-class AllTriangles {
- public:
-  using Real = C::Real;
-  using Vec = Vector<Real>;
-  explicit AllTriangles(const Mesh& mesh) : triangles_(mesh.triangles) {
-    for (const glm::dvec3& v : mesh.vertices) corners_.push_back(rounded(v));
-    mapped_.resize(corners_.size());
+using Vec = Vector<Real>;
+Vec rounded(const glm::dvec3& v) {
+  return {Real::from_double(v.x), Real::from_double(v.y), Real::from_double(v.z)};
+}
+/// A mesh in the numbers of the core.
+struct RoundedMesh {
+  explicit RoundedMesh(const Mesh& mesh) : triangles(mesh.triangles) {
+    for (const glm::dvec3& v : mesh.vertices) corners.push_back(rounded(v));
   }
-  static Vec rounded(const glm::dvec3& v) {
-    return {Real::from_double(v.x), Real::from_double(v.y), Real::from_double(v.z)};
-  }
+  std::vector<glm::uvec3> triangles;
+  std::vector<Vec> corners;
+};
 
-  struct Crossings {
-    int ahead = 0;   ///< triangles hit that turn one way, less those that turn the other
-    int behind = 0;  ///< the same of the ray's line behind its origin
-    unsigned hits = 0;
-  };
-  Crossings cross(const Ray<Real>& ray) {
+struct Crossings {
+  int ahead = 0;   ///< triangles hit that turn one way, less those that turn the other
+  int behind = 0;  ///< the same of the ray's line behind its origin
+  unsigned hits = 0;
+
+  template <class Hit>
+  void count(const Hit& met) {
+    const int turn = met.left - met.right;
+    (met.t.sign() ? behind : ahead) += turn;
+    hits += met.hit();
+  }
+};
+
+/// One ray and all triangles of a mesh, by the code of the units.
+class ByCorner {
+ public:
+  using C = config::watertight;
+  Crossings cross(const RoundedMesh& mesh, const Ray<Real>& ray) {
     bench_.rows(bench_.unit.map)[0] = ray_map(ray);
     PacketVector<C> vector;
     vector.vector = ray.direction;
     vector.corner = Corner(0);
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-      bench_.rows(bench_.unit.column[0])[0] = corners_[i];
+    std::vector<Vec> mapped;
+    for (const Vec& corner : mesh.corners) {
+      bench_.rows(bench_.unit.column[0])[0] = corner;
       bench_.feed(bench_.unit.vector, vector);
       bench_.run();
-      mapped_[i] = bench_.take_one(bench_.unit.transformed).vector;
+      mapped.push_back(bench_.take_one(bench_.unit.transformed).vector);
     }
     Crossings crossings;
-    for (const glm::uvec3& t : triangles_) {
-      const TriangleHit<Real> met =
-          intersect(MappedTriangle<Real>{mapped_[t.x], mapped_[t.y], mapped_[t.z], {}});
-      const int turn = met.left - met.right;
-      (met.t.sign() ? crossings.behind : crossings.ahead) += turn;
-      crossings.hits += met.hit();
+    for (const glm::uvec3& t : mesh.triangles) {
+      crossings.count(intersect(MappedTriangle<Real>{mapped[t.x], mapped[t.y], mapped[t.z], {}}));
     }
     return crossings;
   }
-  const Vec& corner(std::size_t i) const { return corners_[i]; }
-  std::size_t corners() const { return corners_.size(); }
-  const std::vector<glm::uvec3>& triangles() const { return triangles_; }
 
  private:
-  std::vector<glm::uvec3> triangles_;
-  std::vector<Vec> corners_, mapped_;
+  test::UnitBench<Transformation<C>> bench_;
+};
+
+class ByTriangle {
+ public:
+  using C = config::fast_watertight;
+  Crossings cross(const RoundedMesh& mesh, const Ray<Real>& ray) {
+    const Vec& d = ray.direction;
+    const PlaneMap<Real> map =
+        plane_map(d, Vec{Real::one() / d.x, Real::one() / d.y, Real::one() / d.z});
+    PacketVector<C> vector;
+    vector.vector = d;
+    vector.to_unit = true;
+    std::vector<Vec> from_origin;
+    for (const Vec& v : mesh.corners) {
+      const Vec way{v.x - ray.origin.x, v.y - ray.origin.y, v.z - ray.origin.z};
+      from_origin.push_back(as_column(block_vector(way)));
+    }
+    // A triangle for each packet.
+    Crossings crossings;
+    for (std::size_t first = 0; first < mesh.triangles.size(); first += C::kPackets) {
+      const std::size_t count = std::min<std::size_t>(C::kPackets, mesh.triangles.size() - first);
+      for (unsigned packet = 0; packet < count; ++packet) {
+        const glm::uvec3& t = mesh.triangles[first + packet];
+        for (int i = 0; i < 3; ++i) {
+          bench_.rows(bench_.unit.column[i])[packet] = from_origin[t[i]];
+        }
+        vector.packet = PacketId<C>::from(packet);
+        bench_.rows(bench_.unit.plane_map)[ray_row<C>(vector.packet, vector.ray).raw()] = map;
+        bench_.feed(bench_.unit.vector, vector);
+      }
+      bench_.run();
+      for (const UnitRay<C>& test : bench_.take(bench_.unit.in_plane)) {
+        crossings.count(intersect(test.unit));
+      }
+    }
+    return crossings;
+  }
+
+ private:
   test::UnitBench<Transformation<C>> bench_;
 };
 
 /// A direction: at a corner, an edge's middle, along an axis or plane, or anywhere.
-AllTriangles::Vec any_direction(const AllTriangles& mesh, const glm::dvec3& origin,
-                                Random& random) {
+Vec any_direction(const RoundedMesh& mesh, const glm::dvec3& origin, Random& random) {
   const auto at = [&](std::size_t corner) {
-    const auto& v = mesh.corner(corner);
+    const Vec& v = mesh.corners[corner];
     return glm::dvec3(v.x.to_double(), v.y.to_double(), v.z.to_double()) - origin;
   };
-  const glm::uvec3 t = mesh.triangles()[random.below(mesh.triangles().size())];
+  const glm::uvec3 t = mesh.triangles[random.below(mesh.triangles.size())];
   glm::dvec3 d = in_ball(random);
   switch (random.below(6)) {
     case 0:
@@ -336,27 +384,29 @@ AllTriangles::Vec any_direction(const AllTriangles& mesh, const glm::dvec3& orig
     default:
       break;
   }
-  return AllTriangles::rounded(std::exp2(20 * unit(random)) * d);
+  return rounded(std::exp2(20 * unit(random)) * d);
 }
 
 /// Rays from inside cross the surface once more outwards than inwards, ahead as behind; of a convex
 /// mesh they hit one triangle.
+template <class Mapping>
 void count_crossings(std::uint64_t rays, std::uint64_t seed) {
   std::uint64_t traced = 0, none = 0, many = 0;
+  Mapping mapping;
   for (std::uint64_t n = 0; traced < rays; ++n) {
     Random random(seed + n);
     const bool convex = n % 2 == 0;
     Mesh mesh = convex ? make_sphere(1, static_cast<int>(n / 2 % 3), 0) : make_crumpled(6);
     Place place = any_place(random);
     for (glm::dvec3& v : mesh.vertices) v = place.scale * (v + place.shift);
-    AllTriangles all(mesh);
+    const RoundedMesh all(mesh);
     for (unsigned i = 0; i < 200; ++i) {
       const double room = convex ? 0.5 : 0.3;
       const glm::dvec3 eye =
           place.scale * (std::max(0.0, room - blur(place)) * in_ball(random) + place.shift);
-      const auto origin = AllTriangles::rounded(eye);
-      const auto direction = any_direction(all, eye, random);
-      const auto crossings = all.cross({origin, direction});
+      const Vec origin = rounded(eye);
+      const Vec direction = any_direction(all, eye, random);
+      const Crossings crossings = mapping.cross(all, {origin, direction});
       ++traced;
       none += crossings.hits == 0;
       const bool once = std::abs(crossings.ahead) == 1 && crossings.ahead == -crossings.behind;
@@ -372,9 +422,14 @@ void count_crossings(std::uint64_t rays, std::uint64_t seed) {
   fmt::print("{} rays against all triangles: {} without a hit, {} hit twice\n", traced, none, many);
 }
 
-TEST(Watertight, ARayCrossesASurfaceOnce) { count_crossings(20'000, 1); }
-TEST(Watertight, SlowARayCrossesASurfaceOnce) {
-  count_crossings(rays_wanted(1'000'000), slow_seed());
+template <class Mapping>
+class WatertightUnits : public testing::Test {};
+using Mappings = testing::Types<ByCorner, ByTriangle>;
+TYPED_TEST_SUITE(WatertightUnits, Mappings);
+
+TYPED_TEST(WatertightUnits, ARayCrossesASurfaceOnce) { count_crossings<TypeParam>(5'000, 1); }
+TYPED_TEST(WatertightUnits, SlowARayCrossesASurfaceOnce) {
+  count_crossings<TypeParam>(rays_wanted(1'000'000), slow_seed());
 }
 
 }  // namespace

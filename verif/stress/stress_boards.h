@@ -18,8 +18,8 @@
 
 namespace dynrt::host::stress {
 
-/// The configurations that every case is run on: one of each triangle test.
-inline const std::vector<std::string> kTested = {"thesis", "watertight"};
+/// The configurations that every case is run on: one of each arithmetic (bounds.h).
+inline const std::vector<std::string> kTested = {"thesis", "watertight", "fast", "fast_watertight"};
 
 /// The row of a configuration in this build's table, or null. Where there is a row its board must
 /// be made: a test that needs it skips only without one.

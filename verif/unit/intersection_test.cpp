@@ -12,7 +12,7 @@ namespace {
 /// Coordinates that are equal make products that are, and ends of an edge that are one point.
 /// Of mapped triangles some with equal coordinates; generic, as other rays have none.
 constexpr auto kSetup = [](auto& bench, const Run&) {
-  if constexpr (kWatertight<C>) {
+  if constexpr (kMapsCorners<C>) {
     bench.template shape<UnitRay<C>>("unit_ray", [](auto& in, Random& random) {
       auto& [a, b, c, cosine] = in.unit;
       if (random.below(4) == 0) b.x = random.below(2) ? a.x : -a.x;

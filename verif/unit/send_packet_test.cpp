@@ -14,8 +14,10 @@ void setup(Bench<SendPacket<C>>& bench, const Run&) {
   bench.shape<Job>("job", [](Job& j, Random& random) {
     j.job.kind = any_of<TransformKind>(random, kHasSecondary<C> ? 4 : 3);
     j.job.repeat = j.job.kind == TransformKind::kSecondary ? RepeatCount<C>(1)
-                   : kWatertight<C> && j.job.kind == TransformKind::kTriangle
+                   : kMapsCorners<C> && j.job.kind == TransformKind::kTriangle
                        ? RepeatCount<C>(3 * kRays<C> - 1)
+                   : kMapsBlocks<C> && j.job.kind == TransformKind::kTriangle
+                       ? RepeatCount<C>(kRays<C> - 1)
                    : random.below(2) == 0 ? RepeatCount<C>(kRays<C>)
                                           : RepeatCount<C>(2 * kRays<C> - 1);
     j.index = number_below<RepeatCount<C>::kWidth>(random, j.job.repeat.to_u64() + 1);

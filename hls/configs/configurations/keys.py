@@ -51,7 +51,12 @@ MATRICES = Choice(
 )
 RAYS_SENT = Choice("RaysSent", {"traced": "kTraced", "active": "kActive"})
 TRIANGLE_TESTS = Choice(
-    "TriangleTest", {"unit_triangle": "kUnitTriangle", "watertight": "kWatertight"}
+    "TriangleTest",
+    {
+        "unit_triangle": "kUnitTriangle",
+        "watertight": "kWatertight",
+        "watertight_common": "kWatertightCommon",
+    },
 )
 PRIMITIVES = Subset("Primitives", ("triangle", "sphere", "rectangle"))
 

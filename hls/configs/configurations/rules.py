@@ -21,11 +21,35 @@ class Rule:
 BOX_UNIT = ("object_box", "unit")
 WORLD_BOX = ("object_box", "world")
 WATERTIGHT = ("triangle_test", "watertight")
+WATERTIGHT_COMMON = ("triangle_test", "watertight_common")
 ONE_LEVEL = ("levels", 1)
 MAIN_FIRST = ("main_first", True)
 COMMON_ORIGIN = ("origins", "common")
 OWN_ORIGINS = ("origins", "each")
-RULES = (
+# What either watertight test asks of another key.
+OF_WATERTIGHT: tuple[tuple[str, Callable[[object], bool], str, str], ...] = (
+    (
+        "triangle_matrix",
+        lambda v: v == "normal_consistent",
+        "normal_consistent",
+        "corners and normal take four columns",
+    ),
+    (
+        "primitives",
+        lambda v: v == ["triangle"],
+        '["triangle"]',
+        "only triangles are mapped to the ray",
+    ),
+    ("epsilon", lambda v: v == 0, "0", "edges are decided exactly"),
+    (
+        "exponent_bits",
+        lambda v: v in (7, 8),
+        "7 or 8",
+        "ordinary coordinates must not saturate, and the model holds a product, which takes two "
+        "bits more, in a double",
+    ),
+)
+RULES: tuple[Rule, ...] = (
     Rule(*ONE_LEVEL, "object_box", lambda v: v == "nodes", "nodes", "no object is entered"),
     Rule(
         *ONE_LEVEL,
@@ -107,20 +131,6 @@ RULES = (
     ),
     Rule(
         *WATERTIGHT,
-        "triangle_matrix",
-        lambda v: v == "normal_consistent",
-        "normal_consistent",
-        "corners and normal take four columns",
-    ),
-    Rule(
-        *WATERTIGHT,
-        "primitives",
-        lambda v: v == ["triangle"],
-        '["triangle"]',
-        "only triangles are mapped to the ray",
-    ),
-    Rule(
-        *WATERTIGHT,
         "object_box",
         lambda v: v == "nodes",
         "nodes",
@@ -155,14 +165,37 @@ RULES = (
         "rounded",
         "a product of a triangle's corner is used without the others",
     ),
-    Rule(*WATERTIGHT, "epsilon", lambda v: v == 0, "0", "edges are decided exactly"),
     Rule(
-        *WATERTIGHT,
-        "exponent_bits",
-        lambda v: v in (7, 8),
-        "7 or 8",
-        "ordinary coordinates must not saturate, and the model holds a product, which takes two "
-        "bits more, in a double",
+        *WATERTIGHT_COMMON,
+        "origins",
+        lambda v: v == "common",
+        "common",
+        "the origin of a packet's rays is subtracted from a triangle's corners once",
     ),
+    Rule(
+        *WATERTIGHT_COMMON,
+        "divider",
+        lambda v: v == "three_reciprocals",
+        "three_reciprocals",
+        "a ray's map is made of its direction and the reciprocals, where these are made",
+    ),
+    Rule(
+        *WATERTIGHT_COMMON,
+        "camera",
+        lambda v: v == "own_unit",
+        "own_unit",
+        "the transformation gives mapped triangles to the intersection itself",
+    ),
+    Rule(
+        *WATERTIGHT_COMMON,
+        "object_box",
+        lambda v: v != "unit",
+        "nodes or world",
+        "corners are rounded before an object's tree is built, not scaled after",
+    ),
+) + tuple(
+    Rule(*test, other, allows, wants, why)
+    for test in (WATERTIGHT, WATERTIGHT_COMMON)
+    for other, allows, wants, why in OF_WATERTIGHT
 )
 FLOAT_BITS = 32  # of a float with its sign, at most: a hit record has a word for each

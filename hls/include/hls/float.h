@@ -206,6 +206,20 @@ class Float {
     }
   }
 
+  /// The same by a number of steps that is known only to the circuit: up where it is positive.
+  template <unsigned W>
+    requires(W < E + M)
+  constexpr Float moved(sint<W> steps) const {
+    if constexpr (kLowered) {
+      return from_bits(Circuit::moved(bits(), steps));
+    } else {
+      const auto sum = static_cast<std::int64_t>(pattern()) +
+                       static_cast<std::int64_t>(steps.to_s64()) * (std::int64_t{1} << kDropped);
+      return Float(
+          std::bit_cast<double>(std::clamp(static_cast<std::uint64_t>(sum), kLowest, kHighest)));
+    }
+  }
+
   /// Different bits are different numbers, so all comparisons are exact and total.
   friend constexpr bool operator==(Float a, Float b) { return a.value_ == b.value_; }
   friend constexpr bool operator<(Float a, Float b) {

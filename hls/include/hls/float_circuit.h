@@ -164,6 +164,14 @@ struct FloatCircuit {
     const bool under = less.template bit<E + M>();
     return assemble(false, select(under, uint<E + M>(0), less.template trunc<E + M>()));
   }
+  template <unsigned W>
+  static constexpr Bits moved(Bits a, sint<W> steps) {
+    const auto sum = (magnitude(a).to_signed() + steps).as_unsigned();
+    const bool under = sum.template bit<E + M + 1>();
+    const bool over = sum.template bit<E + M>();
+    const uint<E + M> within = select(over, uint<E + M>::ones(), sum.template trunc<E + M>());
+    return assemble(false, select(under, uint<E + M>(0), within));
+  }
 
   /// From the bits of another format.
   template <unsigned E2, unsigned M2, Rounding R2>

@@ -233,6 +233,13 @@ void check_steps(std::uint64_t bits) {
   ASSERT_EQ(pattern(f.template moved_down<Steps>()), down);
   ASSERT_EQ(F::Circuit::template moved_up<Steps>(f.bits()).to_u64(), up);
   ASSERT_EQ(F::Circuit::template moved_down<Steps>(f.bits()).to_u64(), down);
+  for (const int sign : {1, -1}) {
+    using Signed = hls::sint<hls::index_width(Steps + 1) + 1>;
+    const auto steps =
+        Signed::of_raw(static_cast<typename Signed::Raw>(sign * static_cast<int>(Steps)));
+    ASSERT_EQ(pattern(f.moved(steps)), sign > 0 ? up : down);
+    ASSERT_EQ(F::Circuit::moved(f.bits(), steps).to_u64(), sign > 0 ? up : down);
+  }
 }
 TEST(Steps, GoUpAndDownAndStopAtTheEnds) {
   for (std::uint64_t bits = 0; bits < 1u << Float<4, 5>::kLeafWidth; ++bits) {

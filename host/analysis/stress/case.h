@@ -22,10 +22,8 @@ struct Case {
   std::string name;   ///< within the group
   std::string about;  ///< description of scene and rays
   std::function<void(Examiner&)> run;
-  Allowed unit_triangle{};  ///< of cores with the thesis's triangle test (5.2)
-  std::string why{};        ///< the reason for the allowed errors
-  /// Of cores with the watertight test, where it is not the same.
-  std::optional<Allowed> watertight{};
+  Allowed on_thesis{};  ///< the allowed errors of cores that compute as the thesis's
+  std::string why{};    ///< their reason
 
   /// The allowed errors on a board, and their reason; stated if its core computes like those that
   /// were measured. A watertight core has no cracks between triangles.

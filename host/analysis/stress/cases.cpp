@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "host/analysis/stress/bounds.h"
 #include "host/analysis/stress/case.h"
 #include "host/analysis/stress/reasons.h"
 #include "host/analysis/stress/stress_messages.h"
-#include "host/analysis/stress/watertight_bounds.h"
 #include "host/error.h"
 
 namespace dynrt::host::stress {
@@ -23,28 +23,7 @@ std::vector<Case> all_cases() {
                            stack_cases, exponent_cases, camera_cases, frame_cases}) {
     std::ranges::move(group(), std::back_inserter(all));
   }
-  for (Case& c : all) {
-    if (const WatertightBound* bound = watertight_bound(c.full_name())) {
-      c.watertight = bound->allowed;
-    }
-  }
   return all;
-}
-
-bool is_watertight(const CoreInfo& board) {
-  return board.triangle_test == TriangleTest::kWatertight;
-}
-
-/// Tells whether the core computes like the two whose errors were measured. On a core of one level
-/// rays lack the multiplication with an instance's matrix and its rounding.
-bool is_measured(const CoreInfo& board) {
-  const MemoryFormat& numbers = *board.format;
-  return numbers.exponent_bits == kShippedFormat.exponent_bits &&
-         numbers.mantissa_bits == kShippedFormat.mantissa_bits &&
-         numbers.rounding == kShippedFormat.rounding && board.levels == 2 &&
-         !board.clips_to_box() && board.divider == Divider::kQuotient &&
-         board.triangle_matrix == TriangleMatrix::kNormalConsistent &&
-         board.rays_sent == RaysSent::kTraced;
 }
 
 /// Reasons that hold for the thesis's test alone.
@@ -55,16 +34,16 @@ bool is_of_cracks(const std::string& why) {
 }  // namespace
 
 std::string Case::why_on(const CoreInfo& board) const {
-  if (!is_watertight(board)) return why;
-  const WatertightBound* bound = watertight_bound(full_name());
-  return bound != nullptr ? bound->why : is_of_cracks(why) ? "" : why;
+  if (const Bound* bound = bound_on(board, full_name())) return bound->why;
+  return is_watertight(board.triangle_test) && is_of_cracks(why) ? "" : why;
 }
 
 Allowed Case::allowed(const CoreInfo& board) const {
-  Allowed allowed = unit_triangle;
-  if (is_watertight(board)) {
-    if (watertight) allowed = *watertight;
-    if (is_of_cracks(why)) allowed.lost = allowed.twice = 0;
+  Allowed allowed = on_thesis;
+  if (const Bound* bound = bound_on(board, full_name())) {
+    allowed = bound->allowed;
+  } else if (is_watertight(board.triangle_test) && is_of_cracks(why)) {
+    allowed.lost = allowed.twice = 0;
   }
   allowed.stated = is_measured(board);
   return allowed;

@@ -54,8 +54,7 @@ Board& Boards::get(const std::string& configuration) {
 }
 
 std::string Examiner::with_secondary_rays() {
-  return board().core().triangle_test == TriangleTest::kWatertight ? "whitted_watertight"
-                                                                   : "whitted";
+  return is_watertight(board().core().triangle_test) ? "whitted_watertight" : "whitted";
 }
 
 Rendered Examiner::render(const Trial& trial) {

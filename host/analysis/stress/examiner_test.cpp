@@ -195,7 +195,7 @@ TEST(Cases, AreFortyAndMoreNamedApart) {
   for (const Case& c : cases()) {
     EXPECT_TRUE(names.insert(c.full_name()).second) << c.full_name();
     EXPECT_FALSE(c.about.empty()) << c.full_name();
-    const Allowed& a = c.unit_triangle;
+    const Allowed& a = c.on_thesis;
     const bool some =
         a.lost + a.invented + a.wrong + a.twice > 0 || a.distance > Allowed{}.distance;
     EXPECT_EQ(some, !c.why.empty()) << c.full_name() << ": what is allowed has a reason";

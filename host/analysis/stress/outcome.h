@@ -36,8 +36,8 @@ std::span<const FaultText, kFaults> fault_texts();
 struct Allowed {
   std::uint64_t lost = 0, invented = 0, wrong = 0, twice = 0;
   double distance = 0x1p-10;  ///< relative error of the hit distance, at most
-  /// Says whether the bounds are known: they were measured in the shipped format with the thesis's
-  /// and with the watertight arithmetic, and other cores have no bounds.
+  /// Says whether the bounds are known: they were measured in the shipped format with the
+  /// arithmetic of four cores (bounds.h), and others have no bounds.
   bool stated = true;
 
   /// The bound of an error. It is always 0 for different bits, uncounted losses and accepted

@@ -1,10 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "host/analysis/stress/watertight_bounds.h"
-
-#include <algorithm>
-#include <iterator>
-
+#include "host/analysis/stress/bounds.h"
 #include "host/analysis/stress/reasons.h"
 
 namespace dynrt::host::stress {
@@ -20,7 +16,7 @@ constexpr char kLevel[] =
 constexpr char kRange[] =
     "corners and differences saturate, as the matrix of the thesis's test does at other sizes";
 
-constexpr WatertightBound kBounds[] = {
+constexpr Bound kBounds[] = {
     {"slivers/fan_1e4", {.lost = 1}, kBorder},
     {"sizes/millionth_on_axis", {.wrong = 65}, kBorder},
     {"sizes/millionth_off_axis", {.wrong = 266}, reasons::kSteps},
@@ -54,9 +50,6 @@ constexpr WatertightBound kBounds[] = {
 
 }  // namespace
 
-const WatertightBound* watertight_bound(const std::string& full_name) {
-  const auto* found = std::ranges::find(kBounds, full_name, &WatertightBound::name);
-  return found == std::end(kBounds) ? nullptr : found;
-}
+std::span<const Bound> watertight_bounds() { return kBounds; }
 
 }  // namespace dynrt::host::stress

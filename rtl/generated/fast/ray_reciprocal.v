@@ -76,31 +76,31 @@ module ray_reciprocal #(
   wire traced_128_s0 = traced_data_i[128];
   wire traced_129_s0 = traced_data_i[129];
   wire traced_130_s0 = traced_data_i[130];
-  wire [8:0] mux_1_s0 = traced_130_s0 ? 9'd256 : 9'd1;  // units/ray_reciprocal.h:43
-  wire [12:0] mux_2_s0 = {{4{traced_129_s0}} & mux_1_s0[8:5], traced_129_s0 ? mux_1_s0[4:0] : mux_1_s0[8:4], ~{4{traced_129_s0}} & mux_1_s0[3:0]};  // units/ray_reciprocal.h:43
-  wire [14:0] mux_3_s0 = {{2{traced_128_s0}} & mux_2_s0[12:11], traced_128_s0 ? mux_2_s0[10:0] : mux_2_s0[12:2], ~{2{traced_128_s0}} & mux_2_s0[1:0]};  // units/ray_reciprocal.h:43
-  wire [15:0] mux_4_s0 = {traced_127_s0 & mux_3_s0[14], traced_127_s0 ? mux_3_s0[13:0] : mux_3_s0[14:1], ~traced_127_s0 & mux_3_s0[0]};  // units/ray_reciprocal.h:43
-  wire lt_1_s0 = 16'h6fff < {traced_130_s0, traced_129_s0, traced_128_s0, traced_127_s0, traced_120_s0, traced_115_s0};  // units/ray_reciprocal.h:43
-  wire eq_2_s0 = {mux_4_s0[9:7], 3'd0, mux_4_s0[3], 2'd0, mux_4_s0[0]} == 10'd0;  // units/ray_reciprocal.h:43
-  wire eq_3_s0 = {mux_4_s0[12:10], 2'd0, mux_4_s0[7], 2'd0, mux_4_s0[4], 2'd0, mux_4_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire eq_4_s0 = {mux_4_s0[14:13], 1'd0, mux_4_s0[11:10], 1'd0, mux_4_s0[8:7], 1'd0, mux_4_s0[5:3], 1'd0, mux_4_s0[1]} == 14'd0;  // units/ray_reciprocal.h:43
-  wire eq_5_s0 = {mux_4_s0[15], 1'd0, mux_4_s0[13], 2'd0, mux_4_s0[10:8], 2'd0, mux_4_s0[5:3]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire not_1_s0 = ~eq_5_s0;  // units/ray_reciprocal.h:43
-  wire not_2_s0 = ~eq_4_s0;  // units/ray_reciprocal.h:43
-  wire not_3_s0 = ~eq_3_s0;  // units/ray_reciprocal.h:43
-  wire not_4_s0 = ~eq_2_s0;  // units/ray_reciprocal.h:43
-  wire not_5_s0 = ~({mux_4_s0[15:7], 4'd0, mux_4_s0[2:0]} == 16'd0);  // units/ray_reciprocal.h:43
-  wire not_6_s0 = ~lt_1_s0;  // units/ray_reciprocal.h:43
-  wire eq_6_s0 = {mux_4_s0[9:6], 3'd0, mux_4_s0[2:0]} == 10'd0;  // units/ray_reciprocal.h:43
-  wire eq_7_s0 = {mux_4_s0[12:10], 2'd0, mux_4_s0[7:6], 2'd0, mux_4_s0[3], 1'd0, mux_4_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire eq_8_s0 = {mux_4_s0[14:13], 2'd0, mux_4_s0[10], 1'd0, mux_4_s0[8], 1'd0, mux_4_s0[6], 1'd0, mux_4_s0[4], 3'd0, mux_4_s0[0]} == 15'd0;  // units/ray_reciprocal.h:43
-  wire eq_9_s0 = {mux_4_s0[15], 1'd0, mux_4_s0[13], 1'd0, mux_4_s0[11:10], 5'd0, mux_4_s0[4:3], 2'd0, mux_4_s0[0]} == 16'd0;  // units/ray_reciprocal.h:43
-  wire eq_10_s0 = {mux_4_s0[12:11], 1'd0, mux_4_s0[9:5], 1'd0, mux_4_s0[3:2], 1'd0, mux_4_s0[0]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire eq_11_s0 = {mux_4_s0[13], 1'd0, mux_4_s0[11:9], 5'd0, mux_4_s0[3:2], 1'd0, mux_4_s0[0]} == 14'd0;  // units/ray_reciprocal.h:43
-  wire eq_12_s0 = {mux_4_s0[11], 1'd0, mux_4_s0[9:8], 2'd0, mux_4_s0[5:4], 2'd0, mux_4_s0[1:0]} == 12'd0;  // units/ray_reciprocal.h:43
-  wire eq_13_s0 = {mux_4_s0[14], 3'd0, mux_4_s0[10:9], 3'd0, mux_4_s0[5], 1'd0, mux_4_s0[3:0]} == 15'd0;  // units/ray_reciprocal.h:43
-  wire eq_14_s0 = {mux_4_s0[14:10], 4'd0, mux_4_s0[5:2]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire eq_15_s0 = {mux_4_s0[15:12], 1'd0, mux_4_s0[10], 1'd0, mux_4_s0[8], 1'd0, mux_4_s0[6:3], 2'd0, mux_4_s0[0]} == 16'd0;  // units/ray_reciprocal.h:43
+  wire [8:0] mux_1_s0 = traced_130_s0 ? 9'd256 : 9'd1;  // units/ray_reciprocal.h:46
+  wire [12:0] mux_2_s0 = {{4{traced_129_s0}} & mux_1_s0[8:5], traced_129_s0 ? mux_1_s0[4:0] : mux_1_s0[8:4], ~{4{traced_129_s0}} & mux_1_s0[3:0]};  // units/ray_reciprocal.h:46
+  wire [14:0] mux_3_s0 = {{2{traced_128_s0}} & mux_2_s0[12:11], traced_128_s0 ? mux_2_s0[10:0] : mux_2_s0[12:2], ~{2{traced_128_s0}} & mux_2_s0[1:0]};  // units/ray_reciprocal.h:46
+  wire [15:0] mux_4_s0 = {traced_127_s0 & mux_3_s0[14], traced_127_s0 ? mux_3_s0[13:0] : mux_3_s0[14:1], ~traced_127_s0 & mux_3_s0[0]};  // units/ray_reciprocal.h:46
+  wire lt_1_s0 = 16'h6fff < {traced_130_s0, traced_129_s0, traced_128_s0, traced_127_s0, traced_120_s0, traced_115_s0};  // units/ray_reciprocal.h:46
+  wire eq_2_s0 = {mux_4_s0[9:7], 3'd0, mux_4_s0[3], 2'd0, mux_4_s0[0]} == 10'd0;  // units/ray_reciprocal.h:46
+  wire eq_3_s0 = {mux_4_s0[12:10], 2'd0, mux_4_s0[7], 2'd0, mux_4_s0[4], 2'd0, mux_4_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire eq_4_s0 = {mux_4_s0[14:13], 1'd0, mux_4_s0[11:10], 1'd0, mux_4_s0[8:7], 1'd0, mux_4_s0[5:3], 1'd0, mux_4_s0[1]} == 14'd0;  // units/ray_reciprocal.h:46
+  wire eq_5_s0 = {mux_4_s0[15], 1'd0, mux_4_s0[13], 2'd0, mux_4_s0[10:8], 2'd0, mux_4_s0[5:3]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire not_1_s0 = ~eq_5_s0;  // units/ray_reciprocal.h:46
+  wire not_2_s0 = ~eq_4_s0;  // units/ray_reciprocal.h:46
+  wire not_3_s0 = ~eq_3_s0;  // units/ray_reciprocal.h:46
+  wire not_4_s0 = ~eq_2_s0;  // units/ray_reciprocal.h:46
+  wire not_5_s0 = ~({mux_4_s0[15:7], 4'd0, mux_4_s0[2:0]} == 16'd0);  // units/ray_reciprocal.h:46
+  wire not_6_s0 = ~lt_1_s0;  // units/ray_reciprocal.h:46
+  wire eq_6_s0 = {mux_4_s0[9:6], 3'd0, mux_4_s0[2:0]} == 10'd0;  // units/ray_reciprocal.h:46
+  wire eq_7_s0 = {mux_4_s0[12:10], 2'd0, mux_4_s0[7:6], 2'd0, mux_4_s0[3], 1'd0, mux_4_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire eq_8_s0 = {mux_4_s0[14:13], 2'd0, mux_4_s0[10], 1'd0, mux_4_s0[8], 1'd0, mux_4_s0[6], 1'd0, mux_4_s0[4], 3'd0, mux_4_s0[0]} == 15'd0;  // units/ray_reciprocal.h:46
+  wire eq_9_s0 = {mux_4_s0[15], 1'd0, mux_4_s0[13], 1'd0, mux_4_s0[11:10], 5'd0, mux_4_s0[4:3], 2'd0, mux_4_s0[0]} == 16'd0;  // units/ray_reciprocal.h:46
+  wire eq_10_s0 = {mux_4_s0[12:11], 1'd0, mux_4_s0[9:5], 1'd0, mux_4_s0[3:2], 1'd0, mux_4_s0[0]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire eq_11_s0 = {mux_4_s0[13], 1'd0, mux_4_s0[11:9], 5'd0, mux_4_s0[3:2], 1'd0, mux_4_s0[0]} == 14'd0;  // units/ray_reciprocal.h:46
+  wire eq_12_s0 = {mux_4_s0[11], 1'd0, mux_4_s0[9:8], 2'd0, mux_4_s0[5:4], 2'd0, mux_4_s0[1:0]} == 12'd0;  // units/ray_reciprocal.h:46
+  wire eq_13_s0 = {mux_4_s0[14], 3'd0, mux_4_s0[10:9], 3'd0, mux_4_s0[5], 1'd0, mux_4_s0[3:0]} == 15'd0;  // units/ray_reciprocal.h:46
+  wire eq_14_s0 = {mux_4_s0[14:10], 4'd0, mux_4_s0[5:2]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire eq_15_s0 = {mux_4_s0[15:12], 1'd0, mux_4_s0[10], 1'd0, mux_4_s0[8], 1'd0, mux_4_s0[6:3], 2'd0, mux_4_s0[0]} == 16'd0;  // units/ray_reciprocal.h:46
   wire [6:0] traced_131_s0 = traced_data_i[137:131];
   wire [4:0] traced_139_s0 = traced_data_i[143:139];
   wire [6:0] traced_144_s0 = traced_data_i[150:144];
@@ -108,31 +108,31 @@ module ray_reciprocal #(
   wire traced_152_s0 = traced_data_i[152];
   wire traced_153_s0 = traced_data_i[153];
   wire traced_154_s0 = traced_data_i[154];
-  wire [8:0] mux_6_s0 = traced_154_s0 ? 9'd256 : 9'd1;  // units/ray_reciprocal.h:43
-  wire [12:0] mux_7_s0 = {{4{traced_153_s0}} & mux_6_s0[8:5], traced_153_s0 ? mux_6_s0[4:0] : mux_6_s0[8:4], ~{4{traced_153_s0}} & mux_6_s0[3:0]};  // units/ray_reciprocal.h:43
-  wire [14:0] mux_8_s0 = {{2{traced_152_s0}} & mux_7_s0[12:11], traced_152_s0 ? mux_7_s0[10:0] : mux_7_s0[12:2], ~{2{traced_152_s0}} & mux_7_s0[1:0]};  // units/ray_reciprocal.h:43
-  wire [15:0] mux_9_s0 = {traced_151_s0 & mux_8_s0[14], traced_151_s0 ? mux_8_s0[13:0] : mux_8_s0[14:1], ~traced_151_s0 & mux_8_s0[0]};  // units/ray_reciprocal.h:43
-  wire lt_4_s0 = 16'h6fff < {traced_154_s0, traced_153_s0, traced_152_s0, traced_151_s0, traced_144_s0, traced_139_s0};  // units/ray_reciprocal.h:43
-  wire eq_19_s0 = {mux_9_s0[9:7], 3'd0, mux_9_s0[3], 2'd0, mux_9_s0[0]} == 10'd0;  // units/ray_reciprocal.h:43
-  wire eq_20_s0 = {mux_9_s0[12:10], 2'd0, mux_9_s0[7], 2'd0, mux_9_s0[4], 2'd0, mux_9_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire eq_21_s0 = {mux_9_s0[14:13], 1'd0, mux_9_s0[11:10], 1'd0, mux_9_s0[8:7], 1'd0, mux_9_s0[5:3], 1'd0, mux_9_s0[1]} == 14'd0;  // units/ray_reciprocal.h:43
-  wire eq_22_s0 = {mux_9_s0[15], 1'd0, mux_9_s0[13], 2'd0, mux_9_s0[10:8], 2'd0, mux_9_s0[5:3]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire not_19_s0 = ~eq_22_s0;  // units/ray_reciprocal.h:43
-  wire not_20_s0 = ~eq_21_s0;  // units/ray_reciprocal.h:43
-  wire not_21_s0 = ~eq_20_s0;  // units/ray_reciprocal.h:43
-  wire not_22_s0 = ~eq_19_s0;  // units/ray_reciprocal.h:43
-  wire not_23_s0 = ~({mux_9_s0[15:7], 4'd0, mux_9_s0[2:0]} == 16'd0);  // units/ray_reciprocal.h:43
-  wire not_24_s0 = ~lt_4_s0;  // units/ray_reciprocal.h:43
-  wire eq_23_s0 = {mux_9_s0[9:6], 3'd0, mux_9_s0[2:0]} == 10'd0;  // units/ray_reciprocal.h:43
-  wire eq_24_s0 = {mux_9_s0[12:10], 2'd0, mux_9_s0[7:6], 2'd0, mux_9_s0[3], 1'd0, mux_9_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire eq_25_s0 = {mux_9_s0[14:13], 2'd0, mux_9_s0[10], 1'd0, mux_9_s0[8], 1'd0, mux_9_s0[6], 1'd0, mux_9_s0[4], 3'd0, mux_9_s0[0]} == 15'd0;  // units/ray_reciprocal.h:43
-  wire eq_26_s0 = {mux_9_s0[15], 1'd0, mux_9_s0[13], 1'd0, mux_9_s0[11:10], 5'd0, mux_9_s0[4:3], 2'd0, mux_9_s0[0]} == 16'd0;  // units/ray_reciprocal.h:43
-  wire eq_27_s0 = {mux_9_s0[12:11], 1'd0, mux_9_s0[9:5], 1'd0, mux_9_s0[3:2], 1'd0, mux_9_s0[0]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire eq_28_s0 = {mux_9_s0[13], 1'd0, mux_9_s0[11:9], 5'd0, mux_9_s0[3:2], 1'd0, mux_9_s0[0]} == 14'd0;  // units/ray_reciprocal.h:43
-  wire eq_29_s0 = {mux_9_s0[11], 1'd0, mux_9_s0[9:8], 2'd0, mux_9_s0[5:4], 2'd0, mux_9_s0[1:0]} == 12'd0;  // units/ray_reciprocal.h:43
-  wire eq_30_s0 = {mux_9_s0[14], 3'd0, mux_9_s0[10:9], 3'd0, mux_9_s0[5], 1'd0, mux_9_s0[3:0]} == 15'd0;  // units/ray_reciprocal.h:43
-  wire eq_31_s0 = {mux_9_s0[14:10], 4'd0, mux_9_s0[5:2]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire eq_32_s0 = {mux_9_s0[15:12], 1'd0, mux_9_s0[10], 1'd0, mux_9_s0[8], 1'd0, mux_9_s0[6:3], 2'd0, mux_9_s0[0]} == 16'd0;  // units/ray_reciprocal.h:43
+  wire [8:0] mux_6_s0 = traced_154_s0 ? 9'd256 : 9'd1;  // units/ray_reciprocal.h:46
+  wire [12:0] mux_7_s0 = {{4{traced_153_s0}} & mux_6_s0[8:5], traced_153_s0 ? mux_6_s0[4:0] : mux_6_s0[8:4], ~{4{traced_153_s0}} & mux_6_s0[3:0]};  // units/ray_reciprocal.h:46
+  wire [14:0] mux_8_s0 = {{2{traced_152_s0}} & mux_7_s0[12:11], traced_152_s0 ? mux_7_s0[10:0] : mux_7_s0[12:2], ~{2{traced_152_s0}} & mux_7_s0[1:0]};  // units/ray_reciprocal.h:46
+  wire [15:0] mux_9_s0 = {traced_151_s0 & mux_8_s0[14], traced_151_s0 ? mux_8_s0[13:0] : mux_8_s0[14:1], ~traced_151_s0 & mux_8_s0[0]};  // units/ray_reciprocal.h:46
+  wire lt_4_s0 = 16'h6fff < {traced_154_s0, traced_153_s0, traced_152_s0, traced_151_s0, traced_144_s0, traced_139_s0};  // units/ray_reciprocal.h:46
+  wire eq_19_s0 = {mux_9_s0[9:7], 3'd0, mux_9_s0[3], 2'd0, mux_9_s0[0]} == 10'd0;  // units/ray_reciprocal.h:46
+  wire eq_20_s0 = {mux_9_s0[12:10], 2'd0, mux_9_s0[7], 2'd0, mux_9_s0[4], 2'd0, mux_9_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire eq_21_s0 = {mux_9_s0[14:13], 1'd0, mux_9_s0[11:10], 1'd0, mux_9_s0[8:7], 1'd0, mux_9_s0[5:3], 1'd0, mux_9_s0[1]} == 14'd0;  // units/ray_reciprocal.h:46
+  wire eq_22_s0 = {mux_9_s0[15], 1'd0, mux_9_s0[13], 2'd0, mux_9_s0[10:8], 2'd0, mux_9_s0[5:3]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire not_19_s0 = ~eq_22_s0;  // units/ray_reciprocal.h:46
+  wire not_20_s0 = ~eq_21_s0;  // units/ray_reciprocal.h:46
+  wire not_21_s0 = ~eq_20_s0;  // units/ray_reciprocal.h:46
+  wire not_22_s0 = ~eq_19_s0;  // units/ray_reciprocal.h:46
+  wire not_23_s0 = ~({mux_9_s0[15:7], 4'd0, mux_9_s0[2:0]} == 16'd0);  // units/ray_reciprocal.h:46
+  wire not_24_s0 = ~lt_4_s0;  // units/ray_reciprocal.h:46
+  wire eq_23_s0 = {mux_9_s0[9:6], 3'd0, mux_9_s0[2:0]} == 10'd0;  // units/ray_reciprocal.h:46
+  wire eq_24_s0 = {mux_9_s0[12:10], 2'd0, mux_9_s0[7:6], 2'd0, mux_9_s0[3], 1'd0, mux_9_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire eq_25_s0 = {mux_9_s0[14:13], 2'd0, mux_9_s0[10], 1'd0, mux_9_s0[8], 1'd0, mux_9_s0[6], 1'd0, mux_9_s0[4], 3'd0, mux_9_s0[0]} == 15'd0;  // units/ray_reciprocal.h:46
+  wire eq_26_s0 = {mux_9_s0[15], 1'd0, mux_9_s0[13], 1'd0, mux_9_s0[11:10], 5'd0, mux_9_s0[4:3], 2'd0, mux_9_s0[0]} == 16'd0;  // units/ray_reciprocal.h:46
+  wire eq_27_s0 = {mux_9_s0[12:11], 1'd0, mux_9_s0[9:5], 1'd0, mux_9_s0[3:2], 1'd0, mux_9_s0[0]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire eq_28_s0 = {mux_9_s0[13], 1'd0, mux_9_s0[11:9], 5'd0, mux_9_s0[3:2], 1'd0, mux_9_s0[0]} == 14'd0;  // units/ray_reciprocal.h:46
+  wire eq_29_s0 = {mux_9_s0[11], 1'd0, mux_9_s0[9:8], 2'd0, mux_9_s0[5:4], 2'd0, mux_9_s0[1:0]} == 12'd0;  // units/ray_reciprocal.h:46
+  wire eq_30_s0 = {mux_9_s0[14], 3'd0, mux_9_s0[10:9], 3'd0, mux_9_s0[5], 1'd0, mux_9_s0[3:0]} == 15'd0;  // units/ray_reciprocal.h:46
+  wire eq_31_s0 = {mux_9_s0[14:10], 4'd0, mux_9_s0[5:2]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire eq_32_s0 = {mux_9_s0[15:12], 1'd0, mux_9_s0[10], 1'd0, mux_9_s0[8], 1'd0, mux_9_s0[6:3], 2'd0, mux_9_s0[0]} == 16'd0;  // units/ray_reciprocal.h:46
   wire [6:0] traced_155_s0 = traced_data_i[161:155];
   wire [4:0] traced_163_s0 = traced_data_i[167:163];
   wire [6:0] traced_168_s0 = traced_data_i[174:168];
@@ -140,33 +140,33 @@ module ray_reciprocal #(
   wire traced_176_s0 = traced_data_i[176];
   wire traced_177_s0 = traced_data_i[177];
   wire traced_178_s0 = traced_data_i[178];
-  wire [8:0] mux_11_s0 = traced_178_s0 ? 9'd256 : 9'd1;  // units/ray_reciprocal.h:43
-  wire [12:0] mux_12_s0 = {{4{traced_177_s0}} & mux_11_s0[8:5], traced_177_s0 ? mux_11_s0[4:0] : mux_11_s0[8:4], ~{4{traced_177_s0}} & mux_11_s0[3:0]};  // units/ray_reciprocal.h:43
-  wire [14:0] mux_13_s0 = {{2{traced_176_s0}} & mux_12_s0[12:11], traced_176_s0 ? mux_12_s0[10:0] : mux_12_s0[12:2], ~{2{traced_176_s0}} & mux_12_s0[1:0]};  // units/ray_reciprocal.h:43
-  wire [15:0] mux_14_s0 = {traced_175_s0 & mux_13_s0[14], traced_175_s0 ? mux_13_s0[13:0] : mux_13_s0[14:1], ~traced_175_s0 & mux_13_s0[0]};  // units/ray_reciprocal.h:43
-  wire lt_7_s0 = 16'h6fff < {traced_178_s0, traced_177_s0, traced_176_s0, traced_175_s0, traced_168_s0, traced_163_s0};  // units/ray_reciprocal.h:43
-  wire eq_36_s0 = {mux_14_s0[9:7], 3'd0, mux_14_s0[3], 2'd0, mux_14_s0[0]} == 10'd0;  // units/ray_reciprocal.h:43
-  wire eq_37_s0 = {mux_14_s0[12:10], 2'd0, mux_14_s0[7], 2'd0, mux_14_s0[4], 2'd0, mux_14_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire eq_38_s0 = {mux_14_s0[14:13], 1'd0, mux_14_s0[11:10], 1'd0, mux_14_s0[8:7], 1'd0, mux_14_s0[5:3], 1'd0, mux_14_s0[1]} == 14'd0;  // units/ray_reciprocal.h:43
-  wire eq_39_s0 = {mux_14_s0[15], 1'd0, mux_14_s0[13], 2'd0, mux_14_s0[10:8], 2'd0, mux_14_s0[5:3]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire not_37_s0 = ~eq_39_s0;  // units/ray_reciprocal.h:43
-  wire not_38_s0 = ~eq_38_s0;  // units/ray_reciprocal.h:43
-  wire not_39_s0 = ~eq_37_s0;  // units/ray_reciprocal.h:43
-  wire not_40_s0 = ~eq_36_s0;  // units/ray_reciprocal.h:43
-  wire not_41_s0 = ~({mux_14_s0[15:7], 4'd0, mux_14_s0[2:0]} == 16'd0);  // units/ray_reciprocal.h:43
-  wire not_42_s0 = ~lt_7_s0;  // units/ray_reciprocal.h:43
-  wire eq_40_s0 = {mux_14_s0[9:6], 3'd0, mux_14_s0[2:0]} == 10'd0;  // units/ray_reciprocal.h:43
-  wire eq_41_s0 = {mux_14_s0[12:10], 2'd0, mux_14_s0[7:6], 2'd0, mux_14_s0[3], 1'd0, mux_14_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire eq_42_s0 = {mux_14_s0[14:13], 2'd0, mux_14_s0[10], 1'd0, mux_14_s0[8], 1'd0, mux_14_s0[6], 1'd0, mux_14_s0[4], 3'd0, mux_14_s0[0]} == 15'd0;  // units/ray_reciprocal.h:43
-  wire eq_43_s0 = {mux_14_s0[15], 1'd0, mux_14_s0[13], 1'd0, mux_14_s0[11:10], 5'd0, mux_14_s0[4:3], 2'd0, mux_14_s0[0]} == 16'd0;  // units/ray_reciprocal.h:43
-  wire eq_44_s0 = {mux_14_s0[12:11], 1'd0, mux_14_s0[9:5], 1'd0, mux_14_s0[3:2], 1'd0, mux_14_s0[0]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire eq_45_s0 = {mux_14_s0[13], 1'd0, mux_14_s0[11:9], 5'd0, mux_14_s0[3:2], 1'd0, mux_14_s0[0]} == 14'd0;  // units/ray_reciprocal.h:43
-  wire eq_46_s0 = {mux_14_s0[11], 1'd0, mux_14_s0[9:8], 2'd0, mux_14_s0[5:4], 2'd0, mux_14_s0[1:0]} == 12'd0;  // units/ray_reciprocal.h:43
-  wire eq_47_s0 = {mux_14_s0[14], 3'd0, mux_14_s0[10:9], 3'd0, mux_14_s0[5], 1'd0, mux_14_s0[3:0]} == 15'd0;  // units/ray_reciprocal.h:43
-  wire eq_48_s0 = {mux_14_s0[14:10], 4'd0, mux_14_s0[5:2]} == 13'd0;  // units/ray_reciprocal.h:43
-  wire eq_49_s0 = {mux_14_s0[15:12], 1'd0, mux_14_s0[10], 1'd0, mux_14_s0[8], 1'd0, mux_14_s0[6:3], 2'd0, mux_14_s0[0]} == 16'd0;  // units/ray_reciprocal.h:43
+  wire [8:0] mux_11_s0 = traced_178_s0 ? 9'd256 : 9'd1;  // units/ray_reciprocal.h:46
+  wire [12:0] mux_12_s0 = {{4{traced_177_s0}} & mux_11_s0[8:5], traced_177_s0 ? mux_11_s0[4:0] : mux_11_s0[8:4], ~{4{traced_177_s0}} & mux_11_s0[3:0]};  // units/ray_reciprocal.h:46
+  wire [14:0] mux_13_s0 = {{2{traced_176_s0}} & mux_12_s0[12:11], traced_176_s0 ? mux_12_s0[10:0] : mux_12_s0[12:2], ~{2{traced_176_s0}} & mux_12_s0[1:0]};  // units/ray_reciprocal.h:46
+  wire [15:0] mux_14_s0 = {traced_175_s0 & mux_13_s0[14], traced_175_s0 ? mux_13_s0[13:0] : mux_13_s0[14:1], ~traced_175_s0 & mux_13_s0[0]};  // units/ray_reciprocal.h:46
+  wire lt_7_s0 = 16'h6fff < {traced_178_s0, traced_177_s0, traced_176_s0, traced_175_s0, traced_168_s0, traced_163_s0};  // units/ray_reciprocal.h:46
+  wire eq_36_s0 = {mux_14_s0[9:7], 3'd0, mux_14_s0[3], 2'd0, mux_14_s0[0]} == 10'd0;  // units/ray_reciprocal.h:46
+  wire eq_37_s0 = {mux_14_s0[12:10], 2'd0, mux_14_s0[7], 2'd0, mux_14_s0[4], 2'd0, mux_14_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire eq_38_s0 = {mux_14_s0[14:13], 1'd0, mux_14_s0[11:10], 1'd0, mux_14_s0[8:7], 1'd0, mux_14_s0[5:3], 1'd0, mux_14_s0[1]} == 14'd0;  // units/ray_reciprocal.h:46
+  wire eq_39_s0 = {mux_14_s0[15], 1'd0, mux_14_s0[13], 2'd0, mux_14_s0[10:8], 2'd0, mux_14_s0[5:3]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire not_37_s0 = ~eq_39_s0;  // units/ray_reciprocal.h:46
+  wire not_38_s0 = ~eq_38_s0;  // units/ray_reciprocal.h:46
+  wire not_39_s0 = ~eq_37_s0;  // units/ray_reciprocal.h:46
+  wire not_40_s0 = ~eq_36_s0;  // units/ray_reciprocal.h:46
+  wire not_41_s0 = ~({mux_14_s0[15:7], 4'd0, mux_14_s0[2:0]} == 16'd0);  // units/ray_reciprocal.h:46
+  wire not_42_s0 = ~lt_7_s0;  // units/ray_reciprocal.h:46
+  wire eq_40_s0 = {mux_14_s0[9:6], 3'd0, mux_14_s0[2:0]} == 10'd0;  // units/ray_reciprocal.h:46
+  wire eq_41_s0 = {mux_14_s0[12:10], 2'd0, mux_14_s0[7:6], 2'd0, mux_14_s0[3], 1'd0, mux_14_s0[1:0]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire eq_42_s0 = {mux_14_s0[14:13], 2'd0, mux_14_s0[10], 1'd0, mux_14_s0[8], 1'd0, mux_14_s0[6], 1'd0, mux_14_s0[4], 3'd0, mux_14_s0[0]} == 15'd0;  // units/ray_reciprocal.h:46
+  wire eq_43_s0 = {mux_14_s0[15], 1'd0, mux_14_s0[13], 1'd0, mux_14_s0[11:10], 5'd0, mux_14_s0[4:3], 2'd0, mux_14_s0[0]} == 16'd0;  // units/ray_reciprocal.h:46
+  wire eq_44_s0 = {mux_14_s0[12:11], 1'd0, mux_14_s0[9:5], 1'd0, mux_14_s0[3:2], 1'd0, mux_14_s0[0]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire eq_45_s0 = {mux_14_s0[13], 1'd0, mux_14_s0[11:9], 5'd0, mux_14_s0[3:2], 1'd0, mux_14_s0[0]} == 14'd0;  // units/ray_reciprocal.h:46
+  wire eq_46_s0 = {mux_14_s0[11], 1'd0, mux_14_s0[9:8], 2'd0, mux_14_s0[5:4], 2'd0, mux_14_s0[1:0]} == 12'd0;  // units/ray_reciprocal.h:46
+  wire eq_47_s0 = {mux_14_s0[14], 3'd0, mux_14_s0[10:9], 3'd0, mux_14_s0[5], 1'd0, mux_14_s0[3:0]} == 15'd0;  // units/ray_reciprocal.h:46
+  wire eq_48_s0 = {mux_14_s0[14:10], 4'd0, mux_14_s0[5:2]} == 13'd0;  // units/ray_reciprocal.h:46
+  wire eq_49_s0 = {mux_14_s0[15:12], 1'd0, mux_14_s0[10], 1'd0, mux_14_s0[8], 1'd0, mux_14_s0[6:3], 2'd0, mux_14_s0[0]} == 16'd0;  // units/ray_reciprocal.h:46
   wire [6:0] traced_179_s0 = traced_data_i[185:179];
-  wire not_60_s0 = ~in_is_new_s0;  // units/ray_reciprocal.h:71
+  wire not_60_s0 = ~in_is_new_s0;  // units/ray_reciprocal.h:74
   wire [18:0] in_ray_root_s0 = traced_data_i[41:23];
   wire traced_186_s0 = traced_data_i[186];
   wire traced_162_s0 = traced_data_i[162];
@@ -341,9 +341,9 @@ module ray_reciprocal #(
     traced_138_s1 <= traced_138_s0;
     in_ray_active_s1 <= in_ray_active_s0;
   end
-  wire [12:0] mul_1_s1 = {not_6_s1, not_5_s1, not_4_s1, not_3_s1, not_2_s1, not_1_s1} * traced_120_s1;  // units/ray_reciprocal.h:43
-  wire [12:0] mul_5_s1 = {not_24_s1, not_23_s1, not_22_s1, not_21_s1, not_20_s1, not_19_s1} * traced_144_s1;  // units/ray_reciprocal.h:43
-  wire [12:0] mul_9_s1 = {not_42_s1, not_41_s1, not_40_s1, not_39_s1, not_38_s1, not_37_s1} * traced_168_s1;  // units/ray_reciprocal.h:43
+  wire [12:0] mul_1_s1 = {not_6_s1, not_5_s1, not_4_s1, not_3_s1, not_2_s1, not_1_s1} * traced_120_s1;  // units/ray_reciprocal.h:46
+  wire [12:0] mul_5_s1 = {not_24_s1, not_23_s1, not_22_s1, not_21_s1, not_20_s1, not_19_s1} * traced_144_s1;  // units/ray_reciprocal.h:46
+  wire [12:0] mul_9_s1 = {not_42_s1, not_41_s1, not_40_s1, not_39_s1, not_38_s1, not_37_s1} * traced_168_s1;  // units/ray_reciprocal.h:46
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -452,45 +452,45 @@ module ray_reciprocal #(
     eq_48_s2 <= eq_48_s1;
     eq_49_s2 <= eq_49_s1;
   end
-  wire lt_2_s2 = 16'h5fff < {traced_130_s2, traced_129_s2, traced_128_s2, traced_127_s2, traced_120_s2, traced_115_s2};  // units/ray_reciprocal.h:43
-  wire not_7_s2 = ~eq_15_s2;  // units/ray_reciprocal.h:43
-  wire not_8_s2 = ~eq_14_s2;  // units/ray_reciprocal.h:43
-  wire not_9_s2 = ~eq_13_s2;  // units/ray_reciprocal.h:43
-  wire not_10_s2 = ~eq_12_s2;  // units/ray_reciprocal.h:43
-  wire not_11_s2 = ~eq_11_s2;  // units/ray_reciprocal.h:43
-  wire not_12_s2 = ~eq_10_s2;  // units/ray_reciprocal.h:43
-  wire not_13_s2 = ~eq_9_s2;  // units/ray_reciprocal.h:43
-  wire not_14_s2 = ~eq_8_s2;  // units/ray_reciprocal.h:43
-  wire not_15_s2 = ~eq_7_s2;  // units/ray_reciprocal.h:43
-  wire not_16_s2 = ~eq_6_s2;  // units/ray_reciprocal.h:43
-  wire not_17_s2 = ~lt_2_s2;  // units/ray_reciprocal.h:43
-  wire [11:0] sub_1_s2 = {1'd1, not_17_s2, not_16_s2, not_15_s2, not_14_s2, not_13_s2, not_12_s2, not_11_s2, not_10_s2, not_9_s2, not_8_s2, not_7_s2} - {4'd0, mul_1_s2};  // units/ray_reciprocal.h:43
-  wire lt_5_s2 = 16'h5fff < {traced_154_s2, traced_153_s2, traced_152_s2, traced_151_s2, traced_144_s2, traced_139_s2};  // units/ray_reciprocal.h:43
-  wire not_25_s2 = ~eq_32_s2;  // units/ray_reciprocal.h:43
-  wire not_26_s2 = ~eq_31_s2;  // units/ray_reciprocal.h:43
-  wire not_27_s2 = ~eq_30_s2;  // units/ray_reciprocal.h:43
-  wire not_28_s2 = ~eq_29_s2;  // units/ray_reciprocal.h:43
-  wire not_29_s2 = ~eq_28_s2;  // units/ray_reciprocal.h:43
-  wire not_30_s2 = ~eq_27_s2;  // units/ray_reciprocal.h:43
-  wire not_31_s2 = ~eq_26_s2;  // units/ray_reciprocal.h:43
-  wire not_32_s2 = ~eq_25_s2;  // units/ray_reciprocal.h:43
-  wire not_33_s2 = ~eq_24_s2;  // units/ray_reciprocal.h:43
-  wire not_34_s2 = ~eq_23_s2;  // units/ray_reciprocal.h:43
-  wire not_35_s2 = ~lt_5_s2;  // units/ray_reciprocal.h:43
-  wire [11:0] sub_4_s2 = {1'd1, not_35_s2, not_34_s2, not_33_s2, not_32_s2, not_31_s2, not_30_s2, not_29_s2, not_28_s2, not_27_s2, not_26_s2, not_25_s2} - {4'd0, mul_5_s2};  // units/ray_reciprocal.h:43
-  wire lt_8_s2 = 16'h5fff < {traced_178_s2, traced_177_s2, traced_176_s2, traced_175_s2, traced_168_s2, traced_163_s2};  // units/ray_reciprocal.h:43
-  wire not_43_s2 = ~eq_49_s2;  // units/ray_reciprocal.h:43
-  wire not_44_s2 = ~eq_48_s2;  // units/ray_reciprocal.h:43
-  wire not_45_s2 = ~eq_47_s2;  // units/ray_reciprocal.h:43
-  wire not_46_s2 = ~eq_46_s2;  // units/ray_reciprocal.h:43
-  wire not_47_s2 = ~eq_45_s2;  // units/ray_reciprocal.h:43
-  wire not_48_s2 = ~eq_44_s2;  // units/ray_reciprocal.h:43
-  wire not_49_s2 = ~eq_43_s2;  // units/ray_reciprocal.h:43
-  wire not_50_s2 = ~eq_42_s2;  // units/ray_reciprocal.h:43
-  wire not_51_s2 = ~eq_41_s2;  // units/ray_reciprocal.h:43
-  wire not_52_s2 = ~eq_40_s2;  // units/ray_reciprocal.h:43
-  wire not_53_s2 = ~lt_8_s2;  // units/ray_reciprocal.h:43
-  wire [11:0] sub_7_s2 = {1'd1, not_53_s2, not_52_s2, not_51_s2, not_50_s2, not_49_s2, not_48_s2, not_47_s2, not_46_s2, not_45_s2, not_44_s2, not_43_s2} - {4'd0, mul_9_s2};  // units/ray_reciprocal.h:43
+  wire lt_2_s2 = 16'h5fff < {traced_130_s2, traced_129_s2, traced_128_s2, traced_127_s2, traced_120_s2, traced_115_s2};  // units/ray_reciprocal.h:46
+  wire not_7_s2 = ~eq_15_s2;  // units/ray_reciprocal.h:46
+  wire not_8_s2 = ~eq_14_s2;  // units/ray_reciprocal.h:46
+  wire not_9_s2 = ~eq_13_s2;  // units/ray_reciprocal.h:46
+  wire not_10_s2 = ~eq_12_s2;  // units/ray_reciprocal.h:46
+  wire not_11_s2 = ~eq_11_s2;  // units/ray_reciprocal.h:46
+  wire not_12_s2 = ~eq_10_s2;  // units/ray_reciprocal.h:46
+  wire not_13_s2 = ~eq_9_s2;  // units/ray_reciprocal.h:46
+  wire not_14_s2 = ~eq_8_s2;  // units/ray_reciprocal.h:46
+  wire not_15_s2 = ~eq_7_s2;  // units/ray_reciprocal.h:46
+  wire not_16_s2 = ~eq_6_s2;  // units/ray_reciprocal.h:46
+  wire not_17_s2 = ~lt_2_s2;  // units/ray_reciprocal.h:46
+  wire [11:0] sub_1_s2 = {1'd1, not_17_s2, not_16_s2, not_15_s2, not_14_s2, not_13_s2, not_12_s2, not_11_s2, not_10_s2, not_9_s2, not_8_s2, not_7_s2} - {4'd0, mul_1_s2};  // units/ray_reciprocal.h:46
+  wire lt_5_s2 = 16'h5fff < {traced_154_s2, traced_153_s2, traced_152_s2, traced_151_s2, traced_144_s2, traced_139_s2};  // units/ray_reciprocal.h:46
+  wire not_25_s2 = ~eq_32_s2;  // units/ray_reciprocal.h:46
+  wire not_26_s2 = ~eq_31_s2;  // units/ray_reciprocal.h:46
+  wire not_27_s2 = ~eq_30_s2;  // units/ray_reciprocal.h:46
+  wire not_28_s2 = ~eq_29_s2;  // units/ray_reciprocal.h:46
+  wire not_29_s2 = ~eq_28_s2;  // units/ray_reciprocal.h:46
+  wire not_30_s2 = ~eq_27_s2;  // units/ray_reciprocal.h:46
+  wire not_31_s2 = ~eq_26_s2;  // units/ray_reciprocal.h:46
+  wire not_32_s2 = ~eq_25_s2;  // units/ray_reciprocal.h:46
+  wire not_33_s2 = ~eq_24_s2;  // units/ray_reciprocal.h:46
+  wire not_34_s2 = ~eq_23_s2;  // units/ray_reciprocal.h:46
+  wire not_35_s2 = ~lt_5_s2;  // units/ray_reciprocal.h:46
+  wire [11:0] sub_4_s2 = {1'd1, not_35_s2, not_34_s2, not_33_s2, not_32_s2, not_31_s2, not_30_s2, not_29_s2, not_28_s2, not_27_s2, not_26_s2, not_25_s2} - {4'd0, mul_5_s2};  // units/ray_reciprocal.h:46
+  wire lt_8_s2 = 16'h5fff < {traced_178_s2, traced_177_s2, traced_176_s2, traced_175_s2, traced_168_s2, traced_163_s2};  // units/ray_reciprocal.h:46
+  wire not_43_s2 = ~eq_49_s2;  // units/ray_reciprocal.h:46
+  wire not_44_s2 = ~eq_48_s2;  // units/ray_reciprocal.h:46
+  wire not_45_s2 = ~eq_47_s2;  // units/ray_reciprocal.h:46
+  wire not_46_s2 = ~eq_46_s2;  // units/ray_reciprocal.h:46
+  wire not_47_s2 = ~eq_45_s2;  // units/ray_reciprocal.h:46
+  wire not_48_s2 = ~eq_44_s2;  // units/ray_reciprocal.h:46
+  wire not_49_s2 = ~eq_43_s2;  // units/ray_reciprocal.h:46
+  wire not_50_s2 = ~eq_42_s2;  // units/ray_reciprocal.h:46
+  wire not_51_s2 = ~eq_41_s2;  // units/ray_reciprocal.h:46
+  wire not_52_s2 = ~eq_40_s2;  // units/ray_reciprocal.h:46
+  wire not_53_s2 = ~lt_8_s2;  // units/ray_reciprocal.h:46
+  wire [11:0] sub_7_s2 = {1'd1, not_53_s2, not_52_s2, not_51_s2, not_50_s2, not_49_s2, not_48_s2, not_47_s2, not_46_s2, not_45_s2, not_44_s2, not_43_s2} - {4'd0, mul_9_s2};  // units/ray_reciprocal.h:46
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -539,9 +539,9 @@ module ray_reciprocal #(
     traced_178_s3 <= traced_178_s2;
     sub_7_s3 <= sub_7_s2;
   end
-  wire [19:0] mul_2_s3 = {1'd1, traced_130_s3, traced_129_s3, traced_128_s3, traced_127_s3, traced_120_s3, traced_115_s3} * sub_1_s3;  // units/ray_reciprocal.h:43
-  wire [19:0] mul_6_s3 = {1'd1, traced_154_s3, traced_153_s3, traced_152_s3, traced_151_s3, traced_144_s3, traced_139_s3} * sub_4_s3;  // units/ray_reciprocal.h:43
-  wire [19:0] mul_10_s3 = {1'd1, traced_178_s3, traced_177_s3, traced_176_s3, traced_175_s3, traced_168_s3, traced_163_s3} * sub_7_s3;  // units/ray_reciprocal.h:43
+  wire [19:0] mul_2_s3 = {1'd1, traced_130_s3, traced_129_s3, traced_128_s3, traced_127_s3, traced_120_s3, traced_115_s3} * sub_1_s3;  // units/ray_reciprocal.h:46
+  wire [19:0] mul_6_s3 = {1'd1, traced_154_s3, traced_153_s3, traced_152_s3, traced_151_s3, traced_144_s3, traced_139_s3} * sub_4_s3;  // units/ray_reciprocal.h:46
+  wire [19:0] mul_10_s3 = {1'd1, traced_178_s3, traced_177_s3, traced_176_s3, traced_175_s3, traced_168_s3, traced_163_s3} * sub_7_s3;  // units/ray_reciprocal.h:46
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -650,9 +650,9 @@ module ray_reciprocal #(
     sub_7_s5 <= sub_7_s4;
     mul_10_s5 <= mul_10_s4;
   end
-  wire [30:0] mul_3_s5 = $signed({1'd0, sub_1_s5}) * $signed({mul_2_s5, 6'd63});  // units/ray_reciprocal.h:43
-  wire [30:0] mul_7_s5 = $signed({1'd0, sub_4_s5}) * $signed({mul_6_s5, 6'd63});  // units/ray_reciprocal.h:43
-  wire [30:0] mul_11_s5 = $signed({1'd0, sub_7_s5}) * $signed({mul_10_s5, 6'd63});  // units/ray_reciprocal.h:43
+  wire [30:0] mul_3_s5 = $signed({1'd0, sub_1_s5}) * $signed({mul_2_s5, 6'd63});  // units/ray_reciprocal.h:46
+  wire [30:0] mul_7_s5 = $signed({1'd0, sub_4_s5}) * $signed({mul_6_s5, 6'd63});  // units/ray_reciprocal.h:46
+  wire [30:0] mul_11_s5 = $signed({1'd0, sub_7_s5}) * $signed({mul_10_s5, 6'd63});  // units/ray_reciprocal.h:46
 
   // ---- stage 6 ----
   reg valid_s6;
@@ -707,15 +707,15 @@ module ray_reciprocal #(
     sub_7_s6 <= sub_7_s5;
     mul_11_s6 <= mul_11_s5[30:20];
   end
-  wire [18:0] sub_2_s6 = {sub_1_s6, 7'd0} - {{7{mul_3_s6[30]}}, mul_3_s6, 1'd1};  // units/ray_reciprocal.h:43
-  wire eq_16_s6 = {traced_130_s6, traced_129_s6, traced_128_s6, traced_127_s6, traced_120_s6, traced_115_s6} == 16'd0;  // units/ray_reciprocal.h:43
-  wire [18:0] mux_5_s6 = {~eq_16_s6 & sub_2_s6[18], eq_16_s6 ? sub_2_s6[18:2] : sub_2_s6[17:1], eq_16_s6 & sub_2_s6[1]};  // units/ray_reciprocal.h:43
-  wire [18:0] sub_5_s6 = {sub_4_s6, 7'd0} - {{7{mul_7_s6[30]}}, mul_7_s6, 1'd1};  // units/ray_reciprocal.h:43
-  wire eq_33_s6 = {traced_154_s6, traced_153_s6, traced_152_s6, traced_151_s6, traced_144_s6, traced_139_s6} == 16'd0;  // units/ray_reciprocal.h:43
-  wire [18:0] mux_10_s6 = {~eq_33_s6 & sub_5_s6[18], eq_33_s6 ? sub_5_s6[18:2] : sub_5_s6[17:1], eq_33_s6 & sub_5_s6[1]};  // units/ray_reciprocal.h:43
-  wire [18:0] sub_8_s6 = {sub_7_s6, 7'd0} - {{7{mul_11_s6[30]}}, mul_11_s6, 1'd1};  // units/ray_reciprocal.h:43
-  wire eq_50_s6 = {traced_178_s6, traced_177_s6, traced_176_s6, traced_175_s6, traced_168_s6, traced_163_s6} == 16'd0;  // units/ray_reciprocal.h:43
-  wire [18:0] mux_15_s6 = {~eq_50_s6 & sub_8_s6[18], eq_50_s6 ? sub_8_s6[18:2] : sub_8_s6[17:1], eq_50_s6 & sub_8_s6[1]};  // units/ray_reciprocal.h:43
+  wire [18:0] sub_2_s6 = {sub_1_s6, 7'd0} - {{7{mul_3_s6[30]}}, mul_3_s6, 1'd1};  // units/ray_reciprocal.h:46
+  wire eq_16_s6 = {traced_130_s6, traced_129_s6, traced_128_s6, traced_127_s6, traced_120_s6, traced_115_s6} == 16'd0;  // units/ray_reciprocal.h:46
+  wire [18:0] mux_5_s6 = {~eq_16_s6 & sub_2_s6[18], eq_16_s6 ? sub_2_s6[18:2] : sub_2_s6[17:1], eq_16_s6 & sub_2_s6[1]};  // units/ray_reciprocal.h:46
+  wire [18:0] sub_5_s6 = {sub_4_s6, 7'd0} - {{7{mul_7_s6[30]}}, mul_7_s6, 1'd1};  // units/ray_reciprocal.h:46
+  wire eq_33_s6 = {traced_154_s6, traced_153_s6, traced_152_s6, traced_151_s6, traced_144_s6, traced_139_s6} == 16'd0;  // units/ray_reciprocal.h:46
+  wire [18:0] mux_10_s6 = {~eq_33_s6 & sub_5_s6[18], eq_33_s6 ? sub_5_s6[18:2] : sub_5_s6[17:1], eq_33_s6 & sub_5_s6[1]};  // units/ray_reciprocal.h:46
+  wire [18:0] sub_8_s6 = {sub_7_s6, 7'd0} - {{7{mul_11_s6[30]}}, mul_11_s6, 1'd1};  // units/ray_reciprocal.h:46
+  wire eq_50_s6 = {traced_178_s6, traced_177_s6, traced_176_s6, traced_175_s6, traced_168_s6, traced_163_s6} == 16'd0;  // units/ray_reciprocal.h:46
+  wire [18:0] mux_15_s6 = {~eq_50_s6 & sub_8_s6[18], eq_50_s6 ? sub_8_s6[18:2] : sub_8_s6[17:1], eq_50_s6 & sub_8_s6[1]};  // units/ray_reciprocal.h:46
 
   // ---- stage 7 ----
   reg valid_s7;
@@ -777,12 +777,12 @@ module ray_reciprocal #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({traced_131_s1, traced_155_s1, traced_179_s1}),
     .data_o({traced_131_s7, traced_155_s7, traced_179_s7}));
-  wire [19:0] mul_4_s7 = {1'd1, traced_130_s7, traced_129_s7, traced_128_s7, traced_127_s7, traced_120_s7, traced_115_s7} * mux_5_s7;  // units/ray_reciprocal.h:43
-  wire [19:0] mul_8_s7 = {1'd1, traced_154_s7, traced_153_s7, traced_152_s7, traced_151_s7, traced_144_s7, traced_139_s7} * mux_10_s7;  // units/ray_reciprocal.h:43
-  wire [19:0] mul_12_s7 = {1'd1, traced_178_s7, traced_177_s7, traced_176_s7, traced_175_s7, traced_168_s7, traced_163_s7} * mux_15_s7;  // units/ray_reciprocal.h:43
-  wire [16:0] mux_16_s7 = {mux_15_s7[1] ? 1'd0 : 1'd1, ~{16{mux_15_s7[1]}} & {traced_178_s7, traced_177_s7, traced_176_s7, traced_175_s7, traced_168_s7, traced_163_s7}};  // units/ray_reciprocal.h:43
-  wire [16:0] mux_19_s7 = {mux_10_s7[1] ? 1'd0 : 1'd1, ~{16{mux_10_s7[1]}} & {traced_154_s7, traced_153_s7, traced_152_s7, traced_151_s7, traced_144_s7, traced_139_s7}};  // units/ray_reciprocal.h:43
-  wire [16:0] mux_22_s7 = {mux_5_s7[1] ? 1'd0 : 1'd1, ~{16{mux_5_s7[1]}} & {traced_130_s7, traced_129_s7, traced_128_s7, traced_127_s7, traced_120_s7, traced_115_s7}};  // units/ray_reciprocal.h:43
+  wire [19:0] mul_4_s7 = {1'd1, traced_130_s7, traced_129_s7, traced_128_s7, traced_127_s7, traced_120_s7, traced_115_s7} * mux_5_s7;  // units/ray_reciprocal.h:46
+  wire [19:0] mul_8_s7 = {1'd1, traced_154_s7, traced_153_s7, traced_152_s7, traced_151_s7, traced_144_s7, traced_139_s7} * mux_10_s7;  // units/ray_reciprocal.h:46
+  wire [19:0] mul_12_s7 = {1'd1, traced_178_s7, traced_177_s7, traced_176_s7, traced_175_s7, traced_168_s7, traced_163_s7} * mux_15_s7;  // units/ray_reciprocal.h:46
+  wire [16:0] mux_16_s7 = {mux_15_s7[1] ? 1'd0 : 1'd1, ~{16{mux_15_s7[1]}} & {traced_178_s7, traced_177_s7, traced_176_s7, traced_175_s7, traced_168_s7, traced_163_s7}};  // units/ray_reciprocal.h:46
+  wire [16:0] mux_19_s7 = {mux_10_s7[1] ? 1'd0 : 1'd1, ~{16{mux_10_s7[1]}} & {traced_154_s7, traced_153_s7, traced_152_s7, traced_151_s7, traced_144_s7, traced_139_s7}};  // units/ray_reciprocal.h:46
+  wire [16:0] mux_22_s7 = {mux_5_s7[1] ? 1'd0 : 1'd1, ~{16{mux_5_s7[1]}} & {traced_130_s7, traced_129_s7, traced_128_s7, traced_127_s7, traced_120_s7, traced_115_s7}};  // units/ray_reciprocal.h:46
 
   // ---- stage 8 ----
   reg valid_s8;
@@ -855,24 +855,24 @@ module ray_reciprocal #(
     mux_19_s8 <= mux_19_s7;
     mux_22_s8 <= mux_22_s7;
   end
-  wire [16:0] add_1_s8 = {1'd1, traced_130_s8, traced_129_s8, traced_128_s8, traced_127_s8, traced_120_s8, traced_115_s8} + 17'h1ffff;  // units/ray_reciprocal.h:43
-  wire [19:0] add_2_s8 = mul_4_s8 + {3'd0, add_1_s8};  // units/ray_reciprocal.h:43
-  wire [7:0] sub_3_s8 = 8'd63 - {1'd0, traced_131_s8};  // units/ray_reciprocal.h:43
-  wire [8:0] add_3_s8 = {sub_3_s8[7], sub_3_s8} + {8'd31, eq_16_s8};  // units/ray_reciprocal.h:43
-  wire [16:0] add_4_s8 = {1'd1, traced_154_s8, traced_153_s8, traced_152_s8, traced_151_s8, traced_144_s8, traced_139_s8} + 17'h1ffff;  // units/ray_reciprocal.h:43
-  wire [19:0] add_5_s8 = mul_8_s8 + {3'd0, add_4_s8};  // units/ray_reciprocal.h:43
-  wire [7:0] sub_6_s8 = 8'd63 - {1'd0, traced_155_s8};  // units/ray_reciprocal.h:43
-  wire [8:0] add_6_s8 = {sub_6_s8[7], sub_6_s8} + {8'd31, eq_33_s8};  // units/ray_reciprocal.h:43
-  wire [16:0] add_7_s8 = {1'd1, traced_178_s8, traced_177_s8, traced_176_s8, traced_175_s8, traced_168_s8, traced_163_s8} + 17'h1ffff;  // units/ray_reciprocal.h:43
-  wire [19:0] add_8_s8 = mul_12_s8 + {3'd0, add_7_s8};  // units/ray_reciprocal.h:43
-  wire [7:0] sub_9_s8 = 8'd63 - {1'd0, traced_179_s8};  // units/ray_reciprocal.h:43
-  wire [8:0] add_9_s8 = {sub_9_s8[7], sub_9_s8} + {8'd31, eq_50_s8};  // units/ray_reciprocal.h:43
-  wire [17:0] add_10_s8 = {2'd1, traced_178_s8, traced_177_s8, traced_176_s8, traced_175_s8, traced_168_s8, traced_163_s8} + {2'd0, mux_16_s8[16:1]};  // units/ray_reciprocal.h:43
-  wire [19:0] add_12_s8 = mul_12_s8 + ({1'd0, add_10_s8, mux_16_s8[0]} + 20'hfffff);  // units/ray_reciprocal.h:43
-  wire [17:0] add_14_s8 = {2'd1, traced_154_s8, traced_153_s8, traced_152_s8, traced_151_s8, traced_144_s8, traced_139_s8} + {2'd0, mux_19_s8[16:1]};  // units/ray_reciprocal.h:43
-  wire [19:0] add_16_s8 = mul_8_s8 + ({1'd0, add_14_s8, mux_19_s8[0]} + 20'hfffff);  // units/ray_reciprocal.h:43
-  wire [17:0] add_18_s8 = {2'd1, traced_130_s8, traced_129_s8, traced_128_s8, traced_127_s8, traced_120_s8, traced_115_s8} + {2'd0, mux_22_s8[16:1]};  // units/ray_reciprocal.h:43
-  wire [19:0] add_20_s8 = mul_4_s8 + ({1'd0, add_18_s8, mux_22_s8[0]} + 20'hfffff);  // units/ray_reciprocal.h:43
+  wire [16:0] add_1_s8 = {1'd1, traced_130_s8, traced_129_s8, traced_128_s8, traced_127_s8, traced_120_s8, traced_115_s8} + 17'h1ffff;  // units/ray_reciprocal.h:46
+  wire [19:0] add_2_s8 = mul_4_s8 + {3'd0, add_1_s8};  // units/ray_reciprocal.h:46
+  wire [7:0] sub_3_s8 = 8'd63 - {1'd0, traced_131_s8};  // units/ray_reciprocal.h:46
+  wire [8:0] add_3_s8 = {sub_3_s8[7], sub_3_s8} + {8'd31, eq_16_s8};  // units/ray_reciprocal.h:46
+  wire [16:0] add_4_s8 = {1'd1, traced_154_s8, traced_153_s8, traced_152_s8, traced_151_s8, traced_144_s8, traced_139_s8} + 17'h1ffff;  // units/ray_reciprocal.h:46
+  wire [19:0] add_5_s8 = mul_8_s8 + {3'd0, add_4_s8};  // units/ray_reciprocal.h:46
+  wire [7:0] sub_6_s8 = 8'd63 - {1'd0, traced_155_s8};  // units/ray_reciprocal.h:46
+  wire [8:0] add_6_s8 = {sub_6_s8[7], sub_6_s8} + {8'd31, eq_33_s8};  // units/ray_reciprocal.h:46
+  wire [16:0] add_7_s8 = {1'd1, traced_178_s8, traced_177_s8, traced_176_s8, traced_175_s8, traced_168_s8, traced_163_s8} + 17'h1ffff;  // units/ray_reciprocal.h:46
+  wire [19:0] add_8_s8 = mul_12_s8 + {3'd0, add_7_s8};  // units/ray_reciprocal.h:46
+  wire [7:0] sub_9_s8 = 8'd63 - {1'd0, traced_179_s8};  // units/ray_reciprocal.h:46
+  wire [8:0] add_9_s8 = {sub_9_s8[7], sub_9_s8} + {8'd31, eq_50_s8};  // units/ray_reciprocal.h:46
+  wire [17:0] add_10_s8 = {2'd1, traced_178_s8, traced_177_s8, traced_176_s8, traced_175_s8, traced_168_s8, traced_163_s8} + {2'd0, mux_16_s8[16:1]};  // units/ray_reciprocal.h:46
+  wire [19:0] add_12_s8 = mul_12_s8 + ({1'd0, add_10_s8, mux_16_s8[0]} + 20'hfffff);  // units/ray_reciprocal.h:46
+  wire [17:0] add_14_s8 = {2'd1, traced_154_s8, traced_153_s8, traced_152_s8, traced_151_s8, traced_144_s8, traced_139_s8} + {2'd0, mux_19_s8[16:1]};  // units/ray_reciprocal.h:46
+  wire [19:0] add_16_s8 = mul_8_s8 + ({1'd0, add_14_s8, mux_19_s8[0]} + 20'hfffff);  // units/ray_reciprocal.h:46
+  wire [17:0] add_18_s8 = {2'd1, traced_130_s8, traced_129_s8, traced_128_s8, traced_127_s8, traced_120_s8, traced_115_s8} + {2'd0, mux_22_s8[16:1]};  // units/ray_reciprocal.h:46
+  wire [19:0] add_20_s8 = mul_4_s8 + ({1'd0, add_18_s8, mux_22_s8[0]} + 20'hfffff);  // units/ray_reciprocal.h:46
 
   // ---- stage 9 ----
   reg valid_s9;
@@ -920,26 +920,26 @@ module ray_reciprocal #(
     .data_i({in_is_new_s1, in_ray_packet_s1, traced_12_s1, traced_13_s1, traced_14_s1, in_ray_last_value_s1, not_60_s1, in_ray_root_s1, traced_186_s1, traced_162_s1, traced_138_s1, in_ray_active_s1}),
     .data_o({in_is_new_s9, in_ray_packet_s9, traced_12_s9, traced_13_s9, traced_14_s9, in_ray_last_value_s9, not_60_s9, in_ray_root_s9, traced_186_s9, traced_162_s9, traced_138_s9, in_ray_active_s9}));
   wire or_1_s9 = mux_5_s9[1] | add_2_s9;
-  wire not_18_s9 = ~mux_5_s9[18];  // units/ray_reciprocal.h:43
+  wire not_18_s9 = ~mux_5_s9[18];  // units/ray_reciprocal.h:46
   wire and_2_s9 = (16'hfffd < mux_5_s9[17:2]) & (mux_5_s9[18] & (add_3_s9[6:0] == 7'd127));
   wire or_3_s9 = add_3_s9[7] | ((or_1_s9 | mux_5_s9[2]) & and_2_s9);
   wire or_4_s9 = mux_10_s9[1] | add_5_s9;
-  wire not_36_s9 = ~mux_10_s9[18];  // units/ray_reciprocal.h:43
+  wire not_36_s9 = ~mux_10_s9[18];  // units/ray_reciprocal.h:46
   wire and_5_s9 = (16'hfffd < mux_10_s9[17:2]) & (mux_10_s9[18] & (add_6_s9[6:0] == 7'd127));
   wire or_6_s9 = add_6_s9[7] | ((or_4_s9 | mux_10_s9[2]) & and_5_s9);
   wire or_7_s9 = mux_15_s9[1] | add_8_s9;
-  wire not_54_s9 = ~mux_15_s9[18];  // units/ray_reciprocal.h:43
-  wire or_9_s9 = (mux_15_s9[17:2] < 16'hfffe) | (not_54_s9 | (~(add_9_s9[6:0] == 7'd127)));  // units/ray_reciprocal.h:43
+  wire not_54_s9 = ~mux_15_s9[18];  // units/ray_reciprocal.h:46
+  wire or_9_s9 = (mux_15_s9[17:2] < 16'hfffe) | (not_54_s9 | (~(add_9_s9[6:0] == 7'd127)));  // units/ray_reciprocal.h:46
   wire or_11_s9 = add_9_s9[7] | ((or_7_s9 | mux_15_s9[2]) & (~or_9_s9));
-  wire [23:0] add_13_s9 = {add_9_s9[6:0], 15'd0, or_7_s9, 1'd1} + {{7{not_54_s9}}, mux_15_s9[17:2], add_12_s9};  // units/ray_reciprocal.h:43
-  wire [22:0] mux_17_s9 = {23{or_11_s9}} | add_13_s9[23:1];  // units/ray_reciprocal.h:43
-  wire [22:0] mux_18_s9 = ~{23{add_9_s9[8]}} & mux_17_s9;  // units/ray_reciprocal.h:43
-  wire [23:0] add_17_s9 = {add_6_s9[6:0], 15'd0, or_4_s9, 1'd1} + {{7{not_36_s9}}, mux_10_s9[17:2], add_16_s9};  // units/ray_reciprocal.h:43
-  wire [22:0] mux_20_s9 = {23{or_6_s9}} | add_17_s9[23:1];  // units/ray_reciprocal.h:43
-  wire [22:0] mux_21_s9 = ~{23{add_6_s9[8]}} & mux_20_s9;  // units/ray_reciprocal.h:43
-  wire [23:0] add_21_s9 = {add_3_s9[6:0], 15'd0, or_1_s9, 1'd1} + {{7{not_18_s9}}, mux_5_s9[17:2], add_20_s9};  // units/ray_reciprocal.h:43
-  wire [22:0] mux_23_s9 = {23{or_3_s9}} | add_21_s9[23:1];  // units/ray_reciprocal.h:43
-  wire [22:0] mux_24_s9 = ~{23{add_3_s9[8]}} & mux_23_s9;  // units/ray_reciprocal.h:43
+  wire [23:0] add_13_s9 = {add_9_s9[6:0], 15'd0, or_7_s9, 1'd1} + {{7{not_54_s9}}, mux_15_s9[17:2], add_12_s9};  // units/ray_reciprocal.h:46
+  wire [22:0] mux_17_s9 = {23{or_11_s9}} | add_13_s9[23:1];  // units/ray_reciprocal.h:46
+  wire [22:0] mux_18_s9 = ~{23{add_9_s9[8]}} & mux_17_s9;  // units/ray_reciprocal.h:46
+  wire [23:0] add_17_s9 = {add_6_s9[6:0], 15'd0, or_4_s9, 1'd1} + {{7{not_36_s9}}, mux_10_s9[17:2], add_16_s9};  // units/ray_reciprocal.h:46
+  wire [22:0] mux_20_s9 = {23{or_6_s9}} | add_17_s9[23:1];  // units/ray_reciprocal.h:46
+  wire [22:0] mux_21_s9 = ~{23{add_6_s9[8]}} & mux_20_s9;  // units/ray_reciprocal.h:46
+  wire [23:0] add_21_s9 = {add_3_s9[6:0], 15'd0, or_1_s9, 1'd1} + {{7{not_18_s9}}, mux_5_s9[17:2], add_20_s9};  // units/ray_reciprocal.h:46
+  wire [22:0] mux_23_s9 = {23{or_3_s9}} | add_21_s9[23:1];  // units/ray_reciprocal.h:46
+  wire [22:0] mux_24_s9 = ~{23{add_3_s9[8]}} & mux_23_s9;  // units/ray_reciprocal.h:46
 
   // ---- stage 10 ----
   reg valid_s10;

@@ -228,24 +228,24 @@ module transformation #(
     column_3_48_s2 <= column_3_48_s1;
     column_3_71_s2 <= column_3_71_s1;
   end
-  wire [7:0] add_1_s2 = {1'd0, column_0_16_s2} + {1'd0, vector_26_s2};  // units/transformation.h:56
-  wire [23:0] xor_1_s2 = {vector_33_s2, vector_26_s2, vector_10_s2} ^ {column_0_23_s2, column_0_16_s2, column_0_0_s2};  // units/transformation.h:56
-  wire [7:0] add_2_s2 = {1'd0, column_1_16_s2} + {1'd0, vector_50_s2};  // units/transformation.h:56
-  wire [23:0] xor_2_s2 = {vector_57_s2, vector_50_s2, vector_34_s2} ^ {column_1_23_s2, column_1_16_s2, column_1_0_s2};  // units/transformation.h:56
-  wire [7:0] add_3_s2 = {1'd0, column_2_16_s2} + {1'd0, vector_74_s2};  // units/transformation.h:56
-  wire [23:0] xor_3_s2 = {vector_81_s2, vector_74_s2, vector_58_s2} ^ {column_2_23_s2, column_2_16_s2, column_2_0_s2};  // units/transformation.h:56
-  wire [7:0] add_11_s2 = {1'd0, vector_26_s2} + {1'd0, column_0_40_s2};  // units/transformation.h:56
-  wire [23:0] xor_11_s2 = {vector_33_s2, vector_26_s2, vector_10_s2} ^ {column_0_47_s2, column_0_40_s2, column_0_24_s2};  // units/transformation.h:56
-  wire [7:0] add_12_s2 = {1'd0, vector_50_s2} + {1'd0, column_1_40_s2};  // units/transformation.h:56
-  wire [23:0] xor_12_s2 = {vector_57_s2, vector_50_s2, vector_34_s2} ^ {column_1_47_s2, column_1_40_s2, column_1_24_s2};  // units/transformation.h:56
-  wire [7:0] add_13_s2 = {1'd0, vector_74_s2} + {1'd0, column_2_40_s2};  // units/transformation.h:56
-  wire [23:0] xor_13_s2 = {vector_81_s2, vector_74_s2, vector_58_s2} ^ {column_2_47_s2, column_2_40_s2, column_2_24_s2};  // units/transformation.h:56
-  wire [7:0] add_21_s2 = {1'd0, vector_26_s2} + {1'd0, column_0_64_s2};  // units/transformation.h:56
-  wire [23:0] xor_23_s2 = {vector_33_s2, vector_26_s2, vector_10_s2} ^ {column_0_71_s2, column_0_64_s2, column_0_48_s2};  // units/transformation.h:56
-  wire [7:0] add_22_s2 = {1'd0, vector_50_s2} + {1'd0, column_1_64_s2};  // units/transformation.h:56
-  wire [23:0] xor_24_s2 = {vector_57_s2, vector_50_s2, vector_34_s2} ^ {column_1_71_s2, column_1_64_s2, column_1_48_s2};  // units/transformation.h:56
-  wire [7:0] add_23_s2 = {1'd0, vector_74_s2} + {1'd0, column_2_64_s2};  // units/transformation.h:56
-  wire [23:0] xor_25_s2 = {vector_81_s2, vector_74_s2, vector_58_s2} ^ {column_2_71_s2, column_2_64_s2, column_2_48_s2};  // units/transformation.h:56
+  wire [7:0] add_1_s2 = {1'd0, column_0_16_s2} + {1'd0, vector_26_s2};  // units/transformation.h:76
+  wire [23:0] xor_1_s2 = {vector_33_s2, vector_26_s2, vector_10_s2} ^ {column_0_23_s2, column_0_16_s2, column_0_0_s2};  // units/transformation.h:76
+  wire [7:0] add_2_s2 = {1'd0, column_1_16_s2} + {1'd0, vector_50_s2};  // units/transformation.h:76
+  wire [23:0] xor_2_s2 = {vector_57_s2, vector_50_s2, vector_34_s2} ^ {column_1_23_s2, column_1_16_s2, column_1_0_s2};  // units/transformation.h:76
+  wire [7:0] add_3_s2 = {1'd0, column_2_16_s2} + {1'd0, vector_74_s2};  // units/transformation.h:76
+  wire [23:0] xor_3_s2 = {vector_81_s2, vector_74_s2, vector_58_s2} ^ {column_2_23_s2, column_2_16_s2, column_2_0_s2};  // units/transformation.h:76
+  wire [7:0] add_11_s2 = {1'd0, vector_26_s2} + {1'd0, column_0_40_s2};  // units/transformation.h:76
+  wire [23:0] xor_11_s2 = {vector_33_s2, vector_26_s2, vector_10_s2} ^ {column_0_47_s2, column_0_40_s2, column_0_24_s2};  // units/transformation.h:76
+  wire [7:0] add_12_s2 = {1'd0, vector_50_s2} + {1'd0, column_1_40_s2};  // units/transformation.h:76
+  wire [23:0] xor_12_s2 = {vector_57_s2, vector_50_s2, vector_34_s2} ^ {column_1_47_s2, column_1_40_s2, column_1_24_s2};  // units/transformation.h:76
+  wire [7:0] add_13_s2 = {1'd0, vector_74_s2} + {1'd0, column_2_40_s2};  // units/transformation.h:76
+  wire [23:0] xor_13_s2 = {vector_81_s2, vector_74_s2, vector_58_s2} ^ {column_2_47_s2, column_2_40_s2, column_2_24_s2};  // units/transformation.h:76
+  wire [7:0] add_21_s2 = {1'd0, vector_26_s2} + {1'd0, column_0_64_s2};  // units/transformation.h:76
+  wire [23:0] xor_23_s2 = {vector_33_s2, vector_26_s2, vector_10_s2} ^ {column_0_71_s2, column_0_64_s2, column_0_48_s2};  // units/transformation.h:76
+  wire [7:0] add_22_s2 = {1'd0, vector_50_s2} + {1'd0, column_1_64_s2};  // units/transformation.h:76
+  wire [23:0] xor_24_s2 = {vector_57_s2, vector_50_s2, vector_34_s2} ^ {column_1_71_s2, column_1_64_s2, column_1_48_s2};  // units/transformation.h:76
+  wire [7:0] add_23_s2 = {1'd0, vector_74_s2} + {1'd0, column_2_64_s2};  // units/transformation.h:76
+  wire [23:0] xor_25_s2 = {vector_81_s2, vector_74_s2, vector_58_s2} ^ {column_2_71_s2, column_2_64_s2, column_2_48_s2};  // units/transformation.h:76
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -332,18 +332,18 @@ module transformation #(
     column_3_48_s3 <= column_3_48_s2;
     column_3_71_s3 <= column_3_71_s2;
   end
-  wire [7:0] add_4_s3 = {1'd0, column_3_16_s3} + 8'd63;  // units/transformation.h:56
-  wire [7:0] mux_1_s3 = {8{in_point_s3}} & add_4_s3;  // units/transformation.h:56
-  wire lt_1_s3 = add_1_s3 < add_2_s3;  // units/transformation.h:56
-  wire lt_2_s3 = add_3_s3 < mux_1_s3;  // units/transformation.h:56
-  wire [7:0] add_14_s3 = {1'd0, column_3_40_s3} + 8'd63;  // units/transformation.h:56
-  wire [7:0] mux_40_s3 = {8{in_point_s3}} & add_14_s3;  // units/transformation.h:56
-  wire lt_4_s3 = add_11_s3 < add_12_s3;  // units/transformation.h:56
-  wire lt_5_s3 = add_13_s3 < mux_40_s3;  // units/transformation.h:56
-  wire [7:0] add_24_s3 = {1'd0, column_3_64_s3} + 8'd63;  // units/transformation.h:56
-  wire [7:0] mux_83_s3 = {8{in_point_s3}} & add_24_s3;  // units/transformation.h:56
-  wire lt_7_s3 = add_21_s3 < add_22_s3;  // units/transformation.h:56
-  wire lt_8_s3 = add_23_s3 < mux_83_s3;  // units/transformation.h:56
+  wire [7:0] add_4_s3 = {1'd0, column_3_16_s3} + 8'd63;  // units/transformation.h:76
+  wire [7:0] mux_1_s3 = {8{in_point_s3}} & add_4_s3;  // units/transformation.h:76
+  wire lt_1_s3 = add_1_s3 < add_2_s3;  // units/transformation.h:76
+  wire lt_2_s3 = add_3_s3 < mux_1_s3;  // units/transformation.h:76
+  wire [7:0] add_14_s3 = {1'd0, column_3_40_s3} + 8'd63;  // units/transformation.h:76
+  wire [7:0] mux_40_s3 = {8{in_point_s3}} & add_14_s3;  // units/transformation.h:76
+  wire lt_4_s3 = add_11_s3 < add_12_s3;  // units/transformation.h:76
+  wire lt_5_s3 = add_13_s3 < mux_40_s3;  // units/transformation.h:76
+  wire [7:0] add_24_s3 = {1'd0, column_3_64_s3} + 8'd63;  // units/transformation.h:76
+  wire [7:0] mux_83_s3 = {8{in_point_s3}} & add_24_s3;  // units/transformation.h:76
+  wire lt_7_s3 = add_21_s3 < add_22_s3;  // units/transformation.h:76
+  wire lt_8_s3 = add_23_s3 < mux_83_s3;  // units/transformation.h:76
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -442,24 +442,24 @@ module transformation #(
     lt_7_s4 <= lt_7_s3;
     lt_8_s4 <= lt_8_s3;
   end
-  wire [33:0] mul_1_s4 = {1'd1, column_0_0_s4} * {1'd1, vector_10_s4};  // units/transformation.h:56
-  wire [33:0] mul_2_s4 = {1'd1, column_1_0_s4} * {1'd1, vector_34_s4};  // units/transformation.h:56
-  wire [33:0] mul_3_s4 = {1'd1, column_2_0_s4} * {1'd1, vector_58_s4};  // units/transformation.h:56
-  wire [7:0] mux_2_s4 = lt_1_s4 ? add_2_s4 : add_1_s4;  // units/transformation.h:56
-  wire [7:0] mux_3_s4 = lt_2_s4 ? mux_1_s4 : add_3_s4;  // units/transformation.h:56
-  wire [7:0] mux_4_s4 = (mux_2_s4 < mux_3_s4) ? mux_3_s4 : mux_2_s4;  // units/transformation.h:56
-  wire [33:0] mul_4_s4 = {1'd1, vector_10_s4} * {1'd1, column_0_24_s4};  // units/transformation.h:56
-  wire [33:0] mul_5_s4 = {1'd1, vector_34_s4} * {1'd1, column_1_24_s4};  // units/transformation.h:56
-  wire [33:0] mul_6_s4 = {1'd1, vector_58_s4} * {1'd1, column_2_24_s4};  // units/transformation.h:56
-  wire [7:0] mux_41_s4 = lt_4_s4 ? add_12_s4 : add_11_s4;  // units/transformation.h:56
-  wire [7:0] mux_42_s4 = lt_5_s4 ? mux_40_s4 : add_13_s4;  // units/transformation.h:56
-  wire [7:0] mux_43_s4 = (mux_41_s4 < mux_42_s4) ? mux_42_s4 : mux_41_s4;  // units/transformation.h:56
-  wire [33:0] mul_7_s4 = {1'd1, vector_10_s4} * {1'd1, column_0_48_s4};  // units/transformation.h:56
-  wire [33:0] mul_8_s4 = {1'd1, vector_34_s4} * {1'd1, column_1_48_s4};  // units/transformation.h:56
-  wire [33:0] mul_9_s4 = {1'd1, vector_58_s4} * {1'd1, column_2_48_s4};  // units/transformation.h:56
-  wire [7:0] mux_84_s4 = lt_7_s4 ? add_22_s4 : add_21_s4;  // units/transformation.h:56
-  wire [7:0] mux_85_s4 = lt_8_s4 ? mux_83_s4 : add_23_s4;  // units/transformation.h:56
-  wire [7:0] mux_86_s4 = (mux_84_s4 < mux_85_s4) ? mux_85_s4 : mux_84_s4;  // units/transformation.h:56
+  wire [33:0] mul_1_s4 = {1'd1, column_0_0_s4} * {1'd1, vector_10_s4};  // units/transformation.h:76
+  wire [33:0] mul_2_s4 = {1'd1, column_1_0_s4} * {1'd1, vector_34_s4};  // units/transformation.h:76
+  wire [33:0] mul_3_s4 = {1'd1, column_2_0_s4} * {1'd1, vector_58_s4};  // units/transformation.h:76
+  wire [7:0] mux_2_s4 = lt_1_s4 ? add_2_s4 : add_1_s4;  // units/transformation.h:76
+  wire [7:0] mux_3_s4 = lt_2_s4 ? mux_1_s4 : add_3_s4;  // units/transformation.h:76
+  wire [7:0] mux_4_s4 = (mux_2_s4 < mux_3_s4) ? mux_3_s4 : mux_2_s4;  // units/transformation.h:76
+  wire [33:0] mul_4_s4 = {1'd1, vector_10_s4} * {1'd1, column_0_24_s4};  // units/transformation.h:76
+  wire [33:0] mul_5_s4 = {1'd1, vector_34_s4} * {1'd1, column_1_24_s4};  // units/transformation.h:76
+  wire [33:0] mul_6_s4 = {1'd1, vector_58_s4} * {1'd1, column_2_24_s4};  // units/transformation.h:76
+  wire [7:0] mux_41_s4 = lt_4_s4 ? add_12_s4 : add_11_s4;  // units/transformation.h:76
+  wire [7:0] mux_42_s4 = lt_5_s4 ? mux_40_s4 : add_13_s4;  // units/transformation.h:76
+  wire [7:0] mux_43_s4 = (mux_41_s4 < mux_42_s4) ? mux_42_s4 : mux_41_s4;  // units/transformation.h:76
+  wire [33:0] mul_7_s4 = {1'd1, vector_10_s4} * {1'd1, column_0_48_s4};  // units/transformation.h:76
+  wire [33:0] mul_8_s4 = {1'd1, vector_34_s4} * {1'd1, column_1_48_s4};  // units/transformation.h:76
+  wire [33:0] mul_9_s4 = {1'd1, vector_58_s4} * {1'd1, column_2_48_s4};  // units/transformation.h:76
+  wire [7:0] mux_84_s4 = lt_7_s4 ? add_22_s4 : add_21_s4;  // units/transformation.h:76
+  wire [7:0] mux_85_s4 = lt_8_s4 ? mux_83_s4 : add_23_s4;  // units/transformation.h:76
+  wire [7:0] mux_86_s4 = (mux_84_s4 < mux_85_s4) ? mux_85_s4 : mux_84_s4;  // units/transformation.h:76
 
   // ---- stage 5 ----
   reg valid_s5;
@@ -546,60 +546,60 @@ module transformation #(
     column_3_71_s5 <= column_3_71_s4;
     mux_86_s5 <= mux_86_s4;
   end
-  wire [7:0] sub_1_s5 = mux_4_s5 - add_1_s5;  // units/transformation.h:56
-  wire eq_1_s5 = sub_1_s5[7:5] == 3'd0;  // units/transformation.h:56
-  wire [21:0] mux_5_s5 = {~{16{sub_1_s5[4]}} & mul_1_s5[33:18], sub_1_s5[4] ? mul_1_s5[33:28] : mul_1_s5[17:12]};  // units/transformation.h:56
-  wire [21:0] mux_6_s5 = {~{8{sub_1_s5[3]}} & mux_5_s5[21:14], sub_1_s5[3] ? mux_5_s5[21:8] : mux_5_s5[13:0]};  // units/transformation.h:56
-  wire [21:0] mux_7_s5 = {~{4{sub_1_s5[2]}} & mux_6_s5[21:18], sub_1_s5[2] ? mux_6_s5[21:4] : mux_6_s5[17:0]};  // units/transformation.h:56
-  wire [7:0] sub_2_s5 = mux_4_s5 - add_2_s5;  // units/transformation.h:56
-  wire [21:0] mux_10_s5 = {~{16{sub_2_s5[4]}} & mul_2_s5[33:18], sub_2_s5[4] ? mul_2_s5[33:28] : mul_2_s5[17:12]};  // units/transformation.h:56
-  wire [21:0] mux_11_s5 = {~{8{sub_2_s5[3]}} & mux_10_s5[21:14], sub_2_s5[3] ? mux_10_s5[21:8] : mux_10_s5[13:0]};  // units/transformation.h:56
-  wire [21:0] mux_12_s5 = {~{4{sub_2_s5[2]}} & mux_11_s5[21:18], sub_2_s5[2] ? mux_11_s5[21:4] : mux_11_s5[17:0]};  // units/transformation.h:56
-  wire eq_2_s5 = sub_2_s5[7:5] == 3'd0;  // units/transformation.h:56
-  wire [7:0] sub_3_s5 = mux_4_s5 - add_3_s5;  // units/transformation.h:56
-  wire [21:0] mux_17_s5 = {~{16{sub_3_s5[4]}} & mul_3_s5[33:18], sub_3_s5[4] ? mul_3_s5[33:28] : mul_3_s5[17:12]};  // units/transformation.h:56
-  wire [21:0] mux_18_s5 = {~{8{sub_3_s5[3]}} & mux_17_s5[21:14], sub_3_s5[3] ? mux_17_s5[21:8] : mux_17_s5[13:0]};  // units/transformation.h:56
-  wire [21:0] mux_19_s5 = {~{4{sub_3_s5[2]}} & mux_18_s5[21:18], sub_3_s5[2] ? mux_18_s5[21:4] : mux_18_s5[17:0]};  // units/transformation.h:56
-  wire eq_3_s5 = sub_3_s5[7:5] == 3'd0;  // units/transformation.h:56
-  wire [7:0] sub_4_s5 = mux_4_s5 - mux_1_s5;  // units/transformation.h:56
-  wire [16:0] mux_23_s5 = {in_point_s5 ? 1'd1 : 1'd0, {16{in_point_s5}} & column_3_0_s5};  // units/transformation.h:56
-  wire eq_4_s5 = sub_4_s5[7:5] == 3'd0;  // units/transformation.h:56
-  wire [7:0] sub_6_s5 = mux_43_s5 - add_11_s5;  // units/transformation.h:56
-  wire eq_15_s5 = sub_6_s5[7:5] == 3'd0;  // units/transformation.h:56
-  wire [21:0] mux_44_s5 = {~{16{sub_6_s5[4]}} & mul_4_s5[33:18], sub_6_s5[4] ? mul_4_s5[33:28] : mul_4_s5[17:12]};  // units/transformation.h:56
-  wire [21:0] mux_45_s5 = {~{8{sub_6_s5[3]}} & mux_44_s5[21:14], sub_6_s5[3] ? mux_44_s5[21:8] : mux_44_s5[13:0]};  // units/transformation.h:56
-  wire [21:0] mux_46_s5 = {~{4{sub_6_s5[2]}} & mux_45_s5[21:18], sub_6_s5[2] ? mux_45_s5[21:4] : mux_45_s5[17:0]};  // units/transformation.h:56
-  wire [7:0] sub_7_s5 = mux_43_s5 - add_12_s5;  // units/transformation.h:56
-  wire [21:0] mux_49_s5 = {~{16{sub_7_s5[4]}} & mul_5_s5[33:18], sub_7_s5[4] ? mul_5_s5[33:28] : mul_5_s5[17:12]};  // units/transformation.h:56
-  wire [21:0] mux_50_s5 = {~{8{sub_7_s5[3]}} & mux_49_s5[21:14], sub_7_s5[3] ? mux_49_s5[21:8] : mux_49_s5[13:0]};  // units/transformation.h:56
-  wire [21:0] mux_51_s5 = {~{4{sub_7_s5[2]}} & mux_50_s5[21:18], sub_7_s5[2] ? mux_50_s5[21:4] : mux_50_s5[17:0]};  // units/transformation.h:56
-  wire eq_16_s5 = sub_7_s5[7:5] == 3'd0;  // units/transformation.h:56
-  wire [7:0] sub_8_s5 = mux_43_s5 - add_13_s5;  // units/transformation.h:56
-  wire [21:0] mux_56_s5 = {~{16{sub_8_s5[4]}} & mul_6_s5[33:18], sub_8_s5[4] ? mul_6_s5[33:28] : mul_6_s5[17:12]};  // units/transformation.h:56
-  wire [21:0] mux_57_s5 = {~{8{sub_8_s5[3]}} & mux_56_s5[21:14], sub_8_s5[3] ? mux_56_s5[21:8] : mux_56_s5[13:0]};  // units/transformation.h:56
-  wire [21:0] mux_58_s5 = {~{4{sub_8_s5[2]}} & mux_57_s5[21:18], sub_8_s5[2] ? mux_57_s5[21:4] : mux_57_s5[17:0]};  // units/transformation.h:56
-  wire eq_17_s5 = sub_8_s5[7:5] == 3'd0;  // units/transformation.h:56
-  wire [7:0] sub_9_s5 = mux_43_s5 - mux_40_s5;  // units/transformation.h:56
-  wire [16:0] mux_62_s5 = {in_point_s5 ? 1'd1 : 1'd0, {16{in_point_s5}} & column_3_24_s5};  // units/transformation.h:56
-  wire eq_18_s5 = sub_9_s5[7:5] == 3'd0;  // units/transformation.h:56
-  wire [7:0] sub_11_s5 = mux_86_s5 - add_21_s5;  // units/transformation.h:56
-  wire eq_29_s5 = sub_11_s5[7:5] == 3'd0;  // units/transformation.h:56
-  wire [21:0] mux_87_s5 = {~{16{sub_11_s5[4]}} & mul_7_s5[33:18], sub_11_s5[4] ? mul_7_s5[33:28] : mul_7_s5[17:12]};  // units/transformation.h:56
-  wire [21:0] mux_88_s5 = {~{8{sub_11_s5[3]}} & mux_87_s5[21:14], sub_11_s5[3] ? mux_87_s5[21:8] : mux_87_s5[13:0]};  // units/transformation.h:56
-  wire [21:0] mux_89_s5 = {~{4{sub_11_s5[2]}} & mux_88_s5[21:18], sub_11_s5[2] ? mux_88_s5[21:4] : mux_88_s5[17:0]};  // units/transformation.h:56
-  wire [7:0] sub_12_s5 = mux_86_s5 - add_22_s5;  // units/transformation.h:56
-  wire [21:0] mux_92_s5 = {~{16{sub_12_s5[4]}} & mul_8_s5[33:18], sub_12_s5[4] ? mul_8_s5[33:28] : mul_8_s5[17:12]};  // units/transformation.h:56
-  wire [21:0] mux_93_s5 = {~{8{sub_12_s5[3]}} & mux_92_s5[21:14], sub_12_s5[3] ? mux_92_s5[21:8] : mux_92_s5[13:0]};  // units/transformation.h:56
-  wire [21:0] mux_94_s5 = {~{4{sub_12_s5[2]}} & mux_93_s5[21:18], sub_12_s5[2] ? mux_93_s5[21:4] : mux_93_s5[17:0]};  // units/transformation.h:56
-  wire eq_30_s5 = sub_12_s5[7:5] == 3'd0;  // units/transformation.h:56
-  wire [7:0] sub_13_s5 = mux_86_s5 - add_23_s5;  // units/transformation.h:56
-  wire [21:0] mux_99_s5 = {~{16{sub_13_s5[4]}} & mul_9_s5[33:18], sub_13_s5[4] ? mul_9_s5[33:28] : mul_9_s5[17:12]};  // units/transformation.h:56
-  wire [21:0] mux_100_s5 = {~{8{sub_13_s5[3]}} & mux_99_s5[21:14], sub_13_s5[3] ? mux_99_s5[21:8] : mux_99_s5[13:0]};  // units/transformation.h:56
-  wire [21:0] mux_101_s5 = {~{4{sub_13_s5[2]}} & mux_100_s5[21:18], sub_13_s5[2] ? mux_100_s5[21:4] : mux_100_s5[17:0]};  // units/transformation.h:56
-  wire eq_31_s5 = sub_13_s5[7:5] == 3'd0;  // units/transformation.h:56
-  wire [7:0] sub_14_s5 = mux_86_s5 - mux_83_s5;  // units/transformation.h:56
-  wire [16:0] mux_105_s5 = {in_point_s5 ? 1'd1 : 1'd0, {16{in_point_s5}} & column_3_48_s5};  // units/transformation.h:56
-  wire eq_32_s5 = sub_14_s5[7:5] == 3'd0;  // units/transformation.h:56
+  wire [7:0] sub_1_s5 = mux_4_s5 - add_1_s5;  // units/transformation.h:76
+  wire eq_1_s5 = sub_1_s5[7:5] == 3'd0;  // units/transformation.h:76
+  wire [21:0] mux_5_s5 = {~{16{sub_1_s5[4]}} & mul_1_s5[33:18], sub_1_s5[4] ? mul_1_s5[33:28] : mul_1_s5[17:12]};  // units/transformation.h:76
+  wire [21:0] mux_6_s5 = {~{8{sub_1_s5[3]}} & mux_5_s5[21:14], sub_1_s5[3] ? mux_5_s5[21:8] : mux_5_s5[13:0]};  // units/transformation.h:76
+  wire [21:0] mux_7_s5 = {~{4{sub_1_s5[2]}} & mux_6_s5[21:18], sub_1_s5[2] ? mux_6_s5[21:4] : mux_6_s5[17:0]};  // units/transformation.h:76
+  wire [7:0] sub_2_s5 = mux_4_s5 - add_2_s5;  // units/transformation.h:76
+  wire [21:0] mux_10_s5 = {~{16{sub_2_s5[4]}} & mul_2_s5[33:18], sub_2_s5[4] ? mul_2_s5[33:28] : mul_2_s5[17:12]};  // units/transformation.h:76
+  wire [21:0] mux_11_s5 = {~{8{sub_2_s5[3]}} & mux_10_s5[21:14], sub_2_s5[3] ? mux_10_s5[21:8] : mux_10_s5[13:0]};  // units/transformation.h:76
+  wire [21:0] mux_12_s5 = {~{4{sub_2_s5[2]}} & mux_11_s5[21:18], sub_2_s5[2] ? mux_11_s5[21:4] : mux_11_s5[17:0]};  // units/transformation.h:76
+  wire eq_2_s5 = sub_2_s5[7:5] == 3'd0;  // units/transformation.h:76
+  wire [7:0] sub_3_s5 = mux_4_s5 - add_3_s5;  // units/transformation.h:76
+  wire [21:0] mux_17_s5 = {~{16{sub_3_s5[4]}} & mul_3_s5[33:18], sub_3_s5[4] ? mul_3_s5[33:28] : mul_3_s5[17:12]};  // units/transformation.h:76
+  wire [21:0] mux_18_s5 = {~{8{sub_3_s5[3]}} & mux_17_s5[21:14], sub_3_s5[3] ? mux_17_s5[21:8] : mux_17_s5[13:0]};  // units/transformation.h:76
+  wire [21:0] mux_19_s5 = {~{4{sub_3_s5[2]}} & mux_18_s5[21:18], sub_3_s5[2] ? mux_18_s5[21:4] : mux_18_s5[17:0]};  // units/transformation.h:76
+  wire eq_3_s5 = sub_3_s5[7:5] == 3'd0;  // units/transformation.h:76
+  wire [7:0] sub_4_s5 = mux_4_s5 - mux_1_s5;  // units/transformation.h:76
+  wire [16:0] mux_23_s5 = {in_point_s5 ? 1'd1 : 1'd0, {16{in_point_s5}} & column_3_0_s5};  // units/transformation.h:76
+  wire eq_4_s5 = sub_4_s5[7:5] == 3'd0;  // units/transformation.h:76
+  wire [7:0] sub_6_s5 = mux_43_s5 - add_11_s5;  // units/transformation.h:76
+  wire eq_15_s5 = sub_6_s5[7:5] == 3'd0;  // units/transformation.h:76
+  wire [21:0] mux_44_s5 = {~{16{sub_6_s5[4]}} & mul_4_s5[33:18], sub_6_s5[4] ? mul_4_s5[33:28] : mul_4_s5[17:12]};  // units/transformation.h:76
+  wire [21:0] mux_45_s5 = {~{8{sub_6_s5[3]}} & mux_44_s5[21:14], sub_6_s5[3] ? mux_44_s5[21:8] : mux_44_s5[13:0]};  // units/transformation.h:76
+  wire [21:0] mux_46_s5 = {~{4{sub_6_s5[2]}} & mux_45_s5[21:18], sub_6_s5[2] ? mux_45_s5[21:4] : mux_45_s5[17:0]};  // units/transformation.h:76
+  wire [7:0] sub_7_s5 = mux_43_s5 - add_12_s5;  // units/transformation.h:76
+  wire [21:0] mux_49_s5 = {~{16{sub_7_s5[4]}} & mul_5_s5[33:18], sub_7_s5[4] ? mul_5_s5[33:28] : mul_5_s5[17:12]};  // units/transformation.h:76
+  wire [21:0] mux_50_s5 = {~{8{sub_7_s5[3]}} & mux_49_s5[21:14], sub_7_s5[3] ? mux_49_s5[21:8] : mux_49_s5[13:0]};  // units/transformation.h:76
+  wire [21:0] mux_51_s5 = {~{4{sub_7_s5[2]}} & mux_50_s5[21:18], sub_7_s5[2] ? mux_50_s5[21:4] : mux_50_s5[17:0]};  // units/transformation.h:76
+  wire eq_16_s5 = sub_7_s5[7:5] == 3'd0;  // units/transformation.h:76
+  wire [7:0] sub_8_s5 = mux_43_s5 - add_13_s5;  // units/transformation.h:76
+  wire [21:0] mux_56_s5 = {~{16{sub_8_s5[4]}} & mul_6_s5[33:18], sub_8_s5[4] ? mul_6_s5[33:28] : mul_6_s5[17:12]};  // units/transformation.h:76
+  wire [21:0] mux_57_s5 = {~{8{sub_8_s5[3]}} & mux_56_s5[21:14], sub_8_s5[3] ? mux_56_s5[21:8] : mux_56_s5[13:0]};  // units/transformation.h:76
+  wire [21:0] mux_58_s5 = {~{4{sub_8_s5[2]}} & mux_57_s5[21:18], sub_8_s5[2] ? mux_57_s5[21:4] : mux_57_s5[17:0]};  // units/transformation.h:76
+  wire eq_17_s5 = sub_8_s5[7:5] == 3'd0;  // units/transformation.h:76
+  wire [7:0] sub_9_s5 = mux_43_s5 - mux_40_s5;  // units/transformation.h:76
+  wire [16:0] mux_62_s5 = {in_point_s5 ? 1'd1 : 1'd0, {16{in_point_s5}} & column_3_24_s5};  // units/transformation.h:76
+  wire eq_18_s5 = sub_9_s5[7:5] == 3'd0;  // units/transformation.h:76
+  wire [7:0] sub_11_s5 = mux_86_s5 - add_21_s5;  // units/transformation.h:76
+  wire eq_29_s5 = sub_11_s5[7:5] == 3'd0;  // units/transformation.h:76
+  wire [21:0] mux_87_s5 = {~{16{sub_11_s5[4]}} & mul_7_s5[33:18], sub_11_s5[4] ? mul_7_s5[33:28] : mul_7_s5[17:12]};  // units/transformation.h:76
+  wire [21:0] mux_88_s5 = {~{8{sub_11_s5[3]}} & mux_87_s5[21:14], sub_11_s5[3] ? mux_87_s5[21:8] : mux_87_s5[13:0]};  // units/transformation.h:76
+  wire [21:0] mux_89_s5 = {~{4{sub_11_s5[2]}} & mux_88_s5[21:18], sub_11_s5[2] ? mux_88_s5[21:4] : mux_88_s5[17:0]};  // units/transformation.h:76
+  wire [7:0] sub_12_s5 = mux_86_s5 - add_22_s5;  // units/transformation.h:76
+  wire [21:0] mux_92_s5 = {~{16{sub_12_s5[4]}} & mul_8_s5[33:18], sub_12_s5[4] ? mul_8_s5[33:28] : mul_8_s5[17:12]};  // units/transformation.h:76
+  wire [21:0] mux_93_s5 = {~{8{sub_12_s5[3]}} & mux_92_s5[21:14], sub_12_s5[3] ? mux_92_s5[21:8] : mux_92_s5[13:0]};  // units/transformation.h:76
+  wire [21:0] mux_94_s5 = {~{4{sub_12_s5[2]}} & mux_93_s5[21:18], sub_12_s5[2] ? mux_93_s5[21:4] : mux_93_s5[17:0]};  // units/transformation.h:76
+  wire eq_30_s5 = sub_12_s5[7:5] == 3'd0;  // units/transformation.h:76
+  wire [7:0] sub_13_s5 = mux_86_s5 - add_23_s5;  // units/transformation.h:76
+  wire [21:0] mux_99_s5 = {~{16{sub_13_s5[4]}} & mul_9_s5[33:18], sub_13_s5[4] ? mul_9_s5[33:28] : mul_9_s5[17:12]};  // units/transformation.h:76
+  wire [21:0] mux_100_s5 = {~{8{sub_13_s5[3]}} & mux_99_s5[21:14], sub_13_s5[3] ? mux_99_s5[21:8] : mux_99_s5[13:0]};  // units/transformation.h:76
+  wire [21:0] mux_101_s5 = {~{4{sub_13_s5[2]}} & mux_100_s5[21:18], sub_13_s5[2] ? mux_100_s5[21:4] : mux_100_s5[17:0]};  // units/transformation.h:76
+  wire eq_31_s5 = sub_13_s5[7:5] == 3'd0;  // units/transformation.h:76
+  wire [7:0] sub_14_s5 = mux_86_s5 - mux_83_s5;  // units/transformation.h:76
+  wire [16:0] mux_105_s5 = {in_point_s5 ? 1'd1 : 1'd0, {16{in_point_s5}} & column_3_48_s5};  // units/transformation.h:76
+  wire eq_32_s5 = sub_14_s5[7:5] == 3'd0;  // units/transformation.h:76
 
   // ---- stage 6 ----
   reg valid_s6;
@@ -710,54 +710,54 @@ module transformation #(
     mux_105_s6 <= mux_105_s5;
     eq_32_s6 <= eq_32_s5;
   end
-  wire [21:0] mux_8_s6 = {~{2{sub_1_s6[1]}} & mux_7_s6[21:20], sub_1_s6[1] ? mux_7_s6[21:2] : mux_7_s6[19:0]};  // units/transformation.h:56
-  wire [21:0] mux_9_s6 = {~sub_1_s6[0] & mux_8_s6[21], sub_1_s6[0] ? mux_8_s6[21:1] : mux_8_s6[20:0]};  // units/transformation.h:56
-  wire [21:0] mux_13_s6 = {~{2{sub_2_s6[1]}} & mux_12_s6[21:20], sub_2_s6[1] ? mux_12_s6[21:2] : mux_12_s6[19:0]};  // units/transformation.h:56
-  wire [21:0] mux_14_s6 = {~sub_2_s6[0] & mux_13_s6[21], sub_2_s6[0] ? mux_13_s6[21:1] : mux_13_s6[20:0]};  // units/transformation.h:56
-  wire xor_4_s6 = xor_1_s6 ^ xor_2_s6;  // units/transformation.h:56
-  wire [21:0] xor_5_s6 = ({22{eq_2_s6}} & mux_14_s6) ^ {22{xor_4_s6}};  // units/transformation.h:56
-  wire [21:0] mux_16_s6 = {22{eq_1_s6}} & mux_9_s6;  // units/transformation.h:56
-  wire [21:0] mux_20_s6 = {~{2{sub_3_s6[1]}} & mux_19_s6[21:20], sub_3_s6[1] ? mux_19_s6[21:2] : mux_19_s6[19:0]};  // units/transformation.h:56
-  wire [21:0] mux_21_s6 = {~sub_3_s6[0] & mux_20_s6[21], sub_3_s6[0] ? mux_20_s6[21:1] : mux_20_s6[20:0]};  // units/transformation.h:56
-  wire [21:0] mux_22_s6 = {22{eq_3_s6}} & mux_21_s6;  // units/transformation.h:56
-  wire [20:0] mux_24_s6 = {~{16{sub_4_s6[4]}} & mux_23_s6[16:1], sub_4_s6[4] ? mux_23_s6[16] : mux_23_s6[0], {4{sub_4_s6[4]}} & mux_23_s6[15:12]};  // units/transformation.h:56
-  wire [20:0] mux_25_s6 = {~{8{sub_4_s6[3]}} & mux_24_s6[20:13], sub_4_s6[3] ? mux_24_s6[20:8] : mux_24_s6[12:0]};  // units/transformation.h:56
-  wire [20:0] mux_26_s6 = {~{4{sub_4_s6[2]}} & mux_25_s6[20:17], sub_4_s6[2] ? mux_25_s6[20:4] : mux_25_s6[16:0]};  // units/transformation.h:56
-  wire [20:0] mux_27_s6 = {~{2{sub_4_s6[1]}} & mux_26_s6[20:19], sub_4_s6[1] ? mux_26_s6[20:2] : mux_26_s6[18:0]};  // units/transformation.h:56
-  wire [20:0] mux_28_s6 = {~sub_4_s6[0] & mux_27_s6[20], sub_4_s6[0] ? mux_27_s6[20:1] : mux_27_s6[19:0]};  // units/transformation.h:56
-  wire [20:0] mux_29_s6 = {21{eq_4_s6}} & mux_28_s6;  // units/transformation.h:56
-  wire [21:0] mux_47_s6 = {~{2{sub_6_s6[1]}} & mux_46_s6[21:20], sub_6_s6[1] ? mux_46_s6[21:2] : mux_46_s6[19:0]};  // units/transformation.h:56
-  wire [21:0] mux_48_s6 = {~sub_6_s6[0] & mux_47_s6[21], sub_6_s6[0] ? mux_47_s6[21:1] : mux_47_s6[20:0]};  // units/transformation.h:56
-  wire [21:0] mux_52_s6 = {~{2{sub_7_s6[1]}} & mux_51_s6[21:20], sub_7_s6[1] ? mux_51_s6[21:2] : mux_51_s6[19:0]};  // units/transformation.h:56
-  wire [21:0] mux_53_s6 = {~sub_7_s6[0] & mux_52_s6[21], sub_7_s6[0] ? mux_52_s6[21:1] : mux_52_s6[20:0]};  // units/transformation.h:56
-  wire xor_15_s6 = xor_11_s6 ^ xor_12_s6;  // units/transformation.h:56
-  wire [21:0] xor_16_s6 = ({22{eq_16_s6}} & mux_53_s6) ^ {22{xor_15_s6}};  // units/transformation.h:56
-  wire [21:0] mux_55_s6 = {22{eq_15_s6}} & mux_48_s6;  // units/transformation.h:56
-  wire [21:0] mux_59_s6 = {~{2{sub_8_s6[1]}} & mux_58_s6[21:20], sub_8_s6[1] ? mux_58_s6[21:2] : mux_58_s6[19:0]};  // units/transformation.h:56
-  wire [21:0] mux_60_s6 = {~sub_8_s6[0] & mux_59_s6[21], sub_8_s6[0] ? mux_59_s6[21:1] : mux_59_s6[20:0]};  // units/transformation.h:56
-  wire [21:0] mux_61_s6 = {22{eq_17_s6}} & mux_60_s6;  // units/transformation.h:56
-  wire [20:0] mux_63_s6 = {~{16{sub_9_s6[4]}} & mux_62_s6[16:1], sub_9_s6[4] ? mux_62_s6[16] : mux_62_s6[0], {4{sub_9_s6[4]}} & mux_62_s6[15:12]};  // units/transformation.h:56
-  wire [20:0] mux_64_s6 = {~{8{sub_9_s6[3]}} & mux_63_s6[20:13], sub_9_s6[3] ? mux_63_s6[20:8] : mux_63_s6[12:0]};  // units/transformation.h:56
-  wire [20:0] mux_65_s6 = {~{4{sub_9_s6[2]}} & mux_64_s6[20:17], sub_9_s6[2] ? mux_64_s6[20:4] : mux_64_s6[16:0]};  // units/transformation.h:56
-  wire [20:0] mux_66_s6 = {~{2{sub_9_s6[1]}} & mux_65_s6[20:19], sub_9_s6[1] ? mux_65_s6[20:2] : mux_65_s6[18:0]};  // units/transformation.h:56
-  wire [20:0] mux_67_s6 = {~sub_9_s6[0] & mux_66_s6[20], sub_9_s6[0] ? mux_66_s6[20:1] : mux_66_s6[19:0]};  // units/transformation.h:56
-  wire [20:0] mux_68_s6 = {21{eq_18_s6}} & mux_67_s6;  // units/transformation.h:56
-  wire [21:0] mux_90_s6 = {~{2{sub_11_s6[1]}} & mux_89_s6[21:20], sub_11_s6[1] ? mux_89_s6[21:2] : mux_89_s6[19:0]};  // units/transformation.h:56
-  wire [21:0] mux_91_s6 = {~sub_11_s6[0] & mux_90_s6[21], sub_11_s6[0] ? mux_90_s6[21:1] : mux_90_s6[20:0]};  // units/transformation.h:56
-  wire [21:0] mux_95_s6 = {~{2{sub_12_s6[1]}} & mux_94_s6[21:20], sub_12_s6[1] ? mux_94_s6[21:2] : mux_94_s6[19:0]};  // units/transformation.h:56
-  wire [21:0] mux_96_s6 = {~sub_12_s6[0] & mux_95_s6[21], sub_12_s6[0] ? mux_95_s6[21:1] : mux_95_s6[20:0]};  // units/transformation.h:56
-  wire xor_26_s6 = xor_23_s6 ^ xor_24_s6;  // units/transformation.h:56
-  wire [21:0] xor_27_s6 = ({22{eq_30_s6}} & mux_96_s6) ^ {22{xor_26_s6}};  // units/transformation.h:56
-  wire [21:0] mux_98_s6 = {22{eq_29_s6}} & mux_91_s6;  // units/transformation.h:56
-  wire [21:0] mux_102_s6 = {~{2{sub_13_s6[1]}} & mux_101_s6[21:20], sub_13_s6[1] ? mux_101_s6[21:2] : mux_101_s6[19:0]};  // units/transformation.h:56
-  wire [21:0] mux_103_s6 = {~sub_13_s6[0] & mux_102_s6[21], sub_13_s6[0] ? mux_102_s6[21:1] : mux_102_s6[20:0]};  // units/transformation.h:56
-  wire [21:0] mux_104_s6 = {22{eq_31_s6}} & mux_103_s6;  // units/transformation.h:56
-  wire [20:0] mux_106_s6 = {~{16{sub_14_s6[4]}} & mux_105_s6[16:1], sub_14_s6[4] ? mux_105_s6[16] : mux_105_s6[0], {4{sub_14_s6[4]}} & mux_105_s6[15:12]};  // units/transformation.h:56
-  wire [20:0] mux_107_s6 = {~{8{sub_14_s6[3]}} & mux_106_s6[20:13], sub_14_s6[3] ? mux_106_s6[20:8] : mux_106_s6[12:0]};  // units/transformation.h:56
-  wire [20:0] mux_108_s6 = {~{4{sub_14_s6[2]}} & mux_107_s6[20:17], sub_14_s6[2] ? mux_107_s6[20:4] : mux_107_s6[16:0]};  // units/transformation.h:56
-  wire [20:0] mux_109_s6 = {~{2{sub_14_s6[1]}} & mux_108_s6[20:19], sub_14_s6[1] ? mux_108_s6[20:2] : mux_108_s6[18:0]};  // units/transformation.h:56
-  wire [20:0] mux_110_s6 = {~sub_14_s6[0] & mux_109_s6[20], sub_14_s6[0] ? mux_109_s6[20:1] : mux_109_s6[19:0]};  // units/transformation.h:56
-  wire [20:0] mux_111_s6 = {21{eq_32_s6}} & mux_110_s6;  // units/transformation.h:56
+  wire [21:0] mux_8_s6 = {~{2{sub_1_s6[1]}} & mux_7_s6[21:20], sub_1_s6[1] ? mux_7_s6[21:2] : mux_7_s6[19:0]};  // units/transformation.h:76
+  wire [21:0] mux_9_s6 = {~sub_1_s6[0] & mux_8_s6[21], sub_1_s6[0] ? mux_8_s6[21:1] : mux_8_s6[20:0]};  // units/transformation.h:76
+  wire [21:0] mux_13_s6 = {~{2{sub_2_s6[1]}} & mux_12_s6[21:20], sub_2_s6[1] ? mux_12_s6[21:2] : mux_12_s6[19:0]};  // units/transformation.h:76
+  wire [21:0] mux_14_s6 = {~sub_2_s6[0] & mux_13_s6[21], sub_2_s6[0] ? mux_13_s6[21:1] : mux_13_s6[20:0]};  // units/transformation.h:76
+  wire xor_4_s6 = xor_1_s6 ^ xor_2_s6;  // units/transformation.h:76
+  wire [21:0] xor_5_s6 = ({22{eq_2_s6}} & mux_14_s6) ^ {22{xor_4_s6}};  // units/transformation.h:76
+  wire [21:0] mux_16_s6 = {22{eq_1_s6}} & mux_9_s6;  // units/transformation.h:76
+  wire [21:0] mux_20_s6 = {~{2{sub_3_s6[1]}} & mux_19_s6[21:20], sub_3_s6[1] ? mux_19_s6[21:2] : mux_19_s6[19:0]};  // units/transformation.h:76
+  wire [21:0] mux_21_s6 = {~sub_3_s6[0] & mux_20_s6[21], sub_3_s6[0] ? mux_20_s6[21:1] : mux_20_s6[20:0]};  // units/transformation.h:76
+  wire [21:0] mux_22_s6 = {22{eq_3_s6}} & mux_21_s6;  // units/transformation.h:76
+  wire [20:0] mux_24_s6 = {~{16{sub_4_s6[4]}} & mux_23_s6[16:1], sub_4_s6[4] ? mux_23_s6[16] : mux_23_s6[0], {4{sub_4_s6[4]}} & mux_23_s6[15:12]};  // units/transformation.h:76
+  wire [20:0] mux_25_s6 = {~{8{sub_4_s6[3]}} & mux_24_s6[20:13], sub_4_s6[3] ? mux_24_s6[20:8] : mux_24_s6[12:0]};  // units/transformation.h:76
+  wire [20:0] mux_26_s6 = {~{4{sub_4_s6[2]}} & mux_25_s6[20:17], sub_4_s6[2] ? mux_25_s6[20:4] : mux_25_s6[16:0]};  // units/transformation.h:76
+  wire [20:0] mux_27_s6 = {~{2{sub_4_s6[1]}} & mux_26_s6[20:19], sub_4_s6[1] ? mux_26_s6[20:2] : mux_26_s6[18:0]};  // units/transformation.h:76
+  wire [20:0] mux_28_s6 = {~sub_4_s6[0] & mux_27_s6[20], sub_4_s6[0] ? mux_27_s6[20:1] : mux_27_s6[19:0]};  // units/transformation.h:76
+  wire [20:0] mux_29_s6 = {21{eq_4_s6}} & mux_28_s6;  // units/transformation.h:76
+  wire [21:0] mux_47_s6 = {~{2{sub_6_s6[1]}} & mux_46_s6[21:20], sub_6_s6[1] ? mux_46_s6[21:2] : mux_46_s6[19:0]};  // units/transformation.h:76
+  wire [21:0] mux_48_s6 = {~sub_6_s6[0] & mux_47_s6[21], sub_6_s6[0] ? mux_47_s6[21:1] : mux_47_s6[20:0]};  // units/transformation.h:76
+  wire [21:0] mux_52_s6 = {~{2{sub_7_s6[1]}} & mux_51_s6[21:20], sub_7_s6[1] ? mux_51_s6[21:2] : mux_51_s6[19:0]};  // units/transformation.h:76
+  wire [21:0] mux_53_s6 = {~sub_7_s6[0] & mux_52_s6[21], sub_7_s6[0] ? mux_52_s6[21:1] : mux_52_s6[20:0]};  // units/transformation.h:76
+  wire xor_15_s6 = xor_11_s6 ^ xor_12_s6;  // units/transformation.h:76
+  wire [21:0] xor_16_s6 = ({22{eq_16_s6}} & mux_53_s6) ^ {22{xor_15_s6}};  // units/transformation.h:76
+  wire [21:0] mux_55_s6 = {22{eq_15_s6}} & mux_48_s6;  // units/transformation.h:76
+  wire [21:0] mux_59_s6 = {~{2{sub_8_s6[1]}} & mux_58_s6[21:20], sub_8_s6[1] ? mux_58_s6[21:2] : mux_58_s6[19:0]};  // units/transformation.h:76
+  wire [21:0] mux_60_s6 = {~sub_8_s6[0] & mux_59_s6[21], sub_8_s6[0] ? mux_59_s6[21:1] : mux_59_s6[20:0]};  // units/transformation.h:76
+  wire [21:0] mux_61_s6 = {22{eq_17_s6}} & mux_60_s6;  // units/transformation.h:76
+  wire [20:0] mux_63_s6 = {~{16{sub_9_s6[4]}} & mux_62_s6[16:1], sub_9_s6[4] ? mux_62_s6[16] : mux_62_s6[0], {4{sub_9_s6[4]}} & mux_62_s6[15:12]};  // units/transformation.h:76
+  wire [20:0] mux_64_s6 = {~{8{sub_9_s6[3]}} & mux_63_s6[20:13], sub_9_s6[3] ? mux_63_s6[20:8] : mux_63_s6[12:0]};  // units/transformation.h:76
+  wire [20:0] mux_65_s6 = {~{4{sub_9_s6[2]}} & mux_64_s6[20:17], sub_9_s6[2] ? mux_64_s6[20:4] : mux_64_s6[16:0]};  // units/transformation.h:76
+  wire [20:0] mux_66_s6 = {~{2{sub_9_s6[1]}} & mux_65_s6[20:19], sub_9_s6[1] ? mux_65_s6[20:2] : mux_65_s6[18:0]};  // units/transformation.h:76
+  wire [20:0] mux_67_s6 = {~sub_9_s6[0] & mux_66_s6[20], sub_9_s6[0] ? mux_66_s6[20:1] : mux_66_s6[19:0]};  // units/transformation.h:76
+  wire [20:0] mux_68_s6 = {21{eq_18_s6}} & mux_67_s6;  // units/transformation.h:76
+  wire [21:0] mux_90_s6 = {~{2{sub_11_s6[1]}} & mux_89_s6[21:20], sub_11_s6[1] ? mux_89_s6[21:2] : mux_89_s6[19:0]};  // units/transformation.h:76
+  wire [21:0] mux_91_s6 = {~sub_11_s6[0] & mux_90_s6[21], sub_11_s6[0] ? mux_90_s6[21:1] : mux_90_s6[20:0]};  // units/transformation.h:76
+  wire [21:0] mux_95_s6 = {~{2{sub_12_s6[1]}} & mux_94_s6[21:20], sub_12_s6[1] ? mux_94_s6[21:2] : mux_94_s6[19:0]};  // units/transformation.h:76
+  wire [21:0] mux_96_s6 = {~sub_12_s6[0] & mux_95_s6[21], sub_12_s6[0] ? mux_95_s6[21:1] : mux_95_s6[20:0]};  // units/transformation.h:76
+  wire xor_26_s6 = xor_23_s6 ^ xor_24_s6;  // units/transformation.h:76
+  wire [21:0] xor_27_s6 = ({22{eq_30_s6}} & mux_96_s6) ^ {22{xor_26_s6}};  // units/transformation.h:76
+  wire [21:0] mux_98_s6 = {22{eq_29_s6}} & mux_91_s6;  // units/transformation.h:76
+  wire [21:0] mux_102_s6 = {~{2{sub_13_s6[1]}} & mux_101_s6[21:20], sub_13_s6[1] ? mux_101_s6[21:2] : mux_101_s6[19:0]};  // units/transformation.h:76
+  wire [21:0] mux_103_s6 = {~sub_13_s6[0] & mux_102_s6[21], sub_13_s6[0] ? mux_102_s6[21:1] : mux_102_s6[20:0]};  // units/transformation.h:76
+  wire [21:0] mux_104_s6 = {22{eq_31_s6}} & mux_103_s6;  // units/transformation.h:76
+  wire [20:0] mux_106_s6 = {~{16{sub_14_s6[4]}} & mux_105_s6[16:1], sub_14_s6[4] ? mux_105_s6[16] : mux_105_s6[0], {4{sub_14_s6[4]}} & mux_105_s6[15:12]};  // units/transformation.h:76
+  wire [20:0] mux_107_s6 = {~{8{sub_14_s6[3]}} & mux_106_s6[20:13], sub_14_s6[3] ? mux_106_s6[20:8] : mux_106_s6[12:0]};  // units/transformation.h:76
+  wire [20:0] mux_108_s6 = {~{4{sub_14_s6[2]}} & mux_107_s6[20:17], sub_14_s6[2] ? mux_107_s6[20:4] : mux_107_s6[16:0]};  // units/transformation.h:76
+  wire [20:0] mux_109_s6 = {~{2{sub_14_s6[1]}} & mux_108_s6[20:19], sub_14_s6[1] ? mux_108_s6[20:2] : mux_108_s6[18:0]};  // units/transformation.h:76
+  wire [20:0] mux_110_s6 = {~sub_14_s6[0] & mux_109_s6[20], sub_14_s6[0] ? mux_109_s6[20:1] : mux_109_s6[19:0]};  // units/transformation.h:76
+  wire [20:0] mux_111_s6 = {21{eq_32_s6}} & mux_110_s6;  // units/transformation.h:76
 
   // ---- stage 7 ----
   reg valid_s7;
@@ -820,27 +820,27 @@ module transformation #(
     mux_104_s7 <= mux_104_s6;
     mux_111_s7 <= mux_111_s6;
   end
-  wire [24:0] add_5_s7 = {2'd0, mux_16_s7, 1'd1} + {{2{xor_4_s7}}, xor_5_s7, xor_4_s7};  // units/transformation.h:56
-  wire xor_6_s7 = xor_1_s7 ^ xor_3_s7;  // units/transformation.h:56
-  wire [21:0] xor_7_s7 = mux_22_s7 ^ {22{xor_6_s7}};  // units/transformation.h:56
-  wire [25:0] add_6_s7 = {add_5_s7[24], add_5_s7[24:1], 1'd1} + {{3{xor_6_s7}}, xor_7_s7, xor_6_s7};  // units/transformation.h:56
-  wire xor_8_s7 = xor_1_s7 ^ column_3_23_s7;  // units/transformation.h:56
-  wire [20:0] xor_9_s7 = mux_29_s7 ^ {21{xor_8_s7}};  // units/transformation.h:56
-  wire [25:0] add_7_s7 = {add_6_s7[25:1], 1'd1} + {{4{xor_8_s7}}, xor_9_s7, xor_8_s7};  // units/transformation.h:56
-  wire [24:0] add_15_s7 = {2'd0, mux_55_s7, 1'd1} + {{2{xor_15_s7}}, xor_16_s7, xor_15_s7};  // units/transformation.h:56
-  wire xor_17_s7 = xor_11_s7 ^ xor_13_s7;  // units/transformation.h:56
-  wire [21:0] xor_18_s7 = mux_61_s7 ^ {22{xor_17_s7}};  // units/transformation.h:56
-  wire [25:0] add_16_s7 = {add_15_s7[24], add_15_s7[24:1], 1'd1} + {{3{xor_17_s7}}, xor_18_s7, xor_17_s7};  // units/transformation.h:56
-  wire xor_19_s7 = xor_11_s7 ^ column_3_47_s7;  // units/transformation.h:56
-  wire [20:0] xor_20_s7 = mux_68_s7 ^ {21{xor_19_s7}};  // units/transformation.h:56
-  wire [25:0] add_17_s7 = {add_16_s7[25:1], 1'd1} + {{4{xor_19_s7}}, xor_20_s7, xor_19_s7};  // units/transformation.h:56
-  wire [24:0] add_25_s7 = {2'd0, mux_98_s7, 1'd1} + {{2{xor_26_s7}}, xor_27_s7, xor_26_s7};  // units/transformation.h:56
-  wire xor_28_s7 = xor_23_s7 ^ xor_25_s7;  // units/transformation.h:56
-  wire [21:0] xor_29_s7 = mux_104_s7 ^ {22{xor_28_s7}};  // units/transformation.h:56
-  wire [25:0] add_26_s7 = {add_25_s7[24], add_25_s7[24:1], 1'd1} + {{3{xor_28_s7}}, xor_29_s7, xor_28_s7};  // units/transformation.h:56
-  wire xor_30_s7 = xor_23_s7 ^ column_3_71_s7;  // units/transformation.h:56
-  wire [20:0] xor_31_s7 = mux_111_s7 ^ {21{xor_30_s7}};  // units/transformation.h:56
-  wire [25:0] add_27_s7 = {add_26_s7[25:1], 1'd1} + {{4{xor_30_s7}}, xor_31_s7, xor_30_s7};  // units/transformation.h:56
+  wire [24:0] add_5_s7 = {2'd0, mux_16_s7, 1'd1} + {{2{xor_4_s7}}, xor_5_s7, xor_4_s7};  // units/transformation.h:76
+  wire xor_6_s7 = xor_1_s7 ^ xor_3_s7;  // units/transformation.h:76
+  wire [21:0] xor_7_s7 = mux_22_s7 ^ {22{xor_6_s7}};  // units/transformation.h:76
+  wire [25:0] add_6_s7 = {add_5_s7[24], add_5_s7[24:1], 1'd1} + {{3{xor_6_s7}}, xor_7_s7, xor_6_s7};  // units/transformation.h:76
+  wire xor_8_s7 = xor_1_s7 ^ column_3_23_s7;  // units/transformation.h:76
+  wire [20:0] xor_9_s7 = mux_29_s7 ^ {21{xor_8_s7}};  // units/transformation.h:76
+  wire [25:0] add_7_s7 = {add_6_s7[25:1], 1'd1} + {{4{xor_8_s7}}, xor_9_s7, xor_8_s7};  // units/transformation.h:76
+  wire [24:0] add_15_s7 = {2'd0, mux_55_s7, 1'd1} + {{2{xor_15_s7}}, xor_16_s7, xor_15_s7};  // units/transformation.h:76
+  wire xor_17_s7 = xor_11_s7 ^ xor_13_s7;  // units/transformation.h:76
+  wire [21:0] xor_18_s7 = mux_61_s7 ^ {22{xor_17_s7}};  // units/transformation.h:76
+  wire [25:0] add_16_s7 = {add_15_s7[24], add_15_s7[24:1], 1'd1} + {{3{xor_17_s7}}, xor_18_s7, xor_17_s7};  // units/transformation.h:76
+  wire xor_19_s7 = xor_11_s7 ^ column_3_47_s7;  // units/transformation.h:76
+  wire [20:0] xor_20_s7 = mux_68_s7 ^ {21{xor_19_s7}};  // units/transformation.h:76
+  wire [25:0] add_17_s7 = {add_16_s7[25:1], 1'd1} + {{4{xor_19_s7}}, xor_20_s7, xor_19_s7};  // units/transformation.h:76
+  wire [24:0] add_25_s7 = {2'd0, mux_98_s7, 1'd1} + {{2{xor_26_s7}}, xor_27_s7, xor_26_s7};  // units/transformation.h:76
+  wire xor_28_s7 = xor_23_s7 ^ xor_25_s7;  // units/transformation.h:76
+  wire [21:0] xor_29_s7 = mux_104_s7 ^ {22{xor_28_s7}};  // units/transformation.h:76
+  wire [25:0] add_26_s7 = {add_25_s7[24], add_25_s7[24:1], 1'd1} + {{3{xor_28_s7}}, xor_29_s7, xor_28_s7};  // units/transformation.h:76
+  wire xor_30_s7 = xor_23_s7 ^ column_3_71_s7;  // units/transformation.h:76
+  wire [20:0] xor_31_s7 = mux_111_s7 ^ {21{xor_30_s7}};  // units/transformation.h:76
+  wire [25:0] add_27_s7 = {add_26_s7[25:1], 1'd1} + {{4{xor_30_s7}}, xor_31_s7, xor_30_s7};  // units/transformation.h:76
 
   // ---- stage 8 ----
   reg valid_s8;
@@ -867,33 +867,33 @@ module transformation #(
     mux_86_s8 <= mux_86_s7;
     add_27_s8 <= add_27_s7[25:1];
   end
-  wire [23:0] xor_10_s8 = add_7_s8[24:1] ^ {24{add_7_s8[25]}};  // units/transformation.h:56
-  wire [24:0] add_8_s8 = {xor_10_s8, add_7_s8[25]} + 25'd1;  // units/transformation.h:56
-  wire eq_6_s8 = add_8_s8[24:21] == 4'd0;  // units/transformation.h:56
-  wire eq_7_s8 = add_8_s8[20:17] == 4'd0;  // units/transformation.h:56
-  wire eq_8_s8 = add_8_s8[16:13] == 4'd0;  // units/transformation.h:56
-  wire eq_10_s8 = add_8_s8[8:5] == 4'd0;  // units/transformation.h:56
-  wire and_2_s8 = eq_8_s8 & (add_8_s8[12:9] == 4'd0);  // units/transformation.h:56
-  wire and_3_s8 = eq_10_s8 & (add_8_s8[4:1] == 4'd0);  // units/transformation.h:56
-  wire xor_14_s8 = xor_1_s8 ^ add_7_s8[25];  // units/transformation.h:56
-  wire [23:0] xor_21_s8 = add_17_s8[24:1] ^ {24{add_17_s8[25]}};  // units/transformation.h:56
-  wire [24:0] add_18_s8 = {xor_21_s8, add_17_s8[25]} + 25'd1;  // units/transformation.h:56
-  wire eq_20_s8 = add_18_s8[24:21] == 4'd0;  // units/transformation.h:56
-  wire eq_21_s8 = add_18_s8[20:17] == 4'd0;  // units/transformation.h:56
-  wire eq_22_s8 = add_18_s8[16:13] == 4'd0;  // units/transformation.h:56
-  wire eq_24_s8 = add_18_s8[8:5] == 4'd0;  // units/transformation.h:56
-  wire and_11_s8 = eq_22_s8 & (add_18_s8[12:9] == 4'd0);  // units/transformation.h:56
-  wire and_12_s8 = eq_24_s8 & (add_18_s8[4:1] == 4'd0);  // units/transformation.h:56
-  wire xor_22_s8 = xor_11_s8 ^ add_17_s8[25];  // units/transformation.h:56
-  wire [23:0] xor_32_s8 = add_27_s8[24:1] ^ {24{add_27_s8[25]}};  // units/transformation.h:56
-  wire [24:0] add_28_s8 = {xor_32_s8, add_27_s8[25]} + 25'd1;  // units/transformation.h:56
-  wire eq_34_s8 = add_28_s8[24:21] == 4'd0;  // units/transformation.h:56
-  wire eq_35_s8 = add_28_s8[20:17] == 4'd0;  // units/transformation.h:56
-  wire eq_36_s8 = add_28_s8[16:13] == 4'd0;  // units/transformation.h:56
-  wire eq_38_s8 = add_28_s8[8:5] == 4'd0;  // units/transformation.h:56
-  wire and_22_s8 = eq_36_s8 & (add_28_s8[12:9] == 4'd0);  // units/transformation.h:56
-  wire and_23_s8 = eq_38_s8 & (add_28_s8[4:1] == 4'd0);  // units/transformation.h:56
-  wire xor_33_s8 = xor_23_s8 ^ add_27_s8[25];  // units/transformation.h:56
+  wire [23:0] xor_10_s8 = add_7_s8[24:1] ^ {24{add_7_s8[25]}};  // units/transformation.h:76
+  wire [24:0] add_8_s8 = {xor_10_s8, add_7_s8[25]} + 25'd1;  // units/transformation.h:76
+  wire eq_6_s8 = add_8_s8[24:21] == 4'd0;  // units/transformation.h:76
+  wire eq_7_s8 = add_8_s8[20:17] == 4'd0;  // units/transformation.h:76
+  wire eq_8_s8 = add_8_s8[16:13] == 4'd0;  // units/transformation.h:76
+  wire eq_10_s8 = add_8_s8[8:5] == 4'd0;  // units/transformation.h:76
+  wire and_2_s8 = eq_8_s8 & (add_8_s8[12:9] == 4'd0);  // units/transformation.h:76
+  wire and_3_s8 = eq_10_s8 & (add_8_s8[4:1] == 4'd0);  // units/transformation.h:76
+  wire xor_14_s8 = xor_1_s8 ^ add_7_s8[25];  // units/transformation.h:76
+  wire [23:0] xor_21_s8 = add_17_s8[24:1] ^ {24{add_17_s8[25]}};  // units/transformation.h:76
+  wire [24:0] add_18_s8 = {xor_21_s8, add_17_s8[25]} + 25'd1;  // units/transformation.h:76
+  wire eq_20_s8 = add_18_s8[24:21] == 4'd0;  // units/transformation.h:76
+  wire eq_21_s8 = add_18_s8[20:17] == 4'd0;  // units/transformation.h:76
+  wire eq_22_s8 = add_18_s8[16:13] == 4'd0;  // units/transformation.h:76
+  wire eq_24_s8 = add_18_s8[8:5] == 4'd0;  // units/transformation.h:76
+  wire and_11_s8 = eq_22_s8 & (add_18_s8[12:9] == 4'd0);  // units/transformation.h:76
+  wire and_12_s8 = eq_24_s8 & (add_18_s8[4:1] == 4'd0);  // units/transformation.h:76
+  wire xor_22_s8 = xor_11_s8 ^ add_17_s8[25];  // units/transformation.h:76
+  wire [23:0] xor_32_s8 = add_27_s8[24:1] ^ {24{add_27_s8[25]}};  // units/transformation.h:76
+  wire [24:0] add_28_s8 = {xor_32_s8, add_27_s8[25]} + 25'd1;  // units/transformation.h:76
+  wire eq_34_s8 = add_28_s8[24:21] == 4'd0;  // units/transformation.h:76
+  wire eq_35_s8 = add_28_s8[20:17] == 4'd0;  // units/transformation.h:76
+  wire eq_36_s8 = add_28_s8[16:13] == 4'd0;  // units/transformation.h:76
+  wire eq_38_s8 = add_28_s8[8:5] == 4'd0;  // units/transformation.h:76
+  wire and_22_s8 = eq_36_s8 & (add_28_s8[12:9] == 4'd0);  // units/transformation.h:76
+  wire and_23_s8 = eq_38_s8 & (add_28_s8[4:1] == 4'd0);  // units/transformation.h:76
+  wire xor_33_s8 = xor_23_s8 ^ add_27_s8[25];  // units/transformation.h:76
 
   // ---- stage 9 ----
   reg valid_s9;
@@ -956,48 +956,48 @@ module transformation #(
     and_23_s9 <= and_23_s8;
     xor_33_s9 <= xor_33_s8;
   end
-  wire not_1_s9 = ~(add_8_s9 == 24'd0);  // units/transformation.h:56
-  wire and_1_s9 = eq_6_s9 & eq_7_s9;  // units/transformation.h:56
-  wire and_4_s9 = and_1_s9 & and_2_s9;  // units/transformation.h:56
-  wire [23:0] mux_30_s9 = {and_4_s9 ? add_8_s9[8:1] : add_8_s9[24:17], ~{16{and_4_s9}} & add_8_s9[16:1]};  // units/transformation.h:56
-  wire mux_32_s9 = and_4_s9 ? and_3_s9 : and_1_s9;  // units/transformation.h:56
-  wire [23:0] mux_33_s9 = {mux_32_s9 ? mux_30_s9[15:0] : mux_30_s9[23:8], ~{8{mux_32_s9}} & mux_30_s9[7:0]};  // units/transformation.h:56
-  wire mux_34_s9 = mux_32_s9 ? (eq_8_s9 | and_4_s9) : (and_4_s9 ? eq_10_s9 : eq_6_s9);  // units/transformation.h:56
-  wire [23:0] mux_35_s9 = {mux_34_s9 ? mux_33_s9[19:0] : mux_33_s9[23:4], ~{4{mux_34_s9}} & mux_33_s9[3:0]};  // units/transformation.h:56
-  wire and_5_s9 = not_1_s9 & mux_34_s9;  // units/transformation.h:56
-  wire eq_12_s9 = mux_35_s9[23:22] == 2'd0;  // units/transformation.h:56
-  wire [23:0] mux_36_s9 = {eq_12_s9 ? mux_35_s9[21:0] : mux_35_s9[23:2], ~{2{eq_12_s9}} & mux_35_s9[1:0]};  // units/transformation.h:56
-  wire and_6_s9 = not_1_s9 & eq_12_s9;  // units/transformation.h:56
-  wire and_7_s9 = not_1_s9 & (~mux_36_s9[23]);  // units/transformation.h:56
-  wire [23:0] mux_37_s9 = {and_5_s9 ? mux_33_s9[19:0] : mux_33_s9[23:4], ~{4{and_5_s9}} & mux_33_s9[3:0]};  // units/transformation.h:56
-  wire not_5_s9 = ~(add_18_s9 == 24'd0);  // units/transformation.h:56
-  wire and_10_s9 = eq_20_s9 & eq_21_s9;  // units/transformation.h:56
-  wire and_13_s9 = and_10_s9 & and_11_s9;  // units/transformation.h:56
-  wire [23:0] mux_70_s9 = {and_13_s9 ? add_18_s9[8:1] : add_18_s9[24:17], ~{16{and_13_s9}} & add_18_s9[16:1]};  // units/transformation.h:56
-  wire mux_72_s9 = and_13_s9 ? and_12_s9 : and_10_s9;  // units/transformation.h:56
-  wire [23:0] mux_73_s9 = {mux_72_s9 ? mux_70_s9[15:0] : mux_70_s9[23:8], ~{8{mux_72_s9}} & mux_70_s9[7:0]};  // units/transformation.h:56
-  wire mux_74_s9 = mux_72_s9 ? (eq_22_s9 | and_13_s9) : (and_13_s9 ? eq_24_s9 : eq_20_s9);  // units/transformation.h:56
-  wire [23:0] mux_75_s9 = {mux_74_s9 ? mux_73_s9[19:0] : mux_73_s9[23:4], ~{4{mux_74_s9}} & mux_73_s9[3:0]};  // units/transformation.h:56
-  wire and_14_s9 = not_5_s9 & mux_74_s9;  // units/transformation.h:56
-  wire eq_26_s9 = mux_75_s9[23:22] == 2'd0;  // units/transformation.h:56
-  wire [23:0] mux_76_s9 = {eq_26_s9 ? mux_75_s9[21:0] : mux_75_s9[23:2], ~{2{eq_26_s9}} & mux_75_s9[1:0]};  // units/transformation.h:56
-  wire and_15_s9 = not_5_s9 & eq_26_s9;  // units/transformation.h:56
-  wire and_16_s9 = not_5_s9 & (~mux_76_s9[23]);  // units/transformation.h:56
-  wire [23:0] mux_77_s9 = {and_14_s9 ? mux_73_s9[19:0] : mux_73_s9[23:4], ~{4{and_14_s9}} & mux_73_s9[3:0]};  // units/transformation.h:56
-  wire not_9_s9 = ~(add_28_s9 == 24'd0);  // units/transformation.h:56
-  wire and_21_s9 = eq_34_s9 & eq_35_s9;  // units/transformation.h:56
-  wire and_24_s9 = and_21_s9 & and_22_s9;  // units/transformation.h:56
-  wire [23:0] mux_112_s9 = {and_24_s9 ? add_28_s9[8:1] : add_28_s9[24:17], ~{16{and_24_s9}} & add_28_s9[16:1]};  // units/transformation.h:56
-  wire mux_114_s9 = and_24_s9 ? and_23_s9 : and_21_s9;  // units/transformation.h:56
-  wire [23:0] mux_115_s9 = {mux_114_s9 ? mux_112_s9[15:0] : mux_112_s9[23:8], ~{8{mux_114_s9}} & mux_112_s9[7:0]};  // units/transformation.h:56
-  wire mux_116_s9 = mux_114_s9 ? (eq_36_s9 | and_24_s9) : (and_24_s9 ? eq_38_s9 : eq_34_s9);  // units/transformation.h:56
-  wire [23:0] mux_117_s9 = {mux_116_s9 ? mux_115_s9[19:0] : mux_115_s9[23:4], ~{4{mux_116_s9}} & mux_115_s9[3:0]};  // units/transformation.h:56
-  wire and_25_s9 = not_9_s9 & mux_116_s9;  // units/transformation.h:56
-  wire eq_40_s9 = mux_117_s9[23:22] == 2'd0;  // units/transformation.h:56
-  wire [23:0] mux_118_s9 = {eq_40_s9 ? mux_117_s9[21:0] : mux_117_s9[23:2], ~{2{eq_40_s9}} & mux_117_s9[1:0]};  // units/transformation.h:56
-  wire and_26_s9 = not_9_s9 & eq_40_s9;  // units/transformation.h:56
-  wire and_27_s9 = not_9_s9 & (~mux_118_s9[23]);  // units/transformation.h:56
-  wire [23:0] mux_119_s9 = {and_25_s9 ? mux_115_s9[19:0] : mux_115_s9[23:4], ~{4{and_25_s9}} & mux_115_s9[3:0]};  // units/transformation.h:56
+  wire not_1_s9 = ~(add_8_s9 == 24'd0);  // units/transformation.h:76
+  wire and_1_s9 = eq_6_s9 & eq_7_s9;  // units/transformation.h:76
+  wire and_4_s9 = and_1_s9 & and_2_s9;  // units/transformation.h:76
+  wire [23:0] mux_30_s9 = {and_4_s9 ? add_8_s9[8:1] : add_8_s9[24:17], ~{16{and_4_s9}} & add_8_s9[16:1]};  // units/transformation.h:76
+  wire mux_32_s9 = and_4_s9 ? and_3_s9 : and_1_s9;  // units/transformation.h:76
+  wire [23:0] mux_33_s9 = {mux_32_s9 ? mux_30_s9[15:0] : mux_30_s9[23:8], ~{8{mux_32_s9}} & mux_30_s9[7:0]};  // units/transformation.h:76
+  wire mux_34_s9 = mux_32_s9 ? (eq_8_s9 | and_4_s9) : (and_4_s9 ? eq_10_s9 : eq_6_s9);  // units/transformation.h:76
+  wire [23:0] mux_35_s9 = {mux_34_s9 ? mux_33_s9[19:0] : mux_33_s9[23:4], ~{4{mux_34_s9}} & mux_33_s9[3:0]};  // units/transformation.h:76
+  wire and_5_s9 = not_1_s9 & mux_34_s9;  // units/transformation.h:76
+  wire eq_12_s9 = mux_35_s9[23:22] == 2'd0;  // units/transformation.h:76
+  wire [23:0] mux_36_s9 = {eq_12_s9 ? mux_35_s9[21:0] : mux_35_s9[23:2], ~{2{eq_12_s9}} & mux_35_s9[1:0]};  // units/transformation.h:76
+  wire and_6_s9 = not_1_s9 & eq_12_s9;  // units/transformation.h:76
+  wire and_7_s9 = not_1_s9 & (~mux_36_s9[23]);  // units/transformation.h:76
+  wire [23:0] mux_37_s9 = {and_5_s9 ? mux_33_s9[19:0] : mux_33_s9[23:4], ~{4{and_5_s9}} & mux_33_s9[3:0]};  // units/transformation.h:76
+  wire not_5_s9 = ~(add_18_s9 == 24'd0);  // units/transformation.h:76
+  wire and_10_s9 = eq_20_s9 & eq_21_s9;  // units/transformation.h:76
+  wire and_13_s9 = and_10_s9 & and_11_s9;  // units/transformation.h:76
+  wire [23:0] mux_70_s9 = {and_13_s9 ? add_18_s9[8:1] : add_18_s9[24:17], ~{16{and_13_s9}} & add_18_s9[16:1]};  // units/transformation.h:76
+  wire mux_72_s9 = and_13_s9 ? and_12_s9 : and_10_s9;  // units/transformation.h:76
+  wire [23:0] mux_73_s9 = {mux_72_s9 ? mux_70_s9[15:0] : mux_70_s9[23:8], ~{8{mux_72_s9}} & mux_70_s9[7:0]};  // units/transformation.h:76
+  wire mux_74_s9 = mux_72_s9 ? (eq_22_s9 | and_13_s9) : (and_13_s9 ? eq_24_s9 : eq_20_s9);  // units/transformation.h:76
+  wire [23:0] mux_75_s9 = {mux_74_s9 ? mux_73_s9[19:0] : mux_73_s9[23:4], ~{4{mux_74_s9}} & mux_73_s9[3:0]};  // units/transformation.h:76
+  wire and_14_s9 = not_5_s9 & mux_74_s9;  // units/transformation.h:76
+  wire eq_26_s9 = mux_75_s9[23:22] == 2'd0;  // units/transformation.h:76
+  wire [23:0] mux_76_s9 = {eq_26_s9 ? mux_75_s9[21:0] : mux_75_s9[23:2], ~{2{eq_26_s9}} & mux_75_s9[1:0]};  // units/transformation.h:76
+  wire and_15_s9 = not_5_s9 & eq_26_s9;  // units/transformation.h:76
+  wire and_16_s9 = not_5_s9 & (~mux_76_s9[23]);  // units/transformation.h:76
+  wire [23:0] mux_77_s9 = {and_14_s9 ? mux_73_s9[19:0] : mux_73_s9[23:4], ~{4{and_14_s9}} & mux_73_s9[3:0]};  // units/transformation.h:76
+  wire not_9_s9 = ~(add_28_s9 == 24'd0);  // units/transformation.h:76
+  wire and_21_s9 = eq_34_s9 & eq_35_s9;  // units/transformation.h:76
+  wire and_24_s9 = and_21_s9 & and_22_s9;  // units/transformation.h:76
+  wire [23:0] mux_112_s9 = {and_24_s9 ? add_28_s9[8:1] : add_28_s9[24:17], ~{16{and_24_s9}} & add_28_s9[16:1]};  // units/transformation.h:76
+  wire mux_114_s9 = and_24_s9 ? and_23_s9 : and_21_s9;  // units/transformation.h:76
+  wire [23:0] mux_115_s9 = {mux_114_s9 ? mux_112_s9[15:0] : mux_112_s9[23:8], ~{8{mux_114_s9}} & mux_112_s9[7:0]};  // units/transformation.h:76
+  wire mux_116_s9 = mux_114_s9 ? (eq_36_s9 | and_24_s9) : (and_24_s9 ? eq_38_s9 : eq_34_s9);  // units/transformation.h:76
+  wire [23:0] mux_117_s9 = {mux_116_s9 ? mux_115_s9[19:0] : mux_115_s9[23:4], ~{4{mux_116_s9}} & mux_115_s9[3:0]};  // units/transformation.h:76
+  wire and_25_s9 = not_9_s9 & mux_116_s9;  // units/transformation.h:76
+  wire eq_40_s9 = mux_117_s9[23:22] == 2'd0;  // units/transformation.h:76
+  wire [23:0] mux_118_s9 = {eq_40_s9 ? mux_117_s9[21:0] : mux_117_s9[23:2], ~{2{eq_40_s9}} & mux_117_s9[1:0]};  // units/transformation.h:76
+  wire and_26_s9 = not_9_s9 & eq_40_s9;  // units/transformation.h:76
+  wire and_27_s9 = not_9_s9 & (~mux_118_s9[23]);  // units/transformation.h:76
+  wire [23:0] mux_119_s9 = {and_25_s9 ? mux_115_s9[19:0] : mux_115_s9[23:4], ~{4{and_25_s9}} & mux_115_s9[3:0]};  // units/transformation.h:76
 
   // ---- stage 10 ----
   reg valid_s10;
@@ -1054,21 +1054,21 @@ module transformation #(
     mux_119_s10 <= mux_119_s9;
     xor_33_s10 <= xor_33_s9;
   end
-  wire [23:0] mux_38_s10 = {and_6_s10 ? mux_37_s10[21:0] : mux_37_s10[23:2], ~{2{and_6_s10}} & mux_37_s10[1:0]};  // units/transformation.h:56
-  wire [23:0] mux_39_s10 = {and_7_s10 ? mux_38_s10[22:0] : mux_38_s10[23:1], ~and_7_s10 & mux_38_s10[0]};  // units/transformation.h:56
-  wire [7:0] add_9_s10 = {2'd0, mux_4_s10[7:2]} + 8'd241;  // units/transformation.h:56
-  wire [9:0] sub_5_s10 = {add_9_s10, mux_4_s10[1:0]} - {5'd0, and_4_s10, mux_32_s10, and_5_s10, and_6_s10, and_7_s10};  // units/transformation.h:56
-  wire and_8_s10 = (~({mux_39_s10[7], 1'd0, mux_39_s10[5:0]} == 8'd0)) & mux_39_s10[6];  // units/transformation.h:56
-  wire [23:0] mux_78_s10 = {and_15_s10 ? mux_77_s10[21:0] : mux_77_s10[23:2], ~{2{and_15_s10}} & mux_77_s10[1:0]};  // units/transformation.h:56
-  wire [23:0] mux_79_s10 = {and_16_s10 ? mux_78_s10[22:0] : mux_78_s10[23:1], ~and_16_s10 & mux_78_s10[0]};  // units/transformation.h:56
-  wire [7:0] add_19_s10 = {2'd0, mux_43_s10[7:2]} + 8'd241;  // units/transformation.h:56
-  wire [9:0] sub_10_s10 = {add_19_s10, mux_43_s10[1:0]} - {5'd0, and_13_s10, mux_72_s10, and_14_s10, and_15_s10, and_16_s10};  // units/transformation.h:56
-  wire and_17_s10 = (~({mux_79_s10[7], 1'd0, mux_79_s10[5:0]} == 8'd0)) & mux_79_s10[6];  // units/transformation.h:56
-  wire [23:0] mux_120_s10 = {and_26_s10 ? mux_119_s10[21:0] : mux_119_s10[23:2], ~{2{and_26_s10}} & mux_119_s10[1:0]};  // units/transformation.h:56
-  wire [23:0] mux_121_s10 = {and_27_s10 ? mux_120_s10[22:0] : mux_120_s10[23:1], ~and_27_s10 & mux_120_s10[0]};  // units/transformation.h:56
-  wire [7:0] add_29_s10 = {2'd0, mux_86_s10[7:2]} + 8'd241;  // units/transformation.h:56
-  wire [9:0] sub_15_s10 = {add_29_s10, mux_86_s10[1:0]} - {5'd0, and_24_s10, mux_114_s10, and_25_s10, and_26_s10, and_27_s10};  // units/transformation.h:56
-  wire and_28_s10 = mux_121_s10[6] & (~({mux_121_s10[7], 1'd0, mux_121_s10[5:0]} == 8'd0));  // units/transformation.h:56
+  wire [23:0] mux_38_s10 = {and_6_s10 ? mux_37_s10[21:0] : mux_37_s10[23:2], ~{2{and_6_s10}} & mux_37_s10[1:0]};  // units/transformation.h:76
+  wire [23:0] mux_39_s10 = {and_7_s10 ? mux_38_s10[22:0] : mux_38_s10[23:1], ~and_7_s10 & mux_38_s10[0]};  // units/transformation.h:76
+  wire [7:0] add_9_s10 = {2'd0, mux_4_s10[7:2]} + 8'd241;  // units/transformation.h:76
+  wire [9:0] sub_5_s10 = {add_9_s10, mux_4_s10[1:0]} - {5'd0, and_4_s10, mux_32_s10, and_5_s10, and_6_s10, and_7_s10};  // units/transformation.h:76
+  wire and_8_s10 = (~({mux_39_s10[7], 1'd0, mux_39_s10[5:0]} == 8'd0)) & mux_39_s10[6];  // units/transformation.h:76
+  wire [23:0] mux_78_s10 = {and_15_s10 ? mux_77_s10[21:0] : mux_77_s10[23:2], ~{2{and_15_s10}} & mux_77_s10[1:0]};  // units/transformation.h:76
+  wire [23:0] mux_79_s10 = {and_16_s10 ? mux_78_s10[22:0] : mux_78_s10[23:1], ~and_16_s10 & mux_78_s10[0]};  // units/transformation.h:76
+  wire [7:0] add_19_s10 = {2'd0, mux_43_s10[7:2]} + 8'd241;  // units/transformation.h:76
+  wire [9:0] sub_10_s10 = {add_19_s10, mux_43_s10[1:0]} - {5'd0, and_13_s10, mux_72_s10, and_14_s10, and_15_s10, and_16_s10};  // units/transformation.h:76
+  wire and_17_s10 = (~({mux_79_s10[7], 1'd0, mux_79_s10[5:0]} == 8'd0)) & mux_79_s10[6];  // units/transformation.h:76
+  wire [23:0] mux_120_s10 = {and_26_s10 ? mux_119_s10[21:0] : mux_119_s10[23:2], ~{2{and_26_s10}} & mux_119_s10[1:0]};  // units/transformation.h:76
+  wire [23:0] mux_121_s10 = {and_27_s10 ? mux_120_s10[22:0] : mux_120_s10[23:1], ~and_27_s10 & mux_120_s10[0]};  // units/transformation.h:76
+  wire [7:0] add_29_s10 = {2'd0, mux_86_s10[7:2]} + 8'd241;  // units/transformation.h:76
+  wire [9:0] sub_15_s10 = {add_29_s10, mux_86_s10[1:0]} - {5'd0, and_24_s10, mux_114_s10, and_25_s10, and_26_s10, and_27_s10};  // units/transformation.h:76
+  wire and_28_s10 = mux_121_s10[6] & (~({mux_121_s10[7], 1'd0, mux_121_s10[5:0]} == 8'd0));  // units/transformation.h:76
 
   // ---- stage 11 ----
   reg valid_s11;
@@ -1109,24 +1109,24 @@ module transformation #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({in_packet_s1, in_to_unit_value_s1, vector_82_s1, vector_7_s1}),
     .data_o({in_packet_s11, in_to_unit_value_s11, vector_82_s11, vector_7_s11}));
-  wire [25:0] add_10_s11 = {sub_5_s11, 15'd0, and_8_s11} + {10'd0, mux_39_s11[22:7]};  // units/transformation.h:56
-  wire eq_14_s11 = add_10_s11[24:23] == 2'd0;  // units/transformation.h:56
-  wire and_9_s11 = (~add_10_s11[25]) & mux_39_s11[23];  // units/transformation.h:56
-  wire [22:0] mux_69_s11 = ~{23{eq_14_s11}} | add_10_s11[22:0];  // units/transformation.h:56
-  wire [25:0] add_20_s11 = {10'd0, mux_79_s11[22:7]} + {sub_10_s11, 15'd0, and_17_s11};  // units/transformation.h:56
-  wire [22:0] mux_80_s11 = {23{and_9_s11}} & mux_69_s11;  // units/transformation.h:56
-  wire and_18_s11 = xor_14_s11 & mux_39_s11[23];  // units/transformation.h:56
-  wire eq_28_s11 = add_20_s11[24:23] == 2'd0;  // units/transformation.h:56
-  wire [22:0] mux_81_s11 = ~{23{eq_28_s11}} | add_20_s11[22:0];  // units/transformation.h:56
-  wire and_19_s11 = (~add_20_s11[25]) & mux_79_s11[23];  // units/transformation.h:56
-  wire and_20_s11 = mux_79_s11[23] & xor_22_s11;  // units/transformation.h:56
-  wire [22:0] mux_82_s11 = {23{and_19_s11}} & mux_81_s11;  // units/transformation.h:56
-  wire [25:0] add_30_s11 = {sub_15_s11, 15'd0, and_28_s11} + {10'd0, mux_121_s11[22:7]};  // units/transformation.h:56
-  wire and_29_s11 = mux_121_s11[23] & (~add_30_s11[25]);  // units/transformation.h:56
-  wire eq_42_s11 = add_30_s11[24:23] == 2'd0;  // units/transformation.h:56
-  wire and_30_s11 = xor_33_s11 & mux_121_s11[23];  // units/transformation.h:56
-  wire [22:0] mux_122_s11 = ~{23{eq_42_s11}} | add_30_s11[22:0];  // units/transformation.h:56
-  wire [22:0] mux_123_s11 = {23{and_29_s11}} & mux_122_s11;  // units/transformation.h:56
+  wire [25:0] add_10_s11 = {sub_5_s11, 15'd0, and_8_s11} + {10'd0, mux_39_s11[22:7]};  // units/transformation.h:76
+  wire eq_14_s11 = add_10_s11[24:23] == 2'd0;  // units/transformation.h:76
+  wire and_9_s11 = (~add_10_s11[25]) & mux_39_s11[23];  // units/transformation.h:76
+  wire [22:0] mux_69_s11 = ~{23{eq_14_s11}} | add_10_s11[22:0];  // units/transformation.h:76
+  wire [25:0] add_20_s11 = {10'd0, mux_79_s11[22:7]} + {sub_10_s11, 15'd0, and_17_s11};  // units/transformation.h:76
+  wire [22:0] mux_80_s11 = {23{and_9_s11}} & mux_69_s11;  // units/transformation.h:76
+  wire and_18_s11 = xor_14_s11 & mux_39_s11[23];  // units/transformation.h:76
+  wire eq_28_s11 = add_20_s11[24:23] == 2'd0;  // units/transformation.h:76
+  wire [22:0] mux_81_s11 = ~{23{eq_28_s11}} | add_20_s11[22:0];  // units/transformation.h:76
+  wire and_19_s11 = (~add_20_s11[25]) & mux_79_s11[23];  // units/transformation.h:76
+  wire and_20_s11 = mux_79_s11[23] & xor_22_s11;  // units/transformation.h:76
+  wire [22:0] mux_82_s11 = {23{and_19_s11}} & mux_81_s11;  // units/transformation.h:76
+  wire [25:0] add_30_s11 = {sub_15_s11, 15'd0, and_28_s11} + {10'd0, mux_121_s11[22:7]};  // units/transformation.h:76
+  wire and_29_s11 = mux_121_s11[23] & (~add_30_s11[25]);  // units/transformation.h:76
+  wire eq_42_s11 = add_30_s11[24:23] == 2'd0;  // units/transformation.h:76
+  wire and_30_s11 = xor_33_s11 & mux_121_s11[23];  // units/transformation.h:76
+  wire [22:0] mux_122_s11 = ~{23{eq_42_s11}} | add_30_s11[22:0];  // units/transformation.h:76
+  wire [22:0] mux_123_s11 = {23{and_29_s11}} & mux_122_s11;  // units/transformation.h:76
 
   // ---- stage 12 ----
   reg valid_s12;

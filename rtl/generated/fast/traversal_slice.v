@@ -157,9 +157,9 @@ module traversal_slice #(
   wire [23:0] before_plane_s3 = interval_row[71:48];
   wire [23:0] far_stack_row;
   wire [23:0] popped_far_s3 = far_stack_row;
-  wire eq_1_s3 = {step_in_9_s3, step_in_7_s3} == 3'd0;  // units/traversal_slice.h:65
-  wire [33:0] mul_1_s3 = {1'd1, step_in_33_s3} * {1'd1, r_s3[15:0]};  // units/traversal_slice.h:136
-  wire [7:0] add_1_s3 = {1'd0, step_in_49_s3} + {1'd0, r_s3[22:16]};  // units/traversal_slice.h:136
+  wire eq_1_s3 = {step_in_9_s3, step_in_7_s3} == 3'd0;  // units/traversal_slice.h:67
+  wire [33:0] mul_1_s3 = {1'd1, step_in_33_s3} * {1'd1, r_s3[15:0]};  // units/traversal_slice.h:132
+  wire [7:0] add_1_s3 = {1'd0, step_in_49_s3} + {1'd0, r_s3[22:16]};  // units/traversal_slice.h:132
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -203,7 +203,7 @@ module traversal_slice #(
   wire eq_3_s4 = {step_in_9_s4, step_in_7_s4} == 3'd4;
   wire [23:0] mux_7_s4 = step_in_9_s4 ? (eq_3_s4 ? popped_far_s4 : before_plane_s4) : (eq_2_s4 ? far_s4 : before_plane_s4);
   wire [23:0] mux_12_s4 = step_in_9_s4 ? (eq_3_s4 ? far_s4 : near_s4) : (eq_2_s4 ? before_plane_s4 : near_s4);
-  wire eq_4_s4 = mul_1_s4[14:0] == 15'd0;  // units/traversal_slice.h:136
+  wire eq_4_s4 = mul_1_s4[14:0] == 15'd0;  // units/traversal_slice.h:132
 
   // ---- stage 5 ----
   reg valid_s5;
@@ -242,17 +242,17 @@ module traversal_slice #(
     add_1_s5 <= add_1_s4;
     step_in_56_s5 <= step_in_56_s4;
   end
-  wire [23:0] far_2_s5 = {~s_context_level_s5 & hit_s5[23], s_context_level_s5 ? magnitude_2_s5 : hit_s5[22:5], ~{5{s_context_level_s5}} & hit_s5[4:0]};  // units/traversal_slice.h:74
-  wire [17:0] mux_4_s5 = {18{s_context_level_s5}} & magnitude_s5;  // units/traversal_slice.h:79
+  wire [23:0] far_2_s5 = {~s_context_level_s5 & hit_s5[23], s_context_level_s5 ? magnitude_2_s5 : hit_s5[22:5], ~{5{s_context_level_s5}} & hit_s5[4:0]};  // units/traversal_slice.h:76
+  wire [17:0] mux_4_s5 = {18{s_context_level_s5}} & magnitude_s5;  // units/traversal_slice.h:81
   wire [23:0] mux_9_s5 = eq_1_s5 ? far_2_s5 : (both_2_s5 ? far_s5 : mux_7_s5);
   wire [23:0] mux_13_s5 = both_2_s5 ? near_s5 : mux_12_s5;
   wire [23:0] mux_14_s5 = {~eq_1_s5 & mux_13_s5[23], eq_1_s5 ? mux_4_s5 : mux_13_s5[22:5], ~{5{eq_1_s5}} & mux_13_s5[4:0]};
-  wire not_1_s5 = ~mul_1_s5[33];  // units/traversal_slice.h:136
-  wire [17:0] mux_16_s5 = {mul_1_s5[33] ? mul_1_s5[32:16] : mul_1_s5[31:15], mul_1_s5[33] & mul_1_s5[15]};  // units/traversal_slice.h:136
-  wire [2:0] add_2_s5 = {1'd0, add_1_s5[7:6]} + 3'd7;  // units/traversal_slice.h:136
-  wire mux_17_s5 = ((~mux_16_s5[1]) | ((~eq_4_s5) | mux_16_s5[0])) ? mux_16_s5[1] : mux_16_s5[2];  // units/traversal_slice.h:136
-  wire [24:0] add_3_s5 = {add_2_s5, add_1_s5[5:0], 15'd0, mux_17_s5} + {7'd0, mul_1_s5[33], not_1_s5, mux_16_s5[17:2]};  // units/traversal_slice.h:136
-  wire [23:0] or_3_s5 = hit_s5 | mux_14_s5;  // units/traversal_slice.h:119
+  wire not_1_s5 = ~mul_1_s5[33];  // units/traversal_slice.h:132
+  wire [17:0] mux_16_s5 = {mul_1_s5[33] ? mul_1_s5[32:16] : mul_1_s5[31:15], mul_1_s5[33] & mul_1_s5[15]};  // units/traversal_slice.h:132
+  wire [2:0] add_2_s5 = {1'd0, add_1_s5[7:6]} + 3'd7;  // units/traversal_slice.h:132
+  wire mux_17_s5 = ((~mux_16_s5[1]) | ((~eq_4_s5) | mux_16_s5[0])) ? mux_16_s5[1] : mux_16_s5[2];  // units/traversal_slice.h:132
+  wire [24:0] add_3_s5 = {add_2_s5, add_1_s5[5:0], 15'd0, mux_17_s5} + {7'd0, mul_1_s5[33], not_1_s5, mux_16_s5[17:2]};  // units/traversal_slice.h:132
+  wire [23:0] or_3_s5 = hit_s5 | mux_14_s5;  // units/traversal_slice.h:112
 
   // ---- stage 6 ----
   reg valid_s6;
@@ -279,11 +279,11 @@ module traversal_slice #(
     add_3_s6 <= add_3_s5;
     or_3_s6 <= or_3_s5[23];
   end
-  wire xor_1_s6 = step_in_56_s6 ^ r_s6;  // units/traversal_slice.h:136
-  wire [22:0] mux_18_s6 = {23{add_3_s6[23]}} | add_3_s6[22:0];  // units/traversal_slice.h:136
-  wire [22:0] mux_19_s6 = ~{23{add_3_s6[24]}} & mux_18_s6;  // units/traversal_slice.h:136
-  wire lt_1_s6 = {xor_1_s6, mux_19_s6, 1'd0} < {mux_14_s6, mux_14_s6[23]};  // units/traversal_slice.h:112
-  wire lt_2_s6 = {mux_9_s6, 1'd0} < {xor_1_s6, mux_19_s6, mux_9_s6[23]};  // units/traversal_slice.h:113
+  wire xor_1_s6 = step_in_56_s6 ^ r_s6;  // units/traversal_slice.h:132
+  wire [22:0] mux_18_s6 = {23{add_3_s6[23]}} | add_3_s6[22:0];  // units/traversal_slice.h:132
+  wire [22:0] mux_19_s6 = ~{23{add_3_s6[24]}} & mux_18_s6;  // units/traversal_slice.h:132
+  wire lt_1_s6 = {xor_1_s6, mux_19_s6, 1'd0} < {mux_14_s6, mux_14_s6[23]};  // units/traversal_slice.h:105
+  wire lt_2_s6 = {mux_9_s6, 1'd0} < {xor_1_s6, mux_19_s6, mux_9_s6[23]};  // units/traversal_slice.h:106
   wire out_terminated_s6 = (or_3_s6 ^ ({hit_s6, 1'd0} < {mux_14_s6, or_3_s6})) & (~eq_1_s6);
 
   // ---- stage 7 ----
@@ -305,12 +305,12 @@ module traversal_slice #(
     lt_2_s7 <= lt_2_s6;
     out_terminated_s7 <= out_terminated_s6;
   end
-  wire behind_s7 = ~xor_1_s7;  // units/traversal_slice.h:136
+  wire behind_s7 = ~xor_1_s7;  // units/traversal_slice.h:132
   wire go_near_s7 = xor_1_s7 | (mux_14_s7 ^ (~lt_1_s7));
   wire go_far_s7 = behind_s7 & (mux_9_s7 ^ (~lt_2_s7));
-  wire left_first_s7 = ~step_in_56_s7;  // units/traversal_slice.h:136
-  wire out_go_right_s7 = step_in_56_s7 ? go_near_s7 : go_far_s7;  // units/traversal_slice.h:118
-  wire out_go_left_s7 = step_in_56_s7 ? go_far_s7 : go_near_s7;  // units/traversal_slice.h:117
+  wire left_first_s7 = ~step_in_56_s7;  // units/traversal_slice.h:132
+  wire out_go_right_s7 = step_in_56_s7 ? go_near_s7 : go_far_s7;  // units/traversal_slice.h:111
+  wire out_go_left_s7 = step_in_56_s7 ? go_far_s7 : go_near_s7;  // units/traversal_slice.h:110
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(4), .DEPTH(DECISION_DEPTH), .MARGIN(DECISION_BOUNDED ? 0 : 7),

@@ -52,31 +52,31 @@ module intersection #(
   wire unit_ray_143_s0 = unit_ray_data_i[143];
   wire [6:0] unit_ray_144_s0 = unit_ray_data_i[150:144];
   wire unit_ray_151_s0 = unit_ray_data_i[151];
-  wire [8:0] mux_1_s0 = unit_ray_143_s0 ? 9'd256 : 9'd1;  // units/intersection.h:66
-  wire [12:0] mux_2_s0 = {{4{unit_ray_142_s0}} & mux_1_s0[8:5], unit_ray_142_s0 ? mux_1_s0[4:0] : mux_1_s0[8:4], ~{4{unit_ray_142_s0}} & mux_1_s0[3:0]};  // units/intersection.h:66
-  wire [14:0] mux_3_s0 = {{2{unit_ray_141_s0}} & mux_2_s0[12:11], unit_ray_141_s0 ? mux_2_s0[10:0] : mux_2_s0[12:2], ~{2{unit_ray_141_s0}} & mux_2_s0[1:0]};  // units/intersection.h:66
-  wire [15:0] mux_4_s0 = {unit_ray_140_s0 & mux_3_s0[14], unit_ray_140_s0 ? mux_3_s0[13:0] : mux_3_s0[14:1], ~unit_ray_140_s0 & mux_3_s0[0]};  // units/intersection.h:66
-  wire lt_1_s0 = 16'h6fff < {unit_ray_143_s0, unit_ray_142_s0, unit_ray_141_s0, unit_ray_140_s0, unit_ray_133_s0, unit_ray_128_s0};  // units/intersection.h:66
-  wire eq_2_s0 = {mux_4_s0[9:7], 3'd0, mux_4_s0[3], 2'd0, mux_4_s0[0]} == 10'd0;  // units/intersection.h:66
-  wire eq_3_s0 = {mux_4_s0[12:10], 2'd0, mux_4_s0[7], 2'd0, mux_4_s0[4], 2'd0, mux_4_s0[1:0]} == 13'd0;  // units/intersection.h:66
-  wire eq_4_s0 = {mux_4_s0[14:13], 1'd0, mux_4_s0[11:10], 1'd0, mux_4_s0[8:7], 1'd0, mux_4_s0[5:3], 1'd0, mux_4_s0[1]} == 14'd0;  // units/intersection.h:66
-  wire eq_5_s0 = {mux_4_s0[15], 1'd0, mux_4_s0[13], 2'd0, mux_4_s0[10:8], 2'd0, mux_4_s0[5:3]} == 13'd0;  // units/intersection.h:66
-  wire not_1_s0 = ~eq_5_s0;  // units/intersection.h:66
-  wire not_2_s0 = ~eq_4_s0;  // units/intersection.h:66
-  wire not_3_s0 = ~eq_3_s0;  // units/intersection.h:66
-  wire not_4_s0 = ~eq_2_s0;  // units/intersection.h:66
-  wire not_5_s0 = ~({mux_4_s0[15:7], 4'd0, mux_4_s0[2:0]} == 16'd0);  // units/intersection.h:66
-  wire not_6_s0 = ~lt_1_s0;  // units/intersection.h:66
-  wire eq_6_s0 = {mux_4_s0[9:6], 3'd0, mux_4_s0[2:0]} == 10'd0;  // units/intersection.h:66
-  wire eq_7_s0 = {mux_4_s0[12:10], 2'd0, mux_4_s0[7:6], 2'd0, mux_4_s0[3], 1'd0, mux_4_s0[1:0]} == 13'd0;  // units/intersection.h:66
-  wire eq_8_s0 = {mux_4_s0[14:13], 2'd0, mux_4_s0[10], 1'd0, mux_4_s0[8], 1'd0, mux_4_s0[6], 1'd0, mux_4_s0[4], 3'd0, mux_4_s0[0]} == 15'd0;  // units/intersection.h:66
-  wire eq_9_s0 = {mux_4_s0[15], 1'd0, mux_4_s0[13], 1'd0, mux_4_s0[11:10], 5'd0, mux_4_s0[4:3], 2'd0, mux_4_s0[0]} == 16'd0;  // units/intersection.h:66
-  wire eq_10_s0 = {mux_4_s0[12:11], 1'd0, mux_4_s0[9:5], 1'd0, mux_4_s0[3:2], 1'd0, mux_4_s0[0]} == 13'd0;  // units/intersection.h:66
-  wire eq_11_s0 = {mux_4_s0[13], 1'd0, mux_4_s0[11:9], 5'd0, mux_4_s0[3:2], 1'd0, mux_4_s0[0]} == 14'd0;  // units/intersection.h:66
-  wire eq_12_s0 = {mux_4_s0[11], 1'd0, mux_4_s0[9:8], 2'd0, mux_4_s0[5:4], 2'd0, mux_4_s0[1:0]} == 12'd0;  // units/intersection.h:66
-  wire eq_13_s0 = {mux_4_s0[14], 3'd0, mux_4_s0[10:9], 3'd0, mux_4_s0[5], 1'd0, mux_4_s0[3:0]} == 15'd0;  // units/intersection.h:66
-  wire eq_14_s0 = {mux_4_s0[14:10], 4'd0, mux_4_s0[5:2]} == 13'd0;  // units/intersection.h:66
-  wire eq_15_s0 = {mux_4_s0[15:12], 1'd0, mux_4_s0[10], 1'd0, mux_4_s0[8], 1'd0, mux_4_s0[6:3], 2'd0, mux_4_s0[0]} == 16'd0;  // units/intersection.h:66
+  wire [8:0] mux_1_s0 = unit_ray_143_s0 ? 9'd256 : 9'd1;  // units/intersection.h:67
+  wire [12:0] mux_2_s0 = {{4{unit_ray_142_s0}} & mux_1_s0[8:5], unit_ray_142_s0 ? mux_1_s0[4:0] : mux_1_s0[8:4], ~{4{unit_ray_142_s0}} & mux_1_s0[3:0]};  // units/intersection.h:67
+  wire [14:0] mux_3_s0 = {{2{unit_ray_141_s0}} & mux_2_s0[12:11], unit_ray_141_s0 ? mux_2_s0[10:0] : mux_2_s0[12:2], ~{2{unit_ray_141_s0}} & mux_2_s0[1:0]};  // units/intersection.h:67
+  wire [15:0] mux_4_s0 = {unit_ray_140_s0 & mux_3_s0[14], unit_ray_140_s0 ? mux_3_s0[13:0] : mux_3_s0[14:1], ~unit_ray_140_s0 & mux_3_s0[0]};  // units/intersection.h:67
+  wire lt_1_s0 = 16'h6fff < {unit_ray_143_s0, unit_ray_142_s0, unit_ray_141_s0, unit_ray_140_s0, unit_ray_133_s0, unit_ray_128_s0};  // units/intersection.h:67
+  wire eq_2_s0 = {mux_4_s0[9:7], 3'd0, mux_4_s0[3], 2'd0, mux_4_s0[0]} == 10'd0;  // units/intersection.h:67
+  wire eq_3_s0 = {mux_4_s0[12:10], 2'd0, mux_4_s0[7], 2'd0, mux_4_s0[4], 2'd0, mux_4_s0[1:0]} == 13'd0;  // units/intersection.h:67
+  wire eq_4_s0 = {mux_4_s0[14:13], 1'd0, mux_4_s0[11:10], 1'd0, mux_4_s0[8:7], 1'd0, mux_4_s0[5:3], 1'd0, mux_4_s0[1]} == 14'd0;  // units/intersection.h:67
+  wire eq_5_s0 = {mux_4_s0[15], 1'd0, mux_4_s0[13], 2'd0, mux_4_s0[10:8], 2'd0, mux_4_s0[5:3]} == 13'd0;  // units/intersection.h:67
+  wire not_1_s0 = ~eq_5_s0;  // units/intersection.h:67
+  wire not_2_s0 = ~eq_4_s0;  // units/intersection.h:67
+  wire not_3_s0 = ~eq_3_s0;  // units/intersection.h:67
+  wire not_4_s0 = ~eq_2_s0;  // units/intersection.h:67
+  wire not_5_s0 = ~({mux_4_s0[15:7], 4'd0, mux_4_s0[2:0]} == 16'd0);  // units/intersection.h:67
+  wire not_6_s0 = ~lt_1_s0;  // units/intersection.h:67
+  wire eq_6_s0 = {mux_4_s0[9:6], 3'd0, mux_4_s0[2:0]} == 10'd0;  // units/intersection.h:67
+  wire eq_7_s0 = {mux_4_s0[12:10], 2'd0, mux_4_s0[7:6], 2'd0, mux_4_s0[3], 1'd0, mux_4_s0[1:0]} == 13'd0;  // units/intersection.h:67
+  wire eq_8_s0 = {mux_4_s0[14:13], 2'd0, mux_4_s0[10], 1'd0, mux_4_s0[8], 1'd0, mux_4_s0[6], 1'd0, mux_4_s0[4], 3'd0, mux_4_s0[0]} == 15'd0;  // units/intersection.h:67
+  wire eq_9_s0 = {mux_4_s0[15], 1'd0, mux_4_s0[13], 1'd0, mux_4_s0[11:10], 5'd0, mux_4_s0[4:3], 2'd0, mux_4_s0[0]} == 16'd0;  // units/intersection.h:67
+  wire eq_10_s0 = {mux_4_s0[12:11], 1'd0, mux_4_s0[9:5], 1'd0, mux_4_s0[3:2], 1'd0, mux_4_s0[0]} == 13'd0;  // units/intersection.h:67
+  wire eq_11_s0 = {mux_4_s0[13], 1'd0, mux_4_s0[11:9], 5'd0, mux_4_s0[3:2], 1'd0, mux_4_s0[0]} == 14'd0;  // units/intersection.h:67
+  wire eq_12_s0 = {mux_4_s0[11], 1'd0, mux_4_s0[9:8], 2'd0, mux_4_s0[5:4], 2'd0, mux_4_s0[1:0]} == 12'd0;  // units/intersection.h:67
+  wire eq_13_s0 = {mux_4_s0[14], 3'd0, mux_4_s0[10:9], 3'd0, mux_4_s0[5], 1'd0, mux_4_s0[3:0]} == 15'd0;  // units/intersection.h:67
+  wire eq_14_s0 = {mux_4_s0[14:10], 4'd0, mux_4_s0[5:2]} == 13'd0;  // units/intersection.h:67
+  wire eq_15_s0 = {mux_4_s0[15:12], 1'd0, mux_4_s0[10], 1'd0, mux_4_s0[8], 1'd0, mux_4_s0[6:3], 2'd0, mux_4_s0[0]} == 16'd0;  // units/intersection.h:67
   wire [6:0] unit_ray_0_s0 = unit_ray_data_i[6:0];
 
   // ---- stage 1 ----
@@ -166,7 +166,7 @@ module intersection #(
     eq_15_s1 <= eq_15_s0;
     unit_ray_0_s1 <= unit_ray_0_s0;
   end
-  wire [12:0] mul_1_s1 = {not_6_s1, not_5_s1, not_4_s1, not_3_s1, not_2_s1, not_1_s1} * unit_ray_133_s1;  // units/intersection.h:66
+  wire [12:0] mul_1_s1 = {not_6_s1, not_5_s1, not_4_s1, not_3_s1, not_2_s1, not_1_s1} * unit_ray_133_s1;  // units/intersection.h:67
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -207,19 +207,19 @@ module intersection #(
     eq_14_s2 <= eq_14_s1;
     eq_15_s2 <= eq_15_s1;
   end
-  wire lt_2_s2 = 16'h5fff < {unit_ray_143_s2, unit_ray_142_s2, unit_ray_141_s2, unit_ray_140_s2, unit_ray_133_s2, unit_ray_128_s2};  // units/intersection.h:66
-  wire not_7_s2 = ~eq_15_s2;  // units/intersection.h:66
-  wire not_8_s2 = ~eq_14_s2;  // units/intersection.h:66
-  wire not_9_s2 = ~eq_13_s2;  // units/intersection.h:66
-  wire not_10_s2 = ~eq_12_s2;  // units/intersection.h:66
-  wire not_11_s2 = ~eq_11_s2;  // units/intersection.h:66
-  wire not_12_s2 = ~eq_10_s2;  // units/intersection.h:66
-  wire not_13_s2 = ~eq_9_s2;  // units/intersection.h:66
-  wire not_14_s2 = ~eq_8_s2;  // units/intersection.h:66
-  wire not_15_s2 = ~eq_7_s2;  // units/intersection.h:66
-  wire not_16_s2 = ~eq_6_s2;  // units/intersection.h:66
-  wire not_17_s2 = ~lt_2_s2;  // units/intersection.h:66
-  wire [11:0] sub_1_s2 = {1'd1, not_17_s2, not_16_s2, not_15_s2, not_14_s2, not_13_s2, not_12_s2, not_11_s2, not_10_s2, not_9_s2, not_8_s2, not_7_s2} - {4'd0, mul_1_s2};  // units/intersection.h:66
+  wire lt_2_s2 = 16'h5fff < {unit_ray_143_s2, unit_ray_142_s2, unit_ray_141_s2, unit_ray_140_s2, unit_ray_133_s2, unit_ray_128_s2};  // units/intersection.h:67
+  wire not_7_s2 = ~eq_15_s2;  // units/intersection.h:67
+  wire not_8_s2 = ~eq_14_s2;  // units/intersection.h:67
+  wire not_9_s2 = ~eq_13_s2;  // units/intersection.h:67
+  wire not_10_s2 = ~eq_12_s2;  // units/intersection.h:67
+  wire not_11_s2 = ~eq_11_s2;  // units/intersection.h:67
+  wire not_12_s2 = ~eq_10_s2;  // units/intersection.h:67
+  wire not_13_s2 = ~eq_9_s2;  // units/intersection.h:67
+  wire not_14_s2 = ~eq_8_s2;  // units/intersection.h:67
+  wire not_15_s2 = ~eq_7_s2;  // units/intersection.h:67
+  wire not_16_s2 = ~eq_6_s2;  // units/intersection.h:67
+  wire not_17_s2 = ~lt_2_s2;  // units/intersection.h:67
+  wire [11:0] sub_1_s2 = {1'd1, not_17_s2, not_16_s2, not_15_s2, not_14_s2, not_13_s2, not_12_s2, not_11_s2, not_10_s2, not_9_s2, not_8_s2, not_7_s2} - {4'd0, mul_1_s2};  // units/intersection.h:67
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -240,7 +240,7 @@ module intersection #(
     unit_ray_143_s3 <= unit_ray_143_s2;
     sub_1_s3 <= sub_1_s2;
   end
-  wire [19:0] mul_2_s3 = {1'd1, unit_ray_143_s3, unit_ray_142_s3, unit_ray_141_s3, unit_ray_140_s3, unit_ray_133_s3, unit_ray_128_s3} * sub_1_s3;  // units/intersection.h:66
+  wire [19:0] mul_2_s3 = {1'd1, unit_ray_143_s3, unit_ray_142_s3, unit_ray_141_s3, unit_ray_140_s3, unit_ray_133_s3, unit_ray_128_s3} * sub_1_s3;  // units/intersection.h:67
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -306,7 +306,7 @@ module intersection #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({unit_ray_8_s1, unit_ray_24_s1, unit_ray_31_s1, unit_ray_32_s1, unit_ray_48_s1, unit_ray_55_s1, unit_ray_56_s1, unit_ray_72_s1, unit_ray_79_s1, unit_ray_80_s1, unit_ray_96_s1, unit_ray_103_s1, unit_ray_104_s1, unit_ray_120_s1, unit_ray_127_s1, unit_ray_144_s1, unit_ray_151_s1}),
     .data_o({unit_ray_8_s5, unit_ray_24_s5, unit_ray_31_s5, unit_ray_32_s5, unit_ray_48_s5, unit_ray_55_s5, unit_ray_56_s5, unit_ray_72_s5, unit_ray_79_s5, unit_ray_80_s5, unit_ray_96_s5, unit_ray_103_s5, unit_ray_104_s5, unit_ray_120_s5, unit_ray_127_s5, unit_ray_144_s5, unit_ray_151_s5}));
-  wire [30:0] mul_3_s5 = $signed({1'd0, sub_1_s5}) * $signed({mul_2_s5, 6'd63});  // units/intersection.h:66
+  wire [30:0] mul_3_s5 = $signed({1'd0, sub_1_s5}) * $signed({mul_2_s5, 6'd63});  // units/intersection.h:67
 
   // ---- stage 6 ----
   reg valid_s6;
@@ -363,14 +363,14 @@ module intersection #(
     sub_1_s6 <= sub_1_s5;
     mul_3_s6 <= mul_3_s5[30:20];
   end
-  wire [18:0] sub_2_s6 = {sub_1_s6, 7'd0} - {{7{mul_3_s6[30]}}, mul_3_s6, 1'd1};  // units/intersection.h:66
-  wire lt_3_s6 = {1'd1, unit_ray_56_s6} < {1'd1, unit_ray_143_s6, unit_ray_142_s6, unit_ray_141_s6, unit_ray_140_s6, unit_ray_133_s6, unit_ray_128_s6};  // units/intersection.h:66
-  wire [17:0] mux_5_s6 = {lt_3_s6 ? 1'd1 : 1'd0, ~lt_3_s6 | unit_ray_56_s6[15], lt_3_s6 ? unit_ray_56_s6[14:0] : unit_ray_56_s6[15:1], ~lt_3_s6 & unit_ray_56_s6[0]};  // units/intersection.h:66
-  wire [23:0] xor_1_s6 = {unit_ray_79_s6, unit_ray_72_s6, unit_ray_56_s6} ^ {unit_ray_151_s6, unit_ray_144_s6, unit_ray_143_s6, unit_ray_142_s6, unit_ray_141_s6, unit_ray_140_s6, unit_ray_133_s6, unit_ray_128_s6};  // units/intersection.h:66
-  wire [23:0] xor_2_s6 = {unit_ray_103_s6, unit_ray_96_s6, unit_ray_80_s6} ^ xor_1_s6;  // units/intersection.h:67
-  wire [23:0] xor_3_s6 = {unit_ray_31_s6, unit_ray_24_s6, unit_ray_8_s6} ^ xor_2_s6;  // units/intersection.h:67
-  wire [23:0] xor_5_s6 = {unit_ray_127_s6, unit_ray_120_s6, unit_ray_104_s6} ^ xor_1_s6;  // units/intersection.h:68
-  wire [23:0] xor_6_s6 = {unit_ray_55_s6, unit_ray_48_s6, unit_ray_32_s6} ^ xor_5_s6;  // units/intersection.h:68
+  wire [18:0] sub_2_s6 = {sub_1_s6, 7'd0} - {{7{mul_3_s6[30]}}, mul_3_s6, 1'd1};  // units/intersection.h:67
+  wire lt_3_s6 = {1'd1, unit_ray_56_s6} < {1'd1, unit_ray_143_s6, unit_ray_142_s6, unit_ray_141_s6, unit_ray_140_s6, unit_ray_133_s6, unit_ray_128_s6};  // units/intersection.h:67
+  wire [17:0] mux_5_s6 = {lt_3_s6 ? 1'd1 : 1'd0, ~lt_3_s6 | unit_ray_56_s6[15], lt_3_s6 ? unit_ray_56_s6[14:0] : unit_ray_56_s6[15:1], ~lt_3_s6 & unit_ray_56_s6[0]};  // units/intersection.h:67
+  wire [23:0] xor_1_s6 = {unit_ray_79_s6, unit_ray_72_s6, unit_ray_56_s6} ^ {unit_ray_151_s6, unit_ray_144_s6, unit_ray_143_s6, unit_ray_142_s6, unit_ray_141_s6, unit_ray_140_s6, unit_ray_133_s6, unit_ray_128_s6};  // units/intersection.h:67
+  wire [23:0] xor_2_s6 = {unit_ray_103_s6, unit_ray_96_s6, unit_ray_80_s6} ^ xor_1_s6;  // units/intersection.h:68
+  wire [23:0] xor_3_s6 = {unit_ray_31_s6, unit_ray_24_s6, unit_ray_8_s6} ^ xor_2_s6;  // units/intersection.h:68
+  wire [23:0] xor_5_s6 = {unit_ray_127_s6, unit_ray_120_s6, unit_ray_104_s6} ^ xor_1_s6;  // units/intersection.h:69
+  wire [23:0] xor_6_s6 = {unit_ray_55_s6, unit_ray_48_s6, unit_ray_32_s6} ^ xor_5_s6;  // units/intersection.h:69
 
   // ---- stage 7 ----
   reg valid_s7;
@@ -431,7 +431,7 @@ module intersection #(
     xor_5_s7 <= xor_5_s6[23];
     xor_6_s7 <= xor_6_s6[23];
   end
-  wire [34:0] mul_4_s7 = mux_5_s7 * sub_2_s7;  // units/intersection.h:66
+  wire [34:0] mul_4_s7 = mux_5_s7 * sub_2_s7;  // units/intersection.h:67
 
   // ---- stage 8 ----
   reg valid_s8;
@@ -520,8 +520,8 @@ module intersection #(
     xor_5_s9 <= xor_5_s8;
     xor_6_s9 <= xor_6_s8;
   end
-  wire [19:0] mul_5_s9 = {1'd1, unit_ray_143_s9, unit_ray_142_s9, unit_ray_141_s9, unit_ray_140_s9, unit_ray_133_s9, unit_ray_128_s9} * mul_4_s9;  // units/intersection.h:66
-  wire [16:0] mux_6_s9 = {mul_4_s9[17] ? 1'd0 : 1'd1, ~{16{mul_4_s9[17]}} & {unit_ray_143_s9, unit_ray_142_s9, unit_ray_141_s9, unit_ray_140_s9, unit_ray_133_s9, unit_ray_128_s9}};  // units/intersection.h:66
+  wire [19:0] mul_5_s9 = {1'd1, unit_ray_143_s9, unit_ray_142_s9, unit_ray_141_s9, unit_ray_140_s9, unit_ray_133_s9, unit_ray_128_s9} * mul_4_s9;  // units/intersection.h:67
+  wire [16:0] mux_6_s9 = {mul_4_s9[17] ? 1'd0 : 1'd1, ~{16{mul_4_s9[17]}} & {unit_ray_143_s9, unit_ray_142_s9, unit_ray_141_s9, unit_ray_140_s9, unit_ray_133_s9, unit_ray_128_s9}};  // units/intersection.h:67
 
   // ---- stage 10 ----
   reg valid_s10;
@@ -570,14 +570,14 @@ module intersection #(
     xor_5_s10 <= xor_5_s9;
     xor_6_s10 <= xor_6_s9;
   end
-  wire [17:0] add_1_s10 = {2'd1, unit_ray_143_s10, unit_ray_142_s10, unit_ray_141_s10, unit_ray_140_s10, unit_ray_133_s10, unit_ray_128_s10} + {2'd0, mux_6_s10[16:1]};  // units/intersection.h:66
-  wire [19:0] not_18_s10 = ~{mux_5_s10, 17'd0};  // units/intersection.h:66
-  wire [19:0] add_2_s10 = {4'd1, unit_ray_143_s10, unit_ray_142_s10, unit_ray_141_s10, unit_ray_140_s10, unit_ray_133_s10, unit_ray_128_s10} + not_18_s10;  // units/intersection.h:66
-  wire [19:0] add_3_s10 = mul_5_s10 + add_2_s10;  // units/intersection.h:66
-  wire [19:0] add_5_s10 = mul_5_s10 + ({1'd0, add_1_s10, mux_6_s10[0]} + not_18_s10);  // units/intersection.h:66
-  wire [7:0] sub_3_s10 = {1'd0, unit_ray_72_s10} - {1'd0, unit_ray_144_s10};  // units/intersection.h:66
-  wire not_19_s10 = ~lt_3_s10;  // units/intersection.h:66
-  wire [8:0] add_6_s10 = {sub_3_s10[7], sub_3_s10} + {8'd31, not_19_s10};  // units/intersection.h:66
+  wire [17:0] add_1_s10 = {2'd1, unit_ray_143_s10, unit_ray_142_s10, unit_ray_141_s10, unit_ray_140_s10, unit_ray_133_s10, unit_ray_128_s10} + {2'd0, mux_6_s10[16:1]};  // units/intersection.h:67
+  wire [19:0] not_18_s10 = ~{mux_5_s10, 17'd0};  // units/intersection.h:67
+  wire [19:0] add_2_s10 = {4'd1, unit_ray_143_s10, unit_ray_142_s10, unit_ray_141_s10, unit_ray_140_s10, unit_ray_133_s10, unit_ray_128_s10} + not_18_s10;  // units/intersection.h:67
+  wire [19:0] add_3_s10 = mul_5_s10 + add_2_s10;  // units/intersection.h:67
+  wire [19:0] add_5_s10 = mul_5_s10 + ({1'd0, add_1_s10, mux_6_s10[0]} + not_18_s10);  // units/intersection.h:67
+  wire [7:0] sub_3_s10 = {1'd0, unit_ray_72_s10} - {1'd0, unit_ray_144_s10};  // units/intersection.h:67
+  wire not_19_s10 = ~lt_3_s10;  // units/intersection.h:67
+  wire [8:0] add_6_s10 = {sub_3_s10[7], sub_3_s10} + {8'd31, not_19_s10};  // units/intersection.h:67
 
   // ---- stage 11 ----
   reg valid_s11;
@@ -628,13 +628,13 @@ module intersection #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({unit_ray_80_s7, unit_ray_104_s7}),
     .data_o({unit_ray_80_s11, unit_ray_104_s11}));
-  wire or_1_s11 = mul_4_s11[17] | add_3_s11;  // units/intersection.h:66
-  wire not_20_s11 = ~mul_4_s11[34];  // units/intersection.h:66
-  wire or_3_s11 = (mul_4_s11[33:18] < 16'hfffe) | (not_20_s11 | (~(add_6_s11[6:0] == 7'd127)));  // units/intersection.h:66
+  wire or_1_s11 = mul_4_s11[17] | add_3_s11;  // units/intersection.h:67
+  wire not_20_s11 = ~mul_4_s11[34];  // units/intersection.h:67
+  wire or_3_s11 = (mul_4_s11[33:18] < 16'hfffe) | (not_20_s11 | (~(add_6_s11[6:0] == 7'd127)));  // units/intersection.h:67
   wire or_5_s11 = add_6_s11[7] | ((or_1_s11 | mul_4_s11[18]) & (~or_3_s11));
-  wire [23:0] add_7_s11 = {add_6_s11[6:0], 15'd0, or_1_s11, 1'd1} + {{7{not_20_s11}}, mul_4_s11[33:18], add_5_s11};  // units/intersection.h:66
-  wire [22:0] mux_7_s11 = {23{or_5_s11}} | add_7_s11[23:1];  // units/intersection.h:66
-  wire [22:0] mux_8_s11 = ~{23{add_6_s11[8]}} & mux_7_s11;  // units/intersection.h:66
+  wire [23:0] add_7_s11 = {add_6_s11[6:0], 15'd0, or_1_s11, 1'd1} + {{7{not_20_s11}}, mul_4_s11[33:18], add_5_s11};  // units/intersection.h:67
+  wire [22:0] mux_7_s11 = {23{or_5_s11}} | add_7_s11[23:1];  // units/intersection.h:67
+  wire [22:0] mux_8_s11 = ~{23{add_6_s11[8]}} & mux_7_s11;  // units/intersection.h:67
 
   // ---- stage 12 ----
   reg valid_s12;
@@ -663,8 +663,8 @@ module intersection #(
     xor_5_s12 <= xor_5_s11;
     xor_6_s12 <= xor_6_s11;
   end
-  wire [33:0] mul_6_s12 = {1'd1, mux_8_s12[15:0]} * {1'd1, unit_ray_80_s12};  // units/intersection.h:67
-  wire [33:0] mul_7_s12 = {1'd1, mux_8_s12[15:0]} * {1'd1, unit_ray_104_s12};  // units/intersection.h:68
+  wire [33:0] mul_6_s12 = {1'd1, mux_8_s12[15:0]} * {1'd1, unit_ray_80_s12};  // units/intersection.h:68
+  wire [33:0] mul_7_s12 = {1'd1, mux_8_s12[15:0]} * {1'd1, unit_ray_104_s12};  // units/intersection.h:69
 
   // ---- stage 13 ----
   reg valid_s13;
@@ -699,8 +699,8 @@ module intersection #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({unit_ray_96_s7, unit_ray_120_s7}),
     .data_o({unit_ray_96_s13, unit_ray_120_s13}));
-  wire eq_17_s13 = mul_6_s13[14:0] == 15'd0;  // units/intersection.h:67
-  wire eq_32_s13 = mul_7_s13[14:0] == 15'd0;  // units/intersection.h:68
+  wire eq_17_s13 = mul_6_s13[14:0] == 15'd0;  // units/intersection.h:68
+  wire eq_32_s13 = mul_7_s13[14:0] == 15'd0;  // units/intersection.h:69
 
   // ---- stage 14 ----
   reg valid_s14;
@@ -745,18 +745,18 @@ module intersection #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({unit_ray_8_s7, unit_ray_24_s7, unit_ray_32_s7, unit_ray_48_s7}),
     .data_o({unit_ray_8_s14, unit_ray_24_s14, unit_ray_32_s14, unit_ray_48_s14}));
-  wire not_23_s14 = ~mul_6_s14[33];  // units/intersection.h:67
-  wire [17:0] mux_9_s14 = {mul_6_s14[33] ? mul_6_s14[32:16] : mul_6_s14[31:15], mul_6_s14[33] & mul_6_s14[15]};  // units/intersection.h:67
-  wire [7:0] add_8_s14 = {1'd0, mux_8_s14[22:16]} + {1'd0, unit_ray_96_s14};  // units/intersection.h:67
-  wire [2:0] add_9_s14 = {1'd0, add_8_s14[7:6]} + 3'd7;  // units/intersection.h:67
-  wire mux_10_s14 = (((~eq_17_s14) | mux_9_s14[0]) | (~mux_9_s14[1])) ? mux_9_s14[1] : mux_9_s14[2];  // units/intersection.h:67
-  wire [24:0] add_10_s14 = {add_9_s14, add_8_s14[5:0], 15'd0, mux_10_s14} + {7'd0, mul_6_s14[33], not_23_s14, mux_9_s14[17:2]};  // units/intersection.h:67
-  wire not_39_s14 = ~mul_7_s14[33];  // units/intersection.h:68
-  wire [17:0] mux_36_s14 = {mul_7_s14[33] ? mul_7_s14[32:16] : mul_7_s14[31:15], mul_7_s14[33] & mul_7_s14[15]};  // units/intersection.h:68
-  wire [7:0] add_13_s14 = {1'd0, mux_8_s14[22:16]} + {1'd0, unit_ray_120_s14};  // units/intersection.h:68
-  wire [2:0] add_14_s14 = {1'd0, add_13_s14[7:6]} + 3'd7;  // units/intersection.h:68
-  wire mux_37_s14 = (((~eq_32_s14) | mux_36_s14[0]) | (~mux_36_s14[1])) ? mux_36_s14[1] : mux_36_s14[2];  // units/intersection.h:68
-  wire [24:0] add_15_s14 = {add_14_s14, add_13_s14[5:0], 15'd0, mux_37_s14} + {7'd0, mul_7_s14[33], not_39_s14, mux_36_s14[17:2]};  // units/intersection.h:68
+  wire not_23_s14 = ~mul_6_s14[33];  // units/intersection.h:68
+  wire [17:0] mux_9_s14 = {mul_6_s14[33] ? mul_6_s14[32:16] : mul_6_s14[31:15], mul_6_s14[33] & mul_6_s14[15]};  // units/intersection.h:68
+  wire [7:0] add_8_s14 = {1'd0, mux_8_s14[22:16]} + {1'd0, unit_ray_96_s14};  // units/intersection.h:68
+  wire [2:0] add_9_s14 = {1'd0, add_8_s14[7:6]} + 3'd7;  // units/intersection.h:68
+  wire mux_10_s14 = (((~eq_17_s14) | mux_9_s14[0]) | (~mux_9_s14[1])) ? mux_9_s14[1] : mux_9_s14[2];  // units/intersection.h:68
+  wire [24:0] add_10_s14 = {add_9_s14, add_8_s14[5:0], 15'd0, mux_10_s14} + {7'd0, mul_6_s14[33], not_23_s14, mux_9_s14[17:2]};  // units/intersection.h:68
+  wire not_39_s14 = ~mul_7_s14[33];  // units/intersection.h:69
+  wire [17:0] mux_36_s14 = {mul_7_s14[33] ? mul_7_s14[32:16] : mul_7_s14[31:15], mul_7_s14[33] & mul_7_s14[15]};  // units/intersection.h:69
+  wire [7:0] add_13_s14 = {1'd0, mux_8_s14[22:16]} + {1'd0, unit_ray_120_s14};  // units/intersection.h:69
+  wire [2:0] add_14_s14 = {1'd0, add_13_s14[7:6]} + 3'd7;  // units/intersection.h:69
+  wire mux_37_s14 = (((~eq_32_s14) | mux_36_s14[0]) | (~mux_36_s14[1])) ? mux_36_s14[1] : mux_36_s14[2];  // units/intersection.h:69
+  wire [24:0] add_15_s14 = {add_14_s14, add_13_s14[5:0], 15'd0, mux_37_s14} + {7'd0, mul_7_s14[33], not_39_s14, mux_36_s14[17:2]};  // units/intersection.h:69
 
   // ---- stage 15 ----
   reg valid_s15;
@@ -793,12 +793,12 @@ module intersection #(
     add_15_s15 <= add_15_s14;
     xor_6_s15 <= xor_6_s14;
   end
-  wire [22:0] mux_11_s15 = {23{add_10_s15[23]}} | add_10_s15[22:0];  // units/intersection.h:67
-  wire [22:0] mux_12_s15 = ~{23{add_10_s15[24]}} & mux_11_s15;  // units/intersection.h:67
-  wire lt_5_s15 = mux_12_s15 < {unit_ray_24_s15, unit_ray_8_s15};  // units/intersection.h:67
-  wire [22:0] mux_38_s15 = {23{add_15_s15[23]}} | add_15_s15[22:0];  // units/intersection.h:68
-  wire [22:0] mux_39_s15 = ~{23{add_15_s15[24]}} & mux_38_s15;  // units/intersection.h:68
-  wire lt_6_s15 = mux_39_s15 < {unit_ray_48_s15, unit_ray_32_s15};  // units/intersection.h:68
+  wire [22:0] mux_11_s15 = {23{add_10_s15[23]}} | add_10_s15[22:0];  // units/intersection.h:68
+  wire [22:0] mux_12_s15 = ~{23{add_10_s15[24]}} & mux_11_s15;  // units/intersection.h:68
+  wire lt_5_s15 = mux_12_s15 < {unit_ray_24_s15, unit_ray_8_s15};  // units/intersection.h:68
+  wire [22:0] mux_38_s15 = {23{add_15_s15[23]}} | add_15_s15[22:0];  // units/intersection.h:69
+  wire [22:0] mux_39_s15 = ~{23{add_15_s15[24]}} & mux_38_s15;  // units/intersection.h:69
+  wire lt_6_s15 = mux_39_s15 < {unit_ray_48_s15, unit_ray_32_s15};  // units/intersection.h:69
 
   // ---- stage 16 ----
   reg valid_s16;
@@ -837,28 +837,28 @@ module intersection #(
     lt_6_s16 <= lt_6_s15;
     xor_6_s16 <= xor_6_s15;
   end
-  wire not_27_s16 = ~xor_2_s16;  // units/intersection.h:67
-  wire [6:0] mux_13_s16 = lt_5_s16 ? (unit_ray_24_s16 - mux_12_s16[22:16]) : (mux_12_s16[22:16] - unit_ray_24_s16);  // units/intersection.h:67
-  wire [23:0] mux_14_s16 = lt_5_s16 ? {unit_ray_31_s16, unit_ray_24_s16, unit_ray_8_s16} : {not_27_s16, mux_12_s16};  // units/intersection.h:67
-  wire [15:0] mux_15_s16 = lt_5_s16 ? mux_12_s16[15:0] : unit_ray_8_s16;  // units/intersection.h:67
-  wire and_2_s16 = mux_13_s16[4] & (~(mux_15_s16[13:0] == 14'd0));  // units/intersection.h:67
-  wire [18:0] mux_16_s16 = {mux_13_s16[4] ? 1'd0 : 1'd1, ~{15{mux_13_s16[4]}} & mux_15_s16[15:1], mux_13_s16[4] | mux_15_s16[0], {2{mux_13_s16[4]}} & mux_15_s16[15:14]};  // units/intersection.h:67
-  wire eq_19_s16 = mux_16_s16[7:0] == 8'd0;  // units/intersection.h:67
-  wire [18:0] mux_17_s16 = {~{8{mux_13_s16[3]}} & mux_16_s16[18:11], mux_13_s16[3] ? mux_16_s16[18:8] : mux_16_s16[10:0]};  // units/intersection.h:67
-  wire eq_20_s16 = mux_17_s16[3:0] == 4'd0;  // units/intersection.h:67
-  wire [18:0] mux_18_s16 = {~{4{mux_13_s16[2]}} & mux_17_s16[18:15], mux_13_s16[2] ? mux_17_s16[18:4] : mux_17_s16[14:0]};  // units/intersection.h:67
-  wire eq_22_s16 = mux_13_s16[6:5] == 2'd0;  // units/intersection.h:67
-  wire not_42_s16 = ~xor_5_s16;  // units/intersection.h:68
-  wire [6:0] mux_40_s16 = lt_6_s16 ? (unit_ray_48_s16 - mux_39_s16[22:16]) : (mux_39_s16[22:16] - unit_ray_48_s16);  // units/intersection.h:68
-  wire [23:0] mux_41_s16 = lt_6_s16 ? {unit_ray_55_s16, unit_ray_48_s16, unit_ray_32_s16} : {not_42_s16, mux_39_s16};  // units/intersection.h:68
-  wire [15:0] mux_42_s16 = lt_6_s16 ? mux_39_s16[15:0] : unit_ray_32_s16;  // units/intersection.h:68
-  wire and_16_s16 = mux_40_s16[4] & (~(mux_42_s16[13:0] == 14'd0));  // units/intersection.h:68
-  wire [18:0] mux_43_s16 = {mux_40_s16[4] ? 1'd0 : 1'd1, ~{15{mux_40_s16[4]}} & mux_42_s16[15:1], mux_40_s16[4] | mux_42_s16[0], {2{mux_40_s16[4]}} & mux_42_s16[15:14]};  // units/intersection.h:68
-  wire eq_34_s16 = mux_43_s16[7:0] == 8'd0;  // units/intersection.h:68
-  wire [18:0] mux_44_s16 = {~{8{mux_40_s16[3]}} & mux_43_s16[18:11], mux_40_s16[3] ? mux_43_s16[18:8] : mux_43_s16[10:0]};  // units/intersection.h:68
-  wire eq_35_s16 = mux_44_s16[3:0] == 4'd0;  // units/intersection.h:68
-  wire [18:0] mux_45_s16 = {~{4{mux_40_s16[2]}} & mux_44_s16[18:15], mux_40_s16[2] ? mux_44_s16[18:4] : mux_44_s16[14:0]};  // units/intersection.h:68
-  wire eq_37_s16 = mux_40_s16[6:5] == 2'd0;  // units/intersection.h:68
+  wire not_27_s16 = ~xor_2_s16;  // units/intersection.h:68
+  wire [6:0] mux_13_s16 = lt_5_s16 ? (unit_ray_24_s16 - mux_12_s16[22:16]) : (mux_12_s16[22:16] - unit_ray_24_s16);  // units/intersection.h:68
+  wire [23:0] mux_14_s16 = lt_5_s16 ? {unit_ray_31_s16, unit_ray_24_s16, unit_ray_8_s16} : {not_27_s16, mux_12_s16};  // units/intersection.h:68
+  wire [15:0] mux_15_s16 = lt_5_s16 ? mux_12_s16[15:0] : unit_ray_8_s16;  // units/intersection.h:68
+  wire and_2_s16 = mux_13_s16[4] & (~(mux_15_s16[13:0] == 14'd0));  // units/intersection.h:68
+  wire [18:0] mux_16_s16 = {mux_13_s16[4] ? 1'd0 : 1'd1, ~{15{mux_13_s16[4]}} & mux_15_s16[15:1], mux_13_s16[4] | mux_15_s16[0], {2{mux_13_s16[4]}} & mux_15_s16[15:14]};  // units/intersection.h:68
+  wire eq_19_s16 = mux_16_s16[7:0] == 8'd0;  // units/intersection.h:68
+  wire [18:0] mux_17_s16 = {~{8{mux_13_s16[3]}} & mux_16_s16[18:11], mux_13_s16[3] ? mux_16_s16[18:8] : mux_16_s16[10:0]};  // units/intersection.h:68
+  wire eq_20_s16 = mux_17_s16[3:0] == 4'd0;  // units/intersection.h:68
+  wire [18:0] mux_18_s16 = {~{4{mux_13_s16[2]}} & mux_17_s16[18:15], mux_13_s16[2] ? mux_17_s16[18:4] : mux_17_s16[14:0]};  // units/intersection.h:68
+  wire eq_22_s16 = mux_13_s16[6:5] == 2'd0;  // units/intersection.h:68
+  wire not_42_s16 = ~xor_5_s16;  // units/intersection.h:69
+  wire [6:0] mux_40_s16 = lt_6_s16 ? (unit_ray_48_s16 - mux_39_s16[22:16]) : (mux_39_s16[22:16] - unit_ray_48_s16);  // units/intersection.h:69
+  wire [23:0] mux_41_s16 = lt_6_s16 ? {unit_ray_55_s16, unit_ray_48_s16, unit_ray_32_s16} : {not_42_s16, mux_39_s16};  // units/intersection.h:69
+  wire [15:0] mux_42_s16 = lt_6_s16 ? mux_39_s16[15:0] : unit_ray_32_s16;  // units/intersection.h:69
+  wire and_16_s16 = mux_40_s16[4] & (~(mux_42_s16[13:0] == 14'd0));  // units/intersection.h:69
+  wire [18:0] mux_43_s16 = {mux_40_s16[4] ? 1'd0 : 1'd1, ~{15{mux_40_s16[4]}} & mux_42_s16[15:1], mux_40_s16[4] | mux_42_s16[0], {2{mux_40_s16[4]}} & mux_42_s16[15:14]};  // units/intersection.h:69
+  wire eq_34_s16 = mux_43_s16[7:0] == 8'd0;  // units/intersection.h:69
+  wire [18:0] mux_44_s16 = {~{8{mux_40_s16[3]}} & mux_43_s16[18:11], mux_40_s16[3] ? mux_43_s16[18:8] : mux_43_s16[10:0]};  // units/intersection.h:69
+  wire eq_35_s16 = mux_44_s16[3:0] == 4'd0;  // units/intersection.h:69
+  wire [18:0] mux_45_s16 = {~{4{mux_40_s16[2]}} & mux_44_s16[18:15], mux_40_s16[2] ? mux_44_s16[18:4] : mux_44_s16[14:0]};  // units/intersection.h:69
+  wire eq_37_s16 = mux_40_s16[6:5] == 2'd0;  // units/intersection.h:69
 
   // ---- stage 17 ----
   reg valid_s17;
@@ -901,24 +901,24 @@ module intersection #(
     mux_45_s17 <= mux_45_s16;
     eq_37_s17 <= eq_37_s16;
   end
-  wire not_28_s17 = ~xor_3_s17;  // units/intersection.h:67
-  wire [18:0] mux_19_s17 = {~{2{mux_13_s17[1]}} & mux_18_s17[18:17], mux_13_s17[1] ? mux_18_s17[18:2] : mux_18_s17[16:0]};  // units/intersection.h:67
-  wire [18:0] mux_20_s17 = {~mux_13_s17[0] & mux_19_s17[18], mux_13_s17[0] ? mux_19_s17[18:1] : mux_19_s17[17:0]};  // units/intersection.h:67
-  wire or_10_s17 = (mux_13_s17[2] & (~eq_20_s17)) | (mux_13_s17[0] & mux_19_s17[0]);  // units/intersection.h:67
-  wire or_11_s17 = (mux_13_s17[1] & (~(mux_18_s17[1:0] == 2'd0))) | ((mux_13_s17[3] & (~eq_19_s17)) | (and_2_s17 | (~eq_22_s17)));  // units/intersection.h:67
-  wire or_12_s17 = or_10_s17 | or_11_s17;  // units/intersection.h:67
-  wire [18:0] mux_21_s17 = {19{eq_22_s17}} & mux_20_s17;  // units/intersection.h:67
-  wire [19:0] xor_4_s17 = {mux_21_s17, or_12_s17} ^ {20{not_28_s17}};  // units/intersection.h:67
-  wire [21:0] add_11_s17 = {2'd1, mux_14_s17[15:0], 4'd1} + {not_28_s17, xor_4_s17, not_28_s17};  // units/intersection.h:67
-  wire not_43_s17 = ~xor_6_s17;  // units/intersection.h:68
-  wire [18:0] mux_46_s17 = {~{2{mux_40_s17[1]}} & mux_45_s17[18:17], mux_40_s17[1] ? mux_45_s17[18:2] : mux_45_s17[16:0]};  // units/intersection.h:68
-  wire [18:0] mux_47_s17 = {~mux_40_s17[0] & mux_46_s17[18], mux_40_s17[0] ? mux_46_s17[18:1] : mux_46_s17[17:0]};  // units/intersection.h:68
-  wire or_19_s17 = (mux_40_s17[2] & (~eq_35_s17)) | (mux_40_s17[0] & mux_46_s17[0]);  // units/intersection.h:68
-  wire or_20_s17 = (mux_40_s17[1] & (~(mux_45_s17[1:0] == 2'd0))) | ((mux_40_s17[3] & (~eq_34_s17)) | (and_16_s17 | (~eq_37_s17)));  // units/intersection.h:68
-  wire or_21_s17 = or_19_s17 | or_20_s17;  // units/intersection.h:68
-  wire [18:0] mux_48_s17 = {19{eq_37_s17}} & mux_47_s17;  // units/intersection.h:68
-  wire [19:0] xor_7_s17 = {mux_48_s17, or_21_s17} ^ {20{not_43_s17}};  // units/intersection.h:68
-  wire [21:0] add_16_s17 = {2'd1, mux_41_s17[15:0], 4'd1} + {not_43_s17, xor_7_s17, not_43_s17};  // units/intersection.h:68
+  wire not_28_s17 = ~xor_3_s17;  // units/intersection.h:68
+  wire [18:0] mux_19_s17 = {~{2{mux_13_s17[1]}} & mux_18_s17[18:17], mux_13_s17[1] ? mux_18_s17[18:2] : mux_18_s17[16:0]};  // units/intersection.h:68
+  wire [18:0] mux_20_s17 = {~mux_13_s17[0] & mux_19_s17[18], mux_13_s17[0] ? mux_19_s17[18:1] : mux_19_s17[17:0]};  // units/intersection.h:68
+  wire or_10_s17 = (mux_13_s17[2] & (~eq_20_s17)) | (mux_13_s17[0] & mux_19_s17[0]);  // units/intersection.h:68
+  wire or_11_s17 = (mux_13_s17[1] & (~(mux_18_s17[1:0] == 2'd0))) | ((mux_13_s17[3] & (~eq_19_s17)) | (and_2_s17 | (~eq_22_s17)));  // units/intersection.h:68
+  wire or_12_s17 = or_10_s17 | or_11_s17;  // units/intersection.h:68
+  wire [18:0] mux_21_s17 = {19{eq_22_s17}} & mux_20_s17;  // units/intersection.h:68
+  wire [19:0] xor_4_s17 = {mux_21_s17, or_12_s17} ^ {20{not_28_s17}};  // units/intersection.h:68
+  wire [21:0] add_11_s17 = {2'd1, mux_14_s17[15:0], 4'd1} + {not_28_s17, xor_4_s17, not_28_s17};  // units/intersection.h:68
+  wire not_43_s17 = ~xor_6_s17;  // units/intersection.h:69
+  wire [18:0] mux_46_s17 = {~{2{mux_40_s17[1]}} & mux_45_s17[18:17], mux_40_s17[1] ? mux_45_s17[18:2] : mux_45_s17[16:0]};  // units/intersection.h:69
+  wire [18:0] mux_47_s17 = {~mux_40_s17[0] & mux_46_s17[18], mux_40_s17[0] ? mux_46_s17[18:1] : mux_46_s17[17:0]};  // units/intersection.h:69
+  wire or_19_s17 = (mux_40_s17[2] & (~eq_35_s17)) | (mux_40_s17[0] & mux_46_s17[0]);  // units/intersection.h:69
+  wire or_20_s17 = (mux_40_s17[1] & (~(mux_45_s17[1:0] == 2'd0))) | ((mux_40_s17[3] & (~eq_34_s17)) | (and_16_s17 | (~eq_37_s17)));  // units/intersection.h:69
+  wire or_21_s17 = or_19_s17 | or_20_s17;  // units/intersection.h:69
+  wire [18:0] mux_48_s17 = {19{eq_37_s17}} & mux_47_s17;  // units/intersection.h:69
+  wire [19:0] xor_7_s17 = {mux_48_s17, or_21_s17} ^ {20{not_43_s17}};  // units/intersection.h:69
+  wire [21:0] add_16_s17 = {2'd1, mux_41_s17[15:0], 4'd1} + {not_43_s17, xor_7_s17, not_43_s17};  // units/intersection.h:69
 
   // ---- stage 18 ----
   reg valid_s18;
@@ -937,24 +937,24 @@ module intersection #(
     mux_41_s18 <= mux_41_s17[23:16];
     add_16_s18 <= add_16_s17[21:1];
   end
-  wire eq_23_s18 = add_11_s18[21:2] == 20'd0;  // units/intersection.h:67
-  wire eq_24_s18 = add_11_s18[21:18] == 4'd0;  // units/intersection.h:67
-  wire eq_26_s18 = add_11_s18[13:10] == 4'd0;  // units/intersection.h:67
-  wire eq_28_s18 = add_11_s18[5:2] == 4'd0;  // units/intersection.h:67
-  wire and_7_s18 = eq_24_s18 & (add_11_s18[17:14] == 4'd0);  // units/intersection.h:67
-  wire and_9_s18 = and_7_s18 & (eq_26_s18 & (add_11_s18[9:6] == 4'd0));  // units/intersection.h:67
-  wire [19:0] mux_22_s18 = {and_9_s18 ? add_11_s18[5:2] : add_11_s18[21:18], ~{16{and_9_s18}} & add_11_s18[17:2]};  // units/intersection.h:67
-  wire mux_24_s18 = and_9_s18 ? eq_28_s18 : and_7_s18;  // units/intersection.h:67
-  wire mux_26_s18 = mux_24_s18 ? (eq_26_s18 | and_9_s18) : (and_9_s18 ? eq_28_s18 : eq_24_s18);  // units/intersection.h:67
-  wire eq_38_s18 = add_16_s18[21:2] == 20'd0;  // units/intersection.h:68
-  wire eq_39_s18 = add_16_s18[21:18] == 4'd0;  // units/intersection.h:68
-  wire eq_41_s18 = add_16_s18[13:10] == 4'd0;  // units/intersection.h:68
-  wire eq_43_s18 = add_16_s18[5:2] == 4'd0;  // units/intersection.h:68
-  wire and_21_s18 = eq_39_s18 & (add_16_s18[17:14] == 4'd0);  // units/intersection.h:68
-  wire and_23_s18 = and_21_s18 & (eq_41_s18 & (add_16_s18[9:6] == 4'd0));  // units/intersection.h:68
-  wire [19:0] mux_49_s18 = {and_23_s18 ? add_16_s18[5:2] : add_16_s18[21:18], ~{16{and_23_s18}} & add_16_s18[17:2]};  // units/intersection.h:68
-  wire mux_51_s18 = and_23_s18 ? eq_43_s18 : and_21_s18;  // units/intersection.h:68
-  wire mux_53_s18 = mux_51_s18 ? (eq_41_s18 | and_23_s18) : (and_23_s18 ? eq_43_s18 : eq_39_s18);  // units/intersection.h:68
+  wire eq_23_s18 = add_11_s18[21:2] == 20'd0;  // units/intersection.h:68
+  wire eq_24_s18 = add_11_s18[21:18] == 4'd0;  // units/intersection.h:68
+  wire eq_26_s18 = add_11_s18[13:10] == 4'd0;  // units/intersection.h:68
+  wire eq_28_s18 = add_11_s18[5:2] == 4'd0;  // units/intersection.h:68
+  wire and_7_s18 = eq_24_s18 & (add_11_s18[17:14] == 4'd0);  // units/intersection.h:68
+  wire and_9_s18 = and_7_s18 & (eq_26_s18 & (add_11_s18[9:6] == 4'd0));  // units/intersection.h:68
+  wire [19:0] mux_22_s18 = {and_9_s18 ? add_11_s18[5:2] : add_11_s18[21:18], ~{16{and_9_s18}} & add_11_s18[17:2]};  // units/intersection.h:68
+  wire mux_24_s18 = and_9_s18 ? eq_28_s18 : and_7_s18;  // units/intersection.h:68
+  wire mux_26_s18 = mux_24_s18 ? (eq_26_s18 | and_9_s18) : (and_9_s18 ? eq_28_s18 : eq_24_s18);  // units/intersection.h:68
+  wire eq_38_s18 = add_16_s18[21:2] == 20'd0;  // units/intersection.h:69
+  wire eq_39_s18 = add_16_s18[21:18] == 4'd0;  // units/intersection.h:69
+  wire eq_41_s18 = add_16_s18[13:10] == 4'd0;  // units/intersection.h:69
+  wire eq_43_s18 = add_16_s18[5:2] == 4'd0;  // units/intersection.h:69
+  wire and_21_s18 = eq_39_s18 & (add_16_s18[17:14] == 4'd0);  // units/intersection.h:69
+  wire and_23_s18 = and_21_s18 & (eq_41_s18 & (add_16_s18[9:6] == 4'd0));  // units/intersection.h:69
+  wire [19:0] mux_49_s18 = {and_23_s18 ? add_16_s18[5:2] : add_16_s18[21:18], ~{16{and_23_s18}} & add_16_s18[17:2]};  // units/intersection.h:69
+  wire mux_51_s18 = and_23_s18 ? eq_43_s18 : and_21_s18;  // units/intersection.h:69
+  wire mux_53_s18 = mux_51_s18 ? (eq_41_s18 | and_23_s18) : (and_23_s18 ? eq_43_s18 : eq_39_s18);  // units/intersection.h:69
 
   // ---- stage 19 ----
   reg valid_s19;
@@ -993,30 +993,30 @@ module intersection #(
     mux_51_s19 <= mux_51_s18;
     mux_53_s19 <= mux_53_s18;
   end
-  wire not_34_s19 = ~eq_23_s19;  // units/intersection.h:67
-  wire [19:0] mux_25_s19 = {mux_24_s19 ? mux_22_s19[11:0] : mux_22_s19[19:8], ~{8{mux_24_s19}} & mux_22_s19[7:0]};  // units/intersection.h:67
-  wire and_10_s19 = not_34_s19 & mux_24_s19;  // units/intersection.h:67
-  wire [19:0] mux_27_s19 = {mux_26_s19 ? mux_25_s19[15:0] : mux_25_s19[19:4], ~{4{mux_26_s19}} & mux_25_s19[3:0]};  // units/intersection.h:67
-  wire eq_29_s19 = mux_27_s19[19:18] == 2'd0;  // units/intersection.h:67
-  wire [19:0] mux_28_s19 = {eq_29_s19 ? mux_27_s19[17:0] : mux_27_s19[19:2], ~{2{eq_29_s19}} & mux_27_s19[1:0]};  // units/intersection.h:67
-  wire and_11_s19 = not_34_s19 & eq_29_s19;  // units/intersection.h:67
-  wire and_12_s19 = not_34_s19 & (~mux_28_s19[19]);  // units/intersection.h:67
-  wire [19:0] mux_29_s19 = {and_10_s19 ? mux_22_s19[11:0] : mux_22_s19[19:8], ~{8{and_10_s19}} & mux_22_s19[7:0]};  // units/intersection.h:67
-  wire [19:0] mux_30_s19 = {mux_26_s19 ? mux_29_s19[15:0] : mux_29_s19[19:4], ~{4{mux_26_s19}} & mux_29_s19[3:0]};  // units/intersection.h:67
-  wire [19:0] mux_31_s19 = {and_11_s19 ? mux_30_s19[17:0] : mux_30_s19[19:2], ~{2{and_11_s19}} & mux_30_s19[1:0]};  // units/intersection.h:67
-  wire [8:0] sub_6_s19 = {2'd0, mux_14_s19[22:16]} - {4'd0, and_9_s19, and_10_s19, mux_26_s19, and_11_s19, and_12_s19};  // units/intersection.h:67
-  wire not_49_s19 = ~eq_38_s19;  // units/intersection.h:68
-  wire [19:0] mux_52_s19 = {mux_51_s19 ? mux_49_s19[11:0] : mux_49_s19[19:8], ~{8{mux_51_s19}} & mux_49_s19[7:0]};  // units/intersection.h:68
-  wire and_24_s19 = not_49_s19 & mux_51_s19;  // units/intersection.h:68
-  wire [19:0] mux_54_s19 = {mux_53_s19 ? mux_52_s19[15:0] : mux_52_s19[19:4], ~{4{mux_53_s19}} & mux_52_s19[3:0]};  // units/intersection.h:68
-  wire eq_44_s19 = mux_54_s19[19:18] == 2'd0;  // units/intersection.h:68
-  wire [19:0] mux_55_s19 = {eq_44_s19 ? mux_54_s19[17:0] : mux_54_s19[19:2], ~{2{eq_44_s19}} & mux_54_s19[1:0]};  // units/intersection.h:68
-  wire and_25_s19 = not_49_s19 & eq_44_s19;  // units/intersection.h:68
-  wire and_26_s19 = not_49_s19 & (~mux_55_s19[19]);  // units/intersection.h:68
-  wire [19:0] mux_56_s19 = {and_24_s19 ? mux_49_s19[11:0] : mux_49_s19[19:8], ~{8{and_24_s19}} & mux_49_s19[7:0]};  // units/intersection.h:68
-  wire [19:0] mux_57_s19 = {mux_53_s19 ? mux_56_s19[15:0] : mux_56_s19[19:4], ~{4{mux_53_s19}} & mux_56_s19[3:0]};  // units/intersection.h:68
-  wire [19:0] mux_58_s19 = {and_25_s19 ? mux_57_s19[17:0] : mux_57_s19[19:2], ~{2{and_25_s19}} & mux_57_s19[1:0]};  // units/intersection.h:68
-  wire [8:0] sub_9_s19 = {2'd0, mux_41_s19[22:16]} - {4'd0, and_23_s19, and_24_s19, mux_53_s19, and_25_s19, and_26_s19};  // units/intersection.h:68
+  wire not_34_s19 = ~eq_23_s19;  // units/intersection.h:68
+  wire [19:0] mux_25_s19 = {mux_24_s19 ? mux_22_s19[11:0] : mux_22_s19[19:8], ~{8{mux_24_s19}} & mux_22_s19[7:0]};  // units/intersection.h:68
+  wire and_10_s19 = not_34_s19 & mux_24_s19;  // units/intersection.h:68
+  wire [19:0] mux_27_s19 = {mux_26_s19 ? mux_25_s19[15:0] : mux_25_s19[19:4], ~{4{mux_26_s19}} & mux_25_s19[3:0]};  // units/intersection.h:68
+  wire eq_29_s19 = mux_27_s19[19:18] == 2'd0;  // units/intersection.h:68
+  wire [19:0] mux_28_s19 = {eq_29_s19 ? mux_27_s19[17:0] : mux_27_s19[19:2], ~{2{eq_29_s19}} & mux_27_s19[1:0]};  // units/intersection.h:68
+  wire and_11_s19 = not_34_s19 & eq_29_s19;  // units/intersection.h:68
+  wire and_12_s19 = not_34_s19 & (~mux_28_s19[19]);  // units/intersection.h:68
+  wire [19:0] mux_29_s19 = {and_10_s19 ? mux_22_s19[11:0] : mux_22_s19[19:8], ~{8{and_10_s19}} & mux_22_s19[7:0]};  // units/intersection.h:68
+  wire [19:0] mux_30_s19 = {mux_26_s19 ? mux_29_s19[15:0] : mux_29_s19[19:4], ~{4{mux_26_s19}} & mux_29_s19[3:0]};  // units/intersection.h:68
+  wire [19:0] mux_31_s19 = {and_11_s19 ? mux_30_s19[17:0] : mux_30_s19[19:2], ~{2{and_11_s19}} & mux_30_s19[1:0]};  // units/intersection.h:68
+  wire [8:0] sub_6_s19 = {2'd0, mux_14_s19[22:16]} - {4'd0, and_9_s19, and_10_s19, mux_26_s19, and_11_s19, and_12_s19};  // units/intersection.h:68
+  wire not_49_s19 = ~eq_38_s19;  // units/intersection.h:69
+  wire [19:0] mux_52_s19 = {mux_51_s19 ? mux_49_s19[11:0] : mux_49_s19[19:8], ~{8{mux_51_s19}} & mux_49_s19[7:0]};  // units/intersection.h:69
+  wire and_24_s19 = not_49_s19 & mux_51_s19;  // units/intersection.h:69
+  wire [19:0] mux_54_s19 = {mux_53_s19 ? mux_52_s19[15:0] : mux_52_s19[19:4], ~{4{mux_53_s19}} & mux_52_s19[3:0]};  // units/intersection.h:69
+  wire eq_44_s19 = mux_54_s19[19:18] == 2'd0;  // units/intersection.h:69
+  wire [19:0] mux_55_s19 = {eq_44_s19 ? mux_54_s19[17:0] : mux_54_s19[19:2], ~{2{eq_44_s19}} & mux_54_s19[1:0]};  // units/intersection.h:69
+  wire and_25_s19 = not_49_s19 & eq_44_s19;  // units/intersection.h:69
+  wire and_26_s19 = not_49_s19 & (~mux_55_s19[19]);  // units/intersection.h:69
+  wire [19:0] mux_56_s19 = {and_24_s19 ? mux_49_s19[11:0] : mux_49_s19[19:8], ~{8{and_24_s19}} & mux_49_s19[7:0]};  // units/intersection.h:69
+  wire [19:0] mux_57_s19 = {mux_53_s19 ? mux_56_s19[15:0] : mux_56_s19[19:4], ~{4{mux_53_s19}} & mux_56_s19[3:0]};  // units/intersection.h:69
+  wire [19:0] mux_58_s19 = {and_25_s19 ? mux_57_s19[17:0] : mux_57_s19[19:2], ~{2{and_25_s19}} & mux_57_s19[1:0]};  // units/intersection.h:69
+  wire [8:0] sub_9_s19 = {2'd0, mux_41_s19[22:16]} - {4'd0, and_23_s19, and_24_s19, mux_53_s19, and_25_s19, and_26_s19};  // units/intersection.h:69
 
   // ---- stage 20 ----
   reg valid_s20;
@@ -1047,14 +1047,14 @@ module intersection #(
     mux_58_s20 <= mux_58_s19;
     sub_9_s20 <= sub_9_s19;
   end
-  wire [19:0] mux_32_s20 = {and_12_s20 ? mux_31_s20[18:0] : mux_31_s20[19:1], ~and_12_s20 & mux_31_s20[0]};  // units/intersection.h:67
-  wire or_14_s20 = add_11_s20 | (~(mux_32_s20[2:0] == 3'd4));  // units/intersection.h:67
-  wire not_37_s20 = ~(((or_14_s20 ? 2'd1 : 2'd2) & mux_32_s20[3:2]) == 2'd0);  // units/intersection.h:67
-  wire [24:0] add_12_s20 = {sub_6_s20, 15'd0, not_37_s20} + {8'd0, mux_32_s20[19:3]};  // units/intersection.h:67
-  wire [19:0] mux_59_s20 = {and_26_s20 ? mux_58_s20[18:0] : mux_58_s20[19:1], ~and_26_s20 & mux_58_s20[0]};  // units/intersection.h:68
-  wire or_23_s20 = add_16_s20 | (~(mux_59_s20[2:0] == 3'd4));  // units/intersection.h:68
-  wire not_52_s20 = ~(((or_23_s20 ? 2'd1 : 2'd2) & mux_59_s20[3:2]) == 2'd0);  // units/intersection.h:68
-  wire [24:0] add_17_s20 = {sub_9_s20, 15'd0, not_52_s20} + {8'd0, mux_59_s20[19:3]};  // units/intersection.h:68
+  wire [19:0] mux_32_s20 = {and_12_s20 ? mux_31_s20[18:0] : mux_31_s20[19:1], ~and_12_s20 & mux_31_s20[0]};  // units/intersection.h:68
+  wire or_14_s20 = add_11_s20 | (~(mux_32_s20[2:0] == 3'd4));  // units/intersection.h:68
+  wire not_37_s20 = ~(((or_14_s20 ? 2'd1 : 2'd2) & mux_32_s20[3:2]) == 2'd0);  // units/intersection.h:68
+  wire [24:0] add_12_s20 = {sub_6_s20, 15'd0, not_37_s20} + {8'd0, mux_32_s20[19:3]};  // units/intersection.h:68
+  wire [19:0] mux_59_s20 = {and_26_s20 ? mux_58_s20[18:0] : mux_58_s20[19:1], ~and_26_s20 & mux_58_s20[0]};  // units/intersection.h:69
+  wire or_23_s20 = add_16_s20 | (~(mux_59_s20[2:0] == 3'd4));  // units/intersection.h:69
+  wire not_52_s20 = ~(((or_23_s20 ? 2'd1 : 2'd2) & mux_59_s20[3:2]) == 2'd0);  // units/intersection.h:69
+  wire [24:0] add_17_s20 = {sub_9_s20, 15'd0, not_52_s20} + {8'd0, mux_59_s20[19:3]};  // units/intersection.h:69
 
   // ---- stage 21 ----
   reg valid_s21;
@@ -1077,15 +1077,15 @@ module intersection #(
     mux_59_s21 <= mux_59_s20[19];
     add_17_s21 <= add_17_s20;
   end
-  wire and_14_s21 = mux_32_s21 & (~add_12_s21[24]);  // units/intersection.h:67
-  wire and_15_s21 = mux_32_s21 & mux_14_s21;  // units/intersection.h:67
-  wire [22:0] mux_34_s21 = {23{add_12_s21[23]}} | add_12_s21[22:0];  // units/intersection.h:67
-  wire [22:0] mux_35_s21 = {23{and_14_s21}} & mux_34_s21;  // units/intersection.h:67
-  wire and_28_s21 = mux_59_s21 & (~add_17_s21[24]);  // units/intersection.h:68
-  wire and_29_s21 = mux_59_s21 & mux_41_s21;  // units/intersection.h:68
-  wire [22:0] mux_61_s21 = {23{add_17_s21[23]}} | add_17_s21[22:0];  // units/intersection.h:68
-  wire [22:0] mux_62_s21 = {23{and_28_s21}} & mux_61_s21;  // units/intersection.h:68
-  wire lt_7_s21 = mux_35_s21 < mux_62_s21;  // units/intersection.h:91
+  wire and_14_s21 = mux_32_s21 & (~add_12_s21[24]);  // units/intersection.h:68
+  wire and_15_s21 = mux_32_s21 & mux_14_s21;  // units/intersection.h:68
+  wire [22:0] mux_34_s21 = {23{add_12_s21[23]}} | add_12_s21[22:0];  // units/intersection.h:68
+  wire [22:0] mux_35_s21 = {23{and_14_s21}} & mux_34_s21;  // units/intersection.h:68
+  wire and_28_s21 = mux_59_s21 & (~add_17_s21[24]);  // units/intersection.h:69
+  wire and_29_s21 = mux_59_s21 & mux_41_s21;  // units/intersection.h:69
+  wire [22:0] mux_61_s21 = {23{add_17_s21[23]}} | add_17_s21[22:0];  // units/intersection.h:69
+  wire [22:0] mux_62_s21 = {23{and_28_s21}} & mux_61_s21;  // units/intersection.h:69
+  wire lt_7_s21 = mux_35_s21 < mux_62_s21;  // units/intersection.h:92
 
   // ---- stage 22 ----
   reg valid_s22;
@@ -1106,15 +1106,15 @@ module intersection #(
     mux_62_s22 <= mux_62_s21;
     lt_7_s22 <= lt_7_s21;
   end
-  wire [6:0] mux_63_s22 = lt_7_s22 ? (mux_62_s22[22:16] - mux_35_s22[22:16]) : (mux_35_s22[22:16] - mux_62_s22[22:16]);  // units/intersection.h:91
-  wire [15:0] mux_65_s22 = lt_7_s22 ? mux_35_s22[15:0] : mux_62_s22[15:0];  // units/intersection.h:91
-  wire and_32_s22 = mux_63_s22[4] & (~(mux_65_s22[13:0] == 14'd0));  // units/intersection.h:91
-  wire [18:0] mux_66_s22 = {mux_63_s22[4] ? 1'd0 : 1'd1, ~{15{mux_63_s22[4]}} & mux_65_s22[15:1], mux_63_s22[4] | mux_65_s22[0], {2{mux_63_s22[4]}} & mux_65_s22[15:14]};  // units/intersection.h:91
-  wire eq_50_s22 = mux_66_s22[7:0] == 8'd0;  // units/intersection.h:91
-  wire [18:0] mux_67_s22 = {~{8{mux_63_s22[3]}} & mux_66_s22[18:11], mux_63_s22[3] ? mux_66_s22[18:8] : mux_66_s22[10:0]};  // units/intersection.h:91
-  wire eq_51_s22 = mux_67_s22[3:0] == 4'd0;  // units/intersection.h:91
-  wire [18:0] mux_68_s22 = {~{4{mux_63_s22[2]}} & mux_67_s22[18:15], mux_63_s22[2] ? mux_67_s22[18:4] : mux_67_s22[14:0]};  // units/intersection.h:91
-  wire eq_53_s22 = mux_63_s22[6:5] == 2'd0;  // units/intersection.h:91
+  wire [6:0] mux_63_s22 = lt_7_s22 ? (mux_62_s22[22:16] - mux_35_s22[22:16]) : (mux_35_s22[22:16] - mux_62_s22[22:16]);  // units/intersection.h:92
+  wire [15:0] mux_65_s22 = lt_7_s22 ? mux_35_s22[15:0] : mux_62_s22[15:0];  // units/intersection.h:92
+  wire and_32_s22 = mux_63_s22[4] & (~(mux_65_s22[13:0] == 14'd0));  // units/intersection.h:92
+  wire [18:0] mux_66_s22 = {mux_63_s22[4] ? 1'd0 : 1'd1, ~{15{mux_63_s22[4]}} & mux_65_s22[15:1], mux_63_s22[4] | mux_65_s22[0], {2{mux_63_s22[4]}} & mux_65_s22[15:14]};  // units/intersection.h:92
+  wire eq_50_s22 = mux_66_s22[7:0] == 8'd0;  // units/intersection.h:92
+  wire [18:0] mux_67_s22 = {~{8{mux_63_s22[3]}} & mux_66_s22[18:11], mux_63_s22[3] ? mux_66_s22[18:8] : mux_66_s22[10:0]};  // units/intersection.h:92
+  wire eq_51_s22 = mux_67_s22[3:0] == 4'd0;  // units/intersection.h:92
+  wire [18:0] mux_68_s22 = {~{4{mux_63_s22[2]}} & mux_67_s22[18:15], mux_63_s22[2] ? mux_67_s22[18:4] : mux_67_s22[14:0]};  // units/intersection.h:92
+  wire eq_53_s22 = mux_63_s22[6:5] == 2'd0;  // units/intersection.h:92
 
   // ---- stage 23 ----
   reg valid_s23;
@@ -1147,16 +1147,16 @@ module intersection #(
     mux_68_s23 <= mux_68_s22;
     eq_53_s23 <= eq_53_s22;
   end
-  wire [23:0] mux_64_s23 = lt_7_s23 ? {and_29_s23, mux_62_s23} : {and_15_s23, mux_35_s23};  // units/intersection.h:91
-  wire xor_8_s23 = and_15_s23 ^ and_29_s23;  // units/intersection.h:91
-  wire [18:0] mux_69_s23 = {~{2{mux_63_s23[1]}} & mux_68_s23[18:17], mux_63_s23[1] ? mux_68_s23[18:2] : mux_68_s23[16:0]};  // units/intersection.h:91
-  wire [18:0] mux_70_s23 = {~mux_63_s23[0] & mux_69_s23[18], mux_63_s23[0] ? mux_69_s23[18:1] : mux_69_s23[17:0]};  // units/intersection.h:91
-  wire or_29_s23 = (mux_63_s23[2] & (~eq_51_s23)) | (mux_63_s23[0] & mux_69_s23[0]);  // units/intersection.h:91
-  wire or_30_s23 = (mux_63_s23[1] & (~(mux_68_s23[1:0] == 2'd0))) | ((mux_63_s23[3] & (~eq_50_s23)) | (and_32_s23 | (~eq_53_s23)));  // units/intersection.h:91
-  wire or_31_s23 = or_29_s23 | or_30_s23;  // units/intersection.h:91
-  wire [18:0] mux_71_s23 = {19{eq_53_s23}} & mux_70_s23;  // units/intersection.h:91
-  wire [19:0] xor_9_s23 = {mux_71_s23, or_31_s23} ^ {20{xor_8_s23}};  // units/intersection.h:91
-  wire [21:0] add_18_s23 = {2'd1, mux_64_s23[15:0], 4'd1} + {xor_8_s23, xor_9_s23, xor_8_s23};  // units/intersection.h:91
+  wire [23:0] mux_64_s23 = lt_7_s23 ? {and_29_s23, mux_62_s23} : {and_15_s23, mux_35_s23};  // units/intersection.h:92
+  wire xor_8_s23 = and_15_s23 ^ and_29_s23;  // units/intersection.h:92
+  wire [18:0] mux_69_s23 = {~{2{mux_63_s23[1]}} & mux_68_s23[18:17], mux_63_s23[1] ? mux_68_s23[18:2] : mux_68_s23[16:0]};  // units/intersection.h:92
+  wire [18:0] mux_70_s23 = {~mux_63_s23[0] & mux_69_s23[18], mux_63_s23[0] ? mux_69_s23[18:1] : mux_69_s23[17:0]};  // units/intersection.h:92
+  wire or_29_s23 = (mux_63_s23[2] & (~eq_51_s23)) | (mux_63_s23[0] & mux_69_s23[0]);  // units/intersection.h:92
+  wire or_30_s23 = (mux_63_s23[1] & (~(mux_68_s23[1:0] == 2'd0))) | ((mux_63_s23[3] & (~eq_50_s23)) | (and_32_s23 | (~eq_53_s23)));  // units/intersection.h:92
+  wire or_31_s23 = or_29_s23 | or_30_s23;  // units/intersection.h:92
+  wire [18:0] mux_71_s23 = {19{eq_53_s23}} & mux_70_s23;  // units/intersection.h:92
+  wire [19:0] xor_9_s23 = {mux_71_s23, or_31_s23} ^ {20{xor_8_s23}};  // units/intersection.h:92
+  wire [21:0] add_18_s23 = {2'd1, mux_64_s23[15:0], 4'd1} + {xor_8_s23, xor_9_s23, xor_8_s23};  // units/intersection.h:92
 
   // ---- stage 24 ----
   reg valid_s24;
@@ -1179,15 +1179,15 @@ module intersection #(
     mux_64_s24 <= mux_64_s23[23:16];
     add_18_s24 <= add_18_s23[21:1];
   end
-  wire eq_54_s24 = add_18_s24[21:2] == 20'd0;  // units/intersection.h:91
-  wire eq_55_s24 = add_18_s24[21:18] == 4'd0;  // units/intersection.h:91
-  wire eq_57_s24 = add_18_s24[13:10] == 4'd0;  // units/intersection.h:91
-  wire eq_59_s24 = add_18_s24[5:2] == 4'd0;  // units/intersection.h:91
-  wire and_37_s24 = eq_55_s24 & (add_18_s24[17:14] == 4'd0);  // units/intersection.h:91
-  wire and_39_s24 = and_37_s24 & (eq_57_s24 & (add_18_s24[9:6] == 4'd0));  // units/intersection.h:91
-  wire [19:0] mux_72_s24 = {and_39_s24 ? add_18_s24[5:2] : add_18_s24[21:18], ~{16{and_39_s24}} & add_18_s24[17:2]};  // units/intersection.h:91
-  wire mux_74_s24 = and_39_s24 ? eq_59_s24 : and_37_s24;  // units/intersection.h:91
-  wire mux_76_s24 = mux_74_s24 ? (eq_57_s24 | and_39_s24) : (and_39_s24 ? eq_59_s24 : eq_55_s24);  // units/intersection.h:91
+  wire eq_54_s24 = add_18_s24[21:2] == 20'd0;  // units/intersection.h:92
+  wire eq_55_s24 = add_18_s24[21:18] == 4'd0;  // units/intersection.h:92
+  wire eq_57_s24 = add_18_s24[13:10] == 4'd0;  // units/intersection.h:92
+  wire eq_59_s24 = add_18_s24[5:2] == 4'd0;  // units/intersection.h:92
+  wire and_37_s24 = eq_55_s24 & (add_18_s24[17:14] == 4'd0);  // units/intersection.h:92
+  wire and_39_s24 = and_37_s24 & (eq_57_s24 & (add_18_s24[9:6] == 4'd0));  // units/intersection.h:92
+  wire [19:0] mux_72_s24 = {and_39_s24 ? add_18_s24[5:2] : add_18_s24[21:18], ~{16{and_39_s24}} & add_18_s24[17:2]};  // units/intersection.h:92
+  wire mux_74_s24 = and_39_s24 ? eq_59_s24 : and_37_s24;  // units/intersection.h:92
+  wire mux_76_s24 = mux_74_s24 ? (eq_57_s24 | and_39_s24) : (and_39_s24 ? eq_59_s24 : eq_55_s24);  // units/intersection.h:92
 
   // ---- stage 25 ----
   reg valid_s25;
@@ -1220,18 +1220,18 @@ module intersection #(
     mux_74_s25 <= mux_74_s24;
     mux_76_s25 <= mux_76_s24;
   end
-  wire not_61_s25 = ~eq_54_s25;  // units/intersection.h:91
-  wire [19:0] mux_75_s25 = {mux_74_s25 ? mux_72_s25[11:0] : mux_72_s25[19:8], ~{8{mux_74_s25}} & mux_72_s25[7:0]};  // units/intersection.h:91
-  wire and_40_s25 = not_61_s25 & mux_74_s25;  // units/intersection.h:91
-  wire [19:0] mux_77_s25 = {mux_76_s25 ? mux_75_s25[15:0] : mux_75_s25[19:4], ~{4{mux_76_s25}} & mux_75_s25[3:0]};  // units/intersection.h:91
-  wire eq_60_s25 = mux_77_s25[19:18] == 2'd0;  // units/intersection.h:91
-  wire [19:0] mux_78_s25 = {eq_60_s25 ? mux_77_s25[17:0] : mux_77_s25[19:2], ~{2{eq_60_s25}} & mux_77_s25[1:0]};  // units/intersection.h:91
-  wire and_41_s25 = not_61_s25 & eq_60_s25;  // units/intersection.h:91
-  wire and_42_s25 = not_61_s25 & (~mux_78_s25[19]);  // units/intersection.h:91
-  wire [19:0] mux_79_s25 = {and_40_s25 ? mux_72_s25[11:0] : mux_72_s25[19:8], ~{8{and_40_s25}} & mux_72_s25[7:0]};  // units/intersection.h:91
-  wire [19:0] mux_80_s25 = {mux_76_s25 ? mux_79_s25[15:0] : mux_79_s25[19:4], ~{4{mux_76_s25}} & mux_79_s25[3:0]};  // units/intersection.h:91
-  wire [19:0] mux_81_s25 = {and_41_s25 ? mux_80_s25[17:0] : mux_80_s25[19:2], ~{2{and_41_s25}} & mux_80_s25[1:0]};  // units/intersection.h:91
-  wire [8:0] sub_12_s25 = {2'd0, mux_64_s25[22:16]} - {4'd0, and_39_s25, and_40_s25, mux_76_s25, and_41_s25, and_42_s25};  // units/intersection.h:91
+  wire not_61_s25 = ~eq_54_s25;  // units/intersection.h:92
+  wire [19:0] mux_75_s25 = {mux_74_s25 ? mux_72_s25[11:0] : mux_72_s25[19:8], ~{8{mux_74_s25}} & mux_72_s25[7:0]};  // units/intersection.h:92
+  wire and_40_s25 = not_61_s25 & mux_74_s25;  // units/intersection.h:92
+  wire [19:0] mux_77_s25 = {mux_76_s25 ? mux_75_s25[15:0] : mux_75_s25[19:4], ~{4{mux_76_s25}} & mux_75_s25[3:0]};  // units/intersection.h:92
+  wire eq_60_s25 = mux_77_s25[19:18] == 2'd0;  // units/intersection.h:92
+  wire [19:0] mux_78_s25 = {eq_60_s25 ? mux_77_s25[17:0] : mux_77_s25[19:2], ~{2{eq_60_s25}} & mux_77_s25[1:0]};  // units/intersection.h:92
+  wire and_41_s25 = not_61_s25 & eq_60_s25;  // units/intersection.h:92
+  wire and_42_s25 = not_61_s25 & (~mux_78_s25[19]);  // units/intersection.h:92
+  wire [19:0] mux_79_s25 = {and_40_s25 ? mux_72_s25[11:0] : mux_72_s25[19:8], ~{8{and_40_s25}} & mux_72_s25[7:0]};  // units/intersection.h:92
+  wire [19:0] mux_80_s25 = {mux_76_s25 ? mux_79_s25[15:0] : mux_79_s25[19:4], ~{4{mux_76_s25}} & mux_79_s25[3:0]};  // units/intersection.h:92
+  wire [19:0] mux_81_s25 = {and_41_s25 ? mux_80_s25[17:0] : mux_80_s25[19:2], ~{2{and_41_s25}} & mux_80_s25[1:0]};  // units/intersection.h:92
+  wire [8:0] sub_12_s25 = {2'd0, mux_64_s25[22:16]} - {4'd0, and_39_s25, and_40_s25, mux_76_s25, and_41_s25, and_42_s25};  // units/intersection.h:92
 
   // ---- stage 26 ----
   reg valid_s26;
@@ -1260,10 +1260,10 @@ module intersection #(
     mux_81_s26 <= mux_81_s25;
     sub_12_s26 <= sub_12_s25;
   end
-  wire [19:0] mux_82_s26 = {and_42_s26 ? mux_81_s26[18:0] : mux_81_s26[19:1], ~and_42_s26 & mux_81_s26[0]};  // units/intersection.h:91
-  wire or_33_s26 = add_18_s26 | (~(mux_82_s26[2:0] == 3'd4));  // units/intersection.h:91
-  wire not_64_s26 = ~(((or_33_s26 ? 2'd1 : 2'd2) & mux_82_s26[3:2]) == 2'd0);  // units/intersection.h:91
-  wire [24:0] add_19_s26 = {sub_12_s26, 15'd0, not_64_s26} + {8'd0, mux_82_s26[19:3]};  // units/intersection.h:91
+  wire [19:0] mux_82_s26 = {and_42_s26 ? mux_81_s26[18:0] : mux_81_s26[19:1], ~and_42_s26 & mux_81_s26[0]};  // units/intersection.h:92
+  wire or_33_s26 = add_18_s26 | (~(mux_82_s26[2:0] == 3'd4));  // units/intersection.h:92
+  wire not_64_s26 = ~(((or_33_s26 ? 2'd1 : 2'd2) & mux_82_s26[3:2]) == 2'd0);  // units/intersection.h:92
+  wire [24:0] add_19_s26 = {sub_12_s26, 15'd0, not_64_s26} + {8'd0, mux_82_s26[19:3]};  // units/intersection.h:92
 
   // ---- stage 27 ----
   reg valid_s27;
@@ -1311,11 +1311,11 @@ module intersection #(
     .data_i({mux_8_s15}),
     .data_o({mux_8_s27}));
   wire eq_47_s27 = {and_15_s27, mux_35_s27} == 24'd0;
-  wire and_44_s27 = mux_82_s27 & (~add_19_s27[24]);  // units/intersection.h:91
-  wire and_45_s27 = mux_82_s27 & mux_64_s27;  // units/intersection.h:91
-  wire [22:0] mux_84_s27 = {23{add_19_s27[23]}} | add_19_s27[22:0];  // units/intersection.h:91
-  wire [22:0] mux_85_s27 = {23{and_44_s27}} & mux_84_s27;  // units/intersection.h:91
-  wire lt_8_s27 = {and_45_s27, mux_85_s27, and_45_s27} < 25'h07e0001;  // units/intersection.h:91
+  wire and_44_s27 = mux_82_s27 & (~add_19_s27[24]);  // units/intersection.h:92
+  wire and_45_s27 = mux_82_s27 & mux_64_s27;  // units/intersection.h:92
+  wire [22:0] mux_84_s27 = {23{add_19_s27[23]}} | add_19_s27[22:0];  // units/intersection.h:92
+  wire [22:0] mux_85_s27 = {23{and_44_s27}} & mux_84_s27;  // units/intersection.h:92
+  wire lt_8_s27 = {and_45_s27, mux_85_s27, and_45_s27} < 25'h07e0001;  // units/intersection.h:92
 
   // ---- stage 28 ----
   reg valid_s28;
@@ -1360,9 +1360,9 @@ module intersection #(
     lt_8_s28 <= lt_8_s27;
     unit_ray_0_s28 <= unit_ray_0_s27;
   end
-  wire not_25_s28 = ~xor_1_s28;  // units/intersection.h:67
-  wire or_26_s28 = ((in_reset_s28 | not_25_s28) | (and_15_s28 & (~eq_47_s28))) | (and_29_s28 & (~({and_29_s28, mux_62_s28} == 24'd0)));  // units/intersection.h:87
-  wire out_hit_s28 = (and_45_s28 ^ lt_8_s28) & (~or_26_s28);  // units/intersection.h:48
+  wire not_25_s28 = ~xor_1_s28;  // units/intersection.h:68
+  wire or_26_s28 = ((in_reset_s28 | not_25_s28) | (and_15_s28 & (~eq_47_s28))) | (and_29_s28 & (~({and_29_s28, mux_62_s28} == 24'd0)));  // units/intersection.h:88
+  wire out_hit_s28 = (and_45_s28 ^ lt_8_s28) & (~or_26_s28);  // units/intersection.h:49
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(105), .DEPTH(CANDIDATE_DEPTH), .MARGIN(CANDIDATE_BOUNDED ? 0 : 28),
