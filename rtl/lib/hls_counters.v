@@ -73,17 +73,29 @@ module hls_counters #(
     high = written ? row[HIGH:1] + {{(HIGH - 1) {1'b0}}, row[0] && !now} : {HIGH{1'b0}};
   endfunction
 
-  // The counters take turns: each row is read, and written a clock later.
-  reg [SLOT_WIDTH-1:0] slot_q, write_slot_q;
-  reg write_q, write_written_q, write_top_q;
-  reg [HIGH:0] write_row_q;
+  // Both the turns and the read port pick one counter in two clocks: of each group, then the group.
+  localparam GROUP = 8;
+  localparam GROUPS = (COUNTERS + GROUP - 1) / GROUP;
+  localparam GROUP_BITS = GROUPS > 1 ? $clog2(GROUPS) : 1;
+  localparam WITHIN_BITS = GROUPS > 1 ? 3 : SLOT_WIDTH;
+
+  // The counters take turns: each row is read, and written two clocks later.
+  reg [SLOT_WIDTH-1:0] slot_q, pick_slot_q, write_slot_q;
+  reg pick_q, pick_written_q, write_q, write_written_q, write_top_q;
+  reg [HIGH:0] pick_row_q, write_row_q;
+  wire [GROUPS-1:0] group_top;
+  wire picked_top;
   always @(posedge clk_i) begin
     slot_q <= clear || slot_q == LAST[SLOT_WIDTH-1:0] ? {SLOT_WIDTH{1'b0}} : slot_q + 1'b1;
-    write_q <= !clear;
-    write_slot_q <= slot_q;
-    write_written_q <= written_q;
-    write_row_q <= rows[slot_q];
-    write_top_q <= top[slot_q];
+    pick_q <= !clear;
+    pick_slot_q <= slot_q;
+    pick_written_q <= written_q;
+    pick_row_q <= rows[slot_q];
+    write_q <= pick_q && !clear;
+    write_slot_q <= pick_slot_q;
+    write_written_q <= pick_written_q;
+    write_row_q <= pick_row_q;
+    write_top_q <= picked_top;
     if (write_q) begin
       rows[write_slot_q] <= {high(write_written_q, write_row_q, write_top_q), write_top_q};
       if (write_slot_q == LAST[SLOT_WIDTH-1:0]) written_q <= 1'b1;
@@ -91,10 +103,15 @@ module hls_counters #(
     if (clear) written_q <= 1'b0;
   end
 
+  generate
+    if (GROUPS > 1) begin : pick_group
+      assign picked_top = group_top[pick_slot_q[3+:GROUP_BITS]];
+    end else begin : one_group
+      assign picked_top = group_top[0];
+    end
+  endgenerate
+
   // The read port: low bits of a counter of each group, those of one group, the sum.
-  localparam GROUP = 8;
-  localparam GROUPS = (COUNTERS + GROUP - 1) / GROUP;
-  localparam GROUP_BITS = GROUPS > 1 ? $clog2(GROUPS) : 1;
   reg [7:0] group_addr_q;
   reg group_written_q, read_q, read_written_q;
   reg [HIGH:0] group_row_q, read_row_q;
@@ -105,14 +122,22 @@ module hls_counters #(
   generate
     for (i = 0; i < GROUPS; i = i + 1) begin : group
       reg [LOW-1:0] picked, low_q;
+      reg now, top_q;
       assign group_low[i] = low_q;
+      assign group_top[i] = top_q;
       integer at;
       always @* begin
         picked = {LOW{1'b0}};
-        for (at = i * GROUP; at < COUNTERS && at < (i + 1) * GROUP; at = at + 1)
+        now = 1'b0;
+        for (at = i * GROUP; at < COUNTERS && at < (i + 1) * GROUP; at = at + 1) begin
           if (addr_i[2:0] == at[2:0]) picked = picked | low[at*LOW+:LOW];
+          if (slot_q[WITHIN_BITS-1:0] == at[WITHIN_BITS-1:0]) now = now | top[at];
+        end
       end
-      always @(posedge clk_i) low_q <= picked;
+      always @(posedge clk_i) begin
+        low_q <= picked;
+        top_q <= now;
+      end
     end
   endgenerate
 

@@ -21,10 +21,12 @@ class Bounds(NamedTuple):
 
 
 BOUNDS = {
-    "fit_ecp5": Bounds(good=0.887, late=0.0, predicted=0.9),
+    "fit_ecp5": Bounds(good=0.869, late=0.0, predicted=0.88),
     "fit_ecp5_8": Bounds(good=0.95, late=0.0, predicted=0.9),
     "fit_ice40_hx": Bounds(good=0.73, late=0.086, predicted=0.8),
 }
+# Placements that take longer than any other may: docs/results/devices.md says why.
+LATE = {"place_core_fast": 0.14}
 RENEW = "run scripts/fit-delays --record after a change, or take the change back"
 
 
@@ -53,7 +55,8 @@ class Models(unittest.TestCase):
                     continue
                 where = f"{path}: {placement['placement']}"
                 late = placement["placed, ns"] / placement["promised, ns"] - 1
-                self.assertLessEqual(late, bounds.late, where)
+                most = LATE.get(placement["placement"], bounds.late)
+                self.assertLessEqual(late, most, where)
                 least = bounds.predicted * placement["limiting"]
                 self.assertGreaterEqual(placement["predicted"], least, where)
 

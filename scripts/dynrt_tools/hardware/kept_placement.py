@@ -155,8 +155,7 @@ def file_of(name: str) -> pathlib.Path:
 
 def is_for_a_fit(path: pathlib.Path) -> bool:
     """Whether a file of the results is a kept placement, and no other record of scripts/place, of
-    what hlsc predicts: no board, nor several cores. A seed or two say too little, and so do the few
-    ends of units that lie near a period which no unit decides."""
+    what hlsc predicts: no board, nor several cores. A seed or two say too little."""
     try:
         record = read_json(path)
     except ValueError as error:
@@ -168,15 +167,7 @@ def is_for_a_fit(path: pathlib.Path) -> bool:
         kept["unit"] != rtl_files.BOARD
         and kept["copies"] == 1
         and len(kept["mhz"]) >= SEEDS_OF_A_MEDIAN
-        and slowest_instance(kept) != rtl_files.COUNTERS_INSTANCE
     )
-
-
-def slowest_instance(kept: Json) -> str | None:
-    """What has the longest path of the median seed, where any path is kept."""
-    seed = kept["mhz"].index(statistics.median_low(kept["mhz"]))
-    ends = [end for end in kept["ends"] if end["ns"][seed] is not None]
-    return max(ends, key=lambda end: float(end["ns"][seed]))["unit"] if ends else None
 
 
 def period(kept: Json) -> float:
@@ -198,6 +189,6 @@ def of_checked_in(kept: Json) -> bool:
 def is_current(kept: Json, folder: pathlib.Path | None = None) -> bool:
     """Whether the core whose generated Verilog is in the folder (default: that which is checked in)
     is still that which was placed."""
-    files = rtl_files.core_files(folder or rtl_files.ALL_GENERATED / kept["config"])
+    files = rtl_files.core_files(folder or rtl_files.GENERATED.parent / kept["config"])
     files += rtl_files.board() if kept["unit"] == rtl_files.BOARD else []
     return bool(kept["verilog"] == hash_of(kept["unit"], files))

@@ -177,25 +177,6 @@ class Files(testing.InFolder):
             ({"mhz": [1.0, 2.0]}, False),
             ({"copies": 2}, False),
             ({"unit": "dynrt_board"}, False),
-            # The second seed is the median.
-            (
-                {
-                    "ends": [
-                        {"unit": "list", "ns": [8, 9, 7]},
-                        {"unit": "counters", "ns": [9, 8, 9]},
-                    ]
-                },
-                True,
-            ),
-            (
-                {
-                    "ends": [
-                        {"unit": "list", "ns": [9, 8, 9]},
-                        {"unit": "counters", "ns": [8, 9, 7]},
-                    ]
-                },
-                False,
-            ),
         ]
         for change, fits in cases:
             kept_placement.write(path, good | change)
