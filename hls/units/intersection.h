@@ -39,7 +39,7 @@ struct Intersection {
     out.reset = in.reset;
     out.last = in.last;
     if constexpr (kWatertight<C>) {
-      const auto found = intersect(in.unit);
+      const TriangleHit<Real> found = intersect(in.unit);
       out.hit = !in.reset && found.hit();
       out.t = found.t;
       out.u = found.u;

@@ -10,14 +10,6 @@
 
 namespace dynrt {
 
-/// The result of the test, as that of units/watertight.h.
-template <class R>
-struct PlaneHit {
-  bool left, right;
-  R t, u, v;
-  bool hit() const { return (left || right) && !t.sign(); }
-};
-
 template <class R>
 struct PlaneSums {
   static constexpr unsigned kM = R::kMantissaBits;
@@ -61,7 +53,7 @@ struct PlaneSums {
 };
 
 template <class R>
-PlaneHit<R> intersect(const PlaneTriangle<R>& m) {
+TriangleHit<R> intersect(const PlaneTriangle<R>& m) {
   using Sums = PlaneSums<R>;
   using Wide = typename Sums::Wide;
   using Less = typename Sums::Less;
@@ -100,7 +92,7 @@ PlaneHit<R> intersect(const PlaneTriangle<R>& m) {
                  static_cast<int>(Sums::kM));
   const Less unit = Sums::sum(Sums::less(Sums::sum(weight, exponent), lost), kUnit);
   const Wide per_unit = Wide(m.per_height) * Sums::number(unit, uint<Sums::kM>(0));
-  PlaneHit<R> out;
+  TriangleHit<R> out;
   out.left = m.left;
   out.right = m.right;
   out.t = R(((below ? -height_size : height_size) * per_all) * per_unit);

@@ -13,7 +13,7 @@
 // axis (docs/explanation/watertight.md).
 #pragma once
 
-#include "units/packet.h"
+#include "units/watertight.h"
 
 namespace dynrt {
 
@@ -84,16 +84,6 @@ struct PlaneMap {
   HLS_FIELDS(x, y, axis, per_height)
 };
 
-/// x, y and z in the order that makes the axis the third.
-template <class V>
-V turned(uint<2> axis, const V& v) {
-  V out = v;
-  out.x = axis == uint<2>(2) ? v.x : axis == uint<2>(1) ? v.z : v.y;
-  out.y = axis == uint<2>(2) ? v.y : axis == uint<2>(1) ? v.x : v.z;
-  out.z = axis == uint<2>(2) ? v.z : axis == uint<2>(1) ? v.y : v.x;
-  return out;
-}
-
 /// -(a / d), where a is at most as long as d, whose reciprocal is given; cut off towards zero.
 template <class R>
 Coordinate<R> slope(R a, R reciprocal) {
@@ -113,12 +103,10 @@ Coordinate<R> slope(R a, R reciprocal) {
 
 template <class R>
 PlaneMap<R> plane_map(const Vector<R>& direction, const Vector<R>& reciprocals) {
-  const bool y_leads = abs(direction.x) < abs(direction.y);
-  const bool z_leads = (y_leads ? abs(direction.y) : abs(direction.x)) < abs(direction.z);
   PlaneMap<R> map;
-  map.axis = z_leads ? uint<2>(2) : uint<2>(uint<1>(y_leads));
-  const Vector<R> d = turned(map.axis, direction);
-  map.per_height = turned(map.axis, reciprocals).z;
+  map.axis = longest_axis(direction);
+  const Vector<R> d = along(map.axis, direction);
+  map.per_height = along(map.axis, reciprocals).z;
   map.x = slope(d.x, map.per_height);
   map.y = slope(d.y, map.per_height);
   return map;
@@ -140,7 +128,7 @@ PlaneCorner<R> map_corner(const PlaneMap<R>& map, const BlockVector<R>& corner) 
   constexpr unsigned kWidth = Coordinate<R>::kWidth;
   constexpr unsigned kWide = kWidth + kGuardBits + 1;  // of a sum
   using Shift = typename PlaneCorner<R>::Shift;
-  const BlockVector<R> e = turned(map.axis, corner);
+  const BlockVector<R> e = along(map.axis, corner);
   const auto z = e.z.as_unsigned().template bits<kWidth + kGuardBits - 1, kGuardBits>().as_signed();
   const auto sheared = [&](auto component, Coordinate<R> by) {
     const auto product = (by * z).as_unsigned();
@@ -180,7 +168,7 @@ struct PlaneEdge {
 };
 
 /// Where the axis meets the line of the edge between its ends, the end with the smaller x counts as
-/// if it were a little lower.
+/// if it were a little higher.
 template <class R>
 PlaneEdge<R> edge_of(const PlaneCorner<R>& from, const PlaneCorner<R>& to) {
   const auto ahead = from.x * to.y;

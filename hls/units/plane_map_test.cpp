@@ -108,8 +108,8 @@ TEST(PlaneMap, ACornerIsOffByTwelveRoundingsAtMost) {
       const double off = std::ldexp(largest(d), -static_cast<int>(test::below(random, 17)));
       corner = vec(t * (d[0] + off), t * d[1], t * (d[2] - 0.5 * off));
     }
-    const auto e = numbers(turned(map.axis, corner));
-    const auto d = numbers(turned(map.axis, direction));
+    const auto e = numbers(along(map.axis, corner));
+    const auto d = numbers(along(map.axis, direction));
     const auto at = place(map_corner(map, block_vector(corner)));
     const double rounding = std::ldexp(largest(e), -static_cast<int>(Real::kMantissaBits) - 1);
     for (unsigned i = 0; i < 2; ++i) {
@@ -217,7 +217,7 @@ TEST(PlaneEdge, EveryTetrahedronIsCrossedAsOftenInwardsAsOutwards) {
   EXPECT_EQ(open, 0u);
 }
 
-PlaneHit<Real> met(const Corner& a, const Corner& b, const Corner& c, Real per_height) {
+TriangleHit<Real> met(const Corner& a, const Corner& b, const Corner& c, Real per_height) {
   PlaneTriangle<Real> triangle = plane_triangle(a, b, c);
   triangle.per_height = per_height;
   return intersect(triangle);
@@ -265,9 +265,9 @@ TEST(PlaneIntersect, FindsTheHitOfDoubles) {
     if (!hit.hit()) continue;
     ++hits;
     std::array<std::array<double, 3>, 3> e;
-    const auto turned_d = numbers(turned(map.axis, direction));
+    const auto turned_d = numbers(along(map.axis, direction));
     for (unsigned i = 0; i < 3; ++i) {
-      e[i] = numbers(turned(map.axis, corners[i]));
+      e[i] = numbers(along(map.axis, corners[i]));
       for (unsigned k = 0; k < 2; ++k) e[i][k] -= turned_d[k] / turned_d[2] * e[i][2];
       e[i][2] /= turned_d[2];
     }

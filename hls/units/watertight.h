@@ -23,22 +23,30 @@ struct RayMap {
   HLS_FIELDS(origin, shear, axis)
 };
 
-/// The components in the order that makes the axis the third.
+/// x, y and z in the order that makes the axis the third.
+template <class V>
+V along(uint<2> axis, const V& v) {
+  V out = v;
+  out.x = axis == uint<2>(2) ? v.x : axis == uint<2>(1) ? v.z : v.y;
+  out.y = axis == uint<2>(2) ? v.y : axis == uint<2>(1) ? v.x : v.z;
+  out.z = axis == uint<2>(2) ? v.z : axis == uint<2>(1) ? v.y : v.x;
+  return out;
+}
+
+/// The axis of the longest component; of equals the first.
 template <class R>
-Vector<R> along(uint<2> axis, const Vector<R>& v) {
-  return axis == uint<2>(2)   ? v
-         : axis == uint<2>(1) ? Vector<R>{v.z, v.x, v.y}
-                              : Vector<R>{v.y, v.z, v.x};
+uint<2> longest_axis(const Vector<R>& d) {
+  const bool y_leads = abs(d.x) < abs(d.y);
+  const bool z_leads = (y_leads ? abs(d.y) : abs(d.x)) < abs(d.z);
+  return z_leads ? uint<2>(2) : uint<2>(uint<1>(y_leads));
 }
 
 template <class R>
 RayMap<R> ray_map(const Ray<R>& ray) {
   const Vector<R>& d = ray.direction;
-  const bool y_leads = abs(d.x) < abs(d.y);
-  const bool z_leads = (y_leads ? abs(d.y) : abs(d.x)) < abs(d.z);
   RayMap<R> map;
   map.origin = ray.origin;
-  map.axis = z_leads ? uint<2>(2) : uint<2>(uint<1>(y_leads));
+  map.axis = longest_axis(d);
   const Vector<R> turned = along(map.axis, d);
   map.shear.z = R::one() / turned.z;
   map.shear.x = -(turned.x * map.shear.z);
