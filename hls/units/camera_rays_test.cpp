@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "units/camera_rays.h"
 
+#include <bit>
+#include <cmath>
+
 #include "units/send_packet.h"
 #include "units/test_bench.h"
 #include "units/transformation.h"
@@ -113,6 +116,73 @@ TEST(CameraRays, HaveAnOriginEachInAnUncompressedFrame) {
     if (got[i].point) EXPECT_TRUE(test::same(got[i].vector, kMatrix[3])) << i;
   }
 }
+
+template <class Config>
+struct Lit : Config {
+  static constexpr unsigned kLights = 2;
+};
+
+/// A light ray as the transformation makes it, from the light's matrix and (1, t, -1) (6.2.2).
+template <class Config>
+Vec transformed(const Ray<Real>& arriving, Real t, const Vec& light) {
+  test::UnitBench<Transformation<Config>> bench;
+  const Vec columns[] = {arriving.origin, arriving.direction, light, light};
+  for (unsigned c = 0; c < 4; ++c) bench.rows(bench.unit.column[c])[kPacket] = columns[c];
+  PacketVector<Config> vector;
+  vector.packet = kPacket;
+  vector.vector = {Real::one(), t, -Real::one()};
+  bench.feed(bench.unit.vector, vector);
+  bench.run();
+  return bench.take_one(bench.unit.transformed).vector;
+}
+
+/// Those that have hit something go from the light to where they hit; camera rays go on as before.
+template <class Config>
+void expect_light_rays() {
+  CameraBench<Lit<Config>> bench;
+  test::Random random(5);
+  const auto coordinate = [&random] { return (test::below(random, 20'001) - 1e4) / 64; };
+  const auto some = [&] { return vec(coordinate(), coordinate(), coordinate()); };
+  for (unsigned round = 0; round < 100; ++round) {
+    const auto lit = RayMask<Config>::from(1 + test::below(random, 255));
+    for (unsigned ray = 0; ray < kRays<Config>; ++ray) {
+      const auto row = kPacket * kRays<Config> + ray;
+      bench.rows(bench.unit.arriving)[row] = {some(), some()};
+      bench.rows(bench.unit.surface)[row].t = Real::from_double(std::abs(coordinate()));
+    }
+    CameraJob<Lit<Config>> job;
+    job.packet = kPacket;
+    job.to_light = true;
+    job.lit = lit;
+    const unsigned steps =
+        3 * static_cast<unsigned>(std::popcount(static_cast<unsigned>(lit.to_u64())));
+    for (unsigned i = 0; i < steps; ++i) {
+      bench.feed(bench.unit.job, Repeated<CameraJob<Lit<Config>>>{RepeatCount<Config>::from(i),
+                                                                  i + 1 == steps, job});
+    }
+    bench.run();
+    const auto got = bench.take(bench.unit.vector);
+    ASSERT_EQ(got.size(), steps / 3 + 1);
+    EXPECT_TRUE(got[0].point);
+    EXPECT_TRUE(test::same(got[0].vector, kMatrix[3])) << "they begin at the light";
+    std::size_t next = 1;
+    for (unsigned ray = 0; ray < kRays<Config>; ++ray) {
+      if (!lit.bit(ray)) continue;
+      const auto row = kPacket * kRays<Config> + ray;
+      EXPECT_EQ(got[next].ray, RayIndex<Config>::from(ray));
+      EXPECT_FALSE(got[next].point);
+      EXPECT_EQ(got[next].last.get(), next == steps / 3);
+      const Vec expected = transformed<Lit<ByTransformation<Config>>>(
+          bench.rows(bench.unit.arriving)[row], bench.rows(bench.unit.surface)[row].t, kMatrix[3]);
+      ASSERT_TRUE(test::same(got[next].vector, expected)) << round << ", ray " << ray;
+      ++next;
+    }
+    ASSERT_EQ(bench.sent().size(), kRays<Config> + 1) << "then the camera's";
+  }
+}
+
+TEST(CameraRays, GoToALightAsTheTransformationSendsThem) { expect_light_rays<C>(); }
+TEST(CameraRays, GoThereWhereSumsAreFusedToo) { expect_light_rays<Fused>(); }
 
 }  // namespace
 }  // namespace dynrt

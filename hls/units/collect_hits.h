@@ -45,7 +45,7 @@ struct CollectHits {
   hls::RamWrite<Real, kPackets> distance[kRays<C>];
   hls::OptionalPort<kTestsWorldBox<C>, hls::RamWrite<Real, kRayRows<C>>> reach;  ///< the distances
   hls::RamWrite<HitRecord<C>, kRayRows<C>> hit;  ///< of primary rays
-  hls::OptionalPort<kHasSecondary<C>, hls::Out<DerivationEvent<C>>> derived;
+  hls::OptionalPort<kHasSecondary<C> && !kLightsAtOnce<C>, hls::Out<DerivationEvent<C>>> derived;
   hls::OptionalPort<kHasSecondary<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
   hls::OptionalPort<kHasSecondary<C>, hls::RamWrite<Found<C>, kRayRows<C>>> found;
   hls::OptionalPort<kHasMirrors<C>, hls::RamWrite<Real, kPackets>> start_distance[kRays<C>];
@@ -120,8 +120,8 @@ struct CollectHits {
       }
     }
 
-    if (in.reset && alone) {
-      if constexpr (kHasSecondary<C>) {
+    if (in.reset && alone && !kLightsAtOnce<C>) {
+      if constexpr (kHasSecondary<C> && !kLightsAtOnce<C>) {
         DerivationEvent<C> go_on_deriving;
         go_on_deriving.packet = in.packet;
         derived.write(go_on_deriving);
@@ -132,6 +132,10 @@ struct CollectHits {
         begin_packet.packet = in.packet;
         begin_packet.active = job.active;
         begin_packet.clear = true;
+        if constexpr (kLightsAtOnce<C>) {
+          begin_packet.kind = begun.kind.get();
+          begin_packet.viewpoint = job.viewpoint;
+        }
         start.write(begin_packet);
       } else {
         ListJob<C> next;

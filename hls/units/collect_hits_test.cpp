@@ -116,6 +116,38 @@ TEST(CollectHits, KeepsTheClosestHitOfEveryRay) {
   EXPECT_GT(std::min({closer, farther, equal, resets}), 1000u);
 }
 
+struct LitAtOnce : C {
+  static constexpr unsigned kLights = 2;
+  static constexpr RaysSent kRaysSent = RaysSent::kActive;
+  static constexpr CameraSource kCamera = CameraSource::kOwnUnit;
+  static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
+};
+
+TEST(CollectHits, LightRaysThatAreMadeAtOnceStartAsTheCamerasDo) {
+  test::UnitBench<CollectHits<LitAtOnce>> bench;
+  JobRecord<LitAtOnce>& job = bench.rows(bench.unit.record)[6];
+  for (const bool light : {false, true, false}) {
+    job.kind = light ? TransformKind::kSecondary : TransformKind::kCamera;
+    job.active = 0b1010;
+    job.viewpoint = Viewpoint<LitAtOnce>::from(light ? 2 : 0);
+    for (const unsigned ray : {1u, 3u}) {
+      EXPECT_TRUE(bench.take(bench.unit.start).empty());
+      HitCandidate<LitAtOnce> in;
+      in.packet = 6;
+      in.ray = RayIndex<LitAtOnce>::from(ray);
+      in.reset = true;
+      in.last = ray == 3;
+      bench.feed(bench.unit.candidate, in);
+      bench.run();
+    }
+    const MailboxEntry<LitAtOnce> begin = bench.take_one(bench.unit.start);
+    EXPECT_TRUE(begin.clear);
+    EXPECT_EQ(begin.active, RayMask<LitAtOnce>(0b1010));
+    EXPECT_EQ(begin.kind.get(), light ? RayKind::kLight : RayKind::kPrimary);
+    EXPECT_EQ(begin.viewpoint.get(), Viewpoint<LitAtOnce>::from(light ? 2 : 0));
+  }
+}
+
 struct LitSpheres : C {
   static constexpr unsigned kLights = 1;
   static constexpr Primitives kPrimitives{.triangle = true, .sphere = true};

@@ -24,6 +24,7 @@
 #include "units/collect_hits.h"
 #include "units/intersection.h"
 #include "units/light_columns.h"
+#include "units/light_rays.h"
 #include "units/list.h"
 #include "units/mailbox.h"
 #include "units/mailbox_of_rays.h"
@@ -90,7 +91,9 @@ struct Core {
   CollectHits<C> collect_hits;
   Shading<C> shading;
   hls::OptionalPort<kHasSecondary<C>, Shader<C>> shader;
-  hls::OptionalPort<kHasSecondary<C>, SecondaryRays<C>> secondary_rays;
+  hls::OptionalPort<kHasSecondary<C>,
+                    std::conditional_t<kLightsAtOnce<C>, LightRays<C>, SecondaryRays<C>>>
+      secondary_rays;
   hls::OptionalPort<kHasLights<C>, LightColumns<C>> light_columns;
   MemoryInterface<C> memory_interface;
 

@@ -15,6 +15,7 @@
 
 #include "configs/boxed.h"
 #include "configs/fast.h"
+#include "configs/fast_lit.h"
 #include "configs/primitives.h"
 #include "configs/thesis.h"
 #include "configs/watertight.h"
@@ -102,7 +103,7 @@ template <class C>
 class Circles : public testing::Test {};
 using Cores =
     testing::Types<config::thesis, config::boxed, config::watertight, config::whitted,
-                   config::whitted_split, config::fast, OneFifo<config::thesis>,
+                   config::whitted_split, config::fast, config::fast_lit, OneFifo<config::thesis>,
                    OneFifo<config::boxed>, OneFifo<config::watertight>, OneFifo<config::whitted>,
                    OneFifo<config::whitted_split>, OneFifo<config::primitives>, OneFifo<Lit>,
                    OneFifo<CommonOrigin<config::watertight>>, OneFifo<OneLevel<config::whitted>>,

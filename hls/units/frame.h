@@ -52,9 +52,12 @@ struct FrameRegisters {
   hls::OptionalField<C::kMainFirst, hls::uint<32>> others_node;
   hls::OptionalField<C::kObjectBox == ObjectBox::kWorld, hls::uint<32>>
       box_column;  ///< column of an object's box, less the number of the object's matrix
+  /// columns from the boxes as they lie from the eye to those from the first light, and so on
+  hls::OptionalField<C::kObjectBox == ObjectBox::kWorld && (C::kLights > 0), hls::uint<32>>
+      boxes_apart;
   HLS_FIELDS(packets, line_mask, width, height, scanline, morton_bits, start_node, camera_matrix,
              background, frame_base, write_hits, uncompressed, ambient, lights, light_matrix,
-             reflections, colour, object, others_node, box_column)
+             reflections, colour, object, others_node, box_column, boxes_apart)
 };
 
 /// No core: the host fills every register that some configuration has.
@@ -64,6 +67,7 @@ struct EveryRegister {
   static constexpr unsigned kLevels = 1;
   static constexpr bool kMainFirst = true;
   static constexpr ObjectBox kObjectBox = ObjectBox::kWorld;
+  static constexpr unsigned kLights = 1;
 };
 using FrameConfig = FrameRegisters<EveryRegister>;
 

@@ -10,12 +10,20 @@ namespace dynrt {
 
 template <class C>
 void Core<C>::join_secondary(hls::Join& join) {
-  hls::Writers<DerivationEvent<C>> derive = {&shader.derive, &collect_hits.derived};
-  std::vector surface = {&secondary_rays.surface, &collect_hits.surface};
+  hls::Writers<DerivationEvent<C>> derive = {&shader.derive};
+  if constexpr (!kLightsAtOnce<C>) derive.push_back(&collect_hits.derived);
+  std::vector<hls::RamRead<SurfacePoint<C>, kRayRows<C>>*> surface;
+  if constexpr (kHasMirrors<C>) surface.push_back(&secondary_rays.surface);
+  surface.push_back(&collect_hits.surface);
   std::vector<hls::RamRead<Ray<typename C::Real>, kRayRows<C>>*> arriving;
   if constexpr (kHasLights<C>) {
-    arriving.push_back(&light_columns.arriving);
-    surface.push_back(&send_packet.surface);
+    if constexpr (kLightsAtOnce<C>) {
+      arriving.push_back(&camera_rays.arriving);
+      surface.push_back(&camera_rays.surface);
+    } else {
+      arriving.push_back(&light_columns.arriving);
+      surface.push_back(&send_packet.surface);
+    }
     join.ram("light", light_columns.light, std::array{&shader.light});
   }
   if constexpr (kHasMirrors<C>) {

@@ -114,7 +114,7 @@ template <class C>
 hls::Writers<MailboxEntry<C>> Core<C>::list_entries() {
   hls::Writers<MailboxEntry<C>> entries = {&list_lookup.reply, &list_fill.reply,
                                            &collect_hits.start};
-  if constexpr (kHasSecondary<C>) entries.push_back(&secondary_rays.start);
+  if constexpr (kHasSecondary<C> && !kLightsAtOnce<C>) entries.push_back(&secondary_rays.start);
   return entries;
 }
 

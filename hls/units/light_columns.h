@@ -4,7 +4,8 @@
 // Light columns: makes the matrix of a light ray (thesis 6.2.2), on the way from the matrix cache
 // to the matrix store. In the memory a light is a matrix: columns 2 and 3 hold its position, row 0
 // of column 0 its intensity, the spare bits of column 0 its colour. Columns 0 and 1 of the matrix
-// that makes the ray are origin and direction of the ray that hit the surface.
+// that makes the ray are origin and direction of the ray that hit the surface. Where a packet's
+// light rays are made at once (units/camera_rays.h), the matrix stays as it is for all of them.
 #pragma once
 
 #include "units/memory_tokens.h"
@@ -29,7 +30,7 @@ struct LightColumns {
 
   hls::In<Column> fetched;
   hls::Out<Column> column;
-  hls::RamRead<Ray<Real>, kRayRows<C>> arriving;
+  hls::OptionalPort<!kLightsAtOnce<C>, hls::RamRead<Ray<Real>, kRayRows<C>>> arriving;
   hls::RamWrite<LightPower<C>, kPackets> light;
   HLS_PORTS(fetched, column, arriving, light)
 
@@ -39,16 +40,18 @@ struct LightColumns {
     const bool is_light =
         c.context.kind == TransformKind::kSecondary && derived.pass == Derivation::kLight;
     const bool first = c.context.column == uint<2>(0);
-    const Ray<Real> ray = arriving.read(ray_row<C>(c.context.packet, derived.ray));
     if (is_light && first) {
       light.write(c.context.packet,
                   LightPower<C>{c.line.row[0].value, c.line.spare().template trunc<24>()});
     }
-    if (is_light && !c.context.column.template bit<1>()) {
-      const Vector<Real> v = first ? ray.origin : ray.direction;
-      c.line.row[0].value = v.x;
-      c.line.row[1].value = v.y;
-      c.line.row[2].value = v.z;
+    if constexpr (!kLightsAtOnce<C>) {
+      const Ray<Real> ray = arriving.read(ray_row<C>(c.context.packet, derived.ray));
+      if (is_light && !c.context.column.template bit<1>()) {
+        const Vector<Real> v = first ? ray.origin : ray.direction;
+        c.line.row[0].value = v.x;
+        c.line.row[1].value = v.y;
+        c.line.row[2].value = v.z;
+      }
     }
     column.write(c);
   }

@@ -45,6 +45,7 @@ struct MailboxOfRays {
   hls::OptionalPort<kRemembers, hls::Ram1R1W<Items, kLevelRows<C>>> items;
   hls::OptionalPort<kRemembers, hls::Ram1R1W<Used, kPackets>> used;
   hls::OptionalPort<kHasMirrors<C>, hls::Ram1R1W<bool, kPackets>> distinct_origins;
+  hls::OptionalPort<kTestsBoxOfLight<C>, hls::Ram1R1W<Viewpoint<C>, kPackets>> viewpoint;
   HLS_PORTS(entry, frame, fresh, seen, start, last)
 
   void step() {
@@ -56,6 +57,7 @@ struct MailboxOfRays {
       if constexpr (kHasMirrors<C>) {
         distinct_origins.write(e.packet, e.kind.get() == RayKind::kReflection);
       }
+      if constexpr (kTestsBoxOfLight<C>) viewpoint.write(e.packet, e.viewpoint.get());
       begin(e);
     } else {
       last.write(level_row<C>(e.level, e.packet), e.entry.last);
@@ -100,6 +102,10 @@ struct MailboxOfRays {
     if (kTestsWorldBox<C> && is_top<C>(e.level)) {
       job.kind = TransformKind::kBox;
       job.repeat = 0;
+      if constexpr (kTestsBoxOfLight<C>) {
+        job.extras.derived = DerivedRay<C>{kBoxPass, {}};
+        job.extras.viewpoint = viewpoint.read(e.packet);
+      }
     }
     return job;
   }

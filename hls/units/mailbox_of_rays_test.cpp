@@ -219,6 +219,27 @@ TEST(MailboxOfRays, AsksForTheBoxOfAnObjectBeforeItIsEntered) {
   EXPECT_EQ(triangle.repeat, RepeatCount<WorldBoxes>(3));
 }
 
+struct LitBoxes : WorldBoxes {
+  static constexpr unsigned kLights = 3;
+};
+
+TEST(MailboxOfRays, AsksForTheBoxAsItLiesFromWhereThePacketStarts) {
+  test::UnitBench<MailboxOfRays<LitBoxes>> bench;
+  for (const unsigned viewpoint : {2u, 0u, 3u}) {
+    for (const unsigned packet : {1u, 5u}) {
+      MailboxEntry<LitBoxes> begin = entry<LitBoxes>(0, 0, 0b1111, packet);
+      begin.clear = true;
+      begin.viewpoint = Viewpoint<LitBoxes>::from(packet == 1 ? viewpoint : 1);
+      bench.feed(bench.unit.entry, begin);
+    }
+    bench.feed(bench.unit.entry, entry<LitBoxes>(0, 17, 0b1111, 1));
+    bench.run();
+    const TransformJob<LitBoxes> object = bench.take_one(bench.unit.fresh);
+    EXPECT_TRUE(fetches_box<LitBoxes>(object.kind, object.extras));
+    EXPECT_EQ(object.extras.viewpoint.get(), Viewpoint<LitBoxes>::from(viewpoint));
+  }
+}
+
 struct MainFirst : C {
   static constexpr Leaves kLeaves = Leaves::kPointers;
   static constexpr bool kMainFirst = true;

@@ -37,8 +37,9 @@ struct MatrixFetch {
       }
     }
     if constexpr (kTestsWorldBox<C>) {
-      if (j.job.kind == TransformKind::kBox) {
-        address = ColumnAddress<C>::from((j.job.matrix + first_box<C>(frame.get())).raw());
+      if (fetches_box<C>(j.job.kind, j.job.extras)) {
+        const ColumnAddress<C> first = first_box<C>(frame.get(), j.job.extras);
+        address = ColumnAddress<C>::from((j.job.matrix + first).raw());
       }
     }
     request.write(ColumnRequest<C>{context, address});

@@ -73,5 +73,31 @@ TEST(MatrixFetch, ABoxIsOneColumnBehindTheMatrices) {
   EXPECT_EQ(address_of(TransformKind::kTriangle), ColumnAddress<WorldBoxes>(4 * 123));
 }
 
+struct LitBoxes : WorldBoxes {
+  static constexpr unsigned kLights = 5;
+};
+
+TEST(MatrixFetch, EachLightHasBoxesOfItsOwn) {
+  test::UnitBench<MatrixFetch<LitBoxes>> bench;
+  bench.value(bench.unit.frame).box_column = Word(5000);
+  bench.value(bench.unit.frame).boxes_apart = Word(700);
+  const auto address_of = [&bench](Derivation pass, unsigned viewpoint) {
+    Repeated<TransformJob<LitBoxes>> j;
+    j.job.kind = TransformKind::kBox;
+    j.job.matrix = 123;
+    j.job.extras.derived = DerivedRay<LitBoxes>{pass, {}};
+    j.job.extras.viewpoint = Viewpoint<LitBoxes>::from(viewpoint);
+    bench.feed(bench.unit.job, j);
+    bench.run();
+    return bench.take_one(bench.unit.request).address;
+  };
+  for (unsigned viewpoint = 0; viewpoint <= LitBoxes::kLights; ++viewpoint) {
+    EXPECT_EQ(address_of(kBoxPass, viewpoint),
+              ColumnAddress<LitBoxes>::from(5123 + 700 * viewpoint));
+    EXPECT_EQ(address_of(Derivation::kLight, viewpoint), ColumnAddress<LitBoxes>(4 * 123))
+        << "a light's matrix";
+  }
+}
+
 }  // namespace
 }  // namespace dynrt

@@ -85,7 +85,7 @@ struct MatrixStore {
           hls::concat(brings_high ? high : p.extra.template bits<23, 16>(),
                       first ? r.line.spare().template trunc<16>() : p.extra.template trunc<16>());
     }
-    const bool is_box = kTestsWorldBox<C> && r.context.kind == TransformKind::kBox;
+    const bool is_box = fetches_box<C>(r.context.kind, r.context.extras);
     if (r.context.column == uint<2>(1)) p.mirror = r.line.spare().template trunc<8>();
     if constexpr (kScalesCosine<C>) {
       if (r.context.column == last) {
@@ -103,7 +103,8 @@ struct MatrixStore {
     if (!is_box) progress.write(packet, p);
 
     if constexpr (kTestsWorldBox<C>) {
-      const auto behind = (r.address - first_box<C>(frame.get())).as_unsigned();
+      const ColumnAddress<C> first = first_box<C>(frame.get(), r.context.extras);
+      const auto behind = (r.address - first).as_unsigned();
       const auto rays = RepeatCount<C>::from(number_of(r.context.active).raw() - 1);
       if (is_box) {
         boxed.write(packet, BoxedObject<C>{behind.template trunc<C::kMatrixBits>(),
@@ -116,9 +117,10 @@ struct MatrixStore {
                                          ? r.context.matrix.get()
                                          : r.address.template bits<C::kMatrixBits + 1, 2>();
       const auto& derived = r.context.extras.derived;
-      record.write(packet, JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra, derived,
-                                        p.mirror, r.context.extras.distinct_origins.get(),
-                                        r.context.extras.primitive, p.cosine_factor});
+      record.write(
+          packet, JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra, derived, p.mirror,
+                               r.context.extras.distinct_origins.get(), r.context.extras.primitive,
+                               p.cosine_factor, r.context.extras.viewpoint});
       if constexpr (kTwoLevels<C>) {
         if (r.context.kind == TransformKind::kObject) object.write(packet, matrix);
       }
@@ -152,10 +154,17 @@ struct MatrixStore {
       send.packet = packet;
       send.kind = r.context.kind;
       send.derived = derived;
-      const bool beside = kOwnCamera<C> && send.kind == TransformKind::kCamera;
+      const bool to_light = kLightsAtOnce<C> && send.kind == TransformKind::kSecondary;
+      const bool beside = kOwnCamera<C> && (send.kind == TransformKind::kCamera || to_light);
       if constexpr (kOwnCamera<C>) {
         CameraJob<C> rays;
         rays.packet = packet;
+        if constexpr (kLightsAtOnce<C>) {
+          const RepeatCount<C> lit = number_of(r.context.active);
+          rays.to_light = to_light;
+          rays.lit = r.context.active;
+          if (to_light) rays.repeat = RepeatCount<C>::from((lit + lit + lit).raw() - 1);
+        }
         if (beside) camera.write(rays);
       }
       if (!beside) ready.write(send);

@@ -192,6 +192,48 @@ TEST(MatrixStore, PassesAnObjectsBoxOnToItsTest) {
   }
 }
 
+struct LitBoxes : WorldBoxes {
+  static constexpr CameraSource kCamera = CameraSource::kOwnUnit;
+  static constexpr unsigned kLights = 3;
+};
+
+/// Of the rays to a light, those that have hit something are made beside the transformation.
+TEST(MatrixStore, TellsALightsMatrixFromABoxForItsRays) {
+  using Reply = ColumnReply<LitBoxes>;
+  test::UnitBench<MatrixStore<LitBoxes>> bench;
+  constexpr unsigned kFirstBox = 5000, kApart = 700, kPacket = 3, kLight = 2;
+  bench.value(bench.unit.frame).box_column = Word(kFirstBox);
+  bench.value(bench.unit.frame).boxes_apart = Word(kApart);
+  const auto send = [&](Derivation pass, unsigned column, unsigned address) {
+    Reply reply;
+    reply.context.packet = kPacket;
+    reply.context.kind = TransformKind::kSecondary;
+    reply.context.active = 0b10110000;
+    reply.context.column = uint<2>::from(column);
+    reply.context.extras.derived = DerivedRay<LitBoxes>{pass, {}};
+    reply.context.extras.viewpoint = Viewpoint<LitBoxes>(kLight);
+    reply.address = ColumnAddress<LitBoxes>::from(address);
+    bench.feed(bench.unit.reply, reply);
+    bench.run();
+  };
+  for (unsigned round = 0; round < 2; ++round) {
+    send(kBoxPass, 0, kFirstBox + kLight * kApart + 1234);
+    EXPECT_EQ(bench.take_one(bench.unit.box).packet, PacketId<LitBoxes>(kPacket));
+    EXPECT_EQ(bench.rows(bench.unit.boxed)[kPacket].matrix, MatrixNumber<LitBoxes>(1234));
+    for (unsigned column = 0; column < 4; ++column) {
+      EXPECT_TRUE(bench.take(bench.unit.camera).empty());
+      send(Derivation::kLight, column, 4 * 77 + column);
+    }
+    const CameraJob<LitBoxes> rays = bench.take_one(bench.unit.camera);
+    EXPECT_EQ(rays.repeat, RepeatCount<LitBoxes>(3 * 3 - 1));
+    EXPECT_TRUE(rays.to_light.get());
+    EXPECT_EQ(rays.lit.get(), RayMask<LitBoxes>(0b10110000));
+    EXPECT_EQ(bench.rows(bench.unit.record)[kPacket].viewpoint.get(), Viewpoint<LitBoxes>(kLight));
+    EXPECT_TRUE(bench.take(bench.unit.ready).empty());
+    EXPECT_TRUE(bench.take(bench.unit.box).empty());
+  }
+}
+
 /// The bounds lie in the words where the host puts them: the lower one in the lowest bits.
 TEST(MatrixStore, ReadsTwoBoundsOfEveryWord) {
   MatrixColumn<Real> column;

@@ -67,10 +67,19 @@ using ListLine = CacheLine<C, CoreListEntry<C>, NodeAddress<C>::kWidth>;
 template <class C>
 using ColumnLine = CacheLine<C, MatrixColumn<typename C::Real>, ColumnAddress<C>::kWidth>;
 
-/// The column of the box of an object whose matrix had the number 0.
+/// The column of the box of an object whose matrix had the number 0, as it lies from where the rays
+/// of a job start.
 template <class C>
-ColumnAddress<C> first_box(const FrameRegisters<C>& frame) {
-  return frame.box_column.get().template trunc<ColumnAddress<C>::kWidth>();
+ColumnAddress<C> first_box(const FrameRegisters<C>& frame, const TransformExtras<C>& job) {
+  auto column = frame.box_column.get().template trunc<ColumnAddress<C>::kWidth>();
+  if constexpr (kTestsBoxOfLight<C>) {
+    auto apart = frame.boxes_apart.get().template trunc<ColumnAddress<C>::kWidth>();
+    for (unsigned i = 0; i < Viewpoint<C>::kWidth; ++i) {
+      if (job.viewpoint.get().bit(i)) column = ColumnAddress<C>::from((column + apart).raw());
+      apart = apart.template shl<1>();
+    }
+  }
+  return column;
 }
 
 template <class C>

@@ -58,6 +58,12 @@ inline constexpr bool kClipsToBox = C::kObjectBox == ObjectBox::kUnit;
 /// Whether rays that miss an object's box in the world do not enter the object.
 template <class C>
 inline constexpr bool kTestsWorldBox = C::kObjectBox == ObjectBox::kWorld;
+/// Whether light rays are among them: each light has boxes of its own, as they lie from there.
+template <class C>
+inline constexpr bool kTestsBoxOfLight = kTestsWorldBox<C> && (C::kLights > 0);
+/// Where a packet's rays start: at the eye, 0, or at a light, its number and 1.
+template <class C>
+using Viewpoint = uint<hls::index_width(C::kLights + 1)>;
 
 /// Whether the traversal knows the reciprocals of the directions instead of the directions.
 template <class C>
@@ -83,6 +89,12 @@ inline constexpr bool kFusesSums = C::kSums == Sums::kFused;
 /// apart from the others.
 template <class C>
 inline constexpr bool kOwnCamera = C::kCamera == CameraSource::kOwnUnit;
+
+/// Whether the light rays of a packet are made there too, all at once. Otherwise each is a ray with
+/// a matrix of its own, as a reflected ray is.
+template <class C>
+inline constexpr bool kLightsAtOnce =
+    kOwnCamera<C> && C::kRaysSent == RaysSent::kActive && C::kLights > 0 && C::kReflections == 0;
 
 /// Whether such a pair of origin and direction is what the triangle test gets.
 template <class C>

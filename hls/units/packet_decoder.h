@@ -47,7 +47,7 @@ struct PacketDecoder {
   void step() {
     const PacketVector<C> in = vector.read();
     const JobRecord<C> job = record.read(in.packet);
-    const Ray<Real> r{origin_of(in, job.kind), in.vector};
+    const Ray<Real> r{origin_of(in, job), in.vector};
 
     const bool triangle = !kOwnCamera<C> && job.kind == TransformKind::kTriangle;
     const bool alone = kHasSecondary<C> && job.kind == TransformKind::kSecondary;
@@ -113,10 +113,12 @@ struct PacketDecoder {
   }
 
  private:
-  /// Of a camera's rays, whose vectors come between those of another packet, and of all others.
-  Vector<Real> origin_of(const PacketVector<C>& in, TransformKind kind) {
+  /// Of a camera's rays, whose vectors come between those of another packet, and of all others. A
+  /// light's may be among them.
+  Vector<Real> origin_of(const PacketVector<C>& in, const JobRecord<C>& job) {
     if constexpr (kOwnCamera<C>) {
-      const bool camera = kind == TransformKind::kCamera;
+      const bool camera = job.kind == TransformKind::kCamera ||
+                          (kLightsAtOnce<C> && job.kind == TransformKind::kSecondary);
       if (in.point && camera) camera_origin_ = in.vector;
       if (in.point && !camera) origin_ = in.vector;
       return camera ? camera_origin_.get() : origin_;

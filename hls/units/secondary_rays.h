@@ -33,7 +33,7 @@ struct SecondaryRays {
 
   hls::In<DerivationEvent<C>> derive;
   hls::Config<FrameRegisters<C>> frame;
-  hls::RamRead<SurfacePoint<C>, kRayRows<C>> surface;
+  hls::OptionalPort<kHasMirrors<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
   hls::RamWrite<RayMask<C>, kPackets> traced;
   hls::Out<TransformJob<C>> job;
   hls::Out<MailboxEntry<C>> start;
@@ -58,7 +58,8 @@ struct SecondaryRays {
     if (d.shaded) traced.write(d.packet, s.rays);
 
     const RayIndex<C> ray = lowest_ray<C>(s.missing);
-    const SurfacePoint<C> point = surface.read(ray_row<C>(d.packet, ray));
+    SurfacePoint<C> point;
+    if constexpr (kHasMirrors<C>) point = surface.read(ray_row<C>(d.packet, ray));
     if (d.shaded && s.rays == RayMask<C>{}) {
       ShadeJob<C> done;
       done.repeat = kLastWrite<C>;
@@ -70,6 +71,7 @@ struct SecondaryRays {
       begin.clear = true;
       begin.active = s.rays;
       begin.kind = s.kind;
+      begin.viewpoint = Viewpoint<C>::from((s.light + uint<1>(1)).raw());
       start.write(begin);
     } else {
       TransformJob<C> transform;

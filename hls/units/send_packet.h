@@ -26,6 +26,9 @@ template <class C>
 inline constexpr unsigned kVectorRows = 1u << VectorRow<C>::kWidth;
 
 template <class C>
+inline constexpr bool kSendsLightRays = kHasLights<C> && !kLightsAtOnce<C>;
+
+template <class C>
 struct SendPacket {
   using Real = typename C::Real;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
@@ -34,7 +37,7 @@ struct SendPacket {
   hls::Out<PacketVector<C>> vector;
   hls::RamRead<Vector<Real>, kVectorRows<C>> vectors;
   hls::OptionalPort<!kOwnCamera<C>, hls::RamRead<PixelPosition, kPackets>> position;
-  hls::OptionalPort<kHasLights<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
+  hls::OptionalPort<kSendsLightRays<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
   hls::OptionalPort<kHasMirrors<C>, hls::RamRead<Ray<Real>, kRayRows<C>>> arriving;
   HLS_PORTS(job, vector, vectors, position, surface, arriving)
 
@@ -71,7 +74,7 @@ struct SendPacket {
                 : Vector<Real>{Real::from_uint(p.x), Real::from_uint(p.y), Real::from_double(1.0)};
       if (j.job.kind == TransformKind::kCamera) out = pre_primary;
     }
-    if constexpr (kHasLights<C>) {
+    if constexpr (kSendsLightRays<C>) {
       const Real t = surface.read(ray_row<C>(j.job.packet, ray)).t;
       const Vector<Real> pre_light =
           point ? Vector<Real>{Real{}, Real{}, Real{}} : Vector<Real>{Real::one(), t, -Real::one()};

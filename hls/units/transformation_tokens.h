@@ -15,8 +15,7 @@ enum class TransformKind : unsigned char {
   kObject,
   kTriangle,
   kSecondary,
-  kBox =
-      kSecondary,  ///< no transformation: an object's box is fetched. Such cores have no kSecondary
+  kBox = kSecondary,  ///< no transformation: an object's box is fetched (fetches_box)
 };
 
 /// Fields of a transformation in configurations with rays beyond the primary ones or with several
@@ -27,8 +26,19 @@ struct TransformExtras {
   hls::OptionalField<kHasMirrors<C>, bool>
       distinct_origins{};         ///< the packet's rays have no common origin
   PrimitiveField<C> primitive{};  ///< of kTriangle
-  HLS_FIELDS(derived, distinct_origins, primitive)
+  [[no_unique_address]] hls::OptionalField<kTestsBoxOfLight<C>, Viewpoint<C>>
+      viewpoint{};  ///< of kBox and of light rays
+  HLS_FIELDS(derived, distinct_origins, primitive, viewpoint)
 };
+
+/// A pass that marks a box among the jobs of kSecondary: cores that test boxes reflect no rays.
+inline constexpr Derivation kBoxPass = Derivation::kIntoObject;
+
+template <class C>
+constexpr bool fetches_box(TransformKind kind, const TransformExtras<C>& extras) {
+  return kTestsWorldBox<C> && kind == TransformKind::kBox &&
+         (!kHasSecondary<C> || extras.derived.get().pass == kBoxPass);
+}
 
 template <class C>
 struct TransformJob {
@@ -65,8 +75,10 @@ struct JobRecord {
       distinct_origins{};  ///< the packet's rays have no common origin
   PrimitiveField<C> primitive{};
   hls::OptionalField<kScalesCosine<C>, typename C::Real> cosine_factor{};
+  [[no_unique_address]] hls::OptionalField<kTestsBoxOfLight<C>, Viewpoint<C>>
+      viewpoint{};  ///< of light rays
   HLS_FIELDS(kind, active, matrix, extra, derived, mirror, distinct_origins, primitive,
-             cosine_factor)
+             cosine_factor, viewpoint)
 };
 
 template <class C>
@@ -98,12 +110,15 @@ struct BoxedObject {
   HLS_FIELDS(matrix, rays, slabs)
 };
 
-/// A packet whose camera rays are made beside the transformation.
+/// A packet whose camera or light rays are made beside the transformation.
 template <class C>
 struct CameraJob {
   RepeatCount<C> repeat = 3 * kRays<C> - 1;  ///< components of directions, less one
   PacketId<C> packet;
-  HLS_FIELDS(repeat, packet)
+  [[no_unique_address]] hls::OptionalField<kLightsAtOnce<C>, bool> to_light{};
+  [[no_unique_address]] hls::OptionalField<kLightsAtOnce<C>, RayMask<C>>
+      lit{};  ///< rays to a light; of the camera all are made
+  HLS_FIELDS(repeat, packet, to_light, lit)
 };
 
 /// A corner of a triangle, or kNoCorner.

@@ -206,7 +206,9 @@ struct MailboxEntry {
   RayMask<C> active;   ///< of new rays: those that are to be traced; else those in the leaf
   hls::OptionalField<kHasSecondary<C>, RayKind> kind{};  ///< of new rays
   CoreListEntry<C> entry;
-  HLS_FIELDS(packet, level, clear, active, kind, entry)
+  [[no_unique_address]] hls::OptionalField<kTestsBoxOfLight<C>, Viewpoint<C>>
+      viewpoint{};  ///< of new rays
+  HLS_FIELDS(packet, level, clear, active, kind, entry, viewpoint)
 };
 
 }  // namespace dynrt

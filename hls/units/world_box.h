@@ -8,8 +8,9 @@
 // The object's traversal begins with the rays' intervals in the box, so that most objects need no
 // clipping nodes.
 //
-// All rays start at the eye, and the box is stored as it lies from there (memory_format.h), so a
-// side's distance along a ray is one product with a reciprocal of the ray's direction.
+// All rays of a packet start at the eye or at a light, and the box is stored as it lies from there
+// (memory_format.h), so a side's distance along a ray is one product with a reciprocal of the ray's
+// direction.
 //
 // No ray that meets the box is rejected. Distances have fewer bits of the mantissa, m, than the
 // core's numbers, whose reciprocals are rounded to nearest. Both the reciprocal and the product are

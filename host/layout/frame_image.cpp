@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <glm/matrix.hpp>
+#include <span>
 
 #include "host/error.h"
 #include "host/layout/add_tree.h"
@@ -50,11 +51,11 @@ std::uint32_t root_of_all(const Scene& scene, const ObjectImage& objects, const 
 /// and five operations on each coordinate are rounded.
 constexpr double kBoxRoundings = 16;
 
-/// The box as the core tests it (units/world_box.h), for rays from the eye.
-MemoryColumn box_column_of(const MemoryFormat& format, const Aabb& box, const glm::dvec3& eye) {
+/// The box as the core tests it (units/world_box.h), for rays from the eye or a light.
+MemoryColumn box_column_of(const MemoryFormat& format, const Aabb& box, const glm::dvec3& from) {
   double farthest = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    for (const double x : {box.low[axis], box.high[axis], eye[axis]}) {
+    for (const double x : {box.low[axis], box.high[axis], from[axis]}) {
       farthest = std::max(farthest, std::abs(x));
     }
   }
@@ -62,9 +63,9 @@ MemoryColumn box_column_of(const MemoryFormat& format, const Aabb& box, const gl
   const double margin = kBoxRoundings * rounding * farthest;
   std::array<double, 3> low, high;
   for (int axis = 0; axis < 3; ++axis) {
-    const double from = format.round(eye[axis]);
-    low[axis] = box.low[axis] - margin - from;
-    high[axis] = box.high[axis] + margin - from;
+    const double start = format.round(from[axis]);
+    low[axis] = box.low[axis] - margin - start;
+    high[axis] = box.high[axis] + margin - start;
   }
   return format.box_column(low, high);
 }
@@ -85,13 +86,13 @@ bool is_tight(const Instance& instance, const Aabb& box) {
   return volume(transformed_box(box, instance.transform)) <= kLooseBox * scale * volume(box);
 }
 
-/// Appends the boxes of all instances, as far apart as their matrices.
+/// Appends the boxes of all instances as they lie from a point, as far apart as their matrices.
 void add_boxes(MemoryPart& part, const Scene& scene, const ObjectImage& objects,
-               const glm::dvec3& eye) {
+               const glm::dvec3& from) {
   const std::uint32_t stride = has_mirrors(scene) ? 2 : 1;
   for (const Instance& instance : scene.instances) {
     const Aabb box = transformed_box(objects.objects.at(instance.object).box, instance.transform);
-    part.columns.push_back(box_column_of(*part.format, box, eye));
+    part.columns.push_back(box_column_of(*part.format, box, from));
     part.columns.resize(part.columns.size() + stride - 1);
   }
 }
@@ -176,9 +177,14 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
     }
     memory.add(light_columns(light));
   }
+  const std::size_t lights_used = std::min<std::size_t>(lights, objects.core.lights);
   if (objects.core.tests_world_box()) {
     box_column = memory.end_column() - first_instance;
     add_boxes(memory, scene, objects, camera.position);
+    boxes_apart = memory.end_column() - first_instance - box_column;
+    for (const PointLight& light : std::span(scene.lights).first(lights_used)) {
+      add_boxes(memory, scene, objects, light.position);
+    }
   }
 }
 

@@ -24,6 +24,7 @@ struct SceneAddresses {
   std::uint32_t first_instance = 0;  ///< matrix of instance 0, or its place
   std::uint32_t box_column =
       0;  ///< column of an instance's box less the instance's matrix, if the core tests boxes
+  std::uint32_t boxes_apart = 0;  ///< from the boxes for the eye to those for light 0, and so on
 };
 
 /// The part that belongs to one frame. Throws UserError where a limit of the memory is passed, an

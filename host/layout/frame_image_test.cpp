@@ -196,6 +196,24 @@ TEST(Image, BoxesInTheWorldFollowTheLights) {
     }
   }
   EXPECT_EQ(memory_use(frame).matrices, frame.light_matrix + 3) << "five boxes in two matrices";
+  core.lights = 1;
+  const FrameImage lit(scene, ObjectImage(scene, trees.objects, core), trees.instances, camera, 320,
+                       240);
+  EXPECT_EQ(lit.box_column, frame.box_column);
+  EXPECT_EQ(lit.boxes_apart, scene.instances.size());
+  EXPECT_EQ(memory_use(lit).matrices, lit.light_matrix + 4) << "ten boxes in three";
+  const FrameImage from_light(scene, objects, trees.instances,
+                              testing::camera_at(scene.lights[0].position, {0, 0, -1}), 320, 240);
+  SceneMemory lit_memory(*core.format), from_memory(*core.format);
+  lit_memory.write(lit.memory.runs());
+  from_memory.write(from_light.memory.runs());
+  for (std::uint32_t i = lit.first_instance; i < lit.first_instance + lit.boxes_apart; ++i) {
+    const MemoryColumn column = lit_memory.column(lit.box_column + lit.boxes_apart + i);
+    const MemoryColumn expected = from_memory.column(from_light.box_column + i);
+    EXPECT_EQ(column.value, expected.value) << "as it lies from an eye in the light's place";
+    EXPECT_EQ(column.spare, expected.spare);
+  }
+  core.lights = 0;
   core.object_box = ObjectBox::kNodes;
   const ObjectImage without(scene, trees.objects, core);
   const FrameImage plain(scene, without, trees.instances, camera, 320, 240);

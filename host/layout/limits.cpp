@@ -34,7 +34,8 @@ void check_matrices(const Scene& scene, const CoreInfo& core, std::size_t needed
 }
 
 std::size_t boxes_in(const Scene& scene, const CoreInfo& core) {
-  return core.tests_world_box() ? matrices_of_boxes(scene) : 0;
+  if (!core.tests_world_box()) return 0;
+  return matrices_of_boxes(scene) * (1 + std::min<std::size_t>(scene.lights.size(), core.lights));
 }
 
 TreeSize address_ends(const CoreConfiguration& core) {

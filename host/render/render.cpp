@@ -102,6 +102,7 @@ FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
   frame.object = to_word(scene.first_instance);
   frame.others_node = to_word(scene.others_node);
   frame.box_column = to_word(scene.box_column);
+  frame.boxes_apart = to_word(scene.boxes_apart);
   frame.ambient = to_word(lights > 0 ? kAmbient : kFullAmbient);
   const unsigned reflections = options.reflections.value_or(core.reflections);
   if (reflections > core.reflections) {

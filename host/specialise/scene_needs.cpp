@@ -84,7 +84,7 @@ SceneNeeds frame_needs(const SceneNeeds& before, const Scene& scene, const Tree&
   needs.places = {needs.still.nodes + instances.size().nodes,
                   needs.still.entries + instances.size().items,
                   needs.still.matrices + of_instance * scene.instances.size() + 1 + needs.lights +
-                      (needs.world_boxes ? matrices_of_boxes(scene) : 0)};
+                      (needs.world_boxes ? matrices_of_boxes(scene) * (1 + needs.lights) : 0)};
   return needs;
 }
 

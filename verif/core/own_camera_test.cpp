@@ -46,5 +46,19 @@ TEST(OwnCamera, LightAndMirrorsStartFromItsHits) {
                       "special", "general");
 }
 
+/// As `fast`, whose light rays are made there all at once.
+struct LitEight : Eight {
+  static constexpr unsigned kLights = 2;
+};
+
+TEST(OwnCamera, LightRaysMadeAtOnceMeetWhatTransformedOnesMeet) {
+  const auto general = board_of<LitEight>();
+  const auto special = board_of<Own<LitEight>>();
+  const Frame expected = rendered(*general, "lamps", {});
+  const Frame frame = rendered(*special, "lamps", {});
+  expect_same_picture(frame, expected, "lamps", "special", "general");
+  EXPECT_LT(count_of(frame, "column_request.tokens"), count_of(expected, "column_request.tokens"));
+}
+
 }  // namespace
 }  // namespace dynrt::host::specialised

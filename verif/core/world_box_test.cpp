@@ -58,5 +58,24 @@ TEST(WorldBox, ACameraInsideABoxSeesWhatIsInIt) {
   expect_as_without<Eight>("conference", inside);
 }
 
+struct Lit : Eight {
+  static constexpr unsigned kLights = 2;
+};
+/// Whose light rays are made one after the other.
+struct LitInTurn : Lit {
+  static constexpr CameraSource kCamera = CameraSource::kTransformation;
+};
+
+TEST(WorldBox, LightRaysMeetTheBoxesAsTheyLieFromTheLight) {
+  for (const char* scene : {"lamps", "blocks"}) {
+    expect_as_without<Lit>(scene, [](Scene& s) {
+      if (s.lights.empty())
+        s.lights = {{"left", {-3, 8, 1}, {9, 9, 9}}, {"right", {4, 6, 2}, {9, 9, 9}}};
+    });
+  }
+  const Frame frame = expect_as_without<LitInTurn>("lamps");
+  EXPECT_GT(count_of(frame, "box_job.tokens"), 0u);
+}
+
 }  // namespace
 }  // namespace dynrt::host::specialised

@@ -110,13 +110,6 @@ RULES: tuple[Rule, ...] = (
     ),
     Rule(
         *WORLD_BOX,
-        "lights",
-        lambda v: v == 0,
-        "0",
-        "an object's box is stored as it lies from the eye, and light rays start elsewhere",
-    ),
-    Rule(
-        *WORLD_BOX,
         "rays_sent",
         lambda v: v == "active",
         "active",
