@@ -182,14 +182,14 @@ class Refused(GenerateCase):
         )
         self.assertIn("kActive", self.written(rays_sent="active"))
 
-    def test_a_box_in_the_world_is_seen_from_the_eye(self) -> None:
+    def test_a_box_in_the_world_is_seen_from_one_point(self) -> None:
         good = {
             "object_box": "world",
             "origins": "common",
             "rays_sent": "active",
             "divider": "three_reciprocals",
         }
-        self.assertIn("ObjectBox kObjectBox = ObjectBox::kWorld", self.written(**good))
+        self.assertIn("kWorld", self.written(**good, lights=2))
         shutil.rmtree(self.out)
         for key, value, wants in (
             (
@@ -197,12 +197,6 @@ class Refused(GenerateCase):
                 "each",
                 "common, as an object's box is stored as it lies from the point where all rays "
                 "start",
-            ),
-            (
-                "lights",
-                1,
-                "0, as an object's box is stored as it lies from the eye, and light rays start "
-                "elsewhere",
             ),
             (
                 "rays_sent",

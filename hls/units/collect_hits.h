@@ -83,17 +83,7 @@ struct CollectHits {
     }
     if (!in.reset && lit) now.cosine = in.cosine;
 
-    HitRecord<C> best;
-    best.hit = !in.reset;
-    best.t = in.reset ? Real::largest() : in.t;
-    if (!in.reset) {
-      best.u = in.u;
-      best.v = in.v;
-      best.cosine = in.cosine;
-      best.object = instance;
-      best.triangle = job.matrix;
-      if constexpr (!C::kOneColour) best.colour = job.extra;
-    }
+    const HitRecord<C> best = record_of(in, instance, job);
     if (in.reset || closer || lit) closest.write(row, now);
     if (in.reset || closer) {
       const Real far = in.reset && alone && is_light(job) ? kReach : now.t;
@@ -120,6 +110,30 @@ struct CollectHits {
       }
     }
 
+    go_on_after(in, job, begun, alone);
+  }
+
+ private:
+  static HitRecord<C> record_of(const HitCandidate<C>& in,
+                                const OfInstance<C, MatrixNumber<C>>& instance,
+                                const JobRecord<C>& job) {
+    HitRecord<C> best;
+    best.hit = !in.reset;
+    best.t = in.reset ? Real::largest() : in.t;
+    if (!in.reset) {
+      best.u = in.u;
+      best.v = in.v;
+      best.cosine = in.cosine;
+      best.object = instance;
+      best.triangle = job.matrix;
+      if constexpr (!C::kOneColour) best.colour = job.extra;
+    }
+    return best;
+  }
+  /// A ray that is made alone is followed by the next; the last ray of a packet by its list, or, if
+  /// the rays are new, by the traversal.
+  void go_on_after(const HitCandidate<C>& in, const JobRecord<C>& job, const Closest& begun,
+                   bool alone) {
     if (in.reset && alone && !kLightsAtOnce<C>) {
       if constexpr (kHasSecondary<C> && !kLightsAtOnce<C>) {
         DerivationEvent<C> go_on_deriving;
@@ -145,8 +159,6 @@ struct CollectHits {
       }
     }
   }
-
- private:
   /// The end of a light ray's shadows, and the end of the ray behind the surface's triangle.
   static constexpr Real kShadowEnd = Real::from_double(1.0 - 1.0 / (1u << kMarginBits));
   static constexpr Real kReach = Real::from_double(1.0 + 1.0 / (1u << kMarginBits));

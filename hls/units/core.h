@@ -189,6 +189,7 @@ struct Core {
         &matrix_fill.frame,    &mailbox.frame,     &shading.frame};
     if constexpr (C::kUncompressed || kTestsWorldBox<C>) readers.push_back(&matrix_store.frame);
     if constexpr (C::kUncompressed && kOwnCamera<C>) readers.push_back(&camera_rays.frame);
+    if constexpr (C::kUncompressed && kHasLights<C>) readers.push_back(&packet_decoder.frame);
     if constexpr (kTestsWorldBox<C>) readers.push_back(&matrix_fetch.frame);
     if constexpr (kMainFirst<C>) readers.push_back(&list.frame);
     if constexpr (kHasSecondary<C>) {

@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "configs/boxed.h"
 #include "configs/fast.h"
 #include "configs/fast_lit.h"
+#include "configs/full.h"
 #include "configs/primitives.h"
 #include "configs/thesis.h"
 #include "configs/watertight.h"
@@ -99,12 +99,16 @@ void expect_no_circle() {
   EXPECT_EQ(circle_in(waits), "");
 }
 
+struct BoxUnit : config::full {
+  static constexpr ObjectBox kObjectBox = ObjectBox::kUnit;
+};
+
 template <class C>
 class Circles : public testing::Test {};
 using Cores =
-    testing::Types<config::thesis, config::boxed, config::watertight, config::whitted,
+    testing::Types<config::thesis, BoxUnit, config::watertight, config::whitted,
                    config::whitted_split, config::fast, config::fast_lit, OneFifo<config::thesis>,
-                   OneFifo<config::boxed>, OneFifo<config::watertight>, OneFifo<config::whitted>,
+                   OneFifo<BoxUnit>, OneFifo<config::watertight>, OneFifo<config::whitted>,
                    OneFifo<config::whitted_split>, OneFifo<config::primitives>, OneFifo<Lit>,
                    OneFifo<CommonOrigin<config::watertight>>, OneFifo<OneLevel<config::whitted>>,
                    OneLevelFast>;

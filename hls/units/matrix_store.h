@@ -49,6 +49,29 @@ struct MatrixStore {
     const PacketId<C> packet = r.context.packet;
     const Vector<Real> values = stored(r);
     const bool stored_three = three(r.context);
+    store(r, values, stored_three);
+
+    Progress p = progress.read(packet);
+    const uint<2> last = stored_three ? uint<2>(kStoredColumns - 1) : uint<2>(3);
+    const bool complete = p.columns == last;
+    keep_extras(r, stored_three, p);
+    const bool is_box = fetches_box<C>(r.context.kind, r.context.extras);
+    if (r.context.column == uint<2>(1)) p.mirror = r.line.spare().template trunc<8>();
+    if constexpr (kScalesCosine<C>) {
+      if (r.context.column == last) {
+        p.cosine_factor = Real::from_bits(r.line.spare().template trunc<Real::kLeafWidth>());
+      }
+    }
+    count(complete, p);
+    if (!is_box) progress.write(packet, p);
+    if constexpr (kTestsWorldBox<C>) test_box(r, is_box);
+    if (complete && !is_box) send_on(r, p);
+  }
+
+ private:
+  /// Writes the column where it belongs.
+  void store(const ColumnReply<C>& r, const Vector<Real>& values, bool stored_three) {
+    const PacketId<C> packet = r.context.packet;
     if constexpr (kThreeColumns<C>) {
       const uint<2> ones = r.line.spare().template bits<17, 16>();
       const uint<2> place = stored_three ? place_of(r.context.column, ones) : r.context.column;
@@ -64,10 +87,9 @@ struct MatrixStore {
         if (r.context.column == uint<2>::from(c)) column[c].write(packet, values);
       }
     }
-
-    Progress p = progress.read(packet);
-    const uint<2> last = stored_three ? uint<2>(kStoredColumns - 1) : uint<2>(3);
-    const bool complete = p.columns == last;
+  }
+  /// Spare bits of column 0, or of the first two of three that are stored.
+  static void keep_extras(const ColumnReply<C>& r, bool stored_three, Progress& p) {
     if constexpr (C::kOneColour && !kTwoLevels<C>) {
       // The spare bits are not read.
     } else if constexpr (C::kOneColour || !kThreeColumns<C>) {
@@ -85,13 +107,9 @@ struct MatrixStore {
           hls::concat(brings_high ? high : p.extra.template bits<23, 16>(),
                       first ? r.line.spare().template trunc<16>() : p.extra.template trunc<16>());
     }
-    const bool is_box = fetches_box<C>(r.context.kind, r.context.extras);
-    if (r.context.column == uint<2>(1)) p.mirror = r.line.spare().template trunc<8>();
-    if constexpr (kScalesCosine<C>) {
-      if (r.context.column == last) {
-        p.cosine_factor = Real::from_bits(r.line.spare().template trunc<Real::kLeafWidth>());
-      }
-    }
+  }
+  /// One column more has arrived.
+  static void count(bool complete, Progress& p) {
     if constexpr (kThreeColumns<C>) {
       // Without an adder, for the loop's sake.
       const bool low = p.columns.template bit<0>();
@@ -100,78 +118,83 @@ struct MatrixStore {
     } else {
       p.columns = hls::next(p.columns);
     }
-    if (!is_box) progress.write(packet, p);
-
-    if constexpr (kTestsWorldBox<C>) {
-      const ColumnAddress<C> first = first_box<C>(frame.get(), r.context.extras);
-      const auto behind = (r.address - first).as_unsigned();
-      const auto rays = RepeatCount<C>::from(number_of(r.context.active).raw() - 1);
-      if (is_box) {
-        boxed.write(packet, BoxedObject<C>{behind.template trunc<C::kMatrixBits>(),
-                                           r.context.active, slabs_of(r.line)});
-        box.write(BoxJob<C>{rays, packet});
-      }
-    }
-    if (complete && !is_box) {
-      const MatrixNumber<C> matrix = kThreeColumns<C>
-                                         ? r.context.matrix.get()
-                                         : r.address.template bits<C::kMatrixBits + 1, 2>();
-      const auto& derived = r.context.extras.derived;
-      record.write(
-          packet, JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra, derived, p.mirror,
-                               r.context.extras.distinct_origins.get(), r.context.extras.primitive,
-                               p.cosine_factor, r.context.extras.viewpoint});
-      if constexpr (kTwoLevels<C>) {
-        if (r.context.kind == TransformKind::kObject) object.write(packet, matrix);
-      }
-      SendJob<C> send;
-      bool distinct_origins = r.context.extras.distinct_origins.get();
-      if constexpr (C::kUncompressed) {
-        distinct_origins = frame.get().uncompressed.get().template bit<0>() || distinct_origins;
-      }
-      const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kSecondary;
-      const bool corners = kMapsCorners<C> && r.context.kind == TransformKind::kTriangle;
-      const bool blocks = kMapsBlocks<C> && r.context.kind == TransformKind::kTriangle;
-      if constexpr (kSendsActive<C>) {
-        // Every ray of a new packet begins, as its pixel is written.
-        send.sent =
-            r.context.kind == TransformKind::kCamera ? RayMask<C>::ones() : r.context.active;
-        send.pairs = distinct_origins && !one_ray && !corners && !blocks;
-        const RepeatCount<C> rays = number_of(send.sent.get());
-        const auto pairs = RepeatCount<C>::from((rays + rays).raw());
-        send.repeat = one_ray            ? RepeatCount<C>(1)
-                      : corners          ? RepeatCount<C>::from((pairs + rays).raw() - 1)
-                      : blocks           ? RepeatCount<C>::from(rays.raw() - 1)
-                      : distinct_origins ? RepeatCount<C>::from(pairs.raw() - 1)
-                                         : rays;
-      } else {
-        send.repeat = corners            ? RepeatCount<C>(3 * kRays<C> - 1)
-                      : blocks           ? RepeatCount<C>(kRays<C> - 1)
-                      : one_ray          ? RepeatCount<C>(1)
-                      : distinct_origins ? RepeatCount<C>(2 * kRays<C> - 1)
-                                         : RepeatCount<C>(kRays<C>);
-      }
-      send.packet = packet;
-      send.kind = r.context.kind;
-      send.derived = derived;
-      const bool to_light = kLightsAtOnce<C> && send.kind == TransformKind::kSecondary;
-      const bool beside = kOwnCamera<C> && (send.kind == TransformKind::kCamera || to_light);
-      if constexpr (kOwnCamera<C>) {
-        CameraJob<C> rays;
-        rays.packet = packet;
-        if constexpr (kLightsAtOnce<C>) {
-          const RepeatCount<C> lit = number_of(r.context.active);
-          rays.to_light = to_light;
-          rays.lit = r.context.active;
-          if (to_light) rays.repeat = RepeatCount<C>::from((lit + lit + lit).raw() - 1);
-        }
-        if (beside) camera.write(rays);
-      }
-      if (!beside) ready.write(send);
+  }
+  /// An object's box goes to its test with the rays that may enter.
+  void test_box(const ColumnReply<C>& r, bool is_box) {
+    const PacketId<C> packet = r.context.packet;
+    const ColumnAddress<C> first = first_box<C>(frame.get(), r.context.extras);
+    const auto behind = (r.address - first).as_unsigned();
+    const auto rays = RepeatCount<C>::from(number_of(r.context.active).raw() - 1);
+    if (is_box) {
+      boxed.write(packet, BoxedObject<C>{behind.template trunc<C::kMatrixBits>(), r.context.active,
+                                         slabs_of(r.line)});
+      box.write(BoxJob<C>{rays, packet});
     }
   }
-
- private:
+  /// The matrix is whole.
+  void send_on(const ColumnReply<C>& r, const Progress& p) {
+    const PacketId<C> packet = r.context.packet;
+    const MatrixNumber<C> matrix = kThreeColumns<C>
+                                       ? r.context.matrix.get()
+                                       : r.address.template bits<C::kMatrixBits + 1, 2>();
+    const auto& derived = r.context.extras.derived;
+    record.write(packet,
+                 JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra, derived, p.mirror,
+                              r.context.extras.distinct_origins.get(), r.context.extras.primitive,
+                              p.cosine_factor, r.context.extras.viewpoint});
+    if constexpr (kTwoLevels<C>) {
+      if (r.context.kind == TransformKind::kObject) object.write(packet, matrix);
+    }
+    send_vectors(r);
+  }
+  /// The packet's vectors go through the transformation, or new rays are made beside it.
+  void send_vectors(const ColumnReply<C>& r) {
+    const PacketId<C> packet = r.context.packet;
+    const auto& derived = r.context.extras.derived;
+    SendJob<C> send;
+    bool distinct_origins = r.context.extras.distinct_origins.get();
+    if constexpr (C::kUncompressed) {
+      distinct_origins = frame.get().uncompressed.get().template bit<0>() || distinct_origins;
+    }
+    const bool one_ray = kHasSecondary<C> && r.context.kind == TransformKind::kSecondary;
+    const bool corners = kMapsCorners<C> && r.context.kind == TransformKind::kTriangle;
+    const bool blocks = kMapsBlocks<C> && r.context.kind == TransformKind::kTriangle;
+    if constexpr (kSendsActive<C>) {
+      // Every ray of a new packet begins, as its pixel is written.
+      send.sent = r.context.kind == TransformKind::kCamera ? RayMask<C>::ones() : r.context.active;
+      send.pairs = distinct_origins && !one_ray && !corners && !blocks;
+      const RepeatCount<C> rays = number_of(send.sent.get());
+      const auto pairs = RepeatCount<C>::from((rays + rays).raw());
+      send.repeat = one_ray            ? RepeatCount<C>(1)
+                    : corners          ? RepeatCount<C>::from((pairs + rays).raw() - 1)
+                    : blocks           ? RepeatCount<C>::from(rays.raw() - 1)
+                    : distinct_origins ? RepeatCount<C>::from(pairs.raw() - 1)
+                                       : rays;
+    } else {
+      send.repeat = corners            ? RepeatCount<C>(3 * kRays<C> - 1)
+                    : blocks           ? RepeatCount<C>(kRays<C> - 1)
+                    : one_ray          ? RepeatCount<C>(1)
+                    : distinct_origins ? RepeatCount<C>(2 * kRays<C> - 1)
+                                       : RepeatCount<C>(kRays<C>);
+    }
+    send.packet = packet;
+    send.kind = r.context.kind;
+    send.derived = derived;
+    const bool to_light = kLightsAtOnce<C> && send.kind == TransformKind::kSecondary;
+    const bool beside = kOwnCamera<C> && (send.kind == TransformKind::kCamera || to_light);
+    if constexpr (kOwnCamera<C>) {
+      CameraJob<C> rays;
+      rays.packet = packet;
+      if constexpr (kLightsAtOnce<C>) {
+        const RepeatCount<C> lit = number_of(r.context.active);
+        rays.to_light = to_light;
+        rays.lit = r.context.active;
+        if (to_light) rays.repeat = RepeatCount<C>::from((lit + lit + lit).raw() - 1);
+      }
+      if (beside) camera.write(rays);
+    }
+    if (!beside) ready.write(send);
+  }
   /// The column; of a corner, how it lies from the origin of the packet's rays.
   Vector<Real> stored(const ColumnReply<C>& r) const {
     const Vector<Real> values{r.line.row[0].value, r.line.row[1].value, r.line.row[2].value};

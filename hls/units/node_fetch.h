@@ -119,16 +119,7 @@ struct NodeFetch {
       if (!finished && !is_lost) {
         state.stack = below;
       }
-      if (finished && state.waiting.get() != RayMask<C>{}) {
-        again.write(next_group(e, state));
-      } else if (finished) {
-        finish(e, state);
-      } else if (!fetch) {
-        TraversalEvent<C> once_more;
-        once_more.packet = e.packet;
-        once_more.level = e.level;
-        again.write(once_more);
-      }
+      if (!fetch) leave(e, state, finished);
       context.update = is_lost ? IntervalUpdate::kInit : IntervalUpdate::kPop;
       context.both = popped.both;
       context.crossing = popped.crossing;
@@ -145,6 +136,19 @@ struct NodeFetch {
   }
 
  private:
+  /// No ray goes on at the node that was popped: the level is done, or the next one is popped.
+  void leave(const TraversalEvent<C>& e, const State& state, bool finished) {
+    if (finished && state.waiting.get() != RayMask<C>{}) {
+      again.write(next_group(e, state));
+    } else if (finished) {
+      finish(e, state);
+    } else {
+      TraversalEvent<C> once_more;
+      once_more.packet = e.packet;
+      once_more.level = e.level;
+      again.write(once_more);
+    }
+  }
   static bool is_full(const TraversalEvent<C>& e, const State& state) {
     if constexpr (kRestarts<C>) {
       return state.trail.get().is_too_deep();

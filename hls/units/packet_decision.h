@@ -51,16 +51,7 @@ struct PacketDecision {
 
     const bool is_leaf = s.node.kind == NodeKind::kLeaf;
     if (is_leaf && active != RayMask<C>{}) {
-      ListJob<C> job;
-      job.packet = s.context.packet;
-      job.level = s.context.level;
-      job.first = true;
-      job.address = s.node.left;
-      job.active = active;
-      leaf.write(job);
-      if constexpr (kPointsToLists<C>) {
-        after.write(level_row<C>(job.level, job.packet), AfterLeaf<C>{});
-      }
+      read_list(s, active);
     } else {
       TraversalEvent<C> e;
       e.packet = s.context.packet;
@@ -95,6 +86,19 @@ struct PacketDecision {
   }
 
  private:
+  /// The node is a leaf: its list is read.
+  void read_list(const Step<C>& s, RayMask<C> active) {
+    ListJob<C> job;
+    job.packet = s.context.packet;
+    job.level = s.context.level;
+    job.first = true;
+    job.address = s.node.left;
+    job.active = active;
+    leaf.write(job);
+    if constexpr (kPointsToLists<C>) {
+      after.write(level_row<C>(job.level, job.packet), AfterLeaf<C>{});
+    }
+  }
   static bool is_fork(const Step<C>& s) {
     return s.node.left != NodeAddress<C>{} && s.node.right != NodeAddress<C>{};
   }

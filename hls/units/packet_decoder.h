@@ -8,6 +8,7 @@
 // passes a reset for each, as for every light and reflected ray when it is ready.
 #pragma once
 
+#include "units/frame.h"
 #include "units/intersection_tokens.h"
 #include "units/packet_rays.h"
 #include "units/send_packet.h"
@@ -24,6 +25,7 @@ struct PacketDecoder {
 
   hls::In<PacketVector<C>> vector;
   hls::RamRead<JobRecord<C>, kPackets> record;
+  hls::OptionalPort<kHasLights<C> && C::kUncompressed, hls::Config<FrameRegisters<C>>> frame;
   hls::OptionalPort<kDecodesUnitRays<C>, hls::Out<UnitRay<C>>> unit_ray;
   hls::OptionalPort<kTwoLevels<C> && !kPassesObjectRays<C> && !kHasReciprocals<C>,
                     hls::Out<TraversalEvent<C>>>
@@ -41,8 +43,8 @@ struct PacketDecoder {
   hls::OptionalPort<kHasSecondary<C>, hls::RamWrite<Ray<Real>, kRayRows<C>>> arriving;
   /// A pass that is not a ray's last.
   hls::OptionalPort<kTwoLevels<C> && kHasMirrors<C>, hls::Out<DerivationEvent<C>>> derived;
-  HLS_PORTS(vector, record, unit_ray, enter_object, object_ray, traced, ray, origin, signs, vectors,
-            arriving, derived)
+  HLS_PORTS(vector, record, frame, unit_ray, enter_object, object_ray, traced, ray, origin, signs,
+            vectors, arriving, derived)
 
   void step() {
     const PacketVector<C> in = vector.read();
@@ -58,8 +60,8 @@ struct PacketDecoder {
     const bool is_new = job.kind == TransformKind::kCamera || (alone && !between);
     const Level level = uint<1>(job.kind == TransformKind::kObject || between);
     const LevelRow<C> row = level_row<C>(level, in.packet);
-    // All light rays of a packet have one origin, the light, and lie like a compressed packet.
-    const RayIndex<C> slot = light && in.point ? RayIndex<C>{} : in.ray;
+    // All light rays of a packet have one origin, the light, and lie as the frame's packets do.
+    const RayIndex<C> slot = light && in.point && !has_pairs() ? RayIndex<C>{} : in.ray;
     if (!triangle) {
       vectors.write(hls::concat(row, hls::concat(slot, uint<1>(!in.point))), in.vector);
     }
@@ -113,6 +115,13 @@ struct PacketDecoder {
   }
 
  private:
+  bool has_pairs() const {
+    if constexpr (kHasLights<C> && C::kUncompressed) {
+      return frame.get().uncompressed.get().template bit<0>();
+    } else {
+      return false;
+    }
+  }
   /// Of a camera's rays, whose vectors come between those of another packet, and of all others. A
   /// light's may be among them.
   Vector<Real> origin_of(const PacketVector<C>& in, const JobRecord<C>& job) {

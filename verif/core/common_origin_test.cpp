@@ -3,7 +3,6 @@
 //
 // Cores that subtract the common origin of a packet's rays once: every ray has the hit and the
 // pixel that it has where each subtracts its own.
-#include "configs/reciprocal.h"
 #include "configs/thesis.h"
 #include "configs/watertight.h"
 #include "core/specialised.h"
@@ -32,7 +31,7 @@ struct Lit : config::thesis {
 TEST(CommonOrigin, RaysMeetThePlanesThatTheyMeetAlone) {
   expect_as_general<Common<config::thesis>>("thesis", "blocks");
   expect_as_general<Common<Eight<config::thesis>>>("thesis", "office");
-  expect_as_general<Common<AtOnce<Eight<config::reciprocal>>>>("reciprocal", "office");
+  expect_as_reciprocal<Common<AtOnce<Eight<Reciprocal>>>>("office");
   expect_as_general<Common<config::watertight>>("watertight", "blocks");
 }
 

@@ -3,7 +3,6 @@
 //
 // Cores of one level, for one object that lies in the world as it is: no ray ever enters an object,
 // and the parts for it are missing. Hit records and pixels are those of two levels.
-#include "configs/reciprocal.h"
 #include "configs/thesis.h"
 #include "configs/whitted.h"
 #include "configs/whitted_split.h"
@@ -36,7 +35,7 @@ TEST(OneLevel, OneObjectTakesNoTreeAboveIt) {
 }
 
 TEST(OneLevel, RaysMayHaveReciprocalDirections) {
-  expect_as_general<OneLevel<config::reciprocal>>("reciprocal", "blocks", merge);
+  expect_as_reciprocal<OneLevel<Reciprocal>>("blocks", merge);
 }
 
 TEST(OneLevel, LightAndReflectionsTakeOneLevelToo) {

@@ -3,7 +3,6 @@
 //
 // Cores that make camera rays beside the transformation: every ray has the hit and the pixel that
 // it has where the transformation makes it.
-#include "configs/reciprocal.h"
 #include "configs/thesis.h"
 #include "core/specialised.h"
 
@@ -15,7 +14,7 @@ struct Own : General {
   static constexpr CameraSource kCamera = CameraSource::kOwnUnit;
 };
 /// As `fast`: packets of eight, of which the rays in a leaf are sent.
-struct Eight : config::reciprocal {
+struct Eight : Reciprocal {
   static constexpr unsigned kPacketRays = 8;
   static constexpr RaysSent kRaysSent = RaysSent::kActive;
 };
@@ -26,7 +25,7 @@ struct Lit : config::thesis {
 
 TEST(OwnCamera, RaysHitWhatTransformedOnesHit) {
   expect_as_general<Own<config::thesis>>("thesis", "blocks");
-  expect_as_general<Own<Eight>>("reciprocal", "blocks");
+  expect_as_reciprocal<Own<Eight>>("blocks");
 }
 
 TEST(OwnCamera, RaysOfAnUncompressedFrameHaveAnOriginEach) {
@@ -46,6 +45,18 @@ TEST(OwnCamera, LightAndMirrorsStartFromItsHits) {
                       "special", "general");
 }
 
+/// Whether a frame whose packets send an origin with each ray is that of all others.
+template <class C>
+void expect_as_compressed() {
+  const auto board = board_of<C>();
+  FrameOptions options = small_frame();
+  const MemoryImage lamps = laid_out("lamps", board->core(), {});
+  const Frame expected = render(*board, options, lamps);
+  options.uncompressed = true;
+  const Frame frame = render(*board, options, lamps);
+  expect_same_picture(frame, expected, "lamps", "uncompressed", "compressed");
+}
+
 /// As `fast`, whose light rays are made there all at once.
 struct LitEight : Eight {
   static constexpr unsigned kLights = 2;
@@ -58,6 +69,13 @@ TEST(OwnCamera, LightRaysMadeAtOnceMeetWhatTransformedOnesMeet) {
   const Frame frame = rendered(*special, "lamps", {});
   expect_same_picture(frame, expected, "lamps", "special", "general");
   EXPECT_LT(count_of(frame, "column_request.tokens"), count_of(expected, "column_request.tokens"));
+}
+
+TEST(OwnCamera, LightRaysOfAnUncompressedFrameHaveAnOriginEach) {
+  expect_as_compressed<Lit>();
+  expect_as_compressed<Own<Lit>>();
+  expect_as_compressed<LitEight>();
+  expect_as_compressed<Own<LitEight>>();
 }
 
 }  // namespace

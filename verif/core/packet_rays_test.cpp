@@ -5,7 +5,6 @@
 // whichever rays travel with it, and the image's edges may cut a packet anywhere.
 #include <algorithm>
 
-#include "configs/reciprocal.h"
 #include "configs/thesis.h"
 #include "configs/watertight.h"
 #include "configs/whitted.h"
@@ -59,8 +58,8 @@ struct AtOnce : General {
 };
 
 TEST(PacketRays, ReciprocalsAreTheSameOneByOneAndAtOnce) {
-  expect_as_general<AtOnce<config::reciprocal>>("reciprocal", "blocks");
-  expect_as_general<AtOnce<Active<config::reciprocal, 8>>>("reciprocal", "office");
+  expect_as_reciprocal<AtOnce<Reciprocal>>("blocks");
+  expect_as_reciprocal<AtOnce<Active<Reciprocal, 8>>>("office");
 }
 
 template <class General>

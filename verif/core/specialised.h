@@ -17,6 +17,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "configs/full.h"
 #include "core/scenes.h"
 #include "host/board/configurations.h"
 #include "host/board/native_core.h"
@@ -65,9 +66,9 @@ inline MemoryImage laid_out(const std::string& name, const CoreInfo& core,
 }
 
 template <class C>
-std::unique_ptr<Board> board_of() {
+std::unique_ptr<Board> board_of(const char* name = "special") {
   CoreInfo info = core_info_of<C>();
-  info.name = "special";
+  info.name = name;
   return std::make_unique<ModelBoard>(std::move(info), std::make_unique<NativeCoreOf<C>>());
 }
 
@@ -92,19 +93,34 @@ inline void expect_same_picture(const Frame& frame, const Frame& expected, const
       << scene << ": " << comparison.first->text(core, expected_core);
 }
 
-/// The specialised core C against that of a configuration by name.
+/// The specialised core C against a general one.
+template <class C>
+Frame expect_as(Board& general, const char* name, const std::string& scene,
+                const ChangeScene& change) {
+  const auto special = board_of<C>();
+  const Frame frame = rendered(*special, scene, change);
+  const Comparison comparison = compare(frame, rendered(general, scene, change));
+  EXPECT_GT(comparison.hits, comparison.pixels / 8);
+  EXPECT_TRUE(comparison.identical())
+      << scene << ": " << comparison.different_hits << " hits differ; "
+      << comparison.first->text("special", name);
+  return frame;
+}
+/// The same where the general core is that of a configuration by name.
 template <class C>
 Frame expect_as_general(const char* configuration, const std::string& scene,
                         const ChangeScene& change = {}) {
   const auto general = make_board(configurations(), {"model", configuration, ""});
-  const auto special = board_of<C>();
-  const Frame frame = rendered(*special, scene, change);
-  const Comparison comparison = compare(frame, rendered(*general, scene, change));
-  EXPECT_GT(comparison.hits, comparison.pixels / 8);
-  EXPECT_TRUE(comparison.identical())
-      << scene << ": " << comparison.different_hits << " hits differ; "
-      << comparison.first->text("special", configuration);
-  return frame;
+  return expect_as<C>(*general, configuration, scene, change);
+}
+
+/// `full` with one divider for all slices.
+struct Reciprocal : config::full {
+  static constexpr Divider kDivider = Divider::kReciprocal;
+};
+template <class C>
+Frame expect_as_reciprocal(const std::string& scene, const ChangeScene& change = {}) {
+  return expect_as<C>(*board_of<Reciprocal>("reciprocal"), "reciprocal", scene, change);
 }
 
 /// The sentence with which something is refused.

@@ -37,7 +37,7 @@ void setup(Bench<LightRays<C>>& bench, const Run& run) {
   bench.begun<DerivationEvent<C>>("derive",
                                   [stimulus](const DerivationEvent<C>& d) { stimulus->begun(d); });
   bench.shape<FrameRegisters<C>>("frame", [](FrameRegisters<C>& frame, Random& random) {
-    frame.lights = Word::from(random.below(C::kLights + 1));
+    frame.lights = Word::from(1 + random.below(C::kLights));
   });
 }
 

@@ -184,7 +184,7 @@ module collect_hits #(
     job_active_s3 <= job_active_s2;
   end
   wire closer_s3 = in_hit_s3 & (or_1_s3 ^ ({candidate_11_s3, 1'd0} < {closest_s3, or_1_s3}));
-  wire or_2_s3 = in_reset_s3 | closer_s3;  // units/collect_hits.h:97
+  wire or_2_s3 = in_reset_s3 | closer_s3;  // units/collect_hits.h:87
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -232,14 +232,14 @@ module collect_hits #(
   wire [16:0] mux_6_s4 = ~{17{in_reset_s4}} & instance_s4;
   wire [16:0] mux_7_s4 = ~{17{in_reset_s4}} & job_matrix_s4;
   wire [23:0] mux_8_s4 = ~{24{in_reset_s4}} & job_extra_s4;
-  wire [23:0] mux_9_s4 = {~in_reset_s4 & mux_2_s4[23], {23{in_reset_s4}} | mux_2_s4[22:0]};  // units/collect_hits.h:97
+  wire [23:0] mux_9_s4 = {~in_reset_s4 & mux_2_s4[23], {23{in_reset_s4}} | mux_2_s4[22:0]};  // units/collect_hits.h:87
   wire not_1_s4 = ~candidate_6_s4;
   wire not_2_s4 = ~candidate_7_s4;
   wire and_1_s4 = not_1_s4 & not_2_s4;
   wire and_2_s4 = candidate_6_s4 & not_2_s4;
   wire and_3_s4 = not_1_s4 & candidate_7_s4;
   wire and_4_s4 = candidate_6_s4 & candidate_7_s4;
-  wire [23:0] mux_10_s4 = {~in_reset_s4 & candidate_11_s4[23], {23{in_reset_s4}} | candidate_11_s4[22:0]};  // units/collect_hits.h:103
+  wire [23:0] mux_10_s4 = {~in_reset_s4 & candidate_11_s4[23], {23{in_reset_s4}} | candidate_11_s4[22:0]};  // units/collect_hits.h:93
   wire and_5_s4 = or_2_s4 & (~candidate_8_s4);
   wire and_10_s4 = or_2_s4 & candidate_8_s4;
   wire not_4_s4 = ~in_reset_s4;

@@ -78,43 +78,43 @@ module dynrt_core (
   wire node_fetch__event_valid, node_fetch__event_ready;
   wire [80:0] node_fetch__event_data;
   wire node_request_all_valid, node_request_all_ready;
-  wire [49:0] node_request_all_data;
+  wire [48:0] node_request_all_data;
   wire node_fetch__request_valid, node_fetch__request_ready;
-  wire [49:0] node_fetch__request_data;
+  wire [48:0] node_fetch__request_data;
   wire node_lookup__request_valid, node_lookup__request_ready;
-  wire [49:0] node_lookup__request_data;
+  wire [48:0] node_lookup__request_data;
   wire step_all_valid, step_all_ready;
-  wire [94:0] step_all_data;
+  wire [93:0] step_all_data;
   wire node_lookup__reply_valid, node_lookup__reply_ready;
-  wire [94:0] node_lookup__reply_data;
+  wire [93:0] node_lookup__reply_data;
   wire node_fill__reply_valid, node_fill__reply_ready;
-  wire [94:0] node_fill__reply_data;
+  wire [93:0] node_fill__reply_data;
   wire step_merged_valid, step_merged_ready;
-  wire [94:0] step_merged_data;
+  wire [93:0] step_merged_data;
   wire plane_offset__step_in_valid, plane_offset__step_in_ready;
-  wire [94:0] plane_offset__step_in_data;
+  wire [93:0] plane_offset__step_in_data;
   wire offset_all_valid, offset_all_ready;
-  wire [94:0] offset_all_data;
+  wire [93:0] offset_all_data;
   wire plane_offset__offset_valid, plane_offset__offset_ready;
-  wire [94:0] plane_offset__offset_data;
+  wire [93:0] plane_offset__offset_data;
   wire slice_0__step_in_valid, slice_0__step_in_ready;
-  wire [94:0] slice_0__step_in_data;
+  wire [93:0] slice_0__step_in_data;
   wire slice_1__step_in_valid, slice_1__step_in_ready;
-  wire [94:0] slice_1__step_in_data;
+  wire [93:0] slice_1__step_in_data;
   wire slice_2__step_in_valid, slice_2__step_in_ready;
-  wire [94:0] slice_2__step_in_data;
+  wire [93:0] slice_2__step_in_data;
   wire slice_3__step_in_valid, slice_3__step_in_ready;
-  wire [94:0] slice_3__step_in_data;
+  wire [93:0] slice_3__step_in_data;
   wire slice_4__step_in_valid, slice_4__step_in_ready;
-  wire [94:0] slice_4__step_in_data;
+  wire [93:0] slice_4__step_in_data;
   wire slice_5__step_in_valid, slice_5__step_in_ready;
-  wire [94:0] slice_5__step_in_data;
+  wire [93:0] slice_5__step_in_data;
   wire slice_6__step_in_valid, slice_6__step_in_ready;
-  wire [94:0] slice_6__step_in_data;
+  wire [93:0] slice_6__step_in_data;
   wire slice_7__step_in_valid, slice_7__step_in_ready;
-  wire [94:0] slice_7__step_in_data;
+  wire [93:0] slice_7__step_in_data;
   wire packet_decision__step_in_valid, packet_decision__step_in_ready;
-  wire [94:0] packet_decision__step_in_data;
+  wire [93:0] packet_decision__step_in_data;
   wire slice_0__step_in_branch_valid, slice_0__step_in_branch_ready;
   wire slice_1__step_in_branch_valid, slice_1__step_in_branch_ready;
   wire slice_2__step_in_branch_valid, slice_2__step_in_branch_ready;
@@ -124,7 +124,7 @@ module dynrt_core (
   wire slice_6__step_in_branch_valid, slice_6__step_in_branch_ready;
   wire slice_7__step_in_branch_valid, slice_7__step_in_branch_ready;
   wire packet_decision__step_in_branch_valid, packet_decision__step_in_branch_ready;
-  wire [94:0] offset_branch_data;
+  wire [93:0] offset_branch_data;
   wire decision_0_all_valid, decision_0_all_ready;
   wire [3:0] decision_0_all_data;
   wire slice_0__decision_valid, slice_0__decision_ready;
@@ -611,10 +611,10 @@ module dynrt_core (
   wire [84:0] node_lookup__lines_data;
   wire node_lookup__waiting_en;
   wire [7:0] node_lookup__waiting_addr;
-  wire [30:0] node_lookup__waiting_data;
+  wire [29:0] node_lookup__waiting_data;
   wire node_fill__waiting_en;
   wire [7:0] node_fill__waiting_addr;
-  wire [30:0] node_fill__waiting_data;
+  wire [29:0] node_fill__waiting_data;
   wire list_fill__lines_en;
   wire [8:0] list_fill__lines_addr;
   wire [52:0] list_fill__lines_data;
@@ -827,13 +827,13 @@ module dynrt_core (
   assign node_lookup__request_data = node_request_all_data;
 
   // channel step
-  hls_arbiter #(.INPUTS(2), .WIDTH(95)) step_arbiter (
+  hls_arbiter #(.INPUTS(2), .WIDTH(94)) step_arbiter (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({node_fill__reply_valid, node_lookup__reply_valid}),
     .ready_o({node_fill__reply_ready, node_lookup__reply_ready}),
     .data_i({node_fill__reply_data, node_lookup__reply_data}),
     .valid_o(step_merged_valid), .ready_i(step_merged_ready), .data_o(step_merged_data));
-  hls_buffer #(.WIDTH(95)) step_all_buffer (
+  hls_buffer #(.WIDTH(94)) step_all_buffer (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i(step_merged_valid), .ready_o(step_merged_ready), .data_i(step_merged_data),
     .valid_o(step_all_valid), .ready_i(step_all_ready), .data_o(step_all_data));
@@ -845,7 +845,7 @@ module dynrt_core (
   assign offset_all_valid = plane_offset__offset_valid;
   assign plane_offset__offset_ready = offset_all_ready;
   assign offset_all_data = plane_offset__offset_data;
-  hls_fork #(.OUTPUTS(9), .WIDTH(95)) offset_fork (
+  hls_fork #(.OUTPUTS(9), .WIDTH(94)) offset_fork (
     .valid_i(offset_all_valid), .ready_o(offset_all_ready), .data_i(offset_all_data),
     .valid_o({packet_decision__step_in_branch_valid, slice_7__step_in_branch_valid, slice_6__step_in_branch_valid, slice_5__step_in_branch_valid, slice_4__step_in_branch_valid, slice_3__step_in_branch_valid, slice_2__step_in_branch_valid, slice_1__step_in_branch_valid, slice_0__step_in_branch_valid}),
     .ready_i({packet_decision__step_in_branch_ready, slice_7__step_in_branch_ready, slice_6__step_in_branch_ready, slice_5__step_in_branch_ready, slice_4__step_in_branch_ready, slice_3__step_in_branch_ready, slice_2__step_in_branch_ready, slice_1__step_in_branch_ready, slice_0__step_in_branch_ready}),
@@ -874,7 +874,7 @@ module dynrt_core (
   assign slice_7__step_in_valid = slice_7__step_in_branch_valid;
   assign slice_7__step_in_branch_ready = slice_7__step_in_ready;
   assign slice_7__step_in_data = offset_branch_data;
-  hls_fifo #(.WIDTH(95), .DEPTH(16), .MARGIN(0)) packet_decision__step_in_queue (
+  hls_fifo #(.WIDTH(94), .DEPTH(16), .MARGIN(0)) packet_decision__step_in_queue (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i(packet_decision__step_in_branch_valid), .ready_o(packet_decision__step_in_branch_ready), .data_i(offset_branch_data),
     .valid_o(packet_decision__step_in_valid), .ready_i(packet_decision__step_in_ready), .data_o(packet_decision__step_in_data));
@@ -1461,7 +1461,7 @@ module dynrt_core (
     .read_en_i(node_lookup__lines_en), .read_addr_i(node_lookup__lines_addr), .read_data_o(node_lookup__lines_data));
 
   // RAM node_waiting
-  hls_ram_1r1w #(.WIDTH(31), .ROWS(256)) node_waiting_ram_0 (
+  hls_ram_1r1w #(.WIDTH(30), .ROWS(256)) node_waiting_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(node_lookup__waiting_en), .write_addr_i(node_lookup__waiting_addr), .write_data_i(node_lookup__waiting_data),
     .read_en_i(node_fill__waiting_en), .read_addr_i(node_fill__waiting_addr), .read_data_o(node_fill__waiting_data));

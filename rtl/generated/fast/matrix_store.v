@@ -85,14 +85,14 @@ module matrix_store #(
   wire [7:0] r_line_row_1_spare_s0 = reply_data_i[100:93];
   wire [23:0] r_line_row_2_value_s0 = reply_data_i[124:101];
   wire [7:0] r_line_row_2_spare_s0 = reply_data_i[132:125];
-  wire eq_1_s0 = {reply_17_s0, reply_16_s0} == 2'd0;  // units/matrix_store.h:64
+  wire eq_1_s0 = {reply_17_s0, reply_16_s0} == 2'd0;  // units/matrix_store.h:87
   wire [5:0] r_context_packet_s0 = reply_data_i[5:0];
-  wire is_box_s0 = r_context_kind_s0 == 2'd3;  // units/matrix_store.h:88
-  wire [1:0] add_1_s0 = {1'd0, reply_8_s0} + 2'd1;  // units/matrix_store.h:182
-  wire [1:0] mux_2_s0 = {reply_9_s0 & add_1_s0[1], reply_9_s0 ? add_1_s0[0] : reply_8_s0};  // units/matrix_store.h:182
+  wire is_box_s0 = r_context_kind_s0 == 2'd3;  // units/transformation_tokens.h:39
+  wire [1:0] add_1_s0 = {1'd0, reply_8_s0} + 2'd1;  // units/matrix_store.h:214
+  wire [1:0] mux_2_s0 = {reply_9_s0 & add_1_s0[1], reply_9_s0 ? add_1_s0[0] : reply_8_s0};  // units/matrix_store.h:214
   wire [1:0] reply_18_s0 = reply_data_i[19:18];
   wire [14:0] reply_20_s0 = reply_data_i[34:20];
-  wire [16:0] sub_1_s0 = {reply_20_s0, reply_18_s0} - frame_544_still;  // units/matrix_store.h:106
+  wire [16:0] sub_1_s0 = {reply_20_s0, reply_18_s0} - frame_544_still;  // units/matrix_store.h:126
   wire [1:0] reply_35_s0 = reply_data_i[36:35];
 
   // ---- stage 1 ----
@@ -145,12 +145,12 @@ module matrix_store #(
   wire [25:0] progress_row;
   wire [1:0] progress_0_s1 = progress_row[1:0];
   wire [23:0] progress_2_s1 = progress_row[25:2];
-  wire eq_2_s1 = progress_0_s1 == 2'd3;  // units/matrix_store.h:70
+  wire eq_2_s1 = progress_0_s1 == 2'd3;  // units/matrix_store.h:56
   wire [23:0] mux_1_s1 = eq_1_s1 ? {r_line_row_2_spare_s1, r_line_row_1_spare_s1, r_line_row_0_spare_s1} : progress_2_s1;
-  wire [2:0] add_2_s1 = {1'd0, mux_2_s1} + 3'd1;  // units/matrix_store.h:182
-  wire [2:0] mux_3_s1 = {reply_10_s1 & add_2_s1[2], reply_10_s1 ? add_2_s1[1:0] : mux_2_s1};  // units/matrix_store.h:182
-  wire [3:0] add_3_s1 = {1'd0, mux_3_s1} + 4'd1;  // units/matrix_store.h:182
-  wire [3:0] mux_4_s1 = {reply_11_s1 & add_3_s1[3], reply_11_s1 ? add_3_s1[2:0] : mux_3_s1};  // units/matrix_store.h:182
+  wire [2:0] add_2_s1 = {1'd0, mux_2_s1} + 3'd1;  // units/matrix_store.h:214
+  wire [2:0] mux_3_s1 = {reply_10_s1 & add_2_s1[2], reply_10_s1 ? add_2_s1[1:0] : mux_2_s1};  // units/matrix_store.h:214
+  wire [3:0] add_3_s1 = {1'd0, mux_3_s1} + 4'd1;  // units/matrix_store.h:214
+  wire [3:0] mux_4_s1 = {reply_11_s1 & add_3_s1[3], reply_11_s1 ? add_3_s1[2:0] : mux_3_s1};  // units/matrix_store.h:214
   wire [1:0] add_9_s1 = progress_0_s1 + 2'd1;
 
   // ---- stage 2 ----
@@ -190,11 +190,11 @@ module matrix_store #(
     reply_20_s2 <= reply_20_s1;
     reply_35_s2 <= reply_35_s1;
   end
-  wire complete_s2 = ~eq_2_s2;  // units/matrix_store.h:70
-  wire [4:0] add_4_s2 = {1'd0, mux_4_s2} + 5'd1;  // units/matrix_store.h:182
-  wire [4:0] mux_5_s2 = {reply_12_s2 & add_4_s2[4], reply_12_s2 ? add_4_s2[3:0] : mux_4_s2};  // units/matrix_store.h:182
-  wire [4:0] mux_6_s2 = reply_13_s2 ? (mux_5_s2 + 5'd1) : mux_5_s2;  // units/matrix_store.h:182
-  wire or_1_s2 = complete_s2 | is_box_s2;  // units/matrix_store.h:114
+  wire complete_s2 = ~eq_2_s2;  // units/matrix_store.h:56
+  wire [4:0] add_4_s2 = {1'd0, mux_4_s2} + 5'd1;  // units/matrix_store.h:214
+  wire [4:0] mux_5_s2 = {reply_12_s2 & add_4_s2[4], reply_12_s2 ? add_4_s2[3:0] : mux_4_s2};  // units/matrix_store.h:214
+  wire [4:0] mux_6_s2 = reply_13_s2 ? (mux_5_s2 + 5'd1) : mux_5_s2;  // units/matrix_store.h:214
+  wire or_1_s2 = complete_s2 | is_box_s2;  // units/matrix_store.h:68
   wire not_3_s2 = ~or_1_s2;
 
   // ---- stage 3 ----
@@ -230,8 +230,8 @@ module matrix_store #(
     or_1_s3 <= or_1_s2;
     not_3_s3 <= not_3_s2;
   end
-  wire [4:0] mux_7_s3 = reply_14_s3 ? (mux_6_s3 + 5'd1) : mux_6_s3;  // units/matrix_store.h:182
-  wire [4:0] mux_8_s3 = reply_15_s3 ? (mux_7_s3 + 5'd1) : mux_7_s3;  // units/matrix_store.h:182
+  wire [4:0] mux_7_s3 = reply_14_s3 ? (mux_6_s3 + 5'd1) : mux_6_s3;  // units/matrix_store.h:214
+  wire [4:0] mux_8_s3 = reply_15_s3 ? (mux_7_s3 + 5'd1) : mux_7_s3;  // units/matrix_store.h:214
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -266,10 +266,10 @@ module matrix_store #(
     or_1_s4 <= or_1_s3;
     not_3_s4 <= not_3_s3;
   end
-  wire [4:0] rays_s4 = mux_8_s4 + 5'd31;  // units/matrix_store.h:107
-  wire beside_s4 = r_context_kind_s4 == 2'd0;  // units/matrix_store.h:155
-  wire [3:0] add_8_s4 = mux_8_s4[3:0] + 4'd15;  // units/matrix_store.h:143
-  wire [4:0] mux_9_s4 = {frame_352_still ? add_8_s4 : mux_8_s4[4:1], frame_352_still | mux_8_s4[0]};  // units/matrix_store.h:143
+  wire [4:0] rays_s4 = mux_8_s4 + 5'd31;  // units/matrix_store.h:127
+  wire beside_s4 = r_context_kind_s4 == 2'd0;  // units/matrix_store.h:184
+  wire [3:0] add_8_s4 = mux_8_s4[3:0] + 4'd15;  // units/matrix_store.h:171
+  wire [4:0] mux_9_s4 = {frame_352_still ? add_8_s4 : mux_8_s4[4:1], frame_352_still | mux_8_s4[0]};  // units/matrix_store.h:171
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(22), .DEPTH(READY_DEPTH), .MARGIN(READY_BOUNDED ? 0 : 4),

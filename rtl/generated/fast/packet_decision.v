@@ -14,7 +14,7 @@ module packet_decision #(
   input  wire rst_ni,
   input  wire step_in_valid_i,
   output wire step_in_ready_o,
-  input  wire [94:0] step_in_data_i,
+  input  wire [93:0] step_in_data_i,
   input  wire slice_0_valid_i,
   output wire slice_0_ready_o,
   input  wire [3:0] slice_0_data_i,
@@ -70,13 +70,13 @@ module packet_decision #(
 
   // ---- stage 0 ----
   wire [7:0] s_context_active_s0 = step_in_data_i[25:18];
-  wire way_in_far_s0 = step_in_data_i[29];
-  wire way_near_done_s0 = step_in_data_i[30];
-  wire [1:0] s_node_kind_s0 = step_in_data_i[32:31];
-  wire [17:0] step_in_57_s0 = step_in_data_i[74:57];
-  wire step_in_75_s0 = step_in_data_i[75];
-  wire [17:0] step_in_76_s0 = step_in_data_i[93:76];
-  wire step_in_94_s0 = step_in_data_i[94];
+  wire way_in_far_s0 = step_in_data_i[28];
+  wire way_near_done_s0 = step_in_data_i[29];
+  wire [1:0] s_node_kind_s0 = step_in_data_i[31:30];
+  wire [17:0] step_in_56_s0 = step_in_data_i[73:56];
+  wire step_in_74_s0 = step_in_data_i[74];
+  wire [17:0] step_in_75_s0 = step_in_data_i[92:75];
+  wire step_in_93_s0 = step_in_data_i[93];
   wire d_left_first_s0 = slice_0_data_i[0];
   wire d_go_left_s0 = slice_0_data_i[1];
   wire d_go_right_s0 = slice_0_data_i[2];
@@ -85,81 +85,81 @@ module packet_decision #(
   wire d_go_left_2_s0 = slice_1_data_i[1];
   wire d_go_right_2_s0 = slice_1_data_i[2];
   wire d_terminated_2_s0 = slice_1_data_i[3];
-  wire [1:0] mux_1_s0 = d_terminated_2_s0 ? {1'd1, d_terminated_s0} : {1'd0, d_terminated_s0};  // units/packet_decision.h:126
-  wire [1:0] mux_2_s0 = d_go_left_2_s0 ? {1'd1, d_go_left_s0} : {1'd0, d_go_left_s0};  // units/packet_decision.h:126
-  wire [1:0] mux_3_s0 = d_go_right_2_s0 ? {1'd1, d_go_right_s0} : {1'd0, d_go_right_s0};  // units/packet_decision.h:126
-  wire [1:0] mux_4_s0 = d_left_first_2_s0 ? {1'd1, d_left_first_s0} : {1'd0, d_left_first_s0};  // units/packet_decision.h:126
+  wire [1:0] mux_1_s0 = d_terminated_2_s0 ? {1'd1, d_terminated_s0} : {1'd0, d_terminated_s0};  // units/packet_decision.h:130
+  wire [1:0] mux_2_s0 = d_go_left_2_s0 ? {1'd1, d_go_left_s0} : {1'd0, d_go_left_s0};  // units/packet_decision.h:130
+  wire [1:0] mux_3_s0 = d_go_right_2_s0 ? {1'd1, d_go_right_s0} : {1'd0, d_go_right_s0};  // units/packet_decision.h:130
+  wire [1:0] mux_4_s0 = d_left_first_2_s0 ? {1'd1, d_left_first_s0} : {1'd0, d_left_first_s0};  // units/packet_decision.h:130
   wire d_left_first_3_s0 = slice_2_data_i[0];
   wire d_go_left_3_s0 = slice_2_data_i[1];
   wire d_go_right_3_s0 = slice_2_data_i[2];
   wire d_terminated_3_s0 = slice_2_data_i[3];
-  wire [2:0] mux_5_s0 = d_terminated_3_s0 ? {1'd1, mux_1_s0} : {1'd0, mux_1_s0};  // units/packet_decision.h:126
-  wire [2:0] mux_6_s0 = d_go_left_3_s0 ? {1'd1, mux_2_s0} : {1'd0, mux_2_s0};  // units/packet_decision.h:126
-  wire [2:0] mux_7_s0 = d_go_right_3_s0 ? {1'd1, mux_3_s0} : {1'd0, mux_3_s0};  // units/packet_decision.h:126
-  wire [2:0] mux_8_s0 = d_left_first_3_s0 ? {1'd1, mux_4_s0} : {1'd0, mux_4_s0};  // units/packet_decision.h:126
+  wire [2:0] mux_5_s0 = d_terminated_3_s0 ? {1'd1, mux_1_s0} : {1'd0, mux_1_s0};  // units/packet_decision.h:130
+  wire [2:0] mux_6_s0 = d_go_left_3_s0 ? {1'd1, mux_2_s0} : {1'd0, mux_2_s0};  // units/packet_decision.h:130
+  wire [2:0] mux_7_s0 = d_go_right_3_s0 ? {1'd1, mux_3_s0} : {1'd0, mux_3_s0};  // units/packet_decision.h:130
+  wire [2:0] mux_8_s0 = d_left_first_3_s0 ? {1'd1, mux_4_s0} : {1'd0, mux_4_s0};  // units/packet_decision.h:130
   wire d_left_first_4_s0 = slice_3_data_i[0];
   wire d_go_left_4_s0 = slice_3_data_i[1];
   wire d_go_right_4_s0 = slice_3_data_i[2];
   wire d_terminated_4_s0 = slice_3_data_i[3];
-  wire [3:0] mux_9_s0 = d_terminated_4_s0 ? {1'd1, mux_5_s0} : {1'd0, mux_5_s0};  // units/packet_decision.h:126
-  wire [3:0] mux_10_s0 = d_go_left_4_s0 ? {1'd1, mux_6_s0} : {1'd0, mux_6_s0};  // units/packet_decision.h:126
-  wire [3:0] mux_11_s0 = d_go_right_4_s0 ? {1'd1, mux_7_s0} : {1'd0, mux_7_s0};  // units/packet_decision.h:126
-  wire [3:0] mux_12_s0 = d_left_first_4_s0 ? {1'd1, mux_8_s0} : {1'd0, mux_8_s0};  // units/packet_decision.h:126
+  wire [3:0] mux_9_s0 = d_terminated_4_s0 ? {1'd1, mux_5_s0} : {1'd0, mux_5_s0};  // units/packet_decision.h:130
+  wire [3:0] mux_10_s0 = d_go_left_4_s0 ? {1'd1, mux_6_s0} : {1'd0, mux_6_s0};  // units/packet_decision.h:130
+  wire [3:0] mux_11_s0 = d_go_right_4_s0 ? {1'd1, mux_7_s0} : {1'd0, mux_7_s0};  // units/packet_decision.h:130
+  wire [3:0] mux_12_s0 = d_left_first_4_s0 ? {1'd1, mux_8_s0} : {1'd0, mux_8_s0};  // units/packet_decision.h:130
   wire d_left_first_5_s0 = slice_4_data_i[0];
   wire d_go_left_5_s0 = slice_4_data_i[1];
   wire d_go_right_5_s0 = slice_4_data_i[2];
   wire d_terminated_5_s0 = slice_4_data_i[3];
-  wire [4:0] mux_13_s0 = d_terminated_5_s0 ? {1'd1, mux_9_s0} : {1'd0, mux_9_s0};  // units/packet_decision.h:126
-  wire [4:0] mux_14_s0 = d_go_left_5_s0 ? {1'd1, mux_10_s0} : {1'd0, mux_10_s0};  // units/packet_decision.h:126
-  wire [4:0] mux_15_s0 = d_go_right_5_s0 ? {1'd1, mux_11_s0} : {1'd0, mux_11_s0};  // units/packet_decision.h:126
-  wire [4:0] mux_16_s0 = d_left_first_5_s0 ? {1'd1, mux_12_s0} : {1'd0, mux_12_s0};  // units/packet_decision.h:126
+  wire [4:0] mux_13_s0 = d_terminated_5_s0 ? {1'd1, mux_9_s0} : {1'd0, mux_9_s0};  // units/packet_decision.h:130
+  wire [4:0] mux_14_s0 = d_go_left_5_s0 ? {1'd1, mux_10_s0} : {1'd0, mux_10_s0};  // units/packet_decision.h:130
+  wire [4:0] mux_15_s0 = d_go_right_5_s0 ? {1'd1, mux_11_s0} : {1'd0, mux_11_s0};  // units/packet_decision.h:130
+  wire [4:0] mux_16_s0 = d_left_first_5_s0 ? {1'd1, mux_12_s0} : {1'd0, mux_12_s0};  // units/packet_decision.h:130
   wire d_left_first_6_s0 = slice_5_data_i[0];
   wire d_go_left_6_s0 = slice_5_data_i[1];
   wire d_go_right_6_s0 = slice_5_data_i[2];
   wire d_terminated_6_s0 = slice_5_data_i[3];
-  wire [5:0] mux_17_s0 = d_terminated_6_s0 ? {1'd1, mux_13_s0} : {1'd0, mux_13_s0};  // units/packet_decision.h:126
-  wire [5:0] mux_18_s0 = d_go_left_6_s0 ? {1'd1, mux_14_s0} : {1'd0, mux_14_s0};  // units/packet_decision.h:126
-  wire [5:0] mux_19_s0 = d_go_right_6_s0 ? {1'd1, mux_15_s0} : {1'd0, mux_15_s0};  // units/packet_decision.h:126
-  wire [5:0] mux_20_s0 = d_left_first_6_s0 ? {1'd1, mux_16_s0} : {1'd0, mux_16_s0};  // units/packet_decision.h:126
+  wire [5:0] mux_17_s0 = d_terminated_6_s0 ? {1'd1, mux_13_s0} : {1'd0, mux_13_s0};  // units/packet_decision.h:130
+  wire [5:0] mux_18_s0 = d_go_left_6_s0 ? {1'd1, mux_14_s0} : {1'd0, mux_14_s0};  // units/packet_decision.h:130
+  wire [5:0] mux_19_s0 = d_go_right_6_s0 ? {1'd1, mux_15_s0} : {1'd0, mux_15_s0};  // units/packet_decision.h:130
+  wire [5:0] mux_20_s0 = d_left_first_6_s0 ? {1'd1, mux_16_s0} : {1'd0, mux_16_s0};  // units/packet_decision.h:130
   wire d_left_first_7_s0 = slice_6_data_i[0];
   wire d_go_left_7_s0 = slice_6_data_i[1];
   wire d_go_right_7_s0 = slice_6_data_i[2];
   wire d_terminated_7_s0 = slice_6_data_i[3];
-  wire [6:0] mux_21_s0 = d_terminated_7_s0 ? {1'd1, mux_17_s0} : {1'd0, mux_17_s0};  // units/packet_decision.h:126
-  wire [6:0] mux_22_s0 = d_go_left_7_s0 ? {1'd1, mux_18_s0} : {1'd0, mux_18_s0};  // units/packet_decision.h:126
-  wire [6:0] mux_23_s0 = d_go_right_7_s0 ? {1'd1, mux_19_s0} : {1'd0, mux_19_s0};  // units/packet_decision.h:126
-  wire [6:0] mux_24_s0 = d_left_first_7_s0 ? {1'd1, mux_20_s0} : {1'd0, mux_20_s0};  // units/packet_decision.h:126
+  wire [6:0] mux_21_s0 = d_terminated_7_s0 ? {1'd1, mux_17_s0} : {1'd0, mux_17_s0};  // units/packet_decision.h:130
+  wire [6:0] mux_22_s0 = d_go_left_7_s0 ? {1'd1, mux_18_s0} : {1'd0, mux_18_s0};  // units/packet_decision.h:130
+  wire [6:0] mux_23_s0 = d_go_right_7_s0 ? {1'd1, mux_19_s0} : {1'd0, mux_19_s0};  // units/packet_decision.h:130
+  wire [6:0] mux_24_s0 = d_left_first_7_s0 ? {1'd1, mux_20_s0} : {1'd0, mux_20_s0};  // units/packet_decision.h:130
   wire d_left_first_8_s0 = slice_7_data_i[0];
   wire d_go_left_8_s0 = slice_7_data_i[1];
   wire d_go_right_8_s0 = slice_7_data_i[2];
   wire d_terminated_8_s0 = slice_7_data_i[3];
-  wire [7:0] terminated_s0 = d_terminated_8_s0 ? {1'd1, mux_21_s0} : {1'd0, mux_21_s0};  // units/packet_decision.h:126
-  wire [7:0] go_left_s0 = d_go_left_8_s0 ? {1'd1, mux_22_s0} : {1'd0, mux_22_s0};  // units/packet_decision.h:126
-  wire [7:0] go_right_s0 = d_go_right_8_s0 ? {1'd1, mux_23_s0} : {1'd0, mux_23_s0};  // units/packet_decision.h:126
-  wire [7:0] left_first_s0 = d_left_first_8_s0 ? {1'd1, mux_24_s0} : {1'd0, mux_24_s0};  // units/packet_decision.h:126
+  wire [7:0] terminated_s0 = d_terminated_8_s0 ? {1'd1, mux_21_s0} : {1'd0, mux_21_s0};  // units/packet_decision.h:130
+  wire [7:0] go_left_s0 = d_go_left_8_s0 ? {1'd1, mux_22_s0} : {1'd0, mux_22_s0};  // units/packet_decision.h:130
+  wire [7:0] go_right_s0 = d_go_right_8_s0 ? {1'd1, mux_23_s0} : {1'd0, mux_23_s0};  // units/packet_decision.h:130
+  wire [7:0] left_first_s0 = d_left_first_8_s0 ? {1'd1, mux_24_s0} : {1'd0, mux_24_s0};  // units/packet_decision.h:130
   wire [7:0] active_s0 = s_context_active_s0 & (~terminated_s0);  // units/packet_decision.h:36
   wire [7:0] left_s0 = go_left_s0 & active_s0;  // units/packet_decision.h:37
-  wire eq_2_s0 = {step_in_75_s0, step_in_57_s0} == 19'd0;  // units/packet_decision.h:42
+  wire eq_2_s0 = {step_in_74_s0, step_in_56_s0} == 19'd0;  // units/packet_decision.h:42
   wire not_3_s0 = ~eq_2_s0;  // units/packet_decision.h:42
-  wire eq_4_s0 = {step_in_94_s0, step_in_76_s0} == 19'd0;  // units/packet_decision.h:43
+  wire eq_4_s0 = {step_in_93_s0, step_in_75_s0} == 19'd0;  // units/packet_decision.h:43
   wire not_5_s0 = ~eq_4_s0;  // units/packet_decision.h:43
   wire or_1_s0 = active_s0[0] | active_s0[1];  // units/packet_decision.h:45
   wire or_2_s0 = active_s0[2] | active_s0[3];  // units/packet_decision.h:45
   wire mux_27_s0 = active_s0[2] ? left_first_s0[2] : left_first_s0[3];  // units/packet_decision.h:45
   wire mux_30_s0 = (active_s0[4] | active_s0[5]) ? (active_s0[4] ? left_first_s0[4] : left_first_s0[5]) : (active_s0[6] ? left_first_s0[6] : left_first_s0[7]);  // units/packet_decision.h:45
   wire is_leaf_s0 = s_node_kind_s0 == 2'd3;  // units/packet_decision.h:52
-  wire [7:0] e_terminated_s0 = s_context_active_s0 & terminated_s0;  // units/packet_decision.h:86
-  wire e_is_fork_value_s0 = not_3_s0 & not_5_s0;  // units/packet_decision.h:99
+  wire [7:0] e_terminated_s0 = s_context_active_s0 & terminated_s0;  // units/packet_decision.h:77
+  wire e_is_fork_value_s0 = not_3_s0 & not_5_s0;  // units/packet_decision.h:103
   wire [6:0] step_in_0_s0 = step_in_data_i[6:0];
 
   // ---- stage 1 ----
   reg valid_s1;
   reg  way_in_far_s1;
   reg  way_near_done_s1;
-  reg  [17:0] step_in_57_s1;
-  reg  step_in_75_s1;
-  reg  [17:0] step_in_76_s1;
-  reg  step_in_94_s1;
+  reg  [17:0] step_in_56_s1;
+  reg  step_in_74_s1;
+  reg  [17:0] step_in_75_s1;
+  reg  step_in_93_s1;
   reg  [7:0] go_right_s1;
   reg  [7:0] left_first_s1;
   reg  [7:0] active_s1;
@@ -180,10 +180,10 @@ module packet_decision #(
     valid_s1 <= rst_ni && valid_s0;
     way_in_far_s1 <= way_in_far_s0;
     way_near_done_s1 <= way_near_done_s0;
-    step_in_57_s1 <= step_in_57_s0;
+    step_in_56_s1 <= step_in_56_s0;
+    step_in_74_s1 <= step_in_74_s0;
     step_in_75_s1 <= step_in_75_s0;
-    step_in_76_s1 <= step_in_76_s0;
-    step_in_94_s1 <= step_in_94_s0;
+    step_in_93_s1 <= step_in_93_s0;
     go_right_s1 <= go_right_s0;
     left_first_s1 <= left_first_s0;
     active_s1 <= active_s0;
@@ -217,17 +217,17 @@ module packet_decision #(
   wire mux_40_s1 = (way_near_done_s1 | eq_2_s1) ? eq_2_s1 : (~(way_in_far_s1 & enter_left_s1));
   wire not_8_s1 = ~(active_s1 == 8'd0);
   wire and_3_s1 = is_leaf_s1 & not_8_s1;  // units/packet_decision.h:53
-  wire left_is_leaf_s1 = not_2_s1 & step_in_75_s1;  // units/packet_decision.h:88
-  wire right_is_leaf_s1 = not_4_s1 & step_in_94_s1;  // units/packet_decision.h:89
+  wire left_is_leaf_s1 = not_2_s1 & step_in_74_s1;  // units/packet_decision.h:79
+  wire right_is_leaf_s1 = not_4_s1 & step_in_93_s1;  // units/packet_decision.h:80
   wire [7:0] mux_51_s1 = ~{8{is_leaf_s1}} & both_s1;
 
   // ---- stage 2 ----
   reg valid_s2;
   reg  way_near_done_s2;
-  reg  [17:0] step_in_57_s2;
-  reg  step_in_75_s2;
-  reg  [17:0] step_in_76_s2;
-  reg  step_in_94_s2;
+  reg  [17:0] step_in_56_s2;
+  reg  step_in_74_s2;
+  reg  [17:0] step_in_75_s2;
+  reg  step_in_93_s2;
   reg  [7:0] active_s2;
   reg  [7:0] left_s2;
   reg  [7:0] right_s2;
@@ -250,10 +250,10 @@ module packet_decision #(
   always @(posedge clk_i) begin
     valid_s2 <= rst_ni && valid_s1;
     way_near_done_s2 <= way_near_done_s1;
-    step_in_57_s2 <= step_in_57_s1;
+    step_in_56_s2 <= step_in_56_s1;
+    step_in_74_s2 <= step_in_74_s1;
     step_in_75_s2 <= step_in_75_s1;
-    step_in_76_s2 <= step_in_76_s1;
-    step_in_94_s2 <= step_in_94_s1;
+    step_in_93_s2 <= step_in_93_s1;
     active_s2 <= active_s1;
     left_s2 <= left_s1;
     right_s2 <= right_s1;
@@ -277,17 +277,17 @@ module packet_decision #(
   wire enter_left_near_s2 = enter_left_s2 & ((way_near_done_s2 | eq_4_s2) ? eq_4_s2 : not_6_s2);
   wire enter_right_near_s2 = enter_right_s2 & mux_40_s2;
   wire next_is_left_s2 = left_is_near_s2 ? enter_left_near_s2 : (~enter_right_near_s2);  // units/packet_decision.h:50
-  wire left_now_s2 = left_is_near_s2 ? enter_left_near_s2 : enter_left_s2;  // units/packet_decision.h:68
-  wire right_now_s2 = left_is_near_s2 ? enter_right_s2 : enter_right_near_s2;  // units/packet_decision.h:69
+  wire left_now_s2 = left_is_near_s2 ? enter_left_near_s2 : enter_left_s2;  // units/packet_decision.h:59
+  wire right_now_s2 = left_is_near_s2 ? enter_right_s2 : enter_right_near_s2;  // units/packet_decision.h:60
   wire enter_near_s2 = left_is_near_s2 ? enter_left_near_s2 : enter_right_near_s2;  // units/packet_decision.h:49
   wire mux_46_s2 = is_leaf_s2 ? not_8_s2 : (next_is_left_s2 ? left_is_leaf_s2 : right_is_leaf_s2);
 
   // ---- stage 3 ----
   reg valid_s3;
-  reg  [17:0] step_in_57_s3;
-  reg  step_in_75_s3;
-  reg  [17:0] step_in_76_s3;
-  reg  step_in_94_s3;
+  reg  [17:0] step_in_56_s3;
+  reg  step_in_74_s3;
+  reg  [17:0] step_in_75_s3;
+  reg  step_in_93_s3;
   reg  [7:0] active_s3;
   reg  [7:0] left_s3;
   reg  [7:0] right_s3;
@@ -306,10 +306,10 @@ module packet_decision #(
   reg  [7:0] mux_51_s3;
   always @(posedge clk_i) begin
     valid_s3 <= rst_ni && valid_s2;
-    step_in_57_s3 <= step_in_57_s2;
+    step_in_56_s3 <= step_in_56_s2;
+    step_in_74_s3 <= step_in_74_s2;
     step_in_75_s3 <= step_in_75_s2;
-    step_in_76_s3 <= step_in_76_s2;
-    step_in_94_s3 <= step_in_94_s2;
+    step_in_93_s3 <= step_in_93_s2;
     active_s3 <= active_s2;
     left_s3 <= left_s2;
     right_s3 <= right_s2;
@@ -327,17 +327,17 @@ module packet_decision #(
     mux_46_s3 <= mux_46_s2;
     mux_51_s3 <= mux_51_s2;
   end
-  wire and_4_s3 = (~is_leaf_s3) & (left_now_s3 | right_now_s3);  // units/packet_decision.h:70
-  wire and_5_s3 = left_now_s3 & right_now_s3;  // units/packet_decision.h:70
-  wire [18:0] mux_41_s3 = next_is_left_s3 ? {step_in_75_s3, step_in_57_s3} : {step_in_94_s3, step_in_76_s3};  // units/packet_decision.h:74
-  wire [7:0] e_active_s3 = next_is_left_s3 ? left_s3 : right_s3;  // units/packet_decision.h:75
-  wire [18:0] mux_42_s3 = left_is_near_s3 ? {step_in_94_s3, step_in_76_s3} : {step_in_75_s3, step_in_57_s3};  // units/packet_decision.h:77
-  wire [7:0] e_pushed_active_s3 = left_is_near_s3 ? right_s3 : left_s3;  // units/packet_decision.h:78
-  wire e_clip_near_s3 = ~enter_near_s3;  // units/packet_decision.h:76
-  wire [1:0] mux_44_s3 = and_5_s3 ? 2'd2 : 2'd1;  // units/packet_decision.h:122
-  wire [1:0] mux_45_s3 = ~{2{and_4_s3}} | mux_44_s3;  // units/packet_decision.h:122
+  wire and_4_s3 = (~is_leaf_s3) & (left_now_s3 | right_now_s3);  // units/packet_decision.h:61
+  wire and_5_s3 = left_now_s3 & right_now_s3;  // units/packet_decision.h:61
+  wire [18:0] mux_41_s3 = next_is_left_s3 ? {step_in_74_s3, step_in_56_s3} : {step_in_93_s3, step_in_75_s3};  // units/packet_decision.h:65
+  wire [7:0] e_active_s3 = next_is_left_s3 ? left_s3 : right_s3;  // units/packet_decision.h:66
+  wire [18:0] mux_42_s3 = left_is_near_s3 ? {step_in_93_s3, step_in_75_s3} : {step_in_74_s3, step_in_56_s3};  // units/packet_decision.h:68
+  wire [7:0] e_pushed_active_s3 = left_is_near_s3 ? right_s3 : left_s3;  // units/packet_decision.h:69
+  wire e_clip_near_s3 = ~enter_near_s3;  // units/packet_decision.h:67
+  wire [1:0] mux_44_s3 = and_5_s3 ? 2'd2 : 2'd1;  // units/packet_decision.h:126
+  wire [1:0] mux_45_s3 = ~{2{and_4_s3}} | mux_44_s3;  // units/packet_decision.h:126
   wire [18:0] mux_47_s3 = ~{19{and_3_s3}} & mux_42_s3;
-  wire [18:0] mux_48_s3 = {and_3_s3 ? {step_in_75_s3, step_in_57_s3[17:1]} : mux_41_s3[17:0], and_3_s3 & step_in_57_s3[0]};
+  wire [18:0] mux_48_s3 = {and_3_s3 ? {step_in_74_s3, step_in_56_s3[17:1]} : mux_41_s3[17:0], and_3_s3 & step_in_56_s3[0]};
   wire [7:0] mux_49_s3 = and_3_s3 ? active_s3 : e_active_s3;
   wire and_6_s3 = and_4_s3 & and_5_s3;
   wire [7:0] mux_50_s3 = ~{8{is_leaf_s3}} & e_pushed_active_s3;
@@ -363,8 +363,8 @@ module packet_decision #(
 
   wire unused = &{1'b0,
     step_in_data_i[17:7],
-    step_in_data_i[28:26],
-    step_in_data_i[56:33]};
+    step_in_data_i[27:26],
+    step_in_data_i[55:32]};
 
 endmodule
 

@@ -93,10 +93,10 @@ module packet_decoder #(
     job_active_s2 <= job_active_s1;
     in_last_value_s2 <= in_last_value_s1;
   end
-  wire not_1_s2 = ~(in_point_s2 | record_1_s2);  // units/packet_decoder.h:59
-  wire level_s2 = {record_1_s2, record_0_s2} == 2'd1;  // units/packet_decoder.h:59
-  wire not_2_s2 = ~in_point_s2;  // units/packet_decoder.h:121
-  wire camera_s2 = {record_1_s2, record_0_s2} == 2'd0;  // units/packet_decoder.h:119
+  wire not_1_s2 = ~(in_point_s2 | record_1_s2);  // units/packet_decoder.h:61
+  wire level_s2 = {record_1_s2, record_0_s2} == 2'd1;  // units/packet_decoder.h:61
+  wire not_2_s2 = ~in_point_s2;  // units/packet_decoder.h:132
+  wire camera_s2 = {record_1_s2, record_0_s2} == 2'd0;  // units/packet_decoder.h:129
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -129,23 +129,23 @@ module packet_decoder #(
     job_active_s3 <= job_active_s2;
     in_last_value_s3 <= in_last_value_s2;
   end
-  wire and_1_s3 = in_point_s3 & camera_s3;  // units/packet_decoder.h:120
+  wire and_1_s3 = in_point_s3 & camera_s3;  // units/packet_decoder.h:131
   reg  [23:0] camera_origin_x_q;
-  wire [23:0] mux_1_s3 = and_1_s3 ? in_vector_x_s3 : camera_origin_x_q;  // units/packet_decoder.h:120
-  wire or_2_s3 = not_2_s3 | camera_s3;  // units/packet_decoder.h:121
+  wire [23:0] mux_1_s3 = and_1_s3 ? in_vector_x_s3 : camera_origin_x_q;  // units/packet_decoder.h:131
+  wire or_2_s3 = not_2_s3 | camera_s3;  // units/packet_decoder.h:132
   reg  [23:0] origin_x_q;
-  wire [23:0] mux_2_s3 = or_2_s3 ? origin_x_q : in_vector_x_s3;  // units/packet_decoder.h:121
-  wire [23:0] mux_3_s3 = camera_s3 ? mux_1_s3 : mux_2_s3;  // units/packet_decoder.h:122
+  wire [23:0] mux_2_s3 = or_2_s3 ? origin_x_q : in_vector_x_s3;  // units/packet_decoder.h:132
+  wire [23:0] mux_3_s3 = camera_s3 ? mux_1_s3 : mux_2_s3;  // units/packet_decoder.h:133
   reg  [23:0] camera_origin_y_q;
-  wire [23:0] mux_4_s3 = and_1_s3 ? in_vector_y_s3 : camera_origin_y_q;  // units/packet_decoder.h:120
+  wire [23:0] mux_4_s3 = and_1_s3 ? in_vector_y_s3 : camera_origin_y_q;  // units/packet_decoder.h:131
   reg  [23:0] origin_y_q;
-  wire [23:0] mux_5_s3 = or_2_s3 ? origin_y_q : in_vector_y_s3;  // units/packet_decoder.h:121
-  wire [23:0] mux_6_s3 = camera_s3 ? mux_4_s3 : mux_5_s3;  // units/packet_decoder.h:122
+  wire [23:0] mux_5_s3 = or_2_s3 ? origin_y_q : in_vector_y_s3;  // units/packet_decoder.h:132
+  wire [23:0] mux_6_s3 = camera_s3 ? mux_4_s3 : mux_5_s3;  // units/packet_decoder.h:133
   reg  [23:0] camera_origin_z_q;
-  wire [23:0] mux_7_s3 = and_1_s3 ? in_vector_z_s3 : camera_origin_z_q;  // units/packet_decoder.h:120
+  wire [23:0] mux_7_s3 = and_1_s3 ? in_vector_z_s3 : camera_origin_z_q;  // units/packet_decoder.h:131
   reg  [23:0] origin_z_q;
-  wire [23:0] mux_8_s3 = or_2_s3 ? origin_z_q : in_vector_z_s3;  // units/packet_decoder.h:121
-  wire [23:0] mux_9_s3 = camera_s3 ? mux_7_s3 : mux_8_s3;  // units/packet_decoder.h:122
+  wire [23:0] mux_8_s3 = or_2_s3 ? origin_z_q : in_vector_z_s3;  // units/packet_decoder.h:132
+  wire [23:0] mux_9_s3 = camera_s3 ? mux_7_s3 : mux_8_s3;  // units/packet_decoder.h:133
 
   // ---- state, rows and tokens written ----
   always @(posedge clk_i) begin

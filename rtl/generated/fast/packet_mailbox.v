@@ -48,7 +48,7 @@ module packet_mailbox #(
   wire frame_210_config = frame_i[210];
   reg  frame_210_still;
   always @(posedge clk_i) frame_210_still <= frame_210_config;
-  wire not_5_config = ~frame_210_config;  // units/packet.h:175
+  wire not_5_config = ~frame_210_config;  // units/packet.h:187
   reg  not_5_still;
   always @(posedge clk_i) not_5_still <= not_5_config;
 
@@ -98,20 +98,20 @@ module packet_mailbox #(
   wire [7:0] used_row;
   wire [3:0] used_0_s1 = used_row[3:0];
   wire [3:0] used_4_s1 = used_row[7:4];
-  wire [3:0] next_s1 = top_s1 ? used_4_s1 : used_0_s1;  // units/mailbox_of_rays.h:76
-  wire next_2_s1 = next_s1 == 4'd0;  // units/mailbox_of_rays.h:82
-  wire not_1_s1 = ~next_2_s1;  // units/mailbox_of_rays.h:82
-  wire not_2_s1 = ~(next_s1[3:1] == 3'd0);  // units/mailbox_of_rays.h:82
-  wire not_3_s1 = ~(next_s1[3:2] == 2'd0);  // units/mailbox_of_rays.h:82
-  wire next_3_s1 = next_s1 == 4'd7;  // units/mailbox_of_rays.h:83
-  wire next_4_s1 = next_s1 == 4'd6;  // units/mailbox_of_rays.h:83
-  wire next_5_s1 = next_s1 == 4'd5;  // units/mailbox_of_rays.h:83
-  wire next_6_s1 = next_s1 == 4'd4;  // units/mailbox_of_rays.h:83
-  wire next_7_s1 = next_s1 == 4'd3;  // units/mailbox_of_rays.h:83
-  wire next_8_s1 = next_s1 == 4'd2;  // units/mailbox_of_rays.h:83
-  wire next_9_s1 = next_s1 == 4'd1;  // units/mailbox_of_rays.h:83
+  wire [3:0] next_s1 = top_s1 ? used_4_s1 : used_0_s1;  // units/mailbox_of_rays.h:78
+  wire next_2_s1 = next_s1 == 4'd0;  // units/mailbox_of_rays.h:84
+  wire not_1_s1 = ~next_2_s1;  // units/mailbox_of_rays.h:84
+  wire not_2_s1 = ~(next_s1[3:1] == 3'd0);  // units/mailbox_of_rays.h:84
+  wire not_3_s1 = ~(next_s1[3:2] == 2'd0);  // units/mailbox_of_rays.h:84
+  wire next_3_s1 = next_s1 == 4'd7;  // units/mailbox_of_rays.h:85
+  wire next_4_s1 = next_s1 == 4'd6;  // units/mailbox_of_rays.h:85
+  wire next_5_s1 = next_s1 == 4'd5;  // units/mailbox_of_rays.h:85
+  wire next_6_s1 = next_s1 == 4'd4;  // units/mailbox_of_rays.h:85
+  wire next_7_s1 = next_s1 == 4'd3;  // units/mailbox_of_rays.h:85
+  wire next_8_s1 = next_s1 == 4'd2;  // units/mailbox_of_rays.h:85
+  wire next_9_s1 = next_s1 == 4'd1;  // units/mailbox_of_rays.h:85
   wire eq_11_s1 = next_s1 == 4'd8;
-  wire [3:0] add_1_s1 = next_s1 + 4'd1;  // units/mailbox_of_rays.h:91
+  wire [3:0] add_1_s1 = next_s1 + 4'd1;  // units/mailbox_of_rays.h:93
 
   // ---- stage 2 ----
   reg valid_s2;
@@ -192,34 +192,34 @@ module packet_mailbox #(
     add_1_s2 <= add_1_s1;
     not_6_s2 <= not_6_s1;
   end
-  wire eq_1_s2 = entry_16_s2 == known_matrix_0_s2;  // units/mailbox_of_rays.h:82
-  wire eq_3_s2 = entry_16_s2 == known_matrix_1_s2;  // units/mailbox_of_rays.h:82
-  wire lt_1_s2 = 4'd2 < next_s2;  // units/mailbox_of_rays.h:82
-  wire eq_4_s2 = entry_16_s2 == known_matrix_2_s2;  // units/mailbox_of_rays.h:82
-  wire eq_6_s2 = entry_16_s2 == known_matrix_3_s2;  // units/mailbox_of_rays.h:82
-  wire lt_2_s2 = 4'd4 < next_s2;  // units/mailbox_of_rays.h:82
-  wire eq_7_s2 = entry_16_s2 == known_matrix_4_s2;  // units/mailbox_of_rays.h:82
-  wire lt_3_s2 = 4'd5 < next_s2;  // units/mailbox_of_rays.h:82
-  wire eq_8_s2 = entry_16_s2 == known_matrix_5_s2;  // units/mailbox_of_rays.h:82
-  wire lt_4_s2 = 4'd6 < next_s2;  // units/mailbox_of_rays.h:82
-  wire eq_9_s2 = entry_16_s2 == known_matrix_6_s2;  // units/mailbox_of_rays.h:82
-  wire eq_10_s2 = entry_16_s2 == known_matrix_7_s2;  // units/mailbox_of_rays.h:82
-  wire [7:0] or_8_s2 = rays_s2 | (~{8{next_3_s2}} & known_met_7_s2);  // units/mailbox_of_rays.h:87
-  wire [16:0] mux_9_s2 = next_3_s2 ? entry_16_s2 : known_matrix_7_s2;  // units/mailbox_of_rays.h:86
-  wire [7:0] or_10_s2 = rays_s2 | (~{8{next_4_s2}} & known_met_6_s2);  // units/mailbox_of_rays.h:87
-  wire [16:0] mux_11_s2 = next_4_s2 ? entry_16_s2 : known_matrix_6_s2;  // units/mailbox_of_rays.h:86
-  wire [7:0] or_12_s2 = rays_s2 | (~{8{next_5_s2}} & known_met_5_s2);  // units/mailbox_of_rays.h:87
-  wire [16:0] mux_13_s2 = next_5_s2 ? entry_16_s2 : known_matrix_5_s2;  // units/mailbox_of_rays.h:86
-  wire [7:0] or_14_s2 = rays_s2 | (~{8{next_6_s2}} & known_met_4_s2);  // units/mailbox_of_rays.h:87
-  wire [16:0] mux_15_s2 = next_6_s2 ? entry_16_s2 : known_matrix_4_s2;  // units/mailbox_of_rays.h:86
-  wire [7:0] or_16_s2 = rays_s2 | (~{8{next_7_s2}} & known_met_3_s2);  // units/mailbox_of_rays.h:87
-  wire [16:0] mux_17_s2 = next_7_s2 ? entry_16_s2 : known_matrix_3_s2;  // units/mailbox_of_rays.h:86
-  wire [7:0] or_18_s2 = rays_s2 | (~{8{next_8_s2}} & known_met_2_s2);  // units/mailbox_of_rays.h:87
-  wire [16:0] mux_19_s2 = next_8_s2 ? entry_16_s2 : known_matrix_2_s2;  // units/mailbox_of_rays.h:86
-  wire [7:0] or_20_s2 = rays_s2 | (~{8{next_9_s2}} & known_met_1_s2);  // units/mailbox_of_rays.h:87
-  wire [16:0] mux_21_s2 = next_9_s2 ? entry_16_s2 : known_matrix_1_s2;  // units/mailbox_of_rays.h:86
-  wire [7:0] or_22_s2 = rays_s2 | (~{8{next_2_s2}} & known_met_0_s2);  // units/mailbox_of_rays.h:86
-  wire [16:0] mux_23_s2 = next_2_s2 ? entry_16_s2 : known_matrix_0_s2;  // units/mailbox_of_rays.h:86
+  wire eq_1_s2 = entry_16_s2 == known_matrix_0_s2;  // units/mailbox_of_rays.h:84
+  wire eq_3_s2 = entry_16_s2 == known_matrix_1_s2;  // units/mailbox_of_rays.h:84
+  wire lt_1_s2 = 4'd2 < next_s2;  // units/mailbox_of_rays.h:84
+  wire eq_4_s2 = entry_16_s2 == known_matrix_2_s2;  // units/mailbox_of_rays.h:84
+  wire eq_6_s2 = entry_16_s2 == known_matrix_3_s2;  // units/mailbox_of_rays.h:84
+  wire lt_2_s2 = 4'd4 < next_s2;  // units/mailbox_of_rays.h:84
+  wire eq_7_s2 = entry_16_s2 == known_matrix_4_s2;  // units/mailbox_of_rays.h:84
+  wire lt_3_s2 = 4'd5 < next_s2;  // units/mailbox_of_rays.h:84
+  wire eq_8_s2 = entry_16_s2 == known_matrix_5_s2;  // units/mailbox_of_rays.h:84
+  wire lt_4_s2 = 4'd6 < next_s2;  // units/mailbox_of_rays.h:84
+  wire eq_9_s2 = entry_16_s2 == known_matrix_6_s2;  // units/mailbox_of_rays.h:84
+  wire eq_10_s2 = entry_16_s2 == known_matrix_7_s2;  // units/mailbox_of_rays.h:84
+  wire [7:0] or_8_s2 = rays_s2 | (~{8{next_3_s2}} & known_met_7_s2);  // units/mailbox_of_rays.h:89
+  wire [16:0] mux_9_s2 = next_3_s2 ? entry_16_s2 : known_matrix_7_s2;  // units/mailbox_of_rays.h:88
+  wire [7:0] or_10_s2 = rays_s2 | (~{8{next_4_s2}} & known_met_6_s2);  // units/mailbox_of_rays.h:89
+  wire [16:0] mux_11_s2 = next_4_s2 ? entry_16_s2 : known_matrix_6_s2;  // units/mailbox_of_rays.h:88
+  wire [7:0] or_12_s2 = rays_s2 | (~{8{next_5_s2}} & known_met_5_s2);  // units/mailbox_of_rays.h:89
+  wire [16:0] mux_13_s2 = next_5_s2 ? entry_16_s2 : known_matrix_5_s2;  // units/mailbox_of_rays.h:88
+  wire [7:0] or_14_s2 = rays_s2 | (~{8{next_6_s2}} & known_met_4_s2);  // units/mailbox_of_rays.h:89
+  wire [16:0] mux_15_s2 = next_6_s2 ? entry_16_s2 : known_matrix_4_s2;  // units/mailbox_of_rays.h:88
+  wire [7:0] or_16_s2 = rays_s2 | (~{8{next_7_s2}} & known_met_3_s2);  // units/mailbox_of_rays.h:89
+  wire [16:0] mux_17_s2 = next_7_s2 ? entry_16_s2 : known_matrix_3_s2;  // units/mailbox_of_rays.h:88
+  wire [7:0] or_18_s2 = rays_s2 | (~{8{next_8_s2}} & known_met_2_s2);  // units/mailbox_of_rays.h:89
+  wire [16:0] mux_19_s2 = next_8_s2 ? entry_16_s2 : known_matrix_2_s2;  // units/mailbox_of_rays.h:88
+  wire [7:0] or_20_s2 = rays_s2 | (~{8{next_9_s2}} & known_met_1_s2);  // units/mailbox_of_rays.h:89
+  wire [16:0] mux_21_s2 = next_9_s2 ? entry_16_s2 : known_matrix_1_s2;  // units/mailbox_of_rays.h:88
+  wire [7:0] or_22_s2 = rays_s2 | (~{8{next_2_s2}} & known_met_0_s2);  // units/mailbox_of_rays.h:88
+  wire [16:0] mux_23_s2 = next_2_s2 ? entry_16_s2 : known_matrix_0_s2;  // units/mailbox_of_rays.h:88
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -340,35 +340,35 @@ module packet_mailbox #(
     add_1_s3 <= add_1_s2;
     not_6_s3 <= not_6_s2;
   end
-  wire here_s3 = not_1_s3 & eq_1_s3;  // units/mailbox_of_rays.h:82
-  wire [7:0] before_s3 = {8{here_s3}} & known_met_0_s3;  // units/mailbox_of_rays.h:85
-  wire here_2_s3 = not_2_s3 & eq_3_s3;  // units/mailbox_of_rays.h:82
-  wire here_3_s3 = lt_1_s3 & eq_4_s3;  // units/mailbox_of_rays.h:82
-  wire here_4_s3 = not_3_s3 & eq_6_s3;  // units/mailbox_of_rays.h:82
-  wire here_5_s3 = lt_2_s3 & eq_7_s3;  // units/mailbox_of_rays.h:82
-  wire here_6_s3 = lt_3_s3 & eq_8_s3;  // units/mailbox_of_rays.h:82
-  wire here_7_s3 = lt_4_s3 & eq_9_s3;  // units/mailbox_of_rays.h:82
-  wire here_8_s3 = next_s3[3] & eq_10_s3;  // units/mailbox_of_rays.h:82
-  wire [7:0] or_2_s3 = ({8{here_2_s3}} & known_met_1_s3) | ({8{here_4_s3}} & known_met_3_s3);  // units/mailbox_of_rays.h:85
-  wire [7:0] or_3_s3 = ({8{here_3_s3}} & known_met_2_s3) | ({8{here_5_s3}} & known_met_4_s3);  // units/mailbox_of_rays.h:85
-  wire [7:0] or_4_s3 = ({8{here_6_s3}} & known_met_5_s3) | ({8{here_7_s3}} & known_met_6_s3);  // units/mailbox_of_rays.h:85
-  wire [7:0] before_2_s3 = ((before_s3 | ({8{here_8_s3}} & known_met_7_s3)) | or_2_s3) | (or_3_s3 | or_4_s3);  // units/mailbox_of_rays.h:85
-  wire [7:0] known_met_7_2_s3 = (here_8_s3 | next_3_s3) ? or_8_s3 : known_met_7_s3;  // units/mailbox_of_rays.h:87
-  wire [7:0] known_met_6_2_s3 = (here_7_s3 | next_4_s3) ? or_10_s3 : known_met_6_s3;  // units/mailbox_of_rays.h:87
-  wire [7:0] known_met_5_2_s3 = (here_6_s3 | next_5_s3) ? or_12_s3 : known_met_5_s3;  // units/mailbox_of_rays.h:87
-  wire [7:0] known_met_4_2_s3 = (here_5_s3 | next_6_s3) ? or_14_s3 : known_met_4_s3;  // units/mailbox_of_rays.h:87
-  wire [7:0] known_met_3_2_s3 = (here_4_s3 | next_7_s3) ? or_16_s3 : known_met_3_s3;  // units/mailbox_of_rays.h:87
-  wire [7:0] known_met_2_2_s3 = (here_3_s3 | next_8_s3) ? or_18_s3 : known_met_2_s3;  // units/mailbox_of_rays.h:87
-  wire [7:0] known_met_1_2_s3 = (here_2_s3 | next_9_s3) ? or_20_s3 : known_met_1_s3;  // units/mailbox_of_rays.h:87
-  wire [7:0] known_met_0_2_s3 = (next_2_s3 | eq_1_s3) ? or_22_s3 : known_met_0_s3;  // units/mailbox_of_rays.h:86
-  wire or_30_s3 = ((here_s3 | here_2_s3) | (here_4_s3 | (here_8_s3 | eq_11_s3))) | ((here_3_s3 | here_5_s3) | (here_6_s3 | here_7_s3));  // units/mailbox_of_rays.h:91
-  wire [3:0] mux_24_s3 = or_30_s3 ? next_s3 : add_1_s3;  // units/mailbox_of_rays.h:91
-  wire [3:0] mux_25_s3 = top_s3 ? used_0_s3 : mux_24_s3;  // units/mailbox_of_rays.h:92
-  wire [3:0] mux_26_s3 = {4{top_s3}} & mux_24_s3;  // units/mailbox_of_rays.h:92
-  wire [7:0] rays_2_s3 = rays_s3 & (~before_2_s3);  // units/mailbox_of_rays.h:53
-  wire eq_12_s3 = rays_2_s3 == 8'd0;  // units/mailbox_of_rays.h:62
+  wire here_s3 = not_1_s3 & eq_1_s3;  // units/mailbox_of_rays.h:84
+  wire [7:0] before_s3 = {8{here_s3}} & known_met_0_s3;  // units/mailbox_of_rays.h:87
+  wire here_2_s3 = not_2_s3 & eq_3_s3;  // units/mailbox_of_rays.h:84
+  wire here_3_s3 = lt_1_s3 & eq_4_s3;  // units/mailbox_of_rays.h:84
+  wire here_4_s3 = not_3_s3 & eq_6_s3;  // units/mailbox_of_rays.h:84
+  wire here_5_s3 = lt_2_s3 & eq_7_s3;  // units/mailbox_of_rays.h:84
+  wire here_6_s3 = lt_3_s3 & eq_8_s3;  // units/mailbox_of_rays.h:84
+  wire here_7_s3 = lt_4_s3 & eq_9_s3;  // units/mailbox_of_rays.h:84
+  wire here_8_s3 = next_s3[3] & eq_10_s3;  // units/mailbox_of_rays.h:84
+  wire [7:0] or_2_s3 = ({8{here_2_s3}} & known_met_1_s3) | ({8{here_4_s3}} & known_met_3_s3);  // units/mailbox_of_rays.h:87
+  wire [7:0] or_3_s3 = ({8{here_3_s3}} & known_met_2_s3) | ({8{here_5_s3}} & known_met_4_s3);  // units/mailbox_of_rays.h:87
+  wire [7:0] or_4_s3 = ({8{here_6_s3}} & known_met_5_s3) | ({8{here_7_s3}} & known_met_6_s3);  // units/mailbox_of_rays.h:87
+  wire [7:0] before_2_s3 = ((before_s3 | ({8{here_8_s3}} & known_met_7_s3)) | or_2_s3) | (or_3_s3 | or_4_s3);  // units/mailbox_of_rays.h:87
+  wire [7:0] known_met_7_2_s3 = (here_8_s3 | next_3_s3) ? or_8_s3 : known_met_7_s3;  // units/mailbox_of_rays.h:89
+  wire [7:0] known_met_6_2_s3 = (here_7_s3 | next_4_s3) ? or_10_s3 : known_met_6_s3;  // units/mailbox_of_rays.h:89
+  wire [7:0] known_met_5_2_s3 = (here_6_s3 | next_5_s3) ? or_12_s3 : known_met_5_s3;  // units/mailbox_of_rays.h:89
+  wire [7:0] known_met_4_2_s3 = (here_5_s3 | next_6_s3) ? or_14_s3 : known_met_4_s3;  // units/mailbox_of_rays.h:89
+  wire [7:0] known_met_3_2_s3 = (here_4_s3 | next_7_s3) ? or_16_s3 : known_met_3_s3;  // units/mailbox_of_rays.h:89
+  wire [7:0] known_met_2_2_s3 = (here_3_s3 | next_8_s3) ? or_18_s3 : known_met_2_s3;  // units/mailbox_of_rays.h:89
+  wire [7:0] known_met_1_2_s3 = (here_2_s3 | next_9_s3) ? or_20_s3 : known_met_1_s3;  // units/mailbox_of_rays.h:89
+  wire [7:0] known_met_0_2_s3 = (next_2_s3 | eq_1_s3) ? or_22_s3 : known_met_0_s3;  // units/mailbox_of_rays.h:88
+  wire or_30_s3 = ((here_s3 | here_2_s3) | (here_4_s3 | (here_8_s3 | eq_11_s3))) | ((here_3_s3 | here_5_s3) | (here_6_s3 | here_7_s3));  // units/mailbox_of_rays.h:93
+  wire [3:0] mux_24_s3 = or_30_s3 ? next_s3 : add_1_s3;  // units/mailbox_of_rays.h:93
+  wire [3:0] mux_25_s3 = top_s3 ? used_0_s3 : mux_24_s3;  // units/mailbox_of_rays.h:94
+  wire [3:0] mux_26_s3 = {4{top_s3}} & mux_24_s3;  // units/mailbox_of_rays.h:94
+  wire [7:0] rays_2_s3 = rays_s3 & (~before_2_s3);  // units/mailbox_of_rays.h:54
+  wire eq_12_s3 = rays_2_s3 == 8'd0;  // units/mailbox_of_rays.h:64
   wire [1:0] mux_27_s3 = top_s3 ? 2'd2 : 2'd1;  // units/mailbox_jobs.h:27
-  wire [48:0] mux_28_s3 = {top_s3 ? {entry_16_s3, rays_2_s3, 6'd0} : {entry_16_s3, rays_2_s3, 6'd0}, ~{2{top_s3}} | mux_27_s3, top_s3 ? {2'd0, packet_s3, 8'd3} : {2'd0, packet_s3, 8'd0}};  // units/mailbox_of_rays.h:100
+  wire [48:0] mux_28_s3 = {top_s3 ? {entry_16_s3, rays_2_s3, 6'd0} : {entry_16_s3, rays_2_s3, 6'd0}, ~{2{top_s3}} | mux_27_s3, top_s3 ? {2'd0, packet_s3, 8'd3} : {2'd0, packet_s3, 8'd0}};  // units/mailbox_of_rays.h:102
   wire [3:0] mux_30_s3 = ~{4{entry_7_s3}} & mux_26_s3;
   wire [3:0] mux_31_s3 = ~{4{entry_7_s3}} & mux_25_s3;
   wire and_1_s3 = top_s3 & not_6_s3;

@@ -70,7 +70,7 @@ module world_box #(
   wire [4:0] j_index_s0 = job_data_i[4:0];
   wire j_last_s0 = job_data_i[5];
   wire [5:0] packet_s0 = job_data_i[16:11];
-  wire first_s0 = j_index_s0 == 5'd0;  // units/world_box.h:50
+  wire first_s0 = j_index_s0 == 5'd0;  // units/world_box.h:51
 
   // ---- stage 1 ----
   reg valid_s1;
@@ -146,7 +146,7 @@ module world_box #(
     first_s3 <= first_s2;
   end
   reg  [7:0] left_q;
-  wire [7:0] left_2_s3 = first_s3 ? o_rays_s3 : left_q;  // units/world_box.h:52
+  wire [7:0] left_2_s3 = first_s3 ? o_rays_s3 : left_q;  // units/world_box.h:53
   wire [7:0] and_1_s3 = left_2_s3 & (left_2_s3 + 8'd255);  // units/packet_rays.h:48
   wire not_1_s3 = ~left_2_s3[6];  // units/packet_rays.h:42
   wire [1:0] mux_1_s3 = {left_2_s3[5] ? 1'd0 : 1'd1, left_2_s3[5] | not_1_s3};  // units/packet_rays.h:42
@@ -157,7 +157,7 @@ module world_box #(
   wire not_3_s3 = ~left_2_s3[2];  // units/packet_rays.h:42
   wire [1:0] mux_3_s3 = or_1_s3 ? {1'd0, not_2_s3} : {1'd1, not_3_s3};  // units/packet_rays.h:42
   wire [2:0] mux_4_s3 = or_3_s3 ? {1'd0, mux_3_s3} : {1'd1, mux_2_s3};  // units/packet_rays.h:42
-  wire [7:0] xor_10_s3 = left_2_s3 ^ and_1_s3;  // units/world_box.h:70
+  wire [7:0] xor_10_s3 = left_2_s3 ^ and_1_s3;  // units/world_box.h:71
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -261,24 +261,24 @@ module world_box #(
     reciprocal_53_s6 <= reciprocal_53_s5;
     reciprocal_64_s6 <= reciprocal_64_s5;
   end
-  wire [15:0] bound_s6 = reciprocal_23_s6 ? o_slabs_0_high_s6 : o_slabs_0_low_s6;  // units/world_box.h:96
-  wire [7:0] add_2_s6 = {1'd0, bound_s6[14:8]} + {1'd0, reciprocal_16_s6};  // units/world_box.h:101
-  wire xor_1_s6 = reciprocal_23_s6 ^ bound_s6[15];  // units/world_box.h:101
-  wire [15:0] bound_2_s6 = reciprocal_23_s6 ? o_slabs_0_low_s6 : o_slabs_0_high_s6;  // units/world_box.h:97
-  wire [7:0] add_5_s6 = {1'd0, reciprocal_16_s6} + {1'd0, bound_2_s6[14:8]};  // units/world_box.h:101
-  wire x_behind_s6 = reciprocal_23_s6 ^ bound_2_s6[15];  // units/world_box.h:101
-  wire [15:0] bound_3_s6 = reciprocal_47_s6 ? o_slabs_1_high_s6 : o_slabs_1_low_s6;  // units/world_box.h:96
-  wire [7:0] add_8_s6 = {1'd0, bound_3_s6[14:8]} + {1'd0, reciprocal_40_s6};  // units/world_box.h:101
-  wire xor_2_s6 = reciprocal_47_s6 ^ bound_3_s6[15];  // units/world_box.h:101
-  wire [15:0] bound_4_s6 = reciprocal_47_s6 ? o_slabs_1_low_s6 : o_slabs_1_high_s6;  // units/world_box.h:97
-  wire [7:0] add_11_s6 = {1'd0, reciprocal_40_s6} + {1'd0, bound_4_s6[14:8]};  // units/world_box.h:101
-  wire y_behind_s6 = reciprocal_47_s6 ^ bound_4_s6[15];  // units/world_box.h:101
-  wire [15:0] bound_5_s6 = reciprocal_71_s6 ? o_slabs_2_high_s6 : o_slabs_2_low_s6;  // units/world_box.h:96
-  wire [7:0] add_14_s6 = {1'd0, bound_5_s6[14:8]} + {1'd0, reciprocal_64_s6};  // units/world_box.h:101
-  wire xor_3_s6 = reciprocal_71_s6 ^ bound_5_s6[15];  // units/world_box.h:101
-  wire [15:0] bound_6_s6 = reciprocal_71_s6 ? o_slabs_2_low_s6 : o_slabs_2_high_s6;  // units/world_box.h:97
-  wire [7:0] add_17_s6 = {1'd0, reciprocal_64_s6} + {1'd0, bound_6_s6[14:8]};  // units/world_box.h:101
-  wire z_behind_s6 = reciprocal_71_s6 ^ bound_6_s6[15];  // units/world_box.h:101
+  wire [15:0] bound_s6 = reciprocal_23_s6 ? o_slabs_0_high_s6 : o_slabs_0_low_s6;  // units/world_box.h:97
+  wire [7:0] add_2_s6 = {1'd0, bound_s6[14:8]} + {1'd0, reciprocal_16_s6};  // units/world_box.h:102
+  wire xor_1_s6 = reciprocal_23_s6 ^ bound_s6[15];  // units/world_box.h:102
+  wire [15:0] bound_2_s6 = reciprocal_23_s6 ? o_slabs_0_low_s6 : o_slabs_0_high_s6;  // units/world_box.h:98
+  wire [7:0] add_5_s6 = {1'd0, reciprocal_16_s6} + {1'd0, bound_2_s6[14:8]};  // units/world_box.h:102
+  wire x_behind_s6 = reciprocal_23_s6 ^ bound_2_s6[15];  // units/world_box.h:102
+  wire [15:0] bound_3_s6 = reciprocal_47_s6 ? o_slabs_1_high_s6 : o_slabs_1_low_s6;  // units/world_box.h:97
+  wire [7:0] add_8_s6 = {1'd0, bound_3_s6[14:8]} + {1'd0, reciprocal_40_s6};  // units/world_box.h:102
+  wire xor_2_s6 = reciprocal_47_s6 ^ bound_3_s6[15];  // units/world_box.h:102
+  wire [15:0] bound_4_s6 = reciprocal_47_s6 ? o_slabs_1_low_s6 : o_slabs_1_high_s6;  // units/world_box.h:98
+  wire [7:0] add_11_s6 = {1'd0, reciprocal_40_s6} + {1'd0, bound_4_s6[14:8]};  // units/world_box.h:102
+  wire y_behind_s6 = reciprocal_47_s6 ^ bound_4_s6[15];  // units/world_box.h:102
+  wire [15:0] bound_5_s6 = reciprocal_71_s6 ? o_slabs_2_high_s6 : o_slabs_2_low_s6;  // units/world_box.h:97
+  wire [7:0] add_14_s6 = {1'd0, bound_5_s6[14:8]} + {1'd0, reciprocal_64_s6};  // units/world_box.h:102
+  wire xor_3_s6 = reciprocal_71_s6 ^ bound_5_s6[15];  // units/world_box.h:102
+  wire [15:0] bound_6_s6 = reciprocal_71_s6 ? o_slabs_2_low_s6 : o_slabs_2_high_s6;  // units/world_box.h:98
+  wire [7:0] add_17_s6 = {1'd0, reciprocal_64_s6} + {1'd0, bound_6_s6[14:8]};  // units/world_box.h:102
+  wire z_behind_s6 = reciprocal_71_s6 ^ bound_6_s6[15];  // units/world_box.h:102
 
   // ---- stage 7 ----
   reg valid_s7;
@@ -335,12 +335,12 @@ module world_box #(
   end
   wire [17:0] reach_5_s7 = reach_data_i[22:5];
   wire reach_23_s7 = reach_data_i[23];
-  wire [20:0] mul_1_s7 = {1'd1, reciprocal_5_s7} * {1'd1, bound_s7};  // units/world_box.h:101
-  wire [20:0] mul_2_s7 = {1'd1, reciprocal_5_s7} * {1'd1, bound_2_s7};  // units/world_box.h:101
-  wire [20:0] mul_3_s7 = {1'd1, reciprocal_29_s7} * {1'd1, bound_3_s7};  // units/world_box.h:101
-  wire [20:0] mul_4_s7 = {1'd1, reciprocal_29_s7} * {1'd1, bound_4_s7};  // units/world_box.h:101
-  wire [20:0] mul_5_s7 = {1'd1, reciprocal_53_s7} * {1'd1, bound_5_s7};  // units/world_box.h:101
-  wire [20:0] mul_6_s7 = {1'd1, reciprocal_53_s7} * {1'd1, bound_6_s7};  // units/world_box.h:101
+  wire [20:0] mul_1_s7 = {1'd1, reciprocal_5_s7} * {1'd1, bound_s7};  // units/world_box.h:102
+  wire [20:0] mul_2_s7 = {1'd1, reciprocal_5_s7} * {1'd1, bound_2_s7};  // units/world_box.h:102
+  wire [20:0] mul_3_s7 = {1'd1, reciprocal_29_s7} * {1'd1, bound_3_s7};  // units/world_box.h:102
+  wire [20:0] mul_4_s7 = {1'd1, reciprocal_29_s7} * {1'd1, bound_4_s7};  // units/world_box.h:102
+  wire [20:0] mul_5_s7 = {1'd1, reciprocal_53_s7} * {1'd1, bound_5_s7};  // units/world_box.h:102
+  wire [20:0] mul_6_s7 = {1'd1, reciprocal_53_s7} * {1'd1, bound_6_s7};  // units/world_box.h:102
 
   // ---- stage 8 ----
   reg valid_s8;
@@ -389,21 +389,21 @@ module world_box #(
     add_17_s8 <= add_17_s7;
     z_behind_s8 <= z_behind_s7;
   end
-  wire [12:0] mux_5_s8 = {mul_1_s8[20] ? mul_1_s8[19:8] : mul_1_s8[18:7], mul_1_s8[20] & mul_1_s8[7]};  // units/world_box.h:101
-  wire not_5_s8 = ~mul_2_s8[20];  // units/world_box.h:101
-  wire [12:0] mux_8_s8 = {mul_2_s8[20] ? mul_2_s8[19:8] : mul_2_s8[18:7], mul_2_s8[20] & mul_2_s8[7]};  // units/world_box.h:101
-  wire [2:0] add_6_s8 = {1'd0, add_5_s8[7:6]} + 3'd7;  // units/world_box.h:101
-  wire [8:0] add_7_s8 = {add_6_s8, add_5_s8[5:0]} + {7'd0, mul_2_s8[20], not_5_s8};  // units/world_box.h:101
-  wire [12:0] mux_12_s8 = {mul_3_s8[20] ? mul_3_s8[19:8] : mul_3_s8[18:7], mul_3_s8[20] & mul_3_s8[7]};  // units/world_box.h:101
-  wire not_7_s8 = ~mul_4_s8[20];  // units/world_box.h:101
-  wire [12:0] mux_15_s8 = {mul_4_s8[20] ? mul_4_s8[19:8] : mul_4_s8[18:7], mul_4_s8[20] & mul_4_s8[7]};  // units/world_box.h:101
-  wire [2:0] add_12_s8 = {1'd0, add_11_s8[7:6]} + 3'd7;  // units/world_box.h:101
-  wire [8:0] add_13_s8 = {add_12_s8, add_11_s8[5:0]} + {7'd0, mul_4_s8[20], not_7_s8};  // units/world_box.h:101
-  wire [12:0] mux_19_s8 = {mul_5_s8[20] ? mul_5_s8[19:8] : mul_5_s8[18:7], mul_5_s8[20] & mul_5_s8[7]};  // units/world_box.h:101
-  wire not_9_s8 = ~mul_6_s8[20];  // units/world_box.h:101
-  wire [12:0] mux_22_s8 = {mul_6_s8[20] ? mul_6_s8[19:8] : mul_6_s8[18:7], mul_6_s8[20] & mul_6_s8[7]};  // units/world_box.h:101
-  wire [2:0] add_18_s8 = {1'd0, add_17_s8[7:6]} + 3'd7;  // units/world_box.h:101
-  wire [8:0] add_19_s8 = {add_18_s8, add_17_s8[5:0]} + {7'd0, mul_6_s8[20], not_9_s8};  // units/world_box.h:101
+  wire [12:0] mux_5_s8 = {mul_1_s8[20] ? mul_1_s8[19:8] : mul_1_s8[18:7], mul_1_s8[20] & mul_1_s8[7]};  // units/world_box.h:102
+  wire not_5_s8 = ~mul_2_s8[20];  // units/world_box.h:102
+  wire [12:0] mux_8_s8 = {mul_2_s8[20] ? mul_2_s8[19:8] : mul_2_s8[18:7], mul_2_s8[20] & mul_2_s8[7]};  // units/world_box.h:102
+  wire [2:0] add_6_s8 = {1'd0, add_5_s8[7:6]} + 3'd7;  // units/world_box.h:102
+  wire [8:0] add_7_s8 = {add_6_s8, add_5_s8[5:0]} + {7'd0, mul_2_s8[20], not_5_s8};  // units/world_box.h:102
+  wire [12:0] mux_12_s8 = {mul_3_s8[20] ? mul_3_s8[19:8] : mul_3_s8[18:7], mul_3_s8[20] & mul_3_s8[7]};  // units/world_box.h:102
+  wire not_7_s8 = ~mul_4_s8[20];  // units/world_box.h:102
+  wire [12:0] mux_15_s8 = {mul_4_s8[20] ? mul_4_s8[19:8] : mul_4_s8[18:7], mul_4_s8[20] & mul_4_s8[7]};  // units/world_box.h:102
+  wire [2:0] add_12_s8 = {1'd0, add_11_s8[7:6]} + 3'd7;  // units/world_box.h:102
+  wire [8:0] add_13_s8 = {add_12_s8, add_11_s8[5:0]} + {7'd0, mul_4_s8[20], not_7_s8};  // units/world_box.h:102
+  wire [12:0] mux_19_s8 = {mul_5_s8[20] ? mul_5_s8[19:8] : mul_5_s8[18:7], mul_5_s8[20] & mul_5_s8[7]};  // units/world_box.h:102
+  wire not_9_s8 = ~mul_6_s8[20];  // units/world_box.h:102
+  wire [12:0] mux_22_s8 = {mul_6_s8[20] ? mul_6_s8[19:8] : mul_6_s8[18:7], mul_6_s8[20] & mul_6_s8[7]};  // units/world_box.h:102
+  wire [2:0] add_18_s8 = {1'd0, add_17_s8[7:6]} + 3'd7;  // units/world_box.h:102
+  wire [8:0] add_19_s8 = {add_18_s8, add_17_s8[5:0]} + {7'd0, mul_6_s8[20], not_9_s8};  // units/world_box.h:102
 
   // ---- stage 9 ----
   reg valid_s9;
@@ -458,36 +458,36 @@ module world_box #(
     z_behind_s9 <= z_behind_s8;
     add_19_s9 <= add_19_s8;
   end
-  wire not_4_s9 = ~mul_1_s9;  // units/world_box.h:101
-  wire [2:0] add_3_s9 = {1'd0, add_2_s9[7:6]} + 3'd7;  // units/world_box.h:101
-  wire [8:0] add_4_s9 = {add_3_s9, add_2_s9[5:0]} + {7'd0, mul_1_s9, not_4_s9};  // units/world_box.h:101
-  wire [17:0] mux_6_s9 = {18{add_4_s9[7]}} | {add_4_s9[6:0], mux_5_s9};  // units/world_box.h:101
-  wire [17:0] mux_7_s9 = ~{18{add_4_s9[8]}} & mux_6_s9;  // units/world_box.h:101
-  wire [17:0] mux_9_s9 = {18{add_7_s9[7]}} | {add_7_s9[6:0], mux_8_s9};  // units/world_box.h:101
-  wire [17:0] mux_10_s9 = ~{18{add_7_s9[8]}} & mux_9_s9;  // units/world_box.h:101
-  wire [18:0] mux_11_s9 = ~{19{xor_1_s9}} & {xor_1_s9, mux_7_s9};  // units/world_box.h:98
-  wire not_6_s9 = ~mul_3_s9;  // units/world_box.h:101
-  wire [2:0] add_9_s9 = {1'd0, add_8_s9[7:6]} + 3'd7;  // units/world_box.h:101
-  wire [8:0] add_10_s9 = {add_9_s9, add_8_s9[5:0]} + {7'd0, mul_3_s9, not_6_s9};  // units/world_box.h:101
-  wire [17:0] mux_13_s9 = {18{add_10_s9[7]}} | {add_10_s9[6:0], mux_12_s9};  // units/world_box.h:101
-  wire [17:0] mux_14_s9 = ~{18{add_10_s9[8]}} & mux_13_s9;  // units/world_box.h:101
-  wire [17:0] mux_16_s9 = {18{add_13_s9[7]}} | {add_13_s9[6:0], mux_15_s9};  // units/world_box.h:101
-  wire [17:0] mux_17_s9 = ~{18{add_13_s9[8]}} & mux_16_s9;  // units/world_box.h:101
-  wire [18:0] mux_18_s9 = ~{19{xor_2_s9}} & {xor_2_s9, mux_14_s9};  // units/world_box.h:98
-  wire not_8_s9 = ~mul_5_s9;  // units/world_box.h:101
-  wire [2:0] add_15_s9 = {1'd0, add_14_s9[7:6]} + 3'd7;  // units/world_box.h:101
-  wire [8:0] add_16_s9 = {add_15_s9, add_14_s9[5:0]} + {7'd0, mul_5_s9, not_8_s9};  // units/world_box.h:101
-  wire [17:0] mux_20_s9 = {18{add_16_s9[7]}} | {add_16_s9[6:0], mux_19_s9};  // units/world_box.h:101
-  wire [17:0] mux_21_s9 = ~{18{add_16_s9[8]}} & mux_20_s9;  // units/world_box.h:101
-  wire [17:0] mux_23_s9 = {18{add_19_s9[7]}} | {add_19_s9[6:0], mux_22_s9};  // units/world_box.h:101
-  wire [17:0] mux_24_s9 = ~{18{add_19_s9[8]}} & mux_23_s9;  // units/world_box.h:101
-  wire or_6_s9 = x_behind_s9 | y_behind_s9;  // units/world_box.h:104
-  wire lt_3_s9 = {y_behind_s9, mux_17_s9, 1'd0} < {x_behind_s9, mux_10_s9, or_6_s9};  // units/world_box.h:104
-  wire [18:0] mux_28_s9 = (or_6_s9 ^ (~lt_3_s9)) ? {x_behind_s9, mux_10_s9} : {y_behind_s9, mux_17_s9};  // units/world_box.h:104
-  wire or_7_s9 = z_behind_s9 | reach_23_s9;  // units/world_box.h:104
-  wire lt_4_s9 = {reach_23_s9, reach_5_s9, 1'd0} < {z_behind_s9, mux_24_s9, or_7_s9};  // units/world_box.h:104
-  wire [18:0] mux_29_s9 = (or_7_s9 ^ (~lt_4_s9)) ? {z_behind_s9, mux_24_s9} : {reach_23_s9, reach_5_s9};  // units/world_box.h:104
-  wire or_9_s9 = z_behind_s9 | or_6_s9;  // units/world_box.h:65
+  wire not_4_s9 = ~mul_1_s9;  // units/world_box.h:102
+  wire [2:0] add_3_s9 = {1'd0, add_2_s9[7:6]} + 3'd7;  // units/world_box.h:102
+  wire [8:0] add_4_s9 = {add_3_s9, add_2_s9[5:0]} + {7'd0, mul_1_s9, not_4_s9};  // units/world_box.h:102
+  wire [17:0] mux_6_s9 = {18{add_4_s9[7]}} | {add_4_s9[6:0], mux_5_s9};  // units/world_box.h:102
+  wire [17:0] mux_7_s9 = ~{18{add_4_s9[8]}} & mux_6_s9;  // units/world_box.h:102
+  wire [17:0] mux_9_s9 = {18{add_7_s9[7]}} | {add_7_s9[6:0], mux_8_s9};  // units/world_box.h:102
+  wire [17:0] mux_10_s9 = ~{18{add_7_s9[8]}} & mux_9_s9;  // units/world_box.h:102
+  wire [18:0] mux_11_s9 = ~{19{xor_1_s9}} & {xor_1_s9, mux_7_s9};  // units/world_box.h:99
+  wire not_6_s9 = ~mul_3_s9;  // units/world_box.h:102
+  wire [2:0] add_9_s9 = {1'd0, add_8_s9[7:6]} + 3'd7;  // units/world_box.h:102
+  wire [8:0] add_10_s9 = {add_9_s9, add_8_s9[5:0]} + {7'd0, mul_3_s9, not_6_s9};  // units/world_box.h:102
+  wire [17:0] mux_13_s9 = {18{add_10_s9[7]}} | {add_10_s9[6:0], mux_12_s9};  // units/world_box.h:102
+  wire [17:0] mux_14_s9 = ~{18{add_10_s9[8]}} & mux_13_s9;  // units/world_box.h:102
+  wire [17:0] mux_16_s9 = {18{add_13_s9[7]}} | {add_13_s9[6:0], mux_15_s9};  // units/world_box.h:102
+  wire [17:0] mux_17_s9 = ~{18{add_13_s9[8]}} & mux_16_s9;  // units/world_box.h:102
+  wire [18:0] mux_18_s9 = ~{19{xor_2_s9}} & {xor_2_s9, mux_14_s9};  // units/world_box.h:99
+  wire not_8_s9 = ~mul_5_s9;  // units/world_box.h:102
+  wire [2:0] add_15_s9 = {1'd0, add_14_s9[7:6]} + 3'd7;  // units/world_box.h:102
+  wire [8:0] add_16_s9 = {add_15_s9, add_14_s9[5:0]} + {7'd0, mul_5_s9, not_8_s9};  // units/world_box.h:102
+  wire [17:0] mux_20_s9 = {18{add_16_s9[7]}} | {add_16_s9[6:0], mux_19_s9};  // units/world_box.h:102
+  wire [17:0] mux_21_s9 = ~{18{add_16_s9[8]}} & mux_20_s9;  // units/world_box.h:102
+  wire [17:0] mux_23_s9 = {18{add_19_s9[7]}} | {add_19_s9[6:0], mux_22_s9};  // units/world_box.h:102
+  wire [17:0] mux_24_s9 = ~{18{add_19_s9[8]}} & mux_23_s9;  // units/world_box.h:102
+  wire or_6_s9 = x_behind_s9 | y_behind_s9;  // units/world_box.h:105
+  wire lt_3_s9 = {y_behind_s9, mux_17_s9, 1'd0} < {x_behind_s9, mux_10_s9, or_6_s9};  // units/world_box.h:105
+  wire [18:0] mux_28_s9 = (or_6_s9 ^ (~lt_3_s9)) ? {x_behind_s9, mux_10_s9} : {y_behind_s9, mux_17_s9};  // units/world_box.h:105
+  wire or_7_s9 = z_behind_s9 | reach_23_s9;  // units/world_box.h:105
+  wire lt_4_s9 = {reach_23_s9, reach_5_s9, 1'd0} < {z_behind_s9, mux_24_s9, or_7_s9};  // units/world_box.h:105
+  wire [18:0] mux_29_s9 = (or_7_s9 ^ (~lt_4_s9)) ? {z_behind_s9, mux_24_s9} : {reach_23_s9, reach_5_s9};  // units/world_box.h:105
+  wire or_9_s9 = z_behind_s9 | or_6_s9;  // units/world_box.h:66
 
   // ---- stage 10 ----
   reg valid_s10;
@@ -510,13 +510,13 @@ module world_box #(
     mux_29_s10 <= mux_29_s9;
     or_9_s10 <= or_9_s9;
   end
-  wire [18:0] mux_25_s10 = ~{19{xor_3_s10}} & {xor_3_s10, mux_21_s10};  // units/world_box.h:98
-  wire [18:0] or_4_s10 = mux_11_s10 | mux_18_s10;  // units/world_box.h:103
-  wire xor_4_s10 = or_4_s10[18] ^ (~({mux_11_s10, 1'd0} < {mux_18_s10, or_4_s10[18]}));  // units/world_box.h:103
-  wire [18:0] mux_26_s10 = xor_4_s10 ? mux_11_s10 : mux_18_s10;  // units/world_box.h:103
-  wire [18:0] or_8_s10 = mux_28_s10 | mux_29_s10;  // units/world_box.h:104
-  wire xor_8_s10 = or_8_s10[18] ^ (~({mux_29_s10, 1'd0} < {mux_28_s10, or_8_s10[18]}));  // units/world_box.h:104
-  wire [17:0] mux_30_s10 = xor_8_s10 ? mux_28_s10[17:0] : mux_29_s10[17:0];  // units/world_box.h:104
+  wire [18:0] mux_25_s10 = ~{19{xor_3_s10}} & {xor_3_s10, mux_21_s10};  // units/world_box.h:99
+  wire [18:0] or_4_s10 = mux_11_s10 | mux_18_s10;  // units/world_box.h:104
+  wire xor_4_s10 = or_4_s10[18] ^ (~({mux_11_s10, 1'd0} < {mux_18_s10, or_4_s10[18]}));  // units/world_box.h:104
+  wire [18:0] mux_26_s10 = xor_4_s10 ? mux_11_s10 : mux_18_s10;  // units/world_box.h:104
+  wire [18:0] or_8_s10 = mux_28_s10 | mux_29_s10;  // units/world_box.h:105
+  wire xor_8_s10 = or_8_s10[18] ^ (~({mux_29_s10, 1'd0} < {mux_28_s10, or_8_s10[18]}));  // units/world_box.h:105
+  wire [17:0] mux_30_s10 = xor_8_s10 ? mux_28_s10[17:0] : mux_29_s10[17:0];  // units/world_box.h:105
 
   // ---- stage 11 ----
   reg valid_s11;
@@ -539,10 +539,10 @@ module world_box #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({packet_s7, mux_4_s7}),
     .data_o({packet_s11, mux_4_s11}));
-  wire or_5_s11 = mux_26_s11[18] | mux_25_s11[18];  // units/world_box.h:103
-  wire [18:0] mux_27_s11 = (or_5_s11 ^ (~({mux_26_s11, 1'd0} < {mux_25_s11, or_5_s11}))) ? mux_26_s11 : mux_25_s11;  // units/world_box.h:103
-  wire [18:0] add_20_s11 = {1'd0, mux_30_s11} + 19'd5;  // units/world_box.h:64
-  wire slt_1_s11 = $signed(add_20_s11) < $signed(19'h7ffff);  // units/world_box.h:64
+  wire or_5_s11 = mux_26_s11[18] | mux_25_s11[18];  // units/world_box.h:104
+  wire [18:0] mux_27_s11 = (or_5_s11 ^ (~({mux_26_s11, 1'd0} < {mux_25_s11, or_5_s11}))) ? mux_26_s11 : mux_25_s11;  // units/world_box.h:104
+  wire [18:0] add_20_s11 = {1'd0, mux_30_s11} + 19'd5;  // units/world_box.h:65
+  wire slt_1_s11 = $signed(add_20_s11) < $signed(19'h7ffff);  // units/world_box.h:65
 
   // ---- stage 12 ----
   reg valid_s12;
@@ -569,7 +569,7 @@ module world_box #(
     .clk_i(clk_i), .rst_ni(rst_ni),
     .data_i({first_s4, xor_10_s4}),
     .data_o({first_s12, xor_10_s12}));
-  wire [17:0] far_s12 = {18{slt_1_s12}} | add_20_s12;  // units/world_box.h:64
+  wire [17:0] far_s12 = {18{slt_1_s12}} | add_20_s12;  // units/world_box.h:65
   wire lt_6_s12 = {1'd0, far_s12, 1'd0} < {mux_27_s12, mux_27_s12[18]};
   wire not_15_s12 = ~mux_4_s12[0];
   wire not_16_s12 = ~mux_4_s12[1];
@@ -605,9 +605,9 @@ module world_box #(
     .data_o({o_matrix_s13}));
   reg  [7:0] meeting_q;
   wire meets_s13 = or_9_s13 | (mux_27_s13 ^ lt_6_s13);
-  wire [7:0] before_s13 = ~{8{first_s13}} & meeting_q;  // units/world_box.h:69
-  wire [7:0] meeting_2_s13 = before_s13 | (~{8{meets_s13}} & xor_10_s13);  // units/world_box.h:70
-  wire eq_1_s13 = meeting_2_s13 == 8'd0;  // units/world_box.h:72
+  wire [7:0] before_s13 = ~{8{first_s13}} & meeting_q;  // units/world_box.h:70
+  wire [7:0] meeting_2_s13 = before_s13 | (~{8{meets_s13}} & xor_10_s13);  // units/world_box.h:71
+  wire eq_1_s13 = meeting_2_s13 == 8'd0;  // units/world_box.h:73
 
   // ---- stage 14 ----
   reg valid_s14;

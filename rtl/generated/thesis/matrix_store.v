@@ -56,15 +56,15 @@ module matrix_store #(
   wire [7:0] r_line_row_0_spare_s0 = reply_data_i[63:56];
   wire [7:0] r_line_row_1_spare_s0 = reply_data_i[95:88];
   wire [7:0] r_line_row_2_spare_s0 = reply_data_i[127:120];
-  wire eq_1_s0 = {reply_12_s0, reply_11_s0} == 2'd0;  // units/matrix_store.h:64
+  wire eq_1_s0 = {reply_12_s0, reply_11_s0} == 2'd0;  // units/matrix_store.h:87
   wire [4:0] r_context_packet_s0 = reply_data_i[4:0];
   wire [25:0] progress_row;
   wire [1:0] progress_0_s0 = progress_row[1:0];
   wire [23:0] progress_2_s0 = progress_row[25:2];
-  wire complete_s0 = progress_0_s0 == 2'd3;  // units/matrix_store.h:70
+  wire complete_s0 = progress_0_s0 == 2'd3;  // units/matrix_store.h:56
   wire [23:0] mux_1_s0 = eq_1_s0 ? {r_line_row_2_spare_s0, r_line_row_1_spare_s0, r_line_row_0_spare_s0} : progress_2_s0;
   wire [16:0] matrix_s0 = reply_data_i[31:15];
-  wire [1:0] add_1_s0 = progress_0_s0 + 2'd1;  // units/matrix_store.h:101
+  wire [1:0] add_1_s0 = progress_0_s0 + 2'd1;  // units/matrix_store.h:119
   wire [23:0] r_line_row_2_value_s0 = reply_data_i[119:96];
   wire [23:0] r_line_row_1_value_s0 = reply_data_i[87:64];
   wire [23:0] r_line_row_0_value_s0 = reply_data_i[55:32];

@@ -62,24 +62,24 @@ module packet_decision #(
   wire d_go_left_2_s0 = slice_1_data_i[1];
   wire d_go_right_2_s0 = slice_1_data_i[2];
   wire d_terminated_2_s0 = slice_1_data_i[3];
-  wire [1:0] mux_1_s0 = d_terminated_2_s0 ? {1'd1, d_terminated_s0} : {1'd0, d_terminated_s0};  // units/packet_decision.h:126
-  wire [1:0] mux_2_s0 = d_go_left_2_s0 ? {1'd1, d_go_left_s0} : {1'd0, d_go_left_s0};  // units/packet_decision.h:126
-  wire [1:0] mux_3_s0 = d_go_right_2_s0 ? {1'd1, d_go_right_s0} : {1'd0, d_go_right_s0};  // units/packet_decision.h:126
-  wire [1:0] mux_4_s0 = d_left_first_2_s0 ? {1'd1, d_left_first_s0} : {1'd0, d_left_first_s0};  // units/packet_decision.h:126
+  wire [1:0] mux_1_s0 = d_terminated_2_s0 ? {1'd1, d_terminated_s0} : {1'd0, d_terminated_s0};  // units/packet_decision.h:130
+  wire [1:0] mux_2_s0 = d_go_left_2_s0 ? {1'd1, d_go_left_s0} : {1'd0, d_go_left_s0};  // units/packet_decision.h:130
+  wire [1:0] mux_3_s0 = d_go_right_2_s0 ? {1'd1, d_go_right_s0} : {1'd0, d_go_right_s0};  // units/packet_decision.h:130
+  wire [1:0] mux_4_s0 = d_left_first_2_s0 ? {1'd1, d_left_first_s0} : {1'd0, d_left_first_s0};  // units/packet_decision.h:130
   wire d_left_first_3_s0 = slice_2_data_i[0];
   wire d_go_left_3_s0 = slice_2_data_i[1];
   wire d_go_right_3_s0 = slice_2_data_i[2];
   wire d_terminated_3_s0 = slice_2_data_i[3];
-  wire [2:0] mux_5_s0 = d_terminated_3_s0 ? {1'd1, mux_1_s0} : {1'd0, mux_1_s0};  // units/packet_decision.h:126
-  wire [2:0] mux_6_s0 = d_go_left_3_s0 ? {1'd1, mux_2_s0} : {1'd0, mux_2_s0};  // units/packet_decision.h:126
-  wire [2:0] mux_7_s0 = d_go_right_3_s0 ? {1'd1, mux_3_s0} : {1'd0, mux_3_s0};  // units/packet_decision.h:126
-  wire [2:0] mux_8_s0 = d_left_first_3_s0 ? {1'd1, mux_4_s0} : {1'd0, mux_4_s0};  // units/packet_decision.h:126
+  wire [2:0] mux_5_s0 = d_terminated_3_s0 ? {1'd1, mux_1_s0} : {1'd0, mux_1_s0};  // units/packet_decision.h:130
+  wire [2:0] mux_6_s0 = d_go_left_3_s0 ? {1'd1, mux_2_s0} : {1'd0, mux_2_s0};  // units/packet_decision.h:130
+  wire [2:0] mux_7_s0 = d_go_right_3_s0 ? {1'd1, mux_3_s0} : {1'd0, mux_3_s0};  // units/packet_decision.h:130
+  wire [2:0] mux_8_s0 = d_left_first_3_s0 ? {1'd1, mux_4_s0} : {1'd0, mux_4_s0};  // units/packet_decision.h:130
   wire d_left_first_4_s0 = slice_3_data_i[0];
   wire d_go_left_4_s0 = slice_3_data_i[1];
   wire d_go_right_4_s0 = slice_3_data_i[2];
   wire d_terminated_4_s0 = slice_3_data_i[3];
-  wire [3:0] mux_9_s0 = d_terminated_4_s0 ? {1'd1, mux_5_s0} : {1'd0, mux_5_s0};  // units/packet_decision.h:126
-  wire [3:0] mux_11_s0 = d_go_right_4_s0 ? {1'd1, mux_7_s0} : {1'd0, mux_7_s0};  // units/packet_decision.h:126
+  wire [3:0] mux_9_s0 = d_terminated_4_s0 ? {1'd1, mux_5_s0} : {1'd0, mux_5_s0};  // units/packet_decision.h:130
+  wire [3:0] mux_11_s0 = d_go_right_4_s0 ? {1'd1, mux_7_s0} : {1'd0, mux_7_s0};  // units/packet_decision.h:130
   wire [3:0] active_s0 = s_context_active_s0 & (~mux_9_s0);  // units/packet_decision.h:36
   wire [3:0] and_1_s0 = (d_go_left_4_s0 ? {1'd1, mux_6_s0} : {1'd0, mux_6_s0}) & active_s0;  // units/packet_decision.h:37
   wire [3:0] and_2_s0 = mux_11_s0 & active_s0;  // units/packet_decision.h:38
@@ -93,7 +93,7 @@ module packet_decision #(
   wire mux_17_s0 = both_s0[0] ? mux_8_s0[0] : mux_16_s0;  // units/packet_decision.h:45
   wire eq_6_s0 = s_node_kind_s0 == 2'd3;  // units/packet_decision.h:52
   wire eq_7_s0 = active_s0 == 4'd0;
-  wire [3:0] e_terminated_s0 = s_context_active_s0 & mux_9_s0;  // units/packet_decision.h:86
+  wire [3:0] e_terminated_s0 = s_context_active_s0 & mux_9_s0;  // units/packet_decision.h:77
   wire [5:0] step_in_0_s0 = step_in_data_i[5:0];
 
   // ---- stage 1 ----
@@ -135,15 +135,15 @@ module packet_decision #(
   wire or_1_s1 = is_leaf_s1 | eq_7_s1;  // units/packet_decision.h:53
   wire next_is_left_s1 = left_is_near_s1 ? enter_left_s1 : (~enter_right_s1);  // units/packet_decision.h:50
   wire enter_near_s1 = left_is_near_s1 ? enter_left_s1 : enter_right_s1;  // units/packet_decision.h:49
-  wire and_3_s1 = is_leaf_s1 & (enter_left_s1 | enter_right_s1);  // units/packet_decision.h:70
-  wire and_4_s1 = enter_left_s1 & enter_right_s1;  // units/packet_decision.h:70
-  wire [18:0] mux_18_s1 = next_is_left_s1 ? step_in_48_s1 : step_in_67_s1;  // units/packet_decision.h:74
-  wire [3:0] mux_19_s1 = next_is_left_s1 ? and_1_s1 : and_2_s1;  // units/packet_decision.h:75
-  wire e_clip_near_s1 = ~enter_near_s1;  // units/packet_decision.h:76
-  wire [18:0] mux_20_s1 = left_is_near_s1 ? step_in_67_s1 : step_in_48_s1;  // units/packet_decision.h:77
-  wire [3:0] mux_21_s1 = left_is_near_s1 ? and_2_s1 : and_1_s1;  // units/packet_decision.h:78
-  wire [1:0] mux_22_s1 = and_4_s1 ? 2'd2 : 2'd1;  // units/packet_decision.h:92
-  wire [1:0] mux_23_s1 = ~{2{and_3_s1}} | mux_22_s1;  // units/packet_decision.h:92
+  wire and_3_s1 = is_leaf_s1 & (enter_left_s1 | enter_right_s1);  // units/packet_decision.h:61
+  wire and_4_s1 = enter_left_s1 & enter_right_s1;  // units/packet_decision.h:61
+  wire [18:0] mux_18_s1 = next_is_left_s1 ? step_in_48_s1 : step_in_67_s1;  // units/packet_decision.h:65
+  wire [3:0] mux_19_s1 = next_is_left_s1 ? and_1_s1 : and_2_s1;  // units/packet_decision.h:66
+  wire e_clip_near_s1 = ~enter_near_s1;  // units/packet_decision.h:67
+  wire [18:0] mux_20_s1 = left_is_near_s1 ? step_in_67_s1 : step_in_48_s1;  // units/packet_decision.h:68
+  wire [3:0] mux_21_s1 = left_is_near_s1 ? and_2_s1 : and_1_s1;  // units/packet_decision.h:69
+  wire [1:0] mux_22_s1 = and_4_s1 ? 2'd2 : 2'd1;  // units/packet_decision.h:83
+  wire [1:0] mux_23_s1 = ~{2{and_3_s1}} | mux_22_s1;  // units/packet_decision.h:83
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(63), .DEPTH(EVENT_DEPTH), .MARGIN(EVENT_BOUNDED ? 0 : 1),

@@ -21,13 +21,21 @@ class Bounds(NamedTuple):
 
 
 BOUNDS = {
-    "fit_ecp5": Bounds(good=0.869, late=0.0, predicted=0.88),
+    "fit_ecp5": Bounds(good=0.842, late=0.0, predicted=0.88),
     "fit_ecp5_8": Bounds(good=0.95, late=0.0, predicted=0.9),
     "fit_ice40_hx": Bounds(good=0.73, late=0.086, predicted=0.8),
 }
 # Placements that take longer than any other may: docs/results/devices.md says why.
-LATE = {"place_core_fast": 0.14}
+LATE = {"place_core_full": 0.05}
 RENEW = "run scripts/fit-delays --record after a change, or take the change back"
+
+
+def is_earlier(placement: str, data: project.Json) -> bool:
+    """Whether a placement is of an earlier Verilog. What is checked in tells by itself."""
+    kept = project.read_json(kept_placement.file_of(placement))
+    if kept_placement.of_checked_in(kept):
+        return not kept_placement.is_current(kept)
+    return placement in data["earlier"]
 
 
 class Models(unittest.TestCase):
@@ -51,7 +59,7 @@ class Models(unittest.TestCase):
             self.assertGreaterEqual(part or 0, bounds.good, path)
             for placement in data["placements"]:
                 # hlsc promises for the present Verilog, and predicts other ends of an earlier one.
-                if placement["placement"] in data["earlier"]:
+                if is_earlier(placement["placement"], data):
                     continue
                 where = f"{path}: {placement['placement']}"
                 late = placement["placed, ns"] / placement["promised, ns"] - 1

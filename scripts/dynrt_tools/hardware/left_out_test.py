@@ -16,15 +16,17 @@ GENERATED = pathlib.Path(sys.argv.pop(1))
 STAGE = re.compile(r"^ +\d+ +\d+ +[\d.]+ +(?P<operations>\d+ .*)$", re.MULTILINE)
 
 # Units by the configurations that have them; those beside them, whose Verilog is whole too, do not.
-UNITS = {
-    "secondary_rays": {"whitted"},
-    "shader": {"whitted"},
-    "light_columns": {"whitted"},
-    "box_clip": {"boxed"},
-    "ray_reciprocal": {"reciprocal"},
+UNITS: dict[str, set[str]] = {
+    "secondary_rays": {"whitted", "fast_lit"},
+    "shader": {"whitted", "fast_lit"},
+    "light_columns": {"whitted", "fast_lit"},
+    "camera_rays": {"fast", "fast_lit", "fast_watertight"},
+    "world_box": {"fast", "fast_lit", "fast_watertight"},
+    "ray_reciprocal": {"fast", "fast_lit", "fast_watertight"},
     "ray_shear": {"watertight"},
+    "box_clip": set(),
 }
-WHOLE = ("thesis", "full", "boxed", "reciprocal", "watertight", "whitted")
+WHOLE = ("thesis", "full", "fast", "fast_lit", "fast_watertight", "watertight", "whitted")
 
 # What is left out, of which unit: the configuration without it takes fewer operations, of all kinds or
 # of the one that is named (numbers are compared with zero by their signs).

@@ -102,7 +102,7 @@ def write_csv(path: pathlib.Path, report: Json) -> None:
                 [
                     run["scene"],
                     run["variant"],
-                    *(variant["configuration"].get(k) for k in keys),
+                    *(variant["differs"].get(k, variant["configuration"].get(k)) for k in keys),
                     *(area.get(c) for c in COLUMNS),
                     variant.get("schedule", {}).get("clock_ns"),
                     run.get("clocks"),

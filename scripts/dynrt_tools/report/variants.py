@@ -29,10 +29,25 @@ def base_configuration(name: str) -> Json:
     return dict(listed[name])
 
 
+def keys_of(like: object) -> Json:
+    """The keys in which a listed configuration differs from the first."""
+    generate = configs.load_configurations()
+    listed = generate.listed()
+    if like not in listed:
+        raise generate.Refused(f": is like {like!r}; the configurations are {', '.join(listed)}")
+    first, whole = next(iter(listed.values())), listed[str(like)]
+    return {
+        key: value
+        for key, value in whole.items()
+        if key in generate.KEYS and generate.KEYS[key].inherited and value != first[key]
+    }
+
+
 def read_variants(path: pathlib.Path, base: Json, leave_out: bool = False) -> dict[str, Json]:
     """By name, in the file's order: every key of its configuration, and those that differ from
-    `base`. One of them, the reference, differs in none. With `leave_out` those are left out whose
-    keys the base's exclude; else they are refused."""
+    `base`. `like` stands for all in which that configuration differs from the first. One of the
+    variants, the reference, differs in none. With `leave_out` those are left out whose keys the
+    base's exclude; else they are refused."""
     generate = configs.load_configurations()
     try:
         listed = generate.parse(path)
@@ -46,7 +61,9 @@ def read_variants(path: pathlib.Path, base: Json, leave_out: bool = False) -> di
                     "and ., a letter first"
                 )
             try:
-                config = generate.checked("variant", {**base, **differs, "about": name})
+                own = {key: value for key, value in differs.items() if key != "like"}
+                like = keys_of(differs["like"]) if "like" in differs else {}
+                config = generate.checked("variant", {**base, **like, **own, "about": name})
             except generate.Refused as error:
                 if leave_out:
                     continue

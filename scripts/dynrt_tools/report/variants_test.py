@@ -11,6 +11,7 @@ from dynrt_tools.project import Failed
 from dynrt_tools.report import variants
 
 THESIS = variants.base_configuration("thesis")
+LISTED = configs.load_configurations().listed()
 
 
 class Variants(testing.InFolder):
@@ -42,8 +43,25 @@ class Variants(testing.InFolder):
         self.assertLessEqual({5, 6, 7, 8}, values("exponent_bits"))
         self.assertEqual({"nearest_even", "truncate"}, values("rounding"))
         self.assertGreaterEqual(len(values("epsilon")), 4)
-        self.assertEqual({"quotient", "reciprocal"}, values("divider"))
-        self.assertEqual({"unit_triangle", "watertight"}, values("triangle_test"))
+        self.assertEqual({"quotient", "reciprocal", "three_reciprocals"}, values("divider"))
+        self.assertEqual(
+            {"unit_triangle", "watertight", "watertight_common"}, values("triangle_test")
+        )
+
+    def test_one_like_another_configuration(self) -> None:
+        read = self.read({"a": {}, "b": {"like": "fast", "mantissa_bits": 14}})
+        fast = variants.base_configuration("fast")
+        own = {"name", "about", "mantissa_bits", "scan_out"}
+        for key in set(fast) - own:
+            self.assertEqual(read["b"]["configuration"][key], fast[key], key)
+        self.assertEqual(read["b"]["configuration"]["mantissa_bits"], 14)
+        self.assertEqual(read["b"]["differs"], {"like": "fast", "mantissa_bits": 14})
+        whitted = variants.base_configuration("whitted")
+        self.assertNotIn("m16_fast", variants.read_variants(variants.LISTED, whitted, True))
+        self.assert_refused(
+            {"a": {}, "b": {"like": "slow"}},
+            f" variant 'b': is like 'slow'; the configurations are {', '.join(LISTED)}",
+        )
 
     def test_a_list_for_every_core_leaves_out_what_one_excludes(self) -> None:
         formats = project.ROOT / "scripts" / "dynrt_tools" / "specialise" / "formats.json"
