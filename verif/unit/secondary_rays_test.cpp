@@ -2,40 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "units/secondary_rays.h"
 
-#include <memory>
-
 #include "Vsecondary_rays.h"
 #include "secondary_rays_ports.h"
-#include "unit/cosimulate.h"
+#include "unit/derivation_stimulus.h"
 
 namespace dynrt::cosim {
 namespace {
 
-/// A packet's primary rays are shaded first; afterwards anything may come.
-class Stimulus {
- public:
-  explicit Stimulus(const Run& run) : packets_(run) {}
-  void draw(DerivationEvent<C>& d, Random& random) {
-    d.packet = packets_.next(random);
-    const bool known = known_[d.packet.to_u64()];
-    d.shaded = !known || random.below(4) == 0;
-    d.kind = known ? any_of<RayKind>(random, 3) : RayKind::kPrimary;
-  }
-  void begun(const DerivationEvent<C>& d) { known_[d.packet.to_u64()] = true; }
-
- private:
-  Packets packets_;
-  bool known_[C::kPackets] = {};
-};
-
 void setup(Bench<SecondaryRays<C>>& bench, const Run& run) {
-  auto stimulus = std::make_shared<Stimulus>(run);
-  bench.packet<DerivationEvent<C>>("derive",
-                                   [](const DerivationEvent<C>& d) { return d.packet.to_u64(); });
-  bench.shape<DerivationEvent<C>>(
-      "derive", [stimulus](DerivationEvent<C>& d, Random& random) { stimulus->draw(d, random); });
-  bench.begun<DerivationEvent<C>>("derive",
-                                  [stimulus](const DerivationEvent<C>& d) { stimulus->begun(d); });
+  feed_derivations(bench, run);
   bench.shape<FrameRegisters<C>>("frame", [](FrameRegisters<C>& frame, Random& random) {
     frame.lights = Word::from(random.below(C::kLights + 1));
     frame.reflections = Word::from(random.below(C::kReflections + 1));
