@@ -49,9 +49,9 @@ std::string CoreClock::text() const {
   if (placed == nullptr) return fmt::format("clock       {:g} MHz, as --clock says\n", mhz);
   if (own) {
     return fmt::format(
-        "clock       {:g} MHz, placed: {} on {}, median of {} seeds ({:g} to {:g} MHz)\n", mhz,
-        placed->configuration, placed->where, placed->seeds, placed->lowest_mhz,
-        placed->highest_mhz);
+        "clock       {:g} MHz, placed: {}{} on {}, median of {} seeds ({:g} to {:g} MHz)\n", mhz,
+        placed->earlier ? "an earlier " : "", placed->configuration, placed->where, placed->seeds,
+        placed->lowest_mhz, placed->highest_mhz);
   }
   const bool same_name = std::ranges::find(placed_clocks(), configuration,
                                            &PlacedClock::configuration) != placed_clocks().end();
@@ -72,6 +72,7 @@ nlohmann::ordered_json CoreClock::json() const {
                {"seeds", placed->seeds},
                {"placer", placed->placer},
                {"verilog", placed->verilog},
+               {"of_earlier_verilog", placed->earlier},
                {"command", placed->command}});
   return json;
 }

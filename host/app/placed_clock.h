@@ -20,6 +20,7 @@ struct PlacedClock {
   unsigned seeds = 0;
   std::string_view placer;   ///< with its version
   std::string_view verilog;  ///< a hash of what was placed
+  bool earlier = false;      ///< the checked-in Verilog is another by now
   std::string_view command;  ///< that measures it again
   std::string_view where;    ///< device and grade in words
 };

@@ -49,6 +49,8 @@ class Readme(unittest.TestCase):
         self.assertIn(
             f"`full` reaches {full.mhz:g} MHz, `fast` {fast.mhz:g} MHz.", README.replace("\n", " ")
         )
+        changed = "The Verilog of `fast` has changed since it was placed."
+        self.assertEqual(changed in README.replace("\n", " "), fast.earlier)
         for clock in (full, fast):
             self.assertEqual(clock.seeds, 3, clock.configuration)
 

@@ -18,7 +18,6 @@ from dynrt_tools.hardware import (
     devices,
     model_file,
     place_record,
-    placed_clocks,
     placed_ends,
     placing,
     rtl_files,
@@ -26,7 +25,7 @@ from dynrt_tools.hardware import (
 )
 from dynrt_tools.project import Json, read_json
 
-DATA = placed_clocks.DATA
+DATA = project.ROOT / "docs" / "results" / "data"
 # An end limits if its path takes this share of the period.
 LIMITS = 0.85
 SEEDS_OF_A_MEDIAN = 3  # at least; the clocks of single seeds lie up to 12 % apart

@@ -12,10 +12,10 @@ import statistics
 from dataclasses import dataclass
 
 from dynrt_tools import project
-from dynrt_tools.hardware import devices, placers, rtl_files
+from dynrt_tools.hardware import devices, kept_placement, placers, rtl_files
 from dynrt_tools.project import Json
 
-DATA = project.ROOT / "docs" / "results" / "data"
+DATA = kept_placement.DATA
 FILES = "place_core*.json"
 DEVICE = "ecp5-85"  # that figures are for where no other is named, at its default grade
 THESIS_MHZ = 85  # the clock of the thesis's prototype, beside which figures are compared with it
@@ -39,6 +39,7 @@ class PlacedClock:
     seeds: int
     placer: str  # with its version
     verilog: str  # kept_placement.hash_of what was placed
+    earlier: bool  # the checked-in Verilog is another by now; of others nobody can tell
     command: str
 
     @property
@@ -52,6 +53,11 @@ class PlacedClock:
         text = f"at {self.mhz:g} MHz, placed: {self.configuration} on {self.where}"
         missing = f"; {configuration} was not placed and may miss it"
         return text + (missing if configuration != self.configuration else "")
+
+
+def _is_earlier(data: Json) -> bool:
+    core = {"unit": rtl_files.CORE, "config": data["config"], "verilog": data["verilog"]}
+    return kept_placement.of_checked_in(core) and not kept_placement.is_current(core)
 
 
 def _read(path: pathlib.Path, data: Json) -> PlacedClock:
@@ -74,6 +80,7 @@ def _read(path: pathlib.Path, data: Json) -> PlacedClock:
             seeds=data["seeds"],
             placer=f"{placers.PLACERS[data['device']]['program']} {data['placer']}",
             verilog=data["verilog"],
+            earlier=_is_earlier(data),
             command=command,
         )
     except KeyError as error:

@@ -50,6 +50,7 @@ class Reading(testing.InFolder):
         first = clocks[0]
         self.assertEqual((first.lowest_mhz, first.highest_mhz, first.seeds), (99, 102, 3))
         self.assertEqual(first.command, "place place_core")
+        self.assertTrue(first.earlier, "of another Verilog than the one that is checked in")
         self.assertEqual(first.where, "Lattice LFE5U-85F, grade 6")
         self.assertEqual(placed_clocks.of("boxed", clocks).mhz, 90)
         self.assertEqual(placed_clocks.of("thesis", clocks), first)
@@ -83,7 +84,8 @@ class Reading(testing.InFolder):
         self.assertIn(
             '    {.device = "ecp5-85", .grade = "6", .configuration = "thesis", .mhz = 100.5, '
             ".lowest_mhz = 99.5, .highest_mhz = 102.5, .seeds = 3, "
-            '.placer = "nextpnr-ecp5 0.7", .verilog = "0123", .command = "place place_core", '
+            '.placer = "nextpnr-ecp5 0.7", .verilog = "0123", .earlier = true, '
+            '.command = "place place_core", '
             '.where = "Lattice LFE5U-85F, grade 6"},\n};\n',
             text,
         )
