@@ -177,12 +177,12 @@ FrameImage::FrameImage(const Scene& scene, const ObjectImage& objects, const Tre
     }
     memory.add(light_columns(light));
   }
-  const std::size_t lights_used = std::min<std::size_t>(lights, objects.core.lights);
   if (objects.core.tests_world_box()) {
     box_column = memory.end_column() - first_instance;
     add_boxes(memory, scene, objects, camera.position);
     boxes_apart = memory.end_column() - first_instance - box_column;
-    for (const PointLight& light : std::span(scene.lights).first(lights_used)) {
+    for (const PointLight& light :
+         std::span(scene.lights).first(lights_used(scene, objects.core))) {
       add_boxes(memory, scene, objects, light.position);
     }
   }

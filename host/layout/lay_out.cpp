@@ -164,7 +164,7 @@ std::vector<MemoryRun> MemoryImage::runs() const {
 }
 
 SceneNeeds MemoryImage::needs() const {
-  return scene_needs(scene, trees, core().triangle_matrix, core().object_box);
+  return scene_needs(scene, trees, core().triangle_matrix, boxes_of_instance(scene, core()));
 }
 
 Tree instances_of(const MemoryImage& image) {

@@ -33,9 +33,16 @@ void check_matrices(const Scene& scene, const CoreInfo& core, std::size_t needed
               std::size_t{1} << core.matrix_bits, "matrix_bits", core.matrix_bits, kMatrixBits);
 }
 
+std::size_t lights_used(const Scene& scene, const CoreInfo& core) {
+  return std::min<std::size_t>(scene.lights.size(), core.lights);
+}
+
+std::size_t boxes_of_instance(const Scene& scene, const CoreInfo& core) {
+  return core.tests_world_box() ? 1 + lights_used(scene, core) : 0;
+}
+
 std::size_t boxes_in(const Scene& scene, const CoreInfo& core) {
-  if (!core.tests_world_box()) return 0;
-  return matrices_of_boxes(scene) * (1 + std::min<std::size_t>(scene.lights.size(), core.lights));
+  return matrices_of_boxes(scene) * boxes_of_instance(scene, core);
 }
 
 TreeSize address_ends(const CoreConfiguration& core) {

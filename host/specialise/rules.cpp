@@ -158,8 +158,8 @@ Need addresses(const RuleContext& c) {
 Need matrices(const RuleContext& c) {
   return {bits_for(c.needs.places.matrices),
           fmt::format("primitives, instances, {}lights and camera take the numbers 0 to {}{}",
-                      c.needs.world_boxes ? "their boxes, " : "", c.needs.places.matrices - 1,
-                      in_frames(c.needs))};
+                      c.needs.boxes_of_instance > 0 ? "their boxes, " : "",
+                      c.needs.places.matrices - 1, in_frames(c.needs))};
 }
 
 Need one_colour(const RuleContext& c) {

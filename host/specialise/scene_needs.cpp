@@ -84,14 +84,14 @@ SceneNeeds frame_needs(const SceneNeeds& before, const Scene& scene, const Tree&
   needs.places = {needs.still.nodes + instances.size().nodes,
                   needs.still.entries + instances.size().items,
                   needs.still.matrices + of_instance * scene.instances.size() + 1 + needs.lights +
-                      (needs.world_boxes ? matrices_of_boxes(scene) * (1 + needs.lights) : 0)};
+                      matrices_of_boxes(scene) * needs.boxes_of_instance};
   return needs;
 }
 
 SceneNeeds scene_needs(const Scene& scene, const SceneTrees& trees, TriangleMatrix form,
-                       ObjectBox box) {
+                       std::size_t boxes_of_instance) {
   SceneNeeds needs;
-  needs.world_boxes = box == ObjectBox::kWorld;
+  needs.boxes_of_instance = boxes_of_instance;
   needs.scene = scene.name;
   needs.objects = scene.objects.size();
   needs.still.nodes = 1;  // the null node

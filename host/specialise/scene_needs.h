@@ -49,7 +49,7 @@ struct SceneNeeds {
     std::size_t nodes = 0, entries = 0, matrices = 0;
   };
   Places still, places;
-  bool world_boxes = false;  ///< instances have matrices for their boxes
+  std::size_t boxes_of_instance = 0;  ///< in the memory, for the core to test
 
   /// The needs of both.
   void include(const SceneNeeds& other);
@@ -58,7 +58,7 @@ struct SceneNeeds {
 /// `form` is the form in which triangles are stored.
 SceneNeeds scene_needs(const Scene& scene, const SceneTrees& trees,
                        TriangleMatrix form = TriangleMatrix::kNormalConsistent,
-                       ObjectBox box = ObjectBox::kNodes);
+                       std::size_t boxes_of_instance = 0);
 
 /// The needs of the same scene's instances, and of the tree over them, in another frame.
 SceneNeeds frame_needs(const SceneNeeds& before, const Scene& scene, const Tree& instances);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "host/memory/matrix_numbers.h"
 #include "host/specialise/test_needs.h"
 
 namespace dynrt::host {
@@ -85,6 +86,21 @@ TEST(SceneNeeds, FramesTogetherNeedWhatOneOfThemDoes) {
   EXPECT_EQ(both.lights, 2u);
   EXPECT_EQ(both.top_stack.pushes, needs_of(many).top_stack.pushes);
   EXPECT_EQ(both.places.nodes, needs_of(many).places.nodes);
+}
+
+/// A light whose rays the core does not trace has no boxes.
+TEST(SceneNeeds, BoxesTakeThePlacesThatTheCoreGivesThem) {
+  Scene scene = scene_of(one_triangle("sail"));
+  for (int i = 1; i < 32; ++i) add_instance(scene, 3.0 * i);
+  scene.lights.resize(2);
+  const SceneTrees trees = build_scene_trees(scene);
+  const auto matrices = [&](std::size_t boxes) {
+    return scene_needs(scene, trees, TriangleMatrix::kNormalConsistent, boxes).places.matrices;
+  };
+  const std::size_t more = matrices_of_boxes(scene);
+  ASSERT_GT(more, 0u);
+  EXPECT_EQ(matrices(1), matrices(0) + more);
+  EXPECT_EQ(matrices(3), matrices(0) + 3 * more);
 }
 
 }  // namespace

@@ -191,3 +191,8 @@ def is_current(kept: Json, folder: pathlib.Path | None = None) -> bool:
     files = rtl_files.core_files(folder or rtl_files.GENERATED.parent / kept["config"])
     files += rtl_files.board() if kept["unit"] == rtl_files.BOARD else []
     return bool(kept["verilog"] == hash_of(kept["unit"], files))
+
+
+def is_earlier(kept: Json) -> bool:
+    """Whether it is of checked-in Verilog that is another by now; of others only a build tells."""
+    return of_checked_in(kept) and not is_current(kept)

@@ -55,11 +55,6 @@ class PlacedClock:
         return text + (missing if configuration != self.configuration else "")
 
 
-def _is_earlier(data: Json) -> bool:
-    core = {"unit": rtl_files.CORE, "config": data["config"], "verilog": data["verilog"]}
-    return kept_placement.of_checked_in(core) and not kept_placement.is_current(core)
-
-
 def _read(path: pathlib.Path, data: Json) -> PlacedClock:
     runs = project.read_json(path.parent / "runs.json")
     if path.stem not in runs:
@@ -80,7 +75,7 @@ def _read(path: pathlib.Path, data: Json) -> PlacedClock:
             seeds=data["seeds"],
             placer=f"{placers.PLACERS[data['device']]['program']} {data['placer']}",
             verilog=data["verilog"],
-            earlier=_is_earlier(data),
+            earlier=kept_placement.is_earlier({"unit": rtl_files.CORE} | data),
             command=command,
         )
     except KeyError as error:
