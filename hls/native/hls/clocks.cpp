@@ -13,12 +13,13 @@ void Clocks::unit(const std::string& name, const ModuleSchedule& schedule,
   units_.push_back({.name = name, .schedule = schedule, .run = std::move(run)});
 }
 
-Clocks::Queue* Clocks::output(const std::string& name, std::function<std::uint64_t()> pushed,
+Clocks::Queue* Clocks::output(const std::string& name, std::shared_ptr<TokenQueue> tokens,
                               bool bounded) {
   Unit& unit = find(name);
-  queues_.push_back({.pushed = std::move(pushed), .room = bounded ? 0 : unit.schedule.room});
-  unit.outputs.push_back(&queues_.back());
-  return &queues_.back();
+  Queue* queue = &queues_.emplace_back(bounded ? 0 : unit.schedule.room);
+  unit.outputs.push_back({queue, std::move(tokens)});
+  if (!bounded) unit.refusing.push_back(queue);
+  return queue;
 }
 
 void Clocks::feed(const std::string& name, Feed feed) {
@@ -26,8 +27,7 @@ void Clocks::feed(const std::string& name, Feed feed) {
 }
 
 Clocks::Queue* Clocks::merge(std::vector<Feed> feeds) {
-  constexpr unsigned kPlaces = 2;  // of hls_buffer.v
-  Queue* buffer = &queues_.emplace_back(Queue{.room = kPlaces});
+  Queue* buffer = &queues_.emplace_back(Queue::kBufferPlaces);
   arbiters_.push_back({.feeds = std::move(feeds), .buffer = buffer});
   return buffer;
 }
@@ -40,13 +40,13 @@ std::vector<Clocks::Queue*> Clocks::fork(Feed feed, const std::vector<std::strin
     find(name).waits_for_fork = true;
   }
   for (std::size_t i = 0; i < queues; ++i) {
-    fork.branches.push_back(&queues_.emplace_back(Queue{.room = depth}));
+    fork.branches.push_back(&queues_.emplace_back(depth));
   }
   forks_.push_back(std::move(fork));
   return forks_.back().branches;
 }
 
-void Clocks::sink(Feed feed) { sinks_.push_back(std::move(feed)); }
+void Clocks::sink(Feed feed) { sinks_.push_back({.feed = std::move(feed)}); }
 
 void Clocks::torn_ram(const std::string& writer, const std::string& port, unsigned read_stage,
                       std::function<std::uint64_t()> logged, std::function<void(std::size_t)> tear,
@@ -70,32 +70,10 @@ void Clocks::torn_ram(const std::string& writer, const std::string& port, unsign
 }
 
 void Clocks::run() {
-  for (std::uint64_t now = next(0); now != kNever;) now = tick(now) ? now + 1 : next(now + 1);
-}
-
-bool Clocks::Queue::has_room(std::uint64_t now) const {
-  if (room == 0) return true;
-  std::size_t waiting = taken_at == now ? 1 : 0;
-  for (auto at = ready.begin(); at != ready.end() && *at <= now; ++at) ++waiting;
-  return waiting < room;
-}
-
-void Clocks::Feed::take(std::uint64_t now) const {
-  if (!move()) return;
-  queue->ready.pop_front();
-  queue->taken_at = now;
-}
-
-void Clocks::Ram::land_until(std::uint64_t now) {
-  for (; !due.empty() && due.front() <= now; due.pop_front()) land();
-}
-
-void Clocks::Ram::tear_at(std::uint64_t now) const {
-  for (std::size_t i = 0; i < due.size() && due[i] <= now + 1; ++i) tear(i);
-}
-
-bool Clocks::Unit::has_room(std::uint64_t now) const {
-  return std::ranges::all_of(outputs, [now](const Queue* q) { return q->has_room(now); });
+  number_actors();
+  wheel_.run([this](std::size_t actor, std::uint64_t now) {
+    actors_[actor].act(*this, actors_[actor].self, now);
+  });
 }
 
 Clocks::Unit& Clocks::find(const std::string& name) {
@@ -104,84 +82,143 @@ Clocks::Unit& Clocks::find(const std::string& name) {
   return *found;
 }
 
-bool Clocks::tick(std::uint64_t now) {
-  bool moved = false;
-  for (Ram& ram : rams_) ram.land_until(now);
-  for (const Feed& sink : sinks_) {
-    if (sink.queue->offers(now)) {
-      sink.take(now);
-      moved = true;
-    }
-  }
-  for (Arbiter& arbiter : arbiters_) moved |= arbitrate(arbiter, now);
-  for (Fork& fork : forks_) moved |= pass(fork, now);
-  // Readers see in the same clock that a row is torn.
-  for (Unit& unit : units_) moved |= !unit.rams.empty() && fire(unit, now);
-  for (const Ram& ram : rams_) ram.tear_at(now);
-  for (Unit& unit : units_) moved |= unit.rams.empty() && fire(unit, now);
-  return moved;
+template <auto kAct, class Self>
+std::size_t Clocks::number(Self& self) {
+  const auto act = [](Clocks& clocks, void* actor, std::uint64_t now) {
+    (clocks.*kAct)(*static_cast<Self*>(actor), now);
+  };
+  actors_.push_back({act, &self});
+  return actors_.size() - 1;
 }
 
-bool Clocks::arbitrate(Arbiter& arbiter, std::uint64_t now) {
-  if (!arbiter.buffer->has_room(now)) return false;
+void Clocks::number_actors() {
+  actors_.clear();
+  for (Ram& ram : rams_) ram.landing = number<&Clocks::land>(ram);
+  for (Sink& sink : sinks_) sink.feed.queue->reader = number<&Clocks::drain>(sink);
+  for (Arbiter& arbiter : arbiters_) {
+    arbiter.actor = number<&Clocks::arbitrate>(arbiter);
+    for (const Feed& feed : arbiter.feeds) feed.queue->reader = arbiter.actor;
+  }
+  for (Fork& fork : forks_) {
+    fork.actor = number<&Clocks::pass>(fork);
+    fork.feed.queue->reader = fork.actor;
+  }
+  const auto number_units = [this](bool with_rams) {
+    for (Unit& unit : units_) {
+      if (unit.rams.empty() == with_rams) continue;
+      unit.actor = number<&Clocks::fire>(unit);
+      for (const Feed& feed : unit.feeds) feed.queue->reader = unit.actor;
+    }
+  };
+  // Readers see in the same clock that a row is torn.
+  number_units(true);
+  for (Ram& ram : rams_) ram.tearing = number<&Clocks::tear>(ram);
+  number_units(false);
+  wheel_ = TimingWheel(actors_.size());
+  for (const Queue& queue : queues_) {
+    if (!queue.empty()) wheel_.wake(queue.reader, queue.front());
+  }
+}
+
+bool Clocks::has_room(Queue& queue, std::size_t waiting, std::uint64_t now) {
+  if (queue.has_room(now)) return true;
+  const std::uint64_t from = queue.has_room_from(now);
+  if (from == kNever) {
+    queue.waits_for_room = waiting;
+  } else {
+    wheel_.wake(waiting, from);
+  }
+  return false;
+}
+
+void Clocks::take(const Feed& feed, std::uint64_t now) {
+  Queue& queue = *feed.queue;
+  if (feed.move && !feed.move()) {
+    wheel_.wake(queue.reader, now + 1);
+    return;
+  }
+  queue.pop(now);
+  if (!queue.empty()) wheel_.wake(queue.reader, std::max(now + 1, queue.front()));
+  if (queue.waits_for_room == kNobody) return;
+  wheel_.wake(queue.waits_for_room, now + 1);
+  queue.waits_for_room = kNobody;
+}
+
+void Clocks::push(Queue& queue, std::uint64_t ready) {
+  const bool is_first = queue.empty();
+  queue.push(ready);
+  if (is_first && queue.reader != kNobody) wheel_.wake(queue.reader, queue.front());
+}
+
+void Clocks::drain(Sink& sink, std::uint64_t now) {
+  if (sink.feed.queue->offers(now)) take(sink.feed, now);
+}
+
+void Clocks::arbitrate(Arbiter& arbiter, std::uint64_t now) {
+  const auto offers = [now](const Feed& feed) { return feed.queue->offers(now); };
+  if (!has_room(*arbiter.buffer, arbiter.actor, now)) return;
   const std::size_t sender = arbiter.granted;
   const std::size_t count = arbiter.feeds.size();
-  for (std::size_t after = 1; after < count; ++after) {
-    const std::size_t other = (sender + after) % count;
-    if (!arbiter.feeds[other].queue->offers(now)) continue;
+  for (std::size_t after = 1, other = sender; after < count; ++after) {
+    if (++other == count) other = 0;
+    if (!offers(arbiter.feeds[other])) continue;
     arbiter.granted = other;
+    wheel_.wake(arbiter.actor, now + 1);
     break;
   }
-  const Feed& feed = arbiter.feeds[sender];
-  if (!feed.queue->offers(now)) return arbiter.granted != sender;
-  feed.take(now);
-  arbiter.buffer->ready.push_back(now + 1);
-  return true;
+  if (!offers(arbiter.feeds[sender])) return;
+  take(arbiter.feeds[sender], now);
+  push(*arbiter.buffer, now + 1);
 }
 
-bool Clocks::pass(Fork& fork, std::uint64_t now) {
-  if (!fork.feed.queue->offers(now)) return false;
+void Clocks::pass(Fork& fork, std::uint64_t now) {
+  if (!fork.feed.queue->offers(now)) return;
   const bool ready =
-      std::ranges::all_of(fork.readers, [now](const Unit* u) { return u->has_room(now); }) &&
-      std::ranges::all_of(fork.branches, [now](const Queue* q) { return q->has_room(now); });
-  if (!ready) return false;
-  fork.feed.take(now);
-  for (Unit* reader : fork.readers) reader->forked_at = now;
-  for (Queue* branch : fork.branches) branch->ready.push_back(now + 1);
-  return true;
+      std::ranges::all_of(fork.readers,
+                          [&](Unit* u) { return has_room(u->refusing, fork.actor, now); }) &&
+      has_room(fork.branches, fork.actor, now);
+  if (!ready) return;
+  take(fork.feed, now);
+  for (const Unit* reader : fork.readers) wheel_.wake(reader->actor, now);
+  for (Queue* branch : fork.branches) push(*branch, now + 1);
 }
 
-bool Clocks::fire(Unit& unit, std::uint64_t now) {
-  if (unit.waits_for_fork) {
-    if (unit.forked_at != now) return false;
-  } else {
-    const bool tokens =
-        std::ranges::all_of(unit.feeds, [now](const Feed& f) { return f.queue->offers(now); });
-    const bool room = unit.has_room(now);
-    unit.stalls += tokens && !room;
-    if (!tokens || !room) return false;
-    for (const Feed& feed : unit.feeds) feed.take(now);
+void Clocks::fire(Unit& unit, std::uint64_t now) {
+  if (!unit.waits_for_fork) {
+    for (const Feed& feed : unit.feeds) {
+      if (!feed.queue->offers(now)) return;
+    }
+    if (!has_room(unit.refusing, unit.actor, now)) {
+      if (unit.stalled_from != kNever) return;
+      unit.stalled_from = now;
+      ++unit.stalls;
+      return;
+    }
+    if (unit.stalled_from != kNever) unit.stalls += now - unit.stalled_from - 1;
+    unit.stalled_from = kNever;
+    for (const Feed& feed : unit.feeds) take(feed, now);
   }
   unit.run();
-  for (Queue* queue : unit.outputs) {
-    for (const std::uint64_t pushed = queue->pushed(); queue->sent < pushed; ++queue->sent) {
-      queue->ready.push_back(now + unit.schedule.stages);
-    }
+  for (Output& output : unit.outputs) {
+    if (output.tokens->pushed() == output.sent) continue;
+    ++output.sent;
+    push(*output.queue, now + unit.schedule.stages);
   }
   for (Ram* ram : unit.rams) {
-    while (ram->due.size() < ram->logged()) ram->due.push_back(now + ram->after);
-  }
-  return true;
-}
-
-std::uint64_t Clocks::next(std::uint64_t now) const {
-  std::uint64_t soonest = kNever;
-  for (const Queue& queue : queues_) {
-    if (!queue.ready.empty() && queue.ready.front() >= now) {
-      soonest = std::min(soonest, queue.ready.front());
+    while (ram->due.size() < ram->logged()) {
+      ram->due.push_back(now + ram->after);
+      wheel_.wake(ram->tearing, ram->due.back() - 1);
+      wheel_.wake(ram->landing, ram->due.back());
     }
   }
-  return soonest;
+}
+
+void Clocks::land(Ram& ram, std::uint64_t now) {
+  for (; !ram.due.empty() && ram.due.front() <= now; ram.due.pop_front()) ram.land();
+}
+
+void Clocks::tear(Ram& ram, std::uint64_t now) {
+  for (std::size_t i = 0; i < ram.due.size() && ram.due[i] <= now + 1; ++i) ram.tear(i);
 }
 
 }  // namespace hls

@@ -3,9 +3,10 @@
 //
 // Runs the native units in the order and at the clocks of their Verilog. hlsc's schedules and the
 // modules of rtl/lib decide when a transaction starts, when a token can be taken and which input an
-// arbiter chooses. The units compute as always; this file adds only time. One tick() is one clock:
-// a unit with all its tokens, and room for its results, takes the tokens and works, and its results
-// come to the heads of their FIFOs as many clocks later as the unit has stages.
+// arbiter chooses. The units compute as always; this file adds only time. In a clock a unit with
+// all its tokens, and room for its results, takes the tokens and works, and its results come to the
+// heads of their FIFOs as many clocks later as the unit has stages. Who waits for a token or for
+// room is asked again only when that may have come.
 //
 // Two things equal the Verilog only on a condition. RAMs within a unit, and exclusive RAMs between
 // units, are read and written at a transaction's start; the promise of exclusive access makes this
@@ -15,46 +16,40 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "hls/clock_queue.h"
+#include "hls/fifo.h"
 #include "hls/module_schedule.h"
+#include "hls/timing_wheel.h"
 
 namespace hls {
 
 class Clocks {
+  static constexpr auto kNobody = static_cast<std::size_t>(-1);
+
  public:
-  static constexpr std::uint64_t kNever = std::numeric_limits<std::uint64_t>::max();
-
-  /// The times of the tokens of a FIFO; the tokens themselves lie in a Fifo<T>.
-  struct Queue {
-    std::function<std::uint64_t()> pushed = {};  ///< tokens ever sent
-    unsigned room = 0;                           ///< a unit may send while fewer wait; 0: always
-    std::uint64_t sent = 0;
-    std::deque<std::uint64_t> ready = {};  ///< the clock from which each can be taken
-    std::uint64_t taken_at = kNever;
-
-    bool offers(std::uint64_t now) const { return !ready.empty() && ready.front() <= now; }
-    /// The state at the clock's beginning: a place that becomes free in a clock can be used in the
-    /// next.
-    bool has_room(std::uint64_t now) const;
+  /// The times of a FIFO's tokens, and the numbers of the actors at its ends.
+  struct Queue : ClockQueue {
+    using ClockQueue::ClockQueue;
+    std::size_t reader = kNobody;
+    std::size_t waits_for_room = kNobody;
   };
 
-  /// Moves the token at the head of a queue to its reader; false: the queue still needs it.
+  /// Moves the token at the head of a queue to its reader; false: the queue still needs it. Empty
+  /// where the reader takes it itself.
   using Move = std::function<bool()>;
   struct Feed {
     Queue* queue;
-    Move move;
-
-    /// Takes the token at the head.
-    void take(std::uint64_t now) const;
+    Move move = {};
   };
 
-  /// `run` makes a transaction for every token at the unit's inputs.
+  /// `run` makes a transaction.
   void unit(const std::string& name, const ModuleSchedule& schedule, std::function<void()> run);
-  /// Of an output of unit `name`.
-  Queue* output(const std::string& name, std::function<std::uint64_t()> pushed, bool bounded);
+  /// Of an output of unit `name`, which writes to `tokens`.
+  Queue* output(const std::string& name, std::shared_ptr<TokenQueue> tokens, bool bounded);
   /// A queue of tokens from outside.
   Queue* input() { return &queues_.emplace_back(); }
 
@@ -83,57 +78,91 @@ class Clocks {
   std::uint64_t stalls(const std::string& name) { return find(name).stalls; }
 
  private:
+  /// Those that have work in some clocks, in the order of their work within a clock: rows that are
+  /// written are seen, sinks, arbiters, forks, the units that write rows which may be torn, these
+  /// rows' marks, all other units.
+  struct Actor {
+    void (*act)(Clocks&, void* self, std::uint64_t now);
+    void* self;
+  };
   /// The round-robin arbiter of rtl/lib/hls_arbiter.v, with an hls_buffer.v behind it.
   struct Arbiter {
+    std::size_t actor = 0;
     std::vector<Feed> feeds;
     Queue* buffer;
     std::size_t granted = 0;  ///< the queue that may send
   };
   struct Ram {
+    std::size_t landing = 0, tearing = 0;  ///< actors
     unsigned after;  ///< clocks from the writing transaction's start to the first that sees the row
     std::function<std::uint64_t()> logged;
     std::function<void(std::size_t)> tear;
     std::function<void()> land;
     std::deque<std::uint64_t> due = {};
-
-    void land_until(std::uint64_t now);
-    /// Of the rows that are written in this clock.
-    void tear_at(std::uint64_t now) const;
+  };
+  struct Output {
+    Queue* queue;
+    std::shared_ptr<TokenQueue> tokens;
+    std::uint64_t sent = 0;
   };
   struct Unit {
+    std::size_t actor = 0;
     std::string name;
     ModuleSchedule schedule;
     std::function<void()> run;
     std::vector<Feed> feeds = {};
-    std::vector<Queue*> outputs = {};
+    std::vector<Output> outputs = {};
+    std::vector<Queue*> refusing = {};  ///< those of the outputs that may have no room
     std::vector<Ram*> rams = {};
-    bool waits_for_fork = false;       ///< a fork brings its tokens
-    std::uint64_t forked_at = kNever;  ///< when it brought the last
+    bool waits_for_fork = false;  ///< a fork brings its tokens, and wakes it when it does
+    std::uint64_t stalled_from = kNever;
     std::uint64_t stalls = 0;
-
-    bool has_room(std::uint64_t now) const;
   };
   struct Fork {
+    std::size_t actor = 0;
     Feed feed;
     std::vector<Unit*> readers = {};
     std::vector<Queue*> branches = {};
   };
+  struct Sink {
+    std::size_t actor = 0;
+    Feed feed;
+  };
 
   Unit& find(const std::string& name);
 
-  bool tick(std::uint64_t now);
-  static bool arbitrate(Arbiter& arbiter, std::uint64_t now);
-  static bool pass(Fork& fork, std::uint64_t now);
-  static bool fire(Unit& unit, std::uint64_t now);
-  /// The first clock from `now` on in which a token can be taken that could not before.
-  std::uint64_t next(std::uint64_t now) const;
+  /// Numbers the actors, and wakes those that have tokens.
+  void number_actors();
+  template <auto kAct, class Self>
+  std::size_t number(Self& self);
+
+  void arbitrate(Arbiter& arbiter, std::uint64_t now);
+  void pass(Fork& fork, std::uint64_t now);
+  void fire(Unit& unit, std::uint64_t now);
+  void drain(Sink& sink, std::uint64_t now);
+  void land(Ram& ram, std::uint64_t now);
+  void tear(Ram& ram, std::uint64_t now);
+
+  /// Whether it can send; if not, actor number `waiting` is woken when there may be room.
+  bool has_room(Queue& queue, std::size_t waiting, std::uint64_t now);
+  bool has_room(const std::vector<Queue*>& queues, std::size_t waiting, std::uint64_t now) {
+    for (Queue* queue : queues) {
+      if (!has_room(*queue, waiting, now)) return false;
+    }
+    return true;
+  }
+  /// Takes the token at the head.
+  void take(const Feed& feed, std::uint64_t now);
+  void push(Queue& queue, std::uint64_t ready);
 
   std::deque<Unit> units_;
   std::deque<Queue> queues_;
   std::deque<Ram> rams_;
-  std::vector<Arbiter> arbiters_;
-  std::vector<Fork> forks_;
-  std::vector<Feed> sinks_;
+  std::deque<Arbiter> arbiters_;
+  std::deque<Fork> forks_;
+  std::deque<Sink> sinks_;
+  std::vector<Actor> actors_;
+  TimingWheel wheel_;
 };
 
 }  // namespace hls

@@ -134,7 +134,8 @@ TEST(Clocks, AfterTheLastOf32InputsComesTheFirst) {
   std::vector<hls::Clocks::Feed> feeds;
   for (unsigned i = 0; i < 32; ++i) {
     hls::Clocks::Queue* queue = clocks.input();
-    queue->ready = {0, 1};
+    queue->push(0);
+    queue->push(1);
     feeds.push_back({queue, [&order, i] {
                        order.push_back(i);
                        return true;

@@ -33,10 +33,13 @@ class TokenQueue {
   TokenQueue& operator=(const TokenQueue&) = delete;
   virtual ~TokenQueue() = default;
   /// Tokens ever pushed.
-  virtual std::uint64_t pushed() const = 0;
+  std::uint64_t pushed() const { return pushed_; }
   virtual bool has_tokens() const = 0;
   /// Takes the first token and pushes it into all of `to`, which hold tokens of the same type.
   virtual void move_to(const std::vector<std::shared_ptr<TokenQueue>>& to) = 0;
+
+ protected:
+  std::uint64_t pushed_ = 0;
 };
 
 /// The memory of a queue: bytes between `head` and `tail` wait. A unit mostly drains its queue, so
@@ -47,21 +50,15 @@ class QueueMemory : public TokenQueue {
       : room_(room), row_(std::make_unique_for_overwrite<std::byte[]>(room)) {}
   /// Makes room for one more token at `tail`.
   void make_room();
-  /// Bytes ever pushed.
-  std::uint64_t pushed_bytes() const {
-    return moved_ + static_cast<std::uint64_t>(tail_ - row_.get());
-  }
   std::size_t room_;  ///< bytes
   std::unique_ptr<std::byte[]> row_;
   std::byte* head_ = row_.get();  ///< the token to pop next
   std::byte* tail_ = head_;       ///< where to push the next
   std::byte* end_ = head_ + room_;
-  std::uint64_t moved_ = 0;  ///< bytes pushed and popped before the row's first
 };
 
 inline void QueueMemory::make_room() {
   const auto waiting = static_cast<std::size_t>(tail_ - head_);
-  moved_ = pushed_bytes() - waiting;
   if (2 * waiting <= room_) {
     std::memmove(row_.get(), head_, waiting);
   } else {
@@ -84,12 +81,12 @@ class Fifo final : public QueueMemory {
   Fifo() : QueueMemory(64 * sizeof(T)) {}
   bool empty() const { return head_ == tail_; }
   std::size_t size() const { return static_cast<std::size_t>(tail_ - head_) / sizeof(T); }
-  std::uint64_t pushed() const override { return pushed_bytes() / sizeof(T); }
   bool has_tokens() const override { return !empty(); }
   void push(const T& token) {
     if (tail_ == end_) make_room();
     copy_leaves(*reinterpret_cast<T*>(tail_), token);
     tail_ += sizeof(T);
+    ++pushed_;
   }
   const T& front() const {
     assert(!empty());

@@ -16,15 +16,26 @@ std::vector<std::string> names_of(const JoinPorts& ports, const auto& ends) {
 
 }  // namespace
 
-void Join::add_unit(const std::string& name, const std::string& module, void* unit,
-                    bool (*run)(void*, std::uint64_t&), const std::vector<PortOfUnit>& ports) {
+void Join::add_unit(const std::string& name, const std::string& module, UnitCalls unit,
+                    const std::vector<PortOfUnit>& ports) {
   UnitRecord record{name, module, {}, group_};
   ports_.add(record, ports);
   record_.units.push_back(std::move(record));
-  Process& process = processes_.emplace_back(
-      Process{name, 0, [unit, run](std::uint64_t& count) { return run(unit, count); }});
+  const auto run = [unit](std::uint64_t& transactions) {
+    bool progress = false;
+    while (const std::size_t ready = unit.ready(unit.self)) {
+      unit.run(unit.self, ready);
+      transactions += ready;
+      progress = true;
+    }
+    return progress;
+  };
+  Process& process = processes_.emplace_back(Process{name, 0, run});
   if (clocks_) {
-    clocks_->unit(name, module, [&process, unit, run] { run(unit, process.transactions); });
+    clocks_->unit(name, module, [&process, unit] {
+      unit.run(unit.self, 1);
+      ++process.transactions;
+    });
   }
 }
 
@@ -82,7 +93,8 @@ void Join::add_repeat(const std::string& name, const std::vector<OutEnd*>& from,
 std::shared_ptr<TokenQueue> Join::add_input(const std::string& name, InEnd& to, TokenType type) {
   to.bind_tokens(type.make_queue());
   record_.channels.push_back({name, {}, {ports_.name_of(&to)}, type.width, 0, ChannelKind::kInput});
-  return clocks_ ? clocks_->input(ports_, name, to, type) : to.tokens();
+  if (clocks_) clocks_->input(ports_, name, to);
+  return to.tokens();
 }
 
 std::shared_ptr<TokenQueue> Join::add_output(const std::string& name, OutEnd& from,

@@ -47,14 +47,14 @@ class Join {
   /// Adds a unit; its Verilog module has the name `module`.
   template <class U>
   void unit(const std::string& name, const std::string& module, U& unit) {
-    const auto run = [](void* u, std::uint64_t& transactions) {
-      return run_unit(*static_cast<U*>(u), transactions);
-    };
+    const UnitCalls calls{
+        &unit, [](void* u) { return transactions_ready(*static_cast<U*>(u)); },
+        [](void* u, std::size_t transactions) { run_unit(*static_cast<U*>(u), transactions); }};
     std::vector<PortOfUnit> ports;
     for_each_port(unit, [&ports]<class P>(const std::string& port_name, P& port) {
       ports.push_back({port_name, &port, P::kPort});
     });
-    add_unit(name, module, &unit, run, ports);
+    add_unit(name, module, calls, ports);
   }
 
   /// One channel from any of `from` to all of `to`. `depth`, if not 0, promises that the channel
@@ -191,6 +191,12 @@ class Join {
  private:
   /// Works until an input is empty, and counts; false if there was nothing to do.
   using Run = std::function<bool(std::uint64_t& transactions)>;
+  /// A unit of whichever class.
+  struct UnitCalls {
+    void* self;
+    std::size_t (*ready)(void* self);
+    void (*run)(void* self, std::size_t transactions);
+  };
   struct Process {
     std::string name;  ///< of its unit; empty: what stands between units
     std::uint64_t transactions;
@@ -209,8 +215,8 @@ class Join {
     return ports;
   }
 
-  void add_unit(const std::string& name, const std::string& module, void* unit,
-                bool (*run)(void* unit, std::uint64_t&), const std::vector<PortOfUnit>& ports);
+  void add_unit(const std::string& name, const std::string& module, UnitCalls unit,
+                const std::vector<PortOfUnit>& ports);
   void add_channel(const std::string& name, const std::vector<OutEnd*>& from,
                    const std::vector<InEnd*>& to, TokenType type, unsigned depth,
                    const std::vector<OutEnd*>& short_fifos);
@@ -236,17 +242,10 @@ class Join {
     return token.last;
   }
 
-  /// Runs a unit until an input is empty; false if one was. Flattened: `step` and all that it calls
-  /// is compiled into the loop.
+  /// Flattened: `step` and all that it calls is compiled into the loop.
   template <class U>
-  [[gnu::flatten]] static bool run_unit(U& unit, std::uint64_t& transactions) {
-    bool progress = false;
-    while (const std::size_t ready = transactions_ready(unit)) {
-      for (std::size_t i = 0; i < ready; ++i) unit.step();
-      transactions += ready;
-      progress = true;
-    }
-    return progress;
+  [[gnu::flatten]] static void run_unit(U& unit, std::size_t transactions) {
+    for (std::size_t i = 0; i < transactions; ++i) unit.step();
   }
   /// How often a unit can step before it must look at its inputs again.
   template <class U>

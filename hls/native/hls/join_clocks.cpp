@@ -32,32 +32,25 @@ void JoinClocks::unit(const std::string& name, const std::string& module,
 void JoinClocks::channel(const JoinPorts& ports, const std::vector<OutEnd*>& from,
                          const std::vector<InEnd*>& to, TokenType type, unsigned depth,
                          const std::vector<OutEnd*>& short_fifos) {
-  // A reader that waits for other tokens too has a queue of its own behind the fork.
-  std::vector<Tokens> targets, waiting, behind;
-  std::vector<std::string> readers, waiting_readers;
-  for (const InEnd* in : to) {
-    const std::string unit = ports.unit_of(in);
-    if (to.size() == 1 || ports.inputs_of(unit) == 1) {
-      targets.push_back(in->tokens());
-      readers.push_back(unit);
-    } else {
-      targets.push_back(type.make_queue());
-      waiting.push_back(targets.back());
-      behind.push_back(in->tokens());
-      waiting_readers.push_back(unit);
-    }
-  }
-  Source source = merge(ports, from, type, depth, short_fifos);
-  if (to.size() == 1 && ports.inputs_of(readers.front()) > 1) source = buffer({source}, type);
-  const Clocks::Feed feed{source.queue, mover(source.tokens, targets)};
+  const Source source = merge(ports, from, type, depth, short_fifos);
   if (to.size() == 1) {
-    clocks_.feed(readers.front(), feed);
+    const std::string unit = ports.unit_of(to.front());
+    if (ports.inputs_of(unit) > 1) source.queue->put_buffer_behind();
+    to.front()->bind_tokens(source.tokens);
+    clocks_.feed(unit, {source.queue});
     return;
   }
-  const auto branches = clocks_.fork(feed, readers, waiting.size(), depth);
-  for (std::size_t i = 0; i < branches.size(); ++i) {
-    clocks_.feed(waiting_readers[i], {branches[i], mover(waiting[i], {behind[i]})});
+  std::vector<Tokens> targets;
+  std::vector<std::string> readers, waiting;
+  for (const InEnd* in : to) {
+    targets.push_back(in->tokens());
+    const std::string unit = ports.unit_of(in);
+    // A reader that waits for other tokens too has a queue of its own behind the fork.
+    (ports.inputs_of(unit) == 1 ? readers : waiting).push_back(unit);
   }
+  const auto branches =
+      clocks_.fork({source.queue, mover(source.tokens, targets)}, readers, waiting.size(), depth);
+  for (std::size_t i = 0; i < branches.size(); ++i) clocks_.feed(waiting[i], {branches[i]});
 }
 
 void JoinClocks::repeat(const JoinPorts& ports, const std::vector<OutEnd*>& from, const InEnd& to,
@@ -83,10 +76,7 @@ JoinClocks::Source JoinClocks::merge(const JoinPorts& ports, const std::vector<O
     const bool is_short = std::ranges::find(short_fifos, out) != short_fifos.end();
     sources.push_back({output(ports, *out, tokens, is_short ? 0 : depth), tokens});
   }
-  return sources.size() == 1 ? sources.front() : buffer(sources, type);
-}
-
-JoinClocks::Source JoinClocks::buffer(const std::vector<Source>& sources, TokenType type) {
+  if (sources.size() == 1) return sources.front();
   const Tokens buffered = type.make_queue();
   std::vector<Clocks::Feed> feeds;
   for (const Source& s : sources) feeds.push_back({s.queue, mover(s.tokens, {buffered})});
@@ -101,12 +91,9 @@ void JoinClocks::torn_ram(const JoinPorts& ports, TornRam ram) {
                    std::move(ram.tear), std::move(ram.land));
 }
 
-Tokens JoinClocks::input(const JoinPorts& ports, const std::string& name, const InEnd& to,
-                         TokenType type) {
-  Tokens queue = type.make_queue();
+void JoinClocks::input(const JoinPorts& ports, const std::string& name, const InEnd& to) {
   ends_[name] = clocks_.input();
-  clocks_.feed(ports.unit_of(&to), {ends_[name], mover(queue, {to.tokens()})});
-  return queue;
+  clocks_.feed(ports.unit_of(&to), {ends_[name]});
 }
 void JoinClocks::output(const JoinPorts& ports, const std::string& name, OutEnd& from,
                         const Tokens& queue) {
@@ -117,14 +104,13 @@ void JoinClocks::sink(const JoinPorts& ports, OutEnd& from, const Tokens& queue)
 }
 
 std::uint64_t JoinClocks::first_of(const std::string& output) const {
-  const auto& ready = ends_.at(output)->ready;
-  return ready.empty() ? Clocks::kNever : ready.front();
+  return ends_.at(output)->front();
 }
 
 Clocks::Queue* JoinClocks::output(const JoinPorts& ports, OutEnd& out, const Tokens& queue,
                                   unsigned depth) {
   out.bind_tokens(queue);
-  return clocks_.output(ports.unit_of(&out), [queue] { return queue->pushed(); }, depth != 0);
+  return clocks_.output(ports.unit_of(&out), queue, depth != 0);
 }
 
 }  // namespace hls

@@ -39,7 +39,8 @@ class JoinClocks {
 
   /// Throws std::invalid_argument where the module has no schedule.
   void unit(const std::string& name, const std::string& module, std::function<void()> run);
-  /// One channel from any of `from` to all of `to`, whose queues are bound.
+  /// One channel from any of `from` to all of `to`; a lone reader's queue is replaced by the one
+  /// that its tokens come from.
   void channel(const JoinPorts& ports, const std::vector<OutEnd*>& from,
                const std::vector<InEnd*>& to, TokenType type, unsigned depth,
                const std::vector<OutEnd*>& short_fifos);
@@ -48,14 +49,12 @@ class JoinClocks {
               TokenType type, SendNumbered send, std::shared_ptr<std::uint64_t> sent,
               unsigned depth, const std::vector<OutEnd*>& short_fifos);
   void torn_ram(const JoinPorts& ports, TornRam ram);
-  /// A queue whose tokens go to `to`.
-  Tokens input(const JoinPorts& ports, const std::string& name, const InEnd& to, TokenType type);
+  /// The outside writes into the queue of `to`.
+  void input(const JoinPorts& ports, const std::string& name, const InEnd& to);
   void output(const JoinPorts& ports, const std::string& name, OutEnd& from, const Tokens& queue);
   void sink(const JoinPorts& ports, OutEnd& from, const Tokens& queue);
 
-  void arrives(const std::string& input, std::uint64_t clock) {
-    ends_.at(input)->ready.push_back(clock);
-  }
+  void arrives(const std::string& input, std::uint64_t clock) { ends_.at(input)->push(clock); }
   void run() { clocks_.run(); }
   std::uint64_t first_of(const std::string& output) const;
   std::uint64_t stalls(const std::string& unit) { return clocks_.stalls(unit); }
@@ -66,11 +65,9 @@ class JoinClocks {
     Clocks::Queue* queue;
     Tokens tokens;
   };
-  /// All of `from`, with an arbiter where there are several.
+  /// All of `from`, with an arbiter and a buffer where there are several.
   Source merge(const JoinPorts& ports, const std::vector<OutEnd*>& from, TokenType type,
                unsigned depth, const std::vector<OutEnd*>& short_fifos);
-  /// A buffer behind sources, with an arbiter where there are several.
-  Source buffer(const std::vector<Source>& sources, TokenType type);
   Clocks::Queue* output(const JoinPorts& ports, OutEnd& out, const Tokens& queue, unsigned depth);
 
   ModuleSchedules schedules_;
