@@ -82,7 +82,8 @@ struct CacheLookup {
   hls::Out<MemoryRequest<C>> miss;
   hls::RamRead<Row, C::kLines> lines;
   hls::RamWrite<Context, kCacheKeys<Kind>> waiting;
-  HLS_PORTS(request, frame, reply, miss, lines, waiting)
+  hls::OptionalPort<kHasPipelines<C>, hls::Config<PipelineId<C>>> pipeline;
+  HLS_PORTS(request, frame, reply, miss, lines, waiting, pipeline)
 
   void step() {
     const Request r = request.read();
@@ -96,7 +97,19 @@ struct CacheLookup {
             hls::concat(r.address, uint<2>(0b10))) {
       reply.write(Kind::reply(r.context, r.address, row.line));
     } else {
-      miss.write(MemoryRequest<C>{Kind::kKind, Kind::key(r.context), r.address});
+      miss.write(MemoryRequest<C>{.kind = Kind::kKind,
+                                  .key = Kind::key(r.context),
+                                  .address = r.address,
+                                  .pipeline = number()});
+    }
+  }
+
+ private:
+  PipelineNumber<C> number() const {
+    if constexpr (kHasPipelines<C>) {
+      return pipeline.get();
+    } else {
+      return {};
     }
   }
 };

@@ -20,7 +20,8 @@ namespace dynrt {
 struct CoreCounter {
   std::string name;
   std::uint64_t value;
-  bool order_independent;  ///< the same for every order of the packets
+  /// The same for every order of the packets; of one of several pipelines, the sum over all is.
+  bool order_independent;
 };
 
 template <class C>

@@ -37,6 +37,11 @@ template <class General>
 struct OneLevel : General {
   static constexpr unsigned kLevels = 1;
 };
+template <class General>
+struct Pair : General {
+  static constexpr unsigned kPipelines = 2;
+  static constexpr unsigned kMemoryClocks = 2;
+};
 struct OneLevelFast : OneLevel<config::fast> {
   static constexpr ObjectBox kObjectBox = ObjectBox::kNodes;
 };
@@ -111,7 +116,7 @@ using Cores =
                    OneFifo<BoxUnit>, OneFifo<config::watertight>, OneFifo<config::whitted>,
                    OneFifo<config::whitted_split>, OneFifo<config::primitives>, OneFifo<Lit>,
                    OneFifo<CommonOrigin<config::watertight>>, OneFifo<OneLevel<config::whitted>>,
-                   OneLevelFast>;
+                   OneLevelFast, Pair<config::thesis>, Pair<config::whitted>, Pair<config::fast>>;
 TYPED_TEST_SUITE(Circles, Cores);
 
 TYPED_TEST(Circles, NoUnitsWaitForEachOther) { expect_no_circle<TypeParam>(); }

@@ -4,12 +4,12 @@
 // The joins of light and reflection rays (thesis 6.2).
 #pragma once
 
-#include "units/core.h"
+#include "units/pipeline.h"
 
 namespace dynrt {
 
 template <class C>
-void Core<C>::join_secondary(hls::Join& join) {
+void Pipeline<C>::join_secondary(hls::Join& join) {
   hls::Writers<DerivationEvent<C>> derive = {&shader.derive};
   if constexpr (!kLightsAtOnce<C>) derive.push_back(&collect_hits.derived);
   std::vector<hls::RamRead<SurfacePoint<C>, kRayRows<C>>*> surface;

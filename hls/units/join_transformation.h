@@ -4,14 +4,14 @@
 // The joins from the jobs of the transformation to the intersection's candidates.
 #pragma once
 
-#include "units/core.h"
+#include "units/pipeline.h"
 
 namespace dynrt {
 
 template <class C>
-void Core<C>::join_transformation(hls::Join& join) {
+void Pipeline<C>::join_transformation(hls::Join& join, hls::Out<TransformJob<C>>& camera) {
   hls::Writers<TransformJob<C>> jobs = {&mailbox.fresh};
-  jobs.push_back(&ray_generation.job, kShortIfAsked);
+  jobs.push_back(&camera, kShortIfAsked);
   if constexpr (kHasSecondary<C>) jobs.push_back(&secondary_rays.job);
   if constexpr (kTestsWorldBox<C>) jobs.push_back(&world_box.enter, kShortIfAsked);
   join.repeat("transform_job", jobs, matrix_fetch.job, kAll);

@@ -4,12 +4,12 @@
 // The joins of the traversal and of the lists in its leaves.
 #pragma once
 
-#include "units/core.h"
+#include "units/pipeline.h"
 
 namespace dynrt {
 
 template <class C>
-void Core<C>::join_traversal(hls::Join& join) {
+void Pipeline<C>::join_traversal(hls::Join& join) {
   hls::Writers<TraversalEvent<C>> events = {};
   events.push_back(&packet_decision.event, kShortIfAsked);
   events.push_back(&node_fetch.again);
@@ -56,7 +56,7 @@ void Core<C>::join_traversal(hls::Join& join) {
 }
 
 template <class C>
-void Core<C>::join_rays(hls::Join& join, unsigned i) {
+void Pipeline<C>::join_rays(hls::Join& join, unsigned i) {
   const std::string name = "ray_" + std::to_string(i);
   if constexpr (kReadsAxes<C>) {
     join.ram_of_words(name, rays_written(i), std::array{&slice[i].ray});
@@ -66,7 +66,7 @@ void Core<C>::join_rays(hls::Join& join, unsigned i) {
 }
 
 template <class C>
-auto& Core<C>::rays_written(unsigned i) {
+auto& Pipeline<C>::rays_written(unsigned i) {
   if constexpr (kHasReciprocals<C>) {
     return ray_reciprocal.ray[i];
   } else {
@@ -75,7 +75,7 @@ auto& Core<C>::rays_written(unsigned i) {
 }
 
 template <class C>
-auto& Core<C>::origins_written() {
+auto& Pipeline<C>::origins_written() {
   if constexpr (kHasReciprocals<C>) {
     return ray_reciprocal.origin;
   } else {
@@ -84,14 +84,14 @@ auto& Core<C>::origins_written() {
 }
 
 template <class C>
-auto Core<C>::distance_readers(unsigned i) {
+auto Pipeline<C>::distance_readers(unsigned i) {
   std::vector readers = {&slice[i].hit_distance};
   if constexpr (kClipsToBox<C>) readers.push_back(&box_clip.hit_distance[i]);
   return readers;
 }
 
 template <class C>
-void Core<C>::join_lists(hls::Join& join) {
+void Pipeline<C>::join_lists(hls::Join& join) {
   hls::Writers<ListJob<C>> jobs = {};
   jobs.push_back(&packet_decision.leaf, kShortIfAsked);
   if constexpr (kTwoLevels<C>) jobs.push_back(&node_fetch.object_done);
@@ -111,7 +111,7 @@ void Core<C>::join_lists(hls::Join& join) {
 }
 
 template <class C>
-hls::Writers<MailboxEntry<C>> Core<C>::list_entries() {
+hls::Writers<MailboxEntry<C>> Pipeline<C>::list_entries() {
   hls::Writers<MailboxEntry<C>> entries = {&list_lookup.reply, &list_fill.reply,
                                            &collect_hits.start};
   if constexpr (kHasSecondary<C> && !kLightsAtOnce<C>) entries.push_back(&secondary_rays.start);

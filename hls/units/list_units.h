@@ -20,6 +20,7 @@ class UnitLines {
  public:
   explicit UnitLines(std::string config) : config_(std::move(config)) {}
   void group(const std::string& /*name*/) {}
+  void begin_names(const std::string& /*prefix*/) {}
   template <class U>
   void unit(const std::string& /*name*/, const std::string& module, U& /*unit*/) {
     if (!modules_.insert(module).second) return;

@@ -3,49 +3,64 @@
 //
 // Memory interface: serves the misses of the three caches from SRAM banks 0 to 2, one a clock: a
 // node from banks 0 and 1, a list entry from bank 2, a matrix column from all three (thesis chapter
-// 7).
+// 7). To a core for a slower memory each takes several clocks.
 #pragma once
+
+#include <type_traits>
 
 #include "hls/cast.h"
 #include "units/memory_tokens.h"
+#include "units/repeated.h"
 
 namespace dynrt {
 
 template <class C>
 struct MemoryInterface {
   using Real = typename C::Real;
-  hls::In<MemoryRequest<C>> request;
-  hls::Out<NodeLine<C>> node;
-  hls::Out<ListLine<C>> list;
-  hls::Out<ColumnLine<C>> column;
+  using Request = MemoryRequest<C>;
+  hls::In<std::conditional_t<kSlowMemory<C>, Repeated<Request>, Request>> request;
+  PortOfEach<C, hls::Out<NodeLine<C>>> node;
+  PortOfEach<C, hls::Out<ListLine<C>>> list;
+  PortOfEach<C, hls::Out<ColumnLine<C>>> column;
   hls::RamRead<SceneWord<Real>, kBankWords, C::kSramLatency> bank[kSceneBanks];
   HLS_PORTS(request, node, list, column, bank)
 
   void step() {
-    const MemoryRequest<C> r = request.read();
+    const auto r = request.read();
+    if constexpr (kSlowMemory<C>) {
+      if (r.last) serve(r.job);
+    } else {
+      serve(r);
+    }
+  }
+
+ private:
+  void serve(const Request& r) {
     const bool is_column = r.kind == MemoryKind::kColumn;
     const uint<20> word = hls::concat(uint<1>(is_column), r.address.template zext<kAddressBits>());
     const std::array<SceneWord<Real>, kSceneBanks> data{bank[0].read(word), bank[1].read(word),
                                                         bank[2].read(word)};
     switch (r.kind) {
       case MemoryKind::kNode:
-        node.write({false, r.key, r.address.template trunc<C::kAddressBits>(),
-                    narrow(lowest<Node<Real>>(hls::concat(data[1], data[0])))});
+        write_to<C>(node, r.pipeline,
+                    NodeLine<C>{false, r.key, r.address.template trunc<C::kAddressBits>(),
+                                narrow(lowest<Node<Real>>(hls::concat(data[1], data[0])))});
         break;
       case MemoryKind::kList:
-        list.write({false, r.key, r.address.template trunc<C::kAddressBits>(),
-                    core_entry<C>(lowest<ListEntry>(data[2]))});
+        write_to<C>(list, r.pipeline,
+                    ListLine<C>{false, r.key, r.address.template trunc<C::kAddressBits>(),
+                                core_entry<C>(lowest<ListEntry>(data[2]))});
         break;
       case MemoryKind::kColumn:
-        column.write({false, r.key, r.address.template trunc<ColumnAddress<C>::kWidth>(),
-                      MatrixColumn<Real>{{lowest<MatrixWord<Real>>(data[0]),
-                                          lowest<MatrixWord<Real>>(data[1]),
-                                          lowest<MatrixWord<Real>>(data[2])}}});
+        write_to<C>(
+            column, r.pipeline,
+            ColumnLine<C>{false, r.key, r.address.template trunc<ColumnAddress<C>::kWidth>(),
+                          MatrixColumn<Real>{{lowest<MatrixWord<Real>>(data[0]),
+                                              lowest<MatrixWord<Real>>(data[1]),
+                                              lowest<MatrixWord<Real>>(data[2])}}});
         break;
     }
   }
-
- private:
   static CoreNode<C> narrow(const Node<Real>& node) {
     return {node.kind, node.split, node.left.template trunc<C::kAddressBits>(),
             node.right.template trunc<C::kAddressBits>()};

@@ -42,13 +42,21 @@ struct CacheRow {
 
 enum class MemoryKind : unsigned char { kNode, kList, kColumn };
 
+/// Whether the scene's memory takes several clocks for a read, as a slower one would
+/// (thesis 7.2.5).
+template <class C>
+inline constexpr bool kSlowMemory = C::kMemoryClocks > 1;
+
 /// `key` names the request within its cache: the packet, or packet and column.
 template <class C>
 struct MemoryRequest {
+  [[no_unique_address]] UsualField<kSlowMemory<C>, uint<4>> repeat{
+      C::kMemoryClocks - 1};  ///< clocks of the read less one
   MemoryKind kind = MemoryKind::kNode;
   uint<2 + PacketId<C>::kWidth> key;
   uint<std::max(NodeAddress<C>::kWidth, ColumnAddress<C>::kWidth)> address;
-  HLS_FIELDS(kind, key, address)
+  [[no_unique_address]] PipelineNumber<C> pipeline{};
+  HLS_FIELDS(repeat, kind, key, address, pipeline)
 };
 
 /// A line for a cache: the answer to a request, or the order to invalidate a line.

@@ -6,8 +6,14 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace dynrt {
+
+/// The beginning of the names that units, channels and RAMs of one of several pipelines have.
+inline std::string pipeline_prefix(unsigned pipeline) {
+  return "p" + std::to_string(pipeline) + "_";
+}
 
 /// The treatment of a packet whose rays enter the children in different orders (thesis 3.1.3).
 enum class Crossing : std::uint8_t {

@@ -5,7 +5,7 @@
 // chapter 7: counter bits ... y1 x1 y0 x0) or line by line, and has the camera's matrix applied to
 // it. Morton positions outside the image are passed over, a whole block of them by two packets.
 // When the image is used up the unit keeps the packets that come back; with the last of them the
-// frame is complete.
+// frame is complete. Pipelines share the unit: the next pixels go to whichever has a packet free.
 #pragma once
 
 #include <algorithm>
@@ -19,12 +19,16 @@ namespace dynrt {
 template <class C>
 struct FreePacket {
   PacketId<C> packet;
-  HLS_FIELDS(packet)
+  [[no_unique_address]] PipelineNumber<C> pipeline{};
+  HLS_FIELDS(packet, pipeline)
 };
+
+/// Where ray generation keeps the pixels of a pipeline's packets.
+template <class C>
+using PixelPositions = hls::RamWrite<PixelPosition, 1u << PacketId<C>::kWidth>;
 
 template <class C>
 struct RayGeneration {
-  static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
   static constexpr unsigned kColumns = packet_columns(kRays<C>);
   static constexpr unsigned kRows = packet_rows(kRays<C>);
   static constexpr unsigned kColumnBits = hls::index_width(kColumns);
@@ -38,10 +42,10 @@ struct RayGeneration {
 
   hls::In<FreePacket<C>> free;
   hls::Config<FrameRegisters<C>> frame;
-  hls::Out<TransformJob<C>> job;
+  PortOfEach<C, hls::Out<TransformJob<C>>> job;
   hls::Out<FreePacket<C>> skipped;
   hls::Out<uint<1>> done;
-  hls::RamWrite<PixelPosition, kPackets> position;
+  PortOfEach<C, PixelPositions<C>> position;
   HLS_PORTS(free, frame, job, skipped, done, position)
 
   void step() {
@@ -58,7 +62,7 @@ struct RayGeneration {
 
     if (over_) {
       returned_ = hls::next(returned_);
-      if (returned_ == config.packets.template trunc<8>()) done.write(1);
+      if (returned_ == in_flight(config.packets)) done.write(1);
     } else {
       const bool line_end = line_end_ || columns == 1;
       const bool morton_end = next_of_curve(config);
@@ -69,13 +73,13 @@ struct RayGeneration {
 
       if (in_width && in_height) {
         const PixelPosition p{pixel<kColumnBits>(x), pixel<kRowBits>(y)};
-        position.write(f.packet, p);
+        write_to<C>(position, f.pipeline, f.packet, p);
         TransformJob<C> camera;
         camera.packet = f.packet;
         camera.kind = TransformKind::kCamera;
         camera.active = mask(p, config);
         camera.matrix = config.camera_matrix.template trunc<C::kMatrixBits>();
-        job.write(camera);
+        write_to<C>(job, f.pipeline, camera);
       } else {
         skipped.write(f);
       }
@@ -85,6 +89,15 @@ struct RayGeneration {
   }
 
  private:
+  using Returned = uint<std::max(8u, hls::index_width(kPipelines<C>* C::kPackets + 1))>;
+  /// Packets of all pipelines.
+  static Returned in_flight(Word packets) {
+    if constexpr (kHasPipelines<C>) {
+      return Returned::from((packets.template trunc<8>() * uint<5>(kPipelines<C>)).raw());
+    } else {
+      return packets.template trunc<8>();
+    }
+  }
   /// Counts on along the Morton curve; true at its end. A block that begins outside the image lies
   /// outside, for it begins at its corner with the least x and y.
   bool next_of_curve(const FrameRegisters<C>& config) {
@@ -153,7 +166,7 @@ struct RayGeneration {
   uint<1> in_height_;
   uint<1> line_end_;  ///< scan_x_ is the last column, but not the only one
   uint<1> over_;      ///< no packet is left
-  uint<8> returned_;
+  Returned returned_;
 };
 
 }  // namespace dynrt

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Start-up: the tokens that the board sends before a frame (units/start.h). A number below
-// kFirstPacket invalidates that line of every cache; from kFirstPacket on the numbers free packets.
+// kFirstPacket invalidates that line of every cache; from kFirstPacket on the numbers free packets,
+// in each pipeline one.
 // The board leaves the caches time to empty in between, so that no packet meets a line of an
 // earlier frame.
 #pragma once
@@ -18,20 +19,24 @@ static_assert(kFirstPacket == 1u << 9, "the highest bit of a token tells packets
 template <class C>
 struct Startup {
   hls::In<uint<10>> number;
-  hls::Out<FreePacket<C>> free;
-  hls::Out<NodeLine<C>> node;
-  hls::Out<ListLine<C>> list;
-  hls::Out<ColumnLine<C>> column;
+  PortOfEach<C, hls::Out<FreePacket<C>>> free;
+  PortOfEach<C, hls::Out<NodeLine<C>>> node;
+  PortOfEach<C, hls::Out<ListLine<C>>> list;
+  PortOfEach<C, hls::Out<ColumnLine<C>>> column;
   HLS_PORTS(number, free, node, list, column)
 
   void step() {
     const uint<10> n = number.read();
-    if (n.template bit<9>()) {
-      free.write({PacketId<C>::from(n.raw())});
-    } else {
-      node.write({true, {}, NodeAddress<C>::from(n.raw()), {}});
-      list.write({true, {}, NodeAddress<C>::from(n.raw()), {}});
-      column.write({true, {}, ColumnAddress<C>::from(n.raw()), {}});
+    for (unsigned i = 0; i < kPipelines<C>; ++i) {
+      if (n.template bit<9>()) {
+        FreePacket<C> packet{PacketId<C>::from(n.raw())};
+        if constexpr (kHasPipelines<C>) packet.pipeline = PipelineId<C>::from(i);
+        port_of<C>(free, i).write(packet);
+      } else {
+        port_of<C>(node, i).write({true, {}, NodeAddress<C>::from(n.raw()), {}});
+        port_of<C>(list, i).write({true, {}, NodeAddress<C>::from(n.raw()), {}});
+        port_of<C>(column, i).write({true, {}, ColumnAddress<C>::from(n.raw()), {}});
+      }
     }
   }
 };

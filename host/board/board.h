@@ -26,7 +26,8 @@ namespace dynrt::host {
 struct Counter {
   std::string name;
   std::uint64_t value = 0;
-  bool order_independent = false;  ///< the same for every order of the packets
+  /// The same for every order of the packets; of one of several pipelines, the sum over all is.
+  bool order_independent = false;
 };
 
 struct FrameRun {

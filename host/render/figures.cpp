@@ -3,10 +3,13 @@
 #include "host/render/figures.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <string_view>
 
 #include "hls/counter_name.h"
 #include "host/render/counter_names.h"
+#include "units/options.h"
 
 namespace dynrt::host {
 
@@ -16,17 +19,18 @@ constexpr std::string_view kTransactions = hls::suffix_of(hls::Counted::kTransac
 
 std::vector<UnitFigures> units_of(const Frame& frame) {
   std::vector<UnitFigures> units;
-  for (const Counter& counter : frame.counters) {
-    if (!counter.name.ends_with(kTransactions)) continue;
+  const auto totals = totals_of(frame);
+  for (const auto& [name, total] : totals) {
+    if (!name.ends_with(kTransactions)) continue;
     UnitFigures unit;
-    unit.name = counter.name.substr(0, counter.name.size() - kTransactions.size());
-    unit.transactions = counter.value;
+    unit.name = name.substr(0, name.size() - kTransactions.size());
+    unit.transactions = total.value;
     if (frame.run.cycles && *frame.run.cycles > 0) {
-      const auto cycles = static_cast<double>(*frame.run.cycles);
-      unit.utilisation = static_cast<double>(counter.value) / cycles;
-      if (const auto stalls =
-              value_of(frame, hls::counter_name(unit.name, hls::Counted::kStalls))) {
-        unit.stalled = static_cast<double>(*stalls) / cycles;
+      const double clocks = static_cast<double>(*frame.run.cycles) * total.pipelines;
+      unit.utilisation = static_cast<double>(total.value) / clocks;
+      const auto stalls = totals.find(hls::counter_name(unit.name, hls::Counted::kStalls));
+      if (stalls != totals.end()) {
+        unit.stalled = static_cast<double>(stalls->second.value) / clocks;
       }
     }
     units.push_back(std::move(unit));
@@ -48,7 +52,8 @@ std::vector<CacheFigures> caches_of(const Frame& frame) {
     CacheFigures cache;
     cache.name = of.cache;
     cache.lookups = *lookups;
-    cache.misses = *fills - std::min<std::uint64_t>(*fills, frame.lines);
+    cache.misses =
+        *fills - std::min<std::uint64_t>(*fills, std::uint64_t{frame.lines} * frame.core.pipelines);
     if (cache.lookups > 0) {
       cache.hit_rate = 1 - static_cast<double>(cache.misses) / static_cast<double>(cache.lookups);
     }
@@ -59,10 +64,30 @@ std::vector<CacheFigures> caches_of(const Frame& frame) {
 
 }  // namespace
 
+std::map<std::string, CounterTotal> totals_of(const Frame& frame) {
+  std::map<std::string, CounterTotal> totals;
+  for (const Counter& counter : frame.counters) {
+    CounterTotal& total = totals[plain_name(counter.name, frame)];
+    total.value += counter.value;
+    total.order_independent = counter.order_independent;
+    ++total.pipelines;
+  }
+  return totals;
+}
+
+std::string plain_name(const std::string& counter, const Frame& frame) {
+  for (unsigned p = 0; frame.core.pipelines > 1 && p < frame.core.pipelines; ++p) {
+    const std::string prefix = pipeline_prefix(p);
+    if (counter.starts_with(prefix)) return counter.substr(prefix.size());
+  }
+  return counter;
+}
+
 std::optional<std::uint64_t> value_of(const Frame& frame, std::string_view counter) {
-  const auto found = std::ranges::find(frame.counters, counter, &Counter::name);
-  if (found == frame.counters.end()) return std::nullopt;
-  return found->value;
+  const auto totals = totals_of(frame);
+  const auto found = totals.find(std::string(counter));
+  if (found == totals.end()) return std::nullopt;
+  return found->second.value;
 }
 
 FrameFigures figures_of(const Frame& frame, double clock_hz) {

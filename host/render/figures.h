@@ -4,6 +4,7 @@
 // Figures from a frame's counters: how busy each unit was, how often each cache hit.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 
 namespace dynrt::host {
 
+/// Of a unit, or of the same unit in each of several pipelines.
 struct UnitFigures {
   std::string name;
   std::uint64_t transactions = 0;
@@ -38,7 +40,19 @@ struct FrameFigures {
   std::optional<std::uint64_t> dropped_pushes;
 };
 
-/// The value of a counter; none if the frame has no such counter.
+/// A counter of one pipeline, or of something that all pipelines share, or the sum over several.
+struct CounterTotal {
+  std::uint64_t value = 0;
+  bool order_independent = false;  ///< the same for every order of the packets
+  unsigned pipelines = 0;          ///< that count it
+};
+
+/// The counter's name in a core of one pipeline.
+std::string plain_name(const std::string& counter, const Frame& frame);
+/// By these names.
+std::map<std::string, CounterTotal> totals_of(const Frame& frame);
+
+/// The value of a counter, the sum over all pipelines; none if the frame has no such counter.
 std::optional<std::uint64_t> value_of(const Frame& frame, std::string_view counter);
 
 /// `clock_hz`: the core's clock for frames per second.

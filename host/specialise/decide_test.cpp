@@ -119,7 +119,7 @@ TEST(Decide, AMainObjectIsMetFirstWhereThereIsOne) {
 TEST(Decide, WhatChangesNoHitStays) {
   CoreConfiguration fast = whitted();
   fast.stack_entries = 8;
-  for (const char* key : {"stack_entries", "packet_fifos"}) {
+  for (const char* key : {"stack_entries", "packet_fifos", "pipelines"}) {
     const Decision kept = decision(key, of_one_triangle(), {}, fast);
     EXPECT_EQ(kept.reason, "as in whitted: hits and pixels do not depend on it") << key;
   }

@@ -225,6 +225,8 @@ constexpr Rule kRules[] = {
     {"scan_out", Holds::kAlways, scan_out},
     {"epsilon", Holds::kAlways, epsilon},
     {"sram_latency", Holds::kAlways, sram_latency},
+    {"memory_clocks", Holds::kAlways, sram_latency},
+    {"pipelines", Holds::kAlways, hits_stay},
     {"object_box", Holds::kAlways, object_box},
     {"stack_entries", Holds::kAlways, hits_stay},
     {"packet_fifos", Holds::kAlways, hits_stay},

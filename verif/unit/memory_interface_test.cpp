@@ -10,8 +10,13 @@ namespace dynrt::cosim {
 namespace {
 
 void setup(Bench<MemoryInterface<C>>& bench, const Run&) {
-  bench.shape<MemoryRequest<C>>("request", [](MemoryRequest<C>& r, Random& random) {
-    r.kind = any_of<MemoryKind>(random, 3);
+  using Token = typename decltype(MemoryInterface<C>::request)::Data;
+  bench.shape<Token>("request", []<class T>(T& r, Random& random) {
+    if constexpr (requires { r.job; }) {
+      r.job.kind = any_of<MemoryKind>(random, 3);
+    } else {
+      r.kind = any_of<MemoryKind>(random, 3);
+    }
   });
 }
 

@@ -85,7 +85,13 @@ KEYS: dict[str, Key] = {
         True,
         of_core=False,
     ),
-    "packets": Key(Whole(1, 64), "kPackets", "packets in flight"),
+    "pipelines": Key(
+        Whole(1, 16),
+        "kPipelines",
+        "pipelines that trace packets; they share ray generation, the memory and the writing of pixels",
+        1,
+    ),
+    "packets": Key(Whole(1, 64), "kPackets", "packets in flight in a pipeline"),
     "packet_rays": Key(
         Whole(4, 16, power_of_two=True),
         "kPacketRays",
@@ -137,6 +143,12 @@ KEYS: dict[str, Key] = {
     "epsilon": Key(Number(0, 1), "kEpsilon", "how far outside the unit triangle a hit may lie"),
     "sram_latency": Key(
         Whole(3, 8), "kSramLatency", "clocks from an SRAM bank's address to its data"
+    ),
+    "memory_clocks": Key(
+        Whole(1, 16),
+        "kMemoryClocks",
+        "clocks that the scene's banks take for a read; more than 1 stand for a slower memory",
+        1,
     ),
     "lights": Key(Whole(0, 8), "kLights", "passes of light rays from a packet's hits, at most", 0),
     "reflections": Key(Whole(0, 15), "kReflections", "bounces of a ray, at most", 0),

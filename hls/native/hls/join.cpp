@@ -16,8 +16,9 @@ std::vector<std::string> names_of(const JoinPorts& ports, const auto& ends) {
 
 }  // namespace
 
-void Join::add_unit(const std::string& name, const std::string& module, UnitCalls unit,
+void Join::add_unit(const std::string& plain_name, const std::string& module, UnitCalls unit,
                     const std::vector<PortOfUnit>& ports) {
+  const std::string name = prefix_ + plain_name;
   UnitRecord record{name, module, {}, group_};
   ports_.add(record, ports);
   record_.units.push_back(std::move(record));
@@ -49,8 +50,8 @@ void Join::add_channel(const std::string& name, const std::vector<OutEnd*>& from
                        const std::vector<InEnd*>& to, TokenType type, unsigned depth,
                        const std::vector<OutEnd*>& short_fifos) {
   const ChannelRecord record{
-      name,  names_of(ports_, from), names_of(ports_, to),         type.width,
-      depth, ChannelKind::kChannel,  names_of(ports_, short_fifos)};
+      prefix_ + name, names_of(ports_, from), names_of(ports_, to),         type.width,
+      depth,          ChannelKind::kChannel,  names_of(ports_, short_fifos)};
   for (InEnd* in : to) in->bind_tokens(type.make_queue());
   if (clocks_) {
     clocks_->channel(ports_, from, to, type, depth, short_fifos);
@@ -67,8 +68,9 @@ void Join::add_channel(const std::string& name, const std::vector<OutEnd*>& from
 void Join::add_repeat(const std::string& name, const std::vector<OutEnd*>& from, const InEnd& to,
                       TokenType type, unsigned repeat_width, SendNumbered send, unsigned depth,
                       const std::vector<OutEnd*>& short_fifos) {
-  ChannelRecord record{name,  names_of(ports_, from), {ports_.name_of(&to)},        type.width,
-                       depth, ChannelKind::kRepeat,   names_of(ports_, short_fifos)};
+  ChannelRecord record{
+      prefix_ + name, names_of(ports_, from), {ports_.name_of(&to)},        type.width,
+      depth,          ChannelKind::kRepeat,   names_of(ports_, short_fifos)};
   record.repeat_width = repeat_width;
   if (clocks_) {
     const auto sent = std::make_shared<std::uint64_t>(0);
@@ -92,7 +94,8 @@ void Join::add_repeat(const std::string& name, const std::vector<OutEnd*>& from,
 
 std::shared_ptr<TokenQueue> Join::add_input(const std::string& name, InEnd& to, TokenType type) {
   to.bind_tokens(type.make_queue());
-  record_.channels.push_back({name, {}, {ports_.name_of(&to)}, type.width, 0, ChannelKind::kInput});
+  record_.channels.push_back(
+      {prefix_ + name, {}, {ports_.name_of(&to)}, type.width, 0, ChannelKind::kInput});
   if (clocks_) clocks_->input(ports_, name, to);
   return to.tokens();
 }
@@ -101,7 +104,7 @@ std::shared_ptr<TokenQueue> Join::add_output(const std::string& name, OutEnd& fr
                                              TokenType type) {
   std::shared_ptr<TokenQueue> queue = type.make_queue();
   record_.channels.push_back(
-      {name, {ports_.name_of(&from)}, {}, type.width, 0, ChannelKind::kOutput});
+      {prefix_ + name, {ports_.name_of(&from)}, {}, type.width, 0, ChannelKind::kOutput});
   if (clocks_) {
     clocks_->output(ports_, name, from, queue);
   } else {
@@ -122,7 +125,7 @@ void Join::add_sink(const std::string& name, OutEnd& from, TokenType type) {
     };
     processes_.push_back({"", 0, drop});
   }
-  count({name, {ports_.name_of(&from)}, {}, type.width, 0, ChannelKind::kSink},
+  count({prefix_ + name, {ports_.name_of(&from)}, {}, type.width, 0, ChannelKind::kSink},
         [queue] { return queue->pushed(); });
 }
 
@@ -132,7 +135,8 @@ void Join::count(const ChannelRecord& record, std::function<std::uint64_t()> tok
 }
 
 void Join::depends_on_order(const std::vector<std::string>& names) {
-  for (const std::string& name : names) {
+  for (const std::string& plain_name : names) {
+    const std::string name = prefix_ + plain_name;
     bool known = false;
     const auto mark = [&](auto& records) {
       for (auto& record : records) {

@@ -44,6 +44,9 @@ class Join {
   /// Block diagrams show the next units under this name.
   void group(const std::string& name) { group_ = name; }
 
+  /// The names of the next units, channels and RAMs begin with `prefix`.
+  void begin_names(const std::string& prefix) { prefix_ = prefix; }
+
   /// Adds a unit; its Verilog module has the name `module`.
   template <class U>
   void unit(const std::string& name, const std::string& module, U& unit) {
@@ -100,7 +103,8 @@ class Join {
   template <Hazard H = Hazard::kExclusive, class T, unsigned N>
   void ram(const std::string& name, RamWrite<T, N>& writer, const auto& readers) {
     const Rows<T> rows(N);
-    add_ram({name, {}, {}, bit_width_of<T>(), N, H}, &writer, bind_readers<N>(readers, rows));
+    add_ram({prefix_ + name, {}, {}, bit_width_of<T>(), N, H}, &writer,
+            bind_readers<N>(readers, rows));
     if constexpr (H == Hazard::kTorn) {
       expect_lowest_field(name, fields_of<T>(), "torn");
       if (clocks_) {
@@ -126,8 +130,8 @@ class Join {
                     const auto& readers) {
     static_assert(W > 1 && std::has_single_bit(N), "an address is word, row");
     const Rows<T> words(W * N);
-    add_ram({name, {}, {}, bit_width_of<std::array<T, W>>(), N, Hazard::kExclusive, W}, &writer,
-            bind_readers<W * N>(readers, words));
+    add_ram({prefix_ + name, {}, {}, bit_width_of<std::array<T, W>>(), N, Hazard::kExclusive, W},
+            &writer, bind_readers<W * N>(readers, words));
     const auto take = [](void* to, std::uint64_t row, const std::array<T, W>& written) {
       for (std::size_t w = 0; w < W; ++w) static_cast<T*>(to)[w * N + row] = written[w];
     };
@@ -137,18 +141,18 @@ class Join {
   template <class T, unsigned N, unsigned L>
   void bank(const std::string& name, RamRead<T, N, L>& reader, Rows<T> rows) {
     reader.bind(std::move(rows));
-    record_.banks.push_back({name, ports_.name_of(&reader), bit_width_of<T>(), N, false});
+    record_.banks.push_back({prefix_ + name, ports_.name_of(&reader), bit_width_of<T>(), N, false});
   }
   template <class T, unsigned N>
   void bank(const std::string& name, RamWrite<T, N>& writer, Rows<T> rows) {
     writer.bind(std::move(rows));
-    record_.banks.push_back({name, ports_.name_of(&writer), bit_width_of<T>(), N, true});
+    record_.banks.push_back({prefix_ + name, ports_.name_of(&writer), bit_width_of<T>(), N, true});
   }
 
   /// A value set from outside, seen by all of `ports`.
   template <class T>
   void config(const std::string& name, std::shared_ptr<T> value, std::vector<Config<T>*> ports) {
-    ConfigRecord record{name, {}, bit_width_of<T>(), false, 0, fields_of<T>()};
+    ConfigRecord record{prefix_ + name, {}, bit_width_of<T>(), false, 0, fields_of<T>()};
     for (Config<T>* port : ports) {
       record.to.push_back(ports_.name_of(port));
       port->bind(value);
@@ -293,7 +297,7 @@ class Join {
   }
 
   JoinRecord record_;
-  std::string group_;
+  std::string group_, prefix_;
   JoinPorts ports_;
   std::unique_ptr<JoinClocks> clocks_;  ///< null: there is no clock
   std::deque<Process> processes_;       ///< elements keep their addresses
