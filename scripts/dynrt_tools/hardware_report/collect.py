@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 from dynrt_tools.bench.scenes import THESIS as THESIS_RATES
 from dynrt_tools.hardware import placed_clocks
-from dynrt_tools.hardware_report import figures, gates, indices, jobs, rows
+from dynrt_tools.hardware_report import figures, findings, gates, indices, jobs, rows
 from dynrt_tools.project import Json, read_json, write_rows
 
 
@@ -59,6 +59,7 @@ def collect(
         "scenes": {name: {"about": scene["about"]} for name, scene in scenes.items()},
         "configurations": {},
         "table": [],
+        "findings": [],
         "runs": [],
         "missing": [],
     }
@@ -68,7 +69,7 @@ def collect(
             "packets": one["keys"]["packets"],
             "lines": one["keys"]["lines"],
             "curves": one["curves"],
-            "placed": placed_clocks.of(name).of_core(name),
+            "clock": placed_clocks.of(name).of_core(name),
             "gates": gates_of(results, name, one),
         }
     for scene in scenes:
@@ -86,6 +87,7 @@ def collect(
                     report["table"].append(table_row(scene, name, one["keys"], found))
             if absent:
                 report["missing"].append(f"{scene}, {name}: {absent} of {len(points)} frames")
+    report["findings"] = findings.of(report)
     return report
 
 
@@ -125,4 +127,4 @@ def write_csv(path: pathlib.Path, report: Json) -> None:
 
 
 def write_json(path: pathlib.Path, report: Json) -> None:
-    write_rows(path, report, "table", "runs")
+    write_rows(path, report, "table", "findings", "runs")

@@ -5,7 +5,7 @@ compute by hand."""
 
 from typing import Any
 
-from dynrt_tools.hardware_report import figures, jobs, rows
+from dynrt_tools.hardware_report import figures, findings, jobs, rows
 from dynrt_tools.hardware_report import gates as gate_jobs
 from dynrt_tools.hardware_report.collect import table_row
 from dynrt_tools.project import Json
@@ -61,7 +61,7 @@ sys.path.insert(0, {scripts!r})
 from dynrt_tools.hardware_report import example
 words = sys.argv[1:]
 of = lambda flag: words[words.index(flag) + 1]
-if words[1] not in ("blocks", "lamps"):
+if words[1] not in ("blocks", "lamps") and not words[1].endswith(".obj"):
     print(f"dynrt: {{words[1]}}: unknown scene; the scenes are blocks, lamps", file=sys.stderr)
     sys.exit(2)
 if words[0] == "info":
@@ -120,7 +120,7 @@ def report(**changes: Any) -> Json:
         made["configurations"][name] = {
             **keys,
             "curves": one["curves"],
-            "placed": "at 100 MHz, placed",
+            "clock": "at 100 MHz, placed",
             "gates": {**keys, **counted[0][1], "split": gate_jobs.split(counted)},
         }
         for scene in made["scenes"]:
@@ -129,4 +129,5 @@ def report(**changes: Any) -> Json:
                 made["runs"].append(rows.row(scene, name, point, found))
                 if point == figures.own_point(keys):
                     made["table"].append(table_row(scene, name, keys, found))
+    made["findings"] = findings.of(made)
     return {**made, **changes}

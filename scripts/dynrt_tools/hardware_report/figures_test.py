@@ -4,7 +4,7 @@
 
 import unittest
 
-from dynrt_tools.hardware_report import example, figures
+from dynrt_tools.hardware_report import example, figures, findings
 from dynrt_tools.hardware_report.figures import Figure, Series
 
 
@@ -48,6 +48,30 @@ class Figures(unittest.TestCase):
         rate = next(f for f in figures.FIGURES if f.name == "7.9")
         (curve,) = figures.curves(report, rate, "lamps")
         self.assertEqual([x for x, _ in curve.points], [1, 4])
+
+    def test_what_the_curves_say(self) -> None:
+        report = example.report()
+        self.assertEqual([row["scene"] for row in report["findings"]], ["cistern", "lamps"])
+        found = report["findings"][0]
+        along = [r for r in report["runs"] if (r["scene"], r["configuration"]) == ("lamps", "wide")]
+        along = [r for r in along if (r["flags"]["lines"], r["flags"]["order"]) == (2, "morton")]
+        self.assertEqual(len(along), 3)
+        best = max(along, key=lambda r: float(r["QHW"]))
+        self.assertEqual(found["best QHW"], best["QHW"])
+        self.assertEqual(found["QHW at packets"], best["flags"]["packets"])
+        for cache in ("node", "list", "matrix"):
+            self.assertAlmostEqual(found[f"{cache} cache hits gained"], 10)
+        self.assertLessEqual(findings.THESIS.keys(), set(findings.COLUMNS))
+
+    def test_what_no_frame_says_is_unknown(self) -> None:
+        report = example.report()
+        kept = [r for r in report["runs"] if r["flags"]["order"] == "morton"]
+        for run in kept:
+            run.pop("QGHW", None)
+        (first, _) = findings.of({**report, "runs": kept})
+        self.assertIsNone(first["list cache hits gained"])
+        self.assertIsNone(first["best QGHW"])
+        self.assertIsNotNone(first["best QHW"])
 
 
 if __name__ == "__main__":

@@ -49,9 +49,13 @@ def split(counted: Sequence[tuple[Json, Json]]) -> Json | None:
     points = [(core["packets"], core["lines"]) for core, _ in counted]
     if len(set(points)) < 3:
         return None
+    parts = {
+        cost: gate_rule.fit(points, [found[cost] for _, found in counted])
+        for cost in ("logic", "memory")
+    }
     return {
-        part: list(gate_rule.fit(points, [figures[part] for _, figures in counted]))
-        for part in ("logic", "memory")
+        part: {cost: values[i] for cost, values in parts.items()}
+        for i, part in enumerate(("fixed", "packet", "line"))
     }
 
 

@@ -21,19 +21,16 @@ READING = (
 )
 
 
-def at(parts: list[float], packets: int, lines: int) -> float:
-    """A cost of a fixed part, one per packet and one per line."""
-    fixed, packet, line = parts
-    return fixed + packet * packets + line * lines
-
-
 def costs(gates: Json, packets: int, lines: int) -> tuple[float, float] | None:
     """C_AU and C_IM with these packets and lines; None if the cores that were counted do not tell."""
     if (packets, lines) == (gates["packets"], gates["lines"]):
         return gates["logic"], gates["memory"]
-    if not gates["split"]:
+    if not (split := gates["split"]):
         return None
-    logic, memory = (at(gates["split"][part], packets, lines) for part in ("logic", "memory"))
+    logic, memory = (
+        split["fixed"][cost] + split["packet"][cost] * packets + split["line"][cost] * lines
+        for cost in ("logic", "memory")
+    )
     return logic, memory
 
 

@@ -41,6 +41,16 @@ class Indices(unittest.TestCase):
             self.assertAlmostEqual(cost[0], 1000 + 10 * packets, 4)
             self.assertAlmostEqual(cost[1], 200 * packets + 30 * lines, 4)
 
+    def test_the_parts_of_the_gates(self) -> None:
+        parts = self.gates(64, 512)["split"]
+        for part, (logic, memory) in {
+            "fixed": (1000, 0),
+            "packet": (10, 200),
+            "line": (0, 30),
+        }.items():
+            self.assertAlmostEqual(parts[part]["logic"], logic, 4)
+            self.assertAlmostEqual(parts[part]["memory"], memory, 4)
+
     def test_without_smaller_cores_only_its_own_gates_are_known(self) -> None:
         known = {**self.gates(4, 2), "split": None}
         self.assertEqual(indices.costs(known, 4, 2), (1040, 860))

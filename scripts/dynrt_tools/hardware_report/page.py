@@ -4,7 +4,7 @@
 
 import pathlib
 
-from dynrt_tools.hardware_report import rows
+from dynrt_tools.hardware_report import findings, rows
 from dynrt_tools.hardware_report.figures import FIGURES, Figure, curves
 from dynrt_tools.project import Json, read_json
 from dynrt_tools.report.page import assembled
@@ -48,7 +48,13 @@ def shown(report: Json) -> Json:
                 }
             )
     kept = {key: value for key, value in report.items() if key != "runs"}
-    return {**kept, "columns": list(rows.TABLE), "figures": figures}
+    return {
+        **kept,
+        "columns": list(rows.TABLE),
+        "found": list(findings.COLUMNS),
+        "said": findings.THESIS,
+        "figures": figures,
+    }
 
 
 def page(report: Json) -> str:

@@ -40,7 +40,7 @@ class Page(page_testing.Opened):
         labels = [e[1].get("aria-label", "") for e in elements.of("circle", class_="point")]
         self.assertIn("wide: 21.05 rays a clock per million gates at 4 packets", labels)
         rows = [e[2] for e in elements.of("td")]
-        for word in ("wide", "narrow", "17 to 25", "487,020 + 56,028 P + 996 CL"):
+        for word in ("wide", "narrow", "17 to 25", "487,020 + 56,028 P + 996 CL", "about 9.5"):
             self.assertIn(word, rows)
 
     def test_an_address_is_a_view(self) -> None:

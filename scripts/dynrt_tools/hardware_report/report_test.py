@@ -108,6 +108,15 @@ class Reports(testing.InFolder):
         self.run_report("blocks")
         self.assertEqual(len(self.ran()), 8 + FRAMES + 1)
 
+    def test_a_file_that_changes_is_rendered_again(self) -> None:
+        ball = self.folder / "ball.obj"
+        ball.write_text("v 0 0 0", encoding="utf-8")
+        self.assertEqual(self.run_report(str(ball), "blocks"), (0, ""))
+        ball.write_text("v 1 1 1", encoding="utf-8")
+        self.assertEqual(self.run_report(str(ball), "blocks"), (0, ""))
+        self.assertEqual(len(self.ran()), FRAMES + 1)
+        self.assertTrue(all(line.startswith(str(ball)) for line in self.ran()))
+
     def test_frames_that_die_are_named_and_the_rest_is_there(self) -> None:
         self.work.mkdir()
         (self.work / "fail").write_text("", encoding="utf-8")

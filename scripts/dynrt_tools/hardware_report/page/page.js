@@ -205,23 +205,30 @@ function draw_table() {
 
 function draw_gates() {
   const names = ["configuration", "C_AU", "C_IM", "C_AU + C_IM", "as packets P and lines CL", "clock"];
-  d3.select("#gates thead").html("");
-  d3.select("#gates tbody").html("");
   fill_row(d3.select("#gates thead"), "th", names);
   for (const [name, one] of Object.entries(report.configurations)) {
     const gates = one.gates;
     const [logic, memory] = gates ? [gates.logic, gates.memory] : [null, null];
     fill_row(d3.select("#gates tbody"), "td",
              [name, text(logic), text(memory), text(gates ? logic + memory : null), formula(gates),
-              one.placed]);
+              one.clock]);
   }
   fill_row(d3.select("#gates tbody"), "td",
            ["the thesis's", "", "", "", "487,020 + 56,028 P + 996 CL", "at 85 MHz"]);
 }
+function draw_findings() {
+  fill_row(d3.select("#findings thead"), "th", ["scene", "configuration", ...report.found]);
+  for (const row of report.findings) {
+    fill_row(d3.select("#findings tbody"), "td",
+             [row.scene, row.configuration, ...report.found.map((c) => text(row[c]))]);
+  }
+  fill_row(d3.select("#findings tbody"), "td",
+           ["the thesis's", "", ...report.found.map((c) => text(report.said[c]))]);
+}
 function formula(gates) {
   if (!gates || !gates.split) return "–";
-  const [fixed, packet, line] = [0, 1, 2].map((i) =>
-      d3.format(",.0f")(gates.split.logic[i] + gates.split.memory[i]));
+  const [fixed, packet, line] = ["fixed", "packet", "line"].map((part) =>
+      d3.format(",.0f")(gates.split[part].logic + gates.split[part].memory));
   return `${fixed} + ${packet} P + ${line} CL`;
 }
 
@@ -244,6 +251,7 @@ for (const [id, sentences] of [["missing", report.missing], ["reading", report.r
   by_id(id).hidden = sentences.length === 0;
 }
 draw_gates();
+draw_findings();
 addEventListener("hashchange", () => { read_address(); show(); });
 read_address();
 show();
