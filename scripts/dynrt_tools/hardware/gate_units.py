@@ -95,7 +95,9 @@ OPERATORS = {
     "Cache (with index structure)": (0, 0, 0, 0),
 }
 # How the names of our instances begin that have such operators, those of other configurations among
-# them: a camera unit, a box test and the reciprocals do what a transformation or a slice did.
+# them: a camera unit, a box test and the reciprocals do what a transformation or a slice did. The
+# subtractions of matrix_store, which few configurations have, are left out: its name is that of a
+# store.
 ARITHMETIC = (
     "slice_",
     "plane_offset",

@@ -17,8 +17,8 @@ PACKETS = (1, 2, 4, 8, 16, 24, 32, 48, 64)
 LINES = tuple(2**n for n in range(10))
 RATE = f"frames per second at {THESIS_MHZ} MHz"
 
-# The flags of dynrt render that a frame has, each a word and its value. Those that are numbers are
-# also keys of a configuration, which has the largest value.
+# The flags of dynrt render that a frame has, each a word and its value. Of packets and lines the
+# configuration has the largest value.
 Point = Mapping[str, int | str]
 MORTON: Point = {"order": "morton"}
 SCANLINE: Point = {"order": "scanline"}
@@ -63,7 +63,9 @@ class Figure:
         return "figure_" + self.name.replace(".", "_").replace(" and ", "_and_")
 
     def along_values(self, configuration: Json) -> list[int]:
-        return [value for value in self.values if value <= configuration[self.along]]
+        """The values up to what a configuration has; all, if what changes is none of its keys."""
+        most = configuration.get(self.along)
+        return [value for value in self.values if most is None or value <= most]
 
 
 UNITS = ("traversal", "list", "transformation", "intersection")

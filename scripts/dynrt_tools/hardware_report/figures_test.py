@@ -28,6 +28,8 @@ class Figures(unittest.TestCase):
         names = [figures.name_of(point) for point in figures.points(keys, (widths,))]
         end = "packets-4_lines-2_order-morton"
         self.assertEqual(names, [end, f"{end}_width-2", f"{end}_width-4"])
+        keys.pop("width")
+        self.assertEqual(len(figures.points(keys, (widths,))), 4)
 
     def test_curves(self) -> None:
         report = example.report()

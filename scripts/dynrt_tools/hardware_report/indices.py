@@ -14,8 +14,9 @@ READING = (
     "U_AU: the mean use of the arithmetic units, each weighted with its logic gates. The thesis does "
     "not name the units. Here they are those with floating-point operators (Table 7.3): slices, "
     "collection of hits, transformation and intersection, and of our own the units for reciprocals, "
-    "camera rays, distances of planes and boxes. The use of a unit is the share of clocks in which it "
-    "begins a transaction.",
+    "camera rays, distances of planes and boxes; not the subtractions that matrix_store makes in "
+    "cores with a watertight test for packets from one origin. The use of a unit is the share of "
+    "clocks in which it begins a transaction.",
     "Between the cores that were counted, C_AU and C_IM are a fixed part, a part per packet and a part "
     "per line.",
 )

@@ -145,7 +145,8 @@ function groups_of(figure, plot) {
 
 function draw_figure(parent, figure) {
   const plot = figure.plots[state.scene];
-  const section = parent.append("section").attr("data-figure", figure.name);
+  const section = parent.append("section").attr("data-figure", figure.name)
+      .attr("class", figure.several ? "wide" : null);
   section.append("h2").text(`${figure.title} over ${figure.along} (thesis figure ${figure.name})`);
   if (figure.said) section.append("p").text(`The thesis's text: ${figure.said}`);
   if (!plot.curves.length) {
