@@ -3,6 +3,8 @@
 """What the curves of a report say that the thesis's text says of its own: where the indices are best,
 and what the Morton curve gains over scanlines."""
 
+import operator
+
 from dynrt_tools.hardware_report import figures
 from dynrt_tools.project import Json
 
@@ -42,7 +44,7 @@ def row_of(runs: list[Json], scene: str, name: str, configuration: Json) -> Json
     for index in ("QHW", "QGHW"):
         known = [r for r in along if r.get(index) is not None]
         if known:
-            best = max(known, key=lambda r: float(r[index]))
+            best = max(known, key=operator.itemgetter(index))
             found[f"best {index}"] = best[index]
             found[f"{index} at packets"] = best["flags"]["packets"]
     morton = next((r for r in mine if r["flags"] == own), None)
