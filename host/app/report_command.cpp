@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// dynrt report: studies of a scene, one subcommand each. `error` renders with many variants, `hardware`
-// with many packets and lines; the others count in software and open no board.
+// dynrt report: studies of a scene, one subcommand each. `error` renders with many variants,
+// `hardware` with many packets and lines; the others count in software and open no board.
 #include <fmt/format.h>
 
 #include <memory>
