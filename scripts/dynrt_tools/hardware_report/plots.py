@@ -94,5 +94,6 @@ def write(folder: pathlib.Path, report: Json) -> list[pathlib.Path]:
     """The drawings of all figures that have a curve."""
     pyplot.switch_backend("svg")  # no window
     pyplot.rcParams["svg.hashsalt"] = "dynrt"
+    pyplot.rcParams["svg.fonttype"] = "none"  # text stays text
     paths = [(folder / f"{figure.file}.svg", figure) for figure in FIGURES]
     return [path for path, figure in paths if draw(path, report, figure)]

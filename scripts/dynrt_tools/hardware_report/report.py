@@ -35,7 +35,7 @@ def parse() -> argparse.Namespace:
         metavar="SCENE",
         help=f"built-in scenes or files (default: {' '.join(SCENES)})",
     )
-    shared.add_job_arguments(parser, "hardware_report")
+    shared.add_program_arguments(parser)
     parser.add_argument(
         "--config",
         action="append",
@@ -51,6 +51,10 @@ def parse() -> argparse.Namespace:
         metavar="NAME",
         help="configuration that stands in the table with all its packets and lines, beside those "
         f"that have curves; can be given several times (default: {' '.join(TABLE)})",
+    )
+    shared.add_job_arguments(parser, "hardware_report")
+    parser.add_argument(
+        "--drawings", type=pathlib.Path, metavar="FOLDER", help="write the drawings there too"
     )
     parser.add_argument(
         "--json", type=pathlib.Path, metavar="FILE", help="write the data to this file too"
@@ -76,12 +80,18 @@ def chosen(curves: list[str], table: list[str]) -> dict[str, Json]:
     return found
 
 
-def check_json(path: pathlib.Path) -> None:
+def check_outputs(args: argparse.Namespace) -> None:
     """Before the work."""
-    if not path.absolute().parent.is_dir():
-        raise Failed(
-            f"--json {path}: there is no folder '{path.parent}'; create it or name a file elsewhere"
-        )
+    check_writable(args.out)
+    for flag, path, folder, other in (
+        ("--json", args.json, args.json and args.json.absolute().parent, "a file elsewhere"),
+        ("--drawings", args.drawings, args.drawings, "another"),
+    ):
+        if folder and not folder.is_dir():
+            raise Failed(
+                f"{flag} {path}: there is no folder '{path if folder == path else path.parent}'; "
+                f"create it or name {other}"
+            )
 
 
 def made(args: argparse.Namespace) -> Json:
@@ -89,9 +99,7 @@ def made(args: argparse.Namespace) -> Json:
     configurations = chosen(args.config or list(CURVES), args.table or list(TABLE))
     shared.check_jobs(args, "a hardware report", "hlsc")
     known = shared.known_scenes(args, args.scene or list(SCENES))
-    check_writable(args.out)
-    if args.json:
-        check_json(args.json)
+    check_outputs(args)
     folder = shared.work_folder(args.out)
     workflow = Workflow(folder, args.program.resolve(), args.build.resolve(), args.expect)
     with workflow.alone():
@@ -112,6 +120,8 @@ def run(args: argparse.Namespace) -> int:
         collect.write_csv(new / "hardware.csv", report)
         drawings = plots.write(new, report)
         page.write_page(new / "hardware.json", new / "hardware.html")
+    if args.drawings:
+        plots.write(args.drawings, report)
     if args.json:
         collect.write_json(args.json, report)
     for sentence in report["missing"]:

@@ -40,20 +40,21 @@ class Reports(testing.InFolder):
             (self.folder / f"{name}.json").write_text(json.dumps(stated), encoding="utf-8")
         self.out, self.work = self.folder / "out", self.folder / "out.work"
 
-    def run_report(self, *scenes: str, size: str = "32x24", **changes: object) -> tuple[int, str]:
+    def run_report(self, *scenes: str, **changes: object) -> tuple[int, str]:
         """The exit code and the sentences about what is wrong."""
         args = argparse.Namespace(
             scene=list(scenes),
             program=self.program,
             build=self.build,
             expect=fingerprint.fingerprint(project.read_json(self.build)),
-            size=size,
+            size="32x24",
             jobs=2,
             slurm=False,
             out=self.out,
             config=[str(self.folder / "wide.json")],
             table=[str(self.folder / "narrow.json")],
             json=None,
+            drawings=None,
         )
         for key, value in changes.items():
             setattr(args, key, value)
@@ -72,8 +73,10 @@ class Reports(testing.InFolder):
         return dict(project.read_json(self.out / "hardware.json"))
 
     def test_from_the_flags_to_the_files(self) -> None:
-        data = self.folder / "data.json"
-        self.assertEqual(self.run_report("blocks", "lamps", json=data), (0, ""))
+        data, pictures = self.folder / "data.json", self.folder / "pictures"
+        pictures.mkdir()
+        given = {"json": data, "drawings": pictures}
+        self.assertEqual(self.run_report("blocks", "lamps", **given), (0, ""))
         made = self.made()
         self.assertEqual(len(made["runs"]), 2 * (FRAMES + 1))
         self.assertEqual(project.read_json(data), made)
@@ -90,6 +93,7 @@ class Reports(testing.InFolder):
         drawings = sorted(path.name for path in self.out.glob("*.svg"))
         self.assertEqual(len(drawings), 5)
         self.assertIn("figure_7_6.svg", drawings)
+        self.assertEqual(sorted(path.name for path in pictures.iterdir()), drawings)
 
     def test_renders_what_is_not_there_yet(self) -> None:
         self.run_report("blocks")
@@ -174,16 +178,14 @@ class Reports(testing.InFolder):
         self.assertEqual(code, 2)
         self.assertIn("another configuration of this report is named 'wide'", said)
 
-    def test_a_place_for_the_data_that_is_none(self) -> None:
-        code, said = self.run_report("blocks", json=pathlib.Path("no/where.json"))
-        self.assertEqual(
-            (code, said),
-            (
-                2,
-                "dynrt: --json no/where.json: there is no folder 'no'; create it or name a file "
-                "elsewhere\n",
-            ),
-        )
+    def test_places_that_are_none(self) -> None:
+        for flag, path, sentence in (
+            ("json", "no/where.json", "create it or name a file elsewhere"),
+            ("drawings", "no", "create it or name another"),
+        ):
+            code, said = self.run_report("blocks", **{flag: pathlib.Path(path)})
+            self.assertEqual(code, 2)
+            self.assertEqual(said, f"dynrt: --{flag} {path}: there is no folder 'no'; {sentence}\n")
 
     def test_another_build(self) -> None:
         code, said = self.run_report("blocks", expect="f")
@@ -209,7 +211,8 @@ class Reports(testing.InFolder):
         collect.write_json(path, example.report())
         text = path.read_text(encoding="utf-8")
         self.assertEqual(json.loads(text), example.report())
-        self.assertEqual(text.count('\n    {"scene":'), len(example.report()["runs"]) + 4)
+        rows = sum(len(example.report()[name]) for name in ("runs", "table", "findings"))
+        self.assertEqual(text.count('\n    {"scene":'), rows)
 
 
 if __name__ == "__main__":

@@ -24,14 +24,14 @@ TABLE = (
     figures.RATE,
     "thesis's frames per second",
     "rays per clock",
-    "C_AU + C_IM",
-    "thesis's C_RTC",
     "U_AU",
     "QHW",
     "QGHW",
     "bytes read per ray",
     "bytes written per ray",
     *(f"{cache} cache hits" for cache in figures.CACHES.values()),
+    "C_AU + C_IM",
+    "thesis's C_RTC",
 )
 
 

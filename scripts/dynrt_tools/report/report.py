@@ -37,14 +37,18 @@ def cores() -> int:
     return len(os.sched_getaffinity(0))
 
 
-def add_job_arguments(parser: argparse.ArgumentParser, out: str) -> None:
-    """The flags of every report; `out` is the folder where none is named."""
+def add_program_arguments(parser: argparse.ArgumentParser) -> None:
+    """The first flags of every report: those that the program gives, and the size."""
     parser.add_argument("--program", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--build", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--expect", required=True, help=argparse.SUPPRESS)
     parser.add_argument(
         "--size", default="512x384", metavar="WxH", help="pixels of the images (default: 512x384)"
     )
+
+
+def add_job_arguments(parser: argparse.ArgumentParser, out: str) -> None:
+    """The last flags of every report; `out` is the folder where none is named."""
     parser.add_argument(
         "--jobs",
         type=int,
@@ -71,6 +75,7 @@ def add_job_arguments(parser: argparse.ArgumentParser, out: str) -> None:
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """The flags that a report and a choice have in common."""
+    add_program_arguments(parser)
     parser.add_argument(
         "--config",
         default="thesis",
