@@ -33,7 +33,8 @@ inline constexpr char kCommand[] =
     "{}: there is no such command; the commands are render, walk, compare, info, report, choose, "
     "measure, stress, needs and specialise";
 inline constexpr char kNoReport[] =
-    "report: name a report; the reports are overlap, mailbox, clipping, error and truth";
+    "report: name a report; the reports are overlap, mailbox, clipping, error, hardware and "
+    "truth";
 inline constexpr char kCountedSize[] =
     "--size {}x{}: dynrt counts work for packets of 2x2 rays, so both numbers must be even, above "
     "0 and at most {}";

@@ -248,8 +248,8 @@ TEST_F(App, ReportsCountWhatOtherCoresWouldDo) {
   EXPECT_THAT(outcome.out, HasSubstr("pixels that differ between the rows: 0\n"));
   EXPECT_EQ(nlohmann::json::parse(text_of(folder_ / "f.json"))["rows"].size(), 5);
   expect_mistake("report",
-                 "dynrt: report: name a report; the reports are overlap, mailbox, clipping, error "
-                 "and truth\n");
+                 "dynrt: report: name a report; the reports are overlap, mailbox, clipping, error, "
+                 "hardware and truth\n");
   expect_mistake("report paint", HasSubstr("was not expected: paint; dynrt report --help lists"));
   expect_mistake("report mailbox blocks --size 33x24",
                  "dynrt: --size 33x24: dynrt counts work for packets of 2x2 rays, so both numbers "

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// dynrt report: studies of a scene, one subcommand each. `error` renders with many variants; the
-// others count in software and open no board.
+// dynrt report: studies of a scene, one subcommand each. `error` renders with many variants,
+// `hardware` with many packets and lines; the others count in software and open no board.
 #include <fmt/format.h>
 
 #include <memory>
@@ -93,6 +93,11 @@ Command add_report_command(CLI::App& program) {
       *command, "error", "error, time and area of other number formats and variants",
       "report_error");
   error.app->callback([chosen, error] { *chosen = error.run; });
+  const ScriptCommand hardware = add_script_command(
+      *command, "hardware",
+      "use of units, cache hits, frame rate and quality of the hardware over packets and lines",
+      "report_hardware");
+  hardware.app->callback([chosen, hardware] { *chosen = hardware.run; });
   return {command, [chosen] {
             if (!*chosen) refuse(messages::kNoReport);
             return (*chosen)();

@@ -53,8 +53,7 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "--config",
         metavar="NAME",
-        help=f"configuration of the table and of --sweep, one of hls/configs/configs.json (default: "
-        f"{CONFIG})",
+        help=f"configuration of the table, one of hls/configs/configs.json (default: {CONFIG})",
     )
     parser.add_argument(
         "--quick",
@@ -69,14 +68,6 @@ def parse(arguments: list[str]) -> argparse.Namespace:
         type=pathlib.Path,
         metavar="FILE",
         help="also write the table, and every counter of the frames, as data",
-    )
-    parser.add_argument(
-        "--sweep",
-        type=pathlib.Path,
-        metavar="FOLDER",
-        help="instead of the table: how busy the units are with 1 to 64 packets "
-        "and how often the caches hit with 1 to 512 lines (thesis figures 7.8 to "
-        "7.10), as CSV and as plots",
     )
     parser.add_argument(
         "--scenes",
@@ -110,12 +101,10 @@ def parse(arguments: list[str]) -> argparse.Namespace:
             f"--json {args.json}: there is no folder '{args.json.parent}'; create it or "
             "name a file elsewhere"
         )
-    tables = [
-        f"--{name}" for name in ("scenes", "levers", "sweep", "report") if getattr(args, name)
-    ]
+    tables = [f"--{name}" for name in ("scenes", "levers", "report") if getattr(args, name)]
     if len(tables) > 1:
         parser.error(f"{' and '.join(tables[:2])} are two tables; ask for one of them")
-    if args.config and tables and not args.sweep:
+    if args.config and tables:
         parser.error(
             f"--config {args.config}: {tables[0]} has its own configurations; leave one out"
         )
@@ -163,12 +152,6 @@ def main() -> int:  # pylint: disable=too-many-return-statements
     scene = str(pathlib.Path(args.scene).resolve()) if os.path.exists(args.scene) else args.scene
     size = QUICK_SIZE if args.quick else FULL_SIZE
     try:
-        if args.sweep:
-            # It needs matplotlib, which takes long to load.
-            from dynrt_tools.bench import sweep  # pylint: disable=import-outside-toplevel
-
-            sweep.run(dynrt, scene, args.config, args.core, size, args.sweep, show_progress)
-            return 0
         if args.scenes:
             measured = scenes.measure(dynrt, size, FULL_SIZE, show_progress)
             show_progress("")

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs scripts/bench on a stand-in for dynrt whose figures are known."""
 
-import csv
 import json
 import unittest
 from typing import Any
@@ -193,13 +192,6 @@ class Bench(testing.InFolder):
             self.assertEqual(result.returncode, 2)
             self.assertIn(said, result.stderr)
 
-    def test_a_sweep_of_a_core_with_fewer_packets(self) -> None:
-        result = self.bench("--sweep", "plots", "--quick", "--config", "thesis")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        with open(self.folder / "plots" / "packets.csv", encoding="utf-8") as file:
-            packets = [row["packets"] for row in csv.DictReader(file)]
-        self.assertEqual(packets, ["1", "2", "4", "8", "16", "24", "32"])
-
     def test_another_configuration(self) -> None:
         rows, text = self.rows("--config", "whitted")
         self.assertIn("configuration whitted;", text)
@@ -227,30 +219,6 @@ class Bench(testing.InFolder):
         self.assertIsNone(rows["rays per clock"]["met"])
         self.assertEqual(rows["nodes per packet"]["reached"], 30.3)
         self.assertIn("Nothing of the RTL was measured: dynrt: there is no RTL in this build", text)
-
-    def test_sweep(self) -> None:
-        result = self.bench("--sweep", "plots", "--quick")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        with open(self.folder / "plots" / "packets.csv", encoding="utf-8") as file:
-            packets = {row["packets"]: row for row in csv.DictReader(file)}
-        placed = f"frames per second at {placed_clocks.of('fast').mhz:g} MHz"
-        for row in packets.values():
-            self.assertAlmostEqual(
-                float(row["frames per second at 85 MHz"]), 85e6 / float(row["clocks"])
-            )
-            rate = placed_clocks.frames_per_second(
-                float(row["clocks"]), placed_clocks.of("fast").mhz
-            )
-            self.assertAlmostEqual(float(row[placed]), rate)
-        self.assertEqual(list(packets), ["1", "2", "4", "8", "16", "24", "32", "48", "64"])
-        self.assertEqual(packets["32"]["traversal usage"], "0.5")
-        with open(self.folder / "plots" / "lines.csv", encoding="utf-8") as file:
-            self.assertEqual(
-                [float(row["node cache hits"]) for row in csv.DictReader(file)],
-                [2**n / 1024 for n in range(10)],
-            )
-        for plot in ("usage.svg", "frame_rate.svg", "hit_rate.svg"):
-            self.assertIn("<svg", (self.folder / "plots" / plot).read_text())
 
     def test_scenes_beside_the_thesis(self) -> None:
         result = self.bench("--scenes", "--json", "scenes.json")
@@ -304,9 +272,9 @@ class Bench(testing.InFolder):
         self.assertEqual(result.stderr, "bench: dynrt: there is no RTL in this build\n")
 
     def test_two_tables_at_once(self) -> None:
-        result = self.bench("--scenes", "--sweep", "plots")
+        result = self.bench("--scenes", "--levers")
         self.assertEqual(result.returncode, 2)
-        self.assertIn("--scenes and --sweep are two tables; ask for one of them", result.stderr)
+        self.assertIn("--scenes and --levers are two tables; ask for one of them", result.stderr)
 
     def test_report(self) -> None:
         result = self.bench("--report", "--quick", "--json", "report.json")
@@ -316,11 +284,6 @@ class Bench(testing.InFolder):
         self.assertIsNone(first["met"])  # of another size
         self.assertEqual(again["name"], "the same again")
         self.assertEqual((truth["reached"], truth["met"]), (128 * 96 / 0.05 / 1e6, True))
-
-    def test_sweep_needs_the_rtl(self) -> None:
-        result = self.bench("--sweep", "plots", rtl=False)
-        self.assertEqual(result.returncode, 1)
-        self.assertEqual(result.stderr, "bench: dynrt: there is no RTL in this build\n")
 
     def test_a_program_that_is_none(self) -> None:
         result = testing.run(BENCH, "--program", "nothing")

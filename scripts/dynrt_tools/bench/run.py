@@ -84,6 +84,10 @@ class Dynrt:
         )
 
 
+# The bytes of memory in a line of each cache, and of a pixel with its hit record.
+LINE_BYTES = {"node": 8, "list": 4, "matrix": 12}
+PIXEL_BYTES = 4 + 24
+
 # The keys of cores whose counters say how many triangles and objects packets meet: each of four rays
 # goes through the transformation for every item, and a leaf is a node.
 TELLING = {
@@ -152,6 +156,15 @@ def busiest(frame: Json) -> tuple[str, int]:
 
 def rays(frame: Json) -> int:
     return int(frame["width"] * frame["height"])
+
+
+def read_bytes(frame: Json) -> int:
+    """The bytes of the lines that the caches did not hold."""
+    return sum(cache["misses"] * LINE_BYTES[name] for name, cache in frame["caches"].items())
+
+
+def written_bytes(frame: Json) -> int:
+    return rays(frame) * PIXEL_BYTES
 
 
 @dataclasses.dataclass

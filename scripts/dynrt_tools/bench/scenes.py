@@ -5,7 +5,7 @@
 import dataclasses
 import os
 
-from dynrt_tools.bench.run import Dynrt, Work, busiest, rays
+from dynrt_tools.bench.run import Dynrt, Work, busiest, rays, read_bytes, written_bytes
 from dynrt_tools.command import Pool
 from dynrt_tools.hardware.placed_clocks import THESIS_MHZ, frames_per_second, of, rate_text
 from dynrt_tools.project import Json, Progress
@@ -16,10 +16,6 @@ THESIS = {"office": (20, 30), "cistern": (17, 25), "conference": (17, 20), "tree
 
 # The largest core that the thesis simulates, and the fastest of this project.
 RUNS = tuple((scene, config) for scene in THESIS for config in ("full", "fast"))
-
-# The bytes of memory in a line of each cache, and of a pixel with its hit record.
-LINE_BYTES = {"node": 8, "list": 4, "matrix": 12}
-PIXEL_BYTES = 4 + 24
 
 MEMORY = "memory_interface"
 FULL = 0.9  # of the clocks: a unit that works more has next to nothing to wait for
@@ -56,14 +52,6 @@ class Measured:
             else "below"
         )
 
-    def read_bytes(self) -> int:
-        return sum(
-            cache["misses"] * LINE_BYTES[name] for name, cache in self.frame["caches"].items()
-        )
-
-    def written_bytes(self) -> int:
-        return rays(self.frame) * PIXEL_BYTES
-
     def figures(self) -> Json:
         """The rows of the table, as numbers that can be kept as data."""
         work, (name, transactions) = Work.of(self.frame), busiest(self.frame)
@@ -84,8 +72,8 @@ class Measured:
             rows[f"{figure.replace('_', ' ')} per packet"] = "-" if each is None else round(each, 2)
         for cache, counts in self.frame["caches"].items():
             rows[f"{cache} cache hits, %"] = round(100 * counts["hit_rate"], 2)
-        rows["bytes read per frame"] = self.read_bytes()
-        rows["bytes written per frame"] = self.written_bytes()
+        rows["bytes read per frame"] = read_bytes(self.frame)
+        rows["bytes written per frame"] = written_bytes(self.frame)
         return rows
 
     def waits(self) -> str:

@@ -94,6 +94,20 @@ OPERATORS = {
     "Intersection": (3, 2, 1, 3),
     "Cache (with index structure)": (0, 0, 0, 0),
 }
+# How the names of our instances begin that have such operators, those of other configurations among
+# them: a camera unit, a box test and the reciprocals do what a transformation or a slice did. The
+# subtractions of matrix_store, which few configurations have, are left out: its name is that of a
+# store.
+ARITHMETIC = (
+    "slice_",
+    "plane_offset",
+    "ray_reciprocal",
+    "world_box",
+    "transformation",
+    "camera_rays",
+    "intersection",
+    "collect_hits",
+)
 # Which rows of tables 7.4 and 7.5 a row of table 7.3 stands for.
 COMPLEXITY_ROWS = {
     "Traversal": (

@@ -42,6 +42,22 @@ def in_script(text: str) -> str:
     return text.replace("</", "<\\/").replace("<!--", "<\\!--")
 
 
+def assembled(folder: pathlib.Path, shown: Json) -> str:
+    """The page whose page.html and page.js are in the folder; style and what its scripts share are
+    those of every report."""
+    parts = {
+        "style": (PARTS / "page.css").read_text(encoding="utf-8"),
+        "report": in_script(json.dumps(shown)),
+        "library": in_script(LIBRARY.read_text(encoding="utf-8")),
+        "shared": (PARTS / "shared.js").read_text(encoding="utf-8"),
+        "script": (folder / "page.js").read_text(encoding="utf-8"),
+    }
+    text = (folder / "page.html").read_text(encoding="utf-8")
+    for name, part in parts.items():
+        text = text.replace("{{" + name + "}}", part)
+    return text
+
+
 def page(report: Json, folder: pathlib.Path) -> str:
     """The page's text; `folder` is where the paths of pictures begin."""
     shown = dict(report)
@@ -53,16 +69,7 @@ def page(report: Json, folder: pathlib.Path) -> str:
     }
     shown["measures"] = read_measures()
     shown["pictures"] = {name: data_uri(folder / name) for name in pictures_of(report)}
-    parts = {
-        "style": (PARTS / "page.css").read_text(encoding="utf-8"),
-        "report": in_script(json.dumps(shown)),
-        "library": in_script(LIBRARY.read_text(encoding="utf-8")),
-        "script": (PARTS / "page.js").read_text(encoding="utf-8"),
-    }
-    text = (PARTS / "page.html").read_text(encoding="utf-8")
-    for name, part in parts.items():
-        text = text.replace("{{" + name + "}}", part)
-    return text
+    return assembled(PARTS, shown)
 
 
 def write_page(source: pathlib.Path, goal: pathlib.Path) -> None:

@@ -4,7 +4,6 @@
 network, complains of nothing and does what a click asks."""
 
 import base64
-import html.parser
 import json
 import pathlib
 import tempfile
@@ -13,27 +12,14 @@ import xml.etree.ElementTree
 from typing import Any
 
 from dynrt_tools import project
-from dynrt_tools.report import browser, page, plot
+from dynrt_tools.report import page, page_testing, plot
+from dynrt_tools.report.page_testing import Elements
 
 # One pixel.
 PNG = base64.b64decode(
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAA"
     "AABJRU5ErkJggg=="
 )
-# What a test has the page do once it is there; what it finds out goes to an element of its own.
-PROBE = """
-addEventListener("error", (event) => console.error(event.message));
-const found = {};
-const asked = () => performance.getEntriesByType("resource").map((entry) => entry.name)
-    .filter((name) => !name.startsWith("data:"));
-const click = (selector) => document.querySelector(selector)
-    .dispatchEvent(new MouseEvent("click", {bubbles: true}));
-try { %s } catch (error) { console.error(String(error)); }
-const result = document.createElement("pre");
-result.id = "found";
-result.textContent = JSON.stringify({...found, asked: asked()});
-document.body.append(result);
-"""
 REPORT: project.Json = {
     "size": "4x3",
     "device": "Lattice ECP5",
@@ -96,35 +82,7 @@ for scene in ("a", "b"):
 VARIANTS = list(REPORT["variants"])
 
 
-class Elements(html.parser.HTMLParser):
-    """Every start tag with its attributes, and the text in it before the next tag."""
-
-    def __init__(self, text: str) -> None:
-        super().__init__()
-        self.all: list[Any] = []  # a list of tag, attributes and text
-        self.feed(text)
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.all.append([tag, dict(attrs), ""])
-
-    def handle_data(self, data: str) -> None:
-        if self.all:
-            self.all[-1][2] = (self.all[-1][2] + data).strip()
-
-    def of(self, tag: str, **attributes: str) -> list[Any]:
-        wanted = {key.rstrip("_"): value for key, value in attributes.items()}
-        return [
-            e
-            for e in self.all
-            if e[0] == tag
-            and all(value in (e[1].get(key) or "").split() for key, value in wanted.items())
-        ]
-
-    def by_id(self, name: str) -> Any:
-        return next(e for e in self.all if e[1].get("id") == name)
-
-
-class PageTest(unittest.TestCase):
+class PageTest(page_testing.Opened):
     folder: pathlib.Path
 
     @classmethod
@@ -138,17 +96,7 @@ class PageTest(unittest.TestCase):
 
     def open(self, view: str = "", probe: str = "") -> tuple[Elements, Any]:
         """The page's elements in Chromium after `probe` ran, and what the probe found."""
-        shown = self.folder / "shown.html"
-        text = (self.folder / "error.html").read_text(encoding="utf-8")
-        shown.write_text(
-            text.replace("</body>", f"<script>{PROBE % probe}</script></body>"), encoding="utf-8"
-        )
-        document, complaints = browser.load(shown, view)
-        self.assertEqual(complaints, [])
-        elements = Elements(document)
-        found = json.loads(elements.by_id("found")[2])
-        self.assertEqual(found.pop("asked"), [], "the page asks for something beside itself")
-        return elements, found
+        return self.open_text((self.folder / "error.html").read_text(encoding="utf-8"), view, probe)
 
     def points(self, elements: Elements) -> tuple[list[str], list[str]]:
         """Names of the variants of each plot."""

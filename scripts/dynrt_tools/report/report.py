@@ -37,14 +37,45 @@ def cores() -> int:
     return len(os.sched_getaffinity(0))
 
 
-def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """The flags that a report and a choice have in common."""
+def add_program_arguments(parser: argparse.ArgumentParser) -> None:
+    """The first flags of every report: those that the program gives, and the size."""
     parser.add_argument("--program", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--build", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--expect", required=True, help=argparse.SUPPRESS)
     parser.add_argument(
         "--size", default="512x384", metavar="WxH", help="pixels of the images (default: 512x384)"
     )
+
+
+def add_job_arguments(parser: argparse.ArgumentParser, out: str) -> None:
+    """The last flags of every report; `out` is the folder where none is named."""
+    parser.add_argument(
+        "--jobs",
+        type=int,
+        default=cores(),
+        metavar="N",
+        help="jobs at a time (default: the number of cores)",
+    )
+    parser.add_argument(
+        "--slurm",
+        action="store_true",
+        help="run the jobs on the Slurm cluster that sbatch knows; the folder of "
+        "the report, the build and the cache must be on disks that its nodes share",
+    )
+    parser.add_argument(
+        "--out",
+        type=pathlib.Path,
+        default=pathlib.Path(out),
+        metavar="FOLDER",
+        help=f"folder of the report (default: {out}); "
+        "FOLDER.work beside it keeps all measurements, so that an interrupted "
+        "report goes on and the next one measures only the changes",
+    )
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """The flags that a report and a choice have in common."""
+    add_program_arguments(parser)
     parser.add_argument(
         "--config",
         default="thesis",
@@ -67,28 +98,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="NAME",
         help="only this one, and that which the others differ from; can be given several times",
     )
-    parser.add_argument(
-        "--jobs",
-        type=int,
-        default=cores(),
-        metavar="N",
-        help="jobs at a time (default: the number of cores)",
-    )
-    parser.add_argument(
-        "--slurm",
-        action="store_true",
-        help="run the jobs on the Slurm cluster that sbatch knows; the folder of "
-        "the report, the build and the cache must be on disks that its nodes share",
-    )
-    parser.add_argument(
-        "--out",
-        type=pathlib.Path,
-        default=pathlib.Path("error_report"),
-        metavar="FOLDER",
-        help="folder of the report (default: error_report); "
-        "FOLDER.work beside it keeps all measurements, so that an interrupted "
-        "report goes on and the next one measures only the changes",
-    )
+    add_job_arguments(parser, "error_report")
 
 
 def describe(program: pathlib.Path, scene: str, size: str) -> str:
@@ -107,21 +117,19 @@ def describe(program: pathlib.Path, scene: str, size: str) -> str:
     return line.removeprefix("scene").strip()
 
 
-def measured(
-    args: argparse.Namespace, scenes: list[str], hardware: bool = True
-) -> tuple[Json, dict[str, pathlib.Path]]:
-    """Runs the jobs that have no result yet, and gives the result of collect()."""
+def check_jobs(args: argparse.Namespace, work: str, parts: str) -> None:
+    """Refuses flags that no job could be run with, or a build that lacks parts that `work` needs."""
     if args.jobs < 1:
         raise Failed(f"--jobs {args.jobs}: at least one is needed")
-    base = listed.base_configuration(args.config)
-    # The lists of the project are for every core; of a user's list each variant is meant.
-    own = args.variants.resolve().is_relative_to(ROOT / "scripts")
-    variants = listed.chosen(listed.read_variants(args.variants, base, own), args.variant)
     build = read_json(args.build)
-    require_whole(build, "measuring variants", "hlsc, CGAL and Embree")
+    require_whole(build, work, parts)
     if fingerprint.fingerprint(build) != args.expect:
         raise Failed("the sources have changed since this program was built; build it again")
-    known = {}
+
+
+def known_scenes(args: argparse.Namespace, scenes: list[str]) -> dict[str, Json]:
+    """By the names that a report gives them: the path of each, and a line about it."""
+    known: dict[str, Json] = {}
     for scene in scenes:
         path = scene_path(scene)
         if scene_name(scene) in known:
@@ -130,8 +138,26 @@ def measured(
                 f"'{scene_name(scene)}'; make two reports"
             )
         known[scene_name(scene)] = {"path": path, "about": describe(args.program, path, args.size)}
+    return known
+
+
+def work_folder(out: pathlib.Path) -> pathlib.Path:
+    """Where the jobs of a report keep their results."""
+    return out.absolute().with_name(out.name + ".work")
+
+
+def measured(
+    args: argparse.Namespace, scenes: list[str], hardware: bool = True
+) -> tuple[Json, dict[str, pathlib.Path]]:
+    """Runs the jobs that have no result yet, and gives the result of collect()."""
+    base = listed.base_configuration(args.config)
+    # The lists of the project are for every core; of a user's list each variant is meant.
+    own = args.variants.resolve().is_relative_to(ROOT / "scripts")
+    variants = listed.chosen(listed.read_variants(args.variants, base, own), args.variant)
+    check_jobs(args, "measuring variants", "hlsc, CGAL and Embree")
+    known = known_scenes(args, scenes)
     check_writable(args.out)
-    folder = args.out.absolute().with_name(args.out.name + ".work")
+    folder = work_folder(args.out)
     workflow = Workflow(folder, args.program.resolve(), args.build.resolve(), args.expect)
     with workflow.alone():
         workflow.prepare(

@@ -13,7 +13,7 @@ from unittest import mock
 
 from dynrt_tools import project, testing
 from dynrt_tools.project import Failed
-from dynrt_tools.report import workflow
+from dynrt_tools.report import jobs, workflow
 
 # What a job runs in place of scripts/configuration, scripts/variant_hardware and
 # scripts/run_variant: it writes its outputs, or fails where the file `fail` says so.
@@ -64,7 +64,7 @@ class Jobs(testing.InFolder):
             (scripts / "run_variant", RUN),
         ):
             testing.write_program(path, text)
-        patch = mock.patch.object(workflow, "SCRIPTS", scripts)
+        patch = mock.patch.object(jobs, "SCRIPTS", scripts)
         patch.start()
         self.addCleanup(patch.stop)
         self.work = self.folder / "out.work"

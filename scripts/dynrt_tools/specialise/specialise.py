@@ -23,7 +23,7 @@ from dynrt_tools.project import SCRIPTS, Failed, Json, read_json, show_progress,
 from dynrt_tools.report.collect import check_writable, scene_name, scene_path, written_first
 from dynrt_tools.report.report import guarded
 from dynrt_tools.report.variants import base_configuration
-from dynrt_tools.report.workflow import content_of
+from dynrt_tools.report.jobs import content_of
 from dynrt_tools.specialise import analyst, choose_format, costs, curve, decisions, flags, table
 
 DELIVERED = (".v", ".vh", ".json", ".txt")  # of a core's folder; the rest is of its build alone

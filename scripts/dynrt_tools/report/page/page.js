@@ -5,12 +5,8 @@
 // address behind "#", so that a view can be kept and sent.
 "use strict";
 
-const report = JSON.parse(document.getElementById("report").textContent);
 const keys = ["scene", "measure", "time", "area", "variant", "sort"];
 const size = {width: 640, height: 430, left: 74, right: 24, top: 30, bottom: 52};
-const palette = ["#4269d0", "#d9730d", "#3a9a56", "#b2528f", "#8a6d1d", "#2a9aa5", "#9c6ade",
-                 "#7a7f87", "#e0559b", "#5f8f00", "#c0392b", "#7fa8d9"];
-const by_id = (id) => document.getElementById(id);
 
 // ---- What there is ----
 
@@ -48,14 +44,6 @@ function describe(name) {
       .join(", ") || "the reference";
 }
 
-function text(value) {
-  if (value === null || value === undefined) return "–";
-  if (typeof value !== "number") return String(value);
-  if (Number.isInteger(value)) return d3.format(",")(value);
-  const size = Math.abs(value);
-  return size >= 1000 ? d3.format(",.0f")(value)
-       : size >= 0.001 ? String(+value.toPrecision(4)) : value.toExponential(2);
-}
 /// The periods of the variants, if they are known.
 function clocks_text() {
   const [least, most] = d3.extent(runs(), (run) => figure(run, "clock_ns"));
@@ -230,7 +218,6 @@ function draw(id, left_out_id, x_key, x_text, m) {
 // ---- What the page says of a point ----
 
 function show_tip(p, element, m) {
-  const tip = by_id("tip");
   const area = (key) => [key, figure(p.run, `area.${key}`)];
   const rows = [[`${m.group} ${m.name}`, Number.isFinite(p.y) ? with_unit(p.y, m.unit) : "identical"],
                 ["clocks", figure(p.run, "clocks")], ["ms a frame", figure(p.run, "frame_ms")],
@@ -238,25 +225,9 @@ function show_tip(p, element, m) {
                 ...["primary.wrong_share", "primary.t_median", "image.differ_share", "image.psnr"]
                     .filter((k) => k !== m.key && measures.some((n) => n.key === k))
                     .map((k) => [k.replace(".", " "), figure(p.run, k)])];
-  tip.replaceChildren();
-  d3.select(tip).append("b").text(p.run.variant);
-  d3.select(tip).append("div").attr("class", "faint")
-      .text(describe(p.run.variant) + (p.on_front ? "; on the front" : ""));
-  const table = d3.select(tip).append("table");
-  for (const [name, value] of rows) {
-    const row = table.append("tr");
-    row.append("td").text(name);
-    row.append("td").text(text(value));
-  }
-  tip.hidden = false;
-  const at = element.getBoundingClientRect();
-  const left = Math.min(at.right + 12, document.documentElement.clientWidth - tip.offsetWidth - 8);
-  const top = at.bottom + tip.offsetHeight + 12 > innerHeight ? at.top - tip.offsetHeight - 8
-                                                              : at.bottom + 8;
-  tip.style.left = `${Math.max(left, 4) + scrollX}px`;
-  tip.style.top = `${Math.max(top, 4) + scrollY}px`;
+  fill_tip(element, p.run.variant, describe(p.run.variant) + (p.on_front ? "; on the front" : ""),
+           rows);
 }
-function hide_tip() { by_id("tip").hidden = true; }
 
 // ---- The table ----
 
@@ -324,10 +295,7 @@ function draw_table(fronts) {
 // ---- All of it ----
 
 function options(id, values, chosen, key) {
-  d3.select(`#${id}`).selectAll("option").data(values).join("option")
-      .attr("value", (v) => v.value).property("selected", (v) => v.value === chosen)
-      .text((v) => v.text);
-  by_id(id).onchange = (event) => choose({[key]: event.target.value});
+  fill_options(id, values, chosen, (value) => choose({[key]: value}));
 }
 
 function show() {

@@ -1,0 +1,130 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Collects the results of a hardware report's jobs, as README.md says, and writes the report."""
+
+import csv
+import pathlib
+from collections.abc import Iterator
+
+from dynrt_tools.bench.scenes import THESIS as THESIS_RATES
+from dynrt_tools.hardware import placed_clocks
+from dynrt_tools.hardware_report import figures, findings, gates, indices, jobs, rows
+from dynrt_tools.project import Json, read_json, write_rows
+
+
+class Results:
+    """What the jobs have left in a folder. What was made of Verilog that is no longer there does not
+    count: the job that would have renewed it failed."""
+
+    def __init__(self, folder: pathlib.Path) -> None:
+        self.folder = folder
+
+    def _read(self, path: pathlib.Path, core: str) -> Json | None:
+        there = path.exists() and (self.folder / "cores" / core / "verilog").exists()
+        return dict(read_json(path)) if there else None
+
+    def gates(self, core: str) -> Json | None:
+        return self._read(self.folder / "cores" / core / "gates.json", core)
+
+    def frame(self, size: str, scene: str, configuration: str, point: str) -> Json | None:
+        path = self.folder / "frames" / size / scene / configuration / f"{point}.json"
+        found = self._read(path, configuration)
+        return None if found is None else dict(found["frame"])
+
+
+def gates_of(results: Results, name: str, one: Json) -> Json | None:
+    """The gates of a configuration, split by packets and lines if it has curves."""
+    cores = gates.cores(name, one["keys"], one["curves"])
+    counted = [(core, results.gates(n)) for n, core in cores.items()]
+    own = counted[0][1]
+    if own is None:
+        return None
+    whole = [(core, figures_) for core, figures_ in counted if figures_ is not None]
+    return {
+        "packets": one["keys"]["packets"],
+        "lines": one["keys"]["lines"],
+        **own,
+        "split": gates.split(whole),
+    }
+
+
+def collect(
+    folder: pathlib.Path, scenes: dict[str, Json], configurations: dict[str, Json], size: str
+) -> Json:
+    """The content of hardware.json. `missing` says where frames are missing; why, the caller knows."""
+    results = Results(folder)
+    report: Json = {
+        "size": size,
+        "reading": list(indices.READING),
+        "scenes": {name: {"about": scene["about"]} for name, scene in scenes.items()},
+        "configurations": {},
+        "table": [],
+        "findings": [],
+        "runs": [],
+        "missing": [],
+    }
+    for name, one in configurations.items():
+        report["configurations"][name] = {
+            "about": one["keys"]["about"],
+            "packets": one["keys"]["packets"],
+            "lines": one["keys"]["lines"],
+            "curves": one["curves"],
+            "clock": placed_clocks.of(name).of_core(name),
+            "gates": gates_of(results, name, one),
+        }
+    for scene in scenes:
+        for name, one in configurations.items():
+            counted = report["configurations"][name]["gates"]
+            points, absent = jobs.points_of(one), 0
+            for point in points:
+                frame = results.frame(size, scene, name, figures.name_of(point))
+                if frame is None:
+                    absent += 1
+                    continue
+                found = rows.figures_of(frame, counted)
+                report["runs"].append(rows.row(scene, name, point, found))
+                if point == figures.own_point(one["keys"]):
+                    report["table"].append(table_row(scene, name, one["keys"], found))
+            if absent:
+                report["missing"].append(f"{scene}, {name}: {absent} of {len(points)} frames")
+    report["findings"] = findings.of(report)
+    return report
+
+
+def table_row(scene: str, configuration: str, keys: Json, found: Json) -> Json:
+    """The figures of a configuration with all its packets and lines."""
+    low_high = THESIS_RATES.get(scene)
+    known = {
+        **found,
+        "packets": keys["packets"],
+        "lines": keys["lines"],
+        rows.PLACED: placed_clocks.rate_text(found["clocks"], configuration, ".1f"),
+        "thesis's frames per second": low_high and f"{low_high[0]} to {low_high[1]}",
+    }
+    return {
+        "scene": scene,
+        "configuration": configuration,
+        **{column: known.get(column) for column in rows.TABLE},
+    }
+
+
+def flat(report: Json) -> Iterator[Json]:
+    """The runs with their flags as columns."""
+    for run in report["runs"]:
+        flags = run["flags"]
+        yield {**{k: run[k] for k in ("scene", "configuration")}, **flags} | {
+            k: v for k, v in run.items() if k != "flags"
+        }
+
+
+def write_csv(path: pathlib.Path, report: Json) -> None:
+    lines = list(flat(report))
+    columns = list(dict.fromkeys(key for line in lines for key in line))
+    with path.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(lines)
+
+
+def write_json(path: pathlib.Path, report: Json) -> None:
+    write_rows(path, report, "table", "findings", "runs")

@@ -1,0 +1,133 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""What the tests of a hardware report share: configurations, gates and frames whose figures are easy to
+compute by hand."""
+
+from typing import Any
+
+from dynrt_tools.hardware_report import figures, findings, jobs, rows
+from dynrt_tools.hardware_report import gates as gate_jobs
+from dynrt_tools.hardware_report.collect import table_row
+from dynrt_tools.project import Json
+
+PIXELS = (32, 24)
+ARITHMETIC = {"slice_0": 300, "intersection": 100}
+
+
+def configuration(packets: int = 4, lines: int = 2, curves: bool = True) -> Json:
+    keys = {"about": "an example", "packets": packets, "lines": lines}
+    return {"keys": keys, "named": "example", "curves": curves}
+
+
+def gates(packets: int, lines: int) -> Json:
+    """1,000 gates of logic and 10 a packet; memories of 200 a packet and 30 a line."""
+    return {
+        "logic": 1000 + 10 * packets,
+        "memory": 200 * packets + 30 * lines,
+        "arithmetic": ARITHMETIC,
+    }
+
+
+def frame(packets: int, lines: int, scanline: bool = False) -> Json:
+    """The slice works in packets / 10 of the clocks, the intersection in half as many. With scanlines
+    and with fewer lines the caches miss more."""
+    use = packets / 10
+    misses = {"node": 400 // lines, "list": 100 // lines, "matrix": 200 // lines}
+    units = {"slice_0": use, "node_lookup": use, "list_lookup": use / 4, "transformation": use / 2}
+    units["intersection"] = use / 2
+    return {
+        "packets": packets,
+        "cache_lines": lines,
+        "width": PIXELS[0],
+        "height": PIXELS[1],
+        "cycles": 76800 // packets,
+        "units": {name: {"utilisation": value} for name, value in units.items()},
+        "caches": {
+            name: {"misses": count, "hit_rate": 1 - count / 500 - scanline / 10}
+            for name, count in misses.items()
+        },
+    }
+
+
+def frame_at(point: figures.Point) -> Json:
+    return frame(int(point["packets"]), int(point["lines"]), point["order"] == "scanline")
+
+
+# A dynrt that knows one scene and renders it as frame() has it. A frame of one packet dies where the
+# file `fail` says so.
+PROGRAM = """#!/usr/bin/python3
+import json, pathlib, sys
+sys.path.insert(0, {scripts!r})
+from dynrt_tools.hardware_report import example
+words = sys.argv[1:]
+of = lambda flag: words[words.index(flag) + 1]
+if words[1] not in ("blocks", "lamps") and not words[1].endswith(".obj"):
+    print(f"dynrt: {{words[1]}}: unknown scene; the scenes are blocks, lamps", file=sys.stderr)
+    sys.exit(2)
+if words[0] == "info":
+    print(f"scene       {{words[1]}}: 12 triangles")
+    sys.exit()
+with pathlib.Path("ran").open("a") as file:
+    file.write(" ".join(words[1:2] + words[words.index("--config"):words.index("--out")]) + "\\n")
+if pathlib.Path("fail").exists() and of("--packets") == "1":
+    print("dynrt: the frame is lost", file=sys.stderr)
+    sys.exit(3)
+frame = example.frame(int(of("--packets")), int(of("--lines")), of("--order") == "scanline")
+pathlib.Path(of("--out")).write_text("picture")
+pathlib.Path(of("--json")).write_text(json.dumps({{"frame": frame}}))
+"""
+
+# Stands in for scripts/configuration --verilog: a folder that holds the keys.
+CONFIGURATION = """#!/usr/bin/python3
+import pathlib, shutil, sys
+words = sys.argv[1:]
+out = pathlib.Path(words[words.index("--out") + 1])
+pathlib.Path("ran").open("a").write(f"configuration {out.parent.name}\\n")
+if pathlib.Path("fail_configuration").exists():
+    sys.exit("configuration: this unit cannot be lowered")
+out.mkdir(parents=True)
+shutil.copyfile(words[0], out / "keys.json")
+"""
+
+# Stands in for scripts/variant_gates.
+GATES = """#!/usr/bin/python3
+import json, pathlib, sys
+sys.path.insert(0, {scripts!r})
+from dynrt_tools.hardware_report import example
+keys = json.loads((pathlib.Path(sys.argv[1]) / "keys.json").read_text())
+pathlib.Path("ran").open("a").write(f"gates {{pathlib.Path(sys.argv[1]).parent.name}}\\n")
+pathlib.Path(sys.argv[2]).write_text(json.dumps(example.gates(keys["packets"], keys["lines"])))
+"""
+
+
+def report(**changes: Any) -> Json:
+    """A report of two scenes, of a configuration with curves and of one without, as collect() makes
+    it of these frames."""
+    configurations = {"wide": configuration(4, 2), "narrow": configuration(2, 2, curves=False)}
+    made: Json = {
+        "size": "32x24",
+        "reading": ["how </script> it is read"],
+        "scenes": {"cistern": {"about": "a level"}, "lamps": {"about": "three lamps"}},
+        "configurations": {},
+        "table": [],
+        "runs": [],
+        "missing": [],
+    }
+    for name, one in configurations.items():
+        keys = one["keys"]
+        cores = gate_jobs.cores(name, keys, one["curves"]).values()
+        counted = [(core, gates(core["packets"], core["lines"])) for core in cores]
+        made["configurations"][name] = {
+            **keys,
+            "curves": one["curves"],
+            "clock": "at 100 MHz, placed",
+            "gates": {**keys, **counted[0][1], "split": gate_jobs.split(counted)},
+        }
+        for scene in made["scenes"]:
+            for point in jobs.points_of(one):
+                found = rows.figures_of(frame_at(point), made["configurations"][name]["gates"])
+                made["runs"].append(rows.row(scene, name, point, found))
+                if point == figures.own_point(keys):
+                    made["table"].append(table_row(scene, name, keys, found))
+    made["findings"] = findings.of(made)
+    return {**made, **changes}

@@ -1,0 +1,80 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""The frames and the curves that follow from the description of the figures."""
+
+import unittest
+
+from dynrt_tools.hardware_report import example, figures, findings
+from dynrt_tools.hardware_report.figures import Figure, Series
+
+
+class Figures(unittest.TestCase):
+    def test_each_frame_is_rendered_once(self) -> None:
+        keys = example.configuration(4, 2)["keys"]
+        names = [figures.name_of(point) for point in figures.points(keys)]
+        self.assertEqual(len(names), len(set(names)))
+        morton = {f"packets-{p}_lines-2_order-morton" for p in (1, 2, 4)}
+        morton |= {"packets-4_lines-1_order-morton"}
+        scanline = {f"packets-4_lines-{n}_order-scanline" for n in (1, 2)}
+        self.assertEqual(set(names), morton | scanline)
+
+    def test_flags_of_render(self) -> None:
+        point = figures.own_point({"packets": 4, "lines": 2})
+        self.assertEqual(figures.flags_of(point), "--packets 4 --lines 2 --order morton")
+
+    def test_another_figure_is_another_entry(self) -> None:
+        widths = Figure("7.11", "Rate", "width", (2, 4, 8), "", (Series("rate", "clocks"),))
+        keys = {"packets": 4, "lines": 2, "width": 4}
+        names = [figures.name_of(point) for point in figures.points(keys, (widths,))]
+        end = "packets-4_lines-2_order-morton"
+        self.assertEqual(names, [end, f"{end}_width-2", f"{end}_width-4"])
+        keys.pop("width")
+        self.assertEqual(len(figures.points(keys, (widths,))), 4)
+
+    def test_curves(self) -> None:
+        report = example.report()
+        by_name = {figure.name: figure for figure in figures.FIGURES}
+        (index,) = figures.curves(report, by_name["7.7"], "cistern")
+        self.assertEqual(index.configuration, "wide")
+        self.assertEqual([x for x, _ in index.points], [1, 2, 4])
+        hits = list(figures.curves(report, by_name["7.5 and 7.10"], "cistern"))
+        self.assertEqual([c.series.dashed for c in hits], 3 * [False] + 3 * [True])
+        node, node_scanline = hits[0].points, hits[3].points
+        self.assertEqual([x for x, _ in node], [1, 2])
+        for (_, morton), (_, scanline) in zip(node, node_scanline):
+            self.assertAlmostEqual(morton - scanline, 10)
+
+    def test_a_curve_leaves_out_what_is_missing(self) -> None:
+        report = example.report()
+        report["runs"] = [r for r in report["runs"] if r["flags"]["packets"] != 2]
+        rate = next(f for f in figures.FIGURES if f.name == "7.9")
+        (curve,) = figures.curves(report, rate, "lamps")
+        self.assertEqual([x for x, _ in curve.points], [1, 4])
+
+    def test_what_the_curves_say(self) -> None:
+        report = example.report()
+        self.assertEqual([row["scene"] for row in report["findings"]], ["cistern", "lamps"])
+        found = report["findings"][0]
+        along = [r for r in report["runs"] if (r["scene"], r["configuration"]) == ("lamps", "wide")]
+        along = [r for r in along if (r["flags"]["lines"], r["flags"]["order"]) == (2, "morton")]
+        self.assertEqual(len(along), 3)
+        best = max(along, key=lambda r: float(r["QHW"]))
+        self.assertEqual(found["best QHW"], best["QHW"])
+        self.assertEqual(found["QHW at packets"], best["flags"]["packets"])
+        for cache in ("node", "list", "matrix"):
+            self.assertAlmostEqual(found[f"{cache} cache hits gained"], 10)
+        self.assertLessEqual(findings.THESIS.keys(), set(findings.COLUMNS))
+
+    def test_what_no_frame_says_is_unknown(self) -> None:
+        report = example.report()
+        kept = [r for r in report["runs"] if r["flags"]["order"] == "morton"]
+        for run in kept:
+            run.pop("QGHW", None)
+        (first, _) = findings.of({**report, "runs": kept})
+        self.assertIsNone(first["list cache hits gained"])
+        self.assertIsNone(first["best QGHW"])
+        self.assertIsNotNone(first["best QHW"])
+
+
+if __name__ == "__main__":
+    unittest.main()

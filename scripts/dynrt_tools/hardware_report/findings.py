@@ -1,0 +1,55 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""What the curves of a report say that the thesis's text says of its own: where the indices are best,
+and what the Morton curve gains over scanlines."""
+
+import operator
+
+from dynrt_tools.hardware_report import figures
+from dynrt_tools.project import Json
+
+COLUMNS = (
+    "best QHW",
+    "QHW at packets",
+    "best QGHW",
+    "QGHW at packets",
+    *(f"{cache} cache hits gained" for cache in figures.CACHES.values()),
+)
+# The thesis's, of its scenes Gael and conference.
+THESIS = {
+    "best QHW": "about 9.5",
+    "QHW at packets": "32",
+    "QGHW at packets": "32",
+    "list cache hits gained": "10 to 20",
+    "matrix cache hits gained": "10 to 20",
+}
+
+
+def of(report: Json) -> list[Json]:
+    """A row for each scene and configuration that has curves; what is missing is None."""
+    return [
+        {"scene": scene, "configuration": name, **row_of(report["runs"], scene, name, one)}
+        for scene in report["scenes"]
+        for name, one in report["configurations"].items()
+        if one["curves"]
+    ]
+
+
+def row_of(runs: list[Json], scene: str, name: str, configuration: Json) -> Json:
+    mine = [r for r in runs if (r["scene"], r["configuration"]) == (scene, name)]
+    own = figures.own_point(configuration)
+    found: Json = dict.fromkeys(COLUMNS)
+    # The thesis's figures over packets are with all lines.
+    along = [r for r in mine if r["flags"] == {**own, "packets": r["flags"]["packets"]}]
+    for index in ("QHW", "QGHW"):
+        known = [r for r in along if r.get(index) is not None]
+        if known:
+            best = max(known, key=operator.itemgetter(index))
+            found[f"best {index}"] = best[index]
+            found[f"{index} at packets"] = best["flags"]["packets"]
+    morton = next((r for r in mine if r["flags"] == own), None)
+    scanline = next((r for r in mine if r["flags"] == {**own, **figures.SCANLINE}), None)
+    if morton and scanline:
+        for key in (f"{cache} cache hits" for cache in figures.CACHES.values()):
+            found[f"{key} gained"] = morton[key] - scanline[key]
+    return found

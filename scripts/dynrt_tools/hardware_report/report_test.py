@@ -1,0 +1,219 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Hardware reports whole, from the command line to the files, with programs that only pretend."""
+
+import argparse
+import contextlib
+import csv
+import io
+import json
+import pathlib
+import unittest
+from unittest import mock
+
+from dynrt_tools import project, testing
+from dynrt_tools.build import configs, fingerprint
+from dynrt_tools.hardware_report import collect, example, report
+from dynrt_tools.project import Json
+from dynrt_tools.report import jobs
+from dynrt_tools.report.report import guarded
+
+FRAMES = 6  # of a configuration of 4 packets and 2 lines, as figures_test counts them
+
+
+class Reports(testing.InFolder):
+    def setUp(self) -> None:
+        super().setUp()
+        scripts = self.folder / "scripts"
+        scripts.mkdir()
+        placed = {"scripts": str(project.SCRIPTS)}
+        testing.write_program(scripts / "configuration", example.CONFIGURATION)
+        testing.write_program(scripts / "variant_gates", example.GATES.format(**placed))
+        self.program = self.folder / "dynrt"
+        testing.write_program(self.program, example.PROGRAM.format(**placed))
+        self.enterContext(mock.patch.object(jobs, "SCRIPTS", scripts))
+        self.build = self.folder / "build.json"
+        described = {"source": str(self.folder), "identity": {}, "hlsc": "hlsc"}
+        self.build.write_text(json.dumps(described), encoding="utf-8")
+        for name, keys in {"wide": (4, 2), "narrow": (2, 2)}.items():
+            stated = {"like": "thesis", "packets": keys[0], "lines": keys[1]}
+            (self.folder / f"{name}.json").write_text(json.dumps(stated), encoding="utf-8")
+        self.out, self.work = self.folder / "out", self.folder / "out.work"
+
+    def run_report(self, *scenes: str, **changes: object) -> tuple[int, str]:
+        """The exit code and the sentences about what is wrong."""
+        args = argparse.Namespace(
+            scene=list(scenes),
+            program=self.program,
+            build=self.build,
+            expect=fingerprint.fingerprint(project.read_json(self.build)),
+            size="32x24",
+            jobs=2,
+            slurm=False,
+            out=self.out,
+            config=[str(self.folder / "wide.json")],
+            table=[str(self.folder / "narrow.json")],
+            json=None,
+            drawings=None,
+        )
+        for key, value in changes.items():
+            setattr(args, key, value)
+        (self.work / "ran").unlink(missing_ok=True)
+        with contextlib.redirect_stderr(io.StringIO()) as said, contextlib.redirect_stdout(
+            io.StringIO()
+        ):
+            code = guarded(report.run, args)
+        return code, said.getvalue()
+
+    def ran(self) -> list[str]:
+        path = self.work / "ran"
+        return path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+
+    def made(self) -> Json:
+        return dict(project.read_json(self.out / "hardware.json"))
+
+    def test_from_the_flags_to_the_files(self) -> None:
+        data, pictures = self.folder / "data.json", self.folder / "pictures"
+        pictures.mkdir()
+        given = {"json": data, "drawings": pictures}
+        self.assertEqual(self.run_report("blocks", "lamps", **given), (0, ""))
+        made = self.made()
+        self.assertEqual(len(made["runs"]), 2 * (FRAMES + 1))
+        self.assertEqual(project.read_json(data), made)
+        with (self.out / "hardware.csv").open(encoding="utf-8") as file:
+            lines = list(csv.DictReader(file))
+        self.assertEqual(len(lines), len(made["runs"]))
+        first = lines[0]
+        self.assertEqual((first["scene"], first["configuration"]), ("blocks", "narrow"))
+        self.assertEqual((first["packets"], first["lines"]), ("2", "2"))
+        wide = next(r for r in made["table"] if r["configuration"] == "wide")
+        self.assertAlmostEqual(wide["QGHW"], 1e6 * (768 / 19200) / (1040 + 860))
+        fewer = next(r for r in made["runs"] if r["flags"]["packets"] == 1)
+        self.assertAlmostEqual(fewer["QGHW"], 1e6 * (768 / 76800) / (1010 + 260))
+        drawings = sorted(path.name for path in self.out.glob("*.svg"))
+        self.assertEqual(len(drawings), 5)
+        self.assertIn("figure_7_6.svg", drawings)
+        self.assertEqual(sorted(path.name for path in pictures.iterdir()), drawings)
+
+    def test_renders_what_is_not_there_yet(self) -> None:
+        self.run_report("blocks")
+        # Three cores of the curves, one of the table, and their gates.
+        self.assertEqual(len(self.ran()), 8 + FRAMES + 1)
+        self.run_report("blocks")
+        self.assertEqual(self.ran(), [])
+        self.run_report("blocks", "lamps")
+        self.assertEqual(len(self.ran()), FRAMES + 1)
+        self.assertTrue(all(line.startswith("lamps ") for line in self.ran()))
+        self.run_report("blocks", size="64x48")
+        self.assertEqual(len(self.ran()), FRAMES + 1)
+        self.run_report("blocks")
+        self.assertEqual(self.ran(), [])
+        self.program.write_text(self.program.read_text() + "# changed\n", encoding="utf-8")
+        self.run_report("blocks")
+        self.assertEqual(len(self.ran()), 8 + FRAMES + 1)
+
+    def test_a_file_that_changes_is_rendered_again(self) -> None:
+        ball = self.folder / "ball.obj"
+        ball.write_text("v 0 0 0", encoding="utf-8")
+        self.assertEqual(self.run_report(str(ball), "blocks"), (0, ""))
+        ball.write_text("v 1 1 1", encoding="utf-8")
+        self.assertEqual(self.run_report(str(ball), "blocks"), (0, ""))
+        self.assertEqual(len(self.ran()), FRAMES + 1)
+        self.assertTrue(all(line.startswith(str(ball)) for line in self.ran()))
+
+    def test_frames_that_die_are_named_and_the_rest_is_there(self) -> None:
+        self.work.mkdir()
+        (self.work / "fail").write_text("", encoding="utf-8")
+        code, said = self.run_report("blocks")
+        self.assertEqual(code, 1)
+        self.assertEqual(
+            said.splitlines(),
+            [
+                "dynrt: missing: blocks.wide.packets-1_lines-2_order-morton: rendering failed: the "
+                "frame is lost",
+                "dynrt: missing: blocks, wide: 1 of 6 frames",
+            ],
+        )
+        made = self.made()
+        self.assertEqual(len(made["runs"]), FRAMES)
+        page = (self.out / "hardware.html").read_text(encoding="utf-8")
+        self.assertIn("rendering failed: the frame is lost", page)
+        (self.work / "fail").unlink()
+        self.assertEqual(self.run_report("blocks"), (0, ""))
+        self.assertEqual(len(self.ran()), 1)
+        self.assertEqual(self.made()["missing"], [])
+
+    def test_what_an_earlier_program_made_does_not_count(self) -> None:
+        self.assertEqual(self.run_report("blocks"), (0, ""))
+        self.program.write_text(self.program.read_text() + "# changed\n", encoding="utf-8")
+        (self.work / "fail_configuration").write_text("", encoding="utf-8")
+        code, said = self.run_report("blocks")
+        self.assertEqual(code, 2)
+        self.assertRegex(
+            said,
+            r"^dynrt: there is no frame to report; [\w-]+: lowering its units failed: configuration: "
+            "this unit cannot be lowered\n$",
+        )
+        # The report that was there is as it was.
+        self.assertEqual(len(self.made()["runs"]), FRAMES + 1)
+
+    def test_a_scene_that_is_not_known(self) -> None:
+        self.assertEqual(
+            self.run_report("castle"),
+            (2, "dynrt: castle: unknown scene; the scenes are blocks, lamps\n"),
+        )
+        self.assertFalse(self.work.exists())
+
+    def test_configurations(self) -> None:
+        code, said = self.run_report("blocks", config=["slow"])
+        names = ", ".join(configs.load_configurations().listed())
+        self.assertEqual(
+            (code, said),
+            (2, f"dynrt: --config slow: unknown; the configurations are {names}\n"),
+        )
+        (self.folder / "other").mkdir()
+        other = self.folder / "other" / "wide.json"
+        other.write_text('{"like": "thesis"}', encoding="utf-8")
+        code, said = self.run_report("blocks", table=[str(other)])
+        self.assertEqual(code, 2)
+        self.assertIn("another configuration of this report is named 'wide'", said)
+
+    def test_places_that_are_none(self) -> None:
+        for flag, path, sentence in (
+            ("json", "no/where.json", "create it or name a file elsewhere"),
+            ("drawings", "no", "create it or name another"),
+        ):
+            code, said = self.run_report("blocks", **{flag: pathlib.Path(path)})
+            self.assertEqual(code, 2)
+            self.assertEqual(said, f"dynrt: --{flag} {path}: there is no folder 'no'; {sentence}\n")
+
+    def test_another_build(self) -> None:
+        code, said = self.run_report("blocks", expect="f")
+        self.assertEqual(
+            (code, said),
+            (2, "dynrt: the sources have changed since this program was built; build it again\n"),
+        )
+
+    def test_the_command(self) -> None:
+        given = ("--program", self.program, "--build", self.build, "--expect", "f")
+        result = testing.run(project.SCRIPTS / "report_hardware", *given, "--colour")
+        self.assertEqual(
+            (result.returncode, result.stderr),
+            (
+                2,
+                "dynrt: unrecognized arguments: --colour; dynrt report hardware --help lists what "
+                "there is\n",
+            ),
+        )
+
+    def test_the_json_has_a_line_for_each_run(self) -> None:
+        path = self.folder / "one.json"
+        collect.write_json(path, example.report())
+        text = path.read_text(encoding="utf-8")
+        self.assertEqual(json.loads(text), example.report())
+        rows = sum(len(example.report()[name]) for name in ("runs", "table", "findings"))
+        self.assertEqual(text.count('\n    {"scene":'), rows)
+
+
+if __name__ == "__main__":
+    unittest.main()

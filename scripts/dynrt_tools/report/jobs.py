@@ -1,0 +1,163 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Runs a Snakemake workflow whose jobs keep their results in a folder, and says which of them failed:
+the part that the reports share."""
+
+import contextlib
+import fcntl
+import json
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+from collections.abc import Iterator, Mapping
+
+from dynrt_tools.project import SCRIPTS, Failed, Json, hash_of_files, read_json, show_progress
+
+PROFILE = pathlib.Path(__file__).resolve().parent / "slurm"
+STEP = re.compile(r"^(\d+) of (\d+) steps")
+FAILED = re.compile(r"^Error in rule (\w+):")
+LOG = re.compile(r"^ +log: (\S+)")
+STAMP = "made_by.json"
+
+
+def write_if_new(path: pathlib.Path, text: str) -> None:
+    """Snakemake goes by the time of a file: a file whose text is the same is not written."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if not path.exists() or path.read_text(encoding="utf-8") != text:
+        part = path.with_name(path.name + ".part")
+        part.write_text(text, encoding="utf-8")
+        part.replace(path)
+
+
+def content_of(path: pathlib.Path) -> str | None:
+    return hash_of_files([path]) if path.is_file() else None
+
+
+def stop(process: subprocess.Popen[str]) -> None:
+    """Ends Snakemake and its jobs, as a terminal would; it removes their unfinished files."""
+    os.killpg(process.pid, signal.SIGINT)
+    process.wait()
+
+
+class Jobs:
+    """The jobs of a Snakefile, in a folder that keeps their results between runs. `doing` says what a
+    rule does, for sentences about jobs that failed."""
+
+    def __init__(
+        self,
+        snakefile: pathlib.Path,
+        doing: Mapping[str, str],
+        folder: pathlib.Path,
+        program: pathlib.Path,
+        build: pathlib.Path,
+        expect: str,
+    ) -> None:
+        self.snakefile, self.doing = snakefile, doing
+        self.folder, self.program, self.build, self.expect = folder, program, build, expect
+
+    @contextlib.contextmanager
+    def alone(self) -> Iterator[None]:
+        self.folder.mkdir(parents=True, exist_ok=True)
+        with (self.folder / "lock").open("w") as file:
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError as error:
+                raise Failed(
+                    f"{self.folder}: another report is being made there; wait for it or "
+                    "name another --out"
+                ) from error
+            yield
+
+    def configure(self, config: Json) -> None:
+        """Writes what the Snakefile reads: `config`, and what every report's jobs are told."""
+        build = read_json(self.build)
+        # All that the jobs' results depend on, besides the files that they read.
+        stamp = {
+            "program": content_of(self.program),
+            "build": build,
+            "hlsc": content_of(pathlib.Path(build["hlsc"])),
+        }
+        write_if_new(self.folder / STAMP, json.dumps(stamp, indent=1))
+        told = {
+            **config,
+            "stamp": STAMP,
+            "program": str(self.program),
+            "build": str(self.build),
+            "scripts": str(SCRIPTS),
+            "fingerprint": self.expect,
+        }
+        write_if_new(self.folder / "config.json", json.dumps(told, indent=1))
+
+    def failures(self, jobs: int, slurm: bool) -> list[str]:
+        """Runs the jobs that have no result yet. Gives a sentence for each that failed; those that do
+        not depend on it run all the same."""
+        snakemake = shutil.which("snakemake")
+        if snakemake is None:
+            raise Failed(
+                "snakemake is not installed; run scripts/setup, or: apt-get install snakemake"
+            )
+        if slurm and shutil.which("sbatch") is None:
+            raise Failed(
+                "--slurm: sbatch is not on the PATH; run the report on a node from which "
+                "jobs can be submitted, or leave the flag out"
+            )
+        command: list[str | pathlib.Path] = [
+            snakemake,
+            "--snakefile",
+            self.snakefile,
+            "--directory",
+            self.folder,
+            "--configfile",
+            self.folder / "config.json",
+            "--nolock",
+            "--rerun-incomplete",
+            "--keep-going",
+            "--nocolor",
+        ]
+        command += ["--profile", PROFILE] if slurm else ["--cores", str(jobs)]
+        environment = os.environ | {"PYTHONDONTWRITEBYTECODE": "1"}
+        log = self.folder / "snakemake.log"
+        failed: dict[str, str] = {}
+        with log.open("w", encoding="utf-8", buffering=1) as file, subprocess.Popen(
+            command,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            env=environment,
+            start_new_session=True,
+        ) as process:
+            rule = None
+            show_progress("looking for jobs")
+            try:
+                for line in process.stdout or ():
+                    file.write(line)
+                    if step := STEP.match(line):
+                        show_progress(f"{step[1]} of {step[2]} jobs are done")
+                    if error := FAILED.match(line):
+                        rule = error[1]
+                    if rule and (found := LOG.match(line)):
+                        failed.setdefault(found[1], rule)
+                        rule = None
+            except KeyboardInterrupt:
+                stop(process)
+                raise
+        show_progress("")
+        if process.returncode != 0 and not failed:
+            raise Failed(_last_words(log))
+        return [self._reason(name, rule) for name, rule in failed.items()]
+
+    def _reason(self, name: str, rule: str) -> str:
+        path = self.folder / name
+        lines = path.read_text(encoding="utf-8").strip().splitlines() if path.exists() else []
+        said = lines[-1].removeprefix("dynrt: ") if lines else "no reason was given"
+        job = path.name.removesuffix(f".{rule}.log")
+        return f"{job}: {self.doing.get(rule, rule)} failed: {said}"
+
+
+def _last_words(log: pathlib.Path) -> str:
+    text = log.read_text(encoding="utf-8")
+    last = next((x for x in reversed(text.splitlines()) if x.strip()), "it printed nothing")
+    return f"the workflow failed: {last.strip()}; the whole log is {log}"
