@@ -122,7 +122,8 @@ Counts run(unsigned lines, unsigned addresses, unsigned requests) {
     for (const MemoryRequest<C>& miss : misses) {
       ++counts.misses;
       clients[key].waits = true;
-      EXPECT_TRUE(test::same(miss, {Kind::kKind, Kind::key(context), address}));
+      EXPECT_TRUE(
+          test::same(miss, {.kind = Kind::kKind, .key = Kind::key(context), .address = address}));
       pending.push_back(miss);
     }
     if (testing::Test::HasFailure()) break;

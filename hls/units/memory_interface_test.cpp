@@ -80,7 +80,7 @@ TYPED_TEST(MemoryOf, TheFloatIsItsFields) {
     return bench.rows(bench.unit.bank[bank])[word];
   };
   const auto ask = [&](MemoryKind kind) {
-    bench.feed(bench.unit.request, MemoryRequest<In>{kind, 3, 11});
+    bench.feed(bench.unit.request, MemoryRequest<In>{.kind = kind, .key = 3, .address = 11});
     bench.run();
   };
   const Node<TypeParam> node{NodeKind::kSplitZ, TypeParam::from_double(-2.5), 345678, 98765};
@@ -117,7 +117,7 @@ TEST(MemoryInterface, NarrowsNumbersToThoseOfTheCore) {
     return bench.rows(bench.unit.bank[bank])[word];
   };
   const auto ask = [&](MemoryKind kind, unsigned address) {
-    MemoryRequest<Narrow> request{kind, 3, {}};
+    MemoryRequest<Narrow> request{.kind = kind, .key = 3, .address = {}};
     request.address = decltype(request.address)::from(address);
     bench.feed(bench.unit.request, request);
     bench.run();

@@ -67,10 +67,10 @@ TEST(Latency, OfAQueueBehindAForkIsThatOfTheClockedModel) {
   constexpr unsigned kDepth = 6;
   hls::Clocks clocks;
   hls::Clocks::Queue* input = clocks.input();
-  input->ready.push_back(kSent);
+  input->push(kSent);
   const auto branches = clocks.fork({input, [] { return true; }}, {}, 1, kDepth);
   clocks.run();
-  ASSERT_EQ(branches.at(0)->ready.size(), 1u);
+  ASSERT_FALSE(branches.at(0)->empty());
 
   VerilatedContext context;
   Vhls_fifo v(&context);
@@ -80,7 +80,7 @@ TEST(Latency, OfAQueueBehindAForkIsThatOfTheClockedModel) {
   v.data_i = kData;
   const unsigned taken =
       clocks_until(v, [&] { v.valid_i = 0; }, [&] { return v.valid_o && v.data_o == kData; });
-  EXPECT_EQ(branches.at(0)->ready.front(), kSent + taken);
+  EXPECT_EQ(branches.at(0)->front(), kSent + taken);
 }
 
 }  // namespace
