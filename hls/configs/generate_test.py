@@ -20,7 +20,12 @@ class Written(GenerateCase):
         self.assertIn(
             "/// for the test\nstruct tiny {\n"
             "  using Real = hls::Float<6, 9, hls::Rounding::kTruncate>;\n"
-            "  /// packets in flight\n  static constexpr unsigned kPackets = 4;\n",
+            "  /// pipelines that trace packets; they share ray generation, the memory and the "
+            "writing of pixels\n  static constexpr unsigned kPipelines = 1;\n",
+            text,
+        )
+        self.assertIn(
+            "  /// packets in flight in a pipeline\n  static constexpr unsigned kPackets = 4;\n",
             text,
         )
         self.assertIn("static constexpr double kEpsilon = 0.25;", text)

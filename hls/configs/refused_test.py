@@ -13,7 +13,9 @@ from generate_case import GOOD, GenerateCase, listing
 class Refused(GenerateCase):
     def test_values_out_of_range(self) -> None:
         self.assert_key_refused(
-            "packets", 200, "(packets in flight) is 200; it must be a whole number from 1 to 64"
+            "packets",
+            200,
+            "(packets in flight in a pipeline) is 200; it must be a whole number from 1 to 64",
         )
         self.assert_key_refused(
             "lines", 500, "(lines of each cache) is 500; it must be a power of two from 1 to 512"
@@ -73,10 +75,12 @@ class Refused(GenerateCase):
         self.assert_key_refused(
             "packets",
             True,
-            "(packets in flight) is true; it must be a whole number from 1 to 64",
+            "(packets in flight in a pipeline) is true; it must be a whole number from 1 to 64",
         )
         self.assert_key_refused(
-            "packets", 4.0, "(packets in flight) is 4.0; it must be a whole number from 1 to 64"
+            "packets",
+            4.0,
+            "(packets in flight in a pipeline) is 4.0; it must be a whole number from 1 to 64",
         )
         self.assert_key_refused(
             "rtl",

@@ -130,8 +130,9 @@ TEST_F(LoadConfiguration, KnowsTheListedConfigurationThatAFileWasMadeFrom) {
 TEST_F(LoadConfiguration, WhatTheScriptRefusesIsTheUsersMistake) {
   const std::string path = written("mine.json", R"({"packets": 0})");
   EXPECT_THAT([&] { load_configuration(path); },
-              ThrowsMessage<UserError>(AllOf(HasSubstr("configuration " + path + ": "),
-                                             HasSubstr("key 'packets' (packets in flight)"))));
+              ThrowsMessage<UserError>(
+                  AllOf(HasSubstr("configuration " + path + ": "),
+                        HasSubstr("key 'packets' (packets in flight in a pipeline)"))));
 }
 
 }  // namespace

@@ -82,8 +82,8 @@ class Variants(testing.InFolder):
         )
         self.assert_refused(
             {"a": {}, "b": {"packets": 0}},
-            " variant 'b': key 'packets' (packets in "
-            "flight) is 0; it must be a whole number from 1 to 64",
+            " variant 'b': key 'packets' (packets in flight in a pipeline) is 0; it must be a whole "
+            "number from 1 to 64",
         )
         self.assert_refused(
             {"a": {}, "b/c": {"packets": 1}},
