@@ -99,7 +99,12 @@ class Figures(unittest.TestCase):
         for cache in ("node", "list", "matrix"):
             self.assertAlmostEqual(found[f"{cache} cache hits gained"], 10)
         self.assertAlmostEqual(found["lost at a quarter of the bandwidth"], 100 * (1 - 8 / 11))
+        self.assertAlmostEqual(found["speed-up of 2 pipelines"], 2)
         self.assertAlmostEqual(found["speed-up of 4 pipelines"], 4)
+        for index in ("QHW", "QGHW"):
+            for run in report["runs"]:
+                run[index] = run["flags"].get("pipelines")
+            self.assertEqual(findings.of(report)[0][f"{index} of 4 pipelines"], 4)
         self.assertLessEqual(findings.THESIS.keys(), set(findings.COLUMNS))
 
     def test_what_no_frame_says_is_unknown(self) -> None:

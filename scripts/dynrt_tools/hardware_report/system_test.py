@@ -42,7 +42,9 @@ class Report(testing.InFolder):
         self.assertGreater(own["QHW"], 1)
         self.assertLess(own["QHW"], own["U_AU"])
         gates = report["configurations"]["thesis"]["gates"]
-        self.assertGreater(gates["split"]["packet"]["memory"], 50_000)  # a packet, of the thesis's 56,028
+        self.assertGreater(
+            gates["split"]["packet"]["memory"], 50_000
+        )  # a packet, of the thesis's 56,028
         self.assertGreater(gates["split"]["line"]["memory"], 900)  # a line, of the thesis's 996
         self.assertTrue((self.folder / "report" / "hardware.html").is_file())
 
