@@ -14,8 +14,8 @@ from dynrt_tools.project import Json, read_json, write_rows
 
 
 class Results:
-    """What the jobs have left in a folder. What was made of Verilog that is no longer there does not
-    count: the job that would have renewed it failed."""
+    """What the jobs have left in a folder. What was made of Verilog or of a model that is no longer
+    there does not count: the job that would have renewed it failed."""
 
     def __init__(self, folder: pathlib.Path) -> None:
         self.folder = folder
@@ -29,9 +29,10 @@ class Results:
 
     def frame(self, size: str, scene: str, configuration: str, point: Point) -> Json | None:
         folder = self.folder / "frames" / size / scene / configuration
-        found = self._read(
-            folder / f"{points.name_of(point)}.json", points.core_of(configuration, point)
-        )
+        core = points.core_of(configuration, point)
+        if points.keys_of(point) and not (self.folder / "models" / f"{core}.so").exists():
+            return None
+        found = self._read(folder / f"{points.name_of(point)}.json", core)
         return None if found is None else dict(found["frame"])
 
 

@@ -35,7 +35,9 @@ class Keys(Case):
         self.assertAlmostEqual(four["QGHW"], own["QGHW"])
 
     def test_a_model_that_cannot_be_built_is_named(self) -> None:
-        self.work.mkdir()
+        """And a frame of the model that was there before does not count."""
+        self.assertEqual(self.run_report("blocks", figure=["7.12"]), (0, ""))
+        self.program.write_text(self.program.read_text() + "# changed\n", encoding="utf-8")
         (self.work / "fail_model").write_text("", encoding="utf-8")
         code, said = self.run_report("blocks", figure=["7.12"])
         self.assertEqual(code, 1)
