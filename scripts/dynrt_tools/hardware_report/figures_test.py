@@ -121,6 +121,9 @@ class Figures(unittest.TestCase):
         self.assertIsNone(first["speed-up of 2 pipelines"])
         (first, _) = findings.of({**report, "runs": kept})
         self.assertIsNotNone(first["best QHW"])
+        alone = [r for r in kept if r["flags"]["packets"] == 4]
+        (first, _) = findings.of({**report, "runs": alone})
+        self.assertIsNone(first["best QHW"], "one is no best")
 
 
 if __name__ == "__main__":

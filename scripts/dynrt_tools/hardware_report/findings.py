@@ -56,7 +56,7 @@ def row_of(runs: list[Json], scene: str, name: str, configuration: Json) -> Json
     along = [r for r in mine if r["flags"] == {**own, "packets": r["flags"]["packets"]}]
     for index in INDICES:
         known = [r for r in along if r.get(index) is not None]
-        if known:
+        if len(known) > 1:
             best = max(known, key=operator.itemgetter(index))
             found[f"best {index}"] = best[index]
             found[f"{index} at packets"] = best["flags"]["packets"]
