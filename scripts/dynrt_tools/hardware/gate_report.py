@@ -23,6 +23,7 @@ from dynrt_tools.hardware.gate_units import (
     bits,
     gates,
     owner,
+    plain_name,
 )
 
 TABULATED = (*PACKET_UNITS, *CACHE_UNITS)
@@ -51,10 +52,11 @@ def by_row(counts: CoreCounts) -> dict[str, Row]:
     of_instance = {name: u.name for u in (*TABULATED, *OTHER_UNITS) for name in u.modules}
     of_instance["counters"] = "(counters)"
     for instance, count in counts.items():
+        unit = plain_name(instance)
         for memory in count.memories:
-            name = owner(memory.name) if instance == "join" else of_instance.get(instance)
+            name = owner(memory.name) if instance == "join" else of_instance.get(unit)
             rows[name or "DynamicRTC"].memories.append((instance, memory))
-        rows[of_instance.get(instance, "DynamicRTC")].logic += count.logic
+        rows[of_instance.get(unit, "DynamicRTC")].logic += count.logic
     return rows
 
 

@@ -3,10 +3,11 @@
 """The thesis's tables 7.3 to 7.5, and which of our units and RAMs do what each of its units
 does."""
 
-
+import re
 from dataclasses import dataclass
 
 PACKETS, LINES = 32, 512  # of tables 7.4 and 7.5
+PIPELINE = re.compile(r"^p\d+_")
 
 
 @dataclass(frozen=True)
@@ -66,7 +67,7 @@ CACHE_UNITS = (
 # Ours alone: the thesis counts neither shading nor the making of rays.
 OTHER_UNITS = (
     Unit("(ray generation)", 0, 0, ("ray_generation",), ("pixel_position_ram",)),
-    Unit("(shading)", 0, 0, ("shading",)),
+    Unit("(shading)", 0, 0, ("shading", "frame_writer")),
 )
 # Notes of rows whose halves differ in what they do.
 NOTES = {
@@ -141,9 +142,14 @@ def bits(packets: int, lines: int) -> int:
     return 14007 * packets + 249 * lines
 
 
+def plain_name(name: str) -> str:
+    """That of an instance or RAM without its pipeline, with which it begins where there are several."""
+    return PIPELINE.sub("", name)
+
+
 def owner(name: str) -> str | None:
     """The unit that owns a RAM of the join; None for a RAM that only joins units."""
     for unit in (*PACKET_UNITS, *CACHE_UNITS, *OTHER_UNITS):
-        if name.startswith(unit.rams) and unit.rams:
+        if plain_name(name).startswith(unit.rams) and unit.rams:
             return unit.name
     return None

@@ -4,17 +4,18 @@
 
 import csv
 import pathlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from dynrt_tools.bench.scenes import THESIS as THESIS_RATES
 from dynrt_tools.hardware import placed_clocks
-from dynrt_tools.hardware_report import figures, findings, gates, indices, jobs, rows
+from dynrt_tools.hardware_report import findings, gates, indices, points, rows
+from dynrt_tools.hardware_report.figure import KEYS, Figure, Point
 from dynrt_tools.project import Json, read_json, write_rows
 
 
 class Results:
-    """What the jobs have left in a folder. What was made of Verilog that is no longer there does not
-    count: the job that would have renewed it failed."""
+    """What the jobs have left in a folder. What was made of Verilog or of a model that is no longer
+    there does not count: the job that would have renewed it failed."""
 
     def __init__(self, folder: pathlib.Path) -> None:
         self.folder = folder
@@ -26,9 +27,12 @@ class Results:
     def gates(self, core: str) -> Json | None:
         return self._read(self.folder / "cores" / core / "gates.json", core)
 
-    def frame(self, size: str, scene: str, configuration: str, point: str) -> Json | None:
-        path = self.folder / "frames" / size / scene / configuration / f"{point}.json"
-        found = self._read(path, configuration)
+    def frame(self, size: str, scene: str, configuration: str, point: Point) -> Json | None:
+        folder = self.folder / "frames" / size / scene / configuration
+        core = points.core_of(configuration, point)
+        if points.keys_of(point) and not (self.folder / "models" / f"{core}.so").exists():
+            return None
+        found = self._read(folder / f"{points.name_of(point)}.json", core)
         return None if found is None else dict(found["frame"])
 
 
@@ -40,21 +44,27 @@ def gates_of(results: Results, name: str, one: Json) -> Json | None:
     if own is None:
         return None
     whole = [(core, figures_) for core, figures_ in counted if figures_ is not None]
-    return {
-        "packets": one["keys"]["packets"],
-        "lines": one["keys"]["lines"],
-        **own,
-        "split": gates.split(whole),
-    }
+    return gates.of_core(one["keys"], own, gates.split(whole))
+
+
+def gates_at(results: Results, name: str, one: Json, point: Point) -> Json | None:
+    """The gates of the core that a point has in place of the configuration."""
+    own = results.gates(points.core_of(name, point))
+    return own and gates.of_core({**one["keys"], **points.keys_of(point)}, own, None)
 
 
 def collect(
-    folder: pathlib.Path, scenes: dict[str, Json], configurations: dict[str, Json], size: str
+    folder: pathlib.Path,
+    scenes: dict[str, Json],
+    configurations: dict[str, Json],
+    size: str,
+    drawn: Sequence[Figure],
 ) -> Json:
     """The content of hardware.json. `missing` says where frames are missing; why, the caller knows."""
     results = Results(folder)
     report: Json = {
         "size": size,
+        "figures": [figure.name for figure in drawn],
         "reading": list(indices.READING),
         "scenes": {name: {"about": scene["about"]} for name, scene in scenes.items()},
         "configurations": {},
@@ -68,6 +78,7 @@ def collect(
             "about": one["keys"]["about"],
             "packets": one["keys"]["packets"],
             "lines": one["keys"]["lines"],
+            **{key: points.own_value(one["keys"], key) for key in KEYS},
             "curves": one["curves"],
             "clock": placed_clocks.of(name).of_core(name),
             "gates": gates_of(results, name, one),
@@ -75,18 +86,20 @@ def collect(
     for scene in scenes:
         for name, one in configurations.items():
             counted = report["configurations"][name]["gates"]
-            points, absent = jobs.points_of(one), 0
-            for point in points:
-                frame = results.frame(size, scene, name, figures.name_of(point))
+            absent = 0
+            for point in one["points"]:
+                frame = results.frame(size, scene, name, point)
                 if frame is None:
                     absent += 1
                     continue
-                found = rows.figures_of(frame, counted)
+                of_core = gates_at(results, name, one, point) if points.keys_of(point) else counted
+                found = rows.figures_of(frame, of_core)
                 report["runs"].append(rows.row(scene, name, point, found))
-                if point == figures.own_point(one["keys"]):
+                if point == points.own_point(one["keys"]):
                     report["table"].append(table_row(scene, name, one["keys"], found))
             if absent:
-                report["missing"].append(f"{scene}, {name}: {absent} of {len(points)} frames")
+                count = len(one["points"])
+                report["missing"].append(f"{scene}, {name}: {absent} of {count} frames")
     report["findings"] = findings.of(report)
     return report
 

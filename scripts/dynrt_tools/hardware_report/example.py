@@ -5,9 +5,10 @@ compute by hand."""
 
 from typing import Any
 
-from dynrt_tools.hardware_report import figures, findings, jobs, rows
+from dynrt_tools.hardware_report import figures, findings, points, rows
 from dynrt_tools.hardware_report import gates as gate_jobs
 from dynrt_tools.hardware_report.collect import table_row
+from dynrt_tools.hardware_report.figure import KEYS, Point
 from dynrt_tools.project import Json
 
 PIXELS = (32, 24)
@@ -16,21 +17,28 @@ ARITHMETIC = {"slice_0": 300, "intersection": 100}
 
 def configuration(packets: int = 4, lines: int = 2, curves: bool = True) -> Json:
     keys = {"about": "an example", "packets": packets, "lines": lines}
-    return {"keys": keys, "named": "example", "curves": curves}
+    found = points.points(keys, figures.FIGURES if curves else ())
+    return {"keys": keys, "named": "example", "curves": curves, "points": found}
 
 
-def gates(packets: int, lines: int) -> Json:
-    """1,000 gates of logic and 10 a packet; memories of 200 a packet and 30 a line."""
+def gates(packets: int, lines: int, pipelines: int = 1) -> Json:
+    """1,000 gates of logic and 10 a packet; memories of 200 a packet and 30 a line: in each pipeline."""
     return {
-        "logic": 1000 + 10 * packets,
-        "memory": 200 * packets + 30 * lines,
-        "arithmetic": ARITHMETIC,
+        "logic": pipelines * (1000 + 10 * packets),
+        "memory": pipelines * (200 * packets + 30 * lines),
+        "arithmetic": {name: pipelines * count for name, count in ARITHMETIC.items()},
     }
 
 
-def frame(packets: int, lines: int, scanline: bool = False) -> Json:
+def gates_of(keys: Json) -> Json:
+    return gates(keys["packets"], keys["lines"], keys.get("pipelines", 1))
+
+
+def frame(packets: int, lines: int, scanline: bool = False, keys: Point | None = None) -> Json:
     """The slice works in packets / 10 of the clocks, the intersection in half as many. With scanlines
-    and with fewer lines the caches miss more."""
+    and with fewer lines the caches miss more. Each clock more of the memory makes a frame an eighth
+    longer."""
+    wait, pipelines = (int((keys or {}).get(key, 1)) for key in KEYS)
     use = packets / 10
     misses = {"node": 400 // lines, "list": 100 // lines, "matrix": 200 // lines}
     units = {"slice_0": use, "node_lookup": use, "list_lookup": use / 4, "transformation": use / 2}
@@ -40,7 +48,7 @@ def frame(packets: int, lines: int, scanline: bool = False) -> Json:
         "cache_lines": lines,
         "width": PIXELS[0],
         "height": PIXELS[1],
-        "cycles": 76800 // packets,
+        "cycles": 76800 // packets * (7 + wait) // (8 * pipelines),
         "units": {name: {"utilisation": value} for name, value in units.items()},
         "caches": {
             name: {"misses": count, "hit_rate": 1 - count / 500 - scanline / 10}
@@ -49,8 +57,9 @@ def frame(packets: int, lines: int, scanline: bool = False) -> Json:
     }
 
 
-def frame_at(point: figures.Point) -> Json:
-    return frame(int(point["packets"]), int(point["lines"]), point["order"] == "scanline")
+def frame_at(point: Point) -> Json:
+    scanline = point["order"] == "scanline"
+    return frame(int(point["packets"]), int(point["lines"]), scanline, points.keys_of(point))
 
 
 # A dynrt that knows one scene and renders it as frame() has it. A frame of one packet dies where the
@@ -72,21 +81,29 @@ with pathlib.Path("ran").open("a") as file:
 if pathlib.Path("fail").exists() and of("--packets") == "1":
     print("dynrt: the frame is lost", file=sys.stderr)
     sys.exit(3)
-frame = example.frame(int(of("--packets")), int(of("--lines")), of("--order") == "scanline")
+model = pathlib.Path(of("--config"))
+keys = json.loads(model.read_text()) if model.suffix == ".so" else {{}}
+frame = example.frame(int(of("--packets")), int(of("--lines")), of("--order") == "scanline", keys)
 pathlib.Path(of("--out")).write_text("picture")
 pathlib.Path(of("--json")).write_text(json.dumps({{"frame": frame}}))
 """
 
-# Stands in for scripts/configuration --verilog: a folder that holds the keys.
+# Stands in for scripts/configuration: with --verilog a folder that holds the keys, else a model that is
+# a file with them.
 CONFIGURATION = """#!/usr/bin/python3
 import pathlib, shutil, sys
 words = sys.argv[1:]
 out = pathlib.Path(words[words.index("--out") + 1])
-pathlib.Path("ran").open("a").write(f"configuration {out.parent.name}\\n")
-if pathlib.Path("fail_configuration").exists():
+verilog = "--verilog" in words
+with pathlib.Path("ran").open("a") as file:
+    file.write(f"configuration {out.parent.name}\\n" if verilog else f"model {out.stem}\\n")
+if pathlib.Path("fail_configuration").exists() and verilog:
     sys.exit("configuration: this unit cannot be lowered")
-out.mkdir(parents=True)
-shutil.copyfile(words[0], out / "keys.json")
+if pathlib.Path("fail_model").exists() and out.name == "wide-pipelines2.so":
+    sys.exit("configuration: cannot be built")
+if verilog:
+    out.mkdir(parents=True)
+shutil.copyfile(words[0], out / "keys.json" if verilog else out)
 """
 
 # Stands in for scripts/variant_gates.
@@ -96,7 +113,7 @@ sys.path.insert(0, {scripts!r})
 from dynrt_tools.hardware_report import example
 keys = json.loads((pathlib.Path(sys.argv[1]) / "keys.json").read_text())
 pathlib.Path("ran").open("a").write(f"gates {{pathlib.Path(sys.argv[1]).parent.name}}\\n")
-pathlib.Path(sys.argv[2]).write_text(json.dumps(example.gates(keys["packets"], keys["lines"])))
+pathlib.Path(sys.argv[2]).write_text(json.dumps(example.gates_of(keys)))
 """
 
 
@@ -106,6 +123,7 @@ def report(**changes: Any) -> Json:
     configurations = {"wide": configuration(4, 2), "narrow": configuration(2, 2, curves=False)}
     made: Json = {
         "size": "32x24",
+        "figures": [figure.name for figure in figures.FIGURES],
         "reading": ["how </script> it is read"],
         "scenes": {"cistern": {"about": "a level"}, "lamps": {"about": "three lamps"}},
         "configurations": {},
@@ -116,18 +134,21 @@ def report(**changes: Any) -> Json:
     for name, one in configurations.items():
         keys = one["keys"]
         cores = gate_jobs.cores(name, keys, one["curves"]).values()
-        counted = [(core, gates(core["packets"], core["lines"])) for core in cores]
+        counted = [(core, gates_of(core)) for core in cores]
+        whole = gate_jobs.of_core(keys, counted[0][1], gate_jobs.split(counted))
         made["configurations"][name] = {
             **keys,
             "curves": one["curves"],
             "clock": "at 100 MHz, placed",
-            "gates": {**keys, **counted[0][1], "split": gate_jobs.split(counted)},
+            "gates": whole,
         }
         for scene in made["scenes"]:
-            for point in jobs.points_of(one):
-                found = rows.figures_of(frame_at(point), made["configurations"][name]["gates"])
+            for point in one["points"]:
+                changed = {**keys, **points.keys_of(point)}
+                own = gate_jobs.of_core(changed, gates_of(changed), None)
+                found = rows.figures_of(frame_at(point), own if changed != keys else whole)
                 made["runs"].append(rows.row(scene, name, point, found))
-                if point == figures.own_point(keys):
+                if point == points.own_point(keys):
                     made["table"].append(table_row(scene, name, keys, found))
     made["findings"] = findings.of(made)
     return {**made, **changes}

@@ -4,32 +4,54 @@
 
 import unittest
 
-from dynrt_tools.hardware_report import example, figures, findings
-from dynrt_tools.hardware_report.figures import Figure, Series
+from dynrt_tools.build import configs
+from dynrt_tools.hardware_report import example, figures, findings, points
+from dynrt_tools.hardware_report.figure import KEYS, Figure, Point, Series
 
 
 class Figures(unittest.TestCase):
     def test_each_frame_is_rendered_once(self) -> None:
         keys = example.configuration(4, 2)["keys"]
-        names = [figures.name_of(point) for point in figures.points(keys)]
+        names = [points.name_of(point) for point in points.points(keys, figures.FIGURES)]
         self.assertEqual(len(names), len(set(names)))
         morton = {f"packets-{p}_lines-2_order-morton" for p in (1, 2, 4)}
         morton |= {"packets-4_lines-1_order-morton"}
         scanline = {f"packets-4_lines-{n}_order-scanline" for n in (1, 2)}
-        self.assertEqual(set(names), morton | scanline)
+        slow = {f"packets-4_lines-2_order-morton_memory_clocks-{n}" for n in (2, 4, 8, 16)}
+        several = {f"packets-4_lines-2_order-morton_pipelines-{n}" for n in (2, 4, 8, 16)}
+        self.assertEqual(set(names), morton | scanline | slow | several)
 
     def test_flags_of_render(self) -> None:
-        point = figures.own_point({"packets": 4, "lines": 2})
-        self.assertEqual(figures.flags_of(point), "--packets 4 --lines 2 --order morton")
+        point = points.own_point({"packets": 4, "lines": 2})
+        flags = "--packets 4 --lines 2 --order morton"
+        self.assertEqual(points.flags_of(point), flags)
+        self.assertEqual(points.core_of("wide", point), "wide")
+        several: Point = {**point, "pipelines": 2}
+        self.assertEqual(points.flags_of(several), flags)
+        self.assertEqual(points.core_of("wide", several), "wide-pipelines2")
+
+    def test_each_value_of_a_key_is_one_that_it_allows(self) -> None:
+        known = configs.load_configurations().KEYS
+        along = [figure for figure in figures.FIGURES if figure.along in KEYS]
+        self.assertEqual({figure.along for figure in along}, set(KEYS))
+        for figure in along:
+            self.assertEqual(known[figure.along].default, 1)
+            self.assertTrue(all(known[figure.along].kind.allows(v) for v in figure.values))
+
+    def test_a_configuration_is_its_own_core_at_its_own_value(self) -> None:
+        (figure,) = [f for f in figures.FIGURES if f.along == "pipelines"]
+        pair = {"packets": 4, "lines": 2, "pipelines": 2}
+        found = [points.keys_of(point) for point in points.points(pair, (figure,))]
+        self.assertEqual(found, [{}, *({"pipelines": n} for n in (1, 4, 8, 16))])
 
     def test_another_figure_is_another_entry(self) -> None:
         widths = Figure("7.11", "Rate", "width", (2, 4, 8), "", (Series("rate", "clocks"),))
         keys = {"packets": 4, "lines": 2, "width": 4}
-        names = [figures.name_of(point) for point in figures.points(keys, (widths,))]
+        names = [points.name_of(point) for point in points.points(keys, (widths,))]
         end = "packets-4_lines-2_order-morton"
         self.assertEqual(names, [end, f"{end}_width-2", f"{end}_width-4"])
         keys.pop("width")
-        self.assertEqual(len(figures.points(keys, (widths,))), 4)
+        self.assertEqual(len(points.points(keys, (widths,))), 4)
 
     def test_curves(self) -> None:
         report = example.report()
@@ -44,6 +66,18 @@ class Figures(unittest.TestCase):
         for (_, morton), (_, scanline) in zip(node, node_scanline):
             self.assertAlmostEqual(morton - scanline, 10)
 
+    def test_curves_of_cores(self) -> None:
+        report = example.report()
+        by_name = {figure.name: figure for figure in figures.FIGURES}
+        (bandwidth,) = figures.curves(report, by_name["7.11"], "lamps")
+        self.assertEqual([x for x, _ in bandwidth.points], [63.75, 127.5, 255, 510, 1020])
+        slowest, quickest = bandwidth.points[0][1], bandwidth.points[-1][1]
+        self.assertAlmostEqual(quickest / slowest, 23 / 8)
+        (scale,) = figures.curves(report, by_name["7.12"], "lamps")
+        self.assertEqual([x for x, _ in scale.points], [1, 2, 4, 8, 16])
+        self.assertEqual(scale.points[0][1], quickest)
+        self.assertAlmostEqual(scale.points[-1][1], 16 * quickest)
+
     def test_a_curve_leaves_out_what_is_missing(self) -> None:
         report = example.report()
         report["runs"] = [r for r in report["runs"] if r["flags"]["packets"] != 2]
@@ -57,12 +91,20 @@ class Figures(unittest.TestCase):
         found = report["findings"][0]
         along = [r for r in report["runs"] if (r["scene"], r["configuration"]) == ("lamps", "wide")]
         along = [r for r in along if (r["flags"]["lines"], r["flags"]["order"]) == (2, "morton")]
+        along = [r for r in along if not r["flags"].keys() & set(KEYS)]
         self.assertEqual(len(along), 3)
         best = max(along, key=lambda r: float(r["QHW"]))
         self.assertEqual(found["best QHW"], best["QHW"])
         self.assertEqual(found["QHW at packets"], best["flags"]["packets"])
         for cache in ("node", "list", "matrix"):
             self.assertAlmostEqual(found[f"{cache} cache hits gained"], 10)
+        self.assertAlmostEqual(found["lost at a quarter of the bandwidth"], 100 * (1 - 8 / 11))
+        self.assertAlmostEqual(found["speed-up of 2 pipelines"], 2)
+        self.assertAlmostEqual(found["speed-up of 4 pipelines"], 4)
+        for index in ("QHW", "QGHW"):
+            for run in report["runs"]:
+                run[index] = run["flags"].get("pipelines")
+            self.assertEqual(findings.of(report)[0][f"{index} of 4 pipelines"], 4)
         self.assertLessEqual(findings.THESIS.keys(), set(findings.COLUMNS))
 
     def test_what_no_frame_says_is_unknown(self) -> None:
@@ -73,7 +115,15 @@ class Figures(unittest.TestCase):
         (first, _) = findings.of({**report, "runs": kept})
         self.assertIsNone(first["list cache hits gained"])
         self.assertIsNone(first["best QGHW"])
+        whole = [r for r in report["runs"] if not r["flags"].keys() & set(KEYS)]
+        (first, _) = findings.of({**report, "runs": whole})
+        self.assertIsNone(first["lost at a quarter of the bandwidth"])
+        self.assertIsNone(first["speed-up of 2 pipelines"])
+        (first, _) = findings.of({**report, "runs": kept})
         self.assertIsNotNone(first["best QHW"])
+        alone = [r for r in kept if r["flags"]["packets"] == 4]
+        (first, _) = findings.of({**report, "runs": alone})
+        self.assertIsNone(first["best QHW"], "one is no best")
 
 
 if __name__ == "__main__":

@@ -1,19 +1,27 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """What the curves of a report say that the thesis's text says of its own: where the indices are best,
-and what the Morton curve gains over scanlines."""
+what the Morton curve gains over scanlines, what a slower memory costs and several pipelines bring."""
 
 import operator
 
-from dynrt_tools.hardware_report import figures
+from dynrt_tools.hardware_report import figures, points
+from dynrt_tools.hardware_report.figure import SCANLINE, Point
 from dynrt_tools.project import Json
 
+QUARTER = "lost at a quarter of the bandwidth"
+MANY = 4  # pipelines that the thesis's text has at the most
+SPEED_UPS = {number: f"speed-up of {number} pipelines" for number in (2, MANY)}
+INDICES = ("QHW", "QGHW")
 COLUMNS = (
     "best QHW",
     "QHW at packets",
     "best QGHW",
     "QGHW at packets",
     *(f"{cache} cache hits gained" for cache in figures.CACHES.values()),
+    QUARTER,
+    *SPEED_UPS.values(),
+    *(f"{index} of {MANY} pipelines" for index in INDICES),
 )
 # The thesis's, of its scenes Gael and conference.
 THESIS = {
@@ -22,6 +30,7 @@ THESIS = {
     "QGHW at packets": "32",
     "list cache hits gained": "10 to 20",
     "matrix cache hits gained": "10 to 20",
+    QUARTER: "about 20, conference far more",
 }
 
 
@@ -37,19 +46,30 @@ def of(report: Json) -> list[Json]:
 
 def row_of(runs: list[Json], scene: str, name: str, configuration: Json) -> Json:
     mine = [r for r in runs if (r["scene"], r["configuration"]) == (scene, name)]
-    own = figures.own_point(configuration)
+    own = points.own_point(configuration)
+
+    def at(change: Point) -> Json | None:
+        return next((r for r in mine if r["flags"] == {**own, **change}), None)
+
     found: Json = dict.fromkeys(COLUMNS)
     # The thesis's figures over packets are with all lines.
     along = [r for r in mine if r["flags"] == {**own, "packets": r["flags"]["packets"]}]
-    for index in ("QHW", "QGHW"):
+    for index in INDICES:
         known = [r for r in along if r.get(index) is not None]
-        if known:
+        if len(known) > 1:
             best = max(known, key=operator.itemgetter(index))
             found[f"best {index}"] = best[index]
             found[f"{index} at packets"] = best["flags"]["packets"]
-    morton = next((r for r in mine if r["flags"] == own), None)
-    scanline = next((r for r in mine if r["flags"] == {**own, **figures.SCANLINE}), None)
-    if morton and scanline:
+    if not (whole := at({})):
+        return found
+    if scanline := at(SCANLINE):
         for key in (f"{cache} cache hits" for cache in figures.CACHES.values()):
-            found[f"{key} gained"] = morton[key] - scanline[key]
+            found[f"{key} gained"] = whole[key] - scanline[key]
+    if quarter := at({"memory_clocks": 4}):
+        found[QUARTER] = 100 * (1 - quarter[figures.RATE] / whole[figures.RATE])
+    for number, column in SPEED_UPS.items():
+        if several := at({"pipelines": number}):
+            found[column] = several[figures.RATE] / whole[figures.RATE]
+            for index in INDICES if number == MANY else ():
+                found[f"{index} of {MANY} pipelines"] = several.get(index)
     return found

@@ -7,6 +7,7 @@ import argparse
 import json
 import pathlib
 import sys
+from collections import Counter
 from collections.abc import Sequence
 
 from dynrt_tools import project
@@ -20,18 +21,15 @@ FEWER = 8  # a core with this part of the packets, or of the lines, tells what e
 
 def figures(counts: CoreCounts) -> Json:
     """Of a core: the gates of its logic and of its memories, as C_RTC has them, and the logic of each
-    instance that has floating-point operators."""
+    unit that has floating-point operators, the sum over pipelines."""
     whole, bits = gate_report.all_gates(counts)
     memory = gate_rule.MEMORY_BIT * bits
-    return {
-        "logic": whole - memory,
-        "memory": memory,
-        "arithmetic": {
-            name: count.logic
-            for name, count in counts.items()
-            if name.startswith(gate_units.ARITHMETIC)
-        },
-    }
+    arithmetic: Counter[str] = Counter()
+    for instance, count in counts.items():
+        name = gate_units.plain_name(instance)
+        if name.startswith(gate_units.ARITHMETIC):
+            arithmetic[name] += count.logic
+    return {"logic": whole - memory, "memory": memory, "arithmetic": dict(arithmetic)}
 
 
 def cores(name: str, configuration: Json, curves: bool) -> dict[str, Json]:
@@ -57,6 +55,12 @@ def split(counted: Sequence[tuple[Json, Json]]) -> Json | None:
         part: {cost: values[i] for cost, values in parts.items()}
         for i, part in enumerate(("fixed", "packet", "line"))
     }
+
+
+def of_core(keys: Json, counted: Json, parts: Json | None) -> Json:
+    """What indices.py needs of a core: its figures, and what they are of."""
+    stated = {key: keys[key] for key in ("packets", "lines")}
+    return {**stated, "pipelines": keys.get("pipelines", 1), **counted, "split": parts}
 
 
 def main() -> None:

@@ -17,6 +17,8 @@ READING = (
     "camera rays, distances of planes and boxes; not the subtractions that matrix_store makes in "
     "cores with a watertight test for packets from one origin. The use of a unit is the share of "
     "clocks in which it begins a transaction.",
+    "A unit that several pipelines have counts with the gates of all and with their mean use. The "
+    "thesis's C_RTC then is that of as many of its cores.",
     "Between the cores that were counted, C_AU and C_IM are a fixed part, a part per packet and a part "
     "per line.",
 )
@@ -52,7 +54,7 @@ def indices(gates: Json, frame: Json) -> Json:
     rays = frame["width"] * frame["height"] / frame["cycles"]
     return {
         "C_AU + C_IM": whole,
-        "thesis's C_RTC": thesis_gates(frame["packets"], frame["cache_lines"]),
+        "thesis's C_RTC": gates["pipelines"] * thesis_gates(frame["packets"], frame["cache_lines"]),
         "QGHW": 1e6 * rays / whole,
         **({} if use is None else {"U_AU": 100 * use, "QHW": 100 * use * cost[0] / whole}),
     }

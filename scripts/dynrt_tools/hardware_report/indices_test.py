@@ -5,7 +5,7 @@
 import unittest
 from collections import Counter
 
-from dynrt_tools.hardware import gate_rule, rtl_files
+from dynrt_tools.hardware import gate_rule, gate_units, rtl_files
 from dynrt_tools.hardware_report import example, gates, indices, rows
 from dynrt_tools.project import Json
 
@@ -28,10 +28,10 @@ class Indices(unittest.TestCase):
         self.assertEqual(found["thesis's C_RTC"], 487020 + 56028 * 32 + 996 * 512)
 
     def gates(self, packets: int, lines: int) -> Json:
-        own: Json = {"packets": packets, "lines": lines}
+        own = example.configuration(packets, lines)["keys"]
         cores = gates.cores("one", own, True).values()
         counted = [(core, example.gates(core["packets"], core["lines"])) for core in cores]
-        return {**own, **example.gates(packets, lines), "split": gates.split(counted)}
+        return gates.of_core(own, counted[0][1], gates.split(counted))
 
     def test_gates_of_other_packets_and_lines(self) -> None:
         known = self.gates(64, 512)
@@ -57,6 +57,17 @@ class Indices(unittest.TestCase):
         self.assertIsNone(indices.costs(known, 2, 2))
         self.assertNotIn("QGHW", rows.figures_of(example.frame(2, 2), known))
         self.assertIsNone(gates.split([({"packets": 4, "lines": 2}, example.gates(4, 2))]))
+
+    def test_several_pipelines(self) -> None:
+        """Each has the gates of one, and all of them a quarter of the clocks."""
+        one = rows.figures_of(example.frame(4, 2), self.gates(4, 2))
+        keys: Json = {"packets": 4, "lines": 2, "pipelines": 4}
+        counted = gates.of_core(keys, example.gates_of(keys), None)
+        four = rows.figures_of(example.frame(4, 2, keys=keys), counted)
+        for figure in ("U_AU", "QHW", "QGHW"):
+            self.assertAlmostEqual(four[figure], one[figure])
+        for figure in ("C_AU + C_IM", "thesis's C_RTC", "rays per clock"):
+            self.assertAlmostEqual(four[figure], 4 * one[figure])
 
     def test_a_core_without_counters_has_no_use(self) -> None:
         frame: Json = {**example.frame(4, 2), "units": {}}
@@ -86,6 +97,22 @@ class Gates(unittest.TestCase):
         others = ["collect_hits", "intersection", "transformation"]
         more = ["camera_rays", "plane_offset", "ray_reciprocal", "world_box"]
         self.assertEqual(self.arithmetic("fast"), sorted(SLICES + others + more))
+
+    def test_the_parts_of_pipelines_count_as_those_of_one(self) -> None:
+        def count(cells: int, memory: str) -> gate_rule.Count:
+            return gate_rule.Count(Counter({"LUT4": cells}), (gate_rule.Memory(memory, 8, 4, 2),))
+
+        units = {"slice_0": count(10, "rows"), "shading": count(1000, "pixels")}
+        joins = {"join": count(0, "ray_0_ram"), "frame_writer": count(1000, "fifo")}
+        one = gates.figures({**units, "join": count(0, "ray_0_ram")})
+        two = gates.figures(
+            {f"p{i}_{name}": unit for i in (0, 11) for name, unit in units.items()} | joins
+        )
+        self.assertEqual(two["logic"], 2 * one["logic"])
+        self.assertEqual(two["arithmetic"], {"slice_0": 2 * one["arithmetic"]["slice_0"]})
+        self.assertEqual(two["memory"], 4 * 3 * 64)
+        self.assertEqual(gate_units.owner("p11_ray_0_ram_0"), "TraversalSlice0")
+        self.assertEqual(gate_units.owner("p0_pixel_position_ram"), "(ray generation)")
 
     def test_logic_and_memory(self) -> None:
         memory = gate_rule.Memory("rows", 8, 4, 2)

@@ -5,7 +5,7 @@
 import json
 import pathlib
 
-from dynrt_tools.hardware_report import figures, gates
+from dynrt_tools.hardware_report import gates, points
 from dynrt_tools.project import Json
 from dynrt_tools.report.jobs import Jobs, write_if_new
 
@@ -13,22 +13,35 @@ SNAKEFILE = pathlib.Path(__file__).resolve().parent / "Snakefile"
 DOING = {
     "verilog": "lowering its units",
     "gates": "counting its gates",
+    "model": "building its model",
     "frame": "rendering",
 }
 
 
+def models_of(configurations: dict[str, Json]) -> dict[str, Json]:
+    """The keys of every core that points have beside the configurations themselves."""
+    return {
+        points.core_of(name, point): {**one["keys"], **keys}
+        for name, one in configurations.items()
+        for point in one["points"]
+        if (keys := points.keys_of(point))
+    }
+
+
 def cores_of(configurations: dict[str, Json]) -> dict[str, Json]:
     """The keys of every core whose Verilog is needed."""
-    return {
+    counted = {
         name: core
         for configuration, one in configurations.items()
         for name, core in gates.cores(configuration, one["keys"], one["curves"]).items()
     }
+    return {**counted, **models_of(configurations)}
 
 
-def points_of(one: Json) -> list[figures.Point]:
-    """The frames of a configuration: those of the figures, or its own alone."""
-    return figures.points(one["keys"]) if one["curves"] else [figures.own_point(one["keys"])]
+def lowered(core: Json) -> Json:
+    """The keys of a core's Verilog. Three pipelines count more than a core's counters can, and no unit
+    depends on them: so those of several pipelines have none."""
+    return {**core, "counters": False} if points.own_value(core, "pipelines") > 1 else core
 
 
 class Workflow(Jobs):
@@ -40,24 +53,31 @@ class Workflow(Jobs):
         super().__init__(SNAKEFILE, DOING, folder, program, build, expect)
 
     def prepare(self, scenes: dict[str, str], configurations: dict[str, Json], size: str) -> None:
-        """A configuration has its `keys`, how it is `named` for dynrt, and whether it has `curves`."""
-        cores = cores_of(configurations)
-        for name, core in cores.items():
-            write_if_new(self.folder / "cores" / f"{name}.json", json.dumps(core, indent=1))
-        points = {name: points_of(one) for name, one in configurations.items()}
-        flags = {figures.name_of(p): figures.flags_of(p) for all_ in points.values() for p in all_}
+        """A configuration has its `keys`, how it is `named` for dynrt, whether it has `curves`, and its
+        `points`."""
+        cores, models = cores_of(configurations), models_of(configurations)
+        for folder, written in (
+            ("cores", {name: lowered(core) for name, core in cores.items()}),
+            ("models", models),
+        ):
+            for name, keys in written.items():
+                write_if_new(self.folder / folder / f"{name}.json", json.dumps(keys, indent=1))
+        every = [point for one in configurations.values() for point in one["points"]]
         self.configure(
             {
                 "scenes": scenes,
                 "configurations": {
                     name: {
                         "named": one["named"],
-                        "points": [figures.name_of(p) for p in points[name]],
+                        "points": {
+                            points.name_of(p): points.core_of(name, p) for p in one["points"]
+                        },
                     }
                     for name, one in configurations.items()
                 },
                 "cores": list(cores),
-                "flags": flags,
+                "models": list(models),
+                "flags": {points.name_of(p): points.flags_of(p) for p in every},
                 "size": size,
             }
         )

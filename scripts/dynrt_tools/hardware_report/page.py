@@ -5,7 +5,8 @@
 import pathlib
 
 from dynrt_tools.hardware_report import findings, rows
-from dynrt_tools.hardware_report.figures import FIGURES, Figure, curves
+from dynrt_tools.hardware_report.figure import Figure
+from dynrt_tools.hardware_report.figures import curves, drawn_in
 from dynrt_tools.project import Json, read_json
 from dynrt_tools.report.page import assembled
 
@@ -32,14 +33,14 @@ def plot(report: Json, figure: Figure, scene: str) -> Json:
 def shown(report: Json) -> Json:
     """The report as the page has it: figures with their curves in place of the runs."""
     figures = []
-    for figure in FIGURES:
+    for figure in drawn_in(report):
         plots = {scene: plot(report, figure, scene) for scene in report["scenes"]}
         if any(one["curves"] for one in plots.values()):
             figures.append(
                 {
                     "name": figure.name,
                     "title": figure.title,
-                    "along": figure.along,
+                    "over": figure.over,
                     "unit": figure.unit,
                     "limit": figure.limit,
                     "said": figure.said,

@@ -31,7 +31,7 @@ class Page(page_testing.Opened):
             """,
         )
         # Hit rates of three caches in two orders; four units.
-        curves = {"7.5 and 7.10": 6, "7.6": 1, "7.7": 1, "7.8": 4, "7.9": 1}
+        curves = {"7.5 and 7.10": 6, "7.6": 1, "7.7": 1, "7.8": 4, "7.9": 1, "7.11": 1, "7.12": 1}
         self.assertEqual(found["curves"], curves)
         # Of cistern the text gives the best index and a range of frame rates.
         self.assertEqual(found["marks"], ["7.6", "7.9"])
@@ -39,6 +39,7 @@ class Page(page_testing.Opened):
         self.assertEqual(found["reading"], "how </script> it is read")
         labels = [e[1].get("aria-label", "") for e in elements.of("circle", class_="point")]
         self.assertIn("wide: 21.05 rays a clock per million gates at 4 packets", labels)
+        self.assertIn("wide: 2,361 frames per second at 127.5 MB/s of memory bandwidth", labels)
         rows = [e[2] for e in elements.of("td")]
         for word in ("wide", "narrow", "17 to 25", "487,020 + 56,028 P + 996 CL", "about 9.5"):
             self.assertIn(word, rows)
@@ -87,7 +88,7 @@ class Page(page_testing.Opened):
         self.assertEqual(found["sort"], "ascending")
 
     def test_says_what_is_missing(self) -> None:
-        report = example.report(missing=["lamps, wide: 6 of 6 frames"])
+        report = example.report(missing=["lamps, wide: 14 of 14 frames"])
         report["runs"] = [r for r in report["runs"] if r["scene"] != "lamps"]
         _, found = self.open_text(
             page.page(report),
@@ -97,7 +98,7 @@ class Page(page_testing.Opened):
             found.figures = document.getElementById("figures").innerText;
             """,
         )
-        self.assertIn("lamps, wide: 6 of 6 frames", found["missing"])
+        self.assertIn("lamps, wide: 14 of 14 frames", found["missing"])
         self.assertIn("No frame of this scene gives it", found["figures"])
 
     def test_a_figure_that_no_frame_gives_is_not_mentioned(self) -> None:
@@ -117,6 +118,7 @@ class Plots(unittest.TestCase):
         first = [path.read_bytes() for path in paths]
         plots.write(self.folder, example.report())
         self.assertEqual([path.read_bytes() for path in paths], first)
+        self.assertIn("MB/s of memory bandwidth", paths[-2].read_text(encoding="utf-8"))
         for path in paths:
             xml.etree.ElementTree.parse(path)
 

@@ -9,7 +9,8 @@ from typing import Any
 
 from matplotlib import pyplot
 
-from dynrt_tools.hardware_report.figures import FIGURES, Curve, Figure, curves
+from dynrt_tools.hardware_report.figure import Figure
+from dynrt_tools.hardware_report.figures import Curve, curves, drawn_in
 from dynrt_tools.project import Json
 
 WIDTH, HEIGHT = 4.2, 3.1  # of a plot, in inches
@@ -53,7 +54,7 @@ def draw_panel(axes: Any, figure: Figure, scene: str, group: list[Curve]) -> Non
         else:
             axes.plot([mark.x], [mark.low], "D", color=MARK, label="thesis")
     title = scene if single else f"{scene}, {group[0].configuration}"
-    axes.set(title=title, xlabel=figure.along, ylabel=figure.unit, xlim=(0, None))
+    axes.set(title=title, xlabel=figure.over, ylabel=figure.unit, xlim=(0, None))
     axes.set_ylim(0, figure.limit)
     axes.grid(alpha=0.3)
     axes.legend(fontsize=7)
@@ -82,7 +83,7 @@ def draw(path: pathlib.Path, report: Json, figure: Figure) -> bool:
         grid[row][column].set_visible(True)
         draw_panel(grid[row][column], figure, scene, group)
     sheet.suptitle(
-        f"{figure.title} over {figure.along}, {report['size']} (thesis figure {figure.name})"
+        f"{figure.title} over {figure.over}, {report['size']} (thesis figure {figure.name})"
     )
     # Without its date and with names of its own the file is the same for the same figures.
     sheet.savefig(path, metadata={"Date": None})
@@ -95,5 +96,5 @@ def write(folder: pathlib.Path, report: Json) -> list[pathlib.Path]:
     pyplot.switch_backend("svg")  # no window
     pyplot.rcParams["svg.hashsalt"] = "dynrt"
     pyplot.rcParams["svg.fonttype"] = "none"  # text stays text
-    paths = [(folder / f"{figure.file}.svg", figure) for figure in FIGURES]
+    paths = [(folder / f"{figure.file}.svg", figure) for figure in drawn_in(report)]
     return [path for path, figure in paths if draw(path, report, figure)]

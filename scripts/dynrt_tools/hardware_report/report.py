@@ -1,15 +1,18 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """The figures of the thesis's chapter 7.2 for our cores: how busy the units are, how often the caches
-hit, the frame rate and the quality of the hardware over packets and lines, as one page with plots and
-tables, as CSV, JSON and SVG. The clocks are those of the native model, which are the Verilog's."""
+hit, and the frame rate and the quality of the hardware over packets, lines, the memory's bandwidth and
+pipelines, as one page with plots and tables, as CSV, JSON and SVG. The clocks are those of the native
+model, which are the Verilog's."""
 
 import argparse
 import pathlib
 import re
 import sys
 
-from dynrt_tools.hardware_report import collect, page, plots
+from dynrt_tools.hardware_report import collect, page, plots, points
+from dynrt_tools.hardware_report.figure import Figure
+from dynrt_tools.hardware_report.figures import FIGURES
 from dynrt_tools.hardware_report.jobs import Workflow
 from dynrt_tools.project import Failed, Json
 from dynrt_tools.report import report as shared
@@ -52,6 +55,14 @@ def parse() -> argparse.Namespace:
         help="configuration that stands in the table with all its packets and lines, beside those "
         f"that have curves; can be given several times (default: {' '.join(TABLE)})",
     )
+    parser.add_argument(
+        "--figure",
+        action="append",
+        default=[],
+        metavar="NUMBER",
+        help="only this figure of the thesis; can be given several times (default: "
+        f"{' '.join(numbers())})",
+    )
     shared.add_job_arguments(parser, "hardware_report")
     parser.add_argument(
         "--drawings", type=pathlib.Path, metavar="FOLDER", help="write the drawings there too"
@@ -62,8 +73,22 @@ def parse() -> argparse.Namespace:
     return parser.parse_args()
 
 
-def chosen(curves: list[str], table: list[str]) -> dict[str, Json]:
-    """The configurations by name, in the order of the table; `keys`, `named`, `curves` of each."""
+def numbers() -> list[str]:
+    """The thesis's numbers of the figures."""
+    return [number for figure in FIGURES for number in figure.numbers]
+
+
+def figures_of(named: list[str]) -> list[Figure]:
+    """The figures with these numbers, or all."""
+    for number in named:
+        if number not in numbers():
+            raise Failed(f"--figure {number}: unknown; the figures are {', '.join(numbers())}")
+    return [f for f in FIGURES if not named or set(f.numbers) & set(named)]
+
+
+def chosen(curves: list[str], table: list[str], figures: list[Figure]) -> dict[str, Json]:
+    """The configurations by name, in the order of the table; `keys`, `named`, `curves`, `points` of
+    each: those of the figures, or its own alone."""
     found: dict[str, Json] = {}
     for named in dict.fromkeys([*table, *curves]):
         path = pathlib.Path(named)
@@ -72,10 +97,12 @@ def chosen(curves: list[str], table: list[str]) -> dict[str, Json]:
             raise Failed(
                 f"--config {named}: another configuration of this report is named '{name}'"
             )
+        keys = base_configuration(named)
         found[name] = {
-            "keys": base_configuration(named),
+            "keys": keys,
             "named": str(path.absolute()) if path.suffix == ".json" else named,
             "curves": named in curves,
+            "points": points.points(keys, figures if named in curves else ()),
         }
     return found
 
@@ -96,7 +123,8 @@ def check_outputs(args: argparse.Namespace) -> None:
 
 def made(args: argparse.Namespace) -> Json:
     """Runs the jobs that have no result yet and collects them."""
-    configurations = chosen(args.config or list(CURVES), args.table or list(TABLE))
+    figures = figures_of(args.figure)
+    configurations = chosen(args.config or list(CURVES), args.table or list(TABLE), figures)
     shared.check_jobs(args, "a hardware report", "hlsc")
     known = shared.known_scenes(args, args.scene or list(SCENES))
     check_outputs(args)
@@ -106,7 +134,7 @@ def made(args: argparse.Namespace) -> Json:
         paths = {name: scene["path"] for name, scene in known.items()}
         workflow.prepare(paths, configurations, args.size)
         failures = workflow.failures(args.jobs, args.slurm)
-        report = collect.collect(folder, known, configurations, args.size)
+        report = collect.collect(folder, known, configurations, args.size, figures)
     report["missing"] = failures + report["missing"]
     if not report["runs"]:
         raise Failed(f"there is no frame to report; {report['missing'][0]}")

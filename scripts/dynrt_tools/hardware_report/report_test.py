@@ -2,83 +2,25 @@
 # SPDX-License-Identifier: Apache-2.0
 """Hardware reports whole, from the command line to the files, with programs that only pretend."""
 
-import argparse
-import contextlib
 import csv
-import io
 import json
 import pathlib
 import unittest
-from unittest import mock
 
 from dynrt_tools import project, testing
-from dynrt_tools.build import configs, fingerprint
-from dynrt_tools.hardware_report import collect, example, report
-from dynrt_tools.project import Json
-from dynrt_tools.report import jobs
-from dynrt_tools.report.report import guarded
-
-FRAMES = 6  # of a configuration of 4 packets and 2 lines, as figures_test counts them
+from dynrt_tools.build import configs
+from dynrt_tools.hardware_report import collect, example
+from dynrt_tools.hardware_report.report_case import ALL_FRAMES, FRAMES, Case
 
 
-class Reports(testing.InFolder):
-    def setUp(self) -> None:
-        super().setUp()
-        scripts = self.folder / "scripts"
-        scripts.mkdir()
-        placed = {"scripts": str(project.SCRIPTS)}
-        testing.write_program(scripts / "configuration", example.CONFIGURATION)
-        testing.write_program(scripts / "variant_gates", example.GATES.format(**placed))
-        self.program = self.folder / "dynrt"
-        testing.write_program(self.program, example.PROGRAM.format(**placed))
-        self.enterContext(mock.patch.object(jobs, "SCRIPTS", scripts))
-        self.build = self.folder / "build.json"
-        described = {"source": str(self.folder), "identity": {}, "hlsc": "hlsc"}
-        self.build.write_text(json.dumps(described), encoding="utf-8")
-        for name, keys in {"wide": (4, 2), "narrow": (2, 2)}.items():
-            stated = {"like": "thesis", "packets": keys[0], "lines": keys[1]}
-            (self.folder / f"{name}.json").write_text(json.dumps(stated), encoding="utf-8")
-        self.out, self.work = self.folder / "out", self.folder / "out.work"
-
-    def run_report(self, *scenes: str, **changes: object) -> tuple[int, str]:
-        """The exit code and the sentences about what is wrong."""
-        args = argparse.Namespace(
-            scene=list(scenes),
-            program=self.program,
-            build=self.build,
-            expect=fingerprint.fingerprint(project.read_json(self.build)),
-            size="32x24",
-            jobs=2,
-            slurm=False,
-            out=self.out,
-            config=[str(self.folder / "wide.json")],
-            table=[str(self.folder / "narrow.json")],
-            json=None,
-            drawings=None,
-        )
-        for key, value in changes.items():
-            setattr(args, key, value)
-        (self.work / "ran").unlink(missing_ok=True)
-        with contextlib.redirect_stderr(io.StringIO()) as said, contextlib.redirect_stdout(
-            io.StringIO()
-        ):
-            code = guarded(report.run, args)
-        return code, said.getvalue()
-
-    def ran(self) -> list[str]:
-        path = self.work / "ran"
-        return path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-
-    def made(self) -> Json:
-        return dict(project.read_json(self.out / "hardware.json"))
-
+class Reports(Case):
     def test_from_the_flags_to_the_files(self) -> None:
         data, pictures = self.folder / "data.json", self.folder / "pictures"
         pictures.mkdir()
-        given = {"json": data, "drawings": pictures}
+        given = {"json": data, "drawings": pictures, "figure": []}
         self.assertEqual(self.run_report("blocks", "lamps", **given), (0, ""))
         made = self.made()
-        self.assertEqual(len(made["runs"]), 2 * (FRAMES + 1))
+        self.assertEqual(len(made["runs"]), 2 * (ALL_FRAMES + 1))
         self.assertEqual(project.read_json(data), made)
         with (self.out / "hardware.csv").open(encoding="utf-8") as file:
             lines = list(csv.DictReader(file))
@@ -91,7 +33,7 @@ class Reports(testing.InFolder):
         fewer = next(r for r in made["runs"] if r["flags"]["packets"] == 1)
         self.assertAlmostEqual(fewer["QGHW"], 1e6 * (768 / 76800) / (1010 + 260))
         drawings = sorted(path.name for path in self.out.glob("*.svg"))
-        self.assertEqual(len(drawings), 5)
+        self.assertEqual(len(drawings), 7)
         self.assertIn("figure_7_6.svg", drawings)
         self.assertEqual(sorted(path.name for path in pictures.iterdir()), drawings)
 

@@ -5,6 +5,7 @@
 from dynrt_tools.bench.run import rays, read_bytes, written_bytes
 from dynrt_tools.hardware import placed_clocks
 from dynrt_tools.hardware_report import figures, indices
+from dynrt_tools.hardware_report.figure import Point
 from dynrt_tools.project import Json
 
 # The thesis's four units, and which of ours does its one transaction a clock.
@@ -51,5 +52,5 @@ def figures_of(frame: Json, gates: Json | None) -> Json:
     }
 
 
-def row(scene: str, configuration: str, flags: figures.Point, figures_: Json) -> Json:
+def row(scene: str, configuration: str, flags: Point, figures_: Json) -> Json:
     return {"scene": scene, "configuration": configuration, "flags": dict(flags), **figures_}

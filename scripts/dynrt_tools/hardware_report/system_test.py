@@ -20,7 +20,8 @@ class Report(testing.InFolder):
     def run_report(self) -> Json:
         """The report's data."""
         flags = ("--size", "64x48", "--config", "thesis", "--table", "thesis")
-        command = (PROGRAM, "report", "hardware", "blocks", "--out", "report", *flags)
+        some = ("--figure", "7.5", "--figure", "7.9")  # without a core for each value of a key
+        command = (PROGRAM, "report", "hardware", "blocks", "--out", "report", *flags, *some)
         result = testing.run(*command, cwd=self.folder)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         return dict(read_json(self.folder / "report" / "hardware.json"))
@@ -41,8 +42,10 @@ class Report(testing.InFolder):
         self.assertGreater(own["QHW"], 1)
         self.assertLess(own["QHW"], own["U_AU"])
         gates = report["configurations"]["thesis"]["gates"]
-        self.assertGreater(gates["split"]["memory"][1], 50_000)  # a packet, of the thesis's 56,028
-        self.assertGreater(gates["split"]["memory"][2], 900)  # a line, of the thesis's 996
+        self.assertGreater(
+            gates["split"]["packet"]["memory"], 50_000
+        )  # a packet, of the thesis's 56,028
+        self.assertGreater(gates["split"]["line"]["memory"], 900)  # a line, of the thesis's 996
         self.assertTrue((self.folder / "report" / "hardware.html").is_file())
 
         # Nothing is rendered again.

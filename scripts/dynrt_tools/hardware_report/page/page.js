@@ -52,7 +52,7 @@ function draw_axes(svg, x, y, figure) {
   svg.append("g").attr("class", "axis").attr("transform", `translate(${size.left},0)`)
       .call(d3.axisLeft(y).ticks(6).tickSizeOuter(0));
   svg.append("text").attr("class", "title").attr("x", size.width - size.right)
-      .attr("y", size.height - 10).attr("text-anchor", "end").text(`${figure.along} →`);
+      .attr("y", size.height - 10).attr("text-anchor", "end").text(`${figure.over} →`);
   svg.append("text").attr("class", "title").attr("x", 4).attr("y", 14).text(figure.unit);
 }
 
@@ -84,9 +84,9 @@ function draw_curves(svg, curves, x, y, figure) {
       .attr("class", "point").attr("cx", (p) => x(p.x)).attr("cy", (p) => y(p.y)).attr("r", 4)
       .attr("stroke", (p) => colour(p.curve)).attr("fill", (p) => colour(p.curve))
       .attr("tabindex", (p) => (p.row === 0 && p.column === 0 ? 0 : -1)).attr("role", "img")
-      .attr("aria-label", (p) => `${name_of(p.curve)}: ${text(p.y)} ${figure.unit} at ${p.x} ${figure.along}`)
+      .attr("aria-label", (p) => `${name_of(p.curve)}: ${text(p.y)} ${figure.unit} at ${p.x} ${figure.over}`)
       .on("mouseenter focus", function (p) {
-        fill_tip(this, name_of(p.curve), "", [[figure.along, p.x], [figure.unit, p.y]]);
+        fill_tip(this, name_of(p.curve), "", [[figure.over, p.x], [figure.unit, p.y]]);
       })
       .on("mouseleave blur", hide_tip)
       .on("keydown", (p) => go(dots, p, d3.event));
@@ -124,7 +124,7 @@ function draw_numbers(parent, curves, figure) {
   details.append("summary").text("The figures of the plot");
   const xs = [...new Set(curves.flatMap((c) => c.points.map((p) => p[0])))].sort((a, b) => a - b);
   const table = details.append("div").attr("class", "scroll").append("table").attr("class", "numbers");
-  fill_row(table.append("thead"), "th", [figure.along, ...curves.map(name_of)]);
+  fill_row(table.append("thead"), "th", [figure.over, ...curves.map(name_of)]);
   const body = table.append("tbody");
   for (const x of xs) {
     const of = (c) => (c.points.find((p) => p[0] === x) || [x, null])[1];
@@ -147,7 +147,7 @@ function draw_figure(parent, figure) {
   const plot = figure.plots[state.scene];
   const section = parent.append("section").attr("data-figure", figure.name)
       .attr("class", figure.several ? "wide" : null);
-  section.append("h2").text(`${figure.title} over ${figure.along} (thesis figure ${figure.name})`);
+  section.append("h2").text(`${figure.title} over ${figure.over} (thesis figure ${figure.name})`);
   if (figure.said) section.append("p").text(`The thesis's text: ${figure.said}`);
   if (!plot.curves.length) {
     section.append("p").text("No frame of this scene gives it; the list above says what is missing.");
@@ -158,7 +158,7 @@ function draw_figure(parent, figure) {
     const one = plots.append("figure");
     const names = [...new Set(curves.map((c) => c.configuration))].join(" and ");
     const svg = one.append("svg").attr("viewBox", `0 0 ${size.width} ${size.height}`)
-        .attr("role", "group").attr("aria-label", `${figure.title} over ${figure.along}, ${names}`);
+        .attr("role", "group").attr("aria-label", `${figure.title} over ${figure.over}, ${names}`);
     const [x, y] = scales_of(curves, figure, plot.mark);
     draw_axes(svg, x, y, figure);
     if (plot.mark) draw_mark(svg, x, y, plot.mark);

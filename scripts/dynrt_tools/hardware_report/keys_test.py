@@ -1,0 +1,71 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Hardware reports whose figures go along a key: each of its values is a core of its own."""
+
+import unittest
+
+from dynrt_tools import project
+from dynrt_tools.hardware_report.report_case import ALL_FRAMES, Case
+
+
+class Keys(Case):
+    def test_each_value_of_a_key_is_a_core_of_its_own(self) -> None:
+        self.assertEqual(self.run_report("blocks", figure=[]), (0, ""))
+        # The Verilog and the gates of each core, and the models of the eight.
+        self.assertEqual(len(self.ran()), 8 + 3 * 8 + ALL_FRAMES + 1)
+        for name, keys in (
+            ("pipelines4", {"pipelines": 4}),
+            ("memory_clocks8", {"memory_clocks": 8}),
+        ):
+            model = project.read_json(self.work / "models" / f"wide-{name}.json")
+            self.assertEqual(
+                model, {**project.read_json(self.work / "cores" / "wide.json"), **keys}
+            )
+            # Counters of several pipelines may be too many for the Verilog.
+            counters = "pipelines" not in keys
+            core = project.read_json(self.work / "cores" / f"wide-{name}.json")
+            self.assertEqual(core, {**model, "counters": counters})
+            (line,) = [line for line in self.ran() if f"--config models/wide-{name}.so" in line]
+            self.assertIn(f"--schedule cores/wide-{name}/verilog", line)
+        runs = [r for r in self.made()["runs"] if r["configuration"] == "wide"]
+        (own,) = [r for r in runs if r["flags"] == {"packets": 4, "lines": 2, "order": "morton"}]
+        (four,) = [r for r in runs if r["flags"].get("pipelines") == 4]
+        self.assertEqual(own["clocks"], 4 * four["clocks"])
+        self.assertEqual(4 * own["C_AU + C_IM"], four["C_AU + C_IM"])
+        self.assertAlmostEqual(four["QGHW"], own["QGHW"])
+
+    def test_a_model_that_cannot_be_built_is_named(self) -> None:
+        """And a frame of the model that was there before does not count."""
+        self.assertEqual(self.run_report("blocks", figure=["7.12"]), (0, ""))
+        self.program.write_text(self.program.read_text() + "# changed\n", encoding="utf-8")
+        (self.work / "fail_model").write_text("", encoding="utf-8")
+        code, said = self.run_report("blocks", figure=["7.12"])
+        self.assertEqual(code, 1)
+        self.assertEqual(
+            said.splitlines(),
+            [
+                "dynrt: missing: wide-pipelines2: building its model failed: configuration: cannot be "
+                "built",
+                "dynrt: missing: blocks, wide: 1 of 5 frames",
+            ],
+        )
+
+    def test_some_figures(self) -> None:
+        self.assertEqual(self.run_report("blocks", figure=["7.11", "7.10"]), (0, ""))
+        drawings = sorted(path.name for path in self.out.glob("*.svg"))
+        self.assertEqual(drawings, ["figure_7_11.svg", "figure_7_5_and_7_10.svg"])
+        flags = [r["flags"] for r in self.made()["runs"] if r["configuration"] == "wide"]
+        self.assertEqual([f["memory_clocks"] for f in flags if "memory_clocks" in f], [2, 4, 8, 16])
+        self.assertFalse(any("pipelines" in f for f in flags))
+        self.assertEqual(
+            self.run_report("blocks", figure=["7.13"]),
+            (
+                2,
+                "dynrt: --figure 7.13: unknown; the figures are 7.5, 7.10, 7.6, 7.7, 7.8, 7.9, 7.11, "
+                "7.12\n",
+            ),
+        )
+
+
+if __name__ == "__main__":
+    unittest.main()
