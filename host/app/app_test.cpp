@@ -130,6 +130,15 @@ TEST_F(App, TheOrderOfRaysAndThePacketsInFlightDoNotChangeTheImage) {
   EXPECT_NE(text_of(folder_ / "a.png"), text_of(folder_ / "c.png"));
 }
 
+TEST_F(App, APictureNeedsNoHitRecords) {
+  run(std::string("render blocks") + kModel + "--out a.png");
+  const Outcome outcome =
+      run(std::string("render blocks") + kModel + "--out b.png --no-hits --json b.json");
+  EXPECT_EQ(text_of(folder_ / "a.png"), text_of(folder_ / "b.png"));
+  EXPECT_THAT(outcome.out, ContainsRegex("pixels      [0-9,]+, without hit records\n"));
+  EXPECT_TRUE(nlohmann::json::parse(text_of(folder_ / "b.json"))["frame"]["hits"].is_null());
+}
+
 TEST_F(App, RendersOnTheVerilogWithWaveforms) {
   const Outcome outcome = run(std::string("render blocks") + kRtl +
                               "--out image.exr --trace waves.fst --json f.json --clock 100 "

@@ -30,6 +30,7 @@ struct Arguments {
   std::string schedule;
   std::string trace;
   std::string scan_out;
+  bool no_hits = false;
 };
 
 /// Waveforms of a frame that never ended, or in which an assertion failed, are kept: they show why.
@@ -49,7 +50,8 @@ Frame traced(TraceFile& trace, Render&& render) {
 }
 
 int run(const Arguments& arguments) {
-  const FrameOptions options = arguments.frame.options(arguments.scene.size);
+  FrameOptions options = arguments.frame.options(arguments.scene.size);
+  options.hits = !arguments.no_hits;
   arguments.frame.check_timeout(arguments.board);
   const std::string out = image_name(arguments.frame.out, arguments.scene.scene);
   check_image_path(out);
@@ -75,7 +77,7 @@ int run(const Arguments& arguments) {
   const Frame frame =
       traced(trace, [&, &on = *board, &what = prepared] { return render_on(on, options, what); });
 
-  if (frame.hit_count() == 0) prepared.note_no_hit();
+  if (options.hits && frame.hit_count() == 0) prepared.note_no_hit();
   write_image(out, frame);
   const CoreClock clock = arguments.frame.clock.clock_of(frame.core);
   std::optional<Shown> shown;
@@ -118,6 +120,9 @@ Command add_render_command(CLI::App& program) {
                    "write the VGA display of 640x480 that shows the image, as a monitor at the "
                    "Verilog's pins would show it")
       ->option_text("FILE.png");
+  command->add_flag("--no-hits", arguments->no_hits,
+                    "write pixels alone and no hit records, as the thesis's core does: where many "
+                    "rays end in a clock, the banks cannot take the records as fast");
   arguments->frame.add_to(*command, "SCENE.png");
   arguments->specialise.add_to(*command, true);
   return {command, [arguments] { return run(*arguments); }};

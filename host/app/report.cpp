@@ -56,8 +56,12 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, const C
   };
   line("board       {}, configuration {}, {} packets, {} lines in each cache", frame.board,
        frame.core.name, frame.packets, frame.lines);
-  line("pixels      {}, {} of them hit something", grouped(frame.pixels.size()),
-       grouped(frame.hit_count()));
+  if (frame.hits.empty()) {
+    line("pixels      {}, without hit records", grouped(frame.pixels.size()));
+  } else {
+    line("pixels      {}, {} of them hit something", grouped(frame.pixels.size()),
+         grouped(frame.hit_count()));
+  }
   if (frame.run.cycles) {
     line("frame       {} cycles{}, {:.2f} frames per second at {:g} MHz, {:.4f} rays per clock",
          grouped(*frame.run.cycles), frame.run.scheduled ? " from the units' schedules" : "",
@@ -101,7 +105,7 @@ Json report_json(const Frame& frame, const FrameFigures& figures, const CoreCloc
           {"cache_lines", frame.lines},
           {"width", frame.width},
           {"height", frame.height},
-          {"hits", frame.hit_count()},
+          {"hits", frame.hits.empty() ? Json() : Json(frame.hit_count())},
           {"cycles", frame.run.cycles ? Json(*frame.run.cycles) : Json()},
           {"cycles_by_schedule", frame.run.scheduled},
           {"clock_hz", clock.hz()},

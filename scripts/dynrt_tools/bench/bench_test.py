@@ -52,7 +52,8 @@ units = {name: {"transactions": count, "utilisation": count / cycles,
           "intersection": 560, "memory_interface": 303}.items()}
 caches = {name: {"hit_rate": a.lines / 1024, "misses": 101} for name in ("node", "list", "matrix")}
 report = {"scene": {"instances": 1},
-          "frame": {"board": a.board, "configuration": a.config, "width": width, "height": height, "counters": counters,
+          "frame": {"board": a.board, "configuration": a.config, "width": width, "height": height,
+                    "hits": 1, "counters": counters,
                     "units": units, "caches": caches,
                     "cycles": cycles if a.board == "rtl" else 1.5 * nodes if a.schedule else None}}
 pathlib.Path(a.json).write_text(json.dumps(report))

@@ -84,9 +84,9 @@ class Dynrt:
         )
 
 
-# The bytes of memory in a line of each cache, and of a pixel with its hit record.
+# The bytes of memory in a line of each cache, of a pixel and of its hit record.
 LINE_BYTES = {"node": 8, "list": 4, "matrix": 12}
-PIXEL_BYTES = 4 + 24
+PIXEL_BYTES, HIT_BYTES = 4, 24
 
 # The keys of cores whose counters say how many triangles and objects packets meet: each of four rays
 # goes through the transformation for every item, and a leaf is a node.
@@ -164,7 +164,7 @@ def read_bytes(frame: Json) -> int:
 
 
 def written_bytes(frame: Json) -> int:
-    return rays(frame) * PIXEL_BYTES
+    return rays(frame) * (PIXEL_BYTES + (HIT_BYTES if frame["hits"] is not None else 0))
 
 
 @dataclasses.dataclass

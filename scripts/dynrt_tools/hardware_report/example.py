@@ -48,6 +48,7 @@ def frame(packets: int, lines: int, scanline: bool = False, keys: Point | None =
         "cache_lines": lines,
         "width": PIXELS[0],
         "height": PIXELS[1],
+        "hits": PIXELS[0],
         "cycles": 76800 // packets * (7 + wait) // (8 * pipelines),
         "units": {name: {"utilisation": value} for name, value in units.items()},
         "caches": {

@@ -14,6 +14,9 @@ from dynrt_tools.project import Json
 Point = Mapping[str, int | str]
 MORTON: Point = {"order": "morton"}
 SCANLINE: Point = {"order": "scanline"}
+# As the thesis's core writes none. The banks take a record in three clocks, so where several pipelines
+# end more rays they would be what the figure shows.
+WITHOUT_HITS: Point = {**MORTON, "no-hits": True}
 # The keys along which a figure may go: each of their values is a core of its own. They are 1 where a
 # configuration does not say otherwise.
 KEYS = ("memory_clocks", "pipelines")
@@ -29,7 +32,7 @@ class Series:
 
     @property
     def dashed(self) -> bool:
-        return self.flags != MORTON
+        return self.flags["order"] != MORTON["order"]
 
 
 @dataclass(frozen=True)

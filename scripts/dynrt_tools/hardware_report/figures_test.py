@@ -6,7 +6,7 @@ import unittest
 
 from dynrt_tools.build import configs
 from dynrt_tools.hardware_report import example, figures, findings, points
-from dynrt_tools.hardware_report.figure import KEYS, Figure, Point, Series
+from dynrt_tools.hardware_report.figure import KEYS, WITHOUT_HITS, Figure, Point, Series
 
 
 class Figures(unittest.TestCase):
@@ -17,14 +17,16 @@ class Figures(unittest.TestCase):
         morton = {f"packets-{p}_lines-2_order-morton" for p in (1, 2, 4)}
         morton |= {"packets-4_lines-1_order-morton"}
         scanline = {f"packets-4_lines-{n}_order-scanline" for n in (1, 2)}
-        slow = {f"packets-4_lines-2_order-morton_memory_clocks-{n}" for n in (2, 4, 8, 16)}
-        several = {f"packets-4_lines-2_order-morton_pipelines-{n}" for n in (2, 4, 8, 16)}
-        self.assertEqual(set(names), morton | scanline | slow | several)
+        bare = "packets-4_lines-2_order-morton_no-hits"
+        slow = {f"{bare}_memory_clocks-{n}" for n in (2, 4, 8, 16)}
+        several = {f"{bare}_pipelines-{n}" for n in (2, 4, 8, 16)}
+        self.assertEqual(set(names), morton | scanline | {bare} | slow | several)
 
     def test_flags_of_render(self) -> None:
         point = points.own_point({"packets": 4, "lines": 2})
         flags = "--packets 4 --lines 2 --order morton"
         self.assertEqual(points.flags_of(point), flags)
+        self.assertEqual(points.flags_of({**point, **WITHOUT_HITS}), f"{flags} --no-hits")
         self.assertEqual(points.core_of("wide", point), "wide")
         several: Point = {**point, "pipelines": 2}
         self.assertEqual(points.flags_of(several), flags)
@@ -42,7 +44,7 @@ class Figures(unittest.TestCase):
         (figure,) = [f for f in figures.FIGURES if f.along == "pipelines"]
         pair = {"packets": 4, "lines": 2, "pipelines": 2}
         found = [points.keys_of(point) for point in points.points(pair, (figure,))]
-        self.assertEqual(found, [{}, *({"pipelines": n} for n in (1, 4, 8, 16))])
+        self.assertEqual(found, [{}, {"pipelines": 1}, {}, *({"pipelines": n} for n in (4, 8, 16))])
 
     def test_another_figure_is_another_entry(self) -> None:
         widths = Figure("7.11", "Rate", "width", (2, 4, 8), "", (Series("rate", "clocks"),))
@@ -91,7 +93,7 @@ class Figures(unittest.TestCase):
         found = report["findings"][0]
         along = [r for r in report["runs"] if (r["scene"], r["configuration"]) == ("lamps", "wide")]
         along = [r for r in along if (r["flags"]["lines"], r["flags"]["order"]) == (2, "morton")]
-        along = [r for r in along if not r["flags"].keys() & set(KEYS)]
+        along = [r for r in along if not r["flags"].keys() & {*KEYS, "no-hits"}]
         self.assertEqual(len(along), 3)
         best = max(along, key=lambda r: float(r["QHW"]))
         self.assertEqual(found["best QHW"], best["QHW"])

@@ -6,7 +6,7 @@ what the Morton curve gains over scanlines, what a slower memory costs and sever
 import operator
 
 from dynrt_tools.hardware_report import figures, points
-from dynrt_tools.hardware_report.figure import SCANLINE, Point
+from dynrt_tools.hardware_report.figure import SCANLINE, WITHOUT_HITS, Point
 from dynrt_tools.project import Json
 
 QUARTER = "lost at a quarter of the bandwidth"
@@ -60,16 +60,16 @@ def row_of(runs: list[Json], scene: str, name: str, configuration: Json) -> Json
             best = max(known, key=operator.itemgetter(index))
             found[f"best {index}"] = best[index]
             found[f"{index} at packets"] = best["flags"]["packets"]
-    if not (whole := at({})):
-        return found
-    if scanline := at(SCANLINE):
+    if (morton := at({})) and (scanline := at(SCANLINE)):
         for key in (f"{cache} cache hits" for cache in figures.CACHES.values()):
-            found[f"{key} gained"] = whole[key] - scanline[key]
-    if quarter := at({"memory_clocks": 4}):
-        found[QUARTER] = 100 * (1 - quarter[figures.RATE] / whole[figures.RATE])
+            found[f"{key} gained"] = morton[key] - scanline[key]
+    if not (one := at(WITHOUT_HITS)):
+        return found
+    if quarter := at({**WITHOUT_HITS, "memory_clocks": 4}):
+        found[QUARTER] = 100 * (1 - quarter[figures.RATE] / one[figures.RATE])
     for number, column in SPEED_UPS.items():
-        if several := at({"pipelines": number}):
-            found[column] = several[figures.RATE] / whole[figures.RATE]
+        if several := at({**WITHOUT_HITS, "pipelines": number}):
+            found[column] = several[figures.RATE] / one[figures.RATE]
             for index in INDICES if number == MANY else ():
                 found[f"{index} of {MANY} pipelines"] = several.get(index)
     return found

@@ -46,7 +46,7 @@ class Keys(Case):
             [
                 "dynrt: missing: wide-pipelines2: building its model failed: configuration: cannot be "
                 "built",
-                "dynrt: missing: blocks, wide: 1 of 5 frames",
+                "dynrt: missing: blocks, wide: 1 of 6 frames",
             ],
         )
 

@@ -37,12 +37,16 @@ def points(configuration: Json, figures: Sequence[Figure]) -> list[Point]:
 
 def name_of(point: Point) -> str:
     """As files have it."""
-    return "_".join(f"{word}-{value}" for word, value in point.items())
+    return "_".join(word if value is True else f"{word}-{value}" for word, value in point.items())
 
 
 def flags_of(point: Point) -> str:
     """As dynrt render takes it."""
-    return " ".join(f"--{flag} {value}" for flag, value in point.items() if flag not in KEYS)
+    return " ".join(
+        f"--{flag}" if value is True else f"--{flag} {value}"
+        for flag, value in point.items()
+        if flag not in KEYS
+    )
 
 
 def keys_of(point: Point) -> Point:
