@@ -93,10 +93,11 @@ Command add_report_command(CLI::App& program) {
       *command, "error", "error, time and area of other number formats and variants",
       "report_error");
   error.app->callback([chosen, error] { *chosen = error.run; });
-  const ScriptCommand hardware = add_script_command(
-      *command, "hardware",
-      "use of units, cache hits, frame rate and quality of the hardware over packets and lines",
-      "report_hardware");
+  const ScriptCommand hardware =
+      add_script_command(*command, "hardware",
+                         "use of units, cache hits, frame rate and quality of the hardware over "
+                         "packets, lines, bandwidth and pipelines",
+                         "report_hardware");
   hardware.app->callback([chosen, hardware] { *chosen = hardware.run; });
   return {command, [chosen] {
             if (!*chosen) refuse(messages::kNoReport);
