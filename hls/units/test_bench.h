@@ -41,8 +41,6 @@ struct Config : config::thesis {
 /// Configuration C with packets of another size, and a typed test's list of all sizes.
 template <class C, unsigned Rays>
 struct PacketsOf : C {
-  static constexpr unsigned kPipelines = 1;
-  static constexpr unsigned kMemoryClocks = 1;
   static constexpr unsigned kPacketRays = Rays;
 };
 template <class C>

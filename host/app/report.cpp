@@ -97,7 +97,7 @@ Json report_json(const Frame& frame, const FrameFigures& figures, const CoreCloc
         {"lookups", cache.lookups}, {"misses", cache.misses}, {"hit_rate", cache.hit_rate}};
   }
   Json counters = Json::object();
-  for (const auto& [name, total] : totals_of(frame)) counters[name] = total.value;
+  for (const Counter& total : totals_of(frame)) counters[total.name] = total.value;
   for (const Counter& counter : frame.counters) counters[counter.name] = counter.value;
   return {{"board", frame.board},
           {"configuration", frame.core.name},

@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
-#include <vector>
 
 #include "host/render/figures.h"
 
@@ -77,29 +75,17 @@ void compare_pixels(Comparison& comparison, const Frame& left, const Frame& righ
 
 constexpr char kNone[] = "none";
 
-using Totals = std::map<std::string, CounterTotal>;
-
 /// The value of an order-independent counter, if the board has it.
-std::optional<std::uint64_t> value_of(const Totals& totals, const std::string& name) {
-  const auto found = totals.find(name);
-  if (found == totals.end() || !found->second.order_independent) return std::nullopt;
-  return found->second.value;
-}
-
-/// The names of a frame's counters without their pipelines, each once.
-std::vector<std::string> counters_of(const Frame& frame) {
-  std::vector<std::string> names;
-  for (const Counter& counter : frame.counters) {
-    const std::string name = plain_name(counter.name, frame);
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
-  }
-  return names;
+std::optional<std::uint64_t> value_of(const CounterTotals& totals, const std::string& name) {
+  const auto found = std::ranges::find(totals, name, &Counter::name);
+  if (found == totals.end() || !found->order_independent) return std::nullopt;
+  return found->value;
 }
 
 /// Every order-independent counter of either board, the sum over all pipelines; one that the other
 /// board lacks is a difference.
 void compare_counters(Comparison& comparison, const Frame& left, const Frame& right) {
-  const Totals of_left = totals_of(left), of_right = totals_of(right);
+  const CounterTotals of_left = totals_of(left), of_right = totals_of(right);
   const auto text = [](std::optional<std::uint64_t> value) {
     return value ? fmt::format("{}", *value) : kNone;
   };
@@ -111,9 +97,9 @@ void compare_counters(Comparison& comparison, const Frame& left, const Frame& ri
     ++comparison.different_counters;
     note(comparison, {{}, {}, name, text(a), text(b)});
   };
-  for (const std::string& name : counters_of(left)) check(name);
-  for (const std::string& name : counters_of(right)) {
-    if (!value_of(of_left, name)) check(name);
+  for (const Counter& counter : of_left) check(counter.name);
+  for (const Counter& counter : of_right) {
+    if (!value_of(of_left, counter.name)) check(counter.name);
   }
 }
 

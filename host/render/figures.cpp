@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "hls/counter_name.h"
 #include "host/render/counter_names.h"
@@ -17,20 +18,34 @@ namespace {
 
 constexpr std::string_view kTransactions = hls::suffix_of(hls::Counted::kTransactions);
 
-std::vector<UnitFigures> units_of(const Frame& frame) {
+/// The counter's name in a core of one pipeline.
+std::string plain_name(const std::string& counter, unsigned pipelines) {
+  for (unsigned p = 0; pipelines > 1 && p < pipelines; ++p) {
+    const std::string prefix = pipeline_prefix(p);
+    if (counter.starts_with(prefix)) return counter.substr(prefix.size());
+  }
+  return counter;
+}
+
+std::optional<std::uint64_t> value_of(const CounterTotals& totals, std::string_view counter) {
+  const auto found = std::ranges::find(totals, counter, &Counter::name);
+  if (found == totals.end()) return std::nullopt;
+  return found->value;
+}
+
+std::vector<UnitFigures> units_of(const Frame& frame, const CounterTotals& totals) {
   std::vector<UnitFigures> units;
-  const auto totals = totals_of(frame);
-  for (const auto& [name, total] : totals) {
-    if (!name.ends_with(kTransactions)) continue;
+  for (const CounterTotal& total : totals) {
+    if (!total.name.ends_with(kTransactions)) continue;
     UnitFigures unit;
-    unit.name = name.substr(0, name.size() - kTransactions.size());
+    unit.name = total.name.substr(0, total.name.size() - kTransactions.size());
     unit.transactions = total.value;
     if (frame.run.cycles && *frame.run.cycles > 0) {
       const double clocks = static_cast<double>(*frame.run.cycles) * total.pipelines;
       unit.utilisation = static_cast<double>(total.value) / clocks;
-      const auto stalls = totals.find(hls::counter_name(unit.name, hls::Counted::kStalls));
-      if (stalls != totals.end()) {
-        unit.stalled = static_cast<double>(stalls->second.value) / clocks;
+      if (const auto stalls =
+              value_of(totals, hls::counter_name(unit.name, hls::Counted::kStalls))) {
+        unit.stalled = static_cast<double>(*stalls) / clocks;
       }
     }
     units.push_back(std::move(unit));
@@ -43,11 +58,11 @@ std::vector<UnitFigures> units_of(const Frame& frame) {
 
 /// A cache's filling half takes one transaction for every miss, and before the frame one to empty
 /// each line.
-std::vector<CacheFigures> caches_of(const Frame& frame) {
+std::vector<CacheFigures> caches_of(const Frame& frame, const CounterTotals& totals) {
   std::vector<CacheFigures> caches;
   for (const counters::OfCache& of : counters::kCaches) {
-    const auto lookups = value_of(frame, of.lookups);
-    const auto fills = value_of(frame, of.fills);
+    const auto lookups = value_of(totals, of.lookups);
+    const auto fills = value_of(totals, of.fills);
     if (!lookups || !fills) continue;
     CacheFigures cache;
     cache.name = of.cache;
@@ -64,37 +79,30 @@ std::vector<CacheFigures> caches_of(const Frame& frame) {
 
 }  // namespace
 
-std::map<std::string, CounterTotal> totals_of(const Frame& frame) {
-  std::map<std::string, CounterTotal> totals;
+CounterTotals totals_of(const Frame& frame) {
+  CounterTotals totals;
+  std::map<std::string, std::size_t> places;
   for (const Counter& counter : frame.counters) {
-    CounterTotal& total = totals[plain_name(counter.name, frame)];
+    std::string name = plain_name(counter.name, frame.core.pipelines);
+    const auto [place, is_new] = places.emplace(name, totals.size());
+    if (is_new) totals.push_back({{std::move(name), 0, counter.order_independent}});
+    CounterTotal& total = totals[place->second];
     total.value += counter.value;
-    total.order_independent = counter.order_independent;
     ++total.pipelines;
   }
   return totals;
 }
 
-std::string plain_name(const std::string& counter, const Frame& frame) {
-  for (unsigned p = 0; frame.core.pipelines > 1 && p < frame.core.pipelines; ++p) {
-    const std::string prefix = pipeline_prefix(p);
-    if (counter.starts_with(prefix)) return counter.substr(prefix.size());
-  }
-  return counter;
-}
-
 std::optional<std::uint64_t> value_of(const Frame& frame, std::string_view counter) {
-  const auto totals = totals_of(frame);
-  const auto found = totals.find(std::string(counter));
-  if (found == totals.end()) return std::nullopt;
-  return found->second.value;
+  return value_of(totals_of(frame), counter);
 }
 
 FrameFigures figures_of(const Frame& frame, double clock_hz) {
+  const CounterTotals totals = totals_of(frame);
   FrameFigures figures;
-  figures.units = units_of(frame);
-  figures.caches = caches_of(frame);
-  figures.dropped_pushes = value_of(frame, counters::kDroppedPushes);
+  figures.units = units_of(frame, totals);
+  figures.caches = caches_of(frame, totals);
+  figures.dropped_pushes = value_of(totals, counters::kDroppedPushes);
   const auto rays = static_cast<double>(frame.pixels.size());
   if (frame.run.cycles && *frame.run.cycles > 0) {
     const auto cycles = static_cast<double>(*frame.run.cycles);

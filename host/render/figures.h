@@ -4,7 +4,6 @@
 // Figures from a frame's counters: how busy each unit was, how often each cache hit.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,17 +39,15 @@ struct FrameFigures {
   std::optional<std::uint64_t> dropped_pushes;
 };
 
-/// A counter of one pipeline, or of something that all pipelines share, or the sum over several.
-struct CounterTotal {
-  std::uint64_t value = 0;
-  bool order_independent = false;  ///< the same for every order of the packets
-  unsigned pipelines = 0;          ///< that count it
+/// A counter of one pipeline, or of something that all pipelines share, or the sum over several,
+/// under its name in a core of one.
+struct CounterTotal : Counter {
+  unsigned pipelines = 0;  ///< that count it
 };
+using CounterTotals = std::vector<CounterTotal>;
 
-/// The counter's name in a core of one pipeline.
-std::string plain_name(const std::string& counter, const Frame& frame);
-/// By these names.
-std::map<std::string, CounterTotal> totals_of(const Frame& frame);
+/// In the order of the frame's counters.
+CounterTotals totals_of(const Frame& frame);
 
 /// The value of a counter, the sum over all pipelines; none if the frame has no such counter.
 std::optional<std::uint64_t> value_of(const Frame& frame, std::string_view counter);
