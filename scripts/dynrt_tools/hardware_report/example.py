@@ -22,7 +22,7 @@ def configuration(packets: int = 4, lines: int = 2, curves: bool = True) -> Json
 
 
 def gates(packets: int, lines: int, pipelines: int = 1) -> Json:
-    """1,000 gates of logic and 10 a packet; memories of 200 a packet and 30 a line: in each pipeline."""
+    """In each pipeline: logic 1,000 gates and 10 a packet; memories 200 a packet and 30 a line."""
     return {
         "logic": pipelines * (1000 + 10 * packets),
         "memory": pipelines * (200 * packets + 30 * lines),

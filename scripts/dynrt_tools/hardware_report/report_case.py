@@ -16,8 +16,8 @@ from dynrt_tools.report import jobs
 from dynrt_tools.report.report import guarded
 
 FRAMES = 6  # of a configuration of 4 packets and 2 lines, as figures_test counts them
-# Figures over packets and lines. Each value of the others is a core of its own: four of each of two keys,
-# beside a frame of the configuration itself without hit records.
+# Figures over packets and lines. Each value of the others is a core of its own: four of each of
+# two keys, beside a frame of the configuration itself without hit records.
 FLAGS = ["7.5", "7.9"]
 ALL_FRAMES = FRAMES + 1 + 2 * 4
 

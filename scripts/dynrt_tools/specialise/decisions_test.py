@@ -64,7 +64,9 @@ class Decisions(unittest.TestCase):
         self.assertEqual(
             decided["stack_depth"], {"value": 31, "reason": "as in thesis: --keep asks for it"}
         )
-        with self.assertRaisesRegex(Failed, "^--keep speed: unknown; the keys are pipelines, packets, "):
+        with self.assertRaisesRegex(
+            Failed, "^--keep speed: unknown; the keys are pipelines, packets, "
+        ):
             decide({}, keep=["speed"])
 
     def test_the_configuration_is_one_that_can_be_built(self) -> None:
