@@ -15,13 +15,12 @@ Primitive kind_of(const Mesh& object, std::size_t primitive) {
 }
 
 /// Appends the lists of leaves. Returns, by node, the address of a leaf's.
-std::vector<std::uint32_t> add_lists(MemoryPart& part, const Tree& tree,
+std::vector<std::uint32_t> add_lists(MemoryPart& part, const Tree& tree, const MemoryOrder& order,
                                      std::span<const std::uint32_t> matrix_of, const Mesh* object) {
   const unsigned step = tree.leaves == Leaves::kPointers ? kListStep : 1;
   std::vector<std::uint32_t> address(tree.nodes.size());
-  for (std::size_t i = 1; i < tree.nodes.size(); ++i) {
+  for (const std::uint32_t i : order.leaves) {
     const TreeNode& leaf = tree.nodes[i];
-    if (!leaf.is_leaf()) continue;
     while (part.end_entry() % step != 0) part.entries.emplace_back();
     address[i] = part.end_entry();
     for (std::uint32_t k = 0; k < leaf.right; ++k) {
@@ -36,23 +35,29 @@ std::vector<std::uint32_t> add_lists(MemoryPart& part, const Tree& tree,
   return address;
 }
 
+/// By node, where it lies, or the pointer to the list of a leaf that has no node.
+std::vector<std::uint32_t> pointers_to(const Tree& tree, const MemoryOrder& order,
+                                       const std::vector<std::uint32_t>& list, std::uint32_t first,
+                                       unsigned address_bits) {
+  std::vector<std::uint32_t> pointer(tree.nodes.size());
+  for (const std::uint32_t leaf : order.leaves) {
+    pointer[leaf] = 1u << (address_bits - 1) | list[leaf] / kListStep;
+  }
+  for (const std::uint32_t node : order.nodes) pointer[node] = first++;
+  return pointer;
+}
+
 }  // namespace
 
-std::vector<std::uint32_t> add_tree(MemoryPart& part, const Tree& tree, unsigned address_bits,
-                                    std::span<const std::uint32_t> matrix_of, const Mesh* object,
-                                    const glm::dmat4& to_space) {
-  const bool pointers = tree.leaves == Leaves::kPointers;
-  const std::vector<std::uint32_t> list = add_lists(part, tree, matrix_of, object);
-  std::vector<std::uint32_t> pointer(tree.nodes.size());
-  std::uint32_t next = part.end_node();
-  for (std::size_t i = 1; i < tree.nodes.size(); ++i) {
-    const bool to_list = pointers && tree.nodes[i].is_leaf();
-    pointer[i] = to_list ? 1u << (address_bits - 1) | list[i] / kListStep : next++;
-  }
-  part.nodes.reserve(part.nodes.size() + tree.nodes.size());
-  for (std::size_t i = 1; i < tree.nodes.size(); ++i) {
+std::vector<std::uint32_t> add_tree(MemoryPart& part, const Tree& tree, const MemoryOrder& order,
+                                    unsigned address_bits, std::span<const std::uint32_t> matrix_of,
+                                    const Mesh* object, const glm::dmat4& to_space) {
+  const std::vector<std::uint32_t> list = add_lists(part, tree, order, matrix_of, object);
+  std::vector<std::uint32_t> pointer =
+      pointers_to(tree, order, list, part.end_node(), address_bits);
+  part.nodes.reserve(part.nodes.size() + order.nodes.size());
+  for (const std::uint32_t i : order.nodes) {
     const TreeNode& from = tree.nodes[i];
-    if (from.is_leaf() && pointers) continue;
     MemoryNode node;
     node.kind = static_cast<NodeKind>(from.axis);
     if (from.is_leaf()) {

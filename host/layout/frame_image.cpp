@@ -110,7 +110,10 @@ Starts add_instances(MemoryPart& part, const Scene& scene, const ObjectImage& ob
   const std::uint32_t first = part.end_matrix();
   std::vector<std::uint32_t> matrix_of(scene.instances.size());
   for (std::uint32_t i = 0; i < matrix_of.size(); ++i) matrix_of[i] = first + stride * i;
-  const auto address = add_tree(part, instances, objects.core.address_bits, matrix_of, nullptr);
+  const MemoryOrder order =
+      memory_order(instances, objects.core.line_nodes, {part.end_node(), part.end_entry()});
+  const auto address =
+      add_tree(part, instances, order, objects.core.address_bits, matrix_of, nullptr);
   check_limits(scene, objects.core, part);
   check_matrices(scene, objects.core, first + stride * scene.instances.size());
   part.columns.reserve(4 * (stride * scene.instances.size() + 1 + scene.lights.size()));

@@ -99,7 +99,10 @@ ObjectImage::ObjectImage(const Scene& scene, std::span<const Tree> trees, const 
     const auto matrix_of = matrix_numbers(scene, mesh, first_matrix, core.triangle_matrix);
     const glm::dmat4 to_space = core.clips_to_box() ? box_to_cube(tree.box) : glm::dmat4(1.0);
     const glm::dmat4 from_space = glm::inverse(to_space);
-    const auto address = add_tree(memory, tree, core.address_bits, matrix_of, &mesh, to_space);
+    const MemoryOrder order =
+        memory_order(tree, core.line_nodes, {memory.end_node(), memory.end_entry()});
+    const auto address =
+        add_tree(memory, tree, order, core.address_bits, matrix_of, &mesh, to_space);
     const std::uint32_t outside = core.clips_to_box() ? tree.root : tree.clipped_root;
     objects.push_back({address[tree.root], address[outside], first_matrix, tree.box, to_space});
     check_limits(scene, core, memory);

@@ -250,6 +250,14 @@ KEYS: dict[str, Key] = {
         8,
         of_core=False,
     ),
+    "line_nodes": Key(
+        Whole(1, 8, power_of_two=True),
+        None,
+        "nodes that lie together in the memory: subtrees of as many, so that a line of the memory "
+        "holds what is read one after another",
+        1,
+        of_core=False,
+    ),
     "main_first": Key(
         Flag(),
         "kMainFirst",
