@@ -34,6 +34,7 @@ class Written(GenerateCase):
     def test_defaults(self) -> None:
         text = self.written()
         for line in (
+            "unsigned kWays = 1;",
             "unsigned kLights = 0;",
             "unsigned kReflections = 0;",
             "Crossing kCrossing = Crossing::kNone;",

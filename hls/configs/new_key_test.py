@@ -18,25 +18,25 @@ from generate_case import GENERATE, GenerateCase
 ROOT = GENERATE.parents[2]
 COMPILER = sys.argv.pop() if len(sys.argv) > 1 else "clang++-19"
 TABLE = "KEYS: dict[str, Key] = {\n"
-KEY = '    "ways": Key(Whole(1, 4), "kWays", "of each cache", 1),\n'
+KEY = '    "banks": Key(Whole(1, 4), "kBanks", "of each cache", 1),\n'
 PROGRAM = """\
 #include <algorithm>
 
 #include "configs/full.h"
 #include "host/format/configuration_json.h"
 
-static_assert(dynrt::config::full::kWays == 1);
+static_assert(dynrt::config::full::kBanks == 1);
 
 int main() {
   using namespace dynrt;
   const auto listed = listed_configurations();
   if (listed.empty()) return 1;
   for (const CoreConfiguration& one : listed) {
-    if (one.ways != 1 || configuration_of(json_of(one)) != one) return 2;
+    if (one.banks != 1 || configuration_of(json_of(one)) != one) return 2;
   }
-  const auto read = configuration_of(Json::parse(R"({"like": "full", "ways": 3})"));
-  if (read.ways != 3 || value_of(read, "ways") != 3 || json_of(read).at("ways") != 3) return 3;
-  return configuration_of<config::full>().ways == 1 ? 0 : 4;
+  const auto read = configuration_of(Json::parse(R"({"like": "full", "banks": 3})"));
+  if (read.banks != 3 || value_of(read, "banks") != 3 || json_of(read).at("banks") != 3) return 3;
+  return configuration_of<config::full>().banks == 1 ? 0 : 4;
 }
 """
 INCLUDES = ("", "hls", "hls/include", "hls/native")

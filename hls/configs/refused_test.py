@@ -57,6 +57,21 @@ class Refused(GenerateCase):
             "hit may lie) is NaN; it must be a number from 0 to 1",
         )
 
+    def test_every_way_has_a_line(self) -> None:
+        self.assert_key_refused(
+            "ways",
+            3,
+            "(ways of each cache: lines that an address may lie in; a miss replaces the one that "
+            "pseudo-LRU names) is 3; it must be a power of two from 1 to 4",
+        )
+        for ways, lines in ((2, 1), (4, 2)):
+            self.assert_refused(
+                listing({"ways": ways, "lines": lines}),
+                f"configuration 'tiny': with ways {ways} the key 'lines' must be {ways} or more, "
+                f"as a set has a line in each way; it is {lines}",
+            )
+        self.assertIn("kWays = 4;", self.written(ways=4, lines=4))
+
     def test_floats_that_are_too_wide(self) -> None:
         wide = GOOD | {"exponent_bits": 8, "mantissa_bits": 24}
         self.assert_refused(

@@ -1,8 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Direct-mapped cache, the filling half: writes the line that the memory delivers and answers the
-// request that waited for it; before a frame it invalidates line after line.
+// Cache, the filling half: writes the line that the memory delivers, in the way that the lookup
+// chose, and answers the request that waited for it. Before a frame it invalidates line after line,
+// in all ways of a set at once.
 #pragma once
 
 #include "units/cache_lookup.h"
@@ -20,17 +21,31 @@ struct CacheFill {
   hls::In<Fill> fill;
   hls::Config<FrameRegisters<C>> frame;
   hls::Out<typename Kind::Reply> reply;
-  hls::RamWrite<Row, C::kLines> lines;
-  hls::RamRead<Context, kCacheKeys<Kind>> waiting;
+  PortOfEach<C::kWays, hls::RamWrite<Row, kSets<C>>> lines;
+  hls::RamRead<WaitingRow<C, Context>, kCacheKeys<Kind>> waiting;
   HLS_PORTS(fill, frame, reply, lines, waiting)
 
   void step() {
     const Fill f = fill.read();
-    using Index = uint<hls::index_width(C::kLines)>;
-    const Index line = Index::from((f.address.raw() & frame.get().line_mask.raw()));
-    const Context context = waiting.read(f.key);
-    lines.write(line, Row{false, !f.invalidate, f.address, f.line});
-    if (!f.invalidate) reply.write(Kind::reply(context, f.address, f.line));
+    const auto line = set_of<C>(f.address, frame.get());
+    if constexpr (kHasWays<C>) {
+      fill_way(f, line);
+    } else {
+      const Context context = waiting.read(f.key);
+      lines.write(line, Row{false, !f.invalidate, f.address, f.line});
+      if (!f.invalidate) reply.write(Kind::reply(context, f.address, f.line));
+    }
+  }
+
+ private:
+  void fill_way(const Fill& f, SetNumber<C> set) {
+    const InWay<C, Context> w = waiting.read(f.key);
+    for (unsigned i = 0; i < C::kWays; ++i) {
+      if (f.invalidate || w.way == WayNumber<C>::from(i)) {
+        lines[i].write(set, Row{false, !f.invalidate, f.address, f.line});
+      }
+    }
+    if (!f.invalidate) reply.write(Kind::reply(w.context, f.address, f.line));
   }
 };
 

@@ -1,15 +1,17 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Direct-mapped cache, the looking half (thesis chapter 7): 2^0 to C::kLines lines, tagged with the
-// whole address so that the number of lines may change between frames. A hit is answered at once; a
-// miss goes to the memory and its context is stored, so later requests do not wait. CacheFill is
-// the other half and owns the writing port of the lines. A line that is replaced while it is looked
-// up is a miss.
+// Cache, the looking half (thesis chapter 7): up to C::kLines lines in C::kWays ways, tagged with
+// the whole address so that the number of lines may change between frames. A hit is answered at
+// once; a miss goes to the memory and its context is stored, so later requests do not wait.
+// CacheFill is the other half and owns the writing port of the lines. A line that is replaced while
+// it is looked up is a miss. Where there are ways the lookup chooses the one that a miss replaces.
 #pragma once
 
+#include "units/cache_ways.h"
 #include "units/frame.h"
 #include "units/memory_tokens.h"
+#include "units/port_of_each.h"
 #include "units/transformation_tokens.h"
 #include "units/traversal_tokens.h"
 
@@ -74,37 +76,72 @@ struct CacheLookup {
   using Line = typename Kind::Line;
   using Request = CacheRequest<Context, Kind::Address::kWidth>;
   using Row = CacheRow<Line, Kind::Address::kWidth>;
+  using Use = UseRow<C, Kind::Address::kWidth>;
   static constexpr unsigned kRoom = kRoomForBursts<C>;
 
   hls::In<Request> request;
   hls::Config<FrameRegisters<C>> frame;
   hls::Out<typename Kind::Reply> reply;
   hls::Out<MemoryRequest<C>> miss;
-  hls::RamRead<Row, C::kLines> lines;
-  hls::RamWrite<Context, kCacheKeys<Kind>> waiting;
+  PortOfEach<C::kWays, hls::RamRead<Row, kSets<C>>> lines;
+  hls::RamWrite<WaitingRow<C, Context>, kCacheKeys<Kind>> waiting;
   hls::OptionalPort<kHasPipelines<C>, hls::Config<PipelineId<C>>> pipeline;
-  HLS_PORTS(request, frame, reply, miss, lines, waiting, pipeline)
+  hls::OptionalPort<kHasWays<C>, hls::RamRead<Use, kSets<C>>> use;
+  hls::OptionalPort<kHasWays<C>, hls::RamWrite<Use, kSets<C>>> used;
+  HLS_PORTS(request, frame, reply, miss, lines, waiting, pipeline, use, used)
 
   void step() {
     const Request r = request.read();
-    using Index = uint<hls::index_width(C::kLines)>;
-    const Index line = Index::from((r.address.raw() & frame.get().line_mask.raw()));
-    const Row row = lines.read(line);
-    // Only who misses reads it; written always, it need not wait for the comparison.
-    waiting.write(Kind::key(r.context), r.context);
-    if (Kind::is_known(r.address) ||
-        hls::concat(hls::concat(row.tag, uint<1>(row.valid)), uint<1>(row.torn)) ==
-            hls::concat(r.address, uint<2>(0b10))) {
-      reply.write(Kind::reply(r.context, r.address, row.line));
+    const auto line = set_of<C>(r.address, frame.get());
+    if constexpr (kHasWays<C>) {
+      look_in_ways(r, line);
     } else {
-      miss.write(MemoryRequest<C>{.kind = Kind::kKind,
-                                  .key = Kind::key(r.context),
-                                  .address = r.address,
-                                  .pipeline = number()});
+      const Row row = lines.read(line);
+      // Only who misses reads it; written always, it need not wait for the comparison.
+      waiting.write(Kind::key(r.context), r.context);
+      if (Kind::is_known(r.address) || is_at(row, r.address)) {
+        reply.write(Kind::reply(r.context, r.address, row.line));
+      } else {
+        ask_memory(r);
+      }
     }
   }
 
  private:
+  void look_in_ways(const Request& r, SetNumber<C> set) {
+    WaySet<C::kWays> hits{}, empty{};
+    std::array<Row, C::kWays> rows;
+    for (unsigned i = 0; i < C::kWays; ++i) {
+      rows[i] = lines[i].read(set);
+      hits.put(i, is_at(rows[i], r.address));
+      empty.put(i, !rows[i].valid || rows[i].torn);
+    }
+    Line line = rows[C::kWays - 1].line;
+    for (unsigned i = C::kWays - 1; i-- > 0;) {
+      if (hits.has(i)) line = rows[i].line;
+    }
+    const Use before = use.read(set).of_full_set(!empty.any());
+    const auto way = hits.any()    ? hits.first()
+                     : empty.any() ? empty.first()
+                                   : before.replaced_by(r.address);
+    waiting.write(Kind::key(r.context), {r.context, way});
+    if (!Kind::is_known(r.address)) used.write(set, before.after(r.address, way, hits.any()));
+    if (Kind::is_known(r.address) || hits.any()) {
+      reply.write(Kind::reply(r.context, r.address, line));
+    } else {
+      ask_memory(r);
+    }
+  }
+  [[gnu::nodebug]] void ask_memory(const Request& r) {
+    miss.write(MemoryRequest<C>{.kind = Kind::kKind,
+                                .key = Kind::key(r.context),
+                                .address = r.address,
+                                .pipeline = number()});
+  }
+  static bool is_at(const Row& row, Kind::Address address) {
+    return hls::concat(hls::concat(row.tag, uint<1>(row.valid)), uint<1>(row.torn)) ==
+           hls::concat(address, uint<2>(0b10));
+  }
   PipelineNumber<C> number() const {
     if constexpr (kHasPipelines<C>) {
       return pipeline.get();

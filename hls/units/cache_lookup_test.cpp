@@ -11,8 +11,10 @@
 namespace dynrt {
 namespace {
 
-template <unsigned Lines>
-using Of = test::Config<8, Lines>;
+template <unsigned Lines, unsigned Ways = 1>
+struct Of : test::Config<8, Lines> {
+  static constexpr unsigned kWays = Ways;
+};
 
 /// Lookup and fill share lines and waiting contexts.
 template <class C, class Kind>
@@ -32,8 +34,14 @@ class Cache {
     hit_ = join_.output("hit", lookup_.reply);
     filled_ = join_.output("filled", fill_.reply);
     miss_ = join_.output("miss", lookup_.miss);
-    join_.ram<hls::Hazard::kTorn>("lines", fill_.lines, std::array{&lookup_.lines});
+    for (unsigned i = 0; i < C::kWays; ++i) {
+      join_.ram<hls::Hazard::kTorn>("lines", port_of<C::kWays>(fill_.lines, i),
+                                    std::array{&port_of<C::kWays>(lookup_.lines, i)});
+    }
     join_.ram("waiting", lookup_.waiting, std::array{&fill_.waiting});
+    if constexpr (kHasWays<C>) {
+      join_.ram<hls::Hazard::kTorn>("use", lookup_.used, std::array{&lookup_.use});
+    }
   }
   void request(const Request& r) {
     lookup_.request.queue()->push(r);
@@ -131,9 +139,9 @@ Counts run(unsigned lines, unsigned addresses, unsigned requests) {
   return counts;
 }
 
-TEST(CacheLookup, NeverDeliversAnotherLinesData) {
-  using C = Of<512>;
-  for (unsigned lines = 1; lines <= 512; lines *= 2) {
+template <class C>
+void expect_the_data_of_each_line() {
+  for (unsigned lines = C::kWays; lines <= 512; lines *= 2) {
     SCOPED_TRACE(testing::Message() << lines << " lines");
     for (const Counts& counts : {run<C, NodeCache<C>>(lines, 3 * lines, 4000),
                                  run<C, ListCache<C>>(lines, 3 * lines, 4000),
@@ -144,15 +152,25 @@ TEST(CacheLookup, NeverDeliversAnotherLinesData) {
   }
 }
 
+TEST(CacheLookup, NeverDeliversAnotherLinesData) { expect_the_data_of_each_line<Of<512>>(); }
+TEST(CacheLookup, NeverDeliversAnotherLinesDataOfTwoWays) {
+  expect_the_data_of_each_line<Of<512, 2>>();
+}
+TEST(CacheLookup, NeverDeliversAnotherLinesDataOfFourWays) {
+  expect_the_data_of_each_line<Of<512, 4>>();
+}
+
 TEST(CacheLookup, ACoreMayHaveFewerLines) {
   run<Of<1>, NodeCache<Of<1>>>(1, 3, 2000);
   run<Of<2>, MatrixCache<Of<2>>>(1, 3, 2000);
   run<Of<64>, ListCache<Of<64>>>(64, 200, 2000);
+  run<Of<2, 2>, NodeCache<Of<2, 2>>>(2, 6, 2000);
+  run<Of<8, 4>, MatrixCache<Of<8, 4>>>(4, 12, 2000);
 }
 
-TEST(CacheLookup, HoldsAsManyConsecutiveLinesAsTheFrameAllows) {
-  using C = Of<512>;
-  for (unsigned lines = 1; lines <= 512; lines *= 2) {
+template <class C>
+void expect_all_lines_in_use() {
+  for (unsigned lines = C::kWays; lines <= 512; lines *= 2) {
     Cache<C, ListCache<C>> cache(lines);
     for (unsigned pass = 0; pass < 2; ++pass) {
       for (unsigned a = 1000; a < 1000 + lines; ++a) {
@@ -167,6 +185,12 @@ TEST(CacheLookup, HoldsAsManyConsecutiveLinesAsTheFrameAllows) {
     cache.request({{}, Address::from(1000 + lines)});
     EXPECT_EQ(cache.misses().size(), 1u) << "one line too many";
   }
+}
+
+TEST(CacheLookup, HoldsAsManyConsecutiveLinesAsTheFrameAllows) {
+  expect_all_lines_in_use<Of<512>>();
+  expect_all_lines_in_use<Of<512, 2>>();
+  expect_all_lines_in_use<Of<512, 4>>();
 }
 
 TEST(CacheLookup, AnInvalidatedLineIsFetchedAgain) {

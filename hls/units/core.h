@@ -16,6 +16,7 @@
 #include "units/frame_writer.h"
 #include "units/memory_interface.h"
 #include "units/pipeline.h"
+#include "units/pipelines.h"
 #include "units/ray_generation.h"
 #include "units/startup.h"
 
@@ -47,10 +48,10 @@ struct Core {
     name_units(join);
     join_frame(join);
     for_each_pipeline(join, [&](Pipeline<C>& p, unsigned i) {
-      p.join_shading(join, port_of<C>(ray_generation.position, i));
+      p.join_shading(join, port_of<kPipelines<C>>(ray_generation.position, i));
       p.join_traversal(join);
       p.join_lists(join);
-      p.join_transformation(join, port_of<C>(ray_generation.job, i));
+      p.join_transformation(join, port_of<kPipelines<C>>(ray_generation.job, i));
       if constexpr (kHasSecondary<C>) p.join_secondary(join);
     });
     join_memory(join, banks);
@@ -98,7 +99,8 @@ struct Core {
     start = join.input("start", startup.number);
     done = join.output("done", ray_generation.done);
     hls::Writers<FreePacket<C>> free = {};
-    for (unsigned i = 0; i < kPipelines<C>; ++i) free.push_back(&port_of<C>(startup.free, i));
+    for (unsigned i = 0; i < kPipelines<C>; ++i)
+      free.push_back(&port_of<kPipelines<C>>(startup.free, i));
     free.push_back(&ray_generation.skipped);
     free.push_back(&bank_writer().free);
     join.channel<FreePacket<C>>("free_packet", free, {&ray_generation.free},

@@ -23,14 +23,17 @@ void Core<C>::join_memory(hls::Join& join, const Banks<C>& banks) {
   }
   for_each_pipeline(join, [&](Pipeline<C>& p, unsigned i) {
     join.channel<NodeLine<C>>("node_line",
-                              {&port_of<C>(memory_interface.node, i), &port_of<C>(startup.node, i)},
+                              {&port_of<kPipelines<C>>(memory_interface.node, i),
+                               &port_of<kPipelines<C>>(startup.node, i)},
                               {&p.node_fill.fill});
     join.channel<ListLine<C>>("list_line",
-                              {&port_of<C>(memory_interface.list, i), &port_of<C>(startup.list, i)},
+                              {&port_of<kPipelines<C>>(memory_interface.list, i),
+                               &port_of<kPipelines<C>>(startup.list, i)},
                               {&p.list_fill.fill});
-    join.channel<ColumnLine<C>>(
-        "column_line", {&port_of<C>(memory_interface.column, i), &port_of<C>(startup.column, i)},
-        {&p.matrix_fill.fill});
+    join.channel<ColumnLine<C>>("column_line",
+                                {&port_of<kPipelines<C>>(memory_interface.column, i),
+                                 &port_of<kPipelines<C>>(startup.column, i)},
+                                {&p.matrix_fill.fill});
     p.join_caches(join);
   });
   for (unsigned i = 0; i < kSceneBanks; ++i) {

@@ -19,9 +19,9 @@ struct MemoryInterface {
   using Real = typename C::Real;
   using Request = MemoryRequest<C>;
   hls::In<std::conditional_t<kSlowMemory<C>, Repeated<Request>, Request>> request;
-  PortOfEach<C, hls::Out<NodeLine<C>>> node;
-  PortOfEach<C, hls::Out<ListLine<C>>> list;
-  PortOfEach<C, hls::Out<ColumnLine<C>>> column;
+  PortOfEach<kPipelines<C>, hls::Out<NodeLine<C>>> node;
+  PortOfEach<kPipelines<C>, hls::Out<ListLine<C>>> list;
+  PortOfEach<kPipelines<C>, hls::Out<ColumnLine<C>>> column;
   hls::RamRead<SceneWord<Real>, kBankWords, C::kSramLatency> bank[kSceneBanks];
   HLS_PORTS(request, node, list, column, bank)
 
@@ -42,18 +42,20 @@ struct MemoryInterface {
                                                         bank[2].read(word)};
     switch (r.kind) {
       case MemoryKind::kNode:
-        write_to<C>(node, r.pipeline,
-                    NodeLine<C>{false, r.key, r.address.template trunc<C::kAddressBits>(),
-                                narrow(lowest<Node<Real>>(hls::concat(data[1], data[0])))});
+        write_to<kPipelines<C>>(
+            node, r.pipeline.get(),
+            NodeLine<C>{false, r.key, r.address.template trunc<C::kAddressBits>(),
+                        narrow(lowest<Node<Real>>(hls::concat(data[1], data[0])))});
         break;
       case MemoryKind::kList:
-        write_to<C>(list, r.pipeline,
-                    ListLine<C>{false, r.key, r.address.template trunc<C::kAddressBits>(),
-                                core_entry<C>(lowest<ListEntry>(data[2]))});
+        write_to<kPipelines<C>>(
+            list, r.pipeline.get(),
+            ListLine<C>{false, r.key, r.address.template trunc<C::kAddressBits>(),
+                        core_entry<C>(lowest<ListEntry>(data[2]))});
         break;
       case MemoryKind::kColumn:
-        write_to<C>(
-            column, r.pipeline,
+        write_to<kPipelines<C>>(
+            column, r.pipeline.get(),
             ColumnLine<C>{false, r.key, r.address.template trunc<ColumnAddress<C>::kWidth>(),
                           MatrixColumn<Real>{{lowest<MatrixWord<Real>>(data[0]),
                                               lowest<MatrixWord<Real>>(data[1]),

@@ -9,6 +9,7 @@
 
 #include "units/frame.h"
 #include "units/packet.h"
+#include "units/pipelines.h"
 #include "units/transformation_tokens.h"
 #include "units/traversal_tokens.h"
 

@@ -21,39 +21,6 @@ namespace dynrt {
 template <class C>
 inline constexpr unsigned kRays = C::kPacketRays;
 
-/// Pipelines that share ray generation, the memory and the writing of pixels. Each numbers its
-/// packets for itself.
-template <class C>
-inline constexpr unsigned kPipelines = C::kPipelines;
-template <class C>
-inline constexpr bool kHasPipelines = C::kPipelines > 1;
-template <class C>
-using PipelineId = uint<hls::index_width(C::kPipelines)>;
-template <class C>
-using PipelineNumber = hls::OptionalField<kHasPipelines<C>, PipelineId<C>>;
-/// A port of a shared unit for each pipeline; an array where there are several.
-template <class C, class Port>
-using PortOfEach = std::conditional_t<kHasPipelines<C>, Port[C::kPipelines], Port>;
-template <class C, class Ports>
-auto& port_of(Ports& ports, unsigned pipeline) {
-  if constexpr (kHasPipelines<C>) {
-    return ports[pipeline];
-  } else {
-    return ports;
-  }
-}
-/// Writes to the port of one pipeline.
-template <class C, class Ports>
-void write_to(Ports& ports, PipelineNumber<C> pipeline, const auto&... data) {
-  if constexpr (kHasPipelines<C>) {
-    for (unsigned i = 0; i < kPipelines<C>; ++i) {
-      if (pipeline.get() == PipelineId<C>::from(i)) ports[i].write(data...);
-    }
-  } else {
-    ports.write(data...);
-  }
-}
-
 /// Whether there is a tree over instances above the trees of objects.
 template <class C>
 inline constexpr bool kTwoLevels = C::kLevels == 2;

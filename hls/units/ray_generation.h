@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "units/frame.h"
+#include "units/pipelines.h"
 #include "units/shading_tokens.h"
 #include "units/transformation_tokens.h"
 
@@ -42,10 +43,10 @@ struct RayGeneration {
 
   hls::In<FreePacket<C>> free;
   hls::Config<FrameRegisters<C>> frame;
-  PortOfEach<C, hls::Out<TransformJob<C>>> job;
+  PortOfEach<kPipelines<C>, hls::Out<TransformJob<C>>> job;
   hls::Out<FreePacket<C>> skipped;
   hls::Out<uint<1>> done;
-  PortOfEach<C, PixelPositions<C>> position;
+  PortOfEach<kPipelines<C>, PixelPositions<C>> position;
   HLS_PORTS(free, frame, job, skipped, done, position)
 
   void step() {
@@ -73,13 +74,13 @@ struct RayGeneration {
 
       if (in_width && in_height) {
         const PixelPosition p{pixel<kColumnBits>(x), pixel<kRowBits>(y)};
-        write_to<C>(position, f.pipeline, f.packet, p);
+        write_to<kPipelines<C>>(position, f.pipeline.get(), f.packet, p);
         TransformJob<C> camera;
         camera.packet = f.packet;
         camera.kind = TransformKind::kCamera;
         camera.active = mask(p, config);
         camera.matrix = config.camera_matrix.template trunc<C::kMatrixBits>();
-        write_to<C>(job, f.pipeline, camera);
+        write_to<kPipelines<C>>(job, f.pipeline.get(), camera);
       } else {
         skipped.write(f);
       }

@@ -19,10 +19,10 @@ static_assert(kFirstPacket == 1u << 9, "the highest bit of a token tells packets
 template <class C>
 struct Startup {
   hls::In<uint<10>> number;
-  PortOfEach<C, hls::Out<FreePacket<C>>> free;
-  PortOfEach<C, hls::Out<NodeLine<C>>> node;
-  PortOfEach<C, hls::Out<ListLine<C>>> list;
-  PortOfEach<C, hls::Out<ColumnLine<C>>> column;
+  PortOfEach<kPipelines<C>, hls::Out<FreePacket<C>>> free;
+  PortOfEach<kPipelines<C>, hls::Out<NodeLine<C>>> node;
+  PortOfEach<kPipelines<C>, hls::Out<ListLine<C>>> list;
+  PortOfEach<kPipelines<C>, hls::Out<ColumnLine<C>>> column;
   HLS_PORTS(number, free, node, list, column)
 
   void step() {
@@ -31,11 +31,11 @@ struct Startup {
       if (n.template bit<9>()) {
         FreePacket<C> packet{PacketId<C>::from(n.raw())};
         if constexpr (kHasPipelines<C>) packet.pipeline = PipelineId<C>::from(i);
-        port_of<C>(free, i).write(packet);
+        port_of<kPipelines<C>>(free, i).write(packet);
       } else {
-        port_of<C>(node, i).write({true, {}, NodeAddress<C>::from(n.raw()), {}});
-        port_of<C>(list, i).write({true, {}, NodeAddress<C>::from(n.raw()), {}});
-        port_of<C>(column, i).write({true, {}, ColumnAddress<C>::from(n.raw()), {}});
+        port_of<kPipelines<C>>(node, i).write({true, {}, NodeAddress<C>::from(n.raw()), {}});
+        port_of<kPipelines<C>>(list, i).write({true, {}, NodeAddress<C>::from(n.raw()), {}});
+        port_of<kPipelines<C>>(column, i).write({true, {}, ColumnAddress<C>::from(n.raw()), {}});
       }
     }
   }

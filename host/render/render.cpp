@@ -78,8 +78,9 @@ FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
     if (core.is_specialised()) refuse_excess({"uncompressed", "true", "false"}, core, "the frame");
     refuse_option("uncompressed", messages::kUncompressed, core.name);
   }
-  if (!std::has_single_bit(lines) || lines > core.lines) {
-    refuse_option("lines", messages::kLines, core.name, core.lines, lines);
+  if (!std::has_single_bit(lines) || lines < core.ways || lines > core.lines) {
+    refuse_option("lines", messages::kLines, core.name, core.ways, 2 * core.ways, 4 * core.ways,
+                  core.lines, lines);
   }
   FrameConfig frame;
   frame.packets = to_word(packets);

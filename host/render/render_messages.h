@@ -11,7 +11,7 @@ inline constexpr char kSize[] =
     "the board's framebuffer and hit records hold no more";
 inline constexpr char kPackets[] = "configuration {} holds 1 to {} packets, not {}";
 inline constexpr char kLines[] =
-    "the caches of configuration {} have 1, 2, 4 up to {} lines, not {}";
+    "the caches of configuration {} have {}, {}, {} up to {} lines, not {}";
 inline constexpr char kUncompressed[] =
     "configuration {} transforms one origin for all rays of a packet and cannot transform one for "
     "each ray; take another configuration";

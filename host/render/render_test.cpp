@@ -84,6 +84,11 @@ TEST(FrameConfig, RefusesWhatTheConfigurationLacks) {
               ThrowsMessage<UserError>(
                   "the caches of configuration small have 1, 2, 4 up to 16 lines, not 3"));
   EXPECT_NO_THROW(configuring({.packets = 1, .lines = 1})());
+  CoreInfo core = kBoard;
+  core.ways = 2;
+  EXPECT_THAT([&core] { frame_config(core, {.lines = 1}, {}); },
+              ThrowsMessage<UserError>(
+                  "the caches of configuration small have 2, 4, 8 up to 16 lines, not 1"));
   EXPECT_THAT(
       configuring({.reflections = 1}),
       ThrowsMessage<UserError>("configuration small traces at most 0 reflections of a ray, not 1"));

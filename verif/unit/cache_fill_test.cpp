@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "units/cache_fill.h"
 
+#include <algorithm>
+
 #include "Vlist_fill.h"
 #include "Vmatrix_fill.h"
 #include "Vnode_fill.h"
@@ -18,7 +20,7 @@ using CacheFillOf = CacheFill<C, Kind>;
 
 template <class Kind>
 void setup(Bench<CacheFillOf<Kind>>& bench, const Run& run) {
-  const unsigned lines = 1u << (run.number == 0 ? 9 : run.number % 10);
+  const unsigned lines = std::max(1u << (run.number == 0 ? 9 : run.number % 10), C::kWays);
   bench.template shape<FrameRegisters<C>>("frame", [lines](FrameRegisters<C>& frame, Random&) {
     frame.line_mask = Word::from(lines - 1);
   });

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "units/cache_lookup.h"
 
+#include <algorithm>
+#include <string>
+
 #include "Vlist_lookup.h"
 #include "Vmatrix_lookup.h"
 #include "Vnode_lookup.h"
@@ -16,26 +19,41 @@ namespace {
 template <class Kind>
 using CacheLookupOf = CacheLookup<C, Kind>;
 
+/// An address of the set of a row, of as many that have lines in turn.
+Address some_of_set(unsigned set, unsigned sets, Random& random) {
+  return Address::from(set + sets * random.below(3 * C::kWays));
+}
+
 /// The lines hold requested addresses, and sometimes one that belongs to another line.
 template <class Kind>
 void setup(Bench<CacheLookupOf<Kind>>& bench, const Run& run) {
   using Request = typename CacheLookup<C, Kind>::Request;
   using Row = typename CacheLookup<C, Kind>::Row;
-  const unsigned lines = 1u << (run.number == 0 ? 9 : run.number % 10);
+  const unsigned lines = std::max(1u << (run.number == 0 ? 9 : run.number % 10), C::kWays);
+  const unsigned sets = lines / C::kWays;
   bench.template shape<FrameRegisters<C>>("frame", [lines](FrameRegisters<C>& frame, Random&) {
     frame.line_mask = Word::from(lines - 1);
   });
   bench.template shape<Request>("request", [lines](Request& r, Random& random) {
     if (random.below(8) != 0) r.address = number_below<kAddressBits>(random, 3 * lines);
   });
-  bench.template shape<Row>("lines", [lines, number = 0u](Row& row, Random& random) mutable {
-    const unsigned row_number = number++;
-    // A cache may have one line.
-    row.valid = row_number == 0 || random.below(8) != 0;
-    row.torn = row_number != 0 && random.below(8) == 0;
-    row.tag = Address::from(row_number % lines + lines * random.below(3));
-    if (random.below(8) == 0) row.tag = number_below<kAddressBits>(random, 3 * lines);
-  });
+  for (unsigned way = 0; way < C::kWays; ++way) {
+    const std::string port = kHasWays<C> ? "lines_" + std::to_string(way) : "lines";
+    bench.template shape<Row>(port, [=, number = 0u](Row& row, Random& random) mutable {
+      const unsigned row_number = number++;
+      // A cache may have one line.
+      row.valid = row_number == 0 || random.below(8) != 0;
+      row.torn = row_number != 0 && random.below(8) == 0;
+      row.tag = some_of_set(row_number % sets, sets, random);
+      if (random.below(8) == 0) row.tag = number_below<kAddressBits>(random, 3 * lines);
+    });
+  }
+  if constexpr (kHasWays<C>) {
+    using Use = typename CacheLookup<C, Kind>::Use;
+    bench.template shape<Use>("use", [=, number = 0u](Use& use, Random& random) mutable {
+      use.address = some_of_set(number++ % sets, sets, random);
+    });
+  }
 }
 
 DYNRT_COSIM(NodeLookup, CacheLookupOf<NodeCache<C>>, node_lookup, setup<NodeCache<C>>)

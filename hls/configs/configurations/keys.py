@@ -106,6 +106,13 @@ KEYS: dict[str, Key] = {
         "traced",
     ),
     "lines": Key(Whole(1, 512, power_of_two=True), "kLines", "lines of each cache"),
+    "ways": Key(
+        Whole(1, 4, power_of_two=True),
+        "kWays",
+        "ways of each cache: lines that an address may lie in; a miss replaces the one that "
+        "pseudo-LRU names",
+        1,
+    ),
     "levels": Key(
         Whole(1, 2),
         "kLevels",

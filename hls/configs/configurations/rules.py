@@ -18,6 +18,11 @@ class Rule:
     why: str
 
 
+def at_least(low: int) -> Callable[[object], bool]:
+    """Allows whole numbers from `low` on."""
+    return lambda value: isinstance(value, int) and value >= low
+
+
 BOX_UNIT = ("object_box", "unit")
 WORLD_BOX = ("object_box", "world")
 WATERTIGHT = ("triangle_test", "watertight")
@@ -50,6 +55,8 @@ OF_WATERTIGHT: tuple[tuple[str, Callable[[object], bool], str, str], ...] = (
     ),
 )
 RULES: tuple[Rule, ...] = (
+    Rule("ways", 2, "lines", at_least(2), "2 or more", "a set has a line in each way"),
+    Rule("ways", 4, "lines", at_least(4), "4 or more", "a set has a line in each way"),
     Rule(*ONE_LEVEL, "object_box", lambda v: v == "nodes", "nodes", "no object is entered"),
     Rule(
         *ONE_LEVEL,

@@ -48,9 +48,9 @@ std::vector<Clocks::Queue*> Clocks::fork(Feed feed, const std::vector<std::strin
 
 void Clocks::sink(Feed feed) { sinks_.push_back({.feed = std::move(feed)}); }
 
-void Clocks::torn_ram(const std::string& writer, const std::string& port, unsigned read_stage,
-                      std::function<std::uint64_t()> logged, std::function<void(std::size_t)> tear,
-                      std::function<void()> land) {
+void Clocks::torn_ram(const std::string& writer, const std::string& port, const std::string& reader,
+                      unsigned read_stage, std::function<std::uint64_t()> logged,
+                      std::function<void(std::size_t)> tear, std::function<void()> land) {
   Unit& unit = find(writer);
   const auto stage = unit.schedule.ram_stages.find(port);
   if (stage == unit.schedule.ram_stages.end()) {
@@ -62,7 +62,13 @@ void Clocks::torn_ram(const std::string& writer, const std::string& port, unsign
                                 std::to_string(stage->second) + ", before its reader reads it in " +
                                 std::to_string(read_stage) + "; such rows are not counted");
   }
-  rams_.push_back({.after = stage->second + 1 - read_stage,
+  if (writer == reader && stage->second == read_stage) {
+    throw std::invalid_argument("unit '" + writer + "' writes '" + port + "' in stage " +
+                                std::to_string(read_stage) + ", in which it reads it too; it " +
+                                "would tear its own row, which is not counted");
+  }
+  rams_.push_back({.own = writer == reader,
+                   .after = stage->second + 1 - read_stage,
                    .logged = std::move(logged),
                    .tear = std::move(tear),
                    .land = std::move(land)});
@@ -103,16 +109,26 @@ void Clocks::number_actors() {
     fork.actor = number<&Clocks::pass>(fork);
     fork.feed.queue->reader = fork.actor;
   }
-  const auto number_units = [this](bool with_rams) {
+  const auto tears_for_others = [](const Unit& unit) {
+    return std::ranges::any_of(unit.rams, [](const Ram* ram) { return !ram->own; });
+  };
+  const auto number_units = [&](bool tear_for_others) {
     for (Unit& unit : units_) {
-      if (unit.rams.empty() == with_rams) continue;
+      if (tears_for_others(unit) != tear_for_others) continue;
       unit.actor = number<&Clocks::fire>(unit);
       for (const Feed& feed : unit.feeds) feed.queue->reader = unit.actor;
     }
   };
-  // Readers see in the same clock that a row is torn.
+  const auto number_marks = [this](bool own) {
+    for (Ram& ram : rams_) {
+      if (ram.own == own) ram.tearing = number<&Clocks::tear>(ram);
+    }
+  };
+  // Readers see in the same clock that a row is torn. What a unit reads and writes was torn by an
+  // earlier transaction.
+  number_marks(true);
   number_units(true);
-  for (Ram& ram : rams_) ram.tearing = number<&Clocks::tear>(ram);
+  number_marks(false);
   number_units(false);
   wheel_ = TimingWheel(actors_.size());
   for (const Queue& queue : queues_) {

@@ -64,12 +64,12 @@ class Clocks {
   /// Takes every token.
   void sink(Feed feed);
 
-  /// A RAM whose rows may be read in the clock that writes them. `logged` writes wait until `land`
-  /// shows each of them to the readers in stage `read_stage`; in the clock before, `tear` marks the
-  /// row of one, counted from the first that waits.
-  void torn_ram(const std::string& writer, const std::string& port, unsigned read_stage,
-                std::function<std::uint64_t()> logged, std::function<void(std::size_t)> tear,
-                std::function<void()> land);
+  /// A RAM whose rows may be read in the clock that writes them, by unit `reader` in stage
+  /// `read_stage`. `logged` writes wait until `land` shows each of them to it; in the clock before,
+  /// `tear` marks the row of one, counted from the first that waits.
+  void torn_ram(const std::string& writer, const std::string& port, const std::string& reader,
+                unsigned read_stage, std::function<std::uint64_t()> logged,
+                std::function<void(std::size_t)> tear, std::function<void()> land);
 
   /// Runs until no token moves any more.
   void run();
@@ -79,8 +79,8 @@ class Clocks {
 
  private:
   /// Those that have work in some clocks, in the order of their work within a clock: rows that are
-  /// written are seen, sinks, arbiters, forks, the units that write rows which may be torn, these
-  /// rows' marks, all other units.
+  /// written are seen, sinks, arbiters, forks, the marks of torn rows that their writer reads, the
+  /// units that write rows which may be torn for others, these rows' marks, all other units.
   struct Actor {
     void (*act)(Clocks&, void* self, std::uint64_t now);
     void* self;
@@ -94,6 +94,7 @@ class Clocks {
   };
   struct Ram {
     std::size_t landing = 0, tearing = 0;  ///< actors
+    bool own;                              ///< its writer reads it
     unsigned after;  ///< clocks from the writing transaction's start to the first that sees the row
     std::function<std::uint64_t()> logged;
     std::function<void(std::size_t)> tear;
@@ -113,8 +114,8 @@ class Clocks {
     std::vector<Feed> feeds = {};
     std::vector<Output> outputs = {};
     std::vector<Queue*> refusing = {};  ///< those of the outputs that may have no room
-    std::vector<Ram*> rams = {};
-    bool waits_for_fork = false;  ///< a fork brings its tokens, and wakes it when it does
+    std::vector<Ram*> rams = {};        ///< that it writes and whose rows may be torn
+    bool waits_for_fork = false;        ///< a fork brings its tokens, and wakes it when it does
     std::uint64_t stalled_from = kNever;
     std::uint64_t stalls = 0;
   };

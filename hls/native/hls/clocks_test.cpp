@@ -127,6 +127,45 @@ TEST(Clocks, ARowThatIsReadInTheClockThatWritesItIsTorn) {
   EXPECT_EQ(rows[2], 2u * 0xf8) << "as it is written, and no longer torn";
 }
 
+TEST(Clocks, AUnitMayTearWhatItReadsItself) {
+  CountTorn count;
+  hls::Join join(
+      {{"count", {.stages = 4, .room = 8, .ram_stages = {{"before", 0}, {"after", 3}}}}});
+  join.unit("count", "count", count);
+  auto in = join.input("in", count.in);
+  auto out = join.output("out", count.out);
+  join.ram<hls::Hazard::kTorn>("rows", count.after, std::array{&count.before});
+  for (const unsigned clock : {0, 1, 3, 4, 7, 8}) {
+    in->push(Byte(7));
+    join.arrives("in", clock);
+  }
+  join.run_clocks();
+  // Written are 1 in clock 3, 1 in 4, 2 at most in 6 and 7.
+  const List rows = values(*out);
+  ASSERT_EQ(rows.size(), 6u);
+  EXPECT_EQ(rows[0], 0u);
+  EXPECT_EQ(rows[1], 0u) << "the first is not written yet";
+  EXPECT_EQ(rows[2] & 1, 1u) << "the first is being written";
+  EXPECT_EQ(rows[3] & 1, 1u) << "and the second";
+  EXPECT_EQ(rows[4] & 1, 1u);
+  EXPECT_EQ(rows[5] & 1, 0u);
+}
+
+TEST(Clocks, AUnitMustNotTearARowAsItReadsIt) {
+  CountTorn count;
+  hls::Join join(
+      {{"count", {.stages = 1, .room = 4, .ram_stages = {{"before", 0}, {"after", 0}}}}});
+  join.unit("count", "count", count);
+  try {
+    join.ram<hls::Hazard::kTorn>("rows", count.after, std::array{&count.before});
+    FAIL() << "nothing was thrown";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(),
+                 "unit 'count' writes 'after' in stage 0, in which it reads it too; it would tear "
+                 "its own row, which is not counted");
+  }
+}
+
 TEST(Clocks, AfterTheLastOf32InputsComesTheFirst) {
   hls::Clocks clocks;
   clocks.unit("reader", {}, [] {});

@@ -84,9 +84,10 @@ JoinClocks::Source JoinClocks::merge(const JoinPorts& ports, const std::vector<O
 }
 
 void JoinClocks::torn_ram(const JoinPorts& ports, TornRam ram) {
-  const auto& stages = schedules_.at(modules_.at(ports.unit_of(ram.reader))).ram_stages;
+  const std::string reader = ports.unit_of(ram.reader);
+  const auto& stages = schedules_.at(modules_.at(reader)).ram_stages;
   const auto stage = stages.find(ports.member_of(ram.reader));
-  clocks_.torn_ram(ports.unit_of(ram.writer), ports.member_of(ram.writer),
+  clocks_.torn_ram(ports.unit_of(ram.writer), ports.member_of(ram.writer), reader,
                    stage == stages.end() ? 0 : stage->second, std::move(ram.logged),
                    std::move(ram.tear), std::move(ram.land));
 }

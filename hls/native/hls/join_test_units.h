@@ -72,6 +72,20 @@ struct LookTorn {
     out.write(concat(r.value, uint<1>(r.torn)));
   }
 };
+/// Counts how often each row was asked for.
+struct CountTorn {
+  In<Byte> in;
+  RamRead<TornRow, 256> before;
+  RamWrite<TornRow, 256> after;
+  Out<uint<9>> out;
+  HLS_PORTS(in, before, after, out)
+  void step() {
+    const Byte b = in.read();
+    const TornRow r = before.read(b);
+    after.write(b, TornRow{false, (r.value + Byte(1)).trunc<8>()});
+    out.write(concat(r.value, uint<1>(r.torn)));
+  }
+};
 struct WriteWords {
   In<Byte> in;
   RamWrite<std::array<Byte, 3>, 256> row;

@@ -68,6 +68,8 @@ class Examiner {
 
   /// Those of the core.
   const MemoryFormat& numbers() { return *board().core().format; }
+  /// Of a cache of the core: one in each way.
+  unsigned fewest_lines() { return board().core().ways; }
 
   Rendered render(const Trial& trial);
   /// Renders and compares with the truth.

@@ -22,14 +22,14 @@ Trial spheres_in_a_room(const MemoryFormat& numbers) {
 }
 
 Case same_bits(const std::string& name, const std::string& about,
-               const std::function<void(FrameOptions&)>& change) {
+               const std::function<void(FrameOptions&, unsigned fewest_lines)>& change) {
   return {"frames",
           name,
           about,
           [change](Examiner& b) {
             Trial trial = spheres_in_a_room(b.numbers());
             const Rendered plain = b.check(trial);
-            change(trial.shots[0].options);
+            change(trial.shots[0].options, b.fewest_lines());
             b.expect_same(b.render(trial), plain);
           },
           {},
@@ -41,15 +41,15 @@ Case same_bits(const std::string& name, const std::string& about,
 std::vector<Case> frame_cases() {
   return {
       same_bits("one_line", "all caches of one line: the same bits",
-                [](FrameOptions& o) { o.lines = 1; }),
+                [](FrameOptions& o, unsigned fewest) { o.lines = fewest; }),
       same_bits("one_packet", "one packet in flight: the same bits",
-                [](FrameOptions& o) { o.packets = 1; }),
+                [](FrameOptions& o, unsigned) { o.packets = 1; }),
       same_bits("one_of_each", "one packet and caches of one line: the same bits",
-                [](FrameOptions& o) { o.packets = o.lines = 1; }),
+                [](FrameOptions& o, unsigned fewest) { o.packets = 1, o.lines = fewest; }),
       same_bits("scanline", "packets line by line: the same bits",
-                [](FrameOptions& o) { o.order = RayOrder::kScanline; }),
+                [](FrameOptions& o, unsigned) { o.order = RayOrder::kScanline; }),
       same_bits("uncompressed", "every ray with its own origin: the same bits",
-                [](FrameOptions& o) { o.uncompressed = true; }),
+                [](FrameOptions& o, unsigned) { o.uncompressed = true; }),
       {"frames",
        "one_slot",
        "63 nodes of a tree in one cache line of 512: the same bits",

@@ -51,17 +51,25 @@ PACKET_UNITS = (
 CACHE_UNITS = (
     Unit("MemoryInterface", 4323, 0, ("memory_interface",)),
     Unit(
-        "NodeCache", 4152, 83, ("node_lookup", "node_fill"), ("node_lines_ram", "node_waiting_ram")
+        "NodeCache",
+        4152,
+        83,
+        ("node_lookup", "node_fill"),
+        ("node_lines_", "node_waiting_ram", "node_use_ram"),
     ),
     Unit(
-        "ListCache", 3704, 51, ("list_lookup", "list_fill"), ("list_lines_ram", "list_waiting_ram")
+        "ListCache",
+        3704,
+        51,
+        ("list_lookup", "list_fill"),
+        ("list_lines_", "list_waiting_ram", "list_use_ram"),
     ),
     Unit(
         "MatrixCache",
         5624,
         115,
         ("matrix_lookup", "matrix_fill"),
-        ("matrix_lines_ram", "matrix_waiting_ram"),
+        ("matrix_lines_", "matrix_waiting_ram", "matrix_use_ram"),
     ),
 )
 # Ours alone: the thesis counts neither shading nor the making of rays.

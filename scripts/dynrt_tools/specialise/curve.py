@@ -13,19 +13,22 @@ Curve = dict[int, int]  # clocks of a frame by packets or lines
 SEEN_ENOUGH = 1.5  # times the fewest clocks: slower still, nothing is measured
 
 
-def powers_below(most: int) -> Iterator[int]:
+def powers_below(most: int, least: int = 1) -> Iterator[int]:
     power = 1 << (most.bit_length() - 1)
-    while power:
+    while power >= least:
         if power < most:
             yield power
         power //= 2
 
 
-def walk_down(clocks_of: Callable[[int], int], most: int, percent: float) -> tuple[Curve, int]:
-    """Clocks by number, from the most down, and the smallest number that costs at most so much."""
+def walk_down(
+    clocks_of: Callable[[int], int], most: int, percent: float, least: int = 1
+) -> tuple[Curve, int]:
+    """Clocks by number, from the most down to the least that there may be, and the smallest number
+    that costs at most so much."""
     base = clocks_of(most)
     curve, chosen, holds = {most: base}, most, True
-    for number in powers_below(most):
+    for number in powers_below(most, least):
         curve[number] = clocks_of(number)
         holds = holds and curve[number] <= base * (1 + percent / 100)
         chosen = number if holds else chosen
@@ -81,11 +84,12 @@ class Meter:
 
 
 def choose(
-    meter: Meter, packets: int, lines: int, percent: float, frame: str = "a frame"
+    meter: Meter, packets: int, lines: int, percent: float, frame: str = "a frame", ways: int = 1
 ) -> tuple[dict[str, tuple[int, str]], dict[str, Curve]]:
-    """The decisions for packets and lines, and the curves; `frame` says which is measured."""
+    """The decisions for packets and lines, of which each of a cache's ways has one at least, and
+    the curves; `frame` says which is measured."""
     by_packets, few = walk_down(lambda n: meter.clocks(n, lines), packets, percent / 2)
-    by_lines, short = walk_down(lambda n: meter.clocks(few, n), lines, percent / 2)
+    by_lines, short = walk_down(lambda n: meter.clocks(few, n), lines, percent / 2, ways)
     decided = {
         "packets": (few, reason(by_packets, few, percent / 2, frame)),
         "lines": (short, reason(by_lines, short, percent / 2, frame)),

@@ -23,6 +23,10 @@ class Curve(unittest.TestCase):
         self.assertEqual(list(curve.powers_below(48)), [32, 16, 8, 4, 2, 1])
         self.assertEqual(list(curve.powers_below(64)), [32, 16, 8, 4, 2, 1])
 
+    def test_no_number_is_below_the_least(self) -> None:
+        self.assertEqual(list(curve.powers_below(16, 4)), [8, 4])
+        self.assertEqual(list(curve.powers_below(4, 4)), [])
+
     def test_the_reason_has_the_numbers_on_both_sides(self) -> None:
         self.assertEqual(
             curve.reason(self.CLOCKS, 16, 1, "a frame"),

@@ -180,7 +180,12 @@ class Specialiser:
         frame = f"a frame of {args.size or choose_format.SIZE}"
         frame += " at time 0" if self.needs["needs"].get("frames", 1) > 1 else ""
         decided, curves = curve.choose(
-            meter, most["packets"], most["lines"], args.max_slowdown, frame
+            meter,
+            most["packets"],
+            most["lines"],
+            args.max_slowdown,
+            frame,
+            self.general["ways"],
         )
         return {k: d for k, d in decided.items() if k not in args.keep}, curves
 
