@@ -14,7 +14,11 @@
 
 #include "hls/join.h"
 #include "units/frame_writer.h"
+#include "units/memory_answer.h"
+#include "units/memory_fill.h"
+#include "units/memory_gather.h"
 #include "units/memory_interface.h"
+#include "units/memory_lookup.h"
 #include "units/pipeline.h"
 #include "units/pipelines.h"
 #include "units/ray_generation.h"
@@ -37,11 +41,18 @@ struct Core {
   Startup<C> startup;
   RayGeneration<C> ray_generation;
   std::array<Pipeline<C>, kPipelines<C>> pipeline;
-  MemoryInterface<C> memory_interface;
+  hls::OptionalPort<!kHasPort<C>, MemoryInterface<C>> memory_interface;
+  hls::OptionalPort<kHasPort<C>, MemoryLookup<C>> memory_lookup;
+  hls::OptionalPort<kHasPort<C>, MemoryGather<C>> memory_gather;
+  hls::OptionalPort<kHasPort<C>, MemoryFill<C>> memory_fill;
+  hls::OptionalPort<kHasPort<C>, MemoryAnswer<C>> memory_answer;
   hls::OptionalPort<kHasPipelines<C>, FrameWriter<C>> frame_writer;
 
   std::shared_ptr<hls::Fifo<uint<10>>> start;
   std::shared_ptr<hls::Fifo<uint<1>>> done;
+  /// Of the memory's port, if there is one.
+  std::shared_ptr<hls::Fifo<PortRead<C>>> read;
+  std::shared_ptr<hls::Fifo<PortBeat<C>>> beat;
   std::shared_ptr<FrameRegisters<C>> frame = std::make_shared<FrameRegisters<C>>();
 
   Core(hls::Join& join, const Banks<C>& banks) {
@@ -74,7 +85,14 @@ struct Core {
     for_each_pipeline(join, [&](Pipeline<C>& p, unsigned) { p.name_units(join); });
     if constexpr (kHasPipelines<C>) join.unit("frame_writer", "frame_writer", frame_writer);
     join.group("Memory");
-    join.unit("memory_interface", "memory_interface", memory_interface);
+    if constexpr (kHasPort<C>) {
+      join.unit("memory_lookup", "memory_lookup", memory_lookup);
+      join.unit("memory_gather", "memory_gather", memory_gather);
+      join.unit("memory_fill", "memory_fill", memory_fill);
+      join.unit("memory_answer", "memory_answer", memory_answer);
+    } else {
+      join.unit("memory_interface", "memory_interface", memory_interface);
+    }
     for_each_pipeline(join, [&](Pipeline<C>& p, unsigned) { p.name_secondary(join); });
   }
 
@@ -132,7 +150,20 @@ struct Core {
     }
   }
 
+  /// The caches, and the memory behind them.
   void join_memory(hls::Join& join, const Banks<C>& banks);
+  /// The misses of the caches go to banks of SRAM or to the port.
+  void join_banks(hls::Join& join, const hls::Writers<MemoryRequest<C>>& misses,
+                  const Banks<C>& banks);
+  void join_port(hls::Join& join, hls::Writers<MemoryRequest<C>> misses);
+  /// The unit that gives lines to the caches.
+  auto& line_writer() {
+    if constexpr (kHasPort<C>) {
+      return memory_answer;
+    } else {
+      return memory_interface;
+    }
+  }
 };
 
 }  // namespace dynrt

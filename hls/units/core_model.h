@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "units/core.h"
+#include "units/port_memory.h"
 
 namespace dynrt {
 
@@ -33,6 +34,8 @@ class CoreModel {
     for (auto& bank : banks_.out) make(bank);
   }
   Banks<C>& banks() { return banks_; }
+  /// Of a memory behind the port.
+  void set_timing(const MemoryTiming& timing) { timing_ = timing; }
 
   /// Renders one frame. As on the board, every frame starts with registers reset and caches empty.
   /// With the schedules of its units it does so clock by clock and gives the clocks that the board
@@ -42,6 +45,11 @@ class CoreModel {
     hls::Join join = schedule ? hls::Join(*schedule) : hls::Join();
     const auto core = std::make_unique<Core<C>>(join, banks_);
     *core->frame = registers_of<C>(config);
+    std::unique_ptr<hls::Device> memory;
+    if constexpr (kHasPort<C>) {
+      memory = std::make_unique<PortMemory<C>>(core->read, core->beat, banks_.scene, timing_);
+      join.attach("memory_read", "memory_beat", *memory);
+    }
     std::uint64_t clock = kResetRegister;
     const auto send = [&](std::uint64_t number) {
       core->start->push(uint<10>::from(number));
@@ -74,6 +82,7 @@ class CoreModel {
 
  private:
   Banks<C> banks_;
+  MemoryTiming timing_;
   std::vector<CoreCounter> counters_;
 };
 

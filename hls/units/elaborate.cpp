@@ -28,6 +28,14 @@ void write(const std::string& path, const std::string& text) {
   if (!file.flush()) throw std::runtime_error(path + ": cannot be written");
 }
 
+/// Of the memory's port, if the core has one.
+std::string memory_macros(const auto& define) {
+  if (!dynrt::kHasPort<C>) return {};
+  return "\n// The memory's port (hls/units/memory_port.h).\n" +
+         define("MEMORY_ID_BITS", hls::bit_width_of<dynrt::PortId<C>>()) +
+         define("MEMORY_BEAT_BYTES", dynrt::kBeatBytes<C>);
+}
+
 /// What the Verilog around the core takes from the units besides the fields of a frame.
 std::string board_macros() {
   const auto define = [](const std::string& name, unsigned value) {
@@ -37,7 +45,7 @@ std::string board_macros() {
          define("RESET_CLOCKS", dynrt::kResetClocks) + define("FIRST_PACKET", dynrt::kFirstPacket) +
          define("START_PAUSE", dynrt::kStartPause) +
          "\n// The SCAN registers (hls/units/scan_out.h).\n" +
-         define("SCAN_WORDS", dynrt::kScanWords);
+         define("SCAN_WORDS", dynrt::kScanWords) + memory_macros(define);
 }
 
 void check_units(const std::string& path, dynrt::Core<C>& core) {

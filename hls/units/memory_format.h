@@ -37,6 +37,31 @@ inline constexpr unsigned kMatrixBits = 17;
 inline constexpr unsigned kMaxMatrices = 1u << kMatrixBits;
 inline constexpr unsigned kColumnBase = 1u << kAddressBits;  ///< first word of the matrix columns
 
+/// The scene where it lies in a memory behind one port (units/memory_port.h), whose words have 32
+/// bits: items in the order of their numbers, each in words from the lowest address on. A column
+/// leaves the last of its four words empty.
+inline constexpr unsigned kPortAddressBits = 24;  ///< of a byte
+inline constexpr unsigned kNodeBytes = 8;
+inline constexpr unsigned kEntryBytes = 4;
+inline constexpr unsigned kColumnBytes = 16;
+inline constexpr unsigned kEntriesAt = kMaxNodes * kNodeBytes;
+inline constexpr unsigned kColumnsAt = 2 * kEntriesAt;
+static_assert(kColumnsAt + (kColumnBytes << kAddressBits) == 1u << kPortAddressBits);
+
+/// The bank that holds a word of that memory in a core with banks, and the word's number in it.
+struct BankWord {
+  unsigned bank = kSceneBanks;  ///< none: the word is empty
+  unsigned word = 0;
+};
+constexpr BankWord bank_word(unsigned port_word) {
+  const unsigned byte = 4 * port_word;
+  if (byte < kEntriesAt) return {port_word % 2, port_word / 2};
+  if (byte < kColumnsAt) return {2, (byte - kEntriesAt) / kEntryBytes};
+  const unsigned row = port_word % 4;
+  if (row == 3) return {};
+  return {row, kColumnBase + (byte - kColumnsAt) / kColumnBytes};
+}
+
 /// A node, list or column address; a node's null address is an empty child, never fetched.
 using Address = uint<kAddressBits>;
 using MatrixIndex = uint<kMatrixBits>;

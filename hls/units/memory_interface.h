@@ -14,6 +14,45 @@
 
 namespace dynrt {
 
+/// The value in the lowest bits.
+template <class T, unsigned W>
+T lowest(uint<W> bits) {
+  return hls::from_bits<T>(bits.template trunc<hls::bit_width_of<T>()>());
+}
+
+/// Sends a line to the cache that asked for it; `data` are the words of the banks that hold it.
+template <class C>
+void send_line(const MemoryRequest<C>& r,
+               const std::array<SceneWord<typename C::Real>, kSceneBanks>& data, auto& node,
+               auto& list, auto& column) {
+  using Real = typename C::Real;
+  const auto narrow = [](const Node<Real>& n) {
+    return CoreNode<C>{n.kind, n.split, n.left.template trunc<C::kAddressBits>(),
+                       n.right.template trunc<C::kAddressBits>()};
+  };
+  switch (r.kind) {
+    case MemoryKind::kNode:
+      write_to<kPipelines<C>>(
+          node, r.pipeline.get(),
+          NodeLine<C>{false, r.key, r.address.template trunc<C::kAddressBits>(),
+                      narrow(lowest<Node<Real>>(hls::concat(data[1], data[0])))});
+      break;
+    case MemoryKind::kList:
+      write_to<kPipelines<C>>(list, r.pipeline.get(),
+                              ListLine<C>{false, r.key, r.address.template trunc<C::kAddressBits>(),
+                                          core_entry<C>(lowest<ListEntry>(data[2]))});
+      break;
+    case MemoryKind::kColumn:
+      write_to<kPipelines<C>>(
+          column, r.pipeline.get(),
+          ColumnLine<C>{false, r.key, r.address.template trunc<ColumnAddress<C>::kWidth>(),
+                        MatrixColumn<Real>{{lowest<MatrixWord<Real>>(data[0]),
+                                            lowest<MatrixWord<Real>>(data[1]),
+                                            lowest<MatrixWord<Real>>(data[2])}}});
+      break;
+  }
+}
+
 template <class C>
 struct MemoryInterface {
   using Real = typename C::Real;
@@ -40,37 +79,7 @@ struct MemoryInterface {
     const uint<20> word = hls::concat(uint<1>(is_column), r.address.template zext<kAddressBits>());
     const std::array<SceneWord<Real>, kSceneBanks> data{bank[0].read(word), bank[1].read(word),
                                                         bank[2].read(word)};
-    switch (r.kind) {
-      case MemoryKind::kNode:
-        write_to<kPipelines<C>>(
-            node, r.pipeline.get(),
-            NodeLine<C>{false, r.key, r.address.template trunc<C::kAddressBits>(),
-                        narrow(lowest<Node<Real>>(hls::concat(data[1], data[0])))});
-        break;
-      case MemoryKind::kList:
-        write_to<kPipelines<C>>(
-            list, r.pipeline.get(),
-            ListLine<C>{false, r.key, r.address.template trunc<C::kAddressBits>(),
-                        core_entry<C>(lowest<ListEntry>(data[2]))});
-        break;
-      case MemoryKind::kColumn:
-        write_to<kPipelines<C>>(
-            column, r.pipeline.get(),
-            ColumnLine<C>{false, r.key, r.address.template trunc<ColumnAddress<C>::kWidth>(),
-                          MatrixColumn<Real>{{lowest<MatrixWord<Real>>(data[0]),
-                                              lowest<MatrixWord<Real>>(data[1]),
-                                              lowest<MatrixWord<Real>>(data[2])}}});
-        break;
-    }
-  }
-  static CoreNode<C> narrow(const Node<Real>& node) {
-    return {node.kind, node.split, node.left.template trunc<C::kAddressBits>(),
-            node.right.template trunc<C::kAddressBits>()};
-  }
-  /// The value in the lowest bits.
-  template <class T, unsigned W>
-  static T lowest(uint<W> bits) {
-    return hls::from_bits<T>(bits.template trunc<hls::bit_width_of<T>()>());
+    send_line<C>(r, data, node, list, column);
   }
 };
 

@@ -48,16 +48,26 @@ enum class MemoryKind : unsigned char { kNode, kList, kColumn };
 template <class C>
 inline constexpr bool kSlowMemory = C::kMemoryClocks > 1;
 
+/// Whether the caches of all pipelines have a second level behind them (units/memory_port.h).
+template <class C>
+inline constexpr bool kHasSecondLevel = C::kSecondLevel > 0;
+
 /// `key` names the request within its cache: the packet, or packet and column.
 template <class C>
 struct MemoryRequest {
-  [[no_unique_address]] UsualField<kSlowMemory<C>, uint<4>> repeat{
-      C::kMemoryClocks - 1};  ///< clocks of the read less one
+  static constexpr unsigned kAddressBits =
+      std::max(NodeAddress<C>::kWidth, ColumnAddress<C>::kWidth);
+
+  /// Clocks of the read less one; of an order to invalidate the second level, sets less one.
+  [[no_unique_address]] UsualField<kSlowMemory<C> || kHasSecondLevel<C>,
+                                   uint<kHasSecondLevel<C> ? 14 : 4>> repeat{C::kMemoryClocks - 1};
   MemoryKind kind = MemoryKind::kNode;
   uint<2 + PacketId<C>::kWidth> key;
-  uint<std::max(NodeAddress<C>::kWidth, ColumnAddress<C>::kWidth)> address;
+  uint<kAddressBits> address;
   [[no_unique_address]] PipelineNumber<C> pipeline{};
-  HLS_FIELDS(repeat, kind, key, address, pipeline)
+  [[no_unique_address]] UsualField<kHasSecondLevel<C>, bool> invalidate{};  ///< no read
+  [[no_unique_address]] UsualField<kHasSecondLevel<C>, uint<8>> tries{};    ///< while its line came
+  HLS_FIELDS(repeat, kind, key, address, pipeline, invalidate, tries)
 };
 
 /// A line for a cache: the answer to a request, or the order to invalidate a line.

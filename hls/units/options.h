@@ -15,6 +15,12 @@ inline std::string pipeline_prefix(unsigned pipeline) {
   return "p" + std::to_string(pipeline) + "_";
 }
 
+/// The core's way to the memory that holds the scene.
+enum class MemoryPath : std::uint8_t {
+  kBanks,  ///< three banks of SRAM (thesis chapter 7)
+  kPort,   ///< any memory behind one port (units/memory_port.h)
+};
+
 /// The treatment of a packet whose rays enter the children in different orders (thesis 3.1.3).
 enum class Crossing : std::uint8_t {
   kNone,      ///< the first ray's order is taken: right for rays of one origin

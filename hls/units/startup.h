@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Start-up: the tokens that the board sends before a frame (units/start.h). A number below
-// kFirstPacket invalidates that line of every cache; from kFirstPacket on the numbers free packets,
+// kFirstPacket invalidates that line of every cache, and 0 the whole second level, which meanwhile
+// takes no other request; from kFirstPacket on the numbers free packets,
 // in each pipeline one.
 // The board leaves the caches time to empty in between, so that no packet meets a line of an
 // earlier frame.
 #pragma once
 
-#include "units/memory_tokens.h"
+#include "units/memory_port.h"
 #include "units/ray_generation.h"
 #include "units/start.h"
 
 namespace dynrt {
+
+/// Clocks that the last set takes until it is seen to be invalid: as many sets are once more.
+inline constexpr unsigned kSetsWritten = 32;
 
 static_assert(kFirstPacket == 1u << 9, "the highest bit of a token tells packets from lines");
 
@@ -23,7 +27,8 @@ struct Startup {
   PortOfEach<kPipelines<C>, hls::Out<NodeLine<C>>> node;
   PortOfEach<kPipelines<C>, hls::Out<ListLine<C>>> list;
   PortOfEach<kPipelines<C>, hls::Out<ColumnLine<C>>> column;
-  HLS_PORTS(number, free, node, list, column)
+  hls::OptionalPort<kHasSecondLevel<C>, hls::Out<MemoryRequest<C>>> second;
+  HLS_PORTS(number, free, node, list, column, second)
 
   void step() {
     const uint<10> n = number.read();
@@ -37,6 +42,12 @@ struct Startup {
         port_of<kPipelines<C>>(list, i).write({true, {}, NodeAddress<C>::from(n.raw()), {}});
         port_of<kPipelines<C>>(column, i).write({true, {}, ColumnAddress<C>::from(n.raw()), {}});
       }
+    }
+    if constexpr (kHasSecondLevel<C>) {
+      MemoryRequest<C> all;
+      all.repeat = kSecondSets<C> - 1 + kSetsWritten;
+      all.invalidate = true;
+      if (n == uint<10>(0)) second.write(all);
     }
   }
 };

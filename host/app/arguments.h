@@ -38,6 +38,7 @@ struct FrameArguments {
   std::string order = "morton";
   bool uncompressed = false;
   ClockFlags clock;
+  std::optional<unsigned> memory_latency, row_clocks;
   std::optional<std::uint64_t> timeout;  ///< clocks; without the flag kTimeout
   std::string out;
   std::string json;

@@ -46,6 +46,38 @@ std::string caches_text(const FrameFigures& figures) {
                       : fmt::format("  {:<18}{:>14}{:>9}\n", "cache", "lookups", "hits") + text;
 }
 
+double per_ray(const Frame& frame, std::uint64_t bytes) {
+  return static_cast<double>(bytes) / static_cast<double>(frame.pixels.size());
+}
+
+std::string memory_text(const Frame& frame, const MemoryFigures& memory) {
+  std::string text = "memory      bytes per ray: ";
+  if (memory.read) text += fmt::format("{:.2f} read, ", per_ray(frame, *memory.read));
+  text += fmt::format("{:g} of pixels written", per_ray(frame, memory.pixels));
+  if (memory.hits > 0) text += fmt::format(", {:g} of hits", per_ray(frame, memory.hits));
+  if (frame.timing) {
+    text += fmt::format("; a port of {} bytes, {} clocks", frame.core.port_bytes,
+                        frame.timing->latency);
+    if (frame.timing->row_clocks > 0) {
+      text += fmt::format(", {} more to open a row", frame.timing->row_clocks);
+    }
+  }
+  return text + "\n";
+}
+
+Json memory_json(const Frame& frame, const MemoryFigures& memory) {
+  Json json = {{"bytes_read", memory.read ? Json(*memory.read) : Json()},
+               {"pixel_bytes_written", memory.pixels},
+               {"hit_bytes_written", memory.hits},
+               {"latency", Json()},
+               {"row_clocks", Json()}};
+  if (frame.timing) {
+    json["latency"] = frame.timing->latency;
+    json["row_clocks"] = frame.timing->row_clocks;
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string report_text(const Frame& frame, const FrameFigures& figures, const CoreClock& clock) {
@@ -73,6 +105,7 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, const C
     line("simulation  {:.2f} s, {} rays per second", frame.run.seconds,
          grouped(static_cast<std::uint64_t>(figures.rays_per_second)));
   }
+  text += memory_text(frame, figures.memory);
   line("bus         {} bytes written, {} read, {} transactions, {:.3f} s on 33 MHz PCI",
        grouped(frame.traffic.bytes_written), grouped(frame.traffic.bytes_read),
        grouped(frame.traffic.transactions), bus_seconds(frame));
@@ -116,6 +149,7 @@ Json report_json(const Frame& frame, const FrameFigures& figures, const CoreCloc
            {{"seconds", frame.run.seconds},
             {"clocks_per_second", value_or_null(figures.clocks_per_second)},
             {"rays_per_second", figures.rays_per_second}}},
+          {"memory", memory_json(frame, figures.memory)},
           {"bus",
            {{"transactions", frame.traffic.transactions},
             {"bytes_written", frame.traffic.bytes_written},

@@ -19,6 +19,7 @@
 #include "host/error.h"
 #include "host/format/core_info.h"
 #include "units/frame.h"
+#include "units/memory_timing.h"
 
 namespace dynrt::host {
 
@@ -61,6 +62,8 @@ class Board {
                      std::span<const std::uint32_t> words) = 0;
   virtual void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) = 0;
 
+  /// Of the memory behind the core's port, if it has one; from the next frame on.
+  virtual void set_memory_timing(const MemoryTiming& /*timing*/) {}
   virtual void configure(const FrameConfig& frame) = 0;
   /// Throws UserError if the board refuses: the core has not the packets or the cache lines.
   virtual void start() = 0;

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "host/board/vga_monitor.h"
+#include "units/memory_timing.h"
 
 namespace dynrt::host {
 
@@ -25,6 +26,9 @@ class ClockedBoard {
   virtual bool read(std::uint32_t address, std::span<std::uint32_t> words) = 0;
   /// Clocks the board until the interrupt line is high, at most `limit` times; true if it is.
   virtual bool run_until_interrupt(std::uint64_t limit) = 0;
+
+  /// Of the memory behind the core's port, if it has one.
+  virtual void set_memory_timing(const MemoryTiming& /*timing*/) {}
 
   virtual bool interrupt() const = 0;
   virtual std::uint64_t clocks() const = 0;  ///< since power-up

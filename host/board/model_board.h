@@ -26,6 +26,7 @@ class NativeCore {
   /// With schedules it runs clock by clock. Returns the clocks, or none without schedules.
   virtual std::optional<std::uint64_t> render(const FrameConfig& frame,
                                               const hls::ModuleSchedules* schedule) = 0;
+  virtual void set_memory_timing(const MemoryTiming& /*timing*/) {}
   virtual std::vector<Counter> counters() = 0;
 };
 using MakeNativeCore = std::unique_ptr<NativeCore> (*)();
@@ -38,6 +39,9 @@ class ModelBoard final : public Board {
 
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override;
   void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override;
+  void set_memory_timing(const MemoryTiming& timing) override {
+    native_->set_memory_timing(timing);
+  }
   void configure(const FrameConfig& frame) override;
   void start() override;
   /// Renders. `timeout` has no effect, as the model has no clock.

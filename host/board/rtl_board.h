@@ -20,6 +20,9 @@ class RtlBoard final : public Board {
 
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override;
   void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override;
+  void set_memory_timing(const MemoryTiming& timing) override {
+    clocked_->set_memory_timing(timing);
+  }
   void configure(const FrameConfig& frame) override;
   void start() override;
   FrameRun wait(std::uint64_t timeout, const PixelProgress& progress) override;

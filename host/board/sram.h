@@ -42,6 +42,8 @@ class Sram {
     return out_;
   }
 
+  std::uint32_t word(unsigned bank, std::uint32_t address) const { return banks_[bank][address]; }
+
   /// Words written into the framebuffer's bank since power-up.
   std::uint64_t frame_writes() const { return frame_writes_; }
 

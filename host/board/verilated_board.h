@@ -21,6 +21,7 @@
 
 #include "host/board/board_messages.h"
 #include "host/board/clocked_board.h"
+#include "host/board/pin_memory.h"
 #include "host/board/sram.h"
 #include "host/error.h"
 
@@ -58,6 +59,7 @@ class VerilatedBoard final : public ClockedBoard {
   }
 
   bool write(std::uint32_t address, std::span<const std::uint32_t> words) override {
+    memory_.restart();
     top_->bus_valid_i = 1;
     top_->bus_write_i = 1;
     bool ok = true;
@@ -93,6 +95,8 @@ class VerilatedBoard final : public ClockedBoard {
     for (std::uint64_t i = 0; !top_->irq_o && i < limit; ++i) clock();
     return top_->irq_o;
   }
+
+  void set_memory_timing(const MemoryTiming& timing) override { memory_.set_timing(timing); }
 
   void watch(VgaMonitor* monitor) override { monitor_ = monitor; }
 
@@ -137,10 +141,12 @@ class VerilatedBoard final : public ClockedBoard {
     eval(0);
     const bool ready = top.bus_ready_o;
     const Sram::Data& data = access_sram(top);
+    memory_.sample(top, sram_);
     top.clk_i = 1;
     top.core_clk_i = top.core_clk_en_o;
     eval(1);
     for (unsigned b = 0; b < kBanks; ++b) top.sram_rdata_i[b] = data[b];
+    memory_.drive(top);
     ++clocks_;
     if (monitor_ != nullptr) {
       monitor_->sample(top.vga_clock_o, top.vga_hsync_o, top.vga_vsync_o, top.vga_visible_o,
@@ -174,6 +180,7 @@ class VerilatedBoard final : public ClockedBoard {
   std::unique_ptr<V> top_;
   std::unique_ptr<VerilatedFstC> waves_;
   Sram sram_;
+  MemoryAtPins<V> memory_;
   VgaMonitor* monitor_ = nullptr;
   std::uint64_t clocks_ = 0;
 };

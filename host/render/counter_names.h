@@ -10,16 +10,22 @@ namespace dynrt::host::counters {
 /// Pushes onto full stacks, which the core drops.
 inline constexpr char kDroppedPushes[] = "stack_full.tokens";
 
-/// Of a cache: the requests that it has answered, and the lines that it has taken.
+/// Of a cache: the requests that it has answered, the lines that it has taken, and the words of the
+/// scene's banks that a line takes.
 struct OfCache {
   const char* cache;
   const char* lookups;
   const char* fills;
+  unsigned words;
 };
 inline constexpr OfCache kCaches[] = {
-    {"node", "node_lookup.transactions", "node_fill.transactions"},
-    {"list", "list_lookup.transactions", "list_fill.transactions"},
-    {"matrix", "matrix_lookup.transactions", "matrix_fill.transactions"},
+    {"node", "node_lookup.transactions", "node_fill.transactions", 2},
+    {"list", "list_lookup.transactions", "list_fill.transactions", 1},
+    {"matrix", "matrix_lookup.transactions", "matrix_fill.transactions", 3},
 };
+
+/// Of the memory's port: beats that came, and lines for the caches, also from the second level.
+inline constexpr char kBeats[] = "memory_gather.transactions";
+inline constexpr char kPortLines[] = "memory_line.tokens";
 
 }  // namespace dynrt::host::counters

@@ -10,6 +10,7 @@
 
 #include "hls/counter_name.h"
 #include "host/render/counter_names.h"
+#include "units/memory_format.h"
 #include "units/options.h"
 
 namespace dynrt::host {
@@ -77,6 +78,37 @@ std::vector<CacheFigures> caches_of(const Frame& frame, const CounterTotals& tot
   return caches;
 }
 
+/// The second level's, if there is one.
+std::optional<CacheFigures> second_level_of(const Frame& frame, const CounterTotals& totals) {
+  const auto lookups = value_of(totals, counters::kPortLines);
+  const auto beats = value_of(totals, counters::kBeats);
+  if (frame.core.second_level == 0 || !lookups || !beats) return std::nullopt;
+  CacheFigures cache{.name = "second",
+                     .lookups = *lookups,
+                     .misses = *beats * frame.core.port_bytes / frame.core.second_line};
+  if (cache.lookups > 0) {
+    cache.hit_rate = 1 - static_cast<double>(cache.misses) / static_cast<double>(cache.lookups);
+  }
+  return cache;
+}
+
+MemoryFigures memory_of(const Frame& frame, const std::vector<CacheFigures>& caches,
+                        const CounterTotals& totals) {
+  MemoryFigures memory;
+  memory.pixels = sizeof(std::uint32_t) * frame.pixels.size();
+  memory.hits = 2 * kHitWords * sizeof(std::uint32_t) * frame.hits.size();
+  if (const auto beats = value_of(totals, counters::kBeats)) {
+    memory.read = *beats * frame.core.port_bytes;
+    return memory;
+  }
+  for (const CacheFigures& cache : caches) {
+    const auto of = std::ranges::find(counters::kCaches, cache.name, &counters::OfCache::cache);
+    memory.read = memory.read.value_or(0) +
+                  cache.misses * of->words * sizeof(std::uint32_t) * frame.core.format->bus_words();
+  }
+  return memory;
+}
+
 }  // namespace
 
 CounterTotals totals_of(const Frame& frame) {
@@ -102,6 +134,8 @@ FrameFigures figures_of(const Frame& frame, double clock_hz) {
   FrameFigures figures;
   figures.units = units_of(frame, totals);
   figures.caches = caches_of(frame, totals);
+  figures.memory = memory_of(frame, figures.caches, totals);
+  if (auto second = second_level_of(frame, totals)) figures.caches.push_back(*std::move(second));
   figures.dropped_pushes = value_of(totals, counters::kDroppedPushes);
   const auto rays = static_cast<double>(frame.pixels.size());
   if (frame.run.cycles && *frame.run.cycles > 0) {

@@ -22,14 +22,22 @@ struct UnitFigures {
 };
 
 struct CacheFigures {
-  std::string name;  ///< "node", "list" or "matrix"
+  std::string name;  ///< "node", "list" or "matrix"; "second" of the second level
   std::uint64_t lookups = 0;
   std::uint64_t misses = 0;
   double hit_rate = 1;
 };
 
+/// What goes between the core and its memory in a frame, in bytes.
+struct MemoryFigures {
+  std::optional<std::uint64_t> read;  ///< of the scene; none without counters
+  std::uint64_t pixels = 0;           ///< written
+  std::uint64_t hits = 0;             ///< written
+};
+
 struct FrameFigures {
   std::vector<UnitFigures> units;  ///< the busiest first
+  MemoryFigures memory;
   std::vector<CacheFigures> caches;
   std::optional<double> frames_per_second;  ///< at the stated clock
   std::optional<double> rays_per_clock;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,10 +31,11 @@ struct Frame {
   CoreInfo core;
   unsigned width = 0;
   unsigned height = 0;
-  unsigned packets = 0;               ///< that were allowed in flight
-  unsigned lines = 0;                 ///< of each cache
-  std::vector<std::uint32_t> pixels;  ///< 0x00BBGGRR, row by row from the top
-  std::vector<HitRecord> hits;        ///< one per pixel, or none if the options leave them out
+  unsigned packets = 0;                ///< that were allowed in flight
+  unsigned lines = 0;                  ///< of each cache
+  std::optional<MemoryTiming> timing;  ///< of the memory behind the core's port, if it has one
+  std::vector<std::uint32_t> pixels;   ///< 0x00BBGGRR, row by row from the top
+  std::vector<HitRecord> hits;         ///< one per pixel, or none if the options leave them out
   std::vector<Counter> counters;
   FrameRun run;
   BusTraffic upload;   ///< of the scene, or of what changed in it

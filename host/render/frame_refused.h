@@ -15,7 +15,7 @@ struct FrameRefused : UserError {
   FrameRefused(std::string refused_option, const std::string& sentence)
       : UserError(sentence), option(std::move(refused_option)) {}
 
-  std::string option;  ///< the member of FrameOptions; "size" for width and height
+  std::string option;  ///< the flag that gives it; "size" for width and height
 };
 
 }  // namespace dynrt::host

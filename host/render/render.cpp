@@ -110,13 +110,35 @@ FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
     refuse_option("reflections", messages::kReflections, core.name, core.reflections, reflections);
   }
   frame.reflections = to_word(reflections);
+  memory_timing(core, options);
   return frame;
+}
+
+std::optional<MemoryTiming> memory_timing(const CoreInfo& core, const FrameOptions& options) {
+  const auto clocks = [&](const char* option, std::optional<unsigned> given, unsigned low,
+                          unsigned high, unsigned otherwise) {
+    if (given && core.memory == MemoryPath::kBanks) {
+      refuse_option(option, messages::kNoPort, core.name);
+    }
+    if (given && (*given < low || *given > high)) {
+      refuse_option(option, messages::kMemoryClocks, low, high, *given);
+    }
+    return given.value_or(otherwise);
+  };
+  MemoryTiming timing;
+  timing.latency =
+      clocks("memory-latency", options.memory_latency, 1, kMaxMemoryLatency, timing.latency);
+  timing.row_clocks = clocks("row-clocks", options.row_clocks, 0, kMaxRowClocks, timing.row_clocks);
+  if (core.memory == MemoryPath::kBanks) return std::nullopt;
+  return timing;
 }
 
 Frame render(Board& board, const FrameOptions& options, const SceneAddresses& scene,
              std::span<const MemoryRun> memory, const PixelProgress& progress) {
   const FrameConfig config = frame_config(board.core(), options, scene);
   const BusTraffic before = board.traffic();
+  const std::optional<MemoryTiming> timing = memory_timing(board.core(), options);
+  if (timing) board.set_memory_timing(*timing);
   for (const MemoryRun& part : memory) board.write(part.bank, part.address, part.words);
   Frame frame;
   frame.upload = board.traffic() - before;
@@ -126,6 +148,7 @@ Frame render(Board& board, const FrameOptions& options, const SceneAddresses& sc
   frame.core = board.core();
   frame.width = options.width;
   frame.height = options.height;
+  frame.timing = timing;
   frame.packets = static_cast<unsigned>(config.packets.to_u64());
   frame.lines = static_cast<unsigned>(config.line_mask.to_u64()) + 1;
   frame.run = board.wait(options.timeout, progress);

@@ -20,6 +20,8 @@ struct FrameOptions {
   unsigned height = 384;
   std::optional<unsigned> packets{};  ///< in flight; all that the configuration has
   std::optional<unsigned> lines{};    ///< of each cache; all that the configuration has
+  /// Of the memory behind the core's port, as MemoryTiming has them.
+  std::optional<unsigned> memory_latency{}, row_clocks{};
   RayOrder order = RayOrder::kMorton;
   std::optional<unsigned> reflections{};  ///< bounces; all that the configuration has
   bool uncompressed = false;              ///< transform every ray's origin, not one for the packet
@@ -42,6 +44,10 @@ void check_size(unsigned width, unsigned height);
 /// no rays for do not shine.
 FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
                          const SceneAddresses& scene);
+
+/// The clocks of the memory behind the core's port; nothing if it has none. Throws FrameRefused
+/// likewise.
+std::optional<MemoryTiming> memory_timing(const CoreInfo& core, const FrameOptions& options);
 
 /// Renders; `memory` is uploaded first.
 Frame render(Board& board, const FrameOptions& options, const SceneAddresses& scene,

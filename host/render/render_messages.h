@@ -18,4 +18,10 @@ inline constexpr char kUncompressed[] =
 inline constexpr char kReflections[] =
     "configuration {} traces at most {} reflections of a ray, not {}";
 
+inline constexpr char kNoPort[] =
+    "the scene of configuration {} lies in banks of SRAM, whose clocks are its own; a "
+    "configuration "
+    "with \"memory\": \"port\" has a memory whose clocks can be chosen";
+inline constexpr char kMemoryClocks[] = "the emulated memory takes {} to {} clocks, not {}";
+
 }  // namespace dynrt::host::messages

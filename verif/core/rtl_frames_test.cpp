@@ -109,6 +109,42 @@ INSTANTIATE_TEST_SUITE_P(Every, Frames,
                                           testing::Values(1, 2, kAll)),
                          name_of);
 
+/// Latency and clocks to open a row of the memory behind a port.
+using Timing = std::tuple<std::string, std::pair<unsigned, unsigned>>;
+class Timings : public testing::TestWithParam<Timing> {};
+
+TEST_P(Timings, TheEmulatedMemoryIsTheModels) {
+  const auto& [name, clocks] = GetParam();
+  const auto rtl = make_checked_board(name, 1);
+  const auto model = make_scheduled_model(name);
+  FrameOptions options{.width = 40, .height = 30, .timeout = 10'000'000};
+  options.memory_latency = clocks.first;
+  options.row_clocks = clocks.second;
+  const MemoryImage scene = prepare_scene("office", options, model->core());
+  const Frame expected = render(*model, options, scene);
+  expect_identical(render(*rtl, options, scene), expected);
+  // The first frame has left rows open.
+  expect_identical(render(*rtl, options, scene), expected);
+}
+
+std::vector<std::string> names_with_port() {
+  std::vector<std::string> names;
+  for (const Configuration& c : configurations()) {
+    if (c.lowered && c.core().memory == MemoryPath::kPort) names.emplace_back(c.name);
+  }
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Every, Timings,
+    testing::Combine(testing::ValuesIn(names_with_port()),
+                     testing::Values(std::pair{1u, 0u}, std::pair{30u, 0u}, std::pair{200u, 0u},
+                                     std::pair{8u, 1u}, std::pair{8u, 30u}, std::pair{100u, 200u})),
+    [](const auto& info) {
+      const auto& [name, clocks] = info.param;
+      return fmt::format("{}_{}_clocks_{}_a_row", name, clocks.first, clocks.second);
+    });
+
 class Starts : public testing::TestWithParam<std::string> {};
 
 /// The board's message if it refuses to start the frame with these packets; empty: it starts.

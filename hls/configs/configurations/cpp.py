@@ -124,7 +124,7 @@ def header() -> str:
     for name, key in KEYS.items():
         facts = [f'"{name}"', _quoted(key.about), _bool(key.of_core), _bool(key.required)]
         if hasattr(key.kind, "low"):
-            facts.append(str(key.kind.low))
+            facts.append(str(0 if getattr(key.kind, "or_zero", False) else key.kind.low))
         lines.append(f"  visit(ConfigurationKey{{{', '.join(facts)}}}, configuration.{name});")
     lines += [
         "}",

@@ -30,6 +30,7 @@ class Key:
 
 
 ROUNDINGS = Choice("hls::Rounding", {"nearest_even": "kNearestEven", "truncate": "kTruncate"})
+MEMORIES = Choice("MemoryPath", {"banks": "kBanks", "port": "kPort"})
 CROSSINGS = Choice("Crossing", {"none": "kNone", "split": "kSplit", "remember": "kRemember"})
 OBJECT_BOXES = Choice("ObjectBox", {"nodes": "kNodes", "unit": "kUnit", "world": "kWorld"})
 DIVIDERS = Choice(
@@ -156,6 +157,27 @@ KEYS: dict[str, Key] = {
         "kMemoryClocks",
         "clocks that the scene's banks take for a read; more than 1 stand for a slower memory",
         1,
+    ),
+    "memory": Key(
+        MEMORIES,
+        "kMemory",
+        "what holds the scene: banks of SRAM, or any memory behind one port",
+        "banks",
+    ),
+    "port_bytes": Key(
+        Whole(2, 32, power_of_two=True), "kPortBytes", "bytes that the port moves in a clock", 8
+    ),
+    "second_level": Key(
+        Whole(4, 128, power_of_two=True, or_zero=True),
+        "kSecondLevel",
+        "kilobytes of a second level of cache before the port, which all pipelines share; 0: none",
+        0,
+    ),
+    "second_line": Key(
+        Whole(16, 32, power_of_two=True), "kSecondLine", "bytes of a line of the second level", 32
+    ),
+    "second_ways": Key(
+        Whole(1, 4, power_of_two=True), "kSecondWays", "ways of the second level", 4
     ),
     "lights": Key(Whole(0, 8), "kLights", "passes of light rays from a packet's hits, at most", 0),
     "reflections": Key(Whole(0, 15), "kReflections", "bounces of a ray, at most", 0),

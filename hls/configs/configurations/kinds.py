@@ -36,18 +36,19 @@ class Whole:
     low: int
     high: int
     power_of_two: bool = False
+    or_zero: bool = False  # beside those from low on
 
     def allows(self, value: object) -> bool:
         return (
             isinstance(value, int)
             and not isinstance(value, bool)
-            and self.low <= value <= self.high
+            and (self.low <= value <= self.high or self.or_zero and value == 0)
             and not (self.power_of_two and value & (value - 1))
         )
 
     def wants(self) -> str:
         noun = "power of two" if self.power_of_two else "whole number"
-        return f"a {noun} from {self.low} to {self.high}"
+        return f"{'0 or ' if self.or_zero else ''}a {noun} from {self.low} to {self.high}"
 
     def literal(self, value: object) -> str:
         return str(value)

@@ -27,6 +27,8 @@ BOX_UNIT = ("object_box", "unit")
 WORLD_BOX = ("object_box", "world")
 WATERTIGHT = ("triangle_test", "watertight")
 WATERTIGHT_COMMON = ("triangle_test", "watertight_common")
+IN_BANKS = ("memory", "banks")
+BEHIND_PORT = ("memory", "port")
 ONE_LEVEL = ("levels", 1)
 MAIN_FIRST = ("main_first", True)
 COMMON_ORIGIN = ("origins", "common")
@@ -57,6 +59,34 @@ OF_WATERTIGHT: tuple[tuple[str, Callable[[object], bool], str, str], ...] = (
 RULES: tuple[Rule, ...] = (
     Rule("ways", 2, "lines", at_least(2), "2 or more", "a set has a line in each way"),
     Rule("ways", 4, "lines", at_least(4), "4 or more", "a set has a line in each way"),
+    Rule(
+        *IN_BANKS,
+        "second_level",
+        lambda v: v == 0,
+        "0",
+        "the second level stands before the port",
+    ),
+    Rule(
+        *BEHIND_PORT,
+        "memory_clocks",
+        lambda v: v == 1,
+        "1",
+        "it slows the banks; a memory behind the port has clocks of its own",
+    ),
+    Rule(
+        *BEHIND_PORT,
+        "mantissa_bits",
+        lambda v: isinstance(v, int) and v <= 16,
+        "16 at most",
+        "a word of the memory behind the port has 32 bits, 24 of them for a float",
+    ),
+    Rule(
+        *BEHIND_PORT,
+        "exponent_bits",
+        lambda v: isinstance(v, int) and v <= 7,
+        "7 at most",
+        "a word of the memory behind the port has 32 bits, 24 of them for a float",
+    ),
     Rule(*ONE_LEVEL, "object_box", lambda v: v == "nodes", "nodes", "no object is entered"),
     Rule(
         *ONE_LEVEL,

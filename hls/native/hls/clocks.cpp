@@ -48,6 +48,10 @@ std::vector<Clocks::Queue*> Clocks::fork(Feed feed, const std::vector<std::strin
 
 void Clocks::sink(Feed feed) { sinks_.push_back({.feed = std::move(feed)}); }
 
+void Clocks::device(Queue* requests, Queue* answers, Device& device) {
+  outsides_.push_back({.requests = requests, .answers = answers, .device = &device});
+}
+
 void Clocks::torn_ram(const std::string& writer, const std::string& port, const std::string& reader,
                       unsigned read_stage, std::function<std::uint64_t()> logged,
                       std::function<void(std::size_t)> tear, std::function<void()> land) {
@@ -101,6 +105,10 @@ void Clocks::number_actors() {
   actors_.clear();
   for (Ram& ram : rams_) ram.landing = number<&Clocks::land>(ram);
   for (Sink& sink : sinks_) sink.feed.queue->reader = number<&Clocks::drain>(sink);
+  for (Outside& outside : outsides_) {
+    outside.actor = number<&Clocks::serve>(outside);
+    outside.requests->reader = outside.actor;
+  }
   for (Arbiter& arbiter : arbiters_) {
     arbiter.actor = number<&Clocks::arbitrate>(arbiter);
     for (const Feed& feed : arbiter.feeds) feed.queue->reader = arbiter.actor;
@@ -168,6 +176,17 @@ void Clocks::push(Queue& queue, std::uint64_t ready) {
 
 void Clocks::drain(Sink& sink, std::uint64_t now) {
   if (sink.feed.queue->offers(now)) take(sink.feed, now);
+}
+
+void Clocks::serve(Outside& outside, std::uint64_t now) {
+  Device& device = *outside.device;
+  if (outside.requests->offers(now)) {
+    take({outside.requests}, now);
+    device.take(now);
+  }
+  const std::size_t answers = device.answer(now);
+  for (std::size_t i = 0; i < answers; ++i) push(*outside.answers, now + 1 + i);
+  if (device.next() != kNever) wheel_.wake(outside.actor, std::max(now + 1, device.next()));
 }
 
 void Clocks::arbitrate(Arbiter& arbiter, std::uint64_t now) {

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "hls/clock_queue.h"
+#include "hls/device.h"
 #include "hls/fifo.h"
 #include "hls/module_schedule.h"
 #include "hls/timing_wheel.h"
@@ -63,6 +64,8 @@ class Clocks {
                            unsigned depth);
   /// Takes every token.
   void sink(Feed feed);
+  /// Takes every request and gives answers, which it puts into their queue itself.
+  void device(Queue* requests, Queue* answers, Device& device);
 
   /// A RAM whose rows may be read in the clock that writes them, by unit `reader` in stage
   /// `read_stage`. `logged` writes wait until `land` shows each of them to it; in the clock before,
@@ -79,8 +82,9 @@ class Clocks {
 
  private:
   /// Those that have work in some clocks, in the order of their work within a clock: rows that are
-  /// written are seen, sinks, arbiters, forks, the marks of torn rows that their writer reads, the
-  /// units that write rows which may be torn for others, these rows' marks, all other units.
+  /// written are seen, sinks, devices, arbiters, forks, the marks of torn rows that their writer
+  /// reads, the units that write rows which may be torn for others, these rows' marks, all other
+  /// units.
   struct Actor {
     void (*act)(Clocks&, void* self, std::uint64_t now);
     void* self;
@@ -129,6 +133,12 @@ class Clocks {
     std::size_t actor = 0;
     Feed feed;
   };
+  struct Outside {
+    std::size_t actor = 0;
+    Queue* requests;
+    Queue* answers;
+    Device* device;
+  };
 
   Unit& find(const std::string& name);
 
@@ -141,6 +151,7 @@ class Clocks {
   void pass(Fork& fork, std::uint64_t now);
   void fire(Unit& unit, std::uint64_t now);
   void drain(Sink& sink, std::uint64_t now);
+  void serve(Outside& outside, std::uint64_t now);
   void land(Ram& ram, std::uint64_t now);
   void tear(Ram& ram, std::uint64_t now);
 
@@ -162,6 +173,7 @@ class Clocks {
   std::deque<Arbiter> arbiters_;
   std::deque<Fork> forks_;
   std::deque<Sink> sinks_;
+  std::deque<Outside> outsides_;
   std::vector<Actor> actors_;
   TimingWheel wheel_;
 };

@@ -110,7 +110,22 @@ std::shared_ptr<TokenQueue> Join::add_output(const std::string& name, OutEnd& fr
   } else {
     from.bind_tokens(queue);
   }
+  outputs_[name] = queue;
   return queue;
+}
+
+void Join::attach(const std::string& requests, const std::string& answers, Device& device) {
+  if (clocks_) {
+    clocks_->attach(requests, answers, device);
+    return;
+  }
+  const auto serve = [&device, queue = outputs_.at(requests)](std::uint64_t&) {
+    const bool any = queue->has_tokens();
+    while (queue->has_tokens()) device.take(0);
+    while (device.next() != kNever) device.answer(device.next());
+    return any;
+  };
+  processes_.push_back({"", 0, serve});
 }
 
 void Join::add_sink(const std::string& name, OutEnd& from, TokenType type) {

@@ -26,6 +26,7 @@
 #include <utility>
 #include <vector>
 
+#include "hls/device.h"
 #include "hls/join_clocks.h"
 #include "hls/join_ports.h"
 #include "hls/join_record.h"
@@ -92,6 +93,9 @@ class Join {
   std::shared_ptr<Fifo<T>> output(const std::string& name, Out<T>& from) {
     return std::static_pointer_cast<Fifo<T>>(add_output(name, from, token_type<T>()));
   }
+  /// Gives the requests of an output to a device, whose answers come to an input. It holds the two
+  /// queues, and stays where it is.
+  void attach(const std::string& requests, const std::string& answers, Device& device);
   /// A channel whose tokens are counted and dropped.
   template <class T>
   void sink(const std::string& name, Out<T>& from) {
@@ -299,8 +303,9 @@ class Join {
   JoinRecord record_;
   std::string group_, prefix_;
   JoinPorts ports_;
-  std::unique_ptr<JoinClocks> clocks_;  ///< null: there is no clock
-  std::deque<Process> processes_;       ///< elements keep their addresses
+  std::unique_ptr<JoinClocks> clocks_;                          ///< null: there is no clock
+  std::deque<Process> processes_;                               ///< elements keep their addresses
+  std::map<std::string, std::shared_ptr<TokenQueue>> outputs_;  ///< those that the outside reads
   std::vector<std::pair<std::string, std::function<std::uint64_t()>>> tokens_;
 };
 

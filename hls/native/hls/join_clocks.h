@@ -53,6 +53,10 @@ class JoinClocks {
   void input(const JoinPorts& ports, const std::string& name, const InEnd& to);
   void output(const JoinPorts& ports, const std::string& name, OutEnd& from, const Tokens& queue);
   void sink(const JoinPorts& ports, OutEnd& from, const Tokens& queue);
+  /// Between an output and an input of these names.
+  void attach(const std::string& requests, const std::string& answers, Device& device) {
+    clocks_.device(ends_.at(requests), ends_.at(answers), device);
+  }
 
   void arrives(const std::string& input, std::uint64_t clock) { ends_.at(input)->push(clock); }
   void run() { clocks_.run(); }

@@ -95,7 +95,8 @@ def read(path: pathlib.Path) -> tuple[Groups, Arrows]:
 
 def look(source: str, target: str, style: str) -> str:
     """Packets on their way are black, RAMs shared by two units dashed, memory traffic grey."""
-    if "memory_interface" in (source, target) or (source == "startup" and "cache" in target):
+    memory = any(end.startswith("memory_") for end in (source, target))
+    if memory or (source == "startup" and "cache" in target):
         return ', color="#999999", fontcolor="#777777", constraint=false'
     if style == "dashed":
         return ', style=dashed, color="#3b6ea5", fontcolor="#3b6ea5"'

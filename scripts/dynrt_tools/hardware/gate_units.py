@@ -76,6 +76,14 @@ CACHE_UNITS = (
 OTHER_UNITS = (
     Unit("(ray generation)", 0, 0, ("ray_generation",), ("pixel_position_ram",)),
     Unit("(shading)", 0, 0, ("shading", "frame_writer")),
+    Unit(
+        "(memory port)",
+        0,
+        0,
+        ("memory_lookup", "memory_gather", "memory_fill", "memory_answer"),
+        ("in_flight_ram",),
+    ),
+    Unit("(second level)", 0, 0, (), ("second_rows", "last_miss_ram")),
 )
 # Notes of rows whose halves differ in what they do.
 NOTES = {

@@ -1,0 +1,148 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The one port between the caches and whatever memory holds the scene: reads with an id, many in
+// flight, answered in any order, the beats of an answer one after another; and the second level of
+// cache that may stand before it, shared by all pipelines. What a memory does with a read is its
+// own affair: an id says whose it is, so the core needs no order.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+#include "hls/cast.h"
+#include "units/memory_tokens.h"
+
+namespace dynrt {
+
+/// Whether the scene lies behind the port, and not in banks of SRAM.
+template <class C>
+inline constexpr bool kHasPort = C::kMemory == MemoryPath::kPort;
+/// Bytes that the port moves in a clock: a beat.
+template <class C>
+inline constexpr unsigned kBeatBytes = C::kPortBytes;
+
+/// Lines of the second level, of C::kSecondLine bytes, in sets of C::kSecondWays.
+template <class C>
+inline constexpr unsigned kSecondSets =
+    std::max(1u, C::kSecondLevel * 1024 / C::kSecondLine / C::kSecondWays);
+template <class C>
+using SecondSet = uint<hls::index_width(kSecondSets<C>)>;
+/// The number of a line in the memory.
+template <class C>
+inline constexpr unsigned kSecondLineBits = std::countr_zero(C::kSecondLine);
+template <class C>
+using SecondLineNumber = uint<kPortAddressBits - kSecondLineBits<C>>;
+
+/// Bytes that a read brings for an item: a line of the second level, or the beats that it lies in.
+template <class C>
+constexpr unsigned read_bytes(unsigned item_bytes) {
+  return kHasSecondLevel<C> ? C::kSecondLine : std::max(item_bytes, kBeatBytes<C>);
+}
+/// Beats of a read, less one. The last word of a column's place holds nothing and is left out.
+template <class C>
+constexpr unsigned last_beat(unsigned item_bytes) {
+  const unsigned used = item_bytes == kColumnBytes && !kHasSecondLevel<C> ? 12 : item_bytes;
+  return (std::max(kHasSecondLevel<C> ? C::kSecondLine : used, kBeatBytes<C>) - 1) / kBeatBytes<C>;
+}
+/// The beats of the longest read, and its words; those of a shorter one are the first.
+template <class C>
+inline constexpr unsigned kReadBeats = read_bytes<C>(kColumnBytes) / kBeatBytes<C>;
+template <class C>
+using ReadWords = std::array<Word, read_bytes<C>(kColumnBytes) / 4>;
+
+/// Whose a read is: a cache, and the request within it.
+template <class C>
+struct PortId {
+  MemoryKind kind = MemoryKind::kNode;
+  uint<2 + PacketId<C>::kWidth> key;
+  [[no_unique_address]] PipelineNumber<C> pipeline{};
+  HLS_FIELDS(kind, key, pipeline)
+};
+template <class C>
+PortId<C> port_id(const MemoryRequest<C>& request) {
+  return {request.kind, request.key, request.pipeline};
+}
+template <class C>
+inline constexpr unsigned kPortIds = 1u << hls::bit_width_of<PortId<C>>();
+
+using PortAddress = uint<kPortAddressBits>;  ///< of a byte
+
+template <class C>
+struct PortRead {
+  PortId<C> id;
+  PortAddress address;  ///< of the first beat
+  uint<4> last;         ///< beats less one
+  HLS_FIELDS(id, address, last)
+};
+/// From the lowest address on.
+template <class C>
+using BeatData = std::array<uint<16>, kBeatBytes<C> / 2>;
+template <class C>
+struct PortBeat {
+  PortId<C> id;
+  BeatData<C> data;
+  bool last = false;  ///< of its read
+  HLS_FIELDS(id, data, last)
+};
+
+/// What a read has brought; or, to the second level, the order to invalidate a set.
+template <class C>
+struct PortLine {
+  [[no_unique_address]] UsualField<kHasSecondLevel<C>, bool> invalidate{};
+  [[no_unique_address]] UsualField<kHasSecondLevel<C>, SecondSet<C>> set{};
+  PortId<C> id;
+  ReadWords<C> data;
+  HLS_FIELDS(invalidate, set, id, data)
+};
+
+/// What is kept of a read until its answer comes: the item's address, and the way of the second
+/// level that its line goes to.
+template <class C>
+struct ReadInFlight {
+  uint<MemoryRequest<C>::kAddressBits> address;
+  [[no_unique_address]] UsualField<kHasSecondLevel<C>, uint<2>> way{};
+  HLS_FIELDS(address, way)
+};
+
+/// The line, or the beats, that an item lies in; for its cache.
+template <class C>
+struct MemoryLine {
+  PortId<C> id;
+  uint<MemoryRequest<C>::kAddressBits> address;
+  ReadWords<C> data;
+  HLS_FIELDS(id, address, data)
+};
+
+/// A row of one way of the second level.
+template <class C>
+struct SecondRow {
+  bool torn = false;  ///< hls::Hazard::kTorn
+  bool valid = false;
+  SecondLineNumber<C> line;
+  std::array<Word, C::kSecondLine / 4> data;
+  HLS_FIELDS(torn, valid, line, data)
+};
+/// The last miss of a set: its line may be on its way.
+template <class C>
+struct LastMiss {
+  bool torn = false;  ///< hls::Hazard::kTorn
+  bool valid = false;
+  SecondLineNumber<C> line;
+  uint<2> way;
+  HLS_FIELDS(torn, valid, line, way)
+};
+
+/// Where an item begins in the memory (units/memory_format.h).
+template <class C>
+constexpr PortAddress byte_of(MemoryKind kind, uint<MemoryRequest<C>::kAddressBits> address) {
+  const auto number = address.template zext<kAddressBits>();
+  return kind == MemoryKind::kNode   ? hls::concat(hls::concat(uint<2>(0b00), number), uint<3>(0))
+         : kind == MemoryKind::kList ? hls::concat(hls::concat(uint<3>(0b010), number), uint<2>(0))
+                                     : hls::concat(hls::concat(uint<1>(1), number), uint<4>(0));
+}
+static_assert(kNodeBytes == 8 && kEntryBytes == 4 && kColumnBytes == 16);
+static_assert(kEntriesAt == 0b010u << 21 && kColumnsAt == 1u << 23 && kPortAddressBits == 24);
+
+}  // namespace dynrt

@@ -1,0 +1,62 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Cores whose scene lies behind one port: whatever the width of the port, the second level of cache
+// and the number of pipelines, rays have the hits and the pixels that they have where it lies in
+// banks.
+#include "configs/fast.h"
+#include "configs/thesis.h"
+#include "core/specialised.h"
+
+namespace dynrt::host::specialised {
+namespace {
+
+template <class C, unsigned Bytes, unsigned SecondLevel = 0, unsigned Ways = 1,
+          unsigned Pipelines = 1>
+struct Behind : C {
+  static constexpr auto kMemory = MemoryPath::kPort;
+  static constexpr unsigned kPortBytes = Bytes;
+  static constexpr unsigned kSecondLevel = SecondLevel;
+  static constexpr unsigned kSecondWays = Ways;
+  static constexpr unsigned kPipelines = Pipelines;
+};
+
+template <class C, class Port>
+void expect_as_from_banks(const std::string& scene) {
+  const Frame banks = rendered(*board_of<C>(), scene, {});
+  const auto board = board_of<Port>();
+  // Twice, as a core must begin its second frame as it did its first.
+  rendered(*board, scene, {});
+  const Frame port = rendered(*board, scene, {});
+  expect_same_picture(port, banks, scene, "behind a port", "in banks");
+  EXPECT_GT(count_of(port, "memory_gather.transactions"), 0u);
+}
+
+TEST(MemoryPort, RaysHitWhatTheyHitWithBanks) {
+  using config::fast, config::thesis;
+  expect_as_from_banks<thesis, Behind<thesis, 2>>("office");
+  expect_as_from_banks<fast, Behind<fast, 4>>("blocks");
+  expect_as_from_banks<fast, Behind<fast, 8>>("trees4000");
+  expect_as_from_banks<fast, Behind<fast, 32>>("office");
+}
+
+TEST(MemoryPort, WithASecondLevelToo) {
+  using config::fast, config::thesis;
+  expect_as_from_banks<thesis, Behind<thesis, 8, 4, 1>>("office");
+  expect_as_from_banks<fast, Behind<fast, 2, 16, 2>>("cistern");
+  expect_as_from_banks<fast, Behind<fast, 32, 128, 4>>("conference");
+  expect_as_from_banks<fast, Behind<fast, 16, 64, 4, 4>>("trees4000");
+}
+
+TEST(MemoryPort, ALineIsReadOnceForAllThatWaitForIt) {
+  using config::fast;
+  const auto reads = [](const auto& board) {
+    return count_of(rendered(*board, "office", {}), "memory_gather.transactions");
+  };
+  const std::uint64_t beats = reads(board_of<Behind<fast, 32, 128, 4>>());
+  const std::uint64_t every = reads(board_of<Behind<fast, 32>>());
+  EXPECT_LT(2 * beats, every);
+}
+
+}  // namespace
+}  // namespace dynrt::host::specialised
