@@ -196,7 +196,7 @@ Need epsilon(const RuleContext& c) {
   return kept(c, "with another value, rays would hit other triangles");
 }
 Need hits_stay(const RuleContext& c) { return kept(c, "hits and pixels do not depend on it"); }
-Need sram_latency(const RuleContext& c) { return kept(c, "the board decides it"); }
+Need of_board(const RuleContext& c) { return kept(c, "the board decides it"); }
 Need object_box(const RuleContext& c) {
   if (c.general->object_box == ObjectBox::kWorld && has_one_level(c)) {
     return {"nodes", "no object is entered, so none has a box to be tested before"};
@@ -224,8 +224,14 @@ constexpr Rule kRules[] = {
     {"counters", Holds::kAlways, counters},
     {"scan_out", Holds::kAlways, scan_out},
     {"epsilon", Holds::kAlways, epsilon},
-    {"sram_latency", Holds::kAlways, sram_latency},
-    {"memory_clocks", Holds::kAlways, sram_latency},
+    {"sram_latency", Holds::kAlways, of_board},
+    {"memory_clocks", Holds::kAlways, of_board},
+    {"memory", Holds::kAlways, of_board},
+    {"port_bytes", Holds::kAlways, of_board},
+    {"ways", Holds::kAlways, hits_stay},
+    {"second_level", Holds::kAlways, hits_stay},
+    {"second_line", Holds::kAlways, hits_stay},
+    {"second_ways", Holds::kAlways, hits_stay},
     {"pipelines", Holds::kAlways, hits_stay},
     {"object_box", Holds::kAlways, object_box},
     {"stack_entries", Holds::kAlways, hits_stay},

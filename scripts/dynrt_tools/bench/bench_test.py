@@ -55,6 +55,8 @@ report = {"scene": {"instances": 1},
           "frame": {"board": a.board, "configuration": a.config, "width": width, "height": height,
                     "hits": 1, "counters": counters,
                     "units": units, "caches": caches,
+                    "memory": {"bytes_read": 24 * width * height, "pixel_bytes_written": 8,
+                               "hit_bytes_written": 16},
                     "cycles": cycles if a.board == "rtl" else 1.5 * nodes if a.schedule else None}}
 pathlib.Path(a.json).write_text(json.dumps(report))
 """
@@ -239,7 +241,7 @@ class Bench(testing.InFolder):
         self.assertEqual(office["nodes per packet"], 30.3)
         self.assertEqual(office["triangles per packet"], 0.4)
         self.assertEqual(trees["triangles per packet"], "-")
-        self.assertEqual(office["bytes read per frame"], 101 * (8 + 4 + 12))
+        self.assertEqual(office["bytes read per ray"], 24)
         self.assertEqual(
             trees["frames per second at 85 MHz"], round(85e6 / (1.25 * 3030 * 2000), 2)
         )

@@ -85,8 +85,6 @@ class Dynrt:
 
 
 # The bytes of memory in a line of each cache, of a pixel and of its hit record.
-LINE_BYTES = {"node": 8, "list": 4, "matrix": 12}
-PIXEL_BYTES, HIT_BYTES = 4, 24
 
 # The keys of cores whose counters say how many triangles and objects packets meet: each of four rays
 # goes through the transformation for every item, and a leaf is a node.
@@ -159,12 +157,14 @@ def rays(frame: Json) -> int:
 
 
 def read_bytes(frame: Json) -> int:
-    """The bytes of the lines that the caches did not hold."""
-    return sum(cache["misses"] * LINE_BYTES[name] for name, cache in frame["caches"].items())
+    """The bytes of the scene that came from the memory."""
+    return int(frame["memory"]["bytes_read"])
 
 
 def written_bytes(frame: Json) -> int:
-    return rays(frame) * (PIXEL_BYTES + (HIT_BYTES if frame["hits"] is not None else 0))
+    """Those of pixels and of hit records."""
+    memory = frame["memory"]
+    return int(memory["pixel_bytes_written"] + memory["hit_bytes_written"])
 
 
 @dataclasses.dataclass

@@ -72,8 +72,8 @@ class Measured:
             rows[f"{figure.replace('_', ' ')} per packet"] = "-" if each is None else round(each, 2)
         for cache, counts in self.frame["caches"].items():
             rows[f"{cache} cache hits, %"] = round(100 * counts["hit_rate"], 2)
-        rows["bytes read per frame"] = read_bytes(self.frame)
-        rows["bytes written per frame"] = written_bytes(self.frame)
+        rows["bytes read per ray"] = round(read_bytes(self.frame) / rays(self.frame), 2)
+        rows["bytes written per ray"] = round(written_bytes(self.frame) / rays(self.frame), 2)
         return rows
 
     def waits(self) -> str:

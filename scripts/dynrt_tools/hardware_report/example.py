@@ -50,6 +50,11 @@ def frame(packets: int, lines: int, scanline: bool = False, keys: Point | None =
         "height": PIXELS[1],
         "hits": PIXELS[0],
         "cycles": 76800 // packets * (7 + wait) // (8 * pipelines),
+        "memory": {
+            "bytes_read": 8 * misses["node"] + 4 * misses["list"] + 12 * misses["matrix"],
+            "pixel_bytes_written": 4 * PIXELS[0] * PIXELS[1],
+            "hit_bytes_written": 24 * PIXELS[0] * PIXELS[1],
+        },
         "units": {name: {"utilisation": value} for name, value in units.items()},
         "caches": {
             name: {"misses": count, "hit_rate": 1 - count / 500 - scanline / 10}
