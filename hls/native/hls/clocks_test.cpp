@@ -17,6 +17,7 @@ namespace {
 using hls::uint;
 using hls::testing::Add;
 using hls::testing::Byte;
+using hls::testing::CountTorn;
 using hls::testing::Job;
 using hls::testing::List;
 using hls::testing::LookTorn;

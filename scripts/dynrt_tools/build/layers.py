@@ -71,6 +71,7 @@ ROOMS = {
 # down the join the function that turns a join into a Verilog top.
 PUBLISHED = {
     "hls/units/memory_format.h": "host",
+    "hls/units/memory_timing.h": "host",
     "hls/units/frame.h": "host",
     "hls/units/options.h": "host",
     "hls/units/core_model.h": "host/board",

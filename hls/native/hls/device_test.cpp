@@ -1,0 +1,92 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// A device outside a join, between an output and an input.
+#include "hls/device.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "hls/join_test_units.h"
+
+namespace {
+
+using hls::testing::Add;
+using hls::testing::Byte;
+using hls::testing::List;
+using hls::testing::values;
+
+/// Answers a request after `delay` clocks, by as many tokens as its number says.
+class Repeater final : public hls::Device {
+ public:
+  Repeater(std::shared_ptr<hls::Fifo<Byte>> requests, std::shared_ptr<hls::Fifo<Byte>> answers,
+           std::uint64_t delay)
+      : requests_(std::move(requests)), answers_(std::move(answers)), delay_(delay) {}
+
+  void take(std::uint64_t now) override {
+    taken_.push_back(now);
+    due_.push_back({now + delay_ - 1, requests_->pop()});
+  }
+  std::size_t answer(std::uint64_t now) override {
+    if (due_.empty() || due_.front().first > now) return 0;
+    const Byte number = due_.front().second;
+    due_.erase(due_.begin());
+    const auto count = static_cast<std::size_t>(number.to_u64());
+    for (std::size_t i = 0; i < count; ++i) answers_->push(number);
+    return count;
+  }
+  std::uint64_t next() const override { return due_.empty() ? hls::kNever : due_.front().first; }
+  const std::vector<std::uint64_t>& taken() const { return taken_; }
+
+ private:
+  std::shared_ptr<hls::Fifo<Byte>> requests_, answers_;
+  std::uint64_t delay_;
+  std::vector<std::pair<std::uint64_t, Byte>> due_;
+  std::vector<std::uint64_t> taken_;
+};
+
+/// Two units with a device between them, which each add one.
+struct Chain {
+  Add before, after;
+  hls::Join join;
+  std::shared_ptr<hls::Fifo<Byte>> in, out;
+  std::unique_ptr<Repeater> device;
+
+  Chain(hls::Join made, std::uint64_t delay) : join(std::move(made)) {
+    join.unit("before", "add", before);
+    join.unit("after", "add", after);
+    join.config("one", std::make_shared<Byte>(Byte(1)), std::vector{&before.value, &after.value});
+    in = join.input("in", before.in);
+    out = join.output("out", after.out);
+    auto requests = join.output("requests", before.out);
+    auto answers = join.input("answers", after.in);
+    device = std::make_unique<Repeater>(requests, answers, delay);
+    join.attach("requests", "answers", *device);
+  }
+};
+
+TEST(Device, AnswersWithoutClocks) {
+  Chain chain(hls::Join(), 5);
+  chain.in->push(Byte(1));
+  chain.in->push(Byte(2));
+  chain.join.run();
+  EXPECT_EQ(values(*chain.out), (List{3, 3, 4, 4, 4}));
+}
+
+TEST(Device, AnswersInItsOwnTime) {
+  Chain chain(hls::Join({{"add", {.stages = 3, .room = 6}}}), 50);
+  chain.in->push(Byte(2));
+  chain.join.arrives("in", 4);
+  chain.in->push(Byte(0));
+  chain.join.arrives("in", 5);
+  chain.join.run_clocks();
+  EXPECT_EQ(chain.device->taken(), (std::vector<std::uint64_t>{4 + 3, 5 + 3}));
+  // Three answers in three clocks from clock 57 on, while the other's one comes in clock 58 and
+  // waits behind the first.
+  EXPECT_EQ(chain.join.first_of("out"), 4u + 3 + 50 + 3);
+  EXPECT_EQ(values(*chain.out), (List{4, 4, 4, 2}));
+}
+
+}  // namespace
