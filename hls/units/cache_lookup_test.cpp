@@ -213,6 +213,29 @@ TEST(CacheLookup, AnInvalidatedLineIsFetchedAgain) {
   EXPECT_EQ(ask(17), 1u) << "its neighbour stays";
 }
 
+template <class C>
+void expect_all_ways_invalidated() {
+  Cache<C, NodeCache<C>> cache(C::kLines);
+  const auto misses = [&cache] {
+    for (unsigned i = 0; i < C::kWays; ++i) cache.request({{}, Address::from(1 + i * kSets<C>)});
+    cache.hits();
+    return cache.misses();
+  };
+  for (unsigned i = 0; i < C::kWays; ++i) {
+    cache.request({{}, Address::from(1 + i * kSets<C>)});
+    for (const auto& miss : cache.misses()) cache.fill({false, miss.key, miss.address, {}});
+  }
+  EXPECT_TRUE(misses().empty());
+  cache.fill({true, {}, 1, {}});
+  EXPECT_EQ(misses().size(), C::kWays);
+}
+
+TEST(CacheLookup, AnInvalidationEmptiesAllWaysOfASet) {
+  expect_all_ways_invalidated<Of<8>>();
+  expect_all_ways_invalidated<Of<8, 2>>();
+  expect_all_ways_invalidated<Of<8, 4>>();
+}
+
 TEST(CacheLookup, AMissStopsNobodyElse) {
   using C = Of<8>;
   Cache<C, NodeCache<C>> cache(8);

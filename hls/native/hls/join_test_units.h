@@ -72,7 +72,7 @@ struct LookTorn {
     out.write(concat(r.value, uint<1>(r.torn)));
   }
 };
-/// Counts how often each row was asked for.
+/// Adds one to the row that a token names.
 struct CountTorn {
   In<Byte> in;
   RamRead<TornRow, 256> before;
