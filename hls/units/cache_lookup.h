@@ -76,7 +76,7 @@ struct CacheLookup {
   using Line = typename Kind::Line;
   using Request = CacheRequest<Context, Kind::Address::kWidth>;
   using Row = CacheRow<Line, Kind::Address::kWidth>;
-  using Use = UseRow<C, Kind::Address::kWidth>;
+  using Use = UseRow<C>;
   static constexpr unsigned kRoom = kRoomForBursts<C>;
 
   hls::In<Request> request;
@@ -120,12 +120,10 @@ struct CacheLookup {
     for (unsigned i = C::kWays - 1; i-- > 0;) {
       if (hits.has(i)) line = rows[i].line;
     }
-    const Use before = use.read(set).of_full_set(!empty.any());
-    const auto way = hits.any()    ? hits.first()
-                     : empty.any() ? empty.first()
-                                   : before.replaced_by(r.address);
+    const auto before = use.read(set).of_full_set(!empty.any());
+    const auto way = hits.any() ? hits.first() : empty.any() ? empty.first() : before.oldest();
     waiting.write(Kind::key(r.context), {r.context, way});
-    if (!Kind::is_known(r.address)) used.write(set, before.after(r.address, way, hits.any()));
+    if (!Kind::is_known(r.address)) used.write(set, Use{false, before.after(way)});
     if (Kind::is_known(r.address) || hits.any()) {
       reply.write(Kind::reply(r.context, r.address, line));
     } else {

@@ -74,29 +74,16 @@ struct WayTree {
   }
 };
 
-/// The use of a set: its tree, and the address and the way of its last miss. Coherent packets miss
-/// a line one after another while it is on its way; all of them take the same way.
-template <class C, unsigned AddressBits>
+/// The use of a set.
+template <class C>
 struct UseRow {
-  using Way = WayNumber<C>;
   bool torn = false;  ///< hls::Hazard::kTorn
-  bool missed = false;
-  Way way;
-  uint<AddressBits> address;
   WayTree<C::kWays> tree;
-  HLS_FIELDS(torn, missed, way, address, tree)
+  HLS_FIELDS(torn, tree)
 
-  /// The row, without what only counts of a full set.
-  constexpr UseRow of_full_set(bool full) const {
-    const bool counts = full && !torn;
-    return {false, missed && counts, way, address, counts ? tree : WayTree<C::kWays>{}};
-  }
-  constexpr Way replaced_by(uint<AddressBits> asked) const {
-    return missed && asked == address ? way : tree.oldest();
-  }
-  constexpr UseRow after(uint<AddressBits> asked, Way in, bool hit) const {
-    if (hit) return {false, missed, way, address, tree.after(in)};
-    return {false, true, in, asked, tree.after(in)};
+  /// The tree, if it counts.
+  constexpr WayTree<C::kWays> of_full_set(bool full) const {
+    return full && !torn ? tree : WayTree<C::kWays>{};
   }
 };
 

@@ -19,11 +19,6 @@ namespace {
 template <class Kind>
 using CacheLookupOf = CacheLookup<C, Kind>;
 
-/// An address of the set of a row, of as many that have lines in turn.
-Address some_of_set(unsigned set, unsigned sets, Random& random) {
-  return Address::from(set + sets * random.below(3 * C::kWays));
-}
-
 /// The lines hold requested addresses, and sometimes one that belongs to another line.
 template <class Kind>
 void setup(Bench<CacheLookupOf<Kind>>& bench, const Run& run) {
@@ -44,14 +39,8 @@ void setup(Bench<CacheLookupOf<Kind>>& bench, const Run& run) {
       // A cache may have one line.
       row.valid = row_number == 0 || random.below(8) != 0;
       row.torn = row_number != 0 && random.below(8) == 0;
-      row.tag = some_of_set(row_number % sets, sets, random);
+      row.tag = Address::from(row_number % sets + sets * random.below(3 * C::kWays));
       if (random.below(8) == 0) row.tag = number_below<kAddressBits>(random, 3 * lines);
-    });
-  }
-  if constexpr (kHasWays<C>) {
-    using Use = typename CacheLookup<C, Kind>::Use;
-    bench.template shape<Use>("use", [=, number = 0u](Use& use, Random& random) mutable {
-      use.address = some_of_set(number++ % sets, sets, random);
     });
   }
 }
