@@ -145,6 +145,11 @@ TEST_F(App, WhatTheConfigurationLacksIsRefused) {
   expect_mistake(
       "render blocks --config stand_in --lines 3",
       "dynrt: --lines: the caches of configuration stand_in have 1, 2, 4 up to 512 lines, not 3\n");
+  expect_mistake("render blocks --config stand_in --memory-latency 30",
+                 StartsWith("dynrt: --memory-latency: the scene of configuration stand_in lies in "
+                            "banks of SRAM"));
+  expect_mistake("render blocks --config stand_in --row-clocks 5",
+                 StartsWith("dynrt: --row-clocks: the scene of configuration stand_in lies in "));
   expect_mistake("render blocks --config stand_in --clock 0",
                  "dynrt: --clock 0: the clock is a number of MHz above zero\n");
   expect_mistake("render blocks --config stand_in --clock inf",

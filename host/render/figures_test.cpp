@@ -49,6 +49,32 @@ TEST(Figures, EmptyingTheLinesIsNoMiss) {
   EXPECT_DOUBLE_EQ(figures.caches[0].hit_rate, 0.75);
 }
 
+TEST(Figures, MissesAreBytesFromTheMemory) {
+  Frame frame = a_frame();
+  frame.hits.resize(100);
+  const MemoryFigures memory = figures_of(frame, 85e6).memory;
+  EXPECT_EQ(memory.read, 100u * 8);
+  EXPECT_EQ(memory.pixels, 100u * 4);
+  EXPECT_EQ(memory.hits, 100u * 24);
+  frame.counters.clear();
+  EXPECT_FALSE(figures_of(frame, 85e6).memory.read);
+}
+
+TEST(Figures, BeatsAreBytesFromThePort) {
+  Frame frame = a_frame();
+  frame.core.memory = MemoryPath::kPort;
+  frame.core.port_bytes = 16;
+  frame.core.second_level = 64;
+  frame.core.second_line = 32;
+  frame.counters.push_back({counters::kBeats, 40});
+  frame.counters.push_back({counters::kPortLines, 100});
+  const FrameFigures figures = figures_of(frame, 85e6);
+  EXPECT_EQ(figures.memory.read, 40u * 16);
+  EXPECT_EQ(figures.caches.back().name, "second");
+  EXPECT_EQ(figures.caches.back().misses, 20u);
+  EXPECT_DOUBLE_EQ(figures.caches.back().hit_rate, 0.8);
+}
+
 TEST(Figures, DroppedPushesAreTokensOfFullStacks) {
   Frame frame = a_frame();
   EXPECT_FALSE(figures_of(frame, 85e6).dropped_pushes);  // nothing counts them

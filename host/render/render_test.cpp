@@ -94,6 +94,23 @@ TEST(FrameConfig, RefusesWhatTheConfigurationLacks) {
       ThrowsMessage<UserError>("configuration small traces at most 0 reflections of a ray, not 1"));
 }
 
+TEST(FrameConfig, AMemoryBehindAPortHasClocksThatCanBeChosen) {
+  EXPECT_EQ(memory_timing(kBoard, {}), std::nullopt);
+  EXPECT_THAT(
+      configuring({.memory_latency = 30}),
+      ThrowsMessage<UserError>("the scene of configuration small lies in banks of SRAM, whose "
+                               "clocks are its own; a configuration with \"memory\": \"port\" has "
+                               "a memory whose clocks can be chosen"));
+  CoreInfo core = kBoard;
+  core.memory = MemoryPath::kPort;
+  EXPECT_EQ(memory_timing(core, {}), MemoryTiming{});
+  EXPECT_EQ(memory_timing(core, {.memory_latency = 200, .row_clocks = 0}), (MemoryTiming{200, 0}));
+  EXPECT_THAT([&core] { frame_config(core, {.memory_latency = 0}, {}); },
+              ThrowsMessage<UserError>("the emulated memory takes 1 to 200 clocks, not 0"));
+  EXPECT_THAT([&core] { frame_config(core, {.row_clocks = 201}, {}); },
+              ThrowsMessage<UserError>("the emulated memory takes 0 to 200 clocks, not 201"));
+}
+
 TEST(Render, RefusesAnImageThatWasLaidOutForAnotherCore) {
   FakeBoard board;
   const auto rendering = [&](const std::function<void(CoreInfo&)>& change) {
