@@ -135,15 +135,17 @@ std::vector<std::string> names_with_port() {
   return names;
 }
 
+std::string name_of_timing(const testing::TestParamInfo<Timing>& info) {
+  const auto& [name, clocks] = info.param;
+  return fmt::format("{}_{}_clocks_{}_a_row", name, clocks.first, clocks.second);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Every, Timings,
     testing::Combine(testing::ValuesIn(names_with_port()),
                      testing::Values(std::pair{1u, 0u}, std::pair{30u, 0u}, std::pair{200u, 0u},
                                      std::pair{8u, 1u}, std::pair{8u, 30u}, std::pair{100u, 200u})),
-    [](const auto& info) {
-      const auto& [name, clocks] = info.param;
-      return fmt::format("{}_{}_clocks_{}_a_row", name, clocks.first, clocks.second);
-    });
+    name_of_timing);
 
 class Starts : public testing::TestWithParam<std::string> {};
 
