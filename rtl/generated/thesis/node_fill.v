@@ -40,7 +40,7 @@ module node_fill #(
   // ---- stage 0 ----
   wire f_invalidate_s0 = fill_data_i[0];
   wire [8:0] f_address_s0 = fill_data_i[16:8];
-  wire not_1_s0 = ~f_invalidate_s0;  // units/cache_fill.h:32
+  wire not_1_s0 = ~f_invalidate_s0;  // units/cache_fill.h:35
   wire [8:0] line_s0 = f_address_s0 & frame_32_still;  // units/cache_fill.h:30
   wire [6:0] f_key_s0 = fill_data_i[7:1];
   wire [63:0] fill_27_s0 = fill_data_i[90:27];
