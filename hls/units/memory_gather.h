@@ -11,35 +11,42 @@ namespace dynrt {
 
 template <class C>
 struct MemoryGather {
-  struct Beats {
-    uint<hls::index_width(kReadBeats<C>)> number;
-    std::array<BeatData<C>, kReadBeats<C>> data;
-    HLS_FIELDS(number, data)
-  };
   hls::In<PortBeat<C>> beat;
   hls::Out<PortLine<C>> line;
-  hls::RegisterFile<Beats, 1> gathered;
+  hls::RegisterFile<std::array<BeatData<C>, kReadBeats<C>>, 1> latest;
   HLS_PORTS(beat, line)
 
   void step() {
     const PortBeat<C> b = beat.read();
-    Beats beats = gathered.read(uint<1>(0));
-    for (unsigned i = 0; i < kReadBeats<C>; ++i) {
-      if (beats.number == decltype(beats.number)::from(i)) beats.data[i] = b.data;
-    }
-    beats.number = b.last ? decltype(beats.number)(0) : hls::next(beats.number);
-    gathered.write(uint<1>(0), beats);
+    // The beats move up by one, so that no place is chosen in the loop.
+    const auto before = latest.read(uint<1>(0));
+    std::array<BeatData<C>, kReadBeats<C>> beats;
+    for (unsigned i = 0; i + 1 < kReadBeats<C>; ++i) beats[i] = before[i + 1];
+    beats[kReadBeats<C> - 1] = b.data;
+    latest.write(uint<1>(0), beats);
     PortLine<C> whole;
     whole.id = b.id;
-    const auto half = [&beats](unsigned h) { return beats.data[h / kHalves][h % kHalves]; };
     for (unsigned w = 0; w < whole.data.size(); ++w) {
-      whole.data[w] = hls::concat(half(2 * w + 1), half(2 * w));
+      whole.data[w] = hls::concat(half(beats, b.id.kind, 2 * w + 1), half(beats, b.id.kind, 2 * w));
     }
     if (b.last) line.write(whole);
   }
 
  private:
   static constexpr unsigned kHalves = kBeatBytes<C> / 2;  ///< of a beat, 16 bits each
+
+  /// A half of an answer of a kind, whose beats are the latest; beyond its end, any.
+  static uint<16> half(const std::array<BeatData<C>, kReadBeats<C>>& beats, MemoryKind kind,
+                       unsigned number) {
+    const auto of = [&](unsigned item_bytes) {
+      const unsigned from = kReadBeats<C> - 1 - last_beat<C>(item_bytes);
+      const unsigned at = from + number / kHalves;
+      return beats[at < kReadBeats<C> ? at : kReadBeats<C> - 1][number % kHalves];
+    };
+    return kind == MemoryKind::kNode   ? of(kNodeBytes)
+           : kind == MemoryKind::kList ? of(kEntryBytes)
+                                       : of(kColumnBytes);
+  }
 };
 
 }  // namespace dynrt

@@ -67,6 +67,14 @@ RULES: tuple[Rule, ...] = (
         "the second level stands before the port",
     ),
     Rule(
+        "port_bytes",
+        32,
+        "second_line",
+        at_least(32),
+        "32",
+        "a line of the second level takes at least a beat",
+    ),
+    Rule(
         *BEHIND_PORT,
         "memory_clocks",
         lambda v: v == 1,
