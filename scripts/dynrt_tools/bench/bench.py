@@ -9,11 +9,11 @@ import pathlib
 import subprocess
 import sys
 
-from dynrt_tools.bench import levers, report_rows, scenes
+from dynrt_tools.bench import levers, memory, report_rows, scenes
 from dynrt_tools.bench.rows import CONFIG, Bench, Options, Row
 from dynrt_tools.bench.run import Dynrt, RunFailed
 from dynrt_tools.build import configs
-from dynrt_tools.project import ROOT, show_progress, write_json
+from dynrt_tools.project import ROOT, show_progress, write_json, write_rows
 
 FULL_SIZE, QUICK_SIZE = "512x384", "128x96"
 
@@ -82,6 +82,13 @@ def parse(arguments: list[str]) -> argparse.Namespace:
         "the configuration fast, from the native model's exact clocks",
     )
     parser.add_argument(
+        "--memory",
+        action="store_true",
+        help="instead of the table: the four kinds of scene behind a memory port, at several "
+        "latencies and with one key of the configuration fast_port changed at a time, from the "
+        "native model's exact clocks; half an hour or so",
+    )
+    parser.add_argument(
         "--report",
         action="store_true",
         help="instead of the table: how long `dynrt report error` takes when "
@@ -101,7 +108,9 @@ def parse(arguments: list[str]) -> argparse.Namespace:
             f"--json {args.json}: there is no folder '{args.json.parent}'; create it or "
             "name a file elsewhere"
         )
-    tables = [f"--{name}" for name in ("scenes", "levers", "report") if getattr(args, name)]
+    tables = [
+        f"--{name}" for name in ("scenes", "levers", "memory", "report") if getattr(args, name)
+    ]
     if len(tables) > 1:
         parser.error(f"{' and '.join(tables[:2])} are two tables; ask for one of them")
     if args.config and tables:
@@ -140,7 +149,40 @@ def print_rows(rows: list[Row]) -> None:
         print(f"\nShort: {', '.join(names)}: {cause}.")
 
 
-def main() -> int:  # pylint: disable=too-many-return-statements
+def own_table(args: argparse.Namespace, dynrt: Dynrt, scene: str, size: str) -> bool:
+    """Prints the table that a flag asks for; False if none does."""
+    if args.scenes:
+        measured = scenes.measure(dynrt, size, FULL_SIZE, show_progress)
+        show_progress("")
+        if args.json:
+            write_json(args.json, {"size": size, "scenes": [m.data() for m in measured]})
+        print(f"{size} pixels\n")
+        print(scenes.report(measured))
+    elif args.levers:
+        steps = levers.measure(dynrt, size, show_progress)
+        show_progress("")
+        if args.json:
+            write_json(args.json, {"size": size, "levers": steps})
+        print(f"{size} pixels, rays a clock, busiest unit\n\n{levers.table(steps)}")
+    elif args.memory:
+        frames = memory.measure(dynrt, size, show_progress)
+        show_progress("")
+        if args.json:
+            write_rows(args.json, frames, "frames", "aims")
+        print(f"{size} pixels, hits in the caches, use of the port\n\n{memory.table(frames)}")
+    elif args.report:
+        rows = report_rows.rows(dynrt, scene, size, FULL_SIZE, show_progress)
+        show_progress("")
+        if args.json:
+            data = {"scene": args.scene, "size": size, "rows": [row.data() for row in rows]}
+            write_json(args.json, data)
+        print_rows(rows)
+    else:
+        return False
+    return True
+
+
+def main() -> int:
     args = parse(sys.argv[1:])
     if args.program is None and shared("prepare release").returncode != 0:
         return 1
@@ -152,30 +194,7 @@ def main() -> int:  # pylint: disable=too-many-return-statements
     scene = str(pathlib.Path(args.scene).resolve()) if os.path.exists(args.scene) else args.scene
     size = QUICK_SIZE if args.quick else FULL_SIZE
     try:
-        if args.scenes:
-            measured = scenes.measure(dynrt, size, FULL_SIZE, show_progress)
-            show_progress("")
-            if args.json:
-                write_json(args.json, {"size": size, "scenes": [m.data() for m in measured]})
-            print(f"{size} pixels\n")
-            print(scenes.report(measured))
-            return 0
-        if args.levers:
-            steps = levers.measure(dynrt, size, show_progress)
-            show_progress("")
-            if args.json:
-                write_json(args.json, {"size": size, "levers": steps})
-            print(f"{size} pixels, rays a clock, busiest unit\n\n{levers.table(steps)}")
-            return 0
-        if args.report:
-            rows = report_rows.rows(dynrt, scene, size, FULL_SIZE, show_progress)
-            show_progress("")
-            if args.json:
-                write_json(
-                    args.json,
-                    {"scene": args.scene, "size": size, "rows": [row.data() for row in rows]},
-                )
-            print_rows(rows)
+        if own_table(args, dynrt, scene, size):
             return 0
         reports = dynrt.program.parent / "generated" / args.config
         host = dynrt.program.parent / "host"

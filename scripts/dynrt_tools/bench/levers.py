@@ -7,11 +7,11 @@ hls/configs/configs.json."""
 import dataclasses
 import itertools
 import pathlib
-import subprocess
 import tempfile
 
+from dynrt_tools.bench import cores
 from dynrt_tools.bench.run import Dynrt, RunFailed
-from dynrt_tools.project import ROOT, SCRIPTS, Json, Progress, read_json, write_json
+from dynrt_tools.project import ROOT, Json, Progress, read_json
 
 # Each configuration is like the one before it.
 STEPS = ("full", "fast", "fast_watertight")
@@ -63,20 +63,6 @@ def frame_of(size: str, measured: Json) -> Json:
     }
 
 
-def schedules(program: pathlib.Path, config: pathlib.Path) -> pathlib.Path:
-    """The folder of a configuration's Verilog and schedules."""
-    done = subprocess.run(
-        [SCRIPTS / "configuration", config, "--verilog", "--build", program.parent],
-        text=True,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        check=False,
-    )
-    if done.returncode:
-        raise RunFailed(done.stderr.strip())
-    return pathlib.Path(done.stdout.split()[-1])
-
-
 def measure(dynrt: Dynrt, size: str, progress: Progress) -> list[Json]:
     """A row for each lever, with each scene's frame."""
     rows = []
@@ -84,12 +70,11 @@ def measure(dynrt: Dynrt, size: str, progress: Progress) -> list[Json]:
     with tempfile.TemporaryDirectory() as name:
         for number, lever in enumerate(steps, 1):
             config = pathlib.Path(name) / f"step_{number}.json"
-            write_json(config, {"like": BASE, "about": lever.name, **lever.keys})
-            folder = schedules(dynrt.program, config)
+            core = cores.made(dynrt.program, config, BASE, lever.keys)
             row: Json = {"lever": lever.name, "value": lever.value}
             for scene in SCENES:
                 progress(f"{lever.name}, step {number} of {len(steps)}: {scene}")
-                row[scene] = frame_of(size, dynrt.measure(scene, str(config), folder, size))
+                row[scene] = frame_of(size, dynrt.measure(scene, core.config, core.schedules, size))
             rows.append(row)
     return rows
 
