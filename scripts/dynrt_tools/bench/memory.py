@@ -55,7 +55,7 @@ ROWS = (
     *one_key("second_level", 0, 16, 128),
     *one_key("second_line", 32),
     *one_key("line_nodes", 1, 4),
-    *one_key("port_bytes", 8),  # memory_gather does not reach 8.33 ns with 2 or 4
+    *one_key("port_bytes", 8),
     Row("port_bytes 32", (("port_bytes", 32), ("second_line", 32))),  # a line is a beat or more
     *one_key("pipelines", 2, 4),
 )
