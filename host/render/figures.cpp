@@ -57,6 +57,14 @@ std::vector<UnitFigures> units_of(const Frame& frame, const CounterTotals& total
   return units;
 }
 
+CacheFigures cache_of(std::string name, std::uint64_t lookups, std::uint64_t misses) {
+  CacheFigures cache{.name = std::move(name), .lookups = lookups, .misses = misses};
+  if (lookups > 0) {
+    cache.hit_rate = 1 - static_cast<double>(misses) / static_cast<double>(lookups);
+  }
+  return cache;
+}
+
 /// A cache's filling half takes one transaction for every miss, and before the frame one to empty
 /// each line.
 std::vector<CacheFigures> caches_of(const Frame& frame, const CounterTotals& totals) {
@@ -65,15 +73,8 @@ std::vector<CacheFigures> caches_of(const Frame& frame, const CounterTotals& tot
     const auto lookups = value_of(totals, of.lookups);
     const auto fills = value_of(totals, of.fills);
     if (!lookups || !fills) continue;
-    CacheFigures cache;
-    cache.name = of.cache;
-    cache.lookups = *lookups;
-    cache.misses =
-        *fills - std::min<std::uint64_t>(*fills, std::uint64_t{frame.lines} * frame.core.pipelines);
-    if (cache.lookups > 0) {
-      cache.hit_rate = 1 - static_cast<double>(cache.misses) / static_cast<double>(cache.lookups);
-    }
-    caches.push_back(cache);
+    const std::uint64_t emptied = std::uint64_t{frame.lines} * frame.core.pipelines;
+    caches.push_back(cache_of(of.cache, *lookups, *fills - std::min(*fills, emptied)));
   }
   return caches;
 }
@@ -83,13 +84,7 @@ std::optional<CacheFigures> second_level_of(const Frame& frame, const CounterTot
   const auto lookups = value_of(totals, counters::kPortLines);
   const auto beats = value_of(totals, counters::kBeats);
   if (frame.core.second_level == 0 || !lookups || !beats) return std::nullopt;
-  CacheFigures cache{.name = "second",
-                     .lookups = *lookups,
-                     .misses = *beats * frame.core.port_bytes / frame.core.second_line};
-  if (cache.lookups > 0) {
-    cache.hit_rate = 1 - static_cast<double>(cache.misses) / static_cast<double>(cache.lookups);
-  }
-  return cache;
+  return cache_of("second", *lookups, *beats * frame.core.port_bytes / frame.core.second_line);
 }
 
 MemoryFigures memory_of(const Frame& frame, const std::vector<CacheFigures>& caches,

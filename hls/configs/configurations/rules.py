@@ -23,6 +23,11 @@ def at_least(low: int) -> Callable[[object], bool]:
     return lambda value: isinstance(value, int) and value >= low
 
 
+def at_most(high: int) -> Callable[[object], bool]:
+    """Allows whole numbers up to `high`."""
+    return lambda value: isinstance(value, int) and value <= high
+
+
 BOX_UNIT = ("object_box", "unit")
 WORLD_BOX = ("object_box", "world")
 WATERTIGHT = ("triangle_test", "watertight")
@@ -84,14 +89,14 @@ RULES: tuple[Rule, ...] = (
     Rule(
         *BEHIND_PORT,
         "mantissa_bits",
-        lambda v: isinstance(v, int) and v <= 16,
+        at_most(16),
         "16 at most",
         "a word of the memory behind the port has 32 bits, 24 of them for a float",
     ),
     Rule(
         *BEHIND_PORT,
         "exponent_bits",
-        lambda v: isinstance(v, int) and v <= 7,
+        at_most(7),
         "7 at most",
         "a word of the memory behind the port has 32 bits, 24 of them for a float",
     ),
