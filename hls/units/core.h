@@ -13,12 +13,14 @@
 #include <vector>
 
 #include "hls/join.h"
+#include "units/banks.h"
 #include "units/frame_writer.h"
 #include "units/memory_answer.h"
 #include "units/memory_fill.h"
 #include "units/memory_gather.h"
 #include "units/memory_interface.h"
 #include "units/memory_lookup.h"
+#include "units/memory_write.h"
 #include "units/pipeline.h"
 #include "units/pipelines.h"
 #include "units/ray_generation.h"
@@ -26,18 +28,11 @@
 
 namespace dynrt {
 
-/// The board's six memory banks, as the core sees them: those of the scene, and those that it
-/// writes.
-template <class C>
-struct Banks {
-  template <class W>
-  using Bank = hls::Rows<W>;
-  std::array<Bank<SceneWord<typename C::Real>>, kSceneBanks> scene;
-  std::array<Bank<Word>, kBanks - kFrameBank> out;
-};
-
 template <class C>
 struct Core {
+  /// Whether several pipelines write to the banks of pixels and hits.
+  static constexpr bool kSharesBanks = kHasPipelines<C> && !kHasPort<C>;
+
   Startup<C> startup;
   RayGeneration<C> ray_generation;
   std::array<Pipeline<C>, kPipelines<C>> pipeline;
@@ -46,13 +41,15 @@ struct Core {
   hls::OptionalPort<kHasPort<C>, MemoryGather<C>> memory_gather;
   hls::OptionalPort<kHasPort<C>, MemoryFill<C>> memory_fill;
   hls::OptionalPort<kHasPort<C>, MemoryAnswer<C>> memory_answer;
-  hls::OptionalPort<kHasPipelines<C>, FrameWriter<C>> frame_writer;
+  hls::OptionalPort<kHasPort<C>, MemoryWrite<C>> memory_write;
+  hls::OptionalPort<kSharesBanks, FrameWriter<C>> frame_writer;
 
   std::shared_ptr<hls::Fifo<uint<10>>> start;
   std::shared_ptr<hls::Fifo<uint<1>>> done;
   /// Of the memory's port, if there is one.
   std::shared_ptr<hls::Fifo<PortRead<C>>> read;
   std::shared_ptr<hls::Fifo<PortBeat<C>>> beat;
+  std::shared_ptr<hls::Fifo<PortWrite<C>>> write;
   std::shared_ptr<FrameRegisters<C>> frame = std::make_shared<FrameRegisters<C>>();
 
   Core(hls::Join& join, const Banks<C>& banks) {
@@ -83,13 +80,14 @@ struct Core {
     join.unit("startup", "startup", startup);
     join.unit("ray_generation", "ray_generation", ray_generation);
     for_each_pipeline(join, [&](Pipeline<C>& p, unsigned) { p.name_units(join); });
-    if constexpr (kHasPipelines<C>) join.unit("frame_writer", "frame_writer", frame_writer);
+    if constexpr (kSharesBanks) join.unit("frame_writer", "frame_writer", frame_writer);
     join.group("Memory");
     if constexpr (kHasPort<C>) {
       join.unit("memory_lookup", "memory_lookup", memory_lookup);
       join.unit("memory_gather", "memory_gather", memory_gather);
       join.unit("memory_fill", "memory_fill", memory_fill);
       join.unit("memory_answer", "memory_answer", memory_answer);
+      join.unit("memory_write", "memory_write", memory_write);
     } else {
       join.unit("memory_interface", "memory_interface", memory_interface);
     }
@@ -120,7 +118,7 @@ struct Core {
     for (unsigned i = 0; i < kPipelines<C>; ++i)
       free.push_back(&port_of<kPipelines<C>>(startup.free, i));
     free.push_back(&ray_generation.skipped);
-    free.push_back(&bank_writer().free);
+    free.push_back(&frame_end().free);
     join.channel<FreePacket<C>>("free_packet", free, {&ray_generation.free},
                                 kPipelines<C> * C::kPackets);
     if constexpr (kHasPipelines<C>) join_pipelines(join);
@@ -128,22 +126,32 @@ struct Core {
 
   /// What pipelines share beyond ray generation and memory, and each one's number.
   void join_pipelines(hls::Join& join) {
-    hls::Writers<FrameWrite<C>> writes = {};
     for (unsigned i = 0; i < kPipelines<C>; ++i) {
       Pipeline<C>& p = pipeline[i];
-      writes.push_back(&p.shading.write);
       for (hls::Config<PipelineId<C>>* number :
            {&p.shading.pipeline, &p.node_lookup.pipeline, &p.list_lookup.pipeline,
             &p.matrix_lookup.pipeline}) {
         join.constant(*number, PipelineId<C>::from(i));
       }
     }
-    join.channel<FrameWrite<C>>("frame_write", writes, {&frame_writer.write});
+    if constexpr (kSharesBanks) {
+      join.channel<FrameWrite<C>>("frame_write", writes(&Shading<C>::write), {&frame_writer.write});
+    }
   }
 
-  /// The unit that writes pixels and hits.
-  auto& bank_writer() {
-    if constexpr (kHasPipelines<C>) {
+  /// What the pipelines' shading writes to the unit that they share.
+  template <class Token>
+  hls::Writers<Token> writes(hls::Out<Token> Shading<C>::* port) {
+    hls::Writers<Token> writers = {};
+    for (Pipeline<C>& p : pipeline) writers.push_back(&(p.shading.*port));
+    return writers;
+  }
+
+  /// The unit that frees packets, after their last pixel.
+  auto& frame_end() {
+    if constexpr (kHasPort<C>) {
+      return memory_write;
+    } else if constexpr (kHasPipelines<C>) {
       return frame_writer;
     } else {
       return pipeline[0].shading;

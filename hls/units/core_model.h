@@ -47,8 +47,9 @@ class CoreModel {
     *core->frame = registers_of<C>(config);
     std::unique_ptr<hls::Device> memory;
     if constexpr (kHasPort<C>) {
-      memory = std::make_unique<PortMemory<C>>(core->read, core->beat, banks_.scene, timing_);
-      join.attach("memory_read", "memory_beat", *memory);
+      memory =
+          std::make_unique<PortMemory<C>>(core->read, core->beat, core->write, banks_, timing_);
+      join.attach("memory_read", "memory_beat", *memory, "memory_write");
     }
     std::uint64_t clock = kResetRegister;
     const auto send = [&](std::uint64_t number) {

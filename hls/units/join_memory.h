@@ -26,6 +26,8 @@ template <class C>
 void Core<C>::join_port(hls::Join& join, hls::Writers<MemoryRequest<C>> misses) {
   read = join.output("memory_read", memory_lookup.read);
   beat = join.input("memory_beat", memory_gather.beat);
+  write = join.output("memory_write", memory_write.write);
+  join.repeat("write_burst", writes(&Shading<C>::burst), memory_write.burst);
   join.ram("in_flight", memory_lookup.in_flight, std::array{&memory_fill.in_flight});
   if constexpr (kHasSecondLevel<C>) {
     // A packet has as many requests on their way as a matrix has columns.
@@ -81,8 +83,10 @@ void Core<C>::join_memory(hls::Join& join, const Banks<C>& banks) {
         {&p.matrix_fill.fill});
     p.join_caches(join);
   });
-  for (unsigned i = 0; i < banks.out.size(); ++i) {
-    join.bank("bank" + std::to_string(kFrameBank + i), bank_writer().bank[i], banks.out[i]);
+  if constexpr (!kHasPort<C>) {
+    for (unsigned i = 0; i < banks.out.size(); ++i) {
+      join.bank("bank" + std::to_string(kFrameBank + i), frame_end().bank[i], banks.out[i]);
+    }
   }
   // The misses of a cache depend on the order of the packets, and so do the fetches that follow. Of
   // what does not, each pipeline counts its share, which depends on the order; the sum does not.

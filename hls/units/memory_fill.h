@@ -24,8 +24,7 @@ struct MemoryFill {
     const PortLine<C> f = fill.read();
     const ReadInFlight<C> asked = in_flight.read(hls::to_bits(f.id));
     if constexpr (kHasSecondLevel<C>) {
-      const auto number = byte_of<C>(f.id.kind, asked.address)
-                              .template bits<kPortAddressBits - 1, kSecondLineBits<C>>();
+      const SecondLineNumber<C> number = second_line_of<C>(f.id.kind, asked.address);
       const SecondSet<C> set = f.invalidate ? f.set : SecondSet<C>::from(number.raw());
       for (unsigned w = 0; w < C::kSecondWays; ++w) {
         if (f.invalidate || asked.way == uint<2>::from(w)) {

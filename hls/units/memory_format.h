@@ -37,26 +37,40 @@ inline constexpr unsigned kMatrixBits = 17;
 inline constexpr unsigned kMaxMatrices = 1u << kMatrixBits;
 inline constexpr unsigned kColumnBase = 1u << kAddressBits;  ///< first word of the matrix columns
 
-/// The scene where it lies in a memory behind one port (units/memory_port.h), whose words have 32
-/// bits: items in the order of their numbers, each in words from the lowest address on. A column
-/// leaves the last of its four words empty.
-inline constexpr unsigned kPortAddressBits = 24;  ///< of a byte
+/// A memory behind one port (units/memory_port.h), whose words have 32 bits, holds the scene in its
+/// lower half: items in the order of their numbers, each in words from the lowest address on. A
+/// column leaves the last of its four words empty. Above lie the pixels, and the hit records, of
+/// which each word of bank 4 is followed by that of bank 5.
+inline constexpr unsigned kPortAddressBits = 24;  ///< of a byte of the scene
 inline constexpr unsigned kNodeBytes = 8;
 inline constexpr unsigned kEntryBytes = 4;
 inline constexpr unsigned kColumnBytes = 16;
 inline constexpr unsigned kEntriesAt = kMaxNodes * kNodeBytes;
 inline constexpr unsigned kColumnsAt = 2 * kEntriesAt;
 static_assert(kColumnsAt + (kColumnBytes << kAddressBits) == 1u << kPortAddressBits);
+inline constexpr unsigned kMemoryAddressBits = kPortAddressBits + 1;  ///< of any byte
+inline constexpr unsigned kPixelsAt = 1u << kPortAddressBits;
+inline constexpr unsigned kHitsAt = kPixelsAt + kPixelsAt / 2;
+static_assert(kHitsAt + 2 * 4 * kBankWords == 1u << kMemoryAddressBits);
+
+/// Pixels from the beginning of a row to that of the next, in a memory behind the port: with whole
+/// packets in each row, what a packet writes of a row lies side by side and is aligned.
+inline constexpr unsigned kPitchStep = 4;
+constexpr unsigned row_pitch(unsigned width) {
+  return (width + (kPitchStep - 1)) / kPitchStep * kPitchStep;
+}
 
 /// The bank that holds a word of that memory in a core with banks, and the word's number in it.
 struct BankWord {
-  unsigned bank = kSceneBanks;  ///< none: the word is empty
+  unsigned bank = kBanks;  ///< none: the word is empty
   unsigned word = 0;
 };
-constexpr BankWord bank_word(unsigned port_word) {
-  const unsigned byte = 4 * port_word;
+constexpr BankWord bank_word(unsigned byte) {
+  const unsigned port_word = byte / 4;
   if (byte < kEntriesAt) return {port_word % 2, port_word / 2};
   if (byte < kColumnsAt) return {2, (byte - kEntriesAt) / kEntryBytes};
+  if (byte >= kHitsAt) return {kHitBank + port_word % 2, (byte - kHitsAt) / 8};
+  if (byte >= kPixelsAt) return {kFrameBank, (byte - kPixelsAt) / 4};
   const unsigned row = port_word % 4;
   if (row == 3) return {};
   return {row, kColumnBase + (byte - kColumnsAt) / kColumnBytes};

@@ -43,9 +43,7 @@ struct MemoryGather {
       const unsigned at = from + number / kHalves;
       return beats[at < kReadBeats<C> ? at : kReadBeats<C> - 1][number % kHalves];
     };
-    return kind == MemoryKind::kNode   ? of(kNodeBytes)
-           : kind == MemoryKind::kList ? of(kEntryBytes)
-                                       : of(kColumnBytes);
+    return of_kind(kind, of(kNodeBytes), of(kEntryBytes), of(kColumnBytes));
   }
 };
 

@@ -53,15 +53,12 @@ struct MemoryLookup {
       const PortAddress within = PortAddress::from(read_bytes<C>(item_bytes) - 1);
       return PortRead<C>{id, byte & ~within, uint<4>::from(last_beat<C>(item_bytes))};
     };
-    read.write(r.kind == MemoryKind::kNode   ? from(kNodeBytes)
-               : r.kind == MemoryKind::kList ? from(kEntryBytes)
-                                             : from(kColumnBytes));
+    read.write(of_kind(r.kind, from(kNodeBytes), from(kEntryBytes), from(kColumnBytes)));
   }
 
   void look_up(const Repeated<Request>& repeated) {
     const Request& r = repeated.job;
-    const auto line =
-        byte_of<C>(r.kind, r.address).template bits<kPortAddressBits - 1, kSecondLineBits<C>>();
+    const SecondLineNumber<C> line = second_line_of<C>(r.kind, r.address);
     const SecondSet<C> set =
         r.invalidate ? SecondSet<C>::from(repeated.index.raw()) : SecondSet<C>::from(line.raw());
     bool found = false;

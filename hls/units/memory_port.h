@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The one port between the caches and whatever memory holds the scene: reads with an id, many in
-// flight, answered in any order, the beats of an answer one after another; and the second level of
-// cache that may stand before it, shared by all pipelines. What a memory does with a read is its
-// own affair: an id says whose it is, so the core needs no order.
+// flight, answered in any order, the beats of an answer one after another; bursts of writes, which
+// nothing waits for; and the second level of cache that may stand before it, shared by all
+// pipelines. What a memory does with a read is its own affair: an id says whose it is, so the core
+// needs no order.
 #pragma once
 
 #include <algorithm>
@@ -87,6 +88,18 @@ struct PortBeat {
   HLS_FIELDS(id, data, last)
 };
 
+/// A beat of a burst of pixels or hit records, whose beats come one after another.
+template <class C>
+struct PortWrite {
+  uint<kMemoryAddressBits> address;  ///< of its first byte
+  BeatData<C> data;
+  uint<kBeatBytes<C> / 2> mask;  ///< the halves to be written; it may be none
+  uint<3> left;                  ///< beats of its burst that follow
+  HLS_FIELDS(address, data, mask, left)
+
+  static constexpr uint<kMemoryAddressBits> within_beat() { return kBeatBytes<C> - 1; }
+};
+
 /// What a read has brought; or, to the second level, the order to invalidate a set.
 template <class C>
 struct PortLine {
@@ -134,13 +147,25 @@ struct LastMiss {
   HLS_FIELDS(torn, valid, line, way)
 };
 
+/// A value for each kind of item; the one of `kind`.
+template <class T>
+constexpr T of_kind(MemoryKind kind, const T& node, const T& entry, const T& column) {
+  return kind == MemoryKind::kNode ? node : kind == MemoryKind::kList ? entry : column;
+}
+
 /// Where an item begins in the memory (units/memory_format.h).
 template <class C>
 constexpr PortAddress byte_of(MemoryKind kind, uint<MemoryRequest<C>::kAddressBits> address) {
   const auto number = address.template zext<kAddressBits>();
-  return kind == MemoryKind::kNode   ? hls::concat(hls::concat(uint<2>(0b00), number), uint<3>(0))
-         : kind == MemoryKind::kList ? hls::concat(hls::concat(uint<3>(0b010), number), uint<2>(0))
-                                     : hls::concat(hls::concat(uint<1>(1), number), uint<4>(0));
+  return of_kind<PortAddress>(kind, hls::concat(hls::concat(uint<2>(0b00), number), uint<3>(0)),
+                              hls::concat(hls::concat(uint<3>(0b010), number), uint<2>(0)),
+                              hls::concat(hls::concat(uint<1>(1), number), uint<4>(0)));
+}
+/// The line of the second level that it lies in.
+template <class C>
+constexpr SecondLineNumber<C> second_line_of(MemoryKind kind,
+                                             uint<MemoryRequest<C>::kAddressBits> address) {
+  return byte_of<C>(kind, address).template bits<kPortAddressBits - 1, kSecondLineBits<C>>();
 }
 static_assert(kNodeBytes == 8 && kEntryBytes == 4 && kColumnBytes == 16);
 static_assert(kEntriesAt == 0b010u << 21 && kColumnsAt == 1u << 23 && kPortAddressBits == 24);

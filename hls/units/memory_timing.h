@@ -8,10 +8,11 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -27,37 +28,35 @@ inline constexpr unsigned kMaxRowClocks = 200;
 inline constexpr unsigned kMemoryRowBytes = 1024;  ///< of a row
 inline constexpr unsigned kMemoryBanks = 4;        ///< each with an open row; rows go round them
 
-/// Which reads are answered when. A read has a number, in the order of their coming.
+/// Which reads are answered when. It keeps what a read was until then. Writes take their clocks of
+/// the bus and open rows too, but nothing waits for them.
+template <class Read>
 class MemorySchedule {
  public:
   explicit MemorySchedule(const MemoryTiming& timing) : timing_(timing), banks_(kMemoryBanks) {}
 
-  /// A read comes in clock `now`; gives its number.
-  std::size_t take(std::uint64_t now, unsigned byte_address, unsigned beats) {
-    const unsigned row = byte_address / kMemoryRowBytes;
-    Bank& bank = banks_[row % kMemoryBanks];
-    std::uint64_t begin = std::max(now, bank.free);
-    if (timing_.row_clocks != 0 && bank.row != row) {
-      begin += timing_.row_clocks;
-      bank.row = row;
-      ++rows_opened_;
-    }
-    bank.free = timing_.row_clocks != 0 ? begin : 0;
-    waiting_.push({begin + timing_.latency - 1, beats_.size()});
-    beats_.push_back(beats);
-    return beats_.size() - 1;
+  /// A read comes in clock `now`.
+  void take(std::uint64_t now, unsigned byte_address, unsigned beats, Read read) {
+    const std::uint64_t begin = open(now, byte_address);
+    waiting_.push({begin + timing_.latency - 1, taken_++, beats, std::move(read)});
+  }
+  /// A beat to be written comes in clock `now`.
+  void write(std::uint64_t now, unsigned byte_address) {
+    open(now, byte_address);
+    bus_free_ = std::max(bus_free_, now) + 1;
   }
   /// The read whose beats begin in the next clock, if any do.
-  std::optional<std::size_t> answer(std::uint64_t now) {
+  std::optional<Read> answer(std::uint64_t now) {
     if (waiting_.empty() || next() > now) return std::nullopt;
-    const std::size_t read = waiting_.top().second;
+    const Waiting& first = waiting_.top();
+    bus_free_ = now + first.beats;
+    Read read = first.read;
     waiting_.pop();
-    bus_free_ = now + beats_[read];
     return read;
   }
   /// The clock of the next answer(); only without reads there is none.
   bool is_idle() const { return waiting_.empty(); }
-  std::uint64_t next() const { return std::max(bus_free_, waiting_.top().first); }
+  std::uint64_t next() const { return std::max(bus_free_, waiting_.top().clock); }
 
   std::uint64_t rows_opened() const { return rows_opened_; }
 
@@ -66,12 +65,34 @@ class MemorySchedule {
     std::uint64_t free = 0;
     std::optional<unsigned> row = {};
   };
-  using Waiting = std::pair<std::uint64_t, std::size_t>;  ///< clock, number
+  struct Waiting {
+    std::uint64_t clock;
+    std::uint64_t number;  ///< in the order of their coming
+    unsigned beats;
+    Read read;
+    bool operator>(const Waiting& other) const {
+      return std::tie(clock, number) > std::tie(other.clock, other.number);
+    }
+  };
+
+  /// The clock in which the row of an address is open.
+  std::uint64_t open(std::uint64_t now, unsigned byte_address) {
+    if (timing_.row_clocks == 0) return now;
+    const unsigned row = byte_address / kMemoryRowBytes;
+    Bank& bank = banks_[row % kMemoryBanks];
+    bank.free = std::max(now, bank.free);
+    if (bank.row != row) {
+      bank.free += timing_.row_clocks;
+      bank.row = row;
+      ++rows_opened_;
+    }
+    return bank.free;
+  }
 
   MemoryTiming timing_;
   std::vector<Bank> banks_;
-  std::vector<unsigned> beats_;
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting_;
+  std::uint64_t taken_ = 0;
   std::uint64_t bus_free_ = 0;
   std::uint64_t rows_opened_ = 0;
 };

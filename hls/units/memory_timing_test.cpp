@@ -25,12 +25,12 @@ struct Answer {
 
 /// The clocks in which the first beats of some reads are at the port.
 std::vector<Answer> answers(const MemoryTiming& timing, const std::vector<Read>& reads) {
-  MemorySchedule schedule(timing);
+  MemorySchedule<std::size_t> schedule(timing);
   std::vector<Answer> found;
   std::size_t next = 0;
   for (std::uint64_t now = 0; next < reads.size() || !schedule.is_idle(); ++now) {
     if (next < reads.size() && reads[next].at == now) {
-      EXPECT_EQ(schedule.take(now, reads[next].byte, reads[next].beats), next);
+      schedule.take(now, reads[next].byte, reads[next].beats, next);
       ++next;
     }
     if (const auto read = schedule.answer(now)) found.push_back({*read, now + 1});
@@ -66,11 +66,29 @@ TEST(MemoryTiming, AnOpenRowOvertakesAClosedOne) {
             (std::vector<Answer>{{0, 30}, {2, 51}, {1, 70}}));
 }
 
+TEST(MemoryTiming, AWriteTakesTheBusForAClock) {
+  MemorySchedule<int> schedule({4, 0});
+  schedule.take(0, 0, 1, 7);
+  schedule.write(2, 64);
+  schedule.write(3, 80);
+  EXPECT_FALSE(schedule.answer(3));
+  EXPECT_FALSE(schedule.answer(3));
+  EXPECT_EQ(schedule.answer(4), 7);
+}
+
+TEST(MemoryTiming, AWriteOpensItsRow) {
+  MemorySchedule<int> schedule({1, 5});
+  schedule.write(0, 0);
+  schedule.take(1, 8, 1, 1);
+  EXPECT_EQ(schedule.next(), 5u);
+  EXPECT_EQ(schedule.rows_opened(), 1u);
+}
+
 TEST(MemoryTiming, RowsAreCounted) {
-  MemorySchedule schedule({1, 5});
-  schedule.take(0, 0, 1);
-  schedule.take(1, kMemoryRowBytes, 1);
-  schedule.take(2, 8, 1);
+  MemorySchedule<int> schedule({1, 5});
+  schedule.take(0, 0, 1, 0);
+  schedule.take(1, kMemoryRowBytes, 1, 0);
+  schedule.take(2, 8, 1, 0);
   EXPECT_EQ(schedule.rows_opened(), 2u);
 }
 

@@ -1,17 +1,18 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The memory behind the port of the native core: the words of the scene's banks, as they lie there
+// The memory behind the port of the native core: the words of the banks, as they lie there
 // (units/memory_format.h), at the clocks of an emulated memory (units/memory_timing.h).
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
-#include <vector>
+#include <optional>
+#include <utility>
 
 #include "hls/device.h"
 #include "hls/fifo.h"
+#include "units/banks.h"
 #include "units/memory_port.h"
 #include "units/memory_timing.h"
 
@@ -22,24 +23,33 @@ class PortMemory final : public hls::Device {
  public:
   using Reads = std::shared_ptr<hls::Fifo<PortRead<C>>>;
   using Beats = std::shared_ptr<hls::Fifo<PortBeat<C>>>;
-  using Banks = std::array<hls::Rows<SceneWord<typename C::Real>>, kSceneBanks>;
+  using Writes = std::shared_ptr<hls::Fifo<PortWrite<C>>>;
 
-  PortMemory(Reads reads, Beats beats, const Banks& banks, const MemoryTiming& timing)
-      : schedule_(timing), reads_(std::move(reads)), beats_(std::move(beats)), banks_(banks) {}
+  PortMemory(Reads reads, Beats beats, Writes writes, Banks<C>& banks, const MemoryTiming& timing)
+      : schedule_(timing),
+        reads_(std::move(reads)),
+        beats_(std::move(beats)),
+        writes_(std::move(writes)),
+        banks_(banks) {}
 
   void take(std::uint64_t now) override {
-    taken_.push_back(reads_->pop());
-    const PortRead<C>& read = taken_.back();
-    schedule_.take(now, static_cast<unsigned>(read.address.to_u64()), beats_of(read));
+    const PortRead<C> read = reads_->pop();
+    schedule_.take(now, byte_of(read.address), beats_of(read), read);
+  }
+  void take_write(std::uint64_t now) override {
+    const PortWrite<C> write = writes_->pop();
+    schedule_.write(now, byte_of(write.address));
+    for (unsigned i = 0; i < write.data.size(); ++i) {
+      if (write.mask.to_u64() >> i & 1) store(byte_of(write.address) + 2 * i, write.data[i]);
+    }
   }
   std::size_t answer(std::uint64_t now) override {
-    const auto number = schedule_.answer(now);
-    if (!number) return 0;
-    const PortRead<C> read = taken_[*number];
-    const unsigned beats = beats_of(read);
+    const std::optional<PortRead<C>> read = schedule_.answer(now);
+    if (!read) return 0;
+    const unsigned beats = beats_of(*read);
     for (unsigned i = 0; i < beats; ++i) {
-      const auto byte = static_cast<unsigned>(read.address.to_u64()) + i * kBeatBytes<C>;
-      beats_->push(PortBeat<C>{read.id, data_at(byte), i + 1 == beats});
+      const unsigned byte = byte_of(read->address) + i * kBeatBytes<C>;
+      beats_->push(PortBeat<C>{read->id, data_at(byte), i + 1 == beats});
     }
     return beats;
   }
@@ -48,27 +58,32 @@ class PortMemory final : public hls::Device {
   }
 
  private:
+  static unsigned byte_of(const auto& address) { return static_cast<unsigned>(address.to_u64()); }
   static unsigned beats_of(const PortRead<C>& read) {
     return static_cast<unsigned>(read.last.to_u64()) + 1;
   }
   BeatData<C> data_at(unsigned byte) const {
     BeatData<C> data;
     for (uint<16>& half : data) {
-      half = uint<16>::from(word(byte / 4) >> (8 * (byte % 4)));
+      const BankWord at = bank_word(byte);
+      const std::uint64_t word = at.bank == kBanks ? 0 : banks_.scene.at(at.bank)[at.word].to_u64();
+      half = uint<16>::from(word >> (8 * (byte % 4)));
       byte += 2;
     }
     return data;
   }
-  std::uint64_t word(unsigned port_word) const {
-    const BankWord at = bank_word(port_word);
-    return at.bank == kSceneBanks ? 0 : banks_[at.bank][at.word].to_u64();
+  void store(unsigned byte, uint<16> half) {
+    const BankWord at = bank_word(byte);
+    Word& word = banks_.out.at(at.bank - kFrameBank)[at.word];
+    word = byte % 4 != 0 ? hls::concat(half, word.template trunc<16>())
+                         : hls::concat(word.template bits<31, 16>(), half);
   }
 
-  MemorySchedule schedule_;
+  MemorySchedule<PortRead<C>> schedule_;
   Reads reads_;
   Beats beats_;
-  const Banks& banks_;
-  std::vector<PortRead<C>> taken_;
+  Writes writes_;
+  Banks<C>& banks_;
 };
 
 }  // namespace dynrt

@@ -3,10 +3,9 @@
 //
 // Start-up: the tokens that the board sends before a frame (units/start.h). A number below
 // kFirstPacket invalidates that line of every cache, and 0 the whole second level, which meanwhile
-// takes no other request; from kFirstPacket on the numbers free packets,
-// in each pipeline one.
-// The board leaves the caches time to empty in between, so that no packet meets a line of an
-// earlier frame.
+// takes no other request; from kFirstPacket on the numbers free packets, in each pipeline one. The
+// board leaves the caches time to empty in between, so that no packet meets a line of an earlier
+// frame.
 #pragma once
 
 #include "units/memory_port.h"

@@ -76,6 +76,9 @@ inline constexpr char kNoScanOut[] =
     "scan_out, such as thesis";
 inline constexpr char kDisplaySize[] =
     "a picture of {}x{} does not fit the display of {}x{}; render a smaller one";
+inline constexpr char kDisplayPitch[] =
+    "the scan-out shows rows that follow each other, and those of configuration {} begin {} pixels "
+    "apart where {} are rendered; render a picture whose width is a multiple of {}";
 inline constexpr char kTrace[] =
     "{}: cannot write this file; name a file in a folder that can be written";
 

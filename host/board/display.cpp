@@ -91,6 +91,8 @@ const VgaFrame& Display::wait(unsigned count) {
 }
 
 void Board::check_display(unsigned width, unsigned height) const {
+  const unsigned pitch = core_.pitch(width);
+  if (pitch != width) refuse(messages::kDisplayPitch, core_.name, pitch, width, kPitchStep);
   check(*this, kVga640x480, width, height);
 }
 

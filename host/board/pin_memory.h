@@ -1,10 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The memory at the pins of a board whose scene lies behind one port (units/memory_port.h). It
-// holds the words that the host has written to the banks of the scene, where the port has them
-// (units/memory_format.h), and answers at the clocks of units/memory_timing.h. V is the Verilated
-// class; without such pins there is nothing here.
+// The memory at the pins of a board whose core has one port for all (units/memory_port.h). It holds
+// the words of the banks where the port has them (units/memory_format.h), and answers at the clocks
+// of units/memory_timing.h. V is the Verilated class; without such pins there is nothing here.
 #pragma once
 
 #include <array>
@@ -28,7 +27,7 @@ class NoPinMemory {
  public:
   void set_timing(const MemoryTiming& /*timing*/) {}
   void restart() {}
-  void sample(const V& /*top*/, const Sram& /*sram*/) {}
+  void sample(const V& /*top*/, Sram& /*sram*/) {}
   void drive(V& /*top*/) const {}
 };
 
@@ -45,21 +44,23 @@ class PinMemory {
   void restart() { *this = PinMemory(timing_); }
 
   /// What the pins ask for in a clock.
-  void sample(const V& top, const Sram& sram) {
+  void sample(const V& top, Sram& sram) {
     if (!beats_.empty() && beats_.front().from <= now_ && top.memory_beat_ready_o) {
       beats_.pop_front();
     }
+    if (top.memory_write_valid_o) write(top, sram);
     if (top.memory_read_valid_o) {
       const unsigned beats = top.memory_read_last_o + 1u;
-      reads_.push_back({static_cast<Id>(top.memory_read_id_o), top.memory_read_address_o, beats});
-      schedule_.take(now_, top.memory_read_address_o, beats);
+      const Read read{static_cast<Id>(top.memory_read_id_o), top.memory_read_address_o, beats};
+      schedule_.take(now_, read.address, beats, read);
     }
-    if (const auto number = schedule_.answer(now_)) answer(reads_[*number], sram);
+    if (const auto read = schedule_.answer(now_)) answer(*read, sram);
     ++now_;
   }
   /// The pins in the next clock.
   void drive(V& top) const {
     top.memory_read_ready_i = 1;
+    top.memory_write_ready_i = 1;
     top.memory_beat_valid_i = !beats_.empty() && beats_.front().from <= now_;
     if (!top.memory_beat_valid_i) return;
     top.memory_beat_id_i = beats_.front().id;
@@ -87,17 +88,27 @@ class PinMemory {
       Beat beat{now_ + 1 + i, read.id, i + 1 == read.beats, {}};
       for (unsigned b = 0; b < kBeatBytes; ++b) {
         const unsigned byte = read.address + i * static_cast<unsigned>(kBeatBytes) + b;
-        const BankWord at = bank_word(byte / 4);
-        const std::uint32_t word = at.bank == kSceneBanks ? 0 : sram.word(at.bank, at.word);
+        const BankWord at = bank_word(byte);
+        const std::uint32_t word = at.bank == kBanks ? 0 : sram.word(at.bank, at.word);
         beat.data[b] = static_cast<std::uint8_t>(word >> (8 * (byte % 4)));
       }
       beats_.push_back(beat);
     }
   }
+  void write(const V& top, Sram& sram) {
+    schedule_.write(now_, top.memory_write_address_o);
+    std::array<std::uint16_t, kBeatBytes / 2> halves;
+    std::memcpy(halves.data(), &top.memory_write_data_o, kBeatBytes);
+    for (unsigned h = 0; h < halves.size(); ++h) {
+      if ((top.memory_write_mask_o >> h & 1) == 0) continue;
+      const unsigned byte = top.memory_write_address_o + 2 * h;
+      const BankWord at = bank_word(byte);
+      sram.write_half(at.bank, at.word, byte / 2 % 2, halves[h]);
+    }
+  }
 
   MemoryTiming timing_;
-  MemorySchedule schedule_{timing_};
-  std::vector<Read> reads_;
+  MemorySchedule<Read> schedule_{timing_};
   std::deque<Beat> beats_;
   std::uint64_t now_ = 0;
 };

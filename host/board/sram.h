@@ -42,6 +42,13 @@ class Sram {
     return out_;
   }
 
+  /// A half of a word, the lower one first, from a memory that is not at these pins.
+  void write_half(unsigned bank, std::uint32_t address, unsigned half, std::uint16_t data) {
+    std::uint32_t& word = banks_[bank][address];
+    const unsigned shift = 16 * half;
+    word = (word & ~(0xffffu << shift)) | std::uint32_t{data} << shift;
+    frame_writes_ += bank == kFrameBank && half == 1;
+  }
   std::uint32_t word(unsigned bank, std::uint32_t address) const { return banks_[bank][address]; }
 
   /// Words written into the framebuffer's bank since power-up.

@@ -39,6 +39,10 @@ struct CoreInfo : CoreConfiguration {
   /// Whether objects lie in the memory such that their box is the cube from -1 to 1, to which the
   /// core clips (units/box_clip.h).
   bool clips_to_box() const { return object_box == ObjectBox::kUnit; }
+  /// Pixels from the beginning of an image's row to that of the next, in the banks.
+  unsigned pitch(unsigned width) const {
+    return memory == MemoryPath::kPort ? row_pitch(width) : width;
+  }
   /// Whether it tests an object's box in the world (units/world_box.h), which then is in the
   /// memory.
   bool tests_world_box() const { return object_box == ObjectBox::kWorld; }

@@ -19,12 +19,22 @@ namespace {
 constexpr unsigned kFullAmbient = 256;
 constexpr unsigned kAmbient = 64;  ///< where there are lights: a quarter
 constexpr std::uint32_t kBufferWords = kBankWords / kFrameBuffers;
-static_assert(kMaxPixels <= kBufferWords);
+static_assert(kMaxPixels <= kBufferWords && kBufferWords % kPitchStep == 0);
 
+/// The words of an image from a bank, so many for each pixel.
 std::vector<std::uint32_t> read(Board& board, unsigned bank, std::uint32_t address,
-                                std::size_t count) {
-  std::vector<std::uint32_t> words(count);
+                                const FrameOptions& image, unsigned of_pixel) {
+  const unsigned pitch = board.core().pitch(image.width);
+  const std::size_t row = std::size_t{image.width} * of_pixel;
+  std::vector<std::uint32_t> words(std::size_t{pitch} * image.height * of_pixel);
   board.read(bank, address, words);
+  if (pitch == image.width) return words;
+  for (std::size_t y = 0; y < image.height; ++y) {
+    std::ranges::copy_n(words.begin() + static_cast<std::ptrdiff_t>(y * pitch * of_pixel),
+                        static_cast<std::ptrdiff_t>(row),
+                        words.begin() + static_cast<std::ptrdiff_t>(y * row));
+  }
+  words.resize(row * image.height);
   return words;
 }
 
@@ -33,11 +43,11 @@ std::uint32_t number(hls::uint<W> bits) {
   return static_cast<std::uint32_t>(bits.to_u64());
 }
 
-std::vector<HitRecord> read_hits(Board& board, std::size_t pixels) {
-  const auto first = read(board, kHitBank, 0, pixels * kHitWords);
-  const auto second = read(board, kHitBank + 1, 0, pixels * kHitWords);
-  std::vector<HitRecord> hits(pixels);
-  for (std::size_t p = 0; p < pixels; ++p) {
+std::vector<HitRecord> read_hits(Board& board, const FrameOptions& image) {
+  const auto first = read(board, kHitBank, 0, image, kHitWords);
+  const auto second = read(board, kHitBank + 1, 0, image, kHitWords);
+  std::vector<HitRecord> hits(std::size_t{image.width} * image.height);
+  for (std::size_t p = 0; p < hits.size(); ++p) {
     const auto place = hls::unpack<HitPlace>(&first[p * kHitWords]);
     const auto surface = hls::unpack<HitSurface>(&second[p * kHitWords]);
     hits[p] = {.hit = place.hit,
@@ -66,9 +76,20 @@ void check_size(unsigned width, unsigned height) {
   }
 }
 
+namespace {
+
+void check_pitch(const CoreInfo& core, unsigned width, unsigned height) {
+  const unsigned pitch = core.pitch(width);
+  if (std::uint64_t{pitch} * height <= kMaxPixels) return;
+  refuse_option("size", messages::kPitch, core.name, width, height, pitch, kMaxPixels);
+}
+
+}  // namespace
+
 FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
                          const SceneAddresses& scene) {
   check_size(options.width, options.height);
+  check_pitch(core, options.width, options.height);
   const unsigned packets = options.packets.value_or(core.packets);
   const unsigned lines = options.lines.value_or(core.lines);
   if (packets == 0 || packets > core.packets) {
@@ -152,10 +173,9 @@ Frame render(Board& board, const FrameOptions& options, const SceneAddresses& sc
   frame.packets = static_cast<unsigned>(config.packets.to_u64());
   frame.lines = static_cast<unsigned>(config.line_mask.to_u64()) + 1;
   frame.run = board.wait(options.timeout, progress);
-  const std::size_t pixels = std::size_t{options.width} * options.height;
   frame.pixels =
-      read(board, kFrameBank, static_cast<std::uint32_t>(config.frame_base.to_u64()), pixels);
-  if (options.hits) frame.hits = read_hits(board, pixels);
+      read(board, kFrameBank, static_cast<std::uint32_t>(config.frame_base.to_u64()), options, 1);
+  if (options.hits) frame.hits = read_hits(board, options);
   frame.counters = board.counters();
   frame.traffic = board.traffic() - before;
   return frame;

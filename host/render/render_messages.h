@@ -9,6 +9,9 @@ namespace dynrt::host::messages {
 inline constexpr char kSize[] =
     "an image of {}x{} pixels is impossible: it has 1 to {} pixels a side and at most {} in all; "
     "the board's framebuffer and hit records hold no more";
+inline constexpr char kPitch[] =
+    "configuration {} cannot hold an image of {}x{} pixels: its rows begin {} pixels apart in the "
+    "memory, which holds {} pixels";
 inline constexpr char kPackets[] = "configuration {} holds 1 to {} packets, not {}";
 inline constexpr char kLines[] =
     "the caches of configuration {} have {}, {}, {} up to {} lines, not {}";

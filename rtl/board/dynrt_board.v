@@ -37,8 +37,8 @@ module dynrt_board #(
   output wire [6*32-1:0]  sram_wdata_o,
   input  wire [6*32-1:0]  sram_rdata_i,
 `ifdef DYNRT_CORE_MEMORY_ID_BITS
-  // the memory that holds the scene, where the core has a port for it, see
-  // hls/units/memory_port.h; the host still writes the scene to banks 0 to 2
+  // the memory of scene, pixels and hits, where the core has a port for it, see
+  // hls/units/memory_port.h; the host still finds them in the banks
   output wire             memory_read_valid_o,
   input  wire             memory_read_ready_i,
   output wire [`DYNRT_CORE_MEMORY_ID_BITS-1:0] memory_read_id_o,
@@ -49,6 +49,12 @@ module dynrt_board #(
   input  wire [`DYNRT_CORE_MEMORY_ID_BITS-1:0] memory_beat_id_i,
   input  wire [8*`DYNRT_CORE_MEMORY_BEAT_BYTES-1:0] memory_beat_data_i,
   input  wire             memory_beat_last_i,
+  output wire             memory_write_valid_o,
+  input  wire             memory_write_ready_i,
+  output wire [24:0]      memory_write_address_o, // of the first byte
+  output wire [8*`DYNRT_CORE_MEMORY_BEAT_BYTES-1:0] memory_write_data_o,
+  output wire [`DYNRT_CORE_MEMORY_BEAT_BYTES/2-1:0] memory_write_mask_o, // halves to be written
+  output wire [2:0]       memory_write_left_o,    // beats of its burst that follow
 `endif
   // VGA, see board_scan.v
   output wire             vga_clock_o,
@@ -73,6 +79,12 @@ module dynrt_board #(
   wire        start_valid, start_ready;
   wire [9:0]  start_data;
   wire        done_valid, done_ready;
+  // No write waits for the memory.
+`ifdef DYNRT_CORE_MEMORY_ID_BITS
+  wire        written = !memory_write_valid_o;
+`else
+  wire        written = 1'b1;
+`endif
 
   wire [5:0]      window_en;
   wire            window_we;
@@ -118,7 +130,7 @@ module dynrt_board #(
     .last_packet_i(last_packet), .busy_o(busy), .done_o(done), .cycles_o(cycles),
     .core_rst_no(core_rst_n), .counter_clear_o(counter_clear),
     .start_valid_o(start_valid), .start_ready_i(start_ready), .start_data_o(start_data),
-    .done_valid_i(done_valid), .done_ready_o(done_ready)
+    .done_valid_i(done_valid && written), .done_ready_o(done_ready)
   );
 
   board_sram sram (
@@ -132,29 +144,33 @@ module dynrt_board #(
   );
 
 `ifdef DYNRT_CORE_MEMORY_ID_BITS
-  assign core_en[2:0] = 3'd0;
-  assign core_addr[59:0] = 60'd0;
+  assign core_en = 6'd0;
+  assign core_addr = 120'd0;
+  assign core_wdata = 96'd0;
 `endif
 
   // Only the arrival of the done token counts, not its data.
   dynrt_core core (
     .clk_i(core_clk_i), .rst_ni(core_rst_n),
     .start_valid_i(start_valid), .start_ready_o(start_ready), .start_data_i(start_data),
-    .done_valid_o(done_valid), .done_ready_i(done_ready), .done_data_o(),
+    .done_valid_o(done_valid), .done_ready_i(done_ready && written), .done_data_o(),
     .frame_i(frame),
 `ifdef DYNRT_CORE_MEMORY_ID_BITS
     .memory_read_valid_o(memory_read_valid_o), .memory_read_ready_i(memory_read_ready_i),
     .memory_read_data_o({memory_read_last_o, memory_read_address_o, memory_read_id_o}),
     .memory_beat_valid_i(memory_beat_valid_i), .memory_beat_ready_o(memory_beat_ready_o),
     .memory_beat_data_i({memory_beat_last_i, memory_beat_data_i, memory_beat_id_i}),
+    .memory_write_valid_o(memory_write_valid_o), .memory_write_ready_i(memory_write_ready_i),
+    .memory_write_data_o({memory_write_left_o, memory_write_mask_o, memory_write_data_o,
+                          memory_write_address_o}),
 `else
     .bank0_en_o(core_en[0]), .bank0_addr_o(core_addr[19:0]), .bank0_data_i(rdata[31:0]),
     .bank1_en_o(core_en[1]), .bank1_addr_o(core_addr[39:20]), .bank1_data_i(rdata[63:32]),
     .bank2_en_o(core_en[2]), .bank2_addr_o(core_addr[59:40]), .bank2_data_i(rdata[95:64]),
-`endif
     .bank3_en_o(core_en[3]), .bank3_addr_o(core_addr[79:60]), .bank3_data_o(core_wdata[31:0]),
     .bank4_en_o(core_en[4]), .bank4_addr_o(core_addr[99:80]), .bank4_data_o(core_wdata[63:32]),
     .bank5_en_o(core_en[5]), .bank5_addr_o(core_addr[119:100]), .bank5_data_o(core_wdata[95:64]),
+`endif
     .counter_addr_i(counter_addr), .counter_data_o(counter_data), .counter_clear_i(counter_clear)
   );
 

@@ -22,7 +22,7 @@ void setup(Bench<Shading<C>>& bench, const Run& run) {
     frame.frame_base = number_below<32>(random, kBankWords);
     frame.write_hits = Word::from(write_hits);
   });
-  if (!write_hits) {
+  if (!write_hits && !kHasPort<C>) {
     bench.may_be_silent("bank_1");
     bench.may_be_silent("bank_2");
   }

@@ -48,8 +48,9 @@ std::vector<Clocks::Queue*> Clocks::fork(Feed feed, const std::vector<std::strin
 
 void Clocks::sink(Feed feed) { sinks_.push_back({.feed = std::move(feed)}); }
 
-void Clocks::device(Queue* requests, Queue* answers, Device& device) {
-  outsides_.push_back({.requests = requests, .answers = answers, .device = &device});
+void Clocks::device(Queue* requests, Queue* answers, Queue* writes, Device& device) {
+  outsides_.push_back(
+      {.requests = requests, .answers = answers, .writes = writes, .device = &device});
 }
 
 void Clocks::torn_ram(const std::string& writer, const std::string& port, const std::string& reader,
@@ -108,6 +109,7 @@ void Clocks::number_actors() {
   for (Outside& outside : outsides_) {
     outside.actor = number<&Clocks::serve>(outside);
     outside.requests->reader = outside.actor;
+    if (outside.writes != nullptr) outside.writes->reader = outside.actor;
   }
   for (Arbiter& arbiter : arbiters_) {
     arbiter.actor = number<&Clocks::arbitrate>(arbiter);
@@ -180,6 +182,10 @@ void Clocks::drain(Sink& sink, std::uint64_t now) {
 
 void Clocks::serve(Outside& outside, std::uint64_t now) {
   Device& device = *outside.device;
+  if (outside.writes != nullptr && outside.writes->offers(now)) {
+    take({outside.writes}, now);
+    device.take_write(now);
+  }
   if (outside.requests->offers(now)) {
     take({outside.requests}, now);
     device.take(now);

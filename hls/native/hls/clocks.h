@@ -65,7 +65,7 @@ class Clocks {
   /// Takes every token.
   void sink(Feed feed);
   /// Takes every request and gives answers, which it puts into their queue itself.
-  void device(Queue* requests, Queue* answers, Device& device);
+  void device(Queue* requests, Queue* answers, Queue* writes, Device& device);
 
   /// A RAM whose rows may be read in the clock that writes them, by unit `reader` in stage
   /// `read_stage`. `logged` writes wait until `land` shows each of them to it; in the clock before,
@@ -137,6 +137,7 @@ class Clocks {
     std::size_t actor = 0;
     Queue* requests;
     Queue* answers;
+    Queue* writes;  ///< or none
     Device* device;
   };
 

@@ -114,18 +114,25 @@ std::shared_ptr<TokenQueue> Join::add_output(const std::string& name, OutEnd& fr
   return queue;
 }
 
-void Join::attach(const std::string& requests, const std::string& answers, Device& device) {
+void Join::attach(const std::string& requests, const std::string& answers, Device& device,
+                  const std::string& writes) {
   if (clocks_) {
-    clocks_->attach(requests, answers, device);
+    clocks_->attach(requests, answers, writes, device);
     return;
   }
-  const auto serve = [&device, queue = outputs_.at(requests)](std::uint64_t&) {
+  const auto served = [&device](const std::shared_ptr<TokenQueue>& queue, auto take) {
     const bool any = queue->has_tokens();
-    while (queue->has_tokens()) device.take(0);
+    while (queue->has_tokens()) (device.*take)(0);
     while (device.next() != kNever) device.answer(device.next());
     return any;
   };
-  processes_.push_back({"", 0, serve});
+  processes_.push_back({"", 0, [served, queue = outputs_.at(requests)](std::uint64_t&) {
+                          return served(queue, &Device::take);
+                        }});
+  if (writes.empty()) return;
+  processes_.push_back({"", 0, [served, queue = outputs_.at(writes)](std::uint64_t&) {
+                          return served(queue, &Device::take_write);
+                        }});
 }
 
 void Join::add_sink(const std::string& name, OutEnd& from, TokenType type) {

@@ -93,9 +93,10 @@ class Join {
   std::shared_ptr<Fifo<T>> output(const std::string& name, Out<T>& from) {
     return std::static_pointer_cast<Fifo<T>>(add_output(name, from, token_type<T>()));
   }
-  /// Gives the requests of an output to a device, whose answers come to an input. It holds the two
-  /// queues, and stays where it is.
-  void attach(const std::string& requests, const std::string& answers, Device& device);
+  /// Gives the requests of an output to a device, whose answers come to an input, and the writes of
+  /// another output if it is named. The device holds the queues, and stays where it is.
+  void attach(const std::string& requests, const std::string& answers, Device& device,
+              const std::string& writes = {});
   /// A channel whose tokens are counted and dropped.
   template <class T>
   void sink(const std::string& name, Out<T>& from) {

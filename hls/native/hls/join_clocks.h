@@ -53,9 +53,11 @@ class JoinClocks {
   void input(const JoinPorts& ports, const std::string& name, const InEnd& to);
   void output(const JoinPorts& ports, const std::string& name, OutEnd& from, const Tokens& queue);
   void sink(const JoinPorts& ports, OutEnd& from, const Tokens& queue);
-  /// Between an output and an input of these names.
-  void attach(const std::string& requests, const std::string& answers, Device& device) {
-    clocks_.device(ends_.at(requests), ends_.at(answers), device);
+  /// Between outputs and an input of these names; `writes` may be empty.
+  void attach(const std::string& requests, const std::string& answers, const std::string& writes,
+              Device& device) {
+    clocks_.device(ends_.at(requests), ends_.at(answers),
+                   writes.empty() ? nullptr : ends_.at(writes), device);
   }
 
   void arrives(const std::string& input, std::uint64_t clock) { ends_.at(input)->push(clock); }

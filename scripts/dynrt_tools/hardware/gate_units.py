@@ -80,7 +80,7 @@ OTHER_UNITS = (
         "(memory port)",
         0,
         0,
-        ("memory_lookup", "memory_gather", "memory_fill", "memory_answer"),
+        ("memory_lookup", "memory_gather", "memory_fill", "memory_answer", "memory_write"),
         ("in_flight_ram",),
     ),
     Unit("(second level)", 0, 0, (), ("second_rows", "last_miss_ram")),

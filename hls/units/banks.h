@@ -1,0 +1,23 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The words of the board's six memory banks, for the native core.
+#pragma once
+
+#include <array>
+
+#include "hls/ports.h"
+#include "units/memory_format.h"
+
+namespace dynrt {
+
+/// Those of the scene, and those that the core writes.
+template <class C>
+struct Banks {
+  template <class W>
+  using Bank = hls::Rows<W>;
+  std::array<Bank<SceneWord<typename C::Real>>, kSceneBanks> scene;
+  std::array<Bank<Word>, kBanks - kFrameBank> out;
+};
+
+}  // namespace dynrt
