@@ -58,8 +58,6 @@ class MemorySchedule {
   bool is_idle() const { return waiting_.empty(); }
   std::uint64_t next() const { return std::max(bus_free_, waiting_.top().clock); }
 
-  std::uint64_t rows_opened() const { return rows_opened_; }
-
  private:
   struct Bank {
     std::uint64_t free = 0;
@@ -84,7 +82,6 @@ class MemorySchedule {
     if (bank.row != row) {
       bank.free += timing_.row_clocks;
       bank.row = row;
-      ++rows_opened_;
     }
     return bank.free;
   }
@@ -94,7 +91,6 @@ class MemorySchedule {
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> waiting_;
   std::uint64_t taken_ = 0;
   std::uint64_t bus_free_ = 0;
-  std::uint64_t rows_opened_ = 0;
 };
 
 }  // namespace dynrt

@@ -81,15 +81,6 @@ TEST(MemoryTiming, AWriteOpensItsRow) {
   schedule.write(0, 0);
   schedule.take(1, 8, 1, 1);
   EXPECT_EQ(schedule.next(), 5u);
-  EXPECT_EQ(schedule.rows_opened(), 1u);
-}
-
-TEST(MemoryTiming, RowsAreCounted) {
-  MemorySchedule<int> schedule({1, 5});
-  schedule.take(0, 0, 1, 0);
-  schedule.take(1, kMemoryRowBytes, 1, 0);
-  schedule.take(2, 8, 1, 0);
-  EXPECT_EQ(schedule.rows_opened(), 2u);
 }
 
 }  // namespace
