@@ -1,0 +1,115 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// One memory for three: the display, the core and the host. Reads and writes take turns, round
+// robin, and their data pass without a clock. An answer finds its way by the two highest bits of its
+// id. A read of the host waits for the host's writes, so that it sees them.
+//
+// Parameters:
+//   ID_BITS     of a read of the core
+//   BEAT_BYTES  of the memory's port
+`default_nettype none
+
+module memory_switch #(
+  parameter ID_BITS = 9,
+  parameter BEAT_BYTES = 16
+) (
+  input  wire                    clk_i,
+  input  wire                    rst_ni,
+  // display
+  input  wire                    display_read_valid_i,
+  output wire                    display_read_ready_o,
+  input  wire [24:0]             display_read_address_i,
+  input  wire [3:0]              display_read_last_i,
+  output wire                    display_beat_valid_o,
+  input  wire                    display_beat_ready_i,
+  // core
+  input  wire                    core_read_valid_i,
+  output wire                    core_read_ready_o,
+  input  wire [ID_BITS-1:0]      core_read_id_i,
+  input  wire [23:0]             core_read_address_i,
+  input  wire [3:0]              core_read_last_i,
+  output wire                    core_beat_valid_o,
+  input  wire                    core_beat_ready_i,
+  input  wire                    core_write_valid_i,
+  output wire                    core_write_ready_o,
+  input  wire [24:0]             core_write_address_i,
+  input  wire [8*BEAT_BYTES-1:0] core_write_data_i,
+  input  wire [BEAT_BYTES/2-1:0] core_write_mask_i,
+  // host
+  input  wire                    host_read_valid_i,
+  output wire                    host_read_ready_o,
+  input  wire [24:0]             host_read_address_i,
+  input  wire [3:0]              host_read_last_i,
+  output wire                    host_beat_valid_o,
+  input  wire                    host_beat_ready_i,
+  input  wire                    host_write_valid_i,
+  output wire                    host_write_ready_o,
+  input  wire [24:0]             host_write_address_i,
+  input  wire [8*BEAT_BYTES-1:0] host_write_data_i,
+  input  wire [BEAT_BYTES/2-1:0] host_write_mask_i,
+  // what a beat brings, to whoever it is for
+  output wire [ID_BITS-1:0]      beat_id_o,
+  output wire [8*BEAT_BYTES-1:0] beat_data_o,
+  output wire                    beat_last_o,
+  // memory
+  output wire                    read_valid_o,
+  input  wire                    read_ready_i,
+  output wire [ID_BITS+1:0]      read_id_o,
+  output wire [24:0]             read_address_o,
+  output wire [3:0]              read_last_o,
+  input  wire                    beat_valid_i,
+  output wire                    beat_ready_o,
+  input  wire [ID_BITS+1:0]      beat_id_i,
+  input  wire [8*BEAT_BYTES-1:0] beat_data_i,
+  input  wire                    beat_last_i,
+  output wire                    write_valid_o,
+  input  wire                    write_ready_i,
+  output wire [24:0]             write_address_o,
+  output wire [8*BEAT_BYTES-1:0] write_data_o,
+  output wire [BEAT_BYTES/2-1:0] write_mask_o
+);
+
+  localparam [1:0] DISPLAY = 2'd0, CORE = 2'd1, HOST = 2'd2;
+  localparam [ID_BITS-1:0] NO_ID = 0;
+  localparam READ_BITS = ID_BITS + 2 + 25 + 4;
+  localparam WRITE_BITS = 25 + 8 * BEAT_BYTES + BEAT_BYTES / 2;
+
+  wire host_read_allowed = !host_write_valid_i;
+  wire host_read_granted;
+  assign host_read_ready_o = host_read_granted && host_read_allowed;
+
+  hls_arbiter #(.INPUTS(3), .WIDTH(READ_BITS)) reads (
+    .clk_i(clk_i), .rst_ni(rst_ni),
+    .valid_i({host_read_valid_i && host_read_allowed, core_read_valid_i, display_read_valid_i}),
+    .ready_o({host_read_granted, core_read_ready_o, display_read_ready_o}),
+    .data_i({HOST, NO_ID, host_read_address_i, host_read_last_i,
+             CORE, core_read_id_i, 1'b0, core_read_address_i, core_read_last_i,
+             DISPLAY, NO_ID, display_read_address_i, display_read_last_i}),
+    .valid_o(read_valid_o), .ready_i(read_ready_i),
+    .data_o({read_id_o, read_address_o, read_last_o})
+  );
+
+  hls_arbiter #(.INPUTS(2), .WIDTH(WRITE_BITS)) writes (
+    .clk_i(clk_i), .rst_ni(rst_ni),
+    .valid_i({host_write_valid_i, core_write_valid_i}),
+    .ready_o({host_write_ready_o, core_write_ready_o}),
+    .data_i({host_write_address_i, host_write_data_i, host_write_mask_i,
+             core_write_address_i, core_write_data_i, core_write_mask_i}),
+    .valid_o(write_valid_o), .ready_i(write_ready_i),
+    .data_o({write_address_o, write_data_o, write_mask_o})
+  );
+
+  wire [1:0] beat_for = beat_id_i[ID_BITS +: 2];
+  assign display_beat_valid_o = beat_valid_i && beat_for == DISPLAY;
+  assign core_beat_valid_o = beat_valid_i && beat_for == CORE;
+  assign host_beat_valid_o = beat_valid_i && beat_for == HOST;
+  assign beat_ready_o = beat_for == DISPLAY ? display_beat_ready_i :
+                        beat_for == CORE ? core_beat_ready_i : host_beat_ready_i;
+  assign beat_id_o = beat_id_i[ID_BITS-1:0];
+  assign beat_data_o = beat_data_i;
+  assign beat_last_o = beat_last_i;
+
+endmodule
+
+`default_nettype wire
