@@ -68,10 +68,10 @@ def frame_at(point: Point) -> Json:
     return frame(int(point["packets"]), int(point["lines"]), scanline, points.keys_of(point))
 
 
-# A dynrt that knows one scene and renders it as frame() has it. A frame of one packet dies where the
-# file `fail` says so.
+# A dynrt that knows two scenes and renders them as frame() has it. A frame of one packet dies where the
+# file `fail` says so, is killed where `kill` says so, and does not come to its end where `hang` does.
 PROGRAM = """#!/usr/bin/python3
-import json, pathlib, sys
+import json, os, pathlib, signal, sys, time
 sys.path.insert(0, {scripts!r})
 from dynrt_tools.hardware_report import example
 words = sys.argv[1:]
@@ -87,6 +87,12 @@ with pathlib.Path("ran").open("a") as file:
 if pathlib.Path("fail").exists() and of("--packets") == "1":
     print("dynrt: the frame is lost", file=sys.stderr)
     sys.exit(3)
+if pathlib.Path("kill").exists() and of("--packets") == "1":
+    os.kill(os.getpid(), signal.SIGKILL)
+if pathlib.Path("hang").exists() and of("--packets") == "1":
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    pathlib.Path("hanging").write_text(os.environ.get("SLURM_JOB_ID", ""))
+    time.sleep(600)
 model = pathlib.Path(of("--config"))
 keys = json.loads(model.read_text()) if model.suffix == ".so" else {{}}
 frame = example.frame(int(of("--packets")), int(of("--lines")), of("--order") == "scanline", keys)

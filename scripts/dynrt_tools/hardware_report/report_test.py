@@ -85,6 +85,21 @@ class Reports(Case):
         self.assertEqual(len(self.ran()), 1)
         self.assertEqual(self.made()["missing"], [])
 
+    def test_a_frame_that_is_killed_is_named_too(self) -> None:
+        self.work.mkdir()
+        (self.work / "kill").write_text("", encoding="utf-8")
+        code, said = self.run_report("blocks")
+        self.assertEqual(code, 1)
+        self.assertEqual(
+            said.splitlines(),
+            [
+                "dynrt: missing: blocks.wide.packets-1_lines-2_order-morton: rendering failed: it "
+                "ended without a word, as a program does that is killed",
+                "dynrt: missing: blocks, wide: 1 of 6 frames",
+            ],
+        )
+        self.assertEqual(len(self.made()["runs"]), FRAMES)
+
     def test_what_an_earlier_program_made_does_not_count(self) -> None:
         self.assertEqual(self.run_report("blocks"), (0, ""))
         self.program.write_text(self.program.read_text() + "# changed\n", encoding="utf-8")

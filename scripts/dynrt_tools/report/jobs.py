@@ -9,10 +9,12 @@ import json
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import signal
 import subprocess
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
 from dynrt_tools.project import SCRIPTS, Failed, Json, hash_of_files, read_json, show_progress
 
@@ -20,6 +22,9 @@ PROFILE = pathlib.Path(__file__).resolve().parent / "slurm"
 STEP = re.compile(r"^(\d+) of (\d+) steps")
 FAILED = re.compile(r"^Error in rule (\w+):")
 LOG = re.compile(r"^ +log: (\S+)")
+SLURM_JOB = re.compile(r"^ +cluster_jobid: (\d+)")
+ENDED_BY_SLURM = re.compile(r"^slurmstepd\S*: error: (?:\*\*\* )?(.+?)(?: \*\*\*)?$", re.MULTILINE)
+NO_WORD = "it ended without a word, as a program does that is killed"
 STAMP = "made_by.json"
 
 
@@ -40,6 +45,36 @@ def stop(process: subprocess.Popen[str]) -> None:
     """Ends Snakemake and its jobs, as a terminal would; it removes their unfinished files."""
     os.killpg(process.pid, signal.SIGINT)
     process.wait()
+
+
+@dataclass
+class FailedJob:
+    rule: str
+    log: str = ""
+    slurm_job: str = ""
+
+
+class Failures:
+    """The jobs that failed, by what Snakemake prints."""
+
+    def __init__(self) -> None:
+        self._jobs: list[FailedJob] = []
+        self._told = True  # the lines that come are not about the last one
+
+    def read(self, line: str) -> None:
+        if error := FAILED.match(line):
+            self._jobs.append(FailedJob(error[1]))
+            self._told = False
+        elif not line.startswith(" "):
+            self._told = True
+        elif not self._told and (found := LOG.match(line)):
+            self._jobs[-1].log = found[1]
+        elif not self._told and (found := SLURM_JOB.match(line)):
+            self._jobs[-1].slurm_job = found[1]
+
+    def jobs(self) -> list[FailedJob]:
+        """Each once: of a job of a cluster Snakemake may speak twice."""
+        return list({job.log: job for job in self._jobs if job.log}.values())
 
 
 class Jobs:
@@ -117,10 +152,12 @@ class Jobs:
             "--keep-going",
             "--nocolor",
         ]
-        command += ["--profile", PROFILE] if slurm else ["--cores", str(jobs)]
+        # As a command of a shell, whose words the profile could not quote.
+        status = ["--cluster-status", shlex.quote(str(PROFILE / "status"))]
+        command += ["--profile", PROFILE, *status] if slurm else ["--cores", str(jobs)]
         environment = os.environ | {"PYTHONDONTWRITEBYTECODE": "1"}
         log = self.folder / "snakemake.log"
-        failed: dict[str, str] = {}
+        failures = Failures()
         with log.open("w", encoding="utf-8", buffering=1) as file, subprocess.Popen(
             command,
             stdout=subprocess.PIPE,
@@ -129,32 +166,35 @@ class Jobs:
             env=environment,
             start_new_session=True,
         ) as process:
-            rule = None
             show_progress("looking for jobs")
             try:
                 for line in process.stdout or ():
                     file.write(line)
                     if step := STEP.match(line):
                         show_progress(f"{step[1]} of {step[2]} jobs are done")
-                    if error := FAILED.match(line):
-                        rule = error[1]
-                    if rule and (found := LOG.match(line)):
-                        failed.setdefault(found[1], rule)
-                        rule = None
+                    failures.read(line)
             except KeyboardInterrupt:
                 stop(process)
                 raise
         show_progress("")
+        failed = failures.jobs()
         if process.returncode != 0 and not failed:
             raise Failed(_last_words(log))
-        return [self._reason(name, rule) for name, rule in failed.items()]
+        return [self._reason(job) for job in failed]
 
-    def _reason(self, name: str, rule: str) -> str:
-        path = self.folder / name
-        lines = path.read_text(encoding="utf-8").strip().splitlines() if path.exists() else []
-        said = lines[-1].removeprefix("dynrt: ") if lines else "no reason was given"
-        job = path.name.removesuffix(f".{rule}.log")
-        return f"{job}: {self.doing.get(rule, rule)} failed: {said}"
+    def _reason(self, failed: FailedJob) -> str:
+        path = self.folder / failed.log
+        lines = _text(path).strip().splitlines()
+        said = lines[-1].removeprefix("dynrt: ") if lines else NO_WORD
+        slurm_log = self.folder / "logs" / "slurm" / f"{failed.slurm_job}.log"
+        if ended := ENDED_BY_SLURM.findall(_text(slurm_log)):
+            said = f"Slurm ended it: {ended[-1]}"
+        job = path.name.removesuffix(f".{failed.rule}.log")
+        return f"{job}: {self.doing.get(failed.rule, failed.rule)} failed: {said}"
+
+
+def _text(path: pathlib.Path) -> str:
+    return path.read_text(encoding="utf-8") if path.is_file() else ""
 
 
 def _last_words(log: pathlib.Path) -> str:

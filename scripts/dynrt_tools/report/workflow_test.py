@@ -130,14 +130,32 @@ class Jobs(testing.InFolder):
             '#!/bin/bash\n[ $1 = --parsable ] && echo $$ && echo "$@" >> submitted\n'
             'exec bash "${@: -1}" > /dev/null 2>&1\n',
         )
+        testing.write_program(sbatch.parent / "scontrol", "#!/bin/bash\necho JobState=COMPLETED\n")
         path = f"{sbatch.parent}:{os.environ['PATH']}"
-        with mock.patch.dict(os.environ, {"PATH": path}):
+        # With CI Snakemake asks every second, not every ten.
+        with mock.patch.dict(os.environ, {"PATH": path, "CI": "true"}):
             self.assertEqual(self.run_workflow(("a",), hardware_too=False, slurm=True), 2)
         submitted = (self.work / "submitted").read_text(encoding="utf-8").splitlines()
         self.assertEqual(
             [project.searched("--job-name=([a-z-]+)", line)[1] for line in submitted],
             ["dynrt-model", "dynrt-run"],
         )
+
+    def test_how_a_job_of_slurm_stands(self) -> None:
+        scontrol = self.folder / "scontrol"
+        environment = {**os.environ, "PATH": f"{self.folder}:{os.environ['PATH']}"}
+        for said, status in (
+            ("JobId=7 JobName=dynrt-run JobState=COMPLETED Reason=None", "success"),
+            ("JobId=7 JobName=dynrt-run JobState=COMPLETING Reason=None", "running"),
+            ("JobId=7 JobName=dynrt-run JobState=PENDING Reason=Resources", "running"),
+            ("JobId=7 JobName=dynrt-run JobState=OUT_OF_MEMORY Reason=OutOfMemory", "failed"),
+            ("JobId=7 JobName=dynrt-run JobState=NODE_FAIL Reason=NodeDown", "failed"),
+            ("slurm_load_jobs error: Invalid job id specified", "failed"),
+            ("slurm_load_jobs error: Unable to contact slurm controller", "running"),
+        ):
+            testing.write_program(scontrol, f"#!/bin/bash\necho '{said}' >&2\n")
+            result = testing.run(jobs.PROFILE / "status", "7", env=environment)
+            self.assertEqual((result.stdout.strip(), result.stderr), (status, ""), said)
 
     def test_slurm_that_is_not_there(self) -> None:
         with mock.patch.object(
