@@ -18,16 +18,14 @@ namespace dynrt::host {
 
 namespace {
 
-constexpr double kPixelClockMHz = 25.175;  ///< of 640x480 at 60 Hz
-
 unsigned clocks_per_pixel(double clock_mhz) {
-  const double clocks = std::round(clock_mhz / kPixelClockMHz);
+  const double clocks = std::round(clock_mhz / k640x480.pixel_mhz);
   return static_cast<unsigned>(
       std::clamp<double>(clocks, Display::kLeastClocks, Display::kMostClocks));
 }
 
-std::size_t count_different(const VgaFrame& display, const Frame& frame) {
-  const VgaMode& m = display.mode;
+std::size_t count_different(const DisplayFrame& display, const Frame& frame) {
+  const DisplayMode& m = display.mode;
   const unsigned left = (m.hdisplay - frame.width) / 2;
   const unsigned top = (m.vdisplay - frame.height) / 2;
   std::size_t differ = 0;
@@ -44,14 +42,14 @@ std::size_t count_different(const VgaFrame& display, const Frame& frame) {
 
 Shown show(Board& board, const Frame& frame, double clock_mhz, const std::string& file) {
   const unsigned clocks = clocks_per_pixel(clock_mhz);
-  VgaFrame display = board.display(kFrameBase, frame.width, frame.height, clocks);
-  if (!display.fault.empty() || display.mode != kVga640x480) {
+  DisplayFrame display = board.display(kFrameBase, frame.width, frame.height, clocks);
+  if (!display.fault.empty() || display.mode != k640x480.mode) {
     throw std::logic_error("the signal is not VGA of 640x480: " + display.fault);
   }
   Shown shown;
   shown.image = file;
   shown.mode = display.mode;
-  shown.clocks_per_pixel = display.clocks_per_pixel;
+  shown.clocks_per_pixel = display.pixel_time;
   shown.displays_per_second =
       clock_mhz * 1e6 / clocks / (double{1} * display.mode.htotal * display.mode.vtotal);
   shown.differ = count_different(display, frame);

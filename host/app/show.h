@@ -14,7 +14,7 @@ namespace dynrt::host {
 
 struct Shown {
   std::string image;  ///< the file that was written
-  VgaMode mode;       ///< as measured
+  DisplayMode mode;   ///< as measured
   unsigned clocks_per_pixel = 0;
   double displays_per_second = 0;
   std::size_t differ = 0;  ///< pixels that differ between display and frame

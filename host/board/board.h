@@ -74,8 +74,8 @@ class Board {
   /// Shows the picture at word `base` of bank 3 in the middle of a VGA display of 640x480 and
   /// returns the image that a monitor sees at the pins. A pixel takes the given number of clocks,
   /// at least two. Throws UserError if the board has no scan-out or the picture does not fit.
-  virtual VgaFrame display(std::uint32_t base, unsigned width, unsigned height,
-                           unsigned clocks_per_pixel);
+  virtual DisplayFrame display(std::uint32_t base, unsigned width, unsigned height,
+                               unsigned clocks_per_pixel);
   /// Throws UserError if display() would.
   void check_display(unsigned width, unsigned height) const;
 

@@ -16,7 +16,7 @@ namespace dynrt::host {
 
 namespace reg = registers;
 
-ScanConfig scan_config(const VgaMode& m, std::uint32_t base, unsigned width, unsigned height) {
+ScanConfig scan_config(const DisplayMode& m, std::uint32_t base, unsigned width, unsigned height) {
   const unsigned left = (m.hdisplay - width) / 2;
   const unsigned top = (m.vdisplay - height) / 2;
   const unsigned positive = (m.positive_hsync ? 1u : 0u) | (m.positive_vsync ? 2u : 0u);
@@ -40,7 +40,7 @@ ScanConfig scan_config(const VgaMode& m, std::uint32_t base, unsigned width, uns
 
 namespace {
 
-void check(const Board& board, const VgaMode& mode, unsigned width, unsigned height) {
+void check(const Board& board, const DisplayMode& mode, unsigned width, unsigned height) {
   if (!board.has_scan_out()) refuse(messages::kNoScanOut, board.name(), board.core().name);
   if (width > mode.hdisplay || height > mode.vdisplay) {
     refuse(messages::kDisplaySize, width, height, mode.hdisplay, mode.vdisplay);
@@ -49,7 +49,7 @@ void check(const Board& board, const VgaMode& mode, unsigned width, unsigned hei
 
 }  // namespace
 
-Display::Display(RtlBoard& board, const VgaMode& mode, unsigned clocks_per_pixel,
+Display::Display(RtlBoard& board, const DisplayMode& mode, unsigned clocks_per_pixel,
                  std::uint32_t base, unsigned width, unsigned height)
     : board_(board),
       monitor_(mode.positive_hsync, mode.positive_vsync),
@@ -80,7 +80,7 @@ void Display::show(std::uint32_t base) { board_.write_register(reg::kRegScan, ba
 
 std::uint32_t Display::shown() { return board_.read_register(reg::kRegScanShown); }
 
-const VgaFrame& Display::wait(unsigned count) {
+const DisplayFrame& Display::wait(unsigned count) {
   const std::size_t enough = frames().size() + count;
   for (unsigned i = 0; frames().size() < enough; ++i) {
     // The first whole one begins in the second display, after at most two.
@@ -93,18 +93,18 @@ const VgaFrame& Display::wait(unsigned count) {
 void Board::check_display(unsigned width, unsigned height) const {
   const unsigned pitch = core_.pitch(width);
   if (pitch != width) refuse(messages::kDisplayPitch, core_.name, pitch, width, kPitchStep);
-  check(*this, kVga640x480, width, height);
+  check(*this, k640x480.mode, width, height);
 }
 
-VgaFrame Board::display(std::uint32_t /*base*/, unsigned width, unsigned height,
-                        unsigned /*clocks_per_pixel*/) {
+DisplayFrame Board::display(std::uint32_t /*base*/, unsigned width, unsigned height,
+                            unsigned /*clocks_per_pixel*/) {
   check_display(width, height);
   throw std::logic_error("a board with a scan-out cannot show a picture");
 }
 
-VgaFrame RtlBoard::display(std::uint32_t base, unsigned width, unsigned height,
-                           unsigned clocks_per_pixel) {
-  Display display(*this, kVga640x480, clocks_per_pixel, base, width, height);
+DisplayFrame RtlBoard::display(std::uint32_t base, unsigned width, unsigned height,
+                               unsigned clocks_per_pixel) {
+  Display display(*this, k640x480.mode, clocks_per_pixel, base, width, height);
   return display.wait(1);
 }
 

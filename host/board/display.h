@@ -20,7 +20,7 @@ class Display {
 
   /// Switches the scan-out on. The picture begins at word `base` of bank 3 and lies in the middle
   /// of the display. Throws UserError if the board has no scan-out or the picture does not fit.
-  Display(RtlBoard& board, const VgaMode& mode, unsigned clocks_per_pixel, std::uint32_t base,
+  Display(RtlBoard& board, const DisplayMode& mode, unsigned clocks_per_pixel, std::uint32_t base,
           unsigned width, unsigned height);
   /// Switches it off.
   ~Display();
@@ -33,9 +33,9 @@ class Display {
   std::uint32_t shown();
 
   /// The complete pictures that the monitor has seen since the display is on.
-  const std::vector<VgaFrame>& frames() const { return monitor_.frames(); }
+  const std::vector<DisplayFrame>& frames() const { return monitor_.frames(); }
   /// Clocks the board until the monitor has seen `count` more of them.
-  const VgaFrame& wait(unsigned count);
+  const DisplayFrame& wait(unsigned count);
 
  private:
   RtlBoard& board_;
@@ -44,6 +44,7 @@ class Display {
 };
 
 /// The registers of a mode with a picture in its middle.
-ScanConfig scan_config(const VgaMode& mode, std::uint32_t base, unsigned width, unsigned height);
+ScanConfig scan_config(const DisplayMode& mode, std::uint32_t base, unsigned width,
+                       unsigned height);
 
 }  // namespace dynrt::host

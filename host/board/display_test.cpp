@@ -26,7 +26,7 @@ namespace {
 namespace reg = registers;
 using testing::ThrowsMessage;
 
-constexpr VgaMode kMode = {28, 30, 33, 36, 14, 15, 17, 20, false, true};
+constexpr DisplayMode kMode = {28, 30, 33, 36, 14, 15, 17, 20, false, true};
 constexpr unsigned kWidth = 24;
 constexpr unsigned kHeight = 10;
 constexpr unsigned kPixels = kWidth * kHeight;
@@ -54,10 +54,10 @@ Words on_display(const Words& picture) {
 
 class DisplayTest : public testing::Test {
  protected:
-  void expect_shows(const VgaFrame& frame, const Words& picture, unsigned clocks_per_pixel) {
+  void expect_shows(const DisplayFrame& frame, const Words& picture, unsigned clocks_per_pixel) {
     EXPECT_EQ(frame.fault, "");
     EXPECT_EQ(frame.mode, kMode);
-    EXPECT_EQ(frame.clocks_per_pixel, clocks_per_pixel);
+    EXPECT_EQ(frame.pixel_time, clocks_per_pixel);
     EXPECT_EQ(frame.pixels, on_display(picture));
   }
   /// The stand-in's picture is bank 0 ^ bank 1.
@@ -111,7 +111,7 @@ TEST_F(DisplayTest, GoesOnWhileTheCoreWritesTheOtherBuffer) {
     display.wait(1);
     EXPECT_EQ(render(second, kBack), alone);  // the core has not been kept waiting
     display.wait(1);
-    for (const VgaFrame& frame : display.frames()) expect_shows(frame, first, clocks);
+    for (const DisplayFrame& frame : display.frames()) expect_shows(frame, first, clocks);
     EXPECT_EQ(read(kFront), first);
     EXPECT_EQ(read(kBack), second);
 
@@ -133,7 +133,7 @@ TEST_F(DisplayTest, MakesTheHostWaitAndNotTheDisplay) {
     ASSERT_EQ(read(kFront), picture);
     ASSERT_EQ(read(kBack), other);
   }
-  for (const VgaFrame& frame : display.frames()) expect_shows(frame, picture, 2);
+  for (const DisplayFrame& frame : display.frames()) expect_shows(frame, picture, 2);
 }
 
 TEST_F(DisplayTest, APixelThatIsWrongIsSeen) {

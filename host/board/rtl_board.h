@@ -27,8 +27,8 @@ class RtlBoard final : public Board {
   void start() override;
   FrameRun wait(std::uint64_t timeout, const PixelProgress& progress) override;
   bool has_scan_out() const override { return core().scan_out; }
-  VgaFrame display(std::uint32_t base, unsigned width, unsigned height,
-                   unsigned clocks_per_pixel) override;
+  DisplayFrame display(std::uint32_t base, unsigned width, unsigned height,
+                       unsigned clocks_per_pixel) override;
   std::vector<Counter> counters() override;
 
   /// For the display (display.h): shows the VGA pins to the monitor; clocks the board, at most

@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr VgaMode kMode = {8, 9, 12, 14, 5, 6, 8, 9, false, true};
+constexpr DisplayMode kMode = {8, 9, 12, 14, 5, 6, 8, 9, false, true};
 constexpr unsigned kPixels = kMode.htotal * kMode.vtotal;
 
 struct Pins {
@@ -33,7 +33,7 @@ class Signal {
                       visible ? 0x010000 + 100 * line + column : 0});
     }
   }
-  std::vector<VgaFrame> frames() const {
+  std::vector<DisplayFrame> frames() const {
     VgaMonitor monitor(kMode.positive_hsync, kMode.positive_vsync);
     for (const Pins& p : pins) {
       for (unsigned clock = 0; clock < p.clocks; ++clock) {
@@ -46,12 +46,12 @@ class Signal {
 };
 
 TEST(VgaMonitor, MeasuresModeAndPicture) {
-  const std::vector<VgaFrame> frames = Signal(4).frames();
+  const std::vector<DisplayFrame> frames = Signal(4).frames();
   ASSERT_EQ(frames.size(), 3u);  // the pulses of four displays begin three whole ones
-  for (const VgaFrame& frame : frames) {
+  for (const DisplayFrame& frame : frames) {
     EXPECT_EQ(frame.fault, "");
     EXPECT_EQ(frame.mode, kMode);
-    EXPECT_EQ(frame.clocks_per_pixel, 3u);
+    EXPECT_EQ(frame.pixel_time, 3u);
     ASSERT_EQ(frame.pixels.size(), kMode.hdisplay * kMode.vdisplay);
     for (unsigned i = 0; i < frame.pixels.size(); ++i) {
       ASSERT_EQ(frame.pixels[i], 0x010000 + 100 * (i / kMode.hdisplay) + i % kMode.hdisplay);
@@ -64,7 +64,7 @@ template <class Change>
 std::string fault_of(unsigned column, unsigned line, Change change) {
   Signal signal(3);
   change(signal.pins[kPixels + line * kMode.htotal + column]);
-  const std::vector<VgaFrame> frames = signal.frames();
+  const std::vector<DisplayFrame> frames = signal.frames();
   EXPECT_EQ(frames.size(), 2u);
   return frames.empty() ? "" : frames.front().fault;
 }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr unsigned kWidth = 24;
 constexpr unsigned kHeight = 16;
-constexpr VgaMode kMode = {32, 33, 36, 40, 20, 21, 23, 25, false, false};
+constexpr DisplayMode kMode = {32, 33, 36, 40, 20, 21, 23, 25, false, false};
 constexpr unsigned kClocks = 2;  ///< a pixel takes, the fewest: the bank is as busy as can be
 constexpr std::uint64_t kTimeout = 1'000'000;
 
@@ -79,10 +79,10 @@ Words on_display(const Words& picture) {
   return pixels;
 }
 
-void expect_shows(const VgaFrame& frame, const Words& picture) {
+void expect_shows(const DisplayFrame& frame, const Words& picture) {
   EXPECT_EQ(frame.fault, "");
   EXPECT_EQ(frame.mode, kMode);
-  EXPECT_EQ(frame.clocks_per_pixel, kClocks);
+  EXPECT_EQ(frame.pixel_time, kClocks);
   EXPECT_EQ(frame.pixels, on_display(picture));
 }
 
