@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # dynrt_verilate(TARGET TOP module PREFIX class SOURCES file.v...
-#                [HEADERS file.vh...] [FAST] [TRACE] [SHARDS n] [ARGS verilator-argument...])
+#                [HEADERS file.vh...] [FAST] [TRACE] [TIMING] [SHARDS n]
+#                [ARGS verilator-argument...])
 #
 # Makes the static library TARGET with the Verilated class PREFIX (header PREFIX.h) of a module.
 # Verilator's own verilate() runs Verilator while CMake configures, when generated Verilog does not
@@ -16,6 +17,8 @@
 #          wrote is found out.
 #   TRACE  with FST waveforms; costs about a quarter of the speed even while none is written, so it is
 #          a library of its own.
+#   TIMING with modules that keep time, in ps (verif/vendor); the bench runs it by
+#          host/board/timed_top.h
 # Modules that SOURCES do not hold are looked for in HLS_RTL_LIB, where the primitives are that hlsc's
 # Verilog is made of. HEADERS are what they include.
 
@@ -32,8 +35,13 @@ target_compile_definitions(verilated_runtime PUBLIC VL_TIME_CONTEXT)
 target_compile_options(verilated_runtime PRIVATE -O2 -w)
 target_link_libraries(verilated_runtime PUBLIC Threads::Threads ZLIB::ZLIB)
 
+# The same for tops with TIMING.
+add_library(verilated_timing STATIC EXCLUDE_FROM_ALL ${VERILATOR_ROOT}/include/verilated_timing.cpp)
+target_compile_options(verilated_timing PRIVATE -O2 -w)
+target_link_libraries(verilated_timing PUBLIC verilated_runtime)
+
 function(dynrt_verilate target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "FAST;TRACE" "TOP;PREFIX;SHARDS" "SOURCES;HEADERS;ARGS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "FAST;TRACE;TIMING" "TOP;PREFIX;SHARDS" "SOURCES;HEADERS;ARGS")
   foreach(needed TOP PREFIX SOURCES)
     if(NOT arg_${needed})
       message(FATAL_ERROR "dynrt_verilate(${target}): ${needed} is missing")
@@ -64,6 +72,11 @@ function(dynrt_verilate target)
   endif()
   if(arg_TRACE)
     list(APPEND flags --trace-fst)
+  endif()
+  set(runtime verilated_runtime)
+  if(arg_TIMING)
+    list(APPEND flags --timing --timescale 1ps/1ps)
+    set(runtime verilated_timing)
   endif()
 
   set(fast_files)
@@ -97,5 +110,5 @@ function(dynrt_verilate target)
   target_compile_definitions(${target} PRIVATE VM_COVERAGE=0 VM_SC=0 VM_TRACE=$<BOOL:${arg_TRACE}>
                              VM_TRACE_FST=$<BOOL:${arg_TRACE}> VM_TRACE_VCD=0)
   target_include_directories(${target} SYSTEM PUBLIC ${dir})
-  target_link_libraries(${target} PUBLIC verilated_runtime)
+  target_link_libraries(${target} PUBLIC ${runtime})
 endfunction()
