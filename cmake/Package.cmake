@@ -44,7 +44,7 @@ install(FILES cmake/dynrtConfig.cmake ${PROJECT_BINARY_DIR}/dynrtConfigVersion.c
 # The Verilog that is checked in. The prefix may be moved, so a list names its files relative to its own
 # folder, as -F of Verilator and -f of others, run there, read it.
 set(rtl ${share}/rtl)
-install(DIRECTORY rtl/lib rtl/board rtl/generated rtl/lint DESTINATION ${rtl}
+install(DIRECTORY rtl/lib rtl/board rtl/sdram rtl/generated rtl/lint DESTINATION ${rtl}
         FILES_MATCHING PATTERN *.v PATTERN *.vh PATTERN *.vlt)
 install(FILES constraints/dynrt_board.sdc DESTINATION ${rtl})
 set(lists ${PROJECT_BINARY_DIR}/dynrt_core.f ${PROJECT_BINARY_DIR}/dynrt_board.f

@@ -86,7 +86,7 @@ def main() -> int:
     by_hand = rtl_files.hand_written()
     if not by_hand:
         project.fail(f"{root / 'rtl'} holds no Verilog; is this the project's folder?")
-    sources = by_hand + rtl_files.generated(args)
+    sources = by_hand + rtl_files.units_in(rtl_files.SDRAM) + rtl_files.generated(args)
 
     problems = check_waivers(root, sources)
     with Pool(os.cpu_count()) as pool:

@@ -15,6 +15,8 @@ from dynrt_tools import project, unit_names
 CHECKED_IN = "thesis"
 ALL_GENERATED = project.ROOT / "rtl" / "generated"
 GENERATED = ALL_GENERATED / CHECKED_IN
+# The SDRAM's controller, which has no configuration (rtl/sdram).
+SDRAM = ALL_GENERATED / "sdram"
 LIBRARY = project.ROOT / "rtl" / "lib"
 # The module that joins the units, and the one that counts their transactions.
 CORE, COUNTERS = "dynrt_core", "hls_counters"
@@ -123,7 +125,7 @@ def generated(args: argparse.Namespace) -> list[pathlib.Path]:
 
 
 def _all_checked_in() -> str:
-    names = sorted(f.name for f in ALL_GENERATED.iterdir() if f.is_dir())
+    names = sorted(f.name for f in ALL_GENERATED.iterdir() if f.is_dir() and f != SDRAM)
     return " and ".join(f"'{name}'" for name in names) + (" is" if len(names) == 1 else " are")
 
 

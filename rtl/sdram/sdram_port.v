@@ -1,0 +1,275 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// A memory port on a 16-bit SDR SDRAM: the logic around the unit sdram_controller, which gets a
+// request or none in every clock and says in every clock what the pins do. Reads and writes take
+// turns; a write becomes a request for the pairs of halves that its mask touches. Requests are done
+// in their order, so a read sees the writes before it. hls/units/sdram_port.h is the native twin.
+//
+// A read is taken only if there is room for its beats, so that the chip's words never wait. All
+// pins are registers: sdram_dq_i is taken CAS_LATENCY + 1 clocks after a command is on the pins.
+//
+// Parameters:
+//   ID_WIDTH     bits of a read's id
+//   PORT_BYTES   bytes of a beat: 8, 16 or 32
+//   CAS_LATENCY  that of the controller
+//
+// Ports:
+//   pause_i      clocks of the pause after power-up, in pairs
+//   read_*       a read of read_last_i + 1 beats, aligned to a beat, within 32 bytes
+//   write_*      a beat to be written, aligned; a bit of the mask for each 16 bits
+//   beat_*       what was read, lowest address first, in the order of the reads
+//   sdram_*      the chip's pins; its clock, CKE and CS# are the board's (CKE high, CS# low)
+`default_nettype none
+
+module sdram_port #(
+    parameter ID_WIDTH    = 8,
+    parameter PORT_BYTES  = 16,
+    parameter CAS_LATENCY = 3
+) (
+    input  wire                    clk_i,
+    input  wire                    rst_ni,
+    input  wire [            15:0] pause_i,
+    input  wire                    read_valid_i,
+    output wire                    read_ready_o,
+    input  wire [    ID_WIDTH-1:0] read_id_i,
+    input  wire [            24:0] read_address_i,
+    input  wire [             3:0] read_last_i,
+    input  wire                    write_valid_i,
+    output wire                    write_ready_o,
+    input  wire [            24:0] write_address_i,
+    input  wire [8*PORT_BYTES-1:0] write_data_i,
+    input  wire [PORT_BYTES/2-1:0] write_mask_i,
+    output wire                    beat_valid_o,
+    input  wire                    beat_ready_i,
+    output wire [    ID_WIDTH-1:0] beat_id_o,
+    output wire [8*PORT_BYTES-1:0] beat_data_o,
+    output wire                    beat_last_o,
+    output wire                    sdram_ras_no,
+    output wire                    sdram_cas_no,
+    output wire                    sdram_we_no,
+    output wire [             1:0] sdram_ba_o,
+    output wire [            12:0] sdram_a_o,
+    output wire [             1:0] sdram_dqm_o,
+    output wire                    sdram_dq_oe_o,
+    output wire [            15:0] sdram_dq_o,
+    input  wire [            15:0] sdram_dq_i
+);
+
+  localparam DATA = 8 * PORT_BYTES;
+  localparam HALVES = PORT_BYTES / 2;
+  localparam INDEX = $clog2(HALVES);
+  localparam [31:0] BEATS = 32;  // that may be on their way, or wait to be taken
+  localparam WRITES = 8;
+  localparam [31:0] LAST_PAIR = PORT_BYTES / 4 - 1;
+  localparam [31:0] MOST_BEATS = 32 / PORT_BYTES;  // of a read
+  localparam TAGS = CAS_LATENCY + 2;  // from a token to its word in dq_q
+
+  // The controller's token, and its bits.
+  wire        step_valid;
+  wire [26:0] step;
+  wire        step_ready = step[18];
+  wire        step_reads = step_valid && step[19];
+  wire        step_writes = step_valid && step[20];
+  wire [ 3:0] step_word = step[24:21];
+  wire        step_last = step[25];
+  wire        step_taken = step_valid && step[26];
+
+  // ---- requests ----
+  reg         writes_turn_q;
+  reg  [ 1:0] batch_q;  // requests of this kind while the other waits
+  reg  [ 3:0] waiting_q;  // requests in the controller's queue or on their way to it
+  reg  [ 5:0] free_beats_q;
+  reg  [27:0] request_q;
+
+  wire        room = !waiting_q[3];
+  wire        write_room;
+  assign read_ready_o = !writes_turn_q && room && free_beats_q >= MOST_BEATS[5:0];
+  assign write_ready_o = writes_turn_q && room && write_room;
+  wire takes_read = read_valid_i && read_ready_o;
+  wire takes_write = write_valid_i && write_ready_o;
+  wire writes_any = takes_write && (|write_mask_i);
+
+  wire other_waits = writes_turn_q ? read_valid_i : write_valid_i;
+  wire this_waits = writes_turn_q ? write_valid_i : read_valid_i;
+  wire took = takes_read || takes_write;
+  wire changes = other_waits && (!this_waits || (took && (&batch_q)));
+
+  // The first and the last pair that a mask touches.
+  reg [2:0] first, last;
+  integer i;
+  always @* begin
+    first = 3'd0;
+    last  = 3'd0;
+    for (i = 0; i < HALVES / 2; i = i + 1) begin
+      if (|write_mask_i[2*i+:2]) last = i[2:0];
+      if (|write_mask_i[HALVES-2-2*i+:2]) first = LAST_PAIR[2:0] - i[2:0];
+    end
+  end
+  wire [ 2:0] write_pairs = last - first;  // less one
+  wire [ 2:0] read_pairs = {1'b0, read_last_i[1:0]} << (INDEX - 1) | LAST_PAIR[2:0];  // less one
+
+  always @(posedge clk_i) begin
+    request_q <= writes_turn_q ?
+        {1'b1, write_pairs, write_address_i[24:2] | {20'd0, first}, writes_any} :
+        {1'b0, read_pairs, read_address_i[24:2], takes_read};
+    waiting_q <= waiting_q + {3'd0, takes_read || writes_any} - {3'd0, step_taken};
+    free_beats_q <= free_beats_q - (takes_read ? {4'd0, read_last_i[1:0]} + 6'd1 : 6'd0) +
+        {5'd0, beat_valid_o && beat_ready_i};
+    batch_q <= changes || !other_waits ? 2'd0 : batch_q + {1'b0, took};
+    if (changes) writes_turn_q <= !writes_turn_q;
+    if (!rst_ni) begin
+      request_q <= 28'd0;
+      waiting_q <= 4'd0;
+      free_beats_q <= BEATS[5:0];
+      batch_q <= 2'd0;
+      writes_turn_q <= 1'b0;
+    end
+  end
+
+  wire request_ready, fires, stalls;
+  sdram_controller #(
+      .PINS_BOUNDED(1)
+  ) controller (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .request_valid_i(1'b1),
+      .request_ready_o(request_ready),
+      .request_data_i (request_q),
+      .pause_i        (pause_i),
+      .pins_valid_o   (step_valid),
+      .pins_ready_i   (1'b1),
+      .pins_data_o    (step),
+      .fire_o         (fires),
+      .stall_o        (stalls)
+  );
+
+  // ---- pins ----
+  wire [  DATA-1:0] written;
+  wire [HALVES-1:0] mask;
+  wire              written_valid;
+  hls_fifo #(
+      .WIDTH(DATA + HALVES),
+      .DEPTH(WRITES)
+  ) write_fifo (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .valid_i(writes_any),
+      .ready_o(write_room),
+      .data_i ({write_mask_i, write_data_i}),
+      .valid_o(written_valid),
+      .ready_i(step_writes && step_last),
+      .data_o ({mask, written})
+  );
+  wire [INDEX-1:0] half = step_word[INDEX-1:0];
+
+  reg [ 2:0] command_q;
+  reg [ 1:0] bank_q;
+  reg [12:0] address_q;
+  reg [ 1:0] dqm_q;
+  reg        drives_q;
+  reg [15:0] word_q;
+  assign {sdram_we_no, sdram_cas_no, sdram_ras_no} = command_q;
+  assign sdram_ba_o = bank_q;
+  assign sdram_a_o = address_q;
+  assign sdram_dqm_o = dqm_q;
+  assign sdram_dq_oe_o = drives_q;
+  assign sdram_dq_o = word_q;
+  always @(posedge clk_i) begin
+    command_q <= step[2:0];
+    bank_q <= step[4:3];
+    address_q <= step[17:5];
+    dqm_q <= {2{!step_ready || (step_writes && !mask[half])}};
+    drives_q <= step_writes;
+    word_q <= written[16*half+:16];
+    if (!rst_ni || !step_valid) begin
+      command_q <= 3'b111;
+      dqm_q <= 2'b11;
+    end
+  end
+
+  // ---- words that are read ----
+  reg  [    TAGS-1:0] reads_q;
+  reg  [    TAGS-1:0] ends_q;  // the word is the last one of its beat
+  reg  [        15:0] dq_q;
+  reg  [    DATA-1:0] beat_q;
+  reg  [         1:0] number_q;  // of the beat in its read
+  reg                 arrived_q;
+  reg                 arrived_last_q;
+  reg  [ID_WIDTH-1:0] arrived_id_q;
+  wire [ID_WIDTH-1:0] expected_id;
+  wire [         1:0] expected_last;
+  wire                ends = reads_q[TAGS-1] && ends_q[TAGS-1];
+  wire                ends_read = number_q == expected_last;
+  wire                expected_valid, expected_room, beat_room;
+
+  always @(posedge clk_i) begin
+    dq_q <= sdram_dq_i;
+    reads_q <= {reads_q[TAGS-2:0], step_reads};
+    ends_q <= {ends_q[TAGS-2:0], &half};
+    if (reads_q[TAGS-1]) beat_q <= {dq_q, beat_q[DATA-1:16]};
+    arrived_q <= ends;
+    arrived_last_q <= ends_read;
+    arrived_id_q <= expected_id;
+    if (ends) number_q <= ends_read ? 2'd0 : number_q + 2'd1;
+    if (!rst_ni) begin
+      reads_q <= {TAGS{1'b0}};
+      number_q <= 2'd0;
+      arrived_q <= 1'b0;
+    end
+  end
+
+  hls_fifo #(
+      .WIDTH  (ID_WIDTH + 2),
+      .DEPTH  (BEATS),
+      .BOUNDED(1)
+  ) expected_fifo (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .valid_i(takes_read),
+      .ready_o(expected_room),
+      .data_i ({read_last_i[1:0], read_id_i}),
+      .valid_o(expected_valid),
+      .ready_i(ends && ends_read),
+      .data_o ({expected_last, expected_id})
+  );
+  hls_fifo #(
+      .WIDTH  (DATA + ID_WIDTH + 1),
+      .DEPTH  (BEATS),
+      .BOUNDED(1)
+  ) beat_fifo (
+      .clk_i(clk_i),
+      .rst_ni(rst_ni),
+      .valid_i(arrived_q),
+      .ready_o(beat_room),
+      .data_i ({arrived_last_q, arrived_id_q, beat_q}),
+      .valid_o(beat_valid_o),
+      .ready_i(beat_ready_i),
+      .data_o ({beat_last_o, beat_id_o, beat_data_o})
+  );
+
+`ifdef HLS_ASSERT
+  always @(posedge clk_i) begin
+    if (rst_ni && !request_ready) begin
+      $display("%m: the controller does not take a request in this clock");
+      $stop;
+    end
+    if (rst_ni && ((step_writes && !written_valid) || (ends && !expected_valid))) begin
+      $display("%m: a word without its request");
+      $stop;
+    end
+    if (takes_read && read_last_i >= MOST_BEATS[3:0]) begin
+      $display("%m: a read of %0d beats crosses 32 bytes", read_last_i + 1);
+      $stop;
+    end
+  end
+`else
+  wire unused = &{1'b0, request_ready, written_valid, expected_valid};
+`endif
+  // The address's lowest bits are zeros, and what is bounded has room.
+  wire unused_always = &{1'b0, step_word, expected_room, beat_room, fires, stalls, read_last_i[3:2],
+                         read_address_i[1:0], write_address_i[1:0]};
+
+endmodule
+
+`default_nettype wire
