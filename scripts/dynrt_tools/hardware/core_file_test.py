@@ -42,6 +42,12 @@ class CoreFile(testing.InFolder):
         self.assertGreater(len(there), 30)
         self.assertEqual(sorted(listed), sorted(p.relative_to(ROOT).as_posix() for p in there))
 
+    def test_every_file_of_the_link_is_listed_once(self) -> None:
+        listed = [name for name in self.files("link") if name.endswith(".v")]
+        there = rtl_files.link()
+        self.assertGreater(len(there), 5)
+        self.assertEqual(sorted(listed), sorted(p.relative_to(ROOT).as_posix() for p in there))
+
     def test_every_file_is_there(self) -> None:
         for name in self.files(*self.core["filesets"]):
             self.assertTrue((ROOT / name).is_file(), name)

@@ -87,6 +87,7 @@ def main() -> int:
     if not by_hand:
         project.fail(f"{root / 'rtl'} holds no Verilog; is this the project's folder?")
     sources = by_hand + rtl_files.units_in(rtl_files.SDRAM) + rtl_files.generated(args)
+    sources += rtl_files.link()
 
     problems = check_waivers(root, sources)
     with Pool(os.cpu_count()) as pool:

@@ -58,12 +58,17 @@ def library() -> list[pathlib.Path]:
 
 def hand_written() -> list[pathlib.Path]:
     """The primitives and the board."""
-    return sorted(p for p in (project.ROOT / "rtl").rglob("*.v") if "generated" not in p.parts)
+    return library() + board()
 
 
 def board() -> list[pathlib.Path]:
     """The board's top and its parts."""
     return sorted((project.ROOT / "rtl" / "board").glob("*.v"))
+
+
+def link() -> list[pathlib.Path]:
+    """The link to the host: its pins and what hlsc made of its units."""
+    return sorted((project.ROOT / "rtl" / "link").rglob("*.v"))
 
 
 def units_in(folder: pathlib.Path) -> list[pathlib.Path]:
