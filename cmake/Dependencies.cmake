@@ -13,6 +13,13 @@ set_target_properties(OpenImageIO::OpenImageIO PROPERTIES
                       INTERFACE_INCLUDE_DIRECTORIES "${dynrt_oiio_includes}")
 find_package(assimp REQUIRED)
 find_package(TBB REQUIRED)
+# Its package brings no CMake files.
+find_library(DYNRT_HTTPLIB cpp-httplib REQUIRED)
+find_path(DYNRT_HTTPLIB_INCLUDE httplib.h REQUIRED)
+add_library(dynrt_httplib INTERFACE)
+target_include_directories(dynrt_httplib SYSTEM INTERFACE ${DYNRT_HTTPLIB_INCLUDE})
+find_package(Threads REQUIRED)
+target_link_libraries(dynrt_httplib INTERFACE ${DYNRT_HTTPLIB} Threads::Threads)
 # Verilator's package tries 20 compiler flags aloud.
 set(CMAKE_REQUIRED_QUIET ON)
 find_package(verilator HINTS $ENV{VERILATOR_ROOT} /usr/share/verilator REQUIRED)

@@ -14,6 +14,7 @@ set(include include/dynrt)
 install(TARGETS dynrt RUNTIME DESTINATION bin)
 install(TARGETS dynrt_images LIBRARY DESTINATION lib/dynrt)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/configurations DESTINATION lib/dynrt)
+install(DIRECTORY host/view/page/ DESTINATION ${share}/view)
 install(DIRECTORY scenes DESTINATION ${share} FILES_MATCHING PATTERN *.json PATTERN CREDITS.md)
 
 install(TARGETS hlsc EXPORT dynrtTargets RUNTIME DESTINATION bin)

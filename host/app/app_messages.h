@@ -31,7 +31,7 @@ inline constexpr char kLacksPrimitive[] =
     "configurations have all that the scene needs: {}";
 inline constexpr char kCommand[] =
     "{}: there is no such command; the commands are render, walk, compare, info, report, choose, "
-    "measure, stress, needs and specialise";
+    "measure, stress, needs, specialise and view";
 inline constexpr char kNoReport[] =
     "report: name a report; the reports are overlap, mailbox, clipping, error, hardware and "
     "truth";
@@ -75,6 +75,9 @@ inline constexpr char kNoHit[] =
     "no ray hits anything; the scene lies between ({:.4g}, {:.4g}, {:.4g}) and ({:.4g}, {:.4g}, "
     "{:.4g}), and this camera sees all of it: --position {:.4g},{:.4g},{:.4g} --look-at "
     "{:.4g},{:.4g},{:.4g}";
+
+// The window
+inline constexpr char kViewPort[] = "--port {}: a port is a number from 1 to {}";
 
 // Walks
 inline constexpr char kFrames[] = "--frames {}: a walk has 1 to {} frames";

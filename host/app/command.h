@@ -30,5 +30,6 @@ Command add_choose_command(CLI::App& program);
 Command add_needs_command(CLI::App& program);
 Command add_specialise_command(CLI::App& program);
 Command add_stress_command(CLI::App& program);
+Command add_view_command(CLI::App& program);
 
 }  // namespace dynrt::host

@@ -55,10 +55,10 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", "dynrt " DYNRT_VERSION);
   program.require_subcommand(1);
   const std::vector<Command> commands = {
-      add_render_command(program),    add_walk_command(program),   add_compare_command(program),
-      add_info_command(program),      add_report_command(program), add_choose_command(program),
-      add_measure_command(program),   add_stress_command(program), add_needs_command(program),
-      add_specialise_command(program)};
+      add_render_command(program),     add_walk_command(program),   add_compare_command(program),
+      add_info_command(program),       add_report_command(program), add_choose_command(program),
+      add_measure_command(program),    add_stress_command(program), add_needs_command(program),
+      add_specialise_command(program), add_view_command(program)};
   const auto is_first = [&](const Command& c) { return c.app->get_name() == argv[1]; };
   if (argc > 1 && argv[1][0] != '-' && std::ranges::none_of(commands, is_first)) {
     return complain(fmt::format(messages::kCommand, argv[1]), kMistake);

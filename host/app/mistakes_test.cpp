@@ -122,7 +122,7 @@ TEST_F(App, WhatIsUnknownIsNamed) {
                                 HasSubstr("; dynrt render --help lists what there is\n")));
   expect_mistake("paint blocks",
                  "dynrt: paint: there is no such command; the commands are render, walk, compare, "
-                 "info, report, choose, measure, stress, needs and specialise\n");
+                 "info, report, choose, measure, stress, needs, specialise and view\n");
   expect_mistake("stress corners --config model_only",
                  StartsWith("dynrt: there is no stress case or group 'corners'; give one of these, "
                             "or the part before the slash: slivers/aspect_1e2, "));

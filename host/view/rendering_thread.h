@@ -1,0 +1,65 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The one thread that renders: what the threads of the server ask is done there, one after the
+// other.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace dynrt::host {
+
+class RenderingThread {
+ public:
+  RenderingThread() : thread_([this] { work(); }) {}
+  /// Waits for what has been begun; the rest is not done.
+  ~RenderingThread() {
+    {
+      const std::lock_guard lock(mutex_);
+      over_ = true;
+    }
+    more_.notify_one();
+    thread_.join();
+  }
+
+  /// Gives what `act` gives, or throws what it throws.
+  template <class Act>
+  auto run(Act act) {
+    auto task = std::make_shared<std::packaged_task<decltype(act())()>>(std::move(act));
+    auto result = task->get_future();
+    {
+      const std::lock_guard lock(mutex_);
+      waiting_.emplace_back([task] { (*task)(); });
+    }
+    more_.notify_one();
+    return result.get();
+  }
+
+ private:
+  void work() {
+    for (;;) {
+      std::unique_lock lock(mutex_);
+      more_.wait(lock, [this] { return over_ || !waiting_.empty(); });
+      if (over_) return;
+      const std::function<void()> act = std::move(waiting_.front());
+      waiting_.pop_front();
+      lock.unlock();
+      act();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable more_;
+  std::deque<std::function<void()>> waiting_;
+  bool over_ = false;
+  std::thread thread_;  ///< the last, as it begins with all others there
+};
+
+}  // namespace dynrt::host

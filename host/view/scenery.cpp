@@ -1,0 +1,64 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/view/scenery.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "host/scene/animation.h"
+
+namespace dynrt::host {
+
+Scenery::Scenery(MemoryImage image)
+    : image_(std::move(image)),
+      seconds_(duration(image_.scene)),
+      instances_(image_.trees.instances) {}
+
+Viewpoint Scenery::first() const {
+  constexpr double kLean = 1e-6;
+  const Camera& camera = image_.view.camera;
+  Viewpoint from;
+  from.position = image_.space.outside(camera.position);
+  from.look_at = image_.space.outside(camera.position + glm::normalize(camera.forward));
+  from.up = image_.scene.path_up;
+  if (std::abs(glm::dot(glm::normalize(camera.right), glm::normalize(from.up))) > kLean) {
+    from.up = glm::normalize(camera.up);
+  }
+  from.field_of_view = field_of_view_of(camera);
+  return from;
+}
+
+Camera Scenery::camera(const Viewpoint& from, unsigned width, unsigned height) const {
+  return moved_into(image_.space, look_at(from.position, from.look_at, from.up, from.field_of_view,
+                                          static_cast<double>(width) / height));
+}
+
+void Scenery::move(double time) {
+  if (time == time_) return;
+  move_to(image_.scene, time);
+  instances_ = instances_of(image_);
+  time_ = time;
+}
+
+FrameImage Scenery::frame(const Camera& camera, unsigned width, unsigned height) const {
+  return {image_.scene, image_.objects, instances_, camera, width, height};
+}
+
+Frame Easel::render(const Scenery& scenery, const FrameImage& image, const FrameOptions& options) {
+  if (held_ != &scenery) {
+    held_ = nullptr;
+    on_board_.clear();
+    for (const MemoryRun& run : scenery.image().objects.memory.runs()) {
+      board_->write(run.bank, run.address, run.words);
+    }
+    held_ = &scenery;
+  }
+  std::vector<MemoryRun> runs = image.memory.runs();
+  const auto changed = changed_runs(std::exchange(on_board_, {}), runs, core().format->bus_words());
+  Frame frame = host::render(*board_, options, image, changed);
+  on_board_ = std::move(runs);
+  return frame;
+}
+
+}  // namespace dynrt::host

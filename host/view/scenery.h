@@ -1,0 +1,66 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The scene as one walks through it: its memory image at a moment, seen by a camera, and boards
+// that get only those words that have changed since their frame before.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "host/layout/lay_out.h"
+#include "host/render/render.h"
+
+namespace dynrt::host {
+
+/// A place to look from, in the file's space.
+struct Viewpoint {
+  glm::dvec3 position{0.0}, look_at{0.0}, up{0.0, 1.0, 0.0};
+  double field_of_view = kDefaultFieldOfView;
+  double time = 0;  ///< of the scene's animation
+};
+
+class Scenery {
+ public:
+  explicit Scenery(MemoryImage image);
+
+  const MemoryImage& image() const { return image_; }
+  const CoreInfo& core() const { return image_.core(); }
+  /// Seconds of its animation; 0 if nothing moves.
+  double seconds() const { return seconds_; }
+  /// The camera that the scene was prepared with, in the file's space. `up` is the scene's, unless
+  /// the camera leans to a side.
+  Viewpoint first() const;
+
+  /// The same camera in the core's space. Throws UserError for a view that no camera has.
+  Camera camera(const Viewpoint& from, unsigned width, unsigned height) const;
+  /// Moves the scene to a moment; frames until the next call are of that.
+  void move(double time);
+  /// The frame's part of the memory. Throws UserError for a camera beyond the core's numbers.
+  FrameImage frame(const Camera& camera, unsigned width, unsigned height) const;
+
+ private:
+  MemoryImage image_;
+  double seconds_;
+  double time_ = 0;
+  Tree instances_;
+};
+
+/// A board that holds a scenery's objects.
+class Easel {
+ public:
+  explicit Easel(std::unique_ptr<Board> board) : board_(std::move(board)) {}
+
+  const CoreInfo& core() const { return board_->core(); }
+  Board& board() { return *board_; }
+  /// Uploads the objects, if `scenery` is not the one that the board holds, and what differs of the
+  /// frame.
+  Frame render(const Scenery& scenery, const FrameImage& image, const FrameOptions& options);
+
+ private:
+  std::unique_ptr<Board> board_;
+  const Scenery* held_ = nullptr;
+  std::vector<MemoryRun> on_board_;  ///< of the frame that the board holds
+};
+
+}  // namespace dynrt::host

@@ -1,0 +1,43 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the program lends to the window: scenes from its flags, boards of its configurations, the
+// clock of a core. The window itself knows no flag.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/board/board.h"
+#include "host/layout/lay_out.h"
+#include "host/scene/camera.h"
+
+namespace dynrt::host {
+
+/// The reader's choices that decide the core and the scene in its memory.
+struct ViewChoices {
+  std::string configuration;
+  std::vector<std::string> lights{}, mirrors{};  ///< beside the scene's own, as the flags take them
+  std::optional<unsigned> packets{}, lines{}, reflections{};
+  friend bool operator==(const ViewChoices&, const ViewChoices&) = default;
+};
+
+struct ViewStudio {
+  std::string scene;  ///< as the user named it
+  ViewChoices choices;
+  unsigned width = 512, height = 384;
+  CameraOverrides camera;  ///< given by the user
+  /// A board of a configuration: "model" or "rtl". Makes the configuration if it is not there.
+  std::function<std::unique_ptr<Board>(const std::string& kind, const ViewChoices&)> board;
+  /// The scene in the memory of a core, with all that the choices add.
+  std::function<MemoryImage(const ViewChoices&, const CoreInfo&)> prepare;
+  /// The clock of a core: {"mhz": ..} and where it comes from.
+  std::function<nlohmann::ordered_json(const CoreInfo&)> clock;
+};
+
+}  // namespace dynrt::host
