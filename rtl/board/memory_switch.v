@@ -3,7 +3,8 @@
 //
 // One memory for three: the display, the core and the host. Reads and writes take turns, round
 // robin, and their data pass without a clock. An answer finds its way by the two highest bits of its
-// id. A read of the host waits for the host's writes, so that it sees them.
+// id. A read of the host waits for the host's writes, so that it sees them. Answers that a core in
+// reset has no more use for are dropped.
 //
 // Parameters:
 //   ID_BITS     of a read of the core
@@ -24,6 +25,8 @@ module memory_switch #(
   output wire                    display_beat_valid_o,
   input  wire                    display_beat_ready_i,
   // core
+  input  wire                    core_stop_i, // in reset
+  output wire                    core_idle_o, // no read of it is under way
   input  wire                    core_read_valid_i,
   output wire                    core_read_ready_o,
   input  wire [ID_BITS-1:0]      core_read_id_i,
@@ -70,6 +73,9 @@ module memory_switch #(
   output wire [BEAT_BYTES/2-1:0] write_mask_o
 );
 
+  // A read of the core is under way until its last beat is taken; ids are unique among them.
+  reg [ID_BITS:0] under_way_q;
+
   localparam [1:0] DISPLAY = 2'd0, CORE = 2'd1, HOST = 2'd2;
   localparam [ID_BITS-1:0] NO_ID = 0;
   localparam READ_BITS = ID_BITS + 2 + 25 + 4;
@@ -102,13 +108,22 @@ module memory_switch #(
 
   wire [1:0] beat_for = beat_id_i[ID_BITS +: 2];
   assign display_beat_valid_o = beat_valid_i && beat_for == DISPLAY;
-  assign core_beat_valid_o = beat_valid_i && beat_for == CORE;
+  assign core_beat_valid_o = beat_valid_i && beat_for == CORE && !core_stop_i;
   assign host_beat_valid_o = beat_valid_i && beat_for == HOST;
   assign beat_ready_o = beat_for == DISPLAY ? display_beat_ready_i :
-                        beat_for == CORE ? core_beat_ready_i : host_beat_ready_i;
+                        beat_for == CORE ? core_beat_ready_i || core_stop_i : host_beat_ready_i;
   assign beat_id_o = beat_id_i[ID_BITS-1:0];
   assign beat_data_o = beat_data_i;
   assign beat_last_o = beat_last_i;
+
+  wire core_begins = core_read_valid_i && core_read_ready_o;
+  wire core_ends = beat_valid_i && beat_ready_o && beat_for == CORE && beat_last_i;
+  assign core_idle_o = under_way_q == {(ID_BITS + 1) {1'b0}};
+  always @(posedge clk_i) begin
+    if (!rst_ni) under_way_q <= {(ID_BITS + 1) {1'b0}};
+    else if (core_begins && !core_ends) under_way_q <= under_way_q + 1'b1;
+    else if (core_ends && !core_begins) under_way_q <= under_way_q - 1'b1;
+  end
 
 endmodule
 

@@ -1,0 +1,70 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// A board at the end of a link, with the operations of the bus that RtlBoard knows: registers go
+// over the link, and the window's words into the board's memory, where the port has them
+// (host/format/port_address.h). What the host writes is sent when a frame starts, and only what the
+// board does not hold yet.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "host/board/clocked_board.h"
+#include "host/link/link.h"
+#include "host/link/upload_plan.h"
+
+namespace dynrt::host {
+
+/// A way into the board's memory beside the link, which a simulation has.
+class BackDoor {
+ public:
+  virtual ~BackDoor() = default;
+  virtual void write(std::uint32_t address, std::span<const std::uint8_t> bytes) = 0;
+  virtual void read(std::uint32_t address, std::span<std::uint8_t> bytes) = 0;
+};
+
+class LinkedBoard final : public ClockedBoard {
+ public:
+  /// Called while the board works on a frame, before its state is asked for again.
+  using Pause = std::function<void()>;
+
+  /// With a back door, which outlives the board, the memory does not go over the link.
+  LinkedBoard(std::unique_ptr<BoardLink> link, BackDoor* door, Pause pause);
+
+  void reset() override {}
+  bool write(std::uint32_t address, std::span<const std::uint32_t> words) override;
+  bool read(std::uint32_t address, std::span<std::uint32_t> words) override;
+  bool run_until_interrupt(std::uint64_t limit) override;
+  bool interrupt() const override { return interrupt_; }
+  std::uint64_t clocks() const override { return clocks_; }
+  void watch(VgaMonitor* /*monitor*/) override {}
+  std::uint64_t frame_writes() const override { return 0; }
+
+  /// Of the last frame's memory.
+  const UploadCost& upload() const { return upload_; }
+  const LinkCounts& counts() const { return link_->counts(); }
+
+ private:
+  void send_memory();
+  void write_window(unsigned bank, std::uint32_t word, std::span<const std::uint32_t> words);
+  void read_window(unsigned bank, std::uint32_t word, std::span<std::uint32_t> words);
+  /// Bytes of the board's memory, kept until the next frame starts.
+  std::span<const std::uint8_t> memory(std::uint32_t address, std::size_t bytes);
+
+  std::unique_ptr<BoardLink> link_;
+  BackDoor* door_;
+  Pause pause_;
+  std::map<std::uint32_t, std::uint32_t> written_;  ///< words to be sent, by the byte's address
+  UploadPlan plan_;
+  UploadCost upload_;
+  MemoryPart kept_;
+  bool interrupt_ = false;
+  std::uint64_t clocks_ = 0;
+};
+
+}  // namespace dynrt::host

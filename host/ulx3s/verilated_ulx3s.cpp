@@ -1,0 +1,145 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include <verilated.h>
+
+#include <algorithm>
+#include <deque>
+#include <utility>
+
+#include "Vulx3s_board.h"
+#include "host/board/dvi_monitor.h"
+#include "host/board/timed_top.h"
+#include "host/error.h"
+#include "host/ulx3s/serial_pins.h"
+#include "host/ulx3s/simulated_ulx3s.h"
+#include "host/ulx3s/ulx3s_messages.h"
+
+namespace dynrt::host {
+
+namespace {
+
+using Ps = std::uint64_t;
+constexpr Ps kOscillator = 40'000;  ///< a period
+constexpr Ps kCoreClock = 12'800;
+constexpr unsigned kMemoryClock = 8'000;
+/// From an edge inside the FPGA to its output pins, its clock's included; data that the chip gives
+/// after a clock edge are inside the FPGA so much later than the pin of the clock rose.
+constexpr Ps kChipToFpga = 3'500 + 5'400;
+
+class VerilatedUlx3s final : public SimulatedUlx3s {
+ public:
+  VerilatedUlx3s() : SimulatedUlx3s("the simulated ULX3S") {
+    context_.randReset(2);
+    top_.serial_i = 1;
+    run_.add_clock(top_.clk_25mhz_i, kOscillator);
+    top_.button_ni = 0;
+    run_ps(1'000'000);
+    top_.button_ni = 1;
+    while (!chip_.is_set_up()) {
+      if (run_.now() > kLongestSetUp) throw std::logic_error(messages::kChipNotSetUp);
+      run_ps(1'000'000);
+    }
+  }
+  ~VerilatedUlx3s() override { top_.final(); }
+  VerilatedUlx3s(const VerilatedUlx3s&) = delete;
+  VerilatedUlx3s& operator=(const VerilatedUlx3s&) = delete;
+
+  std::size_t write(std::span<const std::uint8_t> bytes) override {
+    for (const std::uint8_t byte : bytes) serial_.send(byte);
+    return bytes.size();
+  }
+  std::size_t read(std::span<std::uint8_t> bytes) override {
+    std::deque<std::uint8_t>& received = serial_.received();
+    const std::size_t count = std::min(bytes.size(), received.size());
+    std::copy_n(received.begin(), count, bytes.begin());
+    received.erase(received.begin(), received.begin() + static_cast<std::ptrdiff_t>(count));
+    return count;
+  }
+  void wait(bool /*to_write*/, Time deadline) override {
+    while (serial_.received().empty() && now() < deadline) run_ps(kStep);
+  }
+  Time now() const override {
+    return std::chrono::duration_cast<Time>(std::chrono::duration<double, std::pico>(
+        static_cast<double>(run_.now())));
+  }
+
+  void run(Time time) override { run_ps(static_cast<Ps>(time.count()) * 1000); }
+  std::vector<DisplayFrame> take_frames() override {
+    std::vector<DisplayFrame> frames(monitor_.frames().begin() + static_cast<std::ptrdiff_t>(taken_),
+                                     monitor_.frames().end());
+    taken_ = monitor_.frames().size();
+    return frames;
+  }
+  const SdramChip& chip() const override { return chip_; }
+
+  void write(std::uint32_t address, std::span<const std::uint8_t> bytes) override {
+    for (std::size_t i = 0; i < bytes.size(); i += 2) {
+      half(address + static_cast<std::uint32_t>(i)) =
+          static_cast<std::uint16_t>(bytes[i] | bytes[i + 1] << 8);
+    }
+  }
+  void read(std::uint32_t address, std::span<std::uint8_t> bytes) override {
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      const std::uint32_t at = address + static_cast<std::uint32_t>(i);
+      bytes[i] = static_cast<std::uint8_t>(half(at & ~1u) >> (8 * (at & 1)));
+    }
+  }
+
+ private:
+  static constexpr Ps kStep = 10'000'000;
+  static constexpr Ps kLongestSetUp = 1'000'000'000;
+  static constexpr unsigned kDivisor = ULX3S_DIVISOR;
+
+  /// Rows of 1 KB go round the banks (units/sdram_tokens.h).
+  std::uint16_t& half(std::uint32_t address) {
+    return chip_.word(address >> 10 & 3, address >> 12, address >> 1 & 511);
+  }
+
+  void run_ps(Ps time) {
+    run_.run(time, [this](Ps now) { look(now); });
+    if (!chip_.faults().empty()) refuse(messages::kChipFault, chip_.faults().front().text);
+  }
+  void look(Ps now) {
+    monitor_.sample(now, {top_.dvi_p_o, top_.dvi_n_o});
+    serial_.sample(now, top_.serial_o != 0);
+    top_.serial_i = serial_.drive(now);
+    if (top_.sdram_clk_o != 0 && !clock_high_) clock_chip(now);
+    clock_high_ = top_.sdram_clk_o != 0;
+    while (!coming_.empty() && coming_.front().first <= now) {
+      top_.sdram_dq_i = coming_.front().second;
+      coming_.pop_front();
+    }
+  }
+  void clock_chip(Ps now) {
+    SdramChipPins pins{.cke = top_.sdram_cke_o != 0,
+                       .cs_n = top_.sdram_cs_no != 0,
+                       .ras_n = top_.sdram_ras_no != 0,
+                       .cas_n = top_.sdram_cas_no != 0,
+                       .we_n = top_.sdram_we_no != 0,
+                       .bank = top_.sdram_bank_o,
+                       .address = top_.sdram_addr_o,
+                       .dqm = top_.sdram_dqm_o};
+    if (top_.sdram_dq_oe_o != 0) pins.dq = top_.sdram_dq_o;
+    chip_.clock(pins);
+    coming_.push_back({now + kChipToFpga, chip_.dq().value_or(kNobodyDrives)});
+  }
+  static constexpr std::uint16_t kNobodyDrives = 0xdead;
+
+  VerilatedContext context_;
+  Vulx3s_board top_{&context_};
+  TimedTop<Vulx3s_board> run_{top_};
+  SdramChip chip_{kAnySdram, kMemoryClock};
+  SerialPins serial_{kDivisor * kCoreClock};
+  DviMonitor monitor_;
+  std::size_t taken_ = 0;
+  bool clock_high_ = false;
+  std::deque<std::pair<Ps, std::uint16_t>> coming_;  ///< words from the chip, and when
+};
+
+}  // namespace
+
+std::unique_ptr<SimulatedUlx3s> make_simulated_ulx3s() {
+  return std::make_unique<VerilatedUlx3s>();
+}
+
+}  // namespace dynrt::host

@@ -1,0 +1,43 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Top for an ULX3S with LFE5U-85F (constraints/ulx3s.lpf): ulx3s_board, and the pads of the SDRAM's
+// data, which go both ways.
+`default_nettype none
+
+module dynrt_ulx3s (
+  input  wire        clk_25mhz_i,
+  input  wire        button_ni,
+  input  wire        serial_i,
+  output wire        serial_o,
+  output wire [7:0]  led_o,
+  output wire        sdram_clk_o,
+  output wire        sdram_cke_o,
+  output wire        sdram_cs_no,
+  output wire        sdram_ras_no,
+  output wire        sdram_cas_no,
+  output wire        sdram_we_no,
+  output wire [1:0]  sdram_bank_o,
+  output wire [12:0] sdram_addr_o,
+  output wire [1:0]  sdram_dqm_o,
+  inout  wire [15:0] sdram_dq_io,
+  output wire [3:0]  dvi_p_o,
+  output wire [3:0]  dvi_n_o
+);
+
+  wire        oe;
+  wire [15:0] dq;
+  assign sdram_dq_io = oe ? dq : 16'bz;
+
+  ulx3s_board board (
+    .clk_25mhz_i(clk_25mhz_i), .button_ni(button_ni), .serial_i(serial_i), .serial_o(serial_o),
+    .led_o(led_o), .sdram_clk_o(sdram_clk_o), .sdram_cke_o(sdram_cke_o),
+    .sdram_cs_no(sdram_cs_no), .sdram_ras_no(sdram_ras_no), .sdram_cas_no(sdram_cas_no),
+    .sdram_we_no(sdram_we_no), .sdram_bank_o(sdram_bank_o), .sdram_addr_o(sdram_addr_o),
+    .sdram_dqm_o(sdram_dqm_o), .sdram_dq_oe_o(oe), .sdram_dq_o(dq), .sdram_dq_i(sdram_dq_io),
+    .dvi_p_o(dvi_p_o), .dvi_n_o(dvi_n_o)
+  );
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,191 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The ULX3S: a core with a memory port, the SDRAM behind it, the host on the serial line of the USB
+// bridge, and a DVI display of the picture. All of the board but its pads of two directions, which
+// dynrt_ulx3s.v has.
+//
+// The SDRAM's clock leaves half a period late. A command that changes at an edge is taken by the
+// chip in the middle of the clock, as the pins of both are equally late; a word that the chip gives
+// after that edge is there until half a period beyond the edge that takes it (sdram_port.v).
+`default_nettype none
+`include "dynrt_core.vh"
+`include "dynrt_link.vh"
+
+module ulx3s_board #(
+  parameter PACKETS = 64,
+  parameter CACHE_LINES = 512,
+  parameter [351:0] NAME = "fast_port",
+  parameter [11:0]  DIVISOR = 12'd26,          // 78.125 MHz / 26 = 3.005 Mbaud
+  parameter [15:0]  PAUSE_TURNS = 16'd12500
+) (
+  input  wire        clk_25mhz_i,
+  input  wire        button_ni,
+  input  wire        serial_i,
+  output wire        serial_o,
+  output wire [7:0]  led_o,
+  output wire        sdram_clk_o,
+  output wire        sdram_cke_o,
+  output wire        sdram_cs_no,
+  output wire        sdram_ras_no,
+  output wire        sdram_cas_no,
+  output wire        sdram_we_no,
+  output wire [1:0]  sdram_bank_o,
+  output wire [12:0] sdram_addr_o,
+  output wire [1:0]  sdram_dqm_o,
+  output wire        sdram_dq_oe_o,
+  output wire [15:0] sdram_dq_o,
+  input  wire [15:0] sdram_dq_i,
+  output wire [3:0]  dvi_p_o,
+  output wire [3:0]  dvi_n_o
+);
+
+  localparam ID_BITS = `DYNRT_CORE_MEMORY_ID_BITS;
+  localparam BEAT_BYTES = `DYNRT_CORE_MEMORY_BEAT_BYTES;
+  localparam DATA_BITS = 8 * BEAT_BYTES;
+  localparam MASK_BITS = BEAT_BYTES / 2;
+
+  wire clk, rst_n, fast_clk, fast_rst_n;
+  ulx3s_clocks clocks (
+    .osc_i(clk_25mhz_i), .rst_ni(button_ni), .clk_o(clk), .rst_no(rst_n),
+    .fast_clk_o(fast_clk), .fast_rst_no(fast_rst_n)
+  );
+
+  // The host.
+  wire                 bus_valid, bus_write, bus_ready, bus_rvalid;
+  wire [25:0]          bus_addr;
+  wire [31:0]          bus_wdata, bus_rdata;
+  wire                 host_write_valid, host_write_ready, host_write_last;
+  wire [24:0]          host_write_address;
+  wire [DATA_BITS-1:0] host_write_data;
+  wire [MASK_BITS-1:0] host_write_mask;
+  wire                 host_read_valid, host_read_ready;
+  wire [24:0]          host_read_address;
+  wire [3:0]           host_read_last;
+  wire                 host_beat_valid, host_beat_ready;
+  board_link #(
+    .CLOCK_HZ(32'd78125000), .DIVISOR(DIVISOR), .MEMORY_BYTES(32'd33554432), .NAME(NAME)
+  ) host (
+    .clk_i(clk), .rst_ni(rst_n), .rx_i(serial_i), .tx_o(serial_o),
+    .write_valid_o(host_write_valid), .write_ready_i(host_write_ready),
+    .write_data_o({host_write_last, host_write_mask, host_write_data, host_write_address}),
+    .read_valid_o(host_read_valid), .read_ready_i(host_read_ready),
+    .read_data_o({host_read_last, host_read_address}),
+    .beat_valid_i(host_beat_valid), .beat_ready_o(host_beat_ready),
+    .beat_data_i({beat_last, beat_data}),
+    .bus_valid_o(bus_valid), .bus_write_o(bus_write), .bus_addr_o(bus_addr),
+    .bus_wdata_o(bus_wdata), .bus_ready_i(bus_ready), .bus_rvalid_i(bus_rvalid),
+    .bus_rdata_i(bus_rdata)
+  );
+
+  // The core.
+  wire                 irq, core_stop, core_idle, core_clk_en;
+  wire                 core_read_valid, core_read_ready;
+  wire [ID_BITS-1:0]   core_read_id;
+  wire [23:0]          core_read_address;
+  wire [3:0]           core_read_last;
+  wire                 core_beat_valid, core_beat_ready;
+  wire                 core_write_valid, core_write_ready;
+  wire [24:0]          core_write_address;
+  wire [DATA_BITS-1:0] core_write_data;
+  wire [MASK_BITS-1:0] core_write_mask;
+  wire [2:0]           core_write_left;
+  wire [7:0]           scan_clocks;
+  wire [32*`DYNRT_CORE_SCAN_WORDS-1:0] scan;
+  wire [19:0]          scan_shown;
+  wire [31:0]          scan_frames;
+  dynrt_port_board #(.PACKETS(PACKETS), .CACHE_LINES(CACHE_LINES), .SCAN_OUT(1)) core (
+    .clk_i(clk), .core_clk_i(clk), .core_clk_en_o(core_clk_en), .rst_ni(rst_n),
+    .bus_valid_i(bus_valid), .bus_write_i(bus_write), .bus_addr_i(bus_addr),
+    .bus_wdata_i(bus_wdata), .bus_ready_o(bus_ready), .bus_exists_o(), .bus_rvalid_o(bus_rvalid),
+    .bus_rdata_o(bus_rdata), .irq_o(irq),
+    .scan_clocks_o(scan_clocks), .scan_o(scan), .scan_shown_i(scan_shown),
+    .scan_frames_i(scan_frames),
+    .memory_read_valid_o(core_read_valid), .memory_read_ready_i(core_read_ready),
+    .memory_read_id_o(core_read_id), .memory_read_address_o(core_read_address),
+    .memory_read_last_o(core_read_last),
+    .memory_beat_valid_i(core_beat_valid), .memory_beat_ready_o(core_beat_ready),
+    .memory_beat_id_i(beat_id), .memory_beat_data_i(beat_data), .memory_beat_last_i(beat_last),
+    .memory_write_valid_o(core_write_valid), .memory_write_ready_i(core_write_ready),
+    .memory_write_address_o(core_write_address), .memory_write_data_o(core_write_data),
+    .memory_write_mask_o(core_write_mask), .memory_write_left_o(core_write_left),
+    .memory_idle_i(core_idle), .memory_stop_o(core_stop), .memory_base_o(),
+    .memory_error_i(1'b0), .memory_error_write_i(1'b0), .memory_error_response_i(2'd0),
+    .memory_error_address_i(25'd0)
+  );
+
+  // The memory.
+  wire                 display_read_valid, display_read_ready;
+  wire [24:0]          display_read_address;
+  wire [3:0]           display_read_last;
+  wire                 display_beat_valid, display_beat_ready;
+  wire [ID_BITS-1:0]   beat_id;
+  wire [DATA_BITS-1:0] beat_data;
+  wire                 beat_last;
+  wire                 read_valid, read_ready, all_valid, all_ready, all_last;
+  wire [ID_BITS+1:0]   read_id, all_id;
+  wire [24:0]          read_address;
+  wire [3:0]           read_last;
+  wire [DATA_BITS-1:0] all_data;
+  wire                 write_valid, write_ready;
+  wire [24:0]          write_address;
+  wire [DATA_BITS-1:0] write_data;
+  wire [MASK_BITS-1:0] write_mask;
+  memory_switch #(.ID_BITS(ID_BITS), .BEAT_BYTES(BEAT_BYTES)) switch (
+    .clk_i(clk), .rst_ni(rst_n),
+    .display_read_valid_i(display_read_valid), .display_read_ready_o(display_read_ready),
+    .display_read_address_i(display_read_address), .display_read_last_i(display_read_last),
+    .display_beat_valid_o(display_beat_valid), .display_beat_ready_i(display_beat_ready),
+    .core_stop_i(core_stop), .core_idle_o(core_idle),
+    .core_read_valid_i(core_read_valid), .core_read_ready_o(core_read_ready),
+    .core_read_id_i(core_read_id), .core_read_address_i(core_read_address),
+    .core_read_last_i(core_read_last),
+    .core_beat_valid_o(core_beat_valid), .core_beat_ready_i(core_beat_ready),
+    .core_write_valid_i(core_write_valid), .core_write_ready_o(core_write_ready),
+    .core_write_address_i(core_write_address), .core_write_data_i(core_write_data),
+    .core_write_mask_i(core_write_mask),
+    .host_read_valid_i(host_read_valid), .host_read_ready_o(host_read_ready),
+    .host_read_address_i(host_read_address), .host_read_last_i(host_read_last),
+    .host_beat_valid_o(host_beat_valid), .host_beat_ready_i(host_beat_ready),
+    .host_write_valid_i(host_write_valid), .host_write_ready_o(host_write_ready),
+    .host_write_address_i(host_write_address), .host_write_data_i(host_write_data),
+    .host_write_mask_i(host_write_mask),
+    .beat_id_o(beat_id), .beat_data_o(beat_data), .beat_last_o(beat_last),
+    .read_valid_o(read_valid), .read_ready_i(read_ready), .read_id_o(read_id),
+    .read_address_o(read_address), .read_last_o(read_last),
+    .beat_valid_i(all_valid), .beat_ready_o(all_ready), .beat_id_i(all_id),
+    .beat_data_i(all_data), .beat_last_i(all_last),
+    .write_valid_o(write_valid), .write_ready_i(write_ready), .write_address_o(write_address),
+    .write_data_o(write_data), .write_mask_o(write_mask)
+  );
+  ulx3s_memory #(
+    .ID_BITS(ID_BITS + 2), .BEAT_BYTES(BEAT_BYTES), .PAUSE_TURNS(PAUSE_TURNS)
+  ) memory (
+    .clk_i(clk), .rst_ni(rst_n),
+    .read_valid_i(read_valid), .read_ready_o(read_ready), .read_id_i(read_id),
+    .read_address_i(read_address), .read_last_i(read_last),
+    .beat_valid_o(all_valid), .beat_ready_i(all_ready), .beat_id_o(all_id),
+    .beat_data_o(all_data), .beat_last_o(all_last),
+    .write_valid_i(write_valid), .write_ready_o(write_ready), .write_address_i(write_address),
+    .write_data_i(write_data), .write_mask_i(write_mask),
+    .sdram_clk_i(fast_clk), .sdram_rst_ni(fast_rst_n),
+    .sdram_ras_no(sdram_ras_no), .sdram_cas_no(sdram_cas_no), .sdram_we_no(sdram_we_no),
+    .sdram_ba_o(sdram_bank_o), .sdram_a_o(sdram_addr_o), .sdram_dqm_o(sdram_dqm_o),
+    .sdram_dq_oe_o(sdram_dq_oe_o), .sdram_dq_o(sdram_dq_o), .sdram_dq_i(sdram_dq_i)
+  );
+  assign sdram_cke_o = 1'b1;
+  assign sdram_cs_no = 1'b0;
+  ODDRX1F sdram_clock (
+    .SCLK(fast_clk), .RST(1'b0), .D0(1'b0), .D1(1'b1), .Q(sdram_clk_o)
+  );
+
+  // The display.
+  DISPLAY
+
+  assign led_o = {core_clk_en, irq, DISPLAY_LEDS, 6'd0};
+
+  wire unused = &{1'b0, host_write_last, core_write_left};
+
+endmodule
+
+`default_nettype wire

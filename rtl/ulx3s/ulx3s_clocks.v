@@ -1,0 +1,36 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The clocks of the ULX3S, made by one PLL of the oscillator of 25 MHz, whose own runs at 625 MHz:
+// 125 MHz for the SDRAM and, five times a pixel's, for the DVI link, and 78.125 MHz for the core.
+// The resets are released in step with them once the PLL has locked.
+`default_nettype none
+
+module ulx3s_clocks (
+  input  wire osc_i,  // 25 MHz
+  input  wire rst_ni, // may change at any time
+  output wire clk_o,  // of the core
+  output wire rst_no,
+  output wire fast_clk_o,
+  output wire fast_rst_no
+);
+
+  wire locked;
+
+  EHXPLLL #(
+    .CLKI_DIV(1), .CLKFB_DIV(5), .FEEDBK_PATH("CLKOP"),
+    .CLKOP_ENABLE("ENABLED"), .CLKOP_DIV(5), .CLKOP_CPHASE(4),
+    .CLKOS_ENABLE("ENABLED"), .CLKOS_DIV(8), .CLKOS_CPHASE(7)
+  ) pll (
+    .CLKI(osc_i), .CLKFB(fast_clk_o), .CLKOP(fast_clk_o), .CLKOS(clk_o), .LOCK(locked),
+    .RST(1'b0), .STDBY(1'b0), .PLLWAKESYNC(1'b0), .ENCLKOP(1'b0), .ENCLKOS(1'b0), .ENCLKOS2(1'b0),
+    .ENCLKOS3(1'b0), .PHASESEL0(1'b0), .PHASESEL1(1'b0), .PHASEDIR(1'b0), .PHASESTEP(1'b0),
+    .PHASELOADREG(1'b0), .CLKOS2(), .CLKOS3(), .INTLOCK(), .REFCLK(), .CLKINTFB()
+  );
+
+  hls_reset reset (.clk_i(clk_o), .rst_ni(rst_ni && locked), .rst_no(rst_no));
+  hls_reset fast_reset (.clk_i(fast_clk_o), .rst_ni(rst_ni && locked), .rst_no(fast_rst_no));
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,110 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The SDRAM of the ULX3S behind a memory port in another clock. Reads and writes cross by one FIFO, in
+// the order in which they were taken, so that a read sees every write before it; beats come back by
+// another.
+//
+// Parameters:
+//   ID_BITS      of a read
+//   BEAT_BYTES   of the port
+//   PAUSE_TURNS  clocks of the chip's pause after power-up, in pairs
+`default_nettype none
+
+module ulx3s_memory #(
+  parameter ID_BITS = 8,
+  parameter BEAT_BYTES = 16,
+  parameter [15:0] PAUSE_TURNS = 16'd12500 // 200 us at 125 MHz
+) (
+  input  wire                    clk_i,
+  input  wire                    rst_ni,
+  input  wire                    read_valid_i,
+  output wire                    read_ready_o,
+  input  wire [ID_BITS-1:0]      read_id_i,
+  input  wire [24:0]             read_address_i,
+  input  wire [3:0]              read_last_i,
+  output wire                    beat_valid_o,
+  input  wire                    beat_ready_i,
+  output wire [ID_BITS-1:0]      beat_id_o,
+  output wire [8*BEAT_BYTES-1:0] beat_data_o,
+  output wire                    beat_last_o,
+  input  wire                    write_valid_i,
+  output wire                    write_ready_o,
+  input  wire [24:0]             write_address_i,
+  input  wire [8*BEAT_BYTES-1:0] write_data_i,
+  input  wire [BEAT_BYTES/2-1:0] write_mask_i,
+  // the chip, in its own clock
+  input  wire                    sdram_clk_i,
+  input  wire                    sdram_rst_ni,
+  output wire                    sdram_ras_no,
+  output wire                    sdram_cas_no,
+  output wire                    sdram_we_no,
+  output wire [1:0]              sdram_ba_o,
+  output wire [12:0]             sdram_a_o,
+  output wire [1:0]              sdram_dqm_o,
+  output wire                    sdram_dq_oe_o,
+  output wire [15:0]             sdram_dq_o,
+  input  wire [15:0]             sdram_dq_i
+);
+
+  localparam DATA_BITS = 8 * BEAT_BYTES;
+  localparam MASK_BITS = BEAT_BYTES / 2;
+  localparam WRITE_BITS = DATA_BITS + MASK_BITS;
+  localparam READ_BITS = ID_BITS + 4;
+  localparam REQUEST_BITS = 1 + 25 + WRITE_BITS;
+  localparam FILL_BITS = WRITE_BITS - READ_BITS;
+  localparam REQUESTS = 16;
+  localparam BEATS = 16;
+
+  wire                    request_valid, request_ready;
+  wire [REQUEST_BITS-1:0] request;
+  hls_arbiter #(.INPUTS(2), .WIDTH(REQUEST_BITS)) requests (
+    .clk_i(clk_i), .rst_ni(rst_ni),
+    .valid_i({write_valid_i, read_valid_i}), .ready_o({write_ready_o, read_ready_o}),
+    .data_i({1'b1, write_address_i, write_mask_i, write_data_i,
+             1'b0, read_address_i, {FILL_BITS{1'b0}}, read_last_i, read_id_i}),
+    .valid_o(request_valid), .ready_i(request_ready), .data_o(request)
+  );
+
+  wire                    chip_valid;
+  wire                    chip_write;
+  wire [24:0]             chip_address;
+  wire [WRITE_BITS-1:0]   chip_rest;
+  wire                    chip_read_ready, chip_write_ready;
+  hls_clock_fifo #(.WIDTH(REQUEST_BITS), .DEPTH(REQUESTS)) to_chip (
+    .clk_i(clk_i), .rst_ni(rst_ni),
+    .valid_i(request_valid), .ready_o(request_ready), .data_i(request),
+    .read_clk_i(sdram_clk_i), .read_rst_ni(sdram_rst_ni),
+    .valid_o(chip_valid), .ready_i(chip_write ? chip_write_ready : chip_read_ready),
+    .data_o({chip_write, chip_address, chip_rest})
+  );
+
+  wire                    beat_valid, beat_ready, beat_last;
+  wire [ID_BITS-1:0]      beat_id;
+  wire [DATA_BITS-1:0]    beat_data;
+  sdram_port #(.ID_WIDTH(ID_BITS), .PORT_BYTES(BEAT_BYTES)) chip (
+    .clk_i(sdram_clk_i), .rst_ni(sdram_rst_ni), .pause_i(PAUSE_TURNS),
+    .read_valid_i(chip_valid && !chip_write), .read_ready_o(chip_read_ready),
+    .read_id_i(chip_rest[ID_BITS-1:0]), .read_address_i(chip_address),
+    .read_last_i(chip_rest[ID_BITS +: 4]),
+    .write_valid_i(chip_valid && chip_write), .write_ready_o(chip_write_ready),
+    .write_address_i(chip_address), .write_data_i(chip_rest[DATA_BITS-1:0]),
+    .write_mask_i(chip_rest[DATA_BITS +: MASK_BITS]),
+    .beat_valid_o(beat_valid), .beat_ready_i(beat_ready), .beat_id_o(beat_id),
+    .beat_data_o(beat_data), .beat_last_o(beat_last),
+    .sdram_ras_no(sdram_ras_no), .sdram_cas_no(sdram_cas_no), .sdram_we_no(sdram_we_no),
+    .sdram_ba_o(sdram_ba_o), .sdram_a_o(sdram_a_o), .sdram_dqm_o(sdram_dqm_o),
+    .sdram_dq_oe_o(sdram_dq_oe_o), .sdram_dq_o(sdram_dq_o), .sdram_dq_i(sdram_dq_i)
+  );
+
+  hls_clock_fifo #(.WIDTH(DATA_BITS + ID_BITS + 1), .DEPTH(BEATS)) from_chip (
+    .clk_i(sdram_clk_i), .rst_ni(sdram_rst_ni),
+    .valid_i(beat_valid), .ready_o(beat_ready), .data_i({beat_last, beat_id, beat_data}),
+    .read_clk_i(clk_i), .read_rst_ni(rst_ni),
+    .valid_o(beat_valid_o), .ready_i(beat_ready_i),
+    .data_o({beat_last_o, beat_id_o, beat_data_o})
+  );
+
+endmodule
+
+`default_nettype wire
