@@ -33,7 +33,8 @@ std::string memory_macros(const auto& define) {
   if (!dynrt::kHasPort<C>) return {};
   return "\n// The memory's port (hls/units/memory_port.h).\n" +
          define("MEMORY_ID_BITS", hls::bit_width_of<dynrt::PortId<C>>()) +
-         define("MEMORY_BEAT_BYTES", dynrt::kBeatBytes<C>);
+         define("MEMORY_BEAT_BYTES", dynrt::kBeatBytes<C>) +
+         define("MEMORY_READ_BEATS", dynrt::kReadBeats<C>);
 }
 
 /// What the Verilog around the core takes from the units besides the fields of a frame.

@@ -17,7 +17,10 @@ module board_registers #(
   parameter FRAME_WORDS = `DYNRT_CORE_FRAME_BITS / 32, // at most 2^FRAME_WORD_BITS of the register map
   parameter SCAN_WORDS = `DYNRT_CORE_SCAN_WORDS,       // at most 16
   parameter SRAM_LATENCY = 3, // 3 to 8
-  parameter SCAN_OUT = 1      // 1: there is a scan-out
+  parameter SCAN_OUT = 1,     // 1: there is a scan-out
+  parameter WINDOW = 1,       // 1: there is a window into the SRAM; 0: its words are not there
+  parameter MEMORY_BASE_BITS = 0, // bits of an address on the memory's bus, at most 64; 0: no such bus
+  parameter [63:0] MEMORY_BASE = 64'd0 // where the memory begins on it, after a reset
 ) (
   input  wire        clk_i,
   input  wire        rst_ni,
@@ -27,6 +30,7 @@ module board_registers #(
   input  wire [25:0] bus_addr_i,
   input  wire [31:0] bus_wdata_i,
   output wire        bus_ready_o,
+  output wire        bus_exists_o, // there is something at bus_addr_i
   output reg         bus_rvalid_o,
   output reg  [31:0] bus_rdata_o,
   output wire        irq_o,
@@ -49,6 +53,12 @@ module board_registers #(
   input  wire [19:0] scan_shown_i,
   input  wire [31:0] scan_frames_i,
   input  wire        scan_en_i,       // it reads the SRAM in this clock
+  // the memory's bus: an access that was answered with an error; where the memory begins
+  input  wire        memory_error_i, // a pulse
+  input  wire        memory_error_write_i,
+  input  wire [1:0]  memory_error_response_i,
+  input  wire [24:0] memory_error_address_i,
+  output wire [63:0] memory_base_o,
   // SRAM window; rdata_i belongs to the read SRAM_LATENCY clocks earlier
   output wire [5:0]  window_en_o,
   output wire        window_we_o,
@@ -81,7 +91,13 @@ module board_registers #(
   wire        in_frame = bus_addr_i[25:FRAME_WORD_BITS+2] == REG_FRAME[25:FRAME_WORD_BITS+2];
   wire        in_scan = SCAN_OUT != 0 && bus_addr_i[25:6] == REG_SCAN[25:6];
 
-  wire window_ok = in_window && bank_exists && !busy_i;
+  wire in_registers = bus_addr_i <= REG_SCAN_FRAMES;
+  wire of_memory = MEMORY_BASE_BITS != 0 && bus_addr_i >= REG_MEMORY_ERROR &&
+                   bus_addr_i <= REG_MEMORY_BASE_HIGH;
+  assign bus_exists_o = in_registers || of_memory || (WINDOW != 0 && in_window && bank_exists) ||
+                        (in_frame && {26'd0, bus_addr_i[2 +: FRAME_WORD_BITS]} < FRAME_WORDS) ||
+                        (in_scan && {28'd0, bus_addr_i[5:2]} < SCAN_WORDS);
+  wire window_ok = WINDOW != 0 && in_window && bank_exists && !busy_i;
   assign window_en_o = accept && window_ok ? 6'd1 << bank : 6'd0;
   assign window_we_o = bus_write_i;
   assign window_addr_o = bus_addr_i[WINDOW_WORD_LOW +: 20];
@@ -129,8 +145,10 @@ module board_registers #(
     end
   end
 
-  wire refuse = (accept && in_window && !window_ok) || (|write_frame_q && busy_i) ||
-                (asks_start_q && !start_o);
+  wire       writes_base_low = write_q && write_addr_q == REG_MEMORY_BASE_LOW;
+  wire       writes_base_high = write_q && write_addr_q == REG_MEMORY_BASE_HIGH;
+  wire refuse = (accept && in_window && !window_ok) || (asks_start_q && !start_o) ||
+                ((|write_frame_q || writes_base_low || writes_base_high) && busy_i);
 
   // State.
   reg                      irq_enable_q;
@@ -160,6 +178,38 @@ module board_registers #(
                   {23'd0, packets[8:0]} <= PACKETS &&
                   line_mask[31:9] == 23'd0 && {23'd0, last_line_o} < CACHE_LINES &&
                   (last_line_o & next_line) == 9'd0;
+  end
+
+  // The first error of the memory's bus, until the host has seen it.
+  reg        error_q;
+  reg        error_write_q;
+  reg [1:0]  error_response_q;
+  reg [24:0] error_address_q;
+  reg [63:0] base_q;
+  localparam [63:0] BASE_MASK =
+      MEMORY_BASE_BITS == 0 ? 64'd0 : (~64'd0 >> (64 - MEMORY_BASE_BITS)) & ~64'h1ffffff;
+  assign memory_base_o = base_q;
+  always @(posedge clk_i) begin
+    if (memory_error_i && !error_q) begin
+      error_q <= 1'b1;
+      error_write_q <= memory_error_write_i;
+      error_response_q <= memory_error_response_i;
+      error_address_q <= memory_error_address_i;
+    end else if (write_q && write_addr_q == REG_MEMORY_ERROR && write_data_q[MEMORY_ERROR_SEEN]) begin
+      error_q <= 1'b0;
+      error_write_q <= 1'b0;
+      error_response_q <= 2'd0;
+      error_address_q <= 25'd0;
+    end
+    if (writes_base_low && !busy_i) base_q[31:0] <= write_data_q & BASE_MASK[31:0];
+    if (writes_base_high && !busy_i) base_q[63:32] <= write_data_q & BASE_MASK[63:32];
+    if (!rst_ni) begin
+      error_q <= 1'b0;
+      error_write_q <= 1'b0;
+      error_response_q <= 2'd0;
+      error_address_q <= 25'd0;
+      base_q <= MEMORY_BASE & BASE_MASK;
+    end
   end
 
   integer r;
@@ -238,6 +288,7 @@ module board_registers #(
         register[STATUS_BUSY] = busy_i;
         register[STATUS_DONE] = done_q;
         register[STATUS_REFUSED] = refused_q;
+        register[STATUS_MEMORY_ERROR] = error_q;
       end
       REG_IRQ_ENABLE: register = {31'd0, irq_enable_q};
       REG_IRQ_PENDING: register = {31'd0, irq_pending_q};
@@ -248,6 +299,14 @@ module board_registers #(
       REG_SCAN_CLOCKS: register = {24'd0, scan_clocks_o};
       REG_SCAN_SHOWN: register = {12'd0, scan_shown_i};
       REG_SCAN_FRAMES: register = scan_frames_i;
+      REG_MEMORY_ERROR: begin
+        register[MEMORY_ERROR_SEEN] = error_q;
+        register[MEMORY_ERROR_WRITE] = error_write_q;
+        register[MEMORY_ERROR_RESPONSE +: 2] = error_response_q;
+      end
+      REG_MEMORY_ERROR_ADDRESS: register = {7'd0, error_address_q};
+      REG_MEMORY_BASE_LOW: register = base_q[31:0];
+      REG_MEMORY_BASE_HIGH: register = base_q[63:32];
       default: register = 32'd0;
     endcase
   end

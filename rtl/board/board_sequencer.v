@@ -1,10 +1,11 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Runs one frame: resets the core for RESET_CLOCKS and clears its counters; makes it empty the
-// lines 0 .. last_line_i of every cache, waits PAUSE_CLOCKS until this is done, frees the packets 0
-// .. last_packet_i (start tokens FIRST_PACKET and up); and waits for the token of the complete frame.
-// Between frames the core needs no clock. The numbers come from hls/units/start.h.
+// Runs one frame: resets the core for RESET_CLOCKS, and on until ready_i, and clears its counters;
+// makes it empty the lines 0 .. last_line_i of every cache, waits PAUSE_CLOCKS until this is done,
+// frees the packets 0 .. last_packet_i (start tokens FIRST_PACKET and up); and waits for the token
+// of the complete frame. Between frames the core needs no clock. The numbers come from
+// hls/units/start.h.
 `default_nettype none
 `include "dynrt_core.vh"
 
@@ -17,6 +18,7 @@ module board_sequencer #(
   input  wire        rst_ni,
   input  wire        start_i,  // ignored while busy
   input  wire        reset_i,  // give up the current frame
+  input  wire        ready_i,  // nothing is on its way to the core that it asked for before its reset
   input  wire [8:0]  last_line_i,
   input  wire [8:0]  last_packet_i,
   output wire        busy_o,
@@ -59,6 +61,7 @@ module board_sequencer #(
     case (state_q)
       RESET: begin
         last = count_q == LAST_RESET;
+        step = !last || ready_i;
         next = render_q ? LINES : IDLE;
       end
       LINES: begin

@@ -112,21 +112,23 @@ module dynrt_board #(
   ) registers (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .bus_valid_i(bus_valid_i), .bus_write_i(bus_write_i), .bus_addr_i(bus_addr_i),
-    .bus_wdata_i(bus_wdata_i), .bus_ready_o(bus_ready_o), .bus_rvalid_o(bus_rvalid_o),
-    .bus_rdata_o(bus_rdata_o), .irq_o(irq_o),
+    .bus_wdata_i(bus_wdata_i), .bus_ready_o(bus_ready_o), .bus_exists_o(),
+    .bus_rvalid_o(bus_rvalid_o), .bus_rdata_o(bus_rdata_o), .irq_o(irq_o),
     .start_o(start), .reset_o(reset), .last_packet_o(last_packet),
     .last_line_o(last_line), .busy_i(busy), .done_i(done), .cycles_i(cycles),
     .frame_o(frame), .counter_addr_o(counter_addr), .counter_data_i(counter_data),
     .counter_fetch_o(counter_fetch),
     .scan_clocks_o(scan_clocks), .scan_o(scan), .scan_shown_i(scan_shown),
     .scan_frames_i(scan_frames), .scan_en_i(scan_en),
+    .memory_error_i(1'b0), .memory_error_write_i(1'b0), .memory_error_response_i(2'd0),
+    .memory_error_address_i(25'd0), .memory_base_o(),
     .window_en_o(window_en), .window_we_o(window_we), .window_addr_o(window_addr),
     .window_wdata_o(window_wdata), .window_rdata_i(rdata)
   );
 
   board_sequencer sequencer (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .start_i(start), .reset_i(reset), .last_line_i(last_line),
+    .start_i(start), .reset_i(reset), .ready_i(1'b1), .last_line_i(last_line),
     .last_packet_i(last_packet), .busy_o(busy), .done_o(done), .cycles_o(cycles),
     .core_rst_no(core_rst_n), .counter_clear_o(counter_clear),
     .start_valid_o(start_valid), .start_ready_i(start_ready), .start_data_o(start_data),

@@ -83,13 +83,13 @@ def main() -> int:
     rtl_files.add_arguments(parser)
     args = parser.parse_args()
     root = project.ROOT
-    by_hand = rtl_files.hand_written()
-    if not by_hand:
+    if not rtl_files.all_hand_written():
         project.fail(f"{root / 'rtl'} holds no Verilog; is this the project's folder?")
-    sources = by_hand + rtl_files.units_in(rtl_files.SDRAM) + rtl_files.generated(args)
-    sources += rtl_files.link()
+    core = rtl_files.generated(args)
+    sources = rtl_files.fitting(rtl_files.all_hand_written(), core) + core
+    sources += rtl_files.units_in(rtl_files.SDRAM) + rtl_files.units_in(rtl_files.LINK)
 
-    problems = check_waivers(root, sources)
+    problems = check_waivers(root, rtl_files.all_hand_written() + core)
     with Pool(os.cpu_count()) as pool:
         jobs = {
             f"verilator: {os.path.relpath(f, root)}": pool.submit(verilator, root, f, sources)
