@@ -16,6 +16,7 @@
 #include "Vboard_link.h"
 #include "hls/bits.h"
 #include "hls/random.h"
+#include "host/link/link_frame.h"
 #include "units/link_model.h"
 
 namespace dynrt {
@@ -205,16 +206,8 @@ class Requests {
 };
 
 Bytes framed(Bytes bytes) {
-  Crc crc = kCrcStart;
-  for (const std::uint8_t byte : bytes) crc = crc_step(crc, uint<8>::from(byte));
-  put(bytes, (~crc).to_u64(), kLinkCrcBytes);
-  Bytes line = {kLinkFlag};
-  for (const std::uint8_t byte : bytes) {
-    const bool escapes = byte == kLinkFlag || byte == kLinkEscape;
-    if (escapes) line.push_back(kLinkEscape);
-    line.push_back(escapes ? byte ^ kLinkEscaped : byte);
-  }
-  line.push_back(kLinkFlag);
+  Bytes line;
+  host::append_framed(line, std::move(bytes));
   return line;
 }
 

@@ -86,8 +86,7 @@ def main() -> int:
     if not rtl_files.all_hand_written():
         project.fail(f"{root / 'rtl'} holds no Verilog; is this the project's folder?")
     core = rtl_files.generated(args)
-    sources = rtl_files.fitting(rtl_files.all_hand_written(), core) + core
-    sources += rtl_files.units_in(rtl_files.SDRAM) + rtl_files.units_in(rtl_files.LINK)
+    sources = rtl_files.sources(core)
 
     problems = check_waivers(root, rtl_files.all_hand_written() + core)
     with Pool(os.cpu_count()) as pool:

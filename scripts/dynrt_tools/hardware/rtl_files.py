@@ -79,6 +79,12 @@ def hand_written() -> list[pathlib.Path]:
     return fitting(library() + board(), [])
 
 
+def sources(core: list[pathlib.Path]) -> list[pathlib.Path]:
+    """All Verilog that there is for the core in these files, which come with it."""
+    others = units_in(SDRAM) + units_in(LINK)
+    return fitting(all_hand_written(), core) + others + core
+
+
 def _text(path: pathlib.Path) -> str:
     return path.read_text(encoding="utf-8")
 

@@ -114,7 +114,7 @@ def chosen(args: argparse.Namespace, unit_files: list[pathlib.Path]) -> list[str
     """The modules to synthesize; throws Failed for a name that is none's."""
     units = sorted(m for m in synthesis.modules(unit_files) if m != args.core)
     names = args.unit or [*units, *([] if args.units_only else [args.core])]
-    known = synthesis.modules(rtl_files.hand_written(unit_files) + unit_files)
+    known = synthesis.modules(rtl_files.sources(unit_files))
     headers = {m: m for m in known} | rtl_files.headers(unit_files)
     return unit_names.all_modules_of(names, headers)
 
@@ -142,7 +142,7 @@ def main() -> int:  # pylint: disable=too-many-branches
     if args.json:
         project.check_output("--json", args.json)
     unit_files = rtl_files.generated(args)
-    files = rtl_files.hand_written(unit_files) + unit_files
+    files = rtl_files.sources(unit_files)
     try:
         tops = chosen(args, unit_files)
     except project.Failed as error:
