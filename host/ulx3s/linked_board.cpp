@@ -46,7 +46,10 @@ bool LinkedBoard::write(std::uint32_t address, std::span<const std::uint32_t> wo
     return true;
   }
   const bool starts = address == reg::kRegControl && (words[0] >> reg::kControlStart & 1) != 0;
-  if (starts) send_memory();
+  if (starts) {
+    send_memory();
+    clocks_ = 0;
+  }
   link_->write_registers(address, words);
   if (address == reg::kRegIrqPending) interrupt_ = false;
   return true;
@@ -77,7 +80,6 @@ bool LinkedBoard::run_until_interrupt(std::uint64_t limit) {
 
 void LinkedBoard::send_memory() {
   kept_ = {};
-  clocks_ = 0;
   const std::vector<MemoryPart> changes = plan_.changes(parts_of(written_));
   written_.clear();
   upload_ = upload_cost(changes);
@@ -95,6 +97,7 @@ void LinkedBoard::write_window(unsigned bank, std::uint32_t word,
 
 void LinkedBoard::read_window(unsigned bank, std::uint32_t word, std::span<std::uint32_t> words) {
   if (words.empty()) return;
+  if (!written_.empty()) send_memory();
   const std::uint32_t first = port_place(bank, word).byte;
   const std::uint32_t stride = port_place(bank, word).stride;
   // The words of both banks of hit records lie side by side.

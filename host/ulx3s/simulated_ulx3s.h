@@ -14,7 +14,7 @@
 #include "host/board/frame_meter.h"
 #include "host/link/byte_stream.h"
 #include "host/ulx3s/linked_board.h"
-#include "host/ulx3s/sdram_chip.h"
+#include "sdram/sdram_chip.h"
 
 namespace dynrt::host {
 
@@ -24,7 +24,7 @@ class SimulatedUlx3s : public ByteStream, public BackDoor {
   /// The frames that the monitor has seen whole since the last call.
   virtual std::vector<DisplayFrame> take_frames() = 0;
   /// Of the memory's chip. What it forbids and has seen is in its faults.
-  virtual const SdramChip& chip() const = 0;
+  virtual const verif::SdramChip& chip() const = 0;
 
  protected:
   using ByteStream::ByteStream;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <stdexcept>
 #include <utility>
 
 #include "Vulx3s_board.h"
@@ -70,7 +71,7 @@ class VerilatedUlx3s final : public SimulatedUlx3s {
     taken_ = monitor_.frames().size();
     return frames;
   }
-  const SdramChip& chip() const override { return chip_; }
+  const verif::SdramChip& chip() const override { return chip_; }
 
   void write(std::uint32_t address, std::span<const std::uint8_t> bytes) override {
     for (std::size_t i = 0; i < bytes.size(); i += 2) {
@@ -88,7 +89,7 @@ class VerilatedUlx3s final : public SimulatedUlx3s {
  private:
   static constexpr Ps kStep = 10'000'000;
   static constexpr Ps kLongestSetUp = 1'000'000'000;
-  static constexpr unsigned kDivisor = ULX3S_DIVISOR;
+  static constexpr unsigned kDivisor = 26;
 
   /// Rows of 1 KB go round the banks (units/sdram_tokens.h).
   std::uint16_t& half(std::uint32_t address) {
@@ -111,7 +112,7 @@ class VerilatedUlx3s final : public SimulatedUlx3s {
     }
   }
   void clock_chip(Ps now) {
-    SdramChipPins pins{.cke = top_.sdram_cke_o != 0,
+    verif::SdramChipPins pins{.cke = top_.sdram_cke_o != 0,
                        .cs_n = top_.sdram_cs_no != 0,
                        .ras_n = top_.sdram_ras_no != 0,
                        .cas_n = top_.sdram_cas_no != 0,
@@ -128,7 +129,7 @@ class VerilatedUlx3s final : public SimulatedUlx3s {
   VerilatedContext context_;
   Vulx3s_board top_{&context_};
   TimedTop<Vulx3s_board> run_{top_};
-  SdramChip chip_{kAnySdram, kMemoryClock};
+  verif::SdramChip chip_{kAnySdram, kMemoryClock};
   SerialPins serial_{kDivisor * kCoreClock};
   DviMonitor monitor_;
   std::size_t taken_ = 0;

@@ -15,6 +15,7 @@ module dynrt_port_board #(
   // Those of fast_port; another core takes its own.
   parameter PACKETS = 64,      // packets in flight of the core below
   parameter CACHE_LINES = 512, // lines of each of its caches
+  parameter SCAN_OUT = 0,
   parameter MEMORY_BASE_BITS = 0,    // of an address on the memory's bus; 0: there is no bus
   parameter [63:0] MEMORY_BASE = 64'd0 // where the memory begins on it, after a reset
 ) (
@@ -32,6 +33,11 @@ module dynrt_port_board #(
   output wire             bus_rvalid_o,
   output wire [31:0]      bus_rdata_o,
   output wire             irq_o,
+  // scan-out, see board_registers.v
+  output wire [7:0]       scan_clocks_o,
+  output wire [32*`DYNRT_CORE_SCAN_WORDS-1:0] scan_o,
+  input  wire [19:0]      scan_shown_i,
+  input  wire [31:0]      scan_frames_i,
   // memory
   output wire             memory_read_valid_o,
   input  wire             memory_read_ready_i,
@@ -80,7 +86,7 @@ module dynrt_port_board #(
   assign memory_stop_o = !core_rst_n;
 
   board_registers #(
-    .PACKETS(PACKETS), .CACHE_LINES(CACHE_LINES), .FRAME_WORDS(FRAME_WORDS), .SCAN_OUT(0),
+    .PACKETS(PACKETS), .CACHE_LINES(CACHE_LINES), .FRAME_WORDS(FRAME_WORDS), .SCAN_OUT(SCAN_OUT),
     .WINDOW(0), .MEMORY_BASE_BITS(MEMORY_BASE_BITS), .MEMORY_BASE(MEMORY_BASE)
   ) registers (
     .clk_i(clk_i), .rst_ni(rst_ni),
@@ -91,7 +97,8 @@ module dynrt_port_board #(
     .last_line_o(last_line), .busy_i(busy), .done_i(done), .cycles_i(cycles),
     .frame_o(frame), .counter_addr_o(counter_addr), .counter_data_i(counter_data),
     .counter_fetch_o(counter_fetch),
-    .scan_clocks_o(), .scan_o(), .scan_shown_i(20'd0), .scan_frames_i(32'd0), .scan_en_i(1'b0),
+    .scan_clocks_o(scan_clocks_o), .scan_o(scan_o), .scan_shown_i(scan_shown_i),
+    .scan_frames_i(scan_frames_i), .scan_en_i(1'b0),
     .memory_error_i(memory_error_i), .memory_error_write_i(memory_error_write_i),
     .memory_error_response_i(memory_error_response_i),
     .memory_error_address_i(memory_error_address_i), .memory_base_o(memory_base_o),

@@ -26,15 +26,20 @@ module dynrt_ulx3s (
 );
 
   wire        oe;
-  wire [15:0] dq;
-  assign sdram_dq_io = oe ? dq : 16'bz;
+  wire [15:0] dq, pads;
+  genvar i;
+  generate
+    for (i = 0; i < 16; i = i + 1) begin : data
+      TRELLIS_IO #(.DIR("BIDIR")) pad (.B(sdram_dq_io[i]), .I(dq[i]), .T(!oe), .O(pads[i]));
+    end
+  endgenerate
 
   ulx3s_board board (
     .clk_25mhz_i(clk_25mhz_i), .button_ni(button_ni), .serial_i(serial_i), .serial_o(serial_o),
     .led_o(led_o), .sdram_clk_o(sdram_clk_o), .sdram_cke_o(sdram_cke_o),
     .sdram_cs_no(sdram_cs_no), .sdram_ras_no(sdram_ras_no), .sdram_cas_no(sdram_cas_no),
     .sdram_we_no(sdram_we_no), .sdram_bank_o(sdram_bank_o), .sdram_addr_o(sdram_addr_o),
-    .sdram_dqm_o(sdram_dqm_o), .sdram_dq_oe_o(oe), .sdram_dq_o(dq), .sdram_dq_i(sdram_dq_io),
+    .sdram_dqm_o(sdram_dqm_o), .sdram_dq_oe_o(oe), .sdram_dq_o(dq), .sdram_dq_i(pads),
     .dvi_p_o(dvi_p_o), .dvi_n_o(dvi_n_o)
   );
 

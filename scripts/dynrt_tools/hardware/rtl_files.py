@@ -67,11 +67,18 @@ def all_hand_written() -> list[pathlib.Path]:
 
 
 def fitting(files: Iterable[pathlib.Path], core: Iterable[pathlib.Path]) -> list[pathlib.Path]:
-    """Those that fit the core in these files: some need its port to a memory."""
+    """Those that fit the core in these files: some need its port to a memory, and some have such
+    modules in them."""
+    left = list(files)
     headers_of_core = {f.with_name(f"{CORE}.vh") for f in core}
     if any(PORT in _text(h) for h in headers_of_core if h.exists()):
-        return list(files)
-    return [p for p in files if not _needs_port(_text(p))]
+        return left
+    unfit = [p.stem for p in left if _needs_port(_text(p))]
+    while unfit:
+        instance = re.compile(rf"^ +({'|'.join(unfit)})\b", re.MULTILINE)
+        left = [p for p in left if p.stem not in unfit]
+        unfit = [p.stem for p in left if instance.search(_text(p))]
+    return left
 
 
 def hand_written() -> list[pathlib.Path]:

@@ -1,0 +1,14 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The messages of the ULX3S.
+#pragma once
+
+namespace dynrt::host::messages {
+
+inline constexpr char kChipNotSetUp[] =
+    "the controller of the simulated ULX3S has not set its SDRAM up within a millisecond";
+inline constexpr char kChipFault[] =
+    "the simulated ULX3S does to its SDRAM what the chip's data sheet forbids: {}";
+
+}  // namespace dynrt::host::messages
