@@ -31,8 +31,9 @@ add_custom_target(verilog ALL)
 add_custom_target(update-generated)
 
 # The configurations whose Verilog is checked in, for readers and builds without LLVM: the thesis's
-# and the one that programs take. The SDRAM's controller, which has none, is checked in as `sdram`.
-set(DYNRT_CHECKED_IN thesis fast sdram)
+# and the one that programs take. What has none is checked in, too: the SDRAM's controller as `sdram`,
+# units of the display as `display`.
+set(DYNRT_CHECKED_IN thesis fast sdram display)
 
 # dynrt_checked_in(CONFIG FILE TARGET): FILE, which TARGET makes, is also checked in under
 # rtl/generated/<CONFIG>, if such a configuration is. The target update-generated renews it, the test

@@ -1,8 +1,7 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The encoder against the algorithm as the specification draws it (Digital Visual Interface 1.0,
-// figure 3-5), for every byte at every disparity that a channel can have.
+// The encoder against the specification, for every byte at every disparity that a channel can have.
 #include "units/tmds_encoder.h"
 
 #include <array>
@@ -13,57 +12,10 @@
 #include <vector>
 
 #include "units/test_bench.h"
+#include "units/tmds_specification.h"
 
 namespace dynrt {
 namespace {
-
-/// Figure 3-5, in its names; bit i of the result is q_out[i].
-struct Specified {
-  int cnt = 0;
-
-  unsigned encode(unsigned d) {
-    const int n1_of_d = std::popcount(d);
-    std::array<int, 9> q_m{};
-    const bool xnor = n1_of_d > 4 || (n1_of_d == 4 && (d & 1) == 0);
-    q_m[0] = static_cast<int>(d & 1);
-    for (unsigned i = 1; i < 8; ++i) {
-      const int differs = q_m[i - 1] ^ static_cast<int>(d >> i & 1);
-      q_m[i] = xnor ? 1 - differs : differs;
-    }
-    q_m[8] = xnor ? 0 : 1;
-    int n1 = 0;
-    for (unsigned i = 0; i < 8; ++i) n1 += q_m[i];
-    const int n0 = 8 - n1;
-
-    std::array<int, 10> q_out{};
-    q_out[8] = q_m[8];
-    if (cnt == 0 || n1 == n0) {
-      q_out[9] = 1 - q_m[8];
-      cnt += q_m[8] == 0 ? n0 - n1 : n1 - n0;
-    } else if ((cnt > 0 && n1 > n0) || (cnt < 0 && n0 > n1)) {
-      q_out[9] = 1;
-      cnt += 2 * q_m[8] + (n0 - n1);
-    } else {
-      q_out[9] = 0;
-      cnt += -2 * (1 - q_m[8]) + (n1 - n0);
-    }
-    unsigned character = 0;
-    for (unsigned i = 0; i < 8; ++i) q_out[i] = q_out[9] != 0 ? 1 - q_m[i] : q_m[i];
-    for (unsigned i = 0; i < 10; ++i) character |= static_cast<unsigned>(q_out[i]) << i;
-    return character;
-  }
-};
-
-/// Figure 3-6.
-unsigned decode(unsigned character) {
-  const unsigned d = (character >> 9 & 1) != 0 ? ~character & 0xff : character & 0xff;
-  unsigned q = d & 1;
-  for (unsigned i = 1; i < 8; ++i) {
-    const unsigned differs = (d >> i ^ d >> (i - 1)) & 1;
-    q |= ((character >> 8 & 1) != 0 ? differs : 1 - differs) << i;
-  }
-  return q;
-}
 
 unsigned transitions(unsigned character) {
   return static_cast<unsigned>(std::popcount((character ^ character >> 1) & 0x1ff));
@@ -77,7 +29,7 @@ std::map<int, std::vector<unsigned>> disparities() {
     const int from = fresh.back();
     fresh.pop_back();
     for (unsigned byte = 0; byte < 256; ++byte) {
-      Specified channel{from};
+      tmds::Channel channel{from};
       channel.encode(byte);
       std::vector<unsigned> way = found.at(from);
       way.push_back(byte);
@@ -101,10 +53,10 @@ class TmdsEncoderTest : public testing::Test {
     expect(characters);
   }
   void blank(bool hsync, bool vsync) {
-    static constexpr unsigned kControl[] = {0b1101010100, 0b0010101011, 0b0101010100, 0b1010101011};
     pixels_.push_back({uint<24>(0x5a5a5a), hsync, vsync, false});
     specified_ = {};
-    expect({kControl[(vsync ? 2u : 0u) + (hsync ? 1u : 0u)], kControl[0], kControl[0]});
+    expect({tmds::kControl[(vsync ? 2u : 0u) + (hsync ? 1u : 0u)], tmds::kControl[0],
+            tmds::kControl[0]});
   }
   void compare() {
     for (const ScanPixel& pixel : pixels_) bench_.feed(bench_.unit.pixel, pixel);
@@ -120,7 +72,7 @@ class TmdsEncoderTest : public testing::Test {
         {TmdsCharacter::from(c[0]), TmdsCharacter::from(c[1]), TmdsCharacter::from(c[2])});
   }
   test::UnitBench<TmdsEncoder> bench_;
-  std::array<Specified, 3> specified_;
+  std::array<tmds::Channel, 3> specified_;
   std::vector<ScanPixel> pixels_;
   std::vector<TmdsPixel> expected_;
 };
@@ -165,7 +117,7 @@ TEST_F(TmdsEncoderTest, ForgetsTheDisparityInTheBlanking) {
 TEST(TmdsSpecification, TellsDisparitiesApart) {
   std::set<std::vector<unsigned>> told;
   for (const auto& [disparity, way] : disparities()) {
-    Specified channel{disparity};
+    tmds::Channel channel{disparity};
     std::vector<unsigned> characters;
     for (const unsigned byte : kTelling) characters.push_back(channel.encode(byte));
     EXPECT_TRUE(told.insert(characters).second) << disparity;
@@ -177,9 +129,9 @@ TEST(TmdsSpecification, DecodesToTheByteWithFewTransitions) {
     EXPECT_EQ(disparity % 2, 0);
     EXPECT_LE(std::abs(disparity), 8);
     for (unsigned byte = 0; byte < 256; ++byte) {
-      Specified channel{disparity};
+      tmds::Channel channel{disparity};
       const unsigned character = channel.encode(byte);
-      ASSERT_EQ(decode(character), byte);
+      ASSERT_EQ(tmds::decode(character), byte);
       ASSERT_LE(transitions(character), 5u) << byte;
       ASSERT_EQ(channel.cnt - disparity, 2 * std::popcount(character) - 10) << byte;
     }

@@ -17,9 +17,20 @@ void FrameMeter::take(Pixel pixel) {
     whole_ = true;
     pixels_.clear();
     fault_.clear();
+    lines_ = 0;
+    columns_ = 0;
   }
   in_pulse_ = pixel.vsync;
+  if (pixel.hsync && !pixels_.empty() && !pixels_.back().hsync) {
+    ++lines_;
+    columns_ = 0;
+  }
+  ++columns_;
   if (whole_) pixels_.push_back(pixel);
+}
+
+std::string FrameMeter::place() const {
+  return fmt::format("pixel {} of line {}", columns_, lines_);
 }
 
 void FrameMeter::report(const std::string& fault) {

@@ -38,9 +38,9 @@ class FrameMeter {
   void take(Pixel pixel);
   /// A fault of the link in the frame under way; the first one is told.
   void report(const std::string& fault);
-  /// The next pixel's place in the frame under way, counted from the first pixel of the vertical
-  /// pulse.
-  std::size_t next_pixel() const { return pixels_.size(); }
+  /// Where the next pixel lies in the frame under way, in words: counted from the beginnings of the
+  /// sync pulses.
+  std::string place() const;
 
   /// Those that were seen whole.
   const std::vector<DisplayFrame>& frames() const { return frames_; }
@@ -54,6 +54,8 @@ class FrameMeter {
   bool positive_vsync_;
   bool in_pulse_ = true;  ///< vertical sync of the previous pixel; unknown at first
   bool whole_ = false;    ///< a vertical sync pulse has begun
+  unsigned lines_ = 0;    ///< horizontal pulses of this frame that have begun
+  unsigned columns_ = 0;  ///< pixels since the last of them, or since the vertical pulse
   std::string fault_;
   std::vector<Pixel> pixels_;  ///< with syncs that are true in their pulses
   std::vector<DisplayFrame> frames_;

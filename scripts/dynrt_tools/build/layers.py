@@ -80,6 +80,7 @@ PUBLISHED = {
     "hls/units/core_model.h": ("host/board",),
     "hls/units/scan_out.h": ("host/board",),
     "hls/units/start.h": ("host/board",),
+    "hls/units/tmds_specification.h": ("host/board",),
     "hls/units/link_format.h": ("host",),
     "hls/compiler/join/emit_top.h": ("hls/units/elaborate.cpp", "hls/units/elaborate_link.cpp"),
 }

@@ -36,10 +36,11 @@ class CoreFile(testing.InFolder):
         self.assertEqual(self.core["name"], f"dynrt::dynrt:{stated[1]}")
 
     def test_every_verilog_file_is_listed_once(self) -> None:
-        filesets = ("core", "board", "bus", "sdram", "link", "ulx3s")
+        filesets = ("core", "board", "bus", "sdram", "link", "ulx3s", "display")
         listed = [name for name in self.files(*filesets) if name.endswith(".v")]
         there = rtl_files.all_hand_written() + rtl_files.units_in(rtl_files.GENERATED)
-        there += rtl_files.units_in(rtl_files.SDRAM) + rtl_files.units_in(rtl_files.LINK)
+        for folder in rtl_files.BESIDE_CORES:
+            there += rtl_files.units_in(folder)
         self.assertGreater(len(there), 30)
         self.assertEqual(sorted(listed), sorted(p.relative_to(ROOT).as_posix() for p in there))
 

@@ -6,6 +6,9 @@
    gives the reason.
 2. `verilator --lint-only -Wall` on every file, its module as the top.
 3. Yosys reads all files together: hierarchy -check, proc, check -assert.
+
+The cells of a vendor are known to Verilator from the models of verif/vendor, to Yosys from its own
+list.
 """
 
 import argparse
@@ -20,6 +23,7 @@ from dynrt_tools import project
 from dynrt_tools.command import Pool
 from dynrt_tools.hardware import rtl_files
 
+VENDOR_CELLS = ("+/ecp5/cells_bb.v",)
 WAIVER = re.compile(r'lint_off\s+-rule\s+(\w+)\s+-file\s+"([^"]+)"(\s+-match\s+"[^"]*")?\s*$')
 
 
@@ -61,15 +65,19 @@ def run(command: list[str]) -> tuple[int, str]:
 def verilator(
     root: pathlib.Path, path: pathlib.Path, sources: list[pathlib.Path]
 ) -> tuple[int, str]:
-    command = ["verilator", "--lint-only", "-Wall", "+define+HLS_ASSERT", "--top-module", path.stem]
-    command += [str(v) for v in sorted((root / "rtl" / "lint").glob("*.vlt"))]
-    for folder in rtl_files.include_folders(sources):
+    command = ["verilator", "--lint-only", "--timing", "-Wall", "+define+HLS_ASSERT"]
+    command += ["--top-module", path.stem]
+    vendor = root / "verif" / "vendor"
+    for waivers in (root / "rtl" / "lint", vendor):
+        command += [str(v) for v in sorted(waivers.glob("*.vlt"))]
+    for folder in [*rtl_files.include_folders(sources), vendor]:
         command += ["-y", str(folder)]
     return run([*command, str(path)])
 
 
 def yosys(sources: list[pathlib.Path]) -> tuple[int, str]:
     script = [f"verilog_defaults -add -I{f}" for f in rtl_files.include_folders(sources)]
+    script += [f"read_verilog -lib {c}" for c in VENDOR_CELLS]
     script += [f"read_verilog {f}" for f in sources]
     return run(["yosys", "-q", "-p", "; ".join([*script, "hierarchy -check; proc; check -assert"])])
 

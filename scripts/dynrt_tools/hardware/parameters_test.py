@@ -40,6 +40,14 @@ ROWS = at_least("ROWS", 1)
 RULES = {
     "hls_arbiter": (at_least("INPUTS", 1), WIDTH),
     "hls_buffer": (WIDTH,),
+    "hls_clock_fifo": (
+        WIDTH,
+        Rule(
+            "DEPTH",
+            "must_be_a_power_of_two_of_at_least_4",
+            ({"DEPTH": 0}, {"DEPTH": 2}, {"DEPTH": 12}, {"DEPTH": -4}),
+        ),
+    ),
     "hls_counters": (Rule("COUNTERS", "must_be_1_to_256", ({"COUNTERS": 0}, {"COUNTERS": 257})),),
     "hls_delay": (WIDTH, at_least("CLOCKS", 3)),
     "hls_fifo": (
@@ -53,6 +61,7 @@ RULES = {
         flag("BOUNDED"),
     ),
     "hls_fork": (at_least("OUTPUTS", 1), WIDTH),
+    "hls_level": (at_least("CLOCKS", 2),),
     "hls_ram_1r1w": (
         WIDTH,
         ROWS,
@@ -69,6 +78,7 @@ RULES = {
         follows("WORD_BITS", "WORDS"),
     ),
     "hls_register_file": (WIDTH, ROWS, follows("ADDR_WIDTH", "ROWS")),
+    "hls_reset": (at_least("CLOCKS", 2),),
     "hls_repeat": (
         at_least("COUNT_WIDTH", 1),
         Rule("WIDTH", "must_be_at_least_COUNT_WIDTH", ({"WIDTH": 2, "COUNT_WIDTH": 3},)),
@@ -78,6 +88,7 @@ RULES = {
 GOOD: dict[str, tuple[Values, ...]] = {
     "hls_arbiter": ({}, {"INPUTS": 1, "WIDTH": 1}, {"INPUTS": 5, "WIDTH": 90}),
     "hls_buffer": ({}, {"WIDTH": 1}, {"WIDTH": 90}),
+    "hls_clock_fifo": ({}, {"WIDTH": 1, "DEPTH": 4}, {"WIDTH": 30, "DEPTH": 64}),
     "hls_counters": ({}, {"COUNTERS": 2}, {"COUNTERS": 256}),
     "hls_delay": ({}, {"WIDTH": 1, "CLOCKS": 3}, {"WIDTH": 50, "CLOCKS": 12}),
     "hls_fifo": (
@@ -87,6 +98,7 @@ GOOD: dict[str, tuple[Values, ...]] = {
         {"DEPTH": 128, "BOUNDED": 1},
     ),
     "hls_fork": ({}, {"OUTPUTS": 1, "WIDTH": 1}, {"OUTPUTS": 5, "WIDTH": 86}),
+    "hls_level": ({}, {"CLOCKS": 5}),
     "hls_ram_1r1w": (
         {},
         {"WIDTH": 1, "ROWS": 1},
@@ -96,6 +108,7 @@ GOOD: dict[str, tuple[Values, ...]] = {
     ),
     "hls_ram_words": ({}, {"WIDTH": 1, "WORDS": 2, "ROWS": 1}, {"WORDS": 4, "ROWS": 64}),
     "hls_register_file": ({}, {"WIDTH": 1, "ROWS": 1}, {"ROWS": 10}),
+    "hls_reset": ({}, {"CLOCKS": 2}),
     "hls_repeat": ({}, {"WIDTH": 1, "COUNT_WIDTH": 1}, {"WIDTH": 32, "COUNT_WIDTH": 4}),
 }
 

@@ -19,6 +19,9 @@ GENERATED = ALL_GENERATED / CHECKED_IN
 SDRAM = ALL_GENERATED / "sdram"
 # The units of the link to the host.
 LINK = project.ROOT / "rtl" / "link" / "generated"
+# The units of the display that are the same for every configuration.
+DISPLAY = ALL_GENERATED / "display"
+BESIDE_CORES = (SDRAM, LINK, DISPLAY)
 LIBRARY = project.ROOT / "rtl" / "lib"
 # The module that joins the units, and the one that counts their transactions.
 CORE, COUNTERS = "dynrt_core", "hls_counters"
@@ -88,7 +91,7 @@ def hand_written() -> list[pathlib.Path]:
 
 def sources(core: list[pathlib.Path]) -> list[pathlib.Path]:
     """All Verilog that there is for the core in these files, which come with it."""
-    others = units_in(SDRAM) + units_in(LINK)
+    others = [file for folder in BESIDE_CORES for file in units_in(folder)]
     return fitting(all_hand_written(), core) + others + core
 
 
@@ -164,7 +167,7 @@ def generated(args: argparse.Namespace) -> list[pathlib.Path]:
 
 
 def _all_checked_in() -> str:
-    names = sorted(f.name for f in ALL_GENERATED.iterdir() if f.is_dir() and f != SDRAM)
+    names = sorted(f.name for f in ALL_GENERATED.iterdir() if f.is_dir() and f not in BESIDE_CORES)
     return " and ".join(f"'{name}'" for name in names) + (" is" if len(names) == 1 else " are")
 
 
