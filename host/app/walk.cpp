@@ -117,7 +117,6 @@ Walker::Result Walker::render_frame(unsigned frame, const PixelProgress& progres
   record.entries = step.frame.memory.entries.size();
 
   FrameOptions options = options_;
-  options.hits = false;
   options.buffer = frame % kFrameBuffers;
   held_.reset();  // unknown while an error may interrupt the upload
   result.frame = render(board_, options, step.frame, changed, progress);

@@ -16,6 +16,7 @@
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
 #include "host/app/progress.h"
+#include "host/app/report.h"
 #include "host/app/scene_flags.h"
 #include "host/app/specialised.h"
 #include "host/app/text.h"
@@ -41,6 +42,8 @@ struct Arguments {
   FrameArguments frame;
   SpecialiseFlags specialise;
   std::string board = "rtl";
+  std::string schedule;
+  bool hits = false;
   unsigned frames = kWalkFrames;
   SpanArguments span;
   bool again = false;
@@ -60,10 +63,14 @@ WalkSettings Arguments::settings(const Scene& content) const {
   }
   settings.insert(settings.end(), {{"--reflections", text(frame.reflections)},
                                    {"--board", board},
+                                   {"--schedule", schedule},
+                                   {"--hits", hits ? "yes" : "no"},
                                    {"--config", frame.configuration},
                                    {"--specialise", specialise.specialise ? "yes" : "no"},
                                    {"--packets", text(frame.packets)},
                                    {"--lines", text(frame.lines)},
+                                   {"--memory-latency", text(frame.memory_latency)},
+                                   {"--row-clocks", text(frame.row_clocks)},
                                    {"--order", frame.order},
                                    {"--uncompressed", frame.uncompressed ? "yes" : "no"},
                                    {kSceneContent, fmt::format("{:016x}", fingerprint(content))}});
@@ -124,7 +131,7 @@ class GeneralWalk {
 
   Walker::Result render_frame(unsigned frame, const PixelProgress& progress) {
     if (!walker_) {
-      board_ = open_board({arguments_.board, core_.general, ""}, options_);
+      board_ = open_board({arguments_.board, core_.general, "", arguments_.schedule}, options_);
       prepared_ = prepare(scene_, options_.width, options_.height, &board_->core());
       walker_.emplace(*board_, options_, *prepared_, arguments_.scene.camera(), plan_);
     }
@@ -145,7 +152,8 @@ class GeneralWalk {
 };
 
 int run(const Arguments& arguments) {
-  const FrameOptions options = arguments.frame.options(arguments.scene.size);
+  FrameOptions options = arguments.frame.options(arguments.scene.size);
+  options.hits = arguments.hits;
   arguments.frame.check_timeout(arguments.board);
   const Place place = place_of(arguments);
   SceneFile scene = arguments.specialise.file(arguments.scene);
@@ -155,7 +163,7 @@ int run(const Arguments& arguments) {
   auto [board, prepared] = prepare_on(
       arguments.specialise, core,
       [&](const std::string& configuration) {
-        return open_board({arguments.board, configuration, ""}, options);
+        return open_board({arguments.board, configuration, "", arguments.schedule}, options);
       },
       [&](const CoreInfo& info) { return prepare(scene, options.width, options.height, &info); });
   const CoreClock clock = arguments.frame.clock.clock_of(board->core());
@@ -172,6 +180,7 @@ int run(const Arguments& arguments) {
   GeneralWalk general(arguments, scene, options, core, plan);
   std::vector<WalkRecord> records;
   std::vector<std::string> pictures;
+  std::vector<nlohmann::ordered_json> figures(arguments.frames);
   unsigned kept = 0;
   for (unsigned i = 0; i < arguments.frames; ++i) {
     pictures.push_back(folder.name(i));
@@ -192,6 +201,7 @@ int run(const Arguments& arguments) {
         }
       }();
       folder.write(result.frame, result.record);
+      figures[i] = report_json(result.frame, figures_of(result.frame, clock.hz()), clock);
       records.push_back(result.record);
     }
     say(walk_line(records.back(), clock.hz()));
@@ -202,6 +212,9 @@ int run(const Arguments& arguments) {
   const WalkSummary summary{records, kept, walker.scene_upload(), clock};
   if (!arguments.frame.json.empty()) {
     json["walk"] = summary.json();
+    for (unsigned i = 0; i < arguments.frames; ++i) {
+      json["walk"]["frames"][i]["figures"] = std::move(figures[i]);
+    }
     write_text(arguments.frame.json, json.dump(2) + "\n");
   }
   if (place.gif) {
@@ -224,6 +237,11 @@ Command add_walk_command(CLI::App& program) {
   command
       ->add_option("--board", arguments->board, "rtl: run the Verilog; model: run the C++ natively")
       ->option_text("BOARD [rtl]");
+  command
+      ->add_option("--schedule", arguments->schedule,
+                   "count the clocks of --board model with the schedules in this folder")
+      ->option_text("FOLDER");
+  command->add_flag("--hits", arguments->hits, "write hit records too, as render does");
   command
       ->add_option("--frames", arguments->frames,
                    "number of frames, evenly spread over the animation")

@@ -44,6 +44,32 @@ TEST_F(App, WalksIntoAFolder) {
   EXPECT_NE(text_of(folder_ / "w/frame_0001.png"), second);
 }
 
+TEST_F(App, AWalkHasTheFiguresOfEachFrame) {
+  const std::string walk = std::string("walk blocks --frames 2") + kModel + "--json f.json --out ";
+  constexpr unsigned kRays = 32 * 24;
+  const auto frames = [&] {
+    return nlohmann::json::parse(text_of(folder_ / "f.json"))["walk"]["frames"];
+  };
+  ASSERT_EQ(run(walk + "w").code, 0);
+  for (const auto& frame : frames()) {
+    EXPECT_EQ(frame["figures"]["memory"]["pixel_bytes_written"], 4 * kRays);
+    EXPECT_EQ(frame["figures"]["memory"]["hit_bytes_written"], 0);
+  }
+  ASSERT_EQ(run(walk + "h --hits").code, 0);
+  const auto with_hits = frames();
+  EXPECT_EQ(with_hits[1]["figures"]["memory"]["hit_bytes_written"], 24 * kRays);
+  EXPECT_NE(with_hits[0]["figures"]["hits"], with_hits[1]["figures"]["hits"]);
+
+  fs::remove(folder_ / "h/frame_0001.png");
+  ASSERT_EQ(run(walk + "h --hits").code, 0);
+  const auto resumed = frames();
+  EXPECT_TRUE(resumed[0]["figures"].is_null()) << "it was there";
+  EXPECT_EQ(resumed[1]["figures"]["hits"], with_hits[1]["figures"]["hits"]);
+
+  const Outcome other = run(walk + "h");
+  EXPECT_THAT(other.err, HasSubstr("with --hits 'yes' where this walk has 'no'"));
+}
+
 TEST_F(App, WalksIntoAGif) {
   const std::string walk = std::string("walk blocks --frames 2") + kModel;
   // As if it had been interrupted after its first frame.

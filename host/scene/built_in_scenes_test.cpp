@@ -27,6 +27,7 @@ TEST(BuiltInScenes, OfficeIsOneObjectOf34312Triangles) {
   EXPECT_EQ(office.dropped.zero_area_triangles, 110u);
   EXPECT_TRUE(office.notes.empty());
   ASSERT_TRUE(office.camera);
+  EXPECT_GT(duration(office), 0) << "there is a way through it";
   const Box room = bounds(office);
   for (int axis = 0; axis < 3; ++axis) {
     EXPECT_GT(office.camera->position[axis], room.low[axis] + 0.1);
