@@ -16,16 +16,16 @@
 namespace dynrt {
 
 /// The words of 8 or 16 bytes, from the lowest address on.
-inline constexpr unsigned kBurstBytes = 16;
+inline constexpr unsigned kWriteBytes = 16;
 template <class C>
 struct WriteBurst {
   static constexpr unsigned beats(unsigned bytes) { return std::max(bytes / kBeatBytes<C>, 1u); }
-  uint<hls::index_width(std::max(beats(kBurstBytes), 2u))> repeat;  ///< beats less one
+  uint<hls::index_width(std::max(beats(kWriteBytes), 2u))> repeat;  ///< beats less one
   bool ends = false;                                                ///< the packet is written
   FreePacket<C> packet;
   uint<kMemoryAddressBits> address;  ///< of the first byte, aligned
-  std::array<Word, kBurstBytes / 4> data;
-  uint<kBurstBytes / 4> mask;  ///< the words to be written
+  std::array<Word, kWriteBytes / 4> data;
+  uint<kWriteBytes / 4> mask;  ///< the words to be written
   HLS_FIELDS(repeat, ends, packet, address, data, mask)
 };
 
@@ -80,7 +80,7 @@ class FrameGather {
   /// A step's words, and those of the step before it.
   WriteBurst<C> of_hits(const FrameWrite<C>& write) const {
     WriteBurst<C> b;
-    b.repeat = repeats(kBurstBytes);
+    b.repeat = repeats(kWriteBytes);
     b.address = hls::concat(uint<2>(kHitsAt >> 23),
                             hls::concat(write.hit.template bits<19, 1>(), uint<4>(0)));
     b.data = {before_.place, before_.surface, write.place, write.surface};

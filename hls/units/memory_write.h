@@ -33,9 +33,9 @@ struct MemoryWrite {
   }
 
  private:
-  static constexpr unsigned kBeats = WriteBurst<C>::beats(kBurstBytes);
+  static constexpr unsigned kBeats = WriteBurst<C>::beats(kWriteBytes);
   static constexpr unsigned kHalves = kBeatBytes<C> / 2;
-  static constexpr unsigned kBurstHalves = kBurstBytes / 2;
+  static constexpr unsigned kBurstHalves = kWriteBytes / 2;
 
   /// The halves of beat `number`. One that is longer than the burst has it in each of its parts,
   /// and writes that of the address.

@@ -165,7 +165,7 @@ TYPED_TEST(MemoryWrites, AreGatheredIntoBursts) {
   const Written<TypeParam> all = through_port<TypeParam>(true);
   const unsigned pairs = kWidth * kHeight * 3 / 2;
   EXPECT_EQ(all.bursts, rows + pairs);
-  EXPECT_EQ(all.beats, rows * beats(row) + pairs * beats(kBurstBytes));
+  EXPECT_EQ(all.beats, rows * beats(row) + pairs * beats(kWriteBytes));
 }
 
 }  // namespace

@@ -6,17 +6,20 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "host/board/board.h"
 #include "host/board/clocked_board.h"
 
 namespace dynrt::host {
 
-class RtlBoard final : public Board {
+class RtlBoard : public Board {
  public:
   /// The board's registers replace the limits in `core`. `counters` are in the order of their
   /// addresses; their values are ignored.
-  RtlBoard(CoreInfo core, std::unique_ptr<ClockedBoard> clocked, std::vector<Counter> counters);
+  RtlBoard(CoreInfo core, std::unique_ptr<ClockedBoard> clocked, std::vector<Counter> counters,
+           std::string name = "rtl");
 
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override;
   void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override;

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The host's end of a serial line, bit by bit in time: eight data bits, lowest first, no parity, one
-// stop bit.
+// The host's end of a serial line, bit by bit in time: eight data bits, lowest first, no parity,
+// one stop bit.
 #pragma once
 
 #include <cstdint>

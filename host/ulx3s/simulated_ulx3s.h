@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A simulated ULX3S: the whole of ulx3s_board in Verilator, with what stands at its pins: the
-// SDRAM chip, the host's end of the serial line, and a DVI monitor. Its time runs only while somebody
-// waits for bytes or lets it run.
+// SDRAM chip, the host's end of the serial line, and a DVI monitor. Its time runs only while
+// somebody waits for bytes or lets it run.
 #pragma once
 
 #include <cstdint>

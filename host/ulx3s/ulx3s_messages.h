@@ -10,5 +10,9 @@ inline constexpr char kChipNotSetUp[] =
     "the controller of the simulated ULX3S has not set its SDRAM up within a millisecond";
 inline constexpr char kChipFault[] =
     "the simulated ULX3S does to its SDRAM what the chip's data sheet forbids: {}";
+inline constexpr char kNoPicture[] =
+    "the monitor at the DVI pins of the simulated ULX3S has seen no frame within 100 milliseconds";
+inline constexpr char kBadPicture[] =
+    "the monitor at the DVI pins of the simulated ULX3S cannot show what it sees: {}";
 
 }  // namespace dynrt::host::messages

@@ -60,14 +60,14 @@ class VerilatedUlx3s final : public SimulatedUlx3s {
     while (serial_.received().empty() && now() < deadline) run_ps(kStep);
   }
   Time now() const override {
-    return std::chrono::duration_cast<Time>(std::chrono::duration<double, std::pico>(
-        static_cast<double>(run_.now())));
+    return std::chrono::duration_cast<Time>(
+        std::chrono::duration<double, std::pico>(static_cast<double>(run_.now())));
   }
 
   void run(Time time) override { run_ps(static_cast<Ps>(time.count()) * 1000); }
   std::vector<DisplayFrame> take_frames() override {
-    std::vector<DisplayFrame> frames(monitor_.frames().begin() + static_cast<std::ptrdiff_t>(taken_),
-                                     monitor_.frames().end());
+    std::vector<DisplayFrame> frames(
+        monitor_.frames().begin() + static_cast<std::ptrdiff_t>(taken_), monitor_.frames().end());
     taken_ = monitor_.frames().size();
     return frames;
   }
@@ -113,13 +113,13 @@ class VerilatedUlx3s final : public SimulatedUlx3s {
   }
   void clock_chip(Ps now) {
     verif::SdramChipPins pins{.cke = top_.sdram_cke_o != 0,
-                       .cs_n = top_.sdram_cs_no != 0,
-                       .ras_n = top_.sdram_ras_no != 0,
-                       .cas_n = top_.sdram_cas_no != 0,
-                       .we_n = top_.sdram_we_no != 0,
-                       .bank = top_.sdram_bank_o,
-                       .address = top_.sdram_addr_o,
-                       .dqm = top_.sdram_dqm_o};
+                              .cs_n = top_.sdram_cs_no != 0,
+                              .ras_n = top_.sdram_ras_no != 0,
+                              .cas_n = top_.sdram_cas_no != 0,
+                              .we_n = top_.sdram_we_no != 0,
+                              .bank = top_.sdram_bank_o,
+                              .address = top_.sdram_addr_o,
+                              .dqm = top_.sdram_dqm_o};
     if (top_.sdram_dq_oe_o != 0) pins.dq = top_.sdram_dq_o;
     chip_.clock(pins);
     coming_.push_back({now + kChipToFpga, chip_.dq().value_or(kNobodyDrives)});

@@ -180,18 +180,35 @@ module ulx3s_board #(
   );
 
   // The display.
-  assign display_read_valid = 1'b0;
-  assign display_read_address = 25'd0;
-  assign display_read_last = 4'd0;
-  assign display_beat_ready = 1'b1;
-  assign scan_shown = 20'd0;
-  assign scan_frames = 32'd0;
-  assign dvi_p_o = 4'd0;
-  assign dvi_n_o = 4'd0;
+  wire        running, begins, starved, underrun, bank_en;
+  wire [19:0] base, bank_addr;
+  wire [31:0] bank_data;
+  wire [3:0]  first, second;
+  picture_stream #(.BEAT_BYTES(BEAT_BYTES)) picture (
+    .clk_i(clk), .rst_ni(rst_n), .running_i(running), .config_i(scan), .begins_i(begins),
+    .base_i(base), .bank_en_i(bank_en), .bank_data_o(bank_data), .underrun_o(underrun),
+    .read_valid_o(display_read_valid), .read_ready_i(display_read_ready),
+    .read_address_o(display_read_address), .read_last_o(display_read_last),
+    .beat_valid_i(display_beat_valid), .beat_ready_o(display_beat_ready),
+    .beat_data_i(beat_data), .beat_last_i(beat_last)
+  );
+  display_dvi display (
+    .clk_i(clk), .rst_ni(rst_n), .on_i(scan_clocks != 8'd0), .config_i(scan),
+    .running_o(running), .shown_o(scan_shown), .begins_o(begins), .base_o(base),
+    .frames_o(scan_frames), .starved_o(starved), .bank_en_o(bank_en), .bank_addr_o(bank_addr),
+    .bank_data_i(bank_data), .dvi_clk_i(fast_clk), .dvi_rst_ni(fast_rst_n), .dvi_first_o(first),
+    .dvi_second_o(second)
+  );
+  ecp5_dvi_pins pins (
+    .clk_i(fast_clk), .rst_ni(fast_rst_n), .first_i(first), .second_i(second), .dvi_p_o(dvi_p_o),
+    .dvi_n_o(dvi_n_o)
+  );
 
-  assign led_o = {core_clk_en, irq, 6'd0};
+  // Lit from the left: the core works, the host has an interrupt to see, the display has missed
+  // pixels.
+  assign led_o = {core_clk_en, irq, underrun || starved, running, 4'd0};
 
-  wire unused = &{1'b0, host_write_last, core_write_left};
+  wire unused = &{1'b0, host_write_last, core_write_left, bank_addr};
 
 endmodule
 

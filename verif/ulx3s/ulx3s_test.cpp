@@ -40,7 +40,8 @@ TEST(Ulx3s, RendersAsTheModelDoes) {
   options.height = 48;
   options.hits = true;
   Simulated simulated(true);
-  const MemoryImage image = laid_out("office", options.width, options.height, simulated.board->core());
+  const MemoryImage image =
+      laid_out("office", options.width, options.height, simulated.board->core());
   const Frame there = render(*simulated.board, options, image);
   const auto model = specialised::board_of<fast_port>();
   const Frame here = render(*model, options, image);

@@ -11,7 +11,7 @@ namespace {
 
 void setup(Bench<MemoryWrite<C>>& bench, const Run& /*run*/) {
   using Burst = Repeated<WriteBurst<C>>;
-  constexpr unsigned kBeats = WriteBurst<C>::beats(kBurstBytes);
+  constexpr unsigned kBeats = WriteBurst<C>::beats(kWriteBytes);
   bench.shape<Burst>("burst", [](Burst& b, Random& random) {
     b.index = number_below<decltype(b.index)::kWidth>(random, kBeats);
     b.last = random.below(kBeats) == 0;

@@ -1,0 +1,117 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/ulx3s/ulx3s_board.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <thread>
+#include <utility>
+
+#include "configs/fast_port.h"
+#include "host/board/display.h"
+#include "host/board/registers.h"
+#include "host/error.h"
+#include "host/link/serial_device.h"
+#include "host/ulx3s/ulx3s_messages.h"
+
+namespace dynrt::host {
+
+namespace reg = registers;
+
+namespace {
+
+using std::chrono::microseconds;
+using std::chrono::milliseconds;
+
+constexpr const DisplayMode& kMode = k640x480.mode;
+constexpr milliseconds kPoll{1};  ///< of a real board's state
+constexpr microseconds kSimulatedPoll{500};
+constexpr milliseconds kDisplayStep{2};
+constexpr unsigned kMostDisplaySteps = 50;
+
+}  // namespace
+
+bool is_ulx3s(std::string_view board) { return board == kUlx3s || board.starts_with(kSerial); }
+
+Ulx3sBoard::Ulx3sBoard(std::string name, std::unique_ptr<LinkedBoard> linked,
+                       SimulatedUlx3s* simulated)
+    : RtlBoard(core_info_of_listed<config::fast_port>(kUlx3sConfiguration), std::move(linked), {},
+               std::move(name)),
+      simulated_(simulated) {}
+
+void Ulx3sBoard::configure(const FrameConfig& frame) {
+  RtlBoard::configure(frame);
+  const auto number = [](const hls::uint<32>& field) {
+    return static_cast<unsigned>(field.to_u64());
+  };
+  const unsigned width = number(frame.width);
+  const unsigned height = number(frame.height);
+  if (shows_ && frame.width == shown_.width && frame.height == shown_.height) {
+    write_register(reg::kRegScan, number(frame.frame_base));
+  } else {
+    write_register(reg::kRegScanClocks, 0);
+    shows_ = core().pitch(width) == width && width <= kMode.hdisplay && height <= kMode.vdisplay;
+    if (shows_) {
+      const ScanConfig scan = scan_config(kMode, number(frame.frame_base), width, height);
+      hls::for_each_leaf(scan, [&](const hls::uint<32>& field, unsigned offset) {
+        write_register(reg::kRegScan + offset / 8, number(field));
+      });
+      write_register(reg::kRegScanClocks, 1);
+    }
+  }
+  shown_ = frame;
+}
+
+void Ulx3sBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) {
+  const bool is_picture = bank == kFrameBank && address == shown_.frame_base.to_u64() &&
+                          words.size() == shown_.width.to_u64() * shown_.height.to_u64();
+  if (simulated_ != nullptr && shows_ && is_picture) {
+    read_display(words);
+  } else {
+    RtlBoard::read(bank, address, words);
+  }
+}
+
+void Ulx3sBoard::read_display(std::span<std::uint32_t> words) {
+  simulated_->take_frames();
+  // The frame under way may have begun before the picture was complete.
+  std::vector<DisplayFrame> frames;
+  for (unsigned step = 0; frames.size() < 2; ++step) {
+    if (step == kMostDisplaySteps) refuse(messages::kNoPicture);
+    simulated_->run(kDisplayStep);
+    std::ranges::move(simulated_->take_frames(), std::back_inserter(frames));
+  }
+  const DisplayFrame& frame = frames.back();
+  if (!frame.fault.empty() || frame.mode != kMode) refuse(messages::kBadPicture, frame.fault);
+  const std::size_t width = shown_.width.to_u64();
+  const std::size_t height = shown_.height.to_u64();
+  const std::size_t left = (kMode.hdisplay - width) / 2;
+  const std::size_t top = (kMode.vdisplay - height) / 2;
+  for (std::size_t y = 0; y < height; ++y) {
+    const std::size_t row = (top + y) * kMode.hdisplay + left;
+    std::ranges::copy_n(frame.pixels.begin() + static_cast<std::ptrdiff_t>(row),
+                        static_cast<std::ptrdiff_t>(width),
+                        words.begin() + static_cast<std::ptrdiff_t>(y * width));
+  }
+}
+
+std::unique_ptr<Board> make_ulx3s_board(const std::string& board) {
+  if (board.starts_with(kSerial)) {
+    auto link =
+        std::make_unique<BoardLink>(std::make_unique<SerialDevice>(board.substr(kSerial.size())));
+    link->expect_configuration(kUlx3sConfiguration);
+    const auto pause = [] { std::this_thread::sleep_for(kPoll); };
+    return std::make_unique<Ulx3sBoard>(
+        board, std::make_unique<LinkedBoard>(std::move(link), nullptr, pause), nullptr);
+  }
+  auto simulated = make_simulated_ulx3s();
+  SimulatedUlx3s* const ulx3s = simulated.get();
+  auto link = std::make_unique<BoardLink>(std::move(simulated));
+  link->expect_configuration(kUlx3sConfiguration);
+  const auto pause = [ulx3s] { ulx3s->run(kSimulatedPoll); };
+  return std::make_unique<Ulx3sBoard>(
+      board, std::make_unique<LinkedBoard>(std::move(link), ulx3s, pause), ulx3s);
+}
+
+}  // namespace dynrt::host
