@@ -35,8 +35,10 @@ std::uint32_t window(unsigned bank, std::uint32_t word) {
 }  // namespace
 
 RtlBoard::RtlBoard(CoreInfo core, std::unique_ptr<ClockedBoard> clocked,
-                   std::vector<Counter> counters, std::string name)
-    : Board(std::move(name), std::move(core)), clocked_(std::move(clocked)), counters_(std::move(counters)) {
+                   std::vector<Counter> counters, std::string kind)
+    : Board(std::move(kind), std::move(core)),
+      clocked_(std::move(clocked)),
+      counters_(std::move(counters)) {
   clocked_->reset();
   const std::uint32_t id = read_register(reg::kRegId);
   const std::uint32_t version = read_register(reg::kRegVersion);

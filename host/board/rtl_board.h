@@ -19,7 +19,7 @@ class RtlBoard : public Board {
   /// The board's registers replace the limits in `core`. `counters` are in the order of their
   /// addresses; their values are ignored.
   RtlBoard(CoreInfo core, std::unique_ptr<ClockedBoard> clocked, std::vector<Counter> counters,
-           std::string name = "rtl");
+           std::string kind = "rtl");
 
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override;
   void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override;

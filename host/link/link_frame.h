@@ -21,13 +21,13 @@ struct LinkRequestFrame {
   std::span<const std::uint8_t> data = {};  ///< of a write
 };
 /// Consecutive bytes of the board's memory.
-struct MemoryPart {
+struct UploadPart {
   std::uint32_t address = 0;
   std::vector<std::uint8_t> bytes;
-  friend bool operator==(const MemoryPart&, const MemoryPart&) = default;
+  friend bool operator==(const UploadPart&, const UploadPart&) = default;
 };
 /// The requests that write these parts, whose bytes they point to. A frame ends where a beat ends.
-std::vector<LinkRequestFrame> write_frames(std::span<const MemoryPart> parts);
+std::vector<LinkRequestFrame> write_frames(std::span<const UploadPart> parts);
 
 struct LinkAnswerFrame {
   std::uint8_t kind = 0;

@@ -1,0 +1,230 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""Makes the bitstream of a board: Yosys synthesizes its top, nextpnr-ecp5 places and routes it on the
+board's pins, ecppack packs it. Says what clock it may run at and what it runs at, and how full the
+chip is.
+
+Where a tool is not on the PATH, says which, and checks what can be checked without it: that Yosys
+synthesizes the top, that each of its pins has a site and no other has, and that the chip has room."""
+
+import argparse
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+from dataclasses import dataclass
+
+from dynrt_tools import options, project
+from dynrt_tools.hardware import block_registers, devices, placers, rtl_files, synthesis
+from dynrt_tools.project import Json, read_json, write_json
+
+
+@dataclass(frozen=True)
+class Board:
+    """A board that has a top."""
+
+    top: str
+    config: str  # of its core
+    device: str
+    grade: str
+    constraints: str
+
+
+BOARDS = {
+    "ulx3s": Board(
+        "dynrt_ulx3s",
+        "fast_port",
+        "ecp5-85",
+        "6",
+        "ulx3s.lpf",
+    )
+}
+PACKER = "ecppack"
+SUITE = "OSS CAD Suite has it, as it has yosys and the others"
+PORT = re.compile(r"^ +(?:input|output|inout) +(?:wire|reg) +(?:\[(\d+):0\] *)?(\w+)", re.MULTILINE)
+LOCATED = re.compile(r'^LOCATE COMP "([^"]+)" SITE', re.MULTILINE)
+BOUNDED = re.compile(r'^IOBUF PORT "([^"]+)"', re.MULTILINE)
+
+
+def parse() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="scripts/bitstream",
+        description=__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+        epilog="The exit code is 1 if there is no bitstream: a tool is missing or failed, or the clocks "
+        "are missed; the last leaves the file and says by how much.",
+    )
+    parser.add_argument("board", choices=sorted(BOARDS), help="the board")
+    parser.add_argument(
+        "--out", type=pathlib.Path, metavar="FILE", help="the bitstream (default: dynrt_BOARD.bit)"
+    )
+    parser.add_argument(
+        "--seed", type=options.whole, default=1, metavar="N", help="of the placer (default: 1)"
+    )
+    parser.add_argument(
+        "--timeout",
+        type=options.positive,
+        default=7200,
+        metavar="SECONDS",
+        help="for the placer (default: 7200)",
+    )
+    parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="also write the figures")
+    parser.add_argument(
+        "--build",
+        type=pathlib.Path,
+        metavar="FOLDER",
+        help="the build that made the core's Verilog (default: build/release, else build/dev)",
+    )
+    return parser.parse_args()
+
+
+def top_of(board: Board) -> pathlib.Path:
+    return next((project.ROOT / "rtl").rglob(f"{board.top}.v"))
+
+
+def pins_of(top: pathlib.Path) -> list[str]:
+    """The pins of a top's ports."""
+    found = []
+    for high, name in PORT.findall(top.read_text(encoding="utf-8")):
+        found += [f"{name}[{i}]" for i in range(int(high) + 1)] if high else [name]
+    return found
+
+
+def pin_problems(board: Board) -> list[str]:
+    """Sentences on what the constraints and the ports of the top do not agree in."""
+    file = placers.CONSTRAINTS / board.constraints
+    text = file.read_text(encoding="utf-8")
+    pins, located, bounded = pins_of(top_of(board)), LOCATED.findall(text), BOUNDED.findall(text)
+    where = file.relative_to(project.ROOT)
+    said = [f"{where} has no site for pin {p} of {board.top}" for p in pins if p not in located]
+    said += [f"{where} has no IOBUF for pin {p} of {board.top}" for p in pins if p not in bounded]
+    said += [
+        f"{where} has a site for {p}, which is no pin of {board.top}"
+        for p in located
+        if p not in pins
+    ]
+    sites = re.findall(r'SITE "(\w+)"', text)
+    said += [
+        f"{where} gives site {s} to two pins"
+        for s in sorted({s for s in sites if sites.count(s) > 1})
+    ]
+    return said
+
+
+def synthesize(board: Board, args: argparse.Namespace) -> tuple[pathlib.Path, Json]:
+    """The netlist, and what it takes of the device."""
+    family = devices.family_of(board.device)
+    synth = devices.FAMILIES[family]["synth"]
+    core = rtl_files.generated(argparse.Namespace(config=board.config, build=args.build))
+    files = synthesis.needed(board.top, rtl_files.sources(core))
+
+    def make(folder: pathlib.Path) -> None:
+        synthesis.run_yosys(
+            [
+                *synthesis.read_commands(files),
+                synth.format(top=board.top),
+                f"write_json {folder}/netlist.json",
+                f"tee -q -o {folder}/stat.json stat -json",
+            ],
+            folder,
+            board.top,
+        )
+        block_registers.pack(folder / "netlist.json")
+
+    said = [synthesis.tool_version("yosys", "-V", "yosys"), synth, board.top]
+    said.append(block_registers.version())
+    folder = synthesis.kept("bitstream", said, files, make)
+    cells = read_json(folder / "stat.json")["design"]["num_cells_by_type"]
+    return folder / "netlist.json", devices.resources(family, cells)
+
+
+def print_room(board: Board, taken: Json) -> list[str]:
+    """Says how full the chip gets; gives sentences on what it has too little of."""
+    device = devices.DEVICES[board.device]
+    for resource, amount in taken.items():
+        has = device["has"][resource]
+        print(f"{resource:12}{amount:8,.0f} of {has:,}, {amount / has:.0%}")
+    return [
+        f"{device['name']} has not the room: {said}"
+        for said in devices.shortages(board.device, taken)
+    ]
+
+
+def route(
+    board: Board, args: argparse.Namespace, netlist: pathlib.Path, work: pathlib.Path
+) -> Json:
+    """Places and routes; gives the placer's report."""
+    program = placers.PLACERS[board.device]["program"]
+    placers.run(
+        [
+            program,
+            *placers.PLACERS[board.device]["flags"],
+            *("--speed", board.grade),
+            *("--json", str(netlist), "--lpf", str(placers.CONSTRAINTS / board.constraints)),
+            *("--seed", str(args.seed), "--timing-allow-fail"),
+            *("--textcfg", str(work / "config"), "--report", str(work / "report.json")),
+            *("-q", "-l", str(work / "log")),
+        ],
+        program,
+        args.timeout,
+    )
+    report: Json = read_json(work / "report.json")
+    return report
+
+
+def print_clocks(report: Json) -> list[str]:
+    """Says what each clock reaches; gives sentences on those that are missed."""
+    missed = []
+    for net, clock in report["fmax"].items():
+        reached, asked = clock["achieved"], clock["constraint"]
+        print(f"clock       {net} reaches {reached:.1f} MHz and runs at {asked:.1f}")
+        if reached < asked:
+            missed.append(
+                f"clock {net} runs at {asked:.1f} MHz, and its paths end at {reached:.1f}"
+            )
+    return missed
+
+
+def make(board: Board, args: argparse.Namespace, out: pathlib.Path) -> list[str]:
+    """All steps for which there are tools; gives sentences on what is wrong."""
+    problems = pin_problems(board)
+    if problems:
+        return problems
+    print(f"pins        all {len(pins_of(top_of(board)))} have their sites")
+    netlist, taken = synthesize(board, args)
+    lacking = print_room(board, taken)
+    if lacking:
+        return lacking
+    placer = placers.PLACERS[board.device]["program"]
+    for tool in (placer, PACKER):
+        if not shutil.which(tool):
+            return [f"{tool} is not on the PATH, so there is no bitstream; {SUITE}"]
+    with tempfile.TemporaryDirectory() as folder:
+        work = pathlib.Path(folder)
+        report = route(board, args, netlist, work)
+        missed = print_clocks(report)
+        packed = work / "bitstream"
+        pack = [PACKER, "--compress", "--input", str(work / "config"), "--bit", str(packed)]
+        placers.run(pack, PACKER, args.timeout)
+        shutil.copyfile(packed, out)
+    print(f"bitstream   {out}")
+    if args.json:
+        write_json(args.json, {"resources": taken, "clocks": report["fmax"], "seed": args.seed})
+    return missed
+
+
+def main() -> int:
+    args = parse()
+    board = BOARDS[args.board]
+    out = args.out or pathlib.Path(f"dynrt_{args.board}.bit")
+    project.check_output("--out", out)
+    if args.json:
+        project.check_output("--json", args.json)
+    try:
+        problems = make(board, args, out)
+    except project.Failed as error:
+        project.fail(error)
+    for problem in problems:
+        print(f"bitstream: {problem}", file=sys.stderr)
+    return 1 if problems else 0
