@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "units/core.h"
@@ -36,6 +38,9 @@ class CoreModel {
   Banks<C>& banks() { return banks_; }
   /// Of a memory behind the port.
   void set_timing(const MemoryTiming& timing) { timing_ = timing; }
+  /// Another memory in its place, made for each frame.
+  using MakeMemory = std::function<std::unique_ptr<hls::Device>(Core<C>&, Banks<C>&)>;
+  void set_memory(MakeMemory make) { make_memory_ = std::move(make); }
 
   /// Renders one frame. As on the board, every frame starts with registers reset and caches empty.
   /// With the schedules of its units it does so clock by clock and gives the clocks that the board
@@ -47,8 +52,9 @@ class CoreModel {
     *core->frame = registers_of<C>(config);
     std::unique_ptr<hls::Device> memory;
     if constexpr (kHasPort<C>) {
-      memory =
-          std::make_unique<PortMemory<C>>(core->read, core->beat, core->write, banks_, timing_);
+      memory = make_memory_ ? make_memory_(*core, banks_)
+                            : std::make_unique<PortMemory<C>>(core->read, core->beat, core->write,
+                                                              banks_, timing_);
       join.attach("memory_read", "memory_beat", *memory, "memory_write");
     }
     std::uint64_t clock = kResetRegister;
@@ -84,6 +90,7 @@ class CoreModel {
  private:
   Banks<C> banks_;
   MemoryTiming timing_;
+  MakeMemory make_memory_;
   std::vector<CoreCounter> counters_;
 };
 

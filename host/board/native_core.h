@@ -38,6 +38,7 @@ class NativeCoreOf final : public NativeCore {
     return core_.render(frame, schedule);
   }
   void set_memory_timing(const MemoryTiming& timing) override { core_.set_timing(timing); }
+  CoreModel<C>& model() { return core_; }
   std::vector<Counter> counters() override {
     std::vector<Counter> counters;
     for (const auto& [name, value, order_independent] : core_.counters()) {

@@ -63,11 +63,20 @@ class SdramBench {
       store(*inputs_.write);
       inputs_.write.reset();
     }
-    if (out.beat && inputs_.beat_ready) compare(*out.beat);
+    last_beat_.reset();
+    if (out.beat && inputs_.beat_ready) {
+      last_beat_ = out.beat;
+      compare(*out.beat);
+    }
     ++clocks_;
   }
-  /// The inputs of the clock that follows; a test may look at both.
-  const Inputs& inputs() const { return inputs_; }
+  /// What was read in the last clock.
+  const std::optional<typename Types::Beat>& last_beat() const { return last_beat_; }
+  /// Changes the contents by the back door.
+  void set_half(std::uint32_t half, std::uint16_t value) {
+    half_of(chip_, half) = value;
+    expected_words_[half] = value;
+  }
   bool is_idle() const { return expected_.empty() && !inputs_.read && !inputs_.write; }
 
   SdramChip& chip() { return chip_; }
@@ -131,6 +140,7 @@ class SdramBench {
   SdramChip chip_;
   std::vector<std::uint16_t> expected_words_;
   Inputs inputs_;
+  std::optional<typename Types::Beat> last_beat_;
   std::deque<typename Types::Beat> expected_;
   std::uint64_t clocks_ = 0;
   std::uint64_t beats_ = 0;

@@ -12,6 +12,7 @@
 #include "Vsdram_133_8.h"
 #include "sdram/sdram_bench.h"
 #include "sdram/sdram_rtl.h"
+#include "sdram/sdram_stages.h"
 #include "sdram/sdram_traffic.h"
 
 namespace dynrt::verif {

@@ -8,22 +8,11 @@
 
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
-#include <string>
 
 #include "units/sdram_port.h"
 
 namespace dynrt::verif {
-
-/// The controller's stages, from the schedule that hlsc wrote.
-inline unsigned stages_of(const std::string& schedule) {
-  std::ifstream file(schedule);
-  if (!file) throw std::runtime_error("cannot read the controller's schedule " + schedule);
-  return nlohmann::json::parse(file).at("stages").get<unsigned>();
-}
 
 template <class V, unsigned PortBytes>
 class SdramRtl {
