@@ -17,6 +17,7 @@ from dynrt_tools.hardware.gate_units import (
     NOTES,
     OPERATORS,
     OTHER_UNITS,
+    PORT_UNITS,
     PACKET_UNITS,
     PACKETS,
     Unit,
@@ -70,8 +71,9 @@ def total(counts: CoreCounts, names: Iterable[str]) -> tuple[int, int]:
 
 
 def all_gates(counts: CoreCounts) -> tuple[int, int]:
-    """What the thesis's C_RTC and Bits_RTC are of: all that its tables have."""
-    logic, memory = total(counts, [u.name for u in TABULATED])
+    """What the thesis's C_RTC and Bits_RTC are of: all that its tables have, and the port of a memory
+    that has one, with its second level of cache."""
+    logic, memory = total(counts, [u.name for u in (*TABULATED, *PORT_UNITS)])
     return logic + gate_rule.MEMORY_BIT * memory, memory
 
 

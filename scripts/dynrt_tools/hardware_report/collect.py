@@ -8,8 +8,8 @@ from collections.abc import Iterator, Sequence
 
 from dynrt_tools.bench.scenes import THESIS as THESIS_RATES
 from dynrt_tools.hardware import placed_clocks
-from dynrt_tools.hardware_report import findings, gates, indices, points, rows
-from dynrt_tools.hardware_report.figure import KEYS, Figure, Point
+from dynrt_tools.hardware_report import additions, findings, gates, indices, points, rows, walks
+from dynrt_tools.hardware_report.figure import KEYS, Point
 from dynrt_tools.project import Json, read_json, write_rows
 
 
@@ -27,13 +27,16 @@ class Results:
     def gates(self, core: str) -> Json | None:
         return self._read(self.folder / "cores" / core / "gates.json", core)
 
-    def frame(self, size: str, scene: str, configuration: str, point: Point) -> Json | None:
-        folder = self.folder / "frames" / size / scene / configuration
+    def frame(self, walk: str, scene: str, configuration: str, point: Point) -> Json | None:
+        """The mean of the frames of a walk."""
+        folder = self.folder / "frames" / walk / scene / configuration
         core = points.core_of(configuration, point)
         if points.keys_of(point) and not (self.folder / "models" / f"{core}.so").exists():
             return None
         found = self._read(folder / f"{points.name_of(point)}.json", core)
-        return None if found is None else dict(found["frame"])
+        return (
+            None if found is None else walks.mean([f["figures"] for f in found["walk"]["frames"]])
+        )
 
 
 def gates_of(results: Results, name: str, one: Json) -> Json | None:
@@ -50,7 +53,7 @@ def gates_of(results: Results, name: str, one: Json) -> Json | None:
 def gates_at(results: Results, name: str, one: Json, point: Point) -> Json | None:
     """The gates of the core that a point has in place of the configuration."""
     own = results.gates(points.core_of(name, point))
-    return own and gates.of_core({**one["keys"], **points.keys_of(point)}, own, None)
+    return own and gates.of_core(points.core_at(one["keys"], point), own, None)
 
 
 def collect(
@@ -58,18 +61,21 @@ def collect(
     scenes: dict[str, Json],
     configurations: dict[str, Json],
     size: str,
-    drawn: Sequence[Figure],
+    frames: int,
+    drawn: Sequence[str],
 ) -> Json:
     """The content of hardware.json. `missing` says where frames are missing; why, the caller knows."""
     results = Results(folder)
     report: Json = {
         "size": size,
-        "figures": [figure.name for figure in drawn],
+        "frames": frames,
+        "figures": list(drawn),
         "reading": list(indices.READING),
         "scenes": {name: {"about": scene["about"]} for name, scene in scenes.items()},
         "configurations": {},
         "table": [],
         "findings": [],
+        "additions": [],
         "runs": [],
         "missing": [],
     }
@@ -79,6 +85,7 @@ def collect(
             "packets": one["keys"]["packets"],
             "lines": one["keys"]["lines"],
             **{key: points.own_value(one["keys"], key) for key in KEYS},
+            **{key: one["keys"][key] for key in ("memory", "ways")},
             "curves": one["curves"],
             "clock": placed_clocks.of(name).of_core(name),
             "gates": gates_of(results, name, one),
@@ -88,7 +95,7 @@ def collect(
             counted = report["configurations"][name]["gates"]
             absent = 0
             for point in one["points"]:
-                frame = results.frame(size, scene, name, point)
+                frame = results.frame(f"{size}/{frames}", scene, name, point)
                 if frame is None:
                     absent += 1
                     continue
@@ -99,8 +106,9 @@ def collect(
                     report["table"].append(table_row(scene, name, one["keys"], found))
             if absent:
                 count = len(one["points"])
-                report["missing"].append(f"{scene}, {name}: {absent} of {count} frames")
+                report["missing"].append(f"{scene}, {name}: {absent} of {count} walks")
     report["findings"] = findings.of(report)
+    report["additions"] = additions.of(report)
     return report
 
 
@@ -140,4 +148,4 @@ def write_csv(path: pathlib.Path, report: Json) -> None:
 
 
 def write_json(path: pathlib.Path, report: Json) -> None:
-    write_rows(path, report, "table", "findings", "runs")
+    write_rows(path, report, "table", "findings", "additions", "runs")

@@ -5,18 +5,19 @@ compute by hand."""
 
 from typing import Any
 
-from dynrt_tools.hardware_report import figures, findings, points, rows
+from dynrt_tools.hardware_report import figures, findings, points, rows, walks
 from dynrt_tools.hardware_report import gates as gate_jobs
 from dynrt_tools.hardware_report.collect import table_row
 from dynrt_tools.hardware_report.figure import KEYS, Point
 from dynrt_tools.project import Json
 
 PIXELS = (32, 24)
+FRAMES = 3
 ARITHMETIC = {"slice_0": 300, "intersection": 100}
 
 
 def configuration(packets: int = 4, lines: int = 2, curves: bool = True) -> Json:
-    keys = {"about": "an example", "packets": packets, "lines": lines}
+    keys = {"about": "an example", "packets": packets, "lines": lines, "memory": "banks", "ways": 1}
     found = points.points(keys, figures.FIGURES if curves else ())
     return {"keys": keys, "named": "example", "curves": curves, "points": found}
 
@@ -38,7 +39,7 @@ def frame(packets: int, lines: int, scanline: bool = False, keys: Point | None =
     """The slice works in packets / 10 of the clocks, the intersection in half as many. With scanlines
     and with fewer lines the caches miss more. Each clock more of the memory makes a frame an eighth
     longer."""
-    wait, pipelines = (int((keys or {}).get(key, 1)) for key in KEYS)
+    wait, _, pipelines = (int((keys or {}).get(key, own)) for key, own in KEYS.items())
     use = packets / 10
     misses = {"node": 400 // lines, "list": 100 // lines, "matrix": 200 // lines}
     units = {"slice_0": use, "node_lookup": use, "list_lookup": use / 4, "transformation": use / 2}
@@ -57,19 +58,32 @@ def frame(packets: int, lines: int, scanline: bool = False, keys: Point | None =
         },
         "units": {name: {"utilisation": value} for name, value in units.items()},
         "caches": {
-            name: {"misses": count, "hit_rate": 1 - count / 500 - scanline / 10}
+            name: {"lookups": 500, "misses": count + 50 * scanline}
             for name, count in misses.items()
         },
     }
 
 
+def walk(number: int, packets: int, lines: int, scanline: bool = False, keys: Any = None) -> Json:
+    """So many frames of which that is the mean: each takes two clocks more than the one before."""
+    mean = frame(packets, lines, scanline, keys)
+    frames = [{**mean, "cycles": mean["cycles"] + 2 * i - (number - 1)} for i in range(number)]
+    return {"walk": {"frames": [{"figures": one} for one in frames]}}
+
+
+def mean_frame(*given: Any, **keys: Any) -> Json:
+    """As collect() has it."""
+    frames = walk(FRAMES, *given, **keys)["walk"]["frames"]
+    return walks.mean([one["figures"] for one in frames])
+
+
 def frame_at(point: Point) -> Json:
     scanline = point["order"] == "scanline"
-    return frame(int(point["packets"]), int(point["lines"]), scanline, points.keys_of(point))
+    return mean_frame(int(point["packets"]), int(point["lines"]), scanline, points.keys_of(point))
 
 
-# A dynrt that knows two scenes and renders them as frame() has it. A frame of one packet dies where the
-# file `fail` says so, is killed where `kill` says so, and does not come to its end where `hang` does.
+# A dynrt that knows two scenes and walks through them as walk() has it. A walk of one packet dies where
+# the file `fail` says so, is killed where `kill` does, and does not come to its end where `hang` does.
 PROGRAM = """#!/usr/bin/python3
 import json, os, pathlib, signal, sys, time
 sys.path.insert(0, {scripts!r})
@@ -83,7 +97,7 @@ if words[0] == "info":
     print(f"scene       {{words[1]}}: 12 triangles")
     sys.exit()
 with pathlib.Path("ran").open("a") as file:
-    file.write(" ".join(words[1:2] + words[words.index("--config"):words.index("--out")]) + "\\n")
+    file.write(" ".join(words[1:2] + words[words.index("--config"):words.index("--again")]) + "\\n")
 if pathlib.Path("fail").exists() and of("--packets") == "1":
     print("dynrt: the frame is lost", file=sys.stderr)
     sys.exit(3)
@@ -95,9 +109,10 @@ if pathlib.Path("hang").exists() and of("--packets") == "1":
     time.sleep(600)
 model = pathlib.Path(of("--config"))
 keys = json.loads(model.read_text()) if model.suffix == ".so" else {{}}
-frame = example.frame(int(of("--packets")), int(of("--lines")), of("--order") == "scanline", keys)
-pathlib.Path(of("--out")).write_text("picture")
-pathlib.Path(of("--json")).write_text(json.dumps({{"frame": frame}}))
+numbers = (int(of(f"--{{flag}}")) for flag in ("frames", "packets", "lines"))
+walk = example.walk(*numbers, of("--order") == "scanline", keys)
+pathlib.Path(of("--out")).mkdir()
+pathlib.Path(of("--json")).write_text(json.dumps(walk))
 """
 
 # Stands in for scripts/configuration: with --verilog a folder that holds the keys, else a model that is
@@ -135,11 +150,13 @@ def report(**changes: Any) -> Json:
     configurations = {"wide": configuration(4, 2), "narrow": configuration(2, 2, curves=False)}
     made: Json = {
         "size": "32x24",
+        "frames": FRAMES,
         "figures": [figure.name for figure in figures.FIGURES],
         "reading": ["how </script> it is read"],
         "scenes": {"cistern": {"about": "a level"}, "lamps": {"about": "three lamps"}},
         "configurations": {},
         "table": [],
+        "additions": [],
         "runs": [],
         "missing": [],
     }

@@ -4,7 +4,7 @@
 gives beside them."""
 
 import dataclasses
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from dynrt_tools.project import Json
@@ -12,14 +12,17 @@ from dynrt_tools.project import Json
 # The flags of dynrt render that a frame has, each a word and its value, and the keys in which its core
 # differs from the configuration. Of packets and lines the configuration has the largest value.
 Point = Mapping[str, int | str]
+FLAGS = ("packets", "lines", "order", "no-hits", "memory-latency")  # the rest are keys
 MORTON: Point = {"order": "morton"}
 SCANLINE: Point = {"order": "scanline"}
 # As the thesis's core writes none. The banks take a record in three clocks, so where several pipelines
 # end more rays they would be what the figure shows.
 WITHOUT_HITS: Point = {**MORTON, "no-hits": True}
-# The keys along which a figure may go: each of their values is a core of its own. They are 1 where a
-# configuration does not say otherwise.
-KEYS = ("memory_clocks", "pipelines")
+# Of a memory behind a port, in clocks: that of a DRAM next to the chip.
+LATENCY = 30
+# The keys along which a figure may go, with their values where a configuration does not say otherwise:
+# each other value is a core of its own.
+KEYS = {"memory_clocks": 1, "port_bytes": 8, "pipelines": 1}
 
 
 @dataclass(frozen=True)
@@ -45,18 +48,39 @@ class Mark:
 
 
 @dataclass(frozen=True)
+class Axis:
+    along: str  # the flag that changes, or the key
+    values: Sequence[int]
+    measure: str = ""  # what x is, if not the value
+    x_of: Callable[[int], float] = float
+
+    @property
+    def over(self) -> str:
+        """What x is, in words."""
+        return self.measure or self.along
+
+    def along_values(self, configuration: Json) -> list[int]:
+        """The values that a configuration can have; all, if what changes is none of its flags."""
+        most = None if self.along in KEYS else configuration.get(self.along)
+        least = configuration.get("ways", 1) if self.along == "lines" else 0
+        return [v for v in self.values if v >= least and (most is None or v <= most)]
+
+
+def is_behind_port(configuration: Json) -> bool:
+    return configuration.get("memory") == "port"
+
+
+@dataclass(frozen=True)
 class Figure:
     name: str  # the thesis's numbers
     title: str
-    along: str  # the flag that changes, or the key
-    values: Sequence[int]
+    axis: Axis
     unit: str
     series: Sequence[Series]
     limit: float | None = None  # the largest value that there can be
     said: str = ""  # by the thesis's text
     marks: Mapping[str, Mark] = dataclasses.field(default_factory=dict)  # by scene
-    whole: float | None = None  # x is this divided by the value; without it, the value itself
-    measure: str = ""  # what x is then
+    behind_port: Axis | None = None  # in place of `axis` where the memory is behind a port
 
     @property
     def file(self) -> str:
@@ -68,13 +92,7 @@ class Figure:
 
     @property
     def over(self) -> str:
-        """What x is, in words."""
-        return self.measure or self.along
+        return self.axis.over
 
-    def x_of(self, value: int) -> float:
-        return self.whole / value if self.whole else value
-
-    def along_values(self, configuration: Json) -> list[int]:
-        """The values up to what a configuration has; all, if what changes is none of its flags."""
-        most = None if self.along in KEYS else configuration.get(self.along)
-        return [value for value in self.values if most is None or value <= most]
+    def axis_of(self, configuration: Json) -> Axis:
+        return self.behind_port if self.behind_port and is_behind_port(configuration) else self.axis

@@ -14,6 +14,7 @@ from dynrt_tools.hardware_report.figure import (
     MORTON,
     SCANLINE,
     WITHOUT_HITS,
+    Axis,
     Figure,
     Mark,
     Series,
@@ -24,7 +25,14 @@ from dynrt_tools.project import Json
 PACKETS = (1, 2, 4, 8, 16, 24, 32, 48, 64)
 LINES = tuple(2**n for n in range(10))
 CORES = (1, 2, 4, 8, 16)  # values of a key: each is a core of its own
-BANDWIDTH = 1020  # MB/s of three banks of 32 bits at the thesis's clock
+PORTS = (2, 4, 8, 16, 32)  # bytes
+OVER_PACKETS, OVER_LINES = Axis("packets", PACKETS), Axis("lines", LINES)
+# At the thesis's clock: of three banks of 32 bits, each of which takes so many clocks for a word, and
+# of a port of so many bytes a clock.
+BANDWIDTH = 1020
+MB_S = "MB/s of memory bandwidth"
+OVER_BANKS = Axis("memory_clocks", CORES, MB_S, lambda clocks: BANDWIDTH / clocks)
+OVER_PORTS = Axis("port_bytes", PORTS, MB_S, lambda width: float(width * THESIS_MHZ))
 RATE = f"frames per second at {THESIS_MHZ} MHz"
 
 UNITS = ("traversal", "list", "transformation", "intersection")
@@ -34,8 +42,7 @@ FIGURES = (
     Figure(
         "7.5 and 7.10",
         "Cache hit rate",
-        "lines",
-        LINES,
+        OVER_LINES,
         "%",
         tuple(
             Series(
@@ -43,7 +50,8 @@ FIGURES = (
             )
             for flags in (MORTON, SCANLINE)
             for unit, cache in CACHES.items()
-        ),
+        )
+        + (Series("second level", "second cache hits"),),
         limit=100,
         said="The Morton curve in place of scanlines raises the hit rate by about 10 to 20 %, most of "
         "all that of the list and of the transformation.",
@@ -51,8 +59,7 @@ FIGURES = (
     Figure(
         "7.6",
         "Hardware quality index QHW",
-        "packets",
-        PACKETS,
+        OVER_PACKETS,
         "%",
         (Series("QHW", "QHW"),),
         said="The best is about 9.5 %, at 32 packets, in the scenes Gael and conference.",
@@ -61,8 +68,7 @@ FIGURES = (
     Figure(
         "7.7",
         "Graphics hardware quality index QGHW",
-        "packets",
-        PACKETS,
+        OVER_PACKETS,
         "rays a clock per million gates",
         (Series("QGHW", "QGHW"),),
         said="The best is at 32 packets too.",
@@ -70,8 +76,7 @@ FIGURES = (
     Figure(
         "7.8",
         "Use of units",
-        "packets",
-        PACKETS,
+        OVER_PACKETS,
         "%",
         tuple(Series(unit, f"{unit} use") for unit in UNITS),
         limit=100,
@@ -81,8 +86,7 @@ FIGURES = (
     Figure(
         "7.9",
         f"Frame rate at {THESIS_MHZ} MHz",
-        "packets",
-        PACKETS,
+        OVER_PACKETS,
         "frames per second",
         (Series("frame rate", RATE),),
         said="Appendix A gives the typical frame rate of a scene; its Gael stands beside cistern.",
@@ -91,20 +95,17 @@ FIGURES = (
     Figure(
         "7.11",
         f"Frame rate at {THESIS_MHZ} MHz",
-        "memory_clocks",
-        CORES,
+        OVER_BANKS,
         "frames per second",
         (Series("frame rate without hit records", RATE, WITHOUT_HITS),),
         said="At a quarter of the bandwidth the frame rate of most scenes is only about 20 % lower; "
         "that of conference drops extremely.",
-        whole=BANDWIDTH,
-        measure="MB/s of memory bandwidth",
+        behind_port=OVER_PORTS,
     ),
     Figure(
         "7.12",
         f"Frame rate at {THESIS_MHZ} MHz",
-        "pipelines",
-        CORES,
+        Axis("pipelines", CORES),
         "frames per second",
         (Series("frame rate without hit records", RATE, WITHOUT_HITS),),
         said="In spite of the small caches 2 or 4 can be used at the one memory. Two at the whole "
@@ -139,10 +140,10 @@ def curves(report: Json, figure: Figure, scene: str) -> Iterator[Curve]:
     names = [n for n, c in report["configurations"].items() if c["curves"]]
     for name, series in itertools.product(names, figure.series):
         configuration = report["configurations"][name]
-        values = []
-        for value in figure.along_values(configuration):
+        axis, values = figure.axis_of(configuration), []
+        for value in axis.along_values(configuration):
             run = found.get((name, name_of(point_of(configuration, figure, series, value))))
             if run and run.get(series.value) is not None:
-                values.append((figure.x_of(value), run[series.value]))
+                values.append((axis.x_of(value), run[series.value]))
         if values:
             yield Curve(name, series, sorted(values))

@@ -6,7 +6,8 @@ import unittest
 
 from dynrt_tools.build import configs
 from dynrt_tools.hardware_report import example, figures, findings, points
-from dynrt_tools.hardware_report.figure import KEYS, WITHOUT_HITS, Figure, Point, Series
+from dynrt_tools.hardware_report.figure import KEYS, WITHOUT_HITS, Axis, Figure, Point, Series
+from dynrt_tools.project import Json
 
 
 class Figures(unittest.TestCase):
@@ -25,35 +26,67 @@ class Figures(unittest.TestCase):
     def test_flags_of_render(self) -> None:
         point = points.own_point({"packets": 4, "lines": 2})
         flags = "--packets 4 --lines 2 --order morton"
-        self.assertEqual(points.flags_of(point), flags)
-        self.assertEqual(points.flags_of({**point, **WITHOUT_HITS}), f"{flags} --no-hits")
+        self.assertEqual(points.flags_of(point), f"{flags} --hits")
+        self.assertEqual(points.flags_of({**point, **WITHOUT_HITS}), flags)
         self.assertEqual(points.core_of("wide", point), "wide")
         several: Point = {**point, "pipelines": 2}
-        self.assertEqual(points.flags_of(several), flags)
+        self.assertEqual(points.flags_of(several), f"{flags} --hits")
         self.assertEqual(points.core_of("wide", several), "wide-pipelines2")
 
     def test_each_value_of_a_key_is_one_that_it_allows(self) -> None:
         known = configs.load_configurations().KEYS
-        along = [figure for figure in figures.FIGURES if figure.along in KEYS]
-        self.assertEqual({figure.along for figure in along}, set(KEYS))
-        for figure in along:
-            self.assertEqual(known[figure.along].default, 1)
-            self.assertTrue(all(known[figure.along].kind.allows(v) for v in figure.values))
+        axes = [axis for f in figures.FIGURES for axis in (f.axis, f.behind_port) if axis]
+        along = {axis.along: axis for axis in axes if axis.along in KEYS}
+        self.assertEqual(set(along), set(KEYS))
+        for key, axis in along.items():
+            self.assertEqual(known[key].default, KEYS[key])
+            self.assertTrue(all(known[key].kind.allows(value) for value in axis.values))
 
     def test_a_configuration_is_its_own_core_at_its_own_value(self) -> None:
-        (figure,) = [f for f in figures.FIGURES if f.along == "pipelines"]
+        (figure,) = [f for f in figures.FIGURES if f.axis.along == "pipelines"]
         pair = {"packets": 4, "lines": 2, "pipelines": 2}
         found = [points.keys_of(point) for point in points.points(pair, (figure,))]
         self.assertEqual(found, [{}, {"pipelines": 1}, {}, *({"pipelines": n} for n in (4, 8, 16))])
 
     def test_another_figure_is_another_entry(self) -> None:
-        widths = Figure("7.11", "Rate", "width", (2, 4, 8), "", (Series("rate", "clocks"),))
+        widths = Figure("7.1", "Rate", Axis("width", (2, 4, 8)), "", (Series("rate", "clocks"),))
         keys = {"packets": 4, "lines": 2, "width": 4}
         names = [points.name_of(point) for point in points.points(keys, (widths,))]
         end = "packets-4_lines-2_order-morton"
         self.assertEqual(names, [end, f"{end}_width-2", f"{end}_width-4"])
         keys.pop("width")
         self.assertEqual(len(points.points(keys, (widths,))), 4)
+
+    def test_a_memory_behind_a_port(self) -> None:
+        port: Json = {"packets": 4, "lines": 4, "ways": 2, "memory": "port", "port_bytes": 16}
+        own: Json = {"packets": 4, "lines": 4, "order": "morton", "memory-latency": 30}
+        by_name = {figure.name: figure for figure in figures.FIGURES}
+        bandwidth = points.points(port, (by_name["7.11"],))
+        self.assertEqual(bandwidth[0], own)
+        self.assertEqual(
+            points.flags_of(bandwidth[0]),
+            "--packets 4 --lines 4 --order morton --memory-latency 30 --hits",
+        )
+        widths = [points.keys_of(point).get("port_bytes", 16) for point in bandwidth[1:]]
+        self.assertEqual(widths, [2, 4, 8, 16, 32])
+        axis = by_name["7.11"].axis_of(port)
+        self.assertEqual([axis.x_of(w) for w in axis.values], [170, 340, 680, 1360, 2720])
+        # A set has a line in each way, and a line of the second level is a beat or more.
+        lines = {int(point["lines"]) for point in points.points(port, (by_name["7.5 and 7.10"],))}
+        self.assertEqual(lines, {2, 4})
+        wide: Json = {"second_level": 64, "second_line": 16, **port}
+        self.assertEqual(points.core_at(wide, bandwidth[-1])["second_line"], 32)
+        self.assertEqual(points.core_at(wide, bandwidth[1])["second_line"], 16)
+
+    def test_what_a_quarter_of_a_port_costs(self) -> None:
+        port: Json = {"packets": 4, "lines": 4, "memory": "port", "port_bytes": 16}
+        own: Json = {**points.own_point(port), **WITHOUT_HITS}
+        runs = [
+            {"scene": "lamps", "configuration": "port", "flags": dict(flags), figures.RATE: rate}
+            for flags, rate in ((own, 20.0), ({**own, "port_bytes": 4}, 15.0))
+        ]
+        row = findings.row_of(runs, "lamps", "port", port)
+        self.assertEqual(row["lost at a quarter of the bandwidth"], 25)
 
     def test_curves(self) -> None:
         report = example.report()

@@ -6,7 +6,7 @@ what the Morton curve gains over scanlines, what a slower memory costs and sever
 import operator
 
 from dynrt_tools.hardware_report import figures, points
-from dynrt_tools.hardware_report.figure import SCANLINE, WITHOUT_HITS, Point
+from dynrt_tools.hardware_report.figure import SCANLINE, WITHOUT_HITS, Point, is_behind_port
 from dynrt_tools.project import Json
 
 QUARTER = "lost at a quarter of the bandwidth"
@@ -65,7 +65,10 @@ def row_of(runs: list[Json], scene: str, name: str, configuration: Json) -> Json
             found[f"{key} gained"] = morton[key] - scanline[key]
     if not (one := at(WITHOUT_HITS)):
         return found
-    if quarter := at({**WITHOUT_HITS, "memory_clocks": 4}):
+    slow = {"memory_clocks": 4 * points.own_value(configuration, "memory_clocks")}
+    if is_behind_port(configuration):
+        slow = {"port_bytes": points.own_value(configuration, "port_bytes") // 4}
+    if quarter := at({**WITHOUT_HITS, **slow}):
         found[QUARTER] = 100 * (1 - quarter[figures.RATE] / one[figures.RATE])
     for number, column in SPEED_UPS.items():
         if several := at({**WITHOUT_HITS, "pipelines": number}):

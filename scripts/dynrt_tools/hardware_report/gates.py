@@ -36,7 +36,7 @@ def cores(name: str, configuration: Json, curves: bool) -> dict[str, Json]:
     """The cores whose gates tell those of a configuration; of one that has curves also smaller ones."""
     found = {name: configuration}
     for key in ("packets", "lines") if curves else ():
-        fewer = max(1, configuration[key] // FEWER)
+        fewer = max(configuration.get("ways", 1), configuration[key] // FEWER)
         found[f"{name}-{key}{fewer}"] = {**configuration, key: fewer}
     return found
 

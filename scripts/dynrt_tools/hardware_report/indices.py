@@ -10,7 +10,8 @@ READING = (
     "(7.2.1, 7.2.2).",
     "C_AU: the logic gates of Tables 7.4 and 7.5. C_IM: the gates of their memories. Both by the "
     "thesis's rule, so that their sum is C_RTC(P, CL). Ray generation, shading and counters are left "
-    "out as in the thesis's tables; units that this project added are counted.",
+    "out as in the thesis's tables; units that this project added are counted, among them a memory's "
+    "port and the second level of cache before it.",
     "U_AU: the mean use of the arithmetic units, each weighted with its logic gates. The thesis does "
     "not name the units. Here they are those with floating-point operators (Table 7.3): slices, "
     "collection of hits, transformation and intersection, and of our own the units for reciprocals, "

@@ -14,7 +14,7 @@ SLICES = [f"slice_{i}" for i in range(8)]
 
 class Indices(unittest.TestCase):
     def test_by_hand(self) -> None:
-        found = indices.indices(self.gates(4, 2), example.frame(4, 2))
+        found = indices.indices(self.gates(4, 2), example.mean_frame(4, 2))
         # The slice works in 0.4 of the clocks with 300 gates, the intersection in 0.2 with 100.
         use = (300 * 0.4 + 100 * 0.2) / 400
         logic, memory = 1040, 860
@@ -24,7 +24,7 @@ class Indices(unittest.TestCase):
         self.assertEqual(found["C_AU + C_IM"], logic + memory)
 
     def test_the_thesis_s_own_gates(self) -> None:
-        found = indices.indices({**self.gates(32, 512)}, example.frame(32, 512))
+        found = indices.indices({**self.gates(32, 512)}, example.mean_frame(32, 512))
         self.assertEqual(found["thesis's C_RTC"], 487020 + 56028 * 32 + 996 * 512)
 
     def gates(self, packets: int, lines: int) -> Json:
@@ -55,28 +55,28 @@ class Indices(unittest.TestCase):
         known = {**self.gates(4, 2), "split": None}
         self.assertEqual(indices.costs(known, 4, 2), (1040, 860))
         self.assertIsNone(indices.costs(known, 2, 2))
-        self.assertNotIn("QGHW", rows.figures_of(example.frame(2, 2), known))
+        self.assertNotIn("QGHW", rows.figures_of(example.mean_frame(2, 2), known))
         self.assertIsNone(gates.split([({"packets": 4, "lines": 2}, example.gates(4, 2))]))
 
     def test_several_pipelines(self) -> None:
         """Each has the gates of one, and all of them a quarter of the clocks."""
-        one = rows.figures_of(example.frame(4, 2), self.gates(4, 2))
+        one = rows.figures_of(example.mean_frame(4, 2), self.gates(4, 2))
         keys: Json = {"packets": 4, "lines": 2, "pipelines": 4}
         counted = gates.of_core(keys, example.gates_of(keys), None)
-        four = rows.figures_of(example.frame(4, 2, keys=keys), counted)
+        four = rows.figures_of(example.mean_frame(4, 2, keys=keys), counted)
         for figure in ("U_AU", "QHW", "QGHW"):
             self.assertAlmostEqual(four[figure], one[figure])
         for figure in ("C_AU + C_IM", "thesis's C_RTC", "rays per clock"):
             self.assertAlmostEqual(four[figure], 4 * one[figure])
 
     def test_a_core_without_counters_has_no_use(self) -> None:
-        frame: Json = {**example.frame(4, 2), "units": {}}
+        frame: Json = {**example.mean_frame(4, 2), "units": {}}
         found = indices.indices(self.gates(4, 2), frame)
         self.assertNotIn("QHW", found)
         self.assertIn("QGHW", found)
 
     def test_bytes(self) -> None:
-        found = rows.figures_of(example.frame(4, 2), None)
+        found = rows.figures_of(example.mean_frame(4, 2), None)
         self.assertAlmostEqual(found["bytes read per ray"], (200 * 8 + 50 * 4 + 100 * 12) / 768)
         self.assertEqual(found["bytes written per ray"], 28)
 
@@ -113,6 +113,15 @@ class Gates(unittest.TestCase):
         self.assertEqual(two["memory"], 4 * 3 * 64)
         self.assertEqual(gate_units.owner("p11_ray_0_ram_0"), "TraversalSlice0")
         self.assertEqual(gate_units.owner("p0_pixel_position_ram"), "(ray generation)")
+
+    def test_a_port_and_its_second_level_count(self) -> None:
+        memory = gate_rule.Memory("second_rows_ram", 8, 4, 2)
+        counts = {
+            "memory_lookup": gate_rule.Count(Counter({"LUT4": 10}), ()),
+            "join": gate_rule.Count(Counter(), (memory,)),
+        }
+        found = gates.figures(counts)
+        self.assertEqual(found, {"logic": 90, "memory": 4 * 64, "arithmetic": {}})
 
     def test_logic_and_memory(self) -> None:
         memory = gate_rule.Memory("rows", 8, 4, 2)

@@ -21,10 +21,10 @@ DOING = {
 def models_of(configurations: dict[str, Json]) -> dict[str, Json]:
     """The keys of every core that points have beside the configurations themselves."""
     return {
-        points.core_of(name, point): {**one["keys"], **keys}
+        points.core_of(name, point): points.core_at(one["keys"], point)
         for name, one in configurations.items()
         for point in one["points"]
-        if (keys := points.keys_of(point))
+        if points.keys_of(point)
     }
 
 
@@ -52,9 +52,11 @@ class Workflow(Jobs):
     ) -> None:
         super().__init__(SNAKEFILE, DOING, folder, program, build, expect)
 
-    def prepare(self, scenes: dict[str, str], configurations: dict[str, Json], size: str) -> None:
+    def prepare(
+        self, scenes: dict[str, str], configurations: dict[str, Json], size: str, frames: int
+    ) -> None:
         """A configuration has its `keys`, how it is `named` for dynrt, whether it has `curves`, and its
-        `points`."""
+        `points`. Each point is measured over so many `frames` of each scene's walk."""
         cores, models = cores_of(configurations), models_of(configurations)
         for folder, written in (
             ("cores", {name: lowered(core) for name, core in cores.items()}),
@@ -79,5 +81,6 @@ class Workflow(Jobs):
                 "models": list(models),
                 "flags": {points.name_of(p): points.flags_of(p) for p in every},
                 "size": size,
+                "frames": frames,
             }
         )

@@ -46,7 +46,7 @@ class Keys(Case):
             [
                 "dynrt: missing: wide-pipelines2: building its model failed: configuration: cannot be "
                 "built",
-                "dynrt: missing: blocks, wide: 1 of 6 frames",
+                "dynrt: missing: blocks, wide: 1 of 6 walks",
             ],
         )
 
@@ -62,7 +62,7 @@ class Keys(Case):
             (
                 2,
                 "dynrt: --figure 7.13: unknown; the figures are 7.5, 7.10, 7.6, 7.7, 7.8, 7.9, 7.11, "
-                "7.12\n",
+                "7.12, additions\n",
             ),
         )
 

@@ -4,7 +4,7 @@
 
 import pathlib
 
-from dynrt_tools.hardware_report import findings, rows
+from dynrt_tools.hardware_report import additions, findings, rows
 from dynrt_tools.hardware_report.figure import Figure
 from dynrt_tools.hardware_report.figures import curves, drawn_in
 from dynrt_tools.project import Json, read_json
@@ -53,6 +53,7 @@ def shown(report: Json) -> Json:
         **kept,
         "columns": list(rows.TABLE),
         "found": list(findings.COLUMNS),
+        "added": list(additions.COLUMNS),
         "said": findings.THESIS,
         "figures": figures,
     }

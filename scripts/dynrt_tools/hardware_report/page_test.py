@@ -10,6 +10,7 @@ import xml.etree.ElementTree
 
 from dynrt_tools.hardware_report import example, page, plots
 from dynrt_tools.hardware_report.figures import FIGURES, PACKETS
+from dynrt_tools.project import Json
 from dynrt_tools.report import page_testing
 
 TEXT = "{http://www.w3.org/2000/svg}text"
@@ -27,6 +28,7 @@ class Page(page_testing.Opened):
             found.marks = [...document.querySelectorAll(".thesis")]
                 .map((m) => m.closest("section").dataset.figure);
             found.missing = document.getElementById("missing").hidden;
+            found.added = document.getElementById("added").hidden;
             found.reading = document.getElementById("reading").innerText;
             """,
         )
@@ -36,6 +38,7 @@ class Page(page_testing.Opened):
         # Of cistern the text gives the best index and a range of frame rates.
         self.assertEqual(found["marks"], ["7.6", "7.9"])
         self.assertTrue(found["missing"])
+        self.assertTrue(found["added"], "there is none")
         self.assertEqual(found["reading"], "how </script> it is read")
         labels = [e[1].get("aria-label", "") for e in elements.of("circle", class_="point")]
         self.assertIn("wide: 21.05 rays a clock per million gates at 4 packets", labels)
@@ -43,6 +46,23 @@ class Page(page_testing.Opened):
         rows = [e[2] for e in elements.of("td")]
         for word in ("wide", "narrow", "17 to 25", "487,020 + 56,028 P + 996 CL", "about 9.5"):
             self.assertIn(word, rows)
+
+    def test_what_this_project_added(self) -> None:
+        row: Json = {"scene": "lamps", "configuration": "wide", "addition": "four ways, not two"}
+        row |= {"frame rate gained": 12.5, "QHW without": 3.0, "QHW with": None}
+        elements, found = self.open_text(
+            page.page(example.report(additions=[row])),
+            probe="""
+            found.hidden = document.getElementById("added").hidden;
+            found.cells = [...document.querySelectorAll("#additions tbody td")]
+                .map((c) => c.textContent);
+            found.frames = document.getElementById("frames").textContent;
+            """,
+        )
+        self.assertFalse(found["hidden"])
+        self.assertEqual(found["cells"][:4], ["lamps", "wide", "four ways, not two", "12.5"])
+        self.assertEqual(found["frames"], "3 frames")
+        self.assertIn("frame rate gained", [e[2] for e in elements.of("th")])
 
     def test_an_address_is_a_view(self) -> None:
         view = "scene=lamps&sort=rays+per+clock+down"

@@ -5,33 +5,48 @@ from it in a key."""
 
 from collections.abc import Sequence
 
-from dynrt_tools.hardware_report.figure import KEYS, MORTON, Figure, Point, Series
+from dynrt_tools.hardware_report.figure import (
+    FLAGS,
+    KEYS,
+    LATENCY,
+    MORTON,
+    Figure,
+    Point,
+    Series,
+    is_behind_port,
+)
 from dynrt_tools.project import Json
 
 
 def own_value(configuration: Json, key: str) -> int:
-    return int(configuration.get(key, 1))
+    return int(configuration.get(key, KEYS[key]))
 
 
 def own_point(configuration: Json) -> Point:
     """All packets and lines that a configuration has."""
-    return {"packets": configuration["packets"], "lines": configuration["lines"], **MORTON}
+    own: Point = {"packets": configuration["packets"], "lines": configuration["lines"], **MORTON}
+    return {**own, "memory-latency": LATENCY} if is_behind_port(configuration) else own
 
 
 def point_of(configuration: Json, figure: Figure, series: Series, value: int) -> Point:
     point = {**own_point(configuration), **series.flags}
-    if figure.along in KEYS and value == own_value(configuration, figure.along):
+    along = figure.axis_of(configuration).along
+    if along in KEYS and value == own_value(configuration, along):
         return point  # the configuration itself
-    return {**point, figure.along: value}
+    return {**point, along: value}
 
 
-def points(configuration: Json, figures: Sequence[Figure]) -> list[Point]:
-    """Every frame that the figures need of a configuration, each once."""
+def points(
+    configuration: Json, figures: Sequence[Figure], others: Sequence[Point] = ()
+) -> list[Point]:
+    """Every walk that the figures need of a configuration, and others, each once."""
     found = {name_of(own := own_point(configuration)): own}
     for figure, series in ((f, s) for f in figures for s in f.series):
-        for value in figure.along_values(configuration):
+        for value in figure.axis_of(configuration).along_values(configuration):
             point = point_of(configuration, figure, series, value)
             found.setdefault(name_of(point), point)
+    for point in others:
+        found.setdefault(name_of(point), point)
     return list(found.values())
 
 
@@ -41,17 +56,23 @@ def name_of(point: Point) -> str:
 
 
 def flags_of(point: Point) -> str:
-    """As dynrt render takes it."""
-    return " ".join(
-        f"--{flag}" if value is True else f"--{flag} {value}"
-        for flag, value in point.items()
-        if flag not in KEYS
-    )
+    """As dynrt walk takes it, which writes hit records only if it is told to."""
+    valued = [flag for flag in point if flag in FLAGS and flag != "no-hits"]
+    found = [f"--{flag} {point[flag]}" for flag in valued]
+    return " ".join(found if "no-hits" in point else [*found, "--hits"])
 
 
 def keys_of(point: Point) -> Point:
     """The keys in which the point's core differs from the configuration."""
-    return {key: value for key, value in point.items() if key in KEYS}
+    return {key: value for key, value in point.items() if key not in FLAGS}
+
+
+def core_at(configuration: Json, point: Point) -> Json:
+    """The keys of the point's core. A line of the second level is a beat of the port or more."""
+    found = {**configuration, **keys_of(point)}
+    if is_behind_port(found) and found.get("second_line", 0) < own_value(found, "port_bytes"):
+        found["second_line"] = own_value(found, "port_bytes")
+    return found
 
 
 def core_of(configuration: str, point: Point) -> str:

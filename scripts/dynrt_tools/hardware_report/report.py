@@ -10,7 +10,7 @@ import pathlib
 import re
 import sys
 
-from dynrt_tools.hardware_report import collect, page, plots, points
+from dynrt_tools.hardware_report import additions, collect, page, plots, points
 from dynrt_tools.hardware_report.figure import Figure
 from dynrt_tools.hardware_report.figures import FIGURES
 from dynrt_tools.hardware_report.jobs import Workflow
@@ -20,8 +20,10 @@ from dynrt_tools.report.collect import check_writable, written_first
 from dynrt_tools.report.variants import base_configuration
 
 SCENES = ("office", "cistern", "conference", "trees4000")
-CURVES = ("full", "fast")
-TABLE = ("thesis", "full", "fast", "fast_watertight")
+CURVES = ("full", "fast", "fast_port")
+TABLE = ("thesis", "full", "fast", "fast_watertight", "fast_port")
+FRAMES = 3  # of a walk
+MOST_FRAMES = 100  # so that a job ends within the hour
 MISSING = 1  # the exit code of a report in which something is missing
 
 
@@ -60,8 +62,16 @@ def parse() -> argparse.Namespace:
         action="append",
         default=[],
         metavar="NUMBER",
-        help="only this figure of the thesis; can be given several times (default: "
-        f"{' '.join(numbers())})",
+        help="only this figure of the thesis, or what the indices say of this project's additions; can "
+        f"be given several times (default: {' '.join(numbers())})",
+    )
+    parser.add_argument(
+        "--frames",
+        type=int,
+        default=FRAMES,
+        metavar="N",
+        help="frames of each scene's walk over which every figure is the mean, as dynrt walk spreads "
+        f"them (default: {FRAMES})",
     )
     shared.add_job_arguments(parser, "hardware_report")
     parser.add_argument(
@@ -74,8 +84,8 @@ def parse() -> argparse.Namespace:
 
 
 def numbers() -> list[str]:
-    """The thesis's numbers of the figures."""
-    return [number for figure in FIGURES for number in figure.numbers]
+    """The thesis's numbers of the figures, and the table of additions."""
+    return [*(number for figure in FIGURES for number in figure.numbers), additions.NAME]
 
 
 def figures_of(named: list[str]) -> list[Figure]:
@@ -86,9 +96,11 @@ def figures_of(named: list[str]) -> list[Figure]:
     return [f for f in FIGURES if not named or set(f.numbers) & set(named)]
 
 
-def chosen(curves: list[str], table: list[str], figures: list[Figure]) -> dict[str, Json]:
+def chosen(
+    curves: list[str], table: list[str], figures: list[Figure], compared: bool
+) -> dict[str, Json]:
     """The configurations by name, in the order of the table; `keys`, `named`, `curves`, `points` of
-    each: those of the figures, or its own alone."""
+    each: those of the figures and, if they are `compared`, of the additions; or its own alone."""
     found: dict[str, Json] = {}
     for named in dict.fromkeys([*table, *curves]):
         path = pathlib.Path(named)
@@ -98,11 +110,12 @@ def chosen(curves: list[str], table: list[str], figures: list[Figure]) -> dict[s
                 f"--config {named}: another configuration of this report is named '{name}'"
             )
         keys = base_configuration(named)
+        own, others = points.own_point(keys), additions.wanted(name, keys) if compared else []
         found[name] = {
             "keys": keys,
             "named": str(path.absolute()) if path.suffix == ".json" else named,
             "curves": named in curves,
-            "points": points.points(keys, figures if named in curves else ()),
+            "points": points.points(keys, figures, others) if named in curves else [own],
         }
     return found
 
@@ -123,21 +136,26 @@ def check_outputs(args: argparse.Namespace) -> None:
 
 def made(args: argparse.Namespace) -> Json:
     """Runs the jobs that have no result yet and collects them."""
+    if not 1 <= args.frames <= MOST_FRAMES:
+        raise Failed(f"--frames {args.frames}: a report's walk has 1 to {MOST_FRAMES} frames")
     figures = figures_of(args.figure)
-    configurations = chosen(args.config or list(CURVES), args.table or list(TABLE), figures)
+    compared = not args.figure or additions.NAME in args.figure
+    curves, table = args.config or list(CURVES), args.table or list(TABLE)
+    configurations = chosen(curves, table, figures, compared)
     shared.check_jobs(args, "a hardware report", "hlsc")
     known = shared.known_scenes(args, args.scene or list(SCENES))
     check_outputs(args)
     folder = shared.work_folder(args.out)
     workflow = Workflow(folder, args.program.resolve(), args.build.resolve(), args.expect)
+    names = [figure.name for figure in figures] + [additions.NAME] * compared
     with workflow.alone():
         paths = {name: scene["path"] for name, scene in known.items()}
-        workflow.prepare(paths, configurations, args.size)
+        workflow.prepare(paths, configurations, args.size, args.frames)
         failures = workflow.failures(args.jobs, args.slurm)
-        report = collect.collect(folder, known, configurations, args.size, figures)
+        report = collect.collect(folder, known, configurations, args.size, args.frames, names)
     report["missing"] = failures + report["missing"]
     if not report["runs"]:
-        raise Failed(f"there is no frame to report; {report['missing'][0]}")
+        raise Failed(f"there is no walk to report; {report['missing'][0]}")
     return report
 
 
@@ -155,7 +173,7 @@ def run(args: argparse.Namespace) -> int:
     for sentence in report["missing"]:
         print(f"dynrt: missing: {sentence}", file=sys.stderr)
     print(
-        f"{len(report['runs'])} frames of {len(report['configurations'])} configurations and "
+        f"{len(report['runs'])} walks with {len(report['configurations'])} configurations through "
         f"{len(report['scenes'])} scenes: {args.out}/hardware.html, hardware.csv, hardware.json and "
         f"{len(drawings)} drawings"
     )

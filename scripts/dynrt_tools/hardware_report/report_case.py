@@ -49,6 +49,7 @@ class Case(testing.InFolder):
             build=self.build,
             expect=fingerprint.fingerprint(project.read_json(self.build)),
             size="32x24",
+            frames=example.FRAMES,
             jobs=2,
             slurm=False,
             out=self.out,

@@ -73,7 +73,7 @@ class Reports(Case):
             [
                 "dynrt: missing: blocks.wide.packets-1_lines-2_order-morton: rendering failed: the "
                 "frame is lost",
-                "dynrt: missing: blocks, wide: 1 of 6 frames",
+                "dynrt: missing: blocks, wide: 1 of 6 walks",
             ],
         )
         made = self.made()
@@ -95,7 +95,7 @@ class Reports(Case):
             [
                 "dynrt: missing: blocks.wide.packets-1_lines-2_order-morton: rendering failed: it "
                 "ended without a word, as a program does that is killed",
-                "dynrt: missing: blocks, wide: 1 of 6 frames",
+                "dynrt: missing: blocks, wide: 1 of 6 walks",
             ],
         )
         self.assertEqual(len(self.made()["runs"]), FRAMES)
@@ -108,7 +108,7 @@ class Reports(Case):
         self.assertEqual(code, 2)
         self.assertRegex(
             said,
-            r"^dynrt: there is no frame to report; [\w-]+: lowering its units failed: configuration: "
+            r"^dynrt: there is no walk to report; [\w-]+: lowering its units failed: configuration: "
             "this unit cannot be lowered\n$",
         )
         # The report that was there is as it was.
@@ -143,6 +143,24 @@ class Reports(Case):
             code, said = self.run_report("blocks", **{flag: pathlib.Path(path)})
             self.assertEqual(code, 2)
             self.assertEqual(said, f"dynrt: --{flag} {path}: there is no folder 'no'; {sentence}\n")
+
+    def test_frames_of_a_walk(self) -> None:
+        self.assertEqual(self.run_report("blocks", figure=["7.9"], frames=2), (0, ""))
+        self.assertEqual(self.made()["frames"], 2)
+        (own,) = [r for r in self.made()["table"] if r["configuration"] == "wide"]
+        # The mean of 19,199 and 19,201 clocks.
+        self.assertEqual(own["clocks"], 19200)
+        slowest = own["slowest frame, per second at 85 MHz"]
+        self.assertAlmostEqual(slowest, 85e6 / 19201)
+        # Another number of frames is another measurement, and the first stays.
+        self.assertEqual(self.run_report("blocks", figure=["7.9"], frames=3), (0, ""))
+        self.assertEqual(len(self.ran()), 4)
+        self.assertEqual(self.run_report("blocks", figure=["7.9"], frames=2), (0, ""))
+        self.assertEqual(self.ran(), [])
+        self.assertEqual(
+            self.run_report("blocks", frames=0),
+            (2, "dynrt: --frames 0: a report's walk has 1 to 100 frames\n"),
+        )
 
     def test_another_build(self) -> None:
         code, said = self.run_report("blocks", expect="f")

@@ -1,6 +1,6 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of a frame, by the names that tables and curves have them under."""
+"""The figures of a walk's mean frame, by the names that tables and curves have them under."""
 
 from dynrt_tools.bench.run import rays, read_bytes, written_bytes
 from dynrt_tools.hardware import placed_clocks
@@ -16,6 +16,7 @@ UNITS = {
     "intersection": "intersection",
 }
 PLACED = "frames per second, placed"
+SLOWEST = f"slowest frame, per second at {placed_clocks.THESIS_MHZ} MHz"
 # The columns of the table, in its order.
 TABLE = (
     "packets",
@@ -23,6 +24,7 @@ TABLE = (
     "clocks",
     PLACED,
     figures.RATE,
+    SLOWEST,
     "thesis's frames per second",
     "rays per clock",
     "U_AU",
@@ -43,6 +45,7 @@ def figures_of(frame: Json, gates: Json | None) -> Json:
     return {
         "clocks": clocks,
         figures.RATE: placed_clocks.frames_per_second(clocks, placed_clocks.THESIS_MHZ),
+        SLOWEST: placed_clocks.frames_per_second(frame["most_cycles"], placed_clocks.THESIS_MHZ),
         "rays per clock": count / clocks,
         **{f"{n} use": 100 * units[u]["utilisation"] for n, u in UNITS.items() if u in units},
         **{f"{n} cache hits": 100 * c["hit_rate"] for n, c in frame["caches"].items()},

@@ -70,7 +70,7 @@ class Slurm(Case):
             f"^dynrt: missing: {LOST}: rendering failed: Slurm ended it: JOB [0-9]+ ON node "
             "CANCELLED AT ",
         )
-        self.assertEqual(second, "dynrt: missing: blocks, wide: 1 of 3 frames")
+        self.assertEqual(second, "dynrt: missing: blocks, wide: 1 of 3 walks")
         self.assertEqual(len(self.made()["runs"]), 2)
         self.assertIn("Slurm ended it", (self.out / "hardware.html").read_text(encoding="utf-8"))
 

@@ -49,7 +49,7 @@ class Report(testing.InFolder):
         self.assertTrue((self.folder / "report" / "hardware.html").is_file())
 
         # Nothing is rendered again.
-        frames = sorted(self.folder.glob("report.work/frames/64x48/blocks/thesis/*.json"))
+        frames = sorted(self.folder.glob("report.work/frames/64x48/3/blocks/thesis/*.json"))
         self.assertEqual(len(frames), 26)
         before = [path.stat().st_mtime_ns for path in frames]
         self.assertEqual(self.run_report(), report)

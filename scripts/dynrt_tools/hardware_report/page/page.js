@@ -226,6 +226,14 @@ function draw_findings() {
   fill_row(d3.select("#findings tbody"), "td",
            ["the thesis's", "", ...report.found.map((c) => text(report.said[c]))]);
 }
+function draw_additions() {
+  by_id("added").hidden = report.additions.length === 0;
+  fill_row(d3.select("#additions thead"), "th", ["scene", "configuration", "addition", ...report.added]);
+  for (const row of report.additions) {
+    fill_row(d3.select("#additions tbody"), "td",
+             [row.scene, row.configuration, row.addition, ...report.added.map((c) => text(row[c]))]);
+  }
+}
 function formula(gates) {
   if (!gates || !gates.split) return "–";
   const [fixed, packet, line] = ["fixed", "packet", "line"].map((part) =>
@@ -251,8 +259,10 @@ for (const [id, sentences] of [["missing", report.missing], ["reading", report.r
                                                               {textContent: sentence}));
   by_id(id).hidden = sentences.length === 0;
 }
+by_id("frames").textContent = report.frames === 1 ? "the first frame" : `${report.frames} frames`;
 draw_gates();
 draw_findings();
+draw_additions();
 addEventListener("hashchange", () => { read_address(); show(); });
 read_address();
 show();
