@@ -29,11 +29,13 @@ class Addition:
     configuration: str
     without: Point
     having: Point = dataclasses.field(default_factory=dict)
+    made: bool = False  # the core that has it is made for the scene
 
     def points(self, configuration: Json) -> tuple[Point, Point]:
         """Those of the core without it and of the core that has it; neither writes hit records."""
         bare: Point = {**points.own_point(configuration), **WITHOUT_HITS}
-        return {**bare, **self.without}, {**bare, **self.having}
+        having = points.made_point(configuration) if self.made else {**bare, **self.having}
+        return {**bare, **self.without}, having
 
 
 BOXLESS: Point = {"object_box": "nodes"}
@@ -50,6 +52,7 @@ ADDITIONS = (
         for name in ("fast", "fast_port")
         for number in (2, 4)
     ),
+    Addition("a core made for the scene", "fast", {}, made=True),
 )
 
 

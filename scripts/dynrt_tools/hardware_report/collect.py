@@ -7,31 +7,37 @@ import pathlib
 from collections.abc import Iterator, Sequence
 
 from dynrt_tools.bench.scenes import THESIS as THESIS_RATES
+from dynrt_tools.build import configs
 from dynrt_tools.hardware import placed_clocks
 from dynrt_tools.hardware_report import additions, findings, gates, indices, points, rows, walks
-from dynrt_tools.hardware_report.figure import KEYS, Point
+from dynrt_tools.hardware_report.figure import KEYS, MADE, Point
 from dynrt_tools.project import Json, read_json, write_rows
 
 
 class Results:
-    """What the jobs have left in a folder. What was made of Verilog or of a model that is no longer
-    there does not count: the job that would have renewed it failed."""
+    """What the jobs have left in a folder. What was made of keys, Verilog or a model that are no
+    longer there does not count: the job that would have renewed it failed."""
 
     def __init__(self, folder: pathlib.Path) -> None:
         self.folder = folder
 
     def _read(self, path: pathlib.Path, core: str) -> Json | None:
-        there = path.exists() and (self.folder / "cores" / core / "verilog").exists()
+        made_of = (self.folder / "cores" / f"{core}.json", self.folder / "cores" / core / "verilog")
+        there = all(one.exists() for one in (path, *made_of))
         return dict(read_json(path)) if there else None
 
     def gates(self, core: str) -> Json | None:
         return self._read(self.folder / "cores" / core / "gates.json", core)
 
+    def keys(self, core: str) -> Json:
+        """Of a core made for a scene."""
+        return configs.read_file(self.folder / "cores" / f"{core}.json")
+
     def frame(self, walk: str, scene: str, configuration: str, point: Point) -> Json | None:
         """The mean of the frames of a walk."""
         folder = self.folder / "frames" / walk / scene / configuration
-        core = points.core_of(configuration, point)
-        if points.keys_of(point) and not (self.folder / "models" / f"{core}.so").exists():
+        core = points.core_of(configuration, point, scene)
+        if not points.is_own(point) and not (self.folder / "models" / f"{core}.so").exists():
             return None
         found = self._read(folder / f"{points.name_of(point)}.json", core)
         return (
@@ -50,10 +56,13 @@ def gates_of(results: Results, name: str, one: Json) -> Json | None:
     return gates.of_core(one["keys"], own, gates.split(whole))
 
 
-def gates_at(results: Results, name: str, one: Json, point: Point) -> Json | None:
+def gates_at(results: Results, scene: str, name: str, one: Json, point: Point) -> Json | None:
     """The gates of the core that a point has in place of the configuration."""
-    own = results.gates(points.core_of(name, point))
-    return own and gates.of_core(points.core_at(one["keys"], point), own, None)
+    core = points.core_of(name, point, scene)
+    if (own := results.gates(core)) is None:
+        return None
+    keys = results.keys(core) if MADE in point else points.core_at(one["keys"], point)
+    return gates.of_core(keys, own, None)
 
 
 def collect(
@@ -99,7 +108,8 @@ def collect(
                 if frame is None:
                     absent += 1
                     continue
-                of_core = gates_at(results, name, one, point) if points.keys_of(point) else counted
+                own = points.is_own(point)
+                of_core = counted if own else gates_at(results, scene, name, one, point)
                 found = rows.figures_of(frame, of_core)
                 report["runs"].append(rows.row(scene, name, point, found))
                 if point == points.own_point(one["keys"]):

@@ -96,21 +96,31 @@ if words[1] not in ("blocks", "lamps") and not words[1].endswith(".obj"):
 if words[0] == "info":
     print(f"scene       {{words[1]}}: 12 triangles")
     sys.exit()
+if words[0] == "specialise":
+    with pathlib.Path("ran").open("a") as file:
+        file.write(f"specialise {{words[1]}}\\n")
+    if pathlib.Path("fail_specialise").exists():
+        sys.exit("dynrt: no core can be made")
+    pathlib.Path(of("--out")).mkdir()
+    core = {{"like": "thesis", "packets": 2, "lines": 1}}
+    (pathlib.Path(of("--out")) / "configuration.json").write_text(json.dumps(core))
+    sys.exit()
 with pathlib.Path("ran").open("a") as file:
     file.write(" ".join(words[1:2] + words[words.index("--config"):words.index("--again")]) + "\\n")
-if pathlib.Path("fail").exists() and of("--packets") == "1":
+packet = "--packets 1 " in " ".join(words)
+if pathlib.Path("fail").exists() and packet:
     print("dynrt: the frame is lost", file=sys.stderr)
     sys.exit(3)
-if pathlib.Path("kill").exists() and of("--packets") == "1":
+if pathlib.Path("kill").exists() and packet:
     os.kill(os.getpid(), signal.SIGKILL)
-if pathlib.Path("hang").exists() and of("--packets") == "1":
+if pathlib.Path("hang").exists() and packet:
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     pathlib.Path("hanging").write_text(os.environ.get("SLURM_JOB_ID", ""))
     time.sleep(600)
 model = pathlib.Path(of("--config"))
 keys = json.loads(model.read_text()) if model.suffix == ".so" else {{}}
-numbers = (int(of(f"--{{flag}}")) for flag in ("frames", "packets", "lines"))
-walk = example.walk(*numbers, of("--order") == "scanline", keys)
+of_core = [int(of(f"--{{n}}") if f"--{{n}}" in words else keys[n]) for n in ("packets", "lines")]
+walk = example.walk(int(of("--frames")), *of_core, of("--order") == "scanline", keys)
 pathlib.Path(of("--out")).mkdir()
 pathlib.Path(of("--json")).write_text(json.dumps(walk))
 """

@@ -12,7 +12,8 @@ from dynrt_tools.project import Json
 # The flags of dynrt render that a frame has, each a word and its value, and the keys in which its core
 # differs from the configuration. Of packets and lines the configuration has the largest value.
 Point = Mapping[str, int | str]
-FLAGS = ("packets", "lines", "order", "no-hits", "memory-latency")  # the rest are keys
+FLAGS = ("packets", "lines", "order", "no-hits", "memory-latency")
+MADE = "made"  # a point whose core is made for the scene, of the configuration
 MORTON: Point = {"order": "morton"}
 SCANLINE: Point = {"order": "scanline"}
 # As the thesis's core writes none. The banks take a record in three clocks, so where several pipelines

@@ -53,7 +53,7 @@ def row_of(runs: list[Json], scene: str, name: str, configuration: Json) -> Json
 
     found: Json = dict.fromkeys(COLUMNS)
     # The thesis's figures over packets are with all lines.
-    along = [r for r in mine if r["flags"] == {**own, "packets": r["flags"]["packets"]}]
+    along = [r for r in mine if r["flags"] == {**own, "packets": r["flags"].get("packets")}]
     for index in INDICES:
         known = [r for r in along if r.get(index) is not None]
         if len(known) > 1:

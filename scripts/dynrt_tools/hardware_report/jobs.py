@@ -4,13 +4,16 @@
 
 import json
 import pathlib
+from collections.abc import Iterable
 
 from dynrt_tools.hardware_report import gates, points
+from dynrt_tools.hardware_report.figure import MADE
 from dynrt_tools.project import Json
 from dynrt_tools.report.jobs import Jobs, write_if_new
 
 SNAKEFILE = pathlib.Path(__file__).resolve().parent / "Snakefile"
 DOING = {
+    "specialise": "making a core for the scene",
     "verilog": "lowering its units",
     "gates": "counting its gates",
     "model": "building its model",
@@ -26,6 +29,17 @@ def models_of(configurations: dict[str, Json]) -> dict[str, Json]:
         for point in one["points"]
         if points.keys_of(point)
     }
+
+
+def made_for(scenes: Iterable[str], configurations: dict[str, Json]) -> list[str]:
+    """The names of the cores that are made for scenes, whose keys jobs find."""
+    return [
+        points.core_of(name, point, scene)
+        for scene in scenes
+        for name, one in configurations.items()
+        for point in one["points"]
+        if MADE in point
+    ]
 
 
 def cores_of(configurations: dict[str, Json]) -> dict[str, Json]:
@@ -58,6 +72,7 @@ class Workflow(Jobs):
         """A configuration has its `keys`, how it is `named` for dynrt, whether it has `curves`, and its
         `points`. Each point is measured over so many `frames` of each scene's walk."""
         cores, models = cores_of(configurations), models_of(configurations)
+        made = made_for(scenes, configurations)
         for folder, written in (
             ("cores", {name: lowered(core) for name, core in cores.items()}),
             ("models", models),
@@ -77,8 +92,8 @@ class Workflow(Jobs):
                     }
                     for name, one in configurations.items()
                 },
-                "cores": list(cores),
-                "models": list(models),
+                "cores": [*cores, *made],
+                "models": [*models, *made],
                 "flags": {points.name_of(p): points.flags_of(p) for p in every},
                 "size": size,
                 "frames": frames,

@@ -3,8 +3,11 @@
 """Hardware reports whose figures go along a key: each of its values is a core of its own."""
 
 import unittest
+from unittest import mock
 
 from dynrt_tools import project
+from dynrt_tools.hardware_report import additions
+from dynrt_tools.hardware_report.additions import Addition
 from dynrt_tools.hardware_report.report_case import ALL_FRAMES, Case
 
 
@@ -49,6 +52,39 @@ class Keys(Case):
                 "dynrt: missing: blocks, wide: 1 of 6 walks",
             ],
         )
+
+    def test_cores_made_for_scenes(self) -> None:
+        made = Addition("a core made for the scene", "wide", {}, made=True)
+        self.enterContext(mock.patch.object(additions, "ADDITIONS", (made,)))
+        self.assertEqual(self.run_report("blocks", "lamps", figure=["additions"]), (0, ""))
+        self.assertEqual(
+            sorted(line for line in self.ran() if line.startswith("specialise")),
+            ["specialise blocks", "specialise lamps"],
+        )
+        (line,) = [line for line in self.ran() if "--config models/wide-made-lamps.so" in line]
+        self.assertIn("--schedule cores/wide-made-lamps/verilog", line)
+        self.assertNotIn("--packets", line)
+        (row, other) = self.made()["additions"]
+        self.assertEqual((row["scene"], other["scene"]), ("blocks", "lamps"))
+        # Of 4 packets and 2 lines, and of 2 packets and 1 line.
+        self.assertAlmostEqual(row["gates added"], 100 * ((1020 + 430) / (1040 + 860) - 1))
+        self.assertAlmostEqual(row["frame rate gained"], -50)
+        self.assertAlmostEqual(row["QGHW with"], 1e6 * (768 / 38400) / (1020 + 430))
+
+        self.program.write_text(self.program.read_text() + "# changed\n", encoding="utf-8")
+        (self.work / "fail_specialise").write_text("", encoding="utf-8")
+        code, said = self.run_report("blocks", figure=["additions"])
+        self.assertEqual(code, 1, said)
+        self.assertEqual(
+            said.splitlines(),
+            [
+                "dynrt: missing: blocks.wide: making a core for the scene failed: no core can be made",
+                "dynrt: missing: blocks, wide: 1 of 3 walks",
+            ],
+        )
+        (row,) = self.made()["additions"]
+        self.assertIsNone(row["QGHW with"])
+        self.assertIsNotNone(row["QGHW without"])
 
     def test_some_figures(self) -> None:
         self.assertEqual(self.run_report("blocks", figure=["7.11", "7.10"]), (0, ""))

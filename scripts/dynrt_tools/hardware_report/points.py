@@ -9,6 +9,7 @@ from dynrt_tools.hardware_report.figure import (
     FLAGS,
     KEYS,
     LATENCY,
+    MADE,
     MORTON,
     Figure,
     Point,
@@ -64,7 +65,18 @@ def flags_of(point: Point) -> str:
 
 def keys_of(point: Point) -> Point:
     """The keys in which the point's core differs from the configuration."""
-    return {key: value for key, value in point.items() if key not in FLAGS}
+    return {key: value for key, value in point.items() if key not in (*FLAGS, MADE)}
+
+
+def is_own(point: Point) -> bool:
+    """Whether the point's core is the configuration itself."""
+    return not keys_of(point) and MADE not in point
+
+
+def made_point(configuration: Json) -> Point:
+    """Of a core made for the scene, which has packets and lines of its own."""
+    own: Json = {**own_point(configuration), "no-hits": True, MADE: True}
+    return {word: value for word, value in own.items() if word not in ("packets", "lines")}
 
 
 def core_at(configuration: Json, point: Point) -> Json:
@@ -75,6 +87,8 @@ def core_at(configuration: Json, point: Point) -> Json:
     return found
 
 
-def core_of(configuration: str, point: Point) -> str:
-    """The name of the point's core."""
+def core_of(configuration: str, point: Point, scene: str = "{scene}") -> str:
+    """The name of the point's core, which may depend on the scene."""
+    if MADE in point:
+        return f"{configuration}-made-{scene}"
     return "-".join([configuration, *(f"{k}{value}" for k, value in keys_of(point).items())])
