@@ -24,6 +24,7 @@ FAILED = re.compile(r"^Error in rule (\w+):")
 LOG = re.compile(r"^ +log: (\S+)")
 SLURM_JOB = re.compile(r"^ +cluster_jobid: (\d+)")
 ENDED_BY_SLURM = re.compile(r"^slurmstepd\S*: error: (?:\*\*\* )?(.+?)(?: \*\*\*)?$", re.MULTILINE)
+REFUSED = re.compile(r"^(sbatch: error: .+)$", re.MULTILINE)
 NO_WORD = "it ended without a word, as a program does that is killed"
 STAMP = "made_by.json"
 
@@ -199,5 +200,7 @@ def _text(path: pathlib.Path) -> str:
 
 def _last_words(log: pathlib.Path) -> str:
     text = log.read_text(encoding="utf-8")
-    last = next((x for x in reversed(text.splitlines()) if x.strip()), "it printed nothing")
-    return f"the workflow failed: {last.strip()}; the whole log is {log}"
+    refused = REFUSED.findall(text)
+    last = [x for x in text.splitlines() if x.strip() and not x.startswith("Complete log")]
+    said = (refused or last or ["it printed nothing"])[-1].strip()
+    return f"the workflow failed: {said}; the whole log is {log}"

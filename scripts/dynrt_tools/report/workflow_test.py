@@ -157,6 +157,19 @@ class Jobs(testing.InFolder):
             result = testing.run(jobs.PROFILE / "status", "7", env=environment)
             self.assertEqual((result.stdout.strip(), result.stderr), (status, ""), said)
 
+    def test_slurm_that_takes_no_job(self) -> None:
+        sbatch = self.folder / "bin" / "sbatch"
+        sbatch.parent.mkdir()
+        testing.write_program(
+            sbatch, "#!/bin/bash\necho 'sbatch: error: no controller' >&2\nexit 1\n"
+        )
+        path = f"{sbatch.parent}:{os.environ['PATH']}"
+        with mock.patch.dict(os.environ, {"PATH": path, "CI": "true"}):
+            with self.assertRaisesRegex(
+                Failed, "^the workflow failed: sbatch: error: no controller; the whole log is "
+            ):
+                self.run_workflow(("a",), hardware_too=False, slurm=True)
+
     def test_slurm_that_is_not_there(self) -> None:
         with mock.patch.object(
             shutil, "which", lambda name: None if name == "sbatch" else "snakemake"
