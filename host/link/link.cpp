@@ -169,8 +169,8 @@ void BoardLink::check_range(std::uint32_t address, std::size_t bytes) const {
          end - board_.memory_bytes);
 }
 
-void BoardLink::write_memory(std::span<const UploadPart> parts, const LinkProgress& progress) {
-  for (const UploadPart& part : parts) check_range(part.address, part.bytes.size());
+void BoardLink::write_memory(std::span<const MemoryBytes> parts, const LinkProgress& progress) {
+  for (const MemoryBytes& part : parts) check_range(part.address, part.bytes.size());
   Requests requests{.frames = write_frames(parts),
                     .most_under_way = kLinkWritesUnderWay,
                     .writes = true,
@@ -179,7 +179,7 @@ void BoardLink::write_memory(std::span<const UploadPart> parts, const LinkProgre
 }
 
 void BoardLink::write_memory(std::uint32_t address, std::span<const std::uint8_t> bytes) {
-  const UploadPart part{address, {bytes.begin(), bytes.end()}};
+  const MemoryBytes part{address, {bytes.begin(), bytes.end()}};
   write_memory({&part, 1});
 }
 

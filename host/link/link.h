@@ -63,7 +63,7 @@ class BoardLink {
   void expect_configuration(std::string_view name) const;
 
   /// Addresses and lengths of writes are even. Parts must not overlap.
-  void write_memory(std::span<const UploadPart> parts, const LinkProgress& progress = {});
+  void write_memory(std::span<const MemoryBytes> parts, const LinkProgress& progress = {});
   void write_memory(std::uint32_t address, std::span<const std::uint8_t> bytes);
   void read_memory(std::uint32_t address, std::span<std::uint8_t> bytes,
                    const LinkProgress& progress = {});

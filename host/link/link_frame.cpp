@@ -44,9 +44,9 @@ void append_frame(std::vector<std::uint8_t>& line, const LinkRequestFrame& reque
   append_framed(line, std::move(bytes));
 }
 
-std::vector<LinkRequestFrame> write_frames(std::span<const UploadPart> parts) {
+std::vector<LinkRequestFrame> write_frames(std::span<const MemoryBytes> parts) {
   std::vector<LinkRequestFrame> frames;
-  for (const UploadPart& part : parts) {
+  for (const MemoryBytes& part : parts) {
     for (std::size_t at = 0; at < part.bytes.size();) {
       const std::size_t to_border = kLinkDataBytes - (part.address + at) % kLinkDataBytes;
       const std::size_t length = std::min(to_border, part.bytes.size() - at);

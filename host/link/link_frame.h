@@ -21,13 +21,13 @@ struct LinkRequestFrame {
   std::span<const std::uint8_t> data = {};  ///< of a write
 };
 /// Consecutive bytes of the board's memory.
-struct UploadPart {
+struct MemoryBytes {
   std::uint32_t address = 0;
   std::vector<std::uint8_t> bytes;
-  friend bool operator==(const UploadPart&, const UploadPart&) = default;
+  friend bool operator==(const MemoryBytes&, const MemoryBytes&) = default;
 };
 /// The requests that write these parts, whose bytes they point to. A frame ends where a beat ends.
-std::vector<LinkRequestFrame> write_frames(std::span<const UploadPart> parts);
+std::vector<LinkRequestFrame> write_frames(std::span<const MemoryBytes> parts);
 
 struct LinkAnswerFrame {
   std::uint8_t kind = 0;

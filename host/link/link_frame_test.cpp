@@ -88,7 +88,7 @@ TEST(AnswerReader, KeepsNoFrameThatNeverEnds) {
 }
 
 TEST(WriteFrames, EndWhereBeatsEnd) {
-  const UploadPart parts[] = {{500, Bytes(1000)}, {4096, Bytes(2)}};
+  const MemoryBytes parts[] = {{500, Bytes(1000)}, {4096, Bytes(2)}};
   const auto frames = write_frames(parts);
   ASSERT_EQ(frames.size(), 4u);
   EXPECT_EQ(frames[0].address, 500u);

@@ -35,8 +35,8 @@ inline constexpr char kOtherLink[] =
     "board {}: its link has version {}, but this program speaks version {}; load a bitstream of "
     "this version of dynrt";
 inline constexpr char kOtherConfiguration[] =
-    "board {}: its bitstream has configuration {}, but configuration {} is asked for; load that "
-    "bitstream, or give --config {}";
+    "board {}: its bitstream has configuration {}, but configuration {} is asked for; load a "
+    "bitstream of that one, or ask for configuration {}";
 inline constexpr char kLinkRefuses[] =
     "board {}: it refuses to {} {} bytes at address {:#x}; load a bitstream of this version of "
     "dynrt";

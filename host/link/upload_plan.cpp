@@ -9,7 +9,7 @@
 
 namespace dynrt::host {
 
-UploadCost upload_cost(std::span<const UploadPart> parts, unsigned baud) {
+UploadCost upload_cost(std::span<const MemoryBytes> parts, unsigned baud) {
   UploadCost cost;
   for (const LinkRequestFrame& frame : write_frames(parts)) {
     std::vector<std::uint8_t> line;
@@ -48,16 +48,16 @@ bool UploadPlan::append_known(std::vector<std::uint8_t>& to, std::uint32_t begin
   return true;
 }
 
-std::vector<UploadPart> UploadPlan::changes(std::span<const UploadPart> image) {
+std::vector<MemoryBytes> UploadPlan::changes(std::span<const MemoryBytes> image) {
   std::vector<std::uint32_t> changed;  // addresses of halves
-  for (const UploadPart& part : image) {
+  for (const MemoryBytes& part : image) {
     for (std::uint32_t i = 0; i + 1 < part.bytes.size(); i += 2) {
       const std::uint32_t address = part.address + i;
       if (note(address, part.bytes[i], part.bytes[i + 1])) changed.push_back(address);
     }
   }
   std::ranges::sort(changed);
-  std::vector<UploadPart> parts;
+  std::vector<MemoryBytes> parts;
   std::uint32_t end = 0;  // of the last part
   for (const std::uint32_t address : changed) {
     if (parts.empty() || address - end > kFrameOverhead ||

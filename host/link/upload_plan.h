@@ -27,14 +27,14 @@ struct UploadCost {
   std::uint64_t sent = 0;     ///< bytes on the line, if none is repeated
   double seconds = 0;
 };
-UploadCost upload_cost(std::span<const UploadPart> parts, unsigned baud = kLinkBaud);
+UploadCost upload_cost(std::span<const MemoryBytes> parts, unsigned baud = kLinkBaud);
 
 /// What the board's memory holds, as far as it is known.
 class UploadPlan {
  public:
   /// The parts to send so that the board holds these, in the order of their addresses. Addresses
   /// and lengths are even. From now on the board counts as holding them.
-  std::vector<UploadPart> changes(std::span<const UploadPart> image);
+  std::vector<MemoryBytes> changes(std::span<const MemoryBytes> image);
   /// Nothing is known any more: an upload was interrupted.
   void forget() { pages_.clear(); }
 

@@ -11,7 +11,7 @@ namespace dynrt::host {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
-using Parts = std::vector<UploadPart>;
+using Parts = std::vector<MemoryBytes>;
 
 TEST(UploadPlan, SendsEverythingAtFirstAndNothingTwice) {
   UploadPlan plan;
@@ -56,14 +56,14 @@ TEST(UploadPlan, MakesTheMemoryTheImage) {
   for (unsigned round = 0; round < 50; ++round) {
     Parts parts;
     for (unsigned i = 0; i < 20; ++i) {
-      UploadPart part{static_cast<std::uint32_t>(2 * (random() % 19'000)),
-                      Bytes(2 * (1 + random() % 200))};
+      MemoryBytes part{static_cast<std::uint32_t>(2 * (random() % 19'000)),
+                       Bytes(2 * (1 + random() % 200))};
       for (auto& byte : part.bytes) byte = static_cast<std::uint8_t>(random() % 2);
       std::ranges::copy(part.bytes, image.begin() + part.address);
       parts.push_back(std::move(part));
     }
     std::uint64_t carried = 0;
-    for (const UploadPart& part : plan.changes(parts)) {
+    for (const MemoryBytes& part : plan.changes(parts)) {
       ASSERT_EQ(part.address % 2, 0u);
       ASSERT_EQ(part.bytes.size() % 2, 0u);
       std::ranges::copy(part.bytes, board.begin() + part.address);

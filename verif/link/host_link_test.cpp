@@ -70,7 +70,7 @@ TEST(HostLink, KnowsTheBoard) {
   } catch (const UserError& error) {
     EXPECT_STREQ(error.what(),
                  "board simulated: its bitstream has configuration fast, but configuration full is "
-                 "asked for; load that bitstream, or give --config fast");
+                 "asked for; load a bitstream of that one, or ask for configuration fast");
   }
 }
 

@@ -91,7 +91,7 @@ TEST(PseudoTerminal, LoadsAndReadsBack) {
   link.expect_configuration("fast");
   const Bytes data = random_bytes(100'000, 7);
   std::uint64_t moved = 0;
-  const UploadPart parts[] = {{64, data}};
+  const MemoryBytes parts[] = {{64, data}};
   link.write_memory(parts, [&moved](std::uint64_t bytes) {
     EXPECT_GT(bytes, moved);
     moved = bytes;

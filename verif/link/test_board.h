@@ -15,13 +15,16 @@
 namespace dynrt::host {
 
 struct TestBoard {
-  static constexpr unsigned kMemoryBytes = 1 << 20;
+  static constexpr std::uint32_t kMemoryBytes = 1 << 20;
 
+  explicit TestBoard(std::uint32_t bytes = kMemoryBytes) : memory_bytes(bytes) {}
+
+  std::uint32_t memory_bytes;
   std::map<std::uint32_t, std::uint32_t> registers;
   std::uint64_t register_writes = 0;
   LinkModel<16> model{{.name = "fast",
                        .clock_hz = 120'000'000,
-                       .memory_bytes = kMemoryBytes,
+                       .memory_bytes = memory_bytes,
                        .divisor = 40,
                        .beat_bytes = 16},
                       {[this](std::uint32_t address, std::uint32_t value) {
