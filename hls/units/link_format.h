@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The format of the frames on the serial line between host and board: the one description for the
-// units that answer and the host that asks (docs/explanation/link.md). A frame is
+// units that answer and the host that asks. A frame is
 //
 //     flag, bytes, CRC of the bytes (lowest byte first), flag
 //
@@ -19,14 +19,13 @@
 
 namespace dynrt {
 
-inline constexpr unsigned kLinkVersion = 1;
-/// Bits a second, of which a byte takes ten: a start, eight of data, a stop.
-inline constexpr unsigned kLinkBaud = 3'000'000;
-inline constexpr unsigned kLineBitsOfByte = 10;
+inline constexpr unsigned kLinkVersion = 1;       ///< of this format
+inline constexpr unsigned kLinkBaud = 3'000'000;  ///< bits a second on the line
+inline constexpr unsigned kLineBitsOfByte = 10;   ///< a start, eight of data, a stop
 
-inline constexpr unsigned kLinkFlag = 0x7e;
-inline constexpr unsigned kLinkEscape = 0x7d;
-inline constexpr unsigned kLinkEscaped = 0x20;  ///< by what an escaped byte differs
+inline constexpr unsigned kLinkFlag = 0x7e;     ///< begins and ends a frame
+inline constexpr unsigned kLinkEscape = 0x7d;   ///< before an escaped byte
+inline constexpr unsigned kLinkEscaped = 0x20;  ///< by which an escaped byte differs
 
 /// What a request asks for.
 enum class LinkCommand : unsigned char {
@@ -36,45 +35,45 @@ enum class LinkCommand : unsigned char {
   kWriteRegisters = 4,  ///< words of 32 bits, address and length in bytes
   kReadRegisters = 5,   ///< the same
 };
-/// The kind of an answer: what was asked for with this bit set, or a word on the request.
-inline constexpr unsigned kLinkAnswer = 0x80;
+/// The kind of an answer.
+inline constexpr unsigned kLinkAnswer = 0x80;    ///< and the command that is answered
 inline constexpr unsigned kLinkExpected = 0xc0;  ///< a frame is missing; `sequence` is expected
 inline constexpr unsigned kLinkRefused = 0xc1;   ///< a frame asks for what the board cannot do
 
 inline constexpr unsigned kLinkHeaderBytes = 8;  ///< of a request
 inline constexpr unsigned kLinkAnswerBytes = 4;  ///< of an answer without its data
-inline constexpr unsigned kLinkCrcBytes = 4;
+inline constexpr unsigned kLinkCrcBytes = 4;     ///< of a CRC
 inline constexpr unsigned kLinkDataBytes = 512;  ///< most data of a frame
 inline constexpr unsigned kLinkReadBeats = 16;   ///< most beats of a memory read
 inline constexpr unsigned kLinkReadWords = 16;   ///< most registers that are read at once
 
-/// What the board keeps of requests that wait, and how many.
-inline constexpr unsigned kLinkRingBytes = 2048;
-inline constexpr unsigned kLinkWaiting = 16;
+inline constexpr unsigned kLinkRingBytes = 2048;  ///< of data that wait in the board
+inline constexpr unsigned kLinkWaiting = 16;      ///< most requests that wait in the board
 /// Requests that the host may have under way: writes, which never wait for long, and reads, which
 /// wait in the board until the answers before them are on the line.
-inline constexpr unsigned kLinkWritesUnderWay = 32;
-inline constexpr unsigned kLinkReadsUnderWay = kLinkWaiting;
+inline constexpr unsigned kLinkWritesUnderWay = 32;  ///< most writes that are not answered yet
+inline constexpr unsigned kLinkReadsUnderWay = 16;   ///< most such reads
+static_assert(kLinkReadsUnderWay <= kLinkWaiting);
 
 /// Words of the answer to kIdentify. kLinkFacts holds, lowest byte first, the version of this
-/// format, the sequence that the board expects next, the bytes of a beat and zero. The name of the
-/// configuration fills the words from kLinkName on, ended by zeros.
+/// format, the sequence that the board expects next, the bytes of a beat and zero.
 enum LinkIdentity : unsigned {
-  kLinkMagic,
-  kLinkFacts,
+  kLinkMagic,        ///< kLinkMagicValue
+  kLinkFacts,        ///< four bytes: version, sequence, bytes of a beat, zero
   kLinkClockHz,      ///< of the core
   kLinkMemoryBytes,  ///< behind the link
   kLinkDivisor,      ///< clocks of the link for a bit on the line
-  kLinkName,         ///< the first of those with the name
+  kLinkName,         ///< the name of the configuration, in this word and all behind it
   kLinkIdentityWords = 16,
 };
-inline constexpr unsigned kLinkMagicValue = 0x4b4e4c44;  ///< "DLNK"
-inline constexpr unsigned kLinkNameBytes = 4 * (kLinkIdentityWords - kLinkName);
+inline constexpr unsigned kLinkMagicValue = 0x4b4e4c44;  ///< the letters DLNK
+inline constexpr unsigned kLinkNameBytes = 44;           ///< of the name, ended by zeros
+static_assert(kLinkNameBytes == 4 * (kLinkIdentityWords - kLinkName));
 using LinkWords = std::array<hls::uint<32>, kLinkIdentityWords>;
 
-/// CRC-32C (Castagnoli), bits reversed. In a frame of kLinkDataBytes it finds each error of up to
+/// CRC-32C (Castagnoli). In a frame of kLinkDataBytes it finds each error of up to
 /// five bits and each burst of up to 32; the CRC-32 of Ethernet finds each of up to three.
-inline constexpr unsigned kCrcPolynomial = 0x82f63b78;
+inline constexpr unsigned kCrcPolynomial = 0x82f63b78;  ///< CRC-32C, the lowest bit first
 using Crc = hls::uint<32>;
 
 namespace detail {

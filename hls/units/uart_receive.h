@@ -32,7 +32,7 @@ struct UartReceive {
     }
     is_due_ = !begins && !due && wait_ == LineDivisor(1);
     if (begins) {
-      wait_ = divisor.get().shr<1>();
+      wait_ = (divisor.get().shr<1>() + LineDivisor::ones()).trunc<12>();
     } else if (due) {
       wait_ = (divisor.get() + LineDivisor::ones()).trunc<12>();
     } else {

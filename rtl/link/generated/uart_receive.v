@@ -36,7 +36,6 @@ module uart_receive #(
 
   // ---- stage 0 ----
   reg  busy_q;
-  reg  [11:0] wait_q;
   reg  is_due_q;
   reg  [3:0] bit_q;
   wire high_s0 = sample_data_i;
@@ -47,9 +46,10 @@ module uart_receive #(
   wire is_stop_s0 = bit_q == 4'd9;  // units/uart_receive.h:27
   wire is_start_s0 = bit_q == 4'd0;  // units/uart_receive.h:26
   wire ends_s0 = ~(due_s0 & (is_stop_s0 | (high_s0 & is_start_s0)));
-  wire [11:0] add_1_s0 = (due_s0 ? {divisor_1_still, divisor_0_still} : wait_q) + 12'hfff;
-  wire [11:0] mux_2_s0 = {~begins_s0 & add_1_s0[11], begins_s0 ? divisor_1_still : add_1_s0[10:0]};
   reg  [7:0] byte_q;
+  reg  [11:0] wait_q;
+  wire [11:0] mux_1_s0 = due_s0 ? {divisor_1_still, divisor_0_still} : wait_q;  // units/uart_receive.h:34
+  wire [11:0] mux_2_s0 = {~begins_s0 & mux_1_s0[11], begins_s0 ? divisor_1_still : mux_1_s0[10:0]};  // units/uart_receive.h:34
   wire [3:0] add_2_s0 = bit_q + {3'd0, due_s0};  // units/uart_receive.h:42
 
   // ---- state, rows and tokens written ----
@@ -63,7 +63,7 @@ module uart_receive #(
   end
   always @(posedge clk_i) begin
     if (!rst_ni) wait_q <= 12'd0;
-    else if (valid_s0) wait_q <= mux_2_s0;
+    else if (valid_s0) wait_q <= (mux_2_s0 + 12'hfff);
   end
   always @(posedge clk_i) begin
     if (!rst_ni) is_due_q <= 1'd0;

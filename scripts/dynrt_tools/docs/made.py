@@ -6,7 +6,7 @@ import pathlib
 from collections.abc import Callable, Mapping
 
 from dynrt_tools import project
-from dynrt_tools.docs import commands, keys, limits, messages, registers, results, waves
+from dynrt_tools.docs import commands, keys, limits, link_format, messages, registers, results, waves
 
 MARK = "<!-- Made by scripts/docs --renew; do not edit. -->\n"
 DOCS = project.ROOT / "docs"
@@ -19,6 +19,7 @@ FROM_SOURCES: Mapping[str, Callable[[], str]] = {
     "reference/configurations.md": keys.configurations_page,
     "reference/registers.md": registers.page,
     "reference/limits.md": limits.page,
+    "reference/link.md": link_format.page,
     "reference/timing.md": waves.page,
     "reference/scripts.md": commands.scripts_page,
     "reference/messages.md": messages.page,
