@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "units/core.h"
+#include "units/core_watch.h"
 #include "units/port_memory.h"
 
 namespace dynrt {
@@ -44,12 +45,15 @@ class CoreModel {
 
   /// Renders one frame. As on the board, every frame starts with registers reset and caches empty.
   /// With the schedules of its units it does so clock by clock and gives the clocks that the board
-  /// would count.
+  /// would count. What `watch` wants is noted on the way.
   std::optional<std::uint64_t> render(const FrameConfig& config,
-                                      const hls::ModuleSchedules* schedule = nullptr) {
+                                      const hls::ModuleSchedules* schedule = nullptr,
+                                      FrameWatch* watch = nullptr) {
     hls::Join join = schedule ? hls::Join(*schedule) : hls::Join();
     const auto core = std::make_unique<Core<C>>(join, banks_);
     *core->frame = registers_of<C>(config);
+    std::unique_ptr<CoreWatch<C>> watching;
+    if (watch != nullptr) watching = std::make_unique<CoreWatch<C>>(join, *core, *watch);
     std::unique_ptr<hls::Device> memory;
     if constexpr (kHasPort<C>) {
       memory = make_memory_ ? make_memory_(*core, banks_)

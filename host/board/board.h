@@ -19,6 +19,7 @@
 #include "host/error.h"
 #include "host/format/core_info.h"
 #include "units/frame.h"
+#include "units/frame_watch.h"
 #include "units/memory_timing.h"
 
 namespace dynrt::host {
@@ -64,6 +65,8 @@ class Board {
 
   /// Of the memory behind the core's port, if it has one; from the next frame on.
   virtual void set_memory_timing(const MemoryTiming& /*timing*/) {}
+  /// Notes what `watch`, if not null, wants of the next frames; only a model can.
+  virtual void observe(FrameWatch* /*watch*/) {}
   virtual void configure(const FrameConfig& frame) = 0;
   /// Throws UserError if the board refuses: the core has not the packets or the cache lines.
   virtual void start() = 0;

@@ -45,7 +45,7 @@ FrameRun ModelBoard::wait(std::uint64_t /*timeout*/, const PixelProgress& progre
   const auto begin = std::chrono::steady_clock::now();
   std::optional<std::uint64_t> cycles;
   try {
-    cycles = native_->render(frame_, schedule_ ? &*schedule_ : nullptr);
+    cycles = native_->render(frame_, schedule_ ? &*schedule_ : nullptr, watch_);
   } catch (const std::invalid_argument& error) {
     refuse(messages::kIncompleteSchedule, schedules_, error.what(), core_.name);
   }

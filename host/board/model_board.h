@@ -23,9 +23,11 @@ class NativeCore {
   virtual void write(unsigned bank, std::uint32_t address,
                      std::span<const std::uint32_t> words) = 0;
   virtual void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) = 0;
-  /// With schedules it runs clock by clock. Returns the clocks, or none without schedules.
+  /// With schedules it runs clock by clock. Returns the clocks, or none without schedules. Notes
+  /// what `watch`, if not null, wants.
   virtual std::optional<std::uint64_t> render(const FrameConfig& frame,
-                                              const hls::ModuleSchedules* schedule) = 0;
+                                              const hls::ModuleSchedules* schedule,
+                                              FrameWatch* watch) = 0;
   virtual void set_memory_timing(const MemoryTiming& /*timing*/) {}
   virtual std::vector<Counter> counters() = 0;
 };
@@ -47,12 +49,14 @@ class ModelBoard final : public Board {
   /// Renders. `timeout` has no effect, as the model has no clock.
   FrameRun wait(std::uint64_t timeout, const PixelProgress& progress) override;
   std::vector<Counter> counters() override { return native_->counters(); }
+  void observe(FrameWatch* watch) override { watch_ = watch; }
 
  private:
   std::unique_ptr<NativeCore> native_;
   std::string schedules_;
   std::optional<hls::ModuleSchedules> schedule_;
   FrameConfig frame_;
+  FrameWatch* watch_ = nullptr;
 };
 
 }  // namespace dynrt::host

@@ -34,7 +34,8 @@ class CopyingCore final : public NativeCore {
     std::copy_n(banks_[bank].begin() + address, words.size(), words.begin());
   }
   std::optional<std::uint64_t> render(const FrameConfig& frame,
-                                      const hls::ModuleSchedules* schedule) override {
+                                      const hls::ModuleSchedules* schedule,
+                                      FrameWatch* /*watch*/) override {
     std::copy_n(banks_[0].begin(), frame.width.to_u64() * frame.height.to_u64(), banks_[3].begin());
     if (schedule == nullptr) return std::nullopt;
     const auto copy = schedule->find("copy");

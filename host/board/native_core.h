@@ -34,8 +34,9 @@ class NativeCoreOf final : public NativeCore {
     });
   }
   std::optional<std::uint64_t> render(const FrameConfig& frame,
-                                      const hls::ModuleSchedules* schedule) override {
-    return core_.render(frame, schedule);
+                                      const hls::ModuleSchedules* schedule,
+                                      FrameWatch* watch) override {
+    return core_.render(frame, schedule, watch);
   }
   void set_memory_timing(const MemoryTiming& timing) override { core_.set_timing(timing); }
   CoreModel<C>& model() { return core_; }

@@ -239,6 +239,7 @@ void Clocks::fire(Unit& unit, std::uint64_t now) {
     unit.stalled_from = kNever;
     for (const Feed& feed : unit.feeds) take(feed, now);
   }
+  now_ = now;
   unit.run();
   for (Output& output : unit.outputs) {
     if (output.tokens->pushed() == output.sent) continue;

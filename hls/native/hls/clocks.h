@@ -76,6 +76,8 @@ class Clocks {
 
   /// Runs until no token moves any more.
   void run();
+  /// The clock of the transaction that a unit makes.
+  std::uint64_t now() const { return now_; }
 
   /// Clocks in which unit `name` had its tokens but an output no room.
   std::uint64_t stalls(const std::string& name) { return find(name).stalls; }
@@ -177,6 +179,7 @@ class Clocks {
   std::deque<Outside> outsides_;
   std::vector<Actor> actors_;
   TimingWheel wheel_;
+  std::uint64_t now_ = 0;
 };
 
 }  // namespace hls

@@ -54,6 +54,23 @@ TEST(Clocks, TokensTakeTheStagesOfTheirUnitsAndMeetOneAtATime) {
   EXPECT_EQ(join.counters().at("both.tokens"), 4u);
 }
 
+TEST(Clocks, AWatcherKnowsTheClockOfEachTransaction) {
+  Add add;
+  hls::Join join(hls::ModuleSchedules{{"add", {.stages = 4, .room = 8}}});
+  join.unit("add", "add", add);
+  const auto in = join.input("in", add.in);
+  join.constant(add.value, Byte(1));
+  const auto out = join.output("out", add.out);
+  List clocks;
+  join.watch([&](std::size_t, std::uint64_t clock) { clocks.push_back(clock); });
+  for (const std::uint64_t clock : {3, 4, 9}) {
+    in->push(Byte(1));
+    join.arrives("in", clock);
+  }
+  join.run_clocks();
+  EXPECT_EQ(clocks, (List{3, 4, 9}));
+}
+
 TEST(Clocks, AUnitWithoutRoomWaits) {
   Send send;
   Receive receive;

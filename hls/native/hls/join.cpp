@@ -22,10 +22,18 @@ void Join::add_unit(const std::string& plain_name, const std::string& module, Un
   UnitRecord record{name, module, {}, group_};
   ports_.add(record, ports);
   record_.units.push_back(std::move(record));
-  const auto run = [unit](std::uint64_t& transactions) {
+  const std::size_t number = record_.units.size() - 1;
+  const auto run = [unit, number, watch = watch_.get()](std::uint64_t& transactions) {
     bool progress = false;
     while (const std::size_t ready = unit.ready(unit.self)) {
-      unit.run(unit.self, ready);
+      if (!*watch) {
+        unit.run(unit.self, ready);
+      } else {
+        for (std::size_t i = 0; i < ready; ++i) {
+          (*watch)(number, 0);
+          unit.run(unit.self, 1);
+        }
+      }
       transactions += ready;
       progress = true;
     }
@@ -33,10 +41,12 @@ void Join::add_unit(const std::string& plain_name, const std::string& module, Un
   };
   Process& process = processes_.emplace_back(Process{name, 0, run});
   if (clocks_) {
-    clocks_->unit(name, module, [&process, unit] {
-      unit.run(unit.self, 1);
-      ++process.transactions;
-    });
+    clocks_->unit(name, module,
+                  [&process, unit, number, watch = watch_.get(), clocks = clocks_.get()] {
+                    if (*watch) (*watch)(number, clocks->now());
+                    unit.run(unit.self, 1);
+                    ++process.transactions;
+                  });
   }
 }
 

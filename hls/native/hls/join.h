@@ -179,6 +179,12 @@ class Join {
   /// Says that the top has no counters.
   void leave_out_counters() { record_.counts = false; }
 
+  /// Before a transaction: of the unit at this place in the record's list, in this clock, 0 where
+  /// there is none. What it throws comes out of run() or run_clocks().
+  using Watch = std::function<void(std::size_t unit, std::uint64_t clock)>;
+  /// Watches every transaction from now on, which takes time.
+  void watch(Watch watch) { *watch_ = std::move(watch); }
+
   /// Runs every unit until none has work left.
   void run();
 
@@ -302,6 +308,7 @@ class Join {
   }
 
   JoinRecord record_;
+  std::unique_ptr<Watch> watch_ = std::make_unique<Watch>();  ///< units know where it is
   std::string group_, prefix_;
   JoinPorts ports_;
   std::unique_ptr<JoinClocks> clocks_;                          ///< null: there is no clock

@@ -62,6 +62,7 @@ class JoinClocks {
 
   void arrives(const std::string& input, std::uint64_t clock) { ends_.at(input)->push(clock); }
   void run() { clocks_.run(); }
+  std::uint64_t now() const { return clocks_.now(); }
   std::uint64_t first_of(const std::string& output) const;
   std::uint64_t stalls(const std::string& unit) { return clocks_.stalls(unit); }
 

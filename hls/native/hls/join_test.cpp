@@ -55,6 +55,46 @@ TEST(Join, SeveralWritersMeetInOneChannel) {
   EXPECT_EQ(join.counters().at("sum.transactions"), 6u);
 }
 
+TEST(Join, AWatcherSeesEveryTransactionBeforeItIsMade) {
+  Add first, second;
+  hls::Join join;
+  join.unit("first", "add", first);
+  join.unit("second", "add", second);
+  const auto in = join.input("in", first.in);
+  join.constant(first.value, Byte(10));
+  join.constant(second.value, Byte(1));
+  join.channel<Byte>("between", {&first.out}, {&second.in});
+  const auto out = join.output("out", second.out);
+  std::vector<List> seen(2);
+  join.watch([&](std::size_t unit, std::uint64_t clock) {
+    EXPECT_EQ(clock, 0u);
+    const Add& of = unit == 0 ? first : second;
+    seen[unit].push_back(of.in.queue()->front().to_u64());
+  });
+  for (unsigned i = 0; i < 3; ++i) in->push(Byte::from(i));
+  join.run();
+  EXPECT_EQ(seen[0], (List{0, 1, 2}));
+  EXPECT_EQ(seen[1], (List{10, 11, 12}));
+  EXPECT_EQ(values(*out), (List{11, 12, 13}));
+  join.watch({});
+  in->push(Byte(7));
+  join.run();
+  EXPECT_EQ(seen[0].size(), 3u);
+}
+
+TEST(Join, WhatAWatcherThrowsEndsTheRun) {
+  Add add;
+  hls::Join join;
+  join.unit("add", "add", add);
+  const auto in = join.input("in", add.in);
+  join.constant(add.value, Byte(10));
+  const auto out = join.output("out", add.out);
+  join.watch([](std::size_t, std::uint64_t) { throw std::runtime_error("enough"); });
+  in->push(Byte(1));
+  EXPECT_THROW(join.run(), std::runtime_error);
+  EXPECT_TRUE(out->empty());
+}
+
 TEST(Join, EveryReaderOfAForkSeesEveryToken) {
   Add first;
   Pair pair;

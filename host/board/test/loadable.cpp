@@ -13,7 +13,8 @@ class IdleCore final : public NativeCore {
  public:
   void write(unsigned, std::uint32_t, std::span<const std::uint32_t>) override {}
   void read(unsigned, std::uint32_t, std::span<std::uint32_t>) override {}
-  std::optional<std::uint64_t> render(const FrameConfig&, const hls::ModuleSchedules*) override {
+  std::optional<std::uint64_t> render(const FrameConfig&, const hls::ModuleSchedules*,
+                                      FrameWatch*) override {
     return std::nullopt;
   }
   std::vector<Counter> counters() override { return {}; }
