@@ -10,7 +10,6 @@
 #include <cmath>
 #include <map>
 
-#include "host/memory/matrix_numbers.h"
 #include "host/picture/image_library.h"
 
 namespace dynrt::host {
@@ -337,25 +336,6 @@ TruthShading shading_of(const CoreInfo& core, const FrameConfig& frame) {
   out.ambient = static_cast<unsigned>(frame.ambient.raw());
   out.background = static_cast<std::uint32_t>(frame.background.raw());
   return out;
-}
-
-MatrixOwners::MatrixOwners(const Scene& scene, const ObjectImage& objects, const FrameImage& frame)
-    : scene_(scene), first_instance_(frame.first_instance), stride_(has_mirrors(scene) ? 2 : 1) {
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    numbers_.push_back(matrix_numbers(scene, scene.objects[i], objects.objects[i].first_matrix,
-                                      objects.core.triangle_matrix));
-    numbers_.back().pop_back();
-  }
-}
-
-std::optional<PrimitiveId> MatrixOwners::of(std::uint32_t object, std::uint32_t triangle) const {
-  if (object < first_instance_ || (object - first_instance_) % stride_ != 0) return std::nullopt;
-  const std::uint32_t instance = (object - first_instance_) / stride_;
-  if (instance >= scene_.instances.size()) return std::nullopt;
-  const auto& numbers = numbers_[scene_.instances[instance].object];
-  const auto at = std::ranges::lower_bound(numbers, triangle);
-  if (at == numbers.end() || *at != triangle) return std::nullopt;
-  return PrimitiveId{instance, static_cast<std::uint32_t>(at - numbers.begin())};
 }
 
 ordered_json measure(const Truth& truth, const TruthFrame& expected, const Frame& frame,

@@ -15,7 +15,7 @@
 #include <string>
 
 #include "host/analysis/truth/frame_truth.h"
-#include "host/layout/frame_image.h"
+#include "host/layout/matrix_owners.h"
 #include "host/render/frame.h"
 
 namespace dynrt::host {
@@ -35,20 +35,6 @@ std::string measures_table();
 
 /// The way a board shades a frame.
 TruthShading shading_of(const CoreInfo& core, const FrameConfig& frame);
-
-/// The primitive and the instance of the matrices in a hit record.
-class MatrixOwners {
- public:
-  MatrixOwners(const Scene& scene, const ObjectImage& objects, const FrameImage& frame);
-  /// Nothing for numbers that are no instance's and no primitive's of its object.
-  std::optional<PrimitiveId> of(std::uint32_t object, std::uint32_t triangle) const;
-
- private:
-  const Scene& scene_;
-  std::uint32_t first_instance_;
-  std::uint32_t stride_;                             ///< from one instance's matrix to the next
-  std::vector<std::vector<std::uint32_t>> numbers_;  ///< of every object's primitives
-};
 
 /// The value of a number of the board's format (MemoryFormat::number).
 using NumberOf = std::function<double(std::uint32_t bits)>;

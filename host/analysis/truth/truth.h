@@ -20,7 +20,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -29,17 +28,10 @@
 #include <span>
 #include <vector>
 
+#include "host/scene/primitive_id.h"
 #include "host/scene/scene.h"
 
 namespace dynrt::host {
-
-/// A primitive where an instance has put it. The numbers are those of Scene::instances and of the
-/// object's primitives (Mesh).
-struct PrimitiveId {
-  std::uint32_t instance = 0;
-  std::uint32_t primitive = 0;
-  friend auto operator<=>(const PrimitiveId&, const PrimitiveId&) = default;
-};
 
 /// Hits lie at from < t < to.
 struct TruthRay {
