@@ -5,6 +5,7 @@
 #include <dlfcn.h>
 #include <elf.h>
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -98,6 +99,12 @@ std::optional<CoreConfiguration> configuration_called(const std::string& name) {
   return listed == nullptr ? std::nullopt : std::optional(*listed);
 }
 
+/// Of the configurations that are listed and not built in.
+fs::path listed_folder() {
+  return program_part(fs::path(this_build().description).parent_path() / "configurations",
+                      "lib/dynrt/configurations");
+}
+
 }  // namespace
 
 bool is_configuration_file(std::string_view name) {
@@ -117,12 +124,24 @@ const Configuration& load_configuration(const std::string& path, bool rtl) {
 }
 
 const Configuration& load_listed_configuration(const std::string& name, bool rtl) {
-  const fs::path folder =
-      program_part(fs::path(this_build().description).parent_path() / "configurations",
-                   "lib/dynrt/configurations");
+  const fs::path folder = listed_folder();
   const fs::path built = folder / (name + ".so");
   if (open(built).configuration != nullptr) return load_configuration(built);
   return load_configuration(folder / (name + ".json"), rtl);
+}
+
+void make_ready(std::span<const Configuration> table, const std::string& name,
+                const std::function<void(const std::string& step)>& tell) {
+  if (name.ends_with(".so")) return;
+  if (name.ends_with(".json")) {
+    make_configuration(name, false, tell);
+    return;
+  }
+  const auto found = std::ranges::find(table, name, &Configuration::name);
+  if (found == table.end() || found->native != nullptr) return;
+  if (open((listed_folder() / (name + ".so")).string()).configuration == nullptr) {
+    make_configuration((listed_folder() / (name + ".json")).string(), false, tell);
+  }
 }
 
 void add_general(CoreInfo& core) {

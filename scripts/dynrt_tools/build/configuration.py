@@ -212,6 +212,9 @@ def make(args: argparse.Namespace) -> pathlib.Path:
 
     def progress(text: str) -> None:
         show_progress(f"building configuration {args.file.stem}: {text}")
+        if args.tell_steps:
+            print(f"? {text}", flush=True)
+            sys.stdin.readline()
 
     entry = BuildCache().get(
         f"configuration-{args.kind}-{key_of(args.kind, config, build)}",
@@ -288,6 +291,11 @@ def main() -> int:
         "--for-program",
         action="store_true",
         help="for programs: print a mistake in place of the path",
+    )
+    parser.add_argument(
+        "--tell-steps",
+        action="store_true",
+        help="for programs: print each step as a line that begins with '? ', and wait for a line",
     )
     args = parser.parse_args()
     try:
