@@ -7,6 +7,10 @@
 namespace dynrt::host::messages {
 
 inline constexpr char kSizeText[] = "--size {}: write WIDTHxHEIGHT in pixels, for example 512x384";
+inline constexpr char kPixelText[] =
+    "--pixel {}: write the numbers of a pixel of this image, from 0,0 to {},{}";
+inline constexpr char kPixelFlags[] =
+    "--pixel {}: its hit record goes to the file of --json; name one and leave --no-hits out";
 inline constexpr char kVectorText[] =
     "{} {}: write three numbers separated by commas, for example 1,2.5,-3";
 inline constexpr char kVectorRange[] = "{} {}: the numbers must lie within -{:.3g} and {:.3g}";
@@ -78,6 +82,9 @@ inline constexpr char kNoHit[] =
 
 // The window
 inline constexpr char kViewPort[] = "--port {}: a port is a number from 1 to {}";
+inline constexpr char kFormatOfThisFile[] =
+    "configuration {}: a file has its own number format; choose a listed configuration to change "
+    "it";
 
 // Walks
 inline constexpr char kFrames[] = "--frames {}: a walk has 1 to {} frames";

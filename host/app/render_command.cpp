@@ -6,7 +6,10 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 
+#include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
@@ -17,10 +20,15 @@
 #include "host/app/trace_file.h"
 #include "host/picture/output_file.h"
 #include "host/picture/write_image.h"
+#include "host/view/hit_json.h"
 
 namespace dynrt::host {
 
 namespace {
+
+struct Pixel {
+  unsigned x = 0, y = 0;
+};
 
 struct Arguments {
   SceneArguments scene;
@@ -30,8 +38,25 @@ struct Arguments {
   std::string schedule;
   std::string trace;
   std::string scan_out;
+  std::string pixel;
   bool no_hits = false;
+
+  std::optional<Pixel> pixel_in(const FrameOptions& options) const;
 };
+
+/// Throws UserError for a pixel that the image has not, or without hit records or a file for it.
+std::optional<Pixel> Arguments::pixel_in(const FrameOptions& options) const {
+  if (pixel.empty()) return std::nullopt;
+  if (frame.json.empty() || no_hits) refuse(messages::kPixelFlags, pixel);
+  const auto comma = pixel.find(',');
+  Pixel at;
+  const std::string_view text(pixel);
+  if (comma == text.npos || !parse(text.substr(0, comma), at.x) ||
+      !parse(text.substr(comma + 1), at.y) || at.x >= options.width || at.y >= options.height) {
+    refuse(messages::kPixelText, pixel, options.width - 1, options.height - 1);
+  }
+  return at;
+}
 
 /// Waveforms of a frame that never ended, or in which an assertion failed, are kept: they show why.
 template <class Render>
@@ -53,6 +78,7 @@ int run(const Arguments& arguments) {
   FrameOptions options = arguments.frame.options(arguments.scene.size);
   options.hits = !arguments.no_hits;
   arguments.frame.check_timeout(arguments.board);
+  const std::optional<Pixel> pixel = arguments.pixel_in(options);
   const std::string out = image_name(arguments.frame.out, arguments.scene.scene);
   check_image_path(out);
   const Output outputs[] = {{"--out", out},
@@ -88,6 +114,7 @@ int run(const Arguments& arguments) {
   if (!arguments.frame.json.empty()) {
     nlohmann::ordered_json json = {{"image", out}, {"scene", prepared.json()}};
     json["frame"] = report_json(frame, figures, clock);
+    if (pixel) json["pixel"] = hit_json(frame, pixel->x, pixel->y);
     if (shown) json["scan_out"] = shown->json();
     write_text(arguments.frame.json, json.dump(2) + "\n");
   }
@@ -120,6 +147,10 @@ Command add_render_command(CLI::App& program) {
                    "write the VGA display of 640x480 that shows the image, as a monitor at the "
                    "Verilog's pins would show it")
       ->option_text("FILE.png");
+  command
+      ->add_option("--pixel", arguments->pixel,
+                   "write the hit record of this pixel, counted from the top left, with --json")
+      ->option_text("X,Y");
   command->add_flag("--no-hits", arguments->no_hits,
                     "write pixels alone and no hit records, as the thesis's core does: where many "
                     "rays end in a clock, the banks cannot take the records as fast");

@@ -2,15 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // dynrt view: a live window on the core in the browser.
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <memory>
+#include <mutex>
+#include <utility>
 
 #include "host/app/app_messages.h"
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
 #include "host/app/text.h"
+#include "host/board/load_configuration.h"
+#include "host/picture/output_file.h"
 #include "host/view/view.h"
 
 namespace dynrt::host {
@@ -18,6 +27,7 @@ namespace dynrt::host {
 namespace {
 
 constexpr unsigned kLastPort = 65535;
+constexpr unsigned kWidestRtl = 16;  ///< bits of a mantissa whose words the SRAM of board rtl holds
 
 struct Arguments {
   SceneArguments scene;
@@ -25,6 +35,7 @@ struct Arguments {
   ClockFlags clock;
   unsigned port = kViewPort;
   bool no_browser = false;
+  std::string exported;
 };
 
 FrameOptions options_of(const ViewChoices& choices) {
@@ -33,6 +44,71 @@ FrameOptions options_of(const ViewChoices& choices) {
           .packets = choices.packets,
           .lines = choices.lines,
           .reflections = choices.reflections};
+}
+
+/// The configuration's name, or the file of one that is like it but for the chosen numbers.
+std::string configuration_of(const ViewChoices& choices) {
+  namespace fs = std::filesystem;
+  if (!choices.mantissa_bits) return choices.configuration;
+  if (is_configuration_file(choices.configuration)) {
+    refuse(messages::kFormatOfThisFile, choices.configuration);
+  }
+  const fs::path folder = fs::temp_directory_path() / fmt::format("dynrt-view-{}", getuid());
+  fs::create_directories(folder);
+  const fs::path file =
+      folder / fmt::format("{}_m{}.json", choices.configuration, *choices.mantissa_bits);
+  const nlohmann::ordered_json keys = {
+      {"about", fmt::format("{} with another number format", choices.configuration)},
+      {"like", choices.configuration},
+      {"rtl", *choices.mantissa_bits <= kWidestRtl},
+      {"mantissa_bits", *choices.mantissa_bits}};
+  write_text(file.string(), keys.dump(2) + "\n");
+  return file.string();
+}
+
+/// The figures of the last error reports, by configuration, if their pages are there.
+nlohmann::ordered_json error_figures() {
+  const std::filesystem::path data =
+      std::filesystem::path(this_build().scripts).parent_path() / "docs/results/data";
+  nlohmann::ordered_json all = nlohmann::ordered_json::object();
+  for (const auto& [configuration, file] :
+       {std::pair("thesis", "error.json"), std::pair("fast", "error_fast.json")}) {
+    std::ifstream text(data / file);
+    auto report = nlohmann::ordered_json::parse(text, nullptr, false);
+    if (report.is_object()) all[configuration] = std::move(report);
+  }
+  return all;
+}
+
+nlohmann::ordered_json offers() {
+  nlohmann::ordered_json listed = nlohmann::ordered_json::array();
+  for (const Configuration& configuration : configurations()) {
+    const CoreInfo core = configuration.core();
+    listed.push_back({{"name", configuration.name},
+                      {"about", core.about},
+                      {"built_in", configuration.native != nullptr},
+                      {"mantissa_bits", core.mantissa_bits},
+                      {"packets", core.packets},
+                      {"lines", core.lines},
+                      {"lights", core.lights},
+                      {"reflections", core.reflections}});
+  }
+  return {{"configurations", listed}, {"errors", error_figures()}};
+}
+
+/// The folder of a configuration's schedules: of this build, else those that are checked in; empty
+/// if there is neither.
+std::string schedules_of(const std::string& configuration) {
+  namespace fs = std::filesystem;
+  const fs::path build = fs::path(this_build().description).parent_path();
+  const fs::path scripts(this_build().scripts);
+  for (const fs::path& folder : {build / "generated", scripts.parent_path() / "rtl/generated"}) {
+    std::error_code missing;
+    if (fs::exists(folder / configuration / "dynrt_core.json", missing)) {
+      return (folder / configuration).string();
+    }
+  }
+  return {};
 }
 
 SceneArguments scene_of(const Arguments& arguments, const ViewChoices& choices) {
@@ -51,9 +127,19 @@ ViewStudio studio_of(const Arguments& arguments) {
   std::tie(studio.width, studio.height) = parse_size(arguments.scene.size);
   check_size(studio.width, studio.height);
   studio.camera = arguments.scene.camera();
-  studio.board = [&](const std::string& kind, const ViewChoices& choices) {
-    return open_board({kind, choices.configuration, ""}, options_of(choices));
+  // Configurations that are loaded are kept in a table that one thread at a time may use.
+  const auto loading = std::make_shared<std::mutex>();
+  studio.board = [loading](ViewBoard kind, const ViewChoices& choices) {
+    const std::lock_guard lock(*loading);
+    const std::string name = configuration_of(choices);
+    return open_board({kind == ViewBoard::kRtl ? "rtl" : "model", name, "",
+                       kind == ViewBoard::kClocked ? schedules_of(name) : std::string()},
+                      options_of(choices));
   };
+  studio.make = [](const ViewChoices& choices, const auto& tell) {
+    make_ready(configurations(), configuration_of(choices), tell);
+  };
+  studio.offers = offers();
   studio.prepare = [&arguments, width = studio.width, height = studio.height](
                        const ViewChoices& choices, const CoreInfo& core) -> MemoryImage {
     return prepare(scene_of(arguments, choices), width, height, &core);
@@ -62,11 +148,22 @@ ViewStudio studio_of(const Arguments& arguments) {
   return studio;
 }
 
+int record(const Arguments& arguments) {
+  const Output outputs[] = {{"--export", arguments.exported}};
+  check_outputs(outputs);
+  const std::string page = recorded_view(studio_of(arguments));
+  write_text(arguments.exported, page);
+  say(fmt::format("page        {}, {:.1f} MB\n", arguments.exported,
+                  static_cast<double>(page.size()) / 1e6));
+  return kDone;
+}
+
 int run(const Arguments& arguments) {
   if (arguments.port == 0 || arguments.port > kLastPort) {
     refuse(messages::kViewPort, arguments.port, kLastPort);
   }
   arguments.clock.check();
+  if (!arguments.exported.empty()) return record(arguments);
   view(studio_of(arguments), {arguments.port, !arguments.no_browser, say});
   // Not by returning: that would wait for a frame that is being rendered.
   std::fflush(nullptr);
@@ -97,6 +194,11 @@ Command add_view_command(CLI::App& program) {
                    "if it is in use, the next that is free")
       ->option_text(fmt::format("N [{}]", kViewPort))
       ->check(not_a_count);
+  command
+      ->add_option("--export", arguments->exported,
+                   "write one file that opens from disk and holds a recorded frame with all that "
+                   "the page shows of it, at most 20 MB, and end; 256x192 is a good size")
+      ->option_text("FILE.html");
   command->add_flag("--no-browser", arguments->no_browser,
                     "print the page's address and open no browser");
   return {command, [arguments] { return run(*arguments); }};

@@ -76,8 +76,14 @@ std::string Answer::bytes() const {
 Json question_of(const std::string& text) {
   Json question = Json::parse(text, nullptr, false);
   if (!question.is_object()) not_ours("it is no JSON object");
-  if (!field_of(question, "type").is_string()) not_ours("its \"type\" is no text");
+  text_of(question, "type");
   return question;
+}
+
+std::string text_of(const Json& question, const char* field) {
+  const Json& value = field_of(question, field);
+  if (!value.is_string()) not_ours(fmt::format("\"{}\" is no text", field));
+  return value.get<std::string>();
 }
 
 unsigned count_of(const Json& question, const char* field) {
@@ -104,10 +110,10 @@ Shot shot_of(const Json& question) {
 }
 
 ViewChoices choices_of(const Json& question) {
-  if (!field_of(question, "configuration").is_string()) not_ours("\"configuration\" is no text");
-  return {.configuration = question["configuration"].get<std::string>(),
+  return {.configuration = text_of(question, "configuration"),
           .lights = texts_of(question, "lights"),
           .mirrors = texts_of(question, "mirrors"),
+          .mantissa_bits = optional_count(question, "mantissa_bits"),
           .packets = optional_count(question, "packets"),
           .lines = optional_count(question, "lines"),
           .reflections = optional_count(question, "reflections")};
@@ -127,6 +133,7 @@ Json json_of(const ViewChoices& choices) {
   return {{"configuration", choices.configuration},
           {"lights", choices.lights},
           {"mirrors", choices.mirrors},
+          {"mantissa_bits", or_null(choices.mantissa_bits)},
           {"packets", or_null(choices.packets)},
           {"lines", or_null(choices.lines)},
           {"reflections", or_null(choices.reflections)}};

@@ -5,6 +5,7 @@
 // other.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <deque>
 #include <functional>
@@ -29,18 +30,24 @@ class RenderingThread {
     thread_.join();
   }
 
-  /// Gives what `act` gives, or throws what it throws.
+  /// Gives what `act` gives, or throws what it throws. While one that is urgent waits, urgent() is
+  /// not 0.
   template <class Act>
-  auto run(Act act) {
+  auto run(bool is_urgent, Act act) {
     auto task = std::make_shared<std::packaged_task<decltype(act())()>>(std::move(act));
     auto result = task->get_future();
     {
       const std::lock_guard lock(mutex_);
-      waiting_.emplace_back([task] { (*task)(); });
+      waiting_.emplace_back([this, is_urgent, task] {
+        urgent_ -= is_urgent;
+        (*task)();
+      });
+      urgent_ += is_urgent;
     }
     more_.notify_one();
     return result.get();
   }
+  const std::atomic<unsigned>& urgent() const { return urgent_; }
 
  private:
   void work() {
@@ -59,6 +66,7 @@ class RenderingThread {
   std::condition_variable more_;
   std::deque<std::function<void()>> waiting_;
   bool over_ = false;
+  std::atomic<unsigned> urgent_ = 0;
   std::thread thread_;  ///< the last, as it begins with all others there
 };
 

@@ -5,10 +5,17 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
+#include <iterator>
 #include <thread>
 #include <utility>
 
-#include "host/render/figures.h"
+#include "host/format/configuration_json.h"
+#include "host/render/compare.h"
+#include "host/view/machine.h"
+#include "host/view/maps.h"
+#include "host/view/pixel.h"
+#include "host/view/recording.h"
 #include "host/view/view_messages.h"
 
 namespace dynrt::host {
@@ -16,6 +23,9 @@ namespace dynrt::host {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// Clocks without a pixel or an interrupt, after which a frame is given up.
+constexpr std::uint64_t kPatience = 10'000'000;
 
 double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
@@ -29,6 +39,30 @@ Camera part_of(const Camera& camera, double first, double rows) {
   return part;
 }
 
+Json scene_lights(const MemoryImage& image) {
+  Json lights = Json::array();
+  for (const PointLight& light : image.scene.lights) {
+    lights.push_back(
+        {{"name", light.name}, {"position", json_of(image.space.outside(light.position))}});
+  }
+  return lights;
+}
+
+Json materials(const Scene& scene) {
+  Json names = Json::array();
+  for (const Material& material : scene.materials) names.push_back(material.name);
+  return names;
+}
+
+Json maps_json() {
+  Json maps = Json::array();
+  for (const MapDefinition& map : view_maps()) {
+    maps.push_back(
+        {{"name", map.name}, {"about", map.about}, {"kind", map.kind}, {"watched", map.watched}});
+  }
+  return maps;
+}
+
 }  // namespace
 
 Answer Session::answer(const Json& question) {
@@ -36,6 +70,10 @@ Answer Session::answer(const Json& question) {
   if (type == "open") return open(choices_of(question));
   if (type == "start") return open(room_ ? room_->choices : studio_.choices);
   if (type == "frame") return frame(shot_of(question));
+  if (type == "examine") return examine();
+  if (type == "pixel") return pixel(question);
+  if (type == "map") return map(question);
+  if (type == "csv") return csv();
   throw NotOurs(fmt::format(messages::kNotOurMessage, "its type is unknown"));
 }
 
@@ -46,11 +84,17 @@ Session::Room& Session::room() {
 
 Answer Session::open(const ViewChoices& choices) {
   if (!room_ || room_->choices != choices) {
-    auto first = studio_.board("model", choices);
-    auto second = studio_.board("model", choices);
+    auto first = studio_.board(ViewBoard::kModel, choices);
+    auto second = studio_.board(ViewBoard::kModel, choices);
     MemoryImage image = studio_.prepare(choices, first->core());
-    room_ = std::make_unique<Room>(Room{
-        choices, {Easel(std::move(first)), Easel(std::move(second))}, Scenery(std::move(image))});
+    room_ =
+        std::make_unique<Room>(Room{.choices = choices,
+                                    .easels = {Easel(std::move(first)), Easel(std::move(second))},
+                                    .clocked = nullptr,
+                                    .scenery = Scenery(std::move(image)),
+                                    .truth = nullptr,
+                                    .truth_time = {},
+                                    .still = {}});
   }
   const Scenery& scenery = room_->scenery;
   const MemoryImage& image = scenery.image();
@@ -65,6 +109,11 @@ Answer Session::open(const ViewChoices& choices) {
                  {"low", json_of(image.space.outside(box.low))},
                  {"high", json_of(image.space.outside(box.high))},
                  {"notes", image.scene.notes},
+                 {"maps", maps_json()},
+                 {"offers", studio_.offers},
+                 {"core", json_of(static_cast<const CoreConfiguration&>(scenery.core()))},
+                 {"scene_lights", scene_lights(image)},
+                 {"materials", materials(image.scene)},
                  {"clock", studio_.clock(scenery.core())}};
   return answer;
 }
@@ -81,14 +130,16 @@ FrameOptions Session::options_of(const Shot& shot) const {
 Answer Session::frame(const Shot& shot) {
   const auto begin = Clock::now();
   room().scenery.move(shot.from.time);
-  Frame frame = shot.moving ? in_two_parts(shot) : whole(shot);
+  const Frame frame = shot.moving ? in_two_parts(shot) : whole(shot);
+  if (!shot.moving) keep_still(shot, frame);
   Answer answer;
   answer.head = {{"width", shot.width},
                  {"height", shot.height},
                  {"moving", shot.moving},
                  {"seconds", seconds_since(begin)},
-                 {"hits", shot.moving ? Json() : Json(frame.hit_count())}};
-  answer.words = std::move(frame.pixels);
+                 {"hits", shot.moving ? Json() : Json(frame.hit_count())},
+                 {"number", frames_}};
+  answer.words = frame.pixels;
   return answer;
 }
 
@@ -97,6 +148,138 @@ Frame Session::whole(const Shot& shot) {
   const Camera camera = scenery.camera(shot.from, shot.width, shot.height);
   return room_->easels[0].render(scenery, scenery.frame(camera, shot.width, shot.height),
                                  options_of(shot));
+}
+
+void Session::keep_still(const Shot& shot, const Frame& frame) {
+  const Scenery& scenery = room_->scenery;
+  const MemoryImage& memory = scenery.image();
+  const Camera camera = scenery.camera(shot.from, shot.width, shot.height);
+  FrameImage image = scenery.frame(camera, shot.width, shot.height);
+  MatrixOwners owners(memory.scene, memory.objects, image);
+  room_->still.emplace(Still{.number = ++frames_,
+                             .shot = shot,
+                             .camera = camera,
+                             .image = std::move(image),
+                             .frame = frame,
+                             .owners = std::move(owners)});
+}
+
+Still& Session::still() {
+  // Coarse frames of another moment may have moved the scene since.
+  if (!room().still) refuse(messages::kNoStill);
+  room_->scenery.move(room_->still->shot.from.time);
+  return *room_->still;
+}
+
+void Session::find_truth() {
+  Still& now = still();
+  if (room_->truth_time != now.shot.from.time) {
+    room_->truth = ViewTruth::of(room_->scenery.image().scene);
+    room_->truth_time = now.shot.from.time;
+  }
+  now.truth = room_->truth;
+}
+
+Answer Session::examine() {
+  constexpr unsigned kParts = 256;
+  Still& now = still();
+  if (!now.watch) {
+    if (!room_->clocked) {
+      room_->clocked = std::make_unique<Easel>(studio_.board(ViewBoard::kClocked, room_->choices));
+    }
+    FrameWatch watch{.ways = true, .parts = kParts, .stop = &urgent_};
+    Board& board = room_->clocked->board();
+    board.observe(&watch);
+    try {
+      Frame frame = room_->clocked->render(room_->scenery, now.image, options_of(now.shot));
+      board.observe(nullptr);
+      now.keep(std::move(watch), std::move(frame));
+    } catch (const FrameStopped&) {
+      board.observe(nullptr);
+      return {.head = {{"stopped", true}}};
+    } catch (...) {
+      board.observe(nullptr);
+      throw;
+    }
+  }
+  return {.head = machine_json(now, studio_.clock(room_->scenery.core()))};
+}
+
+Answer Session::pixel(const Json& question) {
+  const unsigned x = count_of(question, "x"), y = count_of(question, "y");
+  const Still& now = still();
+  if (x >= now.shot.width || y >= now.shot.height) {
+    refuse(messages::kNoPixel, x, y, now.shot.width, now.shot.height);
+  }
+  find_truth();
+  return {.head = pixel_json(room_->scenery, now, x, y)};
+}
+
+Answer Session::map(const Json& question) {
+  const std::string name = text_of(question, "name");
+  if (name == "wrong") find_truth();
+  return map_of(room_->scenery, still(), name);
+}
+
+Answer Session::csv() {
+  const Still& now = still();
+  const MemoryFormat& format = *room_->scenery.core().format;
+  std::string text = "x,y,hit,object,triangle,t,u,v,cosine,colour\n";
+  for (unsigned y = 0; y < now.shot.height; ++y) {
+    for (unsigned x = 0; x < now.shot.width; ++x) {
+      const HitRecord& hit = now.frame.hits[now.index(x, y)];
+      fmt::format_to(std::back_inserter(text), "{},{},{:d},{},{},{},{},{},{},{:06x}\n", x, y,
+                     hit.hit, hit.object, hit.triangle, format.number(hit.t), format.number(hit.u),
+                     format.number(hit.v), format.number(hit.cosine),
+                     now.frame.pixels[now.index(x, y)]);
+    }
+  }
+  return {.head = {{"number", now.number}, {"csv", text}}};
+}
+
+std::string Session::record(const std::map<std::string, PageFile>& files) {
+  const Json start = open(studio_.choices).head;
+  const Shot shot{room_->scenery.first(), studio_.width, studio_.height, false};
+  const Json frame_head = frame(shot).head;
+  const Json machine = examine().head;
+  find_truth();
+  return recorded_page(files, room_->scenery, still(), start, frame_head, machine);
+}
+
+Workshop::Job Session::comparison() {
+  const Still& now = still();
+  struct Task {
+    ViewChoices choices;
+    std::vector<MemoryRun> memory;
+    FrameImage image;
+    FrameOptions options;
+    Frame model;
+    unsigned number;
+  };
+  auto task =
+      std::make_shared<Task>(Task{room_->choices, room_->scenery.image().objects.memory.runs(),
+                                  now.image, options_of(now.shot), now.frame, now.number});
+  std::ranges::move(now.image.memory.runs(), std::back_inserter(task->memory));
+  task->options.timeout = kPatience;
+  return [task, board_of = studio_.board](const Workshop::Tell& tell) -> Json {
+    tell("opening the board");
+    const auto board = board_of(ViewBoard::kRtl, task->choices);
+    const auto pixels = task->model.pixels.size();
+    const Frame frame =
+        render(*board, task->options, task->image, task->memory,
+               [&](std::uint64_t done) { tell(fmt::format("{} of {} pixels", done, pixels)); });
+    const Comparison comparison = compare(task->model, frame);
+    return {{"number", task->number},
+            {"identical", comparison.identical()},
+            {"pixels", comparison.pixels},
+            {"counters", comparison.counters},
+            {"different_hits", comparison.different_hits},
+            {"different_pixels", comparison.different_pixels},
+            {"different_counters", comparison.different_counters},
+            {"first", comparison.first ? Json(comparison.first->text("model", "rtl")) : Json()},
+            {"cycles", frame.run.cycles ? Json(*frame.run.cycles) : Json()},
+            {"seconds", frame.run.seconds}};
+  };
 }
 
 Frame Session::in_two_parts(const Shot& shot) {

@@ -23,8 +23,15 @@ namespace dynrt::host {
 struct ViewChoices {
   std::string configuration;
   std::vector<std::string> lights{}, mirrors{};  ///< beside the scene's own, as the flags take them
+  std::optional<unsigned> mantissa_bits{};       ///< in place of the configuration's
   std::optional<unsigned> packets{}, lines{}, reflections{};
   friend bool operator==(const ViewChoices&, const ViewChoices&) = default;
+};
+
+enum class ViewBoard : std::uint8_t {
+  kModel,
+  kClocked,  ///< the model with its units' schedules, if they are there
+  kRtl,
 };
 
 struct ViewStudio {
@@ -32,10 +39,14 @@ struct ViewStudio {
   ViewChoices choices;
   unsigned width = 512, height = 384;
   CameraOverrides camera;  ///< given by the user
-  /// A board of a configuration: "model" or "rtl". Makes the configuration if it is not there.
-  std::function<std::unique_ptr<Board>(const std::string& kind, const ViewChoices&)> board;
+  /// Makes the configuration if it is not there, and says how far that is. Any thread may call it.
+  std::function<void(const ViewChoices&, const std::function<void(const std::string&)>& tell)> make;
+  /// A board of a configuration, which is made first if it is not there. Any thread may call it.
+  std::function<std::unique_ptr<Board>(ViewBoard kind, const ViewChoices&)> board;
   /// The scene in the memory of a core, with all that the choices add.
   std::function<MemoryImage(const ViewChoices&, const CoreInfo&)> prepare;
+  /// What there is to choose: {"configurations": [..], ..}.
+  nlohmann::ordered_json offers;
   /// The clock of a core: {"mhz": ..} and where it comes from.
   std::function<nlohmann::ordered_json(const CoreInfo&)> clock;
 };

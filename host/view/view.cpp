@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <stdexcept>
@@ -70,12 +71,35 @@ void open_browser(const std::string& address, const std::function<void()>& faile
 
 }  // namespace
 
+std::string recorded_view(ViewStudio studio) {
+  const std::atomic<unsigned> nothing_urgent = 0;
+  return Session(std::move(studio), nothing_urgent).record(page_files());
+}
+
 void view(ViewStudio studio, const ViewWindow& window) {
   // They outlive this function: a thread may be rendering when it returns.
-  auto& session = *new Session(std::move(studio));
   auto& renderer = *new RenderingThread;
-  const auto answer = [&](const Json& question) {
-    return renderer.run([&] { return session.answer(question); });
+  auto& workshop = *new Workshop;
+  const auto make = studio.make;
+  auto& session = *new Session(std::move(studio), renderer.urgent());
+  const auto answer = [&, make](const Json& question) -> Answer {
+    const std::string type = question.at("type");
+    if (type == "progress") return Answer{.head = workshop.progress()};
+    if (type == "make") {
+      const ViewChoices choices = choices_of(question);
+      const unsigned job = workshop.start(fmt::format("configuration {}", choices.configuration),
+                                          [make, choices](const Workshop::Tell& tell) -> Json {
+                                            make(choices, tell);
+                                            return json_of(choices);
+                                          });
+      return Answer{.head = {{"job", job}}};
+    }
+    if (type == "compare") {
+      Workshop::Job job = renderer.run(true, [&] { return session.comparison(); });
+      return Answer{.head = {{"job", workshop.start("the frame through the RTL", std::move(job))}}};
+    }
+    const bool urgent = type == "frame" || type == "open" || type == "pixel";
+    return renderer.run(urgent, [&] { return session.answer(question); });
   };
   answer({{"type", "start"}});  // a mistake in the scene ends the program here
   auto& server = *new ViewServer(page_files(), window.port, answer);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 
 #include "host/view/studio.h"
 
@@ -18,6 +19,10 @@ struct ViewWindow {
   bool browser = true;        ///< open one
   std::function<void(const std::string&)> say;
 };
+
+/// The window as one file that opens from disk, with the frame that the scene's camera sees. Throws
+/// UserError for a picture that is too large.
+std::string recorded_view(ViewStudio studio);
 
 /// Returns after an interrupt or a request to terminate; a frame may still be rendered then, so the
 /// program must end without waiting for its threads.

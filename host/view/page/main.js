@@ -2,53 +2,228 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The window: ties the picture, the walk and the panels to the program.
+import {address_of, read_address} from "./address.js";
 import {ask} from "./ask.js";
+import {ChoicesPanel} from "./choices.js";
+import {by_id, tabs} from "./elements.js";
 import {Frames} from "./frames.js";
+import {MachinePanel} from "./machine.js";
+import {MapView} from "./maps.js";
 import {Picture} from "./picture.js";
+import {PixelPanel} from "./pixel.js";
+import {Player} from "./player.js";
+import {SharePanel} from "./share.js";
 import {length, minus} from "./viewpoint.js";
 import {Walk} from "./walk.js";
-
-const by_id = (id) => document.getElementById(id);
 
 function say(sentence) {
   by_id("message").textContent = sentence;
   by_id("message").hidden = !sentence;
 }
 
+const stage = by_id("stage");
 const picture = new Picture(by_id("picture"));
+const machine = new MachinePanel(by_id("panel-machine"));
+const pixel = new PixelPanel(by_id("panel-pixel"), by_id("overlay"), (x, y) => point(x, y));
 let from = null, changed = -Infinity;
+let still = null;    // {head, from} of the frame that stands
+let watched = null;  // the machine in that frame
+let pointed = null;  // {x, y}
+let start = null;    // the program's answer to the choices that hold
+const given = read_address();
 
 function change(act) {
+  if (start.recorded) return;  // there is one frame
   from = act(from);
   changed = performance.now();
+}
+
+/// Asks a question about the frame that stands; nothing if another one stands before the answer.
+async function ask_of_still(type, fields = {}) {
+  const of = still;
+  try {
+    const answer = await ask(type, fields);
+    return of === still ? answer : null;
+  } catch (error) {
+    say(error.message);
+    return null;
+  }
 }
 
 function show(answer, of) {
   const {width, height, moving, seconds} = answer.head;
   picture.show(answer.words, width, height);
   say("");
-  const stage = by_id("stage");
+  stage.style.setProperty("--aspect", width / height);
   stage.dataset.state = moving ? "moving" : "still";
   stage.dataset.size = `${width}x${height}`;
-  by_id("speed").textContent = moving
-      ? `window ${frames.rate} frames a second at ${width}x${height}`
-      : `${width}x${height}, drawn in ${seconds.toFixed(2)} s`;
+  if (moving) {
+    by_id("speed").textContent = `window ${frames.rate} frames a second at ${width}x${height}` +
+        (core_rate ? `; the core ${core_rate}` : "");
+    if (still) forget_still();
+    return;
+  }
+  by_id("speed").textContent = `${width}x${height}, drawn in ${seconds.toFixed(2)} s`;
+  still = {head: answer.head, from: of};
+  if (given.pixel) [pointed, given.pixel] = [{x: given.pixel[0], y: given.pixel[1]}, null];
+  stage.dataset.number = answer.head.number;
+  tell_address();
+  look_inside();
 }
 
-const start = (await ask("start")).head;
-from = start.first;
+/// Writes what is seen into the address and the command.
+function tell_address() {
+  if (!still) return;
+  const pixel = pointed ? [pointed.x, pointed.y] : null;
+  const {choices} = start;
+  history.replaceState(null, "", address_of({from: still.from, choices, map: maps.name, pixel}));
+  share.show({scene: start.scene, size: frames.size, from: still.from, choices, pixel});
+}
+
+let core_rate = "";
+
+function forget_still() {
+  still = watched = null;
+  pointed = null;
+  pixel.clear();
+  machine.clear();
+  maps.hide();
+  delete stage.dataset.watched;
+}
+
+/// Has the program watch the frame, and shows what depends on it.
+async function look_inside() {
+  if (maps.wanted && !maps.wanted.watched) show_map();
+  const answer = await ask_of_still("examine");
+  if (!answer || answer.head.stopped) {
+    if (answer && still) setTimeout(() => still && !watched && look_inside(), 50);
+    return;
+  }
+  watched = answer.head;
+  stage.dataset.watched = watched.number;
+  machine.show(watched);
+  if (watched.frames_per_second) {
+    core_rate = `${watched.frames_per_second.toFixed(1)} at ${watched.clock.mhz} MHz`;
+    by_id("speed").textContent += `; the core ${core_rate}, ${watched.cycles.toLocaleString("en")} clocks`;
+  }
+  if (maps.wanted?.watched) show_map();
+  if (pointed) point(pointed.x, pointed.y);
+}
+
+async function point(x, y) {
+  if (!still) return;
+  pointed = {x, y};
+  const answer = await ask_of_still("pixel", {x, y});
+  if (!answer || pointed.x !== x || pointed.y !== y) return;
+  if (!by_id("panel-pixel").dataset.pixel) choose_tab("pixel");
+  tell_address();
+  pixel.show(answer.head, still.from, [still.head.width, still.head.height]);
+}
+
+async function show_map() {
+  if (!maps.wanted) return maps.hide();
+  if (!still || (maps.wanted.watched && !watched)) return;
+  const answer = await ask_of_still("map", {name: maps.name});
+  if (!answer) return maps.hide();
+  if (answer.head.name === maps.name) maps.show(answer, still.head.width, still.head.height);
+}
+
+/// Asks again and again how far a job is; its result, or nothing if it failed.
+async function finished(job, tell) {
+  for (;;) {
+    const {head} = await ask("progress");
+    if (head.job !== job) return null;
+    if (head.state === "done") return head.result;
+    if (head.state === "failed") throw new Error(head.error);
+    tell(`${head.name}: ${head.progress || "begun"}, ${head.seconds.toFixed(0)} s`);
+    await new Promise((resolve) => setTimeout(resolve, 200));
+  }
+}
+
+/// Makes the configuration if it is not there, and opens the scene with it. The last good frame
+/// stays if that fails.
+async function choose(choices) {
+  stage.dataset.choosing = "yes";
+  try {
+    const {head} = await ask("make", choices);
+    if (!await finished(head.job, (text) => chosen.say(text))) return;
+    chosen.say("building the trees");
+    begin((await ask("open", choices)).head);
+    forget_still();
+    change((at) => ({...at}));
+    frames.whole = null;
+    say("");
+  } catch (error) {
+    say(error.message);
+    chosen.show(start);
+  } finally {
+    chosen.say("");
+    delete stage.dataset.choosing;
+  }
+}
+
+/// Takes over what the program says of the scene and the core.
+function begin(answer) {
+  start = answer;
+  chosen.show(start);
+  core_rate = "";
+}
+
+async function compare() {
+  by_id("compare").disabled = true;
+  try {
+    share.say("begun", "running");
+    const {head} = await ask("compare");
+    const result = await finished(head.job, (text) => share.say(text, "running"));
+    if (result) share.compared(result);
+  } catch (error) {
+    share.say(error.message, "failed");
+  } finally {
+    by_id("compare").disabled = false;
+  }
+}
+
+const chosen = new ChoicesPanel(by_id("panel-choices"), choose);
+const share = new SharePanel(by_id("panel-share"), {
+  compare,
+  csv: async () => (await ask_of_still("csv"))?.head.csv,
+});
+const choose_tab = tabs(by_id("tabs"), {pixel: "Pixel", machine: "Machine", choices: "Choices",
+                                        share: "Share"}, () => {});
+begin((await ask("start")).head);
+if (start.recorded) {
+  for (const name of ["tab-choices", "compare", "save-csv"]) by_id(name).hidden = true;
+  given.from = given.choices = {};
+}
+from = {...start.first, ...given.from};
 by_id("title").textContent = `dynrt view ${start.scene}`;
 document.title = `${start.scene}, dynrt view`;
+const maps = new MapView(by_id("map"), by_id("map-name"), start.maps);
+by_id("map-name").value = start.maps.some(({name}) => name === given.map) ? given.map : "";
+by_id("map-name").onchange = () => {
+  tell_address();
+  show_map();
+};
 const frames = new Frames([start.width, start.height], show, (error) => say(error.message));
-const walk = new Walk(by_id("stage"), change, () => {});
+const walk = new Walk(stage, change, (event) => {
+  const {x, y} = picture.place_of(event);
+  point(x, y);
+});
 walk.speed = length(minus(start.high, start.low)) / 8;
+const player = new Player(start.seconds, (time) => change((at) => ({...at, time})));
+player.time = from.time;
+player.tell();
+const wanted = {...start.choices, ...given.choices};
+if (JSON.stringify(wanted) !== JSON.stringify(start.choices)) await choose(wanted);
 
 let before = performance.now();
 function tick(now) {
-  if (walk.walking) change((at) => walk.step(at, Math.min(0.2, (now - before) / 1000)));
+  const passed = Math.min(0.2, (now - before) / 1000);
+  if (walk.walking) change((at) => walk.step(at, passed));
+  player.tick(passed);
   before = now;
-  frames.next(from, changed);
+  if (!stage.dataset.choosing) frames.next(from, changed);
   requestAnimationFrame(tick);
 }
-by_id("stage").focus();
+stage.focus();
 requestAnimationFrame(tick);

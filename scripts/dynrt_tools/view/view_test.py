@@ -8,12 +8,16 @@ Usage: view_test.py PROGRAM"""
 import http.client
 import json
 import pathlib
+import shlex
 import signal
+import struct
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 import urllib.parse
+from collections import Counter
 from typing import Any, ClassVar
 
 from dynrt_tools import project
@@ -22,7 +26,7 @@ from dynrt_tools.view.window import Browser, Program
 PROGRAM = pathlib.Path()
 SCENE = "blocks"
 SIZE = "64x48"
-JSON = {"Content-Type": "application/json"}
+JSON_TYPE = "application/json"
 
 
 def request(
@@ -47,9 +51,7 @@ class Requests(unittest.TestCase):
         cls.program = cls.enterClassContext(Program(PROGRAM, SCENE, "--size", SIZE))
 
     def ask(self, body: str, **headers: str) -> tuple[int, bytes, str]:
-        return request(
-            self.program, "POST", "/ask", body, **{"Content_Type": JSON["Content-Type"], **headers}
-        )
+        return request(self.program, "POST", "/ask", body, **{"Content_Type": JSON_TYPE, **headers})
 
     def test_gives_the_page_and_no_other_file(self) -> None:
         status, page, _ = request(self.program, "GET", "/")
@@ -138,8 +140,10 @@ class Ends(unittest.TestCase):
                         "POST",
                         "/ask",
                         '{"type": "start"}',
-                        Content_Type="application/json",
-                    )[1][4:]
+                        Content_Type=JSON_TYPE,
+                    )[
+                        1
+                    ][4:]
                 )
                 body = {
                     "type": "frame",
@@ -150,7 +154,7 @@ class Ends(unittest.TestCase):
                 }
                 place = urllib.parse.urlsplit(program.address).netloc
                 connection = http.client.HTTPConnection(place, timeout=60)
-                connection.request("POST", "/ask", json.dumps(body), JSON)
+                connection.request("POST", "/ask", json.dumps(body), {"Content-Type": JSON_TYPE})
                 time.sleep(0.1)
                 program.process.send_signal(end)
                 self.assertEqual(program.process.wait(10), 0)
@@ -186,7 +190,11 @@ class Page(unittest.TestCase):
 
     def setUp(self) -> None:
         self.browser = self.enterContext(Browser())
-        self.browser.open(self.program.address)
+        self.open()
+
+    def open(self, view: str = "") -> None:
+        self.browser.open("about:blank")
+        self.browser.open(self.program.address + view)
         self.still()
 
     def tearDown(self) -> None:
@@ -194,32 +202,226 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.complaints, [])
         self.assertTrue(self.browser.asked)
         for address in self.browser.asked:
-            self.assertTrue(address.startswith((self.program.address, "data:", "blob:")), address)
+            own = (self.program.address, "data:", "blob:", "about:blank")
+            self.assertTrue(address.startswith(own), address)
 
     def still(self) -> None:
-        self.browser.wait("document.getElementById('stage').dataset.state === 'still'")
+        """Waits for a whole frame that was watched."""
+        self.browser.wait(
+            "document.getElementById('stage').dataset.state === 'still' && "
+            "!document.getElementById('stage').dataset.choosing && "
+            "document.getElementById('stage').dataset.watched"
+        )
 
-    def picture(self) -> str:
-        shown: str = self.browser.run("return document.getElementById('picture').toDataURL()")
+    def picture(self, name: str = "picture") -> str:
+        shown: str = self.browser.run(f"return document.getElementById('{name}').toDataURL()")
         return shown
+
+    def text(self, name: str) -> str:
+        shown: str = self.browser.run(f"return document.getElementById('{name}').textContent")
+        return shown
+
+    def set(self, name: str, value: object) -> None:
+        """Gives an input or a list another value, as a reader would."""
+        self.browser.run(
+            "const e = document.getElementById(arguments[0]); e.value = arguments[1];"
+            "e.dispatchEvent(new Event('input')); e.dispatchEvent(new Event('change'));",
+            name,
+            str(value),
+        )
+
+    def click_pixel(self, x: int, y: int) -> None:
+        """A click in the middle of a pixel."""
+        stage = self.browser.driver.find_element("id", "stage")
+        width, height = map(int, SIZE.split("x"))
+        box = stage.rect
+        place = (
+            round((x + 0.5) / width * box["width"] - box["width"] / 2),
+            round((y + 0.5) / height * box["height"] - box["height"] / 2),
+        )
+        self.browser.actions().move_to_element_with_offset(stage, *place).click().perform()
+        self.browser.wait(f"document.getElementById('panel-pixel').dataset.pixel === '{x},{y}'")
+        self.browser.wait("document.getElementById('way')")
+
+    def ask(self, kind: str, **fields: object) -> tuple[project.Json, bytes]:
+        """The program's answer to a question of the page: JSON, and what lies behind it."""
+        status, content, _ = request(
+            self.program,
+            "POST",
+            "/ask",
+            json.dumps({"type": kind, **fields}),
+            Content_Type=JSON_TYPE,
+        )
+        self.assertEqual(status, 200, content)
+        length = int.from_bytes(content[:4], "little")
+        return json.loads(content[4 : 4 + length]), content[4 + length :]
+
+    def rendered(self) -> project.Json:
+        """The report of the command that the page shows, run by itself."""
+        with tempfile.TemporaryDirectory() as folder:
+            words = shlex.split(self.text("command"))
+            self.assertEqual(words[0], "dynrt")
+            subprocess.run([PROGRAM, *words[1:]], cwd=folder, check=True, capture_output=True)
+            return dict(project.read_json(pathlib.Path(folder) / "pixel.json"))
 
     def test_walks(self) -> None:
         before = self.picture()
         self.assertEqual(
             self.browser.run("return document.getElementById('stage').dataset.size"), SIZE
         )
-        self.browser.actions().key_down("w").perform()
-        self.browser.wait("document.getElementById('stage').dataset.state === 'moving'")
-        self.browser.wait("document.getElementById('speed').textContent.includes('a second')")
-        self.browser.actions().key_up("w").perform()
-        self.still()
-        walked = self.picture()
-        self.assertNotEqual(before, walked)
+        for keys in ("w", "arrow"):
+            key = "w" if keys == "w" else "\ue014"  # the right arrow
+            self.browser.actions().key_down(key).perform()
+            self.browser.wait("document.getElementById('stage').dataset.state === 'moving'")
+            self.browser.wait("document.getElementById('speed').textContent.includes('a second')")
+            self.browser.actions().key_up(key).perform()
+            self.still()
+            walked = self.picture()
+            self.assertNotEqual(before, walked, keys)
+            before = walked
         stage = self.browser.driver.find_element("id", "stage")
         self.browser.actions().drag_and_drop_by_offset(stage, 60, 10).perform()
         self.browser.wait("document.getElementById('stage').dataset.state === 'moving'")
         self.still()
-        self.assertNotEqual(walked, self.picture())
+        self.assertNotEqual(before, self.picture())
+        self.assertRegex(self.text("speed"), r"the core [\d.]+ at [\d.]+ MHz")
+
+    def test_a_pixel_has_the_numbers_of_the_program(self) -> None:
+        for x, y in ((30, 20), (0, 0), (63, 47)):
+            self.click_pixel(x, y)
+            record = self.rendered()["pixel"]
+            self.assertEqual((record["x"], record["y"]), (x, y))
+            cells = self.browser.run(
+                "return [...document.querySelectorAll('#panel-pixel table')[0].rows].slice(1)"
+                ".map((row) => [...row.cells].map((cell) => cell.textContent))"
+            )
+            self.assertEqual([row[0] for row in cells], ["t", "u", "v", "cosine"])
+            for row in cells:
+                expected = record[row[0]]["bits"] if record["hit"] else "–"
+                self.assertEqual(row[2], expected, (x, y))
+            self.assertIn(record["colour"], self.text("panel-pixel"))
+        self.click_pixel(30, 20)
+        answer, _ = self.ask("pixel", x=30, y=20)
+        self.assertEqual(answer["truth"]["verdict"], 0)
+        self.assertIn("right; the truth is", self.text("verdict"))
+        self.assertLess(abs(answer["truth"]["off"]["t"]), 8)
+
+    def test_a_packet_has_its_way(self) -> None:
+        self.click_pixel(30, 20)
+        answer, _ = self.ask("pixel", x=30, y=20)
+        way, packet = answer["way"], answer["packet"]
+        count = Counter(step["event"] for step in way)
+        self.assertEqual(count["node"], packet["nodes"])
+        self.assertEqual(count["triangle"], packet["triangles"])
+        self.assertEqual(count["object"], packet["objects"])
+        self.assertGreater(count["triangle"], 0)
+        self.assertEqual(way[0]["event"], "rays")
+        clocks = [step["clock"] for step in way]
+        self.assertEqual(clocks, sorted(clocks))
+        self.assertLess(clocks[-1], packet["end"] - packet["begin"])
+        hit = answer["names"]["primitive"]
+        self.assertIn(hit, [s.get("primitive") for s in way if s["event"] == "triangle"])
+        self.set("way-step", len(way) - 1)
+        drawn = self.browser.run("return document.querySelectorAll('#overlay path').length")
+        self.assertEqual(drawn, min(60, sum("box" in s or "corners" in s for s in way)))
+
+    def test_shows_every_map(self) -> None:
+        names = self.browser.run(
+            "return [...document.getElementById('map-name').options].map((o) => o.value)"
+        )
+        self.assertGreater(len(names), 8)
+        seen = set()
+        for name in names[1:]:
+            self.set("map-name", name)
+            self.browser.wait(f"document.getElementById('map').dataset.name === '{name}'")
+            seen.add(self.picture("map"))
+            self.assertFalse(self.browser.run("return document.getElementById('legend').hidden"))
+            self.assertIn(f"map={name}", self.browser.run("return location.hash"))
+        self.assertEqual(len(seen), len(names) - 1, "some maps look alike")
+        for split, inset in ((100, "0%"), (25, "75%")):
+            self.set("split", split)
+            clip = self.browser.run("return document.getElementById('map').style.clipPath")
+            self.assertIn(inset, clip)
+        self.set("map-name", "")
+        self.browser.wait("document.getElementById('map').hidden")
+
+    def test_maps_and_machine_are_what_the_counters_say(self) -> None:
+        machine, _ = self.ask("examine")
+        self.assertGreater(machine["cycles"], 0)
+        units = {unit["name"]: unit for unit in machine["units"]}
+        for unit in machine["units"]:
+            self.assertEqual(sum(unit["work"]), unit["transactions"], unit["name"])
+        answer, _ = self.ask("pixel", x=0, y=0)
+        pixels = answer["packet"]["columns"] * answer["packet"]["rows"]
+        for name, unit in (("nodes", "node_lookup"), ("misses", None)):
+            _, words = self.ask("map", name=name)
+            total = sum(struct.unpack(f"<{len(words) // 4}f", words)) / pixels
+            misses = sum(cache["misses"] for cache in machine["caches"])
+            self.assertEqual(total, units[unit]["transactions"] if unit else misses, name)
+        self.browser.click("#tab-machine")
+        shown = self.browser.run(
+            "return [...document.querySelectorAll('[data-unit]')].map((e) => e.dataset.unit)"
+        )
+        self.assertEqual(sorted(shown), sorted(units))
+        self.assertIn(f"{machine['cycles']:,} clocks", self.text("core-speed"))
+
+    def test_an_address_is_what_is_seen(self) -> None:
+        self.set("choice-packets", 8)
+        self.still()
+        self.browser.actions().key_down("d").perform()
+        self.browser.wait("document.getElementById('stage').dataset.state === 'moving'")
+        self.browser.actions().key_up("d").perform()
+        self.still()
+        self.set("map-name", "normals")
+        self.click_pixel(20, 20)
+        view = self.browser.run("return location.hash")
+        for part in ("packets=8", "map=normals", "pixel=20,20"):
+            self.assertIn(part, view)
+        picture, machine = self.picture(), self.ask("examine")[0]
+        self.assertEqual(machine["packets"], 8)
+        self.open()
+        self.open(view)
+        self.browser.wait("document.getElementById('panel-pixel').dataset.pixel === '20,20'")
+        self.assertEqual(self.picture(), picture)
+        self.browser.wait("document.getElementById('map').dataset.name === 'normals'")
+        self.assertEqual(self.ask("examine")[0]["cycles"], machine["cycles"])
+
+    def test_takes_another_configuration_and_refuses_a_wrong_light(self) -> None:
+        before = self.ask("examine")[0]
+        self.set("choice-configuration", "thesis")
+        self.browser.wait("location.hash.includes('configuration=thesis')")
+        self.still()
+        after = self.ask("examine")[0]
+        self.assertEqual((before["configuration"], after["configuration"]), ("fast", "thesis"))
+        self.assertNotEqual(before["cycles"], after["cycles"])
+        good = self.picture()
+        self.set("choice-lights", "0,5,0")
+        self.browser.wait("!document.getElementById('message').hidden")
+        self.assertIn("thesis", self.text("message"))
+        self.assertEqual(self.picture(), good, "the last good frame stays")
+        self.assertEqual(self.ask("examine")[0]["configuration"], "thesis")
+        self.set("choice-configuration", "fast")
+        self.browser.wait("location.hash.includes('configuration=fast')")
+        self.still()
+        self.assertTrue(self.browser.run("return document.getElementById('message').hidden"))
+        self.browser.gather()
+        refusals = [line for line in self.browser.complaints if "status of 422" in line]
+        self.assertEqual(refusals, self.browser.complaints)
+        self.browser.complaints.clear()
+
+    def test_gives_the_hit_records_and_compares_with_the_rtl(self) -> None:
+        text = self.ask("csv")[0]["csv"].splitlines()
+        width, height = map(int, SIZE.split("x"))
+        self.assertEqual(len(text), 1 + width * height)
+        self.click_pixel(30, 20)
+        record = self.rendered()["pixel"]
+        row = dict(zip(text[0].split(","), text[1 + 20 * width + 30].split(",")))
+        self.assertEqual(float(row["t"]), record["t"]["value"])
+        self.assertEqual(int(row["triangle"]), record["triangle"])
+        self.browser.click("#tab-share")
+        self.browser.click("#compare")
+        self.browser.wait("document.getElementById('comparison').dataset.state === 'done'")
+        self.assertIn(f"identical: {width * height:,} pixels", self.text("comparison"))
 
 
 if __name__ == "__main__":

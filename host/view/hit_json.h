@@ -1,0 +1,16 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The hit record of a pixel in numbers, the same in the window and in the reports of the program.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "host/render/frame.h"
+
+namespace dynrt::host {
+
+/// With its colour; each number as bits and as a value.
+nlohmann::ordered_json hit_json(const Frame& frame, unsigned x, unsigned y);
+
+}  // namespace dynrt::host

@@ -1,0 +1,27 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// The window as one file that opens from disk: the page with a frame and everything that the
+// program would answer about it. page/recorded.js gives the answers there.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+
+#include "host/view/page_files.h"
+#include "host/view/scenery.h"
+#include "host/view/still.h"
+
+namespace dynrt::host {
+
+/// The largest file.
+inline constexpr std::size_t kMostRecordedBytes = 20'000'000;
+
+/// The file's text. The frame must have been watched; `start` and `machine` are the answers to
+/// these questions. Throws UserError if it would be too large.
+std::string recorded_page(const std::map<std::string, PageFile>& files, const Scenery& scenery,
+                          const Still& still, const Json& start, const Json& frame,
+                          const Json& machine);
+
+}  // namespace dynrt::host
