@@ -116,4 +116,8 @@ inline constexpr char kOrbit[] =
 
 inline constexpr char kDefect[] = "defect in dynrt: {}";
 
+inline constexpr char kOtherConfiguration[] =
+    "board {} holds configuration {}, not {}; name that one, or none";
+inline constexpr char kNoWaveforms[] = "board {} writes no waveforms; --board rtl does";
+
 }  // namespace dynrt::host::messages

@@ -31,6 +31,15 @@ struct SceneArguments {
 /// Without a pixel or an interrupt, after which a frame is given up.
 inline constexpr std::uint64_t kTimeout = 10'000'000;
 
+/// Of the flag --board.
+inline constexpr char kHardwareHelp[] =
+    "rtl: run the Verilog; ulx3s: run that of the whole board, down to its pins, which holds the "
+    "configuration fast_port; serial:DEVICE: such a board at a serial device";
+inline constexpr char kBoardHelp[] =
+    "rtl: run the Verilog; model: run the C++ natively; ulx3s: run the Verilog of the whole board, "
+    "down to its pins, which holds the configuration fast_port; serial:DEVICE: such a board at a "
+    "serial device";
+
 /// How a frame is rendered, and the files that are written.
 struct FrameArguments {
   std::string configuration = kDefaultConfiguration;

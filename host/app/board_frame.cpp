@@ -6,13 +6,34 @@
 
 #include <filesystem>
 
+#include "host/app/app_messages.h"
 #include "host/app/light_flags.h"
 #include "host/app/progress.h"
+#include "host/error.h"
+#include "host/ulx3s/ulx3s_board.h"
 
 namespace dynrt::host {
 
+namespace {
+
+/// A board with a bitstream of its own has one configuration; the default stands for that.
+std::unique_ptr<Board> open_ulx3s(const BoardRequest& request, const FrameOptions& options) {
+  if (request.configuration != kDefaultConfiguration &&
+      request.configuration != kUlx3sConfiguration) {
+    refuse(messages::kOtherConfiguration, request.board, kUlx3sConfiguration,
+           request.configuration);
+  }
+  if (!request.trace.empty()) refuse(messages::kNoWaveforms, request.board);
+  auto board = make_ulx3s_board(request.board);
+  if (request.board == kUlx3s) board->check_display(options.width, options.height);
+  return board;
+}
+
+}  // namespace
+
 std::unique_ptr<Board> open_board(const BoardRequest& request, const FrameOptions& options) {
-  auto board = make_board(configurations(), request);
+  auto board = is_ulx3s(request.board) ? open_ulx3s(request, options)
+                                       : make_board(configurations(), request);
   if (options.reflections.value_or(0) > 0) require_reflections(board->core(), "--reflections");
   frame_config(board->core(), options, {});
   return board;

@@ -14,6 +14,7 @@
 #include "host/app/text.h"
 #include "host/picture/output_file.h"
 #include "host/picture/write_image.h"
+#include "host/ulx3s/ulx3s_board.h"
 
 namespace dynrt::host {
 
@@ -23,6 +24,7 @@ struct Arguments {
   SceneArguments scene;
   FrameArguments frame;
   SpecialiseFlags specialise;
+  std::string board = "rtl";
 };
 
 Frame frame_of(const BoardRequest& request, const FrameOptions& options, const Prepared& prepared) {
@@ -44,11 +46,12 @@ int run(const Arguments& arguments) {
   // Unknown configurations and the like come before the work.
   SceneFile scene = arguments.specialise.file(arguments.scene);
   const ChosenCore core = arguments.specialise.choose(scene, arguments.frame);
-  const BoardRequest of_rtl{"rtl", core.configuration, ""};
-  const BoardRequest of_model{
-      "model", arguments.specialise.specialise ? core.general : core.configuration, ""};
-  const Prepared prepared = prepared_for(of_rtl, scene, options);
-  const Frame rtl = frame_of(of_rtl, options, prepared);
+  const BoardRequest of_rtl{arguments.board, core.configuration, ""};
+  const std::string same = is_ulx3s(arguments.board) ? kUlx3sConfiguration : core.configuration;
+  const BoardRequest of_model{"model", arguments.specialise.specialise ? core.general : same, ""};
+  const auto board = open_board(of_rtl, options);
+  const Prepared prepared = prepare(scene, options.width, options.height, &board->core());
+  const Frame rtl = render_on(*board, options, prepared);
   const Frame model =
       frame_of(of_model, options,
                arguments.specialise.specialise ? prepared_for(of_model, scene, options) : prepared);
@@ -69,7 +72,7 @@ int run(const Arguments& arguments) {
       out.empty() ? "" : fmt::format("image       {}, {}x{}\n", out, rtl.width, rtl.height);
   say(fmt::format("{}{}{}model       {:.2f} s, {:.0f} rays per second\n{}", image, prepared.text(),
                   report_text(rtl, rtl_figures, clock), model.run.seconds,
-                  model_figures.rays_per_second, comparison_text(comparison, "rtl", "model")));
+                  model_figures.rays_per_second, comparison_text(comparison, rtl.board, "model")));
   return comparison.identical() ? kDone : kDifferent;
 }
 
@@ -79,11 +82,13 @@ Command add_compare_command(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand(
       "compare",
-      "render on both boards and compare every hit record, pixel and counter; with --specialise, "
+      "render on the hardware and on the model and compare every hit record, pixel and counter; "
+      "with --specialise, "
       "compare the Verilog made for the scene with the model of the general core");
   arguments->scene.add_to(*command, true);
   arguments->frame.add_to(*command, "none");
   arguments->specialise.add_to(*command, false);
+  command->add_option("--board", arguments->board, kHardwareHelp)->option_text("BOARD [rtl]");
   return {command, [arguments] { return run(*arguments); }};
 }
 

@@ -129,9 +129,7 @@ Command add_render_command(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("render", "render a scene and write the image");
   arguments->scene.add_to(*command, true);
-  command
-      ->add_option("--board", arguments->board, "rtl: run the Verilog; model: run the C++ natively")
-      ->option_text("BOARD [rtl]");
+  command->add_option("--board", arguments->board, kBoardHelp)->option_text("BOARD [rtl]");
   command
       ->add_option("--schedule", arguments->schedule,
                    "count the clocks of --board model with the schedules in this folder, which "

@@ -234,9 +234,7 @@ Command add_walk_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "walk", "render the frames of a scene's animation, or of a camera's way around the scene");
   arguments->scene.add_to(*command, true);
-  command
-      ->add_option("--board", arguments->board, "rtl: run the Verilog; model: run the C++ natively")
-      ->option_text("BOARD [rtl]");
+  command->add_option("--board", arguments->board, kBoardHelp)->option_text("BOARD [rtl]");
   command
       ->add_option("--schedule", arguments->schedule,
                    "count the clocks of --board model with the schedules in this folder")

@@ -46,7 +46,9 @@ inline constexpr char kForeignLibrary[] =
 inline constexpr char kOtherBuild[] =
     "configuration {}: it was made from other sources or by another compiler than this program; "
     "make it again with scripts/configuration";
-inline constexpr char kNoBoard[] = "board {}: there is no such board; the boards are rtl and model";
+inline constexpr char kNoBoard[] =
+    "board {}: there is no such board; the boards are rtl, model, ulx3s and "
+    "serial:DEVICE";
 inline constexpr char kModelAlone[] =
     "configuration {}: it has only the native model, so it has no board rtl; take a configuration "
     "with Verilog ({}), or give it \"rtl\": true in hls/configs/configs.json and build again";

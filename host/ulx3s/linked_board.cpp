@@ -22,8 +22,8 @@ std::uint32_t word_of(std::uint32_t address) {
 }
 
 /// Words by their addresses as runs of bytes.
-std::vector<UploadPart> parts_of(const std::map<std::uint32_t, std::uint32_t>& words) {
-  std::vector<UploadPart> parts;
+std::vector<MemoryBytes> parts_of(const std::map<std::uint32_t, std::uint32_t>& words) {
+  std::vector<MemoryBytes> parts;
   for (const auto& [address, word] : words) {
     if (parts.empty() || parts.back().address + parts.back().bytes.size() != address) {
       parts.push_back({address, {}});
@@ -80,13 +80,13 @@ bool LinkedBoard::run_until_interrupt(std::uint64_t limit) {
 
 void LinkedBoard::send_memory() {
   kept_ = {};
-  const std::vector<UploadPart> changes = plan_.changes(parts_of(written_));
+  const std::vector<MemoryBytes> changes = plan_.changes(parts_of(written_));
   written_.clear();
   upload_ = upload_cost(changes);
   if (door_ == nullptr) {
     link_->write_memory(changes);
   } else {
-    for (const UploadPart& part : changes) door_->write(part.address, part.bytes);
+    for (const MemoryBytes& part : changes) door_->write(part.address, part.bytes);
   }
 }
 

@@ -62,7 +62,7 @@ class LinkedBoard final : public ClockedBoard {
   std::map<std::uint32_t, std::uint32_t> written_;  ///< words to be sent, by the byte's address
   UploadPlan plan_;
   UploadCost upload_;
-  UploadPart kept_;
+  MemoryBytes kept_;
   bool interrupt_ = false;
   std::uint64_t clocks_ = 0;
 };

@@ -14,23 +14,36 @@
 #include "host/board/frame_meter.h"
 #include "host/link/byte_stream.h"
 #include "host/ulx3s/linked_board.h"
-#include "sdram/sdram_chip.h"
 
 namespace dynrt::host {
 
+/// What has gone over the pins of the SDRAM since the board was set up.
+struct SdramUse {
+  std::uint64_t clocks = 0;
+  std::uint64_t words_read = 0;  ///< of 16 bits, each a clock of the data pins
+  std::uint64_t words_written = 0;
+  std::uint64_t activations = 0;
+  std::uint64_t refreshes = 0;
+};
+
 class SimulatedUlx3s : public ByteStream, public BackDoor {
  public:
+  using BackDoor::read;
+  using BackDoor::write;
+  using ByteStream::read;
+  using ByteStream::write;
+
   virtual void run(Time time) = 0;
   /// The frames that the monitor has seen whole since the last call.
   virtual std::vector<DisplayFrame> take_frames() = 0;
-  /// Of the memory's chip. What it forbids and has seen is in its faults.
-  virtual const verif::SdramChip& chip() const = 0;
+  virtual SdramUse memory_use() const = 0;
 
  protected:
   using ByteStream::ByteStream;
 };
 
-/// Resets the board and waits until its memory is set up.
+/// Resets the board and waits until its memory is set up. Throws UserError if this build has not
+/// its Verilog (verif/ulx3s has the simulation).
 std::unique_ptr<SimulatedUlx3s> make_simulated_ulx3s();
 
 }  // namespace dynrt::host

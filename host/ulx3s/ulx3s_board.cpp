@@ -30,15 +30,20 @@ constexpr microseconds kSimulatedPoll{500};
 constexpr milliseconds kDisplayStep{2};
 constexpr unsigned kMostDisplaySteps = 50;
 
+/// The counters would take longer over the line than the frame.
+CoreInfo core_info() {
+  CoreInfo core = core_info_of_listed<config::fast_port>(kUlx3sConfiguration);
+  core.counters = false;
+  return core;
+}
+
 }  // namespace
 
 bool is_ulx3s(std::string_view board) { return board == kUlx3s || board.starts_with(kSerial); }
 
 Ulx3sBoard::Ulx3sBoard(std::string name, std::unique_ptr<LinkedBoard> linked,
                        SimulatedUlx3s* simulated)
-    : RtlBoard(core_info_of_listed<config::fast_port>(kUlx3sConfiguration), std::move(linked), {},
-               std::move(name)),
-      simulated_(simulated) {}
+    : RtlBoard(core_info(), std::move(linked), {}, std::move(name)), simulated_(simulated) {}
 
 void Ulx3sBoard::configure(const FrameConfig& frame) {
   RtlBoard::configure(frame);

@@ -10,6 +10,10 @@ inline constexpr char kChipNotSetUp[] =
     "the controller of the simulated ULX3S has not set its SDRAM up within a millisecond";
 inline constexpr char kChipFault[] =
     "the simulated ULX3S does to its SDRAM what the chip's data sheet forbids: {}";
+inline constexpr char kNoSimulation[] =
+    "board ulx3s: this build has no Verilog of it; build with DYNRT_RTL, or name a board at a "
+    "serial "
+    "line by serial:DEVICE";
 inline constexpr char kNoPicture[] =
     "the monitor at the DVI pins of the simulated ULX3S has seen no frame within 100 milliseconds";
 inline constexpr char kBadPicture[] =

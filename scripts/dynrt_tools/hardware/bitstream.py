@@ -26,6 +26,7 @@ class Board:
 
     top: str
     config: str  # of its core
+    sdram: str  # folder of its controller in a build
     device: str
     grade: str
     constraints: str
@@ -35,6 +36,7 @@ BOARDS = {
     "ulx3s": Board(
         "dynrt_ulx3s",
         "fast_port",
+        "sdram_125",
         "ecp5-85",
         "6",
         "ulx3s.lpf",
@@ -117,7 +119,10 @@ def synthesize(board: Board, args: argparse.Namespace) -> tuple[pathlib.Path, Js
     family = devices.family_of(board.device)
     synth = devices.FAMILIES[family]["synth"]
     core = rtl_files.generated(argparse.Namespace(config=board.config, build=args.build))
-    files = synthesis.needed(board.top, rtl_files.sources(core))
+    # The controller of the SDRAM at the board's clock, and not the one that is checked in.
+    controller = rtl_files.units_in(core[0].parents[1] / board.sdram)
+    sources = [f for f in rtl_files.sources(core) if f.parent != rtl_files.SDRAM]
+    files = synthesis.needed(board.top, sources + controller)
 
     def make(folder: pathlib.Path) -> None:
         synthesis.run_yosys(

@@ -11,9 +11,10 @@
 #include "host/board/dvi_monitor.h"
 #include "host/board/timed_top.h"
 #include "host/error.h"
-#include "host/ulx3s/serial_pins.h"
 #include "host/ulx3s/simulated_ulx3s.h"
 #include "host/ulx3s/ulx3s_messages.h"
+#include "sdram/sdram_chip.h"
+#include "ulx3s/serial_pins.h"
 
 namespace dynrt::host {
 
@@ -71,7 +72,10 @@ class VerilatedUlx3s final : public SimulatedUlx3s {
     taken_ = monitor_.frames().size();
     return frames;
   }
-  const verif::SdramChip& chip() const override { return chip_; }
+  SdramUse memory_use() const override {
+    const verif::SdramCounters& c = chip_.counters();
+    return {c.clocks, c.words_read, c.words_written, c.activations, c.refreshes};
+  }
 
   void write(std::uint32_t address, std::span<const std::uint8_t> bytes) override {
     for (std::size_t i = 0; i < bytes.size(); i += 2) {
