@@ -39,6 +39,7 @@ TEST(Ulx3s, RendersAsTheModelDoes) {
   options.width = 64;
   options.height = 48;
   options.hits = true;
+  options.timeout = 10'000'000;
   Simulated simulated(true);
   const MemoryImage image =
       laid_out("office", options.width, options.height, simulated.board->core());
