@@ -5,50 +5,61 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "configs/fast_port.h"
 #include "core/specialised.h"
-#include "host/board/rtl_board.h"
 #include "host/ulx3s/linked_board.h"
 #include "host/ulx3s/simulated_ulx3s.h"
+#include "host/ulx3s/ulx3s_board.h"
 
 namespace dynrt::host {
 namespace {
 
 using config::fast_port;
 
-constexpr std::chrono::microseconds kPause{100};
-
-/// A simulated board that a link reaches.
-struct Simulated {
-  SimulatedUlx3s* ulx3s;
-  std::unique_ptr<RtlBoard> board;
-
-  explicit Simulated(bool by_back_door) {
-    auto simulated = make_simulated_ulx3s();
-    ulx3s = simulated.get();
-    auto linked = std::make_unique<LinkedBoard>(std::make_unique<BoardLink>(std::move(simulated)),
-                                                by_back_door ? ulx3s : nullptr,
-                                                [this] { ulx3s->run(kPause); });
-    board = std::make_unique<RtlBoard>(core_info_of_listed<fast_port>("fast_port"),
-                                       std::move(linked), std::vector<Counter>{});
-  }
-};
-
-TEST(Ulx3s, RendersAsTheModelDoes) {
+FrameOptions options(unsigned width, unsigned height) {
   FrameOptions options;
-  options.width = 64;
-  options.height = 48;
+  options.width = width;
+  options.height = height;
   options.hits = true;
   options.timeout = 10'000'000;
-  Simulated simulated(true);
-  const MemoryImage image =
-      laid_out("office", options.width, options.height, simulated.board->core());
-  const Frame there = render(*simulated.board, options, image);
-  const auto model = specialised::board_of<fast_port>();
-  const Frame here = render(*model, options, image);
+  return options;
+}
+
+void expect_as_the_model(Board& board, const std::string& scene, const FrameOptions& options) {
+  const MemoryImage image = laid_out(scene, options.width, options.height, board.core());
+  const Frame there = render(board, options, image);
+  const Frame here = render(*specialised::board_of<fast_port>(), options, image);
+  EXPECT_GT(there.hit_count(), 0u);
   EXPECT_EQ(there.pixels, here.pixels);
   EXPECT_EQ(there.hits, here.hits);
-  std::printf("%llu clocks\n", static_cast<unsigned long long>(*there.run.cycles));
+}
+
+/// The pixels are those that a monitor sees at the DVI pins. The second frame lies in the other
+/// buffer, and is shown from there.
+TEST(Ulx3s, ShowsThePictureOfTheModel) {
+  const auto board = make_ulx3s_board("ulx3s");
+  FrameOptions of_frame = options(64, 48);
+  expect_as_the_model(*board, "office", of_frame);
+  of_frame.buffer = 1;
+  expect_as_the_model(*board, "cistern", of_frame);
+}
+
+/// Scene, registers and hit records, at 3 Mbaud; the pixels too, which are read back as well.
+TEST(Ulx3s, TakesASceneOverTheLine) {
+  auto simulated = make_simulated_ulx3s();
+  SimulatedUlx3s* const ulx3s = simulated.get();
+  auto linked =
+      std::make_unique<LinkedBoard>(std::make_unique<BoardLink>(std::move(simulated)), nullptr,
+                                    [ulx3s] { ulx3s->run(std::chrono::microseconds(100)); });
+  const LinkedBoard& line = *linked;
+  Ulx3sBoard board("ulx3s", std::move(linked), nullptr);
+  expect_as_the_model(board, "blocks", options(16, 12));
+  EXPECT_GT(line.upload().carried, 1000u);
+  EXPECT_GT(line.counts().carried, line.upload().carried + 16 * 12 * (4 + 24));
+  EXPECT_EQ(line.counts().repeats, 0u);
+  EXPECT_GT(ulx3s->memory_use().words_written, line.upload().carried / 2);
 }
 
 }  // namespace
