@@ -110,7 +110,9 @@ module display_dvi #(
     .first_o(dvi_first_o), .second_o(dvi_second_o)
   );
 
-  hls_level starved (.clk_i(clk_i), .level_i(dvi_starved), .level_o(starved_o));
+  hls_synchroniser starved (
+    .clk_i(clk_i), .rst_ni(running_q), .data_i(dvi_starved), .data_o(starved_o)
+  );
 
 endmodule
 

@@ -6,7 +6,6 @@
 #include <random>
 
 #include "Vhls_clock_fifo.h"
-#include "Vhls_level.h"
 #include "Vhls_reset.h"
 #include "rtl/lib/lib_test.h"
 
@@ -97,22 +96,6 @@ TEST(HlsReset, FallsAtOnceAndRisesWithTheClock) {
     }
     settle(v), clock(v);
     EXPECT_EQ(v.rst_no, 1);
-  }
-}
-
-TEST(HlsLevel, ArrivesTwoClocksLater) {
-  VerilatedContext context;
-  Vhls_level v(&context);
-  std::mt19937 random(3);
-  std::deque<bool> way(2, false);
-  for (int i = 0; i < 3; ++i) settle(v), clock(v);
-  for (unsigned t = 0; t < 1000; ++t) {
-    v.level_i = random() % 2;
-    settle(v);
-    ASSERT_EQ(v.level_o != 0, way.front()) << t;
-    way.pop_front();
-    way.push_back(v.level_i != 0);
-    clock(v);
   }
 }
 

@@ -61,7 +61,6 @@ RULES = {
         flag("BOUNDED"),
     ),
     "hls_fork": (at_least("OUTPUTS", 1), WIDTH),
-    "hls_level": (at_least("CLOCKS", 2),),
     "hls_ram_1r1w": (
         WIDTH,
         ROWS,
@@ -98,7 +97,6 @@ GOOD: dict[str, tuple[Values, ...]] = {
         {"DEPTH": 128, "BOUNDED": 1},
     ),
     "hls_fork": ({}, {"OUTPUTS": 1, "WIDTH": 1}, {"OUTPUTS": 5, "WIDTH": 86}),
-    "hls_level": ({}, {"CLOCKS": 5}),
     "hls_ram_1r1w": (
         {},
         {"WIDTH": 1, "ROWS": 1},
