@@ -14,7 +14,7 @@ import subprocess
 from collections.abc import Iterable
 from typing import Any
 
-from dynrt_tools.project import Failed
+from dynrt_tools.project import ROOT, Failed
 
 COVER = re.compile(r"^(\s*(?:if \(.*\) )?)(\w+): cover \((.*)\);$", re.MULTILINE)
 STAGE = re.compile(r"_s(\d+)\b")
@@ -23,6 +23,7 @@ PREPARE = (
     "async2sync; opt -keepdc -fast; dffunmap; setundef -undriven -anyseq; opt_clean; "
     "tee -o assertions.txt select -list t:$assert"
 )
+OWN_CLOCKS = ("async2sync", "dffunmap", f"techmap -map {ROOT}/verif/formal/two_clocks.v")
 
 
 class Broken(Failed):
@@ -139,10 +140,12 @@ class Design:
         cut: Iterable[str] = (),
         trim: Iterable[str] = (),
         includes: Iterable[pathlib.Path] = (),
+        own_clocks: bool = False,
     ) -> None:
         """sources: pairs of a file's name and its text; keep: the name of the assertions that
         remain; cut and trim: Yosys commands, before and after the modules become one, that
-        leave out what the proof needs nothing of."""
+        leave out what the proof needs nothing of; own_clocks: a step is an edge of some of the
+        clocks, any, not of all."""
         self.folder = folder
         self.solver = solver
         self.top = top
@@ -159,6 +162,7 @@ class Design:
             *cut,
             "flatten",
             *trim,
+            *(OWN_CLOCKS if own_clocks else ()),
         ]
         if keep:
             self.script += [f"delete t:$assert n:*{keep} %d"]

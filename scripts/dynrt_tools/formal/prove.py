@@ -43,6 +43,11 @@ This proof does not cover one unit. The shading takes eight bits of a mantissa a
 coordinates and colours of ten bits and more, whatever the format, which no solver has finished yet.
 Only co-simulation compares it with the C++. The transformation has floats of two bits of mantissa here.
 
+**Two clocks.** In the proof of `hls_clock_fifo` a step is an edge of one clock, of the other, or of both,
+in any order. A register that takes a signal of the other clock gets the value before the step. A real one
+may settle late, to the old or the new value. As one bit of a count changes at a time (`one_bit`), that is
+a count which the other side might have had anyway, an edge earlier or later.
+
 **A limit of `hls_fork`.** A reader may see valid fall again before it was ready, because another reader
 stops being ready. Every reader in the core is a unit or a FIFO, and these remember nothing of a token
 that they did not take."""
@@ -92,6 +97,7 @@ class Proof:
             cut=() if whole else self.stated.get("cut", ()),
             trim=() if whole else self.stated.get("trim", ()),
             includes=instances.INCLUDES,
+            own_clocks=self.stated.get("own_clocks", False),
         )
 
     def prove(self, instance: instances.Instance) -> list[str]:
