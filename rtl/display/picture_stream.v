@@ -16,7 +16,7 @@
 module picture_stream #(
   parameter BEAT_BYTES = 16,  // of the port
   parameter PIXEL_BYTES = 4,  // 2 or 4
-  parameter AHEAD = 32        // bursts of 32 bytes that the FIFO has room for
+  parameter AHEAD = 64        // bursts of 32 bytes that the FIFO has room for
 ) (
   input  wire                    clk_i,
   input  wire                    rst_ni,

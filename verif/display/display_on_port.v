@@ -7,7 +7,7 @@
 module display_on_port #(
   parameter BEAT_BYTES = 16,
   parameter PIXEL_BYTES = 4,
-  parameter AHEAD = 32
+  parameter AHEAD = 64
 ) (
   input  wire                    clk_i,
   input  wire                    rst_ni,

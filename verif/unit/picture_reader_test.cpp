@@ -13,7 +13,7 @@ namespace {
 
 /// As they are lowered for their co-simulation.
 using Unit = std::conditional_t<C::kPortBytes == 2, PictureReader<HalfPixel, 2, 8>,
-                                PictureReader<WordPixel, 16, 32>>;
+                                PictureReader<WordPixel, 16, 64>>;
 
 /// Small pictures, so that many begin and end.
 void setup(Bench<Unit>& bench, const Run&) {
