@@ -168,6 +168,20 @@ module picture_stream #(
     if (!running_i) underrun_q <= 1'b0;
   end
 
+`ifdef HLS_ASSERT
+  always @(posedge clk_i) begin
+    if (begins_i && base_i % (32 / PIXEL_BYTES) != 20'd0) begin
+      $display("%m: the picture begins at pixel %0d, which is no multiple of %0d", base_i,
+               32 / PIXEL_BYTES);
+      $stop;
+    end
+    if (beat_valid_i && in_flight_q == {ROOM_BITS{1'b0}}) begin
+      $display("%m: a beat came that nobody asked for");
+      $stop;
+    end
+  end
+`endif
+
 endmodule
 
 `default_nettype wire
