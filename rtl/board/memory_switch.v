@@ -1,10 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// One memory for three: the display, the core and the host. Reads and writes take turns, round
-// robin, and their data pass without a clock. An answer finds its way by the two highest bits of its
-// id. A read of the host waits for the host's writes, so that it sees them. Answers that a core in
-// reset has no more use for are dropped.
+// One memory for three: the display, the core and the host, whose reads take turns, as do their
+// writes. Buffers behind them let a turn pass on while the memory is busy. An answer finds its way by
+// the two highest bits of its id. A read of the host waits for the host's writes, so that it sees
+// them. Answers that a core in reset has no more use for are dropped.
 //
 // Parameters:
 //   ID_BITS     of a read of the core
@@ -81,8 +81,11 @@ module memory_switch #(
   localparam READ_BITS = ID_BITS + 2 + 25 + 4;
   localparam WRITE_BITS = 25 + 8 * BEAT_BYTES + BEAT_BYTES / 2;
 
-  wire host_read_allowed = !host_write_valid_i;
+  wire host_read_allowed = !host_write_valid_i && !write_valid_o;
   wire host_read_granted;
+  wire asks, asks_ready, writes_valid, writes_ready;
+  wire [READ_BITS-1:0]  asked;
+  wire [WRITE_BITS-1:0] written;
   assign host_read_ready_o = host_read_granted && host_read_allowed;
 
   hls_arbiter #(.INPUTS(3), .WIDTH(READ_BITS)) reads (
@@ -92,6 +95,10 @@ module memory_switch #(
     .data_i({HOST, NO_ID, host_read_address_i, host_read_last_i,
              CORE, core_read_id_i, 1'b0, core_read_address_i, core_read_last_i,
              DISPLAY, NO_ID, display_read_address_i, display_read_last_i}),
+    .valid_o(asks), .ready_i(asks_ready), .data_o(asked)
+  );
+  hls_buffer #(.WIDTH(READ_BITS)) next_read (
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(asks), .ready_o(asks_ready), .data_i(asked),
     .valid_o(read_valid_o), .ready_i(read_ready_i),
     .data_o({read_id_o, read_address_o, read_last_o})
   );
@@ -102,7 +109,11 @@ module memory_switch #(
     .ready_o({host_write_ready_o, core_write_ready_o}),
     .data_i({host_write_address_i, host_write_data_i, host_write_mask_i,
              core_write_address_i, core_write_data_i, core_write_mask_i}),
-    .valid_o(write_valid_o), .ready_i(write_ready_i),
+    .valid_o(writes_valid), .ready_i(writes_ready), .data_o(written)
+  );
+  hls_buffer #(.WIDTH(WRITE_BITS)) next_write (
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(writes_valid), .ready_o(writes_ready),
+    .data_i(written), .valid_o(write_valid_o), .ready_i(write_ready_i),
     .data_o({write_address_o, write_data_o, write_mask_o})
   );
 
