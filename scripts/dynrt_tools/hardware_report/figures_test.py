@@ -135,6 +135,8 @@ class Figures(unittest.TestCase):
             self.assertAlmostEqual(found[f"{cache} cache hits gained"], 10)
         self.assertAlmostEqual(found["lost at a quarter of the bandwidth"], 100 * (1 - 8 / 11))
         self.assertAlmostEqual(found["speed-up of 2 pipelines"], 2)
+        half = found["2 pipelines, by twice one at half the bandwidth"]
+        self.assertAlmostEqual(half, (2 / 8) / (2 / 9))
         self.assertAlmostEqual(found["speed-up of 4 pipelines"], 4)
         for index in ("QHW", "QGHW"):
             for run in report["runs"]:

@@ -10,6 +10,7 @@ from dynrt_tools.hardware_report.figure import SCANLINE, WITHOUT_HITS, Point, is
 from dynrt_tools.project import Json
 
 QUARTER = "lost at a quarter of the bandwidth"
+HALF = "2 pipelines, by twice one at half the bandwidth"
 MANY = 4  # pipelines that the thesis's text has at the most
 SPEED_UPS = {number: f"speed-up of {number} pipelines" for number in (2, MANY)}
 INDICES = ("QHW", "QGHW")
@@ -21,6 +22,7 @@ COLUMNS = (
     *(f"{cache} cache hits gained" for cache in figures.CACHES.values()),
     QUARTER,
     *SPEED_UPS.values(),
+    HALF,
     *(f"{index} of {MANY} pipelines" for index in INDICES),
 )
 # The thesis's, of its scenes Gael and conference.
@@ -31,6 +33,7 @@ THESIS = {
     "list cache hits gained": "10 to 20",
     "matrix cache hits gained": "10 to 20",
     QUARTER: "about 20, conference far more",
+    HALF: "more than 1",
 }
 
 
@@ -42,6 +45,13 @@ def of(report: Json) -> list[Json]:
         for name, one in report["configurations"].items()
         if one["curves"]
     ]
+
+
+def slower(configuration: Json, times: int) -> Point:
+    """The key of the core whose memory has this part of the bandwidth."""
+    if is_behind_port(configuration):
+        return {"port_bytes": points.own_value(configuration, "port_bytes") // times}
+    return {"memory_clocks": times * points.own_value(configuration, "memory_clocks")}
 
 
 def row_of(runs: list[Json], scene: str, name: str, configuration: Json) -> Json:
@@ -65,11 +75,13 @@ def row_of(runs: list[Json], scene: str, name: str, configuration: Json) -> Json
             found[f"{key} gained"] = morton[key] - scanline[key]
     if not (one := at(WITHOUT_HITS)):
         return found
-    slow = {"memory_clocks": 4 * points.own_value(configuration, "memory_clocks")}
-    if is_behind_port(configuration):
-        slow = {"port_bytes": points.own_value(configuration, "port_bytes") // 4}
-    if quarter := at({**WITHOUT_HITS, **slow}):
+    if quarter := at({**WITHOUT_HITS, **slower(configuration, 4)}):
         found[QUARTER] = 100 * (1 - quarter[figures.RATE] / one[figures.RATE])
+    two, half = (
+        at({**WITHOUT_HITS, **change}) for change in ({"pipelines": 2}, slower(configuration, 2))
+    )
+    if two and half:
+        found[HALF] = two[figures.RATE] / (2 * half[figures.RATE])
     for number, column in SPEED_UPS.items():
         if several := at({**WITHOUT_HITS, "pipelines": number}):
             found[column] = several[figures.RATE] / one[figures.RATE]
