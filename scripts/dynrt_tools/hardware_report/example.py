@@ -101,7 +101,7 @@ if words[0] == "specialise":
         file.write(f"specialise {{words[1]}}\\n")
     if pathlib.Path("fail_specialise").exists():
         sys.exit("dynrt: no core can be made")
-    pathlib.Path(of("--out")).mkdir()
+    pathlib.Path(of("--out")).mkdir(exist_ok=True)
     core = {{"like": "thesis", "packets": 2, "lines": 1}}
     (pathlib.Path(of("--out")) / "configuration.json").write_text(json.dumps(core))
     sys.exit()
@@ -121,7 +121,7 @@ model = pathlib.Path(of("--config"))
 keys = json.loads(model.read_text()) if model.suffix == ".so" else {{}}
 of_core = [int(of(f"--{{n}}") if f"--{{n}}" in words else keys[n]) for n in ("packets", "lines")]
 walk = example.walk(int(of("--frames")), *of_core, of("--order") == "scanline", keys)
-pathlib.Path(of("--out")).mkdir()
+pathlib.Path(of("--out")).mkdir(exist_ok=True)
 pathlib.Path(of("--json")).write_text(json.dumps(walk))
 """
 
