@@ -26,6 +26,7 @@ SLURM_JOB = re.compile(r"^ +cluster_jobid: (\d+)")
 ENDED_BY_SLURM = re.compile(r"^slurmstepd\S*: error: (?:\*\*\* )?(.+?)(?: \*\*\*)?$", re.MULTILINE)
 REFUSED = re.compile(r"^(sbatch: error: .+)$", re.MULTILINE)
 NO_WORD = "it ended without a word, as a program does that is killed"
+DEAF = 20  # seconds after which Snakemake is taken to ignore SIGINT
 STAMP = "made_by.json"
 
 
@@ -43,9 +44,14 @@ def content_of(path: pathlib.Path) -> str | None:
 
 
 def stop(process: subprocess.Popen[str]) -> None:
-    """Ends Snakemake and its jobs, as a terminal would; it removes their unfinished files."""
+    """Ends Snakemake and its jobs, as a terminal would; it removes their unfinished files. Where a
+    shell started all of this in the background, SIGINT is ignored."""
     os.killpg(process.pid, signal.SIGINT)
-    process.wait()
+    try:
+        process.wait(DEAF)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGTERM)
+        process.wait()
 
 
 @dataclass

@@ -103,16 +103,37 @@ class Jobs(testing.InFolder):
         (self.work / "fail").unlink()
         self.assertEqual(self.run_workflow(("a",)), 1)
 
-    def test_interrupted_it_goes_on_where_it_stopped(self) -> None:
+    def run_in_background(self) -> None:
+        """As a shell that starts it with & does."""
+        signal.signal(signal.SIGINT, signal.SIG_IGN)
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
+        self.run_workflow(("a",), False)
+
+    def test_it_ends_though_a_shell_started_it_in_the_background(self) -> None:
+        self.enterContext(mock.patch.object(jobs, "DEAF", 1))
         self.work.mkdir()
         (self.work / "slow").write_text("", encoding="utf-8")
-        process = multiprocessing.Process(target=self.run_workflow, args=(("a", "b"), False))
+        process = multiprocessing.Process(target=self.run_in_background)
         process.start()
+        self.wait_for_run()
+        process.terminate()
+        process.join(50)  # the job sleeps for longer
+        self.assertIsNotNone(process.exitcode)
+        self.assertEqual(list(self.work.glob("scenes/*/*/run.json")), [])
+
+    def wait_for_run(self) -> None:
         ran = self.work / "ran"
         for _ in range(600):
             if ran.exists() and "run_variant" in ran.read_text(encoding="utf-8"):
                 break
             time.sleep(0.1)
+
+    def test_interrupted_it_goes_on_where_it_stopped(self) -> None:
+        self.work.mkdir()
+        (self.work / "slow").write_text("", encoding="utf-8")
+        process = multiprocessing.Process(target=self.run_workflow, args=(("a", "b"), False))
+        process.start()
+        self.wait_for_run()
         assert process.pid is not None
         os.kill(process.pid, signal.SIGINT)
         process.join(60)
