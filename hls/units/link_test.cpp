@@ -197,17 +197,23 @@ TYPED_TEST(LinkTest, AnswersARepeatedWriteAndDoesNotRepeatIt) {
   const auto first = this->ask(write);
   EXPECT_EQ(this->ask(write), first);
   EXPECT_EQ(this->register_writes_, 1u);
-  const Bytes read = request(LinkCommand::kReadRegisters, 1, 4, 12);
+  this->ask(request(LinkCommand::kWriteRegisters, 1, 4, 12, {2, 0, 0, 0}));
+  EXPECT_EQ(this->register_writes_, 2u) << "the next is still expected";
+  const Bytes read = request(LinkCommand::kReadRegisters, 2, 4, 12);
   const auto word = this->ask(read);
   EXPECT_EQ(this->ask(read), word);
-  EXPECT_EQ(this->ask(request(LinkCommand::kReadRegisters, 2, 4, 12)).at(0).data, word.at(0).data);
+  EXPECT_EQ(this->ask(request(LinkCommand::kReadRegisters, 3, 4, 12)).at(0).data, word.at(0).data);
 }
 
 TYPED_TEST(LinkTest, ExpectsTheMissingRequest) {
   const Bytes data(4, 7);
-  EXPECT_EQ(this->ask(request(LinkCommand::kWriteMemory, 1, 4, 0, data)),
-            (std::vector<Answer>{expects(0)}));
+  for (const unsigned ahead : {1u, 2u, 100u}) {
+    EXPECT_EQ(this->ask(request(LinkCommand::kWriteMemory, ahead, 4, 0, data)),
+              (std::vector<Answer>{expects(0)}));
+  }
   EXPECT_EQ(this->model_.writes(), 0u);
+  EXPECT_EQ(this->ask(request(LinkCommand::kWriteMemory, 0, 4, 0, data)).at(0).kind,
+            answer_to(LinkCommand::kWriteMemory));
 }
 
 /// A frame with one mistake writes nothing; sent again, it does.

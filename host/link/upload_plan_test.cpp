@@ -15,7 +15,7 @@ using Parts = std::vector<MemoryBytes>;
 
 TEST(UploadPlan, SendsEverythingAtFirstAndNothingTwice) {
   UploadPlan plan;
-  const Parts image = {{100, {1, 2, 3, 4}}, {8190, Bytes(100, 7)}};
+  const Parts image = {{100, {1, 2, 3, 4}}, {300, {0, 0}}, {8190, Bytes(100, 7)}};
   EXPECT_EQ(plan.changes(image), image);
   EXPECT_EQ(plan.changes(image), Parts{});
   plan.forget();
