@@ -3,9 +3,10 @@
 //
 // Decides what is done for a request: carried out if it is the next in the sequence, answered again
 // if it was carried out before, refused if the board cannot do it. A request behind a missing one
-// is answered with the number that is expected, so that the host goes back to it. A transaction is
-// a request; the turn holds it until the one before is answered. State: the number that is
-// expected.
+// is answered with the number that is expected, so that the host goes back to it. After a reset
+// nothing is done before the host has asked what the board is: else requests of a host that has not
+// noticed the reset could pass for ones that were carried out before it. A transaction is a
+// request; the turn holds it until the one before is answered. State: the number that is expected.
 #pragma once
 
 #include "hls/ports.h"
@@ -29,13 +30,14 @@ struct LinkOrder {
     j.room = r.room;
     j.address = r.address.template trunc<kBusAddressBits>();
     const bool is_identify = is(r, LinkCommand::kIdentify);
-    const bool in_sequence = r.good && !is_identify && possible(r);
+    const bool can = r.good && !is_identify && possible(r);
+    const bool in_sequence = can && identified_;
     const bool is_next = r.sequence == expected_;
     const auto behind = uint<8>::of_raw(expected_.raw() - r.sequence.raw());
     const bool was_before = !is_next && !behind.template bit<7>();
     if (r.good && is_identify) {
       identify(j);
-    } else if (r.good && !in_sequence) {
+    } else if (r.good && !can) {
       j.kind = uint<8>::from(kLinkRefused);
     } else if (in_sequence && (is_next || (was_before && is_read(r)))) {
       carry_out(j, r);
@@ -46,6 +48,7 @@ struct LinkOrder {
       j.sequence = expected_;
     }
     if (in_sequence && is_next) expected_ = hls::next(expected_);
+    identified_ = identified_ || (r.good && is_identify);
     job.write(j);
   }
 
@@ -107,6 +110,7 @@ struct LinkOrder {
 
   static constexpr unsigned kBeatBits = hls::index_width(Bytes);
 
+  bool identified_ = false;
   uint<8> expected_;
 };
 

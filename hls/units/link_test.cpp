@@ -117,6 +117,7 @@ template <class T>
 class LinkTest : public testing::Test {
  protected:
   static constexpr unsigned kBytes = T::value;
+  LinkTest() { ask(request(LinkCommand::kIdentify, 0, 0, 0)); }
   std::vector<Answer> ask(const Bytes& line) { return answers_of(model_.answer(line)); }
   Bytes random_bytes(std::size_t count) {
     Bytes bytes(count);
@@ -203,6 +204,17 @@ TYPED_TEST(LinkTest, AnswersARepeatedWriteAndDoesNotRepeatIt) {
   const auto word = this->ask(read);
   EXPECT_EQ(this->ask(read), word);
   EXPECT_EQ(this->ask(request(LinkCommand::kReadRegisters, 3, 4, 12)).at(0).data, word.at(0).data);
+}
+
+TYPED_TEST(LinkTest, DoesNothingAfterAResetBeforeItIsAskedWhatItIs) {
+  LinkModel<TestFixture::kBytes> model(
+      {.name = {}, .memory_bytes = 64, .beat_bytes = TestFixture::kBytes}, {});
+  const Bytes data(4, 7);
+  for (unsigned sequence = 0; sequence < 256; ++sequence) {
+    const Bytes write = request(LinkCommand::kWriteMemory, sequence, 4, 0, data);
+    ASSERT_EQ(answers_of(model.answer(write)), (std::vector<Answer>{expects(0)})) << sequence;
+  }
+  EXPECT_EQ(model.writes(), 0u);
 }
 
 TYPED_TEST(LinkTest, ExpectsTheMissingRequest) {

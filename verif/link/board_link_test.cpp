@@ -257,6 +257,9 @@ void compare(std::uint64_t seed, unsigned requests, bool mistakes) {
   Requests next(random);
   std::size_t answered = 0;
   unsigned spoilt = 0;
+  const Bytes identification = model.answer(kIdentify);
+  for (const std::uint8_t byte : kIdentify) board.send(byte);
+  ASSERT_EQ(board.received(), identification);
   for (unsigned i = 0; i < requests; ++i) {
     // A few at once; fewer than the board keeps.
     Bytes expected;

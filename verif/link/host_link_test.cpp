@@ -144,13 +144,13 @@ INSTANTIATE_TEST_SUITE_P(EachKind, HostLinkMistakes,
                          [](const auto& info) { return info.param.name; });
 
 /// What the host says of a board, and in how many seconds of the line's time.
-std::pair<std::string, double> refusal(BoardFunction board) {
+std::pair<std::string, double> refusal(BoardFunction board, std::size_t bytes = 10'000) {
   ByteStream::Time clock{};
   std::string said = "none";
   try {
     BoardLink link(std::make_unique<SimulatedLine>(std::move(board),
                                                    SimulatedLine::Settings{.clock = &clock}));
-    link.write_memory(0, random_bytes(10'000, 1));
+    link.write_memory(0, random_bytes(bytes, 1));
   } catch (const UserError& error) {
     said = error.what();
   }
@@ -220,6 +220,24 @@ TEST(HostLink, GivesUpOnABoardThatMissesEverything) {
   });
   EXPECT_THAT(said, HasSubstr("it answers no more after 0 of 20 requests"));
   EXPECT_LT(seconds, 5);
+}
+
+/// A board that loses its state, at any place of the sequence, acknowledges no write from before.
+TEST(HostLink, GivesUpOnABoardThatIsResetMeanwhile) {
+  for (const unsigned requests : {20u, 100u, 150u, 200u, 230u}) {
+    TestBoard before, after;
+    unsigned writes = 0;
+    const auto board = [&](std::span<const std::uint8_t> asked) {
+      if (writes >= requests) return after.model.answer(asked);
+      Bytes answer = before.model.answer(asked);
+      if (!answer.empty()) ++writes;
+      return answer;
+    };
+    const auto [said, seconds] = refusal(board, 240 * kLinkDataBytes);
+    EXPECT_THAT(said, HasSubstr("it answers no more after")) << requests;
+    EXPECT_LT(seconds, 5);
+    EXPECT_EQ(after.model.writes(), 0u);
+  }
 }
 
 TEST(HostLink, SaysByHowMuchTheMemoryIsTooSmall) {
