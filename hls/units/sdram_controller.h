@@ -1,15 +1,17 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The controller of an SDR SDRAM: a transaction is a clock. It sets the chip up, refreshes it,
-// keeps rows open, and opens the row of the next burst in another bank while words of this one are
-// on their way. Clocks go in turns of two: in the first a column command may be given, which moves
-// a pair of words, in the second a row command. So column commands back to back keep the data bus
-// busy and leave every other clock for rows. Bursts are done in their order. Data do not pass
-// through here: a token says what the data pins are to do (rtl/sdram/sdram_port.v). S is a part
-// and a clock (units/sdram_timing.h). State: a queue of kSdramQueue bursts, one whose row is
-// prepared, two that move data; for each bank the open row and the turns that commands have to
-// wait, as thermometers that shift.
+// The controller of an SDR SDRAM: a transaction is a clock. It sets the chip up, refreshes it, and
+// keeps rows open. Each bank has a queue of bursts, done in their order, and its row is opened
+// while words of other banks are on their way; of the banks that are ready, one after the other
+// moves a burst, reads after reads and writes after writes where there is a choice. So bursts to
+// one place keep their order, others may not. Clocks go in turns of two: in the first a column
+// command may be given, which moves a pair of words, in the second a row command. So column
+// commands back to back keep the data bus busy and leave every other clock for rows, and each step
+// of a decision has a clock of its own. Data do not pass through here: a token says what the data
+// pins are to do (rtl/sdram/sdram_port.v). S is a part and a clock (units/sdram_timing.h). State:
+// for each bank a queue of kSdramQueue bursts, its first one, the open row, and the turns that
+// commands have to wait, as thermometers that shift; the burst that moves and the one after it.
 #pragma once
 
 #include <array>
@@ -62,39 +64,44 @@ struct SdramController {
   using Turn = uint<16>;
 
   hls::In<SdramRequest> request;
-  hls::Config<Turn>
-      pause;  ///< turns before the first command: SdramTiming::kPauseTurns, less for a simulation
+  /// Turns before the first command: SdramTiming::kPauseTurns, fewer for a simulation.
+  hls::Config<Turn> pause;
   hls::Out<SdramPins> pins;
-  hls::RegisterFile<SdramBurst, kSdramQueue> queue;
+  hls::RegisterFile<SdramBurst, kSdramQueue> queue[kSdramBanks];
   HLS_PORTS(request, pause, pins)
 
   void step() {
-    const bool takes = !row_turn_ && !ahead_valid_ && head_ != tail_;
-    const SdramBurst first = queue.read(head_.template trunc<kQueueBits>());
     const SdramRequest r = request.read();
-    if (r.valid) {
-      queue.write(tail_.template trunc<kQueueBits>(), r.burst);
-      tail_ = hls::next(tail_);
-    }
-    SdramPins p;
     // Found in both clocks of a turn, and used in the one after; so no choice delays them.
     const Flags flags = find_flags();
-    const bool goes = next_goes();
+    const std::array<bool, kSdramBanks> picks = find_picks();
+    SdramPins p;
     if (row_turn_) {
       row_turn(p);
     } else {
       column_turn(p);
+    }
+    uint<3> taken;
+    for (unsigned i = 0; i < kSdramBanks; ++i) {
+      Bank& k = banks_[i];
+      const SdramBurst first = queue[i].read(k.from.template trunc<kQueueBits>());
+      const bool takes = all(row_turn_, !k.valid, k.from != k.to);
       if (takes) {
-        ahead_ = first;
-        ahead_valid_ = true;
-        head_ = hls::next(head_);
+        k.first = first;
+        k.from = hls::next(k.from);
+      }
+      k.valid = any(takes, all(k.valid, any(row_turn_, !picks_[i])));
+      taken = (taken + uint<1>(takes)).template trunc<3>();
+      if (all(r.valid, r.burst.place.bank == uint<2>::from(i))) {
+        queue[i].write(k.to.template trunc<kQueueBits>(), r.burst);
+        k.to = hls::next(k.to);
       }
     }
     p.ready = setup_ == Setup::kDone;
-    p.taken = takes;
+    p.taken = taken;
     pins.write(p);
     flags_ = flags;
-    goes_ = goes;
+    picks_ = picks;
     row_turn_ = !row_turn_;
   }
 
@@ -107,154 +114,199 @@ struct SdramController {
   enum class Setup : unsigned char { kPause, kRefreshes, kMode, kDone };
 
   struct Bank {
+    uint<kQueueBits + 1> from, to;  ///< of the queue
+    SdramBurst first;
+    bool valid = false;
     bool open = false;
     uint<kSdramRowBits> row;
-    SdramWait<T::kActivateToColumn> column;
     SdramWait<kMostActivate> activate;
     SdramWait<kMostPrecharge> precharge;
   };
+  /// A burst on its way to the pins.
+  struct Moving {
+    bool valid = false;
+    std::array<bool, kSdramBanks> here{};  ///< its bank
+    uint<8> pair;
+    uint<3> last;
+    bool write = false;
+    uint<5> tag;
+  };
 
-  /// A pair of the first burst moves, and the flags of the next row turn are found.
-  void column_turn(SdramPins& p) {
-    const bool goes = goes_;
-    SdramBurst& b = moving_[0].burst;
-    const uint<8> pair = b.place.pair;
-    p.command = !goes ? SdramCommand::kNone : b.write ? SdramCommand::kWrite : SdramCommand::kRead;
-    p.bank = b.place.bank;
-    p.address = hls::concat(pair, uint<1>(0)).template zext<13>();
-    p.reads = goes && !b.write;
-    p.writes = goes && b.write;
-    p.word = hls::concat(pair.template trunc<3>(), uint<1>(0));
-    const bool ends = b.last == uint<3>(0);
-    second_reads_ = p.reads;
-    second_writes_ = p.writes;
-    second_pair_ = pair.template trunc<3>();
-    second_last_ = ends;
-
-    for (unsigned i = 0; i < kSdramBanks; ++i) {
-      const bool here = moving_[0].here[i];
-      banks_[i].column.pass();
-      banks_[i].precharge.template atleast<T::kReadToPrecharge>(p.reads && here);
-      banks_[i].precharge.template atleast<T::kWriteToPrecharge>(p.writes && here);
-    }
-    write_.pass();
-    write_.template atleast<T::kReadToWrite>(p.reads);
-    if (goes) {
-      if (ends) {
-        moving_[0] = moving_[1];
-        moving_[1].valid = false;
-      } else {
-        b.place.pair = hls::concat(pair.template bits<7, 3>(), hls::next(pair.template trunc<3>()));
-        b.last = (b.last + uint<3>::ones()).template trunc<3>();
-      }
-    }
-  }
-
-  /// What a column turn leaves to the row turn after it, which has time for little more than a
-  /// choice.
+  /// What a column turn leaves to the row turn after it.
   struct Flags {
-    bool hit[2] = {};         ///< the prepared burst's row is open, in the lower or the upper banks
-    bool room = false;        ///< it may go on, once its row is open
-    bool may_follow = false;  ///< its bank's row may be used in the next column turn
-    bool may_activate = false;   ///< its bank is closed, and has been for long enough
-    bool may_precharge = false;  ///< its bank is open, and no burst needs it any more
+    std::array<bool, kSdramBanks> ready{};  ///< the bank's first burst may move
+    std::array<bool, kSdramBanks> alike{};  ///< and goes the way of the one before
+    std::array<bool, kSdramBanks> activates{};
+    std::array<bool, kSdramBanks> precharges{};
     bool any_open = false;
     bool may_refresh = false;
     bool may_precharge_all = false;
-    bool stop = true;         ///< no more rows: the chip is set up, or a refresh is due
-    bool first_free = false;  ///< the moving burst may go on
-    bool time_over = false;   ///< of the pause, or between two refreshes
+    bool stop = true;        ///< no more rows and bursts: the chip is set up, or a refresh is due
+    bool time_over = false;  ///< of the pause, or between two refreshes
   };
   Flags find_flags() const {
-    const Placed& b = prepared_;
-    const auto follows = [this](const Placed& of) {
-      return of_bank(of, [](const Bank& k) { return k.column.over_next(); });
-    };
-    const auto hits = [this, &b](unsigned bank) {
-      const Bank& k = banks_[bank];
-      return all(b.here[bank], k.open, k.row == b.burst.place.row);
-    };
     Flags f;
     f.stop = any(due_, setup_ != Setup::kDone);
-    const bool ready = all(b.valid, !f.stop);
-    const bool leaves = all(goes_, moving_[0].burst.last == uint<3>(0));
-    f.hit[0] = any(hits(0), hits(1));
-    f.hit[1] = any(hits(2), hits(3));
-    f.room = all(ready, any(!moving_[1].valid, leaves));
-    f.first_free = goes_ ? any(!leaves, follows(moving_[1])) : follows(moving_[0]);
-    f.may_follow = follows(b);
-    f.may_activate = of_bank(b, [](const Bank& k) { return all(!k.open, k.activate.over()); });
-    f.may_precharge =
-        all(ready, of_bank(b, [](const Bank& k) { return all(k.open, k.precharge.over()); }),
-            !same_bank(moving_[0], b), !same_bank(moving_[1], b));
     f.may_refresh = true;
-    f.may_precharge_all = !moving_[0].valid;
-    for (const Bank& k : banks_) {
+    f.may_precharge_all = all(!moving_.valid, !next_.valid);
+    for (unsigned i = 0; i < kSdramBanks; ++i) {
+      const Bank& k = banks_[i];
+      const bool same = k.row == k.first.place.row;
+      const bool used = any(all(moving_.valid, moving_.here[i]), all(next_.valid, next_.here[i]));
+      f.ready[i] = all(k.valid, k.open, same, !picks_[i]);
+      f.alike[i] = all(f.ready[i], k.first.write == writes_);
+      f.activates[i] = all(k.valid, !k.open, k.activate.over(), !f.stop);
+      f.precharges[i] = all(k.valid, k.open, !same, k.precharge.over(), !used, !picks_[i], !f.stop);
       f.any_open = any(f.any_open, k.open);
       f.may_refresh = all(f.may_refresh, !k.open, k.activate.over());
-      f.may_precharge_all = all(f.may_precharge_all, k.precharge.over());
+      f.may_precharge_all = all(f.may_precharge_all, k.precharge.over(), !picks_[i]);
     }
     f.time_over =
         turns_ == (setup_ == Setup::kPause ? pause.get() : Turn::from(T::kRefreshTurns - 1));
     return f;
   }
-  /// Whether a pair moves in the next column turn; found in the row turn.
-  bool next_goes() const {
-    const bool follows = all(flags_.room, any(flags_.hit[0], flags_.hit[1]), flags_.may_follow);
-    const bool writes = moving_[0].valid ? moving_[0].burst.write : prepared_.burst.write;
-    return all(moving_[0].valid ? flags_.first_free : follows, any(write_.over(), !writes));
+
+  /// The bank whose burst is the next; found in the row turn, for the column turn. Banks take
+  /// turns.
+  std::array<bool, kSdramBanks> find_picks() const {
+    const Flags& f = flags_;
+    const bool any_alike = any(f.alike[0], f.alike[1], f.alike[2], f.alike[3]);
+    const bool may = all(row_turn_, !next_.valid, !f.stop);
+    std::array<bool, kSdramBanks> candidates;
+    for (unsigned i = 0; i < kSdramBanks; ++i) {
+      candidates[i] = all(may, any_alike ? f.alike[i] : f.ready[i]);
+    }
+    std::array<bool, kSdramBanks> picks;
+    for (unsigned i = 0; i < kSdramBanks; ++i) {
+      const auto before = [&](unsigned by) { return (i + kSdramBanks - by) % kSdramBanks; };
+      const bool c1 = !candidates[before(1)];
+      const bool c2 = !candidates[before(2)];
+      const bool c3 = !candidates[before(3)];
+      picks[i] = all(candidates[i],
+                     any(last_pick_[before(1)], all(last_pick_[before(2)], c1),
+                         all(last_pick_[before(3)], c1, c2), all(last_pick_[i], c1, c2, c3)));
+    }
+    return picks;
   }
+
+  /// A pair of the moving burst moves, and the picked burst follows.
+  void column_turn(SdramPins& p) {
+    const bool goes = all(moving_.valid, any(!moving_.write, write_.over()));
+    const bool ends = moving_.last == uint<3>(0);
+    const uint<8> pair = moving_.pair;
+    p.command = !goes           ? SdramCommand::kNone
+                : moving_.write ? SdramCommand::kWrite
+                                : SdramCommand::kRead;
+    p.bank = number_of(moving_.here);
+    p.address = hls::concat(pair, uint<1>(0)).template zext<13>();
+    p.reads = all(goes, !moving_.write);
+    p.writes = all(goes, moving_.write);
+    p.word = hls::concat(pair.template trunc<3>(), uint<1>(0));
+    p.tag = moving_.tag;
+    second_ = p;
+    second_.last = ends;
+
+    for (unsigned i = 0; i < kSdramBanks; ++i) {
+      banks_[i].precharge.template atleast<T::kReadToPrecharge>(all(p.reads, moving_.here[i]));
+      banks_[i].precharge.template atleast<T::kWriteToPrecharge>(all(p.writes, moving_.here[i]));
+    }
+    write_.pass();
+    write_.template atleast<T::kReadToWrite>(p.reads);
+
+    const Moving picked = picked_burst();
+    const bool leaves = any(!moving_.valid, all(goes, ends));
+    if (leaves) {
+      moving_ = next_.valid ? next_ : picked;
+      next_.valid = false;
+    } else {
+      if (goes) {
+        moving_.pair = hls::concat(pair.template bits<7, 3>(), hls::next(pair.template trunc<3>()));
+        moving_.last = (moving_.last + uint<3>::ones()).template trunc<3>();
+      }
+      if (picked.valid) next_ = picked;
+    }
+    if (picked.valid) {
+      writes_ = picked.write;
+      last_pick_ = picks_;
+    }
+  }
+  Moving picked_burst() const {
+    Moving m;
+    m.here = picks_;
+    uint<kSdramQueueWord> word;
+    for (unsigned i = 0; i < kSdramBanks; ++i) {
+      const SdramBurst& b = banks_[i].first;
+      m.valid = any(m.valid, picks_[i]);
+      const auto bits =
+          hls::concat(hls::concat(b.place.pair, b.last), hls::concat(b.tag, uint<1>(b.write)));
+      word = word | hls::select(picks_[i], bits, uint<kSdramQueueWord>(0));
+    }
+    m.pair = word.template bits<16, 9>();
+    m.last = word.template bits<8, 6>();
+    m.tag = word.template bits<5, 1>();
+    m.write = word.template bit<0>();
+    return m;
+  }
+  static constexpr unsigned kSdramQueueWord = 17;
 
   void row_turn(SdramPins& p) {
     const Flags& f = flags_;
-    const bool hit = any(f.hit[0], f.hit[1]);
-    const bool passes = all(f.room, any(hit, f.may_activate));
-    const bool activates = all(f.room, f.may_activate);
-    const bool precharges = all(f.may_precharge, !hit);
+    // The lowest bank first: one that has its row gives way.
+    std::array<bool, kSdramBanks> opens;
+    std::array<bool, kSdramBanks> closes;
+    bool before = false;
+    for (unsigned i = 0; i < kSdramBanks; ++i) {
+      opens[i] = all(f.activates[i], !before);
+      before = any(before, f.activates[i]);
+    }
+    for (unsigned i = 0; i < kSdramBanks; ++i) {
+      closes[i] = all(f.precharges[i], !before);
+      before = any(before, f.precharges[i]);
+    }
+    const bool activates = any(opens[0], opens[1], opens[2], opens[3]);
+    const bool precharges = any(closes[0], closes[1], closes[2], closes[3]);
     const bool precharges_all = all(f.stop, f.any_open, f.may_precharge_all);
     const bool next_step = all(f.stop, f.may_refresh);
     const bool starts = all(next_step, setup_ == Setup::kPause, due_);
     const bool refreshes = all(next_step, any(setup_ == Setup::kRefreshes, setup_ == Setup::kDone));
     const bool sets_mode = all(next_step, setup_ == Setup::kMode);
 
-    p.command = activates                                ? SdramCommand::kActivate
-                : precharges || precharges_all || starts ? SdramCommand::kPrecharge
-                : refreshes                              ? SdramCommand::kRefresh
-                : sets_mode                              ? SdramCommand::kMode
-                                                         : SdramCommand::kNone;
-    const SdramPlace& place = prepared_.burst.place;
-    p.bank = flags_.stop ? uint<2>(0) : place.bank;
-    p.address = !flags_.stop             ? (precharges ? uint<13>(0) : place.row)
+    p = second_;
+    p.command = activates                                 ? SdramCommand::kActivate
+                : any(precharges, precharges_all, starts) ? SdramCommand::kPrecharge
+                : refreshes                               ? SdramCommand::kRefresh
+                : sets_mode                               ? SdramCommand::kMode
+                                                          : SdramCommand::kNone;
+    p.bank = any(opens[1], closes[1])   ? uint<2>(1)
+             : any(opens[2], closes[2]) ? uint<2>(2)
+             : any(opens[3], closes[3]) ? uint<2>(3)
+                                        : uint<2>(0);
+    uint<kSdramRowBits> row;
+    for (unsigned i = 0; i < kSdramBanks; ++i) {
+      row = row | hls::select(opens[i], banks_[i].first.place.row, uint<kSdramRowBits>(0));
+    }
+    p.address = !f.stop                  ? row
                 : setup_ == Setup::kMode ? uint<13>::from(T::kModeRegister)
                                          : uint<13>(1 << 10);
-    p.reads = second_reads_;
-    p.writes = second_writes_;
-    p.word = hls::concat(second_pair_, uint<1>(1));
-    p.last = second_last_;
+    p.word = hls::concat(second_.word.template bits<3, 1>(), uint<1>(1));
 
     for (unsigned i = 0; i < kSdramBanks; ++i) {
       Bank& k = banks_[i];
-      const bool here = prepared_.here[i];
-      const bool opens = all(activates, here);
-      const bool closes = any(all(precharges, here), precharges_all);
-      k.open = any(all(k.open, !closes), opens);
-      if (opens) k.row = place.row;
+      const bool shuts = any(closes[i], precharges_all);
+      k.open = any(all(k.open, !shuts), opens[i]);
+      if (opens[i]) k.row = k.first.place.row;
       k.activate.pass();
       k.precharge.pass();
-      k.activate.template atleast<T::kPrechargeToActivate>(any(closes, starts));
-      k.activate.template atleast<T::kActivateToActivate>(opens);
+      k.activate.template atleast<T::kPrechargeToActivate>(any(shuts, starts));
+      k.activate.template atleast<T::kActivateToActivate>(opens[i]);
       k.activate.template atleast<T::kRefreshToActivate>(refreshes);
       k.activate.template atleast<T::kModeToActivate>(sets_mode);
-      k.precharge.template atleast<T::kActivateToPrecharge>(opens);
-      k.column.template atleast<T::kActivateToColumn>(opens);
-    }
-    if (passes) moving_[moving_[0].valid ? 1 : 0] = prepared_;
-    if (passes || !prepared_.valid) {
-      prepared_ = placed(ahead_, ahead_valid_);
-      ahead_valid_ = false;
+      k.precharge.template atleast<T::kActivateToPrecharge>(opens[i]);
     }
     keep_time(starts, refreshes, sets_mode);
   }
+  // From an activate the flag takes a clock, the pick one, the burst's way to its command three.
+  static_assert(T::kActivateToColumn <= 2, "a burst moves five clocks after its activate");
 
   /// The setup's steps, and when the next refresh is due.
   void keep_time(bool starts, bool refreshes, bool sets_mode) {
@@ -264,9 +316,11 @@ struct SdramController {
     } else if (refreshes) {
       due_ = false;
     }
+    // Now the other way goes first, so that no burst waits for ever.
+    if (refreshes) writes_ = !writes_;
     if (starts) {
       setup_ = Setup::kRefreshes;
-    } else if (setup_ == Setup::kRefreshes && refreshes) {
+    } else if (all(setup_ == Setup::kRefreshes, refreshes)) {
       refreshes_ = hls::next(refreshes_);
       if (refreshes_ == uint<3>(0)) setup_ = Setup::kMode;
     } else if (sets_mode) {
@@ -275,45 +329,21 @@ struct SdramController {
   }
   static_assert(T::kPart.first_refreshes == 8, "refreshes_ counts them");
 
-  /// A burst and its bank, one bit for each bank.
-  struct Placed {
-    SdramBurst burst;
-    bool here[kSdramBanks] = {};
-    bool valid = false;
-  };
-  static Placed placed(const SdramBurst& burst, bool valid) {
-    Placed p{.burst = burst, .valid = valid};
-    for (unsigned i = 0; i < kSdramBanks; ++i) p.here[i] = burst.place.bank == uint<2>::from(i);
-    return p;
-  }
-  /// A flag of the burst's bank.
-  template <class Flag>
-  bool of_bank(const Placed& b, Flag flag) const {
-    return any(all(b.here[0], flag(banks_[0])), all(b.here[1], flag(banks_[1])),
-               all(b.here[2], flag(banks_[2])), all(b.here[3], flag(banks_[3])));
-  }
-  /// Whether a row command for `b` would disturb a burst that moves.
-  static bool same_bank(const Placed& moving, const Placed& b) {
-    return all(moving.valid, moving.burst.place.bank == b.burst.place.bank);
+  static uint<2> number_of(const std::array<bool, kSdramBanks>& bank) {
+    return hls::concat(uint<1>(any(bank[2], bank[3])), uint<1>(any(bank[1], bank[3])));
   }
 
   bool row_turn_ = false;
-  uint<kQueueBits + 1> head_;
-  uint<kQueueBits + 1> tail_;
-
-  SdramBurst ahead_;
-  bool ahead_valid_ = false;
-  Placed prepared_;
-  Placed moving_[2];
   Bank banks_[kSdramBanks];
+  Moving moving_;
+  Moving next_;
   SdramWait<T::kReadToWrite> write_;
+  bool writes_ = false;  ///< the last burst that was picked
+  std::array<bool, kSdramBanks> last_pick_{true, false, false, false};
 
-  bool goes_ = false;  ///< a pair moves in the next column turn
   Flags flags_;
-  bool second_reads_ = false;
-  bool second_writes_ = false;
-  uint<3> second_pair_;
-  bool second_last_ = false;
+  std::array<bool, kSdramBanks> picks_{};
+  SdramPins second_;
 
   Setup setup_ = Setup::kPause;
   bool due_ = false;

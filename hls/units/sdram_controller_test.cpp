@@ -36,7 +36,7 @@ class SdramControllerTest : public testing::Test {
     bench_.run();
     std::vector<Seen> seen;
     for (const SdramPins& pins : bench_.take(bench_.unit.pins)) {
-      if (pins.taken) ++taken_;
+      taken_ += static_cast<unsigned>(pins.taken.to_u64());
       if (pins.command != SdramCommand::kNone) seen.push_back({clock_, pins});
       ++clock_;
     }
@@ -47,12 +47,14 @@ class SdramControllerTest : public testing::Test {
     run(2 * (kPause + 100));
     clock_ = 0;
   }
-  static SdramBurst burst(unsigned bank, unsigned row, unsigned pair, unsigned pairs, bool write) {
+  static SdramBurst burst(unsigned bank, unsigned row, unsigned pair, unsigned pairs, bool write,
+                          unsigned tag = 0) {
     return {.place = {.pair = uint<8>::from(pair),
                       .bank = uint<2>::from(bank),
                       .row = uint<13>::from(row)},
             .last = uint<3>::from(pairs - 1),
-            .write = write};
+            .write = write,
+            .tag = uint<5>::from(tag)};
   }
   static std::vector<SdramCommand> commands(const std::vector<Seen>& seen) {
     std::vector<SdramCommand> commands;
@@ -80,7 +82,7 @@ TEST_F(SdramControllerTest, SetsTheChipUp) {
 
 TEST_F(SdramControllerTest, TellsWhatTheDataPinsDo) {
   set_up();
-  bench_.feed(bench_.unit.request, {.valid = true, .burst = burst(2, 5, 6, 2, true)});
+  bench_.feed(bench_.unit.request, {.valid = true, .burst = burst(2, 5, 6, 2, true, 19)});
   for (unsigned i = 0; i < 30; ++i) bench_.feed(bench_.unit.request, {});
   bench_.run();
   std::vector<SdramPins> words;
@@ -93,6 +95,7 @@ TEST_F(SdramControllerTest, TellsWhatTheDataPinsDo) {
   for (unsigned i = 0; i < 4; ++i) {
     EXPECT_EQ(words[i].word, uint<4>::from(12 + i));
     EXPECT_EQ(words[i].last, i == 3);
+    EXPECT_EQ(words[i].tag, uint<5>(19));
     EXPECT_EQ(words[i].command, i % 2 == 0 ? SdramCommand::kWrite : SdramCommand::kNone);
   }
   EXPECT_EQ(words[0].address, uint<13>(12));
@@ -122,6 +125,25 @@ TEST_F(SdramControllerTest, OpensTheNextRowWhileWordsMove) {
   EXPECT_EQ(reads.back() - reads.front(), 62u) << "column commands every two clocks";
 }
 
+TEST_F(SdramControllerTest, ABankWithoutItsRowHoldsUpNoOther) {
+  set_up();
+  // The tags of bursts that come one after another, in the order in which pairs move.
+  const auto order = [this](const std::vector<SdramBurst>& bursts) {
+    for (const SdramBurst& b : bursts)
+      bench_.feed(bench_.unit.request, {.valid = true, .burst = b});
+    std::vector<unsigned> tags;
+    for (const Seen& s : run(200)) {
+      const bool column =
+          s.pins.command == SdramCommand::kRead || s.pins.command == SdramCommand::kWrite;
+      if (column) tags.push_back(static_cast<unsigned>(s.pins.tag.to_u64()));
+    }
+    return tags;
+  };
+  EXPECT_EQ(order({burst(0, 1, 0, 1, false, 1), burst(0, 2, 0, 1, false, 2),
+                   burst(0, 2, 1, 1, false, 3), burst(1, 7, 0, 1, false, 4)}),
+            (std::vector<unsigned>{1, 4, 2, 3}));
+}
+
 TEST_F(SdramControllerTest, RefreshesInTimeUnderLoad) {
   set_up();
   unsigned refreshes = 0;
@@ -134,6 +156,8 @@ TEST_F(SdramControllerTest, RefreshesInTimeUnderLoad) {
     }
     ASSERT_LE(i + 1 - taken_, kSdramQueue);
   }
+  run(500);
+  EXPECT_EQ(taken_, kRounds) << "each is told once";
   EXPECT_NEAR(refreshes, kRounds * 9 / T::kRefreshTurns, 1);
   EXPECT_GT(pairs, kRounds * 7);
 }

@@ -72,8 +72,10 @@ class SdramPort {
   using Outputs = typename Types::Outputs;
   using Beat = typename Types::Beat;
   static constexpr unsigned kBeats = 32;  ///< places for beats that are read
-  static constexpr unsigned kWrites = 8;  ///< beats to be written
-  static constexpr unsigned kBatch = 4;   ///< requests of a kind while the other kind waits
+  static constexpr unsigned kReads = 32;  ///< that may be on their way
+  static constexpr unsigned kWrites = 16;
+  static constexpr unsigned kPatience = 256;  ///< clocks that a write waits for reads, at most
+  static constexpr unsigned kBatch = 32;      ///< writes while a read waits, at most
 
   SdramPort(unsigned stages, unsigned pause_turns) : steps_(stages) {
     controller_.request.bind(requests_);
@@ -84,8 +86,8 @@ class SdramPort {
   Outputs outputs(const Inputs& /*in*/ = {}) const {
     Outputs out;
     const bool room = waiting_ < kSdramQueue;
-    out.read_ready = !writes_turn_ && room && free_beats_ >= 32 / PortBytes;
-    out.write_ready = writes_turn_ && room && written_.size() < kWrites;
+    out.read_ready = !writes_turn_ && room && free_beats_ >= 32 / PortBytes && read_free_;
+    out.write_ready = writes_turn_ && room && write_free_;
     if (beats_valid_) out.beat = beats_.front();
     out.pins = pins_;
     return out;
@@ -95,19 +97,25 @@ class SdramPort {
     const Outputs out = outputs();
     const bool reads = in.read && out.read_ready;
     const bool writes = in.write && out.write_ready;
+    const bool read_free = !reads_[(read_slot_ + (reads ? 1 : 0)) % kReads];
+    const bool write_free =
+        !writes_[(write_slot_ + (writes && in.write->mask != 0 ? 1 : 0)) % kWrites];
     const std::optional<SdramPins> token = steps_.front();
     take_beat(in, out);
     read_words(token);
     dq_ = in.dq;
-    drive(token);
+    pins_ = next_pins_;
+    next_pins_ = pins_of(token);
 
     const SdramRequest request = request_;
     request_ = {};
     if (reads) take_read(*in.read);
     if (writes) take_write(*in.write);
     waiting_ += request_.valid ? 1 : 0;
-    waiting_ -= token && token->taken ? 1 : 0;
+    if (token) waiting_ -= static_cast<unsigned>(token->taken.to_u64());
     choose(in, reads || writes);
+    read_free_ = read_free;
+    write_free_ = write_free;
 
     requests_->push(request);
     controller_.step();
@@ -121,15 +129,16 @@ class SdramPort {
     unsigned last;
   };
   using Write = typename Types::Write;
-  /// Clocks from a token to the word that it reads, in dq_: the pins' registers on either side, and
-  /// the CAS latency.
-  static constexpr unsigned kReadClocks = S::kCasLatency + 2;
+  /// Clocks from a token to the word that it reads, in dq_: two registers before the pins, one
+  /// behind them, and the CAS latency.
+  static constexpr unsigned kReadClocks = S::kCasLatency + 3;
   static constexpr unsigned kHalves = Types::kHalves;
 
   void take_read(const typename Types::Read& read) {
     free_beats_ -= read.last + 1;
-    expected_.push_back({read.id, read.last});
-    request_ = request_at(read.address, (read.last + 1) * PortBytes / 4, false);
+    reads_[read_slot_] = {read.id, read.last};
+    request_ = request_at(read.address, (read.last + 1) * PortBytes / 4, false, read_slot_);
+    read_slot_ = (read_slot_ + 1) % kReads;
   }
   void take_write(const Write& write) {
     unsigned first = kHalves;
@@ -140,53 +149,61 @@ class SdramPort {
       last = i / 2;
     }
     if (write.mask == 0) return;
-    written_.push_back(write);
-    request_ = request_at(write.address + 4 * first, last - first + 1, true);
+    writes_[write_slot_] = write;
+    request_ = request_at(write.address + 4 * first, last - first + 1, true, write_slot_);
+    write_slot_ = (write_slot_ + 1) % kWrites;
   }
-  static SdramRequest request_at(std::uint32_t address, unsigned pairs, bool writes) {
+  static SdramRequest request_at(std::uint32_t address, unsigned pairs, bool writes,
+                                 unsigned slot) {
     return {.valid = true,
             .burst = {.place = {.pair = uint<8>::from(address >> 2),
                                 .bank = uint<2>::from(address >> 10),
                                 .row = uint<13>::from(address >> 12)},
                       .last = uint<3>::from(pairs - 1),
-                      .write = writes}};
+                      .write = writes,
+                      .tag = uint<5>::from(slot)}};
   }
-  /// The kind goes on while only it waits, and for kBatch requests while both do.
+  /// Each way costs clocks to turn to, so writes wait for a while and then go together.
   void choose(const Inputs& in, bool took) {
-    const bool this_waits = writes_turn_ ? in.write.has_value() : in.read.has_value();
-    const bool other_waits = writes_turn_ ? in.read.has_value() : in.write.has_value();
-    const bool changes = other_waits && (!this_waits || (took && batch_ == kBatch - 1));
-    batch_ = changes || !other_waits ? 0 : batch_ + (took ? 1 : 0);
+    const bool late = waited_ == kPatience - 1;
+    const bool full = took && batch_ == kBatch - 1;
+    const bool changes =
+        writes_turn_ ? in.read && (!in.write || full) : in.write && (!in.read || late);
+    batch_ = changes || !writes_turn_ ? 0 : (batch_ + (took ? 1 : 0)) % kBatch;
+    waited_ = writes_turn_ || !in.write ? 0 : late ? waited_ : waited_ + 1;
     if (changes) writes_turn_ = !writes_turn_;
   }
 
-  void drive(const std::optional<SdramPins>& token) {
-    if (!token) return;
-    const auto word = static_cast<unsigned>(token->word.to_u64());
-    pins_ = {token->command,
-             static_cast<unsigned>(token->bank.to_u64()),
-             static_cast<unsigned>(token->address.to_u64()),
-             token->ready ? 0u : 3u,
-             token->writes,
-             0};
-    if (!token->writes) return;
-    pins_.dq = written_.front().data[word % kHalves];
-    if ((written_.front().mask >> word % kHalves & 1) == 0) pins_.dqm = 3;
-    if (token->last) written_.pop_front();
+  typename Types::Pins pins_of(const std::optional<SdramPins>& token) {
+    if (!token) return {};
+    typename Types::Pins pins{.command = token->command,
+                              .bank = static_cast<unsigned>(token->bank.to_u64()),
+                              .address = static_cast<unsigned>(token->address.to_u64()),
+                              .dqm = token->ready ? 0u : 3u,
+                              .drives = token->writes,
+                              .dq = 0};
+    if (!token->writes) return pins;
+    std::optional<Write>& write = writes_.at(token->tag.to_u64());
+    const auto half = static_cast<unsigned>(token->word.to_u64()) % kHalves;
+    pins.dq = write->data[half];
+    if ((write->mask >> half & 1) == 0) pins.dqm = 3;
+    if (token->last) write.reset();
+    return pins;
   }
   void read_words(const std::optional<SdramPins>& token) {
-    coming_.push_back(token && token->reads ? std::optional(token->word) : std::nullopt);
+    coming_.push_back(token && token->reads ? token : std::nullopt);
     if (coming_.size() <= kReadClocks) return;
     const auto word = coming_.front();
     coming_.pop_front();
     if (!word) return;
-    const auto at = static_cast<unsigned>(word->to_u64()) % kHalves;
-    beat_[at] = dq_;
-    if (at + 1 < kHalves) return;
-    const bool last = expected_.front().last == beat_number_;
-    arrived_ = Beat{expected_.front().id, beat_, last};
+    const auto half = static_cast<unsigned>(word->word.to_u64()) % kHalves;
+    beat_[half] = dq_;
+    if (half + 1 < kHalves) return;
+    std::optional<Expected>& read = reads_.at(word->tag.to_u64());
+    const bool last = read->last == beat_number_;
+    arrived_ = Beat{read->id, beat_, last};
     beat_number_ = last ? 0 : beat_number_ + 1;
-    if (last) expected_.pop_front();
+    if (last) read.reset();
   }
   void take_beat(const Inputs& in, const Outputs& out) {
     if (out.beat && in.beat_ready) {
@@ -207,15 +224,21 @@ class SdramPort {
   unsigned waiting_ = 0;  ///< in the controller's queue, or on the way to it
   bool writes_turn_ = false;
   unsigned batch_ = 0;
+  unsigned waited_ = 0;
 
-  std::deque<Write> written_;
+  std::array<std::optional<Expected>, kReads> reads_;
+  std::array<std::optional<Write>, kWrites> writes_;
+  unsigned read_slot_ = 0;
+  unsigned write_slot_ = 0;
+  bool read_free_ = true;  ///< the slot
+  bool write_free_ = true;
+  typename Types::Pins next_pins_;
   typename Types::Pins pins_;
 
-  std::deque<std::optional<uint<4>>> coming_;  ///< words that are read
+  std::deque<std::optional<SdramPins>> coming_;  ///< words that are read
   std::uint16_t dq_ = 0;
   typename Types::Data beat_{};
   std::optional<Beat> arrived_;
-  std::deque<Expected> expected_;
   unsigned beat_number_ = 0;
   unsigned free_beats_ = kBeats;
   std::deque<Beat> beats_;

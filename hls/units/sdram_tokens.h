@@ -12,8 +12,9 @@ namespace dynrt {
 using hls::uint;
 
 inline constexpr unsigned kSdramAddressBits = 25;  ///< of a byte: 32 MB
-/// Requests that wait in the controller; whoever sends them counts `taken`.
-inline constexpr unsigned kSdramQueue = 8;
+/// Requests that may wait in the controller's queues, all of them for one bank if they are;
+/// whoever sends them counts `taken`.
+inline constexpr unsigned kSdramQueue = 16;
 
 /// A place in the chip. Rows of 1 KB go round the banks.
 struct SdramPlace {
@@ -28,7 +29,8 @@ struct SdramBurst {
   SdramPlace place;  ///< of the first pair
   uint<3> last;      ///< pairs less one
   bool write = false;
-  HLS_FIELDS(place, last, write)
+  uint<5> tag;  ///< the sender's, and back with each word
+  HLS_FIELDS(place, last, write, tag)
 };
 
 /// A clock of the controller: a burst comes, or none.
@@ -58,10 +60,11 @@ struct SdramPins {
   bool ready = false;  ///< the chip is set up
   bool reads = false;
   bool writes = false;
-  uint<4> word;        ///< within 32 bytes
-  bool last = false;   ///< of its burst
-  bool taken = false;  ///< a request has left the queue
-  HLS_FIELDS(command, bank, address, ready, reads, writes, word, last, taken)
+  uint<4> word;       ///< within 32 bytes
+  bool last = false;  ///< of its burst
+  uint<5> tag;
+  uint<3> taken;  ///< requests that have left their queues
+  HLS_FIELDS(command, bank, address, ready, reads, writes, word, last, tag, taken)
 };
 
 }  // namespace dynrt

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A memory port on a 16-bit SDR SDRAM: the logic around the unit sdram_controller, which gets a
-// request or none in every clock and says in every clock what the pins do. Reads and writes take
-// turns; a write becomes a request for the pairs of halves that its mask touches. Requests are done
-// in their order, so a read sees the writes before it. hls/units/sdram_port.h is the native twin.
+// request or none in every clock and says in every clock what the pins do. Reads go first; writes
+// that have waited go together. A write becomes a request for the pairs of halves that its mask
+// touches. A read sees the writes to its bytes that were taken before it, and none that came after.
+// hls/units/sdram_port.h is the native twin.
 //
-// A read is taken only if there is room for its beats, so that the chip's words never wait. All
-// pins are registers: sdram_dq_i is taken CAS_LATENCY + 1 clocks after a command is on the pins.
+// A request has a slot, which keeps a read's id or a write's data until its last word has moved. A
+// read is taken only if there is room for its beats, so that the chip's words never wait. All pins
+// are registers: sdram_dq_i is taken CAS_LATENCY + 1 clocks after a command is on the pins.
 //
 // Parameters:
 //   ID_WIDTH     bits of a read's id
@@ -18,7 +20,7 @@
 //   pause_i      clocks of the pause after power-up, in pairs
 //   read_*       a read of read_last_i + 1 beats, aligned to a beat, within 32 bytes
 //   write_*      a beat to be written, aligned; a bit of the mask for each 16 bits
-//   beat_*       what was read, lowest address first, in the order of the reads
+//   beat_*       what was read, in any order of reads; the beats of one follow each other
 //   sdram_*      the chip's pins; its clock, CKE and CS# are the board's (CKE high, CS# low)
 `default_nettype none
 
@@ -60,40 +62,55 @@ module sdram_port #(
   localparam HALVES = PORT_BYTES / 2;
   localparam INDEX = $clog2(HALVES);
   localparam [31:0] BEATS = 32;  // that may be on their way, or wait to be taken
-  localparam WRITES = 8;
+  localparam READS = 32;  // slots
+  localparam WRITES = 16;
   localparam [31:0] LAST_PAIR = PORT_BYTES / 4 - 1;
   localparam [31:0] MOST_BEATS = 32 / PORT_BYTES;  // of a read
-  localparam TAGS = CAS_LATENCY + 2;  // from a token to its word in dq_q
+  localparam TAGS = CAS_LATENCY + 3;  // clocks from a token to its word in dq_q
 
   // The controller's token, and its bits.
   wire        step_valid;
-  wire [26:0] step;
-  wire        step_ready = step[18];
+  wire [33:0] step;
   wire        step_reads = step_valid && step[19];
   wire        step_writes = step_valid && step[20];
   wire [ 3:0] step_word = step[24:21];
   wire        step_last = step[25];
-  wire        step_taken = step_valid && step[26];
+  wire [ 4:0] step_tag = step[30:26];
+  wire [ 2:0] step_taken = step_valid ? step[33:31] : 3'd0;
+
+  // The last word of a beat, of a read, and its slot.
+  wire        ends, ends_read;
+  wire [ 4:0] tag;
 
   // ---- requests ----
   reg         writes_turn_q;
-  reg  [ 1:0] batch_q;  // requests of this kind while the other waits
-  reg  [ 3:0] waiting_q;  // requests in the controller's queue or on their way to it
+  reg  [ 4:0] batch_q;  // writes in this turn of theirs
+  reg  [ 7:0] waited_q;  // clocks that a write has waited for reads
+  reg  [ 4:0] waiting_q;  // requests in the controller's queue or on their way to it
   reg  [ 5:0] free_beats_q;
-  reg  [27:0] request_q;
+  reg  [32:0] request_q;
+  reg  [ 4:0] read_slot_q;  // of the next read
+  reg  [ 3:0] write_slot_q;
+  reg  [ READS-1:0] read_busy_q;
+  reg  [WRITES-1:0] write_busy_q;
+  reg         read_free_q;  // the slot
+  reg         write_free_q;
 
-  wire        room = !waiting_q[3];
-  wire        write_room;
-  assign read_ready_o = !writes_turn_q && room && free_beats_q >= MOST_BEATS[5:0];
-  assign write_ready_o = writes_turn_q && room && write_room;
+  wire        room = !waiting_q[4];
+  assign read_ready_o = !writes_turn_q && room && free_beats_q >= MOST_BEATS[5:0] &&
+      read_free_q;
+  assign write_ready_o = writes_turn_q && room && write_free_q;
   wire takes_read = read_valid_i && read_ready_o;
   wire takes_write = write_valid_i && write_ready_o;
   wire writes_any = takes_write && (|write_mask_i);
 
-  wire other_waits = writes_turn_q ? read_valid_i : write_valid_i;
-  wire this_waits = writes_turn_q ? write_valid_i : read_valid_i;
-  wire took = takes_read || takes_write;
-  wire changes = other_waits && (!this_waits || (took && (&batch_q)));
+  wire [4:0] next_read_slot = read_slot_q + {4'd0, takes_read};
+  wire [3:0] next_write_slot = write_slot_q + {3'd0, writes_any};
+
+  // Each way costs clocks to turn to, so writes wait for a while and then go together.
+  wire full = takes_write && (&batch_q);
+  wire changes = writes_turn_q ? read_valid_i && (!write_valid_i || full) :
+      write_valid_i && (!read_valid_i || (&waited_q));
 
   // The first and the last pair that a mask touches.
   reg [2:0] first, last;
@@ -111,18 +128,34 @@ module sdram_port #(
 
   always @(posedge clk_i) begin
     request_q <= writes_turn_q ?
-        {1'b1, write_pairs, write_address_i[24:2] | {20'd0, first}, writes_any} :
-        {1'b0, read_pairs, read_address_i[24:2], takes_read};
-    waiting_q <= waiting_q + {3'd0, takes_read || writes_any} - {3'd0, step_taken};
+        {1'b0, write_slot_q, 1'b1, write_pairs, write_address_i[24:2] | {20'd0, first}, writes_any} :
+        {read_slot_q, 1'b0, read_pairs, read_address_i[24:2], takes_read};
+    read_slot_q <= next_read_slot;
+    write_slot_q <= next_write_slot;
+    read_free_q <= !read_busy_q[next_read_slot];
+    write_free_q <= !write_busy_q[next_write_slot];
+    if (takes_read) read_busy_q[read_slot_q] <= 1'b1;
+    if (writes_any) write_busy_q[write_slot_q] <= 1'b1;
+    if (ends && ends_read) read_busy_q[tag] <= 1'b0;
+    if (step_writes && step_last) write_busy_q[step_tag[3:0]] <= 1'b0;
+    waiting_q <= waiting_q + {4'd0, takes_read || writes_any} - {2'd0, step_taken};
     free_beats_q <= free_beats_q - (takes_read ? {4'd0, read_last_i[1:0]} + 6'd1 : 6'd0) +
         {5'd0, beat_valid_o && beat_ready_i};
-    batch_q <= changes || !other_waits ? 2'd0 : batch_q + {1'b0, took};
+    batch_q <= changes || !writes_turn_q ? 5'd0 : batch_q + {4'd0, takes_write};
+    waited_q <= writes_turn_q || !write_valid_i ? 8'd0 : waited_q + {7'd0, !(&waited_q)};
     if (changes) writes_turn_q <= !writes_turn_q;
     if (!rst_ni) begin
-      request_q <= 28'd0;
-      waiting_q <= 4'd0;
+      request_q <= 33'd0;
+      read_slot_q <= 5'd0;
+      write_slot_q <= 4'd0;
+      read_busy_q <= {READS{1'b0}};
+      write_busy_q <= {WRITES{1'b0}};
+      read_free_q <= 1'b1;
+      write_free_q <= 1'b1;
+      waiting_q <= 5'd0;
       free_beats_q <= BEATS[5:0];
-      batch_q <= 2'd0;
+      batch_q <= 5'd0;
+      waited_q <= 8'd0;
       writes_turn_q <= 1'b0;
     end
   end
@@ -145,30 +178,24 @@ module sdram_port #(
   );
 
   // ---- pins ----
-  wire [  DATA-1:0] written;
-  wire [HALVES-1:0] mask;
-  wire              written_valid;
-  hls_fifo #(
-      .WIDTH(DATA + HALVES),
-      .DEPTH(WRITES)
-  ) write_fifo (
-      .clk_i(clk_i),
-      .rst_ni(rst_ni),
-      .valid_i(writes_any),
-      .ready_o(write_room),
-      .data_i ({write_mask_i, write_data_i}),
-      .valid_o(written_valid),
-      .ready_i(step_writes && step_last),
-      .data_o ({mask, written})
-  );
-  wire [INDEX-1:0] half = step_word[INDEX-1:0];
+  // A clock for the write's row, another for the word in it.
+  (* ram_style = "distributed" *)
+  reg  [DATA+HALVES-1:0] writes   [0:WRITES-1];
+  reg  [DATA+HALVES-1:0] row_q;
+  reg  [       INDEX-1:0] half_q;
+  reg                     valid_q;
+  reg  [            20:0] step_q;
+  wire [        DATA-1:0] written = row_q[DATA-1:0];
+  wire [      HALVES-1:0] mask = row_q[DATA+HALVES-1:DATA];
+  wire                    ready = step_q[18];
+  wire                    drives = valid_q && step_q[20];
 
-  reg [ 2:0] command_q;
-  reg [ 1:0] bank_q;
-  reg [12:0] address_q;
-  reg [ 1:0] dqm_q;
-  reg        drives_q;
-  reg [15:0] word_q;
+  reg  [ 2:0] command_q;
+  reg  [ 1:0] bank_q;
+  reg  [12:0] address_q;
+  reg  [ 1:0] dqm_q;
+  reg         drives_q;
+  reg  [15:0] word_q;
   assign {sdram_we_no, sdram_cas_no, sdram_ras_no} = command_q;
   assign sdram_ba_o = bank_q;
   assign sdram_a_o = address_q;
@@ -176,41 +203,48 @@ module sdram_port #(
   assign sdram_dq_oe_o = drives_q;
   assign sdram_dq_o = word_q;
   always @(posedge clk_i) begin
-    command_q <= step[2:0];
-    bank_q <= step[4:3];
-    address_q <= step[17:5];
-    dqm_q <= {2{!step_ready || (step_writes && !mask[half])}};
-    drives_q <= step_writes;
-    word_q <= written[16*half+:16];
-    if (!rst_ni || !step_valid) begin
-      command_q <= 3'b111;
-      dqm_q <= 2'b11;
-    end
+    if (writes_any) writes[write_slot_q] <= {write_mask_i, write_data_i};
+    row_q <= writes[step_tag[3:0]];
+    half_q <= step_word[INDEX-1:0];
+    step_q <= step[20:0];
+    valid_q <= rst_ni && step_valid;
+
+    command_q <= valid_q ? step_q[2:0] : 3'b111;
+    bank_q <= step_q[4:3];
+    address_q <= step_q[17:5];
+    dqm_q <= {2{!valid_q || !ready || (drives && !mask[half_q])}};
+    drives_q <= drives;
+    word_q <= written[16*half_q+:16];
   end
 
   // ---- words that are read ----
+  (* ram_style = "distributed" *)
+  reg  [ID_WIDTH+1:0] reads    [0:READS-1];  // the number of beats less one, the id
   reg  [    TAGS-1:0] reads_q;
   reg  [    TAGS-1:0] ends_q;  // the word is the last one of its beat
+  reg  [  5*TAGS-1:0] tags_q;
   reg  [        15:0] dq_q;
   reg  [    DATA-1:0] beat_q;
   reg  [         1:0] number_q;  // of the beat in its read
   reg                 arrived_q;
   reg                 arrived_last_q;
   reg  [ID_WIDTH-1:0] arrived_id_q;
-  wire [ID_WIDTH-1:0] expected_id;
-  wire [         1:0] expected_last;
-  wire                ends = reads_q[TAGS-1] && ends_q[TAGS-1];
-  wire                ends_read = number_q == expected_last;
-  wire                expected_valid, expected_room, beat_room;
+  assign tag = tags_q[5*TAGS-1:5*TAGS-5];
+  wire [ID_WIDTH+1:0] read = reads[tag];
+  assign ends = reads_q[TAGS-1] && ends_q[TAGS-1];
+  assign ends_read = number_q == read[ID_WIDTH+1:ID_WIDTH];
+  wire                beat_room;
 
   always @(posedge clk_i) begin
+    if (takes_read) reads[read_slot_q] <= {read_last_i[1:0], read_id_i};
     dq_q <= sdram_dq_i;
     reads_q <= {reads_q[TAGS-2:0], step_reads};
-    ends_q <= {ends_q[TAGS-2:0], &half};
+    ends_q <= {ends_q[TAGS-2:0], &step_word[INDEX-1:0]};
+    tags_q <= {tags_q[5*TAGS-6:0], step_tag};
     if (reads_q[TAGS-1]) beat_q <= {dq_q, beat_q[DATA-1:16]};
     arrived_q <= ends;
     arrived_last_q <= ends_read;
-    arrived_id_q <= expected_id;
+    arrived_id_q <= read[ID_WIDTH-1:0];
     if (ends) number_q <= ends_read ? 2'd0 : number_q + 2'd1;
     if (!rst_ni) begin
       reads_q <= {TAGS{1'b0}};
@@ -219,20 +253,6 @@ module sdram_port #(
     end
   end
 
-  hls_fifo #(
-      .WIDTH  (ID_WIDTH + 2),
-      .DEPTH  (BEATS),
-      .BOUNDED(1)
-  ) expected_fifo (
-      .clk_i(clk_i),
-      .rst_ni(rst_ni),
-      .valid_i(takes_read),
-      .ready_o(expected_room),
-      .data_i ({read_last_i[1:0], read_id_i}),
-      .valid_o(expected_valid),
-      .ready_i(ends && ends_read),
-      .data_o ({expected_last, expected_id})
-  );
   hls_fifo #(
       .WIDTH  (DATA + ID_WIDTH + 1),
       .DEPTH  (BEATS),
@@ -254,7 +274,8 @@ module sdram_port #(
       $display("%m: the controller does not take a request in this clock");
       $stop;
     end
-    if (rst_ni && ((step_writes && !written_valid) || (ends && !expected_valid))) begin
+    if (rst_ni && ((step_writes && !write_busy_q[step_tag[3:0]]) ||
+                   (reads_q[TAGS-1] && !read_busy_q[tag]))) begin
       $display("%m: a word without its request");
       $stop;
     end
@@ -264,10 +285,10 @@ module sdram_port #(
     end
   end
 `else
-  wire unused = &{1'b0, request_ready, written_valid, expected_valid};
+  wire unused = &{1'b0, request_ready};
 `endif
   // The address's lowest bits are zeros, and what is bounded has room.
-  wire unused_always = &{1'b0, step_word, expected_room, beat_room, fires, stalls, read_last_i[3:2],
+  wire unused_always = &{1'b0, step_word, step_q, beat_room, fires, stalls, read_last_i[3:2],
                          read_address_i[1:0], write_address_i[1:0]};
 
 endmodule

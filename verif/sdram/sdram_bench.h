@@ -13,6 +13,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "sdram/sdram_chip.h"
@@ -104,13 +105,14 @@ class SdramBench {
     if (pins.drives) chip.dq = pins.dq;
     return chip;
   }
-  /// What a read brings is decided where it is taken: requests are done in their order.
+  /// What a read brings is decided where it is taken: requests for the same bytes are done in their
+  /// order.
   void expect(const typename Types::Read& read) {
     for (unsigned beat = 0; beat <= read.last; ++beat) {
       typename Types::Beat b{.id = read.id, .data = {}, .last = beat == read.last};
       const std::uint32_t from = (read.address + beat * PortBytes) / 2;
       for (unsigned i = 0; i < Types::kHalves; ++i) b.data[i] = expected_words_[from + i];
-      expected_.push_back(b);
+      expected_[read.id].push_back(b);
     }
   }
   void store(const typename Types::Write& write) {
@@ -122,16 +124,22 @@ class SdramBench {
   }
   void compare(const typename Types::Beat& beat) {
     ++beats_;
-    if (expected_.empty()) {
+    const auto found = expected_.find(beat.id);
+    if (found == expected_.end()) {
       return mistake(fmt::format("clock {}: a beat came that nobody asked for", clocks_));
     }
-    const auto expected = expected_.front();
-    expected_.pop_front();
+    if (inside_ && *inside_ != beat.id) {
+      mistake(fmt::format("clock {}: beats of id {} came among those of {}", clocks_, beat.id,
+                          *inside_));
+    }
+    inside_ = beat.last ? std::nullopt : std::optional(beat.id);
+    const auto expected = found->second.front();
+    found->second.pop_front();
+    if (found->second.empty()) expected_.erase(found);
     if (beat == expected) return;
-    mistake(fmt::format(
-        "clock {}: beat {} has id {}, first half {:04x}, last {}; expected {}, {:04x}, {}", clocks_,
-        beats_ - 1, beat.id, beat.data[0], beat.last, expected.id, expected.data[0],
-        expected.last));
+    mistake(
+        fmt::format("clock {}: a beat of id {} has first half {:04x}, last {}; expected {:04x}, {}",
+                    clocks_, beat.id, beat.data[0], beat.last, expected.data[0], expected.last));
   }
   void mistake(const std::string& text) {
     if (mistakes_.size() < 20) mistakes_.push_back(text);
@@ -141,7 +149,8 @@ class SdramBench {
   std::vector<std::uint16_t> expected_words_;
   Inputs inputs_;
   std::optional<typename Types::Beat> last_beat_;
-  std::deque<typename Types::Beat> expected_;
+  std::unordered_map<std::uint32_t, std::deque<typename Types::Beat>> expected_;  ///< by id
+  std::optional<std::uint32_t> inside_;  ///< the read whose beats come
   std::uint64_t clocks_ = 0;
   std::uint64_t beats_ = 0;
   std::uint64_t halves_written_ = 0;

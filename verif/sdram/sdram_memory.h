@@ -11,6 +11,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <unordered_map>
 #include <utility>
 
 #include "hls/cast.h"
@@ -117,8 +118,9 @@ class SdramMemory final : public hls::Device {
     answers_.push_back({clock, out});
     if (!beat.last) return;
     --reads_under_way_;
-    use_.read_nanoseconds += static_cast<double>(clock) * system_.core_nanoseconds - sent_.front();
-    sent_.pop_front();
+    const auto sent = sent_.find(beat.id);
+    use_.read_nanoseconds += static_cast<double>(clock) * system_.core_nanoseconds - sent->second;
+    sent_.erase(sent);
   }
 
   std::optional<typename Types::Read> next_read() {
@@ -128,18 +130,19 @@ class SdramMemory final : public hls::Device {
       use_.display_reads += 32;
       ++use_.bursts;
       display_ = (display_ + 32) % kPictureBytes;
-      return typename Types::Read{kDisplay, kPixelsAt + kPixelsAt / 4 + display_, 32 / kBytes - 1};
+      return typename Types::Read{kDisplay | display_, kPixelsAt + kPixelsAt / 4 + display_,
+                                  32 / kBytes - 1};
     }
     if (waiting_reads_.empty() || waiting_reads_.front().first > time_) return std::nullopt;
     const auto [sent, read] = waiting_reads_.front();
     waiting_reads_.pop_front();
-    sent_.push_back(sent - kCrossing * kClock);
+    const auto id = static_cast<std::uint32_t>(hls::to_bits(read.id).to_u64());
+    sent_[id] = sent - kCrossing * kClock;
     const auto last = static_cast<unsigned>(read.last.to_u64());
     use_.core_reads += (last + 1) * kBytes;
     ++use_.reads;
     ++use_.bursts;
-    return typename Types::Read{static_cast<std::uint32_t>(hls::to_bits(read.id).to_u64()),
-                                static_cast<std::uint32_t>(read.address.to_u64()), last};
+    return typename Types::Read{id, static_cast<std::uint32_t>(read.address.to_u64()), last};
   }
   std::optional<typename Types::Write> next_write() {
     if (waiting_writes_.empty() || waiting_writes_.front().first > time_) return std::nullopt;
@@ -208,7 +211,7 @@ class SdramMemory final : public hls::Device {
   std::uint64_t reads_under_way_ = 0;
   std::deque<std::pair<double, PortRead<C>>> waiting_reads_;
   std::deque<std::pair<double, PortWrite<C>>> waiting_writes_;
-  std::deque<double> sent_;
+  std::unordered_map<std::uint32_t, double> sent_;  ///< by the read's id
   std::deque<std::pair<std::uint64_t, PortBeat<C>>> answers_;
 };
 

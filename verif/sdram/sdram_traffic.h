@@ -28,13 +28,18 @@ class RandomTraffic {
   SdramTraffic<PortBytes> traffic() {
     return {.read = [this] { return read(); },
             .write = [this] { return write(); },
-            .beat_ready = [this] { return below(100) < beats_; }};
+            .beat_ready =
+                [this] {
+                  change();
+                  return below(100) < beats_;
+                }};
   }
   /// No more requests.
   void stop() { stopped_ = true; }
 
  private:
   unsigned below(unsigned limit) { return static_cast<unsigned>(random_() % limit); }
+  /// In each clock.
   void change() {
     if (left_-- != 0) return;
     left_ = 100 + below(900);
@@ -55,7 +60,6 @@ class RandomTraffic {
     return address;
   }
   std::optional<typename Types::Read> read() {
-    change();
     if (stopped_ || below(100) >= reads_.busy) return std::nullopt;
     const unsigned most = 32 / PortBytes;
     const unsigned beats = 1u << below(most == 4 ? 3 : most);
