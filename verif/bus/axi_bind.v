@@ -1,0 +1,42 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Holds both buses of dynrt_axi to the rules in every simulation.
+`default_nettype none
+`include "dynrt_core.vh"
+
+bind dynrt_axi axi4_rules #(
+  .ID_BITS(AXI_ID_BITS), .ADDRESS_BITS(ADDRESS_BITS), .BYTES(`DYNRT_CORE_MEMORY_BEAT_BYTES),
+  .READ_SLOTS_BITS(AXI_ID_BITS > 1 ? 1 : 7), .WRITE_SLOTS_BITS(6)
+) memory_rules (
+  .clk_i(clk_i), .rst_ni(rst_ni),
+  .arvalid(m_axi_arvalid), .arready(m_axi_arready), .arid(m_axi_arid), .araddr(m_axi_araddr),
+  .arlen(m_axi_arlen), .arsize(m_axi_arsize), .arburst(m_axi_arburst), .arlock(m_axi_arlock),
+  .arcache(m_axi_arcache), .arprot(m_axi_arprot), .arqos(m_axi_arqos),
+  .rvalid(m_axi_rvalid), .rready(m_axi_rready), .rid(m_axi_rid), .rdata(m_axi_rdata),
+  .rresp(m_axi_rresp), .rlast(m_axi_rlast),
+  .awvalid(m_axi_awvalid), .awready(m_axi_awready), .awid(m_axi_awid), .awaddr(m_axi_awaddr),
+  .awlen(m_axi_awlen), .awsize(m_axi_awsize), .awburst(m_axi_awburst), .awlock(m_axi_awlock),
+  .awcache(m_axi_awcache), .awprot(m_axi_awprot), .awqos(m_axi_awqos),
+  .wvalid(m_axi_wvalid), .wready(m_axi_wready), .wdata(m_axi_wdata), .wstrb(m_axi_wstrb),
+  .wlast(m_axi_wlast), .bvalid(m_axi_bvalid), .bready(m_axi_bready), .bid(m_axi_bid),
+  .bresp(m_axi_bresp)
+);
+
+bind dynrt_axi axi4_rules #(
+  .ID_BITS(1), .ADDRESS_BITS(12), .BYTES(4), .LITE(1)
+) registers_rules (
+  .clk_i(clk_i), .rst_ni(rst_ni),
+  .arvalid(s_axil_arvalid), .arready(s_axil_arready), .arid(1'b0), .araddr(s_axil_araddr),
+  .arlen(8'd0), .arsize(3'd2), .arburst(2'd1), .arlock(1'b0), .arcache(4'd0),
+  .arprot(s_axil_arprot), .arqos(4'd0),
+  .rvalid(s_axil_rvalid), .rready(s_axil_rready), .rid(1'b0), .rdata(s_axil_rdata),
+  .rresp(s_axil_rresp), .rlast(1'b1),
+  .awvalid(s_axil_awvalid), .awready(s_axil_awready), .awid(1'b0), .awaddr(s_axil_awaddr),
+  .awlen(8'd0), .awsize(3'd2), .awburst(2'd1), .awlock(1'b0), .awcache(4'd0),
+  .awprot(s_axil_awprot), .awqos(4'd0),
+  .wvalid(s_axil_wvalid), .wready(s_axil_wready), .wdata(s_axil_wdata), .wstrb(s_axil_wstrb),
+  .wlast(1'b1), .bvalid(s_axil_bvalid), .bready(s_axil_bready), .bid(1'b0), .bresp(s_axil_bresp)
+);
+
+`default_nettype wire
