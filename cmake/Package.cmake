@@ -45,11 +45,13 @@ install(FILES cmake/dynrtConfig.cmake ${PROJECT_BINARY_DIR}/dynrtConfigVersion.c
 # The Verilog that is checked in. The prefix may be moved, so a list names its files relative to its own
 # folder, as -F of Verilator and -f of others, run there, read it.
 set(rtl ${share}/rtl)
-install(DIRECTORY rtl/lib rtl/board rtl/sdram rtl/generated rtl/lint DESTINATION ${rtl}
+install(DIRECTORY rtl/lib rtl/board rtl/bus rtl/display rtl/ecp5 rtl/link rtl/sdram rtl/ulx3s
+        rtl/generated rtl/lint DESTINATION ${rtl}
         FILES_MATCHING PATTERN *.v PATTERN *.vh PATTERN *.vlt)
 install(FILES constraints/dynrt_board.sdc DESTINATION ${rtl})
-set(lists ${PROJECT_BINARY_DIR}/dynrt_core.f ${PROJECT_BINARY_DIR}/dynrt_board.f
-    ${PROJECT_BINARY_DIR}/dynrt_lint.f)
+set(lists dynrt_core.f dynrt_board.f dynrt_lint.f dynrt_axi.f dynrt_wishbone.f axi_system.f
+    wishbone_system.f)
+list(TRANSFORM lists PREPEND ${PROJECT_BINARY_DIR}/)
 add_custom_command(OUTPUT ${lists}
   COMMAND ${PROJECT_SOURCE_DIR}/scripts/file_lists --relative ${PROJECT_BINARY_DIR}
   DEPENDS scripts/dynrt_tools/hardware/file_lists.py dynrt.core VERBATIM)

@@ -12,9 +12,11 @@ import unittest
 import yaml
 
 from dynrt_tools import project, testing
-from dynrt_tools.hardware import rtl_files
+from dynrt_tools.hardware import file_lists, rtl_files
 
 ROOT = project.ROOT
+# Filesets of Verilog that is written by hand; the board's has its display too.
+BY_HAND = ("library", "registers", "board", "bus", "examples", "sdram", "link", "display", "ulx3s")
 TEXT = (ROOT / "dynrt.core").read_text(encoding="utf-8")
 
 
@@ -36,13 +38,18 @@ class CoreFile(testing.InFolder):
         self.assertEqual(self.core["name"], f"dynrt::dynrt:{stated[1]}")
 
     def test_every_verilog_file_is_listed_once(self) -> None:
-        filesets = ("core", "board", "bus", "sdram", "link", "ulx3s", "display")
-        listed = [name for name in self.files(*filesets) if name.endswith(".v")]
+        listed = [name for name in self.files(*BY_HAND, "core") if name.endswith(".v")]
         there = rtl_files.all_hand_written() + rtl_files.units_in(rtl_files.GENERATED)
         for folder in rtl_files.BESIDE_CORES:
             there += rtl_files.units_in(folder)
         self.assertGreater(len(there), 30)
         self.assertEqual(sorted(listed), sorted(p.relative_to(ROOT).as_posix() for p in there))
+
+    def test_the_core_behind_a_bus_is_listed_too(self) -> None:
+        there = rtl_files.units_in(rtl_files.ALL_GENERATED / "fast_port")
+        wanted = [p.relative_to(ROOT).as_posix() for p in there if p.stem != "scan_out"]
+        self.assertGreater(len(wanted), 25)
+        self.assertEqual(sorted(self.files("port_core")), wanted)
 
     def test_every_file_is_there(self) -> None:
         for name in self.files(*self.core["filesets"]):
@@ -50,7 +57,7 @@ class CoreFile(testing.InFolder):
 
     def test_every_header_that_is_included_is_listed(self) -> None:
         headers = {pathlib.PurePath(name).name for name in self.files("headers")}
-        for name in self.files("core", "board", "bus"):
+        for name in self.files(*BY_HAND, "core"):
             text = (ROOT / name).read_text(encoding="utf-8")
             for header in re.findall(r'^`include "([^"]+)"', text, re.MULTILINE):
                 self.assertIn(header, headers, name)
@@ -82,7 +89,7 @@ class CoreFile(testing.InFolder):
     def lists(self, *flags: str) -> dict[str, list[str]]:
         """The lines of each list that the command writes."""
         subprocess.run([ROOT / "scripts/file_lists", *flags, self.folder], check=True)
-        names = ("dynrt_core.f", "dynrt_board.f", "dynrt_lint.f")
+        names = file_lists.LISTS
         return {n: (self.folder / n).read_text(encoding="utf-8").splitlines() for n in names}
 
     def test_file_lists_name_what_is_there(self) -> None:
@@ -108,6 +115,12 @@ class CoreFile(testing.InFolder):
             for place in (self.folder, ROOT, ROOT / "rtl"):
                 result = testing.run(*words, cwd=place)
                 self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+
+    def test_the_cores_behind_a_bus_and_their_examples_are_clean(self) -> None:
+        self.lists()
+        for name in ("dynrt_axi", "dynrt_wishbone", "axi_system", "wishbone_system"):
+            result = testing.run("verilator", "--lint-only", "-f", self.folder / f"{name}.f")
+            self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""), name)
 
     def test_the_lint_list_needs_its_waivers(self) -> None:
         self.lists()

@@ -5,6 +5,8 @@
     dynrt_core.f   the core
     dynrt_board.f  the core and its board
     dynrt_lint.f   the board for Verilator, with the waivers of rtl/lint, its top and -Wall
+    dynrt_axi.f, dynrt_wishbone.f      the core behind a bus, likewise
+    axi_system.f, wishbone_system.f    the examples that have it beside a memory, likewise
 
 The names are absolute, so a list works in every folder:
     verilator --lint-only -f FOLDER/dynrt_lint.f
@@ -19,7 +21,15 @@ from collections.abc import Iterator
 import yaml
 from dynrt_tools import project
 
-LISTS = {"dynrt_core.f": "core_alone", "dynrt_board.f": "default", "dynrt_lint.f": "lint"}
+LISTS = {
+    "dynrt_core.f": "core_alone",
+    "dynrt_board.f": "default",
+    "dynrt_lint.f": "lint",
+    "dynrt_axi.f": "axi_lint",
+    "dynrt_wishbone.f": "wishbone_lint",
+    "axi_system.f": "axi_example",
+    "wishbone_system.f": "wishbone_example",
+}
 
 
 def _lines(core: project.Json, target: project.Json, folder: pathlib.PurePath) -> Iterator[str]:
