@@ -6,7 +6,18 @@ import pathlib
 from collections.abc import Callable, Mapping
 
 from dynrt_tools import project
-from dynrt_tools.docs import commands, keys, limits, link_format, messages, registers, results, waves
+from dynrt_tools.docs import (
+    bus_waves,
+    commands,
+    keys,
+    limits,
+    link_format,
+    messages,
+    register_map,
+    registers,
+    results,
+    waves,
+)
 
 MARK = "<!-- Made by scripts/docs --renew; do not edit. -->\n"
 DOCS = project.ROOT / "docs"
@@ -60,18 +71,22 @@ def stale(pages: Mapping[str, str], docs: pathlib.Path = DOCS) -> list[str]:
     return problems
 
 
+def _diagrams() -> dict[str, waves.Diagram]:
+    return waves.diagrams() | bus_waves.diagrams()
+
+
 def stale_waves() -> list[str]:
     """A sentence for each timing diagram that is not current."""
     return [
         f"docs/reference/waves/{name}.svg: differs from the unit's schedule; "
         "scripts/docs --renew draws it"
-        for name in waves.stale(waves.diagrams(), WAVES)
+        for name in waves.stale(_diagrams(), WAVES)
     ]
 
 
 def renew_waves() -> list[pathlib.Path]:
     """Draws the timing diagrams that are not current and gives their files."""
-    return waves.renew(WAVES, TOOLS)
+    return waves.renew(_diagrams(), WAVES, TOOLS)
 
 
 def from_build(build: pathlib.Path) -> dict[str, str]:
@@ -89,4 +104,4 @@ def from_build(build: pathlib.Path) -> dict[str, str]:
 def from_sources() -> dict[str, str]:
     """Every page that needs no build."""
     pages = {name: make() for name, make in FROM_SOURCES.items()} | results.pages()
-    return {name: MARK + text for name, text in pages.items()}
+    return {name: MARK + text for name, text in pages.items()} | register_map.files()

@@ -100,9 +100,10 @@ def stale(drawn: Mapping[str, Diagram], folder: pathlib.Path) -> list[str]:
     return old
 
 
-def renew(folder: pathlib.Path, tools: pathlib.Path) -> list[pathlib.Path]:
+def renew(
+    drawn: Mapping[str, Diagram], folder: pathlib.Path, tools: pathlib.Path
+) -> list[pathlib.Path]:
     """Draws the pictures that are missing or old, with WaveDrom from npm; gives their files."""
-    drawn = diagrams()
     old = {name: drawn[name] for name in stale(drawn, folder)}
     if not old:
         return []
