@@ -76,9 +76,12 @@ def core() -> list[tuple[str, Json]]:
     ]
 
 
-def primitive(module: str, parameters: dict[str, Any]) -> Instance:
+def primitive(stated: Json, parameters: dict[str, Any]) -> Instance:
+    """A module written by hand; what it consists of is stated with it, as names of files."""
+    module = stated["of"]
     properties = (PROPERTIES / f"{module}.v").read_text(encoding="utf-8")
-    return Instance(module, parameters, [rtl_files.LIBRARY / f"{module}.v"], module, properties)
+    files = stated.get("with", [f"rtl/lib/{module}.v"])
+    return Instance(module, parameters, [ROOT / f for f in files], module, properties)
 
 
 def unit(module: str, parameters: dict[str, Any], stated: Json) -> Instance:
@@ -146,8 +149,8 @@ def of(stated: Json) -> list[Instance]:
             names = sorted(m for m, _ in core() if is_unit(m))
         found = [unit(m, {}, stated) for m in names]
     else:
-        found = [primitive(m, p) for m, p in core() if m == stated["of"]]
-        found += [primitive(stated["of"], p) for p in stated.get("besides", [])]
+        found = [primitive(stated, p) for m, p in core() if m == stated["of"]]
+        found += [primitive(stated, p) for p in stated.get("besides", [])]
     if not found:
         raise flow.Broken(f"the core has no {stated['of']}")
     return sorted({i.label: i for i in found}.values(), key=lambda i: i.label)
@@ -158,4 +161,4 @@ def example(stated: Json) -> Instance:
     chosen = stated["example"]
     if "unit" in chosen:
         return unit(chosen["unit"], chosen.get("parameters", {}), stated)
-    return primitive(stated["of"], chosen["parameters"])
+    return primitive(stated, chosen["parameters"])

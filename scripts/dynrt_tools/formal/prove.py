@@ -48,6 +48,12 @@ in any order. A register that takes a signal of the other clock gets the value b
 may settle late, to the old or the new value. As one bit of a count changes at a time (`one_bit`), that is
 a count which the other side might have had anyway, an edge earlier or later.
 
+**Buses.** The rules of [AXI4](../../verif/bus/axi4_rules.v) and of
+[Wishbone](../../verif/bus/wishbone_rules.v) are modules, written from the specifications. A proof of a
+module of `rtl/bus` asserts those of its end of the bus and assumes those of the other end; the
+simulations of `verif/bus` assert both. The proofs take small numbers for the widths and for what is in
+flight. That a FIFO keeps its tokens is proved of `hls_fifo`.
+
 **A limit of `hls_fork`.** A reader may see valid fall again before it was ready, because another reader
 stops being ready. Every reader in the core is a unit or a FIFO, and these remember nothing of a token
 that they did not take."""
@@ -65,7 +71,7 @@ class Proof:
         instance: instances.Instance,
         name: str,
         keep: str | None = None,
-        mutation: dict[str, str] | None = None,
+        mutation: Json | None = None,
         reach: str | None = None,
         whole: bool = True,
     ) -> flow.Design:
@@ -138,11 +144,11 @@ class Proof:
             raise flow.Broken(f"{self.name}: no mutation breaks {', '.join(sorted(spared))}")
         for number, mutation in enumerate(mutations, 1):
             other = mutation.get("parameters")
-            broken = instances.primitive(self.stated["of"], other) if other else instance
+            broken = instances.primitive(self.stated, other) if other else instance
             design = self.design(
                 broken, f"mutation{number}", keep=mutation["breaks"], mutation=mutation
             )
-            passed, _ = design.holds(self.example["clocks"])
+            passed, _ = design.holds(mutation.get("clocks", self.example["clocks"]))
             if passed:
                 raise flow.Broken(
                     f"{self.name}: {mutation['breaks']} does not notice that "
@@ -192,6 +198,8 @@ def page(stated: Json) -> str:
         of = proof["of"]
         if isinstance(of, list):
             of = ", ".join(f"`{unit}`" for unit in of)
+        elif "with" in proof:
+            of = f"`{of}`"
         else:
             of = "every unit" if of == "units" else "every instance"
         for label, sentence in proof["properties"].items():
