@@ -17,6 +17,7 @@
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
+#include "host/app/progress.h"
 #include "host/app/text.h"
 #include "host/board/load_configuration.h"
 #include "host/picture/output_file.h"
@@ -27,6 +28,7 @@ namespace dynrt::host {
 namespace {
 
 constexpr unsigned kLastPort = 65535;
+constexpr char kRecordedPicture[] = "256x192";  ///< of --export, if no size is given
 constexpr unsigned kWidestRtl = 16;  ///< bits of a mantissa whose words the SRAM of board rtl holds
 
 struct Arguments {
@@ -151,6 +153,7 @@ ViewStudio studio_of(const Arguments& arguments) {
 int record(const Arguments& arguments) {
   const Output outputs[] = {{"--export", arguments.exported}};
   check_outputs(outputs);
+  const Progress progress("recording a frame");
   const std::string page = recorded_view(studio_of(arguments));
   write_text(arguments.exported, page);
   say(fmt::format("page        {}, {:.1f} MB\n", arguments.exported,
@@ -197,11 +200,15 @@ Command add_view_command(CLI::App& program) {
   command
       ->add_option("--export", arguments->exported,
                    "write one file that opens from disk and holds a recorded frame with all that "
-                   "the page shows of it, at most 20 MB, and end; 256x192 is a good size")
+                   "the page shows of it, at most 20 MB, and end; the default size is then 256x192")
       ->option_text("FILE.html");
   command->add_flag("--no-browser", arguments->no_browser,
                     "print the page's address and open no browser");
-  return {command, [arguments] { return run(*arguments); }};
+  return {command, [arguments, command] {
+            const bool sized = command->get_option("--size")->count() > 0;
+            if (!arguments->exported.empty() && !sized) arguments->scene.size = kRecordedPicture;
+            return run(*arguments);
+          }};
 }
 
 }  // namespace dynrt::host

@@ -7,6 +7,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
@@ -133,7 +134,15 @@ std::string imports(const std::map<std::string, PageFile>& files) {
   return Json{{"imports", map}}.dump();
 }
 
+[[noreturn]] void refuse_size(unsigned width, unsigned height) {
+  refuse(messages::kRecordedSize, width, height, kMostRecordedBytes / 1'000'000);
+}
+
 }  // namespace
+
+void check_recorded_size(unsigned width, unsigned height) {
+  if (std::uint64_t{width} * height > kMostRecordedPixels) refuse_size(width, height);
+}
 
 std::string recorded_page(const std::map<std::string, PageFile>& files, const Scenery& scenery,
                           const Still& still, const Json& start, const Json& frame,
@@ -169,8 +178,7 @@ std::string recorded_page(const std::map<std::string, PageFile>& files, const Sc
                              "<script type=\"module\">import \"view/main.js\";</script>\n</body>",
                              base64(packed(answer.bytes()))));
   if (page.size() > kMostRecordedBytes) {
-    refuse(messages::kRecordedSize, still.shot.width, still.shot.height, page.size() / 1'000'000,
-           kMostRecordedBytes / 1'000'000);
+    refuse_size(still.shot.width, still.shot.height);
   }
   return page;
 }

@@ -18,6 +18,12 @@ namespace dynrt::host {
 /// The largest file.
 inline constexpr std::size_t kMostRecordedBytes = 20'000'000;
 
+/// Pixels that can fit into such a file; many scenes need more bytes for each.
+inline constexpr std::size_t kMostRecordedPixels = 160'000;
+
+/// Throws UserError for a picture that cannot fit.
+void check_recorded_size(unsigned width, unsigned height);
+
 /// The file's text. The frame must have been watched; `start` and `machine` are the answers to
 /// these questions. Throws UserError if it would be too large.
 std::string recorded_page(const std::map<std::string, PageFile>& files, const Scenery& scenery,

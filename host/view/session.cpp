@@ -238,6 +238,7 @@ Answer Session::csv() {
 }
 
 std::string Session::record(const std::map<std::string, PageFile>& files) {
+  check_recorded_size(studio_.width, studio_.height);
   const Json start = open(studio_.choices).head;
   const Shot shot{room_->scenery.first(), studio_.width, studio_.height, false};
   const Json frame_head = frame(shot).head;

@@ -19,8 +19,8 @@ inline constexpr char kNoClocks[] =
     "take "
     "a configuration whose Verilog was built";
 inline constexpr char kRecordedSize[] =
-    "the recorded frame of {}x{} pixels would take {} MB, and a file holds at most {}; record a "
-    "smaller picture";
+    "the recorded frame of {}x{} pixels would take more than {} MB, the most that a file may have; "
+    "record a smaller picture";
 inline constexpr char kWorkshopBusy[] = "{} is under way; wait until it is done";
 inline constexpr char kNoStill[] = "no whole frame stands in the window yet";
 inline constexpr char kNoPixel[] = "there is no pixel {}, {} in a picture of {}x{}";

@@ -77,7 +77,10 @@ function tell_address() {
   const pixel = pointed ? [pointed.x, pointed.y] : null;
   const {choices} = start;
   history.replaceState(null, "", address_of({from: still.from, choices, map: maps.name, pixel}));
-  share.show({scene: start.scene, size: frames.size, from: still.from, choices, pixel});
+  share.show({scene: start.scene, size: frames.size, from: still.from, choices, pixel,
+              inside: still.from.position.every((x, i) =>
+                  x >= Math.min(start.low[i], start.first.position[i]) &&
+                  x <= Math.max(start.high[i], start.first.position[i]))});
 }
 
 let core_rate = "";

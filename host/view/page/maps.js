@@ -57,9 +57,10 @@ export class MapView {
       return Array.from(this.values, (value) => colours[value]);
     }
     const colours = ramp();
-    const scale = high > low ? 255 / (high - low) : 0;
-    return Array.from(this.values, (value) =>
-        Number.isNaN(value) ? unknown : colours[Math.round((value - low) * scale)]);
+    // By the root, as a few pixels take many times what most take.
+    const scale = high > low ? 1 / (high - low) : 0;
+    return Array.from(this.values, (value) => Number.isNaN(value)
+        ? unknown : colours[Math.round(255 * Math.sqrt((value - low) * scale))]);
   }
 
   legend() {
@@ -70,7 +71,7 @@ export class MapView {
       const stops = d3.range(11).map((i) => d3.interpolateViridis(i / 10)).join(", ");
       parts.push(make("div", {class: "bar", style: `background: linear-gradient(to right, ${stops})`}),
                  make("div", {class: "ends"}, make("span", {}, shown(low)),
-                      make("span", {}, shown((low + high) / 2)), make("span", {}, shown(high))));
+                      make("span", {}, shown(+(low + (high - low) / 4).toPrecision(3))), make("span", {}, shown(high))));
     } else if (kind === "classes") {
       parts.push(make("div", {}, ...classes.flatMap((name, i) => [
         make("span", {class: "key", style: `background: ${class_colours[i]}`}),

@@ -118,7 +118,8 @@ export class PixelPanel {
     this.step = step;
     by_id("way-step").value = step;
     this.draw();
-    this.rows[step].scrollIntoView({block: "nearest"});
+    const list = by_id("way");
+    list.scrollTop = this.rows[step].offsetTop - list.clientHeight / 2;
   }
 
   /// What the packet has met up to the step: boxes and triangles over the picture.

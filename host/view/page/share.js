@@ -62,6 +62,10 @@ export class SharePanel {
   show(seen) {
     by_id("command").textContent = command_of(seen);
     const notes = [];
+    if (!seen.inside) {
+      notes.push("The camera stands outside the scene; render may fit the core's numbers to it " +
+                 "anew, and its last places then differ.");
+    }
     if (seen.from.time > 0) {
       notes.push(`The scene stands at ${seen.from.time} seconds of its animation; render shows it at 0.`);
     }

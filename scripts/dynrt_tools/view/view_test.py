@@ -21,12 +21,37 @@ from collections import Counter
 from typing import Any, ClassVar
 
 from dynrt_tools import project
+from dynrt_tools.view import pictures
 from dynrt_tools.view.window import Browser, Program
 
 PROGRAM = pathlib.Path()
 SCENE = "blocks"
 SIZE = "64x48"
 JSON_TYPE = "application/json"
+# A box that moves aside.
+SWING: project.Json = {
+    "about": "one that moves",
+    "colours": {"red": [0.9, 0.2, 0.1]},
+    "objects": [
+        {
+            "name": "box",
+            "parts": [{"generate": "box", "colour": "red", "from": [-1, -1, -1], "to": [1, 1, 1]}],
+        }
+    ],
+    "instances": [
+        {
+            "object": "box",
+            "name": "box",
+            "motion": {
+                "keys": [
+                    {"time": 0, "position": [0, 0, 0]},
+                    {"time": 60, "position": [200, 0, 0]},
+                ]
+            },
+        }
+    ],
+    "camera": {"position": [0, 2, 8], "look_at": [0, 0, 0], "field_of_view": 40},
+}
 
 
 def request(
@@ -221,15 +246,6 @@ class Page(unittest.TestCase):
         shown: str = self.browser.run(f"return document.getElementById('{name}').textContent")
         return shown
 
-    def set(self, name: str, value: object) -> None:
-        """Gives an input or a list another value, as a reader would."""
-        self.browser.run(
-            "const e = document.getElementById(arguments[0]); e.value = arguments[1];"
-            "e.dispatchEvent(new Event('input')); e.dispatchEvent(new Event('change'));",
-            name,
-            str(value),
-        )
-
     def click_pixel(self, x: int, y: int) -> None:
         """A click in the middle of a pixel."""
         stage = self.browser.driver.find_element("id", "stage")
@@ -321,7 +337,7 @@ class Page(unittest.TestCase):
         self.assertLess(clocks[-1], packet["end"] - packet["begin"])
         hit = answer["names"]["primitive"]
         self.assertIn(hit, [s.get("primitive") for s in way if s["event"] == "triangle"])
-        self.set("way-step", len(way) - 1)
+        self.browser.set("way-step", len(way) - 1)
         drawn = self.browser.run("return document.querySelectorAll('#overlay path').length")
         self.assertEqual(drawn, min(60, sum("box" in s or "corners" in s for s in way)))
 
@@ -332,17 +348,17 @@ class Page(unittest.TestCase):
         self.assertGreater(len(names), 8)
         seen = set()
         for name in names[1:]:
-            self.set("map-name", name)
+            self.browser.set("map-name", name)
             self.browser.wait(f"document.getElementById('map').dataset.name === '{name}'")
             seen.add(self.picture("map"))
             self.assertFalse(self.browser.run("return document.getElementById('legend').hidden"))
             self.assertIn(f"map={name}", self.browser.run("return location.hash"))
         self.assertEqual(len(seen), len(names) - 1, "some maps look alike")
         for split, inset in ((100, "0%"), (25, "75%")):
-            self.set("split", split)
+            self.browser.set("split", split)
             clip = self.browser.run("return document.getElementById('map').style.clipPath")
             self.assertIn(inset, clip)
-        self.set("map-name", "")
+        self.browser.set("map-name", "")
         self.browser.wait("document.getElementById('map').hidden")
 
     def test_maps_and_machine_are_what_the_counters_say(self) -> None:
@@ -366,13 +382,13 @@ class Page(unittest.TestCase):
         self.assertIn(f"{machine['cycles']:,} clocks", self.text("core-speed"))
 
     def test_an_address_is_what_is_seen(self) -> None:
-        self.set("choice-packets", 8)
+        self.browser.set("choice-packets", 8)
         self.still()
         self.browser.actions().key_down("d").perform()
         self.browser.wait("document.getElementById('stage').dataset.state === 'moving'")
         self.browser.actions().key_up("d").perform()
         self.still()
-        self.set("map-name", "normals")
+        self.browser.set("map-name", "normals")
         self.click_pixel(20, 20)
         view = self.browser.run("return location.hash")
         for part in ("packets=8", "map=normals", "pixel=20,20"):
@@ -388,19 +404,19 @@ class Page(unittest.TestCase):
 
     def test_takes_another_configuration_and_refuses_a_wrong_light(self) -> None:
         before = self.ask("examine")[0]
-        self.set("choice-configuration", "thesis")
+        self.browser.set("choice-configuration", "thesis")
         self.browser.wait("location.hash.includes('configuration=thesis')")
         self.still()
         after = self.ask("examine")[0]
         self.assertEqual((before["configuration"], after["configuration"]), ("fast", "thesis"))
         self.assertNotEqual(before["cycles"], after["cycles"])
         good = self.picture()
-        self.set("choice-lights", "0,5,0")
+        self.browser.set("choice-lights", "0,5,0")
         self.browser.wait("!document.getElementById('message').hidden")
         self.assertIn("thesis", self.text("message"))
         self.assertEqual(self.picture(), good, "the last good frame stays")
         self.assertEqual(self.ask("examine")[0]["configuration"], "thesis")
-        self.set("choice-configuration", "fast")
+        self.browser.set("choice-configuration", "fast")
         self.browser.wait("location.hash.includes('configuration=fast')")
         self.still()
         self.assertTrue(self.browser.run("return document.getElementById('message').hidden"))
@@ -422,6 +438,94 @@ class Page(unittest.TestCase):
         self.browser.click("#compare")
         self.browser.wait("document.getElementById('comparison').dataset.state === 'done'")
         self.assertIn(f"identical: {width * height:,} pixels", self.text("comparison"))
+
+
+class Animation(unittest.TestCase):
+    def test_plays_stops_and_steps(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            scene = pathlib.Path(folder) / "swing.json"
+            scene.write_text(json.dumps(SWING), encoding="utf-8")
+            with Program(PROGRAM, str(scene), "--size", SIZE) as program, Browser() as browser:
+                browser.open(program.address)
+                still = "document.getElementById('stage').dataset.state === 'still'"
+                picture = "return document.getElementById('picture').toDataURL()"
+                seconds = "return +document.getElementById('time').value"
+                browser.wait(still)
+                first = browser.run(picture)
+                browser.click("#play")
+                browser.wait("document.getElementById('stage').dataset.state === 'moving'")
+                browser.wait("+document.getElementById('time').value > 0.2")
+                browser.click("#play")
+                browser.wait(still)
+                stopped = browser.run(seconds)
+                self.assertNotEqual(browser.run(picture), first)
+                self.assertEqual(browser.run("return location.hash").count(f"time={stopped}"), 1)
+                browser.click("#step")
+                self.assertAlmostEqual(browser.run(seconds), stopped + 0.04, 4)
+                browser.set("time", 0)
+                browser.wait(f"{still} && location.hash.includes('time=0&')")
+                self.assertEqual(browser.run(picture), first)
+                browser.gather()
+                self.assertEqual(browser.complaints, [])
+
+
+class Exported(unittest.TestCase):
+    def test_opens_from_disk_and_knows_everything(self) -> None:
+        with tempfile.TemporaryDirectory() as folder, Browser() as browser:
+            file = pathlib.Path(folder) / "blocks.html"
+            subprocess.run(
+                [PROGRAM, "view", SCENE, "--size", SIZE, "--export", file],
+                check=True,
+                capture_output=True,
+            )
+            browser.open(file.as_uri())
+            browser.wait("document.getElementById('stage').dataset.watched")
+            browser.set("map-name", "clocks")
+            browser.wait("document.getElementById('map').dataset.name === 'clocks'")
+            stage = browser.driver.find_element("id", "stage")
+            browser.actions().move_to_element_with_offset(stage, 3, 3).click().perform()
+            browser.wait("document.getElementById('way')")
+            words = shlex.split(
+                browser.run("return document.getElementById('command').textContent")
+            )
+            subprocess.run([PROGRAM, *words[1:]], cwd=folder, check=True, capture_output=True)
+            record = project.read_json(pathlib.Path(folder) / "pixel.json")["pixel"]
+            self.assertTrue(record["hit"])
+            shown = browser.run("return document.getElementById('panel-pixel').textContent")
+            for name in ("t", "u", "v", "cosine"):
+                self.assertIn(record[name]["bits"], shown)
+            browser.set("way-step", 5)
+            self.assertGreater(
+                browser.run("return document.querySelectorAll('#overlay path').length"), 0
+            )
+            browser.click("#tab-machine")
+            self.assertIn(
+                "clocks", browser.run("return document.getElementById('core-speed').textContent")
+            )
+            browser.gather()
+            self.assertEqual(browser.complaints, [])
+            asked = {address for address in browser.asked if not address.startswith("data:")}
+            self.assertEqual(asked, {file.as_uri()})
+
+    def test_refuses_a_picture_that_is_too_large(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "large.html"
+            ended = subprocess.run(
+                [PROGRAM, "view", SCENE, "--size", "1024x341", "--export", file],
+                capture_output=True,
+                text=True,
+                check=False,
+            )
+            self.assertEqual(ended.returncode, 2)
+            self.assertIn("record a smaller picture", ended.stderr)
+            self.assertFalse(file.exists())
+
+
+class Pictures(unittest.TestCase):
+    def test_can_be_taken(self) -> None:
+        with tempfile.TemporaryDirectory() as folder:
+            for file in pictures.take(PROGRAM, pathlib.Path(folder), SCENE, SIZE):
+                self.assertTrue(file.read_bytes().startswith(b"\x89PNG"), file)
 
 
 if __name__ == "__main__":

@@ -101,6 +101,15 @@ class Browser:
     def run(self, script: str, *arguments: Any) -> Any:
         return self.driver.execute_script(script, *arguments)
 
+    def set(self, name: str, value: object) -> None:
+        """Gives an input or a list another value, as a reader would."""
+        self.run(
+            "const e = document.getElementById(arguments[0]); e.value = arguments[1];"
+            "e.dispatchEvent(new Event('input')); e.dispatchEvent(new Event('change'));",
+            name,
+            str(value),
+        )
+
     def click(self, selector: str) -> None:
         self.driver.find_element("css selector", selector).click()
 
