@@ -88,7 +88,8 @@ std::string text_of(const Json& question, const char* field) {
 
 unsigned count_of(const Json& question, const char* field) {
   const Json& value = field_of(question, field);
-  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 1u << 30) {
+  constexpr std::int64_t kMost = 1 << 30;
+  if (!value.is_number_integer() || value < 0 || value.get<std::uint64_t>() > kMost) {
     not_ours(fmt::format("\"{}\" is no count", field));
   }
   return value.get<unsigned>();

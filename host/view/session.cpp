@@ -70,10 +70,10 @@ Answer Session::answer(const Json& question) {
   if (type == "open") return open(choices_of(question));
   if (type == "start") return open(room_ ? room_->choices : studio_.choices);
   if (type == "frame") return frame(shot_of(question));
-  if (type == "examine") return examine();
+  if (type == "examine") return examine(question);
   if (type == "pixel") return pixel(question);
   if (type == "map") return map(question);
-  if (type == "csv") return csv();
+  if (type == "csv") return csv(question);
   throw NotOurs(fmt::format(messages::kNotOurMessage, "its type is unknown"));
 }
 
@@ -95,6 +95,7 @@ Answer Session::open(const ViewChoices& choices) {
                                     .truth = nullptr,
                                     .truth_time = {},
                                     .still = {}});
+    ++opened_;
   }
   const Scenery& scenery = room_->scenery;
   const MemoryImage& image = scenery.image();
@@ -104,6 +105,7 @@ Answer Session::open(const ViewChoices& choices) {
                  {"width", studio_.width},
                  {"height", studio_.height},
                  {"choices", json_of(room_->choices)},
+                 {"opened", opened_},
                  {"first", json_of(scenery.first())},
                  {"seconds", scenery.seconds()},
                  {"low", json_of(image.space.outside(box.low))},
@@ -138,7 +140,8 @@ Answer Session::frame(const Shot& shot) {
                  {"moving", shot.moving},
                  {"seconds", seconds_since(begin)},
                  {"hits", shot.moving ? Json() : Json(frame.hit_count())},
-                 {"number", frames_}};
+                 {"number", frames_},
+                 {"opened", opened_}};
   answer.words = frame.pixels;
   return answer;
 }
@@ -180,34 +183,52 @@ void Session::find_truth() {
   now.truth = room_->truth;
 }
 
-Answer Session::examine() {
-  constexpr unsigned kParts = 256;
+Still& Session::still(const Json& question) {
   Still& now = still();
-  if (!now.watch) {
-    if (!room_->clocked) {
-      room_->clocked = std::make_unique<Easel>(studio_.board(ViewBoard::kClocked, room_->choices));
-    }
-    FrameWatch watch{.ways = true, .parts = kParts, .stop = &urgent_};
-    Board& board = room_->clocked->board();
-    board.observe(&watch);
-    try {
-      Frame frame = room_->clocked->render(room_->scenery, now.image, options_of(now.shot));
-      board.observe(nullptr);
-      now.keep(std::move(watch), std::move(frame));
-    } catch (const FrameStopped&) {
-      board.observe(nullptr);
-      return {.head = {{"stopped", true}}};
-    } catch (...) {
-      board.observe(nullptr);
-      throw;
-    }
+  if (count_of(question, "number") != now.number) refuse(messages::kOtherStill);
+  return now;
+}
+
+Easel& Session::clocked() {
+  if (!room_->clocked) {
+    room_->clocked = std::make_unique<Easel>(studio_.board(ViewBoard::kClocked, room_->choices));
   }
-  return {.head = machine_json(now, studio_.clock(room_->scenery.core()))};
+  return *room_->clocked;
+}
+
+Answer Session::examine(const Json& question) {
+  Still& now = still(question);
+  if (now.watch) return {.head = machine_json(now, studio_.clock(room_->scenery.core()))};
+  try {
+    return {.head = watch(now, clocked())};
+  } catch (const UserError&) {
+    // The schedules are those of other sources: then without clocks.
+    room_->clocked = std::make_unique<Easel>(studio_.board(ViewBoard::kModel, room_->choices));
+    return {.head = watch(now, clocked())};
+  }
+}
+
+Json Session::watch(Still& now, Easel& easel) {
+  constexpr unsigned kParts = 256;
+  FrameWatch watch{.ways = true, .parts = kParts, .stop = &urgent_};
+  easel.board().observe(&watch);
+  try {
+    Frame frame = easel.render(room_->scenery, now.image, options_of(now.shot));
+    easel.board().observe(nullptr);
+    now.keep(std::move(watch), std::move(frame));
+  } catch (const FrameStopped&) {
+    easel.board().observe(nullptr);
+    return {{"stopped", true}};
+  } catch (...) {
+    easel.board().observe(nullptr);
+    throw;
+  }
+  return machine_json(now, studio_.clock(room_->scenery.core()));
 }
 
 Answer Session::pixel(const Json& question) {
   const unsigned x = count_of(question, "x"), y = count_of(question, "y");
-  const Still& now = still();
+  const Still& now = still(question);
   if (x >= now.shot.width || y >= now.shot.height) {
     refuse(messages::kNoPixel, x, y, now.shot.width, now.shot.height);
   }
@@ -217,12 +238,13 @@ Answer Session::pixel(const Json& question) {
 
 Answer Session::map(const Json& question) {
   const std::string name = text_of(question, "name");
+  const Still& now = still(question);
   if (name == "wrong") find_truth();
-  return map_of(room_->scenery, still(), name);
+  return map_of(room_->scenery, now, name);
 }
 
-Answer Session::csv() {
-  const Still& now = still();
+Answer Session::csv(const Json& question) {
+  const Still& now = still(question);
   const MemoryFormat& format = *room_->scenery.core().format;
   std::string text = "x,y,hit,object,triangle,t,u,v,cosine,colour\n";
   for (unsigned y = 0; y < now.shot.height; ++y) {
@@ -242,13 +264,13 @@ std::string Session::record(const std::map<std::string, PageFile>& files) {
   const Json start = open(studio_.choices).head;
   const Shot shot{room_->scenery.first(), studio_.width, studio_.height, false};
   const Json frame_head = frame(shot).head;
-  const Json machine = examine().head;
+  const Json machine = examine({{"number", frames_}}).head;
   find_truth();
   return recorded_page(files, room_->scenery, still(), start, frame_head, machine);
 }
 
-Workshop::Job Session::comparison() {
-  const Still& now = still();
+Workshop::Job Session::comparison(const Json& question) {
+  const Still& now = still(question);
   struct Task {
     ViewChoices choices;
     std::vector<MemoryRun> memory;

@@ -33,7 +33,7 @@ class Session {
 
   /// Renders the frame that stands through the RTL and compares the two; the job may run in
   /// another thread. Throws UserError if no frame stands.
-  Workshop::Job comparison();
+  Workshop::Job comparison(const Json& question);
 
  private:
   /// Two boards, so that both processors draw while one walks; the first draws alone what stands.
@@ -50,13 +50,17 @@ class Session {
   Answer open(const ViewChoices& choices);
   Answer frame(const Shot& shot);
   /// Renders what stands again and watches: {"stopped": true}, or the machine.
-  Answer examine();
+  Answer examine(const Json& question);
   Answer pixel(const Json& question);
   Answer map(const Json& question);
   /// All hit records as lines of text.
-  Answer csv();
+  Answer csv(const Json& question);
   Room& room();
+  /// The frame that a question is about. Throws UserError if it no longer stands.
+  Still& still(const Json& question);
   Still& still();
+  Easel& clocked();
+  Json watch(Still& now, Easel& easel);
   void find_truth();
   FrameOptions options_of(const Shot& shot) const;
   Frame whole(const Shot& shot);
@@ -69,6 +73,7 @@ class Session {
   const std::atomic<unsigned>& urgent_;
   std::unique_ptr<Room> room_;
   unsigned frames_ = 0;  ///< that stood
+  unsigned opened_ = 0;  ///< times that other choices were taken
   double upper_ = 0.5;   ///< share of the picture's rows that the first board draws
 };
 

@@ -95,7 +95,7 @@ void view(ViewStudio studio, const ViewWindow& window) {
       return Answer{.head = {{"job", job}}};
     }
     if (type == "compare") {
-      Workshop::Job job = renderer.run(true, [&] { return session.comparison(); });
+      Workshop::Job job = renderer.run(true, [&] { return session.comparison(question); });
       return Answer{.head = {{"job", workshop.start("the frame through the RTL", std::move(job))}}};
     }
     const bool urgent = type == "frame" || type == "open" || type == "pixel";

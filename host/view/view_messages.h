@@ -23,6 +23,8 @@ inline constexpr char kRecordedSize[] =
     "record a smaller picture";
 inline constexpr char kWorkshopBusy[] = "{} is under way; wait until it is done";
 inline constexpr char kNoStill[] = "no whole frame stands in the window yet";
+inline constexpr char kOtherStill[] =
+    "another page of this window has drawn another picture since; a step draws this one again";
 inline constexpr char kNoPixel[] = "there is no pixel {}, {} in a picture of {}x{}";
 inline constexpr char kNotOurMessage[] = "this is no message of the window: {}";
 

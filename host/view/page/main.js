@@ -42,7 +42,7 @@ function change(act) {
 async function ask_of_still(type, fields = {}) {
   const of = still;
   try {
-    const answer = await ask(type, fields);
+    const answer = await ask(type, {...fields, number: of.head.number});
     return of === still ? answer : null;
   } catch (error) {
     say(error.message);
@@ -64,6 +64,7 @@ function show(answer, of) {
     return;
   }
   by_id("speed").textContent = `${width}x${height}, drawn in ${seconds.toFixed(2)} s`;
+  if (answer.head.opened !== start.opened) return take_over();
   still = {head: answer.head, from: of};
   if (given.pixel) [pointed, given.pixel] = [{x: given.pixel[0], y: given.pixel[1]}, null];
   stage.dataset.number = answer.head.number;
@@ -81,6 +82,12 @@ function tell_address() {
               inside: still.from.position.every((x, i) =>
                   x >= Math.min(start.low[i], start.first.position[i]) &&
                   x <= Math.max(start.high[i], start.first.position[i]))});
+}
+
+/// Another page of this window has made another choice.
+async function take_over() {
+  begin((await ask("start")).head);
+  frames.whole = null;
 }
 
 let core_rate = "";
@@ -176,7 +183,7 @@ async function compare() {
   by_id("compare").disabled = true;
   try {
     share.say("begun", "running");
-    const {head} = await ask("compare");
+    const {head} = await ask("compare", {number: still?.head.number ?? 0});
     const result = await finished(head.job, (text) => share.say(text, "running"));
     if (result) share.compared(result);
   } catch (error) {

@@ -10,11 +10,13 @@ const keys = {
   arrowleft: {turn: -1}, arrowright: {turn: 1},
 };
 const turns_a_second = 1.2;  // radians
+const tap = 1 / 30;          // seconds
 const drag_turns = 0.0045;   // radians a pixel
 
 export class Walk {
   /// `change` takes a function from a viewpoint to the next; `pointed` gets the place of a click.
   constructor(stage, change, pointed) {
+    this.change = change;
     this.held = new Set();
     this.fast = false;
     stage.addEventListener("keydown", (event) => this.key(event, true));
@@ -48,7 +50,10 @@ export class Walk {
     this.fast = event.shiftKey;
     if (!(name in keys) || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
-    if (down) this.held.add(name); else this.held.delete(name);
+    if (!down) return this.held.delete(name);
+    if (this.held.has(name)) return;
+    this.held.add(name);
+    this.change((from) => this.step(from, tap));  // however short the key is held
   }
 
   get walking() { return this.held.size > 0; }
