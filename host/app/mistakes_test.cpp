@@ -109,6 +109,19 @@ TEST_F(App, BadSizesAreRefused) {
   }
 }
 
+TEST_F(App, APixelLiesInTheImageAndGoesToAFile) {
+  for (const std::string pixel : {"3", "3,", "x,1", "64,0", "0,48", "-1,0", "1,2,3"}) {
+    expect_mistake("render blocks --size 64x48 --json figures.json --pixel=" + pixel,
+                   "dynrt: --pixel " + pixel +
+                       ": write the numbers of a pixel of this image, from 0,0 to 63,47\n");
+  }
+  for (const std::string flags : {"", " --no-hits --json figures.json"}) {
+    expect_mistake("render blocks --pixel 1,2" + flags,
+                   "dynrt: --pixel 1,2: its hit record goes to the file of --json; name one and "
+                   "leave --no-hits out\n");
+  }
+}
+
 TEST_F(App, WhatIsUnknownIsNamed) {
   expect_mistake("render blocks --config huge",
                  "dynrt: configuration huge: there is no such configuration; name one of "

@@ -7,6 +7,7 @@ Usage: view_test.py PROGRAM"""
 
 import http.client
 import json
+import os
 import pathlib
 import shlex
 import signal
@@ -203,6 +204,21 @@ class Ends(unittest.TestCase):
             )
             self.assertEqual(ended.returncode, 2, ended.stderr)
             self.assertIn(sentence, ended.stderr)
+
+
+class NoBrowser(unittest.TestCase):
+    def test_the_address_is_printed(self) -> None:
+        with subprocess.Popen(
+            [PROGRAM, "view", SCENE, "--size", SIZE],
+            env={**os.environ, "PATH": "/nonexistent"},
+            stdout=subprocess.PIPE,
+            text=True,
+        ) as process:
+            assert process.stdout
+            self.assertRegex(process.stdout.readline(), r"^window +http://127\.0\.0\.1:\d+/$")
+            self.assertIn("open the address in one", process.stdout.readline())
+            process.terminate()
+            self.assertEqual(process.wait(10), 0)
 
 
 class Page(unittest.TestCase):
