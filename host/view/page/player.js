@@ -39,6 +39,7 @@ export class Player {
 
   tell() {
     by_id("time").value = this.time;
+    by_id("time").dataset.seconds = this.time;  // the slider keeps fewer digits
     by_id("seconds").textContent = `${this.time.toFixed(2)} s`;
   }
 

@@ -1,224 +1,24 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""dynrt view in a headless Chromium: that one walks, that the page shows what the program computes
-without it, needs no network and complains of nothing. And requests that are no page's.
+"""The page of dynrt view in a headless Chromium: that one walks, that it shows what the program
+computes without it, needs no network and complains of nothing.
 
-Usage: view_test.py PROGRAM"""
+Usage: page_test.py PROGRAM"""
 
-import http.client
 import json
-import os
 import pathlib
 import shlex
-import signal
 import struct
 import subprocess
-import sys
 import tempfile
-import time
 import unittest
-import urllib.parse
 from collections import Counter
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from dynrt_tools import project
-from dynrt_tools.view import pictures
+from dynrt_tools.view import window_testing
 from dynrt_tools.view.window import Browser, Program
-
-PROGRAM = pathlib.Path()
-SCENE = "blocks"
-SIZE = "64x48"
-JSON_TYPE = "application/json"
-# A box that moves aside.
-SWING: project.Json = {
-    "about": "one that moves",
-    "colours": {"red": [0.9, 0.2, 0.1]},
-    "objects": [
-        {
-            "name": "box",
-            "parts": [{"generate": "box", "colour": "red", "from": [-1, -1, -1], "to": [1, 1, 1]}],
-        }
-    ],
-    "instances": [
-        {
-            "object": "box",
-            "name": "box",
-            "motion": {
-                "keys": [
-                    {"time": 0, "position": [0, 0, 0]},
-                    {"time": 60, "position": [200, 0, 0]},
-                ]
-            },
-        }
-    ],
-    "camera": {"position": [0, 2, 8], "look_at": [0, 0, 0], "field_of_view": 40},
-}
-
-
-def request(
-    program: Program, method: str, path: str, body: str | None = None, **headers: str
-) -> tuple[int, bytes, str]:
-    """Status, content and the header Connection of the answer."""
-    place = urllib.parse.urlsplit(program.address).netloc
-    connection = http.client.HTTPConnection(place, timeout=60)
-    named = {name.replace("_", "-"): value for name, value in headers.items()}
-    connection.request(method, path, body, named)
-    answer = connection.getresponse()
-    content = answer.read(), answer.getheader("Connection") or ""
-    connection.close()
-    return answer.status, *content
-
-
-class Requests(unittest.TestCase):
-    program: ClassVar[Program]
-
-    @classmethod
-    def setUpClass(cls) -> None:
-        cls.program = cls.enterClassContext(Program(PROGRAM, SCENE, "--size", SIZE))
-
-    def ask(self, body: str, **headers: str) -> tuple[int, bytes, str]:
-        return request(self.program, "POST", "/ask", body, **{"Content_Type": JSON_TYPE, **headers})
-
-    def test_gives_the_page_and_no_other_file(self) -> None:
-        status, page, _ = request(self.program, "GET", "/")
-        self.assertEqual(status, 200)
-        self.assertIn(b"<!doctype html>", page)
-        for path in (
-            "/../view.cpp",
-            "/%2e%2e/view.cpp",
-            "/etc/passwd",
-            "//etc/passwd",
-            "/main.js/",
-        ):
-            self.assertEqual(request(self.program, "GET", path)[0], 404, path)
-
-    def test_refuses_other_pages(self) -> None:
-        own = self.program.address.rstrip("/")
-        start = json.dumps({"type": "start"})
-        self.assertEqual(self.ask(start, Origin=own)[0], 200)
-        for headers in (
-            {"Origin": "http://dynrt.example"},
-            {"Origin": "null"},
-            {"Host": "dynrt.example"},
-            {"Sec_Fetch_Site": "cross-site"},
-        ):
-            self.assertEqual(self.ask(start, **headers)[0], 403, headers)
-            self.assertEqual(request(self.program, "GET", "/", **headers)[0], 403, headers)
-        self.assertEqual(self.ask(start, Content_Type="text/plain")[0], 400)
-
-    def test_refuses_what_is_no_message_and_goes_on(self) -> None:
-        frame: project.Json = {
-            "type": "frame",
-            "position": [0, 0, 5],
-            "look_at": [0, 0, 0],
-            "up": [0, 1, 0],
-            "field_of_view": 40,
-            "time": 0,
-            "width": 8,
-            "height": 8,
-            "moving": False,
-        }
-        broken: list[Any] = [
-            "",
-            "{",
-            "[]",
-            "3",
-            "{}",
-            '{"type": 3}',
-            '{"type": "format the disk"}',
-            '{"type": "frame"}',
-            "{" * 100000,
-        ]
-        wrong: list[Any] = [None, "x", []]
-        broken += [json.dumps({**frame, name: value}) for name in frame for value in wrong]
-        broken += [json.dumps({**frame, "position": [1, 2]}), json.dumps({**frame, "width": -8})]
-        for body in broken:
-            status, content, connection = self.ask(body)
-            self.assertEqual((status, connection), (400, "close"), body[:80])
-            self.assertIn("no message of the window", json.loads(content)["error"])
-        mistaken: list[project.Json] = [
-            {"width": 0},
-            {"width": 5000},
-            {"look_at": [0, 0, 5]},
-            {"field_of_view": 0},
-        ]
-        for change in mistaken:
-            status, content, _ = self.ask(json.dumps({**frame, **change}))
-            self.assertEqual(status, 422, change)
-            self.assertTrue(json.loads(content)["error"])
-        self.assertEqual(self.ask(json.dumps(frame))[0], 200)
-
-    def test_takes_the_next_port_if_one_is_in_use(self) -> None:
-        port = urllib.parse.urlsplit(self.program.address).port
-        with Program(PROGRAM, SCENE, "--size", SIZE, "--port", str(port)) as second:
-            other = urllib.parse.urlsplit(second.address).port
-            self.assertNotEqual(port, other)
-            self.assertIn(f"port        {port} is in use; took {other}", second.lines)
-
-
-class Ends(unittest.TestCase):
-    def test_ends_at_once_while_it_renders(self) -> None:
-        for end in (signal.SIGINT, signal.SIGTERM):
-            with Program(PROGRAM, "office", "--size", "512x384") as program:
-                start = json.loads(
-                    request(
-                        program,
-                        "POST",
-                        "/ask",
-                        '{"type": "start"}',
-                        Content_Type=JSON_TYPE,
-                    )[
-                        1
-                    ][4:]
-                )
-                body = {
-                    "type": "frame",
-                    **start["first"],
-                    "width": 680,
-                    "height": 512,
-                    "moving": False,
-                }
-                place = urllib.parse.urlsplit(program.address).netloc
-                connection = http.client.HTTPConnection(place, timeout=60)
-                connection.request("POST", "/ask", json.dumps(body), {"Content-Type": JSON_TYPE})
-                time.sleep(0.1)
-                program.process.send_signal(end)
-                self.assertEqual(program.process.wait(10), 0)
-                # It has not waited for the frame.
-                with self.assertRaises(http.client.RemoteDisconnected):
-                    connection.getresponse()
-                connection.close()
-
-    def test_a_bad_scene_or_port_ends_the_program(self) -> None:
-        for arguments, sentence in (
-            (["no_such_scene"], "no_such_scene"),
-            ([SCENE, "--port", "0"], "--port 0: a port is a number from 1 to 65535"),
-            ([SCENE, "--size", "9999x1"], "size"),
-        ):
-            ended = subprocess.run(
-                [PROGRAM, "view", *arguments, "--no-browser"],
-                capture_output=True,
-                text=True,
-                timeout=60,
-                check=False,
-            )
-            self.assertEqual(ended.returncode, 2, ended.stderr)
-            self.assertIn(sentence, ended.stderr)
-
-
-class NoBrowser(unittest.TestCase):
-    def test_the_address_is_printed(self) -> None:
-        with subprocess.Popen(
-            [PROGRAM, "view", SCENE, "--size", SIZE],
-            env={**os.environ, "PATH": "/nonexistent"},
-            stdout=subprocess.PIPE,
-            text=True,
-        ) as process:
-            assert process.stdout
-            self.assertRegex(process.stdout.readline(), r"^window +http://127\.0\.0\.1:\d+/$")
-            self.assertIn("open the address in one", process.stdout.readline())
-            process.terminate()
-            self.assertEqual(process.wait(10), 0)
+from dynrt_tools.view.window_testing import JSON_TYPE, SCENE, SIZE, dynrt, request
 
 
 class Page(unittest.TestCase):
@@ -227,7 +27,7 @@ class Page(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls) -> None:
-        cls.program = cls.enterClassContext(Program(PROGRAM, SCENE, "--size", SIZE))
+        cls.program = cls.enterClassContext(Program(dynrt(), SCENE, "--size", SIZE))
 
     def setUp(self) -> None:
         self.browser = self.enterContext(Browser())
@@ -297,7 +97,7 @@ class Page(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             words = shlex.split(self.text("command"))
             self.assertEqual(words[0], "dynrt")
-            subprocess.run([PROGRAM, *words[1:]], cwd=folder, check=True, capture_output=True)
+            subprocess.run([dynrt(), *words[1:]], cwd=folder, check=True, capture_output=True)
             return dict(project.read_json(pathlib.Path(folder) / "pixel.json"))
 
     def test_walks(self) -> None:
@@ -487,94 +287,5 @@ class Page(unittest.TestCase):
         self.assertIn(f"identical: {width * height:,} pixels", self.text("comparison"))
 
 
-class Animation(unittest.TestCase):
-    def test_plays_stops_and_steps(self) -> None:
-        with tempfile.TemporaryDirectory() as folder:
-            scene = pathlib.Path(folder) / "swing.json"
-            scene.write_text(json.dumps(SWING), encoding="utf-8")
-            with Program(PROGRAM, str(scene), "--size", SIZE) as program, Browser() as browser:
-                browser.open(program.address)
-                still = "document.getElementById('stage').dataset.state === 'still'"
-                picture = "return document.getElementById('picture').toDataURL()"
-                seconds = "return +document.getElementById('time').value"
-                browser.wait(still)
-                first = browser.run(picture)
-                browser.click("#play")
-                browser.wait("document.getElementById('stage').dataset.state === 'moving'")
-                browser.wait("+document.getElementById('time').value > 0.2")
-                browser.click("#play")
-                shown = "location.hash.includes('time=' + document.getElementById('time').value)"
-                browser.wait(f"{still} && {shown}")
-                stopped = browser.run(seconds)
-                self.assertNotEqual(browser.run(picture), first)
-                browser.click("#step")
-                self.assertAlmostEqual(browser.run(seconds), stopped + 0.04, 4)
-                browser.set("time", 0)
-                browser.wait(f"{still} && location.hash.includes('time=0&')")
-                self.assertEqual(browser.run(picture), first)
-                browser.gather()
-                self.assertEqual(browser.complaints, [])
-
-
-class Exported(unittest.TestCase):
-    def test_opens_from_disk_and_knows_everything(self) -> None:
-        with tempfile.TemporaryDirectory() as folder, Browser() as browser:
-            file = pathlib.Path(folder) / "blocks.html"
-            subprocess.run(
-                [PROGRAM, "view", SCENE, "--size", SIZE, "--export", file],
-                check=True,
-                capture_output=True,
-            )
-            browser.open(file.as_uri())
-            browser.wait("document.getElementById('stage').dataset.watched")
-            browser.set("map-name", "clocks")
-            browser.wait("document.getElementById('map').dataset.name === 'clocks'")
-            stage = browser.driver.find_element("id", "stage")
-            browser.actions().move_to_element_with_offset(stage, 3, 3).click().perform()
-            browser.wait("document.getElementById('way')")
-            words = shlex.split(
-                browser.run("return document.getElementById('command').textContent")
-            )
-            subprocess.run([PROGRAM, *words[1:]], cwd=folder, check=True, capture_output=True)
-            record = project.read_json(pathlib.Path(folder) / "pixel.json")["pixel"]
-            self.assertTrue(record["hit"])
-            shown = browser.run("return document.getElementById('panel-pixel').textContent")
-            for name in ("t", "u", "v", "cosine"):
-                self.assertIn(record[name]["bits"], shown)
-            browser.set("way-step", 5)
-            self.assertGreater(
-                browser.run("return document.querySelectorAll('#overlay path').length"), 0
-            )
-            browser.click("#tab-machine")
-            self.assertIn(
-                "clocks", browser.run("return document.getElementById('core-speed').textContent")
-            )
-            browser.gather()
-            self.assertEqual(browser.complaints, [])
-            asked = {address for address in browser.asked if not address.startswith("data:")}
-            self.assertEqual(asked, {file.as_uri()})
-
-    def test_refuses_a_picture_that_is_too_large(self) -> None:
-        with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder) / "large.html"
-            ended = subprocess.run(
-                [PROGRAM, "view", SCENE, "--size", "1024x341", "--export", file],
-                capture_output=True,
-                text=True,
-                check=False,
-            )
-            self.assertEqual(ended.returncode, 2)
-            self.assertIn("record a smaller picture", ended.stderr)
-            self.assertFalse(file.exists())
-
-
-class Pictures(unittest.TestCase):
-    def test_can_be_taken(self) -> None:
-        with tempfile.TemporaryDirectory() as folder:
-            for file in pictures.take(PROGRAM, pathlib.Path(folder), SCENE, SIZE):
-                self.assertTrue(file.read_bytes().startswith(b"\x89PNG"), file)
-
-
 if __name__ == "__main__":
-    PROGRAM = pathlib.Path(sys.argv.pop(1)).resolve()
-    unittest.main()
+    window_testing.main()
