@@ -62,7 +62,7 @@ module ulx3s_board #(
   wire                 host_read_valid, host_read_ready;
   wire [24:0]          host_read_address;
   wire [3:0]           host_read_last;
-  wire                 host_beat_valid, host_beat_ready;
+  wire                 host_beat_valid, host_beat_ready, host_beat_last;
   board_link #(
     .CLOCK_HZ(32'd78125000), .DIVISOR(DIVISOR), .MEMORY_BYTES(32'd33554432), .NAME(NAME)
   ) host (
@@ -72,7 +72,7 @@ module ulx3s_board #(
     .read_valid_o(host_read_valid), .read_ready_i(host_read_ready),
     .read_data_o({host_read_last, host_read_address}),
     .beat_valid_i(host_beat_valid), .beat_ready_o(host_beat_ready),
-    .beat_data_i({beat_last, beat_data}),
+    .beat_data_i({host_beat_last, beat_data}),
     .bus_valid_o(bus_valid), .bus_write_o(bus_write), .bus_addr_o(bus_addr),
     .bus_wdata_o(bus_wdata), .bus_ready_i(bus_ready), .bus_rvalid_i(bus_rvalid),
     .bus_rdata_i(bus_rdata)
@@ -109,7 +109,7 @@ module ulx3s_board #(
     .memory_write_valid_o(core_write_valid), .memory_write_ready_i(core_write_ready),
     .memory_write_address_o(core_write_address), .memory_write_data_o(core_write_data),
     .memory_write_mask_o(core_write_mask), .memory_write_left_o(core_write_left),
-    .memory_idle_i(core_idle), .memory_stop_o(core_stop), .memory_base_o(),
+    .memory_idle_i(core_idle && writes_idle), .memory_stop_o(core_stop), .memory_base_o(),
     .memory_error_i(1'b0), .memory_error_write_i(1'b0), .memory_error_response_i(2'd0),
     .memory_error_address_i(25'd0)
   );
@@ -127,7 +127,7 @@ module ulx3s_board #(
   wire [24:0]          read_address;
   wire [3:0]           read_last;
   wire [DATA_BITS-1:0] all_data;
-  wire                 write_valid, write_ready;
+  wire                 write_valid, write_ready, writes_idle;
   wire [24:0]          write_address;
   wire [DATA_BITS-1:0] write_data;
   wire [MASK_BITS-1:0] write_mask;
@@ -146,7 +146,8 @@ module ulx3s_board #(
     .core_write_mask_i(core_write_mask),
     .host_read_valid_i(host_read_valid), .host_read_ready_o(host_read_ready),
     .host_read_address_i(host_read_address), .host_read_last_i(host_read_last),
-    .host_beat_valid_o(host_beat_valid), .host_beat_ready_i(host_beat_ready),
+    .host_beat_valid_o(host_beat_valid), .host_beat_last_o(host_beat_last),
+    .host_beat_ready_i(host_beat_ready),
     .host_write_valid_i(host_write_valid), .host_write_ready_o(host_write_ready),
     .host_write_address_i(host_write_address), .host_write_data_i(host_write_data),
     .host_write_mask_i(host_write_mask),
@@ -156,7 +157,7 @@ module ulx3s_board #(
     .beat_valid_i(all_valid), .beat_ready_o(all_ready), .beat_id_i(all_id),
     .beat_data_i(all_data), .beat_last_i(all_last),
     .write_valid_o(write_valid), .write_ready_i(write_ready), .write_address_o(write_address),
-    .write_data_o(write_data), .write_mask_o(write_mask)
+    .write_data_o(write_data), .write_mask_o(write_mask), .writes_idle_i(writes_idle)
   );
   ulx3s_memory #(
     .ID_BITS(ID_BITS + 2), .BEAT_BYTES(BEAT_BYTES), .PAUSE_TURNS(PAUSE_TURNS)
@@ -167,7 +168,7 @@ module ulx3s_board #(
     .beat_valid_o(all_valid), .beat_ready_i(all_ready), .beat_id_o(all_id),
     .beat_data_o(all_data), .beat_last_o(all_last),
     .write_valid_i(write_valid), .write_ready_o(write_ready), .write_address_i(write_address),
-    .write_data_i(write_data), .write_mask_i(write_mask),
+    .write_data_i(write_data), .write_mask_i(write_mask), .writes_idle_o(writes_idle),
     .sdram_clk_i(fast_clk), .sdram_rst_ni(fast_rst_n),
     .sdram_ras_no(sdram_ras_no), .sdram_cas_no(sdram_cas_no), .sdram_we_no(sdram_we_no),
     .sdram_ba_o(sdram_bank_o), .sdram_a_o(sdram_addr_o), .sdram_dqm_o(sdram_dqm_o),

@@ -1,9 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The SDRAM of the ULX3S behind a memory port in another clock. Reads and writes cross by one FIFO, in
-// the order in which they were taken, so that a read sees every write before it; beats come back by
-// another.
+// The SDRAM of the ULX3S behind a memory port in another clock. Reads and writes cross by a FIFO each,
+// as the port takes writes together and reads meanwhile; beats come back by a third. So a read sees a
+// write before it only if it comes when writes_idle_o is high: every write has reached the port then,
+// which tells by a token that crosses back.
 //
 // Parameters:
 //   ID_BITS      of a read
@@ -33,6 +34,7 @@ module ulx3s_memory #(
   input  wire [24:0]             write_address_i,
   input  wire [8*BEAT_BYTES-1:0] write_data_i,
   input  wire [BEAT_BYTES/2-1:0] write_mask_i,
+  output wire                    writes_idle_o,
   // the chip, in its own clock
   input  wire                    sdram_clk_i,
   input  wire                    sdram_rst_ni,
@@ -49,47 +51,61 @@ module ulx3s_memory #(
 
   localparam DATA_BITS = 8 * BEAT_BYTES;
   localparam MASK_BITS = BEAT_BYTES / 2;
-  localparam WRITE_BITS = DATA_BITS + MASK_BITS;
-  localparam READ_BITS = ID_BITS + 4;
-  localparam REQUEST_BITS = 1 + 25 + WRITE_BITS;
-  localparam FILL_BITS = WRITE_BITS - READ_BITS;
-  localparam REQUESTS = 16;
+  localparam READS = 16;
+  localparam WRITES = 32;
   localparam BEATS = 16;
+  localparam COUNT_BITS = 8; // for all writes that FIFOs and port hold
 
-  wire                    request_valid, request_ready;
-  wire [REQUEST_BITS-1:0] request;
-  hls_arbiter #(.INPUTS(2), .WIDTH(REQUEST_BITS)) requests (
-    .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i({write_valid_i, read_valid_i}), .ready_o({write_ready_o, read_ready_o}),
-    .data_i({1'b1, write_address_i, write_mask_i, write_data_i,
-             1'b0, read_address_i, {FILL_BITS{1'b0}}, read_last_i, read_id_i}),
-    .valid_o(request_valid), .ready_i(request_ready), .data_o(request)
-  );
-
-  wire                    chip_valid;
-  wire                    chip_write;
-  wire [24:0]             chip_address;
-  wire [WRITE_BITS-1:0]   chip_rest;
-  wire                    chip_read_ready, chip_write_ready;
-  hls_clock_fifo #(.WIDTH(REQUEST_BITS), .DEPTH(REQUESTS)) to_chip (
-    .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(request_valid), .ready_o(request_ready), .data_i(request),
+  wire                    chip_read_valid, chip_read_ready;
+  wire [ID_BITS-1:0]      chip_read_id;
+  wire [24:0]             chip_read_address;
+  wire [3:0]              chip_read_last;
+  hls_clock_fifo #(.WIDTH(ID_BITS + 25 + 4), .DEPTH(READS)) reads (
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(read_valid_i), .ready_o(read_ready_o),
+    .data_i({read_id_i, read_address_i, read_last_i}),
     .read_clk_i(sdram_clk_i), .read_rst_ni(sdram_rst_ni),
-    .valid_o(chip_valid), .ready_i(chip_write ? chip_write_ready : chip_read_ready),
-    .data_o({chip_write, chip_address, chip_rest})
+    .valid_o(chip_read_valid), .ready_i(chip_read_ready),
+    .data_o({chip_read_id, chip_read_address, chip_read_last})
   );
+
+  wire                    chip_write_valid, chip_write_ready;
+  wire [24:0]             chip_write_address;
+  wire [DATA_BITS-1:0]    chip_write_data;
+  wire [MASK_BITS-1:0]    chip_write_mask;
+  hls_clock_fifo #(.WIDTH(25 + DATA_BITS + MASK_BITS), .DEPTH(WRITES)) writes (
+    .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(write_valid_i), .ready_o(write_ready_o),
+    .data_i({write_address_i, write_data_i, write_mask_i}),
+    .read_clk_i(sdram_clk_i), .read_rst_ni(sdram_rst_ni),
+    .valid_o(chip_write_valid), .ready_i(chip_write_ready && taken_ready),
+    .data_o({chip_write_address, chip_write_data, chip_write_mask})
+  );
+
+  // A write that the port has taken.
+  wire                    taken_ready, taken;
+  hls_clock_fifo #(.WIDTH(1), .DEPTH(WRITES)) takes (
+    .clk_i(sdram_clk_i), .rst_ni(sdram_rst_ni), .valid_i(chip_write_valid && chip_write_ready),
+    .ready_o(taken_ready), .data_i(1'b0),
+    .read_clk_i(clk_i), .read_rst_ni(rst_ni), .valid_o(taken), .ready_i(1'b1), .data_o()
+  );
+  reg  [COUNT_BITS-1:0]   under_way_q;
+  wire                    begins = write_valid_i && write_ready_o;
+  assign writes_idle_o = under_way_q == {COUNT_BITS{1'b0}};
+  always @(posedge clk_i) begin
+    if (!rst_ni) under_way_q <= {COUNT_BITS{1'b0}};
+    else if (begins && !taken) under_way_q <= under_way_q + 1'b1;
+    else if (taken && !begins) under_way_q <= under_way_q - 1'b1;
+  end
 
   wire                    beat_valid, beat_ready, beat_last;
   wire [ID_BITS-1:0]      beat_id;
   wire [DATA_BITS-1:0]    beat_data;
   sdram_port #(.ID_WIDTH(ID_BITS), .PORT_BYTES(BEAT_BYTES)) chip (
     .clk_i(sdram_clk_i), .rst_ni(sdram_rst_ni), .pause_i(PAUSE_TURNS),
-    .read_valid_i(chip_valid && !chip_write), .read_ready_o(chip_read_ready),
-    .read_id_i(chip_rest[ID_BITS-1:0]), .read_address_i(chip_address),
-    .read_last_i(chip_rest[ID_BITS +: 4]),
-    .write_valid_i(chip_valid && chip_write), .write_ready_o(chip_write_ready),
-    .write_address_i(chip_address), .write_data_i(chip_rest[DATA_BITS-1:0]),
-    .write_mask_i(chip_rest[DATA_BITS +: MASK_BITS]),
+    .read_valid_i(chip_read_valid), .read_ready_o(chip_read_ready), .read_id_i(chip_read_id),
+    .read_address_i(chip_read_address), .read_last_i(chip_read_last),
+    .write_valid_i(chip_write_valid && taken_ready), .write_ready_o(chip_write_ready),
+    .write_address_i(chip_write_address), .write_data_i(chip_write_data),
+    .write_mask_i(chip_write_mask),
     .beat_valid_o(beat_valid), .beat_ready_i(beat_ready), .beat_id_o(beat_id),
     .beat_data_o(beat_data), .beat_last_o(beat_last),
     .sdram_ras_no(sdram_ras_no), .sdram_cas_no(sdram_cas_no), .sdram_we_no(sdram_we_no),
