@@ -22,7 +22,7 @@ const Json& field_of(const Json& question, const char* field) {
   return *found;
 }
 
-double number_of(const Json& value, const char* field) {
+double number_in(const Json& value, const char* field) {
   if (!value.is_number() || !std::isfinite(value.get<double>())) {
     not_ours(fmt::format("\"{}\" is no number", field));
   }
@@ -34,7 +34,7 @@ glm::dvec3 vector_of(const Json& question, const char* field) {
   if (!value.is_array() || value.size() != 3) {
     not_ours(fmt::format("\"{}\" is not three numbers", field));
   }
-  return {number_of(value[0], field), number_of(value[1], field), number_of(value[2], field)};
+  return {number_in(value[0], field), number_in(value[1], field), number_in(value[2], field)};
 }
 
 std::vector<std::string> texts_of(const Json& question, const char* field) {
@@ -80,6 +80,10 @@ Json question_of(const std::string& text) {
   return question;
 }
 
+double number_of(const Json& question, const char* field) {
+  return number_in(field_of(question, field), field);
+}
+
 std::string text_of(const Json& question, const char* field) {
   const Json& value = field_of(question, field);
   if (!value.is_string()) not_ours(fmt::format("\"{}\" is no text", field));
@@ -100,8 +104,8 @@ Shot shot_of(const Json& question) {
   shot.from.position = vector_of(question, "position");
   shot.from.look_at = vector_of(question, "look_at");
   shot.from.up = vector_of(question, "up");
-  shot.from.field_of_view = number_of(field_of(question, "field_of_view"), "field_of_view");
-  shot.from.time = number_of(field_of(question, "time"), "time");
+  shot.from.field_of_view = number_of(question, "field_of_view");
+  shot.from.time = number_of(question, "time");
   shot.width = count_of(question, "width");
   shot.height = count_of(question, "height");
   if (!field_of(question, "moving").is_boolean()) not_ours("\"moving\" is neither true nor false");

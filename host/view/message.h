@@ -44,6 +44,7 @@ Json question_of(const std::string& text);
 /// Throw NotOurs for fields that lack or have another type.
 Shot shot_of(const Json& question);
 ViewChoices choices_of(const Json& question);
+double number_of(const Json& question, const char* field);
 std::string text_of(const Json& question, const char* field);
 unsigned count_of(const Json& question, const char* field);
 

@@ -158,6 +158,7 @@ std::string recorded_page(const std::map<std::string, PageFile>& files, const Sc
   }
   answer.head["start"]["maps"] = std::move(offered);
   answer.head["start"]["recorded"] = true;
+  answer.head["start"]["seconds"] = 0;  // one moment
 
   constexpr char kPolicy[] =
       "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data: "

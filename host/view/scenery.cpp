@@ -15,9 +15,20 @@ Scenery::Scenery(MemoryImage image)
       seconds_(duration(image_.scene)),
       instances_(image_.trees.instances) {}
 
-Viewpoint Scenery::first() const {
+Viewpoint Scenery::first() const { return viewpoint_of(image_.view.camera); }
+
+std::optional<Viewpoint> Scenery::on_path(double time) const {
+  const Scene& scene = image_.scene;
+  if (scene.path.empty() && !scene.camera_motion) return std::nullopt;
+  const auto camera = camera_at(scene, time);
+  if (!camera) return std::nullopt;
+  Viewpoint from = viewpoint_of(*camera);
+  from.time = time;
+  return from;
+}
+
+Viewpoint Scenery::viewpoint_of(const Camera& camera) const {
   constexpr double kLean = 1e-6;
-  const Camera& camera = image_.view.camera;
   Viewpoint from;
   from.position = image_.space.outside(camera.position);
   from.look_at = image_.space.outside(camera.position + glm::normalize(camera.forward));

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "host/layout/lay_out.h"
@@ -32,6 +33,9 @@ class Scenery {
   /// the camera leans to a side.
   Viewpoint first() const;
 
+  /// Where the scene's own camera stands at a moment; nothing if that does not move.
+  std::optional<Viewpoint> on_path(double time) const;
+
   /// The same camera in the core's space. Throws UserError for a view that no camera has.
   Camera camera(const Viewpoint& from, unsigned width, unsigned height) const;
   /// Moves the scene to a moment; frames until the next call are of that.
@@ -40,6 +44,8 @@ class Scenery {
   FrameImage frame(const Camera& camera, unsigned width, unsigned height) const;
 
  private:
+  Viewpoint viewpoint_of(const Camera& camera) const;
+
   MemoryImage image_;
   double seconds_;
   double time_ = 0;

@@ -74,6 +74,7 @@ Answer Session::answer(const Json& question) {
   if (type == "pixel") return pixel(question);
   if (type == "map") return map(question);
   if (type == "csv") return csv(question);
+  if (type == "path") return on_path(question);
   throw NotOurs(fmt::format(messages::kNotOurMessage, "its type is unknown"));
 }
 
@@ -108,6 +109,7 @@ Answer Session::open(const ViewChoices& choices) {
                  {"opened", opened_},
                  {"first", json_of(scenery.first())},
                  {"seconds", scenery.seconds()},
+                 {"has_path", scenery.on_path(0).has_value()},
                  {"low", json_of(image.space.outside(box.low))},
                  {"high", json_of(image.space.outside(box.high))},
                  {"notes", image.scene.notes},
@@ -241,6 +243,11 @@ Answer Session::map(const Json& question) {
   const Still& now = still(question);
   if (name == "wrong") find_truth();
   return map_of(room_->scenery, now, name);
+}
+
+Answer Session::on_path(const Json& question) {
+  const auto from = room().scenery.on_path(number_of(question, "time"));
+  return {.head = {{"from", from ? json_of(*from) : Json()}}};
 }
 
 Answer Session::csv(const Json& question) {

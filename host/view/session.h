@@ -53,6 +53,8 @@ class Session {
   Answer examine(const Json& question);
   Answer pixel(const Json& question);
   Answer map(const Json& question);
+  /// Where the scene's own camera stands at a "time".
+  Answer on_path(const Json& question);
   /// All hit records as lines of text.
   Answer csv(const Json& question);
   Room& room();

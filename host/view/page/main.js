@@ -220,7 +220,16 @@ const walk = new Walk(stage, change, (event) => {
   point(x, y);
 });
 walk.speed = length(minus(start.high, start.low)) / 8;
-const player = new Player(start.seconds, (time) => change((at) => ({...at, time})));
+/// Shows a moment; along the camera's way if the reader wants that.
+async function show_moment(time) {
+  change((at) => ({...at, time}));
+  if (!by_id("follow").checked) return;
+  const {head} = await ask("path", {time});
+  if (head.from && player.time === time) change(() => head.from);
+}
+by_id("follow-label").hidden = !start.has_path;
+by_id("follow").onchange = () => show_moment(player.time);
+const player = new Player(start.seconds, show_moment);
 player.time = from.time;
 player.tell();
 const wanted = {...start.choices, ...given.choices};

@@ -39,6 +39,10 @@ SWING: project.Json = {
         }
     ],
     "camera": {"position": [0, 2, 8], "look_at": [0, 0, 0], "field_of_view": 40},
+    "path": [
+        {"time": 0, "position": [0, 2, 8], "look_at": [0, 0, 0]},
+        {"time": 60, "position": [200, 2, 8], "look_at": [200, 0, 0]},
+    ],
 }
 
 
@@ -67,6 +71,10 @@ class Animation(unittest.TestCase):
                 browser.set("time", 0)
                 browser.wait(f"{still} && location.hash.includes('time=0&')")
                 self.assertEqual(browser.run(picture), first)
+                browser.click("#follow")
+                browser.set("time", 30)
+                browser.wait(f"{still} && location.hash.includes('time=30&')")
+                self.assertIn("#position=100,2,8&", browser.run("return location.hash"))
                 browser.gather()
                 self.assertEqual(browser.complaints, [])
 
