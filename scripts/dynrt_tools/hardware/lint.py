@@ -23,7 +23,7 @@ from dynrt_tools import project
 from dynrt_tools.command import Pool
 from dynrt_tools.hardware import rtl_files
 
-VENDOR_CELLS = ("+/ecp5/cells_bb.v",)
+VENDOR_CELLS = ("+/ecp5/cells_sim.v", "+/ecp5/cells_bb.v")
 WAIVER = re.compile(r'lint_off\s+-rule\s+(\w+)\s+-file\s+"([^"]+)"(\s+-match\s+"[^"]*")?\s*$')
 
 
