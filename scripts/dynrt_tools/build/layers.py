@@ -8,8 +8,8 @@
                                           its front and back end share the netlist alone)
     language, the units' published headers <- host <- verif, which may include all but the program
     the rooms of host, each of which may include those before it:
-        format, picture, scene, memory, tree, specialise, layout, board, link, render, analysis, view,
-        app
+        format, picture, scene, memory, tree, specialise, layout, board, link, ulx3s, render,
+        analysis, view, app
 
 An include is followed to the file that it names (beside the including file, then in the include
 folders); standard and library headers are nobody's room and always allowed.
@@ -38,6 +38,7 @@ HOST = tuple(
         "layout",
         "board",
         "link",
+        "ulx3s",
         "render",
         "analysis",
         "view",
