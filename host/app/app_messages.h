@@ -116,7 +116,7 @@ inline constexpr char kOrbit[] =
 
 inline constexpr char kDefect[] = "defect in dynrt: {}";
 
-inline constexpr char kOtherConfiguration[] =
+inline constexpr char kHoldsAnother[] =
     "board {} holds configuration {}, not {}; name that one, or none";
 inline constexpr char kNoWaveforms[] = "board {} writes no waveforms; --board rtl does";
 

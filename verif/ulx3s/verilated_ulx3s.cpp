@@ -24,9 +24,9 @@ using Ps = std::uint64_t;
 constexpr Ps kOscillator = 40'000;  ///< a period
 constexpr Ps kCoreClock = 12'800;
 constexpr unsigned kMemoryClock = 8'000;
-/// From the pin of the chip's clock to a word inside the FPGA are 8.9 ns: 3.5 ns from the clock inside
-/// to its pin, 5.4 ns of access time. The FPGA's clock rises 4 and 12 ns after the chip's. Here things
-/// happen at edges alone, so the word comes with that between the two.
+/// From the pin of the chip's clock to a word inside the FPGA are 8.9 ns: 3.5 ns from the clock
+/// inside to its pin, 5.4 ns of access time. The FPGA's clock rises 4 and 12 ns after the chip's.
+/// Here things happen at edges alone, so the word comes with that between the two.
 constexpr Ps kChipToFpga = 8'000;
 
 class VerilatedUlx3s final : public SimulatedUlx3s {

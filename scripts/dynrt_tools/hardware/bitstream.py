@@ -54,8 +54,8 @@ def parse() -> argparse.Namespace:
         prog="scripts/bitstream",
         description=__doc__,
         formatter_class=argparse.RawDescriptionHelpFormatter,
-        epilog="The exit code is 1 if there is no bitstream: a tool is missing or failed, or the clocks "
-        "are missed; the last leaves the file and says by how much.",
+        epilog="The exit code is 1 if there is no bitstream, as a tool is missing or failed, or if a "
+        "clock is missed; that leaves the file and says by how much.",
     )
     parser.add_argument("board", choices=sorted(BOARDS), help="the board")
     parser.add_argument(
@@ -191,7 +191,7 @@ def print_clocks(report: Json) -> list[str]:
     return missed
 
 
-def make(board: Board, args: argparse.Namespace, out: pathlib.Path) -> list[str]:
+def make_bitstream(board: Board, args: argparse.Namespace, out: pathlib.Path) -> list[str]:
     """All steps for which there are tools; gives sentences on what is wrong."""
     problems = pin_problems(board)
     if problems:
@@ -227,7 +227,7 @@ def main() -> int:
     if args.json:
         project.check_output("--json", args.json)
     try:
-        problems = make(board, args, out)
+        problems = make_bitstream(board, args, out)
     except project.Failed as error:
         project.fail(error)
     for problem in problems:
