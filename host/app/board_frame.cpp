@@ -20,8 +20,7 @@ namespace {
 std::unique_ptr<Board> open_ulx3s(const BoardRequest& request, const FrameOptions& options) {
   if (request.configuration != kDefaultConfiguration &&
       request.configuration != kUlx3sConfiguration) {
-    refuse(messages::kHoldsAnother, request.board, kUlx3sConfiguration,
-           request.configuration);
+    refuse(messages::kHoldsAnother, request.board, kUlx3sConfiguration, request.configuration);
   }
   if (!request.trace.empty()) refuse(messages::kNoWaveforms, request.board);
   auto board = make_ulx3s_board(request.board);
