@@ -127,7 +127,8 @@ TEST_F(App, WhatIsUnknownIsNamed) {
                  "dynrt: configuration huge: there is no such configuration; name one of "
                  "model_only, stand_in, lit, or a file FILE.json or FILE.so\n");
   expect_mistake("render blocks --config stand_in --board fpga",
-                 "dynrt: board fpga: there is no such board; the boards are rtl and model\n");
+                 "dynrt: board fpga: there is no such board; the boards are rtl, model, ulx3s "
+                 "and serial:DEVICE\n");
   expect_mistake("render blocks --order hilbert",
                  "dynrt: --order hilbert: unknown; the orders are morton and scanline\n");
   expect_mistake("render blocks --speed 9",

@@ -83,9 +83,10 @@ TEST(Configurations, TheModelShowsNoPicture) {
 }
 
 TEST(Configurations, WhatIsUnknownIsNamed) {
-  EXPECT_THAT(
-      making({.board = "fpga", .configuration = "small", .trace = ""}),
-      ThrowsMessage<UserError>("board fpga: there is no such board; the boards are rtl and model"));
+  EXPECT_THAT(making({.board = "fpga", .configuration = "small", .trace = ""}),
+              ThrowsMessage<UserError>(
+                  "board fpga: there is no such board; the boards are rtl, model, ulx3s and "
+                  "serial:DEVICE"));
   EXPECT_THAT(
       making({.board = "model", .configuration = "huge", .trace = ""}),
       ThrowsMessage<UserError>("configuration huge: there is no such configuration; name one of "

@@ -18,6 +18,20 @@ TEST(PortAddress, EveryWordOfABankHasAPlaceOfItsOwn) {
   }
 }
 
+TEST(PortAddress, EveryWordOfTheMemoryThatABankHoldsIsFound) {
+  std::size_t words = 0;
+  for (unsigned byte = 0; byte < 1u << kMemoryAddressBits; byte += 12) {
+    const BankWord at = bank_word(byte);
+    if (at.bank == kBanks) continue;
+    // Between the entries and the columns are no items, nor behind the pixels.
+    if (at.bank == 2 && at.word >= kColumnBase && byte < kColumnsAt) continue;
+    if (at.word >= kBankWords) continue;
+    ASSERT_EQ(port_place(at.bank, at.word).byte, byte);
+    ++words;
+  }
+  EXPECT_GT(words, 1'000'000u);
+}
+
 TEST(PortAddress, WordsFollowEachOtherByTheirStride) {
   for (unsigned bank = 0; bank < kBanks; ++bank) {
     for (const std::uint32_t word : {0u, 1234u, kColumnBase, kColumnBase + 99}) {

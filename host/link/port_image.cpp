@@ -5,21 +5,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "units/memory_format.h"
+#include "host/format/port_address.h"
 
 namespace dynrt::host {
-
-std::uint32_t port_address(unsigned bank, std::uint32_t word) {
-  if (word >= kColumnBase) return kColumnsAt + kColumnBytes * (word - kColumnBase) + 4 * bank;
-  if (bank == 2) return kEntriesAt + kEntryBytes * word;
-  return kNodeBytes * word + 4 * bank;
-}
 
 std::vector<MemoryBytes> port_image(std::span<const MemoryRun> runs) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> words;  // address, word
   for (const MemoryRun& run : runs) {
     for (std::uint32_t i = 0; i < run.words.size(); ++i) {
-      const std::uint32_t address = port_address(run.bank, run.address + i);
+      const std::uint32_t address = port_place(run.bank, run.address + i).byte;
       words.emplace_back(address, run.words[i]);
       const bool ends_column = run.bank == 2 && run.address + i >= kColumnBase;
       if (ends_column) words.emplace_back(address + 4, 0);

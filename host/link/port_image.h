@@ -13,9 +13,6 @@
 
 namespace dynrt::host {
 
-/// Where a word of a bank of the scene lies.
-std::uint32_t port_address(unsigned bank, std::uint32_t word);
-
 /// The bytes of these runs, in the order of their addresses; consecutive ones are together. The
 /// word that a matrix column leaves empty is zero, as it is shorter to send than to pass over.
 std::vector<MemoryBytes> port_image(std::span<const MemoryRun> runs);

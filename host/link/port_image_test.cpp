@@ -9,19 +9,6 @@
 namespace dynrt::host {
 namespace {
 
-TEST(PortImage, HasEachWordWhereTheCoreReadsIt) {
-  std::size_t words = 0;
-  for (std::uint32_t port_word = 0; port_word < 1u << (kPortAddressBits - 2); port_word += 3) {
-    const BankWord at = bank_word(port_word);
-    if (at.bank == kSceneBanks) continue;
-    // Between the entries and the columns are no items.
-    if (at.bank == 2 && at.word >= kColumnBase && 4 * port_word < kColumnsAt) continue;
-    ASSERT_EQ(port_address(at.bank, at.word), 4 * port_word);
-    ++words;
-  }
-  EXPECT_GT(words, 500'000u);
-}
-
 TEST(PortImage, PutsConsecutiveBytesTogether) {
   const MemoryRun runs[] = {{1, 10, {0x44332211, 0x88776655}}, {0, 10, {1, 2}}, {2, 7, {5}}};
   const std::vector<MemoryBytes> expected = {

@@ -50,7 +50,7 @@ TEST(Ulx3s, ShowsThePictureOfTheModel) {
 /// A few triangles of each object, which a line carries in no time.
 void make_small(Scene& scene) {
   constexpr std::size_t kTriangles = 6;
-  for (Mesh& mesh : scene.meshes) {
+  for (Mesh& mesh : scene.objects) {
     if (mesh.triangles.size() <= kTriangles) continue;
     mesh.triangles.resize(kTriangles);
     mesh.material.resize(kTriangles);
