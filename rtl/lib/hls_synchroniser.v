@@ -14,7 +14,7 @@
 `default_nettype none
 
 module hls_synchroniser #(
-    parameter [0:0] RESET = 1'b0
+    parameter RESET = 0
 ) (
     input  wire clk_i,
     input  wire rst_ni,
@@ -22,11 +22,17 @@ module hls_synchroniser #(
     output wire data_o
 );
 
+  generate
+    if (RESET != 0 && RESET != 1) begin : bad_reset
+      hls_synchroniser_RESET_must_be_0_or_1 stop ();
+    end
+  endgenerate
+
   (* keep, async_reg = "true" *) reg [1:0] data_q;
   assign data_o = data_q[1];
 
   always @(posedge clk_i) begin
-    if (!rst_ni) data_q <= {2{RESET}};
+    if (!rst_ni) data_q <= {2{RESET != 0}};
     else data_q <= {data_q[0], data_i};
   end
 

@@ -21,7 +21,7 @@ module link_pins (
   input  wire        bit_data_i
 );
 
-  hls_synchroniser #(.RESET(1'b1)) rx_synchroniser (
+  hls_synchroniser #(.RESET(1)) rx_synchroniser (
     .clk_i(clk_i), .rst_ni(rst_ni), .data_i(rx_i), .data_o(sample_data_o)
   );
   assign sample_valid_o = rst_ni;

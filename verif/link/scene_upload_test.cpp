@@ -56,7 +56,8 @@ TEST_P(SceneUpload, SendsLessWhenItMoves) {
   }
   if (moved.sent > 0) print(fmt::format("{}, {} frames of it", name, kFrames), moved);
   EXPECT_LT(moved.sent, kFrames * whole.sent / 10);
-  EXPECT_EQ(moved.sent > 0, name != "cistern") << "in which the camera moves alone";
+  const bool camera_alone = name == "office" || name == "cistern";
+  EXPECT_EQ(moved.sent > 0, !camera_alone);
 }
 INSTANTIATE_TEST_SUITE_P(Of, SceneUpload,
                          testing::Values("office", "cistern", "conference", "trees4000", "blocks"),

@@ -82,6 +82,7 @@ RULES = {
         at_least("COUNT_WIDTH", 1),
         Rule("WIDTH", "must_be_at_least_COUNT_WIDTH", ({"WIDTH": 2, "COUNT_WIDTH": 3},)),
     ),
+    "hls_synchroniser": (flag("RESET"),),
 }
 # Values at the ends of the ranges, and between.
 GOOD: dict[str, tuple[Values, ...]] = {
@@ -108,6 +109,7 @@ GOOD: dict[str, tuple[Values, ...]] = {
     "hls_register_file": ({}, {"WIDTH": 1, "ROWS": 1}, {"ROWS": 10}),
     "hls_reset": ({}, {"CLOCKS": 2}),
     "hls_repeat": ({}, {"WIDTH": 1, "COUNT_WIDTH": 1}, {"WIDTH": 32, "COUNT_WIDTH": 4}),
+    "hls_synchroniser": ({}, {"RESET": 1}),
 }
 
 
