@@ -9,7 +9,7 @@
 #define DYNRT_REGISTERS_H
 
 #define DYNRT_ID_VALUE 0x44595254u /* "DYRT" */
-#define DYNRT_VERSION_VALUE 0x00020003u /* map 2.3: major in the upper half, minor below */
+#define DYNRT_VERSION_VALUE 0x00020004u /* map 2.4: major in the upper half, minor below */
 #define DYNRT_REG_ID 0x000u /* R  ID_VALUE */
 #define DYNRT_REG_VERSION 0x004u /* R  VERSION_VALUE */
 #define DYNRT_REG_LIMITS 0x008u /* R  packets in bits 15:0, cache lines in 31:16 */
@@ -39,6 +39,7 @@
 #define DYNRT_STATUS_DONE 1u /* the last frame that was started is complete */
 #define DYNRT_STATUS_REFUSED 2u /* an access or a start was refused since the last start or reset */
 #define DYNRT_STATUS_MEMORY_ERROR 3u /* bit 0 of MEMORY_ERROR */
+#define DYNRT_STATUS_DISPLAY_MISSED 4u /* the display has missed pixels since it was switched on */
 #define DYNRT_MEMORY_ERROR_SEEN 0u /* there was one since the host cleared this bit */
 #define DYNRT_MEMORY_ERROR_WRITE 1u /* it was a write */
 #define DYNRT_MEMORY_ERROR_RESPONSE 2u /* and the next bit: 2 error of the memory, 3 no memory there */

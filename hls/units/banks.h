@@ -18,6 +18,14 @@ struct Banks {
   using Bank = hls::Rows<W>;
   std::array<Bank<SceneWord<typename C::Real>>, kSceneBanks> scene;
   std::array<Bank<Word>, kBanks - kFrameBank> out;
+
+  /// A half of a word that the core writes, by its byte in a memory behind the port.
+  void write_half(unsigned byte, uint<16> half) {
+    const BankWord at = bank_word(byte);
+    Word& word = out.at(at.bank - kFrameBank)[at.word];
+    word = byte % 4 != 0 ? hls::concat(half, word.template trunc<16>())
+                         : hls::concat(word.template bits<31, 16>(), half);
+  }
 };
 
 }  // namespace dynrt

@@ -40,7 +40,8 @@ class PortMemory final : public hls::Device {
     const PortWrite<C> write = writes_->pop();
     schedule_.write(now, byte_of(write.address));
     for (unsigned i = 0; i < write.data.size(); ++i) {
-      if (write.mask.to_u64() >> i & 1) store(byte_of(write.address) + 2 * i, write.data[i]);
+      if ((write.mask.to_u64() >> i & 1) == 0) continue;
+      banks_.write_half(byte_of(write.address) + 2 * i, write.data[i]);
     }
   }
   std::size_t answer(std::uint64_t now) override {
@@ -71,12 +72,6 @@ class PortMemory final : public hls::Device {
       byte += 2;
     }
     return data;
-  }
-  void store(unsigned byte, uint<16> half) {
-    const BankWord at = bank_word(byte);
-    Word& word = banks_.out.at(at.bank - kFrameBank)[at.word];
-    word = byte % 4 != 0 ? hls::concat(half, word.template trunc<16>())
-                         : hls::concat(word.template bits<31, 16>(), half);
   }
 
   MemorySchedule<PortRead<C>> schedule_;

@@ -75,6 +75,12 @@ inline constexpr char kDroppedPushes[] =
     "warning     {} pushes onto full stacks (of {} entries in the top-level tree, {} in objects) "
     "were dropped: hits may be missing; use a configuration with deeper stacks, such as deep";
 
+inline constexpr char kDisplayMissed[] =
+    "warning     the display has waited for its memory and missed pixels; the frame itself is "
+    "whole\n";
+inline constexpr char kMemoryExists[] =
+    "board {}: its memory exists and has its own clocks; leave {} out, or take board rtl or model";
+
 inline constexpr char kNoHit[] =
     "no ray hits anything; the scene lies between ({:.4g}, {:.4g}, {:.4g}) and ({:.4g}, {:.4g}, "
     "{:.4g}), and this camera sees all of it: --position {:.4g},{:.4g},{:.4g} --look-at "

@@ -23,6 +23,11 @@ std::unique_ptr<Board> open_ulx3s(const BoardRequest& request, const FrameOption
     refuse(messages::kHoldsAnother, request.board, kUlx3sConfiguration, request.configuration);
   }
   if (!request.trace.empty()) refuse(messages::kNoWaveforms, request.board);
+  const auto refuse_clocks = [&](const char* option, const std::optional<unsigned>& given) {
+    if (given) refuse(messages::kMemoryExists, request.board, option);
+  };
+  refuse_clocks("--memory-latency", options.memory_latency);
+  refuse_clocks("--row-clocks", options.row_clocks);
   auto board = make_ulx3s_board(request.board);
   if (request.board == kUlx3s) board->check_display(options.width, options.height);
   return board;

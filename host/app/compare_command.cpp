@@ -58,7 +58,7 @@ int run(const Arguments& arguments) {
   const Comparison comparison = compare(rtl, model);
 
   if (!out.empty()) write_image(out, rtl);
-  const CoreClock clock = arguments.frame.clock.clock_of(rtl.core);
+  const CoreClock clock = arguments.frame.clock.clock_of(rtl.core, rtl.clock_hz);
   const FrameFigures rtl_figures = figures_of(rtl, clock.hz());
   const FrameFigures model_figures = figures_of(model, clock.hz());
   if (!arguments.frame.json.empty()) {

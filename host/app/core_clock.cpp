@@ -46,6 +46,7 @@ bool is_core(const PlacedClock& clock, const CoreConfiguration& core) {
 std::span<const PlacedClock> placed_clocks() { return kPlacedClocks; }
 
 std::string CoreClock::text() const {
+  if (of_board) return fmt::format("clock       {:g} MHz, that of the board\n", mhz);
   if (placed == nullptr) return fmt::format("clock       {:g} MHz, as --clock says\n", mhz);
   if (own) {
     return fmt::format(
@@ -61,7 +62,8 @@ std::string CoreClock::text() const {
 }
 
 nlohmann::ordered_json CoreClock::json() const {
-  nlohmann::ordered_json json = {{"mhz", mhz}, {"placed", placed != nullptr}};
+  nlohmann::ordered_json json = {
+      {"mhz", mhz}, {"placed", placed != nullptr}, {"of_board", of_board}};
   if (placed == nullptr) return json;
   json.update({{"device", placed->device},
                {"grade", placed->grade},
@@ -100,8 +102,9 @@ void ClockFlags::check() const {
   first_on_device();
 }
 
-CoreClock ClockFlags::clock_of(const CoreInfo& core) const {
+CoreClock ClockFlags::clock_of(const CoreInfo& core, std::optional<double> board_hz) const {
   if (mhz) return {.mhz = *mhz};
+  if (board_hz) return {.mhz = *board_hz / 1e6, .of_board = true};
   const PlacedClock& first = first_on_device();
   const PlacedClock* slowest = &first;
   for (const PlacedClock& c : placed_clocks()) {

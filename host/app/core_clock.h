@@ -16,9 +16,10 @@ namespace dynrt::host {
 
 struct CoreClock {
   double mhz = 0;
-  const PlacedClock* placed = nullptr;  ///< null: the user gave the clock
+  const PlacedClock* placed = nullptr;  ///< null: the user or the board gave the clock
   bool own = false;                     ///< whether this very configuration was placed
   std::string configuration = {};       ///< that the clock is used for
+  bool of_board = false;                ///< the board gave the clock
 
   double hz() const { return mhz * 1e6; }
   /// A line that says where the clock comes from.
@@ -36,9 +37,9 @@ struct ClockFlags {
   /// Throws UserError for a clock that none can have, and for a device or grade that no core was
   /// placed on.
   void check() const;
-  /// The clock of a core: the one given, else that of its placement, else the slowest that a core
-  /// reached on the device.
-  CoreClock clock_of(const CoreInfo& core) const;
+  /// The clock of a core: the one given, else the board's, else that of its placement, else the
+  /// slowest that a core reached on the device.
+  CoreClock clock_of(const CoreInfo& core, std::optional<double> board_hz = std::nullopt) const;
 
  private:
   const PlacedClock& first_on_device() const;

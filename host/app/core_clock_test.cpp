@@ -83,6 +83,16 @@ TEST(CoreClock, MayBeGiven) {
   EXPECT_THROW(flags.check(), UserError);
 }
 
+TEST(CoreClock, OfABoardThatExistsIsTheBoards) {
+  const CoreClock clock = ClockFlags{}.clock_of(core_of(first().configuration), 78.125e6);
+  EXPECT_EQ(clock.text(), "clock       78.125 MHz, that of the board\n");
+  EXPECT_EQ(clock.json(),
+            (nlohmann::ordered_json{{"mhz", 78.125}, {"placed", false}, {"of_board", true}}));
+  ClockFlags given;
+  given.mhz = 85;
+  EXPECT_EQ(given.clock_of(core_of("thesis"), 78.125e6).mhz, 85);
+}
+
 TEST(CoreClock, EveryPlacementIsFound) {
   for (const PlacedClock& placed : placed_clocks()) {
     ClockFlags flags;

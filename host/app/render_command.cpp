@@ -105,7 +105,7 @@ int run(const Arguments& arguments) {
 
   if (options.hits && frame.hit_count() == 0) prepared.note_no_hit();
   write_image(out, frame);
-  const CoreClock clock = arguments.frame.clock.clock_of(frame.core);
+  const CoreClock clock = arguments.frame.clock.clock_of(frame.core, frame.clock_hz);
   std::optional<Shown> shown;
   if (!arguments.scan_out.empty()) {
     shown = show(*board, frame, clock.mhz, arguments.scan_out);

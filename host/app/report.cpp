@@ -8,7 +8,6 @@
 
 #include "host/app/app_messages.h"
 #include "host/app/text.h"
-#include "host/board/bus.h"
 
 namespace dynrt::host {
 
@@ -17,10 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json value_or_null(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
-double bus_seconds(const Frame& frame) {
-  return static_cast<double>(frame.traffic.bus_clocks) / BusMeter::kClockHz;
-}
 
 std::string units_text(const FrameFigures& figures) {
   if (figures.units.empty()) return "";
@@ -106,9 +101,10 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, const C
          grouped(static_cast<std::uint64_t>(figures.rays_per_second)));
   }
   text += memory_text(frame, figures.memory);
-  line("bus         {} bytes written, {} read, {} transactions, {:.3f} s on 33 MHz PCI",
+  if (frame.run.missed_pixels) text += messages::kDisplayMissed;
+  line("bus         {} bytes written, {} read, {} transactions, {:.3f} s on {}",
        grouped(frame.traffic.bytes_written), grouped(frame.traffic.bytes_read),
-       grouped(frame.traffic.transactions), bus_seconds(frame));
+       grouped(frame.traffic.transactions), frame.traffic.seconds(), frame.bus);
   if (figures.dropped_pushes.value_or(0) > 0) {
     line(messages::kDroppedPushes, grouped(*figures.dropped_pushes), frame.core.top_stack_depth,
          frame.core.stack_depth);
@@ -144,6 +140,7 @@ Json report_json(const Frame& frame, const FrameFigures& figures, const CoreCloc
           {"clock_hz", clock.hz()},
           {"clock", clock.json()},
           {"frames_per_second", value_or_null(figures.frames_per_second)},
+          {"display_missed_pixels", frame.run.missed_pixels},
           {"rays_per_clock", value_or_null(figures.rays_per_clock)},
           {"simulation",
            {{"seconds", frame.run.seconds},
@@ -155,7 +152,8 @@ Json report_json(const Frame& frame, const FrameFigures& figures, const CoreCloc
             {"bytes_written", frame.traffic.bytes_written},
             {"bytes_read", frame.traffic.bytes_read},
             {"bus_clocks", frame.traffic.bus_clocks},
-            {"seconds", bus_seconds(frame)}}},
+            {"clock_hz", frame.traffic.clock_hz},
+            {"seconds", frame.traffic.seconds()}}},
           {"dropped_pushes", figures.dropped_pushes ? Json(*figures.dropped_pushes) : Json()},
           {"units", units},
           {"caches", caches},

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "host/app/app_messages.h"
-#include "host/board/bus.h"
 #include "host/error.h"
 #include "host/scene/animation.h"
 
@@ -72,10 +71,6 @@ Camera WalkPlan::camera(const Scene& scene, const CameraOverrides& flags, double
 Tree instances_at(MemoryImage& image, const WalkPlan& plan, unsigned frame) {
   if (!plan.orbit) move_to(image.scene, plan.times.at(frame));
   return instances_of(image);
-}
-
-double WalkRecord::upload_seconds() const {
-  return static_cast<double>(upload.bus_clocks) / BusMeter::kClockHz;
 }
 
 Walker::Walker(Board& board, const FrameOptions& options, MemoryImage& image,
@@ -147,6 +142,7 @@ Walker::Step Walker::step_to(unsigned frame) {
 void Walker::upload_scene() {
   const BusTraffic before = board_.traffic();
   write(image_.objects.memory.runs());
+  board_.finish_writes();
   scene_upload_ = board_.traffic() - before;
   on_board_.clear();
 }

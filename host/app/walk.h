@@ -52,7 +52,7 @@ struct WalkRecord {
   bool general = false;                ///< rendered on the general core, as it exceeded the other
 
   std::uint64_t uploaded_words() const { return upload.bytes_written / 4; }
-  double upload_seconds() const;  ///< on 33 MHz PCI
+  double upload_seconds() const { return upload.seconds(); }
 };
 
 class Walker {

@@ -166,7 +166,7 @@ int run(const Arguments& arguments) {
         return open_board({arguments.board, configuration, "", arguments.schedule}, options);
       },
       [&](const CoreInfo& info) { return prepare(scene, options.width, options.height, &info); });
-  const CoreClock clock = arguments.frame.clock.clock_of(board->core());
+  const CoreClock clock = arguments.frame.clock.clock_of(board->core(), board->clock_hz());
   WalkFolder folder(place.folder(), arguments.settings(prepared.scene), arguments.again);
   const WalkPlan plan(prepared.scene, arguments.frames, arguments.span.from, arguments.span.to);
   if (!plan.orbit && board->core().lights > 0 && !prepared.scene.lights.empty()) {

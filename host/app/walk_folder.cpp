@@ -41,6 +41,7 @@ WalkRecord record_of(const Json& json) {
   const Json& upload = json.at("upload");
   upload.at("transactions").get_to(record.upload.transactions);
   upload.at("bus_clocks").get_to(record.upload.bus_clocks);
+  upload.at("bus_clock_hz").get_to(record.upload.clock_hz);
   record.upload.bytes_written = 4 * upload.at("words").get<std::uint64_t>();
   json.at("words").get_to(record.words);
   json.at("nodes").get_to(record.nodes);
@@ -73,6 +74,7 @@ Json json_of(const WalkRecord& record) {
            {{"words", record.uploaded_words()},
             {"transactions", record.upload.transactions},
             {"bus_clocks", record.upload.bus_clocks},
+            {"bus_clock_hz", record.upload.clock_hz},
             {"seconds", record.upload_seconds()}}},
           {"words", record.words},
           {"nodes", record.nodes},

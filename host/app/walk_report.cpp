@@ -8,7 +8,6 @@
 
 #include "host/app/text.h"
 #include "host/app/walk_folder.h"
-#include "host/board/bus.h"
 
 namespace dynrt::host {
 
@@ -84,9 +83,9 @@ std::string WalkSummary::text() const {
                   words_text(mean(changing, [](const auto& r) { return r.words; })),
                   milliseconds(mean(changing, [](const auto& r) { return r.upload_seconds(); })));
   if (scene_upload.bytes_written > 0) {  // not when all frames were there
-    text += fmt::format(
-        ", after {} words of objects once ({})", grouped(scene_upload.bytes_written / 4),
-        milliseconds(static_cast<double>(scene_upload.bus_clocks) / BusMeter::kClockHz));
+    text +=
+        fmt::format(", after {} words of objects once ({})",
+                    grouped(scene_upload.bytes_written / 4), milliseconds(scene_upload.seconds()));
   }
   return text + "\n";
 }
@@ -118,7 +117,8 @@ Json WalkSummary::json() const {
       {"scene_upload",
        {{"words", scene_upload.bytes_written / 4},
         {"transactions", scene_upload.transactions},
-        {"bus_clocks", scene_upload.bus_clocks}}},
+        {"bus_clocks", scene_upload.bus_clocks},
+        {"bus_clock_hz", scene_upload.clock_hz}}},
       {"frames", frames}};
 }
 

@@ -11,6 +11,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct FrameRun {
   std::optional<std::uint64_t> cycles;  ///< of the core's clock; the model has none of its own
   bool scheduled = false;               ///< counted by the model with the units' schedules
   double seconds = 0;                   ///< of this computer's time, between start and interrupt
+  bool missed_pixels = false;           ///< the board's display has waited for its memory
 };
 
 /// Called now and then with the number of pixels of the frame that are written.
@@ -49,7 +51,7 @@ struct TimeoutError : UserError {
 class Board {
  public:
   virtual ~Board() = default;
-  /// The kind of board: "rtl" or "model".
+  /// The kind of board: "rtl", "model", "ulx3s" or "serial:DEVICE".
   const std::string& name() const { return name_; }
   /// The configuration and limits of its core, every key.
   const CoreInfo& core() const { return core_; }
@@ -63,6 +65,16 @@ class Board {
                      std::span<const std::uint32_t> words) = 0;
   virtual void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) = 0;
 
+  /// Sends what write() has kept back, if the way to the board is such that it pays.
+  virtual void finish_writes() {}
+
+  /// What lies between host and board.
+  virtual std::string_view bus() const { return "33 MHz PCI"; }
+  /// The clock that the board gives its core, if it is one that exists.
+  virtual std::optional<double> clock_hz() const { return std::nullopt; }
+  /// Whether the memory behind the core's port, if it has one, is emulated, so that it takes a
+  /// timing.
+  virtual bool emulates_memory() const { return true; }
   /// Of the memory behind the core's port, if it has one; from the next frame on.
   virtual void set_memory_timing(const MemoryTiming& /*timing*/) {}
   /// Notes what `watch`, if not null, wants of the next frames; only a model can.
@@ -85,7 +97,7 @@ class Board {
   /// Of the last frame; none, if the configuration has no counters.
   virtual std::vector<Counter> counters() = 0;
   /// Since power-up.
-  const BusTraffic& traffic() const { return meter_.traffic(); }
+  virtual BusTraffic traffic() const { return meter_.traffic(); }
 
  protected:
   Board(std::string name, CoreInfo core) : core_(std::move(core)), name_(std::move(name)) {}

@@ -22,6 +22,10 @@ inline constexpr char kFrameWords[] =
 inline constexpr char kRefused[] =
     "board {}: it refused an access during the frame; the SRAM and the frame's registers belong to "
     "the core until the interrupt";
+inline constexpr char kMemoryError[] =
+    "board {}: {} answered a {} of byte {:#x} of the core's memory, so the frame may be wrong; "
+    "look "
+    "at what stands behind the core's port at that address";
 inline constexpr char kRefusedStart[] =
     "board {}: it refused to start a frame with {} packets and {} cache lines; its core takes 1 to "
     "{} packets, and a power of two of at most {} lines";

@@ -38,6 +38,12 @@ ScanConfig scan_config(const DisplayMode& m, std::uint32_t base, unsigned width,
   return c;
 }
 
+void write_scan(RtlBoard& board, const ScanConfig& scan) {
+  hls::for_each_leaf(scan, [&](const hls::uint<32>& field, unsigned offset) {
+    board.write_register(reg::kRegScan + offset / 8, static_cast<std::uint32_t>(field.to_u64()));
+  });
+}
+
 namespace {
 
 void check(const Board& board, const DisplayMode& mode, unsigned width, unsigned height) {
@@ -59,10 +65,7 @@ Display::Display(RtlBoard& board, const DisplayMode& mode, unsigned clocks_per_p
     throw std::logic_error(
         fmt::format("the scan-out cannot take {} clocks for each pixel", clocks_per_pixel));
   }
-  const ScanConfig config = scan_config(mode, base, width, height);
-  hls::for_each_leaf(config, [&](const hls::uint<32>& field, unsigned offset) {
-    board_.write_register(reg::kRegScan + offset / 8, static_cast<std::uint32_t>(field.to_u64()));
-  });
+  write_scan(board_, scan_config(mode, base, width, height));
   board_.watch(&monitor_);
   board_.write_register(reg::kRegScanClocks, clocks_per_pixel);
 }

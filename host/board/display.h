@@ -43,6 +43,9 @@ class Display {
   std::uint64_t clocks_;  ///< of a frame
 };
 
+/// Writes the SCAN registers.
+void write_scan(RtlBoard& board, const ScanConfig& scan);
+
 /// The registers of a mode with a picture in its middle.
 ScanConfig scan_config(const DisplayMode& mode, std::uint32_t base, unsigned width,
                        unsigned height);

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "host/board/sram.h"
+#include "host/board/port_sram.h"
 #include "units/memory_timing.h"
 
 namespace dynrt::host {
@@ -87,10 +87,7 @@ class PinMemory {
     for (unsigned i = 0; i < read.beats; ++i) {
       Beat beat{now_ + 1 + i, read.id, i + 1 == read.beats, {}};
       for (unsigned b = 0; b < kBeatBytes; ++b) {
-        const unsigned byte = read.address + i * static_cast<unsigned>(kBeatBytes) + b;
-        const BankWord at = bank_word(byte);
-        const std::uint32_t word = at.bank == kBanks ? 0 : sram.word(at.bank, at.word);
-        beat.data[b] = static_cast<std::uint8_t>(word >> (8 * (byte % 4)));
+        beat.data[b] = port_byte(sram, read.address + i * static_cast<unsigned>(kBeatBytes) + b);
       }
       beats_.push_back(beat);
     }
@@ -101,9 +98,7 @@ class PinMemory {
     std::memcpy(halves.data(), &top.memory_write_data_o, kBeatBytes);
     for (unsigned h = 0; h < halves.size(); ++h) {
       if ((top.memory_write_mask_o >> h & 1) == 0) continue;
-      const unsigned byte = top.memory_write_address_o + 2 * h;
-      const BankWord at = bank_word(byte);
-      sram.write_half(at.bank, at.word, byte / 2 % 2, halves[h]);
+      write_port_half(sram, top.memory_write_address_o + 2 * h, halves[h]);
     }
   }
 

@@ -12,6 +12,7 @@
 #include "host/board/check_start.h"
 #include "host/board/registers.h"
 #include "host/board/standstill.h"
+#include "host/board/window.h"
 #include "host/error.h"
 #include "host/format/frame_words.h"
 #include "units/scan_out.h"
@@ -26,11 +27,8 @@ static_assert(kMaxFrameWords <= 1u << reg::kFrameWordBits,
               "FrameConfig has more fields than the board has room for FRAME registers");
 
 constexpr std::uint64_t kClocksPerReport = 10'000;
+constexpr std::uint32_t kNoMemoryThere = 3;  ///< in MEMORY_ERROR
 constexpr int kResetReads = 100;  ///< reads of STATUS that outlast the core's reset by far
-
-std::uint32_t window(unsigned bank, std::uint32_t word) {
-  return 1u << reg::kWindowBit | bank << reg::kWindowBankLow | word << reg::kWindowWordLow;
-}
 
 }  // namespace
 
@@ -69,12 +67,12 @@ void RtlBoard::settle() {
 
 void RtlBoard::write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) {
   check_range(*this, bank, address, words.size());
-  burst_write(window(bank, address), words);
+  burst_write(window::address(bank, address), words);
 }
 
 void RtlBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) {
   check_range(*this, bank, address, words.size());
-  burst_read(window(bank, address), words);
+  burst_read(window::address(bank, address), words);
 }
 
 void RtlBoard::configure(const FrameConfig& frame) {
@@ -109,12 +107,27 @@ FrameRun RtlBoard::wait(std::uint64_t timeout, const PixelProgress& progress) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   if (!clocked_->interrupt()) give_up(timeout, written);
   write_register(reg::kRegIrqPending, 1);
-  if (read_register(reg::kRegStatus) >> reg::kStatusRefused & 1) {
+  const std::uint32_t status = read_register(reg::kRegStatus);
+  if (status >> reg::kStatusRefused & 1) {
     throw std::logic_error(fmt::format(messages::kRefused, name()));
   }
+  if (status >> reg::kStatusMemoryError & 1) refuse_memory_error();
   std::array<std::uint32_t, 2> cycles{};
   burst_read(reg::kRegCyclesLow, cycles);
-  return {.cycles = cycles[0] | std::uint64_t{cycles[1]} << 32, .seconds = seconds.count()};
+  return {.cycles = cycles[0] | std::uint64_t{cycles[1]} << 32,
+          .seconds = seconds.count(),
+          .missed_pixels = (status >> reg::kStatusDisplayMissed & 1) != 0};
+}
+
+void RtlBoard::refuse_memory_error() {
+  const std::uint32_t error = read_register(reg::kRegMemoryError);
+  const std::uint32_t byte = read_register(reg::kRegMemoryErrorAddress);
+  write_register(reg::kRegMemoryError, 1u << reg::kMemoryErrorSeen);
+  const bool is_write = (error >> reg::kMemoryErrorWrite & 1) != 0;
+  const bool nothing_there = (error >> reg::kMemoryErrorResponse & 3) == kNoMemoryThere;
+  refuse(messages::kMemoryError, name(),
+         nothing_there ? "no memory, but an error of the bus," : "an error of the memory",
+         is_write ? "write" : "read", byte);
 }
 
 void RtlBoard::give_up(std::uint64_t timeout, std::uint64_t pixels) {

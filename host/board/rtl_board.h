@@ -48,6 +48,8 @@ class RtlBoard : public Board {
   void burst_read(std::uint32_t address, std::span<std::uint32_t> words);
   /// Waits for the end of the core's reset, a few clocks.
   void settle();
+  /// Clears the error.
+  [[noreturn]] void refuse_memory_error();
   [[noreturn]] void give_up(std::uint64_t timeout, std::uint64_t pixels);
 
   std::unique_ptr<ClockedBoard> clocked_;

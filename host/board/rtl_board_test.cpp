@@ -104,7 +104,7 @@ TEST(RtlBoardErrors, ABoardThatIsNoneIsRefused) {
   EXPECT_THAT([] { RtlBoard(named("thesis"), std::make_unique<DeadBoard>(false), {}); },
               ThrowsMessage<UserError>(
                   "board rtl: its registers give the id 0x0 and the version 0x0, but the host "
-                  "expects 0x44595254 and 0x20003; rebuild the Verilog and the host together"));
+                  "expects 0x44595254 and 0x20004; rebuild the Verilog and the host together"));
   EXPECT_THAT(
       [] { RtlBoard(named("thesis"), std::make_unique<DeadBoard>(true), {}); },
       ThrowsMessage<UserError>(

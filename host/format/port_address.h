@@ -29,4 +29,10 @@ constexpr PortPlace port_place(unsigned bank, std::uint32_t word) {
   return {kNodeBytes * word + 4 * bank, kNodeBytes};
 }
 
+/// Whether the word behind this one in the memory is the one that a column leaves empty. Who sends
+/// a memory over a line sends it too, as zero, which is shorter than to pass over it.
+constexpr bool ends_column(unsigned bank, std::uint32_t word) {
+  return bank == 2 && word >= kColumnBase;
+}
+
 }  // namespace dynrt::host

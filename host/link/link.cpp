@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -25,6 +26,11 @@ std::uint32_t word_at(std::span<const std::uint8_t> bytes, std::size_t word) {
 }
 std::uint8_t answer_to(LinkCommand command) {
   return static_cast<std::uint8_t>(kLinkAnswer | static_cast<unsigned>(command));
+}
+std::array<std::uint8_t, 4> bytes_of(std::uint32_t word) {
+  std::array<std::uint8_t, 4> bytes;
+  for (unsigned i = 0; i < 4; ++i) bytes[i] = static_cast<std::uint8_t>(word >> (8 * i));
+  return bytes;
 }
 bool is_write(LinkCommand command) {
   return command == LinkCommand::kWriteMemory || command == LinkCommand::kWriteRegisters;
@@ -209,9 +215,8 @@ void BoardLink::read_memory(std::uint32_t address, std::span<std::uint8_t> bytes
 
 void BoardLink::write_registers(std::uint32_t address, std::span<const std::uint32_t> words) {
   std::vector<std::uint8_t> bytes;
-  for (const std::uint32_t word : words) {
-    for (unsigned i = 0; i < 4; ++i) bytes.push_back(static_cast<std::uint8_t>(word >> (8 * i)));
-  }
+  for (const std::uint32_t word : words)
+    std::ranges::copy(bytes_of(word), std::back_inserter(bytes));
   Requests requests{.most_under_way = kLinkWritesUnderWay, .writes = true};
   for (std::size_t at = 0; at < bytes.size(); at += kLinkDataBytes) {
     const std::size_t length = std::min<std::size_t>(kLinkDataBytes, bytes.size() - at);
@@ -237,6 +242,25 @@ void BoardLink::read_registers(std::uint32_t address, std::span<std::uint32_t> w
     }
   };
   exchange(requests);
+}
+
+std::uint32_t BoardLink::write_then_read(std::uint32_t to, std::uint32_t value,
+                                         std::uint32_t from) {
+  const std::array<std::uint8_t, 4> bytes = bytes_of(value);
+  std::uint32_t word = 0;
+  // If the read is repeated, the board has carried out the write before it.
+  Requests requests{
+      .frames = {{.command = LinkCommand::kWriteRegisters,
+                  .length = bytes.size(),
+                  .address = to,
+                  .data = bytes},
+                 {.command = LinkCommand::kReadRegisters, .length = bytes.size(), .address = from}},
+      .most_under_way = 2,
+      .take = [&](std::size_t request, std::span<const std::uint8_t> data) {
+        if (request == 1) word = word_at(data, 0);
+      }};
+  exchange(requests);
+  return word;
 }
 
 }  // namespace dynrt::host

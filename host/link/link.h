@@ -70,6 +70,8 @@ class BoardLink {
   /// Consecutive registers, by the address of a byte.
   void write_registers(std::uint32_t address, std::span<const std::uint32_t> words);
   void read_registers(std::uint32_t address, std::span<std::uint32_t> words);
+  /// Writes one register and reads another in one turn of the line.
+  std::uint32_t write_then_read(std::uint32_t to, std::uint32_t value, std::uint32_t from);
 
   const LinkCounts& counts() const { return counts_; }
 

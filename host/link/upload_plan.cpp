@@ -9,8 +9,16 @@
 
 namespace dynrt::host {
 
-UploadCost upload_cost(std::span<const MemoryBytes> parts, unsigned baud) {
-  UploadCost cost;
+namespace {
+
+double seconds_on_line(std::uint64_t bytes, unsigned baud) {
+  return static_cast<double>(bytes * kLineBitsOfByte) / baud;
+}
+
+}  // namespace
+
+LineCost upload_cost(std::span<const MemoryBytes> parts, unsigned baud) {
+  LineCost cost;
   for (const LinkRequestFrame& frame : write_frames(parts)) {
     std::vector<std::uint8_t> line;
     append_frame(line, frame);
@@ -18,8 +26,15 @@ UploadCost upload_cost(std::span<const MemoryBytes> parts, unsigned baud) {
     cost.carried += frame.length;
     cost.sent += line.size();
   }
-  cost.seconds = static_cast<double>(cost.sent * kLineBitsOfByte) / baud;
+  cost.seconds = seconds_on_line(cost.sent, baud);
   return cost;
+}
+
+LineCost read_cost(std::uint64_t bytes, unsigned beat_bytes, unsigned baud) {
+  const std::uint64_t of_frame = std::min(kLinkDataBytes, kLinkReadBeats * beat_bytes);
+  const std::uint64_t frames = (bytes + of_frame - 1) / of_frame;
+  const std::uint64_t sent = bytes + frames * kAnswerOverhead;
+  return {frames, bytes, sent, seconds_on_line(sent, baud)};
 }
 
 bool UploadPlan::note(std::uint32_t address, std::uint8_t low, std::uint8_t high) {

@@ -19,15 +19,19 @@ namespace dynrt::host {
 
 /// Bytes of a frame that carry no data: flags, header, CRC.
 inline constexpr unsigned kFrameOverhead = 2 + kLinkHeaderBytes + kLinkCrcBytes;
+inline constexpr unsigned kAnswerOverhead = 2 + kLinkAnswerBytes + kLinkCrcBytes;
 
-/// What parts cost on the line.
-struct UploadCost {
+/// What memory costs on the line.
+struct LineCost {
   std::size_t frames = 0;
-  std::uint64_t carried = 0;  ///< bytes of the parts
+  std::uint64_t carried = 0;  ///< bytes of the memory
   std::uint64_t sent = 0;     ///< bytes on the line, if none is repeated
   double seconds = 0;
 };
-UploadCost upload_cost(std::span<const MemoryBytes> parts, unsigned baud = kLinkBaud);
+LineCost upload_cost(std::span<const MemoryBytes> parts, unsigned baud = kLinkBaud);
+/// Of so many bytes that are read one after another, in beats of this size. Requests go the other
+/// way meanwhile and take no time.
+LineCost read_cost(std::uint64_t bytes, unsigned beat_bytes, unsigned baud = kLinkBaud);
 
 /// What the board's memory holds, as far as it is known.
 class UploadPlan {

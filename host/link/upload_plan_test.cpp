@@ -74,9 +74,9 @@ TEST(UploadPlan, MakesTheMemoryTheImage) {
   }
 }
 
-TEST(UploadCost, CountsFramesAndTheLine) {
+TEST(LineCost, CountsFramesAndTheLine) {
   const Parts parts = {{0, Bytes(1024, 1)}};
-  const UploadCost cost = upload_cost(parts);
+  const LineCost cost = upload_cost(parts);
   EXPECT_EQ(cost.frames, 2u);
   EXPECT_EQ(cost.carried, 1024u);
   EXPECT_GE(cost.sent, 1024u + 2 * kFrameOverhead);
@@ -85,6 +85,15 @@ TEST(UploadCost, CountsFramesAndTheLine) {
   EXPECT_EQ(upload_cost(Parts{{0, Bytes(512, kLinkFlag)}}).sent,
             512 + upload_cost(Parts{{0, Bytes(512, 1)}}).sent)
       << "the worst bytes take twice the line";
+}
+
+TEST(LineCost, OfReadsIsThatOfTheirAnswers) {
+  const LineCost cost = read_cost(1000, 16);
+  EXPECT_EQ(cost.frames, 4u) << "of 16 beats each";
+  EXPECT_EQ(cost.carried, 1000u);
+  EXPECT_EQ(cost.sent, 1000u + 4 * kAnswerOverhead);
+  EXPECT_DOUBLE_EQ(cost.seconds, static_cast<double>(cost.sent) * 10 / 3e6);
+  EXPECT_EQ(read_cost(512, 64).frames, 1u) << "a frame has 512 bytes at most";
 }
 
 }  // namespace

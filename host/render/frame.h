@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/board/board.h"
@@ -27,7 +28,7 @@ struct HitRecord {
 };
 
 struct Frame {
-  std::string board;  ///< "rtl" or "model"
+  std::string board;  ///< the name of one (host/board/board.h)
   CoreInfo core;
   unsigned width = 0;
   unsigned height = 0;
@@ -38,8 +39,10 @@ struct Frame {
   std::vector<HitRecord> hits;         ///< one per pixel, or none if the options leave them out
   std::vector<Counter> counters;
   FrameRun run;
-  BusTraffic upload;   ///< of the scene, or of what changed in it
-  BusTraffic traffic;  ///< upload, frame and read-back
+  std::optional<double> clock_hz;  ///< of the core, on a board that exists
+  std::string_view bus;            ///< what lies between host and board
+  BusTraffic upload;               ///< of the scene, or of what changed in it
+  BusTraffic traffic;              ///< upload, frame and read-back
 
   std::uint64_t hit_count() const {
     std::uint64_t count = 0;

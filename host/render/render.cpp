@@ -158,9 +158,11 @@ Frame render(Board& board, const FrameOptions& options, const SceneAddresses& sc
              std::span<const MemoryRun> memory, const PixelProgress& progress) {
   const FrameConfig config = frame_config(board.core(), options, scene);
   const BusTraffic before = board.traffic();
-  const std::optional<MemoryTiming> timing = memory_timing(board.core(), options);
+  std::optional<MemoryTiming> timing;
+  if (board.emulates_memory()) timing = memory_timing(board.core(), options);
   if (timing) board.set_memory_timing(*timing);
   for (const MemoryRun& part : memory) board.write(part.bank, part.address, part.words);
+  board.finish_writes();
   Frame frame;
   frame.upload = board.traffic() - before;
   board.configure(config);
@@ -170,6 +172,8 @@ Frame render(Board& board, const FrameOptions& options, const SceneAddresses& sc
   frame.width = options.width;
   frame.height = options.height;
   frame.timing = timing;
+  frame.clock_hz = board.clock_hz();
+  frame.bus = board.bus();
   frame.packets = static_cast<unsigned>(config.packets.to_u64());
   frame.lines = static_cast<unsigned>(config.line_mask.to_u64()) + 1;
   frame.run = board.wait(options.timeout, progress);

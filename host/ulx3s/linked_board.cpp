@@ -7,42 +7,24 @@
 #include <utility>
 
 #include "host/board/registers.h"
+#include "host/board/window.h"
 #include "host/format/port_address.h"
+#include "host/link/port_image.h"
 
 namespace dynrt::host {
 
 namespace reg = registers;
 
-namespace {
-
-bool in_window(std::uint32_t address) { return (address >> reg::kWindowBit & 1) != 0; }
-unsigned bank_of(std::uint32_t address) { return address >> reg::kWindowBankLow & 7; }
-std::uint32_t word_of(std::uint32_t address) {
-  return address >> reg::kWindowWordLow & (kBankWords - 1);
-}
-
-/// Words by their addresses as runs of bytes.
-std::vector<MemoryBytes> parts_of(const std::map<std::uint32_t, std::uint32_t>& words) {
-  std::vector<MemoryBytes> parts;
-  for (const auto& [address, word] : words) {
-    if (parts.empty() || parts.back().address + parts.back().bytes.size() != address) {
-      parts.push_back({address, {}});
-    }
-    for (unsigned shift = 0; shift < 32; shift += 8) {
-      parts.back().bytes.push_back(static_cast<std::uint8_t>(word >> shift));
-    }
-  }
-  return parts;
-}
-
-}  // namespace
-
 LinkedBoard::LinkedBoard(std::unique_ptr<BoardLink> link, BackDoor* door, Pause pause)
     : link_(std::move(link)), door_(door), pause_(std::move(pause)) {}
 
 bool LinkedBoard::write(std::uint32_t address, std::span<const std::uint32_t> words) {
-  if (in_window(address)) {
-    write_window(bank_of(address), word_of(address), words);
+  if (window::holds(address)) {
+    write_window(window::bank(address), window::word(address), words);
+    return true;
+  }
+  if (address == reg::kRegCounterAddress) {
+    counter_ = words[0];  // goes along when the counter is read
     return true;
   }
   const bool starts = address == reg::kRegControl && (words[0] >> reg::kControlStart & 1) != 0;
@@ -51,15 +33,21 @@ bool LinkedBoard::write(std::uint32_t address, std::span<const std::uint32_t> wo
     clocks_ = 0;
   }
   link_->write_registers(address, words);
+  bytes_written_ += words.size_bytes();
   if (address == reg::kRegIrqPending) interrupt_ = false;
   return true;
 }
 
 bool LinkedBoard::read(std::uint32_t address, std::span<std::uint32_t> words) {
-  if (in_window(address)) {
-    read_window(bank_of(address), word_of(address), words);
+  if (window::holds(address)) {
+    read_window(window::bank(address), window::word(address), words);
+  } else if (address == reg::kRegCounterData && counter_) {
+    words[0] = link_->write_then_read(reg::kRegCounterAddress, *counter_, address);
+    bytes_written_ += words.size_bytes();
+    bytes_read_ += words.size_bytes();
   } else {
     link_->read_registers(address, words);
+    bytes_read_ += words.size_bytes();
   }
   return true;
 }
@@ -78,26 +66,49 @@ bool LinkedBoard::run_until_interrupt(std::uint64_t limit) {
   return interrupt_;
 }
 
+BusTraffic LinkedBoard::traffic() const {
+  const LinkCounts& counts = link_->counts();
+  return {.transactions = counts.requests + frames_beside_,
+          .bytes_written = bytes_written_,
+          .bytes_read = bytes_read_,
+          .bus_clocks = (counts.sent + counts.received + bytes_beside_) * kLineBitsOfByte,
+          .clock_hz = kLinkBaud};
+}
+
+void LinkedBoard::spare_line(const LineCost& cost) {
+  frames_beside_ += cost.frames;
+  bytes_beside_ += cost.sent;
+}
+
 void LinkedBoard::send_memory() {
   kept_ = {};
-  const std::vector<MemoryBytes> changes = plan_.changes(parts_of(written_));
+  if (written_.empty()) return;
+  const std::vector<MemoryBytes> changes = plan_.changes(bytes_of(written_));
   written_.clear();
-  upload_ = upload_cost(changes);
+  const LineCost cost = upload_cost(changes);
+  uploaded_ += cost.carried;
+  bytes_written_ += cost.carried;
   if (door_ == nullptr) {
     link_->write_memory(changes);
   } else {
+    spare_line(cost);
     for (const MemoryBytes& part : changes) door_->write(part.address, part.bytes);
   }
 }
 
 void LinkedBoard::write_window(unsigned bank, std::uint32_t word,
                                std::span<const std::uint32_t> words) {
-  for (const std::uint32_t value : words) written_[port_place(bank, word++).byte] = value;
+  for (const std::uint32_t value : words) {
+    const std::uint32_t byte = port_place(bank, word).byte;
+    written_[byte] = value;
+    if (ends_column(bank, word)) written_[byte + 4] = 0;
+    ++word;
+  }
 }
 
 void LinkedBoard::read_window(unsigned bank, std::uint32_t word, std::span<std::uint32_t> words) {
   if (words.empty()) return;
-  if (!written_.empty()) send_memory();
+  send_memory();
   const std::uint32_t first = port_place(bank, word).byte;
   const std::uint32_t stride = port_place(bank, word).stride;
   // The words of both banks of hit records lie side by side.
@@ -113,9 +124,11 @@ void LinkedBoard::read_window(unsigned bank, std::uint32_t word, std::span<std::
 std::span<const std::uint8_t> LinkedBoard::memory(std::uint32_t address, std::size_t bytes) {
   if (kept_.address != address || kept_.bytes.size() != bytes) {
     kept_ = {address, std::vector<std::uint8_t>(bytes)};
+    bytes_read_ += bytes;
     if (door_ == nullptr) {
       link_->read_memory(address, kept_.bytes);
     } else {
+      spare_line(read_cost(bytes, link_->board().beat_bytes));
       door_->read(address, kept_.bytes);
     }
   }

@@ -11,9 +11,11 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "host/board/bus.h"
 #include "host/board/clocked_board.h"
 #include "host/link/link.h"
 #include "host/link/upload_plan.h"
@@ -45,12 +47,17 @@ class LinkedBoard final : public ClockedBoard {
   void watch(VgaMonitor* /*monitor*/) override {}
   std::uint64_t frame_writes() const override { return 0; }
 
-  /// Of the last frame's memory.
-  const UploadCost& upload() const { return upload_; }
+  /// Sends what the board does not hold yet of what was written to the window.
+  void send_memory();
+  /// Bytes of the memory that were sent.
+  std::uint64_t uploaded() const { return uploaded_; }
+  /// On the line, or what would have been there without a back door.
+  BusTraffic traffic() const;
+  double clock_hz() const { return link_->board().clock_hz; }
   const LinkCounts& counts() const { return link_->counts(); }
 
  private:
-  void send_memory();
+  void spare_line(const LineCost& cost);
   void write_window(unsigned bank, std::uint32_t word, std::span<const std::uint32_t> words);
   void read_window(unsigned bank, std::uint32_t word, std::span<std::uint32_t> words);
   /// Bytes of the board's memory, kept until the next frame starts.
@@ -59,9 +66,12 @@ class LinkedBoard final : public ClockedBoard {
   std::unique_ptr<BoardLink> link_;
   BackDoor* door_;
   Pause pause_;
+  std::optional<std::uint32_t> counter_;            ///< the address of the one to be read
   std::map<std::uint32_t, std::uint32_t> written_;  ///< words to be sent, by the byte's address
   UploadPlan plan_;
-  UploadCost upload_;
+  std::uint64_t uploaded_ = 0;
+  std::uint64_t bytes_written_ = 0, bytes_read_ = 0;    ///< of memory and registers
+  std::uint64_t frames_beside_ = 0, bytes_beside_ = 0;  ///< that a back door saved the line
   MemoryBytes kept_;
   bool interrupt_ = false;
   std::uint64_t clocks_ = 0;

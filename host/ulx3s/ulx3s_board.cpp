@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "configs/fast_port.h"
+#include "host/board/configurations.h"
 #include "host/board/display.h"
 #include "host/board/registers.h"
 #include "host/error.h"
@@ -18,6 +19,9 @@
 namespace dynrt::host {
 
 namespace reg = registers;
+
+/// The core as its join describes it: dynrt_core.json of the checked-in Verilog.
+std::string_view ulx3s_core_json();
 
 namespace {
 
@@ -30,20 +34,25 @@ constexpr microseconds kSimulatedPoll{500};
 constexpr milliseconds kDisplayStep{2};
 constexpr unsigned kMostDisplaySteps = 50;
 
-/// The counters would take longer over the line than the frame.
-CoreInfo core_info() {
-  CoreInfo core = core_info_of_listed<config::fast_port>(kUlx3sConfiguration);
-  core.counters = false;
-  return core;
-}
-
 }  // namespace
 
 bool is_ulx3s(std::string_view board) { return board == kUlx3s || board.starts_with(kSerial); }
 
 Ulx3sBoard::Ulx3sBoard(std::string name, std::unique_ptr<LinkedBoard> linked,
                        SimulatedUlx3s* simulated)
-    : RtlBoard(core_info(), std::move(linked), {}, std::move(name)), simulated_(simulated) {}
+    : Ulx3sBoard(std::move(name), *linked, std::move(linked), simulated) {}
+
+Ulx3sBoard::Ulx3sBoard(std::string name, LinkedBoard& linked, std::unique_ptr<LinkedBoard>&& owned,
+                       SimulatedUlx3s* simulated)
+    : RtlBoard(core_info_of_listed<config::fast_port>(kUlx3sConfiguration), std::move(owned),
+               counters_of(ulx3s_core_json()), std::move(name)),
+      linked_(linked),
+      simulated_(simulated) {}
+
+std::string_view Ulx3sBoard::bus() const {
+  static_assert(kLinkBaud == 3'000'000);
+  return "a serial line of 3 Mbaud";
+}
 
 void Ulx3sBoard::configure(const FrameConfig& frame) {
   RtlBoard::configure(frame);
@@ -58,10 +67,7 @@ void Ulx3sBoard::configure(const FrameConfig& frame) {
     write_register(reg::kRegScanClocks, 0);
     shows_ = core().pitch(width) == width && width <= kMode.hdisplay && height <= kMode.vdisplay;
     if (shows_) {
-      const ScanConfig scan = scan_config(kMode, number(frame.frame_base), width, height);
-      hls::for_each_leaf(scan, [&](const hls::uint<32>& field, unsigned offset) {
-        write_register(reg::kRegScan + offset / 8, number(field));
-      });
+      write_scan(*this, scan_config(kMode, number(frame.frame_base), width, height));
       write_register(reg::kRegScanClocks, 1);
     }
   }

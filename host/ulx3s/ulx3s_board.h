@@ -30,6 +30,11 @@ class Ulx3sBoard final : public RtlBoard {
   Ulx3sBoard(std::string name, std::unique_ptr<LinkedBoard> linked, SimulatedUlx3s* simulated);
 
   bool has_scan_out() const override { return true; }
+  void finish_writes() override { linked_.send_memory(); }
+  std::string_view bus() const override;
+  std::optional<double> clock_hz() const override { return linked_.clock_hz(); }
+  bool emulates_memory() const override { return false; }
+  BusTraffic traffic() const override { return linked_.traffic(); }
   void configure(const FrameConfig& frame) override;
   void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override;
 
@@ -37,6 +42,11 @@ class Ulx3sBoard final : public RtlBoard {
   /// The picture as it is shown.
   void read_display(std::span<std::uint32_t> words);
 
+  /// `linked` is what the base owns.
+  Ulx3sBoard(std::string name, LinkedBoard& linked, std::unique_ptr<LinkedBoard>&& owned,
+             SimulatedUlx3s* simulated);
+
+  LinkedBoard& linked_;
   SimulatedUlx3s* simulated_;
   FrameConfig shown_;
   bool shows_ = false;  ///< a picture that fits the display

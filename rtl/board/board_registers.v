@@ -53,6 +53,7 @@ module board_registers #(
   input  wire [19:0] scan_shown_i,
   input  wire [31:0] scan_frames_i,
   input  wire        scan_en_i,       // it reads the SRAM in this clock
+  input  wire        scan_missed_i,   // it has missed pixels since it was switched on
   // the memory's bus: an access that was answered with an error; where the memory begins
   input  wire        memory_error_i, // a pulse
   input  wire        memory_error_write_i,
@@ -289,6 +290,7 @@ module board_registers #(
         register[STATUS_DONE] = done_q;
         register[STATUS_REFUSED] = refused_q;
         register[STATUS_MEMORY_ERROR] = error_q;
+        register[STATUS_DISPLAY_MISSED] = scan_missed_i;
       end
       REG_IRQ_ENABLE: register = {31'd0, irq_enable_q};
       REG_IRQ_PENDING: register = {31'd0, irq_pending_q};

@@ -194,5 +194,13 @@ TYPED_TEST(BoardRegisters, AFrameThatEndsInterrupts) {
   this->all_answered();
 }
 
+TYPED_TEST(BoardRegisters, TheStatusTellsOfMissedPixels) {
+  for (const bool missed : {true, false}) {
+    this->v_.scan_missed_i = missed;
+    this->read(reg::kRegStatus, std::uint32_t{missed} << reg::kStatusDisplayMissed);
+    this->all_answered();
+  }
+}
+
 }  // namespace
 }  // namespace dynrt::rtl

@@ -119,7 +119,7 @@ module dynrt_board #(
     .frame_o(frame), .counter_addr_o(counter_addr), .counter_data_i(counter_data),
     .counter_fetch_o(counter_fetch),
     .scan_clocks_o(scan_clocks), .scan_o(scan), .scan_shown_i(scan_shown),
-    .scan_frames_i(scan_frames), .scan_en_i(scan_en),
+    .scan_frames_i(scan_frames), .scan_en_i(scan_en), .scan_missed_i(1'b0),
     .memory_error_i(1'b0), .memory_error_write_i(1'b0), .memory_error_response_i(2'd0),
     .memory_error_address_i(25'd0), .memory_base_o(),
     .window_en_o(window_en), .window_we_o(window_we), .window_addr_o(window_addr),

@@ -38,6 +38,7 @@ module dynrt_port_board #(
   output wire [32*`DYNRT_CORE_SCAN_WORDS-1:0] scan_o,
   input  wire [19:0]      scan_shown_i,
   input  wire [31:0]      scan_frames_i,
+  input  wire             scan_missed_i,
   // memory
   output wire             memory_read_valid_o,
   input  wire             memory_read_ready_i,
@@ -98,7 +99,7 @@ module dynrt_port_board #(
     .frame_o(frame), .counter_addr_o(counter_addr), .counter_data_i(counter_data),
     .counter_fetch_o(counter_fetch),
     .scan_clocks_o(scan_clocks_o), .scan_o(scan_o), .scan_shown_i(scan_shown_i),
-    .scan_frames_i(scan_frames_i), .scan_en_i(1'b0),
+    .scan_frames_i(scan_frames_i), .scan_en_i(1'b0), .scan_missed_i(scan_missed_i),
     .memory_error_i(memory_error_i), .memory_error_write_i(memory_error_write_i),
     .memory_error_response_i(memory_error_response_i),
     .memory_error_address_i(memory_error_address_i), .memory_base_o(memory_base_o),

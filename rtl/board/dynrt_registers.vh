@@ -12,7 +12,7 @@
 // LIMITS says, or `line_mask` + 1 is not a power of two or more than LIMITS says.
 
 localparam [31:0] ID_VALUE = 32'h44595254;      // "DYRT"
-localparam [31:0] VERSION_VALUE = 32'h00020003; // map 2.3: major in the upper half, minor below
+localparam [31:0] VERSION_VALUE = 32'h00020004; // map 2.4: major in the upper half, minor below
 
 localparam [25:0] REG_ID = 26'h000;              // R  ID_VALUE
 localparam [25:0] REG_VERSION = 26'h004;         // R  VERSION_VALUE
@@ -46,6 +46,7 @@ localparam STATUS_BUSY = 0;    // a frame is being rendered or the core is being
 localparam STATUS_DONE = 1;    // the last frame that was started is complete
 localparam STATUS_REFUSED = 2; // an access or a start was refused since the last start or reset
 localparam STATUS_MEMORY_ERROR = 3; // bit 0 of MEMORY_ERROR
+localparam STATUS_DISPLAY_MISSED = 4; // the display has missed pixels since it was switched on
 
 // What MEMORY_ERROR says of the first access that the memory answered with an error.
 localparam MEMORY_ERROR_SEEN = 0;     // there was one since the host cleared this bit

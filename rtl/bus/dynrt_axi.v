@@ -128,7 +128,7 @@ module dynrt_axi #(
     .bus_valid_i(bus_valid), .bus_write_i(bus_write), .bus_addr_i(bus_addr),
     .bus_wdata_i(bus_wdata), .bus_ready_o(bus_ready), .bus_exists_o(bus_exists),
     .bus_rvalid_o(bus_rvalid), .bus_rdata_o(bus_rdata), .irq_o(irq_o),
-    .scan_clocks_o(), .scan_o(), .scan_shown_i(20'd0), .scan_frames_i(32'd0),
+    .scan_clocks_o(), .scan_o(), .scan_shown_i(20'd0), .scan_frames_i(32'd0), .scan_missed_i(1'b0),
     .memory_read_valid_o(read_valid), .memory_read_ready_i(read_ready), .memory_read_id_o(read_id),
     .memory_read_address_o(read_address), .memory_read_last_o(read_last),
     .memory_beat_valid_i(beat_valid), .memory_beat_ready_o(beat_ready), .memory_beat_id_i(beat_id),

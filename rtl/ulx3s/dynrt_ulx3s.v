@@ -30,7 +30,7 @@ module dynrt_ulx3s (
   genvar i;
   generate
     for (i = 0; i < 16; i = i + 1) begin : data
-      TRELLIS_IO #(.DIR("BIDIR")) pad (.B(sdram_dq_io[i]), .I(dq[i]), .T(!oe), .O(pads[i]));
+      BB pad (.B(sdram_dq_io[i]), .I(dq[i]), .T(!oe), .O(pads[i]));
     end
   endgenerate
 

@@ -94,13 +94,15 @@ module ulx3s_board #(
   wire [32*`DYNRT_CORE_SCAN_WORDS-1:0] scan;
   wire [19:0]          scan_shown;
   wire [31:0]          scan_frames;
+  wire                 starved, underrun;
+  wire                 missed = underrun || starved;
   dynrt_port_board #(.PACKETS(PACKETS), .CACHE_LINES(CACHE_LINES), .SCAN_OUT(1)) core (
     .clk_i(clk), .core_clk_i(clk), .core_clk_en_o(core_clk_en), .rst_ni(rst_n),
     .bus_valid_i(bus_valid), .bus_write_i(bus_write), .bus_addr_i(bus_addr),
     .bus_wdata_i(bus_wdata), .bus_ready_o(bus_ready), .bus_exists_o(), .bus_rvalid_o(bus_rvalid),
     .bus_rdata_o(bus_rdata), .irq_o(irq),
     .scan_clocks_o(scan_clocks), .scan_o(scan), .scan_shown_i(scan_shown),
-    .scan_frames_i(scan_frames),
+    .scan_frames_i(scan_frames), .scan_missed_i(missed),
     .memory_read_valid_o(core_read_valid), .memory_read_ready_i(core_read_ready),
     .memory_read_id_o(core_read_id), .memory_read_address_o(core_read_address),
     .memory_read_last_o(core_read_last),
@@ -181,7 +183,7 @@ module ulx3s_board #(
   );
 
   // The display.
-  wire        running, begins, starved, underrun, bank_en;
+  wire        running, begins, bank_en;
   wire [19:0] base, bank_addr;
   wire [31:0] bank_data;
   wire [3:0]  first, second;
@@ -206,8 +208,8 @@ module ulx3s_board #(
   );
 
   // Lit from the left: the core works, the host has an interrupt to see, the display has missed
-  // pixels.
-  assign led_o = {core_clk_en, irq, underrun || starved, running, 4'd0};
+  // pixels, it is switched on.
+  assign led_o = {core_clk_en, irq, missed, running, 4'd0};
 
   wire unused = &{1'b0, host_write_last, core_write_left, bank_addr};
 

@@ -16,7 +16,7 @@
 
 #include "bus/bus_memory.h"
 #include "host/board/clocked_board.h"
-#include "host/board/registers.h"
+#include "host/board/window.h"
 
 namespace dynrt::host::bus {
 
@@ -46,8 +46,8 @@ class BusBoard final : public ClockedBoard {
   }
   bool write(std::uint32_t address, std::span<const std::uint32_t> words) override {
     for (const std::uint32_t word : words) {
-      if (is_window(address)) {
-        memory_.sram().access(bank(address), true, bank_address(address), word);
+      if (window::holds(address)) {
+        memory_.sram().access(window::bank(address), true, window::word(address), word);
       } else if (!write_register(address, word)) {
         return false;
       }
@@ -57,8 +57,8 @@ class BusBoard final : public ClockedBoard {
   }
   bool read(std::uint32_t address, std::span<std::uint32_t> words) override {
     for (std::uint32_t& word : words) {
-      if (is_window(address)) {
-        word = memory_.sram().word(bank(address), bank_address(address));
+      if (window::holds(address)) {
+        word = memory_.sram().word(window::bank(address), window::word(address));
       } else {
         const std::optional<RegisterAnswer> answer = read_register(address);
         if (!answer || answer->error) return false;
@@ -108,11 +108,6 @@ class BusBoard final : public ClockedBoard {
  private:
   static constexpr int kPatience = 1000;  ///< clocks that an access may wait
 
-  static bool is_window(std::uint32_t address) { return address >> registers::kWindowBit & 1; }
-  static unsigned bank(std::uint32_t address) { return address >> registers::kWindowBankLow & 7; }
-  static std::uint32_t bank_address(std::uint32_t address) {
-    return address >> registers::kWindowWordLow & (kBankWords - 1);
-  }
   bool write_register(std::uint32_t address, std::uint32_t word) {
     const std::optional<RegisterAnswer> answer = try_write(address, word, 15);
     return answer && !answer->error;

@@ -12,7 +12,7 @@
 #include <span>
 #include <stdexcept>
 
-#include "host/board/sram.h"
+#include "host/board/port_sram.h"
 
 namespace dynrt::host::bus {
 
@@ -72,9 +72,7 @@ class BusMemory {
   /// Data of an answer; of one with an error, anything.
   void load(unsigned byte, bool fault, std::span<std::uint8_t> data) {
     for (std::uint8_t& value : data) {
-      const BankWord at = bank_word(byte);
-      const std::uint32_t word = at.bank == kBanks ? 0 : sram_.word(at.bank, at.word);
-      value = fault ? some_byte() : static_cast<std::uint8_t>(word >> (8 * (byte % 4)));
+      value = fault ? some_byte() : port_byte(sram_, byte);
       ++byte;
     }
   }
@@ -84,9 +82,7 @@ class BusMemory {
       const unsigned both = strobe >> b & 3;
       if (both == 0) continue;
       if (both != 3) throw std::logic_error("a write divides a half of a word");
-      const BankWord at = bank_word(byte + b);
-      sram_.write_half(at.bank, at.word, (byte + b) / 2 % 2,
-                       static_cast<std::uint16_t>(data[b] | data[b + 1] << 8));
+      write_port_half(sram_, byte + b, static_cast<std::uint16_t>(data[b] | data[b + 1] << 8));
     }
   }
 

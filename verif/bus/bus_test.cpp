@@ -28,6 +28,7 @@
 #include "host/board/rtl_board.h"
 #include "host/render/compare.h"
 #include "host/render/render.h"
+#include "host/test_error.h"
 
 namespace dynrt::host::bus {
 namespace {
@@ -144,12 +145,16 @@ TYPED_TEST(Buses, AFrameThatIsGivenUpLeavesNothingBehind) {
   this->expect_frame(expected);
 }
 
-/// The registers tell of the first error that the memory gave, and the frame ends.
+/// The frame ends, the registers tell of the first error that the memory gave, and so does who
+/// waits for the frame.
 template <class Test>
 void expect_fault_is_told(Test& test, std::function<unsigned(bool, unsigned)> faults) {
   test.bus_->memory().set_faults(std::move(faults));
   const MemoryImage scene = test.scene();
-  render(*test.board_, test.options_, scene);  // throws if the frame does not end
+  for (const MemoryRun& run : scene.runs()) test.board_->write(run.bank, run.address, run.words);
+  test.board_->configure(frame_config(test.board_->core(), test.options_, scene.frame));
+  test.board_->start();
+  ASSERT_TRUE(test.bus_->run_until_interrupt(test.options_.timeout));
   const std::optional<Fault> fault = test.bus_->memory().first_fault();
   ASSERT_TRUE(fault);
   EXPECT_EQ(test.board_->read_register(reg::kRegStatus) >> reg::kStatusMemoryError & 1, 1u);
@@ -158,7 +163,13 @@ void expect_fault_is_told(Test& test, std::function<unsigned(bool, unsigned)> fa
                       std::uint32_t{fault->write} << reg::kMemoryErrorWrite |
                       fault->response << reg::kMemoryErrorResponse);
   EXPECT_EQ(test.board_->read_register(reg::kRegMemoryErrorAddress), fault->byte);
-  test.board_->write_register(reg::kRegMemoryError, 1);
+  EXPECT_EQ(user_error([&] { test.board_->wait(1, {}); }),
+            fmt::format("board rtl: {} answered a {} of byte {:#x} of the core's memory, so the "
+                        "frame may be wrong; look at what stands behind the core's port at that "
+                        "address",
+                        fault->response == 3 ? "no memory, but an error of the bus,"
+                                             : "an error of the memory",
+                        fault->write ? "write" : "read", fault->byte));
   EXPECT_EQ(test.board_->read_register(reg::kRegMemoryError), 0u);
   EXPECT_EQ(test.board_->read_register(reg::kRegMemoryErrorAddress), 0u);
   test.bus_->memory().set_faults({});

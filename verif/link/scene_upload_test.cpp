@@ -24,7 +24,7 @@ MemoryImage image_of(const std::string& scene) {
   return laid_out(scene, 512, 384, core_info_of_listed<config::fast>("fast"));
 }
 
-void print(const std::string& what, const UploadCost& cost) {
+void print(const std::string& what, const LineCost& cost) {
   fmt::print("{}: {:.2f} MB in {} frames, {:.1f} % of the line's bytes, {:.3f} s\n", what,
              static_cast<double>(cost.carried) / 1e6, cost.frames,
              100.0 * static_cast<double>(cost.carried) / static_cast<double>(cost.sent),
@@ -38,17 +38,17 @@ TEST_P(SceneUpload, SendsLessWhenItMoves) {
   MemoryImage image = image_of(name);
   UploadPlan plan;
   const auto first = plan.changes(port_image(image.runs()));
-  const UploadCost whole = upload_cost(first);
+  const LineCost whole = upload_cost(first);
   print(name, whole);
   EXPECT_GT(static_cast<double>(whole.carried) / static_cast<double>(whole.sent), 0.9);
   EXPECT_EQ(upload_cost(plan.changes(port_image(image.runs()))).sent, 0u);
   if (!(duration(image.scene) > 0)) return;
-  UploadCost moved;
+  LineCost moved;
   constexpr unsigned kFrames = 10;
   for (unsigned i = 1; i <= kFrames; ++i) {
     move_to(image.scene, i / 30.0);
     const FrameImage frame = frame_of(image, instances_of(image), image.view.camera);
-    const UploadCost cost = upload_cost(plan.changes(port_image(frame.memory.runs())));
+    const LineCost cost = upload_cost(plan.changes(port_image(frame.memory.runs())));
     moved.frames += cost.frames;
     moved.carried += cost.carried;
     moved.sent += cost.sent;

@@ -185,11 +185,7 @@ class SdramMemory final : public hls::Device {
   void store(const PortWrite<C>& write) {
     for (unsigned i = 0; i < write.data.size(); ++i) {
       if ((write.mask.to_u64() >> i & 1) == 0) continue;
-      const auto byte = static_cast<unsigned>(write.address.to_u64()) + 2 * i;
-      const BankWord at = bank_word(byte);
-      Word& word = banks_.out.at(at.bank - kFrameBank)[at.word];
-      word = byte % 4 != 0 ? hls::concat(write.data[i], word.template trunc<16>())
-                           : hls::concat(word.template bits<31, 16>(), write.data[i]);
+      banks_.write_half(static_cast<unsigned>(write.address.to_u64()) + 2 * i, write.data[i]);
     }
   }
 

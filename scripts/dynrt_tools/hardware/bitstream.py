@@ -26,7 +26,6 @@ class Board:
 
     top: str
     config: str  # of its core
-    sdram: str  # folder of its controller in a build
     device: str
     grade: str
     constraints: str
@@ -36,13 +35,15 @@ BOARDS = {
     "ulx3s": Board(
         "dynrt_ulx3s",
         "fast_port",
-        "sdram_125",
         "ecp5-85",
         "6",
         "ulx3s.lpf",
     )
 }
 PACKER = "ecppack"
+# nextpnr gives up on a cell after a number of attempts that it squares the cells for, which overflows
+# for so many.
+PATIENT = ("--placer-heap-cell-placement-timeout", "0")
 SUITE = "OSS CAD Suite has it, as it has yosys and the others"
 PORT = re.compile(r"^ +(?:input|output|inout) +(?:wire|reg) +(?:\[(\d+):0\] *)?(\w+)", re.MULTILINE)
 LOCATED = re.compile(r'^LOCATE COMP "([^"]+)" SITE', re.MULTILINE)
@@ -119,10 +120,7 @@ def synthesize(board: Board, args: argparse.Namespace) -> tuple[pathlib.Path, Js
     family = devices.family_of(board.device)
     synth = devices.FAMILIES[family]["synth"]
     core = rtl_files.generated(argparse.Namespace(config=board.config, build=args.build))
-    # The controller of the SDRAM at the board's clock, and not the one that is checked in.
-    controller = rtl_files.units_in(core[0].parents[1] / board.sdram)
-    sources = [f for f in rtl_files.sources(core) if f.parent != rtl_files.SDRAM]
-    files = synthesis.needed(board.top, sources + controller)
+    files = synthesis.needed(board.top, rtl_files.sources(core))
 
     def make(folder: pathlib.Path) -> None:
         synthesis.run_yosys(
@@ -165,6 +163,7 @@ def route(
         [
             program,
             *placers.PLACERS[board.device]["flags"],
+            *PATIENT,
             *("--speed", board.grade),
             *("--json", str(netlist), "--lpf", str(placers.CONSTRAINTS / board.constraints)),
             *("--seed", str(args.seed), "--timing-allow-fail"),
