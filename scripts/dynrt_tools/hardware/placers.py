@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """The tools that place and route: how each is called, and what its report says."""
 
+import contextlib
 import json
 import pathlib
 import subprocess
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any, TypedDict
 
@@ -126,17 +128,11 @@ def run(command: list[str], program: str, timeout: float) -> None:
     raise (DoesNotFit if any(t in said for t in TOO_LARGE) else PlacerFailed)(said)
 
 
-def read_report(path: pathlib.Path, device: str, asked_mhz: float) -> Report:
-    """Reads a report; throws PlacerFailed where it does not hold what is read here."""
-    program, cell = PLACERS[device]["program"], PLACERS[device]["cell"]
+@contextlib.contextmanager
+def reading(program: str) -> Iterator[None]:
+    """Throws PlacerFailed where the program's report does not hold what is read within."""
     try:
-        report: Any = json.loads(path.read_text(encoding="utf-8"))
-        used = {name: int(counts["used"]) for name, counts in report["utilization"].items()}
-        clocks = {
-            name: (float(clock["achieved"]), float(clock["constraint"]))
-            for name, clock in report["fmax"].items()
-        }
-        cells = used[cell]
+        yield
     except FileNotFoundError as error:
         raise PlacerFailed(f"{program} wrote no report") from error
     except (KeyError, TypeError, ValueError, AttributeError) as error:
@@ -144,6 +140,19 @@ def read_report(path: pathlib.Path, device: str, asked_mhz: float) -> Report:
             f"the report of this version of {program} reads otherwise than that of 0.4 to 0.11: "
             f"{unreadable(error)}"
         ) from error
+
+
+def read_report(path: pathlib.Path, device: str, asked_mhz: float) -> Report:
+    """Reads a report; throws PlacerFailed where it does not hold what is read here."""
+    program, cell = PLACERS[device]["program"], PLACERS[device]["cell"]
+    with reading(program):
+        report: Any = json.loads(path.read_text(encoding="utf-8"))
+        used = {name: int(counts["used"]) for name, counts in report["utilization"].items()}
+        clocks = {
+            name: (float(clock["achieved"]), float(clock["constraint"]))
+            for name, clock in report["fmax"].items()
+        }
+        cells = used[cell]
     if not clocks:
         raise PlacerFailed(f"the report of {program} names no clock")
     for name, (_, constraint) in clocks.items():
