@@ -12,11 +12,13 @@ import unittest
 import yaml
 
 from dynrt_tools import project, testing
-from dynrt_tools.hardware import file_lists, rtl_files
+from dynrt_tools.hardware import bitstream, file_lists, rtl_files
 
 ROOT = project.ROOT
 # Filesets of Verilog that is written by hand; the board's has its display too.
-BY_HAND = ("library", "registers", "board", "bus", "examples", "sdram", "link", "display", "ulx3s")
+BY_HAND = "library registers board port_board bus examples sdram link display ulx3s".split()
+# Files of constraints with pins.
+PINS = ("LPF",)
 TEXT = (ROOT / "dynrt.core").read_text(encoding="utf-8")
 
 
@@ -47,9 +49,11 @@ class CoreFile(testing.InFolder):
 
     def test_the_core_behind_a_bus_is_listed_too(self) -> None:
         there = rtl_files.units_in(rtl_files.ALL_GENERATED / "fast_port")
-        wanted = [p.relative_to(ROOT).as_posix() for p in there if p.stem != "scan_out"]
-        self.assertGreater(len(wanted), 25)
-        self.assertEqual(sorted(self.files("port_core")), wanted)
+        self.assertGreater(len(there), 25)
+        self.assertEqual(
+            sorted(self.files("port_core", "port_scan_out")),
+            [p.relative_to(ROOT).as_posix() for p in there],
+        )
 
     def test_every_file_is_there(self) -> None:
         for name in self.files(*self.core["filesets"]):
@@ -72,6 +76,58 @@ class CoreFile(testing.InFolder):
                 if f.endswith(".v")
             )
             self.assertRegex(text, rf"\nmodule {target['toplevel']}\b", name)
+
+    def elaborated(self, files: list[str], top: str) -> str:
+        """What Icarus Verilog says of a top in these files; it knows the vendors' cells too."""
+        folders = {ROOT / pathlib.PurePath(f).parent for f in files if f.endswith(".vh")}
+        sources = [ROOT / f for f in files if f.endswith(".v")]
+        command = ["iverilog", "-g2005", "-t", "null", "-s", top, "-y", f"{ROOT}/verif/vendor"]
+        result = testing.run(*command, *(f"-I{f}" for f in sorted(folders)), *sources)
+        self.assertEqual(result.returncode == 0, not result.stderr, result.stderr)
+        return result.stderr
+
+    def test_targets_lack_no_file(self) -> None:
+        tops = set()
+        for name, target in self.core["targets"].items():
+            files = self.files(*target["filesets"])
+            self.assertEqual(self.elaborated(files, target["toplevel"]), "", name)
+            tops.add(target["toplevel"])
+        self.assertGreaterEqual(tops, {"dynrt_axi", "dynrt_wishbone", "dynrt_ulx3s"})
+
+    def test_a_target_needs_its_files(self) -> None:
+        for name in ("axi", "wishbone", *self.boards()):
+            target = self.core["targets"][name]
+            files = self.files(*target["filesets"])
+            text = self.top_of(target).read_text(encoding="utf-8")
+            modules = set(re.findall(r"^  (\w+)(?: #\(.*\))? \w+ \($", text, re.MULTILINE))
+            self.assertTrue(modules, name)
+            for module in modules:
+                without = [f for f in files if pathlib.PurePath(f).stem != module]
+                self.assertLess(len(without), len(files), f"{name}: {module}")
+                said = self.elaborated(without, target["toplevel"])
+                self.assertIn(f"Unknown module type: {module}", said)
+
+    def top_of(self, target: project.Json) -> pathlib.Path:
+        """The file of a target's top."""
+        names = self.files(*target["filesets"])
+        return ROOT / next(n for n in names if n.endswith(f"/{target['toplevel']}.v"))
+
+    def boards(self) -> list[str]:
+        """The targets that have pins."""
+        kinds = {name: fileset["file_type"] for name, fileset in self.core["filesets"].items()}
+        targets = self.core["targets"].items()
+        return [n for n, t in targets if any(kinds[f] in PINS for f in t["filesets"])]
+
+    def test_boards_have_their_pins(self) -> None:
+        self.assertEqual(self.boards(), ["ulx3s"])
+        for name in self.boards():
+            target = self.core["targets"][name]
+            files = [f for f in self.files(*target["filesets"]) if f.startswith("constraints/")]
+            text = "".join((ROOT / f).read_text(encoding="utf-8") for f in files)
+            pins = bitstream.pins_of(self.top_of(target))
+            self.assertGreater(len(pins), 2, name)
+            for pin in pins:
+                self.assertIn(f'"{pin}"', text, name)
 
     def test_the_board_is_made_for_the_core_that_is_listed(self) -> None:
         listed = json.loads((ROOT / "hls/configs/configs.json").read_text(encoding="utf-8"))
