@@ -4,7 +4,8 @@
 // Gathers what the shading of a packet writes into bursts, for a memory behind the port. The
 // shading goes ray by ray, row by row, and with each ray through the words of its hit record. So
 // the pixels of a row of the packet become one burst, and two words of each half of a hit record
-// another; rows begin at multiples of kPitchStep pixels, so that no burst crosses a beat.
+// another; rows begin at multiples of kPitchStep pixels, so that no burst crosses a beat. A beat or
+// a burst may be longer than what it writes: the mask says which pixels, or words, are written.
 #pragma once
 
 #include <algorithm>
@@ -12,20 +13,22 @@
 
 #include "units/frame_writer.h"
 #include "units/memory_port.h"
+#include "units/pixel.h"
 
 namespace dynrt {
 
-/// The words of 8 or 16 bytes, from the lowest address on.
+/// The words of 4, 8 or 16 bytes, from the lowest address on.
 inline constexpr unsigned kWriteBytes = 16;
 template <class C>
 struct WriteBurst {
+  static constexpr unsigned kPartBytes = PixelOf<C>::kBytes;  ///< that are written or not
   static constexpr unsigned beats(unsigned bytes) { return std::max(bytes / kBeatBytes<C>, 1u); }
   uint<hls::index_width(std::max(beats(kWriteBytes), 2u))> repeat;  ///< beats less one
   bool ends = false;                                                ///< the packet is written
   FreePacket<C> packet;
   uint<kMemoryAddressBits> address;  ///< of the first byte, aligned
   std::array<Word, kWriteBytes / 4> data;
-  uint<kWriteBytes / 4> mask;  ///< the words to be written
+  uint<kWriteBytes / kPartBytes> mask;  ///< the parts to be written
   HLS_FIELDS(repeat, ends, packet, address, data, mask)
 };
 
@@ -50,14 +53,19 @@ class FrameGather {
     WriteBurst<C> b = row_ends ? of_pixels(write.pixel) : of_hits(write);
     b.packet = write.packet;
     b.ends = write.last;
-    if (b.mask == uint<4>(0)) b.repeat = 0;
-    if (write.last || ((row_ends || pair_ends) && b.mask != uint<4>(0))) burst.write(b);
+    if (b.mask == Mask(0)) b.repeat = 0;
+    if (write.last || ((row_ends || pair_ends) && b.mask != Mask(0))) burst.write(b);
     before_ = write;
   }
 
  private:
-  static constexpr unsigned kRowBytes = 4 * kColumns;
+  using Pixel = PixelOf<C>;
+  using Mask = decltype(WriteBurst<C>::mask);
   using Repeats = decltype(WriteBurst<C>::repeat);
+  static constexpr unsigned kRowBytes = Pixel::kBytes * kColumns;
+  /// Rows of a packet that a beat, or the burst, has room for.
+  static constexpr unsigned kRowsOfBeat =
+      std::max(std::min(kBeatBytes<C>, kWriteBytes) / kRowBytes, 1u);
   static Repeats repeats(unsigned bytes) { return Repeats::from(WriteBurst<C>::beats(bytes) - 1); }
 
   /// The row that ends with pixel `last`. A beat that is longer has it in each of its parts.
@@ -65,17 +73,23 @@ class FrameGather {
     WriteBurst<C> b;
     b.repeat = repeats(kRowBytes);
     const auto row = last.template bits<19, hls::index_width(kColumns)>();
-    b.address = hls::concat(uint<3>(kPixelsAt >> 22),
+    constexpr unsigned kByteBits = 20 + hls::index_width(Pixel::kBytes);  // within all pixels
+    b.address = hls::concat(uint<kMemoryAddressBits - kByteBits>(kPixelsAt >> kByteBits),
                             hls::concat(row, uint<hls::index_width(kRowBytes)>(0)));
-    for (unsigned i = 0; i < b.data.size(); ++i) b.data[i] = pixels_[i % kColumns];
-    if constexpr (kColumns == 4) {
-      b.mask = inside_;
-    } else if (kBeatBytes<C> > kRowBytes && row.template bit<0>()) {
-      b.mask = hls::concat(inside_, uint<2>(0));
-    } else {
-      b.mask = inside_.template zext<4>();
+    for (unsigned i = 0; i < b.data.size(); ++i) b.data[i] = word(i);
+    b.mask = inside_.template zext<Mask::kWidth>();
+    if constexpr (kRowsOfBeat > 1) {
+      const auto place = row.template trunc<hls::index_width(kRowsOfBeat)>();
+      b.mask = b.mask << hls::concat(place, uint<hls::index_width(kColumns)>(0));
     }
     return b;
+  }
+  Word word(unsigned number) const {
+    if constexpr (Pixel::kBytes == 4) {
+      return pixels_[number % kColumns];
+    } else {
+      return hls::concat(pixels_[(2 * number + 1) % kColumns], pixels_[2 * number % kColumns]);
+    }
   }
   /// A step's words, and those of the step before it.
   WriteBurst<C> of_hits(const FrameWrite<C>& write) const {
@@ -84,12 +98,13 @@ class FrameGather {
     b.address = hls::concat(uint<2>(kHitsAt >> 23),
                             hls::concat(write.hit.template bits<19, 1>(), uint<4>(0)));
     b.data = {before_.place, before_.surface, write.place, write.surface};
-    const auto twice = [](bool has) { return has ? uint<2>(3) : uint<2>(0); };
-    b.mask = hls::concat(twice(write.has_hit), twice(before_.has_hit));
+    using Half = uint<Mask::kWidth / 2>;
+    const auto all = [](bool has) { return has ? Half::ones() : Half(0); };
+    b.mask = hls::concat(all(write.has_hit), all(before_.has_hit));
     return b;
   }
 
-  std::array<Word, kColumns> pixels_;
+  std::array<typename Pixel::Bits, kColumns> pixels_;
   uint<kColumns> inside_;  ///< of the pixels
   FrameWrite<C> before_;
 };

@@ -8,6 +8,7 @@
 
 #include <array>
 
+#include "units/pixel.h"
 #include "units/ray_generation.h"
 
 namespace dynrt {
@@ -19,7 +20,7 @@ struct FrameWrite {
   bool has_hit = false;
   bool last = false;  ///< of the packet
   uint<20> pixel;     ///< word of bank 3
-  Word colour;
+  typename PixelOf<C>::Bits colour;
   uint<20> hit;  ///< word of banks 4 and 5
   Word place;    ///< of a HitPlace
   Word surface;  ///< of a HitSurface

@@ -28,7 +28,7 @@ struct MemoryWrite {
       }
     }
     beat.left = uint<3>::from((b.job.repeat - b.index).raw());
-    if (b.job.mask != uint<4>(0)) write.write(beat);
+    if (b.job.mask != decltype(b.job.mask)(0)) write.write(beat);
     if (b.last && b.job.ends) free.write(b.job.packet);
   }
 
@@ -36,6 +36,7 @@ struct MemoryWrite {
   static constexpr unsigned kBeats = WriteBurst<C>::beats(kWriteBytes);
   static constexpr unsigned kHalves = kBeatBytes<C> / 2;
   static constexpr unsigned kBurstHalves = kWriteBytes / 2;
+  static constexpr unsigned kPartHalves = WriteBurst<C>::kPartBytes / 2;
 
   /// The halves of beat `number`. One that is longer than the burst has it in each of its parts,
   /// and writes that of the address.
@@ -46,7 +47,7 @@ struct MemoryWrite {
       beat.data[h] = half % 2 == 0 ? word.template trunc<16>() : word.template bits<31, 16>();
       const bool here =
           kHalves <= kBurstHalves || bool(burst.address.template bit<4>()) == (h >= kBurstHalves);
-      if (here && burst.mask.bit(half / 2)) beat.mask = beat.mask | bit(h);
+      if (here && burst.mask.bit(half / kPartHalves)) beat.mask = beat.mask | bit(h);
     }
   }
   static decltype(PortWrite<C>::mask) bit(unsigned h) {

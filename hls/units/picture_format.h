@@ -7,26 +7,10 @@
 #pragma once
 
 #include "units/memory_format.h"
+#include "units/pixel.h"
 #include "units/scan_out.h"
 
 namespace dynrt {
-
-/// A pixel of 32 bits, as in a bank of SRAM: red lowest, the highest byte empty.
-struct WordPixel {
-  static constexpr unsigned kBytes = 4;
-  static uint<24> colour(uint<32> pixel) { return pixel.trunc<24>(); }
-};
-/// A pixel of 16 bits: red in bits 4 to 0, green in 10 to 5, blue in 15 to 11. The colour has the
-/// highest bits below once more, so that the brightest is 255.
-struct HalfPixel {
-  static constexpr unsigned kBytes = 2;
-  static uint<24> colour(uint<16> pixel) {
-    const auto red = hls::concat(pixel.bits<4, 0>(), pixel.bits<4, 2>());
-    const auto green = hls::concat(pixel.bits<10, 5>(), pixel.bits<10, 9>());
-    const auto blue = hls::concat(pixel.bits<15, 11>(), pixel.bits<15, 13>());
-    return hls::concat(hls::concat(blue, green), red);
-  }
-};
 
 /// Bytes of a burst, which is aligned; a controller of SDRAM takes no longer one.
 inline constexpr unsigned kBurstBytes = 32;

@@ -47,14 +47,5 @@ TYPED_TEST(PicturePixelsTest, KeepsThePixelsOfRows) {
   this->expect_picture(4095, 3, random);
 }
 
-TEST(HalfPixel, HasTheEndsOfTheRange) {
-  EXPECT_EQ(HalfPixel::colour(0x0000), uint<24>(0));
-  EXPECT_EQ(HalfPixel::colour(0xffff), uint<24>(0xffffff));
-  EXPECT_EQ(HalfPixel::colour(0x001f), uint<24>(0x0000ff));  // red
-  EXPECT_EQ(HalfPixel::colour(0x07e0), uint<24>(0x00ff00));
-  EXPECT_EQ(HalfPixel::colour(0xf800), uint<24>(0xff0000));  // blue
-  EXPECT_EQ(HalfPixel::colour(0x0410), uint<24>(0x008284));
-}
-
 }  // namespace
 }  // namespace dynrt

@@ -90,7 +90,7 @@ struct Shading {
     } else {
       w.has_pixel = true;
       w.pixel = at;
-      w.colour = colour;
+      w.colour = PixelOf<C>::of(colour);
     }
   }
   void put_hit(FrameWrite<C>& w, BankAddress at, Word place, Word surface) {
@@ -154,6 +154,7 @@ struct Shading {
                                  : hls::word_of<2>(words);
   }
 
+  static_assert(kHasPort<C> || C::kPixelBits == 32, "a bank's word holds one pixel");
   [[no_unique_address]] std::conditional_t<kHasPort<C>, FrameGather<C>, hls::Absent> gather_;
 };
 

@@ -64,6 +64,9 @@ class Board {
   virtual void write(unsigned bank, std::uint32_t address,
                      std::span<const std::uint32_t> words) = 0;
   virtual void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) = 0;
+  /// Consecutive pixels of bank 3, from number `first` on, as 0x00BBGGRR, whatever the core's
+  /// pixels are.
+  virtual void read_pixels(std::uint32_t first, std::span<std::uint32_t> pixels);
 
   /// Sends what write() has kept back, if the way to the board is such that it pays.
   virtual void finish_writes() {}

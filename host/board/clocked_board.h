@@ -34,7 +34,8 @@ class ClockedBoard {
   virtual std::uint64_t clocks() const = 0;  ///< since power-up
   /// Shows the VGA pins of every clock to this monitor from now on; null: to none.
   virtual void watch(VgaMonitor* monitor) = 0;
-  virtual std::uint64_t frame_writes() const = 0;  ///< words written to bank 3 since power-up
+  /// Halves of words written to bank 3 since power-up.
+  virtual std::uint64_t frame_writes() const = 0;
 };
 
 /// Makes a board. The second kind is slower and shows more: it writes waveforms to the FST file

@@ -99,7 +99,8 @@ FrameRun RtlBoard::wait(std::uint64_t timeout, const PixelProgress& progress) {
     const std::uint64_t step = std::min(left, kClocksPerReport);
     clocked_->run_until_interrupt(step);
     // A core that writes pixels for ever is stuck as well.
-    const std::uint64_t now = std::min(clocked_->frame_writes() - frame_writes_at_start_, pixels);
+    const std::uint64_t halves = clocked_->frame_writes() - frame_writes_at_start_;
+    const std::uint64_t now = std::min(2 * halves / core_.pixel_bytes(), pixels);
     left = now > written ? timeout : left - step;
     written = now;
     if (progress) progress(written);

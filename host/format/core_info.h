@@ -39,6 +39,7 @@ struct CoreInfo : CoreConfiguration {
   /// Whether objects lie in the memory such that their box is the cube from -1 to 1, to which the
   /// core clips (units/box_clip.h).
   bool clips_to_box() const { return object_box == ObjectBox::kUnit; }
+  unsigned pixel_bytes() const { return pixel_bits / 8; }
   /// Pixels from the beginning of an image's row to that of the next, in the banks.
   unsigned pitch(unsigned width) const {
     return memory == MemoryPath::kPort ? row_pitch(width) : width;

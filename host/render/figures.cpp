@@ -90,7 +90,7 @@ std::optional<CacheFigures> second_level_of(const Frame& frame, const CounterTot
 MemoryFigures memory_of(const Frame& frame, const std::vector<CacheFigures>& caches,
                         const CounterTotals& totals) {
   MemoryFigures memory;
-  memory.pixels = sizeof(std::uint32_t) * frame.pixels.size();
+  memory.pixels = frame.core.pixel_bytes() * frame.pixels.size();
   memory.hits = 2 * kHitWords * sizeof(std::uint32_t) * frame.hits.size();
   if (const auto beats = value_of(totals, counters::kBeats)) {
     memory.read = *beats * frame.core.port_bytes;

@@ -73,6 +73,9 @@ TEST(Figures, BeatsAreBytesFromThePort) {
   EXPECT_EQ(figures.caches.back().name, "second");
   EXPECT_EQ(figures.caches.back().misses, 20u);
   EXPECT_DOUBLE_EQ(figures.caches.back().hit_rate, 0.8);
+  EXPECT_EQ(figures.memory.pixels, 100u * 4);
+  frame.core.pixel_bits = 16;
+  EXPECT_EQ(figures_of(frame, 85e6).memory.pixels, 100u * 2);
 }
 
 TEST(Figures, DroppedPushesAreTokensOfFullStacks) {

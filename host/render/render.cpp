@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "hls/bits.h"
 #include "host/error.h"
@@ -18,17 +19,15 @@ namespace {
 
 constexpr unsigned kFullAmbient = 256;
 constexpr unsigned kAmbient = 64;  ///< where there are lights: a quarter
-constexpr std::uint32_t kBufferWords = kBankWords / kFrameBuffers;
-static_assert(kMaxPixels <= kBufferWords && kBufferWords % kPitchStep == 0);
+constexpr std::uint32_t kBufferPixels = kBankWords / kFrameBuffers;
+static_assert(kMaxPixels <= kBufferPixels && kBufferPixels % kPitchStep == 0 &&
+              kBufferPixels % 16 == 0);  // of 16 bits, those of a display's burst
 
-/// The words of an image from a bank, so many for each pixel.
-std::vector<std::uint32_t> read(Board& board, unsigned bank, std::uint32_t address,
-                                const FrameOptions& image, unsigned of_pixel) {
-  const unsigned pitch = board.core().pitch(image.width);
-  const std::size_t row = std::size_t{image.width} * of_pixel;
-  std::vector<std::uint32_t> words(std::size_t{pitch} * image.height * of_pixel);
-  board.read(bank, address, words);
+/// An image's words, so many for each pixel, without the gaps between its rows.
+std::vector<std::uint32_t> without_gaps(std::vector<std::uint32_t> words, unsigned pitch,
+                                        const FrameOptions& image, unsigned of_pixel) {
   if (pitch == image.width) return words;
+  const std::size_t row = std::size_t{image.width} * of_pixel;
   for (std::size_t y = 0; y < image.height; ++y) {
     std::ranges::copy_n(words.begin() + static_cast<std::ptrdiff_t>(y * pitch * of_pixel),
                         static_cast<std::ptrdiff_t>(row),
@@ -38,14 +37,30 @@ std::vector<std::uint32_t> read(Board& board, unsigned bank, std::uint32_t addre
   return words;
 }
 
+std::vector<std::uint32_t> read_pixels(Board& board, std::uint32_t first,
+                                       const FrameOptions& image) {
+  const unsigned pitch = board.core().pitch(image.width);
+  std::vector<std::uint32_t> pixels(std::size_t{pitch} * image.height);
+  board.read_pixels(first, pixels);
+  return without_gaps(std::move(pixels), pitch, image, 1);
+}
+
+/// Those of one of the banks.
+std::vector<std::uint32_t> read_hit_words(Board& board, unsigned bank, const FrameOptions& image) {
+  const unsigned pitch = board.core().pitch(image.width);
+  std::vector<std::uint32_t> words(std::size_t{pitch} * image.height * kHitWords);
+  board.read(bank, 0, words);
+  return without_gaps(std::move(words), pitch, image, kHitWords);
+}
+
 template <unsigned W>
 std::uint32_t number(hls::uint<W> bits) {
   return static_cast<std::uint32_t>(bits.to_u64());
 }
 
 std::vector<HitRecord> read_hits(Board& board, const FrameOptions& image) {
-  const auto first = read(board, kHitBank, 0, image, kHitWords);
-  const auto second = read(board, kHitBank + 1, 0, image, kHitWords);
+  const auto first = read_hit_words(board, kHitBank, image);
+  const auto second = read_hit_words(board, kHitBank + 1, image);
   std::vector<HitRecord> hits(std::size_t{image.width} * image.height);
   for (std::size_t p = 0; p < hits.size(); ++p) {
     const auto place = hls::unpack<HitPlace>(&first[p * kHitWords]);
@@ -113,7 +128,7 @@ FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
   frame.start_node = to_word(scene.start_node);
   frame.camera_matrix = to_word(scene.camera_matrix);
   frame.background = to_word(options.background);
-  frame.frame_base = to_word(options.buffer % kFrameBuffers * kBufferWords);
+  frame.frame_base = to_word(options.buffer % kFrameBuffers * kBufferPixels);
   frame.write_hits = to_word(options.hits);
   frame.uncompressed = to_word(options.uncompressed);
   // A core without light rays has the eye light alone.
@@ -177,8 +192,7 @@ Frame render(Board& board, const FrameOptions& options, const SceneAddresses& sc
   frame.packets = static_cast<unsigned>(config.packets.to_u64());
   frame.lines = static_cast<unsigned>(config.line_mask.to_u64()) + 1;
   frame.run = board.wait(options.timeout, progress);
-  frame.pixels =
-      read(board, kFrameBank, static_cast<std::uint32_t>(config.frame_base.to_u64()), options, 1);
+  frame.pixels = read_pixels(board, number(config.frame_base), options);
   if (options.hits) frame.hits = read_hits(board, options);
   frame.counters = board.counters();
   frame.traffic = board.traffic() - before;

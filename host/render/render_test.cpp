@@ -169,6 +169,45 @@ TEST(Render, UploadsRendersAndReadsBack) {
   EXPECT_EQ(frame.run.cycles, 1000u);
 }
 
+TEST(Render, ReadsPixelsOfSixteenBits) {
+  CoreInfo core = small_core();
+  core.memory = MemoryPath::kPort;
+  core.pixel_bits = 16;
+  FakeBoard board(core);
+  // Two rows of five, each from a multiple of four pixels on; the gaps hold anything.
+  board.on_start = [](const FrameConfig& config, FakeBoard::Memory& memory) {
+    EXPECT_EQ(config.frame_base.to_u64() % 16, 0u) << "a display's burst begins with a picture";
+    for (std::uint32_t p = 0; p < 16; ++p) {
+      const std::uint32_t shift = p % 2 * 16;
+      const std::uint32_t pixel = p % 8 < 5 ? p : 0xffff;
+      memory[3][(config.frame_base.to_u64() + p) / 2] |= pixel << shift;
+    }
+  };
+  const FrameOptions options{.width = 5, .height = 2, .hits = false, .buffer = 1};
+  const Frame frame = render(board, options, {}, {}, {});
+  std::vector<std::uint32_t> expected;
+  for (std::uint32_t p = 0; p < 16; ++p) {
+    if (p % 8 < 5) expected.push_back(p << 3 | p >> 2);  // five bits of red, stretched
+  }
+  EXPECT_EQ(frame.pixels, expected);
+  EXPECT_EQ(frame.traffic.bytes_read, 4u * 16 / 2);
+}
+
+TEST(BoardPixels, MayBeginAndEndWithinAWord) {
+  CoreInfo core = small_core();
+  core.pixel_bits = 16;
+  FakeBoard board(core);
+  board.memory[3][4] = 0xffff'0000;
+  board.memory[3][5] = 0x07e0'001f;
+  board.memory[3][6] = 0x0000'f800;
+  std::vector<std::uint32_t> pixels(4);
+  board.read_pixels(9, pixels);
+  EXPECT_EQ(pixels, (std::vector<std::uint32_t>{0xffffff, 0x0000ff, 0x00ff00, 0xff0000}));
+  pixels.resize(1);
+  board.read_pixels(10, pixels);
+  EXPECT_EQ(pixels.front(), 0x0000ffu);
+}
+
 TEST(Render, EveryBufferIsItsOwnAndHitsAreReadOnRequest) {
   FakeBoard board;
   std::uint32_t colour = 1;

@@ -228,6 +228,7 @@ constexpr Rule kRules[] = {
     {"memory_clocks", Holds::kAlways, of_board},
     {"memory", Holds::kAlways, of_board},
     {"port_bytes", Holds::kAlways, of_board},
+    {"pixel_bits", Holds::kAlways, of_board},
     {"ways", Holds::kAlways, hits_stay},
     {"second_level", Holds::kAlways, hits_stay},
     {"second_line", Holds::kAlways, hits_stay},

@@ -74,17 +74,17 @@ void Ulx3sBoard::configure(const FrameConfig& frame) {
   shown_ = frame;
 }
 
-void Ulx3sBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) {
-  const bool is_picture = bank == kFrameBank && address == shown_.frame_base.to_u64() &&
-                          words.size() == shown_.width.to_u64() * shown_.height.to_u64();
+void Ulx3sBoard::read_pixels(std::uint32_t first, std::span<std::uint32_t> pixels) {
+  const bool is_picture = first == shown_.frame_base.to_u64() &&
+                          pixels.size() == shown_.width.to_u64() * shown_.height.to_u64();
   if (simulated_ != nullptr && shows_ && is_picture) {
-    read_display(words);
+    read_display(pixels);
   } else {
-    RtlBoard::read(bank, address, words);
+    RtlBoard::read_pixels(first, pixels);
   }
 }
 
-void Ulx3sBoard::read_display(std::span<std::uint32_t> words) {
+void Ulx3sBoard::read_display(std::span<std::uint32_t> pixels) {
   simulated_->take_frames();
   // The frame under way may have begun before the picture was complete.
   std::vector<DisplayFrame> frames;
@@ -103,7 +103,7 @@ void Ulx3sBoard::read_display(std::span<std::uint32_t> words) {
     const std::size_t row = (top + y) * kMode.hdisplay + left;
     std::ranges::copy_n(frame.pixels.begin() + static_cast<std::ptrdiff_t>(row),
                         static_cast<std::ptrdiff_t>(width),
-                        words.begin() + static_cast<std::ptrdiff_t>(y * width));
+                        pixels.begin() + static_cast<std::ptrdiff_t>(y * width));
   }
 }
 

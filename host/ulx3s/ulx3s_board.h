@@ -36,11 +36,11 @@ class Ulx3sBoard final : public RtlBoard {
   bool emulates_memory() const override { return false; }
   BusTraffic traffic() const override { return linked_.traffic(); }
   void configure(const FrameConfig& frame) override;
-  void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override;
+  void read_pixels(std::uint32_t first, std::span<std::uint32_t> pixels) override;
 
  private:
   /// The picture as it is shown.
-  void read_display(std::span<std::uint32_t> words);
+  void read_display(std::span<std::uint32_t> pixels);
 
   /// `linked` is what the base owns.
   Ulx3sBoard(std::string name, LinkedBoard& linked, std::unique_ptr<LinkedBoard>&& owned,

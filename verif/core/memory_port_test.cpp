@@ -3,27 +3,35 @@
 //
 // Cores whose scene lies behind one port: whatever the width of the port, the second level of cache
 // and the number of pipelines, rays have the hits and the pixels that they have where it lies in
-// banks.
+// banks; pixels of 16 bits have the nearest colours below.
 #include "configs/fast.h"
 #include "configs/thesis.h"
 #include "core/specialised.h"
+#include "units/pixel.h"
 
 namespace dynrt::host::specialised {
 namespace {
 
 template <class C, unsigned Bytes, unsigned SecondLevel = 0, unsigned Ways = 1,
-          unsigned Pipelines = 1>
+          unsigned Pipelines = 1, unsigned PixelBits = 32>
 struct Behind : C {
   static constexpr auto kMemory = MemoryPath::kPort;
   static constexpr unsigned kPortBytes = Bytes;
   static constexpr unsigned kSecondLevel = SecondLevel;
   static constexpr unsigned kSecondWays = Ways;
   static constexpr unsigned kPipelines = Pipelines;
+  static constexpr unsigned kPixelBits = PixelBits;
 };
+template <class C, unsigned Bytes>
+using ShortPixels = Behind<C, Bytes, 0, 1, 1, 16>;
 
 template <class C, class Port>
 void expect_as_from_banks(const std::string& scene) {
-  const Frame banks = rendered(*board_of<C>(), scene, {});
+  Frame banks = rendered(*board_of<C>(), scene, {});
+  for (std::uint32_t& pixel : banks.pixels) {
+    pixel = static_cast<std::uint32_t>(
+        PixelOf<Port>::colour(PixelOf<Port>::of(hls::uint<32>::from(pixel))).to_u64());
+  }
   const auto board = board_of<Port>();
   // Twice, as a core must begin its second frame as it did its first.
   rendered(*board, scene, {});
@@ -46,6 +54,13 @@ TEST(MemoryPort, WithASecondLevelToo) {
   expect_as_from_banks<fast, Behind<fast, 2, 16, 2>>("cistern");
   expect_as_from_banks<fast, Behind<fast, 32, 128, 4>>("conference");
   expect_as_from_banks<fast, Behind<fast, 16, 64, 4, 4>>("trees4000");
+}
+
+TEST(MemoryPort, TakesPixelsOfSixteenBits) {
+  using config::fast, config::thesis;
+  expect_as_from_banks<thesis, ShortPixels<thesis, 8>>("office");
+  expect_as_from_banks<fast, ShortPixels<fast, 4>>("office");
+  expect_as_from_banks<fast, Behind<fast, 16, 64, 4, 2, 16>>("cistern");
 }
 
 TEST(MemoryPort, ALineIsReadOnceForAllThatWaitForIt) {

@@ -179,6 +179,13 @@ KEYS: dict[str, Key] = {
     "second_ways": Key(
         Whole(1, 4, power_of_two=True), "kSecondWays", "ways of the second level", 4
     ),
+    "pixel_bits": Key(
+        Whole(16, 32, power_of_two=True),
+        "kPixelBits",
+        "bits of a pixel in the memory: 32, a byte for each colour and one that is empty, or 16, five "
+        "for red and blue and six for green",
+        32,
+    ),
     "lights": Key(Whole(0, 8), "kLights", "passes of light rays from a packet's hits, at most", 0),
     "reflections": Key(Whole(0, 15), "kReflections", "bounces of a ray, at most", 0),
     "scan_out": Key(

@@ -34,6 +34,7 @@ WATERTIGHT = ("triangle_test", "watertight")
 WATERTIGHT_COMMON = ("triangle_test", "watertight_common")
 IN_BANKS = ("memory", "banks")
 BEHIND_PORT = ("memory", "port")
+HALF_PIXELS = ("pixel_bits", 16)
 ONE_LEVEL = ("levels", 1)
 MAIN_FIRST = ("main_first", True)
 COMMON_ORIGIN = ("origins", "common")
@@ -70,6 +71,20 @@ RULES: tuple[Rule, ...] = (
         lambda v: v == 0,
         "0",
         "the second level stands before the port",
+    ),
+    Rule(
+        *IN_BANKS,
+        "pixel_bits",
+        lambda v: v == 32,
+        "32",
+        "a bank's word holds one pixel",
+    ),
+    Rule(
+        *HALF_PIXELS,
+        "scan_out",
+        lambda v: v is False,
+        "false",
+        "the VGA display takes a pixel of each word of a bank",
     ),
     Rule(
         "port_bytes",

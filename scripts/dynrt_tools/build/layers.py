@@ -76,6 +76,7 @@ ROOMS = {
 PUBLISHED = {
     "hls/units/memory_format.h": ("host",),
     "hls/units/memory_timing.h": ("host",),
+    "hls/units/pixel.h": ("host",),
     "hls/units/frame.h": ("host",),
     "hls/units/frame_watch.h": ("host",),
     "hls/units/options.h": ("host",),
