@@ -32,7 +32,7 @@ add_custom_target(update-generated)
 
 # The configurations whose Verilog is checked in, for readers and builds without LLVM: the thesis's,
 # the one that programs take, and the one with a port to its memory, for rtl/bus and rtl/ulx3s. What has
-# none is checked in, too: the SDRAM's controller as `sdram`, units of the display as `display`.
+# none is checked in, too: the SDRAM's controller as `sdram`, the encoder of the display as `display`.
 set(DYNRT_CHECKED_IN thesis fast fast_port sdram display)
 
 # dynrt_checked_in(CONFIG FILE TARGET): FILE, which TARGET makes, is also checked in under

@@ -15,6 +15,7 @@
 #include DYNRT_CONFIG_HEADER
 #include "join/emit_top.h"
 #include "units/list_units.h"
+#include "units/pixel.h"
 #include "units/scan_out.h"
 #include "units/start.h"
 
@@ -34,6 +35,7 @@ std::string memory_macros(const auto& define) {
   return "\n// The memory's port (hls/units/memory_port.h).\n" +
          define("MEMORY_ID_BITS", hls::bit_width_of<dynrt::PortId<C>>()) +
          define("MEMORY_BEAT_BYTES", dynrt::kBeatBytes<C>) +
+         define("MEMORY_PIXEL_BYTES", dynrt::PixelOf<C>::kBytes) +
          define("MEMORY_READ_BEATS", dynrt::kReadBeats<C>);
 }
 

@@ -14,6 +14,8 @@ namespace dynrt {
 
 /// Bytes of a burst, which is aligned; a controller of SDRAM takes no longer one.
 inline constexpr unsigned kBurstBytes = 32;
+/// Bursts that rtl/display/picture_stream.v has room for.
+inline constexpr unsigned kPictureAhead = 64;
 /// Pixels of a burst. The picture's base is a multiple of them.
 template <class Pixel>
 inline constexpr unsigned kBurstPixels = kBurstBytes / Pixel::kBytes;

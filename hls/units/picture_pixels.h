@@ -53,4 +53,8 @@ struct PicturePixels {
   bool behind_ = false;  ///< the picture
 };
 
+/// As it is lowered with the core of configuration C.
+template <class C>
+using PicturePixelsOf = PicturePixels<PixelOf<C>>;
+
 }  // namespace dynrt

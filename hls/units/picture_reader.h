@@ -80,4 +80,8 @@ struct PictureReader {
   bool has_room_ = true;                ///< for one
 };
 
+/// As it is lowered with the core of configuration C.
+template <class C, unsigned Ahead = kPictureAhead>
+using PictureReaderOf = PictureReader<PixelOf<C>, C::kPortBytes, Ahead>;
+
 }  // namespace dynrt

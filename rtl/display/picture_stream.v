@@ -10,13 +10,15 @@
 // picture stays in its place. A picture that begins anew drops what is left of the one before. When
 // the display is switched off, reads are under way; their beats are dropped before it goes on.
 //
-// The units are lowered for BEAT_BYTES, PIXEL_BYTES and AHEAD (hls/units/picture_reader.h).
+// The units are lowered with the core, for its port and its pixels (hls/units/picture_reader.h), or for
+// others, as the parameters say.
 `default_nettype none
+`include "dynrt_core.vh"
 
 module picture_stream #(
-  parameter BEAT_BYTES = 16,  // of the port
-  parameter PIXEL_BYTES = 4,  // 2 or 4
-  parameter AHEAD = 64        // bursts of 32 bytes that the FIFO has room for
+  parameter BEAT_BYTES = `DYNRT_CORE_MEMORY_BEAT_BYTES,   // of the port
+  parameter PIXEL_BYTES = `DYNRT_CORE_MEMORY_PIXEL_BYTES, // 2 or 4
+  parameter AHEAD = 64 // bursts of 32 bytes that the FIFO has room for
 ) (
   input  wire                    clk_i,
   input  wire                    rst_ni,

@@ -187,7 +187,7 @@ module ulx3s_board #(
   wire [19:0] base, bank_addr;
   wire [31:0] bank_data;
   wire [3:0]  first, second;
-  picture_stream #(.BEAT_BYTES(BEAT_BYTES)) picture (
+  picture_stream picture (
     .clk_i(clk), .rst_ni(rst_n), .running_i(running), .config_i(scan), .begins_i(begins),
     .base_i(base), .bank_en_i(bank_en), .bank_data_o(bank_data), .underrun_o(underrun),
     .read_valid_o(display_read_valid), .read_ready_i(display_read_ready),

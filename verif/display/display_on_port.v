@@ -3,10 +3,11 @@
 //
 // A display on a DVI link whose picture lies in a memory behind a port.
 `default_nettype none
+`include "dynrt_core.vh"
 
 module display_on_port #(
-  parameter BEAT_BYTES = 16,
-  parameter PIXEL_BYTES = 4,
+  parameter BEAT_BYTES = `DYNRT_CORE_MEMORY_BEAT_BYTES,
+  parameter PIXEL_BYTES = `DYNRT_CORE_MEMORY_PIXEL_BYTES,
   parameter AHEAD = 64
 ) (
   input  wire                    clk_i,

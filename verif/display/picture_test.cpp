@@ -70,7 +70,7 @@ class Board {
   host::DviMonitor monitor;
   SlowMemory<Top, Pixel, Beat> memory;
 };
-using Words = Board<Vdisplay_of_words, WordPixel, 16>;
+using Words = Board<Vdisplay_of_words, WordPixel, 32>;
 using Halves = Board<Vdisplay_of_halves, HalfPixel, 2>;
 
 /// The picture in the middle of the display, black around.

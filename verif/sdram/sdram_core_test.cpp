@@ -116,10 +116,7 @@ TEST(SdramCore, SlowSharesOfThePeak) {
       "| | frames per second | of those with the emulated memory | MB/s read | written | displayed "
       "| of the peak | rows opened per burst | ns of a read |\n");
   for (const char* scene : {"office", "cistern", "conference", "trees4000"}) {
-    print_row(scene, size,
-              {.core_nanoseconds = kCoreNanoseconds,
-               .display_bytes = kDisplayBytes,
-               .short_pixels = true});
+    print_row(scene, size, {.core_nanoseconds = kCoreNanoseconds, .display_bytes = kDisplayBytes});
   }
 }
 

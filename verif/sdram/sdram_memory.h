@@ -26,7 +26,6 @@ namespace dynrt::verif {
 struct SdramSystem {
   double core_nanoseconds = 0;  ///< of a clock
   double display_bytes = 0;     ///< that the display reads in a second
-  bool short_pixels = false;    ///< of 16 bits: half of what the core writes
 };
 
 /// What a frame asked of it.
@@ -154,21 +153,8 @@ class SdramMemory final : public hls::Device {
     for (unsigned i = 0; i < w.data.size(); ++i) {
       w.data[i] = static_cast<std::uint16_t>(write.data[i].to_u64());
     }
-    if (system_.short_pixels && w.address < kHitsAt) w = shortened(w);
     if (w.mask != 0) ++use_.bursts;
     use_.core_writes += 2 * static_cast<unsigned>(std::popcount(w.mask));
-    return w;
-  }
-  /// The low half of each pixel, in half of the room.
-  static typename Types::Write shortened(const typename Types::Write& write) {
-    typename Types::Write w;
-    const std::uint32_t from = kPixelsAt + (write.address - kPixelsAt) / 2;
-    w.address = from & ~(kBytes - 1);
-    const unsigned first = (from - w.address) / 2;
-    for (unsigned i = 0; i < w.data.size() / 2; ++i) {
-      w.data[first + i] = write.data[2 * i];
-      if ((write.mask >> 2 * i & 1) != 0) w.mask |= 1u << (first + i);
-    }
     return w;
   }
 

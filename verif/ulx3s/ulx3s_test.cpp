@@ -79,7 +79,7 @@ TEST(Ulx3s, SlowlyTakesASceneOverTheLine) {
   Ulx3sBoard board("ulx3s", std::move(linked), nullptr);
   expect_as_the_model(board, "blocks", options(16, 12), make_small);
   EXPECT_GT(line.uploaded(), 1000u);
-  EXPECT_GT(line.counts().carried, line.uploaded() + 16 * 12 * (4 + 24));
+  EXPECT_GT(line.counts().carried, line.uploaded() + 16 * 12 * (2 + 24));
   EXPECT_EQ(line.counts().repeats, 0u);
   EXPECT_GT(ulx3s->memory_use().words_written, line.uploaded() / 2);
 }

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "units/picture_pixels.h"
 
-#include <type_traits>
-
 #include "Vpicture_pixels.h"
 #include "picture_pixels_ports.h"
 #include "unit/cosimulate.h"
@@ -11,7 +9,7 @@
 namespace dynrt::cosim {
 namespace {
 
-using Unit = PicturePixels<std::conditional_t<C::kPortBytes == 2, HalfPixel, WordPixel>>;
+using Unit = PicturePixelsOf<C>;
 
 /// Small pictures, so that many begin and end.
 void setup(Bench<Unit>& bench, const Run&) {

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "units/picture_reader.h"
 
-#include <type_traits>
-
 #include "Vpicture_reader.h"
 #include "picture_reader_ports.h"
 #include "unit/cosimulate.h"
@@ -11,9 +9,8 @@
 namespace dynrt::cosim {
 namespace {
 
-/// As they are lowered for their co-simulation.
-using Unit = std::conditional_t<C::kPortBytes == 2, PictureReader<HalfPixel, 2, 8>,
-                                PictureReader<WordPixel, 16, 64>>;
+/// The narrow port has a short FIFO.
+using Unit = PictureReaderOf<C, C::kPortBytes == 2 ? 8 : kPictureAhead>;
 
 /// Small pictures, so that many begin and end.
 void setup(Bench<Unit>& bench, const Run&) {

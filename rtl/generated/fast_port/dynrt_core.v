@@ -311,13 +311,13 @@ module dynrt_core (
   wire memory_write__write_valid, memory_write__write_ready;
   wire [163:0] memory_write__write_data;
   wire write_burst_all_valid, write_burst_all_ready;
-  wire [164:0] write_burst_all_data;
+  wire [168:0] write_burst_all_data;
   wire shading__burst_valid, shading__burst_ready;
-  wire [164:0] shading__burst_data;
+  wire [168:0] shading__burst_data;
   wire write_burst_repeated_valid, write_burst_repeated_ready;
-  wire [166:0] write_burst_repeated_data;
+  wire [170:0] write_burst_repeated_data;
   wire memory_write__burst_valid, memory_write__burst_ready;
-  wire [166:0] memory_write__burst_data;
+  wire [170:0] memory_write__burst_data;
   wire memory_request_all_valid, memory_request_all_ready;
   wire [51:0] memory_request_all_data;
   wire node_lookup__miss_valid, node_lookup__miss_ready;
@@ -1262,7 +1262,7 @@ module dynrt_core (
   assign write_burst_all_valid = shading__burst_valid;
   assign shading__burst_ready = write_burst_all_ready;
   assign write_burst_all_data = shading__burst_data;
-  hls_repeat #(.WIDTH(165), .COUNT_WIDTH(1)) write_burst_repeat (
+  hls_repeat #(.WIDTH(169), .COUNT_WIDTH(1)) write_burst_repeat (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i(write_burst_all_valid), .ready_o(write_burst_all_ready), .data_i(write_burst_all_data),
     .valid_o(write_burst_repeated_valid), .ready_i(write_burst_repeated_ready), .data_o(write_burst_repeated_data));

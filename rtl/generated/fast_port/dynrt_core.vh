@@ -32,4 +32,5 @@
 // The memory's port (hls/units/memory_port.h).
 `define DYNRT_CORE_MEMORY_ID_BITS 10
 `define DYNRT_CORE_MEMORY_BEAT_BYTES 16
+`define DYNRT_CORE_MEMORY_PIXEL_BYTES 2
 `define DYNRT_CORE_MEMORY_READ_BEATS 1

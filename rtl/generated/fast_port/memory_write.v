@@ -14,7 +14,7 @@ module memory_write #(
   input  wire rst_ni,
   input  wire burst_valid_i,
   output wire burst_ready_o,
-  input  wire [166:0] burst_data_i,
+  input  wire [170:0] burst_data_i,
   output wire write_valid_o,
   input  wire write_ready_i,
   output wire [163:0] write_data_o,
@@ -34,11 +34,7 @@ module memory_write #(
   assign stall_o = tokens && !room;
 
   // ---- stage 0 ----
-  wire burst_163_s0 = burst_data_i[163];
-  wire burst_164_s0 = burst_data_i[164];
-  wire burst_165_s0 = burst_data_i[165];
-  wire burst_166_s0 = burst_data_i[166];
-  wire eq_1_s0 = {burst_166_s0, burst_165_s0, burst_164_s0, burst_163_s0} == 4'd0;  // units/memory_write.h:31
+  wire [7:0] b_job_mask_s0 = burst_data_i[170:163];
   wire b_job_repeat_s0 = burst_data_i[2];
   wire b_index_s0 = burst_data_i[0];
   wire [1:0] beat_left_s0 = {1'd0, b_job_repeat_s0} + {2{b_index_s0}};  // units/memory_write.h:30
@@ -48,14 +44,14 @@ module memory_write #(
   wire [148:0] burst_14_s0 = burst_data_i[162:14];
 
   // ---- state, rows and tokens written ----
-  wire [154:0] write_stored;
-  hls_fifo #(.WIDTH(155), .DEPTH(WRITE_DEPTH), .MARGIN(WRITE_BOUNDED ? 0 : 0),
+  wire [158:0] write_stored;
+  hls_fifo #(.WIDTH(159), .DEPTH(WRITE_DEPTH), .MARGIN(WRITE_BOUNDED ? 0 : 0),
     .BOUNDED(WRITE_BOUNDED)) write_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i(valid_s0 && (~eq_1_s0)), .ready_o(write_room),
-    .data_i({beat_left_s0, burst_166_s0, burst_165_s0, burst_164_s0, burst_163_s0, burst_14_s0}),
+    .valid_i(valid_s0 && (~(b_job_mask_s0 == 8'd0))), .ready_o(write_room),
+    .data_i({beat_left_s0, b_job_mask_s0, burst_14_s0}),
     .valid_o(write_valid_o), .ready_i(write_ready_i), .data_o(write_stored));
-  assign write_data_o = {write_stored[154], write_stored[154:152], write_stored[152:151], write_stored[151:150], write_stored[150:149], write_stored[149:0], 4'd0};
+  assign write_data_o = {write_stored[158], write_stored, 4'd0};
   hls_fifo #(.WIDTH(6), .DEPTH(FREE_DEPTH), .MARGIN(FREE_BOUNDED ? 0 : 0),
     .BOUNDED(FREE_BOUNDED)) free_fifo (
     .clk_i(clk_i), .rst_ni(rst_ni),
