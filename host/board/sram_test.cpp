@@ -37,7 +37,13 @@ TEST(Sram, CountsWritesToTheFramebuffer) {
   sram.access(kFrameBank, true, 0, 1);
   sram.access(kFrameBank, false, 0, 1);
   sram.access(4, true, 0, 1);
-  EXPECT_EQ(sram.frame_writes(), 2u);
+  EXPECT_EQ(sram.frame_writes(), 2u) << "halves of words";
+  sram.write_half(kFrameBank, 0, 0, 1);
+  sram.write_half(kFrameBank, 0, 1, 1);
+  sram.write_half(kFrameBank, 7, 1, 1);
+  sram.write_half(kHitBank, 0, 0, 1);
+  EXPECT_EQ(sram.frame_writes(), 5u);
+  EXPECT_EQ(sram.word(kFrameBank, 0), 0x10001u);
 }
 
 }  // namespace
