@@ -6,6 +6,7 @@
 // picture all the while.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <deque>
@@ -32,12 +33,15 @@ struct SdramSystem {
 struct SdramUse {
   SdramCounters chip;
   std::uint64_t core_reads = 0;  ///< bytes
+  /// Of those, by the place of a read's first byte: nodes, entries of lists, columns of matrices.
+  std::array<std::uint64_t, 3> core_reads_of{};
   std::uint64_t core_writes = 0;
   std::uint64_t display_reads = 0;
   double read_nanoseconds = 0;  ///< of all reads of the core, from port to port
   std::uint64_t reads = 0;
   std::uint64_t bursts = 0;        ///< of the core and of the display
   std::uint64_t late_display = 0;  ///< reads that were not done before the next was due
+  std::uint64_t idle_clocks = 0;  ///< of the chip, in which nothing moved and no read was under way
 };
 
 template <class C, class S>
@@ -103,7 +107,9 @@ class SdramMemory final : public hls::Device {
   }
   void advance(double until) {
     for (; time_ <= until; time_ += kClock) {
+      const std::uint64_t words = bench_.chip().counters().busy();
       bench_.clock(port_, traffic_);
+      if (bench_.is_idle() && bench_.chip().counters().busy() == words) ++use_.idle_clocks;
       if (const auto beat = bench_.last_beat()) arrive(*beat);
     }
   }
@@ -138,10 +144,14 @@ class SdramMemory final : public hls::Device {
     const auto id = static_cast<std::uint32_t>(hls::to_bits(read.id).to_u64());
     sent_[id] = sent - kCrossing * kClock;
     const auto last = static_cast<unsigned>(read.last.to_u64());
+    const auto address = static_cast<std::uint32_t>(read.address.to_u64());
     use_.core_reads += (last + 1) * kBytes;
+    use_.core_reads_of[address < kEntriesAt   ? 0
+                       : address < kColumnsAt ? 1
+                                              : 2] += (last + 1) * kBytes;
     ++use_.reads;
     ++use_.bursts;
-    return typename Types::Read{id, static_cast<std::uint32_t>(read.address.to_u64()), last};
+    return typename Types::Read{id, address, last};
   }
   std::optional<typename Types::Write> next_write() {
     if (waiting_writes_.empty() || waiting_writes_.front().first > time_) return std::nullopt;
