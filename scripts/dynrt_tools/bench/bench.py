@@ -9,13 +9,15 @@ import pathlib
 import subprocess
 import sys
 
-from dynrt_tools.bench import levers, memory, report_rows, scenes
+from dynrt_tools.bench import board, board_levers, levers, memory, report_rows, scenes
 from dynrt_tools.bench.rows import CONFIG, Bench, Options, Row
 from dynrt_tools.bench.run import Dynrt, RunFailed
 from dynrt_tools.build import configs
 from dynrt_tools.project import ROOT, show_progress, write_json, write_rows
 
 FULL_SIZE, QUICK_SIZE = "512x384", "128x96"
+# The flags that ask for another table.
+TABLES = ("scenes", "levers", "memory", "board", "board-levers", "report")
 
 HOW = """\
 Sets up and builds first, as scripts/demo does. The RTL counts the clocks, which are the same in
@@ -89,6 +91,19 @@ def parse(arguments: list[str]) -> argparse.Namespace:
         "native model's exact clocks; half an hour or so",
     )
     parser.add_argument(
+        "--board",
+        metavar="BOARD",
+        help="instead of the table: the four kinds of scene on a board whose memory is an SDRAM, "
+        "from the native model's exact clocks and a model of the chip; a quarter of an hour or so; "
+        f"BOARD is one of {', '.join(board.BOARDS)}",
+    )
+    parser.add_argument(
+        "--board-levers",
+        metavar="BOARD",
+        help="instead of the table: the same with one key of the caches or the layout changed at a "
+        f"time, in frames of {board_levers.SIZE} pixels; builds a core for each",
+    )
+    parser.add_argument(
         "--report",
         action="store_true",
         help="instead of the table: how long `dynrt report error` takes when "
@@ -108,15 +123,16 @@ def parse(arguments: list[str]) -> argparse.Namespace:
             f"--json {args.json}: there is no folder '{args.json.parent}'; create it or "
             "name a file elsewhere"
         )
-    tables = [
-        f"--{name}" for name in ("scenes", "levers", "memory", "report") if getattr(args, name)
-    ]
+    tables = [f"--{name}" for name in TABLES if getattr(args, name.replace("-", "_"))]
     if len(tables) > 1:
         parser.error(f"{' and '.join(tables[:2])} are two tables; ask for one of them")
     if args.config and tables:
         parser.error(
             f"--config {args.config}: {tables[0]} has its own configurations; leave one out"
         )
+    for flag, name in (("--board", args.board), ("--board-levers", args.board_levers)):
+        if name and name not in board.BOARDS:
+            parser.error(f"{flag} {name}: unknown; the boards are {', '.join(board.BOARDS)}")
     args.config = args.config or CONFIG
     listed = configs.load_configurations().listed()
     if args.config not in listed:
@@ -182,6 +198,24 @@ def own_table(args: argparse.Namespace, dynrt: Dynrt, scene: str, size: str) -> 
     return True
 
 
+def board_table(args: argparse.Namespace, dynrt: Dynrt, size: str) -> bool:
+    """The same of the flags that name a board."""
+    if args.board:
+        measured = board.measure(dynrt, args.board, size, show_progress)
+        text, lists = board.table(measured), ["systems", "budget", "frames"]
+    elif args.board_levers:
+        size = QUICK_SIZE if args.quick else board_levers.SIZE
+        measured = board_levers.measure(dynrt, args.board_levers, size, show_progress)
+        text, lists = board_levers.table(measured), ["levers"]
+    else:
+        return False
+    show_progress("")
+    if args.json:
+        write_rows(args.json, measured, *lists)
+    print(f"{measured['board']}, {size} pixels\n\n{text}")
+    return True
+
+
 def main() -> int:
     args = parse(sys.argv[1:])
     if args.program is None and shared("prepare release").returncode != 0:
@@ -194,7 +228,7 @@ def main() -> int:
     scene = str(pathlib.Path(args.scene).resolve()) if os.path.exists(args.scene) else args.scene
     size = QUICK_SIZE if args.quick else FULL_SIZE
     try:
-        if own_table(args, dynrt, scene, size):
+        if own_table(args, dynrt, scene, size) or board_table(args, dynrt, size):
             return 0
         reports = dynrt.program.parent / "generated" / args.config
         host = dynrt.program.parent / "host"

@@ -109,7 +109,8 @@ class Record(testing.InFolder):
 
     def test_an_unknown_page_lists_those_that_there_are(self) -> None:
         with self.assertRaisesRegex(
-            project.Failed, "--record speed: unknown; the pages are build, devices, .*stress"
+            project.Failed,
+            "--record speed: unknown; the pages are boards, build, devices, .*stress",
         ):
             record.commands("speed")
 
