@@ -94,7 +94,7 @@ def parse(arguments: list[str]) -> argparse.Namespace:
         "--board",
         metavar="BOARD",
         help="instead of the table: the four kinds of scene on a board whose memory is an SDRAM, "
-        "from the native model's exact clocks and a model of the chip; a quarter of an hour or so; "
+        "from the native model's exact clocks and a model of the chip; some minutes; "
         f"BOARD is one of {', '.join(board.BOARDS)}",
     )
     parser.add_argument(

@@ -161,10 +161,12 @@ class Frames(unittest.TestCase):
 class Levers(unittest.TestCase):
     def test_each_changes_one_key_of_fast_port(self) -> None:
         listed = {one["name"]: one for one in read_json(ROOT / "hls" / "configs" / "configs.json")}
+        page = (RESULTS / "templates" / "boards.md").read_text(encoding="utf-8")
         for lever in read_json(board_levers.LEVERS):
             key, value = board_levers.key_of(lever)
             self.assertEqual((lever["like"], lever["name"]), ("fast_port", f"{key}_{value}"))
             self.assertNotEqual(listed["fast_port"].get(key), value, lever["name"])
+            self.assertIn(f"board_levers:levers/{lever['name']}+", page)
 
     def test_figures(self) -> None:
         said: list[str] = []
