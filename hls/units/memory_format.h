@@ -39,8 +39,8 @@ inline constexpr unsigned kColumnBase = 1u << kAddressBits;  ///< first word of 
 
 /// A memory behind one port (units/memory_port.h), whose words have 32 bits, holds the scene in its
 /// lower half: items in the order of their numbers, each in words from the lowest address on. A
-/// column leaves the last of its four words empty. Above lie the pixels, of 16 bits two to a word of
-/// bank 3, and the hit records, of which each word of bank 4 is followed by that of bank 5.
+/// column leaves the last of its four words empty. Above lie the pixels, those of 16 bits two to a
+/// word, and the hit records, of which each word of bank 4 is followed by that of bank 5.
 inline constexpr unsigned kPortAddressBits = 24;  ///< of a byte of the scene
 inline constexpr unsigned kNodeBytes = 8;
 inline constexpr unsigned kEntryBytes = 4;

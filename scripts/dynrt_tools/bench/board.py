@@ -29,16 +29,12 @@ class System:
     about: str
     core_mhz: float
     sdram_mhz: int  # the period is a multiple of half a ns: 133 stands for 7.5 ns
-    pixel_bytes: int = 2
 
     def flags(self) -> list[str]:
-        return [
-            *("--core-mhz", f"{self.core_mhz:g}", "--sdram-mhz", str(self.sdram_mhz)),
-            *("--pixel-bytes", str(self.pixel_bytes)),
-        ]
+        return ["--core-mhz", f"{self.core_mhz:g}", "--sdram-mhz", str(self.sdram_mhz)]
 
 
-PLACED, WIDE, OWN = "placed", "wide", "own"
+PLACED, OWN = "placed", "own"
 
 
 def ulx3s() -> tuple[System, ...]:
@@ -46,7 +42,6 @@ def ulx3s() -> tuple[System, ...]:
     placed = placed_clocks.of(SRAM).mhz
     return (
         System(PLACED, f"the clock that {SRAM} reaches placed", placed, 133),
-        System(WIDE, "the same with pixels of 32 bits", placed, 133, 4),
         System(OWN, "the clocks of rtl/ulx3s", 78.125, 125),
     )
 
@@ -224,7 +219,7 @@ def table(measured: Json) -> str:
     for system in measured["systems"]:
         lines.append(
             f"\n{system['name']}: {system['about']}: core {system['core_mhz']:g} MHz, "
-            f"SDRAM {system['sdram_mhz']} MHz, pixels of {system['pixel_bytes']} bytes"
+            f"SDRAM {system['sdram_mhz']} MHz"
         )
         lines.append(
             f"{'':12}{'frames/s':>9}{'of SRAM':>9}{'B/ray':>8}{'written':>9}{'MB/s':>7}{'written':>9}"
