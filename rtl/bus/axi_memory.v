@@ -10,7 +10,8 @@
 //
 // Where every read has one beat, ARID is the core's id, so that the memory may answer in any order.
 // Longer answers might come with their beats interleaved, which the core could not tell apart; so
-// all reads have one id then, are answered in order, and the core's ids wait in a FIFO.
+// all reads have one id then, are answered in order, and the core's ids wait in a FIFO. IN_ORDER asks
+// for that too where reads are short, for a memory that has few ids or answers in order anyway.
 //
 // Of an answer with an error the core gets what ends its way through the scene (memory_filler.v),
 // so that the frame ends; the first error's address goes to the registers.
@@ -22,9 +23,11 @@
 // Parameters:
 //   ID_BITS, BEAT_BYTES, READ_BEATS  of the core's port, as its dynrt_core.vh has them
 //   ADDRESS_BITS  of the bus, 26 to 64
-//   READS         reads in flight where they have several beats, at least 1
+//   READS         reads in flight where all have one id, at least 1
 //   WRITES        bursts of writes in flight, at least 1
 //   CACHE, PROT   AxCACHE and AxPROT of all accesses
+//   READ_BITS     of an address that is read, 24 or, where more than the core reads, 25
+//   IN_ORDER      one id for all reads; 1 where READ_BEATS is more than 1
 //   AXI_ID_BITS   follows from the others, leave it as it is
 `default_nettype none
 
@@ -37,7 +40,9 @@ module axi_memory #(
   parameter WRITES = 16,
   parameter [3:0] CACHE = 4'b0011,
   parameter [2:0] PROT = 3'b000,
-  parameter AXI_ID_BITS = READ_BEATS > 1 ? 1 : ID_BITS
+  parameter READ_BITS = 24,
+  parameter IN_ORDER = READ_BEATS > 1 ? 1 : 0,
+  parameter AXI_ID_BITS = IN_ORDER != 0 ? 1 : ID_BITS
 ) (
   input  wire                    clk_i,
   input  wire                    rst_ni,
@@ -53,7 +58,7 @@ module axi_memory #(
   input  wire                    read_valid_i,
   output wire                    read_ready_o,
   input  wire [ID_BITS-1:0]      read_id_i,
-  input  wire [23:0]             read_address_i,
+  input  wire [READ_BITS-1:0]    read_address_i,
   input  wire [3:0]              read_last_i,
   output wire                    beat_valid_o,
   input  wire                    beat_ready_i,
@@ -120,7 +125,13 @@ module axi_memory #(
     if (ADDRESS_BITS < 26 || ADDRESS_BITS > 64) begin : bad_address
       axi_memory_ADDRESS_BITS_must_be_26_to_64 stop ();
     end
-    if (AXI_ID_BITS != (READ_BEATS > 1 ? 1 : ID_BITS)) begin : bad_id
+    if (READ_BITS != 24 && READ_BITS != 25) begin : bad_read
+      axi_memory_READ_BITS_must_be_24_or_25 stop ();
+    end
+    if (READ_BEATS > 1 && IN_ORDER == 0) begin : bad_order
+      axi_memory_IN_ORDER_must_be_1_where_reads_have_several_beats stop ();
+    end
+    if (AXI_ID_BITS != (IN_ORDER != 0 ? 1 : ID_BITS)) begin : bad_id
       axi_memory_AXI_ID_BITS_must_follow_from_the_others stop ();
     end
   endgenerate
@@ -131,18 +142,18 @@ module axi_memory #(
   // Reads. A read that has been offered to the bus has to stay, whatever becomes of the core.
   wire               ar_waits;
   wire [ID_BITS-1:0] ar_id;
-  wire [23:0]        ar_address;
+  wire [READ_BITS-1:0] ar_address;
   wire [3:0]         ar_last;
   wire               ar_room; // for what is kept of it
   wire               ar_taken = m_axi_arvalid && m_axi_arready;
   wire               r_taken = m_axi_rvalid && m_axi_rready;
-  hls_buffer #(.WIDTH(ID_BITS + 28)) ar_buffer (
+  hls_buffer #(.WIDTH(ID_BITS + READ_BITS + 4)) ar_buffer (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(read_valid_i && !stop_i), .ready_o(read_ready_o),
     .data_i({read_id_i, read_address_i, read_last_i}), .valid_o(ar_waits),
     .ready_i(m_axi_arready && ar_room), .data_o({ar_id, ar_address, ar_last})
   );
   assign m_axi_arvalid = ar_waits && ar_room;
-  assign m_axi_araddr = {base_i[ADDRESS_BITS-1:25], 1'b0, ar_address};
+  assign m_axi_araddr = {base_i[ADDRESS_BITS-1:25], {25 - READ_BITS{1'b0}}, ar_address};
   assign m_axi_arlen = {4'd0, ar_last};
   assign m_axi_arsize = SIZE;
   assign m_axi_arburst = INCR;
@@ -155,13 +166,13 @@ module axi_memory #(
   assign m_axi_rready = beat_ready_i || stop_i;
   assign beat_valid_o = m_axi_rvalid && !stop_i;
   assign beat_last_o = m_axi_rlast;
-  wire [23:0] r_address_next;
+  wire [READ_BITS-1:0] r_address_next;
   generate
-    if (READ_BEATS > 1) begin : in_order
+    if (IN_ORDER != 0) begin : in_order
       wire in_flight;
-      wire [23:0] address;
-      reg  [23:0] address_q;
-      hls_fifo #(.WIDTH(ID_BITS + 24), .DEPTH(READS)) in_flight_fifo (
+      wire [READ_BITS-1:0] address;
+      reg  [READ_BITS-1:0] address_q;
+      hls_fifo #(.WIDTH(ID_BITS + READ_BITS), .DEPTH(READS)) in_flight_fifo (
         .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(ar_taken), .ready_o(ar_room),
         .data_i({ar_id, ar_address}), .valid_o(in_flight), .ready_i(r_taken && m_axi_rlast),
         .data_o({beat_id_o, address})
@@ -174,7 +185,7 @@ module axi_memory #(
     end else begin : in_any_order
       localparam [ID_BITS:0] ONE = 1;
       reg [ID_BITS:0] in_flight_q;
-      hls_ram_1r1w #(.WIDTH(24), .ROWS(1 << ID_BITS)) address_ram (
+      hls_ram_1r1w #(.WIDTH(READ_BITS), .ROWS(1 << ID_BITS)) address_ram (
         .clk_i(clk_i), .rst_ni(rst_ni), .write_en_i(ar_taken), .write_addr_i(ar_id),
         .write_data_i(ar_address), .read_en_i(r_taken), .read_addr_i(m_axi_rid),
         .read_data_o(r_address_next)
@@ -265,7 +276,7 @@ module axi_memory #(
     b_address_q <= b_address;
     if (!rst_ni) error_o <= 1'b0;
   end
-  assign error_address_o = error_write_o ? b_address_q : {1'b0, r_address_next};
+  assign error_address_o = error_write_o ? b_address_q : {{25 - READ_BITS{1'b0}}, r_address_next};
 
   // The lowest bits of the base are zero, and all writes have one id.
   wire unused = &{1'b0, base_i[24:0], m_axi_bid};

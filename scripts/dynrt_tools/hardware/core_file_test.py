@@ -16,7 +16,7 @@ from dynrt_tools.hardware import bitstream, file_lists, rtl_files
 
 ROOT = project.ROOT
 # Filesets of Verilog that is written by hand; the board's has its display too.
-BY_HAND = "library registers board port_board bus examples sdram link display ulx3s".split()
+BY_HAND = "library registers board port_board bus examples sdram link display ulx3s serial".split()
 # Files of constraints with pins.
 PINS = ("LPF",)
 TEXT = (ROOT / "dynrt.core").read_text(encoding="utf-8")

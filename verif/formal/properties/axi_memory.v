@@ -68,7 +68,7 @@
     if (read_valid_i) begin
       assume (read_end <= 9'd32 && read_address_i[LOG2_BYTES-1:0] == 0);
       assume (read_last_i < READ_BEATS);
-      if (READ_BEATS == 1) assume (!used_q[read_id_i]);
+      if (IN_ORDER == 0) assume (!used_q[read_id_i]);
     end
     if (write_valid_i) begin
       if (first) assume (write_end <= 9'd32 && write_address_i[LOG2_BYTES-1:0] == 0);
@@ -83,7 +83,7 @@
   always @* if (was_reset_q) begin
     idle_if_all_is_answered: assert (idle_o == (reads_q == 0 && open_bursts == 0 && !open_q));
     if (m_axi_rvalid && !stop_i)
-      answers_reach_the_core: assert (beat_valid_o && (READ_BEATS > 1 || used_q[beat_id_o]) &&
+      answers_reach_the_core: assert (beat_valid_o && (IN_ORDER != 0 || used_q[beat_id_o]) &&
                                       (m_axi_rresp[1] || beat_data_o == m_axi_rdata));
     if (stop_i) nothing_comes_in_a_stop: assert (!beat_valid_o && m_axi_rready);
     if (ends) ended_without_a_write: assert (\w_buffer.data_i [DATA+HALVES-1:DATA] == 0);
@@ -101,8 +101,8 @@
   // Why they hold. What the buffers hold keeps the promises and is what is counted.
   (* hierconn *) wire \ar_buffer.valid_q ;
   (* hierconn *) wire \ar_buffer.full_q ;
-  (* hierconn *) wire [ID_BITS+27:0] \ar_buffer.data_q ;
-  (* hierconn *) wire [ID_BITS+27:0] \ar_buffer.second_q ;
+  (* hierconn *) wire [ID_BITS+READ_BITS+3:0] \ar_buffer.data_q ;
+  (* hierconn *) wire [ID_BITS+READ_BITS+3:0] \ar_buffer.second_q ;
   (* hierconn *) wire \aw_buffer.valid_q ;
   (* hierconn *) wire \aw_buffer.full_q ;
   (* hierconn *) wire [27:0] \aw_buffer.data_q ;
@@ -114,10 +114,11 @@
   wire [1:0] ar_count = {1'b0, \ar_buffer.valid_q } + {1'b0, \ar_buffer.full_q };
   wire [1:0] aw_count = {1'b0, \aw_buffer.valid_q } + {1'b0, \aw_buffer.full_q };
   wire [1:0] w_count = {1'b0, \w_buffer.valid_q } + {1'b0, \w_buffer.full_q };
-  wire [23:0] ar_address_1 = \ar_buffer.data_q [27:4], ar_address_2 = \ar_buffer.second_q [27:4];
+  wire [READ_BITS-1:0] ar_address_1 = \ar_buffer.data_q [READ_BITS+3:4];
+  wire [READ_BITS-1:0] ar_address_2 = \ar_buffer.second_q [READ_BITS+3:4];
   wire [3:0]  ar_last_1 = \ar_buffer.data_q [3:0], ar_last_2 = \ar_buffer.second_q [3:0];
-  wire [ID_BITS-1:0] ar_id_1 = \ar_buffer.data_q [ID_BITS+27:28];
-  wire [ID_BITS-1:0] ar_id_2 = \ar_buffer.second_q [ID_BITS+27:28];
+  wire [ID_BITS-1:0] ar_id_1 = \ar_buffer.data_q [ID_BITS+READ_BITS+3:READ_BITS+4];
+  wire [ID_BITS-1:0] ar_id_2 = \ar_buffer.second_q [ID_BITS+READ_BITS+3:READ_BITS+4];
   wire [24:0] aw_address_1 = \aw_buffer.data_q [27:3], aw_address_2 = \aw_buffer.second_q [27:3];
   wire [2:0]  aw_left_1 = \aw_buffer.data_q [2:0], aw_left_2 = \aw_buffer.second_q [2:0];
   always @* if (was_reset_q) begin
@@ -126,11 +127,11 @@
     assert (\w_buffer.valid_q || !\w_buffer.full_q );
     if (\ar_buffer.valid_q )
       assert (ar_address_1[4:0] + (ar_last_1 + 9'd1) * BEAT_BYTES <= 9'd32 && ar_last_1 < READ_BEATS &&
-              ar_address_1[LOG2_BYTES-1:0] == 0 && (READ_BEATS > 1 || used_q[ar_id_1]));
+              ar_address_1[LOG2_BYTES-1:0] == 0 && (IN_ORDER != 0 || used_q[ar_id_1]));
     if (\ar_buffer.full_q )
       assert (ar_address_2[4:0] + (ar_last_2 + 9'd1) * BEAT_BYTES <= 9'd32 && ar_last_2 < READ_BEATS &&
               ar_address_2[LOG2_BYTES-1:0] == 0 &&
-              (READ_BEATS > 1 || (used_q[ar_id_2] && ar_id_1 != ar_id_2)));
+              (IN_ORDER != 0 || (used_q[ar_id_2] && ar_id_1 != ar_id_2)));
     if (\aw_buffer.valid_q )
       assert (aw_address_1[4:0] + (aw_left_1 + 9'd1) * BEAT_BYTES <= 9'd32 &&
               aw_address_1[LOG2_BYTES-1:0] == 0);
@@ -159,7 +160,7 @@
   end
   always @* if (was_reset_q) assert (reads_q == reads_on_bus + ar_count);
   generate
-    if (READ_BEATS == 1) begin : several_ids
+    if (IN_ORDER == 0) begin : several_ids
       integer k;
       always @* if (was_reset_q) begin
         for (k = 0; k < 1 << ID_BITS; k = k + 1)
