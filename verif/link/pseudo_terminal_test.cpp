@@ -3,15 +3,11 @@
 //
 // The host's end on a serial device that is a pseudo-terminal; a thread is the board at its other
 // end.
-#include <fcntl.h>
+#include "link/pseudo_terminal.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <poll.h>
-#include <unistd.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <functional>
 #include <memory>
 #include <string>
 #include <thread>
@@ -20,7 +16,6 @@
 #include "host/error.h"
 #include "host/link/link.h"
 #include "host/link/serial_device.h"
-#include "link/simulated_line.h"
 #include "link/test_board.h"
 
 namespace dynrt::host {
@@ -29,57 +24,6 @@ namespace {
 using namespace std::chrono_literals;
 using testing::HasSubstr;
 
-/// Runs the board in a thread until it is destroyed.
-class BoardAtTerminal {
- public:
-  explicit BoardAtTerminal(BoardFunction board)
-      : file_(::posix_openpt(O_RDWR | O_NOCTTY)), board_(std::move(board)) {
-    EXPECT_GE(file_, 0);
-    EXPECT_EQ(::grantpt(file_), 0);
-    EXPECT_EQ(::unlockpt(file_), 0);
-    path = ::ptsname(file_);
-    // Keeps the device in being while nobody uses it, and raw from the start.
-    held_ = ::open(path.c_str(), O_RDWR | O_NOCTTY);
-    termios raw{};
-    ::tcgetattr(held_, &raw);
-    ::cfmakeraw(&raw);
-    ::tcsetattr(held_, TCSANOW, &raw);
-    thread_ = std::thread([this] { run(); });
-  }
-  ~BoardAtTerminal() {
-    ends_ = true;
-    thread_.join();
-    ::close(held_);
-    ::close(file_);
-  }
-  BoardAtTerminal(const BoardAtTerminal&) = delete;
-  BoardAtTerminal& operator=(const BoardAtTerminal&) = delete;
-
-  std::string path;
-
- private:
-  void run() {
-    Bytes bytes(4096);
-    while (!ends_) {
-      pollfd poll{.fd = file_, .events = POLLIN, .revents = 0};
-      if (::poll(&poll, 1, 20) <= 0 || (poll.revents & POLLIN) == 0) continue;
-      const ssize_t count = ::read(file_, bytes.data(), bytes.size());
-      if (count <= 0) continue;
-      const Bytes answer = board_(std::span(bytes).first(static_cast<std::size_t>(count)));
-      for (std::size_t at = 0; at < answer.size() && !ends_;) {
-        const ssize_t sent = ::write(file_, &answer[at], answer.size() - at);
-        if (sent > 0) at += static_cast<std::size_t>(sent);
-      }
-    }
-  }
-
-  int file_;
-  int held_ = -1;
-  BoardFunction board_;
-  std::atomic<bool> ends_ = false;
-  std::thread thread_;
-};
-
 BoardFunction answers_of(TestBoard& board) {
   return [&board](std::span<const std::uint8_t> bytes) { return board.model.answer(bytes); };
 }
@@ -87,7 +31,7 @@ BoardFunction answers_of(TestBoard& board) {
 TEST(PseudoTerminal, LoadsAndReadsBack) {
   TestBoard board;
   const BoardAtTerminal terminal(answers_of(board));
-  BoardLink link(std::make_unique<SerialDevice>(terminal.path));
+  BoardLink link(std::make_unique<SerialDevice>(terminal.path()));
   link.expect_configuration("fast");
   const Bytes data = random_bytes(100'000, 7);
   std::uint64_t moved = 0;
@@ -114,10 +58,10 @@ TEST(PseudoTerminal, BeginsAnewAfterAProgramThatWasKilled) {
   const BoardAtTerminal terminal(answers_of(board));
   for (unsigned round = 0; round < 3; ++round) {
     {
-      BoardLink link(std::make_unique<SerialDevice>(terminal.path));
+      BoardLink link(std::make_unique<SerialDevice>(terminal.path()));
       link.write_memory(0, Bytes(5000, static_cast<std::uint8_t>(round)));
     }
-    SerialDevice killed(terminal.path);
+    SerialDevice killed(terminal.path());
     const Bytes part = {kLinkFlag, 2, static_cast<std::uint8_t>(10 * round + 10), 0, 2, 0, 0, 0};
     EXPECT_EQ(killed.write(part), part.size());
     std::this_thread::sleep_for(50ms);
@@ -139,15 +83,15 @@ void expect_released(const std::string& path) { EXPECT_NO_THROW(SerialDevice{pat
 
 TEST(PseudoTerminal, SaysThatNothingAnswers) {
   const BoardAtTerminal terminal([](auto) { return Bytes{}; });
-  EXPECT_THAT(refusal(terminal.path), HasSubstr("nothing answers"));
-  expect_released(terminal.path);
+  EXPECT_THAT(refusal(terminal.path()), HasSubstr("nothing answers"));
+  expect_released(terminal.path());
 }
 
 TEST(PseudoTerminal, SaysThatTheAnswersAreNonsense) {
   const BoardAtTerminal terminal(
       [](std::span<const std::uint8_t> bytes) { return Bytes(bytes.size(), 'x'); });
-  EXPECT_THAT(refusal(terminal.path), HasSubstr("bytes came, but no answer of dynrt among them"));
-  expect_released(terminal.path);
+  EXPECT_THAT(refusal(terminal.path()), HasSubstr("bytes came, but no answer of dynrt among them"));
+  expect_released(terminal.path());
 }
 
 TEST(PseudoTerminal, SaysThatTheBoardStopsInTheMiddleOfAFrame) {
@@ -159,15 +103,15 @@ TEST(PseudoTerminal, SaysThatTheBoardStopsInTheMiddleOfAFrame) {
     left -= answer.size();
     return answer;
   });
-  EXPECT_THAT(refusal(terminal.path), HasSubstr("stops in the middle of an answer"));
-  expect_released(terminal.path);
+  EXPECT_THAT(refusal(terminal.path()), HasSubstr("stops in the middle of an answer"));
+  expect_released(terminal.path());
 }
 
 TEST(PseudoTerminal, SaysThatTheDeviceIsInUse) {
   TestBoard board;
   const BoardAtTerminal terminal(answers_of(board));
-  const SerialDevice first(terminal.path);
-  EXPECT_THAT(refusal(terminal.path), HasSubstr("another program uses the device"));
+  const SerialDevice first(terminal.path());
+  EXPECT_THAT(refusal(terminal.path()), HasSubstr("another program uses the device"));
 }
 
 }  // namespace

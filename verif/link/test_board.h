@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "hls/random.h"
@@ -17,12 +18,14 @@ namespace dynrt::host {
 struct TestBoard {
   static constexpr std::uint32_t kMemoryBytes = 1 << 20;
 
-  explicit TestBoard(std::uint32_t bytes = kMemoryBytes) : memory_bytes(bytes) {}
+  explicit TestBoard(std::uint32_t bytes = kMemoryBytes, std::string_view configuration = "fast")
+      : memory_bytes(bytes), name(configuration) {}
 
   std::uint32_t memory_bytes;
+  std::string_view name;
   std::map<std::uint32_t, std::uint32_t> registers;
   std::uint64_t register_writes = 0;
-  LinkModel<16> model{{.name = "fast",
+  LinkModel<16> model{{.name = name,
                        .clock_hz = 120'000'000,
                        .memory_bytes = memory_bytes,
                        .divisor = 40,
