@@ -45,7 +45,7 @@ install(FILES cmake/dynrtConfig.cmake ${PROJECT_BINARY_DIR}/dynrtConfigVersion.c
 # The Verilog that is checked in. The prefix may be moved, so a list names its files relative to its own
 # folder, as -F of Verilator and -f of others, run there, read it.
 set(rtl ${share}/rtl)
-install(DIRECTORY rtl/lib rtl/board rtl/bus rtl/display rtl/ecp5 rtl/link rtl/sdram rtl/ulx3s
+install(DIRECTORY rtl/arty rtl/lib rtl/board rtl/bus rtl/display rtl/ecp5 rtl/link rtl/sdram rtl/ulx3s
         rtl/generated rtl/lint DESTINATION ${rtl}
         FILES_MATCHING PATTERN *.v PATTERN *.vh PATTERN *.vlt)
 install(FILES constraints/dynrt_board.sdc DESTINATION ${rtl})

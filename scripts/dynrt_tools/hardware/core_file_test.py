@@ -16,9 +16,15 @@ from dynrt_tools.hardware import bitstream, file_lists, rtl_files
 
 ROOT = project.ROOT
 # Filesets of Verilog that is written by hand; the board's has its display too.
-BY_HAND = "library registers board port_board bus examples sdram link display ulx3s serial".split()
-# Files of constraints with pins.
-PINS = ("LPF",)
+BY_HAND = "library registers board port_board bus examples sdram link display ulx3s".split()
+BY_HAND += ["serial", "arty", "arty_controller"]
+# Files of constraints with pins, and how they give a pin its site.
+SITES = {
+    "LPF": r'^LOCATE COMP "(?P<pin>.+)" SITE "(?P<site>\w+)";',
+    "xdc": r"^set_property -dict \{PACKAGE_PIN (?P<site>\w+) .*\[get_ports \{(?P<pin>.+)\}\]$",
+}
+# What the vendor's tool adds to a target, and the pins that come with it.
+MADE_BY_TOOLS = {"arty": ("arty_controller", "ddr3_")}
 TEXT = (ROOT / "dynrt.core").read_text(encoding="utf-8")
 
 
@@ -89,15 +95,14 @@ class CoreFile(testing.InFolder):
     def test_targets_lack_no_file(self) -> None:
         tops = set()
         for name, target in self.core["targets"].items():
-            files = self.files(*target["filesets"])
-            self.assertEqual(self.elaborated(files, target["toplevel"]), "", name)
+            self.assertEqual(self.elaborated(self.all_of(name), target["toplevel"]), "", name)
             tops.add(target["toplevel"])
-        self.assertGreaterEqual(tops, {"dynrt_axi", "dynrt_wishbone", "dynrt_ulx3s"})
+        self.assertGreaterEqual(tops, {"dynrt_axi", "dynrt_wishbone", "dynrt_ulx3s", "dynrt_arty"})
 
     def test_a_target_needs_its_files(self) -> None:
         for name in ("axi", "wishbone", *self.boards()):
             target = self.core["targets"][name]
-            files = self.files(*target["filesets"])
+            files = self.all_of(name)
             text = self.top_of(target).read_text(encoding="utf-8")
             modules = set(re.findall(r"^  (\w+)(?: #\(.*\))? \w+ \($", text, re.MULTILINE))
             self.assertTrue(modules, name)
@@ -112,22 +117,33 @@ class CoreFile(testing.InFolder):
         names = self.files(*target["filesets"])
         return ROOT / next(n for n in names if n.endswith(f"/{target['toplevel']}.v"))
 
-    def boards(self) -> list[str]:
-        """The targets that have pins."""
-        kinds = {name: fileset["file_type"] for name, fileset in self.core["filesets"].items()}
+    def all_of(self, name: str) -> list[str]:
+        """The files of a target, with those that stand for what a tool makes."""
+        made = MADE_BY_TOOLS[name][:1] if name in MADE_BY_TOOLS else ()
+        return self.files(*self.core["targets"][name]["filesets"], *made)
+
+    def boards(self) -> dict[str, str]:
+        """The targets that have pins, and the filesets with these."""
+        pins = {f for f, fileset in self.core["filesets"].items() if fileset["file_type"] in SITES}
         targets = self.core["targets"].items()
-        return [n for n, t in targets if any(kinds[f] in PINS for f in t["filesets"])]
+        return {n: f for n, t in targets for f in t["filesets"] if f in pins}
 
     def test_boards_have_their_pins(self) -> None:
-        self.assertEqual(self.boards(), ["ulx3s"])
-        for name in self.boards():
-            target = self.core["targets"][name]
-            files = [f for f in self.files(*target["filesets"]) if f.startswith("constraints/")]
-            text = "".join((ROOT / f).read_text(encoding="utf-8") for f in files)
-            pins = bitstream.pins_of(self.top_of(target))
-            self.assertGreater(len(pins), 2, name)
-            for pin in pins:
-                self.assertIn(f'"{pin}"', text, name)
+        self.assertEqual(list(self.boards()), ["ulx3s", "arty"])
+        for name, fileset in self.boards().items():
+            (file,) = self.files(fileset)
+            pattern = re.compile(SITES[self.core["filesets"][fileset]["file_type"]], re.MULTILINE)
+            found = list(pattern.finditer((ROOT / file).read_text(encoding="utf-8")))
+            _, made = MADE_BY_TOOLS.get(name, ("", "none"))
+            pins = bitstream.pins_of(self.top_of(self.core["targets"][name]))
+            self.assertEqual(
+                sorted(m["pin"] for m in found),
+                sorted(pin for pin in pins if not pin.startswith(made)),
+                name,
+            )
+            sites = [m["site"] for m in found]
+            self.assertGreater(len(sites), 5, name)
+            self.assertEqual(len(set(sites)), len(sites), name)
 
     def test_the_board_is_made_for_the_core_that_is_listed(self) -> None:
         listed = json.loads((ROOT / "hls/configs/configs.json").read_text(encoding="utf-8"))

@@ -143,6 +143,13 @@ DEVICES: dict[str, Device] = {
         "has": {"LUT4": 7680, "FF": 7680, "block RAM": 32, "multiplier": 0},
         "source": "iCE40 LP/HX Family Data Sheet FPGA-DS-02029, table 1.1; block RAMs of 4 kbit",
     },
+    "artix7-100": {
+        "name": "Xilinx XC7A100T",
+        "family": "xc7",
+        "delay": "",
+        "has": {"LUT6": 63400, "FF": 126800, "block RAM": 135, "multiplier": 240},
+        "source": "7 Series FPGAs Data Sheet: Overview DS180; block RAMs of 36 kbit",
+    },
     "artix7-200": {
         "name": "Xilinx XC7A200T",
         "family": "xc7",
