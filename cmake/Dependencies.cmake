@@ -20,6 +20,7 @@ add_library(dynrt_httplib INTERFACE)
 target_include_directories(dynrt_httplib SYSTEM INTERFACE ${DYNRT_HTTPLIB_INCLUDE})
 find_package(Threads REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
+find_package(cereal REQUIRED)
 find_package(ZLIB REQUIRED)
 target_link_libraries(dynrt_httplib INTERFACE ${DYNRT_HTTPLIB} Threads::Threads)
 # Verilator's package tries 20 compiler flags aloud.

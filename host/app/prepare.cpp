@@ -93,7 +93,8 @@ CoreInfo any_core() {
 
 }  // namespace
 
-Prepared prepare(SceneFile& file, unsigned width, unsigned height, const CoreInfo* core) {
+Prepared prepare(SceneFile& file, unsigned width, unsigned height, const CoreInfo* core,
+                 const TreeOptions& trees) {
   const SceneArguments& arguments = file.arguments();
   const std::optional<CoreInfo> allowed =
       core == nullptr ? std::nullopt : std::optional(allowed_by(*core));
@@ -111,15 +112,16 @@ Prepared prepare(SceneFile& file, unsigned width, unsigned height, const CoreInf
   if (core != nullptr)
     std::ranges::move(unused_light(scene, *core), std::back_inserter(scene.notes));
   const Progress progress("building the trees");
-  Prepared prepared(lay_out(std::move(scene), view, core == nullptr ? any_core() : *core));
+  Prepared prepared(
+      lay_out(std::move(scene), view, core == nullptr ? any_core() : *core, {.trees = trees}));
   prepared.load_seconds = file.seconds();
   return prepared;
 }
 
 Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
-                 const CoreInfo* core) {
+                 const CoreInfo* core, const TreeOptions& trees) {
   SceneFile file(arguments);
-  return prepare(file, width, height, core);
+  return prepare(file, width, height, core, trees);
 }
 
 std::size_t Prepared::triangles() const {

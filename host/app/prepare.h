@@ -38,9 +38,10 @@ struct Prepared : MemoryImage {
 /// configurations that have it, and throws the errors of lay_out(); notes the lights and mirrors
 /// that the core has no rays for. Without a core: lays the scene out for the shipped number format,
 /// with every primitive, and does not check lights and mirrors.
-Prepared prepare(SceneFile& file, unsigned width, unsigned height, const CoreInfo* core = nullptr);
+Prepared prepare(SceneFile& file, unsigned width, unsigned height, const CoreInfo* core = nullptr,
+                 const TreeOptions& trees = {});
 /// For one core, of a file that nothing else reads.
 Prepared prepare(const SceneArguments& arguments, unsigned width, unsigned height,
-                 const CoreInfo* core = nullptr);
+                 const CoreInfo* core = nullptr, const TreeOptions& trees = {});
 
 }  // namespace dynrt::host

@@ -17,6 +17,7 @@
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
+#include "host/app/kept_trees.h"
 #include "host/app/progress.h"
 #include "host/app/text.h"
 #include "host/board/load_configuration.h"
@@ -120,6 +121,15 @@ SceneArguments scene_of(const Arguments& arguments, const ViewChoices& choices) 
   return scene;
 }
 
+/// Trees of an earlier run, so that the first picture comes soon.
+TreeOptions kept_trees() {
+  const std::filesystem::path folder = folder_of_trees();
+  if (folder.empty()) return {};
+  return {.make = [kept = KeptTrees(folder)](const Mesh& object, const TreeOptions& options) {
+    return kept.tree(object, options);
+  }};
+}
+
 ViewStudio studio_of(const Arguments& arguments) {
   ViewStudio studio;
   studio.scene = arguments.scene.scene;
@@ -144,7 +154,7 @@ ViewStudio studio_of(const Arguments& arguments) {
   studio.offers = offers();
   studio.prepare = [&arguments, width = studio.width, height = studio.height](
                        const ViewChoices& choices, const CoreInfo& core) -> MemoryImage {
-    return prepare(scene_of(arguments, choices), width, height, &core);
+    return prepare(scene_of(arguments, choices), width, height, &core, kept_trees());
   };
   studio.clock = [&](const CoreInfo& core) { return arguments.clock.clock_of(core).json(); };
   return studio;

@@ -15,6 +15,11 @@
 
 namespace dynrt::host {
 
+struct Mesh;
+struct TreeOptions;
+/// What makes the tree of an object.
+using MakeTree = std::function<Tree(const Mesh& object, const TreeOptions& options)>;
+
 struct TreeOptions {
   Grid grid{};                     ///< that the splits lie on
   Leaves leaves = Leaves::kNodes;  ///< as the memory has them
@@ -36,6 +41,8 @@ struct TreeOptions {
   std::size_t give_up_items = std::numeric_limits<std::size_t>::max();
   /// Triangles count as larger by this on all sides.
   double margin = 0;
+  /// Called in place of build_triangle_tree, if there is one; from several threads.
+  MakeTree make{};
   /// The memory that the tree may take, counted before leaves with the same items are joined. Each
   /// split divides the free memory between its sides by their expected work.
   TreeSize room{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};

@@ -64,6 +64,10 @@ std::vector<std::size_t> shares(std::size_t whole, std::span<const std::size_t> 
   return share;
 }
 
+Tree tree_of(const Mesh& object, const TreeOptions& options) {
+  return options.make ? options.make(object, options) : build_triangle_tree(object, options);
+}
+
 class ObjectTrees {
  public:
   ObjectTrees(const Scene& scene, const TreeOptions& options, const TreeSize& limits,
@@ -71,9 +75,8 @@ class ObjectTrees {
       : scene_(scene), options_(options), margins_(margins) {
     options_.give_up_items = kMadePerKept * limits.items;
     trees_.resize(scene.objects.size());
-    tbb::parallel_for(std::size_t{0}, trees_.size(), [&](std::size_t k) {
-      trees_[k] = build_triangle_tree(scene.objects[k], options_of(k));
-    });
+    tbb::parallel_for(std::size_t{0}, trees_.size(),
+                      [&](std::size_t k) { trees_[k] = tree_of(scene.objects[k], options_of(k)); });
     options_.give_up_items = options.give_up_items;
     for (const Tree& tree : trees_) {
       whole_.push_back({tree.given_up ? kTooLarge : tree.size(), tree.stats});
@@ -126,7 +129,7 @@ class ObjectTrees {
     for (const double part : kSmallerCosts) {
       TreeOptions options = options_of(object);
       options.costs.item *= part;
-      Tree tree = build_triangle_tree(scene_.objects[object], options);
+      Tree tree = tree_of(scene_.objects[object], options);
       if (tree.given_up || !fits(tree.size(), room)) continue;
       if (work(tree.stats) < work(best.stats)) {
         best = std::move(tree);
@@ -140,7 +143,7 @@ class ObjectTrees {
   Tree stopped(std::size_t object, const TreeSize& room) const {
     TreeOptions options = options_of(object);
     options.room = room;
-    Tree tree = build_triangle_tree(scene_.objects[object], options);
+    Tree tree = tree_of(scene_.objects[object], options);
     const auto used = [](std::size_t size, std::size_t of) {
       return static_cast<double>(size) / static_cast<double>(of);
     };
@@ -149,7 +152,7 @@ class ObjectTrees {
     if (!tree.cut || most_used > kWellUsed) return tree;
     options.room = {part_of(room.nodes, kAskedAgain / most_used),
                     part_of(room.items, kAskedAgain / most_used)};
-    Tree larger = build_triangle_tree(scene_.objects[object], options);
+    Tree larger = tree_of(scene_.objects[object], options);
     return fits(larger.size(), room) ? larger : tree;
   }
 

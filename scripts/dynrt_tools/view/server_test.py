@@ -14,7 +14,7 @@ import unittest
 import urllib.parse
 from typing import Any, ClassVar
 
-from dynrt_tools import project
+from dynrt_tools import project, testing
 from dynrt_tools.view import window_testing
 from dynrt_tools.view.window import Program
 from dynrt_tools.view.window_testing import JSON_TYPE, SCENE, SIZE, dynrt, request
@@ -157,11 +157,30 @@ class Ends(unittest.TestCase):
             self.assertIn(sentence, ended.stderr)
 
 
+class Trees(testing.InFolder):
+    def kept(self) -> dict[str, int]:
+        """The kept trees, with the time when each was written."""
+        return {p.name: p.stat().st_mtime_ns for p in self.folder.glob("trees/*")}
+
+    def look(self) -> None:
+        with Program(dynrt(), SCENE, "--size", SIZE, cache=self.folder) as program:
+            headers = {"Content_Type": JSON_TYPE}
+            start = request(program, "POST", "/ask", '{"type": "start"}', **headers)
+            self.assertEqual(start[0], 200)
+
+    def test_are_kept_for_the_next_run(self) -> None:
+        self.look()
+        first = self.kept()
+        self.assertGreater(len(first), 0)
+        self.look()
+        self.assertEqual(self.kept(), first)
+
+
 class NoBrowser(unittest.TestCase):
     def test_the_address_is_printed(self) -> None:
         with subprocess.Popen(
             [dynrt(), "view", SCENE, "--size", SIZE],
-            env={**os.environ, "PATH": "/nonexistent"},
+            env={**os.environ, "PATH": "/nonexistent", "DYNRT_CACHE": "/nonexistent"},
             stdout=subprocess.PIPE,
             text=True,
         ) as process:

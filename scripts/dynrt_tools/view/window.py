@@ -3,8 +3,10 @@
 """dynrt view with a headless Chromium before it, for its test and for the pictures of its page."""
 
 import json
+import os
 import pathlib
 import subprocess
+import tempfile
 import types
 from typing import Any, Self
 
@@ -20,11 +22,17 @@ PATIENCE = 120  # seconds, on a machine with much else to do
 
 
 class Program:
-    """dynrt view, until the end of a with statement."""
+    """dynrt view, until the end of a with statement. It keeps its trees in `cache`, or as long as it
+    runs."""
 
-    def __init__(self, program: pathlib.Path, *arguments: str) -> None:
+    def __init__(
+        self, program: pathlib.Path, *arguments: str, cache: pathlib.Path | None = None
+    ) -> None:
+        # pylint: disable-next=consider-using-with
+        self.own = tempfile.TemporaryDirectory(prefix="dynrt-view-")
         self.process = subprocess.Popen(  # pylint: disable=consider-using-with
             [program, "view", *arguments, "--no-browser"],
+            env={**os.environ, "DYNRT_CACHE": str(cache or self.own.name)},
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
@@ -52,6 +60,7 @@ class Program:
         for stream in (self.process.stdout, self.process.stderr):
             assert stream
             stream.close()
+        self.own.cleanup()
 
 
 class Browser:

@@ -1,0 +1,180 @@
+// Copyright the dynrt authors.
+// SPDX-License-Identifier: Apache-2.0
+#include "host/app/kept_trees.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <algorithm>
+#include <array>
+#include <cereal/archives/binary.hpp>
+#include <cereal/types/vector.hpp>
+#include <cstdlib>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "host/app/tree_sources.h"
+#include "host/error.h"
+#include "host/picture/output_file.h"
+#include "host/tree/triangle_tree.h"
+
+namespace glm {
+
+template <class Archive>
+void serialize(Archive& archive, dvec3& v) {
+  archive(v.x, v.y, v.z);
+}
+template <class Archive>
+void serialize(Archive& archive, uvec3& v) {
+  archive(v.x, v.y, v.z);
+}
+template <class Archive>
+void serialize(Archive& archive, dmat4& m) {
+  for (int column = 0; column < 4; ++column) {
+    archive(m[column].x, m[column].y, m[column].z, m[column].w);
+  }
+}
+
+}  // namespace glm
+
+namespace dynrt::host {
+
+namespace fs = std::filesystem;
+
+template <class Archive>
+void serialize(Archive& archive, TreeNode& node) {
+  archive(node.axis, node.split, node.left, node.right);
+}
+template <class Archive>
+void serialize(Archive& archive, Aabb& box) {
+  archive(box.low, box.high);
+}
+template <class Archive>
+void serialize(Archive& archive, TreeStats& s) {
+  archive(s.inner_nodes, s.leaves, s.leaf_links, s.empty_children, s.items, s.longest_list,
+          s.list_places, s.depth, s.expected_steps, s.expected_leaves, s.expected_items);
+}
+template <class Archive>
+void serialize(Archive& archive, Tree& t) {
+  archive(t.nodes, t.items, t.root, t.clipped_root, t.main_leaf, t.box, t.cut, t.given_up, t.leaves,
+          t.stats);
+}
+template <class Archive>
+void serialize(Archive& archive, Rectangle& r) {
+  archive(r.corner, r.across, r.along);
+}
+template <class Archive>
+void serialize(Archive& archive, Ellipsoid& e) {
+  archive(e.from_unit);
+}
+
+namespace {
+
+constexpr const char* kExtension = ".tree";
+
+/// Hexadecimal SHA-256.
+std::string digest(const std::string& text) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> bytes;
+  unsigned size = 0;
+  if (EVP_Digest(text.data(), text.size(), bytes.data(), &size, EVP_sha256(), nullptr) != 1) {
+    throw std::logic_error("OpenSSL has no SHA-256");
+  }
+  std::string hex;
+  for (unsigned i = 0; i < size; ++i) hex += fmt::format("{:02x}", bytes[i]);
+  return hex;
+}
+
+/// The object's name and materials make no difference to its tree.
+std::string key_of(const Mesh& object, const TreeOptions& o) {
+  std::ostringstream text;
+  cereal::BinaryOutputArchive archive(text);
+  archive(object.vertices, object.triangles, object.rectangles, object.ellipsoids);
+  archive(o.grid.mantissa_bits(), o.grid.max_code(), o.leaves);
+  archive(o.costs.step, o.costs.item, o.costs.empty_bonus, o.costs.hair, o.costs.hair_codes,
+          o.costs.surface_rays, o.costs.surface_share);
+  archive(o.depth_factor, o.depth_extra, o.max_depth, o.patience, o.sample_rays, o.give_up_items,
+          o.margin, o.room.nodes, o.room.items);
+  text << kTreeSources;
+  return digest(text.str());
+}
+
+std::optional<Tree> read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  const std::string held(std::istreambuf_iterator<char>(file), {});
+  const std::size_t checked = held.find('\n');
+  if (checked == std::string::npos) return std::nullopt;
+  const std::string bytes = held.substr(checked + 1);
+  if (digest(bytes) != held.substr(0, checked)) return std::nullopt;
+  std::istringstream in(bytes);
+  Tree tree;
+  cereal::BinaryInputArchive archive(in);
+  archive(tree);
+  return tree;
+}
+
+}  // namespace
+
+Tree KeptTrees::tree(const Mesh& object, const TreeOptions& options) const {
+  const fs::path file = folder_ / (key_of(object, options) + kExtension);
+  if (std::optional<Tree> kept = read(file)) return *std::move(kept);
+  Tree tree = build_triangle_tree(object, options);
+  keep(file, tree);
+  return tree;
+}
+
+void KeptTrees::keep(const fs::path& file, const Tree& tree) const {
+  std::ostringstream bytes;
+  cereal::BinaryOutputArchive archive(bytes);
+  archive(tree);
+  std::error_code failed;
+  fs::create_directories(folder_, failed);
+  if (failed) return;
+  try {
+    write_text(file.string(), digest(bytes.str()) + "\n" + bytes.str());
+    make_room();
+  } catch (const UserError&) {
+    return;  // the tree is there, and the next run builds it again
+  }
+}
+
+void KeptTrees::make_room() const {
+  struct File {
+    fs::file_time_type made;
+    std::uintmax_t bytes;
+    fs::path path;
+  };
+  std::vector<File> files;
+  std::uintmax_t sum = 0;
+  std::error_code gone;  // another run may tidy up, too
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, gone)) {
+    if (entry.path().extension() != kExtension) continue;
+    const std::uintmax_t bytes = entry.file_size(gone);
+    if (gone) continue;
+    files.push_back({entry.last_write_time(gone), bytes, entry.path()});
+    sum += bytes;
+  }
+  std::ranges::sort(files, {}, &File::made);
+  for (std::size_t i = 0; i < files.size() && sum > most_bytes_; ++i) {
+    fs::remove(files[i].path, gone);
+    sum -= files[i].bytes;
+  }
+}
+
+fs::path folder_of_trees() {
+  const auto named = [](const char* variable) {
+    const char* value = std::getenv(variable);
+    return fs::path(value == nullptr ? "" : value);
+  };
+  if (const fs::path cache = named("DYNRT_CACHE"); !cache.empty()) return cache / "trees";
+  if (const fs::path cache = named("XDG_CACHE_HOME"); !cache.empty()) {
+    return cache / "dynrt" / "trees";
+  }
+  const fs::path home = named("HOME");
+  return home.empty() ? fs::path() : home / ".cache" / "dynrt" / "trees";
+}
+
+}  // namespace dynrt::host
