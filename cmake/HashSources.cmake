@@ -1,13 +1,14 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-# cmake -DFOLDER=folder -DOUTPUT=file.h -DNAME=kName -P HashSources.cmake
-# Makes a header of namespace dynrt::host with the SHA-256 of the C++ in a folder, tests left out.
-file(GLOB sources ${FOLDER}/*.h ${FOLDER}/*.cpp)
-list(FILTER sources EXCLUDE REGEX "test|benchmark")
-list(SORT sources)
+# cmake -DFILES=file,... -DOUTPUT=file.h -DNAME=kName -P HashSources.cmake
+# Makes a header of namespace dynrt::host with one SHA-256 of all these files.
+string(REPLACE "," ";" files "${FILES}")
+if(NOT files)
+  message(FATAL_ERROR "HashSources.cmake: FILES names no file; name those to be hashed")
+endif()
 set(all "")
-foreach(source ${sources})
-  file(SHA256 ${source} hash)
+foreach(file ${files})
+  file(SHA256 ${file} hash)
   string(APPEND all ${hash})
 endforeach()
 string(SHA256 all "${all}")

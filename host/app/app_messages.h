@@ -76,8 +76,9 @@ inline constexpr char kDroppedPushes[] =
     "were dropped: hits may be missing; use a configuration with deeper stacks, such as deep";
 
 inline constexpr char kDisplayMissed[] =
-    "warning     the display has waited for its memory and missed pixels; the frame itself is "
-    "whole\n";
+    "warning     the display has waited for its memory and missed pixels since it shows pictures "
+    "of "
+    "this size; the frame itself is whole";
 inline constexpr char kMemoryExists[] =
     "board {}: its memory exists and has its own clocks; leave {} out, or take board rtl or model";
 

@@ -81,10 +81,12 @@ nlohmann::ordered_json CoreClock::json() const {
 
 void ClockFlags::add_to(CLI::App& command) {
   command
-      .add_option("--device", device,
-                  fmt::format("FPGA at whose placed clock frames per second are stated: {}; "
-                              "a configuration that was not placed gets the slowest clock there",
-                              all_devices()))
+      .add_option(
+          "--device", device,
+          fmt::format("FPGA at whose placed clock frames per second are stated: {}; "
+                      "a configuration that was not placed gets the slowest clock there, and a "
+                      "board that exists has its own",
+                      all_devices()))
       ->option_text(fmt::format("NAME [{}]", device));
   command
       .add_option("--grade", grade,

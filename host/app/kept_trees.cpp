@@ -11,6 +11,7 @@
 #include <cereal/types/vector.hpp>
 #include <cstdlib>
 #include <fstream>
+#include <mutex>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -111,8 +112,12 @@ std::optional<Tree> read(const fs::path& path) {
   if (digest(bytes) != held.substr(0, checked)) return std::nullopt;
   std::istringstream in(bytes);
   Tree tree;
-  cereal::BinaryInputArchive archive(in);
-  archive(tree);
+  try {
+    cereal::BinaryInputArchive archive(in);
+    archive(tree);
+  } catch (const cereal::Exception&) {
+    return std::nullopt;
+  }
   return tree;
 }
 
@@ -127,6 +132,9 @@ Tree KeptTrees::tree(const Mesh& object, const TreeOptions& options) const {
 }
 
 void KeptTrees::keep(const fs::path& file, const Tree& tree) const {
+  // Two objects of one shape have one file.
+  static std::mutex one_at_a_time;
+  const std::lock_guard lock(one_at_a_time);
   std::ostringstream bytes;
   cereal::BinaryOutputArchive archive(bytes);
   archive(tree);
@@ -150,11 +158,13 @@ void KeptTrees::make_room() const {
   std::vector<File> files;
   std::uintmax_t sum = 0;
   std::error_code gone;  // another run may tidy up, too
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder_, gone)) {
-    if (entry.path().extension() != kExtension) continue;
-    const std::uintmax_t bytes = entry.file_size(gone);
+  std::error_code end;
+  fs::directory_iterator entry(folder_, end);
+  for (; !end && entry != fs::directory_iterator(); entry.increment(end)) {
+    if (entry->path().extension() != kExtension) continue;
+    const std::uintmax_t bytes = entry->file_size(gone);
     if (gone) continue;
-    files.push_back({entry.last_write_time(gone), bytes, entry.path()});
+    files.push_back({entry->last_write_time(gone), bytes, entry->path()});
     sum += bytes;
   }
   std::ranges::sort(files, {}, &File::made);
@@ -167,7 +177,7 @@ void KeptTrees::make_room() const {
 fs::path folder_of_trees() {
   const auto named = [](const char* variable) {
     const char* value = std::getenv(variable);
-    return fs::path(value == nullptr ? "" : value);
+    return value == nullptr || *value == 0 ? fs::path() : fs::absolute(value);
   };
   if (const fs::path cache = named("DYNRT_CACHE"); !cache.empty()) return cache / "trees";
   if (const fs::path cache = named("XDG_CACHE_HOME"); !cache.empty()) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <tuple>
 #include <vector>
 
 #include "host/test_folder.h"
@@ -42,10 +43,18 @@ void expect_same(const Tree& a, const Tree& b) {
   EXPECT_EQ(a.items, b.items);
   EXPECT_EQ(a.root, b.root);
   EXPECT_EQ(a.clipped_root, b.clipped_root);
+  EXPECT_EQ(a.main_leaf, b.main_leaf);
   EXPECT_EQ(a.box.low, b.box.low);
   EXPECT_EQ(a.box.high, b.box.high);
-  EXPECT_EQ(a.stats.leaves, b.stats.leaves);
-  EXPECT_EQ(a.stats.expected_items, b.stats.expected_items);
+  EXPECT_EQ(a.cut, b.cut);
+  EXPECT_EQ(a.given_up, b.given_up);
+  EXPECT_EQ(a.leaves, b.leaves);
+  const auto figures = [](const TreeStats& s) {
+    return std::tuple(s.inner_nodes, s.leaves, s.leaf_links, s.empty_children, s.items,
+                      s.longest_list, s.list_places, s.depth, s.expected_steps, s.expected_leaves,
+                      s.expected_items);
+  };
+  EXPECT_EQ(figures(a.stats), figures(b.stats));
 }
 
 TEST_F(Kept, AreAsTheyWereBuilt) {
@@ -69,10 +78,18 @@ TEST_F(Kept, AreOfOneObjectAndItsOptions) {
   moved.vertices.front().x += 1e-9;
   kept.tree(moved, {});
   EXPECT_EQ(files().size(), 5u);
+  Mesh rounder = object_;
+  rounder.rectangles.emplace_back();
+  kept.tree(rounder, {});
+  rounder.ellipsoids.emplace_back();
+  kept.tree(rounder, {});
+  rounder.ellipsoids.front().from_unit[3][0] = 0.5;
+  kept.tree(rounder, {});
+  EXPECT_EQ(files().size(), 8u);
   Mesh renamed = object_;
   renamed.name = "another name";
   kept.tree(renamed, {});
-  EXPECT_EQ(files().size(), 5u);
+  EXPECT_EQ(files().size(), 8u);
 }
 
 TEST_F(Kept, AreBuiltAgainIfAFileIsDamaged) {

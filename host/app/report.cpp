@@ -101,7 +101,7 @@ std::string report_text(const Frame& frame, const FrameFigures& figures, const C
          grouped(static_cast<std::uint64_t>(figures.rays_per_second)));
   }
   text += memory_text(frame, figures.memory);
-  if (frame.run.missed_pixels) text += messages::kDisplayMissed;
+  if (frame.run.missed_pixels) line(messages::kDisplayMissed);
   line("bus         {} bytes written, {} read, {} transactions, {:.3f} s on {}",
        grouped(frame.traffic.bytes_written), grouped(frame.traffic.bytes_read),
        grouped(frame.traffic.transactions), frame.traffic.seconds(), frame.bus);

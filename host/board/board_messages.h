@@ -24,8 +24,7 @@ inline constexpr char kRefused[] =
     "the core until the interrupt";
 inline constexpr char kMemoryError[] =
     "board {}: {} answered a {} of byte {:#x} of the core's memory, so the frame may be wrong; "
-    "look "
-    "at what stands behind the core's port at that address";
+    "look at what stands behind the core's port at that address";
 inline constexpr char kRefusedStart[] =
     "board {}: it refused to start a frame with {} packets and {} cache lines; its core takes 1 to "
     "{} packets, and a power of two of at most {} lines";

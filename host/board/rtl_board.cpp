@@ -55,6 +55,8 @@ RtlBoard::RtlBoard(CoreInfo core, std::unique_ptr<ClockedBoard> clocked,
   core_.packets = limits & 0xffff;
   core_.lines = limits >> 16;
   settle();
+  // What another program has left is not of this one's frames.
+  write_register(reg::kRegMemoryError, 1u << reg::kMemoryErrorSeen);
   write_register(reg::kRegIrqEnable, 1);
 }
 

@@ -27,7 +27,7 @@ std::uint32_t word_at(std::span<const std::uint8_t> bytes, std::size_t word) {
 std::uint8_t answer_to(LinkCommand command) {
   return static_cast<std::uint8_t>(kLinkAnswer | static_cast<unsigned>(command));
 }
-std::array<std::uint8_t, 4> bytes_of(std::uint32_t word) {
+std::array<std::uint8_t, 4> little_endian(std::uint32_t word) {
   std::array<std::uint8_t, 4> bytes;
   for (unsigned i = 0; i < 4; ++i) bytes[i] = static_cast<std::uint8_t>(word >> (8 * i));
   return bytes;
@@ -104,6 +104,7 @@ std::vector<LinkAnswerFrame> BoardLink::receive(bool to_write, ByteStream::Time 
 }
 
 void BoardLink::exchange(Requests& requests) {
+  const LinkCounts at_first = counts_;
   LinkWindow window(requests.frames.size(), requests.most_under_way, requests.writes);
   std::vector<std::uint8_t> out;
   ByteStream::Time deadline = line_->now() + patience_.quiet;
@@ -137,6 +138,7 @@ void BoardLink::exchange(Requests& requests) {
   counts_.requests += requests.frames.size();
   counts_.repeats += window.repeats();
   counts_.carried += carried;
+  counts_.busy += std::max(counts_.sent - at_first.sent, counts_.received - at_first.received);
   sequence_ = static_cast<std::uint8_t>(sequence_ + requests.frames.size());
 }
 
@@ -216,7 +218,7 @@ void BoardLink::read_memory(std::uint32_t address, std::span<std::uint8_t> bytes
 void BoardLink::write_registers(std::uint32_t address, std::span<const std::uint32_t> words) {
   std::vector<std::uint8_t> bytes;
   for (const std::uint32_t word : words)
-    std::ranges::copy(bytes_of(word), std::back_inserter(bytes));
+    std::ranges::copy(little_endian(word), std::back_inserter(bytes));
   Requests requests{.most_under_way = kLinkWritesUnderWay, .writes = true};
   for (std::size_t at = 0; at < bytes.size(); at += kLinkDataBytes) {
     const std::size_t length = std::min<std::size_t>(kLinkDataBytes, bytes.size() - at);
@@ -246,7 +248,7 @@ void BoardLink::read_registers(std::uint32_t address, std::span<std::uint32_t> w
 
 std::uint32_t BoardLink::write_then_read(std::uint32_t to, std::uint32_t value,
                                          std::uint32_t from) {
-  const std::array<std::uint8_t, 4> bytes = bytes_of(value);
+  const std::array<std::uint8_t, 4> bytes = little_endian(value);
   std::uint32_t word = 0;
   // If the read is repeated, the board has carried out the write before it.
   Requests requests{

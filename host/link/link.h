@@ -46,6 +46,7 @@ struct LinkCounts {
   std::uint64_t timeouts = 0;
   std::uint64_t sent = 0;      ///< bytes on the line
   std::uint64_t received = 0;  ///< likewise
+  std::uint64_t busy = 0;      ///< of each exchange, the bytes of the direction with more of them
   std::uint64_t carried = 0;   ///< bytes of memory and registers, in both directions
   friend bool operator==(const LinkCounts&, const LinkCounts&) = default;
 };

@@ -37,7 +37,9 @@ void remove_unfinished(int signal) {
 /// A signal that is ignored, as by nohup, stays so.
 void catch_signals() {
   for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
-    if (std::signal(signal, remove_unfinished) == SIG_IGN) std::signal(signal, SIG_IGN);
+    // Who has chosen what a signal does has chosen what becomes of files, too.
+    const auto before = std::signal(signal, remove_unfinished);
+    if (before != SIG_DFL) std::signal(signal, before);
   }
 }
 

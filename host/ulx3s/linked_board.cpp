@@ -29,6 +29,7 @@ bool LinkedBoard::write(std::uint32_t address, std::span<const std::uint32_t> wo
   }
   const bool starts = address == reg::kRegControl && (words[0] >> reg::kControlStart & 1) != 0;
   if (starts) {
+    kept_ = {};  // the frame writes into the memory
     send_memory();
     clocks_ = 0;
   }
@@ -71,7 +72,7 @@ BusTraffic LinkedBoard::traffic() const {
   return {.transactions = counts.requests + frames_beside_,
           .bytes_written = bytes_written_,
           .bytes_read = bytes_read_,
-          .bus_clocks = (counts.sent + counts.received + bytes_beside_) * kLineBitsOfByte,
+          .bus_clocks = (counts.busy + bytes_beside_) * kLineBitsOfByte,
           .clock_hz = kLinkBaud};
 }
 
@@ -81,8 +82,8 @@ void LinkedBoard::spare_line(const LineCost& cost) {
 }
 
 void LinkedBoard::send_memory() {
-  kept_ = {};
   if (written_.empty()) return;
+  kept_ = {};
   const std::vector<MemoryBytes> changes = plan_.changes(bytes_of(written_));
   written_.clear();
   const LineCost cost = upload_cost(changes);

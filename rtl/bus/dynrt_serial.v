@@ -131,6 +131,7 @@ module dynrt_serial #(
     .bus_wdata_i(bus_wdata), .bus_ready_o(bus_ready), .bus_exists_o(), .bus_rvalid_o(bus_rvalid),
     .bus_rdata_o(bus_rdata), .irq_o(irq_o),
     .scan_clocks_o(), .scan_o(), .scan_shown_i(20'd0), .scan_frames_i(32'd0),
+    .scan_missed_i(1'b0),
     .memory_read_valid_o(core_read_valid), .memory_read_ready_i(core_read_ready),
     .memory_read_id_o(core_read_id), .memory_read_address_o(core_read_address),
     .memory_read_last_o(core_read_last),

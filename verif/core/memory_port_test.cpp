@@ -3,7 +3,7 @@
 //
 // Cores whose scene lies behind one port: whatever the width of the port, the second level of cache
 // and the number of pipelines, rays have the hits and the pixels that they have where it lies in
-// banks; pixels of 16 bits have the nearest colours below.
+// banks; pixels of 16 bits have what these leave of the colours.
 #include "configs/fast.h"
 #include "configs/thesis.h"
 #include "core/specialised.h"

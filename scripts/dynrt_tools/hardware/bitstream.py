@@ -41,8 +41,8 @@ BOARDS = {
     )
 }
 PACKER = "ecppack"
-# nextpnr gives up on a cell after a number of attempts that it squares the cells for, which overflows
-# for so many.
+# nextpnr gives up on a cell after as many attempts as the square of the number of cells has, which
+# overflows for so many cells.
 PATIENT = ("--placer-heap-cell-placement-timeout", "0")
 SUITE = "OSS CAD Suite has it, as it has yosys and the others"
 PORT = re.compile(r"^ +(?:input|output|inout) +(?:wire|reg) +(?:\[(\d+):0\] *)?(\w+)", re.MULTILINE)
