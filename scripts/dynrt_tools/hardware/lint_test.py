@@ -190,7 +190,8 @@ class Synth(Planted):
             result.stderr,
             (
                 "synth: there is no device 'ecp5-86'; the devices are ecp5-85, ice40-hx8k, artix7-100, "
-                "artix7-200, virtex2-6000, the families, of which only areas are known, ecp5, ice40, xc7, xc2v\n"
+                "artix7-200, virtex2-6000, the families, of which only areas are known, ecp5, ice40, "
+                "xc7, xc2v\n"
             ),
         )
 

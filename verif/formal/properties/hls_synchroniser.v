@@ -22,7 +22,7 @@
   // Why.
   always @* if (was_reset_q) begin
     assert (since_q <= 2);
-    if (since_q == 0) assert (data_q == {2{RESET}});
+    if (since_q == 0) assert (data_q == {2{RESET != 0}});
     if (since_q != 0) assert (data_q[0] == before_q[0]);
   end
 
