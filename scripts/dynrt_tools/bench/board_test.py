@@ -149,7 +149,7 @@ class Frames(unittest.TestCase):
         )
         self.assertRegex(text, r"\nown: the clocks of rtl/ulx3s: core 78\.125 MHz, SDRAM 125 MHz\n")
         self.assertEqual(text.count("\ntrees4000 "), 3)
-        self.assertIn("frame 16 of 16", self.said[-1])
+        self.assertIn("frame 12 of 12", self.said[-1])
 
     def test_the_page_has_all(self) -> None:
         page = (RESULTS / "templates" / "boards.md").read_text(encoding="utf-8")
