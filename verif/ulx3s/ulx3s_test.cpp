@@ -72,7 +72,7 @@ void make_small(Scene& scene) {
 }
 
 /// Scene, registers and hit records, at 3 Mbaud; the pixels too, which are read back as well.
-TEST(Ulx3s, SlowlyTakesASceneOverTheLine) {
+TEST(Ulx3s, TakesASceneOverTheLine) {
   auto simulated = make_simulated_ulx3s();
   SimulatedUlx3s* const ulx3s = simulated.get();
   auto linked =
