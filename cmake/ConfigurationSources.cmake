@@ -10,6 +10,7 @@
 # dynrt_list_configuration(CONFIG): appends to the same variables the row of a configuration that is
 # not built in: its limits alone.
 include_guard(GLOBAL)
+include(Embed)
 
 # dynrt_has_board(RESULT CONFIG): whether builds make a board of its Verilog. A float of more than 24
 # bits needs wider words than the board's SRAM has: no board.
@@ -95,14 +96,8 @@ function(dynrt_configuration_sources target CONFIG)
     dynrt_add_board(${CONFIG}_board CONFIG ${CONFIG} PACKETS ${packets} CACHE_LINES ${lines}
                     SRAM_LATENCY ${sram_latency} SCAN_OUT ${scan_out} CORE ${core} HEADER ${header} SHARDS 4)
     target_link_libraries(${target} PUBLIC ${CONFIG}_board)
-    set(json ${PROJECT_BINARY_DIR}/generated/${CONFIG}/dynrt_core.json)
-    add_custom_command(
-      OUTPUT ${generated}/${CONFIG}_json.cpp
-      COMMAND ${CMAKE_COMMAND} -DSOURCE=${json} -DOUTPUT=${generated}/${CONFIG}_json.cpp
-              -DNAME=dynrt::host::${CONFIG}_json -P ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake
-      DEPENDS ${json} ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake
-      VERBATIM)
-    target_sources(${target} PRIVATE ${generated}/${CONFIG}_json.cpp)
+    dynrt_embed_text(${target} ${CONFIG}_json
+                     ${PROJECT_BINARY_DIR}/generated/${CONFIG}/dynrt_core.json)
     string(APPEND DECLARATIONS "std::unique_ptr<ClockedBoard> make_${CONFIG}_board();\n"
            "std::unique_ptr<ClockedBoard> make_${CONFIG}_board_traced(const std::string&, int);\n"
            "std::string_view ${CONFIG}_json();\n")

@@ -77,8 +77,7 @@ inline constexpr char kDroppedPushes[] =
 
 inline constexpr char kDisplayMissed[] =
     "warning     the display has waited for its memory and missed pixels since it shows pictures "
-    "of "
-    "this size; the frame itself is whole";
+    "of this size; the frame itself is whole";
 inline constexpr char kMemoryExists[] =
     "board {}: its memory exists and has its own clocks; leave {} out, or take board rtl or model";
 

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "host/app/run_program.h"
+#include "host/run_program.h"
 
 namespace dynrt::host {
 namespace fs = std::filesystem;

@@ -86,13 +86,14 @@ void LinkedBoard::send_memory() {
   kept_ = {};
   const std::vector<MemoryBytes> changes = plan_.changes(bytes_of(written_));
   written_.clear();
-  const LineCost cost = upload_cost(changes);
-  uploaded_ += cost.carried;
-  bytes_written_ += cost.carried;
+  std::uint64_t bytes = 0;
+  for (const MemoryBytes& part : changes) bytes += part.bytes.size();
+  uploaded_ += bytes;
+  bytes_written_ += bytes;
   if (door_ == nullptr) {
     link_->write_memory(changes);
   } else {
-    spare_line(cost);
+    spare_line(upload_cost(changes));
     for (const MemoryBytes& part : changes) door_->write(part.address, part.bytes);
   }
 }

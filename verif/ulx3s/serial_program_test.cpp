@@ -9,16 +9,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <thread>
 
@@ -26,6 +23,8 @@
 #include "host/board/configurations.h"
 #include "host/board/registers.h"
 #include "host/link/serial_device.h"
+#include "host/run_program.h"
+#include "host/test_folder.h"
 #include "host/ulx3s/simulated_ulx3s.h"
 #include "link/pseudo_terminal.h"
 #include "link/test_board.h"
@@ -39,30 +38,17 @@ using testing::StartsWith;
 
 constexpr int kMistakeInTheInput = 2;
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 /// Runs the program in a folder of its own.
 class Program : public testing::Test {
  public:
-  Program() {
-    std::string name = (std::filesystem::temp_directory_path() / "dynrt_serial.XXXXXX").string();
-    EXPECT_NE(::mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  ~Program() override { std::filesystem::remove_all(folder_); }
-
   /// Gives the exit code, and that of `timeout` if it takes so many seconds.
   int run(const std::string& arguments, unsigned seconds = 60, const std::string& before = "") {
-    const std::string command =
-        fmt::format("timeout {} env {} {} {} >{} 2>{} </dev/null", seconds, before, DYNRT_PROGRAM,
-                    arguments, (folder_ / "output").string(), (folder_ / "errors").string());
-    const int status = std::system(command.c_str());
-    output_ = text_of(folder_ / "output");
-    errors_ = text_of(folder_ / "errors");
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    const Outcome outcome = run_program(
+        "timeout", fmt::format("{} env {} {} {}", seconds, before, DYNRT_PROGRAM, arguments),
+        folder_.path());
+    output_ = outcome.out;
+    errors_ = outcome.err;
+    return outcome.code;
   }
   std::string picture() const { return (folder_ / "picture.png").string(); }
   std::string render_on(const std::string& board) const {
@@ -83,7 +69,7 @@ class Program : public testing::Test {
     EXPECT_NO_THROW(SerialDevice{board.path()});
   }
 
-  std::filesystem::path folder_;
+  const TestFolder folder_;
   std::string output_, errors_;
 };
 
