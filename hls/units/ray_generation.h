@@ -5,12 +5,14 @@
 // chapter 7: counter bits ... y1 x1 y0 x0) or line by line, and has the camera's matrix applied to
 // it. Morton positions outside the image are passed over, a whole block of them by two packets.
 // When the image is used up the unit keeps the packets that come back; with the last of them the
-// frame is complete. Pipelines share the unit: the next pixels go to whichever has a packet free.
+// frame is complete. Pipelines share the unit: each has a block of the curve
+// (units/morton_blocks.h); of lines the next pixels go to whichever has a packet free.
 #pragma once
 
 #include <algorithm>
 
 #include "units/frame.h"
+#include "units/morton_blocks.h"
 #include "units/pipelines.h"
 #include "units/shading_tokens.h"
 #include "units/transformation_tokens.h"
@@ -56,12 +58,15 @@ struct RayGeneration {
     const uint<10> rows = packets_of<kRowBits>(config.height);
 
     const bool scanline = config.scanline.template bit<0>();
-    const uint<kSideBits> x = scanline ? scan_x_ : morton<kColumnBits>(0);
-    const uint<kSideBits> y = scanline ? scan_y_.template trunc<kSideBits>() : morton<kRowBits>(1);
+    const Place next = place_of(f);
+    const uint<kSideBits> x = scanline ? scan_x_ : morton<kColumnBits>(next.counter, 0);
+    const uint<kSideBits> y =
+        scanline ? scan_y_.template trunc<kSideBits>() : morton<kRowBits>(next.counter, 1);
     const bool in_width = x.template zext<10>() < columns;
     const bool in_height = y.template zext<10>() < rows;
 
-    if (over_) {
+    if constexpr (kHasPipelines<C>) advance_block(f, config);
+    if (scanline || !kHasPipelines<C> ? bool(over_) : next.is_over) {
       returned_ = hls::next(returned_);
       if (returned_ == in_flight(config.packets)) done.write(1);
     } else {
@@ -99,9 +104,29 @@ struct RayGeneration {
       return packets.template trunc<8>();
     }
   }
+  using Blocks = MortonBlocks<C, kCounterBits>;
+  using Place = typename Blocks::Next;
+  /// The next packet's on the Morton curve.
+  Place place_of(const FreePacket<C>& f) const {
+    if constexpr (kHasPipelines<C>) {
+      return blocks_.next(f.pipeline.get());
+    } else {
+      return {counter_};
+    }
+  }
+  void advance_block(const FreePacket<C>& f, const FrameRegisters<C>& config) {
+    const auto corner = blocks_.corner();
+    const bool is_inside =
+        morton<kColumnBits>(corner, 0).template zext<10>() <
+            packets_of<kColumnBits>(config.width) &&
+        morton<kRowBits>(corner, 1).template zext<10>() < packets_of<kRowBits>(config.height);
+    blocks_.advance(f.pipeline.get(), is_inside,
+                    last_packet(config.morton_bits.template trunc<5>()));
+  }
   /// Counts on along the Morton curve; true at its end. A block that begins outside the image lies
   /// outside, for it begins at its corner with the least x and y.
   bool next_of_curve(const FrameRegisters<C>& config) {
+    if constexpr (kHasPipelines<C>) return false;
     const uint<kCounterBits> last = last_packet(config.morton_bits.template trunc<5>());
     const bool morton_end = counter_ == last;
     const auto block = counter_.template bits<kCounterBits - 1, kBlockBits>();
@@ -124,13 +149,13 @@ struct RayGeneration {
   }
   static uint<10> before(uint<10> value) { return (value + uint<10>::ones()).template trunc<10>(); }
   /// A packet's x (axis 0) or y (1), whose lowest bit is bit `Low` of its pixels': every second bit
-  /// of the counter.
+  /// of its place on the curve.
   template <unsigned Low>
-  uint<kSideBits> morton(unsigned axis) const {
+  static uint<kSideBits> morton(uint<kCounterBits> counter, unsigned axis) {
     uint<kSideBits> side;
     for (unsigned i = 0; i < 10 - Low; ++i) {
       const unsigned bit = 2 * (i + Low) + axis - kRayBits<C>;
-      if (counter_.bit(bit)) side = side | uint<kSideBits>::from(1u << i);
+      if (counter.bit(bit)) side = side | uint<kSideBits>::from(1u << i);
     }
     return side;
   }
@@ -159,6 +184,7 @@ struct RayGeneration {
   }
 
   uint<kCounterBits> counter_;  ///< Morton: packets handed out or passed over
+  [[no_unique_address]] std::conditional_t<kHasPipelines<C>, Blocks, hls::Absent> blocks_;
   uint<kSideBits> scan_x_;
   uint<kSideBits + 1> scan_y_;  ///< reaches the number of rows
   // These are known a transaction ahead, so that the loops are short.
