@@ -1,8 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Cache, the looking half (thesis chapter 7): up to C::kLines lines in C::kWays ways, tagged with
-// the whole address so that the number of lines may change between frames. A hit is answered at
+// Cache, the looking half (thesis chapter 7): up to C::kLines items in C::kWays ways, in lines of
+// one item or several (units/line_items.h), tagged with the whole address so that the number of
+// lines may change between frames. A hit is answered at
 // once; a miss goes to the memory and its context is stored, so later requests do not wait.
 // CacheFill is the other half and owns the writing port of the lines. A line that is replaced while
 // it is looked up is a miss. Where there are ways the lookup chooses the one that a miss replaces.
@@ -17,13 +18,14 @@
 
 namespace dynrt {
 
-/// The three caches: the content of a line, the context of a request, its key in the memory, and
-/// whether the reply is known without the line.
+/// The three caches: an item and how many a line has, the context of a request, its key in the
+/// memory, and whether the reply is known without the line.
 template <class C>
 struct NodeCache {
   using Context = StepContext<C>;
   using Address = NodeAddress<C>;
   using Line = CoreNode<C>;
+  static constexpr unsigned kItems = kNodesOfLine<C>;
   using Reply = Step<C>;
   static constexpr MemoryKind kKind = MemoryKind::kNode;
   static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) { return c.packet; }
@@ -43,6 +45,7 @@ struct ListCache {
   using Context = ListContext<C>;
   using Address = NodeAddress<C>;
   using Line = CoreListEntry<C>;
+  static constexpr unsigned kItems = kEntriesOfLine<C>;
   using Reply = MailboxEntry<C>;
   static constexpr MemoryKind kKind = MemoryKind::kList;
   static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) { return c.packet; }
@@ -56,6 +59,7 @@ struct MatrixCache {
   using Context = ColumnContext<C>;
   using Address = ColumnAddress<C>;
   using Line = MatrixColumn<typename C::Real>;
+  static constexpr unsigned kItems = 1;
   using Reply = ColumnReply<C>;
   static constexpr MemoryKind kKind = MemoryKind::kColumn;
   static constexpr uint<2 + PacketId<C>::kWidth> key(const Context& c) {
@@ -75,7 +79,8 @@ struct CacheLookup {
   using Context = typename Kind::Context;
   using Line = typename Kind::Line;
   using Request = CacheRequest<Context, Kind::Address::kWidth>;
-  using Row = CacheRow<Line, Kind::Address::kWidth>;
+  static constexpr unsigned kItems = Kind::kItems;
+  using Row = CacheRow<Items<Line, kItems>, Kind::Address::kWidth - kItemBits<kItems>>;
   using Use = UseRow<C>;
   static constexpr unsigned kRoom = kRoomForBursts<C>;
 
@@ -83,16 +88,16 @@ struct CacheLookup {
   hls::Config<FrameRegisters<C>> frame;
   hls::Out<typename Kind::Reply> reply;
   hls::Out<MemoryRequest<C>> miss;
-  PortOfEach<C::kWays, hls::RamRead<Row, kSets<C>>> lines;
+  PortOfEach<C::kWays, hls::RamRead<Row, kSets<C, kItems>>> lines;
   hls::RamWrite<WaitingRow<C, Context>, kCacheKeys<Kind>> waiting;
   hls::OptionalPort<kHasPipelines<C>, hls::Config<PipelineId<C>>> pipeline;
-  hls::OptionalPort<kHasWays<C>, hls::RamRead<Use, kSets<C>>> use;
-  hls::OptionalPort<kHasWays<C>, hls::RamWrite<Use, kSets<C>>> used;
+  hls::OptionalPort<kHasWays<C>, hls::RamRead<Use, kSets<C, kItems>>> use;
+  hls::OptionalPort<kHasWays<C>, hls::RamWrite<Use, kSets<C, kItems>>> used;
   HLS_PORTS(request, frame, reply, miss, lines, waiting, pipeline, use, used)
 
   void step() {
     const Request r = request.read();
-    const auto line = set_of<C>(r.address, frame.get());
+    const auto line = set_of<C, kItems>(r.address, frame.get());
     if constexpr (kHasWays<C>) {
       look_in_ways(r, line);
     } else {
@@ -100,7 +105,7 @@ struct CacheLookup {
       // Only who misses reads it; written always, it need not wait for the comparison.
       waiting.write(Kind::key(r.context), r.context);
       if (Kind::is_known(r.address) || is_at(row, r.address)) {
-        reply.write(Kind::reply(r.context, r.address, row.line));
+        reply.write(Kind::reply(r.context, r.address, item_at<kItems>(row.line, r.address)));
       } else {
         ask_memory(r);
       }
@@ -108,7 +113,7 @@ struct CacheLookup {
   }
 
  private:
-  void look_in_ways(const Request& r, SetNumber<C> set) {
+  void look_in_ways(const Request& r, SetNumber<C, kItems> set) {
     WaySet<C::kWays> hits{}, empty{};
     std::array<Row, C::kWays> rows;
     for (unsigned i = 0; i < C::kWays; ++i) {
@@ -116,9 +121,9 @@ struct CacheLookup {
       hits.put(i, is_at(rows[i], r.address));
       empty.put(i, !rows[i].valid || rows[i].torn);
     }
-    Line line = rows[C::kWays - 1].line;
+    Line line = item_at<kItems>(rows[C::kWays - 1].line, r.address);
     for (unsigned i = C::kWays - 1; i-- > 0;) {
-      if (hits.has(i)) line = rows[i].line;
+      if (hits.has(i)) line = item_at<kItems>(rows[i].line, r.address);
     }
     const auto before = use.read(set).of_full_set(!empty.any());
     const auto way = hits.any() ? hits.first() : empty.any() ? empty.first() : before.oldest();
@@ -138,7 +143,7 @@ struct CacheLookup {
   }
   static bool is_at(const Row& row, Kind::Address address) {
     return hls::concat(hls::concat(row.tag, uint<1>(row.valid)), uint<1>(row.torn)) ==
-           hls::concat(address, uint<2>(0b10));
+           hls::concat(line_of<kItems>(address), uint<2>(0b10));
   }
   PipelineNumber<C> number() const {
     if constexpr (kHasPipelines<C>) {

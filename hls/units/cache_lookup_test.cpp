@@ -11,16 +11,17 @@
 namespace dynrt {
 namespace {
 
-template <unsigned Lines, unsigned Ways = 1>
+template <unsigned Lines, unsigned Ways = 1, unsigned Nodes = 1>
 struct Of : test::Config<8, Lines> {
   static constexpr unsigned kWays = Ways;
+  static constexpr unsigned kLineNodes = Nodes;
 };
 
 /// Lookup and fill share lines and waiting contexts.
 template <class C, class Kind>
 class Cache {
  public:
-  using Line = typename Kind::Line;
+  using Line = Items<typename Kind::Line, Kind::kItems>;
   using Reply = typename Kind::Reply;
   using Request = CacheRequest<typename Kind::Context>;
 
@@ -82,6 +83,14 @@ Line memory(std::uint64_t address) {
   return line;
 }
 
+/// The line of a cache that it lies in.
+template <class Kind>
+auto line_at(std::uint64_t address) {
+  return items_of<Kind::kItems>([address](unsigned i) {
+    return memory<typename Kind::Line>(address / Kind::kItems * Kind::kItems + i);
+  });
+}
+
 struct Counts {
   unsigned hits = 0, misses = 0;
 };
@@ -103,8 +112,8 @@ Counts run(unsigned lines, unsigned addresses, unsigned requests) {
     const std::size_t i = test::below(random, static_cast<unsigned>(pending.size()));
     const MemoryRequest<C> r = pending[i];
     pending.erase(pending.begin() + static_cast<std::ptrdiff_t>(i));
+    cache.fill({false, r.key, r.address, line_at<Kind>(r.address.to_u64())});
     const auto line = memory<typename Kind::Line>(r.address.to_u64());
-    cache.fill({false, r.key, r.address, line});
     Client& client = clients[r.key.to_u64()];
     const auto replies = cache.filled();
     ASSERT_EQ(replies.size(), 1u);
@@ -141,7 +150,7 @@ Counts run(unsigned lines, unsigned addresses, unsigned requests) {
 
 template <class C>
 void expect_the_data_of_each_line() {
-  for (unsigned lines = C::kWays; lines <= 512; lines *= 2) {
+  for (unsigned lines = C::kWays * kEntriesOfLine<C>; lines <= 512; lines *= 2) {
     SCOPED_TRACE(testing::Message() << lines << " lines");
     for (const Counts& counts : {run<C, NodeCache<C>>(lines, 3 * lines, 4000),
                                  run<C, ListCache<C>>(lines, 3 * lines, 4000),
@@ -158,6 +167,34 @@ TEST(CacheLookup, NeverDeliversAnotherLinesDataOfTwoWays) {
 }
 TEST(CacheLookup, NeverDeliversAnotherLinesDataOfFourWays) {
   expect_the_data_of_each_line<Of<512, 4>>();
+}
+
+TEST(CacheLookup, NeverDeliversAnotherItemsData) {
+  expect_the_data_of_each_line<Of<512, 1, 2>>();
+  expect_the_data_of_each_line<Of<512, 2, 2>>();
+  expect_the_data_of_each_line<Of<512, 4, 8>>();
+}
+
+TEST(CacheLookup, ALineIsFetchedOnceForAllItsItems) {
+  using C = Of<16, 1, 4>;
+  using Kind = ListCache<C>;
+  static_assert(Kind::kItems == 8);
+  Cache<C, Kind> cache(16);
+  cache.request({{}, Address(13)});
+  const auto misses = cache.misses();
+  ASSERT_EQ(misses.size(), 1u);
+  EXPECT_EQ(misses[0].address, Address(13));
+  cache.fill({false, misses[0].key, misses[0].address, line_at<Kind>(13)});
+  for (unsigned address = 8; address < 16; ++address) {
+    cache.request({{}, Address::from(address)});
+    const auto hits = cache.hits();
+    ASSERT_EQ(hits.size(), 1u) << address;
+    EXPECT_TRUE(test::same(hits[0].entry, memory<CoreListEntry<C>>(address)));
+  }
+  for (const unsigned beside : {7, 16}) {
+    cache.request({{}, Address::from(beside)});
+    EXPECT_TRUE(cache.hits().empty()) << beside;
+  }
 }
 
 TEST(CacheLookup, ACoreMayHaveFewerLines) {

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Takes a node, a list entry or a matrix column out of the line that it lies in, for the cache that
-// asked for it.
+// Takes the line of a first-level cache out of the one of the second level, or out of the beats,
+// that it lies in: nodes, list entries or a matrix column, for the cache that asked for it.
 #pragma once
 
 #include "units/memory_interface.h"
@@ -26,28 +26,26 @@ struct MemoryAnswer {
     const MemoryLine<C> l = line.read();
     const MemoryRequest<C> request{
         .kind = l.id.kind, .key = l.id.key, .address = l.address, .pipeline = l.id.pipeline};
-    const auto node_words = item<kNodeBytes>(l);
-    const auto column_words = item<kColumnBytes>(l);
-    const bool is_column = l.id.kind == MemoryKind::kColumn;
-    send_line<C>(
-        request,
-        {is_column ? column_words[0] : node_words[0], is_column ? column_words[1] : node_words[1],
-         is_column ? column_words[2] : item<kEntryBytes>(l)[0]},
-        node, list, column);
+    const auto column_words = line_words<kColumnBytes, 1>(l);
+    send_line<C>(request, line_words<kNodeLineBytes<C>, kNodesOfLine<C>>(l),
+                 line_words<kListLineBytes<C>, kEntriesOfLine<C>>(l),
+                 {column_words[0], column_words[1], column_words[2]}, node, list, column);
   }
 
  private:
-  /// The item, of those of its size in the line.
-  template <unsigned Bytes>
-  static std::array<Word, Bytes / 4> item(const MemoryLine<C>& l) {
+  /// The line of so many bytes and items, of those of its size that were read.
+  template <unsigned Bytes, unsigned N>
+  static std::array<Word, Bytes / 4> line_words(const MemoryLine<C>& l) {
     constexpr unsigned kWords = Bytes / 4;
-    constexpr unsigned kItems = read_bytes<C>(Bytes) / Bytes;
-    using Place = uint<hls::index_width(kItems)>;
+    constexpr unsigned kRead = read_bytes<C>(Bytes) / Bytes;
+    using Place = uint<hls::index_width(kRead)>;
     std::array<Word, kWords> found;
     for (unsigned w = 0; w < kWords; ++w) found[w] = l.data[w];
-    for (unsigned i = 1; i < kItems; ++i) {
+    for (unsigned i = 1; i < kRead; ++i) {
       for (unsigned w = 0; w < kWords; ++w) {
-        if (Place::from(l.address.raw()) == Place::from(i)) found[w] = l.data[i * kWords + w];
+        if (Place::from(line_of<N>(l.address).raw()) == Place::from(i)) {
+          found[w] = l.data[i * kWords + w];
+        }
       }
     }
     return found;

@@ -45,6 +45,11 @@ inline constexpr unsigned kPortAddressBits = 24;  ///< of a byte of the scene
 inline constexpr unsigned kNodeBytes = 8;
 inline constexpr unsigned kEntryBytes = 4;
 inline constexpr unsigned kColumnBytes = 16;
+/// Entries in a line of the list cache, where one of the node cache has several nodes: as many as
+/// have its bytes.
+constexpr unsigned entries_of_line(unsigned nodes) {
+  return nodes == 1 ? 1 : nodes * kNodeBytes / kEntryBytes;
+}
 inline constexpr unsigned kEntriesAt = kMaxNodes * kNodeBytes;
 inline constexpr unsigned kColumnsAt = 2 * kEntriesAt;
 static_assert(kColumnsAt + (kColumnBytes << kAddressBits) == 1u << kPortAddressBits);

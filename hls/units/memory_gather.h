@@ -38,12 +38,12 @@ struct MemoryGather {
   /// A half of an answer of a kind, whose beats are the latest; beyond its end, any.
   static uint<16> half(const std::array<BeatData<C>, kReadBeats<C>>& beats, MemoryKind kind,
                        unsigned number) {
-    const auto of = [&](unsigned item_bytes) {
-      const unsigned from = kReadBeats<C> - 1 - last_beat<C>(item_bytes);
+    const auto of = [&](MemoryKind of_line) {
+      const unsigned from = kReadBeats<C> - 1 - last_beat<C>(of_line);
       const unsigned at = from + number / kHalves;
       return beats[at < kReadBeats<C> ? at : kReadBeats<C> - 1][number % kHalves];
     };
-    return of_kind(kind, of(kNodeBytes), of(kEntryBytes), of(kColumnBytes));
+    return of_kind(kind, of(MemoryKind::kNode), of(MemoryKind::kList), of(MemoryKind::kColumn));
   }
 };
 

@@ -20,10 +20,12 @@ T lowest(uint<W> bits) {
   return hls::from_bits<T>(bits.template trunc<hls::bit_width_of<T>()>());
 }
 
-/// Sends a line to the cache that asked for it; `data` are the words of the banks that hold it.
-template <class C>
+/// Sends a line to the cache that asked for it, which is made of these words.
+template <class C, std::size_t NodeWords, std::size_t Entries>
 void send_line(const MemoryRequest<C>& r,
-               const std::array<SceneWord<typename C::Real>, kSceneBanks>& data, auto& node,
+               const std::array<SceneWord<typename C::Real>, NodeWords>& node_words,
+               const std::array<SceneWord<typename C::Real>, Entries>& list_words,
+               const std::array<SceneWord<typename C::Real>, 3>& column_words, auto& node,
                auto& list, auto& column) {
   using Real = typename C::Real;
   const auto narrow = [](const Node<Real>& n) {
@@ -32,23 +34,27 @@ void send_line(const MemoryRequest<C>& r,
   };
   switch (r.kind) {
     case MemoryKind::kNode:
-      write_to<kPipelines<C>>(
-          node, r.pipeline.get(),
-          NodeLine<C>{false, r.key, r.address.template trunc<C::kAddressBits>(),
-                      narrow(lowest<Node<Real>>(hls::concat(data[1], data[0])))});
+      write_to<kPipelines<C>>(node, r.pipeline.get(),
+                              NodeLine<C>{false, r.key, r.address.template trunc<C::kAddressBits>(),
+                                          items_of<kNodesOfLine<C>>([&](unsigned i) {
+                                            return narrow(lowest<Node<Real>>(hls::concat(
+                                                node_words[2 * i + 1], node_words[2 * i])));
+                                          })});
       break;
     case MemoryKind::kList:
       write_to<kPipelines<C>>(list, r.pipeline.get(),
                               ListLine<C>{false, r.key, r.address.template trunc<C::kAddressBits>(),
-                                          core_entry<C>(lowest<ListEntry>(data[2]))});
+                                          items_of<kEntriesOfLine<C>>([&](unsigned i) {
+                                            return core_entry<C>(lowest<ListEntry>(list_words[i]));
+                                          })});
       break;
     case MemoryKind::kColumn:
       write_to<kPipelines<C>>(
           column, r.pipeline.get(),
           ColumnLine<C>{false, r.key, r.address.template trunc<ColumnAddress<C>::kWidth>(),
-                        MatrixColumn<Real>{{lowest<MatrixWord<Real>>(data[0]),
-                                            lowest<MatrixWord<Real>>(data[1]),
-                                            lowest<MatrixWord<Real>>(data[2])}}});
+                        MatrixColumn<Real>{{lowest<MatrixWord<Real>>(column_words[0]),
+                                            lowest<MatrixWord<Real>>(column_words[1]),
+                                            lowest<MatrixWord<Real>>(column_words[2])}}});
       break;
   }
 }
@@ -79,7 +85,9 @@ struct MemoryInterface {
     const uint<20> word = hls::concat(uint<1>(is_column), r.address.template zext<kAddressBits>());
     const std::array<SceneWord<Real>, kSceneBanks> data{bank[0].read(word), bank[1].read(word),
                                                         bank[2].read(word)};
-    send_line<C>(r, data, node, list, column);
+    using Words = SceneWord<Real>;
+    send_line<C>(r, std::array<Words, 2>{data[0], data[1]}, std::array<Words, 1>{data[2]}, data,
+                 node, list, column);
   }
 };
 

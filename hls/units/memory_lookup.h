@@ -49,11 +49,13 @@ struct MemoryLookup {
     const PortId<C> id = port_id(r);
     in_flight.write(hls::to_bits(id), ReadInFlight<C>{r.address, way});
     const PortAddress byte = byte_of<C>(r.kind, r.address);
-    const auto from = [&](unsigned item_bytes) {
-      const PortAddress within = PortAddress::from(read_bytes<C>(item_bytes) - 1);
-      return PortRead<C>{id, byte & ~within, uint<4>::from(last_beat<C>(item_bytes))};
+    const auto from = [&](MemoryKind kind, unsigned line_bytes) {
+      const PortAddress within = PortAddress::from(read_bytes<C>(line_bytes) - 1);
+      return PortRead<C>{id, byte & ~within, uint<4>::from(last_beat<C>(kind))};
     };
-    read.write(of_kind(r.kind, from(kNodeBytes), from(kEntryBytes), from(kColumnBytes)));
+    read.write(of_kind(r.kind, from(MemoryKind::kNode, kNodeLineBytes<C>),
+                       from(MemoryKind::kList, kListLineBytes<C>),
+                       from(MemoryKind::kColumn, kColumnBytes)));
   }
 
   void look_up(const Repeated<Request>& repeated) {

@@ -36,22 +36,32 @@ inline constexpr unsigned kSecondLineBits = std::countr_zero(C::kSecondLine);
 template <class C>
 using SecondLineNumber = uint<kPortAddressBits - kSecondLineBits<C>>;
 
-/// Bytes that a read brings for an item: a line of the second level, or the beats that it lies in.
+/// A value for each kind of item; the one of `kind`.
+template <class T>
+constexpr T of_kind(MemoryKind kind, const T& node, const T& entry, const T& column) {
+  return kind == MemoryKind::kNode ? node : kind == MemoryKind::kList ? entry : column;
+}
+
+/// Bytes that a read brings for a line of the first level: a line of the second, or the beats that
+/// it lies in.
 template <class C>
-constexpr unsigned read_bytes(unsigned item_bytes) {
-  return kHasSecondLevel<C> ? C::kSecondLine : std::max(item_bytes, kBeatBytes<C>);
+constexpr unsigned read_bytes(unsigned line_bytes) {
+  return kHasSecondLevel<C> ? C::kSecondLine : std::max(line_bytes, kBeatBytes<C>);
 }
 /// Beats of a read, less one. The last word of a column's place holds nothing and is left out.
 template <class C>
-constexpr unsigned last_beat(unsigned item_bytes) {
-  const unsigned used = item_bytes == kColumnBytes && !kHasSecondLevel<C> ? 12 : item_bytes;
+constexpr unsigned last_beat(MemoryKind kind) {
+  const unsigned used = of_kind(kind, kNodeLineBytes<C>, kListLineBytes<C>, 12u);
   return (std::max(kHasSecondLevel<C> ? C::kSecondLine : used, kBeatBytes<C>) - 1) / kBeatBytes<C>;
 }
-/// The beats of the longest read, and its words; those of a shorter one are the first.
+/// The bytes of the longest read, its beats and its words; those of a shorter one are the first.
 template <class C>
-inline constexpr unsigned kReadBeats = read_bytes<C>(kColumnBytes) / kBeatBytes<C>;
+inline constexpr unsigned kReadBytes =
+    std::max(read_bytes<C>(kColumnBytes), read_bytes<C>(kNodeLineBytes<C>));
 template <class C>
-using ReadWords = std::array<Word, read_bytes<C>(kColumnBytes) / 4>;
+inline constexpr unsigned kReadBeats = kReadBytes<C> / kBeatBytes<C>;
+template <class C>
+using ReadWords = std::array<Word, kReadBytes<C> / 4>;
 
 /// Whose a read is: a cache, and the request within it.
 template <class C>
@@ -146,12 +156,6 @@ struct LastMiss {
   uint<2> way;
   HLS_FIELDS(torn, valid, line, way)
 };
-
-/// A value for each kind of item; the one of `kind`.
-template <class T>
-constexpr T of_kind(MemoryKind kind, const T& node, const T& entry, const T& column) {
-  return kind == MemoryKind::kNode ? node : kind == MemoryKind::kList ? entry : column;
-}
 
 /// Where an item begins in the memory (units/memory_format.h).
 template <class C>

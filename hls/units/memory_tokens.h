@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "units/frame.h"
+#include "units/line_items.h"
 #include "units/packet.h"
 #include "units/pipelines.h"
 #include "units/transformation_tokens.h"
@@ -23,7 +24,7 @@ struct CacheRequest {
   HLS_FIELDS(context, address)
 };
 
-/// Data is Line, the bits of a node, a list entry or a matrix column.
+/// `line` is the item that was asked for: a node, a list entry or a matrix column.
 template <class Context, class Line, unsigned AddressBits = kAddressBits>
 struct CacheReply {
   Context context;
@@ -32,6 +33,7 @@ struct CacheReply {
   HLS_FIELDS(context, address, line)
 };
 
+/// A line, with the bits of its address that all of its items have.
 template <class Line, unsigned AddressBits = kAddressBits>
 struct CacheRow {
   bool torn = false;  ///< hls::Hazard::kTorn
@@ -70,7 +72,8 @@ struct MemoryRequest {
   HLS_FIELDS(repeat, kind, key, address, pipeline, invalidate, tries)
 };
 
-/// A line for a cache: the answer to a request, or the order to invalidate a line.
+/// A line for a cache: the answer to a request for the item at `address`, or the order to
+/// invalidate the line that it would lie in.
 template <class C, class Line, unsigned AddressBits = kAddressBits>
 struct CacheLine {
   bool invalidate = false;
@@ -80,9 +83,9 @@ struct CacheLine {
   HLS_FIELDS(invalidate, key, address, line)
 };
 template <class C>
-using NodeLine = CacheLine<C, CoreNode<C>, NodeAddress<C>::kWidth>;
+using NodeLine = CacheLine<C, Items<CoreNode<C>, kNodesOfLine<C>>, NodeAddress<C>::kWidth>;
 template <class C>
-using ListLine = CacheLine<C, CoreListEntry<C>, NodeAddress<C>::kWidth>;
+using ListLine = CacheLine<C, Items<CoreListEntry<C>, kEntriesOfLine<C>>, NodeAddress<C>::kWidth>;
 template <class C>
 using ColumnLine = CacheLine<C, MatrixColumn<typename C::Real>, ColumnAddress<C>::kWidth>;
 

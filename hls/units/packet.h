@@ -194,7 +194,8 @@ constexpr NodeAddress<C> list_address(NodeAddress<C> pointer) {
 template <class C>
 using CoreNode = Node<typename C::Real, C::kAddressBits>;
 
-/// The part of a list's entry that a core with fewer bits for matrices than the memory reads.
+/// The part of a list's entry that a core reads: kept where it has fewer bits for matrices than the
+/// memory, or lines of several entries.
 template <class C>
 struct NarrowListEntry {
   MatrixNumber<C> matrix;
@@ -205,11 +206,12 @@ struct NarrowListEntry {
   constexpr Primitive primitive() const { return kind.get(); }
 };
 template <class C>
-using CoreListEntry =
-    std::conditional_t<C::kMatrixBits == kMatrixBits, ListEntry, NarrowListEntry<C>>;
+inline constexpr bool kWholeEntries = C::kMatrixBits == kMatrixBits && C::kLineNodes == 1;
+template <class C>
+using CoreListEntry = std::conditional_t<kWholeEntries<C>, ListEntry, NarrowListEntry<C>>;
 template <class C>
 constexpr CoreListEntry<C> core_entry(const ListEntry& entry) {
-  if constexpr (C::kMatrixBits == kMatrixBits) {
+  if constexpr (kWholeEntries<C>) {
     return entry;
   } else {
     return {entry.matrix.trunc<C::kMatrixBits>(), entry.primitive(), entry.last};

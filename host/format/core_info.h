@@ -39,6 +39,8 @@ struct CoreInfo : CoreConfiguration {
   /// Whether objects lie in the memory such that their box is the cube from -1 to 1, to which the
   /// core clips (units/box_clip.h).
   bool clips_to_box() const { return object_box == ObjectBox::kUnit; }
+  /// The fewest lines that a frame may ask for: of list entries, a line in each way.
+  unsigned least_lines() const { return ways * entries_of_line(line_nodes); }
   unsigned pixel_bytes() const { return pixel_bits / 8; }
   /// Pixels from the beginning of an image's row to that of the next, in the banks.
   unsigned pitch(unsigned width) const {

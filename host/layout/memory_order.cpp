@@ -14,7 +14,6 @@ using Treelet = std::vector<std::uint32_t>;
 
 /// Of treelets and lists, those among which one is sought that fits into the rest of a line.
 constexpr std::size_t kAhead = 64;
-constexpr std::uint32_t kEntriesOfNode = 2;  ///< that take as many bytes
 
 bool has_node(const Tree& tree, std::uint32_t index) {
   return tree.leaves == Leaves::kNodes || !tree.nodes[index].is_leaf();
@@ -169,7 +168,7 @@ MemoryOrder memory_order(const Tree& tree, unsigned line_nodes, const MemoryPlac
   const std::vector<Treelet> treelets = Treelets(tree, line_nodes).all();
   return {nodes_in_lines(treelets, place.node, line_nodes),
           leaves_in_lines(tree, leaves_below(tree, treelets), place.entry,
-                          kEntriesOfNode * line_nodes)};
+                          entries_of_line(line_nodes))};
 }
 
 }  // namespace dynrt::host

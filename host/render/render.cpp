@@ -114,9 +114,10 @@ FrameConfig frame_config(const CoreInfo& core, const FrameOptions& options,
     if (core.is_specialised()) refuse_excess({"uncompressed", "true", "false"}, core, "the frame");
     refuse_option("uncompressed", messages::kUncompressed, core.name);
   }
-  if (!std::has_single_bit(lines) || lines < core.ways || lines > core.lines) {
-    refuse_option("lines", messages::kLines, core.name, core.ways, 2 * core.ways, 4 * core.ways,
-                  core.lines, lines);
+  const unsigned least = core.least_lines();
+  if (!std::has_single_bit(lines) || lines < least || lines > core.lines) {
+    refuse_option("lines", messages::kLines, core.name, least, 2 * least, 4 * least, core.lines,
+                  lines);
   }
   FrameConfig frame;
   frame.packets = to_word(packets);

@@ -89,6 +89,10 @@ TEST(FrameConfig, RefusesWhatTheConfigurationLacks) {
   EXPECT_THAT([&core] { frame_config(core, {.lines = 1}, {}); },
               ThrowsMessage<UserError>(
                   "the caches of configuration small have 2, 4, 8 up to 16 lines, not 1"));
+  core.line_nodes = 2;
+  EXPECT_THAT([&core] { frame_config(core, {.lines = 4}, {}); },
+              ThrowsMessage<UserError>(
+                  "the caches of configuration small have 8, 16, 32 up to 16 lines, not 4"));
   EXPECT_THAT(
       configuring({.reflections = 1}),
       ThrowsMessage<UserError>("configuration small traces at most 0 reflections of a ray, not 1"));

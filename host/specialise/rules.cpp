@@ -230,6 +230,7 @@ constexpr Rule kRules[] = {
     {"port_bytes", Holds::kAlways, of_board},
     {"pixel_bits", Holds::kAlways, of_board},
     {"ways", Holds::kAlways, hits_stay},
+    {"line_nodes", Holds::kAlways, measured},
     {"second_level", Holds::kAlways, hits_stay},
     {"second_line", Holds::kAlways, hits_stay},
     {"second_ways", Holds::kAlways, hits_stay},

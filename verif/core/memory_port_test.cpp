@@ -22,6 +22,10 @@ struct Behind : C {
   static constexpr unsigned kPipelines = Pipelines;
   static constexpr unsigned kPixelBits = PixelBits;
 };
+template <class C, unsigned Nodes>
+struct Lines : C {
+  static constexpr unsigned kLineNodes = Nodes;
+};
 template <class C, unsigned Bytes>
 using ShortPixels = Behind<C, Bytes, 0, 1, 1, 16>;
 
@@ -54,6 +58,23 @@ TEST(MemoryPort, WithASecondLevelToo) {
   expect_as_from_banks<fast, Behind<fast, 2, 16, 2>>("cistern");
   expect_as_from_banks<fast, Behind<fast, 32, 128, 4>>("conference");
   expect_as_from_banks<fast, Behind<fast, 16, 64, 4, 4>>("trees4000");
+}
+
+TEST(MemoryPort, WithLinesOfSeveralNodes) {
+  using config::fast, config::thesis;
+  expect_as_from_banks<thesis, Lines<Behind<thesis, 16>, 2>>("office");
+  expect_as_from_banks<fast, Lines<Behind<fast, 4>, 8>>("trees4000");
+  expect_as_from_banks<fast, Lines<Behind<fast, 2, 16, 2>, 4>>("cistern");
+  expect_as_from_banks<fast, Lines<Behind<fast, 16, 64, 4, 2>, 2>>("conference");
+}
+
+TEST(MemoryPort, ALineOfSeveralNodesSavesReads) {
+  using config::fast;
+  const auto asked = [](const auto& board) {
+    return count_of(rendered(*board, "office", {}), "memory_lookup.transactions");
+  };
+  const std::uint64_t one = asked(board_of<Behind<fast, 16>>());
+  EXPECT_LT(asked(board_of<Lines<Behind<fast, 16>, 2>>()), one * 4 / 5);
 }
 
 TEST(MemoryPort, TakesPixelsOfSixteenBits) {

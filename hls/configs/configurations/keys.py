@@ -106,7 +106,11 @@ KEYS: dict[str, Key] = {
         "are in the leaf; the mailbox then remembers for each item which rays it had",
         "traced",
     ),
-    "lines": Key(Whole(1, 512, power_of_two=True), "kLines", "lines of each cache"),
+    "lines": Key(
+        Whole(1, 512, power_of_two=True),
+        "kLines",
+        "lines of each cache; the nodes or entries in all of them, where a line has several",
+    ),
     "ways": Key(
         Whole(1, 4, power_of_two=True),
         "kWays",
@@ -288,11 +292,10 @@ KEYS: dict[str, Key] = {
     ),
     "line_nodes": Key(
         Whole(1, 8, power_of_two=True),
-        None,
-        "nodes that lie together in the memory: subtrees of as many, so that a line of the memory "
-        "holds what is read one after another",
+        "kLineNodes",
+        "nodes of a line of the node cache, which come in one read and are a subtree; from 2 on, a "
+        "line of the list cache has twice as many entries",
         1,
-        of_core=False,
     ),
     "main_first": Key(
         Flag(),

@@ -62,7 +62,56 @@ OF_WATERTIGHT: tuple[tuple[str, Callable[[object], bool], str, str], ...] = (
         "bits more, in a double",
     ),
 )
+# What lines of several nodes ask of another key.
+OF_LINES: tuple[Rule, ...] = tuple(
+    rule
+    for nodes in (2, 4, 8)
+    for rule in (
+        Rule(
+            "line_nodes",
+            nodes,
+            "memory",
+            lambda v: v == "port",
+            "port",
+            "banks give one node in a clock",
+        ),
+        Rule(
+            "line_nodes",
+            nodes,
+            "lines",
+            at_least(8 * nodes),
+            f"{8 * nodes} or more",
+            "a line of list entries takes the place of twice as many, in each of up to four ways",
+        ),
+    )
+)
 RULES: tuple[Rule, ...] = (
+    *OF_LINES,
+    Rule(
+        "line_nodes",
+        4,
+        "second_line",
+        at_least(32),
+        "32",
+        "a line of the node cache, 8 bytes for each node, lies in one of the second level",
+    ),
+    Rule(
+        "line_nodes",
+        8,
+        "second_level",
+        lambda v: v == 0,
+        "0",
+        "a line of the node cache, 8 bytes for each node, lies in one of the second level, which has "
+        "32 at most",
+    ),
+    Rule(
+        "line_nodes",
+        8,
+        "port_bytes",
+        at_least(4),
+        "4 or more",
+        "a read has 16 beats at most",
+    ),
     Rule("ways", 2, "lines", at_least(2), "2 or more", "a set has a line in each way"),
     Rule("ways", 4, "lines", at_least(4), "4 or more", "a set has a line in each way"),
     Rule(

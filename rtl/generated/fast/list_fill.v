@@ -40,9 +40,9 @@ module list_fill #(
   // ---- stage 0 ----
   wire fill_0_s0 = fill_data_i[0];
   wire [8:0] fill_9_s0 = fill_data_i[17:9];
-  wire not_1_s0 = ~fill_0_s0;  // units/cache_fill.h:35
+  wire not_1_s0 = ~fill_0_s0;  // units/cache_fill.h:36
   wire [7:0] fill_1_s0 = fill_data_i[8:1];
-  wire [8:0] line_s0 = fill_9_s0 & frame_32_still;  // units/cache_fill.h:30
+  wire [8:0] line_s0 = fill_9_s0 & frame_32_still;  // units/cache_fill.h:31
   wire [31:0] fill_28_s0 = fill_data_i[59:28];
   wire [9:0] fill_18_s0 = fill_data_i[27:18];
 

@@ -46,7 +46,7 @@ module list_lookup #(
   // ---- stage 0 ----
   wire [8:0] request_15_s0 = request_data_i[23:15];
   wire [9:0] request_24_s0 = request_data_i[33:24];
-  wire [8:0] line_s0 = frame_32_still & request_15_s0;  // units/cache_lookup.h:95
+  wire [8:0] line_s0 = frame_32_still & request_15_s0;  // units/cache_lookup.h:100
   wire [5:0] r_context_packet_s0 = request_data_i[5:0];
   wire [7:0] r_context_active_value_s0 = request_data_i[14:7];
   wire request_6_s0 = request_data_i[6];
@@ -88,7 +88,7 @@ module list_lookup #(
     lines_21_s2 <= lines_21_s1;
     request_6_s2 <= request_6_s1;
   end
-  wire eq_1_s2 = lines_0_s2 == {request_24_s2, request_15_s2, 2'd2};  // units/cache_lookup.h:140
+  wire eq_1_s2 = lines_0_s2 == {request_24_s2, request_15_s2, 2'd2};  // units/cache_lookup.h:145
 
   // ---- stage 3 ----
   reg valid_s3;

@@ -54,8 +54,8 @@ module matrix_fill #(
     f_address_s1 <= f_address_s0;
     fill_18_s1 <= fill_18_s0;
   end
-  wire not_1_s1 = ~f_invalidate_s1;  // units/cache_fill.h:30
-  wire [8:0] line_s1 = f_address_s1 & frame_32_still;  // units/cache_fill.h:30
+  wire not_1_s1 = ~f_invalidate_s1;  // units/cache_fill.h:31
+  wire [8:0] line_s1 = f_address_s1 & frame_32_still;  // units/cache_fill.h:31
   wire [17:0] waiting_s1 = waiting_data_i;
 
   // ---- stage 2 ----

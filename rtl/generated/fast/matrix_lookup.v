@@ -46,7 +46,7 @@ module matrix_lookup #(
   // ---- stage 0 ----
   wire [8:0] request_18_s0 = request_data_i[26:18];
   wire [9:0] request_27_s0 = request_data_i[36:27];
-  wire [8:0] line_s0 = frame_32_still & request_18_s0;  // units/cache_lookup.h:95
+  wire [8:0] line_s0 = frame_32_still & request_18_s0;  // units/cache_lookup.h:100
   wire [1:0] request_16_s0 = request_data_i[17:16];
   wire [5:0] request_0_s0 = request_data_i[5:0];
   wire [9:0] request_6_s0 = request_data_i[15:6];
@@ -88,7 +88,7 @@ module matrix_lookup #(
     lines_21_s2 <= lines_21_s1;
     request_6_s2 <= request_6_s1;
   end
-  wire eq_1_s2 = lines_0_s2 == {request_27_s2, request_18_s2, 2'd2};  // units/cache_lookup.h:140
+  wire eq_1_s2 = lines_0_s2 == {request_27_s2, request_18_s2, 2'd2};  // units/cache_lookup.h:145
 
   // ---- stage 3 ----
   reg valid_s3;

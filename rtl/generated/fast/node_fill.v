@@ -45,8 +45,8 @@ module node_fill #(
   wire fill_27_s0 = fill_data_i[27];
   wire [8:0] fill_18_s0 = fill_data_i[26:18];
   wire [18:0] f_line_right_s0 = fill_data_i[91:73];
-  wire not_1_s0 = ~f_invalidate_s0;  // units/cache_fill.h:35
-  wire [8:0] line_s0 = f_address_s0 & frame_32_still;  // units/cache_fill.h:30
+  wire not_1_s0 = ~f_invalidate_s0;  // units/cache_fill.h:36
+  wire [8:0] line_s0 = f_address_s0 & frame_32_still;  // units/cache_fill.h:31
   wire [23:0] f_line_split_s0 = fill_data_i[53:30];
   wire [7:0] f_key_s0 = fill_data_i[8:1];
 
@@ -73,8 +73,8 @@ module node_fill #(
     line_s1 <= line_s0;
     f_line_split_s1 <= f_line_split_s0;
   end
-  wire [1:0] mux_1_s1 = {2{fill_27_s1}} | f_line_kind_s1;  // units/cache_fill.h:36
-  wire [18:0] mux_2_s1 = {fill_27_s1 ? {fill_18_s1, f_address_s1} : f_line_left_s1[18:1], ~fill_27_s1 & f_line_left_s1[0]};  // units/cache_fill.h:36
+  wire [1:0] mux_1_s1 = {2{fill_27_s1}} | f_line_kind_s1;  // units/cache_fill.h:37
+  wire [18:0] mux_2_s1 = {fill_27_s1 ? {fill_18_s1, f_address_s1} : f_line_left_s1[18:1], ~fill_27_s1 & f_line_left_s1[0]};  // units/cache_fill.h:37
   wire [29:0] waiting_s1 = waiting_data_i;
 
   // ---- stage 2 ----

@@ -47,7 +47,7 @@ module node_lookup #(
   wire [8:0] request_30_s0 = request_data_i[38:30];
   wire [8:0] request_39_s0 = request_data_i[47:39];
   wire request_48_s0 = request_data_i[48];
-  wire [8:0] line_s0 = frame_32_still & request_30_s0;  // units/cache_lookup.h:95
+  wire [8:0] line_s0 = frame_32_still & request_30_s0;  // units/cache_lookup.h:100
   wire [5:0] request_0_s0 = request_data_i[5:0];
   wire [23:0] request_6_s0 = request_data_i[29:6];
 
@@ -97,7 +97,7 @@ module node_lookup #(
     row_line_split_s2 <= row_line_split_s1;
     request_6_s2 <= request_6_s1;
   end
-  wire eq_1_s2 = lines_0_s2 == {request_48_s2, request_39_s2, request_30_s2, 2'd2};  // units/cache_lookup.h:140
+  wire eq_1_s2 = lines_0_s2 == {request_48_s2, request_39_s2, request_30_s2, 2'd2};  // units/cache_lookup.h:145
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -125,7 +125,7 @@ module node_lookup #(
     request_6_s3 <= request_6_s2;
   end
   wire [1:0] mux_1_s3 = {2{request_48_s3}} | row_line_kind_s3;
-  wire [18:0] mux_2_s3 = {request_48_s3 ? {request_39_s3, request_30_s3} : row_line_left_s3[18:1], ~request_48_s3 & row_line_left_s3[0]};  // units/cache_lookup.h:34
+  wire [18:0] mux_2_s3 = {request_48_s3 ? {request_39_s3, request_30_s3} : row_line_left_s3[18:1], ~request_48_s3 & row_line_left_s3[0]};  // units/cache_lookup.h:36
   wire [18:0] mux_3_s3 = {request_48_s3 ? {request_39_s3, request_30_s3} : mux_2_s3[18:1], ~request_48_s3 & mux_2_s3[0]};
 
   // ---- state, rows and tokens written ----

@@ -17,7 +17,7 @@ module collect_hits #(
   input  wire [107:0] candidate_data_i,
   output wire record_en_o,
   output wire [5:0] record_addr_o,
-  input  wire [50:0] record_data_i,
+  input  wire [74:0] record_data_i,
   output wire object_en_o,
   output wire [5:0] object_addr_o,
   input  wire [16:0] object_data_i,
@@ -26,7 +26,7 @@ module collect_hits #(
   output wire [35:0] go_on_data_o,
   output wire start_valid_o,
   input  wire start_ready_i,
-  output wire [47:0] start_data_o,
+  output wire [33:0] start_data_o,
   output wire distance_0_en_o,
   output wire [5:0] distance_0_addr_o,
   output wire [23:0] distance_0_data_o,
@@ -264,7 +264,7 @@ module collect_hits #(
     .valid_i(valid_s4 && (in_reset_s4 & in_last_value_s4)), .ready_o(start_room),
     .data_i({job_active_s4, in_packet_s4}),
     .valid_o(start_valid_o), .ready_i(start_ready_i), .data_o(start_stored));
-  assign start_data_o = {32'd0, start_stored[13:6], 2'd2, start_stored[5:0]};
+  assign start_data_o = {18'd0, start_stored[13:6], 2'd2, start_stored[5:0]};
   assign distance_0_en_o = valid_s4 && (and_1_s4 & and_5_s4);
   assign distance_0_addr_o = in_packet_s4;
   assign distance_0_data_o = mux_9_s4;
@@ -325,6 +325,7 @@ module collect_hits #(
 
   wire unused = &{1'b0,
     record_data_i[1:0],
+    record_data_i[74:51],
     or_1_s2[22:0]};
 
 endmodule

@@ -191,17 +191,17 @@ module dynrt_core (
   wire list_lookup__request_valid, list_lookup__request_ready;
   wire [33:0] list_lookup__request_data;
   wire list_entry_all_valid, list_entry_all_ready;
-  wire [47:0] list_entry_all_data;
+  wire [33:0] list_entry_all_data;
   wire list_lookup__reply_valid, list_lookup__reply_ready;
-  wire [47:0] list_lookup__reply_data;
+  wire [33:0] list_lookup__reply_data;
   wire list_fill__reply_valid, list_fill__reply_ready;
-  wire [47:0] list_fill__reply_data;
+  wire [33:0] list_fill__reply_data;
   wire collect_hits__start_valid, collect_hits__start_ready;
-  wire [47:0] collect_hits__start_data;
+  wire [33:0] collect_hits__start_data;
   wire list_entry_merged_valid, list_entry_merged_ready;
-  wire [47:0] list_entry_merged_data;
+  wire [33:0] list_entry_merged_data;
   wire mailbox__entry_valid, mailbox__entry_ready;
-  wire [47:0] mailbox__entry_data;
+  wire [33:0] mailbox__entry_data;
   wire transform_job_all_valid, transform_job_all_ready;
   wire [37:0] transform_job_all_data;
   wire mailbox__fresh_valid, mailbox__fresh_ready;
@@ -217,21 +217,21 @@ module dynrt_core (
   wire matrix_fetch__job_valid, matrix_fetch__job_ready;
   wire [43:0] matrix_fetch__job_data;
   wire column_request_all_valid, column_request_all_ready;
-  wire [36:0] column_request_all_data;
+  wire [53:0] column_request_all_data;
   wire matrix_fetch__request_valid, matrix_fetch__request_ready;
-  wire [36:0] matrix_fetch__request_data;
+  wire [53:0] matrix_fetch__request_data;
   wire matrix_lookup__request_valid, matrix_lookup__request_ready;
-  wire [36:0] matrix_lookup__request_data;
+  wire [53:0] matrix_lookup__request_data;
   wire matrix_column_all_valid, matrix_column_all_ready;
-  wire [132:0] matrix_column_all_data;
+  wire [149:0] matrix_column_all_data;
   wire matrix_lookup__reply_valid, matrix_lookup__reply_ready;
-  wire [132:0] matrix_lookup__reply_data;
+  wire [149:0] matrix_lookup__reply_data;
   wire matrix_fill__reply_valid, matrix_fill__reply_ready;
-  wire [132:0] matrix_fill__reply_data;
+  wire [149:0] matrix_fill__reply_data;
   wire matrix_column_merged_valid, matrix_column_merged_ready;
-  wire [132:0] matrix_column_merged_data;
+  wire [149:0] matrix_column_merged_data;
   wire matrix_store__reply_valid, matrix_store__reply_ready;
-  wire [132:0] matrix_store__reply_data;
+  wire [149:0] matrix_store__reply_data;
   wire box_job_all_valid, box_job_all_ready;
   wire [10:0] box_job_all_data;
   wire matrix_store__box_valid, matrix_store__box_ready;
@@ -285,15 +285,15 @@ module dynrt_core (
   wire ray_reciprocal__traced_valid, ray_reciprocal__traced_ready;
   wire [186:0] ray_reciprocal__traced_data;
   wire unit_ray_all_valid, unit_ray_all_ready;
-  wire [154:0] unit_ray_all_data;
+  wire [178:0] unit_ray_all_data;
   wire unit_decoder__unit_ray_valid, unit_decoder__unit_ray_ready;
-  wire [154:0] unit_decoder__unit_ray_data;
+  wire [178:0] unit_decoder__unit_ray_data;
   wire ray_reciprocal__reset_valid, ray_reciprocal__reset_ready;
-  wire [154:0] ray_reciprocal__reset_data;
+  wire [178:0] ray_reciprocal__reset_data;
   wire unit_ray_merged_valid, unit_ray_merged_ready;
-  wire [154:0] unit_ray_merged_data;
+  wire [178:0] unit_ray_merged_data;
   wire intersection__unit_ray_valid, intersection__unit_ray_ready;
-  wire [154:0] intersection__unit_ray_data;
+  wire [178:0] intersection__unit_ray_data;
   wire candidate_all_valid, candidate_all_ready;
   wire [107:0] candidate_all_data;
   wire intersection__candidate_valid, intersection__candidate_ready;
@@ -357,25 +357,25 @@ module dynrt_core (
   wire memory_answer__line_valid, memory_answer__line_ready;
   wire [156:0] memory_answer__line_data;
   wire node_line_all_valid, node_line_all_ready;
-  wire [91:0] node_line_all_data;
+  wire [155:0] node_line_all_data;
   wire memory_answer__node_valid, memory_answer__node_ready;
-  wire [91:0] memory_answer__node_data;
+  wire [155:0] memory_answer__node_data;
   wire startup__node_valid, startup__node_ready;
-  wire [91:0] startup__node_data;
+  wire [155:0] startup__node_data;
   wire node_line_merged_valid, node_line_merged_ready;
-  wire [91:0] node_line_merged_data;
+  wire [155:0] node_line_merged_data;
   wire node_fill__fill_valid, node_fill__fill_ready;
-  wire [91:0] node_fill__fill_data;
+  wire [155:0] node_fill__fill_data;
   wire list_line_all_valid, list_line_all_ready;
-  wire [59:0] list_line_all_data;
+  wire [99:0] list_line_all_data;
   wire memory_answer__list_valid, memory_answer__list_ready;
-  wire [59:0] memory_answer__list_data;
+  wire [99:0] memory_answer__list_data;
   wire startup__list_valid, startup__list_ready;
-  wire [59:0] startup__list_data;
+  wire [99:0] startup__list_data;
   wire list_line_merged_valid, list_line_merged_ready;
-  wire [59:0] list_line_merged_data;
+  wire [99:0] list_line_merged_data;
   wire list_fill__fill_valid, list_fill__fill_ready;
-  wire [59:0] list_fill__fill_data;
+  wire [99:0] list_fill__fill_data;
   wire column_line_all_valid, column_line_all_ready;
   wire [123:0] column_line_all_data;
   wire memory_answer__column_valid, memory_answer__column_ready;
@@ -553,13 +553,16 @@ module dynrt_core (
   wire [71:0] camera_rays__column_3_data;
   wire matrix_store__record_en;
   wire [5:0] matrix_store__record_addr;
-  wire [50:0] matrix_store__record_data;
+  wire [74:0] matrix_store__record_data;
   wire packet_decoder__record_en;
   wire [5:0] packet_decoder__record_addr;
-  wire [50:0] packet_decoder__record_data;
+  wire [74:0] packet_decoder__record_data;
   wire collect_hits__record_en;
   wire [5:0] collect_hits__record_addr;
-  wire [50:0] collect_hits__record_data;
+  wire [74:0] collect_hits__record_data;
+  wire unit_decoder__record_en;
+  wire [5:0] unit_decoder__record_addr;
+  wire [74:0] unit_decoder__record_data;
   wire matrix_store__object_en;
   wire [5:0] matrix_store__object_addr;
   wire [16:0] matrix_store__object_data;
@@ -675,17 +678,17 @@ module dynrt_core (
   wire [9:0] memory_lookup__rows_3_addr;
   wire [149:0] memory_lookup__rows_3_data;
   wire node_fill__lines_0_en;
-  wire [7:0] node_fill__lines_0_addr;
-  wire [84:0] node_fill__lines_0_data;
+  wire [6:0] node_fill__lines_0_addr;
+  wire [147:0] node_fill__lines_0_data;
   wire node_lookup__lines_0_en;
-  wire [7:0] node_lookup__lines_0_addr;
-  wire [84:0] node_lookup__lines_0_data;
+  wire [6:0] node_lookup__lines_0_addr;
+  wire [147:0] node_lookup__lines_0_data;
   wire node_fill__lines_1_en;
-  wire [7:0] node_fill__lines_1_addr;
-  wire [84:0] node_fill__lines_1_data;
+  wire [6:0] node_fill__lines_1_addr;
+  wire [147:0] node_fill__lines_1_data;
   wire node_lookup__lines_1_en;
-  wire [7:0] node_lookup__lines_1_addr;
-  wire [84:0] node_lookup__lines_1_data;
+  wire [6:0] node_lookup__lines_1_addr;
+  wire [147:0] node_lookup__lines_1_data;
   wire node_lookup__waiting_en;
   wire [7:0] node_lookup__waiting_addr;
   wire [30:0] node_lookup__waiting_data;
@@ -693,23 +696,23 @@ module dynrt_core (
   wire [7:0] node_fill__waiting_addr;
   wire [30:0] node_fill__waiting_data;
   wire node_lookup__used_en;
-  wire [7:0] node_lookup__used_addr;
+  wire [6:0] node_lookup__used_addr;
   wire [1:0] node_lookup__used_data;
   wire node_lookup__use_en;
-  wire [7:0] node_lookup__use_addr;
+  wire [6:0] node_lookup__use_addr;
   wire [1:0] node_lookup__use_data;
   wire list_fill__lines_0_en;
-  wire [7:0] list_fill__lines_0_addr;
-  wire [52:0] list_fill__lines_0_data;
+  wire [5:0] list_fill__lines_0_addr;
+  wire [90:0] list_fill__lines_0_data;
   wire list_lookup__lines_0_en;
-  wire [7:0] list_lookup__lines_0_addr;
-  wire [52:0] list_lookup__lines_0_data;
+  wire [5:0] list_lookup__lines_0_addr;
+  wire [90:0] list_lookup__lines_0_data;
   wire list_fill__lines_1_en;
-  wire [7:0] list_fill__lines_1_addr;
-  wire [52:0] list_fill__lines_1_data;
+  wire [5:0] list_fill__lines_1_addr;
+  wire [90:0] list_fill__lines_1_data;
   wire list_lookup__lines_1_en;
-  wire [7:0] list_lookup__lines_1_addr;
-  wire [52:0] list_lookup__lines_1_data;
+  wire [5:0] list_lookup__lines_1_addr;
+  wire [90:0] list_lookup__lines_1_data;
   wire list_lookup__waiting_en;
   wire [7:0] list_lookup__waiting_addr;
   wire [15:0] list_lookup__waiting_data;
@@ -717,10 +720,10 @@ module dynrt_core (
   wire [7:0] list_fill__waiting_addr;
   wire [15:0] list_fill__waiting_data;
   wire list_lookup__used_en;
-  wire [7:0] list_lookup__used_addr;
+  wire [5:0] list_lookup__used_addr;
   wire [1:0] list_lookup__used_data;
   wire list_lookup__use_en;
-  wire [7:0] list_lookup__use_addr;
+  wire [5:0] list_lookup__use_addr;
   wire [1:0] list_lookup__use_data;
   wire matrix_fill__lines_0_en;
   wire [7:0] matrix_fill__lines_0_addr;
@@ -736,10 +739,10 @@ module dynrt_core (
   wire [116:0] matrix_lookup__lines_1_data;
   wire matrix_lookup__waiting_en;
   wire [7:0] matrix_lookup__waiting_addr;
-  wire [18:0] matrix_lookup__waiting_data;
+  wire [35:0] matrix_lookup__waiting_data;
   wire matrix_fill__waiting_en;
   wire [7:0] matrix_fill__waiting_addr;
-  wire [18:0] matrix_fill__waiting_data;
+  wire [35:0] matrix_fill__waiting_data;
   wire matrix_lookup__used_en;
   wire [7:0] matrix_lookup__used_addr;
   wire [1:0] matrix_lookup__used_data;
@@ -1083,13 +1086,13 @@ module dynrt_core (
   assign list_lookup__request_data = list_request_all_data;
 
   // channel list_entry
-  hls_arbiter #(.INPUTS(3), .WIDTH(48)) list_entry_arbiter (
+  hls_arbiter #(.INPUTS(3), .WIDTH(34)) list_entry_arbiter (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({collect_hits__start_valid, list_fill__reply_valid, list_lookup__reply_valid}),
     .ready_o({collect_hits__start_ready, list_fill__reply_ready, list_lookup__reply_ready}),
     .data_i({collect_hits__start_data, list_fill__reply_data, list_lookup__reply_data}),
     .valid_o(list_entry_merged_valid), .ready_i(list_entry_merged_ready), .data_o(list_entry_merged_data));
-  hls_buffer #(.WIDTH(48)) list_entry_all_buffer (
+  hls_buffer #(.WIDTH(34)) list_entry_all_buffer (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i(list_entry_merged_valid), .ready_o(list_entry_merged_ready), .data_i(list_entry_merged_data),
     .valid_o(list_entry_all_valid), .ready_i(list_entry_all_ready), .data_o(list_entry_all_data));
@@ -1125,13 +1128,13 @@ module dynrt_core (
   assign matrix_lookup__request_data = column_request_all_data;
 
   // channel matrix_column
-  hls_arbiter #(.INPUTS(2), .WIDTH(133)) matrix_column_arbiter (
+  hls_arbiter #(.INPUTS(2), .WIDTH(150)) matrix_column_arbiter (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({matrix_fill__reply_valid, matrix_lookup__reply_valid}),
     .ready_o({matrix_fill__reply_ready, matrix_lookup__reply_ready}),
     .data_i({matrix_fill__reply_data, matrix_lookup__reply_data}),
     .valid_o(matrix_column_merged_valid), .ready_i(matrix_column_merged_ready), .data_o(matrix_column_merged_data));
-  hls_buffer #(.WIDTH(133)) matrix_column_all_buffer (
+  hls_buffer #(.WIDTH(150)) matrix_column_all_buffer (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i(matrix_column_merged_valid), .ready_o(matrix_column_merged_ready), .data_i(matrix_column_merged_data),
     .valid_o(matrix_column_all_valid), .ready_i(matrix_column_all_ready), .data_o(matrix_column_all_data));
@@ -1215,13 +1218,13 @@ module dynrt_core (
   assign ray_reciprocal__traced_data = traced_ray_all_data;
 
   // channel unit_ray
-  hls_arbiter #(.INPUTS(2), .WIDTH(155)) unit_ray_arbiter (
+  hls_arbiter #(.INPUTS(2), .WIDTH(179)) unit_ray_arbiter (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({ray_reciprocal__reset_valid, unit_decoder__unit_ray_valid}),
     .ready_o({ray_reciprocal__reset_ready, unit_decoder__unit_ray_ready}),
     .data_i({ray_reciprocal__reset_data, unit_decoder__unit_ray_data}),
     .valid_o(unit_ray_merged_valid), .ready_i(unit_ray_merged_ready), .data_o(unit_ray_merged_data));
-  hls_buffer #(.WIDTH(155)) unit_ray_all_buffer (
+  hls_buffer #(.WIDTH(179)) unit_ray_all_buffer (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i(unit_ray_merged_valid), .ready_o(unit_ray_merged_ready), .data_i(unit_ray_merged_data),
     .valid_o(unit_ray_all_valid), .ready_i(unit_ray_all_ready), .data_o(unit_ray_all_data));
@@ -1320,13 +1323,13 @@ module dynrt_core (
   assign memory_answer__line_data = memory_line_all_data;
 
   // channel node_line
-  hls_arbiter #(.INPUTS(2), .WIDTH(92)) node_line_arbiter (
+  hls_arbiter #(.INPUTS(2), .WIDTH(156)) node_line_arbiter (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({startup__node_valid, memory_answer__node_valid}),
     .ready_o({startup__node_ready, memory_answer__node_ready}),
     .data_i({startup__node_data, memory_answer__node_data}),
     .valid_o(node_line_merged_valid), .ready_i(node_line_merged_ready), .data_o(node_line_merged_data));
-  hls_buffer #(.WIDTH(92)) node_line_all_buffer (
+  hls_buffer #(.WIDTH(156)) node_line_all_buffer (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i(node_line_merged_valid), .ready_o(node_line_merged_ready), .data_i(node_line_merged_data),
     .valid_o(node_line_all_valid), .ready_i(node_line_all_ready), .data_o(node_line_all_data));
@@ -1335,13 +1338,13 @@ module dynrt_core (
   assign node_fill__fill_data = node_line_all_data;
 
   // channel list_line
-  hls_arbiter #(.INPUTS(2), .WIDTH(60)) list_line_arbiter (
+  hls_arbiter #(.INPUTS(2), .WIDTH(100)) list_line_arbiter (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i({startup__list_valid, memory_answer__list_valid}),
     .ready_o({startup__list_ready, memory_answer__list_ready}),
     .data_i({startup__list_data, memory_answer__list_data}),
     .valid_o(list_line_merged_valid), .ready_i(list_line_merged_ready), .data_o(list_line_merged_data));
-  hls_buffer #(.WIDTH(60)) list_line_all_buffer (
+  hls_buffer #(.WIDTH(100)) list_line_all_buffer (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .valid_i(list_line_merged_valid), .ready_o(list_line_merged_ready), .data_i(list_line_merged_data),
     .valid_o(list_line_all_valid), .ready_i(list_line_all_ready), .data_o(list_line_all_data));
@@ -1535,14 +1538,18 @@ module dynrt_core (
     .read_en_i(camera_rays__column_3_en), .read_addr_i(camera_rays__column_3_addr), .read_data_o(camera_rays__column_3_data));
 
   // RAM job_record
-  hls_ram_1r1w #(.WIDTH(51), .ROWS(64)) job_record_ram_0 (
+  hls_ram_1r1w #(.WIDTH(75), .ROWS(64), .BLOCK(1)) job_record_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__record_en), .write_addr_i(matrix_store__record_addr), .write_data_i(matrix_store__record_data),
     .read_en_i(packet_decoder__record_en), .read_addr_i(packet_decoder__record_addr), .read_data_o(packet_decoder__record_data));
-  hls_ram_1r1w #(.WIDTH(51), .ROWS(64)) job_record_ram_1 (
+  hls_ram_1r1w #(.WIDTH(75), .ROWS(64), .BLOCK(1)) job_record_ram_1 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__record_en), .write_addr_i(matrix_store__record_addr), .write_data_i(matrix_store__record_data),
     .read_en_i(collect_hits__record_en), .read_addr_i(collect_hits__record_addr), .read_data_o(collect_hits__record_data));
+  hls_ram_1r1w #(.WIDTH(75), .ROWS(64), .BLOCK(1)) job_record_ram_2 (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .write_en_i(matrix_store__record_en), .write_addr_i(matrix_store__record_addr), .write_data_i(matrix_store__record_data),
+    .read_en_i(unit_decoder__record_en), .read_addr_i(unit_decoder__record_addr), .read_data_o(unit_decoder__record_data));
 
   // RAM object
   hls_ram_1r1w #(.WIDTH(17), .ROWS(64)) object_ram_0 (
@@ -1659,13 +1666,13 @@ module dynrt_core (
     .read_en_i(memory_lookup__rows_3_en), .read_addr_i(memory_lookup__rows_3_addr), .read_data_o(memory_lookup__rows_3_data));
 
   // RAM node_lines_0
-  hls_ram_1r1w #(.WIDTH(85), .ROWS(256), .BLOCK(1), .TORN(1)) node_lines_0_ram_0 (
+  hls_ram_1r1w #(.WIDTH(148), .ROWS(128), .BLOCK(1), .TORN(1)) node_lines_0_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(node_fill__lines_0_en), .write_addr_i(node_fill__lines_0_addr), .write_data_i(node_fill__lines_0_data),
     .read_en_i(node_lookup__lines_0_en), .read_addr_i(node_lookup__lines_0_addr), .read_data_o(node_lookup__lines_0_data));
 
   // RAM node_lines_1
-  hls_ram_1r1w #(.WIDTH(85), .ROWS(256), .BLOCK(1), .TORN(1)) node_lines_1_ram_0 (
+  hls_ram_1r1w #(.WIDTH(148), .ROWS(128), .BLOCK(1), .TORN(1)) node_lines_1_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(node_fill__lines_1_en), .write_addr_i(node_fill__lines_1_addr), .write_data_i(node_fill__lines_1_data),
     .read_en_i(node_lookup__lines_1_en), .read_addr_i(node_lookup__lines_1_addr), .read_data_o(node_lookup__lines_1_data));
@@ -1677,19 +1684,19 @@ module dynrt_core (
     .read_en_i(node_fill__waiting_en), .read_addr_i(node_fill__waiting_addr), .read_data_o(node_fill__waiting_data));
 
   // RAM node_use
-  hls_ram_1r1w #(.WIDTH(2), .ROWS(256), .TORN(1)) node_use_ram_0 (
+  hls_ram_1r1w #(.WIDTH(2), .ROWS(128), .TORN(1)) node_use_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(node_lookup__used_en), .write_addr_i(node_lookup__used_addr), .write_data_i(node_lookup__used_data),
     .read_en_i(node_lookup__use_en), .read_addr_i(node_lookup__use_addr), .read_data_o(node_lookup__use_data));
 
   // RAM list_lines_0
-  hls_ram_1r1w #(.WIDTH(53), .ROWS(256), .TORN(1)) list_lines_0_ram_0 (
+  hls_ram_1r1w #(.WIDTH(91), .ROWS(64), .BLOCK(1), .TORN(1)) list_lines_0_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(list_fill__lines_0_en), .write_addr_i(list_fill__lines_0_addr), .write_data_i(list_fill__lines_0_data),
     .read_en_i(list_lookup__lines_0_en), .read_addr_i(list_lookup__lines_0_addr), .read_data_o(list_lookup__lines_0_data));
 
   // RAM list_lines_1
-  hls_ram_1r1w #(.WIDTH(53), .ROWS(256), .TORN(1)) list_lines_1_ram_0 (
+  hls_ram_1r1w #(.WIDTH(91), .ROWS(64), .BLOCK(1), .TORN(1)) list_lines_1_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(list_fill__lines_1_en), .write_addr_i(list_fill__lines_1_addr), .write_data_i(list_fill__lines_1_data),
     .read_en_i(list_lookup__lines_1_en), .read_addr_i(list_lookup__lines_1_addr), .read_data_o(list_lookup__lines_1_data));
@@ -1701,7 +1708,7 @@ module dynrt_core (
     .read_en_i(list_fill__waiting_en), .read_addr_i(list_fill__waiting_addr), .read_data_o(list_fill__waiting_data));
 
   // RAM list_use
-  hls_ram_1r1w #(.WIDTH(2), .ROWS(256), .TORN(1)) list_use_ram_0 (
+  hls_ram_1r1w #(.WIDTH(2), .ROWS(64), .TORN(1)) list_use_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(list_lookup__used_en), .write_addr_i(list_lookup__used_addr), .write_data_i(list_lookup__used_data),
     .read_en_i(list_lookup__use_en), .read_addr_i(list_lookup__use_addr), .read_data_o(list_lookup__use_data));
@@ -1719,7 +1726,7 @@ module dynrt_core (
     .read_en_i(matrix_lookup__lines_1_en), .read_addr_i(matrix_lookup__lines_1_addr), .read_data_o(matrix_lookup__lines_1_data));
 
   // RAM matrix_waiting
-  hls_ram_1r1w #(.WIDTH(19), .ROWS(256)) matrix_waiting_ram_0 (
+  hls_ram_1r1w #(.WIDTH(36), .ROWS(256)) matrix_waiting_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_lookup__waiting_en), .write_addr_i(matrix_lookup__waiting_addr), .write_data_i(matrix_lookup__waiting_data),
     .read_en_i(matrix_fill__waiting_en), .read_addr_i(matrix_fill__waiting_addr), .read_data_o(matrix_fill__waiting_data));
@@ -2312,6 +2319,9 @@ module dynrt_core (
     .vector_valid_i(unit_decoder__vector_valid),
     .vector_ready_o(unit_decoder__vector_ready),
     .vector_data_i(unit_decoder__vector_data),
+    .record_en_o(unit_decoder__record_en),
+    .record_addr_o(unit_decoder__record_addr),
+    .record_data_i(unit_decoder__record_data),
     .unit_ray_valid_o(unit_decoder__unit_ray_valid),
     .unit_ray_ready_i(unit_decoder__unit_ray_ready),
     .unit_ray_data_o(unit_decoder__unit_ray_data),

@@ -71,10 +71,10 @@ module memory_lookup #(
   wire [18:0] address_s0 = request_data_i[57:39];
   wire request_58_s0 = request_data_i[58];
   wire [7:0] once_more_tries_s0 = request_data_i[66:59];
-  wire eq_1_s0 = kind_s0 == 2'd1;  // units/memory_port.h:153
-  wire [21:0] mux_1_s0 = eq_1_s0 ? {3'd2, address_s0} : {1'd1, address_s0, 2'd0};  // units/memory_port.h:153
-  wire eq_2_s0 = kind_s0 == 2'd0;  // units/memory_port.h:153
-  wire [21:0] mux_2_s0 = {~{2{eq_2_s0}} & mux_1_s0[21:20], eq_2_s0 ? address_s0 : mux_1_s0[19:1], ~eq_2_s0 & mux_1_s0[0]};  // units/memory_port.h:153
+  wire eq_1_s0 = kind_s0 == 2'd1;  // units/memory_port.h:42
+  wire [21:0] mux_1_s0 = eq_1_s0 ? {3'd2, address_s0} : {1'd1, address_s0, 2'd0};  // units/memory_port.h:42
+  wire eq_2_s0 = kind_s0 == 2'd0;  // units/memory_port.h:42
+  wire [21:0] mux_2_s0 = {~{2{eq_2_s0}} & mux_1_s0[21:20], eq_2_s0 ? address_s0 : mux_1_s0[19:1], ~eq_2_s0 & mux_1_s0[0]};  // units/memory_port.h:42
   wire [9:0] request_0_s0 = request_data_i[9:0];
   wire [7:0] request_31_s0 = request_data_i[38:31];
   wire [13:0] request_15_s0 = request_data_i[28:15];
@@ -241,11 +241,11 @@ module memory_lookup #(
     request_31_s3 <= request_31_s2;
     request_15_s3 <= request_15_s2;
   end
-  wire and_1_s3 = row_valid_s3 & (~row_torn_s3);  // units/memory_lookup.h:68
-  wire and_3_s3 = row_valid_2_s3 & (~row_torn_2_s3);  // units/memory_lookup.h:68
-  wire and_5_s3 = row_valid_3_s3 & (~row_torn_3_s3);  // units/memory_lookup.h:68
-  wire and_7_s3 = row_valid_4_s3 & (~row_torn_4_s3);  // units/memory_lookup.h:68
-  wire and_10_s3 = (~last_miss_0_s3) & (last_miss_1_s3 & (~(once_more_tries_s3 == 8'd255)));  // units/memory_lookup.h:75
+  wire and_1_s3 = row_valid_s3 & (~row_torn_s3);  // units/memory_lookup.h:70
+  wire and_3_s3 = row_valid_2_s3 & (~row_torn_2_s3);  // units/memory_lookup.h:70
+  wire and_5_s3 = row_valid_3_s3 & (~row_torn_3_s3);  // units/memory_lookup.h:70
+  wire and_7_s3 = row_valid_4_s3 & (~row_torn_4_s3);  // units/memory_lookup.h:70
+  wire and_10_s3 = (~last_miss_0_s3) & (last_miss_1_s3 & (~(once_more_tries_s3 == 8'd255)));  // units/memory_lookup.h:77
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -322,18 +322,18 @@ module memory_lookup #(
     request_31_s4 <= request_31_s3;
     request_15_s4 <= request_15_s3;
   end
-  wire and_2_s4 = and_1_s4 & (mux_2_s4 == row_line_s4);  // units/memory_lookup.h:68
+  wire and_2_s4 = and_1_s4 & (mux_2_s4 == row_line_s4);  // units/memory_lookup.h:70
   wire [31:0] data_3_s4 = {32{and_2_s4}} & row_data_3_s4;  // units/memory_lookup.h:37
   wire [31:0] data_2_s4 = {32{and_2_s4}} & row_data_2_s4;  // units/memory_lookup.h:37
   wire [31:0] data_1_s4 = {32{and_2_s4}} & row_data_1_s4;  // units/memory_lookup.h:37
   wire [31:0] data_0_s4 = {32{and_2_s4}} & row_data_0_s4;  // units/memory_lookup.h:37
-  wire and_4_s4 = and_3_s4 & (mux_2_s4 == row_line_2_s4);  // units/memory_lookup.h:68
-  wire and_6_s4 = and_5_s4 & (mux_2_s4 == row_line_3_s4);  // units/memory_lookup.h:68
-  wire and_8_s4 = and_7_s4 & (mux_2_s4 == row_line_4_s4);  // units/memory_lookup.h:68
-  wire or_1_s4 = and_6_s4 | and_8_s4;  // units/memory_lookup.h:70
-  wire or_2_s4 = and_2_s4 | and_4_s4;  // units/memory_lookup.h:70
-  wire comes_s4 = (mux_2_s4 == last_miss_2_s4) & and_10_s4;  // units/memory_lookup.h:75
-  wire [1:0] way_s4 = last_way_s4 + 2'd1;  // units/memory_lookup.h:76
+  wire and_4_s4 = and_3_s4 & (mux_2_s4 == row_line_2_s4);  // units/memory_lookup.h:70
+  wire and_6_s4 = and_5_s4 & (mux_2_s4 == row_line_3_s4);  // units/memory_lookup.h:70
+  wire and_8_s4 = and_7_s4 & (mux_2_s4 == row_line_4_s4);  // units/memory_lookup.h:70
+  wire or_1_s4 = and_6_s4 | and_8_s4;  // units/memory_lookup.h:72
+  wire or_2_s4 = and_2_s4 | and_4_s4;  // units/memory_lookup.h:72
+  wire comes_s4 = (mux_2_s4 == last_miss_2_s4) & and_10_s4;  // units/memory_lookup.h:77
+  wire [1:0] way_s4 = last_way_s4 + 2'd1;  // units/memory_lookup.h:78
 
   // ---- stage 5 ----
   reg valid_s5;
@@ -402,20 +402,20 @@ module memory_lookup #(
     request_31_s5 <= request_31_s4;
     request_15_s5 <= request_15_s4;
   end
-  wire [31:0] data_3_2_s5 = and_4_s5 ? row_data_3_2_s5 : data_3_s5;  // units/memory_lookup.h:70
-  wire [31:0] data_2_2_s5 = and_4_s5 ? row_data_2_2_s5 : data_2_s5;  // units/memory_lookup.h:70
-  wire [31:0] data_1_2_s5 = and_4_s5 ? row_data_1_2_s5 : data_1_s5;  // units/memory_lookup.h:70
-  wire [31:0] data_0_2_s5 = and_4_s5 ? row_data_0_2_s5 : data_0_s5;  // units/memory_lookup.h:70
-  wire [31:0] data_3_3_s5 = and_6_s5 ? row_data_3_3_s5 : data_3_2_s5;  // units/memory_lookup.h:70
-  wire [31:0] data_2_3_s5 = and_6_s5 ? row_data_2_3_s5 : data_2_2_s5;  // units/memory_lookup.h:70
-  wire [31:0] data_1_3_s5 = and_6_s5 ? row_data_1_3_s5 : data_1_2_s5;  // units/memory_lookup.h:70
-  wire [31:0] data_0_3_s5 = and_6_s5 ? row_data_0_3_s5 : data_0_2_s5;  // units/memory_lookup.h:70
-  wire [31:0] data_3_4_s5 = and_8_s5 ? row_data_3_4_s5 : data_3_3_s5;  // units/memory_lookup.h:70
-  wire [31:0] data_2_4_s5 = and_8_s5 ? row_data_2_4_s5 : data_2_3_s5;  // units/memory_lookup.h:70
-  wire [31:0] data_1_4_s5 = and_8_s5 ? row_data_1_4_s5 : data_1_3_s5;  // units/memory_lookup.h:70
-  wire [31:0] data_0_4_s5 = and_8_s5 ? row_data_0_4_s5 : data_0_3_s5;  // units/memory_lookup.h:70
-  wire or_3_s5 = or_1_s5 | or_2_s5;  // units/memory_lookup.h:70
-  wire [7:0] once_more_tries_2_s5 = once_more_tries_s5 + 8'd1;  // units/memory_lookup.h:87
+  wire [31:0] data_3_2_s5 = and_4_s5 ? row_data_3_2_s5 : data_3_s5;  // units/memory_lookup.h:72
+  wire [31:0] data_2_2_s5 = and_4_s5 ? row_data_2_2_s5 : data_2_s5;  // units/memory_lookup.h:72
+  wire [31:0] data_1_2_s5 = and_4_s5 ? row_data_1_2_s5 : data_1_s5;  // units/memory_lookup.h:72
+  wire [31:0] data_0_2_s5 = and_4_s5 ? row_data_0_2_s5 : data_0_s5;  // units/memory_lookup.h:72
+  wire [31:0] data_3_3_s5 = and_6_s5 ? row_data_3_3_s5 : data_3_2_s5;  // units/memory_lookup.h:72
+  wire [31:0] data_2_3_s5 = and_6_s5 ? row_data_2_3_s5 : data_2_2_s5;  // units/memory_lookup.h:72
+  wire [31:0] data_1_3_s5 = and_6_s5 ? row_data_1_3_s5 : data_1_2_s5;  // units/memory_lookup.h:72
+  wire [31:0] data_0_3_s5 = and_6_s5 ? row_data_0_3_s5 : data_0_2_s5;  // units/memory_lookup.h:72
+  wire [31:0] data_3_4_s5 = and_8_s5 ? row_data_3_4_s5 : data_3_3_s5;  // units/memory_lookup.h:72
+  wire [31:0] data_2_4_s5 = and_8_s5 ? row_data_2_4_s5 : data_2_3_s5;  // units/memory_lookup.h:72
+  wire [31:0] data_1_4_s5 = and_8_s5 ? row_data_1_4_s5 : data_1_3_s5;  // units/memory_lookup.h:72
+  wire [31:0] data_0_4_s5 = and_8_s5 ? row_data_0_4_s5 : data_0_3_s5;  // units/memory_lookup.h:72
+  wire or_3_s5 = or_1_s5 | or_2_s5;  // units/memory_lookup.h:72
+  wire [7:0] once_more_tries_2_s5 = once_more_tries_s5 + 8'd1;  // units/memory_lookup.h:89
   wire [19:0] mux_4_s5 = ~{20{request_58_s5}} & mux_2_s5;
   wire not_7_s5 = ~request_58_s5;
   wire or_5_s5 = request_58_s5 | or_3_s5;

@@ -15,7 +15,7 @@ module packet_decoder #(
   input  wire [83:0] vector_data_i,
   output wire record_en_o,
   output wire [5:0] record_addr_o,
-  input  wire [50:0] record_data_i,
+  input  wire [74:0] record_data_i,
   output wire traced_valid_o,
   input  wire traced_ready_i,
   output wire [186:0] traced_data_o,
@@ -188,7 +188,7 @@ module packet_decoder #(
 
   wire unused = &{1'b0,
     record_data_i[26:10],
-    record_data_i[50:46],
+    record_data_i[74:46],
     vector_data_i[83]};
 
 endmodule

@@ -45,19 +45,19 @@ module ray_generation #(
   wire [10:0] last_x_config = frame_i[74:64];
   reg  [10:0] last_x_still;
   always @(posedge clk_i) last_x_still <= last_x_config;
-  wire [10:0] add_1_config = last_x_config + 11'd3;  // units/ray_generation.h:118
+  wire [10:0] add_1_config = last_x_config + 11'd3;  // units/ray_generation.h:143
   reg  [10:0] add_1_still;
   always @(posedge clk_i) add_1_still <= add_1_config;
   wire [10:0] last_y_config = frame_i[106:96];
   reg  [10:0] last_y_still;
   always @(posedge clk_i) last_y_still <= last_y_config;
-  wire [10:0] add_2_config = last_y_config + 11'd1;  // units/ray_generation.h:118
+  wire [10:0] add_2_config = last_y_config + 11'd1;  // units/ray_generation.h:143
   reg  [10:0] add_2_still;
   always @(posedge clk_i) add_2_still <= add_2_config;
   wire frame_128_config = frame_i[128];
   reg  frame_128_still;
   always @(posedge clk_i) frame_128_still <= frame_128_config;
-  wire scanline_config = ~frame_128_config;  // units/ray_generation.h:58
+  wire scanline_config = ~frame_128_config;  // units/ray_generation.h:60
   reg  scanline_still;
   always @(posedge clk_i) scanline_still <= scanline_config;
   wire frame_160_config = frame_i[160];
@@ -67,65 +67,65 @@ module ray_generation #(
   wire frame_164_config = frame_i[164];
   reg  frame_164_still;
   always @(posedge clk_i) frame_164_still <= frame_164_config;
-  wire eq_1_config = {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config} == 5'd0;  // units/ray_generation.h:143
-  wire not_1_config = ~eq_1_config;  // units/ray_generation.h:143
+  wire eq_1_config = {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config} == 5'd0;  // units/ray_generation.h:168
+  wire not_1_config = ~eq_1_config;  // units/ray_generation.h:168
   reg  not_1_still;
   always @(posedge clk_i) not_1_still <= not_1_config;
-  wire eq_2_config = {frame_164_config, frame_163_config, frame_162_config, frame_161_config} == 4'd0;  // units/ray_generation.h:143
-  wire not_2_config = ~eq_2_config;  // units/ray_generation.h:143
+  wire eq_2_config = {frame_164_config, frame_163_config, frame_162_config, frame_161_config} == 4'd0;  // units/ray_generation.h:168
+  wire not_2_config = ~eq_2_config;  // units/ray_generation.h:168
   reg  not_2_still;
   always @(posedge clk_i) not_2_still <= not_2_config;
-  wire lt_1_config = 5'd2 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:143
+  wire lt_1_config = 5'd2 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:168
   reg  lt_1_still;
   always @(posedge clk_i) lt_1_still <= lt_1_config;
-  wire eq_3_config = {frame_164_config, frame_163_config, frame_162_config} == 3'd0;  // units/ray_generation.h:143
-  wire not_3_config = ~eq_3_config;  // units/ray_generation.h:143
+  wire eq_3_config = {frame_164_config, frame_163_config, frame_162_config} == 3'd0;  // units/ray_generation.h:168
+  wire not_3_config = ~eq_3_config;  // units/ray_generation.h:168
   reg  not_3_still;
   always @(posedge clk_i) not_3_still <= not_3_config;
-  wire lt_2_config = 5'd4 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:143
+  wire lt_2_config = 5'd4 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:168
   reg  lt_2_still;
   always @(posedge clk_i) lt_2_still <= lt_2_config;
-  wire lt_3_config = 5'd5 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:143
+  wire lt_3_config = 5'd5 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:168
   reg  lt_3_still;
   always @(posedge clk_i) lt_3_still <= lt_3_config;
-  wire lt_4_config = 5'd6 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:143
+  wire lt_4_config = 5'd6 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:168
   reg  lt_4_still;
   always @(posedge clk_i) lt_4_still <= lt_4_config;
-  wire eq_4_config = {frame_164_config, frame_163_config} == 2'd0;  // units/ray_generation.h:143
-  wire not_4_config = ~eq_4_config;  // units/ray_generation.h:143
+  wire eq_4_config = {frame_164_config, frame_163_config} == 2'd0;  // units/ray_generation.h:168
+  wire not_4_config = ~eq_4_config;  // units/ray_generation.h:168
   reg  not_4_still;
   always @(posedge clk_i) not_4_still <= not_4_config;
-  wire lt_5_config = 5'd8 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:143
+  wire lt_5_config = 5'd8 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:168
   reg  lt_5_still;
   always @(posedge clk_i) lt_5_still <= lt_5_config;
-  wire lt_6_config = 5'd9 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:143
+  wire lt_6_config = 5'd9 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:168
   reg  lt_6_still;
   always @(posedge clk_i) lt_6_still <= lt_6_config;
-  wire lt_7_config = 5'd10 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:143
+  wire lt_7_config = 5'd10 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:168
   reg  lt_7_still;
   always @(posedge clk_i) lt_7_still <= lt_7_config;
-  wire lt_8_config = 5'd11 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:143
+  wire lt_8_config = 5'd11 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:168
   reg  lt_8_still;
   always @(posedge clk_i) lt_8_still <= lt_8_config;
-  wire lt_9_config = 5'd12 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:143
+  wire lt_9_config = 5'd12 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:168
   reg  lt_9_still;
   always @(posedge clk_i) lt_9_still <= lt_9_config;
-  wire lt_10_config = 5'd13 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:143
+  wire lt_10_config = 5'd13 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:168
   reg  lt_10_still;
   always @(posedge clk_i) lt_10_still <= lt_10_config;
-  wire lt_11_config = 5'd14 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:143
+  wire lt_11_config = 5'd14 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:168
   reg  lt_11_still;
   always @(posedge clk_i) lt_11_still <= lt_11_config;
-  wire lt_12_config = 5'd16 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:143
+  wire lt_12_config = 5'd16 < {frame_164_config, frame_163_config, frame_162_config, frame_161_config, frame_160_config};  // units/ray_generation.h:168
   reg  lt_12_still;
   always @(posedge clk_i) lt_12_still <= lt_12_config;
   wire eq_5_config = add_1_config[10:2] == 9'd1;
   reg  eq_5_still;
   always @(posedge clk_i) eq_5_still <= eq_5_config;
-  wire [8:0] add_5_config = {1'd0, add_1_config[10:3]} + 9'd511;  // units/ray_generation.h:125
+  wire [8:0] add_5_config = {1'd0, add_1_config[10:3]} + 9'd511;  // units/ray_generation.h:150
   reg  [8:0] add_5_still;
   always @(posedge clk_i) add_5_still <= add_5_config;
-  wire [9:0] add_6_config = add_2_config[10:1] + 10'd1023;  // units/ray_generation.h:125
+  wire [9:0] add_6_config = add_2_config[10:1] + 10'd1023;  // units/ray_generation.h:150
   reg  [9:0] add_6_still;
   always @(posedge clk_i) add_6_still <= add_6_config;
   wire [16:0] camera_matrix_config = frame_i[240:224];
@@ -147,27 +147,27 @@ module ray_generation #(
   reg  [7:0] returned_q;
   wire [8:0] mux_1_s0 = {frame_128_still & scan_x_q[8], frame_128_still ? scan_x_q[7:0] : {counter_q[15], counter_q[13], counter_q[11], counter_q[9], counter_q[7], counter_q[5], counter_q[3], counter_q[1]}};
   wire [8:0] mux_2_s0 = frame_128_still ? scan_y_q[8:0] : {counter_q[16], counter_q[14], counter_q[12], counter_q[10], counter_q[8], counter_q[6], counter_q[4], counter_q[2], counter_q[0]};
-  wire in_width_2_s0 = mux_1_s0 < add_1_still[10:2];  // units/ray_generation.h:61
-  wire in_height_2_s0 = {1'd0, mux_2_s0} < add_2_still[10:1];  // units/ray_generation.h:62
-  wire line_end_2_s0 = line_end_q | eq_5_still;  // units/ray_generation.h:68
-  wire morton_end_s0 = counter_q == {lt_12_still, frame_164_still, lt_11_still, lt_10_still, lt_9_still, lt_8_still, lt_7_still, lt_6_still, lt_5_still, not_4_still, lt_4_still, lt_3_still, lt_2_still, not_3_still, lt_1_still, not_2_still, not_1_still};  // units/ray_generation.h:106
-  wire eq_6_s0 = counter_q[16:6] == {lt_12_still, frame_164_still, lt_11_still, lt_10_still, lt_9_still, lt_8_still, lt_7_still, lt_6_still, lt_5_still, not_4_still, lt_4_still};  // units/ray_generation.h:108
-  wire last_block_s0 = ~eq_6_s0;  // units/ray_generation.h:108
-  wire pass_over_s0 = in_width_q & in_height_q;  // units/ray_generation.h:109
-  wire [10:0] add_3_s0 = counter_q[16:6] + 11'd1;  // units/ray_generation.h:112
-  wire [16:0] add_4_s0 = counter_q + 17'd1;  // units/ray_generation.h:112
+  wire in_width_2_s0 = mux_1_s0 < add_1_still[10:2];  // units/ray_generation.h:65
+  wire in_height_2_s0 = {1'd0, mux_2_s0} < add_2_still[10:1];  // units/ray_generation.h:66
+  wire line_end_2_s0 = line_end_q | eq_5_still;  // units/ray_generation.h:73
+  wire morton_end_s0 = counter_q == {lt_12_still, frame_164_still, lt_11_still, lt_10_still, lt_9_still, lt_8_still, lt_7_still, lt_6_still, lt_5_still, not_4_still, lt_4_still, lt_3_still, lt_2_still, not_3_still, lt_1_still, not_2_still, not_1_still};  // units/ray_generation.h:131
+  wire eq_6_s0 = counter_q[16:6] == {lt_12_still, frame_164_still, lt_11_still, lt_10_still, lt_9_still, lt_8_still, lt_7_still, lt_6_still, lt_5_still, not_4_still, lt_4_still};  // units/ray_generation.h:133
+  wire last_block_s0 = ~eq_6_s0;  // units/ray_generation.h:133
+  wire pass_over_s0 = in_width_q & in_height_q;  // units/ray_generation.h:134
+  wire [10:0] add_3_s0 = counter_q[16:6] + 11'd1;  // units/ray_generation.h:137
+  wire [16:0] add_4_s0 = counter_q + 17'd1;  // units/ray_generation.h:137
   wire [16:0] mux_3_s0 = {pass_over_s0 ? add_4_s0[16:6] : add_3_s0, {6{pass_over_s0}} & add_4_s0[5:0]};
   wire and_2_s0 = ({1'd0, scan_x_q} == {add_5_still, add_1_still[2]}) & (~line_end_2_s0);
   wire and_3_s0 = line_end_2_s0 & (frame_128_still ? (scan_y_q == add_6_still) : morton_end_s0);
   wire or_1_s0 = scanline_still | line_end_2_s0;
   wire [9:0] add_7_s0 = scan_y_q + {9'd0, or_1_s0};
-  wire [8:0] add_8_s0 = scan_x_q + 9'd1;  // units/ray_generation.h:73
-  wire x1_s0 = {1'd0, mux_1_s0[7:0], 2'd1} < last_x_still;  // units/ray_generation.h:154
-  wire x1_2_s0 = {1'd0, mux_1_s0[7:0], 2'd2} < last_x_still;  // units/ray_generation.h:154
-  wire x1_3_s0 = {1'd0, mux_1_s0[7:0], 2'd3} < last_x_still;  // units/ray_generation.h:154
-  wire y1_s0 = {1'd0, mux_2_s0, 1'd1} < last_y_still;  // units/ray_generation.h:155
-  wire [7:0] add_9_s0 = returned_q + 8'd1;  // units/ray_generation.h:65
-  wire eq_10_s0 = add_9_s0 == frame_0_still;  // units/ray_generation.h:66
+  wire [8:0] add_8_s0 = scan_x_q + 9'd1;  // units/ray_generation.h:78
+  wire x1_s0 = {1'd0, mux_1_s0[7:0], 2'd1} < last_x_still;  // units/ray_generation.h:179
+  wire x1_2_s0 = {1'd0, mux_1_s0[7:0], 2'd2} < last_x_still;  // units/ray_generation.h:179
+  wire x1_3_s0 = {1'd0, mux_1_s0[7:0], 2'd3} < last_x_still;  // units/ray_generation.h:179
+  wire y1_s0 = {1'd0, mux_2_s0, 1'd1} < last_y_still;  // units/ray_generation.h:180
+  wire [7:0] add_9_s0 = returned_q + 8'd1;  // units/ray_generation.h:70
+  wire eq_10_s0 = add_9_s0 == frame_0_still;  // units/ray_generation.h:71
   wire mux_11_s0 = over_q ? begun_q : (last_block_s0 & (counter_q[5:0] == 6'd0));
   wire [9:0] mux_13_s0 = (frame_128_still | line_end_2_s0) ? add_7_s0 : (line_end_2_s0 ? add_7_s0 : scan_y_q);
   wire [9:0] mux_14_s0 = (over_q | frame_128_still) ? (over_q ? scan_y_q : add_7_s0) : mux_13_s0;
@@ -200,10 +200,10 @@ module ray_generation #(
     eq_10_s1 <= eq_10_s0;
     f_s1 <= f_s0;
   end
-  wire and_4_s1 = in_width_2_s1 & in_height_2_s1;  // units/ray_generation.h:75
-  wire and_5_s1 = x1_s1 & y1_s1;  // units/ray_generation.h:156
-  wire and_6_s1 = x1_2_s1 & y1_s1;  // units/ray_generation.h:156
-  wire and_7_s1 = x1_3_s1 & y1_s1;  // units/ray_generation.h:156
+  wire and_4_s1 = in_width_2_s1 & in_height_2_s1;  // units/ray_generation.h:80
+  wire and_5_s1 = x1_s1 & y1_s1;  // units/ray_generation.h:181
+  wire and_6_s1 = x1_2_s1 & y1_s1;  // units/ray_generation.h:181
+  wire and_7_s1 = x1_3_s1 & y1_s1;  // units/ray_generation.h:181
   wire and_9_s1 = and_4_s1 & (~over_s1);
 
   // ---- state, rows and tokens written ----

@@ -17,7 +17,7 @@ module ray_reciprocal #(
   input  wire [186:0] traced_data_i,
   output wire reset_valid_o,
   input  wire reset_ready_i,
-  output wire [154:0] reset_data_o,
+  output wire [178:0] reset_data_o,
   output wire enter_object_valid_o,
   input  wire enter_object_ready_i,
   output wire [80:0] enter_object_data_o,
@@ -992,7 +992,7 @@ module ray_reciprocal #(
     .valid_i(valid_s10 && in_is_new_s10), .ready_o(reset_room),
     .data_i({in_ray_last_value_s10, traced_14_s10, traced_13_s10, traced_12_s10, in_ray_packet_s10}),
     .valid_o(reset_valid_o), .ready_i(reset_ready_i), .data_o(reset_stored));
-  assign reset_data_o = {reset_stored[9], 145'd1, reset_stored[8:0]};
+  assign reset_data_o = {reset_stored[9], 169'd1, reset_stored[8:0]};
   wire [32:0] enter_object_stored;
   hls_fifo #(.WIDTH(33), .DEPTH(ENTER_OBJECT_DEPTH), .MARGIN(ENTER_OBJECT_BOUNDED ? 0 : 10),
     .BOUNDED(ENTER_OBJECT_BOUNDED)) enter_object_fifo (

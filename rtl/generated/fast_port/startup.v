@@ -26,10 +26,10 @@ module startup #(
   output wire [5:0] free_data_o,
   output wire node_valid_o,
   input  wire node_ready_i,
-  output wire [91:0] node_data_o,
+  output wire [155:0] node_data_o,
   output wire list_valid_o,
   input  wire list_ready_i,
-  output wire [59:0] list_data_o,
+  output wire [99:0] list_data_o,
   output wire column_valid_o,
   input  wire column_ready_i,
   output wire [123:0] column_data_o,
@@ -88,7 +88,7 @@ module startup #(
     .valid_i(valid_s1 && not_1_s1), .ready_o(node_room),
     .data_i({number_9_s1, number_6_s1, number_0_s1}),
     .valid_o(node_valid_o), .ready_i(node_ready_i), .data_o(node_stored));
-  assign node_data_o = {73'h0000000000000000600, node_stored, 9'd1};
+  assign node_data_o = {137'h00000000000000006000000000000000600, node_stored, 9'd1};
   wire [9:0] list_stored;
   hls_fifo #(.WIDTH(10), .DEPTH(LIST_DEPTH), .MARGIN(LIST_BOUNDED ? 0 : 1),
     .BOUNDED(LIST_BOUNDED)) list_fifo (
@@ -96,7 +96,7 @@ module startup #(
     .valid_i(valid_s1 && not_1_s1), .ready_o(list_room),
     .data_i({number_9_s1, number_6_s1, number_0_s1}),
     .valid_o(list_valid_o), .ready_i(list_ready_i), .data_o(list_stored));
-  assign list_data_o = {41'd0, list_stored, 9'd1};
+  assign list_data_o = {81'd0, list_stored, 9'd1};
   wire [9:0] column_stored;
   hls_fifo #(.WIDTH(10), .DEPTH(COLUMN_DEPTH), .MARGIN(COLUMN_BOUNDED ? 0 : 1),
     .BOUNDED(COLUMN_BOUNDED)) column_fifo (

@@ -40,8 +40,8 @@ module list_fill #(
   // ---- stage 0 ----
   wire fill_0_s0 = fill_data_i[0];
   wire [8:0] fill_8_s0 = fill_data_i[16:8];
-  wire not_1_s0 = ~fill_0_s0;  // units/cache_fill.h:35
-  wire [8:0] line_s0 = fill_8_s0 & frame_32_still;  // units/cache_fill.h:30
+  wire not_1_s0 = ~fill_0_s0;  // units/cache_fill.h:36
+  wire [8:0] line_s0 = fill_8_s0 & frame_32_still;  // units/cache_fill.h:31
   wire [6:0] fill_1_s0 = fill_data_i[7:1];
   wire [31:0] fill_27_s0 = fill_data_i[58:27];
   wire [9:0] fill_17_s0 = fill_data_i[26:17];

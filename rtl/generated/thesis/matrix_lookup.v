@@ -46,7 +46,7 @@ module matrix_lookup #(
   // ---- stage 0 ----
   wire [8:0] request_13_s0 = request_data_i[21:13];
   wire [9:0] request_22_s0 = request_data_i[31:22];
-  wire [8:0] line_s0 = frame_32_still & request_13_s0;  // units/cache_lookup.h:95
+  wire [8:0] line_s0 = frame_32_still & request_13_s0;  // units/cache_lookup.h:100
   wire [1:0] request_11_s0 = request_data_i[12:11];
   wire [4:0] request_0_s0 = request_data_i[4:0];
   wire [5:0] request_5_s0 = request_data_i[10:5];
@@ -88,7 +88,7 @@ module matrix_lookup #(
     lines_21_s2 <= lines_21_s1;
     request_5_s2 <= request_5_s1;
   end
-  wire eq_1_s2 = lines_0_s2 == {request_22_s2, request_13_s2, 2'd2};  // units/cache_lookup.h:140
+  wire eq_1_s2 = lines_0_s2 == {request_22_s2, request_13_s2, 2'd2};  // units/cache_lookup.h:145
 
   // ---- stage 3 ----
   reg valid_s3;

@@ -51,7 +51,7 @@ module memory_interface #(
   // ---- stage 0 ----
   wire request_0_s0 = request_data_i[0];
   wire request_1_s0 = request_data_i[1];
-  wire is_column_s0 = {request_1_s0, request_0_s0} == 2'd2;  // units/memory_interface.h:78
+  wire is_column_s0 = {request_1_s0, request_0_s0} == 2'd2;  // units/memory_interface.h:84
   wire [18:0] r_address_s0 = request_data_i[27:9];
   wire [6:0] request_2_s0 = request_data_i[8:2];
 

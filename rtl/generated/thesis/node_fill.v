@@ -40,8 +40,8 @@ module node_fill #(
   // ---- stage 0 ----
   wire f_invalidate_s0 = fill_data_i[0];
   wire [8:0] f_address_s0 = fill_data_i[16:8];
-  wire not_1_s0 = ~f_invalidate_s0;  // units/cache_fill.h:35
-  wire [8:0] line_s0 = f_address_s0 & frame_32_still;  // units/cache_fill.h:30
+  wire not_1_s0 = ~f_invalidate_s0;  // units/cache_fill.h:36
+  wire [8:0] line_s0 = f_address_s0 & frame_32_still;  // units/cache_fill.h:31
   wire [6:0] f_key_s0 = fill_data_i[7:1];
   wire [63:0] fill_27_s0 = fill_data_i[90:27];
   wire [9:0] fill_17_s0 = fill_data_i[26:17];

@@ -46,7 +46,7 @@ module node_lookup #(
   // ---- stage 0 ----
   wire [8:0] request_22_s0 = request_data_i[30:22];
   wire [9:0] request_31_s0 = request_data_i[40:31];
-  wire [8:0] line_s0 = frame_32_still & request_22_s0;  // units/cache_lookup.h:95
+  wire [8:0] line_s0 = frame_32_still & request_22_s0;  // units/cache_lookup.h:100
   wire [4:0] request_0_s0 = request_data_i[4:0];
   wire [16:0] request_5_s0 = request_data_i[21:5];
 
@@ -83,7 +83,7 @@ module node_lookup #(
     lines_21_s2 <= lines_21_s1;
     request_5_s2 <= request_5_s1;
   end
-  wire eq_1_s2 = lines_0_s2 == {request_31_s2, request_22_s2, 2'd2};  // units/cache_lookup.h:140
+  wire eq_1_s2 = lines_0_s2 == {request_31_s2, request_22_s2, 2'd2};  // units/cache_lookup.h:145
 
   // ---- stage 3 ----
   reg valid_s3;

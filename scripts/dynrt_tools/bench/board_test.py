@@ -38,8 +38,7 @@ a = parser.parse_args()
 if a.scene == REFUSED:
     sys.exit("sdram_frames: the scene is refused")
 core = pathlib.Path(sys.argv[0]).name.removeprefix("sdram_frames_")
-host = core.startswith("line_nodes_")  # its units are those of fast_port
-assert pathlib.Path(a.schedule).name == ("fast_port" if host else core), a.schedule
+assert pathlib.Path(a.schedule).name == core, a.schedule
 cycles = 1250 + 600 * (a.scene == "trees4000")
 microseconds = cycles / float(a.core_mhz)
 clocks = int(microseconds * (1000 / 7.5 if a.sdram_mhz == "133" else int(a.sdram_mhz)))

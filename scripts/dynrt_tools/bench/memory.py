@@ -25,7 +25,7 @@ class Row:
     """A core and its memory."""
 
     name: str
-    keys: tuple[tuple[str, int], ...] = ()  # that differ from those of `like`
+    keys: tuple[tuple[str, int | str], ...] = ()  # that differ from those of `like`
     like: str = PORT
     latency: int = LATENCY
     row_clocks: int = 0
@@ -37,7 +37,7 @@ class Row:
         return flags
 
 
-def one_key(key: str, *values: int) -> list[Row]:
+def one_key(key: str, *values: int | str) -> list[Row]:
     return [Row(f"{key} {value}", ((key, value),)) for value in values]
 
 
@@ -49,15 +49,24 @@ ROWS = (
     # Nothing of what fast_port does to read less, and a port no wider than a node.
     Row(
         "direct-mapped",
-        (("ways", 1), ("line_nodes", 1), ("second_level", 0), ("port_bytes", 8)),
+        (
+            ("ways", 1),
+            ("line_nodes", 1),
+            ("triangle_matrix", "normal_consistent"),
+            ("second_level", 0),
+            ("port_bytes", 8),
+        ),
     ),
     *one_key("ways", 1, 4),
     *one_key("second_level", 0, 16, 128),
     *one_key("second_line", 32),
-    *one_key("line_nodes", 1, 4),
+    *one_key("line_nodes", 1),
+    Row("line_nodes 4", (("line_nodes", 4), ("second_line", 32))),  # a line lies in another
+    *one_key("triangle_matrix", "normal_consistent"),
     *one_key("port_bytes", 8),
     Row("port_bytes 32", (("port_bytes", 32), ("second_line", 32))),  # a line is a beat or more
     *one_key("pipelines", 2, 4),
+    Row("pipelines 4, ways 4", (("pipelines", 4), ("ways", 4))),
 )
 
 SHARE, PIPELINES, READ = "share of SRAM", "frames of one pipeline", "bytes read per ray"
@@ -101,14 +110,15 @@ def compared(rows: list[tuple[Row, str, Json]]) -> list[Json]:
     clocks = {(row.name, scene): figures["clocks"] for row, scene, figures in rows}
     found = []
     for row, scene, figures in rows:
-        several = "pipelines" in dict(row.keys)
+        keys = dict(row.keys)
+        one = f"ways {keys['ways']}" if "ways" in keys else BASE
         found.append(
             {
                 "row": row.name,
                 "scene": scene,
                 **figures,
                 SHARE: clocks[SRAM, scene] / figures["clocks"],
-                PIPELINES: clocks[BASE, scene] / figures["clocks"] if several else None,
+                PIPELINES: clocks[one, scene] / figures["clocks"] if "pipelines" in keys else None,
             }
         )
     return found
