@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace hls {
@@ -30,6 +31,10 @@ class ClockQueue {
   /// The clock from which the first token can be taken; kNever without one.
   std::uint64_t front() const { return front_; }
   bool offers(std::uint64_t now) const { return front_ <= now; }
+  /// The clocks in which the first token, taken in clock `now`, was in the FIFO.
+  std::pair<std::uint64_t, std::uint64_t> stay(std::uint64_t now) const {
+    return {ready_[head_ & mask_], buffered_ ? leaves_[head_ & mask_] : now};
+  }
   /// The state at the clock's beginning: a place that becomes free in a clock can be used in the
   /// next.
   bool has_room(std::uint64_t now) { return room_ == 0 || waiting(now) < room_; }

@@ -10,13 +10,14 @@ namespace hls {
 
 void Clocks::unit(const std::string& name, const ModuleSchedule& schedule,
                   std::function<void()> run) {
-  units_.push_back({.name = name, .schedule = schedule, .run = std::move(run)});
+  units_.push_back(
+      {.number = units_.size(), .name = name, .schedule = schedule, .run = std::move(run)});
 }
 
 Clocks::Queue* Clocks::output(const std::string& name, std::shared_ptr<TokenQueue> tokens,
                               bool bounded) {
   Unit& unit = find(name);
-  Queue* queue = &queues_.emplace_back(bounded ? 0 : unit.schedule.room);
+  Queue* queue = add_queue(bounded ? 0 : unit.schedule.room);
   unit.outputs.push_back({queue, std::move(tokens)});
   if (!bounded) unit.refusing.push_back(queue);
   return queue;
@@ -27,7 +28,7 @@ void Clocks::feed(const std::string& name, Feed feed) {
 }
 
 Clocks::Queue* Clocks::merge(std::vector<Feed> feeds) {
-  Queue* buffer = &queues_.emplace_back(Queue::kBufferPlaces);
+  Queue* buffer = add_queue(Queue::kBufferPlaces);
   arbiters_.push_back({.feeds = std::move(feeds), .buffer = buffer});
   return buffer;
 }
@@ -40,7 +41,7 @@ std::vector<Clocks::Queue*> Clocks::fork(Feed feed, const std::vector<std::strin
     find(name).waits_for_fork = true;
   }
   for (std::size_t i = 0; i < queues; ++i) {
-    fork.branches.push_back(&queues_.emplace_back(depth));
+    fork.branches.push_back(add_queue(depth));
   }
   forks_.push_back(std::move(fork));
   return forks_.back().branches;
@@ -85,6 +86,41 @@ void Clocks::run() {
   wheel_.run([this](std::size_t actor, std::uint64_t now) {
     actors_[actor].act(*this, actors_[actor].self, now);
   });
+  if (watch_ == nullptr) return;
+  for (const Unit& unit : units_) tell(unit, now_ + 1);
+  for (const Fork& fork : forks_) tell(fork, now_ + 1);
+}
+
+template <class Actor>
+void Clocks::see(Actor& actor, Queue* full, std::uint64_t now) {
+  Course& course = actor.course;
+  if (full != nullptr && full == course.full) return;
+  tell(actor, now);
+  course = {.told = full == nullptr ? now + 1 : now, .full = full};
+}
+
+void Clocks::tell(const Unit& unit, std::uint64_t now) {
+  const auto [told, full] = unit.course;
+  if (told >= now || unit.feeds.empty()) return;
+  if (full != nullptr) {
+    watch_->waited(unit.number, full->number, Lack::kRoom, told, now);
+    return;
+  }
+  const auto last = std::ranges::max_element(unit.feeds, {},
+                                             [](const Feed& feed) { return feed.queue->front(); });
+  watch_->waited(unit.number, last->queue->number, Lack::kToken, told, now);
+}
+
+void Clocks::tell(const Fork& fork, std::uint64_t now) {
+  const auto [told, full] = fork.course;
+  if (told >= now) return;
+  for (const Unit* reader : fork.readers) {
+    // For the other readers the fork still holds the token back.
+    const bool own =
+        full != nullptr && std::ranges::find(reader->refusing, full) != reader->refusing.end();
+    watch_->waited(reader->number, own ? full->number : fork.feed.queue->number,
+                   own ? Lack::kRoom : Lack::kToken, told, now);
+  }
 }
 
 Clocks::Unit& Clocks::find(const std::string& name) {
@@ -163,6 +199,10 @@ void Clocks::take(const Feed& feed, std::uint64_t now) {
     wheel_.wake(queue.reader, now + 1);
     return;
   }
+  if (watch_ != nullptr) {
+    const auto [from, to] = queue.stay(now);
+    watch_->passed(queue.number, from, to);
+  }
   queue.pop(now);
   if (!queue.empty()) wheel_.wake(queue.reader, std::max(now + 1, queue.front()));
   if (queue.waits_for_room == kNobody) return;
@@ -214,11 +254,13 @@ void Clocks::arbitrate(Arbiter& arbiter, std::uint64_t now) {
 
 void Clocks::pass(Fork& fork, std::uint64_t now) {
   if (!fork.feed.queue->offers(now)) return;
-  const bool ready =
-      std::ranges::all_of(fork.readers,
-                          [&](Unit* u) { return has_room(u->refusing, fork.actor, now); }) &&
-      has_room(fork.branches, fork.actor, now);
-  if (!ready) return;
+  Queue* full = nullptr;
+  for (const Unit* reader : fork.readers) {
+    if ((full = without_room(reader->refusing, fork.actor, now)) != nullptr) break;
+  }
+  if (full == nullptr) full = without_room(fork.branches, fork.actor, now);
+  if (watch_ != nullptr) see(fork, full, now);
+  if (full != nullptr) return;
   take(fork.feed, now);
   for (const Unit* reader : fork.readers) wheel_.wake(reader->actor, now);
   for (Queue* branch : fork.branches) push(*branch, now + 1);
@@ -229,7 +271,9 @@ void Clocks::fire(Unit& unit, std::uint64_t now) {
     for (const Feed& feed : unit.feeds) {
       if (!feed.queue->offers(now)) return;
     }
-    if (!has_room(unit.refusing, unit.actor, now)) {
+    Queue* full = without_room(unit.refusing, unit.actor, now);
+    if (watch_ != nullptr) see(unit, full, now);
+    if (full != nullptr) {
       if (unit.stalled_from != kNever) return;
       unit.stalled_from = now;
       ++unit.stalls;

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "hls/clock_queue.h"
+#include "hls/clock_watch.h"
 #include "hls/device.h"
 #include "hls/fifo.h"
 #include "hls/module_schedule.h"
@@ -34,7 +35,8 @@ class Clocks {
  public:
   /// The times of a FIFO's tokens, and the numbers of the actors at its ends.
   struct Queue : ClockQueue {
-    using ClockQueue::ClockQueue;
+    explicit Queue(std::size_t n, unsigned room = 0) : ClockQueue(room), number(n) {}
+    std::size_t number;  ///< in the order in which they were made
     std::size_t reader = kNobody;
     std::size_t waits_for_room = kNobody;
   };
@@ -52,7 +54,7 @@ class Clocks {
   /// Of an output of unit `name`, which writes to `tokens`.
   Queue* output(const std::string& name, std::shared_ptr<TokenQueue> tokens, bool bounded);
   /// A queue of tokens from outside.
-  Queue* input() { return &queues_.emplace_back(); }
+  Queue* input() { return add_queue(); }
 
   /// The queue before an input of unit `name`.
   void feed(const std::string& name, Feed feed);
@@ -74,6 +76,8 @@ class Clocks {
                 unsigned read_stage, std::function<std::uint64_t()> logged,
                 std::function<void(std::size_t)> tear, std::function<void()> land);
 
+  /// `watch` sees the next run. Units have the numbers of the order in which they were added.
+  void watch(ClockWatch& watch) { watch_ = &watch; }
   /// Runs until no token moves any more.
   void run();
   /// The clock of the transaction that a unit makes.
@@ -107,6 +111,11 @@ class Clocks {
     std::function<void()> land;
     std::deque<std::uint64_t> due = {};
   };
+  /// What the watch knows of a unit or a fork.
+  struct Course {
+    std::uint64_t told = 0;       ///< the first clock that it was not told of
+    const Queue* full = nullptr;  ///< without room since then; null: a token lacks
+  };
   struct Output {
     Queue* queue;
     std::shared_ptr<TokenQueue> tokens;
@@ -114,6 +123,7 @@ class Clocks {
   };
   struct Unit {
     std::size_t actor = 0;
+    std::size_t number;
     std::string name;
     ModuleSchedule schedule;
     std::function<void()> run;
@@ -124,12 +134,14 @@ class Clocks {
     bool waits_for_fork = false;        ///< a fork brings its tokens, and wakes it when it does
     std::uint64_t stalled_from = kNever;
     std::uint64_t stalls = 0;
+    Course course = {};
   };
   struct Fork {
     std::size_t actor = 0;
     Feed feed;
     std::vector<Unit*> readers = {};
     std::vector<Queue*> branches = {};
+    Course course = {};
   };
   struct Sink {
     std::size_t actor = 0;
@@ -144,6 +156,7 @@ class Clocks {
   };
 
   Unit& find(const std::string& name);
+  Queue* add_queue(unsigned room = 0) { return &queues_.emplace_back(queues_.size(), room); }
 
   /// Numbers the actors, and wakes those that have tokens.
   void number_actors();
@@ -160,12 +173,21 @@ class Clocks {
 
   /// Whether it can send; if not, actor number `waiting` is woken when there may be room.
   bool has_room(Queue& queue, std::size_t waiting, std::uint64_t now);
-  bool has_room(const std::vector<Queue*>& queues, std::size_t waiting, std::uint64_t now) {
+  /// The first that cannot send; null if all can.
+  Queue* without_room(const std::vector<Queue*>& queues, std::size_t waiting, std::uint64_t now) {
     for (Queue* queue : queues) {
-      if (!has_room(*queue, waiting, now)) return false;
+      if (!has_room(*queue, waiting, now)) return queue;
     }
-    return true;
+    return nullptr;
   }
+
+  /// A unit or fork starts a transaction, or cannot as a queue is full; tells the watch for what it
+  /// has waited before.
+  template <class Actor>
+  void see(Actor& actor, Queue* full, std::uint64_t now);
+  void tell(const Unit& unit, std::uint64_t now);
+  void tell(const Fork& fork, std::uint64_t now);
+
   /// Takes the token at the head.
   void take(const Feed& feed, std::uint64_t now);
   void push(Queue& queue, std::uint64_t ready);
@@ -179,6 +201,7 @@ class Clocks {
   std::deque<Outside> outsides_;
   std::vector<Actor> actors_;
   TimingWheel wheel_;
+  ClockWatch* watch_ = nullptr;
   std::uint64_t now_ = 0;
 };
 

@@ -6,8 +6,11 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "hls/join_test_units.h"
@@ -118,6 +121,89 @@ std::uint64_t stalls_of_a_writer(hls::WriterFifo fifo) {
 TEST(Clocks, OnlyAShortFifoMakesItsWriterWait) {
   EXPECT_EQ(stalls_of_a_writer(hls::WriterFifo::kHoldsAll), 0u);
   EXPECT_GT(stalls_of_a_writer(hls::WriterFifo::kShort), 0u);
+}
+
+/// Notes waits and the most tokens as sentences and sums.
+struct Notes : hls::ClockWatch {
+  struct Fill {
+    std::uint64_t tokens = 0, clocks = 0, last = 0;
+  };
+  void waited(std::size_t unit, std::size_t fifo, hls::Lack lack, std::uint64_t from,
+              std::uint64_t to) override {
+    waits[{unit, fifo, lack}] += to - from;
+    all[unit] += to - from;
+  }
+  void passed(std::size_t fifo, std::uint64_t from, std::uint64_t to) override {
+    EXPECT_GE(to, from);
+    EXPECT_GE(to, fills[fifo].last);
+    ++fills[fifo].tokens;
+    fills[fifo].clocks += to - from + 1;
+    fills[fifo].last = to;
+  }
+  std::map<std::tuple<std::size_t, std::size_t, hls::Lack>, std::uint64_t> waits;
+  std::map<std::size_t, std::uint64_t> all;
+  std::map<std::size_t, Fill> fills;
+};
+
+TEST(Clocks, AWatchIsToldWhatUnitsWaitFor) {
+  Add add;
+  Pair pair;
+  hls::Join join({{"add", {.stages = 3, .room = 2}}, {"pair", {.stages = 1, .room = 12}}});
+  join.unit("add", "add", add);
+  join.unit("pair", "pair", pair);
+  join.constant(add.value, Byte(1));
+  auto in = join.input("in", add.in);
+  auto late = join.input("late", pair.in[0]);
+  join.channel<Byte>("sums", hls::Writers(&add.out, hls::WriterFifo::kShort), {&pair.in[1]}, 12);
+  auto out = join.output("out", pair.out);
+  const std::vector<hls::FifoRecord> fifos = join.fifos();
+  ASSERT_EQ(fifos.size(), 4u);
+  EXPECT_EQ(fifos[0].channel, "in");
+  EXPECT_EQ(fifos[0].depth, 0u);
+  EXPECT_EQ(fifos[2].channel, "sums");
+  EXPECT_EQ(fifos[2].port, "add.out");
+  EXPECT_EQ(fifos[2].depth, 4u);  // two, and room for what two stages hold
+  Notes notes;
+  join.watch_clocks(notes);
+  for (unsigned i = 0; i < 8; ++i) {
+    in->push(Byte::from(i));
+    join.arrives("in", 5);
+    late->push(Byte(0));
+    join.arrives("late", 20);
+  }
+  join.run_clocks();
+  using hls::Lack;
+  const std::uint64_t clocks = join.counters().at("pair.transactions") + notes.all[1];
+  EXPECT_EQ(join.counters().at("add.transactions") + notes.all[0], clocks);
+  EXPECT_EQ((notes.waits[{0, 0, Lack::kToken}]), 9u);  // five before its tokens, four behind them
+  EXPECT_EQ((notes.waits[{1, 1, Lack::kToken}]), 20u);
+  // Before clock 20 it sends two to the buffer before `pair` and four to the FIFO.
+  EXPECT_EQ((notes.waits[{0, 2, Lack::kRoom}]), join.counters().at("add.stalls"));
+  EXPECT_GT(join.counters().at("add.stalls"), 0u);
+  EXPECT_EQ(notes.fills[2].tokens, 8u);
+  EXPECT_GT(notes.fills[2].clocks, 4u * 10);
+}
+
+TEST(Clocks, AWatchChangesNothing) {
+  const auto run = [](bool watched) {
+    Send send;
+    Receive receive;
+    hls::Join join({{"send", {.stages = 2, .room = 2}}, {"receive", {.stages = 3, .room = 4}}});
+    join.unit("send", "send", send);
+    join.unit("receive", "receive", receive);
+    auto in = join.input("in", send.in);
+    join.repeat("job", hls::Writers{&send.out}, receive.in);
+    auto out = join.output("out", receive.out);
+    Notes notes;
+    if (watched) join.watch_clocks(notes);
+    for (unsigned i = 0; i < 8; ++i) {
+      in->push(Job{uint<4>::from(i % 3), uint<6>::from(i)});
+      join.arrives("in", 2 * i);
+    }
+    join.run_clocks();
+    return std::pair(join.counters(), join.first_of("out"));
+  };
+  EXPECT_EQ(run(true), run(false));
 }
 
 TEST(Clocks, ARowThatIsReadInTheClockThatWritesItIsTorn) {

@@ -64,7 +64,7 @@ void Join::add_channel(const std::string& name, const std::vector<OutEnd*>& from
       depth,          ChannelKind::kChannel,  names_of(ports_, short_fifos)};
   for (InEnd* in : to) in->bind_tokens(type.make_queue());
   if (clocks_) {
-    clocks_->channel(ports_, from, to, type, depth, short_fifos);
+    clocks_->channel(record.name, ports_, from, to, type, depth, short_fifos);
   } else {
     for (OutEnd* out : from) {
       for (const InEnd* in : to) out->bind_tokens(in->tokens());
@@ -84,7 +84,7 @@ void Join::add_repeat(const std::string& name, const std::vector<OutEnd*>& from,
   record.repeat_width = repeat_width;
   if (clocks_) {
     const auto sent = std::make_shared<std::uint64_t>(0);
-    clocks_->repeat(ports_, from, to, type, send, sent, depth, short_fifos);
+    clocks_->repeat(record.name, ports_, from, to, type, send, sent, depth, short_fifos);
     count(record, [sent] { return *sent; });
     return;
   }
@@ -148,7 +148,7 @@ void Join::attach(const std::string& requests, const std::string& answers, Devic
 void Join::add_sink(const std::string& name, OutEnd& from, TokenType type) {
   const std::shared_ptr<TokenQueue> queue = type.make_queue();
   if (clocks_) {
-    clocks_->sink(ports_, from, queue);
+    clocks_->sink(prefix_ + name, ports_, from, queue);
   } else {
     from.bind_tokens(queue);
     const auto drop = [queue](std::uint64_t&) {

@@ -185,6 +185,16 @@ class Join {
   /// Watches every transaction from now on, which takes time.
   void watch(Watch watch) { *watch_ = std::move(watch); }
 
+  /// Watches the FIFOs of the next run, if there are clocks, and how long units wait for them.
+  /// Units have their places in the record's list, FIFOs theirs in fifos().
+  void watch_clocks(ClockWatch& watch) {
+    if (clocks_) clocks_->watch(watch);
+  }
+  /// Those of a join with clocks.
+  std::vector<FifoRecord> fifos() const {
+    return clocks_ ? clocks_->fifos() : std::vector<FifoRecord>();
+  }
+
   /// Runs every unit until none has work left.
   void run();
 

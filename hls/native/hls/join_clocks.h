@@ -41,18 +41,19 @@ class JoinClocks {
   void unit(const std::string& name, const std::string& module, std::function<void()> run);
   /// One channel from any of `from` to all of `to`; a lone reader's queue is replaced by the one
   /// that its tokens come from.
-  void channel(const JoinPorts& ports, const std::vector<OutEnd*>& from,
+  void channel(const std::string& name, const JoinPorts& ports, const std::vector<OutEnd*>& from,
                const std::vector<InEnd*>& to, TokenType type, unsigned depth,
                const std::vector<OutEnd*>& short_fifos);
   /// `sent` counts the jobs that were sent for the first time.
-  void repeat(const JoinPorts& ports, const std::vector<OutEnd*>& from, const InEnd& to,
-              TokenType type, SendNumbered send, std::shared_ptr<std::uint64_t> sent,
-              unsigned depth, const std::vector<OutEnd*>& short_fifos);
+  void repeat(const std::string& name, const JoinPorts& ports, const std::vector<OutEnd*>& from,
+              const InEnd& to, TokenType type, SendNumbered send,
+              std::shared_ptr<std::uint64_t> sent, unsigned depth,
+              const std::vector<OutEnd*>& short_fifos);
   void torn_ram(const JoinPorts& ports, TornRam ram);
   /// The outside writes into the queue of `to`.
   void input(const JoinPorts& ports, const std::string& name, const InEnd& to);
   void output(const JoinPorts& ports, const std::string& name, OutEnd& from, const Tokens& queue);
-  void sink(const JoinPorts& ports, OutEnd& from, const Tokens& queue);
+  void sink(const std::string& name, const JoinPorts& ports, OutEnd& from, const Tokens& queue);
   /// Between outputs and an input of these names; `writes` may be empty.
   void attach(const std::string& requests, const std::string& answers, const std::string& writes,
               Device& device) {
@@ -62,6 +63,9 @@ class JoinClocks {
 
   void arrives(const std::string& input, std::uint64_t clock) { ends_.at(input)->push(clock); }
   void run() { clocks_.run(); }
+  void watch(ClockWatch& watch) { clocks_.watch(watch); }
+  /// As the watch numbers them.
+  const std::vector<FifoRecord>& fifos() const { return fifos_; }
   std::uint64_t now() const { return clocks_.now(); }
   std::uint64_t first_of(const std::string& output) const;
   std::uint64_t stalls(const std::string& unit) { return clocks_.stalls(unit); }
@@ -73,14 +77,18 @@ class JoinClocks {
     Tokens tokens;
   };
   /// All of `from`, with an arbiter and a buffer where there are several.
-  Source merge(const JoinPorts& ports, const std::vector<OutEnd*>& from, TokenType type,
-               unsigned depth, const std::vector<OutEnd*>& short_fifos);
-  Clocks::Queue* output(const JoinPorts& ports, OutEnd& out, const Tokens& queue, unsigned depth);
+  Source merge(const std::string& name, const JoinPorts& ports, const std::vector<OutEnd*>& from,
+               TokenType type, unsigned depth, const std::vector<OutEnd*>& short_fifos);
+  Clocks::Queue* output(const std::string& name, const JoinPorts& ports, OutEnd& out,
+                        const Tokens& queue, unsigned depth);
+  /// Gives the queue.
+  Clocks::Queue* add_fifo(Clocks::Queue* queue, FifoRecord record);
 
   ModuleSchedules schedules_;
   Clocks clocks_;
   std::map<std::string, std::string> modules_;  ///< by unit
   std::map<std::string, Clocks::Queue*> ends_;  ///< inputs and outputs, by channel
+  std::vector<FifoRecord> fifos_;
 };
 
 }  // namespace hls
