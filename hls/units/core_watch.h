@@ -5,15 +5,16 @@
 // wait for a unit before each of its transactions and changes nothing.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "units/core.h"
 #include "units/frame_watch.h"
+#include "units/units_course.h"
 
 namespace dynrt {
 
@@ -24,7 +25,6 @@ class CoreWatch {
     watch.columns = packet_columns(kRays<C>);
     watch.rows = packet_rows(kRays<C>);
     watch.packets.clear();
-    watch.part_clocks = 1;
     watch.units.clear();
     watch.groups.clear();
     for (const hls::UnitRecord& unit : join.record().units) {
@@ -35,7 +35,7 @@ class CoreWatch {
     for (const hls::ChannelRecord& channel : join.record().channels) {
       watch.channels.push_back({channel.name, channel.from, channel.to});
     }
-    watch.work.assign(watch.units.size(), std::vector<std::uint32_t>(watch.parts));
+    course_.emplace(join, watch);
     looks_.resize(watch.units.size());
     for (unsigned i = 0; i < kPipelines<C>; ++i) look_at(core.pipeline[i], i);
     join.watch([this](std::size_t unit, std::uint64_t clock) { see(unit, clock); });
@@ -49,20 +49,8 @@ class CoreWatch {
     if (watch_.stop != nullptr && watch_.stop->load(std::memory_order_relaxed) > 0) {
       throw FrameStopped();
     }
-    if (watch_.parts > 0) {
-      while (clock / watch_.part_clocks >= watch_.parts) double_parts();
-      ++watch_.work[unit][clock / watch_.part_clocks];
-    }
+    course_->works(unit, clock);
     if (looks_[unit]) looks_[unit](clock);
-  }
-
-  /// Nobody knows how long a frame takes before it is over.
-  void double_parts() {
-    for (std::vector<std::uint32_t>& work : watch_.work) {
-      for (unsigned i = 0; i < watch_.parts / 2; ++i) work[i] = work[2 * i] + work[2 * i + 1];
-      std::fill(work.begin() + watch_.parts / 2, work.end(), 0);
-    }
-    watch_.part_clocks *= 2;
   }
 
   /// The unit's name in a core of one pipeline.
@@ -156,6 +144,7 @@ class CoreWatch {
   }
 
   FrameWatch& watch_;
+  std::optional<UnitsCourse> course_;
   std::vector<Look> looks_;  ///< by unit
   std::array<std::array<PacketWork, kPackets>, kPipelines<C>> traced_{};
 };

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <string>
@@ -45,10 +46,27 @@ struct WatchedChannel {
   std::vector<std::string> from, to;
 };
 
+/// A FIFO on the way of a channel's tokens, in a frame with clocks.
+struct WatchedFifo {
+  std::string channel;
+  std::string port;    ///< its writer's or, behind a fork, its reader's; empty: behind an arbiter
+  unsigned depth = 0;  ///< 0: it is outside of the core
+  std::uint64_t tokens = 0;
+  std::uint64_t clocks = 0;  ///< in which they were in it, all tokens together
+  std::size_t most = 0;      ///< tokens in it in one clock
+};
+
+/// A unit's clocks without a transaction, by what it waits for.
+struct WatchedWait {
+  std::size_t unit = 0, fifo = 0;       ///< places in the lists of these
+  bool for_room = false;                ///< in the FIFO; else for a token
+  std::vector<std::uint32_t> clocks{};  ///< by part
+};
+
 struct FrameWatch {
   // What is wanted.
   bool ways = false;   ///< of all packets
-  unsigned parts = 0;  ///< of the frame, at most, for which the units' work is counted; even, or 0
+  unsigned parts = 0;  ///< of the frame, at most, for which units' work is counted; even, or 0
   const std::atomic<unsigned>* stop = nullptr;  ///< throws FrameStopped once it is not 0
 
   // What was seen.
@@ -58,6 +76,8 @@ struct FrameWatch {
   std::vector<WatchedChannel> channels{};
   std::uint64_t part_clocks = 1;                   ///< of a part
   std::vector<std::vector<std::uint32_t>> work{};  ///< transactions, by unit and part
+  std::vector<WatchedFifo> fifos{};                ///< if there are clocks and parts are wanted
+  std::vector<WatchedWait> waits{};
 };
 
 }  // namespace dynrt

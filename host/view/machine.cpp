@@ -15,22 +15,66 @@ Json or_null(const auto& value) { return value ? Json(*value) : Json(); }
 
 std::string unit_of(const std::string& port) { return port.substr(0, port.find('.')); }
 
-/// The units, each once, and how many tokens go between them.
+/// Each unit once.
+Json units_of(const std::vector<std::string>& ports) {
+  Json units = Json::array();
+  for (const std::string& port : ports) {
+    if (std::find(units.begin(), units.end(), unit_of(port)) == units.end())
+      units.push_back(unit_of(port));
+  }
+  return units;
+}
+
+/// The units at the ends of each channel, and how many tokens go between them.
 Json channels_json(const Still& still) {
   Json channels = Json::array();
   for (const WatchedChannel& channel : still.watch->channels) {
-    Json from = Json::array(), to = Json::array();
-    for (const std::string& port : channel.from) from.push_back(unit_of(port));
-    for (const std::string& port : channel.to) to.push_back(unit_of(port));
     const auto tokens =
         std::ranges::find(still.watched->counters, channel.name + ".tokens", &Counter::name);
     channels.push_back(
         {{"name", channel.name},
-         {"from", from},
-         {"to", to},
+         {"from", units_of(channel.from)},
+         {"to", units_of(channel.to)},
          {"tokens", tokens == still.watched->counters.end() ? Json() : Json(tokens->value)}});
   }
   return channels;
+}
+
+/// A FIFO belongs to a writer, to a reader behind a fork, or to the channel as a whole.
+Json fifo_json(const FrameWatch& watch, const WatchedFifo& fifo, double cycles) {
+  const auto channel = std::ranges::find(watch.channels, fifo.channel, &WatchedChannel::name);
+  const bool of_writer = std::ranges::find(channel->from, fifo.port) != channel->from.end();
+  const bool of_reader = std::ranges::find(channel->to, fifo.port) != channel->to.end();
+  return {{"channel", fifo.channel},
+          {"of", of_writer   ? "writer"
+                 : of_reader ? "reader"
+                             : "channel"},
+          {"from", units_of(of_writer ? std::vector{fifo.port} : channel->from)},
+          {"to", units_of(of_reader ? std::vector{fifo.port} : channel->to)},
+          {"depth", fifo.depth},
+          {"tokens", fifo.tokens},
+          {"mean", static_cast<double>(fifo.clocks) / cycles},
+          {"most", fifo.most}};
+}
+
+Json fifos_json(const Still& still) {
+  Json fifos = Json::array();
+  const auto cycles = static_cast<double>(still.watched->run.cycles.value_or(1));
+  for (const WatchedFifo& fifo : still.watch->fifos) {
+    fifos.push_back(fifo_json(*still.watch, fifo, cycles));
+  }
+  return fifos;
+}
+
+/// What a unit waits for, in the course of the frame.
+Json waits_json(const FrameWatch& watch, std::size_t unit) {
+  Json waits = Json::array();
+  for (const WatchedWait& wait : watch.waits) {
+    if (wait.unit != unit) continue;
+    waits.push_back(
+        {{"for", wait.for_room ? "room" : "token"}, {"fifo", wait.fifo}, {"clocks", wait.clocks}});
+  }
+  return waits;
 }
 
 Json units_json(const Still& still) {
@@ -47,7 +91,8 @@ Json units_json(const Still& still) {
                      {"group", watch.groups[i]},
                      {"transactions", or_null(count(".transactions"))},
                      {"stalls", or_null(count(".stalls"))},
-                     {"work", watch.work[i]}});
+                     {"work", watch.work[i]},
+                     {"waits", waits_json(watch, i)}});
   }
   return units;
 }
@@ -76,7 +121,8 @@ Json machine_json(const Still& still, const Json& clock) {
           {"caches", caches},
           {"part_clocks", still.watch->part_clocks},
           {"units", units_json(still)},
-          {"channels", channels_json(still)}};
+          {"channels", channels_json(still)},
+          {"fifos", fifos_json(still)}};
 }
 
 }  // namespace dynrt::host

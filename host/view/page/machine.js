@@ -1,11 +1,14 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The panel of the machine: its units with their use, the caches, and the units' work in the course
-// of the frame.
+// The panel of the machine: its units with their use and their FIFOs, what the chosen unit waits
+// for, the caches, and the course of the frame.
+import {course_of} from "./course.js";
 import {make, percent, shown, table} from "./elements.js";
+import {add_shares, fifo_text, fifos_within, wait_text} from "./flow.js";
 
 const column_width = 200, unit_height = 20, gap = 16, columns = 2;
+const tank_width = 5, tank_step = 7;
 
 /// Groups with their units, each placed; the columns fill evenly.
 function placed(units) {
@@ -25,6 +28,17 @@ function placed(units) {
   return {groups, height: Math.max(...bottoms)};
 }
 
+const fifo_sentence = (fifo) => `${fifo.channel}, ${fifo_text(fifo)}: ${fifo.mean.toFixed(2)} tokens ` +
+    `on average, ${fifo.most} at most, of ${fifo.depth}`;
+
+/// A FIFO's fill, from left to right.
+function level(fifo) {
+  const share = (count) => `${(100 * Math.min(1, count / fifo.depth)).toFixed(1)}%`;
+  return make("span", {class: "level", title: fifo_sentence(fifo)},
+              make("span", {class: "fill", style: `width: ${share(fifo.mean)}`}),
+              make("span", {class: "most", style: `left: ${share(fifo.most)}`}));
+}
+
 export class MachinePanel {
   constructor(panel) {
     this.panel = panel;
@@ -38,30 +52,68 @@ export class MachinePanel {
 
   show(machine) {
     const {cycles, clock} = machine;
-    for (const unit of machine.units) {
-      unit.use = cycles && unit.transactions !== null ? unit.transactions / cycles : null;
-      unit.stalled = cycles && unit.stalls !== null ? unit.stalls / cycles : null;
-    }
-    const share = (unit) => cycles ? percent(unit.use) : shown(unit.transactions);
+    add_shares(machine);
+    this.machine = machine;
+    this.detail = make("div", {id: "unit-detail", role: "status"});
     this.panel.replaceChildren(
         make("p", {id: "core-speed"}, cycles
             ? `${shown(cycles)} clocks, ${machine.frames_per_second.toFixed(1)} frames a second at ` +
               `${clock.mhz} MHz, ${shown(machine.rays_per_clock)} rays a clock`
             : "the clocks are not known: the schedules of this configuration are not there"),
-        make("h2", {}, "Units"),
+        make("h2", {}, "Units and FIFOs"),
         make("p", {class: "faint"},
              "Blue: clocks in which the unit starts a transaction; orange: clocks in which it has its " +
-             "tokens but an output no room. A click shows a unit's channels."),
-        this.diagram(machine, share),
+             "tokens but an output no room. At its right the FIFOs of its outputs, at its left those " +
+             "behind a fork: the mean fill, and a line at the highest. A click shows a unit's channels " +
+             "and what it waits for."),
+        this.diagram(machine),
+        this.detail,
+        make("h2", {}, "In the course of the frame"),
+        course_of(machine, (unit) => this.choose(unit)),
         make("h2", {}, "Caches"),
         table(["", "lookups", "misses", "hits"], machine.caches.map((cache) =>
             [cache.name, cache.lookups, cache.misses, percent(cache.hit_rate)])),
-        make("h2", {}, "In the course of the frame"),
-        this.timeline(machine));
+        ...this.fifos(machine));
+    const last = machine.units.find(({name}) => name === this.chosen);
+    if (last) this.choose(last);
     this.panel.dataset.number = machine.number;
   }
 
-  diagram({units, channels, cycles}, share) {
+  /// All FIFOs, the fullest first.
+  fifos(machine) {
+    if (!machine.cycles) return [];
+    const sorted = [...fifos_within(machine)].sort((a, b) => b.mean / b.depth - a.mean / a.depth);
+    return [make("h2", {}, "FIFOs"), this.table_of_fifos(sorted, "fifos")];
+  }
+
+  table_of_fifos(fifos, id) {
+    const made = table(["channel", "", "mean", "highest", "places", ""], fifos.map((fifo) =>
+        [fifo.channel, fifo_text(fifo), fifo.mean.toFixed(2), fifo.most, fifo.depth, level(fifo)]));
+    made.id = id;
+    made.className = "fifos";
+    return made;
+  }
+
+  choose(unit) {
+    this.chosen = unit.name;
+    this.mark(unit);
+    const {machine} = this;
+    const {cycles} = machine;
+    const fifos = fifos_within(machine).filter(({from, to}) =>
+        from.includes(unit.name) || to.includes(unit.name));
+    this.detail.replaceChildren(
+        make("h2", {}, unit.name),
+        ...(cycles ? [table([], [
+          ["works", unit.transactions, percent(unit.use)],
+          ...unit.waits.map((wait) => [`waits for ${wait_text(machine, wait)}`, wait.total,
+                                       percent(wait.total / cycles)]),
+        ]), this.table_of_fifos(fifos, "unit-fifos")]
+                  : [make("p", {}, `${shown(unit.transactions)} transactions`)]));
+  }
+
+  diagram(machine) {
+    const {units, channels, cycles} = machine;
+    const share = (unit) => cycles ? percent(unit.use) : shown(unit.transactions);
     const {groups, height} = placed(units);
     const most = d3.max(units, (unit) => unit.transactions ?? 0) || 1;
     const part = (unit) => cycles ? unit.use : (unit.transactions ?? 0) / most;
@@ -90,10 +142,11 @@ export class MachinePanel {
         .attr("d", line)
         .attr("stroke-width", ({channel}) => 1 + 4 * (channel.tokens ?? 0) / busiest);
     paths.append("title").text(({channel}) => `${channel.name}: ${shown(channel.tokens)} tokens`);
-    const choose = (chosen) => {
+    this.mark = (chosen) => {
       paths.classed("chosen", ({from, to}) => from === chosen || to === chosen);
       svg.selectAll("rect.unit").classed("chosen", (unit) => unit === chosen);
     };
+    const choose = (chosen) => this.choose(chosen);
     const unit = svg.append("g").selectAll("g").data(units).join("g").attr("data-unit", (d) => d.name)
         .attr("tabindex", 0).on("click", choose).on("focus", choose);
     const box = (css, x, size) => unit.append("rect").attr("class", css).attr("x", x)
@@ -103,43 +156,32 @@ export class MachinePanel {
     box("busy", (d) => d.x, (d) => inner * Math.min(1, part(d)));
     box("stalled", (d) => d.x + inner * Math.min(1, part(d)),
         (d) => inner * Math.min(1 - Math.min(1, part(d)), d.stalled ?? 0));
-    unit.append("text").attr("x", (d) => d.x + 4).attr("y", (d) => d.y + 12).text((d) => d.name);
-    unit.append("text").attr("x", (d) => d.x + inner - 4).attr("y", (d) => d.y + 12)
-        .attr("text-anchor", "end").text(share);
+    const tanks = fifos_within(machine);
+    const outputs = d3.nest().key(({from}) => from[0]).map(tanks.filter(({of}) => of === "writer"));
+    const branches = d3.nest().key(({to}) => to[0]).map(tanks.filter(({of}) => of === "reader"));
+    const after = (d) => outputs.get(d.name) ?? [], before = (d) => branches.get(d.name) ?? [];
+    unit.append("text").attr("x", (d) => d.x + 4 + before(d).length * tank_step)
+        .attr("y", (d) => d.y + 12).text((d) => d.name);
+    unit.append("text").attr("x", (d) => d.x + inner - 4 - after(d).length * tank_step)
+        .attr("y", (d) => d.y + 12).attr("text-anchor", "end").text(share);
+    this.tanks(unit, before, (d, i) => d.x + 2 + i * tank_step);
+    this.tanks(unit, after, (d, i) => d.x + inner - (after(d).length - i) * tank_step);
     unit.append("title").text((d) => `${d.name}: ${shown(d.transactions)} transactions` +
-        (d.stalls === null ? "" : `, ${shown(d.stalls)} clocks stalled`));
+        (d.stalled === null ? "" : `, ${percent(d.stalled)} of the clocks stalled`));
     return svg.node();
   }
 
-  /// A row for each unit, the clocks of the frame from left to right.
-  timeline({units, part_clocks, cycles}) {
-    if (!cycles) return make("p", {class: "faint"}, "Without clocks a frame has no course.");
-    const parts = Math.ceil(cycles / part_clocks);
-    const width = 420, left = 118, row = 11;
-    const shownUnits = units.filter((unit) => unit.transactions > 0);
-    const svg = d3.create("svg").attr("class", "machine")
-        .attr("viewBox", [0, 0, width, shownUnits.length * row + 16]).attr("role", "img")
-        .attr("aria-label", "work of the units over the frame");
-    const x = (part) => left + part * (width - left) / parts;
-    const colour = d3.scaleSequential(d3.interpolateViridis).domain([0, 1]);
-    const canvas = make("canvas", {width: parts, height: shownUnits.length});
-    const context = canvas.getContext("2d");
-    shownUnits.forEach((unit, i) => {
-      unit.work.slice(0, parts).forEach((count, part) => {
-        context.fillStyle = colour(Math.min(1, count / part_clocks));
-        context.fillRect(part, i, 1, 1);
-      });
-    });
-    svg.append("image").attr("href", canvas.toDataURL()).attr("x", left).attr("y", 0)
-        .attr("width", width - left).attr("height", shownUnits.length * row)
-        .attr("preserveAspectRatio", "none").attr("style", "image-rendering: pixelated");
-    svg.selectAll("text.name").data(shownUnits).join("text").attr("x", left - 4)
-        .attr("y", (d, i) => i * row + 9).attr("text-anchor", "end").style("font-size", "9px")
-        .text((d) => d.name);
-    svg.append("text").attr("x", left).attr("y", shownUnits.length * row + 12).text("clock 0");
-    svg.append("text").attr("x", width).attr("y", shownUnits.length * row + 12)
-        .attr("text-anchor", "end").text(shown(cycles));
-    return make("div", {}, svg.node(), make("p", {class: "faint"},
-        `A column is ${shown(part_clocks)} clocks; dark: idle, yellow: a transaction in each clock.`));
+  /// FIFOs as tanks.
+  tanks(unit, fifos_of, x) {
+    const tall = unit_height - 7;
+    const tank = unit.selectAll(null).data((d) => fifos_of(d).map((fifo, i) => ({fifo, d, i})))
+        .join("g").attr("class", "tank").attr("transform", ({d, i}) => `translate(${x(d, i)},${d.y + 2})`);
+    const part = ({fifo}, name) => tall * Math.min(1, fifo[name] / fifo.depth);
+    tank.append("rect").attr("class", "tank").attr("width", tank_width).attr("height", tall);
+    tank.append("rect").attr("class", "fill").attr("width", tank_width)
+        .attr("y", (d) => tall - part(d, "mean")).attr("height", (d) => part(d, "mean"));
+    tank.append("path").attr("class", "most")
+        .attr("d", (d) => `M0,${tall - part(d, "most")}h${tank_width}`);
+    tank.append("title").text(({fifo}) => fifo_sentence(fifo));
   }
 }

@@ -201,6 +201,44 @@ class Page(unittest.TestCase):
         self.assertEqual(sorted(shown), sorted(units))
         self.assertIn(f"{machine['cycles']:,} clocks", self.text("core-speed"))
 
+    def test_tells_what_units_wait_for_and_how_full_fifos_are(self) -> None:
+        machine, _ = self.ask("examine")
+        clocks = [
+            sum(unit["work"]) + sum(sum(wait["clocks"]) for wait in unit["waits"])
+            for unit in machine["units"]
+        ]
+        self.assertEqual(set(clocks), {clocks[0]}, "some unit has more clocks than others")
+        self.assertLess(abs(clocks[0] - machine["cycles"]), 100)
+        units = {unit["name"]: unit for unit in machine["units"]}
+        for unit in machine["units"]:
+            for wait in unit["waits"]:
+                ends = machine["fifos"][wait["fifo"]]
+                self.assertIn(unit["name"], ends["from" if wait["for"] == "room" else "to"], wait)
+        inside = [fifo for fifo in machine["fifos"] if fifo["depth"] > 0]
+        self.assertGreater(len(inside), len(units))
+        for fifo in inside:
+            self.assertLessEqual(fifo["most"], fifo["depth"], fifo)
+            self.assertLessEqual(fifo["mean"], fifo["most"], fifo)
+            self.assertEqual(fifo["mean"] > 0, fifo["tokens"] > 0, fifo)
+        self.browser.click("#tab-machine")
+        self.assertEqual(
+            self.browser.run("return document.getElementById('fifos').rows.length"),
+            1 + len(inside),
+        )
+        self.browser.click('[data-unit="mailbox"]')
+        detail = self.text("unit-detail")
+        for wait in units["mailbox"]["waits"]:
+            self.assertIn(f"{sum(wait['clocks']):,}", detail)
+        keys = self.browser.actions().move_to_element(
+            self.browser.driver.find_element("id", "course")
+        )
+        keys.click().send_keys("\ue015" * 3).send_keys("\ue014" * 40).perform()  # down, right
+        place = self.browser.driver.find_element("id", "course-place")
+        unit, part = place.get_attribute("data-unit"), int(place.get_attribute("data-part"))
+        said = f"works {100 * units[unit]['work'][part] / machine['part_clocks']:.1f} %"
+        self.assertLessEqual((part + 1) * machine["part_clocks"], machine["cycles"])
+        self.assertIn(said, place.text)
+
     def test_two_pages_of_one_window_do_not_mix(self) -> None:
         self.click_pixel(30, 20)
         with Browser() as other:

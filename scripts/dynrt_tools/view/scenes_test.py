@@ -112,6 +112,15 @@ class Exported(unittest.TestCase):
             self.assertIn(
                 "clocks", browser.run("return document.getElementById('core-speed').textContent")
             )
+            browser.click('[data-unit="mailbox"]')
+            self.assertIn(
+                "waits for a token in",
+                browser.run("return document.getElementById('unit-detail').textContent"),
+            )
+            self.assertGreater(
+                browser.run("return document.getElementById('fifos').rows.length"), 40
+            )
+            self.assertTrue(browser.run("return document.querySelector('#course image') !== null"))
             browser.gather()
             self.assertEqual(browser.complaints, [])
             asked = {address for address in browser.asked if not address.startswith("data:")}
