@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -114,6 +115,24 @@ std::string schedules_of(const std::string& configuration) {
   return {};
 }
 
+/// The folders of configurations' schedules, those made meanwhile among them.
+class Schedules {
+ public:
+  std::string of(const std::string& configuration) {
+    const std::lock_guard lock(mutex_);
+    const auto made = made_.find(configuration);
+    return made == made_.end() ? schedules_of(configuration) : made->second;
+  }
+  void found(const std::string& configuration, std::string folder) {
+    const std::lock_guard lock(mutex_);
+    made_[configuration] = std::move(folder);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::string> made_;
+};
+
 SceneArguments scene_of(const Arguments& arguments, const ViewChoices& choices) {
   SceneArguments scene = arguments.scene;
   scene.lights = choices.lights;
@@ -141,12 +160,20 @@ ViewStudio studio_of(const Arguments& arguments) {
   studio.camera = arguments.scene.camera();
   // Configurations that are loaded are kept in a table that one thread at a time may use.
   const auto loading = std::make_shared<std::mutex>();
-  studio.board = [loading](ViewBoard kind, const ViewChoices& choices) {
+  const auto schedules = std::make_shared<Schedules>();
+  studio.board = [loading, schedules](ViewBoard kind, const ViewChoices& choices) {
     const std::lock_guard lock(*loading);
     const std::string name = configuration_of(choices);
     return open_board({kind == ViewBoard::kRtl ? "rtl" : "model", name, "",
-                       kind == ViewBoard::kClocked ? schedules_of(name) : std::string()},
+                       kind == ViewBoard::kClocked ? schedules->of(name) : std::string()},
                       options_of(choices));
+  };
+  studio.schedules = [schedules](const ViewChoices& choices) {
+    return schedules->of(configuration_of(choices));
+  };
+  studio.lower = [schedules](const ViewChoices& choices, const auto& tell) {
+    const std::string name = configuration_of(choices);
+    schedules->found(name, make_schedules(name, tell));
   };
   studio.make = [](const ViewChoices& choices, const auto& tell) {
     make_ready(configurations(), configuration_of(choices), tell);

@@ -49,6 +49,9 @@ inline constexpr char kForeignLibrary[] =
 inline constexpr char kOtherBuild[] =
     "configuration {}: it was made from other sources or by another compiler than this program; "
     "make it again with scripts/configuration";
+inline constexpr char kNoSchedulesOfLibrary[] =
+    "configuration {}: a shared library does not say what its units are made from; name the JSON "
+    "file that it was made from, and its units can be lowered";
 inline constexpr char kNoBoard[] =
     "board {}: there is no such board; the boards are rtl, model, ulx3s and "
     "serial:DEVICE";

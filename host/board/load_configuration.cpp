@@ -144,6 +144,13 @@ void make_ready(std::span<const Configuration> table, const std::string& name,
   }
 }
 
+std::string make_schedules(const std::string& name,
+                           const std::function<void(const std::string& step)>& tell) {
+  if (name.ends_with(".so")) refuse(messages::kNoSchedulesOfLibrary, name);
+  if (name.ends_with(".json")) return make_verilog(name, tell);
+  return make_verilog((listed_folder() / (name + ".json")).string(), tell);
+}
+
 void add_general(CoreInfo& core) {
   if (const auto general = configuration_called(core.made_from)) {
     core.general = std::make_shared<CoreConfiguration>(*general);

@@ -92,6 +92,7 @@ Answer Session::open(const ViewChoices& choices) {
         std::make_unique<Room>(Room{.choices = choices,
                                     .easels = {Easel(std::move(first)), Easel(std::move(second))},
                                     .clocked = nullptr,
+                                    .schedules = {},
                                     .scenery = Scenery(std::move(image)),
                                     .truth = nullptr,
                                     .truth_time = {},
@@ -191,7 +192,12 @@ Still& Session::still(const Json& question) {
   return now;
 }
 
-Easel& Session::clocked() {
+Easel& Session::clocked(Still& now) {
+  if (std::string schedules = studio_.schedules(room_->choices); room_->schedules != schedules) {
+    room_->schedules = std::move(schedules);
+    room_->clocked = nullptr;
+    now.watch.reset();
+  }
   if (!room_->clocked) {
     room_->clocked = std::make_unique<Easel>(studio_.board(ViewBoard::kClocked, room_->choices));
   }
@@ -200,13 +206,14 @@ Easel& Session::clocked() {
 
 Answer Session::examine(const Json& question) {
   Still& now = still(question);
-  if (now.watch) return {.head = machine_json(now, studio_.clock(room_->scenery.core()))};
   try {
-    return {.head = watch(now, clocked())};
+    Easel& easel = clocked(now);
+    if (now.watch) return {.head = machine_json(now, studio_.clock(room_->scenery.core()))};
+    return {.head = watch(now, easel)};
   } catch (const UserError&) {
     // The schedules are those of other sources: then without clocks.
     room_->clocked = std::make_unique<Easel>(studio_.board(ViewBoard::kModel, room_->choices));
-    return {.head = watch(now, clocked())};
+    return {.head = watch(now, *room_->clocked)};
   }
 }
 

@@ -41,6 +41,7 @@ class Session {
     ViewChoices choices;
     std::array<Easel, 2> easels;
     std::unique_ptr<Easel> clocked;  ///< made when the first frame is watched
+    std::string schedules;           ///< the folder of those that it was made with, or empty
     Scenery scenery;
     std::shared_ptr<const ViewTruth> truth;  ///< of the moment that the scenery stands at
     std::optional<double> truth_time;
@@ -61,7 +62,8 @@ class Session {
   /// The frame that a question is about. Throws UserError if it no longer stands.
   Still& still(const Json& question);
   Still& still();
-  Easel& clocked();
+  /// Draws clock by clock, if the schedules are there by now.
+  Easel& clocked(Still& now);
   Json watch(Still& now, Easel& easel);
   void find_truth();
   FrameOptions options_of(const Shot& shot) const;

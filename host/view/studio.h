@@ -43,6 +43,13 @@ struct ViewStudio {
   std::function<void(const ViewChoices&, const std::function<void(const std::string&)>& tell)> make;
   /// A board of a configuration, which is made first if it is not there. Any thread may call it.
   std::function<std::unique_ptr<Board>(ViewBoard kind, const ViewChoices&)> board;
+  /// The folder with the schedules of a configuration's units; empty if they are not there. Any
+  /// thread may call it.
+  std::function<std::string(const ViewChoices&)> schedules;
+  /// Lowers the units of a configuration, so that their schedules are there, and says how far that
+  /// is. Any thread may call it.
+  std::function<void(const ViewChoices&, const std::function<void(const std::string&)>& tell)>
+      lower;
   /// The scene in the memory of a core, with all that the choices add.
   std::function<MemoryImage(const ViewChoices&, const CoreInfo&)> prepare;
   /// What there is to choose: {"configurations": [..], ..}.

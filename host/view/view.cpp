@@ -80,20 +80,25 @@ void view(ViewStudio studio, const ViewWindow& window) {
   // They outlive this function: a thread may be rendering when it returns.
   auto& renderer = *new RenderingThread;
   auto& workshop = *new Workshop;
-  const auto make = studio.make;
+  auto& lowering = *new Workshop;
+  const auto make = studio.make, lower = studio.lower;
   auto& session = *new Session(std::move(studio), renderer.urgent());
-  const auto answer = [&, make](const Json& question) -> Answer {
+  const auto begin = [](Workshop& place, const char* what, const auto& act,
+                        const Json& question) -> Answer {
+    const ViewChoices choices = choices_of(question);
+    const unsigned job = place.start(fmt::format("{} {}", what, choices.configuration),
+                                     [act, choices](const Workshop::Tell& tell) -> Json {
+                                       act(choices, tell);
+                                       return json_of(choices);
+                                     });
+    return {.head = {{"job", job}}};
+  };
+  const auto answer = [&, make, lower, begin](const Json& question) -> Answer {
     const std::string type = question.at("type");
     if (type == "progress") return Answer{.head = workshop.progress()};
-    if (type == "make") {
-      const ViewChoices choices = choices_of(question);
-      const unsigned job = workshop.start(fmt::format("configuration {}", choices.configuration),
-                                          [make, choices](const Workshop::Tell& tell) -> Json {
-                                            make(choices, tell);
-                                            return json_of(choices);
-                                          });
-      return Answer{.head = {{"job", job}}};
-    }
+    if (type == "lowering") return Answer{.head = lowering.progress()};
+    if (type == "make") return begin(workshop, "configuration", make, question);
+    if (type == "lower") return begin(lowering, "the units of", lower, question);
     if (type == "compare") {
       Workshop::Job job = renderer.run(true, [&] { return session.comparison(question); });
       return Answer{.head = {{"job", workshop.start("the frame through the RTL", std::move(job))}}};

@@ -4,7 +4,7 @@
 // The panel of the machine: its units with their use and their FIFOs, what the chosen unit waits
 // for, the caches, and the course of the frame.
 import {course_of} from "./course.js";
-import {make, percent, shown, table} from "./elements.js";
+import {by_id, make, percent, shown, table} from "./elements.js";
 import {add_shares, fifo_text, fifos_within, wait_text} from "./flow.js";
 
 const column_width = 200, unit_height = 20, gap = 16, columns = 2;
@@ -47,6 +47,7 @@ export class MachinePanel {
 
   clear() {
     this.panel.replaceChildren(make("p", {class: "faint"}, "The frame is being watched."));
+    this.machine = null;
     delete this.panel.dataset.number;
   }
 
@@ -77,6 +78,11 @@ export class MachinePanel {
     const last = machine.units.find(({name}) => name === this.chosen);
     if (last) this.choose(last);
     this.panel.dataset.number = machine.number;
+  }
+
+  /// Of a frame whose clocks are not known.
+  say_of_clocks(sentence) {
+    if (sentence && this.machine && !this.machine.cycles) by_id("core-speed").textContent = sentence;
   }
 
   /// All FIFOs, the fullest first.

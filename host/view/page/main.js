@@ -112,6 +112,7 @@ async function look_inside() {
   watched = answer.head;
   stage.dataset.watched = watched.number;
   machine.show(watched);
+  if (!watched.cycles) find_clocks();
   if (watched.frames_per_second) {
     core_rate = `${watched.frames_per_second.toFixed(1)} at ${watched.clock.mhz} MHz`;
     by_id("speed").textContent += `; the core ${core_rate}, ${watched.cycles.toLocaleString("en")} clocks`;
@@ -133,19 +134,55 @@ async function point(x, y) {
 async function show_map() {
   if (!maps.wanted) return maps.hide();
   if (!still || (maps.wanted.watched && !watched)) return;
+  if (maps.name === "clocks" && !watched.cycles && lowered === "under way") return maps.hide();
   const answer = await ask_of_still("map", {name: maps.name});
   if (!answer) return maps.hide();
   if (answer.head.name === maps.name) maps.show(answer, still.head.width, still.head.height);
 }
 
+/// Of the choices that hold: "", "under way" or "tried".
+let lowered = "";
+
+/// Has the program lower the units of a configuration whose schedules are not there, and looks at
+/// the frame again. The picture and all but its clocks are there meanwhile.
+async function find_clocks() {
+  if (lowered || start.recorded) return;
+  lowered = "under way";
+  const {choices} = start;
+  const holds = () => start.choices === choices;
+  const tell = (text) => {
+    if (holds()) machine.say_of_clocks(by_id("clocks").textContent = text);
+  };
+  try {
+    // The units of an earlier choice may still be lowered.
+    for (let head; holds() && (head = (await ask("lowering")).head).state === "running";) {
+      tell(`its clocks come after ${progress_of(head)}`);
+      await new Promise((resolve) => setTimeout(resolve, 500));
+    }
+    if (!holds()) return;
+    const {head} = await ask("lower", choices);
+    await finished(head.job, (text) => tell(`its clocks come with ${text}`), "lowering");
+    if (!holds()) return;
+    lowered = "tried";
+    tell("");
+    if (still) look_inside();
+  } catch (error) {
+    if (holds()) lowered = "tried";
+    tell(`its clocks are not known: ${error.message}`);
+  }
+}
+
+const progress_of = ({name, progress, seconds}) =>
+    `${name}: ${progress || "begun"}, ${seconds.toFixed(0)} s`;
+
 /// Asks again and again how far a job is; its result, or nothing if it failed.
-async function finished(job, tell) {
+async function finished(job, tell, question = "progress") {
   for (;;) {
-    const {head} = await ask("progress");
+    const {head} = await ask(question);
     if (head.job !== job) return null;
     if (head.state === "done") return head.result;
     if (head.state === "failed") throw new Error(head.error);
-    tell(`${head.name}: ${head.progress || "begun"}, ${head.seconds.toFixed(0)} s`);
+    tell(progress_of(head));
     await new Promise((resolve) => setTimeout(resolve, 200));
   }
 }
@@ -177,6 +214,8 @@ function begin(answer) {
   start = answer;
   chosen.show(start);
   core_rate = "";
+  lowered = "";
+  by_id("clocks").textContent = "";
 }
 
 async function compare() {

@@ -100,9 +100,9 @@ class Browser:
     def open(self, address: str) -> None:
         self.driver.get(address)
 
-    def wait(self, script: str) -> Any:
+    def wait(self, script: str, patience: float = PATIENCE) -> Any:
         """Until the script gives something true; gives that."""
-        waiting = WebDriverWait(self.driver, PATIENCE, 0.05)
+        waiting = WebDriverWait(self.driver, patience, 0.05)
         return waiting.until(
             lambda driver: driver.execute_script(f"return ({script})"), f"never true: {script}"
         )

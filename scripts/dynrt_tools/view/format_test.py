@@ -1,0 +1,86 @@
+# Copyright the dynrt authors.
+# SPDX-License-Identifier: Apache-2.0
+"""A number format that is chosen in the window of dynrt view: the picture comes first, then the
+clocks, which are those that the program counts without a window.
+
+Usage: format_test.py PROGRAM"""
+
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+from dynrt_tools import project
+from dynrt_tools.view import window_testing
+from dynrt_tools.view.window import Browser, Program
+from dynrt_tools.view.window_testing import SCENE, SIZE, dynrt
+
+CONFIGURATION, BITS = "thesis", 11
+
+
+def counted(folder: pathlib.Path) -> int:
+    """The clocks of the scene's frame, by the schedules of a configuration of that format."""
+    file = folder / f"{CONFIGURATION}_m{BITS}.json"
+    cache = {**os.environ, "DYNRT_CACHE": str(folder)}  # that of the window
+    project.write_json(file, {"like": CONFIGURATION, "mantissa_bits": BITS})
+    made = subprocess.run(
+        [project.ROOT / "scripts/configuration", file, "--verilog", "--build", dynrt().parent],
+        check=True,
+        capture_output=True,
+        text=True,
+        env=cache,
+    )
+    report = folder / "report.json"
+    subprocess.run(
+        [
+            *(dynrt(), "render", SCENE, "--board", "model", "--size", SIZE, "--config", file),
+            *("--schedule", made.stdout.strip(), "--json", report),
+        ],
+        check=True,
+        capture_output=True,
+        env=cache,
+    )
+    return int(project.read_json(report)["frame"]["cycles"])
+
+
+class Format(unittest.TestCase):
+    def test_shows_its_bits_and_then_its_clocks(self) -> None:
+        with (
+            tempfile.TemporaryDirectory() as folder,
+            Program(
+                dynrt(),
+                SCENE,
+                "--size",
+                SIZE,
+                "--config",
+                CONFIGURATION,
+                cache=pathlib.Path(folder),
+            ) as program,
+            Browser() as browser,
+        ):
+            browser.open(program.address)
+            watched = "document.getElementById('stage').dataset.watched"
+            browser.wait(watched)
+            picture = "return document.getElementById('picture').toDataURL()"
+            before = browser.run(picture)
+            browser.set("choice-mantissa_bits", BITS)
+            browser.wait(f"location.hash.includes('mantissa_bits={BITS}') && {watched}", 1200)
+            clocks = "document.getElementById('clocks').textContent"
+            browser.wait(f"{clocks}.includes('its clocks come with the units of {CONFIGURATION}')")
+            self.assertNotEqual(browser.run(picture), before)
+            self.assertNotIn(
+                "the core", browser.run("return document.getElementById('speed').textContent")
+            )
+            speed = "document.getElementById('core-speed').textContent"
+            browser.wait(f"{speed}.includes('frames a second')", 1200)
+            self.assertIn(
+                f"{counted(pathlib.Path(folder)):,} clocks", browser.run(f"return {speed}")
+            )
+            self.assertEqual(browser.run(f"return {clocks}"), "")
+            browser.gather()
+            self.assertEqual(browser.complaints, [])
+
+
+if __name__ == "__main__":
+    window_testing.main()
