@@ -36,17 +36,20 @@ export class PixelPanel {
   clear() {
     this.data = null;
     this.panel.replaceChildren(make("p", {class: "faint"},
-        "Click a pixel of the picture. Keys w a s d walk, arrows turn, q and e go down and up."));
+        "Click a pixel of the picture, or give its place: ", this.input("x", ""), " ",
+        this.input("y", ""), ". Keys w a s d walk, left and right turn, q and e go down and up."));
     this.overlay.replaceChildren();
     delete this.panel.dataset.pixel;
   }
 
+  /// `size` is that of the picture.
   show(data, from, size) {
     Object.assign(this, {data, from, size, step: 0});
     const {record, names, truth, packet} = data;
     this.panel.dataset.pixel = `${record.x},${record.y}`;
     const parts = [
-      make("h2", {}, "Pixel ", this.input("x", 0), " ", this.input("y", 1), ` ${record.colour}`),
+      make("h2", {}, "Pixel ", this.input("x", record.x), " ", this.input("y", record.y),
+           ` ${record.colour}`),
       make("p", {}, `the core hits ${names_of(record.hit ? names : null)}`),
       truth ? make("p", {id: "verdict"},
                    `${verdicts[truth.verdict]}; the truth is ${names_of(truth.names)}` +
@@ -60,11 +63,13 @@ export class PixelPanel {
     this.draw();
   }
 
-  input(axis, place) {
-    const value = this.data.record[axis];
+  input(axis, value) {
     return make("label", {}, `${axis} `, make("input", {
-      type: "number", min: 0, max: this.size[place] - 1, value, id: `pixel-${axis}`,
-      onchange: () => this.point(+by_id("pixel-x").value, +by_id("pixel-y").value),
+      type: "number", min: 0, value, id: `pixel-${axis}`,
+      onchange: () => {
+        const [x, y] = [by_id("pixel-x").value, by_id("pixel-y").value];
+        if (x !== "" && y !== "") this.point(+x, +y);
+      },
     }));
   }
 
