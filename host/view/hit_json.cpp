@@ -16,14 +16,17 @@ Json number_json(const MemoryFormat& format, std::uint32_t bits) {
 
 }  // namespace
 
+std::string colour_text(std::uint32_t pixel) {
+  return fmt::format("#{:02x}{:02x}{:02x}", pixel & 255, pixel >> 8 & 255, pixel >> 16 & 255);
+}
+
 Json hit_json(const Frame& frame, unsigned x, unsigned y) {
   const std::size_t pixel = std::size_t{y} * frame.width + x;
   const HitRecord& hit = frame.hits.at(pixel);
   const MemoryFormat& format = *frame.core.format;
   return {{"x", x},
           {"y", y},
-          {"colour", fmt::format("#{:02x}{:02x}{:02x}", frame.pixels[pixel] & 255,
-                                 frame.pixels[pixel] >> 8 & 255, frame.pixels[pixel] >> 16 & 255)},
+          {"colour", colour_text(frame.pixels[pixel])},
           {"hit", hit.hit},
           {"object", hit.object},
           {"triangle", hit.triangle},

@@ -12,6 +12,7 @@
 
 #include "host/format/configuration_json.h"
 #include "host/render/compare.h"
+#include "host/view/hit_json.h"
 #include "host/view/machine.h"
 #include "host/view/maps.h"
 #include "host/view/pixel.h"
@@ -264,10 +265,10 @@ Answer Session::csv(const Json& question) {
   for (unsigned y = 0; y < now.shot.height; ++y) {
     for (unsigned x = 0; x < now.shot.width; ++x) {
       const HitRecord& hit = now.frame.hits[now.index(x, y)];
-      fmt::format_to(std::back_inserter(text), "{},{},{:d},{},{},{},{},{},{},{:06x}\n", x, y,
-                     hit.hit, hit.object, hit.triangle, format.number(hit.t), format.number(hit.u),
+      fmt::format_to(std::back_inserter(text), "{},{},{:d},{},{},{},{},{},{},{}\n", x, y, hit.hit,
+                     hit.object, hit.triangle, format.number(hit.t), format.number(hit.u),
                      format.number(hit.v), format.number(hit.cosine),
-                     now.frame.pixels[now.index(x, y)]);
+                     colour_text(now.frame.pixels[now.index(x, y)]));
     }
   }
   return {.head = {{"number", now.number}, {"csv", text}}};

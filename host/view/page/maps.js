@@ -29,6 +29,7 @@ export class MapView {
 
   hide() {
     this.canvas.hidden = by_id("legend").hidden = by_id("split-label").hidden = true;
+    by_id("save-map").disabled = true;
     this.head = null;
     delete this.canvas.dataset.name;
   }
@@ -41,7 +42,7 @@ export class MapView {
     this.canvas.height = height;
     this.canvas.getContext("2d").putImageData(
         new ImageData(new Uint8ClampedArray(this.colours().flat()), width, height), 0, 0);
-    this.canvas.hidden = by_id("split-label").hidden = false;
+    this.canvas.hidden = by_id("split-label").hidden = by_id("save-map").disabled = false;
     this.canvas.dataset.name = head.name;
     this.legend();
     this.split();

@@ -32,11 +32,13 @@ export function command_of({scene, size, from, choices, pixel}) {
 export class SharePanel {
   /// `act` has what the buttons do: csv() gives the hit records, compare() starts the comparison.
   constructor(panel, act) {
-    const button = (id, text, onclick) => make("button", {id, type: "button", onclick}, text);
+    const button = (id, text, onclick, more = {}) =>
+        make("button", {id, type: "button", onclick, ...more}, text);
     panel.replaceChildren(
         make("h2", {}, "Save"),
         make("p", {}, button("save-picture", "picture", () => this.save_canvas("picture")), " ",
-             button("save-map", "map", () => this.save_canvas("map")), " ",
+             button("save-map", "map", () => this.save_canvas("map"),
+                                 {disabled: true, title: "a map must be shown"}), " ",
              button("save-csv", "hit records (CSV)", async () => {
                const text = await act.csv();
                if (text) save(`${this.name()}.csv`, text, "text/csv");
@@ -54,7 +56,6 @@ export class SharePanel {
   name() { return `${document.title.split(",")[0]}-${by_id("stage").dataset.number ?? 0}`; }
 
   save_canvas(id) {
-    if (by_id(id).hidden) return;
     by_id(id).toBlob((blob) => save(`${this.name()}${id === "map" ? `-${by_id(id).dataset.name}` : ""}.png`,
                                     blob));
   }

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """dynrt view with a headless Chromium before it, for its test and for the pictures of its page."""
 
+import base64
 import json
 import os
 import pathlib
@@ -121,6 +122,28 @@ class Browser:
 
     def click(self, selector: str) -> None:
         self.driver.find_element("css selector", selector).click()
+
+    def save_into(self, folder: pathlib.Path) -> None:
+        """Files that a page saves come into this folder, without a question."""
+        self.driver.execute_cdp_cmd(
+            "Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(folder)}
+        )
+
+    def pixels(self, image: bytes) -> list[int]:
+        """The bytes of a PNG image's pixels: red, green, blue and opacity of each, row by row."""
+        shown: list[int] = self.driver.execute_async_script(
+            """
+            const [text, done] = arguments;
+            const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+            createImageBitmap(new Blob([bytes]), {colorSpaceConversion: "none"}).then((image) => {
+              const canvas = new OffscreenCanvas(image.width, image.height);
+              const context = canvas.getContext("2d");
+              context.drawImage(image, 0, 0);
+              done([...context.getImageData(0, 0, image.width, image.height).data]);
+            });""",
+            base64.b64encode(image).decode(),
+        )
+        return shown
 
     def actions(self) -> Any:
         chains: Any = action_chains.ActionChains
