@@ -61,23 +61,30 @@ export class MachinePanel {
             ? `${shown(cycles)} clocks, ${machine.frames_per_second.toFixed(1)} frames a second at ` +
               `${clock.mhz} MHz, ${shown(machine.rays_per_clock)} rays a clock`
             : "the clocks are not known: the schedules of this configuration are not there"),
-        make("h2", {}, "Units and FIFOs"),
-        make("p", {class: "faint"},
-             "Blue: clocks in which the unit starts a transaction; orange: clocks in which it has its " +
-             "tokens but an output no room. At its right the FIFOs of its outputs, at its left those " +
-             "behind a fork: the mean fill, and a line at the highest. A click shows a unit's channels " +
-             "and what it waits for."),
-        this.diagram(machine),
-        this.detail,
-        make("h2", {}, "In the course of the frame"),
-        course_of(machine, (unit) => this.choose(unit)),
-        make("h2", {}, "Caches"),
-        table(["", "lookups", "misses", "hits"], machine.caches.map((cache) =>
-            [cache.name, cache.lookups, cache.misses, percent(cache.hit_rate)])),
+        make("div", {class: "halves"},
+            make("div", {}, ...this.units(machine)),
+            make("div", {}, make("h2", {}, "In the course of the frame"),
+                 course_of(machine, (unit) => this.choose(unit)),
+                 make("h2", {}, "Caches"),
+                 table(["", "lookups", "misses", "hits"], machine.caches.map((cache) =>
+                     [cache.name, cache.lookups, cache.misses, percent(cache.hit_rate)])))),
         ...this.fifos(machine));
     const last = machine.units.find(({name}) => name === this.chosen);
     if (last) this.choose(last);
     this.panel.dataset.number = machine.number;
+  }
+
+  /// The diagram, with what the chosen unit does below.
+  units(machine) {
+    return [
+      make("h2", {}, "Units and FIFOs"),
+      make("p", {class: "faint"}, make("span", {class: "key busy"}), " starts a transaction ",
+           make("span", {class: "key stalled"}), " has its tokens, but an output no room; at its ends ",
+           make("span", {class: "key tank"}), " FIFOs, those of its outputs at its right: the mean " +
+           "fill, and a line at the highest. A click shows a unit's channels and what it waits for."),
+      this.diagram(machine),
+      this.detail,
+    ];
   }
 
   /// Of a frame whose clocks are not known.

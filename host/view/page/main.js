@@ -54,7 +54,7 @@ function show(answer, of) {
   const {width, height, moving, seconds} = answer.head;
   picture.show(answer.words, width, height);
   say("");
-  stage.style.setProperty("--aspect", width / height);
+  document.documentElement.style.setProperty("--aspect", width / height);
   stage.dataset.state = moving ? "moving" : "still";
   stage.dataset.size = `${width}x${height}`;
   if (moving) {
