@@ -16,8 +16,9 @@ export class ChoicesPanel {
   show({choices, offers, core, materials, first}) {
     Object.assign(this, {choices, offers, core, first});
     const listed = offers.configurations.find(({name}) => name === choices.configuration);
-    const text = (name, values, advice) => make("label", {}, `${name}, one a line: `, make("textarea", {
-      id: `choice-${name}`, rows: 2, cols: 42, placeholder: advice,
+    const text = (name, values, advice) => make("label", {class: "lines"}, `${name}, one a line`,
+                                            make("textarea", {
+      id: `choice-${name}`, rows: 2, placeholder: advice,
       onchange: (event) => this.change({[name]: event.target.value.split("\n").map((t) => t.trim())
           .filter((t) => t)}),
     }, values.join("\n")));
@@ -51,6 +52,7 @@ export class ChoicesPanel {
         make("details", {}, make("summary", {}, `${materials.length} materials`),
              make("p", {class: "faint"}, materials.join(", "))),
         make("p", {id: "making", role: "status"}),
+        make("div", {id: "trials", hidden: true}),
         ...this.figures()));
   }
 
@@ -65,32 +67,49 @@ export class ChoicesPanel {
 
   change(some) { this.choose({...this.choices, ...some}); }
 
-  /// The figures of the last error report that has this configuration with these bits.
-  row(bits) {
-    const report = this.offers.errors[this.choices.configuration];
-    const suffix = this.choices.configuration === "thesis" ? "" : `_${this.choices.configuration}`;
-    return report?.variants.find(({variant}) => variant === `m${bits}${suffix}`) ?? null;
+  /// The figures of the last error reports, by configuration and bits.
+  row(configuration, bits) {
+    const suffix = configuration === "thesis" ? "" : `_${configuration}`;
+    const name = `m${bits}${suffix}`;
+    const {errors} = this.offers;
+    for (const report of [errors[this.choices.configuration], ...Object.values(errors)]) {
+      const row = report?.variants.find(({variant}) => variant === name);
+      if (row) return row;
+    }
+    return null;
   }
 
   with_figures(bits) {
-    const row = this.row(bits);
+    const row = this.row(this.choices.configuration, bits);
     return row ? `${bits}: ${(100 * row["primary.wrong_share"]).toPrecision(2)} % of hits wrong` : bits;
   }
 
-  /// How error, clocks and cells change with the number format.
+  /// Of the core that is chosen; null if no report has it.
+  get cells() {
+    return this.row(this.choices.configuration, this.core.mantissa_bits)?.LUT ?? null;
+  }
+
+  /// How error, clocks and cells change with the number format and the configuration.
   figures() {
-    const report = this.offers.errors[this.choices.configuration];
+    const [report] = Object.values(this.offers.errors);
     if (!report) return [];
-    const rows = formats.map((bits) => [bits, this.row(bits)]).filter(([, row]) => row);
-    const base = this.row(this.core.mantissa_bits);
-    const ratio = (row, name) => base ? `${shown(row[name])} (${(100 * row[name] / base[name]).toFixed(0)} %)`
-                                      : shown(row[name]);
+    const {configuration} = this.choices;
+    const found = (name, bits) => ({name, bits, row: this.row(name, bits)});
+    const others = this.offers.configurations.filter(({name}) => name !== configuration);
+    const rows = [...formats.map((bits) => found(configuration, bits)),
+                  ...others.map(({name, mantissa_bits}) => found(name, mantissa_bits))]
+        .filter(({row}) => row);
+    if (rows.length === 0) return [];
+    const base = this.row(configuration, this.core.mantissa_bits);
+    const ratio = (row, name) => base
+        ? `${shown(+row[name].toPrecision(6))} (${(100 * row[name] / base[name]).toFixed(0)} %)`
+        : shown(row[name]);
     return [
-      make("h2", {}, "What the number format changes"),
-      make("p", {class: "faint"}, `From the last error report: ${report.scene} at ${report.size} on ` +
-           `${report.device}; shares are of the chosen format.`),
-      table(["bits", "wrong hits", "LUT", "ms a frame"], rows.map(([bits, row]) =>
-          [bits, `${(100 * row["primary.wrong_share"]).toPrecision(3)} %`, ratio(row, "LUT"),
+      make("h2", {}, "What number format and configuration change"),
+      make("p", {class: "faint"}, `From the last error reports: ${report.scene} at ${report.size} on ` +
+           `${report.device}; in brackets, of the chosen core's.`),
+      table(["", "bits", "wrong hits", "LUT", "ms a frame"], rows.map(({name, bits, row}) =>
+          [name, bits, `${(100 * row["primary.wrong_share"]).toPrecision(3)} %`, ratio(row, "LUT"),
            ratio(row, "frame, ms")])),
     ];
   }

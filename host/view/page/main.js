@@ -13,6 +13,7 @@ import {Picture} from "./picture.js";
 import {PixelPanel} from "./pixel.js";
 import {Player} from "./player.js";
 import {SharePanel} from "./share.js";
+import {Trials} from "./trials.js";
 import {length, minus} from "./viewpoint.js";
 import {Walk} from "./walk.js";
 
@@ -113,12 +114,33 @@ async function look_inside() {
   stage.dataset.watched = watched.number;
   machine.show(watched);
   if (!watched.cycles) find_clocks();
+  note_trial();
   if (watched.frames_per_second) {
     core_rate = `${watched.frames_per_second.toFixed(1)} at ${watched.clock.mhz} MHz`;
     by_id("speed").textContent += `; the core ${core_rate}, ${watched.cycles.toLocaleString("en")} clocks`;
   }
   if (maps.wanted?.watched) show_map();
   if (pointed) point(pointed.x, pointed.y);
+}
+
+/// Sets the frame that stands beside those of earlier choices.
+function note_trial() {
+  if (start.recorded) return;
+  const row = trials.row(still.from, start.choices);
+  Object.assign(row, {clocks: watched.cycles, cells: chosen.cells});
+  trials.draw(by_id("trials"));
+  if (trials.rows.length > 1) count_wrong(row);
+}
+
+async function count_wrong(row) {
+  if (row.wrong !== undefined) return;
+  try {
+    const {counts} = (await ask("map", {name: "wrong", number: still.head.number})).head;
+    row.wrong = 1 - counts[0] / d3.sum(counts);
+  } catch {
+    row.wrong = null;  // without truth, or another frame stands
+  }
+  trials.draw(by_id("trials"));
 }
 
 async function point(x, y) {
@@ -191,6 +213,7 @@ async function finished(job, tell, question = "progress") {
 /// stays if that fails.
 async function choose(choices) {
   stage.dataset.choosing = "yes";
+  if (watched) count_wrong(trials.row(still.from, start.choices));
   try {
     const {head} = await ask("make", choices);
     if (!await finished(head.job, (text) => chosen.say(text))) return;
@@ -205,6 +228,7 @@ async function choose(choices) {
     chosen.show(start);
   } finally {
     chosen.say("");
+    trials.draw(by_id("trials"));
     delete stage.dataset.choosing;
   }
 }
@@ -232,6 +256,7 @@ async function compare() {
   }
 }
 
+const trials = new Trials();
 const chosen = new ChoicesPanel(by_id("panel-choices"), choose);
 const share = new SharePanel(by_id("panel-share"), {
   compare,

@@ -202,6 +202,32 @@ class Page(PageTest):
         self.browser.wait("document.getElementById('map').dataset.name === 'normals'")
         self.assertEqual(self.ask("examine")[0]["cycles"], machine["cycles"])
 
+    def test_sets_what_was_chosen_beside_what_was_before(self) -> None:
+        self.assertTrue(self.browser.run("return document.getElementById('trials').hidden"))
+        clocks = [self.ask("examine")[0]["cycles"]]
+        self.browser.set("choice-packets", 4)
+        self.browser.wait("location.hash.includes('packets=4')")
+        self.still()
+        clocks.append(self.ask("examine")[0]["cycles"])
+        _, words = self.ask("map", name="wrong")
+        wrong = len(words) // 4 - struct.unpack(f"<{len(words) // 4}f", words).count(0)
+        rows = "[...document.querySelectorAll('#trials tr')].slice(1)"
+        self.browser.wait(
+            f"{rows}.length === 2 && !{rows}.some((row) => row.cells[1].textContent === '–')"
+        )
+        cells = self.browser.run(
+            f"return {rows}.map((row) => [...row.cells].map((cell) => cell.textContent))"
+        )
+        self.assertTrue(cells[0][0].startswith("fast"))
+        self.assertEqual(cells[1][0], "fast, 4 packets")
+        self.assertEqual(cells[0][2], f"{clocks[0]:,}")
+        self.assertEqual(cells[1][2], f"{clocks[1]:,} ({100 * clocks[1] / clocks[0]:.1f} %)")
+        share = float(cells[1][1].split()[0]) / 100
+        self.assertAlmostEqual(share, wrong / (len(words) // 4), 4)
+        self.browser.set("choice-packets", "")
+        self.browser.wait("!location.hash.includes('packets=')")
+        self.still()
+
     def test_takes_another_configuration_and_refuses_a_wrong_light(self) -> None:
         before = self.ask("examine")[0]
         self.browser.set("choice-configuration", "thesis")
