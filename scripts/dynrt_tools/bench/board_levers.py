@@ -11,7 +11,6 @@ import tempfile
 from dynrt_tools.bench import board, cores
 from dynrt_tools.bench.memory import PORT
 from dynrt_tools.bench.run import Dynrt
-from dynrt_tools.build import configs
 from dynrt_tools.command import Pool
 from dynrt_tools.project import ROOT, Json, Progress, read_json, write_json
 
@@ -29,14 +28,10 @@ def key_of(lever: Json) -> tuple[str, object]:
 
 
 def schedules_of(dynrt: Dynrt, levers: list[Json], progress: Progress) -> dict[str, pathlib.Path]:
-    """The folder with the schedules of each core's units. A key of the host alone changes none."""
-    keys = configs.load_configurations().KEYS
+    """The folder with the schedules of each core's units."""
     found = {PORT: dynrt.program.parent / "generated" / PORT}
     with tempfile.TemporaryDirectory() as folder:
         for number, lever in enumerate(levers, 1):
-            if not keys[key_of(lever)[0]].of_core:
-                found[lever["name"]] = found[PORT]
-                continue
             progress(f"Verilog of {lever['name']}, core {number} of {len(levers)}")
             config = pathlib.Path(folder, f"{lever['name']}.json")
             write_json(config, {key: value for key, value in lever.items() if key != "name"})
