@@ -184,10 +184,14 @@ class Builder:
         with subprocess.Popen(
             command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace"
         ) as process:
-            for line in process.stdout or ():
-                file.write(line)
-                if step := re.match(r"\[(\d+/\d+)\]", line):
-                    self.progress(f"step {step[1]}")
+            try:
+                for line in process.stdout or ():
+                    file.write(line)
+                    if step := re.match(r"\[(\d+/\d+)\]", line):
+                        self.progress(f"step {step[1]}")
+            except BaseException:
+                process.terminate()
+                raise
         if process.returncode != 0:
             file.flush()
             raise Failed(self._reason(log))
@@ -203,6 +207,18 @@ class Builder:
         return f"cannot be built: {error}; the whole log is {kept}"
 
 
+def tell(step: str) -> None:
+    """To the program that has called; once that has ended, nobody needs the result."""
+    try:
+        print(f"? {step}", flush=True)
+        if sys.stdin.readline():
+            return
+    except BrokenPipeError:
+        pass
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    sys.exit(1)
+
+
 def make(args: argparse.Namespace) -> pathlib.Path:
     """The path of the result."""
     config = read_file(args.file)
@@ -213,8 +229,7 @@ def make(args: argparse.Namespace) -> pathlib.Path:
     def progress(text: str) -> None:
         show_progress(f"building configuration {args.file.stem}: {text}")
         if args.tell_steps:
-            print(f"? {text}", flush=True)
-            sys.stdin.readline()
+            tell(text)
 
     entry = BuildCache().get(
         f"configuration-{args.kind}-{key_of(args.kind, config, build)}",

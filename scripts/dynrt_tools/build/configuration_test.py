@@ -163,6 +163,41 @@ class Configuration(testing.InFolder):
             **cache,
         )
 
+    def test_ends_with_the_program_that_has_called(self) -> None:
+        tools = self.folder / "tools"
+        tools.mkdir()
+        began = self.folder / "began"
+        testing.write_program(
+            tools / "cmake",
+            f"#!/bin/sh\necho $$ > {began}\necho '[1/2] one'\nexec sleep 1000\n",
+        )
+        (tools / "ninja").symlink_to("/bin/true")
+        self.written({"like": "thesis"})
+        build = self.folder / "build.json"
+        build.write_text(json.dumps(self.build), encoding="utf-8")
+        with subprocess.Popen(
+            [SCRIPT, self.file, "--build", build, "--for-program", "--tell-steps"],
+            env=os.environ
+            | {
+                "DYNRT_CACHE": str(self.folder / "cache"),
+                "PATH": f"{tools}:{os.environ['PATH']}",
+            },
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        ) as called:
+            assert called.stdin and called.stdout and called.stderr
+            self.assertEqual(called.stdout.readline(), "? step 1/2\n")
+            compiler = int(began.read_text(encoding="utf-8"))
+            called.stdin.close()
+            called.stdout.close()
+            self.assertEqual(called.wait(60), 1)
+            self.assertEqual(called.stderr.read(), "")
+        with self.assertRaises(ProcessLookupError):
+            os.kill(compiler, 0)
+        self.assertEqual(list((self.folder / "cache").glob("*.partial")), [])
+
     def test_programs_read_of_a_file_that_cannot_be_written_there_too(self) -> None:
         (self.folder / "cache").mkdir()
         key = configuration.key_of("verilog", read_file(self.written(THESIS)), self.build)
