@@ -279,6 +279,13 @@ std::string Session::record(const std::map<std::string, PageFile>& files) {
   const Json start = open(studio_.choices).head;
   const Shot shot{room_->scenery.first(), studio_.width, studio_.height, false};
   const Json frame_head = frame(shot).head;
+  if (studio_.schedules(studio_.choices).empty()) {
+    try {
+      studio_.lower(studio_.choices, [](const std::string&) {});
+    } catch (const UserError&) {
+      // The frame is recorded without clocks.
+    }
+  }
   const Json machine = examine({{"number", frames_}}).head;
   find_truth();
   return recorded_page(files, room_->scenery, still(), start, frame_head, machine);

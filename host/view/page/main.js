@@ -266,7 +266,7 @@ const choose_tab = tabs(by_id("tabs"), {pixel: "Pixel", machine: "Machine", choi
                                         share: "Share"}, () => {});
 begin((await ask("start")).head);
 if (start.recorded) {
-  for (const name of ["tab-choices", "compare", "save-csv"]) by_id(name).hidden = true;
+  for (const name of ["tab-choices", "through-rtl"]) by_id(name).hidden = true;
   given.from = given.choices = {};
 }
 from = {...start.first, ...given.from};

@@ -81,7 +81,7 @@ export class PixelPanel {
       oninput: (event) => this.go(+event.target.value),
     });
     this.rows = way.map((step, i) => make("tr", {onclick: () => this.go(i)},
-        make("td", {class: "number"}, String(step.clock)), make("td", {}, step.event),
+        make("td", {class: "number"}, packet.begin === null ? "–" : String(step.clock)), make("td", {}, step.event),
         make("td", {}, this.about(step))));
     return [
       make("h2", {}, `Packet of ${packet.columns}x${packet.rows} pixels at ${packet.x}, ${packet.y}`),

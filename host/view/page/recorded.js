@@ -28,6 +28,14 @@ const placed = ({box, corners, ...step}) => ({
   ...(corners === undefined ? {} : {corners: kept.places[corners]}),
 });
 
+/// As the program writes it (host/view/session.cpp).
+function csv() {
+  const columns = ["x", "y", "hit", "object", "triangle", "t", "u", "v", "cosine", "colour"];
+  const cell = (value) => typeof value === "boolean" ? +value : value?.value ?? value;
+  const lines = kept.pixels.map(({record}) => columns.map((name) => cell(record[name])).join(","));
+  return `${columns.join(",")}\n${lines.join("\n")}\n`;
+}
+
 const answers = {
   start: () => ({head: kept.start}),
   frame: () => ({head: kept.frame, words: picture_of(0)}),
@@ -36,6 +44,7 @@ const answers = {
     const pixel = kept.pixels[y * width + x];
     return {head: {...pixel, way: kept.packets[pixel.way].map(placed)}};
   },
+  csv: () => ({head: {csv: csv()}}),
   map: ({name}) => {
     const place = kept.maps.findIndex((map) => map.name === name);
     return {head: kept.maps[place], words: picture_of(place + 1).slice()};

@@ -48,9 +48,9 @@ export class SharePanel {
         make("p", {class: "faint", id: "command-note"}),
         make("p", {}, button("copy-command", "copy", () =>
             navigator.clipboard.writeText(by_id("command").textContent))),
-        make("h2", {}, "Through the RTL"),
-        make("p", {}, button("compare", "render this frame through the RTL and compare", act.compare)),
-        make("p", {id: "comparison", role: "status"}));
+        make("div", {id: "through-rtl"}, make("h2", {}, "Through the RTL"),
+             make("p", {}, button("compare", "render this frame through the RTL and compare", act.compare)),
+             make("p", {id: "comparison", role: "status"})));
   }
 
   name() { return `${document.title.split(",")[0]}-${by_id("stage").dataset.number ?? 0}`; }

@@ -1,9 +1,10 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
-"""A number format that is chosen in the window of dynrt view: the picture comes first, then the
-clocks, which are those that the program counts without a window.
+"""Choices in the window of dynrt view that take a configuration that is not built in. Of a number
+format the picture comes first, then the clocks, which are those that the program counts without a
+window; lights, mirrors and bounces change the picture.
 
-Usage: format_test.py PROGRAM"""
+Usage: choices_test.py PROGRAM"""
 
 import os
 import pathlib
@@ -17,6 +18,10 @@ from dynrt_tools.view.window import Browser, Program
 from dynrt_tools.view.window_testing import SCENE, SIZE, dynrt
 
 CONFIGURATION, BITS = "thesis", 11
+BUILDS = 1200  # seconds that a build may take
+WATCHED = "document.getElementById('stage').dataset.watched"
+CHOOSING = "document.getElementById('stage').dataset.choosing"
+PICTURE = "return document.getElementById('picture').toDataURL()"
 
 
 def counted(folder: pathlib.Path) -> int:
@@ -60,24 +65,51 @@ class Format(unittest.TestCase):
             Browser() as browser,
         ):
             browser.open(program.address)
-            watched = "document.getElementById('stage').dataset.watched"
-            browser.wait(watched)
-            picture = "return document.getElementById('picture').toDataURL()"
-            before = browser.run(picture)
+            browser.wait(WATCHED)
+            before = browser.run(PICTURE)
             browser.set("choice-mantissa_bits", BITS)
-            browser.wait(f"location.hash.includes('mantissa_bits={BITS}') && {watched}", 1200)
+            browser.wait(f"location.hash.includes('mantissa_bits={BITS}') && {WATCHED}", BUILDS)
             clocks = "document.getElementById('clocks').textContent"
             browser.wait(f"{clocks}.includes('its clocks come with the units of {CONFIGURATION}')")
-            self.assertNotEqual(browser.run(picture), before)
+            self.assertNotEqual(browser.run(PICTURE), before)
             self.assertNotIn(
                 "the core", browser.run("return document.getElementById('speed').textContent")
             )
             speed = "document.getElementById('core-speed').textContent"
-            browser.wait(f"{speed}.includes('frames a second')", 1200)
+            browser.wait(f"{speed}.includes('frames a second')", BUILDS)
             self.assertIn(
                 f"{counted(pathlib.Path(folder)):,} clocks", browser.run(f"return {speed}")
             )
             self.assertEqual(browser.run(f"return {clocks}"), "")
+            browser.gather()
+            self.assertEqual(browser.complaints, [])
+
+
+class Light(unittest.TestCase):
+    def test_lights_mirrors_and_bounces_change_the_picture(self) -> None:
+        with (
+            Program(dynrt(), "lamps", "--size", SIZE, "--config", "whitted") as program,
+            Browser() as browser,
+        ):
+            browser.open(program.address)
+            browser.wait(WATCHED, BUILDS)
+            seen = {browser.run(PICTURE)}
+            materials = browser.run("return document.querySelector('details p').textContent")
+            for name, value, told in (
+                ("lights", "0,3,2", "lights=0,3,2"),
+                ("mirrors", f"{materials.split(',')[0]}=0.8", "mirrors="),
+                ("reflections", 0, "reflections=0"),
+                ("lines", 32, "lines=32"),
+            ):
+                browser.set(f"choice-{name}", value)
+                browser.wait(f"location.hash.includes('{told}') && !{CHOOSING} && {WATCHED}")
+                self.assertEqual(
+                    browser.run("return document.getElementById('message').textContent"), ""
+                )
+                self.assertEqual(
+                    browser.run(PICTURE) in seen, name == "lines", "only lines change no pixel"
+                )
+                seen.add(browser.run(PICTURE))
             browser.gather()
             self.assertEqual(browser.complaints, [])
 

@@ -9,11 +9,9 @@ import base64
 import csv
 import pathlib
 import tempfile
-import time
 
 from dynrt_tools.view import window_testing
 from dynrt_tools.view.page_testing import PageTest
-from dynrt_tools.view.window import PATIENCE
 from dynrt_tools.view.window_testing import SCENE, SIZE
 
 WIDTH, HEIGHT = map(int, SIZE.split("x"))
@@ -28,17 +26,8 @@ class Saved(PageTest):
 
     def save(self, what: str, ending: str) -> pathlib.Path:
         """Presses a button of the panel; the whole file that comes of it."""
-        before = set(self.folder.iterdir())
         self.browser.click("#tab-share")
-        self.browser.click(f"#save-{what}")
-
-        end = time.monotonic() + PATIENCE
-        new: list[pathlib.Path] = []
-        while not new and time.monotonic() < end:
-            time.sleep(0.05)
-            # The browser gives it this name once it is whole.
-            new = [f for f in set(self.folder.iterdir()) - before if f.suffix == ending]
-        (file,) = new
+        file = self.browser.saved_by(f"#save-{what}", self.folder, ending)
         self.assertTrue(file.name.startswith(f"{SCENE}-"), file)
         return file
 

@@ -121,6 +121,16 @@ class Exported(unittest.TestCase):
                 browser.run("return document.getElementById('fifos').rows.length"), 40
             )
             self.assertTrue(browser.run("return document.querySelector('#course image') !== null"))
+            browser.save_into(pathlib.Path(folder))
+            browser.click("#tab-share")
+            table = browser.saved_by("#save-csv", pathlib.Path(folder), ".csv")
+            rows = [line.split(",") for line in table.read_text(encoding="utf-8").splitlines()]
+            width, height = map(int, SIZE.split("x"))
+            self.assertEqual(len(rows), 1 + width * height)
+            row = dict(zip(rows[0], rows[1 + record["y"] * width + record["x"]]))
+            for name in ("t", "u", "v", "cosine"):
+                self.assertEqual(float(row[name]), record[name]["value"])
+            self.assertEqual(row["colour"], record["colour"])
             browser.gather()
             self.assertEqual(browser.complaints, [])
             asked = {address for address in browser.asked if not address.startswith("data:")}

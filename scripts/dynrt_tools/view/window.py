@@ -8,6 +8,7 @@ import os
 import pathlib
 import subprocess
 import tempfile
+import time
 import types
 from typing import Any, Self
 
@@ -30,7 +31,7 @@ class Program:
         self, program: pathlib.Path, *arguments: str, cache: pathlib.Path | None = None
     ) -> None:
         # pylint: disable-next=consider-using-with
-        self.own = tempfile.TemporaryDirectory(prefix="dynrt-view-")
+        self.own = tempfile.TemporaryDirectory(prefix="dynrt-view-", ignore_cleanup_errors=True)
         self.process = subprocess.Popen(  # pylint: disable=consider-using-with
             [program, "view", *arguments, "--no-browser"],
             env={**os.environ, "DYNRT_CACHE": str(cache or self.own.name)},
@@ -128,6 +129,18 @@ class Browser:
         self.driver.execute_cdp_cmd(
             "Browser.setDownloadBehavior", {"behavior": "allow", "downloadPath": str(folder)}
         )
+
+    def saved_by(self, selector: str, folder: pathlib.Path, ending: str) -> pathlib.Path:
+        """Clicks a button that saves a file into that folder, and waits for the whole file."""
+        before = set(folder.iterdir())
+        self.click(selector)
+        end = time.monotonic() + PATIENCE
+        while time.monotonic() < end:
+            for file in set(folder.iterdir()) - before:
+                if file.suffix == ending:  # which it has once it is whole
+                    return file
+            time.sleep(0.05)
+        raise Failed(f"{selector} saves no file *{ending}")
 
     def pixels(self, image: bytes) -> list[int]:
         """The bytes of a PNG image's pixels: red, green, blue and opacity of each, row by row."""
