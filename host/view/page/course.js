@@ -45,8 +45,6 @@ export function course_of(machine, chosen) {
   const step = (width - left) / parts;
   svg.selectAll("rect.row").data(units).join("rect").attr("class", "row").attr("x", left)
       .attr("y", (d, i) => i * row).attr("width", width - left).attr("height", bar);
-  units.forEach((unit, i) => svg.append("clipPath").attr("id", `course-row-${i}`).append("rect")
-      .attr("x", left).attr("y", i * row).attr("width", width - left).attr("height", bar));
   const picture = painted(machine, units, parts);
   svg.selectAll("svg.bar").data(units).join("svg").attr("class", "bar").attr("x", left)
       .attr("y", (d, i) => i * row).attr("width", width - left).attr("height", bar)
@@ -88,7 +86,7 @@ export function course_of(machine, chosen) {
     const many = event.shiftKey ? 16 : 1;
     point(at.unit + by[0], at.part + by[1] * many);
   });
-  return make("div", {}, svg.node(), place, make("p", {class: "faint"},
+  return make("div", {}, place, svg.node(), make("p", {class: "faint"},
       make("span", {class: "key busy"}), " works ", make("span", {class: "key stalled"}),
       " waits for room in a FIFO ", make("span", {class: "key"}), ` waits for a token. A column is ${
           shown(part_clocks)} clocks.`));

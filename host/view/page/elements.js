@@ -17,9 +17,11 @@ export function make(tag, attributes = {}, ...children) {
   return element;
 }
 
+const is_number = (value) => typeof value === "number" || / %$/.test(value);
+
 /// A table of rows of cells; numbers go to the right.
 export function table(head, rows) {
-  const cell = (value) => make("td", typeof value === "number" ? {class: "number"} : {}, shown(value));
+  const cell = (value) => make("td", is_number(value) ? {class: "number"} : {}, shown(value));
   return make("table", {},
               ...(head.length ? [make("tr", {}, ...head.map((name) => make("th", {}, name)))] : []),
               ...rows.map((row) => make("tr", {}, ...row.map(cell))));
