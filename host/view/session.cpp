@@ -118,6 +118,7 @@ Answer Session::open(const ViewChoices& choices) {
                  {"maps", maps_json()},
                  {"offers", studio_.offers},
                  {"core", json_of(static_cast<const CoreConfiguration&>(scenery.core()))},
+                 {"least_lines", scenery.core().least_lines()},
                  {"scene_lights", scene_lights(image)},
                  {"materials", materials(image.scene)},
                  {"clock", studio_.clock(scenery.core())}};

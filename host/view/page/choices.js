@@ -13,7 +13,7 @@ export class ChoicesPanel {
     Object.assign(this, {panel, choose});
   }
 
-  show({choices, offers, core, materials, first}) {
+  show({choices, offers, core, least_lines, materials, first}) {
     Object.assign(this, {choices, offers, core, first});
     const listed = offers.configurations.find(({name}) => name === choices.configuration);
     const text = (name, values, advice) => make("label", {class: "lines"}, `${name}, one a line`,
@@ -37,7 +37,7 @@ export class ChoicesPanel {
                   choices.packets, this.number("packets")),
         this.list("lines", "Lines of each cache",
                   [["", `all ${core.lines}`],
-                   ...powers(core.lines).slice(1).filter((n) => n >= core.ways).map((n) => [n, n])],
+                   ...powers(core.lines).slice(1).filter((n) => n >= least_lines).map((n) => [n, n])],
                   choices.lines, this.number("lines")),
         core.reflections > 0
             ? this.list("reflections", "Bounces",
