@@ -18,7 +18,9 @@ class Refused(GenerateCase):
             "(packets in flight in a pipeline) is 200; it must be a whole number from 1 to 64",
         )
         self.assert_key_refused(
-            "lines", 500, "(lines of each cache) is 500; it must be a power of two from 1 to 512"
+            "lines",
+            500,
+            "(lines of each cache; its nodes or entries, where a line has several) is 500; it must be a power of two from 1 to 512",
         )
         self.assert_key_refused(
             "stack_depth",
@@ -311,7 +313,7 @@ class Refused(GenerateCase):
         )
         self.assert_refused(
             json.dumps([{"name": "tiny"} | {k: v for k, v in GOOD.items() if k != "lines"}]),
-            "configuration 'tiny': lacks the key 'lines' (lines of each cache), "
+            "configuration 'tiny': lacks the key 'lines' (lines of each cache; its nodes or entries, where a line has several), "
             "a power of two from 1 to 512",
         )
         self.assert_refused(

@@ -4,9 +4,8 @@
 // The Morton curve shared by several pipelines: each has a block of 64 packets of it, so that the
 // packets of its caches lie side by side, and takes the next block when it has handed out its own.
 // A block that begins outside the image lies outside, for it begins at its corner with the least x
-// and y; the pipeline that takes it hands out one packet of it, or two. The frame counts a block
-// on, a place within it, and a few flags that are known a transaction ahead, so that the loops are
-// short.
+// and y; the pipeline that takes it hands out one packet of it. Flags are known a transaction
+// ahead, so that the loops are short.
 #pragma once
 
 #include <array>
@@ -55,10 +54,12 @@ class MortonBlocks {
       const bool is_this = pipeline == PipelineId<C>::from(i);
       const bool within = goes_on(i);
       const bool begins = is_this && !within && !over_;
-      if (is_this) last_[i] = Flag(place_[i] == Place((1u << kPlaceBits) - 2));
-      if (is_this) place_[i] = within ? hls::next(place_[i]) : Place(1);
-      if (begins) number_[i] = next_number_;
       within_[i] = Flag(begins || (within && !(is_this && last_[i])));
+      if (begins) number_[i] = next_number_;
+      if (is_this) {
+        last_[i] = Flag(place_[i] == Place((1u << kPlaceBits) - 2));
+        place_[i] = within ? hls::next(place_[i]) : Place(1);
+      }
       began_[i] = Flag(begins);
       takes_block = takes_block || begins;
     }

@@ -109,7 +109,7 @@ KEYS: dict[str, Key] = {
     "lines": Key(
         Whole(1, 512, power_of_two=True),
         "kLines",
-        "lines of each cache; the nodes or entries in all of them, where a line has several",
+        "lines of each cache; its nodes or entries, where a line has several",
     ),
     "ways": Key(
         Whole(1, 4, power_of_two=True),
