@@ -82,8 +82,9 @@ TEST_P(Frames, RtlIsTheModel) {
   options.order = order;
   options.uncompressed = uncompressed;
   if (packets != kAll) options.packets = std::min(packets, rtl->core().packets);
-  // A set has a line in each way.
-  if (lines != kAll) options.lines = std::clamp(lines, rtl->core().ways, rtl->core().lines);
+  if (lines != kAll) {
+    options.lines = std::clamp(lines, rtl->core().least_lines(), rtl->core().lines);
+  }
   options.timeout = 10'000'000;
   const MemoryImage scene = prepare_scene(scene_for(model->core()), options, model->core());
   const Frame expected = render(*model, options, scene);

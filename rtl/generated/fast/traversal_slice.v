@@ -124,7 +124,7 @@ module traversal_slice #(
     step_in_48_s2 <= step_in_48_s1;
     step_in_55_s2 <= step_in_55_s1;
   end
-  wire [23:0] r_s2 = step_in_31_s2 ? r_2_s2 : (step_in_30_s2 ? r_1_s2 : ray_0_s2);  // units/memory_format.h:98
+  wire [23:0] r_s2 = step_in_31_s2 ? r_2_s2 : (step_in_30_s2 ? r_1_s2 : ray_0_s2);  // units/memory_format.h:103
 
   // ---- stage 3 ----
   reg valid_s3;
