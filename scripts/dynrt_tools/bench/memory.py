@@ -182,7 +182,7 @@ def table(measured: Json) -> str:
 
     heads = "".join(f"{head:>8}" for head in (*CACHES, "port"))
     lines = [
-        f"{'':30}{'clocks':>10}{'rays/clock':>12}{'of SRAM':>9}{'bytes/ray':>11}{heads}"
+        f"{'':32}{'clocks':>10}{'rays/clock':>12}{'of SRAM':>9}{'bytes/ray':>11}{heads}"
         "  busiest unit"
     ]
     for frame in measured["frames"]:
@@ -190,7 +190,7 @@ def table(measured: Json) -> str:
         of_sram = share(frame[SHARE]) if times is None else f"x{times:.2f}"
         hits = (*(frame[f"{cache} hits"] for cache in CACHES), frame["port"])
         lines.append(
-            f"{frame['row']:18}{frame['scene']:12}{frame['clocks']:>10,}"
+            f"{frame['row']:20}{frame['scene']:12}{frame['clocks']:>10,}"
             f"{frame['rays per clock']:>12.4f}{of_sram:>9}{frame[READ]:>11.2f}"
             + "".join(f"{share(hit):>8}" for hit in hits)
             + f"  {frame['busiest unit']} {share(frame['use'])}"
@@ -202,7 +202,7 @@ def table(measured: Json) -> str:
         )
         limit = "less" if aim["figure"] == READ else "more"
         lines.append(
-            f"{aim['row']:18}{aim['scene']:12}{aim['figure']}: {asked} or {limit}, is {reached}: "
+            f"{aim['row']:20}{aim['scene']:12}{aim['figure']}: {asked} or {limit}, is {reached}: "
             f"{aim['verdict']}"
         )
     return "\n".join(lines)
