@@ -20,7 +20,8 @@ class Refused(GenerateCase):
         self.assert_key_refused(
             "lines",
             500,
-            "(lines of each cache; its nodes or entries, where a line has several) is 500; it must be a power of two from 1 to 512",
+            "(lines of each cache; its nodes or entries, where a line has several) is 500; it must be "
+            "a power of two from 1 to 512",
         )
         self.assert_key_refused(
             "stack_depth",
@@ -313,7 +314,8 @@ class Refused(GenerateCase):
         )
         self.assert_refused(
             json.dumps([{"name": "tiny"} | {k: v for k, v in GOOD.items() if k != "lines"}]),
-            "configuration 'tiny': lacks the key 'lines' (lines of each cache; its nodes or entries, where a line has several), "
+            "configuration 'tiny': lacks the key 'lines' (lines of each cache; its nodes or entries, "
+            "where a line has several), "
             "a power of two from 1 to 512",
         )
         self.assert_refused(

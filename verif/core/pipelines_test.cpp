@@ -30,7 +30,7 @@ void expect_as_one(const std::string& scene) {
   rendered(*board, scene, {});
   const Frame several = rendered(*board, scene, {});
   expect_same_picture(several, one, scene, "with several pipelines", "with one");
-  constexpr unsigned kBlocks = 10;  // of 64 packets of four rays, before the first outside the image
+  constexpr unsigned kBlocks = 10;  // of 64 packets, before the first that is outside the image
   std::uint64_t steps = 0;
   for (unsigned p = 0; p < Number; ++p) {
     const std::uint64_t of_pipeline =
