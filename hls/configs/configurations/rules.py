@@ -62,19 +62,8 @@ OF_WATERTIGHT: tuple[tuple[str, Callable[[object], bool], str, str], ...] = (
         "bits more, in a double",
     ),
 )
-# What lines of several nodes ask of another key.
-OF_LINES: tuple[Rule, ...] = tuple(
-    rule
-    for nodes in (2, 4, 8)
-    for rule in (
-        Rule(
-            "line_nodes",
-            nodes,
-            "memory",
-            lambda v: v == "port",
-            "port",
-            "banks give one node in a clock",
-        ),
+RULES: tuple[Rule, ...] = (
+    *(
         Rule(
             "line_nodes",
             nodes,
@@ -82,11 +71,9 @@ OF_LINES: tuple[Rule, ...] = tuple(
             at_least(8 * nodes),
             f"{8 * nodes} or more",
             "a line of list entries takes the place of twice as many, in each of up to four ways",
-        ),
-    )
-)
-RULES: tuple[Rule, ...] = (
-    *OF_LINES,
+        )
+        for nodes in (2, 4, 8)
+    ),
     Rule(
         "line_nodes",
         4,
@@ -120,6 +107,13 @@ RULES: tuple[Rule, ...] = (
         lambda v: v == 0,
         "0",
         "the second level stands before the port",
+    ),
+    Rule(
+        *IN_BANKS,
+        "line_nodes",
+        lambda v: v == 1,
+        "1",
+        "a bank gives one node in a clock",
     ),
     Rule(
         *IN_BANKS,
