@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/app/analyst.h"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 #include <utility>
 
 #include "host/error.h"
+#include "host/render/figures.h"
+#include "host/render/frame_refused.h"
 
 namespace dynrt::host {
 
@@ -23,13 +27,14 @@ std::string about(const std::string& text) {
 
 }  // namespace
 
-FrameClocks::FrameClocks(SceneFile& file, const AnalysedFrames& frames) : file_(file) {
+CostMeter::CostMeter(SceneFile& file, const AnalysedFrames& frames) : file_(file) {
   frame_.reflections = frames.reflections;
   frame_.uncompressed = frames.uncompressed;
+  frame_.memory = frames.memory;
 }
 
-std::uint64_t FrameClocks::count(const std::string& configuration, const std::string& schedules,
-                                 unsigned packets, unsigned lines) {
+FrameCosts CostMeter::count(const std::string& configuration, const std::string& schedules,
+                            unsigned packets, unsigned lines) {
   FrameOptions options = frame_.options(file_.arguments().size);
   options.packets = packets;
   options.lines = lines;
@@ -41,15 +46,17 @@ std::uint64_t FrameClocks::count(const std::string& configuration, const std::st
   }
   const Frame frame = render_on(*board, options, *prepared_);
   if (!frame.run.cycles) throw std::logic_error("the model counted no clocks by " + schedules);
-  return *frame.run.cycles;
+  return {*frame.run.cycles, bytes_per_ray(frame)};
 }
 
 Analyst::Analyst(SceneFile& file, AnalysedFrames frames)
-    : file_(file), frames_(std::move(frames)), clocks_(file, frames_) {}
+    : file_(file), frames_(std::move(frames)), meter_(file, frames_) {}
 
 std::string Analyst::answer(const std::string& question) {
   try {
     return answered(Json::parse(question)).dump();
+  } catch (const FrameRefused& refused) {
+    return Json{{"refused", fmt::format("--{}: {}", refused.option, refused.what())}}.dump();
   } catch (const UserError& error) {
     return Json{{"refused", error.what()}}.dump();
   }
@@ -63,9 +70,11 @@ Json Analyst::answered(const Json& question) {
     json["about"] = about(analysis.text);
     return json;
   }
-  return {{"clocks", clocks_.count(configuration, question.at("schedules").get<std::string>(),
-                                   question.at("packets").get<unsigned>(),
-                                   question.at("lines").get<unsigned>())}};
+  const FrameCosts costs =
+      meter_.count(configuration, question.at("schedules").get<std::string>(),
+                   question.at("packets").get<unsigned>(), question.at("lines").get<unsigned>());
+  return {{"clocks", costs.clocks},
+          {"bytes_per_ray", costs.bytes_per_ray ? Json(*costs.bytes_per_ray) : Json()}};
 }
 
 }  // namespace dynrt::host

@@ -13,13 +13,19 @@
 
 namespace dynrt::host {
 
-/// Clocks of a frame on the native model, by the schedules of a core's Verilog.
-class FrameClocks {
- public:
-  FrameClocks(SceneFile& file, const AnalysedFrames& frames);
+/// What a frame takes on the native model, by the schedules of a core's Verilog.
+struct FrameCosts {
+  std::uint64_t clocks = 0;
+  std::optional<double> bytes_per_ray;  ///< read of the scene; none without counters
+};
 
-  std::uint64_t count(const std::string& configuration, const std::string& schedules,
-                      unsigned packets, unsigned lines);
+/// Counts it.
+class CostMeter {
+ public:
+  CostMeter(SceneFile& file, const AnalysedFrames& frames);
+
+  FrameCosts count(const std::string& configuration, const std::string& schedules, unsigned packets,
+                   unsigned lines);
 
  private:
   SceneFile& file_;
@@ -32,8 +38,8 @@ class FrameClocks {
 /// to mend.
 ///   {"ask": "needs", "configuration": NAME}    what `dynrt needs --json` writes, and "about";
 ///                                              without a name of the general configuration
-///   {"ask": "clocks", "configuration": FILE, "schedules": FOLDER, "packets": N, "lines": N}
-///                                              {"clocks": N}
+///   {"ask": "frame", "configuration": FILE, "schedules": FOLDER, "packets": N, "lines": N}
+///                                              {"clocks": N, "bytes_per_ray": X or null}
 class Analyst {
  public:
   /// The scene should be kept (SceneFile), as every question needs it.
@@ -46,7 +52,7 @@ class Analyst {
 
   SceneFile& file_;
   AnalysedFrames frames_;
-  FrameClocks clocks_;
+  CostMeter meter_;
 };
 
 }  // namespace dynrt::host

@@ -43,6 +43,29 @@ CameraOverrides SceneArguments::camera() const {
   return flags;
 }
 
+void MemoryArguments::add_to(CLI::App& command) {
+  command
+      .add_option(
+          "--memory-latency", latency,
+          fmt::format("clocks from a read of the memory behind the core's port to its first "
+                      "data, 1 to {}",
+                      kMaxMemoryLatency))
+      ->option_text(fmt::format("CLOCKS [{}]", MemoryTiming{}.latency))
+      ->check(not_a_count);
+  command
+      .add_option(
+          "--row-clocks", row_clocks,
+          fmt::format("more clocks where the read opens another row of that memory, 0 to {}",
+                      kMaxRowClocks))
+      ->option_text("CLOCKS [0]")
+      ->check(not_a_count);
+}
+
+void MemoryArguments::put_into(FrameOptions& options) const {
+  options.memory_latency = latency;
+  options.row_clocks = row_clocks;
+}
+
 void FrameArguments::add_to(CLI::App& command, const std::string& default_out,
                             const std::string& about_out) {
   add_configuration_flag(command, configuration);
@@ -67,21 +90,7 @@ void FrameArguments::add_to(CLI::App& command, const std::string& default_out,
   command.add_flag("--uncompressed", uncompressed,
                    "transform the origin of every ray instead of one for each packet");
   clock.add_to(command);
-  command
-      .add_option(
-          "--memory-latency", memory_latency,
-          fmt::format("clocks from a read of the memory behind the core's port to its first "
-                      "data, 1 to {}",
-                      kMaxMemoryLatency))
-      ->option_text(fmt::format("CLOCKS [{}]", MemoryTiming{}.latency))
-      ->check(not_a_count);
-  command
-      .add_option(
-          "--row-clocks", row_clocks,
-          fmt::format("more clocks where the read opens another row of that memory, 0 to {}",
-                      kMaxRowClocks))
-      ->option_text("CLOCKS [0]")
-      ->check(not_a_count);
+  memory.add_to(command);
   command
       .add_option("--timeout", timeout,
                   "stop with an error after this many clocks without a pixel or an interrupt")
@@ -97,8 +106,7 @@ FrameOptions FrameArguments::options(const std::string& size) const {
   options.packets = packets;
   options.lines = lines;
   options.reflections = reflections;
-  options.memory_latency = memory_latency;
-  options.row_clocks = row_clocks;
+  memory.put_into(options);
   options.uncompressed = uncompressed;
   if (order == "scanline") {
     options.order = RayOrder::kScanline;

@@ -40,6 +40,14 @@ inline constexpr char kBoardHelp[] =
     "down to its pins, which holds the configuration fast_port; serial:DEVICE: such a board at a "
     "serial device";
 
+/// The clocks of the memory behind a core's port.
+struct MemoryArguments {
+  std::optional<unsigned> latency, row_clocks;
+
+  void add_to(CLI::App& command);
+  void put_into(FrameOptions& options) const;
+};
+
 /// How a frame is rendered, and the files that are written.
 struct FrameArguments {
   std::string configuration = kDefaultConfiguration;
@@ -47,7 +55,7 @@ struct FrameArguments {
   std::string order = "morton";
   bool uncompressed = false;
   ClockFlags clock;
-  std::optional<unsigned> memory_latency, row_clocks;
+  MemoryArguments memory;
   std::optional<std::uint64_t> timeout;  ///< clocks; without the flag kTimeout
   std::string out;
   std::string json;

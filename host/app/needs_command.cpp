@@ -91,6 +91,7 @@ Command add_needs_command(CLI::App& program) {
       ->option_text("N")
       ->check(not_a_count);
   arguments->frames.span.add_to(*command);
+  arguments->frames.memory.add_to(*command);
   add_json_flag(*command, arguments->json);
   const auto list = [command] { throw CLI::CallForVersion(listed_flags(*command), 0); };
   command->add_flag_callback("--list-flags", list, "list the flags for scripts/specialise")

@@ -59,6 +59,7 @@ SceneAnalysis analyse(SceneFile& file, const std::string& configuration,
   std::tie(options.width, options.height) = parse_size(file.arguments().size);
   check_size(options.width, options.height);
   options.reflections = frames.reflections;
+  frames.memory.put_into(options);
   SceneAnalysis analysis;
   analysis.general = configuration.empty() ? general_configuration(file) : configuration;
   const auto board = open_board({"model", analysis.general, ""}, options);

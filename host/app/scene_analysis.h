@@ -25,6 +25,7 @@ struct AnalysedFrames {
   bool uncompressed = false;
   std::optional<unsigned> frames;  ///< of a walk; kWalkFrames of a scene that moves, else one
   SpanArguments span{};
+  MemoryArguments memory{};  ///< of the frame whose clocks are measured
 };
 
 struct SceneAnalysis {

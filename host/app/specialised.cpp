@@ -45,9 +45,12 @@ ChosenCore SpecialiseFlags::choose(SceneFile& scene, const FrameArguments& frame
   words.push_back("--program=" + std::filesystem::read_symlink("/proc/self/exe").string());
   words.push_back("--config=" + general);
   add(words, "--reflections", frame.reflections);
+  add(words, "--memory-latency", frame.memory.latency);
+  add(words, "--row-clocks", frame.memory.row_clocks);
   if (frame.uncompressed) words.emplace_back("--uncompressed");
   for (const std::string& key : wishes.keep) words.push_back("--keep=" + key);
-  Analyst analyst(scene, {frame.reflections, frame.uncompressed, wishes.frames, wishes.span});
+  Analyst analyst(
+      scene, {frame.reflections, frame.uncompressed, wishes.frames, wishes.span, frame.memory});
   return {made_by_script("specialise", words, "--specialise",
                          [&](const std::string& question) { return analyst.answer(question); }),
           general};

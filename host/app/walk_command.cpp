@@ -69,8 +69,8 @@ WalkSettings Arguments::settings(const Scene& content) const {
                                    {"--specialise", specialise.specialise ? "yes" : "no"},
                                    {"--packets", text(frame.packets)},
                                    {"--lines", text(frame.lines)},
-                                   {"--memory-latency", text(frame.memory_latency)},
-                                   {"--row-clocks", text(frame.row_clocks)},
+                                   {"--memory-latency", text(frame.memory.latency)},
+                                   {"--row-clocks", text(frame.memory.row_clocks)},
                                    {"--order", frame.order},
                                    {"--uncompressed", frame.uncompressed ? "yes" : "no"},
                                    {kSceneContent, fmt::format("{:016x}", fingerprint(content))}});

@@ -10,9 +10,14 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
-from typing import IO
+from typing import IO, NamedTuple
 
 from dynrt_tools.project import Failed, Json
+
+
+class FrameCosts(NamedTuple):
+    clocks: int
+    bytes_per_ray: float | None  # read of the scene; none of a core without counters
 
 
 class Analyst:
@@ -42,18 +47,20 @@ class Analyst:
         answer = self.ask(question)
         return answer, answer.pop("about")
 
-    def clocks(self, configuration: object, schedules: object, packets: int, lines: int) -> int:
-        """Of a frame on the native model, by the schedules in a folder."""
+    def frame(
+        self, configuration: object, schedules: object, packets: int, lines: int
+    ) -> FrameCosts:
+        """What a frame takes on the native model, by the schedules in a folder."""
         answer = self.ask(
             {
-                "ask": "clocks",
+                "ask": "frame",
                 "configuration": str(configuration),
                 "schedules": str(schedules),
                 "packets": packets,
                 "lines": lines,
             }
         )
-        return int(answer["clocks"])
+        return FrameCosts(answer["clocks"], answer["bytes_per_ray"])
 
 
 @contextlib.contextmanager

@@ -7,7 +7,7 @@ import pathlib
 from collections.abc import Callable, Iterator
 
 from dynrt_tools.project import Progress
-from dynrt_tools.specialise.analyst import Analyst
+from dynrt_tools.specialise.analyst import Analyst, FrameCosts
 
 Curve = dict[int, int]  # clocks of a frame by packets or lines
 SEEN_ENOUGH = 1.5  # times the fewest clocks: slower still, nothing is measured
@@ -72,24 +72,32 @@ class Meter:
     ) -> None:
         self.analyst, self.configuration, self.schedules = analyst, configuration, schedules
         self.progress = progress
-        self.known: dict[tuple[int, int], int] = {}
+        self.known: dict[tuple[int, int], FrameCosts] = {}
 
-    def clocks(self, packets: int, lines: int) -> int:
+    def frame(self, packets: int, lines: int) -> FrameCosts:
         if (packets, lines) not in self.known:
             self.progress(f"measuring a frame with {packets} packets and {lines} lines")
-            self.known[packets, lines] = self.analyst.clocks(
+            self.known[packets, lines] = self.analyst.frame(
                 self.configuration, self.schedules, packets, lines
             )
         return self.known[packets, lines]
 
+    def clocks(self, packets: int, lines: int) -> int:
+        return self.frame(packets, lines).clocks
+
 
 def choose(
-    meter: Meter, packets: int, lines: int, percent: float, frame: str = "a frame", ways: int = 1
+    meter: Meter,
+    packets: int,
+    lines: int,
+    percent: float,
+    frame: str = "a frame",
+    least_lines: int = 1,
 ) -> tuple[dict[str, tuple[int, str]], dict[str, Curve]]:
-    """The decisions for packets and lines, of which each of a cache's ways has one at least, and
-    the curves; `frame` says which is measured."""
+    """The decisions for packets and lines, of which there must be `least_lines`, and the curves;
+    `frame` says which is measured."""
     by_packets, few = walk_down(lambda n: meter.clocks(n, lines), packets, percent / 2)
-    by_lines, short = walk_down(lambda n: meter.clocks(few, n), lines, percent / 2, ways)
+    by_lines, short = walk_down(lambda n: meter.clocks(few, n), lines, percent / 2, least_lines)
     decided = {
         "packets": (few, reason(by_packets, few, percent / 2, frame)),
         "lines": (short, reason(by_lines, short, percent / 2, frame)),

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dynrt_tools.build import configs
 from dynrt_tools.project import Failed, Json
 from dynrt_tools.specialise import decisions, table
+from dynrt_tools.specialise.analyst import FrameCosts
 from dynrt_tools.specialise.costs import less
 
 GENERATE = configs.load_configurations()
@@ -114,6 +115,7 @@ class Table(unittest.TestCase):
             "configuration": decided,
             "left_out": decisions.left_out(decided, THESIS),
             "costs": costs,
+            "layouts": {},
             "curves": {"packets": {32: 1000, 16: 1010}, "lines": {512: 1010, 256: 1100}},
         }
 
@@ -124,7 +126,14 @@ class Table(unittest.TestCase):
         self.assertRegex(page, r"(?m)^  clocks of a frame +1,000 +1,010 +1.0 % more$")
         self.assertRegex(page, r"(?m)^  packets +32 +16$")
         self.assertIn("as in thesis: ", page)
+        self.assertNotIn("line_nodes   ", page)
         self.assertLessEqual(max(map(len, page.splitlines())), table.WIDTH + 4)
+
+    def test_the_lines_that_were_tried(self) -> None:
+        tried = {1: FrameCosts(1200, 6.84), 2: FrameCosts(1000, None)}
+        page = table.page("office", "thesis", THESIS, self.result() | {"layouts": tried})
+        self.assertRegex(page, r"(?m)^  line_nodes +1 +2\n  clocks +1,200 +1,000\n")
+        self.assertRegex(page, r"(?m)^  bytes a ray +6.84 +-$")
 
 
 class Less(unittest.TestCase):

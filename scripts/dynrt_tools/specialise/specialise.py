@@ -4,190 +4,24 @@
 commands that render, for which it prints the path of the configuration."""
 
 import argparse
-import contextlib
-import hashlib
-import json
 import math
 import os
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
 
-from dynrt_tools.build import configs
 from dynrt_tools.build.cache import BuildCache
 from dynrt_tools.build.whole import require_whole
-from dynrt_tools.project import SCRIPTS, Failed, Json, read_json, show_progress, write_json
-from dynrt_tools.report.collect import check_writable, scene_name, scene_path, written_first
+from dynrt_tools.project import Failed, Json, read_json, show_progress, write_json
+from dynrt_tools.report.collect import check_writable, written_first
 from dynrt_tools.report.report import guarded
 from dynrt_tools.report.variants import base_configuration
-from dynrt_tools.report.jobs import content_of
-from dynrt_tools.specialise import analyst, choose_format, costs, curve, decisions, flags, table
+from dynrt_tools.specialise import choose_format, costs, decisions, flags, table
+from dynrt_tools.specialise.analyst import FrameCosts
+from dynrt_tools.specialise.specialiser import Project, Specialiser, analysis_of, is_whole
 
 DELIVERED = (".v", ".vh", ".json", ".txt")  # of a core's folder; the rest is of its build alone
-
-
-class Project:
-    """Runs the program and scripts/configuration for one scene."""
-
-    def __init__(self, args: argparse.Namespace) -> None:
-        self.args = args
-        self.scene = scene_path(args.scene)
-        self.name = scene_name(args.scene)
-        self.out = args.out or pathlib.Path(f"{self.name}.specialised")
-        self.seen = flags.passed_on(args, of_frame=True)
-        self.build = read_json(pathlib.Path(args.build))
-        self.analyst: analyst.Analyst
-
-    @contextlib.contextmanager
-    def asking(self) -> Iterator[None]:
-        """While the program answers."""
-        command = [self.args.program, "needs", self.scene, *self.seen]
-        command += [*flags.passed_on(self.args, of_frame=False), "--answer"]
-        with analyst.above() if self.args.for_program else analyst.started(command) as answering:
-            self.analyst = answering
-            yield
-
-    def meter(self, configuration: pathlib.Path, verilog: pathlib.Path) -> curve.Meter:
-        return curve.Meter(self.analyst, configuration, verilog, show_progress)
-
-    def made(self, configuration: pathlib.Path, *kind: str) -> pathlib.Path:
-        """The path of the result of scripts/configuration for a file."""
-        result = subprocess.run(
-            [
-                SCRIPTS / "configuration",
-                configuration,
-                *kind,
-                "--build",
-                self.args.build,
-                "--expect",
-                self.args.expect,
-                "--jobs",
-                str(self.args.jobs),
-                "--for-program",
-            ],
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            text=True,
-            check=False,
-        )
-        if result.returncode != 0:
-            raise Failed(result.stdout.strip() or "scripts/configuration failed")
-        return pathlib.Path(result.stdout.strip())
-
-    def key(self, needs: Json, general: Json, formats: decisions.Measured) -> str:
-        """Of all that the configuration depends on."""
-        args = self.args
-        said = {
-            "name": self.name,
-            "needs": needs,
-            "general": general,
-            "formats": formats,
-            "seen": self.seen,
-            "keep": args.keep,
-            "slowdown": args.max_slowdown,
-            "fingerprint": args.expect,
-            "variables": self.build["variables"],
-            "program": content_of(pathlib.Path(args.program)),
-            "hlsc": content_of(pathlib.Path(self.build["hlsc"])),
-        }
-        if not os.path.isabs(self.scene):  # a built-in one
-            said["scene"] = self.scene
-        digest = hashlib.sha256(json.dumps(said, sort_keys=True).encode())
-        return f"specialised-{digest.hexdigest()[:40]}"
-
-
-def analysis_of(entry: pathlib.Path) -> pathlib.Path:
-    """In a folder of its own, as the configuration beside it has the name of its scene."""
-    return entry / "analysis" / "analysis.json"
-
-
-def is_whole(entry: pathlib.Path, name: str) -> bool:
-    """Whether both files of an entry can be read; not where a machine has lost its power."""
-    try:
-        for path in (entry / f"{name}.json", analysis_of(entry)):
-            read_json(path)
-    except (OSError, ValueError):
-        return False
-    return True
-
-
-class Specialiser:
-    """Writes the configuration of a scene and its analysis into a folder of the cache."""
-
-    def __init__(
-        self,
-        project: Project,
-        general_name: str,
-        general: Json,
-        needs: Json,
-        formats: decisions.Measured,
-    ) -> None:
-        self.project, self.general_name, self.general = project, general_name, general
-        self.formats = formats
-        self.needs = needs
-        self.keys = configs.load_configurations().KEYS
-
-    def decide(self, measured: decisions.Measured) -> Json:
-        return decisions.decide(
-            self.keys,
-            self.general_name,
-            self.general,
-            self.needs["keys"],
-            measured | self.formats,
-            self.project.args.keep,
-        )
-
-    def write(self, path: pathlib.Path, decided: Json) -> None:
-        configuration = decisions.configuration(self.project.name, self.general_name, decided)
-        generate = configs.load_configurations()
-        try:
-            generate.checked("special", configuration)
-        except generate.Refused as error:
-            raise Failed(str(error)) from error
-        write_json(path, configuration)
-
-    def __call__(self, folder: pathlib.Path) -> pathlib.Path:
-        made = folder / "made"
-        made.mkdir()
-        path = made / f"{self.project.name}.json"
-        measured, curves = self.measured(folder)
-        decided = self.decide(measured)
-        self.write(path, decided)
-        analysis = analysis_of(made)
-        analysis.parent.mkdir()
-        write_json(
-            analysis,
-            {
-                "general": self.general_name,
-                "needs": self.needs["needs"],
-                "curves": curves,
-                "left_out": decisions.left_out(decided, self.general),
-                "configuration": decided,
-            },
-        )
-        return made
-
-    def measured(self, folder: pathlib.Path) -> tuple[decisions.Measured, dict[str, curve.Curve]]:
-        """Packets and lines, and the curves. All else is as it will be."""
-        args, most = self.project.args, {k: self.general[k] for k in ("packets", "lines")}
-        whole = folder / f"{self.project.name}.json"
-        self.write(whole, self.decide({k: (n, "being measured") for k, n in most.items()}))
-        schedules = self.project.made(whole, "--verilog")
-        meter = self.project.meter(whole, schedules)
-        frame = f"a frame of {args.size or choose_format.SIZE}"
-        frame += " at time 0" if self.needs["needs"].get("frames", 1) > 1 else ""
-        decided, curves = curve.choose(
-            meter,
-            most["packets"],
-            most["lines"],
-            args.max_slowdown,
-            frame,
-            self.general["ways"],
-        )
-        return {k: d for k, d in decided.items() if k not in args.keep}, curves
 
 
 def general_core(project: Project) -> tuple[str, Json, Json, str, decisions.Measured]:
@@ -299,6 +133,8 @@ def finish(project: Project, name: str, general: Json, about: str, entry: pathli
         name: {int(n): clocks for n, clocks in points.items()}
         for name, points in result["curves"].items()
     }
+    layouts = result.get("layouts", {})
+    result["layouts"] = {int(n): FrameCosts(**measured) for n, measured in layouts.items()}
     out, special = project.out, entry / f"{project.name}.json"
     verilog = add_costs(project, result, special, general)
     misfit = args.hardware and costs.misfits(

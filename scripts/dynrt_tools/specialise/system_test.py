@@ -84,6 +84,23 @@ class Specialise(testing.InFolder):
             "model: 0 \\+ 0 \\+ 0 differ",
         )
 
+    def test_a_core_behind_a_port_gets_the_lines_that_suit_its_memory(self) -> None:
+        behind = ("--config", "fast_port", "--memory-latency", "30")
+        page = self.done("specialise", "office", *SMALL, *behind, "--out", "made", "--no-hardware")
+        self.assertRegex(page, r"\n  line_nodes +1 +2")
+        analysis, stated = self.read("made/analysis.json"), self.read("made/configuration.json")
+        layouts = {int(n): costs for n, costs in analysis["layouts"].items()}
+        self.assertGreater(len(layouts), 1)
+        for costs in layouts.values():
+            self.assertGreater(costs["bytes_per_ray"], 0)
+        fewest = min(costs["clocks"] for costs in layouts.values())
+        chosen = stated["line_nodes"]["value"]
+        self.assertLessEqual(layouts[chosen]["clocks"], 1.02 * fewest)
+        self.assertFalse(stated["counters"]["value"])
+        self.assertLessEqual(
+            analysis["costs"]["special"]["clocks"], 1.02 * layouts[chosen]["clocks"]
+        )
+
     def test_frames_that_exceed_the_core(self) -> None:
         ball = self.scene("ball.json")
         balls = self.scene(

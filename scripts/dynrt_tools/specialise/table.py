@@ -10,6 +10,7 @@ from typing import Any
 from dynrt_tools.project import Json
 from dynrt_tools.specialise.costs import COSTS
 from dynrt_tools.specialise.curve import by_percent
+from dynrt_tools.specialise.layout import Layouts
 
 WIDTH = 112
 
@@ -60,6 +61,10 @@ def number(of: float) -> str:
     return f"{of:,.1f}" if isinstance(of, float) and of % 1 else f"{of:,.0f}"
 
 
+def number_or_dash(of: float | None) -> str:
+    return "-" if of is None else f"{of:.2f}"
+
+
 def costs_table(special: str, general: str, costs: Json) -> Iterator[str]:
     rows = [("takes", general, special, "less by")]
     for name, about in COSTS.items():
@@ -86,6 +91,16 @@ def curve_table(curves: dict[str, dict[int, int]]) -> Iterator[str]:
         yield from aligned(rows, range(1, len(rows[0])))
 
 
+def layout_table(layouts: Layouts) -> Iterator[str]:
+    """What was measured of the nodes of a line."""
+    rows = [
+        ("line_nodes", *map(str, layouts)),
+        ("clocks", *(f"{costs.clocks:,}" for costs in layouts.values())),
+        ("bytes a ray", *(number_or_dash(costs.bytes_per_ray) for costs in layouts.values())),
+    ]
+    yield from aligned(rows, range(1, len(rows[0])))
+
+
 def page(scene: str, general: str, base: Json, result: Json) -> str:
     """All of it, as one text."""
     decided, changed = result["configuration"], result["left_out"]
@@ -100,6 +115,8 @@ def page(scene: str, general: str, base: Json, result: Json) -> str:
         *costs_table("here", general, result["costs"]),
         "",
     ]
+    if result["layouts"]:
+        lines += [*layout_table(result["layouts"]), ""]
     for curve in ("packets", "lines"):
         lines += [*curve_table({curve: result["curves"][curve]}), ""]
     return "\n".join(lines)
