@@ -41,10 +41,6 @@ std::string caches_text(const FrameFigures& figures) {
                       : fmt::format("  {:<18}{:>14}{:>9}\n", "cache", "lookups", "hits") + text;
 }
 
-double per_ray(const Frame& frame, std::uint64_t bytes) {
-  return static_cast<double>(bytes) / static_cast<double>(frame.pixels.size());
-}
-
 std::string memory_text(const Frame& frame, const MemoryFigures& memory) {
   std::string text = "memory      bytes per ray: ";
   if (memory.read) text += fmt::format("{:.2f} read, ", per_ray(frame, *memory.read));

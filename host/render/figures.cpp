@@ -124,11 +124,14 @@ std::optional<std::uint64_t> value_of(const Frame& frame, std::string_view count
   return value_of(totals_of(frame), counter);
 }
 
+double per_ray(const Frame& frame, std::uint64_t bytes) {
+  return static_cast<double>(bytes) / static_cast<double>(frame.pixels.size());
+}
+
 std::optional<double> bytes_per_ray(const Frame& frame) {
   const CounterTotals totals = totals_of(frame);
   const auto read = memory_of(frame, caches_of(frame, totals), totals).read;
-  if (!read || frame.pixels.empty()) return std::nullopt;
-  return static_cast<double>(*read) / static_cast<double>(frame.pixels.size());
+  return read ? std::optional(per_ray(frame, *read)) : std::nullopt;
 }
 
 FrameFigures figures_of(const Frame& frame, double clock_hz) {

@@ -60,7 +60,8 @@ CounterTotals totals_of(const Frame& frame);
 /// The value of a counter, the sum over all pipelines; none if the frame has no such counter.
 std::optional<std::uint64_t> value_of(const Frame& frame, std::string_view counter);
 
-/// Bytes of the scene that the core read, per pixel of the frame; none without counters.
+double per_ray(const Frame& frame, std::uint64_t bytes);
+/// Bytes of the scene that the core read; none without counters.
 std::optional<double> bytes_per_ray(const Frame& frame);
 
 /// `clock_hz`: the core's clock for frames per second.

@@ -130,7 +130,7 @@ class Table(unittest.TestCase):
         self.assertLessEqual(max(map(len, page.splitlines())), table.WIDTH + 4)
 
     def test_the_lines_that_were_tried(self) -> None:
-        tried = {1: FrameCosts(1200, 6.84), 2: FrameCosts(1000, None)}
+        tried = {1: FrameCosts(1200, 6.84)._asdict(), 2: FrameCosts(1000, None)._asdict()}
         page = table.page("office", "thesis", THESIS, self.result() | {"layouts": tried})
         self.assertRegex(page, r"(?m)^  line_nodes +1 +2\n  clocks +1,200 +1,000\n")
         self.assertRegex(page, r"(?m)^  bytes a ray +6.84 +-$")

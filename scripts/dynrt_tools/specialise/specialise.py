@@ -18,7 +18,6 @@ from dynrt_tools.report.collect import check_writable, written_first
 from dynrt_tools.report.report import guarded
 from dynrt_tools.report.variants import base_configuration
 from dynrt_tools.specialise import choose_format, costs, decisions, flags, table
-from dynrt_tools.specialise.analyst import FrameCosts
 from dynrt_tools.specialise.specialiser import Project, Specialiser, analysis_of, is_whole
 
 DELIVERED = (".v", ".vh", ".json", ".txt")  # of a core's folder; the rest is of its build alone
@@ -133,8 +132,7 @@ def finish(project: Project, name: str, general: Json, about: str, entry: pathli
         name: {int(n): clocks for n, clocks in points.items()}
         for name, points in result["curves"].items()
     }
-    layouts = result.get("layouts", {})
-    result["layouts"] = {int(n): FrameCosts(**measured) for n, measured in layouts.items()}
+    result["layouts"] = {int(n): costs for n, costs in result["layouts"].items()}
     out, special = project.out, entry / f"{project.name}.json"
     verilog = add_costs(project, result, special, general)
     misfit = args.hardware and costs.misfits(

@@ -130,14 +130,15 @@ class Specialiser:
             self.project.args.keep,
         )
 
-    def write(self, path: pathlib.Path, decided: Json) -> None:
-        configuration = decisions.configuration(self.project.name, self.general_name, decided)
+    def configuration(self, decided: Json) -> Json:
+        """Throws Failed if the rules of its keys do not hold."""
+        stated = decisions.configuration(self.project.name, self.general_name, decided)
         generate = configs.load_configurations()
         try:
-            generate.checked("special", configuration)
+            generate.checked("special", stated)
         except generate.Refused as error:
             raise Failed(str(error)) from error
-        write_json(path, configuration)
+        return stated
 
     def __call__(self, folder: pathlib.Path) -> pathlib.Path:
         made = folder / "made"
@@ -145,7 +146,7 @@ class Specialiser:
         path = made / f"{self.project.name}.json"
         measured, figures = self.measured(folder)
         decided = self.decide(measured)
-        self.write(path, decided)
+        write_json(path, self.configuration(decided))
         analysis = analysis_of(made)
         analysis.parent.mkdir()
         write_json(
@@ -161,12 +162,9 @@ class Specialiser:
         return made
 
     def allowed(self, decided: Json) -> bool:
-        """Whether the rules of a configuration's keys hold."""
-        generate = configs.load_configurations()
-        stated = decisions.configuration(self.project.name, self.general_name, decided)
         try:
-            generate.checked("special", stated)
-        except generate.Refused:
+            self.configuration(decided)
+        except Failed:
             return False
         return True
 
@@ -174,7 +172,7 @@ class Specialiser:
         """Of a core, of which the folder receives the configuration."""
         folder.mkdir(exist_ok=True)
         path = folder / f"{self.project.name}.json"
-        self.write(path, self.decide(measured))
+        write_json(path, self.configuration(self.decide(measured)))
         return self.project.meter(path, self.project.made(path, "--verilog"))
 
     def measured(self, folder: pathlib.Path) -> tuple[decisions.Measured, Json]:
@@ -184,7 +182,7 @@ class Specialiser:
         frame += " at time 0" if self.needs["needs"].get("frames", 1) > 1 else ""
         whole: decisions.Measured = {k: (n, "being measured") for k, n in most.items()}
         decided: decisions.Measured = {}
-        figures: Json = {}
+        figures: Json = {"layouts": {}}
         numbers = self.nodes_of_a_line(whole)
         if numbers:
             layouts, meters = self.layouts(folder, whole, numbers)
@@ -198,7 +196,7 @@ class Specialiser:
         counts, figures["curves"] = curve.choose(
             meter, most["packets"], most["lines"], args.max_slowdown, frame, least
         )
-        return {k: d for k, d in (decided | counts).items() if k not in args.keep}, figures
+        return decided | counts, figures
 
     def layouts(
         self, folder: pathlib.Path, whole: decisions.Measured, numbers: Iterable[int]

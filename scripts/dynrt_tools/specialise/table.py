@@ -10,7 +10,6 @@ from typing import Any
 from dynrt_tools.project import Json
 from dynrt_tools.specialise.costs import COSTS
 from dynrt_tools.specialise.curve import by_percent
-from dynrt_tools.specialise.layout import Layouts
 
 WIDTH = 112
 
@@ -91,12 +90,12 @@ def curve_table(curves: dict[str, dict[int, int]]) -> Iterator[str]:
         yield from aligned(rows, range(1, len(rows[0])))
 
 
-def layout_table(layouts: Layouts) -> Iterator[str]:
+def layout_table(layouts: dict[int, Json]) -> Iterator[str]:
     """What was measured of the nodes of a line."""
     rows = [
         ("line_nodes", *map(str, layouts)),
-        ("clocks", *(f"{costs.clocks:,}" for costs in layouts.values())),
-        ("bytes a ray", *(number_or_dash(costs.bytes_per_ray) for costs in layouts.values())),
+        ("clocks", *(f"{costs['clocks']:,}" for costs in layouts.values())),
+        ("bytes a ray", *(number_or_dash(costs["bytes_per_ray"]) for costs in layouts.values())),
     ]
     yield from aligned(rows, range(1, len(rows[0])))
 
