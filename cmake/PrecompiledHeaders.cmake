@@ -7,10 +7,12 @@
 # forgets an #include is found out.
 #
 # dynrt_quick_tests(TARGET...): targets that GoogleTest runs, not optimised: what takes time when they
-# run stands in the libraries that they link.
+# run stands in the libraries that they link. Those that hold units or whole cores, which are
+# templates, run three times as long for it, but compile in a quarter of the time, which is more.
 #
-# dynrt_model_tests(TARGET...): the same for tests that hold units or their bench, which are templates:
-# a little optimised.
+# dynrt_long_tests(TARGET...): the same for those of which it is not: a little optimised.
+#
+# dynrt_cosimulations(TARGET...): not optimised, with the header of Verilator's classes.
 #
 # dynrt_host_headers(TARGET...), hlsc_headers(TARGET...): static libraries of the host, of hlsc.
 
@@ -64,23 +66,33 @@ function(hlsc_headers)
   endforeach()
 endfunction()
 
-foreach(level 0 1)
-  dynrt_headers(dynrt_headers_of_tests_${level} PROGRAM ${dynrt_standard_headers} <fmt/format.h>
-                <glm/glm.hpp> <glm/gtc/matrix_transform.hpp> <nlohmann/json.hpp> <gmock/gmock.h>
-                <gtest/gtest.h>)
-  target_compile_options(dynrt_headers_of_tests_${level} PRIVATE -O${level} -g0)
-  target_link_libraries(dynrt_headers_of_tests_${level} PRIVATE fmt::fmt glm::glm
-                        nlohmann_json::nlohmann_json GTest::gmock GTest::gtest)
-endforeach()
-function(dynrt_quick_tests)
+# dynrt_headers_of_tests(NAME LEVEL HEADER...): those of tests at a level of optimisation.
+function(dynrt_headers_of_tests name level)
+  dynrt_headers(${name} PROGRAM ${dynrt_standard_headers} <fmt/format.h> <glm/glm.hpp>
+                <glm/gtc/matrix_transform.hpp> <nlohmann/json.hpp> <gmock/gmock.h> <gtest/gtest.h>
+                ${ARGN})
+  target_compile_options(${name} PRIVATE -O${level} -g0)
+  target_link_libraries(${name} PRIVATE fmt::fmt glm::glm nlohmann_json::nlohmann_json GTest::gmock
+                        GTest::gtest)
+endfunction()
+# dynrt_tests_with(HEADERS LEVEL TARGET...): targets that compile with them.
+function(dynrt_tests_with headers level)
   foreach(target IN LISTS ARGN)
-    target_compile_options(${target} PRIVATE -O0 -g0)
-    target_precompile_headers(${target} REUSE_FROM dynrt_headers_of_tests_0)
+    target_compile_options(${target} PRIVATE -O${level} -g0)
+    target_precompile_headers(${target} REUSE_FROM ${headers})
   endforeach()
 endfunction()
-function(dynrt_model_tests)
-  foreach(target IN LISTS ARGN)
-    target_compile_options(${target} PRIVATE -O1 -g0)
-    target_precompile_headers(${target} REUSE_FROM dynrt_headers_of_tests_1)
-  endforeach()
+
+dynrt_headers_of_tests(dynrt_headers_of_quick_tests 0)
+function(dynrt_quick_tests)
+  dynrt_tests_with(dynrt_headers_of_quick_tests 0 ${ARGN})
+endfunction()
+dynrt_headers_of_tests(dynrt_headers_of_long_tests 1)
+function(dynrt_long_tests)
+  dynrt_tests_with(dynrt_headers_of_long_tests 1 ${ARGN})
+endfunction()
+dynrt_headers_of_tests(dynrt_headers_of_cosimulations 0 <verilated.h>)
+function(dynrt_cosimulations)
+  target_link_libraries(dynrt_headers_of_cosimulations PRIVATE verilated_runtime)
+  dynrt_tests_with(dynrt_headers_of_cosimulations 0 ${ARGN})
 endfunction()

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The joined core, RTL against model, to the last bit: every configuration of this build that has
-// its Verilog, with every choice that a frame offers. Each is rendered twice, on the board that the
-// program uses and on the one that checks the Verilog's assertions and starts with random values.
-// The model counts its clocks by hlsc's schedules, and they are the Verilog's, to the last one.
+// its Verilog, with the choices that a frame offers; tests that are slow have all of them. Each is
+// rendered twice, on the board that the program uses and on the one that checks the Verilog's
+// assertions and starts with random values. The model counts its clocks by hlsc's schedules, and
+// they are the Verilog's, to the last one.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -67,10 +69,9 @@ void expect_identical(const Frame& rtl, const Frame& model) {
 }
 
 using Choice = std::tuple<std::string, RayOrder, bool, unsigned, unsigned>;
-class Frames : public testing::TestWithParam<Choice> {};
 
-TEST_P(Frames, RtlIsTheModel) {
-  const auto& [name, order, uncompressed, packets, lines] = GetParam();
+void expect_rtl_is_the_model(const Choice& choice) {
+  const auto& [name, order, uncompressed, packets, lines] = choice;
   const auto rtl = make_board(configurations(), {"rtl", name, ""});
   const auto checked = make_checked_board(name, 1);
   const auto model = make_scheduled_model(name);
@@ -104,7 +105,29 @@ std::string name_of(const testing::TestParamInfo<Choice>& info) {
                      uncompressed ? "uncompressed" : "compressed", number(packets), number(lines));
 }
 
-INSTANTIATE_TEST_SUITE_P(Every, Frames,
+/// A quarter of the choices, in which each two values of two choices occur together.
+std::vector<Choice> pairs_of_choices() {
+  const std::array<unsigned, 3> numbers = {1, 2, kAll}, packets = {1, 5, kAll};
+  std::vector<Choice> choices;
+  for (const std::string& name : names_with_rtl()) {
+    for (unsigned p = 0; p < 3; ++p) {
+      for (unsigned l = 0; l < 3; ++l) {
+        const bool scanline = (p + l) % 2 == 1, uncompressed = (p + 2 * l) % 3 == 1;
+        choices.emplace_back(name, scanline ? RayOrder::kScanline : RayOrder::kMorton, uncompressed,
+                             packets[p], numbers[l]);
+      }
+    }
+  }
+  return choices;
+}
+
+class Frames : public testing::TestWithParam<Choice> {};
+TEST_P(Frames, RtlIsTheModel) { expect_rtl_is_the_model(GetParam()); }
+INSTANTIATE_TEST_SUITE_P(Every, Frames, testing::ValuesIn(pairs_of_choices()), name_of);
+
+class AllFrames : public testing::TestWithParam<Choice> {};
+TEST_P(AllFrames, SlowRtlIsTheModel) { expect_rtl_is_the_model(GetParam()); }
+INSTANTIATE_TEST_SUITE_P(Every, AllFrames,
                          testing::Combine(testing::ValuesIn(names_with_rtl()),
                                           testing::Values(RayOrder::kMorton, RayOrder::kScanline),
                                           testing::Bool(), testing::Values(1, 5, kAll),

@@ -53,7 +53,7 @@ void expect_as_the_model(Board& board, const std::string& scene, const FrameOpti
 
 /// The pixels are those that a monitor sees at the DVI pins; the counters come over the line. The
 /// second frame lies in the other buffer, and is shown from there.
-TEST(Ulx3s, ShowsThePictureOfTheModel) {
+TEST(Ulx3s, SlowShowsThePictureOfTheModel) {
   const auto board = make_ulx3s_board("ulx3s");
   FrameOptions of_frame = options(64, 48);
   expect_as_the_model(*board, "office", of_frame);

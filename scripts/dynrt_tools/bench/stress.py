@@ -25,26 +25,21 @@ PAGE = project.ROOT / "docs" / "results" / "stress.md"
 BEGIN, END = "<!-- cases: written by the target update-stress -->\n", "<!-- end of cases -->\n"
 
 
-def run(program: pathlib.Path, config: str, *flags: str) -> str:
-    """The output of the program. Exit code 1 means that a case exceeds its bound, which the tests of
-    verif/stress report."""
-    done = subprocess.run(
-        [program, "stress", "--config", config, *flags],
-        text=True,
-        stdout=subprocess.PIPE,
-        check=False,
-    )
-    if done.returncode not in (0, 1):
-        sys.exit(done.returncode)
-    return done.stdout
-
-
-def digests(program: pathlib.Path, config: str) -> dict[str, str]:
-    """The digest of each case, by its name."""
+def cases(program: pathlib.Path, config: str) -> tuple[dict[str, str], str]:
+    """The digest of each case by its name, and the cases as tables. Exit code 1 means that a case
+    exceeds its bound, which the tests of verif/stress report."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "stress.json"
-        run(program, config, "--json", str(path))
-        return {case["name"]: case["digest"] for case in project.read_json(path)["cases"]}
+        done = subprocess.run(
+            [program, "stress", "--config", config, "--markdown", "--json", path],
+            text=True,
+            stdout=subprocess.PIPE,
+            check=False,
+        )
+        if done.returncode not in (0, 1):
+            sys.exit(done.returncode)
+        digests = {case["name"]: case["digest"] for case in project.read_json(path)["cases"]}
+    return digests, done.stdout
 
 
 def with_tables(text: str, tables: str) -> str:
@@ -75,11 +70,10 @@ def main() -> None:
     parser.add_argument("program", type=pathlib.Path, help="the program dynrt")
     parser.add_argument("configurations", nargs="+", help="the cores that the cases run on")
     args = parser.parse_args()
-    golden = {config: digests(args.program, config) for config in args.configurations}
-    tables = "".join(
-        f"\n## On `{config}`\n" + run(args.program, config, "--markdown")
-        for config in args.configurations
-    )
+    golden, tables = {}, ""
+    for config in args.configurations:
+        golden[config], table = cases(args.program, config)
+        tables += f"\n## On `{config}`\n" + table
     try:
         wanted = {
             GOLDEN: json.dumps(golden, indent=2) + "\n",
