@@ -68,6 +68,7 @@ void expect_identical(const Frame& rtl, const Frame& model) {
   }
 }
 
+constexpr std::array kPackets = {1u, 5u, kAll}, kLines = {1u, 2u, kAll};
 using Choice = std::tuple<std::string, RayOrder, bool, unsigned, unsigned>;
 
 void expect_rtl_is_the_model(const Choice& choice) {
@@ -107,14 +108,13 @@ std::string name_of(const testing::TestParamInfo<Choice>& info) {
 
 /// A quarter of the choices, in which each two values of two choices occur together.
 std::vector<Choice> pairs_of_choices() {
-  const std::array<unsigned, 3> numbers = {1, 2, kAll}, packets = {1, 5, kAll};
   std::vector<Choice> choices;
   for (const std::string& name : names_with_rtl()) {
-    for (unsigned p = 0; p < 3; ++p) {
-      for (unsigned l = 0; l < 3; ++l) {
+    for (unsigned p = 0; p < kPackets.size(); ++p) {
+      for (unsigned l = 0; l < kLines.size(); ++l) {
         const bool scanline = (p + l) % 2 == 1, uncompressed = (p + 2 * l) % 3 == 1;
         choices.emplace_back(name, scanline ? RayOrder::kScanline : RayOrder::kMorton, uncompressed,
-                             packets[p], numbers[l]);
+                             kPackets[p], kLines[l]);
       }
     }
   }
@@ -130,8 +130,8 @@ TEST_P(AllFrames, SlowRtlIsTheModel) { expect_rtl_is_the_model(GetParam()); }
 INSTANTIATE_TEST_SUITE_P(Every, AllFrames,
                          testing::Combine(testing::ValuesIn(names_with_rtl()),
                                           testing::Values(RayOrder::kMorton, RayOrder::kScanline),
-                                          testing::Bool(), testing::Values(1, 5, kAll),
-                                          testing::Values(1, 2, kAll)),
+                                          testing::Bool(), testing::ValuesIn(kPackets),
+                                          testing::ValuesIn(kLines)),
                          name_of);
 
 /// Latency and clocks to open a row of the memory behind a port.
