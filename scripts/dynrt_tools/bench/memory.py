@@ -42,6 +42,7 @@ def one_key(key: str, *values: int | str) -> list[Row]:
 
 
 BASE = f"latency {LATENCY}"
+LARGEST = "second_level 128"  # KB that a second level can have
 ROWS = (
     Row(SRAM, like=SRAM),
     *(Row(f"latency {clocks}", latency=clocks) for clocks in (8, LATENCY, 100, 200)),
@@ -131,8 +132,8 @@ def aims(frames: list[Json]) -> list[Json]:
     for row, figure, wanted in ASKED:
         for scene, asked in wanted.items():
             found.append((row, figure, scene, asked, of[row, scene][figure] >= asked))
-    for scene, asked in ASKED_READ.items():
-        found.append((BASE, READ, scene, asked, of[BASE, scene][READ] <= asked))
+    for row, (scene, asked) in itertools.product((BASE, LARGEST), ASKED_READ.items()):
+        found.append((row, READ, scene, asked, of[row, scene][READ] <= asked))
     return [
         {
             "row": row,
