@@ -3,6 +3,9 @@
 #include "host/view/hit_json.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <iterator>
 
 namespace dynrt::host {
 
@@ -34,6 +37,22 @@ Json hit_json(const Frame& frame, unsigned x, unsigned y) {
           {"u", number_json(format, hit.u)},
           {"v", number_json(format, hit.v)},
           {"cosine", number_json(format, hit.cosine)}};
+}
+
+std::string hit_table(const Frame& frame) {
+  const MemoryFormat& format = *frame.core.format;
+  std::string text = fmt::format("{}\n", fmt::join(kHitColumns, ","));
+  for (unsigned y = 0; y < frame.height; ++y) {
+    for (unsigned x = 0; x < frame.width; ++x) {
+      const std::size_t pixel = std::size_t{y} * frame.width + x;
+      const HitRecord& hit = frame.hits.at(pixel);
+      fmt::format_to(std::back_inserter(text), "{},{},{:d},{},{},{},{},{},{},{}\n", x, y, hit.hit,
+                     hit.object, hit.triangle, format.number(hit.t), format.number(hit.u),
+                     format.number(hit.v), format.number(hit.cosine),
+                     colour_text(frame.pixels[pixel]));
+    }
+  }
+  return text;
 }
 
 }  // namespace dynrt::host

@@ -1,9 +1,10 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The hit record of a pixel in numbers, the same in the window and in the reports of the program.
+// Hit records in numbers, the same in the window, in its tables and in the reports of the program.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -12,10 +13,17 @@
 
 namespace dynrt::host {
 
-/// With its colour; each number as bits and as a value.
 /// "#rrggbb".
 std::string colour_text(std::uint32_t pixel);
 
+/// Of a pixel, with its colour; each number as bits and as a value.
 nlohmann::ordered_json hit_json(const Frame& frame, unsigned x, unsigned y);
+
+/// The columns of the table below, each a member of hit_json.
+inline constexpr std::array kHitColumns = {"x", "y", "hit", "object", "triangle",
+                                           "t", "u", "v",   "cosine", "colour"};
+
+/// A line of comma-separated values for each pixel, behind one with the columns.
+std::string hit_table(const Frame& frame);
 
 }  // namespace dynrt::host

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "host/error.h"
+#include "host/view/hit_json.h"
 #include "host/view/maps.h"
 #include "host/view/pixel.h"
 #include "host/view/view_messages.h"
@@ -108,6 +109,7 @@ Answer recorded(const Scenery& scenery, const Still& still) {
   answer.words = still.frame.pixels;
   Places places;
   answer.head["pixels"] = pixels_json(scenery, still);
+  answer.head["columns"] = kHitColumns;
   answer.head["packets"] = packets_json(scenery, still, places);
   answer.head["places"] = places.all();
   answer.head["maps"] = Json::array();

@@ -261,18 +261,7 @@ Answer Session::on_path(const Json& question) {
 
 Answer Session::csv(const Json& question) {
   const Still& now = still(question);
-  const MemoryFormat& format = *room_->scenery.core().format;
-  std::string text = "x,y,hit,object,triangle,t,u,v,cosine,colour\n";
-  for (unsigned y = 0; y < now.shot.height; ++y) {
-    for (unsigned x = 0; x < now.shot.width; ++x) {
-      const HitRecord& hit = now.frame.hits[now.index(x, y)];
-      fmt::format_to(std::back_inserter(text), "{},{},{:d},{},{},{},{},{},{},{}\n", x, y, hit.hit,
-                     hit.object, hit.triangle, format.number(hit.t), format.number(hit.u),
-                     format.number(hit.v), format.number(hit.cosine),
-                     colour_text(now.frame.pixels[now.index(x, y)]));
-    }
-  }
-  return {.head = {{"number", now.number}, {"csv", text}}};
+  return {.head = {{"number", now.number}, {"csv", hit_table(now.frame)}}};
 }
 
 std::string Session::record(const std::map<std::string, PageFile>& files) {

@@ -28,12 +28,11 @@ const placed = ({box, corners, ...step}) => ({
   ...(corners === undefined ? {} : {corners: kept.places[corners]}),
 });
 
-/// As the program writes it (host/view/session.cpp).
+/// As the program writes it (hit_table of host/view/hit_json.h).
 function csv() {
-  const columns = ["x", "y", "hit", "object", "triangle", "t", "u", "v", "cosine", "colour"];
   const cell = (value) => typeof value === "boolean" ? +value : value?.value ?? value;
-  const lines = kept.pixels.map(({record}) => columns.map((name) => cell(record[name])).join(","));
-  return `${columns.join(",")}\n${lines.join("\n")}\n`;
+  const line = ({record}) => kept.columns.map((name) => cell(record[name])).join(",");
+  return [kept.columns.join(","), ...kept.pixels.map(line), ""].join("\n");
 }
 
 const answers = {
