@@ -16,7 +16,14 @@ import tempfile
 from dataclasses import dataclass
 
 from dynrt_tools import options, project
-from dynrt_tools.hardware import block_registers, devices, placers, rtl_files, synthesis
+from dynrt_tools.hardware import (
+    block_registers,
+    devices,
+    placer_log,
+    placers,
+    rtl_files,
+    synthesis,
+)
 from dynrt_tools.project import Json, read_json, write_json
 
 
@@ -159,20 +166,18 @@ def route(
 ) -> dict[str, dict[str, float]]:
     """Places and routes; gives what each clock reaches and what it is asked for."""
     program = placers.PLACERS[board.device]["program"]
-    placers.run(
-        [
-            program,
-            *placers.PLACERS[board.device]["flags"],
-            *PATIENT,
-            *("--speed", board.grade),
-            *("--json", str(netlist), "--lpf", str(placers.CONSTRAINTS / board.constraints)),
-            *("--seed", str(args.seed), "--timing-allow-fail"),
-            *("--textcfg", str(work / "config"), "--report", str(work / "report.json")),
-            *("-q", "-l", str(work / "log")),
-        ],
+    command = [
         program,
-        args.timeout,
-    )
+        *placers.PLACERS[board.device]["flags"],
+        *PATIENT,
+        *("--speed", board.grade),
+        *("--json", str(netlist), "--lpf", str(placers.CONSTRAINTS / board.constraints)),
+        *("--seed", str(args.seed), "--timing-allow-fail"),
+        *("--textcfg", str(work / "config"), "--report", str(work / "report.json")),
+        *("-q", "-l", str(work / "log")),
+    ]
+    with placer_log.followed(work / "log", project.show_progress):
+        placers.run(command, program, args.timeout)
     with placers.reading(program):
         clocks = read_json(work / "report.json")["fmax"]
         return {
