@@ -29,7 +29,7 @@ class MortonBlocks {
 
   /// The packets of a block less one, of the curve whose last place this is.
   static Counter last_of_block(Counter last) {
-    constexpr unsigned kEnd = std::min(kLargestBits, CounterBits - kShareBits) + kShareBits;
+    constexpr unsigned kEnd = std::min(kLargestBits + kShareBits, CounterBits);
     return last.template bits<kEnd - 1, kShareBits>().template zext<CounterBits>() |
            Counter((1u << kSmallestBits) - 1);
   }

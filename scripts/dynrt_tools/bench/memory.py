@@ -42,7 +42,7 @@ def one_key(key: str, *values: int | str) -> list[Row]:
 
 
 BASE = f"latency {LATENCY}"
-LARGEST = "second_level 128"  # KB that a second level can have
+LARGEST = "second_level 128"  # the most KB that it can have
 ROWS = (
     Row(SRAM, like=SRAM),
     *(Row(f"latency {clocks}", latency=clocks) for clocks in (8, LATENCY, 100, 200)),
