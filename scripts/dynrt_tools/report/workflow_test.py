@@ -115,25 +115,26 @@ class Jobs(testing.InFolder):
         (self.work / "slow").write_text("", encoding="utf-8")
         process = multiprocessing.Process(target=self.run_in_background)
         process.start()
-        self.wait_for_run()
+        self.wait_for_runs(1)
         process.terminate()
         process.join(50)  # the job sleeps for longer
         self.assertIsNotNone(process.exitcode)
         self.assertEqual(list(self.work.glob("scenes/*/*/run.json")), [])
 
-    def wait_for_run(self) -> None:
+    def wait_for_runs(self, count: int) -> None:
         ran = self.work / "ran"
         for _ in range(600):
-            if ran.exists() and "run_variant" in ran.read_text(encoding="utf-8"):
-                break
+            if ran.exists() and ran.read_text(encoding="utf-8").count("run_variant") >= count:
+                return
             time.sleep(0.1)
+        self.fail(f"{count} runs did not begin within a minute")
 
     def test_interrupted_it_goes_on_where_it_stopped(self) -> None:
         self.work.mkdir()
         (self.work / "slow").write_text("", encoding="utf-8")
         process = multiprocessing.Process(target=self.run_workflow, args=(("a", "b"), False))
         process.start()
-        self.wait_for_run()
+        self.wait_for_runs(2)  # so that both models are done
         assert process.pid is not None
         os.kill(process.pid, signal.SIGINT)
         process.join(60)
