@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # hls_lower(MODULE m HEADER scale.h TYPE "example::Scale" FOLDER dir INCLUDES dir...
-#           CLOCK_NS n DELAY model.json [ROOM n] [DEPENDS file...] [ROOT dir])
+#           CLOCK_NS n DELAY model.json [ROOM n] [UNCERTAINTY ns] [DEPENDS file...] [ROOT dir])
 #
 # A command that lowers the unit TYPE, which HEADER defines, to FOLDER/m.v with its schedule report
 # m.txt, the same as data m.json and the test bench's header m_ports.h, whenever one of the headers that it includes changes;
@@ -13,7 +13,8 @@
 #   HLS_COMPILER    the target of hlsc
 #   HLS_LANGUAGE    the folders of the headers that hlsc reads in place of the native ones
 function(hls_lower)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "" "MODULE;HEADER;TYPE;FOLDER;CLOCK_NS;DELAY;ROOM;ROOT"
+  cmake_parse_arguments(PARSE_ARGV 0 arg ""
+                        "MODULE;HEADER;TYPE;FOLDER;CLOCK_NS;DELAY;ROOM;UNCERTAINTY;ROOT"
                         "INCLUDES;DEPENDS")
   foreach(needed MODULE HEADER TYPE FOLDER CLOCK_NS DELAY)
     if(NOT arg_${needed})
@@ -33,6 +34,10 @@ function(hls_lower)
   if(arg_ROOM)
     set(room --room ${arg_ROOM})
   endif()
+  set(uncertainty)
+  if(arg_UNCERTAINTY)
+    set(uncertainty --uncertainty ${arg_UNCERTAINTY})
+  endif()
   set(in_root)
   if(arg_ROOT)
     set(in_root WORKING_DIRECTORY ${arg_ROOT})
@@ -48,7 +53,8 @@ function(hls_lower)
     COMMAND ${CMAKE_CXX_COMPILER} -std=c++20 -x c++ ${compiler_includes} -MM -MT ${stem}.v
             -MF ${stem}.d ${hls_header}
     COMMAND ${HLS_COMPILER} --unit ${arg_TYPE} --module ${arg_MODULE} --header ${arg_HEADER}
-            ${hlsc_includes} --clock-ns ${arg_CLOCK_NS} --delay ${arg_DELAY} ${room} -o ${fresh}.v
+            ${hlsc_includes} --clock-ns ${arg_CLOCK_NS} --delay ${arg_DELAY} ${room} ${uncertainty}
+            -o ${fresh}.v
             --report ${fresh}.txt --schedule ${fresh}.json --binding ${fresh}_ports.h
     COMMAND ${CMAKE_COMMAND} -E copy_if_different ${fresh}.v ${fresh}.txt ${fresh}.json
             ${fresh}_ports.h ${arg_FOLDER}

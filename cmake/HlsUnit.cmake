@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 #
 # add_hls_unit(NAME mailbox SOURCE units/mailbox.h TYPE "dynrt::Mailbox<dynrt::config::thesis>"
-#              CONFIG thesis [CLOCK_NS n] [DELAY file] [ROOM n] [FAST] [TRACE] [SHARDS n])
+#              CONFIG thesis [CLOCK_NS n] [DELAY file] [ROOM n] [UNCERTAINTY ns]
+#              [FAST] [TRACE] [SHARDS n])
 #
 # Everything that belongs to one unit. SOURCE is its header as it is included, DELAY is relative to
 # the project's folder; the configuration comes from configs/<CONFIG>.h, which a custom command of
@@ -16,8 +17,8 @@
 #   test           generated.<NAME>, label lint, for a CONFIG that is checked in: fails when
 #                  rtl/generated/<CONFIG>/<NAME>.v is not what hlsc writes now (the target
 #                  update-generated renews it); generated.<NAME>.json the same of its schedule
-# CLOCK_NS and DELAY default to the cache variables DYNRT_CLOCK_NS and DYNRT_DELAY_MODEL, ROOM to
-# the default of hlsc --room.
+# CLOCK_NS and DELAY default to the cache variables DYNRT_CLOCK_NS and DYNRT_DELAY_MODEL, ROOM and
+# UNCERTAINTY to the defaults of hlsc --room and --uncertainty.
 # For a CONFIG other than thesis the names of targets and tests begin with "<CONFIG>_".
 # With DYNRT_RTL off (preset asan) only the model is made.
 
@@ -62,7 +63,7 @@ endfunction()
 
 function(add_hls_unit)
   cmake_parse_arguments(PARSE_ARGV 0 arg "FAST;TRACE"
-                        "NAME;SOURCE;TYPE;CONFIG;CLOCK_NS;DELAY;ROOM;SHARDS" "")
+                        "NAME;SOURCE;TYPE;CONFIG;CLOCK_NS;DELAY;ROOM;UNCERTAINTY;SHARDS" "")
   foreach(needed NAME SOURCE TYPE CONFIG)
     if(NOT arg_${needed})
       message(FATAL_ERROR "add_hls_unit(${arg_NAME}): ${needed} is missing")
@@ -99,6 +100,7 @@ function(add_hls_unit)
   hls_lower(MODULE ${arg_NAME} HEADER ${arg_CONFIG}/${arg_NAME}.h TYPE ${arg_TYPE} FOLDER ${dir}
             INCLUDES ${PROJECT_SOURCE_DIR}/hls ${PROJECT_BINARY_DIR}/generated/include
             CLOCK_NS ${clock} DELAY ${PROJECT_SOURCE_DIR}/${delay} ROOM ${arg_ROOM}
+            UNCERTAINTY ${arg_UNCERTAINTY}
             DEPENDS ${config_header}
             ROOT ${PROJECT_SOURCE_DIR})
   add_custom_target(${id}_verilog DEPENDS ${stem}.v)

@@ -22,6 +22,7 @@ struct Options {
   double clock_ns = 10;
   DelayModel delay;
   unsigned room = kLeastRoom;         ///< the same for this unit
+  double uncertainty_ns = 0;          ///< of each clock, left to wires that the model does not know
   std::vector<DelayModel> time_by{};  ///< further models that time the schedule, not make it
 };
 
@@ -36,8 +37,8 @@ struct Lowered {
 
 Lowered lower(const Netlist& netlist, const Options& options);
 
-/// The least period for which a netlist can be lowered, in ns.
-double least_period(const Netlist& netlist, const DelayModel& delay);
+/// The least period for which a netlist can be lowered, in ns, whatever the options' period is.
+double least_period(const Netlist& netlist, const Options& options);
 
 /// Called after each pass with the pass's name and the netlist.
 using PassObserver = std::function<void(const std::string& pass, const Netlist&)>;

@@ -36,6 +36,7 @@ constexpr char kTimeByAlone[] =
     "--time-by {}: nothing shows its times; name the file that receives them with --timing";
 
 constexpr unsigned kMostRoom = 1024;
+constexpr double kMostUncertainty = 10;  // ns
 
 constexpr char kUsualClock[] = "10";
 constexpr char kLeast[] = "least";
@@ -44,6 +45,7 @@ struct Arguments {
   hlsc::UnitSource source;
   std::string clock_ns = kUsualClock;
   unsigned room = hlsc::kLeastRoom;
+  double uncertainty_ns = 0;
   std::string delay;
   std::string verilog = "-";
   std::string report;
@@ -88,6 +90,11 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_option("--room", a.room,
                  "tokens that each FIFO takes beyond those in the pipeline, at least")
       ->check(CLI::Range(hlsc::kLeastRoom, kMostRoom))
+      ->capture_default_str();
+  app.add_option("--uncertainty", a.uncertainty_ns,
+                 "ns of each clock that stay free, for wires that the delay model does not know")
+      ->type_name("NS")
+      ->check(CLI::Range(0.0, kMostUncertainty))
       ->capture_default_str();
   app.add_option("--delay", a.delay, "delay model of the device family (JSON)");
   app.add_option("-o", a.verilog, "write the Verilog to this file; - is the terminal")
@@ -154,7 +161,7 @@ void run(const Arguments& a) {
     throw hlsc::Error({}, fmt::format(kTimeByAlone, a.time_by.front()));
   }
   if (!a.dump_netlist && !ir_alone && a.delay.empty()) throw hlsc::Error({}, kNoDelay);
-  hlsc::Options options{clock_ns.value_or(0), {}, a.room};
+  hlsc::Options options{clock_ns.value_or(0), {}, a.room, a.uncertainty_ns};
   if (!a.delay.empty()) options.delay = hlsc::load_delay_model(a.delay);
   for (const std::string& path : a.time_by) options.time_by.push_back(hlsc::load_delay_model(path));
   hlsc::UnitSource source = a.source;
@@ -169,7 +176,7 @@ void run(const Arguments& a) {
     });
     return;
   }
-  if (!clock_ns) options.clock_ns = hlsc::least_period(unit.netlist, options.delay);
+  if (!clock_ns) options.clock_ns = hlsc::least_period(unit.netlist, options);
   const hlsc::Lowered lowered = hlsc::lower(unit.netlist, options);
   hlsc::OutputFiles files;
   files.add(a.verilog, lowered.verilog);

@@ -26,6 +26,13 @@ constexpr Pass kPasses[] = {
     {"merge_add_sub", [](const Netlist& n, const DelayModel&) { return merge_add_sub(n); }},
 };
 
+/// What a schedule counts with. Reports and predictions count with the model itself.
+DelayModel scheduling_model(const Options& options) {
+  DelayModel delay = options.delay;
+  delay.clock_overhead += options.uncertainty_ns;
+  return delay;
+}
+
 }  // namespace
 
 std::vector<std::string> netlist_passes() {
@@ -43,10 +50,10 @@ Netlist optimise(const Netlist& netlist, const Options& options, const PassObser
   return n;
 }
 
-double least_period(const Netlist& netlist, const DelayModel& delay) {
+double least_period(const Netlist& netlist, const Options& options) {
   check(netlist);
-  const Netlist optimised = optimise(netlist, {0, delay});
-  return least_period(Circuit(optimised), delay, 0);
+  const Netlist optimised = optimise(netlist, options);
+  return least_period(Circuit(optimised), scheduling_model(options), 0);
 }
 
 Lowered lower(const Netlist& netlist, const Options& options) {
@@ -54,10 +61,11 @@ Lowered lower(const Netlist& netlist, const Options& options) {
   const Netlist optimised = optimise(netlist, options);
   check(optimised);
   Circuit circuit(optimised);
-  mark_still(circuit, options.delay, options.clock_ns);
-  const double tight = tightest_period(circuit, options.delay, options.clock_ns);
-  const Schedule asap = schedule_asap(circuit, options.delay, tight);
-  const Schedule schedule = minimise_registers(circuit, options.delay, tight, asap);
+  const DelayModel delay = scheduling_model(options);
+  mark_still(circuit, delay, options.clock_ns);
+  const double tight = tightest_period(circuit, delay, options.clock_ns);
+  const Schedule asap = schedule_asap(circuit, delay, tight);
+  const Schedule schedule = minimise_registers(circuit, delay, tight, asap);
   Lowered lowered;
   lowered.verilog = emit_verilog(circuit, schedule, options);
   lowered.report = emit_report(circuit, schedule, options);

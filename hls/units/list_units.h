@@ -3,7 +3,9 @@
 //
 // The units of a configuration, one line for each module:
 //   thesis|list|units/list.h|dynrt::List<dynrt::config::thesis>
-// A unit may have a constant kRoom, which goes to hlsc's --room and is one more field then.
+// A unit may have a constant kRoom, which goes to hlsc's --room and is one more field then, and a
+// constant kUncertaintyNs, which goes to its --uncertainty and is a further field, behind that of
+// the room, unless it is 0.
 #pragma once
 
 #include <cstdio>
@@ -28,12 +30,24 @@ class UnitLines {
     const std::string file(U::hls_file());
     text_ += config_ + "|" + module + "|" + file.substr(file.rfind("units/")) + "|" +
              hls::type_name<U>();
-    if constexpr (requires { U::kRoom; }) text_ += "|" + std::to_string(U::kRoom);
+    std::string room;
+    if constexpr (requires { U::kRoom; }) room = std::to_string(U::kRoom);
+    std::string uncertainty;
+    if constexpr (requires { U::kUncertaintyNs; }) uncertainty = number(U::kUncertaintyNs);
+    if (!room.empty() || !uncertainty.empty()) text_ += "|" + room;
+    if (!uncertainty.empty()) text_ += "|" + uncertainty;
     text_ += "\n";
   }
   const std::string& text() const { return text_; }
 
  private:
+  /// As hlsc takes it; nothing if it is 0.
+  static std::string number(double ns) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", ns);
+    return ns > 0 ? text : "";
+  }
+
   std::string config_;
   std::set<std::string> modules_;
   std::string text_;

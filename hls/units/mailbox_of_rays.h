@@ -21,6 +21,7 @@ struct MailboxOfRays {
   static constexpr bool kRemembers = kSlots > 0;
   static constexpr bool kAnswersLists = kRemembers || kMainFirst<C>;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
+  static constexpr double kUncertaintyNs = kLongWiresNs<C>;
   using Count = uint<hls::index_width(kSlots + 1)>;
 
   /// What a packet has met in a level.

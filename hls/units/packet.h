@@ -81,6 +81,11 @@ inline constexpr bool kCommonOrigin = C::kOrigins == Origins::kCommon;
 template <class C>
 inline constexpr unsigned kRoomForBursts = C::kPacketFifos == PacketFifos::kOne ? 12 : 4;
 
+/// ns of each clock that stay free in units that stand at wide RAMs or many multipliers: in a core
+/// of eight rays, placed on an LFE5U-85F, their wires take as much more than the delay model says.
+template <class C>
+inline constexpr double kLongWiresNs = kRays<C> > 4 ? 0.8 : 0;
+
 /// Whether the sum of a transformation's products is rounded once.
 template <class C>
 inline constexpr bool kFusesSums = C::kSums == Sums::kFused;

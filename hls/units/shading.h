@@ -29,6 +29,7 @@ struct Shading {
   static_assert(Real::kLeafWidth <= Word::kWidth, "a hit record has a word for each float");
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
   static constexpr bool kOwnBanks = !kHasPipelines<C> && !kHasPort<C>;
+  static constexpr double kUncertaintyNs = kLongWiresNs<C>;
   using BankAddress = uint<20>;
 
   hls::In<Repeated<ShadeJob<C>>> job;

@@ -24,6 +24,7 @@ struct Transformation {
   using Real = typename C::Real;
   static constexpr unsigned kPackets = 1u << PacketId<C>::kWidth;
   static constexpr unsigned kRoom = kRoomForBursts<C>;
+  static constexpr double kUncertaintyNs = kLongWiresNs<C>;
 
   hls::In<PacketVector<C>> vector;
   hls::Out<PacketVector<C>> transformed;

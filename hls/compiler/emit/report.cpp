@@ -56,6 +56,7 @@ std::string emit_report(const Circuit& c, const Schedule& schedule, const Option
   };
   out("unit       {}\nmodule     {}\nclock      {:.2f} ns ({})\n", c.netlist.unit, c.netlist.module,
       options.clock_ns, options.delay.name);
+  if (options.uncertainty_ns > 0) out("left       {:.2f} ns to wires\n", options.uncertainty_ns);
   out("stages     {}\nregisters  {} bits between stages, {} of state\n", schedule.stages, registers,
       state);
   out("delays     {} bits wide, {} bits in all\n\n", delayed, delay_rows);

@@ -230,7 +230,7 @@ module node_lookup #(
   wire [18:0] mux_12_s3 = is_in_s3 ? mux_11_s3 : mux_4_s3;
   wire eq_1_s3 = {is_in_2_s3, is_in_s3} == 2'd0;  // units/cache_ways.h:100
   wire mux_14_s3 = eq_1_s3 ? mux_13_s3 : (~is_in_s3);  // units/cache_lookup.h:129
-  wire not_6_s3 = ~request_48_s3;  // units/packet.h:187
+  wire not_6_s3 = ~request_48_s3;  // units/packet.h:192
   wire not_7_s3 = ~mux_14_s3;  // units/cache_ways.h:68
   wire [1:0] mux_15_s3 = {2{request_48_s3}} | mux_6_s3;  // units/cache_lookup.h:133
   wire [18:0] mux_16_s3 = {request_48_s3 ? {request_38_s3, request_31_s3, request_30_s3} : mux_10_s3[18:1], ~request_48_s3 & mux_10_s3[0]};  // units/cache_lookup.h:36

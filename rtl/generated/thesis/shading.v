@@ -149,8 +149,8 @@ module shading #(
     hit_131_s2 <= hit_131_s1;
     j_last_s2 <= j_last_s1;
   end
-  wire lt_2_s2 = {1'd0, position_11_s2, or_2_s2} < frame_96_still;  // units/shading.h:54
-  wire [19:0] mul_1_s2 = {position_11_s2, or_2_s2} * frame_64_still;  // units/shading.h:56
+  wire lt_2_s2 = {1'd0, position_11_s2, or_2_s2} < frame_96_still;  // units/shading.h:55
+  wire [19:0] mul_1_s2 = {position_11_s2, or_2_s2} * frame_64_still;  // units/shading.h:57
   wire lt_3_s2 = {hit_95_s2, hit_89_s2} < 7'd63;  // units/colour.h:21
   wire [5:0] not_1_s2 = ~hit_89_s2;  // units/colour.h:24
   wire lt_4_s2 = hit_89_s2 < 6'd55;  // units/colour.h:24
@@ -159,12 +159,12 @@ module shading #(
   wire [8:0] mux_3_s2 = {~{8{not_1_s2[3]}} & mux_2_s2[8:1], not_1_s2[3] ? mux_2_s2[8] : mux_2_s2[0]};  // units/colour.h:24
   wire [8:0] mux_4_s2 = {~{4{not_1_s2[2]}} & mux_3_s2[8:5], not_1_s2[2] ? mux_3_s2[8:4] : mux_3_s2[4:0]};  // units/colour.h:24
   wire [8:0] mux_5_s2 = {~{2{not_1_s2[1]}} & mux_4_s2[8:7], not_1_s2[1] ? mux_4_s2[8:2] : mux_4_s2[6:0]};  // units/colour.h:24
-  wire eq_2_s2 = word_s2 == 2'd0;  // units/shading.h:152
-  wire eq_3_s2 = word_s2 == 2'd1;  // units/shading.h:153
-  wire [31:0] mux_9_s2 = {~eq_3_s2 & h_hit_s2, eq_3_s2 ? 7'd0 : 7'd0, {7{eq_3_s2}} & hit_49_s2[23:17], eq_3_s2 ? hit_49_s2[16:0] : hit_97_s2};  // units/shading.h:73
-  wire [31:0] mux_10_s2 = {~{8{eq_2_s2}} & mux_9_s2[31:24], eq_2_s2 ? hit_1_s2 : mux_9_s2[23:0]};  // units/shading.h:73
-  wire [23:0] mux_11_s2 = {{7{eq_3_s2}} & {hit_96_s2, hit_95_s2, hit_89_s2[5:1]}, eq_3_s2 ? {hit_89_s2[0], hit_81_s2, hit_73_s2} : hit_114_s2};  // units/shading.h:152
-  wire [23:0] mux_12_s2 = eq_2_s2 ? hit_25_s2 : mux_11_s2;  // units/shading.h:152
+  wire eq_2_s2 = word_s2 == 2'd0;  // units/shading.h:153
+  wire eq_3_s2 = word_s2 == 2'd1;  // units/shading.h:154
+  wire [31:0] mux_9_s2 = {~eq_3_s2 & h_hit_s2, eq_3_s2 ? 7'd0 : 7'd0, {7{eq_3_s2}} & hit_49_s2[23:17], eq_3_s2 ? hit_49_s2[16:0] : hit_97_s2};  // units/shading.h:74
+  wire [31:0] mux_10_s2 = {~{8{eq_2_s2}} & mux_9_s2[31:24], eq_2_s2 ? hit_1_s2 : mux_9_s2[23:0]};  // units/shading.h:74
+  wire [23:0] mux_11_s2 = {{7{eq_3_s2}} & {hit_96_s2, hit_95_s2, hit_89_s2[5:1]}, eq_3_s2 ? {hit_89_s2[0], hit_81_s2, hit_73_s2} : hit_114_s2};  // units/shading.h:153
+  wire [23:0] mux_12_s2 = eq_2_s2 ? hit_25_s2 : mux_11_s2;  // units/shading.h:153
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -208,13 +208,13 @@ module shading #(
     j_last_s3 <= j_last_s2;
   end
   wire or_1_s3 = job_0_s3 | position_0_s3;  // units/shading_tokens.h:79
-  wire inside_s3 = ({1'd0, position_1_s3, or_1_s3} < frame_64_still) & lt_2_s3;  // units/shading.h:54
-  wire [19:0] pixel_s3 = mul_1_s3 + {10'd0, position_1_s3, or_1_s3};  // units/shading.h:56
+  wire inside_s3 = ({1'd0, position_1_s3, or_1_s3} < frame_64_still) & lt_2_s3;  // units/shading.h:55
+  wire [19:0] pixel_s3 = mul_1_s3 + {10'd0, position_1_s3, or_1_s3};  // units/shading.h:57
   wire [8:0] mux_6_s3 = {~not_1_s3 & mux_5_s3[8], not_1_s3 ? mux_5_s3[8:1] : mux_5_s3[7:0]};  // units/colour.h:24
   wire [8:0] mux_7_s3 = ~{9{lt_4_s3}} & mux_6_s3;  // units/colour.h:43
   wire [8:0] mux_8_s3 = {~lt_3_s3 | mux_7_s3[8], {8{lt_3_s3}} & mux_7_s3[7:0]};  // units/colour.h:43
-  wire [19:0] add_1_s3 = pixel_s3 + frame_288_still;  // units/shading.h:66
-  wire [19:0] sub_1_s3 = {pixel_s3[17:0], 2'd0} - pixel_s3;  // units/shading.h:71
+  wire [19:0] add_1_s3 = pixel_s3 + frame_288_still;  // units/shading.h:67
+  wire [19:0] sub_1_s3 = {pixel_s3[17:0], 2'd0} - pixel_s3;  // units/shading.h:72
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -252,7 +252,7 @@ module shading #(
   wire [15:0] mul_2_s4 = hit_147_s4 * mux_8_s4;  // units/colour.h:43
   wire [15:0] mul_3_s4 = mux_8_s4 * hit_139_s4;  // units/colour.h:43
   wire [15:0] mul_4_s4 = mux_8_s4 * hit_131_s4;  // units/colour.h:43
-  wire [19:0] at_s4 = sub_1_s4 + {18'd0, word_s4};  // units/shading.h:71
+  wire [19:0] at_s4 = sub_1_s4 + {18'd0, word_s4};  // units/shading.h:72
   wire and_1_s4 = inside_s4 & frame_320_still;
   wire and_2_s4 = inside_s4 & (word_s4 == {1'd0, job_0_s4});
 

@@ -193,24 +193,24 @@ module transformation #(
     column_0_23_s2 <= column_0_23_s1;
     vector_6_s2 <= vector_6_s1;
   end
-  wire [7:0] add_1_s2 = {1'd0, column_2_16_s2} + {1'd0, vector_72_s2};  // units/transformation.h:78
-  wire xor_1_s2 = column_2_23_s2 ^ vector_79_s2;  // units/transformation.h:78
-  wire [7:0] add_6_s2 = {1'd0, vector_72_s2} + {1'd0, column_2_40_s2};  // units/transformation.h:78
-  wire xor_4_s2 = vector_79_s2 ^ column_2_47_s2;  // units/transformation.h:78
-  wire [7:0] add_11_s2 = {1'd0, vector_72_s2} + {1'd0, column_2_64_s2};  // units/transformation.h:78
-  wire xor_7_s2 = vector_79_s2 ^ column_2_71_s2;  // units/transformation.h:78
-  wire [7:0] add_16_s2 = {1'd0, column_0_64_s2} + {1'd0, vector_24_s2};  // units/transformation.h:79
-  wire [7:0] add_19_s2 = {1'd0, column_1_64_s2} + {1'd0, vector_48_s2};  // units/transformation.h:79
-  wire xor_10_s2 = column_1_71_s2 ^ vector_55_s2;  // units/transformation.h:79
-  wire xor_11_s2 = column_0_71_s2 ^ vector_31_s2;  // units/transformation.h:79
-  wire [7:0] add_24_s2 = {1'd0, vector_24_s2} + {1'd0, column_0_40_s2};  // units/transformation.h:79
-  wire [7:0] add_27_s2 = {1'd0, vector_48_s2} + {1'd0, column_1_40_s2};  // units/transformation.h:79
-  wire xor_14_s2 = vector_55_s2 ^ column_1_47_s2;  // units/transformation.h:79
-  wire xor_15_s2 = vector_31_s2 ^ column_0_47_s2;  // units/transformation.h:79
-  wire [7:0] add_33_s2 = {1'd0, vector_24_s2} + {1'd0, column_0_16_s2};  // units/transformation.h:79
-  wire [7:0] add_36_s2 = {1'd0, vector_48_s2} + {1'd0, column_1_16_s2};  // units/transformation.h:79
-  wire xor_20_s2 = vector_55_s2 ^ column_1_23_s2;  // units/transformation.h:79
-  wire xor_21_s2 = vector_31_s2 ^ column_0_23_s2;  // units/transformation.h:79
+  wire [7:0] add_1_s2 = {1'd0, column_2_16_s2} + {1'd0, vector_72_s2};  // units/transformation.h:79
+  wire xor_1_s2 = column_2_23_s2 ^ vector_79_s2;  // units/transformation.h:79
+  wire [7:0] add_6_s2 = {1'd0, vector_72_s2} + {1'd0, column_2_40_s2};  // units/transformation.h:79
+  wire xor_4_s2 = vector_79_s2 ^ column_2_47_s2;  // units/transformation.h:79
+  wire [7:0] add_11_s2 = {1'd0, vector_72_s2} + {1'd0, column_2_64_s2};  // units/transformation.h:79
+  wire xor_7_s2 = vector_79_s2 ^ column_2_71_s2;  // units/transformation.h:79
+  wire [7:0] add_16_s2 = {1'd0, column_0_64_s2} + {1'd0, vector_24_s2};  // units/transformation.h:80
+  wire [7:0] add_19_s2 = {1'd0, column_1_64_s2} + {1'd0, vector_48_s2};  // units/transformation.h:80
+  wire xor_10_s2 = column_1_71_s2 ^ vector_55_s2;  // units/transformation.h:80
+  wire xor_11_s2 = column_0_71_s2 ^ vector_31_s2;  // units/transformation.h:80
+  wire [7:0] add_24_s2 = {1'd0, vector_24_s2} + {1'd0, column_0_40_s2};  // units/transformation.h:80
+  wire [7:0] add_27_s2 = {1'd0, vector_48_s2} + {1'd0, column_1_40_s2};  // units/transformation.h:80
+  wire xor_14_s2 = vector_55_s2 ^ column_1_47_s2;  // units/transformation.h:80
+  wire xor_15_s2 = vector_31_s2 ^ column_0_47_s2;  // units/transformation.h:80
+  wire [7:0] add_33_s2 = {1'd0, vector_24_s2} + {1'd0, column_0_16_s2};  // units/transformation.h:80
+  wire [7:0] add_36_s2 = {1'd0, vector_48_s2} + {1'd0, column_1_16_s2};  // units/transformation.h:80
+  wire xor_20_s2 = vector_55_s2 ^ column_1_23_s2;  // units/transformation.h:80
+  wire xor_21_s2 = vector_31_s2 ^ column_0_23_s2;  // units/transformation.h:80
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -283,15 +283,15 @@ module transformation #(
     xor_21_s3 <= xor_21_s2;
     vector_6_s3 <= vector_6_s2;
   end
-  wire [33:0] mul_1_s3 = {1'd1, column_2_0_s3} * {1'd1, vector_56_s3};  // units/transformation.h:78
-  wire [33:0] mul_2_s3 = {1'd1, column_0_0_s3} * {1'd1, vector_8_s3};  // units/transformation.h:79
-  wire [33:0] mul_3_s3 = {1'd1, column_1_0_s3} * {1'd1, vector_32_s3};  // units/transformation.h:79
-  wire [33:0] mul_4_s3 = {1'd1, vector_56_s3} * {1'd1, column_2_24_s3};  // units/transformation.h:78
-  wire [33:0] mul_5_s3 = {1'd1, vector_8_s3} * {1'd1, column_0_24_s3};  // units/transformation.h:79
-  wire [33:0] mul_6_s3 = {1'd1, vector_32_s3} * {1'd1, column_1_24_s3};  // units/transformation.h:79
-  wire [33:0] mul_7_s3 = {1'd1, vector_56_s3} * {1'd1, column_2_48_s3};  // units/transformation.h:78
-  wire [33:0] mul_8_s3 = {1'd1, vector_8_s3} * {1'd1, column_0_48_s3};  // units/transformation.h:79
-  wire [33:0] mul_9_s3 = {1'd1, vector_32_s3} * {1'd1, column_1_48_s3};  // units/transformation.h:79
+  wire [33:0] mul_1_s3 = {1'd1, column_2_0_s3} * {1'd1, vector_56_s3};  // units/transformation.h:79
+  wire [33:0] mul_2_s3 = {1'd1, column_0_0_s3} * {1'd1, vector_8_s3};  // units/transformation.h:80
+  wire [33:0] mul_3_s3 = {1'd1, column_1_0_s3} * {1'd1, vector_32_s3};  // units/transformation.h:80
+  wire [33:0] mul_4_s3 = {1'd1, vector_56_s3} * {1'd1, column_2_24_s3};  // units/transformation.h:79
+  wire [33:0] mul_5_s3 = {1'd1, vector_8_s3} * {1'd1, column_0_24_s3};  // units/transformation.h:80
+  wire [33:0] mul_6_s3 = {1'd1, vector_32_s3} * {1'd1, column_1_24_s3};  // units/transformation.h:80
+  wire [33:0] mul_7_s3 = {1'd1, vector_56_s3} * {1'd1, column_2_48_s3};  // units/transformation.h:79
+  wire [33:0] mul_8_s3 = {1'd1, vector_8_s3} * {1'd1, column_0_48_s3};  // units/transformation.h:80
+  wire [33:0] mul_9_s3 = {1'd1, vector_32_s3} * {1'd1, column_1_48_s3};  // units/transformation.h:80
 
   // ---- stage 4 ----
   reg valid_s4;
@@ -367,15 +367,15 @@ module transformation #(
   wire [15:0] column_3_48_s4 = column_3_data_i[63:48];
   wire [6:0] column_3_64_s4 = column_3_data_i[70:64];
   wire column_3_71_s4 = column_3_data_i[71];
-  wire eq_1_s4 = mul_1_s4[14:0] == 15'd0;  // units/transformation.h:78
-  wire eq_2_s4 = mul_2_s4[14:0] == 15'd0;  // units/transformation.h:79
-  wire eq_3_s4 = mul_3_s4[14:0] == 15'd0;  // units/transformation.h:79
-  wire eq_18_s4 = mul_4_s4[14:0] == 15'd0;  // units/transformation.h:78
-  wire eq_19_s4 = mul_5_s4[14:0] == 15'd0;  // units/transformation.h:79
-  wire eq_20_s4 = mul_6_s4[14:0] == 15'd0;  // units/transformation.h:79
-  wire eq_35_s4 = mul_7_s4[14:0] == 15'd0;  // units/transformation.h:78
-  wire eq_36_s4 = mul_8_s4[14:0] == 15'd0;  // units/transformation.h:79
-  wire eq_37_s4 = mul_9_s4[14:0] == 15'd0;  // units/transformation.h:79
+  wire eq_1_s4 = mul_1_s4[14:0] == 15'd0;  // units/transformation.h:79
+  wire eq_2_s4 = mul_2_s4[14:0] == 15'd0;  // units/transformation.h:80
+  wire eq_3_s4 = mul_3_s4[14:0] == 15'd0;  // units/transformation.h:80
+  wire eq_18_s4 = mul_4_s4[14:0] == 15'd0;  // units/transformation.h:79
+  wire eq_19_s4 = mul_5_s4[14:0] == 15'd0;  // units/transformation.h:80
+  wire eq_20_s4 = mul_6_s4[14:0] == 15'd0;  // units/transformation.h:80
+  wire eq_35_s4 = mul_7_s4[14:0] == 15'd0;  // units/transformation.h:79
+  wire eq_36_s4 = mul_8_s4[14:0] == 15'd0;  // units/transformation.h:80
+  wire eq_37_s4 = mul_9_s4[14:0] == 15'd0;  // units/transformation.h:80
 
   // ---- stage 5 ----
   reg valid_s5;
@@ -478,51 +478,51 @@ module transformation #(
     xor_21_s5 <= xor_21_s4;
     vector_6_s5 <= vector_6_s4;
   end
-  wire not_1_s5 = ~mul_1_s5[33];  // units/transformation.h:78
-  wire [17:0] mux_1_s5 = {mul_1_s5[33] ? mul_1_s5[32:16] : mul_1_s5[31:15], mul_1_s5[33] & mul_1_s5[15]};  // units/transformation.h:78
-  wire [2:0] add_2_s5 = {1'd0, add_1_s5[7:6]} + 3'd7;  // units/transformation.h:78
-  wire mux_2_s5 = ((~mux_1_s5[1]) | ((~eq_1_s5) | mux_1_s5[0])) ? mux_1_s5[1] : mux_1_s5[2];  // units/transformation.h:78
-  wire [24:0] add_3_s5 = {add_2_s5, add_1_s5[5:0], 15'd0, mux_2_s5} + {7'd0, mul_1_s5[33], not_1_s5, mux_1_s5[17:2]};  // units/transformation.h:78
-  wire not_4_s5 = ~mul_2_s5[33];  // units/transformation.h:79
-  wire [17:0] mux_5_s5 = {mul_2_s5[33] ? mul_2_s5[32:16] : mul_2_s5[31:15], mul_2_s5[33] & mul_2_s5[15]};  // units/transformation.h:79
-  wire mux_6_s5 = ((~mux_5_s5[1]) | ((~eq_2_s5) | mux_5_s5[0])) ? mux_5_s5[1] : mux_5_s5[2];  // units/transformation.h:79
-  wire not_7_s5 = ~mul_3_s5[33];  // units/transformation.h:79
-  wire [17:0] mux_7_s5 = {mul_3_s5[33] ? mul_3_s5[32:16] : mul_3_s5[31:15], mul_3_s5[33] & mul_3_s5[15]};  // units/transformation.h:79
-  wire mux_8_s5 = ((~mux_7_s5[1]) | ((~eq_3_s5) | mux_7_s5[0])) ? mux_7_s5[1] : mux_7_s5[2];  // units/transformation.h:79
-  wire not_20_s5 = ~mul_4_s5[33];  // units/transformation.h:78
-  wire [17:0] mux_33_s5 = {mul_4_s5[33] ? mul_4_s5[32:16] : mul_4_s5[31:15], mul_4_s5[33] & mul_4_s5[15]};  // units/transformation.h:78
-  wire [2:0] add_7_s5 = {1'd0, add_6_s5[7:6]} + 3'd7;  // units/transformation.h:78
-  wire mux_34_s5 = (((~eq_18_s5) | mux_33_s5[0]) | (~mux_33_s5[1])) ? mux_33_s5[1] : mux_33_s5[2];  // units/transformation.h:78
-  wire [24:0] add_8_s5 = {add_7_s5, add_6_s5[5:0], 15'd0, mux_34_s5} + {7'd0, mul_4_s5[33], not_20_s5, mux_33_s5[17:2]};  // units/transformation.h:78
-  wire not_23_s5 = ~mul_5_s5[33];  // units/transformation.h:79
-  wire [17:0] mux_37_s5 = {mul_5_s5[33] ? mul_5_s5[32:16] : mul_5_s5[31:15], mul_5_s5[33] & mul_5_s5[15]};  // units/transformation.h:79
-  wire mux_38_s5 = (((~eq_19_s5) | mux_37_s5[0]) | (~mux_37_s5[1])) ? mux_37_s5[1] : mux_37_s5[2];  // units/transformation.h:79
-  wire not_26_s5 = ~mul_6_s5[33];  // units/transformation.h:79
-  wire [17:0] mux_39_s5 = {mul_6_s5[33] ? mul_6_s5[32:16] : mul_6_s5[31:15], mul_6_s5[33] & mul_6_s5[15]};  // units/transformation.h:79
-  wire mux_40_s5 = (((~eq_20_s5) | mux_39_s5[0]) | (~mux_39_s5[1])) ? mux_39_s5[1] : mux_39_s5[2];  // units/transformation.h:79
-  wire not_39_s5 = ~mul_7_s5[33];  // units/transformation.h:78
-  wire [17:0] mux_65_s5 = {mul_7_s5[33] ? mul_7_s5[32:16] : mul_7_s5[31:15], mul_7_s5[33] & mul_7_s5[15]};  // units/transformation.h:78
-  wire [2:0] add_12_s5 = {1'd0, add_11_s5[7:6]} + 3'd7;  // units/transformation.h:78
-  wire mux_66_s5 = (((~eq_35_s5) | mux_65_s5[0]) | (~mux_65_s5[1])) ? mux_65_s5[1] : mux_65_s5[2];  // units/transformation.h:78
-  wire [24:0] add_13_s5 = {add_12_s5, add_11_s5[5:0], 15'd0, mux_66_s5} + {7'd0, mul_7_s5[33], not_39_s5, mux_65_s5[17:2]};  // units/transformation.h:78
-  wire not_42_s5 = ~mul_8_s5[33];  // units/transformation.h:79
-  wire [17:0] mux_69_s5 = {mul_8_s5[33] ? mul_8_s5[32:16] : mul_8_s5[31:15], mul_8_s5[33] & mul_8_s5[15]};  // units/transformation.h:79
-  wire mux_70_s5 = (((~eq_36_s5) | mux_69_s5[0]) | (~mux_69_s5[1])) ? mux_69_s5[1] : mux_69_s5[2];  // units/transformation.h:79
-  wire not_45_s5 = ~mul_9_s5[33];  // units/transformation.h:79
-  wire [17:0] mux_71_s5 = {mul_9_s5[33] ? mul_9_s5[32:16] : mul_9_s5[31:15], mul_9_s5[33] & mul_9_s5[15]};  // units/transformation.h:79
-  wire mux_72_s5 = (((~eq_37_s5) | mux_71_s5[0]) | (~mux_71_s5[1])) ? mux_71_s5[1] : mux_71_s5[2];  // units/transformation.h:79
-  wire [2:0] add_17_s5 = {1'd0, add_16_s5[7:6]} + 3'd7;  // units/transformation.h:79
-  wire [24:0] add_18_s5 = {add_17_s5, add_16_s5[5:0], 15'd0, mux_70_s5} + {7'd0, mul_8_s5[33], not_42_s5, mux_69_s5[17:2]};  // units/transformation.h:79
-  wire [2:0] add_20_s5 = {1'd0, add_19_s5[7:6]} + 3'd7;  // units/transformation.h:79
-  wire [24:0] add_21_s5 = {add_20_s5, add_19_s5[5:0], 15'd0, mux_72_s5} + {7'd0, mul_9_s5[33], not_45_s5, mux_71_s5[17:2]};  // units/transformation.h:79
-  wire [2:0] add_25_s5 = {1'd0, add_24_s5[7:6]} + 3'd7;  // units/transformation.h:79
-  wire [24:0] add_26_s5 = {add_25_s5, add_24_s5[5:0], 15'd0, mux_38_s5} + {7'd0, mul_5_s5[33], not_23_s5, mux_37_s5[17:2]};  // units/transformation.h:79
-  wire [2:0] add_28_s5 = {1'd0, add_27_s5[7:6]} + 3'd7;  // units/transformation.h:79
-  wire [24:0] add_29_s5 = {add_28_s5, add_27_s5[5:0], 15'd0, mux_40_s5} + {7'd0, mul_6_s5[33], not_26_s5, mux_39_s5[17:2]};  // units/transformation.h:79
-  wire [2:0] add_34_s5 = {1'd0, add_33_s5[7:6]} + 3'd7;  // units/transformation.h:79
-  wire [24:0] add_35_s5 = {add_34_s5, add_33_s5[5:0], 15'd0, mux_6_s5} + {7'd0, mul_2_s5[33], not_4_s5, mux_5_s5[17:2]};  // units/transformation.h:79
-  wire [2:0] add_37_s5 = {1'd0, add_36_s5[7:6]} + 3'd7;  // units/transformation.h:79
-  wire [24:0] add_38_s5 = {add_37_s5, add_36_s5[5:0], 15'd0, mux_8_s5} + {7'd0, mul_3_s5[33], not_7_s5, mux_7_s5[17:2]};  // units/transformation.h:79
+  wire not_1_s5 = ~mul_1_s5[33];  // units/transformation.h:79
+  wire [17:0] mux_1_s5 = {mul_1_s5[33] ? mul_1_s5[32:16] : mul_1_s5[31:15], mul_1_s5[33] & mul_1_s5[15]};  // units/transformation.h:79
+  wire [2:0] add_2_s5 = {1'd0, add_1_s5[7:6]} + 3'd7;  // units/transformation.h:79
+  wire mux_2_s5 = ((~mux_1_s5[1]) | ((~eq_1_s5) | mux_1_s5[0])) ? mux_1_s5[1] : mux_1_s5[2];  // units/transformation.h:79
+  wire [24:0] add_3_s5 = {add_2_s5, add_1_s5[5:0], 15'd0, mux_2_s5} + {7'd0, mul_1_s5[33], not_1_s5, mux_1_s5[17:2]};  // units/transformation.h:79
+  wire not_4_s5 = ~mul_2_s5[33];  // units/transformation.h:80
+  wire [17:0] mux_5_s5 = {mul_2_s5[33] ? mul_2_s5[32:16] : mul_2_s5[31:15], mul_2_s5[33] & mul_2_s5[15]};  // units/transformation.h:80
+  wire mux_6_s5 = ((~mux_5_s5[1]) | ((~eq_2_s5) | mux_5_s5[0])) ? mux_5_s5[1] : mux_5_s5[2];  // units/transformation.h:80
+  wire not_7_s5 = ~mul_3_s5[33];  // units/transformation.h:80
+  wire [17:0] mux_7_s5 = {mul_3_s5[33] ? mul_3_s5[32:16] : mul_3_s5[31:15], mul_3_s5[33] & mul_3_s5[15]};  // units/transformation.h:80
+  wire mux_8_s5 = ((~mux_7_s5[1]) | ((~eq_3_s5) | mux_7_s5[0])) ? mux_7_s5[1] : mux_7_s5[2];  // units/transformation.h:80
+  wire not_20_s5 = ~mul_4_s5[33];  // units/transformation.h:79
+  wire [17:0] mux_33_s5 = {mul_4_s5[33] ? mul_4_s5[32:16] : mul_4_s5[31:15], mul_4_s5[33] & mul_4_s5[15]};  // units/transformation.h:79
+  wire [2:0] add_7_s5 = {1'd0, add_6_s5[7:6]} + 3'd7;  // units/transformation.h:79
+  wire mux_34_s5 = (((~eq_18_s5) | mux_33_s5[0]) | (~mux_33_s5[1])) ? mux_33_s5[1] : mux_33_s5[2];  // units/transformation.h:79
+  wire [24:0] add_8_s5 = {add_7_s5, add_6_s5[5:0], 15'd0, mux_34_s5} + {7'd0, mul_4_s5[33], not_20_s5, mux_33_s5[17:2]};  // units/transformation.h:79
+  wire not_23_s5 = ~mul_5_s5[33];  // units/transformation.h:80
+  wire [17:0] mux_37_s5 = {mul_5_s5[33] ? mul_5_s5[32:16] : mul_5_s5[31:15], mul_5_s5[33] & mul_5_s5[15]};  // units/transformation.h:80
+  wire mux_38_s5 = (((~eq_19_s5) | mux_37_s5[0]) | (~mux_37_s5[1])) ? mux_37_s5[1] : mux_37_s5[2];  // units/transformation.h:80
+  wire not_26_s5 = ~mul_6_s5[33];  // units/transformation.h:80
+  wire [17:0] mux_39_s5 = {mul_6_s5[33] ? mul_6_s5[32:16] : mul_6_s5[31:15], mul_6_s5[33] & mul_6_s5[15]};  // units/transformation.h:80
+  wire mux_40_s5 = (((~eq_20_s5) | mux_39_s5[0]) | (~mux_39_s5[1])) ? mux_39_s5[1] : mux_39_s5[2];  // units/transformation.h:80
+  wire not_39_s5 = ~mul_7_s5[33];  // units/transformation.h:79
+  wire [17:0] mux_65_s5 = {mul_7_s5[33] ? mul_7_s5[32:16] : mul_7_s5[31:15], mul_7_s5[33] & mul_7_s5[15]};  // units/transformation.h:79
+  wire [2:0] add_12_s5 = {1'd0, add_11_s5[7:6]} + 3'd7;  // units/transformation.h:79
+  wire mux_66_s5 = (((~eq_35_s5) | mux_65_s5[0]) | (~mux_65_s5[1])) ? mux_65_s5[1] : mux_65_s5[2];  // units/transformation.h:79
+  wire [24:0] add_13_s5 = {add_12_s5, add_11_s5[5:0], 15'd0, mux_66_s5} + {7'd0, mul_7_s5[33], not_39_s5, mux_65_s5[17:2]};  // units/transformation.h:79
+  wire not_42_s5 = ~mul_8_s5[33];  // units/transformation.h:80
+  wire [17:0] mux_69_s5 = {mul_8_s5[33] ? mul_8_s5[32:16] : mul_8_s5[31:15], mul_8_s5[33] & mul_8_s5[15]};  // units/transformation.h:80
+  wire mux_70_s5 = (((~eq_36_s5) | mux_69_s5[0]) | (~mux_69_s5[1])) ? mux_69_s5[1] : mux_69_s5[2];  // units/transformation.h:80
+  wire not_45_s5 = ~mul_9_s5[33];  // units/transformation.h:80
+  wire [17:0] mux_71_s5 = {mul_9_s5[33] ? mul_9_s5[32:16] : mul_9_s5[31:15], mul_9_s5[33] & mul_9_s5[15]};  // units/transformation.h:80
+  wire mux_72_s5 = (((~eq_37_s5) | mux_71_s5[0]) | (~mux_71_s5[1])) ? mux_71_s5[1] : mux_71_s5[2];  // units/transformation.h:80
+  wire [2:0] add_17_s5 = {1'd0, add_16_s5[7:6]} + 3'd7;  // units/transformation.h:80
+  wire [24:0] add_18_s5 = {add_17_s5, add_16_s5[5:0], 15'd0, mux_70_s5} + {7'd0, mul_8_s5[33], not_42_s5, mux_69_s5[17:2]};  // units/transformation.h:80
+  wire [2:0] add_20_s5 = {1'd0, add_19_s5[7:6]} + 3'd7;  // units/transformation.h:80
+  wire [24:0] add_21_s5 = {add_20_s5, add_19_s5[5:0], 15'd0, mux_72_s5} + {7'd0, mul_9_s5[33], not_45_s5, mux_71_s5[17:2]};  // units/transformation.h:80
+  wire [2:0] add_25_s5 = {1'd0, add_24_s5[7:6]} + 3'd7;  // units/transformation.h:80
+  wire [24:0] add_26_s5 = {add_25_s5, add_24_s5[5:0], 15'd0, mux_38_s5} + {7'd0, mul_5_s5[33], not_23_s5, mux_37_s5[17:2]};  // units/transformation.h:80
+  wire [2:0] add_28_s5 = {1'd0, add_27_s5[7:6]} + 3'd7;  // units/transformation.h:80
+  wire [24:0] add_29_s5 = {add_28_s5, add_27_s5[5:0], 15'd0, mux_40_s5} + {7'd0, mul_6_s5[33], not_26_s5, mux_39_s5[17:2]};  // units/transformation.h:80
+  wire [2:0] add_34_s5 = {1'd0, add_33_s5[7:6]} + 3'd7;  // units/transformation.h:80
+  wire [24:0] add_35_s5 = {add_34_s5, add_33_s5[5:0], 15'd0, mux_6_s5} + {7'd0, mul_2_s5[33], not_4_s5, mux_5_s5[17:2]};  // units/transformation.h:80
+  wire [2:0] add_37_s5 = {1'd0, add_36_s5[7:6]} + 3'd7;  // units/transformation.h:80
+  wire [24:0] add_38_s5 = {add_37_s5, add_36_s5[5:0], 15'd0, mux_8_s5} + {7'd0, mul_3_s5[33], not_7_s5, mux_7_s5[17:2]};  // units/transformation.h:80
 
   // ---- stage 6 ----
   reg valid_s6;
@@ -589,36 +589,36 @@ module transformation #(
     xor_21_s6 <= xor_21_s5;
     vector_6_s6 <= vector_6_s5;
   end
-  wire [22:0] mux_3_s6 = {23{add_3_s6[23]}} | add_3_s6[22:0];  // units/transformation.h:78
-  wire [22:0] mux_4_s6 = ~{23{add_3_s6[24]}} & mux_3_s6;  // units/transformation.h:78
-  wire lt_1_s6 = mux_4_s6 < {column_3_16_s6, column_3_0_s6};  // units/transformation.h:79
-  wire [6:0] sub_1_s6 = mux_4_s6[22:16] - column_3_16_s6;  // units/transformation.h:79
-  wire [6:0] sub_2_s6 = column_3_16_s6 - mux_4_s6[22:16];  // units/transformation.h:79
-  wire [22:0] mux_35_s6 = {23{add_8_s6[23]}} | add_8_s6[22:0];  // units/transformation.h:78
-  wire [22:0] mux_36_s6 = ~{23{add_8_s6[24]}} & mux_35_s6;  // units/transformation.h:78
-  wire lt_2_s6 = mux_36_s6 < {column_3_40_s6, column_3_24_s6};  // units/transformation.h:79
-  wire [6:0] sub_4_s6 = mux_36_s6[22:16] - column_3_40_s6;  // units/transformation.h:79
-  wire [6:0] sub_5_s6 = column_3_40_s6 - mux_36_s6[22:16];  // units/transformation.h:79
-  wire [22:0] mux_67_s6 = {23{add_13_s6[23]}} | add_13_s6[22:0];  // units/transformation.h:78
-  wire [22:0] mux_68_s6 = ~{23{add_13_s6[24]}} & mux_67_s6;  // units/transformation.h:78
-  wire lt_3_s6 = mux_68_s6 < {column_3_64_s6, column_3_48_s6};  // units/transformation.h:79
-  wire [6:0] sub_7_s6 = mux_68_s6[22:16] - column_3_64_s6;  // units/transformation.h:79
-  wire [6:0] sub_8_s6 = column_3_64_s6 - mux_68_s6[22:16];  // units/transformation.h:79
-  wire [22:0] mux_97_s6 = {23{add_18_s6[23]}} | add_18_s6[22:0];  // units/transformation.h:79
-  wire [22:0] mux_98_s6 = ~{23{add_18_s6[24]}} & mux_97_s6;  // units/transformation.h:79
-  wire [22:0] mux_99_s6 = {23{add_21_s6[23]}} | add_21_s6[22:0];  // units/transformation.h:79
-  wire [22:0] mux_100_s6 = ~{23{add_21_s6[24]}} & mux_99_s6;  // units/transformation.h:79
-  wire lt_4_s6 = mux_98_s6 < mux_100_s6;  // units/transformation.h:79
-  wire [22:0] mux_124_s6 = {23{add_26_s6[23]}} | add_26_s6[22:0];  // units/transformation.h:79
-  wire [22:0] mux_125_s6 = ~{23{add_26_s6[24]}} & mux_124_s6;  // units/transformation.h:79
-  wire [22:0] mux_126_s6 = {23{add_29_s6[23]}} | add_29_s6[22:0];  // units/transformation.h:79
-  wire [22:0] mux_127_s6 = ~{23{add_29_s6[24]}} & mux_126_s6;  // units/transformation.h:79
-  wire lt_5_s6 = mux_125_s6 < mux_127_s6;  // units/transformation.h:79
-  wire [22:0] mux_172_s6 = {23{add_35_s6[23]}} | add_35_s6[22:0];  // units/transformation.h:79
-  wire [22:0] mux_173_s6 = ~{23{add_35_s6[24]}} & mux_172_s6;  // units/transformation.h:79
-  wire [22:0] mux_174_s6 = {23{add_38_s6[23]}} | add_38_s6[22:0];  // units/transformation.h:79
-  wire [22:0] mux_175_s6 = ~{23{add_38_s6[24]}} & mux_174_s6;  // units/transformation.h:79
-  wire lt_7_s6 = mux_173_s6 < mux_175_s6;  // units/transformation.h:79
+  wire [22:0] mux_3_s6 = {23{add_3_s6[23]}} | add_3_s6[22:0];  // units/transformation.h:79
+  wire [22:0] mux_4_s6 = ~{23{add_3_s6[24]}} & mux_3_s6;  // units/transformation.h:79
+  wire lt_1_s6 = mux_4_s6 < {column_3_16_s6, column_3_0_s6};  // units/transformation.h:80
+  wire [6:0] sub_1_s6 = mux_4_s6[22:16] - column_3_16_s6;  // units/transformation.h:80
+  wire [6:0] sub_2_s6 = column_3_16_s6 - mux_4_s6[22:16];  // units/transformation.h:80
+  wire [22:0] mux_35_s6 = {23{add_8_s6[23]}} | add_8_s6[22:0];  // units/transformation.h:79
+  wire [22:0] mux_36_s6 = ~{23{add_8_s6[24]}} & mux_35_s6;  // units/transformation.h:79
+  wire lt_2_s6 = mux_36_s6 < {column_3_40_s6, column_3_24_s6};  // units/transformation.h:80
+  wire [6:0] sub_4_s6 = mux_36_s6[22:16] - column_3_40_s6;  // units/transformation.h:80
+  wire [6:0] sub_5_s6 = column_3_40_s6 - mux_36_s6[22:16];  // units/transformation.h:80
+  wire [22:0] mux_67_s6 = {23{add_13_s6[23]}} | add_13_s6[22:0];  // units/transformation.h:79
+  wire [22:0] mux_68_s6 = ~{23{add_13_s6[24]}} & mux_67_s6;  // units/transformation.h:79
+  wire lt_3_s6 = mux_68_s6 < {column_3_64_s6, column_3_48_s6};  // units/transformation.h:80
+  wire [6:0] sub_7_s6 = mux_68_s6[22:16] - column_3_64_s6;  // units/transformation.h:80
+  wire [6:0] sub_8_s6 = column_3_64_s6 - mux_68_s6[22:16];  // units/transformation.h:80
+  wire [22:0] mux_97_s6 = {23{add_18_s6[23]}} | add_18_s6[22:0];  // units/transformation.h:80
+  wire [22:0] mux_98_s6 = ~{23{add_18_s6[24]}} & mux_97_s6;  // units/transformation.h:80
+  wire [22:0] mux_99_s6 = {23{add_21_s6[23]}} | add_21_s6[22:0];  // units/transformation.h:80
+  wire [22:0] mux_100_s6 = ~{23{add_21_s6[24]}} & mux_99_s6;  // units/transformation.h:80
+  wire lt_4_s6 = mux_98_s6 < mux_100_s6;  // units/transformation.h:80
+  wire [22:0] mux_124_s6 = {23{add_26_s6[23]}} | add_26_s6[22:0];  // units/transformation.h:80
+  wire [22:0] mux_125_s6 = ~{23{add_26_s6[24]}} & mux_124_s6;  // units/transformation.h:80
+  wire [22:0] mux_126_s6 = {23{add_29_s6[23]}} | add_29_s6[22:0];  // units/transformation.h:80
+  wire [22:0] mux_127_s6 = ~{23{add_29_s6[24]}} & mux_126_s6;  // units/transformation.h:80
+  wire lt_5_s6 = mux_125_s6 < mux_127_s6;  // units/transformation.h:80
+  wire [22:0] mux_172_s6 = {23{add_35_s6[23]}} | add_35_s6[22:0];  // units/transformation.h:80
+  wire [22:0] mux_173_s6 = ~{23{add_35_s6[24]}} & mux_172_s6;  // units/transformation.h:80
+  wire [22:0] mux_174_s6 = {23{add_38_s6[23]}} | add_38_s6[22:0];  // units/transformation.h:80
+  wire [22:0] mux_175_s6 = ~{23{add_38_s6[24]}} & mux_174_s6;  // units/transformation.h:80
+  wire lt_7_s6 = mux_173_s6 < mux_175_s6;  // units/transformation.h:80
 
   // ---- stage 7 ----
   reg valid_s7;
@@ -709,75 +709,75 @@ module transformation #(
     xor_21_s7 <= xor_21_s6;
     vector_6_s7 <= vector_6_s6;
   end
-  wire [6:0] mux_9_s7 = lt_1_s7 ? sub_2_s7 : sub_1_s7;  // units/transformation.h:79
-  wire [15:0] mux_11_s7 = lt_1_s7 ? mux_4_s7[15:0] : column_3_0_s7;  // units/transformation.h:79
-  wire [18:0] mux_12_s7 = {mux_9_s7[4] ? 1'd0 : 1'd1, ~{15{mux_9_s7[4]}} & mux_11_s7[15:1], mux_9_s7[4] | mux_11_s7[0], {2{mux_9_s7[4]}} & mux_11_s7[15:14]};  // units/transformation.h:79
+  wire [6:0] mux_9_s7 = lt_1_s7 ? sub_2_s7 : sub_1_s7;  // units/transformation.h:80
+  wire [15:0] mux_11_s7 = lt_1_s7 ? mux_4_s7[15:0] : column_3_0_s7;  // units/transformation.h:80
+  wire [18:0] mux_12_s7 = {mux_9_s7[4] ? 1'd0 : 1'd1, ~{15{mux_9_s7[4]}} & mux_11_s7[15:1], mux_9_s7[4] | mux_11_s7[0], {2{mux_9_s7[4]}} & mux_11_s7[15:14]};  // units/transformation.h:80
   wire and_2_s7 = mux_9_s7[3] & (~(mux_12_s7[7:0] == 8'd0));
-  wire [18:0] mux_13_s7 = {~{8{mux_9_s7[3]}} & mux_12_s7[18:11], mux_9_s7[3] ? mux_12_s7[18:8] : mux_12_s7[10:0]};  // units/transformation.h:79
+  wire [18:0] mux_13_s7 = {~{8{mux_9_s7[3]}} & mux_12_s7[18:11], mux_9_s7[3] ? mux_12_s7[18:8] : mux_12_s7[10:0]};  // units/transformation.h:80
   wire and_3_s7 = mux_9_s7[2] & (~(mux_13_s7[3:0] == 4'd0));
-  wire [18:0] mux_14_s7 = {~{4{mux_9_s7[2]}} & mux_13_s7[18:15], mux_9_s7[2] ? mux_13_s7[18:4] : mux_13_s7[14:0]};  // units/transformation.h:79
+  wire [18:0] mux_14_s7 = {~{4{mux_9_s7[2]}} & mux_13_s7[18:15], mux_9_s7[2] ? mux_13_s7[18:4] : mux_13_s7[14:0]};  // units/transformation.h:80
   wire and_4_s7 = mux_9_s7[1] & (~(mux_14_s7[1:0] == 2'd0));
-  wire [18:0] mux_15_s7 = {~{2{mux_9_s7[1]}} & mux_14_s7[18:17], mux_9_s7[1] ? mux_14_s7[18:2] : mux_14_s7[16:0]};  // units/transformation.h:79
+  wire [18:0] mux_15_s7 = {~{2{mux_9_s7[1]}} & mux_14_s7[18:17], mux_9_s7[1] ? mux_14_s7[18:2] : mux_14_s7[16:0]};  // units/transformation.h:80
   wire and_5_s7 = mux_9_s7[0] & mux_15_s7[0];
-  wire eq_8_s7 = mux_9_s7[6:5] == 2'd0;  // units/transformation.h:79
-  wire or_7_s7 = (mux_9_s7[4] & (~(mux_11_s7[13:0] == 14'd0))) | (~eq_8_s7);  // units/transformation.h:79
-  wire [6:0] mux_41_s7 = lt_2_s7 ? sub_5_s7 : sub_4_s7;  // units/transformation.h:79
-  wire [15:0] mux_43_s7 = lt_2_s7 ? mux_36_s7[15:0] : column_3_24_s7;  // units/transformation.h:79
-  wire [18:0] mux_44_s7 = {mux_41_s7[4] ? 1'd0 : 1'd1, ~{15{mux_41_s7[4]}} & mux_43_s7[15:1], mux_41_s7[4] | mux_43_s7[0], {2{mux_41_s7[4]}} & mux_43_s7[15:14]};  // units/transformation.h:79
+  wire eq_8_s7 = mux_9_s7[6:5] == 2'd0;  // units/transformation.h:80
+  wire or_7_s7 = (mux_9_s7[4] & (~(mux_11_s7[13:0] == 14'd0))) | (~eq_8_s7);  // units/transformation.h:80
+  wire [6:0] mux_41_s7 = lt_2_s7 ? sub_5_s7 : sub_4_s7;  // units/transformation.h:80
+  wire [15:0] mux_43_s7 = lt_2_s7 ? mux_36_s7[15:0] : column_3_24_s7;  // units/transformation.h:80
+  wire [18:0] mux_44_s7 = {mux_41_s7[4] ? 1'd0 : 1'd1, ~{15{mux_41_s7[4]}} & mux_43_s7[15:1], mux_41_s7[4] | mux_43_s7[0], {2{mux_41_s7[4]}} & mux_43_s7[15:14]};  // units/transformation.h:80
   wire and_16_s7 = mux_41_s7[3] & (~(mux_44_s7[7:0] == 8'd0));
-  wire [18:0] mux_45_s7 = {~{8{mux_41_s7[3]}} & mux_44_s7[18:11], mux_41_s7[3] ? mux_44_s7[18:8] : mux_44_s7[10:0]};  // units/transformation.h:79
+  wire [18:0] mux_45_s7 = {~{8{mux_41_s7[3]}} & mux_44_s7[18:11], mux_41_s7[3] ? mux_44_s7[18:8] : mux_44_s7[10:0]};  // units/transformation.h:80
   wire and_17_s7 = mux_41_s7[2] & (~(mux_45_s7[3:0] == 4'd0));
-  wire [18:0] mux_46_s7 = {~{4{mux_41_s7[2]}} & mux_45_s7[18:15], mux_41_s7[2] ? mux_45_s7[18:4] : mux_45_s7[14:0]};  // units/transformation.h:79
+  wire [18:0] mux_46_s7 = {~{4{mux_41_s7[2]}} & mux_45_s7[18:15], mux_41_s7[2] ? mux_45_s7[18:4] : mux_45_s7[14:0]};  // units/transformation.h:80
   wire and_18_s7 = mux_41_s7[1] & (~(mux_46_s7[1:0] == 2'd0));
-  wire [18:0] mux_47_s7 = {~{2{mux_41_s7[1]}} & mux_46_s7[18:17], mux_41_s7[1] ? mux_46_s7[18:2] : mux_46_s7[16:0]};  // units/transformation.h:79
+  wire [18:0] mux_47_s7 = {~{2{mux_41_s7[1]}} & mux_46_s7[18:17], mux_41_s7[1] ? mux_46_s7[18:2] : mux_46_s7[16:0]};  // units/transformation.h:80
   wire and_19_s7 = mux_41_s7[0] & mux_47_s7[0];
-  wire eq_25_s7 = mux_41_s7[6:5] == 2'd0;  // units/transformation.h:79
-  wire or_20_s7 = (mux_41_s7[4] & (~(mux_43_s7[13:0] == 14'd0))) | (~eq_25_s7);  // units/transformation.h:79
-  wire [6:0] mux_73_s7 = lt_3_s7 ? sub_8_s7 : sub_7_s7;  // units/transformation.h:79
-  wire [15:0] mux_75_s7 = lt_3_s7 ? mux_68_s7[15:0] : column_3_48_s7;  // units/transformation.h:79
-  wire [18:0] mux_76_s7 = {mux_73_s7[4] ? 1'd0 : 1'd1, ~{15{mux_73_s7[4]}} & mux_75_s7[15:1], mux_73_s7[4] | mux_75_s7[0], {2{mux_73_s7[4]}} & mux_75_s7[15:14]};  // units/transformation.h:79
+  wire eq_25_s7 = mux_41_s7[6:5] == 2'd0;  // units/transformation.h:80
+  wire or_20_s7 = (mux_41_s7[4] & (~(mux_43_s7[13:0] == 14'd0))) | (~eq_25_s7);  // units/transformation.h:80
+  wire [6:0] mux_73_s7 = lt_3_s7 ? sub_8_s7 : sub_7_s7;  // units/transformation.h:80
+  wire [15:0] mux_75_s7 = lt_3_s7 ? mux_68_s7[15:0] : column_3_48_s7;  // units/transformation.h:80
+  wire [18:0] mux_76_s7 = {mux_73_s7[4] ? 1'd0 : 1'd1, ~{15{mux_73_s7[4]}} & mux_75_s7[15:1], mux_73_s7[4] | mux_75_s7[0], {2{mux_73_s7[4]}} & mux_75_s7[15:14]};  // units/transformation.h:80
   wire and_30_s7 = mux_73_s7[3] & (~(mux_76_s7[7:0] == 8'd0));
-  wire [18:0] mux_77_s7 = {~{8{mux_73_s7[3]}} & mux_76_s7[18:11], mux_73_s7[3] ? mux_76_s7[18:8] : mux_76_s7[10:0]};  // units/transformation.h:79
+  wire [18:0] mux_77_s7 = {~{8{mux_73_s7[3]}} & mux_76_s7[18:11], mux_73_s7[3] ? mux_76_s7[18:8] : mux_76_s7[10:0]};  // units/transformation.h:80
   wire and_31_s7 = mux_73_s7[2] & (~(mux_77_s7[3:0] == 4'd0));
-  wire [18:0] mux_78_s7 = {~{4{mux_73_s7[2]}} & mux_77_s7[18:15], mux_73_s7[2] ? mux_77_s7[18:4] : mux_77_s7[14:0]};  // units/transformation.h:79
+  wire [18:0] mux_78_s7 = {~{4{mux_73_s7[2]}} & mux_77_s7[18:15], mux_73_s7[2] ? mux_77_s7[18:4] : mux_77_s7[14:0]};  // units/transformation.h:80
   wire and_32_s7 = mux_73_s7[1] & (~(mux_78_s7[1:0] == 2'd0));
-  wire [18:0] mux_79_s7 = {~{2{mux_73_s7[1]}} & mux_78_s7[18:17], mux_73_s7[1] ? mux_78_s7[18:2] : mux_78_s7[16:0]};  // units/transformation.h:79
+  wire [18:0] mux_79_s7 = {~{2{mux_73_s7[1]}} & mux_78_s7[18:17], mux_73_s7[1] ? mux_78_s7[18:2] : mux_78_s7[16:0]};  // units/transformation.h:80
   wire and_33_s7 = mux_73_s7[0] & mux_79_s7[0];
-  wire eq_42_s7 = mux_73_s7[6:5] == 2'd0;  // units/transformation.h:79
-  wire or_33_s7 = (mux_73_s7[4] & (~(mux_75_s7[13:0] == 14'd0))) | (~eq_42_s7);  // units/transformation.h:79
-  wire [23:0] mux_101_s7 = lt_4_s7 ? {xor_10_s7, mux_100_s7} : {xor_11_s7, mux_98_s7};  // units/transformation.h:79
-  wire [6:0] mux_102_s7 = lt_4_s7 ? (mux_100_s7[22:16] - mux_98_s7[22:16]) : (mux_98_s7[22:16] - mux_100_s7[22:16]);  // units/transformation.h:79
-  wire eq_52_s7 = mux_102_s7[6:5] == 2'd0;  // units/transformation.h:79
-  wire [15:0] mux_103_s7 = lt_4_s7 ? mux_98_s7[15:0] : mux_100_s7[15:0];  // units/transformation.h:79
-  wire [18:0] mux_104_s7 = {mux_102_s7[4] ? 1'd0 : 1'd1, ~{15{mux_102_s7[4]}} & mux_103_s7[15:1], mux_102_s7[4] | mux_103_s7[0], {2{mux_102_s7[4]}} & mux_103_s7[15:14]};  // units/transformation.h:79
-  wire [18:0] mux_105_s7 = {~{8{mux_102_s7[3]}} & mux_104_s7[18:11], mux_102_s7[3] ? mux_104_s7[18:8] : mux_104_s7[10:0]};  // units/transformation.h:79
-  wire [18:0] mux_106_s7 = {~{4{mux_102_s7[2]}} & mux_105_s7[18:15], mux_102_s7[2] ? mux_105_s7[18:4] : mux_105_s7[14:0]};  // units/transformation.h:79
-  wire and_43_s7 = mux_102_s7[4] & (~(mux_103_s7[13:0] == 14'd0));  // units/transformation.h:79
-  wire eq_54_s7 = mux_104_s7[7:0] == 8'd0;  // units/transformation.h:79
-  wire eq_55_s7 = mux_105_s7[3:0] == 4'd0;  // units/transformation.h:79
-  wire xor_12_s7 = xor_10_s7 ^ xor_11_s7;  // units/transformation.h:79
-  wire [23:0] mux_128_s7 = lt_5_s7 ? {xor_14_s7, mux_127_s7} : {xor_15_s7, mux_125_s7};  // units/transformation.h:79
-  wire [6:0] mux_129_s7 = lt_5_s7 ? (mux_127_s7[22:16] - mux_125_s7[22:16]) : (mux_125_s7[22:16] - mux_127_s7[22:16]);  // units/transformation.h:79
-  wire eq_66_s7 = mux_129_s7[6:5] == 2'd0;  // units/transformation.h:79
-  wire [15:0] mux_130_s7 = lt_5_s7 ? mux_125_s7[15:0] : mux_127_s7[15:0];  // units/transformation.h:79
-  wire [18:0] mux_131_s7 = {mux_129_s7[4] ? 1'd0 : 1'd1, ~{15{mux_129_s7[4]}} & mux_130_s7[15:1], mux_129_s7[4] | mux_130_s7[0], {2{mux_129_s7[4]}} & mux_130_s7[15:14]};  // units/transformation.h:79
-  wire [18:0] mux_132_s7 = {~{8{mux_129_s7[3]}} & mux_131_s7[18:11], mux_129_s7[3] ? mux_131_s7[18:8] : mux_131_s7[10:0]};  // units/transformation.h:79
-  wire [18:0] mux_133_s7 = {~{4{mux_129_s7[2]}} & mux_132_s7[18:15], mux_129_s7[2] ? mux_132_s7[18:4] : mux_132_s7[14:0]};  // units/transformation.h:79
-  wire and_57_s7 = mux_129_s7[4] & (~(mux_130_s7[13:0] == 14'd0));  // units/transformation.h:79
-  wire eq_68_s7 = mux_131_s7[7:0] == 8'd0;  // units/transformation.h:79
-  wire eq_69_s7 = mux_132_s7[3:0] == 4'd0;  // units/transformation.h:79
-  wire xor_16_s7 = xor_14_s7 ^ xor_15_s7;  // units/transformation.h:79
-  wire [23:0] mux_176_s7 = lt_7_s7 ? {xor_20_s7, mux_175_s7} : {xor_21_s7, mux_173_s7};  // units/transformation.h:79
-  wire [6:0] mux_177_s7 = lt_7_s7 ? (mux_175_s7[22:16] - mux_173_s7[22:16]) : (mux_173_s7[22:16] - mux_175_s7[22:16]);  // units/transformation.h:79
-  wire eq_93_s7 = mux_177_s7[6:5] == 2'd0;  // units/transformation.h:79
-  wire [15:0] mux_178_s7 = lt_7_s7 ? mux_173_s7[15:0] : mux_175_s7[15:0];  // units/transformation.h:79
-  wire [18:0] mux_179_s7 = {mux_177_s7[4] ? 1'd0 : 1'd1, ~{15{mux_177_s7[4]}} & mux_178_s7[15:1], mux_177_s7[4] | mux_178_s7[0], {2{mux_177_s7[4]}} & mux_178_s7[15:14]};  // units/transformation.h:79
-  wire [18:0] mux_180_s7 = {~{8{mux_177_s7[3]}} & mux_179_s7[18:11], mux_177_s7[3] ? mux_179_s7[18:8] : mux_179_s7[10:0]};  // units/transformation.h:79
-  wire [18:0] mux_181_s7 = {~{4{mux_177_s7[2]}} & mux_180_s7[18:15], mux_177_s7[2] ? mux_180_s7[18:4] : mux_180_s7[14:0]};  // units/transformation.h:79
-  wire and_83_s7 = mux_177_s7[4] & (~(mux_178_s7[13:0] == 14'd0));  // units/transformation.h:79
-  wire eq_95_s7 = mux_179_s7[7:0] == 8'd0;  // units/transformation.h:79
-  wire eq_96_s7 = mux_180_s7[3:0] == 4'd0;  // units/transformation.h:79
-  wire xor_22_s7 = xor_20_s7 ^ xor_21_s7;  // units/transformation.h:79
+  wire eq_42_s7 = mux_73_s7[6:5] == 2'd0;  // units/transformation.h:80
+  wire or_33_s7 = (mux_73_s7[4] & (~(mux_75_s7[13:0] == 14'd0))) | (~eq_42_s7);  // units/transformation.h:80
+  wire [23:0] mux_101_s7 = lt_4_s7 ? {xor_10_s7, mux_100_s7} : {xor_11_s7, mux_98_s7};  // units/transformation.h:80
+  wire [6:0] mux_102_s7 = lt_4_s7 ? (mux_100_s7[22:16] - mux_98_s7[22:16]) : (mux_98_s7[22:16] - mux_100_s7[22:16]);  // units/transformation.h:80
+  wire eq_52_s7 = mux_102_s7[6:5] == 2'd0;  // units/transformation.h:80
+  wire [15:0] mux_103_s7 = lt_4_s7 ? mux_98_s7[15:0] : mux_100_s7[15:0];  // units/transformation.h:80
+  wire [18:0] mux_104_s7 = {mux_102_s7[4] ? 1'd0 : 1'd1, ~{15{mux_102_s7[4]}} & mux_103_s7[15:1], mux_102_s7[4] | mux_103_s7[0], {2{mux_102_s7[4]}} & mux_103_s7[15:14]};  // units/transformation.h:80
+  wire [18:0] mux_105_s7 = {~{8{mux_102_s7[3]}} & mux_104_s7[18:11], mux_102_s7[3] ? mux_104_s7[18:8] : mux_104_s7[10:0]};  // units/transformation.h:80
+  wire [18:0] mux_106_s7 = {~{4{mux_102_s7[2]}} & mux_105_s7[18:15], mux_102_s7[2] ? mux_105_s7[18:4] : mux_105_s7[14:0]};  // units/transformation.h:80
+  wire and_43_s7 = mux_102_s7[4] & (~(mux_103_s7[13:0] == 14'd0));  // units/transformation.h:80
+  wire eq_54_s7 = mux_104_s7[7:0] == 8'd0;  // units/transformation.h:80
+  wire eq_55_s7 = mux_105_s7[3:0] == 4'd0;  // units/transformation.h:80
+  wire xor_12_s7 = xor_10_s7 ^ xor_11_s7;  // units/transformation.h:80
+  wire [23:0] mux_128_s7 = lt_5_s7 ? {xor_14_s7, mux_127_s7} : {xor_15_s7, mux_125_s7};  // units/transformation.h:80
+  wire [6:0] mux_129_s7 = lt_5_s7 ? (mux_127_s7[22:16] - mux_125_s7[22:16]) : (mux_125_s7[22:16] - mux_127_s7[22:16]);  // units/transformation.h:80
+  wire eq_66_s7 = mux_129_s7[6:5] == 2'd0;  // units/transformation.h:80
+  wire [15:0] mux_130_s7 = lt_5_s7 ? mux_125_s7[15:0] : mux_127_s7[15:0];  // units/transformation.h:80
+  wire [18:0] mux_131_s7 = {mux_129_s7[4] ? 1'd0 : 1'd1, ~{15{mux_129_s7[4]}} & mux_130_s7[15:1], mux_129_s7[4] | mux_130_s7[0], {2{mux_129_s7[4]}} & mux_130_s7[15:14]};  // units/transformation.h:80
+  wire [18:0] mux_132_s7 = {~{8{mux_129_s7[3]}} & mux_131_s7[18:11], mux_129_s7[3] ? mux_131_s7[18:8] : mux_131_s7[10:0]};  // units/transformation.h:80
+  wire [18:0] mux_133_s7 = {~{4{mux_129_s7[2]}} & mux_132_s7[18:15], mux_129_s7[2] ? mux_132_s7[18:4] : mux_132_s7[14:0]};  // units/transformation.h:80
+  wire and_57_s7 = mux_129_s7[4] & (~(mux_130_s7[13:0] == 14'd0));  // units/transformation.h:80
+  wire eq_68_s7 = mux_131_s7[7:0] == 8'd0;  // units/transformation.h:80
+  wire eq_69_s7 = mux_132_s7[3:0] == 4'd0;  // units/transformation.h:80
+  wire xor_16_s7 = xor_14_s7 ^ xor_15_s7;  // units/transformation.h:80
+  wire [23:0] mux_176_s7 = lt_7_s7 ? {xor_20_s7, mux_175_s7} : {xor_21_s7, mux_173_s7};  // units/transformation.h:80
+  wire [6:0] mux_177_s7 = lt_7_s7 ? (mux_175_s7[22:16] - mux_173_s7[22:16]) : (mux_173_s7[22:16] - mux_175_s7[22:16]);  // units/transformation.h:80
+  wire eq_93_s7 = mux_177_s7[6:5] == 2'd0;  // units/transformation.h:80
+  wire [15:0] mux_178_s7 = lt_7_s7 ? mux_173_s7[15:0] : mux_175_s7[15:0];  // units/transformation.h:80
+  wire [18:0] mux_179_s7 = {mux_177_s7[4] ? 1'd0 : 1'd1, ~{15{mux_177_s7[4]}} & mux_178_s7[15:1], mux_177_s7[4] | mux_178_s7[0], {2{mux_177_s7[4]}} & mux_178_s7[15:14]};  // units/transformation.h:80
+  wire [18:0] mux_180_s7 = {~{8{mux_177_s7[3]}} & mux_179_s7[18:11], mux_177_s7[3] ? mux_179_s7[18:8] : mux_179_s7[10:0]};  // units/transformation.h:80
+  wire [18:0] mux_181_s7 = {~{4{mux_177_s7[2]}} & mux_180_s7[18:15], mux_177_s7[2] ? mux_180_s7[18:4] : mux_180_s7[14:0]};  // units/transformation.h:80
+  wire and_83_s7 = mux_177_s7[4] & (~(mux_178_s7[13:0] == 14'd0));  // units/transformation.h:80
+  wire eq_95_s7 = mux_179_s7[7:0] == 8'd0;  // units/transformation.h:80
+  wire eq_96_s7 = mux_180_s7[3:0] == 4'd0;  // units/transformation.h:80
+  wire xor_22_s7 = xor_20_s7 ^ xor_21_s7;  // units/transformation.h:80
 
   // ---- stage 8 ----
   reg valid_s8;
@@ -922,63 +922,63 @@ module transformation #(
     xor_22_s8 <= xor_22_s7;
     vector_6_s8 <= vector_6_s7;
   end
-  wire [23:0] mux_10_s8 = lt_1_s8 ? {column_3_23_s8, column_3_16_s8, column_3_0_s8} : {xor_1_s8, mux_4_s8};  // units/transformation.h:79
-  wire xor_2_s8 = xor_1_s8 ^ column_3_23_s8;  // units/transformation.h:79
-  wire [18:0] mux_16_s8 = {~mux_9_s8 & mux_15_s8[18], mux_9_s8 ? mux_15_s8[18:1] : mux_15_s8[17:0]};  // units/transformation.h:79
-  wire or_11_s8 = (and_3_s8 | and_5_s8) | (and_4_s8 | (and_2_s8 | or_7_s8));  // units/transformation.h:79
-  wire [18:0] mux_17_s8 = {19{eq_8_s8}} & mux_16_s8;  // units/transformation.h:79
-  wire [19:0] xor_3_s8 = {mux_17_s8, or_11_s8} ^ {20{xor_2_s8}};  // units/transformation.h:79
-  wire [21:0] add_4_s8 = {2'd1, mux_10_s8[15:0], 4'd1} + {xor_2_s8, xor_3_s8, xor_2_s8};  // units/transformation.h:79
-  wire eq_10_s8 = add_4_s8[21:18] == 4'd0;  // units/transformation.h:79
-  wire eq_11_s8 = add_4_s8[17:14] == 4'd0;  // units/transformation.h:79
-  wire eq_12_s8 = add_4_s8[13:10] == 4'd0;  // units/transformation.h:79
-  wire eq_13_s8 = add_4_s8[9:6] == 4'd0;  // units/transformation.h:79
-  wire [23:0] mux_42_s8 = lt_2_s8 ? {column_3_47_s8, column_3_40_s8, column_3_24_s8} : {xor_4_s8, mux_36_s8};  // units/transformation.h:79
-  wire xor_5_s8 = xor_4_s8 ^ column_3_47_s8;  // units/transformation.h:79
-  wire [18:0] mux_48_s8 = {~mux_41_s8 & mux_47_s8[18], mux_41_s8 ? mux_47_s8[18:1] : mux_47_s8[17:0]};  // units/transformation.h:79
-  wire or_24_s8 = (and_17_s8 | and_19_s8) | (and_18_s8 | (and_16_s8 | or_20_s8));  // units/transformation.h:79
-  wire [18:0] mux_49_s8 = {19{eq_25_s8}} & mux_48_s8;  // units/transformation.h:79
-  wire [19:0] xor_6_s8 = {mux_49_s8, or_24_s8} ^ {20{xor_5_s8}};  // units/transformation.h:79
-  wire [21:0] add_9_s8 = {2'd1, mux_42_s8[15:0], 4'd1} + {xor_5_s8, xor_6_s8, xor_5_s8};  // units/transformation.h:79
-  wire eq_27_s8 = add_9_s8[21:18] == 4'd0;  // units/transformation.h:79
-  wire eq_28_s8 = add_9_s8[17:14] == 4'd0;  // units/transformation.h:79
-  wire eq_29_s8 = add_9_s8[13:10] == 4'd0;  // units/transformation.h:79
-  wire eq_30_s8 = add_9_s8[9:6] == 4'd0;  // units/transformation.h:79
-  wire [23:0] mux_74_s8 = lt_3_s8 ? {column_3_71_s8, column_3_64_s8, column_3_48_s8} : {xor_7_s8, mux_68_s8};  // units/transformation.h:79
-  wire xor_8_s8 = xor_7_s8 ^ column_3_71_s8;  // units/transformation.h:79
-  wire [18:0] mux_80_s8 = {~mux_73_s8 & mux_79_s8[18], mux_73_s8 ? mux_79_s8[18:1] : mux_79_s8[17:0]};  // units/transformation.h:79
-  wire or_37_s8 = (and_31_s8 | and_33_s8) | (and_32_s8 | (and_30_s8 | or_33_s8));  // units/transformation.h:79
-  wire [18:0] mux_81_s8 = {19{eq_42_s8}} & mux_80_s8;  // units/transformation.h:79
-  wire [19:0] xor_9_s8 = {mux_81_s8, or_37_s8} ^ {20{xor_8_s8}};  // units/transformation.h:79
-  wire [21:0] add_14_s8 = {2'd1, mux_74_s8[15:0], 4'd1} + {xor_8_s8, xor_9_s8, xor_8_s8};  // units/transformation.h:79
-  wire eq_44_s8 = add_14_s8[21:18] == 4'd0;  // units/transformation.h:79
-  wire eq_45_s8 = add_14_s8[17:14] == 4'd0;  // units/transformation.h:79
-  wire eq_46_s8 = add_14_s8[13:10] == 4'd0;  // units/transformation.h:79
-  wire eq_47_s8 = add_14_s8[9:6] == 4'd0;  // units/transformation.h:79
-  wire [18:0] mux_107_s8 = {~{2{mux_102_s8[1]}} & mux_106_s8[18:17], mux_102_s8[1] ? mux_106_s8[18:2] : mux_106_s8[16:0]};  // units/transformation.h:79
-  wire [18:0] mux_108_s8 = {~mux_102_s8[0] & mux_107_s8[18], mux_102_s8[0] ? mux_107_s8[18:1] : mux_107_s8[17:0]};  // units/transformation.h:79
-  wire [18:0] mux_109_s8 = {19{eq_52_s8}} & mux_108_s8;  // units/transformation.h:79
-  wire or_42_s8 = (mux_102_s8[2] & (~eq_55_s8)) | (mux_102_s8[0] & mux_107_s8[0]);  // units/transformation.h:79
-  wire or_43_s8 = (mux_102_s8[1] & (~(mux_106_s8[1:0] == 2'd0))) | ((mux_102_s8[3] & (~eq_54_s8)) | ((~eq_52_s8) | and_43_s8));  // units/transformation.h:79
-  wire or_44_s8 = or_42_s8 | or_43_s8;  // units/transformation.h:79
-  wire [19:0] xor_13_s8 = {mux_109_s8, or_44_s8} ^ {20{xor_12_s8}};  // units/transformation.h:79
-  wire [21:0] add_22_s8 = {2'd1, mux_101_s8[15:0], 4'd1} + {xor_12_s8, xor_13_s8, xor_12_s8};  // units/transformation.h:79
-  wire [18:0] mux_134_s8 = {~{2{mux_129_s8[1]}} & mux_133_s8[18:17], mux_129_s8[1] ? mux_133_s8[18:2] : mux_133_s8[16:0]};  // units/transformation.h:79
-  wire [18:0] mux_135_s8 = {~mux_129_s8[0] & mux_134_s8[18], mux_129_s8[0] ? mux_134_s8[18:1] : mux_134_s8[17:0]};  // units/transformation.h:79
-  wire [18:0] mux_136_s8 = {19{eq_66_s8}} & mux_135_s8;  // units/transformation.h:79
-  wire or_49_s8 = (mux_129_s8[2] & (~eq_69_s8)) | (mux_129_s8[0] & mux_134_s8[0]);  // units/transformation.h:79
-  wire or_50_s8 = (mux_129_s8[1] & (~(mux_133_s8[1:0] == 2'd0))) | ((mux_129_s8[3] & (~eq_68_s8)) | ((~eq_66_s8) | and_57_s8));  // units/transformation.h:79
-  wire or_51_s8 = or_49_s8 | or_50_s8;  // units/transformation.h:79
-  wire [19:0] xor_17_s8 = {mux_136_s8, or_51_s8} ^ {20{xor_16_s8}};  // units/transformation.h:79
-  wire [21:0] add_30_s8 = {2'd1, mux_128_s8[15:0], 4'd1} + {xor_16_s8, xor_17_s8, xor_16_s8};  // units/transformation.h:79
-  wire [18:0] mux_182_s8 = {~{2{mux_177_s8[1]}} & mux_181_s8[18:17], mux_177_s8[1] ? mux_181_s8[18:2] : mux_181_s8[16:0]};  // units/transformation.h:79
-  wire [18:0] mux_183_s8 = {~mux_177_s8[0] & mux_182_s8[18], mux_177_s8[0] ? mux_182_s8[18:1] : mux_182_s8[17:0]};  // units/transformation.h:79
-  wire [18:0] mux_184_s8 = {19{eq_93_s8}} & mux_183_s8;  // units/transformation.h:79
-  wire or_63_s8 = (mux_177_s8[2] & (~eq_96_s8)) | (mux_177_s8[0] & mux_182_s8[0]);  // units/transformation.h:79
-  wire or_64_s8 = (mux_177_s8[1] & (~(mux_181_s8[1:0] == 2'd0))) | ((mux_177_s8[3] & (~eq_95_s8)) | ((~eq_93_s8) | and_83_s8));  // units/transformation.h:79
-  wire or_65_s8 = or_63_s8 | or_64_s8;  // units/transformation.h:79
-  wire [19:0] xor_23_s8 = {mux_184_s8, or_65_s8} ^ {20{xor_22_s8}};  // units/transformation.h:79
-  wire [21:0] add_39_s8 = {2'd1, mux_176_s8[15:0], 4'd1} + {xor_22_s8, xor_23_s8, xor_22_s8};  // units/transformation.h:79
+  wire [23:0] mux_10_s8 = lt_1_s8 ? {column_3_23_s8, column_3_16_s8, column_3_0_s8} : {xor_1_s8, mux_4_s8};  // units/transformation.h:80
+  wire xor_2_s8 = xor_1_s8 ^ column_3_23_s8;  // units/transformation.h:80
+  wire [18:0] mux_16_s8 = {~mux_9_s8 & mux_15_s8[18], mux_9_s8 ? mux_15_s8[18:1] : mux_15_s8[17:0]};  // units/transformation.h:80
+  wire or_11_s8 = (and_3_s8 | and_5_s8) | (and_4_s8 | (and_2_s8 | or_7_s8));  // units/transformation.h:80
+  wire [18:0] mux_17_s8 = {19{eq_8_s8}} & mux_16_s8;  // units/transformation.h:80
+  wire [19:0] xor_3_s8 = {mux_17_s8, or_11_s8} ^ {20{xor_2_s8}};  // units/transformation.h:80
+  wire [21:0] add_4_s8 = {2'd1, mux_10_s8[15:0], 4'd1} + {xor_2_s8, xor_3_s8, xor_2_s8};  // units/transformation.h:80
+  wire eq_10_s8 = add_4_s8[21:18] == 4'd0;  // units/transformation.h:80
+  wire eq_11_s8 = add_4_s8[17:14] == 4'd0;  // units/transformation.h:80
+  wire eq_12_s8 = add_4_s8[13:10] == 4'd0;  // units/transformation.h:80
+  wire eq_13_s8 = add_4_s8[9:6] == 4'd0;  // units/transformation.h:80
+  wire [23:0] mux_42_s8 = lt_2_s8 ? {column_3_47_s8, column_3_40_s8, column_3_24_s8} : {xor_4_s8, mux_36_s8};  // units/transformation.h:80
+  wire xor_5_s8 = xor_4_s8 ^ column_3_47_s8;  // units/transformation.h:80
+  wire [18:0] mux_48_s8 = {~mux_41_s8 & mux_47_s8[18], mux_41_s8 ? mux_47_s8[18:1] : mux_47_s8[17:0]};  // units/transformation.h:80
+  wire or_24_s8 = (and_17_s8 | and_19_s8) | (and_18_s8 | (and_16_s8 | or_20_s8));  // units/transformation.h:80
+  wire [18:0] mux_49_s8 = {19{eq_25_s8}} & mux_48_s8;  // units/transformation.h:80
+  wire [19:0] xor_6_s8 = {mux_49_s8, or_24_s8} ^ {20{xor_5_s8}};  // units/transformation.h:80
+  wire [21:0] add_9_s8 = {2'd1, mux_42_s8[15:0], 4'd1} + {xor_5_s8, xor_6_s8, xor_5_s8};  // units/transformation.h:80
+  wire eq_27_s8 = add_9_s8[21:18] == 4'd0;  // units/transformation.h:80
+  wire eq_28_s8 = add_9_s8[17:14] == 4'd0;  // units/transformation.h:80
+  wire eq_29_s8 = add_9_s8[13:10] == 4'd0;  // units/transformation.h:80
+  wire eq_30_s8 = add_9_s8[9:6] == 4'd0;  // units/transformation.h:80
+  wire [23:0] mux_74_s8 = lt_3_s8 ? {column_3_71_s8, column_3_64_s8, column_3_48_s8} : {xor_7_s8, mux_68_s8};  // units/transformation.h:80
+  wire xor_8_s8 = xor_7_s8 ^ column_3_71_s8;  // units/transformation.h:80
+  wire [18:0] mux_80_s8 = {~mux_73_s8 & mux_79_s8[18], mux_73_s8 ? mux_79_s8[18:1] : mux_79_s8[17:0]};  // units/transformation.h:80
+  wire or_37_s8 = (and_31_s8 | and_33_s8) | (and_32_s8 | (and_30_s8 | or_33_s8));  // units/transformation.h:80
+  wire [18:0] mux_81_s8 = {19{eq_42_s8}} & mux_80_s8;  // units/transformation.h:80
+  wire [19:0] xor_9_s8 = {mux_81_s8, or_37_s8} ^ {20{xor_8_s8}};  // units/transformation.h:80
+  wire [21:0] add_14_s8 = {2'd1, mux_74_s8[15:0], 4'd1} + {xor_8_s8, xor_9_s8, xor_8_s8};  // units/transformation.h:80
+  wire eq_44_s8 = add_14_s8[21:18] == 4'd0;  // units/transformation.h:80
+  wire eq_45_s8 = add_14_s8[17:14] == 4'd0;  // units/transformation.h:80
+  wire eq_46_s8 = add_14_s8[13:10] == 4'd0;  // units/transformation.h:80
+  wire eq_47_s8 = add_14_s8[9:6] == 4'd0;  // units/transformation.h:80
+  wire [18:0] mux_107_s8 = {~{2{mux_102_s8[1]}} & mux_106_s8[18:17], mux_102_s8[1] ? mux_106_s8[18:2] : mux_106_s8[16:0]};  // units/transformation.h:80
+  wire [18:0] mux_108_s8 = {~mux_102_s8[0] & mux_107_s8[18], mux_102_s8[0] ? mux_107_s8[18:1] : mux_107_s8[17:0]};  // units/transformation.h:80
+  wire [18:0] mux_109_s8 = {19{eq_52_s8}} & mux_108_s8;  // units/transformation.h:80
+  wire or_42_s8 = (mux_102_s8[2] & (~eq_55_s8)) | (mux_102_s8[0] & mux_107_s8[0]);  // units/transformation.h:80
+  wire or_43_s8 = (mux_102_s8[1] & (~(mux_106_s8[1:0] == 2'd0))) | ((mux_102_s8[3] & (~eq_54_s8)) | ((~eq_52_s8) | and_43_s8));  // units/transformation.h:80
+  wire or_44_s8 = or_42_s8 | or_43_s8;  // units/transformation.h:80
+  wire [19:0] xor_13_s8 = {mux_109_s8, or_44_s8} ^ {20{xor_12_s8}};  // units/transformation.h:80
+  wire [21:0] add_22_s8 = {2'd1, mux_101_s8[15:0], 4'd1} + {xor_12_s8, xor_13_s8, xor_12_s8};  // units/transformation.h:80
+  wire [18:0] mux_134_s8 = {~{2{mux_129_s8[1]}} & mux_133_s8[18:17], mux_129_s8[1] ? mux_133_s8[18:2] : mux_133_s8[16:0]};  // units/transformation.h:80
+  wire [18:0] mux_135_s8 = {~mux_129_s8[0] & mux_134_s8[18], mux_129_s8[0] ? mux_134_s8[18:1] : mux_134_s8[17:0]};  // units/transformation.h:80
+  wire [18:0] mux_136_s8 = {19{eq_66_s8}} & mux_135_s8;  // units/transformation.h:80
+  wire or_49_s8 = (mux_129_s8[2] & (~eq_69_s8)) | (mux_129_s8[0] & mux_134_s8[0]);  // units/transformation.h:80
+  wire or_50_s8 = (mux_129_s8[1] & (~(mux_133_s8[1:0] == 2'd0))) | ((mux_129_s8[3] & (~eq_68_s8)) | ((~eq_66_s8) | and_57_s8));  // units/transformation.h:80
+  wire or_51_s8 = or_49_s8 | or_50_s8;  // units/transformation.h:80
+  wire [19:0] xor_17_s8 = {mux_136_s8, or_51_s8} ^ {20{xor_16_s8}};  // units/transformation.h:80
+  wire [21:0] add_30_s8 = {2'd1, mux_128_s8[15:0], 4'd1} + {xor_16_s8, xor_17_s8, xor_16_s8};  // units/transformation.h:80
+  wire [18:0] mux_182_s8 = {~{2{mux_177_s8[1]}} & mux_181_s8[18:17], mux_177_s8[1] ? mux_181_s8[18:2] : mux_181_s8[16:0]};  // units/transformation.h:80
+  wire [18:0] mux_183_s8 = {~mux_177_s8[0] & mux_182_s8[18], mux_177_s8[0] ? mux_182_s8[18:1] : mux_182_s8[17:0]};  // units/transformation.h:80
+  wire [18:0] mux_184_s8 = {19{eq_93_s8}} & mux_183_s8;  // units/transformation.h:80
+  wire or_63_s8 = (mux_177_s8[2] & (~eq_96_s8)) | (mux_177_s8[0] & mux_182_s8[0]);  // units/transformation.h:80
+  wire or_64_s8 = (mux_177_s8[1] & (~(mux_181_s8[1:0] == 2'd0))) | ((mux_177_s8[3] & (~eq_95_s8)) | ((~eq_93_s8) | and_83_s8));  // units/transformation.h:80
+  wire or_65_s8 = or_63_s8 | or_64_s8;  // units/transformation.h:80
+  wire [19:0] xor_23_s8 = {mux_184_s8, or_65_s8} ^ {20{xor_22_s8}};  // units/transformation.h:80
+  wire [21:0] add_39_s8 = {2'd1, mux_176_s8[15:0], 4'd1} + {xor_22_s8, xor_23_s8, xor_22_s8};  // units/transformation.h:80
 
   // ---- stage 9 ----
   reg valid_s9;
@@ -1051,63 +1051,63 @@ module transformation #(
     add_39_s9 <= add_39_s8[21:1];
     vector_6_s9 <= vector_6_s8;
   end
-  wire eq_9_s9 = add_4_s9[21:2] == 20'd0;  // units/transformation.h:79
-  wire eq_14_s9 = add_4_s9[5:2] == 4'd0;  // units/transformation.h:79
-  wire and_6_s9 = eq_10_s9 & eq_11_s9;  // units/transformation.h:79
-  wire and_8_s9 = and_6_s9 & (eq_12_s9 & eq_13_s9);  // units/transformation.h:79
-  wire [19:0] mux_18_s9 = {and_8_s9 ? add_4_s9[5:2] : add_4_s9[21:18], ~{16{and_8_s9}} & add_4_s9[17:2]};  // units/transformation.h:79
-  wire mux_20_s9 = and_8_s9 ? eq_14_s9 : and_6_s9;  // units/transformation.h:79
-  wire [19:0] mux_21_s9 = {mux_20_s9 ? mux_18_s9[11:0] : mux_18_s9[19:8], ~{8{mux_20_s9}} & mux_18_s9[7:0]};  // units/transformation.h:79
-  wire mux_22_s9 = mux_20_s9 ? (eq_12_s9 | and_8_s9) : (and_8_s9 ? eq_14_s9 : eq_10_s9);  // units/transformation.h:79
-  wire [19:0] mux_23_s9 = {mux_22_s9 ? mux_21_s9[15:0] : mux_21_s9[19:4], ~{4{mux_22_s9}} & mux_21_s9[3:0]};  // units/transformation.h:79
-  wire eq_26_s9 = add_9_s9[21:2] == 20'd0;  // units/transformation.h:79
-  wire eq_31_s9 = add_9_s9[5:2] == 4'd0;  // units/transformation.h:79
-  wire and_20_s9 = eq_27_s9 & eq_28_s9;  // units/transformation.h:79
-  wire and_22_s9 = and_20_s9 & (eq_29_s9 & eq_30_s9);  // units/transformation.h:79
-  wire [19:0] mux_50_s9 = {and_22_s9 ? add_9_s9[5:2] : add_9_s9[21:18], ~{16{and_22_s9}} & add_9_s9[17:2]};  // units/transformation.h:79
-  wire mux_52_s9 = and_22_s9 ? eq_31_s9 : and_20_s9;  // units/transformation.h:79
-  wire [19:0] mux_53_s9 = {mux_52_s9 ? mux_50_s9[11:0] : mux_50_s9[19:8], ~{8{mux_52_s9}} & mux_50_s9[7:0]};  // units/transformation.h:79
-  wire mux_54_s9 = mux_52_s9 ? (eq_29_s9 | and_22_s9) : (and_22_s9 ? eq_31_s9 : eq_27_s9);  // units/transformation.h:79
-  wire [19:0] mux_55_s9 = {mux_54_s9 ? mux_53_s9[15:0] : mux_53_s9[19:4], ~{4{mux_54_s9}} & mux_53_s9[3:0]};  // units/transformation.h:79
-  wire eq_43_s9 = add_14_s9[21:2] == 20'd0;  // units/transformation.h:79
-  wire eq_48_s9 = add_14_s9[5:2] == 4'd0;  // units/transformation.h:79
-  wire and_34_s9 = eq_44_s9 & eq_45_s9;  // units/transformation.h:79
-  wire and_36_s9 = and_34_s9 & (eq_46_s9 & eq_47_s9);  // units/transformation.h:79
-  wire [19:0] mux_82_s9 = {and_36_s9 ? add_14_s9[5:2] : add_14_s9[21:18], ~{16{and_36_s9}} & add_14_s9[17:2]};  // units/transformation.h:79
-  wire mux_84_s9 = and_36_s9 ? eq_48_s9 : and_34_s9;  // units/transformation.h:79
-  wire [19:0] mux_85_s9 = {mux_84_s9 ? mux_82_s9[11:0] : mux_82_s9[19:8], ~{8{mux_84_s9}} & mux_82_s9[7:0]};  // units/transformation.h:79
-  wire mux_86_s9 = mux_84_s9 ? (eq_46_s9 | and_36_s9) : (and_36_s9 ? eq_48_s9 : eq_44_s9);  // units/transformation.h:79
-  wire [19:0] mux_87_s9 = {mux_86_s9 ? mux_85_s9[15:0] : mux_85_s9[19:4], ~{4{mux_86_s9}} & mux_85_s9[3:0]};  // units/transformation.h:79
-  wire eq_57_s9 = add_22_s9[21:2] == 20'd0;  // units/transformation.h:79
-  wire eq_58_s9 = add_22_s9[21:18] == 4'd0;  // units/transformation.h:79
-  wire eq_60_s9 = add_22_s9[13:10] == 4'd0;  // units/transformation.h:79
-  wire eq_62_s9 = add_22_s9[5:2] == 4'd0;  // units/transformation.h:79
-  wire and_48_s9 = eq_58_s9 & (add_22_s9[17:14] == 4'd0);  // units/transformation.h:79
-  wire and_50_s9 = and_48_s9 & (eq_60_s9 & (add_22_s9[9:6] == 4'd0));  // units/transformation.h:79
-  wire [19:0] mux_110_s9 = {and_50_s9 ? add_22_s9[5:2] : add_22_s9[21:18], ~{16{and_50_s9}} & add_22_s9[17:2]};  // units/transformation.h:79
-  wire mux_112_s9 = and_50_s9 ? eq_62_s9 : and_48_s9;  // units/transformation.h:79
-  wire [19:0] mux_113_s9 = {mux_112_s9 ? mux_110_s9[11:0] : mux_110_s9[19:8], ~{8{mux_112_s9}} & mux_110_s9[7:0]};  // units/transformation.h:79
-  wire mux_114_s9 = mux_112_s9 ? (eq_60_s9 | and_50_s9) : (and_50_s9 ? eq_62_s9 : eq_58_s9);  // units/transformation.h:79
-  wire eq_71_s9 = add_30_s9[21:2] == 20'd0;  // units/transformation.h:79
-  wire eq_72_s9 = add_30_s9[21:18] == 4'd0;  // units/transformation.h:79
-  wire eq_74_s9 = add_30_s9[13:10] == 4'd0;  // units/transformation.h:79
-  wire eq_76_s9 = add_30_s9[5:2] == 4'd0;  // units/transformation.h:79
-  wire and_62_s9 = eq_72_s9 & (add_30_s9[17:14] == 4'd0);  // units/transformation.h:79
-  wire and_64_s9 = and_62_s9 & (eq_74_s9 & (add_30_s9[9:6] == 4'd0));  // units/transformation.h:79
-  wire [19:0] mux_137_s9 = {and_64_s9 ? add_30_s9[5:2] : add_30_s9[21:18], ~{16{and_64_s9}} & add_30_s9[17:2]};  // units/transformation.h:79
-  wire mux_139_s9 = and_64_s9 ? eq_76_s9 : and_62_s9;  // units/transformation.h:79
-  wire [19:0] mux_140_s9 = {mux_139_s9 ? mux_137_s9[11:0] : mux_137_s9[19:8], ~{8{mux_139_s9}} & mux_137_s9[7:0]};  // units/transformation.h:79
-  wire mux_141_s9 = mux_139_s9 ? (eq_74_s9 | and_64_s9) : (and_64_s9 ? eq_76_s9 : eq_72_s9);  // units/transformation.h:79
-  wire eq_98_s9 = add_39_s9[21:2] == 20'd0;  // units/transformation.h:79
-  wire eq_99_s9 = add_39_s9[21:18] == 4'd0;  // units/transformation.h:79
-  wire eq_101_s9 = add_39_s9[13:10] == 4'd0;  // units/transformation.h:79
-  wire eq_103_s9 = add_39_s9[5:2] == 4'd0;  // units/transformation.h:79
-  wire and_88_s9 = eq_99_s9 & (add_39_s9[17:14] == 4'd0);  // units/transformation.h:79
-  wire and_90_s9 = and_88_s9 & (eq_101_s9 & (add_39_s9[9:6] == 4'd0));  // units/transformation.h:79
-  wire [19:0] mux_185_s9 = {and_90_s9 ? add_39_s9[5:2] : add_39_s9[21:18], ~{16{and_90_s9}} & add_39_s9[17:2]};  // units/transformation.h:79
-  wire mux_187_s9 = and_90_s9 ? eq_103_s9 : and_88_s9;  // units/transformation.h:79
-  wire [19:0] mux_188_s9 = {mux_187_s9 ? mux_185_s9[11:0] : mux_185_s9[19:8], ~{8{mux_187_s9}} & mux_185_s9[7:0]};  // units/transformation.h:79
-  wire mux_189_s9 = mux_187_s9 ? (eq_101_s9 | and_90_s9) : (and_90_s9 ? eq_103_s9 : eq_99_s9);  // units/transformation.h:79
+  wire eq_9_s9 = add_4_s9[21:2] == 20'd0;  // units/transformation.h:80
+  wire eq_14_s9 = add_4_s9[5:2] == 4'd0;  // units/transformation.h:80
+  wire and_6_s9 = eq_10_s9 & eq_11_s9;  // units/transformation.h:80
+  wire and_8_s9 = and_6_s9 & (eq_12_s9 & eq_13_s9);  // units/transformation.h:80
+  wire [19:0] mux_18_s9 = {and_8_s9 ? add_4_s9[5:2] : add_4_s9[21:18], ~{16{and_8_s9}} & add_4_s9[17:2]};  // units/transformation.h:80
+  wire mux_20_s9 = and_8_s9 ? eq_14_s9 : and_6_s9;  // units/transformation.h:80
+  wire [19:0] mux_21_s9 = {mux_20_s9 ? mux_18_s9[11:0] : mux_18_s9[19:8], ~{8{mux_20_s9}} & mux_18_s9[7:0]};  // units/transformation.h:80
+  wire mux_22_s9 = mux_20_s9 ? (eq_12_s9 | and_8_s9) : (and_8_s9 ? eq_14_s9 : eq_10_s9);  // units/transformation.h:80
+  wire [19:0] mux_23_s9 = {mux_22_s9 ? mux_21_s9[15:0] : mux_21_s9[19:4], ~{4{mux_22_s9}} & mux_21_s9[3:0]};  // units/transformation.h:80
+  wire eq_26_s9 = add_9_s9[21:2] == 20'd0;  // units/transformation.h:80
+  wire eq_31_s9 = add_9_s9[5:2] == 4'd0;  // units/transformation.h:80
+  wire and_20_s9 = eq_27_s9 & eq_28_s9;  // units/transformation.h:80
+  wire and_22_s9 = and_20_s9 & (eq_29_s9 & eq_30_s9);  // units/transformation.h:80
+  wire [19:0] mux_50_s9 = {and_22_s9 ? add_9_s9[5:2] : add_9_s9[21:18], ~{16{and_22_s9}} & add_9_s9[17:2]};  // units/transformation.h:80
+  wire mux_52_s9 = and_22_s9 ? eq_31_s9 : and_20_s9;  // units/transformation.h:80
+  wire [19:0] mux_53_s9 = {mux_52_s9 ? mux_50_s9[11:0] : mux_50_s9[19:8], ~{8{mux_52_s9}} & mux_50_s9[7:0]};  // units/transformation.h:80
+  wire mux_54_s9 = mux_52_s9 ? (eq_29_s9 | and_22_s9) : (and_22_s9 ? eq_31_s9 : eq_27_s9);  // units/transformation.h:80
+  wire [19:0] mux_55_s9 = {mux_54_s9 ? mux_53_s9[15:0] : mux_53_s9[19:4], ~{4{mux_54_s9}} & mux_53_s9[3:0]};  // units/transformation.h:80
+  wire eq_43_s9 = add_14_s9[21:2] == 20'd0;  // units/transformation.h:80
+  wire eq_48_s9 = add_14_s9[5:2] == 4'd0;  // units/transformation.h:80
+  wire and_34_s9 = eq_44_s9 & eq_45_s9;  // units/transformation.h:80
+  wire and_36_s9 = and_34_s9 & (eq_46_s9 & eq_47_s9);  // units/transformation.h:80
+  wire [19:0] mux_82_s9 = {and_36_s9 ? add_14_s9[5:2] : add_14_s9[21:18], ~{16{and_36_s9}} & add_14_s9[17:2]};  // units/transformation.h:80
+  wire mux_84_s9 = and_36_s9 ? eq_48_s9 : and_34_s9;  // units/transformation.h:80
+  wire [19:0] mux_85_s9 = {mux_84_s9 ? mux_82_s9[11:0] : mux_82_s9[19:8], ~{8{mux_84_s9}} & mux_82_s9[7:0]};  // units/transformation.h:80
+  wire mux_86_s9 = mux_84_s9 ? (eq_46_s9 | and_36_s9) : (and_36_s9 ? eq_48_s9 : eq_44_s9);  // units/transformation.h:80
+  wire [19:0] mux_87_s9 = {mux_86_s9 ? mux_85_s9[15:0] : mux_85_s9[19:4], ~{4{mux_86_s9}} & mux_85_s9[3:0]};  // units/transformation.h:80
+  wire eq_57_s9 = add_22_s9[21:2] == 20'd0;  // units/transformation.h:80
+  wire eq_58_s9 = add_22_s9[21:18] == 4'd0;  // units/transformation.h:80
+  wire eq_60_s9 = add_22_s9[13:10] == 4'd0;  // units/transformation.h:80
+  wire eq_62_s9 = add_22_s9[5:2] == 4'd0;  // units/transformation.h:80
+  wire and_48_s9 = eq_58_s9 & (add_22_s9[17:14] == 4'd0);  // units/transformation.h:80
+  wire and_50_s9 = and_48_s9 & (eq_60_s9 & (add_22_s9[9:6] == 4'd0));  // units/transformation.h:80
+  wire [19:0] mux_110_s9 = {and_50_s9 ? add_22_s9[5:2] : add_22_s9[21:18], ~{16{and_50_s9}} & add_22_s9[17:2]};  // units/transformation.h:80
+  wire mux_112_s9 = and_50_s9 ? eq_62_s9 : and_48_s9;  // units/transformation.h:80
+  wire [19:0] mux_113_s9 = {mux_112_s9 ? mux_110_s9[11:0] : mux_110_s9[19:8], ~{8{mux_112_s9}} & mux_110_s9[7:0]};  // units/transformation.h:80
+  wire mux_114_s9 = mux_112_s9 ? (eq_60_s9 | and_50_s9) : (and_50_s9 ? eq_62_s9 : eq_58_s9);  // units/transformation.h:80
+  wire eq_71_s9 = add_30_s9[21:2] == 20'd0;  // units/transformation.h:80
+  wire eq_72_s9 = add_30_s9[21:18] == 4'd0;  // units/transformation.h:80
+  wire eq_74_s9 = add_30_s9[13:10] == 4'd0;  // units/transformation.h:80
+  wire eq_76_s9 = add_30_s9[5:2] == 4'd0;  // units/transformation.h:80
+  wire and_62_s9 = eq_72_s9 & (add_30_s9[17:14] == 4'd0);  // units/transformation.h:80
+  wire and_64_s9 = and_62_s9 & (eq_74_s9 & (add_30_s9[9:6] == 4'd0));  // units/transformation.h:80
+  wire [19:0] mux_137_s9 = {and_64_s9 ? add_30_s9[5:2] : add_30_s9[21:18], ~{16{and_64_s9}} & add_30_s9[17:2]};  // units/transformation.h:80
+  wire mux_139_s9 = and_64_s9 ? eq_76_s9 : and_62_s9;  // units/transformation.h:80
+  wire [19:0] mux_140_s9 = {mux_139_s9 ? mux_137_s9[11:0] : mux_137_s9[19:8], ~{8{mux_139_s9}} & mux_137_s9[7:0]};  // units/transformation.h:80
+  wire mux_141_s9 = mux_139_s9 ? (eq_74_s9 | and_64_s9) : (and_64_s9 ? eq_76_s9 : eq_72_s9);  // units/transformation.h:80
+  wire eq_98_s9 = add_39_s9[21:2] == 20'd0;  // units/transformation.h:80
+  wire eq_99_s9 = add_39_s9[21:18] == 4'd0;  // units/transformation.h:80
+  wire eq_101_s9 = add_39_s9[13:10] == 4'd0;  // units/transformation.h:80
+  wire eq_103_s9 = add_39_s9[5:2] == 4'd0;  // units/transformation.h:80
+  wire and_88_s9 = eq_99_s9 & (add_39_s9[17:14] == 4'd0);  // units/transformation.h:80
+  wire and_90_s9 = and_88_s9 & (eq_101_s9 & (add_39_s9[9:6] == 4'd0));  // units/transformation.h:80
+  wire [19:0] mux_185_s9 = {and_90_s9 ? add_39_s9[5:2] : add_39_s9[21:18], ~{16{and_90_s9}} & add_39_s9[17:2]};  // units/transformation.h:80
+  wire mux_187_s9 = and_90_s9 ? eq_103_s9 : and_88_s9;  // units/transformation.h:80
+  wire [19:0] mux_188_s9 = {mux_187_s9 ? mux_185_s9[11:0] : mux_185_s9[19:8], ~{8{mux_187_s9}} & mux_185_s9[7:0]};  // units/transformation.h:80
+  wire mux_189_s9 = mux_187_s9 ? (eq_101_s9 | and_90_s9) : (and_90_s9 ? eq_103_s9 : eq_99_s9);  // units/transformation.h:80
 
   // ---- stage 10 ----
   reg valid_s10;
@@ -1228,84 +1228,84 @@ module transformation #(
     mux_189_s10 <= mux_189_s9;
     vector_6_s10 <= vector_6_s9;
   end
-  wire not_15_s10 = ~eq_9_s10;  // units/transformation.h:79
-  wire and_9_s10 = not_15_s10 & mux_20_s10;  // units/transformation.h:79
-  wire eq_15_s10 = mux_23_s10[19:18] == 2'd0;  // units/transformation.h:79
-  wire [19:0] mux_24_s10 = {eq_15_s10 ? mux_23_s10[17:0] : mux_23_s10[19:2], ~{2{eq_15_s10}} & mux_23_s10[1:0]};  // units/transformation.h:79
-  wire and_10_s10 = not_15_s10 & eq_15_s10;  // units/transformation.h:79
-  wire and_11_s10 = not_15_s10 & (~mux_24_s10[19]);  // units/transformation.h:79
-  wire [19:0] mux_25_s10 = {and_9_s10 ? mux_18_s10[11:0] : mux_18_s10[19:8], ~{8{and_9_s10}} & mux_18_s10[7:0]};  // units/transformation.h:79
-  wire [19:0] mux_26_s10 = {mux_22_s10 ? mux_25_s10[15:0] : mux_25_s10[19:4], ~{4{mux_22_s10}} & mux_25_s10[3:0]};  // units/transformation.h:79
-  wire [19:0] mux_27_s10 = {and_10_s10 ? mux_26_s10[17:0] : mux_26_s10[19:2], ~{2{and_10_s10}} & mux_26_s10[1:0]};  // units/transformation.h:79
-  wire [19:0] mux_28_s10 = {and_11_s10 ? mux_27_s10[18:0] : mux_27_s10[19:1], ~and_11_s10 & mux_27_s10[0]};  // units/transformation.h:79
-  wire [8:0] sub_3_s10 = {2'd0, mux_10_s10[22:16]} - {4'd0, and_8_s10, and_9_s10, mux_22_s10, and_10_s10, and_11_s10};  // units/transformation.h:79
-  wire or_13_s10 = add_4_s10 | (~(mux_28_s10[2:0] == 3'd4));  // units/transformation.h:79
-  wire not_18_s10 = ~(((or_13_s10 ? 2'd1 : 2'd2) & mux_28_s10[3:2]) == 2'd0);  // units/transformation.h:79
-  wire not_34_s10 = ~eq_26_s10;  // units/transformation.h:79
-  wire and_23_s10 = not_34_s10 & mux_52_s10;  // units/transformation.h:79
-  wire eq_32_s10 = mux_55_s10[19:18] == 2'd0;  // units/transformation.h:79
-  wire [19:0] mux_56_s10 = {eq_32_s10 ? mux_55_s10[17:0] : mux_55_s10[19:2], ~{2{eq_32_s10}} & mux_55_s10[1:0]};  // units/transformation.h:79
-  wire and_24_s10 = not_34_s10 & eq_32_s10;  // units/transformation.h:79
-  wire and_25_s10 = not_34_s10 & (~mux_56_s10[19]);  // units/transformation.h:79
-  wire [19:0] mux_57_s10 = {and_23_s10 ? mux_50_s10[11:0] : mux_50_s10[19:8], ~{8{and_23_s10}} & mux_50_s10[7:0]};  // units/transformation.h:79
-  wire [19:0] mux_58_s10 = {mux_54_s10 ? mux_57_s10[15:0] : mux_57_s10[19:4], ~{4{mux_54_s10}} & mux_57_s10[3:0]};  // units/transformation.h:79
-  wire [19:0] mux_59_s10 = {and_24_s10 ? mux_58_s10[17:0] : mux_58_s10[19:2], ~{2{and_24_s10}} & mux_58_s10[1:0]};  // units/transformation.h:79
-  wire [19:0] mux_60_s10 = {and_25_s10 ? mux_59_s10[18:0] : mux_59_s10[19:1], ~and_25_s10 & mux_59_s10[0]};  // units/transformation.h:79
-  wire [8:0] sub_6_s10 = {2'd0, mux_42_s10[22:16]} - {4'd0, and_22_s10, and_23_s10, mux_54_s10, and_24_s10, and_25_s10};  // units/transformation.h:79
-  wire or_26_s10 = add_9_s10 | (~(mux_60_s10[2:0] == 3'd4));  // units/transformation.h:79
-  wire not_37_s10 = ~(((or_26_s10 ? 2'd1 : 2'd2) & mux_60_s10[3:2]) == 2'd0);  // units/transformation.h:79
-  wire not_53_s10 = ~eq_43_s10;  // units/transformation.h:79
-  wire and_37_s10 = not_53_s10 & mux_84_s10;  // units/transformation.h:79
-  wire eq_49_s10 = mux_87_s10[19:18] == 2'd0;  // units/transformation.h:79
-  wire [19:0] mux_88_s10 = {eq_49_s10 ? mux_87_s10[17:0] : mux_87_s10[19:2], ~{2{eq_49_s10}} & mux_87_s10[1:0]};  // units/transformation.h:79
-  wire and_38_s10 = not_53_s10 & eq_49_s10;  // units/transformation.h:79
-  wire and_39_s10 = not_53_s10 & (~mux_88_s10[19]);  // units/transformation.h:79
-  wire [19:0] mux_89_s10 = {and_37_s10 ? mux_82_s10[11:0] : mux_82_s10[19:8], ~{8{and_37_s10}} & mux_82_s10[7:0]};  // units/transformation.h:79
-  wire [19:0] mux_90_s10 = {mux_86_s10 ? mux_89_s10[15:0] : mux_89_s10[19:4], ~{4{mux_86_s10}} & mux_89_s10[3:0]};  // units/transformation.h:79
-  wire [19:0] mux_91_s10 = {and_38_s10 ? mux_90_s10[17:0] : mux_90_s10[19:2], ~{2{and_38_s10}} & mux_90_s10[1:0]};  // units/transformation.h:79
-  wire [19:0] mux_92_s10 = {and_39_s10 ? mux_91_s10[18:0] : mux_91_s10[19:1], ~and_39_s10 & mux_91_s10[0]};  // units/transformation.h:79
-  wire [8:0] sub_9_s10 = {2'd0, mux_74_s10[22:16]} - {4'd0, and_36_s10, and_37_s10, mux_86_s10, and_38_s10, and_39_s10};  // units/transformation.h:79
-  wire or_39_s10 = add_14_s10 | (~(mux_92_s10[2:0] == 3'd4));  // units/transformation.h:79
-  wire not_56_s10 = ~(((or_39_s10 ? 2'd1 : 2'd2) & mux_92_s10[3:2]) == 2'd0);  // units/transformation.h:79
-  wire not_63_s10 = ~eq_57_s10;  // units/transformation.h:79
-  wire and_51_s10 = not_63_s10 & mux_112_s10;  // units/transformation.h:79
-  wire [19:0] mux_115_s10 = {mux_114_s10 ? mux_113_s10[15:0] : mux_113_s10[19:4], ~{4{mux_114_s10}} & mux_113_s10[3:0]};  // units/transformation.h:79
-  wire eq_63_s10 = mux_115_s10[19:18] == 2'd0;  // units/transformation.h:79
-  wire [19:0] mux_116_s10 = {eq_63_s10 ? mux_115_s10[17:0] : mux_115_s10[19:2], ~{2{eq_63_s10}} & mux_115_s10[1:0]};  // units/transformation.h:79
-  wire and_52_s10 = not_63_s10 & eq_63_s10;  // units/transformation.h:79
-  wire and_53_s10 = not_63_s10 & (~mux_116_s10[19]);  // units/transformation.h:79
-  wire [19:0] mux_117_s10 = {and_51_s10 ? mux_110_s10[11:0] : mux_110_s10[19:8], ~{8{and_51_s10}} & mux_110_s10[7:0]};  // units/transformation.h:79
-  wire [19:0] mux_118_s10 = {mux_114_s10 ? mux_117_s10[15:0] : mux_117_s10[19:4], ~{4{mux_114_s10}} & mux_117_s10[3:0]};  // units/transformation.h:79
-  wire [19:0] mux_119_s10 = {and_52_s10 ? mux_118_s10[17:0] : mux_118_s10[19:2], ~{2{and_52_s10}} & mux_118_s10[1:0]};  // units/transformation.h:79
-  wire [19:0] mux_120_s10 = {and_53_s10 ? mux_119_s10[18:0] : mux_119_s10[19:1], ~and_53_s10 & mux_119_s10[0]};  // units/transformation.h:79
-  wire [8:0] sub_12_s10 = {2'd0, mux_101_s10[22:16]} - {4'd0, and_50_s10, and_51_s10, mux_114_s10, and_52_s10, and_53_s10};  // units/transformation.h:79
-  wire eq_64_s10 = mux_120_s10[2:0] == 3'd4;  // units/transformation.h:79
-  wire not_73_s10 = ~eq_71_s10;  // units/transformation.h:79
-  wire and_65_s10 = not_73_s10 & mux_139_s10;  // units/transformation.h:79
-  wire [19:0] mux_142_s10 = {mux_141_s10 ? mux_140_s10[15:0] : mux_140_s10[19:4], ~{4{mux_141_s10}} & mux_140_s10[3:0]};  // units/transformation.h:79
-  wire eq_77_s10 = mux_142_s10[19:18] == 2'd0;  // units/transformation.h:79
-  wire [19:0] mux_143_s10 = {eq_77_s10 ? mux_142_s10[17:0] : mux_142_s10[19:2], ~{2{eq_77_s10}} & mux_142_s10[1:0]};  // units/transformation.h:79
-  wire and_66_s10 = not_73_s10 & eq_77_s10;  // units/transformation.h:79
-  wire and_67_s10 = not_73_s10 & (~mux_143_s10[19]);  // units/transformation.h:79
-  wire [8:0] sub_15_s10 = {2'd0, mux_128_s10[22:16]} - {4'd0, and_64_s10, and_65_s10, mux_141_s10, and_66_s10, and_67_s10};  // units/transformation.h:79
-  wire [19:0] mux_144_s10 = {and_65_s10 ? mux_137_s10[11:0] : mux_137_s10[19:8], ~{8{and_65_s10}} & mux_137_s10[7:0]};  // units/transformation.h:79
-  wire [19:0] mux_145_s10 = {mux_141_s10 ? mux_144_s10[15:0] : mux_144_s10[19:4], ~{4{mux_141_s10}} & mux_144_s10[3:0]};  // units/transformation.h:79
-  wire [19:0] mux_146_s10 = {and_66_s10 ? mux_145_s10[17:0] : mux_145_s10[19:2], ~{2{and_66_s10}} & mux_145_s10[1:0]};  // units/transformation.h:79
-  wire [19:0] mux_147_s10 = {and_67_s10 ? mux_146_s10[18:0] : mux_146_s10[19:1], ~and_67_s10 & mux_146_s10[0]};  // units/transformation.h:79
-  wire eq_78_s10 = mux_147_s10[2:0] == 3'd4;  // units/transformation.h:79
-  wire not_91_s10 = ~eq_98_s10;  // units/transformation.h:79
-  wire and_91_s10 = not_91_s10 & mux_187_s10;  // units/transformation.h:79
-  wire [19:0] mux_190_s10 = {mux_189_s10 ? mux_188_s10[15:0] : mux_188_s10[19:4], ~{4{mux_189_s10}} & mux_188_s10[3:0]};  // units/transformation.h:79
-  wire eq_104_s10 = mux_190_s10[19:18] == 2'd0;  // units/transformation.h:79
-  wire [19:0] mux_191_s10 = {eq_104_s10 ? mux_190_s10[17:0] : mux_190_s10[19:2], ~{2{eq_104_s10}} & mux_190_s10[1:0]};  // units/transformation.h:79
-  wire and_92_s10 = not_91_s10 & eq_104_s10;  // units/transformation.h:79
-  wire and_93_s10 = not_91_s10 & (~mux_191_s10[19]);  // units/transformation.h:79
-  wire [8:0] sub_20_s10 = {2'd0, mux_176_s10[22:16]} - {4'd0, and_90_s10, and_91_s10, mux_189_s10, and_92_s10, and_93_s10};  // units/transformation.h:79
-  wire [19:0] mux_192_s10 = {and_91_s10 ? mux_185_s10[11:0] : mux_185_s10[19:8], ~{8{and_91_s10}} & mux_185_s10[7:0]};  // units/transformation.h:79
-  wire [19:0] mux_193_s10 = {mux_189_s10 ? mux_192_s10[15:0] : mux_192_s10[19:4], ~{4{mux_189_s10}} & mux_192_s10[3:0]};  // units/transformation.h:79
-  wire [19:0] mux_194_s10 = {and_92_s10 ? mux_193_s10[17:0] : mux_193_s10[19:2], ~{2{and_92_s10}} & mux_193_s10[1:0]};  // units/transformation.h:79
-  wire [19:0] mux_195_s10 = {and_93_s10 ? mux_194_s10[18:0] : mux_194_s10[19:1], ~and_93_s10 & mux_194_s10[0]};  // units/transformation.h:79
-  wire eq_105_s10 = mux_195_s10[2:0] == 3'd4;  // units/transformation.h:79
+  wire not_15_s10 = ~eq_9_s10;  // units/transformation.h:80
+  wire and_9_s10 = not_15_s10 & mux_20_s10;  // units/transformation.h:80
+  wire eq_15_s10 = mux_23_s10[19:18] == 2'd0;  // units/transformation.h:80
+  wire [19:0] mux_24_s10 = {eq_15_s10 ? mux_23_s10[17:0] : mux_23_s10[19:2], ~{2{eq_15_s10}} & mux_23_s10[1:0]};  // units/transformation.h:80
+  wire and_10_s10 = not_15_s10 & eq_15_s10;  // units/transformation.h:80
+  wire and_11_s10 = not_15_s10 & (~mux_24_s10[19]);  // units/transformation.h:80
+  wire [19:0] mux_25_s10 = {and_9_s10 ? mux_18_s10[11:0] : mux_18_s10[19:8], ~{8{and_9_s10}} & mux_18_s10[7:0]};  // units/transformation.h:80
+  wire [19:0] mux_26_s10 = {mux_22_s10 ? mux_25_s10[15:0] : mux_25_s10[19:4], ~{4{mux_22_s10}} & mux_25_s10[3:0]};  // units/transformation.h:80
+  wire [19:0] mux_27_s10 = {and_10_s10 ? mux_26_s10[17:0] : mux_26_s10[19:2], ~{2{and_10_s10}} & mux_26_s10[1:0]};  // units/transformation.h:80
+  wire [19:0] mux_28_s10 = {and_11_s10 ? mux_27_s10[18:0] : mux_27_s10[19:1], ~and_11_s10 & mux_27_s10[0]};  // units/transformation.h:80
+  wire [8:0] sub_3_s10 = {2'd0, mux_10_s10[22:16]} - {4'd0, and_8_s10, and_9_s10, mux_22_s10, and_10_s10, and_11_s10};  // units/transformation.h:80
+  wire or_13_s10 = add_4_s10 | (~(mux_28_s10[2:0] == 3'd4));  // units/transformation.h:80
+  wire not_18_s10 = ~(((or_13_s10 ? 2'd1 : 2'd2) & mux_28_s10[3:2]) == 2'd0);  // units/transformation.h:80
+  wire not_34_s10 = ~eq_26_s10;  // units/transformation.h:80
+  wire and_23_s10 = not_34_s10 & mux_52_s10;  // units/transformation.h:80
+  wire eq_32_s10 = mux_55_s10[19:18] == 2'd0;  // units/transformation.h:80
+  wire [19:0] mux_56_s10 = {eq_32_s10 ? mux_55_s10[17:0] : mux_55_s10[19:2], ~{2{eq_32_s10}} & mux_55_s10[1:0]};  // units/transformation.h:80
+  wire and_24_s10 = not_34_s10 & eq_32_s10;  // units/transformation.h:80
+  wire and_25_s10 = not_34_s10 & (~mux_56_s10[19]);  // units/transformation.h:80
+  wire [19:0] mux_57_s10 = {and_23_s10 ? mux_50_s10[11:0] : mux_50_s10[19:8], ~{8{and_23_s10}} & mux_50_s10[7:0]};  // units/transformation.h:80
+  wire [19:0] mux_58_s10 = {mux_54_s10 ? mux_57_s10[15:0] : mux_57_s10[19:4], ~{4{mux_54_s10}} & mux_57_s10[3:0]};  // units/transformation.h:80
+  wire [19:0] mux_59_s10 = {and_24_s10 ? mux_58_s10[17:0] : mux_58_s10[19:2], ~{2{and_24_s10}} & mux_58_s10[1:0]};  // units/transformation.h:80
+  wire [19:0] mux_60_s10 = {and_25_s10 ? mux_59_s10[18:0] : mux_59_s10[19:1], ~and_25_s10 & mux_59_s10[0]};  // units/transformation.h:80
+  wire [8:0] sub_6_s10 = {2'd0, mux_42_s10[22:16]} - {4'd0, and_22_s10, and_23_s10, mux_54_s10, and_24_s10, and_25_s10};  // units/transformation.h:80
+  wire or_26_s10 = add_9_s10 | (~(mux_60_s10[2:0] == 3'd4));  // units/transformation.h:80
+  wire not_37_s10 = ~(((or_26_s10 ? 2'd1 : 2'd2) & mux_60_s10[3:2]) == 2'd0);  // units/transformation.h:80
+  wire not_53_s10 = ~eq_43_s10;  // units/transformation.h:80
+  wire and_37_s10 = not_53_s10 & mux_84_s10;  // units/transformation.h:80
+  wire eq_49_s10 = mux_87_s10[19:18] == 2'd0;  // units/transformation.h:80
+  wire [19:0] mux_88_s10 = {eq_49_s10 ? mux_87_s10[17:0] : mux_87_s10[19:2], ~{2{eq_49_s10}} & mux_87_s10[1:0]};  // units/transformation.h:80
+  wire and_38_s10 = not_53_s10 & eq_49_s10;  // units/transformation.h:80
+  wire and_39_s10 = not_53_s10 & (~mux_88_s10[19]);  // units/transformation.h:80
+  wire [19:0] mux_89_s10 = {and_37_s10 ? mux_82_s10[11:0] : mux_82_s10[19:8], ~{8{and_37_s10}} & mux_82_s10[7:0]};  // units/transformation.h:80
+  wire [19:0] mux_90_s10 = {mux_86_s10 ? mux_89_s10[15:0] : mux_89_s10[19:4], ~{4{mux_86_s10}} & mux_89_s10[3:0]};  // units/transformation.h:80
+  wire [19:0] mux_91_s10 = {and_38_s10 ? mux_90_s10[17:0] : mux_90_s10[19:2], ~{2{and_38_s10}} & mux_90_s10[1:0]};  // units/transformation.h:80
+  wire [19:0] mux_92_s10 = {and_39_s10 ? mux_91_s10[18:0] : mux_91_s10[19:1], ~and_39_s10 & mux_91_s10[0]};  // units/transformation.h:80
+  wire [8:0] sub_9_s10 = {2'd0, mux_74_s10[22:16]} - {4'd0, and_36_s10, and_37_s10, mux_86_s10, and_38_s10, and_39_s10};  // units/transformation.h:80
+  wire or_39_s10 = add_14_s10 | (~(mux_92_s10[2:0] == 3'd4));  // units/transformation.h:80
+  wire not_56_s10 = ~(((or_39_s10 ? 2'd1 : 2'd2) & mux_92_s10[3:2]) == 2'd0);  // units/transformation.h:80
+  wire not_63_s10 = ~eq_57_s10;  // units/transformation.h:80
+  wire and_51_s10 = not_63_s10 & mux_112_s10;  // units/transformation.h:80
+  wire [19:0] mux_115_s10 = {mux_114_s10 ? mux_113_s10[15:0] : mux_113_s10[19:4], ~{4{mux_114_s10}} & mux_113_s10[3:0]};  // units/transformation.h:80
+  wire eq_63_s10 = mux_115_s10[19:18] == 2'd0;  // units/transformation.h:80
+  wire [19:0] mux_116_s10 = {eq_63_s10 ? mux_115_s10[17:0] : mux_115_s10[19:2], ~{2{eq_63_s10}} & mux_115_s10[1:0]};  // units/transformation.h:80
+  wire and_52_s10 = not_63_s10 & eq_63_s10;  // units/transformation.h:80
+  wire and_53_s10 = not_63_s10 & (~mux_116_s10[19]);  // units/transformation.h:80
+  wire [19:0] mux_117_s10 = {and_51_s10 ? mux_110_s10[11:0] : mux_110_s10[19:8], ~{8{and_51_s10}} & mux_110_s10[7:0]};  // units/transformation.h:80
+  wire [19:0] mux_118_s10 = {mux_114_s10 ? mux_117_s10[15:0] : mux_117_s10[19:4], ~{4{mux_114_s10}} & mux_117_s10[3:0]};  // units/transformation.h:80
+  wire [19:0] mux_119_s10 = {and_52_s10 ? mux_118_s10[17:0] : mux_118_s10[19:2], ~{2{and_52_s10}} & mux_118_s10[1:0]};  // units/transformation.h:80
+  wire [19:0] mux_120_s10 = {and_53_s10 ? mux_119_s10[18:0] : mux_119_s10[19:1], ~and_53_s10 & mux_119_s10[0]};  // units/transformation.h:80
+  wire [8:0] sub_12_s10 = {2'd0, mux_101_s10[22:16]} - {4'd0, and_50_s10, and_51_s10, mux_114_s10, and_52_s10, and_53_s10};  // units/transformation.h:80
+  wire eq_64_s10 = mux_120_s10[2:0] == 3'd4;  // units/transformation.h:80
+  wire not_73_s10 = ~eq_71_s10;  // units/transformation.h:80
+  wire and_65_s10 = not_73_s10 & mux_139_s10;  // units/transformation.h:80
+  wire [19:0] mux_142_s10 = {mux_141_s10 ? mux_140_s10[15:0] : mux_140_s10[19:4], ~{4{mux_141_s10}} & mux_140_s10[3:0]};  // units/transformation.h:80
+  wire eq_77_s10 = mux_142_s10[19:18] == 2'd0;  // units/transformation.h:80
+  wire [19:0] mux_143_s10 = {eq_77_s10 ? mux_142_s10[17:0] : mux_142_s10[19:2], ~{2{eq_77_s10}} & mux_142_s10[1:0]};  // units/transformation.h:80
+  wire and_66_s10 = not_73_s10 & eq_77_s10;  // units/transformation.h:80
+  wire and_67_s10 = not_73_s10 & (~mux_143_s10[19]);  // units/transformation.h:80
+  wire [8:0] sub_15_s10 = {2'd0, mux_128_s10[22:16]} - {4'd0, and_64_s10, and_65_s10, mux_141_s10, and_66_s10, and_67_s10};  // units/transformation.h:80
+  wire [19:0] mux_144_s10 = {and_65_s10 ? mux_137_s10[11:0] : mux_137_s10[19:8], ~{8{and_65_s10}} & mux_137_s10[7:0]};  // units/transformation.h:80
+  wire [19:0] mux_145_s10 = {mux_141_s10 ? mux_144_s10[15:0] : mux_144_s10[19:4], ~{4{mux_141_s10}} & mux_144_s10[3:0]};  // units/transformation.h:80
+  wire [19:0] mux_146_s10 = {and_66_s10 ? mux_145_s10[17:0] : mux_145_s10[19:2], ~{2{and_66_s10}} & mux_145_s10[1:0]};  // units/transformation.h:80
+  wire [19:0] mux_147_s10 = {and_67_s10 ? mux_146_s10[18:0] : mux_146_s10[19:1], ~and_67_s10 & mux_146_s10[0]};  // units/transformation.h:80
+  wire eq_78_s10 = mux_147_s10[2:0] == 3'd4;  // units/transformation.h:80
+  wire not_91_s10 = ~eq_98_s10;  // units/transformation.h:80
+  wire and_91_s10 = not_91_s10 & mux_187_s10;  // units/transformation.h:80
+  wire [19:0] mux_190_s10 = {mux_189_s10 ? mux_188_s10[15:0] : mux_188_s10[19:4], ~{4{mux_189_s10}} & mux_188_s10[3:0]};  // units/transformation.h:80
+  wire eq_104_s10 = mux_190_s10[19:18] == 2'd0;  // units/transformation.h:80
+  wire [19:0] mux_191_s10 = {eq_104_s10 ? mux_190_s10[17:0] : mux_190_s10[19:2], ~{2{eq_104_s10}} & mux_190_s10[1:0]};  // units/transformation.h:80
+  wire and_92_s10 = not_91_s10 & eq_104_s10;  // units/transformation.h:80
+  wire and_93_s10 = not_91_s10 & (~mux_191_s10[19]);  // units/transformation.h:80
+  wire [8:0] sub_20_s10 = {2'd0, mux_176_s10[22:16]} - {4'd0, and_90_s10, and_91_s10, mux_189_s10, and_92_s10, and_93_s10};  // units/transformation.h:80
+  wire [19:0] mux_192_s10 = {and_91_s10 ? mux_185_s10[11:0] : mux_185_s10[19:8], ~{8{and_91_s10}} & mux_185_s10[7:0]};  // units/transformation.h:80
+  wire [19:0] mux_193_s10 = {mux_189_s10 ? mux_192_s10[15:0] : mux_192_s10[19:4], ~{4{mux_189_s10}} & mux_192_s10[3:0]};  // units/transformation.h:80
+  wire [19:0] mux_194_s10 = {and_92_s10 ? mux_193_s10[17:0] : mux_193_s10[19:2], ~{2{and_92_s10}} & mux_193_s10[1:0]};  // units/transformation.h:80
+  wire [19:0] mux_195_s10 = {and_93_s10 ? mux_194_s10[18:0] : mux_194_s10[19:1], ~and_93_s10 & mux_194_s10[0]};  // units/transformation.h:80
+  wire eq_105_s10 = mux_195_s10[2:0] == 3'd4;  // units/transformation.h:80
 
   // ---- stage 11 ----
   reg valid_s11;
@@ -1384,45 +1384,45 @@ module transformation #(
     eq_105_s11 <= eq_105_s10;
     vector_6_s11 <= vector_6_s10;
   end
-  wire [24:0] add_5_s11 = {sub_3_s11, 15'd0, not_18_s11} + {8'd0, mux_28_s11};  // units/transformation.h:79
-  wire and_13_s11 = mux_28_s11[19] & (~add_5_s11[24]);  // units/transformation.h:79
-  wire and_14_s11 = mux_28_s11[19] & mux_10_s11;  // units/transformation.h:79
-  wire [22:0] mux_30_s11 = {23{add_5_s11[23]}} | add_5_s11[22:0];  // units/transformation.h:79
-  wire [22:0] mux_31_s11 = {23{and_13_s11}} & mux_30_s11;  // units/transformation.h:79
+  wire [24:0] add_5_s11 = {sub_3_s11, 15'd0, not_18_s11} + {8'd0, mux_28_s11};  // units/transformation.h:80
+  wire and_13_s11 = mux_28_s11[19] & (~add_5_s11[24]);  // units/transformation.h:80
+  wire and_14_s11 = mux_28_s11[19] & mux_10_s11;  // units/transformation.h:80
+  wire [22:0] mux_30_s11 = {23{add_5_s11[23]}} | add_5_s11[22:0];  // units/transformation.h:80
+  wire [22:0] mux_31_s11 = {23{and_13_s11}} & mux_30_s11;  // units/transformation.h:80
   wire [23:0] mux_32_s11 = in_point_s11 ? {and_14_s11, mux_31_s11} : {xor_1_s11, mux_4_s11};
-  wire [24:0] add_10_s11 = {sub_6_s11, 15'd0, not_37_s11} + {8'd0, mux_60_s11};  // units/transformation.h:79
-  wire and_27_s11 = mux_60_s11[19] & (~add_10_s11[24]);  // units/transformation.h:79
-  wire and_28_s11 = mux_60_s11[19] & mux_42_s11;  // units/transformation.h:79
-  wire [22:0] mux_62_s11 = {23{add_10_s11[23]}} | add_10_s11[22:0];  // units/transformation.h:79
-  wire [22:0] mux_63_s11 = {23{and_27_s11}} & mux_62_s11;  // units/transformation.h:79
+  wire [24:0] add_10_s11 = {sub_6_s11, 15'd0, not_37_s11} + {8'd0, mux_60_s11};  // units/transformation.h:80
+  wire and_27_s11 = mux_60_s11[19] & (~add_10_s11[24]);  // units/transformation.h:80
+  wire and_28_s11 = mux_60_s11[19] & mux_42_s11;  // units/transformation.h:80
+  wire [22:0] mux_62_s11 = {23{add_10_s11[23]}} | add_10_s11[22:0];  // units/transformation.h:80
+  wire [22:0] mux_63_s11 = {23{and_27_s11}} & mux_62_s11;  // units/transformation.h:80
   wire [23:0] mux_64_s11 = in_point_s11 ? {and_28_s11, mux_63_s11} : {xor_4_s11, mux_36_s11};
-  wire [24:0] add_15_s11 = {sub_9_s11, 15'd0, not_56_s11} + {8'd0, mux_92_s11};  // units/transformation.h:79
-  wire and_41_s11 = mux_92_s11[19] & (~add_15_s11[24]);  // units/transformation.h:79
-  wire and_42_s11 = mux_92_s11[19] & mux_74_s11;  // units/transformation.h:79
-  wire [22:0] mux_94_s11 = {23{add_15_s11[23]}} | add_15_s11[22:0];  // units/transformation.h:79
-  wire [22:0] mux_95_s11 = {23{and_41_s11}} & mux_94_s11;  // units/transformation.h:79
+  wire [24:0] add_15_s11 = {sub_9_s11, 15'd0, not_56_s11} + {8'd0, mux_92_s11};  // units/transformation.h:80
+  wire and_41_s11 = mux_92_s11[19] & (~add_15_s11[24]);  // units/transformation.h:80
+  wire and_42_s11 = mux_92_s11[19] & mux_74_s11;  // units/transformation.h:80
+  wire [22:0] mux_94_s11 = {23{add_15_s11[23]}} | add_15_s11[22:0];  // units/transformation.h:80
+  wire [22:0] mux_95_s11 = {23{and_41_s11}} & mux_94_s11;  // units/transformation.h:80
   wire [23:0] mux_96_s11 = in_point_s11 ? {and_42_s11, mux_95_s11} : {xor_7_s11, mux_68_s11};
-  wire and_54_s11 = mux_101_s11 & mux_120_s11[19];  // units/transformation.h:79
-  wire or_46_s11 = add_22_s11 | (~eq_64_s11);  // units/transformation.h:79
-  wire not_66_s11 = ~(((or_46_s11 ? 2'd1 : 2'd2) & mux_120_s11[3:2]) == 2'd0);  // units/transformation.h:79
-  wire [24:0] add_23_s11 = {sub_12_s11, 15'd0, not_66_s11} + {8'd0, mux_120_s11[19:3]};  // units/transformation.h:79
-  wire and_56_s11 = mux_120_s11[19] & (~add_23_s11[24]);  // units/transformation.h:79
-  wire [22:0] mux_122_s11 = {23{add_23_s11[23]}} | add_23_s11[22:0];  // units/transformation.h:79
-  wire [22:0] mux_123_s11 = {23{and_56_s11}} & mux_122_s11;  // units/transformation.h:79
-  wire or_53_s11 = add_30_s11 | (~eq_78_s11);  // units/transformation.h:79
-  wire not_76_s11 = ~(((or_53_s11 ? 2'd1 : 2'd2) & mux_147_s11[3:2]) == 2'd0);  // units/transformation.h:79
-  wire [24:0] add_31_s11 = {sub_15_s11, 15'd0, not_76_s11} + {8'd0, mux_147_s11[19:3]};  // units/transformation.h:79
-  wire and_69_s11 = (~add_31_s11[24]) & mux_147_s11[19];  // units/transformation.h:79
-  wire [22:0] mux_149_s11 = {23{add_31_s11[23]}} | add_31_s11[22:0];  // units/transformation.h:79
-  wire [22:0] mux_150_s11 = {23{and_69_s11}} & mux_149_s11;  // units/transformation.h:79
-  wire and_70_s11 = mux_147_s11[19] & mux_128_s11;  // units/transformation.h:79
-  wire or_67_s11 = add_39_s11 | (~eq_105_s11);  // units/transformation.h:79
-  wire not_94_s11 = ~(((or_67_s11 ? 2'd1 : 2'd2) & mux_195_s11[3:2]) == 2'd0);  // units/transformation.h:79
-  wire [24:0] add_40_s11 = {sub_20_s11, 15'd0, not_94_s11} + {8'd0, mux_195_s11[19:3]};  // units/transformation.h:79
-  wire and_95_s11 = (~add_40_s11[24]) & mux_195_s11[19];  // units/transformation.h:79
-  wire [22:0] mux_197_s11 = {23{add_40_s11[23]}} | add_40_s11[22:0];  // units/transformation.h:79
-  wire [22:0] mux_198_s11 = {23{and_95_s11}} & mux_197_s11;  // units/transformation.h:79
-  wire and_96_s11 = mux_195_s11[19] & mux_176_s11;  // units/transformation.h:79
+  wire and_54_s11 = mux_101_s11 & mux_120_s11[19];  // units/transformation.h:80
+  wire or_46_s11 = add_22_s11 | (~eq_64_s11);  // units/transformation.h:80
+  wire not_66_s11 = ~(((or_46_s11 ? 2'd1 : 2'd2) & mux_120_s11[3:2]) == 2'd0);  // units/transformation.h:80
+  wire [24:0] add_23_s11 = {sub_12_s11, 15'd0, not_66_s11} + {8'd0, mux_120_s11[19:3]};  // units/transformation.h:80
+  wire and_56_s11 = mux_120_s11[19] & (~add_23_s11[24]);  // units/transformation.h:80
+  wire [22:0] mux_122_s11 = {23{add_23_s11[23]}} | add_23_s11[22:0];  // units/transformation.h:80
+  wire [22:0] mux_123_s11 = {23{and_56_s11}} & mux_122_s11;  // units/transformation.h:80
+  wire or_53_s11 = add_30_s11 | (~eq_78_s11);  // units/transformation.h:80
+  wire not_76_s11 = ~(((or_53_s11 ? 2'd1 : 2'd2) & mux_147_s11[3:2]) == 2'd0);  // units/transformation.h:80
+  wire [24:0] add_31_s11 = {sub_15_s11, 15'd0, not_76_s11} + {8'd0, mux_147_s11[19:3]};  // units/transformation.h:80
+  wire and_69_s11 = (~add_31_s11[24]) & mux_147_s11[19];  // units/transformation.h:80
+  wire [22:0] mux_149_s11 = {23{add_31_s11[23]}} | add_31_s11[22:0];  // units/transformation.h:80
+  wire [22:0] mux_150_s11 = {23{and_69_s11}} & mux_149_s11;  // units/transformation.h:80
+  wire and_70_s11 = mux_147_s11[19] & mux_128_s11;  // units/transformation.h:80
+  wire or_67_s11 = add_39_s11 | (~eq_105_s11);  // units/transformation.h:80
+  wire not_94_s11 = ~(((or_67_s11 ? 2'd1 : 2'd2) & mux_195_s11[3:2]) == 2'd0);  // units/transformation.h:80
+  wire [24:0] add_40_s11 = {sub_20_s11, 15'd0, not_94_s11} + {8'd0, mux_195_s11[19:3]};  // units/transformation.h:80
+  wire and_95_s11 = (~add_40_s11[24]) & mux_195_s11[19];  // units/transformation.h:80
+  wire [22:0] mux_197_s11 = {23{add_40_s11[23]}} | add_40_s11[22:0];  // units/transformation.h:80
+  wire [22:0] mux_198_s11 = {23{and_95_s11}} & mux_197_s11;  // units/transformation.h:80
+  wire and_96_s11 = mux_195_s11[19] & mux_176_s11;  // units/transformation.h:80
 
   // ---- stage 12 ----
   reg valid_s12;
@@ -1453,21 +1453,21 @@ module transformation #(
     and_96_s12 <= and_96_s11;
     vector_6_s12 <= vector_6_s11;
   end
-  wire lt_6_s12 = mux_150_s12 < mux_64_s12[22:0];  // units/transformation.h:79
-  wire [23:0] mux_151_s12 = lt_6_s12 ? mux_64_s12 : {and_70_s12, mux_150_s12};  // units/transformation.h:79
-  wire [6:0] mux_152_s12 = lt_6_s12 ? (mux_64_s12[22:16] - mux_150_s12[22:16]) : (mux_150_s12[22:16] - mux_64_s12[22:16]);  // units/transformation.h:79
-  wire [15:0] mux_153_s12 = lt_6_s12 ? mux_150_s12[15:0] : mux_64_s12[15:0];  // units/transformation.h:79
-  wire xor_18_s12 = and_70_s12 ^ mux_64_s12[23];  // units/transformation.h:79
-  wire lt_8_s12 = mux_198_s12 < mux_32_s12[22:0];  // units/transformation.h:79
-  wire [23:0] mux_199_s12 = lt_8_s12 ? mux_32_s12 : {and_96_s12, mux_198_s12};  // units/transformation.h:79
-  wire [6:0] mux_200_s12 = lt_8_s12 ? (mux_32_s12[22:16] - mux_198_s12[22:16]) : (mux_198_s12[22:16] - mux_32_s12[22:16]);  // units/transformation.h:79
-  wire [15:0] mux_201_s12 = lt_8_s12 ? mux_198_s12[15:0] : mux_32_s12[15:0];  // units/transformation.h:79
-  wire xor_24_s12 = and_96_s12 ^ mux_32_s12[23];  // units/transformation.h:79
-  wire lt_9_s12 = mux_123_s12 < mux_96_s12[22:0];  // units/transformation.h:79
-  wire [6:0] mux_220_s12 = lt_9_s12 ? (mux_96_s12[22:16] - mux_123_s12[22:16]) : (mux_123_s12[22:16] - mux_96_s12[22:16]);  // units/transformation.h:79
-  wire [23:0] mux_221_s12 = lt_9_s12 ? mux_96_s12 : {and_54_s12, mux_123_s12};  // units/transformation.h:79
-  wire [15:0] mux_222_s12 = lt_9_s12 ? mux_123_s12[15:0] : mux_96_s12[15:0];  // units/transformation.h:79
-  wire xor_26_s12 = and_54_s12 ^ mux_96_s12[23];  // units/transformation.h:79
+  wire lt_6_s12 = mux_150_s12 < mux_64_s12[22:0];  // units/transformation.h:80
+  wire [23:0] mux_151_s12 = lt_6_s12 ? mux_64_s12 : {and_70_s12, mux_150_s12};  // units/transformation.h:80
+  wire [6:0] mux_152_s12 = lt_6_s12 ? (mux_64_s12[22:16] - mux_150_s12[22:16]) : (mux_150_s12[22:16] - mux_64_s12[22:16]);  // units/transformation.h:80
+  wire [15:0] mux_153_s12 = lt_6_s12 ? mux_150_s12[15:0] : mux_64_s12[15:0];  // units/transformation.h:80
+  wire xor_18_s12 = and_70_s12 ^ mux_64_s12[23];  // units/transformation.h:80
+  wire lt_8_s12 = mux_198_s12 < mux_32_s12[22:0];  // units/transformation.h:80
+  wire [23:0] mux_199_s12 = lt_8_s12 ? mux_32_s12 : {and_96_s12, mux_198_s12};  // units/transformation.h:80
+  wire [6:0] mux_200_s12 = lt_8_s12 ? (mux_32_s12[22:16] - mux_198_s12[22:16]) : (mux_198_s12[22:16] - mux_32_s12[22:16]);  // units/transformation.h:80
+  wire [15:0] mux_201_s12 = lt_8_s12 ? mux_198_s12[15:0] : mux_32_s12[15:0];  // units/transformation.h:80
+  wire xor_24_s12 = and_96_s12 ^ mux_32_s12[23];  // units/transformation.h:80
+  wire lt_9_s12 = mux_123_s12 < mux_96_s12[22:0];  // units/transformation.h:80
+  wire [6:0] mux_220_s12 = lt_9_s12 ? (mux_96_s12[22:16] - mux_123_s12[22:16]) : (mux_123_s12[22:16] - mux_96_s12[22:16]);  // units/transformation.h:80
+  wire [23:0] mux_221_s12 = lt_9_s12 ? mux_96_s12 : {and_54_s12, mux_123_s12};  // units/transformation.h:80
+  wire [15:0] mux_222_s12 = lt_9_s12 ? mux_123_s12[15:0] : mux_96_s12[15:0];  // units/transformation.h:80
+  wire xor_26_s12 = and_54_s12 ^ mux_96_s12[23];  // units/transformation.h:80
 
   // ---- stage 13 ----
   reg valid_s13;
@@ -1504,36 +1504,36 @@ module transformation #(
     xor_26_s13 <= xor_26_s12;
     vector_6_s13 <= vector_6_s12;
   end
-  wire eq_80_s13 = mux_152_s13[6:5] == 2'd0;  // units/transformation.h:79
-  wire [18:0] mux_154_s13 = {mux_152_s13[4] ? 1'd0 : 1'd1, ~{15{mux_152_s13[4]}} & mux_153_s13[15:1], mux_152_s13[4] | mux_153_s13[0], {2{mux_152_s13[4]}} & mux_153_s13[15:14]};  // units/transformation.h:79
-  wire [18:0] mux_155_s13 = {~{8{mux_152_s13[3]}} & mux_154_s13[18:11], mux_152_s13[3] ? mux_154_s13[18:8] : mux_154_s13[10:0]};  // units/transformation.h:79
-  wire [18:0] mux_156_s13 = {~{4{mux_152_s13[2]}} & mux_155_s13[18:15], mux_152_s13[2] ? mux_155_s13[18:4] : mux_155_s13[14:0]};  // units/transformation.h:79
-  wire [18:0] mux_157_s13 = {~{2{mux_152_s13[1]}} & mux_156_s13[18:17], mux_152_s13[1] ? mux_156_s13[18:2] : mux_156_s13[16:0]};  // units/transformation.h:79
-  wire [18:0] mux_158_s13 = {~mux_152_s13[0] & mux_157_s13[18], mux_152_s13[0] ? mux_157_s13[18:1] : mux_157_s13[17:0]};  // units/transformation.h:79
-  wire [18:0] mux_159_s13 = {19{eq_80_s13}} & mux_158_s13;  // units/transformation.h:79
-  wire or_54_s13 = (~eq_80_s13) | (mux_152_s13[4] & (~(mux_153_s13[13:0] == 14'd0)));  // units/transformation.h:79
-  wire or_56_s13 = (mux_152_s13[2] & (~(mux_155_s13[3:0] == 4'd0))) | (mux_152_s13[0] & mux_157_s13[0]);  // units/transformation.h:79
-  wire or_57_s13 = (mux_152_s13[1] & (~(mux_156_s13[1:0] == 2'd0))) | ((mux_152_s13[3] & (~(mux_154_s13[7:0] == 8'd0))) | or_54_s13);  // units/transformation.h:79
-  wire eq_107_s13 = mux_200_s13[6:5] == 2'd0;  // units/transformation.h:79
-  wire [18:0] mux_202_s13 = {mux_200_s13[4] ? 1'd0 : 1'd1, ~{15{mux_200_s13[4]}} & mux_201_s13[15:1], mux_200_s13[4] | mux_201_s13[0], {2{mux_200_s13[4]}} & mux_201_s13[15:14]};  // units/transformation.h:79
-  wire [18:0] mux_203_s13 = {~{8{mux_200_s13[3]}} & mux_202_s13[18:11], mux_200_s13[3] ? mux_202_s13[18:8] : mux_202_s13[10:0]};  // units/transformation.h:79
-  wire [18:0] mux_204_s13 = {~{4{mux_200_s13[2]}} & mux_203_s13[18:15], mux_200_s13[2] ? mux_203_s13[18:4] : mux_203_s13[14:0]};  // units/transformation.h:79
-  wire [18:0] mux_205_s13 = {~{2{mux_200_s13[1]}} & mux_204_s13[18:17], mux_200_s13[1] ? mux_204_s13[18:2] : mux_204_s13[16:0]};  // units/transformation.h:79
-  wire [18:0] mux_206_s13 = {~mux_200_s13[0] & mux_205_s13[18], mux_200_s13[0] ? mux_205_s13[18:1] : mux_205_s13[17:0]};  // units/transformation.h:79
-  wire [18:0] mux_207_s13 = {19{eq_107_s13}} & mux_206_s13;  // units/transformation.h:79
-  wire or_68_s13 = (~eq_107_s13) | (mux_200_s13[4] & (~(mux_201_s13[13:0] == 14'd0)));  // units/transformation.h:79
-  wire or_70_s13 = (mux_200_s13[2] & (~(mux_203_s13[3:0] == 4'd0))) | (mux_200_s13[0] & mux_205_s13[0]);  // units/transformation.h:79
-  wire or_71_s13 = (mux_200_s13[1] & (~(mux_204_s13[1:0] == 2'd0))) | ((mux_200_s13[3] & (~(mux_202_s13[7:0] == 8'd0))) | or_68_s13);  // units/transformation.h:79
-  wire [18:0] mux_223_s13 = {mux_220_s13[4] ? 1'd0 : 1'd1, ~{15{mux_220_s13[4]}} & mux_222_s13[15:1], mux_220_s13[4] | mux_222_s13[0], {2{mux_220_s13[4]}} & mux_222_s13[15:14]};  // units/transformation.h:79
-  wire [18:0] mux_224_s13 = {~{8{mux_220_s13[3]}} & mux_223_s13[18:11], mux_220_s13[3] ? mux_223_s13[18:8] : mux_223_s13[10:0]};  // units/transformation.h:79
-  wire [18:0] mux_225_s13 = {~{4{mux_220_s13[2]}} & mux_224_s13[18:15], mux_220_s13[2] ? mux_224_s13[18:4] : mux_224_s13[14:0]};  // units/transformation.h:79
-  wire [18:0] mux_226_s13 = {~{2{mux_220_s13[1]}} & mux_225_s13[18:17], mux_220_s13[1] ? mux_225_s13[18:2] : mux_225_s13[16:0]};  // units/transformation.h:79
-  wire [18:0] mux_227_s13 = {~mux_220_s13[0] & mux_226_s13[18], mux_220_s13[0] ? mux_226_s13[18:1] : mux_226_s13[17:0]};  // units/transformation.h:79
-  wire eq_124_s13 = mux_220_s13[6:5] == 2'd0;  // units/transformation.h:79
-  wire or_75_s13 = (mux_220_s13[4] & (~(mux_222_s13[13:0] == 14'd0))) | (~eq_124_s13);  // units/transformation.h:79
-  wire or_77_s13 = (mux_220_s13[2] & (~(mux_224_s13[3:0] == 4'd0))) | (mux_220_s13[0] & mux_226_s13[0]);  // units/transformation.h:79
-  wire or_78_s13 = (mux_220_s13[1] & (~(mux_225_s13[1:0] == 2'd0))) | ((mux_220_s13[3] & (~(mux_223_s13[7:0] == 8'd0))) | or_75_s13);  // units/transformation.h:79
-  wire [18:0] mux_228_s13 = {19{eq_124_s13}} & mux_227_s13;  // units/transformation.h:79
+  wire eq_80_s13 = mux_152_s13[6:5] == 2'd0;  // units/transformation.h:80
+  wire [18:0] mux_154_s13 = {mux_152_s13[4] ? 1'd0 : 1'd1, ~{15{mux_152_s13[4]}} & mux_153_s13[15:1], mux_152_s13[4] | mux_153_s13[0], {2{mux_152_s13[4]}} & mux_153_s13[15:14]};  // units/transformation.h:80
+  wire [18:0] mux_155_s13 = {~{8{mux_152_s13[3]}} & mux_154_s13[18:11], mux_152_s13[3] ? mux_154_s13[18:8] : mux_154_s13[10:0]};  // units/transformation.h:80
+  wire [18:0] mux_156_s13 = {~{4{mux_152_s13[2]}} & mux_155_s13[18:15], mux_152_s13[2] ? mux_155_s13[18:4] : mux_155_s13[14:0]};  // units/transformation.h:80
+  wire [18:0] mux_157_s13 = {~{2{mux_152_s13[1]}} & mux_156_s13[18:17], mux_152_s13[1] ? mux_156_s13[18:2] : mux_156_s13[16:0]};  // units/transformation.h:80
+  wire [18:0] mux_158_s13 = {~mux_152_s13[0] & mux_157_s13[18], mux_152_s13[0] ? mux_157_s13[18:1] : mux_157_s13[17:0]};  // units/transformation.h:80
+  wire [18:0] mux_159_s13 = {19{eq_80_s13}} & mux_158_s13;  // units/transformation.h:80
+  wire or_54_s13 = (~eq_80_s13) | (mux_152_s13[4] & (~(mux_153_s13[13:0] == 14'd0)));  // units/transformation.h:80
+  wire or_56_s13 = (mux_152_s13[2] & (~(mux_155_s13[3:0] == 4'd0))) | (mux_152_s13[0] & mux_157_s13[0]);  // units/transformation.h:80
+  wire or_57_s13 = (mux_152_s13[1] & (~(mux_156_s13[1:0] == 2'd0))) | ((mux_152_s13[3] & (~(mux_154_s13[7:0] == 8'd0))) | or_54_s13);  // units/transformation.h:80
+  wire eq_107_s13 = mux_200_s13[6:5] == 2'd0;  // units/transformation.h:80
+  wire [18:0] mux_202_s13 = {mux_200_s13[4] ? 1'd0 : 1'd1, ~{15{mux_200_s13[4]}} & mux_201_s13[15:1], mux_200_s13[4] | mux_201_s13[0], {2{mux_200_s13[4]}} & mux_201_s13[15:14]};  // units/transformation.h:80
+  wire [18:0] mux_203_s13 = {~{8{mux_200_s13[3]}} & mux_202_s13[18:11], mux_200_s13[3] ? mux_202_s13[18:8] : mux_202_s13[10:0]};  // units/transformation.h:80
+  wire [18:0] mux_204_s13 = {~{4{mux_200_s13[2]}} & mux_203_s13[18:15], mux_200_s13[2] ? mux_203_s13[18:4] : mux_203_s13[14:0]};  // units/transformation.h:80
+  wire [18:0] mux_205_s13 = {~{2{mux_200_s13[1]}} & mux_204_s13[18:17], mux_200_s13[1] ? mux_204_s13[18:2] : mux_204_s13[16:0]};  // units/transformation.h:80
+  wire [18:0] mux_206_s13 = {~mux_200_s13[0] & mux_205_s13[18], mux_200_s13[0] ? mux_205_s13[18:1] : mux_205_s13[17:0]};  // units/transformation.h:80
+  wire [18:0] mux_207_s13 = {19{eq_107_s13}} & mux_206_s13;  // units/transformation.h:80
+  wire or_68_s13 = (~eq_107_s13) | (mux_200_s13[4] & (~(mux_201_s13[13:0] == 14'd0)));  // units/transformation.h:80
+  wire or_70_s13 = (mux_200_s13[2] & (~(mux_203_s13[3:0] == 4'd0))) | (mux_200_s13[0] & mux_205_s13[0]);  // units/transformation.h:80
+  wire or_71_s13 = (mux_200_s13[1] & (~(mux_204_s13[1:0] == 2'd0))) | ((mux_200_s13[3] & (~(mux_202_s13[7:0] == 8'd0))) | or_68_s13);  // units/transformation.h:80
+  wire [18:0] mux_223_s13 = {mux_220_s13[4] ? 1'd0 : 1'd1, ~{15{mux_220_s13[4]}} & mux_222_s13[15:1], mux_220_s13[4] | mux_222_s13[0], {2{mux_220_s13[4]}} & mux_222_s13[15:14]};  // units/transformation.h:80
+  wire [18:0] mux_224_s13 = {~{8{mux_220_s13[3]}} & mux_223_s13[18:11], mux_220_s13[3] ? mux_223_s13[18:8] : mux_223_s13[10:0]};  // units/transformation.h:80
+  wire [18:0] mux_225_s13 = {~{4{mux_220_s13[2]}} & mux_224_s13[18:15], mux_220_s13[2] ? mux_224_s13[18:4] : mux_224_s13[14:0]};  // units/transformation.h:80
+  wire [18:0] mux_226_s13 = {~{2{mux_220_s13[1]}} & mux_225_s13[18:17], mux_220_s13[1] ? mux_225_s13[18:2] : mux_225_s13[16:0]};  // units/transformation.h:80
+  wire [18:0] mux_227_s13 = {~mux_220_s13[0] & mux_226_s13[18], mux_220_s13[0] ? mux_226_s13[18:1] : mux_226_s13[17:0]};  // units/transformation.h:80
+  wire eq_124_s13 = mux_220_s13[6:5] == 2'd0;  // units/transformation.h:80
+  wire or_75_s13 = (mux_220_s13[4] & (~(mux_222_s13[13:0] == 14'd0))) | (~eq_124_s13);  // units/transformation.h:80
+  wire or_77_s13 = (mux_220_s13[2] & (~(mux_224_s13[3:0] == 4'd0))) | (mux_220_s13[0] & mux_226_s13[0]);  // units/transformation.h:80
+  wire or_78_s13 = (mux_220_s13[1] & (~(mux_225_s13[1:0] == 2'd0))) | ((mux_220_s13[3] & (~(mux_223_s13[7:0] == 8'd0))) | or_75_s13);  // units/transformation.h:80
+  wire [18:0] mux_228_s13 = {19{eq_124_s13}} & mux_227_s13;  // units/transformation.h:80
 
   // ---- stage 14 ----
   reg valid_s14;
@@ -1576,30 +1576,30 @@ module transformation #(
     mux_228_s14 <= mux_228_s13;
     vector_6_s14 <= vector_6_s13;
   end
-  wire or_58_s14 = or_56_s14 | or_57_s14;  // units/transformation.h:79
-  wire [19:0] xor_19_s14 = {mux_159_s14, or_58_s14} ^ {20{xor_18_s14}};  // units/transformation.h:79
-  wire [21:0] add_32_s14 = {2'd1, mux_151_s14[15:0], 4'd1} + {xor_18_s14, xor_19_s14, xor_18_s14};  // units/transformation.h:79
-  wire eq_86_s14 = add_32_s14[21:18] == 4'd0;  // units/transformation.h:79
-  wire eq_87_s14 = add_32_s14[17:14] == 4'd0;  // units/transformation.h:79
-  wire eq_88_s14 = add_32_s14[13:10] == 4'd0;  // units/transformation.h:79
-  wire eq_90_s14 = add_32_s14[5:2] == 4'd0;  // units/transformation.h:79
-  wire and_77_s14 = eq_88_s14 & (add_32_s14[9:6] == 4'd0);  // units/transformation.h:79
-  wire or_72_s14 = or_70_s14 | or_71_s14;  // units/transformation.h:79
-  wire [19:0] xor_25_s14 = {mux_207_s14, or_72_s14} ^ {20{xor_24_s14}};  // units/transformation.h:79
-  wire [21:0] add_41_s14 = {2'd1, mux_199_s14[15:0], 4'd1} + {xor_24_s14, xor_25_s14, xor_24_s14};  // units/transformation.h:79
-  wire eq_113_s14 = add_41_s14[21:18] == 4'd0;  // units/transformation.h:79
-  wire eq_114_s14 = add_41_s14[17:14] == 4'd0;  // units/transformation.h:79
-  wire eq_115_s14 = add_41_s14[13:10] == 4'd0;  // units/transformation.h:79
-  wire eq_117_s14 = add_41_s14[5:2] == 4'd0;  // units/transformation.h:79
-  wire and_103_s14 = eq_115_s14 & (add_41_s14[9:6] == 4'd0);  // units/transformation.h:79
-  wire or_79_s14 = or_77_s14 | or_78_s14;  // units/transformation.h:79
-  wire [19:0] xor_27_s14 = {mux_228_s14, or_79_s14} ^ {20{xor_26_s14}};  // units/transformation.h:79
-  wire [21:0] add_42_s14 = {2'd1, mux_221_s14[15:0], 4'd1} + {xor_26_s14, xor_27_s14, xor_26_s14};  // units/transformation.h:79
-  wire eq_126_s14 = add_42_s14[21:18] == 4'd0;  // units/transformation.h:79
-  wire eq_127_s14 = add_42_s14[17:14] == 4'd0;  // units/transformation.h:79
-  wire eq_128_s14 = add_42_s14[13:10] == 4'd0;  // units/transformation.h:79
-  wire eq_130_s14 = add_42_s14[5:2] == 4'd0;  // units/transformation.h:79
-  wire and_115_s14 = eq_128_s14 & (add_42_s14[9:6] == 4'd0);  // units/transformation.h:79
+  wire or_58_s14 = or_56_s14 | or_57_s14;  // units/transformation.h:80
+  wire [19:0] xor_19_s14 = {mux_159_s14, or_58_s14} ^ {20{xor_18_s14}};  // units/transformation.h:80
+  wire [21:0] add_32_s14 = {2'd1, mux_151_s14[15:0], 4'd1} + {xor_18_s14, xor_19_s14, xor_18_s14};  // units/transformation.h:80
+  wire eq_86_s14 = add_32_s14[21:18] == 4'd0;  // units/transformation.h:80
+  wire eq_87_s14 = add_32_s14[17:14] == 4'd0;  // units/transformation.h:80
+  wire eq_88_s14 = add_32_s14[13:10] == 4'd0;  // units/transformation.h:80
+  wire eq_90_s14 = add_32_s14[5:2] == 4'd0;  // units/transformation.h:80
+  wire and_77_s14 = eq_88_s14 & (add_32_s14[9:6] == 4'd0);  // units/transformation.h:80
+  wire or_72_s14 = or_70_s14 | or_71_s14;  // units/transformation.h:80
+  wire [19:0] xor_25_s14 = {mux_207_s14, or_72_s14} ^ {20{xor_24_s14}};  // units/transformation.h:80
+  wire [21:0] add_41_s14 = {2'd1, mux_199_s14[15:0], 4'd1} + {xor_24_s14, xor_25_s14, xor_24_s14};  // units/transformation.h:80
+  wire eq_113_s14 = add_41_s14[21:18] == 4'd0;  // units/transformation.h:80
+  wire eq_114_s14 = add_41_s14[17:14] == 4'd0;  // units/transformation.h:80
+  wire eq_115_s14 = add_41_s14[13:10] == 4'd0;  // units/transformation.h:80
+  wire eq_117_s14 = add_41_s14[5:2] == 4'd0;  // units/transformation.h:80
+  wire and_103_s14 = eq_115_s14 & (add_41_s14[9:6] == 4'd0);  // units/transformation.h:80
+  wire or_79_s14 = or_77_s14 | or_78_s14;  // units/transformation.h:80
+  wire [19:0] xor_27_s14 = {mux_228_s14, or_79_s14} ^ {20{xor_26_s14}};  // units/transformation.h:80
+  wire [21:0] add_42_s14 = {2'd1, mux_221_s14[15:0], 4'd1} + {xor_26_s14, xor_27_s14, xor_26_s14};  // units/transformation.h:80
+  wire eq_126_s14 = add_42_s14[21:18] == 4'd0;  // units/transformation.h:80
+  wire eq_127_s14 = add_42_s14[17:14] == 4'd0;  // units/transformation.h:80
+  wire eq_128_s14 = add_42_s14[13:10] == 4'd0;  // units/transformation.h:80
+  wire eq_130_s14 = add_42_s14[5:2] == 4'd0;  // units/transformation.h:80
+  wire and_115_s14 = eq_128_s14 & (add_42_s14[9:6] == 4'd0);  // units/transformation.h:80
 
   // ---- stage 15 ----
   reg valid_s15;
@@ -1654,45 +1654,45 @@ module transformation #(
     and_115_s15 <= and_115_s14;
     vector_6_s15 <= vector_6_s14;
   end
-  wire not_83_s15 = ~(add_32_s15[21:2] == 20'd0);  // units/transformation.h:79
-  wire and_76_s15 = eq_86_s15 & eq_87_s15;  // units/transformation.h:79
-  wire and_78_s15 = and_76_s15 & and_77_s15;  // units/transformation.h:79
-  wire [19:0] mux_160_s15 = {and_78_s15 ? add_32_s15[5:2] : add_32_s15[21:18], ~{16{and_78_s15}} & add_32_s15[17:2]};  // units/transformation.h:79
-  wire mux_162_s15 = and_78_s15 ? eq_90_s15 : and_76_s15;  // units/transformation.h:79
-  wire [19:0] mux_163_s15 = {mux_162_s15 ? mux_160_s15[11:0] : mux_160_s15[19:8], ~{8{mux_162_s15}} & mux_160_s15[7:0]};  // units/transformation.h:79
-  wire mux_164_s15 = mux_162_s15 ? (eq_88_s15 | and_78_s15) : (and_78_s15 ? eq_90_s15 : eq_86_s15);  // units/transformation.h:79
-  wire and_79_s15 = not_83_s15 & mux_162_s15;  // units/transformation.h:79
-  wire [19:0] mux_165_s15 = {mux_164_s15 ? mux_163_s15[15:0] : mux_163_s15[19:4], ~{4{mux_164_s15}} & mux_163_s15[3:0]};  // units/transformation.h:79
-  wire eq_91_s15 = mux_165_s15[19:18] == 2'd0;  // units/transformation.h:79
-  wire [19:0] mux_166_s15 = {eq_91_s15 ? mux_165_s15[17:0] : mux_165_s15[19:2], ~{2{eq_91_s15}} & mux_165_s15[1:0]};  // units/transformation.h:79
-  wire and_80_s15 = not_83_s15 & eq_91_s15;  // units/transformation.h:79
-  wire and_81_s15 = not_83_s15 & (~mux_166_s15[19]);  // units/transformation.h:79
-  wire not_101_s15 = ~(add_41_s15[21:2] == 20'd0);  // units/transformation.h:79
-  wire and_102_s15 = eq_113_s15 & eq_114_s15;  // units/transformation.h:79
-  wire and_104_s15 = and_102_s15 & and_103_s15;  // units/transformation.h:79
-  wire [19:0] mux_208_s15 = {and_104_s15 ? add_41_s15[5:2] : add_41_s15[21:18], ~{16{and_104_s15}} & add_41_s15[17:2]};  // units/transformation.h:79
-  wire mux_210_s15 = and_104_s15 ? eq_117_s15 : and_102_s15;  // units/transformation.h:79
-  wire [19:0] mux_211_s15 = {mux_210_s15 ? mux_208_s15[11:0] : mux_208_s15[19:8], ~{8{mux_210_s15}} & mux_208_s15[7:0]};  // units/transformation.h:79
-  wire mux_212_s15 = mux_210_s15 ? (eq_115_s15 | and_104_s15) : (and_104_s15 ? eq_117_s15 : eq_113_s15);  // units/transformation.h:79
-  wire and_105_s15 = not_101_s15 & mux_210_s15;  // units/transformation.h:79
-  wire [19:0] mux_213_s15 = {mux_212_s15 ? mux_211_s15[15:0] : mux_211_s15[19:4], ~{4{mux_212_s15}} & mux_211_s15[3:0]};  // units/transformation.h:79
-  wire eq_118_s15 = mux_213_s15[19:18] == 2'd0;  // units/transformation.h:79
-  wire [19:0] mux_214_s15 = {eq_118_s15 ? mux_213_s15[17:0] : mux_213_s15[19:2], ~{2{eq_118_s15}} & mux_213_s15[1:0]};  // units/transformation.h:79
-  wire and_106_s15 = not_101_s15 & eq_118_s15;  // units/transformation.h:79
-  wire and_107_s15 = not_101_s15 & (~mux_214_s15[19]);  // units/transformation.h:79
-  wire not_109_s15 = ~(add_42_s15[21:2] == 20'd0);  // units/transformation.h:79
-  wire and_114_s15 = eq_126_s15 & eq_127_s15;  // units/transformation.h:79
-  wire and_116_s15 = and_114_s15 & and_115_s15;  // units/transformation.h:79
-  wire [19:0] mux_229_s15 = {and_116_s15 ? add_42_s15[5:2] : add_42_s15[21:18], ~{16{and_116_s15}} & add_42_s15[17:2]};  // units/transformation.h:79
-  wire mux_231_s15 = and_116_s15 ? eq_130_s15 : and_114_s15;  // units/transformation.h:79
-  wire [19:0] mux_232_s15 = {mux_231_s15 ? mux_229_s15[11:0] : mux_229_s15[19:8], ~{8{mux_231_s15}} & mux_229_s15[7:0]};  // units/transformation.h:79
-  wire mux_233_s15 = mux_231_s15 ? (eq_128_s15 | and_116_s15) : (and_116_s15 ? eq_130_s15 : eq_126_s15);  // units/transformation.h:79
-  wire and_117_s15 = not_109_s15 & mux_231_s15;  // units/transformation.h:79
-  wire [19:0] mux_234_s15 = {mux_233_s15 ? mux_232_s15[15:0] : mux_232_s15[19:4], ~{4{mux_233_s15}} & mux_232_s15[3:0]};  // units/transformation.h:79
-  wire eq_131_s15 = mux_234_s15[19:18] == 2'd0;  // units/transformation.h:79
-  wire [19:0] mux_235_s15 = {eq_131_s15 ? mux_234_s15[17:0] : mux_234_s15[19:2], ~{2{eq_131_s15}} & mux_234_s15[1:0]};  // units/transformation.h:79
-  wire and_118_s15 = not_109_s15 & eq_131_s15;  // units/transformation.h:79
-  wire and_119_s15 = not_109_s15 & (~mux_235_s15[19]);  // units/transformation.h:79
+  wire not_83_s15 = ~(add_32_s15[21:2] == 20'd0);  // units/transformation.h:80
+  wire and_76_s15 = eq_86_s15 & eq_87_s15;  // units/transformation.h:80
+  wire and_78_s15 = and_76_s15 & and_77_s15;  // units/transformation.h:80
+  wire [19:0] mux_160_s15 = {and_78_s15 ? add_32_s15[5:2] : add_32_s15[21:18], ~{16{and_78_s15}} & add_32_s15[17:2]};  // units/transformation.h:80
+  wire mux_162_s15 = and_78_s15 ? eq_90_s15 : and_76_s15;  // units/transformation.h:80
+  wire [19:0] mux_163_s15 = {mux_162_s15 ? mux_160_s15[11:0] : mux_160_s15[19:8], ~{8{mux_162_s15}} & mux_160_s15[7:0]};  // units/transformation.h:80
+  wire mux_164_s15 = mux_162_s15 ? (eq_88_s15 | and_78_s15) : (and_78_s15 ? eq_90_s15 : eq_86_s15);  // units/transformation.h:80
+  wire and_79_s15 = not_83_s15 & mux_162_s15;  // units/transformation.h:80
+  wire [19:0] mux_165_s15 = {mux_164_s15 ? mux_163_s15[15:0] : mux_163_s15[19:4], ~{4{mux_164_s15}} & mux_163_s15[3:0]};  // units/transformation.h:80
+  wire eq_91_s15 = mux_165_s15[19:18] == 2'd0;  // units/transformation.h:80
+  wire [19:0] mux_166_s15 = {eq_91_s15 ? mux_165_s15[17:0] : mux_165_s15[19:2], ~{2{eq_91_s15}} & mux_165_s15[1:0]};  // units/transformation.h:80
+  wire and_80_s15 = not_83_s15 & eq_91_s15;  // units/transformation.h:80
+  wire and_81_s15 = not_83_s15 & (~mux_166_s15[19]);  // units/transformation.h:80
+  wire not_101_s15 = ~(add_41_s15[21:2] == 20'd0);  // units/transformation.h:80
+  wire and_102_s15 = eq_113_s15 & eq_114_s15;  // units/transformation.h:80
+  wire and_104_s15 = and_102_s15 & and_103_s15;  // units/transformation.h:80
+  wire [19:0] mux_208_s15 = {and_104_s15 ? add_41_s15[5:2] : add_41_s15[21:18], ~{16{and_104_s15}} & add_41_s15[17:2]};  // units/transformation.h:80
+  wire mux_210_s15 = and_104_s15 ? eq_117_s15 : and_102_s15;  // units/transformation.h:80
+  wire [19:0] mux_211_s15 = {mux_210_s15 ? mux_208_s15[11:0] : mux_208_s15[19:8], ~{8{mux_210_s15}} & mux_208_s15[7:0]};  // units/transformation.h:80
+  wire mux_212_s15 = mux_210_s15 ? (eq_115_s15 | and_104_s15) : (and_104_s15 ? eq_117_s15 : eq_113_s15);  // units/transformation.h:80
+  wire and_105_s15 = not_101_s15 & mux_210_s15;  // units/transformation.h:80
+  wire [19:0] mux_213_s15 = {mux_212_s15 ? mux_211_s15[15:0] : mux_211_s15[19:4], ~{4{mux_212_s15}} & mux_211_s15[3:0]};  // units/transformation.h:80
+  wire eq_118_s15 = mux_213_s15[19:18] == 2'd0;  // units/transformation.h:80
+  wire [19:0] mux_214_s15 = {eq_118_s15 ? mux_213_s15[17:0] : mux_213_s15[19:2], ~{2{eq_118_s15}} & mux_213_s15[1:0]};  // units/transformation.h:80
+  wire and_106_s15 = not_101_s15 & eq_118_s15;  // units/transformation.h:80
+  wire and_107_s15 = not_101_s15 & (~mux_214_s15[19]);  // units/transformation.h:80
+  wire not_109_s15 = ~(add_42_s15[21:2] == 20'd0);  // units/transformation.h:80
+  wire and_114_s15 = eq_126_s15 & eq_127_s15;  // units/transformation.h:80
+  wire and_116_s15 = and_114_s15 & and_115_s15;  // units/transformation.h:80
+  wire [19:0] mux_229_s15 = {and_116_s15 ? add_42_s15[5:2] : add_42_s15[21:18], ~{16{and_116_s15}} & add_42_s15[17:2]};  // units/transformation.h:80
+  wire mux_231_s15 = and_116_s15 ? eq_130_s15 : and_114_s15;  // units/transformation.h:80
+  wire [19:0] mux_232_s15 = {mux_231_s15 ? mux_229_s15[11:0] : mux_229_s15[19:8], ~{8{mux_231_s15}} & mux_229_s15[7:0]};  // units/transformation.h:80
+  wire mux_233_s15 = mux_231_s15 ? (eq_128_s15 | and_116_s15) : (and_116_s15 ? eq_130_s15 : eq_126_s15);  // units/transformation.h:80
+  wire and_117_s15 = not_109_s15 & mux_231_s15;  // units/transformation.h:80
+  wire [19:0] mux_234_s15 = {mux_233_s15 ? mux_232_s15[15:0] : mux_232_s15[19:4], ~{4{mux_233_s15}} & mux_232_s15[3:0]};  // units/transformation.h:80
+  wire eq_131_s15 = mux_234_s15[19:18] == 2'd0;  // units/transformation.h:80
+  wire [19:0] mux_235_s15 = {eq_131_s15 ? mux_234_s15[17:0] : mux_234_s15[19:2], ~{2{eq_131_s15}} & mux_234_s15[1:0]};  // units/transformation.h:80
+  wire and_118_s15 = not_109_s15 & eq_131_s15;  // units/transformation.h:80
+  wire and_119_s15 = not_109_s15 & (~mux_235_s15[19]);  // units/transformation.h:80
 
   // ---- stage 16 ----
   reg valid_s16;
@@ -1753,27 +1753,27 @@ module transformation #(
     and_119_s16 <= and_119_s15;
     vector_6_s16 <= vector_6_s15;
   end
-  wire [19:0] mux_167_s16 = {and_79_s16 ? mux_160_s16[11:0] : mux_160_s16[19:8], ~{8{and_79_s16}} & mux_160_s16[7:0]};  // units/transformation.h:79
-  wire [19:0] mux_168_s16 = {mux_164_s16 ? mux_167_s16[15:0] : mux_167_s16[19:4], ~{4{mux_164_s16}} & mux_167_s16[3:0]};  // units/transformation.h:79
-  wire [19:0] mux_169_s16 = {and_80_s16 ? mux_168_s16[17:0] : mux_168_s16[19:2], ~{2{and_80_s16}} & mux_168_s16[1:0]};  // units/transformation.h:79
-  wire [19:0] mux_170_s16 = {and_81_s16 ? mux_169_s16[18:0] : mux_169_s16[19:1], ~and_81_s16 & mux_169_s16[0]};  // units/transformation.h:79
-  wire or_60_s16 = add_32_s16 | (~(mux_170_s16[2:0] == 3'd4));  // units/transformation.h:79
-  wire [19:0] mux_215_s16 = {and_105_s16 ? mux_208_s16[11:0] : mux_208_s16[19:8], ~{8{and_105_s16}} & mux_208_s16[7:0]};  // units/transformation.h:79
-  wire [19:0] mux_216_s16 = {mux_212_s16 ? mux_215_s16[15:0] : mux_215_s16[19:4], ~{4{mux_212_s16}} & mux_215_s16[3:0]};  // units/transformation.h:79
-  wire [19:0] mux_217_s16 = {and_106_s16 ? mux_216_s16[17:0] : mux_216_s16[19:2], ~{2{and_106_s16}} & mux_216_s16[1:0]};  // units/transformation.h:79
-  wire [19:0] mux_218_s16 = {and_107_s16 ? mux_217_s16[18:0] : mux_217_s16[19:1], ~and_107_s16 & mux_217_s16[0]};  // units/transformation.h:79
-  wire or_74_s16 = add_41_s16 | (~(mux_218_s16[2:0] == 3'd4));  // units/transformation.h:79
-  wire [19:0] mux_236_s16 = {and_117_s16 ? mux_229_s16[11:0] : mux_229_s16[19:8], ~{8{and_117_s16}} & mux_229_s16[7:0]};  // units/transformation.h:79
-  wire [19:0] mux_237_s16 = {mux_233_s16 ? mux_236_s16[15:0] : mux_236_s16[19:4], ~{4{mux_233_s16}} & mux_236_s16[3:0]};  // units/transformation.h:79
-  wire [19:0] mux_238_s16 = {and_118_s16 ? mux_237_s16[17:0] : mux_237_s16[19:2], ~{2{and_118_s16}} & mux_237_s16[1:0]};  // units/transformation.h:79
-  wire [19:0] mux_239_s16 = {and_119_s16 ? mux_238_s16[18:0] : mux_238_s16[19:1], ~and_119_s16 & mux_238_s16[0]};  // units/transformation.h:79
-  wire or_81_s16 = add_42_s16 | (~(mux_239_s16[2:0] == 3'd4));  // units/transformation.h:79
-  wire not_112_s16 = ~(((or_81_s16 ? 2'd1 : 2'd2) & mux_239_s16[3:2]) == 2'd0);  // units/transformation.h:79
-  wire not_113_s16 = ~(((or_60_s16 ? 2'd1 : 2'd2) & mux_170_s16[3:2]) == 2'd0);  // units/transformation.h:79
-  wire not_114_s16 = ~(((or_74_s16 ? 2'd1 : 2'd2) & mux_218_s16[3:2]) == 2'd0);  // units/transformation.h:79
-  wire [8:0] sub_25_s16 = {2'd0, mux_221_s16[22:16]} - {4'd0, and_116_s16, and_117_s16, mux_233_s16, and_118_s16, and_119_s16};  // units/transformation.h:79
-  wire [8:0] sub_26_s16 = {2'd0, mux_151_s16[22:16]} - {4'd0, and_78_s16, and_79_s16, mux_164_s16, and_80_s16, and_81_s16};  // units/transformation.h:79
-  wire [8:0] sub_27_s16 = {2'd0, mux_199_s16[22:16]} - {4'd0, and_104_s16, and_105_s16, mux_212_s16, and_106_s16, and_107_s16};  // units/transformation.h:79
+  wire [19:0] mux_167_s16 = {and_79_s16 ? mux_160_s16[11:0] : mux_160_s16[19:8], ~{8{and_79_s16}} & mux_160_s16[7:0]};  // units/transformation.h:80
+  wire [19:0] mux_168_s16 = {mux_164_s16 ? mux_167_s16[15:0] : mux_167_s16[19:4], ~{4{mux_164_s16}} & mux_167_s16[3:0]};  // units/transformation.h:80
+  wire [19:0] mux_169_s16 = {and_80_s16 ? mux_168_s16[17:0] : mux_168_s16[19:2], ~{2{and_80_s16}} & mux_168_s16[1:0]};  // units/transformation.h:80
+  wire [19:0] mux_170_s16 = {and_81_s16 ? mux_169_s16[18:0] : mux_169_s16[19:1], ~and_81_s16 & mux_169_s16[0]};  // units/transformation.h:80
+  wire or_60_s16 = add_32_s16 | (~(mux_170_s16[2:0] == 3'd4));  // units/transformation.h:80
+  wire [19:0] mux_215_s16 = {and_105_s16 ? mux_208_s16[11:0] : mux_208_s16[19:8], ~{8{and_105_s16}} & mux_208_s16[7:0]};  // units/transformation.h:80
+  wire [19:0] mux_216_s16 = {mux_212_s16 ? mux_215_s16[15:0] : mux_215_s16[19:4], ~{4{mux_212_s16}} & mux_215_s16[3:0]};  // units/transformation.h:80
+  wire [19:0] mux_217_s16 = {and_106_s16 ? mux_216_s16[17:0] : mux_216_s16[19:2], ~{2{and_106_s16}} & mux_216_s16[1:0]};  // units/transformation.h:80
+  wire [19:0] mux_218_s16 = {and_107_s16 ? mux_217_s16[18:0] : mux_217_s16[19:1], ~and_107_s16 & mux_217_s16[0]};  // units/transformation.h:80
+  wire or_74_s16 = add_41_s16 | (~(mux_218_s16[2:0] == 3'd4));  // units/transformation.h:80
+  wire [19:0] mux_236_s16 = {and_117_s16 ? mux_229_s16[11:0] : mux_229_s16[19:8], ~{8{and_117_s16}} & mux_229_s16[7:0]};  // units/transformation.h:80
+  wire [19:0] mux_237_s16 = {mux_233_s16 ? mux_236_s16[15:0] : mux_236_s16[19:4], ~{4{mux_233_s16}} & mux_236_s16[3:0]};  // units/transformation.h:80
+  wire [19:0] mux_238_s16 = {and_118_s16 ? mux_237_s16[17:0] : mux_237_s16[19:2], ~{2{and_118_s16}} & mux_237_s16[1:0]};  // units/transformation.h:80
+  wire [19:0] mux_239_s16 = {and_119_s16 ? mux_238_s16[18:0] : mux_238_s16[19:1], ~and_119_s16 & mux_238_s16[0]};  // units/transformation.h:80
+  wire or_81_s16 = add_42_s16 | (~(mux_239_s16[2:0] == 3'd4));  // units/transformation.h:80
+  wire not_112_s16 = ~(((or_81_s16 ? 2'd1 : 2'd2) & mux_239_s16[3:2]) == 2'd0);  // units/transformation.h:80
+  wire not_113_s16 = ~(((or_60_s16 ? 2'd1 : 2'd2) & mux_170_s16[3:2]) == 2'd0);  // units/transformation.h:80
+  wire not_114_s16 = ~(((or_74_s16 ? 2'd1 : 2'd2) & mux_218_s16[3:2]) == 2'd0);  // units/transformation.h:80
+  wire [8:0] sub_25_s16 = {2'd0, mux_221_s16[22:16]} - {4'd0, and_116_s16, and_117_s16, mux_233_s16, and_118_s16, and_119_s16};  // units/transformation.h:80
+  wire [8:0] sub_26_s16 = {2'd0, mux_151_s16[22:16]} - {4'd0, and_78_s16, and_79_s16, mux_164_s16, and_80_s16, and_81_s16};  // units/transformation.h:80
+  wire [8:0] sub_27_s16 = {2'd0, mux_199_s16[22:16]} - {4'd0, and_104_s16, and_105_s16, mux_212_s16, and_106_s16, and_107_s16};  // units/transformation.h:80
 
   // ---- stage 17 ----
   reg valid_s17;
@@ -1810,21 +1810,21 @@ module transformation #(
     sub_27_s17 <= sub_27_s16;
     vector_6_s17 <= vector_6_s16;
   end
-  wire and_121_s17 = mux_151_s17 & mux_170_s17[19];  // units/transformation.h:79
-  wire [24:0] add_43_s17 = {sub_26_s17, 15'd0, not_113_s17} + {8'd0, mux_170_s17};  // units/transformation.h:79
-  wire and_122_s17 = mux_170_s17[19] & (~add_43_s17[24]);  // units/transformation.h:79
-  wire [22:0] mux_241_s17 = {23{add_43_s17[23]}} | add_43_s17[22:0];  // units/transformation.h:79
-  wire [22:0] mux_242_s17 = {23{and_122_s17}} & mux_241_s17;  // units/transformation.h:79
-  wire and_123_s17 = mux_199_s17 & mux_218_s17[19];  // units/transformation.h:79
-  wire [24:0] add_44_s17 = {sub_27_s17, 15'd0, not_114_s17} + {8'd0, mux_218_s17};  // units/transformation.h:79
-  wire and_124_s17 = mux_218_s17[19] & (~add_44_s17[24]);  // units/transformation.h:79
-  wire [22:0] mux_243_s17 = {23{add_44_s17[23]}} | add_44_s17[22:0];  // units/transformation.h:79
-  wire [22:0] mux_244_s17 = {23{and_124_s17}} & mux_243_s17;  // units/transformation.h:79
-  wire [24:0] add_45_s17 = {sub_25_s17, 15'd0, not_112_s17} + {8'd0, mux_239_s17};  // units/transformation.h:79
-  wire and_125_s17 = mux_239_s17[19] & (~add_45_s17[24]);  // units/transformation.h:79
-  wire and_126_s17 = mux_239_s17[19] & mux_221_s17;  // units/transformation.h:79
-  wire [22:0] mux_245_s17 = {23{add_45_s17[23]}} | add_45_s17[22:0];  // units/transformation.h:79
-  wire [22:0] mux_246_s17 = {23{and_125_s17}} & mux_245_s17;  // units/transformation.h:79
+  wire and_121_s17 = mux_151_s17 & mux_170_s17[19];  // units/transformation.h:80
+  wire [24:0] add_43_s17 = {sub_26_s17, 15'd0, not_113_s17} + {8'd0, mux_170_s17};  // units/transformation.h:80
+  wire and_122_s17 = mux_170_s17[19] & (~add_43_s17[24]);  // units/transformation.h:80
+  wire [22:0] mux_241_s17 = {23{add_43_s17[23]}} | add_43_s17[22:0];  // units/transformation.h:80
+  wire [22:0] mux_242_s17 = {23{and_122_s17}} & mux_241_s17;  // units/transformation.h:80
+  wire and_123_s17 = mux_199_s17 & mux_218_s17[19];  // units/transformation.h:80
+  wire [24:0] add_44_s17 = {sub_27_s17, 15'd0, not_114_s17} + {8'd0, mux_218_s17};  // units/transformation.h:80
+  wire and_124_s17 = mux_218_s17[19] & (~add_44_s17[24]);  // units/transformation.h:80
+  wire [22:0] mux_243_s17 = {23{add_44_s17[23]}} | add_44_s17[22:0];  // units/transformation.h:80
+  wire [22:0] mux_244_s17 = {23{and_124_s17}} & mux_243_s17;  // units/transformation.h:80
+  wire [24:0] add_45_s17 = {sub_25_s17, 15'd0, not_112_s17} + {8'd0, mux_239_s17};  // units/transformation.h:80
+  wire and_125_s17 = mux_239_s17[19] & (~add_45_s17[24]);  // units/transformation.h:80
+  wire and_126_s17 = mux_239_s17[19] & mux_221_s17;  // units/transformation.h:80
+  wire [22:0] mux_245_s17 = {23{add_45_s17[23]}} | add_45_s17[22:0];  // units/transformation.h:80
+  wire [22:0] mux_246_s17 = {23{and_125_s17}} & mux_245_s17;  // units/transformation.h:80
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(80), .DEPTH(TRANSFORMED_DEPTH), .MARGIN(TRANSFORMED_BOUNDED ? 0 : 17),

@@ -54,8 +54,8 @@ module traversal_slice #(
   wire [1:0] s_node_kind_s0 = step_in_data_i[23:22];
   wire eq_4_s0 = s_node_kind_s0 == 2'd0;  // units/traversal_slice.h:160
   wire eq_5_s0 = s_node_kind_s0 == 2'd1;  // units/traversal_slice.h:160
-  wire [1:0] mux_13_s0 = eq_5_s0 ? 2'd1 : 2'd2;  // units/packet.h:373
-  wire [1:0] mux_14_s0 = ~{2{eq_4_s0}} & mux_13_s0;  // units/packet.h:373
+  wire [1:0] mux_13_s0 = eq_5_s0 ? 2'd1 : 2'd2;  // units/packet.h:378
+  wire [1:0] mux_14_s0 = ~{2{eq_4_s0}} & mux_13_s0;  // units/packet.h:378
 
   // ---- stage 1 ----
   reg valid_s1;

@@ -81,7 +81,8 @@ def parse(arguments: list[str]) -> argparse.Namespace:
         "--levers",
         action="store_true",
         help="instead of the table: the four kinds of scene with one key after another of "
-        "the configuration fast, from the native model's exact clocks",
+        "the configuration fast, from the native model's exact clocks, and the room that Yosys "
+        "counts; an hour or so",
     )
     parser.add_argument(
         "--memory",

@@ -1,8 +1,8 @@
 # Copyright the dynrt authors.
 # SPDX-License-Identifier: Apache-2.0
 """What each key that makes `fast` another core than `full` brings, and what the watertight test then
-costs: frames of the clock-exact model, with one key more for each row, in the order of
-hls/configs/configs.json."""
+costs: frames of the clock-exact model and the room that Yosys counts, with one key more for each row,
+in the order of hls/configs/configs.json."""
 
 import dataclasses
 import itertools
@@ -11,12 +11,14 @@ import tempfile
 
 from dynrt_tools.bench import cores
 from dynrt_tools.bench.run import Dynrt, RunFailed
-from dynrt_tools.project import ROOT, Json, Progress, read_json
+from dynrt_tools.hardware import area
+from dynrt_tools.project import ROOT, Failed, Json, Progress, read_json
 
 # Each configuration is like the one before it.
 STEPS = ("full", "fast", "fast_watertight")
 BASE = STEPS[0]
 SCENES = ("office", "cistern", "conference", "trees4000")
+ROOM = {"LUT4": "LUT4", "FF": "flip-flops", "block RAM": "block RAMs", "multiplier": "multipliers"}
 NO_LEVER = {"name", "like", "about", "rtl", "counters", "scan_out"}
 
 
@@ -63,15 +65,29 @@ def frame_of(size: str, measured: Json) -> Json:
     }
 
 
+def room_of(verilog: pathlib.Path) -> Json:
+    """What the core in this folder takes of an ECP5, each of its units synthesized alone."""
+    try:
+        takes = area.hardware(verilog)["takes"]
+    except Failed as error:
+        raise RunFailed(str(error)) from error
+    return {resource: takes[resource] for resource in ROOM}
+
+
 def measure(dynrt: Dynrt, size: str, progress: Progress) -> list[Json]:
-    """A row for each lever, with each scene's frame."""
+    """A row for each lever, with its room and each scene's frame."""
     rows = []
     steps = levers(read_json(ROOT / "hls" / "configs" / "configs.json"))
     with tempfile.TemporaryDirectory() as name:
         for number, lever in enumerate(steps, 1):
             config = pathlib.Path(name) / f"step_{number}.json"
             core = cores.made(dynrt.program, config, BASE, lever.keys)
-            row: Json = {"lever": lever.name, "value": lever.value}
+            progress(f"{lever.name}, step {number} of {len(steps)}: Yosys counts its room")
+            row: Json = {
+                "lever": lever.name,
+                "value": lever.value,
+                "room": room_of(core.schedules),
+            }
             for scene in SCENES:
                 progress(f"{lever.name}, step {number} of {len(steps)}: {scene}")
                 row[scene] = frame_of(size, dynrt.measure(scene, core.config, core.schedules, size))
@@ -80,8 +96,9 @@ def measure(dynrt: Dynrt, size: str, progress: Progress) -> list[Json]:
 
 
 def table(rows: list[Json]) -> str:
-    """Rays a clock of each scene, and the busiest unit's share of the clocks."""
-    lines = [f"{'':26}" + "".join(f"{scene:>30}" for scene in SCENES)]
+    """Rays a clock of each scene, the busiest unit's share of the clocks, and the room."""
+    heads = "".join(f"{scene:>30}" for scene in SCENES)
+    lines = [f"{'':26}{heads}" + "".join(f"{name:>13}" for name in ROOM.values())]
     for row in rows:
         value = "" if row["value"] is None else f" {row['value']}"
         cells = [
@@ -89,5 +106,6 @@ def table(rows: list[Json]) -> str:
             f"{100 * row[scene]['use']:3.0f}%"
             for scene in SCENES
         ]
-        lines.append(f"{row['lever'] + value:26}" + "".join(f"{cell:>30}" for cell in cells))
+        room = "".join(f"{row['room'][resource]:13,.0f}" for resource in ROOM)
+        lines.append(f"{row['lever'] + value:26}" + "".join(f"{cell:>30}" for cell in cells) + room)
     return "\n".join(lines)

@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """The steps from `full` to `fast`, and the figures of a frame."""
 
+import pathlib
 import unittest
+from unittest import mock
 
 from dynrt_tools.bench import levers
 from dynrt_tools.bench.run import RunFailed
-from dynrt_tools.project import ROOT, Json, read_json
+from dynrt_tools.hardware import area
+from dynrt_tools.project import ROOT, Failed, Json, read_json
 
 CONFIGURATIONS: list[Json] = [
     {"name": "full", "packets": 64},
@@ -52,7 +55,12 @@ class Levers(unittest.TestCase):
     def test_the_table_has_a_line_for_each_step(self) -> None:
         frame = levers.frame_of("40x30", MEASURED)
         rows: list[Json] = [
-            {"lever": name, "value": value, **{scene: frame for scene in levers.SCENES}}
+            {
+                "lever": name,
+                "value": value,
+                "room": {"LUT4": 12345, "FF": 2, "block RAM": 95, "multiplier": 4},
+                **{scene: frame for scene in levers.SCENES},
+            }
             for name, value in (("full", None), ("lines", 8))
         ]
         lines = levers.table(rows).splitlines()
@@ -60,6 +68,18 @@ class Levers(unittest.TestCase):
         self.assertIn("office", lines[0])
         self.assertIn("lines 8", lines[2])
         self.assertIn("0.3000", lines[2])
+        self.assertIn("block RAMs", lines[0])
+        self.assertRegex(lines[2], r" 12,345 +2 +95 +4$")
+
+    def test_the_room_is_that_of_its_units(self) -> None:
+        taken = {"LUT4": 7, "FF": 5, "block RAM": 3, "multiplier": 2, "pin": 1}
+        with mock.patch.object(area, "hardware", return_value={"takes": taken}) as hardware:
+            room = levers.room_of(pathlib.Path("core"))
+        hardware.assert_called_once_with(pathlib.Path("core"))
+        self.assertEqual(room, {"LUT4": 7, "FF": 5, "block RAM": 3, "multiplier": 2})
+        with mock.patch.object(area, "hardware", side_effect=Failed("list: no room")):
+            with self.assertRaisesRegex(RunFailed, "^list: no room$"):
+                levers.room_of(pathlib.Path("core"))
 
 
 if __name__ == "__main__":

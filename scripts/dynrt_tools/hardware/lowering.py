@@ -10,6 +10,7 @@ from dynrt_tools import project, unit_names
 from dynrt_tools.hardware import rtl_files, synthesis
 
 Words = list[str | pathlib.Path]  # of a command
+FIELDS = ("module", "header", "type", "room", "uncertainty")  # of a unit; it may lack the last two
 
 
 def find_build(named: pathlib.Path | None) -> pathlib.Path:
@@ -26,13 +27,12 @@ def find_build(named: pathlib.Path | None) -> pathlib.Path:
 
 
 def units(build: pathlib.Path, config: str = rtl_files.CHECKED_IN) -> dict[str, dict[str, str]]:
-    """Module, header and type of the configuration's units, and the room where it is stated, by
-    module."""
+    """The FIELDS of the configuration's units, by module. A room that is not stated is empty."""
     found = {}
     for line in (build / "hls/units/list_units.txt").read_text(encoding="utf-8").splitlines():
         name, *fields = line.split("|")
         if name == config:
-            found[fields[0]] = dict(zip(("module", "header", "type", "room"), fields))
+            found[fields[0]] = dict(zip(FIELDS, fields))
     return found
 
 
@@ -58,7 +58,8 @@ def command(
         *("--header", f"{config}/{unit['module']}.h"),
         *includes,
         *("--clock-ns", str(clock_ns), "--delay", delay),
-        *(("--room", unit["room"]) if "room" in unit else ()),
+        *(("--room", unit["room"]) if unit.get("room") else ()),
+        *(("--uncertainty", unit["uncertainty"]) if "uncertainty" in unit else ()),
     ]
 
 

@@ -154,6 +154,18 @@ class Lowering(unittest.TestCase):
         self.assertIsNone(row.subject)
         self.assertEqual(row.data["note"], "not lowered: sum.h:3: takes 2.35 ns")
 
+    def test_hlsc_gets_what_a_unit_states(self) -> None:
+        folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        lines = "fast|sum|sum.h|Sum\nfast|box|box.h|Box|12\nfast|mail|mail.h|Mail||0.8\n"
+        testing.write_tree(folder, {"hls/units/list_units.txt": lines})
+        said = {}
+        for module, unit in lowering.units(folder, "fast").items():
+            words = list(map(str, lowering.command(folder, unit, 8.33, folder, "fast")))
+            said[module] = words[words.index("--delay") + 2 :]
+        self.assertEqual(
+            said, {"sum": [], "box": ["--room", "12"], "mail": ["--uncertainty", "0.8"]}
+        )
+
     def test_its_row_names_the_model_that_it_was_lowered_by(self) -> None:
         folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
         (folder / "sum.txt").write_text(REPORT, encoding="utf-8")
