@@ -54,8 +54,8 @@ function(hls_lower)
             -MF ${stem}.d ${hls_header}
     COMMAND ${HLS_COMPILER} --unit ${arg_TYPE} --module ${arg_MODULE} --header ${arg_HEADER}
             ${hlsc_includes} --clock-ns ${arg_CLOCK_NS} --delay ${arg_DELAY} ${room} ${uncertainty}
-            -o ${fresh}.v
-            --report ${fresh}.txt --schedule ${fresh}.json --binding ${fresh}_ports.h
+            -o ${fresh}.v --report ${fresh}.txt --schedule ${fresh}.json
+            --binding ${fresh}_ports.h
     COMMAND ${CMAKE_COMMAND} -E copy_if_different ${fresh}.v ${fresh}.txt ${fresh}.json
             ${fresh}_ports.h ${arg_FOLDER}
     DEPENDS ${HLS_COMPILER} ${hls_header} ${arg_DELAY} ${arg_DEPENDS}

@@ -10,7 +10,8 @@ from dynrt_tools import project, unit_names
 from dynrt_tools.hardware import rtl_files, synthesis
 
 Words = list[str | pathlib.Path]  # of a command
-FIELDS = ("module", "header", "type", "room", "uncertainty")  # of a unit; it may lack the last two
+OPTIONS = ("room", "uncertainty")  # of hlsc, which a unit states or not
+FIELDS = ("module", "header", "type", *OPTIONS)  # of a unit
 
 
 def find_build(named: pathlib.Path | None) -> pathlib.Path:
@@ -27,7 +28,8 @@ def find_build(named: pathlib.Path | None) -> pathlib.Path:
 
 
 def units(build: pathlib.Path, config: str = rtl_files.CHECKED_IN) -> dict[str, dict[str, str]]:
-    """The FIELDS of the configuration's units, by module. A room that is not stated is empty."""
+    """The FIELDS of the configuration's units, by module. An option that is not stated is missing or
+    empty."""
     found = {}
     for line in (build / "hls/units/list_units.txt").read_text(encoding="utf-8").splitlines():
         name, *fields = line.split("|")
@@ -58,8 +60,7 @@ def command(
         *("--header", f"{config}/{unit['module']}.h"),
         *includes,
         *("--clock-ns", str(clock_ns), "--delay", delay),
-        *(("--room", unit["room"]) if unit.get("room") else ()),
-        *(("--uncertainty", unit["uncertainty"]) if "uncertainty" in unit else ()),
+        *(word for name in OPTIONS if unit.get(name) for word in (f"--{name}", unit[name])),
     ]
 
 
