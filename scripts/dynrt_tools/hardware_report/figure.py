@@ -7,6 +7,7 @@ import dataclasses
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
+from dynrt_tools.build import configs
 from dynrt_tools.project import Json
 
 # The flags of dynrt render that a frame has, each a word and its value, and the keys in which its core
@@ -61,10 +62,19 @@ class Axis:
         return self.measure or self.along
 
     def along_values(self, configuration: Json) -> list[int]:
-        """The values that a configuration can have; all, if what changes is none of its flags."""
+        """The values that a configuration can have: none of a flag is larger than its own, and its
+        other keys allow each."""
         most = None if self.along in KEYS else configuration.get(self.along)
-        least = configuration.get("ways", 1) if self.along == "lines" else 0
-        return [v for v in self.values if v >= least and (most is None or v <= most)]
+        rules = [
+            rule
+            for rule in configs.load_configurations().RULES
+            if rule.other == self.along and configuration.get(rule.key) == rule.value
+        ]
+        return [
+            value
+            for value in self.values
+            if (most is None or value <= most) and all(rule.allows(value) for rule in rules)
+        ]
 
 
 def is_behind_port(configuration: Json) -> bool:

@@ -74,6 +74,9 @@ class Figures(unittest.TestCase):
         # A set has a line in each way, and a line of the second level is a beat or more.
         lines = {int(point["lines"]) for point in points.points(port, (by_name["7.5 and 7.10"],))}
         self.assertEqual(lines, {2, 4})
+        paired: Json = {**port, "lines": 32, "line_nodes": 2}
+        hits = points.points(paired, (by_name["7.5 and 7.10"],))
+        self.assertEqual({int(point["lines"]) for point in hits}, {16, 32})
         wide: Json = {"second_level": 64, "second_line": 16, **port}
         self.assertEqual(points.core_at(wide, bandwidth[-1])["second_line"], 32)
         self.assertEqual(points.core_at(wide, bandwidth[1])["second_line"], 16)
