@@ -27,7 +27,7 @@ BOUNDS = {
 }
 # Placements that take longer than any other may: docs/results/devices.md says why.
 LATE = {"place_core_full": 0.05, "place_core_fast": 0.15}
-# Placements whose ends do not judge a model: wires take three quarters of what limits them, and each seed
+# Placements whose ends do not judge a model: wires take three quarters of what limits them. Each seed
 # makes others long, of which the model, without places, knows nothing.
 BOUND_BY_WIRES = {"place_core_fast"}
 RENEW = "run scripts/fit-delays --record after a change, or take the change back"
