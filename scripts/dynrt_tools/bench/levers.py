@@ -6,6 +6,7 @@ in the order of hls/configs/configs.json."""
 
 import dataclasses
 import itertools
+import os
 import pathlib
 import tempfile
 
@@ -68,7 +69,7 @@ def frame_of(size: str, measured: Json) -> Json:
 def room_of(verilog: pathlib.Path) -> Json:
     """What the core in this folder takes of an ECP5, each of its units synthesized alone."""
     try:
-        takes = area.hardware(verilog)["takes"]
+        takes = area.hardware(verilog, jobs=os.cpu_count() or 1)["takes"]
     except Failed as error:
         raise RunFailed(str(error)) from error
     return {resource: takes[resource] for resource in ROOM}

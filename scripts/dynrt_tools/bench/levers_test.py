@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The steps from `full` to `fast`, and the figures of a frame."""
 
+import os
 import pathlib
 import unittest
 from unittest import mock
@@ -75,7 +76,7 @@ class Levers(unittest.TestCase):
         taken = {"LUT4": 7, "FF": 5, "block RAM": 3, "multiplier": 2, "pin": 1}
         with mock.patch.object(area, "hardware", return_value={"takes": taken}) as hardware:
             room = levers.room_of(pathlib.Path("core"))
-        hardware.assert_called_once_with(pathlib.Path("core"))
+        hardware.assert_called_once_with(pathlib.Path("core"), jobs=os.cpu_count())
         self.assertEqual(room, {"LUT4": 7, "FF": 5, "block RAM": 3, "multiplier": 2})
         with mock.patch.object(area, "hardware", side_effect=Failed("list: no room")):
             with self.assertRaisesRegex(RunFailed, "^list: no room$"):
