@@ -49,8 +49,8 @@ module display_dvi #(
   wire [19:0] shown;
   wire        characters_valid, characters_ready;
   wire [29:0] characters;
-  wire        dvi_rst_n, dvi_valid, dvi_ready, dvi_starved;
-  wire [29:0] dvi_characters;
+  wire        dvi_rst_n, crossed_valid, crossed_ready, dvi_valid, dvi_ready, dvi_starved;
+  wire [29:0] crossed, dvi_characters;
 
   assign running_o = running_q;
   assign shown_o = shown_q;
@@ -99,6 +99,11 @@ module display_dvi #(
     .clk_i(clk_i), .rst_ni(running_q),
     .valid_i(characters_valid), .ready_o(characters_ready), .data_i(characters),
     .read_clk_i(dvi_clk_i), .read_rst_ni(dvi_rst_n),
+    .valid_o(crossed_valid), .ready_i(crossed_ready), .data_o(crossed)
+  );
+  hls_buffer #(.WIDTH(30)) at_serialiser (
+    .clk_i(dvi_clk_i), .rst_ni(dvi_rst_n),
+    .valid_i(crossed_valid), .ready_o(crossed_ready), .data_i(crossed),
     .valid_o(dvi_valid), .ready_i(dvi_ready), .data_o(dvi_characters)
   );
 

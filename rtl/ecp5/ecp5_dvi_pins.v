@@ -3,7 +3,8 @@
 //
 // The pins of a DVI link on an ECP5: each of the eight wires of the four pairs by a cell of double
 // data rate, those of a pair with the bits of each other's complement. Both wires of a pair change
-// at the same edge of the clock, as they come from the same kind of cell.
+// at the same edge of the clock, as they come from the same kind of cell. The pins lie at the chip's
+// edge, so their bits and the reset wait for a clock on the way.
 `default_nettype none
 
 module ecp5_dvi_pins (
@@ -16,11 +17,25 @@ module ecp5_dvi_pins (
   output wire [3:0] dvi_n_o
 );
 
+  reg       reset_q;
+  reg [3:0] p_first_q, p_second_q, n_first_q, n_second_q;
+  (* keep *) always @(posedge clk_i) begin
+    reset_q <= !rst_ni;
+    p_first_q <= first_i;
+    p_second_q <= second_i;
+    n_first_q <= ~first_i;
+    n_second_q <= ~second_i;
+  end
+
   genvar i;
   generate
     for (i = 0; i < 4; i = i + 1) begin : pair
-      ODDRX1F p (.SCLK(clk_i), .RST(!rst_ni), .D0(first_i[i]), .D1(second_i[i]), .Q(dvi_p_o[i]));
-      ODDRX1F n (.SCLK(clk_i), .RST(!rst_ni), .D0(!first_i[i]), .D1(!second_i[i]), .Q(dvi_n_o[i]));
+      ODDRX1F p (
+        .SCLK(clk_i), .RST(reset_q), .D0(p_first_q[i]), .D1(p_second_q[i]), .Q(dvi_p_o[i])
+      );
+      ODDRX1F n (
+        .SCLK(clk_i), .RST(reset_q), .D0(n_first_q[i]), .D1(n_second_q[i]), .Q(dvi_n_o[i])
+      );
     end
   endgenerate
 

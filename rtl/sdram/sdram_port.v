@@ -90,6 +90,7 @@ module sdram_port #(
   reg  [ 5:0] free_beats_q;
   reg  [32:0] request_q;
   reg  [ 4:0] read_slot_q;  // of the next read
+  reg  [ 4:0] slot_after_q;  // of the one after it
   reg  [ 3:0] write_slot_q;
   reg  [ READS-1:0] read_busy_q;
   reg  [WRITES-1:0] write_busy_q;
@@ -104,7 +105,7 @@ module sdram_port #(
   wire takes_write = write_valid_i && write_ready_o;
   wire writes_any = takes_write && (|write_mask_i);
 
-  wire [4:0] next_read_slot = read_slot_q + {4'd0, takes_read};
+  wire [4:0] next_read_slot = takes_read ? slot_after_q : read_slot_q;
   wire [3:0] next_write_slot = write_slot_q + {3'd0, writes_any};
 
   // Each way costs clocks to turn to, so writes wait for a while and then go together.
@@ -131,8 +132,10 @@ module sdram_port #(
         {1'b0, write_slot_q, 1'b1, write_pairs, write_address_i[24:2] | {20'd0, first}, writes_any} :
         {read_slot_q, 1'b0, read_pairs, read_address_i[24:2], takes_read};
     read_slot_q <= next_read_slot;
+    if (takes_read) slot_after_q <= slot_after_q + 5'd1;
     write_slot_q <= next_write_slot;
-    read_free_q <= !read_busy_q[next_read_slot];
+    // Both slots are looked up while it is found which it is.
+    read_free_q <= !(takes_read ? read_busy_q[slot_after_q] : read_busy_q[read_slot_q]);
     write_free_q <= !write_busy_q[next_write_slot];
     if (takes_read) read_busy_q[read_slot_q] <= 1'b1;
     if (writes_any) write_busy_q[write_slot_q] <= 1'b1;
@@ -147,6 +150,7 @@ module sdram_port #(
     if (!rst_ni) begin
       request_q <= 33'd0;
       read_slot_q <= 5'd0;
+      slot_after_q <= 5'd1;
       write_slot_q <= 4'd0;
       read_busy_q <= {READS{1'b0}};
       write_busy_q <= {WRITES{1'b0}};
@@ -220,6 +224,7 @@ module sdram_port #(
   // ---- words that are read ----
   (* ram_style = "distributed" *)
   reg  [ID_WIDTH+1:0] reads    [0:READS-1];  // the number of beats less one, the id
+  reg  [ID_WIDTH+1:0] read_q;  // that of the word in dq_q
   reg  [    TAGS-1:0] reads_q;
   reg  [    TAGS-1:0] ends_q;  // the word is the last one of its beat
   reg  [  5*TAGS-1:0] tags_q;
@@ -230,9 +235,8 @@ module sdram_port #(
   reg                 arrived_last_q;
   reg  [ID_WIDTH-1:0] arrived_id_q;
   assign tag = tags_q[5*TAGS-1:5*TAGS-5];
-  wire [ID_WIDTH+1:0] read = reads[tag];
   assign ends = reads_q[TAGS-1] && ends_q[TAGS-1];
-  assign ends_read = number_q == read[ID_WIDTH+1:ID_WIDTH];
+  assign ends_read = number_q == read_q[ID_WIDTH+1:ID_WIDTH];
   wire                beat_room;
 
   always @(posedge clk_i) begin
@@ -241,10 +245,11 @@ module sdram_port #(
     reads_q <= {reads_q[TAGS-2:0], step_reads};
     ends_q <= {ends_q[TAGS-2:0], &step_word[INDEX-1:0]};
     tags_q <= {tags_q[5*TAGS-6:0], step_tag};
+    read_q <= reads[tags_q[5*TAGS-6-:5]];
     if (reads_q[TAGS-1]) beat_q <= {dq_q, beat_q[DATA-1:16]};
     arrived_q <= ends;
     arrived_last_q <= ends_read;
-    arrived_id_q <= read[ID_WIDTH-1:0];
+    arrived_id_q <= read_q[ID_WIDTH-1:0];
     if (ends) number_q <= ends_read ? 2'd0 : number_q + 2'd1;
     if (!rst_ni) begin
       reads_q <= {TAGS{1'b0}};

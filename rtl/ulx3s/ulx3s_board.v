@@ -45,10 +45,13 @@ module ulx3s_board #(
   localparam DATA_BITS = 8 * BEAT_BYTES;
   localparam MASK_BITS = BEAT_BYTES / 2;
 
-  wire clk, rst_n, fast_clk, fast_rst_n;
+  wire clk, host_rst_n, core_rst_n, memory_rst_n, display_rst_n;
+  wire fast_clk, fast_memory_rst_n, fast_display_rst_n;
   ulx3s_clocks clocks (
-    .osc_i(clk_25mhz_i), .rst_ni(button_ni), .clk_o(clk), .rst_no(rst_n),
-    .fast_clk_o(fast_clk), .fast_rst_no(fast_rst_n)
+    .osc_i(clk_25mhz_i), .rst_ni(button_ni), .clk_o(clk), .host_rst_no(host_rst_n),
+    .core_rst_no(core_rst_n), .memory_rst_no(memory_rst_n), .display_rst_no(display_rst_n),
+    .fast_clk_o(fast_clk), .fast_memory_rst_no(fast_memory_rst_n),
+    .fast_display_rst_no(fast_display_rst_n)
   );
 
   // The host.
@@ -66,7 +69,7 @@ module ulx3s_board #(
   board_link #(
     .CLOCK_HZ(32'd78125000), .DIVISOR(DIVISOR), .MEMORY_BYTES(32'd33554432), .NAME(NAME)
   ) host (
-    .clk_i(clk), .rst_ni(rst_n), .rx_i(serial_i), .tx_o(serial_o),
+    .clk_i(clk), .rst_ni(host_rst_n), .rx_i(serial_i), .tx_o(serial_o),
     .write_valid_o(host_write_valid), .write_ready_i(host_write_ready),
     .write_data_o({host_write_last, host_write_mask, host_write_data, host_write_address}),
     .read_valid_o(host_read_valid), .read_ready_i(host_read_ready),
@@ -97,7 +100,7 @@ module ulx3s_board #(
   wire                 starved, underrun;
   wire                 missed = underrun || starved;
   dynrt_port_board #(.PACKETS(PACKETS), .CACHE_LINES(CACHE_LINES), .SCAN_OUT(1)) core (
-    .clk_i(clk), .core_clk_i(clk), .core_clk_en_o(core_clk_en), .rst_ni(rst_n),
+    .clk_i(clk), .core_clk_i(clk), .core_clk_en_o(core_clk_en), .rst_ni(core_rst_n),
     .bus_valid_i(bus_valid), .bus_write_i(bus_write), .bus_addr_i(bus_addr),
     .bus_wdata_i(bus_wdata), .bus_ready_o(bus_ready), .bus_exists_o(), .bus_rvalid_o(bus_rvalid),
     .bus_rdata_o(bus_rdata), .irq_o(irq),
@@ -134,7 +137,7 @@ module ulx3s_board #(
   wire [DATA_BITS-1:0] write_data;
   wire [MASK_BITS-1:0] write_mask;
   memory_switch #(.ID_BITS(ID_BITS), .BEAT_BYTES(BEAT_BYTES)) switch (
-    .clk_i(clk), .rst_ni(rst_n),
+    .clk_i(clk), .rst_ni(memory_rst_n),
     .display_read_valid_i(display_read_valid), .display_read_ready_o(display_read_ready),
     .display_read_address_i(display_read_address), .display_read_last_i(display_read_last),
     .display_beat_valid_o(display_beat_valid), .display_beat_ready_i(display_beat_ready),
@@ -164,14 +167,14 @@ module ulx3s_board #(
   ulx3s_memory #(
     .ID_BITS(ID_BITS + 2), .BEAT_BYTES(BEAT_BYTES), .PAUSE_TURNS(PAUSE_TURNS)
   ) memory (
-    .clk_i(clk), .rst_ni(rst_n),
+    .clk_i(clk), .rst_ni(memory_rst_n),
     .read_valid_i(read_valid), .read_ready_o(read_ready), .read_id_i(read_id),
     .read_address_i(read_address), .read_last_i(read_last),
     .beat_valid_o(all_valid), .beat_ready_i(all_ready), .beat_id_o(all_id),
     .beat_data_o(all_data), .beat_last_o(all_last),
     .write_valid_i(write_valid), .write_ready_o(write_ready), .write_address_i(write_address),
     .write_data_i(write_data), .write_mask_i(write_mask), .writes_idle_o(writes_idle),
-    .sdram_clk_i(fast_clk), .sdram_rst_ni(fast_rst_n),
+    .sdram_clk_i(fast_clk), .sdram_rst_ni(fast_memory_rst_n),
     .sdram_ras_no(sdram_ras_no), .sdram_cas_no(sdram_cas_no), .sdram_we_no(sdram_we_no),
     .sdram_ba_o(sdram_bank_o), .sdram_a_o(sdram_addr_o), .sdram_dqm_o(sdram_dqm_o),
     .sdram_dq_oe_o(sdram_dq_oe_o), .sdram_dq_o(sdram_dq_o), .sdram_dq_i(sdram_dq_i)
@@ -188,7 +191,7 @@ module ulx3s_board #(
   wire [31:0] bank_data;
   wire [3:0]  first, second;
   picture_stream picture (
-    .clk_i(clk), .rst_ni(rst_n), .running_i(running), .config_i(scan), .begins_i(begins),
+    .clk_i(clk), .rst_ni(display_rst_n), .running_i(running), .config_i(scan), .begins_i(begins),
     .base_i(base), .bank_en_i(bank_en), .bank_data_o(bank_data), .underrun_o(underrun),
     .read_valid_o(display_read_valid), .read_ready_i(display_read_ready),
     .read_address_o(display_read_address), .read_last_o(display_read_last),
@@ -196,15 +199,15 @@ module ulx3s_board #(
     .beat_data_i(beat_data), .beat_last_i(beat_last)
   );
   display_dvi display (
-    .clk_i(clk), .rst_ni(rst_n), .on_i(scan_clocks != 8'd0), .config_i(scan),
+    .clk_i(clk), .rst_ni(display_rst_n), .on_i(scan_clocks != 8'd0), .config_i(scan),
     .running_o(running), .shown_o(scan_shown), .begins_o(begins), .base_o(base),
     .frames_o(scan_frames), .starved_o(starved), .bank_en_o(bank_en), .bank_addr_o(bank_addr),
-    .bank_data_i(bank_data), .dvi_clk_i(fast_clk), .dvi_rst_ni(fast_rst_n), .dvi_first_o(first),
-    .dvi_second_o(second)
+    .bank_data_i(bank_data), .dvi_clk_i(fast_clk), .dvi_rst_ni(fast_display_rst_n),
+    .dvi_first_o(first), .dvi_second_o(second)
   );
   ecp5_dvi_pins pins (
-    .clk_i(fast_clk), .rst_ni(fast_rst_n), .first_i(first), .second_i(second), .dvi_p_o(dvi_p_o),
-    .dvi_n_o(dvi_n_o)
+    .clk_i(fast_clk), .rst_ni(fast_display_rst_n), .first_i(first), .second_i(second),
+    .dvi_p_o(dvi_p_o), .dvi_n_o(dvi_n_o)
   );
 
   // Lit from the left: the core works, the host has an interrupt to see, the display has missed

@@ -3,16 +3,21 @@
 //
 // The clocks of the ULX3S, made by one PLL of the oscillator of 25 MHz, whose own runs at 625 MHz:
 // 125 MHz for the SDRAM and, five times a pixel's, for the DVI link, and 78.125 MHz for the core.
-// The resets are released in step with them once the PLL has locked.
+// The resets are released in step with them once the PLL has locked; parts of the board that lie far
+// from each other have their own.
 `default_nettype none
 
 module ulx3s_clocks (
   input  wire osc_i,  // 25 MHz
   input  wire rst_ni, // may change at any time
   output wire clk_o,  // of the core
-  output wire rst_no,
+  output wire host_rst_no,
+  output wire core_rst_no,
+  output wire memory_rst_no,
+  output wire display_rst_no,
   output wire fast_clk_o,
-  output wire fast_rst_no
+  output wire fast_memory_rst_no,
+  output wire fast_display_rst_no
 );
 
   wire locked;
@@ -28,8 +33,14 @@ module ulx3s_clocks (
     .PHASELOADREG(1'b0), .CLKOS2(), .CLKOS3(), .INTLOCK(), .REFCLK(), .CLKINTFB()
   );
 
-  hls_reset reset (.clk_i(clk_o), .rst_ni(rst_ni && locked), .rst_no(rst_no));
-  hls_reset fast_reset (.clk_i(fast_clk_o), .rst_ni(rst_ni && locked), .rst_no(fast_rst_no));
+  hls_reset #(.PARTS(4)) reset (
+    .clk_i(clk_o), .rst_ni(rst_ni && locked),
+    .rst_no({host_rst_no, core_rst_no, memory_rst_no, display_rst_no})
+  );
+  hls_reset #(.PARTS(2)) fast_reset (
+    .clk_i(fast_clk_o), .rst_ni(rst_ni && locked),
+    .rst_no({fast_memory_rst_no, fast_display_rst_no})
+  );
 
 endmodule
 

@@ -49,6 +49,7 @@ class SdramMemory final : public hls::Device {
  public:
   static constexpr unsigned kBytes = kBeatBytes<C>;
   static constexpr unsigned kCrossing = 3;  ///< clocks of the side that a token comes to
+  static constexpr unsigned kBuffer = 1;  ///< clocks of the SDRAM in a buffer at the port, each way
   using Types = SdramPortTypes<kBytes>;
   using Reads = std::shared_ptr<hls::Fifo<PortRead<C>>>;
   using Beats = std::shared_ptr<hls::Fifo<PortBeat<C>>>;
@@ -99,11 +100,12 @@ class SdramMemory final : public hls::Device {
 
  private:
   static constexpr double kClock = S::kClockPicoseconds / 1000.;
+  static constexpr double kToPort = (kCrossing + kBuffer) * kClock;
   static constexpr std::uint32_t kDisplay = 1u << 31;  ///< in a read's id
   static constexpr std::uint32_t kPictureBytes = 640 * 480 * 2;
 
   double arrival(std::uint64_t now) const {
-    return static_cast<double>(now + 1) * system_.core_nanoseconds + kCrossing * kClock;
+    return static_cast<double>(now + 1) * system_.core_nanoseconds + kToPort;
   }
   void advance(double until) {
     for (; time_ <= until; time_ += kClock) {
@@ -119,7 +121,8 @@ class SdramMemory final : public hls::Device {
     out.id = hls::from_bits<PortId<C>>(uint<hls::bit_width_of<PortId<C>>()>::from(beat.id));
     for (unsigned i = 0; i < out.data.size(); ++i) out.data[i] = uint<16>::from(beat.data[i]);
     out.last = beat.last;
-    const auto clock = static_cast<std::uint64_t>(time_ / system_.core_nanoseconds) + kCrossing;
+    const double leaves = time_ + kBuffer * kClock;
+    const auto clock = static_cast<std::uint64_t>(leaves / system_.core_nanoseconds) + kCrossing;
     answers_.push_back({clock, out});
     if (!beat.last) return;
     --reads_under_way_;
@@ -142,7 +145,7 @@ class SdramMemory final : public hls::Device {
     const auto [sent, read] = waiting_reads_.front();
     waiting_reads_.pop_front();
     const auto id = static_cast<std::uint32_t>(hls::to_bits(read.id).to_u64());
-    sent_[id] = sent - kCrossing * kClock;
+    sent_[id] = sent - kToPort;
     const auto last = static_cast<unsigned>(read.last.to_u64());
     const auto address = static_cast<std::uint32_t>(read.address.to_u64());
     use_.core_reads += (last + 1) * kBytes;
