@@ -78,9 +78,9 @@ module sdram_port #(
   wire [ 4:0] step_tag = step[30:26];
   wire [ 2:0] step_taken = step_valid ? step[33:31] : 3'd0;
 
-  // The last word of a beat, of a read, and its slot.
+  // The last word of a beat, of a read, and the bit of its slot.
   wire        ends, ends_read;
-  wire [ 4:0] tag;
+  reg  [31:0] tag_bit_q;
 
   // ---- requests ----
   reg         writes_turn_q;
@@ -93,6 +93,7 @@ module sdram_port #(
   reg  [ 4:0] slot_after_q;  // of the one after it
   reg  [ 3:0] write_slot_q;
   reg  [ READS-1:0] read_busy_q;
+  reg  [ READS-1:0] read_bit_q;  // that of read_slot_q
   reg  [WRITES-1:0] write_busy_q;
   reg         read_free_q;  // the slot
   reg         write_free_q;
@@ -137,9 +138,10 @@ module sdram_port #(
     // Both slots are looked up while it is found which it is.
     read_free_q <= !(takes_read ? read_busy_q[slot_after_q] : read_busy_q[read_slot_q]);
     write_free_q <= !write_busy_q[next_write_slot];
-    if (takes_read) read_busy_q[read_slot_q] <= 1'b1;
+    if (takes_read) read_bit_q <= {read_bit_q[READS-2:0], read_bit_q[READS-1]};
+    read_busy_q <= (read_busy_q & ~(ends && ends_read ? tag_bit_q : {READS{1'b0}})) |
+        (takes_read ? read_bit_q : {READS{1'b0}});
     if (writes_any) write_busy_q[write_slot_q] <= 1'b1;
-    if (ends && ends_read) read_busy_q[tag] <= 1'b0;
     if (step_writes && step_last) write_busy_q[step_tag[3:0]] <= 1'b0;
     waiting_q <= waiting_q + {4'd0, takes_read || writes_any} - {2'd0, step_taken};
     free_beats_q <= free_beats_q - (takes_read ? {4'd0, read_last_i[1:0]} + 6'd1 : 6'd0) +
@@ -151,6 +153,7 @@ module sdram_port #(
       request_q <= 33'd0;
       read_slot_q <= 5'd0;
       slot_after_q <= 5'd1;
+      read_bit_q <= {{(READS - 1) {1'b0}}, 1'b1};
       write_slot_q <= 4'd0;
       read_busy_q <= {READS{1'b0}};
       write_busy_q <= {WRITES{1'b0}};
@@ -227,14 +230,13 @@ module sdram_port #(
   reg  [ID_WIDTH+1:0] read_q;  // that of the word in dq_q
   reg  [    TAGS-1:0] reads_q;
   reg  [    TAGS-1:0] ends_q;  // the word is the last one of its beat
-  reg  [  5*TAGS-1:0] tags_q;
+  reg  [  5*TAGS-6:0] tags_q;
   reg  [        15:0] dq_q;
   reg  [    DATA-1:0] beat_q;
   reg  [         1:0] number_q;  // of the beat in its read
   reg                 arrived_q;
   reg                 arrived_last_q;
   reg  [ID_WIDTH-1:0] arrived_id_q;
-  assign tag = tags_q[5*TAGS-1:5*TAGS-5];
   assign ends = reads_q[TAGS-1] && ends_q[TAGS-1];
   assign ends_read = number_q == read_q[ID_WIDTH+1:ID_WIDTH];
   wire                beat_room;
@@ -244,8 +246,9 @@ module sdram_port #(
     dq_q <= sdram_dq_i;
     reads_q <= {reads_q[TAGS-2:0], step_reads};
     ends_q <= {ends_q[TAGS-2:0], &step_word[INDEX-1:0]};
-    tags_q <= {tags_q[5*TAGS-6:0], step_tag};
+    tags_q <= {tags_q[5*TAGS-11:0], step_tag};
     read_q <= reads[tags_q[5*TAGS-6-:5]];
+    tag_bit_q <= 32'd1 << tags_q[5*TAGS-6-:5];
     if (reads_q[TAGS-1]) beat_q <= {dq_q, beat_q[DATA-1:16]};
     arrived_q <= ends;
     arrived_last_q <= ends_read;
@@ -280,7 +283,7 @@ module sdram_port #(
       $stop;
     end
     if (rst_ni && ((step_writes && !write_busy_q[step_tag[3:0]]) ||
-                   (reads_q[TAGS-1] && !read_busy_q[tag]))) begin
+                   (reads_q[TAGS-1] && (read_busy_q & tag_bit_q) == {READS{1'b0}}))) begin
       $display("%m: a word without its request");
       $stop;
     end

@@ -55,9 +55,9 @@ module ulx3s_board #(
   );
 
   // The host.
-  wire                 bus_valid, bus_write, bus_ready, bus_rvalid;
+  wire                 bus_valid, bus_write, bus_ready;
   wire [25:0]          bus_addr;
-  wire [31:0]          bus_wdata, bus_rdata;
+  wire [31:0]          bus_wdata;
   wire                 host_write_valid, host_write_ready, host_write_last;
   wire [24:0]          host_write_address;
   wire [DATA_BITS-1:0] host_write_data;
@@ -66,6 +66,13 @@ module ulx3s_board #(
   wire [24:0]          host_read_address;
   wire [3:0]           host_read_last;
   wire                 host_beat_valid, host_beat_ready, host_beat_last;
+  wire                 answer_valid, answer_ready, answer_last;
+  wire [DATA_BITS-1:0] answer_data;
+  hls_buffer #(.WIDTH(1 + DATA_BITS)) answer (
+    .clk_i(clk), .rst_ni(host_rst_n),
+    .valid_i(host_beat_valid), .ready_o(host_beat_ready), .data_i({host_beat_last, beat_data}),
+    .valid_o(answer_valid), .ready_i(answer_ready), .data_o({answer_last, answer_data})
+  );
   board_link #(
     .CLOCK_HZ(32'd78125000), .DIVISOR(DIVISOR), .MEMORY_BYTES(32'd33554432), .NAME(NAME)
   ) host (
@@ -74,12 +81,29 @@ module ulx3s_board #(
     .write_data_o({host_write_last, host_write_mask, host_write_data, host_write_address}),
     .read_valid_o(host_read_valid), .read_ready_i(host_read_ready),
     .read_data_o({host_read_last, host_read_address}),
-    .beat_valid_i(host_beat_valid), .beat_ready_o(host_beat_ready),
-    .beat_data_i({host_beat_last, beat_data}),
+    .beat_valid_i(answer_valid), .beat_ready_o(answer_ready),
+    .beat_data_i({answer_last, answer_data}),
     .bus_valid_o(bus_valid), .bus_write_o(bus_write), .bus_addr_o(bus_addr),
-    .bus_wdata_o(bus_wdata), .bus_ready_i(bus_ready), .bus_rvalid_i(bus_rvalid),
-    .bus_rdata_i(bus_rdata)
+    .bus_wdata_o(bus_wdata), .bus_ready_i(bus_ready), .bus_rvalid_i(rvalid_q),
+    .bus_rdata_i(rdata_q)
   );
+
+  // Its accesses of registers, which wait for a clock on the way to the core and back.
+  wire                 core_bus_valid, core_bus_write, core_bus_ready, core_bus_rvalid;
+  wire [25:0]          core_bus_addr;
+  wire [31:0]          core_bus_wdata, core_bus_rdata;
+  reg                  rvalid_q;
+  reg  [31:0]          rdata_q;
+  hls_buffer #(.WIDTH(1 + 26 + 32)) access (
+    .clk_i(clk), .rst_ni(core_rst_n),
+    .valid_i(bus_valid), .ready_o(bus_ready), .data_i({bus_write, bus_addr, bus_wdata}),
+    .valid_o(core_bus_valid), .ready_i(core_bus_ready),
+    .data_o({core_bus_write, core_bus_addr, core_bus_wdata})
+  );
+  always @(posedge clk) begin
+    rvalid_q <= host_rst_n && core_bus_rvalid;
+    rdata_q <= core_bus_rdata;
+  end
 
   // The core.
   wire                 irq, core_stop, core_idle, core_clk_en;
@@ -101,9 +125,9 @@ module ulx3s_board #(
   wire                 missed = underrun || starved;
   dynrt_port_board #(.PACKETS(PACKETS), .CACHE_LINES(CACHE_LINES), .SCAN_OUT(1)) core (
     .clk_i(clk), .core_clk_i(clk), .core_clk_en_o(core_clk_en), .rst_ni(core_rst_n),
-    .bus_valid_i(bus_valid), .bus_write_i(bus_write), .bus_addr_i(bus_addr),
-    .bus_wdata_i(bus_wdata), .bus_ready_o(bus_ready), .bus_exists_o(), .bus_rvalid_o(bus_rvalid),
-    .bus_rdata_o(bus_rdata), .irq_o(irq),
+    .bus_valid_i(core_bus_valid), .bus_write_i(core_bus_write), .bus_addr_i(core_bus_addr),
+    .bus_wdata_i(core_bus_wdata), .bus_ready_o(core_bus_ready), .bus_exists_o(),
+    .bus_rvalid_o(core_bus_rvalid), .bus_rdata_o(core_bus_rdata), .irq_o(irq),
     .scan_clocks_o(scan_clocks), .scan_o(scan), .scan_shown_i(scan_shown),
     .scan_frames_i(scan_frames), .scan_missed_i(missed),
     .memory_read_valid_o(core_read_valid), .memory_read_ready_i(core_read_ready),

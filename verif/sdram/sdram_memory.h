@@ -49,7 +49,8 @@ class SdramMemory final : public hls::Device {
  public:
   static constexpr unsigned kBytes = kBeatBytes<C>;
   static constexpr unsigned kCrossing = 3;  ///< clocks of the side that a token comes to
-  static constexpr unsigned kBuffer = 1;  ///< clocks of the SDRAM in a buffer at the port, each way
+  static constexpr unsigned kOnWay = 2;     ///< clocks of the SDRAM in two buffers, each way
+  static constexpr unsigned kAtSwitch = 1;  ///< clock of the core in a buffer, on the way back
   using Types = SdramPortTypes<kBytes>;
   using Reads = std::shared_ptr<hls::Fifo<PortRead<C>>>;
   using Beats = std::shared_ptr<hls::Fifo<PortBeat<C>>>;
@@ -100,7 +101,7 @@ class SdramMemory final : public hls::Device {
 
  private:
   static constexpr double kClock = S::kClockPicoseconds / 1000.;
-  static constexpr double kToPort = (kCrossing + kBuffer) * kClock;
+  static constexpr double kToPort = (kCrossing + kOnWay) * kClock;
   static constexpr std::uint32_t kDisplay = 1u << 31;  ///< in a read's id
   static constexpr std::uint32_t kPictureBytes = 640 * 480 * 2;
 
@@ -121,8 +122,9 @@ class SdramMemory final : public hls::Device {
     out.id = hls::from_bits<PortId<C>>(uint<hls::bit_width_of<PortId<C>>()>::from(beat.id));
     for (unsigned i = 0; i < out.data.size(); ++i) out.data[i] = uint<16>::from(beat.data[i]);
     out.last = beat.last;
-    const double leaves = time_ + kBuffer * kClock;
-    const auto clock = static_cast<std::uint64_t>(leaves / system_.core_nanoseconds) + kCrossing;
+    const double leaves = time_ + kOnWay * kClock;
+    const auto clock =
+        static_cast<std::uint64_t>(leaves / system_.core_nanoseconds) + kCrossing + kAtSwitch;
     answers_.push_back({clock, out});
     if (!beat.last) return;
     --reads_under_way_;
