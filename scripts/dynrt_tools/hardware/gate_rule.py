@@ -116,6 +116,8 @@ def memory(name: str, cell: Json) -> Memory:
 
     def addresses(port: str) -> list[tuple[object, ...]]:
         bits, wide = cell["connections"][port], number("ABITS")
+        if not wide:
+            return [()]  # one row, which every port has
         return [tuple(bits[i : i + wide]) for i in range(0, len(bits), wide)]
 
     reads = set(addresses("RD_ADDR"))

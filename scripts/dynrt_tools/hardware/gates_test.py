@@ -91,6 +91,8 @@ class Rule(testing.InFolder):
         two = ram(4, 8, [1, 2, 3, 4], [5, 6])
         two["parameters"]["ABITS"] = "10"
         self.assertEqual(bits(two)[0].bits, 2 * 64, "two readers: two copies")
+        one = ram(1, 8, [])
+        self.assertEqual(bits(one)[0].bits, 8, "one row: a register")
 
     def test_an_unknown_cell_is_refused(self) -> None:
         with self.assertRaisesRegex(gate_rule.Uncounted, "no gates for the cell c0 of type DSP48"):
