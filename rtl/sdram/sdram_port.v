@@ -80,7 +80,7 @@ module sdram_port #(
 
   // The last word of a beat, of a read, and the bit of its slot.
   wire        ends, ends_read;
-  reg  [31:0] tag_bit_q;
+  reg  [READS-1:0] tag_bit_q;
 
   // ---- requests ----
   reg         writes_turn_q;
@@ -90,7 +90,6 @@ module sdram_port #(
   reg  [ 5:0] free_beats_q;
   reg  [32:0] request_q;
   reg  [ 4:0] read_slot_q;  // of the next read
-  reg  [ 4:0] slot_after_q;  // of the one after it
   reg  [ 3:0] write_slot_q;
   reg  [ READS-1:0] read_busy_q;
   reg  [ READS-1:0] read_bit_q;  // that of read_slot_q
@@ -106,7 +105,7 @@ module sdram_port #(
   wire takes_write = write_valid_i && write_ready_o;
   wire writes_any = takes_write && (|write_mask_i);
 
-  wire [4:0] next_read_slot = takes_read ? slot_after_q : read_slot_q;
+  wire [READS-1:0] next_read_bit = {read_bit_q[READS-2:0], read_bit_q[READS-1]};
   wire [3:0] next_write_slot = write_slot_q + {3'd0, writes_any};
 
   // Each way costs clocks to turn to, so writes wait for a while and then go together.
@@ -132,13 +131,12 @@ module sdram_port #(
     request_q <= writes_turn_q ?
         {1'b0, write_slot_q, 1'b1, write_pairs, write_address_i[24:2] | {20'd0, first}, writes_any} :
         {read_slot_q, 1'b0, read_pairs, read_address_i[24:2], takes_read};
-    read_slot_q <= next_read_slot;
-    if (takes_read) slot_after_q <= slot_after_q + 5'd1;
+    read_slot_q <= read_slot_q + {4'd0, takes_read};
     write_slot_q <= next_write_slot;
     // Both slots are looked up while it is found which it is.
-    read_free_q <= !(takes_read ? read_busy_q[slot_after_q] : read_busy_q[read_slot_q]);
+    read_free_q <= takes_read ? !(|(read_busy_q & next_read_bit)) : !(|(read_busy_q & read_bit_q));
     write_free_q <= !write_busy_q[next_write_slot];
-    if (takes_read) read_bit_q <= {read_bit_q[READS-2:0], read_bit_q[READS-1]};
+    if (takes_read) read_bit_q <= next_read_bit;
     read_busy_q <= (read_busy_q & ~(ends && ends_read ? tag_bit_q : {READS{1'b0}})) |
         (takes_read ? read_bit_q : {READS{1'b0}});
     if (writes_any) write_busy_q[write_slot_q] <= 1'b1;
@@ -152,7 +150,6 @@ module sdram_port #(
     if (!rst_ni) begin
       request_q <= 33'd0;
       read_slot_q <= 5'd0;
-      slot_after_q <= 5'd1;
       read_bit_q <= {{(READS - 1) {1'b0}}, 1'b1};
       write_slot_q <= 4'd0;
       read_busy_q <= {READS{1'b0}};
@@ -240,6 +237,7 @@ module sdram_port #(
   assign ends = reads_q[TAGS-1] && ends_q[TAGS-1];
   assign ends_read = number_q == read_q[ID_WIDTH+1:ID_WIDTH];
   wire                beat_room;
+  wire [         4:0] next_tag = tags_q[5*TAGS-6-:5];
 
   always @(posedge clk_i) begin
     if (takes_read) reads[read_slot_q] <= {read_last_i[1:0], read_id_i};
@@ -247,8 +245,8 @@ module sdram_port #(
     reads_q <= {reads_q[TAGS-2:0], step_reads};
     ends_q <= {ends_q[TAGS-2:0], &step_word[INDEX-1:0]};
     tags_q <= {tags_q[5*TAGS-11:0], step_tag};
-    read_q <= reads[tags_q[5*TAGS-6-:5]];
-    tag_bit_q <= 32'd1 << tags_q[5*TAGS-6-:5];
+    read_q <= reads[next_tag];
+    tag_bit_q <= 32'd1 << next_tag;
     if (reads_q[TAGS-1]) beat_q <= {dq_q, beat_q[DATA-1:16]};
     arrived_q <= ends;
     arrived_last_q <= ends_read;
@@ -283,7 +281,7 @@ module sdram_port #(
       $stop;
     end
     if (rst_ni && ((step_writes && !write_busy_q[step_tag[3:0]]) ||
-                   (reads_q[TAGS-1] && (read_busy_q & tag_bit_q) == {READS{1'b0}}))) begin
+                   (reads_q[TAGS-1] && !(|(read_busy_q & tag_bit_q))))) begin
       $display("%m: a word without its request");
       $stop;
     end

@@ -114,14 +114,11 @@ def memory(name: str, cell: Json) -> Memory:
     def number(key: str) -> int:
         return int(cell["parameters"][key], 2)
 
-    def addresses(port: str) -> list[tuple[object, ...]]:
-        bits, wide = cell["connections"][port], number("ABITS")
-        if not wide:
-            return [()]  # one row, which every port has
-        return [tuple(bits[i : i + wide]) for i in range(0, len(bits), wide)]
+    def addresses(side: str) -> set[tuple[object, ...]]:
+        bits, wide = cell["connections"][f"{side}_ADDR"], number("ABITS")
+        return {tuple(bits[i * wide : (i + 1) * wide]) for i in range(number(f"{side}_PORTS"))}
 
-    reads = set(addresses("RD_ADDR"))
-    writes = set(addresses("WR_ADDR")) if number("WR_PORTS") else set()
+    reads, writes = addresses("RD"), addresses("WR")
     ports = len(reads | writes)
     counted = 1 if ports == 1 or not writes else 2 * max(1, len(reads))
     return Memory(

@@ -30,6 +30,7 @@ def ram(rows: int, width: int, read: list[int], write: list[int] | None = None) 
             "SIZE": f"{rows:b}",
             "WIDTH": f"{width:b}",
             "ABITS": f"{address:b}",
+            "RD_PORTS": "1",
             "WR_PORTS": "1" if write else "0",
         },
     }
@@ -89,7 +90,7 @@ class Rule(testing.InFolder):
         self.assertEqual(bits(ram(32, 5, [1, 2], [3, 4]))[0].bits, 2 * 160)
         self.assertEqual(bits(ram(4, 8, [1, 2]))[0].bits, 32, "a table that nobody writes")
         two = ram(4, 8, [1, 2, 3, 4], [5, 6])
-        two["parameters"]["ABITS"] = "10"
+        two["parameters"] |= {"ABITS": "10", "RD_PORTS": "10"}
         self.assertEqual(bits(two)[0].bits, 2 * 64, "two readers: two copies")
         one = ram(1, 8, [])
         self.assertEqual(bits(one)[0].bits, 8, "one row: a register")
