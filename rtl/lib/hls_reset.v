@@ -8,7 +8,7 @@
 //
 // Parameters:
 //   CLOCKS  edges until it rises, at least 4
-//   PARTS   of the chip
+//   PARTS   number of parts of the chip, at least 1
 //
 // Ports:
 //   clk_i   the clock

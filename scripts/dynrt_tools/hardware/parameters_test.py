@@ -77,7 +77,7 @@ RULES = {
         follows("WORD_BITS", "WORDS"),
     ),
     "hls_register_file": (WIDTH, ROWS, follows("ADDR_WIDTH", "ROWS")),
-    "hls_reset": (at_least("CLOCKS", 2),),
+    "hls_reset": (at_least("CLOCKS", 4), at_least("PARTS", 1)),
     "hls_repeat": (
         at_least("COUNT_WIDTH", 1),
         Rule("WIDTH", "must_be_at_least_COUNT_WIDTH", ({"WIDTH": 2, "COUNT_WIDTH": 3},)),
@@ -107,7 +107,7 @@ GOOD: dict[str, tuple[Values, ...]] = {
     ),
     "hls_ram_words": ({}, {"WIDTH": 1, "WORDS": 2, "ROWS": 1}, {"WORDS": 4, "ROWS": 64}),
     "hls_register_file": ({}, {"WIDTH": 1, "ROWS": 1}, {"ROWS": 10}),
-    "hls_reset": ({}, {"CLOCKS": 2}),
+    "hls_reset": ({}, {"CLOCKS": 5}, {"PARTS": 4}),
     "hls_repeat": ({}, {"WIDTH": 1, "COUNT_WIDTH": 1}, {"WIDTH": 32, "COUNT_WIDTH": 4}),
     "hls_synchroniser": ({}, {"RESET": 1}),
 }
