@@ -98,7 +98,7 @@ if words[0] == "info":
     sys.exit()
 if words[0] == "specialise":
     with pathlib.Path("ran").open("a") as file:
-        file.write(f"specialise {{words[1]}}\\n")
+        file.write(f"specialise {{words[1]}} --keep {{of('--keep')}}\\n")
     if pathlib.Path("fail_specialise").exists():
         sys.exit("dynrt: no core can be made")
     pathlib.Path(of("--out")).mkdir(exist_ok=True)

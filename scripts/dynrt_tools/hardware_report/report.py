@@ -110,6 +110,11 @@ def chosen(
                 f"--config {named}: another configuration of this report is named '{name}'"
             )
         keys = base_configuration(named)
+        if not keys["counters"]:
+            raise Failed(
+                f"--config {named}: it counts nothing, so nobody can tell the use of its units; set "
+                "counters to true"
+            )
         own, others = points.own_point(keys), additions.wanted(name, keys) if compared else []
         found[name] = {
             "keys": keys,

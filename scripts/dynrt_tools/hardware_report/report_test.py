@@ -128,6 +128,14 @@ class Reports(Case):
             (code, said),
             (2, f"dynrt: --config slow: unknown; the configurations are {names}\n"),
         )
+        bare = self.folder / "bare.json"
+        bare.write_text('{"like": "thesis", "counters": false}', encoding="utf-8")
+        sentence = (
+            "it counts nothing, so nobody can tell the use of its units; set counters to true\n"
+        )
+        for listed in ("config", "table"):
+            code, said = self.run_report("blocks", **{listed: [str(bare)]})
+            self.assertEqual((code, said), (2, f"dynrt: --config {bare}: {sentence}"))
         (self.folder / "other").mkdir()
         other = self.folder / "other" / "wide.json"
         other.write_text('{"like": "thesis"}', encoding="utf-8")
