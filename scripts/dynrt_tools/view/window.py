@@ -137,7 +137,8 @@ class Browser:
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             for file in set(folder.iterdir()) - before:
-                if file.suffix == ending:  # which it has once it is whole
+                # Chromium holds the name with an empty file until it renames the whole one.
+                if file.suffix == ending and file.stat().st_size > 0:
                     return file
             time.sleep(0.05)
         raise Failed(f"{selector} saves no file *{ending}")
