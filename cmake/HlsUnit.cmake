@@ -28,6 +28,12 @@ set(DYNRT_DELAY_MODEL hls/compiler/delay/ecp5.json CACHE STRING
     "delay model that hlsc schedules with, relative to the project's folder")
 set(HLS_COMPILER hlsc)
 set(HLS_LANGUAGE ${PROJECT_SOURCE_DIR}/hls/lowered ${PROJECT_SOURCE_DIR}/hls/include)
+if(DYNRT_RTL AND NOT DYNRT_PROGRAM_ONLY)
+  set(DYNRT_LANGUAGE ${PROJECT_BINARY_DIR}/generated/language.pch)  # for units with the usual delays
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/generated)
+  hls_precompile(TARGET hls_language FILE ${DYNRT_LANGUAGE}
+                 DELAY ${PROJECT_SOURCE_DIR}/${DYNRT_DELAY_MODEL} ROOT ${PROJECT_SOURCE_DIR})
+endif()
 add_custom_target(verilog ALL)
 add_custom_target(update-generated)
 
@@ -87,8 +93,10 @@ function(add_hls_unit)
     set(clock ${arg_CLOCK_NS})
   endif()
   set(delay ${DYNRT_DELAY_MODEL})
+  set(language PRECOMPILED ${DYNRT_LANGUAGE})
   if(arg_DELAY)
     set(delay ${arg_DELAY})
+    set(language)
   endif()
   # hlsc takes one header: the unit's after the configuration's.
   set(config_header ${PROJECT_BINARY_DIR}/generated/include/configs/${arg_CONFIG}.h)
@@ -102,7 +110,7 @@ function(add_hls_unit)
             CLOCK_NS ${clock} DELAY ${PROJECT_SOURCE_DIR}/${delay} ROOM ${arg_ROOM}
             UNCERTAINTY ${arg_UNCERTAINTY}
             DEPENDS ${config_header}
-            ROOT ${PROJECT_SOURCE_DIR})
+            ROOT ${PROJECT_SOURCE_DIR} ${language})
   add_custom_target(${id}_verilog DEPENDS ${stem}.v)
   add_dependencies(verilog ${id}_verilog)
 

@@ -54,6 +54,7 @@ struct Arguments {
   std::vector<std::string> time_by;
   std::string binding;
   std::string depfile;
+  std::string precompile;
   std::string print_after;
   bool dump_netlist = false;
 };
@@ -75,11 +76,11 @@ std::vector<std::string> pass_names() {
 }
 
 void describe(CLI::App& app, Arguments& a) {
-  app.add_option("--unit", a.source.unit, "C++ type of the unit, with its namespace")->required();
+  app.add_option("--unit", a.source.unit, "C++ type of the unit, with its namespace");
   app.add_option("--header", a.source.header,
                  "header that defines the unit, as an #include names it")
       ->required();
-  app.add_option("--module", a.source.module, "name of the Verilog module")->required();
+  app.add_option("--module", a.source.module, "name of the Verilog module");
   app.add_option("-I", a.source.folders,
                  "folder with headers; give the language's lowered folder first")
       ->allow_extra_args(false);
@@ -114,6 +115,19 @@ void describe(CLI::App& app, Arguments& a) {
   app.add_option("--clang", a.source.clang, "the clang to run")->capture_default_str();
   app.add_option("--clang-arg", a.source.clang_args, "argument for clang, such as -DNAME=1")
       ->allow_extra_args(false);
+  app.add_option("--precompile", a.precompile,
+                 "lower no unit; write the header, precompiled, to this file")
+      ->excludes("--unit")
+      ->excludes("--module");
+  app.add_option(
+      "--precompiled", a.source.precompiled,
+      "headers that --precompile wrote, with the same -I and --delay, and that need not be "
+      "parsed again");
+  app.callback([&app, &a] {
+    for (const char* needed : {"--unit", "--module"}) {
+      if (a.precompile.empty() && app.count(needed) == 0) throw CLI::RequiredError(needed);
+    }
+  });
   app.add_flag("--dump-netlist", a.dump_netlist,
                "print the netlist that the front end makes, and write no file");
   app.add_option("--print-after", a.print_after,
@@ -166,6 +180,10 @@ void run(const Arguments& a) {
   for (const std::string& path : a.time_by) options.time_by.push_back(hlsc::load_delay_model(path));
   hlsc::UnitSource source = a.source;
   if (!options.delay.has_multipliers()) source.clang_args.emplace_back("-DHLS_HARD_MULTIPLIERS=0");
+  if (!a.precompile.empty()) {
+    hlsc::precompile(source, a.precompile);
+    return;
+  }
   if (ir_alone) source.print_after = shown;
   const hlsc::UnitNetlist unit = hlsc::read_unit(source);
   if (a.dump_netlist) fmt::print("{}", hlsc::to_text(unit.netlist));

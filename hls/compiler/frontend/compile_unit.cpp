@@ -53,11 +53,14 @@ std::string read_text(const std::string& path) {
   return text.str();
 }
 
-bool header_exists(const UnitSource& source) {
-  if (fs::exists(source.header)) return true;
-  return std::any_of(source.folders.begin(), source.folders.end(), [&](const auto& folder) {
-    return fs::exists(fs::path(folder) / source.header);
-  });
+/// Where the header lies; throws if no folder holds it.
+std::string find_header(const UnitSource& source) {
+  if (fs::exists(source.header)) return source.header;
+  for (const std::string& folder : source.folders) {
+    const fs::path path = fs::path(folder) / source.header;
+    if (fs::exists(path)) return path.string();
+  }
+  throw Error({}, fmt::format(messages::kHeaderMissing, source.header));
 }
 
 /// Whether hls/ports.h is the one for lowering: the native one comes under the same name.
@@ -143,50 +146,62 @@ std::vector<std::string> read_dependencies(const std::string& path) {
   return files;
 }
 
-}  // namespace
-
-CompiledUnit compile_unit(const UnitSource& source, llvm::LLVMContext& context) {
+/// Runs clang on a file with these arguments besides those that units and precompiled headers
+/// share.
+void run_clang(const UnitSource& source, const TemporaryFolder& folder, const std::string& input,
+               const std::string& output, const std::vector<std::string>& own) {
   const auto clang = llvm::sys::findProgramByName(source.clang);
   if (!clang) throw Error({}, fmt::format(messages::kClangMissing, source.clang));
-  if (!header_exists(source)) {
-    throw Error({}, fmt::format(messages::kHeaderMissing, source.header));
-  }
-  if (!sees_lowered_language(source)) throw Error({}, messages::kLanguageMissing);
-
-  const TemporaryFolder folder;
-  const std::string input = folder.file(kWrapperName);
-  const std::string output = folder.file("unit.bc");
-  const std::string diagnostics = folder.file("diagnostics");
-  const std::string dependencies = folder.file("dependencies");
-  std::ofstream(input) << wrapper(source);
-
   std::vector<std::string> args = {*clang};
   for (const char* flag :
        {"-std=c++20", "-O2", "-Xclang", "-disable-llvm-passes", "-fno-exceptions", "-fno-rtti",
         "-ffreestanding", "-fno-threadsafe-statics", "-g", "-fstandalone-debug",
         "-fno-caret-diagnostics", "-fno-color-diagnostics", "-DNDEBUG", "-Wno-bit-int-extension",
-        "-w", "-emit-llvm", "-c"}) {
+        "-w", "-fpch-instantiate-templates", "-c"}) {
     args.emplace_back(flag);
   }
   for (const std::string& include : source.folders) args.push_back("-I" + include);
   args.insert(args.end(), source.clang_args.begin(), source.clang_args.end());
-  for (const std::string& arg :
-       {std::string("-MD"), std::string("-MF"), dependencies, std::string("-o"), output, input}) {
-    args.push_back(arg);
-  }
+  args.insert(args.end(), own.begin(), own.end());
+  for (const std::string& arg : {std::string("-o"), output, input}) args.push_back(arg);
 
+  const std::string diagnostics = folder.file("diagnostics");
   const std::vector<llvm::StringRef> views(args.begin(), args.end());
   const std::optional<llvm::StringRef> redirects[] = {std::nullopt, std::nullopt,
                                                       llvm::StringRef(diagnostics)};
   if (llvm::sys::ExecuteAndWait(*clang, views, std::nullopt, redirects) != 0) {
     report(source, read_text(diagnostics));
   }
+}
+
+}  // namespace
+
+CompiledUnit compile_unit(const UnitSource& source, llvm::LLVMContext& context) {
+  find_header(source);
+  if (!sees_lowered_language(source)) throw Error({}, messages::kLanguageMissing);
+  const TemporaryFolder folder;
+  const std::string input = folder.file(kWrapperName);
+  const std::string output = folder.file("unit.bc");
+  const std::string dependencies = folder.file("dependencies");
+  std::ofstream(input) << wrapper(source);
+  std::vector<std::string> own = {"-emit-llvm", "-MD", "-MF", dependencies};
+  if (const std::string& headers = source.precompiled; !headers.empty()) {
+    if (!fs::exists(headers))
+      throw Error({}, fmt::format(messages::kNotPrecompiled, headers, headers));
+    own.insert(own.end(), {"-include-pch", headers});
+  }
+  run_clang(source, folder, input, output, own);
+
   llvm::SMDiagnostic parse;
   CompiledUnit compiled;
   compiled.module = llvm::parseIRFile(output, parse, context);
   if (!compiled.module) throw Error({}, parse.getMessage().str());
   compiled.includes = read_dependencies(dependencies);
   return compiled;
+}
+
+void precompile(const UnitSource& source, const std::string& file) {
+  run_clang(source, TemporaryFolder(), find_header(source), file, {"-x", "c++-header"});
 }
 
 }  // namespace hlsc

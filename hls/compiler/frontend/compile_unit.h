@@ -23,6 +23,7 @@ struct UnitSource {
   std::vector<std::string> folders;     ///< include path, in order
   std::vector<std::string> clang_args;  ///< passed on, e.g. -DNAME=1
   std::string clang = "clang++-19";
+  std::string precompiled;  ///< file of precompile(), with the same folders and arguments, or none
   std::string module;       ///< name of the Verilog module
   std::string print_after;  ///< print the IR after this one of ir_passes(), for work on hlsc itself
 };
@@ -38,5 +39,8 @@ struct CompiledUnit {
 
 /// Throws Error with clang's diagnostics if clang rejects the unit.
 CompiledUnit compile_unit(const UnitSource& source, llvm::LLVMContext& context);
+
+/// Writes what clang knows of source.header to a file, for units that include the same headers.
+void precompile(const UnitSource& source, const std::string& file);
 
 }  // namespace hlsc

@@ -11,6 +11,8 @@ inline constexpr char kClangMissing[] =
     "{} is not installed or not on the PATH; install the package clang-19 or name it with --clang";
 inline constexpr char kHeaderMissing[] =
     "no folder given with -I holds the header {}; add the folder that holds it";
+inline constexpr char kNotPrecompiled[] =
+    "there is no file {} for --precompiled; hlsc --precompile {} --header hls/language.h writes it";
 inline constexpr char kUnitMissing[] =
     "the type {} cannot be used as a unit; give --unit the full name of a complete type that {} "
     "defines. clang says: {}";
