@@ -4,6 +4,7 @@
 # dynrt_describe_build(FILE.json): what a later build of one configuration (cmake/Loadable.cmake) has
 # to know of this one, so that both can be one program: compiler, flags, tools.
 #   source      the project's folder
+#   folder      that of the build
 #   identity    decides whether code of two builds fits together
 #   variables   CMake's, passed on as they are
 #   hlsc        the tool; not there without RTL, for which it is not built by itself
@@ -25,6 +26,7 @@ function(dynrt_describe_build file)
     endforeach()
   endforeach()
   string(JSON json SET "${json}" source "\"${PROJECT_SOURCE_DIR}\"")
+  string(JSON json SET "${json}" folder "\"${PROJECT_BINARY_DIR}\"")
   string(JSON json SET "${json}" hlsc "\"${PROJECT_BINARY_DIR}/hls/compiler/hlsc\"")
   set(program_only false)
   if(DYNRT_PROGRAM_ONLY)

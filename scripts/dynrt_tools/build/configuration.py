@@ -4,6 +4,7 @@
 FILE.so."""
 
 import argparse
+import fcntl
 import hashlib
 import json
 import math
@@ -80,6 +81,20 @@ def key_of(kind: str, config: Json, build: Json) -> str:
     return digest.hexdigest()[:40]
 
 
+def same_core(config: Json) -> str:
+    """The listed configuration that a build lowers and that has the same core, or nothing."""
+    loaded = load_configurations()
+    of_core = [key for key, said in loaded.KEYS.items() if said.of_core]
+    return next(
+        (
+            name
+            for name, listed in loaded.listed().items()
+            if listed["rtl"] and all(listed[key] == config[key] for key in of_core)
+        ),
+        "",
+    )
+
+
 def longest_period(folder: pathlib.Path) -> str:
     """Of the schedules in this folder, in ns."""
     return str(max(read_json(path)["clock_ns"] for path in folder.glob("*.json")))
@@ -114,12 +129,15 @@ class Builder:
     def __init__(self, kind: str, config: Json, build: Json, jobs: int, progress: Progress) -> None:
         self.kind, self.config, self.build = kind, config, build
         self.jobs, self.progress = jobs, progress
+        self.listed = ""  # the configuration of the build whose Verilog it is, if there is one
 
     def __call__(self, folder: pathlib.Path) -> pathlib.Path:
         for tool, package in TOOLS.items():
             require_tool(tool, package)
         tree = folder / "build"
         target, clock = KINDS[self.kind]["target"], self.build["variables"][CLOCK]
+        if self.listed:
+            return self._take_from_build(folder)
         if self.kind != "native" and clock == LEAST:
             self._build(folder, "verilog", LEAST)  # each unit for the shortest that it reaches
             clock = longest_period(tree / "generated" / NAME)
@@ -131,6 +149,17 @@ class Builder:
         made = folder / "made"
         made.mkdir()
         (tree / "host" / "board" / f"{NAME}.so").rename(made / LIBRARY)
+        return made
+
+    def _take_from_build(self, folder: pathlib.Path) -> pathlib.Path:
+        """What the build itself lowers, which is renewed if it is not there or has become old."""
+        tree, made = pathlib.Path(self.build["folder"]), folder / "made"
+        with (tree / "lowering.lock").open("w", encoding="utf-8") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            self._make(folder, tree, f"dynrt_{self.listed}_core")
+            shutil.copytree(
+                tree / "generated" / self.listed, made, ignore=shutil.ignore_patterns("fresh")
+            )
         return made
 
     def configure(self, folder: pathlib.Path, clock: str) -> pathlib.Path:
@@ -164,7 +193,10 @@ class Builder:
         return tree
 
     def _build(self, folder: pathlib.Path, target: str, clock: str) -> None:
-        tree, log = self.configure(folder, clock), folder / "log"
+        self._make(folder, self.configure(folder, clock), target)
+
+    def _make(self, folder: pathlib.Path, tree: pathlib.Path, target: str) -> None:
+        log = folder / "log"
         with log.open("a", encoding="utf-8") as file:
             self._run(
                 [
@@ -231,9 +263,12 @@ def make(args: argparse.Namespace) -> pathlib.Path:
         if args.tell_steps:
             tell(text)
 
+    builder = Builder(args.kind, config, build, args.jobs, progress)
+    if args.kind == "verilog" and not args.clock_ns:
+        builder.listed = same_core(config)
     entry = BuildCache().get(
         f"configuration-{args.kind}-{key_of(args.kind, config, build)}",
-        Builder(args.kind, config, build, args.jobs, progress),
+        builder,
         lambda: progress("another program builds it; waiting"),
     )
     made = entry if args.kind == "verilog" else entry / LIBRARY

@@ -126,6 +126,28 @@ class Configuration(testing.InFolder):
             configuration.Builder("verilog", THESIS, build, 1, lambda text: None)(self.folder)
         self.assertEqual(built, [("least", "verilog"), ("8.1", "dynrt_loadable_core")])
 
+    def test_the_core_of_a_listed_configuration_is_lowered_by_the_build(self) -> None:
+        built: list[str] = []
+
+        def pretend(_: configuration.Builder, command: list[Any], *_logs: object) -> None:
+            built.append(" ".join(map(str, command[: command.index("--parallel")])))
+
+        testing.write_tree(
+            self.folder, {f"generated/thesis/{name}": name for name in ("list.v", "fresh/list.v")}
+        )
+        builder = configuration.Builder(
+            "verilog", THESIS, self.build | {"folder": str(self.folder)}, 1, lambda text: None
+        )
+        builder.listed = configuration.same_core(THESIS | {"made_for": "a sail"})
+        with mock.patch.object(configuration.Builder, "_run", pretend):
+            made = builder(self.folder)
+        self.assertEqual(built, [f"cmake --build {self.folder} --target dynrt_thesis_core"])
+        self.assertEqual([path.name for path in made.iterdir()], ["list.v"])
+        self.assertEqual(configuration.same_core(THESIS | {"packets": 16}), "")
+        unlowered = load_configurations().listed()["compact"]
+        self.assertFalse(unlowered["rtl"])
+        self.assertEqual(configuration.same_core(unlowered), "")
+
     def test_programs_read_the_sentence_where_the_path_would_be(self) -> None:
         result = self.run_on(THESIS, "--expect", "0", "--for-program")
         self.assertEqual((result.returncode, result.stderr), (1, ""))

@@ -38,10 +38,8 @@ def costs(gates: Json, packets: int, lines: int) -> tuple[float, float] | None:
     return logic, memory
 
 
-def mean_use(arithmetic: dict[str, int], units: Json) -> float | None:
-    """U_AU, in units of 1; None for a core without counters."""
-    if not arithmetic.keys() <= units.keys():
-        return None
+def mean_use(arithmetic: dict[str, int], units: Json) -> float:
+    """U_AU, in units of 1."""
     working = sum(n * float(units[name]["utilisation"]) for name, n in arithmetic.items())
     return working / sum(arithmetic.values())
 
@@ -57,5 +55,6 @@ def indices(gates: Json, frame: Json) -> Json:
         "C_AU + C_IM": whole,
         "thesis's C_RTC": gates["pipelines"] * thesis_gates(frame["packets"], frame["cache_lines"]),
         "QGHW": 1e6 * rays / whole,
-        **({} if use is None else {"U_AU": 100 * use, "QHW": 100 * use * cost[0] / whole}),
+        "U_AU": 100 * use,
+        "QHW": 100 * use * cost[0] / whole,
     }

@@ -69,12 +69,6 @@ class Indices(unittest.TestCase):
         for figure in ("C_AU + C_IM", "thesis's C_RTC", "rays per clock"):
             self.assertAlmostEqual(four[figure], 4 * one[figure])
 
-    def test_a_core_without_counters_has_no_use(self) -> None:
-        frame: Json = {**example.mean_frame(4, 2), "units": {}}
-        found = indices.indices(self.gates(4, 2), frame)
-        self.assertNotIn("QHW", found)
-        self.assertIn("QGHW", found)
-
     def test_bytes(self) -> None:
         found = rows.figures_of(example.mean_frame(4, 2), None)
         self.assertAlmostEqual(found["bytes read per ray"], (200 * 8 + 50 * 4 + 100 * 12) / 768)

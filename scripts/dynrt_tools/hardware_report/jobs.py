@@ -44,12 +44,23 @@ def made_for(scenes: Iterable[str], configurations: dict[str, Json]) -> list[str
 
 def cores_of(configurations: dict[str, Json]) -> dict[str, Json]:
     """The keys of every core whose Verilog is needed."""
-    counted = {
+    of_configurations = {
         name: core
         for configuration, one in configurations.items()
         for name, core in gates.cores(configuration, one["keys"], one["curves"]).items()
     }
-    return {**counted, **models_of(configurations)}
+    return {**of_configurations, **models_of(configurations)}
+
+
+def counted(configurations: dict[str, Json]) -> list[str]:
+    """The cores of cores_of whose gates are needed."""
+    unneeded = {
+        points.core_of(name, point)
+        for name, one in configurations.items()
+        for point in one["points"]
+        if not gates.is_counted(points.keys_of(point))
+    }
+    return [name for name in cores_of(configurations) if name not in unneeded]
 
 
 def lowered(core: Json) -> Json:
@@ -93,6 +104,7 @@ class Workflow(Jobs):
                     for name, one in configurations.items()
                 },
                 "cores": [*cores, *made],
+                "counted": [*counted(configurations), *made],
                 "models": [*models, *made],
                 "flags": {points.name_of(p): points.flags_of(p) for p in every},
                 "size": size,
