@@ -24,21 +24,22 @@ struct CameraRays {
   hls::In<Repeated<CameraJob<C>>> job;  ///< three times for each ray
   hls::OptionalPort<C::kUncompressed, hls::Config<FrameRegisters<C>>> frame;
   hls::Out<PacketVector<C>> vector;
-  hls::RamRead<Vector<Real>, kPackets> column[4];
+  hls::RamRead<Vector<Real>, 1> column[3];  ///< of the camera's matrix
+  hls::RamRead<Vector<Real>, kEyeRows<C>> eye;
   hls::RamRead<PixelPosition, kPackets> position;
   hls::OptionalPort<kLightsAtOnce<C>, hls::RamRead<Ray<Real>, kRayRows<C>>> arriving;
   hls::OptionalPort<kLightsAtOnce<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
-  HLS_PORTS(job, frame, vector, column, position, arriving, surface)
+  HLS_PORTS(job, frame, vector, column, eye, position, arriving, surface)
 
   void step() {
     const Repeated<CameraJob<C>> j = job.read();
     const PacketId<C> packet = j.job.packet;
     const RayIndex<C> ray = ray_of(j);
     const PixelPosition p = pixel_of<C>(position.read(packet), ray);
-    const Real m0 = component(column[0].read(packet));
-    const Real m1 = component(column[1].read(packet));
-    const Real m2 = component(column[2].read(packet));
-    const Vector<Real> origin = column[3].read(packet);
+    const Real m0 = component(column[0].read({}));
+    const Real m1 = component(column[1].read({}));
+    const Real m2 = component(column[2].read({}));
+    const Vector<Real> origin = eye.read(eye_row<C>(packet));
     Factors f{m0, Real::from_uint(p.x), m1, Real::from_uint(p.y), m2};
     if constexpr (kLightsAtOnce<C>) {
       const Ray<Real> r = arriving.read(ray_row<C>(packet, ray));

@@ -40,7 +40,8 @@ template <class Config>
 class CameraBench : public test::UnitBench<CameraRays<Config>> {
  public:
   CameraBench() {
-    for (unsigned c = 0; c < 4; ++c) this->rows(this->unit.column[c])[kPacket] = kMatrix[c];
+    for (unsigned c = 0; c < 3; ++c) this->rows(this->unit.column[c])[0] = kMatrix[c];
+    this->rows(this->unit.eye)[eye_row<Config>(kPacket).to_u64()] = kMatrix[3];
     this->rows(this->unit.position)[kPacket] = kPixel;
   }
   /// The vectors of the packet.

@@ -26,9 +26,15 @@ void Pipeline<C>::join_transformation(hls::Join& join, hls::Out<TransformJob<C>>
                          {&matrix_store.reply});
   }
   for (unsigned c = 0; c < 4; ++c) {
-    std::vector readers = {&transformation.column[c]};
-    if constexpr (kOwnCamera<C>) readers.push_back(&camera_rays.column[c]);
-    join.ram("column_" + std::to_string(c), matrix_store.column[c], readers);
+    join.ram("column_" + std::to_string(c), matrix_store.column[c],
+             std::array{&transformation.column[c]});
+  }
+  if constexpr (kOwnCamera<C>) {
+    for (unsigned c = 0; c < 3; ++c) {
+      join.ram("camera_column_" + std::to_string(c), matrix_store.camera_column[c],
+               std::array{&camera_rays.column[c]});
+    }
+    join.ram("eye", matrix_store.eye, std::array{&camera_rays.eye});
   }
   std::vector records = {&packet_decoder.record, &collect_hits.record};
   if constexpr (kPairsUnitRays<C> && kMarksUnitRays<C>) records.push_back(&unit_decoder.record);
@@ -69,13 +75,12 @@ void Pipeline<C>::join_transformation(hls::Join& join, hls::Out<TransformJob<C>>
   join.channel<PacketVector<C>>("transformed", rays, {&packet_decoder.vector});
   if constexpr (kDecodesUnitRays<C>) unit_rays.push_back(&packet_decoder.unit_ray);
   if constexpr (kHasReciprocals<C>) {
-    if constexpr (kInvertsAtOnce<C>) {
-      join.channel("traced_ray", packet_decoder.traced, ray_reciprocal.traced);
-    } else {
-      // A ray comes with each clock and takes three; the transformation must not wait for them.
-      join.repeat("traced_ray", hls::Writers{&packet_decoder.traced}, ray_reciprocal.traced,
-                  kRays<C> * kAll);
-    }
+    // One divider takes three clocks for a ray, of which one comes with each clock; the
+    // transformation must not wait for it.
+    join.repeat("traced_ray", hls::Writers{&packet_decoder.traced}, ray_reciprocal.traced,
+                kInvertsAtOnce<C> ? 0 : kRays<C> * kAll);
+    // The clocks that a ray waits depend on those before it.
+    if constexpr (kInvertsAtOnce<C>) join.depends_on_order({"ray_reciprocal"});
     unit_rays.push_back(&ray_reciprocal.reset);
   }
   if constexpr (kClipsToBox<C>) {

@@ -37,6 +37,7 @@ void Pipeline<C>::join_traversal(hls::Join& join) {
     join.channel<Step<C>>("offset", hls::Writers(&plane_offset.offset, kShort), steps, kSteps);
     std::vector origins = {&plane_offset.origin};
     if constexpr (kMapsBlocks<C>) origins.push_back(&matrix_store.origin);
+    if constexpr (kOriginsApart<C>) origins.push_back(&send_packet.origin);
     join.ram("origin", origins_written(), origins);
   } else {
     join.channel<Step<C>>("step", nodes, steps, kAll);

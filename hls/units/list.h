@@ -24,29 +24,32 @@ struct List {
     HLS_FIELDS(active, is_start, rays)
   };
 
+  struct Place {
+    NodeAddress<C> next;  ///< entry of the list
+    [[no_unique_address]] hls::OptionalField<kSendsActive<C>, Leaf> leaf{};
+    HLS_FIELDS(next, leaf)
+  };
+
   hls::In<ListJob<C>> job;
   hls::Out<ListRequest<C>> request;
   hls::Out<TraversalEvent<C>> finished;
   hls::RamRead<bool, kLevelRows<C>> last;  ///< whether the entry read last was the list's last
   hls::OptionalPort<kPointsToLists<C>, hls::RamRead<AfterLeaf<C>, kLevelRows<C>>> after;
-  hls::Ram1R1W<NodeAddress<C>, kLevelRows<C>> next;
+  hls::Ram1R1W<Place, kLevelRows<C>> place;
   hls::OptionalPort<kMainFirst<C>, hls::Config<FrameRegisters<C>>> frame;
-  hls::OptionalPort<kSendsActive<C>, hls::Ram1R1W<Leaf, kLevelRows<C>>> leaf;
   HLS_PORTS(job, request, finished, last, after, frame)
 
   void step() {
     const ListJob<C> j = job.read();
     const LevelRow<C> row = level_row<C>(j.level, j.packet);
-    const NodeAddress<C> following = next.read(row);
+    const Place before = place.read(row);
     const bool at_end = !j.first && last.read(row);
-    const NodeAddress<C> address = j.first ? j.address : following;
-    next.write(row, hls::next(address));
+    const NodeAddress<C> address = j.first ? j.address : before.next;
     Leaf here;
     if constexpr (kSendsActive<C>) {
-      const Leaf begins{j.active.get(), j.is_start, j.rays};
-      here = j.first ? begins : leaf.read(row);
-      if (j.first) leaf.write(row, begins);
+      here = j.first ? Leaf{j.active.get(), j.is_start, j.rays} : before.leaf.get();
     }
+    place.write(row, Place{hls::next(address), here});
 
     if (at_end) {
       TraversalEvent<C> go_on;

@@ -37,12 +37,16 @@ struct MatrixStore {
   hls::Out<SendJob<C>> ready;
   hls::OptionalPort<kOwnCamera<C>, hls::Out<CameraJob<C>>> camera;
   hls::RamWrite<Vector<Real>, kPackets> column[4];
+  /// Columns 0 to 2 of the camera's matrix, which all packets of a frame share, and its column 3.
+  hls::OptionalPort<kOwnCamera<C>, hls::RamWrite<Vector<Real>, 1>> camera_column[3];
+  hls::OptionalPort<kOwnCamera<C>, hls::RamWrite<Vector<Real>, kEyeRows<C>>> eye;
   hls::RamWrite<JobRecord<C>, kPackets> record;
   hls::OptionalPort<kTwoLevels<C>, hls::RamWrite<MatrixNumber<C>, kPackets>> object;
   hls::OptionalPort<kTestsWorldBox<C>, hls::Out<BoxJob<C>>> box;
   hls::OptionalPort<kTestsWorldBox<C>, hls::RamWrite<BoxedObject<C>, kPackets>> boxed;
   hls::RegisterFile<Progress, kPackets> progress;
-  HLS_PORTS(reply, frame, origin, ready, camera, column, record, object, box, boxed)
+  HLS_PORTS(reply, frame, origin, ready, camera, column, camera_column, eye, record, object, box,
+            boxed)
 
   void step() {
     const auto r = reply.read();
@@ -50,6 +54,7 @@ struct MatrixStore {
     const Vector<Real> values = stored(r);
     const bool stored_three = three(r.context);
     store(r, values, stored_three);
+    if constexpr (kOwnCamera<C>) store_camera(r, values);
 
     Progress p = progress.read(packet);
     const uint<2> last = stored_three ? uint<2>(kStoredColumns - 1) : uint<2>(3);
@@ -86,6 +91,17 @@ struct MatrixStore {
       for (unsigned c = 0; c < 4; ++c) {
         if (r.context.column == uint<2>::from(c)) column[c].write(packet, values);
       }
+    }
+  }
+  /// Rays that are made beside the transformation have a camera's or a light's matrix.
+  void store_camera(const ColumnReply<C>& r, const Vector<Real>& values) {
+    const bool of_camera = r.context.kind == TransformKind::kCamera;
+    const bool of_light = kLightsAtOnce<C> && r.context.kind == TransformKind::kSecondary;
+    for (unsigned c = 0; c < 3; ++c) {
+      if (of_camera && r.context.column == uint<2>::from(c)) camera_column[c].write({}, values);
+    }
+    if ((of_camera || of_light) && r.context.column == uint<2>(3)) {
+      eye.write(eye_row<C>(r.context.packet), values);
     }
   }
   /// Spare bits of column 0, or of the first two of three that are stored.
@@ -139,7 +155,7 @@ struct MatrixStore {
                                        : r.address.template bits<C::kMatrixBits + 1, 2>();
     const auto& derived = r.context.extras.derived;
     record.write(packet,
-                 JobRecord<C>{r.context.kind, r.context.active, matrix, p.extra, derived, p.mirror,
+                 JobRecord<C>{r.context.kind, r.context.active, p.extra, matrix, derived, p.mirror,
                               r.context.extras.distinct_origins.get(), r.context.extras.primitive,
                               p.cosine_factor, r.context.extras.viewpoint});
     if constexpr (kTwoLevels<C>) {

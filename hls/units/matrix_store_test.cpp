@@ -70,8 +70,8 @@ TEST(MatrixStore, TakesTheColumnsOfManyPacketsInAnyOrder) {
     const auto& spare = job.columns[0].row;
     const std::uint64_t extra =
         spare[0].spare.to_u64() | spare[1].spare.to_u64() << 8 | spare[2].spare.to_u64() << 16;
-    const JobRecord<C> record{job.kind, job.active, MatrixIndex::from(job.matrix),
-                              uint<24>::from(extra)};
+    const JobRecord<C> record{job.kind, job.active, uint<24>::from(extra),
+                              MatrixIndex::from(job.matrix)};
     ASSERT_TRUE(test::same(bench.rows(bench.unit.record)[p], record));
     if (job.kind == TransformKind::kObject) objects[p] = record.matrix;
     ASSERT_EQ(bench.rows(bench.unit.object)[p], objects[p]) << "a triangle is not an object";
@@ -232,6 +232,34 @@ TEST(MatrixStore, TellsALightsMatrixFromABoxForItsRays) {
     EXPECT_TRUE(bench.take(bench.unit.ready).empty());
     EXPECT_TRUE(bench.take(bench.unit.box).empty());
   }
+}
+
+/// Every packet of a frame has the camera's columns, so one row holds them; a light's origin is the
+/// packet's own.
+TEST(MatrixStore, KeepsTheCameraOnceAndAnEyeForEachPacket) {
+  test::UnitBench<MatrixStore<LitBoxes>> bench;
+  test::Random random(16);
+  const auto send = [&](unsigned packet, TransformKind kind, unsigned column) {
+    ColumnReply<LitBoxes> reply;
+    reply.context.packet = PacketId<LitBoxes>::from(packet);
+    reply.context.kind = kind;
+    reply.context.column = uint<2>::from(column);
+    reply.context.extras.derived = DerivedRay<LitBoxes>{Derivation::kLight, {}};
+    reply.line = test::random_token<MatrixColumn<Real>>(random);
+    bench.feed(bench.unit.reply, reply);
+    bench.run();
+    return Vector<Real>{reply.line.row[0].value, reply.line.row[1].value, reply.line.row[2].value};
+  };
+  std::array<Vector<Real>, 4> camera, light;
+  for (unsigned c = 0; c < 4; ++c) camera[c] = send(2, TransformKind::kCamera, c);
+  for (unsigned c = 0; c < 4; ++c) light[c] = send(5, TransformKind::kSecondary, c);
+  for (unsigned c = 0; c < 4; ++c) send(7, TransformKind::kTriangle, c);
+  for (unsigned c = 0; c < 3; ++c) {
+    EXPECT_TRUE(test::same(bench.rows(bench.unit.camera_column[c])[0], camera[c])) << c;
+  }
+  EXPECT_TRUE(test::same(bench.rows(bench.unit.eye)[2], camera[3]));
+  EXPECT_TRUE(test::same(bench.rows(bench.unit.eye)[5], light[3]));
+  EXPECT_TRUE(test::same(bench.rows(bench.unit.eye)[7], {})) << "no ray starts at a triangle";
 }
 
 /// The bounds lie in the words where the host puts them: the lower one in the lowest bits.

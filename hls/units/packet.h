@@ -365,11 +365,11 @@ constexpr SliceRay<C> slice_ray(const Ray<typename C::Real>& ray) {
 }
 
 /// Whether a slice reads one axis of its ray, whose axes are then written one after the other. A
-/// slice's ray may follow another after five clocks, or three where a unit makes reciprocals one by
-/// one; of rays that are transformed alone, or with few others of their packet, after two.
+/// slice's ray follows another after five clocks; after three where a unit makes reciprocals one by
+/// one, or all at once, as rays then wait for their lane (units/lane_spacing.h). Of rays that are
+/// transformed alone, or with few others of their packet, it may come after two.
 template <class C>
-inline constexpr bool kReadsAxes =
-    !kSendsActive<C> && !kInvertsAtOnce<C> && (kHasReciprocals<C> || !kHasSecondary<C>);
+inline constexpr bool kReadsAxes = kHasReciprocals<C> || (!kSendsActive<C> && !kHasSecondary<C>);
 /// Row of such an axis, 0 to 2.
 template <class C>
 using AxisRow = uint<LevelRow<C>::kWidth + 2>;

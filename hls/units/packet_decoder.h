@@ -10,6 +10,7 @@
 
 #include "units/frame.h"
 #include "units/intersection_tokens.h"
+#include "units/lane_spacing.h"
 #include "units/packet_rays.h"
 #include "units/send_packet.h"
 #include "units/shading_tokens.h"
@@ -62,8 +63,8 @@ struct PacketDecoder {
     const LevelRow<C> row = level_row<C>(level, in.packet);
     // All light rays of a packet have one origin, the light, and lie as the frame's packets do.
     const RayIndex<C> slot = light && in.point && !has_pairs() ? RayIndex<C>{} : in.ray;
-    if (!triangle) {
-      vectors.write(hls::concat(row, hls::concat(slot, uint<1>(!in.point))), in.vector);
+    if (!triangle && !(kOriginsApart<C> && in.point)) {
+      vectors.write(vector_row<C>(row, slot, in.point), in.vector);
     }
     if constexpr (kHasSecondary<C>) {
       if (!in.point && is_new && !light) arriving.write(ray_row<C>(in.packet, in.ray), r);
@@ -90,7 +91,14 @@ struct PacketDecoder {
         TracedRay<C> trace;
         trace.is_new = is_new;
         trace.ray = in_object(in, job, r);
-        if (is_new || object) traced.write(trace);
+        if (is_new || object) {
+          if constexpr (kInvertsAtOnce<C>) {
+            LaneSpacing<C> spacing = spacing_.get();
+            trace.repeat = RepeatCount<C>::from(spacing.wait(in.ray).raw());
+            spacing_ = spacing;
+          }
+          traced.write(trace);
+        }
       }
       if constexpr (kMapsCorners<C>) {
         UnitRay<C> test;
@@ -161,6 +169,7 @@ struct PacketDecoder {
   }
   Vector<Real> origin_;  ///< of the packet, whose vectors come one after the other
   hls::OptionalField<kOwnCamera<C>, Vector<Real>> camera_origin_;
+  hls::OptionalField<kInvertsAtOnce<C>, LaneSpacing<C>> spacing_;  ///< of traced rays
   /// Of the triangle that is being mapped.
   hls::OptionalField<kMapsCorners<C>, Vector<Real>> first_corner_;
   hls::OptionalField<kMapsCorners<C>, Vector<Real>> second_corner_;

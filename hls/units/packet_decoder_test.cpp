@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "units/packet_decoder.h"
 
+#include <algorithm>
+
 #include "units/test_bench.h"
 
 namespace dynrt {
@@ -58,7 +60,7 @@ class Decoder : public testing::TestWithParam<bool> {
  protected:
   void record(PacketId<C> id, TransformKind kind) {
     JobRecord<C>& r = bench_.rows(bench_.unit.record)[id.to_u64()];
-    r = {kind, 0b0111, 1234, uint<24>::from(0xfa0000u | 54321u)};
+    r = {kind, 0b0111, uint<24>::from(0xfa0000u | 54321u), 1234};
   }
   bool compressed() const { return GetParam(); }
   UnitBench bench_;
@@ -116,6 +118,39 @@ TEST(PacketDecoder, APacketAfterAnotherHasItsOwnOrigin) {
     feed(bench, id, packet, compressed);
     ASSERT_TRUE(test::same(bench.take(bench.unit.unit_ray), unit_rays(id, packet, false)));
   }
+}
+
+struct AtOnce : test::Config<8> {
+  static constexpr unsigned kPacketRays = 8;
+  static constexpr RaysSent kRaysSent = RaysSent::kActive;
+  static constexpr Divider kDivider = Divider::kThreeReciprocals;
+  static constexpr Origins kOrigins = Origins::kCommon;
+};
+
+/// Packets of few rays, and those that differ in their rays, come one after the other.
+TEST(PacketDecoder, RaysOfALaneFollowEachOtherAfterThreeClocks) {
+  test::UnitBench<PacketDecoder<AtOnce>> bench;
+  test::Random random(57);
+  for (unsigned p = 0; p < AtOnce::kPackets; ++p) {
+    bench.rows(bench.unit.record)[p].kind = TransformKind::kObject;
+  }
+  std::array<unsigned, kRays<AtOnce>> free{};  // the clock from which a lane is
+  std::array<unsigned, 3> waits{};
+  unsigned clock = 3;
+  for (unsigned n = 0; n < 5000; ++n) {
+    PacketVector<AtOnce> vector;
+    vector.ray = RayIndex<AtOnce>::from(test::below(random, n % 2 == 0 ? 8 : 3));
+    bench.feed(bench.unit.vector, vector);
+    bench.run();
+    const TracedRay<AtOnce> traced = bench.take_one(bench.unit.traced);
+    const std::uint64_t lane = vector.ray.to_u64();
+    const unsigned wait = std::max(free[lane], clock) - clock;
+    ASSERT_EQ(traced.repeat.to_u64(), wait) << n;
+    ++waits[wait];
+    free[lane] = clock + wait + 3;
+    clock += wait + 1;
+  }
+  for (const unsigned times : waits) EXPECT_GT(times, 100u);
 }
 
 }  // namespace

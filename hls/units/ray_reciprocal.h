@@ -5,7 +5,7 @@
 // direction's components, one a clock by one divider or a ray a clock by three, so that the slices
 // multiply where they would divide. The slices read a ray's origin and these reciprocals; the ray
 // is saved before its packet can come to them, as a new ray's reset and an object's entry are sent
-// on from here.
+// on from here. Three dividers repeat a ray whose lane is not yet free, and send the last.
 //
 // A reciprocal has its component's sign, and a power of two's is exact. The range of the numbers is
 // not symmetric: of magnitudes from 2^-bias to 2^bias the reciprocal lies within, that of a larger
@@ -25,8 +25,7 @@ template <class C>
 struct RayReciprocal {
   using Real = typename C::Real;
 
-  std::conditional_t<kInvertsAtOnce<C>, hls::In<TracedRay<C>>, hls::In<Repeated<TracedRay<C>>>>
-      traced;
+  hls::In<Repeated<TracedRay<C>>> traced;
   hls::Out<UnitRay<C>> reset;
   hls::OptionalPort<kTwoLevels<C> && !kClipsToBox<C>, hls::Out<TraversalEvent<C>>> enter_object;
   hls::OptionalPort<kClipsToBox<C>, hls::Out<ObjectRay<C>>> object_ray;  ///< with the reciprocals
@@ -39,13 +38,14 @@ struct RayReciprocal {
   HLS_PORTS(traced, reset, enter_object, object_ray, ray, origin, in_world, map)
 
   void step() {
+    const Repeated<TracedRay<C>> j = traced.read();
     if constexpr (kInvertsAtOnce<C>) {
-      const TracedRay<C> in = traced.read();
-      const Ray<Real>& r = in.ray.in_object;
+      const Ray<Real>& r = j.job.ray.in_object;
       const Vector<Real>& d = r.direction;
-      pass_on(in, {r.origin, {Real::one() / d.x, Real::one() / d.y, Real::one() / d.z}});
+      const Vector<Real> inverse{Real::one() / d.x, Real::one() / d.y, Real::one() / d.z};
+      if (j.last) pass_on(j.job, {r.origin, inverse});
     } else {
-      step_of_axis(traced.read());
+      step_of_axis(j);
     }
   }
 

@@ -129,13 +129,18 @@ struct WorldBoxes : test::Config<8> {
 TEST(RayReciprocalsAtOnce, KeepThoseOfTheWorldForTheTestOfBoxes) {
   test::UnitBench<RayReciprocal<WorldBoxes>> bench;
   const auto send = [&bench](bool is_new, unsigned ray, const Vec& direction) {
-    TracedRay<WorldBoxes> traced;
-    traced.is_new = is_new;
-    traced.ray.packet = 5;
-    traced.ray.ray = RayIndex<WorldBoxes>::from(ray);
-    traced.ray.in_object.direction = direction;
-    bench.feed(bench.unit.traced, traced);
-    bench.run();
+    Repeated<TracedRay<WorldBoxes>> traced;
+    traced.job.is_new = is_new;
+    traced.job.ray.packet = 5;
+    traced.job.ray.ray = RayIndex<WorldBoxes>::from(ray);
+    traced.job.ray.in_object.direction = direction;
+    for (const bool last : {false, true}) {
+      traced.last = last;
+      bench.feed(bench.unit.traced, traced);
+      bench.run();
+      EXPECT_EQ(bench.take(bench.unit.reset).size(), is_new && last)
+          << "a ray that waits is not sent";
+    }
   };
   for (unsigned ray = 0; ray < kRays<WorldBoxes>; ++ray) {
     send(true, ray, {real(1u << ray), real(-4), real(0.5)});

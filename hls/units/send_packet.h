@@ -18,12 +18,25 @@
 
 namespace dynrt {
 
-/// Row of the vector store: level, packet and the vector's number in the uncompressed order
-/// (2 * ray is the origin, 2 * ray + 1 the direction).
+/// Whether the vector store has directions alone: the rays of a packet have one origin, which the
+/// traversal's store has.
 template <class C>
-using VectorRow = uint<LevelRow<C>::kWidth + kRayBits<C> + 1>;
+inline constexpr bool kOriginsApart = kCommonOrigin<C> && kOwnCamera<C>;
+
+/// Row of the vector store: level, packet and the vector's number in the uncompressed order
+/// (2 * ray is the origin, 2 * ray + 1 the direction), or the ray.
+template <class C>
+using VectorRow = uint<LevelRow<C>::kWidth + kRayBits<C> + (kOriginsApart<C> ? 0 : 1)>;
 template <class C>
 inline constexpr unsigned kVectorRows = 1u << VectorRow<C>::kWidth;
+template <class C>
+constexpr VectorRow<C> vector_row(LevelRow<C> row, RayIndex<C> ray, bool point) {
+  if constexpr (kOriginsApart<C>) {
+    return hls::concat(row, ray);
+  } else {
+    return hls::concat(row, hls::concat(ray, uint<1>(!point)));
+  }
+}
 
 template <class C>
 inline constexpr bool kSendsLightRays = kHasLights<C> && !kLightsAtOnce<C>;
@@ -36,10 +49,11 @@ struct SendPacket {
   hls::In<Repeated<SendJob<C>>> job;
   hls::Out<PacketVector<C>> vector;
   hls::RamRead<Vector<Real>, kVectorRows<C>> vectors;
+  hls::OptionalPort<kOriginsApart<C>, hls::RamRead<Vector<Real>, kLevelRows<C>>> origin;
   hls::OptionalPort<!kOwnCamera<C>, hls::RamRead<PixelPosition, kPackets>> position;
   hls::OptionalPort<kSendsLightRays<C>, hls::RamRead<SurfacePoint<C>, kRayRows<C>>> surface;
   hls::OptionalPort<kHasMirrors<C>, hls::RamRead<Ray<Real>, kRayRows<C>>> arriving;
-  HLS_PORTS(job, vector, vectors, position, surface, arriving)
+  HLS_PORTS(job, vector, vectors, origin, position, surface, arriving)
 
   void step() {
     const Repeated<SendJob<C>> j = job.read();
@@ -62,9 +76,12 @@ struct SendPacket {
 
     // Of a ray alone the passes after the first find it in the object.
     const Level level = uint<1>(j.job.kind == TransformKind::kTriangle || alone);
-    const uint<kRayBits<C> + 1> number = hls::concat(ray, uint<1>(!point));
-    const Vector<Real> stored =
-        vectors.read(hls::concat(level_row<C>(level, j.job.packet), number));
+    const LevelRow<C> row = level_row<C>(level, j.job.packet);
+    Vector<Real> stored = vectors.read(vector_row<C>(row, ray, point));
+    if constexpr (kOriginsApart<C>) {
+      const Vector<Real> common = origin.read(row);
+      if (point) stored = common;
+    }
 
     Vector<Real> out = stored;
     if constexpr (!kOwnCamera<C>) {

@@ -71,7 +71,7 @@ struct Shader {
       if constexpr (kHasLights<C>) {
         const LightPower<C> power = light.read(packet);
         const Vector<Real> d =
-            vectors.read(hls::concat(level_row<C>(Level{}, packet), hls::concat(ray, uint<1>(1))));
+            vectors.read(vector_row<C>(level_row<C>(Level{}, packet), ray, false));
         const Real square = (d.x * d.x + d.y * d.y) + d.z * d.z;
         const Brightness bright = in_256ths(power.intensity * (f.cosine / square));
         const bool seen = mine && !f.hit && f.cosine.sign() == pixel.towards;

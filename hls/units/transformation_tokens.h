@@ -62,13 +62,14 @@ struct ColumnContext {
   HLS_FIELDS(packet, kind, active, column, extras, matrix)
 };
 
-/// The state of a packet's transformation in progress.
+/// The state of a packet's transformation in progress. What a core of triangles alone puts rays
+/// together by comes first: it fits a block of RAM.
 template <class C>
 struct JobRecord {
   TransformKind kind = TransformKind::kCamera;
   RayMask<C> active;
-  MatrixNumber<C> matrix;
   MatrixExtra<C> extra;
+  MatrixNumber<C> matrix;
   hls::OptionalField<kHasSecondary<C>, DerivedRay<C>> derived{};
   hls::OptionalField<kHasMirrors<C>, uint<8>> mirror{};  ///< of a triangle
   hls::OptionalField<kSplitsPackets<C>, bool>
@@ -77,7 +78,7 @@ struct JobRecord {
   hls::OptionalField<kScalesCosine<C>, typename C::Real> cosine_factor{};
   [[no_unique_address]] hls::OptionalField<kTestsBoxOfLight<C>, Viewpoint<C>>
       viewpoint{};  ///< of light rays
-  HLS_FIELDS(kind, active, matrix, extra, derived, mirror, distinct_origins, primitive,
+  HLS_FIELDS(kind, active, extra, matrix, derived, mirror, distinct_origins, primitive,
              cosine_factor, viewpoint)
 };
 
@@ -109,6 +110,21 @@ struct BoxedObject {
   WorldBoxSlabs<typename C::Real> slabs;
   HLS_FIELDS(matrix, rays, slabs)
 };
+
+/// Row of the point where rays that are made beside the transformation start: all packets that
+/// start at the eye share one; where others start at a light, each packet has its own.
+template <class C>
+inline constexpr unsigned kEyeRows = kLightsAtOnce<C> ? 1u << PacketId<C>::kWidth : 1;
+template <class C>
+using EyeRow = uint<hls::index_width(kEyeRows<C>)>;
+template <class C>
+constexpr EyeRow<C> eye_row(PacketId<C> packet) {
+  if constexpr (kLightsAtOnce<C>) {
+    return packet;
+  } else {
+    return {};
+  }
+}
 
 /// A packet whose camera or light rays are made beside the transformation.
 template <class C>

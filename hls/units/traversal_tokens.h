@@ -36,10 +36,11 @@ struct ObjectRay {
   HLS_FIELDS(packet, ray, active, root, last, distinct_origins, in_object)
 };
 
-/// A ray whose direction is yet to be inverted, one axis at a time.
+/// A ray whose direction is yet to be inverted.
 template <class C>
 struct TracedRay {
-  RepeatCount<C> repeat = 2;     ///< axes less one
+  /// Axes less one, or clocks that the ray waits for its lane where all are inverted at once.
+  RepeatCount<C> repeat = 2;
   OfInstance<C, bool> is_new{};  ///< it enters the top level, not an object
   ObjectRay<C> ray;
   HLS_FIELDS(repeat, is_new, ray)

@@ -6,7 +6,9 @@
 // never happens, and only the assertion of that promise uses the reset; or the lowest bit that is
 // read is one then and zero else, whatever was written there. More than 2,048 rows lie in memories
 // of 4 bits, of which a block RAM of ECP5 holds 4,096 rows: synthesis would take blocks of 2,048
-// rows and a multiplexer behind them, and a stage behind that cannot be the register in a block.
+// rows and a multiplexer behind them, and a stage behind that cannot be the register in a block. A
+// single row lies in registers: addresses are not looked at, and if it is written while it is read,
+// the data are those before.
 //
 // Parameters:
 //   WIDTH       bits of a row, of which TORN takes one; at least 1
@@ -67,6 +69,7 @@ module hls_ram_1r1w #(
   localparam STYLE = BLOCK != 0 ? "block" : "auto";
   // verilator lint_on UNUSEDPARAM
 
+  // Three conditions and no else, as that would change the names of the branches in synthesis.
   generate
     if (TORN != 0) begin : torn
       (* no_rw_check, ram_style = STYLE *)
@@ -82,7 +85,18 @@ module hls_ram_1r1w #(
       end
       assign read_data_o = {row_q, torn_q};
       wire unused = &{1'b0, write_data_i[0]};
-    end else begin : exclusive
+    end
+    if (TORN == 0 && ROWS == 1) begin : single
+      reg [WIDTH-1:0] row;
+      reg [WIDTH-1:0] row_q;
+      always @(posedge clk_i) begin
+        if (write_en_i) row <= write_data_i;
+        if (read_en_i) row_q <= row;
+      end
+      assign read_data_o = row_q;
+      wire unused = &{1'b0, write_addr_i, read_addr_i};
+    end
+    if (TORN == 0 && ROWS != 1) begin : exclusive
       localparam STEP = COLUMN < 1 ? WIDTH : COLUMN;  // the loop ends for a bad one too
       genvar low;
       for (low = 0; low < WIDTH; low = low + STEP) begin : column
@@ -101,7 +115,8 @@ module hls_ram_1r1w #(
 
 `ifdef HLS_ASSERT
   always @(posedge clk_i) begin
-    if (TORN == 0 && rst_ni && write_en_i && read_en_i && write_addr_i == read_addr_i) begin
+    if (TORN == 0 && ROWS != 1 && rst_ni && write_en_i && read_en_i &&
+        write_addr_i == read_addr_i) begin
       $display("%m: row %0d is written while it is read", write_addr_i);
       $stop;
     end

@@ -10,6 +10,7 @@
 #include "Vhls_counters.h"
 #include "Vhls_delay.h"
 #include "Vhls_ram_1r1w.h"
+#include "Vhls_ram_single.h"
 #include "Vhls_ram_torn.h"
 #include "Vhls_ram_words.h"
 #include "Vhls_register_file.h"
@@ -129,6 +130,25 @@ TEST(HlsRam, ARowReadWhileItIsWrittenStopsTheSimulation) {
   EXPECT_FALSE(stops(true, 3, true, 3)) << "in reset, where the enables mean nothing";
   v.rst_ni = 1;
   EXPECT_TRUE(stops(true, 3, true, 3));
+}
+
+TEST(HlsRam, ASingleRowThatIsReadWhileItIsWrittenHasTheDataBefore) {
+  VerilatedContext context;
+  context.fatalOnError(false);
+  Vhls_ram_single v(&context);  // 12 bits
+  std::mt19937 random(11);
+  v.rst_ni = 1;
+  v.write_en_i = 1;
+  unsigned row = 0;
+  for (unsigned t = 0; t < 1000; ++t) {
+    const unsigned before = row;
+    row = random() % 4096;
+    v.write_data_i = static_cast<unsigned short>(row);
+    v.read_en_i = t != 0;
+    settle(v), clock(v);
+    ASSERT_FALSE(context.gotError());
+    if (t != 0) ASSERT_EQ(v.read_data_o, before);
+  }
 }
 
 TEST(HlsRamWords, IsWrittenByRowsAndReadByWords) {

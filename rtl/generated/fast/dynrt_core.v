@@ -291,8 +291,10 @@ module dynrt_core (
   wire [186:0] traced_ray_all_data;
   wire packet_decoder__traced_valid, packet_decoder__traced_ready;
   wire [186:0] packet_decoder__traced_data;
+  wire traced_ray_repeated_valid, traced_ray_repeated_ready;
+  wire [192:0] traced_ray_repeated_data;
   wire ray_reciprocal__traced_valid, ray_reciprocal__traced_ready;
-  wire [186:0] ray_reciprocal__traced_data;
+  wire [192:0] ray_reciprocal__traced_data;
   wire unit_ray_all_valid, unit_ray_all_ready;
   wire [154:0] unit_ray_all_data;
   wire unit_decoder__unit_ray_valid, unit_decoder__unit_ray_ready;
@@ -372,12 +374,15 @@ module dynrt_core (
   wire plane_offset__origin_en;
   wire [6:0] plane_offset__origin_addr;
   wire [71:0] plane_offset__origin_data;
+  wire send_packet__origin_en;
+  wire [6:0] send_packet__origin_addr;
+  wire [71:0] send_packet__origin_data;
   wire ray_reciprocal__ray_0_en;
   wire [6:0] ray_reciprocal__ray_0_addr;
   wire [71:0] ray_reciprocal__ray_0_data;
   wire slice_0__ray_en;
-  wire [6:0] slice_0__ray_addr;
-  wire [71:0] slice_0__ray_data;
+  wire [8:0] slice_0__ray_addr;
+  wire [23:0] slice_0__ray_data;
   wire collect_hits__distance_0_en;
   wire [5:0] collect_hits__distance_0_addr;
   wire [23:0] collect_hits__distance_0_data;
@@ -388,8 +393,8 @@ module dynrt_core (
   wire [6:0] ray_reciprocal__ray_1_addr;
   wire [71:0] ray_reciprocal__ray_1_data;
   wire slice_1__ray_en;
-  wire [6:0] slice_1__ray_addr;
-  wire [71:0] slice_1__ray_data;
+  wire [8:0] slice_1__ray_addr;
+  wire [23:0] slice_1__ray_data;
   wire collect_hits__distance_1_en;
   wire [5:0] collect_hits__distance_1_addr;
   wire [23:0] collect_hits__distance_1_data;
@@ -400,8 +405,8 @@ module dynrt_core (
   wire [6:0] ray_reciprocal__ray_2_addr;
   wire [71:0] ray_reciprocal__ray_2_data;
   wire slice_2__ray_en;
-  wire [6:0] slice_2__ray_addr;
-  wire [71:0] slice_2__ray_data;
+  wire [8:0] slice_2__ray_addr;
+  wire [23:0] slice_2__ray_data;
   wire collect_hits__distance_2_en;
   wire [5:0] collect_hits__distance_2_addr;
   wire [23:0] collect_hits__distance_2_data;
@@ -412,8 +417,8 @@ module dynrt_core (
   wire [6:0] ray_reciprocal__ray_3_addr;
   wire [71:0] ray_reciprocal__ray_3_data;
   wire slice_3__ray_en;
-  wire [6:0] slice_3__ray_addr;
-  wire [71:0] slice_3__ray_data;
+  wire [8:0] slice_3__ray_addr;
+  wire [23:0] slice_3__ray_data;
   wire collect_hits__distance_3_en;
   wire [5:0] collect_hits__distance_3_addr;
   wire [23:0] collect_hits__distance_3_data;
@@ -424,8 +429,8 @@ module dynrt_core (
   wire [6:0] ray_reciprocal__ray_4_addr;
   wire [71:0] ray_reciprocal__ray_4_data;
   wire slice_4__ray_en;
-  wire [6:0] slice_4__ray_addr;
-  wire [71:0] slice_4__ray_data;
+  wire [8:0] slice_4__ray_addr;
+  wire [23:0] slice_4__ray_data;
   wire collect_hits__distance_4_en;
   wire [5:0] collect_hits__distance_4_addr;
   wire [23:0] collect_hits__distance_4_data;
@@ -436,8 +441,8 @@ module dynrt_core (
   wire [6:0] ray_reciprocal__ray_5_addr;
   wire [71:0] ray_reciprocal__ray_5_data;
   wire slice_5__ray_en;
-  wire [6:0] slice_5__ray_addr;
-  wire [71:0] slice_5__ray_data;
+  wire [8:0] slice_5__ray_addr;
+  wire [23:0] slice_5__ray_data;
   wire collect_hits__distance_5_en;
   wire [5:0] collect_hits__distance_5_addr;
   wire [23:0] collect_hits__distance_5_data;
@@ -448,8 +453,8 @@ module dynrt_core (
   wire [6:0] ray_reciprocal__ray_6_addr;
   wire [71:0] ray_reciprocal__ray_6_data;
   wire slice_6__ray_en;
-  wire [6:0] slice_6__ray_addr;
-  wire [71:0] slice_6__ray_data;
+  wire [8:0] slice_6__ray_addr;
+  wire [23:0] slice_6__ray_data;
   wire collect_hits__distance_6_en;
   wire [5:0] collect_hits__distance_6_addr;
   wire [23:0] collect_hits__distance_6_data;
@@ -460,8 +465,8 @@ module dynrt_core (
   wire [6:0] ray_reciprocal__ray_7_addr;
   wire [71:0] ray_reciprocal__ray_7_data;
   wire slice_7__ray_en;
-  wire [6:0] slice_7__ray_addr;
-  wire [71:0] slice_7__ray_data;
+  wire [8:0] slice_7__ray_addr;
+  wire [23:0] slice_7__ray_data;
   wire collect_hits__distance_7_en;
   wire [5:0] collect_hits__distance_7_addr;
   wire [23:0] collect_hits__distance_7_data;
@@ -486,36 +491,48 @@ module dynrt_core (
   wire transformation__column_0_en;
   wire [5:0] transformation__column_0_addr;
   wire [71:0] transformation__column_0_data;
-  wire camera_rays__column_0_en;
-  wire [5:0] camera_rays__column_0_addr;
-  wire [71:0] camera_rays__column_0_data;
   wire matrix_store__column_1_en;
   wire [5:0] matrix_store__column_1_addr;
   wire [71:0] matrix_store__column_1_data;
   wire transformation__column_1_en;
   wire [5:0] transformation__column_1_addr;
   wire [71:0] transformation__column_1_data;
-  wire camera_rays__column_1_en;
-  wire [5:0] camera_rays__column_1_addr;
-  wire [71:0] camera_rays__column_1_data;
   wire matrix_store__column_2_en;
   wire [5:0] matrix_store__column_2_addr;
   wire [71:0] matrix_store__column_2_data;
   wire transformation__column_2_en;
   wire [5:0] transformation__column_2_addr;
   wire [71:0] transformation__column_2_data;
-  wire camera_rays__column_2_en;
-  wire [5:0] camera_rays__column_2_addr;
-  wire [71:0] camera_rays__column_2_data;
   wire matrix_store__column_3_en;
   wire [5:0] matrix_store__column_3_addr;
   wire [71:0] matrix_store__column_3_data;
   wire transformation__column_3_en;
   wire [5:0] transformation__column_3_addr;
   wire [71:0] transformation__column_3_data;
-  wire camera_rays__column_3_en;
-  wire [5:0] camera_rays__column_3_addr;
-  wire [71:0] camera_rays__column_3_data;
+  wire matrix_store__camera_column_0_en;
+  wire matrix_store__camera_column_0_addr;
+  wire [71:0] matrix_store__camera_column_0_data;
+  wire camera_rays__column_0_en;
+  wire camera_rays__column_0_addr;
+  wire [71:0] camera_rays__column_0_data;
+  wire matrix_store__camera_column_1_en;
+  wire matrix_store__camera_column_1_addr;
+  wire [71:0] matrix_store__camera_column_1_data;
+  wire camera_rays__column_1_en;
+  wire camera_rays__column_1_addr;
+  wire [71:0] camera_rays__column_1_data;
+  wire matrix_store__camera_column_2_en;
+  wire matrix_store__camera_column_2_addr;
+  wire [71:0] matrix_store__camera_column_2_data;
+  wire camera_rays__column_2_en;
+  wire camera_rays__column_2_addr;
+  wire [71:0] camera_rays__column_2_data;
+  wire matrix_store__eye_en;
+  wire matrix_store__eye_addr;
+  wire [71:0] matrix_store__eye_data;
+  wire camera_rays__eye_en;
+  wire camera_rays__eye_addr;
+  wire [71:0] camera_rays__eye_data;
   wire matrix_store__record_en;
   wire [5:0] matrix_store__record_addr;
   wire [50:0] matrix_store__record_data;
@@ -598,10 +615,10 @@ module dynrt_core (
   wire [8:0] world_box__reach_addr;
   wire [23:0] world_box__reach_data;
   wire packet_decoder__vectors_en;
-  wire [10:0] packet_decoder__vectors_addr;
+  wire [9:0] packet_decoder__vectors_addr;
   wire [71:0] packet_decoder__vectors_data;
   wire send_packet__vectors_en;
-  wire [10:0] send_packet__vectors_addr;
+  wire [9:0] send_packet__vectors_addr;
   wire [71:0] send_packet__vectors_data;
   wire node_fill__lines_en;
   wire [8:0] node_fill__lines_addr;
@@ -1109,9 +1126,13 @@ module dynrt_core (
   assign traced_ray_all_valid = packet_decoder__traced_valid;
   assign packet_decoder__traced_ready = traced_ray_all_ready;
   assign traced_ray_all_data = packet_decoder__traced_data;
-  assign ray_reciprocal__traced_valid = traced_ray_all_valid;
-  assign traced_ray_all_ready = ray_reciprocal__traced_ready;
-  assign ray_reciprocal__traced_data = traced_ray_all_data;
+  hls_repeat #(.WIDTH(187), .COUNT_WIDTH(5)) traced_ray_repeat (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .valid_i(traced_ray_all_valid), .ready_o(traced_ray_all_ready), .data_i(traced_ray_all_data),
+    .valid_o(traced_ray_repeated_valid), .ready_i(traced_ray_repeated_ready), .data_o(traced_ray_repeated_data));
+  assign ray_reciprocal__traced_valid = traced_ray_repeated_valid;
+  assign traced_ray_repeated_ready = ray_reciprocal__traced_ready;
+  assign ray_reciprocal__traced_data = traced_ray_repeated_data;
 
   // channel unit_ray
   hls_arbiter #(.INPUTS(2), .WIDTH(155)) unit_ray_arbiter (
@@ -1217,9 +1238,13 @@ module dynrt_core (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(ray_reciprocal__origin_en), .write_addr_i(ray_reciprocal__origin_addr), .write_data_i(ray_reciprocal__origin_data),
     .read_en_i(plane_offset__origin_en), .read_addr_i(plane_offset__origin_addr), .read_data_o(plane_offset__origin_data));
+  hls_ram_1r1w #(.WIDTH(72), .ROWS(128), .BLOCK(1)) origin_ram_1 (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .write_en_i(ray_reciprocal__origin_en), .write_addr_i(ray_reciprocal__origin_addr), .write_data_i(ray_reciprocal__origin_data),
+    .read_en_i(send_packet__origin_en), .read_addr_i(send_packet__origin_addr), .read_data_o(send_packet__origin_data));
 
   // RAM ray_0
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(128), .BLOCK(1)) ray_0_ram_0 (
+  hls_ram_words #(.WIDTH(24), .WORDS(3), .ROWS(128)) ray_0_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(ray_reciprocal__ray_0_en), .write_addr_i(ray_reciprocal__ray_0_addr), .write_data_i(ray_reciprocal__ray_0_data),
     .read_en_i(slice_0__ray_en), .read_addr_i(slice_0__ray_addr), .read_data_o(slice_0__ray_data));
@@ -1231,7 +1256,7 @@ module dynrt_core (
     .read_en_i(slice_0__hit_distance_en), .read_addr_i(slice_0__hit_distance_addr), .read_data_o(slice_0__hit_distance_data));
 
   // RAM ray_1
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(128), .BLOCK(1)) ray_1_ram_0 (
+  hls_ram_words #(.WIDTH(24), .WORDS(3), .ROWS(128)) ray_1_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(ray_reciprocal__ray_1_en), .write_addr_i(ray_reciprocal__ray_1_addr), .write_data_i(ray_reciprocal__ray_1_data),
     .read_en_i(slice_1__ray_en), .read_addr_i(slice_1__ray_addr), .read_data_o(slice_1__ray_data));
@@ -1243,7 +1268,7 @@ module dynrt_core (
     .read_en_i(slice_1__hit_distance_en), .read_addr_i(slice_1__hit_distance_addr), .read_data_o(slice_1__hit_distance_data));
 
   // RAM ray_2
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(128), .BLOCK(1)) ray_2_ram_0 (
+  hls_ram_words #(.WIDTH(24), .WORDS(3), .ROWS(128)) ray_2_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(ray_reciprocal__ray_2_en), .write_addr_i(ray_reciprocal__ray_2_addr), .write_data_i(ray_reciprocal__ray_2_data),
     .read_en_i(slice_2__ray_en), .read_addr_i(slice_2__ray_addr), .read_data_o(slice_2__ray_data));
@@ -1255,7 +1280,7 @@ module dynrt_core (
     .read_en_i(slice_2__hit_distance_en), .read_addr_i(slice_2__hit_distance_addr), .read_data_o(slice_2__hit_distance_data));
 
   // RAM ray_3
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(128), .BLOCK(1)) ray_3_ram_0 (
+  hls_ram_words #(.WIDTH(24), .WORDS(3), .ROWS(128)) ray_3_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(ray_reciprocal__ray_3_en), .write_addr_i(ray_reciprocal__ray_3_addr), .write_data_i(ray_reciprocal__ray_3_data),
     .read_en_i(slice_3__ray_en), .read_addr_i(slice_3__ray_addr), .read_data_o(slice_3__ray_data));
@@ -1267,7 +1292,7 @@ module dynrt_core (
     .read_en_i(slice_3__hit_distance_en), .read_addr_i(slice_3__hit_distance_addr), .read_data_o(slice_3__hit_distance_data));
 
   // RAM ray_4
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(128), .BLOCK(1)) ray_4_ram_0 (
+  hls_ram_words #(.WIDTH(24), .WORDS(3), .ROWS(128)) ray_4_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(ray_reciprocal__ray_4_en), .write_addr_i(ray_reciprocal__ray_4_addr), .write_data_i(ray_reciprocal__ray_4_data),
     .read_en_i(slice_4__ray_en), .read_addr_i(slice_4__ray_addr), .read_data_o(slice_4__ray_data));
@@ -1279,7 +1304,7 @@ module dynrt_core (
     .read_en_i(slice_4__hit_distance_en), .read_addr_i(slice_4__hit_distance_addr), .read_data_o(slice_4__hit_distance_data));
 
   // RAM ray_5
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(128), .BLOCK(1)) ray_5_ram_0 (
+  hls_ram_words #(.WIDTH(24), .WORDS(3), .ROWS(128)) ray_5_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(ray_reciprocal__ray_5_en), .write_addr_i(ray_reciprocal__ray_5_addr), .write_data_i(ray_reciprocal__ray_5_data),
     .read_en_i(slice_5__ray_en), .read_addr_i(slice_5__ray_addr), .read_data_o(slice_5__ray_data));
@@ -1291,7 +1316,7 @@ module dynrt_core (
     .read_en_i(slice_5__hit_distance_en), .read_addr_i(slice_5__hit_distance_addr), .read_data_o(slice_5__hit_distance_data));
 
   // RAM ray_6
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(128), .BLOCK(1)) ray_6_ram_0 (
+  hls_ram_words #(.WIDTH(24), .WORDS(3), .ROWS(128)) ray_6_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(ray_reciprocal__ray_6_en), .write_addr_i(ray_reciprocal__ray_6_addr), .write_data_i(ray_reciprocal__ray_6_data),
     .read_en_i(slice_6__ray_en), .read_addr_i(slice_6__ray_addr), .read_data_o(slice_6__ray_data));
@@ -1303,7 +1328,7 @@ module dynrt_core (
     .read_en_i(slice_6__hit_distance_en), .read_addr_i(slice_6__hit_distance_addr), .read_data_o(slice_6__hit_distance_data));
 
   // RAM ray_7
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(128), .BLOCK(1)) ray_7_ram_0 (
+  hls_ram_words #(.WIDTH(24), .WORDS(3), .ROWS(128)) ray_7_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(ray_reciprocal__ray_7_en), .write_addr_i(ray_reciprocal__ray_7_addr), .write_data_i(ray_reciprocal__ray_7_data),
     .read_en_i(slice_7__ray_en), .read_addr_i(slice_7__ray_addr), .read_data_o(slice_7__ray_data));
@@ -1331,40 +1356,48 @@ module dynrt_core (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__column_0_en), .write_addr_i(matrix_store__column_0_addr), .write_data_i(matrix_store__column_0_data),
     .read_en_i(transformation__column_0_en), .read_addr_i(transformation__column_0_addr), .read_data_o(transformation__column_0_data));
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(64), .BLOCK(1)) column_0_ram_1 (
-    .clk_i(clk_i), .rst_ni(!join_reset_q),
-    .write_en_i(matrix_store__column_0_en), .write_addr_i(matrix_store__column_0_addr), .write_data_i(matrix_store__column_0_data),
-    .read_en_i(camera_rays__column_0_en), .read_addr_i(camera_rays__column_0_addr), .read_data_o(camera_rays__column_0_data));
 
   // RAM column_1
   hls_ram_1r1w #(.WIDTH(72), .ROWS(64), .BLOCK(1)) column_1_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__column_1_en), .write_addr_i(matrix_store__column_1_addr), .write_data_i(matrix_store__column_1_data),
     .read_en_i(transformation__column_1_en), .read_addr_i(transformation__column_1_addr), .read_data_o(transformation__column_1_data));
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(64), .BLOCK(1)) column_1_ram_1 (
-    .clk_i(clk_i), .rst_ni(!join_reset_q),
-    .write_en_i(matrix_store__column_1_en), .write_addr_i(matrix_store__column_1_addr), .write_data_i(matrix_store__column_1_data),
-    .read_en_i(camera_rays__column_1_en), .read_addr_i(camera_rays__column_1_addr), .read_data_o(camera_rays__column_1_data));
 
   // RAM column_2
   hls_ram_1r1w #(.WIDTH(72), .ROWS(64), .BLOCK(1)) column_2_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__column_2_en), .write_addr_i(matrix_store__column_2_addr), .write_data_i(matrix_store__column_2_data),
     .read_en_i(transformation__column_2_en), .read_addr_i(transformation__column_2_addr), .read_data_o(transformation__column_2_data));
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(64), .BLOCK(1)) column_2_ram_1 (
-    .clk_i(clk_i), .rst_ni(!join_reset_q),
-    .write_en_i(matrix_store__column_2_en), .write_addr_i(matrix_store__column_2_addr), .write_data_i(matrix_store__column_2_data),
-    .read_en_i(camera_rays__column_2_en), .read_addr_i(camera_rays__column_2_addr), .read_data_o(camera_rays__column_2_data));
 
   // RAM column_3
   hls_ram_1r1w #(.WIDTH(72), .ROWS(64), .BLOCK(1)) column_3_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(matrix_store__column_3_en), .write_addr_i(matrix_store__column_3_addr), .write_data_i(matrix_store__column_3_data),
     .read_en_i(transformation__column_3_en), .read_addr_i(transformation__column_3_addr), .read_data_o(transformation__column_3_data));
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(64), .BLOCK(1)) column_3_ram_1 (
+
+  // RAM camera_column_0
+  hls_ram_1r1w #(.WIDTH(72), .ROWS(1)) camera_column_0_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
-    .write_en_i(matrix_store__column_3_en), .write_addr_i(matrix_store__column_3_addr), .write_data_i(matrix_store__column_3_data),
-    .read_en_i(camera_rays__column_3_en), .read_addr_i(camera_rays__column_3_addr), .read_data_o(camera_rays__column_3_data));
+    .write_en_i(matrix_store__camera_column_0_en), .write_addr_i(matrix_store__camera_column_0_addr), .write_data_i(matrix_store__camera_column_0_data),
+    .read_en_i(camera_rays__column_0_en), .read_addr_i(camera_rays__column_0_addr), .read_data_o(camera_rays__column_0_data));
+
+  // RAM camera_column_1
+  hls_ram_1r1w #(.WIDTH(72), .ROWS(1)) camera_column_1_ram_0 (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .write_en_i(matrix_store__camera_column_1_en), .write_addr_i(matrix_store__camera_column_1_addr), .write_data_i(matrix_store__camera_column_1_data),
+    .read_en_i(camera_rays__column_1_en), .read_addr_i(camera_rays__column_1_addr), .read_data_o(camera_rays__column_1_data));
+
+  // RAM camera_column_2
+  hls_ram_1r1w #(.WIDTH(72), .ROWS(1)) camera_column_2_ram_0 (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .write_en_i(matrix_store__camera_column_2_en), .write_addr_i(matrix_store__camera_column_2_addr), .write_data_i(matrix_store__camera_column_2_data),
+    .read_en_i(camera_rays__column_2_en), .read_addr_i(camera_rays__column_2_addr), .read_data_o(camera_rays__column_2_data));
+
+  // RAM eye
+  hls_ram_1r1w #(.WIDTH(72), .ROWS(1)) eye_ram_0 (
+    .clk_i(clk_i), .rst_ni(!join_reset_q),
+    .write_en_i(matrix_store__eye_en), .write_addr_i(matrix_store__eye_addr), .write_data_i(matrix_store__eye_data),
+    .read_en_i(camera_rays__eye_en), .read_addr_i(camera_rays__eye_addr), .read_data_o(camera_rays__eye_data));
 
   // RAM job_record
   hls_ram_1r1w #(.WIDTH(51), .ROWS(64)) job_record_ram_0 (
@@ -1449,7 +1482,7 @@ module dynrt_core (
     .read_en_i(world_box__reach_en), .read_addr_i(world_box__reach_addr), .read_data_o(world_box__reach_data));
 
   // RAM ray_vectors
-  hls_ram_1r1w #(.WIDTH(72), .ROWS(2048), .BLOCK(1)) ray_vectors_ram_0 (
+  hls_ram_1r1w #(.WIDTH(72), .ROWS(1024), .BLOCK(1)) ray_vectors_ram_0 (
     .clk_i(clk_i), .rst_ni(!join_reset_q),
     .write_en_i(packet_decoder__vectors_en), .write_addr_i(packet_decoder__vectors_addr), .write_data_i(packet_decoder__vectors_data),
     .read_en_i(send_packet__vectors_en), .read_addr_i(send_packet__vectors_addr), .read_data_o(send_packet__vectors_data));
@@ -1980,6 +2013,18 @@ module dynrt_core (
     .column_3_en_o(matrix_store__column_3_en),
     .column_3_addr_o(matrix_store__column_3_addr),
     .column_3_data_o(matrix_store__column_3_data),
+    .camera_column_0_en_o(matrix_store__camera_column_0_en),
+    .camera_column_0_addr_o(matrix_store__camera_column_0_addr),
+    .camera_column_0_data_o(matrix_store__camera_column_0_data),
+    .camera_column_1_en_o(matrix_store__camera_column_1_en),
+    .camera_column_1_addr_o(matrix_store__camera_column_1_addr),
+    .camera_column_1_data_o(matrix_store__camera_column_1_data),
+    .camera_column_2_en_o(matrix_store__camera_column_2_en),
+    .camera_column_2_addr_o(matrix_store__camera_column_2_addr),
+    .camera_column_2_data_o(matrix_store__camera_column_2_data),
+    .eye_en_o(matrix_store__eye_en),
+    .eye_addr_o(matrix_store__eye_addr),
+    .eye_data_o(matrix_store__eye_data),
     .record_en_o(matrix_store__record_en),
     .record_addr_o(matrix_store__record_addr),
     .record_data_o(matrix_store__record_data),
@@ -2005,6 +2050,9 @@ module dynrt_core (
     .vectors_en_o(send_packet__vectors_en),
     .vectors_addr_o(send_packet__vectors_addr),
     .vectors_data_i(send_packet__vectors_data),
+    .origin_en_o(send_packet__origin_en),
+    .origin_addr_o(send_packet__origin_addr),
+    .origin_data_i(send_packet__origin_data),
     .fire_o(send_packet_fire), .stall_o(send_packet_stall));
 
   transformation u_transformation (
@@ -2050,9 +2098,9 @@ module dynrt_core (
     .column_2_en_o(camera_rays__column_2_en),
     .column_2_addr_o(camera_rays__column_2_addr),
     .column_2_data_i(camera_rays__column_2_data),
-    .column_3_en_o(camera_rays__column_3_en),
-    .column_3_addr_o(camera_rays__column_3_addr),
-    .column_3_data_i(camera_rays__column_3_data),
+    .eye_en_o(camera_rays__eye_en),
+    .eye_addr_o(camera_rays__eye_addr),
+    .eye_data_i(camera_rays__eye_data),
     .position_en_o(camera_rays__position_en),
     .position_addr_o(camera_rays__position_addr),
     .position_data_i(camera_rays__position_data),

@@ -141,8 +141,8 @@ module collect_hits #(
     in_packet_s2 <= in_packet_s1;
     closest_s2 <= closest_s1;
   end
-  wire [16:0] job_matrix_s2 = record_data_i[26:10];
-  wire [23:0] job_extra_s2 = record_data_i[50:27];
+  wire [23:0] job_extra_s2 = record_data_i[33:10];
+  wire [16:0] job_matrix_s2 = record_data_i[50:34];
   wire [23:0] or_1_s2 = candidate_11_s2 | closest_s2;  // units/collect_hits.h:75
   wire [7:0] job_active_s2 = record_data_i[9:2];
 
@@ -159,8 +159,8 @@ module collect_hits #(
   reg  [23:0] in_cosine_s3;
   reg  in_last_value_s3;
   reg  [5:0] in_packet_s3;
-  reg  [16:0] job_matrix_s3;
   reg  [23:0] job_extra_s3;
+  reg  [16:0] job_matrix_s3;
   reg  [23:0] closest_s3;
   reg  [23:23] or_1_s3;
   reg  [7:0] job_active_s3;
@@ -177,8 +177,8 @@ module collect_hits #(
     in_cosine_s3 <= in_cosine_s2;
     in_last_value_s3 <= in_last_value_s2;
     in_packet_s3 <= in_packet_s2;
-    job_matrix_s3 <= job_matrix_s2;
     job_extra_s3 <= job_extra_s2;
+    job_matrix_s3 <= job_matrix_s2;
     closest_s3 <= closest_s2;
     or_1_s3 <= or_1_s2[23];
     job_active_s3 <= job_active_s2;
@@ -198,8 +198,8 @@ module collect_hits #(
   reg  [23:0] in_cosine_s4;
   reg  in_last_value_s4;
   reg  [5:0] in_packet_s4;
-  reg  [16:0] job_matrix_s4;
   reg  [23:0] job_extra_s4;
+  reg  [16:0] job_matrix_s4;
   reg  [23:0] closest_s4;
   reg  closer_s4;
   reg  or_2_s4;
@@ -216,8 +216,8 @@ module collect_hits #(
     in_cosine_s4 <= in_cosine_s3;
     in_last_value_s4 <= in_last_value_s3;
     in_packet_s4 <= in_packet_s3;
-    job_matrix_s4 <= job_matrix_s3;
     job_extra_s4 <= job_extra_s3;
+    job_matrix_s4 <= job_matrix_s3;
     closest_s4 <= closest_s3;
     closer_s4 <= closer_s3;
     or_2_s4 <= or_2_s3;

@@ -175,8 +175,8 @@ module collect_hits #(
     closer_s4 <= closer_s3;
     or_2_s4 <= or_2_s3;
   end
-  wire [16:0] job_matrix_s4 = record_data_i[22:6];
-  wire [23:0] job_extra_s4 = record_data_i[46:23];
+  wire [23:0] job_extra_s4 = record_data_i[29:6];
+  wire [16:0] job_matrix_s4 = record_data_i[46:30];
   wire [16:0] instance_s4 = object_data_i;
   wire [23:0] mux_1_s4 = {~in_reset_s4 & closest_s4[23], {23{in_reset_s4}} | closest_s4[22:0]};  // units/collect_hits.h:79
   wire [23:0] mux_2_s4 = closer_s4 ? candidate_9_s4 : mux_1_s4;  // units/collect_hits.h:80

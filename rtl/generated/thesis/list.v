@@ -38,7 +38,7 @@ module list #(
 
   // ---- stage 0 ----
   wire j_first_s0 = job_data_i[6];
-  wire not_1_s0 = ~j_first_s0;  // units/list.h:41
+  wire not_1_s0 = ~j_first_s0;  // units/list.h:46
   wire [5:0] row_s0 = job_data_i[5:0];
   wire [18:0] j_address_s0 = job_data_i[25:7];
 
@@ -56,10 +56,10 @@ module list #(
     j_address_s1 <= j_address_s0;
   end
   wire last_s1 = last_data_i;
-  wire at_end_s1 = not_1_s1 & last_s1;  // units/list.h:41
-  wire [18:0] next_row;
-  wire [18:0] following_s1 = next_row;
-  wire [18:0] address_s1 = j_first_s1 ? j_address_s1 : following_s1;  // units/list.h:41
+  wire at_end_s1 = not_1_s1 & last_s1;  // units/list.h:46
+  wire [18:0] place_row;
+  wire [18:0] before_s1 = place_row;
+  wire [18:0] address_s1 = j_first_s1 ? j_address_s1 : before_s1;  // units/list.h:46
 
   // ---- state, rows and tokens written ----
   hls_fifo #(.WIDTH(25), .DEPTH(REQUEST_DEPTH), .MARGIN(REQUEST_BOUNDED ? 0 : 1),
@@ -78,28 +78,28 @@ module list #(
   assign finished_data_o = {57'd3, finished_stored};
   assign last_en_o = valid_s0 && not_1_s0;
   assign last_addr_o = row_s0;
-  wire next_write = valid_s1;
-  wire [5:0] next_write_addr = row_s1;
-  wire next_read = valid_s0;
-  wire [5:0] next_read_addr = row_s0;
-  hls_ram_1r1w #(.WIDTH(19), .ROWS(64)) next_ram (
+  wire place_write = valid_s1;
+  wire [5:0] place_write_addr = row_s1;
+  wire place_read = valid_s0;
+  wire [5:0] place_read_addr = row_s0;
+  hls_ram_1r1w #(.WIDTH(19), .ROWS(64)) place_ram (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .write_en_i(next_write), .write_addr_i(next_write_addr),
+    .write_en_i(place_write), .write_addr_i(place_write_addr),
     .write_data_i((address_s1 + 19'd1)),
-    .read_en_i(next_read), .read_addr_i(next_read_addr), .read_data_o(next_row));
+    .read_en_i(place_read), .read_addr_i(place_read_addr), .read_data_o(place_row));
 `ifdef HLS_ASSERT
-  reg [6:0] next_reads [1:1];  // enables and addresses of the clocks before
-  integer next_i;
+  reg [6:0] place_reads [1:1];  // enables and addresses of the clocks before
+  integer place_i;
   always @(posedge clk_i) begin
-    next_reads[1] <= {next_read, next_read_addr};
-    for (next_i = 2; next_i <= 1; next_i = next_i + 1) begin
-      next_reads[next_i] <= next_reads[next_i-1];
+    place_reads[1] <= {place_read, place_read_addr};
+    for (place_i = 2; place_i <= 1; place_i = place_i + 1) begin
+      place_reads[place_i] <= place_reads[place_i-1];
     end
-    for (next_i = 0; next_i < 1; next_i = next_i + 1) begin
-      if (rst_ni && next_write && {1'b1, next_write_addr} ==
-          (next_i == 0 ? {next_read, next_read_addr} : next_reads[next_i])) begin
-        $display("%m: row %0d of next is read again before it is written",
-                 next_write_addr);
+    for (place_i = 0; place_i < 1; place_i = place_i + 1) begin
+      if (rst_ni && place_write && {1'b1, place_write_addr} ==
+          (place_i == 0 ? {place_read, place_read_addr} : place_reads[place_i])) begin
+        $display("%m: row %0d of place is read again before it is written",
+                 place_write_addr);
         $stop;
       end
     end

@@ -56,15 +56,15 @@ module matrix_store #(
   wire [7:0] r_line_row_0_spare_s0 = reply_data_i[63:56];
   wire [7:0] r_line_row_1_spare_s0 = reply_data_i[95:88];
   wire [7:0] r_line_row_2_spare_s0 = reply_data_i[127:120];
-  wire eq_1_s0 = {reply_12_s0, reply_11_s0} == 2'd0;  // units/matrix_store.h:87
+  wire eq_1_s0 = {reply_12_s0, reply_11_s0} == 2'd0;  // units/matrix_store.h:92
   wire [4:0] r_context_packet_s0 = reply_data_i[4:0];
   wire [25:0] progress_row;
   wire [1:0] progress_0_s0 = progress_row[1:0];
   wire [23:0] progress_2_s0 = progress_row[25:2];
-  wire complete_s0 = progress_0_s0 == 2'd3;  // units/matrix_store.h:56
+  wire complete_s0 = progress_0_s0 == 2'd3;  // units/matrix_store.h:61
   wire [23:0] mux_1_s0 = eq_1_s0 ? {r_line_row_2_spare_s0, r_line_row_1_spare_s0, r_line_row_0_spare_s0} : progress_2_s0;
   wire [16:0] matrix_s0 = reply_data_i[31:15];
-  wire [1:0] add_1_s0 = progress_0_s0 + 2'd1;  // units/matrix_store.h:119
+  wire [1:0] add_1_s0 = progress_0_s0 + 2'd1;  // units/matrix_store.h:135
   wire [23:0] r_line_row_2_value_s0 = reply_data_i[119:96];
   wire [23:0] r_line_row_1_value_s0 = reply_data_i[87:64];
   wire [23:0] r_line_row_0_value_s0 = reply_data_i[55:32];
@@ -111,7 +111,7 @@ module matrix_store #(
   assign column_3_data_o = {r_line_row_2_value_s0, r_line_row_1_value_s0, r_line_row_0_value_s0};
   assign record_en_o = valid_s1 && complete_s1;
   assign record_addr_o = r_context_packet_s1;
-  assign record_data_o = {mux_1_s1, matrix_s1, reply_7_s1, r_context_kind_s1};
+  assign record_data_o = {matrix_s1, mux_1_s1, reply_7_s1, r_context_kind_s1};
   assign object_en_o = valid_s1 && (complete_s1 & (r_context_kind_s1 == 2'd1));
   assign object_addr_o = r_context_packet_s1;
   assign object_data_o = matrix_s1;
