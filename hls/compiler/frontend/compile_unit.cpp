@@ -163,7 +163,7 @@ void run_clang(const UnitSource& source, const TemporaryFolder& folder, const st
   for (const std::string& include : source.folders) args.push_back("-I" + include);
   args.insert(args.end(), source.clang_args.begin(), source.clang_args.end());
   args.insert(args.end(), own.begin(), own.end());
-  for (const std::string& arg : {std::string("-o"), output, input}) args.push_back(arg);
+  args.insert(args.end(), {"-o", output, input});
 
   const std::string diagnostics = folder.file("diagnostics");
   const std::vector<llvm::StringRef> views(args.begin(), args.end());
@@ -186,8 +186,9 @@ CompiledUnit compile_unit(const UnitSource& source, llvm::LLVMContext& context) 
   std::ofstream(input) << wrapper(source);
   std::vector<std::string> own = {"-emit-llvm", "-MD", "-MF", dependencies};
   if (const std::string& headers = source.precompiled; !headers.empty()) {
-    if (!fs::exists(headers))
+    if (!fs::exists(headers)) {
       throw Error({}, fmt::format(messages::kNotPrecompiled, headers, headers));
+    }
     own.insert(own.end(), {"-include-pch", headers});
   }
   run_clang(source, folder, input, output, own);

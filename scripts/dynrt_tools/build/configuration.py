@@ -126,10 +126,18 @@ def period(text: str) -> str:
 class Builder:
     """Runs CMake for one configuration."""
 
-    def __init__(self, kind: str, config: Json, build: Json, jobs: int, progress: Progress) -> None:
+    def __init__(
+        self,
+        kind: str,
+        config: Json,
+        build: Json,
+        jobs: int,
+        progress: Progress,
+        listed: str = "",
+    ) -> None:
+        """`listed`: the configuration of the build whose Verilog it is, if there is one."""
         self.kind, self.config, self.build = kind, config, build
-        self.jobs, self.progress = jobs, progress
-        self.listed = ""  # the configuration of the build whose Verilog it is, if there is one
+        self.jobs, self.progress, self.listed = jobs, progress, listed
 
     def __call__(self, folder: pathlib.Path) -> pathlib.Path:
         for tool, package in TOOLS.items():
@@ -263,12 +271,10 @@ def make(args: argparse.Namespace) -> pathlib.Path:
         if args.tell_steps:
             tell(text)
 
-    builder = Builder(args.kind, config, build, args.jobs, progress)
-    if args.kind == "verilog" and not args.clock_ns:
-        builder.listed = same_core(config)
+    listed = same_core(config) if args.kind == "verilog" and not args.clock_ns else ""
     entry = BuildCache().get(
         f"configuration-{args.kind}-{key_of(args.kind, config, build)}",
-        builder,
+        Builder(args.kind, config, build, args.jobs, progress, listed),
         lambda: progress("another program builds it; waiting"),
     )
     made = entry if args.kind == "verilog" else entry / LIBRARY

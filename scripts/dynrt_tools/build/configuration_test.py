@@ -135,10 +135,9 @@ class Configuration(testing.InFolder):
         testing.write_tree(
             self.folder, {f"generated/thesis/{name}": name for name in ("list.v", "fresh/list.v")}
         )
-        builder = configuration.Builder(
-            "verilog", THESIS, self.build | {"folder": str(self.folder)}, 1, lambda text: None
-        )
-        builder.listed = configuration.same_core(THESIS | {"made_for": "a sail"})
+        build = self.build | {"folder": str(self.folder)}
+        listed = configuration.same_core(THESIS | {"made_for": "a sail"})
+        builder = configuration.Builder("verilog", THESIS, build, 1, lambda text: None, listed)
         with mock.patch.object(configuration.Builder, "_run", pretend):
             made = builder(self.folder)
         self.assertEqual(built, [f"cmake --build {self.folder} --target dynrt_thesis_core"])

@@ -15,7 +15,7 @@ from dynrt_tools.command import Pool
 from dynrt_tools.hardware import gate_count, gate_report, gate_rule, gate_units, rtl_files
 from dynrt_tools.hardware.gate_report import CoreCounts
 from dynrt_tools.hardware_report import findings
-from dynrt_tools.hardware_report.figure import Point
+from dynrt_tools.hardware_report.figure import KEYS, Point
 from dynrt_tools.project import Json
 
 FEWER = 8  # a core with this part of the packets, or of the lines, tells what each of them costs
@@ -46,7 +46,7 @@ def cores(name: str, configuration: Json, curves: bool) -> dict[str, Json]:
 def is_counted(keys: Point) -> bool:
     """Whether an index is shown of the core that differs in these keys from a configuration: over the
     bandwidth, and over more pipelines, the figures have frame rates alone."""
-    bandwidth = {"memory_clocks", "port_bytes"}
+    bandwidth = KEYS.keys() - {"pipelines"}
     return not bandwidth & keys.keys() and int(keys.get("pipelines", 1)) <= findings.MANY
 
 
