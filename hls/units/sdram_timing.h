@@ -16,11 +16,6 @@ struct Sdram133 {
   static constexpr unsigned kClockPicoseconds = 7'500;
   static constexpr unsigned kCasLatency = 3;
 };
-struct Sdram125 {
-  static constexpr SdramPart kPart = kAnySdram;
-  static constexpr unsigned kClockPicoseconds = 8'000;
-  static constexpr unsigned kCasLatency = 3;
-};
 struct Sdram100 {
   static constexpr SdramPart kPart = kAnySdram;
   static constexpr unsigned kClockPicoseconds = 10'000;

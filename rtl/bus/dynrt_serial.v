@@ -21,7 +21,7 @@ module dynrt_serial #(
   parameter ADDRESS_BITS = 28,          // of the memory's bus, 26 to 64
   parameter [63:0] MEMORY_BASE = 64'd0, // where the memory begins on it, a multiple of 32 MB
   parameter READS = 64,                 // in flight
-  parameter WRITES = 16                 // in flight, at most 128
+  parameter WRITES = 16                 // in flight
 ) (
   input  wire clk_i,
   input  wire rst_ni,
@@ -184,7 +184,7 @@ module dynrt_serial #(
   );
 
   // A read may take any way to the memory once the write before it is answered.
-  localparam COUNT_BITS = 8; // for all writes in flight
+  localparam COUNT_BITS = $clog2(WRITES + 1);
   reg  [COUNT_BITS-1:0] under_way_q;
   wire begins = write_valid && write_ready;
   wire ends = m_axi_bvalid && m_axi_bready;

@@ -4,7 +4,7 @@
 // The pins of a DVI link on an ECP5: each of the eight wires of the four pairs by a cell of double
 // data rate, those of a pair with the bits of each other's complement. Both wires of a pair change
 // at the same edge of the clock, as they come from the same kind of cell. The pins lie at the chip's
-// edge, so their bits and the reset wait for a clock on the way.
+// edge and the serialiser may not, so their bits and the reset take three clocks on the way.
 `default_nettype none
 
 module ecp5_dvi_pins (
@@ -17,14 +17,14 @@ module ecp5_dvi_pins (
   output wire [3:0] dvi_n_o
 );
 
+  (* keep *) reg [8:0] leaving_q, near_q;
   reg       reset_q;
   reg [3:0] p_first_q, p_second_q, n_first_q, n_second_q;
   (* keep *) always @(posedge clk_i) begin
-    reset_q <= !rst_ni;
-    p_first_q <= first_i;
-    p_second_q <= second_i;
-    n_first_q <= ~first_i;
-    n_second_q <= ~second_i;
+    leaving_q <= {!rst_ni, first_i, second_i};
+    near_q <= leaving_q;
+    {reset_q, p_first_q, p_second_q} <= near_q;
+    {n_first_q, n_second_q} <= ~near_q[7:0];
   end
 
   genvar i;

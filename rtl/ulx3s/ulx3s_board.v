@@ -16,8 +16,8 @@ module ulx3s_board #(
   parameter PACKETS = 64,
   parameter CACHE_LINES = 512,
   parameter [351:0] NAME = "fast_port",
-  parameter [11:0]  DIVISOR = 12'd26,          // 78.125 MHz / 26 = 3.005 Mbaud
-  parameter [15:0]  PAUSE_TURNS = 16'd12500
+  parameter [11:0]  DIVISOR = 12'd21,          // 62.5 MHz / 21 = 2.976 Mbaud
+  parameter [15:0]  PAUSE_TURNS = 16'd10000
 ) (
   input  wire        clk_25mhz_i,
   input  wire        button_ni,
@@ -46,12 +46,11 @@ module ulx3s_board #(
   localparam MASK_BITS = BEAT_BYTES / 2;
 
   wire clk, host_rst_n, core_rst_n, memory_rst_n, display_rst_n;
-  wire fast_clk, fast_memory_rst_n, fast_display_rst_n;
+  wire sdram_clk, sdram_rst_n, dvi_clk, dvi_rst_n;
   ulx3s_clocks clocks (
     .osc_i(clk_25mhz_i), .rst_ni(button_ni), .clk_o(clk), .host_rst_no(host_rst_n),
     .core_rst_no(core_rst_n), .memory_rst_no(memory_rst_n), .display_rst_no(display_rst_n),
-    .fast_clk_o(fast_clk), .fast_memory_rst_no(fast_memory_rst_n),
-    .fast_display_rst_no(fast_display_rst_n)
+    .sdram_clk_o(sdram_clk), .sdram_rst_no(sdram_rst_n), .dvi_clk_o(dvi_clk), .dvi_rst_no(dvi_rst_n)
   );
 
   // The host.
@@ -74,7 +73,7 @@ module ulx3s_board #(
     .valid_o(answer_valid), .ready_i(answer_ready), .data_o({answer_last, answer_data})
   );
   board_link #(
-    .CLOCK_HZ(32'd78125000), .DIVISOR(DIVISOR), .MEMORY_BYTES(32'd33554432), .NAME(NAME)
+    .CLOCK_HZ(32'd62500000), .DIVISOR(DIVISOR), .MEMORY_BYTES(32'd33554432), .NAME(NAME)
   ) host (
     .clk_i(clk), .rst_ni(host_rst_n), .rx_i(serial_i), .tx_o(serial_o),
     .write_valid_o(host_write_valid), .write_ready_i(host_write_ready),
@@ -198,7 +197,7 @@ module ulx3s_board #(
     .beat_data_o(all_data), .beat_last_o(all_last),
     .write_valid_i(write_valid), .write_ready_o(write_ready), .write_address_i(write_address),
     .write_data_i(write_data), .write_mask_i(write_mask), .writes_idle_o(writes_idle),
-    .sdram_clk_i(fast_clk), .sdram_rst_ni(fast_memory_rst_n),
+    .sdram_clk_i(sdram_clk), .sdram_rst_ni(sdram_rst_n),
     .sdram_ras_no(sdram_ras_no), .sdram_cas_no(sdram_cas_no), .sdram_we_no(sdram_we_no),
     .sdram_ba_o(sdram_bank_o), .sdram_a_o(sdram_addr_o), .sdram_dqm_o(sdram_dqm_o),
     .sdram_dq_oe_o(sdram_dq_oe_o), .sdram_dq_o(sdram_dq_o), .sdram_dq_i(sdram_dq_i)
@@ -206,7 +205,7 @@ module ulx3s_board #(
   assign sdram_cke_o = 1'b1;
   assign sdram_cs_no = 1'b0;
   ODDRX1F sdram_clock (
-    .SCLK(fast_clk), .RST(1'b0), .D0(1'b0), .D1(1'b1), .Q(sdram_clk_o)
+    .SCLK(sdram_clk), .RST(1'b0), .D0(1'b0), .D1(1'b1), .Q(sdram_clk_o)
   );
 
   // The display.
@@ -226,11 +225,11 @@ module ulx3s_board #(
     .clk_i(clk), .rst_ni(display_rst_n), .on_i(scan_clocks != 8'd0), .config_i(scan),
     .running_o(running), .shown_o(scan_shown), .begins_o(begins), .base_o(base),
     .frames_o(scan_frames), .starved_o(starved), .bank_en_o(bank_en), .bank_addr_o(bank_addr),
-    .bank_data_i(bank_data), .dvi_clk_i(fast_clk), .dvi_rst_ni(fast_display_rst_n),
+    .bank_data_i(bank_data), .dvi_clk_i(dvi_clk), .dvi_rst_ni(dvi_rst_n),
     .dvi_first_o(first), .dvi_second_o(second)
   );
   ecp5_dvi_pins pins (
-    .clk_i(fast_clk), .rst_ni(fast_display_rst_n), .first_i(first), .second_i(second),
+    .clk_i(dvi_clk), .rst_ni(dvi_rst_n), .first_i(first), .second_i(second),
     .dvi_p_o(dvi_p_o), .dvi_n_o(dvi_n_o)
   );
 

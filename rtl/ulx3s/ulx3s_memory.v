@@ -15,7 +15,7 @@
 module ulx3s_memory #(
   parameter ID_BITS = 8,
   parameter BEAT_BYTES = 16,
-  parameter [15:0] PAUSE_TURNS = 16'd12500 // 200 us at 125 MHz
+  parameter [15:0] PAUSE_TURNS = 16'd10000 // 200 us at 100 MHz
 ) (
   input  wire                    clk_i,
   input  wire                    rst_ni,
@@ -56,53 +56,41 @@ module ulx3s_memory #(
   localparam BEATS = 16;
   localparam COUNT_BITS = 8; // for all writes that FIFOs and port hold
 
-  // The port lies at the chip's pins, far from the core: what crosses waits in two buffers on the way.
+  // The port lies at the chip's pins, far from the core: what crosses waits in a buffer on the way.
   wire                    crossed_read_valid, crossed_read_ready;
-  wire                    near_read_valid, near_read_ready;
   wire                    chip_read_valid, chip_read_ready;
   wire [ID_BITS-1:0]      chip_read_id;
   wire [24:0]             chip_read_address;
   wire [3:0]              chip_read_last;
-  wire [ID_BITS+25+4-1:0] crossed_read, near_read;
+  wire [ID_BITS+25+4-1:0] crossed_read;
   hls_clock_fifo #(.WIDTH(ID_BITS + 25 + 4), .DEPTH(READS)) reads (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(read_valid_i), .ready_o(read_ready_o),
     .data_i({read_id_i, read_address_i, read_last_i}),
     .read_clk_i(sdram_clk_i), .read_rst_ni(sdram_rst_ni),
     .valid_o(crossed_read_valid), .ready_i(crossed_read_ready), .data_o(crossed_read)
   );
-  hls_buffer #(.WIDTH(ID_BITS + 25 + 4)) read_on_way (
-    .clk_i(sdram_clk_i), .rst_ni(sdram_rst_ni),
-    .valid_i(crossed_read_valid), .ready_o(crossed_read_ready), .data_i(crossed_read),
-    .valid_o(near_read_valid), .ready_i(near_read_ready), .data_o(near_read)
-  );
   hls_buffer #(.WIDTH(ID_BITS + 25 + 4)) read_at_port (
     .clk_i(sdram_clk_i), .rst_ni(sdram_rst_ni),
-    .valid_i(near_read_valid), .ready_o(near_read_ready), .data_i(near_read),
+    .valid_i(crossed_read_valid), .ready_o(crossed_read_ready), .data_i(crossed_read),
     .valid_o(chip_read_valid), .ready_i(chip_read_ready),
     .data_o({chip_read_id, chip_read_address, chip_read_last})
   );
 
   wire                    crossed_write_valid, crossed_write_ready;
-  wire                    near_write_valid, near_write_ready;
   wire                    chip_write_valid, chip_write_ready;
   wire [24:0]             chip_write_address;
   wire [DATA_BITS-1:0]    chip_write_data;
   wire [MASK_BITS-1:0]    chip_write_mask;
-  wire [25+DATA_BITS+MASK_BITS-1:0] crossed_write, near_write;
+  wire [25+DATA_BITS+MASK_BITS-1:0] crossed_write;
   hls_clock_fifo #(.WIDTH(25 + DATA_BITS + MASK_BITS), .DEPTH(WRITES)) writes (
     .clk_i(clk_i), .rst_ni(rst_ni), .valid_i(write_valid_i), .ready_o(write_ready_o),
     .data_i({write_address_i, write_data_i, write_mask_i}),
     .read_clk_i(sdram_clk_i), .read_rst_ni(sdram_rst_ni),
     .valid_o(crossed_write_valid), .ready_i(crossed_write_ready), .data_o(crossed_write)
   );
-  hls_buffer #(.WIDTH(25 + DATA_BITS + MASK_BITS)) write_on_way (
-    .clk_i(sdram_clk_i), .rst_ni(sdram_rst_ni),
-    .valid_i(crossed_write_valid), .ready_o(crossed_write_ready), .data_i(crossed_write),
-    .valid_o(near_write_valid), .ready_i(near_write_ready), .data_o(near_write)
-  );
   hls_buffer #(.WIDTH(25 + DATA_BITS + MASK_BITS)) write_at_port (
     .clk_i(sdram_clk_i), .rst_ni(sdram_rst_ni),
-    .valid_i(near_write_valid), .ready_o(near_write_ready), .data_i(near_write),
+    .valid_i(crossed_write_valid), .ready_o(crossed_write_ready), .data_i(crossed_write),
     .valid_o(chip_write_valid), .ready_i(chip_write_ready && taken_ready),
     .data_o({chip_write_address, chip_write_data, chip_write_mask})
   );
@@ -126,10 +114,12 @@ module ulx3s_memory #(
   wire                    beat_valid, beat_ready, beat_last;
   wire [ID_BITS-1:0]      beat_id;
   wire [DATA_BITS-1:0]    beat_data;
-  wire                    left_valid, left_ready, leaving_valid, leaving_ready;
+  wire                    leaving_valid, leaving_ready;
   wire                    back_valid, back_ready;
-  wire [DATA_BITS+ID_BITS:0] left, leaving, back;
-  sdram_port #(.ID_WIDTH(ID_BITS), .PORT_BYTES(BEAT_BYTES)) chip (
+  wire [DATA_BITS+ID_BITS:0] leaving, back;
+  sdram_port #(
+    .ID_WIDTH(ID_BITS), .PORT_BYTES(BEAT_BYTES), .CAS_LATENCY(2)
+  ) chip (
     .clk_i(sdram_clk_i), .rst_ni(sdram_rst_ni), .pause_i(PAUSE_TURNS),
     .read_valid_i(chip_read_valid), .read_ready_o(chip_read_ready), .read_id_i(chip_read_id),
     .read_address_i(chip_read_address), .read_last_i(chip_read_last),
@@ -146,11 +136,6 @@ module ulx3s_memory #(
   hls_buffer #(.WIDTH(DATA_BITS + ID_BITS + 1)) beat_at_port (
     .clk_i(sdram_clk_i), .rst_ni(sdram_rst_ni),
     .valid_i(beat_valid), .ready_o(beat_ready), .data_i({beat_last, beat_id, beat_data}),
-    .valid_o(left_valid), .ready_i(left_ready), .data_o(left)
-  );
-  hls_buffer #(.WIDTH(DATA_BITS + ID_BITS + 1)) beat_on_way (
-    .clk_i(sdram_clk_i), .rst_ni(sdram_rst_ni),
-    .valid_i(left_valid), .ready_o(left_ready), .data_i(left),
     .valid_o(leaving_valid), .ready_i(leaving_ready), .data_o(leaving)
   );
   hls_clock_fifo #(.WIDTH(DATA_BITS + ID_BITS + 1), .DEPTH(BEATS)) from_chip (

@@ -16,7 +16,7 @@ struct SdramRequest {
   host::FrameOptions options;
   double core_nanoseconds = 0;  ///< of a clock of the core
   bool display = true;          ///< one shows its pixels all the while
-  unsigned mhz = 0;             ///< of the SDRAM: 133, 125 or 100
+  unsigned mhz = 0;             ///< of the SDRAM: 133 or 100
   std::string schedules;
 };
 

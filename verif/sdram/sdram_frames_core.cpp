@@ -37,14 +37,8 @@ SdramFrame with(const SdramRequest& request, const std::string& controller) {
 }  // namespace
 
 SdramFrame frame_of(const SdramRequest& request) {
-  switch (request.mhz) {
-    case 133:
-      return with<Sdram133>(request, "sdram_133");
-    case 125:
-      return with<Sdram125>(request, "sdram");
-    default:
-      return with<Sdram100>(request, "sdram_100");
-  }
+  return request.mhz == 133 ? with<Sdram133>(request, "sdram_133")
+                            : with<Sdram100>(request, "sdram");
 }
 
 }  // namespace dynrt::verif

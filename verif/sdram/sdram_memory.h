@@ -49,7 +49,7 @@ class SdramMemory final : public hls::Device {
  public:
   static constexpr unsigned kBytes = kBeatBytes<C>;
   static constexpr unsigned kCrossing = 3;  ///< clocks of the side that a token comes to
-  static constexpr unsigned kOnWay = 2;     ///< clocks of the SDRAM in two buffers, each way
+  static constexpr unsigned kOnWay = 1;     ///< clock of the SDRAM in a buffer, each way
   static constexpr unsigned kAtSwitch = 1;  ///< clock of the core in a buffer, on the way back
   using Types = SdramPortTypes<kBytes>;
   using Reads = std::shared_ptr<hls::Fifo<PortRead<C>>>;

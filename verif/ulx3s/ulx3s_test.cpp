@@ -33,7 +33,7 @@ void expect_as_the_model(Board& board, const std::string& scene, const FrameOpti
                          const ChangeScene& change = {}) {
   const MemoryImage image = laid_out(scene, options.width, options.height, board.core(), change);
   const Frame there = render(board, options, image);
-  EXPECT_EQ(there.clock_hz, 78.125e6);
+  EXPECT_EQ(there.clock_hz, 62.5e6);
   EXPECT_FALSE(there.timing);
   EXPECT_FALSE(there.run.missed_pixels);
   // Each word of the scene took its place on the line, or would have.

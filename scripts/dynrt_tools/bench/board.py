@@ -42,7 +42,7 @@ def ulx3s() -> tuple[System, ...]:
     placed = placed_clocks.of(SRAM).mhz
     return (
         System(PLACED, f"the clock that {SRAM} reaches placed", placed, 133),
-        System(OWN, "the clocks of rtl/ulx3s", 78.125, 125),
+        System(OWN, "the clocks of rtl/ulx3s", 62.5, 100),
     )
 
 

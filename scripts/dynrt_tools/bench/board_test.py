@@ -109,7 +109,7 @@ class Frames(unittest.TestCase):
         self.assertAlmostEqual(office["MB per second read"], 9 * RAYS / 1250 * mhz)
         self.assertAlmostEqual(office["MB per second displayed"], 30)
         self.assertAlmostEqual(office["reads under way"], 5 * mhz / 1250)
-        self.assertEqual(self.frame("own", "office")["core_hz"], 78.125e6)
+        self.assertEqual(self.frame("own", "office")["core_hz"], 62.5e6)
 
     def test_what_waits(self) -> None:
         office = self.frame("placed", "office")
@@ -146,7 +146,7 @@ class Frames(unittest.TestCase):
         self.assertRegex(
             text, r"\noffice .* 80\.0% +9\.00 +2\.00 .* node_fetch 70\.0%, with SRAM 90"
         )
-        self.assertRegex(text, r"\nown: the clocks of rtl/ulx3s: core 78\.125 MHz, SDRAM 125 MHz\n")
+        self.assertRegex(text, r"\nown: the clocks of rtl/ulx3s: core 62\.5 MHz, SDRAM 100 MHz\n")
         self.assertEqual(text.count("\ntrees4000 "), 3)
         self.assertIn("frame 12 of 12", self.said[-1])
 
