@@ -15,6 +15,7 @@
 #include "host/ulx3s/ulx3s_messages.h"
 #include "sdram/sdram_chip.h"
 #include "ulx3s/serial_pins.h"
+#include "units/link_format.h"
 
 namespace dynrt::host {
 
@@ -23,7 +24,7 @@ namespace {
 using Ps = std::uint64_t;
 constexpr Ps kOscillator = 40'000;  ///< a period
 constexpr unsigned kMemoryClock = 10'000;
-constexpr Ps kLineBit = 1'000'000'000'000 / 3'000'000;  ///< the host's, as it asks its port for it
+constexpr Ps kLineBit = 1'000'000'000'000 / kLinkBaud;  ///< the host's, whatever the board's is
 /// From the pin of the chip's clock to a word inside the FPGA are 9.5 ns: 3.5 ns from the clock
 /// inside to its pin, 6 ns of access time. The FPGA's clock rises 5 and 15 ns after the chip's.
 /// Here things happen at edges alone, so the word comes with that between the two.
