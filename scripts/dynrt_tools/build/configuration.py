@@ -221,8 +221,15 @@ class Builder:
             )
 
     def _run(self, command: list[Any], file: TextIO, log: pathlib.Path) -> None:
+        # ccache takes what is below this folder as relative, so that cores share what they compile alike.
+        surroundings = {"CCACHE_BASEDIR": str(log.parent.resolve()), **os.environ}
         with subprocess.Popen(
-            command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace"
+            command,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+            errors="replace",
+            env=surroundings,
         ) as process:
             try:
                 for line in process.stdout or ():

@@ -244,6 +244,25 @@ class Configuration(testing.InFolder):
         self.assertIn("CMakeLists.txt", (cache / "failed.log").read_text("utf-8"))
         self.assertEqual(list(cache.glob("*.partial")), [])
 
+    def test_cores_share_what_ccache_keeps(self) -> None:
+        tools = self.folder / "tools"
+        tools.mkdir()
+        testing.write_program(
+            tools / "cmake", '#!/bin/sh\necho "$CCACHE_BASEDIR error: in $PWD"\nexit 1\n'
+        )
+        (tools / "ninja").symlink_to("/bin/true")
+        cache = self.folder / "cache"
+        places = {"DYNRT_CACHE": str(cache), "PATH": f"{tools}:{os.environ['PATH']}"}
+        for own in ({}, {"CCACHE_BASEDIR": "/of/the/caller"}):
+            with self.subTest(own), mock.patch.dict(os.environ, own):
+                if not own:
+                    os.environ.pop("CCACHE_BASEDIR", None)
+                said = self.run_on(THESIS, **places).stderr
+                expected = own.get(
+                    "CCACHE_BASEDIR", rf"{cache}/configuration-native-\w+\.\w+\.partial"
+                )
+                self.assertRegex(said, f"cannot be built: {expected} error: ")
+
     def test_key(self) -> None:
         def key(kind: str = "native", **keys: object) -> str:
             return configuration.key_of(kind, THESIS | keys, self.build)
