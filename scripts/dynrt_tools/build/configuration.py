@@ -221,7 +221,8 @@ class Builder:
             )
 
     def _run(self, command: list[Any], file: TextIO, log: pathlib.Path) -> None:
-        # ccache takes what is below this folder as relative, so that cores share what they compile alike.
+        # ccache takes what is below this folder as relative, so that cores share what is compiled alike
+        # for them.
         surroundings = {"CCACHE_BASEDIR": str(log.parent.resolve()), **os.environ}
         with subprocess.Popen(
             command,

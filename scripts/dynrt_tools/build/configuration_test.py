@@ -253,15 +253,13 @@ class Configuration(testing.InFolder):
         (tools / "ninja").symlink_to("/bin/true")
         cache = self.folder / "cache"
         places = {"DYNRT_CACHE": str(cache), "PATH": f"{tools}:{os.environ['PATH']}"}
-        for own in ({}, {"CCACHE_BASEDIR": "/of/the/caller"}):
-            with self.subTest(own), mock.patch.dict(os.environ, own):
-                if not own:
-                    os.environ.pop("CCACHE_BASEDIR", None)
-                said = self.run_on(THESIS, **places).stderr
-                expected = own.get(
-                    "CCACHE_BASEDIR", rf"{cache}/configuration-native-\w+\.\w+\.partial"
-                )
-                self.assertRegex(said, f"cannot be built: {expected} error: ")
+        own = rf"{cache}/configuration-native-\w+\.\w+\.partial"
+        with mock.patch.dict(os.environ):
+            os.environ.pop("CCACHE_BASEDIR", None)
+            said = self.run_on(THESIS, **places).stderr
+            self.assertRegex(said, f"cannot be built: {own} error: ")
+        said = self.run_on(THESIS, CCACHE_BASEDIR="/of/the/caller", **places).stderr
+        self.assertIn("cannot be built: /of/the/caller error: ", said)
 
     def test_key(self) -> None:
         def key(kind: str = "native", **keys: object) -> str:
