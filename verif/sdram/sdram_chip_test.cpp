@@ -10,95 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "sdram/sdram_driver.h"
+
 namespace dynrt::verif {
 namespace {
-
-/// Drives a chip by commands; clocks between them do nothing.
-class Driver {
- public:
-  static constexpr unsigned kPauseClocks = 100;
-
-  explicit Driver(SdramPart part, unsigned clock = 7'500, unsigned cas = 3)
-      : part_(with_short_pause(part, clock)), clock_(clock), cas_(cas), chip_(part_, clock) {}
-
-  SdramChip& chip() { return chip_; }
-  unsigned clocks(unsigned picoseconds) const { return clocks_of(picoseconds, clock_); }
-
-  void none(unsigned clocks = 1) {
-    for (unsigned i = 0; i < clocks; ++i) command(true, true, true, 0, 0);
-  }
-  void mode(unsigned value) { command(false, false, false, 0, value); }
-  void refresh() { command(false, false, true, 0, 0); }
-  void precharge(unsigned bank) { command(false, true, false, bank, 0); }
-  void precharge_all() { command(false, true, false, 0, 1 << 10); }
-  void activate(unsigned bank, unsigned row) { command(false, true, true, bank, row); }
-  void read(unsigned bank, unsigned column, bool closes = false) {
-    command(true, false, true, bank, column | (closes ? 1u << 10 : 0));
-  }
-  void write(unsigned bank, unsigned column, std::uint16_t first, bool closes = false) {
-    pins_.dq = first;
-    command(true, false, false, bank, column | (closes ? 1u << 10 : 0));
-  }
-  /// A clock without a command in which the controller drives a word.
-  void data(std::uint16_t word, unsigned dqm = 0) {
-    pins_.dq = word;
-    pins_.dqm = dqm;
-    none();
-  }
-  void mask_next(unsigned dqm) { pins_.dqm = dqm; }
-  void stop_clock_enable() { pins_.cke = false; }
-  void terminate() { command(true, true, false, 0, 0); }
-
-  /// The words on the data pins at the edges since the last call; -1 where the pins float.
-  std::vector<int> words() {
-    std::vector<int> words = std::move(words_);
-    words_.clear();
-    return words;
-  }
-
-  /// All that comes before the first access, words in bursts of two.
-  void set_up(unsigned burst = 1) {
-    none(kPauseClocks);
-    precharge_all();
-    none(clocks(part_.rp) - 1);
-    for (unsigned i = 0; i < part_.first_refreshes; ++i) {
-      refresh();
-      none(clocks(part_.rfc) - 1);
-    }
-    mode(cas_ << 4 | burst);
-    none(clocks(part_.mrd) - 1);
-  }
-  /// A row that may be used in the next clock.
-  void open(unsigned bank, unsigned row) {
-    activate(bank, row);
-    none(clocks(part_.rcd) - 1);
-  }
-  const SdramPart& part() const { return part_; }
-
- private:
-  static SdramPart with_short_pause(SdramPart part, unsigned clock) {
-    part.pause = kPauseClocks * clock;
-    return part;
-  }
-  void command(bool ras_n, bool cas_n, bool we_n, unsigned bank, unsigned address) {
-    pins_.ras_n = ras_n;
-    pins_.cas_n = cas_n;
-    pins_.we_n = we_n;
-    pins_.bank = bank;
-    pins_.address = address;
-    const auto word = chip_.dq();
-    words_.push_back(word ? int{*word} : -1);
-    chip_.clock(pins_);
-    pins_ = {};
-  }
-
-  SdramPart part_;
-  unsigned clock_;
-  unsigned cas_;
-  SdramChip chip_;
-  SdramChipPins pins_;
-  std::vector<int> words_;
-};
 
 constexpr SdramPart kParts[] = {kIs42s16160Grade6, kIs42s16160Grade7, kAs4c32m16Grade6,
                                 kAs4c32m16Grade7, kAnySdram};
@@ -107,7 +22,7 @@ constexpr SdramPart kParts[] = {kIs42s16160Grade6, kIs42s16160Grade7, kAs4c32m16
 template <class Act>
 void expect_fault(SdramRule rule, const std::string& words, Act act) {
   for (const SdramPart& part : kParts) {
-    Driver d(part);
+    SdramDriver d(part);
     d.set_up();
     ASSERT_TRUE(d.chip().is_set_up());
     ASSERT_TRUE(d.chip().faults().empty()) << d.chip().faults()[0].text;
@@ -122,9 +37,9 @@ void expect_fault(SdramRule rule, const std::string& words, Act act) {
 /// The same, and with one clock more nothing is wrong; `act` gets the clocks to wait.
 template <class Act>
 void expect_time(SdramRule rule, const std::string& name, unsigned SdramPart::* time, Act act) {
-  expect_fault(rule, name, [&](Driver& d) { act(d, d.clocks(d.part().*time) - 1); });
+  expect_fault(rule, name, [&](SdramDriver& d) { act(d, d.clocks(d.part().*time) - 1); });
   for (const SdramPart& part : kParts) {
-    Driver d(part);
+    SdramDriver d(part);
     d.set_up();
     act(d, d.clocks(part.*time));
     EXPECT_TRUE(d.chip().faults().empty()) << d.chip().faults()[0].text;
@@ -133,7 +48,7 @@ void expect_time(SdramRule rule, const std::string& name, unsigned SdramPart::* 
 
 TEST(SdramChip, KeepsWhatIsWritten) {
   for (const unsigned cas : {2u, 3u}) {
-    Driver d(kIs42s16160Grade7, 10'000, cas);
+    SdramDriver d(kIs42s16160Grade7, 10'000, cas);
     d.set_up();
     d.open(2, 77);
     d.write(2, 8, 0x1111);
@@ -160,7 +75,7 @@ TEST(SdramChip, KeepsWhatIsWritten) {
 }
 
 TEST(SdramChip, OrdersAndCutsBursts) {
-  Driver d(kIs42s16160Grade7);
+  SdramDriver d(kIs42s16160Grade7);
   d.set_up(0b0010);  // four words, from within their block
   d.open(0, 0);
   for (unsigned i = 0; i < 8; ++i) d.chip().word(0, 0, i) = static_cast<std::uint16_t>(i);
@@ -183,14 +98,14 @@ TEST(SdramChip, OrdersAndCutsBursts) {
 }
 
 TEST(SdramChip, ClosesARowByItself) {
-  expect_time(SdramRule::kRp, "tRP", &SdramPart::rp, [](Driver& d, unsigned clocks) {
+  expect_time(SdramRule::kRp, "tRP", &SdramPart::rp, [](SdramDriver& d, unsigned clocks) {
     d.open(1, 3);
     d.none(d.clocks(d.part().rc));
     d.read(1, 0, true);
     d.none(1 + clocks);  // it begins after the burst
     d.activate(1, 4);
   });
-  expect_fault(SdramRule::kClosedRow, "READ", [](Driver& d) {
+  expect_fault(SdramRule::kClosedRow, "READ", [](SdramDriver& d) {
     d.open(1, 3);
     d.write(1, 0, 1, true);
     d.data(2);
@@ -200,20 +115,20 @@ TEST(SdramChip, ClosesARowByItself) {
 
 TEST(SdramChip, AsksForThePauseAndTheSetup) {
   for (const SdramPart& part : kParts) {
-    Driver early(part);
-    early.none(Driver::kPauseClocks - 1);
+    SdramDriver early(part);
+    early.none(SdramDriver::kPauseClocks - 1);
     early.precharge_all();
     ASSERT_EQ(early.chip().faults().size(), 1u);
     EXPECT_EQ(early.chip().faults()[0].rule, SdramRule::kPause);
 
-    Driver open(part);
-    open.none(Driver::kPauseClocks);
+    SdramDriver open(part);
+    open.none(SdramDriver::kPauseClocks);
     open.refresh();
     ASSERT_EQ(open.chip().faults().size(), 1u);
     EXPECT_EQ(open.chip().faults()[0].rule, SdramRule::kSetup);
 
-    Driver few(part);
-    few.none(Driver::kPauseClocks);
+    SdramDriver few(part);
+    few.none(SdramDriver::kPauseClocks);
     few.precharge_all();
     few.none(2);
     for (unsigned i = 0; i + 1 < part.first_refreshes; ++i) {
@@ -230,28 +145,28 @@ TEST(SdramChip, AsksForThePauseAndTheSetup) {
 
 TEST(SdramChip, RefusesModesThatThereAreNot) {
   for (const unsigned mode : {0x34u, 0x41u, 0x11u, 0x3fu, 0xb1u}) {
-    expect_fault(SdramRule::kMode, "reserves", [mode](Driver& d) { d.mode(mode); });
+    expect_fault(SdramRule::kMode, "reserves", [mode](SdramDriver& d) { d.mode(mode); });
   }
-  expect_fault(SdramRule::kMode, "CAS latency 2", [](Driver& d) { d.mode(0x21); });
+  expect_fault(SdramRule::kMode, "CAS latency 2", [](SdramDriver& d) { d.mode(0x21); });
 }
 
 TEST(SdramChip, RefusesRowsThatAreClosedOrOpen) {
-  expect_fault(SdramRule::kClosedRow, "READ", [](Driver& d) { d.read(0, 0); });
-  expect_fault(SdramRule::kClosedRow, "WRITE", [](Driver& d) {
+  expect_fault(SdramRule::kClosedRow, "READ", [](SdramDriver& d) { d.read(0, 0); });
+  expect_fault(SdramRule::kClosedRow, "WRITE", [](SdramDriver& d) {
     d.open(0, 5);
     d.write(1, 0, 0);
   });
-  expect_fault(SdramRule::kOpenRow, "row 5 is open", [](Driver& d) {
+  expect_fault(SdramRule::kOpenRow, "row 5 is open", [](SdramDriver& d) {
     d.open(0, 5);
     d.none(10);
     d.activate(0, 6);
   });
-  expect_fault(SdramRule::kOpenRow, "REFRESH", [](Driver& d) {
+  expect_fault(SdramRule::kOpenRow, "REFRESH", [](SdramDriver& d) {
     d.open(0, 5);
     d.none(10);
     d.refresh();
   });
-  Driver d(kIs42s16160Grade7);
+  SdramDriver d(kIs42s16160Grade7);
   d.set_up();
   d.open(0, 5);
   d.read(0, 512);
@@ -260,29 +175,29 @@ TEST(SdramChip, RefusesRowsThatAreClosedOrOpen) {
 }
 
 TEST(SdramChip, KeepsEachTime) {
-  expect_time(SdramRule::kRcd, "tRCD", &SdramPart::rcd, [](Driver& d, unsigned clocks) {
+  expect_time(SdramRule::kRcd, "tRCD", &SdramPart::rcd, [](SdramDriver& d, unsigned clocks) {
     d.activate(3, 9);
     d.none(clocks - 1);
     d.read(3, 0);
   });
-  expect_time(SdramRule::kRp, "tRP", &SdramPart::rp, [](Driver& d, unsigned clocks) {
+  expect_time(SdramRule::kRp, "tRP", &SdramPart::rp, [](SdramDriver& d, unsigned clocks) {
     d.open(3, 9);
     d.none(20);
     d.precharge(3);
     d.none(clocks - 1);
     d.activate(3, 8);
   });
-  expect_time(SdramRule::kRas, "tRAS", &SdramPart::ras, [](Driver& d, unsigned clocks) {
+  expect_time(SdramRule::kRas, "tRAS", &SdramPart::ras, [](SdramDriver& d, unsigned clocks) {
     d.activate(3, 9);
     d.none(clocks - 1);
     d.precharge_all();
   });
-  expect_time(SdramRule::kRrd, "tRRD", &SdramPart::rrd, [](Driver& d, unsigned clocks) {
+  expect_time(SdramRule::kRrd, "tRRD", &SdramPart::rrd, [](SdramDriver& d, unsigned clocks) {
     d.activate(0, 9);
     d.none(clocks - 1);
     d.activate(1, 9);
   });
-  expect_time(SdramRule::kWr, "tWR", &SdramPart::wr, [](Driver& d, unsigned clocks) {
+  expect_time(SdramRule::kWr, "tWR", &SdramPart::wr, [](SdramDriver& d, unsigned clocks) {
     d.open(0, 9);
     d.none(10);
     d.write(0, 0, 1);
@@ -290,12 +205,12 @@ TEST(SdramChip, KeepsEachTime) {
     d.none(clocks - 1);
     d.precharge(0);
   });
-  expect_time(SdramRule::kMrd, "tMRD", &SdramPart::mrd, [](Driver& d, unsigned clocks) {
+  expect_time(SdramRule::kMrd, "tMRD", &SdramPart::mrd, [](SdramDriver& d, unsigned clocks) {
     d.mode(0x31);
     d.none(clocks - 1);
     d.activate(0, 0);
   });
-  expect_time(SdramRule::kRfc, "tRFC", &SdramPart::rfc, [](Driver& d, unsigned clocks) {
+  expect_time(SdramRule::kRfc, "tRFC", &SdramPart::rfc, [](SdramDriver& d, unsigned clocks) {
     d.refresh();
     d.none(clocks - 1);
     d.activate(0, 0);
@@ -307,7 +222,7 @@ TEST(SdramChip, KeepsTheCycleOfARow) {
   SdramPart part = kAs4c32m16Grade7;
   part.rc = 90'000;
   for (const unsigned less : {1u, 0u}) {
-    Driver d(part);
+    SdramDriver d(part);
     d.set_up();
     const unsigned ras = d.clocks(part.ras);
     d.activate(0, 1);
@@ -321,7 +236,7 @@ TEST(SdramChip, KeepsTheCycleOfARow) {
 }
 
 TEST(SdramChip, SaysHowLongItWasAndHasToBe) {
-  Driver d(kAs4c32m16Grade7);
+  SdramDriver d(kAs4c32m16Grade7);
   d.set_up();
   const std::uint64_t before = d.chip().counters().clocks;
   d.activate(2, 9);
@@ -338,7 +253,7 @@ TEST(SdramChip, SaysHowLongItWasAndHasToBe) {
 
 TEST(SdramChip, LetsNoRowStayOpen) {
   for (const SdramPart& part : kParts) {
-    Driver d(part);
+    SdramDriver d(part);
     d.set_up();
     d.activate(0, 1);
     const unsigned most = part.ras_most / 7'500;
@@ -354,7 +269,7 @@ TEST(SdramChip, LetsNoRowStayOpen) {
 TEST(SdramChip, AsksForRefreshesInTime) {
   const SdramPart part = kIs42s16160Grade7;
   const unsigned interval = static_cast<unsigned>(part.refresh_time / part.refreshes / 7'500);
-  Driver late(part);
+  SdramDriver late(part);
   late.set_up();
   late.none((SdramChip::kMostLate + 1) * interval);
   EXPECT_TRUE(late.chip().faults().empty());
@@ -366,7 +281,7 @@ TEST(SdramChip, AsksForRefreshesInTime) {
   SdramPart small = part;
   small.refreshes = 16;
   small.refresh_time /= 512;
-  Driver burst(small);
+  SdramDriver burst(small);
   burst.set_up();
   for (unsigned i = 0; i < 40; ++i) {
     burst.refresh();
@@ -380,24 +295,24 @@ TEST(SdramChip, AsksForRefreshesInTime) {
 }
 
 TEST(SdramChip, WatchesTheDataPins) {
-  expect_fault(SdramRule::kContention, "both drive", [](Driver& d) {
+  expect_fault(SdramRule::kContention, "both drive", [](SdramDriver& d) {
     d.open(0, 1);
     d.read(0, 0);
     d.none(3);
     d.data(1);
   });
-  expect_fault(SdramRule::kTurnaround, "for one clock", [](Driver& d) {
+  expect_fault(SdramRule::kTurnaround, "for one clock", [](SdramDriver& d) {
     d.open(0, 1);
     d.read(0, 0);
     d.none(4);
     d.data(1);
   });
-  expect_fault(SdramRule::kNoData, "does not drive", [](Driver& d) {
+  expect_fault(SdramRule::kNoData, "does not drive", [](SdramDriver& d) {
     d.open(0, 1);
     d.write(0, 0, 1);
     d.none();
   });
-  expect_fault(SdramRule::kClockEnable, "CKE", [](Driver& d) {
+  expect_fault(SdramRule::kClockEnable, "CKE", [](SdramDriver& d) {
     d.stop_clock_enable();
     d.none();
   });
