@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "host/error.h"
+#include "host/test_error.h"
 #include "host/tree/test_meshes.h"
 #include "host/tree/test_trees.h"
 
@@ -32,13 +32,8 @@ TEST(InstanceTree, ATransformedBoxHoldsTheTransformedCorners) {
 }
 
 std::string error_of(const Scene& scene) {
-  try {
-    const std::vector<Aabb> boxes{{{0, 0, 0}, {1, 1, 1}}};
-    build_instance_tree(scene, boxes);
-  } catch (const UserError& error) {
-    return error.what();
-  }
-  return "no error";
+  const std::vector<Aabb> boxes{{{0, 0, 0}, {1, 1, 1}}};
+  return user_error([&] { build_instance_tree(scene, boxes); });
 }
 
 TEST(InstanceTree, TheMainInstanceIsMetBeforeTheTree) {

@@ -9,6 +9,7 @@
 
 #include "host/error.h"
 #include "host/format/memory_format_of.h"
+#include "host/test_error.h"
 #include "host/tree/test_meshes.h"
 #include "host/tree/test_trees.h"
 
@@ -183,12 +184,7 @@ TEST(TriangleTree, MoreTrianglesThanOneSweepTakes) {
 }
 
 std::string error_of(const Mesh& mesh) {
-  try {
-    build_triangle_tree(mesh);
-  } catch (const UserError& error) {
-    return error.what();
-  }
-  return "no error";
+  return user_error([&] { build_triangle_tree(mesh); });
 }
 
 TEST(TriangleTree, RefusesAnObjectWithoutTriangles) {

@@ -59,6 +59,17 @@ class Configuration(testing.InFolder):
             SCRIPT, self.file, "--build", build, *flags, env=os.environ | environment
         )
 
+    def with_cmake(self, script: str) -> dict[str, str]:
+        """The environment of a cache of its own and a cmake that runs these lines of a shell."""
+        tools = self.folder / "tools"
+        tools.mkdir()
+        testing.write_program(tools / "cmake", f"#!/bin/sh\n{script}\n")
+        (tools / "ninja").symlink_to("/bin/true")
+        return {
+            "DYNRT_CACHE": str(self.folder / "cache"),
+            "PATH": f"{tools}:{os.environ['PATH']}",
+        }
+
     def assert_refused(
         self,
         keys: str | project.Json,
@@ -185,24 +196,14 @@ class Configuration(testing.InFolder):
         )
 
     def test_ends_with_the_program_that_has_called(self) -> None:
-        tools = self.folder / "tools"
-        tools.mkdir()
         began = self.folder / "began"
-        testing.write_program(
-            tools / "cmake",
-            f"#!/bin/sh\necho $$ > {began}\necho '[1/2] one'\nexec sleep 1000\n",
-        )
-        (tools / "ninja").symlink_to("/bin/true")
+        places = self.with_cmake(f"echo $$ > {began}; echo '[1/2] one'; exec sleep 1000")
         self.written({"like": "thesis"})
         build = self.folder / "build.json"
         build.write_text(json.dumps(self.build), encoding="utf-8")
         with subprocess.Popen(
             [SCRIPT, self.file, "--build", build, "--for-program", "--tell-steps"],
-            env=os.environ
-            | {
-                "DYNRT_CACHE": str(self.folder / "cache"),
-                "PATH": f"{tools}:{os.environ['PATH']}",
-            },
+            env=os.environ | places,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
@@ -245,15 +246,8 @@ class Configuration(testing.InFolder):
         self.assertEqual(list(cache.glob("*.partial")), [])
 
     def test_cores_share_what_ccache_keeps(self) -> None:
-        tools = self.folder / "tools"
-        tools.mkdir()
-        testing.write_program(
-            tools / "cmake", '#!/bin/sh\necho "$CCACHE_BASEDIR error: in $PWD"\nexit 1\n'
-        )
-        (tools / "ninja").symlink_to("/bin/true")
-        cache = self.folder / "cache"
-        places = {"DYNRT_CACHE": str(cache), "PATH": f"{tools}:{os.environ['PATH']}"}
-        own = rf"{cache}/configuration-native-\w+\.\w+\.partial"
+        places = self.with_cmake('echo "$CCACHE_BASEDIR error: in $PWD"; exit 1')
+        own = rf"{places['DYNRT_CACHE']}/configuration-native-\w+\.\w+\.partial"
         with mock.patch.dict(os.environ):
             os.environ.pop("CCACHE_BASEDIR", None)
             said = self.run_on(THESIS, **places).stderr

@@ -140,6 +140,13 @@ class Elsewhere(unittest.TestCase):
             f"{clock.seeds} seeds ({clock.lowest_mhz:g} to {clock.highest_mhz:g} MHz)\n",
             text,
         )
+        busy, cache = row["frame"]["units"]["node_fetch"], row["frame"]["caches"]["node"]
+        self.assertRegex(
+            text, rf"\n  node_fetch +{busy['transactions']:,} +{100 * busy['utilisation']:.1f} % "
+        )
+        self.assertRegex(
+            text, rf"\n  node cache +{cache['lookups']:,} +{100 * cache['hit_rate']:.2f} % "
+        )
 
     def test_they_link_to_figures_that_somebody_measured(self) -> None:
         docs = project.ROOT / "docs"
