@@ -187,4 +187,12 @@ fs::path folder_of_trees() {
   return home.empty() ? fs::path() : home / ".cache" / "dynrt" / "trees";
 }
 
+TreeOptions kept_trees() {
+  const fs::path folder = folder_of_trees();
+  if (folder.empty()) return {};
+  return {.make = [kept = KeptTrees(folder)](const Mesh& object, const TreeOptions& options) {
+    return kept.tree(object, options);
+  }};
+}
+
 }  // namespace dynrt::host

@@ -37,4 +37,7 @@ class KeptTrees {
 /// cache folder; empty if there is neither.
 std::filesystem::path folder_of_trees();
 
+/// Options with which objects take the trees of an earlier run from there, and leave theirs.
+TreeOptions kept_trees();
+
 }  // namespace dynrt::host

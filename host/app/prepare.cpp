@@ -115,6 +115,7 @@ Prepared prepare(SceneFile& file, unsigned width, unsigned height, const CoreInf
   Prepared prepared(
       lay_out(std::move(scene), view, core == nullptr ? any_core() : *core, {.trees = trees}));
   prepared.load_seconds = file.seconds();
+  prepared.trees_may_be_kept = trees.make != nullptr;
   return prepared;
 }
 
@@ -210,11 +211,10 @@ std::string Prepared::text() const {
   }
   text += left_out(scene.dropped);
   text += fmt::format(
-      "\ntrees       {} nodes, {} list entries, {} levels of instances and {} of triangles, built "
-      "in "
-      "{:.2f} s\n",
+      "\ntrees       {} nodes, {} list entries, {} levels of instances and {} of triangles, "
+      "built {}in {:.2f} s\n",
       grouped(use.nodes), grouped(use.list_entries), trees.instances.stats.depth, deepest(trees),
-      tree_seconds);
+      trees_may_be_kept ? "or taken from an earlier run " : "", tree_seconds);
   text += fmt::format("memory      {:.2f} MB of nodes and lists, {:.2f} MB of matrices\n",
                       use.tree_megabytes(), use.matrix_megabytes());
   text += fmt::format(

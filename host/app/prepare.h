@@ -18,6 +18,7 @@ namespace dynrt::host {
 /// A scene in the memory, and its figures for the report.
 struct Prepared : MemoryImage {
   double load_seconds = 0;
+  bool trees_may_be_kept = false;  ///< so `tree_seconds` may be those of reading them
 
   explicit Prepared(MemoryImage image) : MemoryImage(std::move(image)) {}
 

@@ -140,15 +140,6 @@ SceneArguments scene_of(const Arguments& arguments, const ViewChoices& choices) 
   return scene;
 }
 
-/// Trees of an earlier run, so that the first picture comes soon.
-TreeOptions kept_trees() {
-  const std::filesystem::path folder = folder_of_trees();
-  if (folder.empty()) return {};
-  return {.make = [kept = KeptTrees(folder)](const Mesh& object, const TreeOptions& options) {
-    return kept.tree(object, options);
-  }};
-}
-
 ViewStudio studio_of(const Arguments& arguments) {
   ViewStudio studio;
   studio.scene = arguments.scene.scene;

@@ -15,6 +15,7 @@
 #include "host/app/arguments.h"
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
+#include "host/app/kept_trees.h"
 #include "host/app/progress.h"
 #include "host/app/report.h"
 #include "host/app/scene_flags.h"
@@ -132,7 +133,7 @@ class GeneralWalk {
   Walker::Result render_frame(unsigned frame, const PixelProgress& progress) {
     if (!walker_) {
       board_ = open_board({arguments_.board, core_.general, "", arguments_.schedule}, options_);
-      prepared_ = prepare(scene_, options_.width, options_.height, &board_->core());
+      prepared_ = prepare(scene_, options_.width, options_.height, &board_->core(), kept_trees());
       walker_.emplace(*board_, options_, *prepared_, arguments_.scene.camera(), plan_);
     }
     Walker::Result result = walker_->render_frame(frame, progress);
@@ -165,7 +166,9 @@ int run(const Arguments& arguments) {
       [&](const std::string& configuration) {
         return open_board({arguments.board, configuration, "", arguments.schedule}, options);
       },
-      [&](const CoreInfo& info) { return prepare(scene, options.width, options.height, &info); });
+      [&](const CoreInfo& info) {
+        return prepare(scene, options.width, options.height, &info, kept_trees());
+      });
   const CoreClock clock = arguments.frame.clock.clock_of(board->core(), board->clock_hz());
   WalkFolder folder(place.folder(), arguments.settings(prepared.scene), arguments.again);
   const WalkPlan plan(prepared.scene, arguments.frames, arguments.span.from, arguments.span.to);

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The program's walks, interrupted ones among them.
+#include <chrono>
+#include <cstdlib>
+
 #include "host/app/program_test.h"
 
 namespace dynrt::host {
@@ -10,6 +13,8 @@ namespace {
 using testing::ContainsRegex;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
 using testing::StartsWith;
 
 TEST_F(App, WalksIntoAFolder) {
@@ -42,6 +47,26 @@ TEST_F(App, WalksIntoAFolder) {
             "'30'; name another --out, or give --again to replace them\n");
   EXPECT_EQ(run(walk + "--fov 30 --again").code, 0);
   EXPECT_NE(text_of(folder_ / "w/frame_0001.png"), second);
+}
+
+TEST_F(App, AWalkTakesTheTreesOfAnEarlierOne) {
+  const TestFolder cache;
+  ASSERT_EQ(::setenv("DYNRT_CACHE", cache.path().c_str(), 1), 0);
+  const std::string walk = std::string("walk blocks --frames 1") + kModel + "--out ";
+  const Outcome outcome = run(walk + "first");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr(", built or taken from an earlier run in "));
+  const fs::path trees = cache / "trees";
+  const std::vector<std::string> kept = names_in(trees);
+  ASSERT_THAT(kept, Not(IsEmpty()));
+
+  // A tree that is built is written anew.
+  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
+  for (const std::string& tree : kept) fs::last_write_time(trees / tree, long_ago);
+  EXPECT_EQ(run(walk + "second").code, 0);
+  EXPECT_EQ(names_in(trees), kept);
+  for (const std::string& tree : kept) EXPECT_EQ(fs::last_write_time(trees / tree), long_ago);
+  EXPECT_EQ(text_of(folder_ / "second/frame_0000.png"), text_of(folder_ / "first/frame_0000.png"));
 }
 
 TEST_F(App, AWalkHasTheFiguresOfEachFrame) {
