@@ -42,6 +42,7 @@ def counted(folder: pathlib.Path) -> int:
             *(dynrt(), "render", SCENE, "--board", "model", "--size", SIZE, "--config", file),
             *("--schedule", made.stdout.strip(), "--json", report),
         ],
+        cwd=folder,
         check=True,
         capture_output=True,
         env=cache,
