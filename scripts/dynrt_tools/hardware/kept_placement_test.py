@@ -18,7 +18,7 @@ from dynrt_tools.hardware import (
     synthesis,
     timing_graph,
 )
-from dynrt_tools.hardware.worst_paths_test import SDF
+from dynrt_tools.hardware.placed_example import SDF, with_second_bit
 from dynrt_tools.project import Json, read_json
 
 
@@ -101,11 +101,7 @@ class Names(unittest.TestCase):
         return placed_ends.ends_of(timing, typing.cast(source_names.Names, self.StandIn()))
 
     def test_bits_are_one_end_with_the_worst_time(self) -> None:
-        wires = [line for line in SDF.splitlines() if "end" in line and "INTERCONNECT" in line]
-        second = "\n".join(line.replace("[0\\]", "[1\\]") for line in wires).replace("2000", "1500")
-        cell = SDF[SDF.index('  (CELL\n    (CELLTYPE "FF")\n    (INSTANCE end') : -2]
-        text = SDF.replace("        (INTERCONNECT g/F", f"{second}\n        (INTERCONNECT g/F", 1)
-        found = self.read(text.rstrip()[:-1] + cell.replace("[0\\]", "[1\\]") + ")\n")
+        found = self.read(with_second_bit(1500))
         (end, about), *more = found.items()
         self.assertEqual((end, more), (placed_ends.End("u", "end_s2", ""), []))
         self.assertEqual(about["ns"], 4.1)

@@ -23,7 +23,7 @@ from dynrt_tools.hardware import (
     rtl_files,
     synthesis,
 )
-from dynrt_tools.hardware.worst_paths_test import SDF
+from dynrt_tools.hardware.placed_example import SDF
 from dynrt_tools.project import Json
 
 UNIT = """\
@@ -33,7 +33,7 @@ module sum (input clk_i, input rst_ni, input [3:0] a_i, input [3:0] b_i, output 
   assign sum_o = sum_q;
 endmodule
 """
-# Writes the SDF file of worst_paths_test and a report as nextpnr 0.11 writes it. MODE says how it
+# Writes the SDF file of placed_example and a report as nextpnr 0.11 writes it. MODE says how it
 # differs; a mode with a seed, as "no route:2", is that seed's alone.
 PLACER = """#!/usr/bin/python3
 import json, os, sys, time

@@ -17,52 +17,8 @@ from dynrt_tools.hardware import (
     worst_paths,
     wrapper,
 )
+from dynrt_tools.hardware.placed_example import SDF, with_second_bit
 
-# Two registers and two cells between them; `g` closes a loop, which no path goes through.
-#   start.Q -1.0-> f.A ... f.F -2.0-> end.D           0.5 + 1.0 + 0.25 + 2.0 + 0.1 = 3.85
-#   start.Q -0.7-> g.A ... g.F -0.3-> f.B             0.5 + 0.7 + 0.2 + 0.3 + 0.3 + 2.0 + 0.1 = 4.1
-SDF = """\
-(DELAYFILE
-  (CELL
-    (CELLTYPE "placed")
-    (INSTANCE )
-    (DELAY
-      (ABSOLUTE
-        (INTERCONNECT clk/O start/CLK (0:0:0) (0:0:0))
-        (INTERCONNECT clk/O end\\[0\\]/CLK (0:0:0) (0:0:0))
-        (INTERCONNECT start/Q f/A (900:950:1000) (900:950:990))
-        (INTERCONNECT start/Q g/A (700:700:700) (700:700:700))
-        (INTERCONNECT g/F f/B (300:300:300) (300:300:300))
-        (INTERCONNECT f/F g/B (300:300:300) (300:300:300))
-        (INTERCONNECT f/F end\\[0\\]/D (2000:2000:2000) (1000:1000:1000))
-      )
-    )
-  )
-  (CELL
-    (CELLTYPE "LUT")
-    (INSTANCE f)
-        (IOPATH A F (250:250:250) (250:250:250))
-        (IOPATH B F (300:300:300) (300:300:300))
-  )
-  (CELL
-    (CELLTYPE "LUT")
-    (INSTANCE g)
-        (IOPATH A F (200:200:200) (200:200:200))
-        (IOPATH B F (200:200:200) (200:200:200))
-  )
-  (CELL
-    (CELLTYPE "FF")
-    (INSTANCE start)
-        (IOPATH CLK Q (500:500:500) (400:400:400))
-  )
-  (CELL
-    (CELLTYPE "FF")
-    (INSTANCE end\\[0\\])
-      (SETUPHOLD (posedge D) (posedge CLK) (100:100:100) (0:0:0))
-      (SETUPHOLD (negedge D) (posedge CLK) (100:100:100) (0:0:0))
-  )
-)
-"""
 SUM = """\
 module sum (input clk_i, input rst_ni, input [3:0] a_i, input [3:0] b_i, output [3:0] sum_o);
   wire [3:0] added_s0 = a_i + b_i;  // units/sum.h:12
@@ -267,13 +223,7 @@ class Paths(unittest.TestCase):
             self.assertRegex(lines[int(line) - 1], r"reg .*rows +\[")
 
     def test_bits_of_one_path_are_one(self) -> None:
-        two = SDF.replace("end\\[0\\]", "end\\[1\\]").splitlines()
-        more = [line for line in two if "end" in line and "INTERCONNECT" in line]
-        cell = SDF[SDF.index('  (CELL\n    (CELLTYPE "FF")\n    (INSTANCE end') : -2]
-        text = SDF.replace(
-            "        (INTERCONNECT g/F", "\n".join(more) + "\n        (INTERCONNECT g/F"
-        )
-        text = text.rstrip()[:-1] + cell.replace("[0\\]", "[1\\]") + ")\n"
+        text = with_second_bit()
         worst = worst_paths.worst(
             timing_graph.Timing(self.graph(text)), self.names("sum", False)[0], 4.0
         )
