@@ -8,9 +8,11 @@ import dataclasses
 import itertools
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 
+from dynrt_tools import project
 from dynrt_tools.bench.memory import SCENES, SHARE, SRAM, PORT, busiest
 from dynrt_tools.bench.run import Dynrt, RunFailed, rays
 from dynrt_tools.command import Pool
@@ -35,6 +37,16 @@ class System:
 
 
 PLACED, OWN = "placed", "own"
+OSCILLATOR_MHZ = 25  # of the ULX3S
+
+
+def own_clocks() -> tuple[float, int]:
+    """Of the ULX3S's core and SDRAM, in MHz, by the dividers of its PLL, whose loop the DVI link's
+    clock closes."""
+    text = (project.ROOT / "rtl/ulx3s/ulx3s_clocks.v").read_text(encoding="utf-8")
+    divided = {name: int(by) for name, by in re.findall(r"\.(CLK\w+)_DIV\((\d+)\)", text)}
+    vco = OSCILLATOR_MHZ / divided["CLKI"] * divided["CLKFB"] * divided["CLKOP"]
+    return vco / divided["CLKOS"], round(vco / divided["CLKOS2"])
 
 
 def ulx3s() -> tuple[System, ...]:
@@ -42,7 +54,7 @@ def ulx3s() -> tuple[System, ...]:
     placed = placed_clocks.of(SRAM).mhz
     return (
         System(PLACED, f"the clock that {SRAM} reaches placed", placed, 133),
-        System(OWN, "the clocks of rtl/ulx3s", 62.5, 100),
+        System(OWN, "the clocks of rtl/ulx3s", *own_clocks()),
     )
 
 
