@@ -195,7 +195,8 @@ Json Prepared::json() const {
             {"matrices", use.matrices},
             {"matrix_limit", kMaxMatrices}}},
           {"load_seconds", load_seconds},
-          {"tree_seconds", tree_seconds}};
+          {"tree_seconds", tree_seconds},
+          {"trees_may_be_kept", trees_may_be_kept}};
 }
 
 std::string Prepared::text() const {

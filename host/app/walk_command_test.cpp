@@ -53,9 +53,11 @@ TEST_F(App, AWalkTakesTheTreesOfAnEarlierOne) {
   const TestFolder cache;
   ASSERT_EQ(::setenv("DYNRT_CACHE", cache.path().c_str(), 1), 0);
   const std::string walk = std::string("walk blocks --frames 1") + kModel + "--out ";
-  const Outcome outcome = run(walk + "first");
+  const Outcome outcome = run(walk + "first --json f.json");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr(", built or taken from an earlier run in "));
+  const auto scene = nlohmann::json::parse(text_of(folder_ / "f.json"))["scene"];
+  EXPECT_EQ(scene["trees_may_be_kept"], true);
   const fs::path trees = cache / "trees";
   const std::vector<std::string> kept = names_in(trees);
   ASSERT_THAT(kept, Not(IsEmpty()));
