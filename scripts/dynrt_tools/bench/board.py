@@ -12,12 +12,11 @@ import re
 import subprocess
 import tempfile
 
-from dynrt_tools import project
 from dynrt_tools.bench.memory import SCENES, SHARE, SRAM, PORT, busiest
 from dynrt_tools.bench.run import Dynrt, RunFailed, rays
 from dynrt_tools.command import Pool
 from dynrt_tools.hardware import placed_clocks
-from dynrt_tools.project import Json, Progress, read_json
+from dynrt_tools.project import ROOT, Json, Progress, read_json
 
 BYTES = 2  # that the SDRAM moves in a clock
 SAFE = 0.85  # of the peak: no aim asks for more
@@ -43,7 +42,7 @@ OSCILLATOR_MHZ = 25  # of the ULX3S
 def own_clocks() -> tuple[float, int]:
     """Of the ULX3S's core and SDRAM, in MHz, by the dividers of its PLL, whose loop the DVI link's
     clock closes."""
-    text = (project.ROOT / "rtl/ulx3s/ulx3s_clocks.v").read_text(encoding="utf-8")
+    text = (ROOT / "rtl/ulx3s/ulx3s_clocks.v").read_text(encoding="utf-8")
     divided = {name: int(by) for name, by in re.findall(r"\.(CLK\w+)_DIV\((\d+)\)", text)}
     vco = OSCILLATOR_MHZ / divided["CLKI"] * divided["CLKFB"] * divided["CLKOP"]
     return vco / divided["CLKOS"], round(vco / divided["CLKOS2"])
