@@ -3,8 +3,9 @@
 """Records a frame of the native model and renders it again in Icarus Verilog, from the core's
 Verilog: every word that the core writes must be the model's. Icarus must read it without a warning.
 
-With --netlist, Icarus also renders it with the netlist that scripts/place places on ECP5, cell by
-cell, which must take the same clocks. The cells are the models that Yosys ships and those of
+With --netlist, Icarus also renders it with the core's netlist for ECP5, cell by cell, which must take
+the same clocks. Registers are in its blocks as scripts/place has it, and its distributed RAMs are
+without constants as scripts/bitstream has it. The cells are the models that Yosys ships and those of
 ecp5_cells.v."""
 
 import argparse
@@ -17,7 +18,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from dynrt_tools import project
-from dynrt_tools.hardware import block_registers, devices, rtl_files, synthesis
+from dynrt_tools.hardware import block_registers, devices, distributed_ram, rtl_files, synthesis
 
 HERE = project.ROOT / "verif" / "netlist"
 
@@ -55,10 +56,11 @@ def packed(
     folder: pathlib.Path, top: str, design: list[str], then: list[str], verilog: str
 ) -> Counter[str]:
     """Writes a file of Verilog for Icarus: the netlist that the commands `design` make, with registers
-    moved into blocks as scripts/place does; gives how many moved, by the block's type."""
+    moved into blocks and constants taken off distributed RAM; gives how many, by the block's type and
+    the kind of pin."""
     netlist_file, what = folder / "netlist.json", f"the netlist of {top}"
     synthesis.run_yosys([*design, f"write_json {netlist_file}"], folder, what)
-    moved = block_registers.pack(netlist_file)
+    changed = block_registers.pack(netlist_file) + distributed_ram.spare(netlist_file)
     synthesis.run_yosys(
         [
             f"read_json {netlist_file}",
@@ -70,7 +72,7 @@ def packed(
         what,
     )
     netlist_file.unlink()
-    return moved
+    return changed
 
 
 def shipped_cells() -> pathlib.Path:
@@ -116,15 +118,16 @@ def netlist(sources: list[pathlib.Path]) -> list[str | pathlib.Path]:
             synth.format(top=rtl_files.CORE),
             "check -assert",
         ]
-        if not packed(folder, rtl_files.CORE, design, [], "netlist.v"):
-            raise project.Failed(
-                f"{rtl_files.CORE}: no register moved into a block; scripts/place moves some"
-            )
+        changed = packed(folder, rtl_files.CORE, design, [], "netlist.v")
+        for kind in (block_registers.MULTIPLIER, block_registers.BLOCK_RAM, *distributed_ram.PINS):
+            if not changed[kind]:
+                raise project.Failed(f"{rtl_files.CORE}: the netlist's {kind} is left as it was")
 
     try:
         version = synthesis.tool_version("yosys", "-V", "yosys")
         files = synthesis.needed(rtl_files.CORE, sources)
-        said = [version, synth, block_registers.version(), for_icarus(rtl_files.CORE)]
+        passes = [block_registers.version(), distributed_ram.version()]
+        said = [version, synth, *passes, for_icarus(rtl_files.CORE)]
         folder = synthesis.kept("netlist", said, files, make)
     except project.Failed as error:
         sys.exit(f"replay: {error}")
