@@ -4,8 +4,9 @@
 // FIFO from one clock to another, whatever their rates and phases. Each side counts its tokens in
 // Gray code, of which one bit changes at a time; the other side sees the count through two
 // registers, so it sees the old one or the new one, and late, which only makes the FIFO seem fuller
-// or emptier than it is. A token takes two to three clocks of the reader to come through. A row is
-// read two clocks of the reader after it was written at the earliest.
+// or emptier than it is. ready_o and valid_o come from registers, which know it another clock later. A
+// token takes three to four clocks of the reader to come through. A row is read three clocks of the
+// reader after it was written at the earliest.
 //
 // Parameters:
 //   WIDTH  bits of a token, at least 1
@@ -59,26 +60,31 @@ module hls_clock_fifo #(
   reg [   BITS:0] read_gray_q;
   reg [   BITS:0] read_early_q;
   reg [   BITS:0] read_seen_q;
+  reg             ready_q;
+  reg             valid_q;
 
-  wire            push = valid_i && ready_o;
-  wire            pop = valid_o && ready_i;
+  wire            push = valid_i && ready_q;
+  wire            pop = valid_q && ready_i;
   // Counters so narrow take fewer LUTs than a carry chain: a bit flips where all below it are ones.
   wire [  BITS:0] write_flips;
   wire [  BITS:0] read_flips;
   wire [  BITS:0] write_next = write_q ^ write_flips;
   wire [  BITS:0] read_next = read_q ^ read_flips;
+  wire [  BITS:0] write_next_gray = write_next ^ {1'b0, write_next[BITS:1]};
+  wire [  BITS:0] read_next_gray = read_next ^ {1'b0, read_next[BITS:1]};
   genvar i;
   generate
-    assign {write_flips[0], read_flips[0]} = {push, pop};
+    assign {write_flips[0], read_flips[0]} = 2'b11;
     for (i = 1; i <= BITS; i = i + 1) begin : counter
-      assign write_flips[i] = push && &write_q[i-1:0];
-      assign read_flips[i] = pop && &read_q[i-1:0];
+      assign write_flips[i] = &write_q[i-1:0];
+      assign read_flips[i] = &read_q[i-1:0];
     end
   endgenerate
 
   // Full: the counts differ by DEPTH, which in Gray code turns the two highest bits about.
-  assign ready_o = write_gray_q != {~read_seen_q[BITS:BITS-1], read_seen_q[BITS-2:0]};
-  assign valid_o = read_gray_q != write_seen_q;
+  wire [BITS:0] full_gray = {~read_seen_q[BITS:BITS-1], read_seen_q[BITS-2:0]};
+  assign ready_o = ready_q;
+  assign valid_o = valid_q;
   assign data_o  = rows[read_q[BITS-1:0]];
 
   always @(posedge clk_i) if (push) rows[write_q[BITS-1:0]] <= data_i;
@@ -87,11 +93,13 @@ module hls_clock_fifo #(
     if (!rst_ni) begin
       write_q      <= {(BITS + 1) {1'b0}};
       write_gray_q <= {(BITS + 1) {1'b0}};
+      ready_q      <= 1'b1;
       read_early_q <= {(BITS + 1) {1'b0}};
       read_seen_q  <= {(BITS + 1) {1'b0}};
     end else begin
-      write_q      <= write_next;
-      write_gray_q <= write_next ^ {1'b0, write_next[BITS:1]};
+      if (push) write_q <= write_next;
+      if (push) write_gray_q <= write_next_gray;
+      ready_q      <= push ? write_next_gray != full_gray : write_gray_q != full_gray;
       read_early_q <= read_gray_q;
       read_seen_q  <= read_early_q;
     end
@@ -101,11 +109,13 @@ module hls_clock_fifo #(
     if (!read_rst_ni) begin
       read_q        <= {(BITS + 1) {1'b0}};
       read_gray_q   <= {(BITS + 1) {1'b0}};
+      valid_q       <= 1'b0;
       write_early_q <= {(BITS + 1) {1'b0}};
       write_seen_q  <= {(BITS + 1) {1'b0}};
     end else begin
-      read_q        <= read_next;
-      read_gray_q   <= read_next ^ {1'b0, read_next[BITS:1]};
+      if (pop) read_q <= read_next;
+      if (pop) read_gray_q <= read_next_gray;
+      valid_q       <= pop ? read_next_gray != write_seen_q : read_gray_q != write_seen_q;
       write_early_q <= write_gray_q;
       write_seen_q  <= write_early_q;
     end

@@ -12,8 +12,8 @@
   reg followed_q = 1'b0;
   reg [BITS:0] place_q;         // of the token, as write_q counts
   reg [WIDTH-1:0] token_q;
-  reg [1:0] seen_q;             // edges of the reader since it came, 2 at most
-  reg [1:0] calm_q = 0;         // edges of the writer since a token left, 2 at most
+  reg [1:0] seen_q;             // edges of the reader since it came, 3 at most
+  reg [1:0] calm_q = 0;         // edges of the writer since a token left, 3 at most
   reg [BITS:0] last_write_q, last_read_q;
 
   always @($global_clock) begin
@@ -29,9 +29,9 @@
       seen_q <= 0;
     end else if (followed_q) begin
       if (popped && place_q == read_q) followed_q <= 1'b0;
-      if (read_clk_i && read_rst_ni && seen_q != 2) seen_q <= seen_q + 1;
+      if (read_clk_i && read_rst_ni && seen_q != 3) seen_q <= seen_q + 1;
     end
-    calm_q <= popped ? 0 : clk_i && rst_ni && calm_q != 2 ? calm_q + 1 : calm_q;
+    calm_q <= popped ? 0 : clk_i && rst_ni && calm_q != 3 ? calm_q + 1 : calm_q;
   end
 
   // Both resets at once for four edges of each clock; then each ends, once.
@@ -51,8 +51,8 @@
     kept: assert (!valid_o || used != 0);
     if (head && valid_o) in_order: assert (data_o == token_q);
     never_overfull: assert (used <= DEPTH);
-    if (head && seen_q == 2) arrives: assert (valid_o);
-    if (calm_q == 2 && used < DEPTH) frees: assert (ready_o);
+    if (head && seen_q == 3) arrives: assert (valid_o);
+    if (calm_q == 3 && used < DEPTH) frees: assert (ready_o);
     one_bit: assert ((write_changes & (write_changes - 1'b1)) == 0 &&
                      (read_changes & (read_changes - 1'b1)) == 0);
   end
@@ -75,13 +75,14 @@
     assert (seen_used <= early_used && early_used <= used);
     assert (used <= early_full && early_full <= seen_full && seen_full <= DEPTH);
     if (calm_q != 0) assert (read_early_q == read_gray_q);
-    if (calm_q == 2) assert (read_seen_q == read_gray_q);
-    if (followed_q) assert (ahead < used && rows[place_q[BITS-1:0]] == token_q && seen_q <= 2);
+    if (calm_q >= 2) assert (read_seen_q == read_gray_q);
+    assert (!ready_q || seen_full != DEPTH);
+    assert (!valid_q || seen_used != 0);
+    if (followed_q) assert (ahead < used && rows[place_q[BITS-1:0]] == token_q);
     if (followed_q && seen_q != 0) assert (ahead < early_used);
-    if (followed_q && seen_q == 2) assert (ahead < seen_used);
-    assert (calm_q <= 2);
-    if (!written_q) assert (write_q == 0 && read_early_q == 0 && read_seen_q == 0);
-    if (!taken_q) assert (read_q == 0 && write_early_q == 0 && write_seen_q == 0);
+    if (followed_q && seen_q >= 2) assert (ahead < seen_used);
+    if (!written_q) assert (write_q == 0 && read_early_q == 0 && read_seen_q == 0 && ready_q);
+    if (!taken_q) assert (read_q == 0 && write_early_q == 0 && write_seen_q == 0 && !valid_q);
     if (!taken_q && followed_q) assert (seen_q == 0);
     assert (binary(last_write_q) == write_q || binary(last_write_q) + 1'b1 == write_q);
     assert (binary(last_read_q) == read_q || binary(last_read_q) + 1'b1 == read_q);
@@ -91,7 +92,7 @@
     if (!running) assert (!followed_q && calm_q == 0 && !written_q && !taken_q);
     if (!running && steps_q >= 1)
       assert ({write_q, write_gray_q, write_early_q, write_seen_q, read_q, read_gray_q, read_early_q,
-               read_seen_q} == 0);
+               read_seen_q, valid_q} == 0 && ready_q);
     if (!running && steps_q >= 2) assert ({last_write_q, last_read_q} == 0);
   end
 
