@@ -59,6 +59,13 @@ class Refused(GenerateCase):
             "(how far outside the unit triangle a "
             "hit may lie) is NaN; it must be a number from 0 to 1",
         )
+        for clock in (0.5, -1, 101):
+            self.assert_key_refused(
+                "clock_ns",
+                clock,
+                "(nanoseconds of the clock that hlsc schedules the units for; 0: those of the build) "
+                f"is {clock}; it must be 0 or a number from 1 to 100",
+            )
 
     def test_every_way_has_a_line(self) -> None:
         self.assert_key_refused(

@@ -6,22 +6,7 @@
 #   dynrt_link<BYTES>                        custom target that makes build/<preset>/generated/link<BYTES>
 #   global property DYNRT_link<BYTES>_VERILOG  its files; _HEADER the header
 #   global property DYNRT_link<BYTES>_UNITS    the units
-# What it makes for beats of 16 bytes is checked in, in rtl/link/generated, for readers and builds without
-# LLVM: the target update-generated renews it, the tests generated.link.* fail when it is old.
-function(dynrt_check_in_link name)
-  set(folder ${PROJECT_SOURCE_DIR}/rtl/link/generated)
-  add_custom_target(update_link COMMAND ${CMAKE_COMMAND} -E copy_if_different ${ARGN} ${folder})
-  add_dependencies(update_link dynrt_${name})
-  add_dependencies(update-generated update_link)
-  foreach(file IN LISTS ARGN)
-    get_filename_component(file_name ${file} NAME)
-    add_test(NAME generated.link.${file_name}
-      COMMAND ${CMAKE_COMMAND} -DNEW=${file} -DOLD=${folder}/${file_name}
-              -P ${PROJECT_SOURCE_DIR}/cmake/CompareGenerated.cmake)
-    set_tests_properties(generated.link.${file_name} PROPERTIES LABELS lint)
-  endforeach()
-endfunction()
-
+# What it makes is checked in as rtl/generated/link<BYTES>, if cmake/HlsUnit.cmake says so.
 function(dynrt_lower_link bytes)
   set(name link${bytes})
   set(dir ${PROJECT_BINARY_DIR}/generated/${name})
@@ -55,9 +40,9 @@ function(dynrt_lower_link bytes)
   endforeach()
   add_custom_target(dynrt_${name} DEPENDS ${files})
   add_dependencies(verilog dynrt_${name})
-  if(bytes EQUAL 16)
-    dynrt_check_in_link(${name} ${files} ${top}.vh)
-  endif()
+  foreach(extension v vh)
+    dynrt_checked_in(${name} ${top}.${extension} dynrt_${name})
+  endforeach()
   set_property(GLOBAL PROPERTY DYNRT_${name}_VERILOG ${files})
   set_property(GLOBAL PROPERTY DYNRT_${name}_HEADER ${top}.vh)
   set_property(GLOBAL PROPERTY DYNRT_${name}_UNITS ${units})

@@ -123,7 +123,7 @@ inline constexpr char kOrbit[] =
 inline constexpr char kDefect[] = "defect in dynrt: {}";
 
 inline constexpr char kHoldsAnother[] =
-    "board {} holds configuration {}, not {}; name that one, or none";
+    "board {} holds configuration {}, not {}; name what it holds, or nothing";
 inline constexpr char kNoWaveforms[] = "board {} writes no waveforms; --board rtl does";
 
 }  // namespace dynrt::host::messages

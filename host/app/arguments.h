@@ -34,10 +34,10 @@ inline constexpr std::uint64_t kTimeout = 10'000'000;
 /// Of the flag --board.
 inline constexpr char kHardwareHelp[] =
     "rtl: run the Verilog; ulx3s: run that of the whole board, down to its pins, which holds the "
-    "configuration fast_port; serial:DEVICE: such a board at a serial device";
+    "configuration fast_ulx3s; serial:DEVICE: such a board at a serial device";
 inline constexpr char kBoardHelp[] =
     "rtl: run the Verilog; model: run the C++ natively; ulx3s: run the Verilog of the whole board, "
-    "down to its pins, which holds the configuration fast_port; serial:DEVICE: such a board at a "
+    "down to its pins, which holds the configuration fast_ulx3s; serial:DEVICE: such a board at a "
     "serial device";
 
 /// The clocks of the memory behind a core's port.

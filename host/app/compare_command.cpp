@@ -47,9 +47,9 @@ int run(const Arguments& arguments) {
   SceneFile scene = arguments.specialise.file(arguments.scene);
   const ChosenCore core = arguments.specialise.choose(scene, arguments.frame);
   const BoardRequest of_rtl{arguments.board, core.configuration, ""};
-  const std::string same = is_ulx3s(arguments.board) ? kUlx3sConfiguration : core.configuration;
-  const BoardRequest of_model{"model", arguments.specialise.specialise ? core.general : same, ""};
   const auto board = open_board(of_rtl, options);
+  const std::string same = is_ulx3s(arguments.board) ? board->core().name : core.configuration;
+  const BoardRequest of_model{"model", arguments.specialise.specialise ? core.general : same, ""};
   const Prepared prepared = prepare(scene, options.width, options.height, &board->core());
   const Frame rtl = render_on(*board, options, prepared);
   const Frame model =

@@ -76,10 +76,10 @@ void check_before(const Scene& scene, const CoreInfo& core) {
 /// The keys on which no word of the memory depends, or, as of line_nodes, only the order of words,
 /// which every core can read. Any other key counts, so that a new one cannot be forgotten.
 constexpr std::string_view kBesideTheMemory[] = {
-    "line_nodes",   "packets",        "packet_rays", "rays_sent",    "lines",  "ways",
-    "object_slots", "triangle_slots", "epsilon",     "sram_latency", "lights", "reflections",
-    "scan_out",     "crossing",       "divider",     "origins",      "camera", "uncompressed",
-    "counters",     "stack_entries",  "packet_fifos"};
+    "line_nodes",   "packets",        "packet_rays",  "rays_sent",    "lines",  "ways",
+    "object_slots", "triangle_slots", "epsilon",      "sram_latency", "lights", "reflections",
+    "scan_out",     "crossing",       "divider",      "origins",      "camera", "uncompressed",
+    "counters",     "stack_entries",  "packet_fifos", "clock_ns"};
 
 void place(MemoryImage& image, Scene scene, const View& view, const LayoutOptions& options) {
   image.view = view;

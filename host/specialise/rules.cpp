@@ -229,6 +229,7 @@ constexpr Rule kRules[] = {
     {"memory", Holds::kAlways, of_board},
     {"port_bytes", Holds::kAlways, of_board},
     {"pixel_bits", Holds::kAlways, of_board},
+    {"clock_ns", Holds::kAlways, of_board},
     {"ways", Holds::kAlways, hits_stay},
     {"line_nodes", Holds::kAlways, measured},
     {"second_level", Holds::kAlways, hits_stay},

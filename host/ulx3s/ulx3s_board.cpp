@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "host/ulx3s/ulx3s_board.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <chrono>
 #include <iterator>
+#include <ranges>
 #include <thread>
 #include <utility>
 
 #include "configs/fast_port.h"
+#include "configs/fast_ulx3s.h"
 #include "host/board/configurations.h"
 #include "host/board/display.h"
 #include "host/board/registers.h"
@@ -20,8 +25,8 @@ namespace dynrt::host {
 
 namespace reg = registers;
 
-/// The core as its join describes it: dynrt_core.json of the checked-in Verilog.
-std::string_view ulx3s_core_json();
+std::string_view fast_ulx3s_core_json();
+std::string_view fast_port_core_json();
 
 namespace {
 
@@ -34,18 +39,38 @@ constexpr microseconds kSimulatedPoll{500};
 constexpr milliseconds kDisplayStep{2};
 constexpr unsigned kMostDisplaySteps = 50;
 
+constexpr LinkedCore kLinkedCores[] = {
+    {"fast_ulx3s", [] { return core_info_of_listed<config::fast_ulx3s>("fast_ulx3s"); },
+     fast_ulx3s_core_json},
+    {"fast_port", [] { return core_info_of_listed<config::fast_port>("fast_port"); },
+     fast_port_core_json},
+};
+
 }  // namespace
+
+std::span<const LinkedCore> linked_cores() { return kLinkedCores; }
+
+const LinkedCore& linked_core(const BoardLink& link, const std::string& board,
+                              const std::string& configuration) {
+  if (!configuration.empty()) link.expect_configuration(configuration);
+  const std::string& held = link.board().configuration;
+  const auto found = std::ranges::find(kLinkedCores, held, &LinkedCore::configuration);
+  if (found == std::end(kLinkedCores)) {
+    const auto known = std::views::transform(kLinkedCores, &LinkedCore::configuration);
+    refuse(messages::kUnknownBitstream, board, held, fmt::format("{}", fmt::join(known, " or ")));
+  }
+  return *found;
+}
 
 bool is_ulx3s(std::string_view board) { return board == kUlx3s || board.starts_with(kSerial); }
 
-Ulx3sBoard::Ulx3sBoard(std::string name, std::unique_ptr<LinkedBoard> linked,
-                       SimulatedUlx3s* simulated)
-    : Ulx3sBoard(std::move(name), *linked, std::move(linked), simulated) {}
+Ulx3sBoard::Ulx3sBoard(std::string name, const LinkedCore& core,
+                       std::unique_ptr<LinkedBoard> linked, SimulatedUlx3s* simulated)
+    : Ulx3sBoard(std::move(name), core, *linked, std::move(linked), simulated) {}
 
-Ulx3sBoard::Ulx3sBoard(std::string name, LinkedBoard& linked, std::unique_ptr<LinkedBoard>&& owned,
-                       SimulatedUlx3s* simulated)
-    : RtlBoard(core_info_of_listed<config::fast_port>(kUlx3sConfiguration), std::move(owned),
-               counters_of(ulx3s_core_json()), std::move(name)),
+Ulx3sBoard::Ulx3sBoard(std::string name, const LinkedCore& core, LinkedBoard& linked,
+                       std::unique_ptr<LinkedBoard>&& owned, SimulatedUlx3s* simulated)
+    : RtlBoard(core.info(), std::move(owned), counters_of(core.json()), std::move(name)),
       linked_(linked),
       simulated_(simulated) {}
 
@@ -107,22 +132,23 @@ void Ulx3sBoard::read_display(std::span<std::uint32_t> pixels) {
   }
 }
 
-std::unique_ptr<Board> make_ulx3s_board(const std::string& board) {
+std::unique_ptr<Board> make_ulx3s_board(const std::string& board,
+                                        const std::string& configuration) {
+  SimulatedUlx3s* ulx3s = nullptr;
+  std::unique_ptr<ByteStream> line;
+  LinkedBoard::Pause pause = [] { std::this_thread::sleep_for(kPoll); };
   if (board.starts_with(kSerial)) {
-    auto link =
-        std::make_unique<BoardLink>(std::make_unique<SerialDevice>(board.substr(kSerial.size())));
-    link->expect_configuration(kUlx3sConfiguration);
-    const auto pause = [] { std::this_thread::sleep_for(kPoll); };
-    return std::make_unique<Ulx3sBoard>(
-        board, std::make_unique<LinkedBoard>(std::move(link), nullptr, pause), nullptr);
+    line = std::make_unique<SerialDevice>(board.substr(kSerial.size()));
+  } else {
+    auto simulated = make_simulated_ulx3s();
+    ulx3s = simulated.get();
+    line = std::move(simulated);
+    pause = [ulx3s] { ulx3s->run(kSimulatedPoll); };
   }
-  auto simulated = make_simulated_ulx3s();
-  SimulatedUlx3s* const ulx3s = simulated.get();
-  auto link = std::make_unique<BoardLink>(std::move(simulated));
-  link->expect_configuration(kUlx3sConfiguration);
-  const auto pause = [ulx3s] { ulx3s->run(kSimulatedPoll); };
+  auto link = std::make_unique<BoardLink>(std::move(line));
+  const LinkedCore& core = linked_core(*link, board, configuration);
   return std::make_unique<Ulx3sBoard>(
-      board, std::make_unique<LinkedBoard>(std::move(link), ulx3s, pause), ulx3s);
+      board, core, std::make_unique<LinkedBoard>(std::move(link), ulx3s, std::move(pause)), ulx3s);
 }
 
 }  // namespace dynrt::host

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The ULX3S as a board of the renderer: a real one at a serial device, or a simulated one, whose
-// picture is what a monitor sees at its DVI pins.
+// picture is what a monitor sees at its DVI pins. Another board with the same link may be at the
+// device (rtl/arty).
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -16,8 +18,19 @@
 
 namespace dynrt::host {
 
-/// The configuration that its bitstream holds.
-inline constexpr const char* kUlx3sConfiguration = "fast_port";
+/// The core of a bitstream whose host is at a serial line.
+struct LinkedCore {
+  std::string_view configuration;
+  CoreInfo (*info)();
+  std::string_view (*json)();  ///< as its join describes it: dynrt_core.json of its Verilog
+};
+/// The first is that of the ULX3S.
+std::span<const LinkedCore> linked_cores();
+/// That of the board at the end of a link, which must be `configuration` if that is not empty.
+/// Throws UserError if it is none of these.
+const LinkedCore& linked_core(const BoardLink& link, const std::string& board,
+                              const std::string& configuration = "");
+
 inline constexpr std::string_view kUlx3s = "ulx3s";
 inline constexpr std::string_view kSerial = "serial:";  ///< and the path of a device
 
@@ -27,7 +40,8 @@ bool is_ulx3s(std::string_view board);
 class Ulx3sBoard final : public RtlBoard {
  public:
   /// `simulated`, if not null, is the line that `linked` uses.
-  Ulx3sBoard(std::string name, std::unique_ptr<LinkedBoard> linked, SimulatedUlx3s* simulated);
+  Ulx3sBoard(std::string name, const LinkedCore& core, std::unique_ptr<LinkedBoard> linked,
+             SimulatedUlx3s* simulated);
 
   bool has_scan_out() const override { return true; }
   void finish_writes() override { linked_.send_memory(); }
@@ -43,8 +57,8 @@ class Ulx3sBoard final : public RtlBoard {
   void read_display(std::span<std::uint32_t> pixels);
 
   /// `linked` is what the base owns.
-  Ulx3sBoard(std::string name, LinkedBoard& linked, std::unique_ptr<LinkedBoard>&& owned,
-             SimulatedUlx3s* simulated);
+  Ulx3sBoard(std::string name, const LinkedCore& core, LinkedBoard& linked,
+             std::unique_ptr<LinkedBoard>&& owned, SimulatedUlx3s* simulated);
 
   LinkedBoard& linked_;
   SimulatedUlx3s* simulated_;
@@ -52,7 +66,9 @@ class Ulx3sBoard final : public RtlBoard {
   bool shows_ = false;  ///< a picture that fits the display
 };
 
-/// A board of one of the names above. Throws UserError if there is none.
-std::unique_ptr<Board> make_ulx3s_board(const std::string& board);
+/// A board of one of the names above, which must hold this configuration; one that is empty stands
+/// for whatever the board holds. Throws UserError if there is no such board.
+std::unique_ptr<Board> make_ulx3s_board(const std::string& board,
+                                        const std::string& configuration = "");
 
 }  // namespace dynrt::host

@@ -14,6 +14,9 @@ inline constexpr char kNoSimulation[] =
     "board ulx3s: this build has no Verilog of it; build with DYNRT_RTL, or name a board at a "
     "serial "
     "line by serial:DEVICE";
+inline constexpr char kUnknownBitstream[] =
+    "board {}: its bitstream has configuration {}, which this program does not know at a serial "
+    "line; load a bitstream that has {}";
 inline constexpr char kNoPicture[] =
     "the monitor at the DVI pins of the simulated ULX3S has seen no frame within 100 milliseconds";
 inline constexpr char kBadPicture[] =

@@ -18,6 +18,7 @@ module board_registers #(
   parameter SCAN_WORDS = `DYNRT_CORE_SCAN_WORDS,       // at most 16
   parameter SRAM_LATENCY = 3, // 3 to 8
   parameter SCAN_OUT = 1,     // 1: there is a scan-out
+  parameter READ_BACK = 1,    // 1: FRAME and SCAN can be read; 0: they read as zero
   parameter WINDOW = 1,       // 1: there is a window into the SRAM; 0: its words are not there
   parameter MEMORY_BASE_BITS = 0, // bits of an address on the memory's bus, at most 64; 0: no such bus
   parameter [63:0] MEMORY_BASE = 64'd0 // where the memory begins on it, after a reset
@@ -275,11 +276,11 @@ module board_registers #(
   always @* begin
     frame_word = 32'd0;
     for (w = 0; w < FRAME_WORDS; w = w + 1)
-      if (first_addr[2 +: FRAME_WORD_BITS] == w[FRAME_WORD_BITS-1:0])
+      if (READ_BACK != 0 && first_addr[2 +: FRAME_WORD_BITS] == w[FRAME_WORD_BITS-1:0])
         frame_word = frame_q[32*w +: 32];
     scan_word = 32'd0;
     for (w = 0; w < SCAN_WORDS; w = w + 1)
-      if (first_addr[5:2] == w[3:0]) scan_word = scan_q[32*w +: 32];
+      if (READ_BACK != 0 && first_addr[5:2] == w[3:0]) scan_word = scan_q[32*w +: 32];
     register = 32'd0;
     case (first_addr)
       REG_ID: register = ID_VALUE;

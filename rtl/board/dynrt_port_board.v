@@ -16,6 +16,7 @@ module dynrt_port_board #(
   parameter PACKETS = 64,      // packets in flight of the core below
   parameter CACHE_LINES = 512, // lines of each of its caches
   parameter SCAN_OUT = 0,
+  parameter READ_BACK = 1,           // see board_registers.v
   parameter MEMORY_BASE_BITS = 0,    // of an address on the memory's bus; 0: there is no bus
   parameter [63:0] MEMORY_BASE = 64'd0 // where the memory begins on it, after a reset
 ) (
@@ -88,7 +89,8 @@ module dynrt_port_board #(
 
   board_registers #(
     .PACKETS(PACKETS), .CACHE_LINES(CACHE_LINES), .FRAME_WORDS(FRAME_WORDS), .SCAN_OUT(SCAN_OUT),
-    .WINDOW(0), .MEMORY_BASE_BITS(MEMORY_BASE_BITS), .MEMORY_BASE(MEMORY_BASE)
+    .READ_BACK(READ_BACK), .WINDOW(0), .MEMORY_BASE_BITS(MEMORY_BASE_BITS),
+    .MEMORY_BASE(MEMORY_BASE)
   ) registers (
     .clk_i(clk_i), .rst_ni(rst_ni),
     .bus_valid_i(bus_valid_i), .bus_write_i(bus_write_i), .bus_addr_i(bus_addr_i),

@@ -10,6 +10,9 @@
 // register or to MEMORY_BASE, and each access to the SRAM window, of which a refused read gives
 // zero. It refuses a start too if the core cannot render the frame: `packets` is 0 or more than
 // LIMITS says, or `line_mask` + 1 is not a power of two or more than LIMITS says.
+//
+// A board may be built so that FRAME and SCAN read as zero (READ_BACK of board_registers.v), as that
+// of the ULX3S is.
 
 localparam [31:0] ID_VALUE = 32'h44595254;      // "DYRT"
 localparam [31:0] VERSION_VALUE = 32'h00020004; // map 2.4: major in the upper half, minor below

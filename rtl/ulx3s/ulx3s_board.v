@@ -15,7 +15,7 @@
 module ulx3s_board #(
   parameter PACKETS = 64,
   parameter CACHE_LINES = 512,
-  parameter [351:0] NAME = "fast_port",
+  parameter [351:0] NAME = "fast_ulx3s",
   parameter [11:0]  DIVISOR = 12'd21,          // 62.5 MHz / 21 = 2.976 Mbaud
   parameter [15:0]  PAUSE_TURNS = 16'd10000
 ) (
@@ -122,7 +122,10 @@ module ulx3s_board #(
   wire [31:0]          scan_frames;
   wire                 starved, underrun;
   wire                 missed = underrun || starved;
-  dynrt_port_board #(.PACKETS(PACKETS), .CACHE_LINES(CACHE_LINES), .SCAN_OUT(1)) core (
+  // A bit of a frame that the core does not use has no register then, and no wire to it.
+  dynrt_port_board #(
+    .PACKETS(PACKETS), .CACHE_LINES(CACHE_LINES), .SCAN_OUT(1), .READ_BACK(0)
+  ) core (
     .clk_i(clk), .core_clk_i(clk), .core_clk_en_o(core_clk_en), .rst_ni(core_rst_n),
     .bus_valid_i(core_bus_valid), .bus_write_i(core_bus_write), .bus_addr_i(core_bus_addr),
     .bus_wdata_i(core_bus_wdata), .bus_ready_o(core_bus_ready), .bus_exists_o(),

@@ -127,9 +127,10 @@ class Serial : public testing::TestWithParam<Temper> {
   }
   /// The board that "serial:DEVICE" names.
   void make_board() {
+    const LinkedCore& core = linked_core(*link_, "serial");
     auto linked =
         std::make_unique<LinkedBoard>(std::move(link_), nullptr, [this] { simulated_->run(1000); });
-    board_ = std::make_unique<Ulx3sBoard>("serial", std::move(linked), nullptr);
+    board_ = std::make_unique<Ulx3sBoard>("serial", core, std::move(linked), nullptr);
     scene_ = laid_out("blocks", options_.width, options_.height, board_->core(), make_small);
   }
   void expect_frame() {

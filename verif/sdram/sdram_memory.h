@@ -48,7 +48,7 @@ template <class C, class S>
 class SdramMemory final : public hls::Device {
  public:
   static constexpr unsigned kBytes = kBeatBytes<C>;
-  static constexpr unsigned kCrossing = 3;  ///< clocks of the side that a token comes to
+  static constexpr unsigned kCrossing = 4;  ///< clocks of the side that a token comes to
   static constexpr unsigned kOnWay = 1;     ///< clock of the SDRAM in a buffer, each way
   static constexpr unsigned kAtSwitch = 1;  ///< clock of the core in a buffer, on the way back
   using Types = SdramPortTypes<kBytes>;

@@ -6,7 +6,7 @@
 // speed grade finds nothing that its data sheet forbids.
 #include <gtest/gtest.h>
 
-#include "Vsdram_100_16.h"
+#include "Vsdram_100_8.h"
 #include "Vsdram_133_16.h"
 #include "Vsdram_133_32.h"
 #include "Vsdram_133_8.h"
@@ -26,7 +26,7 @@ struct Variant {
 };
 using Variants =
     testing::Types<Variant<Vsdram_133_16, Sdram133, 16>, Variant<Vsdram_133_8, Sdram133, 8>,
-                   Variant<Vsdram_133_32, Sdram133, 32>, Variant<Vsdram_100_16, Sdram100, 16>>;
+                   Variant<Vsdram_133_32, Sdram133, 32>, Variant<Vsdram_100_8, Sdram100, 8>>;
 
 constexpr unsigned kPauseTurns = 40;
 

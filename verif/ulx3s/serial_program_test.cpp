@@ -55,16 +55,22 @@ class Program : public testing::Test {
     return fmt::format("render blocks --size 16x12 --board {} --out {}", board, picture());
   }
   /// One sentence and no picture.
-  void expect_refusal(const std::string& device, const std::string& sentence) {
-    EXPECT_EQ(run(render_on("serial:" + device)), kMistakeInTheInput) << output_;
-    EXPECT_THAT(errors_, StartsWith("dynrt: board serial:" + device + ": "));
+  void expect_error(const std::string& arguments, const std::string& sentence) {
+    EXPECT_EQ(run(arguments), kMistakeInTheInput) << output_;
+    EXPECT_THAT(errors_, StartsWith("dynrt: board "));
     EXPECT_THAT(errors_, HasSubstr(sentence));
     EXPECT_EQ(std::ranges::count(errors_, '\n'), 1) << errors_;
     EXPECT_FALSE(std::filesystem::exists(picture()));
   }
+  void expect_refusal(const std::string& device, const std::string& sentence,
+                      const std::string& flags = "") {
+    expect_error(render_on("serial:" + device) + flags, sentence);
+    EXPECT_THAT(errors_, StartsWith("dynrt: board serial:" + device + ": "));
+  }
   /// The same; the device is free then.
-  void expect_refusal(const BoardAtTerminal& board, const std::string& sentence) {
-    expect_refusal(board.path(), sentence);
+  void expect_refusal(const BoardAtTerminal& board, const std::string& sentence,
+                      const std::string& flags = "") {
+    expect_refusal(board.path(), sentence, flags);
     EXPECT_FALSE(board.terminal().is_exclusive());
     EXPECT_NO_THROW(SerialDevice{board.path()});
   }
@@ -124,8 +130,28 @@ TEST_F(Program, SaysThatTheAnswersAreNonsense) {
 TEST_F(Program, RefusesABitstreamOfAnotherConfiguration) {
   TestBoard board;
   const BoardAtTerminal terminal([&](auto bytes) { return board.model.answer(bytes); });
+  expect_refusal(
+      terminal,
+      "its bitstream has configuration fast, which this program does not know at a serial "
+      "line; load a bitstream that has fast_ulx3s or fast_port");
+}
+
+TEST_F(Program, RefusesABitstreamOfAnotherConfigurationThanIsAskedFor) {
+  IdleBoard board;
+  const BoardAtTerminal terminal([&](auto bytes) { return board.answer(bytes); });
   expect_refusal(terminal,
-                 "its bitstream has configuration fast, but configuration fast_port is asked for");
+                 "its bitstream has configuration fast_port, but configuration fast_ulx3s is asked "
+                 "for",
+                 " --config fast_ulx3s");
+}
+
+TEST_F(Program, RefusesAConfigurationThatNoSuchBoardHolds) {
+  expect_error(render_on("ulx3s") + " --config fast_port",
+               "board ulx3s holds configuration fast_ulx3s, not fast_port; name what it "
+               "holds, or nothing");
+  expect_error(render_on("serial:any") + " --config thesis",
+               "board serial:any holds configuration fast_ulx3s or fast_port, not thesis; name "
+               "what it holds, or nothing");
 }
 
 TEST_F(Program, SaysThatTheBoardStopsInTheMiddleOfAnAnswer) {
@@ -196,7 +222,7 @@ class SimulatedAtTerminal {
 };
 
 TEST_F(Program, SlowlyRendersTheModelsPictureOnTheUlx3s) {
-  ASSERT_EQ(run(render_on("model") + " --config fast_port", 300), 0) << errors_;
+  ASSERT_EQ(run(render_on("model") + " --config fast_ulx3s", 300), 0) << errors_;
   const std::string expected = text_of(picture());
   ASSERT_GT(expected.size(), 100u);
   std::filesystem::remove(picture());

@@ -8,8 +8,9 @@
 #include <string>
 #include <utility>
 
-#include "configs/fast_port.h"
+#include "configs/fast_ulx3s.h"
 #include "core/specialised.h"
+#include "host/board/registers.h"
 #include "host/render/compare.h"
 #include "host/ulx3s/linked_board.h"
 #include "host/ulx3s/simulated_ulx3s.h"
@@ -18,7 +19,8 @@
 namespace dynrt::host {
 namespace {
 
-using config::fast_port;
+namespace reg = registers;
+using config::fast_ulx3s;
 
 FrameOptions options(unsigned width, unsigned height) {
   FrameOptions options;
@@ -43,7 +45,7 @@ void expect_as_the_model(Board& board, const std::string& scene, const FrameOpti
   const std::uint64_t rays = std::uint64_t{options.width} * options.height;
   EXPECT_GT(there.traffic.bytes_read, rays * 24);
   EXPECT_LT(there.traffic.bytes_read, rays * 36);
-  Frame here = render(*specialised::board_of<fast_port>(), options, image);
+  Frame here = render(*specialised::board_of<fast_ulx3s>(), options, image);
   here.core.name = there.core.name;  // so that counters are compared
   EXPECT_GT(there.hit_count(), 0u);
   const Comparison comparison = compare(there, here);
@@ -75,16 +77,19 @@ void make_small(Scene& scene) {
 TEST(Ulx3s, TakesASceneOverTheLine) {
   auto simulated = make_simulated_ulx3s();
   SimulatedUlx3s* const ulx3s = simulated.get();
-  auto linked =
-      std::make_unique<LinkedBoard>(std::make_unique<BoardLink>(std::move(simulated)), nullptr,
-                                    [ulx3s] { ulx3s->run(std::chrono::microseconds(100)); });
+  auto link = std::make_unique<BoardLink>(std::move(simulated));
+  const LinkedCore& core = linked_core(*link, "ulx3s");
+  auto linked = std::make_unique<LinkedBoard>(
+      std::move(link), nullptr, [ulx3s] { ulx3s->run(std::chrono::microseconds(100)); });
   const LinkedBoard& line = *linked;
-  Ulx3sBoard board("ulx3s", std::move(linked), nullptr);
+  Ulx3sBoard board("ulx3s", core, std::move(linked), nullptr);
   expect_as_the_model(board, "blocks", options(16, 12), make_small);
   EXPECT_GT(line.uploaded(), 1000u);
   EXPECT_GT(line.counts().carried, line.uploaded() + 16 * 12 * (2 + 24));
   EXPECT_EQ(line.counts().repeats, 0u);
   EXPECT_GT(ulx3s->memory_use().words_written, line.uploaded() / 2);
+  EXPECT_EQ(board.read_register(reg::kRegFrameWords), core.info().frame_words({}).size());
+  EXPECT_EQ(board.read_register(reg::kRegFrame), 0u) << "the board is built without READ_BACK";
 }
 
 }  // namespace

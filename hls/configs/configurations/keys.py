@@ -304,5 +304,11 @@ KEYS: dict[str, Key] = {
         "the tree over the others",
         False,
     ),
+    "clock_ns": Key(
+        Number(1, 100, or_zero=True),
+        None,
+        "nanoseconds of the clock that hlsc schedules the units for; 0: those of the build",
+        0,
+    ),
     "counters": Key(Flag(), "kCounters", "whether the core counts what its units do", True),
 }

@@ -63,17 +63,18 @@ class Number:
 
     low: float
     high: float
+    or_zero: bool = False  # beside those from low on
 
     def allows(self, value: object) -> bool:
         return (
             isinstance(value, (int, float))
             and not isinstance(value, bool)
             and math.isfinite(value)
-            and self.low <= value <= self.high
+            and (self.low <= value <= self.high or self.or_zero and value == 0)
         )
 
     def wants(self) -> str:
-        return f"a number from {self.low:g} to {self.high:g}"
+        return f"{'0 or ' if self.or_zero else ''}a number from {self.low:g} to {self.high:g}"
 
     def literal(self, value: object) -> str:
         assert isinstance(value, (int, float))

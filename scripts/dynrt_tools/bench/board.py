@@ -15,7 +15,7 @@ import tempfile
 from dynrt_tools.bench.memory import SCENES, SHARE, SRAM, PORT, busiest
 from dynrt_tools.bench.run import Dynrt, RunFailed, rays
 from dynrt_tools.command import Pool
-from dynrt_tools.hardware import placed_clocks
+from dynrt_tools.hardware import bitstream, placed_clocks
 from dynrt_tools.project import ROOT, Json, Progress, read_json
 
 BYTES = 2  # that the SDRAM moves in a clock
@@ -30,12 +30,14 @@ class System:
     about: str
     core_mhz: float
     sdram_mhz: int  # the period is a multiple of half a ns: 133 stands for 7.5 ns
+    core: str  # its configuration
 
     def flags(self) -> list[str]:
         return ["--core-mhz", f"{self.core_mhz:g}", "--sdram-mhz", str(self.sdram_mhz)]
 
 
 PLACED, OWN = "placed", "own"
+OWN_CORE = bitstream.BOARDS["ulx3s"].config
 OSCILLATOR_MHZ = 25  # of the ULX3S
 
 
@@ -52,8 +54,8 @@ def ulx3s() -> tuple[System, ...]:
     """The first is the one that aims are for."""
     placed = placed_clocks.of(SRAM).mhz
     return (
-        System(PLACED, f"the clock that {SRAM} reaches placed", placed, 133),
-        System(OWN, "the clocks of rtl/ulx3s", *own_clocks()),
+        System(PLACED, f"the clock that {SRAM} reaches placed", placed, 133, PORT),
+        System(OWN, "the clocks and the core of rtl/ulx3s", *own_clocks(), OWN_CORE),
     )
 
 
@@ -181,7 +183,7 @@ def measure(dynrt: Dynrt, board: str, size: str, progress: Progress) -> Json:
     progress(f"building the programs of {board}")
     build(dynrt.program.parent, "sdram_frames")
     systems = BOARDS[board]()
-    schedules = dynrt.program.parent / "generated" / PORT
+    generated = dynrt.program.parent / "generated"
     jobs = [(system, scene) for scene in reversed(SCENES) for system in (None, *systems)]
     begun = itertools.count(1)
 
@@ -191,7 +193,7 @@ def measure(dynrt: Dynrt, board: str, size: str, progress: Progress) -> Json:
         progress(f"{name}: {scene}, frame {next(begun)} of {len(jobs)}")
         if system is None:
             return sram_frame(dynrt, scene, size)
-        return frame_of(dynrt, PORT, schedules, scene, size, system)
+        return frame_of(dynrt, system.core, generated / system.core, scene, size, system)
 
     with Pool(os.cpu_count()) as pool:
         measured = dict(zip(jobs, pool.map(one, jobs)))

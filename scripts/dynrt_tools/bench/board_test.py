@@ -63,7 +63,11 @@ def stand_ins(folder: pathlib.Path, has_clocks: bool = True, refused: str = "") 
     testing.write_program(folder / "dynrt", text)
     programs = folder / "verif" / "sdram"
     programs.mkdir(parents=True)
-    for core in ("fast_port", *(lever["name"] for lever in read_json(board_levers.LEVERS))):
+    for core in (
+        "fast_port",
+        "fast_ulx3s",
+        *(lever["name"] for lever in read_json(board_levers.LEVERS)),
+    ):
         path = programs / f"sdram_frames_{core}"
         testing.write_program(path, FRAMES.replace("REFUSED", repr(refused)))
     return Dynrt(folder / "dynrt")
@@ -146,7 +150,9 @@ class Frames(unittest.TestCase):
         self.assertRegex(
             text, r"\noffice .* 80\.0% +9\.00 +2\.00 .* node_fetch 70\.0%, with SRAM 90"
         )
-        self.assertRegex(text, r"\nown: the clocks of rtl/ulx3s: core 62\.5 MHz, SDRAM 100 MHz\n")
+        self.assertRegex(
+            text, r"\nown: the clocks and the core of rtl/ulx3s: core 62\.5 MHz, SDRAM 100 MHz\n"
+        )
         self.assertEqual(text.count("\ntrees4000 "), 3)
         self.assertIn("frame 12 of 12", self.said[-1])
 

@@ -271,6 +271,8 @@ def make(args: argparse.Namespace) -> pathlib.Path:
     """The path of the result."""
     config = read_file(args.file)
     build = at_period(find_build(args.build), args.clock_ns and period(args.clock_ns))
+    if args.clock_ns:
+        config["clock_ns"] = 0
     if args.expect and args.expect != fingerprint.fingerprint(build):
         raise Failed("the sources have changed since this program was built; build it again")
 
@@ -335,7 +337,7 @@ def main() -> int:
         "--clock-ns",
         metavar="NS",
         help="schedule the units for this period; least: the shortest that all units reach "
-        "(default: that of the build)",
+        "(default: the configuration's clock_ns, else that of the build)",
     )
     parser.add_argument("--out", type=pathlib.Path, metavar="PATH", help="copy the result there")
     parser.add_argument(

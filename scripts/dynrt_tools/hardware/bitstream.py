@@ -19,6 +19,7 @@ from dynrt_tools import options, project
 from dynrt_tools.hardware import (
     block_registers,
     devices,
+    distributed_ram,
     placer_log,
     placers,
     rtl_files,
@@ -32,7 +33,7 @@ class Board:
     """A board that has a top."""
 
     top: str
-    config: str  # of its core
+    config: str  # of its core, as its folder in rtl/generated is called
     device: str
     grade: str
     constraints: str
@@ -41,7 +42,7 @@ class Board:
 BOARDS = {
     "ulx3s": Board(
         "dynrt_ulx3s",
-        "fast_port",
+        "fast_ulx3s",
         "ecp5-85",
         "6",
         "ulx3s.lpf",
@@ -51,6 +52,15 @@ PACKER = "ecppack"
 # nextpnr gives up on a cell after as many attempts as the square of the number of cells has, which
 # overflows for so many cells.
 PATIENT = ("--placer-heap-cell-placement-timeout", "0")
+ROUTER = ("--router", "router2")
+# What a wire costs that several nets want: more with each of them, and more in each round. nextpnr
+# takes it from the netlist alone. With its own growth of 2.0 a round, nets take detours so long that
+# from the 18th or 26th round on ever more wires are wanted by several.
+ROUTER_COSTS = {
+    "router2/initCurrCongWeight": "1.0",
+    "router2/currCongWeightMult": "0.5",
+    "router2/histCongWeight": "1.0",
+}
 SUITE = "OSS CAD Suite has it, as it has yosys and the others"
 PORT = re.compile(r"^ +(?:input|output|inout) +(?:wire|reg) +(?:\[(\d+):0\] *)?(\w+)", re.MULTILINE)
 LOCATED = re.compile(r'^LOCATE COMP "([^"]+)" SITE', re.MULTILINE)
@@ -141,12 +151,21 @@ def synthesize(board: Board, args: argparse.Namespace) -> tuple[pathlib.Path, Js
             board.top,
         )
         block_registers.pack(folder / "netlist.json")
+        distributed_ram.spare(folder / "netlist.json")
+        set_costs(folder / "netlist.json", board.top)
 
     said = [synthesis.tool_version("yosys", "-V", "yosys"), synth, board.top]
-    said.append(block_registers.version())
+    said += [block_registers.version(), distributed_ram.version(), str(ROUTER_COSTS)]
     folder = synthesis.kept("bitstream", said, files, make)
     cells = read_json(folder / "stat.json")["design"]["num_cells_by_type"]
     return folder / "netlist.json", devices.resources(family, cells)
+
+
+def set_costs(netlist: pathlib.Path, top: str) -> None:
+    """Gives the router its costs."""
+    design = read_json(netlist)
+    design["modules"][top]["settings"] = ROUTER_COSTS
+    write_json(netlist, design)
 
 
 def print_room(board: Board, taken: Json) -> list[str]:
@@ -170,6 +189,7 @@ def route(
         program,
         *placers.PLACERS[board.device]["flags"],
         *PATIENT,
+        *ROUTER,
         *("--speed", board.grade),
         *("--json", str(netlist), "--lpf", str(placers.CONSTRAINTS / board.constraints)),
         *("--seed", str(args.seed), "--timing-allow-fail"),

@@ -159,10 +159,13 @@ class Bitstream(Small):
         for flag, value in (
             ("--speed", "6"),
             ("--seed", "7"),
+            ("--router", "router2"),
             ("--lpf", str(self.folder / "constraints/small.lpf")),
         ):
             self.assertEqual(placer[placer.index(flag) + 1], value)
         self.assertIn("--85k", placer)
+        netlist = project.read_json(pathlib.Path(placer[placer.index("--json") + 1]))
+        self.assertEqual(netlist["modules"]["small"]["settings"], bitstream.ROUTER_COSTS)
 
     def test_a_missed_clock_leaves_the_file(self) -> None:
         code, output, errors = self.called("slow")

@@ -16,6 +16,8 @@ REFINING = "Running simulated annealing placer for refinement"
 TO_ROUTE = re.compile(r"^Info: Routing (\d+) arcs", re.MULTILINE)
 # Attempts, arcs routed with and without another's removal, both in this row, arcs that remain, seconds.
 ROUTING = re.compile(r"^Info: +\d+ \| +\d+ +\d+ \| +\d+ +\d+ \| +(\d+)\|", re.MULTILINE)
+# The second router gives nets the same wire, and fewer in each round.
+NEGOTIATING = re.compile(r"^Info: +iter=(\d+) wires=\d+ overused=(\d+)", re.MULTILINE)
 ROUTED = "Routing complete"
 
 
@@ -26,10 +28,13 @@ def stage(log: str) -> str:
     if arcs := TO_ROUTE.search(log):
         left = ROUTING.findall(log)
         return f"routing, {int(left[-1] if left else arcs[1]):,} of {int(arcs[1]):,} arcs left"
+    if rounds := NEGOTIATING.findall(log):
+        count, shared = rounds[-1]
+        return f"routing, round {count}: {int(shared):,} wires are shared by several nets"
     if REFINING in log:
         return "refining the placement"
-    if rounds := PLACING.findall(log):
-        return f"placing, round {rounds[-1]}"
+    if placed := PLACING.findall(log):
+        return f"placing, round {placed[-1]}"
     return "reading the netlist"
 
 

@@ -27,6 +27,11 @@ ROUTING = """\
 Info:       1000 |       43        956 |   43   956 |    140316|       0.53       0.53|
 Info:       2000 |      139       1860 |   96   904 |    139461|       0.29       0.82|
 """
+NEGOTIATING = """\
+Info: Running main router loop...
+Info:     iter=1 wires=969219 overused=64484 overuse=71923 archfail=NA
+Info:     iter=2 wires=987574 overused=1578 overuse=54458 archfail=NA
+"""
 ROUTED = "Info: Routing complete.\nInfo: Router1 time 479.00s\n"
 
 
@@ -43,6 +48,12 @@ class PlacerLog(unittest.TestCase):
         ):
             log += text
             self.assertEqual(placer_log.stage(log), stage)
+
+    def test_the_second_router(self) -> None:
+        log = REFINED + NEGOTIATING
+        said = "routing, round 2: 1,578 wires are shared by several nets"
+        self.assertEqual(placer_log.stage(log), said)
+        self.assertEqual(placer_log.stage(log + BEGUN + ROUTED), "checking the clocks")
 
     def test_a_log_is_followed_to_the_end(self) -> None:
         said: list[str] = []
