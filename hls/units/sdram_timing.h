@@ -22,6 +22,13 @@ struct Sdram100 {
   static constexpr unsigned kCasLatency = 2;
 };
 
+/// 500 MHz by seven, as the PLL of the ULX3S makes it (rtl/ulx3s/ulx3s_clocks.v).
+struct Sdram71 {
+  static constexpr SdramPart kPart = kAnySdram;
+  static constexpr unsigned kClockPicoseconds = 14'000;
+  static constexpr unsigned kCasLatency = 2;
+};
+
 /// Words of 16 bits that a column command moves: the burst length in the mode register.
 inline constexpr unsigned kSdramBurst = 2;
 

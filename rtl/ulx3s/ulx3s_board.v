@@ -17,7 +17,7 @@ module ulx3s_board #(
   parameter CACHE_LINES = 512,
   parameter [351:0] NAME = "fast_ulx3s",
   parameter [11:0]  DIVISOR = 12'd21,          // 62.5 MHz / 21 = 2.976 Mbaud
-  parameter [15:0]  PAUSE_TURNS = 16'd10000
+  parameter [15:0]  PAUSE_TURNS = 16'd7143
 ) (
   input  wire        clk_25mhz_i,
   input  wire        button_ni,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The clocks of the ULX3S, made by one PLL of the oscillator of 25 MHz, whose own runs at 500 MHz:
-// 125 MHz for the DVI link, five times a pixel's, 100 MHz for the SDRAM and 62.5 MHz for the core.
+// 125 MHz for the DVI link, five times a pixel's, 71.4 MHz for the SDRAM and 62.5 MHz for the core.
 // The resets are released in step with them once the PLL has locked; parts of the board that lie far
 // from each other have their own.
 `default_nettype none
@@ -27,7 +27,7 @@ module ulx3s_clocks (
     .CLKI_DIV(1), .CLKFB_DIV(5), .FEEDBK_PATH("CLKOP"),
     .CLKOP_ENABLE("ENABLED"), .CLKOP_DIV(4), .CLKOP_CPHASE(3),
     .CLKOS_ENABLE("ENABLED"), .CLKOS_DIV(8), .CLKOS_CPHASE(7),
-    .CLKOS2_ENABLE("ENABLED"), .CLKOS2_DIV(5), .CLKOS2_CPHASE(4)
+    .CLKOS2_ENABLE("ENABLED"), .CLKOS2_DIV(7), .CLKOS2_CPHASE(6)
   ) pll (
     .CLKI(osc_i), .CLKFB(dvi_clk_o), .CLKOP(dvi_clk_o), .CLKOS(clk_o), .CLKOS2(sdram_clk_o),
     .LOCK(locked),

@@ -6,10 +6,11 @@
 // speed grade finds nothing that its data sheet forbids.
 #include <gtest/gtest.h>
 
-#include "Vsdram_100_8.h"
+#include "Vsdram_100_16.h"
 #include "Vsdram_133_16.h"
 #include "Vsdram_133_32.h"
 #include "Vsdram_133_8.h"
+#include "Vsdram_71_8.h"
 #include "sdram/sdram_bench.h"
 #include "sdram/sdram_rtl.h"
 #include "sdram/sdram_stages.h"
@@ -17,6 +18,14 @@
 
 namespace dynrt::verif {
 namespace {
+
+/// The schedule of the controller for a clock.
+template <class S>
+constexpr const char* kSchedule = SDRAM_133_SCHEDULE;
+template <>
+constexpr const char* kSchedule<Sdram100> = SDRAM_100_SCHEDULE;
+template <>
+constexpr const char* kSchedule<Sdram71> = SDRAM_71_SCHEDULE;
 
 template <class V, class S, unsigned PortBytes>
 struct Variant {
@@ -26,7 +35,8 @@ struct Variant {
 };
 using Variants =
     testing::Types<Variant<Vsdram_133_16, Sdram133, 16>, Variant<Vsdram_133_8, Sdram133, 8>,
-                   Variant<Vsdram_133_32, Sdram133, 32>, Variant<Vsdram_100_8, Sdram100, 8>>;
+                   Variant<Vsdram_133_32, Sdram133, 32>, Variant<Vsdram_100_16, Sdram100, 16>,
+                   Variant<Vsdram_71_8, Sdram71, 8>>;
 
 constexpr unsigned kPauseTurns = 40;
 
@@ -36,9 +46,7 @@ class Pair {
  public:
   using Types = SdramPortTypes<T::kPortBytes>;
   explicit Pair(int seed)
-      : rtl_(kPauseTurns, seed),
-        twin_(stages_of(T::Sdram::kCasLatency == 3 ? SDRAM_133_SCHEDULE : SDRAM_100_SCHEDULE),
-              kPauseTurns) {}
+      : rtl_(kPauseTurns, seed), twin_(stages_of(kSchedule<typename T::Sdram>), kPauseTurns) {}
   typename Types::Outputs outputs(const typename Types::Inputs& in) {
     const auto rtl = rtl_.outputs(in);
     const auto twin = twin_.outputs(in);
