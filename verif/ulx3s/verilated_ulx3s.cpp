@@ -16,6 +16,7 @@
 #include "sdram/sdram_chip.h"
 #include "ulx3s/serial_pins.h"
 #include "units/link_format.h"
+#include "units/sdram_timing.h"
 
 namespace dynrt::host {
 
@@ -23,12 +24,13 @@ namespace {
 
 using Ps = std::uint64_t;
 constexpr Ps kOscillator = 40'000;  ///< a period
-constexpr unsigned kMemoryClock = 14'000;
+constexpr unsigned kMemoryClock = Sdram71::kClockPicoseconds;
 constexpr Ps kLineBit = 1'000'000'000'000 / kLinkBaud;  ///< the host's, whatever the board's is
 /// From the pin of the chip's clock to a word inside the FPGA are 9.5 ns: 3.5 ns from the clock
-/// inside to its pin, 6 ns of access time. The FPGA's clock rises 7 and 21 ns after the chip's.
-/// Here things happen at edges alone, so the word comes with that between the two.
-constexpr Ps kChipToFpga = 14'000;
+/// inside to its pin, 6 ns of access time. The FPGA's clock rises half a period and one and
+/// a half after the chip's. Here things happen at edges alone, so the word comes with that between
+/// the two.
+constexpr Ps kChipToFpga = kMemoryClock;
 
 class VerilatedUlx3s final : public SimulatedUlx3s {
  public:

@@ -151,21 +151,16 @@ def synthesize(board: Board, args: argparse.Namespace) -> tuple[pathlib.Path, Js
             board.top,
         )
         block_registers.pack(folder / "netlist.json")
-        distributed_ram.spare(folder / "netlist.json")
-        set_costs(folder / "netlist.json", board.top)
+        design = read_json(folder / "netlist.json")
+        distributed_ram.spare(design)
+        design["modules"][board.top]["settings"] = ROUTER_COSTS
+        write_json(folder / "netlist.json", design)
 
     said = [synthesis.tool_version("yosys", "-V", "yosys"), synth, board.top]
     said += [block_registers.version(), distributed_ram.version(), str(ROUTER_COSTS)]
     folder = synthesis.kept("bitstream", said, files, make)
     cells = read_json(folder / "stat.json")["design"]["num_cells_by_type"]
     return folder / "netlist.json", devices.resources(family, cells)
-
-
-def set_costs(netlist: pathlib.Path, top: str) -> None:
-    """Gives the router its costs."""
-    design = read_json(netlist)
-    design["modules"][top]["settings"] = ROUTER_COSTS
-    write_json(netlist, design)
 
 
 def print_room(board: Board, taken: Json) -> list[str]:

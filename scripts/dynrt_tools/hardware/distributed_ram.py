@@ -13,7 +13,6 @@ from collections import Counter
 from typing import Any
 
 from dynrt_tools import project
-from dynrt_tools.project import read_json, write_json
 
 RAM = "TRELLIS_DPR16X4"
 CONSTANTS = ("0", "1", "x")
@@ -25,16 +24,13 @@ def version() -> str:
     return project.hash_of_files([pathlib.Path(__file__)])
 
 
-def spare(netlist: pathlib.Path) -> Counter[str]:
-    """Changes the file that Yosys wrote; gives how many pins of each kind have lost a constant."""
-    design: Any = read_json(netlist)
+def spare(design: Any) -> Counter[str]:
+    """Changes a netlist of Yosys; gives how many pins of each kind have lost a constant."""
     spared: Counter[str] = Counter()
     for module in design["modules"].values():
         for cell in module["cells"].values():
             if cell["type"] == RAM:
                 spared += _spare(cell)
-    if spared:
-        write_json(netlist, design)
     return spared
 
 

@@ -60,7 +60,10 @@ def packed(
     the kind of pin."""
     netlist_file, what = folder / "netlist.json", f"the netlist of {top}"
     synthesis.run_yosys([*design, f"write_json {netlist_file}"], folder, what)
-    changed = block_registers.pack(netlist_file) + distributed_ram.spare(netlist_file)
+    moved = block_registers.pack(netlist_file)
+    packed_design = project.read_json(netlist_file)
+    spared = distributed_ram.spare(packed_design)
+    project.write_json(netlist_file, packed_design)
     synthesis.run_yosys(
         [
             f"read_json {netlist_file}",
@@ -72,7 +75,7 @@ def packed(
         what,
     )
     netlist_file.unlink()
-    return changed
+    return moved + spared
 
 
 def shipped_cells() -> pathlib.Path:
