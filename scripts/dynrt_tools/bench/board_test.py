@@ -11,7 +11,7 @@ from unittest import mock
 from dynrt_tools import testing
 from dynrt_tools.bench import board, board_levers, cores
 from dynrt_tools.bench.run import Dynrt, RunFailed
-from dynrt_tools.docs.results import RESULTS
+from dynrt_tools.docs.results import template_text
 from dynrt_tools.hardware import placed_clocks
 from dynrt_tools.project import ROOT, SCRIPTS, Json, read_json
 
@@ -157,7 +157,7 @@ class Frames(unittest.TestCase):
         self.assertIn("frame 12 of 12", self.said[-1])
 
     def test_the_page_has_all(self) -> None:
-        page = (RESULTS / "templates" / "boards.md").read_text(encoding="utf-8")
+        page = template_text("boards")
         for frame in self.measured["frames"]:
             self.assertIn(f"{{{{board:frames/{frame['system']}+{frame['scene']}/", page)
 
@@ -165,7 +165,7 @@ class Frames(unittest.TestCase):
 class Levers(unittest.TestCase):
     def test_each_changes_one_key_of_fast_port(self) -> None:
         listed = {one["name"]: one for one in read_json(ROOT / "hls" / "configs" / "configs.json")}
-        page = (RESULTS / "templates" / "boards.md").read_text(encoding="utf-8")
+        page = template_text("boards")
         for lever in read_json(board_levers.LEVERS):
             key, value = board_levers.key_of(lever)
             self.assertEqual((lever["like"], lever["name"]), ("fast_port", f"{key}_{value}"))

@@ -10,7 +10,7 @@ from unittest import mock
 from dynrt_tools import testing
 from dynrt_tools.bench import cores, memory
 from dynrt_tools.bench.run import Dynrt, RunFailed
-from dynrt_tools.docs.results import RESULTS
+from dynrt_tools.docs.results import template_text
 from dynrt_tools.project import ROOT, SCRIPTS, Json, read_json
 
 CONFIGURATIONS = ROOT / "hls" / "configs" / "configs.json"
@@ -136,7 +136,7 @@ class Memory(unittest.TestCase):
                 self.assertNotEqual(listed[memory.PORT].get(key), value, row.name)
 
     def test_the_page_has_the_rows_and_the_keys_of_fast_port(self) -> None:
-        page = (RESULTS / "templates" / "memory.md").read_text(encoding="utf-8")
+        page = template_text("memory")
         listed = {one["name"]: one for one in read_json(CONFIGURATIONS)}
         for row in memory.ROWS:
             self.assertIn(f"memory:frames/{row.name}+", page)

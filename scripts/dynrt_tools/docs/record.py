@@ -11,7 +11,6 @@ from dynrt_tools import project
 from dynrt_tools.docs import results
 from dynrt_tools.hardware import placed_clocks
 
-TEMPLATES = results.RESULTS / "templates"
 # Pages that a command writes itself, without data and template.
 WRITTEN = {
     "gates": "scripts/gates",
@@ -21,12 +20,11 @@ WRITTEN = {
 
 def data_of(page: str) -> list[str]:
     """The data that a page's template shows, in its order."""
-    text = (TEMPLATES / f"{page}.md").read_text(encoding="utf-8")
-    return results.named(text)
+    return results.named(results.template_text(page))
 
 
 def pages() -> list[str]:
-    return sorted([*(path.stem for path in TEMPLATES.glob("*.md")), *WRITTEN])
+    return sorted([*(path.stem for path in results.TEMPLATES.glob("*.md")), *WRITTEN])
 
 
 def commands(page: str) -> list[tuple[str, list[int]]]:

@@ -87,7 +87,7 @@ class Commands(unittest.TestCase):
 
     def test_data_commands_and_pages_belong_together(self) -> None:
         shown = {
-            name for page in record.TEMPLATES.glob("*.md") for name in record.data_of(page.stem)
+            name for page in results.TEMPLATES.glob("*.md") for name in record.data_of(page.stem)
         }
         kept = {path.stem for path in (results.RESULTS / "data").glob("*.json")} - {"runs"}
         self.assertEqual(shown, kept)

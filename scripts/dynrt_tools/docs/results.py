@@ -11,6 +11,7 @@ another configuration, or at a stated one. {{placed:CONFIGURATION/FIELD}} is a f
 clock itself (hardware/placed_clocks.py). Where the data have null the page says
 "not measured". {{DATA:command}} is the command that measures the data again. What fit_page.TEXTS
 names in place of a PATH is a text about placements: {{DATA:placements}} is a table of them.
+Rows that differ in a name are written once, in a loop (docs/loops.py).
 """
 
 import dataclasses
@@ -19,15 +20,28 @@ import re
 from typing import Any
 
 from dynrt_tools import project
+from dynrt_tools.docs import loops
 from dynrt_tools.hardware import fit_page, placed_clocks
 
 RESULTS = project.ROOT / "docs" / "results"
+TEMPLATES = RESULTS / "templates"
 FIGURE = re.compile(r"\{\{(\w+):([^|}]+)(?:\|([^}]*))?\}\}")
 PLACED = "placed"  # a name that is none of a file
 
 
+def template(path: pathlib.Path) -> loops.Lines:
+    """The lines of a template without its loops."""
+    where = f"docs/results/templates/{path.name}"
+    return loops.unrolled(path.read_text(encoding="utf-8"), where)
+
+
+def template_text(page: str) -> str:
+    """The template of a page of this project, without its loops."""
+    return "\n".join(line for _, line in template(TEMPLATES / f"{page}.md"))
+
+
 def named(text: str) -> list[str]:
-    """The data that a template shows, in its order."""
+    """The data that a template without loops shows, in its order."""
     return list(dict.fromkeys(f[1] for f in FIGURE.finditer(text) if f[1] != PLACED))
 
 
@@ -126,23 +140,24 @@ def rate_of(cycles: float, clock: str, form: str) -> str:
     return placed_clocks.rate_text(cycles, clock, form)
 
 
-def filled(template: pathlib.Path, data: Data) -> str:
+def filled(path: pathlib.Path, data: Data) -> str:
     """The page of a template; a figure without data is named with its line."""
     lines = []
-    text = template.read_text(encoding="utf-8")
-    for number, line in enumerate(text.splitlines(), 1):
+    unrolled = template(path)
+    for number, line in unrolled:
         try:
             lines.append(FIGURE.sub(lambda f: shown(data.figure(f[1], f[2]), f[3] or ""), line))
             if "{{" in lines[-1]:
                 raise ValueError("'{{' begins no figure; write {{DATA:PATH|FORMAT}} in one line")
         except (project.Failed, ValueError, TypeError) as error:
-            where = f"docs/results/templates/{template.name}:{number}"
+            where = f"docs/results/templates/{path.name}:{number}"
             raise project.Failed(f"{where}: {error}") from error
-    return "\n".join(lines + data.sources(named(text))) + "\n"
+    names = named("\n".join(line for _, line in unrolled))
+    return "\n".join(lines + data.sources(names)) + "\n"
 
 
 def pages(results: pathlib.Path = RESULTS) -> dict[str, str]:
     """Every page of results that has a template, by its file below docs."""
     data = Data(results / "data")
     templates = sorted((results / "templates").glob("*.md"))
-    return {f"results/{template.name}": filled(template, data) for template in templates}
+    return {f"results/{path.name}": filled(path, data) for path in templates}
