@@ -12,8 +12,9 @@
 #include "host/app/app_messages.h"
 #include "host/app/light_flags.h"
 #include "host/app/progress.h"
+#include "host/board/display.h"
 #include "host/error.h"
-#include "host/ulx3s/ulx3s_board.h"
+#include "host/ulx3s/board_at_link.h"
 
 namespace dynrt::host {
 
@@ -28,26 +29,30 @@ void check_configuration(const BoardRequest& request) {
   refuse(messages::kHoldsAnother, request.board, held, request.configuration);
 }
 
-/// A board with a bitstream of its own has one configuration; the default stands for that.
-std::unique_ptr<Board> open_ulx3s(const BoardRequest& request, const FrameOptions& options) {
-  const bool any = request.configuration == kDefaultConfiguration;
-  if (!any) check_configuration(request);
+/// A board with a bitstream of its own has one configuration, which need not be named.
+std::unique_ptr<Board> open_at_link(const BoardRequest& request, const FrameOptions& options) {
+  if (!request.configuration.empty()) check_configuration(request);
   if (!request.trace.empty()) refuse(messages::kNoWaveforms, request.board);
   const auto refuse_clocks = [&](const char* option, const std::optional<unsigned>& given) {
     if (given) refuse(messages::kMemoryExists, request.board, option);
   };
   refuse_clocks("--memory-latency", options.memory_latency);
   refuse_clocks("--row-clocks", options.row_clocks);
-  auto board = make_ulx3s_board(request.board, any ? "" : request.configuration);
-  if (request.board == kUlx3s) board->check_display(options.width, options.height);
+  auto board = make_board_at_link(request.board, request.configuration);
+  if (request.board == kUlx3s) check_display_size(board->core(), options.width, options.height);
   return board;
 }
 
 }  // namespace
 
 std::unique_ptr<Board> open_board(const BoardRequest& request, const FrameOptions& options) {
-  auto board = is_ulx3s(request.board) ? open_ulx3s(request, options)
-                                       : make_board(configurations(), request);
+  const auto open = [&] {
+    if (is_at_link(request.board)) return open_at_link(request, options);
+    BoardRequest named = request;
+    if (named.configuration.empty()) named.configuration = kDefaultConfiguration;
+    return make_board(configurations(), named);
+  };
+  auto board = open();
   if (options.reflections.value_or(0) > 0) require_reflections(board->core(), "--reflections");
   frame_config(board->core(), options, {});
   return board;

@@ -11,7 +11,8 @@
 
 namespace dynrt::host {
 
-/// Throws UserError if this build or the board's configuration lacks a part that the frame needs.
+/// A request without a configuration gets the default one, or that which the board holds. Throws
+/// UserError if this build or the board's configuration lacks a part that the frame needs.
 std::unique_ptr<Board> open_board(const BoardRequest& request, const FrameOptions& options);
 
 /// With progress on the terminal.

@@ -14,7 +14,6 @@
 #include "host/app/text.h"
 #include "host/picture/output_file.h"
 #include "host/picture/write_image.h"
-#include "host/ulx3s/ulx3s_board.h"
 
 namespace dynrt::host {
 
@@ -48,7 +47,7 @@ int run(const Arguments& arguments) {
   const ChosenCore core = arguments.specialise.choose(scene, arguments.frame);
   const BoardRequest of_rtl{arguments.board, core.configuration, ""};
   const auto board = open_board(of_rtl, options);
-  const std::string same = is_ulx3s(arguments.board) ? board->core().name : core.configuration;
+  const std::string same = core.configuration.empty() ? board->core().name : core.configuration;
   const BoardRequest of_model{"model", arguments.specialise.specialise ? core.general : same, ""};
   const Prepared prepared = prepare(scene, options.width, options.height, &board->core());
   const Frame rtl = render_on(*board, options, prepared);

@@ -38,7 +38,9 @@ void SpecialiseFlags::add_to(CLI::App& command, bool may_exceed) {
 ChosenCore SpecialiseFlags::choose(SceneFile& scene, const FrameArguments& frame,
                                    const SpecialiseWishes& wishes) const {
   const bool named = command_->get_option("--config")->count() > 0;
-  if (!specialise) return {frame.configuration, general_of(frame.configuration)};
+  if (!specialise) {
+    return {named ? frame.configuration : "", general_of(frame.configuration)};
+  }
   const std::string general = named ? frame.configuration : general_configuration(scene);
   std::vector<std::string> words = words_of(scene.arguments());
   words.push_back(scene.arguments().scene);

@@ -17,8 +17,9 @@ namespace dynrt::host {
 
 /// The configuration that renders a scene, and the general one that can replace it.
 struct ChosenCore {
-  std::string
-      configuration;    ///< a name or a file; with --specialise from the cache, if it is there
+  /// A name or a file, or empty if the user named none; with --specialise from the cache, if it is
+  /// there.
+  std::string configuration;
   std::string general;  ///< the same without --specialise, if the user named a general one
 };
 

@@ -46,8 +46,11 @@ void write_scan(RtlBoard& board, const ScanConfig& scan) {
 
 namespace {
 
-void check(const Board& board, const DisplayMode& mode, unsigned width, unsigned height) {
+void check_scan_out(const Board& board) {
   if (!board.has_scan_out()) refuse(messages::kNoScanOut, board.name(), board.core().name);
+}
+
+void check_size(const DisplayMode& mode, unsigned width, unsigned height) {
   if (width > mode.hdisplay || height > mode.vdisplay) {
     refuse(messages::kDisplaySize, width, height, mode.hdisplay, mode.vdisplay);
   }
@@ -55,12 +58,19 @@ void check(const Board& board, const DisplayMode& mode, unsigned width, unsigned
 
 }  // namespace
 
+void check_display_size(const CoreInfo& core, unsigned width, unsigned height) {
+  const unsigned pitch = core.pitch(width);
+  if (pitch != width) refuse(messages::kDisplayPitch, core.name, pitch, width, kPitchStep);
+  check_size(k640x480.mode, width, height);
+}
+
 Display::Display(RtlBoard& board, const DisplayMode& mode, unsigned clocks_per_pixel,
                  std::uint32_t base, unsigned width, unsigned height)
     : board_(board),
       monitor_(mode.positive_hsync, mode.positive_vsync),
       clocks_(std::uint64_t{mode.htotal} * mode.vtotal * clocks_per_pixel) {
-  check(board_, mode, width, height);
+  check_scan_out(board_);
+  check_size(mode, width, height);
   if (clocks_per_pixel < kLeastClocks || clocks_per_pixel > kMostClocks) {
     throw std::logic_error(
         fmt::format("the scan-out cannot take {} clocks for each pixel", clocks_per_pixel));
@@ -94,9 +104,8 @@ const DisplayFrame& Display::wait(unsigned count) {
 }
 
 void Board::check_display(unsigned width, unsigned height) const {
-  const unsigned pitch = core_.pitch(width);
-  if (pitch != width) refuse(messages::kDisplayPitch, core_.name, pitch, width, kPitchStep);
-  check(*this, k640x480.mode, width, height);
+  check_scan_out(*this);
+  check_display_size(core_, width, height);
 }
 
 DisplayFrame Board::display(std::uint32_t /*base*/, unsigned width, unsigned height,

@@ -12,6 +12,9 @@
 
 namespace dynrt::host {
 
+/// Throws UserError if a picture of this core does not fit a display of 640x480.
+void check_display_size(const CoreInfo& core, unsigned width, unsigned height);
+
 class Display {
  public:
   /// The smallest and largest number of board clocks for a pixel.

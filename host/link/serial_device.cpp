@@ -73,20 +73,19 @@ SerialDevice::Lock::Lock(int file, const std::string& path) : file_(file) {
 SerialDevice::Lock::~Lock() { ::ioctl(file_, TIOCNXCL); }
 
 SerialDevice::SerialDevice(const std::string& path, unsigned baud)
-    : ByteStream("serial:" + path), file_(open_device(path)), lock_(file_.number(), path) {
+    : ByteStream("serial:" + path),
+      file_(open_device(path)),
+      lock_(file_.number(), path),
+      settings_(file_.number()) {
   set_up(path, baud);
 }
 
-SerialDevice::~SerialDevice() {
-  // What the line has not sent would hold up the close.
-  ::tcflush(file_.number(), TCIOFLUSH);
-  ::tcsetattr(file_.number(), TCSANOW, &before_);
-}
+SerialDevice::~SerialDevice() = default;
 
 void SerialDevice::set_up(const std::string& path, unsigned baud) {
   const speed_t speed = speed_of(path, baud);
-  if (::tcgetattr(file_.number(), &before_) != 0) refuse_failure(path);
-  termios raw = before_;
+  termios raw{};
+  if (::tcgetattr(file_.number(), &raw) != 0) refuse_failure(path);
   ::cfmakeraw(&raw);
   raw.c_cflag |= CLOCAL | CREAD;
   raw.c_cflag &= ~static_cast<tcflag_t>(CSTOPB | CRTSCTS | HUPCL);

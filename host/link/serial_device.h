@@ -6,11 +6,10 @@
 // ends the program.
 #pragma once
 
-#include <termios.h>
-
 #include <string>
 
 #include "host/link/byte_stream.h"
+#include "host/link/line_settings.h"
 #include "units/link_format.h"
 
 namespace dynrt::host {
@@ -58,7 +57,7 @@ class SerialDevice final : public ByteStream {
 
   File file_;
   Lock lock_;
-  termios before_{};
+  LineSettings settings_;  ///< put back before the device is closed
   bool hung_up_ = false;
 };
 

@@ -8,9 +8,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <array>
+#include <csignal>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -142,6 +144,29 @@ TEST(SerialDevice, LeavesTheDeviceAsItWas) {
   EXPECT_EQ(after.c_lflag, before.c_lflag);
   EXPECT_EQ(::cfgetospeed(&after), ::cfgetospeed(&before));
   ::close(look);
+}
+
+TEST(SerialDevice, LeavesItAsItWasIfASignalEndsTheProgram) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const OtherEnd other;
+    const int look = ::open(other.path.c_str(), O_RDWR | O_NOCTTY);
+    termios before{};
+    ASSERT_EQ(::tcgetattr(look, &before), 0);
+    EXPECT_EXIT(
+        {
+          const SerialDevice device(other.path);
+          termios raw{};
+          if (::tcgetattr(look, &raw) != 0 || raw.c_lflag == before.c_lflag) std::exit(1);
+          std::raise(signal);
+        },
+        testing::KilledBySignal(signal), "");
+    termios after{};
+    ASSERT_EQ(::tcgetattr(look, &after), 0);
+    EXPECT_EQ(after.c_lflag, before.c_lflag);
+    EXPECT_EQ(::cfgetospeed(&after), ::cfgetospeed(&before));
+    EXPECT_EQ(refusal(other.path), "none") << "it is released";
+    ::close(look);
+  }
 }
 
 TEST(SerialDevice, SaysThatTheLineIsNoMore) {

@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <array>
-#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -22,26 +20,6 @@ namespace dynrt::host {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Names of the unfinished files, for the signal handler.
-std::array<std::atomic<const char*>, 16> unfinished;
-
-void remove_unfinished(int signal) {
-  for (const auto& name : unfinished) {
-    if (const char* path = name.load()) unlink(path);
-  }
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-}
-
-/// A signal that is ignored, as by nohup, stays so.
-void catch_signals() {
-  for (const int signal : {SIGHUP, SIGINT, SIGTERM}) {
-    // Who has chosen what a signal does has chosen what becomes of files, too.
-    const auto before = std::signal(signal, remove_unfinished);
-    if (before != SIG_DFL) std::signal(signal, before);
-  }
-}
 
 fs::path folder_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -78,23 +56,16 @@ std::string abandoned(const fs::path& file) {
   return gone ? match[1].str() + match[3].str() : std::string();
 }
 
-UnfinishedFile::UnfinishedFile(std::string path) : path_(std::move(path)), slot_(0) {
-  static const bool caught = (catch_signals(), true);
-  static_cast<void>(caught);
-  for (const char* none = nullptr; slot_ < unfinished.size(); ++slot_, none = nullptr) {
-    if (unfinished[slot_].compare_exchange_strong(none, path_.c_str())) break;
-  }
-}
+UnfinishedFile::UnfinishedFile(std::string path)
+    : path_(std::move(path)), interrupted_(std::in_place, remove, path_.c_str()) {}
 
 UnfinishedFile::~UnfinishedFile() {
-  if (!kept_) unlink(path_.c_str());
-  keep();
+  if (interrupted_) unlink(path_.c_str());
 }
 
-void UnfinishedFile::keep() {
-  if (!kept_ && slot_ < unfinished.size()) unfinished[slot_] = nullptr;
-  kept_ = true;
-}
+void UnfinishedFile::keep() { interrupted_.reset(); }
+
+void UnfinishedFile::remove(const void* path) { unlink(static_cast<const char*>(path)); }
 
 void cannot_write(const std::string& path, const std::string& reason) {
   refuse(messages::kCannotWrite, path, reason);

@@ -6,12 +6,14 @@
 // program is interrupted.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+
+#include "host/at_interrupt.h"
 
 namespace dynrt::host {
 
@@ -27,9 +29,10 @@ class UnfinishedFile {
   void keep();
 
  private:
+  static void remove(const void* path);
+
   const std::string path_;
-  std::size_t slot_;
-  bool kept_ = false;
+  std::optional<AtInterrupt> interrupted_;  ///< until it is kept
 };
 
 /// If this is the half-written file of a killed process, the name of the file that it wrote; else

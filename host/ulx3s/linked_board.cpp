@@ -56,13 +56,13 @@ bool LinkedBoard::read(std::uint32_t address, std::span<std::uint32_t> words) {
 bool LinkedBoard::run_until_interrupt(std::uint64_t limit) {
   static_assert(reg::kRegCyclesLow == reg::kRegIrqPending + 4 &&
                 reg::kRegCyclesHigh == reg::kRegCyclesLow + 4);
-  const std::uint64_t before = clocks_;
-  while (!interrupt_ && clocks_ < before + limit) {
+  const std::uint64_t end = clocks_ + limit;
+  while (!interrupt_ && clocks_ < end) {
     pause_();
     std::array<std::uint32_t, 3> state{};
     link_->read_registers(reg::kRegIrqPending, state);
     interrupt_ = state[0] != 0;
-    clocks_ = std::max(before + 1, state[1] | std::uint64_t{state[2]} << 32);
+    clocks_ = std::max(clocks_ + 1, state[1] | std::uint64_t{state[2]} << 32);
   }
   return interrupt_;
 }

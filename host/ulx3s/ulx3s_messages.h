@@ -11,9 +11,8 @@ inline constexpr char kChipNotSetUp[] =
 inline constexpr char kChipFault[] =
     "the simulated ULX3S does to its SDRAM what the chip's data sheet forbids: {}";
 inline constexpr char kNoSimulation[] =
-    "board ulx3s: this build has no Verilog of it; build with DYNRT_RTL, or name a board at a "
-    "serial "
-    "line by serial:DEVICE";
+    "board ulx3s: this build has no Verilog of it; run scripts/test --build-only, or name a board "
+    "at a serial line by serial:DEVICE";
 inline constexpr char kUnknownBitstream[] =
     "board {}: its bitstream has configuration {}, which this program does not know at a serial "
     "line; load a bitstream that has {}";
@@ -21,5 +20,8 @@ inline constexpr char kNoPicture[] =
     "the monitor at the DVI pins of the simulated ULX3S has seen no frame within 100 milliseconds";
 inline constexpr char kBadPicture[] =
     "the monitor at the DVI pins of the simulated ULX3S cannot show what it sees: {}";
+inline constexpr char kOtherMode[] =
+    "the monitor at the DVI pins of the simulated ULX3S sees a mode of {}x{} pixels in place of "
+    "{}x{}";
 
 }  // namespace dynrt::host::messages

@@ -19,8 +19,8 @@
 #include "core/specialised.h"
 #include "host/board/registers.h"
 #include "host/link/link.h"
+#include "host/ulx3s/board_at_link.h"
 #include "host/ulx3s/linked_board.h"
-#include "host/ulx3s/ulx3s_board.h"
 #include "link/test_board.h"
 #include "ulx3s/serial_pins.h"
 
@@ -130,7 +130,7 @@ class Serial : public testing::TestWithParam<Temper> {
     const LinkedCore& core = linked_core(*link_, "serial");
     auto linked =
         std::make_unique<LinkedBoard>(std::move(link_), nullptr, [this] { simulated_->run(1000); });
-    board_ = std::make_unique<Ulx3sBoard>("serial", core, std::move(linked), nullptr);
+    board_ = std::make_unique<BoardAtLink>("serial", core, std::move(linked), nullptr);
     scene_ = laid_out("blocks", options_.width, options_.height, board_->core(), make_small);
   }
   void expect_frame() {
@@ -143,7 +143,7 @@ class Serial : public testing::TestWithParam<Temper> {
 
   SimulatedSerial* simulated_;
   std::unique_ptr<BoardLink> link_;
-  std::unique_ptr<Ulx3sBoard> board_;
+  std::unique_ptr<BoardAtLink> board_;
   FrameOptions options_{.hits = true};
   std::optional<MemoryImage> scene_;
 };

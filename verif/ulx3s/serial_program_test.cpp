@@ -149,9 +149,18 @@ TEST_F(Program, RefusesAConfigurationThatNoSuchBoardHolds) {
   expect_error(render_on("ulx3s") + " --config fast_port",
                "board ulx3s holds configuration fast_ulx3s, not fast_port; name what it "
                "holds, or nothing");
+  expect_error(render_on("ulx3s") + " --config fast",
+               "board ulx3s holds configuration fast_ulx3s, not fast; name what it holds, or "
+               "nothing");
   expect_error(render_on("serial:any") + " --config thesis",
                "board serial:any holds configuration fast_ulx3s or fast_port, not thesis; name "
                "what it holds, or nothing");
+}
+
+TEST_F(Program, RefusesToShowAPictureBesideThatOfTheBoard) {
+  expect_error(render_on("ulx3s") + " --scan-out display.png",
+               "board ulx3s of configuration fast_ulx3s has no scan-out; take board rtl and a "
+               "configuration with the key scan_out, such as thesis");
 }
 
 TEST_F(Program, SaysThatTheBoardStopsInTheMiddleOfAnAnswer) {

@@ -12,9 +12,9 @@
 #include "core/specialised.h"
 #include "host/board/registers.h"
 #include "host/render/compare.h"
+#include "host/ulx3s/board_at_link.h"
 #include "host/ulx3s/linked_board.h"
 #include "host/ulx3s/simulated_ulx3s.h"
-#include "host/ulx3s/ulx3s_board.h"
 
 namespace dynrt::host {
 namespace {
@@ -56,7 +56,7 @@ void expect_as_the_model(Board& board, const std::string& scene, const FrameOpti
 /// The pixels are those that a monitor sees at the DVI pins; the counters come over the line. The
 /// second frame lies in the other buffer, and is shown from there.
 TEST(Ulx3s, SlowShowsThePictureOfTheModel) {
-  const auto board = make_ulx3s_board("ulx3s");
+  const auto board = make_board_at_link("ulx3s");
   FrameOptions of_frame = options(64, 48);
   expect_as_the_model(*board, "office", of_frame);
   of_frame.buffer = 1;
@@ -82,7 +82,7 @@ TEST(Ulx3s, TakesASceneOverTheLine) {
   auto linked = std::make_unique<LinkedBoard>(
       std::move(link), nullptr, [ulx3s] { ulx3s->run(std::chrono::microseconds(100)); });
   const LinkedBoard& line = *linked;
-  Ulx3sBoard board("ulx3s", core, std::move(linked), nullptr);
+  BoardAtLink board("ulx3s", core, std::move(linked), nullptr);
   expect_as_the_model(board, "blocks", options(16, 12), make_small);
   EXPECT_GT(line.uploaded(), 1000u);
   EXPECT_GT(line.counts().carried, line.uploaded() + 16 * 12 * (2 + 24));

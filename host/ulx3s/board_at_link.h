@@ -1,9 +1,9 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// The ULX3S as a board of the renderer: a real one at a serial device, or a simulated one, whose
-// picture is what a monitor sees at its DVI pins. Another board with the same link may be at the
-// device (rtl/arty).
+// A board of the renderer whose host is at the end of a link: a real one at a serial device, such
+// as an ULX3S or an Arty (rtl/arty), or a simulated ULX3S, whose picture is what a monitor sees at
+// its DVI pins.
 #pragma once
 
 #include <cstdint>
@@ -35,15 +35,16 @@ inline constexpr std::string_view kUlx3s = "ulx3s";
 inline constexpr std::string_view kSerial = "serial:";  ///< and the path of a device
 
 /// Whether this is the name of such a board.
-bool is_ulx3s(std::string_view board);
+bool is_at_link(std::string_view board);
 
-class Ulx3sBoard final : public RtlBoard {
+class BoardAtLink final : public RtlBoard {
  public:
   /// `simulated`, if not null, is the line that `linked` uses.
-  Ulx3sBoard(std::string name, const LinkedCore& core, std::unique_ptr<LinkedBoard> linked,
-             SimulatedUlx3s* simulated);
+  BoardAtLink(std::string name, const LinkedCore& core, std::unique_ptr<LinkedBoard> linked,
+              SimulatedUlx3s* simulated);
 
-  bool has_scan_out() const override { return true; }
+  /// What its display shows is what read_pixels() gives.
+  bool has_scan_out() const override { return false; }
   void finish_writes() override { linked_.send_memory(); }
   std::string_view bus() const override;
   std::optional<double> clock_hz() const override { return linked_.clock_hz(); }
@@ -57,8 +58,8 @@ class Ulx3sBoard final : public RtlBoard {
   void read_display(std::span<std::uint32_t> pixels);
 
   /// `linked` is what the base owns.
-  Ulx3sBoard(std::string name, const LinkedCore& core, LinkedBoard& linked,
-             std::unique_ptr<LinkedBoard>&& owned, SimulatedUlx3s* simulated);
+  BoardAtLink(std::string name, const LinkedCore& core, LinkedBoard& linked,
+              std::unique_ptr<LinkedBoard>&& owned, SimulatedUlx3s* simulated);
 
   LinkedBoard& linked_;
   SimulatedUlx3s* simulated_;
@@ -68,7 +69,7 @@ class Ulx3sBoard final : public RtlBoard {
 
 /// A board of one of the names above, which must hold this configuration; one that is empty stands
 /// for whatever the board holds. Throws UserError if there is no such board.
-std::unique_ptr<Board> make_ulx3s_board(const std::string& board,
-                                        const std::string& configuration = "");
+std::unique_ptr<Board> make_board_at_link(const std::string& board,
+                                          const std::string& configuration = "");
 
 }  // namespace dynrt::host

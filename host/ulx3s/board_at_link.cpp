@@ -1,6 +1,6 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
-#include "host/ulx3s/ulx3s_board.h"
+#include "host/ulx3s/board_at_link.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -62,24 +62,24 @@ const LinkedCore& linked_core(const BoardLink& link, const std::string& board,
   return *found;
 }
 
-bool is_ulx3s(std::string_view board) { return board == kUlx3s || board.starts_with(kSerial); }
+bool is_at_link(std::string_view board) { return board == kUlx3s || board.starts_with(kSerial); }
 
-Ulx3sBoard::Ulx3sBoard(std::string name, const LinkedCore& core,
-                       std::unique_ptr<LinkedBoard> linked, SimulatedUlx3s* simulated)
-    : Ulx3sBoard(std::move(name), core, *linked, std::move(linked), simulated) {}
+BoardAtLink::BoardAtLink(std::string name, const LinkedCore& core,
+                         std::unique_ptr<LinkedBoard> linked, SimulatedUlx3s* simulated)
+    : BoardAtLink(std::move(name), core, *linked, std::move(linked), simulated) {}
 
-Ulx3sBoard::Ulx3sBoard(std::string name, const LinkedCore& core, LinkedBoard& linked,
-                       std::unique_ptr<LinkedBoard>&& owned, SimulatedUlx3s* simulated)
+BoardAtLink::BoardAtLink(std::string name, const LinkedCore& core, LinkedBoard& linked,
+                         std::unique_ptr<LinkedBoard>&& owned, SimulatedUlx3s* simulated)
     : RtlBoard(core.info(), std::move(owned), counters_of(core.json()), std::move(name)),
       linked_(linked),
       simulated_(simulated) {}
 
-std::string_view Ulx3sBoard::bus() const {
+std::string_view BoardAtLink::bus() const {
   static_assert(kLinkBaud == 3'000'000);
   return "a serial line of 3 Mbaud";
 }
 
-void Ulx3sBoard::configure(const FrameConfig& frame) {
+void BoardAtLink::configure(const FrameConfig& frame) {
   RtlBoard::configure(frame);
   const auto number = [](const hls::uint<32>& field) {
     return static_cast<unsigned>(field.to_u64());
@@ -99,7 +99,7 @@ void Ulx3sBoard::configure(const FrameConfig& frame) {
   shown_ = frame;
 }
 
-void Ulx3sBoard::read_pixels(std::uint32_t first, std::span<std::uint32_t> pixels) {
+void BoardAtLink::read_pixels(std::uint32_t first, std::span<std::uint32_t> pixels) {
   const bool is_picture = first == shown_.frame_base.to_u64() &&
                           pixels.size() == shown_.width.to_u64() * shown_.height.to_u64();
   if (simulated_ != nullptr && shows_ && is_picture) {
@@ -109,7 +109,7 @@ void Ulx3sBoard::read_pixels(std::uint32_t first, std::span<std::uint32_t> pixel
   }
 }
 
-void Ulx3sBoard::read_display(std::span<std::uint32_t> pixels) {
+void BoardAtLink::read_display(std::span<std::uint32_t> pixels) {
   simulated_->take_frames();
   // The frame under way may have begun before the picture was complete.
   std::vector<DisplayFrame> frames;
@@ -119,7 +119,11 @@ void Ulx3sBoard::read_display(std::span<std::uint32_t> pixels) {
     std::ranges::move(simulated_->take_frames(), std::back_inserter(frames));
   }
   const DisplayFrame& frame = frames.back();
-  if (!frame.fault.empty() || frame.mode != kMode) refuse(messages::kBadPicture, frame.fault);
+  if (!frame.fault.empty()) refuse(messages::kBadPicture, frame.fault);
+  if (frame.mode != kMode) {
+    refuse(messages::kOtherMode, frame.mode.hdisplay, frame.mode.vdisplay, kMode.hdisplay,
+           kMode.vdisplay);
+  }
   const std::size_t width = shown_.width.to_u64();
   const std::size_t height = shown_.height.to_u64();
   const std::size_t left = (kMode.hdisplay - width) / 2;
@@ -132,8 +136,8 @@ void Ulx3sBoard::read_display(std::span<std::uint32_t> pixels) {
   }
 }
 
-std::unique_ptr<Board> make_ulx3s_board(const std::string& board,
-                                        const std::string& configuration) {
+std::unique_ptr<Board> make_board_at_link(const std::string& board,
+                                          const std::string& configuration) {
   SimulatedUlx3s* ulx3s = nullptr;
   std::unique_ptr<ByteStream> line;
   LinkedBoard::Pause pause = [] { std::this_thread::sleep_for(kPoll); };
@@ -147,7 +151,7 @@ std::unique_ptr<Board> make_ulx3s_board(const std::string& board,
   }
   auto link = std::make_unique<BoardLink>(std::move(line));
   const LinkedCore& core = linked_core(*link, board, configuration);
-  return std::make_unique<Ulx3sBoard>(
+  return std::make_unique<BoardAtLink>(
       board, core, std::make_unique<LinkedBoard>(std::move(link), ulx3s, std::move(pause)), ulx3s);
 }
 
