@@ -70,16 +70,7 @@ void FrameArguments::add_to(CLI::App& command, const std::string& default_out,
                             const std::string& about_out) {
   add_configuration_flag(command, configuration);
   command.add_option("--out", out, about_out)->option_text(fmt::format("FILE [{}]", default_out));
-  command
-      .add_option("--packets", packets,
-                  "packets of rays in flight; default: all that the configuration has")
-      ->option_text("N")
-      ->check(not_a_count);
-  command
-      .add_option("--lines", lines,
-                  "lines of each cache, a power of two; default: all that the configuration has")
-      ->option_text("N")
-      ->check(not_a_count);
+  add_limit_flags(command, packets, lines);
   command
       .add_option("--reflections", reflections,
                   "largest number of bounces of a ray; default: all that the configuration has")
@@ -142,6 +133,20 @@ void add_configuration_flag(CLI::App& command, std::string& configuration) {
                               fmt::join(names, ", ")))
       ->option_text(configuration.empty() ? "NAME|FILE"
                                           : fmt::format("NAME|FILE [{}]", configuration));
+}
+
+void add_limit_flags(CLI::App& command, std::optional<unsigned>& packets,
+                     std::optional<unsigned>& lines) {
+  command
+      .add_option("--packets", packets,
+                  "packets of rays in flight; default: all that the configuration has")
+      ->option_text("N")
+      ->check(not_a_count);
+  command
+      .add_option("--lines", lines,
+                  "lines of each cache, a power of two; default: all that the configuration has")
+      ->option_text("N")
+      ->check(not_a_count);
 }
 
 void add_json_flag(CLI::App& command, std::string& json) {

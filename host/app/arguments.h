@@ -80,6 +80,9 @@ struct SpanArguments {
 
 /// Adds --config to a command.
 void add_configuration_flag(CLI::App& command, std::string& configuration);
+/// Adds --packets and --lines to a command.
+void add_limit_flags(CLI::App& command, std::optional<unsigned>& packets,
+                     std::optional<unsigned>& lines);
 /// Adds --json to a command.
 void add_json_flag(CLI::App& command, std::string& json);
 
