@@ -8,15 +8,14 @@ import dataclasses
 import itertools
 import os
 import pathlib
-import re
 import subprocess
 import tempfile
 
 from dynrt_tools.bench.memory import SCENES, SHARE, SRAM, PORT, busiest
 from dynrt_tools.bench.run import Dynrt, RunFailed, rays
 from dynrt_tools.command import Pool
-from dynrt_tools.hardware import bitstream, placed_clocks
-from dynrt_tools.project import ROOT, Json, Progress, read_json
+from dynrt_tools.hardware import bitstream, board_clocks, placed_clocks
+from dynrt_tools.project import Json, Progress, read_json
 
 BYTES = 2  # that the SDRAM moves in a clock
 SAFE = 0.85  # of the peak: no aim asks for more
@@ -38,24 +37,21 @@ class System:
 
 PLACED, OWN = "placed", "own"
 OWN_CORE = bitstream.BOARDS["ulx3s"].config
-OSCILLATOR_MHZ = 25  # of the ULX3S
-
-
-def own_clocks() -> tuple[float, int]:
-    """Of the ULX3S's core and SDRAM, in MHz, by the dividers of its PLL, whose loop the DVI link's
-    clock closes."""
-    text = (ROOT / "rtl/ulx3s/ulx3s_clocks.v").read_text(encoding="utf-8")
-    divided = {name: int(by) for name, by in re.findall(r"\.(CLK\w+)_DIV\((\d+)\)", text)}
-    vco = OSCILLATOR_MHZ / divided["CLKI"] * divided["CLKFB"] * divided["CLKOP"]
-    return vco / divided["CLKOS"], round(vco / divided["CLKOS2"])
 
 
 def ulx3s() -> tuple[System, ...]:
     """The first is the one that aims are for."""
     placed = placed_clocks.of(SRAM).mhz
+    own = board_clocks.ulx3s()
     return (
         System(PLACED, f"the clock that {SRAM} reaches placed", placed, 133, PORT),
-        System(OWN, "the clocks and the core of rtl/ulx3s", *own_clocks(), OWN_CORE),
+        System(
+            OWN,
+            "the clocks and the core of rtl/ulx3s",
+            own[board_clocks.CORE],
+            round(own[board_clocks.SDRAM]),
+            OWN_CORE,
+        ),
     )
 
 

@@ -151,7 +151,7 @@ class Frames(unittest.TestCase):
             text, r"\noffice .* 80\.0% +9\.00 +2\.00 .* node_fetch 70\.0%, with SRAM 90"
         )
         self.assertRegex(
-            text, r"\nown: the clocks and the core of rtl/ulx3s: core 62\.5 MHz, SDRAM 71 MHz\n"
+            text, r"\nown: the clocks and the core of rtl/ulx3s: core 62\.5 MHz, SDRAM 100 MHz\n"
         )
         self.assertEqual(text.count("\ntrees4000 "), 3)
         self.assertIn("frame 12 of 12", self.said[-1])

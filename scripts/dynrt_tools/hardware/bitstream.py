@@ -4,8 +4,8 @@
 board's pins, ecppack packs it. Says what clock it may run at and what it runs at, and how full the
 chip is.
 
-Where a tool is not on the PATH, says which, and checks what can be checked without it: that Yosys
-synthesizes the top, that each of its pins has a site and no other has, and that the chip has room."""
+Where a tool is not on the PATH, says which, and checks what can be checked without it: that each pin
+of the top has a site and no other has, and with Yosys that it is synthesized and the chip has room."""
 
 import argparse
 import pathlib
@@ -13,11 +13,13 @@ import re
 import shutil
 import sys
 import tempfile
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass
 
 from dynrt_tools import options, project
 from dynrt_tools.hardware import (
     block_registers,
+    board_clocks,
     devices,
     distributed_ram,
     placer_log,
@@ -37,6 +39,13 @@ class Board:
     device: str
     grade: str
     constraints: str
+    clocks: Callable[[], Mapping[str, float]]  # in MHz, by the net: all that registers have
+    pins_ns: Mapping[str, float]  # by such a clock: how late a pin that it drives may be
+
+
+def ulx3s_clocks() -> Mapping[str, float]:
+    made = board_clocks.ulx3s()
+    return {net: made[net] for net in (board_clocks.CORE, board_clocks.SDRAM, board_clocks.DVI)}
 
 
 BOARDS = {
@@ -46,8 +55,21 @@ BOARDS = {
         "ecp5-85",
         "6",
         "ulx3s.lpf",
+        ulx3s_clocks,
+        # docs/how-to/ulx3s.md: what the SDRAM's pins have beside 3 ns of the pad itself.
+        {board_clocks.SDRAM: 5.5},
     )
 }
+
+
+@dataclass(frozen=True)
+class Routed:
+    """What the placer says of the board."""
+
+    clocks: dict[str, dict[str, float]]  # by net: the MHz achieved and asked for
+    pins_ns: dict[str, float]  # by the clock's net: from its edge to the last pin
+
+
 PACKER = "ecppack"
 # nextpnr gives up on a cell after as many attempts as the square of the number of cells has, which
 # overflows for so many cells.
@@ -61,8 +83,11 @@ ROUTER_COSTS = {
     "router2/currCongWeightMult": "0.5",
     "router2/histCongWeight": "1.0",
 }
+GLOBAL = "$glbnet$"  # before a net's name where it goes over the chip's net for clocks
 SUITE = "OSS CAD Suite has it, as it has yosys and the others"
 PORT = re.compile(r"^ +(?:input|output|inout) +(?:wire|reg) +(?:\[(\d+):0\] *)?(\w+)", re.MULTILINE)
+TO_PIN = re.compile(r"Max delay posedge (\S+)\s+-> <async>\s*: ([\d.]+) ns")
+SAME_MHZ = 0.01  # a report rounds the period to a picosecond
 LOCATED = re.compile(r'^LOCATE COMP "([^"]+)" SITE', re.MULTILINE)
 BOUNDED = re.compile(r'^IOBUF PORT "([^"]+)"', re.MULTILINE)
 
@@ -177,8 +202,8 @@ def print_room(board: Board, taken: Json) -> list[str]:
 
 def route(
     board: Board, args: argparse.Namespace, netlist: pathlib.Path, work: pathlib.Path
-) -> dict[str, dict[str, float]]:
-    """Places and routes; gives what each clock reaches and what it is asked for."""
+) -> Routed:
+    """Places and routes."""
     program = placers.PLACERS[board.device]["program"]
     command = [
         program,
@@ -194,23 +219,43 @@ def route(
     with placer_log.followed(work / "log", project.show_progress):
         placers.run(command, program, args.timeout)
     with placers.reading(program):
-        clocks = read_json(work / "report.json")["fmax"]
-        return {
-            net: {name: float(clock[name]) for name in ("achieved", "constraint")}
-            for net, clock in clocks.items()
+        clocks = {
+            net.removeprefix(GLOBAL): {
+                name: float(clock[name]) for name in ("achieved", "constraint")
+            }
+            for net, clock in read_json(work / "report.json")["fmax"].items()
         }
+        to_pins = TO_PIN.findall((work / "log").read_text(encoding="utf-8", errors="replace"))
+    pins = {net.removeprefix(GLOBAL): float(delay) for net, delay in to_pins}
+    return Routed(clocks, {net: pins.get(net, 0.0) for net in board.pins_ns})
 
 
-def print_clocks(clocks: dict[str, dict[str, float]]) -> list[str]:
-    """Says what each clock reaches; gives sentences on those that are missed."""
+def check_clocks(board: Board, routed: Routed, program: str) -> None:
+    """The clocks that the placer was asked for are those that the board makes."""
+    for net, mhz in board.clocks().items():
+        asked = routed.clocks.get(net, {}).get("constraint", 0.0)
+        if abs(asked - mhz) > SAME_MHZ:
+            raise project.Failed(
+                f"{program} was asked for {asked:.2f} MHz of clock {net}, which the PLL makes "
+                f"{mhz:.2f} MHz: this version of it follows the clock through the PLL otherwise"
+            )
+
+
+def print_clocks(board: Board, routed: Routed) -> list[str]:
+    """Says what clocks and pins reach; gives sentences on those that are missed."""
     missed = []
-    for net, clock in clocks.items():
+    for net, clock in routed.clocks.items():
         reached, asked = clock["achieved"], clock["constraint"]
         print(f"clock       {net} reaches {reached:.1f} MHz and runs at {asked:.1f}")
         if reached < asked:
             missed.append(
                 f"clock {net} runs at {asked:.1f} MHz, and its paths end at {reached:.1f}"
             )
+    for net, late in routed.pins_ns.items():
+        most = board.pins_ns[net]
+        print(f"pins        {net} to the last pin {late:.1f} ns of {most:.1f}")
+        if late > most:
+            missed.append(f"a pin is {late:.1f} ns behind clock {net}, and {most:.1f} is the most")
     return missed
 
 
@@ -230,8 +275,9 @@ def make_bitstream(board: Board, args: argparse.Namespace, out: pathlib.Path) ->
             return [f"{tool} is not on the PATH, so there is no bitstream; {SUITE}"]
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
-        clocks = route(board, args, netlist, work)
-        missed = print_clocks(clocks)
+        routed = route(board, args, netlist, work)
+        check_clocks(board, routed, placer)
+        missed = print_clocks(board, routed)
         packed = work / "bitstream"
         pack = [PACKER, "--compress", "--input", str(work / "config"), "--bit", str(packed)]
         placers.run(pack, PACKER, args.timeout)
@@ -240,7 +286,7 @@ def make_bitstream(board: Board, args: argparse.Namespace, out: pathlib.Path) ->
         shutil.copyfile(packed, out)
     print(f"bitstream   {out}")
     if args.json:
-        write_json(args.json, {"resources": taken, "clocks": clocks, "seed": args.seed})
+        write_json(args.json, {"resources": taken, "seed": args.seed} | asdict(routed))
     return missed
 
 

@@ -31,7 +31,7 @@ PINS = ("clk_i", "a_i[0]", "a_i[1]", "sum_o[0]", "sum_o[1]")
 STAND_IN = """#!/usr/bin/python3
 import json, os, sys, time
 args = sys.argv[1:]
-value = {a: b for a, b in zip(args, args[1:]) if a.startswith("--")}
+value = {a: b for a, b in zip(args, args[1:]) if a.startswith("-")}
 mode = os.environ["MODE"]
 with open(os.environ["RUNS"], "a") as runs:
     runs.write(json.dumps([os.path.basename(sys.argv[0]), *args]) + "\\n")
@@ -44,7 +44,12 @@ if mode == "slow" and "--timing-allow-fail" not in args:
     sys.exit("ERROR: Max frequency for clock 'clk': 70.00 MHz (FAIL at 78.12 MHz)")
 if mode == "placer hangs":
     time.sleep(30)
-report = {{"fmax": {{"clk": {{"achieved": 70.0 if mode == "slow" else 90.0, "constraint": 78.125}}}}}}
+asked = 12.0 if mode == "another clock" else 78.13
+report = {{"fmax": {{"$glbnet$clk": {{"achieved": 70.0 if mode == "slow" else 90.0, "constraint": asked}}}}}}
+if mode == "no clocks":
+    report = {{"fmax": {{}}}}
+late = 4.25 if mode == "late pin" else 1.5
+open(value["-l"], "w").write(f"Info: Max delay posedge $glbnet$clk     -> <async>   : {{late}} ns\\n")
 if mode == "other report":
     report = {{}}
 if mode != "no report":
@@ -91,7 +96,11 @@ class Small(testing.InFolder):
 
     def called(self, mode: str, *flags: str) -> tuple[int | str | None, str, str]:
         """Exit code or last words, output and errors."""
-        board = bitstream.Board("small", "fast_port", "ecp5-85", "6", "small.lpf")
+        board = bitstream.Board(
+            *("small", "fast_port", "ecp5-85", "6", "small.lpf"),
+            lambda: {"clk": 78.125},
+            {"clk": 4.0},
+        )
         output, errors = io.StringIO(), io.StringIO()
         environment = {"PATH": str(self.bin), "MODE": mode, "RUNS": str(self.folder / "runs")}
         words = ["bitstream", "small", "--out", str(self.out), "--json", str(self.json), *flags]
@@ -148,11 +157,13 @@ class Bitstream(Small):
         self.assertEqual((code, errors), (0, ""))
         self.assertEqual(self.out.read_text(encoding="utf-8"), "bits")
         data = project.read_json(self.json)
-        self.assertEqual(data["clocks"], {"clk": {"achieved": 90.0, "constraint": 78.125}})
+        self.assertEqual(data["clocks"], {"clk": {"achieved": 90.0, "constraint": 78.13}})
+        self.assertEqual(data["pins_ns"], {"clk": 1.5})
         self.assertEqual((data["seed"], data["resources"]["FF"]), (7, 2))
         self.assertIn("pins        all 5 have their sites\n", output)
         self.assertRegex(output, r"FF +2 of 83,640, 0%\n")
         self.assertIn("clock       clk reaches 90.0 MHz and runs at 78.1\n", output)
+        self.assertIn("pins        clk to the last pin 1.5 ns of 4.0\n", output)
         self.assertIn(f"bitstream   {self.out}\n", output)
         placer, packer = self.runs()
         self.assertEqual((placer[0], packer[0]), ("nextpnr-ecp5", "ecppack"))
@@ -176,6 +187,22 @@ class Bitstream(Small):
         self.assertIn("clk reaches 70.0 MHz and runs at 78.1", output)
         self.assertEqual(self.out.read_text(encoding="utf-8"), "bits")
         self.assertEqual(project.read_json(self.json)["clocks"]["clk"]["achieved"], 70.0)
+
+    def test_a_late_pin_leaves_the_file(self) -> None:
+        code, _, errors = self.called("late pin")
+        self.assertEqual(code, 1)
+        self.assertEqual(
+            errors, "bitstream: a pin is 4.2 ns behind clock clk, and 4.0 is the most\n"
+        )
+        self.assertTrue(self.out.exists())
+
+    def test_the_placer_was_asked_for_the_clocks_of_the_board(self) -> None:
+        for mode, asked in (("another clock", "12.00"), ("no clocks", "0.00")):
+            self.leaves_nothing(
+                mode,
+                f"nextpnr-ecp5 was asked for {asked} MHz of clock clk, which the PLL makes 78.12 MHz: "
+                "this version of it follows the clock through the PLL otherwise",
+            )
 
     def test_a_missing_tool_is_named_after_the_checks_without_it(self) -> None:
         for tool in ("nextpnr-ecp5", "ecppack"):
