@@ -33,6 +33,19 @@ constexpr bool any(Flags... flags) {
   return (flags | ...);
 }
 
+/// value + one, without a carry chain: a placer tears a chain of few bits from its register.
+template <unsigned W>
+constexpr uint<W> add_late(uint<W> value, bool one) {
+  uint<W> sum;
+  bool ones = true;  // the bits below are
+  for (unsigned i = 0; i < W; ++i) {
+    const bool flips = all(one, ones);
+    sum = sum | uint<W>::from(value.bit(i) != flips ? 1u << i : 0u);
+    ones = all(ones, value.bit(i));
+  }
+  return sum;
+}
+
 /// Turns to wait, up to Most, as ones from bit 0.
 template <unsigned Most>
 class SdramWait {
@@ -86,10 +99,8 @@ struct SdramController {
       Bank& k = banks_[i];
       const SdramBurst first = queue[i].read(k.from.template trunc<kQueueBits>());
       const bool takes = all(row_turn_, !k.valid, k.from != k.to);
-      if (takes) {
-        k.first = first;
-        k.from = hls::next(k.from);
-      }
+      if (takes) k.first = first;
+      k.from = add_late(k.from, takes);
       k.valid = any(takes, all(k.valid, any(row_turn_, !picks_[i])));
       taken = (taken + uint<1>(takes)).template trunc<3>();
       if (all(r.valid, r.burst.place.bank == uint<2>::from(i))) {

@@ -25,6 +25,12 @@ struct SdramPart {
   unsigned mrd;         ///< tMRD: mode register to any command
   unsigned rfc;         ///< tRFC: refresh to activate or refresh
 
+  unsigned access_cas2 = 6'000;  ///< tAC: from the clock's edge to a word, at CAS latency 2
+  unsigned access_cas3 = 5'400;  ///< and at 3
+  unsigned hold = 2'500;         ///< tOH: from the next edge on until the word may change
+  unsigned set_up_in = 1'500;    ///< tIS of commands, addresses and words, before the clock's edge
+  unsigned hold_in = 800;        ///< tIH, behind it
+
   unsigned pause = 200'000'000;  ///< from power and clock to the first command
   unsigned first_refreshes = 8;  ///< before the first access; 2 to 8, as the sheets' editions
   unsigned refreshes = 8192;     ///< in each `refresh_time`
@@ -40,7 +46,8 @@ inline constexpr SdramPart kIs42s16160Grade6{9,           10'000, 6'000,  18'000
 inline constexpr SdramPart kIs42s16160Grade7{9,           10'000, 7'000,  15'000, 15'000, 37'000,
                                              100'000'000, 60'000, 14'000, 14'000, 14'000, 60'000};
 /// Alliance AS4C32M16SB, 64 MB: Table 16, grades -6 and -7. Table 16 of AS4C16M16SA, 32 MB, has the
-/// same figures.
+/// same figures. The defaults above are of these tables, of grade -7 where grades differ; the parts
+/// of ISSI are taken to have the same.
 inline constexpr SdramPart kAs4c32m16Grade6{10,          10'000, 6'000,  18'000, 18'000, 42'000,
                                             120'000'000, 60'000, 12'000, 12'000, 12'000, 60'000};
 inline constexpr SdramPart kAs4c32m16Grade7{10,          10'000, 7'000,  21'000, 21'000, 42'000,

@@ -16,16 +16,10 @@ struct Sdram133 {
   static constexpr unsigned kClockPicoseconds = 7'500;
   static constexpr unsigned kCasLatency = 3;
 };
+/// That of the ULX3S (rtl/ulx3s/ulx3s_clocks.v).
 struct Sdram100 {
   static constexpr SdramPart kPart = kAnySdram;
   static constexpr unsigned kClockPicoseconds = 10'000;
-  static constexpr unsigned kCasLatency = 2;
-};
-
-/// 500 MHz by seven, as the PLL of the ULX3S makes it (rtl/ulx3s/ulx3s_clocks.v).
-struct Sdram71 {
-  static constexpr SdramPart kPart = kAnySdram;
-  static constexpr unsigned kClockPicoseconds = 14'000;
   static constexpr unsigned kCasLatency = 2;
 };
 

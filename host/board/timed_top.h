@@ -32,12 +32,18 @@ class TimedTop {
   /// happens at one time has happened.
   template <class Look>
   void run(std::uint64_t ps, Look look) {
+    run(ps, look, [](std::uint64_t) {});
+  }
+  /// `before(next)` is called before that, to drive pins that change until then.
+  template <class Look, class Before>
+  void run(std::uint64_t ps, Look look, Before before) {
     const std::uint64_t end = now() + ps;
     top_.eval();
     while (!top_.contextp()->gotFinish()) {
       std::uint64_t next = top_.eventsPending() ? top_.nextTimeSlot() : kNever;
       for (const Clock& clock : clocks_) next = std::min(next, clock.next);
       if (next > end) break;
+      before(next);
       top_.contextp()->time(next);
       for (Clock& clock : clocks_) {
         if (clock.next == next) clock.toggle();

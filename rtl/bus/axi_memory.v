@@ -5,7 +5,7 @@
 // specification; those that it lets out (REGION, USER) are left out.
 //
 // A read of the port is one burst, and so is a burst of writes. Neither crosses a boundary of 4 KB:
-// the core's bursts lie within 32 aligned bytes (hls/units/memory_port.h), and base_i is a multiple
+// the core's bursts lie within 64 aligned bytes (hls/units/memory_port.h), and base_i is a multiple
 // of 32 MB.
 //
 // Where every read has one beat, ARID is the core's id, so that the memory may answer in any order.

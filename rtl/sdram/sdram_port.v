@@ -9,7 +9,8 @@
 //
 // A request has a slot, which keeps a read's id or a write's data until its last word has moved. A
 // read is taken only if there is room for its beats, so that the chip's words never wait. All pins
-// are registers: sdram_dq_i is taken CAS_LATENCY + 1 clocks after a command is on the pins.
+// are registers, those of commands, addresses and words in the pins' own cells where a device has such
+// (syn_useioff): sdram_dq_i is taken CAS_LATENCY + 1 clocks after a command is on the pins.
 //
 // Parameters:
 //   ID_WIDTH     bits of a read's id
@@ -66,6 +67,7 @@ module sdram_port #(
   localparam WRITES = 16;
   localparam [31:0] LAST_PAIR = PORT_BYTES / 4 - 1;
   localparam [31:0] MOST_BEATS = 32 / PORT_BYTES;  // of a read
+  localparam MOST_BITS = $clog2(MOST_BEATS);
   localparam TAGS = CAS_LATENCY + 3;  // clocks from a token to its word in dq_q
 
   // The controller's token, and its bits.
@@ -94,19 +96,32 @@ module sdram_port #(
   reg  [ READS-1:0] read_busy_q;
   reg  [ READS-1:0] read_bit_q;  // that of read_slot_q
   reg  [WRITES-1:0] write_busy_q;
+  reg  [WRITES-1:0] write_bit_q;  // that of write_slot_q
   reg         read_free_q;  // the slot
   reg         write_free_q;
 
   wire        room = !waiting_q[4];
-  assign read_ready_o = !writes_turn_q && room && free_beats_q >= MOST_BEATS[5:0] &&
-      read_free_q;
+  wire        beats_room = |free_beats_q[5:MOST_BITS];  // for the most beats of a read
+  assign read_ready_o = !writes_turn_q && room && beats_room && read_free_q;
   assign write_ready_o = writes_turn_q && room && write_free_q;
   wire takes_read = read_valid_i && read_ready_o;
   wire takes_write = write_valid_i && write_ready_o;
   wire writes_any = takes_write && (|write_mask_i);
 
   wire [READS-1:0] next_read_bit = {read_bit_q[READS-2:0], read_bit_q[READS-1]};
-  wire [3:0] next_write_slot = write_slot_q + {3'd0, writes_any};
+  wire [WRITES-1:0] next_write_bit = {write_bit_q[WRITES-2:0], write_bit_q[WRITES-1]};
+  wire [WRITES-1:0] written_bit = {15'd0, step_writes && step_last} << step_tag[3:0];
+
+  // What is taken is known late: each number is found for both cases. A token tells of up to four
+  // requests that are taken from the queues, as each bank has one.
+  wire [4:0] fewer_waiting = waiting_q - {2'd0, step_taken};
+  wire [2:0] fewer_but_one = step_taken - 3'd1;
+  wire [4:0] waiting_and_one = waiting_q - {{2{fewer_but_one[2]}}, fewer_but_one};
+  wire beat_leaves = beat_valid_o && beat_ready_i;
+  wire [5:0] beats_and_one = free_beats_q + 6'd1;
+  wire [5:0] beats_less_last = free_beats_q - {4'd0, read_last_i[1:0]};
+  wire [5:0] beats_less_all = free_beats_q + {4'b1111, ~read_last_i[1:0]};
+  wire [4:0] batch_and_one = batch_q + 5'd1;
 
   // Each way costs clocks to turn to, so writes wait for a while and then go together.
   wire full = takes_write && (&batch_q);
@@ -132,19 +147,19 @@ module sdram_port #(
         {1'b0, write_slot_q, 1'b1, write_pairs, write_address_i[24:2] | {20'd0, first}, writes_any} :
         {read_slot_q, 1'b0, read_pairs, read_address_i[24:2], takes_read};
     read_slot_q <= read_slot_q + {4'd0, takes_read};
-    write_slot_q <= next_write_slot;
-    // Both slots are looked up while it is found which it is.
+    if (writes_any) write_slot_q <= write_slot_q + 4'd1;
     read_free_q <= takes_read ? !(|(read_busy_q & next_read_bit)) : !(|(read_busy_q & read_bit_q));
-    write_free_q <= !write_busy_q[next_write_slot];
+    write_free_q <= writes_any ? !(|(write_busy_q & next_write_bit)) :
+        !(|(write_busy_q & write_bit_q));
     if (takes_read) read_bit_q <= next_read_bit;
+    if (writes_any) write_bit_q <= next_write_bit;
     read_busy_q <= (read_busy_q & ~(ends && ends_read ? tag_bit_q : {READS{1'b0}})) |
         (takes_read ? read_bit_q : {READS{1'b0}});
-    if (writes_any) write_busy_q[write_slot_q] <= 1'b1;
-    if (step_writes && step_last) write_busy_q[step_tag[3:0]] <= 1'b0;
-    waiting_q <= waiting_q + {4'd0, takes_read || writes_any} - {2'd0, step_taken};
-    free_beats_q <= free_beats_q - (takes_read ? {4'd0, read_last_i[1:0]} + 6'd1 : 6'd0) +
-        {5'd0, beat_valid_o && beat_ready_i};
-    batch_q <= changes || !writes_turn_q ? 5'd0 : batch_q + {4'd0, takes_write};
+    write_busy_q <= (write_busy_q & ~written_bit) | (writes_any ? write_bit_q : {WRITES{1'b0}});
+    waiting_q <= takes_read || writes_any ? waiting_and_one : fewer_waiting;
+    if (takes_read) free_beats_q <= beat_leaves ? beats_less_last : beats_less_all;
+    else if (beat_leaves) free_beats_q <= beats_and_one;
+    batch_q <= changes || !writes_turn_q ? 5'd0 : takes_write ? batch_and_one : batch_q;
     waited_q <= writes_turn_q || !write_valid_i ? 8'd0 : waited_q + {7'd0, !(&waited_q)};
     if (changes) writes_turn_q <= !writes_turn_q;
     if (!rst_ni) begin
@@ -152,6 +167,7 @@ module sdram_port #(
       read_slot_q <= 5'd0;
       read_bit_q <= {{(READS - 1) {1'b0}}, 1'b1};
       write_slot_q <= 4'd0;
+      write_bit_q <= {{(WRITES - 1) {1'b0}}, 1'b1};
       read_busy_q <= {READS{1'b0}};
       write_busy_q <= {WRITES{1'b0}};
       read_free_q <= 1'b1;
@@ -194,16 +210,20 @@ module sdram_port #(
   wire                    ready = step_q[18];
   wire                    drives = valid_q && step_q[20];
 
+  (* syn_useioff = 1 *)
   reg  [ 2:0] command_q;
+  (* syn_useioff = 1 *)
   reg  [ 1:0] bank_q;
+  (* syn_useioff = 1 *)
   reg  [12:0] address_q;
-  reg  [ 1:0] dqm_q;
+  reg         dqm_q;
   reg         drives_q;
+  (* syn_useioff = 1 *)
   reg  [15:0] word_q;
   assign {sdram_we_no, sdram_cas_no, sdram_ras_no} = command_q;
   assign sdram_ba_o = bank_q;
   assign sdram_a_o = address_q;
-  assign sdram_dqm_o = dqm_q;
+  assign sdram_dqm_o = {2{dqm_q}};
   assign sdram_dq_oe_o = drives_q;
   assign sdram_dq_o = word_q;
   always @(posedge clk_i) begin
@@ -216,7 +236,7 @@ module sdram_port #(
     command_q <= valid_q ? step_q[2:0] : 3'b111;
     bank_q <= step_q[4:3];
     address_q <= step_q[17:5];
-    dqm_q <= {2{!valid_q || !ready || (drives && !mask[half_q])}};
+    dqm_q <= !valid_q || !ready || (drives && !mask[half_q]);
     drives_q <= drives;
     word_q <= written[16*half_q+:16];
   end
@@ -228,6 +248,7 @@ module sdram_port #(
   reg  [    TAGS-1:0] reads_q;
   reg  [    TAGS-1:0] ends_q;  // the word is the last one of its beat
   reg  [  5*TAGS-6:0] tags_q;
+  (* syn_useioff = 1 *)
   reg  [        15:0] dq_q;
   reg  [    DATA-1:0] beat_q;
   reg  [         1:0] number_q;  // of the beat in its read

@@ -1,8 +1,8 @@
 // Copyright the dynrt authors.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Top for an ULX3S with LFE5U-85F (constraints/ulx3s.lpf): ulx3s_board, and the pads of the SDRAM's
-// data, which go both ways.
+// Top for an ULX3S with LFE5U-85F (constraints/ulx3s.lpf): ulx3s_board, the pads of the SDRAM's data,
+// which go both ways, and the pin by which the board's ESP32 would begin to load its flash.
 `default_nettype none
 
 module dynrt_ulx3s (
@@ -22,8 +22,11 @@ module dynrt_ulx3s (
   output wire [1:0]  sdram_dqm_o,
   inout  wire [15:0] sdram_dq_io,
   output wire [3:0]  dvi_p_o,
-  output wire [3:0]  dvi_n_o
+  output wire [3:0]  dvi_n_o,
+  output wire        wifi_gpio0_o
 );
+
+  assign wifi_gpio0_o = 1'b1; // while it is low and the ESP32 starts, that waits for a program
 
   wire        oe;
   wire [15:0] dq, pads;

@@ -5,9 +5,9 @@
 // bridge, and a DVI display of the picture. All of the board but its pads of two directions, which
 // dynrt_ulx3s.v has.
 //
-// The SDRAM's clock leaves half a period late. A command that changes at an edge is taken by the
-// chip in the middle of the clock, as the pins of both are equally late; a word that the chip gives
-// after that edge is there until half a period beyond the edge that takes it (sdram_port.v).
+// The SDRAM's clock leaves three quarters of a period late. So a command that changes at an edge is
+// there before the chip takes it, and stays until it has; and a word that the chip gives after an edge
+// of its clock is there around the second edge here that follows (docs/how-to/ulx3s.md has the times).
 `default_nettype none
 `include "dynrt_core.vh"
 `include "dynrt_link.vh"
@@ -17,7 +17,7 @@ module ulx3s_board #(
   parameter CACHE_LINES = 512,
   parameter [351:0] NAME = "fast_ulx3s",
   parameter [11:0]  DIVISOR = 12'd21,          // 62.5 MHz / 21 = 2.976 Mbaud
-  parameter [15:0]  PAUSE_TURNS = 16'd7143
+  parameter [15:0]  PAUSE_TURNS = 16'd10000    // 200 us at 100 MHz
 ) (
   input  wire        clk_25mhz_i,
   input  wire        button_ni,
@@ -45,12 +45,19 @@ module ulx3s_board #(
   localparam DATA_BITS = 8 * BEAT_BYTES;
   localparam MASK_BITS = BEAT_BYTES / 2;
 
+  generate
+    if (`DYNRT_CORE_MEMORY_READ_BEATS * BEAT_BYTES > 32) begin : bad_read
+      ulx3s_board_needs_a_core_whose_reads_have_at_most_32_bytes stop ();
+    end
+  endgenerate
+
   wire clk, host_rst_n, core_rst_n, memory_rst_n, display_rst_n;
-  wire sdram_clk, sdram_rst_n, dvi_clk, dvi_rst_n;
+  wire sdram_clk, sdram_pin_clk, sdram_rst_n, dvi_clk, dvi_rst_n;
   ulx3s_clocks clocks (
     .osc_i(clk_25mhz_i), .rst_ni(button_ni), .clk_o(clk), .host_rst_no(host_rst_n),
     .core_rst_no(core_rst_n), .memory_rst_no(memory_rst_n), .display_rst_no(display_rst_n),
-    .sdram_clk_o(sdram_clk), .sdram_rst_no(sdram_rst_n), .dvi_clk_o(dvi_clk), .dvi_rst_no(dvi_rst_n)
+    .sdram_clk_o(sdram_clk), .sdram_pin_clk_o(sdram_pin_clk), .sdram_rst_no(sdram_rst_n),
+    .dvi_clk_o(dvi_clk), .dvi_rst_no(dvi_rst_n)
   );
 
   // The host.
@@ -208,7 +215,7 @@ module ulx3s_board #(
   assign sdram_cke_o = 1'b1;
   assign sdram_cs_no = 1'b0;
   ODDRX1F sdram_clock (
-    .SCLK(sdram_clk), .RST(1'b0), .D0(1'b0), .D1(1'b1), .Q(sdram_clk_o)
+    .SCLK(sdram_pin_clk), .RST(1'b0), .D0(1'b1), .D1(1'b0), .Q(sdram_clk_o)
   );
 
   // The display.

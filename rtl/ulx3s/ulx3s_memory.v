@@ -15,7 +15,7 @@
 module ulx3s_memory #(
   parameter ID_BITS = 8,
   parameter BEAT_BYTES = 16,
-  parameter [15:0] PAUSE_TURNS = 16'd7143 // 200 us at 71.4 MHz
+  parameter [15:0] PAUSE_TURNS = 16'd10000
 ) (
   input  wire                    clk_i,
   input  wire                    rst_ni,

@@ -28,6 +28,7 @@ struct SdramChipPins {
   unsigned address = 0;
   unsigned dqm = 0;  ///< bit 1: the upper byte
   std::optional<std::uint16_t> dq = {};
+  bool operator==(const SdramChipPins&) const = default;
 };
 
 enum class SdramRule {

@@ -38,7 +38,7 @@ struct Flags {
         ->check(CLI::Range(1., 1000.));
     program.add_option("--sdram-mhz", sdram_mhz, "clock of the SDRAM")
         ->capture_default_str()
-        ->check(CLI::IsMember({133, 71}));
+        ->check(CLI::IsMember({133, 100}));
     program.add_flag("--no-display", no_display, "no display reads its picture");
     program.add_option("--schedule", schedules, "folder of the schedules of the core's units")
         ->required();

@@ -38,7 +38,7 @@ SdramFrame with(const SdramRequest& request, const std::string& controller) {
 
 SdramFrame frame_of(const SdramRequest& request) {
   return request.mhz == 133 ? with<Sdram133>(request, "sdram_133")
-                            : with<Sdram71>(request, "sdram");
+                            : with<Sdram100>(request, "sdram");
 }
 
 }  // namespace dynrt::verif

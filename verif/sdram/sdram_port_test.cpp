@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "Vsdram_100_16.h"
+#include "Vsdram_100_8.h"
 #include "Vsdram_133_16.h"
 #include "Vsdram_133_32.h"
 #include "Vsdram_133_8.h"
-#include "Vsdram_71_8.h"
 #include "sdram/sdram_bench.h"
 #include "sdram/sdram_rtl.h"
 #include "sdram/sdram_stages.h"
@@ -24,8 +24,6 @@ template <class S>
 constexpr const char* kSchedule = SDRAM_133_SCHEDULE;
 template <>
 constexpr const char* kSchedule<Sdram100> = SDRAM_100_SCHEDULE;
-template <>
-constexpr const char* kSchedule<Sdram71> = SDRAM_71_SCHEDULE;
 
 template <class V, class S, unsigned PortBytes>
 struct Variant {
@@ -36,7 +34,7 @@ struct Variant {
 using Variants =
     testing::Types<Variant<Vsdram_133_16, Sdram133, 16>, Variant<Vsdram_133_8, Sdram133, 8>,
                    Variant<Vsdram_133_32, Sdram133, 32>, Variant<Vsdram_100_16, Sdram100, 16>,
-                   Variant<Vsdram_71_8, Sdram71, 8>>;
+                   Variant<Vsdram_100_8, Sdram100, 8>>;
 
 constexpr unsigned kPauseTurns = 40;
 

@@ -14,6 +14,7 @@
 #include "host/ulx3s/simulated_ulx3s.h"
 #include "host/ulx3s/ulx3s_messages.h"
 #include "sdram/sdram_chip.h"
+#include "sdram/sdram_pin_timing.h"
 #include "ulx3s/serial_pins.h"
 #include "units/link_format.h"
 #include "units/sdram_timing.h"
@@ -24,13 +25,9 @@ namespace {
 
 using Ps = std::uint64_t;
 constexpr Ps kOscillator = 40'000;  ///< a period
-constexpr unsigned kMemoryClock = Sdram71::kClockPicoseconds;
+constexpr unsigned kMemoryClock = Sdram100::kClockPicoseconds;
+static_assert(Sdram100::kCasLatency == 2);
 constexpr Ps kLineBit = 1'000'000'000'000 / kLinkBaud;  ///< the host's, whatever the board's is
-/// From the pin of the chip's clock to a word inside the FPGA are 9.5 ns: 3.5 ns from the clock
-/// inside to its pin, 6 ns of access time. The FPGA's clock rises half a period and one and
-/// a half after the chip's. Here things happen at edges alone, so the word comes with that between
-/// the two.
-constexpr Ps kChipToFpga = kMemoryClock;
 
 class VerilatedUlx3s final : public SimulatedUlx3s {
  public:
@@ -104,21 +101,16 @@ class VerilatedUlx3s final : public SimulatedUlx3s {
   }
 
   void run_ps(Ps time) {
-    run_.run(time, [this](Ps now) { look(now); });
+    run_.run(
+        time, [this](Ps now) { look(now); },
+        [this](Ps next) { top_.sdram_dq_i = pins_.word_before(next); });
+    if (!pins_.fault().empty()) refuse(messages::kChipFault, pins_.fault());
     if (!chip_.faults().empty()) refuse(messages::kChipFault, chip_.faults().front().text);
   }
   void look(Ps now) {
     monitor_.sample(now, {top_.dvi_p_o, top_.dvi_n_o});
     serial_.sample(now, top_.serial_o != 0);
     top_.serial_i = serial_.drive(now);
-    if (top_.sdram_clk_o != 0 && !clock_high_) clock_chip(now);
-    clock_high_ = top_.sdram_clk_o != 0;
-    while (!coming_.empty() && coming_.front().first <= now) {
-      top_.sdram_dq_i = coming_.front().second;
-      coming_.pop_front();
-    }
-  }
-  void clock_chip(Ps now) {
     verif::SdramChipPins pins{.cke = top_.sdram_cke_o != 0,
                               .cs_n = top_.sdram_cs_no != 0,
                               .ras_n = top_.sdram_ras_no != 0,
@@ -128,20 +120,22 @@ class VerilatedUlx3s final : public SimulatedUlx3s {
                               .address = top_.sdram_addr_o,
                               .dqm = top_.sdram_dqm_o};
     if (top_.sdram_dq_oe_o != 0) pins.dq = top_.sdram_dq_o;
-    chip_.clock(pins);
-    coming_.push_back({now + kChipToFpga, chip_.dq().value_or(kNobodyDrives)});
+    pins_.drive(now, pins);
+    if (top_.sdram_clk_o != 0 && !clock_high_) {
+      chip_.clock(pins);
+      pins_.clock(now, chip_.dq());
+    }
+    clock_high_ = top_.sdram_clk_o != 0;
   }
-  static constexpr std::uint16_t kNobodyDrives = 0xdead;
-
   VerilatedContext context_;
   Vulx3s_board top_{&context_};
   TimedTop<Vulx3s_board> run_{top_};
   verif::SdramChip chip_{kAnySdram, kMemoryClock};
+  verif::SdramPinTiming pins_{kAnySdram};
   SerialPins serial_{kLineBit};
   DviMonitor monitor_;
   std::size_t taken_ = 0;
   bool clock_high_ = false;
-  std::deque<std::pair<Ps, std::uint16_t>> coming_;  ///< words from the chip, and when
 };
 
 }  // namespace
