@@ -125,7 +125,7 @@ inline constexpr char kDefect[] = "defect in dynrt: {}";
 inline constexpr char kHoldsAnother[] =
     "board {} holds configuration {}, not {}; name what it holds, or nothing";
 inline constexpr char kNoWaveforms[] = "board {} writes no waveforms; --board rtl does";
-inline constexpr char kNoPort[] =
+inline constexpr char kBanksOfSram[] =
     "configuration {} reads its scene from banks of SRAM, not from a memory behind a port; take "
     "fast_port or another whose key memory is port";
 inline constexpr char kNoLayoutAsked[] =

@@ -43,7 +43,7 @@ std::optional<CoreInfo> core_of(const Arguments& arguments) {
   }
   const std::string name = arguments.configuration.empty() ? "fast_port" : arguments.configuration;
   CoreInfo core = make_board(configurations(), BoardRequest{"model", name, ""})->core();
-  if (core.memory != MemoryPath::kPort) refuse(messages::kNoPort, core.name);
+  if (core.memory != MemoryPath::kPort) refuse(messages::kBanksOfSram, core.name);
   return core;
 }
 
