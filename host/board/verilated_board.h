@@ -141,7 +141,8 @@ class VerilatedBoard final : public ClockedBoard {
     eval(0);
     const bool ready = top.bus_ready_o;
     const Sram::Data& data = access_sram(top);
-    memory_.sample(top, sram_);
+    // Before the reset the pins may be anything.
+    if (top.rst_ni) memory_.sample(top, sram_);
     top.clk_i = 1;
     top.core_clk_i = top.core_clk_en_o;
     eval(1);
