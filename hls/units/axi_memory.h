@@ -6,10 +6,11 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
+
+#include "units/port_items.h"
 
 namespace dynrt {
 
@@ -18,24 +19,9 @@ template <unsigned Bytes>
 struct AxiMemoryTypes {
   static_assert(Bytes >= 4 && Bytes % 4 == 0);
   using Data = std::array<std::uint32_t, Bytes / 4>;
-  struct Read {
-    std::uint32_t id = 0;
-    std::uint32_t address = 0;
-    unsigned last = 0;  ///< beats less one
-    friend bool operator==(const Read&, const Read&) = default;
-  };
-  struct Write {
-    std::uint32_t address = 0;
-    Data data{};
-    std::uint32_t mask = 0;  ///< a bit for each half of a word
-    unsigned left = 0;       ///< beats of the burst that follow
-  };
-  struct Beat {
-    std::uint32_t id = 0;
-    Data data{};
-    bool last = false;
-    friend bool operator==(const Beat&, const Beat&) = default;
-  };
+  using Read = typename PortItems<Data>::Read;
+  using Write = typename PortItems<Data>::Write;
+  using Beat = typename PortItems<Data>::Beat;
   /// On the bus.
   struct Answer {
     std::uint32_t id = 0;  ///< where reads have ids of their own
@@ -94,9 +80,9 @@ class AxiMemory {
   Outputs outputs(const Inputs& in) const {
     Outputs out;
     out.idle = reads_.empty() && flight_.empty() && kept_.empty() && !open_;
-    out.read_ready = reads_.size() < kBuffer;
-    out.write_ready =
-        words_.size() < kBuffer && (open_ || (bursts_.size() < kBuffer && kept_.size() < Writes));
+    out.read_ready = reads_.size() < kBufferedTokens;
+    out.write_ready = words_.size() < kBufferedTokens &&
+                      (open_ || (bursts_.size() < kBufferedTokens && kept_.size() < Writes));
     if (in.r && !in.stop) out.beat = beat_of(*in.r);
     if (!reads_.empty() && has_room()) out.ar = reads_.front();
     out.r_ready = in.beat_ready || in.stop;
@@ -122,8 +108,6 @@ class AxiMemory {
   }
 
  private:
-  static constexpr std::size_t kBuffer = 2;  ///< hls_buffer
-
   bool has_room() const { return !InOrder || flight_.size() < Reads; }
   /// The read that an answer is of.
   auto read_of(const typename Types::Answer& answer) const {
@@ -133,8 +117,7 @@ class AxiMemory {
   }
   typename Types::Beat beat_of(const typename Types::Answer& answer) const {
     typename Types::Beat beat{.id = read_of(answer)->id, .data = answer.data, .last = answer.last};
-    // A node without children, the last entry of a list, a matrix that nothing hits.
-    if ((answer.response & 2) != 0) beat.data.fill((beat.id & 3) == 1 ? 1u << 31 : 0);
+    if ((answer.response & 2) != 0) beat.data = filling_of<typename Types::Data>(beat.id);
     return beat;
   }
   void take_answer(const typename Types::Answer& answer) {

@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "hls/ports.h"
+#include "units/port_items.h"
 #include "units/sdram_controller.h"
 
 namespace dynrt {
@@ -23,22 +24,9 @@ struct SdramPortTypes {
   static_assert(PortBytes == 8 || PortBytes == 16 || PortBytes == 32);
   static constexpr unsigned kHalves = PortBytes / 2;
   using Data = std::array<std::uint16_t, kHalves>;
-  struct Read {
-    std::uint32_t id = 0;
-    std::uint32_t address = 0;
-    unsigned last = 0;  ///< beats less one
-  };
-  struct Write {
-    std::uint32_t address = 0;
-    Data data{};
-    std::uint32_t mask = 0;  ///< a bit for each half
-  };
-  struct Beat {
-    std::uint32_t id = 0;
-    Data data{};
-    bool last = false;
-    friend bool operator==(const Beat&, const Beat&) = default;
-  };
+  using Read = typename PortItems<Data>::Read;
+  using Write = typename PortItems<Data>::Write;
+  using Beat = typename PortItems<Data>::Beat;
   struct Inputs {
     std::optional<Read> read;
     std::optional<Write> write;

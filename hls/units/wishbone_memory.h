@@ -8,10 +8,11 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
+
+#include "units/port_items.h"
 
 namespace dynrt {
 
@@ -20,22 +21,9 @@ template <unsigned Bytes>
 struct WishboneMemoryTypes {
   static_assert(Bytes >= 4 && Bytes % 4 == 0);
   using Data = std::array<std::uint32_t, Bytes / 4>;
-  struct Read {
-    std::uint32_t id = 0;
-    std::uint32_t address = 0;
-    unsigned last = 0;  ///< beats less one
-  };
-  struct Write {
-    std::uint32_t address = 0;
-    Data data{};
-    std::uint32_t mask = 0;  ///< a bit for each half of a word
-  };
-  struct Beat {
-    std::uint32_t id = 0;
-    Data data{};
-    bool last = false;
-    friend bool operator==(const Beat&, const Beat&) = default;
-  };
+  using Read = typename PortItems<Data>::Read;
+  using Write = typename PortItems<Data>::Write;
+  using Beat = typename PortItems<Data>::Beat;
   struct Inputs {
     bool stop = false;
     std::optional<Read> read;
@@ -81,8 +69,8 @@ class WishboneMemory {
   Outputs outputs(const Inputs& in) const {
     Outputs out;
     out.idle = reads_.empty() && writes_.empty() && flight_.empty() && beats_.empty();
-    out.read_ready = reads_.size() < kBuffer;
-    out.write_ready = writes_.size() < kBuffer;
+    out.read_ready = reads_.size() < kBufferedTokens;
+    out.write_ready = writes_.size() < kBufferedTokens;
     if (!beats_.empty() && !in.stop) out.beat = beats_.front();
     out.cycle = !flight_.empty();
     out.access = access_;
@@ -117,7 +105,6 @@ class WishboneMemory {
   }
 
  private:
-  static constexpr std::size_t kBuffer = 2;  ///< hls_buffer
   static constexpr std::uint32_t kAll = static_cast<std::uint32_t>((1ull << (Bytes / 2)) - 1);
   struct Sent {
     typename Types::Access access;
@@ -159,8 +146,7 @@ class WishboneMemory {
     if (sent.access.write) return;
     typename Types::Beat beat = sent.beat;
     beat.data = in.data;
-    // A node without children, the last entry of a list, a matrix that nothing hits.
-    if (in.err) beat.data.fill((beat.id & 3) == 1 ? 1u << 31 : 0);
+    if (in.err) beat.data = filling_of<typename Types::Data>(beat.id);
     beats_.push_back(beat);
   }
 

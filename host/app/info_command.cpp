@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <memory>
 #include <optional>
 
@@ -50,16 +49,12 @@ std::optional<CoreInfo> core_of(const Arguments& arguments) {
 /// The memory from byte 0 to the last that the scene needs, with zeros where nothing lies.
 void write_memory(const std::string& path, const MemoryImage& image) {
   const std::vector<MemoryRun> runs = image.runs();
-  std::vector<char> bytes;
+  std::string bytes;
   for (const MemoryBytes& part : port_image(runs)) {
     bytes.resize(std::max<std::size_t>(bytes.size(), part.address + part.bytes.size()));
     std::ranges::copy(part.bytes, bytes.begin() + part.address);
   }
-  write_whole(path, [&](const std::string& temporary) {
-    std::ofstream file(temporary, std::ios::binary);
-    file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (!file.flush()) cannot_write(path, "the disk may be full");
-  });
+  write_bytes(path, bytes);
 }
 
 nlohmann::ordered_json registers_json(const CoreInfo& core, const FrameConfig& frame) {

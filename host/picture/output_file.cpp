@@ -118,14 +118,16 @@ void write_whole(const std::string& path,
   file.keep();
 }
 
-void write_text(const std::string& path, const std::string& text) {
+void write_bytes(const std::string& path, std::string_view bytes) {
   check_output_path(path);
   write_whole(path, [&](const std::string& temporary) {
-    std::ofstream file(temporary);
-    file << text;
+    std::ofstream file(temporary, std::ios::binary);
+    file << bytes;
     file.close();
     if (!file) cannot_write(path, std::strerror(errno));
   });
 }
+
+void write_text(const std::string& path, const std::string& text) { write_bytes(path, text); }
 
 }  // namespace dynrt::host

@@ -63,6 +63,8 @@ void check_end(const std::string& file, std::string_view end, const std::string&
 void write_whole(const std::string& path,
                  const std::function<void(const std::string& temporary)>& write);
 
+/// Throws UserError as check_output_path() does, and if the disk is full.
+void write_bytes(const std::string& path, std::string_view bytes);
 void write_text(const std::string& path, const std::string& text);
 
 }  // namespace dynrt::host

@@ -33,15 +33,15 @@ class SdramPinTiming {
   using Ps = std::uint64_t;
   static constexpr std::uint16_t kUnknown = 0xdead;  ///< a word that nobody gives, or not yet
 
-  explicit SdramPinTiming(const SdramPart& part, const SdramWays& ways = {})
-      : part_(part), ways_(ways) {}
+  SdramPinTiming(const SdramPart& part, unsigned cas_latency, const SdramWays& ways = {})
+      : part_(part), access_(cas_latency == 2 ? part.access_cas2 : part.access_cas3), ways_(ways) {}
 
   /// What the FPGA drives at this time.
   void drive(Ps now, const SdramChipPins& pins) {
     if (pins == driven_) return;
     driven_ = pins;
     changed_ = now;
-    if (clocked_ && now - *clocked_ < part_.hold_in + ways_.skew && now != *clocked_) {
+    if (clocked_ && now - *clocked_ < part_.hold_in + ways_.skew) {
       note(
           fmt::format("pins change {} ps behind an edge of its clock; tIH is {} ps, and pins may "
                       "differ by {}",
@@ -58,7 +58,7 @@ class SdramPinTiming {
                       now - changed_, part_.set_up_in, ways_.skew));
     }
     coming_.emplace_back(now + ways_.out_least + part_.hold - ways_.hold, kUnknown);
-    if (word) coming_.emplace_back(now + ways_.out_most + part_.access_cas2 + ways_.set_up, *word);
+    if (word) coming_.emplace_back(now + ways_.out_most + access_ + ways_.set_up, *word);
   }
   /// What a register of the FPGA takes whose clock rises at this time.
   std::uint16_t word_before(Ps next) {
@@ -76,6 +76,7 @@ class SdramPinTiming {
   }
 
   SdramPart part_;
+  Ps access_;
   SdramWays ways_;
   SdramChipPins driven_;
   Ps changed_ = 0;

@@ -26,7 +26,6 @@ namespace {
 using Ps = std::uint64_t;
 constexpr Ps kOscillator = 40'000;  ///< a period
 constexpr unsigned kMemoryClock = Sdram100::kClockPicoseconds;
-static_assert(Sdram100::kCasLatency == 2);
 constexpr Ps kLineBit = 1'000'000'000'000 / kLinkBaud;  ///< the host's, whatever the board's is
 
 class VerilatedUlx3s final : public SimulatedUlx3s {
@@ -131,7 +130,7 @@ class VerilatedUlx3s final : public SimulatedUlx3s {
   Vulx3s_board top_{&context_};
   TimedTop<Vulx3s_board> run_{top_};
   verif::SdramChip chip_{kAnySdram, kMemoryClock};
-  verif::SdramPinTiming pins_{kAnySdram};
+  verif::SdramPinTiming pins_{kAnySdram, Sdram100::kCasLatency};
   SerialPins serial_{kLineBit};
   DviMonitor monitor_;
   std::size_t taken_ = 0;

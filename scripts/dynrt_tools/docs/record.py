@@ -20,7 +20,7 @@ WRITTEN = {
 
 def data_of(page: str) -> list[str]:
     """The data that a page's template shows, in its order."""
-    return results.named(results.template_text(page))
+    return results.named(results.template_of(page))
 
 
 def pages() -> list[str]:

@@ -35,14 +35,19 @@ def template(path: pathlib.Path) -> loops.Lines:
     return loops.unrolled(path.read_text(encoding="utf-8"), where)
 
 
+def template_of(page: str) -> loops.Lines:
+    """That of a page of this project."""
+    return template(TEMPLATES / f"{page}.md")
+
+
 def template_text(page: str) -> str:
-    """The template of a page of this project, without its loops."""
-    return "\n".join(line for _, line in template(TEMPLATES / f"{page}.md"))
+    return "\n".join(line for _, line in template_of(page))
 
 
-def named(text: str) -> list[str]:
+def named(lines: loops.Lines) -> list[str]:
     """The data that a template without loops shows, in its order."""
-    return list(dict.fromkeys(f[1] for f in FIGURE.finditer(text) if f[1] != PLACED))
+    figures = (figure for _, line in lines for figure in FIGURE.finditer(line))
+    return list(dict.fromkeys(f[1] for f in figures if f[1] != PLACED))
 
 
 class Data:
@@ -152,8 +157,7 @@ def filled(path: pathlib.Path, data: Data) -> str:
         except (project.Failed, ValueError, TypeError) as error:
             where = f"docs/results/templates/{path.name}:{number}"
             raise project.Failed(f"{where}: {error}") from error
-    names = named("\n".join(line for _, line in unrolled))
-    return "\n".join(lines + data.sources(names)) + "\n"
+    return "\n".join(lines + data.sources(named(unrolled))) + "\n"
 
 
 def pages(results: pathlib.Path = RESULTS) -> dict[str, str]:

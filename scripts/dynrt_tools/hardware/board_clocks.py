@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The clocks that a board's PLL makes, by the Verilog that sets it."""
 
-import pathlib
 import re
 
 from dynrt_tools import project
@@ -13,10 +12,10 @@ OSCILLATOR_MHZ = 25.0
 CORE, SDRAM, DVI = "board.clk", "board.sdram_clk", "board.dvi_clk"
 
 
-def ulx3s(file: pathlib.Path = ULX3S) -> dict[str, float]:
+def ulx3s() -> dict[str, float]:
     """In MHz, by the net within dynrt_ulx3s. CLKOP closes the PLL's loop, so the VCO runs at the
     oscillator's clock times both dividers of the loop."""
-    text = file.read_text(encoding="utf-8")
+    text = ULX3S.read_text(encoding="utf-8")
     divided = {name: int(by) for name, by in re.findall(r"\.(CLK\w+)_DIV\((\d+)\)", text)}
     nets = dict(re.findall(r"\.(CLKO\w+)\((\w+)_o\)", text))
     vco = OSCILLATOR_MHZ / divided["CLKI"] * divided["CLKFB"] * divided["CLKOP"]
