@@ -31,9 +31,7 @@ class Page(PageTest):
             self.assertNotEqual(before, walked, keys)
             before = walked
         stage = self.browser.driver.find_element("id", "stage")
-        self.browser.actions().drag_and_drop_by_offset(stage, 60, 10).perform()
-        self.browser.wait("document.getElementById('stage').dataset.state === 'moving'")
-        self.still()
+        self.move(self.browser.actions().drag_and_drop_by_offset(stage, 60, 10))
         self.assertNotEqual(before, self.picture())
         self.assertRegex(self.text("speed"), r"the core [\d.]+ at [\d.]+ MHz")
 

@@ -9,7 +9,7 @@ import shlex
 import subprocess
 import tempfile
 import unittest
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from dynrt_tools import project
 from dynrt_tools.view.window import Browser, Program
@@ -51,6 +51,14 @@ class PageTest(unittest.TestCase):
             "!document.getElementById('stage').dataset.choosing && "
             "document.getElementById('stage').dataset.watched"
         )
+
+    def move(self, act: Any) -> None:
+        """Performs actions that move the view, and waits for the whole frame after them. A busy
+        browser may draw no coarse frame between the two."""
+        number = self.browser.run("return document.getElementById('stage').dataset.number")
+        act.perform()
+        self.browser.wait(f"document.getElementById('stage').dataset.number > {number}")
+        self.still()
 
     def picture(self, name: str = "picture") -> str:
         shown: str = self.browser.run(f"return document.getElementById('{name}').toDataURL()")

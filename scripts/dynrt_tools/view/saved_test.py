@@ -50,11 +50,8 @@ class Saved(PageTest):
         return self.browser.pixels(base64.b64decode(image))
 
     def test_the_picture_has_the_pixels_that_the_program_served(self) -> None:
-        self.browser.actions().send_keys_to_element(
-            self.browser.driver.find_element("id", "stage"), "d"
-        ).perform()
-        self.browser.wait("document.getElementById('stage').dataset.state === 'moving'")
-        self.still()
+        stage = self.browser.driver.find_element("id", "stage")
+        self.move(self.browser.actions().send_keys_to_element(stage, "d"))
         pixels = self.browser.pixels(self.save("picture", ".png").read_bytes())
         self.assertEqual(len(pixels), 4 * WIDTH * HEIGHT)
         self.assertEqual(pixels, self.served())
