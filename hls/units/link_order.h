@@ -75,8 +75,9 @@ struct LinkOrder {
     const bool aligned = is(r, LinkCommand::kWriteMemory)  ? halves
                          : is(r, LinkCommand::kReadMemory) ? beats
                                                            : words;
-    const bool in_reach = of_memory ? (r.address >> uint<5>::from(kLinkAddressBits)) == uint<32>(0)
-                                    : (r.address >> uint<5>::from(kBusAddressBits)) == uint<32>(0);
+    const auto last = r.address + uint<16>::of_raw(r.length.raw() - 1u);
+    const bool in_reach = of_memory ? last.template bits<32, kLinkAddressBits>() == uint<8>(0)
+                                    : last.template bits<32, kBusAddressBits>() == uint<7>(0);
     return (of_memory || of_registers) && r.whole && aligned && in_reach &&
            r.length != uint<16>(0) && r.length <= uint<16>::from(most);
   }

@@ -5,7 +5,8 @@
 // answered. Only a frame whose CRC is right is passed on as good, so that a byte that was lost or
 // changed never reaches memory or registers. A transaction is a byte, or the room of a request that
 // is answered. It never waits: a frame for which there is no room is passed on as a bad one, or
-// dropped. State: the frame's header, length and CRC, the free part of the ring.
+// dropped. State: the frame's header, length and CRC, the free part of the ring, now and when the
+// frame began.
 #pragma once
 
 #include "hls/ports.h"
@@ -30,12 +31,16 @@ struct LinkReceive {
     const bool is_flag = is_byte && byte == uint<8>::from(kLinkFlag);
     const bool is_escape = is_byte && byte == uint<8>::from(kLinkEscape);
     const bool takes = is_byte && !is_flag && !is_escape;
+    const auto room = room_;  // which a byte does not change
     if (e.kind == LinkEventKind::kFree) {
       room_ = (room_ + e.value).template trunc<kRoomBits>();
       places_ = hls::next(places_);
     }
     if (is_flag && count_ != Count(0)) pass_on();
     if (takes) take(escaped_ ? byte ^ uint<8>::from(kLinkEscaped) : byte);
+    // Of the frame, if it ends behind this byte.
+    if (takes) fits_ = count_ < room_of_frame_ + Count::from(kFixed);
+    if (takes && count_ == Count(0)) room_of_frame_ = room;
     if (is_byte) escaped_ = is_escape;
     // A frame that is too long is a bad one; its count wraps.
     bad_ = !is_flag && (bad_ || is_bad || (takes && count_ == Count::ones()));
@@ -53,7 +58,7 @@ struct LinkReceive {
     const bool in_header = count_ < Count::from(kLinkHeaderBytes);
     // The data, and the CRC behind them, which nobody reads.
     const auto behind = Count::from(count_.raw() - kLinkHeaderBytes);
-    if (!in_header && behind < room_) {
+    if (!in_header && behind < room_of_frame_) {
       ring.write((start_ + behind).template trunc<RingPlace::kWidth>(), byte);
     }
     if (in_header) header_ = hls::concat(byte, header_.template bits<63, 8>());
@@ -69,14 +74,13 @@ struct LinkReceive {
     r.address = header_.template bits<63, 32>();
     r.start = start_;
     const auto data = Count::from(count_.raw() - kFixed);
-    const auto left = room_ - data;
     const bool unharmed =
         !bad_ && !escaped_ && crc_ == kCrcResidue && !(count_ < Count::from(kFixed));
-    r.good = unharmed && !left.negative();
+    r.good = unharmed && fits_;
     r.whole = data == (is_write(r.command) ? r.length : uint<16>(0));
     if (r.good) {
       r.room = data.template trunc<LinkLength::kWidth>();
-      room_ = left.as_unsigned().template trunc<kRoomBits>();
+      room_ = uint<kRoomBits>::of_raw(room_.raw() - data.raw());
       start_ = (start_ + data).template trunc<RingPlace::kWidth>();
     }
     places_ = Places::of_raw(places_.raw() - Places(1).raw());
@@ -98,7 +102,11 @@ struct LinkReceive {
   Crc crc_ = kCrcStart;
   RingPlace start_;                                              ///< of the frame's data
   uint<kRoomBits> room_ = uint<kRoomBits>(int{kLinkRingBytes});  ///< free bytes of the ring
-  Places places_ = Places(int{kLinkWaiting});                    ///< requests that may still wait
+  /// When the frame began. What is freed later is not for it: its first bytes may have found no
+  /// room.
+  uint<kRoomBits> room_of_frame_ = uint<kRoomBits>(int{kLinkRingBytes});
+  bool fits_ = false;                          ///< the data so far, into that room
+  Places places_ = Places(int{kLinkWaiting});  ///< requests that may still wait
 };
 
 }  // namespace dynrt

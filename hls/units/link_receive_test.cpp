@@ -17,8 +17,9 @@ using Bytes = std::vector<unsigned>;
 
 class LinkReceiveTest : public testing::Test {
  protected:
-  /// A write of so many bytes, all with one value that needs no escape.
-  void send(unsigned data, unsigned value) {
+  /// A write of so many bytes, all with one value that needs no escape. In its middle `room` bytes
+  /// of the ring are freed.
+  void send(unsigned data, unsigned value, unsigned room = 0) {
     Bytes bytes = {2, 0, data % 256, data / 256, 0, 0, 0, 0};
     bytes.resize(kLinkHeaderBytes + data, value);
     Crc crc = kCrcStart;
@@ -27,7 +28,9 @@ class LinkReceiveTest : public testing::Test {
       bytes.push_back(static_cast<unsigned>((~crc).to_u64() >> (8 * i)) % 256);
     }
     event(kLinkFlag);
-    for (const unsigned byte : bytes) {
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+      if (room != 0 && i == bytes.size() / 2) free(room);
+      const unsigned byte = bytes[i];
       const bool escapes = byte == kLinkFlag || byte == kLinkEscape;
       if (escapes) event(kLinkEscape);
       event(escapes ? byte ^ kLinkEscaped : byte);
@@ -76,6 +79,18 @@ TEST_F(LinkReceiveTest, PassesOnAsBadWhatTheRingHasNoRoomFor) {
   EXPECT_TRUE(last[0].good);
   EXPECT_TRUE(holds(last[0], 77));
   for (unsigned i = 1; i < kFull; ++i) EXPECT_TRUE(holds(waiting[i], i)) << i;
+}
+
+TEST_F(LinkReceiveTest, TakesNoFrameOfWhichOnlyTheEndFoundRoom) {
+  for (unsigned used = 0; used < kLinkRingBytes; used += kLinkDataBytes) send(kLinkDataBytes, 1);
+  requests();
+  send(kLinkDataBytes, 2, kLinkDataBytes);
+  send(kLinkDataBytes, 3);
+  const std::vector<LinkRequest> all = requests();
+  ASSERT_EQ(all.size(), 2u);
+  EXPECT_FALSE(all[0].good) << "its first bytes are not in the ring";
+  EXPECT_TRUE(all[1].good);
+  EXPECT_TRUE(holds(all[1], 3));
 }
 
 TEST_F(LinkReceiveTest, DropsWhatComesWhileAsManyWaitAsMay) {
