@@ -23,15 +23,15 @@
 #define DYNRT_REG_COUNTER_DATA 0x028u /* R  its count */
 #define DYNRT_REG_FRAME_WORDS 0x02cu /* R  how many FRAME registers there are */
 #define DYNRT_REG_SCAN_WORDS 0x030u /* R  how many SCAN registers there are; 0: no scan-out */
-#define DYNRT_REG_SCAN_CLOCKS 0x034u /* RW clocks a pixel takes, 2 to 255; 0: scan-out is off */
+#define DYNRT_REG_SCAN_CLOCKS 0x034u /* RW clocks a pixel takes, 2 to 255, or 1 on a DVI link, which keeps time itself; 0: scan-out is off */
 #define DYNRT_REG_SCAN_SHOWN 0x038u /* R  first word of the picture taken in the last blank */
 #define DYNRT_REG_SCAN_FRAMES 0x03cu /* R  vertical blanks since it was switched on */
 #define DYNRT_REG_MEMORY_ERROR 0x040u /* RW see the MEMORY_ERROR bits; writing a one to bit 0 clears it */
 #define DYNRT_REG_MEMORY_ERROR_ADDRESS 0x044u /* R  byte of the core's memory that it was for */
 #define DYNRT_REG_MEMORY_BASE_LOW 0x048u /* RW where the memory begins on its bus, a multiple of 32 MB */
 #define DYNRT_REG_MEMORY_BASE_HIGH 0x04cu /* RW upper half of it; bits that the bus lacks are 0 */
-#define DYNRT_REG_FRAME 0x100u /* RW first of the FRAME registers (hls/units/frame.h) */
-#define DYNRT_REG_SCAN 0x200u /* RW first of the SCAN registers (hls/units/scan_out.h) */
+#define DYNRT_REG_FRAME 0x100u /* RW first of the FRAME_WORDS registers of a frame (hls/units/frame.h) */
+#define DYNRT_REG_SCAN 0x200u /* RW first of the SCAN_WORDS registers of the scan-out (hls/units/scan_out.h) */
 #define DYNRT_FRAME_WORD_BITS 6u /* there is room for 2^6 FRAME registers */
 #define DYNRT_CONTROL_START 0u /* reset the core, clear its counters, render a frame; may be refused */
 #define DYNRT_CONTROL_RESET 1u /* reset the core and give up the frame; no interrupt follows */

@@ -56,10 +56,11 @@ inline constexpr unsigned kLinkReadsUnderWay = 16;   ///< most such reads
 static_assert(kLinkReadsUnderWay <= kLinkWaiting);
 
 /// Words of the answer to kIdentify. kLinkFacts holds, lowest byte first, the version of this
-/// format, the sequence that the board expects next, the bytes of a beat and zero.
+/// format, the sequence that the board expects next, the bytes of a beat, and the clock of the
+/// display's pixels in MHz, which tells its mode, or zero if the board has none.
 enum LinkIdentity : unsigned {
   kLinkMagic,        ///< kLinkMagicValue
-  kLinkFacts,        ///< four bytes: version, sequence, bytes of a beat, zero
+  kLinkFacts,        ///< four bytes: version, sequence, bytes of a beat, MHz of a pixel
   kLinkClockHz,      ///< of the core
   kLinkMemoryBytes,  ///< behind the link
   kLinkDivisor,      ///< clocks of the link for a bit on the line

@@ -24,11 +24,12 @@ struct LinkFacts {
   std::uint32_t memory_bytes = 0;
   std::uint32_t divisor = 0;
   unsigned beat_bytes = 0;
+  unsigned pixel_mhz = 0;  ///< of a display; 0: there is none
 };
 constexpr LinkWords identity_of(const LinkFacts& facts) {
   std::array<std::uint32_t, kLinkIdentityWords> words{};
   words[kLinkMagic] = kLinkMagicValue;
-  words[kLinkFacts] = kLinkVersion | facts.beat_bytes << 16;
+  words[kLinkFacts] = kLinkVersion | facts.beat_bytes << 16 | facts.pixel_mhz << 24;
   words[kLinkClockHz] = facts.clock_hz;
   words[kLinkMemoryBytes] = facts.memory_bytes;
   words[kLinkDivisor] = facts.divisor;

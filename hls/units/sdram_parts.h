@@ -58,10 +58,13 @@ constexpr SdramPart stricter(SdramPart a, const SdramPart& b) {
   a.column_bits = std::min(a.column_bits, b.column_bits);
   a.ras_most = std::min(a.ras_most, b.ras_most);
   a.refresh_time = std::min(a.refresh_time, b.refresh_time);
+  a.hold = std::min(a.hold, b.hold);
   for (const auto field :
        {&SdramPart::clock_cas2, &SdramPart::clock_cas3, &SdramPart::rcd, &SdramPart::rp,
         &SdramPart::ras, &SdramPart::rc, &SdramPart::rrd, &SdramPart::wr, &SdramPart::mrd,
-        &SdramPart::rfc, &SdramPart::pause, &SdramPart::first_refreshes, &SdramPart::refreshes}) {
+        &SdramPart::rfc, &SdramPart::pause, &SdramPart::first_refreshes, &SdramPart::refreshes,
+        &SdramPart::access_cas2, &SdramPart::access_cas3, &SdramPart::set_up_in,
+        &SdramPart::hold_in}) {
     a.*field = std::max(a.*field, b.*field);
   }
   return a;

@@ -125,6 +125,8 @@ inline constexpr char kDefect[] = "defect in dynrt: {}";
 inline constexpr char kHoldsAnother[] =
     "board {} holds configuration {}, not {}; name what it holds, or nothing";
 inline constexpr char kNoWaveforms[] = "board {} writes no waveforms; --board rtl does";
+inline constexpr char kNoSchedules[] =
+    "board {} has clocks of its own, so --schedule has no use; --board model counts by schedules";
 inline constexpr char kBanksOfSram[] =
     "configuration {} reads its scene from banks of SRAM, not from a memory behind a port; take "
     "fast_port or another whose key memory is port";

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <ranges>
+#include <utility>
 
 #include "host/app/app_messages.h"
 #include "host/app/light_flags.h"
-#include "host/app/progress.h"
 #include "host/board/display.h"
 #include "host/error.h"
 #include "host/ulx3s/board_at_link.h"
@@ -33,6 +33,7 @@ void check_configuration(const BoardRequest& request) {
 std::unique_ptr<Board> open_at_link(const BoardRequest& request, const FrameOptions& options) {
   if (!request.configuration.empty()) check_configuration(request);
   if (!request.trace.empty()) refuse(messages::kNoWaveforms, request.board);
+  if (!request.schedule.empty()) refuse(messages::kNoSchedules, request.board);
   const auto refuse_clocks = [&](const char* option, const std::optional<unsigned>& given) {
     if (given) refuse(messages::kMemoryExists, request.board, option);
   };
@@ -58,10 +59,21 @@ std::unique_ptr<Board> open_board(const BoardRequest& request, const FrameOption
   return board;
 }
 
+BoardProgress::BoardProgress(Board& board, std::string what, std::uint64_t pixels)
+    : board_(board), progress_(std::move(what), pixels) {
+  board_.report_transfers([this](std::string_view part, std::uint64_t done, std::uint64_t total) {
+    progress_.update(part, done, total);
+  });
+}
+
+PixelProgress BoardProgress::pixels() {
+  return [this](std::uint64_t done) { progress_.update(done); };
+}
+
 Frame render_on(Board& board, const FrameOptions& options, const MemoryImage& image) {
-  Progress progress(fmt::format("rendering on board {}", board.name()),
-                    std::uint64_t{options.width} * options.height);
-  return render(board, options, image, [&](std::uint64_t pixels) { progress.update(pixels); });
+  BoardProgress progress(board, fmt::format("rendering on board {}", board.name()),
+                         std::uint64_t{options.width} * options.height);
+  return render(board, options, image, progress.pixels());
 }
 
 std::string image_name(const std::string& out, const std::string& scene) {

@@ -4,9 +4,12 @@
 // A prepared scene on a board of this build, with progress on the terminal.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <string>
 
 #include "host/app/prepare.h"
+#include "host/app/progress.h"
 #include "host/render/render.h"
 
 namespace dynrt::host {
@@ -14,6 +17,20 @@ namespace dynrt::host {
 /// A request without a configuration gets the default one, or that which the board holds. Throws
 /// UserError if this build or the board's configuration lacks a part that the frame needs.
 std::unique_ptr<Board> open_board(const BoardRequest& request, const FrameOptions& options);
+
+/// A progress line of a frame on a board, and of what goes over the board's line for it.
+class BoardProgress {
+ public:
+  BoardProgress(Board& board, std::string what, std::uint64_t pixels);
+  ~BoardProgress() { board_.report_transfers({}); }
+  BoardProgress(const BoardProgress&) = delete;
+  BoardProgress& operator=(const BoardProgress&) = delete;
+  PixelProgress pixels();
+
+ private:
+  Board& board_;
+  Progress progress_;
+};
 
 /// With progress on the terminal.
 Frame render_on(Board& board, const FrameOptions& options, const MemoryImage& image);

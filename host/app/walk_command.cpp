@@ -16,7 +16,6 @@
 #include "host/app/board_frame.h"
 #include "host/app/command.h"
 #include "host/app/kept_trees.h"
-#include "host/app/progress.h"
 #include "host/app/report.h"
 #include "host/app/scene_flags.h"
 #include "host/app/specialised.h"
@@ -29,6 +28,7 @@
 #include "host/scene/animation.h"
 #include "host/scene/check_lights.h"
 #include "host/scene/fingerprint.h"
+#include "host/ulx3s/board_at_link.h"
 
 namespace dynrt::host {
 
@@ -50,10 +50,10 @@ struct Arguments {
   bool again = false;
 
   /// The flags that decide the frames and their figures.
-  WalkSettings settings(const Scene& content) const;
+  WalkSettings settings(const Scene& content, const Board& on) const;
 };
 
-WalkSettings Arguments::settings(const Scene& content) const {
+WalkSettings Arguments::settings(const Scene& content, const Board& on) const {
   const auto text = [](const auto& value) { return value ? fmt::format("{}", *value) : ""; };
   WalkSettings settings = {{"SCENE", scene.scene},
                            {"--frames", fmt::format("{}", frames)},
@@ -62,19 +62,21 @@ WalkSettings Arguments::settings(const Scene& content) const {
   for (const SceneFlag& flag : scene_flags()) {
     settings.emplace_back(flag.name, fmt::format("{}", fmt::join(flag.given(scene), " ")));
   }
-  settings.insert(settings.end(), {{"--reflections", text(frame.reflections)},
-                                   {"--board", board},
-                                   {"--schedule", schedule},
-                                   {"--hits", hits ? "yes" : "no"},
-                                   {"--config", frame.configuration},
-                                   {"--specialise", specialise.specialise ? "yes" : "no"},
-                                   {"--packets", text(frame.packets)},
-                                   {"--lines", text(frame.lines)},
-                                   {"--memory-latency", text(frame.memory.latency)},
-                                   {"--row-clocks", text(frame.memory.row_clocks)},
-                                   {"--order", frame.order},
-                                   {"--uncompressed", frame.uncompressed ? "yes" : "no"},
-                                   {kSceneContent, fmt::format("{:016x}", fingerprint(content))}});
+  settings.insert(settings.end(),
+                  {{"--reflections", text(frame.reflections)},
+                   {"--board", board},
+                   {"--schedule", schedule},
+                   {"--hits", hits ? "yes" : "no"},
+                   {"--config", is_at_link(board) ? on.core().name : frame.configuration},
+                   {kBoardClock, text(on.clock_hz())},
+                   {"--specialise", specialise.specialise ? "yes" : "no"},
+                   {"--packets", text(frame.packets)},
+                   {"--lines", text(frame.lines)},
+                   {"--memory-latency", text(frame.memory.latency)},
+                   {"--row-clocks", text(frame.memory.row_clocks)},
+                   {"--order", frame.order},
+                   {"--uncompressed", frame.uncompressed ? "yes" : "no"},
+                   {kSceneContent, fmt::format("{:016x}", fingerprint(content))}});
   return settings;
 }
 
@@ -170,7 +172,7 @@ int run(const Arguments& arguments) {
         return prepare(scene, options.width, options.height, &info, kept_trees());
       });
   const CoreClock clock = arguments.frame.clock.clock_of(board->core(), board->clock_hz());
-  WalkFolder folder(place.folder(), arguments.settings(prepared.scene), arguments.again);
+  WalkFolder folder(place.folder(), arguments.settings(prepared.scene, *board), arguments.again);
   const WalkPlan plan(prepared.scene, arguments.frames, arguments.span.from, arguments.span.to);
   if (!plan.orbit && board->core().lights > 0 && !prepared.scene.lights.empty()) {
     check_moving_lights(prepared, plan, board->core());
@@ -191,10 +193,10 @@ int run(const Arguments& arguments) {
       records.push_back(*record);
       ++kept;
     } else {
-      Progress progress(
-          fmt::format("frame {} of {} on board {}", i, arguments.frames, board->name()),
+      BoardProgress progress(
+          *board, fmt::format("frame {} of {} on board {}", i, arguments.frames, board->name()),
           std::uint64_t{options.width} * options.height);
-      const PixelProgress show = [&](std::uint64_t pixels) { progress.update(pixels); };
+      const PixelProgress show = progress.pixels();
       const Walker::Result result = [&] {
         try {
           return walker.render_frame(i, show);

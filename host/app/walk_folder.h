@@ -28,6 +28,8 @@ void check_walk_folder(const std::string& path);
 using WalkSettings = std::vector<std::pair<std::string, std::string>>;
 /// Name of the setting that holds the scene's fingerprint. Messages do not show its value.
 inline constexpr char kSceneContent[] = "scene content";
+/// Of a board that exists: another bitstream may have another.
+inline constexpr char kBoardClock[] = "clock of the board";
 
 class WalkFolder {
  public:

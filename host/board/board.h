@@ -43,6 +43,10 @@ struct FrameRun {
 /// Called now and then with the number of pixels of the frame that are written.
 using PixelProgress = std::function<void(std::uint64_t pixels)>;
 
+/// Called while bytes go to a board or come from it: what they are, how many have, of how many.
+using TransferProgress =
+    std::function<void(std::string_view what, std::uint64_t done, std::uint64_t total)>;
+
 /// The board never raised its interrupt.
 struct TimeoutError : UserError {
   using UserError::UserError;
@@ -70,6 +74,8 @@ class Board {
 
   /// Sends what write() has kept back, if the way to the board is such that it pays.
   virtual void finish_writes() {}
+  /// Of a board at the end of a line so slow that somebody waits for it; empty: nobody is told.
+  virtual void report_transfers(TransferProgress /*progress*/) {}
 
   /// What lies between host and board.
   virtual std::string_view bus() const { return "33 MHz PCI"; }

@@ -13,6 +13,13 @@ inline constexpr char kAssertion[] =
     "an assertion of the Verilog, printed above, fails in clock {} of the board";
 inline constexpr char kBusHangs[] =
     "board {}: the bus waits for ever at address {:#x}; the Verilog behind it is broken";
+inline constexpr char kStaysBusy[] =
+    "board {}: its core stays busy after a reset; press the board's reset, or load its bitstream "
+    "again";
+inline constexpr char kStandsStill[] =
+    "board {}: its core has begun a frame and counts no clocks behind the {} that it has; press "
+    "the "
+    "board's reset, or load its bitstream again";
 inline constexpr char kWrongId[] =
     "board {}: its registers give the id {:#x} and the version {:#x}, but the host expects {:#x} "
     "and {:#x}; rebuild the Verilog and the host together";

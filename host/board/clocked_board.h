@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -24,7 +25,8 @@ class ClockedBoard {
   /// Writes or reads consecutive words; false if the board keeps the bus waiting for ever.
   virtual bool write(std::uint32_t address, std::span<const std::uint32_t> words) = 0;
   virtual bool read(std::uint32_t address, std::span<std::uint32_t> words) = 0;
-  /// Clocks the board until the interrupt line is high, at most `limit` times; true if it is.
+  /// Clocks the board until the interrupt line is high, at most `limit` times or a few more; true
+  /// if it is. clocks() stays as it was if the clock of a board that exists stands still.
   virtual bool run_until_interrupt(std::uint64_t limit) = 0;
 
   /// Of the memory behind the core's port, if it has one.
@@ -34,8 +36,8 @@ class ClockedBoard {
   virtual std::uint64_t clocks() const = 0;  ///< since power-up
   /// Shows the VGA pins of every clock to this monitor from now on; null: to none.
   virtual void watch(VgaMonitor* monitor) = 0;
-  /// Halves of words written to bank 3 since power-up.
-  virtual std::uint64_t frame_writes() const = 0;
+  /// Halves of words written to bank 3 since power-up; none if nobody sees them.
+  virtual std::optional<std::uint64_t> frame_writes() const = 0;
 };
 
 /// Makes a board. The second kind is slower and shows more: it writes waveforms to the FST file

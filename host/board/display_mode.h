@@ -30,6 +30,13 @@ inline constexpr StandardMode kStandardModes[] = {
     {"640x480", {640, 656, 752, 800, 480, 490, 492, 525, false, false}, 25.175, 25},
     {"800x600", {800, 840, 968, 1056, 600, 601, 605, 628, true, true}, 40, 40},
 };
+/// The mode of a link whose pixels have this clock; null if there is none.
+constexpr const DisplayMode* mode_of_link(unsigned mhz) {
+  for (const StandardMode& standard : kStandardModes) {
+    if (standard.link_mhz == mhz) return &standard.mode;
+  }
+  return nullptr;
+}
 inline constexpr const StandardMode& k640x480 = kStandardModes[0];
 inline constexpr const StandardMode& k800x600 = kStandardModes[1];
 

@@ -27,7 +27,8 @@ static_assert(kMaxFrameWords <= 1u << reg::kFrameWordBits,
               "FrameConfig has more fields than the board has room for FRAME registers");
 
 constexpr std::uint64_t kClocksPerReport = 10'000;
-constexpr std::uint32_t kNoMemoryThere = 3;  ///< in MEMORY_ERROR
+constexpr std::string_view kFreedPackets = "free_packet.tokens";  ///< a counter
+constexpr std::uint32_t kNoMemoryThere = 3;                       ///< in MEMORY_ERROR
 constexpr int kResetReads = 100;  ///< reads of STATUS that outlast the core's reset by far
 
 }  // namespace
@@ -37,6 +38,10 @@ RtlBoard::RtlBoard(CoreInfo core, std::unique_ptr<ClockedBoard> clocked,
     : Board(std::move(kind), std::move(core)),
       clocked_(std::move(clocked)),
       counters_(std::move(counters)) {
+  const auto freed = std::ranges::find(counters_, kFreedPackets, &Counter::name);
+  if (freed != counters_.end()) {
+    freed_packets_ = static_cast<std::uint32_t>(freed - counters_.begin());
+  }
   clocked_->reset();
   const std::uint32_t id = read_register(reg::kRegId);
   const std::uint32_t version = read_register(reg::kRegVersion);
@@ -61,10 +66,16 @@ RtlBoard::RtlBoard(CoreInfo core, std::unique_ptr<ClockedBoard> clocked,
 }
 
 void RtlBoard::settle() {
+  if (settles()) return;
+  write_register(reg::kRegControl, 1u << reg::kControlReset);
+  if (!settles()) refuse(messages::kStaysBusy, name());
+}
+
+bool RtlBoard::settles() {
   for (int i = 0; i < kResetReads; ++i) {
-    if (!(read_register(reg::kRegStatus) >> reg::kStatusBusy & 1)) return;
+    if (!(read_register(reg::kRegStatus) >> reg::kStatusBusy & 1)) return true;
   }
-  refuse(messages::kBusHangs, name(), reg::kRegStatus);
+  return false;
 }
 
 void RtlBoard::write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) {
@@ -83,7 +94,7 @@ void RtlBoard::configure(const FrameConfig& frame) {
 }
 
 void RtlBoard::start() {
-  frame_writes_at_start_ = clocked_->frame_writes();
+  frame_writes_at_start_ = clocked_->frame_writes().value_or(0);
   write_register(reg::kRegControl, 1u << reg::kControlStart);
   const std::uint32_t status = read_register(reg::kRegStatus);
   if (!(status >> reg::kStatusRefused & 1)) return;
@@ -98,12 +109,13 @@ FrameRun RtlBoard::wait(std::uint64_t timeout, const PixelProgress& progress) {
   std::uint64_t written = 0;
   std::uint64_t left = timeout;
   while (!clocked_->interrupt() && left > 0) {
-    const std::uint64_t step = std::min(left, kClocksPerReport);
-    clocked_->run_until_interrupt(step);
+    const std::uint64_t before = clocked_->clocks();
+    clocked_->run_until_interrupt(std::min(left, kClocksPerReport));
+    const std::uint64_t passed = clocked_->clocks() - before;
+    if (passed == 0 && !clocked_->interrupt()) refuse(messages::kStandsStill, name(), before);
     // A core that writes pixels for ever is stuck as well.
-    const std::uint64_t halves = clocked_->frame_writes() - frame_writes_at_start_;
-    const std::uint64_t now = std::min(2 * halves / core_.pixel_bytes(), pixels);
-    left = now > written ? timeout : left - step;
+    const std::uint64_t now = std::min(pixels_written(), pixels);
+    left = now > written ? timeout : left - std::min(left, passed);
     written = now;
     if (progress) progress(written);
   }
@@ -120,6 +132,17 @@ FrameRun RtlBoard::wait(std::uint64_t timeout, const PixelProgress& progress) {
   return {.cycles = cycles[0] | std::uint64_t{cycles[1]} << 32,
           .seconds = seconds.count(),
           .missed_pixels = (status >> reg::kStatusDisplayMissed & 1) != 0};
+}
+
+std::uint64_t RtlBoard::pixels_written() {
+  if (const auto halves = clocked_->frame_writes()) {
+    return 2 * (*halves - frame_writes_at_start_) / core_.pixel_bytes();
+  }
+  if (!freed_packets_) return 0;
+  // At first all packets are freed.
+  write_register(reg::kRegCounterAddress, *freed_packets_);
+  const std::uint64_t freed = read_register(reg::kRegCounterData);
+  return (freed - std::min<std::uint64_t>(freed, core_.packets)) * core_.packet_rays;
 }
 
 void RtlBoard::refuse_memory_error() {

@@ -46,8 +46,11 @@ class RtlBoard : public Board {
  private:
   void burst_write(std::uint32_t address, std::span<const std::uint32_t> words);
   void burst_read(std::uint32_t address, std::span<std::uint32_t> words);
-  /// Waits for the end of the core's reset, a few clocks.
+  /// Waits for the end of the core's reset, a few clocks; resets a core that works.
   void settle();
+  bool settles();
+  /// Of the frame under way.
+  std::uint64_t pixels_written();
   /// Clears the error.
   [[noreturn]] void refuse_memory_error();
   [[noreturn]] void give_up(std::uint64_t timeout, std::uint64_t pixels);
@@ -56,6 +59,7 @@ class RtlBoard : public Board {
   std::vector<Counter> counters_;
   FrameConfig frame_;  ///< the one that the FRAME registers hold
   std::uint64_t frame_writes_at_start_ = 0;
+  std::optional<std::uint32_t> freed_packets_;  ///< the address of their counter
 };
 
 }  // namespace dynrt::host

@@ -94,7 +94,7 @@ class DeadBoard final : public ClockedBoard {
   bool interrupt() const override { return false; }
   void watch(VgaMonitor*) override {}
   std::uint64_t clocks() const override { return 0; }
-  std::uint64_t frame_writes() const override { return 0; }
+  std::optional<std::uint64_t> frame_writes() const override { return 0; }
 
  private:
   bool hangs_;

@@ -16,6 +16,7 @@
 #include <verilated_fst_c.h>
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -102,7 +103,7 @@ class VerilatedBoard final : public ClockedBoard {
 
   bool interrupt() const override { return top_->irq_o; }
   std::uint64_t clocks() const override { return clocks_; }
-  std::uint64_t frame_writes() const override { return sram_.frame_writes(); }
+  std::optional<std::uint64_t> frame_writes() const override { return sram_.frame_writes(); }
 
  private:
   static constexpr int kResetClocks = 4;

@@ -18,6 +18,7 @@ void LineSettings::put_back(const void* settings) {
   const auto& was = *static_cast<const LineSettings*>(settings);
   ::tcflush(was.file_, TCIOFLUSH);  // what is not sent yet would hold up the close
   if (was.has_serial_) ::ioctl(was.file_, TIOCSSERIAL, &was.serial_);
+  ::ioctl(was.file_, TIOCNXCL);  // of serial_device.cpp, where the device outlives its files
   if (was.has_line_) ::tcsetattr(was.file_, TCSANOW, &was.line_);
 }
 

@@ -66,6 +66,7 @@ void BoardLink::identify() {
   board_.version = facts & 0xff;
   sequence_ = static_cast<std::uint8_t>(facts >> 8);
   board_.beat_bytes = facts >> 16 & 0xff;
+  board_.pixel_mhz = facts >> 24;
   board_.clock_hz = word_at(found->data, kLinkClockHz);
   board_.memory_bytes = word_at(found->data, kLinkMemoryBytes);
   board_.divisor = word_at(found->data, kLinkDivisor);

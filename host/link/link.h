@@ -31,6 +31,7 @@ struct LinkIdentification {
   std::uint32_t clock_hz = 0;
   std::uint32_t memory_bytes = 0;
   std::uint32_t divisor = 0;
+  unsigned pixel_mhz = 0;  ///< of the display; 0: there is none
 };
 
 struct LinkPatience {

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -165,6 +166,9 @@ TEST(SerialDevice, LeavesItAsItWasIfASignalEndsTheProgram) {
     EXPECT_EQ(after.c_lflag, before.c_lflag);
     EXPECT_EQ(::cfgetospeed(&after), ::cfgetospeed(&before));
     EXPECT_EQ(refusal(other.path), "none") << "it is released";
+    int exclusive = 1;
+    ASSERT_EQ(::ioctl(look, TIOCGEXCL, &exclusive), 0);
+    EXPECT_EQ(exclusive, 0);
     ::close(look);
   }
 }

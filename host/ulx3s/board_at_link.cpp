@@ -33,7 +33,6 @@ namespace {
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 
-constexpr const DisplayMode& kMode = k640x480.mode;
 constexpr milliseconds kPoll{1};  ///< of a real board's state
 constexpr microseconds kSimulatedPoll{500};
 constexpr milliseconds kDisplayStep{2};
@@ -72,7 +71,8 @@ BoardAtLink::BoardAtLink(std::string name, const LinkedCore& core, LinkedBoard& 
                          std::unique_ptr<LinkedBoard>&& owned, SimulatedUlx3s* simulated)
     : RtlBoard(core.info(), std::move(owned), counters_of(core.json()), std::move(name)),
       linked_(linked),
-      simulated_(simulated) {}
+      simulated_(simulated),
+      mode_(mode_of_link(linked.pixel_mhz())) {}
 
 std::string_view BoardAtLink::bus() const {
   static_assert(kLinkBaud == 3'000'000);
@@ -89,10 +89,11 @@ void BoardAtLink::configure(const FrameConfig& frame) {
   if (shows_ && frame.width == shown_.width && frame.height == shown_.height) {
     write_register(reg::kRegScan, number(frame.frame_base));
   } else {
-    write_register(reg::kRegScanClocks, 0);
-    shows_ = core().pitch(width) == width && width <= kMode.hdisplay && height <= kMode.vdisplay;
+    if (mode_ != nullptr) write_register(reg::kRegScanClocks, 0);
+    shows_ = mode_ != nullptr && core().pitch(width) == width && width <= mode_->hdisplay &&
+             height <= mode_->vdisplay;
     if (shows_) {
-      write_scan(*this, scan_config(kMode, number(frame.frame_base), width, height));
+      write_scan(*this, scan_config(*mode_, number(frame.frame_base), width, height));
       write_register(reg::kRegScanClocks, 1);
     }
   }
@@ -110,6 +111,7 @@ void BoardAtLink::read_pixels(std::uint32_t first, std::span<std::uint32_t> pixe
 }
 
 void BoardAtLink::read_display(std::span<std::uint32_t> pixels) {
+  linked_.count_read(pixels.size() * core().pixel_bytes());
   simulated_->take_frames();
   // The frame under way may have begun before the picture was complete.
   std::vector<DisplayFrame> frames;
@@ -120,16 +122,16 @@ void BoardAtLink::read_display(std::span<std::uint32_t> pixels) {
   }
   const DisplayFrame& frame = frames.back();
   if (!frame.fault.empty()) refuse(messages::kBadPicture, frame.fault);
-  if (frame.mode != kMode) {
-    refuse(messages::kOtherMode, frame.mode.hdisplay, frame.mode.vdisplay, kMode.hdisplay,
-           kMode.vdisplay);
+  if (frame.mode != *mode_) {
+    refuse(messages::kOtherMode, frame.mode.hdisplay, frame.mode.vdisplay, mode_->hdisplay,
+           mode_->vdisplay);
   }
   const std::size_t width = shown_.width.to_u64();
   const std::size_t height = shown_.height.to_u64();
-  const std::size_t left = (kMode.hdisplay - width) / 2;
-  const std::size_t top = (kMode.vdisplay - height) / 2;
+  const std::size_t left = (mode_->hdisplay - width) / 2;
+  const std::size_t top = (mode_->vdisplay - height) / 2;
   for (std::size_t y = 0; y < height; ++y) {
-    const std::size_t row = (top + y) * kMode.hdisplay + left;
+    const std::size_t row = (top + y) * mode_->hdisplay + left;
     std::ranges::copy_n(frame.pixels.begin() + static_cast<std::ptrdiff_t>(row),
                         static_cast<std::ptrdiff_t>(width),
                         pixels.begin() + static_cast<std::ptrdiff_t>(y * width));

@@ -11,7 +11,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
+#include "host/board/display_mode.h"
 #include "host/board/rtl_board.h"
 #include "host/ulx3s/linked_board.h"
 #include "host/ulx3s/simulated_ulx3s.h"
@@ -46,6 +48,9 @@ class BoardAtLink final : public RtlBoard {
   /// What its display shows is what read_pixels() gives.
   bool has_scan_out() const override { return false; }
   void finish_writes() override { linked_.send_memory(); }
+  void report_transfers(TransferProgress progress) override {
+    linked_.report_transfers(std::move(progress));
+  }
   std::string_view bus() const override;
   std::optional<double> clock_hz() const override { return linked_.clock_hz(); }
   bool emulates_memory() const override { return false; }
@@ -63,6 +68,7 @@ class BoardAtLink final : public RtlBoard {
 
   LinkedBoard& linked_;
   SimulatedUlx3s* simulated_;
+  const DisplayMode* mode_;  ///< of its display; null if it has none
   FrameConfig shown_;
   bool shows_ = false;  ///< a picture that fits the display
 };

@@ -15,6 +15,13 @@ namespace dynrt::host {
 
 namespace reg = registers;
 
+namespace {
+
+/// Looks at a board that works, each of a millisecond or so, in which its clocks do not change.
+constexpr unsigned kMostStill = 1000;
+
+}  // namespace
+
 LinkedBoard::LinkedBoard(std::unique_ptr<BoardLink> link, BackDoor* door, Pause pause)
     : link_(std::move(link)), door_(door), pause_(std::move(pause)) {}
 
@@ -57,12 +64,14 @@ bool LinkedBoard::run_until_interrupt(std::uint64_t limit) {
   static_assert(reg::kRegCyclesLow == reg::kRegIrqPending + 4 &&
                 reg::kRegCyclesHigh == reg::kRegCyclesLow + 4);
   const std::uint64_t end = clocks_ + limit;
-  while (!interrupt_ && clocks_ < end) {
+  for (unsigned still = 0; !interrupt_ && clocks_ < end && still < kMostStill; ++still) {
     pause_();
     std::array<std::uint32_t, 3> state{};
     link_->read_registers(reg::kRegIrqPending, state);
     interrupt_ = state[0] != 0;
-    clocks_ = std::max(clocks_ + 1, state[1] | std::uint64_t{state[2]} << 32);
+    const std::uint64_t clocks = state[1] | std::uint64_t{state[2]} << 32;
+    if (clocks > clocks_) still = 0;
+    clocks_ = std::max(clocks_, clocks);
   }
   return interrupt_;
 }
@@ -81,6 +90,16 @@ void LinkedBoard::spare_line(const LineCost& cost) {
   bytes_beside_ += cost.sent;
 }
 
+void LinkedBoard::count_read(std::uint64_t bytes) {
+  bytes_read_ += bytes;
+  spare_line(read_cost(bytes, link_->board().beat_bytes));
+}
+
+LinkProgress LinkedBoard::progress_of(std::string_view what, std::uint64_t total) const {
+  if (!progress_) return {};
+  return [this, what, total](std::uint64_t done) { progress_(what, done, total); };
+}
+
 void LinkedBoard::send_memory() {
   if (written_.empty()) return;
   kept_ = {};
@@ -91,7 +110,7 @@ void LinkedBoard::send_memory() {
   uploaded_ += bytes;
   bytes_written_ += bytes;
   if (door_ == nullptr) {
-    link_->write_memory(changes);
+    link_->write_memory(changes, progress_of("sending the scene", bytes));
   } else {
     spare_line(upload_cost(changes));
     for (const MemoryBytes& part : changes) door_->write(part.address, part.bytes);
@@ -126,11 +145,11 @@ void LinkedBoard::read_window(unsigned bank, std::uint32_t word, std::span<std::
 std::span<const std::uint8_t> LinkedBoard::memory(std::uint32_t address, std::size_t bytes) {
   if (kept_.address != address || kept_.bytes.size() != bytes) {
     kept_ = {address, std::vector<std::uint8_t>(bytes)};
-    bytes_read_ += bytes;
     if (door_ == nullptr) {
-      link_->read_memory(address, kept_.bytes);
+      link_->read_memory(address, kept_.bytes, progress_of("reading its results", bytes));
+      bytes_read_ += bytes;
     } else {
-      spare_line(read_cost(bytes, link_->board().beat_bytes));
+      count_read(bytes);
       door_->read(address, kept_.bytes);
     }
   }

@@ -13,8 +13,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
+#include "host/board/board.h"
 #include "host/board/bus.h"
 #include "host/board/clocked_board.h"
 #include "host/link/link.h"
@@ -45,8 +48,12 @@ class LinkedBoard final : public ClockedBoard {
   bool interrupt() const override { return interrupt_; }
   std::uint64_t clocks() const override { return clocks_; }
   void watch(VgaMonitor* /*monitor*/) override {}
-  std::uint64_t frame_writes() const override { return 0; }
+  std::optional<std::uint64_t> frame_writes() const override { return std::nullopt; }
 
+  /// Of the memory.
+  void report_transfers(TransferProgress progress) { progress_ = std::move(progress); }
+  /// Counts bytes of the memory that came another way, as if they had come over the line.
+  void count_read(std::uint64_t bytes);
   /// Sends what the board does not hold yet of what was written to the window.
   void send_memory();
   /// Bytes of the memory that were sent.
@@ -54,10 +61,13 @@ class LinkedBoard final : public ClockedBoard {
   /// On the line, or what would have been there without a back door.
   BusTraffic traffic() const;
   double clock_hz() const { return link_->board().clock_hz; }
+  unsigned pixel_mhz() const { return link_->board().pixel_mhz; }  ///< 0: it has no display
   const LinkCounts& counts() const { return link_->counts(); }
 
  private:
   void spare_line(const LineCost& cost);
+  /// For the link, of a transfer of so many bytes.
+  LinkProgress progress_of(std::string_view what, std::uint64_t total) const;
   void write_window(unsigned bank, std::uint32_t word, std::span<const std::uint32_t> words);
   void read_window(unsigned bank, std::uint32_t word, std::span<std::uint32_t> words);
   /// Bytes of the board's memory, kept until the next frame starts.
@@ -66,6 +76,7 @@ class LinkedBoard final : public ClockedBoard {
   std::unique_ptr<BoardLink> link_;
   BackDoor* door_;
   Pause pause_;
+  TransferProgress progress_;
   std::optional<std::uint32_t> counter_;            ///< the address of the one to be read
   std::map<std::uint32_t, std::uint32_t> written_;  ///< words to be sent, by the byte's address
   UploadPlan plan_;

@@ -191,13 +191,14 @@ module board_registers #(
   localparam [63:0] BASE_MASK =
       MEMORY_BASE_BITS == 0 ? 64'd0 : (~64'd0 >> (64 - MEMORY_BASE_BITS)) & ~64'h1ffffff;
   assign memory_base_o = base_q;
+  wire clears_error = write_q && write_addr_q == REG_MEMORY_ERROR && write_data_q[MEMORY_ERROR_SEEN];
   always @(posedge clk_i) begin
-    if (memory_error_i && !error_q) begin
+    if (memory_error_i && (!error_q || clears_error)) begin
       error_q <= 1'b1;
       error_write_q <= memory_error_write_i;
       error_response_q <= memory_error_response_i;
       error_address_q <= memory_error_address_i;
-    end else if (write_q && write_addr_q == REG_MEMORY_ERROR && write_data_q[MEMORY_ERROR_SEEN]) begin
+    end else if (clears_error) begin
       error_q <= 1'b0;
       error_write_q <= 1'b0;
       error_response_q <= 2'd0;

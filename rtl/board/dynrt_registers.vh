@@ -30,15 +30,15 @@ localparam [25:0] REG_COUNTER_ADDRESS = 26'h024; // W  which of the core's count
 localparam [25:0] REG_COUNTER_DATA = 26'h028;    // R  its count
 localparam [25:0] REG_FRAME_WORDS = 26'h02c;     // R  how many FRAME registers there are
 localparam [25:0] REG_SCAN_WORDS = 26'h030;      // R  how many SCAN registers there are; 0: no scan-out
-localparam [25:0] REG_SCAN_CLOCKS = 26'h034;     // RW clocks a pixel takes, 2 to 255; 0: scan-out is off
+localparam [25:0] REG_SCAN_CLOCKS = 26'h034;     // RW clocks a pixel takes, 2 to 255, or 1 on a DVI link, which keeps time itself; 0: scan-out is off
 localparam [25:0] REG_SCAN_SHOWN = 26'h038;      // R  first word of the picture taken in the last blank
 localparam [25:0] REG_SCAN_FRAMES = 26'h03c;     // R  vertical blanks since it was switched on
 localparam [25:0] REG_MEMORY_ERROR = 26'h040;    // RW see the MEMORY_ERROR bits; writing a one to bit 0 clears it
 localparam [25:0] REG_MEMORY_ERROR_ADDRESS = 26'h044; // R  byte of the core's memory that it was for
 localparam [25:0] REG_MEMORY_BASE_LOW = 26'h048; // RW where the memory begins on its bus, a multiple of 32 MB
 localparam [25:0] REG_MEMORY_BASE_HIGH = 26'h04c; // RW upper half of it; bits that the bus lacks are 0
-localparam [25:0] REG_FRAME = 26'h100;           // RW first of the FRAME registers (hls/units/frame.h)
-localparam [25:0] REG_SCAN = 26'h200;            // RW first of the SCAN registers (hls/units/scan_out.h)
+localparam [25:0] REG_FRAME = 26'h100;           // RW first of the FRAME_WORDS registers of a frame (hls/units/frame.h)
+localparam [25:0] REG_SCAN = 26'h200;            // RW first of the SCAN_WORDS registers of the scan-out (hls/units/scan_out.h)
 
 localparam FRAME_WORD_BITS = 6; // there is room for 2^6 FRAME registers
 

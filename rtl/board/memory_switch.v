@@ -3,10 +3,10 @@
 //
 // One memory for three: the display, the core and the host, whose reads take turns, as do their
 // writes. Buffers behind them let a turn pass on while the memory is busy. An answer finds its way by
-// the two highest bits of its id. A read of the host waits for the host's writes, so that it sees
-// them. The memory answers reads of different rows of 1 KB in any order, but display and host want
-// theirs in order: the display asks for one row at a time, the host for one beat. Answers that a core
-// in reset has no more use for are dropped.
+// the two highest bits of its id. A read of the host waits for the writes before it, so that it sees
+// them, and writes of the core wait for it meanwhile. The memory answers reads of different rows of
+// 1 KB in any order, but display and host want theirs in order: the display asks for one row at a
+// time, the host for one beat. Answers that a core in reset has no more use for are dropped.
 //
 // Parameters:
 //   ID_BITS     of a read of the core
@@ -28,7 +28,7 @@ module memory_switch #(
   input  wire                    display_beat_ready_i,
   // core
   input  wire                    core_stop_i, // in reset
-  output wire                    core_idle_o, // no read of it is under way
+  output wire                    core_idle_o, // no read of it is under way, nor any write
   input  wire                    core_read_valid_i,
   output wire                    core_read_ready_o,
   input  wire [ID_BITS-1:0]      core_read_id_i,
@@ -94,8 +94,11 @@ module memory_switch #(
   reg  [3:0] host_beat_q;
   reg        host_waits_q;
   wire host_read_ends = host_beat_q == host_read_last_i;
-  wire host_read_allowed =
-      !host_write_valid_i && !write_valid_o && writes_idle_i && !host_waits_q;
+  wire write_under_way = write_valid_o || !writes_idle_i;
+  wire host_read_waits = host_read_valid_i && !host_waits_q;
+  wire core_write_granted;
+  assign core_write_ready_o = core_write_granted && !host_read_waits;
+  wire host_read_allowed = !host_write_valid_i && !write_under_way && !host_waits_q;
   wire host_read_granted;
   wire host_asks = host_read_valid_i && host_read_allowed && host_read_granted;
   wire [24:0] host_beat_address = host_read_address_i + {21'd0, host_beat_q} * BEAT_BYTES[24:0];
@@ -122,8 +125,8 @@ module memory_switch #(
 
   hls_arbiter #(.INPUTS(2), .WIDTH(WRITE_BITS)) writes (
     .clk_i(clk_i), .rst_ni(rst_ni),
-    .valid_i({host_write_valid_i, core_write_valid_i}),
-    .ready_o({host_write_ready_o, core_write_ready_o}),
+    .valid_i({host_write_valid_i, core_write_valid_i && !host_read_waits}),
+    .ready_o({host_write_ready_o, core_write_granted}),
     .data_i({host_write_address_i, host_write_data_i, host_write_mask_i,
              core_write_address_i, core_write_data_i, core_write_mask_i}),
     .valid_o(writes_valid), .ready_i(writes_ready), .data_o(written)
@@ -153,7 +156,7 @@ module memory_switch #(
   wire core_ends = ends && beat_for == CORE;
   wire display_ends = ends && beat_for == DISPLAY;
   wire host_ends = ends && beat_for == HOST;
-  assign core_idle_o = core_reads_q == {(ID_BITS + 1) {1'b0}};
+  assign core_idle_o = core_reads_q == {(ID_BITS + 1) {1'b0}} && !write_under_way;
   assign host_beat_last_o = host_last_q;
   always @(posedge clk_i) begin
     if (core_begins && !core_ends) core_reads_q <= core_reads_q + 1'b1;

@@ -81,9 +81,9 @@ module axi_lite_registers (
     if (written) b_error_q <= !allowed;
     if (asked) r_error_q <= !allowed;
     if (!r_q) r_data_q <= reading_q ? bus_rdata_i : 32'd0;
-    if (done) turn_q <= !bus_write_o;
   end
   always @(posedge clk_i) begin
+    if (done) turn_q <= !bus_write_o;
     aw_q <= (aw_q && !written) || (s_axil_awvalid && s_axil_awready);
     w_q <= (w_q && !written) || (s_axil_wvalid && s_axil_wready);
     b_q <= (b_q && !s_axil_bready) || written;
@@ -91,6 +91,7 @@ module axi_lite_registers (
     reading_q <= (reading_q && !bus_rvalid_i) || (asked && allowed);
     r_q <= (r_q && !s_axil_rready) || (asked && !allowed) || (reading_q && bus_rvalid_i);
     if (!rst_ni) begin
+      turn_q <= 1'b0;
       aw_q <= 1'b0;
       w_q <= 1'b0;
       b_q <= 1'b0;

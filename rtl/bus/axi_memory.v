@@ -38,7 +38,7 @@ module axi_memory #(
   parameter ADDRESS_BITS = 32,
   parameter READS = 64,
   parameter WRITES = 16,
-  parameter [3:0] CACHE = 4'b0011,
+  parameter [3:0] CACHE = 4'b0010,
   parameter [2:0] PROT = 3'b000,
   parameter READ_BITS = 24,
   parameter IN_ORDER = READ_BEATS > 1 ? 1 : 0,

@@ -14,7 +14,7 @@ module dynrt_axi #(
   parameter [63:0] MEMORY_BASE = 64'd0, // where the memory begins on it, a multiple of 32 MB
   parameter READS = 64,  // reads in flight, of a core whose reads have several beats
   parameter WRITES = 16, // bursts of writes in flight
-  parameter [3:0] CACHE = 4'b0011, // AxCACHE of all accesses
+  parameter [3:0] CACHE = 4'b0010, // AxCACHE of all accesses
   parameter [2:0] PROT = 3'b000,   // and their AxPROT
   // Follows from the core, leave it as it is.
   parameter AXI_ID_BITS = `DYNRT_CORE_MEMORY_READ_BEATS > 1 ? 1 : `DYNRT_CORE_MEMORY_ID_BITS

@@ -140,7 +140,7 @@ module dynrt_serial #(
     .memory_write_valid_o(core_write_valid), .memory_write_ready_i(core_write_ready),
     .memory_write_address_o(core_write_address), .memory_write_data_o(core_write_data),
     .memory_write_mask_o(core_write_mask), .memory_write_left_o(core_write_left),
-    .memory_idle_i(core_idle && writes_idle), .memory_stop_o(core_stop), .memory_base_o(base),
+    .memory_idle_i(core_idle), .memory_stop_o(core_stop), .memory_base_o(base),
     .memory_error_i(error), .memory_error_write_i(error_write),
     .memory_error_response_i(error_response), .memory_error_address_i(error_address)
   );
@@ -195,22 +195,34 @@ module dynrt_serial #(
     else if (ends && !begins) under_way_q <= under_way_q - 1'b1;
   end
 
+  // The host may move the memory while accesses of its own are under way: new ones wait until these
+  // are answered.
+  wire all_idle, moved_read_ready, moved_write_ready;
+  reg  [ADDRESS_BITS-1:0] base_q;
+  wire moves = base_q != base[ADDRESS_BITS-1:0];
+  assign read_ready = moved_read_ready && !moves;
+  assign write_ready = moved_write_ready && !moves;
+  always @(posedge clk_i) begin
+    if (!rst_ni) base_q <= MEMORY_BASE[ADDRESS_BITS-1:0];
+    else if (all_idle) base_q <= base[ADDRESS_BITS-1:0];
+  end
+
   // The switch drops what comes for a core in reset, so the memory never has to stop for it.
-  wire all_idle;
   axi_memory #(
     .ID_BITS(ID_BITS + 2), .BEAT_BYTES(BEAT_BYTES), .READ_BEATS(`DYNRT_CORE_MEMORY_READ_BEATS),
     .ADDRESS_BITS(ADDRESS_BITS), .READS(READS), .WRITES(WRITES), .READ_BITS(25),
     .IN_ORDER(1)
   ) memory (
-    .clk_i(clk_i), .rst_ni(rst_ni), .base_i(base[ADDRESS_BITS-1:0]), .stop_i(1'b0),
+    .clk_i(clk_i), .rst_ni(rst_ni), .base_i(base_q), .stop_i(1'b0),
     .idle_o(all_idle), .error_o(error), .error_write_o(error_write),
     .error_response_o(error_response), .error_address_o(error_address),
-    .read_valid_i(read_valid), .read_ready_o(read_ready), .read_id_i(read_id),
+    .read_valid_i(read_valid && !moves), .read_ready_o(moved_read_ready), .read_id_i(read_id),
     .read_address_i(read_address), .read_last_i(read_last),
     .beat_valid_o(all_valid), .beat_ready_i(all_ready), .beat_id_o(all_id),
     .beat_data_o(all_data), .beat_last_o(all_last),
-    .write_valid_i(write_valid), .write_ready_o(write_ready), .write_address_i(write_address),
-    .write_data_i(write_data), .write_mask_i(write_mask), .write_left_i(3'd0),
+    .write_valid_i(write_valid && !moves), .write_ready_o(moved_write_ready),
+    .write_address_i(write_address), .write_data_i(write_data), .write_mask_i(write_mask),
+    .write_left_i(3'd0),
     .m_axi_arvalid(m_axi_arvalid), .m_axi_arready(m_axi_arready), .m_axi_arid(m_axi_arid),
     .m_axi_araddr(m_axi_araddr), .m_axi_arlen(m_axi_arlen), .m_axi_arsize(m_axi_arsize),
     .m_axi_arburst(m_axi_arburst), .m_axi_arlock(m_axi_arlock), .m_axi_arcache(m_axi_arcache),
@@ -226,7 +238,7 @@ module dynrt_serial #(
     .m_axi_bresp(m_axi_bresp)
   );
 
-  wire unused = &{1'b0, host_write_last, core_write_left, base, all_idle};
+  wire unused = &{1'b0, host_write_last, core_write_left, base};
 
 endmodule
 

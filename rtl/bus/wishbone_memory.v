@@ -161,13 +161,13 @@ module wishbone_memory #(
       address_q <= address;
       data_q <= w_data;
       mask_q <= write_goes ? w_mask : {HALVES{1'b1}};
-      writes_q <= !write_goes;
     end
     error_write_o <= a_we;
     error_address_o <= a_address;
   end
   always @(posedge clk_i) begin
     if (goes || !m_wb_stall_i) stb_q <= goes;
+    if (goes) writes_q <= !write_goes;
     if (goes) turn_q <= turn_q + 10'd1;
     if (goes && turn_q == LAST_OF_TURN[9:0]) rests_q <= 1'b1;
     if (!in_flight && !goes) begin
@@ -180,6 +180,7 @@ module wishbone_memory #(
     error_o <= answered && m_wb_err_i;
     if (!rst_ni) begin
       stb_q <= 1'b0;
+      writes_q <= 1'b0;
       turn_q <= 10'd0;
       rests_q <= 1'b0;
       beat_q <= 4'd0;

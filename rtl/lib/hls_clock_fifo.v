@@ -4,9 +4,10 @@
 // FIFO from one clock to another, whatever their rates and phases. Each side counts its tokens in
 // Gray code, of which one bit changes at a time; the other side sees the count through two
 // registers, so it sees the old one or the new one, and late, which only makes the FIFO seem fuller
-// or emptier than it is. ready_o and valid_o come from registers, which know it another clock later. A
-// token takes three to four clocks of the reader to come through. A row is read three clocks of the
-// reader after it was written at the earliest.
+// or emptier than it is. ready_o and valid_o come from registers, which know it another clock later,
+// and each count has the next one in registers beside it, so that they are a comparison away. A token
+// takes three to four clocks of the reader to come through. A row is read three clocks of the reader
+// after it was written at the earliest.
 //
 // Parameters:
 //   WIDTH  bits of a token, at least 1
@@ -51,13 +52,18 @@ module hls_clock_fifo #(
   (* ram_style = "distributed" *)
   reg [WIDTH-1:0] rows           [0:DEPTH-1];
 
-  // Tokens that came and that left, modulo 2 * DEPTH; and as the other side sees them.
-  reg [   BITS:0] write_q;
+  // Tokens that came and that left, modulo DEPTH; modulo 2 * DEPTH in Gray code, and with one more; and
+  // as the other side sees them.
+  reg [ BITS-1:0] write_q;
   reg [   BITS:0] write_gray_q;
+  reg [   BITS:0] write_next_q;
+  reg [   BITS:0] write_next_gray_q;
   reg [   BITS:0] write_early_q;
   reg [   BITS:0] write_seen_q;
-  reg [   BITS:0] read_q;
+  reg [ BITS-1:0] read_q;
   reg [   BITS:0] read_gray_q;
+  reg [   BITS:0] read_next_q;
+  reg [   BITS:0] read_next_gray_q;
   reg [   BITS:0] read_early_q;
   reg [   BITS:0] read_seen_q;
   reg             ready_q;
@@ -68,16 +74,15 @@ module hls_clock_fifo #(
   // Counters so narrow take fewer LUTs than a carry chain: a bit flips where all below it are ones.
   wire [  BITS:0] write_flips;
   wire [  BITS:0] read_flips;
-  wire [  BITS:0] write_next = write_q ^ write_flips;
-  wire [  BITS:0] read_next = read_q ^ read_flips;
-  wire [  BITS:0] write_next_gray = write_next ^ {1'b0, write_next[BITS:1]};
-  wire [  BITS:0] read_next_gray = read_next ^ {1'b0, read_next[BITS:1]};
+  wire [  BITS:0] write_after = write_next_q ^ write_flips;
+  wire [  BITS:0] read_after = read_next_q ^ read_flips;
+  localparam [BITS:0] ONE = 1;  // its Gray code too
   genvar i;
   generate
     assign {write_flips[0], read_flips[0]} = 2'b11;
     for (i = 1; i <= BITS; i = i + 1) begin : counter
-      assign write_flips[i] = &write_q[i-1:0];
-      assign read_flips[i] = &read_q[i-1:0];
+      assign write_flips[i] = &write_next_q[i-1:0];
+      assign read_flips[i] = &read_next_q[i-1:0];
     end
   endgenerate
 
@@ -85,21 +90,29 @@ module hls_clock_fifo #(
   wire [BITS:0] full_gray = {~read_seen_q[BITS:BITS-1], read_seen_q[BITS-2:0]};
   assign ready_o = ready_q;
   assign valid_o = valid_q;
-  assign data_o  = rows[read_q[BITS-1:0]];
+  assign data_o  = rows[read_q];
 
-  always @(posedge clk_i) if (push) rows[write_q[BITS-1:0]] <= data_i;
+  // Comparisons are written as |(a ^ b): of a choice between two != Yosys makes one comparison behind
+  // a choice of counts, which takes longer.
+  always @(posedge clk_i) if (push) rows[write_q] <= data_i;
 
   always @(posedge clk_i) begin
     if (!rst_ni) begin
-      write_q      <= {(BITS + 1) {1'b0}};
-      write_gray_q <= {(BITS + 1) {1'b0}};
-      ready_q      <= 1'b1;
-      read_early_q <= {(BITS + 1) {1'b0}};
-      read_seen_q  <= {(BITS + 1) {1'b0}};
+      write_q           <= {BITS{1'b0}};
+      write_gray_q      <= {(BITS + 1) {1'b0}};
+      write_next_q      <= ONE;
+      write_next_gray_q <= ONE;
+      ready_q           <= 1'b1;
+      read_early_q      <= {(BITS + 1) {1'b0}};
+      read_seen_q       <= {(BITS + 1) {1'b0}};
     end else begin
-      if (push) write_q <= write_next;
-      if (push) write_gray_q <= write_next_gray;
-      ready_q      <= push ? write_next_gray != full_gray : write_gray_q != full_gray;
+      if (push) begin
+        write_q           <= write_next_q[BITS-1:0];
+        write_gray_q      <= write_next_gray_q;
+        write_next_q      <= write_after;
+        write_next_gray_q <= write_after ^ {1'b0, write_after[BITS:1]};
+      end
+      ready_q      <= push ? |(write_next_gray_q ^ full_gray) : |(write_gray_q ^ full_gray);
       read_early_q <= read_gray_q;
       read_seen_q  <= read_early_q;
     end
@@ -107,15 +120,21 @@ module hls_clock_fifo #(
 
   always @(posedge read_clk_i) begin
     if (!read_rst_ni) begin
-      read_q        <= {(BITS + 1) {1'b0}};
-      read_gray_q   <= {(BITS + 1) {1'b0}};
-      valid_q       <= 1'b0;
-      write_early_q <= {(BITS + 1) {1'b0}};
-      write_seen_q  <= {(BITS + 1) {1'b0}};
+      read_q           <= {BITS{1'b0}};
+      read_gray_q      <= {(BITS + 1) {1'b0}};
+      read_next_q      <= ONE;
+      read_next_gray_q <= ONE;
+      valid_q          <= 1'b0;
+      write_early_q    <= {(BITS + 1) {1'b0}};
+      write_seen_q     <= {(BITS + 1) {1'b0}};
     end else begin
-      if (pop) read_q <= read_next;
-      if (pop) read_gray_q <= read_next_gray;
-      valid_q       <= pop ? read_next_gray != write_seen_q : read_gray_q != write_seen_q;
+      if (pop) begin
+        read_q           <= read_next_q[BITS-1:0];
+        read_gray_q      <= read_next_gray_q;
+        read_next_q      <= read_after;
+        read_next_gray_q <= read_after ^ {1'b0, read_after[BITS:1]};
+      end
+      valid_q       <= pop ? |(read_next_gray_q ^ write_seen_q) : |(read_gray_q ^ write_seen_q);
       write_early_q <= write_gray_q;
       write_seen_q  <= write_early_q;
     end

@@ -11,6 +11,7 @@
 //   DIVISOR       clocks of a bit on the line, 4 to 4095
 //   MEMORY_BYTES  behind the link
 //   NAME          of the configuration, at most 44 letters
+//   PIXEL_MHZ     of the display; 0: there is none
 `default_nettype none
 `include "dynrt_link.vh"
 
@@ -18,7 +19,8 @@ module board_link #(
   parameter [31:0]  CLOCK_HZ = 32'd120000000,
   parameter [11:0]  DIVISOR = 12'd40,
   parameter [31:0]  MEMORY_BYTES = 32'd33554432,
-  parameter [351:0] NAME = "thesis"
+  parameter [351:0] NAME = "thesis",
+  parameter [7:0]   PIXEL_MHZ = 8'd0
 ) (
   input  wire clk_i,
   input  wire rst_ni,
@@ -63,7 +65,7 @@ module board_link #(
   endfunction
   localparam [511:0] IDENTITY = {
     letters(NAME), {20'd0, DIVISOR}, MEMORY_BYTES, CLOCK_HZ,
-    8'd0, `DYNRT_LINK_BEAT_BYTES, 8'd0, `DYNRT_LINK_VERSION, `DYNRT_LINK_MAGIC
+    PIXEL_MHZ, `DYNRT_LINK_BEAT_BYTES, 8'd0, `DYNRT_LINK_VERSION, `DYNRT_LINK_MAGIC
   };
 
   wire sample_valid, sample_ready, sample_data;

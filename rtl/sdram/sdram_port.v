@@ -9,8 +9,8 @@
 //
 // A request has a slot, which keeps a read's id or a write's data until its last word has moved. A
 // read is taken only if there is room for its beats, so that the chip's words never wait. All pins
-// are registers, those of commands, addresses and words in the pins' own cells where a device has such
-// (syn_useioff): sdram_dq_i is taken CAS_LATENCY + 1 clocks after a command is on the pins.
+// are registers, each in the pin's own cell where a device has such (syn_useioff): sdram_dq_i is taken
+// CAS_LATENCY + 1 clocks after a command is on the pins.
 //
 // Parameters:
 //   ID_WIDTH     bits of a read's id
@@ -22,7 +22,7 @@
 //   read_*       a read of read_last_i + 1 beats, aligned to a beat, within 32 bytes
 //   write_*      a beat to be written, aligned; a bit of the mask for each 16 bits
 //   beat_*       what was read, in any order of reads; the beats of one follow each other
-//   sdram_*      the chip's pins; its clock, CKE and CS# are the board's (CKE high, CS# low)
+//   sdram_*      the chip's pins; sdram_dq_float_o is high where a data pin is not driven; its clock, CKE and CS# are the board's (CKE high, CS# low)
 `default_nettype none
 
 module sdram_port #(
@@ -54,7 +54,7 @@ module sdram_port #(
     output wire [             1:0] sdram_ba_o,
     output wire [            12:0] sdram_a_o,
     output wire [             1:0] sdram_dqm_o,
-    output wire                    sdram_dq_oe_o,
+    output wire [            15:0] sdram_dq_float_o,
     output wire [            15:0] sdram_dq_o,
     input  wire [            15:0] sdram_dq_i
 );
@@ -203,28 +203,25 @@ module sdram_port #(
   reg  [DATA+HALVES-1:0] writes   [0:WRITES-1];
   reg  [DATA+HALVES-1:0] row_q;
   reg  [       INDEX-1:0] half_q;
-  reg                     valid_q;
+  reg                     valid_q = 1'b0;
   reg  [            20:0] step_q;
   wire [        DATA-1:0] written = row_q[DATA-1:0];
   wire [      HALVES-1:0] mask = row_q[DATA+HALVES-1:DATA];
   wire                    ready = step_q[18];
   wire                    drives = valid_q && step_q[20];
 
+  // No command from power-up on, before a reset has reached the registers.
   (* syn_useioff = 1 *)
-  reg  [ 2:0] command_q;
+  reg  [ 2:0] command_q = 3'b111;
   (* syn_useioff = 1 *)
   reg  [ 1:0] bank_q;
   (* syn_useioff = 1 *)
   reg  [12:0] address_q;
-  reg         dqm_q;
-  reg         drives_q;
   (* syn_useioff = 1 *)
   reg  [15:0] word_q;
   assign {sdram_we_no, sdram_cas_no, sdram_ras_no} = command_q;
   assign sdram_ba_o = bank_q;
   assign sdram_a_o = address_q;
-  assign sdram_dqm_o = {2{dqm_q}};
-  assign sdram_dq_oe_o = drives_q;
   assign sdram_dq_o = word_q;
   always @(posedge clk_i) begin
     if (writes_any) writes[write_slot_q] <= {write_mask_i, write_data_i};
@@ -236,10 +233,28 @@ module sdram_port #(
     command_q <= valid_q ? step_q[2:0] : 3'b111;
     bank_q <= step_q[4:3];
     address_q <= step_q[17:5];
-    dqm_q <= !valid_q || !ready || (drives && !mask[half_q]);
-    drives_q <= drives;
     word_q <= written[16*half_q+:16];
   end
+
+  // A register for each pin; to a synthesis they are the same, and it would make one of them.
+  wire    masks = !valid_q || !ready || (drives && !mask[half_q]);
+  genvar  pin;
+  generate
+    for (pin = 0; pin < 2; pin = pin + 1) begin : mask_pin
+      (* syn_useioff = 1 *)
+      reg dqm_q;
+      assign sdram_dqm_o[pin] = dqm_q;
+      (* keep *)
+      always @(posedge clk_i) dqm_q <= masks;
+    end
+    for (pin = 0; pin < 16; pin = pin + 1) begin : data_pin
+      (* syn_useioff = 1 *)
+      reg float_q = 1'b1;
+      assign sdram_dq_float_o[pin] = float_q;
+      (* keep *)
+      always @(posedge clk_i) float_q <= !drives;
+    end
+  endgenerate
 
   // ---- words that are read ----
   (* ram_style = "distributed" *)

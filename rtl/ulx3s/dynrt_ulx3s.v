@@ -5,7 +5,9 @@
 // which go both ways, and the pin by which the board's ESP32 would begin to load its flash.
 `default_nettype none
 
-module dynrt_ulx3s (
+module dynrt_ulx3s #(
+  parameter [7:0] PIXEL_MHZ = 8'd25 // or 40, see ulx3s_board.v
+) (
   input  wire        clk_25mhz_i,
   input  wire        button_ni,
   input  wire        serial_i,
@@ -28,21 +30,20 @@ module dynrt_ulx3s (
 
   assign wifi_gpio0_o = 1'b1; // while it is low and the ESP32 starts, that waits for a program
 
-  wire        oe;
-  wire [15:0] dq, pads;
+  wire [15:0] floats, dq, pads;
   genvar i;
   generate
     for (i = 0; i < 16; i = i + 1) begin : data
-      BB pad (.B(sdram_dq_io[i]), .I(dq[i]), .T(!oe), .O(pads[i]));
+      BB pad (.B(sdram_dq_io[i]), .I(dq[i]), .T(floats[i]), .O(pads[i]));
     end
   endgenerate
 
-  ulx3s_board board (
+  ulx3s_board #(.PIXEL_MHZ(PIXEL_MHZ)) board (
     .clk_25mhz_i(clk_25mhz_i), .button_ni(button_ni), .serial_i(serial_i), .serial_o(serial_o),
     .led_o(led_o), .sdram_clk_o(sdram_clk_o), .sdram_cke_o(sdram_cke_o),
     .sdram_cs_no(sdram_cs_no), .sdram_ras_no(sdram_ras_no), .sdram_cas_no(sdram_cas_no),
     .sdram_we_no(sdram_we_no), .sdram_bank_o(sdram_bank_o), .sdram_addr_o(sdram_addr_o),
-    .sdram_dqm_o(sdram_dqm_o), .sdram_dq_oe_o(oe), .sdram_dq_o(dq), .sdram_dq_i(pads),
+    .sdram_dqm_o(sdram_dqm_o), .sdram_dq_float_o(floats), .sdram_dq_o(dq), .sdram_dq_i(pads),
     .dvi_p_o(dvi_p_o), .dvi_n_o(dvi_n_o)
   );
 

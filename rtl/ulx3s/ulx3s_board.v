@@ -5,6 +5,9 @@
 // bridge, and a DVI display of the picture. All of the board but its pads of two directions, which
 // dynrt_ulx3s.v has.
 //
+//   PIXEL_MHZ     25: a display of 640x480, or 40: of 800x600. It sets the core's clock as well
+//                 (ulx3s_clocks.v), and with it what a bit on the line takes.
+//
 // The SDRAM's clock leaves three quarters of a period late. So a command that changes at an edge is
 // there before the chip takes it, and stays until it has; and a word that the chip gives after an edge
 // of its clock is there around the second edge here that follows (docs/how-to/ulx3s.md has the times).
@@ -16,7 +19,7 @@ module ulx3s_board #(
   parameter PACKETS = 64,
   parameter CACHE_LINES = 512,
   parameter [351:0] NAME = "fast_ulx3s",
-  parameter [11:0]  DIVISOR = 12'd21,          // 62.5 MHz / 21 = 2.976 Mbaud
+  parameter [7:0]   PIXEL_MHZ = 8'd25,
   parameter [15:0]  PAUSE_TURNS = 16'd10000    // 200 us at 100 MHz
 ) (
   input  wire        clk_25mhz_i,
@@ -33,13 +36,15 @@ module ulx3s_board #(
   output wire [1:0]  sdram_bank_o,
   output wire [12:0] sdram_addr_o,
   output wire [1:0]  sdram_dqm_o,
-  output wire        sdram_dq_oe_o,
+  output wire [15:0] sdram_dq_float_o,
   output wire [15:0] sdram_dq_o,
   input  wire [15:0] sdram_dq_i,
   output wire [3:0]  dvi_p_o,
   output wire [3:0]  dvi_n_o
 );
 
+  localparam [31:0] CLOCK_HZ = PIXEL_MHZ == 8'd40 ? 32'd60000000 : 32'd62500000;
+  localparam [11:0] DIVISOR = PIXEL_MHZ == 8'd40 ? 12'd20 : 12'd21; // 3 Mbaud, or 2.976
   localparam ID_BITS = `DYNRT_CORE_MEMORY_ID_BITS;
   localparam BEAT_BYTES = `DYNRT_CORE_MEMORY_BEAT_BYTES;
   localparam DATA_BITS = 8 * BEAT_BYTES;
@@ -53,7 +58,7 @@ module ulx3s_board #(
 
   wire clk, host_rst_n, core_rst_n, memory_rst_n, display_rst_n;
   wire sdram_clk, sdram_pin_clk, sdram_rst_n, dvi_clk, dvi_rst_n;
-  ulx3s_clocks clocks (
+  ulx3s_clocks #(.PIXEL_MHZ(PIXEL_MHZ)) clocks (
     .osc_i(clk_25mhz_i), .rst_ni(button_ni), .clk_o(clk), .host_rst_no(host_rst_n),
     .core_rst_no(core_rst_n), .memory_rst_no(memory_rst_n), .display_rst_no(display_rst_n),
     .sdram_clk_o(sdram_clk), .sdram_pin_clk_o(sdram_pin_clk), .sdram_rst_no(sdram_rst_n),
@@ -80,7 +85,8 @@ module ulx3s_board #(
     .valid_o(answer_valid), .ready_i(answer_ready), .data_o({answer_last, answer_data})
   );
   board_link #(
-    .CLOCK_HZ(32'd62500000), .DIVISOR(DIVISOR), .MEMORY_BYTES(32'd33554432), .NAME(NAME)
+    .CLOCK_HZ(CLOCK_HZ), .DIVISOR(DIVISOR), .MEMORY_BYTES(32'd33554432), .NAME(NAME),
+    .PIXEL_MHZ(PIXEL_MHZ)
   ) host (
     .clk_i(clk), .rst_ni(host_rst_n), .rx_i(serial_i), .tx_o(serial_o),
     .write_valid_o(host_write_valid), .write_ready_i(host_write_ready),
@@ -147,7 +153,7 @@ module ulx3s_board #(
     .memory_write_valid_o(core_write_valid), .memory_write_ready_i(core_write_ready),
     .memory_write_address_o(core_write_address), .memory_write_data_o(core_write_data),
     .memory_write_mask_o(core_write_mask), .memory_write_left_o(core_write_left),
-    .memory_idle_i(core_idle && writes_idle), .memory_stop_o(core_stop), .memory_base_o(),
+    .memory_idle_i(core_idle), .memory_stop_o(core_stop), .memory_base_o(),
     .memory_error_i(1'b0), .memory_error_write_i(1'b0), .memory_error_response_i(2'd0),
     .memory_error_address_i(25'd0)
   );
@@ -210,7 +216,7 @@ module ulx3s_board #(
     .sdram_clk_i(sdram_clk), .sdram_rst_ni(sdram_rst_n),
     .sdram_ras_no(sdram_ras_no), .sdram_cas_no(sdram_cas_no), .sdram_we_no(sdram_we_no),
     .sdram_ba_o(sdram_bank_o), .sdram_a_o(sdram_addr_o), .sdram_dqm_o(sdram_dqm_o),
-    .sdram_dq_oe_o(sdram_dq_oe_o), .sdram_dq_o(sdram_dq_o), .sdram_dq_i(sdram_dq_i)
+    .sdram_dq_float_o(sdram_dq_float_o), .sdram_dq_o(sdram_dq_o), .sdram_dq_i(sdram_dq_i)
   );
   assign sdram_cke_o = 1'b1;
   assign sdram_cs_no = 1'b0;

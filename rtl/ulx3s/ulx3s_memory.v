@@ -44,7 +44,7 @@ module ulx3s_memory #(
   output wire [1:0]              sdram_ba_o,
   output wire [12:0]             sdram_a_o,
   output wire [1:0]              sdram_dqm_o,
-  output wire                    sdram_dq_oe_o,
+  output wire [15:0]             sdram_dq_float_o,
   output wire [15:0]             sdram_dq_o,
   input  wire [15:0]             sdram_dq_i
 );
@@ -130,7 +130,7 @@ module ulx3s_memory #(
     .beat_data_o(beat_data), .beat_last_o(beat_last),
     .sdram_ras_no(sdram_ras_no), .sdram_cas_no(sdram_cas_no), .sdram_we_no(sdram_we_no),
     .sdram_ba_o(sdram_ba_o), .sdram_a_o(sdram_a_o), .sdram_dqm_o(sdram_dqm_o),
-    .sdram_dq_oe_o(sdram_dq_oe_o), .sdram_dq_o(sdram_dq_o), .sdram_dq_i(sdram_dq_i)
+    .sdram_dq_float_o(sdram_dq_float_o), .sdram_dq_o(sdram_dq_o), .sdram_dq_i(sdram_dq_i)
   );
 
   hls_buffer #(.WIDTH(DATA_BITS + ID_BITS + 1)) beat_at_port (

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What the specification of AXI4 (IHI 0022) asks of both ends of a bus, as far as dynrt uses it:
-// bursts INCR without exclusive accesses. Section numbers are those of its issue E. AXI4-Lite is
+// bursts INCR without exclusive accesses. Of strobes they ask that they are steady, but not that they
+// lie in the lanes of a narrow or unaligned burst (A3.4.3): dynrt has none. Section numbers are those of its issue E. AXI4-Lite is
 // the same with bursts of one beat, one id and LITE = 1.
 //
 // A simulation asserts the rules of both ends. A proof asserts those of the end that is proved and

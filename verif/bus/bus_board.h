@@ -12,6 +12,7 @@
 #include <verilated.h>
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "bus/bus_memory.h"
@@ -75,7 +76,9 @@ class BusBoard final : public ClockedBoard {
   bool interrupt() const override { return top_->irq_o; }
   std::uint64_t clocks() const override { return clocks_; }
   void watch(VgaMonitor* /*monitor*/) override {}
-  std::uint64_t frame_writes() const override { return memory_.sram().frame_writes(); }
+  std::optional<std::uint64_t> frame_writes() const override {
+    return memory_.sram().frame_writes();
+  }
 
   /// Nothing if no answer comes.
   std::optional<RegisterAnswer> read_register(std::uint32_t address) {

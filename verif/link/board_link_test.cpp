@@ -32,7 +32,8 @@ constexpr LinkFacts kFacts{.name = "fast",
                            .clock_hz = 120'000'000,
                            .memory_bytes = kMemory,
                            .divisor = kDivisor,
-                           .beat_bytes = kBytes};
+                           .beat_bytes = kBytes,
+                           .pixel_mhz = 40};
 
 /// Bits of a token on the Verilog's pins.
 template <class T, class Pins>

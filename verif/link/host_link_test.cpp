@@ -63,6 +63,7 @@ TEST(HostLink, KnowsTheBoard) {
   EXPECT_EQ(session.link->board().clock_hz, 120'000'000u);
   EXPECT_EQ(session.link->board().memory_bytes, 1u << 20);
   EXPECT_EQ(session.link->board().divisor, 40u);
+  EXPECT_EQ(session.link->board().pixel_mhz, 25u);
   session.link->expect_configuration("fast");
   try {
     session.link->expect_configuration("full");

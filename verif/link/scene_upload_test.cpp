@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "configs/fast.h"
+#include "configs/fast_ulx3s.h"
 #include "core/scenes.h"
 #include "host/link/port_image.h"
 #include "host/link/upload_plan.h"
@@ -20,8 +20,11 @@
 namespace dynrt::host {
 namespace {
 
+constexpr unsigned kWidth = 512, kHeight = 384;
+
+/// For the core of the ULX3S.
 MemoryImage image_of(const std::string& scene) {
-  return laid_out(scene, 512, 384, core_info_of_listed<config::fast>("fast"));
+  return laid_out(scene, kWidth, kHeight, core_info_of_listed<config::fast_ulx3s>("fast_ulx3s"));
 }
 
 void print(const std::string& what, const LineCost& cost) {
@@ -31,7 +34,8 @@ void print(const std::string& what, const LineCost& cost) {
              cost.seconds);
 }
 
-/// Prints the time of the whole scene, and of the changes in ten frames of a 30th of a second.
+/// Prints the time of the whole scene, and of the changes in ten frames of a 30th of a second, in
+/// which objects and camera move.
 class SceneUpload : public testing::TestWithParam<const char*> {};
 TEST_P(SceneUpload, SendsLessWhenItMoves) {
   const std::string name = GetParam();
@@ -47,7 +51,8 @@ TEST_P(SceneUpload, SendsLessWhenItMoves) {
   constexpr unsigned kFrames = 10;
   for (unsigned i = 1; i <= kFrames; ++i) {
     move_to(image.scene, i / 30.0);
-    const FrameImage frame = frame_of(image, instances_of(image), image.view.camera);
+    const Camera camera = choose_camera(image.scene, {}, kWidth, kHeight);
+    const FrameImage frame = frame_of(image, instances_of(image), camera);
     const LineCost cost = upload_cost(plan.changes(port_image(frame.memory.runs())));
     moved.frames += cost.frames;
     moved.carried += cost.carried;
@@ -56,8 +61,7 @@ TEST_P(SceneUpload, SendsLessWhenItMoves) {
   }
   if (moved.sent > 0) print(fmt::format("{}, {} frames of it", name, kFrames), moved);
   EXPECT_LT(moved.sent, kFrames * whole.sent / 10);
-  const bool camera_alone = name == "office" || name == "cistern";
-  EXPECT_EQ(moved.sent > 0, !camera_alone);
+  EXPECT_GT(moved.sent, 0u);
 }
 INSTANTIATE_TEST_SUITE_P(Of, SceneUpload,
                          testing::Values("office", "cistern", "conference", "trees4000", "blocks"),

@@ -29,7 +29,8 @@ struct TestBoard {
                        .clock_hz = 120'000'000,
                        .memory_bytes = memory_bytes,
                        .divisor = 40,
-                       .beat_bytes = 16},
+                       .beat_bytes = 16,
+                       .pixel_mhz = 25},
                       {[this](std::uint32_t address, std::uint32_t value) {
                          ++register_writes;
                          registers[address] = value;

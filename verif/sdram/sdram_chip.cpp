@@ -98,6 +98,9 @@ void SdramChip::run(Command command, const SdramChipPins& pins) {
 
 void SdramChip::set_mode(const SdramChipPins& pins) {
   check_idle("MODE REGISTER SET");
+  if (!all_precharged_) {
+    fault(SdramRule::kSetup, {}, "MODE REGISTER SET before all banks were precharged once");
+  }
   const unsigned length = pins.address & 7;
   const unsigned latency = pins.address >> 4 & 7;
   const bool page = length == 7 && (pins.address & 8) == 0;

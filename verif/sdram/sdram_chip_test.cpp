@@ -127,6 +127,12 @@ TEST(SdramChip, AsksForThePauseAndTheSetup) {
     ASSERT_EQ(open.chip().faults().size(), 1u);
     EXPECT_EQ(open.chip().faults()[0].rule, SdramRule::kSetup);
 
+    SdramDriver mode(part);
+    mode.none(SdramDriver::kPauseClocks);
+    mode.mode(0x31);
+    ASSERT_EQ(mode.chip().faults().size(), 1u);
+    EXPECT_EQ(mode.chip().faults()[0].rule, SdramRule::kSetup);
+
     SdramDriver few(part);
     few.none(SdramDriver::kPauseClocks);
     few.precharge_all();

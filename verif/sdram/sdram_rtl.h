@@ -50,8 +50,8 @@ class SdramRtl {
                 v_->sdram_ba_o,
                 v_->sdram_a_o,
                 v_->sdram_dqm_o,
-                v_->sdram_dq_oe_o != 0,
-                v_->sdram_dq_oe_o != 0 ? v_->sdram_dq_o : std::uint16_t{0}};
+                v_->sdram_dq_float_o == 0,
+                v_->sdram_dq_float_o == 0 ? v_->sdram_dq_o : std::uint16_t{0}};
     return out;
   }
   void clock(const Inputs& in) {

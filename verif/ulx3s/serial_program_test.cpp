@@ -182,6 +182,27 @@ TEST_F(Program, SaysThatTheBoardStopsInTheMiddleOfAFrame) {
   EXPECT_GT(board.model.writes(), 100u) << "it got the scene";
 }
 
+TEST_F(Program, SaysThatTheBoardCountsNoClocks) {
+  IdleBoard board;
+  const BoardAtTerminal terminal([&](auto bytes) { return board.model.answer(bytes); });
+  expect_refusal(terminal,
+                 "its core has begun a frame and counts no clocks behind the 0 that it has");
+  EXPECT_GT(board.model.writes(), 100u) << "it got the scene";
+}
+
+TEST_F(Program, ResetsABoardThatAnotherProgramHasLeftBusy) {
+  IdleBoard board;
+  board.registers[reg::kRegStatus] = 1u << reg::kStatusBusy;
+  const BoardAtTerminal terminal([&](auto bytes) { return board.answer(bytes); });
+  expect_refusal(terminal, "its core stays busy after a reset");
+  EXPECT_EQ(board.registers[reg::kRegControl], 1u << reg::kControlReset);
+}
+
+TEST_F(Program, HasNoUseForSchedulesWhereTheBoardHasClocks) {
+  expect_error(render_on("serial:any") + " --schedule any",
+               "board serial:any has clocks of its own, so --schedule has no use");
+}
+
 /// The simulated board at a pseudo-terminal. Its time is in a file.
 class SimulatedAtTerminal {
  public:

@@ -16,6 +16,9 @@ ACCESS = re.compile(r"(RW|R|W) +(.*)")
 # Registers of which single bits have a name, a constant that begins with that of the register.
 OF_BITS = ("CONTROL", "STATUS", "MEMORY_ERROR")
 WIDE = {"MEMORY_ERROR_RESPONSE": 2}  # bits of a field that has more than one
+NARROW = ("IRQ_ENABLE", "IRQ_PENDING")  # registers of one bit
+READ_ONLY = ("MEMORY_ERROR_WRITE", "MEMORY_ERROR_RESPONSE")  # fields, however their register is
+OF_SOFTWARE = ("IRQ_ENABLE", "FRAME", "SCAN", "SCAN_CLOCKS", "MEMORY_BASE_LOW", "MEMORY_BASE_HIGH")
 CLEARED_BY_ONE = ("IRQ_PENDING", "MEMORY_ERROR_SEEN")
 ROWS = {"FRAME": 64, "SCAN": 16}  # registers that follow one another
 SOFTWARE = {"R": "sw = r; hw = w;", "W": "sw = w; hw = r;", "RW": "sw = rw; hw = rw;"}
@@ -67,7 +70,10 @@ def c_header(found: list[Constant]) -> str:
 def _field(name: str, access: str, bits: str, meaning: str, full_name: str) -> str:
     clears = " onwrite = woclr;" if full_name in CLEARED_BY_ONE else ""
     described = f' desc = "{_quoted(meaning)}";' if meaning else ""
-    return f"    field {{ {SOFTWARE[access]}{clears}{described} }} {name}[{bits}];"
+    accesses = SOFTWARE["R" if full_name in READ_ONLY else access]
+    if full_name in OF_SOFTWARE:
+        accesses = "sw = rw; hw = r;"
+    return f"    field {{ {accesses}{clears}{described} }} {name}[{bits}];"
 
 
 def _quoted(text: str) -> str:
@@ -89,7 +95,7 @@ def _register(constant: Constant, bits: list[Constant]) -> list[str]:
         field = bit.name.removeprefix(f"{name}_")
         lines.append(_field(field, access, f"{last}:{bit.value}", bit.meaning, bit.name))
     if not bits:
-        lines.append(_field("VALUE", access, "31:0", "", name))
+        lines.append(_field("VALUE", access, "0:0" if name in NARROW else "31:0", "", name))
     rows = f"[{ROWS[name]}]" if name in ROWS else ""
     return [*lines, f"  }} {name}{rows} @ 0x{constant.value:03x};"]
 

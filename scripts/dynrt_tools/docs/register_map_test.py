@@ -15,9 +15,12 @@ localparam [31:0] ID_VALUE = 32'h44;      // "ID"
 localparam [25:0] REG_ID = 26'h000;       // R  ID_VALUE
 localparam [25:0] REG_CONTROL = 26'h00c;  // W  a one starts
 localparam [25:0] REG_IRQ_PENDING = 26'h018; // RW bit 0
+localparam [25:0] REG_MEMORY_ERROR = 26'h040; // RW see the bits
 localparam [25:0] REG_FRAME = 26'h100;    // RW first
 localparam CONTROL_START = 0; // render
 localparam CONTROL_RESET = 1; // give up
+localparam MEMORY_ERROR_SEEN = 0; // one
+localparam MEMORY_ERROR_RESPONSE = 2; // which
 """
 
 
@@ -58,7 +61,10 @@ class RegisterMap(testing.InFolder):
     def test_rdl_of_a_map(self) -> None:
         rdl = register_map.system_rdl(register_map.constants(TEXT))
         self.assertIn('field { sw = w; hw = r; desc = "give up"; } RESET[1:1];', rdl)
-        self.assertIn("field { sw = rw; hw = rw; onwrite = woclr; } VALUE[31:0];", rdl)
+        self.assertIn("field { sw = rw; hw = rw; onwrite = woclr; } VALUE[0:0];", rdl)
+        self.assertIn('field { sw = rw; hw = rw; onwrite = woclr; desc = "one"; } SEEN[0:0];', rdl)
+        self.assertIn('field { sw = r; hw = w; desc = "which"; } RESPONSE[3:2];', rdl)
+        self.assertIn("field { sw = rw; hw = r; } VALUE[31:0];\n  } FRAME[64]", rdl)
         self.assertIn("} FRAME[64] @ 0x100;", rdl)
 
     def test_a_register_must_say_who_reads_and_writes_it(self) -> None:

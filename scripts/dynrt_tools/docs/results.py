@@ -21,7 +21,7 @@ from typing import Any
 
 from dynrt_tools import project
 from dynrt_tools.docs import loops
-from dynrt_tools.hardware import fit_page, placed_clocks
+from dynrt_tools.hardware import bitstream, fit_page, placed_clocks
 
 RESULTS = project.ROOT / "docs" / "results"
 TEMPLATES = RESULTS / "templates"
@@ -98,6 +98,8 @@ class Data:
             if field not in fields:
                 raise project.Failed(f"a placed clock has no '{field}'; it has {', '.join(fields)}")
             return fields[field]
+        if path == "state" and "made_of" in (kept := self.load(name)):
+            return bitstream.state(kept)
         if path in fit_page.TEXTS:
             return fit_page.TEXTS[path](self.load(name))
         value = self.load(name)

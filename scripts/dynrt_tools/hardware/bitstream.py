@@ -22,6 +22,8 @@ from dynrt_tools.hardware import (
     board_clocks,
     devices,
     distributed_ram,
+    fit_page,
+    kept_placement,
     placer_log,
     placers,
     rtl_files,
@@ -39,12 +41,15 @@ class Board:
     device: str
     grade: str
     constraints: str
-    clocks: Callable[[], Mapping[str, float]]  # in MHz, by the net: all that registers have
+    modes: Mapping[
+        str, int
+    ]  # of the display: its pixels' MHz, PIXEL_MHZ of the top; the first is usual
+    clocks: Callable[[int], Mapping[str, float]]  # in MHz, by the net: all that registers have
     pins_ns: Mapping[str, float]  # by such a clock: how late a pin that it drives may be
 
 
-def ulx3s_clocks() -> Mapping[str, float]:
-    made = board_clocks.ulx3s()
+def ulx3s_clocks(pixel_mhz: int) -> Mapping[str, float]:
+    made = board_clocks.ulx3s(pixel_mhz)
     return {net: made[net] for net in (board_clocks.CORE, board_clocks.SDRAM, board_clocks.DVI)}
 
 
@@ -55,6 +60,7 @@ BOARDS = {
         "ecp5-85",
         "6",
         "ulx3s.lpf",
+        {"640x480": 25, "800x600": 40},
         ulx3s_clocks,
         # docs/how-to/ulx3s.md: what the SDRAM's pins have beside 3 ns of the pad itself.
         {board_clocks.SDRAM: 5.5},
@@ -68,6 +74,7 @@ class Routed:
 
     clocks: dict[str, dict[str, float]]  # by net: the MHz achieved and asked for
     pins_ns: dict[str, float]  # by the clock's net: from its edge to the last pin
+    crossings_ns: dict[str, float]  # by the nets of two clocks, "A to B": the longest wire between
 
 
 PACKER = "ecppack"
@@ -86,6 +93,7 @@ ROUTER_COSTS = {
 GLOBAL = "$glbnet$"  # before a net's name where it goes over the chip's net for clocks
 SUITE = "OSS CAD Suite has it, as it has yosys and the others"
 PORT = re.compile(r"^ +(?:input|output|inout) +(?:wire|reg) +(?:\[(\d+):0\] *)?(\w+)", re.MULTILINE)
+CROSSING = re.compile(r"Max delay posedge (\S+)\s+-> posedge (\S+)\s*: ([\d.]+) ns")
 TO_PIN = re.compile(r"Max delay posedge (\S+)\s+-> <async>\s*: ([\d.]+) ns")
 SAME_MHZ = 0.01  # a report rounds the period to a picosecond
 LOCATED = re.compile(r'^LOCATE COMP "([^"]+)" SITE', re.MULTILINE)
@@ -102,7 +110,13 @@ def parse() -> argparse.Namespace:
     )
     parser.add_argument("board", choices=sorted(BOARDS), help="the board")
     parser.add_argument(
-        "--out", type=pathlib.Path, metavar="FILE", help="the bitstream (default: dynrt_BOARD.bit)"
+        "--mode", metavar="MODE", help="of the display: 640x480 (the default) or 800x600"
+    )
+    parser.add_argument(
+        "--out",
+        type=pathlib.Path,
+        metavar="FILE",
+        help="the bitstream (default: dynrt_BOARD.bit, or dynrt_BOARD_MODE.bit)",
     )
     parser.add_argument(
         "--seed", type=options.whole, default=1, metavar="N", help="of the placer (default: 1)"
@@ -161,13 +175,13 @@ def synthesize(board: Board, args: argparse.Namespace) -> tuple[pathlib.Path, Js
     """The netlist, and what it takes of the device."""
     family = devices.family_of(board.device)
     synth = devices.FAMILIES[family]["synth"]
-    core = rtl_files.generated(argparse.Namespace(config=board.config, build=args.build))
-    files = synthesis.needed(board.top, rtl_files.sources(core))
+    files = verilog_of(board, args.build)
 
     def make(folder: pathlib.Path) -> None:
         synthesis.run_yosys(
             [
                 *synthesis.read_commands(files),
+                f"chparam -set PIXEL_MHZ {board.modes[args.mode]} {board.top}",
                 synth.format(top=board.top),
                 f"write_json {folder}/netlist.json",
                 f"tee -q -o {folder}/stat.json stat -json",
@@ -182,7 +196,7 @@ def synthesize(board: Board, args: argparse.Namespace) -> tuple[pathlib.Path, Js
         write_json(folder / "netlist.json", design)
 
     said = [synthesis.tool_version("yosys", "-V", "yosys"), synth, board.top]
-    said += [block_registers.version(), distributed_ram.version(), str(ROUTER_COSTS)]
+    said += [block_registers.version(), distributed_ram.version(), str(ROUTER_COSTS), args.mode]
     folder = synthesis.kept("bitstream", said, files, make)
     cells = read_json(folder / "stat.json")["design"]["num_cells_by_type"]
     return folder / "netlist.json", devices.resources(family, cells)
@@ -225,14 +239,19 @@ def route(
             }
             for net, clock in read_json(work / "report.json")["fmax"].items()
         }
-        to_pins = TO_PIN.findall((work / "log").read_text(encoding="utf-8", errors="replace"))
-    pins = {net.removeprefix(GLOBAL): float(delay) for net, delay in to_pins}
-    return Routed(clocks, {net: pins.get(net, 0.0) for net in board.pins_ns})
+        log = (work / "log").read_text(encoding="utf-8", errors="replace")
+    # A log has them before and after the routing; the last counts.
+    pins = {net.removeprefix(GLOBAL): float(delay) for net, delay in TO_PIN.findall(log)}
+    crossings = {
+        f"{one.removeprefix(GLOBAL)} to {other.removeprefix(GLOBAL)}": float(delay)
+        for one, other, delay in CROSSING.findall(log)
+    }
+    return Routed(clocks, {net: pins.get(net, 0.0) for net in board.pins_ns}, crossings)
 
 
-def check_clocks(board: Board, routed: Routed, program: str) -> None:
+def check_clocks(board: Board, mode: str, routed: Routed, program: str) -> None:
     """The clocks that the placer was asked for are those that the board makes."""
-    for net, mhz in board.clocks().items():
+    for net, mhz in board.clocks(board.modes[mode]).items():
         asked = routed.clocks.get(net, {}).get("constraint", 0.0)
         if abs(asked - mhz) > SAME_MHZ:
             raise project.Failed(
@@ -251,12 +270,45 @@ def print_clocks(board: Board, routed: Routed) -> list[str]:
             missed.append(
                 f"clock {net} runs at {asked:.1f} MHz, and its paths end at {reached:.1f}"
             )
+    missed += print_crossings(routed)
     for net, late in routed.pins_ns.items():
         most = board.pins_ns[net]
-        print(f"pins        {net} to the last pin {late:.1f} ns of {most:.1f}")
+        where = f"to the last pin {late:.1f} ns of {most:.1f}" if late else "in the pins' cells"
+        print(f"pins        {net} {where}")
         if late > most:
             missed.append(f"a pin is {late:.1f} ns behind clock {net}, and {most:.1f} is the most")
     return missed
+
+
+def print_crossings(routed: Routed) -> list[str]:
+    """A count in Gray code that another clock sees changes by one bit if its wires differ by less than
+    a period of its own clock (rtl/lib/hls_clock_fifo.v); a placer leaves them as long as it likes.
+    """
+    missed = []
+    for crossing, late in routed.crossings_ns.items():
+        period = 1e3 / routed.clocks[crossing.split(" to ")[0]]["constraint"]
+        print(f"crossing    {crossing} {late:.1f} ns of {period:.1f}")
+        if late > period:
+            missed.append(f"{crossing} takes {late:.1f} ns, and a period is {period:.1f}")
+    return missed
+
+
+def verilog_of(board: Board, build: pathlib.Path | None = None) -> list[pathlib.Path]:
+    """What its bitstream is made of."""
+    core = rtl_files.generated(argparse.Namespace(config=board.config, build=build))
+    return synthesis.needed(board.top, rtl_files.sources(core))
+
+
+def made_of(board: Board, build: pathlib.Path | None = None) -> str:
+    """A hash of its Verilog, without comments, and of its constraints."""
+    constraints = project.hash_of_files([placers.CONSTRAINTS / board.constraints])
+    return f"{kept_placement.hash_of(board.top, verilog_of(board, build))[:32]}-{constraints[:32]}"
+
+
+def state(kept: Json) -> str:
+    """Which Verilog and constraints a bitstream is of, by the figures of --json."""
+    current = kept["made_of"] == made_of(BOARDS[kept["board"]])
+    return fit_page.PRESENT if current else fit_page.EARLIER
 
 
 def make_bitstream(board: Board, args: argparse.Namespace, out: pathlib.Path) -> list[str]:
@@ -276,7 +328,7 @@ def make_bitstream(board: Board, args: argparse.Namespace, out: pathlib.Path) ->
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
         routed = route(board, args, netlist, work)
-        check_clocks(board, routed, placer)
+        check_clocks(board, args.mode, routed, placer)
         missed = print_clocks(board, routed)
         packed = work / "bitstream"
         pack = [PACKER, "--compress", "--input", str(work / "config"), "--bit", str(packed)]
@@ -286,14 +338,32 @@ def make_bitstream(board: Board, args: argparse.Namespace, out: pathlib.Path) ->
         shutil.copyfile(packed, out)
     print(f"bitstream   {out}")
     if args.json:
-        write_json(args.json, {"resources": taken, "seed": args.seed} | asdict(routed))
+        figures = {
+            "board": args.board,
+            "mode": args.mode,
+            "made_of": made_of(board, args.build),
+            "tools": {
+                "yosys": synthesis.tool_version("yosys", "-V", "yosys").split(" (")[0],
+                "placer": synthesis.tool_version(placer, "--version", placer),
+            },
+            "resources": taken,
+            "seed": args.seed,
+        }
+        write_json(args.json, figures | asdict(routed))
     return missed
 
 
 def main() -> int:
     args = parse()
     board = BOARDS[args.board]
-    out = args.out or pathlib.Path(f"dynrt_{args.board}.bit")
+    usual = next(iter(board.modes))
+    args.mode = args.mode or usual
+    if args.mode not in board.modes:
+        project.fail(
+            f"--mode {args.mode}: {args.board} has no such mode; it has {' and '.join(board.modes)}"
+        )
+    name = args.board if args.mode == usual else f"{args.board}_{args.mode}"
+    out = args.out or pathlib.Path(f"dynrt_{name}.bit")
     project.check_output("--out", out)
     if args.json:
         project.check_output("--json", args.json)

@@ -18,12 +18,12 @@ from dynrt_tools import project, testing
 from dynrt_tools.hardware import bitstream, devices, placers, rtl_files, synthesis
 
 TOP = """\
-module small (
+module small #(parameter PIXEL_MHZ = 25) (
   input  wire       clk_i,
   input  wire [1:0] a_i,
   output reg  [1:0] sum_o
 );
-  always @(posedge clk_i) sum_o <= sum_o + a_i;
+  always @(posedge clk_i) sum_o <= PIXEL_MHZ == 40 ? a_i : sum_o + a_i;
 endmodule
 """
 PINS = ("clk_i", "a_i[0]", "a_i[1]", "sum_o[0]", "sum_o[1]")
@@ -31,6 +31,8 @@ PINS = ("clk_i", "a_i[0]", "a_i[1]", "sum_o[0]", "sum_o[1]")
 STAND_IN = """#!/usr/bin/python3
 import json, os, sys, time
 args = sys.argv[1:]
+if args == ["--version"]:
+    sys.exit(print("nextpnr-ecp5 -- Version 0.7"))
 value = {a: b for a, b in zip(args, args[1:]) if a.startswith("-")}
 mode = os.environ["MODE"]
 with open(os.environ["RUNS"], "a") as runs:
@@ -49,7 +51,11 @@ report = {{"fmax": {{"$glbnet$clk": {{"achieved": 70.0 if mode == "slow" else 90
 if mode == "no clocks":
     report = {{"fmax": {{}}}}
 late = 4.25 if mode == "late pin" else 1.5
-open(value["-l"], "w").write(f"Info: Max delay posedge $glbnet$clk     -> <async>   : {{late}} ns\\n")
+far = 13.5 if mode == "far crossing" else 2.5
+open(value["-l"], "w").write(
+    f"Info: Max delay posedge $glbnet$clk     -> <async>   : {{late}} ns\\n"
+    f"Info: Max delay posedge $glbnet$clk -> posedge $glbnet$other: {{far}} ns\\n"
+)
 if mode == "other report":
     report = {{}}
 if mode != "no report":
@@ -98,7 +104,8 @@ class Small(testing.InFolder):
         """Exit code or last words, output and errors."""
         board = bitstream.Board(
             *("small", "fast_port", "ecp5-85", "6", "small.lpf"),
-            lambda: {"clk": 78.125},
+            {"640x480": 25, "800x600": 40},
+            {25: {"clk": 78.125}, 40: {"clk": 60.0}}.__getitem__,
             {"clk": 4.0},
         )
         output, errors = io.StringIO(), io.StringIO()
@@ -159,6 +166,10 @@ class Bitstream(Small):
         data = project.read_json(self.json)
         self.assertEqual(data["clocks"], {"clk": {"achieved": 90.0, "constraint": 78.13}})
         self.assertEqual(data["pins_ns"], {"clk": 1.5})
+        self.assertEqual(data["crossings_ns"], {"clk to other": 2.5})
+        self.assertEqual((data["board"], data["mode"]), ("small", "640x480"))
+        self.assertEqual(data["tools"]["placer"], "nextpnr-ecp5 -- Version 0.7")
+        self.assertIn("crossing    clk to other 2.5 ns of 12.8\n", output)
         self.assertEqual((data["seed"], data["resources"]["FF"]), (7, 2))
         self.assertIn("pins        all 5 have their sites\n", output)
         self.assertRegex(output, r"FF +2 of 83,640, 0%\n")
@@ -178,6 +189,23 @@ class Bitstream(Small):
         netlist = project.read_json(pathlib.Path(placer[placer.index("--json") + 1]))
         self.assertEqual(netlist["modules"]["small"]["settings"], bitstream.ROUTER_COSTS)
 
+    def test_another_mode(self) -> None:
+        output = self.leaves_nothing(
+            "",
+            "nextpnr-ecp5 was asked for 78.13 MHz of clock clk, which the PLL makes 60.00 MHz: this "
+            "version of it follows the clock through the PLL otherwise",
+            *("--mode", "800x600"),
+        )
+        self.assertRegex(output, r"LUT4 +0 of 83,640, 0%\n")
+
+    def test_a_mode_that_there_is_not(self) -> None:
+        output = self.leaves_nothing(
+            "",
+            "--mode 640x400: small has no such mode; it has 640x480 and 800x600",
+            *("--mode", "640x400"),
+        )
+        self.assertEqual(output, "")
+
     def test_a_missed_clock_leaves_the_file(self) -> None:
         code, output, errors = self.called("slow")
         self.assertEqual(code, 1)
@@ -195,6 +223,18 @@ class Bitstream(Small):
             errors, "bitstream: a pin is 4.2 ns behind clock clk, and 4.0 is the most\n"
         )
         self.assertTrue(self.out.exists())
+
+    def test_a_far_crossing_leaves_the_file(self) -> None:
+        code, _, errors = self.called("far crossing")
+        self.assertEqual(code, 1)
+        self.assertEqual(errors, "bitstream: clk to other takes 13.5 ns, and a period is 12.8\n")
+        self.assertTrue(self.out.exists())
+
+    def test_a_bitstream_is_of_the_present_verilog_or_of_an_earlier_one(self) -> None:
+        board = bitstream.BOARDS["ulx3s"]
+        for made_of, is_of in ((bitstream.made_of(board), "present"), ("0-0", "earlier")):
+            said = bitstream.state({"board": "ulx3s", "made_of": made_of})
+            self.assertIn(f" {is_of} Verilog", said)
 
     def test_the_placer_was_asked_for_the_clocks_of_the_board(self) -> None:
         for mode, asked in (("another clock", "12.00"), ("no clocks", "0.00")):

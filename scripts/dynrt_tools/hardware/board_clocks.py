@@ -12,11 +12,19 @@ OSCILLATOR_MHZ = 25.0
 CORE, SDRAM, DVI = "board.clk", "board.sdram_clk", "board.dvi_clk"
 
 
-def ulx3s() -> dict[str, float]:
+# In ulx3s_clocks.v, a divider that depends on the display's mode.
+DIVIDER = re.compile(r"localparam (\w+) = PIXEL_MHZ == 25 \? (\d+) : (\d+);")
+
+
+def ulx3s(pixel_mhz: int = 25) -> dict[str, float]:
     """In MHz, by the net within dynrt_ulx3s. CLKOP closes the PLL's loop, so the VCO runs at the
     oscillator's clock times both dividers of the loop."""
     text = ULX3S.read_text(encoding="utf-8")
-    divided = {name: int(by) for name, by in re.findall(r"\.(CLK\w+)_DIV\((\d+)\)", text)}
+    at = {name: int(a if pixel_mhz == 25 else b) for name, a, b in DIVIDER.findall(text)}
+    divided = {
+        name: at[by] if by in at else int(by)
+        for name, by in re.findall(r"\.(CLK\w+)_DIV\((\w+)\)", text)
+    }
     nets = dict(re.findall(r"\.(CLKO\w+)\((\w+)_o\)", text))
     vco = OSCILLATOR_MHZ / divided["CLKI"] * divided["CLKFB"] * divided["CLKOP"]
     return {f"board.{net}": vco / divided[output] for output, net in nets.items()}

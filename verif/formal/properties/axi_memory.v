@@ -59,19 +59,19 @@
     end
   end
 
-  // The promises of the core: a burst lies in 32 aligned bytes, one that has begun goes on, no id is
+  // The promises of the core: a burst lies in 64 aligned bytes, one that has begun goes on, no id is
   // used twice. Those of the board: a stop lasts until all is idle, and the base stays until then.
-  wire [8:0] read_end = {4'd0, read_address_i[4:0]} + ({5'd0, read_last_i} + 9'd1) * BEAT_BYTES;
-  wire [8:0] write_end = {4'd0, write_address_i[4:0]} + ({6'd0, write_left_i} + 9'd1) * BEAT_BYTES;
+  wire [8:0] read_end = {3'd0, read_address_i[5:0]} + ({5'd0, read_last_i} + 9'd1) * BEAT_BYTES;
+  wire [8:0] write_end = {3'd0, write_address_i[5:0]} + ({6'd0, write_left_i} + 9'd1) * BEAT_BYTES;
   always @* begin
     assume (rst_ni == was_reset_q);
     if (read_valid_i) begin
-      assume (read_end <= 9'd32 && read_address_i[LOG2_BYTES-1:0] == 0);
+      assume (read_end <= 9'd64 && read_address_i[LOG2_BYTES-1:0] == 0);
       assume (read_last_i < READ_BEATS);
       if (IN_ORDER == 0) assume (!used_q[read_id_i]);
     end
     if (write_valid_i) begin
-      if (first) assume (write_end <= 9'd32 && write_address_i[LOG2_BYTES-1:0] == 0);
+      if (first) assume (write_end <= 9'd64 && write_address_i[LOG2_BYTES-1:0] == 0);
       else assume (write_left_i == left_q - 3'd1);
     end
     if (stop_before_q && !idle_before_q) assume (stop_i);
@@ -126,17 +126,17 @@
     assert (\aw_buffer.valid_q || !\aw_buffer.full_q );
     assert (\w_buffer.valid_q || !\w_buffer.full_q );
     if (\ar_buffer.valid_q )
-      assert (ar_address_1[4:0] + (ar_last_1 + 9'd1) * BEAT_BYTES <= 9'd32 && ar_last_1 < READ_BEATS &&
+      assert (ar_address_1[5:0] + (ar_last_1 + 9'd1) * BEAT_BYTES <= 9'd64 && ar_last_1 < READ_BEATS &&
               ar_address_1[LOG2_BYTES-1:0] == 0 && (IN_ORDER != 0 || used_q[ar_id_1]));
     if (\ar_buffer.full_q )
-      assert (ar_address_2[4:0] + (ar_last_2 + 9'd1) * BEAT_BYTES <= 9'd32 && ar_last_2 < READ_BEATS &&
+      assert (ar_address_2[5:0] + (ar_last_2 + 9'd1) * BEAT_BYTES <= 9'd64 && ar_last_2 < READ_BEATS &&
               ar_address_2[LOG2_BYTES-1:0] == 0 &&
               (IN_ORDER != 0 || (used_q[ar_id_2] && ar_id_1 != ar_id_2)));
     if (\aw_buffer.valid_q )
-      assert (aw_address_1[4:0] + (aw_left_1 + 9'd1) * BEAT_BYTES <= 9'd32 &&
+      assert (aw_address_1[5:0] + (aw_left_1 + 9'd1) * BEAT_BYTES <= 9'd64 &&
               aw_address_1[LOG2_BYTES-1:0] == 0);
     if (\aw_buffer.full_q )
-      assert (aw_address_2[4:0] + (aw_left_2 + 9'd1) * BEAT_BYTES <= 9'd32 &&
+      assert (aw_address_2[5:0] + (aw_left_2 + 9'd1) * BEAT_BYTES <= 9'd64 &&
               aw_address_2[LOG2_BYTES-1:0] == 0);
   end
 

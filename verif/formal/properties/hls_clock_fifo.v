@@ -9,8 +9,9 @@
   wire pushed = clk_i && rst_ni && push;
   wire popped = read_clk_i && read_rst_ni && pop;
 
+  wire [BITS:0] writes = write_next_q - 1'b1, reads = read_next_q - 1'b1;  // since the reset
   reg followed_q = 1'b0;
-  reg [BITS:0] place_q;         // of the token, as write_q counts
+  reg [BITS:0] place_q;         // of the token, by the writes before it
   reg [WIDTH-1:0] token_q;
   reg [1:0] seen_q;             // edges of the reader since it came, 3 at most
   reg [1:0] calm_q = 0;         // edges of the writer since a token left, 3 at most
@@ -24,11 +25,11 @@
     last_read_q <= read_gray_q;
     if (pushed && follow && !followed_q) begin
       followed_q <= 1'b1;
-      place_q <= write_q;
+      place_q <= writes;
       token_q <= data_i;
       seen_q <= 0;
     end else if (followed_q) begin
-      if (popped && place_q == read_q) followed_q <= 1'b0;
+      if (popped && place_q == reads) followed_q <= 1'b0;
       if (read_clk_i && read_rst_ni && seen_q != 3) seen_q <= seen_q + 1;
     end
     calm_q <= popped ? 0 : clk_i && rst_ni && calm_q != 3 ? calm_q + 1 : calm_q;
@@ -42,8 +43,8 @@
   end
   wire running = steps_q == 4;
 
-  wire [BITS:0] used = write_q - read_q;
-  wire head = followed_q && place_q == read_q;
+  wire [BITS:0] used = writes - reads;
+  wire head = followed_q && place_q == reads;
   wire [BITS:0] write_changes = write_gray_q ^ last_write_q;
   wire [BITS:0] read_changes = read_gray_q ^ last_read_q;
 
@@ -65,13 +66,15 @@
       for (b = BITS - 1; b >= 0; b = b - 1) binary[b] = binary[b+1] ^ gray[b];
     end
   endfunction
-  wire [BITS:0] early_used = binary(write_early_q) - read_q;
-  wire [BITS:0] seen_used = binary(write_seen_q) - read_q;
-  wire [BITS:0] early_full = write_q - binary(read_early_q);
-  wire [BITS:0] seen_full = write_q - binary(read_seen_q);
-  wire [BITS:0] ahead = place_q - read_q;
+  wire [BITS:0] early_used = binary(write_early_q) - reads;
+  wire [BITS:0] seen_used = binary(write_seen_q) - reads;
+  wire [BITS:0] early_full = writes - binary(read_early_q);
+  wire [BITS:0] seen_full = writes - binary(read_seen_q);
+  wire [BITS:0] ahead = place_q - reads;
   always @* if (running) begin
-    assert (binary(write_gray_q) == write_q && binary(read_gray_q) == read_q);
+    assert (binary(write_gray_q) == writes && binary(read_gray_q) == reads);
+    assert (write_q == writes[BITS-1:0] && read_q == reads[BITS-1:0]);
+    assert (binary(write_next_gray_q) == write_next_q && binary(read_next_gray_q) == read_next_q);
     assert (seen_used <= early_used && early_used <= used);
     assert (used <= early_full && early_full <= seen_full && seen_full <= DEPTH);
     if (calm_q != 0) assert (read_early_q == read_gray_q);
@@ -81,11 +84,11 @@
     if (followed_q) assert (ahead < used && rows[place_q[BITS-1:0]] == token_q);
     if (followed_q && seen_q != 0) assert (ahead < early_used);
     if (followed_q && seen_q >= 2) assert (ahead < seen_used);
-    if (!written_q) assert (write_q == 0 && read_early_q == 0 && read_seen_q == 0 && ready_q);
-    if (!taken_q) assert (read_q == 0 && write_early_q == 0 && write_seen_q == 0 && !valid_q);
+    if (!written_q) assert (writes == 0 && read_early_q == 0 && read_seen_q == 0 && ready_q);
+    if (!taken_q) assert (reads == 0 && write_early_q == 0 && write_seen_q == 0 && !valid_q);
     if (!taken_q && followed_q) assert (seen_q == 0);
-    assert (binary(last_write_q) == write_q || binary(last_write_q) + 1'b1 == write_q);
-    assert (binary(last_read_q) == read_q || binary(last_read_q) + 1'b1 == read_q);
+    assert (binary(last_write_q) == writes || binary(last_write_q) + 1'b1 == writes);
+    assert (binary(last_read_q) == reads || binary(last_read_q) + 1'b1 == reads);
   end
   always @* begin
     assert (steps_q <= 4);
@@ -93,6 +96,8 @@
     if (!running && steps_q >= 1)
       assert ({write_q, write_gray_q, write_early_q, write_seen_q, read_q, read_gray_q, read_early_q,
                read_seen_q, valid_q} == 0 && ready_q);
+    if (!running && steps_q >= 1)
+      assert (write_next_q == 1 && write_next_gray_q == 1 && read_next_q == 1 && read_next_gray_q == 1);
     if (!running && steps_q >= 2) assert ({last_write_q, last_read_q} == 0);
   end
 
