@@ -18,8 +18,7 @@ inline constexpr char kStaysBusy[] =
     "again";
 inline constexpr char kStandsStill[] =
     "board {}: its core has begun a frame and counts no clocks behind the {} that it has; press "
-    "the "
-    "board's reset, or load its bitstream again";
+    "the board's reset, or load its bitstream again";
 inline constexpr char kWrongId[] =
     "board {}: its registers give the id {:#x} and the version {:#x}, but the host expects {:#x} "
     "and {:#x}; rebuild the Verilog and the host together";

@@ -3,7 +3,6 @@
 //
 // The display of the ULX3S in each of its modes: pictures as large as the display, from the SDRAM
 // to the DVI pins, on a board without a core.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <memory>

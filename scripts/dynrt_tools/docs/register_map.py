@@ -18,6 +18,7 @@ OF_BITS = ("CONTROL", "STATUS", "MEMORY_ERROR")
 WIDE = {"MEMORY_ERROR_RESPONSE": 2}  # bits of a field that has more than one
 NARROW = ("IRQ_ENABLE", "IRQ_PENDING")  # registers of one bit
 READ_ONLY = ("MEMORY_ERROR_WRITE", "MEMORY_ERROR_RESPONSE")  # fields, however their register is
+# Registers that the board never changes by itself.
 OF_SOFTWARE = ("IRQ_ENABLE", "FRAME", "SCAN", "SCAN_CLOCKS", "MEMORY_BASE_LOW", "MEMORY_BASE_HIGH")
 CLEARED_BY_ONE = ("IRQ_PENDING", "MEMORY_ERROR_SEEN")
 ROWS = {"FRAME": 64, "SCAN": 16}  # registers that follow one another

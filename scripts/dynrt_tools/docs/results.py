@@ -9,8 +9,8 @@ is Python's, such as "," or ".1f"; it may begin with *FACTOR, or with @CONFIGURA
 makes frames per second of the clocks of a frame: at the placed clock, in brackets where it is that of
 another configuration, or at a stated one. {{placed:CONFIGURATION/FIELD}} is a field of the placed
 clock itself (hardware/placed_clocks.py). Where the data have null the page says
-"not measured". {{DATA:command}} is the command that measures the data again. What fit_page.TEXTS
-names in place of a PATH is a text about placements: {{DATA:placements}} is a table of them.
+"not measured". {{DATA:command}} is the command that measures the data again. What TEXTS names in
+place of a PATH is a text about placements: {{DATA:placements}} is a table of them.
 Rows that differ in a name are written once, in a loop (docs/loops.py).
 """
 
@@ -27,6 +27,7 @@ RESULTS = project.ROOT / "docs" / "results"
 TEMPLATES = RESULTS / "templates"
 FIGURE = re.compile(r"\{\{(\w+):([^|}]+)(?:\|([^}]*))?\}\}")
 PLACED = "placed"  # a name that is none of a file
+TEXTS = {**fit_page.TEXTS, "bitstream": bitstream.state}
 
 
 def template(path: pathlib.Path) -> loops.Lines:
@@ -98,10 +99,8 @@ class Data:
             if field not in fields:
                 raise project.Failed(f"a placed clock has no '{field}'; it has {', '.join(fields)}")
             return fields[field]
-        if path == "state" and "made_of" in (kept := self.load(name)):
-            return bitstream.state(kept)
-        if path in fit_page.TEXTS:
-            return fit_page.TEXTS[path](self.load(name))
+        if path in TEXTS:
+            return TEXTS[path](self.load(name))
         value = self.load(name)
         for step in path.split("/"):
             if value is None:

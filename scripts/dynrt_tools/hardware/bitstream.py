@@ -41,9 +41,7 @@ class Board:
     device: str
     grade: str
     constraints: str
-    modes: Mapping[
-        str, int
-    ]  # of the display: its pixels' MHz, PIXEL_MHZ of the top; the first is usual
+    modes: Mapping[str, int]  # of the display, the usual one first: PIXEL_MHZ of the top
     clocks: Callable[[int], Mapping[str, float]]  # in MHz, by the net: all that registers have
     pins_ns: Mapping[str, float]  # by such a clock: how late a pin that it drives may be
 
@@ -60,7 +58,7 @@ BOARDS = {
         "ecp5-85",
         "6",
         "ulx3s.lpf",
-        {"640x480": 25, "800x600": 40},
+        board_clocks.modes(),
         ulx3s_clocks,
         # docs/how-to/ulx3s.md: what the SDRAM's pins have beside 3 ns of the pad itself.
         {board_clocks.SDRAM: 5.5},
@@ -110,7 +108,9 @@ def parse() -> argparse.Namespace:
     )
     parser.add_argument("board", choices=sorted(BOARDS), help="the board")
     parser.add_argument(
-        "--mode", metavar="MODE", help="of the display: 640x480 (the default) or 800x600"
+        "--mode",
+        metavar="MODE",
+        help=f"of the display: {' or '.join(board_clocks.modes())} (default: the first)",
     )
     parser.add_argument(
         "--out",
@@ -239,13 +239,12 @@ def route(
             }
             for net, clock in read_json(work / "report.json")["fmax"].items()
         }
-        log = (work / "log").read_text(encoding="utf-8", errors="replace")
-    # A log has them before and after the routing; the last counts.
-    pins = {net.removeprefix(GLOBAL): float(delay) for net, delay in TO_PIN.findall(log)}
-    crossings = {
-        f"{one.removeprefix(GLOBAL)} to {other.removeprefix(GLOBAL)}": float(delay)
-        for one, other, delay in CROSSING.findall(log)
-    }
+        log = (work / "log").read_text(encoding="utf-8", errors="replace").replace(GLOBAL, "")
+        # A log has them before and after the routing; the last counts.
+        pins = {net: float(delay) for net, delay in TO_PIN.findall(log)}
+        crossings = {f"{a} to {b}": float(delay) for a, b, delay in CROSSING.findall(log)}
+        if len(clocks) > 1 and not crossings:
+            raise KeyError("Max delay posedge")
     return Routed(clocks, {net: pins.get(net, 0.0) for net in board.pins_ns}, crossings)
 
 
@@ -281,9 +280,9 @@ def print_clocks(board: Board, routed: Routed) -> list[str]:
 
 
 def print_crossings(routed: Routed) -> list[str]:
-    """A count in Gray code that another clock sees changes by one bit if its wires differ by less than
-    a period of its own clock (rtl/lib/hls_clock_fifo.v); a placer leaves them as long as it likes.
-    """
+    """A count in Gray code that another clock sees changes by one bit if its wires differ by less
+    than a period of its own clock (rtl/lib/hls_clock_fifo.v). A placer leaves them as long as it
+    likes."""
     missed = []
     for crossing, late in routed.crossings_ns.items():
         period = 1e3 / routed.clocks[crossing.split(" to ")[0]]["constraint"]

@@ -56,6 +56,9 @@ open(value["-l"], "w").write(
     f"Info: Max delay posedge $glbnet$clk     -> <async>   : {{late}} ns\\n"
     f"Info: Max delay posedge $glbnet$clk -> posedge $glbnet$other: {{far}} ns\\n"
 )
+if mode == "no crossing":
+    report["fmax"]["other"] = report["fmax"]["$glbnet$clk"]
+    open(value["-l"], "w").write("")
 if mode == "other report":
     report = {{}}
 if mode != "no report":
@@ -315,6 +318,13 @@ class FailingTools(Small):
             "other report",
             "the report of this version of nextpnr-ecp5 reads otherwise than that of 0.4 to 0.11: "
             "it has no 'fmax'",
+        )
+
+    def test_the_placer_s_log(self) -> None:
+        self.leaves_nothing(
+            "no crossing",
+            "the report of this version of nextpnr-ecp5 reads otherwise than that of 0.4 to 0.11: "
+            "it has no 'Max delay posedge'",
         )
 
     def test_the_packer(self) -> None:

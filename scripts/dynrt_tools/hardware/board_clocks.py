@@ -8,12 +8,20 @@ from dynrt_tools import project
 
 ULX3S = project.ROOT / "rtl" / "ulx3s" / "ulx3s_clocks.v"
 OSCILLATOR_MHZ = 25.0
+# The modes of displays, and in MHz the clock of their pixels on a DVI link.
+MODES = project.ROOT / "host" / "board" / "display_mode.h"
+MODE = re.compile(r'\{"(\d+x\d+)", \{.*\}, [\d.]+, (\d+)\}')
 # What an output of ulx3s_clocks.v is called within the top.
 CORE, SDRAM, DVI = "board.clk", "board.sdram_clk", "board.dvi_clk"
 
 
 # In ulx3s_clocks.v, a divider that depends on the display's mode.
 DIVIDER = re.compile(r"localparam (\w+) = PIXEL_MHZ == 25 \? (\d+) : (\d+);")
+
+
+def modes() -> dict[str, int]:
+    """By their names."""
+    return {name: int(mhz) for name, mhz in MODE.findall(MODES.read_text(encoding="utf-8"))}
 
 
 def ulx3s(pixel_mhz: int = 25) -> dict[str, float]:
