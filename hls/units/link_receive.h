@@ -40,7 +40,7 @@ struct LinkReceive {
     if (takes) take(escaped_ ? byte ^ uint<8>::from(kLinkEscaped) : byte);
     // Of the frame, if it ends behind this byte.
     if (takes) fits_ = count_ < room_of_frame_ + Count::from(kFixed);
-    if (takes && count_ == Count(0)) room_of_frame_ = room;
+    if ((takes || is_bad) && count_ == Count(0)) room_of_frame_ = room;
     if (is_byte) escaped_ = is_escape;
     // A frame that is too long is a bad one; its count wraps.
     bad_ = !is_flag && (bad_ || is_bad || (takes && count_ == Count::ones()));

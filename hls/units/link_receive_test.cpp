@@ -17,9 +17,10 @@ using Bytes = std::vector<unsigned>;
 
 class LinkReceiveTest : public testing::Test {
  protected:
+  enum class Begins { kWithFlag, kWithoutFlag };
   /// A write of so many bytes, all with one value that needs no escape. In its middle `room` bytes
   /// of the ring are freed.
-  void send(unsigned data, unsigned value, unsigned room = 0) {
+  void send(unsigned data, unsigned value, unsigned room = 0, Begins begins = Begins::kWithFlag) {
     Bytes bytes = {2, 0, data % 256, data / 256, 0, 0, 0, 0};
     bytes.resize(kLinkHeaderBytes + data, value);
     Crc crc = kCrcStart;
@@ -27,7 +28,7 @@ class LinkReceiveTest : public testing::Test {
     for (unsigned i = 0; i < kLinkCrcBytes; ++i) {
       bytes.push_back(static_cast<unsigned>((~crc).to_u64() >> (8 * i)) % 256);
     }
-    event(kLinkFlag);
+    if (begins == Begins::kWithFlag) event(kLinkFlag);
     for (std::size_t i = 0; i < bytes.size(); ++i) {
       if (room != 0 && i == bytes.size() / 2) free(room);
       const unsigned byte = bytes[i];
@@ -91,6 +92,18 @@ TEST_F(LinkReceiveTest, TakesNoFrameOfWhichOnlyTheEndFoundRoom) {
   EXPECT_FALSE(all[0].good) << "its first bytes are not in the ring";
   EXPECT_TRUE(all[1].good);
   EXPECT_TRUE(holds(all[1], 3));
+}
+
+TEST_F(LinkReceiveTest, AsksForRoomThoughTheFirstByteIsBad) {
+  constexpr unsigned kFull = kLinkRingBytes / kLinkDataBytes;
+  for (unsigned i = 0; i < kFull; ++i) send(kLinkDataBytes, i);
+  const std::vector<LinkRequest> waiting = requests();
+  bench_.feed(bench_.unit.event, {LinkEventKind::kBadByte, LinkLength()});
+  send(kLinkDataBytes, 99, 0, Begins::kWithoutFlag);
+  const std::vector<LinkRequest> more = requests();
+  ASSERT_EQ(more.size(), 1u);
+  EXPECT_FALSE(more[0].good);
+  for (unsigned i = 0; i < kFull; ++i) EXPECT_TRUE(holds(waiting[i], i)) << i;
 }
 
 TEST_F(LinkReceiveTest, DropsWhatComesWhileAsManyWaitAsMay) {

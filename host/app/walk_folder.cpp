@@ -136,7 +136,7 @@ void WalkFolder::read() {
     if (!file) refuse(messages::kCannotRead, manifest.string(), std::strerror(errno));
     const Json json = Json::parse(file);
     for (const auto& [name, value] : settings_) {
-      before.push_back(json.at("settings").at(name).get<std::string>());
+      before.push_back(json.at("settings").value(name, std::string()));
     }
     for (const auto& [name, record] : json.at("frames").items()) {
       records_[name] = json_of(record_of(record));

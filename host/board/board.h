@@ -74,6 +74,9 @@ class Board {
 
   /// Sends what write() has kept back, if the way to the board is such that it pays.
   virtual void finish_writes() {}
+  /// Behind the last read() of a frame's results. Throws UserError if the memory answered one of
+  /// them with an error.
+  virtual void finish_reads() {}
   /// Of a board at the end of a line so slow that somebody waits for it; empty: nobody is told.
   virtual void report_transfers(TransferProgress /*progress*/) {}
 

@@ -88,6 +88,10 @@ void RtlBoard::read(unsigned bank, std::uint32_t address, std::span<std::uint32_
   burst_read(window::address(bank, address), words);
 }
 
+void RtlBoard::finish_reads() {
+  if (read_register(reg::kRegStatus) >> reg::kStatusMemoryError & 1) refuse_memory_error();
+}
+
 void RtlBoard::configure(const FrameConfig& frame) {
   frame_ = frame;
   burst_write(reg::kRegFrame, core_.frame_words(frame));

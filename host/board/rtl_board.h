@@ -23,6 +23,7 @@ class RtlBoard : public Board {
 
   void write(unsigned bank, std::uint32_t address, std::span<const std::uint32_t> words) override;
   void read(unsigned bank, std::uint32_t address, std::span<std::uint32_t> words) override;
+  void finish_reads() override;
   void set_memory_timing(const MemoryTiming& timing) override {
     clocked_->set_memory_timing(timing);
   }

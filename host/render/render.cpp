@@ -195,6 +195,7 @@ Frame render(Board& board, const FrameOptions& options, const SceneAddresses& sc
   frame.run = board.wait(options.timeout, progress);
   frame.pixels = read_pixels(board, number(config.frame_base), options);
   if (options.hits) frame.hits = read_hits(board, options);
+  board.finish_reads();
   frame.counters = board.counters();
   frame.traffic = board.traffic() - before;
   return frame;

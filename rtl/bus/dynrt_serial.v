@@ -196,7 +196,7 @@ module dynrt_serial #(
   end
 
   // The host may move the memory while accesses of its own are under way: new ones wait until these
-  // are answered.
+  // are answered. A write that the line has answered may not have come so far; a read waits for it.
   wire all_idle, moved_read_ready, moved_write_ready;
   reg  [ADDRESS_BITS-1:0] base_q;
   wire moves = base_q != base[ADDRESS_BITS-1:0];

@@ -49,7 +49,8 @@ module display_dvi #(
   wire [19:0] shown;
   wire        characters_valid, characters_ready;
   wire [29:0] characters;
-  wire        dvi_rst_n, crossed_valid, crossed_ready, dvi_valid, dvi_ready, dvi_starved;
+  wire        crossing_rst_n, waiting_rst_n, sending_rst_n;
+  wire        crossed_valid, crossed_ready, dvi_valid, dvi_ready, dvi_starved;
   wire [29:0] crossed, dvi_characters;
 
   assign running_o = running_q;
@@ -98,19 +99,23 @@ module display_dvi #(
   hls_clock_fifo #(.WIDTH(30), .DEPTH(16)) to_link (
     .clk_i(clk_i), .rst_ni(running_q),
     .valid_i(characters_valid), .ready_o(characters_ready), .data_i(characters),
-    .read_clk_i(dvi_clk_i), .read_rst_ni(dvi_rst_n),
+    .read_clk_i(dvi_clk_i), .read_rst_ni(crossing_rst_n),
     .valid_o(crossed_valid), .ready_i(crossed_ready), .data_o(crossed)
   );
   hls_buffer #(.WIDTH(30)) at_serialiser (
-    .clk_i(dvi_clk_i), .rst_ni(dvi_rst_n),
+    .clk_i(dvi_clk_i), .rst_ni(waiting_rst_n),
     .valid_i(crossed_valid), .ready_o(crossed_ready), .data_i(crossed),
     .valid_o(dvi_valid), .ready_i(dvi_ready), .data_o(dvi_characters)
   );
 
-  hls_reset link_reset (.clk_i(dvi_clk_i), .rst_ni(running_q && dvi_rst_ni), .rst_no(dvi_rst_n));
+  // The link's clock leaves no time for one reset to reach all of them.
+  hls_reset #(.PARTS(3)) link_reset (
+    .clk_i(dvi_clk_i), .rst_ni(running_q && dvi_rst_ni),
+    .rst_no({crossing_rst_n, waiting_rst_n, sending_rst_n})
+  );
 
   dvi_serialiser serialiser (
-    .clk_i(dvi_clk_i), .rst_ni(dvi_rst_n),
+    .clk_i(dvi_clk_i), .rst_ni(sending_rst_n),
     .valid_i(dvi_valid), .ready_o(dvi_ready), .data_i(dvi_characters), .starved_o(dvi_starved),
     .first_o(dvi_first_o), .second_o(dvi_second_o)
   );

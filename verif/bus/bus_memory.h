@@ -43,6 +43,8 @@ class BusMemory {
   const Sram& sram() const { return sram_; }
   /// Where the memory begins on the bus.
   void set_base(std::uint64_t base) { base_ = base; }
+  /// It takes nothing and answers nothing for so many clocks.
+  void stall(std::uint64_t clocks) { stalled_until_ = now_ + clocks; }
   /// The response to an access of a byte, 0 if it is none of an error.
   void set_faults(std::function<unsigned(bool write, unsigned byte)> faults) {
     faults_ = std::move(faults);
@@ -54,7 +56,7 @@ class BusMemory {
   std::uint64_t writes() const { return writes_; }
 
  protected:
-  bool happens(unsigned percent) { return random_() % 100 < percent; }
+  bool happens(unsigned percent) { return now_ >= stalled_until_ && random_() % 100 < percent; }
   std::uint64_t some_clocks() { return random_() % (temper_.most_clocks + 1u); }
   std::uint8_t some_byte() { return static_cast<std::uint8_t>(random_()); }
 
@@ -87,7 +89,7 @@ class BusMemory {
   }
 
   Temper temper_;
-  std::uint64_t now_ = 0;
+  std::uint64_t now_ = 0, stalled_until_ = 0;
   std::uint64_t reads_ = 0, writes_ = 0;
 
  private:

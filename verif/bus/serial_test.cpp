@@ -5,9 +5,11 @@
 // everything goes over the line's pins, as on a board, and frames are those of the model, however
 // the memory behaves. The rules of the bus hold in every clock.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <verilated.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -173,6 +175,24 @@ TEST_P(Serial, CarriesTheMemory) {
             std::uint32_t{high[0]} | high[1] << 8 | high[2] << 16 | std::uint32_t{high[3]} << 24);
 }
 
+/// Answered on the line, the last writes wait for a memory that takes nothing for a while. A read
+/// of the memory waits for them, so they are behind it.
+TEST_P(Serial, MovesTheMemoryBehindARead) {
+  constexpr std::uint32_t kBase = 1u << 27;
+  const std::vector<std::uint8_t> before = random_bytes(400, 1), behind = random_bytes(400, 2);
+  simulated_->memory().stall(60'000);
+  link_->write_memory(0, before);
+  std::vector<std::uint8_t> back(400);
+  link_->read_memory(0, std::span(back).first(4));
+  link_->write_registers(reg::kRegMemoryBaseLow, std::array{kBase});
+  simulated_->memory().set_base(kBase);
+  link_->write_memory(4096, behind);
+  link_->read_memory(0, back);
+  EXPECT_EQ(back, before);
+  link_->read_memory(4096, back);
+  EXPECT_EQ(back, behind);
+}
+
 TEST_P(Serial, RendersTheModelsFrame) {
   make_board();
   expect_frame();
@@ -210,6 +230,21 @@ TEST_P(Serial, TellsOfAnErrorOfTheMemory) {
             1u << reg::kMemoryErrorSeen | 2u << reg::kMemoryErrorResponse);
   EXPECT_EQ(board_->read_register(reg::kRegMemoryErrorAddress),
             simulated_->memory().first_fault()->byte);
+}
+
+TEST_P(Serial, TellsOfAnErrorWhileResultsAreRead) {
+  make_board();
+  simulated_->memory().set_faults(
+      [](bool write, unsigned byte) { return !write && byte >= kPixelsAt ? 2u : 0u; });
+  try {
+    render(*board_, options_, *scene_);
+    FAIL() << "the pixels that were read are not those of the memory";
+  } catch (const UserError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr(fmt::format("answered a read of byte {:#x}",
+                                                             unsigned{kPixelsAt})));
+  }
+  simulated_->memory().set_faults([](bool, unsigned) { return 0u; });
+  expect_frame();
 }
 
 }  // namespace

@@ -193,6 +193,23 @@ TEST_F(Program, SaysThatTheBoardCountsNoClocks) {
 TEST_F(Program, ResetsABoardThatAnotherProgramHasLeftBusy) {
   IdleBoard board;
   board.registers[reg::kRegStatus] = 1u << reg::kStatusBusy;
+  bool resets = false;
+  const BoardAtTerminal terminal([&](auto bytes) {
+    Bytes answer = board.answer(bytes);
+    if (board.registers[reg::kRegControl] >> reg::kControlReset & 1) {
+      resets = true;
+      board.registers[reg::kRegStatus] = 0;
+    }
+    return answer;
+  });
+  expect_refusal(terminal, "it answers no more after");
+  EXPECT_TRUE(resets);
+  EXPECT_GT(board.model.writes(), 100u) << "it got the scene";
+}
+
+TEST_F(Program, SaysThatTheBoardStaysBusyAfterAReset) {
+  IdleBoard board;
+  board.registers[reg::kRegStatus] = 1u << reg::kStatusBusy;
   const BoardAtTerminal terminal([&](auto bytes) { return board.answer(bytes); });
   expect_refusal(terminal, "its core stays busy after a reset");
   EXPECT_EQ(board.registers[reg::kRegControl], 1u << reg::kControlReset);

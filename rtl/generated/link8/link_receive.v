@@ -104,9 +104,10 @@ module link_receive #(
   wire [31:0] xor_14_s1 = (xor_8_s1 ^ {{2{xor_9_s1[29]}}, xor_9_s1}) ^ xor_13_s1;  // units/link_format.h:92
   wire [23:0] xor_15_s1 = crc_q[31:8] ^ xor_14_s1[23:0];  // units/link_format.h:101
   wire [31:0] xor_16_s1 = ((xor_1_s1 ^ {{2{xor_2_s1[29]}}, xor_2_s1}) ^ xor_6_s1) ^ {xor_14_s1[31:24], xor_15_s1};  // units/link_format.h:101
-  wire [31:0] mux_26_s1 = takes_s1 ? xor_16_s1 : crc_q;
-  wire or_4_s1 = is_bad_s1 | takes_s1;  // units/link_receive.h:47
-  wire [9:0] counted_s1 = count_q + {9'd0, or_4_s1};  // units/link_receive.h:47
+  wire or_2_s1 = is_bad_s1 | takes_s1;
+  wire and_9_s1 = eq_3_s1 & or_2_s1;
+  wire [31:0] mux_26_s1 = takes_s1 ? xor_16_s1 : crc_q;  // units/link_receive.h:65
+  wire [9:0] counted_s1 = count_q + {9'd0, or_2_s1};  // units/link_receive.h:47
   wire and_11_s1 = ((bad_q | is_bad_s1) | (takes_s1 & (count_q == 10'd1023))) & (~is_flag_s1);
   wire mux_30_s1 = is_byte_s1 ? ({event_8_s1, event_7_s1, event_2_s1} == 8'd125) : escaped_q;  // units/link_receive.h:44
 
@@ -117,12 +118,12 @@ module link_receive #(
   reg  [9:0] count_s2;
   reg  takes_s2;
   reg  [9:0] mux_1_s2;
-  reg  eq_3_s2;
   reg  and_1_s2;
   reg  eq_4_s2;
   reg  eq_5_s2;
   reg  unharmed_s2;
   reg  [7:0] byte_s2;
+  reg  and_9_s2;
   always @(posedge clk_i) begin
     valid_s2 <= rst_ni && valid_s1;
     escaped_s2 <= escaped_q;
@@ -130,12 +131,12 @@ module link_receive #(
     count_s2 <= count_q;
     takes_s2 <= takes_s1;
     mux_1_s2 <= mux_1_s1;
-    eq_3_s2 <= eq_3_s1;
     and_1_s2 <= and_1_s1;
     eq_4_s2 <= eq_4_s1;
     eq_5_s2 <= eq_5_s1;
     unharmed_s2 <= unharmed_s1;
     byte_s2 <= byte_s1;
+    and_9_s2 <= and_9_s1;
   end
   reg  [63:0] header_q;
   reg  [10:0] start_q;
@@ -157,7 +158,7 @@ module link_receive #(
   wire and_7_s2 = in_header_s2 & ({2'd0, add_6_s2, count_s2[2:0]} < room_of_frame_q);
   wire and_8_s2 = takes_s2 & and_7_s2;
   wire mux_24_s2 = takes_s2 ? ({3'd0, count_s2} < {add_8_s2, room_of_frame_q[1:0]}) : fits_q;
-  wire [63:0] mux_27_s2 = takes_s2 ? (eq_8_s2 ? {byte_s2, header_q[63:8]} : header_q) : header_q;
+  wire [63:0] mux_27_s2 = takes_s2 ? (eq_8_s2 ? {byte_s2, header_q[63:8]} : header_q) : header_q;  // units/link_receive.h:64
 
   // ---- stage 3 ----
   reg valid_s3;
@@ -225,7 +226,7 @@ module link_receive #(
   end
   always @(posedge clk_i) begin
     if (!rst_ni) room_of_frame_q <= 12'h800;
-    else if (valid_s2) room_of_frame_q <= ((takes_s2 & eq_3_s2) ? room_q : room_of_frame_q);
+    else if (valid_s2) room_of_frame_q <= (and_9_s2 ? room_q : room_of_frame_q);
   end
   always @(posedge clk_i) begin
     if (!rst_ni) fits_q <= 1'd0;

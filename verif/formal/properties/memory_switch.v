@@ -27,6 +27,22 @@
   reg [3:0]            writes_q = 0;
   reg [3:0]            given_q = 0;
   reg [3:0]            last_q = 0;
+  // One read and one write, whichever the solver likes: how many of it came and have not left.
+  (* anyconst *) wire [READ_BITS-1:0] some_read;
+  (* anyconst *) wire [WRITE_BITS-1:0] some_write;
+  reg [1:0]            some_reads_q = 0, some_writes_q = 0;
+  wire [24:0] host_address = host_read_address_i + {21'd0, given_q} * BEAT_BYTES[24:0];
+  wire some_read_comes =
+      (display_begins && some_read == {DISPLAY, NO_ID, display_read_address_i, display_read_last_i}) ||
+      (core_begins && some_read == {CORE, core_read_id_i, 1'b0, core_read_address_i, core_read_last_i}) ||
+      (host_asks && some_read == {HOST, NO_ID, host_address, 4'd0});
+  wire some_read_leaves = read_leaves && some_read == {read_id_o, read_address_o, read_last_o};
+  wire core_writes = core_write_valid_i && core_write_ready_o;
+  wire host_writes = host_write_valid_i && host_write_ready_o;
+  wire some_write_comes =
+      (core_writes && some_write == {core_write_address_i, core_write_data_i, core_write_mask_i}) ||
+      (host_writes && some_write == {host_write_address_i, host_write_data_i, host_write_mask_i});
+  wire some_write_leaves = write_leaves && some_write == {write_address_o, write_data_o, write_mask_o};
   (* anyseq *) wire    write_done;
   wire                 done = write_done && writes_there_q != 0;
   wire [3:0]           host_beats = host_ends ? (host_beat_last_o ? 4'd0 : given_q + 4'd1) : given_q;
@@ -46,6 +62,8 @@
     writes_there_q <= writes_there_q + write_leaves - done;
     writes_q <= writes_q + write_comes - done;
     given_q <= host_beats;
+    some_reads_q <= some_reads_q + some_read_comes - some_read_leaves;
+    some_writes_q <= some_writes_q + some_write_comes - some_write_leaves;
     if (host_asks) last_q <= host_read_last_i;
     if (!rst_ni) begin
       was_reset_q <= 1'b1;
@@ -58,6 +76,8 @@
       writes_there_q <= 0;
       writes_q <= 0;
       given_q <= 0;
+      some_reads_q <= 0;
+      some_writes_q <= 0;
       last_q <= 0;
     end
   end
@@ -88,11 +108,17 @@
       assert (read_address_o[24:10] == row_there_q);
     if (read_leaves && reader == HOST) host_asks_for_one_beat:
       assert (!host_there_q && read_last_o == 4'd0);
-    if (host_asks) host_sees_its_writes: assert (writes_q == 0);
+    if (host_asks) host_sees_its_writes: assert (writes_q == 0 && !host_write_valid_i);
+    reads_are_what_was_asked:
+      assert (display_begins + core_begins + host_asks <= 1 && (!some_read_leaves || some_reads_q != 0) &&
+              (read_valid_o || some_reads_q == 0));
+    writes_are_what_was_written:
+      assert (core_writes + host_writes <= 1 && (!some_write_leaves || some_writes_q != 0) &&
+              (write_valid_o || some_writes_q == 0));
     if (host_read_valid_i && !host_waits_q) core_writes_wait_for_the_host:
-      assert (!(core_write_valid_i && core_write_ready_o) && (!write_comes || host_write_valid_i));
+      assert (!core_writes && (!write_comes || host_write_valid_i));
     if (host_asks) host_gets_its_beats:
-      assert (asked[28:4] == host_read_address_i + {21'd0, given_q} * BEAT_BYTES[24:0]);
+      assert (asked[28:4] == host_address);
     if (host_ends) host_knows_the_last_beat: assert (host_beat_last_o == (given_q == last_q));
     idle_if_nothing_is_under_way: assert (core_idle_o == (core_reads == 0 && writes_q == 0));
     beats_reach_who_asked:
@@ -110,6 +136,8 @@
   (* hierconn *) wire [READ_BITS-1:0] \next_read.second_q ;
   (* hierconn *) wire \next_write.valid_q ;
   (* hierconn *) wire \next_write.full_q ;
+  (* hierconn *) wire [WRITE_BITS-1:0] \next_write.data_q ;
+  (* hierconn *) wire [WRITE_BITS-1:0] \next_write.second_q ;
   (* hierconn *) wire [2:0] \reads.grant_q ;
   (* hierconn *) wire [1:0] \writes.grant_q ;
   wire       first = \next_read.valid_q ;
@@ -139,6 +167,10 @@
     if (second && second_reader == HOST) assert (\next_read.second_q [3:0] == 4'd0);
     assert (\next_write.valid_q || !\next_write.full_q );
     assert (writes_q == writes_there_q + \next_write.valid_q + \next_write.full_q );
+    assert (some_reads_q == (first && \next_read.data_q == some_read) +
+                            (second && \next_read.second_q == some_read));
+    assert (some_writes_q == (\next_write.valid_q && \next_write.data_q == some_write) +
+                             (\next_write.full_q && \next_write.second_q == some_write));
     if (!host_waits_q) assert (host_beat_q == given_q);
     else if (host_last_q) assert (host_beat_q == 0 && given_q == last_q);
     else assert (host_beat_q == given_q + 4'd1 && given_q < last_q);
@@ -150,5 +182,7 @@
     display_waits_for_its_row: cover (display_read_valid_i && !display_read_allowed);
     host_reads: cover (host_ends && host_beat_last_o && given_q == 1);
     host_waits_for_writes: cover (host_read_valid_i && writes_q != 0);
+    core_reads_and_writes: cover (core_there_q != 0 && core_writes);
+    host_writes_while_the_core_would: cover (host_writes && core_write_valid_i);
     is_stopped: cover (core_ends && core_stop_i);
   end
