@@ -123,7 +123,16 @@ inline constexpr char kOrbit[] =
 inline constexpr char kDefect[] = "defect in dynrt: {}";
 
 inline constexpr char kHoldsAnother[] =
-    "board {} holds configuration {}, not {}; name what it holds, or nothing";
+    "board {} can hold configuration {}, not {}; name what it holds, or nothing";
+inline constexpr char kHasItsCore[] =
+    "board {} has the core that its bitstream is made of, so --specialise has no use; take board "
+    "rtl "
+    "or model";
+inline constexpr char kHasItsDisplay[] =
+    "board {} has a display of its own, which --scan-out cannot see; leave it out, or take board "
+    "rtl";
+inline constexpr char kNoDeviceNamed[] =
+    "board {}: it names no device; write one behind the colon, such as serial:/dev/ttyUSB0";
 inline constexpr char kNoWaveforms[] = "board {} writes no waveforms; --board rtl does";
 inline constexpr char kNoSchedules[] =
     "board {} has clocks of its own, so --schedule has no use; --board model counts by schedules";

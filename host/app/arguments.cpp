@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 #include "host/app/app_messages.h"
 #include "host/app/scene_flags.h"
@@ -14,6 +15,7 @@
 #include "host/error.h"
 #include "host/scene/load.h"
 #include "host/scene/scene.h"
+#include "host/ulx3s/board_at_link.h"
 #include "units/memory_format.h"
 
 namespace dynrt::host {
@@ -109,6 +111,17 @@ FrameOptions FrameArguments::options(const std::string& size) const {
   if (options.timeout == 0) refuse(messages::kTimeoutZero);
   return options;
 }
+
+std::string hardware_help() {
+  const auto held = std::views::transform(linked_cores(), &LinkedCore::configuration);
+  return fmt::format(
+      "rtl: run the Verilog; ulx3s: run that of a whole ULX3S, down to its pins, which holds the "
+      "configuration {}; serial:DEVICE: an ULX3S, an Arty or another board at a serial device, "
+      "which holds {}",
+      held.front(), fmt::join(held, " or "));
+}
+
+std::string board_help() { return "model: run the C++ natively; " + hardware_help(); }
 
 void FrameArguments::check_timeout(const std::string& board) const {
   if (timeout && board == "model") refuse(messages::kTimeoutOfModel, *timeout);

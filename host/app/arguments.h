@@ -31,14 +31,9 @@ struct SceneArguments {
 /// Without a pixel or an interrupt, after which a frame is given up.
 inline constexpr std::uint64_t kTimeout = 10'000'000;
 
-/// Of the flag --board.
-inline constexpr char kHardwareHelp[] =
-    "rtl: run the Verilog; ulx3s: run that of the whole board, down to its pins, which holds the "
-    "configuration fast_ulx3s; serial:DEVICE: such a board at a serial device";
-inline constexpr char kBoardHelp[] =
-    "rtl: run the Verilog; model: run the C++ natively; ulx3s: run the Verilog of the whole board, "
-    "down to its pins, which holds the configuration fast_ulx3s; serial:DEVICE: such a board at a "
-    "serial device";
+/// Of the flag --board, where it takes hardware only, and where it takes the model too.
+std::string hardware_help();
+std::string board_help();
 
 /// The clocks of the memory behind a core's port.
 struct MemoryArguments {

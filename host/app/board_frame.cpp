@@ -31,6 +31,7 @@ void check_configuration(const BoardRequest& request) {
 
 /// A board with a bitstream of its own has one configuration, which need not be named.
 std::unique_ptr<Board> open_at_link(const BoardRequest& request, const FrameOptions& options) {
+  if (request.board == kSerial) refuse(messages::kNoDeviceNamed, request.board);
   if (!request.configuration.empty()) check_configuration(request);
   if (!request.trace.empty()) refuse(messages::kNoWaveforms, request.board);
   if (!request.schedule.empty()) refuse(messages::kNoSchedules, request.board);

@@ -44,7 +44,7 @@ int run(const Arguments& arguments) {
   check_outputs(outputs);
   // Unknown configurations and the like come before the work.
   SceneFile scene = arguments.specialise.file(arguments.scene);
-  const ChosenCore core = arguments.specialise.choose(scene, arguments.frame);
+  const ChosenCore core = arguments.specialise.choose(scene, arguments.frame, arguments.board);
   const BoardRequest of_rtl{arguments.board, core.configuration, ""};
   const auto board = open_board(of_rtl, options);
   const std::string same = core.configuration.empty() ? board->core().name : core.configuration;
@@ -87,7 +87,7 @@ Command add_compare_command(CLI::App& program) {
   arguments->scene.add_to(*command, true);
   arguments->frame.add_to(*command, "none");
   arguments->specialise.add_to(*command, false);
-  command->add_option("--board", arguments->board, kHardwareHelp)->option_text("BOARD [rtl]");
+  command->add_option("--board", arguments->board, hardware_help())->option_text("BOARD [rtl]");
   return {command, [arguments] { return run(*arguments); }};
 }
 

@@ -18,8 +18,10 @@
 #include "host/app/specialised.h"
 #include "host/app/text.h"
 #include "host/app/trace_file.h"
+#include "host/error.h"
 #include "host/picture/output_file.h"
 #include "host/picture/write_image.h"
+#include "host/ulx3s/board_at_link.h"
 #include "host/view/hit_json.h"
 
 namespace dynrt::host {
@@ -85,14 +87,18 @@ int run(const Arguments& arguments) {
                             {"--json", arguments.frame.json},
                             {"--trace", arguments.trace},
                             {"--scan-out", arguments.scan_out}};
-  if (!arguments.scan_out.empty()) check_image_path(arguments.scan_out);
+  if (!arguments.scan_out.empty()) {
+    if (is_at_link(arguments.board)) refuse(messages::kHasItsDisplay, arguments.board);
+    check_image_path(arguments.scan_out);
+  }
   check_outputs(outputs);
   TraceFile trace(arguments.trace);
   SpecialiseWishes wishes;
   if (!arguments.scan_out.empty()) wishes.keep.emplace_back("scan_out");
   SceneFile scene = arguments.specialise.file(arguments.scene);
   auto [board, prepared] = prepare_on(
-      arguments.specialise, arguments.specialise.choose(scene, arguments.frame, wishes),
+      arguments.specialise,
+      arguments.specialise.choose(scene, arguments.frame, arguments.board, wishes),
       [&](const std::string& configuration) {
         auto opened = open_board(
             {arguments.board, configuration, arguments.trace, arguments.schedule}, options);
@@ -129,7 +135,7 @@ Command add_render_command(CLI::App& program) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = program.add_subcommand("render", "render a scene and write the image");
   arguments->scene.add_to(*command, true);
-  command->add_option("--board", arguments->board, kBoardHelp)->option_text("BOARD [rtl]");
+  command->add_option("--board", arguments->board, board_help())->option_text("BOARD [rtl]");
   command
       ->add_option("--schedule", arguments->schedule,
                    "count the clocks of --board model with the schedules in this folder, which "

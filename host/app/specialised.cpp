@@ -11,6 +11,8 @@
 #include "host/app/scene_flags.h"
 #include "host/board/load_configuration.h"
 #include "host/board/run_script.h"
+#include "host/error.h"
+#include "host/ulx3s/board_at_link.h"
 
 namespace dynrt::host {
 
@@ -36,11 +38,12 @@ void SpecialiseFlags::add_to(CLI::App& command, bool may_exceed) {
 }
 
 ChosenCore SpecialiseFlags::choose(SceneFile& scene, const FrameArguments& frame,
-                                   const SpecialiseWishes& wishes) const {
+                                   const std::string& board, const SpecialiseWishes& wishes) const {
   const bool named = command_->get_option("--config")->count() > 0;
   if (!specialise) {
     return {named ? frame.configuration : "", general_of(frame.configuration)};
   }
+  if (is_at_link(board)) refuse(messages::kHasItsCore, board);
   const std::string general = named ? frame.configuration : general_configuration(scene);
   std::vector<std::string> words = words_of(scene.arguments());
   words.push_back(scene.arguments().scene);

@@ -43,9 +43,9 @@ struct SpecialiseFlags {
     return SceneFile(scene, specialise || general_if_exceeded);
   }
 
-  /// The configurations to render with; builds them if needed. Throws UserError with the reason if
-  /// a configuration cannot be made.
-  ChosenCore choose(SceneFile& scene, const FrameArguments& frame,
+  /// The configurations to render with on a board; builds them if needed. Throws UserError with the
+  /// reason if a configuration cannot be made, or if the board has a core of its own.
+  ChosenCore choose(SceneFile& scene, const FrameArguments& frame, const std::string& board,
                     const SpecialiseWishes& wishes = {}) const;
 
   /// Throws the error, with advice, unless the general core may replace the specialised one.

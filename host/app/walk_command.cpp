@@ -161,8 +161,9 @@ int run(const Arguments& arguments) {
   const Place place = place_of(arguments);
   SceneFile scene = arguments.specialise.file(arguments.scene);
   // Every frame of the walk is analysed.
-  const ChosenCore core = arguments.specialise.choose(
-      scene, arguments.frame, {.frames = arguments.frames, .span = arguments.span});
+  const ChosenCore core =
+      arguments.specialise.choose(scene, arguments.frame, arguments.board,
+                                  {.frames = arguments.frames, .span = arguments.span});
   auto [board, prepared] = prepare_on(
       arguments.specialise, core,
       [&](const std::string& configuration) {
@@ -239,7 +240,7 @@ Command add_walk_command(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
       "walk", "render the frames of a scene's animation, or of a camera's way around the scene");
   arguments->scene.add_to(*command, true);
-  command->add_option("--board", arguments->board, kBoardHelp)->option_text("BOARD [rtl]");
+  command->add_option("--board", arguments->board, board_help())->option_text("BOARD [rtl]");
   command
       ->add_option("--schedule", arguments->schedule,
                    "count the clocks of --board model with the schedules in this folder")

@@ -91,7 +91,7 @@ inline constexpr char kNoScanOut[] =
 inline constexpr char kDisplaySize[] =
     "a picture of {}x{} does not fit the display of {}x{}; render a smaller one";
 inline constexpr char kDisplayPitch[] =
-    "the scan-out shows rows that follow each other, and those of configuration {} begin {} pixels "
+    "a display shows rows that follow each other, and those of configuration {} begin {} pixels "
     "apart where {} are rendered; render a picture whose width is a multiple of {}";
 inline constexpr char kTrace[] =
     "{}: cannot write this file; name a file in a folder that can be written";

@@ -36,6 +36,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kPoll{1};  ///< of a real board's state
 constexpr microseconds kSimulatedPoll{500};
 constexpr milliseconds kDisplayStep{2};
+constexpr unsigned kDisplaySteps = 17;  ///< of two frames
 constexpr unsigned kMostDisplaySteps = 50;
 
 constexpr LinkedCore kLinkedCores[] = {
@@ -113,10 +114,12 @@ void BoardAtLink::read_pixels(std::uint32_t first, std::span<std::uint32_t> pixe
 void BoardAtLink::read_display(std::span<std::uint32_t> pixels) {
   linked_.count_read(pixels.size() * core().pixel_bytes());
   simulated_->take_frames();
+  const LinkProgress progress = linked_.progress_of("waiting for its display", kDisplaySteps);
   // The frame under way may have begun before the picture was complete.
   std::vector<DisplayFrame> frames;
   for (unsigned step = 0; frames.size() < 2; ++step) {
     if (step == kMostDisplaySteps) refuse(messages::kNoPicture);
+    if (progress) progress(std::min(step, kDisplaySteps));
     simulated_->run(kDisplayStep);
     std::ranges::move(simulated_->take_frames(), std::back_inserter(frames));
   }

@@ -52,6 +52,8 @@ class LinkedBoard final : public ClockedBoard {
 
   /// Of the memory.
   void report_transfers(TransferProgress progress) { progress_ = std::move(progress); }
+  /// For the link, of a transfer of so many bytes, or of what else takes its time.
+  LinkProgress progress_of(std::string_view what, std::uint64_t total) const;
   /// Counts bytes of the memory that came another way, as if they had come over the line.
   void count_read(std::uint64_t bytes);
   /// Sends what the board does not hold yet of what was written to the window.
@@ -66,8 +68,6 @@ class LinkedBoard final : public ClockedBoard {
 
  private:
   void spare_line(const LineCost& cost);
-  /// For the link, of a transfer of so many bytes.
-  LinkProgress progress_of(std::string_view what, std::uint64_t total) const;
   void write_window(unsigned bank, std::uint32_t word, std::span<const std::uint32_t> words);
   void read_window(unsigned bank, std::uint32_t word, std::span<std::uint32_t> words);
   /// Bytes of the board's memory, kept until the next frame starts.

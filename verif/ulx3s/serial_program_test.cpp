@@ -147,20 +147,34 @@ TEST_F(Program, RefusesABitstreamOfAnotherConfigurationThanIsAskedFor) {
 
 TEST_F(Program, RefusesAConfigurationThatNoSuchBoardHolds) {
   expect_error(render_on("ulx3s") + " --config fast_port",
-               "board ulx3s holds configuration fast_ulx3s, not fast_port; name what it "
+               "board ulx3s can hold configuration fast_ulx3s, not fast_port; name what it "
                "holds, or nothing");
   expect_error(render_on("ulx3s") + " --config fast",
-               "board ulx3s holds configuration fast_ulx3s, not fast; name what it holds, or "
+               "board ulx3s can hold configuration fast_ulx3s, not fast; name what it holds, or "
                "nothing");
   expect_error(render_on("serial:any") + " --config thesis",
-               "board serial:any holds configuration fast_ulx3s or fast_port, not thesis; name "
+               "board serial:any can hold configuration fast_ulx3s or fast_port, not thesis; name "
                "what it holds, or nothing");
 }
 
 TEST_F(Program, RefusesToShowAPictureBesideThatOfTheBoard) {
-  expect_error(render_on("ulx3s") + " --scan-out display.png",
-               "board ulx3s of configuration fast_ulx3s has no scan-out; take board rtl and a "
-               "configuration with the key scan_out, such as thesis");
+  expect_error(
+      render_on("ulx3s") + " --scan-out display.png",
+      "board ulx3s has a display of its own, which --scan-out cannot see; leave it out, or "
+      "take board rtl");
+}
+
+TEST_F(Program, HasNoUseForACoreMadeForTheScene) {
+  for (const char* board : {"ulx3s", "serial:any"}) {
+    expect_error(render_on(board) + " --specialise",
+                 std::string("board ") + board +
+                     " has the core that its bitstream is made of, so --specialise has no use");
+  }
+}
+
+TEST_F(Program, SaysThatNoDeviceIsNamed) {
+  expect_error(render_on("serial:"),
+               "board serial:: it names no device; write one behind the colon");
 }
 
 TEST_F(Program, SaysThatTheBoardStopsInTheMiddleOfAnAnswer) {

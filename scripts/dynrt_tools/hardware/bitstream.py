@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Makes the bitstream of a board: Yosys synthesizes its top, nextpnr-ecp5 places and routes it on the
 board's pins, ecppack packs it. Says what clock it may run at and what it runs at, and how full the
-chip is.
+chip is. That takes some twenty minutes. nextpnr-ecp5 and ecppack come with the OSS CAD Suite, not with
+Debian.
 
 Where a tool is not on the PATH, says which, and checks what can be checked without it: that each pin
 of the top has a site and no other has, and with Yosys that it is synthesized and the chip has room."""
@@ -89,7 +90,7 @@ ROUTER_COSTS = {
     "router2/histCongWeight": "1.0",
 }
 GLOBAL = "$glbnet$"  # before a net's name where it goes over the chip's net for clocks
-SUITE = "OSS CAD Suite has it, as it has yosys and the others"
+SUITE = "the OSS CAD Suite has yosys and all others"
 PORT = re.compile(r"^ +(?:input|output|inout) +(?:wire|reg) +(?:\[(\d+):0\] *)?(\w+)", re.MULTILINE)
 CROSSING = re.compile(r"Max delay posedge (\S+)\s+-> posedge (\S+)\s*: ([\d.]+) ns")
 TO_PIN = re.compile(r"Max delay posedge (\S+)\s+-> <async>\s*: ([\d.]+) ns")
@@ -124,17 +125,11 @@ def parse() -> argparse.Namespace:
     parser.add_argument(
         "--timeout",
         type=options.positive,
-        default=7200,
-        metavar="SECONDS",
-        help="for the placer (default: 7200)",
+        default=120,
+        metavar="MINUTES",
+        help="the time that the placer may take (default: 120)",
     )
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE", help="also write the figures")
-    parser.add_argument(
-        "--build",
-        type=pathlib.Path,
-        metavar="FOLDER",
-        help="the build that made the core's Verilog (default: build/release, else build/dev)",
-    )
     return parser.parse_args()
 
 
@@ -175,7 +170,7 @@ def synthesize(board: Board, args: argparse.Namespace) -> tuple[pathlib.Path, Js
     """The netlist, and what it takes of the device."""
     family = devices.family_of(board.device)
     synth = devices.FAMILIES[family]["synth"]
-    files = verilog_of(board, args.build)
+    files = verilog_of(board)
 
     def make(folder: pathlib.Path) -> None:
         synthesis.run_yosys(
@@ -231,7 +226,7 @@ def route(
         *("-q", "-l", str(work / "log")),
     ]
     with placer_log.followed(work / "log", project.show_progress):
-        placers.run(command, program, args.timeout)
+        placers.run(command, program, args.timeout * 60)
     with placers.reading(program):
         clocks = {
             net.removeprefix(GLOBAL): {
@@ -292,16 +287,16 @@ def print_crossings(routed: Routed) -> list[str]:
     return missed
 
 
-def verilog_of(board: Board, build: pathlib.Path | None = None) -> list[pathlib.Path]:
+def verilog_of(board: Board) -> list[pathlib.Path]:
     """What its bitstream is made of."""
-    core = rtl_files.generated(argparse.Namespace(config=board.config, build=build))
+    core = rtl_files.generated(argparse.Namespace(config=board.config, build=None))
     return synthesis.needed(board.top, rtl_files.sources(core))
 
 
-def made_of(board: Board, build: pathlib.Path | None = None) -> str:
+def made_of(board: Board) -> str:
     """A hash of its Verilog, without comments, and of its constraints."""
     constraints = project.hash_of_files([placers.CONSTRAINTS / board.constraints])
-    return f"{kept_placement.hash_of(board.top, verilog_of(board, build))[:32]}-{constraints[:32]}"
+    return f"{kept_placement.hash_of(board.top, verilog_of(board))[:32]}-{constraints[:32]}"
 
 
 def state(kept: Json) -> str:
@@ -315,15 +310,18 @@ def make_bitstream(board: Board, args: argparse.Namespace, out: pathlib.Path) ->
     problems = pin_problems(board)
     if problems:
         return problems
+    placer = placers.PLACERS[board.device]["program"]
+    missing = [tool for tool in (placer, PACKER) if not shutil.which(tool)]
+    lacks = f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not on the PATH"
+    if missing:
+        print(f"tools       {lacks}: pins, synthesis and room alone are checked", flush=True)
     print(f"pins        all {len(pins_of(top_of(board)))} have their sites")
     netlist, taken = synthesize(board, args)
     lacking = print_room(board, taken)
     if lacking:
         return lacking
-    placer = placers.PLACERS[board.device]["program"]
-    for tool in (placer, PACKER):
-        if not shutil.which(tool):
-            return [f"{tool} is not on the PATH, so there is no bitstream; {SUITE}"]
+    if missing:
+        return [f"{lacks}, so there is no bitstream; {SUITE}"]
     with tempfile.TemporaryDirectory() as folder:
         work = pathlib.Path(folder)
         routed = route(board, args, netlist, work)
@@ -331,7 +329,7 @@ def make_bitstream(board: Board, args: argparse.Namespace, out: pathlib.Path) ->
         missed = print_clocks(board, routed)
         packed = work / "bitstream"
         pack = [PACKER, "--compress", "--input", str(work / "config"), "--bit", str(packed)]
-        placers.run(pack, PACKER, args.timeout)
+        placers.run(pack, PACKER, args.timeout * 60)
         if not packed.exists():
             raise project.Failed(f"{PACKER} wrote no bitstream")
         shutil.copyfile(packed, out)
@@ -340,7 +338,7 @@ def make_bitstream(board: Board, args: argparse.Namespace, out: pathlib.Path) ->
         figures = {
             "board": args.board,
             "mode": args.mode,
-            "made_of": made_of(board, args.build),
+            "made_of": made_of(board),
             "tools": {
                 "yosys": synthesis.tool_version("yosys", "-V", "yosys").split(" (")[0],
                 "placer": synthesis.tool_version(placer, "--version", placer),

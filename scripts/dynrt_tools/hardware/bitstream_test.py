@@ -254,6 +254,7 @@ class Bitstream(Small):
                 f"{tool} is not on the PATH, so there is no bitstream; {bitstream.SUITE}"
             )
             self.assertIn("pins        all 5 have their sites\n", output)
+            self.assertIn(f"tools       {tool} is not on the PATH: pins, synthesis", output)
             self.assertRegex(output, r"LUT4 +\d+ of 83,640, 0%\n")
             testing.write_program(self.bin / tool, PLACER)
 
@@ -308,7 +309,7 @@ class FailingTools(Small):
         self.leaves_nothing(
             "placer hangs",
             "nextpnr-ecp5 ran out of time, 1 seconds; --timeout gives it more",
-            *("--timeout", "1"),
+            *("--timeout", "0.02"),
         )
         self.assertEqual({run[0] for run in self.runs()}, {"nextpnr-ecp5"})
 
