@@ -81,6 +81,25 @@ class Pages(unittest.TestCase):
         for struct in ("Node", "ListEntry", "MatrixWord", "HitPlace", "HitSurface"):
             self.assertIn(f"\n### {struct}\n", page)
 
+    def test_cores_with_the_same_registers_share_a_column(self) -> None:
+        small = "`define DYNRT_CORE_FRAME_BITS 64\n`define DYNRT_CORE_FRAME_PACKETS 32\n"
+        large = f"{small}`define DYNRT_CORE_FRAME_BOX_COLUMN 64\n"
+        lines = registers.frame_table({"one": small, "two": large, "three": small})
+        self.assertIn("| register | `one`, `three` | `two` | meaning | only if |", lines)
+        self.assertTrue(any(line.startswith("| `packets` | `0x104` | `0x104` |") for line in lines))
+        self.assertTrue(any(line.startswith("| `box_column` | - | `0x108` |") for line in lines))
+
+    def test_every_core_that_is_checked_in_has_its_registers(self) -> None:
+        self.assertEqual(registers.configurations()[0], "thesis")
+        cores = {
+            name: registers.source(registers.generated(name, "vh"))
+            for name in registers.configurations()
+        }
+        named = {name for name, _, _ in registers.frame_fields(registers.source(registers.FRAME))}
+        for text in cores.values():
+            self.assertLess(registers.places(text).keys() - {"bits"}, named)
+            self.assertGreater(len(registers.places(text)), 16)
+
 
 class Waves(unittest.TestCase):
     """Timing diagrams of a unit of two stages that reads a RAM in its second."""

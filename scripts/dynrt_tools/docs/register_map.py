@@ -13,6 +13,7 @@ CONSTANT = re.compile(
     r"^localparam (?:\[\S+\] )?(\w+) = (?:\d+'h([0-9a-f]+)|(\d+));(?: *// *(.*))?$", re.MULTILINE
 )
 ACCESS = re.compile(r"(RW|R|W) +(.*)")
+PART = re.compile(r"([a-z ]+) in (?:bits )?(\d+):(\d+)")  # of a register, as its comment names it
 # Registers of which single bits have a name, a constant that begins with that of the register.
 OF_BITS = ("CONTROL", "STATUS", "MEMORY_ERROR")
 WIDE = {"MEMORY_ERROR_RESPONSE": 2}  # bits of a field that has more than one
@@ -95,7 +96,11 @@ def _register(constant: Constant, bits: list[Constant]) -> list[str]:
         last = bit.value + WIDE.get(bit.name, 1) - 1
         field = bit.name.removeprefix(f"{name}_")
         lines.append(_field(field, access, f"{last}:{bit.value}", bit.meaning, bit.name))
-    if not bits:
+    parts = PART.findall(meaning)
+    for part, last, first in parts:
+        field = part.strip().replace(" ", "_").upper()
+        lines.append(_field(field, access, f"{last}:{first}", "", f"{name}_{field}"))
+    if not bits and not parts:
         lines.append(_field("VALUE", access, "0:0" if name in NARROW else "31:0", "", name))
     rows = f"[{ROWS[name]}]" if name in ROWS else ""
     return [*lines, f"  }} {name}{rows} @ 0x{constant.value:03x};"]

@@ -13,6 +13,7 @@ TEXT = """\
 // A map.
 localparam [31:0] ID_VALUE = 32'h44;      // "ID"
 localparam [25:0] REG_ID = 26'h000;       // R  ID_VALUE
+localparam [25:0] REG_LIMITS = 26'h008;   // R  packets in bits 15:0, cache lines in 31:16
 localparam [25:0] REG_CONTROL = 26'h00c;  // W  a one starts
 localparam [25:0] REG_IRQ_PENDING = 26'h018; // RW bit 0
 localparam [25:0] REG_MEMORY_ERROR = 26'h040; // RW see the bits
@@ -66,6 +67,15 @@ class RegisterMap(testing.InFolder):
         self.assertIn('field { sw = r; hw = w; desc = "which"; } RESPONSE[3:2];', rdl)
         self.assertIn("field { sw = rw; hw = r; } VALUE[31:0];\n  } FRAME[64]", rdl)
         self.assertIn("} FRAME[64] @ 0x100;", rdl)
+
+    def test_a_comment_may_name_the_parts_of_a_register(self) -> None:
+        rdl = register_map.system_rdl(register_map.constants(TEXT))
+        self.assertIn(
+            "    field { sw = r; hw = w; } PACKETS[15:0];\n"
+            "    field { sw = r; hw = w; } CACHE_LINES[31:16];\n"
+            "  } LIMITS @ 0x008;",
+            rdl,
+        )
 
     def test_a_register_must_say_who_reads_and_writes_it(self) -> None:
         with self.assertRaisesRegex(project.Failed, "comment of REG_ID .* begin with R, W or RW"):

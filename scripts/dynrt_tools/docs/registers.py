@@ -4,17 +4,17 @@
 
 import itertools
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from dynrt_tools import project
 from dynrt_tools.project import Json, read_json
 
 FRAME = "hls/units/frame.h"
 MEMORY = "hls/units/memory_format.h"
-PLACES = "rtl/generated/thesis/dynrt_core.vh"
+GENERATED = "rtl/generated"
+THESIS = "thesis"
 BOARD = "rtl/board/dynrt_registers.vh"
 SCAN = "hls/units/scan_out.h"
-JOIN = "rtl/generated/thesis/dynrt_core.json"
 FIELD = re.compile(r"(?:hls::uint<32>|hls::OptionalField<([^;]*?), hls::uint<32>>)\s+(\w+);")
 PLACE = re.compile(r"^`define DYNRT_CORE_FRAME_(\w+) (\d+)$", re.MULTILINE)
 REGISTER = re.compile(r"^localparam (?:\[\S+\] )?(\w+) = (\S+?);(?: *// *(.*))?$", re.MULTILINE)
@@ -32,6 +32,11 @@ def source(name: str) -> str:
 
 def link(name: str) -> str:
     return f"[{name}](../../{name})"
+
+
+def links_to(configurations_: list[str], suffix: str) -> str:
+    """A link to a file of each of these cores."""
+    return ", ".join(f"[`{c}`](../../{generated(c, suffix)})" for c in configurations_)
 
 
 def frame_fields(text: str) -> Iterator[tuple[str, str, str]]:
@@ -53,13 +58,42 @@ def frame_fields(text: str) -> Iterator[tuple[str, str, str]]:
         above = pending = ""
 
 
-def frame_table() -> list[str]:
-    places = {name.lower(): int(bit) // 32 for name, bit in PLACE.findall(source(PLACES))}
-    lines = ["| register | in `thesis` | meaning | only if |", "|---|---|---|---|"]
+def configurations() -> list[str]:
+    """Those whose core is checked in, that of the thesis first."""
+    names = [path.parent.name for path in (project.ROOT / GENERATED).glob("*/dynrt_core.vh")]
+    return sorted(names, key=lambda name: (name != THESIS, name))
+
+
+def generated(configuration: str, suffix: str) -> str:
+    """A file of a core that is checked in."""
+    return f"{GENERATED}/{configuration}/dynrt_core.{suffix}"
+
+
+def places(text: str) -> dict[str, int]:
+    """By the register's name its number in a core, from its dynrt_core.vh."""
+    return {name.lower(): int(bit) // 32 for name, bit in PLACE.findall(text)}
+
+
+def frame_columns(cores: Mapping[str, str]) -> list[tuple[str, dict[str, int]]]:
+    """Heading and numbers of each column, of which cores with the same registers share one; the cores
+    by their names, as their dynrt_core.vh."""
+    shared: dict[tuple[tuple[str, int], ...], list[str]] = {}
+    for name, text in cores.items():
+        shared.setdefault(tuple(places(text).items()), []).append(f"`{name}`")
+    return [(", ".join(names), dict(found)) for found, names in shared.items()]
+
+
+def frame_table(cores: Mapping[str, str]) -> list[str]:
+    columns = frame_columns(cores)
+    first = int(register("REG_FRAME"), 16)
+    headings = ["register", *[heading for heading, _ in columns], "meaning", "only if"]
+    lines = [f"| {' | '.join(headings)} |", "|---" * len(headings) + "|"]
     for name, condition, meaning in frame_fields(source(FRAME)):
-        place = str(places[name]) if name in places else "-"
+        addresses = [
+            f"`0x{first + 4 * found[name]:03x}`" if name in found else "-" for _, found in columns
+        ]
         only = f"`{condition}`" if condition else ""
-        lines.append(f"| `{name}` | {place} | {meaning} | {only} |")
+        lines.append(f"| {' | '.join([f'`{name}`', *addresses, meaning, only])} |")
     return lines
 
 
@@ -137,6 +171,7 @@ def structs(text: str) -> list[str]:
 def page() -> str:
     """The whole page."""
     memory = source(MEMORY)
+    cores = configurations()
     lines = [
         "# Registers and memory",
         "",
@@ -145,10 +180,12 @@ def page() -> str:
         f"{link(FRAME)} defines them. Each is one register of 32 bits, in this order; a core has "
         "no register for a part that it lacks, and the registers behind it move up.",
         "",
-        *frame_table(),
+        *frame_table({name: source(generated(name, "vh")) for name in cores}),
         "",
-        f"The second column is the number of the register in `frame_i` of `thesis` "
-        f"({link(PLACES)}).",
+        "An address is that of the register's lowest byte on the bus of the board, in each "
+        "configuration whose core is checked in; `-` if its core has no such register. The macros "
+        "`DYNRT_CORE_FRAME_` of a core have the register's lowest bit in its input `frame_i`, eight "
+        f"times the bytes from `REG_FRAME` on: {links_to(cores, 'vh')}.",
         "",
         "## Registers of the board",
         "",
@@ -172,12 +209,14 @@ def page() -> str:
         "## Counters",
         "",
         "The host writes a number to `REG_COUNTER_ADDRESS` and reads the count from "
-        f"`REG_COUNTER_DATA`. These are the numbers in `thesis` ({link(JOIN)}); a build has those of "
-        "another configuration in `generated/CONFIG/dynrt_core.json`. `tokens` counts "
+        f"`REG_COUNTER_DATA`. These are the numbers in `{THESIS}` ({link(generated(THESIS, 'json'))}). "
+        f"The other cores that are checked in have theirs in the list `counters` of "
+        f"{links_to(cores[1:], 'json')}, and a build has those of any other configuration in "
+        "`generated/CONFIG/dynrt_core.json`. `tokens` counts "
         "the tokens of a channel, `transactions` those that a unit has started, and `stalls` the "
         "clocks in which a unit had its tokens but an output had no room.",
         "",
-        *counters_table(read_json(project.ROOT / JOIN)),
+        *counters_table(read_json(project.ROOT / generated(THESIS, "json"))),
         "",
         "## Memory",
         "",
