@@ -37,7 +37,7 @@ struct FrameRegisters {
   hls::uint<32> start_node;     ///< node of the uppermost tree where every ray starts
   hls::uint<32> camera_matrix;  ///< index of the matrix from pixel coordinates to the world
   hls::uint<32> background;     ///< colour where nothing is hit, 0x00BBGGRR
-  hls::uint<32> frame_base;     ///< first pixel of the framebuffer in bank 3
+  hls::uint<32> frame_base;     ///< first pixel of the picture, in bank 3 or from kPixelsAt on
   hls::uint<32> write_hits;     ///< 1: hit records are written to banks 4 and 5
   /// 1: every ray's origin is transformed, not one for the packet
   hls::OptionalField<C::kUncompressed, hls::uint<32>> uncompressed;

@@ -23,44 +23,44 @@ namespace dynrt {
 using hls::sint;
 using hls::uint;
 
-inline constexpr unsigned kBanks = 6;
-inline constexpr unsigned kSceneBanks = 3;
-inline constexpr unsigned kFrameBank = 3;
-inline constexpr unsigned kHitBank = 4;  ///< and the one after it
-inline constexpr unsigned kBankWords = 1u << 20;
-inline constexpr unsigned kAddressBits = 19;
+inline constexpr unsigned kBanks = 6;             ///< of a memory without a port
+inline constexpr unsigned kSceneBanks = 3;        ///< from bank 0 on
+inline constexpr unsigned kFrameBank = 3;         ///< of the pixels
+inline constexpr unsigned kHitBank = 4;           ///< of the hit records, and the one after it
+inline constexpr unsigned kBankWords = 1u << 20;  ///< of each bank
+inline constexpr unsigned kAddressBits = 19;      ///< of the number of a node, list entry or column
 inline constexpr unsigned kMaxNodes = 1u
                                       << kAddressBits;  ///< of which number 0 is the null address
-inline constexpr unsigned kMaxListEntries = 1u << kAddressBits;
+inline constexpr unsigned kMaxListEntries = 1u << kAddressBits;  ///< of all trees
 inline constexpr unsigned kListStep = 2;  ///< of the lists' beginnings, where nodes point to them
-inline constexpr unsigned kMatrixBits = 17;
-inline constexpr unsigned kMaxMatrices = 1u << kMatrixBits;
+inline constexpr unsigned kMatrixBits = 17;                  ///< of the number of a matrix
+inline constexpr unsigned kMaxMatrices = 1u << kMatrixBits;  ///< of all kinds
 inline constexpr unsigned kColumnBase = 1u << kAddressBits;  ///< first word of the matrix columns
 
 /// A memory behind one port (units/memory_port.h), whose words have 32 bits, holds the scene in its
 /// lower half: items in the order of their numbers, each in words from the lowest address on. A
 /// column leaves the last of its four words empty. Above lie the pixels, those of 16 bits two to a
 /// word, and the hit records, of which each word of bank 4 is followed by that of bank 5.
-inline constexpr unsigned kPortAddressBits = 24;  ///< of a byte of the scene
-inline constexpr unsigned kNodeBytes = 8;
-inline constexpr unsigned kEntryBytes = 4;
-inline constexpr unsigned kColumnBytes = 16;
+inline constexpr unsigned kPortAddressBits = 24;  ///< of the address of a byte of the scene
+inline constexpr unsigned kNodeBytes = 8;         ///< of a node behind the port
+inline constexpr unsigned kEntryBytes = 4;        ///< of a list entry there
+inline constexpr unsigned kColumnBytes = 16;      ///< of a matrix column or a box there
 /// Entries in a line of the list cache, where one of the node cache has several nodes: as many as
 /// have its bytes.
 constexpr unsigned entries_of_line(unsigned nodes) {
   return nodes == 1 ? 1 : nodes * kNodeBytes / kEntryBytes;
 }
-inline constexpr unsigned kEntriesAt = kMaxNodes * kNodeBytes;
-inline constexpr unsigned kColumnsAt = 2 * kEntriesAt;
+inline constexpr unsigned kEntriesAt = kMaxNodes * kNodeBytes;  ///< byte of list entry 0
+inline constexpr unsigned kColumnsAt = 2 * kEntriesAt;          ///< byte of matrix column 0
 static_assert(kColumnsAt + (kColumnBytes << kAddressBits) == 1u << kPortAddressBits);
-inline constexpr unsigned kMemoryAddressBits = kPortAddressBits + 1;  ///< of any byte
-inline constexpr unsigned kPixelsAt = 1u << kPortAddressBits;
-inline constexpr unsigned kHitsAt = kPixelsAt + kPixelsAt / 2;
+inline constexpr unsigned kMemoryAddressBits = kPortAddressBits + 1;  ///< of any byte's address
+inline constexpr unsigned kPixelsAt = 1u << kPortAddressBits;         ///< byte of pixel 0
+inline constexpr unsigned kHitsAt = kPixelsAt + kPixelsAt / 2;        ///< byte of hit record 0
 static_assert(kHitsAt + 2 * 4 * kBankWords == 1u << kMemoryAddressBits);
 
 /// Pixels from the beginning of a row to that of the next, in a memory behind the port: with whole
 /// packets in each row, what a packet writes of a row lies side by side and is aligned.
-inline constexpr unsigned kPitchStep = 4;
+inline constexpr unsigned kPitchStep = 4;  ///< pixels; each row begins at a multiple of it
 constexpr unsigned row_pitch(unsigned width) {
   return (width + (kPitchStep - 1)) / kPitchStep * kPitchStep;
 }
@@ -214,7 +214,7 @@ constexpr WorldBoxSlabs<R> slabs_of(const MatrixColumn<R>& column) {
 /// Stored triangle n begins at column 3 n, any other matrix n at column 4 n: each kind has its own
 /// numbers. Every other primitive of a list's entry (a sphere) begins like a triangle and has four
 /// columns, and so does a mirror's reflection, which follows its triangle.
-inline constexpr unsigned kStoredColumns = 3;
+inline constexpr unsigned kStoredColumns = 3;  ///< of a triangle in three columns
 
 /// A finished ray's hit as the core writes it, word by word into bank 4 and at the same place into
 /// bank 5: pixel p's words begin at kHitWords * p. Numbers are the bits of the core's float, of at
@@ -234,9 +234,9 @@ struct HitSurface {
   uint<15> reserved;
   HLS_FIELDS(u, cosine, triangle, reserved)
 };
-inline constexpr unsigned kHitWords = hls::bit_width_of<HitPlace>() / 32;
+inline constexpr unsigned kHitWords = hls::bit_width_of<HitPlace>() / 32;  ///< of a hit, by bank
 static_assert(hls::bit_width_of<HitSurface>() == hls::bit_width_of<HitPlace>());
-inline constexpr unsigned kMaxPixels = kBankWords / kHitWords;
+inline constexpr unsigned kMaxPixels = kBankWords / kHitWords;  ///< whose hits fill a bank
 inline constexpr unsigned kMaxSide = 1024;  ///< pixels a side, by ray generation
 
 }  // namespace dynrt

@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """The page of limits: its numbers come from the headers and the configurations that set them."""
 
+import ast
+import operator
 import re
+from collections.abc import Callable, Mapping
 
 from dynrt_tools import project
 from dynrt_tools.docs import keys
@@ -11,6 +14,12 @@ MEMORY = "hls/units/memory_format.h"
 WALK = "host/app/walk.cpp"
 INSTANCE_TREE = "host/tree/instance_tree.h"
 CONSTANT = re.compile(r"constexpr (?:unsigned|std::size_t) ([^;]*);")
+OPERATORS: Mapping[type[ast.operator], Callable[[int, int], int]] = {
+    ast.Add: operator.add,
+    ast.Mult: operator.mul,
+    ast.Div: operator.floordiv,
+    ast.LShift: operator.lshift,
+}
 FIELD = re.compile(r"^  (Word|MatrixIndex|bool|uint<(\d+)>) \w+", re.MULTILINE)
 
 PAGE = """\
@@ -54,15 +63,24 @@ of the host and `hls/configs/configs.json`.
 
 
 def value(expression: str, known: dict[str, int]) -> int | None:
-    """The number of `1u << 20`, of a quotient or of a name; None for anything else."""
-    match re.sub(r"(\d)u\b", r"\1", expression).split():
-        case [one]:
-            return int(one) if one.isdigit() else known.get(one)
-        case [left, ("<<" | "/") as operator, right]:
-            a, b = value(left, known), value(right, known)
-            if a is None or b is None:
-                return None
-            return a << b if operator == "<<" else a // b
+    """The number of `1u << 20`, of names and of what +, *, / and << make of such; None for anything
+    else."""
+    try:
+        tree = ast.parse(" ".join(re.sub(r"(\d)u\b", r"\1", expression).split()), mode="eval")
+    except SyntaxError:
+        return None
+    return _value(tree.body, known)
+
+
+def _value(node: ast.expr, known: dict[str, int]) -> int | None:
+    match node:
+        case ast.Constant(value=int(number)):
+            return number
+        case ast.Name(id=name):
+            return known.get(name)
+        case ast.BinOp(left=left, op=operator_, right=right) if type(operator_) in OPERATORS:
+            a, b = _value(left, known), _value(right, known)
+            return None if a is None or b is None else OPERATORS[type(operator_)](a, b)
     return None
 
 
@@ -88,10 +106,15 @@ def hit_words(matrix_bits: int) -> int:
     return bits // 32
 
 
+def memory_constants() -> dict[str, int]:
+    """Those of the memory's layout."""
+    hits = hit_words(constants(MEMORY)["kMatrixBits"])
+    return constants(MEMORY, {"kHitWords": hits})
+
+
 def page() -> str:
     """The whole page."""
-    memory = constants(MEMORY)
-    memory = constants(MEMORY, {"kHitWords": hit_words(memory["kMatrixBits"])})
+    memory = memory_constants()
     tree = constants(INSTANCE_TREE)
     configurations = keys.configurations()
     thesis, whitted = configurations["thesis"], configurations["whitted"]

@@ -81,6 +81,21 @@ class Pages(unittest.TestCase):
         for struct in ("Node", "ListEntry", "MatrixWord", "HitPlace", "HitSurface"):
             self.assertIn(f"\n### {struct}\n", page)
 
+    def test_what_lies_behind_a_port_fills_no_byte_twice(self) -> None:
+        lines = registers.port_table(limits.memory_constants())[2:]
+        self.assertIn("| `0x0400000` | `0x05fffff` | 2 MB | 4 bytes | list entries |", lines)
+        self.assertIn("| `0x1800000` | `0x1ffffff` | 8 MB | 24 bytes | hit records |", lines)
+        ends = [re.findall(r"0x(\w+)", line) for line in lines if "pixels of 16" not in line]
+        bytes_ = [int(end, 16) for both in ends for end in both]
+        self.assertEqual(bytes_, sorted(bytes_))
+        text = registers.source(registers.MEMORY)
+        self.assertTrue(registers.port_comment(text).startswith("A memory behind one port"))
+
+    def test_constants_of_the_memory_have_meanings(self) -> None:
+        table = registers.constants_table(registers.source(registers.MEMORY))
+        self.assertEqual([line for line in table if line.endswith("|  |")], [])
+        self.assertTrue(any(line.startswith("| `kSpareBits` | `std::max(") for line in table))
+
     def test_cores_with_the_same_registers_share_a_column(self) -> None:
         small = "`define DYNRT_CORE_FRAME_BITS 64\n`define DYNRT_CORE_FRAME_PACKETS 32\n"
         large = f"{small}`define DYNRT_CORE_FRAME_BOX_COLUMN 64\n"
@@ -200,7 +215,10 @@ class Limits(unittest.TestCase):
         known = {"kA": 3}
         self.assertEqual(limits.value("1u << kA", known), 8)
         self.assertEqual(limits.value("20 / kA", known), 6)
+        self.assertEqual(limits.value("2 * (1u << kA) +\n  kA / 2", known), 17)
         self.assertIsNone(limits.value("f(1) + kA", known))
+        self.assertIsNone(limits.value("kA + kB", known))
+        self.assertIsNone(limits.value("a::b", known))
 
     def test_a_pixel_takes_the_words_of_its_hit(self) -> None:
         self.assertEqual(limits.hit_words(17), 3)

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator, Mapping
 
 from dynrt_tools import project
+from dynrt_tools.docs import limits
 from dynrt_tools.project import Json, read_json
 
 FRAME = "hls/units/frame.h"
@@ -20,7 +21,26 @@ PLACE = re.compile(r"^`define DYNRT_CORE_FRAME_(\w+) (\d+)$", re.MULTILINE)
 REGISTER = re.compile(r"^localparam (?:\[\S+\] )?(\w+) = (\S+?);(?: *// *(.*))?$", re.MULTILINE)
 HEX = "'h"
 SCANNED = re.compile(r"uint<32> (\w+);(?: *///< *(.*))?")
-CONSTANT = re.compile(r"^inline constexpr unsigned (\w+)\s*=\s*([^;]+);(?:\s*///<\s*(.*))?$", re.M)
+CONSTANT = re.compile(
+    r"((?:^///[^\n]*\n)+^template[^\n]*\n)?^inline constexpr unsigned (\w+)\s*=\s*([^;]+);"
+    r"(?:\s*///<\s*(.*))?$",
+    re.MULTILINE,
+)
+OF_PORT = "kPortAddressBits"  # the first constant of a memory behind the port
+# What lies there: its first byte, its room and the bytes of an item.
+PORT_ITEMS = (
+    ("nodes", "0", "kMaxNodes * kNodeBytes", "kNodeBytes"),
+    ("list entries", "kEntriesAt", "kMaxListEntries * kEntryBytes", "kEntryBytes"),
+    (
+        "matrix columns, and boxes of objects",
+        "kColumnsAt",
+        "(1u << kAddressBits) * kColumnBytes",
+        "kColumnBytes",
+    ),
+    ("pixels of 32 bits", "kPixelsAt", "kBankWords * 4", "4"),
+    ("pixels of 16 bits", "kPixelsAt", "kBankWords * 2", "2"),
+    ("hit records", "kHitsAt", "2 * kBankWords * 4", "2 * kHitWords * 4"),
+)
 STRUCT = re.compile(
     r"((?:^///[^\n]*\n)*)(?:^template[^\n]*\n)?^struct (\w+) \{\n(.*?)^\};", re.M | re.S
 )
@@ -142,9 +162,37 @@ def counters_table(join: Json) -> list[str]:
 
 
 def constants_table(text: str) -> list[str]:
+    """The constants of the memory; of a template the meaning stands above it."""
     lines = ["| constant | value | meaning |", "|---|---|---|"]
-    for name, value, meaning in CONSTANT.findall(re.sub(r"=\s*1u\s*<<", "= 1u <<", text)):
-        lines.append(f"| `{name}` | `{' '.join(value.split())}` | {meaning} |")
+    for above, name, value, meaning in CONSTANT.findall(re.sub(r"=\s*1u\s*<<", "= 1u <<", text)):
+        said = meaning or uncommented(above.partition("template")[0]).replace("\n", " ")
+        lines.append(f"| `{name}` | `{' '.join(value.split())}` | {said} |")
+    return lines
+
+
+def uncommented(comment: str) -> str:
+    """What a comment of lines that begin with /// says."""
+    return "\n".join(line.removeprefix("///").removeprefix(" ") for line in comment.splitlines())
+
+
+def port_comment(text: str) -> str:
+    """What the header says of a memory behind the port."""
+    found = project.searched(
+        rf"((?:^///[^\n]*\n)+)inline constexpr unsigned {OF_PORT} ", text, re.M
+    )
+    return uncommented(found[1])
+
+
+def port_table(memory: dict[str, int]) -> list[str]:
+    """Where what lies in a memory behind the port."""
+    lines = ["| from byte | to | room | an item | holds |", "|---|---|---:|---:|---|"]
+    for holds, *expressions in PORT_ITEMS:
+        numbers = [limits.value(expression, memory) for expression in expressions]
+        first, room, item = [number for number in numbers if number is not None]
+        lines.append(
+            f"| `0x{first:07x}` | `0x{first + room - 1:07x}` | {room >> 20} MB | {item} bytes | "
+            f"{holds} |"
+        )
     return lines
 
 
@@ -155,9 +203,7 @@ def structs(text: str) -> list[str]:
         order = re.search(r"HLS_FIELDS\(([^)]*)\)", body)
         if not order:
             continue
-        said = "\n".join(
-            line.removeprefix("///").removeprefix(" ") for line in comment.splitlines()
-        )
+        said = uncommented(comment)
         lines += ["", f"### {name}", "", said, "", "| field | type | meaning |", "|---|---|---|"]
         for field in order[1].replace("\n", " ").split(","):
             found = re.search(
@@ -223,7 +269,17 @@ def page() -> str:
         f"{link(MEMORY)} is the one description. The core unpacks with it and the host packs with "
         "it.",
         "",
-        comment_of(memory),
+        "### In six banks",
+        "",
+        comment_of(memory).partition("\n\n")[2],
+        "",
+        "### Behind a port",
+        "",
+        port_comment(memory),
+        "",
+        *port_table(limits.memory_constants()),
+        "",
+        "### Constants",
         "",
         *constants_table(memory),
         "",
