@@ -9,7 +9,7 @@ import pathlib
 import re
 import shutil
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any, NoReturn
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -26,6 +26,11 @@ class Failed(Exception):
 def fail(message: object) -> NoReturn:
     """Ends the command with a sentence."""
     sys.exit(f"{pathlib.Path(sys.argv[0]).name}: {message}")
+
+
+def enumerated(words: Sequence[str]) -> str:
+    """As a sentence names them: a, b and c."""
+    return " and ".join(part for part in (", ".join(words[:-1]), *words[-1:]) if part)
 
 
 def show_progress(text: str) -> None:

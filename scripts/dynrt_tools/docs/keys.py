@@ -5,7 +5,9 @@
 import json
 from typing import Any
 
+from dynrt_tools import project
 from dynrt_tools.build import configs
+from dynrt_tools.hardware import rtl_files
 
 
 def described() -> Any:
@@ -71,14 +73,14 @@ def keys_page() -> str:
 def configurations_page() -> str:
     """What each configuration is for, and in which keys it differs from the defaults."""
     known = described().KEYS
+    checked_in = project.enumerated([f"`{name}`" for name in rtl_files.all_checked_in()])
     lines = [
         "# Configurations",
         "",
         "`hls/configs/configs.json` lists them. *Verilog*: builds make its Verilog too; the others "
-        "run as C++ alone. The Verilog of `thesis` and that of `fast`, which frames are rendered "
-        "with where no other is named, are checked in, under `rtl/generated`, for readers without "
-        "LLVM. A frame may use fewer packets and lines than its configuration has (`--packets`, "
-        "`--lines`).",
+        f"run as C++ alone. The Verilog of {checked_in} is checked in, under `rtl/generated`, for "
+        "readers without LLVM. Where no configuration is named, frames are rendered with `fast`. A "
+        "frame may use fewer packets and lines than its configuration has (`--packets`, `--lines`).",
         "",
         "| configuration | Verilog | what it is for |",
         "|---|---|---|",

@@ -146,6 +146,9 @@ class Lint(Planted):
             "lint: there is no generated Verilog of configuration 'huge'; 'thesis' is "
             "checked in, a build puts that of the others into elsewhere\n",
         )
+        unit = {f"rtl/generated/{name}/unit.v": UNIT for name in ("fast", "small", "sdram")}
+        result, _ = self.run_script(unit, "lint", "--config", "huge", "--build", "elsewhere")
+        self.assertIn("'fast', 'small' and 'thesis' are checked in, a build", result.stderr)
 
     def test_no_verilog_is_not_a_pass(self) -> None:
         copy_scripts(self.folder)

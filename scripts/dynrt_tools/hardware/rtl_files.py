@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 from dynrt_tools import project, unit_names
 
-# The configuration that the commands for hardware take. Its Verilog is checked in, as is that of the
-# one that programs take (cmake/HlsUnit.cmake).
+# The configuration that the commands for hardware take. Its Verilog is checked in, as is that of some
+# others (cmake/HlsUnit.cmake).
 CHECKED_IN = "thesis"
 ALL_GENERATED = project.ROOT / "rtl" / "generated"
 GENERATED = ALL_GENERATED / CHECKED_IN
@@ -174,17 +174,18 @@ def generated(args: argparse.Namespace) -> list[pathlib.Path]:
     folders = ([there] if there else []) + [build / "generated" / args.config for build in builds]
     files: list[pathlib.Path] = next((found for f in folders if (found := units_in(f))), [])
     if not files:
+        names = [f"'{name}'" for name in all_checked_in()]
         project.fail(
             f"there is no generated Verilog of configuration '{args.config}'; "
-            f"{_all_checked_in()} checked in, a build puts that of the others into "
+            f"{project.enumerated(names)} {'is' if len(names) == 1 else 'are'} checked in, a build puts that of the others into "
             f"{' or '.join(str(b) for b in builds)}"
         )
     return files
 
 
-def _all_checked_in() -> str:
-    names = sorted(f.name for f in ALL_GENERATED.iterdir() if f.is_dir() and f not in BESIDE_CORES)
-    return " and ".join(f"'{name}'" for name in names) + (" is" if len(names) == 1 else " are")
+def all_checked_in() -> list[str]:
+    """The configurations whose Verilog is checked in."""
+    return sorted(f.name for f in ALL_GENERATED.iterdir() if f.is_dir() and f not in BESIDE_CORES)
 
 
 def include_folders(files: Iterable[pathlib.Path]) -> list[pathlib.Path]:
